@@ -1,0 +1,18 @@
+/* boxtree.h -- axis-aligned bounding boxes in a median-split tree (floor 1; numerics.md 3.2). */
+#ifndef MORTISE_BOXTREE_H
+#define MORTISE_BOXTREE_H
+
+#include <petscsys.h>
+
+typedef struct _n_BoxTree *BoxTree;
+
+/* Builds a tree over n boxes in O(n log n). Not collective.
+   [in] boxes - [n][2][dim], lower then upper, copied; [out] tree - owned by the caller */
+PetscErrorCode BoxTreeCreate(PetscInt dim, PetscInt n, const PetscReal boxes[], BoxTree *tree);
+PetscErrorCode BoxTreeDestroy(BoxTree *tree);
+
+/* The boxes that meet the query box (touching counts), in ascending order of index.
+   [in] query - [2][dim]; [out] hits - borrowed until the next query, [num_hits] */
+PetscErrorCode BoxTreeQuery(BoxTree tree, const PetscReal query[], PetscInt *num_hits, const PetscInt *hits[]);
+
+#endif

@@ -1,0 +1,21 @@
+/* certificate.h -- the answer judged in the original blocks, never in the system that was solved (floor 7; numerics.md 6.6). */
+#ifndef MORTISE_CERTIFICATE_H
+#define MORTISE_CERTIFICATE_H
+
+#include <mortise/fields.h>
+
+/* All dimensionless; the same on all ranks. */
+typedef struct {
+  PetscReal equilibrium;     /* |f - K u - B'lambda| on free directions over the size of the forces */
+  PetscReal gap;             /* max (B u - G)_+ / D over u_ref */
+  PetscReal pressure;        /* max (-lambda)_+ over p_ref */
+  PetscReal complementarity; /* sum D lambda |slack| over the work of the loads */
+  PetscReal force, moment;   /* balance of loads, reactions of the whole scene, over the sum of their sizes */
+  PetscBool holds;
+  char      failure[256];    /* which test failed, by how much, what to try; "" where it holds */
+} Certificate;
+
+/* Collective. [out] reactions - ghosted Vec of dim per node: what the supports exert, owned by the caller */
+PetscErrorCode CertificateCompute(Fields fields, Certificate *certificate, Vec *reactions);
+
+#endif

@@ -1,0 +1,56 @@
+/* element.h -- shape functions, quadrature and cell stiffness (floor 1).
+
+   Plain tables and loops: no MPI, no objects, nothing allocated. Reference cells are PETSc's order of vertices:
+   line2 on [0,1]; tri3 (0,0),(1,0),(0,1); quad4 (0,0),(1,0),(1,1),(0,1) on [0,1]^2. 2D cells run anticlockwise. */
+#ifndef MORTISE_ELEMENT_H
+#define MORTISE_ELEMENT_H
+
+#include <petscsys.h>
+
+typedef enum { ELEMENT_LINE2, ELEMENT_TRI3, ELEMENT_QUAD4, ELEMENT_COUNT } ElementType;
+
+enum {
+  ELEMENT_MAX_NODES       = 8, /* of a cell */
+  ELEMENT_MAX_FACET_NODES = 4, /* of a facet */
+  ELEMENT_MAX_POINTS      = 16 /* of a quadrature rule */
+};
+
+/* Name as users know it ("tri3"), reference dimension, nodes, facets, and the type of each facet. Not collective. */
+const char *ElementName(ElementType type);
+PetscInt    ElementDim(ElementType type);
+PetscInt    ElementNumNodes(ElementType type);
+PetscInt    ElementNumFacets(ElementType type);
+ElementType ElementFacetType(ElementType type);
+/* The cell's local node numbers of one facet, ordered so that in 2D the outward normal is (dy, -dx) along the facet. */
+const PetscInt *ElementFacetNodes(ElementType type, PetscInt facet);
+
+/* phi = shape functions at xi; dphi[i][k] = d phi_i / d xi_k (dphi may be NULL).
+   [in] xi - array of shape [ElementDim]; [out] phi - [num_nodes]; [out] dphi - [num_nodes][ElementDim] */
+void ElementShape(ElementType type, const PetscReal xi[], PetscReal phi[], PetscReal dphi[]);
+
+/* A rule on the reference cell that is exact for polynomials up to degree (tensor degree on quads).
+   [out] points - [n][ElementDim]; [out] weights - [n], summing to the reference measure; returns n, 0 if there is no rule */
+PetscInt ElementQuadrature(ElementType type, PetscInt degree, PetscReal points[], PetscReal weights[]);
+
+/* n Gauss-Legendre points on [0,1], n = 1..8: exact to degree 2n-1. Returns n. */
+PetscInt GaussLine(PetscInt n, PetscReal points[], PetscReal weights[]);
+
+/* Geometry at xi of a cell with nodes at X: x (may be NULL), gradients d phi_i / d x_k (may be NULL), and det J as result.
+   [in] X - [num_nodes][dim], dim = ElementDim; [out] x - [dim]; [out] phi - [num_nodes]; [out] grad - [num_nodes][dim] */
+PetscReal ElementMap(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
+                     PetscReal grad[]);
+
+/* Smallest det J over the nodes and quadrature points: <= 0 for a degenerate or tangled cell. */
+PetscReal ElementMinJacobian(ElementType type, const PetscReal X[]);
+
+/* Finds xi with x(xi) = x by Newton; returns whether x lies in the cell to within tolerance (relative to the cell). */
+PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x[], PetscReal tolerance, PetscReal xi[]);
+
+/* Strain-displacement matrix at a point, engineering shear, rows (xx,yy,xy) in 2D, (xx,yy,zz,yz,xz,xy) in 3D.
+   [in] grad - [num_nodes][dim]; [out] B - [num_strains][num_nodes*dim] */
+void ElementStrainMatrix(PetscInt dim, PetscInt num_nodes, const PetscReal grad[], PetscReal B[]);
+
+/* The degree of the quadrature of the stiffness of affine and parallelogram cells (2 x 2 points for quad4, 1 for tri3). */
+PetscInt ElementStiffnessDegree(ElementType type);
+
+#endif

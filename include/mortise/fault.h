@@ -1,0 +1,41 @@
+/* fault.h -- a user's mistake as one sentence and an exit code (floor 0).
+
+   A mistake of the user is not an internal error: it is told in one sentence on stderr by the first rank, without a
+   stack trace, and ends the program with exit code 1 on every number of ranks. A fault travels through PetscCall() as
+   the error code MORTISE_ERR_FAULT; the handler installed by FaultInitialize() keeps PETSc silent about it. */
+#ifndef MORTISE_FAULT_H
+#define MORTISE_FAULT_H
+
+#include <petscsys.h>
+
+/* The code that a fault travels under; outside the range of PETSc's own codes. */
+#define MORTISE_ERR_FAULT ((PetscErrorCode)4711)
+
+/* What the program tells the shell (interface.md 1). */
+typedef enum {
+  MORTISE_SOLVED        = 0, /* solved, and the certificate holds */
+  MORTISE_FAULT         = 1, /* the scene is wrong */
+  MORTISE_NO_SOLUTION   = 2, /* well posed as input, but nothing balances the loads */
+  MORTISE_NOT_CONVERGED = 3, /* not solved to tolerance */
+  MORTISE_FAILED        = 4  /* the program itself failed */
+} MortiseExit;
+
+/* Installs the error handler that is silent for MORTISE_ERR_FAULT and PETSc's traceback for anything else.
+   Not collective; call once after PetscInitialize(). */
+PetscErrorCode FaultInitialize(void);
+
+/* Raises a fault that all ranks know of: the first rank prints "mortise: <sentence>" on stderr.
+   Collective on comm, the same arguments on all ranks. Returns MORTISE_ERR_FAULT: write PetscCall(FaultRaise(...)).
+   [in] format - printf format of the sentence, without a final newline */
+PetscErrorCode FaultRaise(MPI_Comm comm, const char format[], ...);
+
+/* Raises a fault that only some ranks have found; returns 0 where no rank has one.
+   Collective on comm. Of several sentences the one of the lowest rank is printed.
+   [in] sentence - what is wrong as this rank sees it; NULL or "" where nothing is */
+PetscErrorCode FaultCheck(MPI_Comm comm, const char sentence[]);
+
+/* The name in names[] that is nearest to the misspelt one (edit distance), or NULL if none is near. Not collective.
+   [in] names - array of shape [num_names], borrowed; the result points into it */
+const char *FaultNearest(const char misspelt[], PetscInt num_names, const char *const names[]);
+
+#endif

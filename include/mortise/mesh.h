@@ -1,0 +1,71 @@
+/* mesh.h -- the one DMPlex of all bodies, its levels and their tables (floor 3).
+
+   Every body is made or read on the first rank, refined by its own -<body>_dm_refine, and merged into one DMPlex whose
+   cells carry the label "body" (index) and whose facets carry one label per named side that the scene uses. The DMPlex
+   keeps box coordinates; a body's map is applied to the node table of each level, so that curved sides stay exact. */
+#ifndef MORTISE_MESH_H
+#define MORTISE_MESH_H
+
+#include <petscdmplex.h>
+#include <mortise/element.h>
+#include <mortise/scene.h>
+
+/* Tables of one level on this rank. Cells are held by exactly one rank; nodes on rank boundaries by several, one of which
+   owns them. Local nodes: the owned ones first, in global order, then ghosts. Global dof = dim * global node + component. */
+typedef struct {
+  MPI_Comm   comm;
+  DM         dm;
+  PetscInt   dim;
+  PetscInt   num_cells, num_nodes, num_owned; /* local; num_nodes counts ghosts */
+  PetscInt   node_begin, num_global;          /* first owned global node; global number of nodes */
+  PetscInt  *cell_start;                      /* [num_cells+1] into cell_nodes */
+  PetscInt  *cell_nodes;                      /* local nodes in the order of element.h, anticlockwise in 2D */
+  PetscInt  *cell_type;                       /* ElementType [num_cells] */
+  PetscInt  *cell_body;                       /* [num_cells] */
+  PetscReal *coords;                          /* positions after the map [num_nodes][dim] */
+  PetscInt  *node_global;                     /* [num_nodes] */
+  PetscInt  *node_body;                       /* [num_nodes] */
+  Mat        prolongation;                    /* node values of the next coarser level to this one's (AIJ), NULL on the coarsest */
+} Level;
+
+/* The facets of one side, or of several joined with '+', that this rank holds: boundary facets belong to one cell, hence
+   to one rank. */
+typedef struct {
+  PetscInt     num;
+  ElementType *type;  /* [num] */
+  PetscInt    *cell;  /* local cell [num] */
+  PetscInt    *nodes; /* local nodes [num][ELEMENT_MAX_FACET_NODES], ordered so that the 2D outward normal is (dy,-dx) */
+} Facets;
+
+struct _n_Mesh {
+  Scene    scene;      /* borrowed */
+  PetscInt num_levels; /* 1 + the common refinements */
+  Level   *levels;     /* coarse first; the last one is the mesh that is solved on */
+};
+typedef struct _n_Mesh *Mesh;
+
+/* Creates an empty mesh for a scene, which must outlive it. Collective on the scene's comm. */
+PetscErrorCode MeshCreate(Scene scene, Mesh *mesh);
+/* Makes or reads all bodies, merges, partitions, refines, builds the tables. Faults: a file that cannot be read, a side or
+   region that does not exist (names those that do), a degenerate or tangled cell (names its place), a side in two roles.
+   Chooses roles of pairs left open, by numerics.md 5.6 (writes nonmortar and mortar of the ScenePair). Collective. */
+PetscErrorCode MeshSetUp(Mesh mesh);
+Level         *MeshFinest(Mesh mesh);
+PetscErrorCode MeshDestroy(Mesh *mesh);
+
+/* Facets of a body's side on a level. Collective. [out] facets - owned by the caller, FacetsDestroy() */
+PetscErrorCode LevelGetFacets(Level *level, Scene scene, PetscInt body, const char side[], Facets *facets);
+PetscErrorCode FacetsDestroy(Facets *facets);
+
+/* A ghosted Vec with bs values per node: VecGhostGetLocalForm() gives them in local node order. Collective. */
+PetscErrorCode LevelCreateVec(Level *level, PetscInt bs, Vec *v);
+/* Sums (ADD_VALUES) or maximises (MAX_VALUES) what every rank holds in its ghosts into the owners, and sends the result back. Collective. */
+PetscErrorCode LevelShareVec(Vec v, InsertMode mode);
+/* An AIJ matrix of block size bs for operators between nodes that share a cell, preallocated exactly from the tables. Collective. */
+PetscErrorCode LevelCreateMat(Level *level, PetscInt bs, Mat *A);
+
+/* Finds the cell of a body that holds a point, and the point's reference coordinates there. Collective.
+   [out] cell - local cell on the one rank that answers (lowest of those that hold it), -1 elsewhere; [out] found - on all ranks */
+PetscErrorCode LevelLocate(Level *level, PetscInt body, const PetscReal x[], PetscInt *cell, PetscReal xi[], PetscBool *found);
+
+#endif

@@ -1,0 +1,33 @@
+/* pair.h -- D, M, weighted gap and normals of one contact pair on one level (floor 4; numerics.md 3-4).
+
+   D_ab = int psi_a phi^s_b,  M_ab = int psi_a phi^m_b(pi(.)),  G_a = int psi_a g  over the covered part of the nonmortar
+   side. Rows of removed nodes (held in normal direction, or a sliver of coverage) are spread over their kept neighbours
+   (4.3), which is where D gets its few entries off the diagonal. Facets are integrated by the rank that holds them. */
+#ifndef MORTISE_PAIR_H
+#define MORTISE_PAIR_H
+
+#include <mortise/mesh.h>
+#include <mortise/support.h>
+
+struct _n_Pair {
+  const ScenePair *spec;      /* borrowed */
+  Level           *level;     /* borrowed */
+  PetscInt         num;       /* multiplier nodes owned by this rank */
+  PetscInt        *nodes;     /* their local node numbers, ascending [num] */
+  PetscReal       *D;         /* weights D_aa > 0 [num] */
+  PetscReal       *gap;       /* nodal gaps G_a / D_aa, signed, open > 0 [num] */
+  PetscReal       *normal;    /* unit, out of the nonmortar body [num][dim] */
+  PetscReal       *frame;     /* rows (n, t..) orthonormal; t along the held direction where there is one [num][dim][dim] */
+  Mat              chain;     /* D_ac, c removed (node x node), or NULL where no row was spread */
+  Mat              M;         /* node x node, rows of multiplier nodes; NULL for an obstacle */
+  PetscInt         num_facets_nonmortar, num_facets_mortar; /* of all ranks */
+  PetscInt         num_multipliers, num_removed, num_uncovered; /* nodes of all ranks */
+  PetscReal        reach;     /* that was used */
+};
+typedef struct _n_Pair *Pair;
+
+/* Searches, integrates and condenses one pair. Collective. [in] max_prescribed - largest prescribed displacement */
+PetscErrorCode PairCreate(Scene scene, const ScenePair *spec, Level *level, const Support *support, Pair *pair);
+PetscErrorCode PairDestroy(Pair *pair);
+
+#endif

@@ -1,0 +1,109 @@
+/* scene.h -- what the user described, checked as far as it can be without a mesh (floor 2; interface.md 3).
+
+   Plain data. Absent things are NULL or of zero length. All texts and expressions are owned by the scene. */
+#ifndef MORTISE_SCENE_H
+#define MORTISE_SCENE_H
+
+#include <petscsys.h>
+#include <mortise/expression.h>
+#include <mortise/material.h>
+
+typedef enum { BOUNDARY_DISPLACEMENT, BOUNDARY_NORMAL, BOUNDARY_TRACTION, BOUNDARY_PRESSURE } BoundaryKind;
+
+/* Data on one side of a body. */
+typedef struct {
+  BoundaryKind kind;
+  char        *side;  /* as typed: a name, a number, or several joined with '+' */
+  Expression   value; /* displacement [dim] with free components, traction [dim], pressure [1]; NULL for BOUNDARY_NORMAL */
+} SceneBoundary;
+
+typedef struct {
+  char          *name;      /* also the option prefix, without the underscore */
+  char          *mesh_file; /* found path of a mesh, or NULL for a box */
+  char          *region;    /* physical group (name or number) of the cells, or NULL for all */
+  PetscBool      simplex;   /* box of triangles (tetrahedra) instead of quads (hexes) */
+  PetscInt       faces[3];  /* cells of the box along each axis */
+  PetscReal      lower[3], upper[3];
+  Expression     map;       /* box coordinates to positions [dim], or NULL */
+  PetscInt       refine;    /* refinements of this body alone, before all are merged */
+  PetscInt       order;
+  Expression     young, poisson; /* of an isotropic body, else NULL */
+  Expression     stiffness;      /* upper triangle of the Hooke tensor, else NULL */
+  PetscReal      angle[3];       /* of the material axes, degrees */
+  Expression     body_force;     /* force per volume [dim], or NULL */
+  PetscInt       num_boundaries;
+  SceneBoundary *boundaries;     /* in the order typed: displacement, normal, traction, pressure */
+} SceneBody;
+
+typedef enum { PAIR_CONTACT, PAIR_TIED } PairType;
+typedef enum { OBSTACLE_NONE, OBSTACLE_PLANE, OBSTACLE_BALL, OBSTACLE_CYLINDER, OBSTACLE_PARABOLA, OBSTACLE_EXPRESSION } ObstacleKind;
+
+/* A rigid body without a mesh. */
+typedef struct {
+  ObstacleKind kind;
+  PetscReal    point[3];  /* on the plane; centre of the ball; vertex of the parabola */
+  PetscReal    normal[3]; /* unit, out of the obstacle, towards the body: of the plane, of the parabola at its vertex */
+  PetscReal    axis[3];   /* of the cylinder */
+  PetscReal    radius;    /* of the ball (negative: a hollow the body lies in), of curvature at the parabola's vertex */
+  Expression   gap;       /* OBSTACLE_EXPRESSION: the gap itself, a function of the nonmortar point [1] */
+} SceneObstacle;
+
+typedef struct {
+  PetscInt body; /* index into bodies, or -1 */
+  char    *side;
+} SceneSide;
+
+typedef struct {
+  char         *name;
+  PairType      type;
+  PetscBool     roles_open; /* the user gave -<pair>_sides only: the mesh decides which side is nonmortar */
+  SceneSide     nonmortar;
+  SceneSide     mortar;     /* body = -1 with an obstacle */
+  SceneObstacle obstacle;   /* kind OBSTACLE_NONE with a meshed mortar side */
+  Expression    gap;        /* replaces the measured gap, or NULL [1] */
+  Expression    gap_offset; /* is added to it, or NULL [1] */
+  PetscReal     reach;      /* farthest candidate, or negative: from the geometry */
+} ScenePair;
+
+typedef struct {
+  char     *name;
+  PetscInt  body;
+  PetscReal at[3];
+} SceneProbe;
+
+typedef enum { OUTPUT_XDMF = 1, OUTPUT_VTU = 2 } OutputFormat; /* bits */
+
+struct _n_Scene {
+  MPI_Comm    comm;
+  char       *title;        /* "" where none was given */
+  PetscInt    dim;
+  ModelKind   model;
+  PetscReal   thickness;
+  PetscInt    refine;       /* common refinements: the levels */
+  PetscInt    num_bodies, num_pairs, num_probes;
+  SceneBody  *bodies;
+  ScenePair  *pairs;
+  SceneProbe *probes;
+  char       *output;       /* path prefix, or NULL for no files */
+  int         formats;      /* OutputFormat bits */
+  char       *summary;      /* file for the summary alone, "-" for stdout, or NULL */
+  PetscBool   cross_check, quiet, monitor, view, allow_unused;
+};
+typedef struct _n_Scene *Scene;
+
+/* Creates an empty scene. Collective on comm. [out] scene - owned by the caller */
+PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene);
+/* Reads every option of interface.md 3-5 that is Mortise's own; faults for anything that can be judged without a mesh.
+   Collective on the scene's comm. */
+PetscErrorCode SceneSetFromOptions(Scene scene);
+/* Faults on options that nothing has read. With before_solve only those outside PETSc's own name spaces (ksp_, pc_, mat_,
+   snes_, ...), since PETSc reads many of its options late; without it, any. -options_allow_unused turns the fault into a
+   warning. Collective. */
+PetscErrorCode SceneCheckUnused(Scene scene, PetscBool before_solve);
+/* Prints every option, its unit and default, grouped. First rank of comm only. */
+PetscErrorCode SceneHelp(MPI_Comm comm);
+/* Prints what was modelled, as far as the scene knows (bodies, materials, loads, pairs). Collective. */
+PetscErrorCode SceneView(Scene scene);
+PetscErrorCode SceneDestroy(Scene *scene);
+
+#endif

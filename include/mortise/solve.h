@@ -1,0 +1,38 @@
+/* solve.h -- the VI handed to a SNES, defaults by size, the cross-check (floor 6). */
+#ifndef MORTISE_SOLVE_H
+#define MORTISE_SOLVE_H
+
+#include <mortise/vi.h>
+#include <petscsnes.h>
+
+enum { SOLVE_MAX_HISTORY = 512 };
+
+/* How one solve went; the same on all ranks. */
+typedef struct {
+  char      type[64];          /* SNES type */
+  char      linear[128];       /* what solved the linear systems, in words */
+  PetscBool converged;
+  char      reason[256];       /* why not, as a sentence; "" when converged */
+  PetscInt  iterations, active, linear_iterations;
+  PetscInt  num_changed, changed[SOLVE_MAX_HISTORY]; /* per iteration; num_changed = 0 for types that do not tell */
+  PetscBool safeguarded;
+  PetscReal linear_residual;   /* relative, of the last system */
+} SolveReport;
+
+/* Comparison of two solutions of the same VI. */
+typedef struct {
+  PetscBool   done, agree;
+  SolveReport other;
+  PetscInt    active_difference;
+  PetscReal   displacement_difference; /* max |du| / max |u| */
+} CrossCheck;
+
+/* Solves by -snes_type (default pdas); progress lines where the scene wants them. Not converging is not an error: the
+   report says so. Collective. [out] y - created by the caller in the layout of vi->b */
+PetscErrorCode VISolve(VI vi, Vec y, SolveReport *report);
+/* Solves by the other of pdas and vinewtonrsls and compares. Collective. */
+PetscErrorCode VICrossCheck(VI vi, Vec y, const SolveReport *report, CrossCheck *check);
+/* Prints what was chosen for the linear systems and why (part of -scene_view). Collective. */
+PetscErrorCode SolveView(VI vi);
+
+#endif

@@ -1,0 +1,29 @@
+/* summary.h -- the JSON summary and the verdict (floor 7; interface.md 5). */
+#ifndef MORTISE_SUMMARY_H
+#define MORTISE_SUMMARY_H
+
+#include <mortise/certificate.h>
+#include <mortise/fault.h>
+
+/* Everything the summary tells of; borrowed parts. */
+typedef struct {
+  Scene              scene;
+  Mesh               mesh;
+  VI                 vi;
+  Fields             fields;
+  const SolveReport *report;
+  const CrossCheck  *check;
+  const Certificate *certificate;
+  Vec                reactions;
+} SummaryInput;
+
+/* The summary as JSON text, the same keys always; a number that could not be computed is null.
+   Collective. [out] text - on the first rank owned by the caller (free()), NULL elsewhere */
+PetscErrorCode SummaryCreate(const SummaryInput *input, char **text);
+/* Writes the summary where the scene wants it (<output>.json, -summary), and prints the few lines a user reads on the
+   terminal: verdict, forces, certificate, files; on failure the reason, on stderr. Collective. */
+PetscErrorCode SummaryWrite(const SummaryInput *input);
+/* Faults if a probe lies outside its body; call before the solve. Collective. */
+PetscErrorCode ProbesCheck(Scene scene, Mesh mesh);
+
+#endif

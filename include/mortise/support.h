@@ -1,0 +1,23 @@
+/* support.h -- which directions of each node are held, and at what value (floor 3; numerics.md 5.7).
+
+   Displacement data hold Cartesian directions, normal data hold the side's normal. Both become orthonormal directions per
+   node: d_k . u = value_k, k < count. Data that contradict each other at a node are a fault. */
+#ifndef MORTISE_SUPPORT_H
+#define MORTISE_SUPPORT_H
+
+#include <mortise/mesh.h>
+
+typedef struct {
+  PetscInt   dim;
+  PetscInt  *count;      /* held directions of each local node, 0..dim [num_nodes] */
+  PetscReal *directions; /* orthonormal, held ones first, completed to a frame where count > 0 [num_nodes][dim][dim] */
+  PetscReal *values;     /* [num_nodes][dim] */
+  PetscInt  *side;       /* index of the boundary (within the body) that holds the node first, -1 where free [num_nodes] */
+  PetscReal  max_value;  /* largest |value| of all ranks */
+} Support;
+
+/* Collective. Axis-aligned directions keep the Cartesian frame exactly. */
+PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support);
+PetscErrorCode SupportDestroy(Support *support);
+
+#endif

@@ -1,0 +1,55 @@
+/* vi.h -- the condensed variational inequality and the way back (floor 5; numerics.md 5).
+
+   Book of record, in the user's units:  K u + B'lambda = f,  B u <= G,  lambda >= 0,  lambda.(B u - G) = 0, and the held
+   directions of the supports. One change of basis u = T y makes the constrained combinations single unknowns:
+       min 1/2 y'A y - b'y   subject to   y_i <= upper_i   for i in `normal`,
+   with A = T'KT and b = T'f after held and tied unknowns are eliminated (unit rows, scaled), so that only true
+   inequalities are left. A, b, y and upper are dimensionless: u = length * T y, A_user = stiffness * A. */
+#ifndef MORTISE_VI_H
+#define MORTISE_VI_H
+
+#include <mortise/pair.h>
+
+struct _n_VI {
+  Scene     scene; /* borrowed */
+  Level    *level; /* borrowed: the finest */
+  Support   support;
+  PetscInt  num_pairs;
+  Pair     *pairs;
+
+  /* book of record */
+  Mat       K;    /* N x N, AIJ, block size dim */
+  Vec       f;    /* ghosted */
+  Mat       B;    /* m x N, rows as below; NULL when no pair has a multiplier */
+  Vec       G;    /* m */
+  Mat       nest; /* [K B'; B 0], borrows K and B; NULL like B */
+
+  /* rows of B: this rank's multipliers, by pair, then by node, then (tied) by direction */
+  PetscInt  num_rows;       /* owned by this rank */
+  PetscInt *row_pair;       /* [num_rows] */
+  PetscInt *row_node;       /* position in the pair's nodes [num_rows] */
+  PetscInt *row_direction;  /* 0 normal, 1.. tangents (tied pairs only) [num_rows] */
+  PetscInt *row_dof;        /* the global unknown y_i that is (B u)_row / D_row [num_rows] */
+  PetscReal *row_D;         /* D_aa [num_rows] */
+
+  /* the inequality */
+  Mat       T;      /* u = length * T y; NULL when it is the identity */
+  Mat       A;      /* SPD, AIJ, block size dim, near null space attached */
+  Vec       b;      /* ghosted */
+  Vec       upper;  /* nodal gaps / length on contact unknowns, +infinity elsewhere */
+  Vec       lower;  /* -infinity */
+  PetscReal length, stiffness; /* scales */
+};
+typedef struct _n_VI *VI;
+
+/* Searches, integrates, assembles and condenses. Role cycles are a fault (5.4). Collective. [out] vi - owned by the caller */
+PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi);
+PetscErrorCode VIDestroy(VI *vi);
+
+/* u = length * T y. [in] y; [out] u - ghosted, created by LevelCreateVec(level, dim), ghosts updated. Collective. */
+PetscErrorCode VIRecoverDisplacement(VI vi, Vec y, Vec u);
+/* lambda = (T'(f - K u))_row / D_row for every row of B (5.3): pressures of contact rows, tractions of tied rows.
+   Collective. [in] u - ghosted; [out] lambda - layout of G, created by the caller */
+PetscErrorCode VIRecoverMultiplier(VI vi, Vec u, Vec lambda);
+
+#endif
