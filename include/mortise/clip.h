@@ -7,7 +7,7 @@
 
 #include <petscsys.h>
 
-enum { CLIP_MAX_POINTS = 16 };
+enum { CLIP_MAX_POINTS = 24 };
 
 /* One quadrature point of an overlap. */
 typedef struct {

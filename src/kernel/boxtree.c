@@ -1,0 +1,152 @@
+/* boxtree.c -- a balanced tree over boxes, halved at the median centre of the widest direction.
+
+   The tree is implicit: the boxes are permuted so that every node is a range [begin, end) that is halved in the middle,
+   and the node k has its children at 2k + 1 and 2k + 2. Only the bounds of the nodes are stored.
+
+   Reference:
+     [1] C. Ericson, Real-Time Collision Detection (2005), sections 6.2 and 6.6. */
+#include <mortise/boxtree.h>
+#include <mortise/compat.h>
+
+enum { LEAF_SIZE = 8, MAX_DIM = 3 };
+
+struct _n_BoxTree {
+  PetscInt   dim, n;
+  PetscInt  *order;  /* index of the box at each place [n] */
+  PetscReal *boxes;  /* by original index [n][2][dim] */
+  PetscReal *bounds; /* of the nodes [num_nodes][2][dim] */
+  PetscInt  *hits;   /* of the last query [n] */
+};
+
+/* Twice the centre of a box; ties are broken by the index, so that the tree does not depend on the order of the input. */
+static PetscBool IsBefore_Private(BoxTree tree, PetscInt axis, PetscInt a, PetscInt b)
+{
+  const PetscReal *A = &tree->boxes[2 * a * tree->dim + axis], *B = &tree->boxes[2 * b * tree->dim + axis];
+  const PetscReal  centre_a = A[0] + A[tree->dim], centre_b = B[0] + B[tree->dim];
+
+  return centre_a < centre_b || (centre_a == centre_b && a < b) ? PETSC_TRUE : PETSC_FALSE;
+}
+
+/* Permutes order[begin..end) so that the box at middle is where sorting along the axis would put it, what comes before
+   it is on its left and the rest on its right: Hoare's selection, linear time on average. */
+static void Select_Private(BoxTree tree, PetscInt axis, PetscInt begin, PetscInt middle, PetscInt end)
+{
+  PetscInt *order = tree->order, left = begin, right = end - 1;
+
+  while (left < right) {
+    const PetscInt pivot = order[left + (right - left) / 2];
+    PetscInt       i = left, j = right;
+
+    while (i <= j) {
+      while (IsBefore_Private(tree, axis, order[i], pivot)) i++;
+      while (IsBefore_Private(tree, axis, pivot, order[j])) j--;
+      if (i <= j) {
+        const PetscInt swap = order[i];
+
+        order[i++] = order[j];
+        order[j--] = swap;
+      }
+    }
+    if (middle <= j)
+      right = j;
+    else if (middle >= i)
+      left = i;
+    else
+      return;
+  }
+}
+
+static PetscInt WidestAxis_Private(PetscInt dim, const PetscReal bounds[])
+{
+  PetscInt widest = 0;
+
+  for (PetscInt k = 1; k < dim; k++) {
+    if (bounds[dim + k] - bounds[k] > bounds[dim + widest] - bounds[widest]) widest = k;
+  }
+  return widest;
+}
+
+/* Bounds of the node that holds order[begin..end), then its two halves. */
+static void Build_Private(BoxTree tree, PetscInt node, PetscInt begin, PetscInt end)
+{
+  const PetscInt dim = tree->dim, middle = begin + (end - begin) / 2;
+  PetscReal     *bounds = &tree->bounds[2 * node * dim];
+
+  for (PetscInt k = 0; k < dim; k++) {
+    bounds[k]       = PETSC_MAX_REAL;
+    bounds[dim + k] = PETSC_MIN_REAL;
+    for (PetscInt i = begin; i < end; i++) {
+      const PetscReal *box = &tree->boxes[2 * tree->order[i] * dim];
+
+      bounds[k]       = PetscMin(bounds[k], box[k]);
+      bounds[dim + k] = PetscMax(bounds[dim + k], box[dim + k]);
+    }
+  }
+  if (end - begin <= LEAF_SIZE) return;
+  Select_Private(tree, WidestAxis_Private(dim, bounds), begin, middle, end);
+  Build_Private(tree, 2 * node + 1, begin, middle);
+  Build_Private(tree, 2 * node + 2, middle, end);
+}
+
+PetscErrorCode BoxTreeCreate(PetscInt dim, PetscInt n, const PetscReal boxes[], BoxTree *tree)
+{
+  PetscInt num_nodes = 1;
+
+  PetscFunctionBeginUser;
+  PetscCheck(dim >= 1 && dim <= MAX_DIM, PETSC_COMM_SELF, PETSC_ERR_ARG_OUTOFRANGE, "Boxes of dimension %" PetscInt_FMT,
+             dim);
+  /* The larger half of n boxes has ceil(n/2) of them; a level of the tree doubles its nodes. */
+  for (PetscInt largest = n; largest > LEAF_SIZE; largest = (largest + 1) / 2) num_nodes = 2 * num_nodes + 1;
+  PetscCall(PetscNew(tree));
+  (*tree)->dim = dim;
+  (*tree)->n   = n;
+  PetscCall(PetscMalloc4(n, &(*tree)->order, 2 * n * dim, &(*tree)->boxes, 2 * num_nodes * dim, &(*tree)->bounds, n,
+                         &(*tree)->hits));
+  PetscCall(PetscArraycpy((*tree)->boxes, boxes, 2 * n * dim));
+  for (PetscInt i = 0; i < n; i++) (*tree)->order[i] = i;
+  Build_Private(*tree, 0, 0, n);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BoxTreeDestroy(BoxTree *tree)
+{
+  PetscFunctionBeginUser;
+  if (!*tree) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscFree4((*tree)->order, (*tree)->boxes, (*tree)->bounds, (*tree)->hits));
+  PetscCall(PetscFree(*tree));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscBool Meet_Private(PetscInt dim, const PetscReal a[], const PetscReal b[])
+{
+  for (PetscInt k = 0; k < dim; k++) {
+    if (a[k] > b[dim + k] || b[k] > a[dim + k]) return PETSC_FALSE;
+  }
+  return PETSC_TRUE;
+}
+
+static void Query_Private(BoxTree tree, const PetscReal query[], PetscInt node, PetscInt begin, PetscInt end,
+                          PetscInt *num_hits)
+{
+  const PetscInt dim = tree->dim, middle = begin + (end - begin) / 2;
+
+  if (!Meet_Private(dim, query, &tree->bounds[2 * node * dim])) return;
+  if (end - begin <= LEAF_SIZE) {
+    for (PetscInt i = begin; i < end; i++) {
+      if (Meet_Private(dim, query, &tree->boxes[2 * tree->order[i] * dim])) tree->hits[(*num_hits)++] = tree->order[i];
+    }
+    return;
+  }
+  Query_Private(tree, query, 2 * node + 1, begin, middle, num_hits);
+  Query_Private(tree, query, 2 * node + 2, middle, end, num_hits);
+}
+
+PetscErrorCode BoxTreeQuery(BoxTree tree, const PetscReal query[], PetscInt *num_hits, const PetscInt *hits[])
+{
+  PetscFunctionBeginUser;
+  *num_hits = 0;
+  Query_Private(tree, query, 0, 0, tree->n, num_hits);
+  PetscCall(PetscSortInt(*num_hits, tree->hits));
+  *hits = tree->hits;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

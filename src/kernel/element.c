@@ -1,0 +1,248 @@
+/* element.c -- reference cells as a table, and the geometry of cells by loops that are the same for every row of it.
+
+   A new cell type is a row: its nodes, its facets, its shape functions, and a rule in quadrature.c.
+
+   Reference:
+     [1] T. J. R. Hughes, The Finite Element Method (1987), chapter 3. */
+#include <mortise/element.h>
+
+enum { MAX_DIM = 2, MAX_FACETS = 4, NEWTON_MAX_STEPS = 25 };
+
+static const PetscReal NEWTON_STEP = 1e-13; /* reference coordinates are known to roundoff below this step */
+static const PetscReal NEWTON_HALO = 0.5;   /* iterates stay this near, where the map of a sound cell is regular */
+
+typedef struct {
+  const char     *name;
+  PetscInt        dim, num_nodes, num_facets;
+  ElementType     facet_type; /* ELEMENT_COUNT where the facets are points */
+  PetscBool       simplex;    /* coordinates add up to 1 at most; otherwise each is in [0,1] */
+  PetscInt        stiffness_degree;
+  const PetscReal nodes[ELEMENT_MAX_NODES][MAX_DIM];
+  const PetscInt  facets[MAX_FACETS][ELEMENT_MAX_FACET_NODES];
+  void (*shape)(const PetscReal xi[], PetscReal phi[], PetscReal dphi[]); /* dphi is never NULL */
+} Reference;
+
+static void ShapeLine2_Private(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
+{
+  phi[0]  = 1. - xi[0];
+  phi[1]  = xi[0];
+  dphi[0] = -1.;
+  dphi[1] = 1.;
+}
+
+static void ShapeTri3_Private(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
+{
+  phi[0]  = 1. - xi[0] - xi[1];
+  phi[1]  = xi[0];
+  phi[2]  = xi[1];
+  dphi[0] = dphi[1] = -1.;
+  dphi[2] = dphi[5] = 1.;
+  dphi[3] = dphi[4] = 0.;
+}
+
+/* Products of the line's functions, in the order of the corners. */
+static void ShapeQuad4_Private(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
+{
+  static const PetscInt corner[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  PetscReal             x[2], y[2], dx[2], dy[2];
+
+  ShapeLine2_Private(&xi[0], x, dx);
+  ShapeLine2_Private(&xi[1], y, dy);
+  for (PetscInt i = 0; i < 4; i++) {
+    const PetscInt a = corner[i][0], b = corner[i][1];
+
+    phi[i]          = x[a] * y[b];
+    dphi[2 * i]     = dx[a] * y[b];
+    dphi[2 * i + 1] = x[a] * dy[b];
+  }
+}
+
+static const Reference REFERENCE[ELEMENT_COUNT] = {
+    [ELEMENT_LINE2] = {"line2", 1, 2, 2, ELEMENT_COUNT, PETSC_FALSE, 0, {{0.}, {1.}}, {{0}, {1}}, ShapeLine2_Private},
+    [ELEMENT_TRI3]  = {"tri3",
+                       2,
+                       3,
+                       3,
+                       ELEMENT_LINE2,
+                       PETSC_TRUE,
+                       0, /* constant strain */
+                       {{0., 0.}, {1., 0.}, {0., 1.}},
+                       {{0, 1}, {1, 2}, {2, 0}},
+                       ShapeTri3_Private},
+    [ELEMENT_QUAD4] = {"quad4",
+                       2,
+                       4,
+                       4,
+                       ELEMENT_LINE2,
+                       PETSC_FALSE,
+                       2, /* products of two linear strains: 2 x 2 points */
+                       {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}},
+                       {{0, 1}, {1, 2}, {2, 3}, {3, 0}},
+                       ShapeQuad4_Private}};
+
+const char *ElementName(ElementType type)
+{
+  return REFERENCE[type].name;
+}
+
+PetscInt ElementDim(ElementType type)
+{
+  return REFERENCE[type].dim;
+}
+
+PetscInt ElementNumNodes(ElementType type)
+{
+  return REFERENCE[type].num_nodes;
+}
+
+PetscInt ElementNumFacets(ElementType type)
+{
+  return REFERENCE[type].num_facets;
+}
+
+ElementType ElementFacetType(ElementType type)
+{
+  return REFERENCE[type].facet_type;
+}
+
+const PetscInt *ElementFacetNodes(ElementType type, PetscInt facet)
+{
+  return REFERENCE[type].facets[facet];
+}
+
+PetscInt ElementStiffnessDegree(ElementType type)
+{
+  return REFERENCE[type].stiffness_degree;
+}
+
+void ElementShape(ElementType type, const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
+{
+  PetscReal unwanted[ELEMENT_MAX_NODES * MAX_DIM];
+
+  REFERENCE[type].shape(xi, phi, dphi ? dphi : unwanted);
+}
+
+/* J[k][l] = d x_k / d xi_l and, where it is regular, its inverse; returns det J. */
+static PetscReal Jacobian_Private(const Reference *cell, const PetscReal X[], const PetscReal dphi[],
+                                  PetscReal inverse[])
+{
+  const PetscInt dim                  = cell->dim;
+  PetscReal      J[MAX_DIM * MAX_DIM] = {0.}, det;
+
+  for (PetscInt i = 0; i < cell->num_nodes; i++) {
+    for (PetscInt k = 0; k < dim; k++) {
+      for (PetscInt l = 0; l < dim; l++) J[k * dim + l] += X[i * dim + k] * dphi[i * dim + l];
+    }
+  }
+  det = dim == 1 ? J[0] : J[0] * J[3] - J[1] * J[2];
+  if (det == 0.) return det;
+  if (dim == 1) {
+    inverse[0] = 1. / det;
+  } else {
+    inverse[0] = J[3] / det;
+    inverse[1] = -J[1] / det;
+    inverse[2] = -J[2] / det;
+    inverse[3] = J[0] / det;
+  }
+  return det;
+}
+
+PetscReal ElementMap(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
+                     PetscReal grad[])
+{
+  const Reference *cell = &REFERENCE[type];
+  const PetscInt   dim  = cell->dim;
+  PetscReal        dphi[ELEMENT_MAX_NODES * MAX_DIM], inverse[MAX_DIM * MAX_DIM] = {0.}, det;
+
+  cell->shape(xi, phi, dphi);
+  det = Jacobian_Private(cell, X, dphi, inverse);
+  if (x) {
+    for (PetscInt k = 0; k < dim; k++) {
+      x[k] = 0.;
+      for (PetscInt i = 0; i < cell->num_nodes; i++) x[k] += phi[i] * X[i * dim + k];
+    }
+  }
+  if (grad) { /* d phi / d x_k = sum_l d phi / d xi_l  d xi_l / d x_k */
+    for (PetscInt i = 0; i < cell->num_nodes; i++) {
+      for (PetscInt k = 0; k < dim; k++) {
+        grad[i * dim + k] = 0.;
+        for (PetscInt l = 0; l < dim; l++) grad[i * dim + k] += dphi[i * dim + l] * inverse[l * dim + k];
+      }
+    }
+  }
+  return det;
+}
+
+PetscReal ElementMinJacobian(ElementType type, const PetscReal X[])
+{
+  const Reference *cell     = &REFERENCE[type];
+  PetscReal        smallest = PETSC_MAX_REAL;
+
+  /* det J of tri3 is constant and that of quad4 is linear in xi: the nodes show its extremes. */
+  for (PetscInt i = 0; i < cell->num_nodes; i++) {
+    PetscReal phi[ELEMENT_MAX_NODES];
+
+    smallest = PetscMin(smallest, ElementMap(type, X, cell->nodes[i], NULL, phi, NULL));
+  }
+  return smallest;
+}
+
+void ElementStrainMatrix(PetscInt dim, PetscInt num_nodes, const PetscReal grad[], PetscReal B[])
+{
+  static const PetscInt shear_2d[1][2] = {{0, 1}}, shear_3d[3][2] = {{1, 2}, {0, 2}, {0, 1}};
+  const PetscInt        num_shear = dim == 2 ? 1 : 3, row = num_nodes * dim;
+  const PetscInt(*shear)[2] = dim == 2 ? shear_2d : shear_3d;
+
+  for (PetscInt k = 0; k < (dim + num_shear) * row; k++) B[k] = 0.;
+  for (PetscInt i = 0; i < num_nodes; i++) {
+    const PetscReal *d = &grad[i * dim];
+
+    for (PetscInt k = 0; k < dim; k++) B[k * row + i * dim + k] = d[k];
+    for (PetscInt s = 0; s < num_shear; s++) { /* gamma_kl = d u_k / d x_l + d u_l / d x_k */
+      const PetscInt k = shear[s][0], l = shear[s][1];
+
+      B[(dim + s) * row + i * dim + k] = d[l];
+      B[(dim + s) * row + i * dim + l] = d[k];
+    }
+  }
+}
+
+/* Whether xi lies in the reference cell, enlarged by the tolerance. */
+static PetscBool IsInside_Private(const Reference *cell, const PetscReal xi[], PetscReal tolerance)
+{
+  PetscReal sum = 0.;
+
+  for (PetscInt k = 0; k < cell->dim; k++) {
+    if (!(xi[k] >= -tolerance && xi[k] <= 1. + tolerance)) return PETSC_FALSE;
+    sum += xi[k];
+  }
+  return !cell->simplex || sum <= 1. + tolerance ? PETSC_TRUE : PETSC_FALSE;
+}
+
+PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x[], PetscReal tolerance, PetscReal xi[])
+{
+  const Reference *cell = &REFERENCE[type];
+  const PetscInt   dim  = cell->dim;
+  PetscReal        step = PETSC_MAX_REAL;
+
+  for (PetscInt k = 0; k < dim; k++) xi[k] = cell->simplex ? 1. / (1. + dim) : 0.5;
+  for (PetscInt it = 0; it < NEWTON_MAX_STEPS && step > NEWTON_STEP; it++) {
+    PetscReal dphi[ELEMENT_MAX_NODES * MAX_DIM], phi[ELEMENT_MAX_NODES], inverse[MAX_DIM * MAX_DIM], r[MAX_DIM];
+
+    cell->shape(xi, phi, dphi);
+    if (Jacobian_Private(cell, X, dphi, inverse) == 0.) return PETSC_FALSE;
+    for (PetscInt k = 0; k < dim; k++) {
+      r[k] = x[k];
+      for (PetscInt i = 0; i < cell->num_nodes; i++) r[k] -= phi[i] * X[i * dim + k];
+    }
+    step = 0.;
+    for (PetscInt k = 0; k < dim; k++) {
+      const PetscReal before = xi[k];
+
+      for (PetscInt l = 0; l < dim; l++) xi[k] += inverse[k * dim + l] * r[l];
+      xi[k] = PetscMin(PetscMax(xi[k], -NEWTON_HALO), 1. + NEWTON_HALO);
+      step  = PetscMax(step, PetscAbsReal(xi[k] - before));
+    }
+  }
+  return step <= NEWTON_STEP ? IsInside_Private(cell, xi, tolerance) : PETSC_FALSE;
+}

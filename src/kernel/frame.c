@@ -1,0 +1,86 @@
+/* frame.c -- nodal normals from the facets around a node, and a frame for each normal.
+
+   References:
+     [1] N. Max, Weights for computing vertex normals from facet normals, J. Graphics Tools 4 (1999).
+     [2] T. Duff et al., Building an orthonormal basis, revisited, J. Computer Graphics Techniques 6 (2017). */
+#include <mortise/frame.h>
+
+static PetscReal Dot_Private(PetscInt dim, const PetscReal a[], const PetscReal b[])
+{
+  PetscReal sum = 0.;
+
+  for (PetscInt k = 0; k < dim; k++) sum += a[k] * b[k];
+  return sum;
+}
+
+/* The two ends get nu_f / h_f: of two chords of a circle the shorter one is tilted less from the tangent at their common
+   node, in proportion to its length, so that these weights cancel the tilts for any spacing. */
+static void AddSegment_Private(const PetscReal X[], PetscReal N[])
+{
+  const PetscReal dx = X[2] - X[0], dy = X[3] - X[1];
+  const PetscReal h_squared = dx * dx + dy * dy;
+
+  for (PetscInt i = 0; i < 2; i++) {
+    N[2 * i] += dy / h_squared;
+    N[2 * i + 1] -= dx / h_squared;
+  }
+}
+
+/* The corner i gets e1 x e2 / (|e1|^2 |e2|^2) with e1 and e2 the facet's edges to the next and the previous corner:
+   the sum is exact where all the corners lie on a sphere [1]. */
+static void AddPolygon_Private(PetscInt num_nodes, const PetscReal X[], PetscReal N[])
+{
+  for (PetscInt i = 0; i < num_nodes; i++) {
+    const PetscReal *x = &X[3 * i], *next = &X[3 * ((i + 1) % num_nodes)];
+    const PetscReal *previous = &X[3 * ((i + num_nodes - 1) % num_nodes)];
+    PetscReal        e1[3], e2[3], weight;
+
+    for (PetscInt k = 0; k < 3; k++) {
+      e1[k] = next[k] - x[k];
+      e2[k] = previous[k] - x[k];
+    }
+    weight = 1. / (Dot_Private(3, e1, e1) * Dot_Private(3, e2, e2));
+    for (PetscInt k = 0; k < 3; k++) {
+      const PetscInt l = (k + 1) % 3, m = (k + 2) % 3;
+
+      N[3 * i + k] += weight * (e1[l] * e2[m] - e1[m] * e2[l]);
+    }
+  }
+}
+
+void FrameAddFacetNormal(PetscInt dim, PetscInt num_nodes, const PetscReal X[], PetscReal N[])
+{
+  if (dim == 2)
+    AddSegment_Private(X, N);
+  else
+    AddPolygon_Private(num_nodes, X, N);
+}
+
+PetscReal FrameNormalize(PetscInt dim, PetscReal n[])
+{
+  const PetscReal length = PetscSqrtReal(Dot_Private(dim, n, n));
+
+  if (length > 0.) {
+    for (PetscInt k = 0; k < dim; k++) n[k] /= length;
+  }
+  return length;
+}
+
+void FrameFromNormal(PetscInt dim, const PetscReal n[], PetscReal Q[])
+{
+  for (PetscInt k = 0; k < dim; k++) Q[k] = n[k];
+  if (dim == 2) {
+    Q[2] = -n[1];
+    Q[3] = n[0];
+  } else {
+    /* [2]: the sign keeps the denominator s + n_z away from zero, so that no direction is special */
+    const PetscReal s = n[2] >= 0. ? 1. : -1., a = -1. / (s + n[2]), b = n[0] * n[1] * a;
+
+    Q[3] = 1. + s * n[0] * n[0] * a;
+    Q[4] = s * b;
+    Q[5] = -s * n[0];
+    Q[6] = b;
+    Q[7] = s + n[1] * n[1] * a;
+    Q[8] = -n[1];
+  }
+}

@@ -1,0 +1,157 @@
+/* material.c -- Hooke's law in Voigt's order with engineering shear.
+
+   Reference:
+     [1] B. A. Auld, Acoustic Fields and Waves in Solids I (1973), section 3.D: Bond's matrices. */
+#include <mortise/dense.h>
+#include <mortise/material.h>
+
+enum { STRAINS_2D = 3, STRAINS_3D = 6 };
+
+/* The two tensor indices behind each Voigt index. */
+static const PetscInt VOIGT_2D[STRAINS_2D][2] = {{0, 0}, {1, 1}, {0, 1}};
+static const PetscInt VOIGT_3D[STRAINS_3D][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+
+PetscInt MaterialNumStrains(ModelKind model)
+{
+  return model == MODEL_SOLID ? STRAINS_3D : STRAINS_2D;
+}
+
+/* The direct strains come first, one for each dimension of the model. */
+static PetscInt NumDirect_Private(PetscInt num_strains)
+{
+  return num_strains == STRAINS_2D ? 2 : 3;
+}
+
+/* C = lambda 1 1' + mu (1 + delta) on the diagonal; plane stress is the same with the lambda that makes sigma_zz zero. */
+void MaterialIsotropic(ModelKind model, PetscReal young, PetscReal poisson, PetscReal C[])
+{
+  const PetscInt  num_strains = MaterialNumStrains(model), num_direct = NumDirect_Private(num_strains);
+  const PetscReal mu     = young / (2. * (1. + poisson));
+  const PetscReal lambda = model == MODEL_PLANE_STRESS ? young * poisson / (1. - poisson * poisson)
+                                                       : young * poisson / ((1. + poisson) * (1. - 2. * poisson));
+
+  for (PetscInt i = 0; i < num_strains; i++) {
+    for (PetscInt j = 0; j < num_strains; j++) {
+      C[i * num_strains + j] = i < num_direct && j < num_direct ? lambda : 0.;
+      if (i == j) C[i * num_strains + j] += i < num_direct ? 2. * mu : mu;
+    }
+  }
+}
+
+/* R takes components along the material axes to global ones. 3D: R = R_z(angle_0) R_x(angle_1) R_z(angle_2). */
+static void Rotation_Private(PetscInt dim, const PetscReal angle[], PetscReal R[])
+{
+  PetscReal c[3], s[3];
+
+  for (PetscInt k = 0; k < (dim == 2 ? 1 : 3); k++) {
+    c[k] = PetscCosReal(angle[k] * PETSC_PI / 180.);
+    s[k] = PetscSinReal(angle[k] * PETSC_PI / 180.);
+  }
+  if (dim == 2) {
+    R[0] = R[3] = c[0];
+    R[1]        = -s[0];
+    R[2]        = s[0];
+  } else {
+    R[0] = c[0] * c[2] - s[0] * c[1] * s[2];
+    R[1] = -c[0] * s[2] - s[0] * c[1] * c[2];
+    R[2] = s[0] * s[1];
+    R[3] = s[0] * c[2] + c[0] * c[1] * s[2];
+    R[4] = -s[0] * s[2] + c[0] * c[1] * c[2];
+    R[5] = -c[0] * s[1];
+    R[6] = s[1] * s[2];
+    R[7] = s[1] * c[2];
+    R[8] = c[1];
+  }
+}
+
+/* Bond's matrix T with (R sigma R') = T sigma in Voigt's order [1]. [in] R - [dim][dim]; [out] T - [n][n] */
+static void Bond_Private(PetscInt dim, const PetscReal R[], PetscReal T[])
+{
+  const PetscInt(*pair)[2] = dim == 2 ? VOIGT_2D : VOIGT_3D;
+  const PetscInt n         = dim == 2 ? STRAINS_2D : STRAINS_3D;
+
+  for (PetscInt row = 0; row < n; row++) {
+    for (PetscInt column = 0; column < n; column++) {
+      const PetscInt i = pair[row][0], j = pair[row][1], k = pair[column][0], l = pair[column][1];
+
+      T[row * n + column] = R[i * dim + k] * R[j * dim + l];
+      if (k != l) T[row * n + column] += R[i * dim + l] * R[j * dim + k];
+    }
+  }
+}
+
+/* C = T C_material T': stresses turn with T, and the energy makes engineering strains turn with its inverse transpose. */
+void MaterialAnisotropic(ModelKind model, const PetscReal upper[], const PetscReal angle[], PetscReal C[])
+{
+  const PetscInt n = MaterialNumStrains(model), dim = NumDirect_Private(n);
+  PetscReal      R[9], T[STRAINS_3D * STRAINS_3D], material[STRAINS_3D * STRAINS_3D], CT[STRAINS_3D * STRAINS_3D];
+
+  for (PetscInt i = 0, entry = 0; i < n; i++) {
+    for (PetscInt j = i; j < n; j++) material[i * n + j] = material[j * n + i] = upper[entry++];
+  }
+  Rotation_Private(dim, angle, R);
+  Bond_Private(dim, R, T);
+  for (PetscInt i = 0; i < n; i++) {
+    for (PetscInt j = 0; j < n; j++) {
+      CT[i * n + j] = 0.;
+      for (PetscInt k = 0; k < n; k++) CT[i * n + j] += material[i * n + k] * T[j * n + k];
+    }
+  }
+  for (PetscInt i = 0; i < n; i++) {
+    for (PetscInt j = i; j < n; j++) { /* exactly symmetric in spite of roundoff */
+      C[i * n + j] = 0.;
+      for (PetscInt k = 0; k < n; k++) C[i * n + j] += T[i * n + k] * CT[k * n + j];
+      C[j * n + i] = C[i * n + j];
+    }
+  }
+}
+
+PetscReal MaterialDefiniteness(PetscInt num_strains, const PetscReal C[])
+{
+  PetscReal smallest, largest;
+
+  DenseEigenRange(num_strains, C, &smallest, &largest);
+  return largest > 0. ? smallest / largest : -1.;
+}
+
+void MaterialStress(ModelKind model, const PetscReal C[], PetscReal poisson, const PetscReal strain[],
+                    PetscReal stress[6])
+{
+  const PetscInt n = MaterialNumStrains(model);
+  PetscReal      sigma[STRAINS_3D];
+
+  for (PetscInt i = 0; i < n; i++) {
+    sigma[i] = 0.;
+    for (PetscInt j = 0; j < n; j++) sigma[i] += C[i * n + j] * strain[j];
+  }
+  for (PetscInt i = 0; i < 6; i++) stress[i] = n == STRAINS_3D ? sigma[i] : 0.;
+  if (n == STRAINS_2D) {
+    stress[0] = sigma[0];
+    stress[1] = sigma[1];
+    stress[2] = model == MODEL_PLANE_STRESS ? 0. : poisson * (sigma[0] + sigma[1]); /* eps_zz = 0 */
+    stress[5] = sigma[2];
+  }
+}
+
+PetscReal MaterialVonMises(const PetscReal stress[6])
+{
+  const PetscReal xy = stress[0] - stress[1], yz = stress[1] - stress[2], zx = stress[2] - stress[0];
+  const PetscReal shear = stress[3] * stress[3] + stress[4] * stress[4] + stress[5] * stress[5];
+
+  return PetscSqrtReal(0.5 * (xy * xy + yz * yz + zx * zx) + 3. * shear);
+}
+
+PetscReal MaterialContactModulus(PetscInt num_strains, const PetscReal C[])
+{
+  const PetscInt num_direct = NumDirect_Private(num_strains);
+  PetscReal      L[STRAINS_3D * STRAINS_3D], column[STRAINS_3D], compliance = 0.;
+
+  for (PetscInt i = 0; i < num_strains * num_strains; i++) L[i] = C[i];
+  if (!DenseCholesky(num_strains, L)) return 0.; /* not a material; MaterialDefiniteness() tells the user */
+  for (PetscInt j = 0; j < num_direct; j++) {
+    for (PetscInt i = 0; i < num_strains; i++) column[i] = i == j ? 1. : 0.;
+    DenseCholeskySolve(num_strains, L, column);
+    compliance = PetscMax(compliance, column[j]);
+  }
+  return 1. / compliance;
+}
