@@ -1,7 +1,12 @@
 /* main.c -- the life of one problem: scene, mesh, inequality, solve, judge, write. */
 #include <mortise.h>
+#include <metis.h>
+#include <muParserDLL.h>
+#include <stdlib.h>
+#include <string.h>
 
-static const char help[] = "Mortise: frictionless contact of linearly elastic bodies.\n";
+static const char usage[] =
+    "mortise: no scene given; write mortise -options_file <scene.opts>, or mortise -help for every option\n";
 
 /* Solves the scene of the options; *verdict is the exit code of a run without faults. */
 static PetscErrorCode Run(MortiseExit *verdict)
@@ -46,7 +51,8 @@ static PetscErrorCode Run(MortiseExit *verdict)
   PetscCall(LogStageEnd(STAGE_OUTPUT));
   input = (SummaryInput){scene, mesh, vi, fields, &report, &check, &certificate, reactions};
   PetscCall(SummaryWrite(&input));
-  *verdict = report.converged && certificate.holds && (!check.done || check.agree) ? MORTISE_SOLVED : MORTISE_NOT_CONVERGED;
+  *verdict =
+      report.converged && certificate.holds && (!check.done || check.agree) ? MORTISE_SOLVED : MORTISE_NOT_CONVERGED;
 
   PetscCall(VecDestroy(&reactions));
   PetscCall(VecDestroy(&y));
@@ -55,4 +61,112 @@ static PetscErrorCode Run(MortiseExit *verdict)
   PetscCall(MeshDestroy(&mesh));
   PetscCall(SceneDestroy(&scene));
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Prints what the program is made of: the libraries of its results. */
+static void PrintVersion(void)
+{
+  muParserHandle_t parser = mupCreate(muBASETYPE_FLOAT);
+  char             mpi[MPI_MAX_LIBRARY_VERSION_STRING];
+  int              length;
+
+  MPI_Get_library_version(mpi, &length);
+  printf("mortise %s\n", MORTISE_VERSION);
+  printf("PETSc %d.%d.%d, %d-bit indices\n", PETSC_VERSION_MAJOR, PETSC_VERSION_MINOR, PETSC_VERSION_SUBMINOR,
+         (int)(8 * sizeof(PetscInt)));
+#if defined(PETSC_HAVE_MUMPS)
+  printf("MUMPS %d.%d.%d\n", PETSC_PKG_MUMPS_VERSION_MAJOR, PETSC_PKG_MUMPS_VERSION_MINOR,
+         PETSC_PKG_MUMPS_VERSION_SUBMINOR);
+#endif
+#if defined(PETSC_HAVE_HYPRE)
+  printf("hypre %d.%d.%d\n", PETSC_PKG_HYPRE_VERSION_MAJOR, PETSC_PKG_HYPRE_VERSION_MINOR,
+         PETSC_PKG_HYPRE_VERSION_SUBMINOR);
+#endif
+  printf("METIS %d.%d.%d\n", METIS_VER_MAJOR, METIS_VER_MINOR, METIS_VER_SUBMINOR);
+  printf("HDF5 %d.%d.%d\n", PETSC_PKG_HDF5_VERSION_MAJOR, PETSC_PKG_HDF5_VERSION_MINOR,
+         PETSC_PKG_HDF5_VERSION_SUBMINOR);
+  printf("muParser %s\n", mupGetVersion(parser));
+  printf("%.*s\n", (int)strcspn(mpi, ",\n"), mpi);
+  mupRelease(parser);
+}
+
+/* Prints every option; the user's own options play no part in it. */
+static PetscErrorCode PrintHelp(char *program)
+{
+  int    num       = 2;
+  char   skip[]    = "-skip_petscrc";
+  char  *words[]   = {program, skip, NULL};
+  char **arguments = words;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscInitialize(&num, &arguments, NULL, NULL));
+  PetscCall(SceneHelp(PETSC_COMM_WORLD));
+  PetscCall(PetscFinalize());
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Solves the scene of an argument list without mistakes in its form. *verdict says how it went; an error code says why it went no further. */
+static PetscErrorCode RunArguments(double start, int argc, char **argv, MortiseExit *verdict)
+{
+  PetscFunctionBeginUser;
+  PetscCall(FaultInitialize());
+  PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
+  PetscCall(LogInitialize(start));
+  PetscCall(PDASRegister());
+  PetscCall(Run(verdict));
+  PetscCall(PetscFinalize());
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether the command line has an option, with one dash or two. */
+static PetscBool HasOption(int argc, char **argv, const char option[])
+{
+  for (int a = 1; a < argc; ++a)
+    if (!strcmp(argv[a], option) || (argv[a][0] == '-' && !strcmp(argv[a] + 1, option))) return PETSC_TRUE;
+  return PETSC_FALSE;
+}
+
+/* The exit code of a command line; MPI runs, PETSc does not yet. */
+static MortiseExit Dispatch(double start, int argc, char **argv)
+{
+  MortiseExit    verdict = MORTISE_FAILED;
+  PetscErrorCode error;
+  char           sentence[FAULT_LENGTH];
+  int            rank;
+
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (HasOption(argc, argv, "-version")) {
+    if (!rank) PrintVersion();
+    return MORTISE_SOLVED;
+  }
+  if (HasOption(argc, argv, "-help")) return PrintHelp(argv[0]) ? MORTISE_FAILED : MORTISE_SOLVED;
+  if (argc < 2) {
+    if (!rank) fputs(usage, stderr);
+    return MORTISE_FAULT;
+  }
+  OptionsExpand(argc, argv, &argc, &argv, sentence, sizeof(sentence));
+  if (sentence[0]) {
+    if (!rank) fprintf(stderr, "mortise: %s\n", sentence);
+    return MORTISE_FAULT;
+  }
+  error = RunArguments(start, argc, argv, &verdict);
+  if (error == MORTISE_ERR_FAULT) return MORTISE_FAULT;
+  return error ? MORTISE_FAILED : verdict;
+}
+
+/* A fault leaves objects behind that nobody needs any more, so PETSc is not finalised after one: its lists of leaks would bury the sentence. */
+int main(int argc, char **argv)
+{
+  const double start = LogWallClock();
+  MortiseExit  verdict;
+  int          size;
+
+  MPI_Init(&argc, &argv);
+  verdict = Dispatch(start, argc, argv);
+  fflush(stdout);
+  MPI_Comm_size(MPI_COMM_WORLD, &size);
+  if (verdict == MORTISE_FAILED && size > 1)
+    MPI_Abort(MPI_COMM_WORLD, MORTISE_FAILED); // the other ranks may be waiting for this one
+  MPI_Finalize();
+  return verdict;
 }

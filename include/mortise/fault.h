@@ -11,6 +11,9 @@
 /* The code that a fault travels under; outside the range of PETSc's own codes. */
 #define MORTISE_ERR_FAULT ((PetscErrorCode)4711)
 
+/* Longest sentence, with its final zero: room for a few option names, a path and a list of choices. */
+enum { FAULT_LENGTH = 8192 };
+
 /* What the program tells the shell (interface.md 1). */
 typedef enum {
   MORTISE_SOLVED        = 0, /* solved, and the certificate holds */
@@ -20,19 +23,23 @@ typedef enum {
   MORTISE_FAILED        = 4  /* the program itself failed */
 } MortiseExit;
 
-/* Installs the error handler that is silent for MORTISE_ERR_FAULT and PETSc's traceback for anything else.
-   Not collective; call once after PetscInitialize(). */
+/* Installs the error handler. It is silent for MORTISE_ERR_FAULT; it turns PETSc's own complaints about an option's value
+   (a word where a number belongs, an unknown type) into faults; it says one sentence when memory runs out; anything else
+   gets PETSc's traceback. Not collective; call once, before PetscInitialize() to cover that as well, or after. */
 PetscErrorCode FaultInitialize(void);
 
 /* Raises a fault that all ranks know of: the first rank prints "mortise: <sentence>" on stderr.
    Collective on comm, the same arguments on all ranks. Returns MORTISE_ERR_FAULT: write PetscCall(FaultRaise(...)).
    [in] format - printf format of the sentence, without a final newline */
-PetscErrorCode FaultRaise(MPI_Comm comm, const char format[], ...);
+PetscErrorCode FaultRaise(MPI_Comm comm, const char format[], ...) PETSC_ATTRIBUTE_FORMAT(2, 3);
 
 /* Raises a fault that only some ranks have found; returns 0 where no rank has one.
    Collective on comm. Of several sentences the one of the lowest rank is printed.
    [in] sentence - what is wrong as this rank sees it; NULL or "" where nothing is */
 PetscErrorCode FaultCheck(MPI_Comm comm, const char sentence[]);
+
+/* The sentence of the last fault, "" before any; the same on all ranks of its communicator. Not collective. */
+const char *FaultSentence(void);
 
 /* The name in names[] that is nearest to the misspelt one (edit distance), or NULL if none is near. Not collective.
    [in] names - array of shape [num_names], borrowed; the result points into it */

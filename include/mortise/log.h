@@ -1,13 +1,23 @@
-/* log.h -- stages and events of a run, in PETSc's log and in the summary's timing block (floor 0). */
+/* log.h -- stages of a run, in PETSc's log and in the summary's timing block (floor 0). */
 #ifndef MORTISE_LOG_H
 #define MORTISE_LOG_H
 
 #include <petscsys.h>
 
 /* The life of one problem (src/README.md): one PETSc log stage each. */
-typedef enum { STAGE_SETUP, STAGE_MORTAR, STAGE_ASSEMBLY, STAGE_CONDENSE, STAGE_SOLVE, STAGE_OUTPUT, STAGE_COUNT } LogStage;
+typedef enum {
+  STAGE_SETUP,
+  STAGE_MORTAR,
+  STAGE_ASSEMBLY,
+  STAGE_CONDENSE,
+  STAGE_SOLVE,
+  STAGE_OUTPUT,
+  STAGE_COUNT
+} LogStage;
 
-/* Registers stages; collective on PETSC_COMM_WORLD. start is the wall clock at which the program began. */
+/* Seconds on a clock that never jumps; its zero is arbitrary. Works before MPI and PETSc do. Not collective. */
+double LogWallClock(void);
+/* Registers stages; collective on PETSC_COMM_WORLD. start is LogWallClock() when the program began. */
 PetscErrorCode LogInitialize(double start);
 /* Enters and leaves a stage; wall seconds are added up. Stages do not nest. Collective on PETSC_COMM_WORLD. */
 PetscErrorCode LogStageBegin(LogStage stage);

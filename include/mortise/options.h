@@ -1,14 +1,19 @@
 /* options.h -- the command line and options files, read before PETSc sees them (floor 0).
 
    PETSc's own reader aborts with a stack trace on a malformed file. Here files are read by the first rank, checked,
-   broadcast and laid out as one argument list, files first, so that the command line wins. */
+   broadcast and laid out as one argument list, files first, so that the command line wins.
+
+   Syntax of a file, PETSc's with two additions: lines of `-name value`, `#` begins a comment, a value with spaces stands in
+   double quotes; added are several options in one line and `#` inside quotes. PETSc takes a value that begins with a minus
+   and a letter for the next option; where that can be seen, it is a mistake with a sentence here. */
 #ifndef MORTISE_OPTIONS_H
 #define MORTISE_OPTIONS_H
 
 #include <petscsys.h>
 
-/* Expands every -options_file (also inside files), ~/.petscrc and ./.petscrc into one argument list for
-   PetscInitialize(). Collective on MPI_COMM_WORLD; MPI is initialised, PETSc is not.
+/* Expands ~/.petscrc, ./.petscrc and ./petscrc (unless -skip_petscrc), the variable PETSC_OPTIONS and every -options_file
+   (also inside files) into one argument list for PetscInitialize(), which then has nothing left to read.
+   Collective on MPI_COMM_WORLD; MPI is initialised, PETSc is not. The first rank's command line counts.
    [out] argc_out, argv_out - the expanded list, owned by the module until the program ends
    [out] sentence           - one sentence if something is wrong (a missing or malformed file, a stray word), else ""
                               (array of shape [len], the same on all ranks) */
@@ -18,7 +23,12 @@ void OptionsExpand(int argc, char **argv, int *argc_out, char ***argv_out, char 
 const char *OptionsFileName(void);
 
 /* Finds a file named by an option: relative to the working directory, then to each options file's folder.
-   Collective on comm (the first rank looks). [out] found - array of shape [len]; [out] exists - whether it can be read */
+   Collective on comm (the first rank looks). [out] found - array of shape [len], the name itself where nothing is found;
+   [out] exists - whether it can be read */
 PetscErrorCode OptionsFindFile(MPI_Comm comm, const char name[], char found[], size_t len, PetscBool *exists);
+
+/* The one option "-name value" of the expanded list whose name or value a message of PETSc's quotes, or NULL where there is
+   none or more than one. Not collective; the text is valid until the next call. */
+const char *OptionsNameOfValue(const char message[]);
 
 #endif

@@ -1,0 +1,294 @@
+/* expression.c -- a comma list of numbers and formulas.
+
+   Formulas are compiled once by muParser [1] to its byte code; a formula without variables is evaluated at once and is a
+   plain number from then on.
+
+   References: [1] muParser, a fast math parser library, https://beltoforion.de/en/muparser */
+#include <mortise/compat.h>
+#include <mortise/expression.h>
+#include <mortise/fault.h>
+#include <ctype.h>
+#include <muParserDLL.h>
+#include <string.h>
+
+/* One of the components. */
+typedef struct {
+  muParserHandle_t parser; // NULL for a plain number
+  PetscReal        number;
+  PetscBool        free; // the word `free`: whatever the datum prescribes, it is not prescribed here
+} Component;
+
+struct _n_Expression {
+  char      *option, *text;
+  PetscInt   num_components;
+  Component *components;
+  PetscBool  constant;
+  PetscReal  x[3];   // what the formulas' variables are bound to
+  PetscBool  failed; // an evaluation was not finite: the first one is described by the rest
+  PetscInt   failed_component, failed_dim;
+  PetscReal  failed_x[3];
+};
+
+/* What a formula may name beside the functions; the order is that of x[], r being the first coordinate as well. */
+static const char *const variable_names[] = {"x", "y", "z", "r"};
+static const char *const known_names[]    = {"x",     "y",     "z",    "r",     "pi",   "sin",  "cos",   "tan",
+                                             "asin",  "acos",  "atan", "atan2", "sinh", "cosh", "tanh",  "asinh",
+                                             "acosh", "atanh", "exp",  "ln",    "log",  "log2", "log10", "sqrt",
+                                             "abs",   "sign",  "rint", "min",   "max",  "sum",  "avg",   "free"};
+
+/* --- reading ------------------------------------------------------------------------------------------------------ */
+
+/* Whether text is a decimal number and nothing else: strtod() alone would also take nan, inf and hexadecimal digits. */
+static PetscBool ReadNumber_Private(const char text[], PetscReal *number)
+{
+  char *end;
+
+  if (!text[0] || text[strspn(text, "+-.0123456789eE")]) return PETSC_FALSE;
+  *number = strtod(text, &end);
+  return !*end ? PETSC_TRUE : PETSC_FALSE;
+}
+
+/* muParser's complaint in words that go on with our sentence. */
+static void DescribeError_Private(muParserHandle_t parser, char words[], size_t len)
+{
+  enum { UNKNOWN_NAME = 1 }; // ecUNASSIGNABLE_TOKEN of muParser's C++ header
+  const char *token = mupGetErrorToken(parser), *message = mupGetErrorMsg(parser), *nearest;
+  char        name[64];
+  size_t      length;
+
+  if (mupGetErrorCode(parser) == UNKNOWN_NAME) {
+    snprintf(name, sizeof(name), "%.*s",
+             (int)strspn(token, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789"), token);
+    nearest = FaultNearest(name, PETSC_STATIC_ARRAY_LENGTH(known_names), known_names);
+    snprintf(words, len, "'%s' is not known here%s%s%s", token, nearest ? ", did you mean '" : "",
+             nearest ? nearest : "", nearest ? "'?" : "");
+  } else {
+    length = strlen(message);
+    while (length && (message[length - 1] == '.' || isspace((unsigned char)message[length - 1]))) --length;
+    snprintf(words, len, "%c%.*s", tolower((unsigned char)message[0]), (int)(length ? length - 1 : 0), message + 1);
+  }
+}
+
+/* Whether text has a lone '=', which muParser would take for an assignment to a variable. */
+static PetscBool HasAssignment_Private(const char text[])
+{
+  for (const char *t = strchr(text, '='); t; t = strchr(t + 1, '=')) {
+    if (t[1] == '=')
+      ++t;
+    else if (t == text || !strchr("<>!", t[-1]))
+      return PETSC_TRUE;
+  }
+  return PETSC_FALSE;
+}
+
+/* Compiles a formula. [out] complaint - why it cannot be read, or "" (array of shape [len]) */
+static void CompileFormula_Private(Expression e, const char text[], Component *component, char complaint[], size_t len)
+{
+  muParserHandle_t parser = mupCreate(muBASETYPE_FLOAT);
+
+  component->parser = parser;
+  mupDefineConst(parser, "pi", PETSC_PI);
+  for (size_t v = 0; v < PETSC_STATIC_ARRAY_LENGTH(variable_names); ++v)
+    mupDefineVar(parser, variable_names[v], &e->x[v % 3]);
+  mupSetExpr(parser, text);
+  component->number = mupEval(parser); // the byte code is made at the first evaluation
+  if (mupError(parser))
+    DescribeError_Private(parser, complaint, len);
+  else if (HasAssignment_Private(text))
+    snprintf(complaint, len, "'=' cannot be used, equality is '=='");
+  else if (!mupGetExprVarNum(parser)) {
+    mupRelease(parser);
+    component->parser = NULL;
+  }
+}
+
+/* Reads one component. [out] complaint - as above */
+static void ReadComponent_Private(Expression e, const char text[], PetscBool allow_free, Component *component,
+                                  char complaint[], size_t len)
+{
+  if (!text[0])
+    snprintf(complaint, len, "there is nothing between the commas");
+  else if (!strcmp(text, "free")) {
+    component->free = PETSC_TRUE;
+    if (!allow_free) snprintf(complaint, len, "'free' is for given displacements only");
+  } else if (!ReadNumber_Private(text, &component->number))
+    CompileFormula_Private(e, text, component, complaint, len);
+  if (!complaint[0] && !component->parser && PetscIsInfOrNanReal(component->number))
+    snprintf(complaint, len, "this is not a finite number");
+}
+
+/* Length of the component at the front of text: up to a comma outside parentheses, or the end. */
+static size_t ComponentLength_Private(const char text[])
+{
+  PetscInt depth = 0;
+  size_t   n;
+
+  for (n = 0; text[n] && (depth > 0 || text[n] != ','); ++n) depth += (text[n] == '(') - (text[n] == ')');
+  return n;
+}
+
+static PetscInt CountComponents_Private(const char text[])
+{
+  PetscInt count = 1;
+
+  for (text += ComponentLength_Private(text); *text; text += ComponentLength_Private(text)) {
+    ++text;
+    ++count;
+  }
+  return count;
+}
+
+/* A copy of the first length letters without blanks around them; the caller frees it. */
+static PetscErrorCode CopyTrimmed_Private(const char text[], size_t length, char **copy)
+{
+  PetscFunctionBeginUser;
+  for (; length && isspace((unsigned char)text[0]); --length) ++text;
+  while (length && isspace((unsigned char)text[length - 1])) --length;
+  PetscCall(PetscMalloc1(length + 1, copy));
+  PetscCall(PetscArraycpy(*copy, text, length));
+  (*copy)[length] = '\0';
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode ExpressionAllocate_Private(const char option[], const char text[], PetscInt num_components,
+                                                 Expression *e)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(e));
+  PetscCall(PetscStrallocpy(option, &(*e)->option));
+  PetscCall(PetscStrallocpy(text, &(*e)->text));
+  PetscCall(PetscCalloc1(num_components, &(*e)->components));
+  (*e)->num_components = num_components;
+  (*e)->constant       = PETSC_TRUE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char text[], PetscInt num_components,
+                                PetscBool allow_free, Expression *e)
+{
+  const PetscInt count          = CountComponents_Private(text);
+  char           complaint[512] = "", *part;
+
+  PetscFunctionBeginUser;
+  *e = NULL;
+  if (num_components && count != num_components)
+    PetscCall(FaultRaise(
+        comm, "%s \"%s\": %" PetscInt_FMT " component%s given, %" PetscInt_FMT " wanted, separated by commas", option,
+        text, count, count == 1 ? "" : "s", num_components));
+  PetscCall(ExpressionAllocate_Private(option, text, count, e));
+  for (PetscInt c = 0; c < count && !complaint[0]; ++c) {
+    const size_t length = ComponentLength_Private(text);
+
+    PetscCall(CopyTrimmed_Private(text, length, &part));
+    ReadComponent_Private(*e, part, allow_free, &(*e)->components[c], complaint, sizeof(complaint));
+    PetscCall(PetscFree(part));
+    if ((*e)->components[c].parser) (*e)->constant = PETSC_FALSE;
+    text += length + 1;
+  }
+  if (complaint[0]) {
+    char sentence[FAULT_LENGTH];
+
+    snprintf(sentence, sizeof(sentence), "%s \"%s\": %s; accepted are numbers and formulas in x, y, z%s", (*e)->option,
+             (*e)->text, complaint, allow_free ? ", and 'free'" : "");
+    PetscCall(ExpressionDestroy(e));
+    PetscCall(FaultRaise(comm, "%s", sentence));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ExpressionCreateConstant(const char option[], PetscInt num_components, const PetscReal values[],
+                                        Expression *e)
+{
+  char   text[PETSC_MAX_PATH_LEN] = "";
+  size_t length                   = 0;
+
+  PetscFunctionBeginUser;
+  for (PetscInt c = 0; c < num_components && length < sizeof(text); ++c)
+    length += (size_t)snprintf(text + length, sizeof(text) - length, "%s%.17g", c ? "," : "", (double)values[c]);
+  PetscCall(ExpressionAllocate_Private(option, text, num_components, e));
+  for (PetscInt c = 0; c < num_components; ++c) (*e)->components[c].number = values[c];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ExpressionDestroy(Expression *e)
+{
+  PetscFunctionBeginUser;
+  if (!*e) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt c = 0; c < (*e)->num_components; ++c)
+    if ((*e)->components[c].parser) mupRelease((*e)->components[c].parser);
+  PetscCall(PetscFree((*e)->components));
+  PetscCall(PetscFree((*e)->option));
+  PetscCall(PetscFree((*e)->text));
+  PetscCall(PetscFree(*e));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* --- asking ------------------------------------------------------------------------------------------------------- */
+
+PetscInt ExpressionSize(Expression e)
+{
+  return e->num_components;
+}
+
+PetscBool ExpressionIsConstant(Expression e)
+{
+  return e->constant;
+}
+
+PetscBool ExpressionIsFree(Expression e, PetscInt c)
+{
+  return e->components[c].free;
+}
+
+const char *ExpressionOption(Expression e)
+{
+  return e->option;
+}
+
+const char *ExpressionText(Expression e)
+{
+  return e->text;
+}
+
+/* --- evaluating --------------------------------------------------------------------------------------------------- */
+
+PetscErrorCode ExpressionEvaluate(Expression e, PetscInt dim, const PetscReal x[], PetscReal values[])
+{
+  PetscFunctionBeginUser;
+  if (!e->constant)
+    for (PetscInt d = 0; d < 3; ++d) e->x[d] = d < dim ? x[d] : 0;
+  for (PetscInt c = 0; c < e->num_components; ++c) {
+    Component *component = &e->components[c];
+
+    values[c] = component->parser ? mupEval(component->parser) : component->number;
+    if (!component->parser || !PetscIsInfOrNanReal(values[c]) || e->failed) continue;
+    e->failed           = PETSC_TRUE;
+    e->failed_component = c;
+    e->failed_dim       = dim;
+    PetscCall(PetscArraycpy(e->failed_x, e->x, 3));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ExpressionCheck(MPI_Comm comm, Expression e)
+{
+  char sentence[FAULT_LENGTH] = "", point[128];
+
+  PetscFunctionBeginUser;
+  if (!e || e->constant) PetscFunctionReturn(PETSC_SUCCESS);
+  if (e->failed) {
+    const PetscReal *x = e->failed_x;
+
+    if (e->failed_dim == 1)
+      snprintf(point, sizeof(point), "%g", (double)x[0]);
+    else if (e->failed_dim == 2)
+      snprintf(point, sizeof(point), "(%g, %g)", (double)x[0], (double)x[1]);
+    else
+      snprintf(point, sizeof(point), "(%g, %g, %g)", (double)x[0], (double)x[1], (double)x[2]);
+    snprintf(sentence, sizeof(sentence), "%s \"%s\": component %" PetscInt_FMT " is not a finite number at %s",
+             e->option, e->text, e->failed_component + 1, point);
+  }
+  e->failed = PETSC_FALSE;
+  PetscCall(FaultCheck(comm, sentence));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

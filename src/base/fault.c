@@ -1,0 +1,156 @@
+/* fault.c -- one sentence for a user's mistake, and silence from everybody else.
+
+   PETSc reports an error by calling the topmost handler once where it arises (PETSC_ERROR_INITIAL) and once more in each
+   caller up to main() (PETSC_ERROR_REPEAT); what the handler returns is the code that travels on. So a handler can both
+   keep silent and change one code into another, which is how PETSc's complaints about options become faults. */
+#include <mortise/compat.h>
+#include <mortise/fault.h>
+#include <mortise/options.h>
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static char last_sentence[FAULT_LENGTH];
+
+const char *FaultSentence(void)
+{
+  return last_sentence;
+}
+
+/* Keeps the sentence; the first rank of comm prints it, in one write so that ranks' lines do not mix. */
+static void FaultTell_Private(MPI_Comm comm, const char sentence[])
+{
+  int rank = 0;
+
+  snprintf(last_sentence, sizeof(last_sentence), "%s", sentence);
+  MPI_Comm_rank(comm, &rank);
+  if (rank) return;
+  fflush(stdout); // what was printed before the mistake stands before it
+  fprintf(stderr, "mortise: %s\n", last_sentence);
+  fflush(stderr);
+}
+
+/* Whether PETSc complains about what the user typed: a value that cannot be read (all such checks sit in functions named
+   PetscOptions...), or the name of a type that does not exist. */
+static PetscBool FaultIsOption_Private(const char function[], PetscErrorCode code)
+{
+  if (code == PETSC_ERR_ARG_UNKNOWN_TYPE) return PETSC_TRUE;
+  if (!function || strncmp(function, "PetscOptions", strlen("PetscOptions"))) return PETSC_FALSE;
+  return code == PETSC_ERR_USER || code == PETSC_ERR_ARG_WRONG || code == PETSC_ERR_ARG_OUTOFRANGE ? PETSC_TRUE
+                                                                                                   : PETSC_FALSE;
+}
+
+/* PETSc's complaint with the option it is about, which PETSc itself does not always name. */
+static PetscErrorCode FaultFromPETSc_Private(const char message[])
+{
+  char        sentence[FAULT_LENGTH];
+  const char *option = OptionsNameOfValue(message);
+  int         length = (int)strcspn(message, "\n"); // the rest is PETSc's advice on installing packages
+
+  while (length && (isspace((unsigned char)message[length - 1]) || message[length - 1] == '.')) --length;
+  if (option)
+    snprintf(sentence, sizeof(sentence), "%s: %.*s", option, length, message);
+  else
+    snprintf(sentence, sizeof(sentence), "an option has a value that PETSc cannot use: %.*s", length, message);
+  FaultTell_Private(MPI_COMM_WORLD, sentence); // options are the same on all ranks
+  return MORTISE_ERR_FAULT;
+}
+
+static PetscErrorCode FaultHandlerFn(MPI_Comm comm, int line, const char *function, const char *file,
+                                     PetscErrorCode code, PetscErrorType type, const char *message, void *context)
+{
+  if (code == MORTISE_ERR_FAULT) return code;
+  if (type == PETSC_ERROR_INITIAL && message && FaultIsOption_Private(function, code))
+    return FaultFromPETSc_Private(message);
+  if (code == PETSC_ERR_MEM) { // from every rank that it happens on: another rank may have enough
+    if (type == PETSC_ERROR_INITIAL) fprintf(stderr, "mortise: out of memory (%s)\n", message ? message : "no details");
+    return code;
+  }
+  code = PetscTraceBackErrorHandler(comm, line, function, file, code, type, message, context);
+  return code == PETSC_ERR_SIG ? (PetscErrorCode)MORTISE_FAILED
+                               : code; // a signal ends in MPI_Abort(), which makes this the exit code
+}
+
+PetscErrorCode FaultInitialize(void)
+{
+  PetscBool begun;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscInitialized(&begun));
+  PetscCall(PetscPushErrorHandler(FaultHandlerFn, NULL));
+  if (begun) PetscCall(PetscRegisterFinalize(PetscPopErrorHandler)); // else it is no memory of PETSc's books
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FaultRaise(MPI_Comm comm, const char format[], ...)
+{
+  char    sentence[FAULT_LENGTH];
+  va_list arguments;
+
+  va_start(arguments, format);
+  vsnprintf(sentence, sizeof(sentence), format, arguments);
+  va_end(arguments);
+  FaultTell_Private(comm, sentence);
+  return MORTISE_ERR_FAULT;
+}
+
+PetscErrorCode FaultCheck(MPI_Comm comm, const char sentence[])
+{
+  char text[FAULT_LENGTH] = "";
+  int  rank, size, speaker;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_rank(comm, &rank));
+  PetscCallMPI(MPI_Comm_size(comm, &size));
+  speaker = sentence && sentence[0] ? rank : size;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &speaker, 1, MPI_INT, MPI_MIN, comm));
+  if (speaker == size) PetscFunctionReturn(PETSC_SUCCESS);
+  if (rank == speaker) snprintf(text, sizeof(text), "%s", sentence);
+  PetscCallMPI(MPI_Bcast(text, FAULT_LENGTH, MPI_CHAR, speaker, comm));
+  PetscCall(FaultRaise(comm, "%s", text));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Levenshtein's distance, the least number of letters inserted, deleted or exchanged, ignoring case. One row of the table
+   at a time: distance[j] belongs to the first i letters of a and the first j of b. [in] distance - workspace [length of b + 1] */
+static size_t EditDistance_Private(const char a[], const char b[], size_t distance[])
+{
+  const size_t length_a = strlen(a), length_b = strlen(b);
+
+  for (size_t j = 0; j <= length_b; ++j) distance[j] = j;
+  for (size_t i = 1; i <= length_a; ++i) {
+    size_t diagonal = distance[0];
+
+    distance[0] = i;
+    for (size_t j = 1; j <= length_b; ++j) {
+      const size_t above    = distance[j];
+      const size_t exchange = diagonal + (tolower((unsigned char)a[i - 1]) != tolower((unsigned char)b[j - 1]));
+
+      distance[j] = PetscMin(exchange, 1 + PetscMin(above, distance[j - 1]));
+      diagonal    = above;
+    }
+  }
+  return distance[length_b];
+}
+
+const char *FaultNearest(const char misspelt[], PetscInt num_names, const char *const names[])
+{
+  const char *nearest = NULL;
+  size_t      longest = 0, least, *workspace;
+
+  for (PetscInt n = 0; n < num_names; ++n) longest = PetscMax(longest, strlen(names[n]));
+  workspace = malloc((longest + 1) * sizeof(*workspace));
+  if (!workspace) return NULL;
+  least = PetscMax(1, strlen(misspelt) / 3) + 1; // more than a third of the letters wrong is another word
+  for (PetscInt n = 0; n < num_names; ++n) {
+    const size_t distance = EditDistance_Private(misspelt, names[n], workspace);
+
+    if (distance >= least) continue;
+    least   = distance;
+    nearest = names[n];
+  }
+  free(workspace);
+  return nearest;
+}
