@@ -12,7 +12,8 @@ PetscErrorCode ElasticityHooke(Scene scene, PetscInt body, const PetscReal x[], 
    some point. Collective. [out] K - AIJ of block size dim, owned by the caller; [out] f - ghosted Vec, owned by the caller */
 PetscErrorCode ElasticityAssemble(Scene scene, Level *level, Mat *K, Vec *f);
 
-/* (1/2) u'K_b u of every body on its own. Collective. [in] u - ghosted; [out] energy - [num_bodies], the same on all ranks */
-PetscErrorCode ElasticityBodyEnergy(Scene scene, Level *level, Vec u, PetscReal energy[]);
+/* energy_b = (1/2) u'K u over the nodes of body b (K does not couple bodies). Collective.
+   [in] u - ghosted; [out] energy - [num_bodies], the same on all ranks */
+PetscErrorCode ElasticityBodyEnergy(Scene scene, Level *level, Mat K, Vec u, PetscReal energy[]);
 
 #endif

@@ -5,7 +5,7 @@
 #include <mortise/scene.h>
 
 /* Signed distance from x along the unit normal n to the obstacle's surface, open > 0; PETSC_INFINITY where the ray
-   misses it and there is nothing to touch. Not collective. [in] x, n - [dim] */
+   turns away from it. Not collective. [in] x, n - [dim] */
 PetscErrorCode ObstacleGap(const SceneObstacle *obstacle, PetscInt dim, const PetscReal x[], const PetscReal n[], PetscReal *gap);
 
 #endif

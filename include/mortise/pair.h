@@ -26,8 +26,11 @@ struct _n_Pair {
 };
 typedef struct _n_Pair *Pair;
 
-/* Searches, integrates and condenses one pair. Collective. [in] max_prescribed - largest prescribed displacement */
-PetscErrorCode PairCreate(Scene scene, const ScenePair *spec, Level *level, const Support *support, Pair *pair);
+/* Searches and integrates one pair. Collective.
+   [in] held  - where a node's normal direction is held, or an earlier pair holds nearly the same direction, the pair carries
+                no multiplier and its row is spread
+   [in] taken - ghosted, dim per node: normals of the multipliers of earlier pairs, zero elsewhere; this pair's are added */
+PetscErrorCode PairCreate(Scene scene, const ScenePair *spec, Level *level, const Support *held, Vec taken, Pair *pair);
 PetscErrorCode PairDestroy(Pair *pair);
 
 #endif

@@ -1,0 +1,337 @@
+/* basis.c -- the change of basis u = T y.
+
+   At a node with multipliers y_i = n_i . (u_s - sum_b P_ab u_b + sum_c (D_ac / D_aa) u_c), P = M / D; the other unknowns of
+   the node are its tangential displacements (Hueber & Wohlmuth 2005, here for the normal component only). A tie treats all
+   directions so. Held directions that are not axes turn their node's unknowns as well. */
+#include <mortise/compat.h>
+#include <mortise/fault.h>
+#include "basis.h"
+
+/* A unit vector is along an axis, or two are parallel, to this. */
+static const PetscReal PARALLEL = 1e-12;
+
+/* F^-1 of a 2 x 2 or 3 x 3 matrix by cofactors. [in] F - [dim][dim]; [out] Finv - [dim][dim] */
+static void Invert_Private(PetscInt dim, const PetscReal F[], PetscReal Finv[])
+{
+  if (dim == 2) {
+    const PetscReal det = F[0] * F[3] - F[1] * F[2];
+    Finv[0]             = F[3] / det;
+    Finv[1]             = -F[1] / det;
+    Finv[2]             = -F[2] / det;
+    Finv[3]             = F[0] / det;
+    return;
+  }
+  for (PetscInt i = 0; i < 3; i++) {
+    const PetscInt i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+    for (PetscInt j = 0; j < 3; j++) {
+      const PetscInt j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+      Finv[j * 3 + i] = F[i1 * 3 + j1] * F[i2 * 3 + j2] - F[i1 * 3 + j2] * F[i2 * 3 + j1];
+    }
+  }
+  const PetscReal det = F[0] * Finv[0] + F[1] * Finv[3] + F[2] * Finv[6];
+  for (PetscInt i = 0; i < 9; i++) Finv[i] /= det;
+}
+
+/* The axis that a unit vector lies along, or -1. */
+static PetscInt AxisOf_Private(PetscInt dim, const PetscReal d[])
+{
+  for (PetscInt k = 0; k < dim; k++) {
+    if (PetscAbsReal(d[k]) > 1 - PARALLEL) return k;
+  }
+  return -1;
+}
+
+/* Whether some held direction of a node is not an axis. */
+static PetscBool HeldObliquely_Private(const Support *held, PetscInt node)
+{
+  const PetscInt dim = held->dim;
+
+  for (PetscInt j = 0; j < held->count[node]; j++) {
+    if (AxisOf_Private(dim, &held->directions[(node * dim + j) * dim]) < 0) return PETSC_TRUE;
+  }
+  return PETSC_FALSE;
+}
+
+/* Marks special nodes in of_node (0 special, -1 ordinary) and lists them. */
+static PetscErrorCode ListNodes_Private(VI vi, NodeBases *bases)
+{
+  const Level *level = vi->level;
+  PetscInt     num   = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(level->num_owned, &bases->of_node));
+  for (PetscInt i = 0; i < level->num_owned; i++) bases->of_node[i] = HeldObliquely_Private(&vi->support, i) ? 0 : -1;
+  for (PetscInt p = 0; p < vi->num_pairs; p++) {
+    for (PetscInt k = 0; k < vi->pairs[p]->num; k++) bases->of_node[vi->pairs[p]->nodes[k]] = 0;
+  }
+  for (PetscInt i = 0; i < level->num_owned; i++) {
+    if (bases->of_node[i] == 0) bases->of_node[i] = num++;
+  }
+  bases->num = num;
+  PetscCall(PetscMalloc3(num, &bases->node, num * level->dim * level->dim, &bases->F, num * level->dim * level->dim,
+                         &bases->Finv));
+  for (PetscInt i = 0; i < level->num_owned; i++) {
+    if (bases->of_node[i] >= 0) bases->node[bases->of_node[i]] = i;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Enters one node of a pair: a row of B and of F per constrained direction.
+   [in,out] used - rows of F already taken by constraints [bases->num] */
+static void EnterNode_Private(VI vi, NodeBases *bases, PetscInt p, PetscInt k, PetscInt used[], PetscInt *row)
+{
+  const Pair      pair = vi->pairs[p];
+  const PetscInt  dim = vi->level->dim, node = pair->nodes[k], s = bases->of_node[node];
+  const PetscInt  num    = pair->spec->type == PAIR_TIED ? dim : 1;
+  PetscReal      *F      = &bases->F[s * dim * dim];
+  const PetscReal weight = pair->D[k] * vi->scene->thickness;
+
+  if (used[s] == 0) {
+    for (PetscInt i = 0; i < dim * dim; i++) F[i] = pair->frame[k * dim * dim + i];
+  } else { // a second constraint takes the place of the first tangent
+    for (PetscInt i = 0; i < dim; i++) F[used[s] * dim + i] = pair->normal[k * dim + i];
+  }
+  for (PetscInt i = 0; i < num; i++) {
+    vi->row_pair[*row]      = p;
+    vi->row_node[*row]      = k;
+    vi->row_direction[*row] = i;
+    vi->row_dof[*row]       = dim * (vi->level->node_begin + node) + used[s]++;
+    vi->row_D[(*row)++]     = weight;
+  }
+}
+
+/* The last direction of a node in 3D with two constraints: across both normals. */
+static void CompleteFrame_Private(PetscInt dim, PetscInt used, PetscReal F[])
+{
+  PetscReal norm = 0;
+
+  if (dim < 3 || used != 2) return;
+  for (PetscInt k = 0; k < 3; k++) {
+    F[6 + k] = F[(k + 1) % 3] * F[3 + (k + 2) % 3] - F[(k + 2) % 3] * F[3 + (k + 1) % 3];
+    norm += F[6 + k] * F[6 + k];
+  }
+  for (PetscInt k = 0; k < 3; k++) F[6 + k] /= PetscSqrtReal(norm);
+}
+
+PetscErrorCode NodeBasesCreate(VI vi, NodeBases *bases)
+{
+  const PetscInt dim = vi->level->dim;
+  PetscInt      *used, row = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(ListNodes_Private(vi, bases));
+  vi->num_rows = 0;
+  for (PetscInt p = 0; p < vi->num_pairs; p++)
+    vi->num_rows += vi->pairs[p]->num * (vi->pairs[p]->spec->type == PAIR_TIED ? dim : 1);
+  PetscCall(PetscMalloc5(vi->num_rows, &vi->row_pair, vi->num_rows, &vi->row_node, vi->num_rows, &vi->row_direction,
+                         vi->num_rows, &vi->row_dof, vi->num_rows, &vi->row_D));
+  PetscCall(PetscCalloc1(bases->num, &used));
+  for (PetscInt s = 0; s < bases->num; s++) { // oblique supports; pairs overwrite theirs
+    PetscCall(PetscArraycpy(&bases->F[s * dim * dim], &vi->support.directions[bases->node[s] * dim * dim], dim * dim));
+  }
+  for (PetscInt p = 0; p < vi->num_pairs; p++) {
+    for (PetscInt k = 0; k < vi->pairs[p]->num; k++) EnterNode_Private(vi, bases, p, k, used, &row);
+  }
+  for (PetscInt s = 0; s < bases->num; s++) {
+    CompleteFrame_Private(dim, used[s], &bases->F[s * dim * dim]);
+    Invert_Private(dim, &bases->F[s * dim * dim], &bases->Finv[s * dim * dim]);
+  }
+  PetscCall(PetscFree(used));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode NodeBasesDestroy(NodeBases *bases)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(bases->of_node));
+  PetscCall(PetscFree3(bases->node, bases->F, bases->Finv));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* R: the identity, but F^-1 at special nodes. */
+static PetscErrorCode CreateR_Private(VI vi, const NodeBases *bases, Mat *R)
+{
+  const PetscInt dim = vi->level->dim, n = vi->level->num_owned * dim, first = vi->level->node_begin * dim;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateAIJ(vi->level->comm, n, n, PETSC_DETERMINE, PETSC_DETERMINE, dim, NULL, 0, NULL, R));
+  PetscCall(MatSetBlockSize(*R, dim));
+  for (PetscInt i = 0; i < vi->level->num_owned; i++) {
+    const PetscInt s = bases->of_node[i], block = vi->level->node_begin + i;
+    if (s >= 0) {
+      PetscCall(MatSetValuesBlocked(*R, 1, &block, 1, &block, &bases->Finv[s * dim * dim], INSERT_VALUES));
+    } else {
+      for (PetscInt k = 0; k < dim; k++)
+        PetscCall(MatSetValue(*R, first + dim * i + k, first + dim * i + k, 1.0, INSERT_VALUES));
+    }
+  }
+  PetscCall(MatAssemblyBegin(*R, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatAssemblyEnd(*R, MAT_FINAL_ASSEMBLY));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds coefficient * F^-1_(.,i) (x) F_i for every entry of row `node` of a node x node matrix. */
+static PetscErrorCode AddCoupling_Private(VI vi, const NodeBases *bases, Mat C, PetscInt s, PetscInt i,
+                                          PetscReal coefficient, Mat E)
+{
+  const PetscInt     dim = vi->level->dim, block = vi->level->node_begin + bases->node[s];
+  const PetscReal   *F = &bases->F[s * dim * dim], *Finv = &bases->Finv[s * dim * dim];
+  PetscInt           num;
+  const PetscInt    *columns;
+  const PetscScalar *values;
+  PetscScalar        Eb[9];
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetRow(C, block, &num, &columns, &values));
+  for (PetscInt c = 0; c < num; c++) {
+    for (PetscInt j = 0; j < dim; j++) {
+      for (PetscInt l = 0; l < dim; l++) Eb[j * dim + l] = coefficient * values[c] * Finv[j * dim + i] * F[i * dim + l];
+    }
+    PetscCall(MatSetValuesBlocked(E, 1, &block, 1, &columns[c], Eb, ADD_VALUES));
+  }
+  PetscCall(MatRestoreRow(C, block, &num, &columns, &values));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Entries of a node's rows of E, over all its constraints. [out] nnz - blocks per owned node [num_owned] */
+static PetscErrorCode CountE_Private(VI vi, PetscInt nnz[])
+{
+  PetscInt num;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscArrayzero(nnz, vi->level->num_owned));
+  for (PetscInt p = 0; p < vi->num_pairs; p++) {
+    const Mat C[2] = {vi->pairs[p]->M, vi->pairs[p]->chain};
+    for (PetscInt k = 0; k < vi->pairs[p]->num; k++) {
+      const PetscInt node = vi->pairs[p]->nodes[k];
+      for (PetscInt m = 0; m < 2; m++) {
+        if (!C[m]) continue;
+        PetscCall(MatGetRow(C[m], vi->level->node_begin + node, &num, NULL, NULL));
+        nnz[node] += num;
+        PetscCall(MatRestoreRow(C[m], vi->level->node_begin + node, &num, NULL, NULL));
+      }
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* E: what the other side's displacement contributes to u at special nodes. */
+static PetscErrorCode CreateE_Private(VI vi, const NodeBases *bases, Mat *E)
+{
+  const PetscInt dim = vi->level->dim, n = vi->level->num_owned, rest = vi->level->num_global - n;
+  PetscInt      *nnz, *d_nnz, *o_nnz;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc3(n, &nnz, n * dim, &d_nnz, n * dim, &o_nnz));
+  PetscCall(CountE_Private(vi, nnz));
+  for (PetscInt i = 0; i < n * dim; i++) {
+    d_nnz[i] = dim * PetscMin(nnz[i / dim], n);
+    o_nnz[i] = dim * PetscMin(nnz[i / dim], rest);
+  }
+  PetscCall(MatCreateAIJ(vi->level->comm, n * dim, n * dim, PETSC_DETERMINE, PETSC_DETERMINE, 0, d_nnz, 0, o_nnz, E));
+  PetscCall(MatSetBlockSize(*E, dim));
+  PetscCall(PetscFree3(nnz, d_nnz, o_nnz));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const Pair     pair = vi->pairs[vi->row_pair[r]];
+    const PetscInt k = vi->row_node[r], s = bases->of_node[pair->nodes[k]], i = vi->row_dof[r] % dim;
+    if (pair->M) PetscCall(AddCoupling_Private(vi, bases, pair->M, s, i, 1 / pair->D[k], *E));
+    if (pair->chain) PetscCall(AddCoupling_Private(vi, bases, pair->chain, s, i, -1 / pair->D[k], *E));
+  }
+  PetscCall(MatAssemblyBegin(*E, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatAssemblyEnd(*E, MAT_FINAL_ASSEMBLY));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a matrix has no entry on any rank. */
+static PetscErrorCode IsEmpty_Private(Mat A, PetscBool *empty)
+{
+  MatInfo info;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetInfo(A, MAT_GLOBAL_SUM, &info));
+  *empty = (PetscBool)(info.nz_used == 0);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Faults with the names of the pairs: their roles run in a circle. */
+static PetscErrorCode RaiseCycle_Private(VI vi)
+{
+  char names[512] = "";
+
+  PetscFunctionBeginUser;
+  for (PetscInt p = 0; p < vi->num_pairs; p++) {
+    PetscCall(PetscStrlcat(names, p ? ", " : "", sizeof(names)));
+    PetscCall(PetscStrlcat(names, vi->pairs[p]->spec->name, sizeof(names)));
+  }
+  PetscCall(FaultRaise(
+      vi->level->comm,
+      "the roles of the pairs %s run in a circle (each nonmortar side meets a mortar side that is nonmortar in the "
+      "next pair); swap -<pair>_nonmortar and -<pair>_mortar of one of them",
+      names));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BasisCreateT(VI vi, const NodeBases *bases, Mat *T)
+{
+  Mat       E, V, next;
+  PetscBool empty;
+  PetscInt  special = bases->num;
+
+  PetscFunctionBeginUser;
+  *T = NULL;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &special, 1, MPIU_INT, MPI_SUM, vi->level->comm));
+  if (special == 0) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(CreateR_Private(vi, bases, T));
+  PetscCall(CreateE_Private(vi, bases, &E));
+  PetscCall(MatMatMult(E, *T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &V));
+  PetscCall(IsEmpty_Private(V, &empty));
+  for (PetscInt length = 1; !empty; length++) {
+    if (length > vi->num_pairs) PetscCall(RaiseCycle_Private(vi));
+    PetscCall(MatAXPY(*T, 1.0, V, DIFFERENT_NONZERO_PATTERN));
+    PetscCall(MatMatMult(E, V, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &next));
+    PetscCall(MatDestroy(&V));
+    V = next;
+    PetscCall(IsEmpty_Private(V, &empty));
+  }
+  PetscCall(MatDestroy(&V));
+  PetscCall(MatDestroy(&E));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The unknown (0..dim-1) of a node that is +-d . u, and the sign; -1 if none is. */
+static PetscInt FindUnknown_Private(PetscInt dim, const PetscReal F[], const PetscReal d[], PetscReal *sign)
+{
+  for (PetscInt r = 0; r < dim; r++) {
+    PetscReal dot = 0;
+    for (PetscInt k = 0; k < dim; k++) dot += (F ? F[r * dim + k] : (PetscReal)(r == k)) * d[k];
+    *sign = dot;
+    if (PetscAbsReal(dot) > 1 - PARALLEL) return r;
+  }
+  return -1;
+}
+
+PetscErrorCode BasisGetFixed(VI vi, const NodeBases *bases, PetscInt *num, PetscInt **dofs, PetscReal **values)
+{
+  const PetscInt dim = vi->level->dim;
+
+  PetscFunctionBeginUser;
+  *num = 0;
+  PetscCall(PetscMalloc2(vi->level->num_owned * dim, dofs, vi->level->num_owned * dim, values));
+  for (PetscInt i = 0; i < vi->level->num_owned; i++) {
+    const PetscInt   s = bases->of_node[i];
+    const PetscReal *F = s >= 0 ? &bases->F[s * dim * dim] : NULL;
+    for (PetscInt j = 0; j < vi->support.count[i]; j++) {
+      PetscReal      sign;
+      const PetscInt r = FindUnknown_Private(dim, F, &vi->support.directions[(i * dim + j) * dim], &sign);
+      PetscCheck(r >= 0, PETSC_COMM_SELF, PETSC_ERR_PLIB, "A held direction is not an unknown of its node");
+      (*dofs)[*num]       = dim * (vi->level->node_begin + i) + r;
+      (*values)[(*num)++] = sign * vi->support.values[i * dim + j];
+    }
+  }
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    if (vi->pairs[vi->row_pair[r]]->spec->type != PAIR_TIED) continue;
+    (*dofs)[*num]       = vi->row_dof[r];
+    (*values)[(*num)++] = 0;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

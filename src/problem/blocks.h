@@ -1,0 +1,11 @@
+/* blocks.h -- the book of record [K B'; B 0] (private to the room). */
+#ifndef MORTISE_BLOCKS_H
+#define MORTISE_BLOCKS_H
+
+#include "basis.h"
+
+/* Fills vi->B, vi->G, vi->nest from the pairs; row a, direction i of B is
+     thickness F_i . (D_aa u_a + sum_c D_ac u_c - sum_b M_ab u_b).  NULL where no pair has a multiplier. Collective. */
+PetscErrorCode BlocksCreate(VI vi, const NodeBases *bases);
+
+#endif

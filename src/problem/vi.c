@@ -1,0 +1,204 @@
+/* vi.c -- from a scene and a mesh to one bound-constrained variational inequality, and back.
+
+   Stages: supports and pairs (mortar), K and f (assembly), B, T, A and bounds (condense). Fixed unknowns are eliminated from
+   A here, so that a solver sees inequalities only. */
+#include <mortise/compat.h>
+#include <mortise/elasticity.h>
+#include <mortise/log.h>
+#include <mortise/vi.h>
+#include "basis.h"
+#include "blocks.h"
+#include "modes.h"
+
+/* All pairs in the order typed; the first one that comes keeps a direction that two pairs would hold. */
+static PetscErrorCode CreatePairs_Private(VI vi)
+{
+  Vec taken, local;
+
+  PetscFunctionBeginUser;
+  vi->num_pairs = vi->scene->num_pairs;
+  PetscCall(PetscCalloc1(vi->num_pairs, &vi->pairs));
+  if (vi->num_pairs == 0) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(LevelCreateVec(vi->level, vi->level->dim, &taken));
+  PetscCall(VecGhostGetLocalForm(taken, &local));
+  PetscCall(VecZeroEntries(local));
+  PetscCall(VecGhostRestoreLocalForm(taken, &local));
+  for (PetscInt p = 0; p < vi->num_pairs; p++)
+    PetscCall(PairCreate(vi->scene, &vi->scene->pairs[p], vi->level, &vi->support, taken, &vi->pairs[p]));
+  PetscCall(VecDestroy(&taken));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* stiffness = mean diagonal of K; length = the displacement to expect: prescribed, by interference, or of the loads. */
+static PetscErrorCode ChooseScales_Private(VI vi)
+{
+  Vec         diagonal;
+  PetscScalar sum;
+  PetscReal   force, interference = 0;
+  PetscInt    n;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(vi->f, &diagonal));
+  PetscCall(MatGetDiagonal(vi->K, diagonal));
+  PetscCall(VecSum(diagonal, &sum));
+  PetscCall(VecGetSize(diagonal, &n));
+  PetscCall(VecDestroy(&diagonal));
+  vi->stiffness = PetscRealPart(sum) / n;
+  PetscCall(VecNorm(vi->f, NORM_1, &force));
+  for (PetscInt p = 0; p < vi->num_pairs; p++) {
+    for (PetscInt k = 0; k < vi->pairs[p]->num; k++) interference = PetscMax(interference, -vi->pairs[p]->gap[k]);
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &interference, 1, MPIU_REAL, MPIU_MAX, vi->level->comm));
+  vi->length = PetscMax(force / vi->stiffness, PetscMax(interference, vi->support.max_value));
+  if (vi->length <= 0) vi->length = 1; // nothing moves anything: the answer is zero in any unit
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A = T'KT / stiffness and b = T'f / (stiffness length). */
+static PetscErrorCode Condense_Private(VI vi)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(vi->f, &vi->b));
+  if (vi->T) {
+    PetscCall(MatPtAP(vi->K, vi->T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &vi->A));
+    PetscCall(MatMultTranspose(vi->T, vi->f, vi->b));
+  } else {
+    PetscCall(MatDuplicate(vi->K, MAT_COPY_VALUES, &vi->A));
+    PetscCall(VecCopy(vi->f, vi->b));
+  }
+  PetscCall(MatScale(vi->A, 1 / vi->stiffness));
+  PetscCall(VecScale(vi->b, 1 / (vi->stiffness * vi->length)));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Takes fixed unknowns out of A and b: unit rows, their values on the right-hand side. */
+static PetscErrorCode Eliminate_Private(VI vi, PetscInt num, const PetscInt dofs[], const PetscReal values[])
+{
+  Vec y;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(vi->upper, &y));
+  PetscCall(VecZeroEntries(y));
+  for (PetscInt i = 0; i < num; i++) PetscCall(VecSetValue(y, dofs[i], values[i] / vi->length, INSERT_VALUES));
+  PetscCall(VecAssemblyBegin(y));
+  PetscCall(VecAssemblyEnd(y));
+  PetscCall(MatZeroRowsColumns(vi->A, num, dofs, 1.0, y, vi->b));
+  PetscCall(MatSetOption(vi->A, MAT_SPD, PETSC_TRUE));
+  PetscCall(VecDestroy(&y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* y_i <= nodal gap for contact rows. */
+static PetscErrorCode SetBounds_Private(VI vi)
+{
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateVecs(vi->K, &vi->upper, &vi->lower));
+  PetscCall(VecSet(vi->lower, PETSC_NINFINITY));
+  PetscCall(VecSet(vi->upper, PETSC_INFINITY));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const Pair pair = vi->pairs[vi->row_pair[r]];
+    if (pair->spec->type == PAIR_TIED) continue;
+    PetscCall(VecSetValue(vi->upper, vi->row_dof[r], pair->gap[vi->row_node[r]] / vi->length, INSERT_VALUES));
+  }
+  PetscCall(VecAssemblyBegin(vi->upper));
+  PetscCall(VecAssemblyEnd(vi->upper));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi_out)
+{
+  VI         vi;
+  NodeBases  bases;
+  PetscInt   num_fixed, *fixed;
+  PetscReal *values;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(&vi));
+  vi->scene = scene;
+  vi->level = MeshFinest(mesh);
+  PetscCall(LogStageBegin(STAGE_MORTAR));
+  PetscCall(SupportCreate(vi->level, scene, &vi->support));
+  PetscCall(CreatePairs_Private(vi));
+  PetscCall(LogStageEnd(STAGE_MORTAR));
+  PetscCall(LogStageBegin(STAGE_ASSEMBLY));
+  PetscCall(ElasticityAssemble(scene, vi->level, &vi->K, &vi->f));
+  PetscCall(LogStageEnd(STAGE_ASSEMBLY));
+  PetscCall(LogStageBegin(STAGE_CONDENSE));
+  PetscCall(NodeBasesCreate(vi, &bases));
+  PetscCall(BlocksCreate(vi, &bases));
+  PetscCall(BasisCreateT(vi, &bases, &vi->T));
+  PetscCall(ChooseScales_Private(vi));
+  PetscCall(Condense_Private(vi));
+  PetscCall(SetBounds_Private(vi));
+  PetscCall(BasisGetFixed(vi, &bases, &num_fixed, &fixed, &values));
+  PetscCall(Eliminate_Private(vi, num_fixed, fixed, values));
+  PetscCall(ModesAttach(vi, &bases, num_fixed, fixed));
+  PetscCall(PetscFree2(fixed, values));
+  PetscCall(NodeBasesDestroy(&bases));
+  PetscCall(LogStageEnd(STAGE_CONDENSE));
+  *vi_out = vi;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VIDestroy(VI *vi_in)
+{
+  VI vi = *vi_in;
+
+  PetscFunctionBeginUser;
+  if (!vi) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt p = 0; p < vi->num_pairs; p++) PetscCall(PairDestroy(&vi->pairs[p]));
+  PetscCall(PetscFree(vi->pairs));
+  PetscCall(SupportDestroy(&vi->support));
+  PetscCall(PetscFree5(vi->row_pair, vi->row_node, vi->row_direction, vi->row_dof, vi->row_D));
+  PetscCall(MatDestroy(&vi->nest));
+  PetscCall(MatDestroy(&vi->B));
+  PetscCall(MatDestroy(&vi->K));
+  PetscCall(MatDestroy(&vi->T));
+  PetscCall(MatDestroy(&vi->A));
+  PetscCall(VecDestroy(&vi->f));
+  PetscCall(VecDestroy(&vi->G));
+  PetscCall(VecDestroy(&vi->b));
+  PetscCall(VecDestroy(&vi->upper));
+  PetscCall(VecDestroy(&vi->lower));
+  PetscCall(PetscFree(*vi_in));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VIRecoverDisplacement(VI vi, Vec y, Vec u)
+{
+  PetscFunctionBeginUser;
+  if (vi->T)
+    PetscCall(MatMult(vi->T, y, u));
+  else
+    PetscCall(VecCopy(y, u));
+  PetscCall(VecScale(u, vi->length));
+  PetscCall(VecGhostUpdateBegin(u, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostUpdateEnd(u, INSERT_VALUES, SCATTER_FORWARD));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VIRecoverMultiplier(VI vi, Vec u, Vec lambda)
+{
+  const PetscInt     first = vi->level->dim * vi->level->node_begin;
+  const PetscScalar *ra;
+  PetscScalar       *la;
+  Vec                residual, r;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(vi->upper, &residual));
+  PetscCall(VecDuplicate(vi->upper, &r));
+  PetscCall(MatMult(vi->K, u, residual));
+  PetscCall(VecAYPX(residual, -1.0, vi->f));
+  if (vi->T)
+    PetscCall(MatMultTranspose(vi->T, residual, r));
+  else
+    PetscCall(VecCopy(residual, r));
+  PetscCall(VecGetArrayRead(r, &ra));
+  PetscCall(VecGetArray(lambda, &la));
+  for (PetscInt i = 0; i < vi->num_rows; i++) la[i] = ra[vi->row_dof[i] - first] / vi->row_D[i];
+  PetscCall(VecRestoreArray(lambda, &la));
+  PetscCall(VecRestoreArrayRead(r, &ra));
+  PetscCall(VecDestroy(&r));
+  PetscCall(VecDestroy(&residual));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
