@@ -1,0 +1,24 @@
+/* integrals.h -- normals and integrals of the nonmortar side as sums at nodes (private to the room). */
+#ifndef MORTISE_INTEGRALS_H
+#define MORTISE_INTEGRALS_H
+
+#include "integrate.h"
+
+/* Unit normals of the nonmortar side at its nodes, zero elsewhere (numerics.md 2). Collective.
+   [out] normals - ghosted, dim per node, owned by the caller */
+PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, Vec *normals);
+
+/* Integrals of all facets, as sums at nodes. */
+typedef struct {
+  Vec        D, full, G; /* ghosted, one per node */
+  Mat        M;          /* node x node, or NULL */
+  PetscBool *covered;    /* of this rank's facets */
+} Integrals;
+
+/* D, G and M of a pair, before any row is spread. Collective. [in] normals - ghosted; [out] sums - owned by the caller,
+   but M passes to the pair */
+PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const Facets *facets, Vec normals,
+                               Integrals *sums);
+PetscErrorCode IntegralsDestroy(Integrals *sums);
+
+#endif
