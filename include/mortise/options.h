@@ -14,7 +14,7 @@
 /* Expands ~/.petscrc, ./.petscrc and ./petscrc (unless -skip_petscrc), the variable PETSC_OPTIONS and every -options_file
    (also inside files) into one argument list for PetscInitialize(), which then has nothing left to read.
    Collective on MPI_COMM_WORLD; MPI is initialised, PETSc is not. The first rank's command line counts.
-   [out] argc_out, argv_out - the expanded list, owned by the module until the program ends
+   [out] argc_out, argv_out - the expanded list, owned by the module until the next call
    [out] sentence           - one sentence if something is wrong (a missing or malformed file, a stray word), else ""
                               (array of shape [len], the same on all ranks) */
 void OptionsExpand(int argc, char **argv, int *argc_out, char ***argv_out, char sentence[], size_t len);
@@ -26,9 +26,5 @@ const char *OptionsFileName(void);
    Collective on comm (the first rank looks). [out] found - array of shape [len], the name itself where nothing is found;
    [out] exists - whether it can be read */
 PetscErrorCode OptionsFindFile(MPI_Comm comm, const char name[], char found[], size_t len, PetscBool *exists);
-
-/* The one option "-name value" of the expanded list whose name or value a message of PETSc's quotes, or NULL where there is
-   none or more than one. Not collective; the text is valid until the next call. */
-const char *OptionsNameOfValue(const char message[]);
 
 #endif

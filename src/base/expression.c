@@ -48,24 +48,26 @@ static PetscBool ReadNumber_Private(const char text[], PetscReal *number)
   return !*end ? PETSC_TRUE : PETSC_FALSE;
 }
 
-/* muParser's complaint in words that go on with our sentence. */
+/* muParser's complaint in words that go on with our sentence. Its getters share one buffer: each is used up before the next. */
 static void DescribeError_Private(muParserHandle_t parser, char words[], size_t len)
 {
   enum { UNKNOWN_NAME = 1 }; // ecUNASSIGNABLE_TOKEN of muParser's C++ header
-  const char *token = mupGetErrorToken(parser), *message = mupGetErrorMsg(parser), *nearest;
-  char        name[64];
-  size_t      length;
+  static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+  const char       *text, *nearest;
+  char              name[64];
+  int               length;
 
   if (mupGetErrorCode(parser) == UNKNOWN_NAME) {
-    snprintf(name, sizeof(name), "%.*s",
-             (int)strspn(token, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789"), token);
+    text = mupGetErrorToken(parser); // the rest of the formula
+    snprintf(name, sizeof(name), "%.*s", (int)PetscMax(1, strspn(text, letters)), text);
     nearest = FaultNearest(name, PETSC_STATIC_ARRAY_LENGTH(known_names), known_names);
-    snprintf(words, len, "'%s' is not known here%s%s%s", token, nearest ? ", did you mean '" : "",
-             nearest ? nearest : "", nearest ? "'?" : "");
+    snprintf(words, len, "'%s' is not known here%s%s%s", name, nearest ? ", nearest is '" : "", nearest ? nearest : "",
+             nearest ? "'" : "");
   } else {
-    length = strlen(message);
-    while (length && (message[length - 1] == '.' || isspace((unsigned char)message[length - 1]))) --length;
-    snprintf(words, len, "%c%.*s", tolower((unsigned char)message[0]), (int)(length ? length - 1 : 0), message + 1);
+    text   = mupGetErrorMsg(parser);
+    length = (int)strlen(text);
+    while (length > 1 && (text[length - 1] == '.' || isspace((unsigned char)text[length - 1]))) --length;
+    snprintf(words, len, "%c%.*s", tolower((unsigned char)text[0]), length - 1, text + 1);
   }
 }
 

@@ -5,7 +5,6 @@
    keep silent and change one code into another, which is how PETSc's complaints about options become faults. */
 #include <mortise/compat.h>
 #include <mortise/fault.h>
-#include <mortise/options.h>
 #include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -42,16 +41,59 @@ static PetscBool FaultIsOption_Private(const char function[], PetscErrorCode cod
                                                                                                    : PETSC_FALSE;
 }
 
-/* PETSc's complaint with the option it is about, which PETSc itself does not always name. */
+/* Whether the message quotes the first length letters of text as a word of its own. */
+static PetscBool Quotes_Private(const char message[], const char text[], size_t length)
+{
+  static const char inside[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_+-.";
+
+  for (const char *m = message; length && *m; ++m) {
+    if (strncmp(m, text, length) || (m > message && strchr(inside, m[-1]))) continue;
+    if (!m[length] || !strchr(inside, m[length]) || !m[length + 1] || m[length + 1] == ' ')
+      return PETSC_TRUE; // or a full stop
+  }
+  return PETSC_FALSE;
+}
+
+/* As above for any item of a comma list: PETSc reads it item by item. */
+static PetscBool QuotesItem_Private(const char message[], const char list[])
+{
+  for (size_t length = strcspn(list, ",");; list += length + 1, length = strcspn(list, ",")) {
+    if (Quotes_Private(message, list, length)) return PETSC_TRUE;
+    if (!list[length]) return PETSC_FALSE;
+  }
+}
+
+/* The place in the argument list of the one option whose name or value the message quotes; 0 if none, or not one alone. */
+static int FindOption_Private(const char message[], int num, char *const arguments[])
+{
+  int found = 0;
+
+  for (int a = 1; a < num; ++a) {
+    PetscBool name = PETSC_FALSE, next_name = PETSC_TRUE;
+
+    (void)PetscOptionsValidKey(arguments[a], &name);
+    if (a + 1 < num) (void)PetscOptionsValidKey(arguments[a + 1], &next_name);
+    if (!name) continue;
+    if (!Quotes_Private(message, arguments[a], strlen(arguments[a])) &&
+        (next_name || !QuotesItem_Private(message, arguments[a + 1])))
+      continue;
+    if (found) return 0;
+    found = a;
+  }
+  return found;
+}
+
+/* PETSc's complaint with the option that it is about, which PETSc itself does not always name. */
 static PetscErrorCode FaultFromPETSc_Private(const char message[])
 {
-  char        sentence[FAULT_LENGTH];
-  const char *option = OptionsNameOfValue(message);
-  int         length = (int)strcspn(message, "\n"); // the rest is PETSc's advice on installing packages
+  char   sentence[FAULT_LENGTH];
+  char **arguments;
+  int    num, option, length = (int)strcspn(message, "\n"); // the rest is PETSc's advice on installing packages
 
   while (length && (isspace((unsigned char)message[length - 1]) || message[length - 1] == '.')) --length;
+  option = PetscGetArgs(&num, &arguments) ? 0 : FindOption_Private(message, num, arguments);
   if (option)
-    snprintf(sentence, sizeof(sentence), "%s: %.*s", option, length, message);
+    snprintf(sentence, sizeof(sentence), "%s: PETSc says: %.*s", arguments[option], length, message);
   else
     snprintf(sentence, sizeof(sentence), "an option has a value that PETSc cannot use: %.*s", length, message);
   FaultTell_Private(MPI_COMM_WORLD, sentence); // options are the same on all ranks
@@ -143,7 +185,8 @@ const char *FaultNearest(const char misspelt[], PetscInt num_names, const char *
   for (PetscInt n = 0; n < num_names; ++n) longest = PetscMax(longest, strlen(names[n]));
   workspace = malloc((longest + 1) * sizeof(*workspace));
   if (!workspace) return NULL;
-  least = PetscMax(1, strlen(misspelt) / 3) + 1; // more than a third of the letters wrong is another word
+  least = PetscMin((strlen(misspelt) + 2) / 3 + 1,
+                   strlen(misspelt)); // more than a third of the letters wrong is another word
   for (PetscInt n = 0; n < num_names; ++n) {
     const size_t distance = EditDistance_Private(misspelt, names[n], workspace);
 

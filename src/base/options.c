@@ -31,12 +31,14 @@ typedef struct {
   int   quoted;
 } Word;
 
-/* What reading needs to know: where the first mistake is told, and the files that are open, outermost first. */
+/* What reading needs to know: where the first mistake is told, the list that options go to, and the files that are open,
+   outermost first. */
 typedef struct {
-  char  *sentence;
-  size_t len;
-  int    depth;
-  char  *open[MAX_DEPTH];
+  char     *sentence;
+  size_t    len;
+  TextList *target;
+  int       depth;
+  char     *open[MAX_DEPTH];
 } Reader;
 
 static TextList arguments; /* what PETSc gets */
@@ -62,6 +64,13 @@ static void ListAppend_Private(TextList *list, const char text[])
   list->items              = Allocate_Private(list->items, (size_t)(list->num + 2) * sizeof(*list->items));
   list->items[list->num++] = memcpy(Allocate_Private(NULL, size), text, size);
   list->items[list->num]   = NULL;
+}
+
+static void ListClear_Private(TextList *list)
+{
+  for (int i = 0; i < list->num; ++i) free(list->items[i]);
+  free(list->items);
+  *list = (TextList){0, NULL};
 }
 
 /* The first rank's list, everywhere. Collective on MPI_COMM_WORLD. */
@@ -167,33 +176,36 @@ static char *Slurp_Private(Reader *reader, const char path[])
 
 static void ReadFile_Private(Reader *reader, const char where[], const char name[]);
 
-/* Appends one option that stands at words[0], with its value if it has one. Returns the number of words taken. */
+/* Whether a word that PETSc takes for an option's name is something else: a formula, or a text with spaces. */
+static int IsFormula_Private(const Word *word)
+{
+  return IsName_Private(word->text) && (word->quoted || strpbrk(word->text, "()*/^, "));
+}
+
+/* Appends the option that stands at words[0], with its value if it has one. Returns the number of words taken. */
 static int ReadOption_Private(Reader *reader, const char where[], int num_words, const Word words[])
 {
-  const char *name = words[0].text, *value = NULL;
+  const char *name = words[0].text, *next = num_words > 1 ? words[1].text : NULL;
+  const char *value   = next && !IsName_Private(next) ? next : NULL;
+  const int   is_file = Is_Private(name, "-options_file"), is_yaml = Is_Private(name, "-options_file_yaml");
 
-  if (num_words > 1 && !IsName_Private(words[1].text)) value = words[1].text;
-  if (num_words > 1 && words[1].quoted && !value)
-    Complain_Private(
-        reader,
-        "%s: %s \"%s\": PETSc takes a value that begins with a minus and a letter for another option; write 0%s", where,
-        name, words[1].text, words[1].text);
-  if (strpbrk(name, "()*/^, "))
+  if (next && IsFormula_Private(&words[1]))
     Complain_Private(reader,
-                     "%s: %s is not an option's name; a value that begins with a minus and a letter is written 0%s",
-                     where, name, name);
-  if ((Is_Private(name, "-options_file") || Is_Private(name, "-options_file_yaml")) && !value)
+                     "%s: %s %s: PETSc takes a value that begins with a minus and a letter for an option; write 0%s",
+                     where, name, next, next);
+  else if (IsFormula_Private(&words[0]))
+    Complain_Private(reader, "%s: '%s' is not an option's name", where, name);
+  else if (strchr(name, '='))
+    Complain_Private(reader, "%s: %s: a value follows after a space, not after '='", where, name);
+  else if ((is_file || is_yaml) && !value)
     Complain_Private(reader, "%s: %s needs the name of a file", where, name);
-  if (Is_Private(name, "-options_file_yaml") && value &&
-      !CanRead_Private(value)) // anything else in it is PETSc's business
+  else if (is_yaml && !CanRead_Private(value))
     Complain_Private(reader, "%s: %s %s: there is no such file", where, name, value);
-  if (reader->sentence[0]) return num_words;
-
-  if (Is_Private(name, "-options_file"))
+  else if (is_file)
     ReadFile_Private(reader, where, value);
   else {
-    ListAppend_Private(&arguments, name);
-    if (value) ListAppend_Private(&arguments, value);
+    ListAppend_Private(reader->target, name);
+    if (value) ListAppend_Private(reader->target, value);
   }
   return value ? 2 : 1;
 }
@@ -211,35 +223,32 @@ static void ReadWords_Private(Reader *reader, const char where[], int num_words,
       Complain_Private(reader, "%s: '%s' is one word too many after %s; a value with spaces stands in double quotes",
                        where, words[w].text, previous);
     } else {
-      Complain_Private(reader, "%s: '%s' is not an option, an option begins with a minus and a letter", where,
-                       words[w].text);
+      Complain_Private(reader,
+                       "%s: '%s' is not an option, which begins with a minus and a letter; an options file is named by "
+                       "-options_file",
+                       where, words[w].text);
     }
   }
 }
 
-/* Cuts a line into words in place, without its comment. [out] words - array of shape [strlen(line)] at least */
+/* Cuts a line into words in place, and its comment off. [out] words - array of shape [strlen(line)] at least */
 static int SplitLine_Private(Reader *reader, const char where[], char line[], Word words[])
 {
-  int num_words = 0;
+  static const char blanks[]  = " \t\r\f\v";
+  int               num_words = 0;
 
-  for (line += strspn(line, " \t\r\f\v"); *line && *line != '#'; line += strspn(line, " \t\r\f\v")) {
-    const int quoted = *line == '"';
-    char     *end;
+  for (line += strspn(line, blanks); *line && *line != '#'; line += strspn(line, blanks)) {
+    const int   quoted = *line == '"';
+    char *const begin = line + quoted, *end = begin + strcspn(begin, quoted ? "\"" : " \t\r\f\v#");
+    const char  last = *end, behind = last ? end[1] : '\0';
 
-    line += quoted;
-    end                = line + strcspn(line, quoted ? "\"" : " \t\r\f\v#");
-    words[num_words++] = (Word){line, quoted};
-    if (quoted && !*end)
-      Complain_Private(reader, "%s: the quote before '%s' is not closed in the same line", where, line);
-    if (!*end) break;
-    if (quoted && end[1] && !strchr(" \t\r\f\v#", end[1]))
-      Complain_Private(reader, "%s: '%s' follows a closing quote without a space", where, end + 1);
-    line = *end == '#' ? end : end + 1;
-    if (line == end) { // the comment begins right behind the word
-      *end = '\0';
-      break;
-    }
+    words[num_words++] = (Word){begin, quoted};
+    if (quoted && !last) Complain_Private(reader, "%s: the quote before '%s' is not closed in this line", where, begin);
+    if (quoted && behind && !strchr(blanks, behind) && behind != '#')
+      Complain_Private(reader, "%s: a space is missing before '%s'", where, end + 1);
     *end = '\0';
+    if (!last || last == '#') break;
+    line = end + 1;
   }
   return num_words;
 }
@@ -266,30 +275,30 @@ static void ReadText_Private(Reader *reader, const char source[], char text[])
   }
 }
 
-/* Reads an options file that stands at `where`. */
+/* Reads an options file that is named at `where`; its options go before those of the command line. */
 static void ReadFile_Private(Reader *reader, const char where[], const char name[])
 {
-  char  found[PETSC_MAX_PATH_LEN], *text;
-  char *path;
+  TextList *const target = reader->target;
+  char            found[PETSC_MAX_PATH_LEN], *text, *path = NULL;
+  struct stat     status;
 
-  if (!Find_Private(name, found, sizeof(found))) {
-    struct stat status;
-
+  if (!Find_Private(name, found, sizeof(found)))
     Complain_Private(reader, "%s: -options_file %s: %s", where, name,
                      stat(name, &status) ? "there is no such file" : "this is not a file that can be read");
-    return;
-  }
-  path = realpath(found, NULL);
-  if (reader->depth == MAX_DEPTH)
+  else if (reader->depth == MAX_DEPTH)
     Complain_Private(reader, "%s: -options_file %s: more than %d files within files", where, name, MAX_DEPTH);
-  for (int i = 0; i < reader->depth; ++i)
-    if (path && !strcmp(path, reader->open[i]))
+  else
+    path = realpath(found, NULL);
+  for (int i = 0; path && i < reader->depth; ++i)
+    if (!strcmp(path, reader->open[i]))
       Complain_Private(reader, "%s: -options_file %s: this file is being read already, it names itself", where, name);
-  text = reader->sentence[0] ? NULL : Slurp_Private(reader, found);
+  text = path && !reader->sentence[0] ? Slurp_Private(reader, found) : NULL;
   if (text) {
-    reader->open[reader->depth++] = path ? path : found;
+    reader->open[reader->depth++] = path;
+    reader->target                = &arguments;
     ListAppend_Private(&files, found);
     ReadText_Private(reader, found, text);
+    reader->target = target;
     --reader->depth;
   }
   free(text);
@@ -319,34 +328,28 @@ static void ReadDefaults_Private(Reader *reader, int skip_files)
   }
 }
 
-/* The command line: a first pass reads the files that it names, a second one takes everything else. */
+/* The command line, whose own options wait until the files that it names are read. */
 static void ReadCommandLine_Private(Reader *reader, int argc, char **argv)
 {
-  Word *words     = Allocate_Private(NULL, (size_t)argc * 2 * sizeof(*words));
-  int   num_words = 0;
+  Word    *words = Allocate_Private(NULL, (size_t)argc * sizeof(*words));
+  TextList own   = {0, NULL};
 
-  for (int a = 1; a < argc; ++a) {
-    if (IsName_Private(argv[a]) && Is_Private(argv[a], "-options_file")) {
-      const Word pair[2] = {{argv[a], 0}, {a + 1 < argc ? argv[a + 1] : NULL, 0}};
-
-      a += ReadOption_Private(reader, "command line", PetscMin(argc - a, 2), pair) - 1;
-    } else
-      words[num_words++] = (Word){argv[a], 0};
-  }
-  if (num_words && !IsName_Private(words[0].text) && !reader->sentence[0]) {
-    Complain_Private(reader, "'%s' is not an option; an options file is named by -options_file %s", words[0].text,
-                     words[0].text);
-  }
-  ReadWords_Private(reader, "command line", num_words, words);
+  for (int a = 1; a < argc; ++a) words[a - 1] = (Word){argv[a], 0};
+  reader->target = &own;
+  ReadWords_Private(reader, "command line", argc - 1, words);
+  for (int i = 0; i < own.num; ++i) ListAppend_Private(&arguments, own.items[i]);
+  ListClear_Private(&own);
   free(words);
 }
 
 void OptionsExpand(int argc, char **argv, int *argc_out, char ***argv_out, char sentence[], size_t len)
 {
-  Reader reader = {.sentence = sentence, .len = len};
+  Reader reader = {.sentence = sentence, .len = len, .target = &arguments};
   int    rank, skip_files = 0;
 
   sentence[0] = '\0';
+  ListClear_Private(&arguments);
+  ListClear_Private(&files);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (!rank) {
     for (int a = 1; a < argc; ++a) skip_files |= IsName_Private(argv[a]) && Is_Private(argv[a], "-skip_petscrc");
@@ -379,40 +382,4 @@ PetscErrorCode OptionsFindFile(MPI_Comm comm, const char name[], char found[], s
   PetscCallMPI(MPI_Bcast(found, (int)len, MPI_CHAR, 0, comm));
   *exists = readable ? PETSC_TRUE : PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Whether the message quotes the first length letters of text as a word of its own. */
-static int Quotes_Private(const char message[], const char text[], size_t length)
-{
-  static const char inside[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_+-.";
-
-  for (const char *m = message; length && *m; ++m) {
-    if (strncmp(m, text, length) || (m > message && strchr(inside, m[-1]))) continue;
-    if (!m[length] || !strchr(inside, m[length]) || !m[length + 1] || m[length + 1] == ' ')
-      return 1; // or a full stop follows
-  }
-  return 0;
-}
-
-const char *OptionsNameOfValue(const char message[])
-{
-  static char option[PETSC_MAX_PATH_LEN];
-  int         num_found = 0;
-
-  for (int a = 1; a < arguments.num; ++a) {
-    const char *name = arguments.items[a], *value = arguments.items[a + 1];
-    int         quoted;
-
-    if (!IsName_Private(name)) continue;
-    quoted = Quotes_Private(message, name, strlen(name));
-    for (const char *v = value; !quoted && v && !IsName_Private(value);
-         v             = *v ? v + 1 : NULL) { // a list is read number by number
-      quoted = Quotes_Private(message, v, strcspn(v, ","));
-      v += strcspn(v, ",");
-    }
-    if (!quoted) continue;
-    snprintf(option, sizeof(option), value && !IsName_Private(value) ? "%s %s" : "%s", name, value);
-    ++num_found;
-  }
-  return num_found == 1 ? option : NULL;
 }
