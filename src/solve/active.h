@@ -1,0 +1,97 @@
+/* active.h -- what the parts of `pdas` share; internal to this room (floor 6).
+
+   Everything the iteration decides on lives on the bounded unknowns alone: their bounds, their values y, the forces
+   r = b - A y that hold them there. How the other unknowns are eliminated is the business of an ActiveSolver, of which
+   there are two: TruncatedCreate() works with the full matrix, ReducedCreate() with a dense Schur complement. */
+#ifndef MORTISE_ACTIVE_H
+#define MORTISE_ACTIVE_H
+
+#include <stdint.h>
+#include <petscsnes.h>
+#include <mortise/compat.h>
+
+/* The bounded unknowns and which of them are active (fixed at their bound). The same distribution as y. */
+typedef struct {
+  MPI_Comm   comm;
+  PetscInt   n, N;       /* bounded unknowns of this rank, of all */
+  PetscInt   begin;      /* bounded unknowns of lower ranks */
+  PetscInt   dof_begin;  /* first unknown of this rank */
+  PetscInt  *dof;        /* which unknowns they are, global numbers, ascending [n] */
+  PetscReal *upper;      /* [n] */
+  PetscReal *diag;       /* A_ii > 0 [n] */
+  PetscBool *active;     /* [n] */
+  PetscInt   num_active; /* of all ranks */
+} ActiveSet;
+
+/* The solution of one linear system, as far as the bounded unknowns see it. */
+typedef struct {
+  PetscBool  *fixed;      /* which of them were prescribed [n] */
+  PetscReal  *y;          /* exactly the prescribed value where fixed [n] */
+  PetscReal  *r;          /* b - A y, exactly 0 where not fixed [n] */
+  PetscReal   size;       /* max |y| over all unknowns, to the order of magnitude: the scale of roundoff */
+  PetscReal   eta;        /* residual of the rows that are not fixed, relative to the system's right-hand side */
+  PetscReal   norm;       /* 2-norm of that residual */
+  PetscInt    iterations; /* of the linear solver, in this system */
+  const char *failure;    /* why there is no solution, or NULL; the same on all ranks */
+} ActiveSolution;
+
+/* One way to solve  y_i = value_i where fixed,  (A y - b)_i = 0 elsewhere.  All functions are collective. */
+typedef struct _n_ActiveSolver *ActiveSolver;
+struct _n_ActiveSolver {
+  const ActiveSet *set;  /* borrowed */
+  Mat              A;    /* borrowed */
+  Vec              b;    /* borrowed */
+  Vec              diag; /* of A */
+  PetscReal        rtol; /* eta that is good enough */
+  void            *data;
+  /* [in] fixed, value - [n], values are read where fixed; [in,out] solution - created by the caller */
+  PetscErrorCode (*solve)(ActiveSolver, const PetscBool fixed[], const PetscReal value[], ActiveSolution *solution);
+  /* The unknowns without bounds that go with the last solution; its r, eta and norm become those of the full system.
+     [out] y */
+  PetscErrorCode (*finish)(ActiveSolver, ActiveSolution *solution, Vec y);
+  PetscErrorCode (*destroy)(ActiveSolver);
+};
+
+/* At full size, rows and columns of fixed unknowns emptied, by the user's KSP. [in] y - first guess */
+PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ksp, PetscReal rtol,
+                               ActiveSolver *solver);
+/* The common part, for the constructors. Collective. */
+PetscErrorCode ActiveSolverCreate(const ActiveSet *set, Mat A, Vec b, PetscReal rtol, ActiveSolver *solver);
+PetscErrorCode ActiveSolverDestroy(ActiveSolver *solver);
+/* What such an error of a factorisation means, NULL for none. Not collective. */
+const char *ActiveFailureOfFactor(MatFactorError error);
+
+/* Finds the bounded unknowns (upper < infinity); nothing active. Collective. */
+PetscErrorCode ActiveSetCreate(Vec upper, Mat A, ActiveSet *set);
+PetscErrorCode ActiveSetDestroy(ActiveSet *set);
+/* Counts what changes when the set becomes next, and makes it so. Collective. [in] next - [n] */
+PetscErrorCode ActiveSetReplace(ActiveSet *set, const PetscBool next[], PetscInt *changed);
+/* The decision (T10) with tolerances, and how far the solution is from fulfilling all inequalities (2-norm, force).
+   Collective. [in] c - of (T10); [out] changed - of all ranks */
+PetscErrorCode ActiveSetUpdate(ActiveSet *set, const ActiveSolution *solution, PetscReal c, PetscInt *changed,
+                               PetscReal *violation);
+/* A number that tells sets apart. Collective. */
+PetscErrorCode ActiveSetHash(const ActiveSet *set, uint64_t *hash);
+/* Lets every bounded unknown's value be taken from, or given to, a vector. Not collective. [n] */
+PetscErrorCode ActiveSetGather(const ActiveSet *set, Vec v, PetscReal values[]);
+PetscErrorCode ActiveSetScatter(const ActiveSet *set, const PetscReal values[], Vec v);
+
+PetscErrorCode ActiveSolutionCreate(PetscInt n, ActiveSolution *solution);
+PetscErrorCode ActiveSolutionDestroy(ActiveSolution *solution);
+
+/* Projected Newton method with a line search on the energy; see safeguard.c. */
+typedef struct {
+  PetscBool  on;
+  PetscReal *y, *r, *d;   /* feasible iterate, its forces, the step [n] */
+  PetscBool *fixed, *all; /* the iterate's set; everything [n] */
+} Safeguard;
+
+/* Begins at the last solution, clipped. Collective. */
+PetscErrorCode SafeguardBegin(Safeguard *guard, const ActiveSet *set, ActiveSolver solver, ActiveSolution *solution);
+/* One step; switches guard->on off when the set has settled. Collective.
+   [out] changed - of all ranks; [out] violation - as of ActiveSetUpdate(); solution->failure may be set */
+PetscErrorCode SafeguardStep(Safeguard *guard, ActiveSet *set, ActiveSolver solver, ActiveSolution *solution,
+                             PetscInt *changed, PetscReal *violation);
+PetscErrorCode SafeguardEnd(Safeguard *guard);
+
+#endif

@@ -1,0 +1,254 @@
+/* truncated.c -- one linear system per active set, at full size, by whatever KSP the user chose.
+
+   The rows and columns of fixed unknowns are emptied and keep only their own diagonal A_ii (not 1: the spectrum stays what
+   it was), so size, layout and block structure never change and a preconditioner sees a matrix like A:
+       A^ d = f,   y = v + d,   A^ = M A M + (1 - M) diag(A),   f = M (b - A v),
+   with M = 0 on fixed unknowns, 1 elsewhere, and v the prescribed values, 0 elsewhere. Near null vectors are emptied at
+   fixed unknowns as well (numerics.md 8.2): what a preconditioner takes for a rigid motion must be one of A^. */
+#include "active.h"
+
+/* Solves on the residual after the first: each gains the digits of one solve; what does not get there in so many will not. */
+static const PetscInt MAX_REFINEMENTS = 8;
+/* A solve that leaves more than this part of the residual is no progress. */
+static const PetscReal STALLED = 0.5;
+
+static const char NO_CONVERGENCE[] =
+    "the linear solver did not converge: try more -ksp_max_it, another -pc_type, or leave "
+    "-ksp_type and -pc_type away for the direct solver";
+
+typedef struct {
+  KSP       ksp;       /* borrowed */
+  Mat       A;         /* A^ */
+  Vec       free;      /* M */
+  Vec       y, r;      /* the solution; b - A y */
+  Vec       f, d, w;   /* M r; correction; work */
+  PetscBool direct;    /* the KSP only applies its preconditioner */
+  PetscReal reference; /* size of the first f */
+} Truncated;
+
+const char *ActiveFailureOfFactor(MatFactorError error)
+{
+  switch (error) {
+  case MAT_FACTOR_NOERROR: return NULL;
+  case MAT_FACTOR_OUTMEMORY:
+    return "the direct solver ran out of memory: try -mat_mumps_icntl_14 100, or -pc_type gamg";
+  default: return "the system is singular: is every body held, by displacements or by bodies that are?";
+  }
+}
+
+/* M, the last solution emptied where fixed as first guess d, and y = v. */
+static PetscErrorCode Prescribe_Private(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[])
+{
+  Truncated       *t   = solver->data;
+  const ActiveSet *set = solver->set;
+  PetscScalar     *free, *y;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecSet(t->free, 1));
+  PetscCall(VecGetArray(t->free, &free));
+  for (PetscInt i = 0; i < set->n; i++) free[set->dof[i] - set->dof_begin] = fixed[i] ? 0 : 1;
+  PetscCall(VecRestoreArray(t->free, &free));
+  PetscCall(VecPointwiseMult(t->d, t->y, t->free));
+  PetscCall(VecSet(t->y, 0));
+  PetscCall(VecGetArray(t->y, &y));
+  for (PetscInt i = 0; i < set->n; i++) y[set->dof[i] - set->dof_begin] = fixed[i] ? value[i] : 0;
+  PetscCall(VecRestoreArray(t->y, &y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A^ gets the near null space of A, emptied where fixed and made orthonormal again. */
+static PetscErrorCode NearNullSpace_Private(ActiveSolver solver)
+{
+  static const PetscReal DEPENDENT = 1e-8; /* shorter than this after projection: nothing of the motion is left */
+  Truncated             *t         = solver->data;
+  MatNullSpace           space;
+  const Vec             *vecs;
+  Vec                   *own;
+  PetscInt               n, kept = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetNearNullSpace(solver->A, &space));
+  if (!space) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatNullSpaceGetVecs(space, NULL, &n, &vecs));
+  PetscCall(VecDuplicateVecs(t->y, n, &own));
+  for (PetscInt i = 0; i < n; i++) {
+    PetscReal norm;
+
+    PetscCall(VecPointwiseMult(own[kept], vecs[i], t->free));
+    for (PetscInt j = 0; j < kept; j++) {
+      PetscScalar dot;
+
+      PetscCall(VecDot(own[kept], own[j], &dot));
+      PetscCall(VecAXPY(own[kept], -dot, own[j]));
+    }
+    PetscCall(VecNormalize(own[kept], &norm));
+    if (norm > DEPENDENT) kept++;
+  }
+  PetscCall(MatNullSpaceCreate(PetscObjectComm((PetscObject)solver->A), PETSC_FALSE, kept, own, &space));
+  PetscCall(MatSetNearNullSpace(t->A, space));
+  PetscCall(MatNullSpaceDestroy(&space));
+  PetscCall(VecDestroyVecs(n, &own));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A^ for the present M. Scaling by M from both sides empties rows and columns without talking to other ranks about them
+   and without touching the pattern; A itself is never written to. */
+static PetscErrorCode Matrix_Private(ActiveSolver solver)
+{
+  Truncated *t = solver->data;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCopy(solver->A, t->A, SAME_NONZERO_PATTERN));
+  PetscCall(MatDiagonalScale(t->A, t->free, t->free));
+  PetscCall(VecPointwiseMult(t->w, t->free, solver->diag));
+  PetscCall(VecAYPX(t->w, -1, solver->diag));
+  PetscCall(MatDiagonalSet(t->A, t->w, ADD_VALUES));
+  PetscCall(MatSetOption(t->A, MAT_SPD, PETSC_TRUE));
+  PetscCall(NearNullSpace_Private(solver));
+  PetscCall(KSPSetOperators(t->ksp, t->A, t->A));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* r = b - A y, f = M r, and |f| = sqrt(f' diag(A)^-1 f): rows of different stiffness count alike. */
+static PetscErrorCode Residual_Private(ActiveSolver solver, PetscReal *size)
+{
+  Truncated  *t = solver->data;
+  PetscScalar dot;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatMult(solver->A, t->y, t->r));
+  PetscCall(VecAYPX(t->r, -1, solver->b));
+  PetscCall(VecPointwiseMult(t->f, t->r, t->free));
+  PetscCall(VecPointwiseDivide(t->w, t->f, solver->diag));
+  PetscCall(VecDot(t->w, t->f, &dot));
+  *size = PetscSqrtReal(PetscRealPart(dot));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* d = A^^-1 f; iterative solvers may begin at d. */
+static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, ActiveSolution *solution)
+{
+  Truncated         *t = solver->data;
+  KSPConvergedReason reason;
+  PC                 pc;
+  PCFailedReason     failed;
+  PetscInt           its;
+  int                error;
+
+  PetscFunctionBeginUser;
+  PetscCall(KSPSetInitialGuessNonzero(t->ksp, guess));
+  PetscCall(KSPSolve(t->ksp, t->f, t->d));
+  PetscCall(KSPGetIterationNumber(t->ksp, &its));
+  solution->iterations += its;
+  PetscCall(KSPGetConvergedReason(t->ksp, &reason));
+  if (reason >= 0) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(KSPGetPC(t->ksp, &pc));
+  PetscCall(PCGetFailedReason(pc, &failed));
+  error = (int)failed;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &error, 1, MPI_INT, MPI_MAX, solver->set->comm));
+  /* the first members of PCFailedReason are those of MatFactorError */
+  solution->failure = error > 0 ? ActiveFailureOfFactor((MatFactorError)error) : NO_CONVERGENCE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What the bounded unknowns see of the solution. */
+static PetscErrorCode Restrict_Private(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
+                                       ActiveSolution *solution)
+{
+  Truncated *t = solver->data;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActiveSetGather(solver->set, t->y, solution->y));
+  PetscCall(ActiveSetGather(solver->set, t->r, solution->r));
+  for (PetscInt i = 0; i < solver->set->n; i++) {
+    solution->fixed[i] = fixed[i];
+    if (fixed[i])
+      solution->y[i] = value[i];
+    else
+      solution->r[i] = 0;
+  }
+  PetscCall(VecNorm(t->y, NORM_INFINITY, &solution->size));
+  PetscCall(VecNorm(t->f, NORM_2, &solution->norm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
+                                      ActiveSolution *solution)
+{
+  Truncated *t = solver->data;
+  PetscReal  size;
+
+  PetscFunctionBeginUser;
+  solution->iterations = 0;
+  solution->eta        = 0;
+  PetscCall(Prescribe_Private(solver, fixed, value));
+  PetscCall(Matrix_Private(solver));
+  PetscCall(Residual_Private(solver, &t->reference));
+  for (PetscInt k = 0; k <= MAX_REFINEMENTS && t->reference > 0; k++) {
+    const PetscReal before = k ? solution->eta : 1;
+
+    PetscCall(Correct_Private(solver, (PetscBool)(k == 0 && !t->direct), solution));
+    if (solution->failure) PetscFunctionReturn(PETSC_SUCCESS);
+    PetscCall(VecPointwiseMult(t->d, t->d, t->free)); /* a preconditioner may have leaked into fixed unknowns */
+    PetscCall(VecAXPY(t->y, 1, t->d));
+    PetscCall(Residual_Private(solver, &size));
+    solution->eta = size / t->reference;
+    /* a direct solver gets to roundoff, not just below a tolerance, for the price of one more substitution */
+    if (solution->eta <= solver->rtol && (!t->direct || k)) break;
+    if (!(solution->eta <= STALLED * before)) break;
+  }
+  if (!(solution->eta <= solver->rtol)) solution->failure = NO_CONVERGENCE;
+  PetscCall(Restrict_Private(solver, fixed, value, solution));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The last solve has it all. */
+static PetscErrorCode Finish_Truncated(ActiveSolver solver, ActiveSolution *solution, Vec y)
+{
+  Truncated *t = solver->data;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecCopy(t->y, y));
+  PetscCall(ActiveSetScatter(solver->set, solution->y, y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Destroy_Truncated(ActiveSolver solver)
+{
+  Truncated *t = solver->data;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatDestroy(&t->A));
+  PetscCall(VecDestroy(&t->free));
+  PetscCall(VecDestroy(&t->y));
+  PetscCall(VecDestroy(&t->r));
+  PetscCall(VecDestroy(&t->f));
+  PetscCall(VecDestroy(&t->d));
+  PetscCall(VecDestroy(&t->w));
+  PetscCall(PetscFree(t));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ksp, PetscReal rtol, ActiveSolver *solver)
+{
+  Truncated *t;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActiveSolverCreate(set, A, b, rtol, solver));
+  PetscCall(PetscNew(&t));
+  t->ksp = ksp;
+  PetscCall(PetscObjectTypeCompare((PetscObject)ksp, KSPPREONLY, &t->direct));
+  PetscCall(MatDuplicate(A, MAT_DO_NOT_COPY_VALUES, &t->A));
+  PetscCall(VecDuplicate(b, &t->y));
+  PetscCall(VecCopy(y, t->y));
+  PetscCall(VecDuplicate(b, &t->free));
+  PetscCall(VecDuplicate(b, &t->r));
+  PetscCall(VecDuplicate(b, &t->f));
+  PetscCall(VecDuplicate(b, &t->d));
+  PetscCall(VecDuplicate(b, &t->w));
+  (*solver)->data    = t;
+  (*solver)->solve   = Solve_Truncated;
+  (*solver)->finish  = Finish_Truncated;
+  (*solver)->destroy = Destroy_Truncated;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
