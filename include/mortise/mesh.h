@@ -25,16 +25,17 @@ typedef struct {
   PetscReal *coords;                          /* positions after the map [num_nodes][dim] */
   PetscInt  *node_global;                     /* [num_nodes] */
   PetscInt  *node_body;                       /* [num_nodes] */
-  Mat        prolongation;                    /* node values of the next coarser level to this one's (AIJ), NULL on the coarsest */
+  Mat        prolongation; /* node values of the next coarser level to this one's (AIJ), NULL on the coarsest */
+  PetscInt  *vertex_node;  /* local node of each vertex of the DM, in the DM's order [num_nodes] */
 } Level;
 
 /* The facets of one side, or of several joined with '+', that this rank holds: boundary facets belong to one cell, hence
    to one rank. */
 typedef struct {
   PetscInt     num;
-  ElementType *type;  /* [num] */
-  PetscInt    *cell;  /* local cell [num] */
-  PetscInt    *nodes; /* local nodes [num][ELEMENT_MAX_FACET_NODES], ordered so that the 2D outward normal is (dy,-dx) */
+  ElementType *type; /* [num] */
+  PetscInt    *cell; /* local cell [num] */
+  PetscInt *nodes;   /* local nodes [num][ELEMENT_MAX_FACET_NODES], ordered so that the 2D outward normal is (dy,-dx) */
 } Facets;
 
 struct _n_Mesh {
@@ -66,6 +67,7 @@ PetscErrorCode LevelCreateMat(Level *level, PetscInt bs, Mat *A);
 
 /* Finds the cell of a body that holds a point, and the point's reference coordinates there. Collective.
    [out] cell - local cell on the one rank that answers (lowest of those that hold it), -1 elsewhere; [out] found - on all ranks */
-PetscErrorCode LevelLocate(Level *level, PetscInt body, const PetscReal x[], PetscInt *cell, PetscReal xi[], PetscBool *found);
+PetscErrorCode LevelLocate(Level *level, PetscInt body, const PetscReal x[], PetscInt *cell, PetscReal xi[],
+                           PetscBool *found);
 
 #endif

@@ -1,0 +1,101 @@
+/* bodylist.c -- storage of a body's lists, and the names of its sides. */
+#include "bodylist.h"
+#include <mortise/compat.h>
+#include <string.h>
+
+PetscErrorCode BodyListAllocate(PetscInt dim, PetscInt num_cells, PetscInt num_nodes, PetscInt max_facets,
+                                BodyList *list)
+{
+  PetscFunctionBeginUser;
+  *list = (BodyList){.dim = dim, .num_cells = num_cells, .num_nodes = num_nodes};
+  PetscCall(PetscMalloc3(num_cells, &list->cell_type, num_cells * ELEMENT_MAX_NODES, &list->cell_nodes, num_nodes * dim,
+                         &list->coords));
+  PetscCall(PetscMalloc3(max_facets, &list->facet_cell, max_facets, &list->facet, max_facets, &list->facet_side));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BodyListDestroy(BodyList *list)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree3(list->cell_type, list->cell_nodes, list->coords));
+  PetscCall(PetscFree3(list->facet_cell, list->facet, list->facet_side));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds one name unless it is there. */
+static PetscErrorCode SideNamesAddOne_Private(SideNames *names, const char name[], size_t length)
+{
+  PetscInt i;
+
+  PetscFunctionBeginUser;
+  for (i = 0; i < names->num; ++i) {
+    if (strlen(names->name[i]) == length && !strncmp(names->name[i], name, length)) PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(PetscRealloc((names->num + 1) * sizeof(char *), &names->name));
+  PetscCall(PetscMalloc1(length + 1, &names->name[names->num]));
+  memcpy(names->name[names->num], name, length);
+  names->name[names->num++][length] = '\0';
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SideNamesAdd(SideNames *names, const char side[])
+{
+  PetscFunctionBeginUser;
+  for (const char *part = side; part; part = strchr(part, '+') ? strchr(part, '+') + 1 : NULL) {
+    PetscCall(SideNamesAddOne_Private(names, part, strcspn(part, "+")));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SideNamesOfBody(Scene scene, PetscInt body, SideNames *names)
+{
+  const SceneBody *b = &scene->bodies[body];
+
+  PetscFunctionBeginUser;
+  *names = (SideNames){0, NULL};
+  for (PetscInt i = 0; i < b->num_boundaries; ++i) PetscCall(SideNamesAdd(names, b->boundaries[i].side));
+  for (PetscInt i = 0; i < scene->num_pairs; ++i) {
+    const ScenePair *pair = &scene->pairs[i];
+
+    if (pair->nonmortar.body == body) PetscCall(SideNamesAdd(names, pair->nonmortar.side));
+    if (pair->mortar.body == body) PetscCall(SideNamesAdd(names, pair->mortar.side));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SideNamesDestroy(SideNames *names)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < names->num; ++i) PetscCall(PetscFree(names->name[i]));
+  PetscCall(PetscFree(names->name));
+  names->num = 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void NamesJoin(PetscInt num, const char *const names[], char text[], size_t len)
+{
+  size_t used = 0;
+
+  text[0] = '\0';
+  for (PetscInt i = 0; i < num && used < len; ++i) {
+    const char *glue = !i ? "" : i + 1 < num ? ", " : " and ";
+
+    used += (size_t)snprintf(text + used, len - used, "%s%s", glue, names[i]);
+  }
+}
+
+PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt facet[])
+{
+  const PetscInt num_nodes = ElementNumNodes(ElementFacetType(type));
+
+  for (PetscInt f = 0; f < ElementNumFacets(type); ++f) {
+    const PetscInt *nodes = ElementFacetNodes(type, f);
+    PetscInt        found = 0;
+
+    for (PetscInt i = 0; i < num_nodes; ++i) {
+      for (PetscInt j = 0; j < num_nodes; ++j) found += cell[nodes[i]] == facet[j];
+    }
+    if (found == num_nodes) return f;
+  }
+  return -1;
+}

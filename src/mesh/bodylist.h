@@ -1,0 +1,71 @@
+/* bodylist.h -- one body as plain lists on the first rank, before all bodies become one DMPlex (private to the room). */
+#ifndef MORTISE_BODYLIST_H
+#define MORTISE_BODYLIST_H
+
+#include <mortise/mesh.h>
+#include <petscdmplextransform.h>
+
+enum { MESH_SENTENCE = 1024 }; /* length of a fault's sentence */
+
+/* Names of sides, each without '+'. */
+typedef struct {
+  PetscInt num;
+  char   **name; /* [num] */
+} SideNames;
+
+/* Cells, positions and the facets of those sides that the scene uses. */
+typedef struct {
+  PetscInt   dim, num_cells, num_nodes, num_facets;
+  PetscInt  *cell_type;  /* ElementType [num_cells] */
+  PetscInt  *cell_nodes; /* [num_cells][ELEMENT_MAX_NODES] */
+  PetscReal *coords;     /* before the map [num_nodes][dim] */
+  PetscInt  *facet_cell; /* [num_facets] */
+  PetscInt  *facet;      /* number of the facet in its cell [num_facets] */
+  PetscInt  *facet_side; /* index into the SideNames [num_facets] */
+} BodyList;
+
+PetscErrorCode BodyListAllocate(PetscInt dim, PetscInt num_cells, PetscInt num_nodes, PetscInt max_facets,
+                                BodyList *list);
+PetscErrorCode BodyListDestroy(BodyList *list);
+
+/* Splits "a+b" and adds the parts that are not there yet. */
+PetscErrorCode SideNamesAdd(SideNames *names, const char side[]);
+/* All sides of a body that the scene's boundaries and pairs name. */
+PetscErrorCode SideNamesOfBody(Scene scene, PetscInt body, SideNames *names);
+PetscErrorCode SideNamesDestroy(SideNames *names);
+/* "a, b and c" for sentences. [out] text - [len] */
+void NamesJoin(PetscInt num, const char *const names[], char text[], size_t len);
+
+/* The number of the facet of a cell that has exactly these nodes, or -1. [in] cell, facet - node numbers */
+PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt facet[]);
+
+/* A box of quads or triangles. [out] sentence - [MESH_SENTENCE], "" unless the scene is wrong */
+PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const SideNames *names, BodyList *list,
+                                 char sentence[]);
+
+/* Meshes read so far, one per file, so that bodies that share a file share the reading. */
+typedef struct _n_MeshFile *MeshFile;
+/* The cells of a file, or of one of its regions. [in,out] files - list of what was read, NULL at first */
+PetscErrorCode BodyListCreateFile(const SceneBody *body, PetscInt dim, const SideNames *names, MeshFile *files,
+                                  BodyList *list, char sentence[]);
+PetscErrorCode MeshFileDestroy(MeshFile *files);
+
+/* The one DMPlex of all bodies, whole on the first rank; lists and names are read there only. Collective. */
+PetscErrorCode MeshMerge(Scene scene, const BodyList lists[], const SideNames names[], DM *dm);
+
+/* Tables of one DM. Faults: a map that is not finite, a degenerate or tangled cell. Collective. */
+PetscErrorCode LevelCreate(Scene scene, DM dm, Level *level);
+PetscErrorCode LevelDestroy(Level *level);
+/* fine->prolongation from where each fine vertex comes from. [in] transform - a DMPlexTransform from coarse to fine */
+PetscErrorCode LevelCreateProlongation(const Level *coarse, DMPlexTransform transform, Level *fine);
+
+/* The rank of every cell of the whole mesh, which lies on the first rank. [out] part - [level->num_cells] */
+PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt contact_weight, PetscInt num_parts,
+                                PetscInt part[]);
+/* Spreads the mesh over the ranks; the DM is replaced. Collective. */
+PetscErrorCode MeshPartition(Scene scene, DM *dm);
+
+/* Decides the roles left open; notes given ones that are unfavourable; faults on a facet that carries two multipliers. */
+PetscErrorCode MeshChooseRoles(Mesh mesh);
+
+#endif

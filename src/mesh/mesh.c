@@ -1,0 +1,105 @@
+/* mesh.c -- the life of a mesh: bodies as lists, merged, partitioned, refined level by level. */
+#include "bodylist.h"
+#include <mortise/compat.h>
+#include <mortise/fault.h>
+
+PetscErrorCode MeshCreate(Scene scene, Mesh *mesh)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(mesh));
+  (*mesh)->scene = scene;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Makes or reads every body; the first rank alone does, and stops at the first mistake. */
+static PetscErrorCode MeshMakeBodies_Private(Scene scene, const SideNames names[], BodyList lists[])
+{
+  char        sentence[MESH_SENTENCE] = "";
+  MeshFile    files                   = NULL;
+  PetscMPIInt rank;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_rank(scene->comm, &rank));
+  for (PetscInt b = 0; b < scene->num_bodies && !rank && !sentence[0]; ++b) {
+    const SceneBody *body = &scene->bodies[b];
+
+    if (body->mesh_file)
+      PetscCall(BodyListCreateFile(body, scene->dim, &names[b], &files, &lists[b], sentence));
+    else
+      PetscCall(BodyListCreateBox(body, scene->dim, &names[b], &lists[b], sentence));
+  }
+  PetscCall(MeshFileDestroy(&files));
+  PetscCall(FaultCheck(scene->comm, sentence));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The merged mesh, whole on the first rank. */
+static PetscErrorCode MeshCreateWhole_Private(Scene scene, DM *dm)
+{
+  BodyList  *lists;
+  SideNames *names;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc2(scene->num_bodies, &lists, scene->num_bodies, &names));
+  for (PetscInt b = 0; b < scene->num_bodies; ++b) PetscCall(SideNamesOfBody(scene, b, &names[b]));
+  PetscCall(MeshMakeBodies_Private(scene, names, lists));
+  PetscCall(MeshMerge(scene, lists, names, dm));
+  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+    PetscCall(SideNamesDestroy(&names[b]));
+    PetscCall(BodyListDestroy(&lists[b]));
+  }
+  PetscCall(PetscFree2(lists, names));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Splits every cell of one level; keeps the new DM and the way up from the old one. */
+static PetscErrorCode MeshRefine_Private(Scene scene, const Level *coarse, Level *fine)
+{
+  DMPlexTransform transform;
+  DM              dm;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexTransformCreate(scene->comm, &transform));
+  PetscCall(DMPlexTransformSetDM(transform, coarse->dm));
+  PetscCall(DMPlexTransformSetType(transform, DMPLEXREFINEREGULAR));
+  PetscCall(DMPlexTransformSetUp(transform));
+  PetscCall(DMPlexTransformApply(transform, coarse->dm, &dm));
+  PetscCall(LevelCreate(scene, dm, fine));
+  PetscCall(LevelCreateProlongation(coarse, transform, fine));
+  PetscCall(DMDestroy(&dm));
+  PetscCall(DMPlexTransformDestroy(&transform));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MeshSetUp(Mesh mesh)
+{
+  Scene scene = mesh->scene;
+  DM    dm;
+
+  PetscFunctionBeginUser;
+  PetscCall(MeshCreateWhole_Private(scene, &dm));
+  PetscCall(MeshPartition(scene, &dm));
+  mesh->num_levels = 1 + scene->refine;
+  PetscCall(PetscCalloc1(mesh->num_levels, &mesh->levels));
+  PetscCall(LevelCreate(scene, dm, &mesh->levels[0]));
+  PetscCall(DMDestroy(&dm));
+  for (PetscInt l = 1; l < mesh->num_levels; ++l)
+    PetscCall(MeshRefine_Private(scene, &mesh->levels[l - 1], &mesh->levels[l]));
+  PetscCall(MeshChooseRoles(mesh));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+Level *MeshFinest(Mesh mesh)
+{
+  return &mesh->levels[mesh->num_levels - 1];
+}
+
+PetscErrorCode MeshDestroy(Mesh *mesh)
+{
+  PetscFunctionBeginUser;
+  if (!*mesh) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt l = 0; l < (*mesh)->num_levels; ++l) PetscCall(LevelDestroy(&(*mesh)->levels[l]));
+  PetscCall(PetscFree((*mesh)->levels));
+  PetscCall(PetscFree(*mesh));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

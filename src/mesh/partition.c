@@ -1,0 +1,244 @@
+/* partition.c -- which rank gets which cell, so that bodies that touch meet on one rank.
+
+   METIS minimises the weight of cut edges in the graph of cells. Cells of two bodies share no facet, so a plain partition
+   of two equal bodies gives one to each of two ranks and makes all contact remote. Cells whose facets may touch are
+   therefore joined by extra, heavier edges. */
+#include "bodylist.h"
+#include <mortise/boxtree.h>
+#include <mortise/compat.h>
+#include <metis.h>
+
+enum {
+  CONTACT_WEIGHT =
+      5, /* of an edge across contact, against 1 across a facet: coupling of D and M and of the condensed rows */
+  MIN_CELLS_A_PART = 4, /* with fewer METIS is not asked */
+  MAX_RECURSIVE    = 8  /* METIS's own advice: recursive bisection is better up to eight parts */
+};
+
+/* Weighted edges of the graph of cells, each once. */
+typedef struct {
+  PetscInt  num, max;
+  PetscInt *end; /* [max][2] */
+  PetscInt *weight;
+} Edges;
+
+static PetscErrorCode EdgesAdd_Private(Edges *edges, PetscInt a, PetscInt b, PetscInt weight)
+{
+  PetscFunctionBeginUser;
+  if (a == b) PetscFunctionReturn(PETSC_SUCCESS);
+  if (edges->num == edges->max) {
+    edges->max = PetscMax(1024, 2 * edges->max);
+    PetscCall(PetscRealloc(edges->max * 2 * sizeof(PetscInt), &edges->end));
+    PetscCall(PetscRealloc(edges->max * sizeof(PetscInt), &edges->weight));
+  }
+  edges->end[2 * edges->num]     = a;
+  edges->end[2 * edges->num + 1] = b;
+  edges->weight[edges->num++]    = weight;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Cells on both sides of a facet. */
+static PetscErrorCode EdgesAddNeighbours_Private(DM dm, Edges *edges)
+{
+  PetscInt begin, end;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetHeightStratum(dm, 1, &begin, &end));
+  for (PetscInt f = begin; f < end; ++f) {
+    const PetscInt *cells;
+    PetscInt        num;
+
+    PetscCall(DMPlexGetSupportSize(dm, f, &num));
+    PetscCall(DMPlexGetSupport(dm, f, &cells));
+    if (num == 2) PetscCall(EdgesAdd_Private(edges, cells[0], cells[1], 1)); // cells are the first points
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The box around a facet, widened on all sides. [out] box - [2][dim]; returns the facet's longest extent */
+static PetscReal FacetGetBox_Private(const Level *level, const Facets *facets, PetscInt f, PetscReal widen,
+                                     PetscReal box[])
+{
+  const PetscInt num = ElementNumNodes(facets->type[f]), dim = level->dim;
+  PetscReal      extent = 0;
+
+  for (PetscInt d = 0; d < dim; ++d) {
+    box[d]       = PETSC_MAX_REAL;
+    box[dim + d] = -PETSC_MAX_REAL;
+    for (PetscInt i = 0; i < num; ++i) {
+      const PetscReal x = level->coords[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i] * dim + d];
+
+      box[d]       = PetscMin(box[d], x);
+      box[dim + d] = PetscMax(box[dim + d], x);
+    }
+    extent = PetscMax(extent, box[dim + d] - box[d]);
+    box[d] -= widen;
+    box[dim + d] += widen;
+  }
+  return extent;
+}
+
+/* Cells behind facets of a pair that may touch: within the reach that the user gave, or a facet's own size. */
+static PetscErrorCode EdgesAddPair_Private(Scene scene, const ScenePair *pair, PetscInt weight, Level *level,
+                                           Edges *edges)
+{
+  Facets     nonmortar, mortar;
+  PetscReal *boxes, box[6];
+  BoxTree    tree;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelGetFacets(level, scene, pair->nonmortar.body, pair->nonmortar.side, &nonmortar));
+  PetscCall(LevelGetFacets(level, scene, pair->mortar.body, pair->mortar.side, &mortar));
+  PetscCall(PetscMalloc1(mortar.num * 2 * level->dim, &boxes));
+  for (PetscInt f = 0; f < mortar.num; ++f) (void)FacetGetBox_Private(level, &mortar, f, 0, &boxes[f * 2 * level->dim]);
+  PetscCall(BoxTreeCreate(level->dim, mortar.num, boxes, &tree));
+  for (PetscInt f = 0; f < nonmortar.num; ++f) {
+    const PetscReal extent = FacetGetBox_Private(level, &nonmortar, f, 0, box);
+    const PetscInt *hits;
+    PetscInt        num_hits;
+
+    (void)FacetGetBox_Private(level, &nonmortar, f, pair->reach >= 0 ? pair->reach : extent, box);
+    PetscCall(BoxTreeQuery(tree, box, &num_hits, &hits));
+    for (PetscInt h = 0; h < num_hits; ++h)
+      PetscCall(EdgesAdd_Private(edges, nonmortar.cell[f], mortar.cell[hits[h]], weight));
+  }
+  PetscCall(BoxTreeDestroy(&tree));
+  PetscCall(PetscFree(boxes));
+  PetscCall(FacetsDestroy(&nonmortar));
+  PetscCall(FacetsDestroy(&mortar));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Sums up edges that occur twice in the row of a cell; returns how many are left. */
+static PetscInt RowMerge_Private(PetscInt num, idx_t adjacent[], idx_t weight[])
+{
+  PetscInt kept = 0;
+
+  for (PetscInt i = 0; i < num; ++i) {
+    PetscInt j = 0;
+
+    while (j < kept && adjacent[j] != adjacent[i]) ++j;
+    if (j == kept) {
+      adjacent[kept] = adjacent[i];
+      weight[kept++] = weight[i];
+    } else
+      weight[j] += weight[i];
+  }
+  return kept;
+}
+
+/* Edges as compressed rows, as METIS wants them. [out] start - [num_cells+1]; adjacent, weight - [2 * edges->num] */
+static PetscErrorCode EdgesToRows_Private(const Edges *edges, PetscInt num_cells, idx_t start[], idx_t adjacent[],
+                                          idx_t weight[])
+{
+  PetscInt *fill, *begin, kept = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc2(num_cells + 1, &begin, num_cells, &fill));
+  for (PetscInt i = 0; i < 2 * edges->num; ++i) ++begin[edges->end[i] + 1];
+  for (PetscInt c = 0; c < num_cells; ++c) begin[c + 1] += begin[c];
+  for (PetscInt i = 0; i < 2 * edges->num; ++i) { // end i faces end i ^ 1
+    const PetscInt c = edges->end[i], at = begin[c] + fill[c]++;
+
+    adjacent[at] = (idx_t)edges->end[i ^ 1];
+    weight[at]   = (idx_t)edges->weight[i / 2];
+  }
+  for (PetscInt c = 0; c < num_cells; ++c) { // squeezed in place: a row never moves up
+    const PetscInt num = RowMerge_Private(begin[c + 1] - begin[c], &adjacent[begin[c]], &weight[begin[c]]);
+
+    start[c] = (idx_t)kept;
+    for (PetscInt i = 0; i < num; ++i, ++kept) {
+      adjacent[kept] = adjacent[begin[c] + i];
+      weight[kept]   = weight[begin[c] + i];
+    }
+  }
+  start[num_cells] = (idx_t)kept;
+  PetscCall(PetscFree2(begin, fill));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Hands the graph to METIS. */
+static PetscErrorCode EdgesCut_Private(const Edges *edges, PetscInt num_cells, PetscInt num_parts, PetscInt part[])
+{
+  idx_t *start, *adjacent, *weight, *answer, n = (idx_t)num_cells, parts = (idx_t)num_parts, constraints = 1, cut;
+  int    status;
+
+  PetscFunctionBeginUser;
+  PetscCall(
+      PetscMalloc4(num_cells + 1, &start, 2 * edges->num, &adjacent, 2 * edges->num, &weight, num_cells, &answer));
+  PetscCall(EdgesToRows_Private(edges, num_cells, start, adjacent, weight));
+  if (num_parts <= MAX_RECURSIVE) {
+    status = METIS_PartGraphRecursive(&n, &constraints, start, adjacent, NULL, NULL, weight, &parts, NULL, NULL, NULL,
+                                      &cut, answer);
+  } else {
+    status = METIS_PartGraphKway(&n, &constraints, start, adjacent, NULL, NULL, weight, &parts, NULL, NULL, NULL, &cut,
+                                 answer);
+  }
+  PetscCheck(status == METIS_OK, PETSC_COMM_SELF, PETSC_ERR_LIB, "METIS gave up with status %d", status);
+  for (PetscInt c = 0; c < num_cells; ++c) part[c] = (PetscInt)answer[c];
+  PetscCall(PetscFree4(start, adjacent, weight, answer));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt contact_weight, PetscInt num_parts, PetscInt part[])
+{
+  Edges edges = {0, 0, NULL, NULL};
+
+  PetscFunctionBeginUser;
+  if (level->num_cells < MIN_CELLS_A_PART * num_parts) {
+    for (PetscInt c = 0; c < level->num_cells; ++c) part[c] = c * num_parts / level->num_cells;
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(EdgesAddNeighbours_Private(level->dm, &edges));
+  for (PetscInt p = 0; p < scene->num_pairs && contact_weight; ++p) {
+    if (scene->pairs[p].mortar.body >= 0)
+      PetscCall(EdgesAddPair_Private(scene, &scene->pairs[p], contact_weight, level, &edges));
+  }
+  PetscCall(EdgesCut_Private(&edges, level->num_cells, num_parts, part));
+  PetscCall(PetscFree(edges.end));
+  PetscCall(PetscFree(edges.weight));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The partition as PETSc wants it: the cells of rank 0, of rank 1, ... */
+static PetscErrorCode PartitionerSet_Private(PetscInt num_cells, const PetscInt part[], PetscMPIInt size,
+                                             PetscPartitioner partitioner)
+{
+  PetscInt *sizes, *points, *fill;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc3(size, &sizes, num_cells, &points, size, &fill));
+  for (PetscInt c = 0; c < num_cells; ++c) ++sizes[part[c]];
+  for (PetscMPIInt r = 1; r < size; ++r) fill[r] = fill[r - 1] + sizes[r - 1];
+  for (PetscInt c = 0; c < num_cells; ++c) points[fill[part[c]]++] = c;
+  PetscCall(PetscPartitionerSetType(partitioner, PETSCPARTITIONERSHELL));
+  PetscCall(PetscPartitionerShellSetPartition(partitioner, size, sizes, points));
+  PetscCall(PetscFree3(sizes, points, fill));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MeshPartition(Scene scene, DM *dm)
+{
+  PetscPartitioner partitioner;
+  PetscMPIInt      size;
+  PetscInt        *part;
+  Level            level;
+  DM               clone, spread;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_size(scene->comm, &size));
+  if (size == 1) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(DMClone(*dm, &clone)); // the tables hang a section on their DM that must not travel
+  PetscCall(LevelCreate(scene, clone, &level));
+  PetscCall(DMDestroy(&clone));
+  PetscCall(PetscMalloc1(level.num_cells, &part));
+  PetscCall(PartitionCompute(scene, &level, CONTACT_WEIGHT, size, part));
+  PetscCall(DMPlexGetPartitioner(*dm, &partitioner));
+  PetscCall(PartitionerSet_Private(level.num_cells, part, size, partitioner));
+  PetscCall(PetscFree(part));
+  PetscCall(LevelDestroy(&level));
+  PetscCall(DMPlexDistribute(*dm, 0, NULL, &spread));
+  PetscCall(DMDestroy(dm));
+  *dm = spread;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,191 @@
+/* roles.c -- which side of a pair carries the multiplier.
+
+   The softer body, else the finer mesh, else the shorter side (numerics.md 5.6): a stiff nonmortar side would put a stiff
+   skin on a soft mortar side in the condensed matrix. All of it is judged on the coarsest level, where it is cheapest. */
+#include "bodylist.h"
+#include <mortise/compat.h>
+#include <mortise/fault.h>
+#include <string.h>
+
+static const PetscReal StiffnessRatio = 3; /* of the contact moduli; below it the mesh decides */
+static const PetscReal SameLength = 1e-6; /* relative; lengths this near are equal, so that round-off decides nothing */
+
+/* What speaks for one side as nonmortar. */
+typedef struct {
+  PetscReal modulus, facet_length, length;
+} SideMeasure;
+
+/* The contact modulus of a body's material in the middle of the box around it. */
+static PetscErrorCode BodyGetModulus_Private(Scene scene, const Level *level, PetscInt body, PetscReal *modulus)
+{
+  const SceneBody *b           = &scene->bodies[body];
+  const PetscInt   num_strains = MaterialNumStrains(scene->model);
+  PetscReal        range[6], centre[3], C[36], upper[21], young, poisson; /* range: -lower, upper */
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < 6; ++i) range[i] = -PETSC_MAX_REAL;
+  for (PetscInt i = 0; i < level->num_nodes; ++i) {
+    for (PetscInt d = 0; d < level->dim && level->node_body[i] == body; ++d) {
+      range[d]     = PetscMax(range[d], -level->coords[i * level->dim + d]);
+      range[3 + d] = PetscMax(range[3 + d], level->coords[i * level->dim + d]);
+    }
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, range, 6, MPIU_REAL, MPIU_MAX, level->comm));
+  for (PetscInt d = 0; d < level->dim; ++d) centre[d] = 0.5 * (range[3 + d] - range[d]);
+  if (b->stiffness) {
+    PetscCall(ExpressionEvaluate(b->stiffness, level->dim, centre, upper));
+    PetscCall(ExpressionCheck(level->comm, b->stiffness));
+    MaterialAnisotropic(scene->model, upper, b->angle, C);
+  } else {
+    PetscCall(ExpressionEvaluate(b->young, level->dim, centre, &young));
+    PetscCall(ExpressionEvaluate(b->poisson, level->dim, centre, &poisson));
+    PetscCall(ExpressionCheck(level->comm, b->young));
+    PetscCall(ExpressionCheck(level->comm, b->poisson));
+    MaterialIsotropic(scene->model, young, poisson, C);
+  }
+  *modulus = MaterialContactModulus(num_strains, C);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode SideGetMeasure_Private(Scene scene, Level *level, const SceneSide *side, SideMeasure *measure)
+{
+  PetscReal sum[2] = {0, 0}; /* length and number of facets */
+  Facets    facets;
+
+  PetscFunctionBeginUser;
+  PetscCall(BodyGetModulus_Private(scene, level, side->body, &measure->modulus));
+  PetscCall(LevelGetFacets(level, scene, side->body, side->side, &facets));
+  for (PetscInt f = 0; f < facets.num; ++f) {
+    const PetscReal *a      = &level->coords[facets.nodes[f * ELEMENT_MAX_FACET_NODES] * level->dim];
+    const PetscReal *b      = &level->coords[facets.nodes[f * ELEMENT_MAX_FACET_NODES + 1] * level->dim];
+    PetscReal        square = 0;
+
+    for (PetscInt d = 0; d < level->dim; ++d) square += PetscSqr(b[d] - a[d]);
+    sum[0] += PetscSqrtReal(square);
+    sum[1] += 1;
+  }
+  PetscCall(FacetsDestroy(&facets));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 2, MPIU_REAL, MPIU_SUM, level->comm));
+  measure->length       = sum[0];
+  measure->facet_length = sum[0] / sum[1];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether the roles as they stand should be swapped. */
+static PetscBool RolesSwap_Private(const SideMeasure *nonmortar, const SideMeasure *mortar)
+{
+  if (nonmortar->modulus > StiffnessRatio * mortar->modulus) return PETSC_TRUE;
+  if (mortar->modulus > StiffnessRatio * nonmortar->modulus) return PETSC_FALSE;
+  if (PetscAbsReal(nonmortar->facet_length - mortar->facet_length) > SameLength * mortar->facet_length) {
+    return nonmortar->facet_length > mortar->facet_length ? PETSC_TRUE : PETSC_FALSE;
+  }
+  return nonmortar->length > (1 + SameLength) * mortar->length ? PETSC_TRUE : PETSC_FALSE;
+}
+
+static PetscErrorCode PairChooseRoles_Private(Scene scene, Level *level, ScenePair *pair)
+{
+  SideMeasure nonmortar, mortar;
+
+  PetscFunctionBeginUser;
+  PetscCall(SideGetMeasure_Private(scene, level, &pair->nonmortar, &nonmortar));
+  PetscCall(SideGetMeasure_Private(scene, level, &pair->mortar, &mortar));
+  if (!pair->roles_open) {
+    if (nonmortar.modulus > StiffnessRatio * mortar.modulus) {
+      PetscCall(PetscInfo(level->dm,
+                          "Pair %s: the nonmortar body is stiffer than the mortar body (contact moduli %g > %g * %g): "
+                          "swapping the sides helps the solver\n",
+                          pair->name, (double)nonmortar.modulus, (double)StiffnessRatio, (double)mortar.modulus));
+    }
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  if (RolesSwap_Private(&nonmortar, &mortar)) {
+    const SceneSide side = pair->nonmortar;
+
+    pair->nonmortar = pair->mortar;
+    pair->mortar    = side;
+  }
+  PetscCall(PetscInfo(
+      level->dm,
+      "Pair %s: nonmortar is %s:%s (contact moduli %g and %g, facets %g and %g, lengths %g and %g as typed)\n",
+      pair->name, scene->bodies[pair->nonmortar.body].name, pair->nonmortar.side, (double)nonmortar.modulus,
+      (double)mortar.modulus, (double)nonmortar.facet_length, (double)mortar.facet_length, (double)nonmortar.length,
+      (double)mortar.length));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Marks the facets of a side in carrier [num_cells][ELEMENT_MAX_NODES] with a pair; tells of the first that has a mark already. */
+static PetscErrorCode SideClaim_Private(Scene scene, Level *level, const SceneSide *side, PetscInt pair,
+                                        PetscInt carrier[], PetscInt *before)
+{
+  Facets facets;
+
+  PetscFunctionBeginUser;
+  *before = -1;
+  PetscCall(LevelGetFacets(level, scene, side->body, side->side, &facets));
+  for (PetscInt f = 0; f < facets.num; ++f) {
+    const PetscInt cell = facets.cell[f];
+    const PetscInt number =
+        CellFindFacet((ElementType)level->cell_type[cell], &level->cell_nodes[level->cell_start[cell]],
+                      &facets.nodes[f * ELEMENT_MAX_FACET_NODES]);
+    PetscInt *mark = &carrier[cell * ELEMENT_MAX_NODES + number];
+
+    if (*mark >= 0 && *before < 0) *before = *mark;
+    *mark = pair;
+  }
+  PetscCall(FacetsDestroy(&facets));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A facet carries one multiplier, and never meets itself. */
+static PetscErrorCode MeshCheckRoles_Private(Scene scene, Level *level)
+{
+  char      sentence[MESH_SENTENCE] = "";
+  PetscInt *carrier, before;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(level->num_cells * ELEMENT_MAX_NODES, &carrier));
+  for (PetscInt i = 0; i < level->num_cells * ELEMENT_MAX_NODES; ++i) carrier[i] = -1;
+  for (PetscInt p = 0; p < scene->num_pairs; ++p) {
+    const ScenePair *pair = &scene->pairs[p];
+    const char      *body = scene->bodies[pair->nonmortar.body].name;
+
+    PetscCall(SideClaim_Private(scene, level, &pair->nonmortar, p, carrier, &before));
+    if (before >= 0 && !sentence[0]) {
+      snprintf(
+          sentence, sizeof(sentence),
+          "pairs '%s' and '%s' both have facets of %s:%s as nonmortar side, and a facet can carry one multiplier only: "
+          "make it the mortar side of one of them",
+          scene->pairs[before].name, pair->name, body, pair->nonmortar.side);
+    }
+  }
+  PetscCall(FaultCheck(level->comm, sentence));
+  for (PetscInt p = 0; p < scene->num_pairs; ++p) {
+    const ScenePair *pair = &scene->pairs[p];
+
+    if (pair->mortar.body != pair->nonmortar.body) continue;
+    for (PetscInt i = 0; i < level->num_cells * ELEMENT_MAX_NODES; ++i) carrier[i] = -1;
+    PetscCall(SideClaim_Private(scene, level, &pair->nonmortar, p, carrier, &before));
+    PetscCall(SideClaim_Private(scene, level, &pair->mortar, p, carrier, &before));
+    if (before >= 0 && !sentence[0]) {
+      snprintf(sentence, sizeof(sentence),
+               "pair '%s': sides '%s' and '%s' of body '%s' share facets, which cannot touch themselves", pair->name,
+               pair->nonmortar.side, pair->mortar.side, scene->bodies[pair->mortar.body].name);
+    }
+  }
+  PetscCall(FaultCheck(level->comm, sentence));
+  PetscCall(PetscFree(carrier));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MeshChooseRoles(Mesh mesh)
+{
+  Level *level = &mesh->levels[0];
+
+  PetscFunctionBeginUser;
+  for (PetscInt p = 0; p < mesh->scene->num_pairs; ++p) {
+    if (mesh->scene->pairs[p].mortar.body >= 0)
+      PetscCall(PairChooseRoles_Private(mesh->scene, level, &mesh->scene->pairs[p]));
+  }
+  PetscCall(MeshCheckRoles_Private(mesh->scene, level));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

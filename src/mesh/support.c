@@ -1,0 +1,297 @@
+/* support.c -- held directions of nodes, gathered from all boundaries of a body and made orthonormal.
+
+   Whether a node lies on a side is known to the ranks that hold one of the side's facets there, not to every rank that
+   holds the node: flags travel through a ghosted Vec. All that follows depends on the node's position and on the boundary
+   alone, so every rank that holds a node finds the same. */
+#include "bodylist.h"
+#include <mortise/compat.h>
+#include <mortise/fault.h>
+#include <mortise/support.h>
+
+static const PetscReal FlatShare = 1e-6; /* a flat side stays this near its plane, over its length */
+static const PetscReal ParallelSine =
+    1e-5; /* two directions nearer than this are one; above what FlatShare leaves open */
+static const PetscReal AxisCosine = 1e-9; /* smaller components of a side's normal are round-off of a map */
+static const PetscReal Contradiction =
+    1e-8; /* between two values for one direction, over the largest value of the scene */
+
+/* What is gathered while boundary after boundary is read. */
+typedef struct {
+  Scene     scene;
+  Level    *level;
+  Support  *support;
+  Vec       flags;          /* 1 on nodes of the side at hand */
+  PetscReal mismatch;       /* largest contradiction on this rank ... */
+  PetscInt  node, boundary; /* ... and where: the local node, and the boundary that came second */
+} Gather;
+
+/* Adds the condition direction . u = value at a node by Gram-Schmidt; one that is implied already is only compared. */
+static void GatherHold_Private(Gather *gather, PetscInt node, PetscInt boundary, const PetscReal direction[],
+                               PetscReal value)
+{
+  Support       *support = gather->support;
+  const PetscInt dim     = support->dim;
+  PetscReal     *Q = &support->directions[node * dim * dim], *values = &support->values[node * dim], r[3], rest = value,
+            square = 0;
+
+  support->max_value = PetscMax(support->max_value, PetscAbsReal(value));
+  for (PetscInt d = 0; d < dim; ++d) r[d] = direction[d];
+  for (PetscInt k = 0; k < support->count[node]; ++k) {
+    PetscReal dot = 0;
+
+    for (PetscInt d = 0; d < dim; ++d) dot += Q[k * dim + d] * direction[d];
+    for (PetscInt d = 0; d < dim; ++d) r[d] -= dot * Q[k * dim + d];
+    rest -= dot * values[k];
+  }
+  for (PetscInt d = 0; d < dim; ++d) square += r[d] * r[d];
+  if (square <= PetscSqr(ParallelSine)) {
+    if (PetscAbsReal(rest) > gather->mismatch) {
+      gather->mismatch = PetscAbsReal(rest);
+      gather->node     = node;
+      gather->boundary = boundary;
+    }
+    return;
+  }
+  for (PetscInt d = 0; d < dim; ++d) Q[support->count[node] * dim + d] = r[d] / PetscSqrtReal(square);
+  values[support->count[node]++] = rest / PetscSqrtReal(square);
+  if (support->side[node] < 0) support->side[node] = boundary;
+}
+
+/* Flags the nodes of a side on all ranks that hold them. [out] local - form of gather->flags, to be restored by the caller */
+static PetscErrorCode GatherFlagSide_Private(Gather *gather, PetscInt body, const char side[], Vec *local)
+{
+  PetscScalar *flag;
+  Facets       facets;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGhostGetLocalForm(gather->flags, local));
+  PetscCall(VecSet(*local, 0));
+  PetscCall(LevelGetFacets(gather->level, gather->scene, body, side, &facets));
+  PetscCall(VecGetArray(*local, &flag));
+  for (PetscInt f = 0; f < facets.num; ++f) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); ++i)
+      flag[facets.nodes[f * ELEMENT_MAX_FACET_NODES + i]] = 1;
+  }
+  PetscCall(VecRestoreArray(*local, &flag));
+  PetscCall(FacetsDestroy(&facets));
+  PetscCall(LevelShareVec(gather->flags, MAX_VALUES));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode GatherDisplacement_Private(Gather *gather, PetscInt body, PetscInt b)
+{
+  const SceneBoundary *boundary = &gather->scene->bodies[body].boundaries[b];
+  const Level         *level    = gather->level;
+  const PetscScalar   *flag;
+  Vec                  local;
+
+  PetscFunctionBeginUser;
+  PetscCall(GatherFlagSide_Private(gather, body, boundary->side, &local));
+  PetscCall(VecGetArrayRead(local, &flag));
+  for (PetscInt node = 0; node < level->num_nodes; ++node) {
+    PetscReal value[3];
+
+    if (PetscRealPart(flag[node]) == 0) continue;
+    PetscCall(ExpressionEvaluate(boundary->value, level->dim, &level->coords[node * level->dim], value));
+    for (PetscInt d = 0; d < level->dim; ++d) {
+      PetscReal axis[3] = {0, 0, 0};
+
+      axis[d] = 1;
+      if (!ExpressionIsFree(boundary->value, d)) GatherHold_Private(gather, node, b, axis, value[d]);
+    }
+  }
+  PetscCall(VecRestoreArrayRead(local, &flag));
+  PetscCall(VecGhostRestoreLocalForm(gather->flags, &local));
+  PetscCall(ExpressionCheck(level->comm, boundary->value));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Unit normal of a flat side, along a Cartesian axis exactly where it is one but for round-off. Its sign means nothing to a
+   displacement of zero, so axes are taken forward. */
+static void NormalTidy_Private(PetscInt dim, PetscReal n[])
+{
+  PetscReal square = 0;
+  PetscInt  along = -1, num = 0;
+
+  for (PetscInt d = 0; d < dim; ++d) {
+    if (PetscAbsReal(n[d]) < AxisCosine) n[d] = 0;
+    square += n[d] * n[d];
+    if (n[d] != 0) along = d, ++num;
+  }
+  for (PetscInt d = 0; d < dim; ++d) n[d] /= PetscSqrtReal(square);
+  if (num == 1) n[along] = 1;
+}
+
+/* The normal of a side, or a fault if the side is not flat. [out] n - unit [dim] */
+static PetscErrorCode SideGetNormal_Private(Gather *gather, PetscInt body, const char side[], PetscReal n[])
+{
+  const Level *level  = gather->level;
+  PetscReal    sum[4] = {0, 0, 0, 0}, range[2] = {-PETSC_MAX_REAL, -PETSC_MAX_REAL},
+            size; /* of normals, of their sizes; -lowest, highest */
+  Facets facets;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelGetFacets(gather->level, gather->scene, body, side, &facets));
+  for (PetscInt f = 0; f < facets.num; ++f) {
+    const PetscReal *a  = &level->coords[facets.nodes[f * ELEMENT_MAX_FACET_NODES] * level->dim];
+    const PetscReal *b  = &level->coords[facets.nodes[f * ELEMENT_MAX_FACET_NODES + 1] * level->dim];
+    const PetscReal  dx = b[0] - a[0], dy = b[1] - a[1];
+
+    sum[0] += dy;
+    sum[1] -= dx;
+    sum[3] += PetscSqrtReal(dx * dx + dy * dy);
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 4, MPIU_REAL, MPIU_SUM, level->comm));
+  size = PetscSqrtReal(sum[0] * sum[0] + sum[1] * sum[1]);
+  for (PetscInt d = 0; d < level->dim; ++d) n[d] = size > 0 ? sum[d] / size : 0;
+  for (PetscInt f = 0; f < facets.num; ++f) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); ++i) {
+      PetscReal height = 0;
+
+      for (PetscInt d = 0; d < level->dim; ++d)
+        height += n[d] * level->coords[facets.nodes[f * ELEMENT_MAX_FACET_NODES + i] * level->dim + d];
+      range[0] = PetscMax(range[0], -height);
+      range[1] = PetscMax(range[1], height);
+    }
+  }
+  PetscCall(FacetsDestroy(&facets));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, range, 2, MPIU_REAL, MPIU_MAX, level->comm));
+  if (size < (1 - FlatShare) * sum[3] || range[0] + range[1] > FlatShare * sum[3]) {
+    const char *name = gather->scene->bodies[body].name;
+
+    PetscCall(FaultRaise(
+        level->comm,
+        "-%s_bc_normal: side '%s' of body '%s' is not flat (it leaves its mean plane by %.3g over a length of %.3g); "
+        "normal displacement can only be held on flat sides",
+        name, side, name, (double)(range[0] + range[1]), (double)sum[3]));
+  }
+  NormalTidy_Private(level->dim, n);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Sides joined with '+' are flat one by one. */
+static PetscErrorCode GatherNormal_Private(Gather *gather, PetscInt body, PetscInt b)
+{
+  SideNames names = {0, NULL};
+
+  PetscFunctionBeginUser;
+  PetscCall(SideNamesAdd(&names, gather->scene->bodies[body].boundaries[b].side));
+  for (PetscInt s = 0; s < names.num; ++s) {
+    const PetscScalar *flag;
+    PetscReal          n[3];
+    Vec                local;
+
+    PetscCall(SideGetNormal_Private(gather, body, names.name[s], n));
+    PetscCall(GatherFlagSide_Private(gather, body, names.name[s], &local));
+    PetscCall(VecGetArrayRead(local, &flag));
+    for (PetscInt node = 0; node < gather->level->num_nodes; ++node) {
+      if (PetscRealPart(flag[node]) != 0) GatherHold_Private(gather, node, b, n, 0);
+    }
+    PetscCall(VecRestoreArrayRead(local, &flag));
+    PetscCall(VecGhostRestoreLocalForm(gather->flags, &local));
+  }
+  PetscCall(SideNamesDestroy(&names));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Two boundaries that want different values in one direction are a fault. */
+static PetscErrorCode GatherCheck_Private(Gather *gather)
+{
+  char     sentence[MESH_SENTENCE] = "";
+  Support *support                 = gather->support;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &support->max_value, 1, MPIU_REAL, MPIU_MAX, gather->level->comm));
+  if (gather->mismatch > Contradiction * support->max_value) {
+    const PetscReal *x     = &gather->level->coords[gather->node * support->dim];
+    const SceneBody *body  = &gather->scene->bodies[gather->level->node_body[gather->node]];
+    char             z[32] = "";
+
+    if (support->dim == 3) snprintf(z, sizeof(z), ", %g", (double)x[2]);
+    snprintf(sentence, sizeof(sentence),
+             "body '%s': the displacements given on sides '%s' and '%s' contradict each other at (%g, %g%s), by %g; "
+             "make them agree there or set a component free",
+             body->name, body->boundaries[support->side[gather->node]].side, body->boundaries[gather->boundary].side,
+             (double)x[0], (double)x[1], z, (double)gather->mismatch);
+  }
+  PetscCall(FaultCheck(gather->level->comm, sentence));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds the Cartesian axis that the directions so far span least, until they are a frame. */
+static void FrameComplete_Private(PetscInt dim, PetscInt count, PetscReal Q[])
+{
+  for (; count < dim; ++count) {
+    PetscReal best[3] = {0, 0, 0}, longest = 0;
+
+    for (PetscInt c = 0; c < dim; ++c) {
+      PetscReal r[3] = {0, 0, 0}, square = 0;
+
+      r[c] = 1;
+      for (PetscInt k = 0; k < count; ++k) {
+        for (PetscInt d = 0; d < dim; ++d) r[d] -= Q[k * dim + c] * Q[k * dim + d];
+      }
+      for (PetscInt d = 0; d < dim; ++d) square += r[d] * r[d];
+      if (square <= longest) continue;
+      longest = square;
+      for (PetscInt d = 0; d < dim; ++d) best[d] = r[d] / PetscSqrtReal(square);
+    }
+    for (PetscInt d = 0; d < dim; ++d) Q[count * dim + d] = best[d];
+  }
+}
+
+/* Frames of all held nodes; where every direction is held the Cartesian axes serve best. */
+static void SupportFinish_Private(const Level *level, Support *support)
+{
+  const PetscInt dim = support->dim;
+
+  for (PetscInt node = 0; node < level->num_nodes; ++node) {
+    PetscReal *Q = &support->directions[node * dim * dim], *values = &support->values[node * dim], u[3] = {0, 0, 0};
+
+    if (!support->count[node]) continue;
+    if (support->count[node] < dim) {
+      FrameComplete_Private(dim, support->count[node], Q);
+      continue;
+    }
+    for (PetscInt k = 0; k < dim; ++k) {
+      for (PetscInt d = 0; d < dim; ++d) u[d] += Q[k * dim + d] * values[k];
+    }
+    for (PetscInt k = 0; k < dim; ++k) {
+      values[k] = u[k];
+      for (PetscInt d = 0; d < dim; ++d) Q[k * dim + d] = k == d;
+    }
+  }
+}
+
+PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support)
+{
+  const PetscInt num = level->num_nodes, dim = level->dim;
+  Gather         gather = {.scene = scene, .level = level, .support = support};
+
+  PetscFunctionBeginUser;
+  support->dim       = dim;
+  support->max_value = 0;
+  PetscCall(PetscCalloc4(num, &support->count, num, &support->side, num * dim * dim, &support->directions, num * dim,
+                         &support->values));
+  for (PetscInt i = 0; i < num; ++i) support->side[i] = -1;
+  PetscCall(LevelCreateVec(level, 1, &gather.flags));
+  for (PetscInt body = 0; body < scene->num_bodies; ++body) {
+    for (PetscInt b = 0; b < scene->bodies[body].num_boundaries; ++b) {
+      const BoundaryKind kind = scene->bodies[body].boundaries[b].kind;
+
+      if (kind == BOUNDARY_DISPLACEMENT) PetscCall(GatherDisplacement_Private(&gather, body, b));
+      if (kind == BOUNDARY_NORMAL) PetscCall(GatherNormal_Private(&gather, body, b));
+    }
+  }
+  PetscCall(VecDestroy(&gather.flags));
+  PetscCall(GatherCheck_Private(&gather));
+  SupportFinish_Private(level, support);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SupportDestroy(Support *support)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree4(support->count, support->side, support->directions, support->values));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

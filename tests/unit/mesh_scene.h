@@ -1,0 +1,156 @@
+/* mesh_scene.h -- small scenes by hand for the tests of the mesh room, without options. */
+#ifndef MORTISE_MESH_SCENE_H
+#define MORTISE_MESH_SCENE_H
+
+#include <mortise/mesh.h>
+#include <mortise/fault.h>
+#include <string.h>
+#include "test.h"
+
+enum { MAX_ITEMS = 8 };
+
+/* A scene and the storage it points into. */
+typedef struct {
+  struct _n_Scene scene;
+  SceneBody       bodies[MAX_ITEMS];
+  ScenePair       pairs[MAX_ITEMS];
+  SceneBoundary   boundaries[MAX_ITEMS][MAX_ITEMS];
+} TestScene;
+
+static inline void TestSceneInit(TestScene *t)
+{
+  memset(t, 0, sizeof(*t));
+  t->scene.comm      = PETSC_COMM_WORLD;
+  t->scene.dim       = 2;
+  t->scene.model     = MODEL_PLANE_STRAIN;
+  t->scene.thickness = 1;
+  t->scene.bodies    = t->bodies;
+  t->scene.pairs     = t->pairs;
+}
+
+/* An elastic box of nx x ny cells with E = 1, nu = 0.3. */
+static inline SceneBody *TestSceneAddBox(TestScene *t, const char name[], PetscInt nx, PetscInt ny, PetscReal x0,
+                                         PetscReal y0, PetscReal x1, PetscReal y1)
+{
+  const PetscReal young = 1, poisson = 0.3;
+  const PetscInt  b    = t->scene.num_bodies++;
+  SceneBody      *body = &t->bodies[b];
+
+  body->name       = (char *)name;
+  body->faces[0]   = nx;
+  body->faces[1]   = ny;
+  body->lower[0]   = x0;
+  body->lower[1]   = y0;
+  body->upper[0]   = x1;
+  body->upper[1]   = y1;
+  body->order      = 1;
+  body->boundaries = t->boundaries[b];
+  CHECK(!ExpressionCreateConstant("-young", 1, &young, &body->young));
+  CHECK(!ExpressionCreateConstant("-poisson", 1, &poisson, &body->poisson));
+  return body;
+}
+
+static inline SceneBody *TestSceneAddFile(TestScene *t, const char name[], const char file[], const char region[])
+{
+  SceneBody *body = TestSceneAddBox(t, name, 0, 0, 0, 0, 0, 0);
+
+  body->mesh_file = (char *)file;
+  body->region    = (char *)region;
+  return body;
+}
+
+/* text NULL for BOUNDARY_NORMAL */
+static inline void TestSceneAddBoundary(SceneBody *body, BoundaryKind kind, const char side[], const char text[])
+{
+  SceneBoundary *boundary = &body->boundaries[body->num_boundaries++];
+
+  boundary->kind  = kind;
+  boundary->side  = (char *)side;
+  boundary->value = NULL;
+  if (text) CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-value", text, 0, PETSC_TRUE, &boundary->value));
+}
+
+static inline ScenePair *TestSceneAddPair(TestScene *t, const char name[], PetscInt nonmortar, const char side[],
+                                          PetscInt mortar, const char other[])
+{
+  ScenePair *pair = &t->pairs[t->scene.num_pairs++];
+
+  pair->name      = (char *)name;
+  pair->nonmortar = (SceneSide){nonmortar, (char *)side};
+  pair->mortar    = (SceneSide){mortar, (char *)other};
+  pair->reach     = -1;
+  return pair;
+}
+
+static inline void TestSceneSetMap(SceneBody *body, const char text[])
+{
+  CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-map", text, 2, PETSC_FALSE, &body->map));
+}
+
+static inline void TestSceneFree(TestScene *t)
+{
+  for (PetscInt b = 0; b < t->scene.num_bodies; ++b) {
+    CHECK(!ExpressionDestroy(&t->bodies[b].young));
+    CHECK(!ExpressionDestroy(&t->bodies[b].poisson));
+    CHECK(!ExpressionDestroy(&t->bodies[b].stiffness));
+    CHECK(!ExpressionDestroy(&t->bodies[b].map));
+    for (PetscInt i = 0; i < t->bodies[b].num_boundaries; ++i) CHECK(!ExpressionDestroy(&t->boundaries[b][i].value));
+  }
+}
+
+static inline Mesh TestSceneMesh(TestScene *t)
+{
+  Mesh mesh;
+
+  CHECK(!MeshCreate(&t->scene, &mesh));
+  CHECK(!MeshSetUp(mesh));
+  return mesh;
+}
+
+static inline PetscReal Total(PetscReal local)
+{
+  CHECK(!MPI_Allreduce(MPI_IN_PLACE, &local, 1, MPIU_REAL, MPIU_SUM, PETSC_COMM_WORLD));
+  return local;
+}
+
+/* Area of a body by the shoelace formula: positive only where cells run anticlockwise. */
+static inline PetscReal BodyArea(const Level *level, PetscInt body)
+{
+  PetscReal area = 0;
+
+  for (PetscInt c = 0; c < level->num_cells; ++c) {
+    const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]],
+                   num    = level->cell_start[c + 1] - level->cell_start[c];
+
+    for (PetscInt i = 0; i < num && level->cell_body[c] == body; ++i) {
+      const PetscReal *a = &level->coords[2 * nodes[i]], *b = &level->coords[2 * nodes[(i + 1) % num]];
+
+      area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+    }
+  }
+  return Total(area);
+}
+
+/* Length of a side, and the sum of its outward normals times length. */
+static inline PetscReal SideLength(TestScene *t, Level *level, PetscInt body, const char side[], PetscReal normal[2])
+{
+  PetscReal length = 0, n[2] = {0, 0};
+  Facets    facets;
+
+  CHECK(!LevelGetFacets(level, &t->scene, body, side, &facets));
+  for (PetscInt f = 0; f < facets.num; ++f) {
+    const PetscReal *a = &level->coords[2 * facets.nodes[f * ELEMENT_MAX_FACET_NODES]];
+    const PetscReal *b = &level->coords[2 * facets.nodes[f * ELEMENT_MAX_FACET_NODES + 1]];
+
+    CHECK(level->cell_body[facets.cell[f]] == body);
+    n[0] += b[1] - a[1];
+    n[1] -= b[0] - a[0];
+    length += PetscSqrtReal(PetscSqr(b[0] - a[0]) + PetscSqr(b[1] - a[1]));
+  }
+  CHECK(!FacetsDestroy(&facets));
+  normal[0] = Total(n[0]);
+  normal[1] = Total(n[1]);
+  return Total(length);
+}
+
+#endif
