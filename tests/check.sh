@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# check.sh -- everything that is asked of a change: warnings, sanitizers, valgrind, and last all tests.
+set -eu
+cd "$(dirname "$0")/.."
+. tests/packages.sh
+install_missing $build_packages $python_packages
+set_up_mpi
+jobs=$(nproc)
+
+# build <folder> <cmake option> ...
+build() {
+  local folder=$1
+  shift
+  echo "building $folder"
+  quietly cmake -S . -B "$folder" -DMORTISE_WERROR=ON "$@"
+  quietly cmake --build "$folder" -j "$jobs"
+}
+
+# The memory of the few unit tests whose arrays are indexed most; suppressed is what Open MPI does at its start and end.
+check_memory() {
+  local module
+  for module in clip dual element boxtree; do
+    echo "valgrind: $module"
+    quietly valgrind --quiet --error-exitcode=9 --suppressions=/usr/share/openmpi/openmpi-valgrind.supp \
+      "$1/tests/test_$module" -skip_petscrc
+  done
+}
+
+build build/check -DCMAKE_BUILD_TYPE=Release
+build build/sanitize -DCMAKE_BUILD_TYPE=Debug -DMORTISE_SANITIZE=address,undefined
+echo "testing with sanitizers"
+quietly ctest --test-dir build/sanitize -L sanitize -j "$jobs" --output-on-failure
+if [ -z "${CI:-}" ] && command -v valgrind >/dev/null; then check_memory build/check; fi
+ctest --test-dir build/check -j "$jobs" --output-on-failure

@@ -1,0 +1,221 @@
+#!/usr/bin/env python3
+"""judge.py -- runs mortise in an empty folder and judges what it says and writes.
+
+ctest calls this program (see CMakeLists.txt here); a test that judges numbers is a Python file with one function,
+
+    from judge import near
+
+    def judge(run):
+        near("force", run.pair("joint")["normal_force"], 2e6, relative=1e-9)
+
+which gets a finished, solved run. Comparisons print the figure that is off and by how much; the first one ends the test.
+"""
+import argparse
+import csv
+import importlib.util
+import json
+import math
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+TIMEOUT = 240  # seconds of one run; longer is a hang
+LEAK = re.compile(r"^\[ *\d+\] *\d+ bytes .*", re.MULTILINE)  # a line of -malloc_dump
+CHECKS = ["-skip_petscrc", "-malloc_debug", "-malloc_dump"]
+NAME = "result"  # -output of every run
+
+
+class Failure(Exception):
+    """What a test does not like, as a sentence."""
+
+
+def require(condition, sentence):
+    """Fails the test with the sentence unless the condition holds."""
+    if not condition:
+        raise Failure(sentence)
+
+
+class Run:
+    """One run of the program: what it said, and its files, read when asked for."""
+
+    def __init__(self, program, mpiexec, ranks, folder, arguments):
+        self.program, self.mpiexec, self.ranks, self.arguments = program, mpiexec, ranks, list(arguments)
+        self.folder = pathlib.Path(folder)
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.folder.mkdir(parents=True)
+        launcher = [mpiexec, "-n", str(ranks)] if ranks > 1 else []
+        self.command = launcher + [program] + CHECKS + ["-output", NAME] + self.arguments
+        done = subprocess.run(self.command, cwd=self.folder, capture_output=True, text=True, timeout=TIMEOUT, errors="replace")
+        self.exit, self.stdout, self.stderr = done.returncode, done.stdout, done.stderr
+
+    def again(self, *arguments, ranks=None, name="again"):
+        """The same scene once more, with more arguments or on another number of ranks, solved."""
+        other = Run(self.program, self.mpiexec, ranks or self.ranks, self.folder / name, self.arguments + list(arguments))
+        other.require_solved()
+        return other
+
+    def require_solved(self):
+        require(self.exit == 0, f"exit code {self.exit} instead of 0")
+        require(not self.stderr.strip(), "a solved run has nothing to say on stderr")
+        self.require_clean()
+
+    def require_clean(self):
+        leak = LEAK.search(self.stdout + self.stderr)
+        require(not leak, f"memory was not freed: {leak and leak.group()}")
+        require("runtime error:" not in self.stderr and "AddressSanitizer" not in self.stderr, "a sanitizer complains")
+
+    @property
+    def summary(self):
+        """The JSON summary."""
+        return json.loads((self.folder / f"{NAME}.json").read_text(), parse_constant=lambda word: require(False, f"the summary has {word}"))
+
+    def pair(self, name):
+        return self.summary["pairs"][name]
+
+    def probe(self, name):
+        return self.summary["probes"][name]
+
+    def table(self, pair):
+        """The CSV table of a pair: a list of numbers (or words) for each column's name."""
+        return read_table(self.folder / f"{NAME}_{pair}.csv")
+
+    def fields(self):
+        """The HDF5 file, open for reading."""
+        import h5py  # pylint: disable=import-outside-toplevel
+
+        return h5py.File(self.folder / f"{NAME}.h5", "r")
+
+    def describe(self):
+        return f"in {self.folder}:\n{' '.join(self.command)}\n--- stdout\n{self.stdout}\n--- stderr\n{self.stderr}"
+
+
+# --- comparisons ------------------------------------------------------------------------------------------------------
+
+
+def near(what, value, expected, relative=0.0, absolute=0.0):
+    """|value - expected| <= absolute + relative |expected|, for numbers or lists of them (relative to the largest)."""
+    values, targets = as_list(value), as_list(expected)
+    require(len(values) == len(targets), f"{what}: {len(values)} numbers instead of {len(targets)}")
+    scale = max((abs(t) for t in targets), default=0.0)
+    for place, (v, t) in enumerate(zip(values, targets)):
+        off = abs(v - t) if isinstance(v, (int, float)) else math.inf
+        require(off <= absolute + relative * scale, f"{what}[{place}] = {v!r}, expected {t!r}: off by {off:.3g}, allowed {absolute + relative * scale:.3g}")
+
+
+def as_list(value):
+    return list(value) if isinstance(value, (list, tuple)) or hasattr(value, "__array__") and getattr(value, "ndim", 0) else [value]
+
+
+def same(what, value, expected):
+    """Equality of things that are counted or named."""
+    require(value == expected, f"{what} = {value!r}, expected {expected!r}")
+
+
+def read_table(path):
+    """A CSV file as {column: [values]}; lines that begin with # are comments."""
+    with open(path, newline="", encoding="utf-8") as file:
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
+    columns = {}
+    for place, name in enumerate(rows[0]):
+        columns[name.strip()] = [number_or_word(row[place]) for row in rows[1:]]
+    return columns
+
+
+def number_or_word(text):
+    try:
+        return float(text)
+    except ValueError:
+        return text.strip()
+
+
+def same_table(table, expected, tolerances, position=("x", "y", "z"), distance=1e-9):
+    """Compares the columns named in tolerances = {column: (relative, absolute)} at points matched by position.
+
+    Points are the same if they are nearer than distance (relative to the extent of all); relative tolerances are relative
+    to the largest value of the expected column. Columns of words are compared as they stand. The worst point is told.
+    """
+    axes = [axis for axis in position if axis in expected]
+    points, targets = list(zip(*(table[a] for a in axes))), list(zip(*(expected[a] for a in axes)))
+    require(len(points) == len(targets), f"{len(points)} points instead of {len(targets)}")
+    partner = match_points(points, targets, distance)
+    for column, (relative, absolute) in tolerances.items():
+        if any(isinstance(e, str) for e in expected[column]):
+            wrong = [t for t, p in enumerate(partner) if table[column][p] != expected[column][t]]
+            require(not wrong, f"{column} differs at {len(wrong)} points, first at {wrong and targets[wrong[0]]}")
+            continue
+        scale = max((abs(e) for e in expected[column] if math.isfinite(e)), default=0.0)
+        offs = [abs(table[column][p] - expected[column][t]) for t, p in enumerate(partner)]
+        worst = max(range(len(offs)), key=lambda t: offs[t] if offs[t] == offs[t] else math.inf)
+        allowed = absolute + relative * scale
+        require(offs[worst] <= allowed, f"{column} = {table[column][partner[worst]]!r} at {targets[worst]}, expected "
+                                        f"{expected[column][worst]!r}: off by {offs[worst]:.3g}, allowed {allowed:.3g}")
+
+
+def match_points(points, targets, distance):
+    """For each target the place of its point; several points in one place are taken in their order."""
+    extent = max((max(axis) - min(axis) for axis in zip(*targets)), default=0.0)
+    free, partner = set(range(len(points))), []
+    for target in targets:
+        nearest = min(free, key=lambda p: (math.dist(points[p], target), p))
+        require(math.dist(points[nearest], target) <= distance * extent, f"there is no point at {target}")
+        free.remove(nearest)
+        partner.append(nearest)
+    return partner
+
+
+# --- verdicts ---------------------------------------------------------------------------------------------------------
+
+
+def judge_mistake(run, texts):
+    """A user's mistake: exit code 1, one sentence that names the culprit, no file."""
+    told = [line for line in run.stderr.splitlines() if line.startswith("mortise: ")]
+    same("exit code", run.exit, 1)
+    require(len(told) == 1, f"{len(told)} sentences instead of one")
+    require("PETSC ERROR" not in run.stdout + run.stderr, "PETSc's trace is shown")
+    run.require_clean()
+    for text in texts:
+        require(text in told[0], f"the sentence does not say '{text}'")
+    left = sorted(str(path.relative_to(run.folder)) for path in run.folder.rglob("*"))
+    require(not left, f"files are left behind: {', '.join(left)}")
+
+
+def load(path):
+    """The judge() of a check file."""
+    sys.path.insert(0, str(path.parent))
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module.judge
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--mpiexec", default="mpiexec")
+    parser.add_argument("--ranks", type=int, default=1)
+    parser.add_argument("--scratch", required=True, help="folder of the run, emptied before")
+    parser.add_argument("--check", type=pathlib.Path, help="file with judge(run)")
+    parser.add_argument("--says", action="append", help="the run is a mistake whose sentence has this text; may be repeated")
+    parser.add_argument("arguments", nargs=argparse.REMAINDER, help="after --: arguments of the program")
+    options = parser.parse_args()
+    arguments = options.arguments[1:] if options.arguments[:1] == ["--"] else options.arguments
+
+    sys.modules["judge"] = sys.modules["__main__"]  # so that a check's `from judge import near` meets this very module
+    run = None
+    try:
+        run = Run(options.program, options.mpiexec, options.ranks, options.scratch, arguments)
+        if options.says:
+            judge_mistake(run, options.says)
+        else:
+            run.require_solved()
+            if options.check:
+                load(options.check)(run)
+    except (Failure, subprocess.TimeoutExpired) as failure:
+        sys.exit(f"{failure}\n{run.describe() if run else ''}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,47 @@
+# packages.sh -- sourced by tests/check.sh and options/run.sh: what the machine must have, and how MPI runs on it.
+
+# Compiler and libraries; OpenBLAS because MUMPS is several times slower with the reference BLAS that PETSc comes with.
+build_packages="build-essential cmake pkg-config petsc-dev openmpi-bin libmetis-dev libmuparser-dev libcjson-dev libhdf5-openmpi-dev libopenblas0-pthread"
+# To read results and draw them.
+python_packages="python3 python3-numpy python3-h5py python3-matplotlib"
+
+# Stops with a sentence.
+die() {
+  echo "${0##*/}: $*" >&2
+  exit 1
+}
+
+# install_missing <package> ...: asks apt only for what is not there; says nothing when all is.
+install_missing() {
+  command -v dpkg-query >/dev/null || return 0 # another system: CMake will name what is missing
+  local package missing="" as_root=""
+  for package in "$@"; do
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing="$missing $package"
+  done
+  [ -z "$missing" ] && return 0
+  if [ "$(id -u)" != 0 ]; then
+    command -v sudo >/dev/null || die "these packages are missing and there is no sudo to install them:$missing"
+    as_root=sudo
+  fi
+  echo "installing$missing"
+  quietly $as_root apt-get update -q
+  quietly $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing
+}
+
+# quietly <command> ...: shows what the command says only if it fails, and then stops.
+quietly() {
+  local log
+  log=$(mktemp)
+  if ! "$@" >"$log" 2>&1 </dev/null; then
+    cat "$log" >&2
+    rm -f "$log"
+    die "this command failed: $*"
+  fi
+  rm -f "$log"
+}
+
+# Open MPI refuses to run as root unless it is told twice, and to start more ranks than there are cores unless told once.
+set_up_mpi() {
+  [ "$(id -u)" = 0 ] && export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+  export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
+}
