@@ -4,15 +4,17 @@
 
 #include <mortise/fields.h>
 
-/* All dimensionless; the same on all ranks. */
+/* All dimensionless; the same on all ranks. NAN where the answer holds numbers that are not finite. */
 typedef struct {
-  PetscReal equilibrium;     /* |f - K u - B'lambda| on free directions over the size of the forces */
-  PetscReal gap;             /* max (B u - G)_+ / D over u_ref */
-  PetscReal pressure;        /* max (-lambda)_+ over p_ref */
+  PetscReal equilibrium; /* |f - K u - B'lambda| on free directions over the size of the forces */
+  PetscReal gap;         /* max (B u - G)_+ / D over u_ref; also |B u - G| of tied rows and |d.u - value| of supports */
+  PetscReal pressure;    /* max (-lambda)_+ over p_ref */
   PetscReal complementarity; /* sum D lambda |slack| over the work of the loads */
-  PetscReal force, moment;   /* balance of loads, reactions of the whole scene, over the sum of their sizes */
+  PetscReal force,
+      moment;            /* balance of loads, reactions and obstacles of the whole scene, over the sum of their sizes */
+  PetscReal pair_moment; /* part of moment that contact forces between two meshes leave on curved sides with a gap */
   PetscBool holds;
-  char      failure[256];    /* which test failed, by how much, what to try; "" where it holds */
+  char      failure[256]; /* which test failed, by how much, what to try; "" where it holds */
 } Certificate;
 
 /* Collective. [out] reactions - ghosted Vec of dim per node: what the supports exert, owned by the caller */

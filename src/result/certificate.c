@@ -1,0 +1,334 @@
+/* certificate.c -- is it the solution? Judged by the book of record  K u + B'lambda = f,  B u <= G,  lambda >= 0.
+
+   Every test is a violation over a size. A violation within the roundoff of the sums it came from means nothing, however
+   small the size is (a body moved rigidly has no forces at all), so the size grows by roundoff / tolerance times the
+   products that were summed:  value = violation / (size + roundoff / tolerance),  held to the tolerance.
+
+   Balance. With r the residual, split into a free part and the supports' part -R,
+       f + R + C_obstacle = K u + B'lambda_mesh + r_free.
+   K u has neither resultant nor moment (rigid motions are its kernel, rotations included) and the contact forces between
+   two meshes have no resultant (row sums of D and M agree). Their moment vanishes on flat or touching sides, but on curved
+   sides with a gap only up to a discretisation error, because a nodal normal is not the ray's direction at every point
+   (Puso & Laursen 2004 discuss the same). That part is known exactly, is reported, and is taken out before the test: it says
+   something about the mesh, not about whether the discrete problem was solved. */
+#include <mortise/certificate.h>
+#include <mortise/compat.h>
+
+/* The linear solver's last relative residual is 1e-8 (numerics.md 6.4) in a norm of its own; a factor of ten covers
+   the change of norm. A factorisation leaves 1e-13. */
+static const PetscReal EQUILIBRIUM_TOLERANCE = 1e-7;
+/* The active set keeps its state within ten times the linear residual (6.3): 1e-7 of u_ref. */
+static const PetscReal GAP_TOLERANCE = 1e-7;
+/* A residual of 1e-8 of all forces may sit in one row, whose share of all forces is about h/L: 1e-2 at least. */
+static const PetscReal PRESSURE_TOLERANCE        = 1e-6;
+static const PetscReal COMPLEMENTARITY_TOLERANCE = 1e-7;
+/* Sums of what EQUILIBRIUM_TOLERANCE bounds. */
+static const PetscReal BALANCE_TOLERANCE = 1e-7;
+
+/* What is summed over nodes and rows of all ranks. */
+enum {
+  SUM_FREE, /* squares of forces over stiffness: residual, loads, inner, contact, roundoff */
+  SUM_LOADS,
+  SUM_INNER,
+  SUM_CONTACT,
+  SUM_ROUNDOFF,
+  SUM_COMPLEMENTARITY,
+  SUM_COMPLEMENTARITY_ROUNDOFF,
+  SUM_WORK,
+  SUM_WORK_ROUNDOFF,
+  SUM_FORCE,                           /* resultant [3] */
+  SUM_MOMENT     = SUM_FORCE + 3,      /* moment about the centre [3] */
+  SUM_PAIRMOMENT = SUM_MOMENT + 3,     /* of contact forces between meshes [3] */
+  SUM_SIZES      = SUM_PAIRMOMENT + 3, /* of forces, of moments, and of the roundoff of both [4] */
+  SUM_COUNT      = SUM_SIZES + 4
+};
+/* Largest of all ranks. */
+enum { MAX_GAP, MAX_PRESSURE, MAX_COUNT };
+
+/* The forces on the nodes. */
+typedef struct {
+  Vec loads, inner, contact, obstacle, residual;
+} Forces;
+
+/* The violation of a test as a part of what it may be compared with. */
+static PetscReal Ratio_Private(PetscReal violation, PetscReal size, PetscReal roundoff, PetscReal tolerance)
+{
+  return violation == 0.0 ? 0.0 : violation / (size + roundoff / tolerance);
+}
+
+/* inner = K u, contact = B'lambda, obstacle = the part of B'lambda with a rigid partner, residual = f - inner - contact. */
+static PetscErrorCode ForcesCreate_Private(Fields fields, Forces *forces)
+{
+  const VI   vi = fields->vi;
+  Vec        lambda;
+  PetscReal *l;
+
+  PetscFunctionBeginUser;
+  forces->loads = vi->f;
+  PetscCall(VecDuplicate(fields->u, &forces->inner));
+  PetscCall(VecDuplicate(fields->u, &forces->contact));
+  PetscCall(VecDuplicate(fields->u, &forces->obstacle));
+  PetscCall(VecDuplicate(fields->u, &forces->residual));
+  PetscCall(VecZeroEntries(forces->contact));
+  PetscCall(VecZeroEntries(forces->obstacle));
+  PetscCall(MatMult(vi->K, fields->u, forces->inner));
+  PetscCall(VecWAXPY(forces->residual, -1.0, forces->inner, forces->loads));
+  if (!fields->lambda) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatMultTranspose(vi->B, fields->lambda, forces->contact));
+  PetscCall(VecAXPY(forces->residual, -1.0, forces->contact));
+  PetscCall(VecDuplicate(fields->lambda, &lambda));
+  PetscCall(VecCopy(fields->lambda, lambda));
+  PetscCall(VecGetArray(lambda, &l));
+  for (PetscInt r = 0; r < vi->num_rows; ++r) {
+    if (vi->pairs[vi->row_pair[r]]->spec->obstacle.kind == OBSTACLE_NONE) l[r] = 0.0;
+  }
+  PetscCall(VecRestoreArray(lambda, &l));
+  PetscCall(MatMultTranspose(vi->B, lambda, forces->obstacle));
+  PetscCall(VecDestroy(&lambda));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode ForcesDestroy_Private(Forces *forces)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VecDestroy(&forces->inner));
+  PetscCall(VecDestroy(&forces->contact));
+  PetscCall(VecDestroy(&forces->obstacle));
+  PetscCall(VecDestroy(&forces->residual));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Splits the residual of one node into held directions and the rest:  reaction = -sum_k (d_k.r) d_k,  r := r + reaction. */
+static void SplitResidual_Private(const Support *support, PetscInt a, PetscReal r[], PetscReal reaction[])
+{
+  const PetscInt dim = support->dim;
+
+  for (PetscInt k = 0; k < dim; ++k) reaction[k] = 0.0;
+  for (PetscInt j = 0; j < support->count[a]; ++j) {
+    const PetscReal *d     = &support->directions[(a * dim + j) * dim];
+    PetscReal        share = 0.0;
+
+    for (PetscInt k = 0; k < dim; ++k) share += d[k] * r[k];
+    for (PetscInt k = 0; k < dim; ++k) reaction[k] -= share * d[k];
+  }
+  for (PetscInt k = 0; k < dim; ++k) r[k] += reaction[k];
+}
+
+/* moment += x cross F, three components, absent ones 0. */
+static void AddMoment_Private(PetscInt dim, const PetscReal x[], const PetscReal F[], PetscReal moment[3])
+{
+  PetscReal X[3] = {0, 0, 0}, Y[3] = {0, 0, 0};
+
+  for (PetscInt k = 0; k < dim; ++k) {
+    X[k] = x[k];
+    Y[k] = F[k];
+  }
+  for (PetscInt k = 0; k < 3; ++k) moment[k] += X[(k + 1) % 3] * Y[(k + 2) % 3] - X[(k + 2) % 3] * Y[(k + 1) % 3];
+}
+
+static PetscReal Norm_Private(PetscInt n, const PetscReal v[])
+{
+  PetscReal square = 0.0;
+
+  for (PetscInt k = 0; k < n; ++k) square += v[k] * v[k];
+  return PetscSqrtReal(square);
+}
+
+/* Middle of the box around all nodes: moments about it do not depend on where the scene lies. */
+static PetscErrorCode Centre_Private(const Level *level, PetscReal centre[3])
+{
+  PetscReal box[6] = {PETSC_MIN_REAL, PETSC_MIN_REAL, PETSC_MIN_REAL, PETSC_MIN_REAL, PETSC_MIN_REAL, PETSC_MIN_REAL};
+
+  PetscFunctionBeginUser;
+  for (PetscInt a = 0; a < level->num_owned; ++a) {
+    for (PetscInt k = 0; k < level->dim; ++k) {
+      box[k]     = PetscMax(box[k], level->coords[a * level->dim + k]);
+      box[3 + k] = PetscMax(box[3 + k], -level->coords[a * level->dim + k]);
+    }
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, box, 6, MPIU_REAL, MPI_MAX, level->comm));
+  for (PetscInt k = 0; k < 3; ++k) centre[k] = 0.5 * (box[k] - box[3 + k]);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds one node's forces to the sums. F = loads, inner, contact, obstacle, free residual, reaction, each [dim]. */
+static void AddNode_Private(PetscInt dim, const PetscReal x[], const PetscReal F[6][3], PetscReal stiffness,
+                            PetscReal u_max, const PetscReal u[], PetscReal sums[])
+{
+  const PetscReal roundoff = FIELDS_ROUNDOFF * stiffness * u_max, arm = Norm_Private(dim, x);
+  PetscReal       outer[3], mesh[3], size, work = 0.0;
+
+  for (PetscInt k = 0; k < dim; ++k) {
+    outer[k] = F[0][k] + F[5][k] - F[3][k];
+    mesh[k]  = F[2][k] - F[3][k];
+    sums[SUM_FORCE + k] += outer[k];
+    work += PetscAbsReal((F[0][k] + F[5][k]) * u[k]) + PetscAbsReal(F[1][k] * u[k]);
+  }
+  AddMoment_Private(dim, x, outer, &sums[SUM_MOMENT]);
+  AddMoment_Private(dim, x, mesh, &sums[SUM_PAIRMOMENT]);
+  size = Norm_Private(dim, F[0]) + Norm_Private(dim, F[2]) + Norm_Private(dim, F[5]);
+  sums[SUM_SIZES] += size;
+  sums[SUM_SIZES + 1] += arm * size;
+  sums[SUM_SIZES + 2] += roundoff;
+  sums[SUM_SIZES + 3] += arm * roundoff;
+  sums[SUM_WORK] += work;
+  sums[SUM_WORK_ROUNDOFF] += roundoff * u_max;
+  sums[SUM_FREE] += PetscSqr(Norm_Private(dim, F[4])) / stiffness;
+  sums[SUM_LOADS] += PetscSqr(Norm_Private(dim, F[0])) / stiffness;
+  sums[SUM_INNER] += PetscSqr(Norm_Private(dim, F[1])) / stiffness;
+  sums[SUM_CONTACT] += PetscSqr(Norm_Private(dim, F[2])) / stiffness;
+  sums[SUM_ROUNDOFF] += PetscSqr(roundoff) / stiffness;
+}
+
+/* Nodes: reactions, sums of forces, and how far the supports are from their data. */
+static PetscErrorCode JudgeNodes_Private(Fields fields, Vec reactions, PetscReal sums[], PetscReal largest[])
+{
+  const VI         vi      = fields->vi;
+  const Level     *level   = vi->level;
+  const Support   *support = &vi->support;
+  const PetscInt   dim     = level->dim;
+  PetscReal        centre[3];
+  const PetscReal *force[5], *u;
+  PetscReal       *reaction;
+  Forces           forces;
+  Vec              vecs[5];
+
+  PetscFunctionBeginUser;
+  PetscCall(Centre_Private(level, centre));
+  PetscCall(ForcesCreate_Private(fields, &forces));
+  vecs[0] = forces.loads, vecs[1] = forces.inner, vecs[2] = forces.contact, vecs[3] = forces.obstacle;
+  vecs[4] = forces.residual;
+  for (PetscInt i = 0; i < 5; ++i) PetscCall(VecGetArrayRead(vecs[i], &force[i]));
+  PetscCall(VecGetArrayRead(fields->u, &u));
+  PetscCall(VecGetArray(reactions, &reaction));
+  for (PetscInt a = 0; a < level->num_owned; ++a) {
+    PetscReal F[6][3] = {{0}}, x[3];
+
+    for (PetscInt k = 0; k < dim; ++k) {
+      for (PetscInt i = 0; i < 5; ++i) F[i][k] = force[i][a * dim + k];
+      x[k] = level->coords[a * dim + k] - centre[k];
+    }
+    SplitResidual_Private(support, a, F[4], F[5]);
+    for (PetscInt k = 0; k < dim; ++k) reaction[a * dim + k] = F[5][k];
+    AddNode_Private(dim, x, F, fields->stiffness[a], fields->body_max[level->node_body[a]], &u[a * dim], sums);
+    for (PetscInt j = 0; j < support->count[a]; ++j) {
+      PetscReal miss = -support->values[a * dim + j];
+
+      for (PetscInt k = 0; k < dim; ++k) miss += support->directions[(a * dim + j) * dim + k] * u[a * dim + k];
+      largest[MAX_GAP] = PetscMax(largest[MAX_GAP], PetscAbsReal(miss));
+    }
+  }
+  PetscCall(VecRestoreArray(reactions, &reaction));
+  PetscCall(VecRestoreArrayRead(fields->u, &u));
+  for (PetscInt i = 0; i < 5; ++i) PetscCall(VecRestoreArrayRead(vecs[i], &force[i]));
+  PetscCall(ForcesDestroy_Private(&forces));
+  PetscCall(VecGhostUpdateBegin(reactions, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostUpdateEnd(reactions, INSERT_VALUES, SCATTER_FORWARD));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Rows: penetration, tension, complementarity. Tied rows must vanish, whatever their multiplier is. */
+static PetscErrorCode JudgeRows_Private(Fields fields, PetscReal sums[], PetscReal largest[])
+{
+  const VI         vi = fields->vi;
+  const PetscReal *lambda, *slack;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetArrayRead(fields->lambda, &lambda));
+  PetscCall(VecGetArrayRead(fields->slack, &slack));
+  for (PetscInt r = 0; r < vi->num_rows; ++r) {
+    if (fields->row_status[r] == STATUS_TIED) {
+      largest[MAX_GAP] = PetscMax(largest[MAX_GAP], PetscAbsReal(slack[r]));
+      continue;
+    }
+    largest[MAX_GAP] = PetscMax(largest[MAX_GAP], -slack[r]);
+    /* Per row, because the roundoff of a row with little coverage is larger. */
+    largest[MAX_PRESSURE] = PetscMax(largest[MAX_PRESSURE], Ratio_Private(PetscMax(-lambda[r], 0.0), fields->p_ref,
+                                                                          fields->row_noise[r], PRESSURE_TOLERANCE));
+    sums[SUM_COMPLEMENTARITY] += vi->row_D[r] * PetscAbsReal(lambda[r] * slack[r]);
+    sums[SUM_COMPLEMENTARITY_ROUNDOFF] += vi->row_D[r] * fields->row_noise[r] * PetscAbsReal(slack[r]);
+  }
+  PetscCall(VecRestoreArrayRead(fields->slack, &slack));
+  PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Turns the sums of all ranks into the dimensionless tests. */
+static void Judge_Private(Fields fields, const PetscReal sums[], const PetscReal largest[], Certificate *c)
+{
+  const PetscReal size =
+      PetscSqrtReal(sums[SUM_LOADS]) + PetscSqrtReal(sums[SUM_INNER]) + PetscSqrtReal(sums[SUM_CONTACT]);
+  PetscReal rest[3];
+
+  c->equilibrium =
+      Ratio_Private(PetscSqrtReal(sums[SUM_FREE]), size, PetscSqrtReal(sums[SUM_ROUNDOFF]), EQUILIBRIUM_TOLERANCE);
+  c->gap      = Ratio_Private(largest[MAX_GAP], fields->u_ref, 0.0, GAP_TOLERANCE);
+  c->pressure = largest[MAX_PRESSURE];
+  c->complementarity =
+      Ratio_Private(sums[SUM_COMPLEMENTARITY], sums[SUM_WORK],
+                    sums[SUM_WORK_ROUNDOFF] + sums[SUM_COMPLEMENTARITY_ROUNDOFF], COMPLEMENTARITY_TOLERANCE);
+  for (PetscInt k = 0; k < 3; ++k) rest[k] = sums[SUM_MOMENT + k] - sums[SUM_PAIRMOMENT + k];
+  c->force  = Ratio_Private(Norm_Private(3, &sums[SUM_FORCE]), sums[SUM_SIZES], sums[SUM_SIZES + 2], BALANCE_TOLERANCE);
+  c->moment = Ratio_Private(Norm_Private(3, rest), sums[SUM_SIZES + 1], sums[SUM_SIZES + 3], BALANCE_TOLERANCE);
+  c->pair_moment = Ratio_Private(Norm_Private(3, &sums[SUM_PAIRMOMENT]), sums[SUM_SIZES + 1], sums[SUM_SIZES + 3],
+                                 BALANCE_TOLERANCE);
+}
+
+/* The first test that does not hold, as a sentence. A NAN holds nothing. */
+static PetscErrorCode Verdict_Private(Certificate *c)
+{
+  static const char solver[] = "tighten -ksp_rtol, or leave -ksp_type and -pc_type to their defaults";
+  static const char set[]    = "raise -snes_max_it, or see what -cross_check says";
+  const struct {
+    const char *name;
+    PetscReal   value, tolerance;
+    const char *advice;
+  } tests[] = {
+      {"equilibrium of the nodal forces", c->equilibrium, EQUILIBRIUM_TOLERANCE, solver},
+      {"penetration, or distance from given displacements,", c->gap, GAP_TOLERANCE, set},
+      {"tension in a contact", c->pressure, PRESSURE_TOLERANCE, set},
+      {"complementarity of pressure and gap", c->complementarity, COMPLEMENTARITY_TOLERANCE, set},
+      {"balance of forces", c->force, BALANCE_TOLERANCE, solver},
+      {"balance of moments", c->moment, BALANCE_TOLERANCE, solver},
+  };
+
+  PetscFunctionBeginUser;
+  c->holds      = PETSC_TRUE;
+  c->failure[0] = '\0';
+  for (size_t i = 0; i < sizeof(tests) / sizeof(tests[0]) && c->holds; ++i) {
+    if (tests[i].value <= tests[i].tolerance) continue;
+    c->holds = PETSC_FALSE;
+    PetscCall(PetscSNPrintf(c->failure, sizeof(c->failure),
+                            "the certificate fails: %s is off by %.2g, allowed %.0e; %s", tests[i].name,
+                            (double)tests[i].value, (double)tests[i].tolerance, tests[i].advice));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CertificateCompute(Fields fields, Certificate *certificate, Vec *reactions)
+{
+  const MPI_Comm comm            = fields->vi->level->comm;
+  PetscReal      sums[SUM_COUNT] = {0}, largest[MAX_COUNT] = {0}, size[2] = {0, 0};
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMemzero(certificate, sizeof(*certificate)));
+  PetscCall(VecDuplicate(fields->u, reactions));
+  PetscCall(VecNorm(fields->u, NORM_2, &size[0]));
+  if (fields->lambda) PetscCall(VecNorm(fields->lambda, NORM_2, &size[1]));
+  if (PetscIsInfOrNanReal(size[0]) || PetscIsInfOrNanReal(size[1])) {
+    /* A maximum would lose a NAN on its way. */
+    PetscCall(VecSet(*reactions, NAN));
+    *certificate = (Certificate){NAN, NAN, NAN, NAN, NAN, NAN, NAN, PETSC_FALSE, ""};
+    PetscCall(PetscSNPrintf(certificate->failure, sizeof(certificate->failure),
+                            "the solution holds numbers that are not finite; the linear systems may be singular: "
+                            "look for a body that nothing holds, or try -pc_type lu"));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(JudgeNodes_Private(fields, *reactions, sums, largest));
+  if (fields->lambda) PetscCall(JudgeRows_Private(fields, sums, largest));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, SUM_COUNT, MPIU_REAL, MPI_SUM, comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, MAX_COUNT, MPIU_REAL, MPI_MAX, comm));
+  Judge_Private(fields, sums, largest, certificate);
+  PetscCall(Verdict_Private(certificate));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,269 @@
+/* fields.c -- the way back: from the unknowns y of the inequality to what the user asked for.
+
+   Pressures at open nodes are left as computed (roundoff, not 0): the certificate has to judge the numbers that are given
+   out. Whether a node is in contact is therefore a decision with a tolerance, taken here once for all outputs. */
+#include <mortise/fields.h>
+#include <mortise/compat.h>
+#include <mortise/elasticity.h>
+
+/* A bound counts as reached within this part of the largest unknown: pdas reaches it exactly, vinewtonrsls to its zero
+   tolerance of 1e-12. */
+static const PetscReal CLOSED_TOLERANCE = 1e-10;
+/* A node presses if its pressure exceeds this part of the largest one: below, touching without pressure (a tie) cannot be
+   told from an open node (numerics: the same limit decides which contacts hold a floating body). */
+static const PetscReal PRESSED_TOLERANCE = 1e-9;
+
+/* sigma at the centroid of a cell, and the cell's volume: det J at the centroid times the reference measure. */
+static PetscErrorCode CellStress_Private(VI vi, PetscInt c, const PetscReal u[], PetscReal stress[6], PetscReal *volume)
+{
+  const Level      *level = vi->level;
+  const PetscInt    dim = level->dim, n = level->cell_start[c + 1] - level->cell_start[c];
+  const PetscInt   *nodes       = &level->cell_nodes[level->cell_start[c]];
+  const PetscInt    num_strains = MaterialNumStrains(vi->scene->model);
+  const ElementType type        = (ElementType)level->cell_type[c];
+  PetscReal         X[ELEMENT_MAX_NODES * 3], phi[ELEMENT_MAX_NODES], grad[ELEMENT_MAX_NODES * 3], x[3], xi[3], weight;
+  PetscReal         B[6 * ELEMENT_MAX_NODES * 3], C[36], strain[6], poisson, det;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < n; ++i) {
+    for (PetscInt k = 0; k < dim; ++k) X[i * dim + k] = level->coords[nodes[i] * dim + k];
+  }
+  /* The rule of degree 1 is the centroid with the whole reference measure. */
+  ElementQuadrature(type, 1, xi, &weight);
+  det = ElementMap(type, X, xi, x, phi, grad);
+  ElementStrainMatrix(dim, n, grad, B);
+  for (PetscInt s = 0; s < num_strains; ++s) {
+    strain[s] = 0.0;
+    for (PetscInt i = 0; i < n; ++i) {
+      for (PetscInt k = 0; k < dim; ++k) strain[s] += B[(s * n + i) * dim + k] * u[nodes[i] * dim + k];
+    }
+  }
+  PetscCall(ElasticityHooke(vi->scene, level->cell_body[c], x, C, &poisson));
+  MaterialStress(vi->scene->model, C, poisson, strain, stress);
+  *volume = weight * det;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* sigma_node = sum_cells V_c sigma_c / sum_cells V_c over the cells at the node: second order inside a body
+   (Zienkiewicz & Zhu 1992). Nodes belong to one body, so nothing is averaged across an interface. */
+static PetscErrorCode StressCreate_Private(VI vi, Vec u, Vec *stress)
+{
+  Level           *level = vi->level;
+  Vec              volume, local[3];
+  const PetscReal *u_local;
+  PetscReal       *s, *v;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, 6, stress));
+  PetscCall(LevelCreateVec(level, 1, &volume));
+  PetscCall(VecGhostGetLocalForm(u, &local[0]));
+  PetscCall(VecGetArrayRead(local[0], &u_local));
+  for (PetscInt pass = 0; pass < 2; ++pass) { /* sum, share between ranks, then divide */
+    PetscCall(VecGhostGetLocalForm(*stress, &local[1]));
+    PetscCall(VecGhostGetLocalForm(volume, &local[2]));
+    PetscCall(VecGetArray(local[1], &s));
+    PetscCall(VecGetArray(local[2], &v));
+    for (PetscInt c = 0; pass == 0 && c < level->num_cells; ++c) {
+      PetscReal cell_stress[6], cell_volume;
+
+      PetscCall(CellStress_Private(vi, c, u_local, cell_stress, &cell_volume));
+      for (PetscInt i = level->cell_start[c]; i < level->cell_start[c + 1]; ++i) {
+        v[level->cell_nodes[i]] += cell_volume;
+        for (PetscInt k = 0; k < 6; ++k) s[level->cell_nodes[i] * 6 + k] += cell_volume * cell_stress[k];
+      }
+    }
+    for (PetscInt a = 0; pass == 1 && a < level->num_nodes; ++a) {
+      for (PetscInt k = 0; k < 6; ++k) s[a * 6 + k] /= v[a];
+    }
+    PetscCall(VecRestoreArray(local[1], &s));
+    PetscCall(VecRestoreArray(local[2], &v));
+    PetscCall(VecGhostRestoreLocalForm(*stress, &local[1]));
+    PetscCall(VecGhostRestoreLocalForm(volume, &local[2]));
+    if (pass == 0) {
+      PetscCall(LevelShareVec(*stress, ADD_VALUES));
+      PetscCall(LevelShareVec(volume, ADD_VALUES));
+    }
+  }
+  PetscCall(VecRestoreArrayRead(local[0], &u_local));
+  PetscCall(VecGhostRestoreLocalForm(u, &local[0]));
+  PetscCall(VecDestroy(&volume));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Stiffness of the owned nodes and the largest displacement of each body. */
+static PetscErrorCode NodeScales_Private(Fields fields)
+{
+  const Level     *level = fields->vi->level;
+  const PetscInt   dim = level->dim, num_bodies = fields->vi->scene->num_bodies;
+  Vec              diagonal;
+  const PetscReal *d, *u;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc2(level->num_owned, &fields->stiffness, num_bodies, &fields->body_max));
+  PetscCall(VecDuplicate(fields->u, &diagonal));
+  PetscCall(MatGetDiagonal(fields->vi->K, diagonal));
+  PetscCall(VecGetArrayRead(diagonal, &d));
+  PetscCall(VecGetArrayRead(fields->u, &u));
+  for (PetscInt a = 0; a < level->num_owned; ++a) {
+    PetscReal *largest = &fields->body_max[level->node_body[a]];
+
+    for (PetscInt k = 0; k < dim; ++k) {
+      fields->stiffness[a] += d[a * dim + k] / dim;
+      *largest = PetscMax(*largest, PetscAbsReal(u[a * dim + k]));
+    }
+  }
+  PetscCall(VecRestoreArrayRead(fields->u, &u));
+  PetscCall(VecRestoreArrayRead(diagonal, &d));
+  PetscCall(VecDestroy(&diagonal));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, fields->body_max, (PetscMPIInt)num_bodies, MPIU_REAL, MPI_MAX, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* int psi_a = D_aa + sum_c D_ac: the dual functions of removed nodes c were given to their neighbours, and with them
+   their share of the side. The ratio is taken from the pair, so that a thickness in row_D is kept. */
+static PetscErrorCode RowWeights_Private(Fields fields)
+{
+  const VI         vi = fields->vi;
+  const PetscReal *taken;
+  Vec             *sums;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(vi->num_pairs, &sums));
+  for (PetscInt p = 0; p < vi->num_pairs; ++p) {
+    if (!vi->pairs[p]->chain) continue;
+    PetscCall(MatCreateVecs(vi->pairs[p]->chain, NULL, &sums[p]));
+    PetscCall(MatGetRowSum(vi->pairs[p]->chain, sums[p]));
+  }
+  for (PetscInt r = 0; r < vi->num_rows; ++r) {
+    const Pair     pair = vi->pairs[vi->row_pair[r]];
+    const PetscInt a    = vi->row_node[r];
+
+    fields->row_weight[r] = vi->row_D[r];
+    if (!pair->chain) continue;
+    PetscCall(VecGetArrayRead(sums[vi->row_pair[r]], &taken));
+    fields->row_weight[r] *= 1.0 + taken[pair->nodes[a]] / pair->D[a];
+    PetscCall(VecRestoreArrayRead(sums[vi->row_pair[r]], &taken));
+  }
+  for (PetscInt p = 0; p < vi->num_pairs; ++p) PetscCall(VecDestroy(&sums[p]));
+  PetscCall(PetscFree(sums));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* u_ref = max(|u|, |B u / D|, |gap|): with absolute displacements, since relative ones vanish in full contact and leave
+   roundoff to be compared with roundoff.  p_ref = max(|p|, sum |f| / sum D): with the loads, since all p may be roundoff. */
+static PetscErrorCode ReferenceSizes_Private(Fields fields)
+{
+  const VI         vi      = fields->vi;
+  PetscReal        sums[2] = {0, 0}, sizes[2] = {0, 0};
+  const PetscReal *f;
+  PetscInt         n;
+
+  PetscFunctionBeginUser;
+  for (PetscInt b = 0; b < vi->scene->num_bodies; ++b) sizes[0] = PetscMax(sizes[0], fields->body_max[b]);
+  PetscCall(VecGetLocalSize(vi->f, &n));
+  PetscCall(VecGetArrayRead(vi->f, &f));
+  for (PetscInt i = 0; i < n; ++i) sums[0] += PetscAbsReal(f[i]);
+  PetscCall(VecRestoreArrayRead(vi->f, &f));
+  if (fields->lambda) {
+    const PetscReal *lambda, *slack, *G;
+
+    PetscCall(VecGetArrayRead(fields->lambda, &lambda));
+    PetscCall(VecGetArrayRead(fields->slack, &slack));
+    PetscCall(VecGetArrayRead(vi->G, &G));
+    for (PetscInt r = 0; r < vi->num_rows; ++r) {
+      const PetscReal gap = G[r] / vi->row_D[r];
+
+      sums[1] += vi->row_D[r];
+      sizes[0] = PetscMax(sizes[0], PetscMax(PetscAbsReal(gap), PetscAbsReal(gap - slack[r])));
+      sizes[1] = PetscMax(sizes[1], PetscAbsReal(lambda[r]));
+    }
+    PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
+    PetscCall(VecRestoreArrayRead(fields->slack, &slack));
+    PetscCall(VecRestoreArrayRead(vi->G, &G));
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPIU_REAL, MPI_SUM, vi->level->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sizes, 2, MPIU_REAL, MPI_MAX, vi->level->comm));
+  fields->u_ref = sizes[0];
+  fields->p_ref = sums[1] > 0 ? PetscMax(sizes[1], sums[0] / sums[1]) : sizes[1];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* In contact is what lies on its bound and presses by more than roundoff. */
+static PetscErrorCode RowStatus_Private(Fields fields, Vec y)
+{
+  const VI         vi = fields->vi;
+  const PetscReal *lambda, *values, *upper;
+  PetscReal        size;
+  PetscInt         begin;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecNorm(y, NORM_INFINITY, &size));
+  PetscCall(VecGetOwnershipRange(y, &begin, NULL));
+  PetscCall(VecGetArrayRead(fields->lambda, &lambda));
+  PetscCall(VecGetArrayRead(y, &values));
+  PetscCall(VecGetArrayRead(vi->upper, &upper));
+  for (PetscInt r = 0; r < vi->num_rows; ++r) {
+    const Pair      pair = vi->pairs[vi->row_pair[r]];
+    const PetscInt  node = pair->nodes[vi->row_node[r]], i = vi->row_dof[r] - begin;
+    const PetscReal force = fields->stiffness[node] * fields->body_max[vi->level->node_body[node]];
+
+    fields->row_noise[r] = FIELDS_ROUNDOFF * force / vi->row_D[r];
+    if (pair->spec->type == PAIR_TIED) {
+      fields->row_status[r] = STATUS_TIED;
+    } else {
+      const PetscBool closed  = (PetscBool)(values[i] >= upper[i] - CLOSED_TOLERANCE * size);
+      const PetscBool pressed = (PetscBool)(lambda[r] > PRESSED_TOLERANCE * fields->p_ref + fields->row_noise[r]);
+
+      fields->row_status[r] = closed && pressed ? STATUS_CONTACT : STATUS_OPEN;
+    }
+  }
+  PetscCall(VecRestoreArrayRead(vi->upper, &upper));
+  PetscCall(VecRestoreArrayRead(y, &values));
+  PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FieldsCreate(VI vi, Vec y, Fields *fields)
+{
+  Fields f;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(&f));
+  f->vi = vi;
+  PetscCall(LevelCreateVec(vi->level, vi->level->dim, &f->u));
+  PetscCall(VIRecoverDisplacement(vi, y, f->u));
+  PetscCall(StressCreate_Private(vi, f->u, &f->stress));
+  PetscCall(NodeScales_Private(f));
+  if (vi->B) {
+    PetscReal *slack;
+
+    PetscCall(VecDuplicate(vi->G, &f->lambda));
+    PetscCall(VecDuplicate(vi->G, &f->slack));
+    PetscCall(VIRecoverMultiplier(vi, f->u, f->lambda));
+    PetscCall(MatMult(vi->B, f->u, f->slack));
+    PetscCall(VecAYPX(f->slack, -1.0, vi->G));
+    PetscCall(VecGetArray(f->slack, &slack));
+    for (PetscInt r = 0; r < vi->num_rows; ++r) slack[r] /= vi->row_D[r];
+    PetscCall(VecRestoreArray(f->slack, &slack));
+    PetscCall(PetscCalloc3(vi->num_rows, &f->row_weight, vi->num_rows, &f->row_noise, vi->num_rows, &f->row_status));
+    PetscCall(RowWeights_Private(f));
+  }
+  PetscCall(ReferenceSizes_Private(f));
+  if (vi->B) PetscCall(RowStatus_Private(f, y));
+  *fields = f;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FieldsDestroy(Fields *fields)
+{
+  PetscFunctionBeginUser;
+  if (!*fields) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecDestroy(&(*fields)->u));
+  PetscCall(VecDestroy(&(*fields)->lambda));
+  PetscCall(VecDestroy(&(*fields)->slack));
+  PetscCall(VecDestroy(&(*fields)->stress));
+  PetscCall(PetscFree2((*fields)->stiffness, (*fields)->body_max));
+  PetscCall(PetscFree3((*fields)->row_weight, (*fields)->row_noise, (*fields)->row_status));
+  PetscCall(PetscFree(*fields));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,33 @@
+/* files.h -- several files that appear together under their final names, or not at all (floor 7, private to this room).
+
+   Everything is written to temporary names in the same folders by the first rank, then renamed. Calls other than
+   FilesFinish(), FilesCheck() and FilesReport() are not collective and belong to the first rank. */
+#ifndef MORTISE_FILES_H
+#define MORTISE_FILES_H
+
+#include <stdio.h>
+#include <petscsys.h>
+
+enum { FILES_SENTENCE = PETSC_MAX_PATH_LEN + 256 };
+
+typedef struct {
+  PetscInt num, capacity;
+  char   **final;                   /* [num] */
+  char   **temporary;               /* [num] */
+  char     failure[FILES_SENTENCE]; /* the first thing that went wrong, as a sentence; "" while all is well */
+} Files;
+
+/* Path of a temporary file that will become `final`; makes missing folders. NULL, with files->failure set, if it cannot. */
+PetscErrorCode FilesAdd(Files *files, const char final[], const char **temporary);
+/* Notes that path cannot be written and why (errno), unless something failed before. path may be a temporary name. */
+PetscErrorCode FilesFail(Files *files, const char path[], int error);
+/* Opens a temporary for text and closes it; a full disk shows at the latest when it is closed. NULL after a failure. */
+PetscErrorCode FilesOpen(Files *files, const char final[], FILE **file);
+PetscErrorCode FilesClose(Files *files, FILE **file);
+/* Renames all, or removes all after a failure, which becomes an error on all ranks. Collective; frees the lists. */
+PetscErrorCode FilesFinish(MPI_Comm comm, Files *files);
+
+/* Faults, naming the option, if path cannot be written: tries it, and leaves nothing behind. Collective. */
+PetscErrorCode FilesCheck(MPI_Comm comm, const char option[], const char path[]);
+
+#endif

@@ -1,0 +1,38 @@
+/* json.c -- see the header. */
+#include <stdio.h>
+#include <stdlib.h>
+#include "json.h"
+
+enum { DIGITS_MIN = 15, DIGITS_MAX = 17 }; /* any double is told apart by 17 significant digits, most by 15 */
+
+static cJSON *CreateReal_Private(PetscReal value)
+{
+  char text[40];
+
+  if (PetscIsInfOrNanReal(value)) return cJSON_CreateNull();
+  for (int digits = DIGITS_MIN; digits <= DIGITS_MAX; ++digits) {
+    snprintf(text, sizeof(text), "%.*g", digits, (double)value);
+    if (strtod(text, NULL) == (double)value) break;
+  }
+  return cJSON_CreateRaw(text);
+}
+
+void JSONAddReal(cJSON *object, const char name[], PetscReal value)
+{
+  cJSON_AddItemToObject(object, name, CreateReal_Private(value));
+}
+
+void JSONAddInt(cJSON *object, const char name[], PetscInt value)
+{
+  char text[40];
+
+  snprintf(text, sizeof(text), "%" PetscInt_FMT, value);
+  cJSON_AddItemToObject(object, name, cJSON_CreateRaw(text));
+}
+
+void JSONAddReals(cJSON *object, const char name[], PetscInt n, const PetscReal values[])
+{
+  cJSON *array = cJSON_AddArrayToObject(object, name);
+
+  for (PetscInt i = 0; i < n; ++i) cJSON_AddItemToArray(array, CreateReal_Private(values[i]));
+}

@@ -1,0 +1,104 @@
+/* output.c -- which files a run writes, and that they appear together. */
+#include <string.h>
+#include <mortise/output.h>
+#include <mortise/fault.h>
+#include <mortise/compat.h>
+#include "picture.h"
+
+/* Path of one file of the scene's output; pair may be NULL. */
+static PetscErrorCode OutputPath_Private(Scene scene, const char pair[], const char suffix[],
+                                         char path[PETSC_MAX_PATH_LEN])
+{
+  PetscFunctionBeginUser;
+  PetscCall(
+      PetscSNPrintf(path, PETSC_MAX_PATH_LEN, "%s%s%s%s", scene->output, pair ? "_" : "", pair ? pair : "", suffix));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputCheck(Scene scene)
+{
+  char path[PETSC_MAX_PATH_LEN];
+
+  PetscFunctionBeginUser;
+  if (scene->output) {
+    const char  *suffixes[] = {".json", scene->formats & OUTPUT_XDMF ? ".h5" : NULL,
+                              scene->formats & OUTPUT_XDMF ? ".xdmf" : NULL,
+                              scene->formats & OUTPUT_VTU ? ".vtu" : NULL};
+    const size_t len        = strlen(scene->output);
+
+    if (len == 0 || scene->output[len - 1] == '/') {
+      PetscCall(FaultRaise(scene->comm, "-output \"%s\" names no file; give the beginning of a name, such as %sresult",
+                           scene->output, scene->output));
+    }
+    for (size_t i = 0; i < sizeof(suffixes) / sizeof(suffixes[0]); ++i) {
+      if (!suffixes[i]) continue;
+      PetscCall(OutputPath_Private(scene, NULL, suffixes[i], path));
+      PetscCall(FilesCheck(scene->comm, "-output", path));
+    }
+    for (PetscInt p = 0; p < scene->num_pairs; ++p) {
+      PetscCall(OutputPath_Private(scene, scene->pairs[p].name, ".csv", path));
+      PetscCall(FilesCheck(scene->comm, "-output", path));
+    }
+  }
+  if (scene->summary && strcmp(scene->summary, "-") != 0) {
+    PetscCall(FilesCheck(scene->comm, "-summary", scene->summary));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The picture in the formats the scene wants. First rank only. */
+static PetscErrorCode WritePicture_Private(Scene scene, const Picture *picture, Files *files)
+{
+  char path[PETSC_MAX_PATH_LEN], hdf5[PETSC_MAX_PATH_LEN];
+
+  PetscFunctionBeginUser;
+  if (scene->formats & OUTPUT_XDMF) {
+    PetscCall(OutputPath_Private(scene, NULL, ".h5", hdf5));
+    PetscCall(OutputPath_Private(scene, NULL, ".xdmf", path));
+    PetscCall(PictureWriteHDF5(picture, files, hdf5));
+    PetscCall(PictureWriteXDMF(picture, files, path, hdf5));
+  }
+  if (scene->formats & OUTPUT_VTU) {
+    PetscCall(OutputPath_Private(scene, NULL, ".vtu", path));
+    PetscCall(PictureWriteVTU(picture, files, path));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputWrite(Fields fields)
+{
+  const VI    vi = fields->vi;
+  Picture     picture;
+  Files       files = {0};
+  char        path[PETSC_MAX_PATH_LEN];
+  PetscMPIInt rank;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_rank(vi->level->comm, &rank));
+  PetscCall(PictureCreate(fields, &picture));
+  if (rank == 0) PetscCall(WritePicture_Private(vi->scene, &picture, &files));
+  PetscCall(PictureDestroy(&picture));
+  for (PetscInt p = 0; p < vi->num_pairs; ++p) {
+    PetscCall(OutputPath_Private(vi->scene, vi->pairs[p]->spec->name, ".csv", path));
+    PetscCall(PairWriteCSV(fields, p, &files, path));
+  }
+  PetscCall(FilesFinish(vi->level->comm, &files));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputWriteText(MPI_Comm comm, const char path[], const char text[])
+{
+  Files       files = {0};
+  FILE       *out;
+  PetscMPIInt rank;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_rank(comm, &rank));
+  if (rank == 0) {
+    PetscCall(FilesOpen(&files, path, &out));
+    if (out) fputs(text, out);
+    PetscCall(FilesClose(&files, &out));
+  }
+  PetscCall(FilesFinish(comm, &files));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,75 @@
+/* pairfields.c -- rows of the inequality as values at the nodes of a nonmortar side. */
+#include <mortise/fields.h>
+#include <mortise/compat.h>
+
+/* Pressure of removed nodes. Their dual functions went to neighbours a with weights w_ac, D_ac = w_ac D_cc, which makes the
+   discrete pressure there the weighted mean of the neighbours' pressures:  p_c = sum_a D_ac p_a / sum_a D_ac. */
+static PetscErrorCode ExtendPressure_Private(const Pair pair, PairFields *nodal)
+{
+  Vec              rows, sums[2];
+  PetscReal       *value;
+  const PetscReal *sum[2];
+  PetscInt         n;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateVecs(pair->chain, &sums[0], &rows));
+  PetscCall(VecDuplicate(sums[0], &sums[1]));
+  for (PetscInt i = 0; i < 2; ++i) {
+    PetscCall(VecZeroEntries(rows));
+    PetscCall(VecGetArray(rows, &value));
+    for (PetscInt a = 0; a < pair->num; ++a) value[pair->nodes[a]] = i == 0 ? nodal->pressure[pair->nodes[a]] : 1.0;
+    PetscCall(VecRestoreArray(rows, &value));
+    PetscCall(MatMultTranspose(pair->chain, rows, sums[i]));
+  }
+  PetscCall(VecGetLocalSize(sums[0], &n));
+  PetscCall(VecGetArrayRead(sums[0], &sum[0]));
+  PetscCall(VecGetArrayRead(sums[1], &sum[1]));
+  for (PetscInt c = 0; c < n; ++c) {
+    if (sum[1][c] > 0) nodal->pressure[c] = sum[0][c] / sum[1][c];
+  }
+  PetscCall(VecRestoreArrayRead(sums[0], &sum[0]));
+  PetscCall(VecRestoreArrayRead(sums[1], &sum[1]));
+  PetscCall(VecDestroy(&rows));
+  PetscCall(VecDestroy(&sums[0]));
+  PetscCall(VecDestroy(&sums[1]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal)
+{
+  const VI         vi   = fields->vi;
+  const Pair       pair = vi->pairs[p];
+  const PetscInt   n    = vi->level->num_owned;
+  const PetscReal *lambda, *slack;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc4(n, &nodal->pressure, n, &nodal->gap, n, &nodal->force, n, &nodal->status));
+  for (PetscInt a = 0; a < n; ++a) {
+    nodal->gap[a]    = NAN;
+    nodal->status[a] = STATUS_NONE;
+  }
+  if (!fields->lambda) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecGetArrayRead(fields->lambda, &lambda));
+  PetscCall(VecGetArrayRead(fields->slack, &slack));
+  for (PetscInt r = 0; r < vi->num_rows; ++r) {
+    PetscInt node;
+
+    if (vi->row_pair[r] != p || vi->row_direction[r] != 0) continue;
+    node                  = pair->nodes[vi->row_node[r]];
+    nodal->pressure[node] = lambda[r];
+    nodal->gap[node]      = slack[r];
+    nodal->force[node]    = lambda[r] * fields->row_weight[r];
+    nodal->status[node]   = fields->row_status[r];
+  }
+  PetscCall(VecRestoreArrayRead(fields->slack, &slack));
+  PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
+  if (pair->chain) PetscCall(ExtendPressure_Private(pair, nodal));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PairFieldsDestroy(PairFields *nodal)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree4(nodal->pressure, nodal->gap, nodal->force, nodal->status));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,147 @@
+/* pairsum.c -- force, area, extent and centre of pressure of one pair.
+
+   With p_h = sum p_a psi_a:  integral of p_h n = sum_a W_a p_a n_a,  W_a = int psi_a = D_aa + sum_c D_ac, which is what -B'lambda
+   adds up to on the nonmortar body, and by the row sums of D and M its negative on the mortar side. */
+#include "pairsum.h"
+#include <mortise/compat.h>
+
+/* What is added over rows; what is maximised (minima by their negatives). */
+enum { ADD_FORCE = 0, ADD_NORMAL = 3, ADD_AREA, ADD_CENTRE, ADD_ACTIVE = ADD_CENTRE + 3, ADD_COUNT };
+enum { MAX_PRESSURE, MAX_CLOSED, MAX_LOWER, MAX_UPPER = MAX_LOWER + 3, MAX_COUNT = MAX_UPPER + 3 };
+
+/* Pressures that differ by less than this part count as equal when the place of the largest is told, so that symmetric
+   scenes tell the same place on any number of ranks. */
+static const PetscReal SAME_PRESSURE = 1e-9;
+
+/* One row: tied tangential rows only have a force. */
+static void AddRow_Private(Fields fields, PetscInt r, PetscReal lambda, PetscReal slack, PetscReal sums[],
+                           PetscReal largest[])
+{
+  const VI         vi   = fields->vi;
+  const Pair       pair = vi->pairs[vi->row_pair[r]];
+  const PetscInt   dim = vi->level->dim, a = vi->row_node[r];
+  const PetscReal *d      = &pair->frame[(a * dim + vi->row_direction[r]) * dim];
+  const PetscReal *x      = &vi->level->coords[pair->nodes[a] * dim];
+  const PetscReal  weight = fields->row_weight[r];
+
+  for (PetscInt k = 0; k < dim; ++k) sums[ADD_FORCE + k] -= lambda * weight * d[k];
+  if (vi->row_direction[r] != 0) return;
+  sums[ADD_NORMAL] += lambda * weight;
+  for (PetscInt k = 0; k < dim; ++k) sums[ADD_CENTRE + k] += lambda * weight * x[k];
+  largest[MAX_CLOSED] = PetscMax(largest[MAX_CLOSED], -slack);
+  if (fields->row_status[r] == STATUS_OPEN) return;
+  if (lambda > 0) sums[ADD_AREA] += weight;
+  sums[ADD_ACTIVE] += 1;
+  largest[MAX_PRESSURE] = PetscMax(largest[MAX_PRESSURE], lambda);
+  for (PetscInt k = 0; k < dim; ++k) {
+    largest[MAX_LOWER + k] = PetscMax(largest[MAX_LOWER + k], -x[k]);
+    largest[MAX_UPPER + k] = PetscMax(largest[MAX_UPPER + k], x[k]);
+  }
+}
+
+/* The place of the largest pressure; of several the first by coordinates, found one coordinate after the other. */
+static PetscErrorCode PressurePlace_Private(Fields fields, PetscInt p, const PetscReal lambda[], PetscReal max,
+                                            PetscReal at[])
+{
+  const VI       vi  = fields->vi;
+  const PetscInt dim = vi->level->dim;
+
+  PetscFunctionBeginUser;
+  for (PetscInt k = 0; k < dim; ++k) {
+    PetscReal least = PETSC_INFINITY;
+
+    for (PetscInt r = 0; r < vi->num_rows; ++r) {
+      const PetscReal *x;
+      PetscBool        tied_with_first = PETSC_TRUE;
+
+      if (vi->row_pair[r] != p || vi->row_direction[r] != 0 || fields->row_status[r] == STATUS_OPEN) continue;
+      if (lambda[r] < max * (1 - SAME_PRESSURE)) continue;
+      x = &vi->level->coords[vi->pairs[p]->nodes[vi->row_node[r]] * dim];
+      for (PetscInt j = 0; j < k; ++j) tied_with_first = (PetscBool)(tied_with_first && x[j] == at[j]);
+      if (tied_with_first) least = PetscMin(least, x[k]);
+    }
+    PetscCallMPI(MPI_Allreduce(&least, &at[k], 1, MPIU_REAL, MPI_MIN, vi->level->comm));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* |sum x cross F| / sum |x||F| over the nodes of both sides, F = B'lambda of this pair alone, x from the centre of
+   pressure: 0 on flat and on touching sides (numerics 3.6). */
+static PetscErrorCode MomentImbalance_Private(Fields fields, PetscInt p, PairSum *sum)
+{
+  const VI         vi  = fields->vi;
+  const PetscInt   dim = vi->level->dim;
+  Vec              lambda, force;
+  PetscReal       *l, sums[4] = {0, 0, 0, 0};
+  const PetscReal *F;
+
+  PetscFunctionBeginUser;
+  sum->moment_imbalance = NAN;
+  if (vi->pairs[p]->spec->obstacle.kind != OBSTACLE_NONE || !sum->active) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecDuplicate(fields->lambda, &lambda));
+  PetscCall(VecDuplicate(fields->u, &force));
+  PetscCall(VecCopy(fields->lambda, lambda));
+  PetscCall(VecGetArray(lambda, &l));
+  for (PetscInt r = 0; r < vi->num_rows; ++r) {
+    if (vi->row_pair[r] != p) l[r] = 0.0;
+  }
+  PetscCall(VecRestoreArray(lambda, &l));
+  PetscCall(MatMultTranspose(vi->B, lambda, force));
+  PetscCall(VecGetArrayRead(force, &F));
+  for (PetscInt a = 0; a < vi->level->num_owned; ++a) {
+    PetscReal x[3] = {0, 0, 0}, f[3] = {0, 0, 0}, xx = 0, ff = 0;
+
+    for (PetscInt k = 0; k < dim; ++k) {
+      x[k] = vi->level->coords[a * dim + k] - sum->centre[k];
+      f[k] = F[a * dim + k];
+      xx += x[k] * x[k];
+      ff += f[k] * f[k];
+    }
+    for (PetscInt k = 0; k < 3; ++k) sums[k] += x[(k + 1) % 3] * f[(k + 2) % 3] - x[(k + 2) % 3] * f[(k + 1) % 3];
+    sums[3] += PetscSqrtReal(xx * ff);
+  }
+  PetscCall(VecRestoreArrayRead(force, &F));
+  PetscCall(VecDestroy(&lambda));
+  PetscCall(VecDestroy(&force));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 4, MPIU_REAL, MPI_SUM, vi->level->comm));
+  sum->moment_imbalance = PetscSqrtReal(PetscSqr(sums[0]) + PetscSqr(sums[1]) + PetscSqr(sums[2])) / sums[3];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum)
+{
+  const VI         vi              = fields->vi;
+  PetscReal        sums[ADD_COUNT] = {0}, largest[MAX_COUNT];
+  const PetscReal *lambda = NULL, *slack = NULL;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < MAX_COUNT; ++i) largest[i] = PETSC_NINFINITY;
+  if (fields->lambda) {
+    PetscCall(VecGetArrayRead(fields->lambda, &lambda));
+    PetscCall(VecGetArrayRead(fields->slack, &slack));
+  }
+  for (PetscInt r = 0; r < vi->num_rows; ++r) {
+    if (vi->row_pair[r] == p) AddRow_Private(fields, r, lambda[r], slack[r], sums, largest);
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, ADD_COUNT, MPIU_REAL, MPI_SUM, vi->level->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, MAX_COUNT, MPIU_REAL, MPI_MAX, vi->level->comm));
+  sum->normal_force = sums[ADD_NORMAL];
+  sum->area         = sums[ADD_AREA];
+  sum->active       = (PetscInt)sums[ADD_ACTIVE];
+  sum->max_pressure = sum->active ? largest[MAX_PRESSURE] : 0.0;
+  sum->min_gap      = -largest[MAX_CLOSED];
+  for (PetscInt k = 0; k < 3; ++k) {
+    sum->force[k]           = sums[ADD_FORCE + k];
+    sum->lower[k]           = -largest[MAX_LOWER + k];
+    sum->upper[k]           = largest[MAX_UPPER + k];
+    sum->centre[k]          = sum->active ? sums[ADD_CENTRE + k] / sums[ADD_NORMAL] : NAN;
+    sum->max_pressure_at[k] = NAN;
+  }
+  if (sum->active) PetscCall(PressurePlace_Private(fields, p, lambda, sum->max_pressure, sum->max_pressure_at));
+  PetscCall(MomentImbalance_Private(fields, p, sum));
+  if (fields->lambda) {
+    PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
+    PetscCall(VecRestoreArrayRead(fields->slack, &slack));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,24 @@
+/* pairsum.h -- one contact pair in a few numbers (floor 7, private to this room). */
+#ifndef MORTISE_PAIRSUM_H
+#define MORTISE_PAIRSUM_H
+
+#include <mortise/fields.h>
+
+/* The same on all ranks; NAN where there is nothing to measure. */
+typedef struct {
+  PetscReal force[3];     /* what the mortar side exerts on the nonmortar body */
+  PetscReal normal_force; /* integral of the pressure */
+  PetscReal area;         /* where the pressure is positive */
+  PetscReal max_pressure, max_pressure_at[3];
+  PetscReal min_gap;
+  PetscReal lower[3], upper[3]; /* box around the active nodes */
+  PetscReal centre[3];          /* of pressure */
+  PetscReal
+           moment_imbalance; /* of the pair's forces on both sides, over the sum of their sizes; NAN with an obstacle */
+  PetscInt active;           /* nodes in contact, or tied */
+} PairSum;
+
+/* Collective. */
+PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum);
+
+#endif

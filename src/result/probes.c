@@ -1,0 +1,102 @@
+/* probes.c -- finds probes in their bodies and interpolates. Places are those before the motion. */
+#include <string.h>
+#include "probes.h"
+#include <mortise/fault.h>
+#include <mortise/summary.h>
+#include <mortise/compat.h>
+
+/* Box around a body, for the sentence to a user whose probe lies outside. */
+static PetscErrorCode BodyBox_Private(const Level *level, PetscInt body, PetscReal lower[3], PetscReal upper[3])
+{
+  PetscReal box[6];
+
+  PetscFunctionBeginUser;
+  for (PetscInt k = 0; k < 6; ++k) box[k] = PETSC_NINFINITY;
+  for (PetscInt a = 0; a < level->num_owned; ++a) {
+    if (level->node_body[a] != body) continue;
+    for (PetscInt k = 0; k < level->dim; ++k) {
+      box[k]     = PetscMax(box[k], -level->coords[a * level->dim + k]);
+      box[3 + k] = PetscMax(box[3 + k], level->coords[a * level->dim + k]);
+    }
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, box, 6, MPIU_REAL, MPI_MAX, level->comm));
+  for (PetscInt k = 0; k < 3; ++k) {
+    lower[k] = -box[k];
+    upper[k] = box[3 + k];
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* "1,2" */
+static PetscErrorCode PointText_Private(PetscInt dim, const PetscReal x[], char text[], size_t len)
+{
+  PetscFunctionBeginUser;
+  text[0] = '\0';
+  for (PetscInt k = 0; k < dim; ++k) {
+    const size_t used = strlen(text);
+
+    PetscCall(PetscSNPrintf(text + used, len - used, "%s%g", k ? "," : "", (double)x[k]));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ProbesCheck(Scene scene, Mesh mesh)
+{
+  Level    *level = MeshFinest(mesh);
+  PetscInt  cell;
+  PetscReal xi[3], lower[3], upper[3];
+  PetscBool found;
+  char      at[128], low[128], high[128];
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < scene->num_probes; ++i) {
+    const SceneProbe *probe = &scene->probes[i];
+
+    PetscCall(LevelLocate(level, probe->body, probe->at, &cell, xi, &found));
+    if (found) continue;
+    PetscCall(BodyBox_Private(level, probe->body, lower, upper));
+    PetscCall(PointText_Private(level->dim, probe->at, at, sizeof(at)));
+    PetscCall(PointText_Private(level->dim, lower, low, sizeof(low)));
+    PetscCall(PointText_Private(level->dim, upper, high, sizeof(high)));
+    PetscCall(FaultRaise(scene->comm,
+                         "-probe_%s_at %s lies outside body %s, whose cells fill a part of the box %s to %s",
+                         probe->name, at, scene->bodies[probe->body].name, low, high));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ProbeEvaluate(Fields fields, const SceneProbe *probe, PetscReal u[3], PetscReal stress[6])
+{
+  Level           *level = fields->vi->level;
+  const PetscInt   dim   = level->dim;
+  Vec              local[2];
+  const PetscReal *values[2];
+  PetscReal        xi[3], answer[9] = {0}, phi[ELEMENT_MAX_NODES];
+  PetscInt         cell;
+  PetscBool        found;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelLocate(level, probe->body, probe->at, &cell, xi, &found));
+  PetscCheck(found, level->comm, PETSC_ERR_PLIB, "probe %s was found before and is lost now", probe->name);
+  if (cell >= 0) {
+    PetscCall(VecGhostGetLocalForm(fields->u, &local[0]));
+    PetscCall(VecGhostGetLocalForm(fields->stress, &local[1]));
+    for (PetscInt i = 0; i < 2; ++i) PetscCall(VecGetArrayRead(local[i], &values[i]));
+    ElementShape((ElementType)level->cell_type[cell], xi, phi, NULL);
+    for (PetscInt i = level->cell_start[cell]; i < level->cell_start[cell + 1]; ++i) {
+      const PetscInt  node   = level->cell_nodes[i];
+      const PetscReal weight = phi[i - level->cell_start[cell]];
+
+      for (PetscInt k = 0; k < dim; ++k) answer[k] += weight * values[0][node * dim + k];
+      for (PetscInt k = 0; k < 6; ++k) answer[3 + k] += weight * values[1][node * 6 + k];
+    }
+    for (PetscInt i = 0; i < 2; ++i) PetscCall(VecRestoreArrayRead(local[i], &values[i]));
+    PetscCall(VecGhostRestoreLocalForm(fields->u, &local[0]));
+    PetscCall(VecGhostRestoreLocalForm(fields->stress, &local[1]));
+  }
+  /* One rank holds the answer, the others add 0. */
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, answer, 9, MPIU_REAL, MPI_SUM, level->comm));
+  memcpy(u, answer, 3 * sizeof(*u));
+  memcpy(stress, &answer[3], 6 * sizeof(*stress));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

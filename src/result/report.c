@@ -1,0 +1,133 @@
+/* report.c -- the few lines a user reads on the terminal, and where the summary goes. */
+#include <stdlib.h>
+#include <string.h>
+#include <mortise/summary.h>
+#include <mortise/output.h>
+#include <mortise/log.h>
+#include <mortise/compat.h>
+#include "pairsum.h"
+
+/* "(1.5, -2)" */
+static PetscErrorCode VectorText_Private(PetscInt dim, const PetscReal v[], char text[], size_t len)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscStrncpy(text, "(", len));
+  for (PetscInt k = 0; k < dim; ++k) {
+    const size_t used = strlen(text);
+
+    PetscCall(PetscSNPrintf(text + used, len - used, "%s%.6g%s", k ? ", " : "", (double)v[k], k == dim - 1 ? ")" : ""));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* One pair, in one or two lines. */
+static PetscErrorCode PrintPair_Private(const SummaryInput *in, PetscInt p)
+{
+  const MPI_Comm   comm = in->scene->comm;
+  const ScenePair *spec = in->vi->pairs[p]->spec;
+  PairSum          sum;
+  char             force[128], at[128];
+
+  PetscFunctionBeginUser;
+  PetscCall(PairSumCompute(in->fields, p, &sum));
+  PetscCall(VectorText_Private(in->scene->dim, sum.force, force, sizeof(force)));
+  PetscCall(PetscPrintf(comm, "  %s: %" PetscInt_FMT " of %" PetscInt_FMT " nodes %s, force %s on %s\n", spec->name,
+                        sum.active, in->vi->pairs[p]->num_multipliers, spec->type == PAIR_TIED ? "tied" : "in contact",
+                        force, in->scene->bodies[spec->nonmortar.body].name));
+  if (sum.active && spec->type == PAIR_CONTACT) {
+    PetscCall(VectorText_Private(in->scene->dim, sum.max_pressure_at, at, sizeof(at)));
+    PetscCall(PetscPrintf(comm, "    largest pressure %.6g at %s, area %.6g\n", (double)sum.max_pressure, at,
+                          (double)sum.area));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Names of the files that were written. */
+static PetscErrorCode PrintFiles_Private(const SummaryInput *in)
+{
+  const MPI_Comm comm  = in->scene->comm;
+  const Scene    scene = in->scene;
+
+  PetscFunctionBeginUser;
+  if (scene->output) {
+    PetscCall(PetscPrintf(comm, "  wrote %s.json", scene->output));
+    if (scene->formats & OUTPUT_XDMF) PetscCall(PetscPrintf(comm, ", .h5, .xdmf"));
+    if (scene->formats & OUTPUT_VTU) PetscCall(PetscPrintf(comm, ", .vtu"));
+    for (PetscInt p = 0; p < in->vi->num_pairs; ++p)
+      PetscCall(PetscPrintf(comm, ", _%s.csv", in->vi->pairs[p]->spec->name));
+    PetscCall(PetscPrintf(comm, "\n"));
+  }
+  if (scene->summary) PetscCall(PetscPrintf(comm, "  wrote %s\n", scene->summary));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Print_Private(const SummaryInput *in, PetscBool solved)
+{
+  const MPI_Comm     comm   = in->scene->comm;
+  const SolveReport *report = in->report;
+  const Certificate *c      = in->certificate;
+
+  PetscFunctionBeginUser;
+  if (in->scene->title[0]) PetscCall(PetscPrintf(comm, "%s\n", in->scene->title));
+  PetscCall(PetscPrintf(comm, "  %s: %" PetscInt_FMT " unknowns, %" PetscInt_FMT " iterations of %s, %.3g s\n",
+                        solved ? "solved" : "NOT SOLVED", in->vi->level->num_global * in->vi->level->dim,
+                        report->iterations, report->type, LogTotalSeconds()));
+  for (PetscInt p = 0; p < in->vi->num_pairs; ++p) PetscCall(PrintPair_Private(in, p));
+  PetscCall(PetscPrintf(comm,
+                        "  certificate: equilibrium %.1e, gap %.1e, pressure %.1e, complementarity %.1e, forces %.1e, "
+                        "moments %.1e\n",
+                        (double)c->equilibrium, (double)c->gap, (double)c->pressure, (double)c->complementarity,
+                        (double)c->force, (double)c->moment));
+  if (in->check->done) {
+    PetscCall(
+        PetscPrintf(comm, "  cross-check by %s: active sets differ in %" PetscInt_FMT " nodes, displacements by %.1e\n",
+                    in->check->other.type, in->check->active_difference, (double)in->check->displacement_difference));
+  }
+  PetscCall(PrintFiles_Private(in));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Why it is not solved, on stderr: one sentence each. */
+static PetscErrorCode PrintFailures_Private(const SummaryInput *in)
+{
+  const MPI_Comm comm = in->scene->comm;
+
+  PetscFunctionBeginUser;
+  if (!in->report->converged)
+    PetscCall(PetscFPrintf(comm, PETSC_STDERR, "mortise: not solved: %s\n", in->report->reason));
+  if (!in->certificate->holds) PetscCall(PetscFPrintf(comm, PETSC_STDERR, "mortise: %s\n", in->certificate->failure));
+  if (in->check->done && !in->check->agree) {
+    PetscCall(PetscFPrintf(comm, PETSC_STDERR,
+                           "mortise: %s and %s disagree: active sets differ in %" PetscInt_FMT
+                           " nodes, displacements by %.1e\n",
+                           in->report->type, in->check->other.type, in->check->active_difference,
+                           (double)in->check->displacement_difference));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SummaryWrite(const SummaryInput *input)
+{
+  const Scene     scene         = input->scene;
+  const PetscBool stdout_wanted = (PetscBool)(scene->summary && strcmp(scene->summary, "-") == 0);
+  const PetscBool solved        = (PetscBool)(input->report->converged && input->certificate->holds &&
+                                       (!input->check->done || input->check->agree));
+  char           *text, path[PETSC_MAX_PATH_LEN];
+
+  PetscFunctionBeginUser;
+  PetscCall(SummaryCreate(input, &text));
+  if (scene->output) {
+    PetscCall(PetscSNPrintf(path, sizeof(path), "%s.json", scene->output));
+    PetscCall(OutputWriteText(scene->comm, path, text));
+  }
+  if (stdout_wanted) {
+    if (text) puts(text);
+  } else {
+    if (scene->summary) PetscCall(OutputWriteText(scene->comm, scene->summary, text));
+    /* Not beside a summary on stdout: that is for programs to read. */
+    if (!scene->quiet) PetscCall(Print_Private(input, solved));
+  }
+  free(text);
+  if (!solved) PetscCall(PrintFailures_Private(input));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

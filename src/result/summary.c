@@ -1,0 +1,305 @@
+/* summary.c -- the JSON summary: every key of the interface, whatever the scene; null for what could not be computed. */
+#include <string.h>
+#include <sys/resource.h>
+#include <mortise/summary.h>
+#include <mortise/elasticity.h>
+#include <mortise/log.h>
+#include <mortise/options.h>
+#include <mortise/compat.h>
+#include "floating.h"
+#include "json.h"
+#include "pairsum.h"
+#include "probes.h"
+
+/* Solved means converged, certified, and confirmed where a second solver was asked. */
+static PetscBool Solved_Private(const SummaryInput *in)
+{
+  return (PetscBool)(in->report->converged && in->certificate->holds && (!in->check->done || in->check->agree));
+}
+
+static PetscErrorCode AddMortise_Private(const SummaryInput *in, cJSON *root)
+{
+  cJSON      *object = cJSON_AddObjectToObject(root, "mortise");
+  const char *file   = OptionsFileName();
+  char        petsc[64];
+  PetscMPIInt ranks;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_size(in->scene->comm, &ranks));
+  PetscCall(PetscSNPrintf(petsc, sizeof(petsc), "%d.%d.%d", PETSC_VERSION_MAJOR, PETSC_VERSION_MINOR,
+                          PETSC_VERSION_SUBMINOR));
+  cJSON_AddStringToObject(object, "version", MORTISE_VERSION);
+  cJSON_AddStringToObject(object, "petsc", petsc);
+  JSONAddInt(object, "ranks", ranks);
+  cJSON_AddItemToObject(object, "options_file", file ? cJSON_CreateString(file) : cJSON_CreateNull());
+  cJSON_AddStringToObject(root, "status", Solved_Private(in) ? "solved" : "not_converged");
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode AddBodies_Private(const SummaryInput *in, cJSON *scene)
+{
+  cJSON       *bodies = cJSON_AddObjectToObject(scene, "bodies");
+  const Level *level  = in->vi->level;
+  PetscInt    *counts; /* cells and nodes of each body [num_bodies][2] */
+  PetscBool   *floating;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc2(2 * in->scene->num_bodies, &counts, in->scene->num_bodies, &floating));
+  for (PetscInt c = 0; c < level->num_cells; ++c) ++counts[2 * level->cell_body[c]];
+  for (PetscInt a = 0; a < level->num_owned; ++a) ++counts[2 * level->node_body[a] + 1];
+  PetscCallMPI(
+      MPI_Allreduce(MPI_IN_PLACE, counts, (PetscMPIInt)(2 * in->scene->num_bodies), MPIU_INT, MPI_SUM, level->comm));
+  PetscCall(BodiesFloating(level, &in->vi->support, in->scene->num_bodies, floating));
+  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
+    cJSON *body = cJSON_AddObjectToObject(bodies, in->scene->bodies[b].name);
+
+    JSONAddInt(body, "cells", counts[2 * b]);
+    JSONAddInt(body, "nodes", counts[2 * b + 1]);
+    JSONAddInt(body, "dofs", counts[2 * b + 1] * level->dim);
+    JSONAddInt(body, "order", in->scene->bodies[b].order);
+    cJSON_AddBoolToObject(body, "floating", floating[b]);
+  }
+  PetscCall(PetscFree2(counts, floating));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* "body:side", or the kind of obstacle. */
+static void AddSide_Private(const SummaryInput *in, cJSON *object, const char key[], const ScenePair *pair,
+                            const SceneSide *side)
+{
+  static const char *const obstacles[] = {"", "plane", "ball", "cylinder", "parabola", "expression"};
+  char                     text[PETSC_MAX_PATH_LEN];
+
+  if (side->body >= 0) {
+    snprintf(text, sizeof(text), "%s:%s", in->scene->bodies[side->body].name, side->side);
+  } else {
+    snprintf(text, sizeof(text), "%s", obstacles[pair->obstacle.kind]);
+  }
+  cJSON_AddStringToObject(object, key, text);
+}
+
+static PetscErrorCode AddScene_Private(const SummaryInput *in, cJSON *root)
+{
+  static const char *const models[] = {"plane_strain", "plane_stress", "axisymmetric", "solid"};
+  cJSON                   *scene    = cJSON_AddObjectToObject(root, "scene"), *pairs;
+
+  PetscFunctionBeginUser;
+  cJSON_AddStringToObject(scene, "title", in->scene->title);
+  cJSON_AddStringToObject(scene, "model", models[in->scene->model]);
+  JSONAddInt(scene, "dimension", in->scene->dim);
+  PetscCall(AddBodies_Private(in, scene));
+  pairs = cJSON_AddObjectToObject(scene, "pairs");
+  for (PetscInt p = 0; p < in->vi->num_pairs; ++p) {
+    const ScenePair *spec = in->vi->pairs[p]->spec;
+    cJSON           *pair = cJSON_AddObjectToObject(pairs, spec->name);
+
+    AddSide_Private(in, pair, "nonmortar", spec, &spec->nonmortar);
+    AddSide_Private(in, pair, "mortar", spec, &spec->mortar);
+    JSONAddInt(pair, "candidates", in->vi->pairs[p]->num_multipliers);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static void AddCrossCheck_Private(const CrossCheck *check, cJSON *solver)
+{
+  cJSON *object;
+
+  if (!check->done) return;
+  object = cJSON_AddObjectToObject(solver, "cross_check");
+  cJSON_AddStringToObject(object, "type", check->other.type);
+  cJSON_AddBoolToObject(object, "converged", check->other.converged);
+  cJSON_AddBoolToObject(object, "agree", check->agree);
+  JSONAddInt(object, "iterations", check->other.iterations);
+  JSONAddInt(object, "active_difference", check->active_difference);
+  JSONAddReal(object, "displacement_difference", check->displacement_difference);
+}
+
+static void AddSolver_Private(const SummaryInput *in, cJSON *root)
+{
+  const SolveReport *report = in->report;
+  const Certificate *c      = in->certificate;
+  cJSON             *solver = cJSON_AddObjectToObject(root, "solver"), *object;
+
+  cJSON_AddStringToObject(solver, "type", report->type);
+  cJSON_AddStringToObject(solver, "linear", report->linear);
+  JSONAddInt(solver, "iterations", report->iterations);
+  JSONAddInt(solver, "active", report->active);
+  if (report->num_changed) {
+    object = cJSON_AddArrayToObject(solver, "changed");
+    for (PetscInt i = 0; i < report->num_changed; ++i)
+      cJSON_AddItemToArray(object, cJSON_CreateNumber(report->changed[i]));
+  } else {
+    cJSON_AddNullToObject(solver, "changed");
+  }
+  JSONAddInt(solver, "linear_iterations", report->linear_iterations);
+  JSONAddReal(solver, "linear_residual", report->linear_residual);
+  cJSON_AddBoolToObject(solver, "converged", report->converged);
+  cJSON_AddBoolToObject(solver, "safeguarded", report->safeguarded);
+  cJSON_AddBoolToObject(solver, "certified", c->holds);
+  cJSON_AddStringToObject(solver, "failure", report->converged ? c->failure : report->reason);
+  object = cJSON_AddObjectToObject(solver, "kkt");
+  JSONAddReal(object, "equilibrium", c->equilibrium);
+  JSONAddReal(object, "gap", c->gap);
+  JSONAddReal(object, "pressure", c->pressure);
+  JSONAddReal(object, "complementarity", c->complementarity);
+  object = cJSON_AddObjectToObject(solver, "balance");
+  JSONAddReal(object, "force", c->force);
+  JSONAddReal(object, "moment", c->moment);
+  JSONAddReal(object, "pair_moment", c->pair_moment);
+  AddCrossCheck_Private(in->check, solver);
+}
+
+/* Strain energy of each body, and  potential = 1/2 u'Ku - f'u. */
+static PetscErrorCode AddEnergy_Private(const SummaryInput *in, cJSON *root)
+{
+  cJSON     *energy = cJSON_AddObjectToObject(root, "energy"), *strain = cJSON_AddObjectToObject(energy, "strain");
+  PetscReal *bodies, potential;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(in->scene->num_bodies, &bodies));
+  PetscCall(ElasticityBodyEnergy(in->scene, in->vi->level, in->vi->K, in->fields->u, bodies));
+  PetscCall(VecDot(in->vi->f, in->fields->u, &potential));
+  potential = -potential;
+  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
+    JSONAddReal(strain, in->scene->bodies[b].name, bodies[b]);
+    potential += bodies[b];
+  }
+  JSONAddReal(energy, "potential", potential);
+  PetscCall(PetscFree(bodies));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode AddPairs_Private(const SummaryInput *in, cJSON *root)
+{
+  cJSON         *pairs = cJSON_AddObjectToObject(root, "pairs");
+  const PetscInt dim   = in->scene->dim;
+
+  PetscFunctionBeginUser;
+  for (PetscInt p = 0; p < in->vi->num_pairs; ++p) {
+    cJSON  *pair = cJSON_AddObjectToObject(pairs, in->vi->pairs[p]->spec->name), *extent;
+    PairSum sum;
+
+    PetscCall(PairSumCompute(in->fields, p, &sum));
+    JSONAddReals(pair, "force", dim, sum.force);
+    JSONAddReal(pair, "normal_force", sum.normal_force);
+    JSONAddReal(pair, "area", sum.area);
+    JSONAddReal(pair, "max_pressure", sum.max_pressure);
+    JSONAddReals(pair, "max_pressure_at", dim, sum.max_pressure_at);
+    JSONAddReal(pair, "min_gap", sum.min_gap);
+    JSONAddInt(pair, "active_nodes", sum.active);
+    extent = cJSON_AddObjectToObject(pair, "extent");
+    JSONAddReals(extent, "lower", dim, sum.lower);
+    JSONAddReals(extent, "upper", dim, sum.upper);
+    JSONAddReals(pair, "centre_of_pressure", dim, sum.centre);
+    JSONAddReal(pair, "moment_imbalance", sum.moment_imbalance);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Reactions by side. A node that two sides hold is counted with the first, so that sides add up to the whole. */
+static PetscErrorCode AddReactions_Private(const SummaryInput *in, cJSON *root)
+{
+  cJSON           *reactions = cJSON_AddObjectToObject(root, "reactions");
+  const Level     *level     = in->vi->level;
+  const PetscInt   dim       = level->dim;
+  PetscInt        *start, num = 0;
+  PetscReal       *sums;
+  const PetscReal *values;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(in->scene->num_bodies + 1, &start));
+  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
+    start[b] = num;
+    num += in->scene->bodies[b].num_boundaries;
+  }
+  PetscCall(PetscCalloc1(num * dim + 1, &sums));
+  PetscCall(VecGetArrayRead(in->reactions, &values));
+  for (PetscInt a = 0; a < level->num_owned; ++a) {
+    if (in->vi->support.side[a] < 0) continue;
+    for (PetscInt k = 0; k < dim; ++k) {
+      sums[(start[level->node_body[a]] + in->vi->support.side[a]) * dim + k] += values[a * dim + k];
+    }
+  }
+  PetscCall(VecRestoreArrayRead(in->reactions, &values));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, (PetscMPIInt)(num * dim), MPIU_REAL, MPI_SUM, level->comm));
+  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
+    const SceneBody *body = &in->scene->bodies[b];
+
+    for (PetscInt i = 0; i < body->num_boundaries; ++i) {
+      const BoundaryKind kind = body->boundaries[i].kind;
+      char               key[PETSC_MAX_PATH_LEN];
+
+      if (kind != BOUNDARY_DISPLACEMENT && kind != BOUNDARY_NORMAL) continue;
+      PetscCall(PetscSNPrintf(key, sizeof(key), "%s:%s", body->name, body->boundaries[i].side));
+      JSONAddReals(reactions, key, dim, &sums[(start[b] + i) * dim]);
+    }
+  }
+  PetscCall(PetscFree(sums));
+  PetscCall(PetscFree(start));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode AddProbes_Private(const SummaryInput *in, cJSON *root)
+{
+  cJSON *probes = cJSON_AddObjectToObject(root, "probes");
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < in->scene->num_probes; ++i) {
+    const SceneProbe *spec  = &in->scene->probes[i];
+    cJSON            *probe = cJSON_AddObjectToObject(probes, spec->name);
+    PetscReal         u[3], stress[6];
+
+    PetscCall(ProbeEvaluate(in->fields, spec, u, stress));
+    JSONAddReals(probe, "at", in->scene->dim, spec->at);
+    JSONAddReals(probe, "displacement", in->scene->dim, u);
+    JSONAddReals(probe, "stress", 6, stress);
+    JSONAddReal(probe, "von_mises", MaterialVonMises(stress));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Seconds of the slowest rank in each stage; peak memory of all ranks together. */
+static PetscErrorCode AddCost_Private(const SummaryInput *in, cJSON *root)
+{
+  static const char *const names[STAGE_COUNT] = {"setup", "mortar", "assembly", "condense", "solve", "output"};
+  cJSON                   *timing             = cJSON_AddObjectToObject(root, "timing");
+  PetscReal                seconds[STAGE_COUNT + 1], bytes;
+  struct rusage            usage;
+#ifdef __APPLE__
+  const PetscReal unit = 1; /* of ru_maxrss, in bytes */
+#else
+  const PetscReal unit = 1024;
+#endif
+
+  PetscFunctionBeginUser;
+  for (int stage = 0; stage < STAGE_COUNT; ++stage) seconds[stage] = LogStageSeconds((LogStage)stage);
+  seconds[STAGE_COUNT] = LogTotalSeconds();
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, seconds, STAGE_COUNT + 1, MPIU_REAL, MPI_MAX, in->scene->comm));
+  for (int stage = 0; stage < STAGE_COUNT; ++stage) JSONAddReal(timing, names[stage], seconds[stage]);
+  JSONAddReal(timing, "total", seconds[STAGE_COUNT]);
+  cJSON_AddNullToObject(timing, "linear_reference");
+  bytes = getrusage(RUSAGE_SELF, &usage) == 0 ? usage.ru_maxrss * unit : NAN;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPIU_REAL, MPI_SUM, in->scene->comm));
+  JSONAddReal(cJSON_AddObjectToObject(root, "memory"), "peak_bytes", bytes);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SummaryCreate(const SummaryInput *input, char **text)
+{
+  cJSON      *root = cJSON_CreateObject();
+  PetscMPIInt rank;
+
+  PetscFunctionBeginUser;
+  PetscCall(AddMortise_Private(input, root));
+  PetscCall(AddScene_Private(input, root));
+  AddSolver_Private(input, root);
+  PetscCall(AddEnergy_Private(input, root));
+  PetscCall(AddPairs_Private(input, root));
+  PetscCall(AddReactions_Private(input, root));
+  PetscCall(AddProbes_Private(input, root));
+  PetscCall(AddCost_Private(input, root));
+  PetscCallMPI(MPI_Comm_rank(input->scene->comm, &rank));
+  *text = rank == 0 ? cJSON_Print(root) : NULL;
+  cJSON_Delete(root);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,96 @@
+/* xdmf.c -- the small XML file that tells viewers what lies in the HDF5 file.
+
+   Kept to what ParaView's, VTK's and meshio's readers share: one uniform grid, version 3, data items that are whole
+   datasets, a relative file name so that the two files can be moved together. Reference: the XDMF model and format. */
+#include <string.h>
+#include "xdmf.h"
+#include "xml.h"
+#include <mortise/compat.h>
+
+/* XDMF's name and number of a cell. */
+static const char *const xdmf_name[ELEMENT_COUNT]   = {[ELEMENT_TRI3] = "Triangle", [ELEMENT_QUAD4] = "Quadrilateral"};
+static const int         xdmf_number[ELEMENT_COUNT] = {[ELEMENT_TRI3] = 4, [ELEMENT_QUAD4] = 5};
+
+PetscErrorCode TopologyCreate(const Picture *picture, Topology *topology)
+{
+  const PetscInt  num_cells = picture->num_cells, num_entries = picture->cell_start[num_cells];
+  const PetscInt  first = num_cells ? picture->cell_type[0] : ELEMENT_TRI3;
+  const PetscBool mixed = (PetscBool)(num_cells && picture->cell_type[num_cells - 1] != first); /* they are sorted */
+  PetscInt        n     = 0;
+
+  PetscFunctionBeginUser;
+  topology->name    = mixed ? "Mixed" : xdmf_name[first];
+  topology->columns = mixed ? 1 : ElementNumNodes((ElementType)first);
+  topology->rows    = mixed ? num_entries + num_cells : num_cells;
+  PetscCall(PetscMalloc1(num_entries + num_cells, &topology->values));
+  for (PetscInt c = 0; c < num_cells; ++c) {
+    if (mixed) topology->values[n++] = xdmf_number[picture->cell_type[c]];
+    for (PetscInt i = picture->cell_start[c]; i < picture->cell_start[c + 1]; ++i) {
+      topology->values[n++] = (int)picture->cell_nodes[i];
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode TopologyDestroy(Topology *topology)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(topology->values));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* One dataset of the HDF5 file. */
+static void WriteItem_Private(FILE *out, const char hdf5[], const char name[], PetscInt rows, PetscInt columns,
+                              PetscBool integer)
+{
+  fprintf(out, "<DataItem Format=\"HDF\" NumberType=\"%s\" Precision=\"%d\" Dimensions=\"%" PetscInt_FMT,
+          integer ? "Int" : "Float", integer ? 4 : 8, rows);
+  if (columns > 1) fprintf(out, " %" PetscInt_FMT, columns);
+  fprintf(out, "\">");
+  XMLWriteText(out, hdf5);
+  fprintf(out, ":/%s</DataItem>\n", name);
+}
+
+static void WriteAttribute_Private(FILE *out, const char hdf5[], const PictureArray *array, PetscInt rows,
+                                   const char centre[])
+{
+  const char *type = array->components == 1 ? "Scalar" : array->components == 3 ? "Vector" : "Tensor";
+
+  fprintf(out, "      <Attribute Name=\"%s\" AttributeType=\"%s\" Center=\"%s\">\n        ", array->name, type, centre);
+  WriteItem_Private(out, hdf5, array->name, rows, array->components, array->integer);
+  fprintf(out, "      </Attribute>\n");
+}
+
+PetscErrorCode PictureWriteXDMF(const Picture *picture, Files *files, const char final[], const char hdf5[])
+{
+  const char *slash = strrchr(hdf5, '/');
+  Topology    topology;
+  FILE       *out;
+
+  PetscFunctionBeginUser;
+  PetscCall(FilesOpen(files, final, &out));
+  if (!out) PetscFunctionReturn(PETSC_SUCCESS);
+  if (slash) hdf5 = slash + 1;
+  PetscCall(TopologyCreate(picture, &topology));
+  fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n");
+  fprintf(out, "    <Grid Name=\"mortise\" GridType=\"Uniform\">\n");
+  fprintf(out, "      <Information Name=\"title\" Value=\"");
+  XMLWriteText(out, picture->title);
+  fprintf(out, "\"/>\n      <Geometry GeometryType=\"XYZ\">\n        ");
+  WriteItem_Private(out, hdf5, "points", picture->num_points, 3, PETSC_FALSE);
+  fprintf(out,
+          "      </Geometry>\n      <Topology TopologyType=\"%s\" NumberOfElements=\"%" PetscInt_FMT "\">\n        ",
+          topology.name, picture->num_cells);
+  WriteItem_Private(out, hdf5, "cells", topology.rows, topology.columns, PETSC_TRUE);
+  fprintf(out, "      </Topology>\n");
+  for (PetscInt i = 0; i < PICTURE_POINT_ARRAYS; ++i) {
+    WriteAttribute_Private(out, hdf5, &picture->point[i], picture->num_points, "Node");
+  }
+  for (PetscInt i = 0; i < PICTURE_CELL_ARRAYS; ++i) {
+    WriteAttribute_Private(out, hdf5, &picture->cell[i], picture->num_cells, "Cell");
+  }
+  fprintf(out, "    </Grid>\n  </Domain>\n</Xdmf>\n");
+  PetscCall(TopologyDestroy(&topology));
+  PetscCall(FilesClose(files, &out));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
