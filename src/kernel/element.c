@@ -8,7 +8,7 @@
 
 enum { MAX_DIM = 2, MAX_FACETS = 4, NEWTON_MAX_STEPS = 25 };
 
-static const PetscReal NEWTON_STEP = 1e-13; /* reference coordinates are known to roundoff below this step */
+static const PetscReal NEWTON_STEP = 1e-10; /* convergence is quadratic: after such a step only roundoff is left */
 static const PetscReal NEWTON_HALO = 0.5;   /* iterates stay this near, where the map of a sound cell is regular */
 
 typedef struct {
@@ -57,28 +57,48 @@ static void ShapeQuad4_Private(const PetscReal xi[], PetscReal phi[], PetscReal 
   }
 }
 
+/* tri3 has constant strains; products of two linear strains of quad4 need 2 x 2 points. */
 static const Reference REFERENCE[ELEMENT_COUNT] = {
-    [ELEMENT_LINE2] = {"line2", 1, 2, 2, ELEMENT_COUNT, PETSC_FALSE, 0, {{0.}, {1.}}, {{0}, {1}}, ShapeLine2_Private},
-    [ELEMENT_TRI3]  = {"tri3",
-                       2,
-                       3,
-                       3,
-                       ELEMENT_LINE2,
-                       PETSC_TRUE,
-                       0, /* constant strain */
-                       {{0., 0.}, {1., 0.}, {0., 1.}},
-                       {{0, 1}, {1, 2}, {2, 0}},
-                       ShapeTri3_Private},
-    [ELEMENT_QUAD4] = {"quad4",
-                       2,
-                       4,
-                       4,
-                       ELEMENT_LINE2,
-                       PETSC_FALSE,
-                       2, /* products of two linear strains: 2 x 2 points */
-                       {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}},
-                       {{0, 1}, {1, 2}, {2, 3}, {3, 0}},
-                       ShapeQuad4_Private}};
+    [ELEMENT_LINE2] =
+        {
+            .name             = "line2",
+            .dim              = 1,
+            .num_nodes        = 2,
+            .num_facets       = 2,
+            .facet_type       = ELEMENT_COUNT,
+            .simplex          = PETSC_FALSE,
+            .stiffness_degree = 0,
+            .nodes            = {{0.}, {1.}},
+            .facets           = {{0}, {1}},
+            .shape            = ShapeLine2_Private,
+        },
+    [ELEMENT_TRI3] =
+        {
+            .name             = "tri3",
+            .dim              = 2,
+            .num_nodes        = 3,
+            .num_facets       = 3,
+            .facet_type       = ELEMENT_LINE2,
+            .simplex          = PETSC_TRUE,
+            .stiffness_degree = 0,
+            .nodes            = {{0., 0.}, {1., 0.}, {0., 1.}},
+            .facets           = {{0, 1}, {1, 2}, {2, 0}},
+            .shape            = ShapeTri3_Private,
+        },
+    [ELEMENT_QUAD4] =
+        {
+            .name             = "quad4",
+            .dim              = 2,
+            .num_nodes        = 4,
+            .num_facets       = 4,
+            .facet_type       = ELEMENT_LINE2,
+            .simplex          = PETSC_FALSE,
+            .stiffness_degree = 2,
+            .nodes            = {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}},
+            .facets           = {{0, 1}, {1, 2}, {2, 3}, {3, 0}},
+            .shape            = ShapeQuad4_Private,
+        },
+};
 
 const char *ElementName(ElementType type)
 {

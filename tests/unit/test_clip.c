@@ -1,0 +1,478 @@
+/* test_clip.c -- overlaps of line facets: reference values, chains without holes, and wild normals against sampling. */
+#include <mortise/clip.h>
+#include <mortise/dual.h>
+#include <mortise/element.h>
+#include <mortise/frame.h>
+#include <test.h>
+
+#include "uniform.h"
+
+static const PetscReal EXACT = 1e-13;
+
+enum { MAX_NODES = 16, NUM_GAUSS = 3 };
+
+/* A polygonal surface: its nodes in order, and their normals. */
+typedef struct {
+  PetscInt  n;
+  PetscReal X[MAX_NODES][2], N[MAX_NODES][2];
+} Chain;
+
+/* What a pair of surfaces gives; gap[a] = int psi_a g n as a vector. */
+typedef struct {
+  PetscReal D[MAX_NODES], M[MAX_NODES][MAX_NODES], gap[MAX_NODES][2], length;
+} Coupling;
+
+/* Nodal normals from the facets; the body is on the left of the chain. */
+static void ChainSetNormals(Chain *chain)
+{
+  for (PetscInt i = 0; i < chain->n; i++) chain->N[i][0] = chain->N[i][1] = 0.;
+  for (PetscInt i = 0; i + 1 < chain->n; i++) FrameAddFacetNormal(2, 2, chain->X[i], chain->N[i]);
+  for (PetscInt i = 0; i < chain->n; i++) FrameNormalize(2, chain->N[i]);
+}
+
+/* A surface over [begin,end] with random spacing and height: its outward normals look down. */
+static void RandomChain(PetscInt n, PetscReal begin, PetscReal end, PetscReal height, PetscReal roughness, Chain *chain)
+{
+  PetscReal at[MAX_NODES] = {0.};
+
+  for (PetscInt i = 1; i < n; i++) at[i] = at[i - 1] + Uniform(0.3, 1.);
+  chain->n = n;
+  for (PetscInt i = 0; i < n; i++) {
+    chain->X[i][0] = begin + (end - begin) * at[i] / at[n - 1];
+    chain->X[i][1] = height + Uniform(-roughness, roughness);
+  }
+  ChainSetNormals(chain);
+}
+
+/* All points of one nonmortar facet over the whole mortar chain; mortar[q] tells the mortar facet of each point. */
+static PetscInt ChainClip(const Chain *nonmortar, PetscInt facet, const Chain *mortar, PetscInt num_gauss,
+                          ClipPoint points[], PetscInt facets[])
+{
+  PetscInt num = 0;
+
+  for (PetscInt f = 0; f + 1 < mortar->n; f++) {
+    const PetscInt n = ClipLines(nonmortar->X[facet], nonmortar->N[facet], mortar->X[f], num_gauss, &points[num]);
+
+    for (PetscInt q = 0; q < n; q++) facets[num++] = f;
+  }
+  return num;
+}
+
+/* D, M and the gap of two surfaces, as the contact room integrates them (numerics.md 3.3, 4.1). */
+static void Couple(const Chain *nonmortar, const Chain *mortar, Coupling *pair)
+{
+  PetscMemzero(pair, sizeof(*pair));
+  for (PetscInt s = 0; s + 1 < nonmortar->n; s++) {
+    ClipPoint      points[MAX_NODES * CLIP_MAX_POINTS];
+    PetscInt       facets[MAX_NODES * CLIP_MAX_POINTS];
+    const PetscInt num = ChainClip(nonmortar, s, mortar, NUM_GAUSS, points, facets);
+    PetscReal      phi[MAX_NODES * CLIP_MAX_POINTS][2], w[MAX_NODES * CLIP_MAX_POINTS], A[4], D[2];
+
+    for (PetscInt q = 0; q < num; q++) {
+      ElementShape(ELEMENT_LINE2, points[q].xi, phi[q], NULL);
+      w[q] = points[q].weight;
+      pair->length += w[q];
+    }
+    if (!DualBasis(2, num, phi[0], w, A, D)) continue;
+    for (PetscInt i = 0; i < 2; i++) pair->D[s + i] += D[i];
+    for (PetscInt q = 0; q < num; q++) {
+      PetscReal psi[2], phi_m[2], n[2];
+
+      DualEvaluate(2, A, phi[q], psi);
+      ElementShape(ELEMENT_LINE2, points[q].eta, phi_m, NULL);
+      for (PetscInt k = 0; k < 2; k++) n[k] = phi[q][0] * nonmortar->N[s][k] + phi[q][1] * nonmortar->N[s + 1][k];
+      FrameNormalize(2, n);
+      for (PetscInt i = 0; i < 2; i++) {
+        for (PetscInt j = 0; j < 2; j++) pair->M[s + i][facets[q] + j] += w[q] * psi[i] * phi_m[j];
+        for (PetscInt k = 0; k < 2; k++) pair->gap[s + i][k] += w[q] * psi[i] * points[q].gap * n[k];
+      }
+    }
+  }
+}
+
+/* numerics.md 13, A2 and A3. */
+static void TestReferenceValues(void)
+{
+  Chain           halves = {.n = 3, .X = {{0., 0.}, {0.5, 0.}, {1., 0.}}};
+  Chain           thirds = {.n = 4, .X = {{0., 0.}, {1. / 3., 0.}, {2. / 3., 0.}, {1., 0.}}};
+  Chain           whole = {.n = 2, .X = {{0., 0.}, {1., 0.}}}, shifted = {.n = 2, .X = {{0.25, 0.}, {1.25, 0.}}};
+  const PetscReal D[] = {1. / 4., 1. / 2., 1. / 4.}, M_cut[2][2] = {{45. / 128., -9. / 128.}, {15. / 128., 45. / 128.}};
+  const PetscReal M[3][4] = {{2. / 9., 1. / 18., -1. / 36., 0.},
+                             {-1. / 18., 11. / 36., 11. / 36., -1. / 18.},
+                             {0., -1. / 36., 1. / 18., 2. / 9.}};
+  Coupling        pair;
+
+  ChainSetNormals(&halves);
+  Couple(&halves, &thirds, &pair);
+  for (PetscInt a = 0; a < 3; a++) {
+    CHECK_NEAR(pair.D[a], D[a], EXACT);
+    for (PetscInt b = 0; b < 4; b++) CHECK_NEAR(pair.M[a][b], M[a][b], EXACT);
+  }
+  ChainSetNormals(&whole);
+  Couple(&whole, &shifted, &pair);
+  CHECK_NEAR(pair.D[0], 9. / 32., EXACT);
+  CHECK_NEAR(pair.D[1], 15. / 32., EXACT);
+  for (PetscInt a = 0; a < 2; a++) {
+    for (PetscInt b = 0; b < 2; b++) CHECK_NEAR(pair.M[a][b], M_cut[a][b], EXACT);
+  }
+}
+
+/* Rough surfaces, cut at random ends: sum_b M_ab = D_aa and M x_m - D x_s = int psi g n, whatever the normals do. */
+static void TestCoupling(PetscReal roughness)
+{
+  for (PetscInt trial = 0; trial < 1000; trial++) {
+    const PetscReal distance = Uniform(-0.05, 0.3);
+    Chain           nonmortar, mortar;
+    Coupling        pair;
+
+    RandomChain(2 + trial % 7, 0., 1., 0., roughness, &nonmortar);
+    RandomChain(2 + trial % 11, Uniform(-0.5, 0.3), Uniform(0.6, 1.5), -distance, roughness, &mortar);
+    Couple(&nonmortar, &mortar, &pair);
+    for (PetscInt a = 0; a < nonmortar.n; a++) {
+      PetscReal row = 0., moved[2] = {0., 0.};
+
+      for (PetscInt b = 0; b < mortar.n; b++) {
+        row += pair.M[a][b];
+        for (PetscInt k = 0; k < 2; k++) moved[k] += pair.M[a][b] * mortar.X[b][k];
+      }
+      CHECK_NEAR(row, pair.D[a], EXACT);
+      for (PetscInt k = 0; k < 2; k++) CHECK_NEAR(moved[k] - pair.D[a] * nonmortar.X[a][k], pair.gap[a][k], EXACT);
+      if (roughness == 0.) CHECK_NEAR(pair.gap[a][1], -pair.D[a] * distance, EXACT); /* the normal looks down */
+    }
+  }
+}
+
+/* D and M do not notice that everything is turned and moved together (numerics.md 13, A9). */
+static void TestRigidMotion(void)
+{
+  for (PetscInt trial = 0; trial < 100; trial++) {
+    const PetscReal angle = Uniform(0., 6.), c = PetscCosReal(angle), s = PetscSinReal(angle), shift = Uniform(-1., 1.);
+    Chain           chains[2];
+    Coupling        before, after;
+
+    RandomChain(5, 0., 1., 0., 0.05, &chains[0]);
+    RandomChain(6, -0.1, 0.9, -0.1, 0.05, &chains[1]);
+    Couple(&chains[0], &chains[1], &before);
+    for (PetscInt k = 0; k < 2; k++) {
+      for (PetscInt i = 0; i < chains[k].n; i++) {
+        const PetscReal x = chains[k].X[i][0], y = chains[k].X[i][1];
+
+        chains[k].X[i][0] = c * x - s * y + shift;
+        chains[k].X[i][1] = s * x + c * y - shift;
+      }
+      ChainSetNormals(&chains[k]);
+    }
+    Couple(&chains[0], &chains[1], &after);
+    for (PetscInt a = 0; a < 5; a++) {
+      CHECK_NEAR(after.D[a], before.D[a], EXACT);
+      for (PetscInt b = 0; b < 6; b++) CHECK_NEAR(after.M[a][b], before.M[a][b], EXACT);
+    }
+  }
+}
+
+static void Swap(const PetscReal V[], PetscReal swapped[])
+{
+  for (PetscInt k = 0; k < 2; k++) {
+    swapped[k]     = V[2 + k];
+    swapped[2 + k] = V[k];
+  }
+}
+
+/* The ends of either facet may be given in either order. */
+static void TestOrder(void)
+{
+  for (PetscInt trial = 0; trial < 200; trial++) {
+    const PetscReal Y[] = {Uniform(-0.5, 0.5), Uniform(-0.3, 0.), Uniform(0.6, 1.5), Uniform(-0.3, 0.)};
+    PetscReal       turned_X[4], turned_N[4], turned_Y[4];
+    ClipPoint       points[CLIP_MAX_POINTS], other[CLIP_MAX_POINTS];
+    PetscInt        n;
+    Chain           facet;
+
+    RandomChain(2, 0., 1., 0., 0., &facet);
+    for (PetscInt i = 0; i < 2; i++) facet.N[i][0] = Uniform(-0.3, 0.3);
+    Swap(facet.X[0], turned_X);
+    Swap(facet.N[0], turned_N);
+    Swap(Y, turned_Y);
+    n = ClipLines(facet.X[0], facet.N[0], Y, NUM_GAUSS, points);
+    CHECK(n == NUM_GAUSS);
+    CHECK(n == ClipLines(facet.X[0], facet.N[0], turned_Y, NUM_GAUSS, other));
+    for (PetscInt q = 0; q < n; q++) {
+      CHECK_NEAR(other[q].xi[0], points[q].xi[0], EXACT);
+      CHECK_NEAR(other[q].eta[0], 1. - points[q].eta[0], EXACT);
+      CHECK_NEAR(other[q].gap, points[q].gap, EXACT);
+    }
+    CHECK(n == ClipLines(turned_X, turned_N, Y, NUM_GAUSS, other));
+    for (PetscInt q = 0; q < n; q++) {
+      CHECK_NEAR(other[n - 1 - q].xi[0], 1. - points[q].xi[0], EXACT);
+      CHECK_NEAR(other[n - 1 - q].eta[0], points[q].eta[0], EXACT);
+      CHECK_NEAR(other[n - 1 - q].gap, points[q].gap, EXACT);
+    }
+  }
+}
+
+/* The pieces on one facet from one-point rules: their middle and length tell their ends. Sorted by where they begin. */
+static PetscInt SortedPieces(const Chain *nonmortar, PetscInt facet, const Chain *mortar, PetscReal ends[][2])
+{
+  const PetscReal *X      = nonmortar->X[facet];
+  const PetscReal  length = PetscSqrtReal(PetscSqr(X[2] - X[0]) + PetscSqr(X[3] - X[1]));
+  ClipPoint        points[MAX_NODES * CLIP_MAX_POINTS];
+  PetscInt         facets[MAX_NODES * CLIP_MAX_POINTS];
+  const PetscInt   num = ChainClip(nonmortar, facet, mortar, 1, points, facets);
+
+  for (PetscInt q = 0; q < num; q++) {
+    const PetscReal half = 0.5 * points[q].weight / length;
+    PetscInt        p    = q;
+
+    for (; p > 0 && ends[p - 1][0] > points[q].xi[0] - half; p--) {
+      ends[p][0] = ends[p - 1][0];
+      ends[p][1] = ends[p - 1][1];
+    }
+    ends[p][0] = points[q].xi[0] - half;
+    ends[p][1] = points[q].xi[0] + half;
+  }
+  return num;
+}
+
+/* Mortar surfaces too flat to fold back along a ray: reaching beyond both ends, one covers the whole facet without holes or
+   overlaps; a narrow one covers what lies between the projections of its ends. */
+static void TestCover(PetscReal begin, PetscReal end)
+{
+  for (PetscInt trial = 0; trial < 3000; trial++) {
+    const PetscInt num_nodes = 2 + trial % (MAX_NODES - 2);
+    Chain          nonmortar, mortar;
+    PetscReal      ends[MAX_NODES * 3][2], from = 0., to = 1.;
+    PetscInt       num;
+
+    RandomChain(2, 0., 1., 0., 0.2, &nonmortar);
+    RandomChain(num_nodes, begin, end, -Uniform(0., 0.5), 0.1 * (end - begin) / num_nodes, &mortar);
+    for (PetscInt i = 0; i < 2; i++) nonmortar.N[i][0] += Uniform(-0.5, 0.5);
+    for (PetscInt i = 0; i < 2; i++) FrameNormalize(2, nonmortar.N[i]);
+    if (trial % 2) { /* facing bodies run in opposite directions */
+      for (PetscInt i = 0; i < mortar.n / 2; i++) {
+        PetscReal both[4] = {mortar.X[i][0], mortar.X[i][1], mortar.X[mortar.n - 1 - i][0],
+                             mortar.X[mortar.n - 1 - i][1]};
+
+        for (PetscInt k = 0; k < 2; k++) {
+          mortar.X[i][k]                = both[2 + k];
+          mortar.X[mortar.n - 1 - i][k] = both[k];
+        }
+      }
+    }
+    if (begin > 0.) {
+      CHECK(ClipProject(nonmortar.X[0], nonmortar.N[0], mortar.X[trial % 2 ? mortar.n - 1 : 0], &from));
+      CHECK(ClipProject(nonmortar.X[0], nonmortar.N[0], mortar.X[trial % 2 ? 0 : mortar.n - 1], &to));
+      from = PetscMax(from, 0.);
+      to   = PetscMin(to, 1.);
+    }
+    num = SortedPieces(&nonmortar, 0, &mortar, ends);
+    CHECK(num >= 1);
+    CHECK_NEAR(ends[0][0], from, 1e-14);
+    CHECK_NEAR(ends[num - 1][1], to, 1e-14);
+    for (PetscInt p = 1; p < num; p++) CHECK_NEAR(ends[p][0], ends[p - 1][1], 1e-14);
+  }
+}
+
+/* Facets on an arc, seen by facets on a concentric one, on either side: every length is covered. */
+static void TestArcs(void)
+{
+  const PetscReal radii[] = {0.8, 0.99, 1.01, 1.5};
+
+  for (size_t k = 0; k < PETSC_STATIC_ARRAY_LENGTH(radii); k++) {
+    Chain     disc = {.n = 9}, around = {.n = 14};
+    Coupling  pair;
+    PetscReal length = 0.;
+
+    for (PetscInt i = 0; i < disc.n; i++) {
+      disc.X[i][0] = PetscCosReal(0.2 * i);
+      disc.X[i][1] = PetscSinReal(0.2 * i);
+    }
+    for (PetscInt i = 0; i < around.n; i++) {
+      around.X[i][0] = radii[k] * PetscCosReal(0.15 * i - 0.2);
+      around.X[i][1] = radii[k] * PetscSinReal(0.15 * i - 0.2);
+    }
+    ChainSetNormals(&disc);
+    for (PetscInt i = 0; i + 1 < disc.n; i++) length += 2. * PetscSinReal(0.1);
+    Couple(&disc, &around, &pair);
+    CHECK_NEAR(pair.length, length, EXACT);
+  }
+}
+
+static void TestProject(void)
+{
+  const PetscReal X[] = {0., 0., 2., 0.}, up[] = {0., 1., 0., 1.}, slanted[] = {0.6, 0.8, 0.6, 0.8};
+  const PetscReal inward[] = {0.6, 0.8, -0.6, 0.8}; /* the rays of the ends meet at (1, 4/3) */
+  const PetscReal above[] = {0.5, 7.}, below[] = {0.5, -7.}, outside[] = {-3., 1.}, first[] = {0., 0.},
+                  last[]   = {2., 0.};
+  const PetscReal middle[] = {1., 0.5}, beyond[] = {5., 4. / 3.};
+  PetscReal       xi;
+
+  CHECK(ClipProject(X, up, above, &xi));
+  CHECK_NEAR(xi, 0.25, EXACT);
+  CHECK(ClipProject(X, up, below, &xi));
+  CHECK_NEAR(xi, 0.25, EXACT);
+  CHECK(ClipProject(X, up, outside, &xi));
+  CHECK_NEAR(xi, -1.5, EXACT);
+  CHECK(ClipProject(X, slanted, above, &xi));
+  CHECK_NEAR(xi, 0.5 * (0.5 - 7. * 0.75), EXACT);
+  CHECK(ClipProject(X, inward, middle, &xi));
+  CHECK_NEAR(xi, 0.5, EXACT);
+  CHECK(ClipProject(X, inward, first, &xi));
+  CHECK_NEAR(xi, 0., 0.);
+  CHECK(ClipProject(X, inward, last, &xi));
+  CHECK_NEAR(xi, 1., PETSC_MACHINE_EPSILON);
+  CHECK(!ClipProject(X, inward, beyond, &xi)); /* at this height all rays are on one side of it */
+}
+
+/* Newton's method as numerics.md 3.3 has it finds the same root. */
+static void TestProjectNewton(void)
+{
+  for (PetscInt trial = 0; trial < 10000; trial++) {
+    const PetscReal y[] = {Uniform(-0.5, 1.5), Uniform(-0.5, 0.2)};
+    PetscReal       found, xi = 0.5;
+    Chain           facet;
+
+    RandomChain(2, 0., 1., 0., 0.2, &facet);
+    for (PetscInt i = 0; i < 2; i++) {
+      facet.N[i][0] += Uniform(-0.3, 0.3);
+      FrameNormalize(2, facet.N[i]);
+    }
+    CHECK(ClipProject(facet.X[0], facet.N[0], y, &found));
+    for (PetscInt it = 0; it < 8; it++) {
+      PetscReal r[2], n[2], E[2], dN[2];
+
+      for (PetscInt k = 0; k < 2; k++) {
+        E[k]  = facet.X[1][k] - facet.X[0][k];
+        dN[k] = facet.N[1][k] - facet.N[0][k];
+        r[k]  = facet.X[0][k] + xi * E[k] - y[k];
+        n[k]  = facet.N[0][k] + xi * dN[k];
+      }
+      xi -= (r[0] * n[1] - r[1] * n[0]) / (E[0] * n[1] - E[1] * n[0] + r[0] * dN[1] - r[1] * dN[0]);
+    }
+    CHECK_NEAR(found, xi, EXACT);
+  }
+}
+
+/* Where the rays of both ends meet: every other ray of the facet passes it, too, or nearly so. */
+static void Focus(const Chain *facet, PetscReal y[])
+{
+  const PetscReal *n = facet->N[0], *m = facet->N[1];
+  const PetscReal  E[2] = {facet->X[1][0] - facet->X[0][0], facet->X[1][1] - facet->X[0][1]};
+  const PetscReal  t    = (E[0] * m[1] - E[1] * m[0]) / (n[0] * m[1] - n[1] * m[0]);
+
+  for (PetscInt k = 0; k < 2; k++) y[k] = facet->X[0][k] + t * n[k];
+}
+
+/* A facet with normals up to 85 degrees off its own, and a mortar facet anywhere, often in a special place. */
+static void RandomWild(PetscInt trial, Chain *facet, PetscReal Y[])
+{
+  const PetscReal steepest = 85. * PETSC_PI / 180., scale = trial % 7 ? 2. : 1e6;
+
+  RandomChain(2, 0., 1., 0., 0.5, facet);
+  for (PetscInt i = 0; i < 2; i++) {
+    const PetscReal angle = Uniform(-steepest, steepest), c = PetscCosReal(angle), s = PetscSinReal(angle);
+    const PetscReal x = facet->N[i][0], y = facet->N[i][1];
+
+    facet->N[i][0] = c * x - s * y;
+    facet->N[i][1] = s * x + c * y;
+  }
+  for (PetscInt k = 0; k < 4; k++) Y[k] = Uniform(-scale, scale);
+  if (trial % 23 == 6) Focus(facet, Y);
+  for (PetscInt k = 0; k < 2; k++) {
+    if (trial % 5 == 1) Y[k] = facet->X[0][k];                                      /* shares a node */
+    if (trial % 11 == 2) Y[2 + k] = facet->X[1][k];                                 /* or two */
+    if (trial % 13 == 3) Y[2 + k] = Y[k];                                           /* has no length */
+    if (trial % 17 == 4) Y[k] = 3. * facet->X[1][k] - 2. * facet->X[0][k];          /* lies on the same line */
+    if (trial % 19 == 5) Y[k] = facet->X[0][k] + Uniform(-2., 2.) * facet->N[0][k]; /* ends on an end's ray */
+  }
+}
+
+/* Every point lies on its ray and on both facets; the covered part is where sampled rays pass between the mortar ends. */
+static void TestWild(void)
+{
+  enum { NUM_SAMPLES = 101 };
+
+  for (PetscInt trial = 0; trial < 200000; trial++) {
+    Chain     facet;
+    PetscReal Y[4], covered = 0., length, scale;
+    ClipPoint points[CLIP_MAX_POINTS], middles[CLIP_MAX_POINTS];
+    PetscInt  num, num_pieces;
+
+    RandomWild(trial, &facet, Y);
+    num        = ClipLines(facet.X[0], facet.N[0], Y, 8, points);
+    num_pieces = ClipLines(facet.X[0], facet.N[0], Y, 1, middles);
+    CHECK(num == 8 * num_pieces && num <= CLIP_MAX_POINTS);
+    length = PetscSqrtReal(PetscSqr(facet.X[1][0] - facet.X[0][0]) + PetscSqr(facet.X[1][1] - facet.X[0][1]));
+    scale  = 1.;
+    for (PetscInt k = 0; k < 4; k++) scale = PetscMax(scale, PetscAbsReal(Y[k]));
+    for (PetscInt q = 0; q < num; q++) {
+      const PetscReal xi = points[q].xi[0], eta = points[q].eta[0];
+
+      CHECK(xi > 0. && xi < 1. && eta >= 0. && eta <= 1. && points[q].weight > 0.);
+      covered += points[q].weight;
+      for (PetscInt k = 0; k < 2; k++) {
+        const PetscReal n[2] = {(1. - xi) * facet.N[0][0] + xi * facet.N[1][0],
+                                (1. - xi) * facet.N[0][1] + xi * facet.N[1][1]};
+        const PetscReal ray  = (1. - xi) * facet.X[0][k] + xi * facet.X[1][k] +
+                              points[q].gap * n[k] / PetscSqrtReal(n[0] * n[0] + n[1] * n[1]);
+
+        CHECK_NEAR(ray, (1. - eta) * Y[k] + eta * Y[2 + k], 1e-11 * scale);
+      }
+    }
+    CHECK(covered <= length * (1. + EXACT));
+    for (PetscInt s = 0; s < NUM_SAMPLES; s++) {
+      const PetscReal xi = (s + 0.5) / NUM_SAMPLES;
+      PetscReal       side[2], nearest = 1.;
+      PetscBool       seen = PETSC_FALSE;
+
+      for (PetscInt i = 0; i < 2; i++) {
+        side[i] = ((1. - xi) * facet.X[0][0] + xi * facet.X[1][0] - Y[2 * i]) *
+                      ((1. - xi) * facet.N[0][1] + xi * facet.N[1][1]) -
+                  ((1. - xi) * facet.X[0][1] + xi * facet.X[1][1] - Y[2 * i + 1]) *
+                      ((1. - xi) * facet.N[0][0] + xi * facet.N[1][0]);
+        nearest = PetscMin(nearest, PetscAbsReal(side[i]) / scale);
+      }
+      for (PetscInt p = 0; p < num_pieces; p++) {
+        if (PetscAbsReal(xi - middles[p].xi[0]) <= 0.5 * middles[p].weight / length) seen = PETSC_TRUE;
+      }
+      if (nearest > 1e-9) CHECK(seen == (side[0] * side[1] < 0. ? PETSC_TRUE : PETSC_FALSE));
+    }
+  }
+}
+
+/* What is shorter than 1e-12 of the facet, or only touches it, gives nothing. */
+static void TestSlivers(void)
+{
+  const PetscReal X[] = {0., 0., 1., 0.}, N[] = {0., -1., 0., -1.};
+  const PetscReal beside[] = {1., -0.1, 2., -0.1}, sliver[] = {-1., -0.1, 0.5e-12, -0.1},
+                  thin[]    = {-1., -0.1, 1e-9, -0.1};
+  const PetscReal upright[] = {0.5, 0., 0.5, -1.}, point[] = {0.5, -0.1, 0.5, -0.1};
+  ClipPoint       points[CLIP_MAX_POINTS];
+
+  CHECK(ClipLines(X, N, beside, NUM_GAUSS, points) == 0);
+  CHECK(ClipLines(X, N, sliver, NUM_GAUSS, points) == 0);
+  CHECK(ClipLines(X, N, upright, NUM_GAUSS, points) == 0);
+  CHECK(ClipLines(X, N, point, NUM_GAUSS, points) == 0);
+  CHECK(ClipLines(X, N, thin, 1, points) == 1);
+  CHECK_NEAR(points[0].weight, 1e-9, 1e-24);
+  CHECK_NEAR(points[0].gap, 0.1, 1e-16);
+}
+
+int main(int argc, char **argv)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
+  TestReferenceValues();
+  TestCoupling(0.);
+  TestCoupling(0.05);
+  TestRigidMotion();
+  TestOrder();
+  TestCover(-1.5, 2.5);
+  TestCover(0.3, 0.7);
+  TestArcs();
+  TestProject();
+  TestProjectNewton();
+  TestWild();
+  TestSlivers();
+  PetscCall(PetscFinalize());
+  return 0;
+}

@@ -1,0 +1,80 @@
+/* test_dense.c -- small factorisations and eigenvalues against products and closed forms. */
+#include <mortise/dense.h>
+#include <test.h>
+
+#include "uniform.h"
+
+static const PetscReal EXACT = 1e-13;
+
+/* A = B B' + I, positive definite for any B. */
+static void RandomDefinite(PetscInt n, PetscReal A[])
+{
+  PetscReal B[DENSE_MAX * DENSE_MAX];
+
+  for (PetscInt i = 0; i < n * n; i++) B[i] = Uniform(-1., 1.);
+  for (PetscInt i = 0; i < n; i++) {
+    for (PetscInt j = 0; j < n; j++) {
+      A[i * n + j] = i == j ? 1. : 0.;
+      for (PetscInt k = 0; k < n; k++) A[i * n + j] += B[i * n + k] * B[j * n + k];
+    }
+  }
+}
+
+static void TestSolve(void)
+{
+  for (PetscInt n = 1; n <= DENSE_MAX; n++) {
+    PetscReal A[DENSE_MAX * DENSE_MAX], L[DENSE_MAX * DENSE_MAX], x[DENSE_MAX], b[DENSE_MAX];
+
+    RandomDefinite(n, A);
+    for (PetscInt i = 0; i < n * n; i++) L[i] = A[i];
+    for (PetscInt i = 0; i < n; i++) x[i] = Uniform(-1., 1.);
+    for (PetscInt i = 0; i < n; i++) {
+      b[i] = 0.;
+      for (PetscInt j = 0; j < n; j++) b[i] += A[i * n + j] * x[j];
+    }
+    CHECK(DenseCholesky(n, L));
+    DenseCholeskySolve(n, L, b);
+    for (PetscInt i = 0; i < n; i++) CHECK_NEAR(b[i], x[i], EXACT);
+  }
+}
+
+static void TestRefusal(void)
+{
+  PetscReal singular[] = {1., 2., 2., 4.}, indefinite[] = {1., 2., 2., 1.}, zero[] = {0.}, nan[] = {NAN};
+  PetscReal thirds[] = {1. / 3., 1. / 9., 1. / 9., 1. / 27.}; /* singular but for roundoff */
+  PetscReal scaled[] = {1., 1e-10, 1e-10, 4e-20};             /* regular whatever the scale of its rows */
+
+  CHECK(!DenseCholesky(2, singular));
+  CHECK(!DenseCholesky(2, indefinite));
+  CHECK(!DenseCholesky(2, thirds));
+  CHECK(!DenseCholesky(1, zero));
+  CHECK(!DenseCholesky(1, nan));
+  CHECK(DenseCholesky(2, scaled));
+}
+
+/* The second difference matrix of n rows has the eigenvalues 2 - 2 cos(k pi / (n + 1)). */
+static void TestEigenRange(void)
+{
+  for (PetscInt n = 1; n <= DENSE_MAX; n++) {
+    PetscReal A[DENSE_MAX * DENSE_MAX] = {0.}, smallest, largest;
+
+    for (PetscInt i = 0; i < n; i++) {
+      A[i * n + i] = 2.;
+      if (i > 0) A[i * n + i - 1] = A[(i - 1) * n + i] = -1.;
+    }
+    DenseEigenRange(n, A, &smallest, &largest);
+    CHECK_NEAR(smallest, 2. - 2. * PetscCosReal(PETSC_PI / (n + 1.)), EXACT);
+    CHECK_NEAR(largest, 2. - 2. * PetscCosReal(n * PETSC_PI / (n + 1.)), EXACT);
+  }
+}
+
+int main(int argc, char **argv)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
+  TestSolve();
+  TestRefusal();
+  TestEigenRange();
+  PetscCall(PetscFinalize());
+  return 0;
+}

@@ -1,0 +1,161 @@
+/* test_frame.c -- normals on circles and spheres, frames of random directions. */
+#include <mortise/frame.h>
+#include <test.h>
+
+#include "uniform.h"
+
+static const PetscReal EXACT = 1e-13;
+
+/* Max's weights in 2D: nodes on a circle get its radial direction, whatever the spacing (numerics.md 13, A7). */
+static void TestCircle(void)
+{
+  for (PetscInt trial = 0; trial < 1000; trial++) {
+    const PetscReal centre[2] = {Uniform(-1., 1.), Uniform(-1., 1.)}, radius = Uniform(0.1, 2.),
+                    middle   = Uniform(-3., 3.);
+    const PetscReal angle[3] = {middle - Uniform(0.01, 1.), middle, middle + Uniform(0.01, 1.)};
+    PetscReal       X[3][2], N[3][2] = {{0.}};
+
+    for (PetscInt i = 0; i < 3; i++) {
+      X[i][0] = centre[0] + radius * PetscCosReal(angle[i]);
+      X[i][1] = centre[1] + radius * PetscSinReal(angle[i]);
+    }
+    FrameAddFacetNormal(2, 2, X[0], N[0]);
+    FrameAddFacetNormal(2, 2, X[1], N[1]);
+    CHECK(FrameNormalize(2, N[1]) > 0.);
+    CHECK_NEAR(N[1][0], PetscCosReal(middle), EXACT);
+    CHECK_NEAR(N[1][1], PetscSinReal(middle), EXACT);
+  }
+}
+
+/* The body is on the left of its facets, so the outward normal of a facet from (0,0) to (h,0) is (0,-1). */
+static void TestSegment(void)
+{
+  const PetscReal X[] = {0., 0., 0.25, 0.};
+  PetscReal       N[] = {0., 0., 0., 0.};
+
+  FrameAddFacetNormal(2, 2, X, N);
+  for (PetscInt i = 0; i < 2; i++) {
+    CHECK_NEAR(N[2 * i], 0., 0.);
+    CHECK_NEAR(N[2 * i + 1], -4., EXACT); /* nu / h */
+  }
+}
+
+/* A point of the unit sphere at polar distance theta from the direction of row 0 of Q. */
+static void SpherePoint(const PetscReal Q[], PetscReal theta, PetscReal azimuth, PetscReal x[])
+{
+  for (PetscInt k = 0; k < 3; k++) {
+    x[k] = PetscCosReal(theta) * Q[k] +
+           PetscSinReal(theta) * (PetscCosReal(azimuth) * Q[3 + k] + PetscSinReal(azimuth) * Q[6 + k]);
+  }
+}
+
+/* Random direction by rejection from the cube. */
+static void RandomDirection(PetscReal n[])
+{
+  PetscReal length;
+
+  do {
+    for (PetscInt k = 0; k < 3; k++) n[k] = Uniform(-1., 1.);
+    length = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+  } while (length > 1. || length < 0.01);
+  FrameNormalize(3, n);
+}
+
+/* A closed ring of triangles or quads around n with all corners on a sphere, at random distances (numerics.md 13, A7). */
+static void TestSphere(PetscInt num_nodes)
+{
+  for (PetscInt trial = 0; trial < 1000; trial++) {
+    const PetscInt num_facets = 3 + trial % 5;
+    PetscReal      n[3], Q[9], ring[8][3], across[8][3], sum[3] = {0.};
+
+    RandomDirection(n);
+    FrameFromNormal(3, n, Q);
+    for (PetscInt f = 0; f < num_facets; f++) {
+      const PetscReal azimuth = 2. * PETSC_PI * (f + Uniform(-0.3, 0.3)) / num_facets;
+
+      SpherePoint(Q, Uniform(0.05, 0.6), azimuth, ring[f]);
+      SpherePoint(Q, Uniform(0.7, 0.9), azimuth + 0.3, across[f]);
+    }
+    for (PetscInt f = 0; f < num_facets; f++) {
+      const PetscReal *corner[4] = {n, ring[f], across[f], ring[(f + 1) % num_facets]};
+      PetscReal        X[12], N[12] = {0.};
+
+      if (num_nodes == 3) corner[2] = corner[3];
+      for (PetscInt i = 0; i < num_nodes; i++) {
+        for (PetscInt k = 0; k < 3; k++) X[3 * i + k] = corner[i][k];
+      }
+      FrameAddFacetNormal(3, num_nodes, X, N);
+      for (PetscInt k = 0; k < 3; k++) sum[k] += N[k];
+    }
+    FrameNormalize(3, sum);
+    for (PetscInt k = 0; k < 3; k++) CHECK_NEAR(sum[k], n[k], EXACT);
+  }
+}
+
+/* Rows orthonormal and right-handed, the first one being n. */
+static void CheckFrame(PetscInt dim, const PetscReal n[])
+{
+  PetscReal Q[9], det;
+
+  FrameFromNormal(dim, n, Q);
+  for (PetscInt k = 0; k < dim; k++) CHECK_NEAR(Q[k], n[k], 0.);
+  for (PetscInt i = 0; i < dim; i++) {
+    for (PetscInt j = 0; j < dim; j++) {
+      PetscReal dot = 0.;
+
+      for (PetscInt k = 0; k < dim; k++) dot += Q[i * dim + k] * Q[j * dim + k];
+      CHECK_NEAR(dot, i == j ? 1. : 0., 4. * PETSC_MACHINE_EPSILON);
+    }
+  }
+  if (dim == 2) {
+    det = Q[0] * Q[3] - Q[1] * Q[2];
+  } else {
+    det = Q[0] * (Q[4] * Q[8] - Q[5] * Q[7]) - Q[1] * (Q[3] * Q[8] - Q[5] * Q[6]) + Q[2] * (Q[3] * Q[7] - Q[4] * Q[6]);
+  }
+  CHECK_NEAR(det, 1., 8. * PETSC_MACHINE_EPSILON);
+}
+
+/* numerics.md 13, A8. */
+static void TestFrames(void)
+{
+  const PetscReal down[] = {0., 0., -1.}, up[] = {0., 0., 1.}, minus_zero[] = {1., 0., -0.},
+                  nearly_down[] = {1e-9, 0., -1.};
+
+  CheckFrame(3, down);
+  CheckFrame(3, up);
+  CheckFrame(3, minus_zero);
+  CheckFrame(3, nearly_down);
+  for (PetscInt trial = 0; trial < 10000; trial++) {
+    const PetscReal angle = Uniform(-4., 4.), plane[2] = {PetscCosReal(angle), PetscSinReal(angle)};
+    PetscReal       n[3];
+
+    RandomDirection(n);
+    CheckFrame(3, n);
+    CheckFrame(2, plane);
+  }
+}
+
+static void TestNormalize(void)
+{
+  PetscReal n[] = {3., 4.}, zero[] = {0., 0., 0.};
+
+  CHECK_NEAR(FrameNormalize(2, n), 5., 0.);
+  CHECK_NEAR(n[0], 0.6, PETSC_MACHINE_EPSILON);
+  CHECK_NEAR(n[1], 0.8, PETSC_MACHINE_EPSILON);
+  CHECK_NEAR(FrameNormalize(3, zero), 0., 0.);
+  for (PetscInt k = 0; k < 3; k++) CHECK_NEAR(zero[k], 0., 0.);
+}
+
+int main(int argc, char **argv)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
+  TestSegment();
+  TestCircle();
+  TestSphere(3);
+  TestSphere(4);
+  TestFrames();
+  TestNormalize();
+  PetscCall(PetscFinalize());
+  return 0;
+}
