@@ -57,6 +57,7 @@ PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, const NodeF
 {
   PetscBool any = PETSC_FALSE;
   Mat       W, WM;
+  Vec       WG;
 
   PetscFunctionBeginUser;
   *chain = NULL;
@@ -65,7 +66,10 @@ PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, const NodeF
   if (!any) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(NeighbourMatrix_Private(level, facets, fate, covered, &W));
   PetscCall(NormalizeColumns_Private(W));
-  PetscCall(MatMultAdd(W, G, G, G));
+  PetscCall(VecDuplicate(G, &WG));
+  PetscCall(MatMult(W, G, WG));
+  PetscCall(VecAXPY(G, 1.0, WG));
+  PetscCall(VecDestroy(&WG));
   if (*M) {
     PetscCall(MatMatMult(W, *M, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &WM));
     PetscCall(MatAXPY(WM, 1.0, *M, DIFFERENT_NONZERO_PATTERN));

@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""Cost of a contact solution against the number of unknowns: the two plates of options/two_plates.opts with the direct solver.
+
+    python3 tests/bench/bench.py build/mortise [--sizes 32,64,128] [--runs 5] [--simplex] [--match]
+
+Whole program, one core, no output files. Every figure is the median of the runs; the table is Markdown on stdout. CPU seconds
+and peak memory are the operating system's account of the finished process; the stages are the program's own wall clock.
+"""
+import argparse
+import json
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+SCENE = os.path.join(HERE, "..", "..", "options", "two_plates.opts")
+STAGES = ["setup", "mortar", "assembly", "condense", "solve", "output"]
+
+
+def run_once(program, options):
+    """Runs the program once; returns (cpu seconds, peak MB, summary)."""
+    with tempfile.TemporaryDirectory() as folder:
+        summary = os.path.join(folder, "summary.json")
+        command = [program, "-options_file", SCENE, "-quiet", "-summary", summary] + options
+        environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
+        process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL)
+        _, status, usage = os.wait4(process.pid, 0)
+        if status != 0:
+            sys.exit(f"bench: {' '.join(command)} ended with status {os.waitstatus_to_exitcode(status)}")
+        with open(summary, encoding="utf-8") as file:
+            return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024.0, json.load(file)
+
+
+def size_options(n, arguments):
+    """n x n cells in the upper plate against 3n/4 in the lower one (or n with --match)."""
+    m = n if arguments.match else 3 * n // 4
+    options = ["-upper_dm_plex_box_faces", f"{n},{n}", "-lower_dm_plex_box_faces", f"{m},{m}"]
+    if arguments.simplex:
+        options += ["-upper_dm_plex_simplex", "1", "-lower_dm_plex_simplex", "1"]
+    return options + arguments.rest
+
+
+def row(program, n, arguments):
+    """One line of the table: medians over the runs after one warm-up."""
+    options = size_options(n, arguments)
+    run_once(program, options)
+    runs = [run_once(program, options) for _ in range(arguments.runs)]
+    summary = runs[0][2]
+    unknowns = sum(body["dofs"] for body in summary["scene"]["bodies"].values())
+    total = statistics.median(r[2]["timing"]["total"] for r in runs)
+    shares = [100 * statistics.median(r[2]["timing"][stage] for r in runs) / total for stage in STAGES]
+    cells = [n, unknowns, summary["solver"]["iterations"], f"{statistics.median(r[0] for r in runs):.2f}",
+             f"{total:.2f}", f"{statistics.median(r[1] for r in runs):.0f}"] + [f"{s:.1f}" for s in shares]
+    return "| " + " | ".join(str(c) for c in cells) + " |"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--sizes", default="32,64,128")
+    parser.add_argument("--runs", type=int, default=5)
+    parser.add_argument("--simplex", action="store_true", help="triangles instead of quads")
+    parser.add_argument("--match", action="store_true", help="the same mesh on both sides")
+    parser.add_argument("rest", nargs="*", help="further options for the program, after --")
+    arguments = parser.parse_args()
+    header = ["n", "unknowns", "steps", "CPU s", "wall s", "MB"] + [f"{s} %" for s in STAGES]
+    print("| " + " | ".join(header) + " |")
+    print("|" + "---:|" * len(header))
+    for n in (int(s) for s in arguments.sizes.split(",")):
+        print(row(arguments.program, n, arguments), flush=True)
+
+
+if __name__ == "__main__":
+    main()
