@@ -7,23 +7,23 @@
 #include <stdlib.h>
 
 /* Ends the test unless the condition holds. */
-#define CHECK(condition) \
-  do { \
-    if (!(condition)) { \
-      fprintf(stderr, "%s:%d: CHECK(%s) failed\n", __FILE__, __LINE__, #condition); \
-      MPI_Abort(MPI_COMM_WORLD, 1); \
-    } \
+#define CHECK(condition)                                                                                               \
+  do {                                                                                                                 \
+    if (!(condition)) {                                                                                                \
+      fprintf(stderr, "%s:%d: CHECK(%s) failed\n", __FILE__, __LINE__, #condition);                                    \
+      MPI_Abort(MPI_COMM_WORLD, 1);                                                                                    \
+    }                                                                                                                  \
   } while (0)
 
 /* Ends the test unless |actual - expected| <= tolerance (absolute); NaN fails. */
-#define CHECK_NEAR(actual, expected, tolerance) \
-  do { \
-    const double actual_ = (double)(actual), expected_ = (double)(expected); \
-    if (!(PetscAbsReal(actual_ - expected_) <= (tolerance))) { \
+#define CHECK_NEAR(actual, expected, tolerance)                                                                        \
+  do {                                                                                                                 \
+    const double actual_ = (double)(actual), expected_ = (double)(expected);                                           \
+    if (!(PetscAbsReal(actual_ - expected_) <= (tolerance))) {                                                         \
       fprintf(stderr, "%s:%d: %s = %.17g, expected %.17g, off by %.3g > %.3g\n", __FILE__, __LINE__, #actual, actual_, \
-              expected_, actual_ - expected_, (double)(tolerance)); \
-      MPI_Abort(MPI_COMM_WORLD, 1); \
-    } \
+              expected_, actual_ - expected_, (double)(tolerance));                                                    \
+      MPI_Abort(MPI_COMM_WORLD, 1);                                                                                    \
+    }                                                                                                                  \
   } while (0)
 
 #endif
