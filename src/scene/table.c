@@ -1,0 +1,195 @@
+/* table.c -- the one table of all options: what -help prints, what is suggested for a misspelt name, what may be
+   read.
+
+   An argument is written as its form: `text`, `file`, `name`, `side` are words, `n` a whole number, `x` a real
+   number, `e` a number or an expression in x and y; forms are repeated as often as the value has components. The
+   choices of an option are in the order of the enum it is read into. PETSc's own options stand here too where people
+   want them: the table is the user's manual. */
+#include "option.h"
+#include <string.h>
+#include <strings.h>
+
+static const char *const titles[GROUP_COUNT] = {"Running",
+                                                "The scene",
+                                                "Mesh of a body",
+                                                "Material of a body",
+                                                "Supports and loads of a body",
+                                                "Pairs of sides that meet",
+                                                "Rigid obstacles instead of a mortar side",
+                                                "Probes",
+                                                "Results",
+                                                "Solving",
+                                                "PETSc's own options that people ask for"};
+
+static const OptionEntry table[] = {
+    {GROUP_RUN, "-options_file", "file", "", "(none)",
+     "Reads options from a file, one to a line, # begins a comment; the command line wins over files."},
+    {GROUP_RUN, "-help", "", "", "(off)", "Prints this manual and ends."},
+    {GROUP_RUN, "-version", "", "", "(off)", "Prints the versions of Mortise and of PETSc, and ends."},
+    {GROUP_RUN, "-options_allow_unused", "0|1", "", "0",
+     "Options that nothing reads are told as a warning instead of ending the run."},
+
+    {GROUP_SCENE, "-title", "text", "", "(empty)", "Free text that goes into every result."},
+    {GROUP_SCENE, "-model", "plane_strain|plane_stress|axisymmetric|solid", "", "plane_strain",
+     "What two dimensions stand for. This version solves plane_strain and plane_stress."},
+    {GROUP_SCENE, "-thickness", "x", "length", "1", "Thickness of the plane; forces and energies are for it."},
+    {GROUP_SCENE, "-bodies", "name,name,...", "", "(required)",
+     "Names of the bodies. Each is the prefix of its body's options: letters, digits, underscores."},
+    {GROUP_SCENE, "-pairs", "name,name,...", "", "(none)",
+     "Names of the pairs of sides that may touch; each is the prefix of its pair's options."},
+    {GROUP_SCENE, "-dm_refine", "n", "", "0", "Halves all cells of all bodies so many times."},
+    {GROUP_SCENE, "-order", "1|2", "", "1", "Polynomial order of all bodies. This version solves order 1."},
+
+    {GROUP_MESH, "-<body>_dm_plex_filename", "file", "", "(a box)",
+     "Mesh from Gmsh (2.2 or 4.1) or another format that DMPlex reads; tried from here, then from the options file's "
+     "folder."},
+    {GROUP_MESH, "-<body>_mesh_region", "name", "", "(all cells)",
+     "Takes only the cells of this physical group, by name or number, so that bodies may share a file."},
+    {GROUP_MESH, "-<body>_dm_plex_box_faces", "n,n", "", "(a mesh file)",
+     "Instead of a file: a box with so many cells along x and y. Its sides are left, right, bottom, top."},
+    {GROUP_MESH, "-<body>_dm_plex_box_lower", "x,y", "length", "0,0", "Lower left corner of the box."},
+    {GROUP_MESH, "-<body>_dm_plex_box_upper", "x,y", "length", "1,1", "Upper right corner of the box."},
+    {GROUP_MESH, "-<body>_dm_plex_simplex", "0|1", "", "1",
+     "Box of triangles (1, as everywhere in PETSc) or of quadrilaterals (0)."},
+    {GROUP_MESH, "-<body>_map", "e,e", "length", "(identity)",
+     "Takes a mesh point x, y to its position, on every level: graded boxes, rings, discs."},
+    {GROUP_MESH, "-<body>_dm_refine", "n", "", "0",
+     "Halves the cells of this body so many times before -dm_refine does so for all."},
+    {GROUP_MESH, "-<body>_order", "1|2", "", "(-order)", "Polynomial order of this body."},
+
+    {GROUP_MATERIAL, "-<body>_young", "e", "stress", "(required)", "Young's modulus of an isotropic body."},
+    {GROUP_MATERIAL, "-<body>_poisson", "e", "", "(required)",
+     "Poisson's ratio of an isotropic body, above -1 and below 0.5."},
+    {GROUP_MATERIAL, "-<body>_stiffness", "e,e,e,e,e,e", "stress", "(isotropic)",
+     "Instead of the two: the Hooke matrix, its upper triangle row by row in the order xx, yy, xy, with engineering "
+     "shear strains."},
+    {GROUP_MATERIAL, "-<body>_material_angle", "x", "degrees", "0",
+     "Turns the axes of -<body>_stiffness anticlockwise."},
+
+    {GROUP_LOADS, "-<body>_body_force", "e,e", "force/volume", "(none)",
+     "Force on the inside of the body, such as weight."},
+    {GROUP_LOADS, "-<body>_bc_displacement", "side,side,...", "", "(none)",
+     "Sides whose displacement is given. Sides are names or numbers of the mesh, several joined by +."},
+    {GROUP_LOADS, "-<body>_bc_displacement_<side>", "e,e", "length", "(required)",
+     "The displacement of a listed side; the word free leaves a component free."},
+    {GROUP_LOADS, "-<body>_bc_normal", "side,side,...", "", "(none)",
+     "Flat sides that only slide: no displacement along their normal. Planes of symmetry."},
+    {GROUP_LOADS, "-<body>_bc_traction", "side,side,...", "", "(none)", "Sides with a given force per area."},
+    {GROUP_LOADS, "-<body>_bc_traction_<side>", "e,e", "stress", "(required)", "The force per area on a listed side."},
+    {GROUP_LOADS, "-<body>_bc_pressure", "side,side,...", "", "(none)", "Sides with a given pressure."},
+    {GROUP_LOADS, "-<body>_bc_pressure_<side>", "e", "stress", "(required)",
+     "The pressure on a listed side; positive pushes into the body."},
+
+    {GROUP_PAIRS, "-<pair>_nonmortar", "body:side", "", "(-<pair>_sides)",
+     "The side that carries the contact pressure."},
+    {GROUP_PAIRS, "-<pair>_mortar", "body:side", "", "(-<pair>_sides)",
+     "The side it meets; or an obstacle, see below."},
+    {GROUP_PAIRS, "-<pair>_sides", "body:side,body:side", "", "(none)",
+     "Instead of the two: both sides, their roles chosen by stiffness and mesh."},
+    {GROUP_PAIRS, "-<pair>_type", "contact|tied", "", "contact",
+     "Sides that push but never pull, without friction; or sides glued together."},
+    {GROUP_PAIRS, "-<pair>_gap", "e", "length", "(measured)",
+     "The gap between the sides, instead of the one measured from the meshes."},
+    {GROUP_PAIRS, "-<pair>_gap_offset", "e", "length", "(none)",
+     "Is added to the gap; negative for an interference fit."},
+    {GROUP_PAIRS, "-<pair>_reach", "x", "length", "(from the meshes)",
+     "How far apart facets are still taken for partners."},
+
+    {GROUP_OBSTACLES, "-<pair>_obstacle", "plane|ball|circle|cylinder|parabola|expression", "", "(none)",
+     "Shape of a rigid body that the nonmortar side meets. In a plane a ball is a circle; a cylinder is for solids, "
+     "not in this version."},
+    {GROUP_OBSTACLES, "-<pair>_obstacle_point", "x,y", "length", "0,0",
+     "A point of the plane, the centre of the ball, the vertex of the parabola."},
+    {GROUP_OBSTACLES, "-<pair>_obstacle_normal", "x,y", "", "(required)",
+     "Direction out of the plane, or out of the parabola at its vertex, towards the body; of any length."},
+    {GROUP_OBSTACLES, "-<pair>_obstacle_radius", "x", "length", "(required)",
+     "Radius of the ball (negative: a hollow that the body lies in), or of curvature at the parabola's vertex "
+     "(negative: a valley)."},
+    {GROUP_OBSTACLES, "-<pair>_obstacle_gap", "e", "length", "(required)",
+     "With -<pair>_obstacle expression: the gap at a point of the nonmortar side, along its outward normal."},
+
+    {GROUP_PROBES, "-probes", "name,name,...", "", "(none)",
+     "Points at which the summary tells displacement and stress."},
+    {GROUP_PROBES, "-probe_<probe>_at", "x,y", "length", "(required)", "Where the probe is."},
+    {GROUP_PROBES, "-probe_<probe>_body", "name", "", "(the only body)", "The body it is in."},
+
+    {GROUP_OUTPUT, "-output", "path", "", "(no files)",
+     "Writes <path>.h5, <path>.xdmf, <path>.json and one <path>_<pair>.csv for every pair."},
+    {GROUP_OUTPUT, "-output_format", "xdmf|vtu", "", "xdmf", "Format of the fields; both with xdmf,vtu."},
+    {GROUP_OUTPUT, "-summary", "file", "", "(with -output)", "Writes the summary alone as JSON; - prints it."},
+    {GROUP_OUTPUT, "-quiet", "0|1", "", "0", "No progress table, even on a terminal."},
+    {GROUP_OUTPUT, "-monitor", "0|1", "", "(on a terminal)", "The progress table, even in a log file."},
+    {GROUP_OUTPUT, "-scene_view", "0|1", "", "0", "Prints what was modelled, and what was left out and why."},
+
+    {GROUP_SOLVER, "-snes_type", "pdas|vinewtonrsls|vinewtonssls", "", "pdas",
+     "Primal-dual active sets, or one of PETSc's solvers of inequalities on the same problem."},
+    {GROUP_SOLVER, "-snes_pdas_c", "x", "", "1",
+     "Constant of the active set test, in multiples of the local stiffness."},
+    {GROUP_SOLVER, "-snes_pdas_start", "empty|full|gap|previous", "", "empty", "Active set to begin with."},
+    {GROUP_SOLVER, "-snes_pdas_reduce", "auto|0|1", "", "auto",
+     "Whether one factorisation serves all active sets, by a dense matrix for the contact nodes."},
+    {GROUP_SOLVER, "-cross_check", "0|1", "", "0",
+     "Solves by pdas and by vinewtonrsls and compares; a difference is exit code 3."},
+
+    {GROUP_PETSC, "-snes_max_it", "n", "", "(PETSc's)", "Largest number of nonlinear iterations."},
+    {GROUP_PETSC, "-snes_rtol", "x", "", "(PETSc's)", "Relative tolerance of the nonlinear solver."},
+    {GROUP_PETSC, "-snes_monitor", "", "", "(off)", "PETSc's line for every nonlinear iteration."},
+    {GROUP_PETSC, "-snes_converged_reason", "", "", "(off)", "Why the nonlinear solver ended."},
+    {GROUP_PETSC, "-ksp_type", "name", "", "(by size)",
+     "Linear solver: preonly for a factorisation, cg with a preconditioner."},
+    {GROUP_PETSC, "-ksp_rtol", "x", "", "(by solver)", "Relative tolerance of an iterative linear solver."},
+    {GROUP_PETSC, "-ksp_*", "", "", "", "Everything else of KSP: -ksp_monitor, -ksp_view, -ksp_max_it."},
+    {GROUP_PETSC, "-pc_type", "name", "", "(by size)", "Preconditioner: cholesky, gamg, hypre, jacobi."},
+    {GROUP_PETSC, "-pc_*", "", "", "", "Everything else of PC: -pc_factor_mat_solver_type, -pc_gamg_threshold."},
+    {GROUP_PETSC, "-mat_mumps_*", "", "", "", "Controls of MUMPS: -mat_mumps_icntl_14 (spare memory, percent)."},
+    {GROUP_PETSC, "-<body>_dm_*", "", "", "",
+     "What DMPlex reads for one body: -<body>_dm_view, -<body>_dm_plex_check_all."},
+    {GROUP_PETSC, "-log_view", "", "", "(off)", "PETSc's table of times and flops by stage and event."},
+    {GROUP_PETSC, "-info", "", "", "(off)", "PETSc tells what it decides."},
+    {GROUP_PETSC, "-malloc_dump", "", "", "(off)", "Lists memory that was not freed."},
+};
+
+const OptionEntry *OptionTable(PetscInt *num_entries)
+{
+  *num_entries = (PetscInt)(sizeof(table) / sizeof(table[0]));
+  return table;
+}
+
+const char *OptionGroupTitle(OptionGroup group)
+{
+  return titles[group];
+}
+
+OptionScope OptionEntryScope(const OptionEntry *entry)
+{
+  if (strstr(entry->name, "<body>")) return SCOPE_BODY;
+  if (strstr(entry->name, "<pair>")) return SCOPE_PAIR;
+  if (strstr(entry->name, "<probe>")) return SCOPE_PROBE;
+  return SCOPE_PROGRAM;
+}
+
+/* Whether an option fits a pattern with this owner and anything for <side> or '*'. Like PETSc's database it does not
+   tell capitals from small letters. */
+static PetscBool OptionFits_Private(const char pattern[], const char owner[], const char option[])
+{
+  while (*pattern) {
+    if (*pattern == '*' || !strncmp(pattern, "<side>", 6)) return (PetscBool)(*option != '\0');
+    if (*pattern == '<') {
+      const size_t length = strlen(owner);
+
+      if (strncasecmp(owner, option, length)) return PETSC_FALSE;
+      option += length;
+      pattern = strchr(pattern, '>') + 1;
+    } else if (strncasecmp(pattern++, option++, 1))
+      return PETSC_FALSE;
+  }
+  return (PetscBool)(*option == '\0');
+}
+
+const OptionEntry *OptionTableMatch(OptionScope scope, const char owner[], const char option[])
+{
+  for (size_t i = 0; i < sizeof(table) / sizeof(table[0]); i++) {
+    if (OptionEntryScope(&table[i]) == scope && OptionFits_Private(table[i].name, owner, option)) return &table[i];
+  }
+  return NULL;
+}

@@ -1,0 +1,1 @@
+mortise_unit(scene ROOMS base kernel scene RANKS 1 2)
