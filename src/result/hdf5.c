@@ -1,13 +1,18 @@
 /* hdf5.c -- the picture as plain contiguous datasets, written by the first rank alone.
 
    /points [N][3], /cells (see xdmf.c), one dataset per quantity under its own name; attributes of the file: title, version,
-   units, and a word on every dataset's order. Readable by h5py, MATLAB, h5dump without any library of ours. */
-#include <errno.h>
+   units, and a word on every dataset's order. Readable by h5py, MATLAB, h5dump without any library of ours.
+
+   The file is built in memory (HDF5's core driver) and written as bytes: after a failed write HDF5 1.10 can neither close
+   the file nor survive MPI_Finalize(), so a full disk would end in a crash instead of a sentence. The price is the file's
+   size in memory, little beside what solving took. */
 #include <string.h>
 #include <hdf5.h>
 #include "picture.h"
 #include "xdmf.h"
 #include <mortise/compat.h>
+
+enum { IMAGE_INCREMENT = 1 << 20 }; /* bytes by which the file in memory grows */
 
 /* A text attribute; false on failure. */
 static PetscBool WriteAttribute_Private(hid_t where, const char name[], const char text[])
@@ -90,28 +95,42 @@ static PetscBool WriteAll_Private(hid_t file, const Picture *picture, const Topo
   return good;
 }
 
-PetscErrorCode PictureWriteHDF5(const Picture *picture, Files *files, const char final[])
+/* The file as bytes. [out] image - owned by the caller */
+static PetscErrorCode CreateImage_Private(const Picture *picture, const Topology *topology, size_t *size, char **image)
 {
-  const char *path;
-  hid_t       file;
-  Topology    topology;
-  H5E_auto2_t print;
-  void       *print_data;
-  PetscBool   good;
+  const hid_t access    = H5Pcreate(H5P_FILE_ACCESS);
+  hid_t       file      = -1;
+  ssize_t     num_bytes = 0;
+  PetscBool   good      = (PetscBool)(H5Pset_fapl_core(access, IMAGE_INCREMENT, 0) >= 0);
 
   PetscFunctionBeginUser;
-  PetscCall(FilesAdd(files, final, &path));
-  if (!path) PetscFunctionReturn(PETSC_SUCCESS);
+  if (good) file = H5Fcreate("picture", H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  good = (PetscBool)(file >= 0 && WriteAll_Private(file, picture, topology) && H5Fflush(file, H5F_SCOPE_LOCAL) >= 0);
+  if (good) num_bytes = H5Fget_file_image(file, NULL, 0);
+  *size = (size_t)num_bytes;
+  PetscCall(PetscMalloc1(*size, image));
+  good = (PetscBool)(good && num_bytes > 0 && H5Fget_file_image(file, *image, *size) == num_bytes);
+  if (file >= 0) H5Fclose(file);
+  H5Pclose(access);
+  PetscCheck(good, PETSC_COMM_SELF, PETSC_ERR_LIB, "HDF5 could not build the picture");
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PictureWriteHDF5(const Picture *picture, Files *files, const char final[])
+{
+  FILE    *out;
+  Topology topology;
+  char    *image;
+  size_t   size;
+
+  PetscFunctionBeginUser;
+  PetscCall(FilesOpen(files, final, &out));
+  if (!out) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(TopologyCreate(picture, &topology));
-  /* HDF5's own error stack would be a wall of text: the reason is kept in errno. */
-  H5Eget_auto2(H5E_DEFAULT, &print, &print_data);
-  H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
-  errno = 0;
-  file  = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-  good  = (PetscBool)(file >= 0 && WriteAll_Private(file, picture, &topology));
-  if (file >= 0 && H5Fclose(file) < 0) good = PETSC_FALSE;
-  if (!good) PetscCall(FilesFail(files, path, errno ? errno : EIO));
-  H5Eset_auto2(H5E_DEFAULT, print, print_data);
+  PetscCall(CreateImage_Private(picture, &topology, &size, &image));
+  fwrite(image, 1, size, out); /* what fails shows when the file is closed */
+  PetscCall(PetscFree(image));
   PetscCall(TopologyDestroy(&topology));
+  PetscCall(FilesClose(files, &out));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
