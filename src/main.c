@@ -2,6 +2,7 @@
 #include <mortise.h>
 #include <metis.h>
 #include <muParserDLL.h>
+#include <petscpkg_version.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -323,7 +323,7 @@ static void ReadDefaults_Private(Reader *reader, int skip_files)
   if (variable) {
     char *text = Allocate_Private(NULL, strlen(variable) + 1);
 
-    ReadText_Private(reader, "PETSC_OPTIONS", strcpy(text, variable));
+    ReadText_Private(reader, "PETSC_OPTIONS", memcpy(text, variable, strlen(variable) + 1));
     free(text);
   }
 }
