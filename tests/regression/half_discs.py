@@ -1,0 +1,12 @@
+"""R3: two half discs. The references with the gap along the vertical and along the normal differ by 0.1 to 0.3 %."""
+from judge import near
+
+FORCE = {0.004: 0.098454, 0.01: 0.277661, 0.02: 0.615928}
+PEAK = {0.004: 1.834, 0.01: 3.080, 0.02: 4.588}
+
+
+def judge(run):
+    for depth, force in FORCE.items():
+        again = run.again("-upper_bc_displacement_upper_top", f"0,{-depth}", name=f"depth{depth}")
+        near(f"force at {depth}", again.pair("joint")["normal_force"], force, relative=1e-2)
+        near(f"peak pressure at {depth}", again.pair("joint")["max_pressure"], PEAK[depth], relative=2e-2)

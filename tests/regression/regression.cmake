@@ -1,0 +1,8 @@
+mortise_scene_test(two_plates CHECK two_plates.py)
+mortise_scene_test(patch_interference CHECK patch_interference.py RANKS 1 2)
+mortise_scene_test(touching CHECK touching.py RANKS 1 2)
+mortise_scene_test(rings CHECK rings.py)
+mortise_scene_test(parabola CHECK parabola.py)
+mortise_scene_test(punch CHECK punch.py)
+mortise_scene_test(half_discs CHECK half_discs.py)
+mortise_scene_test(edge2d CHECK edge2d.py)
