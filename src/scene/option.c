@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Characters of a value that a sentence shows: expressions may be thousands long. */
-enum { VALUE_SHOWN = 60 };
+/* Characters of a name and of its value that a sentence shows: expressions may be thousands long. */
+enum { NAME_SHOWN = 400, VALUE_SHOWN = 60 };
 
 PetscErrorCode OptionExpand(const char pattern[], const char owner[], const char side[], char name[OPTION_MAX])
 {
@@ -53,21 +53,29 @@ PetscErrorCode OptionFind(Scene scene, const char pattern[], const char owner[],
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode OptionShow(const char name[], const char value[], char shown[OPTION_MAX])
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscSNPrintf(shown, OPTION_MAX, "%.*s%s%.*s%s", NAME_SHOWN, name, value[0] ? " " : "", VALUE_SHOWN, value,
+                          strlen(value) > VALUE_SHOWN ? "..." : ""));
+  for (char *c = shown; *c; c++) {
+    if (iscntrl((unsigned char)*c)) *c = ' '; /* a sentence is one line */
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode OptionRaise(const Option *option, const char format[], ...)
 {
-  char        sentence[OPTION_SENTENCE], value[VALUE_SHOWN + 1];
-  const char *text = option->set ? option->text : "";
-  va_list     args;
+  char    sentence[OPTION_SENTENCE], shown[OPTION_MAX];
+  va_list args;
 
+  PetscFunctionBeginUser;
   va_start(args, format);
   vsnprintf(sentence, sizeof(sentence), format, args);
   va_end(args);
-  snprintf(value, sizeof(value), "%s", text);
-  for (char *c = value; *c; c++) {
-    if (iscntrl((unsigned char)*c)) *c = ' ';
-  }
-  return FaultRaise(option->comm, "%s%s%s%s: %s", option->name, text[0] ? " " : "", value,
-                    strlen(text) > VALUE_SHOWN ? "..." : "", sentence);
+  PetscCall(OptionShow(option->name, option->set ? option->text : "", shown));
+  PetscCall(FaultRaise(option->comm, "%s: %s", shown, sentence));
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode OptionRequire(const Option *option, const char why[])

@@ -71,6 +71,8 @@ PetscErrorCode OptionExpand(const char pattern[], const char owner[], const char
 
 /* Looks up an option; reading counts as use. Not collective. [in] pattern - the name of a row of the table */
 PetscErrorCode OptionFind(Scene scene, const char pattern[], const char owner[], const char side[], Option *option);
+/* An option as a sentence shows it: its name and its value, which may be cut. Not collective. */
+PetscErrorCode OptionShow(const char name[], const char value[], char shown[OPTION_MAX]);
 /* Raises the fault "<option> <value>: <sentence>". Collective. */
 PetscErrorCode OptionRaise(const Option *option, const char format[], ...);
 /* Faults if the option is absent; a near misspelling that the user typed is named.

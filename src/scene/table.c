@@ -126,8 +126,8 @@ static const OptionEntry table[] = {
     {GROUP_SOLVER, "-snes_pdas_c", "x", "", "1",
      "Constant of the active set test, in multiples of the local stiffness."},
     {GROUP_SOLVER, "-snes_pdas_start", "empty|full|gap|previous", "", "empty", "Active set to begin with."},
-    {GROUP_SOLVER, "-snes_pdas_reduce", "auto|0|1", "", "auto",
-     "Whether one factorisation serves all active sets, by a dense matrix for the contact nodes."},
+    {GROUP_SOLVER, "-snes_pdas_reduce", "0|1", "", "(if it is cheap)",
+     "Whether one factorisation serves all active sets, by a dense matrix for the nodes that may touch."},
     {GROUP_SOLVER, "-cross_check", "0|1", "", "0",
      "Solves by pdas and by vinewtonrsls and compares; a difference is exit code 3."},
 

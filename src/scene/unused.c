@@ -57,6 +57,9 @@ static const char *const objects[] = {"ksp_",        "pc_",      "snes_",   "mat
                                       "is_",         "sf_",      "da_",     "fieldsplit_", "petscpartitioner_",
                                       "petscspace_", "petscfe_", "petscds_"};
 
+/* Name spaces within PETSc's that are this program's: what the table does not know there, nobody does. */
+static const char *const ours[] = {"snes_pdas_", "_dm_plex_box_"};
+
 /* Words that are PETSc's behind any prefix, as in -sub_pc_type. */
 static const char *const nested[] = {"_ksp_", "_pc_", "_mat_"};
 
@@ -86,7 +89,7 @@ PetscBool UnusedBeginsLikePETSc(const char option[])
 /* Finds owner and row of an option. Where several names begin it, the one counts that makes it a row of the table. */
 static PetscErrorCode UnusedJudge_Private(Scene scene, const char name[], const char value[], Leftover *left)
 {
-  static const char probes[] = "-probe_";
+  static const char probe[] = "probe_"; /* stands before the names of probes */
   const char       *owner;
   OptionScope       scope;
 
@@ -96,25 +99,42 @@ static PetscErrorCode UnusedJudge_Private(Scene scene, const char name[], const 
   left->owner = NULL;
   left->entry = OptionTableMatch(SCOPE_PROGRAM, "", left->name);
   for (PetscInt i = 0; !left->entry && (owner = NamesGet(scene, i, &scope)); i++) {
-    const size_t before = scope == SCOPE_PROBE ? strlen(probes) : 1, length = strlen(owner);
+    const size_t before = scope == SCOPE_PROBE ? strlen(probe) : 0, length = strlen(owner);
+    const char  *begin = left->name + 1 + before;
 
-    if (strncasecmp(left->name, probes, before) || strncasecmp(left->name + before, owner, length)) continue;
-    if (left->name[before + length] != '_') continue;
+    if (strncasecmp(left->name + 1, probe, before) || strncasecmp(begin, owner, length) || begin[length] != '_')
+      continue;
     left->owner = owner;
     left->entry = OptionTableMatch(scope, owner, left->name);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+static PetscBool UnusedContains_Private(const char option[], size_t num, const char *const words[])
+{
+  for (size_t i = 0; i < num; i++) {
+    if (strstr(option, words[i])) return PETSC_TRUE;
+  }
+  return PETSC_FALSE;
+}
+
+/* Whether the table has the option in a row of its own, not only among a whole name space of PETSc's. */
+static PetscBool UnusedIsDocumented_Private(const Leftover *left)
+{
+  return (PetscBool)(left->entry && !strchr(left->entry->name, '*'));
+}
+
 /* Whether PETSc, or the solver, may still read the option. */
 static PetscBool UnusedMayBeRead_Private(const Leftover *left)
 {
-  if (left->entry) return (PetscBool)(left->entry->group == GROUP_PETSC || left->entry->group == GROUP_SOLVER);
-  if (left->owner) return PETSC_FALSE;
-  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(nested); i++) {
-    if (strstr(left->name, nested[i])) return PETSC_TRUE;
+  if (UnusedIsDocumented_Private(left)) {
+    return (PetscBool)(left->entry->group == GROUP_PETSC || left->entry->group == GROUP_SOLVER);
   }
-  return UnusedBeginsLikePETSc(left->name);
+  if (UnusedContains_Private(left->name, PETSC_STATIC_ARRAY_LENGTH(ours), ours)) return PETSC_FALSE;
+  if (left->entry) return PETSC_TRUE;
+  if (left->owner) return PETSC_FALSE;
+  return (PetscBool)(UnusedBeginsLikePETSc(left->name) ||
+                     UnusedContains_Private(left->name, PETSC_STATIC_ARRAY_LENGTH(nested), nested));
 }
 
 PetscErrorCode UnusedNearest(Scene scene, const char option[], char near[OPTION_MAX])
@@ -128,8 +148,7 @@ PetscErrorCode UnusedNearest(Scene scene, const char option[], char near[OPTION_
   PetscCall(PetscOptionsLeftGet(NULL, &num, &names, &values));
   for (PetscInt i = 0; i < num && !near[0]; i++) {
     PetscCall(UnusedJudge_Private(scene, names[i], values[i], &left));
-    if (left.entry && !strpbrk(left.entry->name, "*") && !strstr(left.entry->name, "<side>"))
-      continue; /* merely not read yet */
+    if (UnusedIsDocumented_Private(&left) && !strstr(left.entry->name, "<side>")) continue; /* merely not read yet */
     if (!FaultNearest(left.name, 1, &option)) continue;
     PetscCall(PetscStrncpy(near, left.name, OPTION_MAX));
   }
@@ -146,13 +165,13 @@ static PetscErrorCode UnusedExplain_Private(Scene scene, const Leftover *left, c
 
   PetscFunctionBeginUser;
   *suggested = PETSC_FALSE;
-  PetscCall(PetscSNPrintf(shown, sizeof(shown), "%s%s%.60s", left->name, left->value[0] ? " " : "", left->value));
+  PetscCall(OptionShow(left->name, left->value, shown));
   if (side) {
     PetscCall(PetscSNPrintf(near, sizeof(near), "%.*s", (int)(side - left->entry->name), left->entry->name));
     PetscCall(OptionExpand(near, left->owner, NULL, text));
     PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE, "%s: this datum is not read, its side is not listed in %s",
                             shown, text));
-  } else if (left->entry && !strchr(left->entry->name, '*')) {
+  } else if (UnusedIsDocumented_Private(left)) {
     PetscCall(OptionExpand(left->entry->help, left->owner, NULL, text));
     PetscCall(
         PetscSNPrintf(sentence, OPTION_SENTENCE, "%s: nothing in this scene needs this option (%s)", shown, text));
@@ -163,7 +182,9 @@ static PetscErrorCode UnusedExplain_Private(Scene scene, const Leftover *left, c
       PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE, "%s: there is no such option; did you mean %s?", shown, near));
     else
       PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE,
-                              "%s: there is no such option, and none like it; -help lists all", shown));
+                              "%s: there is no such option, and none like it; -bodies, -pairs and -probes list the "
+                              "names that options may begin with, -help all options",
+                              shown));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -179,7 +200,7 @@ PetscErrorCode UnusedCheckUnknown(Scene scene, PetscBool only_near)
   PetscCall(PetscOptionsLeftGet(NULL, &num, &names, &values));
   for (PetscInt i = 0; i < num && !suggested; i++) { /* the first that has a neighbour, else the first */
     PetscCall(UnusedJudge_Private(scene, names[i], values[i], &left));
-    if (left.entry || UnusedMayBeRead_Private(&left)) continue;
+    if (UnusedIsDocumented_Private(&left) || UnusedMayBeRead_Private(&left)) continue;
     PetscCall(UnusedExplain_Private(scene, &left, sentence, &suggested));
     if (suggested || (!worst[0] && !only_near)) PetscCall(PetscStrncpy(worst, sentence, sizeof(worst)));
   }

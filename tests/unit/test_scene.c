@@ -58,7 +58,7 @@ static const Mistake mistakes[] = {
     {NULL, {{"-joint_mortr", "lower:top"}}, {"-joint_mortr", "-joint_mortar"}},
     {"-upper_dm_plex_box_faces",
      {{"-upper_dm_plex_box_face", "4,4"}},
-     {"-upper_dm_plex_box_face:", "-upper_dm_plex_box_faces"}},
+     {"-upper_dm_plex_box_face 4,4", "-upper_dm_plex_box_faces?"}},
     {NULL, {{"-upper_bc_traction_top", "1,1"}}, {"-upper_bc_traction_top 1,1", "not listed in -upper_bc_traction"}},
     {NULL, {{"-output_format", "vtu"}}, {"-output_format vtu", "nothing in this scene"}},
     {NULL, {{"-upper_material_angle", "30"}}, {"-upper_material_angle 30", "nothing"}},
@@ -162,6 +162,7 @@ static const Mistake mistakes[] = {
     {NULL, {{"-output", "out"}, {"-output_format", "xdmf,vtk"}}, {"'vtk'", "xdmf, vtu"}},
     {NULL, {{"-quiet", NULL}, {"-monitor", NULL}}, {"-monitor", "-quiet"}},
     {NULL, {{"-snes_type", "newtonls"}}, {"-snes_type newtonls", "vinewtonrsls", "bounds"}},
+    {NULL, {{"-snes_pdas_strt", "full"}}, {"-snes_pdas_strt full", "-snes_pdas_start"}},
     {NULL, {{"-snes_type", "pdsa"}}, {"-snes_type pdsa", "did you mean pdas"}},
 };
 
