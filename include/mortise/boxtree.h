@@ -1,4 +1,4 @@
-/* boxtree.h -- axis-aligned bounding boxes in a median-split tree (floor 1; numerics.md 3.2). */
+/* boxtree.h -- axis-aligned bounding boxes in a median-split tree (floor 1). */
 #ifndef MORTISE_BOXTREE_H
 #define MORTISE_BOXTREE_H
 
@@ -7,7 +7,7 @@
 typedef struct _n_BoxTree *BoxTree;
 
 /* Builds a tree over n boxes in O(n log n). Not collective.
-   [in] boxes - [n][2][dim], lower then upper, copied; [out] tree - owned by the caller */
+   [in] boxes - [n][2][dim], finite, lower then upper, copied; [out] tree - owned by the caller */
 PetscErrorCode BoxTreeCreate(PetscInt dim, PetscInt n, const PetscReal boxes[], BoxTree *tree);
 PetscErrorCode BoxTreeDestroy(BoxTree *tree);
 

@@ -29,28 +29,32 @@ const PetscInt *ElementFacetNodes(ElementType type, PetscInt facet);
 void ElementShape(ElementType type, const PetscReal xi[], PetscReal phi[], PetscReal dphi[]);
 
 /* A rule on the reference cell that is exact for polynomials up to degree (tensor degree on quads).
-   [out] points - [n][ElementDim]; [out] weights - [n], summing to the reference measure; returns n, 0 if there is no rule */
+   Highest degree: 15 on lines, 5 on triangles, 7 on quads. Returns n, 0 beyond.
+   [out] points - [n][ElementDim]; [out] weights - [n], summing to the reference measure */
 PetscInt ElementQuadrature(ElementType type, PetscInt degree, PetscReal points[], PetscReal weights[]);
 
 /* n Gauss-Legendre points on [0,1], n = 1..8: exact to degree 2n-1. Returns n. */
 PetscInt GaussLine(PetscInt n, PetscReal points[], PetscReal weights[]);
 
-/* Geometry at xi of a cell with nodes at X: x (may be NULL), gradients d phi_i / d x_k (may be NULL), and det J as result.
-   [in] X - [num_nodes][dim], dim = ElementDim; [out] x - [dim]; [out] phi - [num_nodes]; [out] grad - [num_nodes][dim] */
+/* Geometry at xi of a cell with nodes at X: x and the gradients d phi_i / d x_k (either may be NULL); returns det J.
+   [in] X - [num_nodes][dim], dim = ElementDim; [out] x - [dim]; [out] phi - [num_nodes];
+   [out] grad - [num_nodes][dim] */
 PetscReal ElementMap(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
                      PetscReal grad[]);
 
-/* Smallest det J over the nodes and quadrature points: <= 0 for a degenerate or tangled cell. */
+/* Smallest det J in the cell: <= 0 for a degenerate or tangled one. */
 PetscReal ElementMinJacobian(ElementType type, const PetscReal X[]);
 
-/* Finds xi with x(xi) = x by Newton; returns whether x lies in the cell to within tolerance (relative to the cell). */
-PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x[], PetscReal tolerance, PetscReal xi[]);
+/* Finds xi with x(xi) = x by Newton; returns whether x lies in the cell to within tolerance (relative to the cell).
+   xi is of no use outside. [in] X - [num_nodes][dim]; [in] x - [dim]; [out] xi - [dim] */
+PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x[], PetscReal tolerance,
+                        PetscReal xi[]);
 
 /* Strain-displacement matrix at a point, engineering shear, rows (xx,yy,xy) in 2D, (xx,yy,zz,yz,xz,xy) in 3D.
    [in] grad - [num_nodes][dim]; [out] B - [num_strains][num_nodes*dim] */
 void ElementStrainMatrix(PetscInt dim, PetscInt num_nodes, const PetscReal grad[], PetscReal B[]);
 
-/* The degree of the quadrature of the stiffness of affine and parallelogram cells (2 x 2 points for quad4, 1 for tri3). */
+/* The degree of quadrature for the stiffness of affine and parallelogram cells: 2 x 2 points for quad4, 1 for tri3. */
 PetscInt ElementStiffnessDegree(ElementType type);
 
 #endif

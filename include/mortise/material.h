@@ -21,7 +21,8 @@ PetscReal MaterialDefiniteness(PetscInt num_strains, const PetscReal C[]);
 
 /* sigma = C eps as six components xx,yy,zz,yz,xz,xy. zz in plane strain is nu (xx + yy) of an isotropic body (poisson),
    0 in plane stress; NAN where a 2D Hooke tensor leaves it open (pass poisson = NAN). [in] strain - [num_strains] */
-void MaterialStress(ModelKind model, const PetscReal C[], PetscReal poisson, const PetscReal strain[], PetscReal stress[6]);
+void MaterialStress(ModelKind model, const PetscReal C[], PetscReal poisson, const PetscReal strain[],
+                    PetscReal stress[6]);
 
 PetscReal MaterialVonMises(const PetscReal stress[6]);
 

@@ -18,7 +18,7 @@ struct _n_BoxTree {
   PetscInt  *hits;   /* of the last query [n] */
 };
 
-/* Twice the centre of a box; ties are broken by the index, so that the tree does not depend on the order of the input. */
+/* Compares (twice) the centres of two boxes; the index breaks ties, so that equal centres have an order, too. */
 static PetscBool IsBefore_Private(BoxTree tree, PetscInt axis, PetscInt a, PetscInt b)
 {
   const PetscReal *A = &tree->boxes[2 * a * tree->dim + axis], *B = &tree->boxes[2 * b * tree->dim + axis];

@@ -1,4 +1,4 @@
-/* dual.c -- the dual basis of one facet from the quadrature points that cover it.
+/* dual.c -- the dual basis (T6) of one facet from the quadrature points that cover it.
 
    References:
      [1] B. Wohlmuth, A mortar finite element method using dual spaces for the Lagrange multiplier (2000).

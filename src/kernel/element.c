@@ -9,7 +9,6 @@
 enum { MAX_DIM = 2, MAX_FACETS = 4, NEWTON_MAX_STEPS = 25 };
 
 static const PetscReal NEWTON_STEP = 1e-10; /* convergence is quadratic: after such a step only roundoff is left */
-static const PetscReal NEWTON_HALO = 0.5;   /* iterates stay this near, where the map of a sound cell is regular */
 
 typedef struct {
   const char     *name;
@@ -239,6 +238,7 @@ static PetscBool IsInside_Private(const Reference *cell, const PetscReal xi[], P
   return !cell->simplex || sum <= 1. + tolerance ? PETSC_TRUE : PETSC_FALSE;
 }
 
+/* From the middle of a convex cell Newton's method finds every point inside; it may fail outside, which is an answer. */
 PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x[], PetscReal tolerance, PetscReal xi[])
 {
   const Reference *cell = &REFERENCE[type];
@@ -260,8 +260,7 @@ PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x
       const PetscReal before = xi[k];
 
       for (PetscInt l = 0; l < dim; l++) xi[k] += inverse[k * dim + l] * r[l];
-      xi[k] = PetscMin(PetscMax(xi[k], -NEWTON_HALO), 1. + NEWTON_HALO);
-      step  = PetscMax(step, PetscAbsReal(xi[k] - before));
+      step = PetscMax(step, PetscAbsReal(xi[k] - before));
     }
   }
   return step <= NEWTON_STEP ? IsInside_Private(cell, xi, tolerance) : PETSC_FALSE;

@@ -13,8 +13,8 @@ static PetscReal Dot_Private(PetscInt dim, const PetscReal a[], const PetscReal 
   return sum;
 }
 
-/* The two ends get nu_f / h_f: of two chords of a circle the shorter one is tilted less from the tangent at their common
-   node, in proportion to its length, so that these weights cancel the tilts for any spacing. */
+/* The two ends get nu_f / h_f (T13): a chord of a circle is tilted from the tangent at its end in proportion to its
+   length, so that these weights cancel the tilts of two chords for any spacing. */
 static void AddSegment_Private(const PetscReal X[], PetscReal N[])
 {
   const PetscReal dx = X[2] - X[0], dy = X[3] - X[1];

@@ -22,7 +22,8 @@ static PetscInt NumDirect_Private(PetscInt num_strains)
   return num_strains == STRAINS_2D ? 2 : 3;
 }
 
-/* C = lambda 1 1' + mu (1 + delta) on the diagonal; plane stress is the same with the lambda that makes sigma_zz zero. */
+/* sigma_ij = lambda eps_kk delta_ij + 2 mu eps_ij, and gamma = 2 eps for shear; plane stress has the same form with the
+   lambda that makes sigma_zz vanish. */
 void MaterialIsotropic(ModelKind model, PetscReal young, PetscReal poisson, PetscReal C[])
 {
   const PetscInt  num_strains = MaterialNumStrains(model), num_direct = NumDirect_Private(num_strains);
@@ -80,7 +81,8 @@ static void Bond_Private(PetscInt dim, const PetscReal R[], PetscReal T[])
   }
 }
 
-/* C = T C_material T': stresses turn with T, and the energy makes engineering strains turn with its inverse transpose. */
+/* C = T C_material T': stresses turn with T and, since the energy stays, engineering strains with its inverse
+   transpose. */
 void MaterialAnisotropic(ModelKind model, const PetscReal upper[], const PetscReal angle[], PetscReal C[])
 {
   const PetscInt n = MaterialNumStrains(model), dim = NumDirect_Private(n);

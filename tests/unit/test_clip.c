@@ -58,7 +58,7 @@ static PetscInt ChainClip(const Chain *nonmortar, PetscInt facet, const Chain *m
   return num;
 }
 
-/* D, M and the gap of two surfaces, as the contact room integrates them (numerics.md 3.3, 4.1). */
+/* D, M and the gap of two surfaces, as the contact room integrates them. */
 static void Couple(const Chain *nonmortar, const Chain *mortar, Coupling *pair)
 {
   PetscMemzero(pair, sizeof(*pair));
@@ -90,7 +90,7 @@ static void Couple(const Chain *nonmortar, const Chain *mortar, Coupling *pair)
   }
 }
 
-/* numerics.md 13, A2 and A3. */
+/* Two halves against three thirds, and a facet against one that is shifted by a quarter: exact fractions by hand. */
 static void TestReferenceValues(void)
 {
   Chain           halves = {.n = 3, .X = {{0., 0.}, {0.5, 0.}, {1., 0.}}};
@@ -142,7 +142,7 @@ static void TestCoupling(PetscReal roughness)
   }
 }
 
-/* D and M do not notice that everything is turned and moved together (numerics.md 13, A9). */
+/* D and M do not notice that everything is turned and moved together. */
 static void TestRigidMotion(void)
 {
   for (PetscInt trial = 0; trial < 100; trial++) {
@@ -233,8 +233,8 @@ static PetscInt SortedPieces(const Chain *nonmortar, PetscInt facet, const Chain
   return num;
 }
 
-/* Mortar surfaces too flat to fold back along a ray: reaching beyond both ends, one covers the whole facet without holes or
-   overlaps; a narrow one covers what lies between the projections of its ends. */
+/* Mortar surfaces too flat to fold back along a ray: reaching beyond both ends, one covers the whole facet without
+   holes or overlaps; a narrow one covers what lies between the projections of its ends. */
 static void TestCover(PetscReal begin, PetscReal end)
 {
   for (PetscInt trial = 0; trial < 3000; trial++) {
@@ -323,7 +323,7 @@ static void TestProject(void)
   CHECK(!ClipProject(X, inward, beyond, &xi)); /* at this height all rays are on one side of it */
 }
 
-/* Newton's method as numerics.md 3.3 has it finds the same root. */
+/* Newton's method from the middle of the facet finds the same root. */
 static void TestProjectNewton(void)
 {
   for (PetscInt trial = 0; trial < 10000; trial++) {
@@ -386,7 +386,8 @@ static void RandomWild(PetscInt trial, Chain *facet, PetscReal Y[])
   }
 }
 
-/* Every point lies on its ray and on both facets; the covered part is where sampled rays pass between the mortar ends. */
+/* Every point lies on its ray and on both facets; what is covered is where sampled rays pass between the mortar ends.
+   */
 static void TestWild(void)
 {
   enum { NUM_SAMPLES = 101 };
@@ -444,7 +445,7 @@ static void TestSlivers(void)
 {
   const PetscReal X[] = {0., 0., 1., 0.}, N[] = {0., -1., 0., -1.};
   const PetscReal beside[] = {1., -0.1, 2., -0.1}, sliver[] = {-1., -0.1, 0.5e-12, -0.1},
-                  thin[]    = {-1., -0.1, 1e-9, -0.1};
+                  thin[]    = {-1., -0.1, 2e-12, -0.1};
   const PetscReal upright[] = {0.5, 0., 0.5, -1.}, point[] = {0.5, -0.1, 0.5, -0.1};
   ClipPoint       points[CLIP_MAX_POINTS];
 
@@ -453,7 +454,7 @@ static void TestSlivers(void)
   CHECK(ClipLines(X, N, upright, NUM_GAUSS, points) == 0);
   CHECK(ClipLines(X, N, point, NUM_GAUSS, points) == 0);
   CHECK(ClipLines(X, N, thin, 1, points) == 1);
-  CHECK_NEAR(points[0].weight, 1e-9, 1e-24);
+  CHECK_NEAR(points[0].weight, 2e-12, 1e-15);
   CHECK_NEAR(points[0].gap, 0.1, 1e-16);
 }
 

@@ -24,7 +24,7 @@ static PetscInt LinePoints(PetscReal a, PetscReal b, PetscReal phi[], PetscReal 
   return n;
 }
 
-/* numerics.md 13, A1: full coverage of affine facets of measure 1 (1/2 for the triangle). */
+/* Full coverage of affine facets of measure 1 (1/2 for the triangle). */
 static void TestFull(ElementType type, const PetscReal expected[], PetscReal D_expected)
 {
   const PetscInt n = ElementNumNodes(type), dim = ElementDim(type);
@@ -40,7 +40,7 @@ static void TestFull(ElementType type, const PetscReal expected[], PetscReal D_e
   }
 }
 
-/* numerics.md 13, A3: lines covered on [1/4,1] and on [0,1/2]. */
+/* Lines covered on [1/4,1] and on [0,1/2]. */
 static void TestCut(void)
 {
   const PetscReal right[] = {3.5, -1.5, -2.5, 2.5}, left[] = {3., -6., -2., 7.};
@@ -56,8 +56,8 @@ static void TestCut(void)
   for (PetscInt i = 0; i < 4; i++) CHECK_NEAR(A[i], left[i], EXACT);
 }
 
-/* Covered on [0,e], det M_e = e^4/12: badly scaled for small e but never singular (numerics.md 4.2). The inverse of M_e in
-   closed form has the entries 4/e, (4 - 6/e)/e and (4 - 12/e + 12/e^2)/e. */
+/* Covered on [0,e], det M_e = e^4/12: badly scaled for small e but never singular.
+   The inverse of M_e in closed form has the entries 4/e, (4 - 6/e)/e and (4 - 12/e + 12/e^2)/e. */
 static void TestSliver(void)
 {
   const PetscReal covered[] = {1., 0.1, 1e-3, 1e-6, 1e-9};
@@ -87,7 +87,7 @@ static void TestSingular(void)
 }
 
 /* Random points with random weights stand for any rule on any covered part:
-   int psi_i phi_j = delta_ij int phi_j and sum_i psi_i = 1, because both use the same points (numerics.md 3.5). */
+   int psi_i phi_j = delta_ij int phi_j and sum_i psi_i = 1, because both use the same points. */
 static void TestBiorthogonality(ElementType type)
 {
   const PetscInt n = ElementNumNodes(type);

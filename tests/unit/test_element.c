@@ -265,7 +265,7 @@ static void TestLocateTolerance(void)
   CHECK(!ElementLocate(ELEMENT_TRI3, flat, outside, 1e-8, xi));
 }
 
-/* The strains of u = G x on a tetrahedron of unit edges (3D) and a triangle (2D) against the definition; turns give none. */
+/* The strains of u = G x on a tetrahedron (3D) and a triangle (2D) against the definition; turns give none. */
 static void TestStrainMatrix(PetscInt dim)
 {
   const PetscInt num_nodes = dim + 1, num_strains = dim == 2 ? 3 : 6, num_dofs = num_nodes * dim;
@@ -325,7 +325,7 @@ static void Stiffness(ElementType type, const PetscReal X[], const PetscReal C[]
   }
 }
 
-/* K u = 0 for rigid motions; 1/2 u'Ku = 1/2 area eps'C eps for a constant strain, on distorted cells, too (patch test). */
+/* K u = 0 for rigid motions; u'Ku = area eps'C eps for a constant strain on distorted cells, too: the patch test. */
 static void TestStiffness(ElementType type)
 {
   const PetscInt n = ElementNumNodes(type);

@@ -6,7 +6,7 @@
 
 static const PetscReal EXACT = 1e-13;
 
-/* Max's weights in 2D: nodes on a circle get its radial direction, whatever the spacing (numerics.md 13, A7). */
+/* Max's weights in 2D: nodes on a circle get its radial direction, whatever the spacing. */
 static void TestCircle(void)
 {
   for (PetscInt trial = 0; trial < 1000; trial++) {
@@ -61,7 +61,8 @@ static void RandomDirection(PetscReal n[])
   FrameNormalize(3, n);
 }
 
-/* A closed ring of triangles or quads around n with all corners on a sphere, at random distances (numerics.md 13, A7). */
+/* A closed ring of triangles or quads around n has the normal n if all its corners lie on a sphere, whatever its
+   shape. */
 static void TestSphere(PetscInt num_nodes)
 {
   for (PetscInt trial = 0; trial < 1000; trial++) {
@@ -115,7 +116,7 @@ static void CheckFrame(PetscInt dim, const PetscReal n[])
   CHECK_NEAR(det, 1., 8. * PETSC_MACHINE_EPSILON);
 }
 
-/* numerics.md 13, A8. */
+/* Directions of all kinds, with those at which frames are known to break. */
 static void TestFrames(void)
 {
   const PetscReal down[] = {0., 0., -1.}, up[] = {0., 0., 1.}, minus_zero[] = {1., 0., -0.},
