@@ -86,32 +86,39 @@ static void PrintVersion(void)
   printf("METIS %d.%d.%d\n", METIS_VER_MAJOR, METIS_VER_MINOR, METIS_VER_SUBMINOR);
   printf("HDF5 %d.%d.%d\n", PETSC_PKG_HDF5_VERSION_MAJOR, PETSC_PKG_HDF5_VERSION_MINOR,
          PETSC_PKG_HDF5_VERSION_SUBMINOR);
-  printf("muParser %s\n", mupGetVersion(parser));
+  printf("muParser %.*s\n", (int)strcspn(mupGetVersion(parser), " "), mupGetVersion(parser));
   printf("%.*s\n", (int)strcspn(mpi, ",\n"), mpi);
   mupRelease(parser);
+}
+
+/* Starts PETSc on an argument list. */
+static PetscErrorCode Begin(int argc, char **argv)
+{
+  PetscFunctionBeginUser;
+  PetscCall(FaultInitialize());
+  PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
+  PetscCall(FaultCatchSignals());
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Prints every option; the user's own options play no part in it. */
 static PetscErrorCode PrintHelp(char *program)
 {
-  int    num       = 2;
-  char   skip[]    = "-skip_petscrc";
-  char  *words[]   = {program, skip, NULL};
-  char **arguments = words;
+  char  skip[]      = "-skip_petscrc";
+  char *arguments[] = {program, skip, NULL};
 
   PetscFunctionBeginUser;
-  PetscCall(PetscInitialize(&num, &arguments, NULL, NULL));
+  PetscCall(Begin(2, arguments));
   PetscCall(SceneHelp(PETSC_COMM_WORLD));
   PetscCall(PetscFinalize());
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves the scene of an argument list without mistakes in its form. *verdict says how it went; an error code says why it went no further. */
+/* Solves the scene of an argument list without mistakes in its form. [out] verdict - how it went, where it went to the end */
 static PetscErrorCode RunArguments(double start, int argc, char **argv, MortiseExit *verdict)
 {
   PetscFunctionBeginUser;
-  PetscCall(FaultInitialize());
-  PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
+  PetscCall(Begin(argc, argv));
   PetscCall(LogInitialize(start));
   PetscCall(PDASRegister());
   PetscCall(Run(verdict));
@@ -155,7 +162,8 @@ static MortiseExit Dispatch(double start, int argc, char **argv)
   return error ? MORTISE_FAILED : verdict;
 }
 
-/* A fault leaves objects behind that nobody needs any more, so PETSc is not finalised after one: its lists of leaks would bury the sentence. */
+/* A fault leaves objects behind that nobody needs any more, so PETSc is not finalised after one: its lists of leaks would
+   bury the sentence. */
 int main(int argc, char **argv)
 {
   const double start = LogWallClock();

@@ -28,6 +28,10 @@ typedef enum {
    gets PETSc's traceback. Not collective; call once, before PetscInitialize() to cover that as well, or after. */
 PetscErrorCode FaultInitialize(void);
 
+/* Lets a crash end all ranks with exit code MORTISE_FAILED and one sentence, and lets a reader of the output that has seen
+   enough (a closed pipe) end the program silently. Not collective; call after PetscInitialize(). */
+PetscErrorCode FaultCatchSignals(void);
+
 /* Raises a fault that all ranks know of: the first rank prints "mortise: <sentence>" on stderr.
    Collective on comm, the same arguments on all ranks. Returns MORTISE_ERR_FAULT: write PetscCall(FaultRaise(...)).
    [in] format - printf format of the sentence, without a final newline */

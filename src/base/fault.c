@@ -6,6 +6,7 @@
 #include <mortise/compat.h>
 #include <mortise/fault.h>
 #include <ctype.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -100,19 +101,59 @@ static PetscErrorCode FaultFromPETSc_Private(const char message[])
   return MORTISE_ERR_FAULT;
 }
 
+/* Whether memory ran out; PETSc 3.18 raises this without its code, and with the wrong text. */
+static PetscBool FaultIsMemory_Private(const char function[], PetscErrorCode code, PetscErrorType type)
+{
+  if (code == PETSC_ERR_MEM) return PETSC_TRUE;
+  return type == PETSC_ERROR_INITIAL && function &&
+                 (!strcmp(function, "PetscMallocAlign") || !strcmp(function, "PetscReallocAlign"))
+             ? PETSC_TRUE
+             : PETSC_FALSE;
+}
+
+/* Says that memory ran out: on this rank, since another one may have enough. */
+static PetscErrorCode FaultFromMemory_Private(PetscErrorType type)
+{
+  int rank;
+
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (type == PETSC_ERROR_INITIAL)
+    fprintf(stderr,
+            "mortise: out of memory on rank %d; a coarser mesh, more ranks or an iterative solver (-ksp_type cg "
+            "-pc_type gamg) need less\n",
+            rank);
+  return PETSC_ERR_MEM;
+}
+
 static PetscErrorCode FaultHandlerFn(MPI_Comm comm, int line, const char *function, const char *file,
                                      PetscErrorCode code, PetscErrorType type, const char *message, void *context)
 {
   if (code == MORTISE_ERR_FAULT) return code;
   if (type == PETSC_ERROR_INITIAL && message && FaultIsOption_Private(function, code))
     return FaultFromPETSc_Private(message);
-  if (code == PETSC_ERR_MEM) { // from every rank that it happens on: another rank may have enough
-    if (type == PETSC_ERROR_INITIAL) fprintf(stderr, "mortise: out of memory (%s)\n", message ? message : "no details");
-    return code;
-  }
-  code = PetscTraceBackErrorHandler(comm, line, function, file, code, type, message, context);
-  return code == PETSC_ERR_SIG ? (PetscErrorCode)MORTISE_FAILED
-                               : code; // a signal ends in MPI_Abort(), which makes this the exit code
+  if (FaultIsMemory_Private(function, code, type)) return FaultFromMemory_Private(type);
+  return PetscTraceBackErrorHandler(comm, line, function, file, code, type, message, context);
+}
+
+/* A signal is a failure of the program: no other rank can be told but by ending all. */
+static PetscErrorCode FaultSignalFn(int number, void *context)
+{
+  int rank;
+
+  (void)context;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  fprintf(stderr, "mortise: the program failed on rank %d: %s\n", rank, strsignal(number));
+  MPI_Abort(MPI_COMM_WORLD, MORTISE_FAILED);
+  return 0;
+}
+
+PetscErrorCode FaultCatchSignals(void)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscPushSignalHandler(FaultSignalFn, NULL));
+  PetscCall(PetscRegisterFinalize(PetscPopSignalHandler));
+  signal(SIGPIPE, SIG_DFL);
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode FaultInitialize(void)
