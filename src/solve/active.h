@@ -10,7 +10,7 @@
 #include <petscsnes.h>
 #include <mortise/compat.h>
 
-/* The bounded unknowns and which of them are active (fixed at their bound). The same distribution as y. */
+/* The bounded unknowns and which of them are active (fixed at their bound). Distributed like y. */
 typedef struct {
   MPI_Comm   comm;
   PetscInt   n, N;       /* bounded unknowns of this rank, of all */
@@ -23,6 +23,17 @@ typedef struct {
   PetscInt   num_active; /* of all ranks */
 } ActiveSet;
 
+/* Finds the bounded unknowns (upper < infinity); nothing active. Collective. */
+PetscErrorCode ActiveSetCreate(Vec upper, Mat A, ActiveSet *set);
+PetscErrorCode ActiveSetDestroy(ActiveSet *set);
+/* Takes values of bounded unknowns from a vector, or puts them there. Not collective. [in or out] values - [n] */
+PetscErrorCode ActiveSetGather(const ActiveSet *set, Vec v, PetscReal values[]);
+PetscErrorCode ActiveSetScatter(const ActiveSet *set, const PetscReal values[], Vec v);
+/* Makes next the active set and counts what changes. Collective. [in] next - [n]; [out] changed - of all ranks */
+PetscErrorCode ActiveSetReplace(ActiveSet *set, const PetscBool next[], PetscInt *changed);
+/* A number that tells sets apart. Collective. */
+PetscErrorCode ActiveSetHash(const ActiveSet *set, uint64_t *hash);
+
 /* The solution of one linear system, as far as the bounded unknowns see it. */
 typedef struct {
   PetscBool  *fixed;      /* which of them were prescribed [n] */
@@ -34,6 +45,20 @@ typedef struct {
   PetscInt    iterations; /* of the linear solver, in this system */
   const char *failure;    /* why there is no solution, or NULL; the same on all ranks */
 } ActiveSolution;
+
+PetscErrorCode ActiveSolutionCreate(const ActiveSet *set, ActiveSolution *solution);
+PetscErrorCode ActiveSolutionDestroy(ActiveSolution *solution);
+/* The decision (T10) with tolerances, and how far the solution is from fulfilling all inequalities (2-norm, force).
+   Collective. [in] c - of (T10); [out] changed - of all ranks */
+PetscErrorCode ActiveSetUpdate(ActiveSet *set, const ActiveSolution *solution, PetscReal c, PetscInt *changed,
+                               PetscReal *violation);
+
+#define FAILURE_SINGULAR "the system is singular: is every body held, by displacements or by bodies that are?"
+#define FAILURE_MEMORY   "the direct solver ran out of memory: try -mat_mumps_icntl_14 100, or -pc_type gamg"
+#define FAILURE_ITERATIVE                                                                                              \
+  "the linear solver did not converge: try more -ksp_max_it, another -pc_type, or leave -ksp_type and -pc_type away "  \
+  "for "                                                                                                               \
+  "the direct solver"
 
 /* One way to solve  y_i = value_i where fixed,  (A y - b)_i = 0 elsewhere.  All functions are collective. */
 typedef struct _n_ActiveSolver *ActiveSolver;
@@ -55,29 +80,20 @@ struct _n_ActiveSolver {
 /* At full size, rows and columns of fixed unknowns emptied, by the user's KSP. [in] y - first guess */
 PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ksp, PetscReal rtol,
                                ActiveSolver *solver);
-/* The common part, for the constructors. Collective. */
-PetscErrorCode ActiveSolverCreate(const ActiveSet *set, Mat A, Vec b, PetscReal rtol, ActiveSolver *solver);
+/* By one factorisation for all sets; [out] failure - why that cannot be had, or NULL. [in] prefix - of -mat_mumps_ options */
+PetscErrorCode ReducedCreate(const ActiveSet *set, Mat A, Vec b, const char prefix[], PetscReal rtol,
+                             ActiveSolver *solver, const char **failure);
 PetscErrorCode ActiveSolverDestroy(ActiveSolver *solver);
+
+/* For the two of them. Collective: the common part of the constructors. */
+PetscErrorCode ActiveSolverCreate(const ActiveSet *set, Mat A, Vec b, PetscReal rtol, ActiveSolver *solver);
+/* Collective. [out] r - b - A y; [out] f - the same, 0 where fixed; [out] size - sqrt(f' diag(A)^-1 f): rows of different
+   stiffness count alike */
+PetscErrorCode ActiveSolverResidual(ActiveSolver solver, const PetscBool fixed[], Vec y, Vec r, Vec f, PetscReal *size);
+/* What the bounded unknowns see of y, r and f. Collective. [in,out] solution - fixed, and y where fixed, are there */
+PetscErrorCode ActiveSolverRestrict(ActiveSolver solver, Vec y, Vec r, Vec f, ActiveSolution *solution);
 /* What such an error of a factorisation means, NULL for none. Not collective. */
 const char *ActiveFailureOfFactor(MatFactorError error);
-
-/* Finds the bounded unknowns (upper < infinity); nothing active. Collective. */
-PetscErrorCode ActiveSetCreate(Vec upper, Mat A, ActiveSet *set);
-PetscErrorCode ActiveSetDestroy(ActiveSet *set);
-/* Counts what changes when the set becomes next, and makes it so. Collective. [in] next - [n] */
-PetscErrorCode ActiveSetReplace(ActiveSet *set, const PetscBool next[], PetscInt *changed);
-/* The decision (T10) with tolerances, and how far the solution is from fulfilling all inequalities (2-norm, force).
-   Collective. [in] c - of (T10); [out] changed - of all ranks */
-PetscErrorCode ActiveSetUpdate(ActiveSet *set, const ActiveSolution *solution, PetscReal c, PetscInt *changed,
-                               PetscReal *violation);
-/* A number that tells sets apart. Collective. */
-PetscErrorCode ActiveSetHash(const ActiveSet *set, uint64_t *hash);
-/* Lets every bounded unknown's value be taken from, or given to, a vector. Not collective. [n] */
-PetscErrorCode ActiveSetGather(const ActiveSet *set, Vec v, PetscReal values[]);
-PetscErrorCode ActiveSetScatter(const ActiveSet *set, const PetscReal values[], Vec v);
-
-PetscErrorCode ActiveSolutionCreate(PetscInt n, ActiveSolution *solution);
-PetscErrorCode ActiveSolutionDestroy(ActiveSolution *solution);
 
 /* Projected Newton method with a line search on the energy; see safeguard.c. */
 typedef struct {

@@ -161,11 +161,11 @@ PetscErrorCode ActiveSetHash(const ActiveSet *set, uint64_t *hash)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ActiveSolutionCreate(PetscInt n, ActiveSolution *solution)
+PetscErrorCode ActiveSolutionCreate(const ActiveSet *set, ActiveSolution *solution)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(solution, sizeof(*solution)));
-  PetscCall(PetscCalloc3(n, &solution->fixed, n, &solution->y, n, &solution->r));
+  PetscCall(PetscCalloc3(set->n, &solution->fixed, set->n, &solution->y, set->n, &solution->r));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -173,27 +173,5 @@ PetscErrorCode ActiveSolutionDestroy(ActiveSolution *solution)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree3(solution->fixed, solution->y, solution->r));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode ActiveSolverCreate(const ActiveSet *set, Mat A, Vec b, PetscReal rtol, ActiveSolver *solver)
-{
-  PetscFunctionBeginUser;
-  PetscCall(PetscNew(solver));
-  (*solver)->set  = set;
-  (*solver)->A    = A;
-  (*solver)->b    = b;
-  (*solver)->rtol = rtol;
-  PetscCall(VecDuplicate(b, &(*solver)->diag));
-  PetscCall(MatGetDiagonal(A, (*solver)->diag));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode ActiveSolverDestroy(ActiveSolver *solver)
-{
-  PetscFunctionBeginUser;
-  PetscCall((*solver)->destroy(*solver));
-  PetscCall(VecDestroy(&(*solver)->diag));
-  PetscCall(PetscFree(*solver));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -12,32 +12,18 @@ static const PetscInt MAX_REFINEMENTS = 8;
 /* A solve that leaves more than this part of the residual is no progress. */
 static const PetscReal STALLED = 0.5;
 
-static const char NO_CONVERGENCE[] =
-    "the linear solver did not converge: try more -ksp_max_it, another -pc_type, or leave "
-    "-ksp_type and -pc_type away for the direct solver";
-
 typedef struct {
-  KSP       ksp;       /* borrowed */
-  Mat       A;         /* A^ */
-  Vec       free;      /* M */
-  Vec       y, r;      /* the solution; b - A y */
-  Vec       f, d, w;   /* M r; correction; work */
-  PetscBool direct;    /* the KSP only applies its preconditioner */
-  PetscReal reference; /* size of the first f */
+  KSP       ksp;    /* borrowed */
+  Mat       A;      /* A^ */
+  Vec       free;   /* M */
+  Vec       y, r;   /* the solution; b - A y */
+  Vec       f, d;   /* M r; correction, A^^-1 f */
+  PetscBool direct; /* the KSP only applies its preconditioner */
 } Truncated;
 
-const char *ActiveFailureOfFactor(MatFactorError error)
-{
-  switch (error) {
-  case MAT_FACTOR_NOERROR: return NULL;
-  case MAT_FACTOR_OUTMEMORY:
-    return "the direct solver ran out of memory: try -mat_mumps_icntl_14 100, or -pc_type gamg";
-  default: return "the system is singular: is every body held, by displacements or by bodies that are?";
-  }
-}
-
 /* M, the last solution emptied where fixed as first guess d, and y = v. */
-static PetscErrorCode Prescribe_Private(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[])
+static PetscErrorCode Prescribe_Private(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
+                                        ActiveSolution *solution)
 {
   Truncated       *t   = solver->data;
   const ActiveSet *set = solver->set;
@@ -51,7 +37,10 @@ static PetscErrorCode Prescribe_Private(ActiveSolver solver, const PetscBool fix
   PetscCall(VecPointwiseMult(t->d, t->y, t->free));
   PetscCall(VecSet(t->y, 0));
   PetscCall(VecGetArray(t->y, &y));
-  for (PetscInt i = 0; i < set->n; i++) y[set->dof[i] - set->dof_begin] = fixed[i] ? value[i] : 0;
+  for (PetscInt i = 0; i < set->n; i++) {
+    solution->fixed[i] = fixed[i];
+    if (fixed[i]) y[set->dof[i] - set->dof_begin] = solution->y[i] = value[i];
+  }
   PetscCall(VecRestoreArray(t->y, &y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -100,28 +89,12 @@ static PetscErrorCode Matrix_Private(ActiveSolver solver)
   PetscFunctionBeginUser;
   PetscCall(MatCopy(solver->A, t->A, SAME_NONZERO_PATTERN));
   PetscCall(MatDiagonalScale(t->A, t->free, t->free));
-  PetscCall(VecPointwiseMult(t->w, t->free, solver->diag));
-  PetscCall(VecAYPX(t->w, -1, solver->diag));
-  PetscCall(MatDiagonalSet(t->A, t->w, ADD_VALUES));
+  PetscCall(VecPointwiseMult(t->f, t->free, solver->diag));
+  PetscCall(VecAYPX(t->f, -1, solver->diag));
+  PetscCall(MatDiagonalSet(t->A, t->f, ADD_VALUES));
   PetscCall(MatSetOption(t->A, MAT_SPD, PETSC_TRUE));
   PetscCall(NearNullSpace_Private(solver));
   PetscCall(KSPSetOperators(t->ksp, t->A, t->A));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* r = b - A y, f = M r, and |f| = sqrt(f' diag(A)^-1 f): rows of different stiffness count alike. */
-static PetscErrorCode Residual_Private(ActiveSolver solver, PetscReal *size)
-{
-  Truncated  *t = solver->data;
-  PetscScalar dot;
-
-  PetscFunctionBeginUser;
-  PetscCall(MatMult(solver->A, t->y, t->r));
-  PetscCall(VecAYPX(t->r, -1, solver->b));
-  PetscCall(VecPointwiseMult(t->f, t->r, t->free));
-  PetscCall(VecPointwiseDivide(t->w, t->f, solver->diag));
-  PetscCall(VecDot(t->w, t->f, &dot));
-  *size = PetscSqrtReal(PetscRealPart(dot));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -147,28 +120,7 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, Acti
   error = (int)failed;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &error, 1, MPI_INT, MPI_MAX, solver->set->comm));
   /* the first members of PCFailedReason are those of MatFactorError */
-  solution->failure = error > 0 ? ActiveFailureOfFactor((MatFactorError)error) : NO_CONVERGENCE;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* What the bounded unknowns see of the solution. */
-static PetscErrorCode Restrict_Private(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
-                                       ActiveSolution *solution)
-{
-  Truncated *t = solver->data;
-
-  PetscFunctionBeginUser;
-  PetscCall(ActiveSetGather(solver->set, t->y, solution->y));
-  PetscCall(ActiveSetGather(solver->set, t->r, solution->r));
-  for (PetscInt i = 0; i < solver->set->n; i++) {
-    solution->fixed[i] = fixed[i];
-    if (fixed[i])
-      solution->y[i] = value[i];
-    else
-      solution->r[i] = 0;
-  }
-  PetscCall(VecNorm(t->y, NORM_INFINITY, &solution->size));
-  PetscCall(VecNorm(t->f, NORM_2, &solution->norm));
+  solution->failure = error > 0 ? ActiveFailureOfFactor((MatFactorError)error) : FAILURE_ITERATIVE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -176,29 +128,29 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
                                       ActiveSolution *solution)
 {
   Truncated *t = solver->data;
-  PetscReal  size;
+  PetscReal  reference, size;
 
   PetscFunctionBeginUser;
   solution->iterations = 0;
   solution->eta        = 0;
-  PetscCall(Prescribe_Private(solver, fixed, value));
+  PetscCall(Prescribe_Private(solver, fixed, value, solution));
   PetscCall(Matrix_Private(solver));
-  PetscCall(Residual_Private(solver, &t->reference));
-  for (PetscInt k = 0; k <= MAX_REFINEMENTS && t->reference > 0; k++) {
+  PetscCall(ActiveSolverResidual(solver, fixed, t->y, t->r, t->f, &reference));
+  for (PetscInt k = 0; k <= MAX_REFINEMENTS && reference > 0; k++) {
     const PetscReal before = k ? solution->eta : 1;
 
     PetscCall(Correct_Private(solver, (PetscBool)(k == 0 && !t->direct), solution));
     if (solution->failure) PetscFunctionReturn(PETSC_SUCCESS);
     PetscCall(VecPointwiseMult(t->d, t->d, t->free)); /* a preconditioner may have leaked into fixed unknowns */
     PetscCall(VecAXPY(t->y, 1, t->d));
-    PetscCall(Residual_Private(solver, &size));
-    solution->eta = size / t->reference;
+    PetscCall(ActiveSolverResidual(solver, fixed, t->y, t->r, t->f, &size));
+    solution->eta = size / reference;
     /* a direct solver gets to roundoff, not just below a tolerance, for the price of one more substitution */
     if (solution->eta <= solver->rtol && (!t->direct || k)) break;
     if (!(solution->eta <= STALLED * before)) break;
   }
-  if (!(solution->eta <= solver->rtol)) solution->failure = NO_CONVERGENCE;
-  PetscCall(Restrict_Private(solver, fixed, value, solution));
+  if (!(solution->eta <= solver->rtol)) solution->failure = t->direct ? FAILURE_SINGULAR : FAILURE_ITERATIVE;
+  PetscCall(ActiveSolverRestrict(solver, t->y, t->r, t->f, solution));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -208,8 +160,8 @@ static PetscErrorCode Finish_Truncated(ActiveSolver solver, ActiveSolution *solu
   Truncated *t = solver->data;
 
   PetscFunctionBeginUser;
+  (void)solution;
   PetscCall(VecCopy(t->y, y));
-  PetscCall(ActiveSetScatter(solver->set, solution->y, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -224,7 +176,6 @@ static PetscErrorCode Destroy_Truncated(ActiveSolver solver)
   PetscCall(VecDestroy(&t->r));
   PetscCall(VecDestroy(&t->f));
   PetscCall(VecDestroy(&t->d));
-  PetscCall(VecDestroy(&t->w));
   PetscCall(PetscFree(t));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -245,7 +196,6 @@ PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ks
   PetscCall(VecDuplicate(b, &t->r));
   PetscCall(VecDuplicate(b, &t->f));
   PetscCall(VecDuplicate(b, &t->d));
-  PetscCall(VecDuplicate(b, &t->w));
   (*solver)->data    = t;
   (*solver)->solve   = Solve_Truncated;
   (*solver)->finish  = Finish_Truncated;

@@ -270,7 +270,8 @@ static PetscErrorCode TestRandom(PetscBool reduce, PetscInt first, PetscInt last
   PetscFunctionBeginUser;
   for (PetscInt seed = first; seed < last; seed++) {
     Problem   p;
-    Run       run = DEFAULT;
+    Run       run     = DEFAULT;
+    PetscInt  bounded = 0;
     PetscReal best[MAX], scale = 0;
 
     PetscCall(RandomProblem(seed, &p));
@@ -279,6 +280,8 @@ static PetscErrorCode TestRandom(PetscBool reduce, PetscInt first, PetscInt last
     run.start  = seed % 2 ? "empty" : seed % 7 ? "gap" : "full";
     PetscCall(Solve(&p, &run));
     CHECK(run.reason > 0);
+    for (PetscInt i = 0; i < p.n; i++) bounded += p.upper[i] < PETSC_INFINITY;
+    CHECK(run.reduced == (PetscBool)(reduce && bounded < p.n));
     CHECK(run.changed[run.iterations - 1] == 0);
     CHECK(run.monitored == run.iterations + 1);
     for (PetscInt i = 0; i < p.n; i++) scale = PetscMax(scale, PetscAbsReal(best[i]));
@@ -317,6 +320,7 @@ int main(int argc, char **argv)
   PetscCall(PDASRegister());
   PetscCall(TestCycle(PETSC_FALSE));
   PetscCall(TestRandom(PETSC_FALSE, 0, 300));
+  PetscCall(TestRandom(PETSC_TRUE, 0, 300));
   PetscCall(PetscFinalize());
   return 0;
 }
