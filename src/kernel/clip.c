@@ -21,6 +21,7 @@ static const PetscReal FARTHEST_ROOT = 1e8;
 
 enum { MAX_CUTS = 6 }; /* two ends of the facet, two roots of each mortar end */
 
+/* Positive if b points to the left of a. */
 static PetscReal Cross_Private(const PetscReal a[], const PetscReal b[])
 {
   return a[0] * b[1] - a[1] * b[0];

@@ -73,7 +73,7 @@ void DenseEigenRange(PetscInt n, const PetscReal A[], PetscReal *smallest, Petsc
     turned = PETSC_FALSE;
     for (PetscInt p = 0; p < n; p++) {
       for (PetscInt q = p + 1; q < n; q++) {
-        if (PetscAbsReal(B[p * n + q]) <= PETSC_MACHINE_EPSILON * scale) continue;
+        if (PetscAbsReal(B[p * n + q]) <= PETSC_MACHINE_EPSILON * scale) continue; /* moves no eigenvalue by more */
         Rotate_Private(n, B, p, q);
         turned = PETSC_TRUE;
       }

@@ -1,6 +1,7 @@
 /* element.c -- reference cells as a table, and the geometry of cells by loops that are the same for every row of it.
 
-   A new cell type is a row: its nodes, its facets, its shape functions, and a rule in quadrature.c.
+   A new cell type is a row: its nodes, its facets, its shape functions, and a rule in quadrature.c. Loops over tables
+   cost a small part of what general finite element classes take for so few nodes, and read like the formulas.
 
    Reference:
      [1] T. J. R. Hughes, The Finite Element Method (1987), chapter 3. */
@@ -20,6 +21,8 @@ typedef struct {
   const PetscInt  facets[MAX_FACETS][ELEMENT_MAX_FACET_NODES];
   void (*shape)(const PetscReal xi[], PetscReal phi[], PetscReal dphi[]); /* dphi is never NULL */
 } Reference;
+
+/* Shape functions: phi [num_nodes] and dphi [num_nodes][dim] at xi [dim]. */
 
 static void ShapeLine2_Private(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 {
@@ -56,7 +59,8 @@ static void ShapeQuad4_Private(const PetscReal xi[], PetscReal phi[], PetscReal 
   }
 }
 
-/* tri3 has constant strains; products of two linear strains of quad4 need 2 x 2 points. */
+/* Facets follow each other anticlockwise around a cell, so that its inside is on their left. Stiffness: tri3 has
+   constant strains; products of two linear strains of quad4 need 2 x 2 points. */
 static const Reference REFERENCE[ELEMENT_COUNT] = {
     [ELEMENT_LINE2] =
         {
@@ -197,7 +201,8 @@ PetscReal ElementMinJacobian(ElementType type, const PetscReal X[])
   const Reference *cell     = &REFERENCE[type];
   PetscReal        smallest = PETSC_MAX_REAL;
 
-  /* det J of tri3 is constant and that of quad4 is linear in xi: the nodes show its extremes. */
+  /* det J of tri3 is constant and that of quad4 is linear in xi, so the nodes show its extremes. Positive at every
+     corner means that a quad is convex and runs anticlockwise. */
   for (PetscInt i = 0; i < cell->num_nodes; i++) {
     PetscReal phi[ELEMENT_MAX_NODES];
 
@@ -238,7 +243,9 @@ static PetscBool IsInside_Private(const Reference *cell, const PetscReal xi[], P
   return !cell->simplex || sum <= 1. + tolerance ? PETSC_TRUE : PETSC_FALSE;
 }
 
-/* From the middle of a convex cell Newton's method finds every point inside; it may fail outside, which is an answer. */
+/* Newton's method for x(xi) = x. It takes one step in a triangle; from the middle of a convex quad it finds every point
+   inside, and where it fails outside, not found is the right answer. After a step of NEWTON_STEP only roundoff is left,
+   which in needles of 1 : 1000 is more than the last digits: a smaller bound might never be met. */
 PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x[], PetscReal tolerance, PetscReal xi[])
 {
   const Reference *cell = &REFERENCE[type];
@@ -250,7 +257,7 @@ PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x
     PetscReal dphi[ELEMENT_MAX_NODES * MAX_DIM], phi[ELEMENT_MAX_NODES], inverse[MAX_DIM * MAX_DIM], r[MAX_DIM];
 
     cell->shape(xi, phi, dphi);
-    if (Jacobian_Private(cell, X, dphi, inverse) == 0.) return PETSC_FALSE;
+    if (Jacobian_Private(cell, X, dphi, inverse) == 0.) return PETSC_FALSE; /* flat, or far outside */
     for (PetscInt k = 0; k < dim; k++) {
       r[k] = x[k];
       for (PetscInt i = 0; i < cell->num_nodes; i++) r[k] -= phi[i] * X[i * dim + k];

@@ -1,5 +1,8 @@
 /* frame.c -- nodal normals from the facets around a node, and a frame for each normal.
 
+   Normals are an input of the method, not a detail: an error in them is an error in the gap of a curved surface. The
+   weights used here are exact where a surface is a circle or a sphere; means weighted by angle or area are not.
+
    References:
      [1] N. Max, Weights for computing vertex normals from facet normals, J. Graphics Tools 4 (1999).
      [2] T. Duff et al., Building an orthonormal basis, revisited, J. Computer Graphics Techniques 6 (2017). */

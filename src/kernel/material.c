@@ -1,4 +1,7 @@
-/* material.c -- Hooke's law in Voigt's order with engineering shear.
+/* material.c -- Hooke's law in Voigt's order with engineering shear: sigma = C eps (T18).
+
+   Voigt's vectors are no vectors: stresses and strains turn with different matrices, because shear is counted twice
+   in a strain. Everything that turns is therefore written with the two tensor indices behind each of Voigt's.
 
    Reference:
      [1] B. A. Auld, Acoustic Fields and Waves in Solids I (1973), section 3.D: Bond's matrices. */
@@ -127,7 +130,7 @@ void MaterialStress(ModelKind model, const PetscReal C[], PetscReal poisson, con
     for (PetscInt j = 0; j < n; j++) sigma[i] += C[i * n + j] * strain[j];
   }
   for (PetscInt i = 0; i < 6; i++) stress[i] = n == STRAINS_3D ? sigma[i] : 0.;
-  if (n == STRAINS_2D) {
+  if (n == STRAINS_2D) { /* xx,yy,xy to their places among six; zz follows from what the model says about z */
     stress[0] = sigma[0];
     stress[1] = sigma[1];
     stress[2] = model == MODEL_PLANE_STRESS ? 0. : poisson * (sigma[0] + sigma[1]); /* eps_zz = 0 */
@@ -135,6 +138,7 @@ void MaterialStress(ModelKind model, const PetscReal C[], PetscReal poisson, con
   }
 }
 
+/* sqrt(3/2 s:s) with the deviator s, written with differences so that pressure of any size drops out. */
 PetscReal MaterialVonMises(const PetscReal stress[6])
 {
   const PetscReal xy = stress[0] - stress[1], yz = stress[1] - stress[2], zx = stress[2] - stress[0];
@@ -143,6 +147,7 @@ PetscReal MaterialVonMises(const PetscReal stress[6])
   return PetscSqrtReal(0.5 * (xy * xy + yz * yz + zx * zx) + 3. * shear);
 }
 
+/* An indenter feels the compliance S = C^-1, not C: in plane strain S_xx = (1 - nu^2)/E. */
 PetscReal MaterialContactModulus(PetscInt num_strains, const PetscReal C[])
 {
   const PetscInt num_direct = NumDirect_Private(num_strains);

@@ -1,5 +1,8 @@
 /* quadrature.c -- quadrature rules on the reference cells of element.h.
 
+   Tables and closed forms rather than a library's rules: they are asked for once per facet or piece, where making a
+   rule anew would cost more than using it.
+
    References:
      [1] G. R. Cowper, Gaussian quadrature formulas for triangles, Int. J. Numer. Meth. Engng 7 (1973).
      [2] A. H. Stroud, Approximate Calculation of Multiple Integrals (1971), T2:5-1. */
@@ -50,6 +53,7 @@ static PetscInt LineRule_Private(PetscInt degree, PetscReal points[], PetscReal 
   return n <= GAUSS_MAX ? GaussLine(n, points, weights) : 0;
 }
 
+/* The line's rule in both directions: exact for x^a y^b with a and b up to the degree. */
 static PetscInt QuadRule_Private(PetscInt degree, PetscReal points[], PetscReal weights[])
 {
   const PetscInt n = NumGauss_Private(degree);
@@ -87,11 +91,11 @@ static PetscInt TriangleRule_Private(PetscInt degree, PetscReal points[], PetscR
     weights[0]            = area;
     return 1;
   }
-  if (degree == 2) {
+  if (degree == 2) { /* points inside rather than at the middles of the edges, so that no load is evaluated on a side */
     Orbit_Private(1. / 6., area / 3., points, weights);
     return 3;
   }
-  if (degree <= 4) {
+  if (degree <= 4) { /* also for degree 3, where four points would need a negative weight */
     const PetscReal base = 8. - PetscSqrtReal(10.), root = PetscSqrtReal(38. - 44. * PetscSqrtReal(0.4));
     const PetscReal skew = PetscSqrtReal(213125. - 53320. * PetscSqrtReal(10.));
 
