@@ -210,6 +210,22 @@ static int ReadOption_Private(Reader *reader, const char where[], int num_words,
   return value ? 2 : 1;
 }
 
+/* Complains about a word that is neither an option nor a value. [in] previous - the option before it, or NULL */
+static void ComplainOfWord_Private(Reader *reader, const char where[], const char word[], const char previous[])
+{
+  if (CanRead_Private(word))
+    Complain_Private(reader, "%s: '%s' is a file, but not an option; an options file is named by -options_file %s",
+                     where, word, word);
+  else if (previous)
+    Complain_Private(reader, "%s: '%s' is one word too many after %s; a value with spaces stands in double quotes",
+                     where, word, previous);
+  else
+    Complain_Private(
+        reader,
+        "%s: '%s' is not an option, which begins with a minus and a letter; an options file is named by -options_file",
+        where, word);
+}
+
 /* Reads the words of one line. [in] where - names the line in a complaint */
 static void ReadWords_Private(Reader *reader, const char where[], int num_words, const Word words[])
 {
@@ -219,15 +235,8 @@ static void ReadWords_Private(Reader *reader, const char where[], int num_words,
     if (IsName_Private(words[w].text)) {
       previous = words[w].text;
       w += ReadOption_Private(reader, where, num_words - w, words + w);
-    } else if (previous) {
-      Complain_Private(reader, "%s: '%s' is one word too many after %s; a value with spaces stands in double quotes",
-                       where, words[w].text, previous);
-    } else {
-      Complain_Private(reader,
-                       "%s: '%s' is not an option, which begins with a minus and a letter; an options file is named by "
-                       "-options_file",
-                       where, words[w].text);
-    }
+    } else
+      ComplainOfWord_Private(reader, where, words[w].text, previous);
   }
 }
 

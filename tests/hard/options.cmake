@@ -1,4 +1,4 @@
-# The front door: what is said before there is a scene, and mistakes in the form of options.
+# The front door: what is said before there is a scene, and mistakes that PETSc is the first to see.
 add_test(NAME hard.version COMMAND mortise -version)
 add_test(NAME hard.help COMMAND mortise -help)
 add_test(NAME hard.usage COMMAND mortise)
@@ -7,12 +7,8 @@ set_tests_properties(hard.version PROPERTIES PASS_REGULAR_EXPRESSION "^mortise [
 set_tests_properties(hard.help PROPERTIES PASS_REGULAR_EXPRESSION "-<body>_young")
 set_tests_properties(hard.usage PROPERTIES PASS_REGULAR_EXPRESSION "^mortise: no scene given")
 
-mortise_mistake(no_such_file SAYS nowhere.opts "no such file" ARGS -options_file nowhere.opts)
 mortise_mistake(no_file_name SAYS -options_file "name of a file" ARGS -options_file -quiet)
-mortise_mistake(malformed_file SAYS "malformed.opts, line 4" 'bodies' ARGS -options_file ${CMAKE_CURRENT_LIST_DIR}/malformed.opts)
 mortise_mistake(binary_file SAYS "not a text file" ARGS -options_file ${MORTISE_PYTHON})
-mortise_mistake(minus_letter SCENE two_plates SAYS -upper_body_force "write 0-sin" ARGS -upper_body_force "-sin(x),0")
-mortise_mistake(quotes_forgotten SCENE two_plates SAYS 'plates' "double quotes" ARGS -title two plates)
 mortise_mistake(number_of_petsc SCENE two_plates SAYS -ksp_rtol abc ARGS -ksp_rtol abc)
 mortise_mistake(type_of_petsc SCENE two_plates SAYS -pc_type zoo ARGS -pc_type zoo)
 mortise_mistake(bool_of_petsc SCENE two_plates SAYS -malloc_debug zoo ARGS -malloc_debug zoo)

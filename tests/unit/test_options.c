@@ -73,6 +73,7 @@ static void TestCommandLine(void)
   EXPECT_FAULT("-dm_refine=3", "'='", "-dm_refine=3");
   EXPECT_FAULT("-options_file", "needs the name of a file", "-options_file");
   EXPECT_FAULT("-options_file", "needs the name of a file", "-options_file", "-quiet");
+  EXPECT_FAULT("'.petscrc' is a file", "-options_file .petscrc", "-quiet", "1", ".petscrc");
   EXPECT_FAULT("nowhere.opts", "no such file", "-options_file", "nowhere.opts");
   EXPECT_FAULT(".", "not a file", "-options_file", ".");
   EXPECT_FAULT("nowhere.yaml", "no such file", "-options_file_yaml", "nowhere.yaml");
