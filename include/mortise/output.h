@@ -8,7 +8,7 @@
 PetscErrorCode OutputCheck(Scene scene);
 /* Writes <output>.h5 + .xdmf and/or .vtu, and <output>_<pair>.csv for each pair. Collective. */
 PetscErrorCode OutputWrite(Fields fields);
-/* Writes text to path by way of a temporary file beside it. First rank writes; collective on comm. */
+/* Writes text and a final newline to path by way of a temporary file beside it. First rank writes; collective on comm. */
 PetscErrorCode OutputWriteText(MPI_Comm comm, const char path[], const char text[]);
 
 #endif

@@ -96,7 +96,7 @@ PetscErrorCode OutputWriteText(MPI_Comm comm, const char path[], const char text
   PetscCallMPI(MPI_Comm_rank(comm, &rank));
   if (rank == 0) {
     PetscCall(FilesOpen(&files, path, &out));
-    if (out) fputs(text, out);
+    if (out) fprintf(out, "%s\n", text);
     PetscCall(FilesClose(&files, &out));
   }
   PetscCall(FilesFinish(comm, &files));

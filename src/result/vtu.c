@@ -16,8 +16,9 @@ static PetscErrorCode WriteBlock_Private(FILE *out, const char type[], const cha
   char          *unit;
 
   PetscFunctionBeginUser;
-  fprintf(out, "<DataArray type=\"%s\" Name=\"%s\" NumberOfComponents=\"%" PetscInt_FMT "\" format=\"binary\">\n", type,
-          name, components);
+  fprintf(out, "<DataArray type=\"%s\" Name=\"%s\"", type, name);
+  if (components > 1) fprintf(out, " NumberOfComponents=\"%" PetscInt_FMT "\"", components);
+  fprintf(out, " format=\"binary\">\n");
   PetscCall(PetscMalloc1(sizeof(length) + size, &unit));
   memcpy(unit, &length, sizeof(length));
   if (size) memcpy(unit + sizeof(length), values, size);

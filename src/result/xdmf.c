@@ -1,7 +1,12 @@
 /* xdmf.c -- the small XML file that tells viewers what lies in the HDF5 file.
 
    Kept to what ParaView's, VTK's and meshio's readers share: one uniform grid, version 3, data items that are whole
-   datasets, a relative file name so that the two files can be moved together. Reference: the XDMF model and format. */
+   datasets, a relative file name so that the two files can be moved together. Reference: the XDMF model and format.
+
+   They do not share one thing: pyvista's reader fails on a grid without a time, and meshio's on a grid with one. So the grid
+   is told twice, by a feature of the format. Readers of XDMF 2 (VTK, hence pyvista and ParaView) follow the Reference of
+   the plain grid to its copy with a time; meshio and readers of XDMF 3 know no such attribute and take the plain grid. The
+   copy stands in an Information, whose text must be XML to please meshio. */
 #include <string.h>
 #include "xdmf.h"
 #include "xml.h"
@@ -61,9 +66,27 @@ static void WriteAttribute_Private(FILE *out, const char hdf5[], const PictureAr
   fprintf(out, "      </Attribute>\n");
 }
 
+/* What a grid consists of: points, cells, quantities. */
+static void WriteGridItems_Private(FILE *out, const Picture *picture, const Topology *topology, const char hdf5[])
+{
+  fprintf(out, "      <Geometry GeometryType=\"XYZ\">\n        ");
+  WriteItem_Private(out, hdf5, "points", picture->num_points, 3, PETSC_FALSE);
+  fprintf(out,
+          "      </Geometry>\n      <Topology TopologyType=\"%s\" NumberOfElements=\"%" PetscInt_FMT "\">\n        ",
+          topology->name, picture->num_cells);
+  WriteItem_Private(out, hdf5, "cells", topology->rows, topology->columns, PETSC_TRUE);
+  fprintf(out, "      </Topology>\n");
+  for (PetscInt i = 0; i < PICTURE_POINT_ARRAYS; ++i) {
+    WriteAttribute_Private(out, hdf5, &picture->point[i], picture->num_points, "Node");
+  }
+  for (PetscInt i = 0; i < PICTURE_CELL_ARRAYS; ++i) {
+    WriteAttribute_Private(out, hdf5, &picture->cell[i], picture->num_cells, "Cell");
+  }
+}
+
 PetscErrorCode PictureWriteXDMF(const Picture *picture, Files *files, const char final[], const char hdf5[])
 {
-  const char *slash = strrchr(hdf5, '/');
+  const char *slash = strrchr(hdf5, '/'), *title = picture->title[0] ? picture->title : "mortise";
   Topology    topology;
   FILE       *out;
 
@@ -72,24 +95,16 @@ PetscErrorCode PictureWriteXDMF(const Picture *picture, Files *files, const char
   if (!out) PetscFunctionReturn(PETSC_SUCCESS);
   if (slash) hdf5 = slash + 1;
   PetscCall(TopologyCreate(picture, &topology));
-  fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n");
-  fprintf(out, "    <Grid Name=\"mortise\" GridType=\"Uniform\">\n");
-  fprintf(out, "      <Information Name=\"title\" Value=\"");
-  XMLWriteText(out, picture->title);
-  fprintf(out, "\"/>\n      <Geometry GeometryType=\"XYZ\">\n        ");
-  WriteItem_Private(out, hdf5, "points", picture->num_points, 3, PETSC_FALSE);
+  fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n    <Grid Name=\"");
+  XMLWriteText(out, title);
+  fprintf(out, "\" GridType=\"Uniform\" Reference=\"/Xdmf/Domain/Grid/Information/Grid\">\n");
+  WriteGridItems_Private(out, picture, &topology, hdf5);
   fprintf(out,
-          "      </Geometry>\n      <Topology TopologyType=\"%s\" NumberOfElements=\"%" PetscInt_FMT "\">\n        ",
-          topology.name, picture->num_cells);
-  WriteItem_Private(out, hdf5, "cells", topology.rows, topology.columns, PETSC_TRUE);
-  fprintf(out, "      </Topology>\n");
-  for (PetscInt i = 0; i < PICTURE_POINT_ARRAYS; ++i) {
-    WriteAttribute_Private(out, hdf5, &picture->point[i], picture->num_points, "Node");
-  }
-  for (PetscInt i = 0; i < PICTURE_CELL_ARRAYS; ++i) {
-    WriteAttribute_Private(out, hdf5, &picture->cell[i], picture->num_cells, "Cell");
-  }
-  fprintf(out, "    </Grid>\n  </Domain>\n</Xdmf>\n");
+          "      <Information Name=\"steady\" Value=\"the same with a time\">&lt;steady/&gt;\n      <Grid Name=\"");
+  XMLWriteText(out, title);
+  fprintf(out, "\" GridType=\"Uniform\">\n      <Time Value=\"0\"/>\n");
+  WriteGridItems_Private(out, picture, &topology, hdf5);
+  fprintf(out, "      </Grid>\n      </Information>\n    </Grid>\n  </Domain>\n</Xdmf>\n");
   PetscCall(TopologyDestroy(&topology));
   PetscCall(FilesClose(files, &out));
   PetscFunctionReturn(PETSC_SUCCESS);
