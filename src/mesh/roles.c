@@ -136,7 +136,14 @@ static PetscErrorCode SideClaim_Private(Scene scene, Level *level, const SceneSi
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A facet carries one multiplier, and never meets itself. */
+/* Whether an earlier pair is the same two sides over again. */
+static PetscBool PairRepeats_Private(const ScenePair *pair, const ScenePair *before)
+{
+  return (PetscBool)(pair->mortar.body >= 0 && pair->mortar.body == before->mortar.body &&
+                     !strcmp(pair->mortar.side, before->mortar.side));
+}
+
+/* A side may meet several others, each in a pair of its own, but no other twice, and never itself. */
 static PetscErrorCode MeshCheckRoles_Private(Scene scene, Level *level)
 {
   char      sentence[MESH_SENTENCE] = "";
@@ -147,15 +154,12 @@ static PetscErrorCode MeshCheckRoles_Private(Scene scene, Level *level)
   for (PetscInt i = 0; i < level->num_cells * ELEMENT_MAX_NODES; ++i) carrier[i] = -1;
   for (PetscInt p = 0; p < scene->num_pairs; ++p) {
     const ScenePair *pair = &scene->pairs[p];
-    const char      *body = scene->bodies[pair->nonmortar.body].name;
 
     PetscCall(SideClaim_Private(scene, level, &pair->nonmortar, p, carrier, &before));
-    if (before >= 0 && !sentence[0]) {
-      snprintf(
-          sentence, sizeof(sentence),
-          "pairs '%s' and '%s' both have facets of %s:%s as nonmortar side, and a facet can carry one multiplier only: "
-          "make it the mortar side of one of them",
-          scene->pairs[before].name, pair->name, body, pair->nonmortar.side);
+    if (before >= 0 && !sentence[0] && PairRepeats_Private(pair, &scene->pairs[before])) {
+      snprintf(sentence, sizeof(sentence), "pairs '%s' and '%s' join facets of %s:%s to the same side %s:%s: leave one out",
+               scene->pairs[before].name, pair->name, scene->bodies[pair->nonmortar.body].name, pair->nonmortar.side,
+               scene->bodies[pair->mortar.body].name, pair->mortar.side);
     }
   }
   PetscCall(FaultCheck(level->comm, sentence));
