@@ -12,8 +12,8 @@ typedef struct {
   PetscInt  *count;      /* held directions of each local node, 0..dim [num_nodes] */
   PetscReal *directions; /* orthonormal, held ones first, completed to a frame where count > 0 [num_nodes][dim][dim] */
   PetscReal *values;     /* [num_nodes][dim] */
-  PetscInt  *side;       /* index of the boundary (within the body) that holds the node first, -1 where free [num_nodes] */
-  PetscReal  max_value;  /* largest |value| of all ranks */
+  PetscInt  *side; /* index of the boundary (within the body) that holds the node first, -1 where free [num_nodes] */
+  PetscReal  max_value; /* largest |value| of all ranks */
 } Support;
 
 /* Collective. Axis-aligned directions keep the Cartesian frame exactly. */

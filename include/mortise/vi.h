@@ -11,33 +11,35 @@
 #include <mortise/pair.h>
 
 struct _n_VI {
-  Scene     scene; /* borrowed */
-  Level    *level; /* borrowed: the finest */
-  Support   support;
-  PetscInt  num_pairs;
-  Pair     *pairs;
+  Scene      scene; /* borrowed */
+  Level     *level; /* borrowed: the finest */
+  Support    support;
+  PetscBool *floating;     /* bodies that the supports alone do not hold [num_bodies] */
+  PetscBool  any_floating; /* such a body is held by contact only: the empty active set has no solution */
+  PetscInt   num_pairs;
+  Pair      *pairs;
 
   /* book of record */
-  Mat       K;    /* N x N, AIJ, block size dim */
-  Vec       f;    /* ghosted */
-  Mat       B;    /* m x N, rows as below; NULL when no pair has a multiplier */
-  Vec       G;    /* m */
-  Mat       nest; /* [K B'; B 0], borrows K and B; NULL like B */
+  Mat K;    /* N x N, AIJ, block size dim */
+  Vec f;    /* ghosted */
+  Mat B;    /* m x N, rows as below; NULL when no pair has a multiplier */
+  Vec G;    /* m */
+  Mat nest; /* [K B'; B 0], borrows K and B; NULL like B */
 
   /* rows of B: this rank's multipliers, by pair, then by node, then (tied) by direction */
-  PetscInt  num_rows;       /* owned by this rank */
-  PetscInt *row_pair;       /* [num_rows] */
-  PetscInt *row_node;       /* position in the pair's nodes [num_rows] */
-  PetscInt *row_direction;  /* 0 normal, 1.. tangents (tied pairs only) [num_rows] */
-  PetscInt *row_dof;        /* the global unknown y_i that is (B u)_row / D_row [num_rows] */
+  PetscInt   num_rows;      /* owned by this rank */
+  PetscInt  *row_pair;      /* [num_rows] */
+  PetscInt  *row_node;      /* position in the pair's nodes [num_rows] */
+  PetscInt  *row_direction; /* 0 normal, 1.. tangents (tied pairs only) [num_rows] */
+  PetscInt  *row_dof;       /* the global unknown y_i that is (B u)_row / D_row [num_rows] */
   PetscReal *row_D;         /* D_aa [num_rows] */
 
   /* the inequality */
-  Mat       T;      /* u = length * T y; NULL when it is the identity */
-  Mat       A;      /* SPD, AIJ, block size dim, near null space attached */
-  Vec       b;      /* ghosted */
-  Vec       upper;  /* nodal gaps / length on contact unknowns, +infinity elsewhere */
-  Vec       lower;  /* -infinity */
+  Mat       T;                 /* u = length * T y; NULL when it is the identity */
+  Mat       A;                 /* SPD, AIJ, block size dim, near null space attached */
+  Vec       b;                 /* ghosted */
+  Vec       upper;             /* nodal gaps / length on contact unknowns, +infinity elsewhere */
+  Vec       lower;             /* -infinity */
   PetscReal length, stiffness; /* scales */
 };
 typedef struct _n_VI *VI;

@@ -5,6 +5,7 @@
 #include <mortise/compat.h>
 #include <mortise/elasticity.h>
 #include <mortise/log.h>
+#include <mortise/rigid.h>
 #include <mortise/vi.h>
 #include "basis.h"
 #include "blocks.h"
@@ -118,6 +119,9 @@ PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi_out)
   vi->level = MeshFinest(mesh);
   PetscCall(LogStageBegin(STAGE_MORTAR));
   PetscCall(SupportCreate(vi->level, scene, &vi->support));
+  PetscCall(PetscMalloc1(scene->num_bodies, &vi->floating));
+  PetscCall(BodiesFloating(vi->level, &vi->support, scene->num_bodies, vi->floating));
+  for (PetscInt b = 0; b < scene->num_bodies; b++) vi->any_floating = (PetscBool)(vi->any_floating || vi->floating[b]);
   PetscCall(CreatePairs_Private(vi));
   PetscCall(LogStageEnd(STAGE_MORTAR));
   PetscCall(LogStageBegin(STAGE_ASSEMBLY));
@@ -149,6 +153,7 @@ PetscErrorCode VIDestroy(VI *vi_in)
   for (PetscInt p = 0; p < vi->num_pairs; p++) PetscCall(PairDestroy(&vi->pairs[p]));
   PetscCall(PetscFree(vi->pairs));
   PetscCall(SupportDestroy(&vi->support));
+  PetscCall(PetscFree(vi->floating));
   PetscCall(PetscFree5(vi->row_pair, vi->row_node, vi->row_direction, vi->row_dof, vi->row_D));
   PetscCall(MatDestroy(&vi->nest));
   PetscCall(MatDestroy(&vi->B));

@@ -6,7 +6,6 @@
 #include <mortise/log.h>
 #include <mortise/options.h>
 #include <mortise/compat.h>
-#include "floating.h"
 #include "json.h"
 #include "pairsum.h"
 #include "probes.h"
@@ -41,15 +40,13 @@ static PetscErrorCode AddBodies_Private(const SummaryInput *in, cJSON *scene)
   cJSON       *bodies = cJSON_AddObjectToObject(scene, "bodies");
   const Level *level  = in->vi->level;
   PetscInt    *counts; /* cells and nodes of each body [num_bodies][2] */
-  PetscBool   *floating;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc2(2 * in->scene->num_bodies, &counts, in->scene->num_bodies, &floating));
+  PetscCall(PetscCalloc1(2 * in->scene->num_bodies, &counts));
   for (PetscInt c = 0; c < level->num_cells; ++c) ++counts[2 * level->cell_body[c]];
   for (PetscInt a = 0; a < level->num_owned; ++a) ++counts[2 * level->node_body[a] + 1];
   PetscCallMPI(
       MPI_Allreduce(MPI_IN_PLACE, counts, (PetscMPIInt)(2 * in->scene->num_bodies), MPIU_INT, MPI_SUM, level->comm));
-  PetscCall(BodiesFloating(level, &in->vi->support, in->scene->num_bodies, floating));
   for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
     cJSON *body = cJSON_AddObjectToObject(bodies, in->scene->bodies[b].name);
 
@@ -57,9 +54,9 @@ static PetscErrorCode AddBodies_Private(const SummaryInput *in, cJSON *scene)
     JSONAddInt(body, "nodes", counts[2 * b + 1]);
     JSONAddInt(body, "dofs", counts[2 * b + 1] * level->dim);
     JSONAddInt(body, "order", in->scene->bodies[b].order);
-    cJSON_AddBoolToObject(body, "floating", floating[b]);
+    cJSON_AddBoolToObject(body, "floating", in->vi->floating[b]);
   }
-  PetscCall(PetscFree2(counts, floating));
+  PetscCall(PetscFree(counts));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -1,10 +1,10 @@
-/* floating.c -- does the support of a body leave it a rigid motion? (numerics 7.1)
+/* rigid.c -- does the support of a body leave it a rigid motion? (numerics 7.1)
 
    The rows (d, d.rotation(x)) of all held directions d at places x, rotations taken about the body's centre and scaled by half
    its size, span all rigid motions exactly if none is left: then their Gram matrix is positive definite. */
-#include "floating.h"
-#include <mortise/dense.h>
 #include <mortise/compat.h>
+#include <mortise/dense.h>
+#include <mortise/rigid.h>
 
 enum { MAX_MODES = 6 };
 /* The smallest eigenvalue counts as 0 below this part of the largest. It is the square of a ratio of lengths, (size of the
