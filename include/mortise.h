@@ -19,6 +19,7 @@
 #include <mortise/obstacle.h>
 #include <mortise/pair.h>
 #include <mortise/elasticity.h>
+#include <mortise/rigid.h>
 #include <mortise/vi.h>
 #include <mortise/pdas.h>
 #include <mortise/solve.h>
