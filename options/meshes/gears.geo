@@ -26,7 +26,8 @@ involute = Tan(alpha) - alpha;
 half_base_pitch = Pi * module * Cos(alpha) / 2;
 
 fine = 0.008;       // size of a triangle at the two points of contact
-growth = 0.15;      // size of a triangle per distance from them
+near = 0.07;        // radius of the two fine zones
+growth = 0.20;      // size of a triangle per distance from them
 coarse = 1;
 samples = 10;       // points per flank
 
@@ -110,10 +111,11 @@ Physical Curve("driven_second") = {working[1]};
 
 ax = half_base_pitch * Sin(alpha);
 ay = half_base_pitch * Cos(alpha);
+ramp = "%g + %g * 0.5 * (Sqrt((x-(%g))*(x-(%g)) + (y-(%g))*(y-(%g))) - %g + Fabs(Sqrt((x-(%g))*(x-(%g)) + (y-(%g))*(y-(%g))) - %g))";
 Field[1] = MathEval;
-Field[1].F = Sprintf("%g + %g * Sqrt((x-(%g))*(x-(%g)) + (y-(%g))*(y-(%g)))", fine, growth, ax, ax, ay, ay);
+Field[1].F = Sprintf(ramp, fine, growth, ax, ax, ay, ay, near, ax, ax, ay, ay, near);
 Field[2] = MathEval;
-Field[2].F = Sprintf("%g + %g * Sqrt((x+(%g))*(x+(%g)) + (y+(%g))*(y+(%g)))", fine, growth, ax, ax, ay, ay);
+Field[2].F = Sprintf(ramp, fine, growth, -ax, -ax, -ay, -ay, near, -ax, -ax, -ay, -ay, near);
 Field[3] = MathEval;
 Field[3].F = Sprintf("%g", coarse);
 Field[4] = Min;
