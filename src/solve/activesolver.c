@@ -26,7 +26,7 @@ PetscErrorCode ActiveSolverCreate(const ActiveSet *set, Mat A, Vec b, PetscReal 
 PetscErrorCode ActiveSolverDestroy(ActiveSolver *solver)
 {
   PetscFunctionBeginUser;
-  PetscCall((*solver)->destroy(*solver));
+  if ((*solver)->destroy) PetscCall((*solver)->destroy(*solver));
   PetscCall(VecDestroy(&(*solver)->diag));
   PetscCall(PetscFree(*solver));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -226,7 +226,7 @@ static PetscErrorCode Iterate_Private(SNES snes, PDAS *pdas, ActiveSet *set, Act
     }
     PetscCall(Record_Private(snes, pdas, set, &solution, changed, violation));
   }
-  if (!converged && !solution.failure) PetscCall(solver->finish(solver, &solution, y));
+  if (!converged && !solution.failure && pdas->iterations) PetscCall(solver->finish(solver, &solution, y));
   if (guard.on) PetscCall(SafeguardEnd(&guard));
   PetscCall(ActiveSolutionDestroy(&solution));
   if (converged)
@@ -307,6 +307,7 @@ static PetscErrorCode Solve_PDAS(SNES snes, Vec y)
 
   PetscCall(ActiveSetCreate(upper, A, &set));
   PetscCall(Start_Private(pdas, &set, y, r));
+  pdas->num_active = set.num_active;
   PetscCall(VecNorm(r, NORM_2, &norm));
   PetscCall(SNESSetIterationNumber(snes, 0));
   PetscCall(SNESSetFunctionNorm(snes, norm));

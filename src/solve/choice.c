@@ -1,0 +1,103 @@
+/* choice.c -- which solvers: what the user says, else by size and dimension. */
+#include <mortise/compat.h>
+#include <mortise/fault.h>
+#include <mortise/pdas.h>
+#include "room.h"
+
+/* Unknowns up to which a factorisation beats iterating: in 2D its cost grows hardly faster than the mesh, in 3D much faster. */
+static const PetscInt DIRECT_2D = 1000000, DIRECT_3D = 40000;
+
+/* PCs that work on systems whose size changes from set to set, as those of PETSc's own types do; GAMG does not survive it. */
+static PetscErrorCode CheckOther_Private(MPI_Comm comm, const SolveChoice *choice)
+{
+  PetscBool gamg;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscStrcmp(choice->pc, PCGAMG, &gamg));
+  if (gamg) {
+    PetscCall(
+        FaultRaise(comm,
+                   "-pc_type gamg: does not work with -snes_type %s, whose systems change their size; -snes_type pdas, "
+                   "-pc_type cholesky or -pc_type hypre do",
+                   choice->snes));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a SNES type keeps bounds: those that do answer SNESVISetVariableBounds() themselves. */
+static PetscErrorCode CheckBounds_Private(MPI_Comm comm, const char type[])
+{
+  void (*answer)(void);
+  SNES snes;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESCreate(comm, &snes));
+  PetscCall(SNESSetType(snes, type)); /* an unknown one ends here, with a fault (fault.h) */
+  PetscCall(PetscObjectQueryFunction((PetscObject)snes, "SNESVISetVariableBounds_C", &answer));
+  PetscCall(SNESDestroy(&snes));
+  if (!answer) {
+    PetscCall(FaultRaise(comm, "-snes_type %s: cannot keep bodies apart, since it knows no bounds; use %s or %s", type,
+                         SNESPDAS, SNESVINEWTONRSLS));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The linear solver where the user says nothing: by size. */
+static PetscErrorCode ChooseBySize_Private(VI vi, PetscBool pdas, SolveChoice *choice)
+{
+  const PetscInt limit     = vi->level->dim == 2 ? DIRECT_2D : DIRECT_3D;
+  const char    *iterative = pdas ? PCGAMG : PCHYPRE;
+  PetscInt       size;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetSize(vi->b, &size));
+  PetscCall(PetscStrncpy(choice->ksp, size <= limit ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
+  PetscCall(PetscStrncpy(choice->pc, size <= limit ? PCCHOLESKY : iterative, sizeof(choice->pc)));
+  PetscCall(PetscSNPrintf(choice->why, sizeof(choice->why),
+                          "%" PetscInt_FMT " unknowns, %s than %" PetscInt_FMT " in %dD", size,
+                          size <= limit ? "not more" : "more", limit, (int)vi->level->dim));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
+{
+  MPI_Comm  comm;
+  PetscBool ksp, pc, pdas, preonly, cholesky, lu;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectGetComm((PetscObject)vi->A, &comm));
+  PetscCall(PetscStrncpy(choice->snes, SNESPDAS, sizeof(choice->snes)));
+  PetscCall(PetscOptionsGetString(NULL, NULL, "-snes_type", choice->snes, sizeof(choice->snes), NULL));
+  PetscCall(CheckBounds_Private(comm, choice->snes));
+  PetscCall(PetscStrcmp(choice->snes, SNESPDAS, &pdas));
+  PetscCall(ChooseBySize_Private(vi, pdas, choice));
+  PetscCall(PetscOptionsGetString(NULL, NULL, "-ksp_type", choice->ksp, sizeof(choice->ksp), &ksp));
+  PetscCall(PetscOptionsGetString(NULL, NULL, "-pc_type", choice->pc, sizeof(choice->pc), &pc));
+  PetscCall(PetscStrcmp(choice->ksp, KSPPREONLY, &preonly));
+  PetscCall(PetscStrcmp(choice->pc, PCCHOLESKY, &cholesky));
+  PetscCall(PetscStrcmp(choice->pc, PCLU, &lu));
+  /* one of the two implies the other: a factorisation needs no iteration, anything else does */
+  if (pc && !ksp) PetscCall(PetscStrncpy(choice->ksp, cholesky || lu ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
+  if (ksp && !pc) {
+    PetscCall(PetscStrncpy(choice->pc, preonly ? PCCHOLESKY : pdas ? PCGAMG : PCHYPRE, sizeof(choice->pc)));
+  }
+  if (ksp || pc) {
+    PetscCall(PetscStrncpy(choice->why, ksp ? (pc ? "-ksp_type and -pc_type" : "-ksp_type") : "-pc_type",
+                           sizeof(choice->why)));
+  }
+  if (!pdas) PetscCall(CheckOther_Private(comm, choice));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolveView(VI vi)
+{
+  SolveChoice choice;
+  MPI_Comm    comm;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectGetComm((PetscObject)vi->A, &comm));
+  PetscCall(SolveChoose(vi, &choice));
+  PetscCall(PetscPrintf(comm, "Solver: %s; linear systems by %s with %s (%s)\n", choice.snes, choice.ksp, choice.pc,
+                        choice.why));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,72 @@
+/* progress.c -- the table of nonlinear iterations on the terminal. */
+#include <petsctime.h>
+#include <unistd.h>
+#include <mortise/compat.h>
+#include <mortise/pdas.h>
+#include "room.h"
+
+typedef struct {
+  VI             vi; /* borrowed */
+  PetscLogDouble start;
+} Progress;
+
+PetscErrorCode ProgressWanted(Scene scene, PetscBool *wanted)
+{
+  int terminal = isatty(STDOUT_FILENO);
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Bcast(&terminal, 1, MPI_INT, 0, scene->comm)); /* the first rank is the one that prints */
+  *wanted = (PetscBool)(scene->monitor || (terminal && !scene->quiet));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* One line. Types other than pdas do not tell their set: it is counted, and what changed is left open. */
+static PetscErrorCode MonitorFn(SNES snes, PetscInt iteration, PetscReal norm, void *ctx)
+{
+  Progress       *progress = ctx;
+  MPI_Comm        comm     = PetscObjectComm((PetscObject)snes);
+  PetscInt        active, linear;
+  const PetscInt *changed;
+  char            change[24] = "";
+  PetscBool       pdas;
+  PetscLogDouble  now;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &pdas));
+  if (pdas) {
+    PetscCall(PDASGetHistory(snes, NULL, &active, &changed, NULL));
+    PetscCall(PDASGetLinear(snes, &linear, NULL, NULL));
+    if (iteration) PetscCall(PetscSNPrintf(change, sizeof(change), "%" PetscInt_FMT, changed[iteration - 1]));
+  } else {
+    PetscReal residual;
+    Vec       y;
+
+    PetscCall(SNESGetSolution(snes, &y));
+    PetscCall(SolveMeasure(progress->vi, y, &active, &residual));
+    PetscCall(SNESGetLinearSolveIterations(snes, &linear));
+  }
+  PetscCall(PetscTime(&now));
+  if (!iteration) PetscCall(PetscPrintf(comm, "iteration   active  changed    residual  linear its  seconds\n"));
+  PetscCall(PetscPrintf(comm, "%9" PetscInt_FMT " %8" PetscInt_FMT " %8s %11.3e %11" PetscInt_FMT " %8.2f\n", iteration,
+                        active, change, (double)norm, linear, now - progress->start));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode DestroyFn(void **ctx)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(*ctx));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ProgressSet(SNES snes, VI vi)
+{
+  Progress *progress;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(&progress));
+  progress->vi = vi;
+  PetscCall(PetscTime(&progress->start));
+  PetscCall(SNESMonitorSet(snes, MonitorFn, progress, DestroyFn));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,30 @@
+/* room.h -- what the files of this room share beside active.h; internal (floor 6). */
+#ifndef MORTISE_SOLVE_ROOM_H
+#define MORTISE_SOLVE_ROOM_H
+
+#include <mortise/solve.h>
+
+/* How an inequality is to be solved. */
+typedef struct {
+  char snes[64], ksp[64], pc[64]; /* types; what the options database says of ksp and pc still comes on top */
+  char why[160];                  /* where the choice of the linear solver comes from */
+} SolveChoice;
+
+/* From -snes_type, -ksp_type and -pc_type; by size where they are silent. Faults on types that cannot do it. Collective. */
+PetscErrorCode SolveChoose(VI vi, SolveChoice *choice);
+
+/* Solves with a SNES of its own, whose options begin with prefix ("" for the user's). Collective.
+   [in] progress - whether to print the table; [in,out] y - created by the caller; [out] report */
+PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], PetscBool progress, Vec y,
+                        SolveReport *report);
+
+/* Prints one line per iteration on the first rank, from now to SNESDestroy(). Collective. */
+PetscErrorCode ProgressSet(SNES snes, VI vi);
+/* Whether the scene and the terminal ask for that. Collective. */
+PetscErrorCode ProgressWanted(Scene scene, PetscBool *wanted);
+
+/* What of a solution touches its bounds. Collective. [out] active - unknowns at their bound with a force on them;
+   [out] residual - of all others, relative as in active.h */
+PetscErrorCode SolveMeasure(VI vi, Vec y, PetscInt *active, PetscReal *residual);
+
+#endif

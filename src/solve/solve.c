@@ -1,0 +1,242 @@
+/* solve.c -- from an inequality to a configured SNES, and from what it did to a report. */
+#include <mortise/compat.h>
+#include <mortise/pdas.h>
+#include "active.h"
+#include "room.h"
+
+/* Of an iterative linear solver, so that mostly one call of it reaches the tolerance of pdas. */
+static const PetscReal KSP_RTOL = 1e-9;
+/* PETSc's own solvers of inequalities: relative to the first residual, and to the unknowns (a step on the final set is exact,
+   so the one after it is roundoff); several times the steps they take. */
+static const PetscReal OTHER_RTOL = 1e-12, OTHER_STOL = 1e-12;
+static const PetscInt  OTHER_MAX_IT = 100;
+
+/* A control that can only be reached through the options database. */
+typedef struct {
+  const char *name, *value;
+  PetscBool   needed, set; /* set: by us, so to be cleared by us */
+} Default;
+
+/* F(y) = A y - b */
+static PetscErrorCode FunctionFn(SNES snes, Vec y, Vec f, void *ctx)
+{
+  VI vi = ctx;
+
+  PetscFunctionBeginUser;
+  (void)snes;
+  PetscCall(MatMult(vi->A, y, f));
+  PetscCall(VecAXPY(f, -1, vi->b));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* F'(y) = A, which is there already */
+static PetscErrorCode JacobianFn(SNES snes, Vec y, Mat A, Mat P, void *ctx)
+{
+  (void)snes, (void)y, (void)A, (void)P, (void)ctx;
+  return PETSC_SUCCESS;
+}
+
+/* Puts defaults into the options database where the user has put nothing, or takes them out again. */
+static PetscErrorCode DefaultsApply_Private(PetscInt n, Default defaults[], const char prefix[], PetscBool apply)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < n; i++) {
+    char      option[128];
+    PetscBool there;
+
+    PetscCall(PetscSNPrintf(option, sizeof(option), "-%s%s", prefix, defaults[i].name));
+    PetscCall(PetscOptionsHasName(NULL, NULL, option, &there));
+    if (apply) {
+      defaults[i].set = (PetscBool)(defaults[i].needed && !there);
+      if (defaults[i].set) PetscCall(PetscOptionsSetValue(NULL, option, defaults[i].value));
+    } else if (defaults[i].set)
+      PetscCall(PetscOptionsClearValue(NULL, option));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A SNES as the choice and the options want it. [in] scratch - for its function, must outlive it */
+static PetscErrorCode Configure_Private(VI vi, const SolveChoice *choice, const char prefix[], Vec scratch, SNES *snes)
+{
+  PetscBool pdas, cholesky, lu;
+  KSP       ksp;
+  PC        pc;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscStrcmp(choice->snes, SNESPDAS, &pdas));
+  PetscCall(PetscStrcmp(choice->pc, PCCHOLESKY, &cholesky));
+  PetscCall(PetscStrcmp(choice->pc, PCLU, &lu));
+  PetscCall(SNESCreate(PetscObjectComm((PetscObject)vi->A), snes));
+  PetscCall(SNESSetOptionsPrefix(*snes, prefix));
+  PetscCall(SNESSetFunction(*snes, scratch, FunctionFn, vi));
+  PetscCall(SNESSetJacobian(*snes, vi->A, vi->A, JacobianFn, vi));
+  PetscCall(SNESGetKSP(*snes, &ksp));
+  PetscCall(KSPSetType(ksp, choice->ksp));
+  PetscCall(KSPSetTolerances(ksp, KSP_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(PCSetType(pc, choice->pc));
+  if (cholesky || lu) PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  PetscCall(SNESSetType(*snes, choice->snes));
+  if (!pdas) {
+    SNESLineSearch search;
+
+    /* the problem is quadratic: whole steps */
+    PetscCall(SNESGetLineSearch(*snes, &search));
+    PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHBASIC));
+    PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, OTHER_RTOL, OTHER_STOL, OTHER_MAX_IT, PETSC_DEFAULT));
+  }
+  PetscCall(SNESSetFromOptions(*snes));
+  PetscCall(SNESVISetVariableBounds(*snes, vi->lower, vi->upper)); /* pdas keeps them itself, so not before the type */
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* y = min(0, upper): feasible, and zero where it may be. */
+static PetscErrorCode Start_Private(VI vi, Vec y)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VecZeroEntries(y));
+  PetscCall(VecPointwiseMin(y, y, vi->upper));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolveMeasure(VI vi, Vec y, PetscInt *active, PetscReal *residual)
+{
+  ActiveSet    set;
+  ActiveSolver solver;
+  Vec          v, r, f;
+  PetscReal   *values, *forces, reference, size;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActiveSetCreate(vi->upper, vi->A, &set));
+  PetscCall(ActiveSolverCreate(&set, vi->A, vi->b, 0, &solver));
+  PetscCall(PetscMalloc2(set.n, &values, set.n, &forces));
+  PetscCall(VecDuplicate(vi->b, &v));
+  PetscCall(VecDuplicate(vi->b, &r));
+  PetscCall(VecDuplicate(vi->b, &f));
+  PetscCall(ActiveSolverResidual(solver, set.active, y, r, f, &size));
+  PetscCall(ActiveSetGather(&set, y, values));
+  PetscCall(ActiveSetGather(&set, r, forces));
+  *active = 0;
+  for (PetscInt i = 0; i < set.n; i++) {
+    set.active[i] = (PetscBool)(values[i] >= set.upper[i] && forces[i] > 0);
+    *active += set.active[i] ? 1 : 0;
+    if (!set.active[i]) values[i] = 0;
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, active, 1, MPIU_INT, MPI_SUM, set.comm));
+  PetscCall(VecZeroEntries(v));
+  PetscCall(ActiveSetScatter(&set, values, v));
+  PetscCall(ActiveSolverResidual(solver, set.active, v, r, f, &reference));
+  PetscCall(ActiveSolverResidual(solver, set.active, y, r, f, &size));
+  *residual = reference > 0 ? size / reference : 0;
+  PetscCall(VecDestroy(&v));
+  PetscCall(VecDestroy(&r));
+  PetscCall(VecDestroy(&f));
+  PetscCall(PetscFree2(values, forces));
+  PetscCall(ActiveSolverDestroy(&solver));
+  PetscCall(ActiveSetDestroy(&set));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Why a type of PETSc's did not converge. */
+static PetscErrorCode ReasonOther_Private(SNES snes, SNESConvergedReason reason, SolveReport *report)
+{
+  PetscFunctionBeginUser;
+  if (reason == SNES_DIVERGED_LINEAR_SOLVE) {
+    KSP            ksp;
+    PC             pc;
+    PCFailedReason failed;
+
+    PetscCall(SNESGetKSP(snes, &ksp));
+    PetscCall(KSPGetPC(ksp, &pc));
+    PetscCall(PCGetFailedReason(pc, &failed));
+    PetscCall(PetscStrncpy(report->reason, failed ? FAILURE_SINGULAR : FAILURE_ITERATIVE, sizeof(report->reason)));
+  } else if (reason == SNES_DIVERGED_MAX_IT) {
+    PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason),
+                            "%s had not converged after %" PetscInt_FMT " iterations (-snes_max_it)", report->type,
+                            report->iterations));
+  } else {
+    PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason), "%s stopped with PETSc's %s", report->type,
+                            SNESConvergedReasons[reason]));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What the SNES did. */
+static PetscErrorCode Report_Private(SNES snes, VI vi, Vec y, SolveReport *report)
+{
+  SNESConvergedReason reason;
+  SNESType            type;
+  KSPType             ksp_type;
+  PCType              pc_type;
+  KSP                 ksp;
+  PC                  pc;
+  PetscBool           pdas, reduced = PETSC_FALSE;
+  const PetscInt     *changed;
+  const char         *failure;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESGetType(snes, &type));
+  PetscCall(SNESGetKSP(snes, &ksp));
+  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(KSPGetType(ksp, &ksp_type));
+  PetscCall(PCGetType(pc, &pc_type));
+  PetscCall(PetscStrcmp(type, SNESPDAS, &pdas));
+  PetscCall(PetscStrncpy(report->type, type, sizeof(report->type)));
+  PetscCall(SNESGetConvergedReason(snes, &reason));
+  PetscCall(SNESGetIterationNumber(snes, &report->iterations));
+  report->converged = (PetscBool)(reason > 0);
+  if (pdas) {
+    PetscCall(PDASGetHistory(snes, NULL, &report->active, &changed, &report->safeguarded));
+    PetscCall(PDASGetLinear(snes, &report->linear_iterations, &report->linear_residual, &reduced));
+    PetscCall(PDASGetFailure(snes, &failure));
+    PetscCall(PetscStrncpy(report->reason, failure, sizeof(report->reason)));
+    report->num_changed = PetscMin(report->iterations, SOLVE_MAX_HISTORY);
+    PetscCall(PetscArraycpy(report->changed, changed, report->num_changed));
+  } else {
+    PetscCall(SNESGetLinearSolveIterations(snes, &report->linear_iterations));
+    PetscCall(SolveMeasure(vi, y, &report->active, &report->linear_residual));
+    if (!report->converged) PetscCall(ReasonOther_Private(snes, reason, report));
+  }
+  PetscCall(PetscSNPrintf(report->linear, sizeof(report->linear), "%s with %s%s", ksp_type, pc_type,
+                          reduced ? ", one factorisation for all active sets" : ""));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], PetscBool progress, Vec y,
+                        SolveReport *report)
+{
+  /* MUMPS: spare memory in percent; approximate minimum degree, which in 2D gives as good factors as nested dissection by
+     PORD in a fifth of the time, while in 3D it would not. A tolerance in the unit of y, which is of order one. */
+  Default        defaults[] = {{.name = "mat_mumps_icntl_14", .value = "50", .needed = PETSC_TRUE},
+                               {.name = "mat_mumps_icntl_7", .value = "0", .needed = (PetscBool)(vi->level->dim == 2)},
+                               {.name = "snes_vi_zero_tolerance", .value = "1e-12", .needed = PETSC_TRUE}};
+  const PetscInt n          = PETSC_STATIC_ARRAY_LENGTH(defaults);
+  SNES           snes;
+  Vec            scratch;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMemzero(report, sizeof(*report)));
+  PetscCall(VecDuplicate(vi->b, &scratch));
+  PetscCall(DefaultsApply_Private(n, defaults, prefix, PETSC_TRUE));
+  PetscCall(Configure_Private(vi, choice, prefix, scratch, &snes));
+  if (progress) PetscCall(ProgressSet(snes, vi));
+  PetscCall(Start_Private(vi, y));
+  PetscCall(SNESSolve(snes, NULL, y));
+  PetscCall(Report_Private(snes, vi, y, report));
+  PetscCall(DefaultsApply_Private(n, defaults, prefix, PETSC_FALSE));
+  PetscCall(SNESDestroy(&snes));
+  PetscCall(VecDestroy(&scratch));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VISolve(VI vi, Vec y, SolveReport *report)
+{
+  SolveChoice choice;
+  PetscBool   progress;
+
+  PetscFunctionBeginUser;
+  PetscCall(SolveChoose(vi, &choice));
+  PetscCall(ProgressWanted(vi->scene, &progress));
+  PetscCall(SolveRun(vi, &choice, "", progress, y, report));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
