@@ -14,16 +14,16 @@
 
 enum { IMAGE_INCREMENT = 1 << 20 }; /* bytes by which the file in memory grows */
 
-/* A text attribute; false on failure. */
+/* A text attribute, of variable length so that h5py gives a str; false on failure. */
 static PetscBool WriteAttribute_Private(hid_t where, const char name[], const char text[])
 {
   const hid_t space = H5Screate(H5S_SCALAR), type = H5Tcopy(H5T_C_S1);
   hid_t       attribute;
-  herr_t      bad = H5Tset_size(type, strlen(text) + 1);
+  herr_t      bad = H5Tset_size(type, H5T_VARIABLE);
 
   if (bad >= 0) bad = H5Tset_cset(type, H5T_CSET_UTF8);
   attribute = H5Acreate2(where, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
-  if (bad >= 0) bad = attribute < 0 ? -1 : H5Awrite(attribute, type, text);
+  if (bad >= 0) bad = attribute < 0 ? -1 : H5Awrite(attribute, type, &text);
   if (attribute >= 0) H5Aclose(attribute);
   H5Tclose(type);
   H5Sclose(space);
