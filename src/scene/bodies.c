@@ -14,9 +14,10 @@ static PetscErrorCode BodyCheckSize_Private(Scene scene, const SceneBody *body, 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < scene->dim; i++) cells *= PetscPowReal(2, body->refine + scene->refine) * body->faces[i];
   if (cells * 2 * scene->dim >= (PetscReal)PETSC_MAX_INT) { /* about as many entries as a table of cells has */
-    PetscCall(OptionRaise(
-        faces, "with refinements the box has %.3g cells, more than can be numbered; take fewer or refine less",
-        (double)cells));
+    PetscCall(OptionRaise(faces,
+                          "refined %" PetscInt_FMT
+                          " times (-%s_dm_refine and -dm_refine) this box has %.3g cells, more than can be numbered",
+                          body->refine + scene->refine, body->name, (double)cells));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -2,13 +2,18 @@
 #include "option.h"
 #include <string.h>
 
-/* Columns of a page: the option with its argument, the unit, the default; the sentence stands below, indented. */
-enum { PAGE_WIDTH = 100, OPTION_WIDTH = 52, UNIT_WIDTH = 14, INDENT = 6 };
+/* Columns of a page: the option with its argument, the unit, what holds without it; the sentence stands below,
+   indented. */
+enum { PAGE_WIDTH = 110, OPTION_WIDTH = 56, UNIT_WIDTH = 13, INDENT = 6 };
 
 static const char intro[] =
     "Mortise finds displacements and contact pressures of elastic bodies that touch.\n"
     "\n"
     "  mortise -options_file scene.opts [-option value ...]\n"
+    "\n"
+    "Beside each option stand its unit, if it has one, and the value that it has when it is not given, or in "
+    "parentheses\n"
+    "what happens then; its purpose stands below.\n"
     "\n"
     "Values: n is a whole number, x a number, e a number or an expression in x and y such as 3e6*(1-y^2), written "
     "without\n"
@@ -35,26 +40,40 @@ static PetscErrorCode HelpPrintWrapped_Private(MPI_Comm comm, const char text[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Prints one row; an option too long for its column has a line of its own. */
+static PetscErrorCode HelpPrintEntry_Private(MPI_Comm comm, const OptionEntry *entry)
+{
+  char left[OPTION_MAX];
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscSNPrintf(left, sizeof(left), "%s %s", entry->name, entry->argument));
+  if (strlen(left) > OPTION_WIDTH) {
+    PetscCall(PetscPrintf(comm, "  %s\n", left));
+    left[0] = '\0';
+  }
+  if (entry->standard[0])
+    PetscCall(PetscPrintf(comm, "  %-*s %-*s %s\n", OPTION_WIDTH, left, UNIT_WIDTH, entry->unit, entry->standard));
+  else
+    PetscCall(PetscPrintf(comm, "  %s\n", left));
+  PetscCall(HelpPrintWrapped_Private(comm, entry->help));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SceneHelp(MPI_Comm comm)
 {
+  static const char  line[] = "--------------------------------------------------"; /* longer than any title */
   PetscInt           num;
   const OptionEntry *table = OptionTable(&num);
 
   PetscFunctionBeginUser;
   PetscCall(PetscPrintf(comm, "%s", intro));
   for (PetscInt i = 0; i < num; i++) {
-    const OptionEntry *entry = &table[i];
-    char               left[OPTION_MAX];
+    const char *title = OptionGroupTitle(table[i].group);
 
-    if (i == 0 || entry->group != table[i - 1].group) {
-      const char *title = OptionGroupTitle(entry->group);
-
-      PetscCall(PetscPrintf(comm, "\n%s\n%.*s\n", title, (int)strlen(title),
-                            "--------------------------------------------------"));
+    if (i == 0 || table[i].group != table[i - 1].group) {
+      PetscCall(PetscPrintf(comm, "\n%s\n%.*s\n", title, (int)strlen(title), line));
     }
-    PetscCall(PetscSNPrintf(left, sizeof(left), "%s %s", entry->name, entry->argument));
-    PetscCall(PetscPrintf(comm, "  %-*s %-*s %s\n", OPTION_WIDTH, left, UNIT_WIDTH, entry->unit, entry->standard));
-    PetscCall(HelpPrintWrapped_Private(comm, entry->help));
+    PetscCall(HelpPrintEntry_Private(comm, &table[i]));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

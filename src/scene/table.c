@@ -37,7 +37,7 @@ static const OptionEntry table[] = {
      "Names of the bodies. Each is the prefix of its body's options: letters, digits, underscores."},
     {GROUP_SCENE, "-pairs", "name,name,...", "", "(none)",
      "Names of the pairs of sides that may touch; each is the prefix of its pair's options."},
-    {GROUP_SCENE, "-dm_refine", "n", "", "0", "Halves all cells of all bodies so many times."},
+    {GROUP_SCENE, "-dm_refine", "n", "", "0", "Refines all bodies so many times; each time halves every edge."},
     {GROUP_SCENE, "-order", "1|2", "", "1", "Polynomial order of all bodies. This version solves order 1."},
 
     {GROUP_MESH, "-<body>_dm_plex_filename", "file", "", "(a box)",
@@ -53,8 +53,7 @@ static const OptionEntry table[] = {
      "Box of triangles (1, as everywhere in PETSc) or of quadrilaterals (0)."},
     {GROUP_MESH, "-<body>_map", "e,e", "length", "(identity)",
      "Takes a mesh point x, y to its position, on every level: graded boxes, rings, discs."},
-    {GROUP_MESH, "-<body>_dm_refine", "n", "", "0",
-     "Halves the cells of this body so many times before -dm_refine does so for all."},
+    {GROUP_MESH, "-<body>_dm_refine", "n", "", "0", "Refines this body so many times, before -dm_refine refines all."},
     {GROUP_MESH, "-<body>_order", "1|2", "", "(-order)", "Polynomial order of this body."},
 
     {GROUP_MATERIAL, "-<body>_young", "e", "stress", "(required)", "Young's modulus of an isotropic body."},

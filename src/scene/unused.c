@@ -172,9 +172,9 @@ static PetscErrorCode UnusedExplain_Private(Scene scene, const Leftover *left, c
     PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE, "%s: this datum is not read, its side is not listed in %s",
                             shown, text));
   } else if (UnusedIsDocumented_Private(left)) {
-    PetscCall(OptionExpand(left->entry->help, left->owner, NULL, text));
-    PetscCall(
-        PetscSNPrintf(sentence, OPTION_SENTENCE, "%s: nothing in this scene needs this option (%s)", shown, text));
+    PetscCall(OptionExpand(left->entry->help, left->owner, NULL, text)); /* ends with a full stop */
+    PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE, "%s: nothing in this scene needs this option (%.*s)", shown,
+                            (int)strlen(text) - 1, text));
   } else {
     PetscCall(SuggestOption(scene, left->name, near));
     *suggested = (PetscBool) !!near[0];

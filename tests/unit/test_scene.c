@@ -75,7 +75,7 @@ static const Mistake mistakes[] = {
     {NULL, {{"-order", "3"}}, {"-order 3", "1, 2"}},
     {NULL, {{"-dm_refine", "-1"}}, {"-dm_refine -1", "smallest value is 0"}},
     {NULL, {{"-dm_refine", "2.5"}}, {"-dm_refine 2.5", "whole number"}},
-    {NULL, {{"-dm_refine", "16"}}, {"-upper_dm_plex_box_faces", "refine"}},
+    {NULL, {{"-dm_refine", "16"}}, {"-upper_dm_plex_box_faces", "-dm_refine"}},
     /* meshes */
     {"-lower_dm_plex_box_faces", {{NULL}}, {"-lower_dm_plex_box_faces", "mesh"}},
     {NULL, {{"-upper_dm_plex_box_faces", "4"}}, {"-upper_dm_plex_box_faces 4", "2 wanted"}},
