@@ -57,8 +57,10 @@ static const char *const objects[] = {"ksp_",        "pc_",      "snes_",   "mat
                                       "is_",         "sf_",      "da_",     "fieldsplit_", "petscpartitioner_",
                                       "petscspace_", "petscfe_", "petscds_"};
 
-/* Name spaces within PETSc's that are this program's: what the table does not know there, nobody does. */
-static const char *const ours[] = {"snes_pdas_", "_dm_plex_box_"};
+/* Name spaces within PETSc's that are this program's, and one of PETSc's in them again, that of readers of mesh
+   files. */
+static const char *const ours[]    = {"snes_pdas_", "dm_"};
+static const char *const readers[] = {"dm_plex_"};
 
 /* Words that are PETSc's behind any prefix, as in -sub_pc_type. */
 static const char *const nested[] = {"_ksp_", "_pc_", "_mat_"};
@@ -110,14 +112,6 @@ static PetscErrorCode UnusedJudge_Private(Scene scene, const char name[], const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscBool UnusedContains_Private(const char option[], size_t num, const char *const words[])
-{
-  for (size_t i = 0; i < num; i++) {
-    if (strstr(option, words[i])) return PETSC_TRUE;
-  }
-  return PETSC_FALSE;
-}
-
 /* Whether the table has the option in a row of its own, not only among a whole name space of PETSc's. */
 static PetscBool UnusedIsDocumented_Private(const Leftover *left)
 {
@@ -130,11 +124,14 @@ static PetscBool UnusedMayBeRead_Private(const Leftover *left)
   if (UnusedIsDocumented_Private(left)) {
     return (PetscBool)(left->entry->group == GROUP_PETSC || left->entry->group == GROUP_SOLVER);
   }
-  if (UnusedContains_Private(left->name, PETSC_STATIC_ARRAY_LENGTH(ours), ours)) return PETSC_FALSE;
+  if (UnusedBegins_Private(left->name, PETSC_STATIC_ARRAY_LENGTH(readers), readers)) return PETSC_TRUE;
+  if (UnusedBegins_Private(left->name, PETSC_STATIC_ARRAY_LENGTH(ours), ours)) return PETSC_FALSE;
   if (left->entry) return PETSC_TRUE;
   if (left->owner) return PETSC_FALSE;
-  return (PetscBool)(UnusedBeginsLikePETSc(left->name) ||
-                     UnusedContains_Private(left->name, PETSC_STATIC_ARRAY_LENGTH(nested), nested));
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(nested); i++) {
+    if (strstr(left->name, nested[i])) return PETSC_TRUE;
+  }
+  return UnusedBeginsLikePETSc(left->name);
 }
 
 PetscErrorCode UnusedNearest(Scene scene, const char option[], char near[OPTION_MAX])

@@ -163,6 +163,8 @@ static const Mistake mistakes[] = {
     {NULL, {{"-quiet", NULL}, {"-monitor", NULL}}, {"-monitor", "-quiet"}},
     {NULL, {{"-snes_type", "newtonls"}}, {"-snes_type newtonls", "vinewtonrsls", "bounds"}},
     {NULL, {{"-snes_pdas_strt", "full"}}, {"-snes_pdas_strt full", "-snes_pdas_start"}},
+    {NULL, {{"-dm_refin", "3"}}, {"-dm_refin 3", "-dm_refine"}},
+    {NULL, {{"-upper_dm_view", NULL}}, {"-upper_dm_view"}},
     {NULL, {{"-snes_type", "pdsa"}}, {"-snes_type pdsa", "did you mean pdas"}},
 };
 
@@ -308,6 +310,23 @@ static PetscErrorCode TestRoles(void)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* What PETSc may read late waits for the end of the solve; what belongs to its own beginning and end is never told. */
+static PetscErrorCode TestLate(void)
+{
+  static const char *const change[][2] = {{"-sub_pc_type", "ilu"}, {"-log_view", NULL}, {"-malloc_dump", NULL}};
+  Scene                    scene;
+
+  PetscFunctionBeginUser;
+  PetscCall(ReadScene(NULL, 3, change, &scene));
+  CHECK(SceneCheckUnused(scene, PETSC_FALSE) == MORTISE_ERR_FAULT);
+  CHECK(strstr(FaultSentence(), "-sub_pc_type ilu"));
+  PetscCall(PetscOptionsClearValue(NULL, "-sub_pc_type"));
+  PetscCall(SceneCheckUnused(scene, PETSC_FALSE));
+  PetscCall(PetscOptionsClearValue(NULL, "-log_view"));
+  PetscCall(SceneDestroy(&scene));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* A Hooke matrix that is positive definite is taken, turned or not; one that is not, is not. */
 static PetscErrorCode TestStiffness(void)
 {
@@ -338,6 +357,7 @@ int main(int argc, char **argv)
   PetscCall(TestBase());
   PetscCall(TestRest());
   for (size_t i = 0; i < sizeof(mistakes) / sizeof(mistakes[0]); i++) PetscCall(TestMistake(&mistakes[i]));
+  PetscCall(TestLate());
   PetscCall(TestRoles());
   PetscCall(TestStiffness());
   PetscCall(SceneHelp(PETSC_COMM_WORLD));
