@@ -4,6 +4,7 @@
 
 #include <mortise/mesh.h>
 #include <petscdmplextransform.h>
+#include "gmsh.h"
 
 enum { MESH_SENTENCE = 1024 }; /* length of a fault's sentence */
 
@@ -45,7 +46,11 @@ PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const Side
 
 /* Meshes read so far, one per file, so that bodies that share a file share the reading. */
 typedef struct _n_MeshFile *MeshFile;
-/* The cells of a file, or of one of its regions. [in,out] files - list of what was read, NULL at first */
+/* The mesh of a body's file as read now or for an earlier body. [in,out] files - list of what was read, NULL at first;
+   [out] dm, names - borrowed from the list; [out] sentence - [MESH_SENTENCE], "" unless the file cannot be used */
+PetscErrorCode MeshFileOpen(const SceneBody *body, PetscInt dim, MeshFile *files, DM *dm, const GmshNames **names,
+                            char sentence[]);
+/* The cells of a file, or of one of its regions. */
 PetscErrorCode BodyListCreateFile(const SceneBody *body, PetscInt dim, const SideNames *names, MeshFile *files,
                                   BodyList *list, char sentence[]);
 PetscErrorCode MeshFileDestroy(MeshFile *files);

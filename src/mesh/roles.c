@@ -157,7 +157,8 @@ static PetscErrorCode MeshCheckRoles_Private(Scene scene, Level *level)
 
     PetscCall(SideClaim_Private(scene, level, &pair->nonmortar, p, carrier, &before));
     if (before >= 0 && !sentence[0] && PairRepeats_Private(pair, &scene->pairs[before])) {
-      snprintf(sentence, sizeof(sentence), "pairs '%s' and '%s' join facets of %s:%s to the same side %s:%s: leave one out",
+      snprintf(sentence, sizeof(sentence),
+               "pairs '%s' and '%s' join facets of %s:%s to the same side %s:%s: leave one out",
                scene->pairs[before].name, pair->name, scene->bodies[pair->nonmortar.body].name, pair->nonmortar.side,
                scene->bodies[pair->mortar.body].name, pair->mortar.side);
     }

@@ -1,0 +1,165 @@
+/* gmsh.c -- the sections of a Gmsh file, and the names of its physical groups, of which PETSc's reader keeps nothing. */
+#include "gmsh.h"
+#include <mortise/compat.h>
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+void GmshReaderFail(GmshReader *reader, const char format[], ...)
+{
+  va_list arguments;
+
+  if (reader->reason[0]) return;
+  va_start(arguments, format);
+  vsnprintf(reader->reason, reader->len, format, arguments);
+  va_end(arguments);
+}
+
+/* Splits the line `dim tag "name"` in place; NULL if it is not one. */
+static char *NameParse_Private(char line[], int *dim, int *tag)
+{
+  char *begin = strchr(line, '"'), *end = begin ? strrchr(line, '"') : NULL;
+  int   used = 0;
+
+  if (end == begin || sscanf(line, "%d %d%n", dim, tag, &used) != 2 || !isspace((unsigned char)line[used])) return NULL;
+  *end = '\0';
+  return begin + 1;
+}
+
+/* $PhysicalNames: text in binary files too. */
+static PetscErrorCode ReaderNames_Private(GmshReader *reader, GmshNames *names)
+{
+  char line[GMSH_LINE];
+  int  num;
+
+  PetscFunctionBeginUser;
+  if (!fgets(line, sizeof(line), reader->file) || sscanf(line, "%d", &num) != 1 || num < 0 || num > reader->size) {
+    GmshReaderFail(reader, "the number of physical names is missing");
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(PetscCalloc3(num, &names->dim, num, &names->tag, num, &names->name));
+  for (names->num = 0; names->num < num; ++names->num) {
+    char *name = NULL;
+    int   dim, tag;
+
+    if (fgets(line, sizeof(line), reader->file)) name = NameParse_Private(line, &dim, &tag);
+    if (!name) {
+      GmshReaderFail(reader, "physical name %d of %d cannot be read", (int)names->num + 1, num);
+      break;
+    }
+    PetscCall(PetscStrallocpy(name, &names->name[names->num]));
+    names->dim[names->num] = dim;
+    names->tag[names->num] = tag;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The rest of the $MeshFormat section. */
+static void ReaderFormat_Private(GmshReader *reader)
+{
+  char  line[GMSH_LINE];
+  float version = 0;
+  int   binary = 0, one = 1;
+
+  if (!fgets(line, sizeof(line), reader->file) ||
+      sscanf(line, "%f %d %d", &version, &binary, &reader->data_size) != 3) {
+    GmshReaderFail(reader, "its $MeshFormat cannot be read");
+    return;
+  }
+  reader->version = (int)lroundf(10 * version);
+  reader->binary  = binary ? PETSC_TRUE : PETSC_FALSE;
+  if (reader->version != 22 && reader->version != 41) {
+    GmshReaderFail(reader, "its format is %g; formats 2.2 and 4.1 are accepted", (double)version);
+  } else if (reader->data_size != (int)sizeof(double)) {
+    GmshReaderFail(reader, "its data size is %d; 8 is accepted", reader->data_size);
+  } else if (binary && (fread(&one, sizeof(one), 1, reader->file) != 1 || one != 1)) {
+    GmshReaderFail(reader, "it was written on a machine of other byte order");
+  }
+}
+
+/* Section after section up to the elements; what nobody here needs is skipped line by line. */
+static PetscErrorCode ReaderSections_Private(GmshReader *reader, GmshNames *names)
+{
+  PetscBool format = PETSC_FALSE, elements = PETSC_FALSE;
+  char      line[GMSH_LINE];
+
+  PetscFunctionBeginUser;
+  while (!reader->reason[0] && !elements && fgets(line, sizeof(line), reader->file)) {
+    line[strcspn(line, " \r\n")] = '\0';
+    if (!strcmp(line, "$MeshFormat")) {
+      ReaderFormat_Private(reader);
+      format = PETSC_TRUE;
+    } else if (!format && line[0]) {
+      GmshReaderFail(reader, "it is not a Gmsh file: it does not begin with $MeshFormat");
+    } else if (!strcmp(line, "$PhysicalNames") && !names->dim) {
+      PetscCall(ReaderNames_Private(reader, names));
+    } else if (!strcmp(line, "$Entities") && !reader->entities) {
+      PetscCall(GmshCheckEntities(reader));
+    } else if (!strcmp(line, "$Nodes") && !reader->nodes) {
+      PetscCall(GmshCheckNodes(reader));
+    } else if (!strcmp(line, "$Elements")) {
+      PetscCall(GmshCheckElements(reader));
+      elements = PETSC_TRUE;
+    }
+  }
+  if (!format) GmshReaderFail(reader, "it is empty");
+  if (!elements) GmshReaderFail(reader, "it has no $Elements");
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode GmshScan(const char path[], GmshNames *names, int *version, char reason[], size_t len)
+{
+  GmshReader reader = {.file = fopen(path, "rb"), .reason = reason, .len = len};
+
+  PetscFunctionBeginUser;
+  reason[0] = '\0';
+  *names    = (GmshNames){0, NULL, NULL, NULL};
+  if (!reader.file) {
+    snprintf(reason, len, "it cannot be opened");
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  fseek(reader.file, 0, SEEK_END);
+  reader.size = ftell(reader.file);
+  rewind(reader.file);
+  PetscCall(ReaderSections_Private(&reader, names));
+  *version = reader.version;
+  fclose(reader.file);
+  PetscCall(PetscFree(reader.nodes));
+  PetscCall(PetscFree(reader.entities));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode GmshNamesDestroy(GmshNames *names)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < names->num; ++i) PetscCall(PetscFree(names->name[i]));
+  PetscCall(PetscFree3(names->dim, names->tag, names->name));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscBool GmshFindGroup(const GmshNames *names, PetscInt dim, const char group[], PetscInt *tag)
+{
+  char *end;
+
+  for (PetscInt i = 0; i < names->num; ++i) {
+    if (names->dim[i] != dim || strcmp(names->name[i], group)) continue;
+    *tag = names->tag[i];
+    return PETSC_TRUE;
+  }
+  *tag = (PetscInt)strtol(group, &end, 10);
+  return end != group && !*end ? PETSC_TRUE : PETSC_FALSE;
+}
+
+void GmshDescribeGroup(const GmshNames *names, PetscInt dim, PetscInt tag, char text[], size_t len)
+{
+  const size_t used = strlen(text);
+  const char  *name = NULL;
+
+  for (PetscInt i = 0; i < names->num; ++i) {
+    if (names->dim[i] == dim && names->tag[i] == tag) name = names->name[i];
+  }
+  if (name) snprintf(text + used, len - used, "%s%s (%d)", used ? ", " : "", name, (int)tag);
+  if (!name) snprintf(text + used, len - used, "%s%d", used ? ", " : "", (int)tag);
+}
