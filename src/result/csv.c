@@ -147,6 +147,35 @@ static PetscInt Walk_Private(PetscInt start, PetscInt next[], PetscInt order[])
   return n;
 }
 
+/* The node of a closed chain that comes first by its place, whichever node of it was found. */
+static PetscInt FirstOfCircle_Private(PetscInt start, const PetscInt next[], const SideNode nodes[])
+{
+  PetscInt first = start;
+
+  for (PetscInt at = next[start]; at != start; at = next[at]) {
+    if (ComparePlace_Private(&nodes[at], &nodes[first]) < 0) first = at;
+  }
+  return first;
+}
+
+/* Enters the chain from `start` as a piece; an open one is turned so that it starts at the end that comes first. */
+static void AddPiece_Private(PetscInt start, PetscBool open, PetscInt next[], const SideNode nodes[], PetscInt order[],
+                             SidePiece *piece)
+{
+  PetscInt *const rows = &order[piece->begin], n = Walk_Private(start, next, rows);
+
+  if (open && ComparePlace_Private(&nodes[rows[n - 1]], &nodes[rows[0]]) < 0) {
+    for (PetscInt a = 0, b = n - 1; a < b; ++a, --b) {
+      const PetscInt swap = rows[a];
+
+      rows[a] = rows[b];
+      rows[b] = swap;
+    }
+  }
+  piece->end   = piece->begin + n;
+  piece->first = &nodes[rows[0]];
+}
+
 /* Orders nodes by chains; every node is in exactly one. [out] order - [num_nodes]; [out] pieces - [num_pieces] */
 static PetscErrorCode OrderChains_Private(PetscInt num_nodes, const SideNode nodes[], PetscInt num_facets,
                                           const PetscInt ends[], PetscInt order[], PetscInt *num_pieces,
@@ -164,36 +193,18 @@ static PetscErrorCode OrderChains_Private(PetscInt num_nodes, const SideNode nod
     next[a]    = b;
     entered[b] = a;
   }
-  *num_pieces = 0;
-  for (PetscInt pass = 0; pass < 2; ++pass) { /* open chains, then closed ones */
-    PetscInt closed = -1;
-
-    for (PetscInt i = 0; i < num_nodes; ++i) {
-      SidePiece *piece = &pieces[*num_pieces];
-
-      if (pass == 0 ? entered[i] >= 0 : next[i] < 0) continue;
-      if (pass == 1) { /* a closed chain starts at its first place, whichever node was found first */
-        closed = i;
-        for (PetscInt at = next[i]; at != i; at = next[at]) {
-          if (ComparePlace_Private(&nodes[at], &nodes[closed]) < 0) closed = at;
-        }
-      }
-      piece->begin = n;
-      n += Walk_Private(pass == 0 ? i : closed, next, &order[n]);
-      piece->end = n;
-      if (pass == 0 && ComparePlace_Private(&nodes[order[n - 1]], &nodes[order[piece->begin]]) < 0) {
-        for (PetscInt a = piece->begin, b = n - 1; a < b; ++a, --b) {
-          const PetscInt swap = order[a];
-
-          order[a] = order[b];
-          order[b] = swap;
-        }
-      }
-      piece->first = &nodes[order[piece->begin]];
-      ++*num_pieces;
-    }
+  for (PetscInt i = 0; i < num_nodes; ++i) {
+    if (entered[i] >= 0) continue;
+    pieces[n].begin = n ? pieces[n - 1].end : 0;
+    AddPiece_Private(i, PETSC_TRUE, next, nodes, order, &pieces[n++]);
   }
-  if (*num_pieces) qsort(pieces, *num_pieces, sizeof(*pieces), ComparePiece_Private);
+  for (PetscInt i = 0; i < num_nodes; ++i) { /* what is left are circles */
+    if (next[i] < 0) continue;
+    pieces[n].begin = n ? pieces[n - 1].end : 0;
+    AddPiece_Private(FirstOfCircle_Private(i, next, nodes), PETSC_FALSE, next, nodes, order, &pieces[n++]);
+  }
+  *num_pieces = n;
+  if (n) qsort(pieces, n, sizeof(*pieces), ComparePiece_Private);
   PetscCall(PetscFree2(next, entered));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -84,10 +84,12 @@ PetscErrorCode FilesAdd(Files *files, const char final[], const char **temporary
     files->capacity = 2 * files->capacity + 4;
     PetscCall(PetscRealloc(files->capacity * sizeof(char *), &files->final));
     PetscCall(PetscRealloc(files->capacity * sizeof(char *), &files->temporary));
+    PetscCall(PetscRealloc(files->capacity * sizeof(size_t), &files->made));
   }
   PetscCall(PetscStrallocpy(final, &files->final[files->num]));
   PetscCall(TemporaryName_Private(final, &files->temporary[files->num]));
-  *temporary = files->temporary[files->num++];
+  files->made[files->num] = made;
+  *temporary              = files->temporary[files->num++];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -127,11 +129,15 @@ PetscErrorCode FilesFinish(MPI_Comm comm, Files *files)
   }
   for (PetscInt i = 0; i < files->num; ++i) {
     if (files->failure[0]) unlink(files->temporary[i]);
+  }
+  for (PetscInt i = 0; i < files->num; ++i) {
+    if (files->failure[0]) FoldersRemove_Private(files->final[i], files->made[i]);
     PetscCall(PetscFree(files->final[i]));
     PetscCall(PetscFree(files->temporary[i]));
   }
   PetscCall(PetscFree(files->final));
   PetscCall(PetscFree(files->temporary));
+  PetscCall(PetscFree(files->made));
   files->num = files->capacity = 0;
   PetscCallMPI(MPI_Comm_rank(comm, &rank));
   PetscCallMPI(MPI_Bcast(files->failure, sizeof(files->failure), MPI_CHAR, 0, comm));

@@ -14,6 +14,7 @@ typedef struct {
   PetscInt num, capacity;
   char   **final;                   /* [num] */
   char   **temporary;               /* [num] */
+  size_t  *made;                    /* length of the topmost folder that was made for it, 0 for none [num] */
   char     failure[FILES_SENTENCE]; /* the first thing that went wrong, as a sentence; "" while all is well */
 } Files;
 

@@ -30,17 +30,24 @@ static PetscBool WriteAttribute_Private(hid_t where, const char name[], const ch
   return (PetscBool)(bad >= 0);
 }
 
-/* A dataset of shape [rows][columns], [rows] where columns is 1; false on failure. HDF5 converts from memory to file type. */
-static PetscBool WriteDataset_Private(hid_t file, const char name[], PetscInt rows, PetscInt columns, hid_t stored,
-                                      hid_t memory, const void *values, const char about[])
+/* An array of shape [rows][columns], [rows] where columns is 1; HDF5 converts from the type in memory to the stored one. */
+typedef struct {
+  const char *name, *about;
+  PetscInt    rows, columns;
+  hid_t       memory, stored;
+  const void *values;
+} Dataset;
+
+/* False on failure. */
+static PetscBool WriteDataset_Private(hid_t file, const Dataset *data)
 {
-  const hsize_t shape[2] = {(hsize_t)rows, (hsize_t)columns};
-  const hid_t   space    = H5Screate_simple(columns == 1 ? 1 : 2, shape, NULL);
-  const hid_t   set      = H5Dcreate2(file, name, stored, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  const hsize_t shape[2] = {(hsize_t)data->rows, (hsize_t)data->columns};
+  const hid_t   space    = H5Screate_simple(data->columns == 1 ? 1 : 2, shape, NULL);
+  const hid_t   set      = H5Dcreate2(file, data->name, data->stored, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
   PetscBool     good     = (PetscBool)(set >= 0);
 
-  if (good) good = (PetscBool)(H5Dwrite(set, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
-  if (good) good = WriteAttribute_Private(set, "about", about);
+  if (good) good = (PetscBool)(H5Dwrite(set, data->memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data->values) >= 0);
+  if (good) good = WriteAttribute_Private(set, "about", data->about);
   if (set >= 0 && H5Dclose(set) < 0) good = PETSC_FALSE;
   H5Sclose(space);
   return good;
@@ -50,6 +57,7 @@ static PetscBool WriteDataset_Private(hid_t file, const char name[], PetscInt ro
 static const char *About_Private(const char name[])
 {
   static const char *const table[][2] = {
+      {"points", "positions before the motion: x, y, z"},
       {"displacement", "x, y, z in the unit of length"},
       {"stress", "tensor by rows: xx,xy,xz,yx,yy,yz,zx,zy,zz in the unit of stress; volume-weighted nodal average"},
       {"von_mises", "of the averaged stress"},
@@ -66,26 +74,33 @@ static const char *About_Private(const char name[])
 
 static PetscBool WriteArray_Private(hid_t file, PetscInt rows, const PictureArray *array)
 {
-  return WriteDataset_Private(file, array->name, rows, array->components,
-                              array->integer ? H5T_STD_I32LE : H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, array->values,
-                              About_Private(array->name));
+  return WriteDataset_Private(file, &(Dataset){.name    = array->name,
+                                               .about   = About_Private(array->name),
+                                               .rows    = rows,
+                                               .columns = array->components,
+                                               .memory  = H5T_NATIVE_DOUBLE,
+                                               .stored  = array->integer ? H5T_STD_I32LE : H5T_IEEE_F64LE,
+                                               .values  = array->values});
 }
 
 static PetscBool WriteAll_Private(hid_t file, const Picture *picture, const Topology *topology)
 {
-  PetscBool good;
+  const PictureArray points = {"points", 3, PETSC_FALSE, picture->points};
+  const Dataset      cells  = {.name    = "cells",
+                               .about   = topology->columns == 1 ? "per cell: XDMF type number, then its points"
+                                                                 : "points of each cell",
+                               .rows    = topology->rows,
+                               .columns = topology->columns,
+                               .memory  = H5T_NATIVE_INT,
+                               .stored  = H5T_STD_I32LE,
+                               .values  = topology->values};
+  PetscBool          good;
 
   good = (PetscBool)(WriteAttribute_Private(file, "title", picture->title) &&
                      WriteAttribute_Private(file, "creator", "mortise " MORTISE_VERSION) &&
                      WriteAttribute_Private(file, "units",
                                             "those of the scene: whatever consistent set it was given in") &&
-                     WriteDataset_Private(file, "points", picture->num_points, 3, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE,
-                                          picture->points, "positions before the motion: x, y, z"));
-  if (good) {
-    good = WriteDataset_Private(
-        file, "cells", topology->rows, topology->columns, H5T_STD_I32LE, H5T_NATIVE_INT, topology->values,
-        topology->columns == 1 ? "per cell: XDMF type number, then its points" : "points of each cell");
-  }
+                     WriteArray_Private(file, picture->num_points, &points) && WriteDataset_Private(file, &cells));
   for (PetscInt i = 0; i < PICTURE_POINT_ARRAYS && good; ++i) {
     good = WriteArray_Private(file, picture->num_points, &picture->point[i]);
   }
@@ -107,7 +122,7 @@ static PetscErrorCode CreateImage_Private(const Picture *picture, const Topology
   if (good) file = H5Fcreate("picture", H5F_ACC_TRUNC, H5P_DEFAULT, access);
   good = (PetscBool)(file >= 0 && WriteAll_Private(file, picture, topology) && H5Fflush(file, H5F_SCOPE_LOCAL) >= 0);
   if (good) num_bytes = H5Fget_file_image(file, NULL, 0);
-  *size = (size_t)num_bytes;
+  *size = (size_t)PetscMax(num_bytes, 0);
   PetscCall(PetscMalloc1(*size, image));
   good = (PetscBool)(good && num_bytes > 0 && H5Fget_file_image(file, *image, *size) == num_bytes);
   if (file >= 0) H5Fclose(file);

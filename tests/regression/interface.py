@@ -202,8 +202,8 @@ def judge_readers(run, fields):
 
 
 def judge_summary_option(run):
-    """-summary - prints the JSON text and nothing else; -summary <file> writes it."""
-    again = run.again("-summary", "-", name="printed")
+    """-quiet -summary - prints the JSON text and nothing else; -summary <file> writes it."""
+    again = run.again("-summary", "-", "-quiet", name="printed")
     same("printed summary", json.loads(again.stdout), again.summary)
     again = run.again("-summary", "alone/summary.json", name="alone")
     written = json.loads((again.folder / "alone" / "summary.json").read_text())

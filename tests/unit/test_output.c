@@ -194,15 +194,15 @@ static PetscErrorCode TestFullDisk(void)
 
   CHECK(setrlimit(RLIMIT_FSIZE, &small) == 0);
   files = (Files){0};
-  PetscCall(FilesOpen(&files, "long.txt", &out));
+  PetscCall(FilesOpen(&files, "deep/down/long.txt", &out));
   for (int i = 0; i < 10000; ++i) fputs("too long\n", out);
   PetscCall(FilesClose(&files, &out));
   CHECK(setrlimit(RLIMIT_FSIZE, &old) == 0);
-  CHECK(strstr(files.failure, "cannot write long.txt: "));
+  CHECK(strstr(files.failure, "cannot write deep/down/long.txt: "));
   PetscCall(PetscPushErrorHandler(PetscReturnErrorHandler, NULL));
   error = FilesFinish(PETSC_COMM_SELF, &files);
   PetscCall(PetscPopErrorHandler());
-  CHECK(error == PETSC_ERR_FILE_WRITE && !Exists("long.txt"));
+  CHECK(error == PETSC_ERR_FILE_WRITE && !Exists("deep"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
