@@ -1,0 +1,53 @@
+"""The answer does not depend on who computes it: both solvers, any number of ranks."""
+import numpy as np
+
+from judge import near, require, same, same_table
+
+FIELDS = 1e-9  # relative to the largest value of a field
+RANKS = (2, 3, 4)
+
+
+def bodies_of_nodes(cells, body, num_nodes):
+    """Index of the body of every node; mixed cells are a list of (4: triangle, 5: quad) each followed by its nodes."""
+    node_body = np.zeros(num_nodes)
+    if cells.ndim == 2:
+        node_body[cells] = body[:, None]
+        return node_body
+    place = 0
+    for index in body:
+        size = {4: 3, 5: 4}[cells[place]]
+        node_body[cells[place + 1 : place + 1 + size]] = index
+        place += 1 + size
+    return node_body
+
+
+def fields(run):
+    """Displacement and stress at nodes, sorted by body and place, so that numbering does not matter."""
+    with run.fields() as file:
+        points, cells, body = file["points"][()], file["cells"][()], file["body"][()]
+        values = np.hstack([file["displacement"][()], np.nan_to_num(file["stress"][()])])
+    places = (points / np.abs(points).max()).round(9) + 0.0  # no -0
+    return values[np.lexsort(np.column_stack([places, bodies_of_nodes(cells, body, len(points))]).T)]
+
+
+def compare(run, other, what):
+    mine, theirs = fields(run), fields(other)
+    for columns, name in ((slice(0, 3), "displacement"), (slice(3, 12), "stress")):
+        scale = np.abs(mine[:, columns]).max()
+        off = np.abs(mine[:, columns] - theirs[:, columns]).max()
+        require(off <= FIELDS * scale, f"{name} on {what}: off by {off:.3g} of {scale:.3g}")
+    for pair, values in run.summary["pairs"].items():
+        same(f"active nodes of {pair} on {what}", other.pair(pair)["active_nodes"], values["active_nodes"])
+        stress = np.abs(mine[:, 3:]).max()  # where nothing presses, pressures are roundoff of this
+        same_table(other.table(pair), run.table(pair), {"pressure": (FIELDS, 1e-12 * stress)})
+        same_table(other.table(pair), run.table(pair), {"status": (0.0, 0.0)})
+
+
+def judge(run):
+    checked = run.again("-cross_check", name="cross")
+    check = checked.summary["solver"]["cross_check"]
+    require(check["converged"] and check["agree"], "pdas and vinewtonrsls disagree")
+    same("difference of the active sets", check["active_difference"], 0)
+    require(check["displacement_difference"] < 1e-9, f"displacements differ by {check['displacement_difference']:.3g}")
+    for ranks in RANKS:
+        compare(run, run.again(ranks=ranks, name=f"ranks{ranks}"), f"{ranks} ranks")
