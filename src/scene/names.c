@@ -55,7 +55,7 @@ static PetscErrorCode NamesCheckOne_Private(Scene scene, PetscInt i)
   kind = scope == SCOPE_BODY ? "-bodies" : scope == SCOPE_PAIR ? "-pairs" : "-probes";
   for (PetscInt j = 0; j < i; j++) {
     other = NamesGet(scene, j, &other_scope);
-    if (strcasecmp(name, other) || (scope == SCOPE_PROBE) != (other_scope == SCOPE_PROBE)) continue;
+    if (strcasecmp(name, other) != 0 || (scope == SCOPE_PROBE) != (other_scope == SCOPE_PROBE)) continue;
     PetscCall(FaultRaise(scene->comm,
                          "%s: the name %s is given twice%s; every body and every pair needs a name of its own", kind,
                          name, scope != other_scope ? " (to a body and to a pair)" : ""));
@@ -69,7 +69,7 @@ static PetscErrorCode NamesCheckOne_Private(Scene scene, PetscInt i)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Faults if an option of one name can be read as an option of another name, or of the program. */
+/* Faults if an option of the i-th name can be read as one of the j-th, by which it then begins. */
 static PetscErrorCode NamesCheckClash_Private(Scene scene, PetscInt i, PetscInt j)
 {
   PetscInt           num;
@@ -80,8 +80,7 @@ static PetscErrorCode NamesCheckClash_Private(Scene scene, PetscInt i, PetscInt 
   char               option[OPTION_MAX];
 
   PetscFunctionBeginUser;
-  if (scope != SCOPE_PROBE && (strncasecmp(name, other, length) || name[length] != '_'))
-    PetscFunctionReturn(PETSC_SUCCESS);
+  if (strncasecmp(name, other, length) != 0 || name[length] != '_') PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt k = 0; k < num; k++) {
     if (OptionEntryScope(&table[k]) != scope || strchr(table[k].name, '*')) continue;
     PetscCall(OptionExpand(table[k].name, name, "side", option));
@@ -108,7 +107,7 @@ static PetscErrorCode NamesCheckNumbers_Private(Scene scene, PetscInt i)
     if (!digits || (c[1 + digits] != '_' && c[1 + digits] != '\0')) continue;
     PetscCall(PetscSNPrintf(shorter, sizeof(shorter), "%.*s%s", (int)(c - name), name, c + 1 + digits));
     for (PetscInt j = 0; (other = NamesGet(scene, j, &other_scope)); j++) {
-      if (scope != other_scope || strcasecmp(shorter, other)) continue;
+      if (scope != other_scope || strcasecmp(shorter, other) != 0) continue;
       PetscCall(FaultRaise(
           scene->comm,
           "the names %s and %s cannot stand together: PETSc takes options missing for %s from %s; rename one of them",

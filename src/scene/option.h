@@ -74,7 +74,7 @@ PetscErrorCode OptionFind(Scene scene, const char pattern[], const char owner[],
 /* An option as a sentence shows it: its name and its value, which may be cut. Not collective. */
 PetscErrorCode OptionShow(const char name[], const char value[], char shown[OPTION_MAX]);
 /* Raises the fault "<option> <value>: <sentence>". Collective. */
-PetscErrorCode OptionRaise(const Option *option, const char format[], ...);
+PetscErrorCode OptionRaise(const Option *option, const char format[], ...) PETSC_ATTRIBUTE_FORMAT(2, 3);
 /* Faults if the option is absent; a near misspelling that the user typed is named.
    [in] why - what needs it, a clause; placeholders stand for the names of the option */
 PetscErrorCode OptionRequire(const Option *option, const char why[]);

@@ -47,8 +47,8 @@ PetscBool SideOverlaps(const char a[], const char b[], char common[])
     p = SideNextPart_Private(p, of_a);
     for (const char *q = b; q;) {
       q = SideNextPart_Private(q, of_b);
-      if (strcmp(of_a, of_b)) continue;
-      if (common) strcpy(common, of_a);
+      if (strcmp(of_a, of_b) != 0) continue;
+      if (common) memcpy(common, of_a, strlen(of_a) + 1);
       return PETSC_TRUE;
     }
   }

@@ -178,10 +178,10 @@ static PetscBool OptionFits_Private(const char pattern[], const char owner[], co
     if (*pattern == '<') {
       const size_t length = strlen(owner);
 
-      if (strncasecmp(owner, option, length)) return PETSC_FALSE;
+      if (strncasecmp(owner, option, length) != 0) return PETSC_FALSE;
       option += length;
       pattern = strchr(pattern, '>') + 1;
-    } else if (strncasecmp(pattern++, option++, 1))
+    } else if (strncasecmp(pattern++, option++, 1) != 0)
       return PETSC_FALSE;
   }
   return (PetscBool)(*option == '\0');

@@ -18,38 +18,13 @@ typedef struct {
 
 /* Options of PETSc's start and end, many of which are read when the program is over; with a final underscore:
    beginnings. */
-static const char *const environment[] = {"log_",
-                                          "malloc",
-                                          "malloc_",
-                                          "options_",
-                                          "on_error_",
-                                          "debugger_",
-                                          "mpi_",
-                                          "device_",
-                                          "viewer_",
-                                          "petsc_",
-                                          "info",
-                                          "info_",
-                                          "help",
-                                          "version",
-                                          "nox",
-                                          "citations",
-                                          "memory_view",
-                                          "skip_petscrc",
-                                          "objects_dump",
-                                          "get_total_flops",
-                                          "no_signal_handler",
-                                          "fp_trap",
-                                          "tmp",
-                                          "shared_tmp_",
-                                          "mpidump",
-                                          "display",
-                                          "checkstack",
-                                          "start_in_debugger",
-                                          "saws_",
-                                          "python",
-                                          "use_gpu_aware_mpi",
-                                          "stop_for_debugger"};
+// clang-format off
+static const char *const environment[] = {
+    "checkstack", "citations", "debugger_", "device_", "display", "fp_trap", "get_total_flops", "help", "info",
+    "info_", "log_", "malloc", "malloc_", "memory_view", "mpi_", "mpidump", "no_signal_handler", "nox",
+    "objects_dump", "on_error_", "options_", "petsc_", "python", "saws_", "shared_tmp_", "skip_petscrc",
+    "start_in_debugger", "stop_for_debugger", "tmp", "use_gpu_aware_mpi", "version", "viewer_"};
+// clang-format on
 
 /* Name spaces of PETSc's objects. */
 static const char *const objects[] = {"ksp_",        "pc_",      "snes_",   "mat_",        "vec_",
@@ -104,8 +79,8 @@ static PetscErrorCode UnusedJudge_Private(Scene scene, const char name[], const 
     const size_t before = scope == SCOPE_PROBE ? strlen(probe) : 0, length = strlen(owner);
     const char  *begin = left->name + 1 + before;
 
-    if (strncasecmp(left->name + 1, probe, before) || strncasecmp(begin, owner, length) || begin[length] != '_')
-      continue;
+    if (strncasecmp(left->name + 1, probe, before) != 0) continue;
+    if (strncasecmp(begin, owner, length) != 0 || begin[length] != '_') continue;
     left->owner = owner;
     left->entry = OptionTableMatch(scope, owner, left->name);
   }

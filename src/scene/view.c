@@ -6,6 +6,8 @@
 /* Characters of a datum that a line shows. */
 enum { DATUM_SHOWN = 60 };
 
+static PetscErrorCode ViewPrint_Private(Scene scene, const char format[], ...) PETSC_ATTRIBUTE_FORMAT(2, 3);
+
 /* Prints like printf(): PetscPrintf() would write the number 1 as "1.". */
 static PetscErrorCode ViewPrint_Private(Scene scene, const char format[], ...)
 {
