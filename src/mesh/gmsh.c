@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { MAX_NAME = 127 }; /* of a physical group, by the format; PETSc relies on it */
+
 void GmshReaderFail(GmshReader *reader, const char format[], ...)
 {
   va_list arguments;
@@ -17,15 +19,19 @@ void GmshReaderFail(GmshReader *reader, const char format[], ...)
   va_end(arguments);
 }
 
-/* Splits the line `dim tag "name"` in place; NULL if it is not one. */
+/* Splits the line `dim tag "name"` in place; NULL if it is not one, or the name is longer than Gmsh allows. */
 static char *NameParse_Private(char line[], int *dim, int *tag)
 {
-  char *begin = strchr(line, '"'), *end = begin ? strrchr(line, '"') : NULL;
   int   used = 0;
+  char *begin, *end;
 
-  if (end == begin || sscanf(line, "%d %d%n", dim, tag, &used) != 2 || !isspace((unsigned char)line[used])) return NULL;
+  if (sscanf(line, "%d %d%n", dim, tag, &used) != 2 || !isspace((unsigned char)line[used])) return NULL;
+  begin = line + used + strspn(line + used, " \t");
+  if (*begin++ != '"') return NULL;
+  end = strrchr(line, '"');
+  if (end < begin || end - begin > MAX_NAME) return NULL;
   *end = '\0';
-  return begin + 1;
+  return begin;
 }
 
 /* $PhysicalNames: text in binary files too. */

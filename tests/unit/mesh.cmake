@@ -1,1 +1,4 @@
-mortise_unit(mesh ROOMS base kernel mesh RANKS 1 2 3 4)
+foreach(module mesh level support partition)
+  mortise_unit(${module} ROOMS base kernel mesh RANKS 1 2 3 4)
+  target_compile_definitions(test_${module} PRIVATE MESHES="${CMAKE_CURRENT_SOURCE_DIR}/unit/meshes")
+endforeach()

@@ -1,0 +1,211 @@
+/* test_level.c -- tables, prolongation, Vecs, Mats and point location, on any number of ranks. */
+#include "mesh_scene.h"
+
+/* A box of quads above a box of triangles, refined; nx = 1 leaves ranks without cells. */
+static Mesh MakeMesh(TestScene *t, PetscInt nx, PetscInt refine, const char map[])
+{
+  TestSceneInit(t);
+  t->scene.refine = refine;
+  TestSceneAddBox(t, "upper", nx, 1, 0, 0, 1, 1);
+  TestSceneAddBox(t, "lower", nx, 1, 0, -1, 1, 0)->simplex = PETSC_TRUE;
+  TestSceneAddPair(t, "joint", 0, "bottom", 1, "top");
+  if (map) TestSceneSetMap(&t->bodies[1], map);
+  return TestSceneMesh(t);
+}
+
+/* Numbers are contiguous per rank, ghosts follow the owned, and all ranks agree on where a node is. */
+static void TestTables(PetscInt nx, PetscInt refine)
+{
+  TestScene t;
+  Mesh      mesh  = MakeMesh(&t, nx, refine, "2*x+y, y");
+  Level    *level = MeshFinest(mesh);
+  Vec       v, local;
+
+  for (PetscInt i = 0; i < level->num_nodes; ++i) {
+    if (i < level->num_owned)
+      CHECK(level->node_global[i] == level->node_begin + i);
+    else
+      CHECK(level->node_global[i] < level->node_begin || level->node_global[i] >= level->node_begin + level->num_owned);
+  }
+  for (PetscInt c = 0; c < level->num_cells; ++c) {
+    CHECK(level->cell_start[c + 1] - level->cell_start[c] == ElementNumNodes((ElementType)level->cell_type[c]));
+    CHECK(level->cell_type[c] == (level->cell_body[c] ? ELEMENT_TRI3 : ELEMENT_QUAD4));
+    for (PetscInt i = level->cell_start[c]; i < level->cell_start[c + 1]; ++i) {
+      CHECK(level->cell_nodes[i] >= 0 && level->cell_nodes[i] < level->num_nodes);
+      CHECK(level->node_body[level->cell_nodes[i]] == level->cell_body[c]);
+    }
+  }
+  CHECK(!LevelCreateVec(level, 2, &v));
+  CHECK(!VecGhostGetLocalForm(v, &local));
+  for (int sign = -1; sign <= 1; sign += 2) { // the largest of x and of -x on all ranks is this rank's own
+    PetscScalar *x;
+
+    CHECK(!VecGetArray(local, &x));
+    for (PetscInt i = 0; i < 2 * level->num_nodes; ++i) x[i] = sign * level->coords[i];
+    CHECK(!VecRestoreArray(local, &x));
+    CHECK(!LevelShareVec(v, MAX_VALUES));
+    CHECK(!VecGetArray(local, &x));
+    for (PetscInt i = 0; i < 2 * level->num_nodes; ++i) CHECK(x[i] == sign * level->coords[i]);
+    CHECK(!VecRestoreArray(local, &x));
+  }
+  CHECK(!VecGhostRestoreLocalForm(v, &local));
+  CHECK(!VecDestroy(&v));
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
+/* Sums over ranks: every node gets the number of its cells. */
+static void TestShare(void)
+{
+  TestScene    t;
+  Mesh         mesh  = MakeMesh(&t, 4, 1, NULL);
+  Level       *level = MeshFinest(mesh);
+  Vec          v, local;
+  PetscScalar *x;
+
+  CHECK(!LevelCreateVec(level, 1, &v));
+  CHECK(!VecGhostGetLocalForm(v, &local));
+  CHECK(!VecSet(local, 0));
+  CHECK(!VecGetArray(local, &x));
+  for (PetscInt i = 0; i < level->cell_start[level->num_cells]; ++i) x[level->cell_nodes[i]] += 1;
+  CHECK(!VecRestoreArray(local, &x));
+  CHECK(!LevelShareVec(v, ADD_VALUES));
+  CHECK(!VecGetArray(local, &x));
+  for (PetscInt i = 0; i < level->num_nodes; ++i) {
+    const PetscReal *at       = &level->coords[2 * i];
+    const PetscBool  inside_x = at[0] > 0 && at[0] < 1 ? PETSC_TRUE : PETSC_FALSE;
+    const PetscBool  inside_y = PetscAbsReal(at[1]) > 0 && PetscAbsReal(at[1]) < 1 ? PETSC_TRUE : PETSC_FALSE;
+
+    if (level->node_body[i] == 0)
+      CHECK(x[i] == (inside_x ? 2 : 1) * (inside_y ? 2 : 1));
+    else if (inside_x && inside_y)
+      CHECK(x[i] == 6);
+  }
+  CHECK(!VecRestoreArray(local, &x));
+  CHECK(!VecGhostRestoreLocalForm(v, &local));
+  CHECK(!VecDestroy(&v));
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
+/* Linear functions go from level to level without error; rows sum to one. */
+static void TestProlongation(PetscInt nx)
+{
+  TestScene t;
+  Mesh      mesh = MakeMesh(&t, nx, 3, NULL);
+
+  CHECK(!mesh->levels[0].prolongation);
+  for (PetscInt l = 1; l < mesh->num_levels; ++l) {
+    Vec       v[2];
+    PetscReal norm;
+
+    for (int k = 0; k < 2; ++k) { // f = 1 + 2 x + 3 y on the coarse and on the fine level
+      Level       *level = &mesh->levels[l - 1 + k];
+      PetscScalar *f;
+
+      CHECK(!LevelCreateVec(level, 1, &v[k]));
+      CHECK(!VecGetArray(v[k], &f));
+      for (PetscInt i = 0; i < level->num_owned; ++i)
+        f[i] = 1 + 2 * level->coords[2 * i] + 3 * level->coords[2 * i + 1];
+      CHECK(!VecRestoreArray(v[k], &f));
+    }
+    CHECK(!VecScale(v[1], -1));
+    CHECK(!MatMultAdd(mesh->levels[l].prolongation, v[0], v[1], v[1]));
+    CHECK(!VecNorm(v[1], NORM_INFINITY, &norm));
+    CHECK_NEAR(norm, 0, 1e-14);
+    CHECK(!VecDestroy(&v[0]));
+    CHECK(!VecDestroy(&v[1]));
+  }
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
+/* Every entry between nodes of a cell fits, and none is left over. */
+static void TestMat(PetscInt nx, PetscInt refine)
+{
+  TestScene t;
+  Mesh      mesh  = MakeMesh(&t, nx, refine, NULL);
+  Level    *level = MeshFinest(mesh);
+  Mat       A;
+  MatInfo   info;
+  PetscReal sum;
+  Vec       ones, row;
+
+  CHECK(!LevelCreateMat(level, 2, &A));
+  for (PetscInt c = 0; c < level->num_cells; ++c) {
+    const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]],
+                   num    = level->cell_start[c + 1] - level->cell_start[c];
+    PetscInt    global[ELEMENT_MAX_NODES];
+    PetscScalar values[4 * ELEMENT_MAX_NODES * ELEMENT_MAX_NODES];
+
+    for (PetscInt i = 0; i < num; ++i) global[i] = level->node_global[nodes[i]];
+    for (PetscInt i = 0; i < 4 * num * num; ++i) values[i] = 1;
+    CHECK(!MatSetValuesBlocked(A, num, global, num, global, values, ADD_VALUES));
+  }
+  CHECK(!MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
+  CHECK(!MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
+  CHECK(!MatGetInfo(A, MAT_GLOBAL_SUM, &info));
+  CHECK(info.mallocs == 0);
+  CHECK(info.nz_unneeded == 0);
+  CHECK(!MatCreateVecs(A, &ones, &row));
+  CHECK(!VecSet(ones, 1));
+  CHECK(!MatMult(A, ones, row));
+  CHECK(!VecSum(row, &sum));
+  CHECK_NEAR(sum, nx * (1 << 2 * refine) * (64 + 2 * 36), 0);
+  CHECK(!VecDestroy(&ones));
+  CHECK(!VecDestroy(&row));
+  CHECK(!MatDestroy(&A));
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
+/* The point is found in its own body only, by one rank, and is where the reference coordinates say. */
+static void TestLocate(void)
+{
+  static const PetscReal point[][2]  = {{0.3, 0.7},  {0, 0},  {1, 1},       {0.5, 0},    {0.25, 0.5},
+                                        {0.3, -0.7}, {1, -1}, {1.001, 0.5}, {0.5, 1e-6}, {0.5, -1e-6}};
+  static const PetscBool inside[][2] = {{1, 0}, {1, 1}, {1, 0}, {1, 1}, {1, 0}, {0, 1}, {0, 1}, {0, 0}, {1, 0}, {0, 1}};
+  TestScene              t;
+  Mesh                   mesh  = MakeMesh(&t, 4, 1, NULL);
+  Level                 *level = MeshFinest(mesh);
+
+  for (size_t p = 0; p < sizeof(point) / sizeof(point[0]); ++p) {
+    for (PetscInt body = 0; body < 2; ++body) {
+      PetscReal xi[2], phi[ELEMENT_MAX_NODES], x[2] = {0, 0};
+      PetscInt  cell;
+      PetscBool found;
+
+      CHECK(!LevelLocate(level, body, point[p], &cell, xi, &found));
+      CHECK(found == inside[p][body]);
+      CHECK_NEAR(Total(cell >= 0), found, 0);
+      if (cell < 0) continue;
+      CHECK(level->cell_body[cell] == body);
+      ElementShape((ElementType)level->cell_type[cell], xi, phi, NULL);
+      for (PetscInt i = level->cell_start[cell]; i < level->cell_start[cell + 1]; ++i) {
+        for (int d = 0; d < 2; ++d)
+          x[d] += phi[i - level->cell_start[cell]] * level->coords[2 * level->cell_nodes[i] + d];
+      }
+      CHECK_NEAR(x[0], point[p][0], 1e-14);
+      CHECK_NEAR(x[1], point[p][1], 1e-14);
+    }
+  }
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
+int main(int argc, char **argv)
+{
+  CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
+  CHECK(!FaultInitialize());
+  TestTables(5, 2);
+  TestTables(1, 0); // three cells
+  TestTables(1, 1);
+  TestShare();
+  TestProlongation(1);
+  TestProlongation(3);
+  TestMat(1, 0);
+  TestMat(4, 2);
+  TestLocate();
+  CHECK(!PetscFinalize());
+  return 0;
+}

@@ -1,0 +1,122 @@
+/* test_partition.c -- contact edges keep cells that touch on one rank, without spoiling the balance. */
+#include "../../src/mesh/bodylist.h"
+#include "mesh_scene.h"
+
+enum { N = 16 };
+
+/* Cells behind facets that overlap, and how many of these couples the partition separates. */
+static PetscInt CountSeparated(TestScene *t, Level *level, const PetscInt part[], PetscInt *num_touching)
+{
+  Facets   upper, lower;
+  PetscInt separated = 0;
+
+  *num_touching = 0;
+  CHECK(!LevelGetFacets(level, &t->scene, 0, "bottom", &upper));
+  CHECK(!LevelGetFacets(level, &t->scene, 1, "top", &lower));
+  for (PetscInt f = 0; f < upper.num; ++f) {
+    for (PetscInt g = 0; g < lower.num; ++g) {
+      const PetscReal *a = &level->coords[2 * upper.nodes[f * ELEMENT_MAX_FACET_NODES]],
+                      *b = &level->coords[2 * upper.nodes[f * ELEMENT_MAX_FACET_NODES + 1]];
+      const PetscReal *c = &level->coords[2 * lower.nodes[g * ELEMENT_MAX_FACET_NODES]],
+                      *d = &level->coords[2 * lower.nodes[g * ELEMENT_MAX_FACET_NODES + 1]];
+
+      if (PetscMin(b[0], c[0]) - PetscMax(a[0], d[0]) < 1e-9) continue; // facing sides run against each other
+      ++*num_touching;
+      separated += part[upper.cell[f]] != part[lower.cell[g]];
+    }
+  }
+  CHECK(!FacetsDestroy(&upper));
+  CHECK(!FacetsDestroy(&lower));
+  return separated;
+}
+
+/* Largest share of cells of one part over the mean. */
+static PetscReal Imbalance(PetscInt num_cells, PetscInt num_parts, const PetscInt part[])
+{
+  PetscInt largest = 0;
+
+  for (PetscInt p = 0; p < num_parts; ++p) {
+    PetscInt size = 0;
+
+    for (PetscInt c = 0; c < num_cells; ++c) size += part[c] == p;
+    largest = PetscMax(largest, size);
+  }
+  return (PetscReal)largest * num_parts / num_cells;
+}
+
+/* Two squares that do not match, one upon the other. */
+static void TestContactEdges(PetscInt num_parts)
+{
+  TestScene t;
+  Mesh      mesh;
+  Level    *level;
+  PetscInt  part[2 * N * N], touching, plain, joined;
+
+  TestSceneInit(&t);
+  t.scene.comm = PETSC_COMM_SELF;
+  TestSceneAddBox(&t, "upper", N, N, 0, 0, 1, 1);
+  TestSceneAddBox(&t, "lower", N - 3, N, 0, -1, 1, 0);
+  TestSceneAddPair(&t, "joint", 0, "bottom", 1, "top");
+  mesh  = TestSceneMesh(&t);
+  level = MeshFinest(mesh);
+  CHECK(!PartitionCompute(&t.scene, level, 0, num_parts, part));
+  plain = CountSeparated(&t, level, part, &touching);
+  CHECK(!PartitionCompute(&t.scene, level, 5, num_parts, part));
+  joined = CountSeparated(&t, level, part, &touching);
+  CHECK(touching == N + N - 3 - 1);
+  CHECK(Imbalance(level->num_cells, num_parts, part) < 1.05);
+  CHECK(joined <= num_parts - 1); // at most where a cut between parts crosses the contact line
+  CHECK(plain > joined);
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
+/* Fewer cells than parts: every part has at most one. */
+static void TestTiny(void)
+{
+  TestScene t;
+  Mesh      mesh;
+  PetscInt  part[3];
+
+  TestSceneInit(&t);
+  t.scene.comm = PETSC_COMM_SELF;
+  TestSceneAddBox(&t, "box", 3, 1, 0, 0, 1, 1);
+  mesh = TestSceneMesh(&t);
+  CHECK(!PartitionCompute(&t.scene, MeshFinest(mesh), 5, 5, part));
+  CHECK(part[0] >= 0 && part[0] < part[1] && part[1] < part[2] && part[2] < 5);
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
+/* The mesh arrives as it was parted: nothing lost, no rank overloaded. */
+static void TestSpread(void)
+{
+  TestScene   t;
+  Mesh        mesh;
+  PetscInt    largest;
+  PetscMPIInt size;
+
+  CHECK(!MPI_Comm_size(PETSC_COMM_WORLD, &size));
+  TestSceneInit(&t);
+  TestSceneAddBox(&t, "upper", N, N, 0, 0, 1, 1);
+  TestSceneAddBox(&t, "lower", N, N, 0, -1, 1, 0)->simplex = PETSC_TRUE;
+  TestSceneAddPair(&t, "joint", 0, "bottom", 1, "top");
+  mesh    = TestSceneMesh(&t);
+  largest = MeshFinest(mesh)->num_cells;
+  CHECK_NEAR(Total(largest), 3 * N * N, 0);
+  CHECK(!MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPIU_INT, MPI_MAX, PETSC_COMM_WORLD));
+  CHECK(largest * size <= 1.1 * 3 * N * N);
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
+int main(int argc, char **argv)
+{
+  CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
+  CHECK(!FaultInitialize());
+  for (PetscInt parts = 2; parts <= 12; parts += parts < 4 ? 1 : 4) TestContactEdges(parts); // both of METIS's methods
+  TestTiny();
+  TestSpread();
+  CHECK(!PetscFinalize());
+  return 0;
+}
