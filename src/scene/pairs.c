@@ -107,7 +107,6 @@ static PetscErrorCode PairReadLaw_Private(Scene scene, ScenePair *pair)
   PetscCall(OptionGetExpression(&gap, 1, PETSC_FALSE, &pair->gap));
   PetscCall(OptionGetExpression(&offset, 1, PETSC_FALSE, &pair->gap_offset));
   pair->reach = -1;
-  if (pair->obstacle.kind != OBSTACLE_NONE) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(OptionFind(scene, "-<pair>_reach", pair->name, NULL, &reach));
   PetscCall(OptionGetReals(&reach, 1, &pair->reach));
   if (reach.set && !(pair->reach > 0)) PetscCall(OptionRaise(&reach, "a distance must be above 0"));

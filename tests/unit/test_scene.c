@@ -148,9 +148,6 @@ static const Mistake mistakes[] = {
     {"-joint_mortar",
      {{"-joint_obstacle", "ball"}, {"-joint_obstacle_radius", "1"}, {"-joint_type", "tied"}},
      {"-joint_type tied", "-upper_bc_displacement"}},
-    {"-joint_mortar",
-     {{"-joint_obstacle", "ball"}, {"-joint_obstacle_radius", "1"}, {"-joint_reach", "1"}},
-     {"-joint_reach 1", "nothing"}},
     /* probes, results, solver */
     {NULL, {{"-probes", "tip"}}, {"-probe_tip_at", "missing"}},
     {NULL, {{"-probes", "tip"}, {"-probe_tip_at", "0,0"}}, {"-probe_tip_body", "missing"}},
