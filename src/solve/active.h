@@ -97,14 +97,14 @@ const char *ActiveFailureOfFactor(MatFactorError error);
 
 /* Projected Newton method with a line search on the energy; see safeguard.c. */
 typedef struct {
-  PetscBool  on;
+  PetscBool  on, settled; /* in charge; its set did not change, so that it may be the one */
   PetscReal *y, *r, *d;   /* feasible iterate, its forces, the step [n] */
   PetscBool *fixed, *all; /* the iterate's set; everything [n] */
 } Safeguard;
 
 /* Begins at the last solution, clipped. Collective. */
 PetscErrorCode SafeguardBegin(Safeguard *guard, const ActiveSet *set, ActiveSolver solver, ActiveSolution *solution);
-/* One step; switches guard->on off when the set has settled. Collective.
+/* One step. Collective.
    [out] changed - of all ranks; [out] violation - as of ActiveSetUpdate(); solution->failure may be set */
 PetscErrorCode SafeguardStep(Safeguard *guard, ActiveSet *set, ActiveSolver solver, ActiveSolution *solution,
                              PetscInt *changed, PetscReal *violation);

@@ -206,17 +206,17 @@ static PetscErrorCode Iterate_Private(SNES snes, PDAS *pdas, ActiveSet *set, Act
     PetscInt  changed   = 0;
     PetscReal violation = 0;
 
-    if (guard.on) {
-      PetscCall(SafeguardStep(&guard, set, solver, &solution, &changed, &violation));
-      if (!guard.on) PetscCall(SafeguardEnd(&guard)); /* what the set has settled at is confirmed below */
-      pdas->num_seen = 0;
-    } else {
+    if (!guard.on) {
       PetscCall(Seen_Private(pdas, set, &seen));
       if (seen || pdas->num_seen > MANY_STEPS) {
         pdas->safeguarded = PETSC_TRUE;
         PetscCall(SafeguardBegin(&guard, set, solver, &solution));
-        continue;
       }
+    }
+    if (guard.on && !guard.settled)
+      PetscCall(SafeguardStep(&guard, set, solver, &solution, &changed, &violation));
+    else {
+      guard.settled = PETSC_FALSE; /* unless its set is the one, it goes on from where it was */
       PetscCall(solver->solve(solver, set->active, set->upper, &solution));
       if (!solution.failure) PetscCall(ActiveSetUpdate(set, &solution, pdas->c, &changed, &violation));
       if (!changed && !solution.failure) {

@@ -21,7 +21,8 @@ static const PetscInt MAX_HALVINGS = 30;
 PetscErrorCode SafeguardBegin(Safeguard *guard, const ActiveSet *set, ActiveSolver solver, ActiveSolution *solution)
 {
   PetscFunctionBeginUser;
-  guard->on = PETSC_TRUE;
+  guard->on      = PETSC_TRUE;
+  guard->settled = PETSC_FALSE;
   PetscCall(PetscMalloc3(set->n, &guard->y, set->n, &guard->r, set->n, &guard->d));
   PetscCall(PetscMalloc2(set->n, &guard->fixed, set->n, &guard->all));
   for (PetscInt i = 0; i < set->n; i++) {
@@ -66,16 +67,13 @@ static PetscErrorCode Split_Private(Safeguard *guard, const ActiveSet *set)
 /* Solves at y(t) = min(y + t d, upper), and tells whether phi fell enough there:
    phi(y) - phi(y(t)) = (r + r(t)).(y(t) - y) / 2. */
 static PetscErrorCode Try_Private(Safeguard *guard, const ActiveSet *set, ActiveSolver solver, PetscReal t,
-                                  PetscReal y[], ActiveSolution *solution, PetscBool *accepted, PetscBool *clipped)
+                                  PetscReal y[], ActiveSolution *solution, PetscBool *accepted)
 {
-  PetscReal sum[3] = {0, 0, 0}; /* decrease; its prediction; unknowns that hit their bound on the way */
+  PetscReal sum[2] = {0, 0}; /* decrease; its prediction */
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < set->n; i++) {
-    const PetscReal end = guard->y[i] + t * guard->d[i];
-
-    y[i] = PetscMin(end, set->upper[i]);
-    if (!guard->fixed[i] && y[i] < end) sum[2] += 1;
+    y[i] = PetscMin(guard->y[i] + t * guard->d[i], set->upper[i]);
   }
   PetscCall(solver->solve(solver, guard->all, y, solution));
   for (PetscInt i = 0; i < set->n; i++) {
@@ -84,9 +82,8 @@ static PetscErrorCode Try_Private(Safeguard *guard, const ActiveSet *set, Active
     sum[0] += (guard->r[i] + solution->r[i]) * step / 2;
     sum[1] += guard->r[i] * (guard->fixed[i] ? step : t * guard->d[i]);
   }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 3, MPIU_REAL, MPI_SUM, set->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 2, MPIU_REAL, MPI_SUM, set->comm));
   *accepted = (PetscBool)(sum[0] >= SUFFICIENT * sum[1]);
-  *clipped  = (PetscBool)(sum[2] > 0);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -106,11 +103,12 @@ static PetscErrorCode Violation_Private(const Safeguard *guard, const ActiveSet 
 PetscErrorCode SafeguardStep(Safeguard *guard, ActiveSet *set, ActiveSolver solver, ActiveSolution *solution,
                              PetscInt *changed, PetscReal *violation)
 {
-  PetscBool  accepted = PETSC_FALSE, clipped = PETSC_FALSE;
+  PetscBool  accepted = PETSC_FALSE;
   PetscInt   halvings, iterations;
   PetscReal *y;
 
   PetscFunctionBeginUser;
+  if (solution->failure) PetscFunctionReturn(PETSC_SUCCESS); /* at the beginning */
   PetscCall(Split_Private(guard, set));
   PetscCall(ActiveSetReplace(set, guard->fixed, changed));
   PetscCall(solver->solve(solver, guard->fixed, guard->y, solution));
@@ -120,8 +118,7 @@ PetscErrorCode SafeguardStep(Safeguard *guard, ActiveSet *set, ActiveSolver solv
   PetscCall(PetscMalloc1(set->n, &y));
   iterations = solution->iterations;
   for (halvings = 0; halvings < MAX_HALVINGS && !accepted && !solution->failure; halvings++) {
-    PetscCall(
-        Try_Private(guard, set, solver, PetscPowReal(0.5, (PetscReal)halvings), y, solution, &accepted, &clipped));
+    PetscCall(Try_Private(guard, set, solver, PetscPowReal(0.5, (PetscReal)halvings), y, solution, &accepted));
     iterations += solution->iterations;
   }
   solution->iterations = iterations;
@@ -129,7 +126,10 @@ PetscErrorCode SafeguardStep(Safeguard *guard, ActiveSet *set, ActiveSolver solv
   PetscCall(PetscArraycpy(guard->r, solution->r, set->n));
   PetscCall(PetscFree(y));
   PetscCall(Violation_Private(guard, set, violation));
-  /* settled: a whole step on an unchanged set, or no way down is left */
-  if ((!*changed && halvings == 1 && !clipped) || !accepted) guard->on = PETSC_FALSE;
+  PetscCall(PetscInfo(solver->A,
+                      "projected Newton: %" PetscInt_FMT " held, %" PetscInt_FMT " changed, t = 2^-%" PetscInt_FMT
+                      ", projected gradient %g\n",
+                      set->num_active, *changed, halvings - 1, (double)*violation));
+  guard->settled = (PetscBool)(!*changed || !accepted);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
