@@ -119,33 +119,53 @@ static PetscErrorCode NodeScales_Private(Fields fields)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* int psi_a = D_aa + sum_c D_ac: the dual functions of removed nodes c were given to their neighbours, and with them
-   their share of the side. The ratio is taken from the pair, so that a thickness in row_D is kept. */
-static PetscErrorCode RowWeights_Private(Fields fields)
+/* Of all rows of one pair, by the ratio to D_aa, so that a thickness in row_D is kept. [in] moment - which moment: 0 for 1,
+   k + 1 for x_k */
+static PetscErrorCode PairMoment_Private(Fields fields, PetscInt p, PetscInt moment)
 {
-  const VI         vi = fields->vi;
-  const PetscReal *taken;
-  Vec             *sums;
+  const VI         vi     = fields->vi;
+  const Pair       pair   = vi->pairs[p];
+  const PetscInt   dim    = vi->level->dim;
+  const PetscReal *coords = vi->level->coords, *taken = NULL;
+  PetscReal       *value;
+  Vec              values, sums;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(vi->num_pairs, &sums));
-  for (PetscInt p = 0; p < vi->num_pairs; ++p) {
-    if (!vi->pairs[p]->chain) continue;
-    PetscCall(MatCreateVecs(vi->pairs[p]->chain, NULL, &sums[p]));
-    PetscCall(MatGetRowSum(vi->pairs[p]->chain, sums[p]));
+  if (pair->chain) {
+    PetscCall(MatCreateVecs(pair->chain, &values, &sums));
+    PetscCall(VecGetArray(values, &value));
+    for (PetscInt c = 0; c < vi->level->num_owned; ++c) value[c] = moment ? coords[c * dim + moment - 1] : 1.0;
+    PetscCall(VecRestoreArray(values, &value));
+    PetscCall(MatMult(pair->chain, values, sums));
+    PetscCall(VecGetArrayRead(sums, &taken));
   }
   for (PetscInt r = 0; r < vi->num_rows; ++r) {
-    const Pair     pair = vi->pairs[vi->row_pair[r]];
-    const PetscInt a    = vi->row_node[r];
+    const PetscInt a = vi->row_node[r];
+    PetscReal      sum;
 
-    fields->row_weight[r] = vi->row_D[r];
-    if (!pair->chain) continue;
-    PetscCall(VecGetArrayRead(sums[vi->row_pair[r]], &taken));
-    fields->row_weight[r] *= 1.0 + taken[pair->nodes[a]] / pair->D[a];
-    PetscCall(VecRestoreArrayRead(sums[vi->row_pair[r]], &taken));
+    if (vi->row_pair[r] != p) continue;
+    sum = moment ? coords[pair->nodes[a] * dim + moment - 1] : 1.0;
+    if (taken) sum += taken[pair->nodes[a]] / pair->D[a];
+    *(moment ? &fields->row_moment[r * dim + moment - 1] : &fields->row_weight[r]) = vi->row_D[r] * sum;
   }
-  for (PetscInt p = 0; p < vi->num_pairs; ++p) PetscCall(VecDestroy(&sums[p]));
-  PetscCall(PetscFree(sums));
+  if (pair->chain) {
+    PetscCall(VecRestoreArrayRead(sums, &taken));
+    PetscCall(VecDestroy(&values));
+    PetscCall(VecDestroy(&sums));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* int psi_a (1, x) = D_aa (1, x_a) + sum_c D_ac (1, x_c): the dual functions of removed nodes c were given to their
+   neighbours, and with them their share of the side. */
+static PetscErrorCode RowMoments_Private(Fields fields)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt p = 0; p < fields->vi->num_pairs; ++p) {
+    for (PetscInt moment = 0; moment <= fields->vi->level->dim; ++moment) {
+      PetscCall(PairMoment_Private(fields, p, moment));
+    }
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -245,8 +265,9 @@ PetscErrorCode FieldsCreate(VI vi, Vec y, Fields *fields)
     PetscCall(VecGetArray(f->slack, &slack));
     for (PetscInt r = 0; r < vi->num_rows; ++r) slack[r] /= vi->row_D[r];
     PetscCall(VecRestoreArray(f->slack, &slack));
-    PetscCall(PetscCalloc3(vi->num_rows, &f->row_weight, vi->num_rows, &f->row_noise, vi->num_rows, &f->row_status));
-    PetscCall(RowWeights_Private(f));
+    PetscCall(PetscCalloc4(vi->num_rows, &f->row_weight, vi->num_rows * vi->level->dim, &f->row_moment, vi->num_rows,
+                           &f->row_noise, vi->num_rows, &f->row_status));
+    PetscCall(RowMoments_Private(f));
   }
   PetscCall(ReferenceSizes_Private(f));
   if (vi->B) PetscCall(RowStatus_Private(f, y));
@@ -263,7 +284,7 @@ PetscErrorCode FieldsDestroy(Fields *fields)
   PetscCall(VecDestroy(&(*fields)->slack));
   PetscCall(VecDestroy(&(*fields)->stress));
   PetscCall(PetscFree2((*fields)->stiffness, (*fields)->body_max));
-  PetscCall(PetscFree3((*fields)->row_weight, (*fields)->row_noise, (*fields)->row_status));
+  PetscCall(PetscFree4((*fields)->row_weight, (*fields)->row_moment, (*fields)->row_noise, (*fields)->row_status));
   PetscCall(PetscFree(*fields));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

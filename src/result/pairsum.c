@@ -27,7 +27,7 @@ static void AddRow_Private(Fields fields, PetscInt r, PetscReal lambda, PetscRea
   for (PetscInt k = 0; k < dim; ++k) sums[ADD_FORCE + k] -= lambda * weight * d[k];
   if (vi->row_direction[r] != 0) return;
   sums[ADD_NORMAL] += lambda * weight;
-  for (PetscInt k = 0; k < dim; ++k) sums[ADD_CENTRE + k] += lambda * weight * x[k];
+  for (PetscInt k = 0; k < dim; ++k) sums[ADD_CENTRE + k] += lambda * fields->row_moment[r * dim + k];
   largest[MAX_CLOSED] = PetscMax(largest[MAX_CLOSED], -slack);
   if (fields->row_status[r] == STATUS_OPEN) return;
   if (lambda > 0) sums[ADD_AREA] += weight;
