@@ -149,7 +149,8 @@ static PetscErrorCode FacetGetCell_Private(const Extract *x, PetscInt facet, Pet
   PetscInt        size;
 
   PetscFunctionBeginUser;
-  *num = 0;
+  *num  = 0;
+  *cell = -1;
   PetscCall(DMPlexGetSupportSize(x->dm, facet, &size));
   PetscCall(DMPlexGetSupport(x->dm, facet, &support));
   for (PetscInt i = 0; i < size; ++i) {
@@ -161,23 +162,49 @@ static PetscErrorCode FacetGetCell_Private(const Extract *x, PetscInt facet, Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A facet between more than two cells of a body: cells lie upon each other. */
+/* How many chosen cells run along a facet from its first end to its second, and back. [out] num - [2] */
+static PetscErrorCode FacetCountSenses_Private(const Extract *x, const BodyList *list, PetscInt facet, PetscInt num[])
+{
+  const PetscInt *support, *ends;
+  PetscInt        size;
+
+  PetscFunctionBeginUser;
+  num[0] = num[1] = 0;
+  PetscCall(DMPlexGetCone(x->dm, facet, &ends));
+  PetscCall(DMPlexGetSupportSize(x->dm, facet, &size));
+  PetscCall(DMPlexGetSupport(x->dm, facet, &support));
+  for (PetscInt i = 0; i < size; ++i) {
+    const PetscInt  cell = x->cell_at[support[i] - x->cell_begin], first = x->node_at[ends[0] - x->vertex_begin];
+    const PetscInt *nodes = &list->cell_nodes[cell * ELEMENT_MAX_NODES], second = x->node_at[ends[1] - x->vertex_begin];
+    PetscInt        at = 0;
+
+    if (cell < 0) continue;
+    while (nodes[at] != first) ++at;
+    ++num[nodes[(at + 1) % ElementNumNodes((ElementType)list->cell_type[cell])] != second];
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* All cells run anticlockwise by now, so two that run the same way along a facet lie on the same side of it. */
 static PetscErrorCode ExtractCheckFacets_Private(const Extract *x, const BodyList *list, char sentence[])
 {
-  PetscInt begin, end, cell, num;
+  PetscInt begin, end, num[2];
 
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetHeightStratum(x->dm, 1, &begin, &end));
-  for (PetscInt f = begin; f < end && !sentence[0]; ++f) {
-    const PetscInt *ends;
+  for (PetscInt f = begin; f < end; ++f) {
+    const PetscInt  *ends;
+    const PetscReal *at;
 
-    PetscCall(FacetGetCell_Private(x, f, &cell, &num));
-    if (num <= 2) continue;
+    PetscCall(FacetCountSenses_Private(x, list, f, num));
+    if (num[0] <= 1 && num[1] <= 1) continue;
     PetscCall(DMPlexGetCone(x->dm, f, &ends));
+    at = &list->coords[x->node_at[ends[0] - x->vertex_begin] * list->dim];
     snprintf(sentence, MESH_SENTENCE,
-             "body '%s': cells of %.400s lie upon each other: %d of them share an edge at (%g, %g)", x->body->name,
-             x->body->mesh_file, (int)num, (double)list->coords[x->node_at[ends[0] - x->vertex_begin] * list->dim],
-             (double)list->coords[x->node_at[ends[0] - x->vertex_begin] * list->dim + 1]);
+             "body '%s': cells of %.400s lie upon each other at (%g, %g); where a surface is in two physical groups "
+             "-%s_mesh_region can choose one",
+             x->body->name, x->body->mesh_file, (double)at[0], (double)at[1], x->body->name);
+    break;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

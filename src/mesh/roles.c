@@ -113,84 +113,79 @@ static PetscErrorCode PairChooseRoles_Private(Scene scene, Level *level, ScenePa
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Marks the facets of a side in carrier [num_cells][ELEMENT_MAX_NODES] with a pair; tells of the first that has a mark already. */
-static PetscErrorCode SideClaim_Private(Scene scene, Level *level, const SceneSide *side, PetscInt pair,
-                                        PetscInt carrier[], PetscInt *before)
+/* Number of a side's facets on this rank. */
+static PetscErrorCode SideCount_Private(Scene scene, Level *level, PetscInt body, const char side[], PetscInt *num)
 {
   Facets facets;
 
   PetscFunctionBeginUser;
-  *before = -1;
-  PetscCall(LevelGetFacets(level, scene, side->body, side->side, &facets));
-  for (PetscInt f = 0; f < facets.num; ++f) {
-    const PetscInt cell = facets.cell[f];
-    const PetscInt number =
-        CellFindFacet((ElementType)level->cell_type[cell], &level->cell_nodes[level->cell_start[cell]],
-                      &facets.nodes[f * ELEMENT_MAX_FACET_NODES]);
-    PetscInt *mark = &carrier[cell * ELEMENT_MAX_NODES + number];
-
-    if (*mark >= 0 && *before < 0) *before = *mark;
-    *mark = pair;
-  }
+  PetscCall(LevelGetFacets(level, scene, body, side, &facets));
+  *num = facets.num;
   PetscCall(FacetsDestroy(&facets));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether an earlier pair is the same two sides over again. */
-static PetscBool PairRepeats_Private(const ScenePair *pair, const ScenePair *before)
+/* Whether two sides have a facet in common on any rank: their union counts it once. */
+static PetscErrorCode SidesShare_Private(Scene scene, Level *level, const SceneSide *a, const SceneSide *b,
+                                         PetscBool *share)
 {
-  return (PetscBool)(pair->mortar.body >= 0 && pair->mortar.body == before->mortar.body &&
-                     !strcmp(pair->mortar.side, before->mortar.side));
+  const size_t len = strlen(a->side) + strlen(b->side) + sizeof("+");
+  PetscInt     num[3]; /* of a, of b, of both */
+  char        *both;
+
+  PetscFunctionBeginUser;
+  *share = PETSC_FALSE;
+  if (a->body != b->body) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(len, &both));
+  PetscCall(PetscSNPrintf(both, len, "%s+%s", a->side, b->side));
+  PetscCall(SideCount_Private(scene, level, a->body, a->side, &num[0]));
+  PetscCall(SideCount_Private(scene, level, a->body, b->side, &num[1]));
+  PetscCall(SideCount_Private(scene, level, a->body, both, &num[2]));
+  PetscCall(PetscFree(both));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, num, 3, MPIU_INT, MPI_SUM, level->comm));
+  *share = num[2] < num[0] + num[1] ? PETSC_TRUE : PETSC_FALSE;
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* A side may meet several others, each in a pair of its own, but no other twice, and never itself. */
-static PetscErrorCode MeshCheckRoles_Private(Scene scene, Level *level)
+static PetscErrorCode PairCheckRoles_Private(Scene scene, Level *level, PetscInt p)
 {
-  char      sentence[MESH_SENTENCE] = "";
-  PetscInt *carrier, before;
+  const ScenePair *pair = &scene->pairs[p];
+  const char *nonmortar = scene->bodies[pair->nonmortar.body].name, *mortar = scene->bodies[pair->mortar.body].name;
+  PetscBool   share;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(level->num_cells * ELEMENT_MAX_NODES, &carrier));
-  for (PetscInt i = 0; i < level->num_cells * ELEMENT_MAX_NODES; ++i) carrier[i] = -1;
-  for (PetscInt p = 0; p < scene->num_pairs; ++p) {
-    const ScenePair *pair = &scene->pairs[p];
+  PetscCall(SidesShare_Private(scene, level, &pair->nonmortar, &pair->mortar, &share));
+  if (share) {
+    PetscCall(FaultRaise(level->comm,
+                         "pair '%s': sides '%s' and '%s' of body '%s' share facets, which cannot touch themselves",
+                         pair->name, pair->nonmortar.side, pair->mortar.side, mortar));
+  }
+  for (PetscInt q = 0; q < p; ++q) {
+    const ScenePair *before = &scene->pairs[q];
 
-    PetscCall(SideClaim_Private(scene, level, &pair->nonmortar, p, carrier, &before));
-    if (before >= 0 && !sentence[0] && PairRepeats_Private(pair, &scene->pairs[before])) {
-      snprintf(sentence, sizeof(sentence),
-               "pairs '%s' and '%s' join facets of %s:%s to the same side %s:%s: leave one out",
-               scene->pairs[before].name, pair->name, scene->bodies[pair->nonmortar.body].name, pair->nonmortar.side,
-               scene->bodies[pair->mortar.body].name, pair->mortar.side);
+    if (before->mortar.body < 0) continue; // obstacles are all different
+    PetscCall(SidesShare_Private(scene, level, &pair->nonmortar, &before->nonmortar, &share));
+    if (share) PetscCall(SidesShare_Private(scene, level, &pair->mortar, &before->mortar, &share));
+    if (share) {
+      PetscCall(FaultRaise(level->comm,
+                           "pairs '%s' and '%s' join facets of %s:%s to the same facets of %s:%s: leave one out",
+                           before->name, pair->name, nonmortar, pair->nonmortar.side, mortar, pair->mortar.side));
     }
   }
-  PetscCall(FaultCheck(level->comm, sentence));
-  for (PetscInt p = 0; p < scene->num_pairs; ++p) {
-    const ScenePair *pair = &scene->pairs[p];
-
-    if (pair->mortar.body != pair->nonmortar.body) continue;
-    for (PetscInt i = 0; i < level->num_cells * ELEMENT_MAX_NODES; ++i) carrier[i] = -1;
-    PetscCall(SideClaim_Private(scene, level, &pair->nonmortar, p, carrier, &before));
-    PetscCall(SideClaim_Private(scene, level, &pair->mortar, p, carrier, &before));
-    if (before >= 0 && !sentence[0]) {
-      snprintf(sentence, sizeof(sentence),
-               "pair '%s': sides '%s' and '%s' of body '%s' share facets, which cannot touch themselves", pair->name,
-               pair->nonmortar.side, pair->mortar.side, scene->bodies[pair->mortar.body].name);
-    }
-  }
-  PetscCall(FaultCheck(level->comm, sentence));
-  PetscCall(PetscFree(carrier));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode MeshChooseRoles(Mesh mesh)
 {
+  Scene  scene = mesh->scene;
   Level *level = &mesh->levels[0];
 
   PetscFunctionBeginUser;
-  for (PetscInt p = 0; p < mesh->scene->num_pairs; ++p) {
-    if (mesh->scene->pairs[p].mortar.body >= 0)
-      PetscCall(PairChooseRoles_Private(mesh->scene, level, &mesh->scene->pairs[p]));
+  for (PetscInt p = 0; p < scene->num_pairs; ++p) {
+    if (scene->pairs[p].mortar.body < 0) continue; // an obstacle
+    PetscCall(PairChooseRoles_Private(scene, level, &scene->pairs[p]));
+    PetscCall(PairCheckRoles_Private(scene, level, p));
   }
-  PetscCall(MeshCheckRoles_Private(mesh->scene, level));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
