@@ -10,27 +10,26 @@
 #include <mortise/support.h>
 
 struct _n_Pair {
-  const ScenePair *spec;      /* borrowed */
-  Level           *level;     /* borrowed */
-  PetscInt         num;       /* multiplier nodes owned by this rank */
-  PetscInt        *nodes;     /* their local node numbers, ascending [num] */
-  PetscReal       *D;         /* weights D_aa > 0 [num] */
-  PetscReal       *gap;       /* nodal gaps G_a / D_aa, signed, open > 0 [num] */
-  PetscReal       *normal;    /* unit, out of the nonmortar body [num][dim] */
-  PetscReal       *frame;     /* rows (n, t..) orthonormal; t along the held direction where there is one [num][dim][dim] */
-  Mat              chain;     /* D_ac, c removed (node x node), or NULL where no row was spread */
-  Mat              M;         /* node x node, rows of multiplier nodes; NULL for an obstacle */
-  PetscInt         num_facets_nonmortar, num_facets_mortar; /* of all ranks */
+  const ScenePair *spec;   /* borrowed */
+  Level           *level;  /* borrowed */
+  PetscInt         num;    /* multiplier nodes owned by this rank */
+  PetscInt        *nodes;  /* their local node numbers, ascending [num] */
+  PetscReal       *D;      /* weights D_aa > 0 [num] */
+  PetscReal       *gap;    /* nodal gaps G_a / D_aa, signed, open > 0 [num] */
+  PetscReal       *normal; /* unit, out of the nonmortar body [num][dim] */
+  PetscReal       *frame; /* rows (n, t..) orthonormal; t along the held direction where there is one [num][dim][dim] */
+  Mat              chain; /* D_ac, c removed (node x node), or NULL where no row was spread */
+  Mat              M;     /* node x node, rows of multiplier nodes; NULL for an obstacle */
+  PetscInt         num_facets_nonmortar, num_facets_mortar;     /* of all ranks */
   PetscInt         num_multipliers, num_removed, num_uncovered; /* nodes of all ranks */
-  PetscReal        reach;     /* that was used */
+  PetscReal        reach;                                       /* that was used */
 };
 typedef struct _n_Pair *Pair;
 
-/* Searches and integrates one pair. Collective.
-   [in] held  - where a node's normal direction is held, or an earlier pair holds nearly the same direction, the pair carries
-                no multiplier and its row is spread
-   [in] taken - ghosted, dim per node: normals of the multipliers of earlier pairs, zero elsewhere; this pair's are added */
-PetscErrorCode PairCreate(Scene scene, const ScenePair *spec, Level *level, const Support *held, Vec taken, Pair *pair);
+/* Searches and integrates all pairs of the scene, and decides which nodes carry their multipliers: not where a node's normal
+   direction is held, nor where another pair covers more of the node in nearly the same direction; those rows are spread.
+   Collective. [out] pairs - [scene->num_pairs], each owned by the caller */
+PetscErrorCode PairsCreate(Scene scene, Level *level, const Support *held, Pair pairs[]);
 PetscErrorCode PairDestroy(Pair *pair);
 
 #endif

@@ -11,25 +11,6 @@
 #include "blocks.h"
 #include "modes.h"
 
-/* All pairs in the order typed; the first one that comes keeps a direction that two pairs would hold. */
-static PetscErrorCode CreatePairs_Private(VI vi)
-{
-  Vec taken, local;
-
-  PetscFunctionBeginUser;
-  vi->num_pairs = vi->scene->num_pairs;
-  PetscCall(PetscCalloc1(vi->num_pairs, &vi->pairs));
-  if (vi->num_pairs == 0) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(LevelCreateVec(vi->level, vi->level->dim, &taken));
-  PetscCall(VecGhostGetLocalForm(taken, &local));
-  PetscCall(VecZeroEntries(local));
-  PetscCall(VecGhostRestoreLocalForm(taken, &local));
-  for (PetscInt p = 0; p < vi->num_pairs; p++)
-    PetscCall(PairCreate(vi->scene, &vi->scene->pairs[p], vi->level, &vi->support, taken, &vi->pairs[p]));
-  PetscCall(VecDestroy(&taken));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* stiffness = mean diagonal of K; length = the displacement to expect: prescribed, by interference, or of the loads. */
 static PetscErrorCode ChooseScales_Private(VI vi)
 {
@@ -122,7 +103,9 @@ PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi_out)
   PetscCall(PetscMalloc1(scene->num_bodies, &vi->floating));
   PetscCall(BodiesFloating(vi->level, &vi->support, scene->num_bodies, vi->floating));
   for (PetscInt b = 0; b < scene->num_bodies; b++) vi->any_floating = (PetscBool)(vi->any_floating || vi->floating[b]);
-  PetscCall(CreatePairs_Private(vi));
+  vi->num_pairs = scene->num_pairs;
+  PetscCall(PetscCalloc1(vi->num_pairs, &vi->pairs));
+  PetscCall(PairsCreate(scene, vi->level, &vi->support, vi->pairs));
   PetscCall(LogStageEnd(STAGE_MORTAR));
   PetscCall(LogStageBegin(STAGE_ASSEMBLY));
   PetscCall(ElasticityAssemble(scene, vi->level, &vi->K, &vi->f));

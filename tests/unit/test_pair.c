@@ -117,18 +117,11 @@ static PetscErrorCode CheckConstantPressure(Pair pair, PetscReal from, PetscReal
 /* Makes mesh, supports and pair of a scene. */
 static PetscErrorCode MakePair(struct _n_Scene *scene, Mesh *mesh, Support *support, Pair *pair)
 {
-  Vec taken, local;
-
   PetscFunctionBeginUser;
   PetscCall(MeshCreate(scene, mesh));
   PetscCall(MeshSetUp(*mesh));
   PetscCall(SupportCreate(MeshFinest(*mesh), scene, support));
-  PetscCall(LevelCreateVec(MeshFinest(*mesh), 2, &taken));
-  PetscCall(VecGhostGetLocalForm(taken, &local));
-  PetscCall(VecSet(local, 0));
-  PetscCall(VecGhostRestoreLocalForm(taken, &local));
-  PetscCall(PairCreate(scene, &scene->pairs[0], MeshFinest(*mesh), support, taken, pair));
-  PetscCall(VecDestroy(&taken));
+  PetscCall(PairsCreate(scene, MeshFinest(*mesh), support, pair));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

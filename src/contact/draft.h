@@ -1,0 +1,28 @@
+/* draft.h -- a pair on its way from integrals to multipliers (private to the room). */
+#ifndef MORTISE_DRAFT_H
+#define MORTISE_DRAFT_H
+
+#include <mortise/pair.h>
+#include "integrals.h"
+#include "spread.h"
+
+typedef struct {
+  const ScenePair *spec;      /* borrowed */
+  Facets           nonmortar; /* of this rank */
+  Vec              normals;   /* ghosted, dim per node */
+  Integrals        sums;
+  NodeFate        *fate; /* [num_nodes] */
+} PairDraft;
+
+/* The farthest candidate: what the user said, or from the geometry. Collective. [in] mortar - NULL for an obstacle */
+PetscErrorCode ReachChoose(const ScenePair *spec, Level *level, const Support *held, const Facets *nonmortar,
+                           const Facets *mortar, PetscReal *reach);
+
+/* Decides by coverage and supports which nodes may keep a multiplier; takes held directions out of their normals. Not collective. */
+PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *draft);
+
+/* Where several pairs would constrain nearly the same direction of a node, the one that covers more of it does; a tie
+   constrains every direction. Not collective: all ranks that hold a node decide alike. [in,out] drafts - [num] */
+PetscErrorCode FatesSettle(const Level *level, PetscInt num, PairDraft drafts[]);
+
+#endif

@@ -1,0 +1,51 @@
+/* reach.c -- how far apart faces are still candidates.
+
+   A multiplier costs little and an unused one nothing but its row, while a missed contact is a wrong answer: the reach is
+   generous. What approaches from beyond it does not move little. */
+#include <mortise/compat.h>
+#include "draft.h"
+
+/* Facets within this many facet sizes of the other side are candidates ... */
+static const PetscReal REACH_FACETS = 3;
+/* ... and within twice the largest prescribed displacement, and within a tenth of the smaller side. */
+static const PetscReal REACH_PRESCRIBED = 2, REACH_SIDE = 0.1;
+
+/* Diagonal of the box around a side, over all ranks; 0 for an empty one. */
+static PetscErrorCode SideExtent_Private(const Level *level, const Facets *facets, PetscReal *extent)
+{
+  PetscReal bounds[6], d2 = 0; // upper bounds of x and of -x
+
+  PetscFunctionBeginUser;
+  for (PetscInt k = 0; k < 6; k++) bounds[k] = PETSC_MIN_REAL;
+  for (PetscInt f = 0; f < facets->num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
+      const PetscReal *x = &level->coords[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i] * level->dim];
+      for (PetscInt k = 0; k < level->dim; k++) {
+        bounds[k]     = PetscMax(bounds[k], x[k]);
+        bounds[3 + k] = PetscMax(bounds[3 + k], -x[k]);
+      }
+    }
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, bounds, 6, MPIU_REAL, MPIU_MAX, level->comm));
+  for (PetscInt k = 0; k < level->dim; k++) d2 += PetscSqr(bounds[k] + bounds[3 + k]);
+  *extent = bounds[0] > PETSC_MIN_REAL ? PetscSqrtReal(d2) : 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ReachChoose(const ScenePair *spec, Level *level, const Support *held, const Facets *nonmortar,
+                           const Facets *mortar, PetscReal *reach)
+{
+  PetscReal size, extent, extent_m;
+
+  PetscFunctionBeginUser;
+  *reach = spec->reach;
+  if (spec->reach >= 0) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(FacetsMaxSize(level, nonmortar, &size));
+  PetscCall(SideExtent_Private(level, nonmortar, &extent));
+  if (mortar) {
+    PetscCall(SideExtent_Private(level, mortar, &extent_m));
+    extent = PetscMin(extent, extent_m);
+  }
+  *reach = PetscMax(REACH_FACETS * size, PetscMax(REACH_PRESCRIBED * held->max_value, REACH_SIDE * extent));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
