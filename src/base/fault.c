@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 static char last_sentence[FAULT_LENGTH];
 
@@ -32,33 +33,33 @@ static void FaultTell_Private(MPI_Comm comm, const char sentence[])
   fflush(stderr);
 }
 
-/* Whether PETSc complains about what the user typed: a value that cannot be read (all such checks sit in functions named
-   PetscOptions...), or the name of a type that does not exist. */
+/* Whether PETSc complains about what the user typed: where it reads options, or about the name of a type, of a file or of a
+   solver for this kind of matrix, which come from nowhere else here. */
 static PetscBool FaultIsOption_Private(const char function[], PetscErrorCode code)
 {
-  if (code == PETSC_ERR_ARG_UNKNOWN_TYPE) return PETSC_TRUE;
-  if (!function || strncmp(function, "PetscOptions", strlen("PetscOptions"))) return PETSC_FALSE;
-  return code == PETSC_ERR_USER || code == PETSC_ERR_ARG_WRONG || code == PETSC_ERR_ARG_OUTOFRANGE ? PETSC_TRUE
-                                                                                                   : PETSC_FALSE;
+  if (code == PETSC_ERR_ARG_UNKNOWN_TYPE || code == PETSC_ERR_FILE_OPEN || code == PETSC_ERR_MISSING_FACTOR)
+    return PETSC_TRUE;
+  if (!function || code == PETSC_ERR_MEM) return PETSC_FALSE;
+  return strstr(function, "PetscOptions") == function || strstr(function, "SetFromOptions") ? PETSC_TRUE : PETSC_FALSE;
 }
 
-/* Whether the message quotes the first length letters of text as a word of its own. */
+/* Whether the message quotes the first length letters of text, in either case, as a word of its own. */
 static PetscBool Quotes_Private(const char message[], const char text[], size_t length)
 {
   static const char inside[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_+-.";
 
   for (const char *m = message; length && *m; ++m) {
-    if (strncmp(m, text, length) || (m > message && strchr(inside, m[-1]))) continue;
+    if (strncasecmp(m, text, length) || (m > message && strchr(inside, m[-1]))) continue;
     if (!m[length] || !strchr(inside, m[length]) || !m[length + 1] || m[length + 1] == ' ')
       return PETSC_TRUE; // or a full stop
   }
   return PETSC_FALSE;
 }
 
-/* As above for any item of a comma list: PETSc reads it item by item. */
+/* As above for any item of a list: PETSc reads it item by item. */
 static PetscBool QuotesItem_Private(const char message[], const char list[])
 {
-  for (size_t length = strcspn(list, ",");; list += length + 1, length = strcspn(list, ",")) {
+  for (size_t length = strcspn(list, ",:");; list += length + 1, length = strcspn(list, ",:")) {
     if (Quotes_Private(message, list, length)) return PETSC_TRUE;
     if (!list[length]) return PETSC_FALSE;
   }
