@@ -6,6 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum {
+  PATIENCE = 5
+}; /* seconds that ranks which know of a fault wait for the others: they all heard of it at once, or never */
+
 static const char usage[] =
     "mortise: no scene given; write mortise -options_file <scene.opts>, or mortise -help for every option\n";
 
@@ -162,20 +166,40 @@ static MortiseExit Dispatch(double start, int argc, char **argv)
   return error ? MORTISE_FAILED : verdict;
 }
 
+/* Whether all ranks come to the end of the program within a few seconds. */
+static PetscBool EndTogether(MPI_Comm farewell)
+{
+  const double limit   = LogWallClock() + PATIENCE;
+  int          arrived = 0;
+  MPI_Request  request;
+
+  MPI_Ibarrier(farewell, &request);
+  while (!arrived && LogWallClock() < limit) MPI_Test(&request, &arrived, MPI_STATUS_IGNORE);
+  return arrived ? PETSC_TRUE : PETSC_FALSE;
+}
+
 /* A fault leaves objects behind that nobody needs any more, so PETSc is not finalised after one: its lists of leaks would
-   bury the sentence. */
+   bury the sentence. Where PETSc has found the mistake, some ranks may not know of it and wait for the others for ever (a
+   file that only the first rank opens); these are ended by force, and the sentence is said by who knows it. */
 int main(int argc, char **argv)
 {
   const double start = LogWallClock();
   MortiseExit  verdict;
-  int          size;
+  MPI_Comm     farewell;
+  int          rank, size;
 
   MPI_Init(&argc, &argv);
+  MPI_Comm_dup(MPI_COMM_WORLD, &farewell); // what other ranks wait in must not be taken for the last meeting
+  MPI_Comm_rank(farewell, &rank);
+  MPI_Comm_size(farewell, &size);
   verdict = Dispatch(start, argc, argv);
   fflush(stdout);
-  MPI_Comm_size(MPI_COMM_WORLD, &size);
-  if (verdict == MORTISE_FAILED && size > 1)
-    MPI_Abort(MPI_COMM_WORLD, MORTISE_FAILED); // the other ranks may be waiting for this one
+  if (verdict == MORTISE_FAULT && !EndTogether(farewell)) {
+    if (rank) fprintf(stderr, "mortise: %s\n", FaultSentence());
+    MPI_Abort(MPI_COMM_WORLD, MORTISE_FAULT);
+  }
+  if (verdict == MORTISE_FAILED && size > 1) MPI_Abort(MPI_COMM_WORLD, MORTISE_FAILED);
+  MPI_Comm_free(&farewell);
   MPI_Finalize();
   return verdict;
 }
