@@ -27,6 +27,7 @@ typedef struct {
   PetscInt  *node_body;                       /* [num_nodes] */
   Mat        prolongation; /* node values of the next coarser level to this one's (AIJ), NULL on the coarsest */
   PetscInt  *vertex_node;  /* local node of each vertex of the DM, in the DM's order [num_nodes] */
+  Scene      scene;        /* borrowed */
 } Level;
 
 /* The facets of one side, or of several joined with '+', that this rank holds: boundary facets belong to one cell, hence
@@ -65,7 +66,9 @@ PetscErrorCode LevelShareVec(Vec v, InsertMode mode);
 /* An AIJ matrix of block size bs for operators between nodes that share a cell, preallocated exactly from the tables. Collective. */
 PetscErrorCode LevelCreateMat(Level *level, PetscInt bs, Mat *A);
 
-/* Finds the cell of a body that holds a point, and the point's reference coordinates there. Collective.
+/* Finds the cell of a body that holds a point, and the point's reference coordinates there. A point between a straight
+   facet and the curve that the body's map makes of it belongs to the facet's cell, a little outside of its reference cell.
+   Collective.
    [out] cell - local cell on the one rank that answers (lowest of those that hold it), -1 elsewhere; [out] found - on all ranks */
 PetscErrorCode LevelLocate(Level *level, PetscInt body, const PetscReal x[], PetscInt *cell, PetscReal xi[],
                            PetscBool *found);

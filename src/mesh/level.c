@@ -250,7 +250,7 @@ static PetscErrorCode LevelTurnCells_Private(Scene scene, Level *level)
 PetscErrorCode LevelCreate(Scene scene, DM dm, Level *level)
 {
   PetscFunctionBeginUser;
-  *level = (Level){.comm = scene->comm, .dm = dm, .dim = scene->dim};
+  *level = (Level){.comm = scene->comm, .dm = dm, .dim = scene->dim, .scene = scene};
   PetscCall(PetscObjectReference((PetscObject)dm));
   PetscCall(LevelSetNodes_Private(level));
   PetscCall(LevelSetCells_Private(level));

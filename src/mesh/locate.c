@@ -4,44 +4,141 @@
 
 /* A point on a side belongs to the cell; round-off of a position is far below this share of the cell. */
 static const PetscReal LocateTolerance = 1e-8;
+/* A parabola through the ends and the middle of an arc of 45 degrees misses it by 2 percent of its height. */
+static const PetscReal CurveSlack = 0.05;
+/* Boxes of cells are widened by this share where a curve may leave them: half a circle over one facet. */
+static const PetscReal CurveMargin = 0.5;
+/* Reference coordinates may leave the cell by this much where a curve does. */
+static const PetscReal CurveTolerance = 1;
 
-/* Whether a point lies in the box around a cell, widened by the cell's own tolerance. [out] X - [num_nodes][dim] */
-static PetscBool LocateMeetsBox_Private(const Level *level, PetscInt cell, const PetscReal x[], PetscReal X[])
+/* Whether a point lies in the box around a cell, widened by a share of its size. [out] X - [num_nodes][dim] */
+static PetscBool LocateMeetsBox_Private(const Level *level, PetscInt cell, const PetscReal x[], PetscReal margin,
+                                        PetscReal X[])
 {
-  const PetscInt *nodes = &level->cell_nodes[level->cell_start[cell]],
-                 num    = level->cell_start[cell + 1] - level->cell_start[cell];
-  PetscBool meets       = PETSC_TRUE;
+  const PetscInt *nodes = &level->cell_nodes[level->cell_start[cell]];
+  const PetscInt  num   = level->cell_start[cell + 1] - level->cell_start[cell];
+  PetscReal       low[3], high[3], size = 0;
 
   for (PetscInt d = 0; d < level->dim; ++d) {
-    PetscReal low = PETSC_MAX_REAL, high = -PETSC_MAX_REAL, slack;
-
+    low[d]  = PETSC_MAX_REAL;
+    high[d] = -PETSC_MAX_REAL;
     for (PetscInt i = 0; i < num; ++i) {
       X[i * level->dim + d] = level->coords[nodes[i] * level->dim + d];
-      low                   = PetscMin(low, X[i * level->dim + d]);
-      high                  = PetscMax(high, X[i * level->dim + d]);
+      low[d]                = PetscMin(low[d], X[i * level->dim + d]);
+      high[d]               = PetscMax(high[d], X[i * level->dim + d]);
     }
-    slack = 2 * LocateTolerance * (high - low) + 4 * PETSC_MACHINE_EPSILON * PetscAbsReal(x[d]);
-    if (x[d] < low - slack || x[d] > high + slack) meets = PETSC_FALSE;
+    size = PetscMax(size, high[d] - low[d]);
   }
-  return meets;
+  for (PetscInt d = 0; d < level->dim; ++d) {
+    if (x[d] < low[d] - margin * size || x[d] > high[d] + margin * size) return PETSC_FALSE;
+  }
+  return PETSC_TRUE;
+}
+
+/* The curve over a straight facet, as a chord a, b and the way from its middle to the curve's. */
+static PetscErrorCode FacetGetCurve_Private(const Level *level, Expression map, PetscInt facet, PetscReal a[],
+                                            PetscReal b[], PetscReal rise[])
+{
+  const PetscScalar *box;
+  const PetscInt    *ends;
+  PetscReal          middle[3];
+  PetscInt           begin;
+  Vec                coords;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetDepthStratum(level->dm, 0, &begin, NULL));
+  PetscCall(DMPlexGetCone(level->dm, facet, &ends));
+  PetscCall(DMGetCoordinatesLocal(level->dm, &coords));
+  PetscCall(VecGetArrayRead(coords, &box));
+  for (PetscInt d = 0; d < level->dim; ++d) {
+    const PetscInt i = ends[0] - begin, j = ends[1] - begin;
+
+    middle[d] = 0.5 * PetscRealPart(box[i * level->dim + d] + box[j * level->dim + d]);
+    a[d]      = level->coords[level->vertex_node[i] * level->dim + d];
+    b[d]      = level->coords[level->vertex_node[j] * level->dim + d];
+  }
+  PetscCall(VecRestoreArrayRead(coords, &box));
+  PetscCall(ExpressionEvaluate(map, level->dim, middle, rise));
+  for (PetscInt d = 0; d < level->dim; ++d) rise[d] -= 0.5 * (a[d] + b[d]);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a point lies between a facet and its curve, taken as the parabola a + t (b - a) + 4 t (1 - t) rise. */
+static PetscErrorCode FacetHoldsPoint_Private(const Level *level, Expression map, PetscInt facet, const PetscReal x[],
+                                              PetscBool *holds)
+{
+  PetscReal a[3], b[3], rise[3], length = 0, height = 0, t = 0, above = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(FacetGetCurve_Private(level, map, facet, a, b, rise));
+  for (PetscInt d = 0; d < level->dim; ++d) {
+    length += PetscSqr(b[d] - a[d]);
+    height += PetscSqr(rise[d]);
+    t += (x[d] - a[d]) * (b[d] - a[d]);
+  }
+  t /= length;
+  for (PetscInt d = 0; d < level->dim; ++d) above += (x[d] - a[d] - t * (b[d] - a[d])) * rise[d];
+  *holds = t >= 0 && t <= 1 && above >= 0 && height > PetscSqr(LocateTolerance) * length &&
+                   above <= ((1 + CurveSlack) * 4 * t * (1 - t) + LocateTolerance) * height
+               ? PETSC_TRUE
+               : PETSC_FALSE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a point lies beyond a boundary facet of a cell but within its curve. */
+static PetscErrorCode CellHoldsPoint_Private(const Level *level, Expression map, PetscInt cell, const PetscReal x[],
+                                             PetscBool *holds)
+{
+  const PetscInt *facets;
+  PetscInt        begin, size, num_cells;
+
+  PetscFunctionBeginUser;
+  *holds = PETSC_FALSE;
+  PetscCall(DMPlexGetHeightStratum(level->dm, 0, &begin, NULL));
+  PetscCall(DMPlexGetConeSize(level->dm, begin + cell, &size));
+  PetscCall(DMPlexGetCone(level->dm, begin + cell, &facets));
+  for (PetscInt f = 0; f < size && !*holds; ++f) {
+    PetscCall(DMPlexGetSupportSize(level->dm, facets[f], &num_cells));
+    if (num_cells == 1) PetscCall(FacetHoldsPoint_Private(level, map, facets[f], x, holds));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* This rank's first cell that holds the point, -1 if there is none; with a map also beyond facets. */
+static PetscErrorCode LocateLocally_Private(const Level *level, PetscInt body, Expression map, const PetscReal x[],
+                                            PetscInt *cell, PetscReal xi[])
+{
+  PetscReal X[ELEMENT_MAX_NODES * 3];
+
+  PetscFunctionBeginUser;
+  *cell = -1;
+  for (PetscInt c = 0; c < level->num_cells && *cell < 0; ++c) {
+    PetscBool holds = PETSC_TRUE;
+
+    if (level->cell_body[c] != body || !LocateMeetsBox_Private(level, c, x, map ? CurveMargin : LocateTolerance, X))
+      continue;
+    if (map) PetscCall(CellHoldsPoint_Private(level, map, c, x, &holds));
+    if (holds && ElementLocate((ElementType)level->cell_type[c], X, x, map ? CurveTolerance : LocateTolerance, xi))
+      *cell = c;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode LevelLocate(Level *level, PetscInt body, const PetscReal x[], PetscInt *cell, PetscReal xi[],
                            PetscBool *found)
 {
-  PetscReal   X[ELEMENT_MAX_NODES * 3];
-  PetscMPIInt rank, size, winner;
+  const Expression map = level->scene->bodies[body].map;
+  PetscMPIInt      rank, size, winner;
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_rank(level->comm, &rank));
   PetscCallMPI(MPI_Comm_size(level->comm, &size));
-  *cell = -1;
-  for (PetscInt c = 0; c < level->num_cells && *cell < 0; ++c) {
-    if (level->cell_body[c] != body || !LocateMeetsBox_Private(level, c, x, X)) continue;
-    if (ElementLocate((ElementType)level->cell_type[c], X, x, LocateTolerance, xi)) *cell = c;
+  for (int curves = 0; curves <= (map != NULL); ++curves) {
+    PetscCall(LocateLocally_Private(level, body, curves ? map : NULL, x, cell, xi));
+    winner = *cell >= 0 ? rank : size;
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &winner, 1, MPI_INT, MPI_MIN, level->comm));
+    if (winner < size) break;
   }
-  winner = *cell >= 0 ? rank : size;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &winner, 1, MPI_INT, MPI_MIN, level->comm));
   if (rank != winner) *cell = -1;
   *found = winner < size ? PETSC_TRUE : PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -193,6 +193,35 @@ static void TestLocate(void)
   TestSceneFree(&t);
 }
 
+/* Points of a ring are inside up to the true arc, not beyond it, though the facets are chords. */
+static void TestLocateCurve(void)
+{
+  TestScene t;
+  Mesh      mesh;
+
+  TestSceneInit(&t);
+  TestSceneAddBox(&t, "ring", 2, 4, 1, 0, 2, PETSC_PI / 2);
+  TestSceneSetMap(&t.bodies[0], "x*cos(y), x*sin(y)");
+  mesh = TestSceneMesh(&t);
+  for (int i = 0; i <= 32; ++i) { // chords lie up to 0.02 R inside of the arc
+    const PetscReal angle = i * PETSC_PI / 64, c = PetscCosReal(angle), s = PetscSinReal(angle);
+    const PetscReal radius[] = {0.95, 1, 1.5, 2, 2.01};
+
+    for (int k = 0; k < 5; ++k) {
+      const PetscReal x[] = {radius[k] * c, radius[k] * s};
+      PetscReal       xi[2];
+      PetscInt        cell;
+      PetscBool       found;
+
+      CHECK(!LevelLocate(MeshFinest(mesh), 0, x, &cell, xi, &found));
+      CHECK(found == (k > 0 && k < 4));
+      CHECK_NEAR(Total(cell >= 0), found, 0);
+    }
+  }
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
 int main(int argc, char **argv)
 {
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
@@ -206,6 +235,7 @@ int main(int argc, char **argv)
   TestMat(1, 0);
   TestMat(4, 2);
   TestLocate();
+  TestLocateCurve();
   CHECK(!PetscFinalize());
   return 0;
 }
