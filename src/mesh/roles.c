@@ -1,7 +1,8 @@
 /* roles.c -- which side of a pair carries the multiplier.
 
-   The softer body, else the finer mesh, else the shorter side (numerics.md 5.6): a stiff nonmortar side would put a stiff
-   skin on a soft mortar side in the condensed matrix. All of it is judged on the coarsest level, where it is cheapest. */
+   The softer body (behind the sides), else the finer mesh, else the shorter side (numerics.md 5.6): a stiff nonmortar side
+   would put a stiff skin on a soft mortar side in the condensed matrix. All of it is judged on the coarsest level, where it
+   is cheapest. */
 #include "bodylist.h"
 #include <mortise/compat.h>
 #include <mortise/fault.h>
@@ -15,59 +16,56 @@ typedef struct {
   PetscReal modulus, facet_length, length;
 } SideMeasure;
 
-/* The contact modulus of a body's material in the middle of the box around it. */
-static PetscErrorCode BodyGetModulus_Private(Scene scene, const Level *level, PetscInt body, PetscReal *modulus)
+/* The contact modulus of a body's material in the middle of a cell. */
+static PetscErrorCode CellGetModulus_Private(Scene scene, const Level *level, PetscInt cell, PetscReal *modulus)
 {
-  const SceneBody *b           = &scene->bodies[body];
-  const PetscInt   num_strains = MaterialNumStrains(scene->model);
-  PetscReal        range[6], centre[3], C[36], upper[21], young, poisson; /* range: -lower, upper */
+  const SceneBody *body      = &scene->bodies[level->cell_body[cell]];
+  const PetscInt  *nodes     = &level->cell_nodes[level->cell_start[cell]];
+  const PetscInt   num       = level->cell_start[cell + 1] - level->cell_start[cell];
+  PetscReal        middle[3] = {0, 0, 0}, C[36], upper[21], young, poisson;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < 6; ++i) range[i] = -PETSC_MAX_REAL;
-  for (PetscInt i = 0; i < level->num_nodes; ++i) {
-    for (PetscInt d = 0; d < level->dim && level->node_body[i] == body; ++d) {
-      range[d]     = PetscMax(range[d], -level->coords[i * level->dim + d]);
-      range[3 + d] = PetscMax(range[3 + d], level->coords[i * level->dim + d]);
-    }
+  for (PetscInt i = 0; i < num; ++i) {
+    for (PetscInt d = 0; d < level->dim; ++d) middle[d] += level->coords[nodes[i] * level->dim + d] / num;
   }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, range, 6, MPIU_REAL, MPIU_MAX, level->comm));
-  for (PetscInt d = 0; d < level->dim; ++d) centre[d] = 0.5 * (range[3 + d] - range[d]);
-  if (b->stiffness) {
-    PetscCall(ExpressionEvaluate(b->stiffness, level->dim, centre, upper));
-    PetscCall(ExpressionCheck(level->comm, b->stiffness));
-    MaterialAnisotropic(scene->model, upper, b->angle, C);
+  if (body->stiffness) {
+    PetscCall(ExpressionEvaluate(body->stiffness, level->dim, middle, upper));
+    MaterialAnisotropic(scene->model, upper, body->angle, C);
   } else {
-    PetscCall(ExpressionEvaluate(b->young, level->dim, centre, &young));
-    PetscCall(ExpressionEvaluate(b->poisson, level->dim, centre, &poisson));
-    PetscCall(ExpressionCheck(level->comm, b->young));
-    PetscCall(ExpressionCheck(level->comm, b->poisson));
+    PetscCall(ExpressionEvaluate(body->young, level->dim, middle, &young));
+    PetscCall(ExpressionEvaluate(body->poisson, level->dim, middle, &poisson));
     MaterialIsotropic(scene->model, young, poisson, C);
   }
-  *modulus = MaterialContactModulus(num_strains, C);
+  *modulus = MaterialContactModulus(MaterialNumStrains(scene->model), C);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Means over the facets of a side, and over the cells behind them. */
 static PetscErrorCode SideGetMeasure_Private(Scene scene, Level *level, const SceneSide *side, SideMeasure *measure)
 {
-  PetscReal sum[2] = {0, 0}; /* length and number of facets */
-  Facets    facets;
+  const SceneBody *body   = &scene->bodies[side->body];
+  PetscReal        sum[3] = {0, 0, 0}; /* of moduli, of lengths, of ones */
+  Facets           facets;
 
   PetscFunctionBeginUser;
-  PetscCall(BodyGetModulus_Private(scene, level, side->body, &measure->modulus));
   PetscCall(LevelGetFacets(level, scene, side->body, side->side, &facets));
   for (PetscInt f = 0; f < facets.num; ++f) {
     const PetscReal *a      = &level->coords[facets.nodes[f * ELEMENT_MAX_FACET_NODES] * level->dim];
     const PetscReal *b      = &level->coords[facets.nodes[f * ELEMENT_MAX_FACET_NODES + 1] * level->dim];
-    PetscReal        square = 0;
+    PetscReal        square = 0, modulus = 0;
 
     for (PetscInt d = 0; d < level->dim; ++d) square += PetscSqr(b[d] - a[d]);
-    sum[0] += PetscSqrtReal(square);
-    sum[1] += 1;
+    PetscCall(CellGetModulus_Private(scene, level, facets.cell[f], &modulus));
+    sum[0] += modulus;
+    sum[1] += PetscSqrtReal(square);
+    sum[2] += 1;
   }
   PetscCall(FacetsDestroy(&facets));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 2, MPIU_REAL, MPIU_SUM, level->comm));
-  measure->length       = sum[0];
-  measure->facet_length = sum[0] / sum[1];
+  PetscCall(ExpressionCheck(level->comm, body->stiffness));
+  PetscCall(ExpressionCheck(level->comm, body->young));
+  PetscCall(ExpressionCheck(level->comm, body->poisson));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 3, MPIU_REAL, MPIU_SUM, level->comm));
+  *measure = (SideMeasure){.modulus = sum[0] / sum[2], .facet_length = sum[1] / sum[2], .length = sum[1]};
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
