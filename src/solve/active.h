@@ -54,7 +54,11 @@ PetscErrorCode ActiveSetUpdate(ActiveSet *set, const ActiveSolution *solution, P
                                PetscReal *violation);
 
 #define FAILURE_SINGULAR "the system is singular: is every body held, by displacements or by bodies that are?"
-#define FAILURE_MEMORY   "the direct solver ran out of memory: try -mat_mumps_icntl_14 100, or -pc_type gamg"
+#define FAILURE_RESIDUAL                                                                                               \
+  "the direct solver leaves a residual above -snes_rtol: either that is too small, or the system is nearly singular: " \
+  "is every "                                                                                                          \
+  "body held?"
+#define FAILURE_MEMORY "the direct solver ran out of memory: try -mat_mumps_icntl_14 100, or -pc_type gamg"
 #define FAILURE_ITERATIVE                                                                                              \
   "the linear solver did not converge: try more -ksp_max_it, another -pc_type, or leave -ksp_type and -pc_type away "  \
   "for "                                                                                                               \
@@ -109,5 +113,32 @@ PetscErrorCode SafeguardBegin(Safeguard *guard, const ActiveSet *set, ActiveSolv
 PetscErrorCode SafeguardStep(Safeguard *guard, ActiveSet *set, ActiveSolver solver, ActiveSolution *solution,
                              PetscInt *changed, PetscReal *violation);
 PetscErrorCode SafeguardEnd(Safeguard *guard);
+
+typedef enum { START_EMPTY, START_FULL, START_GAP, START_PREVIOUS, START_COUNT } PDASStart;
+
+/* The type's context: what the user wants, */
+typedef struct {
+  PetscReal c;
+  PDASStart start;
+  PetscBool reduce, reduce_set;
+  Vec       lower, upper; /* NULL without bounds */
+  Vec       previous;     /* of PDASSetStart(), or NULL */
+  /* and what happened */
+  PetscInt    max_it, iterations, linear_iterations;
+  PetscInt   *changed; /* [max_it] */
+  PetscInt    num_seen;
+  uint64_t   *seen; /* hashes of the sets that were solved for [max_it] */
+  PetscBool   converged, safeguarded, reduced;
+  PetscReal   residual;   /* relative, of the last system */
+  const char *failure;    /* why a system could not be solved, or NULL */
+  PetscInt    num_active; /* of the present set */
+  Vec         active;     /* 0/1, the final set */
+} PDAS;
+
+/* Makes the set to begin with, as iteration 0. Collective. [in] y - initial guess; [in] r - its forces b - A y */
+PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r);
+/* From set to set until none changes; pdas->converged, or pdas->failure, or neither after max_it steps. Collective.
+   [out] y - the last solution, unless there was a failure */
+PetscErrorCode PDASIterate(SNES snes, PDAS *pdas, ActiveSet *set, ActiveSolver solver, Vec y);
 
 #endif

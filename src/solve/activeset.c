@@ -136,6 +136,10 @@ PetscErrorCode ActiveSetUpdate(ActiveSet *set, const ActiveSolution *s, PetscRea
   PetscCallMPI(MPI_Allreduce(&sum, violation, 1, MPIU_REAL, MPI_SUM, set->comm));
   *violation = PetscSqrtReal(*violation);
   PetscCall(ActiveSetReplace(set, next, changed));
+  PetscCall(PetscInfo(NULL,
+                      "%" PetscInt_FMT " active, %" PetscInt_FMT
+                      " changed; into the set beyond %g, out of it below -%g, linear residual %g\n",
+                      set->num_active, *changed, (double)tol[0], (double)tol[1], (double)s->eta));
   PetscCall(PetscFree(next));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

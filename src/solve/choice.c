@@ -2,24 +2,25 @@
 #include <mortise/compat.h>
 #include <mortise/fault.h>
 #include <mortise/pdas.h>
+#include <string.h>
 #include "room.h"
 
 /* Unknowns up to which a factorisation beats iterating: in 2D its cost grows hardly faster than the mesh, in 3D much faster. */
 static const PetscInt DIRECT_2D = 1000000, DIRECT_3D = 40000;
 
-/* PCs that work on systems whose size changes from set to set, as those of PETSc's own types do; GAMG does not survive it. */
-static PetscErrorCode CheckOther_Private(MPI_Comm comm, const SolveChoice *choice)
+PetscBool SolveFactors(const char pc[])
 {
-  PetscBool gamg;
+  return (PetscBool)(!strcmp(pc, PCCHOLESKY) || !strcmp(pc, PCLU));
+}
 
+PetscErrorCode SolveDescribe(const char ksp[], const char pc[], const char package[], char words[], size_t len)
+{
   PetscFunctionBeginUser;
-  PetscCall(PetscStrcmp(choice->pc, PCGAMG, &gamg));
-  if (gamg) {
-    PetscCall(
-        FaultRaise(comm,
-                   "-pc_type gamg: does not work with -snes_type %s, whose systems change their size; -snes_type pdas, "
-                   "-pc_type cholesky or -pc_type hypre do",
-                   choice->snes));
+  if (SolveFactors(pc) && !strcmp(ksp, KSPPREONLY)) {
+    PetscCall(PetscSNPrintf(words, len, "%s factorisation%s%s", strcmp(pc, PCLU) ? "Cholesky" : "LU",
+                            package ? " by " : "", package ? package : ""));
+  } else {
+    PetscCall(PetscSNPrintf(words, len, "%s with %s", ksp, pc));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -53,39 +54,45 @@ static PetscErrorCode ChooseBySize_Private(VI vi, PetscBool pdas, SolveChoice *c
   PetscCall(VecGetSize(vi->b, &size));
   PetscCall(PetscStrncpy(choice->ksp, size <= limit ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
   PetscCall(PetscStrncpy(choice->pc, size <= limit ? PCCHOLESKY : iterative, sizeof(choice->pc)));
-  PetscCall(PetscSNPrintf(choice->why, sizeof(choice->why),
-                          "%" PetscInt_FMT " unknowns, %s than %" PetscInt_FMT " in %dD", size,
-                          size <= limit ? "not more" : "more", limit, (int)vi->level->dim));
+  PetscCall(PetscSNPrintf(choice->why, sizeof(choice->why), "%" PetscInt_FMT " unknowns in %dD, %s than %" PetscInt_FMT,
+                          size, (int)vi->level->dim, size <= limit ? "not more" : "more", limit));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
 {
   MPI_Comm  comm;
-  PetscBool ksp, pc, pdas, preonly, cholesky, lu;
+  PetscBool ksp, pc, pdas;
 
   PetscFunctionBeginUser;
   PetscCall(PetscObjectGetComm((PetscObject)vi->A, &comm));
   PetscCall(PetscStrncpy(choice->snes, SNESPDAS, sizeof(choice->snes)));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-snes_type", choice->snes, sizeof(choice->snes), NULL));
   PetscCall(CheckBounds_Private(comm, choice->snes));
-  PetscCall(PetscStrcmp(choice->snes, SNESPDAS, &pdas));
+  pdas = (PetscBool)!strcmp(choice->snes, SNESPDAS);
   PetscCall(ChooseBySize_Private(vi, pdas, choice));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-ksp_type", choice->ksp, sizeof(choice->ksp), &ksp));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-pc_type", choice->pc, sizeof(choice->pc), &pc));
-  PetscCall(PetscStrcmp(choice->ksp, KSPPREONLY, &preonly));
-  PetscCall(PetscStrcmp(choice->pc, PCCHOLESKY, &cholesky));
-  PetscCall(PetscStrcmp(choice->pc, PCLU, &lu));
   /* one of the two implies the other: a factorisation needs no iteration, anything else does */
-  if (pc && !ksp) PetscCall(PetscStrncpy(choice->ksp, cholesky || lu ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
+  if (pc && !ksp) {
+    PetscCall(PetscStrncpy(choice->ksp, SolveFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
+  }
   if (ksp && !pc) {
-    PetscCall(PetscStrncpy(choice->pc, preonly ? PCCHOLESKY : pdas ? PCGAMG : PCHYPRE, sizeof(choice->pc)));
+    const char *iterative = pdas ? PCGAMG : PCHYPRE;
+
+    PetscCall(PetscStrncpy(choice->pc, strcmp(choice->ksp, KSPPREONLY) ? iterative : PCCHOLESKY, sizeof(choice->pc)));
   }
   if (ksp || pc) {
     PetscCall(PetscStrncpy(choice->why, ksp ? (pc ? "-ksp_type and -pc_type" : "-ksp_type") : "-pc_type",
                            sizeof(choice->why)));
   }
-  if (!pdas) PetscCall(CheckOther_Private(comm, choice));
+  if (!pdas && !strcmp(choice->pc, PCGAMG)) {
+    PetscCall(
+        FaultRaise(comm,
+                   "-pc_type gamg: does not work with -snes_type %s, whose systems change their size; -snes_type pdas, "
+                   "-pc_type cholesky or -pc_type hypre do",
+                   choice->snes));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -93,11 +100,12 @@ PetscErrorCode SolveView(VI vi)
 {
   SolveChoice choice;
   MPI_Comm    comm;
+  char        words[128];
 
   PetscFunctionBeginUser;
   PetscCall(PetscObjectGetComm((PetscObject)vi->A, &comm));
   PetscCall(SolveChoose(vi, &choice));
-  PetscCall(PetscPrintf(comm, "Solver: %s; linear systems by %s with %s (%s)\n", choice.snes, choice.ksp, choice.pc,
-                        choice.why));
+  PetscCall(SolveDescribe(choice.ksp, choice.pc, NULL, words, sizeof(words)));
+  PetscCall(PetscPrintf(comm, "  solver %s: linear systems by %s (%s)\n", choice.snes, words, choice.why));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

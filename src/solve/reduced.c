@@ -210,7 +210,7 @@ static PetscErrorCode Finish_Reduced(ActiveSolver solver, ActiveSolution *soluti
     if (k == MAX_REFINEMENTS || (k && solution->eta <= solver->rtol)) break;
     PetscCall(Correct_Private(solver, t->f, t->d));
   }
-  if (!(solution->eta <= solver->rtol)) solution->failure = FAILURE_SINGULAR;
+  if (!(solution->eta <= solver->rtol)) solution->failure = FAILURE_RESIDUAL;
   PetscCall(ActiveSolverRestrict(solver, y, t->r, t->f, solution));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,11 +1,14 @@
 /* solve.c -- from an inequality to a configured SNES, and from what it did to a report. */
+#include <stdbool.h>
+#include <string.h>
 #include <mortise/compat.h>
+#include <mortise/fault.h>
 #include <mortise/pdas.h>
 #include "active.h"
 #include "room.h"
 
 /* Of an iterative linear solver, so that mostly one call of it reaches the tolerance of pdas. */
-static const PetscReal KSP_RTOL = 1e-9;
+static const PetscReal KSP_RTOL = 1e-10;
 /* PETSc's own solvers of inequalities: relative to the first residual, and to the unknowns (a step on the final set is exact,
    so the one after it is roundoff); several times the steps they take. */
 static const PetscReal OTHER_RTOL = 1e-12, OTHER_STOL = 1e-12;
@@ -14,7 +17,8 @@ static const PetscInt  OTHER_MAX_IT = 100;
 /* A control that can only be reached through the options database. */
 typedef struct {
   const char *name, *value;
-  PetscBool   needed, set; /* set: by us, so to be cleared by us */
+  bool        needed;
+  PetscBool   set; /* by us, so to be cleared by us */
 } Default;
 
 /* F(y) = A y - b */
@@ -45,27 +49,47 @@ static PetscErrorCode DefaultsApply_Private(PetscInt n, Default defaults[], cons
     PetscBool there;
 
     PetscCall(PetscSNPrintf(option, sizeof(option), "-%s%s", prefix, defaults[i].name));
-    PetscCall(PetscOptionsHasName(NULL, NULL, option, &there));
+    if (!defaults[i].needed) continue; /* not even looked up: an option that nothing reads is a mistake */
     if (apply) {
-      defaults[i].set = (PetscBool)(defaults[i].needed && !there);
+      PetscCall(PetscOptionsHasName(NULL, NULL, option, &there));
+      defaults[i].set = (PetscBool)!there;
       if (defaults[i].set) PetscCall(PetscOptionsSetValue(NULL, option, defaults[i].value));
-    } else if (defaults[i].set)
+    } else if (defaults[i].set) {
       PetscCall(PetscOptionsClearValue(NULL, option));
+    }
   }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Faults if the package that is to factor cannot. */
+static PetscErrorCode CheckPackage_Private(VI vi, PC pc)
+{
+  MatSolverType package;
+  PetscBool     cholesky, factors, available;
+  MPI_Comm      comm;
+  PetscMPIInt   size;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectTypeCompareAny((PetscObject)pc, &factors, PCCHOLESKY, PCLU, ""));
+  if (!factors) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCCHOLESKY, &cholesky));
+  PetscCall(PCFactorGetMatSolverType(pc, &package));
+  PetscCall(MatGetFactorAvailable(vi->A, package, cholesky ? MAT_FACTOR_CHOLESKY : MAT_FACTOR_LU, &available));
+  if (available) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscObjectGetComm((PetscObject)vi->A, &comm));
+  PetscCallMPI(MPI_Comm_size(comm, &size));
+  PetscCall(FaultRaise(comm, "-pc_factor_mat_solver_type %s: has no %s factorisation on %d rank%s here; %s has",
+                       package, cholesky ? "Cholesky" : "LU", size, size > 1 ? "s" : "", MATSOLVERMUMPS));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* A SNES as the choice and the options want it. [in] scratch - for its function, must outlive it */
 static PetscErrorCode Configure_Private(VI vi, const SolveChoice *choice, const char prefix[], Vec scratch, SNES *snes)
 {
-  PetscBool pdas, cholesky, lu;
-  KSP       ksp;
-  PC        pc;
+  KSP ksp;
+  PC  pc;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscStrcmp(choice->snes, SNESPDAS, &pdas));
-  PetscCall(PetscStrcmp(choice->pc, PCCHOLESKY, &cholesky));
-  PetscCall(PetscStrcmp(choice->pc, PCLU, &lu));
   PetscCall(SNESCreate(PetscObjectComm((PetscObject)vi->A), snes));
   PetscCall(SNESSetOptionsPrefix(*snes, prefix));
   PetscCall(SNESSetFunction(*snes, scratch, FunctionFn, vi));
@@ -75,9 +99,9 @@ static PetscErrorCode Configure_Private(VI vi, const SolveChoice *choice, const 
   PetscCall(KSPSetTolerances(ksp, KSP_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
   PetscCall(KSPGetPC(ksp, &pc));
   PetscCall(PCSetType(pc, choice->pc));
-  if (cholesky || lu) PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  if (SolveFactors(choice->pc)) PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
   PetscCall(SNESSetType(*snes, choice->snes));
-  if (!pdas) {
+  if (strcmp(choice->snes, SNESPDAS)) {
     SNESLineSearch search;
 
     /* the problem is quadratic: whole steps */
@@ -86,6 +110,7 @@ static PetscErrorCode Configure_Private(VI vi, const SolveChoice *choice, const 
     PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, OTHER_RTOL, OTHER_STOL, OTHER_MAX_IT, PETSC_DEFAULT));
   }
   PetscCall(SNESSetFromOptions(*snes));
+  PetscCall(CheckPackage_Private(vi, pc));
   PetscCall(SNESVISetVariableBounds(*snes, vi->lower, vi->upper)); /* pdas keeps them itself, so not before the type */
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -170,9 +195,11 @@ static PetscErrorCode Report_Private(SNES snes, VI vi, Vec y, SolveReport *repor
   PCType              pc_type;
   KSP                 ksp;
   PC                  pc;
+  MatSolverType       package = NULL;
   PetscBool           pdas, reduced = PETSC_FALSE;
   const PetscInt     *changed;
   const char         *failure;
+  char                words[96];
 
   PetscFunctionBeginUser;
   PetscCall(SNESGetType(snes, &type));
@@ -197,20 +224,24 @@ static PetscErrorCode Report_Private(SNES snes, VI vi, Vec y, SolveReport *repor
     PetscCall(SolveMeasure(vi, y, &report->active, &report->linear_residual));
     if (!report->converged) PetscCall(ReasonOther_Private(snes, reason, report));
   }
-  PetscCall(PetscSNPrintf(report->linear, sizeof(report->linear), "%s with %s%s", ksp_type, pc_type,
-                          reduced ? ", one factorisation for all active sets" : ""));
+  if (SolveFactors(pc_type)) PetscCall(PCFactorGetMatSolverType(pc, &package));
+  PetscCall(SolveDescribe(ksp_type, pc_type, package, words, sizeof(words)));
+  PetscCall(
+      PetscSNPrintf(report->linear, sizeof(report->linear), "%s%s", words, reduced ? ", one for all active sets" : ""));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], PetscBool progress, Vec y,
                         SolveReport *report)
 {
-  /* MUMPS: spare memory in percent; approximate minimum degree, which in 2D gives as good factors as nested dissection by
-     PORD in a fifth of the time, while in 3D it would not. A tolerance in the unit of y, which is of order one. */
-  Default        defaults[] = {{.name = "mat_mumps_icntl_14", .value = "50", .needed = PETSC_TRUE},
-                               {.name = "mat_mumps_icntl_7", .value = "0", .needed = (PetscBool)(vi->level->dim == 2)},
-                               {.name = "snes_vi_zero_tolerance", .value = "1e-12", .needed = PETSC_TRUE}};
-  const PetscInt n          = PETSC_STATIC_ARRAY_LENGTH(defaults);
+  /* MUMPS: spare memory, in percent; approximate minimum degree, which orders meshes in 2D in a fifth of the time of what
+     MUMPS would choose, for factors of the same size. A tolerance in the unit of y, which is of order one. */
+  const PetscBool direct     = SolveFactors(choice->pc);
+  Default         defaults[] = {
+              {.name = "mat_mumps_icntl_14", .value = "50", .needed = direct},
+              {.name = "mat_mumps_icntl_7", .value = "0", .needed = direct && vi->level->dim == 2},
+              {.name = "snes_vi_zero_tolerance", .value = "1e-12", .needed = strcmp(choice->snes, SNESPDAS) != 0}};
+  const PetscInt n = PETSC_STATIC_ARRAY_LENGTH(defaults);
   SNES           snes;
   Vec            scratch;
 

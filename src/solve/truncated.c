@@ -13,12 +13,13 @@ static const PetscInt MAX_REFINEMENTS = 8;
 static const PetscReal STALLED = 0.5;
 
 typedef struct {
-  KSP       ksp;    /* borrowed */
-  Mat       A;      /* A^ */
-  Vec       free;   /* M */
-  Vec       y, r;   /* the solution; b - A y */
-  Vec       f, d;   /* M r; correction, A^^-1 f */
-  PetscBool direct; /* the KSP only applies its preconditioner */
+  KSP       ksp;      /* borrowed */
+  Mat       A;        /* A^ */
+  Vec       free;     /* M */
+  Vec       y, r;     /* the solution; b - A y */
+  Vec       f, d;     /* M r; correction, A^^-1 f */
+  PetscBool direct;   /* the KSP only applies its preconditioner */
+  PetscBool factored; /* which is a factorisation */
 } Truncated;
 
 /* M, the last solution emptied where fixed as first guess d, and y = v. */
@@ -149,7 +150,7 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
     if (solution->eta <= solver->rtol && (!t->direct || k)) break;
     if (!(solution->eta <= STALLED * before)) break;
   }
-  if (!(solution->eta <= solver->rtol)) solution->failure = t->direct ? FAILURE_SINGULAR : FAILURE_ITERATIVE;
+  if (!(solution->eta <= solver->rtol)) solution->failure = t->factored ? FAILURE_RESIDUAL : FAILURE_ITERATIVE;
   PetscCall(ActiveSolverRestrict(solver, t->y, t->r, t->f, solution));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -183,12 +184,17 @@ static PetscErrorCode Destroy_Truncated(ActiveSolver solver)
 PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ksp, PetscReal rtol, ActiveSolver *solver)
 {
   Truncated *t;
+  PC         pc;
 
   PetscFunctionBeginUser;
   PetscCall(ActiveSolverCreate(set, A, b, rtol, solver));
   PetscCall(PetscNew(&t));
   t->ksp = ksp;
   PetscCall(PetscObjectTypeCompare((PetscObject)ksp, KSPPREONLY, &t->direct));
+  /* an interpolation made for another set is not a preconditioner for this one: it need not even be definite */
+  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(PetscObjectTypeCompareAny((PetscObject)pc, &t->factored, PCCHOLESKY, PCLU, ""));
+  PetscCall(PCGAMGSetReuseInterpolation(pc, PETSC_FALSE));
   PetscCall(MatDuplicate(A, MAT_DO_NOT_COPY_VALUES, &t->A));
   PetscCall(VecDuplicate(b, &t->y));
   PetscCall(VecCopy(y, t->y));

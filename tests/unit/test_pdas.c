@@ -507,7 +507,7 @@ int main(int argc, char **argv)
   /* many small parallel factorisations take long: there, fewer of the same */
   PetscCall(TestConstant(size > 1 ? 2 : 10));
   PetscCall(TestCycling(size > 1 ? 4 : 21));
-  PetscCall(TestRandom(size > 1 ? 20 : 200));
+  PetscCall(TestRandom(size > 1 ? 20 : 120));
   PetscCall(TestOther(size > 1 ? 10 : 50));
   PetscCall(PetscFinalize());
   return 0;

@@ -1,0 +1,126 @@
+/* iterate.c -- the iteration of `pdas`: from the set to begin with to the one that solves the inequality.
+
+   Each step fixes the active unknowns at their bounds, solves for all others, and moves those with a tensile force out of the
+   set and those beyond their bound into it (T10); when none moves, all inequalities hold. It is a semismooth Newton method [1]
+   and takes few steps whatever the size. It may run in a circle [2]: then safeguard.c takes over.
+
+   References: [1] Hintermueller, Ito, Kunisch, The primal-dual active set strategy as a semismooth Newton method, 2002.
+               [2] Ben Gharbia, Gilbert, Nonconvergence of the plain Newton-min algorithm for LCPs with a P-matrix, 2012. */
+#include "active.h"
+
+/* Contact problems take up to some fifteen steps; one that takes so many is wandering. */
+static const PetscInt MANY_STEPS = 30;
+
+PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r)
+{
+  PetscBool *next;
+  PetscReal *guess, *force, norm;
+  PetscInt   changed;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc3(set->n, &next, set->n, &guess, set->n, &force));
+  PetscCall(ActiveSetGather(set, pdas->previous ? pdas->previous : y, guess));
+  PetscCall(ActiveSetGather(set, r, force));
+  for (PetscInt i = 0; i < set->n; i++) {
+    switch (pdas->start) {
+    case START_FULL: next[i] = PETSC_TRUE; break;
+    case START_GAP: next[i] = (PetscBool)(set->upper[i] <= 0); break;
+    case START_PREVIOUS:
+      if (pdas->previous)
+        next[i] = (PetscBool)(guess[i] > 0.5);
+      else
+        next[i] = (PetscBool)(force[i] + pdas->c * set->diag[i] * (guess[i] - set->upper[i]) > 0); /* (T10) */
+      break;
+    default: next[i] = PETSC_FALSE;
+    }
+  }
+  PetscCall(ActiveSetReplace(set, next, &changed));
+  PetscCall(PetscFree3(next, guess, force));
+  pdas->num_active = set->num_active;
+  PetscCall(VecNorm(r, NORM_2, &norm));
+  PetscCall(SNESSetIterationNumber(snes, 0));
+  PetscCall(SNESSetFunctionNorm(snes, norm));
+  PetscCall(SNESMonitor(snes, 0, norm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether the present set was solved for before; remembers it. */
+static PetscErrorCode Seen_Private(PDAS *pdas, const ActiveSet *set, PetscBool *seen)
+{
+  uint64_t hash;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActiveSetHash(set, &hash));
+  *seen = PETSC_FALSE;
+  for (PetscInt i = 0; i < pdas->num_seen; i++) *seen = (PetscBool)(*seen || pdas->seen[i] == hash);
+  pdas->seen[pdas->num_seen++] = hash;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Writes one iteration down and tells the monitors. */
+static PetscErrorCode Record_Private(SNES snes, PDAS *pdas, const ActiveSet *set, const ActiveSolution *solution,
+                                     PetscInt changed, PetscReal violation)
+{
+  const PetscReal norm = PetscSqrtReal(PetscSqr(violation) + PetscSqr(solution->norm));
+
+  PetscFunctionBeginUser;
+  pdas->changed[pdas->iterations++] = changed;
+  pdas->linear_iterations += solution->iterations;
+  pdas->residual   = solution->eta;
+  pdas->num_active = set->num_active;
+  pdas->failure    = solution->failure;
+  PetscCall(SNESSetIterationNumber(snes, pdas->iterations));
+  PetscCall(SNESSetFunctionNorm(snes, norm));
+  PetscCall(SNESMonitor(snes, pdas->iterations, norm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* One system: the active set's, or a step of the safeguard, which takes over where a set comes back. */
+static PetscErrorCode Step_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solver, Safeguard *guard,
+                                   ActiveSolution *solution, PetscInt *changed, PetscReal *violation)
+{
+  PetscBool seen = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  *changed   = 0;
+  *violation = 0;
+  if (!guard->on) {
+    PetscCall(Seen_Private(pdas, set, &seen));
+    if (seen || pdas->num_seen > MANY_STEPS) {
+      pdas->safeguarded = PETSC_TRUE;
+      PetscCall(SafeguardBegin(guard, set, solver, solution));
+    }
+  }
+  if (guard->on && !guard->settled) {
+    PetscCall(SafeguardStep(guard, set, solver, solution, changed, violation));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  guard->settled = PETSC_FALSE; /* if its set is not confirmed now, it goes on from where it was */
+  PetscCall(solver->solve(solver, set->active, set->upper, solution));
+  if (!solution->failure) PetscCall(ActiveSetUpdate(set, solution, pdas->c, changed, violation));
+  pdas->converged = (PetscBool)(!*changed && !solution->failure);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* From set to set until none changes. [out] y */
+PetscErrorCode PDASIterate(SNES snes, PDAS *pdas, ActiveSet *set, ActiveSolver solver, Vec y)
+{
+  ActiveSolution solution;
+  Safeguard      guard = {.on = PETSC_FALSE};
+  PetscInt       changed;
+  PetscReal      violation;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActiveSolutionCreate(set, &solution));
+  while (!pdas->converged && !solution.failure && pdas->iterations < pdas->max_it) {
+    PetscCall(Step_Private(pdas, set, solver, &guard, &solution, &changed, &violation));
+    if (pdas->converged || (!solution.failure && pdas->iterations + 1 == pdas->max_it)) {
+      PetscCall(solver->finish(solver, &solution, y));
+      if (solution.failure) pdas->converged = PETSC_FALSE;
+    }
+    PetscCall(Record_Private(snes, pdas, set, &solution, changed, violation));
+  }
+  if (guard.on) PetscCall(SafeguardEnd(&guard));
+  PetscCall(ActiveSolutionDestroy(&solution));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
