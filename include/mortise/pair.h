@@ -27,7 +27,7 @@ struct _n_Pair {
 typedef struct _n_Pair *Pair;
 
 /* Searches and integrates all pairs of the scene, and decides which nodes carry their multipliers: not where a node's normal
-   direction is held, nor where another pair covers more of the node in nearly the same direction; those rows are spread.
+   direction is held, nor where an earlier pair constrains nearly the same direction; those rows are spread.
    Collective. [out] pairs - [scene->num_pairs], each owned by the caller */
 PetscErrorCode PairsCreate(Scene scene, Level *level, const Support *held, Pair pairs[]);
 PetscErrorCode PairDestroy(Pair *pair);

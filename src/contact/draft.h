@@ -21,8 +21,9 @@ PetscErrorCode ReachChoose(const ScenePair *spec, Level *level, const Support *h
 /* Decides by coverage and supports which nodes may keep a multiplier; takes held directions out of their normals. Not collective. */
 PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *draft);
 
-/* Where several pairs would constrain nearly the same direction of a node, the one that covers more of it does; a tie
-   constrains every direction. Not collective: all ranks that hold a node decide alike. [in,out] drafts - [num] */
+/* Where several pairs would constrain nearly the same direction of a node, the first of them does; a tie constrains every
+   direction. Rows then depend on those of earlier pairs only, never in a circle. A pair that is left without a node that it
+   could have had is a fault. Collective. [in,out] drafts - [num] */
 PetscErrorCode FatesSettle(const Level *level, PetscInt num, PairDraft drafts[]);
 
 #endif

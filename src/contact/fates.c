@@ -3,6 +3,7 @@
    A node is uncovered, or removed (its row is spread over its neighbours), or kept. Removed are slivers of coverage, whose
    pressure could not be recovered accurately, nodes whose normal direction is held, and nodes that another pair serves. */
 #include <mortise/compat.h>
+#include <mortise/fault.h>
 #include <mortise/frame.h>
 #include "draft.h"
 
@@ -14,8 +15,6 @@ static const PetscReal SLIVER = 1e-3;
 static const PetscReal NOTHING = 1e-13;
 /* Two constraints at one node need normals that differ by at least 20 degrees. */
 static const PetscReal SAME_DIRECTION = 0.93969262078590838;
-/* Coverages that differ by less are equal, whatever the order of summation: the first pair wins. */
-static const PetscReal EQUAL_COVER = 1e-9;
 
 /* n := Pi n / |Pi n| with Pi the projection onto the free directions of a node. Returns whether n is free at all. */
 static PetscBool ProjectNormal_Private(const Support *held, PetscInt node, PetscReal n[])
@@ -62,52 +61,58 @@ PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *d
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Marks in lost the nodes of p that q serves. [in] first - whether q comes before p; [in,out] lost - [num_nodes] */
-static PetscErrorCode LoseNodes_Private(const Level *level, const PairDraft *p, const PairDraft *q, PetscBool first,
-                                        PetscBool lost[])
+/* Removes from a later pair the nodes that an earlier one serves. */
+static PetscErrorCode LoseNodes_Private(const Level *level, const PairDraft *earlier, PairDraft *later)
 {
   const PetscInt     dim  = level->dim;
-  const PetscBool    tied = (PetscBool)(p->spec->type == PAIR_TIED || q->spec->type == PAIR_TIED);
-  Vec                v[4] = {p->sums.D, q->sums.D, p->normals, q->normals}, local[4];
-  const PetscScalar *a[4];
+  const PetscBool    tied = (PetscBool)(earlier->spec->type == PAIR_TIED || later->spec->type == PAIR_TIED);
+  Vec                local[2];
+  const PetscScalar *n, *m;
 
   PetscFunctionBeginUser;
-  for (PetscInt j = 0; j < 4; j++) {
-    PetscCall(VecGhostGetLocalForm(v[j], &local[j]));
-    PetscCall(VecGetArrayRead(local[j], &a[j]));
-  }
+  PetscCall(VecGhostGetLocalForm(earlier->normals, &local[0]));
+  PetscCall(VecGhostGetLocalForm(later->normals, &local[1]));
+  PetscCall(VecGetArrayRead(local[0], &n));
+  PetscCall(VecGetArrayRead(local[1], &m));
   for (PetscInt i = 0; i < level->num_nodes; i++) {
     PetscReal dot = 0;
-    if (p->fate[i] != NODE_KEPT || q->fate[i] != NODE_KEPT) continue;
-    for (PetscInt k = 0; k < dim; k++) dot += a[2][i * dim + k] * a[3][i * dim + k];
-    if (!tied && PetscAbsReal(dot) <= SAME_DIRECTION) continue;
-    if (a[1][i] > a[0][i] * (first ? 1 - EQUAL_COVER : 1 + EQUAL_COVER)) lost[i] = PETSC_TRUE;
+    if (earlier->fate[i] != NODE_KEPT || later->fate[i] != NODE_KEPT) continue;
+    for (PetscInt k = 0; k < dim; k++) dot += n[i * dim + k] * m[i * dim + k];
+    if (tied || PetscAbsReal(dot) > SAME_DIRECTION) later->fate[i] = NODE_REMOVED;
   }
-  for (PetscInt j = 0; j < 4; j++) {
-    PetscCall(VecRestoreArrayRead(local[j], &a[j]));
-    PetscCall(VecGhostRestoreLocalForm(v[j], &local[j]));
-  }
+  PetscCall(VecRestoreArrayRead(local[0], &n));
+  PetscCall(VecRestoreArrayRead(local[1], &m));
+  PetscCall(VecGhostRestoreLocalForm(earlier->normals, &local[0]));
+  PetscCall(VecGhostRestoreLocalForm(later->normals, &local[1]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a pair keeps a node on any rank. Collective. */
+static PetscErrorCode KeepsAny_Private(const Level *level, const PairDraft *draft, PetscBool *any)
+{
+  PetscFunctionBeginUser;
+  *any = PETSC_FALSE;
+  for (PetscInt i = 0; i < level->num_nodes; i++) *any = (PetscBool)(*any || draft->fate[i] == NODE_KEPT);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode FatesSettle(const Level *level, PetscInt num, PairDraft drafts[])
 {
-  PetscBool *lost;
+  PetscBool before, after;
 
   PetscFunctionBeginUser;
-  if (num < 2) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscCalloc1(num * level->num_nodes, &lost));
-  for (PetscInt p = 0; p < num; p++) {
-    for (PetscInt q = 0; q < num; q++) {
-      if (p != q)
-        PetscCall(LoseNodes_Private(level, &drafts[p], &drafts[q], (PetscBool)(q < p), &lost[p * level->num_nodes]));
+  for (PetscInt p = 1; p < num; p++) {
+    PetscCall(KeepsAny_Private(level, &drafts[p], &before));
+    for (PetscInt q = 0; q < p; q++) PetscCall(LoseNodes_Private(level, &drafts[q], &drafts[p]));
+    PetscCall(KeepsAny_Private(level, &drafts[p], &after));
+    if (before && !after) {
+      PetscCall(FaultRaise(
+          level->comm,
+          "-pairs: every node that pair '%s' could use already serves an earlier pair, so that it would have no "
+          "say; refine its nonmortar side '%s', or swap its sides",
+          drafts[p].spec->name, drafts[p].spec->nonmortar.side));
     }
   }
-  for (PetscInt p = 0; p < num; p++) { // only now: every decision was taken with the fates before
-    for (PetscInt i = 0; i < level->num_nodes; i++) {
-      if (lost[p * level->num_nodes + i]) drafts[p].fate[i] = NODE_REMOVED;
-    }
-  }
-  PetscCall(PetscFree(lost));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

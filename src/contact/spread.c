@@ -1,54 +1,111 @@
 /* spread.c -- the removed-node rule.
 
-   psi_a + w psi_c keeps sum psi = 1 and stays diagonal on the kept nodes, so constant pressures still pass; in 2D this is
-   the constant dual function of Wohlmuth (2000) at the ends of a side. Written as products with W = (w_ac). */
+   psi_a + sum_c w_ac psi_c keeps sum psi = 1 and stays diagonal on the kept nodes, so constant pressures still pass; in 2D
+   this is the constant dual function of Wohlmuth (2000) at the ends of a side. Removed nodes lie in rings around the kept
+   ones: ring 1 has kept neighbours, ring k has neighbours in ring k - 1, and W_k = W_(k-1) N_k with N_k the mean over
+   them. One ring is the rule; more are needed where another pair serves several nodes in a row. */
 #include <mortise/compat.h>
 #include "spread.h"
 
-/* W of ones: row a, column c for every kept node a beside a removed node c. */
-static PetscErrorCode NeighbourMatrix_Private(Level *level, const Facets *facets, const NodeFate fate[],
-                                              const PetscBool covered[], Mat *W)
+/* Moves into ring k, on every rank, the nodes that wait beside ring k - 1. [in,out] ring - [num_nodes], -1 waits;
+   [out] found - whether there was any */
+static PetscErrorCode NextRing_Private(Level *level, const Facets *facets, const PetscBool covered[], PetscInt k,
+                                       PetscInt ring[], PetscBool *found)
 {
-  enum { MAX_NEIGHBOURS = 16 }; /* removed nodes beside one kept node; two in 2D */
+  Vec          flags, local;
+  PetscScalar *flag;
 
   PetscFunctionBeginUser;
-  PetscCall(MatCreateAIJ(level->comm, level->num_owned, level->num_owned, level->num_global, level->num_global, 0, NULL,
-                         0, NULL, W));
-  PetscCall(MatSeqAIJSetPreallocation(*W, MAX_NEIGHBOURS, NULL));
-  PetscCall(MatMPIAIJSetPreallocation(*W, MAX_NEIGHBOURS, NULL, MAX_NEIGHBOURS, NULL));
+  PetscCall(LevelCreateVec(level, 1, &flags));
+  PetscCall(VecGhostGetLocalForm(flags, &local));
+  PetscCall(VecZeroEntries(local));
+  PetscCall(VecGetArray(local, &flag));
   for (PetscInt f = 0; f < facets->num; f++) {
     const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(facets->type[f]);
-    if (!covered[f]) continue;
-    for (PetscInt i = 0; i < n; i++) {
-      for (PetscInt j = 0; j < n; j++) {
-        if (fate[nodes[i]] != NODE_KEPT || fate[nodes[j]] != NODE_REMOVED) continue;
-        PetscCall(MatSetValue(*W, level->node_global[nodes[i]], level->node_global[nodes[j]], 1.0, INSERT_VALUES));
-      }
+    PetscBool       beside = PETSC_FALSE;
+    for (PetscInt i = 0; i < n; i++) beside = (PetscBool)(beside || ring[nodes[i]] == k - 1);
+    for (PetscInt i = 0; covered[f] && beside && i < n; i++) {
+      if (ring[nodes[i]] == -1) flag[nodes[i]] = 1;
     }
   }
-  PetscCall(MatAssemblyBegin(*W, MAT_FINAL_ASSEMBLY));
-  PetscCall(MatAssemblyEnd(*W, MAT_FINAL_ASSEMBLY));
+  PetscCall(VecRestoreArray(local, &flag));
+  PetscCall(VecGhostRestoreLocalForm(flags, &local));
+  PetscCall(LevelShareVec(flags, MAX_VALUES));
+  *found = PETSC_FALSE;
+  PetscCall(VecGhostGetLocalForm(flags, &local));
+  PetscCall(VecGetArray(local, &flag));
+  for (PetscInt i = 0; i < level->num_nodes; i++) {
+    if (flag[i] > 0) ring[i] = k;
+    *found = (PetscBool)(*found || flag[i] > 0);
+  }
+  PetscCall(VecRestoreArray(local, &flag));
+  PetscCall(VecGhostRestoreLocalForm(flags, &local));
+  PetscCall(VecDestroy(&flags));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, found, 1, MPIU_BOOL, MPI_LOR, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* W := W diag(1 / column sums): the weights w_ac. */
-static PetscErrorCode NormalizeColumns_Private(Mat W)
+/* N diag(1 / column sums), with N of ones: row a, column c for every node a of ring k - 1 beside a node c of ring k. */
+static PetscErrorCode NeighbourMeans_Private(Level *level, const Facets *facets, const PetscBool covered[], PetscInt k,
+                                             const PetscInt ring[], Mat *N)
 {
-  Vec          ones, sums;
-  PetscScalar *s;
-  PetscInt     n;
+  enum { MAX_NEIGHBOURS = 16 }; /* of ring k beside one of ring k - 1; two in 2D */
+  Vec ones, sums;
 
   PetscFunctionBeginUser;
-  PetscCall(MatCreateVecs(W, &sums, &ones));
+  PetscCall(MatCreateAIJ(level->comm, level->num_owned, level->num_owned, level->num_global, level->num_global,
+                         MAX_NEIGHBOURS, NULL, MAX_NEIGHBOURS, NULL, N));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(facets->type[f]);
+    for (PetscInt i = 0; covered[f] && i < n; i++) {
+      for (PetscInt j = 0; j < n; j++) {
+        if (ring[nodes[i]] != k - 1 || ring[nodes[j]] != k) continue;
+        PetscCall(MatSetValue(*N, level->node_global[nodes[i]], level->node_global[nodes[j]], 1.0, INSERT_VALUES));
+      }
+    }
+  }
+  PetscCall(MatAssemblyBegin(*N, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatAssemblyEnd(*N, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatCreateVecs(*N, &sums, &ones));
   PetscCall(VecSet(ones, 1.0));
-  PetscCall(MatMultTranspose(W, ones, sums));
-  PetscCall(VecGetLocalSize(sums, &n));
-  PetscCall(VecGetArray(sums, &s));
-  for (PetscInt i = 0; i < n; i++) s[i] = s[i] != 0.0 ? 1.0 / s[i] : 0.0;
-  PetscCall(VecRestoreArray(sums, &s));
-  PetscCall(MatDiagonalScale(W, NULL, sums));
+  PetscCall(MatMultTranspose(*N, ones, sums));
+  PetscCall(VecReciprocal(sums));
+  PetscCall(MatDiagonalScale(*N, NULL, sums));
   PetscCall(VecDestroy(&ones));
   PetscCall(VecDestroy(&sums));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* W = sum_k W_k, or NULL where no row is to be spread. */
+static PetscErrorCode Weights_Private(Level *level, const Facets *facets, const NodeFate fate[],
+                                      const PetscBool covered[], Mat *W)
+{
+  PetscInt *ring;
+  PetscBool found;
+  Mat       N, last = NULL, next;
+
+  PetscFunctionBeginUser;
+  *W = NULL;
+  PetscCall(PetscMalloc1(level->num_nodes, &ring));
+  for (PetscInt i = 0; i < level->num_nodes; i++)
+    ring[i] = fate[i] == NODE_KEPT ? 0 : (fate[i] == NODE_REMOVED ? -1 : -2);
+  PetscCall(NextRing_Private(level, facets, covered, 1, ring, &found));
+  for (PetscInt k = 1; found; k++) {
+    PetscCall(NeighbourMeans_Private(level, facets, covered, k, ring, &N));
+    if (last) {
+      PetscCall(MatMatMult(last, N, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &next));
+      PetscCall(MatAXPY(*W, 1.0, next, DIFFERENT_NONZERO_PATTERN));
+      PetscCall(MatDestroy(&last));
+      PetscCall(MatDestroy(&N));
+      last = next;
+    } else {
+      PetscCall(MatDuplicate(N, MAT_COPY_VALUES, W));
+      last = N;
+    }
+    PetscCall(NextRing_Private(level, facets, covered, k + 1, ring, &found));
+  }
+  PetscCall(MatDestroy(&last));
+  PetscCall(PetscFree(ring));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -56,16 +113,15 @@ PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, const NodeF
                                  Vec D, Vec G, Mat *M, Mat *chain)
 {
   PetscBool any = PETSC_FALSE;
-  Mat       W, WM;
+  Mat       W   = NULL, WM;
   Vec       WG;
 
   PetscFunctionBeginUser;
   *chain = NULL;
   for (PetscInt i = 0; i < level->num_nodes; i++) any = (PetscBool)(any || fate[i] == NODE_REMOVED);
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, level->comm));
-  if (!any) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(NeighbourMatrix_Private(level, facets, fate, covered, &W));
-  PetscCall(NormalizeColumns_Private(W));
+  if (any) PetscCall(Weights_Private(level, facets, fate, covered, &W));
+  if (!W) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecDuplicate(G, &WG));
   PetscCall(MatMult(W, G, WG));
   PetscCall(VecAXPY(G, 1.0, WG));
