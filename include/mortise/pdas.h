@@ -21,7 +21,8 @@ PetscErrorCode PDASRegister(void);
    of cycling */
 PetscErrorCode PDASGetHistory(SNES snes, PetscInt *iterations, PetscInt *active, const PetscInt *changed[],
                               PetscBool *safeguarded);
-/* The linear systems of the last solve. Not collective, the same on all ranks.
+/* The linear systems of the last solve; SNESGetLinearSolveIterations() has no public way to know. Not collective, the same
+   on all ranks.
    [out] iterations - of all systems; [out] residual - relative, of the last one; [out] reduced - whether by Schur complement */
 PetscErrorCode PDASGetLinear(SNES snes, PetscInt *iterations, PetscReal *residual, PetscBool *reduced);
 /* Why the last solve did not converge, as a sentence; "" if it did. Borrowed. Not collective. */

@@ -2,7 +2,6 @@
 #include <stdbool.h>
 #include <string.h>
 #include <mortise/compat.h>
-#include <mortise/fault.h>
 #include <mortise/pdas.h>
 #include "active.h"
 #include "room.h"
@@ -61,28 +60,6 @@ static PetscErrorCode DefaultsApply_Private(PetscInt n, Default defaults[], cons
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Faults if the package that is to factor cannot. */
-static PetscErrorCode CheckPackage_Private(VI vi, PC pc)
-{
-  MatSolverType package;
-  PetscBool     cholesky, factors, available;
-  MPI_Comm      comm;
-  PetscMPIInt   size;
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscObjectTypeCompareAny((PetscObject)pc, &factors, PCCHOLESKY, PCLU, ""));
-  if (!factors) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCCHOLESKY, &cholesky));
-  PetscCall(PCFactorGetMatSolverType(pc, &package));
-  PetscCall(MatGetFactorAvailable(vi->A, package, cholesky ? MAT_FACTOR_CHOLESKY : MAT_FACTOR_LU, &available));
-  if (available) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscObjectGetComm((PetscObject)vi->A, &comm));
-  PetscCallMPI(MPI_Comm_size(comm, &size));
-  PetscCall(FaultRaise(comm, "-pc_factor_mat_solver_type %s: has no %s factorisation on %d rank%s here; %s has",
-                       package, cholesky ? "Cholesky" : "LU", size, size > 1 ? "s" : "", MATSOLVERMUMPS));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* A SNES as the choice and the options want it. [in] scratch - for its function, must outlive it */
 static PetscErrorCode Configure_Private(VI vi, const SolveChoice *choice, const char prefix[], Vec scratch, SNES *snes)
 {
@@ -110,7 +87,6 @@ static PetscErrorCode Configure_Private(VI vi, const SolveChoice *choice, const 
     PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, OTHER_RTOL, OTHER_STOL, OTHER_MAX_IT, PETSC_DEFAULT));
   }
   PetscCall(SNESSetFromOptions(*snes));
-  PetscCall(CheckPackage_Private(vi, pc));
   PetscCall(SNESVISetVariableBounds(*snes, vi->lower, vi->upper)); /* pdas keeps them itself, so not before the type */
   PetscFunctionReturn(PETSC_SUCCESS);
 }
