@@ -10,8 +10,9 @@
 #include <mortise/element.h>
 #include <mortise/scene.h>
 
-/* Tables of one level on this rank. Cells are held by exactly one rank; nodes on rank boundaries by several, one of which
-   owns them. Local nodes: the owned ones first, in global order, then ghosts. Global dof = dim * global node + component. */
+/* Tables of one level on this rank. Cells are held by exactly one rank; nodes on rank boundaries by several, one of
+   which owns them. Local nodes: the owned ones first, in global order, then ghosts. Global dof = dim * global node +
+   component. */
 typedef struct {
   MPI_Comm   comm;
   DM         dm;
@@ -30,8 +31,8 @@ typedef struct {
   Scene      scene;        /* borrowed */
 } Level;
 
-/* The facets of one side, or of several joined with '+', that this rank holds: boundary facets belong to one cell, hence
-   to one rank. */
+/* The facets of one side, or of several joined with '+', that this rank holds: boundary facets belong to one cell,
+   hence to one rank. */
 typedef struct {
   PetscInt     num;
   ElementType *type; /* [num] */
@@ -48,9 +49,10 @@ typedef struct _n_Mesh *Mesh;
 
 /* Creates an empty mesh for a scene, which must outlive it. Collective on the scene's comm. */
 PetscErrorCode MeshCreate(Scene scene, Mesh *mesh);
-/* Makes or reads all bodies, merges, partitions, refines, builds the tables. Faults: a file that cannot be read, a side or
-   region that does not exist (names those that do), a degenerate or tangled cell (names its place), a side in two roles.
-   Chooses roles of pairs left open, by numerics.md 5.6 (writes nonmortar and mortar of the ScenePair). Collective. */
+/* Makes or reads all bodies, merges, partitions, refines, builds the tables. Faults: a file that cannot be read, a
+   side or region that does not exist (names those that do), a degenerate or tangled cell (names its place), a side
+   in two roles. Chooses roles of pairs left open, by numerics.md 5.6 (writes nonmortar and mortar of the ScenePair).
+   Collective. */
 PetscErrorCode MeshSetUp(Mesh mesh);
 Level         *MeshFinest(Mesh mesh);
 PetscErrorCode MeshDestroy(Mesh *mesh);
@@ -61,15 +63,18 @@ PetscErrorCode FacetsDestroy(Facets *facets);
 
 /* A ghosted Vec with bs values per node: VecGhostGetLocalForm() gives them in local node order. Collective. */
 PetscErrorCode LevelCreateVec(Level *level, PetscInt bs, Vec *v);
-/* Sums (ADD_VALUES) or maximises (MAX_VALUES) what every rank holds in its ghosts into the owners, and sends the result back. Collective. */
+/* Sums (ADD_VALUES) or maximises (MAX_VALUES) what every rank holds in its ghosts into the owners, and sends the
+   result back. Collective. */
 PetscErrorCode LevelShareVec(Vec v, InsertMode mode);
-/* An AIJ matrix of block size bs for operators between nodes that share a cell, preallocated exactly from the tables. Collective. */
+/* An AIJ matrix of block size bs for operators between nodes that share a cell, preallocated exactly from the
+   tables. Collective. */
 PetscErrorCode LevelCreateMat(Level *level, PetscInt bs, Mat *A);
 
-/* Finds the cell of a body that holds a point, and the point's reference coordinates there. A point between a straight
-   facet and the curve that the body's map makes of it belongs to the facet's cell, a little outside of its reference cell.
-   Collective.
-   [out] cell - local cell on the one rank that answers (lowest of those that hold it), -1 elsewhere; [out] found - on all ranks */
+/* Finds the cell of a body that holds a point, and the point's reference coordinates there. A point between a
+   straight facet and the curve that the body's map makes of it belongs to the facet's cell, a little outside of its
+   reference cell. Collective.
+   [out] cell - local cell on the one rank that answers (lowest of those that hold it), -1 elsewhere
+   [out] found - on all ranks */
 PetscErrorCode LevelLocate(Level *level, PetscInt body, const PetscReal x[], PetscInt *cell, PetscReal xi[],
                            PetscBool *found);
 

@@ -1,5 +1,8 @@
-/* bodylist.c -- storage of a body's lists, and the names of its sides. */
-#include "bodylist.h"
+/* bodylist.c -- storage of a body's lists, and the names of its sides.
+
+   A side that the user joins with '+' is a union of named sides; the mesh knows the parts only, so that a part that
+   occurs in several unions is labelled once. */
+#include "room.h"
 #include <mortise/compat.h>
 #include <string.h>
 
@@ -53,10 +56,12 @@ PetscErrorCode SideNamesOfBody(Scene scene, PetscInt body, SideNames *names)
 
   PetscFunctionBeginUser;
   *names = (SideNames){0, NULL};
+  // sides that nothing uses are not looked for: a label costs time in every refinement
   for (PetscInt i = 0; i < b->num_boundaries; ++i) PetscCall(SideNamesAdd(names, b->boundaries[i].side));
   for (PetscInt i = 0; i < scene->num_pairs; ++i) {
     const ScenePair *pair = &scene->pairs[i];
 
+    // an obstacle has body -1 as mortar side
     if (pair->nonmortar.body == body) PetscCall(SideNamesAdd(names, pair->nonmortar.side));
     if (pair->mortar.body == body) PetscCall(SideNamesAdd(names, pair->mortar.side));
   }
@@ -72,18 +77,7 @@ PetscErrorCode SideNamesDestroy(SideNames *names)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-void NamesJoin(PetscInt num, const char *const names[], char text[], size_t len)
-{
-  size_t used = 0;
-
-  text[0] = '\0';
-  for (PetscInt i = 0; i < num && used < len; ++i) {
-    const char *glue = !i ? "" : i + 1 < num ? ", " : " and ";
-
-    used += (size_t)snprintf(text + used, len - used, "%s%s", glue, names[i]);
-  }
-}
-
+/* Compares sets of nodes: where a facet begins, and its sense, may differ. */
 PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt facet[])
 {
   const PetscInt num_nodes = ElementNumNodes(ElementFacetType(type));

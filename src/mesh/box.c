@@ -2,7 +2,7 @@
 
    PETSc makes one box at a time and cannot merge two, and its Debian build has no generator for triangles, so boxes are
    written here as cell lists: nodes run along x first; a quad is cut along the diagonal from its lower left corner. */
-#include "bodylist.h"
+#include "room.h"
 #include <mortise/compat.h>
 #include <string.h>
 
@@ -16,6 +16,7 @@ typedef struct {
   PetscInt cells_per_quad; /* 1 quad or 2 triangles */
 } Grid;
 
+/* Corners a b c d of every quad, anticlockwise from the lower left. */
 static void BoxSetCells_Private(const Grid *grid, BodyList *list)
 {
   for (PetscInt j = 0; j < grid->ny; ++j) {
@@ -39,6 +40,7 @@ static void BoxSetCells_Private(const Grid *grid, BodyList *list)
   }
 }
 
+/* Nodes row by row from the bottom. */
 static void BoxSetCoords_Private(const SceneBody *body, const Grid *grid, BodyList *list)
 {
   for (PetscInt j = 0; j <= grid->ny; ++j) {
@@ -70,6 +72,7 @@ static void BoxAddSide_Private(const Grid *grid, PetscInt side, PetscInt index, 
   }
 }
 
+/* Refining a box is the same as making it of more cells, and cheaper. */
 PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const SideNames *names, BodyList *list,
                                  char sentence[])
 {

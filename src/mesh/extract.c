@@ -1,8 +1,8 @@
 /* extract.c -- the lists of a body from the DMPlex of its file.
 
-   A facet belongs to a side of the body if it carries the side's number and lies on the boundary of the body's own cells:
-   where two bodies share a file, the line between their regions is a side of each. */
-#include "bodylist.h"
+   A facet belongs to a side of the body if it carries the side's number and lies on the boundary of the body's own
+   cells: where two bodies share a file, the line between their regions is a side of each. */
+#include "room.h"
 #include <mortise/compat.h>
 #include <string.h>
 

@@ -1,9 +1,13 @@
-/* facets.c -- the facets of a body's side, from the labels that the merge has set. */
-#include "bodylist.h"
+/* facets.c -- the facets of a body's side, from the labels that the merge has set.
+
+   Sides are looked up when they are asked for: they are few and short, and no list has to be kept in step with the
+   mesh. */
+#include "room.h"
 #include <mortise/compat.h>
 #include <string.h>
 
-/* Points of the union of the labels "<body>:<part>", sorted, without duplicates, on this rank. [out] is - owned by the caller */
+/* Points of the union of the labels "<body>:<part>", sorted, without duplicates, on this rank. [out] is - owned by
+   the caller */
 static PetscErrorCode SideGetPoints_Private(DM dm, const char body[], const char side[], IS *is)
 {
   SideNames names = {0, NULL};
@@ -37,7 +41,7 @@ static PetscErrorCode SideGetPoints_Private(DM dm, const char body[], const char
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One facet in the order of its cell. */
+/* One facet with its nodes in the order of its cell: the cell runs anticlockwise, so (dy,-dx) points outward. */
 static PetscErrorCode FacetSet_Private(const Level *level, PetscInt point, PetscInt f, Facets *facets)
 {
   const PetscInt *cells, *ends, *order, *nodes;

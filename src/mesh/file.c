@@ -1,8 +1,8 @@
 /* file.c -- mesh files, read once each by DMPlexCreateFromFile() on the first rank.
 
-   PETSc is kept silent meanwhile, so that a broken file becomes one sentence. Gmsh's physical groups arrive as values of the
-   labels "Cell Sets" and "Face Sets". */
-#include "bodylist.h"
+   PETSc is kept silent meanwhile, so that a broken file becomes one sentence. Gmsh's physical groups arrive as
+   values of the labels "Cell Sets" and "Face Sets". */
+#include "room.h"
 #include "gmsh.h"
 #include <mortise/compat.h>
 #include <string.h>
@@ -103,6 +103,7 @@ static PetscErrorCode FileRead_Private(MeshFile file, PetscInt dim, char reason[
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Bodies of one file are told apart by their regions; the file is read for the first of them. */
 PetscErrorCode MeshFileOpen(const SceneBody *body, PetscInt dim, MeshFile *files, DM *dm, const GmshNames **names,
                             char sentence[])
 {

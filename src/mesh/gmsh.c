@@ -1,4 +1,5 @@
-/* gmsh.c -- the sections of a Gmsh file, and the names of its physical groups, of which PETSc's reader keeps nothing. */
+/* gmsh.c -- the sections of a Gmsh file, and the names of its physical groups, of which PETSc's reader keeps
+   nothing. */
 #include "gmsh.h"
 #include <mortise/compat.h>
 #include <ctype.h>
@@ -9,6 +10,7 @@
 
 enum { MAX_NAME = 127 }; /* of a physical group, by the format; PETSc relies on it */
 
+/* Only the first thing that goes wrong is worth telling: the rest follows from it. */
 void GmshReaderFail(GmshReader *reader, const char format[], ...)
 {
   va_list arguments;
@@ -115,6 +117,7 @@ static PetscErrorCode ReaderSections_Private(GmshReader *reader, GmshNames *name
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Reads up to the elements; what comes behind them (periodic nodes, data) has no meaning here. */
 PetscErrorCode GmshScan(const char path[], GmshNames *names, int *version, char reason[], size_t len)
 {
   GmshReader reader = {.file = fopen(path, "rb"), .reason = reason, .len = len};
@@ -145,6 +148,7 @@ PetscErrorCode GmshNamesDestroy(GmshNames *names)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Names first: a group may be called "7". */
 PetscBool GmshFindGroup(const GmshNames *names, PetscInt dim, const char group[], PetscInt *tag)
 {
   char *end;

@@ -1,8 +1,8 @@
 /* gmshcheck.c -- a Gmsh file followed reference by reference before PETSc reads it.
 
-   PETSc's reader indexes its arrays by the tags it finds: an element with a node that the file does not define, a block of an
-   entity that does not exist, or counts that do not add up, end in a crash and not in a message. Formats 2.2 and 4.1, ASCII
-   and binary, as in the Gmsh reference manual, chapter "Gmsh file formats". */
+   PETSc's reader indexes its arrays by the tags it finds: an element with a node that the file does not define, a
+   block of an entity that does not exist, or counts that do not add up, end in a crash and not in a message. Formats
+   2.2 and 4.1, ASCII and binary, as in the Gmsh reference manual, chapter "Gmsh file formats". */
 #include "gmsh.h"
 #include <mortise/compat.h>
 #include <math.h>
@@ -61,6 +61,7 @@ static PetscInt ReadCount_Private(GmshReader *reader, const char what[])
   return reader->reason[0] ? 0 : (PetscInt)value;
 }
 
+/* Numbers whose values do not matter, so long as they are numbers. */
 static void ReadNumbers_Private(GmshReader *reader, PetscInt num)
 {
   for (PetscInt i = 0; i < num && !reader->reason[0]; ++i) {
@@ -84,6 +85,7 @@ static void ReadRange_Private(GmshReader *reader)
     GmshReaderFail(reader, "its least tag %lld is above its largest %lld", (long long)least, (long long)largest);
 }
 
+/* Entities exist in format 4.1 only: blocks of nodes and elements refer to them for their physical groups. */
 PetscErrorCode GmshCheckEntities(GmshReader *reader)
 {
   PetscInt num[4], total = 0;
@@ -143,6 +145,7 @@ static PetscErrorCode NodesSort_Private(GmshReader *reader)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Keeps the sorted tags, which elements are looked up in. */
 PetscErrorCode GmshCheckNodes(GmshReader *reader)
 {
   const PetscBool blocks     = reader->version > 40 ? PETSC_TRUE : PETSC_FALSE;

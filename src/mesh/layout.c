@@ -1,5 +1,9 @@
-/* layout.c -- Vecs and Mats in the layout of a level's nodes. */
-#include "bodylist.h"
+/* layout.c -- Vecs and Mats in the layout of a level's nodes.
+
+   A wrong preallocation makes assembly many times slower or an error, DMCreateMatrix() is slower than the assembly
+   itself. Here the graph of the nodes is counted from the points of the mesh, without a search and with one
+   exchange. */
+#include "room.h"
 #include <mortise/compat.h>
 #include <petscbt.h>
 #include <petscsf.h>
@@ -48,9 +52,9 @@ static void CountPair_Private(const PetscMPIInt owner[], PetscInt a, PetscInt b,
   count[2 * b + (owner[a] != owner[b])] += 1;
 }
 
-/* Neighbours of the local nodes that this rank answers for. Every pair of nodes in a common cell spans one smallest point of
-   the mesh: a vertex, an edge, or the inside of a quad. The rank that owns this point counts the pair, so that sums over the
-   ranks are exact. */
+/* Neighbours of the local nodes that this rank answers for. Every pair of nodes in a common cell spans one smallest
+   point of the mesh: a vertex, an edge, or the inside of a quad. The rank that owns this point counts the pair, so
+   that sums over the ranks are exact. */
 static PetscErrorCode LevelCountPairs_Private(Level *level, PetscScalar count[])
 {
   const PetscInt *leaves;
@@ -101,7 +105,8 @@ PetscErrorCode LevelCreateMat(Level *level, PetscInt bs, Mat *A)
   Vec                v, local;
 
   PetscFunctionBeginUser;
-  PetscCall(LevelCreateVec(level, 2, &v));
+  PetscCall(LevelCreateVec(level, 2, &v)); // carries counts of ghosts to their owners
+
   PetscCall(VecGhostGetLocalForm(v, &local));
   PetscCall(VecGetArray(local, &count));
   PetscCall(LevelCountPairs_Private(level, count));

@@ -2,7 +2,7 @@
 
    Loops over elements want plain arrays: the closure of a cell is looked up once, here, from the cones of its edges.
    Ownership and global numbers come from PETSc's global section, so that Vecs of the DM and of the tables agree. */
-#include "bodylist.h"
+#include "room.h"
 #include <mortise/compat.h>
 #include <mortise/fault.h>
 
@@ -46,7 +46,7 @@ static PetscErrorCode LevelSetNodes_Private(Level *level)
   level->num_nodes = end - begin;
   PetscCall(PetscMalloc4(level->num_nodes, &level->vertex_node, level->num_nodes, &level->node_global, level->num_nodes,
                          &level->node_body, level->num_nodes * level->dim, &level->coords));
-  for (PetscInt ghosts = 0; ghosts < 2; ++ghosts) {
+  for (PetscInt ghosts = 0; ghosts < 2; ++ghosts) { // first those that this rank owns
     for (PetscInt v = begin; v < end; ++v) {
       PetscInt offset;
 
@@ -57,12 +57,14 @@ static PetscErrorCode LevelSetNodes_Private(Level *level)
     }
     if (!ghosts) level->num_owned = node;
   }
-  PetscCallMPI(MPI_Exscan(&level->num_owned, &level->node_begin, 1, MPIU_INT, MPI_SUM, level->comm));
+  PetscCallMPI(MPI_Scan(&level->num_owned, &level->node_begin, 1, MPIU_INT, MPI_SUM, level->comm));
+  level->node_begin -= level->num_owned;
   PetscCallMPI(MPI_Allreduce(&level->num_owned, &level->num_global, 1, MPIU_INT, MPI_SUM, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Corners of polygons: edge i of a cell starts at corner i and runs against its own cone where its orientation is negative. */
+/* Corners of polygons: edge i of a cell starts at corner i and runs against its own cone where its orientation is
+   negative. */
 static PetscErrorCode LevelSetCells_Private(Level *level)
 {
   PetscInt     begin, end, vertex_begin, *cones, *orientations;
@@ -220,7 +222,8 @@ static void LevelDescribeCell_Private(Scene scene, const Level *level, PetscInt 
   }
 }
 
-/* Makes all cells run anticlockwise. A body may be inside out as a whole; one with some cells turned is folded by its map. */
+/* Makes all cells run anticlockwise. Before maps every body has one sense (box.c, extract.c), and refinement keeps
+   it. So a map may turn a body inside out as a whole; one that turns only some of its cells has folded it. */
 static PetscErrorCode LevelTurnCells_Private(Scene scene, Level *level)
 {
   char      sentence[MESH_SENTENCE] = "";
@@ -247,6 +250,7 @@ static PetscErrorCode LevelTurnCells_Private(Scene scene, Level *level)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The order matters: bodies tell which map applies, positions tell which cells to turn. */
 PetscErrorCode LevelCreate(Scene scene, DM dm, Level *level)
 {
   PetscFunctionBeginUser;

@@ -1,5 +1,5 @@
 /* locate.c -- which cell of a body holds a point. */
-#include "bodylist.h"
+#include "room.h"
 #include <mortise/compat.h>
 
 /* A point on a side belongs to the cell; round-off of a position is far below this share of the cell. */

@@ -2,7 +2,7 @@
 
    Points: cells sorted by type (DMPlexTransform numbers what it makes by type and needs each type in one run), then the
    nodes of body after body; edges come behind by DMPlexInterpolate(). Coincident nodes of two bodies stay two nodes. */
-#include "bodylist.h"
+#include "room.h"
 #include <mortise/compat.h>
 
 static const DMPolytopeType Polytope[ELEMENT_COUNT] = {[ELEMENT_LINE2] = DM_POLYTOPE_SEGMENT,
@@ -16,6 +16,7 @@ typedef struct {
   PetscInt  *first_node; /* point of the body's first node [num_bodies] */
 } Numbering;
 
+/* All triangles of all bodies come before all quads. */
 static PetscErrorCode NumberingCreate_Private(PetscInt num_bodies, const BodyList lists[], Numbering *numbering)
 {
   PetscInt point = 0;
@@ -74,11 +75,13 @@ static PetscErrorCode MergeSetCones_Private(const BodyList lists[], const Number
       PetscCall(DMPlexSetCone(dm, numbering->point[b][c], cone));
     }
   }
+  // nodes of two bodies that coincide are different points, so bodies hang together by nothing
   PetscCall(DMPlexSymmetrize(dm));
   PetscCall(DMPlexStratify(dm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Positions before any map: refinement halves edges there, and maps are applied to what comes out. */
 static PetscErrorCode MergeSetCoords_Private(const BodyList lists[], const Numbering *numbering, PetscInt dim, DM dm)
 {
   const PetscInt first = numbering->num_cells, end = first + numbering->num_nodes;
@@ -116,7 +119,8 @@ static PetscErrorCode MergeSetCoords_Private(const BodyList lists[], const Numbe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* "body" on cells; "<body>:<side>" on facets. The labels exist on every rank, and there only. */
+/* "body" on cells; "<body>:<side>" on facets, value 1. All ranks make the labels, the first one fills them;
+   distribution and refinement carry them on. */
 static PetscErrorCode MergeSetLabels_Private(Scene scene, const BodyList lists[], const SideNames names[],
                                              const Numbering *numbering, DM dm)
 {
@@ -158,7 +162,7 @@ PetscErrorCode MeshMerge(Scene scene, const BodyList lists[], const SideNames na
   PetscCall(DMSetType(cells, DMPLEX));
   PetscCall(DMSetDimension(cells, scene->dim));
   PetscCall(MergeSetCones_Private(lists, &numbering, cells));
-  PetscCall(DMPlexInterpolate(cells, dm));
+  PetscCall(DMPlexInterpolate(cells, dm)); // adds the edges; cells and nodes keep their numbers
   PetscCall(DMDestroy(&cells));
   PetscCall(MergeSetCoords_Private(lists, &numbering, scene->dim, *dm));
   PetscCall(MergeSetLabels_Private(scene, lists, names, &numbering, *dm));

@@ -1,5 +1,9 @@
-/* mesh.c -- the life of a mesh: bodies as lists, merged, partitioned, refined level by level. */
-#include "bodylist.h"
+/* mesh.c -- the life of a mesh: bodies as lists, merged, partitioned, refined level by level.
+
+   Input is the first rank's business until the mesh is whole, so that reading needs no thought of ranks. The
+   coarsest mesh is spread, and every rank refines its own part: the work and the memory that grow with refinement
+   are shared from the beginning. */
+#include "room.h"
 #include <mortise/compat.h>
 #include <mortise/fault.h>
 
@@ -23,6 +27,7 @@ static PetscErrorCode MeshMakeBodies_Private(Scene scene, const SideNames names[
   for (PetscInt b = 0; b < scene->num_bodies && !rank && !sentence[0]; ++b) {
     const SceneBody *body = &scene->bodies[b];
 
+    // a later body is not made once there is a mistake to tell
     if (body->mesh_file)
       PetscCall(BodyListCreateFile(body, scene->dim, &names[b], &files, &lists[b], sentence));
     else
@@ -52,7 +57,8 @@ static PetscErrorCode MeshCreateWhole_Private(Scene scene, DM *dm)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Splits every cell of one level; keeps the new DM and the way up from the old one. */
+/* Splits every cell of one level. Where each new vertex comes from is known to the transform alone, so the way up
+   from the old level is written down here. */
 static PetscErrorCode MeshRefine_Private(Scene scene, const Level *coarse, Level *fine)
 {
   DMPlexTransform transform;
@@ -71,6 +77,7 @@ static PetscErrorCode MeshRefine_Private(Scene scene, const Level *coarse, Level
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Body by body on the first rank; together from there on. */
 PetscErrorCode MeshSetUp(Mesh mesh)
 {
   Scene scene = mesh->scene;

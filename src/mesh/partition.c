@@ -1,9 +1,9 @@
 /* partition.c -- which rank gets which cell, so that bodies that touch meet on one rank.
 
-   METIS minimises the weight of cut edges in the graph of cells. Cells of two bodies share no facet, so a plain partition
-   of two equal bodies gives one to each of two ranks and makes all contact remote. Cells whose facets may touch are
-   therefore joined by extra, heavier edges. */
-#include "bodylist.h"
+   METIS minimises the weight of cut edges in the graph of cells. Cells of two bodies share no facet, so a plain
+   partition of two equal bodies gives one to each of two ranks and makes all contact remote. Cells whose facets may
+   touch are therefore joined by extra, heavier edges. */
+#include "room.h"
 #include <mortise/boxtree.h>
 #include <mortise/compat.h>
 #include <metis.h>
@@ -22,6 +22,7 @@ typedef struct {
   PetscInt *weight;
 } Edges;
 
+/* Appends an edge; an edge from a cell to itself, where a body touches itself in a corner, says nothing. */
 static PetscErrorCode EdgesAdd_Private(Edges *edges, PetscInt a, PetscInt b, PetscInt weight)
 {
   PetscFunctionBeginUser;
@@ -180,6 +181,7 @@ static PetscErrorCode EdgesCut_Private(const Edges *edges, PetscInt num_cells, P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Without contact_weight contact is left out, which is what the test compares with. */
 PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt contact_weight, PetscInt num_parts, PetscInt part[])
 {
   Edges edges = {0, 0, NULL, NULL};
@@ -217,6 +219,7 @@ static PetscErrorCode PartitionerSet_Private(PetscInt num_cells, const PetscInt 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The coarsest mesh is parted: all descendants of a cell stay with it, and METIS sees a small graph. */
 PetscErrorCode MeshPartition(Scene scene, DM *dm)
 {
   PetscPartitioner partitioner;

@@ -1,8 +1,8 @@
 /* prolong.c -- from the nodes of one level to those of the next finer one.
 
-   A fine vertex is the middle of the point it comes from: a vertex, an edge or a quad. So its value is the mean over the
-   vertices of that point, which reproduces linear functions exactly (bilinear ones too, on the reference cell). */
-#include "bodylist.h"
+   A fine vertex is the middle of the point it comes from: a vertex, an edge or a quad. So its value is the mean over
+   the vertices of that point, which reproduces linear functions exactly (bilinear ones too, on the reference cell). */
+#include "room.h"
 #include <mortise/compat.h>
 
 /* Global coarse nodes of the point that a fine vertex comes from. [out] nodes - sorted [ELEMENT_MAX_NODES] */
@@ -31,10 +31,11 @@ static PetscErrorCode ProlongationGetNodes_Private(const Level *coarse, DMPlexTr
     PetscCall(DMPlexGetConeSize(coarse->dm, point, num));
     for (PetscInt i = 0; i < *num; ++i) nodes[i] = coarse->node_global[coarse->vertex_node[ends[i] - vertex_begin]];
   }
-  PetscCall(PetscSortInt(*num, nodes));
+  PetscCall(PetscSortInt(*num, nodes)); // the weights are all alike, so order is free: Mats want columns to ascend
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Row by row, straight into compressed rows: at most as many entries as a cell has corners. */
 PetscErrorCode LevelCreateProlongation(const Level *coarse, DMPlexTransform transform, Level *fine)
 {
   PetscInt     begin, end, *start, *columns, *vertex; /* vertex of each owned node */

@@ -1,9 +1,9 @@
 /* roles.c -- which side of a pair carries the multiplier.
 
-   The softer body (behind the sides), else the finer mesh, else the shorter side (numerics.md 5.6): a stiff nonmortar side
-   would put a stiff skin on a soft mortar side in the condensed matrix. All of it is judged on the coarsest level, where it
-   is cheapest. */
-#include "bodylist.h"
+   The softer body (behind the sides), else the finer mesh, else the shorter side (numerics.md 5.6): a stiff
+   nonmortar side would put a stiff skin on a soft mortar side in the condensed matrix. All of it is judged on the
+   coarsest level, where it is cheapest. */
+#include "room.h"
 #include <mortise/compat.h>
 #include <mortise/fault.h>
 #include <string.h>
@@ -80,6 +80,7 @@ static PetscBool RolesSwap_Private(const SideMeasure *nonmortar, const SideMeasu
   return nonmortar->length > (1 + SameLength) * mortar->length ? PETSC_TRUE : PETSC_FALSE;
 }
 
+/* Roles that were given are kept; if they slow the solver down the log says so. */
 static PetscErrorCode PairChooseRoles_Private(Scene scene, Level *level, ScenePair *pair)
 {
   SideMeasure nonmortar, mortar;

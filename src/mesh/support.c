@@ -1,9 +1,9 @@
 /* support.c -- held directions of nodes, gathered from all boundaries of a body and made orthonormal.
 
-   Whether a node lies on a side is known to the ranks that hold one of the side's facets there, not to every rank that
-   holds the node: flags travel through a ghosted Vec. All that follows depends on the node's position and on the boundary
-   alone, so every rank that holds a node finds the same. */
-#include "bodylist.h"
+   Whether a node lies on a side is known to the ranks that hold one of the side's facets there, not to every rank
+   that holds the node: flags travel through a ghosted Vec. All that follows depends on the node's position and on
+   the boundary alone, so every rank that holds a node finds the same. */
+#include "room.h"
 #include <mortise/compat.h>
 #include <mortise/fault.h>
 #include <mortise/support.h>
@@ -57,7 +57,8 @@ static void GatherHold_Private(Gather *gather, PetscInt node, PetscInt boundary,
   if (support->side[node] < 0) support->side[node] = boundary;
 }
 
-/* Flags the nodes of a side on all ranks that hold them. [out] local - form of gather->flags, to be restored by the caller */
+/* Flags the nodes of a side on all ranks that hold them. [out] local - form of gather->flags, to be restored by the
+   caller */
 static PetscErrorCode GatherFlagSide_Private(Gather *gather, PetscInt body, const char side[], Vec *local)
 {
   PetscScalar *flag;
@@ -78,6 +79,7 @@ static PetscErrorCode GatherFlagSide_Private(Gather *gather, PetscInt body, cons
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* e_d . u = value_d for every component that is not free. */
 static PetscErrorCode GatherDisplacement_Private(Gather *gather, PetscInt body, PetscInt b)
 {
   const SceneBoundary *boundary = &gather->scene->bodies[body].boundaries[b];
@@ -106,8 +108,8 @@ static PetscErrorCode GatherDisplacement_Private(Gather *gather, PetscInt body, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Unit normal of a flat side, along a Cartesian axis exactly where it is one but for round-off. Its sign means nothing to a
-   displacement of zero, so axes are taken forward. */
+/* Unit normal of a flat side, along a Cartesian axis exactly where it is one but for round-off. Its sign means
+   nothing to a displacement of zero, so axes are taken forward. */
 static void NormalTidy_Private(PetscInt dim, PetscReal n[])
 {
   PetscReal square = 0;
@@ -263,6 +265,8 @@ static void SupportFinish_Private(const Level *level, Support *support)
   }
 }
 
+/* Boundary by boundary in the order typed, so that `side` names the first; contradictions are judged when the
+   largest value of the scene is known. */
 PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support)
 {
   const PetscInt num = level->num_nodes, dim = level->dim;

@@ -1,5 +1,5 @@
 /* test_partition.c -- contact edges keep cells that touch on one rank, without spoiling the balance. */
-#include "../../src/mesh/bodylist.h"
+#include "../../src/mesh/room.h"
 #include "mesh_scene.h"
 
 enum { N = 16 };

@@ -1,6 +1,9 @@
-/* bodylist.h -- one body as plain lists on the first rank, before all bodies become one DMPlex (private to the room). */
-#ifndef MORTISE_BODYLIST_H
-#define MORTISE_BODYLIST_H
+/* room.h -- what the files of this room share (private to the room).
+
+   A body begins as plain lists on the first rank: boxes are written as such, files are turned into such, and all are
+   merged into the one DMPlex. Levels are its tables. */
+#ifndef MORTISE_MESH_ROOM_H
+#define MORTISE_MESH_ROOM_H
 
 #include <mortise/mesh.h>
 #include <petscdmplextransform.h>
@@ -34,8 +37,6 @@ PetscErrorCode SideNamesAdd(SideNames *names, const char side[]);
 /* All sides of a body that the scene's boundaries and pairs name. */
 PetscErrorCode SideNamesOfBody(Scene scene, PetscInt body, SideNames *names);
 PetscErrorCode SideNamesDestroy(SideNames *names);
-/* "a, b and c" for sentences. [out] text - [len] */
-void NamesJoin(PetscInt num, const char *const names[], char text[], size_t len);
 
 /* The number of the facet of a cell that has exactly these nodes, or -1. [in] cell, facet - node numbers */
 PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt facet[]);
@@ -70,7 +71,8 @@ PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt contact_weig
 /* Spreads the mesh over the ranks; the DM is replaced. Collective. */
 PetscErrorCode MeshPartition(Scene scene, DM *dm);
 
-/* Decides the roles left open; notes given ones that are unfavourable; faults on a facet that carries two multipliers. */
+/* Decides the roles left open; notes given ones that are unfavourable. Faults: a side that meets itself, or another
+   side twice. Collective. */
 PetscErrorCode MeshChooseRoles(Mesh mesh);
 
 #endif
