@@ -56,7 +56,7 @@ PetscErrorCode BodyListCreateFile(const SceneBody *body, PetscInt dim, const Sid
                                   BodyList *list, char sentence[]);
 PetscErrorCode MeshFileDestroy(MeshFile *files);
 
-/* The one DMPlex of all bodies, whole on the first rank; lists and names are read there only. Collective. */
+/* The one DMPlex of all bodies, whole on the first rank. Collective. [in] lists - empty on other ranks */
 PetscErrorCode MeshMerge(Scene scene, const BodyList lists[], const SideNames names[], DM *dm);
 
 /* Tables of one DM. Faults: a map that is not finite, a degenerate or tangled cell. Collective. */
