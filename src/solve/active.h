@@ -84,15 +84,15 @@ struct _n_ActiveSolver {
 /* At full size, rows and columns of fixed unknowns emptied, by the user's KSP. [in] y - first guess */
 PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ksp, PetscReal rtol,
                                ActiveSolver *solver);
-/* By one factorisation for all sets; [out] failure - why that cannot be had, or NULL. [in] prefix - of -mat_mumps_ options */
+/* By one factorisation for all sets. [in] prefix - of MUMPS' options; [out] failure - why it cannot be, or NULL */
 PetscErrorCode ReducedCreate(const ActiveSet *set, Mat A, Vec b, const char prefix[], PetscReal rtol,
                              ActiveSolver *solver, const char **failure);
 PetscErrorCode ActiveSolverDestroy(ActiveSolver *solver);
 
 /* For the two of them. Collective: the common part of the constructors. */
 PetscErrorCode ActiveSolverCreate(const ActiveSet *set, Mat A, Vec b, PetscReal rtol, ActiveSolver *solver);
-/* Collective. [out] r - b - A y; [out] f - the same, 0 where fixed; [out] size - sqrt(f' diag(A)^-1 f): rows of different
-   stiffness count alike */
+/* Collective. [out] r - b - A y; [out] f - the same, 0 where fixed; [out] size - sqrt(f' diag(A)^-1 f): rows of
+   different stiffness count alike */
 PetscErrorCode ActiveSolverResidual(ActiveSolver solver, const PetscBool fixed[], Vec y, Vec r, Vec f, PetscReal *size);
 /* What the bounded unknowns see of y, r and f. Collective. [in,out] solution - fixed, and y where fixed, are there */
 PetscErrorCode ActiveSolverRestrict(ActiveSolver solver, Vec y, Vec r, Vec f, ActiveSolution *solution);

@@ -1,11 +1,11 @@
-/* activeset.c -- the bounded unknowns, the decisions about them, and the memory for sets that were seen (numerics.md 6.1-6.5).
+/* activeset.c -- the bounded unknowns, the decisions about them, and what tells one set from another.
 
-   References: [1] Hueber, Wohlmuth, A primal-dual active set strategy for non-linear multibody contact problems, 2005.
+   References: [1] Hueber, Wohlmuth, A primal-dual active set strategy for non-linear multibody contact, 2005.
                [2] Steele, Lea, Flood, Fast splittable pseudorandom number generators, 2014 (the mixing function). */
 #include "active.h"
 
-/* Two numbers that differ by less than this part of their scale are equal: a bound that is just touched, a force that just
-   vanishes. Without it exact ties cycle from roundoff alone. */
+/* Two numbers that differ by less than this part of their scale are equal: a bound that is just touched, a force that
+   just vanishes. Without it exact ties cycle from roundoff alone. */
 static const PetscReal TIE = 1e-11;
 /* ... or by less than inexact linear solves can tell apart. */
 static const PetscReal TIE_PER_RESIDUAL = 10;
@@ -93,8 +93,8 @@ PetscErrorCode ActiveSetReplace(ActiveSet *set, const PetscBool next[], PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What "equal" means now: [0] for values, [1] for forces; see 6.3. Far bounds do not count: a wide gap somewhere must not
-   blur the decisions where bodies touch; a negative bound does, since y has to get there. */
+/* What "equal" means now: [0] for values, [1] for forces. Far bounds do not count: a wide gap somewhere must
+   not blur the decisions where bodies touch; a negative bound does, since y has to get there. */
 static PetscErrorCode Tolerances_Private(const ActiveSet *set, const ActiveSolution *s, PetscReal tol[2])
 {
   const PetscReal tau = PetscMax(TIE, TIE_PER_RESIDUAL * s->eta);

@@ -24,8 +24,8 @@ static PetscErrorCode Take_Private(VI vi, const ActiveSet *set, Vec y, PetscReal
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Counts unknowns that one solution holds at the bound with a force and the other clearly not. A bound that is just touched,
-   with no force, belongs to either set. */
+/* Counts unknowns that one solution holds at the bound with a force and the other clearly not. A bound that is just
+   touched, with no force, belongs to either set. */
 static PetscErrorCode CompareSets_Private(VI vi, Vec first, Vec second, PetscReal scale, PetscInt *difference)
 {
   ActiveSet  set;

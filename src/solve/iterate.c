@@ -1,11 +1,12 @@
 /* iterate.c -- the iteration of `pdas`: from the set to begin with to the one that solves the inequality.
 
-   Each step fixes the active unknowns at their bounds, solves for all others, and moves those with a tensile force out of the
-   set and those beyond their bound into it (T10); when none moves, all inequalities hold. It is a semismooth Newton method [1]
-   and takes few steps whatever the size. It may run in a circle [2]: then safeguard.c takes over.
+   Each step fixes the active unknowns at their bounds, solves for all others, and moves those with a tensile force
+   out of the set and those beyond their bound into it (T10); when none moves, all inequalities hold. It is a
+   semismooth Newton method [1] and takes few steps whatever the size. It may run in a circle [2]: then safeguard.c
+   takes over.
 
    References: [1] Hintermueller, Ito, Kunisch, The primal-dual active set strategy as a semismooth Newton method, 2002.
-               [2] Ben Gharbia, Gilbert, Nonconvergence of the plain Newton-min algorithm for LCPs with a P-matrix, 2012. */
+               [2] Ben Gharbia, Gilbert, Nonconvergence of the plain Newton-min algorithm for LCPs, 2012. */
 #include "active.h"
 
 /* Contact problems take up to some fifteen steps; one that takes so many is wandering. */

@@ -1,9 +1,9 @@
 /* pdas.c -- the SNES type `pdas`: primal-dual active set method for  min 1/2 y'A y - b'y,  y <= upper [1].
 
-   Only public headers: the type rides on SNESSHELL, and its context is composed with the SNES. Here are its options, what it
-   answers, and how it gets the problem out of a SNES; the iteration is in iterate.c.
+   Only public headers: the type rides on SNESSHELL, and its context is composed with the SNES. Here are its options,
+   what it answers, and how it gets the problem out of a SNES; the iteration is in iterate.c.
 
-   References: [1] Hueber, Wohlmuth, A primal-dual active set strategy for non-linear multibody contact problems, 2005. */
+   References: [1] Hueber, Wohlmuth, A primal-dual active set strategy for non-linear multibody contact, 2005. */
 #include <mortise/fault.h>
 #include <mortise/pdas.h>
 #include "active.h"
@@ -131,7 +131,7 @@ static PetscErrorCode Reset_Private(SNES snes, PDAS *pdas)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether one factorisation is to serve all sets: by itself where the KSP is a MUMPS Cholesky solve and nothing else. */
+/* Whether one factorisation is to serve all sets: by itself where the KSP is a MUMPS Cholesky solve alone. */
 static PetscErrorCode Reducible_Private(const PDAS *pdas, const ActiveSet *set, Vec y, KSP ksp, PetscBool *reduced)
 {
   PetscBool     direct, cholesky, mumps = PETSC_FALSE;

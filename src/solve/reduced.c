@@ -2,9 +2,9 @@
 
    With C the bounded unknowns and I the others, (A y - b)_I = 0 leaves
        S y_C - g = -r_C,    S = A_CC - A_CI A_II^-1 A_IC,    g = b_C - A_CI A_II^-1 b_I,
-   a small dense problem that has the same solutions and forces for every set. MUMPS gives S while it factors A_II; then each
-   set costs a dense Cholesky factorisation of S_FF, F = C without the set, on the first rank, and the full solution is
-   recovered once, at the end, by substitutions with A_II: contact costs one factorisation.
+   a small dense problem that has the same solutions and forces for every set. MUMPS gives S while it factors A_II;
+   then each set costs a dense Cholesky factorisation of S_FF, F = C without the set, on the first rank, and the full
+   solution is recovered once, at the end, by substitutions with A_II: contact costs one factorisation.
 
    PETSc hands the indices of S to MUMPS on the first rank alone, where S is wanted; A_II is factored by all ranks. With
    ICNTL(26) = 0 MatSolve() is A_II^-1 on I and 0 on C. */
@@ -187,7 +187,7 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, Vec f, Vec d)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* y_I = A_II^-1 (b_I - A_IC y_C), then corrections down to roundoff with the true A, from which the forces are taken. */
+/* y_I = A_II^-1 (b_I - A_IC y_C), then corrections down to roundoff with A itself, from which the forces come. */
 static PetscErrorCode Finish_Reduced(ActiveSolver solver, ActiveSolution *solution, Vec y)
 {
   Reduced   *t = solver->data;

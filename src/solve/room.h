@@ -10,12 +10,12 @@ typedef struct {
   char why[160];                  /* where the choice of the linear solver comes from */
 } SolveChoice;
 
-/* The linear solver in words. Not collective. [in] package - that factors, or NULL; [out] words - array of shape [len] */
+/* The linear solver in words. Not collective. [in] package - that factors, or NULL; [out] words - shape [len] */
 PetscErrorCode SolveDescribe(const char ksp[], const char pc[], const char package[], char words[], size_t len);
 /* Whether a PC factors its matrix. Not collective. */
 PetscBool SolveFactors(const char pc[]);
 
-/* From -snes_type, -ksp_type and -pc_type; by size where they are silent. Faults on types that cannot do it. Collective. */
+/* From -snes_type, -ksp_type, -pc_type; by size where they are silent. Faults on types that cannot. Collective. */
 PetscErrorCode SolveChoose(VI vi, SolveChoice *choice);
 
 /* Solves with a SNES of its own, whose options begin with prefix ("" for the user's). Collective.

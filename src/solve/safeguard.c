@@ -1,12 +1,12 @@
 /* safeguard.c -- two-metric projected Newton method, for the rare problems on which the active set iteration cycles.
 
-   On the bounded unknowns alone (all others eliminated) the problem is  phi(y) -> min,  y <= upper,  with gradient -r(y).
-   Each step splits the unknowns into those held at their bound, I = {y >= upper - eps, r > 0}, and the rest F; it goes the
-   Newton way on F, the scaled gradient way on I, and projects:
+   On the bounded unknowns alone (all others eliminated) the problem is  phi(y) -> min,  y <= upper,  with gradient
+   -r(y). Each step splits the unknowns into those held at their bound, I = {y >= upper - eps, r > 0}, and the rest F;
+   it goes the Newton way on F, the scaled gradient way on I, and projects:
        d_F = -phi_FF^-1 grad_F,   d_I = r_I / diag,   y(t) = min(y + t d, upper),
-   with t halved until phi falls enough (T17). The energy falls in every step, so no set can come back for ever; near the
-   solution I is the active set, t = 1, and one step more is exact [1, section 3]. The systems are those of any active set, and
-   the energy of a quadratic follows from the forces at both ends, so no matrix is needed here.
+   with t halved until phi falls enough (T17). The energy falls in every step, so no set can come back for ever; near
+   the solution I is the active set, t = 1, and one step more is exact [1, section 3]. The systems are those of any
+   active set, and the energy of a quadratic follows from the forces at both ends, so no matrix is needed here.
 
    References: [1] Bertsekas, Projected Newton methods for optimization problems with simple constraints, 1982. */
 #include "active.h"
@@ -43,8 +43,8 @@ PetscErrorCode SafeguardEnd(Safeguard *guard)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Splits into I (fixed) and F. The margin eps shrinks with the scaled, projected gradient, so that it does not matter in the
-   end. */
+/* Splits into I (fixed) and F. The margin eps shrinks with the scaled, projected gradient, so that it does not matter
+   in the end. */
 static PetscErrorCode Split_Private(Safeguard *guard, const ActiveSet *set)
 {
   PetscReal max[2] = {0, 0}, eps;

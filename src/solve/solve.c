@@ -8,8 +8,8 @@
 
 /* Of an iterative linear solver, so that mostly one call of it reaches the tolerance of pdas. */
 static const PetscReal KSP_RTOL = 1e-10;
-/* PETSc's own solvers of inequalities: relative to the first residual, and to the unknowns (a step on the final set is exact,
-   so the one after it is roundoff); several times the steps they take. */
+/* PETSc's own solvers of inequalities: relative to the first residual, and to the unknowns (a step on the final set
+   is exact, so the one after it is roundoff); several times the steps they take. */
 static const PetscReal OTHER_RTOL = 1e-12, OTHER_STOL = 1e-12;
 static const PetscInt  OTHER_MAX_IT = 100;
 
@@ -92,11 +92,34 @@ static PetscErrorCode Configure_Private(VI vi, const SolveChoice *choice, const 
 }
 
 /* y = min(0, upper): feasible, and zero where it may be. */
-static PetscErrorCode Start_Private(VI vi, Vec y)
+static PetscErrorCode StartFeasible_Private(VI vi, Vec y)
 {
   PetscFunctionBeginUser;
   PetscCall(VecZeroEntries(y));
   PetscCall(VecPointwiseMin(y, y, vi->upper));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The solution with every bound reached: where contact alone holds a body, a start without contact has no next step. */
+static PetscErrorCode StartTouching_Private(VI vi, const char prefix[], Vec y)
+{
+  ActiveSet      set;
+  ActiveSolver   solver;
+  ActiveSolution solution;
+  const char    *failure;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActiveSetCreate(vi->upper, vi->A, &set));
+  PetscCall(ReducedCreate(&set, vi->A, vi->b, prefix, 0, &solver, &failure));
+  if (!failure) {
+    PetscCall(ActiveSolutionCreate(&set, &solution));
+    for (PetscInt i = 0; i < set.n; i++) set.active[i] = PETSC_TRUE;
+    PetscCall((*solver->solve)(solver, set.active, set.upper, &solution));
+    if (!solution.failure) PetscCall((*solver->finish)(solver, &solution, y));
+    PetscCall(ActiveSolutionDestroy(&solution));
+  }
+  PetscCall(ActiveSolverDestroy(&solver));
+  PetscCall(ActiveSetDestroy(&set));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -210,16 +233,16 @@ static PetscErrorCode Report_Private(SNES snes, VI vi, Vec y, SolveReport *repor
 PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], PetscBool progress, Vec y,
                         SolveReport *report)
 {
-  /* MUMPS: spare memory, in percent; approximate minimum degree, which orders meshes in 2D in a fifth of the time of what
-     MUMPS would choose, for factors of the same size. A tolerance in the unit of y, which is of order one. */
-  const PetscBool direct     = SolveFactors(choice->pc);
-  Default         defaults[] = {
-              {.name = "mat_mumps_icntl_14", .value = "50", .needed = direct},
-              {.name = "mat_mumps_icntl_7", .value = "0", .needed = direct && vi->level->dim == 2},
-              {.name = "snes_vi_zero_tolerance", .value = "1e-12", .needed = strcmp(choice->snes, SNESPDAS) != 0}};
-  const PetscInt n = PETSC_STATIC_ARRAY_LENGTH(defaults);
-  SNES           snes;
-  Vec            scratch;
+  /* MUMPS: spare memory, in percent; approximate minimum degree, which orders meshes in 2D in a fifth of the time of
+     what MUMPS would choose, for factors of the same size. A tolerance in the unit of y, which is of order one. */
+  const PetscBool direct = SolveFactors(choice->pc), pdas = (PetscBool)!strcmp(choice->snes, SNESPDAS);
+  Default         defaults[] = {{.name = "mat_mumps_icntl_14", .value = "50", .needed = direct},
+                                {.name = "mat_mumps_icntl_7", .value = "0", .needed = direct && vi->level->dim == 2},
+                                {.name = "snes_vi_zero_tolerance", .value = "1e-12", .needed = !pdas},
+                                {.name = "snes_pdas_start", .value = "full", .needed = pdas && vi->any_floating}};
+  const PetscInt  n          = PETSC_STATIC_ARRAY_LENGTH(defaults);
+  SNES            snes;
+  Vec             scratch;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(report, sizeof(*report)));
@@ -227,7 +250,8 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], P
   PetscCall(DefaultsApply_Private(n, defaults, prefix, PETSC_TRUE));
   PetscCall(Configure_Private(vi, choice, prefix, scratch, &snes));
   if (progress) PetscCall(ProgressSet(snes, vi));
-  PetscCall(Start_Private(vi, y));
+  PetscCall(StartFeasible_Private(vi, y));
+  if (!pdas && vi->any_floating) PetscCall(StartTouching_Private(vi, prefix, y));
   PetscCall(SNESSolve(snes, NULL, y));
   PetscCall(Report_Private(snes, vi, y, report));
   PetscCall(DefaultsApply_Private(n, defaults, prefix, PETSC_FALSE));

@@ -1,13 +1,14 @@
 /* truncated.c -- one linear system per active set, at full size, by whatever KSP the user chose.
 
-   The rows and columns of fixed unknowns are emptied and keep only their own diagonal A_ii (not 1: the spectrum stays what
-   it was), so size, layout and block structure never change and a preconditioner sees a matrix like A:
+   The rows and columns of fixed unknowns are emptied and keep only their own diagonal A_ii (not 1: the spectrum stays
+   what it was), so size, layout and block structure never change and a preconditioner sees a matrix like A:
        A^ d = f,   y = v + d,   A^ = M A M + (1 - M) diag(A),   f = M (b - A v),
    with M = 0 on fixed unknowns, 1 elsewhere, and v the prescribed values, 0 elsewhere. Near null vectors are emptied at
-   fixed unknowns as well (numerics.md 8.2): what a preconditioner takes for a rigid motion must be one of A^. */
+   fixed unknowns as well: what a preconditioner takes for a rigid motion must be one of A^. */
 #include "active.h"
 
-/* Solves on the residual after the first: each gains the digits of one solve; what does not get there in so many will not. */
+/* Solves on the residual after the first: each gains the digits of one solve; what does not get there in so many will
+   not. */
 static const PetscInt MAX_REFINEMENTS = 8;
 /* A solve that leaves more than this part of the residual is no progress. */
 static const PetscReal STALLED = 0.5;

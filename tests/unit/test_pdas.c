@@ -280,7 +280,8 @@ static PetscErrorCode RandomProblem(PetscInt seed, Problem *p)
   PetscFunctionReturn(0);
 }
 
-/* The same problem with one unknown more, without bound, whose elimination gives the problem back: [1 w'; w A + ww']. */
+/* The same problem with one unknown more, without bound, whose elimination gives the problem back: [1 w'; w A + ww'].
+   */
 static void Extend(Problem *p)
 {
   const Problem  q = *p;
@@ -373,7 +374,7 @@ static PetscErrorCode TestCycling(PetscInt num)
   PetscFunctionReturn(0);
 }
 
-/* The smallest known problem on which it does (numerics.md 13.C1). */
+/* The smallest known problem on which it does. */
 static PetscErrorCode TestCycle(void)
 {
   Problem p   = {.n = 3, .A = {21, 18, -9, 18, 18, -12, -9, -12, 13}, .b = {1, 5, -7}, .upper = {0, 0, 0}};
@@ -393,7 +394,7 @@ static PetscErrorCode TestCycle(void)
   PetscFunctionReturn(0);
 }
 
-/* An exact tie, y_3 = upper_3 with no force: no roundoff may take it in and out (13.C2). */
+/* An exact tie, y_3 = upper_3 with no force: no roundoff may take it in and out. */
 static PetscErrorCode TestTie(void)
 {
   Problem p   = {.n = 3, .A = {2, -1, 3, -1, 1, 0, 3, 0, 10}, .b = {-1, 0, -3}, .upper = {0, 0, 0}};
@@ -415,7 +416,7 @@ static PetscErrorCode TestTie(void)
   PetscFunctionReturn(0);
 }
 
-/* The history does not know c (13.C3). */
+/* The history does not know c. */
 static PetscErrorCode TestConstant(PetscInt num)
 {
   PetscFunctionBeginUser;

@@ -1,4 +1,4 @@
-/* test_solvefaults.c -- solver options that cannot be are told in one sentence. What a fault leaves behind is not freed. */
+/* test_solvefaults.c -- solver options that cannot be are told in one sentence. What a fault leaves is not freed. */
 #include <mortise/fault.h>
 #include <mortise/pdas.h>
 #include <string.h>
