@@ -5,7 +5,7 @@
 #include <string.h>
 #include "room.h"
 
-/* Unknowns up to which a factorisation beats iterating: its cost grows like the mesh in 2D, nearly; much faster in 3D. */
+/* Unknowns up to which a factorisation beats iterating: in 3D its cost grows much faster than the mesh. */
 static const PetscInt DIRECT_2D = 1000000, DIRECT_3D = 40000;
 
 PetscBool SolveFactors(const char pc[])
