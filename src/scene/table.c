@@ -130,7 +130,7 @@ static const OptionEntry table[] = {
     {GROUP_SOLVER, "-cross_check", "0|1", "", "0",
      "Solves by pdas and by vinewtonrsls and compares; a difference is exit code 3."},
 
-    {GROUP_PETSC, "-snes_max_it", "n", "", "50",
+    {GROUP_PETSC, "-snes_max_it", "n", "", "500",
      "Largest number of active sets to try; of iterations, 100 by default, where -snes_type is one of PETSc's."},
     {GROUP_PETSC, "-snes_rtol", "x", "", "1e-8",
      "Relative residual that pdas asks of a linear system; of the inequality, 1e-12 by default, where -snes_type is "

@@ -8,10 +8,13 @@
 
 /* Of an iterative linear solver, so that mostly one call of it reaches the tolerance of pdas. */
 static const PetscReal KSP_RTOL = 1e-10;
-/* PETSc's own solvers of inequalities: relative to the first residual, and to the unknowns (a step on the final set
-   is exact, so the one after it is roundoff); several times the steps they take. */
-static const PetscReal OTHER_RTOL = 1e-12, OTHER_STOL = 1e-12;
+/* PETSc's own solvers of inequalities: relative to the first residual; several times the steps they take. */
+static const PetscReal OTHER_RTOL   = 1e-12;
 static const PetscInt  OTHER_MAX_IT = 100;
+/* Steps of pdas: with one factorisation for all sets they cost next to nothing, and soft structures take many. */
+static const PetscInt PDAS_MAX_IT = 500;
+/* A residual below this part of |A| |y| is roundoff: a soft structure, or a start at the solution, allows no other test. */
+static const PetscReal OTHER_ROUNDOFF = 1e-14;
 
 /* A control that can only be reached through the options database. */
 typedef struct {
@@ -39,6 +42,22 @@ static PetscErrorCode JacobianFn(SNES snes, Vec y, Mat A, Mat P, void *ctx)
   return PETSC_SUCCESS;
 }
 
+/* Convergence of PETSc's own types: by the first residual, or at roundoff. [in] ctx - |A| */
+static PetscErrorCode ConvergedFn(SNES snes, PetscInt it, PetscReal xnorm, PetscReal snorm, PetscReal fnorm,
+                                  SNESConvergedReason *reason, void *ctx)
+{
+  const PetscReal *norm = ctx;
+  Vec              y;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESConvergedDefault(snes, it, xnorm, snorm, fnorm, reason, NULL));
+  if (*reason) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SNESGetSolution(snes, &y));
+  PetscCall(VecNorm(y, NORM_2, &xnorm));
+  if (fnorm <= OTHER_ROUNDOFF * *norm * xnorm) *reason = SNES_CONVERGED_FNORM_ABS;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Puts defaults into the options database where the user has put nothing, or takes them out again. */
 static PetscErrorCode DefaultsApply_Private(PetscInt n, Default defaults[], const char prefix[], PetscBool apply)
 {
@@ -60,8 +79,9 @@ static PetscErrorCode DefaultsApply_Private(PetscInt n, Default defaults[], cons
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A SNES as the choice and the options want it. [in] scratch - for its function, must outlive it */
-static PetscErrorCode Configure_Private(VI vi, const SolveChoice *choice, const char prefix[], Vec scratch, SNES *snes)
+/* A SNES as the choice and the options want it. [in] scratch, norm - for its function, its test; must outlive it */
+static PetscErrorCode Configure_Private(VI vi, const SolveChoice *choice, const char prefix[], Vec scratch,
+                                        PetscReal *norm, SNES *snes)
 {
   KSP ksp;
   PC  pc;
@@ -78,13 +98,18 @@ static PetscErrorCode Configure_Private(VI vi, const SolveChoice *choice, const 
   PetscCall(PCSetType(pc, choice->pc));
   if (SolveFactors(choice->pc)) PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
   PetscCall(SNESSetType(*snes, choice->snes));
-  if (strcmp(choice->snes, SNESPDAS)) {
+  if (!strcmp(choice->snes, SNESPDAS)) {
+    PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, PDAS_MAX_IT, PETSC_DEFAULT));
+  } else {
     SNESLineSearch search;
 
     /* the problem is quadratic: whole steps */
     PetscCall(SNESGetLineSearch(*snes, &search));
     PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHBASIC));
-    PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, OTHER_RTOL, OTHER_STOL, OTHER_MAX_IT, PETSC_DEFAULT));
+    PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, OTHER_RTOL, 0, OTHER_MAX_IT, PETSC_DEFAULT));
+    PetscCall(SNESSetDivergenceTolerance(*snes, -1)); // none: the first steps may go far before the set is right
+    PetscCall(MatNorm(vi->A, NORM_INFINITY, norm));
+    PetscCall(SNESSetConvergenceTest(*snes, ConvergedFn, norm, NULL));
   }
   PetscCall(SNESSetFromOptions(*snes));
   PetscCall(SNESVISetVariableBounds(*snes, vi->lower, vi->upper)); /* pdas keeps them itself, so not before the type */
@@ -243,12 +268,13 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], P
   const PetscInt  n          = PETSC_STATIC_ARRAY_LENGTH(defaults);
   SNES            snes;
   Vec             scratch;
+  PetscReal       norm;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(report, sizeof(*report)));
   PetscCall(VecDuplicate(vi->b, &scratch));
   PetscCall(DefaultsApply_Private(n, defaults, prefix, PETSC_TRUE));
-  PetscCall(Configure_Private(vi, choice, prefix, scratch, &snes));
+  PetscCall(Configure_Private(vi, choice, prefix, scratch, &norm, &snes));
   if (progress) PetscCall(ProgressSet(snes, vi));
   PetscCall(StartFeasible_Private(vi, y));
   if (!pdas && vi->any_floating) PetscCall(StartTouching_Private(vi, prefix, y));
