@@ -6,6 +6,7 @@
 
 /* Signed distance from x along the unit normal n to the obstacle's surface, open > 0; PETSC_INFINITY where the ray
    turns away from it. Not collective. [in] x, n - [dim] */
-PetscErrorCode ObstacleGap(const SceneObstacle *obstacle, PetscInt dim, const PetscReal x[], const PetscReal n[], PetscReal *gap);
+PetscErrorCode ObstacleGap(const SceneObstacle *obstacle, PetscInt dim, const PetscReal x[], const PetscReal n[],
+                           PetscReal *gap);
 
 #endif

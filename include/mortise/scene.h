@@ -13,8 +13,9 @@ typedef enum { BOUNDARY_DISPLACEMENT, BOUNDARY_NORMAL, BOUNDARY_TRACTION, BOUNDA
 /* Data on one side of a body. */
 typedef struct {
   BoundaryKind kind;
-  char        *side;  /* as typed: a name, a number, or several joined with '+' */
-  Expression   value; /* displacement [dim] with free components, traction [dim], pressure [1]; NULL for BOUNDARY_NORMAL */
+  char        *side; /* as typed: a name, a number, or several joined with '+' */
+  Expression
+      value; /* displacement [dim] with free components, traction [dim], pressure [1]; NULL for BOUNDARY_NORMAL */
 } SceneBoundary;
 
 typedef struct {
@@ -24,19 +25,26 @@ typedef struct {
   PetscBool      simplex;   /* box of triangles (tetrahedra) instead of quads (hexes) */
   PetscInt       faces[3];  /* cells of the box along each axis */
   PetscReal      lower[3], upper[3];
-  Expression     map;       /* box coordinates to positions [dim], or NULL */
-  PetscInt       refine;    /* refinements of this body alone, before all are merged */
+  Expression     map;    /* box coordinates to positions [dim], or NULL */
+  PetscInt       refine; /* refinements of this body alone, before all are merged */
   PetscInt       order;
   Expression     young, poisson; /* of an isotropic body, else NULL */
   Expression     stiffness;      /* upper triangle of the Hooke tensor, else NULL */
   PetscReal      angle[3];       /* of the material axes, degrees */
   Expression     body_force;     /* force per volume [dim], or NULL */
   PetscInt       num_boundaries;
-  SceneBoundary *boundaries;     /* in the order typed: displacement, normal, traction, pressure */
+  SceneBoundary *boundaries; /* in the order typed: displacement, normal, traction, pressure */
 } SceneBody;
 
 typedef enum { PAIR_CONTACT, PAIR_TIED } PairType;
-typedef enum { OBSTACLE_NONE, OBSTACLE_PLANE, OBSTACLE_BALL, OBSTACLE_CYLINDER, OBSTACLE_PARABOLA, OBSTACLE_EXPRESSION } ObstacleKind;
+typedef enum {
+  OBSTACLE_NONE,
+  OBSTACLE_PLANE,
+  OBSTACLE_BALL,
+  OBSTACLE_CYLINDER,
+  OBSTACLE_PARABOLA,
+  OBSTACLE_EXPRESSION
+} ObstacleKind;
 
 /* A rigid body without a mesh. */
 typedef struct {
@@ -75,18 +83,18 @@ typedef enum { OUTPUT_XDMF = 1, OUTPUT_VTU = 2 } OutputFormat; /* bits */
 
 struct _n_Scene {
   MPI_Comm    comm;
-  char       *title;        /* "" where none was given */
+  char       *title; /* "" where none was given */
   PetscInt    dim;
   ModelKind   model;
   PetscReal   thickness;
-  PetscInt    refine;       /* common refinements: the levels */
+  PetscInt    refine; /* common refinements: the levels */
   PetscInt    num_bodies, num_pairs, num_probes;
   SceneBody  *bodies;
   ScenePair  *pairs;
   SceneProbe *probes;
-  char       *output;       /* path prefix, or NULL for no files */
-  int         formats;      /* OutputFormat bits */
-  char       *summary;      /* file for the summary alone, "-" for stdout, or NULL */
+  char       *output;  /* path prefix, or NULL for no files */
+  int         formats; /* OutputFormat bits */
+  char       *summary; /* file for the summary alone, "-" for stdout, or NULL */
   PetscBool   cross_check, quiet, monitor, view, allow_unused;
 };
 typedef struct _n_Scene *Scene;

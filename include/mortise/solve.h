@@ -9,14 +9,14 @@ enum { SOLVE_MAX_HISTORY = 512 };
 
 /* How one solve went; the same on all ranks. */
 typedef struct {
-  char      type[64];          /* SNES type */
-  char      linear[128];       /* what solved the linear systems, in words */
+  char      type[64];    /* SNES type */
+  char      linear[128]; /* what solved the linear systems, in words */
   PetscBool converged;
-  char      reason[256];       /* why not, as a sentence; "" when converged */
+  char      reason[256]; /* why not, as a sentence; "" when converged */
   PetscInt  iterations, active, linear_iterations;
   PetscInt  num_changed, changed[SOLVE_MAX_HISTORY]; /* per iteration; num_changed = 0 for types that do not tell */
   PetscBool safeguarded;
-  PetscReal linear_residual;   /* relative, of the last system */
+  PetscReal linear_residual; /* relative, of the last system */
 } SolveReport;
 
 /* Comparison of two solutions of the same VI. */

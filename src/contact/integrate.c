@@ -120,30 +120,36 @@ static void PieceEnds_Private(PetscInt num, const ClipPoint points[], PetscReal 
   *to   = mean + 0.5 * sum / length;
 }
 
+/* The parts of a facet that mortar facets cover. */
+typedef struct {
+  PetscInt   num;
+  PetscInt  *facet; /* [num] */
+  PetscReal *ends;  /* on the facet's reference cell [num][2] */
+} PieceList;
+
 /* Keeps, wherever two layers of the mortar side lie over a part of the facet, the one of smallest |gap|. */
 static PetscErrorCode KeepNearestLayer_Private(const MortarSurface *mortar, const PetscReal X[], const PetscReal N[],
-                                               PetscInt num_gauss, PetscInt num_pieces, const PetscInt piece_facet[],
-                                               PetscReal ends[], PointList *list)
+                                               PetscInt num_gauss, PieceList *pieces, PointList *list)
 {
   ClipPoint points[CLIP_MAX_POINTS], best[CLIP_MAX_POINTS];
 
   PetscFunctionBeginUser;
-  PetscCall(PetscSortReal(2 * num_pieces, ends));
+  PetscCall(PetscSortReal(2 * pieces->num, pieces->ends));
   list->num = 0;
-  for (PetscInt e = 0; e + 1 < 2 * num_pieces; e++) {
-    const PetscReal from = ends[e], to = ends[e + 1];
+  for (PetscInt e = 0; e + 1 < 2 * pieces->num; e++) {
+    const PetscReal from = pieces->ends[e], to = pieces->ends[e + 1];
     PetscReal       nearest  = PETSC_MAX_REAL;
     PetscInt        num_best = 0, facet = -1;
     if (to - from <= SAME_END) continue;
-    for (PetscInt i = 0; i < num_pieces; i++) {
-      const PetscInt num = ClipPart_Private(
-          X, N, from, to, &mortar->coords[piece_facet[i] * ELEMENT_MAX_FACET_NODES * 2], num_gauss, points);
-      PetscReal gap = 0;
+    for (PetscInt i = 0; i < pieces->num; i++) {
+      const PetscReal *Y   = &mortar->coords[pieces->facet[i] * ELEMENT_MAX_FACET_NODES * 2];
+      const PetscInt   num = ClipPart_Private(X, N, from, to, Y, num_gauss, points);
+      PetscReal        gap = 0;
       for (PetscInt p = 0; p < num; p++) gap += PetscAbsReal(points[p].gap) / num;
       if (num == 0 || gap >= nearest) continue;
       nearest  = gap;
       num_best = num;
-      facet    = piece_facet[i];
+      facet    = pieces->facet[i];
       PetscCall(PetscArraycpy(best, points, num));
     }
     for (PetscInt p = 0; p < num_best; p++) PetscCall(PointListAdd_Private(list, &best[p], facet));
@@ -157,17 +163,19 @@ static PetscErrorCode CollectMortarPoints_Private(const FacetPartner *partner, c
 {
   const PetscInt  num_gauss = PointsPerPiece_Private(partner->spec, 2, N);
   const PetscReal length    = FacetSize(2, 2, X);
-  PetscReal       box[4], covered      = 0, *ends;
-  PetscInt        num_hits, num_pieces = 0, *piece_facet;
+  PetscReal       box[4], covered = 0;
+  PieceList       pieces = {0, NULL, NULL};
+  PetscInt        num_hits;
   const PetscInt *hits;
   ClipPoint       points[CLIP_MAX_POINTS];
 
   PetscFunctionBeginUser;
   QueryBox_Private(2, 2, X, partner->reach, box);
   PetscCall(BoxTreeQuery(partner->mortar->tree, box, &num_hits, &hits));
-  PetscCall(PetscMalloc2(2 * num_hits, &ends, num_hits, &piece_facet));
+  PetscCall(PetscMalloc2(2 * num_hits, &pieces.ends, num_hits, &pieces.facet));
   for (PetscInt h = 0; h < num_hits; h++) {
-    const PetscReal *Y = &partner->mortar->coords[hits[h] * ELEMENT_MAX_FACET_NODES * 2];
+    const PetscReal *Y    = &partner->mortar->coords[hits[h] * ELEMENT_MAX_FACET_NODES * 2];
+    PetscReal       *ends = &pieces.ends[2 * pieces.num];
     PetscInt         num;
     if (!FacesEachOther_Private(X, Y)) continue;
     num = ClipLines(X, N, Y, num_gauss, points);
@@ -176,13 +184,13 @@ static PetscErrorCode CollectMortarPoints_Private(const FacetPartner *partner, c
       covered += points[p].weight;
       PetscCall(PointListAdd_Private(list, &points[p], hits[h]));
     }
-    PieceEnds_Private(num, points, length, &ends[2 * num_pieces], &ends[2 * num_pieces + 1]);
-    piece_facet[num_pieces++] = hits[h];
+    PieceEnds_Private(num, points, length, &ends[0], &ends[1]);
+    pieces.facet[pieces.num++] = hits[h];
   }
   if (covered > (1 + OVERLAP_TOLERANCE) * length) {
-    PetscCall(KeepNearestLayer_Private(partner->mortar, X, N, num_gauss, num_pieces, piece_facet, ends, list));
+    PetscCall(KeepNearestLayer_Private(partner->mortar, X, N, num_gauss, &pieces, list));
   }
-  PetscCall(PetscFree2(ends, piece_facet));
+  PetscCall(PetscFree2(pieces.ends, pieces.facet));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

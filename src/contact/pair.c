@@ -99,8 +99,7 @@ static PetscErrorCode Finish_Private(Level *level, const Support *held, PairDraf
   Integrals *sums = &draft->sums;
 
   PetscFunctionBeginUser;
-  PetscCall(SpreadRemovedRows(level, &draft->nonmortar, draft->fate, sums->covered, sums->D, sums->G, &sums->M,
-                              &pair->chain));
+  PetscCall(SpreadRemovedRows(level, &draft->nonmortar, draft->fate, sums, &pair->chain));
   PetscCall(CollectNodes_Private(level, held, draft, pair));
   pair->M = sums->M;
   PetscCall(IntegralsDestroy(sums));

@@ -109,8 +109,7 @@ static PetscErrorCode Weights_Private(Level *level, const Facets *facets, const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, const NodeFate fate[], const PetscBool covered[],
-                                 Vec D, Vec G, Mat *M, Mat *chain)
+PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, const NodeFate fate[], Integrals *sums, Mat *chain)
 {
   PetscBool any = PETSC_FALSE;
   Mat       W   = NULL, WM;
@@ -120,19 +119,19 @@ PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, const NodeF
   *chain = NULL;
   for (PetscInt i = 0; i < level->num_nodes; i++) any = (PetscBool)(any || fate[i] == NODE_REMOVED);
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, level->comm));
-  if (any) PetscCall(Weights_Private(level, facets, fate, covered, &W));
+  if (any) PetscCall(Weights_Private(level, facets, fate, sums->covered, &W));
   if (!W) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(VecDuplicate(G, &WG));
-  PetscCall(MatMult(W, G, WG));
-  PetscCall(VecAXPY(G, 1.0, WG));
+  PetscCall(VecDuplicate(sums->G, &WG));
+  PetscCall(MatMult(W, sums->G, WG));
+  PetscCall(VecAXPY(sums->G, 1.0, WG));
   PetscCall(VecDestroy(&WG));
-  if (*M) {
-    PetscCall(MatMatMult(W, *M, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &WM));
-    PetscCall(MatAXPY(WM, 1.0, *M, DIFFERENT_NONZERO_PATTERN));
-    PetscCall(MatDestroy(M));
-    *M = WM;
+  if (sums->M) {
+    PetscCall(MatMatMult(W, sums->M, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &WM));
+    PetscCall(MatAXPY(WM, 1.0, sums->M, DIFFERENT_NONZERO_PATTERN));
+    PetscCall(MatDestroy(&sums->M));
+    sums->M = WM;
   }
-  PetscCall(MatDiagonalScale(W, NULL, D));
+  PetscCall(MatDiagonalScale(W, NULL, sums->D));
   *chain = W;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -2,7 +2,7 @@
 #ifndef MORTISE_SPREAD_H
 #define MORTISE_SPREAD_H
 
-#include <mortise/mesh.h>
+#include "integrals.h"
 
 /* What becomes of a node of the nonmortar side. */
 typedef enum { NODE_UNCOVERED, NODE_REMOVED, NODE_KEPT } NodeFate;
@@ -11,11 +11,9 @@ typedef enum { NODE_UNCOVERED, NODE_REMOVED, NODE_KEPT } NodeFate;
      M_a += w_ac M_c,  G_a += w_ac G_c,  chain_ac = w_ac D_c.
    Where a removed node has removed neighbours only, their weights are averaged; one that is cut off from every kept node is
    dropped. Collective.
-   [in]     fate    - NodeFate of every local node [num_nodes]
-   [in]     covered - of this rank's facets: whether the facet is covered at all [facets->num]
-   [in]     D       - ghosted, one per node
-   [in,out] G       - ghosted, one per node; [in,out] M - node x node or NULL, replaced; [out] chain - node x node, or NULL */
-PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, const NodeFate fate[], const PetscBool covered[],
-                                 Vec D, Vec G, Mat *M, Mat *chain);
+   [in]     fate  - NodeFate of every local node [num_nodes]
+   [in,out] sums  - G and M are replaced; [out] chain - node x node, or NULL where no row was spread */
+PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, const NodeFate fate[], Integrals *sums,
+                                 Mat *chain);
 
 #endif
