@@ -54,7 +54,10 @@ class Run:
     def again(self, *arguments, ranks=None, name="again"):
         """The same scene once more, with more arguments or on another number of ranks, solved."""
         other = Run(self.program, self.mpiexec, ranks or self.ranks, self.folder / name, self.arguments + list(arguments))
-        other.require_solved()
+        try:
+            other.require_solved()
+        except Failure as failure:
+            raise Failure(f"{failure}, when run again {other.describe()}") from None
         return other
 
     def require_solved(self):
