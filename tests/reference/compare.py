@@ -1,0 +1,79 @@
+"""The fields of a run against the tables of independent.py in the folder of its scene, every number of every column.
+
+Displacements at all nodes come from the HDF5 file, the contact side from the CSV table. Tolerances are relative to the largest
+value of a column; a column that ought to vanish is compared with what rounding makes of the other quantities of its kind.
+"""
+import math
+import pathlib
+
+import numpy as np
+
+from judge import read_table, require, same, same_table
+
+RELATIVE = 1e-10  # both sides solve the same equations to roundoff; condition numbers here are below 1e5
+VANISHING = 1e-12  # of the largest displacement (gaps and components that vanish) or of the largest stress times this (pressures)
+
+
+def bodies_of_nodes(cells, body, num_nodes):
+    """Index of the body of every node; mixed cells are a list of (4: triangle, 5: quad) each followed by its nodes."""
+    owner = np.full(num_nodes, -1)
+    if cells.ndim == 2:
+        owner[cells] = body[:, None]
+        return owner
+    place = 0
+    for index in body:
+        size = {4: 3, 5: 4}[int(cells[place])]
+        owner[cells[place + 1:place + 1 + size]] = index
+        place += 1 + size
+    return owner
+
+
+def read_fields(file):
+    """All nodal numbers of an HDF5 file as a table; gaps where there is no constraint count as 0, as their status tells."""
+    points, stress = file["points"][()], file["stress"][()].reshape(-1, 9)
+    table = {"body": bodies_of_nodes(file["cells"][()], file["body"][()], len(points)), "x": points[:, 0], "y": points[:, 1]}
+    table.update({name: file["displacement"][:, k] for k, name in enumerate(("u_x", "u_y", "u_z"))})
+    table.update({f"stress_{k}": stress[:, k] for k in range(9)})
+    table.update({name: file[name][()] for name in ("von_mises", "pressure", "status", "gap")})
+    require(np.array_equal(np.isnan(table["gap"]), table["status"] < 0), "gaps are not NAN just where there is no constraint")
+    table["gap"] = np.nan_to_num(table["gap"])
+    return {name: values.tolist() for name, values in table.items()}
+
+
+def largest(table, *columns):
+    return max(abs(value) for column in columns for value in table[column])
+
+
+def same_nodes(table, expected, columns, relative=RELATIVE):
+    """Columns of two node tables, matched by body and place."""
+    size = {"u": largest(expected, "u_x", "u_y"), "g": largest(expected, "u_x", "u_y"), "p": 0.0, "s": 0.0, "v": 0.0}
+    if "von_mises" in expected:
+        size["p"] = size["s"] = size["v"] = largest(expected, "von_mises")
+    tolerances = {name: (0, 0) if name == "status" else (relative, VANISHING * size[name[0]]) for name in columns}
+    same_table(table, expected, tolerances, position=("body", "x", "y"))
+
+
+def same_side(table, expected, size):
+    """A pair's table. [in] size - largest displacement"""
+    known = lambda gaps: [0.0 if math.isnan(gap) else gap for gap in gaps]
+    for status, gap in zip(table["status"], table["gap"]):
+        same("a gap is not known", math.isnan(gap), status < 0)
+    mine = {**table, "p": table["pressure"], "active": table["status"], "gap": known(table["gap"])}
+    same_table(mine, {**expected, "gap": known(expected["gap"])},
+               {"active": (0, 0), "p": (RELATIVE, 0), "force": (RELATIVE, 0), "gap": (RELATIVE, VANISHING * size)})
+
+
+def scene_folder(run):
+    """Where the options file of the run is, and with it the tables."""
+    return pathlib.Path(run.arguments[run.arguments.index("-options_file") + 1]).parent
+
+
+def judge(run):
+    folder = scene_folder(run)
+    expected = read_table(folder / "nodes.csv")
+    with run.fields() as file:
+        same_nodes(read_fields(file), expected, ("u_x", "u_y"))
+    pairs = run.summary["pairs"]
+    same("tables", sorted(path.stem for path in folder.glob("*.csv")), sorted(["nodes", *pairs]))
+    for pair in pairs:
+        same_side(run.table(pair), read_table(folder / f"{pair}.csv"), largest(expected, "u_x", "u_y"))

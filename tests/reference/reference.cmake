@@ -1,0 +1,12 @@
+# Every folder with a scene.opts is a case: its tables come from independent.py, never from mortise.
+file(GLOB references CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/reference/*/scene.opts)
+foreach(path IN LISTS references)
+  get_filename_component(folder ${path} DIRECTORY)
+  get_filename_component(case ${folder} NAME)
+  mortise_scene_test(${case} SCENE ${case}/scene CHECK compare.py RANKS 1 2 3 LABELS regression)
+endforeach()
+mortise_scene_test(fields SCENE plates_mixed/scene CHECK fields.py RANKS 1 2 3 LABELS regression)
+
+# The tables are what independent.py computes from the scenes.
+add_test(NAME reference.origin COMMAND ${MORTISE_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/independent.py --check)
+set_tests_properties(reference.origin PROPERTIES LABELS "reference;regression" TIMEOUT 300 ENVIRONMENT "${MORTISE_TEST_ENVIRONMENT}")

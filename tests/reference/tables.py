@@ -1,0 +1,97 @@
+"""tables.py -- what independent.py writes: tables, their origin, and one HDF5 file laid out as the program's own."""
+import csv
+import math
+import pathlib
+
+import numpy as np
+
+import independent
+
+FIELDS = "plates_mixed"  # the case that also has an HDF5 file
+METHOD = """Made by tests/reference/independent.py, not by mortise: dense arrays in Python with numpy, own elements, own integration of
+the contact side, contact set by Murty's least index method on the dual problem, one solution of the saddle point system.
+Scene: scene.opts beside this file. Command: python3 tests/reference/independent.py {case}
+
+"""
+
+
+def von_mises(s):
+    """Of tensors [n][3][3]."""
+    deviator = s - np.trace(s, axis1=1, axis2=2)[:, None, None] * np.eye(3) / 3
+    return np.sqrt(1.5 * np.einsum("nij,nij->n", deviator, deviator))
+
+
+def nodal_stress(scene, solution):
+    """Tensors [nodes][3][3]: stresses in the middle of cells, averaged with the cells' areas (T19)."""
+    stress, area = np.zeros((len(scene.points), 3, 3)), np.zeros(len(scene.points))
+    for body in scene.bodies.values():
+        for cell in body.cells:
+            triangle = len(cell) == 3
+            _, grad, det = body.gradients(cell, (1 / 3, 1 / 3) if triangle else (0.5, 0.5))
+            nodes, size, s = body.first + np.array(cell), det * (0.5 if triangle else 1.0), np.zeros((3, 3))
+            s[:2, :2] = np.einsum("ijkl,nk,nl->ij", body.hooke, solution.u[nodes], grad)
+            s[2, 2] = body.zz * np.trace(s)
+            stress[nodes] += size * s
+            area[nodes] += size
+    return stress / area[:, None, None]
+
+
+def write_fields(path, scene, solution):
+    """Points, cells and nodal fields under the names and in the shapes of the program."""
+    import h5py  # pylint: disable=import-outside-toplevel
+
+    stress, count = nodal_stress(scene, solution), len(scene.points)
+    pressure, gap, status = np.zeros(count), np.full(count, np.nan), np.full(count, independent.NONE)
+    for r, (_, node, *_) in enumerate(solution.rows):
+        pressure[node], gap[node], status[node] = solution.p[r], solution.gap[r], solution.status[r]
+    cells, owner = [], []
+    for size, kind in ((3, 4), (4, 5)):  # XDMF's numbers of triangles and quads
+        for b, body in enumerate(scene.bodies.values()):
+            for cell in body.cells:
+                if len(cell) == size:
+                    cells += [kind, *(body.first + np.array(cell))]
+                    owner.append(b)
+    flat = lambda values: np.column_stack([values, np.zeros(count)])
+    with h5py.File(path, "w", track_order=False) as file:
+        file.attrs["title"], file.attrs["creator"] = scene.title, "tests/reference/independent.py"
+        file["points"], file["cells"] = flat(scene.points), np.array(cells, dtype="i4")
+        file["displacement"], file["stress"] = flat(solution.u), stress.reshape(count, 9)
+        file["von_mises"], file["pressure"], file["gap"] = von_mises(stress), pressure, gap
+        file["status"], file["body"] = status.astype("i4"), np.array(owner, dtype="i4")
+
+
+def write_table(path, table):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(table)
+        writer.writerows(zip(*table.values()))
+
+
+def check_table(path, table):
+    """Every number of the file again, to CHECKED of the largest of its column; columns that vanish, to that of displacements."""
+    with open(path, newline="", encoding="utf-8") as file:
+        rows = list(csv.reader(file))
+    size = max(np.abs(np.nan_to_num(table.get(name, [0.0]))).max() for name in ("u_x", "u_y", "gap"))
+    for name, *texts in zip(*rows):
+        old, new = np.array(texts, dtype=float), np.array(table[name], dtype=float)
+        if not np.allclose(new, old, rtol=0, atol=independent.CHECKED * max(np.nan_to_num(np.abs(old)).max(), size), equal_nan=True):
+            raise SystemExit(f"{path}: column {name} is off by {np.nanmax(np.abs(new - old)):.3g}")
+
+
+def main(arguments):
+    check = "--check" in arguments
+    cases = [word for word in arguments if word != "--check"] or sorted(path.parent.name for path in independent.HERE.glob("*/scene.opts"))
+    for case in cases:
+        folder = independent.HERE / case
+        scene = independent.Scene(folder / "scene.opts")
+        solution = independent.Solution(scene)
+        tables = {"nodes": solution.nodes(), **{pair.name: solution.side(pair) for pair in scene.pairs}}
+        for name, table in tables.items():
+            (check_table if check else write_table)(folder / f"{name}.csv", table)
+        report = "".join(f"{name}: {value:.2g}\n" for name, value in solution.report.items())
+        if not check:
+            (folder / "ORIGIN").write_text(METHOD.format(case=case) + report)
+        if case == FIELDS and not check:
+            write_fields(folder / "fields.h5", scene, solution)
+        print(f"{case}: {2 * len(scene.points)} unknowns, {len(solution.rows)} rows, "
+              f"{np.count_nonzero(solution.status > 0)} active\n{report}")
