@@ -19,9 +19,9 @@ struct _n_Fields {
   PetscReal *row_moment; /* integral of the row's dual function times the position [vi->num_rows][dim] */
   PetscReal *row_noise;  /* roundoff of lambda in one row [vi->num_rows] */
   PetscInt  *row_status; /* ContactStatus: in contact = closed and pressed together [vi->num_rows] */
-  PetscReal *body_max;   /* max |u| of each body, the same on all ranks [scene->num_bodies] */
-  PetscReal  u_ref;      /* size of the displacements and gaps, the same on all ranks */
-  PetscReal  p_ref;      /* size of the pressures, the same on all ranks */
+  PetscReal *body_max; /* max |u| of each body and those it is paired with, the same on all ranks [scene->num_bodies] */
+  PetscReal  u_ref;    /* size of the displacements and gaps, the same on all ranks */
+  PetscReal  p_ref;    /* size of the pressures, the same on all ranks */
 };
 typedef struct _n_Fields *Fields;
 

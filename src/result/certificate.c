@@ -39,9 +39,9 @@ enum {
 /* Largest of all ranks. */
 enum { MAX_GAP, MAX_PRESSURE, MAX_COUNT };
 
-/* The forces on the nodes. */
+/* The forces on the nodes; noise is the roundoff of contact forces, which a stiff side hands on to a soft one. */
 typedef struct {
-  Vec loads, inner, contact, obstacle, residual;
+  Vec loads, inner, contact, obstacle, residual, noise;
 } Forces;
 
 /* The violation of a test as a part of what it may be compared with. */
@@ -65,6 +65,8 @@ static PetscErrorCode ForcesCreate_Private(Fields fields, Forces *forces)
   PetscCall(VecDuplicate(fields->u, &forces->residual));
   PetscCall(VecZeroEntries(forces->contact));
   PetscCall(VecZeroEntries(forces->obstacle));
+  PetscCall(VecDuplicate(fields->u, &forces->noise));
+  PetscCall(VecZeroEntries(forces->noise));
   PetscCall(MatMult(vi->K, fields->u, forces->inner));
   PetscCall(VecWAXPY(forces->residual, -1.0, forces->inner, forces->loads));
   if (!fields->lambda) PetscFunctionReturn(PETSC_SUCCESS);
@@ -78,6 +80,10 @@ static PetscErrorCode ForcesCreate_Private(Fields fields, Forces *forces)
   }
   PetscCall(VecRestoreArray(lambda, &l));
   PetscCall(MatMultTranspose(vi->B, lambda, forces->obstacle));
+  PetscCall(VecGetArray(lambda, &l));
+  PetscCall(PetscArraycpy(l, fields->row_noise, vi->num_rows));
+  PetscCall(VecRestoreArray(lambda, &l));
+  PetscCall(MatMultTranspose(vi->B, lambda, forces->noise));
   PetscCall(VecDestroy(&lambda));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -89,6 +95,7 @@ static PetscErrorCode ForcesDestroy_Private(Forces *forces)
   PetscCall(VecDestroy(&forces->contact));
   PetscCall(VecDestroy(&forces->obstacle));
   PetscCall(VecDestroy(&forces->residual));
+  PetscCall(VecDestroy(&forces->noise));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -145,11 +152,11 @@ static PetscErrorCode Centre_Private(const Level *level, PetscReal centre[3])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds one node's forces to the sums. F = loads, inner, contact, obstacle, free residual, reaction, each [dim]. */
-static void AddNode_Private(PetscInt dim, const PetscReal x[], const PetscReal F[6][3], PetscReal stiffness,
+/* Adds one node's forces to the sums. F = loads, inner, contact, obstacle, free residual, reaction, noise, each [dim]. */
+static void AddNode_Private(PetscInt dim, const PetscReal x[], const PetscReal F[7][3], PetscReal stiffness,
                             PetscReal u_max, const PetscReal u[], PetscReal sums[])
 {
-  const PetscReal roundoff = FIELDS_ROUNDOFF * stiffness * u_max, arm = Norm_Private(dim, x);
+  const PetscReal roundoff = FIELDS_ROUNDOFF * stiffness * u_max + Norm_Private(dim, F[6]), arm = Norm_Private(dim, x);
   PetscReal       outer[3], mesh[3], size, work = 0.0;
 
   for (PetscInt k = 0; k < dim; ++k) {
@@ -182,25 +189,26 @@ static PetscErrorCode JudgeNodes_Private(Fields fields, Vec reactions, PetscReal
   const Support   *support = &vi->support;
   const PetscInt   dim     = level->dim;
   PetscReal        centre[3];
-  const PetscReal *force[5], *u;
+  const PetscReal *force[6], *u;
   PetscReal       *reaction;
   Forces           forces;
-  Vec              vecs[5];
+  Vec              vecs[6];
 
   PetscFunctionBeginUser;
   PetscCall(Centre_Private(level, centre));
   PetscCall(ForcesCreate_Private(fields, &forces));
   vecs[0] = forces.loads, vecs[1] = forces.inner, vecs[2] = forces.contact, vecs[3] = forces.obstacle;
-  vecs[4] = forces.residual;
-  for (PetscInt i = 0; i < 5; ++i) PetscCall(VecGetArrayRead(vecs[i], &force[i]));
+  vecs[4] = forces.residual, vecs[5] = forces.noise;
+  for (PetscInt i = 0; i < 6; ++i) PetscCall(VecGetArrayRead(vecs[i], &force[i]));
   PetscCall(VecGetArrayRead(fields->u, &u));
   PetscCall(VecGetArray(reactions, &reaction));
   for (PetscInt a = 0; a < level->num_owned; ++a) {
-    PetscReal F[6][3] = {{0}}, x[3];
+    PetscReal F[7][3] = {{0}}, x[3];
 
     for (PetscInt k = 0; k < dim; ++k) {
       for (PetscInt i = 0; i < 5; ++i) F[i][k] = force[i][a * dim + k];
-      x[k] = level->coords[a * dim + k] - centre[k];
+      F[6][k] = force[5][a * dim + k];
+      x[k]    = level->coords[a * dim + k] - centre[k];
     }
     SplitResidual_Private(support, a, F[4], F[5]);
     for (PetscInt k = 0; k < dim; ++k) reaction[a * dim + k] = F[5][k];
@@ -214,7 +222,7 @@ static PetscErrorCode JudgeNodes_Private(Fields fields, Vec reactions, PetscReal
   }
   PetscCall(VecRestoreArray(reactions, &reaction));
   PetscCall(VecRestoreArrayRead(fields->u, &u));
-  for (PetscInt i = 0; i < 5; ++i) PetscCall(VecRestoreArrayRead(vecs[i], &force[i]));
+  for (PetscInt i = 0; i < 6; ++i) PetscCall(VecRestoreArrayRead(vecs[i], &force[i]));
   PetscCall(ForcesDestroy_Private(&forces));
   PetscCall(VecGhostUpdateBegin(reactions, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecGhostUpdateEnd(reactions, INSERT_VALUES, SCATTER_FORWARD));

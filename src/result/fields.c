@@ -90,6 +90,19 @@ static PetscErrorCode StressCreate_Private(VI vi, Vec u, Vec *stress)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A nonmortar side at rest may be the sum of two large motions, its own relative one and that of the mortar side: bodies
+   that a pair joins, directly or through others, share the largest displacement. */
+static void ShareLargest_Private(Scene scene, PetscReal body_max[])
+{
+  for (PetscInt round = 0; round < scene->num_pairs; ++round) {
+    for (PetscInt p = 0; p < scene->num_pairs; ++p) {
+      const PetscInt a = scene->pairs[p].nonmortar.body, b = scene->pairs[p].mortar.body;
+
+      if (b >= 0) body_max[a] = body_max[b] = PetscMax(body_max[a], body_max[b]);
+    }
+  }
+}
+
 /* Stiffness of the owned nodes and the largest displacement of each body. */
 static PetscErrorCode NodeScales_Private(Fields fields)
 {
@@ -116,6 +129,7 @@ static PetscErrorCode NodeScales_Private(Fields fields)
   PetscCall(VecRestoreArrayRead(diagonal, &d));
   PetscCall(VecDestroy(&diagonal));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, fields->body_max, (PetscMPIInt)num_bodies, MPIU_REAL, MPI_MAX, level->comm));
+  ShareLargest_Private(fields->vi->scene, fields->body_max);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -35,7 +35,7 @@ static PetscErrorCode PointText_Private(PetscInt dim, const PetscReal x[], char 
   for (PetscInt k = 0; k < dim; ++k) {
     const size_t used = strlen(text);
 
-    PetscCall(PetscSNPrintf(text + used, len - used, "%s%g", k ? "," : "", (double)x[k]));
+    PetscCall(PetscSNPrintf(text + used, len - used, "%s%.6g", k ? "," : "", (double)x[k]));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

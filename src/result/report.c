@@ -29,6 +29,13 @@ static PetscErrorCode PrintPair_Private(const SummaryInput *in, PetscInt p)
   char             force[128], at[128];
 
   PetscFunctionBeginUser;
+  if (!in->vi->pairs[p]->num_multipliers) {
+    PetscCall(PetscPrintf(comm,
+                          "  %s: no part of %s:%s faces what it is to meet within the reach of %.6g (-%s_reach)\n",
+                          spec->name, in->scene->bodies[spec->nonmortar.body].name, spec->nonmortar.side,
+                          (double)in->vi->pairs[p]->reach, spec->name));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
   PetscCall(PairSumCompute(in->fields, p, &sum));
   PetscCall(VectorText_Private(in->scene->dim, sum.force, force, sizeof(force)));
   PetscCall(PetscPrintf(comm, "  %s: %" PetscInt_FMT " of %" PetscInt_FMT " nodes %s, force %s on %s\n", spec->name,
@@ -95,7 +102,13 @@ static PetscErrorCode PrintFailures_Private(const SummaryInput *in)
   PetscFunctionBeginUser;
   if (!in->report->converged)
     PetscCall(PetscFPrintf(comm, PETSC_STDERR, "mortise: not solved: %s\n", in->report->reason));
-  if (!in->certificate->holds) PetscCall(PetscFPrintf(comm, PETSC_STDERR, "mortise: %s\n", in->certificate->failure));
+  /* What would mend a certificate, its part behind the semicolon, is no advice where there is no solution to judge. */
+  if (!in->certificate->holds) {
+    const char *failure = in->certificate->failure;
+    const int   shown   = (int)(in->report->converged ? strlen(failure) : strcspn(failure, ";"));
+
+    PetscCall(PetscFPrintf(comm, PETSC_STDERR, "mortise: %.*s\n", shown, failure));
+  }
   if (in->check->done && !in->check->agree) {
     PetscCall(PetscFPrintf(comm, PETSC_STDERR,
                            "mortise: %s and %s disagree: active sets differ in %" PetscInt_FMT

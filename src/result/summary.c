@@ -6,6 +6,7 @@
 #include <mortise/log.h>
 #include <mortise/options.h>
 #include <mortise/compat.h>
+#include "bodies.h"
 #include "json.h"
 #include "pairsum.h"
 #include "probes.h"
@@ -39,20 +40,17 @@ static PetscErrorCode AddBodies_Private(const SummaryInput *in, cJSON *scene)
 {
   cJSON       *bodies = cJSON_AddObjectToObject(scene, "bodies");
   const Level *level  = in->vi->level;
-  PetscInt    *counts; /* cells and nodes of each body [num_bodies][2] */
+  BodyCount   *counts;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(2 * in->scene->num_bodies, &counts));
-  for (PetscInt c = 0; c < level->num_cells; ++c) ++counts[2 * level->cell_body[c]];
-  for (PetscInt a = 0; a < level->num_owned; ++a) ++counts[2 * level->node_body[a] + 1];
-  PetscCallMPI(
-      MPI_Allreduce(MPI_IN_PLACE, counts, (PetscMPIInt)(2 * in->scene->num_bodies), MPIU_INT, MPI_SUM, level->comm));
+  PetscCall(PetscMalloc1(in->scene->num_bodies, &counts));
+  PetscCall(BodiesCount(level, in->scene->num_bodies, counts));
   for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
     cJSON *body = cJSON_AddObjectToObject(bodies, in->scene->bodies[b].name);
 
-    JSONAddInt(body, "cells", counts[2 * b]);
-    JSONAddInt(body, "nodes", counts[2 * b + 1]);
-    JSONAddInt(body, "dofs", counts[2 * b + 1] * level->dim);
+    JSONAddInt(body, "cells", counts[b].cells);
+    JSONAddInt(body, "nodes", counts[b].nodes);
+    JSONAddInt(body, "dofs", counts[b].nodes * level->dim);
     JSONAddInt(body, "order", in->scene->bodies[b].order);
     cJSON_AddBoolToObject(body, "floating", in->vi->floating[b]);
   }

@@ -103,9 +103,9 @@ static PetscErrorCode Configure_Private(VI vi, const SolveChoice *choice, const 
   } else {
     SNESLineSearch search;
 
-    /* the problem is quadratic: whole steps */
+    /* whole steps can run in a circle; the minimum of the residual along a step has not been seen to */
     PetscCall(SNESGetLineSearch(*snes, &search));
-    PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHBASIC));
+    PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHL2));
     PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, OTHER_RTOL, 0, OTHER_MAX_IT, PETSC_DEFAULT));
     PetscCall(SNESSetDivergenceTolerance(*snes, -1)); // none: the first steps may go far before the set is right
     PetscCall(MatNorm(vi->A, NORM_INFINITY, norm));
