@@ -194,12 +194,14 @@ static PetscErrorCode CollectMortarPoints_Private(const FacetPartner *partner, c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Collects the points of a line facet against an obstacle: the whole facet, if any of it is within reach. */
+/* Collects the points of a line facet against an obstacle: the whole facet, if any of it is within reach along the
+   facet's own normal. That of a node at a sharp edge may see what the facet turns its back on. */
 static PetscErrorCode CollectObstaclePoints_Private(const FacetPartner *partner, const PetscReal X[],
                                                     const PetscReal N[], PointList *list)
 {
   const PetscReal length = FacetSize(2, 2, X);
-  PetscReal       xi[TURN_POINTS], w[TURN_POINTS], x[2], n[2];
+  const PetscReal nu[2]  = {(X[3] - X[1]) / length, (X[0] - X[2]) / length};
+  PetscReal       xi[TURN_POINTS], w[TURN_POINTS], x[2], n[2], own;
   PetscBool       near = PETSC_FALSE;
 
   PetscFunctionBeginUser;
@@ -214,7 +216,8 @@ static PetscErrorCode CollectObstaclePoints_Private(const FacetPartner *partner,
     }
     for (PetscInt k = 0; k < 2; k++) n[k] /= PetscSqrtReal(norm);
     PetscCall(ObstacleGap(&partner->spec->obstacle, 2, x, n, &point.gap));
-    if (point.gap <= partner->reach) near = PETSC_TRUE;
+    PetscCall(ObstacleGap(&partner->spec->obstacle, 2, x, nu, &own));
+    if (own <= partner->reach) near = PETSC_TRUE;
     PetscCall(PointListAdd_Private(list, &point, -1));
   }
   if (!near) list->num = 0;
