@@ -40,6 +40,7 @@ static PetscErrorCode Run(MortiseExit *verdict)
   PetscCall(VICreate(scene, mesh, &vi));
   if (scene->view) {
     PetscCall(SceneView(scene));
+    PetscCall(ModelView(vi));
     PetscCall(SolveView(vi));
   }
   PetscCall(LogStageBegin(STAGE_SOLVE));

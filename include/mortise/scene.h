@@ -112,6 +112,8 @@ PetscErrorCode SceneCheckUnused(Scene scene, PetscBool before_solve);
 PetscErrorCode SceneHelp(MPI_Comm comm);
 /* Prints what was modelled, as far as the scene knows (bodies, materials, loads, pairs). Collective. */
 PetscErrorCode SceneView(Scene scene);
+/* Begins the list of what was left out and why: "left out:" and a line each. Collective. */
+PetscErrorCode SceneViewLeftOut(Scene scene);
 PetscErrorCode SceneDestroy(Scene *scene);
 
 #endif

@@ -23,6 +23,9 @@ PetscErrorCode SummaryCreate(const SummaryInput *input, char **text);
 /* Writes the summary where the scene wants it (<output>.json, -summary), and prints the few lines a user reads on the
    terminal: verdict, forces, certificate, files; on failure the reason, on stderr. Collective. */
 PetscErrorCode SummaryWrite(const SummaryInput *input);
+/* Prints what the meshes made of the scene, and what was left out of it: with SceneView() before and SolveView() behind,
+   -scene_view. Collective. */
+PetscErrorCode ModelView(VI vi);
 /* Faults if a probe lies outside its body; call before the solve. Collective. */
 PetscErrorCode ProbesCheck(Scene scene, Mesh mesh);
 

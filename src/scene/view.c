@@ -1,4 +1,4 @@
-/* view.c -- -scene_view: what was modelled, and what was left out and why, as far as it is known without a mesh. */
+/* view.c -- -scene_view, as far as it is known without a mesh; src/result/view.c tells the rest. */
 #include "parts.h"
 #include <stdarg.h>
 #include <string.h>
@@ -90,7 +90,7 @@ static PetscErrorCode ViewPair_Private(Scene scene, const ScenePair *pair)
                               scene->bodies[s->body].name, s->side, pair->roles_open ? "and" : "(nonmortar) on"));
   if (m->body >= 0)
     PetscCall(ViewPrint_Private(scene, "%s:%s%s", scene->bodies[m->body].name, m->side,
-                                pair->roles_open ? ", roles open" : " (mortar)"));
+                                pair->roles_open ? ", roles left to the program" : " (mortar)"));
   else
     PetscCall(ViewPrint_Private(scene, "a rigid %s", obstacles[pair->obstacle.kind]));
   if (pair->type == PAIR_CONTACT)
@@ -108,7 +108,7 @@ static void ViewCount_Private(Expression e, PetscInt *num, PetscInt *num_varying
   *num_varying += !ExpressionIsConstant(e);
 }
 
-static PetscErrorCode ViewLeftOut_Private(Scene scene)
+PetscErrorCode SceneViewLeftOut(Scene scene)
 {
   PetscInt num = 0, num_varying = 0, num_obstacles = 0, num_forces = 0, num_tied = 0;
 
@@ -142,7 +142,7 @@ static PetscErrorCode ViewLeftOut_Private(Scene scene)
         num - num_varying, num));
   }
   if (!num_forces) PetscCall(ViewPrint_Private(scene, "    forces on the inside of bodies: none given\n"));
-  if (!scene->refine) PetscCall(ViewPrint_Private(scene, "    levels of refinement: -dm_refine is 0\n"));
+  if (!scene->refine) PetscCall(ViewPrint_Private(scene, "    coarser and finer meshes: -dm_refine is 0\n"));
   if (!scene->output) PetscCall(ViewPrint_Private(scene, "    files: no -output\n"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -164,6 +164,5 @@ PetscErrorCode SceneView(Scene scene)
   }
   if (scene->refine)
     PetscCall(ViewPrint_Private(scene, "  all bodies refined %" PetscInt_FMT " times\n", scene->refine));
-  PetscCall(ViewLeftOut_Private(scene));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,0 +1,92 @@
+/* view.c -- the rest of -scene_view: what the meshes made of the scene, and what was left out of it, and why. */
+#include <mortise/summary.h>
+#include <mortise/compat.h>
+#include "bodies.h"
+
+PetscErrorCode BodiesCount(const Level *level, PetscInt num_bodies, BodyCount counts[])
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscArrayzero(counts, num_bodies));
+  for (PetscInt c = 0; c < level->num_cells; ++c) ++counts[level->cell_body[c]].cells;
+  for (PetscInt a = 0; a < level->num_owned; ++a) ++counts[level->node_body[a]].nodes;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, counts, (PetscMPIInt)(2 * num_bodies), MPIU_INT, MPI_SUM, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode ViewBodies_Private(VI vi)
+{
+  const Scene    scene = vi->scene;
+  const PetscInt nodes = vi->level->num_global;
+  BodyCount     *counts;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(scene->num_bodies, &counts));
+  PetscCall(BodiesCount(vi->level, scene->num_bodies, counts));
+  PetscCall(PetscPrintf(scene->comm, "  meshed: %" PetscInt_FMT " nodes, %" PetscInt_FMT " unknowns\n", nodes,
+                        nodes * vi->level->dim));
+  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+    PetscCall(
+        PetscPrintf(scene->comm, "    body %s: %" PetscInt_FMT " cells, %" PetscInt_FMT " nodes%s\n",
+                    scene->bodies[b].name, counts[b].cells, counts[b].nodes,
+                    vi->floating[b] ? "; floating: its supports leave it free to move, contact has to hold it" : ""));
+  }
+  PetscCall(PetscFree(counts));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode ViewPair_Private(VI vi, const Pair pair)
+{
+  const Scene      scene = vi->scene;
+  const ScenePair *spec  = pair->spec;
+  const SceneSide *s = &spec->nonmortar, *m = &spec->mortar;
+  const PetscInt   nodes = pair->num_multipliers + pair->num_removed + pair->num_uncovered;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscPrintf(
+      scene->comm,
+      "    pair %s: multipliers at %" PetscInt_FMT " of %" PetscInt_FMT " nodes of %s:%s (%" PetscInt_FMT " facets",
+      spec->name, pair->num_multipliers, nodes, scene->bodies[s->body].name, s->side, pair->num_facets_nonmortar));
+  if (m->body >= 0) {
+    PetscCall(PetscPrintf(scene->comm, ") against %s:%s (%" PetscInt_FMT " facets", scene->bodies[m->body].name,
+                          m->side, pair->num_facets_mortar));
+  }
+  PetscCall(PetscPrintf(scene->comm, "), reach %.6g%s\n", (double)pair->reach,
+                        spec->roles_open ? "; roles chosen by stiffness and mesh" : ""));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Nodes of nonmortar sides that have no multiplier. */
+static PetscErrorCode ViewLeftNodes_Private(MPI_Comm comm, const Pair pair)
+{
+  PetscFunctionBeginUser;
+  if (pair->num_uncovered) {
+    PetscCall(PetscPrintf(comm, "    multipliers of %s at %" PetscInt_FMT " nodes: nothing faces them within reach\n",
+                          pair->spec->name, pair->num_uncovered));
+  }
+  if (pair->num_removed) {
+    PetscCall(PetscPrintf(comm,
+                          "    multipliers of %s at %" PetscInt_FMT " nodes: held along their normal, covered on a "
+                          "sliver, or served by another pair; neighbours take over\n",
+                          pair->spec->name, pair->num_removed));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ModelView(VI vi)
+{
+  const Scene scene    = vi->scene;
+  PetscInt    num_held = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(ViewBodies_Private(vi));
+  for (PetscInt p = 0; p < vi->num_pairs; ++p) PetscCall(ViewPair_Private(vi, vi->pairs[p]));
+  PetscCall(SceneViewLeftOut(scene));
+  for (PetscInt p = 0; p < vi->num_pairs; ++p) PetscCall(ViewLeftNodes_Private(scene->comm, vi->pairs[p]));
+  for (PetscInt b = 0; b < scene->num_bodies; ++b) num_held += vi->floating[b] ? 0 : 1;
+  if (num_held) {
+    PetscCall(PetscPrintf(scene->comm,
+                          "    rigid motions of %" PetscInt_FMT " of %" PetscInt_FMT " bodies: supports hold them\n",
+                          num_held, scene->num_bodies));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
