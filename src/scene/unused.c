@@ -128,6 +128,12 @@ PetscErrorCode UnusedNearest(Scene scene, const char option[], char near[OPTION_
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether a suggestion stays in the option's name space: what is meant by -ksp_x is not -snes_x. */
+static PetscBool UnusedIsOfSameSpace_Private(const char option[], const char near[])
+{
+  return (PetscBool)(!UnusedBeginsLikePETSc(option) || !strncasecmp(option, near, strcspn(option, "_") + 1));
+}
+
 /* The sentence about one unused option; whether it could suggest another one. */
 static PetscErrorCode UnusedExplain_Private(Scene scene, const Leftover *left, char sentence[OPTION_SENTENCE],
                                             PetscBool *suggested)
@@ -149,9 +155,15 @@ static PetscErrorCode UnusedExplain_Private(Scene scene, const Leftover *left, c
                             (int)strlen(text) - 1, text));
   } else {
     PetscCall(SuggestOption(scene, left->name, near));
+    if (!UnusedIsOfSameSpace_Private(left->name, near)) near[0] = '\0';
     *suggested = (PetscBool) !!near[0];
     if (near[0])
       PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE, "%s: there is no such option; did you mean %s?", shown, near));
+    else if (UnusedBeginsLikePETSc(left->name))
+      PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE,
+                              "%s: nothing reads this option here: PETSc has none of this name, or the solvers of this "
+                              "run do not ask for it; -help lists those that serve",
+                              shown));
     else
       PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE,
                               "%s: there is no such option, and none like it; -bodies, -pairs and -probes list the "
