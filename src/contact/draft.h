@@ -18,6 +18,10 @@ typedef struct {
 PetscErrorCode ReachChoose(const ScenePair *spec, Level *level, const Support *held, const Facets *nonmortar,
                            const Facets *mortar, PetscReal *reach);
 
+/* Takes held directions out of the normals of nodes that are free enough, before rays are sent along them: a symmetry plane
+   then cuts the side where the mirror image would go on. Not collective. [in,out] normals - ghosted */
+PetscErrorCode NormalsProject(const Level *level, const Support *held, Vec normals);
+
 /* Decides by coverage and supports which nodes may keep a multiplier; takes held directions out of their normals. Not collective. */
 PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *draft);
 

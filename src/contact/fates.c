@@ -31,6 +31,24 @@ static PetscBool ProjectNormal_Private(const Support *held, PetscInt node, Petsc
   return (PetscBool)(held->count[node] < dim && FrameNormalize(dim, n) >= HELD_NORMAL);
 }
 
+PetscErrorCode NormalsProject(const Level *level, const Support *held, Vec normals)
+{
+  PetscReal    n[3];
+  PetscScalar *N;
+  Vec          local;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGhostGetLocalForm(normals, &local));
+  PetscCall(VecGetArray(local, &N));
+  for (PetscInt i = 0; i < level->num_nodes; i++) {
+    PetscCall(PetscArraycpy(n, &N[i * level->dim], level->dim));
+    if (ProjectNormal_Private(held, i, n)) PetscCall(PetscArraycpy(&N[i * level->dim], n, level->dim));
+  }
+  PetscCall(VecRestoreArray(local, &N));
+  PetscCall(VecGhostRestoreLocalForm(normals, &local));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *draft)
 {
   const PetscInt     dim = level->dim;

@@ -82,6 +82,7 @@ static PetscErrorCode Integrate_Private(Scene scene, Level *level, const Support
   pair->num_facets_nonmortar = draft->nonmortar.num;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &pair->num_facets_nonmortar, 1, MPIU_INT, MPI_SUM, level->comm));
   PetscCall(NodalNormalsCreate(level, &draft->nonmortar, &draft->normals));
+  PetscCall(NormalsProject(level, held, draft->normals));
   PetscCall(IntegralsCreate(level, &partner, &draft->nonmortar, draft->normals, &draft->sums));
   PetscCall(ExpressionCheck(level->comm, spec->gap));
   PetscCall(ExpressionCheck(level->comm, spec->gap_offset));
