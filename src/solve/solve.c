@@ -2,6 +2,7 @@
 #include <stdbool.h>
 #include <string.h>
 #include <mortise/compat.h>
+#include <mortise/fault.h>
 #include <mortise/pdas.h>
 #include "active.h"
 #include "room.h"
@@ -83,8 +84,9 @@ static PetscErrorCode DefaultsApply_Private(PetscInt n, Default defaults[], cons
 static PetscErrorCode Configure_Private(VI vi, const SolveChoice *choice, const char prefix[], Vec scratch,
                                         PetscReal *norm, SNES *snes)
 {
-  KSP ksp;
-  PC  pc;
+  KSP      ksp;
+  PC       pc;
+  PetscInt max_it;
 
   PetscFunctionBeginUser;
   PetscCall(SNESCreate(PetscObjectComm((PetscObject)vi->A), snes));
@@ -112,6 +114,11 @@ static PetscErrorCode Configure_Private(VI vi, const SolveChoice *choice, const 
     PetscCall(SNESSetConvergenceTest(*snes, ConvergedFn, norm, NULL));
   }
   PetscCall(SNESSetFromOptions(*snes));
+  PetscCall(SNESGetTolerances(*snes, NULL, NULL, NULL, &max_it, NULL));
+  if (max_it < 1) {
+    PetscCall(FaultRaise(PetscObjectComm((PetscObject)vi->A), "-%ssnes_max_it %" PetscInt_FMT ": must be at least 1",
+                         prefix, max_it));
+  }
   PetscCall(SNESVISetVariableBounds(*snes, vi->lower, vi->upper)); /* pdas keeps them itself, so not before the type */
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -57,6 +57,7 @@ mistake(refine_text         SAYS "-dm_refine twice" "whole number" ARGS -dm_refi
 mistake(refine_beyond       SAYS -upper_dm_plex_box_faces "-dm_refine" "more than can be numbered" ARGS -dm_refine 20)
 mistake(boolean             SAYS "-cross_check perhaps" yes no ARGS -cross_check perhaps)
 mistake(solver_unbounded    SAYS "-snes_type newtonls" pdas vinewtonrsls bounds ARGS -snes_type newtonls)
+mistake(solver_steps        SAYS "-snes_max_it 0" "at least 1" ARGS -snes_max_it 0)
 mistake(solver_start        SAYS -snes_pdas_start filled ARGS -snes_pdas_start filled)
 mistake(solver_constant     SAYS -snes_pdas_c ARGS -snes_pdas_c -1)
 mistake(linear_type         SAYS -ksp_type conjugate ARGS -ksp_type conjugate)
