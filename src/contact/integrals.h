@@ -8,6 +8,11 @@
    [out] normals - ghosted, dim per node, owned by the caller */
 PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, Vec *normals);
 
+/* Where facets meet at more than 45 degrees, takes the node's normal from those that see the other side. Collective.
+   [in] sees - [facets->num]; [in,out] normals - ghosted, as created; [out] changed - whether there is such a node */
+PetscErrorCode NodalNormalsSharpen(Level *level, const Facets *facets, const PetscBool sees[], Vec normals,
+                                   PetscBool *changed);
+
 /* Integrals of all facets, as sums at nodes. */
 typedef struct {
   Vec        D, full, G; /* ghosted, one per node */

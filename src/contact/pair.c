@@ -59,6 +59,44 @@ static PetscErrorCode CollectNodes_Private(Level *level, const Support *held, co
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* to := from, ghosts included. */
+static PetscErrorCode VecGhostCopy_Private(Vec from, Vec to)
+{
+  Vec local[2];
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGhostGetLocalForm(from, &local[0]));
+  PetscCall(VecGhostGetLocalForm(to, &local[1]));
+  PetscCall(VecCopy(local[0], local[1]));
+  PetscCall(VecGhostRestoreLocalForm(from, &local[0]));
+  PetscCall(VecGhostRestoreLocalForm(to, &local[1]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* D, M and G along the side's normals; once more where sharp edges show only then which of their facets see a partner. */
+static PetscErrorCode IntegrateAlong_Private(Level *level, const Support *held, const FacetPartner *partner,
+                                             PairDraft *draft)
+{
+  PetscBool changed;
+  Vec       raw;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(draft->normals, &raw));
+  PetscCall(VecGhostCopy_Private(draft->normals, raw));
+  PetscCall(NormalsProject(level, held, draft->normals));
+  PetscCall(IntegralsCreate(level, partner, &draft->nonmortar, draft->normals, &draft->sums));
+  PetscCall(NodalNormalsSharpen(level, &draft->nonmortar, draft->sums.covered, raw, &changed));
+  if (changed) {
+    PetscCall(VecGhostCopy_Private(raw, draft->normals));
+    PetscCall(NormalsProject(level, held, draft->normals));
+    PetscCall(MatDestroy(&draft->sums.M));
+    PetscCall(IntegralsDestroy(&draft->sums));
+    PetscCall(IntegralsCreate(level, partner, &draft->nonmortar, draft->normals, &draft->sums));
+  }
+  PetscCall(VecDestroy(&raw));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Searches and integrates one pair. Collective. */
 static PetscErrorCode Integrate_Private(Scene scene, Level *level, const Support *held, Pair pair, PairDraft *draft)
 {
@@ -82,8 +120,7 @@ static PetscErrorCode Integrate_Private(Scene scene, Level *level, const Support
   pair->num_facets_nonmortar = draft->nonmortar.num;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &pair->num_facets_nonmortar, 1, MPIU_INT, MPI_SUM, level->comm));
   PetscCall(NodalNormalsCreate(level, &draft->nonmortar, &draft->normals));
-  PetscCall(NormalsProject(level, held, draft->normals));
-  PetscCall(IntegralsCreate(level, &partner, &draft->nonmortar, draft->normals, &draft->sums));
+  PetscCall(IntegrateAlong_Private(level, held, &partner, draft));
   PetscCall(ExpressionCheck(level->comm, spec->gap));
   PetscCall(ExpressionCheck(level->comm, spec->gap_offset));
   PetscCall(ExpressionCheck(level->comm, spec->obstacle.gap));

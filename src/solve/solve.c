@@ -256,7 +256,11 @@ static PetscErrorCode Report_Private(SNES snes, VI vi, Vec y, SolveReport *repor
     if (!report->converged) PetscCall(ReasonOther_Private(snes, reason, report));
   }
   if (SolveFactors(pc_type)) PetscCall(PCFactorGetMatSolverType(pc, &package));
-  PetscCall(SolveDescribe(ksp_type, pc_type, package, words, sizeof(words)));
+  if (reduced) { // whatever the KSP is, it was not asked
+    PetscCall(SolveDescribe(KSPPREONLY, PCCHOLESKY, MATSOLVERMUMPS, words, sizeof(words)));
+  } else {
+    PetscCall(SolveDescribe(ksp_type, pc_type, package, words, sizeof(words)));
+  }
   PetscCall(
       PetscSNPrintf(report->linear, sizeof(report->linear), "%s%s", words, reduced ? ", one for all active sets" : ""));
   PetscFunctionReturn(PETSC_SUCCESS);
