@@ -253,7 +253,7 @@ static PetscErrorCode TestGather(void)
 
 int main(int argc, char **argv)
 {
-  char        folder[] = "/tmp/mortise_test_XXXXXX";
+  char        folder[] = "mortise_test_XXXXXX";
   PetscMPIInt rank;
 
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
