@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Cost of a contact solution against the number of unknowns: the two plates of options/two_plates.opts with the direct solver.
 
-    python3 tests/bench/bench.py build/mortise [--sizes 32,64,128] [--runs 5] [--simplex] [--match]
+    python3 tests/bench/bench.py build/mortise [--sizes 32,64,128] [--runs 5] [--simplex] [--match] [-- option of mortise ...]
 
 Whole program, one core, no output files. Every figure is the median of the runs; the table is Markdown on stdout. CPU seconds
 and peak memory are the operating system's account of the finished process; the stages are the program's own wall clock.
@@ -63,8 +63,9 @@ def main():
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--simplex", action="store_true", help="triangles instead of quads")
     parser.add_argument("--match", action="store_true", help="the same mesh on both sides")
-    parser.add_argument("rest", nargs="*", help="further options for the program, after --")
-    arguments = parser.parse_args()
+    end = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)
+    arguments = parser.parse_args(sys.argv[1:end])
+    arguments.rest = sys.argv[end + 1 :]
     header = ["n", "unknowns", "steps", "CPU s", "wall s", "MB"] + [f"{s} %" for s in STAGES]
     print("| " + " | ".join(header) + " |")
     print("|" + "---:|" * len(header))
