@@ -266,7 +266,7 @@ int main(int argc, char **argv)
     PetscCall(TestPicture());
     PetscCall(TestFullDisk());
     PetscCall(TestCheck());
-    CHECK(chdir("/") == 0 && rmdir(folder) == 0);
+    CHECK(chdir("..") == 0 && rmdir(folder) == 0);
   }
   PetscCall(PetscFinalize());
   return 0;
