@@ -1,18 +1,28 @@
 /* element.h -- shape functions, quadrature and cell stiffness (floor 1).
 
    Plain tables and loops: no MPI, no objects, nothing allocated. Reference cells are PETSc's order of vertices:
-   line2 on [0,1]; tri3 (0,0),(1,0),(0,1); quad4 (0,0),(1,0),(1,1),(0,1) on [0,1]^2. 2D cells run anticlockwise. */
+   line2 on [0,1]; tri3 (0,0),(1,0),(0,1); quad4 (0,0),(1,0),(1,1),(0,1) on [0,1]^2. 2D cells run anticlockwise. Cells of
+   second order have, behind their vertices, a node in the middle of each facet, in the order of the facets, and quad9 one
+   in its own middle: line3 (end, end, middle), tri6, quad9. Sides may be curved: the geometry is isoparametric. */
 #ifndef MORTISE_ELEMENT_H
 #define MORTISE_ELEMENT_H
 
 #include <petscsys.h>
 
-typedef enum { ELEMENT_LINE2, ELEMENT_TRI3, ELEMENT_QUAD4, ELEMENT_COUNT } ElementType;
+typedef enum {
+  ELEMENT_LINE2,
+  ELEMENT_TRI3,
+  ELEMENT_QUAD4,
+  ELEMENT_LINE3,
+  ELEMENT_TRI6,
+  ELEMENT_QUAD9,
+  ELEMENT_COUNT
+} ElementType;
 
 enum {
-  ELEMENT_MAX_NODES       = 8, /* of a cell */
+  ELEMENT_MAX_NODES       = 9, /* of a cell */
   ELEMENT_MAX_FACET_NODES = 4, /* of a facet */
-  ELEMENT_MAX_POINTS      = 16 /* of a quadrature rule */
+  ELEMENT_MAX_POINTS      = 64 /* of a quadrature rule */
 };
 
 /* Name as users know it ("tri3"), reference dimension, nodes, facets, and the type of each facet. Not collective. */
@@ -21,7 +31,14 @@ PetscInt    ElementDim(ElementType type);
 PetscInt    ElementNumNodes(ElementType type);
 PetscInt    ElementNumFacets(ElementType type);
 ElementType ElementFacetType(ElementType type);
-/* The cell's local node numbers of one facet, ordered so that in 2D the outward normal is (dy, -dx) along the facet. */
+/* Polynomial order, 1 or 2; the cell of order 1 with the same vertices (whose number is ElementNumNodes() of it); and the
+   other way round. Not collective. */
+PetscInt    ElementOrder(ElementType type);
+ElementType ElementLinear(ElementType type);
+ElementType ElementOfOrder(ElementType linear, PetscInt order);
+/* Reference coordinates of a node, [ElementDim]; borrowed. */
+const PetscReal *ElementNode(ElementType type, PetscInt node);
+/* The cell's local node numbers of one facet, ends first, ordered so that in 2D the outward normal is (dy, -dx) along the facet. */
 const PetscInt *ElementFacetNodes(ElementType type, PetscInt facet);
 
 /* phi = shape functions at xi; dphi[i][k] = d phi_i / d xi_k (dphi may be NULL).
@@ -29,7 +46,7 @@ const PetscInt *ElementFacetNodes(ElementType type, PetscInt facet);
 void ElementShape(ElementType type, const PetscReal xi[], PetscReal phi[], PetscReal dphi[]);
 
 /* A rule on the reference cell that is exact for polynomials up to degree (tensor degree on quads).
-   Highest degree: 15 on lines, 5 on triangles, 7 on quads. Returns n, 0 beyond.
+   Highest degree: 15 on lines and quads, 14 on triangles. Returns n, 0 beyond.
    [out] points - [n][ElementDim]; [out] weights - [n], summing to the reference measure */
 PetscInt ElementQuadrature(ElementType type, PetscInt degree, PetscReal points[], PetscReal weights[]);
 
@@ -41,6 +58,12 @@ PetscInt GaussLine(PetscInt n, PetscReal points[], PetscReal weights[]);
    [out] grad - [num_nodes][dim] */
 PetscReal ElementMap(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
                      PetscReal grad[]);
+
+/* The same for a facet in space of ElementDim + 1 dimensions: x, the shape functions, the unit normal (outward where the
+   facet's nodes are ordered as ElementFacetNodes() says); returns |dx/dxi|, the ratio of measures.
+   [in] X - [num_nodes][dim]; [out] x - [dim], may be NULL; [out] phi - [num_nodes]; [out] normal - [dim], may be NULL */
+PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
+                         PetscReal normal[]);
 
 /* Smallest det J in the cell: <= 0 for a degenerate or tangled one. */
 PetscReal ElementMinJacobian(ElementType type, const PetscReal X[]);
@@ -54,7 +77,8 @@ PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x
    [in] grad - [num_nodes][dim]; [out] B - [num_strains][num_nodes*dim] */
 void ElementStrainMatrix(PetscInt dim, PetscInt num_nodes, const PetscReal grad[], PetscReal B[]);
 
-/* The degree of quadrature for the stiffness of affine and parallelogram cells: 2 x 2 points for quad4, 1 for tri3. */
+/* The degree of quadrature for the stiffness, exact on affine and parallelogram cells: 2 x 2 points for quad4, 3 x 3 for
+   quad9, 1 for tri3, 6 for tri6. */
 PetscInt ElementStiffnessDegree(ElementType type);
 
 #endif

@@ -32,11 +32,14 @@ typedef struct {
   Expression     stiffness;      /* upper triangle of the Hooke tensor, else NULL */
   PetscReal      angle[3];       /* of the material axes, degrees */
   Expression     body_force;     /* force per volume [dim], or NULL */
+  Expression     exact;          /* the exact displacement, where it is known [dim], or NULL */
   PetscInt       num_boundaries;
   SceneBoundary *boundaries; /* in the order typed: displacement, normal, traction, pressure */
 } SceneBody;
 
 typedef enum { PAIR_CONTACT, PAIR_TIED } PairType;
+/* Which nodes of a nonmortar side of second order carry multipliers. */
+typedef enum { MULTIPLIERS_NODES, MULTIPLIERS_VERTICES } PairMultipliers;
 typedef enum {
   OBSTACLE_NONE,
   OBSTACLE_PLANE,
@@ -62,15 +65,17 @@ typedef struct {
 } SceneSide;
 
 typedef struct {
-  char         *name;
-  PairType      type;
-  PetscBool     roles_open; /* the user gave -<pair>_sides only: the mesh decides which side is nonmortar */
-  SceneSide     nonmortar;
-  SceneSide     mortar;     /* body = -1 with an obstacle */
-  SceneObstacle obstacle;   /* kind OBSTACLE_NONE with a meshed mortar side */
-  Expression    gap;        /* replaces the measured gap, or NULL [1] */
-  Expression    gap_offset; /* is added to it, or NULL [1] */
-  PetscReal     reach;      /* farthest candidate, or negative: from the geometry */
+  char           *name;
+  PairType        type;
+  PetscBool       roles_open; /* the user gave -<pair>_sides only: the mesh decides which side is nonmortar */
+  SceneSide       nonmortar;
+  SceneSide       mortar;     /* body = -1 with an obstacle */
+  SceneObstacle   obstacle;   /* kind OBSTACLE_NONE with a meshed mortar side */
+  Expression      gap;        /* replaces the measured gap, or NULL [1] */
+  Expression      gap_offset; /* is added to it, or NULL [1] */
+  PetscReal       reach;      /* farthest candidate, or negative: from the geometry */
+  PairMultipliers multipliers;
+  Expression      exact; /* the exact pressure, where it is known [1], or NULL */
 } ScenePair;
 
 typedef struct {
@@ -80,6 +85,17 @@ typedef struct {
 } SceneProbe;
 
 typedef enum { OUTPUT_XDMF = 1, OUTPUT_VTU = 2 } OutputFormat; /* bits */
+
+typedef enum { STUDY_NONE, STUDY_UNIFORM } StudyKind;
+enum { STUDY_MAX_ORDERS = 2 };
+
+/* The same scene on several meshes. */
+typedef struct {
+  StudyKind kind;
+  PetscInt  levels; /* meshes, each refined once more than the one before; the first is the scene's own */
+  PetscInt  num_orders, orders[STUDY_MAX_ORDERS]; /* of all bodies, ascending */
+  PetscReal memory; /* bytes that a run may take, of all ranks together; infinite where nothing was said */
+} SceneStudy;
 
 struct _n_Scene {
   MPI_Comm    comm;
@@ -95,7 +111,8 @@ struct _n_Scene {
   char       *output;  /* path prefix, or NULL for no files */
   int         formats; /* OutputFormat bits */
   char       *summary; /* file for the summary alone, "-" for stdout, or NULL */
-  PetscBool   cross_check, quiet, monitor, view, allow_unused;
+  SceneStudy  study;
+  PetscBool   cross_check, quiet, monitor, view, report, allow_unused;
 };
 typedef struct _n_Scene *Scene;
 

@@ -6,101 +6,102 @@
    Reference:
      [1] T. J. R. Hughes, The Finite Element Method (1987), chapter 3. */
 #include <mortise/element.h>
+#include "shape.h"
 
-enum { MAX_DIM = 2, MAX_FACETS = 4, NEWTON_MAX_STEPS = 25 };
+enum { MAX_DIM = 2, MAX_FACETS = 4, NEWTON_MAX_STEPS = 25, JACOBIAN_DEGREE = 7 };
 
 static const PetscReal NEWTON_STEP = 1e-10; /* convergence is quadratic: after such a step only roundoff is left */
 
 typedef struct {
   const char     *name;
-  PetscInt        dim, num_nodes, num_facets;
+  PetscInt        dim, order, num_nodes, num_facets;
+  ElementType     linear;     /* the same cell with its vertices only */
   ElementType     facet_type; /* ELEMENT_COUNT where the facets are points */
   PetscBool       simplex;    /* coordinates add up to 1 at most; otherwise each is in [0,1] */
   PetscInt        stiffness_degree;
   const PetscReal nodes[ELEMENT_MAX_NODES][MAX_DIM];
   const PetscInt  facets[MAX_FACETS][ELEMENT_MAX_FACET_NODES];
-  void (*shape)(const PetscReal xi[], PetscReal phi[], PetscReal dphi[]); /* dphi is never NULL */
+  ShapeFn        *shape;
 } Reference;
 
-/* Shape functions: phi [num_nodes] and dphi [num_nodes][dim] at xi [dim]. */
-
-static void ShapeLine2_Private(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
-{
-  phi[0]  = 1. - xi[0];
-  phi[1]  = xi[0];
-  dphi[0] = -1.;
-  dphi[1] = 1.;
-}
-
-static void ShapeTri3_Private(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
-{
-  phi[0]  = 1. - xi[0] - xi[1];
-  phi[1]  = xi[0];
-  phi[2]  = xi[1];
-  dphi[0] = dphi[1] = -1.;
-  dphi[2] = dphi[5] = 1.;
-  dphi[3] = dphi[4] = 0.;
-}
-
-/* Products of the line's functions, in the order of the corners. */
-static void ShapeQuad4_Private(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
-{
-  static const PetscInt corner[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  PetscReal             x[2], y[2], dx[2], dy[2];
-
-  ShapeLine2_Private(&xi[0], x, dx);
-  ShapeLine2_Private(&xi[1], y, dy);
-  for (PetscInt i = 0; i < 4; i++) {
-    const PetscInt a = corner[i][0], b = corner[i][1];
-
-    phi[i]          = x[a] * y[b];
-    dphi[2 * i]     = dx[a] * y[b];
-    dphi[2 * i + 1] = x[a] * dy[b];
-  }
-}
-
-/* Facets follow each other anticlockwise around a cell, so that its inside is on their left. Stiffness: tri3 has
-   constant strains; products of two linear strains of quad4 need 2 x 2 points. */
+/* Nodes: vertices, then the middles of facets in their order, then the middle of the cell. Facets follow each other
+   anticlockwise around a cell, so that its inside is on their left. Stiffness: tri3 has constant strains; products of
+   two strains are of degree 2 in each direction for quad4, 4 for quad9, and quadratic in tri6, where curved sides ask for
+   more. */
 static const Reference REFERENCE[ELEMENT_COUNT] = {
-    [ELEMENT_LINE2] =
-        {
-            .name             = "line2",
-            .dim              = 1,
-            .num_nodes        = 2,
-            .num_facets       = 2,
-            .facet_type       = ELEMENT_COUNT,
-            .simplex          = PETSC_FALSE,
-            .stiffness_degree = 0,
-            .nodes            = {{0.}, {1.}},
-            .facets           = {{0}, {1}},
-            .shape            = ShapeLine2_Private,
-        },
-    [ELEMENT_TRI3] =
-        {
-            .name             = "tri3",
-            .dim              = 2,
-            .num_nodes        = 3,
-            .num_facets       = 3,
-            .facet_type       = ELEMENT_LINE2,
-            .simplex          = PETSC_TRUE,
-            .stiffness_degree = 0,
-            .nodes            = {{0., 0.}, {1., 0.}, {0., 1.}},
-            .facets           = {{0, 1}, {1, 2}, {2, 0}},
-            .shape            = ShapeTri3_Private,
-        },
-    [ELEMENT_QUAD4] =
-        {
-            .name             = "quad4",
-            .dim              = 2,
-            .num_nodes        = 4,
-            .num_facets       = 4,
-            .facet_type       = ELEMENT_LINE2,
-            .simplex          = PETSC_FALSE,
-            .stiffness_degree = 2,
-            .nodes            = {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}},
-            .facets           = {{0, 1}, {1, 2}, {2, 3}, {3, 0}},
-            .shape            = ShapeQuad4_Private,
-        },
+    [ELEMENT_LINE2] = {.name             = "line2",
+                       .dim              = 1,
+                       .order            = 1,
+                       .num_nodes        = 2,
+                       .num_facets       = 2,
+                       .linear           = ELEMENT_LINE2,
+                       .facet_type       = ELEMENT_COUNT,
+                       .simplex          = PETSC_FALSE,
+                       .stiffness_degree = 0,
+                       .nodes            = {{0.}, {1.}},
+                       .facets           = {{0}, {1}},
+                       .shape            = ShapeLine2},
+    [ELEMENT_TRI3]  = {.name             = "tri3",
+                       .dim              = 2,
+                       .order            = 1,
+                       .num_nodes        = 3,
+                       .num_facets       = 3,
+                       .linear           = ELEMENT_TRI3,
+                       .facet_type       = ELEMENT_LINE2,
+                       .simplex          = PETSC_TRUE,
+                       .stiffness_degree = 0,
+                       .nodes            = {{0., 0.}, {1., 0.}, {0., 1.}},
+                       .facets           = {{0, 1}, {1, 2}, {2, 0}},
+                       .shape            = ShapeTri3},
+    [ELEMENT_QUAD4] = {.name             = "quad4",
+                       .dim              = 2,
+                       .order            = 1,
+                       .num_nodes        = 4,
+                       .num_facets       = 4,
+                       .linear           = ELEMENT_QUAD4,
+                       .facet_type       = ELEMENT_LINE2,
+                       .simplex          = PETSC_FALSE,
+                       .stiffness_degree = 2,
+                       .nodes            = {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}},
+                       .facets           = {{0, 1}, {1, 2}, {2, 3}, {3, 0}},
+                       .shape            = ShapeQuad4},
+    [ELEMENT_LINE3] = {.name             = "line3",
+                       .dim              = 1,
+                       .order            = 2,
+                       .num_nodes        = 3,
+                       .num_facets       = 2,
+                       .linear           = ELEMENT_LINE2,
+                       .facet_type       = ELEMENT_COUNT,
+                       .simplex          = PETSC_FALSE,
+                       .stiffness_degree = 2,
+                       .nodes            = {{0.}, {1.}, {0.5}},
+                       .facets           = {{0}, {1}},
+                       .shape            = ShapeLine3},
+    [ELEMENT_TRI6]  = {.name             = "tri6",
+                       .dim              = 2,
+                       .order            = 2,
+                       .num_nodes        = 6,
+                       .num_facets       = 3,
+                       .linear           = ELEMENT_TRI3,
+                       .facet_type       = ELEMENT_LINE3,
+                       .simplex          = PETSC_TRUE,
+                       .stiffness_degree = 4,
+                       .nodes            = {{0., 0.}, {1., 0.}, {0., 1.}, {0.5, 0.}, {0.5, 0.5}, {0., 0.5}},
+                       .facets           = {{0, 1, 3}, {1, 2, 4}, {2, 0, 5}},
+                       .shape            = ShapeTri6},
+    [ELEMENT_QUAD9] =
+        {.name             = "quad9",
+         .dim              = 2,
+         .order            = 2,
+         .num_nodes        = 9,
+         .num_facets       = 4,
+         .linear           = ELEMENT_QUAD4,
+         .facet_type       = ELEMENT_LINE3,
+         .simplex          = PETSC_FALSE,
+         .stiffness_degree = 4,
+         .nodes  = {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}, {0.5, 0.}, {1., 0.5}, {0.5, 1.}, {0., 0.5}, {0.5, 0.5}},
+         .facets = {{0, 1, 4}, {1, 2, 5}, {2, 3, 6}, {3, 0, 7}},
+         .shape  = ShapeQuad9},
 };
 
 const char *ElementName(ElementType type)
@@ -111,6 +112,31 @@ const char *ElementName(ElementType type)
 PetscInt ElementDim(ElementType type)
 {
   return REFERENCE[type].dim;
+}
+
+PetscInt ElementOrder(ElementType type)
+{
+  return REFERENCE[type].order;
+}
+
+ElementType ElementLinear(ElementType type)
+{
+  return REFERENCE[type].linear;
+}
+
+ElementType ElementOfOrder(ElementType linear, PetscInt order)
+{
+  ElementType type = linear;
+
+  for (PetscInt t = 0; t < ELEMENT_COUNT; t++) {
+    if (REFERENCE[t].linear == linear && REFERENCE[t].order == order) type = (ElementType)t;
+  }
+  return type;
+}
+
+const PetscReal *ElementNode(ElementType type, PetscInt node)
+{
+  return REFERENCE[type].nodes[node];
 }
 
 PetscInt ElementNumNodes(ElementType type)
@@ -196,17 +222,47 @@ PetscReal ElementMap(ElementType type, const PetscReal X[], const PetscReal xi[]
   return det;
 }
 
+PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
+                         PetscReal normal[])
+{
+  const Reference *facet = &REFERENCE[type];
+  const PetscInt   dim   = facet->dim + 1;
+  PetscReal        dphi[ELEMENT_MAX_NODES * MAX_DIM], t[MAX_DIM] = {0.}, measure;
+
+  facet->shape(xi, phi, dphi);
+  if (x) {
+    for (PetscInt k = 0; k < dim; k++) {
+      x[k] = 0.;
+      for (PetscInt i = 0; i < facet->num_nodes; i++) x[k] += phi[i] * X[i * dim + k];
+    }
+  }
+  for (PetscInt i = 0; i < facet->num_nodes; i++) {
+    for (PetscInt k = 0; k < dim; k++) t[k] += dphi[i] * X[i * dim + k];
+  }
+  measure = PetscSqrtReal(t[0] * t[0] + t[1] * t[1]);
+  if (normal) {
+    normal[0] = t[1] / measure;
+    normal[1] = -t[0] / measure;
+  }
+  return measure;
+}
+
+/* det J of tri3 is constant and that of quad4 is linear in xi, so the nodes show its extremes: positive at every corner
+   means that a quad is convex and runs anticlockwise. In cells of second order det J may be smallest anywhere; there the
+   points of a fine rule are looked at as well. */
 PetscReal ElementMinJacobian(ElementType type, const PetscReal X[])
 {
   const Reference *cell     = &REFERENCE[type];
-  PetscReal        smallest = PETSC_MAX_REAL;
+  PetscReal        smallest = PETSC_MAX_REAL, phi[ELEMENT_MAX_NODES];
 
-  /* det J of tri3 is constant and that of quad4 is linear in xi, so the nodes show its extremes. Positive at every
-     corner means that a quad is convex and runs anticlockwise. */
-  for (PetscInt i = 0; i < cell->num_nodes; i++) {
-    PetscReal phi[ELEMENT_MAX_NODES];
-
+  for (PetscInt i = 0; i < cell->num_nodes; i++)
     smallest = PetscMin(smallest, ElementMap(type, X, cell->nodes[i], NULL, phi, NULL));
+  if (cell->order > 1) {
+    PetscReal      xi[ELEMENT_MAX_POINTS * MAX_DIM], w[ELEMENT_MAX_POINTS];
+    const PetscInt n = ElementQuadrature(type, JACOBIAN_DEGREE, xi, w);
+
+    for (PetscInt q = 0; q < n; q++)
+      smallest = PetscMin(smallest, ElementMap(type, X, &xi[q * cell->dim], NULL, phi, NULL));
   }
   return smallest;
 }

@@ -81,7 +81,22 @@ static void Orbit_Private(PetscReal a, PetscReal weight, PetscReal points[], Pet
   }
 }
 
-/* Symmetric rules with positive weights and inner points: 1, 3, 6 [1] and 7 points [2]. */
+/* The square's rule, its upper side drawn together into a corner: x = s (1 - t), y = t, whose Jacobian 1 - t takes one
+   degree of what the line's rule can do. */
+static PetscInt CollapsedRule_Private(PetscInt degree, PetscReal points[], PetscReal weights[])
+{
+  const PetscInt n = QuadRule_Private(degree + 1, points, weights);
+
+  for (PetscInt q = 0; q < n; q++) {
+    const PetscReal narrow = 1. - points[2 * q + 1];
+
+    points[2 * q] *= narrow;
+    weights[q] *= narrow;
+  }
+  return n;
+}
+
+/* Symmetric rules with positive weights and inner points: 1, 3, 6 [1] and 7 points [2]; beyond them, the square's. */
 static PetscInt TriangleRule_Private(PetscInt degree, PetscReal points[], PetscReal weights[])
 {
   const PetscReal area = 0.5, third = 1. / 3.;
@@ -112,12 +127,12 @@ static PetscInt TriangleRule_Private(PetscInt degree, PetscReal points[], PetscR
     weights[6]              = area * 9. / 40.;
     return 7;
   }
-  return 0;
+  return CollapsedRule_Private(degree, points, weights);
 }
 
 PetscInt ElementQuadrature(ElementType type, PetscInt degree, PetscReal points[], PetscReal weights[])
 {
-  switch (type) {
+  switch (ElementLinear(type)) {
   case ELEMENT_LINE2: return LineRule_Private(degree, points, weights);
   case ELEMENT_TRI3: return TriangleRule_Private(degree, points, weights);
   case ELEMENT_QUAD4: return QuadRule_Private(degree, points, weights);
