@@ -65,7 +65,8 @@ PetscReal ElementMap(ElementType type, const PetscReal X[], const PetscReal xi[]
 PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
                          PetscReal normal[]);
 
-/* Smallest det J in the cell: <= 0 for a degenerate or tangled one. */
+/* Smallest det J in the cell: <= 0 for a degenerate or tangled one. In cells of second order it is the smallest on a
+   lattice that holds the nodes. */
 PetscReal ElementMinJacobian(ElementType type, const PetscReal X[]);
 
 /* Finds xi with x(xi) = x by Newton; returns whether x lies in the cell to within tolerance (relative to the cell).

@@ -8,7 +8,7 @@
 #include <mortise/element.h>
 #include "shape.h"
 
-enum { MAX_DIM = 2, MAX_FACETS = 4, NEWTON_MAX_STEPS = 25, JACOBIAN_DEGREE = 7 };
+enum { MAX_DIM = 2, MAX_FACETS = 4, NEWTON_MAX_STEPS = 25, JACOBIAN_INTERVALS = 6 };
 
 static const PetscReal NEWTON_STEP = 1e-10; /* convergence is quadratic: after such a step only roundoff is left */
 
@@ -248,21 +248,27 @@ PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal 
 }
 
 /* det J of tri3 is constant and that of quad4 is linear in xi, so the nodes show its extremes: positive at every corner
-   means that a quad is convex and runs anticlockwise. In cells of second order det J may be smallest anywhere; there the
-   points of a fine rule are looked at as well. */
+   means that a quad is convex and runs anticlockwise. In cells of second order det J may be smallest anywhere; there a
+   lattice that holds the nodes is looked at, sides included, since they are where bent cells tangle first. */
 PetscReal ElementMinJacobian(ElementType type, const PetscReal X[])
 {
-  const Reference *cell     = &REFERENCE[type];
-  PetscReal        smallest = PETSC_MAX_REAL, phi[ELEMENT_MAX_NODES];
+  const Reference *cell      = &REFERENCE[type];
+  const PetscInt   intervals = cell->order > 1 ? JACOBIAN_INTERVALS : 1;
+  PetscReal        smallest  = PETSC_MAX_REAL, phi[ELEMENT_MAX_NODES];
+  PetscInt         num       = 1;
 
-  for (PetscInt i = 0; i < cell->num_nodes; i++)
-    smallest = PetscMin(smallest, ElementMap(type, X, cell->nodes[i], NULL, phi, NULL));
-  if (cell->order > 1) {
-    PetscReal      xi[ELEMENT_MAX_POINTS * MAX_DIM], w[ELEMENT_MAX_POINTS];
-    const PetscInt n = ElementQuadrature(type, JACOBIAN_DEGREE, xi, w);
+  for (PetscInt k = 0; k < cell->dim; k++) num *= intervals + 1;
+  for (PetscInt i = 0; i < num; i++) {
+    PetscReal xi[MAX_DIM], sum = 0.;
+    PetscInt  digits = i;
 
-    for (PetscInt q = 0; q < n; q++)
-      smallest = PetscMin(smallest, ElementMap(type, X, &xi[q * cell->dim], NULL, phi, NULL));
+    for (PetscInt k = 0; k < cell->dim; k++) {
+      xi[k] = (PetscReal)(digits % (intervals + 1)) / intervals;
+      sum += xi[k];
+      digits /= intervals + 1;
+    }
+    if (cell->simplex && sum > 1. + PETSC_SMALL) continue;
+    smallest = PetscMin(smallest, ElementMap(type, X, xi, NULL, phi, NULL));
   }
   return smallest;
 }
@@ -299,16 +305,13 @@ static PetscBool IsInside_Private(const Reference *cell, const PetscReal xi[], P
   return !cell->simplex || sum <= 1. + tolerance ? PETSC_TRUE : PETSC_FALSE;
 }
 
-/* Newton's method for x(xi) = x. It takes one step in a triangle; from the middle of a convex quad it finds every point
-   inside, and where it fails outside, not found is the right answer. After a step of NEWTON_STEP only roundoff is left,
-   which in needles of 1 : 1000 is more than the last digits: a smaller bound might never be met. */
-PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x[], PetscReal tolerance, PetscReal xi[])
+/* Newton's method for x(xi) = x from a start, which xi holds. Whether it converged: after a step of NEWTON_STEP only
+   roundoff is left, which in needles of 1 : 1000 is more than the last digits: a smaller bound might never be met. */
+static PetscBool Newton_Private(const Reference *cell, const PetscReal X[], const PetscReal x[], PetscReal xi[])
 {
-  const Reference *cell = &REFERENCE[type];
-  const PetscInt   dim  = cell->dim;
-  PetscReal        step = PETSC_MAX_REAL;
+  const PetscInt dim  = cell->dim;
+  PetscReal      step = PETSC_MAX_REAL;
 
-  for (PetscInt k = 0; k < dim; k++) xi[k] = cell->simplex ? 1. / (1. + dim) : 0.5;
   for (PetscInt it = 0; it < NEWTON_MAX_STEPS && step > NEWTON_STEP; it++) {
     PetscReal dphi[ELEMENT_MAX_NODES * MAX_DIM], phi[ELEMENT_MAX_NODES], inverse[MAX_DIM * MAX_DIM], r[MAX_DIM];
 
@@ -326,5 +329,21 @@ PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x
       step = PetscMax(step, PetscAbsReal(xi[k] - before));
     }
   }
-  return step <= NEWTON_STEP ? IsInside_Private(cell, xi, tolerance) : PETSC_FALSE;
+  return step <= NEWTON_STEP ? PETSC_TRUE : PETSC_FALSE;
+}
+
+/* Newton takes one step in a triangle; from the middle of a convex quad it finds every point inside, and where it fails
+   outside, not found is the right answer. In a cell with curved sides it may leave for a root outside: the search is
+   repeated from every node, one of which is near enough. */
+PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x[], PetscReal tolerance, PetscReal xi[])
+{
+  const Reference *cell       = &REFERENCE[type];
+  const PetscInt   num_starts = cell->order > 1 ? cell->num_nodes : 0;
+
+  for (PetscInt i = -1; i < num_starts; i++) {
+    for (PetscInt k = 0; k < cell->dim; k++)
+      xi[k] = i >= 0 ? cell->nodes[i][k] : (cell->simplex ? 1. / (1. + cell->dim) : 0.5);
+    if (Newton_Private(cell, X, x, xi) && IsInside_Private(cell, xi, tolerance)) return PETSC_TRUE;
+  }
+  return PETSC_FALSE;
 }

@@ -11,32 +11,56 @@ static const PetscReal EXACT = 1e-13;
 
 enum { NUM_TRIALS = 500, MAX_DIM = 2, MAX_DOFS = ELEMENT_MAX_NODES * MAX_DIM, NUM_STRAINS = 3 };
 
-static const PetscReal CORNERS[ELEMENT_COUNT][ELEMENT_MAX_NODES * MAX_DIM] = {
-    {0., 1.}, {0., 0., 1., 0., 0., 1.}, {0., 0., 1., 0., 1., 1., 0., 1.}};
-
 /* A point of the reference cell. */
 static void RandomPoint(ElementType type, PetscReal xi[])
 {
   do {
     for (PetscInt k = 0; k < ElementDim(type); k++) xi[k] = Uniform(0., 1.);
-  } while (type == ELEMENT_TRI3 && xi[0] + xi[1] > 1.);
+  } while (ElementLinear(type) == ELEMENT_TRI3 && xi[0] + xi[1] > 1.);
 }
 
-/* The reference cell with its nodes shaken, turned and stretched up to 10^decades times, but not tangled. */
+/* Puts the middles of facets near the middles of the chords, and that of a cell near the mean of its vertices: sides are
+   curved by up to bend, in parts of a side. */
+static void BendSides(ElementType type, PetscReal bend, PetscReal X[])
+{
+  const PetscInt dim = ElementDim(type), num_vertices = ElementNumNodes(ElementLinear(type));
+
+  for (PetscInt i = num_vertices; i < ElementNumNodes(type); i++) {
+    const PetscInt facet      = i - num_vertices;
+    const PetscInt whole      = dim == 1 || facet == ElementNumFacets(type); /* the mean of all vertices */
+    const PetscInt num_around = whole ? num_vertices : 2;
+
+    for (PetscInt k = 0; k < dim; k++) {
+      X[i * dim + k] = Uniform(-bend, bend);
+      for (PetscInt j = 0; j < num_around; j++) {
+        const PetscInt vertex = whole ? j : ElementFacetNodes(type, facet)[j];
+
+        X[i * dim + k] += X[vertex * dim + k] / num_around;
+      }
+    }
+  }
+}
+
+/* The reference cell with its vertices shaken, its sides bent, turned and stretched up to 10^decades times, but not
+   tangled. */
 static void RandomCell(ElementType type, PetscReal decades, PetscReal X[])
 {
-  const PetscInt dim = ElementDim(type);
-  PetscReal      stretch, turn;
+  const PetscInt  dim  = ElementDim(type);
+  const PetscReal bend = 0.1;
+  PetscReal       stretch, turn;
 
   do {
     stretch = PetscPowReal(10., Uniform(-decades, decades));
     turn    = Uniform(0., 2. * PETSC_PI);
-    for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
-      const PetscReal x = CORNERS[type][i * dim] + Uniform(-0.4, 0.4);
-      const PetscReal y = dim == 2 ? stretch * (CORNERS[type][i * dim + 1] + Uniform(-0.4, 0.4)) : 0.;
+    for (PetscInt i = 0; i < ElementNumNodes(ElementLinear(type)); i++) {
+      for (PetscInt k = 0; k < dim; k++) X[i * dim + k] = ElementNode(type, i)[k] + Uniform(-0.4, 0.4);
+    }
+    BendSides(type, bend, X);
+    for (PetscInt i = 0; i < ElementNumNodes(type) && dim == 2; i++) {
+      const PetscReal x = X[2 * i], y = stretch * X[2 * i + 1];
 
-      X[i * dim] = dim == 2 ? PetscCosReal(turn) * x - PetscSinReal(turn) * y : x;
-      if (dim == 2) X[i * dim + 1] = PetscSinReal(turn) * x + PetscCosReal(turn) * y;
+      X[2 * i]     = PetscCosReal(turn) * x - PetscSinReal(turn) * y;
+      X[2 * i + 1] = PetscSinReal(turn) * x + PetscCosReal(turn) * y;
     }
   } while (ElementMinJacobian(type, X) < 0.05 * (dim == 2 ? stretch : 1.));
 }
@@ -54,38 +78,113 @@ static PetscReal PolygonArea(PetscInt n, const PetscReal X[])
   return area;
 }
 
+/* The area of a cell: that of the polygon of its vertices and, by Archimedes, 4/3 of the triangle of end, middle and end
+   for every side that is a parabola. */
+static PetscReal CellArea(ElementType type, const PetscReal X[])
+{
+  PetscReal area = PolygonArea(ElementNumNodes(ElementLinear(type)), X);
+
+  for (PetscInt f = 0; f < ElementNumFacets(type) && ElementOrder(type) == 2; f++) {
+    const PetscInt *nodes = ElementFacetNodes(type, f);
+    PetscReal       triangle[6];
+
+    for (PetscInt k = 0; k < 2; k++) {
+      triangle[k]     = X[2 * nodes[0] + k];
+      triangle[2 + k] = X[2 * nodes[2] + k];
+      triangle[4 + k] = X[2 * nodes[1] + k];
+    }
+    area += 4. / 3. * PolygonArea(3, triangle);
+  }
+  return area;
+}
+
 static void TestTable(void)
 {
-  const char    *names[] = {"line2", "tri3", "quad4"};
-  const PetscInt dims[] = {1, 2, 2}, nodes[] = {2, 3, 4}, facets[] = {2, 3, 4};
+  const char       *names[] = {"line2", "tri3", "quad4", "line3", "tri6", "quad9"};
+  const PetscInt    dims[] = {1, 2, 2, 1, 2, 2}, nodes[] = {2, 3, 4, 3, 6, 9}, facets[] = {2, 3, 4, 2, 3, 4};
+  const ElementType linear[] = {ELEMENT_LINE2, ELEMENT_TRI3, ELEMENT_QUAD4, ELEMENT_LINE2, ELEMENT_TRI3, ELEMENT_QUAD4};
+  const ElementType facet[]  = {ELEMENT_COUNT, ELEMENT_LINE2, ELEMENT_LINE2,
+                                ELEMENT_COUNT, ELEMENT_LINE3, ELEMENT_LINE3};
 
-  for (PetscInt t = 0; t < ELEMENT_LINE3; t++) {
-    PetscBool same;
+  for (PetscInt t = 0; t < ELEMENT_COUNT; t++) {
+    const ElementType type = (ElementType)t;
+    PetscBool         same;
 
-    PetscCallAbort(PETSC_COMM_SELF, PetscStrcmp(ElementName((ElementType)t), names[t], &same));
+    PetscCallAbort(PETSC_COMM_SELF, PetscStrcmp(ElementName(type), names[t], &same));
     CHECK(same);
-    CHECK(ElementDim((ElementType)t) == dims[t]);
-    CHECK(ElementNumNodes((ElementType)t) == nodes[t]);
-    CHECK(ElementNumFacets((ElementType)t) == facets[t]);
-    CHECK(ElementFacetType((ElementType)t) == (dims[t] == 2 ? ELEMENT_LINE2 : ELEMENT_COUNT));
+    CHECK(ElementDim(type) == dims[t]);
+    CHECK(ElementNumNodes(type) == nodes[t]);
+    CHECK(ElementNumFacets(type) == facets[t]);
+    CHECK(ElementFacetType(type) == facet[t]);
+    CHECK(ElementLinear(type) == linear[t]);
+    CHECK(ElementOrder(type) == (t < ELEMENT_LINE3 ? 1 : 2));
+    CHECK(ElementOfOrder(linear[t], ElementOrder(type)) == type);
+    for (PetscInt i = 0; i < ElementNumNodes(linear[t]); i++) { /* vertices come first, the same ones */
+      for (PetscInt k = 0; k < dims[t]; k++) CHECK_NEAR(ElementNode(type, i)[k], ElementNode(linear[t], i)[k], 0.);
+    }
+    for (PetscInt f = 0; f < facets[t] && facet[t] == ELEMENT_LINE3; f++) {
+      const PetscInt *ends = ElementFacetNodes(type, f);
+
+      for (PetscInt k = 0; k < 2; k++) {
+        CHECK(ends[k] == ElementFacetNodes(linear[t], f)[k]);
+        CHECK_NEAR(ElementNode(type, ends[2])[k], 0.5 * (ElementNode(type, ends[0])[k] + ElementNode(type, ends[1])[k]),
+                   0.);
+      }
+    }
   }
 }
 
-/* Facets run around the cell with the normal (dy,-dx) outward: sum int x.n = 2 area of any cell, sum int n = 0. */
+/* Facets run around the cell with the normal outward: sum int x.n = 2 area of any cell, sum int n = 0; the facet's own
+   shape functions give the cell's side. */
 static void TestFacets(ElementType type)
 {
-  PetscReal X[MAX_DOFS], flux = 0., closed[2] = {0., 0.};
+  const ElementType facet = ElementFacetType(type);
+  const PetscInt    n     = ElementNumNodes(facet);
 
-  RandomCell(type, 0., X);
-  for (PetscInt f = 0; f < ElementNumFacets(type); f++) {
-    const PetscInt  *nodes = ElementFacetNodes(type, f);
-    const PetscReal *a = &X[2 * nodes[0]], *b = &X[2 * nodes[1]], normal[2] = {b[1] - a[1], a[0] - b[0]};
+  for (PetscInt trial = 0; trial < NUM_TRIALS; trial++) {
+    PetscReal X[MAX_DOFS], flux = 0., closed[2] = {0., 0.}, points[ELEMENT_MAX_POINTS], weights[ELEMENT_MAX_POINTS];
+    const PetscInt num_points = ElementQuadrature(facet, 4, points, weights);
 
-    flux += 0.5 * ((a[0] + b[0]) * normal[0] + (a[1] + b[1]) * normal[1]);
-    for (PetscInt k = 0; k < 2; k++) closed[k] += normal[k];
+    RandomCell(type, 0., X);
+    for (PetscInt f = 0; f < ElementNumFacets(type); f++) {
+      const PetscInt *nodes = ElementFacetNodes(type, f);
+      PetscReal       Y[2 * ELEMENT_MAX_FACET_NODES];
+
+      for (PetscInt i = 0; i < 2 * n; i++) Y[i] = X[2 * nodes[i / 2] + i % 2];
+      for (PetscInt q = 0; q < num_points; q++) {
+        PetscReal x[2], y[2], xi[2], phi[ELEMENT_MAX_NODES], normal[2];
+        PetscReal ds = weights[q] * ElementSurface(facet, Y, &points[q], x, phi, normal);
+
+        CHECK_NEAR(normal[0] * normal[0] + normal[1] * normal[1], 1., EXACT);
+        flux += ds * (x[0] * normal[0] + x[1] * normal[1]);
+        for (PetscInt k = 0; k < 2; k++) {
+          closed[k] += ds * normal[k];
+          xi[k] = (1. - points[q]) * ElementNode(type, nodes[0])[k] + points[q] * ElementNode(type, nodes[1])[k];
+        }
+        ElementMap(type, X, xi, y, phi, NULL);
+        for (PetscInt k = 0; k < 2; k++) CHECK_NEAR(x[k], y[k], EXACT);
+      }
+    }
+    CHECK_NEAR(flux / CellArea(type, X), 2., EXACT);
+    for (PetscInt k = 0; k < 2; k++) CHECK_NEAR(closed[k], 0., EXACT);
   }
-  CHECK_NEAR(flux / PolygonArea(ElementNumNodes(type), X), 2., EXACT);
-  for (PetscInt k = 0; k < 2; k++) CHECK_NEAR(closed[k], 0., EXACT);
+}
+
+/* The parabola y = x^2 over [0,1] is sqrt(5)/2 + asinh(2)/4 long; its normal at x leans by 2x. */
+static void TestParabola(void)
+{
+  const PetscReal X[] = {0., 0., 1., 1., 0.5, 0.25};
+  PetscReal       points[ELEMENT_MAX_POINTS], weights[ELEMENT_MAX_POINTS], length = 0.;
+  const PetscInt  n = ElementQuadrature(ELEMENT_LINE3, 15, points, weights);
+
+  for (PetscInt q = 0; q < n; q++) {
+    PetscReal phi[ELEMENT_MAX_NODES], normal[2];
+
+    length += weights[q] * ElementSurface(ELEMENT_LINE3, X, &points[q], NULL, phi, normal);
+    CHECK_NEAR(normal[0], -2. * points[q] * normal[1], EXACT);
+    CHECK(normal[1] < 0.);
+  }
+  CHECK_NEAR(length, 0.5 * PetscSqrtReal(5.) + 0.25 * PetscAsinhReal(2.), 1e-8);
 }
 
 /* One at the own node, zero at the others; sum 1; derivatives by central differences, exact for these polynomials. */
@@ -96,7 +195,7 @@ static void TestShape(ElementType type)
   PetscReal xi[MAX_DIM], phi[ELEMENT_MAX_NODES], dphi[MAX_DOFS], plus[ELEMENT_MAX_NODES], minus[ELEMENT_MAX_NODES];
 
   for (PetscInt node = 0; node < n; node++) {
-    ElementShape(type, &CORNERS[type][node * dim], phi, NULL);
+    ElementShape(type, ElementNode(type, node), phi, NULL);
     for (PetscInt i = 0; i < n; i++) CHECK_NEAR(phi[i], i == node ? 1. : 0., 0.);
   }
   for (PetscInt trial = 0; trial < NUM_TRIALS; trial++) {
@@ -123,12 +222,13 @@ static PetscReal MonomialIntegral(ElementType type, PetscInt a, PetscInt b)
 {
   PetscReal value = 1.;
 
-  if (type != ELEMENT_TRI3) return 1. / ((a + 1.) * (b + 1.));
+  if (ElementLinear(type) != ELEMENT_TRI3) return 1. / ((a + 1.) * (b + 1.));
   for (PetscInt k = 1; k <= b; k++) value *= k / (PetscReal)(a + k);
   return value / ((a + b + 1.) * (a + b + 2.));
 }
 
-static void TestQuadrature(ElementType type, PetscInt highest)
+/* [in] num_stiffness - points of the rule for the stiffness */
+static void TestQuadrature(ElementType type, PetscInt highest, PetscInt num_stiffness)
 {
   const PetscInt dim = ElementDim(type);
   PetscReal      points[ELEMENT_MAX_POINTS * MAX_DIM], weights[ELEMENT_MAX_POINTS];
@@ -138,7 +238,7 @@ static void TestQuadrature(ElementType type, PetscInt highest)
 
     CHECK(n > 0 && n <= ELEMENT_MAX_POINTS);
     for (PetscInt a = 0; a <= degree; a++) {
-      const PetscInt b_last = type == ELEMENT_TRI3 ? degree - a : degree;
+      const PetscInt b_last = ElementLinear(type) == ELEMENT_TRI3 ? degree - a : degree;
 
       for (PetscInt b = 0; b <= (dim == 2 ? b_last : 0); b++) {
         PetscReal sum = 0.;
@@ -156,7 +256,7 @@ static void TestQuadrature(ElementType type, PetscInt highest)
     }
   }
   CHECK(ElementQuadrature(type, highest + 1, points, weights) == 0);
-  CHECK(ElementQuadrature(type, ElementStiffnessDegree(type), points, weights) == (type == ELEMENT_QUAD4 ? 4 : 1));
+  CHECK(ElementQuadrature(type, ElementStiffnessDegree(type), points, weights) == num_stiffness);
 }
 
 static PetscErrorCode TestGauss(void)
@@ -183,7 +283,7 @@ static void TestMap(ElementType type)
 
   for (PetscInt trial = 0; trial < NUM_TRIALS; trial++) {
     PetscReal X[MAX_DOFS], points[2 * ELEMENT_MAX_POINTS], weights[ELEMENT_MAX_POINTS], area = 0.;
-    PetscInt  num_points = ElementQuadrature(type, 2, points, weights);
+    PetscInt  num_points = ElementQuadrature(type, 3, points, weights);
 
     RandomCell(type, 0., X);
     for (PetscInt q = 0; q < num_points; q++) {
@@ -199,7 +299,7 @@ static void TestMap(ElementType type)
       CHECK_NEAR(value, slope[0] * x[0] + (dim == 2 ? slope[1] * x[1] : 0.), EXACT);
       for (PetscInt k = 0; k < dim; k++) CHECK_NEAR(gradient[k], slope[k], EXACT);
     }
-    if (dim == 2) CHECK_NEAR(area / PolygonArea(n, X), 1., EXACT);
+    if (dim == 2) CHECK_NEAR(area / CellArea(type, X), 1., EXACT);
   }
 }
 
@@ -219,8 +319,33 @@ static void TestMinJacobian(void)
   CHECK(ElementMinJacobian(ELEMENT_QUAD4, dart) < 0.); /* not convex */
 }
 
+/* Cells of second order, one node of which is moved by d: the unit square's bottom has det J = 1 + 4 d x (1-x) (4 y - 3),
+   the triangle's 1 - 4 d x; a line whose middle lies before a quarter folds back at its beginning. */
+static void TestMinJacobianCurved(void)
+{
+  const PetscReal line[] = {0., 1., 0.5}, quarter[] = {0., 1., 0.25}, folded[] = {0., 1., 0.2};
+  const PetscReal square[] = {1. - 3. * 0.2, 1. - 0.2}, triangle[] = {1. - 4. * 0.2, 1.};
+
+  CHECK_NEAR(ElementMinJacobian(ELEMENT_LINE3, line), 1., EXACT);
+  CHECK_NEAR(ElementMinJacobian(ELEMENT_LINE3, quarter), 0., EXACT);
+  CHECK_NEAR(ElementMinJacobian(ELEMENT_LINE3, folded), -0.2, EXACT);
+  for (PetscInt outward = 0; outward < 2; outward++) {
+    const ElementType types[] = {ELEMENT_QUAD9, ELEMENT_TRI6};
+
+    for (PetscInt t = 0; t < 2; t++) {
+      PetscReal X[MAX_DOFS];
+
+      for (PetscInt i = 0; i < ElementNumNodes(types[t]); i++) {
+        for (PetscInt k = 0; k < 2; k++) X[2 * i + k] = ElementNode(types[t], i)[k];
+      }
+      X[2 * ElementFacetNodes(types[t], 0)[2] + 1] += outward ? -0.2 : 0.2;
+      CHECK_NEAR(ElementMinJacobian(types[t], X), t == 0 ? square[outward] : triangle[outward], EXACT);
+    }
+  }
+}
+
 /* Points put into random cells are found where they were put; random points are found exactly where the half planes of
-   the facets say inside. */
+   straight facets say inside. */
 static void TestLocate(ElementType type)
 {
   const PetscInt  n = ElementNumNodes(type), dim = ElementDim(type);
@@ -236,9 +361,10 @@ static void TestLocate(ElementType type)
     ElementMap(type, X, xi, x, phi, NULL);
     CHECK(ElementLocate(type, X, x, tolerance, found));
     for (PetscInt k = 0; k < dim; k++) CHECK_NEAR(found[k], xi[k], 1e-9);
-    CHECK(ElementLocate(type, X, &X[a * dim], tolerance, found)); /* corners belong to the cell */
-    for (PetscInt k = 0; k < dim; k++) CHECK_NEAR(found[k], CORNERS[type][a * dim + k], 1e-9);
+    CHECK(ElementLocate(type, X, &X[a * dim], tolerance, found)); /* nodes belong to the cell */
+    for (PetscInt k = 0; k < dim; k++) CHECK_NEAR(found[k], ElementNode(type, a)[k], 1e-9);
 
+    if (ElementOrder(type) > 1) continue;
     for (PetscInt k = 0; k < dim; k++)
       x[k] = X[a * dim + k] + Uniform(-2., 2.) * (X[b * dim + k] - X[a * dim + k] + 0.5);
     for (PetscInt f = 0; f < ElementNumFacets(type) && dim == 2; f++) {
@@ -248,6 +374,27 @@ static void TestLocate(ElementType type)
     }
     if (dim == 1) inside = x[0] >= X[0] && x[0] <= X[1] ? PETSC_TRUE : PETSC_FALSE;
     CHECK(ElementLocate(type, X, x, 1e-12, found) == inside);
+  }
+}
+
+/* A little inside of a curved side is inside, a little outside is not. */
+static void TestLocateCurved(ElementType type)
+{
+  const ElementType facet  = ElementFacetType(type);
+  const PetscReal   offset = 1e-6;
+
+  for (PetscInt trial = 0; trial < 20 * NUM_TRIALS; trial++) {
+    const PetscInt *nodes = ElementFacetNodes(type, trial % ElementNumFacets(type));
+    const PetscReal s     = Uniform(0.01, 0.99);
+    PetscReal X[MAX_DOFS], Y[2 * ELEMENT_MAX_FACET_NODES], x[2], xi[2], phi[ELEMENT_MAX_NODES], normal[2], near[2];
+
+    RandomCell(type, 0., X);
+    for (PetscInt i = 0; i < 2 * ElementNumNodes(facet); i++) Y[i] = X[2 * nodes[i / 2] + i % 2];
+    ElementSurface(facet, Y, &s, x, phi, normal);
+    for (PetscInt k = 0; k < 2; k++) near[k] = x[k] - offset * normal[k];
+    CHECK(ElementLocate(type, X, near, 1e-12, xi));
+    for (PetscInt k = 0; k < 2; k++) near[k] = x[k] + offset * normal[k];
+    CHECK(!ElementLocate(type, X, near, 1e-12, xi));
   }
 }
 
@@ -364,7 +511,7 @@ static void TestStiffness(ElementType type)
       }
     }
     for (PetscInt s = 0; s < 3; s++) {
-      for (PetscInt t = 0; t < 3; t++) expected += 0.5 * PolygonArea(n, X) * strain[s] * C[3 * s + t] * strain[t];
+      for (PetscInt t = 0; t < 3; t++) expected += 0.5 * CellArea(type, X) * strain[s] * C[3 * s + t] * strain[t];
     }
     CHECK_NEAR(energy / expected, 1., EXACT);
   }
@@ -373,11 +520,12 @@ static void TestStiffness(ElementType type)
 /* The unit square in plane stress, E = 1: K_00 = (1/2 - nu/6)/(1 - nu^2), K_01 = (1 + nu)/(8 (1 - nu^2)). */
 static void TestUnitSquare(void)
 {
+  const PetscReal X[] = {0., 0., 1., 0., 1., 1., 0., 1.};
   const PetscReal nu = 0.3, factor = 1. / (1. - nu * nu);
   PetscReal       C[9], K[MAX_DOFS * MAX_DOFS];
 
   MaterialIsotropic(MODEL_PLANE_STRESS, 1., nu, C);
-  Stiffness(ELEMENT_QUAD4, CORNERS[ELEMENT_QUAD4], C, K);
+  Stiffness(ELEMENT_QUAD4, X, C, K);
   CHECK_NEAR(K[0], factor * (0.5 - nu / 6.), 1e-15);
   CHECK_NEAR(K[1], factor * (1. + nu) / 8., 1e-15);
 }
@@ -388,19 +536,25 @@ int main(int argc, char **argv)
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   TestTable();
   PetscCall(TestGauss());
-  TestQuadrature(ELEMENT_LINE2, 15);
-  TestQuadrature(ELEMENT_TRI3, 5);
-  TestQuadrature(ELEMENT_QUAD4, 7);
-  for (PetscInt t = 0; t < ELEMENT_LINE3; t++) {
+  TestQuadrature(ELEMENT_LINE2, 15, 1);
+  TestQuadrature(ELEMENT_TRI3, 14, 1);
+  TestQuadrature(ELEMENT_QUAD4, 15, 4);
+  TestQuadrature(ELEMENT_LINE3, 15, 2);
+  TestQuadrature(ELEMENT_TRI6, 14, 6);
+  TestQuadrature(ELEMENT_QUAD9, 15, 9);
+  TestParabola();
+  for (PetscInt t = 0; t < ELEMENT_COUNT; t++) {
     TestShape((ElementType)t);
     TestMap((ElementType)t);
     TestLocate((ElementType)t);
     if (ElementDim((ElementType)t) == 2) {
       TestFacets((ElementType)t);
       TestStiffness((ElementType)t);
+      TestLocateCurved((ElementType)t);
     }
   }
   TestMinJacobian();
+  TestMinJacobianCurved();
   TestLocateTolerance();
   TestStrainMatrix(2);
   TestStrainMatrix(3);
