@@ -27,5 +27,6 @@
 #include <mortise/certificate.h>
 #include <mortise/output.h>
 #include <mortise/summary.h>
+#include <mortise/page.h>
 
 #endif
