@@ -87,13 +87,16 @@ typedef struct {
 typedef enum { OUTPUT_XDMF = 1, OUTPUT_VTU = 2 } OutputFormat; /* bits */
 
 typedef enum { STUDY_NONE, STUDY_UNIFORM } StudyKind;
-enum { STUDY_MAX_ORDERS = 2 };
+enum {
+  STUDY_MAX_ORDERS = 2,
+  STUDY_OWN_ORDERS = 0 /* in place of an order: every body keeps its own, and they differ */
+};
 
 /* The same scene on several meshes. */
 typedef struct {
   StudyKind kind;
   PetscInt  levels; /* meshes, each refined once more than the one before; the first is the scene's own */
-  PetscInt  num_orders, orders[STUDY_MAX_ORDERS]; /* of all bodies, ascending */
+  PetscInt  num_orders, orders[STUDY_MAX_ORDERS]; /* of all bodies, ascending; STUDY_OWN_ORDERS only alone */
   PetscReal memory; /* bytes that a run may take, of all ranks together; infinite where nothing was said */
 } SceneStudy;
 

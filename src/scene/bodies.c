@@ -6,18 +6,19 @@
 /* A constant Hooke matrix counts as singular below this ratio of its eigenvalues: a thousand roundings. */
 static const PetscReal DEFINITE = 1000 * PETSC_MACHINE_EPSILON;
 
-/* Faults where a box would have more cells than the whole numbers of PETSc can count. */
+/* Faults where a box would have more cells than the whole numbers of PETSc can count, on the finest mesh of a study. */
 static PetscErrorCode BodyCheckSize_Private(Scene scene, const SceneBody *body, const Option *faces)
 {
-  PetscReal cells = body->simplex ? 2 : 1;
+  const PetscInt refine = body->refine + scene->refine + (scene->study.kind ? scene->study.levels - 1 : 0);
+  PetscReal      cells  = body->simplex ? 2 : 1;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < scene->dim; i++) cells *= PetscPowReal(2, body->refine + scene->refine) * body->faces[i];
+  for (PetscInt i = 0; i < scene->dim; i++) cells *= PetscPowRealInt(2, (int)refine) * body->faces[i];
   if (cells * 2 * scene->dim >= (PetscReal)PETSC_MAX_INT) { /* about as many entries as a table of cells has */
     PetscCall(OptionRaise(faces,
                           "refined %" PetscInt_FMT
-                          " times (-%s_dm_refine and -dm_refine) this box has %.3g cells, more than can be numbered",
-                          body->refine + scene->refine, body->name, (double)cells));
+                          " times (-%s_dm_refine and -dm_refine%s) this box has %.3g cells, more than can be numbered",
+                          refine, body->name, scene->study.kind ? ", then -study_levels" : "", (double)cells));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -71,7 +72,7 @@ static PetscErrorCode BodyReadFile_Private(Scene scene, SceneBody *body, const O
 
 static PetscErrorCode BodyReadMesh_Private(Scene scene, SceneBody *body)
 {
-  Option   file, faces, map, refine, order;
+  Option   file, faces, map, refine, order, exact;
   PetscInt number;
 
   PetscFunctionBeginUser;
@@ -91,10 +92,13 @@ static PetscErrorCode BodyReadMesh_Private(Scene scene, SceneBody *body)
     PetscCall(BodyReadBox_Private(scene, body, &faces));
   }
   PetscCall(OptionGetExpression(&map, scene->dim, PETSC_FALSE, &body->map));
+  PetscCall(OptionFind(scene, "-<body>_exact_displacement", body->name, NULL, &exact));
+  PetscCall(OptionGetExpression(&exact, scene->dim, PETSC_FALSE, &body->exact));
   if (order.set) {
     PetscCall(OptionGetChoice(&order, &number));
     body->order = number + 1;
-    if (body->order != 1) PetscCall(OptionRaise(&order, "this version solves order 1 only"));
+    if (scene->study.num_orders)
+      PetscCall(OptionRaise(&order, "-study_orders gives the order of all bodies; give one of the two"));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -197,6 +201,7 @@ PetscErrorCode BodyDestroy(SceneBody *body)
   PetscCall(ExpressionDestroy(&body->poisson));
   PetscCall(ExpressionDestroy(&body->stiffness));
   PetscCall(ExpressionDestroy(&body->body_force));
+  PetscCall(ExpressionDestroy(&body->exact));
   PetscCall(PetscFree(body->name));
   PetscCall(PetscFree(body->mesh_file));
   PetscCall(PetscFree(body->region));

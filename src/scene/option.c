@@ -215,6 +215,27 @@ PetscErrorCode OptionGetReals(const Option *option, PetscInt n, PetscReal values
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode OptionGetBytes(const Option *option, PetscReal *bytes)
+{
+  static const char letters[] = "KMGT";
+  const PetscReal   unit      = 1024;
+  const char       *letter;
+  char             *end;
+  PetscReal         value;
+
+  PetscFunctionBeginUser;
+  if (!option->text) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(OptionCheckValue_Private(option));
+  value  = strtod(option->text, &end);
+  letter = *end ? strchr(letters, toupper((unsigned char)*end)) : NULL;
+  if (end == option->text || (*end && (!letter || end[1])) || PetscIsInfOrNanReal(value))
+    PetscCall(OptionRaise(option, "is not an amount of memory; write a number of bytes, or one with K, M, G or T "
+                                  "behind it, as in 4G"));
+  if (!(value > 0)) PetscCall(OptionRaise(option, "an amount of memory must be above 0"));
+  *bytes = letter ? value * PetscPowRealInt(unit, (int)(letter - letters) + 1) : value;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode OptionMatchChoice(const Option *option, const char word[], const char why[], PetscInt *index)
 {
   char        buffer[OPTION_MAX], list[OPTION_MAX];

@@ -28,6 +28,7 @@ typedef enum {
   GROUP_OBSTACLES,
   GROUP_PROBES,
   GROUP_OUTPUT,
+  GROUP_STUDY,
   GROUP_SOLVER,
   GROUP_PETSC,
   GROUP_COUNT
@@ -85,6 +86,8 @@ PetscErrorCode OptionGetText(const Option *option, char **text); /* copied */
 PetscErrorCode OptionGetBool(const Option *option, PetscBool *value);
 PetscErrorCode OptionGetInts(const Option *option, PetscInt n, PetscInt smallest, PetscInt values[]);
 PetscErrorCode OptionGetReals(const Option *option, PetscInt n, PetscReal values[]);
+/* A number with one of the letters K, M, G, T behind it for powers of 1024, or none. */
+PetscErrorCode OptionGetBytes(const Option *option, PetscReal *bytes);
 PetscErrorCode OptionGetChoice(const Option *option, PetscInt *index);
 /* [out] e - owned by the caller; NULL when the option is absent */
 PetscErrorCode OptionGetExpression(const Option *option, PetscInt num_components, PetscBool allow_free, Expression *e);

@@ -113,6 +113,27 @@ static PetscErrorCode PairReadLaw_Private(Scene scene, ScenePair *pair)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Which nodes carry multipliers, and the pressure that they should come to. */
+static PetscErrorCode PairReadPressure_Private(Scene scene, ScenePair *pair)
+{
+  Option   multipliers, exact;
+  PetscInt choice = MULTIPLIERS_NODES;
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionFind(scene, "-<pair>_multipliers", pair->name, NULL, &multipliers));
+  PetscCall(OptionFind(scene, "-<pair>_exact_pressure", pair->name, NULL, &exact));
+  PetscCall(OptionGetChoice(&multipliers, &choice));
+  pair->multipliers = (PairMultipliers)choice;
+  if (exact.set && pair->type == PAIR_TIED) {
+    PetscCall(OptionRaise(&exact,
+                          "tied sides have no contact pressure, their traction may point anywhere; it is for "
+                          "-%s_type contact",
+                          pair->name));
+  }
+  PetscCall(OptionGetExpression(&exact, 1, PETSC_FALSE, &pair->exact));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The boundary that leaves a side no freedom along its normal, or NULL: such a side cannot carry a multiplier. */
 static const SceneBoundary *PairFindHeld_Private(Scene scene, const SceneSide *side)
 {
@@ -195,6 +216,7 @@ PetscErrorCode PairRead(Scene scene, ScenePair *pair)
   PetscCall(PairReadSides_Private(scene, pair));
   PetscCall(PairCheckTwice_Private(scene, pair));
   PetscCall(PairReadLaw_Private(scene, pair));
+  PetscCall(PairReadPressure_Private(scene, pair));
   PetscCall(PairCheckHeld_Private(scene, pair));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -208,5 +230,6 @@ PetscErrorCode PairDescriptionDestroy(ScenePair *pair)
   PetscCall(ExpressionDestroy(&pair->obstacle.gap));
   PetscCall(ExpressionDestroy(&pair->gap));
   PetscCall(ExpressionDestroy(&pair->gap_offset));
+  PetscCall(ExpressionDestroy(&pair->exact));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -24,6 +24,11 @@ PetscErrorCode UnusedNearest(Scene scene, const char option[], char near[OPTION_
 /* suggest.c: the documented option nearest to a misspelt one, "" if none is near. Not collective. */
 PetscErrorCode SuggestOption(Scene scene, const char misspelt[], char near[OPTION_MAX]);
 
+/* study.c: before the bodies, whose meshes a study refines. Collective. */
+PetscErrorCode StudyRead(Scene scene);
+/* The orders of a study that names none are those of the bodies; call when they are read. Not collective. */
+PetscErrorCode StudySettleOrders(Scene scene);
+
 /* bodies.c: mesh and material of one body. boundaries.c: its supports and loads. Collective. */
 PetscErrorCode BodyRead(Scene scene, SceneBody *body);
 PetscErrorCode BodyDestroy(SceneBody *body);

@@ -19,7 +19,7 @@ PetscErrorCode ProbeRead(Scene scene, SceneProbe *probe)
 /* Files: -output_format is read only where there are files to format, so that it is told otherwise. */
 static PetscErrorCode ResultsReadFiles_Private(Scene scene)
 {
-  Option      output, format, summary;
+  Option      output, format, summary, report;
   const char *cursor = NULL;
   char        word[OPTION_MAX];
   PetscInt    choice = 0;
@@ -29,6 +29,10 @@ static PetscErrorCode ResultsReadFiles_Private(Scene scene)
   PetscCall(OptionFind(scene, "-summary", NULL, NULL, &summary));
   PetscCall(OptionGetText(&output, &scene->output));
   PetscCall(OptionGetText(&summary, &scene->summary));
+  PetscCall(OptionFind(scene, "-report", NULL, NULL, &report));
+  PetscCall(OptionGetBool(&report, &scene->report));
+  if (scene->report && !scene->output)
+    PetscCall(OptionRaise(&report, "the page stands beside the other files of -output; give -output as well"));
   if (!scene->output) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(OptionFind(scene, "-output_format", NULL, NULL, &format));
   do {

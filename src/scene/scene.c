@@ -14,7 +14,7 @@ PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene)
 static PetscErrorCode SceneReadGlobal_Private(Scene scene)
 {
   Option   title, model, thickness, refine, order;
-  PetscInt choice = MODEL_PLANE_STRAIN;
+  PetscInt choice = MODEL_PLANE_STRAIN, number = 0;
 
   PetscFunctionBeginUser;
   PetscCall(OptionFind(scene, "-title", NULL, NULL, &title));
@@ -31,9 +31,8 @@ static PetscErrorCode SceneReadGlobal_Private(Scene scene)
   PetscCall(OptionGetReals(&thickness, 1, &scene->thickness));
   if (!(scene->thickness > 0)) PetscCall(OptionRaise(&thickness, "a thickness must be above 0"));
   PetscCall(OptionGetInts(&refine, 1, 0, &scene->refine));
-  PetscCall(OptionGetChoice(&order, &choice));
-  for (PetscInt i = 0; i < scene->num_bodies; i++) scene->bodies[i].order = choice + 1;
-  if (choice != 0) PetscCall(OptionRaise(&order, "this version solves order 1 only"));
+  PetscCall(OptionGetChoice(&order, &number));
+  for (PetscInt i = 0; i < scene->num_bodies; i++) scene->bodies[i].order = number + 1;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -48,7 +47,9 @@ PetscErrorCode SceneSetFromOptions(Scene scene)
   if (!scene->allow_unused)
     PetscCall(UnusedCheckUnknown(scene, PETSC_FALSE)); /* before the options that misspelt ones leave missing */
   PetscCall(SceneReadGlobal_Private(scene));
+  PetscCall(StudyRead(scene));
   for (PetscInt i = 0; i < scene->num_bodies; i++) PetscCall(BodyRead(scene, &scene->bodies[i]));
+  PetscCall(StudySettleOrders(scene));
   for (PetscInt i = 0; i < scene->num_pairs; i++) PetscCall(PairRead(scene, &scene->pairs[i]));
   for (PetscInt i = 0; i < scene->num_probes; i++) PetscCall(ProbeRead(scene, &scene->probes[i]));
   PetscCall(ResultsRead(scene));

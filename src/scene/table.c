@@ -18,6 +18,7 @@ static const char *const titles[GROUP_COUNT] = {"Running",
                                                 "Rigid obstacles instead of a mortar side",
                                                 "Probes",
                                                 "Results",
+                                                "Studies: the same scene on several meshes",
                                                 "Solving",
                                                 "PETSc's own options that people ask for"};
 
@@ -38,7 +39,8 @@ static const OptionEntry table[] = {
     {GROUP_SCENE, "-pairs", "name,name,...", "", "(none)",
      "Names of the pairs of sides that may touch; each is the prefix of its pair's options."},
     {GROUP_SCENE, "-dm_refine", "n", "", "0", "Refines all bodies so many times; each time halves every edge."},
-    {GROUP_SCENE, "-order", "1|2", "", "1", "Polynomial order of all bodies. This version solves order 1."},
+    {GROUP_SCENE, "-order", "1|2", "", "1",
+     "Polynomial order of all bodies: nodes at vertices, or on edges and in quadrilaterals as well."},
 
     {GROUP_MESH, "-<body>_dm_plex_filename", "file", "", "(a box)",
      "Mesh from Gmsh (2.2 or 4.1) or another format that DMPlex reads; tried from here, then from the options file's "
@@ -55,6 +57,8 @@ static const OptionEntry table[] = {
      "Takes a mesh point x, y to its position, on every level: graded boxes, rings, discs."},
     {GROUP_MESH, "-<body>_dm_refine", "n", "", "0", "Refines this body so many times, before -dm_refine refines all."},
     {GROUP_MESH, "-<body>_order", "1|2", "", "(-order)", "Polynomial order of this body."},
+    {GROUP_MESH, "-<body>_exact_displacement", "e,e", "length", "(not known)",
+     "The exact solution in this body: the summary tells how far the computed one is from it."},
 
     {GROUP_MATERIAL, "-<body>_young", "e", "stress", "(required)", "Young's modulus of an isotropic body."},
     {GROUP_MATERIAL, "-<body>_poisson", "e", "", "(required)",
@@ -93,6 +97,10 @@ static const OptionEntry table[] = {
      "Is added to the gap; negative for an interference fit."},
     {GROUP_PAIRS, "-<pair>_reach", "x", "length", "(from the meshes)",
      "How far apart facets are still taken for partners."},
+    {GROUP_PAIRS, "-<pair>_multipliers", "nodes|vertices", "", "nodes",
+     "On a nonmortar side of order 2: whether all its nodes carry a pressure, or its vertices alone."},
+    {GROUP_PAIRS, "-<pair>_exact_pressure", "e", "stress", "(not known)",
+     "The exact contact pressure: the summary tells how far the computed one is from it."},
 
     {GROUP_OBSTACLES, "-<pair>_obstacle", "plane|ball|circle|cylinder|parabola|expression", "", "(none)",
      "Shape of a rigid body that the nonmortar side meets. In a plane a ball is a circle; a cylinder is for solids, "
@@ -116,9 +124,20 @@ static const OptionEntry table[] = {
      "Writes <path>.h5, <path>.xdmf, <path>.json and one <path>_<pair>.csv for every pair."},
     {GROUP_OUTPUT, "-output_format", "xdmf|vtu", "", "xdmf", "Format of the fields; both with xdmf,vtu."},
     {GROUP_OUTPUT, "-summary", "file", "", "(with -output)", "Writes the summary alone as JSON; - prints it."},
+    {GROUP_OUTPUT, "-report", "0|1", "", "0", "With -output: writes <path>.html, a page that shows all results."},
     {GROUP_OUTPUT, "-quiet", "0|1", "", "0", "No progress table, even on a terminal."},
     {GROUP_OUTPUT, "-monitor", "0|1", "", "(on a terminal)", "The progress table, even in a log file."},
     {GROUP_OUTPUT, "-scene_view", "0|1", "", "0", "Prints what was modelled, and what was left out and why."},
+
+    {GROUP_STUDY, "-study", "uniform|adaptive", "", "(one mesh)",
+     "Solves on several meshes and tells error against time and unknowns. This version has uniform: every mesh is "
+     "refined once more than the one before."},
+    {GROUP_STUDY, "-study_levels", "n", "", "4",
+     "With -study: the number of meshes; the first is that of the scene without a study."},
+    {GROUP_STUDY, "-study_orders", "1,2", "", "(-order)",
+     "With -study: the polynomial orders of all bodies that are tried on every mesh, ascending."},
+    {GROUP_STUDY, "-study_memory", "x[K|M|G|T]", "bytes", "(no limit)",
+     "With -study: memory of all processes together; a mesh that is expected to need more is left out."},
 
     {GROUP_SOLVER, "-snes_type", "pdas|vinewtonrsls|vinewtonssls", "", "pdas",
      "Primal-dual active sets, or one of PETSc's solvers of inequalities on the same problem."},

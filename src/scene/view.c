@@ -74,6 +74,8 @@ static PetscErrorCode ViewBody_Private(Scene scene, const SceneBody *body)
     PetscCall(ViewPrint_Private(scene, "    %-12s force per volume %s\n", "inside",
                                 ViewShorten_Private(body->body_force, shown)));
   PetscCall(ViewBoundaries_Private(scene, body));
+  if (body->exact)
+    PetscCall(ViewPrint_Private(scene, "    %-12s %s\n", "exact", ViewShorten_Private(body->exact, shown)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -96,6 +98,9 @@ static PetscErrorCode ViewPair_Private(Scene scene, const ScenePair *pair)
   if (pair->type == PAIR_CONTACT)
     PetscCall(ViewPrint_Private(scene, "; gap %s", pair->gap ? ViewShorten_Private(pair->gap, shown) : "measured"));
   if (pair->gap_offset) PetscCall(ViewPrint_Private(scene, " plus %s", ViewShorten_Private(pair->gap_offset, shown)));
+  if (scene->bodies[s->body].order > 1 && pair->multipliers == MULTIPLIERS_VERTICES)
+    PetscCall(ViewPrint_Private(scene, "; multipliers at vertices"));
+  if (pair->exact) PetscCall(ViewPrint_Private(scene, "; exact pressure %s", ViewShorten_Private(pair->exact, shown)));
   PetscCall(ViewPrint_Private(scene, "\n"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -110,20 +115,22 @@ static void ViewCount_Private(Expression e, PetscInt *num, PetscInt *num_varying
 
 PetscErrorCode SceneViewLeftOut(Scene scene)
 {
-  PetscInt num = 0, num_varying = 0, num_obstacles = 0, num_forces = 0, num_tied = 0;
+  PetscInt num = 0, num_varying = 0, num_obstacles = 0, num_forces = 0, num_tied = 0, highest = 1;
 
   PetscFunctionBeginUser;
   for (const SceneBody *b = scene->bodies; b < scene->bodies + scene->num_bodies; b++) {
-    Expression data[] = {b->map, b->young, b->poisson, b->stiffness, b->body_force};
+    Expression data[] = {b->map, b->young, b->poisson, b->stiffness, b->body_force, b->exact};
 
     for (size_t i = 0; i < sizeof(data) / sizeof(data[0]); i++) ViewCount_Private(data[i], &num, &num_varying);
     for (PetscInt i = 0; i < b->num_boundaries; i++) ViewCount_Private(b->boundaries[i].value, &num, &num_varying);
     num_forces += b->body_force ? 1 : 0;
+    highest = PetscMax(highest, b->order);
   }
   for (const ScenePair *p = scene->pairs; p < scene->pairs + scene->num_pairs; p++) {
     ViewCount_Private(p->gap, &num, &num_varying);
     ViewCount_Private(p->gap_offset, &num, &num_varying);
     ViewCount_Private(p->obstacle.gap, &num, &num_varying);
+    ViewCount_Private(p->exact, &num, &num_varying);
     num_obstacles += p->obstacle.kind != OBSTACLE_NONE;
     num_tied += p->type == PAIR_TIED;
   }
@@ -142,8 +149,22 @@ PetscErrorCode SceneViewLeftOut(Scene scene)
         num - num_varying, num));
   }
   if (!num_forces) PetscCall(ViewPrint_Private(scene, "    forces on the inside of bodies: none given\n"));
+  if (highest == 1) PetscCall(ViewPrint_Private(scene, "    nodes on edges: every body is of order 1\n"));
   if (!scene->refine) PetscCall(ViewPrint_Private(scene, "    coarser and finer meshes: -dm_refine is 0\n"));
   if (!scene->output) PetscCall(ViewPrint_Private(scene, "    files: no -output\n"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode ViewStudy_Private(Scene scene)
+{
+  const SceneStudy *study = &scene->study;
+
+  PetscFunctionBeginUser;
+  if (study->kind == STUDY_NONE) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ViewPrint_Private(scene, "  study: %" PetscInt_FMT " meshes, each refined once more", study->levels));
+  for (PetscInt i = 0; i < study->num_orders && study->orders[i] != STUDY_OWN_ORDERS; i++)
+    PetscCall(ViewPrint_Private(scene, "%s %" PetscInt_FMT, i ? " and" : ", order", study->orders[i]));
+  PetscCall(ViewPrint_Private(scene, "\n"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -156,6 +177,7 @@ PetscErrorCode SceneView(Scene scene)
                               models[scene->model], (double)scene->thickness));
   for (PetscInt i = 0; i < scene->num_bodies; i++) PetscCall(ViewBody_Private(scene, &scene->bodies[i]));
   for (PetscInt i = 0; i < scene->num_pairs; i++) PetscCall(ViewPair_Private(scene, &scene->pairs[i]));
+  PetscCall(ViewStudy_Private(scene));
   for (PetscInt i = 0; i < scene->num_probes; i++) {
     const SceneProbe *p = &scene->probes[i];
 

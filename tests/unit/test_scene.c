@@ -71,7 +71,6 @@ static const Mistake mistakes[] = {
     {NULL, {{"-thickness", "thin"}}, {"-thickness", "thin"}},
     {NULL, {{"-thickness", "1+x"}}, {"-thickness 1+x", "vary"}},
     {NULL, {{"-thickness", NULL}}, {"-thickness", "no value"}},
-    {NULL, {{"-order", "2"}}, {"-order 2", "order 1"}},
     {NULL, {{"-order", "3"}}, {"-order 3", "1, 2"}},
     {NULL, {{"-dm_refine", "-1"}}, {"-dm_refine -1", "smallest value is 0"}},
     {NULL, {{"-dm_refine", "2.5"}}, {"-dm_refine 2.5", "whole number"}},
@@ -89,7 +88,6 @@ static const Mistake mistakes[] = {
      {{"-upper_dm_plex_filename", "no_such.msh"}},
      {"-upper_dm_plex_filename no_such.msh", "no such file"}},
     {NULL, {{"-upper_map", "x"}}, {"-upper_map", "2 wanted"}},
-    {NULL, {{"-upper_order", "2"}}, {"-upper_order 2", "order 1"}},
     /* materials */
     {"-upper_young", {{NULL}}, {"-upper_young", "missing", "-upper_stiffness"}},
     {"-upper_poisson", {{NULL}}, {"-upper_poisson", "missing"}},
@@ -148,7 +146,32 @@ static const Mistake mistakes[] = {
     {"-joint_mortar",
      {{"-joint_obstacle", "ball"}, {"-joint_obstacle_radius", "1"}, {"-joint_type", "tied"}},
      {"-joint_type tied", "-upper_bc_displacement"}},
+    /* exact solutions */
+    {NULL, {{"-upper_exact_displacement", "x"}}, {"-upper_exact_displacement", "2 wanted"}},
+    {NULL, {{"-upper_exact_displacement", "x,free"}}, {"-upper_exact_displacement", "free"}},
+    {NULL, {{"-joint_exact_pressure", "1,2"}}, {"-joint_exact_pressure", "1 wanted"}},
+    {NULL, {{"-joint_exact_pressure", "1"}, {"-joint_type", "tied"}}, {"-joint_exact_pressure 1", "tied"}},
+    {NULL, {{"-joint_multipliers", "edges"}}, {"-joint_multipliers edges", "nodes, vertices"}},
+    /* studies */
+    {NULL, {{"-study", NULL}}, {"-study", "no value"}},
+    {NULL, {{"-study", "unifrom"}}, {"-study unifrom", "did you mean uniform"}},
+    {NULL, {{"-study", "adaptive"}}, {"-study adaptive", "uniform only"}},
+    {NULL, {{"-study_levels", "3"}}, {"-study_levels 3", "nothing in this scene", "With -study"}},
+    {NULL, {{"-study_orders", "1"}}, {"-study_orders 1", "nothing in this scene", "With -study"}},
+    {NULL, {{"-study", "uniform"}, {"-study_levels", "0"}}, {"-study_levels 0", "smallest value is 1"}},
+    {NULL, {{"-study", "uniform"}, {"-study_levels", "17"}}, {"-upper_dm_plex_box_faces", "-study_levels"}},
+    {NULL, {{"-study", "uniform"}, {"-study_orders", "2,1"}}, {"-study_orders 2,1", "lower one first", "1,2"}},
+    {NULL, {{"-study", "uniform"}, {"-study_orders", "1,1"}}, {"-study_orders 1,1", "once"}},
+    {NULL, {{"-study", "uniform"}, {"-study_orders", "3"}}, {"-study_orders 3", "'3'", "1,2"}},
+    {NULL, {{"-study", "uniform"}, {"-study_orders", "1,2,3"}}, {"-study_orders 1,2,3", "there are 2"}},
+    {NULL,
+     {{"-study", "uniform"}, {"-study_orders", "1,2"}, {"-upper_order", "2"}},
+     {"-upper_order 2", "-study_orders", "one of the two"}},
+    {NULL, {{"-study", "uniform"}, {"-study_memory", "much"}}, {"-study_memory much", "4G"}},
+    {NULL, {{"-study", "uniform"}, {"-study_memory", "4GB"}}, {"-study_memory 4GB", "4G"}},
+    {NULL, {{"-study", "uniform"}, {"-study_memory", "-1"}}, {"-study_memory -1", "above 0"}},
     /* probes, results, solver */
+    {NULL, {{"-report", NULL}}, {"-report", "-output"}},
     {NULL, {{"-probes", "tip"}}, {"-probe_tip_at", "missing"}},
     {NULL, {{"-probes", "tip"}, {"-probe_tip_at", "0,0"}}, {"-probe_tip_body", "missing"}},
     {NULL,
@@ -280,6 +303,50 @@ static PetscErrorCode TestRest(void)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Orders, exact solutions and studies. */
+static PetscErrorCode TestStudy(void)
+{
+  static const char *const exact[][2] = {{"-order", "2"},
+                                         {"-lower_order", "1"},
+                                         {"-upper_exact_displacement", "x*(1-y),sin(x)"},
+                                         {"-joint_exact_pressure", "1-x^2"},
+                                         {"-joint_multipliers", "vertices"},
+                                         {"-output", "results/two"},
+                                         {"-report", NULL},
+                                         {"-study", "uniform"}};
+  static const char *const both[][2]  = {{"-order", "2"},
+                                         {"-study", "uniform"},
+                                         {"-study_levels", "5"},
+                                         {"-study_orders", "1, 2"},
+                                         {"-study_memory", "1.5g"}};
+  static const char *const same[][2]  = {{"-order", "2"}, {"-study", "uniform"}, {"-study_memory", "4096"}};
+  Scene                    scene;
+
+  PetscFunctionBeginUser;
+  PetscCall(ReadScene(NULL, 0, NULL, &scene));
+  CHECK(scene->study.kind == STUDY_NONE && !scene->report && !scene->bodies[0].exact && !scene->pairs[0].exact);
+  CHECK(scene->pairs[0].multipliers == MULTIPLIERS_NODES);
+  PetscCall(SceneDestroy(&scene));
+  PetscCall(ReadScene(NULL, PETSC_STATIC_ARRAY_LENGTH(exact), exact, &scene));
+  CHECK(scene->bodies[0].order == 2 && scene->bodies[1].order == 1 && scene->report);
+  CHECK(ExpressionSize(scene->bodies[0].exact) == 2 && !scene->bodies[1].exact && scene->pairs[0].exact);
+  CHECK(scene->pairs[0].multipliers == MULTIPLIERS_VERTICES);
+  CHECK(scene->study.kind == STUDY_UNIFORM && scene->study.levels == 4 && scene->study.memory > PETSC_MAX_REAL);
+  CHECK(scene->study.num_orders == 1 && scene->study.orders[0] == STUDY_OWN_ORDERS);
+  PetscCall(SceneView(scene));
+  PetscCall(SceneDestroy(&scene));
+  PetscCall(ReadScene(NULL, PETSC_STATIC_ARRAY_LENGTH(both), both, &scene));
+  CHECK(scene->study.levels == 5 && scene->study.num_orders == 2);
+  CHECK(scene->study.orders[0] == 1 && scene->study.orders[1] == 2);
+  CHECK(scene->study.memory == 1.5 * 1024 * 1024 * 1024);
+  PetscCall(SceneView(scene));
+  PetscCall(SceneDestroy(&scene));
+  PetscCall(ReadScene(NULL, PETSC_STATIC_ARRAY_LENGTH(same), same, &scene));
+  CHECK(scene->study.num_orders == 1 && scene->study.orders[0] == 2 && scene->study.memory == 4096);
+  PetscCall(SceneDestroy(&scene));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Roles of a pair stay open, unless only one of the sides can carry the multiplier. */
 static PetscErrorCode TestRoles(void)
 {
@@ -353,6 +420,7 @@ int main(int argc, char **argv)
   PetscCall(FaultInitialize());
   PetscCall(TestBase());
   PetscCall(TestRest());
+  PetscCall(TestStudy());
   for (size_t i = 0; i < sizeof(mistakes) / sizeof(mistakes[0]); i++) PetscCall(TestMistake(&mistakes[i]));
   PetscCall(TestLate());
   PetscCall(TestRoles());
