@@ -26,9 +26,9 @@ def nodal_stress(scene, solution):
     stress, area = np.zeros((len(scene.points), 3, 3)), np.zeros(len(scene.points))
     for body in scene.bodies.values():
         for cell in body.cells:
-            triangle = len(cell) == 3
+            triangle = body.kind == "triangle"
             _, grad, det = body.gradients(cell, (1 / 3, 1 / 3) if triangle else (0.5, 0.5))
-            nodes, size, s = body.first + np.array(cell), det * (0.5 if triangle else 1.0), np.zeros((3, 3))
+            nodes, size, s = body.first + cell, det * (0.5 if triangle else 1.0), np.zeros((3, 3))
             s[:2, :2] = np.einsum("ijkl,nk,nl->ij", body.hooke, solution.u[nodes], grad)
             s[2, 2] = body.zz * np.trace(s)
             stress[nodes] += size * s
@@ -49,7 +49,7 @@ def write_fields(path, scene, solution):
         for b, body in enumerate(scene.bodies.values()):
             for cell in body.cells:
                 if len(cell) == size:
-                    cells += [kind, *(body.first + np.array(cell))]
+                    cells += [kind, *(body.first + cell)]
                     owner.append(b)
     flat = lambda values: np.column_stack([values, np.zeros(count)])
     with h5py.File(path, "w", track_order=False) as file:
@@ -67,11 +67,11 @@ def write_table(path, table):
         writer.writerows(zip(*table.values()))
 
 
-def check_table(path, table):
-    """Every number of the file again, to CHECKED of the largest of its column; columns that vanish, to that of displacements."""
+def check_table(path, table, size):
+    """Every number of the file again, to CHECKED of the largest of its column; columns that vanish, to that of displacements.
+    [in] size - largest displacement"""
     with open(path, newline="", encoding="utf-8") as file:
         rows = list(csv.reader(file))
-    size = max(np.abs(np.nan_to_num(table.get(name, [0.0]))).max() for name in ("u_x", "u_y", "gap"))
     for name, *texts in zip(*rows):
         old, new = np.array(texts, dtype=float), np.array(table[name], dtype=float)
         if not np.allclose(new, old, rtol=0, atol=independent.CHECKED * max(np.nan_to_num(np.abs(old)).max(), size), equal_nan=True):
@@ -87,7 +87,10 @@ def main(arguments):
         solution = independent.Solution(scene)
         tables = {"nodes": solution.nodes(), **{pair.name: solution.side(pair) for pair in scene.pairs}}
         for name, table in tables.items():
-            (check_table if check else write_table)(folder / f"{name}.csv", table)
+            if check:
+                check_table(folder / f"{name}.csv", table, np.abs(solution.u).max())
+            else:
+                write_table(folder / f"{name}.csv", table)
         report = "".join(f"{name}: {value:.2g}\n" for name, value in solution.report.items())
         if not check:
             (folder / "ORIGIN").write_text(METHOD.format(case=case) + report)
