@@ -4,6 +4,7 @@
 
 #include <mortise/compat.h>
 #include <mortise/log.h>
+#include <mortise/memory.h>
 #include <mortise/fault.h>
 #include <mortise/options.h>
 #include <mortise/expression.h>

@@ -19,11 +19,16 @@ typedef enum {
 double LogWallClock(void);
 /* Registers stages; collective on PETSC_COMM_WORLD. start is LogWallClock() when the program began. */
 PetscErrorCode LogInitialize(double start);
+/* Begins to count anew, as if the program had begun at start: for a run among several. Within no stage. Not collective. */
+PetscErrorCode LogReset(double start);
 /* Enters and leaves a stage; wall seconds are added up. Stages do not nest. Collective on PETSC_COMM_WORLD. */
 PetscErrorCode LogStageBegin(LogStage stage);
 PetscErrorCode LogStageEnd(LogStage stage);
 /* Wall seconds so far of one stage (largest over the ranks is taken by the caller), and since the program began. */
 double LogStageSeconds(LogStage stage);
 double LogTotalSeconds(void);
+/* Seconds that this rank's processor worked, for the program and for the system on its behalf, on all threads, since the
+   program began or since LogReset(). Not collective. */
+double LogProcessorSeconds(void);
 
 #endif

@@ -22,6 +22,17 @@ void OptionsExpand(int argc, char **argv, int *argc_out, char ***argv_out, char 
 /* The first options file as the user typed it, or NULL. Not collective. */
 const char *OptionsFileName(void);
 
+/* An option in effect. */
+typedef struct {
+  const char *name;  /* without its dash */
+  const char *value; /* "" for a bare option */
+} OptionGiven;
+
+/* The options in effect as the user gave them, on the command line or in files, sorted by name; of an option given twice
+   the last. Those that name options files are not among them. Not collective.
+   [out] given - array of shape [num], owned by the caller; its texts are borrowed */
+PetscErrorCode OptionsGetGiven(PetscInt *num, OptionGiven **given);
+
 /* Finds a file named by an option: relative to the working directory, then to each options file's folder.
    Collective on comm (the first rank looks). [out] found - array of shape [len], the name itself where nothing is found;
    [out] exists - whether it can be read */

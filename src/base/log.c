@@ -1,6 +1,8 @@
 /* log.c -- stages: named in PETSc's log, and timed here as well, since PETSc keeps no times without -log_view. */
 #include <mortise/compat.h>
 #include <mortise/log.h>
+#include <math.h>
+#include <sys/resource.h>
 #include <time.h>
 
 static const char *const stage_names[STAGE_COUNT] = {"Setup", "Mortar", "Assembly", "Condense", "Solve", "Output"};
@@ -9,7 +11,8 @@ static struct {
   PetscLogStage handle[STAGE_COUNT];
   double        begin[STAGE_COUNT];   // clock at which the stage was last entered
   double        seconds[STAGE_COUNT]; // of all visits
-  double        start;                // clock at which the program began
+  double        start;                // clock at which the program, or the run, began
+  double        worked;               // processor seconds by then
 } journal;
 
 double LogWallClock(void)
@@ -20,14 +23,31 @@ double LogWallClock(void)
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+/* Processor seconds of this process since it began. */
+static double ProcessorSeconds_Private(void)
+{
+  struct rusage usage;
+
+  if (getrusage(RUSAGE_SELF, &usage)) return NAN;
+  return (double)(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+         1e-6 * (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+}
+
 PetscErrorCode LogInitialize(double start)
 {
   PetscFunctionBeginUser;
-  journal.start = start;
-  for (int s = 0; s < STAGE_COUNT; ++s) {
-    journal.seconds[s] = 0;
-    PetscCall(PetscLogStageRegister(stage_names[s], &journal.handle[s]));
-  }
+  for (int s = 0; s < STAGE_COUNT; ++s) PetscCall(PetscLogStageRegister(stage_names[s], &journal.handle[s]));
+  PetscCall(LogReset(start));
+  journal.worked = 0; // PETSc's own beginning is part of the program
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode LogReset(double start)
+{
+  PetscFunctionBeginUser;
+  journal.start  = start;
+  journal.worked = ProcessorSeconds_Private();
+  for (int s = 0; s < STAGE_COUNT; ++s) journal.seconds[s] = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -55,4 +75,9 @@ double LogStageSeconds(LogStage stage)
 double LogTotalSeconds(void)
 {
   return LogWallClock() - journal.start;
+}
+
+double LogProcessorSeconds(void)
+{
+  return ProcessorSeconds_Private() - journal.worked;
 }

@@ -1,9 +1,9 @@
 /* summary.c -- the JSON summary: every key of the interface, whatever the scene; null for what could not be computed. */
 #include <string.h>
-#include <sys/resource.h>
 #include <mortise/summary.h>
 #include <mortise/elasticity.h>
 #include <mortise/log.h>
+#include <mortise/memory.h>
 #include <mortise/options.h>
 #include <mortise/compat.h>
 #include "bodies.h"
@@ -33,6 +33,20 @@ static PetscErrorCode AddMortise_Private(const SummaryInput *in, cJSON *root)
   JSONAddInt(object, "ranks", ranks);
   cJSON_AddItemToObject(object, "options_file", file ? cJSON_CreateString(file) : cJSON_CreateNull());
   cJSON_AddStringToObject(root, "status", Solved_Private(in) ? "solved" : "not_converged");
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What the user asked for, option by option. */
+static PetscErrorCode AddOptions_Private(cJSON *root)
+{
+  cJSON       *object = cJSON_AddObjectToObject(root, "options");
+  OptionGiven *given;
+  PetscInt     num;
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionsGetGiven(&num, &given));
+  for (PetscInt i = 0; i < num; ++i) cJSON_AddStringToObject(object, given[i].name, given[i].value);
+  PetscCall(PetscFree(given));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -259,12 +273,6 @@ static PetscErrorCode AddCost_Private(const SummaryInput *in, cJSON *root)
   static const char *const names[STAGE_COUNT] = {"setup", "mortar", "assembly", "condense", "solve", "output"};
   cJSON                   *timing             = cJSON_AddObjectToObject(root, "timing");
   PetscReal                seconds[STAGE_COUNT + 1], bytes;
-  struct rusage            usage;
-#ifdef __APPLE__
-  const PetscReal unit = 1; /* of ru_maxrss, in bytes */
-#else
-  const PetscReal unit = 1024;
-#endif
 
   PetscFunctionBeginUser;
   for (int stage = 0; stage < STAGE_COUNT; ++stage) seconds[stage] = LogStageSeconds((LogStage)stage);
@@ -273,8 +281,7 @@ static PetscErrorCode AddCost_Private(const SummaryInput *in, cJSON *root)
   for (int stage = 0; stage < STAGE_COUNT; ++stage) JSONAddReal(timing, names[stage], seconds[stage]);
   JSONAddReal(timing, "total", seconds[STAGE_COUNT]);
   cJSON_AddNullToObject(timing, "linear_reference");
-  bytes = getrusage(RUSAGE_SELF, &usage) == 0 ? usage.ru_maxrss * unit : NAN;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPIU_REAL, MPI_SUM, in->scene->comm));
+  PetscCall(MemoryPeak(in->scene->comm, &bytes));
   JSONAddReal(cJSON_AddObjectToObject(root, "memory"), "peak_bytes", bytes);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -286,6 +293,7 @@ PetscErrorCode SummaryCreate(const SummaryInput *input, char **text)
 
   PetscFunctionBeginUser;
   PetscCall(AddMortise_Private(input, root));
+  PetscCall(AddOptions_Private(root));
   PetscCall(AddScene_Private(input, root));
   AddSolver_Private(input, root);
   PetscCall(AddEnergy_Private(input, root));

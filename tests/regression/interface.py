@@ -13,7 +13,7 @@ import numpy as np
 
 from judge import Run, near, require, same, same_table
 
-TOP = ["mortise", "status", "scene", "solver", "energy", "pairs", "reactions", "probes", "timing", "memory"]
+TOP = ["mortise", "status", "options", "scene", "solver", "energy", "pairs", "reactions", "probes", "timing", "memory"]
 KEYS = {
     "mortise": ["version", "petsc", "ranks", "options_file"],
     "scene": ["title", "model", "dimension", "bodies", "pairs"],
@@ -59,6 +59,8 @@ def judge_keys(summary):
         has(name, probe, PROBE)
     same("reactions", sorted(summary["reactions"]), ["base:bottom", "cap:top"])
     same("strain energies", list(summary["energy"]["strain"]), ["block", "base", "cap"])
+    same("an option", summary["options"]["output_format"], "xdmf,vtu")
+    require("options_file" not in summary["options"], "options are told one by one, not by their file")
     same("title", summary["scene"]["title"], "Cap & block <on> a base")
     same("linear_reference", summary["timing"]["linear_reference"], None)
     require(summary["memory"]["peak_bytes"] > 1e6, "a run takes more than a megabyte")

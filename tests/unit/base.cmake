@@ -1,3 +1,5 @@
 mortise_unit(fault ROOMS base RANKS 1 3)
 mortise_unit(options ROOMS base RANKS 1 2)
 mortise_unit(expression ROOMS base RANKS 1 2)
+mortise_unit(log ROOMS base RANKS 1 2)
+mortise_unit(memory ROOMS base RANKS 1 2)

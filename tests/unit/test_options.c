@@ -172,6 +172,22 @@ static void TestDefaults(void)
   EXPECT_FAULT("folder/.petscrc, line 1", "'wrong'", "-c");
 }
 
+/* What is in effect: sorted, of one name the last. */
+static void TestGiven(void)
+{
+  static const char *const expected[][2] = {{"a", "1"}, {"B", "4"}, {"c", ""}, {"d", "x y"}};
+  const char              *words[] = {"--d", "x y", "-B", "3", "-options_file", "first.opts", "-c", "-B", "4", NULL};
+  OptionGiven             *given;
+  PetscInt                 num;
+
+  Expand(words);
+  CHECK(!OptionsGetGiven(&num, &given));
+  CHECK(num == 4);
+  for (PetscInt i = 0; i < num; ++i)
+    CHECK(!strcmp(given[i].name, expected[i][0]) && !strcmp(given[i].value, expected[i][1]));
+  CHECK(!PetscFree(given));
+}
+
 /* Makes and enters a folder of this run's own, so that runs on several numbers of ranks do not meet. */
 static void EnterFolder(const char program[])
 {
@@ -198,6 +214,7 @@ int main(int argc, char **argv)
   TestMistakes();
   TestBinary();
   TestNesting();
+  TestGiven();
   TestDefaults();
   MPI_Finalize();
   return 0;

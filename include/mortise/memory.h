@@ -1,0 +1,14 @@
+/* memory.h -- the most memory that the processes held at a time (floor 0). */
+#ifndef MORTISE_MEMORY_H
+#define MORTISE_MEMORY_H
+
+#include <petscsys.h>
+
+/* bytes = sum over the ranks of the largest resident memory so far, since the program began or since MemoryPeakReset().
+   Collective on comm. [out] bytes - the same on all ranks; NAN where the system does not tell */
+PetscErrorCode MemoryPeak(MPI_Comm comm, PetscReal *bytes);
+/* Gives freed memory back to the system and lets the peak begin anew at what is held now: for a run among several.
+   Collective on comm. [out] done - whether the system can do so; elsewhere the peak stays that of the whole program */
+PetscErrorCode MemoryPeakReset(MPI_Comm comm, PetscBool *done);
+
+#endif

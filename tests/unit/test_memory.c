@@ -1,0 +1,42 @@
+/* test_memory.c -- the peak sees what was held and given back, on every rank, and begins anew where the system can. */
+#include <mortise/compat.h>
+#include <mortise/memory.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <test.h>
+
+static const size_t HELD = (size_t)64 << 20; /* bytes */
+
+/* Takes memory from the system, touches it and gives it back: no allocator may keep it. */
+static void Hold(void)
+{
+  char *block = mmap(NULL, HELD, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+
+  CHECK(block != MAP_FAILED);
+  memset(block, 1, HELD);
+  CHECK(!munmap(block, HELD));
+}
+
+int main(int argc, char **argv)
+{
+  PetscReal   before, held, anew;
+  PetscMPIInt size;
+  PetscBool   done;
+
+  PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
+  PetscCallMPI(MPI_Comm_size(PETSC_COMM_WORLD, &size));
+  PetscCall(MemoryPeakReset(PETSC_COMM_WORLD, &done));
+  PetscCall(MemoryPeak(PETSC_COMM_WORLD, &before));
+  CHECK(before > 0);
+  Hold();
+  PetscCall(MemoryPeak(PETSC_COMM_WORLD, &held));
+  CHECK(held > before + 0.9 * (PetscReal)HELD * size); // some of it may have been free below the peak before
+  PetscCall(MemoryPeakReset(PETSC_COMM_WORLD, &done));
+  PetscCall(MemoryPeak(PETSC_COMM_WORLD, &anew));
+  if (done)
+    CHECK(anew < held - 0.9 * (PetscReal)HELD * size);
+  else
+    CHECK(anew >= held);
+  PetscCall(PetscFinalize());
+  return 0;
+}
