@@ -65,6 +65,20 @@ PetscReal ElementMap(ElementType type, const PetscReal X[], const PetscReal xi[]
 PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
                          PetscReal normal[]);
 
+/* A rule on the reference cell with the shape functions at its points: what does not change from cell to cell. */
+typedef struct {
+  ElementType type;
+  PetscInt    num;                                              /* points */
+  PetscReal   weight[ELEMENT_MAX_POINTS];                       /* [num] */
+  PetscReal   phi[ELEMENT_MAX_POINTS * ELEMENT_MAX_NODES];      /* [num][num_nodes] */
+  PetscReal   dphi[ELEMENT_MAX_POINTS * ELEMENT_MAX_NODES * 2]; /* [num][num_nodes][ElementDim] */
+} ElementRule;
+
+/* As ElementQuadrature(); num is 0 beyond the highest degree. */
+void ElementRuleSet(ElementType type, PetscInt degree, ElementRule *rule);
+/* ElementMap() at point q; x and grad may be NULL. */
+PetscReal ElementRuleMap(const ElementRule *rule, PetscInt q, const PetscReal X[], PetscReal x[], PetscReal grad[]);
+
 /* Smallest det J in the cell: <= 0 for a degenerate or tangled one. In cells of second order it is the smallest on a
    lattice that holds the nodes. */
 PetscReal ElementMinJacobian(ElementType type, const PetscReal X[]);

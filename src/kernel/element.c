@@ -196,15 +196,14 @@ static PetscReal Jacobian_Private(const Reference *cell, const PetscReal X[], co
   return det;
 }
 
-PetscReal ElementMap(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
-                     PetscReal grad[])
+/* ElementMap() with the shape functions and their derivatives on the reference cell. */
+static PetscReal Map_Private(const Reference *cell, const PetscReal X[], const PetscReal phi[], const PetscReal dphi[],
+                             PetscReal x[], PetscReal grad[])
 {
-  const Reference *cell = &REFERENCE[type];
-  const PetscInt   dim  = cell->dim;
-  PetscReal        dphi[ELEMENT_MAX_NODES * MAX_DIM], inverse[MAX_DIM * MAX_DIM] = {0.}, det;
+  const PetscInt  dim                        = cell->dim;
+  PetscReal       inverse[MAX_DIM * MAX_DIM] = {0.};
+  const PetscReal det                        = Jacobian_Private(cell, X, dphi, inverse);
 
-  cell->shape(xi, phi, dphi);
-  det = Jacobian_Private(cell, X, dphi, inverse);
   if (x) {
     for (PetscInt k = 0; k < dim; k++) {
       x[k] = 0.;
@@ -220,6 +219,35 @@ PetscReal ElementMap(ElementType type, const PetscReal X[], const PetscReal xi[]
     }
   }
   return det;
+}
+
+PetscReal ElementMap(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
+                     PetscReal grad[])
+{
+  PetscReal dphi[ELEMENT_MAX_NODES * MAX_DIM];
+
+  REFERENCE[type].shape(xi, phi, dphi);
+  return Map_Private(&REFERENCE[type], X, phi, dphi, x, grad);
+}
+
+void ElementRuleSet(ElementType type, PetscInt degree, ElementRule *rule)
+{
+  const Reference *cell = &REFERENCE[type];
+  const PetscInt   n    = cell->num_nodes;
+  PetscReal        xi[ELEMENT_MAX_POINTS * MAX_DIM];
+
+  rule->type = type;
+  rule->num  = ElementQuadrature(type, degree, xi, rule->weight);
+  for (PetscInt q = 0; q < rule->num; q++)
+    cell->shape(&xi[q * cell->dim], &rule->phi[q * n], &rule->dphi[q * n * cell->dim]);
+}
+
+PetscReal ElementRuleMap(const ElementRule *rule, PetscInt q, const PetscReal X[], PetscReal x[], PetscReal grad[])
+{
+  const Reference *cell = &REFERENCE[rule->type];
+  const PetscInt   n    = cell->num_nodes;
+
+  return Map_Private(cell, X, &rule->phi[q * n], &rule->dphi[q * n * cell->dim], x, grad);
 }
 
 PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],

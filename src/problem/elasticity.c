@@ -1,13 +1,19 @@
 /* elasticity.c -- stiffness K and load f of all bodies, before any boundary condition.
 
-   K_ij = int B_i' C B_j, cell by cell over the level's tables, with the quadrature that is exact on parallelograms.
-   Expressions are evaluated at quadrature points; plain numbers once per body. */
+   K_ij^kl = int d_m phi_i C_kmln d_n phi_j, cell by cell over the level's tables, with the quadrature that is exact on
+   parallelograms. This is int B_i' C B_j without the zeros of B, a third of its time. Expressions are evaluated at
+   quadrature points; plain numbers once per body. */
 #include <mortise/compat.h>
 #include <mortise/elasticity.h>
 #include <mortise/fault.h>
 #include "loads.h"
 
-enum { MAX_STRAINS = 6, MAX_UPPER = 21, MAX_CELL_DOFS = 3 * ELEMENT_MAX_NODES };
+enum {
+  MAX_STRAINS   = 6,
+  MAX_UPPER     = 21,
+  MAX_TENSOR    = 81, /* C_kmln in 3D */
+  MAX_CELL_DOFS = 3 * ELEMENT_MAX_NODES
+};
 
 /* A Hooke tensor whose smallest eigenvalue is below this share of the largest is not positive definite in double precision. */
 static const PetscReal DEFINITE_TOLERANCE = 1e-14;
@@ -37,45 +43,64 @@ static PetscBool HookeIsConstant_Private(const SceneBody *body)
   return (PetscBool)(ExpressionIsConstant(body->young) && ExpressionIsConstant(body->poisson));
 }
 
+/* What is wrong with moduli, "" while nothing is. */
+typedef struct {
+  char text[512];
+} Sentence;
+
 /* Writes a sentence if moduli that vary in space are not those of an elastic body at x. */
 static PetscErrorCode HookeCheck_Private(Scene scene, PetscInt body, const PetscReal x[], const PetscReal C[],
-                                         char sentence[], size_t len)
+                                         Sentence *sentence)
 {
   const SceneBody *b = &scene->bodies[body];
 
   PetscFunctionBeginUser;
-  if (sentence[0] || MaterialDefiniteness(MaterialNumStrains(scene->model), C) > DEFINITE_TOLERANCE)
+  if (sentence->text[0] || MaterialDefiniteness(MaterialNumStrains(scene->model), C) > DEFINITE_TOLERANCE)
     PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscSNPrintf(sentence, len,
+  PetscCall(PetscSNPrintf(sentence->text, sizeof(sentence->text),
                           "%s gives moduli that are not positive definite at (%g, %g); an elastic body needs "
                           "E > 0 and -1 < nu < 0.5, or a positive definite Hooke tensor, at every point",
                           ExpressionOption(b->stiffness ? b->stiffness : b->young), (double)x[0], (double)x[1]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Ke += w B'CB. [in] B - [ns][n]; [in] C - [ns][ns]; [in,out] Ke - [n][n] */
-static void AddStiffness_Private(PetscInt ns, PetscInt n, const PetscReal B[], const PetscReal C[], PetscReal w,
-                                 PetscReal Ke[])
+/* C_kmln from C in Voigt's order: eps_ln counts twice among engineering shears, once for eps_nl. [out] tensor - [dim^4] */
+static void Tensor_Private(PetscInt dim, const PetscReal C[], PetscReal tensor[])
 {
-  PetscReal CB[MAX_STRAINS * MAX_CELL_DOFS];
+  static const PetscInt voigt_2d[2 * 2] = {0, 2, 2, 1}, voigt_3d[3 * 3] = {0, 5, 4, 5, 1, 3, 4, 3, 2};
+  const PetscInt       *voigt = dim == 2 ? voigt_2d : voigt_3d, ns = dim == 2 ? 3 : 6, square = dim * dim;
 
-  for (PetscInt s = 0; s < ns; s++) {
-    for (PetscInt j = 0; j < n; j++) {
-      PetscReal sum = 0;
-      for (PetscInt r = 0; r < ns; r++) sum += C[s * ns + r] * B[r * n + j];
-      CB[s * n + j] = w * sum;
-    }
+  for (PetscInt km = 0; km < square; km++) {
+    for (PetscInt ln = 0; ln < square; ln++) tensor[km * square + ln] = C[voigt[km] * ns + voigt[ln]];
   }
-  for (PetscInt i = 0; i < n; i++) {
-    for (PetscInt s = 0; s < ns; s++) {
-      const PetscReal Bsi = B[s * n + i];
-      if (Bsi == 0.0) continue; // half of B is zero
-      for (PetscInt j = 0; j < n; j++) Ke[i * n + j] += Bsi * CB[s * n + j];
+}
+
+/* Ke_ij^kl += w d_m phi_i C_kmln d_n phi_j for i <= j. To be inlined where dim is known, so that its loops are unrolled.
+   [in] tensor - [dim][dim][dim][dim]; [in] grad - [nn][dim]; [in,out] Ke - [nn][dim][nn][dim] */
+static inline void AddStiffness_Private(PetscInt dim, PetscInt nn, const PetscReal tensor[], const PetscReal grad[],
+                                        PetscReal w, PetscReal Ke[])
+{
+  const PetscInt row = nn * dim;
+  PetscReal      flux[27]; // w C_kmln d_n phi_j, [k][m][l]
+
+  for (PetscInt j = 0; j < nn; j++) {
+    for (PetscInt kml = 0; kml < dim * dim * dim; kml++) {
+      flux[kml] = 0;
+      for (PetscInt n = 0; n < dim; n++) flux[kml] += w * tensor[kml * dim + n] * grad[j * dim + n];
+    }
+    for (PetscInt i = 0; i <= j; i++) {
+      for (PetscInt k = 0; k < dim; k++) {
+        for (PetscInt l = 0; l < dim; l++) {
+          PetscReal sum = 0;
+          for (PetscInt m = 0; m < dim; m++) sum += grad[i * dim + m] * flux[(k * dim + m) * dim + l];
+          Ke[(i * dim + k) * row + j * dim + l] += sum;
+        }
+      }
     }
   }
 }
 
-/* Corner coordinates of a cell, [num_nodes][dim]. */
+/* Coordinates of a cell's nodes, [num_nodes][dim]. */
 static void CellCoordinates_Private(const Level *level, PetscInt c, PetscReal X[])
 {
   const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
@@ -86,27 +111,30 @@ static void CellCoordinates_Private(const Level *level, PetscInt c, PetscReal X[
   }
 }
 
-/* Ke of one cell; C is the body's constant tensor, or NULL to evaluate it at every point. */
-static PetscErrorCode CellStiffness_Private(Scene scene, Level *level, PetscInt c, const PetscReal C[], PetscReal Ke[],
-                                            char sentence[], size_t len)
+/* Ke of one cell; tensor is the body's constant C_kmln, or NULL to evaluate it at every point. */
+static PetscErrorCode CellStiffness_Private(Scene scene, Level *level, PetscInt c, const ElementRule *rule,
+                                            const PetscReal tensor[], PetscReal Ke[], Sentence *sentence)
 {
-  const ElementType type = (ElementType)level->cell_type[c];
-  const PetscInt    dim = level->dim, nn = ElementNumNodes(type), n = nn * dim, ns = MaterialNumStrains(scene->model);
-  PetscReal         X[MAX_CELL_DOFS], xi[3 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_NODES];
-  PetscReal         grad[MAX_CELL_DOFS], B[MAX_STRAINS * MAX_CELL_DOFS], Cx[MAX_STRAINS * MAX_STRAINS], x[3], nu;
-  const PetscInt    nq = ElementQuadrature(type, ElementStiffnessDegree(type), xi, w);
+  const PetscInt dim = level->dim, nn = ElementNumNodes(rule->type), n = nn * dim;
+  PetscReal      X[MAX_CELL_DOFS], grad[MAX_CELL_DOFS], C[MAX_STRAINS * MAX_STRAINS], local[MAX_TENSOR], x[3], nu;
 
   PetscFunctionBeginUser;
   CellCoordinates_Private(level, c, X);
   PetscCall(PetscArrayzero(Ke, n * n));
-  for (PetscInt q = 0; q < nq; q++) {
-    const PetscReal det = ElementMap(type, X, &xi[q * dim], x, phi, grad);
-    if (!C) {
-      PetscCall(ElasticityHooke(scene, level->cell_body[c], x, Cx, &nu));
-      PetscCall(HookeCheck_Private(scene, level->cell_body[c], x, Cx, sentence, len));
+  for (PetscInt q = 0; q < rule->num; q++) {
+    const PetscReal w = rule->weight[q] * ElementRuleMap(rule, q, X, tensor ? NULL : x, grad) * scene->thickness;
+    if (!tensor) {
+      PetscCall(ElasticityHooke(scene, level->cell_body[c], x, C, &nu));
+      PetscCall(HookeCheck_Private(scene, level->cell_body[c], x, C, sentence));
+      Tensor_Private(dim, C, local);
     }
-    ElementStrainMatrix(dim, nn, grad, B);
-    AddStiffness_Private(ns, n, B, C ? C : Cx, w[q] * det * scene->thickness, Ke);
+    if (dim == 2)
+      AddStiffness_Private(2, nn, tensor ? tensor : local, grad, w, Ke);
+    else
+      AddStiffness_Private(3, nn, tensor ? tensor : local, grad, w, Ke);
+  }
+  for (PetscInt i = 0; i < n; i++) { // the lower triangle; blocks on the diagonal are whole
+    for (PetscInt j = 0; j < i; j++) Ke[i * n + j] = Ke[j * n + i];
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -114,31 +142,40 @@ static PetscErrorCode CellStiffness_Private(Scene scene, Level *level, PetscInt 
 /* Adds every cell of this rank to K. */
 static PetscErrorCode AssembleCells_Private(Scene scene, Level *level, Mat K)
 {
-  PetscReal       C[MAX_STRAINS * MAX_STRAINS], Ke[MAX_CELL_DOFS * MAX_CELL_DOFS], nu;
-  const PetscReal origin[3]     = {0, 0, 0};
-  PetscInt        body          = -1, rows[ELEMENT_MAX_NODES];
-  PetscBool       constant      = PETSC_FALSE;
-  char            sentence[512] = "";
+  PetscReal       C[MAX_STRAINS * MAX_STRAINS], tensor[MAX_TENSOR], Ke[MAX_CELL_DOFS * MAX_CELL_DOFS], nu;
+  const PetscReal origin[3] = {0, 0, 0};
+  PetscInt        body      = -1, rows[ELEMENT_MAX_NODES];
+  PetscBool       constant  = PETSC_FALSE;
+  Sentence        sentence  = {""};
+  ElementRule    *rules;
 
   PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(ELEMENT_COUNT, &rules));
+  for (PetscInt t = 0; t < ELEMENT_COUNT; t++)
+    ElementRuleSet((ElementType)t, ElementStiffnessDegree((ElementType)t), &rules[t]);
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]],
                    n      = level->cell_start[c + 1] - level->cell_start[c];
     if (level->cell_body[c] != body) { // cells of a body follow one another
       body     = level->cell_body[c];
       constant = HookeIsConstant_Private(&scene->bodies[body]);
-      if (constant) PetscCall(ElasticityHooke(scene, body, origin, C, &nu));
+      if (constant) {
+        PetscCall(ElasticityHooke(scene, body, origin, C, &nu));
+        Tensor_Private(level->dim, C, tensor);
+      }
     }
-    PetscCall(CellStiffness_Private(scene, level, c, constant ? C : NULL, Ke, sentence, sizeof(sentence)));
+    PetscCall(
+        CellStiffness_Private(scene, level, c, &rules[level->cell_type[c]], constant ? tensor : NULL, Ke, &sentence));
     for (PetscInt i = 0; i < n; i++) rows[i] = level->node_global[nodes[i]];
     PetscCall(MatSetValuesBlocked(K, n, rows, n, rows, Ke, ADD_VALUES));
   }
+  PetscCall(PetscFree(rules));
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     PetscCall(ExpressionCheck(level->comm, scene->bodies[b].young));
     PetscCall(ExpressionCheck(level->comm, scene->bodies[b].poisson));
     PetscCall(ExpressionCheck(level->comm, scene->bodies[b].stiffness));
   }
-  PetscCall(FaultCheck(level->comm, sentence));
+  PetscCall(FaultCheck(level->comm, sentence.text));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
