@@ -1,35 +1,50 @@
 /* loads.c -- body forces, tractions and pressures as nodal loads.
 
-   Plain numbers are integrated exactly with few points; expressions with LOAD_DEGREE, so that the error of a load is of
-   higher order than that of the discretisation. Sums over facets and cells are taken where they are held, then shared. */
+   Plain numbers are integrated exactly; expressions with LoadDegree_Private(), so that the error of a load is of higher
+   order than that of the discretisation. Sums over facets and cells are taken where they are held, then shared. */
 #include <mortise/compat.h>
 #include "loads.h"
 
-enum {
-  CONSTANT_DEGREE = 2, /* shape functions times the Jacobian of a bilinear cell */
-  LOAD_DEGREE     = 5, /* leaves an error of order h^6 in the work of a smooth load */
-  FACET_POINTS    = 4
-};
+/* The degree of a constant body force: shape functions of order p times det J of degree 2p - 1 in each coordinate. */
+static PetscInt ConstantDegree_Private(PetscInt order)
+{
+  return 3 * order - 1;
+}
+
+/* Leaves an error of order h^6 in the work of a smooth load for order 1, h^8 for order 2. */
+static PetscInt LoadDegree_Private(PetscInt order)
+{
+  return 2 * order + 3;
+}
+
+/* Gauss points on a line facet: exact to degree 7 on straight ones. The length of a curved one is not a polynomial, so that
+   even constants are exact only to within (the angle it turns by)^12. */
+static PetscInt FacetPoints_Private(PetscInt order)
+{
+  return 2 * order + 2;
+}
 
 /* Adds a body's force per volume on this rank's cells. [in,out] fa - [num_nodes][dim] */
 static PetscErrorCode AddBodyForce_Private(Scene scene, Level *level, PetscInt body, PetscScalar fa[])
 {
-  const Expression force  = scene->bodies[body].body_force;
-  const PetscInt   dim    = level->dim;
-  const PetscInt   degree = ExpressionIsConstant(force) ? CONSTANT_DEGREE : LOAD_DEGREE;
-  PetscReal X[3 * ELEMENT_MAX_NODES], xi[3 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_NODES], x[3],
-      b[3];
+  const Expression force    = scene->bodies[body].body_force;
+  const PetscInt   dim      = level->dim;
+  const PetscBool  constant = ExpressionIsConstant(force);
+  PetscReal        X[3 * ELEMENT_MAX_NODES], x[3], b[3];
+  ElementRule      rule = {.num = 0};
 
   PetscFunctionBeginUser;
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const ElementType type  = (ElementType)level->cell_type[c];
-    const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]], nn = ElementNumNodes(type);
-    PetscInt          nq;
+    const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]], nn = ElementNumNodes(type),
+                   order = ElementOrder(type);
     if (level->cell_body[c] != body) continue;
-    nq = ElementQuadrature(type, degree, xi, w);
+    if (rule.num == 0 || rule.type != type)
+      ElementRuleSet(type, constant ? ConstantDegree_Private(order) : LoadDegree_Private(order), &rule);
     for (PetscInt i = 0; i < nn; i++) PetscCall(PetscArraycpy(&X[i * dim], &level->coords[nodes[i] * dim], dim));
-    for (PetscInt q = 0; q < nq; q++) {
-      const PetscReal wq = w[q] * ElementMap(type, X, &xi[q * dim], x, phi, NULL) * scene->thickness;
+    for (PetscInt q = 0; q < rule.num; q++) {
+      const PetscReal  wq  = rule.weight[q] * ElementRuleMap(&rule, q, X, x, NULL) * scene->thickness;
+      const PetscReal *phi = &rule.phi[q * nn];
       PetscCall(ExpressionEvaluate(force, dim, x, b));
       for (PetscInt i = 0; i < nn; i++) {
         for (PetscInt k = 0; k < dim; k++) fa[nodes[i] * dim + k] += wq * phi[i] * b[k];
@@ -58,22 +73,19 @@ static PetscErrorCode AddSideLoad_Private(Scene scene, Level *level, PetscInt bo
                                           PetscScalar fa[])
 {
   const PetscInt dim = level->dim;
-  PetscReal      xi[ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_NODES], x[3], nu[3] = {0, 0, 0}, t[3];
+  PetscReal      xi[ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_FACET_NODES], x[3], nu[3], t[3];
+  PetscReal      X[3 * ELEMENT_MAX_FACET_NODES];
   Facets         facets;
 
   PetscFunctionBeginUser;
   PetscCall(LevelGetFacets(level, scene, body, boundary->side, &facets));
-  GaussLine(FACET_POINTS, xi, w);
   for (PetscInt f = 0; f < facets.num; f++) {
-    const PetscInt  *nodes = &facets.nodes[f * ELEMENT_MAX_FACET_NODES], nn = ElementNumNodes(facets.type[f]);
-    const PetscReal *a = &level->coords[nodes[0] * dim], *b = &level->coords[nodes[1] * dim];
-    const PetscReal  dx = b[0] - a[0], dy = b[1] - a[1], length = PetscSqrtReal(dx * dx + dy * dy);
-    nu[0] = dy / length;
-    nu[1] = -dx / length;
-    for (PetscInt q = 0; q < FACET_POINTS; q++) {
-      const PetscReal wq = w[q] * length * scene->thickness;
-      ElementShape(facets.type[f], &xi[q], phi, NULL);
-      for (PetscInt k = 0; k < dim; k++) x[k] = (1 - xi[q]) * a[k] + xi[q] * b[k];
+    const ElementType type  = facets.type[f];
+    const PetscInt   *nodes = &facets.nodes[f * ELEMENT_MAX_FACET_NODES], nn = ElementNumNodes(type),
+                   nq = GaussLine(FacetPoints_Private(ElementOrder(type)), xi, w);
+    for (PetscInt i = 0; i < nn; i++) PetscCall(PetscArraycpy(&X[i * dim], &level->coords[nodes[i] * dim], dim));
+    for (PetscInt q = 0; q < nq; q++) {
+      const PetscReal wq = w[q] * ElementSurface(type, X, &xi[q], x, phi, nu) * scene->thickness;
       PetscCall(BoundaryTraction_Private(boundary, dim, x, nu, t));
       for (PetscInt i = 0; i < nn; i++) {
         for (PetscInt k = 0; k < dim; k++) fa[nodes[i] * dim + k] += wq * phi[i] * t[k];
