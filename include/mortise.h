@@ -7,6 +7,7 @@
 #include <mortise/memory.h>
 #include <mortise/fault.h>
 #include <mortise/options.h>
+#include <mortise/json.h>
 #include <mortise/expression.h>
 #include <mortise/material.h>
 #include <mortise/element.h>
@@ -26,8 +27,11 @@
 #include <mortise/solve.h>
 #include <mortise/fields.h>
 #include <mortise/certificate.h>
+#include <mortise/pairsum.h>
+#include <mortise/probes.h>
 #include <mortise/output.h>
 #include <mortise/summary.h>
 #include <mortise/page.h>
+#include <mortise/run.h>
 
 #endif

@@ -14,17 +14,12 @@ static const char usage[] =
     "mortise: no scene given; write mortise -options_file <scene.opts>, or mortise -help for every option\n";
 
 /* Solves the scene of the options; *verdict is the exit code of a run without faults. */
-static PetscErrorCode Run(MortiseExit *verdict)
+static PetscErrorCode Run_Private(MortiseExit *verdict)
 {
   Scene        scene = NULL;
   Mesh         mesh  = NULL;
-  VI           vi    = NULL;
-  Fields       fields;
-  SolveReport  report;
-  CrossCheck   check = {.done = PETSC_FALSE};
-  Certificate  certificate;
+  Run          run   = NULL;
   SummaryInput input;
-  Vec          y, reactions;
 
   PetscFunctionBeginUser;
   PetscCall(LogStageBegin(STAGE_SETUP));
@@ -37,33 +32,17 @@ static PetscErrorCode Run(MortiseExit *verdict)
   PetscCall(ProbesCheck(scene, mesh));
   PetscCall(LogStageEnd(STAGE_SETUP));
 
-  PetscCall(VICreate(scene, mesh, &vi));
-  if (scene->view) {
-    PetscCall(SceneView(scene));
-    PetscCall(ModelView(vi));
-    PetscCall(SolveView(vi));
+  PetscCall(RunCreate(scene, mesh, NULL, &run));
+  if (scene->output) {
+    PetscCall(LogStageBegin(STAGE_OUTPUT));
+    PetscCall(OutputWrite(run->fields));
+    PetscCall(LogStageEnd(STAGE_OUTPUT));
   }
-  PetscCall(LogStageBegin(STAGE_SOLVE));
-  PetscCall(VecDuplicate(vi->b, &y));
-  PetscCall(VISolve(vi, y, &report));
-  if (scene->cross_check && report.converged) PetscCall(VICrossCheck(vi, y, &report, &check));
-  PetscCall(LogStageEnd(STAGE_SOLVE));
-  PetscCall(SceneCheckUnused(scene, PETSC_FALSE));
-
-  PetscCall(LogStageBegin(STAGE_OUTPUT));
-  PetscCall(FieldsCreate(vi, y, &fields));
-  PetscCall(CertificateCompute(fields, &certificate, &reactions));
-  if (scene->output) PetscCall(OutputWrite(fields));
-  PetscCall(LogStageEnd(STAGE_OUTPUT));
-  input = (SummaryInput){scene, mesh, vi, fields, &report, &check, &certificate, reactions};
+  input = RunSummary(run);
   PetscCall(SummaryWrite(&input));
-  *verdict =
-      report.converged && certificate.holds && (!check.done || check.agree) ? MORTISE_SOLVED : MORTISE_NOT_CONVERGED;
+  *verdict = run->solved ? MORTISE_SOLVED : MORTISE_NOT_CONVERGED;
 
-  PetscCall(VecDestroy(&reactions));
-  PetscCall(VecDestroy(&y));
-  PetscCall(FieldsDestroy(&fields));
-  PetscCall(VIDestroy(&vi));
+  PetscCall(RunDestroy(&run));
   PetscCall(MeshDestroy(&mesh));
   PetscCall(SceneDestroy(&scene));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -126,7 +105,7 @@ static PetscErrorCode RunArguments(double start, int argc, char **argv, MortiseE
   PetscCall(Begin(argc, argv));
   PetscCall(LogInitialize(start));
   PetscCall(PDASRegister());
-  PetscCall(Run(verdict));
+  PetscCall(Run_Private(verdict));
   PetscCall(PetscFinalize());
   PetscFunctionReturn(PETSC_SUCCESS);
 }

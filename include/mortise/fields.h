@@ -32,6 +32,8 @@ typedef struct _n_Fields *Fields;
 /* Recovers everything from y. Collective. [out] fields - owned by the caller */
 PetscErrorCode FieldsCreate(VI vi, Vec y, Fields *fields);
 PetscErrorCode FieldsDestroy(Fields *fields);
+/* Collective. [out] strain - strain energy of each body [num_bodies]; [out] potential - 1/2 u'Ku - f'u */
+PetscErrorCode FieldsEnergy(Fields fields, PetscReal strain[], PetscReal *potential);
 
 /* What one pair does at the nodes this rank owns; arrays of shape [level->num_owned]. */
 typedef struct {

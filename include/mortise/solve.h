@@ -28,8 +28,10 @@ typedef struct {
 } CrossCheck;
 
 /* Solves by -snes_type (default pdas); progress lines where the scene wants them. Not converging is not an error: the
-   report says so. Collective. [out] y - created by the caller in the layout of vi->b */
-PetscErrorCode VISolve(VI vi, Vec y, SolveReport *report);
+   report says so. Collective.
+   [in] guess - displacement to begin with (ghosted, dim per node), which changes the work and not the answer; or NULL
+   [out] y - created by the caller in the layout of vi->b */
+PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report);
 /* Solves by the other of pdas and vinewtonrsls and compares. Collective. */
 PetscErrorCode VICrossCheck(VI vi, Vec y, const SolveReport *report, CrossCheck *check);
 /* Prints what was chosen for the linear systems and why (part of -scene_view). Collective. */

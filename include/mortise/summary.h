@@ -15,6 +15,7 @@ typedef struct {
   const CrossCheck  *check;
   const Certificate *certificate;
   Vec                reactions;
+  PetscBool          solved; /* converged, certified, and confirmed where a second solver was asked */
 } SummaryInput;
 
 /* The summary as JSON text, the same keys always; a number that could not be computed is null.
@@ -26,7 +27,4 @@ PetscErrorCode SummaryWrite(const SummaryInput *input);
 /* Prints what the meshes made of the scene, and what was left out of it: with SceneView() before and SolveView() behind,
    -scene_view. Collective. */
 PetscErrorCode ModelView(VI vi);
-/* Faults if a probe lies outside its body; call before the solve. Collective. */
-PetscErrorCode ProbesCheck(Scene scene, Mesh mesh);
-
 #endif

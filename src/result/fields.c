@@ -302,3 +302,16 @@ PetscErrorCode FieldsDestroy(Fields *fields)
   PetscCall(PetscFree(*fields));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
+
+PetscErrorCode FieldsEnergy(Fields fields, PetscReal strain[], PetscReal *potential)
+{
+  const VI    vi = fields->vi;
+  PetscScalar work;
+
+  PetscFunctionBeginUser;
+  PetscCall(ElasticityBodyEnergy(vi->scene, vi->level, vi->K, fields->u, strain));
+  PetscCall(VecDot(vi->f, fields->u, &work));
+  *potential = -PetscRealPart(work);
+  for (PetscInt b = 0; b < vi->scene->num_bodies; ++b) *potential += strain[b];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

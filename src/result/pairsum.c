@@ -2,7 +2,7 @@
 
    With p_h = sum p_a psi_a:  integral of p_h n = sum_a W_a p_a n_a,  W_a = int psi_a = D_aa + sum_c D_ac, which is what -B'lambda
    adds up to on the nonmortar body, and by the row sums of D and M its negative on the mortar side. */
-#include "pairsum.h"
+#include <mortise/pairsum.h>
 #include <mortise/compat.h>
 
 /* What is added over rows; what is maximised (minima by their negatives). */

@@ -1,8 +1,7 @@
 /* probes.c -- finds probes in their bodies and interpolates. Places are those before the motion. */
 #include <string.h>
-#include "probes.h"
+#include <mortise/probes.h>
 #include <mortise/fault.h>
-#include <mortise/summary.h>
 #include <mortise/compat.h>
 
 /* Box around a body, for the sentence to a user whose probe lies outside. */

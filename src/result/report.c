@@ -5,7 +5,7 @@
 #include <mortise/output.h>
 #include <mortise/log.h>
 #include <mortise/compat.h>
-#include "pairsum.h"
+#include <mortise/pairsum.h>
 
 /* "(1.5, -2)" */
 static PetscErrorCode VectorText_Private(PetscInt dim, const PetscReal v[], char text[], size_t len)
@@ -68,7 +68,7 @@ static PetscErrorCode PrintFiles_Private(const SummaryInput *in)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Print_Private(const SummaryInput *in, PetscBool solved)
+static PetscErrorCode Print_Private(const SummaryInput *in)
 {
   const MPI_Comm     comm   = in->scene->comm;
   const SolveReport *report = in->report;
@@ -77,7 +77,7 @@ static PetscErrorCode Print_Private(const SummaryInput *in, PetscBool solved)
   PetscFunctionBeginUser;
   if (in->scene->title[0]) PetscCall(PetscPrintf(comm, "%s\n", in->scene->title));
   PetscCall(PetscPrintf(comm, "  %s: %" PetscInt_FMT " unknowns, %" PetscInt_FMT " iterations of %s, %.3g s\n",
-                        solved ? "solved" : "NOT SOLVED", in->vi->level->num_global * in->vi->level->dim,
+                        in->solved ? "solved" : "NOT SOLVED", in->vi->level->num_global * in->vi->level->dim,
                         report->iterations, report->type, LogTotalSeconds()));
   for (PetscInt p = 0; p < in->vi->num_pairs; ++p) PetscCall(PrintPair_Private(in, p));
   PetscCall(PetscPrintf(comm,
@@ -123,8 +123,6 @@ PetscErrorCode SummaryWrite(const SummaryInput *input)
 {
   const Scene     scene         = input->scene;
   const PetscBool stdout_wanted = (PetscBool)(scene->summary && strcmp(scene->summary, "-") == 0);
-  const PetscBool solved        = (PetscBool)(input->report->converged && input->certificate->holds &&
-                                       (!input->check->done || input->check->agree));
   char           *text, path[PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
@@ -138,9 +136,9 @@ PetscErrorCode SummaryWrite(const SummaryInput *input)
   } else {
     if (scene->summary) PetscCall(OutputWriteText(scene->comm, scene->summary, text));
     /* Not beside a summary on stdout: that is for programs to read. */
-    if (!scene->quiet) PetscCall(Print_Private(input, solved));
+    if (!scene->quiet) PetscCall(Print_Private(input));
   }
   free(text);
-  if (!solved) PetscCall(PrintFailures_Private(input));
+  if (!input->solved) PetscCall(PrintFailures_Private(input));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

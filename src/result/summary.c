@@ -1,21 +1,14 @@
 /* summary.c -- the JSON summary: every key of the interface, whatever the scene; null for what could not be computed. */
 #include <string.h>
 #include <mortise/summary.h>
-#include <mortise/elasticity.h>
+#include <mortise/json.h>
 #include <mortise/log.h>
 #include <mortise/memory.h>
 #include <mortise/options.h>
+#include <mortise/pairsum.h>
+#include <mortise/probes.h>
 #include <mortise/compat.h>
 #include "bodies.h"
-#include "json.h"
-#include "pairsum.h"
-#include "probes.h"
-
-/* Solved means converged, certified, and confirmed where a second solver was asked. */
-static PetscBool Solved_Private(const SummaryInput *in)
-{
-  return (PetscBool)(in->report->converged && in->certificate->holds && (!in->check->done || in->check->agree));
-}
 
 static PetscErrorCode AddMortise_Private(const SummaryInput *in, cJSON *root)
 {
@@ -32,7 +25,7 @@ static PetscErrorCode AddMortise_Private(const SummaryInput *in, cJSON *root)
   cJSON_AddStringToObject(object, "petsc", petsc);
   JSONAddInt(object, "ranks", ranks);
   cJSON_AddItemToObject(object, "options_file", file ? cJSON_CreateString(file) : cJSON_CreateNull());
-  cJSON_AddStringToObject(root, "status", Solved_Private(in) ? "solved" : "not_converged");
+  cJSON_AddStringToObject(root, "status", in->solved ? "solved" : "not_converged");
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -158,7 +151,6 @@ static void AddSolver_Private(const SummaryInput *in, cJSON *root)
   AddCrossCheck_Private(in->check, solver);
 }
 
-/* Strain energy of each body, and  potential = 1/2 u'Ku - f'u. */
 static PetscErrorCode AddEnergy_Private(const SummaryInput *in, cJSON *root)
 {
   cJSON     *energy = cJSON_AddObjectToObject(root, "energy"), *strain = cJSON_AddObjectToObject(energy, "strain");
@@ -166,13 +158,8 @@ static PetscErrorCode AddEnergy_Private(const SummaryInput *in, cJSON *root)
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(in->scene->num_bodies, &bodies));
-  PetscCall(ElasticityBodyEnergy(in->scene, in->vi->level, in->vi->K, in->fields->u, bodies));
-  PetscCall(VecDot(in->vi->f, in->fields->u, &potential));
-  potential = -potential;
-  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
-    JSONAddReal(strain, in->scene->bodies[b].name, bodies[b]);
-    potential += bodies[b];
-  }
+  PetscCall(FieldsEnergy(in->fields, bodies, &potential));
+  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) JSONAddReal(strain, in->scene->bodies[b].name, bodies[b]);
   JSONAddReal(energy, "potential", potential);
   PetscCall(PetscFree(bodies));
   PetscFunctionReturn(PETSC_SUCCESS);

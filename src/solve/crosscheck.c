@@ -83,7 +83,7 @@ PetscErrorCode VICrossCheck(VI vi, Vec y, const SolveReport *report, CrossCheck 
   PetscCall(PetscStrcmp(report->type, SNESPDAS, &pdas));
   PetscCall(PetscStrncpy(choice.snes, pdas ? SNESVINEWTONRSLS : SNESPDAS, sizeof(choice.snes)));
   PetscCall(VecDuplicate(y, &second));
-  PetscCall(SolveRun(vi, &choice, PREFIX, PETSC_FALSE, second, &check->other));
+  PetscCall(SolveRun(vi, &choice, PREFIX, PETSC_FALSE, NULL, second, &check->other));
   PetscCall(Displacements_Private(vi, y, second, &difference, &max));
   PetscCall(CompareSets_Private(vi, y, second, max, &check->active_difference));
   check->done                    = PETSC_TRUE;

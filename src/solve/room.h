@@ -19,9 +19,12 @@ PetscBool SolveFactors(const char pc[]);
 PetscErrorCode SolveChoose(VI vi, SolveChoice *choice);
 
 /* Solves with a SNES of its own, whose options begin with prefix ("" for the user's). Collective.
-   [in] progress - whether to print the table; [in,out] y - created by the caller; [out] report */
-PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], PetscBool progress, Vec y,
+   [in] progress - whether to print the table; [in] guess - displacement, or NULL; [out] y - created by the caller;
+   [out] report */
+PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], PetscBool progress, Vec guess, Vec y,
                         SolveReport *report);
+/* Where SolveRun() begins. Collective. [in] pdas - whether for pdas; [in] guess - displacement, or NULL; [out] y */
+PetscErrorCode SolveStart(VI vi, PetscBool pdas, const char prefix[], Vec guess, Vec y);
 
 /* Prints one line per iteration on the first rank, from now to SNESDestroy(). Collective. */
 PetscErrorCode ProgressSet(SNES snes, VI vi);

@@ -123,38 +123,6 @@ static PetscErrorCode Configure_Private(VI vi, const SolveChoice *choice, const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* y = min(0, upper): feasible, and zero where it may be. */
-static PetscErrorCode StartFeasible_Private(VI vi, Vec y)
-{
-  PetscFunctionBeginUser;
-  PetscCall(VecZeroEntries(y));
-  PetscCall(VecPointwiseMin(y, y, vi->upper));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* The solution with every bound reached: where contact alone holds a body, a start without contact has no next step. */
-static PetscErrorCode StartTouching_Private(VI vi, const char prefix[], Vec y)
-{
-  ActiveSet      set;
-  ActiveSolver   solver;
-  ActiveSolution solution;
-  const char    *failure;
-
-  PetscFunctionBeginUser;
-  PetscCall(ActiveSetCreate(vi->upper, vi->A, &set));
-  PetscCall(ReducedCreate(&set, vi->A, vi->b, prefix, 0, &solver, &failure));
-  if (!failure) {
-    PetscCall(ActiveSolutionCreate(&set, &solution));
-    for (PetscInt i = 0; i < set.n; i++) set.active[i] = PETSC_TRUE;
-    PetscCall((*solver->solve)(solver, set.active, set.upper, &solution));
-    if (!solution.failure) PetscCall((*solver->finish)(solver, &solution, y));
-    PetscCall(ActiveSolutionDestroy(&solution));
-  }
-  PetscCall(ActiveSolverDestroy(&solver));
-  PetscCall(ActiveSetDestroy(&set));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode SolveMeasure(VI vi, Vec y, PetscInt *active, PetscReal *residual)
 {
   ActiveSet    set;
@@ -266,7 +234,7 @@ static PetscErrorCode Report_Private(SNES snes, VI vi, Vec y, SolveReport *repor
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], PetscBool progress, Vec y,
+PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], PetscBool progress, Vec guess, Vec y,
                         SolveReport *report)
 {
   /* MUMPS: spare memory, in percent; approximate minimum degree, which orders meshes in 2D in a fifth of the time of
@@ -275,7 +243,9 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], P
   Default         defaults[] = {{.name = "mat_mumps_icntl_14", .value = "50", .needed = direct},
                                 {.name = "mat_mumps_icntl_7", .value = "0", .needed = direct && vi->level->dim == 2},
                                 {.name = "snes_vi_zero_tolerance", .value = "1e-12", .needed = !pdas},
-                                {.name = "snes_pdas_start", .value = "full", .needed = pdas && vi->any_floating}};
+                                {.name   = "snes_pdas_start",
+                                 .value  = vi->any_floating ? "full" : "previous",
+                                 .needed = pdas && (vi->any_floating || guess)}};
   const PetscInt  n          = PETSC_STATIC_ARRAY_LENGTH(defaults);
   SNES            snes;
   Vec             scratch;
@@ -287,8 +257,7 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], P
   PetscCall(DefaultsApply_Private(n, defaults, prefix, PETSC_TRUE));
   PetscCall(Configure_Private(vi, choice, prefix, scratch, &norm, &snes));
   if (progress) PetscCall(ProgressSet(snes, vi));
-  PetscCall(StartFeasible_Private(vi, y));
-  if (!pdas && vi->any_floating) PetscCall(StartTouching_Private(vi, prefix, y));
+  PetscCall(SolveStart(vi, pdas, prefix, guess, y));
   PetscCall(SNESSolve(snes, NULL, y));
   PetscCall(Report_Private(snes, vi, y, report));
   PetscCall(DefaultsApply_Private(n, defaults, prefix, PETSC_FALSE));
@@ -297,7 +266,7 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VISolve(VI vi, Vec y, SolveReport *report)
+PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report)
 {
   SolveChoice choice;
   PetscBool   progress;
@@ -305,6 +274,6 @@ PetscErrorCode VISolve(VI vi, Vec y, SolveReport *report)
   PetscFunctionBeginUser;
   PetscCall(SolveChoose(vi, &choice));
   PetscCall(ProgressWanted(vi->scene, &progress));
-  PetscCall(SolveRun(vi, &choice, "", progress, y, report));
+  PetscCall(SolveRun(vi, &choice, "", progress, guess, y, report));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

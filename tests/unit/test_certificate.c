@@ -6,7 +6,7 @@
 #include <mortise/log.h>
 #include <mortise/pdas.h>
 #include <string.h>
-#include "../../src/result/pairsum.h"
+#include <mortise/pairsum.h>
 
 typedef struct {
   struct _n_Scene scene;
@@ -41,7 +41,7 @@ static PetscErrorCode Solve(Case *c, PetscReal push)
   PetscCall(MeshSetUp(c->mesh));
   PetscCall(VICreate(&c->scene, c->mesh, &c->vi));
   PetscCall(VecDuplicate(c->vi->b, &c->y));
-  PetscCall(VISolve(c->vi, c->y, &report));
+  PetscCall(VISolve(c->vi, NULL, c->y, &report));
   CHECK(report.converged);
   PetscCall(FieldsCreate(c->vi, c->y, &c->fields));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -10,7 +10,7 @@
 #include <mortise/compat.h>
 #include <mortise/fault.h>
 #include <mortise/output.h>
-#include "../../src/result/json.h"
+#include <mortise/json.h>
 #include "../../src/result/picture.h"
 #include "../../src/result/xdmf.h"
 #include "../../src/result/xml.h"

@@ -13,7 +13,7 @@ static PetscErrorCode SolveWith(const char options[], VI vi, Vec y, SolveReport 
   PetscCall(PetscOptionsCreate(&own));
   PetscCall(PetscOptionsPush(own));
   PetscCall(PetscOptionsInsertString(own, options));
-  PetscCall(VISolve(vi, y, report));
+  PetscCall(VISolve(vi, NULL, y, report));
   PetscCall(PetscOptionsPop());
   PetscCall(PetscOptionsDestroy(&own));
   PetscFunctionReturn(0);
@@ -41,7 +41,7 @@ static PetscErrorCode TestWays(void)
   PetscCall(MembraneCreate(1, 1, PETSC_TRUE, PETSC_TRUE, &m));
   PetscCall(VecDuplicate(m.vi.b, &y));
   PetscCall(VecDuplicate(m.vi.b, &other));
-  PetscCall(VISolve(&m.vi, y, &base));
+  PetscCall(VISolve(&m.vi, NULL, y, &base));
   PetscCall(VecNorm(y, NORM_INFINITY, &max));
   CHECK(base.converged && !base.reason[0] && base.active > 3 && base.linear_residual < 1e-13);
   CHECK(base.num_changed == base.iterations && base.changed[base.iterations - 1] == 0);
@@ -133,7 +133,7 @@ static PetscErrorCode TestEdges(void)
   PetscFunctionBeginUser;
   PetscCall(MembraneCreate(1, 1, PETSC_FALSE, PETSC_TRUE, &m));
   PetscCall(VecDuplicate(m.vi.b, &y));
-  PetscCall(VISolve(&m.vi, y, &report));
+  PetscCall(VISolve(&m.vi, NULL, y, &report));
   CHECK(report.converged && report.iterations == 1 && report.active == 0 && report.linear_residual < 1e-13);
   PetscCall(SolveWith("-snes_type vinewtonrsls", &m.vi, y, &report));
   CHECK(report.converged && report.active == 0);
@@ -152,7 +152,7 @@ static PetscErrorCode TestEdges(void)
 
   for (int bounded = 0; bounded < 2; bounded++) {
     PetscCall(MembraneCreate(1, 1, (PetscBool)bounded, PETSC_FALSE, &m));
-    PetscCall(VISolve(&m.vi, y, &report));
+    PetscCall(VISolve(&m.vi, NULL, y, &report));
     CHECK(!report.converged && strstr(report.reason, "singular"));
     PetscCall(SolveWith("-snes_pdas_reduce 0", &m.vi, y, &report));
     CHECK(!report.converged && strstr(report.reason, "singular"));

@@ -28,7 +28,7 @@ static PetscErrorCode TestFaults(void)
     PetscCall(PetscOptionsCreate(&own));
     PetscCall(PetscOptionsPush(own));
     PetscCall(PetscOptionsInsertString(own, mistakes[k][0]));
-    CHECK(VISolve(&m.vi, y, &report) == MORTISE_ERR_FAULT);
+    CHECK(VISolve(&m.vi, NULL, y, &report) == MORTISE_ERR_FAULT);
     CHECK(strstr(FaultSentence(), mistakes[k][1]));
     PetscCall(PetscOptionsPop());
     PetscCall(PetscOptionsDestroy(&own));

@@ -1,4 +1,4 @@
-/* json.h -- numbers in JSON that read back as they were (floor 7, private to this room). */
+/* json.h -- numbers in JSON that read back as they were (floor 0). */
 #ifndef MORTISE_JSON_H
 #define MORTISE_JSON_H
 

@@ -1,4 +1,4 @@
-/* pairsum.h -- one contact pair in a few numbers (floor 7, private to this room). */
+/* pairsum.h -- one contact pair in a few numbers (floor 7). */
 #ifndef MORTISE_PAIRSUM_H
 #define MORTISE_PAIRSUM_H
 

@@ -1,0 +1,32 @@
+/* run.h -- one problem from its mesh to its judged answer (floor 8). */
+#ifndef MORTISE_RUN_H
+#define MORTISE_RUN_H
+
+#include <mortise/certificate.h>
+#include <mortise/fields.h>
+#include <mortise/solve.h>
+#include <mortise/summary.h>
+
+struct _n_Run {
+  Scene       scene; /* borrowed */
+  Mesh        mesh;  /* borrowed */
+  VI          vi;
+  Vec         y;
+  SolveReport report;
+  CrossCheck  check;
+  Fields      fields;
+  Certificate certificate;
+  Vec         reactions;
+  PetscBool   solved; /* converged, certified, and confirmed where a second solver was asked */
+};
+typedef struct _n_Run *Run;
+
+/* Condenses, solves and judges on the finest level of a mesh; prints the model where -scene_view asks for it. Faults on
+   options that nothing has read. Collective.
+   [in] guess - displacement to begin with (ghosted, dim per node of that level), or NULL; [out] run - owned by the caller */
+PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run);
+PetscErrorCode RunDestroy(Run *run);
+/* What the summary tells of; borrows from the run. Not collective. */
+SummaryInput RunSummary(Run run);
+
+#endif

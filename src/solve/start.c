@@ -1,0 +1,86 @@
+/* start.c -- where an iteration begins: at rest, with every contact closed, or at a displacement that somebody knows.
+
+   A good displacement saves steps: its active set, by (T10), is nearly the right one, and a step of an iterative linear
+   solver begins near its end. A bad one costs steps and changes nothing else, since the solution of the inequality is unique.
+   Where contact alone holds a body the set of a guess is not safe: were it too small, the first system would be singular.
+   There the iteration begins with all contacts closed, whatever is known. */
+#include <mortise/compat.h>
+#include <mortise/pdas.h>
+#include "active.h"
+#include "room.h"
+
+/* Of T y = u: good enough to tell which bounds are reached. */
+static const PetscReal GUESS_RTOL = 1e-12;
+
+/* y = min(0, upper): feasible, and zero where it may be. */
+static PetscErrorCode StartFeasible_Private(VI vi, Vec y)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VecZeroEntries(y));
+  PetscCall(VecPointwiseMin(y, y, vi->upper));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The solution with every bound reached: where contact alone holds a body, a start without contact has no next step. */
+static PetscErrorCode StartTouching_Private(VI vi, const char prefix[], Vec y)
+{
+  ActiveSet      set;
+  ActiveSolver   solver;
+  ActiveSolution solution;
+  const char    *failure;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActiveSetCreate(vi->upper, vi->A, &set));
+  PetscCall(ReducedCreate(&set, vi->A, vi->b, prefix, 0, &solver, &failure));
+  if (!failure) {
+    PetscCall(ActiveSolutionCreate(&set, &solution));
+    for (PetscInt i = 0; i < set.n; i++) set.active[i] = PETSC_TRUE;
+    PetscCall((*solver->solve)(solver, set.active, set.upper, &solution));
+    if (!solution.failure) PetscCall((*solver->finish)(solver, &solution, y));
+    PetscCall(ActiveSolutionDestroy(&solution));
+  }
+  PetscCall(ActiveSolverDestroy(&solver));
+  PetscCall(ActiveSetDestroy(&set));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* y of a displacement: T y = u / length. T is block diagonal (each node's frame) but for what nonmortar nodes take from others
+   and these from yet others, a chain with an end: preconditioned by its blocks, GMRES needs as many steps as chains are long. */
+static PetscErrorCode StartFrom_Private(VI vi, Vec guess, Vec y)
+{
+  KSP ksp;
+  PC  pc;
+  Vec scaled;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(vi->b, &scaled));
+  PetscCall(VecCopy(guess, scaled));
+  PetscCall(VecScale(scaled, 1 / vi->length));
+  if (vi->T) {
+    PetscCall(KSPCreate(PetscObjectComm((PetscObject)vi->T), &ksp));
+    PetscCall(KSPSetOperators(ksp, vi->T, vi->T));
+    PetscCall(KSPSetType(ksp, KSPGMRES));
+    PetscCall(KSPGetPC(ksp, &pc));
+    PetscCall(PCSetType(pc, PCPBJACOBI));
+    PetscCall(KSPSetTolerances(ksp, GUESS_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+    PetscCall(KSPSolve(ksp, scaled, y));
+    PetscCall(KSPDestroy(&ksp));
+  } else {
+    PetscCall(VecCopy(scaled, y));
+  }
+  PetscCall(VecDestroy(&scaled));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolveStart(VI vi, PetscBool pdas, const char prefix[], Vec guess, Vec y)
+{
+  PetscFunctionBeginUser;
+  if (guess && !vi->any_floating) {
+    PetscCall(StartFrom_Private(vi, guess, y));
+    if (!pdas) PetscCall(VecPointwiseMin(y, y, vi->upper)); // pdas takes an overlap for contact, others ask for none
+  } else {
+    PetscCall(StartFeasible_Private(vi, y));
+    if (!pdas && vi->any_floating) PetscCall(StartTouching_Private(vi, prefix, y));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

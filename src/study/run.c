@@ -1,0 +1,59 @@
+/* run.c -- the life of one problem, from its mesh on. */
+#include <mortise/compat.h>
+#include <mortise/log.h>
+#include <mortise/run.h>
+
+PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run_out)
+{
+  Run run;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(&run));
+  run->scene = scene;
+  run->mesh  = mesh;
+  PetscCall(VICreate(scene, mesh, &run->vi));
+  if (scene->view) {
+    PetscCall(SceneView(scene));
+    PetscCall(ModelView(run->vi));
+    PetscCall(SolveView(run->vi));
+  }
+  PetscCall(LogStageBegin(STAGE_SOLVE));
+  PetscCall(VecDuplicate(run->vi->b, &run->y));
+  PetscCall(VISolve(run->vi, guess, run->y, &run->report));
+  if (scene->cross_check && run->report.converged) PetscCall(VICrossCheck(run->vi, run->y, &run->report, &run->check));
+  PetscCall(LogStageEnd(STAGE_SOLVE));
+  PetscCall(SceneCheckUnused(scene, PETSC_FALSE));
+
+  PetscCall(LogStageBegin(STAGE_OUTPUT));
+  PetscCall(FieldsCreate(run->vi, run->y, &run->fields));
+  PetscCall(CertificateCompute(run->fields, &run->certificate, &run->reactions));
+  PetscCall(LogStageEnd(STAGE_OUTPUT));
+  run->solved = (PetscBool)(run->report.converged && run->certificate.holds && (!run->check.done || run->check.agree));
+  *run_out    = run;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode RunDestroy(Run *run)
+{
+  PetscFunctionBeginUser;
+  if (!*run) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecDestroy(&(*run)->reactions));
+  PetscCall(VecDestroy(&(*run)->y));
+  PetscCall(FieldsDestroy(&(*run)->fields));
+  PetscCall(VIDestroy(&(*run)->vi));
+  PetscCall(PetscFree(*run));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+SummaryInput RunSummary(Run run)
+{
+  return (SummaryInput){.scene       = run->scene,
+                        .mesh        = run->mesh,
+                        .vi          = run->vi,
+                        .fields      = run->fields,
+                        .report      = &run->report,
+                        .check       = &run->check,
+                        .certificate = &run->certificate,
+                        .reactions   = run->reactions,
+                        .solved      = run->solved};
+}
