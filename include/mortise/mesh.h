@@ -2,7 +2,8 @@
 
    Every body is made or read on the first rank, refined by its own -<body>_dm_refine, and merged into one DMPlex whose
    cells carry the label "body" (index) and whose facets carry one label per named side that the scene uses. The DMPlex
-   keeps box coordinates; a body's map is applied to the node table of each level, so that curved sides stay exact. */
+   keeps box coordinates; a body's map is applied to the node table of each level, so that nodes of curved sides stay on
+   them exactly. Nodes sit on points of the DMPlex: on vertices, and in bodies of order 2 also on edges and in quads. */
 #ifndef MORTISE_MESH_H
 #define MORTISE_MESH_H
 
@@ -21,14 +22,16 @@ typedef struct {
   PetscInt   node_begin, num_global;          /* first owned global node; global number of nodes */
   PetscInt  *cell_start;                      /* [num_cells+1] into cell_nodes */
   PetscInt  *cell_nodes;                      /* local nodes in the order of element.h, anticlockwise in 2D */
-  PetscInt  *cell_type;                       /* ElementType [num_cells] */
+  PetscInt  *cell_type;                       /* ElementType [num_cells], of the order of the cell's body */
   PetscInt  *cell_body;                       /* [num_cells] */
   PetscReal *coords;                          /* positions after the map [num_nodes][dim] */
   PetscInt  *node_global;                     /* [num_nodes] */
   PetscInt  *node_body;                       /* [num_nodes] */
-  Mat        prolongation; /* node values of the next coarser level to this one's (AIJ), NULL on the coarsest */
-  PetscInt  *vertex_node;  /* local node of each vertex of the DM, in the DM's order [num_nodes] */
-  Scene      scene;        /* borrowed */
+  Mat        prolongation; /* node values of the next coarser level to this one's (AIJ), NULL on the coarsest: its shape
+                              functions at the nodes of this one */
+  PetscInt   point_begin, point_end; /* points of the DM that may carry nodes: the vertices alone, or all */
+  PetscInt  *point_node;             /* local node of each, -1 where there is none [point_end - point_begin] */
+  Scene      scene;                  /* borrowed */
 } Level;
 
 /* The facets of one side, or of several joined with '+', that this rank holds: boundary facets belong to one cell,
@@ -37,7 +40,8 @@ typedef struct {
   PetscInt     num;
   ElementType *type; /* [num] */
   PetscInt    *cell; /* local cell [num] */
-  PetscInt *nodes;   /* local nodes [num][ELEMENT_MAX_FACET_NODES], ordered so that the 2D outward normal is (dy,-dx) */
+  PetscInt *nodes; /* local nodes [num][ELEMENT_MAX_FACET_NODES], in the order of element.h, the 2D outward normal being
+                        (dy,-dx) */
 } Facets;
 
 struct _n_Mesh {
@@ -54,6 +58,9 @@ PetscErrorCode MeshCreate(Scene scene, Mesh *mesh);
    in two roles. Chooses roles of pairs left open, by numerics.md 5.6 (writes nonmortar and mortar of the ScenePair).
    Collective. */
 PetscErrorCode MeshSetUp(Mesh mesh);
+/* Appends one more level, the finest one with every cell split; earlier pointers into mesh->levels are void then. Faults:
+   a degenerate or tangled cell. Collective. */
+PetscErrorCode MeshRefine(Mesh mesh);
 Level         *MeshFinest(Mesh mesh);
 PetscErrorCode MeshDestroy(Mesh *mesh);
 
@@ -69,6 +76,10 @@ PetscErrorCode LevelShareVec(Vec v, InsertMode mode);
 /* An AIJ matrix of block size bs for operators between nodes that share a cell, preallocated exactly from the
    tables. Collective. */
 PetscErrorCode LevelCreateMat(Level *level, PetscInt bs, Mat *A);
+
+/* Node values of one order to those of a higher one on the same mesh: two Meshes whose scenes differ in nothing but orders
+   have the same DMs, cut alike. Collective. [out] E - AIJ, owned by the caller */
+PetscErrorCode LevelCreateEmbedding(const Level *low, const Level *high, Mat *E);
 
 /* Finds the cell of a body that holds a point, and the point's reference coordinates there. A point between a
    straight facet and the curve that the body's map makes of it belongs to the facet's cell, a little outside of its

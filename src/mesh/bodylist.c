@@ -77,10 +77,10 @@ PetscErrorCode SideNamesDestroy(SideNames *names)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Compares sets of nodes: where a facet begins, and its sense, may differ. */
+/* Compares sets of vertices: where a facet begins, and its sense, may differ. */
 PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt facet[])
 {
-  const PetscInt num_nodes = ElementNumNodes(ElementFacetType(type));
+  const PetscInt num_nodes = ElementNumNodes(ElementLinear(ElementFacetType(type)));
 
   for (PetscInt f = 0; f < ElementNumFacets(type); ++f) {
     const PetscInt *nodes = ElementFacetNodes(type, f);

@@ -70,24 +70,6 @@ static PetscErrorCode ExtractSelect_Private(Extract *x, PetscInt dim, char sente
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Corners of a polygon of the DM. [out] corners - vertices [ELEMENT_MAX_NODES]; returns their number through size */
-static PetscErrorCode CellGetCorners_Private(DM dm, PetscInt cell, PetscInt *size, PetscInt corners[])
-{
-  const PetscInt *edges, *orientations;
-
-  PetscFunctionBeginUser;
-  PetscCall(DMPlexGetConeSize(dm, cell, size));
-  PetscCall(DMPlexGetCone(dm, cell, &edges));
-  PetscCall(DMPlexGetConeOrientation(dm, cell, &orientations));
-  for (PetscInt i = 0; i < *size; ++i) {
-    const PetscInt *ends;
-
-    PetscCall(DMPlexGetCone(dm, edges[i], &ends));
-    corners[i] = ends[orientations[i] < 0];
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Numbers the vertices of the chosen cells. */
 static PetscErrorCode ExtractNumber_Private(Extract *x)
 {
@@ -97,7 +79,7 @@ static PetscErrorCode ExtractNumber_Private(Extract *x)
   for (PetscInt v = 0; v < x->vertex_end - x->vertex_begin; ++v) x->node_at[v] = -1;
   for (PetscInt c = x->cell_begin; c < x->cell_end; ++c) {
     if (x->cell_at[c - x->cell_begin] < 0) continue;
-    PetscCall(CellGetCorners_Private(x->dm, c, &size, corners));
+    PetscCall(PointGetVertices(x->dm, c, &size, corners));
     for (PetscInt i = 0; i < size; ++i) x->node_at[corners[i] - x->vertex_begin] = 0;
   }
   for (PetscInt v = 0; v < x->vertex_end - x->vertex_begin; ++v) {
@@ -128,7 +110,7 @@ static PetscErrorCode ExtractCells_Private(const Extract *x, BodyList *list)
     PetscInt      *nodes;
 
     if (at < 0) continue;
-    PetscCall(CellGetCorners_Private(x->dm, c, &size, corners));
+    PetscCall(PointGetVertices(x->dm, c, &size, corners));
     list->cell_type[at] = size == ElementNumNodes(ELEMENT_TRI3) ? ELEMENT_TRI3 : ELEMENT_QUAD4;
     nodes               = &list->cell_nodes[at * ELEMENT_MAX_NODES];
     for (PetscInt i = 0; i < size; ++i) nodes[i] = x->node_at[corners[i] - x->vertex_begin];

@@ -44,25 +44,24 @@ static PetscErrorCode SideGetPoints_Private(DM dm, const char body[], const char
 /* One facet with its nodes in the order of its cell: the cell runs anticlockwise, so (dy,-dx) points outward. */
 static PetscErrorCode FacetSet_Private(const Level *level, PetscInt point, PetscInt f, Facets *facets)
 {
-  const PetscInt *cells, *ends, *order, *nodes;
-  PetscInt        cell_begin, vertex_begin, size, local[ELEMENT_MAX_FACET_NODES], number;
+  const PetscInt *cells, *order, *nodes;
+  PetscInt        cell_begin, num, ends[ELEMENT_MAX_NODES], number;
   ElementType     type;
 
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetHeightStratum(level->dm, 0, &cell_begin, NULL));
-  PetscCall(DMPlexGetDepthStratum(level->dm, 0, &vertex_begin, NULL));
   PetscCall(DMPlexGetSupport(level->dm, point, &cells));
-  PetscCall(DMPlexGetCone(level->dm, point, &ends));
-  PetscCall(DMPlexGetConeSize(level->dm, point, &size));
+  PetscCall(PointGetVertices(level->dm, point, &num, ends));
   facets->cell[f] = cells[0] - cell_begin;
   type            = (ElementType)level->cell_type[facets->cell[f]];
   nodes           = &level->cell_nodes[level->cell_start[facets->cell[f]]];
-  for (PetscInt i = 0; i < size; ++i) local[i] = level->vertex_node[ends[i] - vertex_begin];
-  number = CellFindFacet(type, nodes, local);
+  for (PetscInt i = 0; i < num; ++i) ends[i] = PointGetNode(level, ends[i]);
+  number = CellFindFacet(type, nodes, ends);
   PetscCheck(number >= 0, PETSC_COMM_SELF, PETSC_ERR_PLIB, "Facet %" PetscInt_FMT " is not one of its cell", point);
   facets->type[f] = ElementFacetType(type);
   order           = ElementFacetNodes(type, number);
-  for (PetscInt i = 0; i < size; ++i) facets->nodes[f * ELEMENT_MAX_FACET_NODES + i] = nodes[order[i]];
+  for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); ++i)
+    facets->nodes[f * ELEMENT_MAX_FACET_NODES + i] = nodes[order[i]];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

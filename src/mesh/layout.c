@@ -45,6 +45,40 @@ static PetscErrorCode LevelGetOwners_Private(const Level *level, PetscMPIInt **o
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Pairs of nodes of an element that no facet of it holds both of. */
+typedef struct {
+  PetscInt num, node[ELEMENT_MAX_NODES * (ELEMENT_MAX_NODES - 1) / 2][2];
+} Pairs;
+
+/* Whether two nodes of an element are on one facet; facets of edges are points. */
+static PetscBool ShareFacet_Private(ElementType type, PetscInt a, PetscInt b)
+{
+  if (ElementFacetType(type) == ELEMENT_COUNT) return PETSC_FALSE;
+  for (PetscInt f = 0; f < ElementNumFacets(type); ++f) {
+    const PetscInt *nodes = ElementFacetNodes(type, f);
+    PetscInt        found = 0;
+
+    for (PetscInt i = 0; i < ElementNumNodes(ElementFacetType(type)); ++i) found += nodes[i] == a || nodes[i] == b;
+    if (found == 2) return PETSC_TRUE;
+  }
+  return PETSC_FALSE;
+}
+
+/* [out] pairs - of every type [ELEMENT_COUNT] */
+static void PairsSet_Private(Pairs pairs[])
+{
+  for (PetscInt t = 0; t < ELEMENT_COUNT; ++t) {
+    pairs[t].num = 0;
+    for (PetscInt b = 0; b < ElementNumNodes((ElementType)t); ++b) {
+      for (PetscInt a = 0; a < b; ++a) {
+        if (ShareFacet_Private((ElementType)t, a, b)) continue;
+        pairs[t].node[pairs[t].num][0]   = a;
+        pairs[t].node[pairs[t].num++][1] = b;
+      }
+    }
+  }
+}
+
 /* Two nodes are neighbours. [in,out] count - neighbours with the same owner, and with another [num_nodes][2] */
 static void CountPair_Private(const PetscMPIInt owner[], PetscInt a, PetscInt b, PetscScalar count[])
 {
@@ -53,44 +87,40 @@ static void CountPair_Private(const PetscMPIInt owner[], PetscInt a, PetscInt b,
 }
 
 /* Neighbours of the local nodes that this rank answers for. Every pair of nodes in a common cell spans one smallest
-   point of the mesh: a vertex, an edge, or the inside of a quad. The rank that owns this point counts the pair, so
-   that sums over the ranks are exact. */
+   point of the mesh: the edge or the cell whose facets do not hold both. The rank that owns this point counts the
+   pair, so that sums over the ranks are exact. */
 static PetscErrorCode LevelCountPairs_Private(Level *level, PetscScalar count[])
 {
   const PetscInt *leaves;
-  PetscInt        begin, end, vertex_begin, num_leaves;
+  PetscInt        first, last, num_leaves;
   PetscMPIInt    *owner;
+  Pairs           pairs[ELEMENT_COUNT];
   PetscSF         sf;
   PetscBT         ghost;
 
   PetscFunctionBeginUser;
+  PairsSet_Private(pairs);
   PetscCall(LevelGetOwners_Private(level, &owner));
   for (PetscInt i = 0; i < level->num_owned; ++i) count[2 * i] += 1;
 
-  PetscCall(DMPlexGetDepthStratum(level->dm, 0, &vertex_begin, NULL));
-  PetscCall(DMPlexGetHeightStratum(level->dm, 1, &begin, &end));
-  PetscCall(PetscBTCreate(end - begin, &ghost));
+  PetscCall(DMPlexGetChart(level->dm, &first, &last));
+  PetscCall(PetscBTCreate(last - first, &ghost));
   PetscCall(DMGetPointSF(level->dm, &sf));
   PetscCall(PetscSFGetGraph(sf, NULL, &num_leaves, &leaves, NULL));
-  for (PetscInt i = 0; i < num_leaves; ++i) {
-    const PetscInt point = leaves ? leaves[i] : i;
+  for (PetscInt i = 0; i < num_leaves; ++i) PetscCall(PetscBTSet(ghost, (leaves ? leaves[i] : i) - first));
+  for (PetscInt depth = 1; depth <= level->dim; ++depth) {
+    PetscInt begin, end;
 
-    if (point >= begin && point < end) PetscCall(PetscBTSet(ghost, point - begin));
-  }
-  for (PetscInt e = begin; e < end; ++e) {
-    const PetscInt *ends;
+    PetscCall(DMPlexGetDepthStratum(level->dm, depth, &begin, &end));
+    for (PetscInt p = begin; p < end; ++p) {
+      PetscInt    nodes[ELEMENT_MAX_NODES];
+      ElementType type;
 
-    if (PetscBTLookup(ghost, e - begin)) continue;
-    PetscCall(DMPlexGetCone(level->dm, e, &ends));
-    CountPair_Private(owner, level->vertex_node[ends[0] - vertex_begin], level->vertex_node[ends[1] - vertex_begin],
-                      count);
-  }
-  for (PetscInt c = 0; c < level->num_cells; ++c) {
-    const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
-
-    if (level->cell_type[c] != ELEMENT_QUAD4) continue;
-    CountPair_Private(owner, nodes[0], nodes[2], count);
-    CountPair_Private(owner, nodes[1], nodes[3], count);
+      if (PetscBTLookup(ghost, p - first)) continue;
+      PetscCall(PointGetNodes(level, p, &type, nodes));
+      for (PetscInt i = 0; i < pairs[type].num; ++i)
+        CountPair_Private(owner, nodes[pairs[type].node[i][0]], nodes[pairs[type].node[i][1]], count);
+    }
   }
   PetscCall(PetscBTDestroy(&ghost));
   PetscCall(PetscFree(owner));

@@ -8,6 +8,8 @@ static const PetscReal LocateTolerance = 1e-8;
 static const PetscReal CurveSlack = 0.05;
 /* Boxes of cells are widened by this share where a curve may leave them: half a circle over one facet. */
 static const PetscReal CurveMargin = 0.5;
+/* A parabola leaves the box around its three nodes by an eighth of it, a side of a tri6 or a quad9 by less than a third. */
+static const PetscReal OrderMargin = 1. / 3;
 /* Reference coordinates may leave the cell by this much where a curve does. */
 static const PetscReal CurveTolerance = 1;
 
@@ -35,27 +37,26 @@ static PetscBool LocateMeetsBox_Private(const Level *level, PetscInt cell, const
   return PETSC_TRUE;
 }
 
-/* The curve over a straight facet, as a chord a, b and the way from its middle to the curve's. */
+/* The curve over a facet, as a chord a, b and the way from its middle to the curve's. */
 static PetscErrorCode FacetGetCurve_Private(const Level *level, Expression map, PetscInt facet, PetscReal a[],
                                             PetscReal b[], PetscReal rise[])
 {
   const PetscScalar *box;
-  const PetscInt    *ends;
   PetscReal          middle[3];
-  PetscInt           begin;
+  PetscInt           begin, num, ends[ELEMENT_MAX_NODES];
   Vec                coords;
 
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetDepthStratum(level->dm, 0, &begin, NULL));
-  PetscCall(DMPlexGetCone(level->dm, facet, &ends));
+  PetscCall(PointGetVertices(level->dm, facet, &num, ends));
   PetscCall(DMGetCoordinatesLocal(level->dm, &coords));
   PetscCall(VecGetArrayRead(coords, &box));
   for (PetscInt d = 0; d < level->dim; ++d) {
     const PetscInt i = ends[0] - begin, j = ends[1] - begin;
 
     middle[d] = 0.5 * PetscRealPart(box[i * level->dim + d] + box[j * level->dim + d]);
-    a[d]      = level->coords[level->vertex_node[i] * level->dim + d];
-    b[d]      = level->coords[level->vertex_node[j] * level->dim + d];
+    a[d]      = level->coords[PointGetNode(level, ends[0]) * level->dim + d];
+    b[d]      = level->coords[PointGetNode(level, ends[1]) * level->dim + d];
   }
   PetscCall(VecRestoreArrayRead(coords, &box));
   PetscCall(ExpressionEvaluate(map, level->dim, middle, rise));
@@ -104,7 +105,8 @@ static PetscErrorCode CellHoldsPoint_Private(const Level *level, Expression map,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* This rank's first cell that holds the point, -1 if there is none; with a map also beyond facets. */
+/* This rank's first cell that holds the point, -1 if there is none; with a map also beyond facets: of order 1 there lies
+   all of the curve, of order 2 what is between it and the parabola. */
 static PetscErrorCode LocateLocally_Private(const Level *level, PetscInt body, Expression map, const PetscReal x[],
                                             PetscInt *cell, PetscReal xi[])
 {
@@ -113,13 +115,13 @@ static PetscErrorCode LocateLocally_Private(const Level *level, PetscInt body, E
   PetscFunctionBeginUser;
   *cell = -1;
   for (PetscInt c = 0; c < level->num_cells && *cell < 0; ++c) {
-    PetscBool holds = PETSC_TRUE;
+    const ElementType type   = (ElementType)level->cell_type[c];
+    const PetscReal   margin = ElementOrder(type) > 1 ? OrderMargin : LocateTolerance;
+    PetscBool         holds  = PETSC_TRUE;
 
-    if (level->cell_body[c] != body || !LocateMeetsBox_Private(level, c, x, map ? CurveMargin : LocateTolerance, X))
-      continue;
+    if (level->cell_body[c] != body || !LocateMeetsBox_Private(level, c, x, map ? CurveMargin : margin, X)) continue;
     if (map) PetscCall(CellHoldsPoint_Private(level, map, c, x, &holds));
-    if (holds && ElementLocate((ElementType)level->cell_type[c], X, x, map ? CurveTolerance : LocateTolerance, xi))
-      *cell = c;
+    if (holds && ElementLocate(type, X, x, map ? CurveTolerance : LocateTolerance, xi)) *cell = c;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -57,20 +57,26 @@ static PetscErrorCode MeshCreateWhole_Private(Scene scene, DM *dm)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Splits every cell of one level. Where each new vertex comes from is known to the transform alone, so the way up
+/* Splits every cell of the finest level. Where each new point comes from is known to the transform alone, so the way up
    from the old level is written down here. */
-static PetscErrorCode MeshRefine_Private(Scene scene, const Level *coarse, Level *fine)
+PetscErrorCode MeshRefine(Mesh mesh)
 {
+  const Scene     scene = mesh->scene;
+  Level          *coarse, *fine;
   DMPlexTransform transform;
   DM              dm;
 
   PetscFunctionBeginUser;
+  PetscCall(PetscRealloc((mesh->num_levels + 1) * sizeof(Level), &mesh->levels));
+  fine   = &mesh->levels[mesh->num_levels];
+  coarse = fine - 1;
   PetscCall(DMPlexTransformCreate(scene->comm, &transform));
   PetscCall(DMPlexTransformSetDM(transform, coarse->dm));
   PetscCall(DMPlexTransformSetType(transform, DMPLEXREFINEREGULAR));
   PetscCall(DMPlexTransformSetUp(transform));
   PetscCall(DMPlexTransformApply(transform, coarse->dm, &dm));
   PetscCall(LevelCreate(scene, dm, fine));
+  ++mesh->num_levels;
   PetscCall(LevelCreateProlongation(coarse, transform, fine));
   PetscCall(DMDestroy(&dm));
   PetscCall(DMPlexTransformDestroy(&transform));
@@ -86,12 +92,11 @@ PetscErrorCode MeshSetUp(Mesh mesh)
   PetscFunctionBeginUser;
   PetscCall(MeshCreateWhole_Private(scene, &dm));
   PetscCall(MeshPartition(scene, &dm));
-  mesh->num_levels = 1 + scene->refine;
-  PetscCall(PetscCalloc1(mesh->num_levels, &mesh->levels));
+  PetscCall(PetscMalloc1(1, &mesh->levels));
   PetscCall(LevelCreate(scene, dm, &mesh->levels[0]));
+  mesh->num_levels = 1;
   PetscCall(DMDestroy(&dm));
-  for (PetscInt l = 1; l < mesh->num_levels; ++l)
-    PetscCall(MeshRefine_Private(scene, &mesh->levels[l - 1], &mesh->levels[l]));
+  for (PetscInt l = 0; l < scene->refine; ++l) PetscCall(MeshRefine(mesh));
   PetscCall(MeshChooseRoles(mesh));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

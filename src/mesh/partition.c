@@ -219,7 +219,8 @@ static PetscErrorCode PartitionerSet_Private(PetscInt num_cells, const PetscInt 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The coarsest mesh is parted: all descendants of a cell stay with it, and METIS sees a small graph. */
+/* The coarsest mesh is parted: all descendants of a cell stay with it, and METIS sees a small graph. Vertices are all it
+   needs, so that meshes of every order are parted alike; cells are judged later, on every number of ranks. */
 PetscErrorCode MeshPartition(Scene scene, DM *dm)
 {
   PetscPartitioner partitioner;
@@ -232,7 +233,7 @@ PetscErrorCode MeshPartition(Scene scene, DM *dm)
   PetscCallMPI(MPI_Comm_size(scene->comm, &size));
   if (size == 1) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(DMClone(*dm, &clone)); // the tables hang a section on their DM that must not travel
-  PetscCall(LevelCreate(scene, clone, &level));
+  PetscCall(LevelCreateTables(scene, clone, 1, &level));
   PetscCall(DMDestroy(&clone));
   PetscCall(PetscMalloc1(level.num_cells, &part));
   PetscCall(PartitionCompute(scene, &level, CONTACT_WEIGHT, size, part));

@@ -21,7 +21,7 @@ static PetscErrorCode CellGetModulus_Private(Scene scene, const Level *level, Pe
 {
   const SceneBody *body      = &scene->bodies[level->cell_body[cell]];
   const PetscInt  *nodes     = &level->cell_nodes[level->cell_start[cell]];
-  const PetscInt   num       = level->cell_start[cell + 1] - level->cell_start[cell];
+  const PetscInt   num       = LevelNumVertices(level, cell);
   PetscReal        middle[3] = {0, 0, 0}, C[36], upper[21], young, poisson;
 
   PetscFunctionBeginUser;

@@ -38,7 +38,7 @@ PetscErrorCode SideNamesAdd(SideNames *names, const char side[]);
 PetscErrorCode SideNamesOfBody(Scene scene, PetscInt body, SideNames *names);
 PetscErrorCode SideNamesDestroy(SideNames *names);
 
-/* The number of the facet of a cell that has exactly these nodes, or -1. [in] cell, facet - node numbers */
+/* The number of the facet of a cell that has exactly these vertices, or -1. [in] cell, facet - node numbers */
 PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt facet[]);
 
 /* A box of quads or triangles. [out] sentence - [MESH_SENTENCE], "" unless the scene is wrong */
@@ -59,10 +59,35 @@ PetscErrorCode MeshFileDestroy(MeshFile *files);
 /* The one DMPlex of all bodies, whole on the first rank. Collective. [in] lists - empty on other ranks */
 PetscErrorCode MeshMerge(Scene scene, const BodyList lists[], const SideNames names[], DM *dm);
 
-/* Tables of one DM. Faults: a map that is not finite, a degenerate or tangled cell. Collective. */
+/* Vertices of a point of the mesh: a vertex itself, the ends of an edge, the corners of a cell. [out] vertices -
+   [ELEMENT_MAX_NODES] */
+PetscErrorCode PointGetVertices(DM dm, PetscInt point, PetscInt *num, PetscInt vertices[]);
+/* Whether order 2 has a node in the middle of an edge or a cell. */
+PetscErrorCode PointHasMiddle(DM dm, PetscInt point, PetscBool *has);
+/* The local node on a point, -1 where there is none. */
+PetscInt PointGetNode(const Level *level, PetscInt point);
+/* The element on an edge or a cell, in the order of element.h, though perhaps clockwise. [out] nodes - local
+   [ELEMENT_MAX_NODES] */
+PetscErrorCode PointGetNodes(const Level *level, PetscInt point, ElementType *type, PetscInt nodes[]);
+/* The point of the mesh that each local node is on. [out] point - [num_nodes], freed by the caller */
+PetscErrorCode LevelGetNodePoints(const Level *level, PetscInt **point);
+/* Vertices of a cell, which are the first of its nodes. */
+PetscInt LevelNumVertices(const Level *level, PetscInt cell);
+
+/* Tables of one DM, cells turned and judged. Faults: a map that is not finite, a degenerate or tangled cell.
+   Collective. */
 PetscErrorCode LevelCreate(Scene scene, DM dm, Level *level);
+/* The same as the DM has its cells, without a judgement, and with nodes up to an order. */
+PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *level);
+/* Its steps: num_cells and cell_body; nodes (number, owner, body, local section of the DM); cell_start, cell_type,
+   cell_nodes; coords; cells anticlockwise. */
+PetscErrorCode LevelSetCellBodies(Level *level);
+PetscErrorCode LevelSetNodes(Level *level, PetscInt max_order);
+PetscErrorCode LevelSetCells(Level *level);
+PetscErrorCode LevelSetCoords(Level *level);
+PetscErrorCode LevelTurnCells(Level *level);
 PetscErrorCode LevelDestroy(Level *level);
-/* fine->prolongation from where each fine vertex comes from. [in] transform - a DMPlexTransform from coarse to fine */
+/* fine->prolongation from where each fine node comes from. [in] transform - a DMPlexTransform from coarse to fine */
 PetscErrorCode LevelCreateProlongation(const Level *coarse, DMPlexTransform transform, Level *fine);
 
 /* The rank of every cell of the whole mesh, which lies on the first rank. [out] part - [level->num_cells] */

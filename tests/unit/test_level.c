@@ -1,6 +1,11 @@
 /* test_level.c -- tables, prolongation, Vecs, Mats and point location, on any number of ranks. */
 #include "mesh_scene.h"
 
+/* Orders of the upper and of the lower body. */
+static const PetscInt Orders[][2] = {{1, 1}, {2, 2}, {1, 2}, {2, 1}};
+static PetscInt       Order[2]    = {1, 1}; /* of the meshes that are made next */
+enum { NUM_ORDERS = 4 };
+
 /* A box of quads above a box of triangles, refined; nx = 1 leaves ranks without cells. */
 static Mesh MakeMesh(TestScene *t, PetscInt nx, PetscInt refine, const char map[])
 {
@@ -10,6 +15,7 @@ static Mesh MakeMesh(TestScene *t, PetscInt nx, PetscInt refine, const char map[
   TestSceneAddBox(t, "lower", nx, 1, 0, -1, 1, 0)->simplex = PETSC_TRUE;
   TestSceneAddPair(t, "joint", 0, "bottom", 1, "top");
   if (map) TestSceneSetMap(&t->bodies[1], map);
+  for (PetscInt b = 0; b < 2; ++b) t->bodies[b].order = Order[b];
   return TestSceneMesh(t);
 }
 
@@ -29,7 +35,8 @@ static void TestTables(PetscInt nx, PetscInt refine)
   }
   for (PetscInt c = 0; c < level->num_cells; ++c) {
     CHECK(level->cell_start[c + 1] - level->cell_start[c] == ElementNumNodes((ElementType)level->cell_type[c]));
-    CHECK(level->cell_type[c] == (level->cell_body[c] ? ELEMENT_TRI3 : ELEMENT_QUAD4));
+    CHECK(level->cell_type[c] ==
+          (PetscInt)ElementOfOrder(level->cell_body[c] ? ELEMENT_TRI3 : ELEMENT_QUAD4, Order[level->cell_body[c]]));
     for (PetscInt i = level->cell_start[c]; i < level->cell_start[c + 1]; ++i) {
       CHECK(level->cell_nodes[i] >= 0 && level->cell_nodes[i] < level->num_nodes);
       CHECK(level->node_body[level->cell_nodes[i]] == level->cell_body[c]);
@@ -88,7 +95,15 @@ static void TestShare(void)
   TestSceneFree(&t);
 }
 
-/* Linear functions go from level to level without error; rows sum to one. */
+/* 1 + 2 x + 3 y, and in bodies of order 2 quadratic terms as well. */
+static PetscReal Polynomial(const Level *level, PetscInt node)
+{
+  const PetscReal x = level->coords[2 * node], y = level->coords[2 * node + 1], linear = 1 + 2 * x + 3 * y;
+
+  return level->scene->bodies[level->node_body[node]].order > 1 ? linear - x * x + 4 * x * y + 5 * y * y : linear;
+}
+
+/* Polynomials of their body's order go from level to level without error. */
 static void TestProlongation(PetscInt nx)
 {
   TestScene t;
@@ -99,14 +114,13 @@ static void TestProlongation(PetscInt nx)
     Vec       v[2];
     PetscReal norm;
 
-    for (int k = 0; k < 2; ++k) { // f = 1 + 2 x + 3 y on the coarse and on the fine level
+    for (int k = 0; k < 2; ++k) { // on the coarse and on the fine level
       Level       *level = &mesh->levels[l - 1 + k];
       PetscScalar *f;
 
       CHECK(!LevelCreateVec(level, 1, &v[k]));
       CHECK(!VecGetArray(v[k], &f));
-      for (PetscInt i = 0; i < level->num_owned; ++i)
-        f[i] = 1 + 2 * level->coords[2 * i] + 3 * level->coords[2 * i + 1];
+      for (PetscInt i = 0; i < level->num_owned; ++i) f[i] = Polynomial(level, i);
       CHECK(!VecRestoreArray(v[k], &f));
     }
     CHECK(!VecScale(v[1], -1));
@@ -151,7 +165,7 @@ static void TestMat(PetscInt nx, PetscInt refine)
   CHECK(!VecSet(ones, 1));
   CHECK(!MatMult(A, ones, row));
   CHECK(!VecSum(row, &sum));
-  CHECK_NEAR(sum, nx * (1 << 2 * refine) * (64 + 2 * 36), 0);
+  CHECK_NEAR(sum, nx * (1 << 2 * refine) * ((Order[0] > 1 ? 18 * 18 : 64) + 2 * (Order[1] > 1 ? 144 : 36)), 0);
   CHECK(!VecDestroy(&ones));
   CHECK(!VecDestroy(&row));
   CHECK(!MatDestroy(&A));
@@ -193,14 +207,14 @@ static void TestLocate(void)
   TestSceneFree(&t);
 }
 
-/* Points of a ring are inside up to the true arc, not beyond it, though the facets are chords. */
-static void TestLocateCurve(void)
+/* Points of a ring are inside up to the true arc, not beyond it, though the facets are chords or parabolas. */
+static void TestLocateCurve(PetscInt order)
 {
   TestScene t;
   Mesh      mesh;
 
   TestSceneInit(&t);
-  TestSceneAddBox(&t, "ring", 2, 4, 1, 0, 2, PETSC_PI / 2);
+  TestSceneAddBox(&t, "ring", 2, 4, 1, 0, 2, PETSC_PI / 2)->order = order;
   TestSceneSetMap(&t.bodies[0], "x*cos(y), x*sin(y)");
   mesh = TestSceneMesh(&t);
   for (int i = 0; i <= 32; ++i) { // chords lie up to 0.02 R inside of the arc
@@ -226,16 +240,20 @@ int main(int argc, char **argv)
 {
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
   CHECK(!FaultInitialize());
-  TestTables(5, 2);
-  TestTables(1, 0); // three cells
-  TestTables(1, 1);
   TestShare();
-  TestProlongation(1);
-  TestProlongation(3);
-  TestMat(1, 0);
-  TestMat(4, 2);
-  TestLocate();
-  TestLocateCurve();
+  for (int o = 0; o < NUM_ORDERS; ++o) {
+    for (int b = 0; b < 2; ++b) Order[b] = Orders[o][b];
+    TestTables(5, 2);
+    TestTables(1, 0); // three cells
+    TestTables(1, 1);
+    TestProlongation(1);
+    TestProlongation(3);
+    TestMat(1, 0);
+    TestMat(4, 2);
+    TestLocate();
+  }
+  TestLocateCurve(1);
+  TestLocateCurve(2);
   CHECK(!PetscFinalize());
   return 0;
 }

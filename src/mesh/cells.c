@@ -1,0 +1,161 @@
+/* cells.c -- the cells of a level: their bodies, their nodes, and whether they are sound.
+
+   Loops over elements want plain arrays: what a cell consists of is looked up in the DM once, here. */
+#include "room.h"
+#include <mortise/compat.h>
+#include <mortise/fault.h>
+
+/* A cell is degenerate when det J falls below this share of its longest edge squared (cubed in 3D): round-off of the
+   coordinates reaches 1e-15, needle elements of aspect 1e6 keep 1e-6. */
+static const PetscReal DegenerateShare = 1e-10;
+
+/* From the label that the merge has set. */
+PetscErrorCode LevelSetCellBodies(Level *level)
+{
+  DMLabel  label;
+  PetscInt begin, end;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetHeightStratum(level->dm, 0, &begin, &end));
+  level->num_cells = end - begin;
+  PetscCall(PetscMalloc3(level->num_cells + 1, &level->cell_start, level->num_cells, &level->cell_type,
+                         level->num_cells, &level->cell_body));
+  PetscCall(DMGetLabel(level->dm, "body", &label));
+  for (PetscInt b = 0; b < level->scene->num_bodies; ++b) {
+    const PetscInt *cells;
+    PetscInt        num;
+    IS              is;
+
+    PetscCall(DMLabelGetStratumIS(label, b, &is));
+    if (!is) continue; // none of it on this rank
+    PetscCall(ISGetLocalSize(is, &num));
+    PetscCall(ISGetIndices(is, &cells));
+    for (PetscInt i = 0; i < num; ++i) {
+      if (cells[i] >= begin && cells[i] < end) // refinement labels the cells' edges as well
+        level->cell_body[cells[i] - begin] = b;
+    }
+    PetscCall(ISRestoreIndices(is, &cells));
+    PetscCall(ISDestroy(&is));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Once to see how many nodes there are, once to write them down. */
+PetscErrorCode LevelSetCells(Level *level)
+{
+  ElementType type;
+  PetscInt    begin, nodes[ELEMENT_MAX_NODES];
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetHeightStratum(level->dm, 0, &begin, NULL));
+  level->cell_start[0] = 0;
+  for (PetscInt c = 0; c < level->num_cells; ++c) {
+    PetscCall(PointGetNodes(level, begin + c, &type, nodes));
+    level->cell_type[c]      = type;
+    level->cell_start[c + 1] = level->cell_start[c] + ElementNumNodes(type);
+  }
+  PetscCall(PetscMalloc1(level->cell_start[level->num_cells], &level->cell_nodes));
+  for (PetscInt c = 0; c < level->num_cells; ++c)
+    PetscCall(PointGetNodes(level, begin + c, &type, &level->cell_nodes[level->cell_start[c]]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Positions of a cell's nodes; returns the longest distance of neighbouring vertices. [out] X - [num_nodes][dim] */
+static PetscReal LevelCellCoords_Private(const Level *level, PetscInt cell, PetscReal X[])
+{
+  const PetscInt *nodes   = &level->cell_nodes[level->cell_start[cell]];
+  const PetscInt  num     = level->cell_start[cell + 1] - level->cell_start[cell];
+  const PetscInt  corners = LevelNumVertices(level, cell);
+  PetscReal       longest = 0;
+
+  for (PetscInt i = 0; i < num; ++i) {
+    for (PetscInt d = 0; d < level->dim; ++d) X[i * level->dim + d] = level->coords[nodes[i] * level->dim + d];
+  }
+  for (PetscInt i = 0; i < corners; ++i) {
+    PetscReal square = 0;
+
+    for (PetscInt d = 0; d < level->dim; ++d)
+      square += PetscSqr(X[i * level->dim + d] - X[(i + 1) % corners * level->dim + d]);
+    longest = PetscMax(longest, PetscSqrtReal(square));
+  }
+  return longest;
+}
+
+/* Reverses nodes[0 .. num). */
+static void Reverse_Private(PetscInt num, PetscInt nodes[])
+{
+  for (PetscInt i = 0; i < num - 1 - i; ++i) {
+    const PetscInt swap = nodes[i];
+
+    nodes[i]           = nodes[num - 1 - i];
+    nodes[num - 1 - i] = swap;
+  }
+}
+
+/* Reverses a cell that runs clockwise; tells whether it did, and whether the cell is sound then. */
+static void LevelTurnCell_Private(Level *level, PetscInt cell, PetscBool *turned, PetscBool *sound)
+{
+  const ElementType type    = (ElementType)level->cell_type[cell];
+  const PetscInt    corners = LevelNumVertices(level, cell);
+  PetscInt         *nodes   = &level->cell_nodes[level->cell_start[cell]];
+  PetscReal         X[ELEMENT_MAX_NODES * 3], longest, jacobian;
+
+  longest  = LevelCellCoords_Private(level, cell, X);
+  jacobian = ElementMinJacobian(type, X);
+  *turned  = jacobian < 0 ? PETSC_TRUE : PETSC_FALSE;
+  if (*turned) {
+    Reverse_Private(corners - 1, nodes + 1); // the first corner stays, the facets at it change places
+    if (ElementOrder(type) > 1) Reverse_Private(corners, nodes + corners);
+    (void)LevelCellCoords_Private(level, cell, X);
+    jacobian = ElementMinJacobian(type, X);
+  }
+  *sound = jacobian > DegenerateShare * PetscPowRealInt(longest, (int)level->dim) ? PETSC_TRUE : PETSC_FALSE;
+}
+
+/* "body 'b' has a degenerate or tangled cell with corners (..), (..)" */
+static void LevelDescribeCell_Private(const Level *level, PetscInt cell, char sentence[])
+{
+  const SceneBody *body  = &level->scene->bodies[level->cell_body[cell]];
+  const PetscInt  *nodes = &level->cell_nodes[level->cell_start[cell]];
+  size_t           used;
+
+  used = (size_t)snprintf(sentence, MESH_SENTENCE, "body '%s' has a degenerate or tangled cell%s with corners",
+                          body->name, body->map ? " after its map" : "");
+  for (PetscInt i = 0; i < LevelNumVertices(level, cell); ++i) {
+    const PetscReal *x = &level->coords[nodes[i] * level->dim];
+
+    for (PetscInt d = 0; d < level->dim; ++d) {
+      used += (size_t)snprintf(sentence + used, MESH_SENTENCE - used, "%s%g", d ? ", " : " (", (double)x[d]);
+    }
+    used += (size_t)snprintf(sentence + used, MESH_SENTENCE - used, ")");
+  }
+}
+
+/* Before maps every body has one sense (box.c, extract.c), and refinement keeps it. So a map may turn a body inside out
+   as a whole; one that turns only some of its cells has folded it. */
+PetscErrorCode LevelTurnCells(Level *level)
+{
+  const Scene scene                   = level->scene;
+  char        sentence[MESH_SENTENCE] = "";
+  PetscInt   *seen; /* cells that ran anticlockwise and clockwise [num_bodies][2] */
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(2 * scene->num_bodies, &seen));
+  for (PetscInt c = 0; c < level->num_cells; ++c) {
+    PetscBool turned, sound;
+
+    LevelTurnCell_Private(level, c, &turned, &sound);
+    if (!sound && !sentence[0]) LevelDescribeCell_Private(level, c, sentence);
+    seen[2 * level->cell_body[c] + turned] = 1;
+  }
+  PetscCall(FaultCheck(level->comm, sentence));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, seen, (int)(2 * scene->num_bodies), MPIU_INT, MPI_MAX, level->comm));
+  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+    if (!seen[2 * b] || !seen[2 * b + 1]) continue;
+    PetscCall(FaultRaise(level->comm,
+                         "-%s_map %s folds body '%s': it turns some of its cells inside out and others not",
+                         scene->bodies[b].name, ExpressionText(scene->bodies[b].map), scene->bodies[b].name));
+  }
+  PetscCall(PetscFree(seen));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
