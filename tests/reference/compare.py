@@ -9,23 +9,10 @@ import pathlib
 import numpy as np
 
 from judge import read_table, require, same, same_table
+from meshes import bodies_of_nodes
 
 RELATIVE = 1e-10  # of a column's largest value: both sides solve the same equations to rounding, conditions are below 1e5
 VANISHING = 1e-12  # of the largest displacement or stress: allowed beside it, for columns that are zero but for rounding
-
-
-def bodies_of_nodes(cells, body, num_nodes):
-    """Index of the body of every node; mixed cells are a list of (4: triangle, 5: quad) each followed by its nodes."""
-    owner = np.full(num_nodes, -1)
-    if cells.ndim == 2:
-        owner[cells] = body[:, None]
-        return owner
-    place = 0
-    for index in body:
-        size = {4: 3, 5: 4}[int(cells[place])]
-        owner[cells[place + 1:place + 1 + size]] = index
-        place += 1 + size
-    return owner
 
 
 def read_fields(file):

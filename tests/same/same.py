@@ -2,23 +2,10 @@
 import numpy as np
 
 from judge import near, require, same, same_table
+from meshes import bodies_of_nodes
 
 FIELDS = 1e-9  # relative to the largest value of a field
 RANKS = (2, 3, 4)
-
-
-def bodies_of_nodes(cells, body, num_nodes):
-    """Index of the body of every node; mixed cells are a list of (4: triangle, 5: quad) each followed by its nodes."""
-    node_body = np.zeros(num_nodes)
-    if cells.ndim == 2:
-        node_body[cells] = body[:, None]
-        return node_body
-    place = 0
-    for index in body:
-        size = {4: 3, 5: 4}[cells[place]]
-        node_body[cells[place + 1 : place + 1 + size]] = index
-        place += 1 + size
-    return node_body
 
 
 def fields(run):
