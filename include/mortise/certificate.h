@@ -13,6 +13,7 @@ typedef struct {
   PetscReal force,
       moment;            /* balance of loads, reactions and obstacles of the whole scene, over the sum of their sizes */
   PetscReal pair_moment; /* part of moment that contact forces between two meshes leave on curved sides with a gap */
+  PetscReal limit;       /* what none of those above but pair_moment may exceed */
   PetscBool holds;
   char      failure[256]; /* which test failed, by how much, what to try; "" where it holds */
 } Certificate;

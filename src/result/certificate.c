@@ -292,6 +292,7 @@ static PetscErrorCode Verdict_Private(Certificate *c)
   };
 
   PetscFunctionBeginUser;
+  c->limit      = TOLERANCE;
   c->holds      = PETSC_TRUE;
   c->failure[0] = '\0';
   for (size_t i = 0; i < sizeof(tests) / sizeof(tests[0]) && c->holds; ++i) {
@@ -317,7 +318,7 @@ PetscErrorCode CertificateCompute(Fields fields, Certificate *certificate, Vec *
   if (PetscIsInfOrNanReal(size[0]) || PetscIsInfOrNanReal(size[1])) {
     /* A maximum would lose a NAN on its way. */
     PetscCall(VecSet(*reactions, NAN));
-    *certificate = (Certificate){NAN, NAN, NAN, NAN, NAN, NAN, NAN, PETSC_FALSE, ""};
+    *certificate = (Certificate){NAN, NAN, NAN, NAN, NAN, NAN, NAN, TOLERANCE, PETSC_FALSE, ""};
     PetscCall(PetscSNPrintf(certificate->failure, sizeof(certificate->failure),
                             "the solution holds numbers that are not finite; the linear systems may be singular: "
                             "look for a body that nothing holds, or try -pc_type lu"));

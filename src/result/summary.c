@@ -138,6 +138,7 @@ static void AddSolver_Private(const SummaryInput *in, cJSON *root)
   cJSON_AddBoolToObject(solver, "converged", report->converged);
   cJSON_AddBoolToObject(solver, "safeguarded", report->safeguarded);
   cJSON_AddBoolToObject(solver, "certified", c->holds);
+  JSONAddReal(solver, "certificate_limit", c->limit);
   cJSON_AddStringToObject(solver, "failure", report->converged ? c->failure : report->reason);
   object = cJSON_AddObjectToObject(solver, "kkt");
   JSONAddReal(object, "equilibrium", c->equilibrium);
