@@ -27,6 +27,7 @@ static PetscErrorCode Run_Private(MortiseExit *verdict)
   PetscCall(SceneSetFromOptions(scene));
   PetscCall(SceneCheckUnused(scene, PETSC_TRUE));
   PetscCall(OutputCheck(scene));
+  PetscCall(PageCheck(scene));
   PetscCall(MeshCreate(scene, &mesh));
   PetscCall(MeshSetUp(mesh));
   PetscCall(ProbesCheck(scene, mesh));
@@ -181,5 +182,9 @@ int main(int argc, char **argv)
   if (verdict == MORTISE_FAILED && size > 1) MPI_Abort(MPI_COMM_WORLD, MORTISE_FAILED);
   MPI_Comm_free(&farewell);
   MPI_Finalize();
+  if (rank)
+    return MORTISE_SOLVED; // a launcher ends the others, at work on a page, as soon as one rank reports a mishap
+  if ((verdict == MORTISE_SOLVED || verdict == MORTISE_NOT_CONVERGED) && !PageWrite() && verdict == MORTISE_SOLVED)
+    verdict = MORTISE_FAILED;
   return verdict;
 }

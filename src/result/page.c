@@ -9,6 +9,7 @@
 #include <mortise/page.h>
 #include <mortise/fault.h>
 #include <mortise/compat.h>
+#include "files.h"
 
 static const char COMPANION[] = "mortise-report";
 
@@ -113,7 +114,8 @@ static void Ask_Private(char argument[], char why[], size_t len)
 
 PetscErrorCode PageCheck(Scene scene)
 {
-  char        check[] = "--check", why[SAID_LENGTH + PETSC_MAX_PATH_LEN], sentence[FAULT_LENGTH] = "";
+  char check[]                = "--check", why[SAID_LENGTH + PETSC_MAX_PATH_LEN], path[PETSC_MAX_PATH_LEN],
+       sentence[FAULT_LENGTH] = "";
   PetscMPIInt rank;
 
   PetscFunctionBeginUser;
@@ -127,6 +129,8 @@ PetscErrorCode PageCheck(Scene scene)
     page_quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
   }
   PetscCall(FaultCheck(scene->comm, sentence));
+  PetscCall(PetscSNPrintf(path, sizeof(path), "%s.html", scene->output));
+  PetscCall(FilesCheck(scene->comm, "-report", path));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -1,0 +1,179 @@
+"""The page of -report: it stands alone, it escapes what users write, its pictures are pictures, its numbers are the summary's."""
+import base64
+import html.parser
+import os
+import xml.etree.ElementTree as xml
+
+from judge import Run, require, same
+
+TITLE = """<script>alert('a')</script> & "b" </title>"""
+VOID = {"meta", "img", "br", "hr", "link", "input"}
+BLOCK = """import sys
+class Block:
+    def find_spec(self, name, path=None, target=None):
+        if name.split(".")[0] == "h5py":
+            raise ModuleNotFoundError("No module named 'h5py'", name="h5py")
+sys.meta_path.insert(0, Block())
+"""
+BREAK = """raise RuntimeError("the disk burns")\n"""
+
+
+class Page(html.parser.HTMLParser):
+    """The page by parts: tags with their attributes, all text, and the numbers and words of every row of a table."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.tags, self.open, self.words, self.rows, self.datum = [], [], "", [], None
+        self.feed(text)
+        self.close()
+        require(not self.open, f"left open: {self.open}")
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+        if tag == "tr":
+            self.rows.append({"words": "", "numbers": [], "read": []})
+        if tag == "data":
+            self.datum = [dict(attrs)["value"], ""]
+        if tag == "sup":
+            self.handle_data("^")
+
+    def handle_endtag(self, tag):
+        require(self.open and self.open.pop() == tag, f"</{tag}> closes what is not open")
+        if tag == "data" and "tr" in self.open:
+            self.rows[-1]["numbers"].append(float(self.datum[0]))
+            self.rows[-1]["read"].append(self.datum[1])
+        if tag == "data":
+            self.datum = None
+
+    def handle_data(self, data):
+        self.words += data
+        if "tr" in self.open:
+            self.rows[-1]["words"] += data
+        if self.datum:
+            self.datum[1] += data
+
+
+def read(number):
+    """'−1.5 × 10^6', '10^-6', '4 096' (with narrow blanks) as a number, and what its last digit leaves open."""
+    number = number.replace("\u2212", "-").replace("\u202f", "")
+    mantissa, _, power = number.replace("×10^", "e").partition("e")
+    if "10^" in mantissa:
+        sign, _, power = mantissa.partition("10^")
+        mantissa = sign + "1"
+    open_digits = 10.0 ** -len(mantissa.partition(".")[2])
+    return float(mantissa) * 10.0 ** int(power or 0), 0.5 * open_digits * 10.0 ** int(power or 0)
+
+
+def judge_digits(page):
+    """What is read is what the machine reads, rounded; only beside larger ones in its row a number may be read as 0."""
+    for row in page.rows:
+        largest = max(map(abs, row["numbers"]), default=0.0)
+        for value, shown in zip(row["numbers"], row["read"]):
+            near_by, allowed = read(shown)
+            require(abs(near_by - value) <= (1e-12 * largest if shown == "0" else 1.001 * allowed), f"{value} is read as {shown}")
+
+
+def judge_alone(page, text):
+    """Nothing comes from elsewhere, nothing runs."""
+    for tag, attributes in page.tags:
+        require(tag not in ("script", "link", "iframe", "object", "embed", "base"), f"the page has a <{tag}>")
+        for name, value in attributes.items():
+            require(not name.startswith("on"), f"<{tag} {name}> runs a script")
+            if name in ("src", "href", "srcset", "data", "poster", "action"):
+                require(value.startswith(("data:", "#")), f"<{tag} {name}={value[:60]}> comes from elsewhere")
+    require("url(" not in text and "@import" not in text, "the style comes from elsewhere")
+    require(text.startswith("<!DOCTYPE html>"), "the page does not say that it is HTML")
+    same("tables have rows", any(tag == "tr" for tag, _ in page.tags), True)
+
+
+def judge_pictures(page, count):
+    images = [attributes for tag, attributes in page.tags if tag == "img"]
+    same("pictures", len(images), count)
+    for attributes in images:
+        kind, data = attributes["src"].split(";base64,")
+        same("kind of picture", kind, "data:image/svg+xml")
+        require(attributes["alt"], "a picture says nothing to who cannot see it")
+        picture = xml.fromstring(base64.b64decode(data, validate=True))
+        require(picture.tag.endswith("svg") and len(list(picture.iter())) > 20, "a picture is empty")
+        for element in picture.iter():
+            for name, value in element.attrib.items():
+                require(not name.endswith("href") or value.startswith(("data:", "#")), f"a picture takes {value[:60]} from elsewhere")
+
+
+def judge_numbers(page, summary):
+    """The rows of the tables against the summary, digit by digit."""
+
+    def told(first, *numbers):
+        rows = [row["numbers"] for row in page.rows if row["words"].startswith(first)]
+        require([float(number) for number in numbers] in rows, f"no row of {first} has {numbers}, but {rows}")
+
+    limit, solver = summary["solver"]["certificate_limit"], summary["solver"]
+    for name, pair in summary["pairs"].items():
+        told(name, *pair["force"], pair["normal_force"], pair["area"], pair["active_nodes"], summary["scene"]["pairs"][name]["candidates"], pair["min_gap"])
+        told(name, pair["max_pressure"], *pair["max_pressure_at"], *pair["centre_of_pressure"], *pair["extent"]["lower"], *pair["extent"]["upper"])
+    for side, force in summary["reactions"].items():
+        told(side, *force)
+    for name, probe in summary["probes"].items():
+        told(name, *probe["at"], *probe["displacement"], probe["von_mises"])
+        told(name, *probe["stress"])
+    for name, value in summary["energy"]["strain"].items():
+        told(f"strain energy of {name}", value)
+    told("potential energy", summary["energy"]["potential"])
+    told("equilibrium", solver["kkt"]["equilibrium"], limit)
+    told("balance of moments", solver["balance"]["moment"], limit)
+    told("total", summary["timing"]["total"])
+    for name, body in summary["scene"]["bodies"].items():
+        told(name, *(body[key] for key in ("order", "cells", "nodes", "dofs")))
+
+
+def judge_failed(run, arguments):
+    """A run that is not solved has its page, which says so on top."""
+    failed = Run(run.program, run.mpiexec, run.ranks, run.folder / "failed", arguments + ["-ksp_type", "cg", "-pc_type", "jacobi", "-ksp_max_it", "1"])
+    same("exit code", failed.exit, 3)
+    page = Page((failed.folder / "result.html").read_text())
+    body = page.words[page.words.index("NOT SOLVED"):]
+    require(page.words.index("NOT SOLVED") < page.words.index("Contact analysis"), "the failure does not stand on top")
+    require("they are no solution" in body, "the page does not warn of its numbers")
+
+
+def with_module(run, name, module, code, arguments):
+    """A run whose companion meets a module of ours before the system's."""
+    folder = run.folder / f"{name}_modules"
+    folder.mkdir()
+    (folder / f"{module}.py").write_text(code)
+    before = os.environ.get("PYTHONPATH")
+    os.environ["PYTHONPATH"] = str(folder)
+    try:
+        return Run(run.program, run.mpiexec, run.ranks, run.folder / name, arguments)
+    finally:
+        if before is None:
+            del os.environ["PYTHONPATH"]
+        else:
+            os.environ["PYTHONPATH"] = before
+
+
+def judge_without(run, arguments):
+    """What the companion lacks is told before anything is computed; what goes wrong afterwards costs the page alone."""
+    lacking = with_module(run, "lacking", "sitecustomize", BLOCK, arguments)
+    same("exit code without h5py", lacking.exit, 1)
+    require("-report: mortise-report: h5py is missing (Debian: apt install python3-h5py)" in lacking.stderr, f"it says {lacking.stderr}")
+    same("files without h5py", list(lacking.folder.iterdir()), [])
+    broken = with_module(run, "broken", "matplotlib", BREAK, arguments)
+    same("exit code of a companion that fails", broken.exit, 4)
+    require("the disk burns" in broken.stderr and "all other results are complete" in broken.stderr, f"it says {broken.stderr}")
+    same("status of a companion that fails", broken.summary["status"], "solved")
+    require(not (broken.folder / "result.html").exists(), "there is a page of a companion that failed")
+
+
+def judge(run):
+    text = (run.folder / "result.html").read_text(encoding="utf-8")
+    page = Page(text)
+    judge_alone(page, text)
+    require(TITLE in page.words, "the title is not what was given")
+    judge_pictures(page, 1 + len(run.summary["pairs"]))
+    judge_numbers(page, run.summary)
+    judge_digits(page)
+    judge_failed(run, run.arguments)
+    judge_without(run, run.arguments)
