@@ -5,6 +5,7 @@
 #include <mortise/fields.h>
 #include <mortise/compat.h>
 #include <mortise/elasticity.h>
+#include "stress.h"
 
 /* A bound counts as reached within this part of the largest unknown: pdas reaches it exactly, vinewtonrsls to its zero
    tolerance of 1e-12. */
@@ -12,83 +13,6 @@ static const PetscReal CLOSED_TOLERANCE = 1e-10;
 /* A node presses if its pressure exceeds this part of the largest one: below, touching without pressure (a tie) cannot be
    told from an open node (numerics: the same limit decides which contacts hold a floating body). */
 static const PetscReal PRESSED_TOLERANCE = 1e-9;
-
-/* sigma at the centroid of a cell, and the cell's volume: det J at the centroid times the reference measure. */
-static PetscErrorCode CellStress_Private(VI vi, PetscInt c, const PetscReal u[], PetscReal stress[6], PetscReal *volume)
-{
-  const Level      *level = vi->level;
-  const PetscInt    dim = level->dim, n = level->cell_start[c + 1] - level->cell_start[c];
-  const PetscInt   *nodes       = &level->cell_nodes[level->cell_start[c]];
-  const PetscInt    num_strains = MaterialNumStrains(vi->scene->model);
-  const ElementType type        = (ElementType)level->cell_type[c];
-  PetscReal         X[ELEMENT_MAX_NODES * 3], phi[ELEMENT_MAX_NODES], grad[ELEMENT_MAX_NODES * 3], x[3], xi[3], weight;
-  PetscReal         B[6 * ELEMENT_MAX_NODES * 3], C[36], strain[6], poisson, det;
-
-  PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < n; ++i) {
-    for (PetscInt k = 0; k < dim; ++k) X[i * dim + k] = level->coords[nodes[i] * dim + k];
-  }
-  /* The rule of degree 1 is the centroid with the whole reference measure. */
-  ElementQuadrature(type, 1, xi, &weight);
-  det = ElementMap(type, X, xi, x, phi, grad);
-  ElementStrainMatrix(dim, n, grad, B);
-  for (PetscInt s = 0; s < num_strains; ++s) {
-    strain[s] = 0.0;
-    for (PetscInt i = 0; i < n; ++i) {
-      for (PetscInt k = 0; k < dim; ++k) strain[s] += B[(s * n + i) * dim + k] * u[nodes[i] * dim + k];
-    }
-  }
-  PetscCall(ElasticityHooke(vi->scene, level->cell_body[c], x, C, &poisson));
-  MaterialStress(vi->scene->model, C, poisson, strain, stress);
-  *volume = weight * det;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* sigma_node = sum_cells V_c sigma_c / sum_cells V_c over the cells at the node: second order inside a body
-   (Zienkiewicz & Zhu 1992). Nodes belong to one body, so nothing is averaged across an interface. */
-static PetscErrorCode StressCreate_Private(VI vi, Vec u, Vec *stress)
-{
-  Level           *level = vi->level;
-  Vec              volume, local[3];
-  const PetscReal *u_local;
-  PetscReal       *s, *v;
-
-  PetscFunctionBeginUser;
-  PetscCall(LevelCreateVec(level, 6, stress));
-  PetscCall(LevelCreateVec(level, 1, &volume));
-  PetscCall(VecGhostGetLocalForm(u, &local[0]));
-  PetscCall(VecGetArrayRead(local[0], &u_local));
-  for (PetscInt pass = 0; pass < 2; ++pass) { /* sum, share between ranks, then divide */
-    PetscCall(VecGhostGetLocalForm(*stress, &local[1]));
-    PetscCall(VecGhostGetLocalForm(volume, &local[2]));
-    PetscCall(VecGetArray(local[1], &s));
-    PetscCall(VecGetArray(local[2], &v));
-    for (PetscInt c = 0; pass == 0 && c < level->num_cells; ++c) {
-      PetscReal cell_stress[6], cell_volume;
-
-      PetscCall(CellStress_Private(vi, c, u_local, cell_stress, &cell_volume));
-      for (PetscInt i = level->cell_start[c]; i < level->cell_start[c + 1]; ++i) {
-        v[level->cell_nodes[i]] += cell_volume;
-        for (PetscInt k = 0; k < 6; ++k) s[level->cell_nodes[i] * 6 + k] += cell_volume * cell_stress[k];
-      }
-    }
-    for (PetscInt a = 0; pass == 1 && a < level->num_nodes; ++a) {
-      for (PetscInt k = 0; k < 6; ++k) s[a * 6 + k] /= v[a];
-    }
-    PetscCall(VecRestoreArray(local[1], &s));
-    PetscCall(VecRestoreArray(local[2], &v));
-    PetscCall(VecGhostRestoreLocalForm(*stress, &local[1]));
-    PetscCall(VecGhostRestoreLocalForm(volume, &local[2]));
-    if (pass == 0) {
-      PetscCall(LevelShareVec(*stress, ADD_VALUES));
-      PetscCall(LevelShareVec(volume, ADD_VALUES));
-    }
-  }
-  PetscCall(VecRestoreArrayRead(local[0], &u_local));
-  PetscCall(VecGhostRestoreLocalForm(u, &local[0]));
-  PetscCall(VecDestroy(&volume));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
 
 /* A nonmortar side at rest may be the sum of two large motions, its own relative one and that of the mortar side: bodies
    that a pair joins, directly or through others, share the largest displacement. */
@@ -266,7 +190,7 @@ PetscErrorCode FieldsCreate(VI vi, Vec y, Fields *fields)
   f->vi = vi;
   PetscCall(LevelCreateVec(vi->level, vi->level->dim, &f->u));
   PetscCall(VIRecoverDisplacement(vi, y, f->u));
-  PetscCall(StressCreate_Private(vi, f->u, &f->stress));
+  PetscCall(StressCreate(vi->scene, vi->level, f->u, &f->stress));
   PetscCall(NodeScales_Private(f));
   if (vi->B) {
     PetscReal *slack;

@@ -5,8 +5,9 @@
 #include "xml.h"
 #include <mortise/compat.h>
 
-/* VTK's number of a cell (vtkCellType.h). */
-static const uint8_t vtk_number[ELEMENT_COUNT] = {[ELEMENT_TRI3] = 5, [ELEMENT_QUAD4] = 9};
+/* VTK's number of a cell (vtkCellType.h); its order of nodes is that of element.h. */
+static const uint8_t vtk_number[ELEMENT_COUNT] = {
+    [ELEMENT_TRI3] = 5, [ELEMENT_QUAD4] = 9, [ELEMENT_TRI6] = 22, [ELEMENT_QUAD9] = 28};
 
 /* A block: its length in bytes, then the bytes, encoded as one unit. */
 static PetscErrorCode WriteBlock_Private(FILE *out, const char type[], const char name[], PetscInt components,

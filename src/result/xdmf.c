@@ -12,9 +12,13 @@
 #include "xml.h"
 #include <mortise/compat.h>
 
-/* XDMF's name and number of a cell. */
-static const char *const xdmf_name[ELEMENT_COUNT]   = {[ELEMENT_TRI3] = "Triangle", [ELEMENT_QUAD4] = "Quadrilateral"};
-static const int         xdmf_number[ELEMENT_COUNT] = {[ELEMENT_TRI3] = 4, [ELEMENT_QUAD4] = 5};
+/* XDMF's name and number of a cell; its order of nodes is that of element.h. */
+static const char *const xdmf_name[ELEMENT_COUNT]   = {[ELEMENT_TRI3]  = "Triangle",
+                                                       [ELEMENT_QUAD4] = "Quadrilateral",
+                                                       [ELEMENT_TRI6]  = "Triangle_6",
+                                                       [ELEMENT_QUAD9] = "Quadrilateral_9"};
+static const int         xdmf_number[ELEMENT_COUNT] = {
+            [ELEMENT_TRI3] = 4, [ELEMENT_QUAD4] = 5, [ELEMENT_QUAD9] = 35, [ELEMENT_TRI6] = 36};
 
 PetscErrorCode TopologyCreate(const Picture *picture, Topology *topology)
 {

@@ -163,6 +163,51 @@ static PetscErrorCode TestPicture(void)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Cells of second order keep their nodes in the order of element.h, which is that of XDMF and of VTK; the numbers by which
+   the formats know them are 36 and 35, 22 and 28. */
+static PetscErrorCode TestQuadraticCells(void)
+{
+  static const int expected[17] = {36, 0, 1, 2, 3, 4, 5, 35, 1, 6, 7, 2, 8, 9, 10, 4, 11};
+  static PetscInt  start[3] = {0, 6, 15}, nodes[15] = {0, 1, 2, 3, 4, 5, 1, 6, 7, 2, 8, 9, 10, 4, 11};
+  static PetscInt  type[2] = {ELEMENT_TRI6, ELEMENT_QUAD9};
+  Picture          picture;
+  Topology         topology;
+  Files            files = {0};
+  char            *text;
+
+  PetscFunctionBeginUser;
+  FillPicture(&picture);
+  picture.num_cells  = 2;
+  picture.cell_start = start;
+  picture.cell_nodes = nodes;
+  picture.cell_type  = type;
+  PetscCall(TopologyCreate(&picture, &topology));
+  CHECK(strcmp(topology.name, "Mixed") == 0 && topology.rows == 17 && topology.columns == 1);
+  CHECK(memcmp(topology.values, expected, sizeof(expected)) == 0);
+  PetscCall(TopologyDestroy(&topology));
+  for (PetscInt first = 0; first < 2; ++first) {
+    static const char *const name[2]  = {"Triangle_6", "Quadrilateral_9"};
+    PetscInt                 alone[2] = {0, first ? 9 : 6};
+
+    picture.num_cells  = 1;
+    picture.cell_start = alone;
+    picture.cell_type  = &type[first];
+    PetscCall(TopologyCreate(&picture, &topology));
+    CHECK(strcmp(topology.name, name[first]) == 0 && topology.rows == 1 && topology.columns == alone[1]);
+    PetscCall(TopologyDestroy(&topology));
+  }
+  picture.num_cells  = 2;
+  picture.cell_start = start;
+  picture.cell_type  = type;
+  PetscCall(PictureWriteVTU(&picture, &files, "picture.vtu"));
+  PetscCall(FilesFinish(PETSC_COMM_SELF, &files));
+  text = Slurp("picture.vtu");
+  CHECK(strstr(text, "Name=\"types\" format=\"binary\">\nAgAAAAAAAAAWHA==\n")); /* 2 bytes: 22, 28 */
+  free(text);
+  unlink("picture.vtu");
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* A disk that is full after 4 KiB: an error, a sentence, and no file at all, not even those that would have fitted. */
 static PetscErrorCode TestFullDisk(void)
 {
@@ -264,6 +309,7 @@ int main(int argc, char **argv)
     TestNumbers();
     TestXML();
     PetscCall(TestPicture());
+    PetscCall(TestQuadraticCells());
     PetscCall(TestFullDisk());
     PetscCall(TestCheck());
     CHECK(chdir("..") == 0 && rmdir(folder) == 0);

@@ -1,0 +1,162 @@
+/* stress.c -- stresses at nodes, recovered from where they are best known.
+
+   Derivatives of a finite element solution are one order more accurate at certain points of a cell than elsewhere: in its
+   middle for order 1, at the 2 x 2 Gauss points of quads of order 2, nearly so at three points within a triangle (Barlow
+   1976; Zienkiewicz & Zhu 1992). Stresses are taken there, continued to the cell's nodes by the polynomial through these
+   points (a constant for order 1, linear or bilinear for order 2), and averaged over the cells that meet at a node, with
+   their volumes as weights. Nodes belong to one body, so nothing is averaged across an interface. Linear stresses are
+   reproduced exactly on cells of order 2 with straight sides. */
+#include <mortise/compat.h>
+#include <mortise/elasticity.h>
+#include "stress.h"
+
+enum { STRESSES = 6, MAX_STRAINS = 6, MAX_DIM = 3 };
+
+/* Where the stress of one type of cell is taken, and how it is continued to its nodes. */
+typedef struct {
+  ElementRule rule;
+  PetscReal   spread[ELEMENT_MAX_NODES * ELEMENT_MAX_NODES]; /* [num_nodes][rule.num] */
+} Recovery;
+
+/* The points are the vertices, drawn towards the middle until they lie on the Gauss points of degree 2 (3 in quads). The
+   functions of the linear cell, drawn in likewise, are 1 at one of them and 0 at the others. */
+static void RecoverySet_Private(ElementType type, Recovery *recovery)
+{
+  const ElementType linear = ElementLinear(type);
+  const PetscInt    dim = ElementDim(type), nn = ElementNumNodes(type), nv = ElementNumNodes(linear);
+  const PetscReal   shrink = 1 / PetscSqrtReal(nv == dim + 1 ? dim + 2. : 3.);
+  ElementRule      *rule   = &recovery->rule;
+  PetscReal         middle[MAX_DIM], xi[MAX_DIM], measure;
+
+  ElementQuadrature(linear, 1, middle, &measure);
+  rule->type = type;
+  rule->num  = ElementOrder(type) == 1 ? 1 : nv;
+  for (PetscInt q = 0; q < rule->num; ++q) {
+    for (PetscInt k = 0; k < dim; ++k)
+      xi[k] = rule->num == 1 ? middle[k] : middle[k] + shrink * (ElementNode(linear, q)[k] - middle[k]);
+    rule->weight[q] = measure / rule->num;
+    ElementShape(type, xi, &rule->phi[q * nn], &rule->dphi[q * nn * dim]);
+  }
+  for (PetscInt i = 0; i < nn; ++i) {
+    for (PetscInt k = 0; k < dim; ++k) xi[k] = middle[k] + (ElementNode(type, i)[k] - middle[k]) / shrink;
+    if (rule->num == 1)
+      recovery->spread[i] = 1;
+    else
+      ElementShape(linear, xi, &recovery->spread[i * nv], NULL);
+  }
+}
+
+/* What is known at the nodes of one cell, [num_nodes][dim] each. */
+typedef struct {
+  PetscInt  body;
+  PetscReal X[ELEMENT_MAX_NODES * MAX_DIM], u[ELEMENT_MAX_NODES * MAX_DIM];
+} Cell;
+
+/* sigma at point q of a cell. [out] det - det J there */
+static PetscErrorCode PointStress_Private(Scene scene, const Cell *cell, const ElementRule *rule, PetscInt q,
+                                          PetscReal stress[STRESSES], PetscReal *det)
+{
+  const PetscInt dim = scene->dim, n = ElementNumNodes(rule->type), num_strains = MaterialNumStrains(scene->model);
+  PetscReal      grad[ELEMENT_MAX_NODES * MAX_DIM], B[MAX_STRAINS * ELEMENT_MAX_NODES * MAX_DIM], x[MAX_DIM];
+  PetscReal      C[MAX_STRAINS * MAX_STRAINS], strain[MAX_STRAINS], poisson;
+
+  PetscFunctionBeginUser;
+  *det = ElementRuleMap(rule, q, cell->X, x, grad);
+  ElementStrainMatrix(dim, n, grad, B);
+  for (PetscInt s = 0; s < num_strains; ++s) {
+    strain[s] = 0.0;
+    for (PetscInt i = 0; i < n * dim; ++i) strain[s] += B[s * n * dim + i] * cell->u[i];
+  }
+  PetscCall(ElasticityHooke(scene, cell->body, x, C, &poisson));
+  MaterialStress(scene->model, C, poisson, strain, stress);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds a cell's volume, and its stresses times its volume, to its nodes. [in] u - [num_nodes][dim];
+   [in,out] sums - [num_nodes][STRESSES]; [in,out] volumes - [num_nodes] */
+static PetscErrorCode AddCell_Private(Scene scene, const Level *level, PetscInt c, const Recovery *recovery,
+                                      const PetscReal u[], PetscReal sums[], PetscReal volumes[])
+{
+  const PetscInt  dim = level->dim, n = ElementNumNodes(recovery->rule.type), num = recovery->rule.num;
+  const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
+  PetscReal       stress[ELEMENT_MAX_NODES][STRESSES], volume = 0.0;
+  Cell            cell = {.body = level->cell_body[c]};
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < n; ++i) {
+    for (PetscInt k = 0; k < dim; ++k) {
+      cell.X[i * dim + k] = level->coords[nodes[i] * dim + k];
+      cell.u[i * dim + k] = u[nodes[i] * dim + k];
+    }
+  }
+  for (PetscInt q = 0; q < num; ++q) {
+    PetscReal det;
+
+    PetscCall(PointStress_Private(scene, &cell, &recovery->rule, q, stress[q], &det));
+    volume += recovery->rule.weight[q] * det;
+  }
+  for (PetscInt i = 0; i < n; ++i) {
+    volumes[nodes[i]] += volume;
+    for (PetscInt q = 0; q < num; ++q) {
+      const PetscReal share = volume * recovery->spread[i * num + q];
+
+      for (PetscInt k = 0; k < STRESSES; ++k) sums[nodes[i] * STRESSES + k] += share * stress[q][k];
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds this rank's cells to the local forms of two ghosted vectors. */
+static PetscErrorCode AddCells_Private(Scene scene, const Level *level, Vec u, Vec stress, Vec volume)
+{
+  Vec              local[3];
+  const PetscReal *displacement;
+  PetscReal       *sums, *volumes;
+  Recovery        *recoveries;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(ELEMENT_COUNT, &recoveries));
+  for (PetscInt t = 0; t < ELEMENT_COUNT; ++t) RecoverySet_Private((ElementType)t, &recoveries[t]);
+  PetscCall(VecGhostGetLocalForm(u, &local[0]));
+  PetscCall(VecGhostGetLocalForm(stress, &local[1]));
+  PetscCall(VecGhostGetLocalForm(volume, &local[2]));
+  PetscCall(VecGetArrayRead(local[0], &displacement));
+  PetscCall(VecGetArray(local[1], &sums));
+  PetscCall(VecGetArray(local[2], &volumes));
+  for (PetscInt c = 0; c < level->num_cells; ++c) {
+    PetscCall(AddCell_Private(scene, level, c, &recoveries[level->cell_type[c]], displacement, sums, volumes));
+  }
+  PetscCall(VecRestoreArray(local[2], &volumes));
+  PetscCall(VecRestoreArray(local[1], &sums));
+  PetscCall(VecRestoreArrayRead(local[0], &displacement));
+  PetscCall(VecGhostRestoreLocalForm(volume, &local[2]));
+  PetscCall(VecGhostRestoreLocalForm(stress, &local[1]));
+  PetscCall(VecGhostRestoreLocalForm(u, &local[0]));
+  PetscCall(PetscFree(recoveries));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode StressCreate(Scene scene, Level *level, Vec u, Vec *stress)
+{
+  Vec              volume;
+  const PetscReal *volumes;
+  PetscReal       *sums;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, STRESSES, stress));
+  PetscCall(LevelCreateVec(level, 1, &volume));
+  PetscCall(AddCells_Private(scene, level, u, *stress, volume));
+  PetscCall(LevelShareVec(*stress, ADD_VALUES));
+  PetscCall(LevelShareVec(volume, ADD_VALUES));
+  PetscCall(VecGetArrayRead(volume, &volumes));
+  PetscCall(VecGetArray(*stress, &sums));
+  for (PetscInt a = 0; a < level->num_owned; ++a) {
+    for (PetscInt k = 0; k < STRESSES; ++k) sums[a * STRESSES + k] /= volumes[a];
+  }
+  PetscCall(VecRestoreArray(*stress, &sums));
+  PetscCall(VecRestoreArrayRead(volume, &volumes));
+  PetscCall(VecGhostUpdateBegin(*stress, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostUpdateEnd(*stress, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecDestroy(&volume));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

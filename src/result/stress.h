@@ -1,0 +1,11 @@
+/* stress.h -- stresses at nodes (floor 7, private to this room). */
+#ifndef MORTISE_STRESS_H
+#define MORTISE_STRESS_H
+
+#include <mortise/mesh.h>
+
+/* Stresses of the displacement u at nodes (T19), xx,yy,zz,yz,xz,xy. Collective. [in] u - ghosted, dim per node;
+   [out] stress - ghosted, 6 per node, owned by the caller */
+PetscErrorCode StressCreate(Scene scene, Level *level, Vec u, Vec *stress);
+
+#endif
