@@ -1,20 +1,30 @@
 /* dual.h -- dual basis of one facet or of its covered part (floor 1).
 
-   psi_i = sum_j A_ij phi_j with A = D_e M_e^-1, M_e = int_cov phi phi^T, D_e = diag(int_cov phi), so that
+   psi = A phi with A = D_e M_e^-1, M_e = int_cov phi phi^T, D_e = diag(int_cov phi), so that
    int_cov psi_i phi_j = delta_ij int_cov phi_j and sum_i psi_i = 1 (T6; Wohlmuth 2000, Cichosz & Bischoff 2011 for cut
    facets). The integrals come from the very points that later integrate M and the gap. */
 #ifndef MORTISE_DUAL_H
 #define MORTISE_DUAL_H
 
-#include <petscsys.h>
+#include <mortise/element.h>
 
-/* A from shape function values at weighted points. Returns PETSC_FALSE where M_e is numerically singular;
-   D is set all the same. n <= DENSE_MAX.
-   [in] phi - [num_points][n]; [in] w - [num_points]; [out] A - [n][n]; [out] D - [n] */
-PetscBool DualBasis(PetscInt n, PetscInt num_points, const PetscReal phi[], const PetscReal w[], PetscReal A[],
-                    PetscReal D[]);
+enum { DUAL_MAX = ELEMENT_MAX_NODES };
 
-/* psi = A phi. [in] A - [n][n]; [in] phi - [n]; [out] psi - [n] */
-void DualEvaluate(PetscInt n, const PetscReal A[], const PetscReal phi[], PetscReal psi[]);
+/* Plain data. psi = C L, where L_j(xi) = phi_j((xi - lower) / size) are the shape functions of the box around the covered
+   part: the same polynomials as those of the facet, but well conditioned however small that part is. */
+typedef struct {
+  ElementType type;
+  PetscReal   lower[2], size[2];      /* box [ElementDim] */
+  PetscReal   C[DUAL_MAX * DUAL_MAX]; /* [n][n], n = ElementNumNodes(type) */
+  PetscReal   D[DUAL_MAX];            /* int_cov phi_i = int_cov psi_i [n]; may be negative on cut quadratic facets */
+} DualBasis;
+
+/* From weighted points on the facet's reference cell. Returns PETSC_FALSE where they cannot tell the shape functions
+   apart; D is set all the same. [in] xi - [num_points][2], unused coordinates ignored; [in] w - [num_points] */
+PetscBool DualBasisCreate(ElementType type, PetscInt num_points, const PetscReal xi[], const PetscReal w[],
+                          DualBasis *basis);
+
+/* psi at a point. [in] xi - [2]; [out] psi - [n] */
+void DualBasisEvaluate(const DualBasis *basis, const PetscReal xi[], PetscReal psi[]);
 
 #endif

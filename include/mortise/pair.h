@@ -2,7 +2,11 @@
 
    D_ab = int psi_a phi^s_b,  M_ab = int psi_a phi^m_b(pi(.)),  G_a = int psi_a g  over the covered part of the nonmortar
    side. Rows of removed nodes (held in normal direction, or a sliver of coverage) are spread over their kept neighbours
-   (4.3), which is where D gets its few entries off the diagonal. Facets are integrated by the rank that holds them. */
+   (4.3), which is where D gets its few entries off the diagonal. Facets are integrated by the rank that holds them.
+
+   Where only vertices of quadratic facets carry multipliers (MULTIPLIERS_VERTICES), psi is dual to the linear shape functions
+   and all this is written for the displacements u~ of u = u~ + shift u~ on the nonmortar side: a vertex keeps its
+   displacement, the unknown at a middle node is what goes beyond the mean of the two ends (T20). M applies to u. */
 #ifndef MORTISE_PAIR_H
 #define MORTISE_PAIR_H
 
@@ -18,7 +22,8 @@ struct _n_Pair {
   PetscReal       *gap;    /* nodal gaps G_a / D_aa, signed, open > 0 [num] */
   PetscReal       *normal; /* unit, out of the nonmortar body [num][dim] */
   PetscReal       *frame; /* rows (n, t..) orthonormal; t along the held direction where there is one [num][dim][dim] */
-  Mat              chain; /* D_ac, c removed (node x node), or NULL where no row was spread */
+  Mat              chain; /* D_ac, c without a multiplier (node x node), or NULL where there is none */
+  Mat              shift; /* of u = u~ + shift u~ (node x node), or NULL where u~ = u */
   Mat              M;     /* node x node, rows of multiplier nodes; NULL for an obstacle */
   PetscInt         num_facets_nonmortar, num_facets_mortar;     /* of all ranks */
   PetscInt         num_multipliers, num_removed, num_uncovered; /* nodes of all ranks */

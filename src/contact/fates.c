@@ -9,7 +9,8 @@
 
 /* A normal whose free part is shorter than this is held: no multiplier. */
 static const PetscReal HELD_NORMAL = 0.1;
-/* Covered share of a node's support below which its pressure could not be recovered accurately. */
+/* Covered share of a node's support below which its pressure could not be recovered accurately; where the far end of a
+   quadratic facet is covered to less than three quarters its share is negative. */
 static const PetscReal SLIVER = 1e-3;
 /* Covered share that is nothing but roundoff. */
 static const PetscReal NOTHING = 1e-13;
@@ -66,9 +67,10 @@ PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *d
   for (PetscInt i = 0; i < level->num_nodes; i++) {
     const PetscReal share = full[i] > 0 ? D[i] / full[i] : 0;
     PetscBool       keep  = PETSC_FALSE;
-    if (share > NOTHING) keep = (PetscBool)(ProjectNormal_Private(held, i, &N[i * dim]) && share >= SLIVER);
+    if (PetscAbsReal(share) > NOTHING)
+      keep = (PetscBool)(ProjectNormal_Private(held, i, &N[i * dim]) && share >= SLIVER);
     if (draft->spec->type == PAIR_TIED && held->count[i] > 0) keep = PETSC_FALSE; // a tie needs all directions
-    draft->fate[i] = share <= NOTHING ? NODE_UNCOVERED : (keep ? NODE_KEPT : NODE_REMOVED);
+    draft->fate[i] = PetscAbsReal(share) <= NOTHING ? NODE_UNCOVERED : (keep ? NODE_KEPT : NODE_REMOVED);
   }
   PetscCall(VecRestoreArray(local_N, &N));
   PetscCall(VecRestoreArrayRead(local_full, &full));

@@ -38,23 +38,22 @@ static PetscErrorCode CreateM_Private(Level *level, const Facets *facets, const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds one facet's integrals to the nodal sums. [in,out] D, full, G - local arrays [num_nodes] */
-static PetscErrorCode AddFacet_Private(const Level *level, const PetscInt nodes[], const FacetIntegral *integral,
-                                       PetscScalar D[], PetscScalar full[], PetscScalar G[], Mat M)
+/* Adds one facet's couplings to M and to the chain. */
+static PetscErrorCode AddCouplings_Private(const Level *level, const Facets *facets, PetscInt f,
+                                           const FacetIntegral *integral, Integrals *sums)
 {
-  PetscInt rows[ELEMENT_MAX_FACET_NODES];
+  const PetscInt n = integral->n, num_nodes = ElementNumNodes(facets->type[f]);
+  PetscInt       nodes[ELEMENT_MAX_FACET_NODES];
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < integral->n; i++) {
-    rows[i] = level->node_global[nodes[i]];
-    D[nodes[i]] += integral->covered[i];
-    full[nodes[i]] += integral->full[i];
-    G[nodes[i]] += integral->gap[i];
-  }
+  for (PetscInt i = 0; i < num_nodes; i++)
+    nodes[i] = level->node_global[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
   for (PetscInt j = 0; j < integral->num_columns; j++) {
-    PetscCall(MatSetValues(M, integral->n, rows, 1, &integral->columns[j], &integral->M[j * ELEMENT_MAX_FACET_NODES],
+    PetscCall(MatSetValues(sums->M, n, nodes, 1, &integral->columns[j], &integral->M[j * ELEMENT_MAX_FACET_NODES],
                            ADD_VALUES));
   }
+  for (PetscInt i = 0; i < n && num_nodes > n; i++)
+    PetscCall(MatSetValues(sums->chain, 1, &nodes[i], num_nodes - n, &nodes[n], &integral->chain[i][n], ADD_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -72,15 +71,49 @@ static PetscErrorCode SumFacets_Private(Level *level, const Facets *facets, cons
     PetscCall(VecGetArray(local[i], &a[i]));
   }
   for (PetscInt f = 0; f < facets->num; f++) {
-    sums->covered[f] = (PetscBool)(integrals[f].covered[0] > 0);
-    PetscCall(
-        AddFacet_Private(level, &facets->nodes[f * ELEMENT_MAX_FACET_NODES], &integrals[f], a[0], a[1], a[2], sums->M));
+    PetscReal measure = 0; // single integrals of shape functions may be negative, their sum is the covered length
+    for (PetscInt i = 0; i < integrals[f].n; i++) {
+      const PetscInt node = facets->nodes[f * ELEMENT_MAX_FACET_NODES + i];
+      a[0][node] += integrals[f].covered[i];
+      a[1][node] += integrals[f].full[i];
+      a[2][node] += integrals[f].gap[i];
+      measure += integrals[f].covered[i];
+    }
+    sums->covered[f] = (PetscBool)(measure > 0);
+    PetscCall(AddCouplings_Private(level, facets, f, &integrals[f], sums));
   }
   for (PetscInt i = 0; i < 3; i++) {
     PetscCall(VecRestoreArray(local[i], &a[i]));
     PetscCall(VecGhostRestoreLocalForm(v[i], &local[i]));
     PetscCall(LevelShareVec(v[i], ADD_VALUES));
   }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The chain of nodes without multipliers, empty; NULL where all nodes may have one. Collective. */
+static PetscErrorCode CreateChain_Private(const Level *level, const Facets *facets, const ElementType carrier[],
+                                          Mat *chain)
+{
+  enum { MAX_ENTRIES = 2 * ELEMENT_MAX_FACET_NODES }; /* beside one node */
+  PetscBool any = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  *chain = NULL;
+  for (PetscInt f = 0; f < facets->num; f++) any = (PetscBool)(any || carrier[f] != facets->type[f]);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  if (!any) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatCreateAIJ(level->comm, level->num_owned, level->num_owned, level->num_global, level->num_global,
+                         MAX_ENTRIES, NULL, MAX_ENTRIES, NULL, chain));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Ends what MatSetValues() began. */
+static PetscErrorCode Assemble_Private(Mat A)
+{
+  PetscFunctionBeginUser;
+  if (!A) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -95,16 +128,18 @@ PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const 
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(facets->num, &integrals));
-  PetscCall(PetscMalloc1(facets->num, &sums->covered));
+  PetscCall(PetscMalloc2(facets->num, &sums->covered, facets->num, &sums->carrier));
   PetscCall(VecGhostGetLocalForm(normals, &local));
   PetscCall(VecGetArrayRead(local, &na));
   for (PetscInt f = 0; f < facets->num; f++) {
+    const ClipFacet facet = {facets->type[f], X, N};
+    sums->carrier[f]      = CarrierType(partner->spec, facets->type[f]);
     FacetCoordinates(level, facets, f, X);
     for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
       for (PetscInt k = 0; k < dim; k++)
         N[i * dim + k] = PetscRealPart(na[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i] * dim + k]);
     }
-    PetscCall(FacetIntegrate(partner, facets->type[f], X, N, &integrals[f]));
+    PetscCall(FacetIntegrate(partner, &facet, &integrals[f]));
   }
   PetscCall(VecRestoreArrayRead(local, &na));
   PetscCall(VecGhostRestoreLocalForm(normals, &local));
@@ -113,11 +148,10 @@ PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const 
   PetscCall(VecDuplicate(sums->D, &sums->G));
   sums->M = NULL;
   if (partner->mortar) PetscCall(CreateM_Private(level, facets, integrals, &sums->M));
+  PetscCall(CreateChain_Private(level, facets, sums->carrier, &sums->chain));
   PetscCall(SumFacets_Private(level, facets, integrals, sums));
-  if (sums->M) {
-    PetscCall(MatAssemblyBegin(sums->M, MAT_FINAL_ASSEMBLY));
-    PetscCall(MatAssemblyEnd(sums->M, MAT_FINAL_ASSEMBLY));
-  }
+  PetscCall(Assemble_Private(sums->M));
+  PetscCall(Assemble_Private(sums->chain));
   for (PetscInt f = 0; f < facets->num; f++) PetscCall(FacetIntegralDestroy(&integrals[f]));
   PetscCall(PetscFree(integrals));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -129,6 +163,7 @@ PetscErrorCode IntegralsDestroy(Integrals *sums)
   PetscCall(VecDestroy(&sums->D));
   PetscCall(VecDestroy(&sums->full));
   PetscCall(VecDestroy(&sums->G));
-  PetscCall(PetscFree(sums->covered));
+  PetscCall(MatDestroy(&sums->chain));
+  PetscCall(PetscFree2(sums->covered, sums->carrier));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

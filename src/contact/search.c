@@ -15,13 +15,29 @@ void FacetCoordinates(const Level *level, const Facets *facets, PetscInt f, Pets
   }
 }
 
-PetscReal FacetSize(PetscInt dim, PetscInt num_nodes, const PetscReal X[])
+/* A parabola leaves the box of its nodes a little, but never the triangle of its ends and the point in which its tangents
+   there meet, 2 x_middle - (x_first + x_last) / 2. */
+void FacetBox(PetscInt dim, ElementType type, const PetscReal X[], PetscReal box[])
 {
-  PetscReal size = 0;
+  for (PetscInt k = 0; k < dim; k++) {
+    box[k] = box[dim + k] = X[k];
+    for (PetscInt i = 1; i < ElementNumNodes(type); i++) {
+      PetscReal x = X[i * dim + k];
+      if (type == ELEMENT_LINE3 && i == 2) x = 2 * x - 0.5 * (X[k] + X[dim + k]);
+      box[k]       = PetscMin(box[k], x);
+      box[dim + k] = PetscMax(box[dim + k], x);
+    }
+  }
+}
 
-  for (PetscInt i = 0; i < num_nodes; i++) {
+PetscReal FacetSize(PetscInt dim, ElementType type, const PetscReal X[])
+{
+  const PetscInt num_vertices = ElementNumNodes(ElementLinear(type));
+  PetscReal      size         = 0;
+
+  for (PetscInt i = 0; i < num_vertices; i++) {
     PetscReal d2 = 0;
-    for (PetscInt k = 0; k < dim; k++) d2 += PetscSqr(X[i * dim + k] - X[((i + 1) % num_nodes) * dim + k]);
+    for (PetscInt k = 0; k < dim; k++) d2 += PetscSqr(X[i * dim + k] - X[((i + 1) % num_vertices) * dim + k]);
     size = PetscMax(size, PetscSqrtReal(d2));
   }
   return size;
@@ -35,7 +51,7 @@ PetscErrorCode FacetsMaxSize(const Level *level, const Facets *facets, PetscReal
   *size = 0;
   for (PetscInt f = 0; f < facets->num; f++) {
     FacetCoordinates(level, facets, f, X);
-    *size = PetscMax(*size, FacetSize(level->dim, ElementNumNodes(facets->type[f]), X));
+    *size = PetscMax(*size, FacetSize(level->dim, facets->type[f], X));
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, size, 1, MPIU_REAL, MPIU_MAX, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -74,18 +90,8 @@ static PetscErrorCode BuildTree_Private(PetscInt dim, MortarSurface *surface)
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(2 * dim * surface->num, &boxes));
-  for (PetscInt f = 0; f < surface->num; f++) {
-    const PetscInt   n = ElementNumNodes(surface->type[f]);
-    const PetscReal *X = &surface->coords[f * ELEMENT_MAX_FACET_NODES * dim];
-    for (PetscInt k = 0; k < dim; k++) {
-      PetscReal *lower = &boxes[(2 * f) * dim + k], *upper = &boxes[(2 * f + 1) * dim + k];
-      *lower = *upper = X[k];
-      for (PetscInt i = 1; i < n; i++) {
-        *lower = PetscMin(*lower, X[i * dim + k]);
-        *upper = PetscMax(*upper, X[i * dim + k]);
-      }
-    }
-  }
+  for (PetscInt f = 0; f < surface->num; f++)
+    FacetBox(dim, surface->type[f], &surface->coords[f * ELEMENT_MAX_FACET_NODES * dim], &boxes[2 * f * dim]);
   PetscCall(BoxTreeCreate(dim, surface->num, boxes, &surface->tree));
   PetscCall(PetscFree(boxes));
   PetscFunctionReturn(PETSC_SUCCESS);

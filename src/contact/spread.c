@@ -7,9 +7,17 @@
 #include <mortise/compat.h>
 #include "spread.h"
 
+/* Whether two nodes of a facet follow each other along it. */
+static PetscBool AreNeighbours_Private(ElementType type, PetscInt i, PetscInt j)
+{
+  const PetscInt middle = 2;
+
+  return (PetscBool)(i != j && (type != ELEMENT_LINE3 || i == middle || j == middle));
+}
+
 /* Moves into ring k, on every rank, the nodes that wait beside ring k - 1. [in,out] ring - [num_nodes], -1 waits;
    [out] found - whether there was any */
-static PetscErrorCode NextRing_Private(Level *level, const Facets *facets, const PetscBool covered[], PetscInt k,
+static PetscErrorCode NextRing_Private(Level *level, const Facets *facets, const Integrals *sums, PetscInt k,
                                        PetscInt ring[], PetscBool *found)
 {
   Vec          flags, local;
@@ -21,11 +29,12 @@ static PetscErrorCode NextRing_Private(Level *level, const Facets *facets, const
   PetscCall(VecZeroEntries(local));
   PetscCall(VecGetArray(local, &flag));
   for (PetscInt f = 0; f < facets->num; f++) {
-    const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(facets->type[f]);
-    PetscBool       beside = PETSC_FALSE;
-    for (PetscInt i = 0; i < n; i++) beside = (PetscBool)(beside || ring[nodes[i]] == k - 1);
-    for (PetscInt i = 0; covered[f] && beside && i < n; i++) {
-      if (ring[nodes[i]] == -1) flag[nodes[i]] = 1;
+    const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(sums->carrier[f]);
+    for (PetscInt i = 0; sums->covered[f] && i < n; i++) {
+      for (PetscInt j = 0; j < n; j++) {
+        if (ring[nodes[i]] == k - 1 && ring[nodes[j]] == -1 && AreNeighbours_Private(sums->carrier[f], i, j))
+          flag[nodes[j]] = 1;
+      }
     }
   }
   PetscCall(VecRestoreArray(local, &flag));
@@ -46,39 +55,39 @@ static PetscErrorCode NextRing_Private(Level *level, const Facets *facets, const
 }
 
 /* N diag(1 / column sums), with N of ones: row a, column c for every node a of ring k - 1 beside a node c of ring k. */
-static PetscErrorCode NeighbourMeans_Private(Level *level, const Facets *facets, const PetscBool covered[], PetscInt k,
+static PetscErrorCode NeighbourMeans_Private(Level *level, const Facets *facets, const Integrals *sums, PetscInt k,
                                              const PetscInt ring[], Mat *N)
 {
   enum { MAX_NEIGHBOURS = 16 }; /* of ring k beside one of ring k - 1; two in 2D */
-  Vec ones, sums;
+  Vec ones, columns;
 
   PetscFunctionBeginUser;
   PetscCall(MatCreateAIJ(level->comm, level->num_owned, level->num_owned, level->num_global, level->num_global,
                          MAX_NEIGHBOURS, NULL, MAX_NEIGHBOURS, NULL, N));
   for (PetscInt f = 0; f < facets->num; f++) {
-    const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(facets->type[f]);
-    for (PetscInt i = 0; covered[f] && i < n; i++) {
+    const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(sums->carrier[f]);
+    for (PetscInt i = 0; sums->covered[f] && i < n; i++) {
       for (PetscInt j = 0; j < n; j++) {
-        if (ring[nodes[i]] != k - 1 || ring[nodes[j]] != k) continue;
+        if (ring[nodes[i]] != k - 1 || ring[nodes[j]] != k || !AreNeighbours_Private(sums->carrier[f], i, j)) continue;
         PetscCall(MatSetValue(*N, level->node_global[nodes[i]], level->node_global[nodes[j]], 1.0, INSERT_VALUES));
       }
     }
   }
   PetscCall(MatAssemblyBegin(*N, MAT_FINAL_ASSEMBLY));
   PetscCall(MatAssemblyEnd(*N, MAT_FINAL_ASSEMBLY));
-  PetscCall(MatCreateVecs(*N, &sums, &ones));
+  PetscCall(MatCreateVecs(*N, &columns, &ones));
   PetscCall(VecSet(ones, 1.0));
-  PetscCall(MatMultTranspose(*N, ones, sums));
-  PetscCall(VecReciprocal(sums));
-  PetscCall(MatDiagonalScale(*N, NULL, sums));
+  PetscCall(MatMultTranspose(*N, ones, columns));
+  PetscCall(VecReciprocal(columns));
+  PetscCall(MatDiagonalScale(*N, NULL, columns));
   PetscCall(VecDestroy(&ones));
-  PetscCall(VecDestroy(&sums));
+  PetscCall(VecDestroy(&columns));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* W = sum_k W_k, or NULL where no row is to be spread. */
-static PetscErrorCode Weights_Private(Level *level, const Facets *facets, const NodeFate fate[],
-                                      const PetscBool covered[], Mat *W)
+static PetscErrorCode Weights_Private(Level *level, const Facets *facets, const NodeFate fate[], const Integrals *sums,
+                                      Mat *W)
 {
   PetscInt *ring;
   PetscBool found;
@@ -89,9 +98,9 @@ static PetscErrorCode Weights_Private(Level *level, const Facets *facets, const 
   PetscCall(PetscMalloc1(level->num_nodes, &ring));
   for (PetscInt i = 0; i < level->num_nodes; i++)
     ring[i] = fate[i] == NODE_KEPT ? 0 : (fate[i] == NODE_REMOVED ? -1 : -2);
-  PetscCall(NextRing_Private(level, facets, covered, 1, ring, &found));
+  PetscCall(NextRing_Private(level, facets, sums, 1, ring, &found));
   for (PetscInt k = 1; found; k++) {
-    PetscCall(NeighbourMeans_Private(level, facets, covered, k, ring, &N));
+    PetscCall(NeighbourMeans_Private(level, facets, sums, k, ring, &N));
     if (last) {
       PetscCall(MatMatMult(last, N, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &next));
       PetscCall(MatAXPY(*W, 1.0, next, DIFFERENT_NONZERO_PATTERN));
@@ -102,36 +111,68 @@ static PetscErrorCode Weights_Private(Level *level, const Facets *facets, const 
       PetscCall(MatDuplicate(N, MAT_COPY_VALUES, W));
       last = N;
     }
-    PetscCall(NextRing_Private(level, facets, covered, k + 1, ring, &found));
+    PetscCall(NextRing_Private(level, facets, sums, k + 1, ring, &found));
   }
   PetscCall(MatDestroy(&last));
   PetscCall(PetscFree(ring));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A := A + W A. */
+static PetscErrorCode AddSpread_Private(Mat W, Mat *A)
+{
+  Mat WA;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatMatMult(W, *A, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &WA));
+  PetscCall(MatAXPY(WA, 1.0, *A, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(MatDestroy(A));
+  *A = WA;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Empties the rows of nodes that are not kept. */
+static PetscErrorCode KeepRows_Private(const Level *level, const NodeFate fate[], Mat A)
+{
+  Vec          kept;
+  PetscScalar *value;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateVecs(A, NULL, &kept));
+  PetscCall(VecGetArray(kept, &value));
+  for (PetscInt i = 0; i < level->num_owned; i++) value[i] = fate[i] == NODE_KEPT ? 1 : 0;
+  PetscCall(VecRestoreArray(kept, &value));
+  PetscCall(MatDiagonalScale(A, kept, NULL));
+  PetscCall(VecDestroy(&kept));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, const NodeFate fate[], Integrals *sums, Mat *chain)
 {
   PetscBool any = PETSC_FALSE;
-  Mat       W   = NULL, WM;
+  Mat       W   = NULL;
   Vec       WG;
 
   PetscFunctionBeginUser;
-  *chain = NULL;
   for (PetscInt i = 0; i < level->num_nodes; i++) any = (PetscBool)(any || fate[i] == NODE_REMOVED);
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, level->comm));
-  if (any) PetscCall(Weights_Private(level, facets, fate, sums->covered, &W));
-  if (!W) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(VecDuplicate(sums->G, &WG));
-  PetscCall(MatMult(W, sums->G, WG));
-  PetscCall(VecAXPY(sums->G, 1.0, WG));
-  PetscCall(VecDestroy(&WG));
-  if (sums->M) {
-    PetscCall(MatMatMult(W, sums->M, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &WM));
-    PetscCall(MatAXPY(WM, 1.0, sums->M, DIFFERENT_NONZERO_PATTERN));
-    PetscCall(MatDestroy(&sums->M));
-    sums->M = WM;
+  if (any) PetscCall(Weights_Private(level, facets, fate, sums, &W));
+  if (W) {
+    PetscCall(VecDuplicate(sums->G, &WG));
+    PetscCall(MatMult(W, sums->G, WG));
+    PetscCall(VecAXPY(sums->G, 1.0, WG));
+    PetscCall(VecDestroy(&WG));
+    if (sums->M) PetscCall(AddSpread_Private(W, &sums->M));
+    if (sums->chain) PetscCall(AddSpread_Private(W, &sums->chain));
+    PetscCall(MatDiagonalScale(W, NULL, sums->D));
+    if (sums->chain) PetscCall(MatAXPY(sums->chain, 1.0, W, DIFFERENT_NONZERO_PATTERN));
   }
-  PetscCall(MatDiagonalScale(W, NULL, sums->D));
-  *chain = W;
+  if (sums->chain) {
+    PetscCall(KeepRows_Private(level, fate, sums->chain));
+    PetscCall(MatDestroy(&W));
+    W = sums->chain;
+  }
+  sums->chain = NULL;
+  *chain      = W;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -8,11 +8,13 @@
 typedef enum { NODE_UNCOVERED, NODE_REMOVED, NODE_KEPT } NodeFate;
 
 /* Spreads the rows of removed nodes c over their kept neighbours a on covered facets, w_ac = 1 / (their number):
-     M_a += w_ac M_c,  G_a += w_ac G_c,  chain_ac = w_ac D_c.
+     M_a += w_ac M_c,  G_a += w_ac G_c,  chain_ac = w_ac D_c + what the sums' own chain has in rows a and c.
+   The ends of a quadratic facet are neighbours of its middle, not of each other.
    Where a removed node has removed neighbours only, their weights are averaged; one that is cut off from every kept node is
    dropped. Collective.
    [in]     fate  - NodeFate of every local node [num_nodes]
-   [in,out] sums  - G and M are replaced; [out] chain - node x node, or NULL where no row was spread */
+   [in,out] sums  - G, M and chain are replaced
+   [out]    chain - node x node, rows of kept nodes; NULL where no row was spread and all nodes may have multipliers */
 PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, const NodeFate fate[], Integrals *sums,
                                  Mat *chain);
 

@@ -21,8 +21,10 @@ PetscErrorCode MortarSurfaceDestroy(MortarSurface *surface);
 
 /* Coordinates of a facet's nodes, [num_nodes][dim]. Not collective. */
 void FacetCoordinates(const Level *level, const Facets *facets, PetscInt f, PetscReal X[]);
-/* Largest edge of a line facet, or of all of a side over all ranks. */
-PetscReal      FacetSize(PetscInt dim, PetscInt num_nodes, const PetscReal X[]);
+/* A box that holds the facet, curved or not. [out] box - lower, upper corner [2][dim] */
+void FacetBox(PetscInt dim, ElementType type, const PetscReal X[], PetscReal box[]);
+/* Largest distance between neighbouring vertices, or that of all of a side over all ranks. */
+PetscReal      FacetSize(PetscInt dim, ElementType type, const PetscReal X[]);
 PetscErrorCode FacetsMaxSize(const Level *level, const Facets *facets, PetscReal *size);
 
 #endif

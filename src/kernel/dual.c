@@ -1,39 +1,81 @@
 /* dual.c -- the dual basis (T6) of one facet from the quadrature points that cover it.
 
+   Where only a small part of a facet is covered its shape functions are nearly dependent there: M_e has a condition of
+   the order of e^-4 for quadratic ones on the share e. But psi_i / D_i is the function that gives a polynomial's value
+   at the node i when multiplied with it and integrated over the covered part, and this may be written in any basis of the
+   polynomials. In that of the covered part itself,
+       psi_i = D_i sum_jk L_j(node i) (int_cov L L^T)^-1_jk L_k,
+   nothing is lost: L_j(node i) is a value outside of the box, large but exact.
+
    References:
      [1] B. Wohlmuth, A mortar finite element method using dual spaces for the Lagrange multiplier (2000).
      [2] T. Cichosz, M. Bischoff, Consistent treatment of boundaries with mortar contact formulations (2011). */
 #include <mortise/dense.h>
 #include <mortise/dual.h>
 
-PetscBool DualBasis(PetscInt n, PetscInt num_points, const PetscReal phi[], const PetscReal w[], PetscReal A[],
-                    PetscReal D[])
+/* The box around the points, as wide as they are. Returns whether it has any width in every direction. */
+static PetscBool Box_Private(PetscInt dim, PetscInt num_points, const PetscReal xi[], DualBasis *basis)
 {
-  PetscReal M[DENSE_MAX * DENSE_MAX] = {0.};
+  for (PetscInt k = 0; k < dim; k++) {
+    PetscReal upper = PETSC_MIN_REAL;
 
-  /* Full coverage and cut facets are the same case here: the points lie on what is covered [2]. */
-  for (PetscInt i = 0; i < n; i++) D[i] = 0.;
-  for (PetscInt q = 0; q < num_points; q++) {
-    for (PetscInt i = 0; i < n; i++) {
-      const PetscReal w_phi = w[q] * phi[q * n + i];
-
-      D[i] += w_phi;
-      for (PetscInt j = 0; j < n; j++) M[i * n + j] += w_phi * phi[q * n + j];
+    basis->lower[k] = PETSC_MAX_REAL;
+    for (PetscInt q = 0; q < num_points; q++) {
+      basis->lower[k] = PetscMin(basis->lower[k], xi[2 * q + k]);
+      upper           = PetscMax(upper, xi[2 * q + k]);
     }
-  }
-  if (!DenseCholesky(n, M)) return PETSC_FALSE;
-  /* Row i of A = D M^-1 is D_i M^-1 e_i because M is symmetric; A itself is not, except on whole affine facets. */
-  for (PetscInt i = 0; i < n; i++) {
-    for (PetscInt j = 0; j < n; j++) A[i * n + j] = i == j ? D[i] : 0.;
-    DenseCholeskySolve(n, M, &A[i * n]);
+    basis->size[k] = upper - basis->lower[k];
+    if (!(basis->size[k] > 0.)) return PETSC_FALSE;
   }
   return PETSC_TRUE;
 }
 
-void DualEvaluate(PetscInt n, const PetscReal A[], const PetscReal phi[], PetscReal psi[])
+/* L at a point. [in] xi - [ElementDim] */
+static void Local_Private(const DualBasis *basis, const PetscReal xi[], PetscReal L[])
 {
+  PetscReal zeta[2];
+
+  for (PetscInt k = 0; k < ElementDim(basis->type); k++) zeta[k] = (xi[k] - basis->lower[k]) / basis->size[k];
+  ElementShape(basis->type, zeta, L, NULL);
+}
+
+PetscBool DualBasisCreate(ElementType type, PetscInt num_points, const PetscReal xi[], const PetscReal w[],
+                          DualBasis *basis)
+{
+  const PetscInt n                      = ElementNumNodes(type);
+  PetscReal      M[DUAL_MAX * DUAL_MAX] = {0.}, phi[DUAL_MAX];
+
+  basis->type = type;
+  for (PetscInt i = 0; i < n; i++) basis->D[i] = 0.;
+  for (PetscInt q = 0; q < num_points; q++) {
+    ElementShape(type, &xi[2 * q], phi, NULL);
+    for (PetscInt i = 0; i < n; i++) basis->D[i] += w[q] * phi[i];
+  }
+  if (!Box_Private(ElementDim(type), num_points, xi, basis)) return PETSC_FALSE;
+  /* Full coverage and cut facets are the same case here: the points lie on what is covered [2]. */
+  for (PetscInt q = 0; q < num_points; q++) {
+    Local_Private(basis, &xi[2 * q], phi);
+    for (PetscInt i = 0; i < n; i++) {
+      for (PetscInt j = 0; j < n; j++) M[i * n + j] += w[q] * phi[i] * phi[j];
+    }
+  }
+  if (!DenseCholesky(n, M)) return PETSC_FALSE;
+  for (PetscInt i = 0; i < n; i++) {
+    Local_Private(basis, ElementNode(type, i), &basis->C[i * n]);
+    for (PetscInt j = 0; j < n; j++) basis->C[i * n + j] *= basis->D[i];
+    DenseCholeskySolve(n, M, &basis->C[i * n]);
+  }
+  return PETSC_TRUE;
+}
+
+void DualBasisEvaluate(const DualBasis *basis, const PetscReal xi[], PetscReal psi[])
+{
+  const PetscInt n = ElementNumNodes(basis->type);
+  PetscReal      L[DUAL_MAX];
+
+  Local_Private(basis, xi, L);
   for (PetscInt i = 0; i < n; i++) {
     psi[i] = 0.;
-    for (PetscInt j = 0; j < n; j++) psi[i] += A[i * n + j] * phi[j];
+    for (PetscInt j = 0; j < n; j++) psi[i] += basis->C[i * n + j] * L[j];
   }
 }

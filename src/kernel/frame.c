@@ -6,6 +6,7 @@
    References:
      [1] N. Max, Weights for computing vertex normals from facet normals, J. Graphics Tools 4 (1999).
      [2] T. Duff et al., Building an orthonormal basis, revisited, J. Computer Graphics Techniques 6 (2017). */
+#include <mortise/element.h>
 #include <mortise/frame.h>
 
 static PetscReal Dot_Private(PetscInt dim, const PetscReal a[], const PetscReal b[])
@@ -16,16 +17,19 @@ static PetscReal Dot_Private(PetscInt dim, const PetscReal a[], const PetscReal 
   return sum;
 }
 
-/* The two ends get nu_f / h_f (T13): a chord of a circle is tilted from the tangent at its end in proportion to its
-   length, so that these weights cancel the tilts of two chords for any spacing. */
-static void AddSegment_Private(const PetscReal X[], PetscReal N[])
+/* Each node gets nu / h, with nu the normal of the curve at the node and h the chord (T13): a chord of a circle is tilted
+   from the tangent at its end in proportion to its length, so that these weights cancel the tilts of two chords for any
+   spacing. A parabola through three points of a circle is tilted by no more than h^3 at its ends. */
+static void AddLine_Private(PetscInt num_nodes, const PetscReal X[], PetscReal N[])
 {
-  const PetscReal dx = X[2] - X[0], dy = X[3] - X[1];
-  const PetscReal h_squared = dx * dx + dy * dy;
+  const ElementType type  = num_nodes == 2 ? ELEMENT_LINE2 : ELEMENT_LINE3;
+  const PetscReal   chord = PetscSqrtReal(PetscSqr(X[2] - X[0]) + PetscSqr(X[3] - X[1]));
 
-  for (PetscInt i = 0; i < 2; i++) {
-    N[2 * i] += dy / h_squared;
-    N[2 * i + 1] -= dx / h_squared;
+  for (PetscInt i = 0; i < num_nodes; i++) {
+    PetscReal phi[ELEMENT_MAX_NODES], nu[2];
+
+    ElementSurface(type, X, ElementNode(type, i), NULL, phi, nu);
+    for (PetscInt k = 0; k < 2; k++) N[2 * i + k] += nu[k] / chord;
   }
 }
 
@@ -54,7 +58,7 @@ static void AddPolygon_Private(PetscInt num_nodes, const PetscReal X[], PetscRea
 void FrameAddFacetNormal(PetscInt dim, PetscInt num_nodes, const PetscReal X[], PetscReal N[])
 {
   if (dim == 2)
-    AddSegment_Private(X, N);
+    AddLine_Private(num_nodes, X, N);
   else
     AddPolygon_Private(num_nodes, X, N);
 }

@@ -9,34 +9,73 @@
 #include <test.h>
 #include "uniform.h"
 
-enum { MAX_NODES = 16, NUM_GAUSS = 3 };
+enum { MAX_NODES = 33, NUM_GAUSS = 3 };
 
-/* A polygonal surface: its nodes in order, and their normals. */
+/* A surface of segments, or of parabolas: its nodes in order, and their normals. */
 typedef struct {
   PetscInt  n;
+  PetscBool quadratic; /* every other node is the middle of a facet */
   PetscReal X[MAX_NODES][2], N[MAX_NODES][2];
 } Chain;
+
+/* One facet with a copy of its nodes, in the order of element.h. */
+typedef struct {
+  ClipFacet facet;
+  PetscInt  nodes[3];
+  PetscReal X[6], N[6];
+} ChainFacet;
 
 /* What a pair of surfaces gives; gap[a] = int psi_a g n as a vector. */
 typedef struct {
   PetscReal D[MAX_NODES], M[MAX_NODES][MAX_NODES], gap[MAX_NODES][2], length;
 } Coupling;
 
+static PetscInt ChainNumFacets(const Chain *chain)
+{
+  return chain->quadratic ? (chain->n - 1) / 2 : chain->n - 1;
+}
+
+static void ChainGetFacet(const Chain *chain, PetscInt f, ChainFacet *copy)
+{
+  const PetscInt step = chain->quadratic ? 2 : 1, num_nodes = 1 + step;
+
+  copy->nodes[0] = step * f;
+  copy->nodes[1] = step * (f + 1);
+  copy->nodes[2] = step * f + 1;
+  for (PetscInt i = 0; i < 2 * num_nodes; i++) {
+    copy->X[i] = chain->X[copy->nodes[i / 2]][i % 2];
+    copy->N[i] = chain->N[copy->nodes[i / 2]][i % 2];
+  }
+  copy->facet = (ClipFacet){chain->quadratic ? ELEMENT_LINE3 : ELEMENT_LINE2, copy->X, copy->N};
+}
+
 /* Nodal normals from the facets; the body is on the left of the chain. */
 static void ChainSetNormals(Chain *chain)
 {
   for (PetscInt i = 0; i < chain->n; i++) chain->N[i][0] = chain->N[i][1] = 0.;
-  for (PetscInt i = 0; i + 1 < chain->n; i++) FrameAddFacetNormal(2, 2, chain->X[i], chain->N[i]);
+  for (PetscInt f = 0; f < ChainNumFacets(chain); f++) {
+    ChainFacet side;
+    PetscReal  N[6] = {0.};
+
+    ChainGetFacet(chain, f, &side);
+    FrameAddFacetNormal(2, ElementNumNodes(side.facet.type), side.X, N);
+    for (PetscInt i = 0; i < 2 * ElementNumNodes(side.facet.type); i++) chain->N[side.nodes[i / 2]][i % 2] += N[i];
+  }
   for (PetscInt i = 0; i < chain->n; i++) FrameNormalize(2, chain->N[i]);
 }
 
-/* A surface over [begin,end] with random spacing and height: its outward normals look down. */
-static void RandomChain(PetscInt n, PetscReal begin, PetscReal end, PetscReal height, PetscReal roughness, Chain *chain)
+/* A surface over [begin,end] with random spacing and height: its outward normals look down. Of a quadratic one, whose
+   number of nodes is odd, all nodes are shaken. */
+static void RandomChain(PetscBool quadratic, PetscInt n, PetscReal begin, PetscReal end, PetscReal height,
+                        PetscReal roughness, Chain *chain)
 {
   PetscReal at[MAX_NODES] = {0.};
 
   for (PetscInt i = 1; i < n; i++) at[i] = at[i - 1] + Uniform(0.3, 1.);
-  chain->n = n;
+  for (PetscInt i = 1; i < n && quadratic; i += 2)
+    at[i] = 0.5 * (at[i - 1] + at[i + 1]) + Uniform(-roughness, roughness);
+  chain->n         = n;
+  chain->quadratic = quadratic;
   for (PetscInt i = 0; i < n; i++) {
     chain->X[i][0] = begin + (end - begin) * at[i] / at[n - 1];
     chain->X[i][1] = height + Uniform(-roughness, roughness);
@@ -48,43 +87,55 @@ static void RandomChain(PetscInt n, PetscReal begin, PetscReal end, PetscReal he
 static PetscInt ChainClip(const Chain *nonmortar, PetscInt facet, const Chain *mortar, PetscInt num_gauss,
                           ClipPoint points[], PetscInt facets[])
 {
-  PetscInt num = 0;
+  ChainFacet side, other;
+  PetscInt   num = 0;
 
-  for (PetscInt f = 0; f + 1 < mortar->n; f++) {
-    const PetscInt n = ClipLines(nonmortar->X[facet], nonmortar->N[facet], mortar->X[f], num_gauss, &points[num]);
+  ChainGetFacet(nonmortar, facet, &side);
+  for (PetscInt f = 0; f < ChainNumFacets(mortar); f++) {
+    PetscInt n;
 
+    ChainGetFacet(mortar, f, &other);
+    n = ClipLines(&side.facet, &other.facet, num_gauss, &points[num]);
     for (PetscInt q = 0; q < n; q++) facets[num++] = f;
   }
   return num;
 }
 
 /* D, M and the gap of two surfaces, as the contact room integrates them. */
-static void Couple(const Chain *nonmortar, const Chain *mortar, Coupling *pair)
+static void Couple(const Chain *nonmortar, const Chain *mortar, PetscInt num_gauss, Coupling *pair)
 {
   PetscMemzero(pair, sizeof(*pair));
-  for (PetscInt s = 0; s + 1 < nonmortar->n; s++) {
+  for (PetscInt s = 0; s < ChainNumFacets(nonmortar); s++) {
     ClipPoint      points[MAX_NODES * CLIP_MAX_POINTS];
     PetscInt       facets[MAX_NODES * CLIP_MAX_POINTS];
-    const PetscInt num = ChainClip(nonmortar, s, mortar, NUM_GAUSS, points, facets);
-    PetscReal      phi[MAX_NODES * CLIP_MAX_POINTS][2], w[MAX_NODES * CLIP_MAX_POINTS], A[4], D[2];
+    const PetscInt num = ChainClip(nonmortar, s, mortar, num_gauss, points, facets);
+    PetscReal      xi[MAX_NODES * CLIP_MAX_POINTS][2], w[MAX_NODES * CLIP_MAX_POINTS];
+    ChainFacet     side, other;
+    DualBasis      dual;
 
+    ChainGetFacet(nonmortar, s, &side);
     for (PetscInt q = 0; q < num; q++) {
-      ElementShape(ELEMENT_LINE2, points[q].xi, phi[q], NULL);
+      for (PetscInt k = 0; k < 2; k++) xi[q][k] = points[q].xi[k];
       w[q] = points[q].weight;
       pair->length += w[q];
     }
-    if (!DualBasis(2, num, phi[0], w, A, D)) continue;
-    for (PetscInt i = 0; i < 2; i++) pair->D[s + i] += D[i];
+    if (!DualBasisCreate(side.facet.type, num, xi[0], w, &dual)) continue;
+    for (PetscInt i = 0; i < ElementNumNodes(side.facet.type); i++) pair->D[side.nodes[i]] += dual.D[i];
     for (PetscInt q = 0; q < num; q++) {
-      PetscReal psi[2], phi_m[2], n[2];
+      PetscReal psi[3], phi[3], n[2] = {0., 0.};
 
-      DualEvaluate(2, A, phi[q], psi);
-      ElementShape(ELEMENT_LINE2, points[q].eta, phi_m, NULL);
-      for (PetscInt k = 0; k < 2; k++) n[k] = phi[q][0] * nonmortar->N[s][k] + phi[q][1] * nonmortar->N[s + 1][k];
+      DualBasisEvaluate(&dual, points[q].xi, psi);
+      ElementShape(side.facet.type, points[q].xi, phi, NULL);
+      for (PetscInt i = 0; i < 2 * ElementNumNodes(side.facet.type); i++) n[i % 2] += phi[i / 2] * side.N[i];
       FrameNormalize(2, n);
-      for (PetscInt i = 0; i < 2; i++) {
-        for (PetscInt j = 0; j < 2; j++) pair->M[s + i][facets[q] + j] += w[q] * psi[i] * phi_m[j];
-        for (PetscInt k = 0; k < 2; k++) pair->gap[s + i][k] += w[q] * psi[i] * points[q].gap * n[k];
+      ChainGetFacet(mortar, facets[q], &other);
+      ElementShape(other.facet.type, points[q].eta, phi, NULL);
+      for (PetscInt i = 0; i < ElementNumNodes(side.facet.type); i++) {
+        const PetscInt a = side.nodes[i];
+
+        for (PetscInt j = 0; j < ElementNumNodes(other.facet.type); j++)
+          pair->M[a][other.nodes[j]] += w[q] * psi[i] * phi[j];
+        for (PetscInt k = 0; k < 2; k++) pair->gap[a][k] += w[q] * psi[i] * points[q].gap * n[k];
       }
     }
   }

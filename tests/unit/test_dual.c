@@ -7,35 +7,51 @@
 
 static const PetscReal EXACT = 1e-13;
 
-enum { MAX_NODES = 4, MAX_POINTS = 64 };
+enum { MAX_POINTS = 64 };
 
 /* Points on the part [a,b] of a line of length 1. */
-static PetscInt LinePoints(PetscReal a, PetscReal b, PetscReal phi[], PetscReal w[])
+static PetscInt LinePoints(PetscReal a, PetscReal b, PetscReal xi[], PetscReal w[])
 {
   PetscReal      points[8];
-  const PetscInt n = GaussLine(2, points, w);
+  const PetscInt n = GaussLine(3, points, w);
 
   for (PetscInt q = 0; q < n; q++) {
-    const PetscReal xi = a + (b - a) * points[q];
-
-    ElementShape(ELEMENT_LINE2, &xi, &phi[2 * q], NULL);
+    xi[2 * q]     = a + (b - a) * points[q];
+    xi[2 * q + 1] = 0.;
     w[q] *= b - a;
   }
   return n;
 }
 
-/* Full coverage of affine facets of measure 1 (1/2 for the triangle). */
-static void TestFull(ElementType type, const PetscReal expected[], PetscReal D_expected)
+/* A_ij = psi_i(node j). */
+static void Matrix(const DualBasis *basis, PetscReal A[])
+{
+  const PetscInt n = ElementNumNodes(basis->type);
+
+  for (PetscInt j = 0; j < n; j++) {
+    PetscReal psi[DUAL_MAX];
+
+    DualBasisEvaluate(basis, ElementNode(basis->type, j), psi);
+    for (PetscInt i = 0; i < n; i++) A[i * n + j] = psi[i];
+  }
+}
+
+/* Full coverage of affine facets of measure 1 (1/2 for the triangle). [in] expected - A [n][n]; D - [n] */
+static void TestFull(ElementType type, const PetscReal expected[], const PetscReal D[])
 {
   const PetscInt n = ElementNumNodes(type), dim = ElementDim(type);
-  PetscReal      points[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], phi[MAX_NODES * ELEMENT_MAX_POINTS], A[16],
-      D[MAX_NODES];
-  const PetscInt num_points = ElementQuadrature(type, 2, points, w);
+  PetscReal      points[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], xi[2 * ELEMENT_MAX_POINTS] = {0.};
+  PetscReal      A[DUAL_MAX * DUAL_MAX];
+  const PetscInt num_points = ElementQuadrature(type, 2 * ElementOrder(type), points, w);
+  DualBasis      basis;
 
-  for (PetscInt q = 0; q < num_points; q++) ElementShape(type, &points[q * dim], &phi[q * n], NULL);
-  CHECK(DualBasis(n, num_points, phi, w, A, D));
+  for (PetscInt q = 0; q < num_points; q++) {
+    for (PetscInt k = 0; k < dim; k++) xi[2 * q + k] = points[q * dim + k];
+  }
+  CHECK(DualBasisCreate(type, num_points, xi, w, &basis));
+  Matrix(&basis, A);
   for (PetscInt i = 0; i < n; i++) {
-    CHECK_NEAR(D[i], D_expected, EXACT);
+    CHECK_NEAR(basis.D[i], D[i], EXACT);
     for (PetscInt j = 0; j < n; j++) CHECK_NEAR(A[i * n + j], expected[i * n + j], EXACT);
   }
 }
@@ -44,15 +60,18 @@ static void TestFull(ElementType type, const PetscReal expected[], PetscReal D_e
 static void TestCut(void)
 {
   const PetscReal right[] = {3.5, -1.5, -2.5, 2.5}, left[] = {3., -6., -2., 7.};
-  PetscReal       phi[16], w[8], A[4], D[2];
+  PetscReal       xi[16], w[8], A[4];
+  DualBasis       basis;
 
-  CHECK(DualBasis(2, LinePoints(0.25, 1., phi, w), phi, w, A, D));
-  CHECK_NEAR(D[0], 9. / 32., EXACT);
-  CHECK_NEAR(D[1], 15. / 32., EXACT);
+  CHECK(DualBasisCreate(ELEMENT_LINE2, LinePoints(0.25, 1., xi, w), xi, w, &basis));
+  Matrix(&basis, A);
+  CHECK_NEAR(basis.D[0], 9. / 32., EXACT);
+  CHECK_NEAR(basis.D[1], 15. / 32., EXACT);
   for (PetscInt i = 0; i < 4; i++) CHECK_NEAR(A[i], right[i], EXACT);
-  CHECK(DualBasis(2, LinePoints(0., 0.5, phi, w), phi, w, A, D));
-  CHECK_NEAR(D[0], 3. / 8., EXACT);
-  CHECK_NEAR(D[1], 1. / 8., EXACT);
+  CHECK(DualBasisCreate(ELEMENT_LINE2, LinePoints(0., 0.5, xi, w), xi, w, &basis));
+  Matrix(&basis, A);
+  CHECK_NEAR(basis.D[0], 3. / 8., EXACT);
+  CHECK_NEAR(basis.D[1], 1. / 8., EXACT);
   for (PetscInt i = 0; i < 4; i++) CHECK_NEAR(A[i], left[i], EXACT);
 }
 
@@ -65,25 +84,65 @@ static void TestSliver(void)
   for (size_t k = 0; k < PETSC_STATIC_ARRAY_LENGTH(covered); k++) {
     const PetscReal e = covered[k], a = 4., b = 4. - 6. / e, c = 4. - 12. / e + 12. / (e * e);
     const PetscReal expected[] = {(1. - e / 2.) * a, (1. - e / 2.) * b, (e / 2.) * b, (e / 2.) * c};
-    PetscReal       phi[16], w[8], A[4], D[2];
+    PetscReal       xi[16], w[8], A[4];
+    DualBasis       basis;
 
-    CHECK(DualBasis(2, LinePoints(0., e, phi, w), phi, w, A, D));
-    CHECK_NEAR(D[0] / e, 1. - e / 2., EXACT);
-    CHECK_NEAR(D[1] / e, e / 2., EXACT);
+    CHECK(DualBasisCreate(ELEMENT_LINE2, LinePoints(0., e, xi, w), xi, w, &basis));
+    Matrix(&basis, A);
+    CHECK_NEAR(basis.D[0] / e, 1. - e / 2., EXACT);
+    CHECK_NEAR(basis.D[1] / e, e / 2., EXACT);
     for (PetscInt i = 0; i < 4; i++) CHECK_NEAR(A[i] / expected[i], 1., 1e-12);
+  }
+}
+
+/* A quadratic line covered on a small part at its beginning or inside: M_e has a condition of e^-4, but the polynomials are
+   as good as ever. psi_i is D_i times the function that gives values at the node i: psi_i = D_i sum_k p_k(node i) p_k with
+   Legendre's polynomials on the part; D in closed form, negative at the far end. */
+static void TestQuadraticSliver(PetscReal begin)
+{
+  const PetscReal covered[] = {0.25, 0.1, 1e-2, 1e-4, 1e-6, 1e-8};
+
+  for (size_t k = 0; k < PETSC_STATIC_ARRAY_LENGTH(covered); k++) {
+    const PetscReal end = begin + covered[k], e = end - begin,
+                    s[]   = {begin + 0.1 * e, begin + 0.5 * e, begin + 0.9 * e};
+    const PetscReal D_end = -e * (begin + end) / 2. + 2. / 3. * e * (begin * begin + begin * end + end * end);
+    /* the places of the points are rounded: a share of the part that grows as it shrinks */
+    const PetscReal tolerance = 1e-12 + 20. * PETSC_MACHINE_EPSILON * begin / e;
+    PetscReal       xi[16], w[8];
+    DualBasis       basis;
+
+    CHECK(DualBasisCreate(ELEMENT_LINE3, LinePoints(begin, end, xi, w), xi, w, &basis));
+    CHECK_NEAR(basis.D[1] / D_end, 1., tolerance);
+    for (PetscInt q = 0; q < 3; q++) {
+      const PetscReal t = 2. * (s[q] - begin) / e - 1., at[2] = {s[q], 0.};
+      PetscReal       psi[3], sum = 0., size = 0.;
+
+      DualBasisEvaluate(&basis, at, psi);
+      for (PetscInt i = 0; i < 3; i++) {
+        const PetscReal T        = 2. * (ElementNode(ELEMENT_LINE3, i)[0] - begin) / e - 1.;
+        const PetscReal legendre = 1. + 3. * T * t + 5. / 4. * (3. * T * T - 1.) * (3. * t * t - 1.);
+        const PetscReal largest  = 1. + 3. * PetscAbsReal(T) + 5. * (3. * T * T + 1.);
+
+        CHECK_NEAR(psi[i], basis.D[i] / e * legendre, tolerance * PetscAbsReal(basis.D[i] / e) * largest);
+        sum += psi[i];
+        size += PetscAbsReal(psi[i]);
+      }
+      CHECK_NEAR(sum, 1., 1e-12 * size);
+    }
   }
 }
 
 static void TestSingular(void)
 {
-  const PetscReal one_point[] = {0.25, 0.75}, w[] = {1.}, no_weight[] = {0.};
-  PetscReal       A[4], D[2];
+  const PetscReal one_point[] = {0.75, 0.}, two_points[] = {0.25, 0., 0.75, 0.}, w[] = {1., 1.}, no_weight[] = {0., 0.};
+  DualBasis       basis;
 
-  CHECK(!DualBasis(2, 0, NULL, NULL, A, D));
-  CHECK_NEAR(D[0], 0., 0.);
-  CHECK(!DualBasis(2, 1, one_point, w, A, D)); /* one point cannot tell two functions apart */
-  CHECK_NEAR(D[1], 0.75, 0.);                  /* the integrals are good all the same */
-  CHECK(!DualBasis(2, 1, one_point, no_weight, A, D));
+  CHECK(!DualBasisCreate(ELEMENT_LINE2, 0, NULL, NULL, &basis));
+  CHECK_NEAR(basis.D[0], 0., 0.);
+  CHECK(!DualBasisCreate(ELEMENT_LINE2, 1, one_point, w, &basis)); /* one point cannot tell two functions apart */
+  CHECK_NEAR(basis.D[1], 0.75, 0.);                                /* the integrals are good all the same */
+  CHECK(!DualBasisCreate(ELEMENT_LINE3, 2, two_points, w, &basis));
+  CHECK(!DualBasisCreate(ELEMENT_LINE2, 2, two_points, no_weight, &basis));
 }
 
 /* Random points with random weights stand for any rule on any covered part:
@@ -94,29 +153,29 @@ static void TestBiorthogonality(ElementType type)
 
   for (PetscInt trial = 0; trial < 200; trial++) {
     const PetscInt num_points = 12 + trial % 50;
-    PetscReal      phi[MAX_NODES * MAX_POINTS], w[MAX_POINTS], A[MAX_NODES * MAX_NODES], D[MAX_NODES];
-    PetscReal      product[MAX_NODES * MAX_NODES] = {0.};
+    PetscReal      xi[2 * MAX_POINTS], w[MAX_POINTS], product[DUAL_MAX * DUAL_MAX] = {0.}, largest = 0.;
+    DualBasis      basis;
 
     for (PetscInt q = 0; q < num_points; q++) {
-      const PetscReal xi[2] = {Uniform(0., 0.5), Uniform(0., 0.5)};
-
-      ElementShape(type, xi, &phi[q * n], NULL);
+      for (PetscInt k = 0; k < 2; k++) xi[2 * q + k] = Uniform(0., 0.5);
       w[q] = Uniform(0.5, 1.) / num_points;
     }
-    CHECK(DualBasis(n, num_points, phi, w, A, D));
+    CHECK(DualBasisCreate(type, num_points, xi, w, &basis));
     for (PetscInt q = 0; q < num_points; q++) {
-      PetscReal psi[MAX_NODES], sum = 0., size = 0.;
+      PetscReal psi[DUAL_MAX], phi[DUAL_MAX], sum = 0., size = 0.;
 
-      DualEvaluate(n, A, &phi[q * n], psi);
+      DualBasisEvaluate(&basis, &xi[2 * q], psi);
+      ElementShape(type, &xi[2 * q], phi, NULL);
       for (PetscInt i = 0; i < n; i++) {
         sum += psi[i];
         size += PetscAbsReal(psi[i]); /* large functions cancel to 1 where a small part is covered */
-        for (PetscInt j = 0; j < n; j++) product[i * n + j] += w[q] * psi[i] * phi[q * n + j];
+        for (PetscInt j = 0; j < n; j++) product[i * n + j] += w[q] * psi[i] * phi[j];
       }
       CHECK_NEAR(sum, 1., EXACT * size);
+      largest = PetscMax(largest, size);
     }
     for (PetscInt i = 0; i < n; i++) {
-      for (PetscInt j = 0; j < n; j++) CHECK_NEAR(product[i * n + j], i == j ? D[i] : 0., EXACT);
+      for (PetscInt j = 0; j < n; j++) CHECK_NEAR(product[i * n + j], i == j ? basis.D[i] : 0., EXACT * largest);
     }
   }
 }
@@ -126,17 +185,25 @@ int main(int argc, char **argv)
   const PetscReal line[] = {2., -1., -1., 2.}, triangle[] = {3., -1., -1., -1., 3., -1., -1., -1., 3.};
   const PetscReal quad[] = {4., -2., 1., -2., -2., 4., -2., 1., 1., -2., 4., -2., -2., 1., -2., 4.};
 
+  const PetscReal curve[]  = {1.5, 0.5, -0.25, 0.5, 1.5, -0.25, -1., -1., 1.5};
+  const PetscReal halves[] = {1. / 2., 1. / 2.}, sixths[] = {1. / 6., 1. / 6., 1. / 6.};
+  const PetscReal quarters[] = {1. / 4., 1. / 4., 1. / 4., 1. / 4.}, simpson[] = {1. / 6., 1. / 6., 2. / 3.};
+
   PetscFunctionBeginUser;
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
-  TestFull(ELEMENT_LINE2, line, 1. / 2.);
-  TestFull(ELEMENT_TRI3, triangle, 1. / 6.);
-  TestFull(ELEMENT_QUAD4, quad, 1. / 4.);
+  TestFull(ELEMENT_LINE2, line, halves);
+  TestFull(ELEMENT_TRI3, triangle, sixths);
+  TestFull(ELEMENT_QUAD4, quad, quarters);
+  TestFull(ELEMENT_LINE3, curve, simpson);
   TestCut();
   TestSliver();
+  TestQuadraticSliver(0.);
+  TestQuadraticSliver(0.3);
   TestSingular();
   TestBiorthogonality(ELEMENT_LINE2);
   TestBiorthogonality(ELEMENT_TRI3);
   TestBiorthogonality(ELEMENT_QUAD4);
+  TestBiorthogonality(ELEMENT_LINE3);
   PetscCall(PetscFinalize());
   return 0;
 }
