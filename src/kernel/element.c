@@ -172,13 +172,12 @@ void ElementShape(ElementType type, const PetscReal xi[], PetscReal phi[], Petsc
 }
 
 /* J[k][l] = d x_k / d xi_l and, where it is regular, its inverse; returns det J. */
-static PetscReal Jacobian_Private(const Reference *cell, const PetscReal X[], const PetscReal dphi[],
-                                  PetscReal inverse[])
+static inline PetscReal Jacobian_Private(PetscInt dim, PetscInt num_nodes, const PetscReal X[], const PetscReal dphi[],
+                                         PetscReal inverse[])
 {
-  const PetscInt dim                  = cell->dim;
-  PetscReal      J[MAX_DIM * MAX_DIM] = {0.}, det;
+  PetscReal J[MAX_DIM * MAX_DIM] = {0.}, det;
 
-  for (PetscInt i = 0; i < cell->num_nodes; i++) {
+  for (PetscInt i = 0; i < num_nodes; i++) {
     for (PetscInt k = 0; k < dim; k++) {
       for (PetscInt l = 0; l < dim; l++) J[k * dim + l] += X[i * dim + k] * dphi[i * dim + l];
     }
@@ -196,22 +195,22 @@ static PetscReal Jacobian_Private(const Reference *cell, const PetscReal X[], co
   return det;
 }
 
-/* ElementMap() with the shape functions and their derivatives on the reference cell. */
-static PetscReal Map_Private(const Reference *cell, const PetscReal X[], const PetscReal phi[], const PetscReal dphi[],
-                             PetscReal x[], PetscReal grad[])
+/* ElementMap() with the shape functions and their derivatives on the reference cell. It takes most of the time of an
+   assembly: to be inlined where dim is known, so that its short loops are unrolled. */
+static inline PetscReal Map_Private(PetscInt dim, PetscInt num_nodes, const PetscReal X[], const PetscReal phi[],
+                                    const PetscReal dphi[], PetscReal x[], PetscReal grad[])
 {
-  const PetscInt  dim                        = cell->dim;
   PetscReal       inverse[MAX_DIM * MAX_DIM] = {0.};
-  const PetscReal det                        = Jacobian_Private(cell, X, dphi, inverse);
+  const PetscReal det                        = Jacobian_Private(dim, num_nodes, X, dphi, inverse);
 
   if (x) {
     for (PetscInt k = 0; k < dim; k++) {
       x[k] = 0.;
-      for (PetscInt i = 0; i < cell->num_nodes; i++) x[k] += phi[i] * X[i * dim + k];
+      for (PetscInt i = 0; i < num_nodes; i++) x[k] += phi[i] * X[i * dim + k];
     }
   }
   if (grad) { /* d phi / d x_k = sum_l d phi / d xi_l  d xi_l / d x_k */
-    for (PetscInt i = 0; i < cell->num_nodes; i++) {
+    for (PetscInt i = 0; i < num_nodes; i++) {
       for (PetscInt k = 0; k < dim; k++) {
         grad[i * dim + k] = 0.;
         for (PetscInt l = 0; l < dim; l++) grad[i * dim + k] += dphi[i * dim + l] * inverse[l * dim + k];
@@ -221,13 +220,21 @@ static PetscReal Map_Private(const Reference *cell, const PetscReal X[], const P
   return det;
 }
 
+static PetscReal MapCell_Private(const Reference *cell, const PetscReal X[], const PetscReal phi[],
+                                 const PetscReal dphi[], PetscReal x[], PetscReal grad[])
+{
+  const PetscInt n = cell->num_nodes;
+
+  return cell->dim == 1 ? Map_Private(1, n, X, phi, dphi, x, grad) : Map_Private(2, n, X, phi, dphi, x, grad);
+}
+
 PetscReal ElementMap(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
                      PetscReal grad[])
 {
   PetscReal dphi[ELEMENT_MAX_NODES * MAX_DIM];
 
   REFERENCE[type].shape(xi, phi, dphi);
-  return Map_Private(&REFERENCE[type], X, phi, dphi, x, grad);
+  return MapCell_Private(&REFERENCE[type], X, phi, dphi, x, grad);
 }
 
 void ElementRuleSet(ElementType type, PetscInt degree, ElementRule *rule)
@@ -247,7 +254,7 @@ PetscReal ElementRuleMap(const ElementRule *rule, PetscInt q, const PetscReal X[
   const Reference *cell = &REFERENCE[rule->type];
   const PetscInt   n    = cell->num_nodes;
 
-  return Map_Private(cell, X, &rule->phi[q * n], &rule->dphi[q * n * cell->dim], x, grad);
+  return MapCell_Private(cell, X, &rule->phi[q * n], &rule->dphi[q * n * cell->dim], x, grad);
 }
 
 PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
@@ -344,7 +351,7 @@ static PetscBool Newton_Private(const Reference *cell, const PetscReal X[], cons
     PetscReal dphi[ELEMENT_MAX_NODES * MAX_DIM], phi[ELEMENT_MAX_NODES], inverse[MAX_DIM * MAX_DIM], r[MAX_DIM];
 
     cell->shape(xi, phi, dphi);
-    if (Jacobian_Private(cell, X, dphi, inverse) == 0.) return PETSC_FALSE; /* flat, or far outside */
+    if (Jacobian_Private(dim, cell->num_nodes, X, dphi, inverse) == 0.) return PETSC_FALSE; /* flat, or far outside */
     for (PetscInt k = 0; k < dim; k++) {
       r[k] = x[k];
       for (PetscInt i = 0; i < cell->num_nodes; i++) r[k] -= phi[i] * X[i * dim + k];
