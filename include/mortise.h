@@ -27,6 +27,7 @@
 #include <mortise/solve.h>
 #include <mortise/fields.h>
 #include <mortise/certificate.h>
+#include <mortise/errors.h>
 #include <mortise/pairsum.h>
 #include <mortise/probes.h>
 #include <mortise/output.h>

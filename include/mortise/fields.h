@@ -41,6 +41,7 @@ typedef struct {
   PetscReal *gap;      /* left after the motion; NAN where there is no constraint */
   PetscReal *force;    /* normal force of the row, its pressure times its weight */
   PetscInt  *status;   /* ContactStatus */
+  PetscBool *covered;  /* whether there is a pressure: the node's own, or that of neighbours that took over */
 } PairFields;
 
 /* Nodal values of pair p. Collective. [out] nodal - owned by the caller, PairFieldsDestroy() */

@@ -3,6 +3,7 @@
 #define MORTISE_RUN_H
 
 #include <mortise/certificate.h>
+#include <mortise/errors.h>
 #include <mortise/fields.h>
 #include <mortise/solve.h>
 #include <mortise/summary.h>
@@ -17,6 +18,7 @@ struct _n_Run {
   Fields      fields;
   Certificate certificate;
   Vec         reactions;
+  Errors      errors;
   PetscBool   solved; /* converged, certified, and confirmed where a second solver was asked */
 };
 typedef struct _n_Run *Run;

@@ -3,6 +3,7 @@
 #define MORTISE_SUMMARY_H
 
 #include <mortise/certificate.h>
+#include <mortise/errors.h>
 #include <mortise/fault.h>
 
 /* Everything the summary tells of; borrowed parts. */
@@ -14,6 +15,7 @@ typedef struct {
   const SolveReport *report;
   const CrossCheck  *check;
   const Certificate *certificate;
+  const Errors      *errors;
   Vec                reactions;
   PetscBool          solved; /* converged, certified, and confirmed where a second solver was asked */
 } SummaryInput;

@@ -25,7 +25,9 @@ static PetscErrorCode ExtendPressure_Private(const Pair pair, PairFields *nodal)
   PetscCall(VecGetArrayRead(sums[0], &sum[0]));
   PetscCall(VecGetArrayRead(sums[1], &sum[1]));
   for (PetscInt c = 0; c < n; ++c) {
-    if (sum[1][c] > 0) nodal->pressure[c] = sum[0][c] / sum[1][c];
+    if (!(sum[1][c] > 0)) continue;
+    nodal->pressure[c] = sum[0][c] / sum[1][c];
+    nodal->covered[c]  = PETSC_TRUE;
   }
   PetscCall(VecRestoreArrayRead(sums[0], &sum[0]));
   PetscCall(VecRestoreArrayRead(sums[1], &sum[1]));
@@ -43,7 +45,7 @@ PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal)
   const PetscReal *lambda, *slack;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc4(n, &nodal->pressure, n, &nodal->gap, n, &nodal->force, n, &nodal->status));
+  PetscCall(PetscCalloc5(n, &nodal->pressure, n, &nodal->gap, n, &nodal->force, n, &nodal->status, n, &nodal->covered));
   for (PetscInt a = 0; a < n; ++a) {
     nodal->gap[a]    = NAN;
     nodal->status[a] = STATUS_NONE;
@@ -60,6 +62,7 @@ PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal)
     nodal->gap[node]      = slack[r];
     nodal->force[node]    = lambda[r] * fields->row_weight[r];
     nodal->status[node]   = fields->row_status[r];
+    nodal->covered[node]  = PETSC_TRUE;
   }
   PetscCall(VecRestoreArrayRead(fields->slack, &slack));
   PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
@@ -70,6 +73,6 @@ PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal)
 PetscErrorCode PairFieldsDestroy(PairFields *nodal)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscFree4(nodal->pressure, nodal->gap, nodal->force, nodal->status));
+  PetscCall(PetscFree5(nodal->pressure, nodal->gap, nodal->force, nodal->status, nodal->covered));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -255,6 +255,39 @@ static PetscErrorCode AddProbes_Private(const SummaryInput *in, cJSON *root)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+static void AddBodyError_Private(cJSON *object, const BodyError *error)
+{
+  JSONAddReal(object, "l2", error->l2);
+  JSONAddReal(object, "l2_relative", error->l2_relative);
+  JSONAddReal(object, "energy", error->energy);
+  JSONAddReal(object, "energy_relative", error->energy_relative);
+}
+
+/* Errors of what has an exact solution. */
+static void AddErrors_Private(const SummaryInput *in, cJSON *root)
+{
+  cJSON *errors;
+
+  if (!in->errors->any) return;
+  errors = cJSON_AddObjectToObject(root, "errors");
+  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
+    if (!in->scene->bodies[b].exact) continue;
+    AddBodyError_Private(cJSON_AddObjectToObject(errors, in->scene->bodies[b].name), &in->errors->body[b]);
+  }
+  for (PetscInt p = 0; p < in->vi->num_pairs; ++p) {
+    const PressureError *error = &in->errors->pair[p];
+    cJSON               *pair;
+
+    if (!in->vi->pairs[p]->spec->exact) continue;
+    pair = cJSON_AddObjectToObject(errors, in->vi->pairs[p]->spec->name);
+    JSONAddReal(pair, "pressure_l2", error->l2);
+    JSONAddReal(pair, "pressure_l2_relative", error->l2_relative);
+    JSONAddReal(pair, "pressure_weighted", error->weighted);
+    JSONAddReal(pair, "pressure_weighted_relative", error->weighted_relative);
+  }
+  AddBodyError_Private(cJSON_AddObjectToObject(root, "errors_total"), &in->errors->total);
+}
+
 /* Seconds of the slowest rank in each stage; peak memory of all ranks together. */
 static PetscErrorCode AddCost_Private(const SummaryInput *in, cJSON *root)
 {
@@ -288,6 +321,7 @@ PetscErrorCode SummaryCreate(const SummaryInput *input, char **text)
   PetscCall(AddPairs_Private(input, root));
   PetscCall(AddReactions_Private(input, root));
   PetscCall(AddProbes_Private(input, root));
+  AddErrors_Private(input, root);
   PetscCall(AddCost_Private(input, root));
   PetscCallMPI(MPI_Comm_rank(input->scene->comm, &rank));
   *text = rank == 0 ? cJSON_Print(root) : NULL;

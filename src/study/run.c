@@ -17,6 +17,7 @@ PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run_out)
     PetscCall(ModelView(run->vi));
     PetscCall(SolveView(run->vi));
   }
+  PetscCall(ErrorsCheck(run->vi));
   PetscCall(LogStageBegin(STAGE_SOLVE));
   PetscCall(VecDuplicate(run->vi->b, &run->y));
   PetscCall(VISolve(run->vi, guess, run->y, &run->report));
@@ -28,6 +29,7 @@ PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run_out)
   PetscCall(FieldsCreate(run->vi, run->y, &run->fields));
   PetscCall(CertificateCompute(run->fields, &run->certificate, &run->reactions));
   PetscCall(LogStageEnd(STAGE_OUTPUT));
+  PetscCall(ErrorsCompute(run->fields, &run->errors)); // within no stage: nobody needs it who does not know the answer
   run->solved = (PetscBool)(run->report.converged && run->certificate.holds && (!run->check.done || run->check.agree));
   *run_out    = run;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -39,6 +41,7 @@ PetscErrorCode RunDestroy(Run *run)
   if (!*run) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecDestroy(&(*run)->reactions));
   PetscCall(VecDestroy(&(*run)->y));
+  PetscCall(ErrorsDestroy(&(*run)->errors));
   PetscCall(FieldsDestroy(&(*run)->fields));
   PetscCall(VIDestroy(&(*run)->vi));
   PetscCall(PetscFree(*run));
@@ -54,6 +57,7 @@ SummaryInput RunSummary(Run run)
                         .report      = &run->report,
                         .check       = &run->check,
                         .certificate = &run->certificate,
+                        .errors      = &run->errors,
                         .reactions   = run->reactions,
                         .solved      = run->solved};
 }

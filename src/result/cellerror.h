@@ -1,0 +1,17 @@
+/* cellerror.h -- squares of the norms of an error and of what it is an error of (floor 7, private to this room). */
+#ifndef MORTISE_RESULT_CELLERROR_H
+#define MORTISE_RESULT_CELLERROR_H
+
+#include <mortise/errors.h>
+
+/* Of one body, or of all. */
+typedef struct {
+  PetscReal error_l2, error_energy, size_l2, size_energy;
+} ErrorSquares;
+
+/* Integrates u - v and v over the cells of every body; with v = NULL against the exact displacements, where bodies without
+   one are left at zero. Faults on exact displacements that are not finite. Collective.
+   [in] u, v - ghosted; [out] squares - [num_bodies], the same on all ranks */
+PetscErrorCode CellErrorsIntegrate(Scene scene, Level *level, Vec u, Vec v, ErrorSquares squares[]);
+
+#endif
