@@ -34,5 +34,6 @@
 #include <mortise/summary.h>
 #include <mortise/page.h>
 #include <mortise/run.h>
+#include <mortise/study.h>
 
 #endif

@@ -13,21 +13,15 @@ enum {
 static const char usage[] =
     "mortise: no scene given; write mortise -options_file <scene.opts>, or mortise -help for every option\n";
 
-/* Solves the scene of the options; *verdict is the exit code of a run without faults. */
-static PetscErrorCode Run_Private(MortiseExit *verdict)
+/* Solves a scene on one mesh and writes what comes of it; *verdict is the exit code of a run without faults. */
+static PetscErrorCode SolveOnce(Scene scene, MortiseExit *verdict)
 {
-  Scene        scene = NULL;
-  Mesh         mesh  = NULL;
-  Run          run   = NULL;
+  Mesh         mesh = NULL;
+  Run          run  = NULL;
   SummaryInput input;
 
   PetscFunctionBeginUser;
   PetscCall(LogStageBegin(STAGE_SETUP));
-  PetscCall(SceneCreate(PETSC_COMM_WORLD, &scene));
-  PetscCall(SceneSetFromOptions(scene));
-  PetscCall(SceneCheckUnused(scene, PETSC_TRUE));
-  PetscCall(OutputCheck(scene));
-  PetscCall(PageCheck(scene));
   PetscCall(MeshCreate(scene, &mesh));
   PetscCall(MeshSetUp(mesh));
   PetscCall(ProbesCheck(scene, mesh));
@@ -45,6 +39,26 @@ static PetscErrorCode Run_Private(MortiseExit *verdict)
 
   PetscCall(RunDestroy(&run));
   PetscCall(MeshDestroy(&mesh));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Solves the scene of the options, once or as a study. */
+static PetscErrorCode SolveScene(MortiseExit *verdict)
+{
+  Scene scene = NULL;
+
+  PetscFunctionBeginUser;
+  PetscCall(LogStageBegin(STAGE_SETUP));
+  PetscCall(SceneCreate(PETSC_COMM_WORLD, &scene));
+  PetscCall(SceneSetFromOptions(scene));
+  PetscCall(SceneCheckUnused(scene, PETSC_TRUE));
+  PetscCall(OutputCheck(scene));
+  PetscCall(PageCheck(scene));
+  PetscCall(LogStageEnd(STAGE_SETUP));
+  if (scene->study.kind == STUDY_NONE)
+    PetscCall(SolveOnce(scene, verdict));
+  else
+    PetscCall(StudyRun(scene, verdict));
   PetscCall(SceneDestroy(&scene));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -106,7 +120,7 @@ static PetscErrorCode RunArguments(double start, int argc, char **argv, MortiseE
   PetscCall(Begin(argc, argv));
   PetscCall(LogInitialize(start));
   PetscCall(PDASRegister());
-  PetscCall(Run_Private(verdict));
+  PetscCall(SolveScene(verdict));
   PetscCall(PetscFinalize());
   PetscFunctionReturn(PETSC_SUCCESS);
 }

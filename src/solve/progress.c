@@ -16,7 +16,8 @@ PetscErrorCode ProgressWanted(Scene scene, PetscBool *wanted)
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Bcast(&terminal, 1, MPI_INT, 0, scene->comm)); /* the first rank is the one that prints */
-  *wanted = (PetscBool)(scene->monitor || (terminal && !scene->quiet));
+  /* a study has lines of its own */
+  *wanted = (PetscBool)(scene->monitor || (terminal && !scene->quiet && scene->study.kind == STUDY_NONE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -1,0 +1,16 @@
+/* extrapolate.h -- the quantities of a study extrapolated to h = 0 (floor 8, private to this room). */
+#ifndef MORTISE_STUDY_EXTRAPOLATE_H
+#define MORTISE_STUDY_EXTRAPOLATE_H
+
+#include "richardson.h"
+#include "room.h"
+
+/* Extrapolates a quantity from the finest three levels of one order that follow each other and are solved. Returns whether
+   there are such, and the quantity is known on them. Not collective. */
+PetscBool ExtrapolateQuantity(Study study, PetscInt quantity, PetscInt order, Extrapolation *limit);
+/* The order whose error bar is smallest, -1 where no order has three levels. Not collective. */
+PetscInt ExtrapolateFindBest(Study study, PetscInt quantity);
+/* Prints them all. Collective. */
+PetscErrorCode ExtrapolatePrint(Study study);
+
+#endif

@@ -1,0 +1,71 @@
+/* richardson.c -- extrapolation to h = 0, with an error bar.
+
+   Q(h) = Q + C h^q + ... gives q from three levels h, h/2, h/4, and Q = Q2 + (Q2 - Q1) / (2^q - 1); the bar is the distance
+   that is extrapolated over, times a factor of safety (Roache, Verification and validation in computational science and
+   engineering, 1998). */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include "richardson.h"
+
+/* Roache's factor for three meshes. */
+static const PetscReal SAFETY = 1.25;
+/* The observed order is trusted between these: below, three values are no sequence with a limit yet, above it is the chance
+   that two of them nearly agree. */
+static const PetscReal RATE_MIN = 0.5, RATE_MAX = 2;
+
+Extrapolation RichardsonExtrapolate(const PetscReal Q[RICHARDSON_LEVELS])
+{
+  const PetscReal first = Q[1] - Q[0], second = Q[2] - Q[1];
+  Extrapolation   limit = {.value = Q[2], .rate = NAN};
+
+  limit.monotone = (PetscBool)(first * second > 0 && PetscAbsReal(second) < PetscAbsReal(first));
+  if (limit.monotone) {
+    PetscReal shrink;
+
+    limit.rate  = PetscLog2Real(first / second);
+    shrink      = PetscPowReal(2, PetscMin(PetscMax(limit.rate, RATE_MIN), RATE_MAX)) - 1;
+    limit.value = Q[2] + second / shrink;
+    limit.bar   = SAFETY * PetscAbsReal(second) / shrink;
+  } else {
+    limit.bar = PetscMax(PetscMax(Q[0], Q[1]), Q[2]) - PetscMin(PetscMin(Q[0], Q[1]), Q[2]);
+  }
+  return limit;
+}
+
+/* A number without the zeros and signs that printf puts into exponents. */
+static void Number_Private(char text[], size_t len, PetscReal value, PetscInt exponent, PetscInt digits)
+{
+  static const PetscInt PLAIN_MIN = -4, PLAIN_MAX = 5; /* powers of ten that are written out */
+
+  if (exponent >= PLAIN_MIN && exponent <= PLAIN_MAX && digits >= exponent)
+    snprintf(text, len, "%.*f", (int)(digits - exponent), (double)value);
+  else
+    snprintf(text, len, "%.*fe%d", (int)digits, (double)(value / PetscPowReal(10, exponent)), (int)exponent);
+}
+
+void RichardsonText(const Extrapolation *limit, char text[], size_t len)
+{
+  static const PetscReal TWO_DIGITS = 3;  /* bars that begin with 1 or 2 have two digits: one would round up too much */
+  static const PetscInt  ALL_DIGITS = 15; /* of a number with no bar to speak of */
+  static const PetscReal GUARD      = 1e-9; /* so that 2 is not rounded up to 3 by roundoff */
+  const PetscReal        size       = PetscAbsReal(limit->value);
+  char                   value[64], bar[64];
+  PetscInt               power, exponent;
+  PetscReal              unit, rounded;
+
+  if (!(limit->bar > 0) || !isfinite((double)limit->value) || !isfinite((double)limit->bar)) {
+    snprintf(text, len, "%.*g", (int)ALL_DIGITS, (double)limit->value);
+    return;
+  }
+  power = (PetscInt)floor(log10((double)limit->bar));
+  if (limit->bar / PetscPowReal(10, power) < TWO_DIGITS) --power;
+  unit     = PetscPowReal(10, power);
+  rounded  = unit * ceil((double)(limit->bar / unit) - GUARD);
+  exponent = size > unit ? (PetscInt)floor(log10((double)size)) : power;
+  Number_Private(value, sizeof(value), unit * round((double)(limit->value / unit)), exponent,
+                 PetscMax(exponent - power, 0));
+  exponent = (PetscInt)floor(log10((double)rounded) + GUARD);
+  Number_Private(bar, sizeof(bar), rounded, exponent, PetscMax(exponent - power, 0));
+  snprintf(text, len, "%s +- %s", value, bar);
+}

@@ -1,0 +1,198 @@
+/* study.c -- which runs a study has, and how each of them comes about. */
+#include <math.h>
+#include <mortise/compat.h>
+#include <mortise/fault.h>
+#include <mortise/memory.h>
+#include <mortise/output.h>
+#include <mortise/probes.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "interrupt.h"
+#include "room.h"
+
+static const PetscReal GIGABYTE = 1073741824;
+
+/* All bodies of the scene take an order, which whatever is made of the scene from now on has. */
+static void SetOrder_Private(Study study, PetscInt order)
+{
+  for (PetscInt b = 0; b < study->scene->num_bodies; ++b)
+    study->scene->bodies[b].order = order == STUDY_OWN_ORDERS ? study->own_orders[b] : order;
+}
+
+/* Leaves a run out. The sentence says what it would have taken. */
+static PetscErrorCode Skip_Private(Study study, Record *record, PetscReal bytes)
+{
+  PetscFunctionBeginUser;
+  record->state = RECORD_SKIPPED;
+  PetscCall(PetscSNPrintf(record->reason, sizeof(record->reason),
+                          "would need about %.2g GB (-study_memory allows %.2g GB)", (double)(bytes / GIGABYTE),
+                          (double)(study->scene->study.memory / GIGABYTE)));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a run with so many unknowns fits beside what is held now; if not, the record says so. */
+static PetscErrorCode Fits_Private(Study study, Record *record, PetscReal held, PetscBool *fits)
+{
+  const PetscReal bytes = held + ForecastMemory(study, record->order, record->unknowns);
+
+  PetscFunctionBeginUser;
+  *fits = (PetscBool) !(bytes > study->scene->study.memory);
+  if (!*fits) PetscCall(Skip_Private(study, record, bytes));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The mesh of an order on a level: made, or refined once more, unless memory speaks against it. */
+static PetscErrorCode Mesh_Private(Study study, PetscInt o, Record *record, PetscReal held, PetscBool *made)
+{
+  const Scene scene = study->scene;
+
+  PetscFunctionBeginUser;
+  *made = PETSC_TRUE;
+  if (record->level) { // refining shows how large the mesh is only when it is done
+    const Record *before = &record[-study->num_orders];
+
+    record->unknowns = ForecastUnknowns(study, before);
+    PetscCall(Fits_Private(study, record, held, made));
+    if (before->state == RECORD_SKIPPED) *made = PETSC_FALSE;
+    if (!*made) PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(LogStageBegin(STAGE_SETUP));
+  if (record->level) {
+    PetscCall(MeshRefine(study->mesh[o]));
+  } else {
+    PetscCall(MeshCreate(scene, &study->mesh[o]));
+    PetscCall(MeshSetUp(study->mesh[o]));
+    PetscCall(ProbesCheck(scene, study->mesh[o]));
+  }
+  PetscCall(LogStageEnd(STAGE_SETUP));
+  PetscCall(RecordMesh(record, MeshFinest(study->mesh[o])));
+  PetscCall(Fits_Private(study, record, held, made));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The solution of the next coarser run, on this run's mesh; NULL if there is none. */
+static PetscErrorCode Guess_Private(Study study, PetscInt o, const Record *record, Vec *guess)
+{
+  const PetscInt first   = study->scene->refine;
+  const Record  *coarser = StudyFindCoarser(study, record->order, record->level);
+
+  PetscFunctionBeginUser;
+  *guess = NULL;
+  if (coarser)
+    PetscCall(ComparePromote(study->mesh[o], first + coarser->level, first + record->level, coarser->u, guess));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Solves on the finest mesh of an order and writes down how it went. */
+static PetscErrorCode Solve_Private(Study study, PetscInt o, Record *record)
+{
+  Run     run;
+  Vec     guess;
+  Record *coarser = StudyFindCoarser(study, record->order, record->level);
+
+  PetscFunctionBeginUser;
+  PetscCall(TableAnnounce(study, record));
+  PetscCall(LogStageBegin(STAGE_SOLVE));
+  PetscCall(Guess_Private(study, o, record, &guess));
+  PetscCall(LogStageEnd(STAGE_SOLVE));
+  PetscCall(RunCreate(study->scene, study->mesh[o], guess, &run));
+  study->scene->view = PETSC_FALSE; // of the first run only
+  PetscCall(VecDestroy(&guess));
+  PetscCall(RecordRun(study, run, record));
+  if (run->solved) {
+    if (study->exact && coarser) PetscCall(VecDestroy(&coarser->u)); // else to be compared with what is yet to come
+    PetscCall(PetscObjectReference((PetscObject)run->fields->u));
+    record->u = run->fields->u;
+    if (study->best < 0 || record->order >= study->records[study->best].order) {
+      study->best = (PetscInt)(record - study->records);
+      PetscCall(StudyWriteBest(study, run));
+    }
+  }
+  PetscCall(RunDestroy(&run));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* One run from beginning to end. */
+static PetscErrorCode Run_Private(Study study, PetscInt o, PetscInt level, PetscBool *solved)
+{
+  const MPI_Comm comm = study->scene->comm;
+  Record        *record;
+  PetscReal      held;
+  PetscBool      done;
+
+  PetscFunctionBeginUser;
+  *solved = PETSC_TRUE;
+  SetOrder_Private(study, study->scene->study.orders[o]);
+  PetscCall(StudyAddRecord(study, study->scene->study.orders[o], level, &record));
+  PetscCall(LogReset(LogWallClock()));
+  PetscCall(MemoryPeakReset(comm, &done));
+  PetscCall(MemoryPeak(comm, &held));
+  PetscCall(Mesh_Private(study, o, record, held, &done));
+  if (done) {
+    PetscCall(Solve_Private(study, o, record));
+    record->own_memory = record->memory - held;
+    *solved            = (PetscBool)(record->state == RECORD_SOLVED);
+  }
+  PetscCall(CompareWithReference(study));
+  StudyComputeRates(study);
+  PetscCall(TableAdd(study, record));
+  PetscCall(StudyWriteFiles(study));
+  if (record->state == RECORD_NOT_SOLVED) {
+    char order[ERROR_TEXT];
+
+    RecordOrderText(record, order);
+    PetscCall(PetscFPrintf(comm, PETSC_STDERR, "mortise: %s, level %" PetscInt_FMT " is not solved: %s\n", order, level,
+                           record->reason));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The summary where the scene wants it, beside <output>.json. */
+static PetscErrorCode WriteSummary_Private(Study study)
+{
+  const Scene scene = study->scene;
+  char       *text;
+
+  PetscFunctionBeginUser;
+  if (!scene->summary || study->best < 0) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(StudySummary(study, &text));
+  if (strcmp(scene->summary, "-"))
+    PetscCall(OutputWriteText(scene->comm, scene->summary, text));
+  else if (text)
+    puts(text);
+  free(text);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
+{
+  const SceneStudy *plan     = &scene->study;
+  PetscBool         all      = PETSC_TRUE, solved;
+  int               terminal = isatty(STDOUT_FILENO);
+  Study             study;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Bcast(&terminal, 1, MPI_INT, 0, scene->comm)); // the first rank is the one that prints
+  PetscCall(StudyCreate(scene, &study));
+  study->terminal = (PetscBool)(terminal != 0);
+  study->quiet    = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
+  PetscCall(InterruptBegin(scene->comm));
+  PetscCall(StudyWriteFiles(study));
+  PetscCall(TableBegin(study));
+  for (PetscInt level = 0; level < plan->levels; ++level) {
+    for (PetscInt o = 0; o < plan->num_orders; ++o) {
+      PetscCall(Run_Private(study, o, level, &solved));
+      all = (PetscBool)(all && solved);
+    }
+  }
+  PetscCall(WriteSummary_Private(study));
+  PetscCall(TableEnd(study));
+  if (study->best < 0 && all)
+    PetscCall(PetscFPrintf(scene->comm, PETSC_STDERR, "mortise: no run fits into -study_memory\n"));
+  *verdict = all && study->best >= 0 ? MORTISE_SOLVED : MORTISE_NOT_CONVERGED;
+  SetOrder_Private(study, STUDY_OWN_ORDERS);
+  PetscCall(InterruptEnd());
+  PetscCall(StudyDestroy(&study));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
