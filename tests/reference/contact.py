@@ -166,8 +166,11 @@ class Pair:
         s, w = np.array([ray[0] for ray in rays]), np.array([ray[1] for ray in rays])
         hat, phi = poly.polyval(s, hats), poly.polyval(s, LINES[len(facet)].T)
         psi = np.diag(hat @ w) @ np.linalg.solve((hat * w) @ hat.T, hat)
+        chain = sorted(facet[:len(hat)], key=lambda node: PLACES[facet.index(node)])
+        for a, b in zip(chain[:-1], chain[1:]):
+            self.beside.setdefault(a, set()).add(b)
+            self.beside.setdefault(b, set()).add(a)
         for i, node in enumerate(facet[:len(hat)]):
-            self.beside.setdefault(node, set()).update(facet[:i] + facet[i + 1:len(hat)])
             self.D[node] = self.D.get(node, 0.0) + w @ hat[i]
             row = self.row.setdefault(node, {})
             for b, value in zip(facet, (psi[i] * w) @ phi.T):
@@ -182,18 +185,25 @@ class Pair:
         held = any(2 * node + k in self.scene.held for k in (0, 1))
         return self.D[node] >= SLIVER * self.full[node] and self.free[node] >= HELD and not (self.tied and held)
 
+    def shares(self, kept, removed):
+        """{removed node: {kept node: weight}}: the mean over neighbours along the side, in rings around the kept nodes."""
+        known, waiting = {a: {a: 1.0} for a in kept}, set(removed)
+        while ring := {c: [b for b in self.beside[c] if b in known] for c in waiting if self.beside[c] & known.keys()}:
+            known.update({c: {a: sum(known[b].get(a, 0.0) for b in near) / len(near) for b in near for a in known[b]}
+                          for c, near in ring.items()})
+            waiting -= ring.keys()
+        return {c: known.get(c, {}) for c in removed}
+
     def set_rows(self):
-        """Rows of B as {unknown: value} over D_aa; rows of removed nodes go to their kept neighbours (T12)."""
+        """Rows of B as {unknown: value} over D_aa; those of removed nodes are shared out among kept ones (T12)."""
         touched = [node for node in self.D if abs(self.D[node]) > NOTHING * self.full[node]]
-        kept, self.share, self.weight, self.rows = [node for node in touched if self.keeps(node)], {}, {}, []
+        kept, self.weight, self.rows = [node for node in touched if self.keeps(node)], {}, []
         row, G = {node: dict(self.row[node]) for node in kept}, {node: self.G[node] for node in kept}
-        for c in (node for node in touched if node not in kept):
-            self.share[c] = [a for a in kept if a in self.beside[c]]
-            for a in self.share[c]:
-                w = 1.0 / len(self.share[c])
-                G[a] += w * self.G[c]
-                for b, value in self.row[c].items():
-                    row[a][b] = row[a].get(b, 0.0) + w * value
+        self.share = self.shares(kept, [node for node in touched if node not in kept])
+        for c, a, w in [(c, a, w) for c, share in self.share.items() for a, w in share.items()]:
+            G[a] += w * self.G[c]
+            for b, value in self.row[c].items():
+                row[a][b] = row[a].get(b, 0.0) + w * value
         for a in kept:
             n, D = self.normal[a], self.D[a]
             self.weight[a] = self.scene.thickness * sum(row[a].get(b, 0.0) for b in self.nodes)

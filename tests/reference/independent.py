@@ -201,7 +201,9 @@ class Solution:
             if owner is pair and node not in found:  # the first row of a tied node is the normal one
                 found[node] = (self.p[r], self.gap[r], int(self.status[r]), self.p[r] * pair.weight[node])
         for c, share in pair.share.items():
-            found[c] = (sum(found[a][0] for a in share) / max(len(share), 1), math.nan, NONE, 0.0)
+            found[c] = (sum(w * found[a][0] for a, w in share.items()), math.nan, NONE, 0.0)
+        for begin, end, middle in (facet for facet in pair.facets if pair.linear and len(facet) == 3):
+            found[middle] = (0.5 * (found[begin][0] + found[end][0]), math.nan, NONE, 0.0)
         nodes = sorted(pair.nodes, key=lambda node: tuple(np.round(self.scene.points[node], 9)))
         rows = [(*self.scene.points[node], *found.get(node, (0.0, math.nan, NONE, 0.0))) for node in nodes]
         return {name: [row[k] for row in rows] for k, name in enumerate(("x", "y", "p", "gap", "active", "force"))}

@@ -6,8 +6,9 @@ import pathlib
 import numpy as np
 
 import independent
+from bodies import CORNERS, SHAPES, Shape
 
-FIELDS = "plates_mixed"  # the case that also has an HDF5 file
+FIELDS = ("plates_mixed", "plates_mixed_21", "rings_2")  # the cases that also have an HDF5 file
 METHOD = """Made by tests/reference/independent.py, not by mortise: dense arrays in Python with numpy, own elements, own integration of
 the contact side, contact set by Murty's least index method on the dual problem, one solution of the saddle point system.
 Scene: scene.opts beside this file. Command: python3 tests/reference/independent.py {case}
@@ -21,17 +22,29 @@ def von_mises(s):
     return np.sqrt(1.5 * np.einsum("nij,nij->n", deviator, deviator))
 
 
+def sampling(kind, order):
+    """Where stresses are taken in a cell, and their continuation to its nodes [node][point] (T19)."""
+    shape = SHAPES[kind, order]
+    if order == 1:
+        return [(1 / 3, 1 / 3) if kind == "triangle" else (0.5, 0.5)], np.ones((len(shape.nodes), 1))
+    corners = np.array(CORNERS[kind], dtype=float)
+    places = 0.5 + (corners - 0.5) / math.sqrt(3) if kind == "quad" else 1 / 6 + 0.5 * corners
+    linear = Shape(places, SHAPES[kind, 1].powers)
+    return places, np.array([linear.at(node)[0] for node in shape.nodes])
+
+
 def nodal_stress(scene, solution):
-    """Tensors [nodes][3][3]: stresses in the middle of cells, averaged with the cells' areas (T19)."""
+    """Tensors [nodes][3][3]: of the cells around a node, averaged with their areas (T19)."""
     stress, area = np.zeros((len(scene.points), 3, 3)), np.zeros(len(scene.points))
     for body in scene.bodies.values():
+        places, continuation = sampling(body.kind, body.order)
         for cell in body.cells:
-            triangle = body.kind == "triangle"
-            _, grad, det = body.gradients(cell, (1 / 3, 1 / 3) if triangle else (0.5, 0.5))
-            nodes, size, s = body.first + cell, det * (0.5 if triangle else 1.0), np.zeros((3, 3))
-            s[:2, :2] = np.einsum("ijkl,nk,nl->ij", body.hooke, solution.u[nodes], grad)
-            s[2, 2] = body.zz * np.trace(s)
-            stress[nodes] += size * s
+            nodes, size = body.first + cell, sum(weight * body.gradients(cell, at)[2] for at, weight in body.rule)
+            s = np.zeros((len(places), 3, 3))
+            for p, at in enumerate(places):
+                s[p, :2, :2] = np.einsum("ijkl,nk,nl->ij", body.hooke, solution.u[nodes], body.gradients(cell, at)[1])
+                s[p, 2, 2] = body.zz * np.trace(s[p])
+            stress[nodes] += size * np.einsum("np,pij->nij", continuation, s)
             area[nodes] += size
     return stress / area[:, None, None]
 
@@ -45,7 +58,7 @@ def write_fields(path, scene, solution):
     for r, (_, node, *_) in enumerate(solution.rows):
         pressure[node], gap[node], status[node] = solution.p[r], solution.gap[r], solution.status[r]
     cells, owner = [], []
-    for size, kind in ((3, 4), (4, 5)):  # XDMF's numbers of triangles and quads
+    for size, kind in ((3, 4), (4, 5), (6, 36), (9, 35)):  # XDMF's numbers of triangles and quads of order 1 and 2
         for b, body in enumerate(scene.bodies.values()):
             for cell in body.cells:
                 if len(cell) == size:
@@ -94,7 +107,7 @@ def main(arguments):
         report = "".join(f"{name}: {value:.2g}\n" for name, value in solution.report.items())
         if not check:
             (folder / "ORIGIN").write_text(METHOD.format(case=case) + report)
-        if case == FIELDS and not check:
+        if case in FIELDS and not check:
             write_fields(folder / "fields.h5", scene, solution)
         print(f"{case}: {2 * len(scene.points)} unknowns, {len(solution.rows)} rows, "
               f"{np.count_nonzero(solution.status > 0)} active\n{report}")
