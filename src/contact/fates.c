@@ -9,9 +9,10 @@
 
 /* A normal whose free part is shorter than this is held: no multiplier. */
 static const PetscReal HELD_NORMAL = 0.1;
-/* Covered share of a node's support below which its pressure could not be recovered accurately; where the far end of a
-   quadratic facet is covered to less than three quarters its share is negative. */
-static const PetscReal SLIVER = 1e-3;
+/* Covered share of a node's support below which its pressure could not be recovered accurately, on linear and on quadratic
+   facets, whose share e covers e^2 / 2 of a far end or 3 e^2 of a middle node. The far end of a quadratic facet is
+   covered negatively where less than three quarters of the facet are. */
+static const PetscReal SLIVER_LINEAR = 1e-3, SLIVER_QUADRATIC = 5e-2;
 /* Covered share that is nothing but roundoff. */
 static const PetscReal NOTHING = 1e-13;
 /* Two constraints at one node need normals that differ by at least 20 degrees. */
@@ -50,9 +51,19 @@ PetscErrorCode NormalsProject(const Level *level, const Support *held, Vec norma
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The share that a node of the draft's nonmortar side needs. */
+static PetscReal LeastShare_Private(const Level *level, const ScenePair *spec)
+{
+  const PetscBool quadratic =
+      (PetscBool)(level->scene->bodies[spec->nonmortar.body].order == 2 && spec->multipliers == MULTIPLIERS_NODES);
+
+  return quadratic ? SLIVER_QUADRATIC : SLIVER_LINEAR;
+}
+
 PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *draft)
 {
-  const PetscInt     dim = level->dim;
+  const PetscInt     dim   = level->dim;
+  const PetscReal    least = LeastShare_Private(level, draft->spec);
   const PetscScalar *D, *full;
   PetscScalar       *N;
   Vec                local_D, local_full, local_N;
@@ -68,7 +79,7 @@ PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *d
     const PetscReal share = full[i] > 0 ? D[i] / full[i] : 0;
     PetscBool       keep  = PETSC_FALSE;
     if (PetscAbsReal(share) > NOTHING)
-      keep = (PetscBool)(ProjectNormal_Private(held, i, &N[i * dim]) && share >= SLIVER);
+      keep = (PetscBool)(ProjectNormal_Private(held, i, &N[i * dim]) && share >= least);
     if (draft->spec->type == PAIR_TIED && held->count[i] > 0) keep = PETSC_FALSE; // a tie needs all directions
     draft->fate[i] = PetscAbsReal(share) <= NOTHING ? NODE_UNCOVERED : (keep ? NODE_KEPT : NODE_REMOVED);
   }

@@ -12,8 +12,10 @@ static const PetscReal PARALLEL = 1e-12;
 /* Powers of E this small do not change T, whose entries are of order 1. */
 static const PetscReal NEGLIGIBLE = 1e-17;
 /* Powers beyond the longest chain of pairs: two pairs on one side may depend on each other through the row of a removed
-   sliver, whose weight is below a thousandth, so that powers fall by that much. Roles in a circle never fall. */
-enum { SLIVER_POWERS = 20 };
+   node. On straight facets that is a sliver's, whose weight is below a thousandth, and powers fall by as much; on quadratic
+   ones a far end that is covered in part weighs more, and the powers fall by 0.7 at the worst place of a seam between the
+   two. Roles in a circle never fall. */
+enum { REMOVED_POWERS = 128 };
 
 /* F^-1 of a 2 x 2 or 3 x 3 matrix by cofactors. [in] F - [dim][dim]; [out] Finv - [dim][dim] */
 static void Invert_Private(PetscInt dim, const PetscReal F[], PetscReal Finv[])
@@ -280,7 +282,7 @@ PetscErrorCode BasisCreateT(VI vi, const NodeBases *bases, Mat *T)
   PetscCall(MatMatMult(E, *T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &V));
   PetscCall(MatNorm(V, NORM_FROBENIUS, &norm));
   for (PetscInt power = 1; norm > NEGLIGIBLE; power++) {
-    if (power > vi->num_pairs + SLIVER_POWERS) PetscCall(RaiseCycle_Private(vi));
+    if (power > vi->num_pairs + REMOVED_POWERS) PetscCall(RaiseCycle_Private(vi));
     PetscCall(MatAXPY(*T, 1.0, V, DIFFERENT_NONZERO_PATTERN));
     PetscCall(MatMatMult(E, V, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &next));
     PetscCall(MatDestroy(&V));
