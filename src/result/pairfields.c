@@ -25,7 +25,7 @@ static PetscErrorCode ExtendPressure_Private(const Pair pair, PairFields *nodal)
   PetscCall(VecGetArrayRead(sums[0], &sum[0]));
   PetscCall(VecGetArrayRead(sums[1], &sum[1]));
   for (PetscInt c = 0; c < n; ++c) {
-    if (!(sum[1][c] > 0)) continue;
+    if (sum[1][c] == 0) continue; /* int phi_c may be negative on a part of a quadratic facet */
     nodal->pressure[c] = sum[0][c] / sum[1][c];
     nodal->covered[c]  = PETSC_TRUE;
   }
