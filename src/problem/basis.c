@@ -2,7 +2,8 @@
 
    At a node with multipliers y_i = n_i . (u_s - sum_b P_ab u_b + sum_c (D_ac / D_aa) u_c), P = M / D; the other unknowns of
    the node are its tangential displacements (Hueber & Wohlmuth 2005, here for the normal component only). A tie treats all
-   directions so. Held directions that are not axes turn their node's unknowns as well. */
+   directions so. Held directions that are not axes turn their node's unknowns as well. All this is done to the hierarchical
+   displacements u~ where there are any (couplings.h), and u = S u~ comes last. */
 #include <mortise/compat.h>
 #include <mortise/fault.h>
 #include "basis.h"
@@ -177,11 +178,12 @@ static PetscErrorCode CreateR_Private(VI vi, const NodeBases *bases, Mat *R)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds coefficient * F^-1_(.,i) (x) F_i for every entry of row `node` of a node x node matrix. */
-static PetscErrorCode AddCoupling_Private(VI vi, const NodeBases *bases, Mat C, PetscInt s, PetscInt i,
-                                          PetscReal coefficient, Mat E)
+/* Adds -(1/D) F^-1_(.,i) (x) F_i for every entry of row `node` of a node x node matrix. */
+static PetscErrorCode AddCoupling_Private(VI vi, const NodeBases *bases, Mat C, PetscInt row, Mat E)
 {
-  const PetscInt     dim = vi->level->dim, block = vi->level->node_begin + bases->node[s];
+  const Pair         pair = vi->pairs[vi->row_pair[row]];
+  const PetscInt     dim = vi->level->dim, k = vi->row_node[row], i = vi->row_dof[row] % dim;
+  const PetscInt     s = bases->of_node[pair->nodes[k]], block = vi->level->node_begin + pair->nodes[k];
   const PetscReal   *F = &bases->F[s * dim * dim], *Finv = &bases->Finv[s * dim * dim];
   PetscInt           num;
   const PetscInt    *columns;
@@ -191,8 +193,9 @@ static PetscErrorCode AddCoupling_Private(VI vi, const NodeBases *bases, Mat C, 
   PetscFunctionBeginUser;
   PetscCall(MatGetRow(C, block, &num, &columns, &values));
   for (PetscInt c = 0; c < num; c++) {
+    const PetscReal coefficient = -PetscRealPart(values[c]) / pair->D[k];
     for (PetscInt j = 0; j < dim; j++) {
-      for (PetscInt l = 0; l < dim; l++) Eb[j * dim + l] = coefficient * values[c] * Finv[j * dim + i] * F[i * dim + l];
+      for (PetscInt l = 0; l < dim; l++) Eb[j * dim + l] = coefficient * Finv[j * dim + i] * F[i * dim + l];
     }
     PetscCall(MatSetValuesBlocked(E, 1, &block, 1, &columns[c], Eb, ADD_VALUES));
   }
@@ -201,36 +204,32 @@ static PetscErrorCode AddCoupling_Private(VI vi, const NodeBases *bases, Mat C, 
 }
 
 /* Entries of a node's rows of E, over all its constraints. [out] nnz - blocks per owned node [num_owned] */
-static PetscErrorCode CountE_Private(VI vi, PetscInt nnz[])
+static PetscErrorCode CountE_Private(VI vi, const Couplings *couplings, PetscInt nnz[])
 {
   PetscInt num;
 
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(nnz, vi->level->num_owned));
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
-    const Mat C[2] = {vi->pairs[p]->M, vi->pairs[p]->chain};
-    for (PetscInt k = 0; k < vi->pairs[p]->num; k++) {
+    for (PetscInt k = 0; couplings->basis[p] && k < vi->pairs[p]->num; k++) {
       const PetscInt node = vi->pairs[p]->nodes[k];
-      for (PetscInt m = 0; m < 2; m++) {
-        if (!C[m]) continue;
-        PetscCall(MatGetRow(C[m], vi->level->node_begin + node, &num, NULL, NULL));
-        nnz[node] += num;
-        PetscCall(MatRestoreRow(C[m], vi->level->node_begin + node, &num, NULL, NULL));
-      }
+      PetscCall(MatGetRow(couplings->basis[p], vi->level->node_begin + node, &num, NULL, NULL));
+      nnz[node] += num;
+      PetscCall(MatRestoreRow(couplings->basis[p], vi->level->node_begin + node, &num, NULL, NULL));
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* E: what the other side's displacement contributes to u at special nodes. */
-static PetscErrorCode CreateE_Private(VI vi, const NodeBases *bases, Mat *E)
+/* E: what other displacements contribute to u~ at special nodes. */
+static PetscErrorCode CreateE_Private(VI vi, const NodeBases *bases, const Couplings *couplings, Mat *E)
 {
   const PetscInt dim = vi->level->dim, n = vi->level->num_owned, rest = vi->level->num_global - n;
   PetscInt      *nnz, *d_nnz, *o_nnz;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc3(n, &nnz, n * dim, &d_nnz, n * dim, &o_nnz));
-  PetscCall(CountE_Private(vi, nnz));
+  PetscCall(CountE_Private(vi, couplings, nnz));
   for (PetscInt i = 0; i < n * dim; i++) {
     d_nnz[i] = dim * PetscMin(nnz[i / dim], n);
     o_nnz[i] = dim * PetscMin(nnz[i / dim], rest);
@@ -239,10 +238,8 @@ static PetscErrorCode CreateE_Private(VI vi, const NodeBases *bases, Mat *E)
   PetscCall(MatSetBlockSize(*E, dim));
   PetscCall(PetscFree3(nnz, d_nnz, o_nnz));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    const Pair     pair = vi->pairs[vi->row_pair[r]];
-    const PetscInt k = vi->row_node[r], s = bases->of_node[pair->nodes[k]], i = vi->row_dof[r] % dim;
-    if (pair->M) PetscCall(AddCoupling_Private(vi, bases, pair->M, s, i, 1 / pair->D[k], *E));
-    if (pair->chain) PetscCall(AddCoupling_Private(vi, bases, pair->chain, s, i, -1 / pair->D[k], *E));
+    const Mat C = couplings->basis[vi->row_pair[r]];
+    if (C) PetscCall(AddCoupling_Private(vi, bases, C, r, *E));
   }
   PetscCall(MatAssemblyBegin(*E, MAT_FINAL_ASSEMBLY));
   PetscCall(MatAssemblyEnd(*E, MAT_FINAL_ASSEMBLY));
@@ -267,18 +264,18 @@ static PetscErrorCode RaiseCycle_Private(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BasisCreateT(VI vi, const NodeBases *bases, Mat *T)
+PetscErrorCode BasisCreateT(VI vi, const NodeBases *bases, const Couplings *couplings, Mat *T)
 {
-  Mat       E, V, next;
+  Mat       E, V, next, shifted;
   PetscReal norm;
   PetscInt  special = bases->num;
 
   PetscFunctionBeginUser;
   *T = NULL;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &special, 1, MPIU_INT, MPI_SUM, vi->level->comm));
-  if (special == 0) PetscFunctionReturn(PETSC_SUCCESS);
+  if (special == 0 && !couplings->shift) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(CreateR_Private(vi, bases, T));
-  PetscCall(CreateE_Private(vi, bases, &E));
+  PetscCall(CreateE_Private(vi, bases, couplings, &E));
   PetscCall(MatMatMult(E, *T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &V));
   PetscCall(MatNorm(V, NORM_FROBENIUS, &norm));
   for (PetscInt power = 1; norm > NEGLIGIBLE; power++) {
@@ -291,6 +288,11 @@ PetscErrorCode BasisCreateT(VI vi, const NodeBases *bases, Mat *T)
   }
   PetscCall(MatDestroy(&V));
   PetscCall(MatDestroy(&E));
+  if (couplings->shift) {
+    PetscCall(MatMatMult(couplings->shift, *T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &shifted));
+    PetscCall(MatAXPY(*T, 1.0, shifted, DIFFERENT_NONZERO_PATTERN));
+    PetscCall(MatDestroy(&shifted));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -306,24 +308,58 @@ static PetscInt FindUnknown_Private(PetscInt dim, const PetscReal F[], const Pet
   return -1;
 }
 
-PetscErrorCode BasisGetFixed(VI vi, const NodeBases *bases, PetscInt *num, PetscInt **dofs, PetscReal **values)
+/* shift p with p = sum_j value_j d_j: how far prescribed displacements of the ends of a facet move its middle. The ends are
+   held wherever the middle is, and in the same directions at least. [out] moved - NULL where nothing is shifted */
+static PetscErrorCode MovedByEnds_Private(VI vi, const Couplings *couplings, Vec *moved)
 {
   const PetscInt dim = vi->level->dim;
+  PetscScalar   *value;
+  Vec            prescribed;
+
+  PetscFunctionBeginUser;
+  *moved = NULL;
+  if (!couplings->shift) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatCreateVecs(couplings->shift, &prescribed, moved));
+  PetscCall(VecGetArray(prescribed, &value));
+  for (PetscInt i = 0; i < vi->level->num_owned; i++) {
+    for (PetscInt j = 0; j < vi->support.count[i]; j++) {
+      for (PetscInt k = 0; k < dim; k++)
+        value[i * dim + k] += vi->support.values[i * dim + j] * vi->support.directions[(i * dim + j) * dim + k];
+    }
+  }
+  PetscCall(VecRestoreArray(prescribed, &value));
+  PetscCall(MatMult(couplings->shift, prescribed, *moved));
+  PetscCall(VecDestroy(&prescribed));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BasisGetFixed(VI vi, const NodeBases *bases, const Couplings *couplings, PetscInt *num, PetscInt **dofs,
+                             PetscReal **values)
+{
+  const PetscInt     dim   = vi->level->dim;
+  const PetscScalar *moved = NULL;
+  Vec                by_ends;
 
   PetscFunctionBeginUser;
   *num = 0;
   PetscCall(PetscMalloc2(vi->level->num_owned * dim, dofs, vi->level->num_owned * dim, values));
+  PetscCall(MovedByEnds_Private(vi, couplings, &by_ends));
+  if (by_ends) PetscCall(VecGetArrayRead(by_ends, &moved));
   for (PetscInt i = 0; i < vi->level->num_owned; i++) {
     const PetscInt   s = bases->of_node[i];
     const PetscReal *F = s >= 0 ? &bases->F[s * dim * dim] : NULL;
     for (PetscInt j = 0; j < vi->support.count[i]; j++) {
-      PetscReal      sign;
-      const PetscInt r = FindUnknown_Private(dim, F, &vi->support.directions[(i * dim + j) * dim], &sign);
+      const PetscReal *d     = &vi->support.directions[(i * dim + j) * dim];
+      PetscReal        value = vi->support.values[i * dim + j], sign;
+      const PetscInt   r     = FindUnknown_Private(dim, F, d, &sign);
       PetscCheck(r >= 0, PETSC_COMM_SELF, PETSC_ERR_PLIB, "A held direction is not an unknown of its node");
+      for (PetscInt k = 0; moved && k < dim; k++) value -= d[k] * PetscRealPart(moved[i * dim + k]);
       (*dofs)[*num]       = dim * (vi->level->node_begin + i) + r;
-      (*values)[(*num)++] = sign * vi->support.values[i * dim + j];
+      (*values)[(*num)++] = sign * value;
     }
   }
+  if (by_ends) PetscCall(VecRestoreArrayRead(by_ends, &moved));
+  PetscCall(VecDestroy(&by_ends));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     if (vi->pairs[vi->row_pair[r]]->spec->type != PAIR_TIED) continue;
     (*dofs)[*num]       = vi->row_dof[r];

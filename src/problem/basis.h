@@ -2,10 +2,10 @@
 #ifndef MORTISE_BASIS_H
 #define MORTISE_BASIS_H
 
-#include <mortise/vi.h>
+#include "couplings.h"
 
 /* Nodes whose unknowns are not the Cartesian displacements: those with multipliers or a held direction that is not an axis.
-   Row r of F takes u to the node's r-th unknown before the mortar side is subtracted: v = F u. */
+   Row r of F takes u~ to the node's r-th unknown before the mortar side is subtracted: v = F u~. */
 typedef struct {
   PetscInt   num;
   PetscInt  *node;     /* local, owned, ascending [num] */
@@ -17,12 +17,13 @@ typedef struct {
 PetscErrorCode NodeBasesCreate(VI vi, NodeBases *bases);
 PetscErrorCode NodeBasesDestroy(NodeBases *bases);
 
-/* T = (I + E + E E + ..) R with u = R y + E u (T7): R turns, E adds what the mortar side does. The powers end with the
+/* T = S (I + E + E E + ..) R with u~ = R y + E u~ (T7): R turns, E adds what the mortar side does. The powers end with the
    longest chain of pairs; if they do not, the roles run in a circle, which is a fault. NULL where T = I. Collective. */
-PetscErrorCode BasisCreateT(VI vi, const NodeBases *bases, Mat *T);
+PetscErrorCode BasisCreateT(VI vi, const NodeBases *bases, const Couplings *couplings, Mat *T);
 
-/* Global unknowns y_i that held directions and ties fix, with their values in the user's unit. Not collective.
+/* Global unknowns y_i that held directions and ties fix, with their values in the user's unit. Collective.
    [out] dofs, values - [*num], owned by the caller (PetscFree2) */
-PetscErrorCode BasisGetFixed(VI vi, const NodeBases *bases, PetscInt *num, PetscInt **dofs, PetscReal **values);
+PetscErrorCode BasisGetFixed(VI vi, const NodeBases *bases, const Couplings *couplings, PetscInt *num, PetscInt **dofs,
+                             PetscReal **values);
 
 #endif

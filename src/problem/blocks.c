@@ -22,25 +22,26 @@ static PetscErrorCode AddRow_Private(VI vi, Mat C, PetscInt node, PetscReal coef
 }
 
 /* Number of entries of one row of B. */
-static PetscErrorCode CountRow_Private(VI vi, const Pair pair, PetscInt node, PetscInt *nnz)
+static PetscErrorCode CountRow_Private(VI vi, const Couplings *couplings, PetscInt row, PetscInt *nnz)
 {
-  const Mat C[2] = {pair->M, pair->chain};
-  PetscInt  num;
+  const Pair     pair = vi->pairs[vi->row_pair[row]];
+  const Mat      C    = couplings->record[vi->row_pair[row]];
+  const PetscInt node = vi->level->node_begin + pair->nodes[vi->row_node[row]];
+  PetscInt       num  = 0;
 
   PetscFunctionBeginUser;
-  *nnz = 1;
-  for (PetscInt m = 0; m < 2; m++) {
-    if (!C[m]) continue;
-    PetscCall(MatGetRow(C[m], node, &num, NULL, NULL));
-    *nnz += num;
-    PetscCall(MatRestoreRow(C[m], node, &num, NULL, NULL));
+  if (C) {
+    PetscCall(MatGetRow(C, node, &num, NULL, NULL));
+    *nnz = vi->level->dim * (1 + num);
+    PetscCall(MatRestoreRow(C, node, &num, NULL, NULL));
+  } else {
+    *nnz = vi->level->dim;
   }
-  *nnz *= vi->level->dim;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* An empty B with room for its rows. */
-static PetscErrorCode AllocateB_Private(VI vi)
+static PetscErrorCode AllocateB_Private(VI vi, const Couplings *couplings)
 {
   const PetscInt columns = vi->level->num_owned * vi->level->dim,
                  rest    = vi->level->num_global * vi->level->dim - columns;
@@ -49,9 +50,8 @@ static PetscErrorCode AllocateB_Private(VI vi)
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc2(vi->num_rows, &d_nnz, vi->num_rows, &o_nnz));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    const Pair pair = vi->pairs[vi->row_pair[r]];
-    PetscInt   nnz;
-    PetscCall(CountRow_Private(vi, pair, vi->level->node_begin + pair->nodes[vi->row_node[r]], &nnz));
+    PetscInt nnz;
+    PetscCall(CountRow_Private(vi, couplings, r, &nnz));
     d_nnz[r] = PetscMin(nnz, columns);
     o_nnz[r] = PetscMin(nnz, rest);
   }
@@ -62,7 +62,7 @@ static PetscErrorCode AllocateB_Private(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BlocksCreate(VI vi, const NodeBases *bases)
+PetscErrorCode BlocksCreate(VI vi, const NodeBases *bases, const Couplings *couplings)
 {
   const PetscInt dim  = vi->level->dim;
   PetscInt       rows = vi->num_rows, first;
@@ -71,17 +71,17 @@ PetscErrorCode BlocksCreate(VI vi, const NodeBases *bases)
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &rows, 1, MPIU_INT, MPI_SUM, vi->level->comm));
   if (rows == 0) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(AllocateB_Private(vi));
+  PetscCall(AllocateB_Private(vi, couplings));
   PetscCall(MatGetOwnershipRange(vi->B, &first, NULL));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     const Pair     pair = vi->pairs[vi->row_pair[r]];
+    const Mat      C    = couplings->record[vi->row_pair[r]];
     const PetscInt k = vi->row_node[r], node = vi->level->node_begin + pair->nodes[k],
                    s    = bases->of_node[pair->nodes[k]];
     const PetscReal *Fi = &bases->F[(s * dim + vi->row_dof[r] % dim) * dim], thickness = vi->scene->thickness;
     for (PetscInt j = 0; j < dim; j++)
       PetscCall(MatSetValue(vi->B, first + r, dim * node + j, vi->row_D[r] * Fi[j], ADD_VALUES));
-    if (pair->M) PetscCall(AddRow_Private(vi, pair->M, node, -thickness, Fi, first + r));
-    if (pair->chain) PetscCall(AddRow_Private(vi, pair->chain, node, thickness, Fi, first + r));
+    if (C) PetscCall(AddRow_Private(vi, C, node, thickness, Fi, first + r));
     PetscCall(
         VecSetValue(vi->G, first + r, pair->spec->type == PAIR_TIED ? 0 : vi->row_D[r] * pair->gap[k], INSERT_VALUES));
   }

@@ -5,7 +5,7 @@
 #include "basis.h"
 
 /* Fills vi->B, vi->G, vi->nest from the pairs; row a, direction i of B is
-     thickness F_i . (D_aa u_a + sum_c D_ac u_c - sum_b M_ab u_b).  NULL where no pair has a multiplier. Collective. */
-PetscErrorCode BlocksCreate(VI vi, const NodeBases *bases);
+     thickness F_i . (D_aa u_a + (record u)_a)  with couplings->record = chain - M.  NULL where no pair has a multiplier. Collective. */
+PetscErrorCode BlocksCreate(VI vi, const NodeBases *bases, const Couplings *couplings);
 
 #endif

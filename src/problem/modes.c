@@ -1,8 +1,8 @@
 /* modes.c -- rigid motions as near null space.
 
    Smoothed aggregation needs the motions of each body as vectors of their own: sums over bodies lose them. In the unknowns
-   y a motion is y = T^-1 u: the ordinary unknowns of u, F u at special nodes, and (B u)_row / D_row where a row
-   of B is an unknown. */
+   y a motion is y = T^-1 u: the ordinary unknowns of u~ = (I - shift) u, F u~ at special nodes, and (B u)_row / D_row where
+   a row of B is an unknown. */
 #include <mortise/compat.h>
 #include "modes.h"
 
@@ -34,21 +34,27 @@ static PetscErrorCode SetMotion_Private(const Level *level, PetscInt body, Petsc
 }
 
 /* y = T^-1 u. [in] Bu - work vector in the layout of G, or NULL */
-static PetscErrorCode ApplyInverse_Private(VI vi, const NodeBases *bases, Vec u, Vec Bu, Vec y)
+static PetscErrorCode ApplyInverse_Private(VI vi, const NodeBases *bases, const Couplings *couplings, Vec u, Vec Bu,
+                                           Vec y)
 {
   const PetscInt     dim = vi->level->dim;
-  const PetscScalar *ua, *ba;
+  const PetscScalar *ba;
   PetscScalar       *ya;
 
   PetscFunctionBeginUser;
-  PetscCall(VecCopy(u, y));
-  PetscCall(VecGetArrayRead(u, &ua));
+  if (couplings->shift) {
+    PetscCall(MatMult(couplings->shift, u, y));
+    PetscCall(VecAYPX(y, -1.0, u));
+  } else {
+    PetscCall(VecCopy(u, y));
+  }
   PetscCall(VecGetArray(y, &ya));
   for (PetscInt s = 0; s < bases->num; s++) {
-    const PetscInt i = bases->node[s];
+    PetscScalar *yi = &ya[bases->node[s] * dim], ui[3];
+    for (PetscInt k = 0; k < dim; k++) ui[k] = yi[k];
     for (PetscInt r = 0; r < dim; r++) {
-      ya[i * dim + r] = 0;
-      for (PetscInt k = 0; k < dim; k++) ya[i * dim + r] += bases->F[(s * dim + r) * dim + k] * ua[i * dim + k];
+      yi[r] = 0;
+      for (PetscInt k = 0; k < dim; k++) yi[r] += bases->F[(s * dim + r) * dim + k] * ui[k];
     }
   }
   if (Bu) {
@@ -58,7 +64,6 @@ static PetscErrorCode ApplyInverse_Private(VI vi, const NodeBases *bases, Vec u,
     PetscCall(VecRestoreArrayRead(Bu, &ba));
   }
   PetscCall(VecRestoreArray(y, &ya));
-  PetscCall(VecRestoreArrayRead(u, &ua));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -82,7 +87,8 @@ static PetscErrorCode Orthonormalize_Private(PetscInt *num, Vec vectors[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ModesAttach(VI vi, const NodeBases *bases, PetscInt num_fixed, const PetscInt fixed[])
+PetscErrorCode ModesAttach(VI vi, const NodeBases *bases, const Couplings *couplings, PetscInt num_fixed,
+                           const PetscInt fixed[])
 {
   const PetscInt dim = vi->level->dim, per_body = dim * (dim + 1) / 2, max = vi->scene->num_bodies * per_body;
   const PetscInt first = dim * vi->level->node_begin;
@@ -98,7 +104,7 @@ PetscErrorCode ModesAttach(VI vi, const NodeBases *bases, PetscInt num_fixed, co
   for (PetscInt b = 0; b < vi->scene->num_bodies; b++) {
     for (PetscInt mode = 0; mode < per_body; mode++) {
       PetscCall(SetMotion_Private(vi->level, b, mode, u));
-      PetscCall(ApplyInverse_Private(vi, bases, u, Bu, vectors[num]));
+      PetscCall(ApplyInverse_Private(vi, bases, couplings, u, Bu, vectors[num]));
       PetscCall(VecGetArray(vectors[num], &ya));
       for (PetscInt i = 0; i < num_fixed; i++) ya[fixed[i] - first] = 0;
       PetscCall(VecRestoreArray(vectors[num], &ya));

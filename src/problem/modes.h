@@ -6,6 +6,7 @@
 
 /* Attaches to vi->A the rigid motions of every body in the unknowns y, zero at fixed unknowns, orthonormal. Collective.
    [in] fixed - global unknowns with unit rows [num_fixed] */
-PetscErrorCode ModesAttach(VI vi, const NodeBases *bases, PetscInt num_fixed, const PetscInt fixed[]);
+PetscErrorCode ModesAttach(VI vi, const NodeBases *bases, const Couplings *couplings, PetscInt num_fixed,
+                           const PetscInt fixed[]);
 
 #endif

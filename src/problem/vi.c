@@ -91,6 +91,7 @@ PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi_out)
 {
   VI         vi;
   NodeBases  bases;
+  Couplings  couplings;
   PetscInt   num_fixed, *fixed;
   PetscReal *values;
 
@@ -112,15 +113,17 @@ PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi_out)
   PetscCall(LogStageEnd(STAGE_ASSEMBLY));
   PetscCall(LogStageBegin(STAGE_CONDENSE));
   PetscCall(NodeBasesCreate(vi, &bases));
-  PetscCall(BlocksCreate(vi, &bases));
-  PetscCall(BasisCreateT(vi, &bases, &vi->T));
+  PetscCall(CouplingsCreate(vi, &couplings));
+  PetscCall(BlocksCreate(vi, &bases, &couplings));
+  PetscCall(BasisCreateT(vi, &bases, &couplings, &vi->T));
   PetscCall(ChooseScales_Private(vi));
   PetscCall(Condense_Private(vi));
   PetscCall(SetBounds_Private(vi));
-  PetscCall(BasisGetFixed(vi, &bases, &num_fixed, &fixed, &values));
+  PetscCall(BasisGetFixed(vi, &bases, &couplings, &num_fixed, &fixed, &values));
   PetscCall(Eliminate_Private(vi, num_fixed, fixed, values));
-  PetscCall(ModesAttach(vi, &bases, num_fixed, fixed));
+  PetscCall(ModesAttach(vi, &bases, &couplings, num_fixed, fixed));
   PetscCall(PetscFree2(fixed, values));
+  PetscCall(CouplingsDestroy(&couplings));
   PetscCall(NodeBasesDestroy(&bases));
   PetscCall(LogStageEnd(STAGE_CONDENSE));
   *vi_out = vi;

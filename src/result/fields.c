@@ -66,7 +66,7 @@ static PetscErrorCode PairMoment_Private(Fields fields, PetscInt p, PetscInt mom
   const PetscInt   dim    = vi->level->dim;
   const PetscReal *coords = vi->level->coords, *taken = NULL;
   PetscReal       *value;
-  Vec              values, sums;
+  Vec              values, sums, moved;
 
   PetscFunctionBeginUser;
   if (pair->chain) {
@@ -74,6 +74,12 @@ static PetscErrorCode PairMoment_Private(Fields fields, PetscInt p, PetscInt mom
     PetscCall(VecGetArray(values, &value));
     for (PetscInt c = 0; c < vi->level->num_owned; ++c) value[c] = moment ? coords[c * dim + moment - 1] : 1.0;
     PetscCall(VecRestoreArray(values, &value));
+    if (pair->shift) { /* the chain is written for u~ = u - shift u */
+      PetscCall(VecDuplicate(values, &moved));
+      PetscCall(MatMult(pair->shift, values, moved));
+      PetscCall(VecAXPY(values, -1.0, moved));
+      PetscCall(VecDestroy(&moved));
+    }
     PetscCall(MatMult(pair->chain, values, sums));
     PetscCall(VecGetArrayRead(sums, &taken));
   }

@@ -37,6 +37,38 @@ static PetscErrorCode ExtendPressure_Private(const Pair pair, PairFields *nodal)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Where only vertices carry multipliers, the pressure that is given out is linear between them: in the middle of a facet
+   the mean of its ends. */
+static PetscErrorCode InterpolatePressure_Private(const Pair pair, PairFields *nodal)
+{
+  const PetscInt   begin = pair->level->node_begin;
+  Vec              ends, middles;
+  PetscReal       *value;
+  const PetscReal *mean;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateVecs(pair->shift, &ends, &middles));
+  for (PetscInt i = 0; i < 2; ++i) { /* the pressure, and whether there is any */
+    PetscCall(VecGetArray(ends, &value));
+    for (PetscInt a = 0; a < pair->level->num_owned; ++a) value[a] = i == 0 ? nodal->pressure[a] : nodal->covered[a];
+    PetscCall(VecRestoreArray(ends, &value));
+    PetscCall(MatMult(pair->shift, ends, middles));
+    PetscCall(VecGetArrayRead(middles, &mean));
+    for (PetscInt a = 0; a < pair->level->num_owned; ++a) {
+      PetscInt num;
+
+      PetscCall(MatGetRow(pair->shift, begin + a, &num, NULL, NULL));
+      if (num && i == 0) nodal->pressure[a] = mean[a];
+      if (num && i == 1) nodal->covered[a] = (PetscBool)(mean[a] > 0);
+      PetscCall(MatRestoreRow(pair->shift, begin + a, &num, NULL, NULL));
+    }
+    PetscCall(VecRestoreArrayRead(middles, &mean));
+  }
+  PetscCall(VecDestroy(&ends));
+  PetscCall(VecDestroy(&middles));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal)
 {
   const VI         vi   = fields->vi;
@@ -67,6 +99,7 @@ PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal)
   PetscCall(VecRestoreArrayRead(fields->slack, &slack));
   PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
   if (pair->chain) PetscCall(ExtendPressure_Private(pair, nodal));
+  if (pair->shift) PetscCall(InterpolatePressure_Private(pair, nodal));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

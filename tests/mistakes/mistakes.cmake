@@ -132,6 +132,9 @@ mistake(obstacle_normal     SAYS "-wall_obstacle_normal 0,0" zero
 mistake(obstacle_radius     SAYS "-wall_obstacle_radius 0" zero
   ARGS -pairs joint,wall -wall_nonmortar upper:left -wall_obstacle circle -wall_obstacle_radius 0)
 mistake(obstacle_gap        SAYS -wall_obstacle_gap missing ARGS -pairs joint,wall -wall_nonmortar upper:left -wall_obstacle expression)
+mistake(torn_side           SAYS -joint_multipliers nodes -second_multipliers vertices
+  ARGS -order 2 -pairs joint,second -second_nonmortar upper:bottom -second_obstacle plane
+  -second_obstacle_point 0,-1 -second_obstacle_normal 0,1 -second_multipliers vertices)
 mistake(role_circle         SCENE circle SAYS spring summer autumn winter ARGS -title "Seasons")
 
 # --- exact solutions and studies ---

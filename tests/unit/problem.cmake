@@ -1,0 +1,1 @@
+mortise_unit(basis ROOMS base kernel mesh contact problem RANKS 1 3)

@@ -1,0 +1,151 @@
+/* test_basis.c -- the change of basis: rows of B are single unknowns, rigid motions keep A's null space, supports are met,
+   whatever the order, whichever nodes carry multipliers, and on any number of ranks. */
+#include <mortise/compat.h>
+#include <mortise/vi.h>
+#include "mesh_scene.h"
+#include "uniform.h"
+
+/* What a scene is made of; all bodies are boxes of order 2, over and under y = 0. */
+typedef enum {
+  CASE_VERTICES, /* a block on a block, multipliers at vertices */
+  CASE_CHAIN,    /* the side that is shifted in one pair is the mortar side of another, which has them at all nodes */
+  CASE_TWICE,    /* a side in two pairs, with multipliers at vertices in both */
+  CASE_COUNT
+} Case;
+
+static VI CreateVI(TestScene *t, Case which, PetscBool supports, Mesh *mesh)
+{
+  SceneBody *body;
+  VI         vi;
+
+  TestSceneInit(t);
+  body        = TestSceneAddBox(t, "base", 5, 3, 0, -1, 2, 0);
+  body->order = 2;
+  if (supports) {
+    TestSceneAddBoundary(body, BOUNDARY_DISPLACEMENT, "bottom", "0, 0");
+    TestSceneAddBoundary(body, BOUNDARY_DISPLACEMENT, "left", "0.01*(1+y)^2, free"); // reaches the contact at (0, 0)
+  }
+  for (PetscInt b = 1; b < (which == CASE_VERTICES ? 2 : 3); ++b) {
+    body        = TestSceneAddBox(t, b == 1 ? "first" : "second", 3, 2, b - 1, 0, b == 1 ? 0.9 : 2, 1);
+    body->order = 2;
+    if (supports) {
+      TestSceneAddBoundary(body, BOUNDARY_DISPLACEMENT, "top", "0.01*x, -0.02");
+      TestSceneAddBoundary(body, BOUNDARY_DISPLACEMENT, b == 1 ? "left" : "right", "0.01*(x+(y-1)^2), free");
+    }
+  }
+  if (which == CASE_VERTICES) {
+    TestSceneAddPair(t, "pair", 1, "bottom+left", 0, "top")->multipliers = MULTIPLIERS_VERTICES;
+  } else {
+    if (which == CASE_CHAIN)
+      TestSceneAddPair(t, "above", 1, "bottom", 0, "top");
+    else
+      TestSceneAddPair(t, "above", 0, "top", 1, "bottom")->multipliers = MULTIPLIERS_VERTICES;
+    TestSceneAddPair(t, "below", 0, "top", 2, "bottom")->multipliers = MULTIPLIERS_VERTICES;
+  }
+  *mesh = TestSceneMesh(t);
+  CHECK(!VICreate(&t->scene, *mesh, &vi));
+  return vi;
+}
+
+static void DestroyVI(TestScene *t, Mesh *mesh, VI *vi)
+{
+  CHECK(!VIDestroy(vi));
+  CHECK(!MeshDestroy(mesh));
+  TestSceneFree(t);
+}
+
+/* (B u)_row = D_row y_row for any y. */
+static void TestRows(VI vi)
+{
+  Vec              y, u, Bu;
+  PetscScalar     *ya;
+  const PetscReal *ba;
+  PetscInt         begin, end, rows = vi->num_rows;
+
+  CHECK(!VecDuplicate(vi->upper, &y));
+  CHECK(!VecGetOwnershipRange(y, &begin, &end));
+  CHECK(!VecGetArray(y, &ya));
+  for (PetscInt i = 0; i < end - begin; ++i) ya[i] = Uniform(-1, 1);
+  CHECK(!VecRestoreArray(y, &ya));
+  CHECK(!LevelCreateVec(vi->level, 2, &u));
+  CHECK(!VIRecoverDisplacement(vi, y, u));
+  CHECK(!VecDuplicate(vi->G, &Bu));
+  CHECK(!MatMult(vi->B, u, Bu));
+  CHECK(!VecGetArray(y, &ya));
+  CHECK(!VecGetArrayRead(Bu, &ba));
+  for (PetscInt r = 0; r < vi->num_rows; ++r)
+    CHECK_NEAR(ba[r] / (vi->row_D[r] * vi->length), ya[vi->row_dof[r] - begin], 1e-13);
+  CHECK(!VecRestoreArrayRead(Bu, &ba));
+  CHECK(!VecRestoreArray(y, &ya));
+  CHECK(!MPI_Allreduce(MPI_IN_PLACE, &rows, 1, MPIU_INT, MPI_SUM, PETSC_COMM_WORLD));
+  CHECK(rows >= 3);
+  CHECK(!VecDestroy(&Bu));
+  CHECK(!VecDestroy(&u));
+  CHECK(!VecDestroy(&y));
+}
+
+/* Without supports the near null space is the null space of A: every rigid motion of every body. */
+static void TestMotions(VI vi)
+{
+  MatNullSpace space;
+  PetscInt     num;
+  const Vec   *vectors;
+  Vec          image;
+  PetscReal    norm;
+
+  CHECK(!MatGetNearNullSpace(vi->A, &space));
+  CHECK(!MatNullSpaceGetVecs(space, NULL, &num, &vectors));
+  CHECK(num == 3 * vi->scene->num_bodies);
+  CHECK(!VecDuplicate(vi->upper, &image));
+  for (PetscInt i = 0; i < num; ++i) {
+    CHECK(!MatMult(vi->A, vectors[i], image));
+    CHECK(!VecNorm(image, NORM_INFINITY, &norm));
+    CHECK_NEAR(norm, 0, 1e-13);
+  }
+  CHECK(!VecDestroy(&image));
+}
+
+/* Fixed unknowns make u what the supports prescribe, also in the middle of facets of a shifted side: their rows of A are
+   unit rows, whose right-hand sides are their values. */
+static void TestSupports(VI vi)
+{
+  Vec                y, u;
+  const PetscScalar *ua;
+  const Support     *held = &vi->support;
+
+  CHECK(!VecDuplicate(vi->upper, &y));
+  CHECK(!VecCopy(vi->b, y)); // any other unknown may have any value
+  CHECK(!LevelCreateVec(vi->level, 2, &u));
+  CHECK(!VIRecoverDisplacement(vi, y, u));
+  CHECK(!VecGetArrayRead(u, &ua));
+  for (PetscInt i = 0; i < vi->level->num_owned; ++i) {
+    for (PetscInt j = 0; j < held->count[i]; ++j) {
+      const PetscReal *d = &held->directions[(2 * i + j) * 2];
+
+      CHECK_NEAR(d[0] * ua[2 * i] + d[1] * ua[2 * i + 1], held->values[2 * i + j], 1e-14);
+    }
+  }
+  CHECK(!VecRestoreArrayRead(u, &ua));
+  CHECK(!VecDestroy(&u));
+  CHECK(!VecDestroy(&y));
+}
+
+int main(int argc, char **argv)
+{
+  TestScene t;
+  Mesh      mesh;
+  VI        vi;
+
+  PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
+  for (PetscInt which = 0; which < CASE_COUNT; ++which) {
+    vi = CreateVI(&t, (Case)which, PETSC_FALSE, &mesh);
+    TestRows(vi);
+    TestMotions(vi);
+    DestroyVI(&t, &mesh, &vi);
+  }
+  vi = CreateVI(&t, CASE_VERTICES, PETSC_TRUE, &mesh);
+  TestSupports(vi);
+  DestroyVI(&t, &mesh, &vi);
+  PetscCall(PetscFinalize());
+  return 0;
+}
