@@ -9,7 +9,7 @@
 #include <test.h>
 #include "uniform.h"
 
-enum { MAX_NODES = 33, NUM_GAUSS = 3 };
+enum { MAX_NODES = 99, NUM_GAUSS = 3 };
 
 /* A surface of segments, or of parabolas: its nodes in order, and their normals. */
 typedef struct {

@@ -27,6 +27,41 @@ static void TestCircle(void)
   }
 }
 
+/* Quadratic facets with their nodes on the unit circle: the normals of their parabolas at all nodes, one-sided ends and the
+   mean of two of unequal length included, are off by no more than h^3, and not by much less. */
+static void TestCircleQuadratic(void)
+{
+  PetscReal before = 0.;
+
+  for (PetscInt level = 0; level < 4; level++) {
+    const PetscReal h = 0.4 / (1 << level), lengths[2] = {h, 0.6 * h};
+    PetscReal       angle[5], N[5][2] = {{0.}}, largest = 0.;
+
+    for (PetscInt f = 0; f < 2; f++) {
+      const PetscInt nodes[3] = {2 * f, 2 * f + 2, 2 * f + 1};
+      PetscReal      X[6], own[6] = {0.};
+
+      if (f == 0) angle[0] = 0.3;
+      angle[2 * f + 1] = angle[2 * f] + 0.5 * lengths[f];
+      angle[2 * f + 2] = angle[2 * f] + lengths[f];
+      for (PetscInt i = 0; i < 3; i++) {
+        X[2 * i]     = PetscCosReal(angle[nodes[i]]);
+        X[2 * i + 1] = PetscSinReal(angle[nodes[i]]);
+      }
+      FrameAddFacetNormal(2, 3, X, own);
+      for (PetscInt i = 0; i < 6; i++) N[nodes[i / 2]][i % 2] += own[i];
+    }
+    for (PetscInt i = 0; i < 5; i++) {
+      const PetscReal sine = N[i][0] * PetscSinReal(angle[i]) - N[i][1] * PetscCosReal(angle[i]);
+
+      CHECK(N[i][0] * PetscCosReal(angle[i]) + N[i][1] * PetscSinReal(angle[i]) > 0.); /* out of the disc */
+      largest = PetscMax(largest, PetscAbsReal(sine) / PetscSqrtReal(N[i][0] * N[i][0] + N[i][1] * N[i][1]));
+    }
+    if (level > 0) CHECK_NEAR(PetscLog2Real(before / largest), 3., 0.05);
+    before = largest;
+  }
+}
+
 /* The body is on the left of its facets, so the outward normal of a facet from (0,0) to (h,0) is (0,-1). */
 static void TestSegment(void)
 {
@@ -153,6 +188,7 @@ int main(int argc, char **argv)
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   TestSegment();
   TestCircle();
+  TestCircleQuadratic();
   TestSphere(3);
   TestSphere(4);
   TestFrames();
