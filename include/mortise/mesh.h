@@ -29,6 +29,7 @@ typedef struct {
   PetscInt  *node_body;                       /* [num_nodes] */
   Mat        prolongation; /* node values of the next coarser level to this one's (AIJ), NULL on the coarsest: its shape
                               functions at the nodes of this one */
+  PetscReal *unmapped; /* positions before the map, kept where a file gives curved cells [num_nodes][dim]; else NULL */
   PetscInt   point_begin, point_end; /* points of the DM that may carry nodes: the vertices alone, or all */
   PetscInt  *point_node;             /* local node of each, -1 where there is none [point_end - point_begin] */
   Scene      scene;                  /* borrowed */

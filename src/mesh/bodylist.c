@@ -10,7 +10,7 @@ PetscErrorCode BodyListAllocate(PetscInt dim, PetscInt num_cells, PetscInt num_n
                                 BodyList *list)
 {
   PetscFunctionBeginUser;
-  *list = (BodyList){.dim = dim, .num_cells = num_cells, .num_nodes = num_nodes};
+  *list = (BodyList){.dim = dim, .num_cells = num_cells, .num_vertices = num_nodes, .num_nodes = num_nodes};
   PetscCall(PetscMalloc3(num_cells, &list->cell_type, num_cells * ELEMENT_MAX_NODES, &list->cell_nodes, num_nodes * dim,
                          &list->coords));
   PetscCall(PetscMalloc3(max_facets, &list->facet_cell, max_facets, &list->facet, max_facets, &list->facet_side));

@@ -9,7 +9,7 @@
    coordinates reaches 1e-15, needle elements of aspect 1e6 keep 1e-6. */
 static const PetscReal DegenerateShare = 1e-10;
 
-/* From the label that the merge has set. */
+/* From the label that the merge has set; a mesh without is of one body. */
 PetscErrorCode LevelSetCellBodies(Level *level)
 {
   DMLabel  label;
@@ -18,10 +18,10 @@ PetscErrorCode LevelSetCellBodies(Level *level)
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetHeightStratum(level->dm, 0, &begin, &end));
   level->num_cells = end - begin;
-  PetscCall(PetscMalloc3(level->num_cells + 1, &level->cell_start, level->num_cells, &level->cell_type,
+  PetscCall(PetscCalloc3(level->num_cells + 1, &level->cell_start, level->num_cells, &level->cell_type,
                          level->num_cells, &level->cell_body));
   PetscCall(DMGetLabel(level->dm, "body", &label));
-  for (PetscInt b = 0; b < level->scene->num_bodies; ++b) {
+  for (PetscInt b = 0; b < level->scene->num_bodies && label; ++b) {
     const PetscInt *cells;
     PetscInt        num;
     IS              is;
@@ -92,20 +92,26 @@ static void Reverse_Private(PetscInt num, PetscInt nodes[])
   }
 }
 
+/* The facets at the first vertex change places, and so do all behind them. */
+void CellReverse(ElementType type, PetscInt nodes[])
+{
+  const PetscInt corners = ElementNumNodes(ElementLinear(type));
+
+  Reverse_Private(corners - 1, nodes + 1);
+  if (ElementOrder(type) > 1) Reverse_Private(corners, nodes + corners);
+}
+
 /* Reverses a cell that runs clockwise; tells whether it did, and whether the cell is sound then. */
 static void LevelTurnCell_Private(Level *level, PetscInt cell, PetscBool *turned, PetscBool *sound)
 {
-  const ElementType type    = (ElementType)level->cell_type[cell];
-  const PetscInt    corners = LevelNumVertices(level, cell);
-  PetscInt         *nodes   = &level->cell_nodes[level->cell_start[cell]];
+  const ElementType type = (ElementType)level->cell_type[cell];
   PetscReal         X[ELEMENT_MAX_NODES * 3], longest, jacobian;
 
   longest  = LevelCellCoords_Private(level, cell, X);
   jacobian = ElementMinJacobian(type, X);
   *turned  = jacobian < 0 ? PETSC_TRUE : PETSC_FALSE;
   if (*turned) {
-    Reverse_Private(corners - 1, nodes + 1); // the first corner stays, the facets at it change places
-    if (ElementOrder(type) > 1) Reverse_Private(corners, nodes + corners);
+    CellReverse(type, &level->cell_nodes[level->cell_start[cell]]);
     (void)LevelCellCoords_Private(level, cell, X);
     jacobian = ElementMinJacobian(type, X);
   }

@@ -1,4 +1,4 @@
-/* extract.c -- the lists of a body from the DMPlex of its file.
+/* extract.c -- the lists of a body from the mesh of its file.
 
    A facet belongs to a side of the body if it carries the side's number and lies on the boundary of the body's own
    cells: where two bodies share a file, the line between their regions is a side of each. */
@@ -6,14 +6,16 @@
 #include <mortise/compat.h>
 #include <string.h>
 
-/* A body on its way from the DM to the lists. */
+/* A body on its way from the file's mesh to the lists. */
 typedef struct {
   const SceneBody *body;
   const GmshNames *names;
-  DM               dm; /* refined as the body wants it */
-  PetscInt         cell_begin, cell_end, vertex_begin, vertex_end, num_cells, num_nodes;
+  struct _n_Scene  scene; /* of this body alone, before its map, with all cells of the file */
+  SceneBody        alone;
+  Level            level; /* refined as the body wants it */
+  PetscInt         cell_begin, num_cells, num_vertices, num_nodes;
   PetscInt        *cell_at; /* position of each cell in the lists, -1 for other regions */
-  PetscInt        *node_at; /* likewise of each vertex */
+  PetscInt        *node_at; /* likewise of each of the level's nodes */
 } Extract;
 
 /* The indices of one stratum of a label, or of the label's values with tag < 0; sorted copies. */
@@ -50,16 +52,17 @@ static PetscErrorCode ExtractSelect_Private(Extract *x, PetscInt dim, char sente
   char        text[MESH_SENTENCE / 2] = "";
 
   PetscFunctionBeginUser;
-  for (PetscInt c = 0; c < x->cell_end - x->cell_begin; ++c) x->cell_at[c] = region ? -1 : x->num_cells++;
+  for (PetscInt c = 0; c < x->level.num_cells; ++c) x->cell_at[c] = region ? -1 : x->num_cells++;
   if (!region) PetscFunctionReturn(PETSC_SUCCESS);
   if (GmshFindGroup(x->names, dim, region, &tag))
-    PetscCall(LabelGetPoints_Private(x->dm, "Cell Sets", tag, &num, &points));
+    PetscCall(LabelGetPoints_Private(x->level.dm, "Cell Sets", tag, &num, &points));
   for (PetscInt i = 0; i < num; ++i) { // refinement labels the cells' edges as well
-    if (points[i] >= x->cell_begin && points[i] < x->cell_end) x->cell_at[points[i] - x->cell_begin] = x->num_cells++;
+    if (points[i] >= x->cell_begin && points[i] < x->cell_begin + x->level.num_cells)
+      x->cell_at[points[i] - x->cell_begin] = x->num_cells++;
   }
   PetscCall(PetscFree(points));
   if (x->num_cells) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(LabelGetPoints_Private(x->dm, "Cell Sets", -1, &num, &points));
+  PetscCall(LabelGetPoints_Private(x->level.dm, "Cell Sets", -1, &num, &points));
   for (PetscInt i = 0; i < num; ++i) {
     if (points[i]) GmshDescribeGroup(x->names, dim, points[i], text, sizeof(text)); // 0: in no group
   }
@@ -70,57 +73,83 @@ static PetscErrorCode ExtractSelect_Private(Extract *x, PetscInt dim, char sente
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Numbers the vertices of the chosen cells. */
-static PetscErrorCode ExtractNumber_Private(Extract *x)
+/* How many nodes of a cell the body wants. */
+static PetscInt ExtractNumNodes_Private(const Extract *x, PetscInt cell)
 {
-  PetscInt size, corners[ELEMENT_MAX_NODES];
+  const Level *level = &x->level;
 
-  PetscFunctionBeginUser;
-  for (PetscInt v = 0; v < x->vertex_end - x->vertex_begin; ++v) x->node_at[v] = -1;
-  for (PetscInt c = x->cell_begin; c < x->cell_end; ++c) {
-    if (x->cell_at[c - x->cell_begin] < 0) continue;
-    PetscCall(PointGetVertices(x->dm, c, &size, corners));
-    for (PetscInt i = 0; i < size; ++i) x->node_at[corners[i] - x->vertex_begin] = 0;
+  return x->body->order > 1 ? level->cell_start[cell + 1] - level->cell_start[cell] : LevelNumVertices(level, cell);
+}
+
+/* Numbers the nodes of the chosen cells, vertices first. */
+static void ExtractNumber_Private(Extract *x)
+{
+  enum { UNUSED = -1, VERTEX = -2, MIDDLE = -3 };
+  const Level *level = &x->level;
+
+  for (PetscInt n = 0; n < level->num_nodes; ++n) x->node_at[n] = UNUSED;
+  for (PetscInt c = 0; c < level->num_cells; ++c) {
+    const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
+
+    for (PetscInt i = 0; i < ExtractNumNodes_Private(x, c) && x->cell_at[c] >= 0; ++i)
+      x->node_at[nodes[i]] = i < LevelNumVertices(level, c) ? VERTEX : MIDDLE;
   }
-  for (PetscInt v = 0; v < x->vertex_end - x->vertex_begin; ++v) {
-    if (x->node_at[v] == 0) x->node_at[v] = x->num_nodes++;
+  for (PetscInt n = 0; n < level->num_nodes; ++n) {
+    if (x->node_at[n] == VERTEX) x->node_at[n] = x->num_nodes++;
   }
-  PetscFunctionReturn(PETSC_SUCCESS);
+  x->num_vertices = x->num_nodes;
+  for (PetscInt n = 0; n < level->num_nodes; ++n) {
+    if (x->node_at[n] == MIDDLE) x->node_at[n] = x->num_nodes++;
+  }
+}
+
+/* Area of a cell, negative where it runs clockwise. */
+static PetscReal CellGetArea_Private(const BodyList *list, PetscInt cell)
+{
+  enum { DEGREE = 3 }; /* of det J in each direction, at most */
+  const ElementType type  = (ElementType)list->cell_type[cell];
+  const PetscInt   *nodes = &list->cell_nodes[cell * ELEMENT_MAX_NODES];
+  PetscReal         X[ELEMENT_MAX_NODES * 3], xi[ELEMENT_MAX_POINTS * 3], weight[ELEMENT_MAX_POINTS];
+  PetscReal         phi[ELEMENT_MAX_NODES], area = 0;
+  const PetscInt    num = ElementQuadrature(type, DEGREE, xi, weight);
+
+  for (PetscInt i = 0; i < ElementNumNodes(type); ++i) {
+    for (PetscInt d = 0; d < list->dim; ++d) X[i * list->dim + d] = list->coords[nodes[i] * list->dim + d];
+  }
+  for (PetscInt q = 0; q < num; ++q) area += weight[q] * ElementMap(type, X, &xi[q * list->dim], NULL, phi, NULL);
+  return area;
 }
 
 /* Positions and cells. Clockwise cells are turned here, so that a body has one orientation before its map. */
-static PetscErrorCode ExtractCells_Private(const Extract *x, BodyList *list)
+static void ExtractCells_Private(const Extract *x, BodyList *list)
 {
-  const PetscScalar *coords;
-  PetscInt           space_dim, size, corners[ELEMENT_MAX_NODES];
-  Vec                vec;
+  const Level *level = &x->level;
 
-  PetscFunctionBeginUser;
-  PetscCall(DMGetCoordinateDim(x->dm, &space_dim));
-  PetscCall(DMGetCoordinatesLocal(x->dm, &vec));
-  PetscCall(VecGetArrayRead(vec, &coords));
-  for (PetscInt v = 0; v < x->vertex_end - x->vertex_begin; ++v) {
-    for (PetscInt d = 0; d < list->dim && x->node_at[v] >= 0; ++d)
-      list->coords[x->node_at[v] * list->dim + d] = PetscRealPart(coords[v * space_dim + d]);
+  list->num_vertices = x->num_vertices;
+  for (PetscInt n = 0; n < level->num_nodes; ++n) {
+    for (PetscInt d = 0; d < list->dim && x->node_at[n] >= 0; ++d)
+      list->coords[x->node_at[n] * list->dim + d] = level->coords[n * list->dim + d];
   }
-  PetscCall(VecRestoreArrayRead(vec, &coords));
-  for (PetscInt c = x->cell_begin; c < x->cell_end; ++c) {
-    const PetscInt at   = x->cell_at[c - x->cell_begin];
-    PetscReal      area = 0; // twice
-    PetscInt      *nodes;
+  for (PetscInt c = 0; c < level->num_cells; ++c) {
+    const PetscInt at = x->cell_at[c], num = ExtractNumNodes_Private(x, c);
+    PetscInt      *nodes = &list->cell_nodes[at * ELEMENT_MAX_NODES];
 
     if (at < 0) continue;
-    PetscCall(PointGetVertices(x->dm, c, &size, corners));
-    list->cell_type[at] = size == ElementNumNodes(ELEMENT_TRI3) ? ELEMENT_TRI3 : ELEMENT_QUAD4;
-    nodes               = &list->cell_nodes[at * ELEMENT_MAX_NODES];
-    for (PetscInt i = 0; i < size; ++i) nodes[i] = x->node_at[corners[i] - x->vertex_begin];
-    for (PetscInt i = 0; i < size; ++i) {
-      const PetscReal *a = &list->coords[nodes[i] * 2], *b = &list->coords[nodes[(i + 1) % size] * 2];
-
-      area += a[0] * b[1] - a[1] * b[0];
-    }
-    for (PetscInt i = 0; i < size && area < 0; ++i) nodes[i] = x->node_at[corners[size - 1 - i] - x->vertex_begin];
+    list->cell_type[at] = level->cell_type[c];
+    if (x->body->order == 1) list->cell_type[at] = ElementLinear((ElementType)level->cell_type[c]);
+    for (PetscInt i = 0; i < num; ++i) nodes[i] = x->node_at[level->cell_nodes[level->cell_start[c] + i]];
+    if (CellGetArea_Private(list, at) < 0) CellReverse((ElementType)list->cell_type[at], nodes);
   }
+}
+
+/* Ends of a facet in the lists, negative where no chosen cell is. */
+static PetscErrorCode FacetGetEnds_Private(const Extract *x, PetscInt facet, PetscInt ends[])
+{
+  PetscInt num, vertices[ELEMENT_MAX_NODES];
+
+  PetscFunctionBeginUser;
+  PetscCall(PointGetVertices(x->level.dm, facet, &num, vertices));
+  for (PetscInt i = 0; i < num; ++i) ends[i] = x->node_at[PointGetNode(&x->level, vertices[i])];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -133,8 +162,8 @@ static PetscErrorCode FacetGetCell_Private(const Extract *x, PetscInt facet, Pet
   PetscFunctionBeginUser;
   *num  = 0;
   *cell = -1;
-  PetscCall(DMPlexGetSupportSize(x->dm, facet, &size));
-  PetscCall(DMPlexGetSupport(x->dm, facet, &support));
+  PetscCall(DMPlexGetSupportSize(x->level.dm, facet, &size));
+  PetscCall(DMPlexGetSupport(x->level.dm, facet, &support));
   for (PetscInt i = 0; i < size; ++i) {
     if (x->cell_at[support[i] - x->cell_begin] < 0) continue;
     *cell = x->cell_at[support[i] - x->cell_begin];
@@ -147,22 +176,22 @@ static PetscErrorCode FacetGetCell_Private(const Extract *x, PetscInt facet, Pet
 /* How many chosen cells run along a facet from its first end to its second, and back. [out] num - [2] */
 static PetscErrorCode FacetCountSenses_Private(const Extract *x, const BodyList *list, PetscInt facet, PetscInt num[])
 {
-  const PetscInt *support, *ends;
-  PetscInt        size;
+  const PetscInt *support;
+  PetscInt        size, ends[ELEMENT_MAX_NODES];
 
   PetscFunctionBeginUser;
   num[0] = num[1] = 0;
-  PetscCall(DMPlexGetCone(x->dm, facet, &ends));
-  PetscCall(DMPlexGetSupportSize(x->dm, facet, &size));
-  PetscCall(DMPlexGetSupport(x->dm, facet, &support));
+  PetscCall(FacetGetEnds_Private(x, facet, ends));
+  PetscCall(DMPlexGetSupportSize(x->level.dm, facet, &size));
+  PetscCall(DMPlexGetSupport(x->level.dm, facet, &support));
   for (PetscInt i = 0; i < size; ++i) {
-    const PetscInt  cell = x->cell_at[support[i] - x->cell_begin], first = x->node_at[ends[0] - x->vertex_begin];
-    const PetscInt *nodes = &list->cell_nodes[cell * ELEMENT_MAX_NODES], second = x->node_at[ends[1] - x->vertex_begin];
-    PetscInt        at = 0;
+    const PetscInt  cell  = x->cell_at[support[i] - x->cell_begin];
+    const PetscInt *nodes = &list->cell_nodes[cell * ELEMENT_MAX_NODES];
+    PetscInt        at    = 0;
 
     if (cell < 0) continue;
-    while (nodes[at] != first) ++at;
-    ++num[nodes[(at + 1) % ElementNumNodes((ElementType)list->cell_type[cell])] != second];
+    while (nodes[at] != ends[0]) ++at;
+    ++num[nodes[(at + 1) % ElementNumNodes(ElementLinear((ElementType)list->cell_type[cell]))] != ends[1]];
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -170,18 +199,17 @@ static PetscErrorCode FacetCountSenses_Private(const Extract *x, const BodyList 
 /* All cells run anticlockwise by now, so two that run the same way along a facet lie on the same side of it. */
 static PetscErrorCode ExtractCheckFacets_Private(const Extract *x, const BodyList *list, char sentence[])
 {
-  PetscInt begin, end, num[2];
+  PetscInt begin, end, num[2], ends[ELEMENT_MAX_NODES];
 
   PetscFunctionBeginUser;
-  PetscCall(DMPlexGetHeightStratum(x->dm, 1, &begin, &end));
+  PetscCall(DMPlexGetHeightStratum(x->level.dm, 1, &begin, &end));
   for (PetscInt f = begin; f < end; ++f) {
-    const PetscInt  *ends;
     const PetscReal *at;
 
     PetscCall(FacetCountSenses_Private(x, list, f, num));
     if (num[0] <= 1 && num[1] <= 1) continue;
-    PetscCall(DMPlexGetCone(x->dm, f, &ends));
-    at = &list->coords[x->node_at[ends[0] - x->vertex_begin] * list->dim];
+    PetscCall(FacetGetEnds_Private(x, f, ends));
+    at = &list->coords[ends[0] * list->dim];
     snprintf(sentence, MESH_SENTENCE,
              "body '%s': cells of %.400s lie upon each other at (%g, %g); where a surface is in two physical groups "
              "-%s_mesh_region can choose one",
@@ -199,22 +227,20 @@ static PetscErrorCode ExtractSide_Private(const Extract *x, PetscInt tag, PetscI
 
   PetscFunctionBeginUser;
   *num_facets = 0;
-  PetscCall(DMPlexGetHeightStratum(x->dm, 1, &begin, &end));
-  PetscCall(LabelGetPoints_Private(x->dm, "Face Sets", tag, &num, &points));
+  PetscCall(DMPlexGetHeightStratum(x->level.dm, 1, &begin, &end));
+  PetscCall(LabelGetPoints_Private(x->level.dm, "Face Sets", tag, &num, &points));
   for (PetscInt i = 0; i < num; ++i) {
-    const PetscInt *ends;
-    PetscInt        cell, cells, nodes[ELEMENT_MAX_FACET_NODES];
+    PetscInt cell, cells, ends[ELEMENT_MAX_NODES];
 
     if (points[i] < begin || points[i] >= end) continue; // a vertex that refinement has labelled
     PetscCall(FacetGetCell_Private(x, points[i], &cell, &cells));
     if (cell < 0) continue;
     ++*num_facets;
     if (index < 0) continue;
-    PetscCall(DMPlexGetCone(x->dm, points[i], &ends));
-    for (PetscInt k = 0; k < 2; ++k) nodes[k] = x->node_at[ends[k] - x->vertex_begin];
+    PetscCall(FacetGetEnds_Private(x, points[i], ends));
     list->facet_cell[list->num_facets] = cell;
     list->facet[list->num_facets] =
-        CellFindFacet((ElementType)list->cell_type[cell], &list->cell_nodes[cell * ELEMENT_MAX_NODES], nodes);
+        CellFindFacet((ElementType)list->cell_type[cell], &list->cell_nodes[cell * ELEMENT_MAX_NODES], ends);
     list->facet_side[list->num_facets++] = index;
   }
   PetscCall(PetscFree(points));
@@ -228,7 +254,7 @@ static PetscErrorCode ExtractNoSide_Private(const Extract *x, const char side[],
   PetscInt num, *tags, found;
 
   PetscFunctionBeginUser;
-  PetscCall(LabelGetPoints_Private(x->dm, "Face Sets", -1, &num, &tags));
+  PetscCall(LabelGetPoints_Private(x->level.dm, "Face Sets", -1, &num, &tags));
   for (PetscInt i = 0; i < num; ++i) {
     if (tags[i] > 0) PetscCall(ExtractSide_Private(x, tags[i], -1, list, &found)); // 0: in no group
     if (tags[i] > 0 && found) GmshDescribeGroup(x->names, list->dim - 1, tags[i], text, sizeof(text));
@@ -255,18 +281,25 @@ static PetscErrorCode ExtractSides_Private(const Extract *x, const SideNames *na
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The file's mesh split as often as the body wants. */
-static PetscErrorCode ExtractRefine_Private(DM dm, PetscInt times, DM *refined)
+/* Tables of the file's mesh, split as often as the body wants. A file of second order is followed along its curves, so that
+   the vertices of a body are the same whatever its order. */
+static PetscErrorCode ExtractSetLevel_Private(Extract *x, PetscInt dim, MeshFile file)
 {
-  PetscFunctionBeginUser;
-  PetscCall(PetscObjectReference((PetscObject)dm));
-  *refined = dm;
-  for (PetscInt i = 0; i < times; ++i) {
-    DM finer;
+  PetscInt size;
 
-    PetscCall(DMRefine(*refined, PETSC_COMM_SELF, &finer));
-    PetscCall(DMDestroy(refined));
-    *refined = finer;
+  PetscFunctionBeginUser;
+  PetscCall(CurvesGetSize(&file->curves, &size));
+  x->alone       = *x->body;
+  x->alone.map   = NULL;
+  x->alone.order = size ? 2 : 1;
+  x->scene       = (struct _n_Scene){.comm = PETSC_COMM_SELF, .dim = dim, .num_bodies = 1, .bodies = &x->alone};
+  PetscCall(LevelCreateTables(&x->scene, file->dm, x->alone.order, &x->level));
+  PetscCall(LevelSetCoords(&x->level, &file->curves));
+  for (PetscInt i = 0; i < x->body->refine; ++i) {
+    Level coarse = x->level;
+
+    PetscCall(LevelRefine(&coarse, &x->level));
+    PetscCall(LevelDestroy(&coarse));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -276,23 +309,23 @@ PetscErrorCode BodyListCreateFile(const SceneBody *body, PetscInt dim, const Sid
 {
   Extract  x = {.body = body};
   PetscInt begin, end;
-  DM       dm;
+  MeshFile file;
 
   PetscFunctionBeginUser;
-  PetscCall(MeshFileOpen(body, dim, files, &dm, &x.names, sentence));
+  PetscCall(MeshFileOpen(body, dim, files, &file, sentence));
   if (sentence[0]) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(ExtractRefine_Private(dm, body->refine, &x.dm));
-  PetscCall(DMPlexGetHeightStratum(x.dm, 0, &x.cell_begin, &x.cell_end));
-  PetscCall(DMPlexGetDepthStratum(x.dm, 0, &x.vertex_begin, &x.vertex_end));
-  PetscCall(DMPlexGetHeightStratum(x.dm, 1, &begin, &end));
-  PetscCall(PetscMalloc2(x.cell_end - x.cell_begin, &x.cell_at, x.vertex_end - x.vertex_begin, &x.node_at));
+  x.names = &file->names;
+  PetscCall(ExtractSetLevel_Private(&x, dim, file));
+  PetscCall(DMPlexGetHeightStratum(x.level.dm, 0, &x.cell_begin, NULL));
+  PetscCall(DMPlexGetHeightStratum(x.level.dm, 1, &begin, &end));
+  PetscCall(PetscMalloc2(x.level.num_cells, &x.cell_at, x.level.num_nodes, &x.node_at));
   PetscCall(ExtractSelect_Private(&x, dim, sentence));
-  PetscCall(ExtractNumber_Private(&x));
+  ExtractNumber_Private(&x);
   PetscCall(BodyListAllocate(dim, x.num_cells, x.num_nodes, (end - begin) * names->num, list));
-  PetscCall(ExtractCells_Private(&x, list));
+  ExtractCells_Private(&x, list);
   if (!sentence[0]) PetscCall(ExtractCheckFacets_Private(&x, list, sentence));
   PetscCall(ExtractSides_Private(&x, names, list, sentence));
   PetscCall(PetscFree2(x.cell_at, x.node_at));
-  PetscCall(DMDestroy(&x.dm));
+  PetscCall(LevelDestroy(&x.level));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

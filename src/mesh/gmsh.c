@@ -1,5 +1,4 @@
-/* gmsh.c -- the sections of a Gmsh file, and the names of its physical groups, of which PETSc's reader keeps
-   nothing. */
+/* gmsh.c -- the sections of a Gmsh file, and the names of its physical groups. */
 #include "gmsh.h"
 #include <mortise/compat.h>
 #include <ctype.h>
@@ -8,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_NAME = 127 }; /* of a physical group, by the format; PETSc relies on it */
+enum { MAX_NAME = 127 }; /* of a physical group, by the format */
 
 /* Only the first thing that goes wrong is worth telling: the rest follows from it. */
 void GmshReaderFail(GmshReader *reader, const char format[], ...)
@@ -103,12 +102,12 @@ static PetscErrorCode ReaderSections_Private(GmshReader *reader, GmshNames *name
       GmshReaderFail(reader, "it is not a Gmsh file: it does not begin with $MeshFormat");
     } else if (!strcmp(line, "$PhysicalNames") && !names->dim) {
       PetscCall(ReaderNames_Private(reader, names));
-    } else if (!strcmp(line, "$Entities") && !reader->entities) {
-      PetscCall(GmshCheckEntities(reader));
-    } else if (!strcmp(line, "$Nodes") && !reader->nodes) {
-      PetscCall(GmshCheckNodes(reader));
+    } else if (!strcmp(line, "$Entities") && !reader->entity) {
+      PetscCall(GmshReadEntities(reader));
+    } else if (!strcmp(line, "$Nodes") && !reader->tag) {
+      PetscCall(GmshReadNodes(reader));
     } else if (!strcmp(line, "$Elements")) {
-      PetscCall(GmshCheckElements(reader));
+      PetscCall(GmshReadElements(reader));
       elements = PETSC_TRUE;
     }
   }
@@ -118,13 +117,14 @@ static PetscErrorCode ReaderSections_Private(GmshReader *reader, GmshNames *name
 }
 
 /* Reads up to the elements; what comes behind them (periodic nodes, data) has no meaning here. */
-PetscErrorCode GmshScan(const char path[], GmshNames *names, int *version, char reason[], size_t len)
+PetscErrorCode GmshRead(const char path[], GmshNames *names, GmshMesh *mesh, char reason[], size_t len)
 {
-  GmshReader reader = {.file = fopen(path, "rb"), .reason = reason, .len = len};
+  GmshReader reader = {.file = fopen(path, "rb"), .reason = reason, .len = len, .mesh = mesh};
 
   PetscFunctionBeginUser;
   reason[0] = '\0';
   *names    = (GmshNames){0, NULL, NULL, NULL};
+  *mesh     = (GmshMesh){0};
   if (!reader.file) {
     snprintf(reason, len, "it cannot be opened");
     PetscFunctionReturn(PETSC_SUCCESS);
@@ -133,10 +133,18 @@ PetscErrorCode GmshScan(const char path[], GmshNames *names, int *version, char 
   reader.size = ftell(reader.file);
   rewind(reader.file);
   PetscCall(ReaderSections_Private(&reader, names));
-  *version = reader.version;
   fclose(reader.file);
-  PetscCall(PetscFree(reader.nodes));
-  PetscCall(PetscFree(reader.entities));
+  PetscCall(PetscFree2(reader.tag, reader.node));
+  PetscCall(PetscFree4(reader.entity, reader.place, reader.entity_first, reader.entity_end));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode GmshMeshDestroy(GmshMesh *mesh)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(mesh->coords));
+  PetscCall(PetscFree4(mesh->type, mesh->nodes, mesh->first_group, mesh->end_group));
+  PetscCall(PetscFree(mesh->group));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -1,4 +1,7 @@
-/* gmsh.h -- what Mortise itself reads from a Gmsh file (private to the room). */
+/* gmsh.h -- Gmsh files, read by Mortise itself (private to the room).
+
+   PETSc's reader takes references on trust, and knows neither quadrangles of eight nodes nor cells of second order of
+   two kinds in one file. */
 #ifndef MORTISE_GMSH_H
 #define MORTISE_GMSH_H
 
@@ -12,25 +15,43 @@ typedef struct {
   char    **name;      /* [num] */
 } GmshNames;
 
-/* Reads names and checks what PETSc's reader takes on trust. Not collective.
-   [out] version - 10 times the format's, 22 or 41; [out] reason - why the file cannot be used, "" if it can [len] */
-PetscErrorCode GmshScan(const char path[], GmshNames *names, int *version, char reason[], size_t len);
 PetscErrorCode GmshNamesDestroy(GmshNames *names);
-
 /* The number of a physical group that the user gave by its name or its number; PETSC_FALSE if it can be neither. */
 PetscBool GmshFindGroup(const GmshNames *names, PetscInt dim, const char group[], PetscInt *tag);
 /* Appends "name (number)", or the number alone, to a list for a sentence. [in,out] text - [len] */
 void GmshDescribeGroup(const GmshNames *names, PetscInt dim, PetscInt tag, char text[], size_t len);
 
+enum { GMSH_MAX_NODES = 9 }; /* of an element that is kept */
+
+/* Lines, triangles and quadrangles of first and second order, and what they stand on. */
+typedef struct {
+  PetscInt   num_nodes, num_elements, num_groups;
+  PetscReal *coords;      /* [num_nodes][3] */
+  PetscInt  *type;        /* Gmsh's number [num_elements] */
+  PetscInt  *nodes;       /* indices, in Gmsh's order, which is that of element.h [num_elements][GMSH_MAX_NODES] */
+  PetscInt  *first_group; /* into group [num_elements] */
+  PetscInt  *end_group;   /* [num_elements] */
+  PetscInt  *group;       /* numbers of physical groups [num_groups] */
+} GmshMesh;
+
+/* Reads formats 2.2 and 4.1. Not collective. [out] reason - why the file cannot be used, "" if it can [len] */
+PetscErrorCode GmshRead(const char path[], GmshNames *names, GmshMesh *mesh, char reason[], size_t len);
+PetscErrorCode GmshMeshDestroy(GmshMesh *mesh);
+/* Dimension and number of nodes of an element type. */
+void GmshTypeGet(PetscInt type, PetscInt *dim, PetscInt *num_nodes);
+
 /* A file being read. The first thing that goes wrong sets `reason`; nothing is read after that. */
 typedef struct {
   FILE      *file;
   PetscBool  binary;
-  int        version, data_size;
-  PetscInt64 size;   /* of the file in bytes: no count can be larger */
-  char      *reason; /* [len] */
+  int        version, data_size; /* 10 times the format's, 22 or 41 */
+  PetscInt64 size;               /* of the file in bytes: no count can be larger */
+  char      *reason;             /* [len] */
   size_t     len;
-  PetscInt   num_nodes, num_entities, *nodes, *entities; /* sorted tags; entities as 4 * tag + dim */
+  GmshMesh  *mesh;
+  PetscInt   num_tags, *tag, *node;                 /* sorted tags of nodes, and where the nodes are */
+  PetscInt   num_entities, *entity, *place;         /* sorted 4 * tag + dim, and place in the next two */
+  PetscInt  *entity_first, *entity_end, max_groups; /* into mesh->group */
 } GmshReader;
 
 enum { GMSH_LINE = 512 }; /* longest line of text that is read as one */
@@ -38,8 +59,8 @@ enum { GMSH_LINE = 512 }; /* longest line of text that is read as one */
 /* Sets the reason unless there is one. */
 void GmshReaderFail(GmshReader *reader, const char format[], ...);
 /* The inside of $Entities (format 4.1), $Nodes, $Elements, behind the line of that name. */
-PetscErrorCode GmshCheckEntities(GmshReader *reader);
-PetscErrorCode GmshCheckNodes(GmshReader *reader);
-PetscErrorCode GmshCheckElements(GmshReader *reader);
+PetscErrorCode GmshReadEntities(GmshReader *reader);
+PetscErrorCode GmshReadNodes(GmshReader *reader);
+PetscErrorCode GmshReadElements(GmshReader *reader);
 
 #endif

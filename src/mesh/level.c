@@ -1,4 +1,4 @@
-/* level.c -- the tables of one DMPlex, in the order in which they need each other. */
+/* level.c -- the tables of one DMPlex, made in the order in which they need each other, and those of the next finer. */
 #include "room.h"
 #include <mortise/compat.h>
 
@@ -7,7 +7,7 @@ PetscInt LevelNumVertices(const Level *level, PetscInt cell)
   return ElementNumNodes(ElementLinear((ElementType)level->cell_type[cell]));
 }
 
-/* Bodies tell which points have nodes and which map applies. */
+/* Bodies tell which points have nodes. */
 PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *level)
 {
   PetscFunctionBeginUser;
@@ -16,18 +16,35 @@ PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *
   PetscCall(LevelSetCellBodies(level));
   PetscCall(LevelSetNodes(level, max_order));
   PetscCall(LevelSetCells(level));
-  PetscCall(LevelSetCoords(level));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode LevelCreate(Scene scene, DM dm, Level *level)
+PetscInt SceneMaxOrder(Scene scene)
 {
   PetscInt max_order = 1;
 
-  PetscFunctionBeginUser;
   for (PetscInt b = 0; b < scene->num_bodies; ++b) max_order = PetscMax(max_order, scene->bodies[b].order);
-  PetscCall(LevelCreateTables(scene, dm, max_order, level));
-  PetscCall(LevelTurnCells(level));
+  return max_order;
+}
+
+/* Where each new point comes from is known to the transform alone, so the way up from the coarse level is written down
+   here. */
+PetscErrorCode LevelRefine(Level *coarse, Level *fine)
+{
+  DMPlexTransform transform;
+  DM              dm;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexTransformCreate(coarse->comm, &transform));
+  PetscCall(DMPlexTransformSetDM(transform, coarse->dm));
+  PetscCall(DMPlexTransformSetType(transform, DMPLEXREFINEREGULAR));
+  PetscCall(DMPlexTransformSetUp(transform));
+  PetscCall(DMPlexTransformApply(transform, coarse->dm, &dm));
+  PetscCall(LevelCreateTables(coarse->scene, dm, SceneMaxOrder(coarse->scene), fine));
+  PetscCall(LevelCreateProlongation(coarse, transform, fine));
+  PetscCall(LevelFollowCoords(coarse, fine));
+  PetscCall(DMDestroy(&dm));
+  PetscCall(DMPlexTransformDestroy(&transform));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -36,6 +53,7 @@ PetscErrorCode LevelDestroy(Level *level)
   PetscFunctionBeginUser;
   PetscCall(PetscFree(level->point_node));
   PetscCall(PetscFree3(level->node_global, level->node_body, level->coords));
+  PetscCall(PetscFree(level->unmapped));
   PetscCall(PetscFree3(level->cell_start, level->cell_type, level->cell_body));
   PetscCall(PetscFree(level->cell_nodes));
   PetscCall(MatDestroy(&level->prolongation));

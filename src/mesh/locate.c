@@ -59,7 +59,10 @@ static PetscErrorCode FacetGetCurve_Private(const Level *level, Expression map, 
     b[d]      = level->coords[PointGetNode(level, ends[1]) * level->dim + d];
   }
   PetscCall(VecRestoreArrayRead(coords, &box));
-  PetscCall(ExpressionEvaluate(map, level->dim, middle, rise));
+  if (PointGetNode(level, facet) >= 0)
+    PetscCall(PetscArraycpy(rise, &level->coords[PointGetNode(level, facet) * level->dim], level->dim));
+  else
+    PetscCall(ExpressionEvaluate(map, level->dim, middle, rise));
   for (PetscInt d = 0; d < level->dim; ++d) rise[d] -= 0.5 * (a[d] + b[d]);
   PetscFunctionReturn(PETSC_SUCCESS);
 }

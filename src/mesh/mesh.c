@@ -39,7 +39,7 @@ static PetscErrorCode MeshMakeBodies_Private(Scene scene, const SideNames names[
 }
 
 /* The merged mesh, whole on the first rank. */
-static PetscErrorCode MeshCreateWhole_Private(Scene scene, DM *dm)
+static PetscErrorCode MeshCreateWhole_Private(Scene scene, DM *dm, Curves *curves)
 {
   BodyList  *lists;
   SideNames *names;
@@ -48,7 +48,7 @@ static PetscErrorCode MeshCreateWhole_Private(Scene scene, DM *dm)
   PetscCall(PetscCalloc2(scene->num_bodies, &lists, scene->num_bodies, &names));
   for (PetscInt b = 0; b < scene->num_bodies; ++b) PetscCall(SideNamesOfBody(scene, b, &names[b]));
   PetscCall(MeshMakeBodies_Private(scene, names, lists));
-  PetscCall(MeshMerge(scene, lists, names, dm));
+  PetscCall(MeshMerge(scene, lists, names, dm, curves));
   for (PetscInt b = 0; b < scene->num_bodies; ++b) {
     PetscCall(SideNamesDestroy(&names[b]));
     PetscCall(BodyListDestroy(&lists[b]));
@@ -57,44 +57,32 @@ static PetscErrorCode MeshCreateWhole_Private(Scene scene, DM *dm)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Splits every cell of the finest level. Where each new point comes from is known to the transform alone, so the way up
-   from the old level is written down here. */
 PetscErrorCode MeshRefine(Mesh mesh)
 {
-  const Scene     scene = mesh->scene;
-  Level          *coarse, *fine;
-  DMPlexTransform transform;
-  DM              dm;
-
   PetscFunctionBeginUser;
   PetscCall(PetscRealloc((mesh->num_levels + 1) * sizeof(Level), &mesh->levels));
-  fine   = &mesh->levels[mesh->num_levels];
-  coarse = fine - 1;
-  PetscCall(DMPlexTransformCreate(scene->comm, &transform));
-  PetscCall(DMPlexTransformSetDM(transform, coarse->dm));
-  PetscCall(DMPlexTransformSetType(transform, DMPLEXREFINEREGULAR));
-  PetscCall(DMPlexTransformSetUp(transform));
-  PetscCall(DMPlexTransformApply(transform, coarse->dm, &dm));
-  PetscCall(LevelCreate(scene, dm, fine));
+  PetscCall(LevelRefine(&mesh->levels[mesh->num_levels - 1], &mesh->levels[mesh->num_levels]));
   ++mesh->num_levels;
-  PetscCall(LevelCreateProlongation(coarse, transform, fine));
-  PetscCall(DMDestroy(&dm));
-  PetscCall(DMPlexTransformDestroy(&transform));
+  PetscCall(LevelTurnCells(MeshFinest(mesh)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Body by body on the first rank; together from there on. */
 PetscErrorCode MeshSetUp(Mesh mesh)
 {
-  Scene scene = mesh->scene;
-  DM    dm;
+  Scene  scene = mesh->scene;
+  Curves curves;
+  DM     dm;
 
   PetscFunctionBeginUser;
-  PetscCall(MeshCreateWhole_Private(scene, &dm));
-  PetscCall(MeshPartition(scene, &dm));
+  PetscCall(MeshCreateWhole_Private(scene, &dm, &curves));
+  PetscCall(MeshPartition(scene, &dm, &curves));
   PetscCall(PetscMalloc1(1, &mesh->levels));
-  PetscCall(LevelCreate(scene, dm, &mesh->levels[0]));
+  PetscCall(LevelCreateTables(scene, dm, SceneMaxOrder(scene), &mesh->levels[0]));
   mesh->num_levels = 1;
+  PetscCall(LevelSetCoords(&mesh->levels[0], &curves));
+  PetscCall(LevelTurnCells(&mesh->levels[0]));
+  PetscCall(CurvesDestroy(&curves));
   PetscCall(DMDestroy(&dm));
   for (PetscInt l = 0; l < scene->refine; ++l) PetscCall(MeshRefine(mesh));
   PetscCall(MeshChooseRoles(mesh));

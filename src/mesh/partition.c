@@ -7,6 +7,7 @@
 #include <mortise/boxtree.h>
 #include <mortise/compat.h>
 #include <metis.h>
+#include <petscsf.h>
 
 enum {
   CONTACT_WEIGHT =
@@ -221,12 +222,13 @@ static PetscErrorCode PartitionerSet_Private(PetscInt num_cells, const PetscInt 
 
 /* The coarsest mesh is parted: all descendants of a cell stay with it, and METIS sees a small graph. Vertices are all it
    needs, so that meshes of every order are parted alike; cells are judged later, on every number of ranks. */
-PetscErrorCode MeshPartition(Scene scene, DM *dm)
+PetscErrorCode MeshPartition(Scene scene, DM *dm, Curves *curves)
 {
   PetscPartitioner partitioner;
   PetscMPIInt      size;
   PetscInt        *part;
   Level            level;
+  PetscSF          sf;
   DM               clone, spread;
 
   PetscFunctionBeginUser;
@@ -234,6 +236,7 @@ PetscErrorCode MeshPartition(Scene scene, DM *dm)
   if (size == 1) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(DMClone(*dm, &clone)); // the tables hang a section on their DM that must not travel
   PetscCall(LevelCreateTables(scene, clone, 1, &level));
+  PetscCall(LevelSetCoords(&level, NULL));
   PetscCall(DMDestroy(&clone));
   PetscCall(PetscMalloc1(level.num_cells, &part));
   PetscCall(PartitionCompute(scene, &level, CONTACT_WEIGHT, size, part));
@@ -241,7 +244,9 @@ PetscErrorCode MeshPartition(Scene scene, DM *dm)
   PetscCall(PartitionerSet_Private(level.num_cells, part, size, partitioner));
   PetscCall(PetscFree(part));
   PetscCall(LevelDestroy(&level));
-  PetscCall(DMPlexDistribute(*dm, 0, NULL, &spread));
+  PetscCall(DMPlexDistribute(*dm, 0, &sf, &spread));
+  PetscCall(CurvesDistribute(*dm, sf, curves));
+  PetscCall(PetscSFDestroy(&sf));
   PetscCall(DMDestroy(dm));
   *dm = spread;
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -17,9 +17,10 @@ typedef struct {
   char   **name; /* [num] */
 } SideNames;
 
-/* Cells, positions and the facets of those sides that the scene uses. */
+/* Cells, positions and the facets of those sides that the scene uses. Nodes are the vertices, followed by the others
+   that cells of order 2 have. */
 typedef struct {
-  PetscInt   dim, num_cells, num_nodes, num_facets;
+  PetscInt   dim, num_cells, num_vertices, num_nodes, num_facets;
   PetscInt  *cell_type;  /* ElementType [num_cells] */
   PetscInt  *cell_nodes; /* [num_cells][ELEMENT_MAX_NODES] */
   PetscReal *coords;     /* before the map [num_nodes][dim] */
@@ -28,6 +29,7 @@ typedef struct {
   PetscInt  *facet_side; /* index into the SideNames [num_facets] */
 } BodyList;
 
+/* All nodes are vertices to begin with. */
 PetscErrorCode BodyListAllocate(PetscInt dim, PetscInt num_cells, PetscInt num_nodes, PetscInt max_facets,
                                 BodyList *list);
 PetscErrorCode BodyListDestroy(BodyList *list);
@@ -45,19 +47,59 @@ PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt f
 PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const SideNames *names, BodyList *list,
                                  char sentence[]);
 
+/* Where the cells and vertices of lists are among the points of a DM. */
+typedef struct {
+  PetscInt   num_bodies, num_cells, num_vertices;
+  PetscInt **point;        /* of every cell of every body [num_bodies][num_cells] */
+  PetscInt  *first_vertex; /* point of the body's first vertex [num_bodies] */
+} Numbering;
+
+PetscErrorCode NumberingCreate(PetscInt num_bodies, const BodyList lists[], Numbering *numbering);
+PetscErrorCode NumberingDestroy(Numbering *numbering);
+/* Cells, edges, vertices and their positions, without labels. Collective on comm. */
+PetscErrorCode PlexCreate(MPI_Comm comm, PetscInt dim, const BodyList lists[], const Numbering *numbering, DM *dm);
+
+/* Positions before the map of nodes on edges and in cells, where a file gives them. */
+typedef struct {
+  PetscSection section;   /* dim numbers on points of a DM that have one; NULL where all is straight */
+  Vec          positions; /* this rank's */
+} Curves;
+
+/* From the cells of order 2 in lists. Collective on the DM. */
+PetscErrorCode CurvesCreate(DM dm, const BodyList lists[], const Numbering *numbering, Curves *curves);
+PetscErrorCode CurvesDestroy(Curves *curves);
+/* How many numbers there are on this rank. */
+PetscErrorCode CurvesGetSize(const Curves *curves, PetscInt *size);
+/* Lets curves go the way of a DM. Collective. [in] dm - before; sf - what DMPlexDistribute() gave */
+PetscErrorCode CurvesDistribute(DM dm, PetscSF sf, Curves *curves);
+/* Puts those nodes of a level in place that curves know. [in,out] X - [num_nodes][dim] */
+PetscErrorCode CurvesGetNodes(const Curves *curves, const Level *level, PetscReal X[]);
+
+/* A Gmsh file as a DM on this rank alone. [out] curves - owned by the caller; [out] reason - why it cannot be used, "" if
+   it can [MESH_SENTENCE] */
+PetscErrorCode GmshToPlex(const GmshMesh *mesh, PetscInt dim, DM *dm, Curves *curves, char reason[]);
+
 /* Meshes read so far, one per file, so that bodies that share a file share the reading. */
 typedef struct _n_MeshFile *MeshFile;
+struct _n_MeshFile {
+  char     *path;
+  DM        dm; /* as read, before any refinement */
+  Curves    curves;
+  GmshNames names; /* empty for other formats */
+  MeshFile  next;
+};
+/* Whether a mesh within these bounds is plane. [in] lower, upper - [3]; [out] reason - untouched if so [MESH_SENTENCE] */
+void FileCheckHeight(const PetscReal lower[], const PetscReal upper[], char reason[]);
 /* The mesh of a body's file as read now or for an earlier body. [in,out] files - list of what was read, NULL at first;
-   [out] dm, names - borrowed from the list; [out] sentence - [MESH_SENTENCE], "" unless the file cannot be used */
-PetscErrorCode MeshFileOpen(const SceneBody *body, PetscInt dim, MeshFile *files, DM *dm, const GmshNames **names,
-                            char sentence[]);
+   [out] file - borrowed from the list; [out] sentence - [MESH_SENTENCE], "" unless the file cannot be used */
+PetscErrorCode MeshFileOpen(const SceneBody *body, PetscInt dim, MeshFile *files, MeshFile *file, char sentence[]);
 /* The cells of a file, or of one of its regions. */
 PetscErrorCode BodyListCreateFile(const SceneBody *body, PetscInt dim, const SideNames *names, MeshFile *files,
                                   BodyList *list, char sentence[]);
 PetscErrorCode MeshFileDestroy(MeshFile *files);
 
 /* The one DMPlex of all bodies, whole on the first rank. Collective. [in] lists - empty on other ranks */
-PetscErrorCode MeshMerge(Scene scene, const BodyList lists[], const SideNames names[], DM *dm);
+PetscErrorCode MeshMerge(Scene scene, const BodyList lists[], const SideNames names[], DM *dm, Curves *curves);
 
 /* Vertices of a point of the mesh: a vertex itself, the ends of an edge, the corners of a cell. [out] vertices -
    [ELEMENT_MAX_NODES] */
@@ -74,18 +116,25 @@ PetscErrorCode LevelGetNodePoints(const Level *level, PetscInt **point);
 /* Vertices of a cell, which are the first of its nodes. */
 PetscInt LevelNumVertices(const Level *level, PetscInt cell);
 
-/* Tables of one DM, cells turned and judged. Faults: a map that is not finite, a degenerate or tangled cell.
-   Collective. */
-PetscErrorCode LevelCreate(Scene scene, DM dm, Level *level);
-/* The same as the DM has its cells, without a judgement, and with nodes up to an order. */
+/* The highest order of any body. */
+PetscInt SceneMaxOrder(Scene scene);
+/* Tables of one DM as it has its cells, with nodes up to an order, without positions. Collective. */
 PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *level);
 /* Its steps: num_cells and cell_body; nodes (number, owner, body, local section of the DM); cell_start, cell_type,
-   cell_nodes; coords; cells anticlockwise. */
+   cell_nodes. */
 PetscErrorCode LevelSetCellBodies(Level *level);
 PetscErrorCode LevelSetNodes(Level *level, PetscInt max_order);
 PetscErrorCode LevelSetCells(Level *level);
-PetscErrorCode LevelSetCoords(Level *level);
+/* Positions of nodes. Faults: a map that is not finite. Collective. [in] curves - may be NULL */
+PetscErrorCode LevelSetCoords(Level *level, const Curves *curves);
+/* The same for a refined level that has its prolongation. */
+PetscErrorCode LevelFollowCoords(Level *coarse, Level *fine);
+/* Lets all cells run anticlockwise. Faults: a degenerate or tangled cell, a map that folds a body. Collective. */
 PetscErrorCode LevelTurnCells(Level *level);
+/* Reverses the sense of a cell whose nodes these are; its first vertex stays. */
+void CellReverse(ElementType type, PetscInt nodes[]);
+/* Splits every cell: tables, prolongation and positions, cells not turned. Collective. */
+PetscErrorCode LevelRefine(Level *coarse, Level *fine);
 PetscErrorCode LevelDestroy(Level *level);
 /* fine->prolongation from where each fine node comes from. [in] transform - a DMPlexTransform from coarse to fine */
 PetscErrorCode LevelCreateProlongation(const Level *coarse, DMPlexTransform transform, Level *fine);
@@ -93,8 +142,8 @@ PetscErrorCode LevelCreateProlongation(const Level *coarse, DMPlexTransform tran
 /* The rank of every cell of the whole mesh, which lies on the first rank. [out] part - [level->num_cells] */
 PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt contact_weight, PetscInt num_parts,
                                 PetscInt part[]);
-/* Spreads the mesh over the ranks; the DM is replaced. Collective. */
-PetscErrorCode MeshPartition(Scene scene, DM *dm);
+/* Spreads the mesh over the ranks; the DM and its curves are replaced. Collective. */
+PetscErrorCode MeshPartition(Scene scene, DM *dm, Curves *curves);
 
 /* Decides the roles left open; notes given ones that are unfavourable. Faults: a side that meets itself, or another
    side twice. Collective. */

@@ -113,20 +113,27 @@ static inline PetscReal Total(PetscReal local)
   return local;
 }
 
-/* Area of a body by the shoelace formula: positive only where cells run anticlockwise. */
+/* Positions of a cell's nodes. */
+static inline void CellCoords(const Level *level, PetscInt c, PetscReal X[])
+{
+  for (PetscInt i = level->cell_start[c]; i < level->cell_start[c + 1]; ++i) {
+    for (int d = 0; d < 2; ++d) X[2 * (i - level->cell_start[c]) + d] = level->coords[2 * level->cell_nodes[i] + d];
+  }
+}
+
+/* Area of a body by quadrature in its isoparametric cells: positive only where they run anticlockwise. */
 static inline PetscReal BodyArea(const Level *level, PetscInt body)
 {
   PetscReal area = 0;
 
   for (PetscInt c = 0; c < level->num_cells; ++c) {
-    const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]],
-                   num    = level->cell_start[c + 1] - level->cell_start[c];
+    const ElementType type = (ElementType)level->cell_type[c];
+    PetscReal X[2 * ELEMENT_MAX_NODES], xi[2 * ELEMENT_MAX_POINTS], weight[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_NODES];
+    const PetscInt n = ElementQuadrature(type, ElementOrder(type) > 1 ? 3 : 1, xi, weight);
 
-    for (PetscInt i = 0; i < num && level->cell_body[c] == body; ++i) {
-      const PetscReal *a = &level->coords[2 * nodes[i]], *b = &level->coords[2 * nodes[(i + 1) % num]];
-
-      area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
-    }
+    CellCoords(level, c, X);
+    for (PetscInt q = 0; q < n && level->cell_body[c] == body; ++q)
+      area += weight[q] * ElementMap(type, X, &xi[2 * q], NULL, phi, NULL);
   }
   return Total(area);
 }

@@ -2,9 +2,9 @@
 #include "mesh_scene.h"
 
 /* Orders of the upper and of the lower body. */
-static const PetscInt Orders[][2] = {{1, 1}, {2, 2}, {1, 2}, {2, 1}};
+static const PetscInt Orders[][2] = {{1, 1}, {1, 2}, {2, 1}};
 static PetscInt       Order[2]    = {1, 1}; /* of the meshes that are made next */
-enum { NUM_ORDERS = 4 };
+enum { NUM_ORDERS = 3 };
 
 /* A box of quads above a box of triangles, refined; nx = 1 leaves ranks without cells. */
 static Mesh MakeMesh(TestScene *t, PetscInt nx, PetscInt refine, const char map[])

@@ -71,11 +71,12 @@ static void TestFiles(void)
   CheckFileFault(Square, "1\n1 1 2 5 1 1 2", NULL, "5", (const char *[]){FileName, "dimension 1", NULL});
   CheckFileFault(Square, "1\n1 4 2 1 1 1 2 3 4", NULL, "5",
                  (const char *[]){FileName, "three-dimensional cells", NULL});
-  CheckFileFault(Square, "1\n1 9 2 1 1 1 2 3 4 1 2", NULL, "5", (const char *[]){FileName, "second order", NULL});
+  CheckFileFault(Square, "1\n1 21 2 1 1 1 2 3 4 1 2 3 4 1 2", NULL, "5",
+                 (const char *[]){FileName, "type 21", "first and second order", NULL});
   CheckFileFault("4\n1 0 0 0\n2 1 0 0\n3 1 0 1\n4 0 0 1", cells, NULL, "5",
                  (const char *[]){FileName, "not parallel to the x,y plane", NULL});
   CheckFileFault(Square, "3\n1 1 2 5 1 2 4\n2 2 2 1 1 1 2 3\n3 2 2 2 1 1 3 4", NULL, "5",
-                 (const char *[]){FileName, "Could not determine Plex facet", NULL});
+                 (const char *[]){FileName, "line from (1, 0) to (0, 1)", "not a side of any cell", NULL});
 }
 
 /* Cells that cannot be computed with. */
@@ -87,6 +88,30 @@ static void TestCells(void)
                  (const char *[]){"degenerate", "(2, 0)", NULL});
   CheckFileFault(Square, "4\n1 1 2 5 1 1 2\n2 2 2 1 1 1 2 3\n3 2 2 1 1 1 3 4\n4 3 2 1 1 1 2 3 4", NULL, "5",
                  (const char *[]){"lie upon each other", NULL});
+}
+
+/* A triangle of second order whose curved side goes through the opposite vertex: its vertices alone are sound. */
+static void TestCurvedCells(void)
+{
+  static const char nodes[] = "6\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0.5 0 0\n5 -0.1 -0.1 0\n6 0 0.5 0";
+  static const char cells[] = "2\n1 8 2 5 1 1 2 4\n2 9 2 1 1 1 2 3 4 5 6";
+
+  for (PetscInt order = 1; order <= 2; ++order) {
+    TestScene t;
+    Mesh      mesh;
+
+    WriteFile(nodes, cells);
+    TestSceneInit(&t);
+    TestSceneAddFile(&t, "block", FileName, NULL)->order = order;
+    TestSceneAddBoundary(&t.bodies[0], BOUNDARY_NORMAL, "5", NULL);
+    if (order > 1) {
+      CheckFault(&t, (const char *[]){"'block'", "degenerate or tangled", "(1, 0)", NULL});
+    } else {
+      mesh = TestSceneMesh(&t);
+      CHECK_NEAR(BodyArea(&mesh->levels[0], 0), 0.5, 1e-14);
+      CHECK(!MeshDestroy(&mesh));
+    }
+  }
 }
 
 static void TestFileNames(void)
@@ -182,6 +207,7 @@ int main(int argc, char **argv)
   snprintf(FileName, sizeof(FileName), "meshfaults_%d.msh", size); // runs on other numbers of ranks may be about
   TestFiles();
   TestCells();
+  TestCurvedCells();
   TestFileNames();
   TestBoxSides();
   TestMaps();

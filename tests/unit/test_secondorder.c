@@ -1,24 +1,6 @@
 /* test_secondorder.c -- meshes whose bodies are of order 2: nodes on curves, curved facets, the way up from order 1. */
 #include "mesh_scene.h"
 
-/* Area of a body by quadrature in its isoparametric cells. */
-static PetscReal CurvedArea(const Level *level, PetscInt body)
-{
-  PetscReal area = 0;
-
-  for (PetscInt c = 0; c < level->num_cells; ++c) {
-    const ElementType type  = (ElementType)level->cell_type[c];
-    const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]];
-    PetscReal X[2 * ELEMENT_MAX_NODES], xi[2 * ELEMENT_MAX_POINTS], weight[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_NODES];
-    PetscInt  n = ElementQuadrature(type, 4, xi, weight);
-
-    for (PetscInt i = 0; i < 2 * ElementNumNodes(type); ++i) X[i] = level->coords[2 * nodes[i / 2] + i % 2];
-    for (PetscInt q = 0; q < n && level->cell_body[c] == body; ++q)
-      area += weight[q] * ElementMap(type, X, &xi[2 * q], NULL, phi, NULL);
-  }
-  return Total(area);
-}
-
 /* Largest distance of a cell's middle nodes from the mean of the vertices around them, over the cell's size. */
 static PetscReal LargestRise(const Level *level)
 {
@@ -94,7 +76,7 @@ static void TestRing(PetscBool simplex, const char map[])
     PetscReal       n[2];
 
     CHECK(level->num_global == ((4 << l) + 1) * ((8 << l) + 1));
-    CHECK_NEAR(CurvedArea(level, 0), 0.75 * PETSC_PI, 0.02 * power);
+    CHECK_NEAR(BodyArea(level, 0), 0.75 * PETSC_PI, 0.02 * power);
     CHECK_NEAR(CurvedLength(&t, level, "right", 2, n), PETSC_PI, 0.02 * power);
     CHECK_NEAR(n[0], 2, 1e-13);
     CHECK_NEAR(n[1], 2, 1e-13);
@@ -122,7 +104,7 @@ static void TestStraight(const char map[])
   mesh = TestSceneMesh(&t);
   for (PetscInt l = 0; l < 2; ++l) {
     CHECK(mesh->levels[l].num_global == 2 * (7 + 6 * l) * (5 + 4 * l));
-    for (int b = 0; b < 2; ++b) CHECK_NEAR(CurvedArea(&mesh->levels[l], b), 1, 1e-14);
+    for (int b = 0; b < 2; ++b) CHECK_NEAR(BodyArea(&mesh->levels[l], b), 1, 1e-14);
     CHECK_NEAR(LargestRise(&mesh->levels[l]), 0, 1e-14);
   }
   CHECK(!MeshDestroy(&mesh));

@@ -1,24 +1,31 @@
-/* gmshcheck.c -- a Gmsh file followed reference by reference before PETSc reads it.
+/* gmshread.c -- nodes and elements of a Gmsh file, followed reference by reference.
 
-   PETSc's reader indexes its arrays by the tags it finds: an element with a node that the file does not define, a
-   block of an entity that does not exist, or counts that do not add up, end in a crash and not in a message. Formats
-   2.2 and 4.1, ASCII and binary, as in the Gmsh reference manual, chapter "Gmsh file formats". */
+   An element with a node that the file does not define, a block of an entity that does not exist, or counts that do not
+   add up, end in a sentence. Formats 2.2 and 4.1, ASCII and binary, as in the Gmsh reference manual, chapter "Gmsh file
+   formats". */
 #include "gmsh.h"
 #include <mortise/compat.h>
 #include <math.h>
 
 enum {
   MAX_TAGS     = 64,        /* of an element */
-  MAX_NODE_TAG = 100000000, /* PETSc makes a table of this length */
+  MAX_NODE_TAG = 100000000, /* far above what a plane mesh needs, far below what an integer holds */
+  MIN_GROUPS   = 64,        /* that there is room for from the beginning */
   NUM_TYPES    = 20
 };
 
-/* Dimension, order and number of nodes of Gmsh's element types below 20 (chapter "Node ordering"). */
+/* Dimension and number of nodes of Gmsh's element types below 20, all of first or second order (chapter "Node
+   ordering"). */
 static const struct {
-  int dim, order, nodes;
-} Type[NUM_TYPES] = {{0, 0, 0},  {1, 1, 2}, {2, 1, 3}, {2, 1, 4},  {3, 1, 4},  {3, 1, 8},  {3, 1, 6},
-                     {3, 1, 5},  {1, 2, 3}, {2, 2, 6}, {2, 2, 9},  {3, 2, 10}, {3, 2, 27}, {3, 2, 18},
-                     {3, 2, 14}, {0, 1, 1}, {2, 2, 8}, {3, 2, 20}, {3, 2, 15}, {3, 2, 13}};
+  int dim, nodes;
+} Type[NUM_TYPES] = {{0, 0}, {1, 2},  {2, 3},  {2, 4},  {3, 4},  {3, 8}, {3, 6}, {3, 5},  {1, 3},  {2, 6},
+                     {2, 9}, {3, 10}, {3, 27}, {3, 18}, {3, 14}, {0, 1}, {2, 8}, {3, 20}, {3, 15}, {3, 13}};
+
+void GmshTypeGet(PetscInt type, PetscInt *dim, PetscInt *num_nodes)
+{
+  *dim       = Type[type].dim;
+  *num_nodes = Type[type].nodes;
+}
 
 /* Next integer, of the given number of bytes in binary files. */
 static PetscInt64 ReadInt_Private(GmshReader *reader, size_t bytes)
@@ -61,8 +68,8 @@ static PetscInt ReadCount_Private(GmshReader *reader, const char what[])
   return reader->reason[0] ? 0 : (PetscInt)value;
 }
 
-/* Numbers whose values do not matter, so long as they are numbers. */
-static void ReadNumbers_Private(GmshReader *reader, PetscInt num)
+/* Finite numbers. [out] values - [num], or NULL where they do not matter */
+static void ReadNumbers_Private(GmshReader *reader, PetscInt num, PetscReal values[])
 {
   for (PetscInt i = 0; i < num && !reader->reason[0]; ++i) {
     double value = 0;
@@ -72,6 +79,7 @@ static void ReadNumbers_Private(GmshReader *reader, PetscInt num)
       GmshReaderFail(reader, feof(reader->file) ? "it ends too early" : "there is text where a coordinate belongs");
     }
     if (!isfinite(value)) GmshReaderFail(reader, "a coordinate is not finite");
+    if (values) values[i] = (PetscReal)value;
   }
 }
 
@@ -85,68 +93,91 @@ static void ReadRange_Private(GmshReader *reader)
     GmshReaderFail(reader, "its least tag %lld is above its largest %lld", (long long)least, (long long)largest);
 }
 
+/* Appends the number of a physical group; 0 means none, a minus sign another sense of the elements. */
+static PetscErrorCode AddGroup_Private(GmshReader *reader, PetscInt64 group)
+{
+  GmshMesh *mesh = reader->mesh;
+
+  PetscFunctionBeginUser;
+  if (reader->reason[0] || group == 0) PetscFunctionReturn(PETSC_SUCCESS);
+  if (mesh->num_groups == reader->max_groups) {
+    reader->max_groups = PetscMax(MIN_GROUPS, 2 * reader->max_groups);
+    PetscCall(PetscRealloc(reader->max_groups * sizeof(PetscInt), &mesh->group));
+  }
+  mesh->group[mesh->num_groups++] = (PetscInt)(group < 0 ? -group : group);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Entities exist in format 4.1 only: blocks of nodes and elements refer to them for their physical groups. */
-PetscErrorCode GmshCheckEntities(GmshReader *reader)
+PetscErrorCode GmshReadEntities(GmshReader *reader)
 {
   PetscInt num[4], total = 0;
 
   PetscFunctionBeginUser;
   for (PetscInt dim = 0; dim < 4; ++dim) total += num[dim] = ReadCount_Private(reader, "entities");
-  PetscCall(PetscMalloc1(total, &reader->entities));
+  PetscCall(PetscMalloc4(total, &reader->entity, total, &reader->place, total, &reader->entity_first, total,
+                         &reader->entity_end));
   for (PetscInt dim = 0; dim < 4; ++dim) {
     for (PetscInt i = 0; i < num[dim] && !reader->reason[0]; ++i) {
-      reader->entities[reader->num_entities++] = 4 * (PetscInt)ReadTag_Private(reader) + dim;
-      ReadNumbers_Private(reader, dim ? 6 : 3);               // a box, or a point
-      for (PetscInt list = 0; list < (dim ? 2 : 1); ++list) { // physical tags, bounding entities
-        for (PetscInt n = ReadCount_Private(reader, "tags of an entity"); n > 0 && !reader->reason[0]; --n) {
-          (void)ReadTag_Private(reader);
-        }
-      }
+      const PetscInt e = reader->num_entities++;
+
+      reader->place[e]        = e;
+      reader->entity[e]       = 4 * (PetscInt)ReadTag_Private(reader) + dim;
+      reader->entity_first[e] = reader->mesh->num_groups;
+      ReadNumbers_Private(reader, dim ? 6 : 3, NULL); // a box, or a point
+      for (PetscInt n = ReadCount_Private(reader, "tags of an entity"); n > 0 && !reader->reason[0]; --n)
+        PetscCall(AddGroup_Private(reader, ReadTag_Private(reader)));
+      reader->entity_end[e] = reader->mesh->num_groups;
+      if (dim == 0) continue; // nothing bounds a point
+      for (PetscInt n = ReadCount_Private(reader, "tags of an entity"); n > 0 && !reader->reason[0]; --n)
+        (void)ReadTag_Private(reader);
     }
   }
-  PetscCall(PetscSortInt(reader->num_entities, reader->entities));
+  PetscCall(PetscSortIntWithArray(reader->num_entities, reader->entity, reader->place));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The head of a block in format 4.1: dimension and tag of its entity. */
-static PetscErrorCode ReadEntity_Private(GmshReader *reader, PetscInt64 *dim)
+/* The head of a block in format 4.1: dimension and tag of its entity. [out] entity - its place */
+static PetscErrorCode ReadEntity_Private(GmshReader *reader, PetscInt64 *dim, PetscInt *entity)
 {
   PetscInt64 tag;
   PetscInt   at = -1;
 
   PetscFunctionBeginUser;
-  *dim = ReadTag_Private(reader);
-  tag  = ReadTag_Private(reader);
+  *entity = 0;
+  *dim    = ReadTag_Private(reader);
+  tag     = ReadTag_Private(reader);
   if (reader->reason[0]) PetscFunctionReturn(PETSC_SUCCESS);
   if (*dim >= 0 && *dim < 4)
-    PetscCall(PetscFindInt((PetscInt)(4 * tag + *dim), reader->num_entities, reader->entities, &at));
+    PetscCall(PetscFindInt((PetscInt)(4 * tag + *dim), reader->num_entities, reader->entity, &at));
   if (at < 0) {
     GmshReaderFail(reader, "a block belongs to entity %lld of dimension %lld, which the file does not define",
                    (long long)tag, (long long)*dim);
+  } else {
+    *entity = reader->place[at];
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The sorted tags are different, and small enough for a table. */
+/* The sorted tags are different, and not too large. */
 static PetscErrorCode NodesSort_Private(GmshReader *reader)
 {
-  const PetscInt num = reader->num_nodes;
+  const PetscInt num = reader->num_tags, *tag = reader->tag;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscSortInt(num, reader->nodes));
+  PetscCall(PetscSortIntWithArray(num, reader->tag, reader->node));
   for (PetscInt i = 1; i < num; ++i) {
-    if (reader->nodes[i] == reader->nodes[i - 1])
-      GmshReaderFail(reader, "node %d is defined twice", (int)reader->nodes[i]);
+    if (tag[i] == tag[i - 1]) GmshReaderFail(reader, "node %d is defined twice", (int)tag[i]);
   }
-  if (num && (reader->nodes[0] < 0 || reader->nodes[num - 1] > MAX_NODE_TAG)) {
+  if (num && (tag[0] < 0 || tag[num - 1] > MAX_NODE_TAG)) {
     GmshReaderFail(reader, "a node has the tag %d; tags from 0 to %d are accepted",
-                   (int)(reader->nodes[0] < 0 ? reader->nodes[0] : reader->nodes[num - 1]), MAX_NODE_TAG);
+                   (int)(tag[0] < 0 ? tag[0] : tag[num - 1]), MAX_NODE_TAG);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Keeps the sorted tags, which elements are looked up in. */
-PetscErrorCode GmshCheckNodes(GmshReader *reader)
+/* Positions in the order of the file, and sorted tags, which elements are looked up in. */
+PetscErrorCode GmshReadNodes(GmshReader *reader)
 {
   const PetscBool blocks     = reader->version > 40 ? PETSC_TRUE : PETSC_FALSE;
   const PetscInt  num_blocks = blocks ? ReadCount_Private(reader, "blocks of nodes") : 1;
@@ -154,26 +185,28 @@ PetscErrorCode GmshCheckNodes(GmshReader *reader)
 
   PetscFunctionBeginUser;
   if (blocks) ReadRange_Private(reader);
-  PetscCall(PetscMalloc1(total, &reader->nodes));
+  PetscCall(PetscMalloc2(total, &reader->tag, total, &reader->node));
+  PetscCall(PetscMalloc1(3 * total, &reader->mesh->coords));
   for (PetscInt b = 0; b < num_blocks && !reader->reason[0]; ++b) {
-    PetscInt   num = total;
+    PetscInt   num = total, first = reader->num_tags, entity;
     PetscInt64 dim;
 
     if (blocks) {
-      PetscCall(ReadEntity_Private(reader, &dim));
+      PetscCall(ReadEntity_Private(reader, &dim, &entity));
       if (ReadTag_Private(reader))
         GmshReaderFail(reader, "its nodes have parametric coordinates, which cannot be read");
       num = ReadCount_Private(reader, "nodes of a block");
     }
-    if (num > total - reader->num_nodes) GmshReaderFail(reader, "its blocks hold more nodes than the file declares");
-    for (PetscInt i = 0; i < num && !reader->reason[0]; ++i) {
-      reader->nodes[reader->num_nodes++] =
-          (PetscInt)ReadInt_Private(reader, blocks ? (size_t)reader->data_size : sizeof(int));
-      if (!blocks) ReadNumbers_Private(reader, 3);
+    if (num > total - first) GmshReaderFail(reader, "its blocks hold more nodes than the file declares");
+    for (PetscInt i = first; i < first + num && !reader->reason[0]; ++i, ++reader->num_tags) {
+      reader->tag[i]  = (PetscInt)ReadInt_Private(reader, blocks ? (size_t)reader->data_size : sizeof(int));
+      reader->node[i] = i;
+      if (!blocks) ReadNumbers_Private(reader, 3, &reader->mesh->coords[3 * i]);
     }
-    if (blocks) ReadNumbers_Private(reader, 3 * num);
+    if (blocks && !reader->reason[0]) ReadNumbers_Private(reader, 3 * num, &reader->mesh->coords[3 * first]);
   }
-  if (reader->num_nodes < total) GmshReaderFail(reader, "its blocks hold fewer nodes than the file declares");
+  if (reader->num_tags < total) GmshReaderFail(reader, "its blocks hold fewer nodes than the file declares");
+  reader->mesh->num_nodes = reader->num_tags;
   PetscCall(NodesSort_Private(reader));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -183,41 +216,61 @@ static void CheckType_Private(GmshReader *reader, PetscInt64 type)
 {
   if (reader->reason[0]) return;
   if (type < 1 || type >= NUM_TYPES) {
-    GmshReaderFail(reader, "it holds elements of Gmsh's type %lld, which this version cannot use", (long long)type);
+    GmshReaderFail(reader,
+                   "it holds elements of Gmsh's type %lld, which this version cannot use; triangles and quadrangles of "
+                   "first and second order are accepted",
+                   (long long)type);
   } else if (Type[type].dim == 3) {
     GmshReaderFail(reader, "it holds three-dimensional cells, which this version cannot use; "
                            "plane meshes of triangles and quadrangles are accepted");
-  } else if (Type[type].order > 1) {
-    GmshReaderFail(reader,
-                   "it holds cells of second order, which this version cannot use; meshes of first order are accepted");
   }
 }
 
-/* The nodes of one element. */
-static PetscErrorCode CheckElement_Private(GmshReader *reader, PetscInt64 element, PetscInt64 type, size_t bytes)
+/* Room for all elements. */
+static PetscErrorCode ElementsAllocate_Private(GmshMesh *mesh, PetscInt num)
 {
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc4(num, &mesh->type, num * GMSH_MAX_NODES, &mesh->nodes, num, &mesh->first_group, num,
+                         &mesh->end_group));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The nodes of one element, which is kept unless it is a point. [in] first, end - range of its groups */
+static PetscErrorCode ReadElement_Private(GmshReader *reader, PetscInt64 element, PetscInt64 type, size_t bytes,
+                                          PetscInt first, PetscInt end)
+{
+  GmshMesh      *mesh = reader->mesh;
+  const PetscInt e    = mesh->num_elements;
+
   PetscFunctionBeginUser;
   for (int i = 0; !reader->reason[0] && i < Type[type].nodes; ++i) {
     const PetscInt64 node = ReadInt_Private(reader, bytes);
     PetscInt         at   = -1;
 
     if (reader->reason[0]) break;
-    if (node >= 0 && node <= MAX_NODE_TAG)
-      PetscCall(PetscFindInt((PetscInt)node, reader->num_nodes, reader->nodes, &at));
+    if (node >= 0 && node <= MAX_NODE_TAG) PetscCall(PetscFindInt((PetscInt)node, reader->num_tags, reader->tag, &at));
     if (at < 0) {
       GmshReaderFail(reader, "element %lld refers to node %lld, which the file does not define", (long long)element,
                      (long long)node);
+    } else {
+      mesh->nodes[e * GMSH_MAX_NODES + i] = reader->node[at];
     }
   }
+  if (reader->reason[0] || Type[type].dim == 0) PetscFunctionReturn(PETSC_SUCCESS);
+  mesh->type[e]        = (PetscInt)type;
+  mesh->first_group[e] = first;
+  mesh->end_group[e]   = end;
+  ++mesh->num_elements;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Format 2.2: every element with its own head; in binary files one head for a run of elements. */
-static PetscErrorCode CheckRuns_Private(GmshReader *reader)
+static PetscErrorCode ReadRuns_Private(GmshReader *reader)
 {
   const PetscInt num = ReadCount_Private(reader, "elements");
 
   PetscFunctionBeginUser;
+  PetscCall(ElementsAllocate_Private(reader->mesh, num));
   for (PetscInt e = 0; e < num && !reader->reason[0];) {
     PetscInt64       element  = reader->binary ? 0 : ReadTag_Private(reader);
     const PetscInt64 type     = ReadTag_Private(reader);
@@ -229,16 +282,22 @@ static PetscErrorCode CheckRuns_Private(GmshReader *reader)
       GmshReaderFail(reader, "element %d of %d cannot be read", (int)e + 1, (int)num);
     }
     for (; run > 0 && !reader->reason[0]; --run, ++e) {
+      const PetscInt first = reader->mesh->num_groups;
+
       if (reader->binary) element = ReadTag_Private(reader);
-      for (PetscInt64 i = 0; i < num_tags; ++i) (void)ReadTag_Private(reader);
-      PetscCall(CheckElement_Private(reader, element, type, sizeof(int)));
+      for (PetscInt64 i = 0; i < num_tags; ++i) {
+        const PetscInt64 tag = ReadTag_Private(reader);
+
+        if (i == 0) PetscCall(AddGroup_Private(reader, tag)); // the others are of the geometry
+      }
+      PetscCall(ReadElement_Private(reader, element, type, sizeof(int), first, reader->mesh->num_groups));
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Format 4.1: in blocks of one entity. */
-static PetscErrorCode CheckBlocks_Private(GmshReader *reader)
+static PetscErrorCode ReadBlocks_Private(GmshReader *reader)
 {
   const PetscInt num_blocks = ReadCount_Private(reader, "blocks of elements");
   const PetscInt total      = ReadCount_Private(reader, "elements");
@@ -246,11 +305,12 @@ static PetscErrorCode CheckBlocks_Private(GmshReader *reader)
 
   PetscFunctionBeginUser;
   ReadRange_Private(reader);
+  PetscCall(ElementsAllocate_Private(reader->mesh, total));
   for (PetscInt b = 0; b < num_blocks && !reader->reason[0]; ++b) {
     PetscInt64 dim, type;
-    PetscInt   num;
+    PetscInt   num, entity;
 
-    PetscCall(ReadEntity_Private(reader, &dim));
+    PetscCall(ReadEntity_Private(reader, &dim, &entity));
     type = ReadTag_Private(reader);
     num  = ReadCount_Private(reader, "elements of a block");
     CheckType_Private(reader, type);
@@ -262,7 +322,8 @@ static PetscErrorCode CheckBlocks_Private(GmshReader *reader)
     for (PetscInt e = 0; e < num && !reader->reason[0]; ++e) {
       const PetscInt64 element = ReadInt_Private(reader, (size_t)reader->data_size);
 
-      PetscCall(CheckElement_Private(reader, element, type, (size_t)reader->data_size));
+      PetscCall(ReadElement_Private(reader, element, type, (size_t)reader->data_size, reader->entity_first[entity],
+                                    reader->entity_end[entity]));
     }
     seen += num;
   }
@@ -270,12 +331,12 @@ static PetscErrorCode CheckBlocks_Private(GmshReader *reader)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode GmshCheckElements(GmshReader *reader)
+PetscErrorCode GmshReadElements(GmshReader *reader)
 {
   PetscFunctionBeginUser;
   if (reader->version > 40)
-    PetscCall(CheckBlocks_Private(reader));
+    PetscCall(ReadBlocks_Private(reader));
   else
-    PetscCall(CheckRuns_Private(reader));
+    PetscCall(ReadRuns_Private(reader));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
