@@ -128,6 +128,20 @@ def judge_numbers(page, summary):
         told(name, *(body[key] for key in ("order", "cells", "nodes", "dofs")))
 
 
+def judge_study(page, study):
+    """Every run of a study, and what is extrapolated."""
+    rows = [row["numbers"] for row in page.rows]
+    for run in study["runs"]:
+        start = [float(run[key]) for key in ("order", "level", "cells", "unknowns", "h")]
+        found = [row for row in rows if row[:len(start)] == start]
+        require(found, f"there is no row of order {run['order']}, level {run['level']}")
+        rates = [run[key] for key in ("energy_error_relative", "energy_error_rate", "l2_error_relative", "l2_error_rate") if run[key] is not None]
+        same("errors and rates", found[0][len(start):len(start) + len(rates)], rates)
+        same("seconds", found[0][-3:-1], [run["seconds_total"], run["seconds_with_coarser"]])
+    for name, quantity in study["richardson"].items():
+        require([quantity["value"], quantity["uncertainty"], quantity["order"]] in rows, f"the extrapolated {name} is not in the page")
+
+
 def judge_failed(run, arguments):
     """A run that is not solved has its page, which says so on top."""
     failed = Run(run.program, run.mpiexec, run.ranks, run.folder / "failed", arguments + ["-ksp_type", "cg", "-pc_type", "jacobi", "-ksp_max_it", "1"])
@@ -172,8 +186,11 @@ def judge(run):
     page = Page(text)
     judge_alone(page, text)
     require(TITLE in page.words, "the title is not what was given")
-    judge_pictures(page, 1 + len(run.summary["pairs"]))
+    judge_pictures(page, 1 + len(run.summary["pairs"]) + ("study" in run.summary))
     judge_numbers(page, run.summary)
     judge_digits(page)
+    if "study" in run.summary:
+        judge_study(page, run.summary["study"])
+        return
     judge_failed(run, run.arguments)
     judge_without(run, run.arguments)
