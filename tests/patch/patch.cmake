@@ -5,6 +5,13 @@ mortise_scene_test(crosspoints CHECK uniform.py RANKS 1 2 4)
 mortise_scene_test(narrow_quadratic SCENE narrow CHECK uniform.py RANKS 1 3 ARGS -order 2)
 mortise_scene_test(wide_quadratic SCENE wide CHECK wide_quadratic.py ARGS -order 2)
 mortise_scene_test(crosspoints_quadratic SCENE crosspoints CHECK uniform.py RANKS 1 2 4 ARGS -order 2)
+foreach(scene narrow crosspoints) # one body of order 2, the nonmortar or the mortar one
+  mortise_scene_test(${scene}_21 SCENE ${scene} CHECK uniform.py RANKS 1 2 ARGS -upper_order 2)
+  mortise_scene_test(${scene}_12 SCENE ${scene} CHECK uniform.py RANKS 1 2 ARGS -lower_order 2)
+endforeach()
 mortise_scene_test(sectors CHECK hydrostatic.py RANKS 1 2 3)
+mortise_scene_test(sectors_quadratic SCENE sectors CHECK hydrostatic.py RANKS 1 3 ARGS -order 2)
+mortise_scene_test(sectors_mixed SCENE sectors CHECK hydrostatic.py RANKS 1 3 ARGS -b_order 2)
+mortise_scene_test(curved CHECK curved.py RANKS 1 2 4)
 mortise_mistake(circle SCENE sectors SAYS "ab, bc, ac" "circle" "swap"
   ARGS -ac_nonmortar c:left -ac_mortar a:bottom)

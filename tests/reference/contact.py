@@ -10,7 +10,7 @@ from numpy.polynomial import polynomial as poly
 
 from bodies import numbers
 
-SLIVER, NOTHING, HELD = 1e-3, 1e-13, 0.1  # a node with less cover or less freedom carries no multiplier (THEORY 7)
+SLIVER, NOTHING, HELD = {2: 1e-3, 3: 5e-2}, 1e-13, 0.1  # a node with less cover (of facets with 2 or 3 multipliers) or freedom has none
 LINES = {2: np.array([[1, -1], [0, 1]]), 3: np.array([[1, -3, 2], [0, -1, 2], [0, 4, -4]])}  # phi by powers of s
 PLACES = (0.0, 1.0, 0.5)  # of the nodes of a facet
 MANY = 8  # Gauss points of a piece, where a finite number is exact enough but not exact
@@ -183,7 +183,8 @@ class Pair:
     def keeps(self, node):
         """Whether a node carries its multiplier."""
         held = any(2 * node + k in self.scene.held for k in (0, 1))
-        return self.D[node] >= SLIVER * self.full[node] and self.free[node] >= HELD and not (self.tied and held)
+        least = SLIVER[2 if self.linear else len(self.facets[0])]
+        return self.D[node] >= least * self.full[node] and self.free[node] >= HELD and not (self.tied and held)
 
     def shares(self, kept, removed):
         """{removed node: {kept node: weight}}: the mean over neighbours along the side, in rings around the kept nodes."""

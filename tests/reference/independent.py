@@ -194,18 +194,24 @@ class Solution:
         columns = {"body": self.scene.body, "x": self.scene.points[:, 0], "y": self.scene.points[:, 1], "u_x": self.u[:, 0], "u_y": self.u[:, 1]}
         return {name: [value.item() for value in values[order]] for name, values in columns.items()}
 
-    def side(self, pair):
-        """Table of a nonmortar side, sorted by coordinates; nodes without multiplier have gap nan, status -1."""
-        found = {}
-        for r, (owner, node, *_) in enumerate(self.rows):
-            if owner is pair and node not in found:  # the first row of a tied node is the normal one
+    def contact(self, pair):
+        """{node: (pressure, gap, status, force)} of a nonmortar side; without a multiplier the gap is nan, the status -1."""
+        found = {node: (0.0, math.nan, NONE, 0.0) for node in pair.nodes}
+        for r in reversed(range(len(self.rows))):  # the first row of a tied node is the normal one
+            owner, node, *_ = self.rows[r]
+            if owner is pair:
                 found[node] = (self.p[r], self.gap[r], int(self.status[r]), self.p[r] * pair.weight[node])
         for c, share in pair.share.items():
             found[c] = (sum(w * found[a][0] for a, w in share.items()), math.nan, NONE, 0.0)
         for begin, end, middle in (facet for facet in pair.facets if pair.linear and len(facet) == 3):
             found[middle] = (0.5 * (found[begin][0] + found[end][0]), math.nan, NONE, 0.0)
+        return found
+
+    def side(self, pair):
+        """Table of a nonmortar side, sorted by coordinates."""
+        found = self.contact(pair)
         nodes = sorted(pair.nodes, key=lambda node: tuple(np.round(self.scene.points[node], 9)))
-        rows = [(*self.scene.points[node], *found.get(node, (0.0, math.nan, NONE, 0.0))) for node in nodes]
+        rows = [(*self.scene.points[node], *found[node]) for node in nodes]
         return {name: [row[k] for row in rows] for k, name in enumerate(("x", "y", "p", "gap", "active", "force"))}
 
 

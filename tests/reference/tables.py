@@ -8,7 +8,7 @@ import numpy as np
 import independent
 from bodies import CORNERS, SHAPES, Shape
 
-FIELDS = ("plates_mixed", "plates_mixed_21", "rings_2")  # the cases that also have an HDF5 file
+FIELDS = ("plates_mixed", "plates_mixed_21", "plates_vertices_2", "rings_2")  # the cases that also have an HDF5 file
 METHOD = """Made by tests/reference/independent.py, not by mortise: dense arrays in Python with numpy, own elements, own integration of
 the contact side, contact set by Murty's least index method on the dual problem, one solution of the saddle point system.
 Scene: scene.opts beside this file. Command: python3 tests/reference/independent.py {case}
@@ -55,8 +55,9 @@ def write_fields(path, scene, solution):
 
     stress, count = nodal_stress(scene, solution), len(scene.points)
     pressure, gap, status = np.zeros(count), np.full(count, np.nan), np.full(count, independent.NONE)
-    for r, (_, node, *_) in enumerate(solution.rows):
-        pressure[node], gap[node], status[node] = solution.p[r], solution.gap[r], solution.status[r]
+    for pair in scene.pairs:
+        for node, (p, g, state, _) in solution.contact(pair).items():
+            pressure[node], gap[node], status[node] = p, g, state
     cells, owner = [], []
     for size, kind in ((3, 4), (4, 5), (6, 36), (9, 35)):  # XDMF's numbers of triangles and quads of order 1 and 2
         for b, body in enumerate(scene.bodies.values()):
