@@ -1,6 +1,6 @@
 /* errors.h -- how far an answer is from the exact one, where that is known (floor 7).
 
-   With e = u_h - u over a body, integrated with a rule fine enough not to show,
+   With e = u_h - u over a body, integrated finely enough not to show, also where the exact solution is singular,
        l2^2 = int |e|^2,   energy^2 = int eps(e) : C eps(e),
    and for the pressure p_h = sum p_a phi_a that is written out, over the facets of the nonmortar side that carry one,
        l2^2 = int (p_h - p)^2,   weighted^2 = sum D_aa (p_a - p(x_a))^2.
@@ -26,8 +26,8 @@ typedef struct {
   BodyError      total; /* of all bodies together; NAN unless all of them have an exact displacement */
 } Errors;
 
-/* Faults if an exact displacement contradicts the given ones, or is not finite at a node; call before the solve, so that no
-   time is lost. Collective. */
+/* Faults if an exact displacement contradicts the given ones, or an exact solution is not finite at a node; call before the
+   solve, so that no time is lost. Collective. */
 PetscErrorCode ErrorsCheck(VI vi);
 /* Faults if an exact solution is not finite where it is evaluated. Collective.
    [out] errors - owned by the caller, ErrorsDestroy() */

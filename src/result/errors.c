@@ -60,6 +60,20 @@ static PetscErrorCode CheckNode_Private(VI vi, PetscInt i, const PetscReal exact
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Faults where an exact pressure is not finite at a node that is to have it. */
+static PetscErrorCode CheckPressure_Private(const Pair pair)
+{
+  const Level *level = pair->level;
+  PetscReal    p;
+
+  PetscFunctionBeginUser;
+  if (!pair->spec->exact) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt a = 0; a < pair->num; ++a)
+    PetscCall(ExpressionEvaluate(pair->spec->exact, level->dim, &level->coords[pair->nodes[a] * level->dim], &p));
+  PetscCall(ExpressionCheck(level->comm, pair->spec->exact));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ErrorsCheck(VI vi)
 {
   const PetscInt dim           = vi->level->dim;
@@ -77,6 +91,7 @@ PetscErrorCode ErrorsCheck(VI vi)
   for (PetscInt b = 0; b < vi->scene->num_bodies; ++b)
     PetscCall(ExpressionCheck(vi->level->comm, vi->scene->bodies[b].exact));
   PetscCall(FaultCheck(vi->level->comm, sentence));
+  for (PetscInt p = 0; p < vi->num_pairs; ++p) PetscCall(CheckPressure_Private(vi->pairs[p]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -5,10 +5,18 @@
 #include <mortise/element.h>
 #include <mortise/expression.h>
 
-/* u = exact(x(xi)) and its gradient g[k][i] = d u_i / d x_k in a cell. Not collective; whether values are finite is told by
-   ExpressionCheck(). [in] X - [num_nodes][dim]; [in] xi - in the cell, 1e-3 of it from its boundary, [dim];
-   [in] grad - of the shape functions there, by ElementMap() [num_nodes][dim]; [out] u - [dim]; [out] g - [dim][dim] */
-PetscErrorCode ExactEvaluate(Expression exact, ElementType type, const PetscReal X[], const PetscReal xi[],
-                             const PetscReal grad[], PetscReal u[], PetscReal g[]);
+/* A point of a cell. */
+typedef struct {
+  ElementType      type;
+  const PetscReal *X;    /* [num_nodes][dim] */
+  const PetscReal *xi;   /* [dim] */
+  const PetscReal *grad; /* of the shape functions there, by ElementMap() [num_nodes][dim] */
+  PetscReal size; /* of the part of the cell that the point is in, 1 for all of it; two thousandths of it must lie
+                            between the point and the part's boundary */
+} CellPoint;
+
+/* u = exact(x) and its gradient g[k][i] = d u_i / d x_k. Not collective; whether values are finite is told by
+   ExpressionCheck(). [out] u - [dim]; [out] g - [dim][dim] */
+PetscErrorCode ExactEvaluate(Expression exact, const CellPoint *at, PetscReal u[], PetscReal g[]);
 
 #endif

@@ -12,7 +12,7 @@ ERRORS = {"1": {8: 1.106e-1, 16: 5.62e-2, 32: 2.83e-2, 64: 1.42e-2}, "2": {8: 9.
 TOLERANCE = {"1": 5e-3, "2": 0.1}  # of order 2 two digits are known
 VERTICES = (1.18, 1.72)  # error with one multiplier per vertex over that with one per node, on these meshes
 C, E, NU = 1e6, 1e9, 0.3
-RULES = 1e-3  # two rules differ by 2e-4 and less in the four cells where the stress is singular
+RULES = {"1": 2e-4, "2": 5e-3}  # what the rule here is off in cells where the stress is singular, more where they hold most of the error
 POINTS = 8  # per direction and cell: the gradient behaves like r^(-1/2) at one node
 
 
@@ -56,7 +56,7 @@ def judge(run):
         again = run.again(*faces, name=f"n{n}")
         found = relative_energy_error(again)
         near(f"energy error at n = {n}", found, error, relative=TOLERANCE[order])
-        near(f"energy error at n = {n} in the summary", again.summary["errors_total"]["energy_relative"], found, relative=RULES)
+        near(f"energy error at n = {n} in the summary", again.summary["errors_total"]["energy_relative"], found, relative=RULES[order])
         near(f"force at n = {n}", again.pair("joint")["normal_force"], 2 * C / 3, relative=0.2 / n)
         if order == "2":
             ratio = relative_energy_error(run.again(*faces, "-joint_multipliers", "vertices", name=f"vertices{n}")) / found
