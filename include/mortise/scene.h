@@ -28,6 +28,7 @@ typedef struct {
   Expression     map;    /* box coordinates to positions [dim], or NULL */
   PetscInt       refine; /* refinements of this body alone, before all are merged */
   PetscInt       order;
+  PetscBool      straightened;   /* found by the mesh: the file has curved sides, of which order 1 makes chords */
   Expression     young, poisson; /* of an isotropic body, else NULL */
   Expression     stiffness;      /* upper triangle of the Hooke tensor, else NULL */
   PetscReal      angle[3];       /* of the material axes, degrees */

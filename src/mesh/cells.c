@@ -118,15 +118,15 @@ static void LevelTurnCell_Private(Level *level, PetscInt cell, PetscBool *turned
   *sound = jacobian > DegenerateShare * PetscPowRealInt(longest, (int)level->dim) ? PETSC_TRUE : PETSC_FALSE;
 }
 
-/* "body 'b' has a degenerate or tangled cell with corners (..), (..)" */
+/* "body 'b' has a degenerate or tangled cell with corners (..), (..)"; with curved sides it may be so for all its corners. */
 static void LevelDescribeCell_Private(const Level *level, PetscInt cell, char sentence[])
 {
   const SceneBody *body  = &level->scene->bodies[level->cell_body[cell]];
   const PetscInt  *nodes = &level->cell_nodes[level->cell_start[cell]];
   size_t           used;
 
-  used = (size_t)snprintf(sentence, MESH_SENTENCE, "body '%s' has a degenerate or tangled cell%s with corners",
-                          body->name, body->map ? " after its map" : "");
+  used = (size_t)snprintf(sentence, MESH_SENTENCE, "body '%s' has a degenerate or tangled cell%s%s with corners",
+                          body->name, body->order > 1 ? " of order 2" : "", body->map ? " after its map" : "");
   for (PetscInt i = 0; i < LevelNumVertices(level, cell); ++i) {
     const PetscReal *x = &level->coords[nodes[i] * level->dim];
 

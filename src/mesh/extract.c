@@ -126,15 +126,17 @@ static void ExtractCells_Private(const Extract *x, BodyList *list)
   const Level *level = &x->level;
 
   list->num_vertices = x->num_vertices;
+  list->straightened = x->body->order < x->alone.order ? PETSC_TRUE : PETSC_FALSE;
   for (PetscInt n = 0; n < level->num_nodes; ++n) {
     for (PetscInt d = 0; d < list->dim && x->node_at[n] >= 0; ++d)
       list->coords[x->node_at[n] * list->dim + d] = level->coords[n * list->dim + d];
   }
   for (PetscInt c = 0; c < level->num_cells; ++c) {
     const PetscInt at = x->cell_at[c], num = ExtractNumNodes_Private(x, c);
-    PetscInt      *nodes = &list->cell_nodes[at * ELEMENT_MAX_NODES];
+    PetscInt      *nodes;
 
     if (at < 0) continue;
+    nodes               = &list->cell_nodes[at * ELEMENT_MAX_NODES];
     list->cell_type[at] = level->cell_type[c];
     if (x->body->order == 1) list->cell_type[at] = ElementLinear((ElementType)level->cell_type[c]);
     for (PetscInt i = 0; i < num; ++i) nodes[i] = x->node_at[level->cell_nodes[level->cell_start[c] + i]];
@@ -185,11 +187,12 @@ static PetscErrorCode FacetCountSenses_Private(const Extract *x, const BodyList 
   PetscCall(DMPlexGetSupportSize(x->level.dm, facet, &size));
   PetscCall(DMPlexGetSupport(x->level.dm, facet, &support));
   for (PetscInt i = 0; i < size; ++i) {
-    const PetscInt  cell  = x->cell_at[support[i] - x->cell_begin];
-    const PetscInt *nodes = &list->cell_nodes[cell * ELEMENT_MAX_NODES];
-    PetscInt        at    = 0;
+    const PetscInt  cell = x->cell_at[support[i] - x->cell_begin];
+    const PetscInt *nodes;
+    PetscInt        at = 0;
 
     if (cell < 0) continue;
+    nodes = &list->cell_nodes[cell * ELEMENT_MAX_NODES];
     while (nodes[at] != ends[0]) ++at;
     ++num[nodes[(at + 1) % ElementNumNodes(ElementLinear((ElementType)list->cell_type[cell]))] != ends[1]];
   }

@@ -50,6 +50,8 @@ static PetscErrorCode MeshCreateWhole_Private(Scene scene, DM *dm, Curves *curve
   PetscCall(MeshMakeBodies_Private(scene, names, lists));
   PetscCall(MeshMerge(scene, lists, names, dm, curves));
   for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+    scene->bodies[b].straightened = lists[b].straightened;
+    PetscCallMPI(MPI_Bcast(&scene->bodies[b].straightened, 1, MPIU_BOOL, 0, scene->comm));
     PetscCall(SideNamesDestroy(&names[b]));
     PetscCall(BodyListDestroy(&lists[b]));
   }

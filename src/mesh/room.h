@@ -21,12 +21,13 @@ typedef struct {
    that cells of order 2 have. */
 typedef struct {
   PetscInt   dim, num_cells, num_vertices, num_nodes, num_facets;
-  PetscInt  *cell_type;  /* ElementType [num_cells] */
-  PetscInt  *cell_nodes; /* [num_cells][ELEMENT_MAX_NODES] */
-  PetscReal *coords;     /* before the map [num_nodes][dim] */
-  PetscInt  *facet_cell; /* [num_facets] */
-  PetscInt  *facet;      /* number of the facet in its cell [num_facets] */
-  PetscInt  *facet_side; /* index into the SideNames [num_facets] */
+  PetscInt  *cell_type;    /* ElementType [num_cells] */
+  PetscInt  *cell_nodes;   /* [num_cells][ELEMENT_MAX_NODES] */
+  PetscReal *coords;       /* before the map [num_nodes][dim] */
+  PetscInt  *facet_cell;   /* [num_facets] */
+  PetscInt  *facet;        /* number of the facet in its cell [num_facets] */
+  PetscInt  *facet_side;   /* index into the SideNames [num_facets] */
+  PetscBool  straightened; /* the file has curved sides, of which order 1 makes chords */
 } BodyList;
 
 /* All nodes are vertices to begin with. */

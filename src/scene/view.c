@@ -115,7 +115,7 @@ static void ViewCount_Private(Expression e, PetscInt *num, PetscInt *num_varying
 
 PetscErrorCode SceneViewLeftOut(Scene scene)
 {
-  PetscInt num = 0, num_varying = 0, num_obstacles = 0, num_forces = 0, num_tied = 0, highest = 1;
+  PetscInt num = 0, num_varying = 0, num_obstacles = 0, num_forces = 0, num_tied = 0, num_straightened = 0, highest = 1;
 
   PetscFunctionBeginUser;
   for (const SceneBody *b = scene->bodies; b < scene->bodies + scene->num_bodies; b++) {
@@ -124,6 +124,7 @@ PetscErrorCode SceneViewLeftOut(Scene scene)
     for (size_t i = 0; i < sizeof(data) / sizeof(data[0]); i++) ViewCount_Private(data[i], &num, &num_varying);
     for (PetscInt i = 0; i < b->num_boundaries; i++) ViewCount_Private(b->boundaries[i].value, &num, &num_varying);
     num_forces += b->body_force ? 1 : 0;
+    num_straightened += b->straightened ? 1 : 0;
     highest = PetscMax(highest, b->order);
   }
   for (const ScenePair *p = scene->pairs; p < scene->pairs + scene->num_pairs; p++) {
@@ -149,6 +150,12 @@ PetscErrorCode SceneViewLeftOut(Scene scene)
         num - num_varying, num));
   }
   if (!num_forces) PetscCall(ViewPrint_Private(scene, "    forces on the inside of bodies: none given\n"));
+  if (num_straightened) {
+    PetscCall(ViewPrint_Private(scene,
+                                "    curved sides in the mesh files of %" PetscInt_FMT " of %" PetscInt_FMT
+                                " bodies: of order 1 they are chords\n",
+                                num_straightened, scene->num_bodies));
+  }
   if (highest == 1) PetscCall(ViewPrint_Private(scene, "    nodes on edges: every body is of order 1\n"));
   if (!scene->refine) PetscCall(ViewPrint_Private(scene, "    coarser and finer meshes: -dm_refine is 0\n"));
   if (!scene->output) PetscCall(ViewPrint_Private(scene, "    files: no -output\n"));

@@ -117,6 +117,7 @@ static void TestOrders(PetscInt upper, PetscInt lower)
   AddDisc(&t, "lower", DiscFile[2], "2", lower);
   TestSceneAddPair(&t, "joint", 0, "middle", 1, "middle");
   mesh = TestSceneMesh(&t);
+  for (PetscInt b = 0; b < 2; ++b) CHECK(t.bodies[b].straightened == (t.bodies[b].order == 1));
   for (PetscInt l = 0; l <= 1; ++l) {
     Level *level = &mesh->levels[l];
 
