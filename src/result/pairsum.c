@@ -132,8 +132,8 @@ PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum)
   sum->min_gap      = -largest[MAX_CLOSED];
   for (PetscInt k = 0; k < 3; ++k) {
     sum->force[k]           = sums[ADD_FORCE + k];
-    sum->lower[k]           = -largest[MAX_LOWER + k];
-    sum->upper[k]           = largest[MAX_UPPER + k];
+    sum->lower[k]           = sum->active ? -largest[MAX_LOWER + k] : NAN;
+    sum->upper[k]           = sum->active ? largest[MAX_UPPER + k] : NAN;
     sum->centre[k]          = sum->active ? sums[ADD_CENTRE + k] / sums[ADD_NORMAL] : NAN;
     sum->max_pressure_at[k] = NAN;
   }

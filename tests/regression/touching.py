@@ -23,6 +23,8 @@ def judge(run):
     near("u_x", u[:, 0], stretch * x[:, 0] / E, absolute=1e-13)
     near("u_y", u[:, 1], 0 * stretch, absolute=1e-13)
     near("pressures", run.table("joint")["pressure"], [0.0] * len(run.table("joint")["pressure"]), absolute=1e-11)
+    for what, place in run.pair("joint")["extent"].items():
+        require(place == [None, None], f"the {what} end of a contact of no nodes is {place}")
     for start in ("full", "gap"):
         at_once(run.again("-snes_pdas_start", start, name=start))
     still = run.again("-upper_bc_traction_right", "0,0", "-lower_bc_traction_right", "0,0", name="still")
