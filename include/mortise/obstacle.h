@@ -1,4 +1,4 @@
-/* obstacle.h -- rigid obstacles as a gap along the nonmortar normal (floor 4; numerics.md 5.5). */
+/* obstacle.h -- rigid obstacles as a gap along the nonmortar normal (floor 4; T15). */
 #ifndef MORTISE_OBSTACLE_H
 #define MORTISE_OBSTACLE_H
 

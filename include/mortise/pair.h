@@ -1,8 +1,8 @@
-/* pair.h -- D, M, weighted gap and normals of one contact pair on one level (floor 4; numerics.md 3-4).
+/* pair.h -- D, M, weighted gap and normals of one contact pair on one level (floor 4; T4-T6).
 
    D_ab = int psi_a phi^s_b,  M_ab = int psi_a phi^m_b(pi(.)),  G_a = int psi_a g  over the covered part of the nonmortar
    side. Rows of removed nodes (held in normal direction, or a sliver of coverage) are spread over their kept neighbours
-   (4.3), which is where D gets its few entries off the diagonal. Facets are integrated by the rank that holds them.
+   (T12), which is where D gets its few entries off the diagonal. Facets are integrated by the rank that holds them.
 
    Where only vertices of quadratic facets carry multipliers (MULTIPLIERS_VERTICES), psi is dual to the linear shape functions
    and all this is written for the displacements u~ of u = u~ + shift u~ on the nonmortar side: a vertex keeps its

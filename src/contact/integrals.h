@@ -4,7 +4,7 @@
 
 #include "integrate.h"
 
-/* Unit normals of the nonmortar side at its nodes, zero elsewhere (numerics.md 2). Collective.
+/* Unit normals of the nonmortar side at its nodes, zero elsewhere (T13). Collective.
    [out] normals - ghosted, dim per node, owned by the caller */
 PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, Vec *normals);
 

@@ -1,4 +1,4 @@
-/* spread.h -- the removed-node rule (private to the room; numerics.md 4.3). */
+/* spread.h -- the removed-node rule (private to the room; T12). */
 #ifndef MORTISE_SPREAD_H
 #define MORTISE_SPREAD_H
 

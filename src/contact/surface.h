@@ -1,4 +1,4 @@
-/* surface.h -- the two sides of a pair as plain arrays (private to the room; numerics.md 3.2). */
+/* surface.h -- the two sides of a pair as plain arrays (private to the room). */
 #ifndef MORTISE_SURFACE_H
 #define MORTISE_SURFACE_H
 

@@ -431,8 +431,6 @@ int main(int argc, char **argv)
     PetscCall(TestCrosspoints(order, MULTIPLIERS_NODES));
     PetscCall(TestTwoLayers(order));
   }
-  PetscCall(TestCuts(1, 2, MULTIPLIERS_VERTICES)); /* changes nothing on linear sides */
-  PetscCall(TestCuts(2, 1, MULTIPLIERS_VERTICES));
   PetscCall(TestCuts(2, 2, MULTIPLIERS_VERTICES));
   PetscCall(TestCrosspoints(2, MULTIPLIERS_VERTICES));
   PetscCall(TestRings(MULTIPLIERS_NODES));
