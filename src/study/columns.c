@@ -56,6 +56,7 @@ static void Cost_Private(const Record *record, const Sink *sink)
   Real_Private(sink, "seconds_times_ranks", "", record->rank_seconds);
   Real_Private(sink, "seconds_processor", "", record->processor);
   Real_Private(sink, "peak_bytes", "", record->memory);
+  Real_Private(sink, "peak_bytes_forecast", "", record->forecast);
 }
 
 void RecordColumns(Study study, const Record *record, PetscBool errors_named, ColumnFn take, void *ctx)

@@ -5,7 +5,7 @@
 /* Memory of a factorisation grows with unknowns to this power in 2D (nested dissection: N log N). */
 static const PetscReal GROWTH = 1.15;
 /* Bytes of a first run with so many unknowns, by order 1 and 2: measured with MUMPS on quadrilaterals in 2D, rounded up. */
-static const PetscReal FIRST_BYTES[] = {400, 600};
+static const PetscReal FIRST_BYTES[] = {550, 700};
 
 PetscReal ForecastMemory(Study study, PetscInt order, PetscInt unknowns)
 {

@@ -166,11 +166,28 @@ static void DrawMarker_Private(FILE *out, PetscInt kind, PetscReal x, PetscReal 
   fprintf(out, " fill=\"%s\" stroke=\"#ffffff\" stroke-width=\"1.2\"/>\n", colours[kind]);
 }
 
-/* The line, its markers, and at its end how steep it is. */
+/* How steep the last part of a line is, written along it. */
+static void DrawSlope_Private(FILE *out, const PlotLine *line, PetscInt kind, const Axis *x, const Axis *y)
+{
+  const PetscInt  n     = line->num;
+  const PetscReal at[2] = {Place_Private(x, line->x[n - 2]), Place_Private(x, line->x[n - 1])};
+  const PetscReal up[2] = {Place_Private(y, line->y[n - 2]), Place_Private(y, line->y[n - 1])};
+  const PetscReal angle = PetscAtan2Real(up[1] - up[0], at[1] - at[0]) * 180 / PETSC_PI;
+  const double slope = log((double)(line->y[n - 1] / line->y[n - 2])) / log((double)(line->x[n - 1] / line->x[n - 2]));
+
+  fprintf(out,
+          "<text transform=\"translate(%.2f %.2f) rotate(%.2f)\" y=\"-8\" text-anchor=\"middle\" font-size=\"13\" "
+          "font-weight=\"600\" fill=\"%s\">slope %s%.2f</text>\n",
+          (double)(at[0] + at[1]) / 2, (double)(up[0] + up[1]) / 2, (double)angle, colours[kind],
+          slope < 0 ? MINUS : "", fabs(slope));
+}
+
+/* The line with its markers. */
 static void DrawLine_Private(FILE *out, const PlotLine *line, PetscInt kind, const Axis *x, const Axis *y)
 {
   const PetscInt n = line->num;
 
+  if (!n) return;
   fprintf(out, "<path d=\"");
   for (PetscInt i = 0; i < n; ++i)
     fprintf(out, "%c%.2f %.2f", i ? 'L' : 'M', (double)Place_Private(x, line->x[i]),
@@ -178,18 +195,7 @@ static void DrawLine_Private(FILE *out, const PlotLine *line, PetscInt kind, con
   fprintf(out, "\" stroke=\"%s\" stroke-width=\"2\" stroke-linejoin=\"round\" fill=\"none\"/>\n", colours[kind]);
   for (PetscInt i = 0; i < n; ++i)
     DrawMarker_Private(out, kind, Place_Private(x, line->x[i]), Place_Private(y, line->y[i]));
-  if (n > 1 && line->x[n - 1] != line->x[n - 2]) {
-    const double slope =
-        log((double)(line->y[n - 1] / line->y[n - 2])) / log((double)(line->x[n - 1] / line->x[n - 2]));
-    char style[160], text[32];
-
-    snprintf(style, sizeof(style),
-             "text-anchor=\"end\" font-size=\"13\" font-weight=\"600\" fill=\"%s\" stroke=\"#ffffff\" "
-             "stroke-width=\"3\" paint-order=\"stroke\"",
-             colours[kind]);
-    snprintf(text, sizeof(text), "slope %s%.2f", slope < 0 ? MINUS : "", fabs(slope));
-    Text_Private(out, Place_Private(x, line->x[n - 1]) - 9, Place_Private(y, line->y[n - 1]) + 15, style, text);
-  }
+  if (n > 1 && line->x[n - 1] > line->x[n - 2]) DrawSlope_Private(out, line, kind, x, y);
 }
 
 /* Names of the lines, in the upper right corner, where falling lines leave room. */

@@ -130,7 +130,7 @@ PetscErrorCode StudyAddRecord(Study study, PetscInt order, PetscInt level, Recor
   PetscCheck(study->num <= study->capacity, PETSC_COMM_SELF, PETSC_ERR_PLIB, "More runs than levels times orders");
   *r = (Record){.order = order, .level = level, .state = RECORD_SKIPPED, .cells = -1, .iterations = -1};
   r->linear_iterations = r->active = -1;
-  r->h = r->total = r->with_coarser = r->rank_seconds = r->processor = r->memory = r->own_memory = NAN;
+  r->h = r->total = r->with_coarser = r->rank_seconds = r->processor = r->forecast = r->memory = r->own_memory = NAN;
   for (int s = 0; s < STAGE_COUNT; ++s) r->seconds[s] = NAN;
   PetscCall(PetscMalloc2(study->num_quantities, &r->values, study->num_errors, &r->errors));
   for (PetscInt q = 0; q < study->num_quantities; ++q) r->values[q] = NAN;

@@ -33,7 +33,8 @@ typedef struct {
   PetscReal    with_coarser; /* the same with the coarser runs of this order, from which this one began */
   PetscReal    rank_seconds; /* total times ranks */
   PetscReal    processor;    /* seconds that the processors worked, of all ranks */
-  PetscReal    memory;       /* peak of all ranks in bytes */
+  PetscReal    forecast;     /* peak of all ranks in bytes, as expected before the run */
+  PetscReal    memory;       /* and as it was */
   PetscReal    own_memory;   /* the part of it that was not there when the run began */
   Vec          u;            /* displacement, as long as it is needed, or NULL */
 } Record;

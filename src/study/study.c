@@ -20,25 +20,19 @@ static void SetOrder_Private(Study study, PetscInt order)
     study->scene->bodies[b].order = order == STUDY_OWN_ORDERS ? study->own_orders[b] : order;
 }
 
-/* Leaves a run out. The sentence says what it would have taken. */
-static PetscErrorCode Skip_Private(Study study, Record *record, PetscReal bytes)
-{
-  PetscFunctionBeginUser;
-  record->state = RECORD_SKIPPED;
-  PetscCall(PetscSNPrintf(record->reason, sizeof(record->reason),
-                          "would need about %.2g GB (-study_memory allows %.2g GB)", (double)(bytes / GIGABYTE),
-                          (double)(study->scene->study.memory / GIGABYTE)));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Whether a run with so many unknowns fits beside what is held now; if not, the record says so. */
 static PetscErrorCode Fits_Private(Study study, Record *record, PetscReal held, PetscBool *fits)
 {
-  const PetscReal bytes = held + ForecastMemory(study, record->order, record->unknowns);
+  const PetscReal allowed = study->scene->study.memory;
 
   PetscFunctionBeginUser;
-  *fits = (PetscBool) !(bytes > study->scene->study.memory);
-  if (!*fits) PetscCall(Skip_Private(study, record, bytes));
+  record->forecast = held + ForecastMemory(study, record->order, record->unknowns);
+  *fits            = (PetscBool) !(record->forecast > allowed);
+  if (!*fits) {
+    PetscCall(PetscSNPrintf(record->reason, sizeof(record->reason),
+                            "would need about %.2g GB (-study_memory allows %.2g GB)",
+                            (double)(record->forecast / GIGABYTE), (double)(allowed / GIGABYTE)));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
