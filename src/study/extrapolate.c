@@ -5,6 +5,8 @@
 
 enum { TEXT = 96 };
 
+static const PetscReal NEGLIGIBLE = 1e-9; /* part of its size that a quantity is known to at best */
+
 /* The solved record of an order on a level, or NULL. */
 static const Record *Find_Private(Study study, PetscInt order, PetscInt level)
 {
@@ -47,6 +49,15 @@ PetscInt ExtrapolateFindBest(Study study, PetscInt quantity)
   return best;
 }
 
+/* Whether a quantity is zero to all that can be told: a component that the scene does not have. */
+static PetscBool Vanishes_Private(Study study, PetscInt quantity, const Extrapolation *limit)
+{
+  const Record   *finest = StudyFindCoarser(study, ExtrapolateFindBest(study, quantity), study->scene->study.levels);
+  const PetscReal size   = PetscAbsReal(finest->values[study->quantities[quantity].size]);
+
+  return (PetscBool)(PetscAbsReal(limit->value) + limit->bar <= NEGLIGIBLE * size);
+}
+
 PetscErrorCode ExtrapolatePrint(Study study)
 {
   const MPI_Comm comm  = study->scene->comm;
@@ -60,7 +71,7 @@ PetscErrorCode ExtrapolatePrint(Study study)
     char           text[TEXT], order[ERROR_TEXT];
 
     if (best < 0 || !ExtrapolateQuantity(study, q, best, &limit)) continue;
-    if (limit.value == 0 && limit.bar == 0) continue; // a component that the scene does not have
+    if (Vanishes_Private(study, q, &limit)) continue;
     if (!begun) PetscCall(PetscPrintf(comm, "extrapolated from the last three levels (Richardson)\n"));
     begun = PETSC_TRUE;
     RichardsonText(&limit, text, sizeof(text));

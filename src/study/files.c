@@ -180,17 +180,18 @@ static PetscErrorCode Write_Private(Study study, const char suffix[], void (*wri
 /* What is said if a signal comes now. */
 static void Sentence_Private(Study study)
 {
-  const Scene scene = study->scene;
-  char        text[PETSC_MAX_PATH_LEN + 256];
-  PetscInt    done = 0;
+  const Scene       scene = study->scene;
+  const char *const line  = study->terminal ? "\n" : ""; // below the one that says what is being solved
+  char              text[PETSC_MAX_PATH_LEN + 256];
+  PetscInt          done = 0;
 
   for (PetscInt r = 0; r < study->num; ++r) done += study->records[r].state != RECORD_SKIPPED;
   if (scene->output && done) {
     snprintf(text, sizeof(text),
-             "mortise: interrupted; %s_study.csv and the other files hold the %" PetscInt_FMT " finished run%s\n",
-             scene->output, done, done == 1 ? "" : "s");
+             "%smortise: interrupted; %s_study.csv and the other files hold the %" PetscInt_FMT " finished run%s\n",
+             line, scene->output, done, done == 1 ? "" : "s");
   } else {
-    snprintf(text, sizeof(text), "mortise: interrupted; %s\n",
+    snprintf(text, sizeof(text), "%smortise: interrupted; %s\n", line,
              done ? "nothing is kept, since there is no -output" : "no run was finished");
   }
   InterruptSetSentence(text);

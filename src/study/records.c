@@ -13,14 +13,17 @@ static const char *const axes[] = {"x", "y", "z"};
 
 /* --- names ----------------------------------------------------------------------------------------------------------- */
 
-/* Appends a quantity: two formats, of its key and of its label, with the same arguments: owner's name, axis. */
-static void AddQuantity_Private(Study study, const char key[], const char label[], const char owner[],
-                                const char axis[])
+/* Appends a quantity that is measured by its own size. [in] owner, axis - may be "" */
+static Quantity *AddQuantity_Private(Study study, const char key[], const char label[], const char owner[],
+                                     const char axis[])
 {
-  Quantity *quantity = &study->quantities[study->num_quantities++];
+  Quantity *quantity = &study->quantities[study->num_quantities];
+
+  quantity->size = study->num_quantities++;
 
   snprintf(quantity->name, sizeof(quantity->name), "%s%s%s%s", owner, owner[0] ? "_" : "", key, axis);
   snprintf(quantity->label, sizeof(quantity->label), "%s%s%s%s", owner, owner[0] ? ": " : "", label, axis);
+  return quantity;
 }
 
 /* In the order in which RecordValues_Private() fills them. */
@@ -36,8 +39,10 @@ static PetscErrorCode NameQuantities_Private(Study study)
   for (PetscInt b = 0; b < scene->num_bodies; ++b)
     AddQuantity_Private(study, "strain_energy", "strain energy", scene->bodies[b].name, "");
   for (PetscInt p = 0; p < scene->num_pairs; ++p) {
-    AddQuantity_Private(study, "normal_force", "normal force", scene->pairs[p].name, "");
-    for (PetscInt k = 0; k < dim; ++k) AddQuantity_Private(study, "force_", "force ", scene->pairs[p].name, axes[k]);
+    const PetscInt normal = AddQuantity_Private(study, "normal_force", "normal force", scene->pairs[p].name, "")->size;
+
+    for (PetscInt k = 0; k < dim; ++k)
+      AddQuantity_Private(study, "force_", "force ", scene->pairs[p].name, axes[k])->size = normal;
   }
   for (PetscInt i = 0; i < scene->num_probes; ++i) {
     for (PetscInt k = 0; k < dim; ++k)

@@ -14,7 +14,8 @@ typedef struct {
 
 /* [in] Q - on three levels, coarse first */
 Extrapolation RichardsonExtrapolate(const PetscReal Q[RICHARDSON_LEVELS]);
-/* "1.83697e6 +- 2e2": bar rounded up to one or two digits, value to the last of them. [out] text - [len] */
+/* "1.83697e6 +- 2.0e2": the value rounded to the last digit of a bar of one digit or two, which is rounded up so that the interval
+   that is written holds the one that was computed. [out] text - [len] */
 void RichardsonText(const Extrapolation *limit, char text[], size_t len);
 
 #endif

@@ -41,8 +41,9 @@ typedef struct {
 
 /* A number that every run has, and that may be extrapolated. */
 typedef struct {
-  char name[NAME_LENGTH];  /* key in the files */
-  char label[NAME_LENGTH]; /* in words */
+  char     name[NAME_LENGTH];  /* key in the files */
+  char     label[NAME_LENGTH]; /* in words */
+  PetscInt size; /* position of the quantity that tells how large this one is: components of a force may vanish */
 } Quantity;
 
 typedef struct {

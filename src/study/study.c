@@ -165,12 +165,15 @@ PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
   PetscBool         all      = PETSC_TRUE, solved;
   int               terminal = isatty(STDOUT_FILENO);
   Study             study;
+  PetscMPIInt       ranks;
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Bcast(&terminal, 1, MPI_INT, 0, scene->comm)); // the first rank is the one that prints
   PetscCall(StudyCreate(scene, &study));
-  study->terminal = (PetscBool)(terminal != 0);
-  study->quiet    = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
+  PetscCallMPI(MPI_Comm_size(scene->comm, &ranks));
+  study->terminal =
+      (PetscBool)(terminal && ranks == 1); // mpiexec gives its ranks terminals where its own output is a file
+  study->quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
   PetscCall(InterruptBegin(scene->comm));
   PetscCall(StudyWriteFiles(study));
   PetscCall(TableBegin(study));

@@ -5,7 +5,7 @@
 #include "membrane.h"
 
 /* VISolve() with options that are there for this call only. */
-static PetscErrorCode SolveWith(const char options[], VI vi, Vec y, SolveReport *report)
+static PetscErrorCode SolveFrom(const char options[], VI vi, Vec guess, Vec y, SolveReport *report)
 {
   PetscOptions own;
 
@@ -13,10 +13,15 @@ static PetscErrorCode SolveWith(const char options[], VI vi, Vec y, SolveReport 
   PetscCall(PetscOptionsCreate(&own));
   PetscCall(PetscOptionsPush(own));
   PetscCall(PetscOptionsInsertString(own, options));
-  PetscCall(VISolve(vi, NULL, y, report));
+  PetscCall(VISolve(vi, guess, y, report));
   PetscCall(PetscOptionsPop());
   PetscCall(PetscOptionsDestroy(&own));
   PetscFunctionReturn(0);
+}
+
+static PetscErrorCode SolveWith(const char options[], VI vi, Vec y, SolveReport *report)
+{
+  return SolveFrom(options, vi, NULL, y, report);
 }
 
 /* All ways lead to the same solution; the two of pdas through the same sets. */
@@ -162,6 +167,52 @@ static PetscErrorCode TestEdges(void)
   PetscFunctionReturn(0);
 }
 
+/* A displacement to begin with changes the work: the solution itself takes one step. It never changes the answer, however wrong
+   it is; where contact alone holds a body it is not used. */
+static PetscErrorCode TestGuess(void)
+{
+  const PetscReal wrong[] = {1e6, -1e6, 1e-3};
+  Membrane        m;
+  SolveReport     cold, report;
+  Vec             y, guess, other;
+  PetscReal       max, difference;
+
+  PetscFunctionBeginUser;
+  PetscCall(MembraneCreate(1, 1, PETSC_TRUE, PETSC_TRUE, &m));
+  m.vi.length = 0.25; // u = length y
+  PetscCall(VecDuplicate(m.vi.b, &y));
+  PetscCall(VecDuplicate(m.vi.b, &guess));
+  PetscCall(VecDuplicate(m.vi.b, &other));
+  PetscCall(VISolve(&m.vi, NULL, y, &cold));
+  PetscCall(VecNorm(y, NORM_INFINITY, &max));
+  PetscCall(VecCopy(y, guess));
+  PetscCall(VecScale(guess, m.vi.length));
+  PetscCall(VISolve(&m.vi, guess, other, &report));
+  CHECK(cold.iterations > 2 && report.converged && report.iterations == 1 && report.active == cold.active);
+  for (int w = 0; w < 6; w++) {
+    PetscCall(VecSet(guess, wrong[w % 3]));
+    if (w < 3)
+      PetscCall(VISolve(&m.vi, guess, other, &report));
+    else
+      PetscCall(SolveFrom("-snes_type vinewtonrsls", &m.vi, guess, other, &report));
+    PetscCall(VecAXPY(other, -1, y));
+    PetscCall(VecNorm(other, NORM_INFINITY, &difference));
+    CHECK(report.converged && report.active == cold.active);
+    CHECK_NEAR(difference, 0, 1e-11 * max);
+  }
+  PetscCall(SolveFrom("-snes_pdas_start full", &m.vi, guess, other, &report));
+  PetscCall(SolveFrom("-snes_pdas_start full", &m.vi, NULL, y, &cold));
+  CHECK(report.iterations == cold.iterations); // the user's own start wins
+  m.vi.any_floating = PETSC_TRUE;
+  PetscCall(VISolve(&m.vi, guess, other, &report));
+  CHECK(report.converged && report.iterations == cold.iterations);
+  PetscCall(VecDestroy(&y));
+  PetscCall(VecDestroy(&guess));
+  PetscCall(VecDestroy(&other));
+  PetscCall(MembraneDestroy(&m));
+  PetscFunctionReturn(0);
+}
+
 int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
@@ -171,6 +222,7 @@ int main(int argc, char **argv)
   PetscCall(TestUnits());
   PetscCall(TestCrossCheck());
   PetscCall(TestEdges());
+  PetscCall(TestGuess());
   PetscCall(PetscFinalize());
   return 0;
 }
