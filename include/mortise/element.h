@@ -1,9 +1,11 @@
 /* element.h -- shape functions, quadrature and cell stiffness (floor 1).
 
    Plain tables and loops: no MPI, no objects, nothing allocated. Reference cells are PETSc's order of vertices:
-   line2 on [0,1]; tri3 (0,0),(1,0),(0,1); quad4 (0,0),(1,0),(1,1),(0,1) on [0,1]^2. 2D cells run anticlockwise. Cells of
-   second order have, behind their vertices, a node in the middle of each facet, in the order of the facets, and quad9 one
-   in its own middle: line3 (end, end, middle), tri6, quad9. Sides may be curved: the geometry is isoparametric. */
+   line2 on [0,1]; tri3 (0,0),(1,0),(0,1); quad4 (0,0),(1,0),(1,1),(0,1) on [0,1]^2; tet4 the corner of the unit cube; hex8
+   the quad4 below (z = 0), then above (z = 1). 2D cells run anticlockwise; so do the facets of 3D cells seen from outside.
+   Cells of second order have, behind their vertices, a node in the middle of each edge, in the order of the edges; hex27
+   then has one in the middle of each facet; and line3, quad9 and hex27 have one in their own middle, which a line shares
+   with its edge. Sides may be curved: the geometry is isoparametric. */
 #ifndef MORTISE_ELEMENT_H
 #define MORTISE_ELEMENT_H
 
@@ -13,16 +15,20 @@ typedef enum {
   ELEMENT_LINE2,
   ELEMENT_TRI3,
   ELEMENT_QUAD4,
+  ELEMENT_TET4,
+  ELEMENT_HEX8,
   ELEMENT_LINE3,
   ELEMENT_TRI6,
   ELEMENT_QUAD9,
+  ELEMENT_TET10,
+  ELEMENT_HEX27,
   ELEMENT_COUNT
 } ElementType;
 
 enum {
-  ELEMENT_MAX_NODES       = 9, /* of a cell */
-  ELEMENT_MAX_FACET_NODES = 4, /* of a facet */
-  ELEMENT_MAX_POINTS      = 64 /* of a quadrature rule */
+  ELEMENT_MAX_NODES       = 27, /* of a cell */
+  ELEMENT_MAX_FACET_NODES = 9,  /* of a facet */
+  ELEMENT_MAX_POINTS      = 252 /* of a quadrature rule: 6 x 6 x 7 */
 };
 
 /* Name as users know it ("tri3"), reference dimension, nodes, facets, and the type of each facet. Not collective. */
@@ -38,15 +44,21 @@ ElementType ElementLinear(ElementType type);
 ElementType ElementOfOrder(ElementType linear, PetscInt order);
 /* Reference coordinates of a node, [ElementDim]; borrowed. */
 const PetscReal *ElementNode(ElementType type, PetscInt node);
-/* The cell's local node numbers of one facet, ends first, ordered so that in 2D the outward normal is (dy, -dx) along the facet. */
+/* The cell's local node numbers of one facet in the order of its type, with the normal of ElementSurface() outward: in 2D
+   (dy, -dx) along the facet. */
 const PetscInt *ElementFacetNodes(ElementType type, PetscInt facet);
+
+/* Edges: the facets of a plane cell, a line's only one. The cell's local numbers of an edge's two vertices; the node in
+   its middle, in cells of second order, is the edge's number behind the vertices. Not collective. */
+PetscInt        ElementNumEdges(ElementType type);
+const PetscInt *ElementEdgeNodes(ElementType type, PetscInt edge);
 
 /* phi = shape functions at xi; dphi[i][k] = d phi_i / d xi_k (dphi may be NULL).
    [in] xi - array of shape [ElementDim]; [out] phi - [num_nodes]; [out] dphi - [num_nodes][ElementDim] */
 void ElementShape(ElementType type, const PetscReal xi[], PetscReal phi[], PetscReal dphi[]);
 
-/* A rule on the reference cell that is exact for polynomials up to degree (tensor degree on quads).
-   Highest degree: 15 on lines and quads, 14 on triangles. Returns n, 0 beyond.
+/* A rule on the reference cell that is exact for polynomials up to degree (tensor degree on quads and hexes).
+   Highest degree: 15 on lines and quads, 14 on triangles, 11 on hexes, 10 on tets. Returns n, 0 beyond.
    [out] points - [n][ElementDim]; [out] weights - [n], summing to the reference measure */
 PetscInt ElementQuadrature(ElementType type, PetscInt degree, PetscReal points[], PetscReal weights[]);
 
@@ -71,7 +83,7 @@ typedef struct {
   PetscInt    num;                                              /* points */
   PetscReal   weight[ELEMENT_MAX_POINTS];                       /* [num] */
   PetscReal   phi[ELEMENT_MAX_POINTS * ELEMENT_MAX_NODES];      /* [num][num_nodes] */
-  PetscReal   dphi[ELEMENT_MAX_POINTS * ELEMENT_MAX_NODES * 2]; /* [num][num_nodes][ElementDim] */
+  PetscReal   dphi[ELEMENT_MAX_POINTS * ELEMENT_MAX_NODES * 3]; /* [num][num_nodes][ElementDim] */
 } ElementRule;
 
 /* As ElementQuadrature(); num is 0 beyond the highest degree. */
@@ -79,8 +91,8 @@ void ElementRuleSet(ElementType type, PetscInt degree, ElementRule *rule);
 /* ElementMap() at point q; x and grad may be NULL. */
 PetscReal ElementRuleMap(const ElementRule *rule, PetscInt q, const PetscReal X[], PetscReal x[], PetscReal grad[]);
 
-/* Smallest det J in the cell: <= 0 for a degenerate or tangled one. In cells of second order it is the smallest on a
-   lattice that holds the nodes. */
+/* Smallest det J in the cell: <= 0 for a degenerate or tangled one. In hex8 and cells of second order it is the smallest
+   on a lattice that holds the nodes. */
 PetscReal ElementMinJacobian(ElementType type, const PetscReal X[]);
 
 /* Finds xi with x(xi) = x by Newton; returns whether x lies in the cell to within tolerance (relative to the cell).
@@ -92,8 +104,8 @@ PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x
    [in] grad - [num_nodes][dim]; [out] B - [num_strains][num_nodes*dim] */
 void ElementStrainMatrix(PetscInt dim, PetscInt num_nodes, const PetscReal grad[], PetscReal B[]);
 
-/* The degree of quadrature for the stiffness, exact on affine and parallelogram cells: 2 x 2 points for quad4, 3 x 3 for
-   quad9, 1 for tri3, 6 for tri6. */
+/* The degree of quadrature for the stiffness, exact on affine and parallelogram cells: 2 points in each direction for
+   quad4 and hex8, 3 for quad9 and hex27; 1 for tri3 and tet4, 6 for tri6, 8 for tet10. */
 PetscInt ElementStiffnessDegree(ElementType type);
 
 #endif

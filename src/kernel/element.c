@@ -1,108 +1,12 @@
-/* element.c -- reference cells as a table, and the geometry of cells by loops that are the same for every row of it.
-
-   A new cell type is a row: its nodes, its facets, its shape functions, and a rule in quadrature.c. Loops over tables
-   cost a small part of what general finite element classes take for so few nodes, and read like the formulas.
+/* element.c -- what the table of reference cells holds, and the geometry of cells by loops that are the same for every row.
 
    Reference:
      [1] T. J. R. Hughes, The Finite Element Method (1987), chapter 3. */
-#include <mortise/element.h>
-#include "shape.h"
+#include "reference.h"
 
-enum { MAX_DIM = 2, MAX_FACETS = 4, NEWTON_MAX_STEPS = 25, JACOBIAN_INTERVALS = 6 };
+enum { MAX_DIM = REFERENCE_MAX_DIM, NEWTON_MAX_STEPS = 25 };
 
 static const PetscReal NEWTON_STEP = 1e-10; /* convergence is quadratic: after such a step only roundoff is left */
-
-typedef struct {
-  const char     *name;
-  PetscInt        dim, order, num_nodes, num_facets;
-  ElementType     linear;     /* the same cell with its vertices only */
-  ElementType     facet_type; /* ELEMENT_COUNT where the facets are points */
-  PetscBool       simplex;    /* coordinates add up to 1 at most; otherwise each is in [0,1] */
-  PetscInt        stiffness_degree;
-  const PetscReal nodes[ELEMENT_MAX_NODES][MAX_DIM];
-  const PetscInt  facets[MAX_FACETS][ELEMENT_MAX_FACET_NODES];
-  ShapeFn        *shape;
-} Reference;
-
-/* Nodes: vertices, then the middles of facets in their order, then the middle of the cell. Facets follow each other
-   anticlockwise around a cell, so that its inside is on their left. Stiffness: tri3 has constant strains; products of
-   two strains are of degree 2 in each direction for quad4, 4 for quad9, and quadratic in tri6, where curved sides ask for
-   more. */
-static const Reference REFERENCE[ELEMENT_COUNT] = {
-    [ELEMENT_LINE2] = {.name             = "line2",
-                       .dim              = 1,
-                       .order            = 1,
-                       .num_nodes        = 2,
-                       .num_facets       = 2,
-                       .linear           = ELEMENT_LINE2,
-                       .facet_type       = ELEMENT_COUNT,
-                       .simplex          = PETSC_FALSE,
-                       .stiffness_degree = 0,
-                       .nodes            = {{0.}, {1.}},
-                       .facets           = {{0}, {1}},
-                       .shape            = ShapeLine2},
-    [ELEMENT_TRI3]  = {.name             = "tri3",
-                       .dim              = 2,
-                       .order            = 1,
-                       .num_nodes        = 3,
-                       .num_facets       = 3,
-                       .linear           = ELEMENT_TRI3,
-                       .facet_type       = ELEMENT_LINE2,
-                       .simplex          = PETSC_TRUE,
-                       .stiffness_degree = 0,
-                       .nodes            = {{0., 0.}, {1., 0.}, {0., 1.}},
-                       .facets           = {{0, 1}, {1, 2}, {2, 0}},
-                       .shape            = ShapeTri3},
-    [ELEMENT_QUAD4] = {.name             = "quad4",
-                       .dim              = 2,
-                       .order            = 1,
-                       .num_nodes        = 4,
-                       .num_facets       = 4,
-                       .linear           = ELEMENT_QUAD4,
-                       .facet_type       = ELEMENT_LINE2,
-                       .simplex          = PETSC_FALSE,
-                       .stiffness_degree = 2,
-                       .nodes            = {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}},
-                       .facets           = {{0, 1}, {1, 2}, {2, 3}, {3, 0}},
-                       .shape            = ShapeQuad4},
-    [ELEMENT_LINE3] = {.name             = "line3",
-                       .dim              = 1,
-                       .order            = 2,
-                       .num_nodes        = 3,
-                       .num_facets       = 2,
-                       .linear           = ELEMENT_LINE2,
-                       .facet_type       = ELEMENT_COUNT,
-                       .simplex          = PETSC_FALSE,
-                       .stiffness_degree = 2,
-                       .nodes            = {{0.}, {1.}, {0.5}},
-                       .facets           = {{0}, {1}},
-                       .shape            = ShapeLine3},
-    [ELEMENT_TRI6]  = {.name             = "tri6",
-                       .dim              = 2,
-                       .order            = 2,
-                       .num_nodes        = 6,
-                       .num_facets       = 3,
-                       .linear           = ELEMENT_TRI3,
-                       .facet_type       = ELEMENT_LINE3,
-                       .simplex          = PETSC_TRUE,
-                       .stiffness_degree = 4,
-                       .nodes            = {{0., 0.}, {1., 0.}, {0., 1.}, {0.5, 0.}, {0.5, 0.5}, {0., 0.5}},
-                       .facets           = {{0, 1, 3}, {1, 2, 4}, {2, 0, 5}},
-                       .shape            = ShapeTri6},
-    [ELEMENT_QUAD9] =
-        {.name             = "quad9",
-         .dim              = 2,
-         .order            = 2,
-         .num_nodes        = 9,
-         .num_facets       = 4,
-         .linear           = ELEMENT_QUAD4,
-         .facet_type       = ELEMENT_LINE3,
-         .simplex          = PETSC_FALSE,
-         .stiffness_degree = 4,
-         .nodes  = {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}, {0.5, 0.}, {1., 0.5}, {0.5, 1.}, {0., 0.5}, {0.5, 0.5}},
-         .facets = {{0, 1, 4}, {1, 2, 5}, {2, 3, 6}, {3, 0, 7}},
-         .shape  = ShapeQuad9},
-};
 
 const char *ElementName(ElementType type)
 {
@@ -149,6 +53,16 @@ PetscInt ElementNumFacets(ElementType type)
   return REFERENCE[type].num_facets;
 }
 
+PetscInt ElementNumEdges(ElementType type)
+{
+  return REFERENCE[type].num_edges;
+}
+
+const PetscInt *ElementEdgeNodes(ElementType type, PetscInt edge)
+{
+  return REFERENCE[type].edges[edge];
+}
+
 ElementType ElementFacetType(ElementType type)
 {
   return REFERENCE[type].facet_type;
@@ -171,27 +85,47 @@ void ElementShape(ElementType type, const PetscReal xi[], PetscReal phi[], Petsc
   REFERENCE[type].shape(xi, phi, dphi ? dphi : unwanted);
 }
 
-/* J[k][l] = d x_k / d xi_l and, where it is regular, its inverse; returns det J. */
+/* [in] a, b - [3]; [out] c - a x b [3] */
+static inline void Cross_Private(const PetscReal a[], const PetscReal b[], PetscReal c[])
+{
+  for (PetscInt k = 0; k < 3; k++) {
+    const PetscInt l = (k + 1) % 3, m = (k + 2) % 3;
+
+    c[k] = a[l] * b[m] - a[m] * b[l];
+  }
+}
+
+/* J[k][l] = d x_k / d xi_l and, where it is regular, its inverse: cofactors by det J; returns det J. */
 static inline PetscReal Jacobian_Private(PetscInt dim, PetscInt num_nodes, const PetscReal X[], const PetscReal dphi[],
                                          PetscReal inverse[])
 {
-  PetscReal J[MAX_DIM * MAX_DIM] = {0.}, det;
+  PetscReal J[MAX_DIM * MAX_DIM] = {0.}, det = 0.;
 
   for (PetscInt i = 0; i < num_nodes; i++) {
     for (PetscInt k = 0; k < dim; k++) {
       for (PetscInt l = 0; l < dim; l++) J[k * dim + l] += X[i * dim + k] * dphi[i * dim + l];
     }
   }
-  det = dim == 1 ? J[0] : J[0] * J[3] - J[1] * J[2];
-  if (det == 0.) return det;
   if (dim == 1) {
-    inverse[0] = 1. / det;
+    inverse[0] = 1.;
+    det        = J[0];
+  } else if (dim == 2) {
+    inverse[0] = J[3];
+    inverse[1] = -J[1];
+    inverse[2] = -J[2];
+    inverse[3] = J[0];
+    det        = J[0] * J[3] - J[1] * J[2];
   } else {
-    inverse[0] = J[3] / det;
-    inverse[1] = -J[1] / det;
-    inverse[2] = -J[2] / det;
-    inverse[3] = J[0] / det;
+    for (PetscInt k = 0; k < 3; k++) {
+      PetscReal cofactors[3];
+
+      Cross_Private(&J[3 * ((k + 1) % 3)], &J[3 * ((k + 2) % 3)], cofactors);
+      for (PetscInt l = 0; l < 3; l++) inverse[3 * l + k] = cofactors[l];
+      det += J[3 * k] * cofactors[0];
+    }
   }
+  if (det == 0.) return det;
+  for (PetscInt k = 0; k < dim * dim; k++) inverse[k] /= det;
   return det;
 }
 
@@ -225,7 +159,8 @@ static PetscReal MapCell_Private(const Reference *cell, const PetscReal X[], con
 {
   const PetscInt n = cell->num_nodes;
 
-  return cell->dim == 1 ? Map_Private(1, n, X, phi, dphi, x, grad) : Map_Private(2, n, X, phi, dphi, x, grad);
+  if (cell->dim == 1) return Map_Private(1, n, X, phi, dphi, x, grad);
+  return cell->dim == 2 ? Map_Private(2, n, X, phi, dphi, x, grad) : Map_Private(3, n, X, phi, dphi, x, grad);
 }
 
 PetscReal ElementMap(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
@@ -262,7 +197,7 @@ PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal 
 {
   const Reference *facet = &REFERENCE[type];
   const PetscInt   dim   = facet->dim + 1;
-  PetscReal        dphi[ELEMENT_MAX_NODES * MAX_DIM], t[MAX_DIM] = {0.}, measure;
+  PetscReal        dphi[ELEMENT_MAX_NODES * MAX_DIM], t[2][3] = {{0.}}, n[3], measure;
 
   facet->shape(xi, phi, dphi);
   if (x) {
@@ -271,24 +206,26 @@ PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal 
       for (PetscInt i = 0; i < facet->num_nodes; i++) x[k] += phi[i] * X[i * dim + k];
     }
   }
-  for (PetscInt i = 0; i < facet->num_nodes; i++) {
-    for (PetscInt k = 0; k < dim; k++) t[k] += dphi[i] * X[i * dim + k];
+  t[1][2] = facet->dim == 1 ? 1. : 0.; /* a line in the plane stands for a strip of depth one */
+  for (PetscInt l = 0; l < facet->dim; l++) {
+    for (PetscInt i = 0; i < facet->num_nodes; i++) {
+      for (PetscInt k = 0; k < dim; k++) t[l][k] += dphi[i * facet->dim + l] * X[i * dim + k];
+    }
   }
-  measure = PetscSqrtReal(t[0] * t[0] + t[1] * t[1]);
-  if (normal) {
-    normal[0] = t[1] / measure;
-    normal[1] = -t[0] / measure;
-  }
+  Cross_Private(t[0], t[1], n);
+  measure = PetscSqrtReal(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  for (PetscInt k = 0; normal && k < dim; k++) normal[k] = n[k] / measure;
   return measure;
 }
 
-/* det J of tri3 is constant and that of quad4 is linear in xi, so the nodes show its extremes: positive at every corner
-   means that a quad is convex and runs anticlockwise. In cells of second order det J may be smallest anywhere; there a
-   lattice that holds the nodes is looked at, sides included, since they are where bent cells tangle first. */
+/* det J of tri3 and tet4 is constant and that of quad4 is linear in xi, so the nodes show its extremes: positive at every
+   corner means that a quad is convex and runs anticlockwise. In hex8 and cells of second order det J may be smallest
+   anywhere; there a lattice that holds the nodes is looked at, sides included, since they are where bent cells tangle
+   first. */
 PetscReal ElementMinJacobian(ElementType type, const PetscReal X[])
 {
   const Reference *cell      = &REFERENCE[type];
-  const PetscInt   intervals = cell->order > 1 ? JACOBIAN_INTERVALS : 1;
+  const PetscInt   intervals = cell->lattice;
   PetscReal        smallest  = PETSC_MAX_REAL, phi[ELEMENT_MAX_NODES];
   PetscInt         num       = 1;
 
@@ -367,13 +304,13 @@ static PetscBool Newton_Private(const Reference *cell, const PetscReal X[], cons
   return step <= NEWTON_STEP ? PETSC_TRUE : PETSC_FALSE;
 }
 
-/* Newton takes one step in a triangle; from the middle of a convex quad it finds every point inside, and where it fails
-   outside, not found is the right answer. In a cell with curved sides it may leave for a root outside: the search is
-   repeated from every node, one of which is near enough. */
+/* Newton takes one step in a simplex; from the middle of a convex quad it finds every point inside, and where it fails
+   outside, not found is the right answer. In a cell with curved sides, hex8 among them, it may leave for a root outside:
+   the search is repeated from every node, one of which is near enough. */
 PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x[], PetscReal tolerance, PetscReal xi[])
 {
   const Reference *cell       = &REFERENCE[type];
-  const PetscInt   num_starts = cell->order > 1 ? cell->num_nodes : 0;
+  const PetscInt   num_starts = cell->lattice > 1 ? cell->num_nodes : 0;
 
   for (PetscInt i = -1; i < num_starts; i++) {
     for (PetscInt k = 0; k < cell->dim; k++)

@@ -5,7 +5,8 @@
 
    References:
      [1] G. R. Cowper, Gaussian quadrature formulas for triangles, Int. J. Numer. Meth. Engng 7 (1973).
-     [2] A. H. Stroud, Approximate Calculation of Multiple Integrals (1971), T2:5-1. */
+     [2] A. H. Stroud, Approximate Calculation of Multiple Integrals (1971), T2:5-1.
+     [3] N. J. Walkington, Quadrature on simplices of arbitrary dimension (2000). */
 #include <mortise/element.h>
 
 enum { GAUSS_MAX = 8, GAUSS_HALF = 4 };
@@ -46,29 +47,31 @@ static PetscInt NumGauss_Private(PetscInt degree)
   return PetscMax(degree, 0) / 2 + 1;
 }
 
-static PetscInt LineRule_Private(PetscInt degree, PetscReal points[], PetscReal weights[])
+/* The line's rules in every direction, the first one running fastest: exact for x^a y^b z^c with a, b and c up to the
+   degree of their direction. [in] degree - [dim] */
+static PetscInt ProductRule_Private(PetscInt dim, const PetscInt degree[], PetscReal points[], PetscReal weights[])
 {
-  const PetscInt n = NumGauss_Private(degree);
+  PetscReal x[3][GAUSS_MAX], w[3][GAUSS_MAX];
+  PetscInt  n[3], num = 1;
 
-  return n <= GAUSS_MAX ? GaussLine(n, points, weights) : 0;
-}
+  for (PetscInt k = 0; k < dim; k++) {
+    n[k] = NumGauss_Private(degree[k]);
+    if (n[k] > GAUSS_MAX) return 0;
+    GaussLine(n[k], x[k], w[k]);
+    num *= n[k];
+  }
+  if (num > ELEMENT_MAX_POINTS) return 0;
+  for (PetscInt q = 0; q < num; q++) {
+    PetscInt digits = q;
 
-/* The line's rule in both directions: exact for x^a y^b with a and b up to the degree. */
-static PetscInt QuadRule_Private(PetscInt degree, PetscReal points[], PetscReal weights[])
-{
-  const PetscInt n = NumGauss_Private(degree);
-  PetscReal      x[GAUSS_MAX], w[GAUSS_MAX];
-
-  if (n * n > ELEMENT_MAX_POINTS) return 0;
-  GaussLine(n, x, w);
-  for (PetscInt j = 0; j < n; j++) {
-    for (PetscInt i = 0; i < n; i++) {
-      points[2 * (j * n + i)]     = x[i];
-      points[2 * (j * n + i) + 1] = x[j];
-      weights[j * n + i]          = w[i] * w[j];
+    weights[q] = 1.;
+    for (PetscInt k = 0; k < dim; k++) {
+      points[dim * q + k] = x[k][digits % n[k]];
+      weights[q] *= w[k][digits % n[k]];
+      digits /= n[k];
     }
   }
-  return n * n;
+  return num;
 }
 
 /* The three points with barycentric coordinates (1 - 2a, a, a) in every order. */
@@ -81,17 +84,22 @@ static void Orbit_Private(PetscReal a, PetscReal weight, PetscReal points[], Pet
   }
 }
 
-/* The square's rule, its upper side drawn together into a corner: x = s (1 - t), y = t, whose Jacobian 1 - t takes one
-   degree of what the line's rule can do. */
-static PetscInt CollapsedRule_Private(PetscInt degree, PetscReal points[], PetscReal weights[])
+/* The rule of the square or cube, drawn together into a corner of the simplex: each coordinate is narrowed by the 1 - t of
+   those behind it, whose Jacobian takes one degree of what the line's rule can do for y, two for z. */
+static PetscInt CollapsedRule_Private(PetscInt dim, PetscInt degree, PetscReal points[], PetscReal weights[])
 {
-  const PetscInt n = QuadRule_Private(degree + 1, points, weights);
+  const PetscInt degrees[3] = {degree, degree + 1, degree + 2};
+  const PetscInt n          = ProductRule_Private(dim, degrees, points, weights);
 
   for (PetscInt q = 0; q < n; q++) {
-    const PetscReal narrow = 1. - points[2 * q + 1];
+    for (PetscInt k = 1; k < dim; k++) {
+      const PetscReal narrow = 1. - points[dim * q + k];
 
-    points[2 * q] *= narrow;
-    weights[q] *= narrow;
+      for (PetscInt l = 0; l < k; l++) {
+        points[dim * q + l] *= narrow;
+        weights[q] *= narrow;
+      }
+    }
   }
   return n;
 }
@@ -127,15 +135,74 @@ static PetscInt TriangleRule_Private(PetscInt degree, PetscReal points[], PetscR
     weights[6]              = area * 9. / 40.;
     return 7;
   }
-  return CollapsedRule_Private(degree, points, weights);
+  return CollapsedRule_Private(2, degree, points, weights);
+}
+
+/* The four points with barycentric coordinates (1 - 3a, a, a, a) in every order. */
+static void CornerOrbit_Private(PetscReal a, PetscReal weight, PetscReal points[], PetscReal weights[])
+{
+  for (PetscInt i = 0; i < 4; i++) {
+    for (PetscInt k = 0; k < 3; k++) points[3 * i + k] = i == k + 1 ? 1. - 3. * a : a;
+    weights[i] = weight;
+  }
+}
+
+/* The six points with barycentric coordinates (1/2 - a, 1/2 - a, a, a) in every order. */
+static void EdgeOrbit_Private(PetscReal a, PetscReal weight, PetscReal points[], PetscReal weights[])
+{
+  static const PetscInt pair[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
+
+  for (PetscInt i = 0; i < 6; i++) {
+    for (PetscInt k = 0; k < 3; k++) points[3 * i + k] = pair[i][0] == k + 1 || pair[i][1] == k + 1 ? 0.5 - a : a;
+    weights[i] = weight;
+  }
+}
+
+/* Eight points, exact to degree 3. With t = 1 - 4a the place of an orbit between the centroid and the vertices, weights W
+   of two orbits must fulfil W_1 + W_2 = 1, sum W t^2 = 1/5, sum W t^3 = 1/15; of the solutions, Stroud's has points on the
+   facets (t = -1/3), this one has them all inside. */
+static PetscInt TetrahedronCubic_Private(PetscReal points[], PetscReal weights[])
+{
+  const PetscReal volume = 1. / 6., s = 0.32, ratio = (1. / 15. + s * s * s) / (1. / 5. - s * s),
+                  mean = 0.5 * (s + ratio);
+  const PetscReal t = mean - PetscSqrtReal(mean * mean - s * s - ratio * s), W = (1. / 5. - s * s) / (t * t - s * s);
+
+  CornerOrbit_Private(0.25 * (1. - t), volume * W / 4., points, weights);
+  CornerOrbit_Private(0.25 * (1. + s), volume * (1. - W) / 4., &points[12], &weights[4]);
+  return 8;
+}
+
+/* Symmetric rules with positive weights and inner points: 1, 4, 8 and 14 points [3]; beyond them, the cube's. */
+static PetscInt TetrahedronRule_Private(PetscInt degree, PetscReal points[], PetscReal weights[])
+{
+  const PetscReal volume = 1. / 6.;
+
+  if (degree <= 1) {
+    points[0] = points[1] = points[2] = 0.25;
+    weights[0]                        = volume;
+    return 1;
+  }
+  if (degree == 2) {
+    CornerOrbit_Private(0.25 - 0.05 * PetscSqrtReal(5.), volume / 4., points, weights);
+    return 4;
+  }
+  if (degree == 3) return TetrahedronCubic_Private(points, weights);
+  if (degree <= 5) {
+    CornerOrbit_Private(0.31088591926330060980, 0.018781320953002641800, points, weights);
+    CornerOrbit_Private(0.092735250310891226402, 0.012248840519393658257, &points[12], &weights[4]);
+    EdgeOrbit_Private(0.045503704125649649492, 0.0070910034628469110730, &points[24], &weights[8]);
+    return 14;
+  }
+  return CollapsedRule_Private(3, degree, points, weights);
 }
 
 PetscInt ElementQuadrature(ElementType type, PetscInt degree, PetscReal points[], PetscReal weights[])
 {
+  const PetscInt degrees[3] = {degree, degree, degree};
+
   switch (ElementLinear(type)) {
-  case ELEMENT_LINE2: return LineRule_Private(degree, points, weights);
   case ELEMENT_TRI3: return TriangleRule_Private(degree, points, weights);
-  case ELEMENT_QUAD4: return QuadRule_Private(degree, points, weights);
-  default: return 0;
+  case ELEMENT_TET4: return TetrahedronRule_Private(degree, points, weights);
+  default: return ProductRule_Private(ElementDim(type), degrees, points, weights);
   }
 }

@@ -7,7 +7,9 @@
 
 static const DMPolytopeType Polytope[ELEMENT_COUNT] = {[ELEMENT_LINE2] = DM_POLYTOPE_SEGMENT,
                                                        [ELEMENT_TRI3]  = DM_POLYTOPE_TRIANGLE,
-                                                       [ELEMENT_QUAD4] = DM_POLYTOPE_QUADRILATERAL};
+                                                       [ELEMENT_QUAD4] = DM_POLYTOPE_QUADRILATERAL,
+                                                       [ELEMENT_TET4]  = DM_POLYTOPE_TETRAHEDRON,
+                                                       [ELEMENT_HEX8]  = DM_POLYTOPE_HEXAHEDRON};
 
 /* All triangles of all bodies come before all quads. */
 PetscErrorCode NumberingCreate(PetscInt num_bodies, const BodyList lists[], Numbering *numbering)

@@ -65,22 +65,32 @@ static PetscErrorCode GatherNodes_Private(const Level *level, PetscInt from, Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Nodes of one cell in the order of viewers: that of element.h, but for the middles of facets of hex27. */
+static void PictureOrder_Private(ElementType type, const PetscInt nodes[], PetscInt ordered[])
+{
+  /* left, right, front, back, below, above among below, above, front, right, back, left */
+  static const PetscInt facet[6] = {5, 3, 2, 4, 0, 1};
+  const PetscInt        size = ElementNumNodes(type), first = type == ELEMENT_HEX27 ? size - 7 : size;
+
+  for (PetscInt i = 0; i < size; ++i) ordered[i] = nodes[i >= first && i < size - 1 ? first + facet[i - first] : i];
+}
+
 /* Cells of all ranks with global nodes, sorted by type (stable, by counting). */
 static PetscErrorCode PictureCells_Private(const Level *level, Picture *picture)
 {
-  PetscInt *nodes, *all_nodes, *all_types, *all_bodies, *starts, num_cells, n = 0;
+  PetscInt *nodes, *all_nodes, *all_types, *all_bodies, *starts, num_cells, num_entries, n = 0;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(level->cell_start[level->num_cells], &nodes));
   for (PetscInt i = 0; i < level->cell_start[level->num_cells]; ++i)
     nodes[i] = level->node_global[level->cell_nodes[i]];
-  PetscCall(GatherInts(level->comm, level->cell_start[level->num_cells], nodes, NULL, &all_nodes));
+  PetscCall(GatherInts(level->comm, level->cell_start[level->num_cells], nodes, &num_entries, &all_nodes));
   PetscCall(GatherInts(level->comm, level->num_cells, level->cell_type, &num_cells, &all_types));
   PetscCall(GatherInts(level->comm, level->num_cells, level->cell_body, NULL, &all_bodies));
   PetscCall(PetscFree(nodes));
   picture->num_cells = num_cells;
-  PetscCall(PetscMalloc4(num_cells + 1, &picture->cell_start, num_cells * ELEMENT_MAX_NODES, &picture->cell_nodes,
-                         num_cells, &picture->cell_type, num_cells, &picture->cell[0].values));
+  PetscCall(PetscMalloc4(num_cells + 1, &picture->cell_start, num_entries, &picture->cell_nodes, num_cells,
+                         &picture->cell_type, num_cells, &picture->cell[0].values));
   PetscCall(PetscMalloc1(num_cells + 1, &starts));
   starts[0] = picture->cell_start[0] = 0;
   for (PetscInt c = 0; c < num_cells; ++c) starts[c + 1] = starts[c] + ElementNumNodes((ElementType)all_types[c]);
@@ -89,7 +99,7 @@ static PetscErrorCode PictureCells_Private(const Level *level, Picture *picture)
       const PetscInt size = starts[c + 1] - starts[c];
 
       if (all_types[c] != type) continue;
-      PetscCall(PetscArraycpy(&picture->cell_nodes[picture->cell_start[n]], &all_nodes[starts[c]], size));
+      PictureOrder_Private((ElementType)type, &all_nodes[starts[c]], &picture->cell_nodes[picture->cell_start[n]]);
       picture->cell_start[n + 1]   = picture->cell_start[n] + size;
       picture->cell_type[n]        = type;
       picture->cell[0].values[n++] = (PetscReal)all_bodies[c];

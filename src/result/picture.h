@@ -23,7 +23,7 @@ typedef struct {
   PetscInt     num_points, num_cells;
   PetscReal   *points;     /* [num_points][3] */
   PetscInt    *cell_start; /* [num_cells+1] */
-  PetscInt    *cell_nodes; /* [cell_start[num_cells]] */
+  PetscInt    *cell_nodes; /* in VTK's order [cell_start[num_cells]] */
   PetscInt    *cell_type;  /* ElementType [num_cells] */
   PictureArray point[PICTURE_POINT_ARRAYS];
   PictureArray cell[PICTURE_CELL_ARRAYS];

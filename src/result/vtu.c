@@ -5,9 +5,10 @@
 #include "xml.h"
 #include <mortise/compat.h>
 
-/* VTK's number of a cell (vtkCellType.h); its order of nodes is that of element.h. */
+/* VTK's number of a cell (vtkCellType.h); its order of nodes is that of the picture. */
 static const uint8_t vtk_number[ELEMENT_COUNT] = {
-    [ELEMENT_TRI3] = 5, [ELEMENT_QUAD4] = 9, [ELEMENT_TRI6] = 22, [ELEMENT_QUAD9] = 28};
+    [ELEMENT_TRI3] = 5,  [ELEMENT_QUAD4] = 9,  [ELEMENT_TET4] = 10,  [ELEMENT_HEX8] = 12,
+    [ELEMENT_TRI6] = 22, [ELEMENT_QUAD9] = 28, [ELEMENT_TET10] = 24, [ELEMENT_HEX27] = 29};
 
 /* A block: its length in bytes, then the bytes, encoded as one unit. */
 static PetscErrorCode WriteBlock_Private(FILE *out, const char type[], const char name[], PetscInt components,

@@ -12,13 +12,14 @@
 #include "xml.h"
 #include <mortise/compat.h>
 
-/* XDMF's name and number of a cell; its order of nodes is that of element.h. */
-static const char *const xdmf_name[ELEMENT_COUNT]   = {[ELEMENT_TRI3]  = "Triangle",
-                                                       [ELEMENT_QUAD4] = "Quadrilateral",
-                                                       [ELEMENT_TRI6]  = "Triangle_6",
-                                                       [ELEMENT_QUAD9] = "Quadrilateral_9"};
-static const int         xdmf_number[ELEMENT_COUNT] = {
-            [ELEMENT_TRI3] = 4, [ELEMENT_QUAD4] = 5, [ELEMENT_QUAD9] = 35, [ELEMENT_TRI6] = 36};
+/* XDMF's name and number of a cell; its order of nodes is that of the picture. */
+static const char *const xdmf_name[ELEMENT_COUNT] = {
+    [ELEMENT_TRI3] = "Triangle",         [ELEMENT_QUAD4] = "Quadrilateral", [ELEMENT_TRI6] = "Triangle_6",
+    [ELEMENT_QUAD9] = "Quadrilateral_9", [ELEMENT_TET4] = "Tetrahedron",    [ELEMENT_HEX8] = "Hexahedron",
+    [ELEMENT_TET10] = "Tetrahedron_10",  [ELEMENT_HEX27] = "Hexahedron_27"};
+static const int xdmf_number[ELEMENT_COUNT] = {
+    [ELEMENT_TRI3] = 4,   [ELEMENT_QUAD4] = 5, [ELEMENT_TET4] = 6,   [ELEMENT_HEX8] = 9,
+    [ELEMENT_QUAD9] = 35, [ELEMENT_TRI6] = 36, [ELEMENT_TET10] = 38, [ELEMENT_HEX27] = 50};
 
 PetscErrorCode TopologyCreate(const Picture *picture, Topology *topology)
 {
