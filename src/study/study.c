@@ -159,6 +159,19 @@ static PetscErrorCode WriteSummary_Private(Study study)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Faults on a pair whose table would have the name of the study's. */
+static PetscErrorCode CheckNames_Private(Scene scene)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt p = 0; p < scene->num_pairs && scene->output; ++p) {
+    if (strcmp(scene->pairs[p].name, "study")) continue;
+    PetscCall(FaultRaise(scene->comm,
+                         "-pairs study: %s_study.csv is the table of the study itself; give the pair another name",
+                         scene->output));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
 {
   const SceneStudy *plan     = &scene->study;
@@ -169,6 +182,7 @@ PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Bcast(&terminal, 1, MPI_INT, 0, scene->comm)); // the first rank is the one that prints
+  PetscCall(CheckNames_Private(scene));
   PetscCall(StudyCreate(scene, &study));
   PetscCallMPI(MPI_Comm_size(scene->comm, &ranks));
   study->terminal =

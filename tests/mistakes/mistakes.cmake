@@ -153,6 +153,8 @@ mistake(study_levels        SAYS "-study_levels 0" "smallest value is 1" ARGS -s
 mistake(study_beyond        SAYS -upper_dm_plex_box_faces "-study_levels" "more than can be numbered" ARGS -study uniform -study_levels 20)
 mistake(study_orders        SAYS "-study_orders 2,1" "lower one first" ARGS -study uniform -study_orders 2,1)
 mistake(study_own_order     SAYS "-upper_order 2" "-study_orders" ARGS -study uniform -study_orders 1,2 -upper_order 2)
+mistake(study_pair          SAYS "-pairs study" "result_study.csv" "another name"
+  ARGS -study uniform -pairs study -study_nonmortar upper:bottom -study_mortar lower:top -options_allow_unused)
 mistake(study_memory        SAYS "-study_memory 4GB" "4G" ARGS -study uniform -study_memory 4GB)
 
 # --- probes and files ---
