@@ -3,7 +3,6 @@ mortise_scene_test(narrow CHECK uniform.py RANKS 1 3)
 mortise_scene_test(wide CHECK wide.py RANKS 1 2)
 mortise_scene_test(crosspoints CHECK uniform.py RANKS 1 2 4)
 mortise_scene_test(narrow_quadratic SCENE narrow CHECK uniform.py RANKS 1 3 ARGS -order 2)
-mortise_scene_test(crosspoints_vertices SCENE crosspoints CHECK uniform.py RANKS 1 2 ARGS -order 2 -joint_multipliers vertices)
 mortise_scene_test(wide_quadratic SCENE wide CHECK wide_quadratic.py ARGS -order 2)
 mortise_scene_test(crosspoints_quadratic SCENE crosspoints CHECK uniform.py RANKS 1 2 4 ARGS -order 2)
 foreach(scene narrow crosspoints) # one body of order 2, the nonmortar or the mortar one
