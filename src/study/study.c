@@ -11,7 +11,18 @@
 #include "interrupt.h"
 #include "room.h"
 
-static const PetscReal GIGABYTE = 1073741824;
+enum { BYTES_TEXT = 24 };
+
+static const PetscReal MEGABYTE = 1048576, GIGABYTE = 1073741824;
+
+/* "4.2 GB". [out] text - [BYTES_TEXT] */
+static void Bytes_Private(PetscReal bytes, char text[])
+{
+  if (bytes < GIGABYTE)
+    snprintf(text, BYTES_TEXT, "%.0f MB", (double)(bytes / MEGABYTE));
+  else
+    snprintf(text, BYTES_TEXT, "%.1f GB", (double)(bytes / GIGABYTE));
+}
 
 /* All bodies of the scene take an order, which whatever is made of the scene from now on has. */
 static void SetOrder_Private(Study study, PetscInt order)
@@ -29,9 +40,12 @@ static PetscErrorCode Fits_Private(Study study, Record *record, PetscReal held, 
   record->forecast = held + ForecastMemory(study, record->order, record->unknowns);
   *fits            = (PetscBool) !(record->forecast > allowed);
   if (!*fits) {
-    PetscCall(PetscSNPrintf(record->reason, sizeof(record->reason),
-                            "would need about %.2g GB (-study_memory allows %.2g GB)",
-                            (double)(record->forecast / GIGABYTE), (double)(allowed / GIGABYTE)));
+    char needed[BYTES_TEXT], limit[BYTES_TEXT];
+
+    Bytes_Private(record->forecast, needed);
+    Bytes_Private(allowed, limit);
+    PetscCall(PetscSNPrintf(record->reason, sizeof(record->reason), "would need about %s (-study_memory allows %s)",
+                            needed, limit));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
