@@ -11,6 +11,8 @@
 
 /* Of T y = u: good enough to tell which bounds are reached. */
 static const PetscReal GUESS_RTOL = 1e-12;
+/* Distance from a bound, relative to the largest unknown, that a guess cannot mean: above the zero tolerance of PETSc's types. */
+static const PetscReal ON_BOUND = 1e-9;
 
 /* y = min(0, upper): feasible, and zero where it may be. */
 static PetscErrorCode StartFeasible_Private(VI vi, Vec y)
@@ -72,12 +74,35 @@ static PetscErrorCode StartFrom_Private(VI vi, Vec guess, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* y within its bounds, and on them where it nearly is: PETSc's types leave an unknown that lies within their zero tolerance of its
+   bound where it is, and it would not count as touching. */
+static PetscErrorCode Settle_Private(VI vi, Vec y)
+{
+  const PetscScalar *upper;
+  PetscScalar       *values;
+  PetscReal          size;
+  PetscInt           n;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecPointwiseMin(y, y, vi->upper));
+  PetscCall(VecNorm(y, NORM_INFINITY, &size));
+  PetscCall(VecGetLocalSize(y, &n));
+  PetscCall(VecGetArrayRead(vi->upper, &upper));
+  PetscCall(VecGetArray(y, &values));
+  for (PetscInt i = 0; i < n; i++) {
+    if (PetscRealPart(values[i]) > PetscRealPart(upper[i]) - ON_BOUND * size) values[i] = upper[i];
+  }
+  PetscCall(VecRestoreArray(y, &values));
+  PetscCall(VecRestoreArrayRead(vi->upper, &upper));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SolveStart(VI vi, PetscBool pdas, const char prefix[], Vec guess, Vec y)
 {
   PetscFunctionBeginUser;
   if (guess && !vi->any_floating) {
     PetscCall(StartFrom_Private(vi, guess, y));
-    if (!pdas) PetscCall(VecPointwiseMin(y, y, vi->upper)); // pdas takes an overlap for contact, others ask for none
+    if (!pdas) PetscCall(Settle_Private(vi, y)); // pdas takes an overlap for contact, others ask for none
   } else {
     PetscCall(StartFeasible_Private(vi, y));
     if (!pdas && vi->any_floating) PetscCall(StartTouching_Private(vi, prefix, y));

@@ -4,6 +4,8 @@ mortise_scene_test(two_plates CHECK two_plates.py
   ARGS -upper_dm_plex_box_faces 4,4 -lower_dm_plex_box_faces 3,3 -study uniform -study_levels 4 -study_orders 1,2)
 mortise_scene_test(ranks SCENE two_plates CHECK ranks.py RANKS 2 3
   ARGS -upper_dm_plex_box_faces 4,4 -lower_dm_plex_box_faces 3,3 -study uniform -study_levels 3 -study_orders 1,2)
+mortise_scene_test(solvers SCENE two_plates CHECK solvers.py
+  ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6 -study uniform -study_levels 3 -study_orders 1,2)
 mortise_scene_test(own_orders SCENE two_plates CHECK own_orders.py
   ARGS -upper_dm_plex_box_faces 4,4 -lower_dm_plex_box_faces 3,3 -lower_order 2 -study uniform -study_levels 3 -title "\"Wood\" & <glue>")
 mortise_scene_test(floating CHECK floating.py RANKS 1 2 ARGS -study uniform -study_levels 3 -study_orders 1,2)
