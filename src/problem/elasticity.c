@@ -77,16 +77,17 @@ static void Tensor_Private(PetscInt dim, const PetscReal C[], PetscReal tensor[]
 
 /* Ke_ij^kl += w d_m phi_i C_kmln d_n phi_j for i <= j. To be inlined where dim is known, so that its loops are unrolled.
    [in] tensor - [dim][dim][dim][dim]; [in] grad - [nn][dim]; [in,out] Ke - [nn][dim][nn][dim] */
-static inline void AddStiffness_Private(PetscInt dim, PetscInt nn, const PetscReal tensor[], const PetscReal grad[],
-                                        PetscReal w, PetscReal Ke[])
+static inline void AddStiffness_Private(PetscInt dim, PetscInt                    nn, const PetscReal *restrict tensor,
+                                        const PetscReal *restrict grad, PetscReal w, PetscReal *restrict Ke)
 {
   const PetscInt row = nn * dim;
   PetscReal      flux[27]; // w C_kmln d_n phi_j, [k][m][l]
 
   for (PetscInt j = 0; j < nn; j++) {
     for (PetscInt kml = 0; kml < dim * dim * dim; kml++) {
-      flux[kml] = 0;
-      for (PetscInt n = 0; n < dim; n++) flux[kml] += w * tensor[kml * dim + n] * grad[j * dim + n];
+      PetscReal sum = 0;
+      for (PetscInt n = 0; n < dim; n++) sum += tensor[kml * dim + n] * grad[j * dim + n];
+      flux[kml] = w * sum;
     }
     for (PetscInt i = 0; i <= j; i++) {
       for (PetscInt k = 0; k < dim; k++) {
