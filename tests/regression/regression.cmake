@@ -23,3 +23,12 @@ foreach(kind full partial)
   endforeach()
 endforeach()
 mortise_scene_test(edge2d_2 SCENE edge2d CHECK edge2d.py ARGS -order 2)
+mortise_scene_test(rings_quads SCENE rings CHECK rings_orders.py ARGS -order 2)
+mortise_scene_test(rings_triangles SCENE rings CHECK rings_orders.py ARGS -order 2 -outer_dm_plex_simplex 1 -inner_dm_plex_simplex 1)
+# Few cells, four meshes, both orders.
+mortise_scene_test(richardson_parabola SCENE parabola CHECK richardson.py
+  ARGS -joint_obstacle_point 0,-0.04 -block_dm_plex_box_faces 16,8 -study uniform -study_levels 4 -study_orders 1,2)
+mortise_scene_test(richardson_rings SCENE rings CHECK richardson.py
+  ARGS -outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4 -study uniform -study_levels 4 -study_orders 1,2)
+mortise_scene_test(richardson_three SCENE three_bodies CHECK richardson.py
+  ARGS -outer_dm_plex_box_faces 2,6 -middle_dm_plex_box_faces 2,5 -inner_dm_plex_box_faces 2,4 -study uniform -study_levels 4 -study_orders 1,2)
