@@ -7,11 +7,38 @@
        psi_i = D_i sum_jk L_j(node i) (int_cov L L^T)^-1_jk L_k,
    nothing is lost: L_j(node i) is a value outside of the box, large but exact.
 
+   On tri6 int phi is zero at vertices, so that psi would be, too. There the values in the middles of edges are told by
+   u~_e with u_e = (1 - 2 a) u~_e + a (u~_v + u~_w) at the ends v and w [3]. The functions phi~ that belong to u~ are the same
+   polynomials, and everything above holds for them with the functional that gives u~_i instead of the value at the node i.
+
    References:
      [1] B. Wohlmuth, A mortar finite element method using dual spaces for the Lagrange multiplier (2000).
-     [2] T. Cichosz, M. Bischoff, Consistent treatment of boundaries with mortar contact formulations (2011). */
+     [2] T. Cichosz, M. Bischoff, Consistent treatment of boundaries with mortar contact formulations (2011).
+     [3] A. Popp, B. Wohlmuth, M. W. Gee, W. A. Wall, Dual quadratic mortar finite element methods for 3D finite
+         deformation contact, SIAM J. Sci. Comput. 34 (2012). */
 #include <mortise/dense.h>
 #include <mortise/dual.h>
+
+/* Any share between 0 and 1/2 makes the integrals positive; this one leaves them of like size. */
+static const PetscReal TRI6_SHARE = 1. / 5.;
+
+PetscReal DualShare(ElementType type)
+{
+  return type == ELEMENT_TRI6 ? TRI6_SHARE : 0.;
+}
+
+void DualShape(ElementType type, PetscReal phi[])
+{
+  const PetscInt  num_vertices = ElementNumNodes(ElementLinear(type));
+  const PetscReal share        = DualShare(type);
+
+  for (PetscInt middle = num_vertices; middle < ElementNumNodes(type) && share > 0.; middle++) {
+    const PetscInt *ends = ElementEdgeNodes(type, middle - num_vertices);
+
+    for (PetscInt k = 0; k < 2; k++) phi[ends[k]] += share * phi[middle];
+    phi[middle] *= 1. - 2. * share;
+  }
+}
 
 /* The box around the points, as wide as they are. Returns whether it has any width in every direction. */
 static PetscBool Box_Private(PetscInt dim, PetscInt num_points, const PetscReal xi[], DualBasis *basis)
@@ -39,6 +66,21 @@ static void Local_Private(const DualBasis *basis, const PetscReal xi[], PetscRea
   ElementShape(basis->type, zeta, L, NULL);
 }
 
+/* The functionals that give u~_i, on every L. [out] C - rows, one for each i [n][n] */
+static void Functionals_Private(const DualBasis *basis, PetscReal C[])
+{
+  const PetscInt  n = ElementNumNodes(basis->type), num_vertices = ElementNumNodes(ElementLinear(basis->type));
+  const PetscReal share = DualShare(basis->type);
+
+  for (PetscInt i = 0; i < n; i++) Local_Private(basis, ElementNode(basis->type, i), &C[i * n]);
+  for (PetscInt i = num_vertices; i < n && share > 0.; i++) {
+    const PetscInt *ends = ElementEdgeNodes(basis->type, i - num_vertices);
+
+    for (PetscInt j = 0; j < n; j++)
+      C[i * n + j] = (C[i * n + j] - share * (C[ends[0] * n + j] + C[ends[1] * n + j])) / (1. - 2. * share);
+  }
+}
+
 PetscBool DualBasisCreate(ElementType type, PetscInt num_points, const PetscReal xi[], const PetscReal w[],
                           DualBasis *basis)
 {
@@ -49,6 +91,7 @@ PetscBool DualBasisCreate(ElementType type, PetscInt num_points, const PetscReal
   for (PetscInt i = 0; i < n; i++) basis->D[i] = 0.;
   for (PetscInt q = 0; q < num_points; q++) {
     ElementShape(type, &xi[2 * q], phi, NULL);
+    DualShape(type, phi);
     for (PetscInt i = 0; i < n; i++) basis->D[i] += w[q] * phi[i];
   }
   if (!Box_Private(ElementDim(type), num_points, xi, basis)) return PETSC_FALSE;
@@ -60,8 +103,8 @@ PetscBool DualBasisCreate(ElementType type, PetscInt num_points, const PetscReal
     }
   }
   if (!DenseCholesky(n, M)) return PETSC_FALSE;
+  Functionals_Private(basis, basis->C);
   for (PetscInt i = 0; i < n; i++) {
-    Local_Private(basis, ElementNode(type, i), &basis->C[i * n]);
     for (PetscInt j = 0; j < n; j++) basis->C[i * n + j] *= basis->D[i];
     DenseCholeskySolve(n, M, &basis->C[i * n]);
   }

@@ -166,6 +166,7 @@ static void TestBiorthogonality(ElementType type)
 
       DualBasisEvaluate(&basis, &xi[2 * q], psi);
       ElementShape(type, &xi[2 * q], phi, NULL);
+      DualShape(type, phi);
       for (PetscInt i = 0; i < n; i++) {
         sum += psi[i];
         size += PetscAbsReal(psi[i]); /* large functions cancel to 1 where a small part is covered */
@@ -178,6 +179,53 @@ static void TestBiorthogonality(ElementType type)
       for (PetscInt j = 0; j < n; j++) CHECK_NEAR(product[i * n + j], i == j ? basis.D[i] : 0., EXACT * largest);
     }
   }
+}
+
+/* A of tri6, psi = A phi~, by hand for the vertex row; D; sum phi~ = 1; phi~ tells u from u~. */
+static void TestTransformed(void)
+{
+  const PetscReal row[6] = {24. / 5., 4. / 5., 4. / 5., -11. / 5., 4. / 5., -11. / 5.}, a = DualShare(ELEMENT_TRI6);
+  PetscReal       points[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], u[6], transformed[6];
+  const PetscInt  num_points = ElementQuadrature(ELEMENT_TRI6, 4, points, w);
+  DualBasis       basis;
+
+  CHECK_NEAR(a, 0.2, 0.);
+  CHECK(DualBasisCreate(ELEMENT_TRI6, num_points, points, w, &basis));
+  for (PetscInt i = 0; i < 6; i++) CHECK_NEAR(basis.D[i], 0.5 * (i < 3 ? 2. / 15. : 1. / 5.), EXACT);
+  for (PetscInt i = 0; i < 6; i++) transformed[i] = Uniform(-1., 1.);
+  for (PetscInt i = 0; i < 6; i++)
+    u[i] =
+        i < 3 ? transformed[i] : (1. - 2. * a) * transformed[i] + a * (transformed[i - 3] + transformed[(i - 2) % 3]);
+  for (PetscInt trial = 0; trial < 100; trial++) {
+    const PetscReal xi[2] = {Uniform(0., 0.5), Uniform(0., 0.5)};
+    PetscReal       phi[6], psi[DUAL_MAX], sum = 0., difference = 0., expected = 0.;
+
+    ElementShape(ELEMENT_TRI6, xi, phi, NULL);
+    for (PetscInt i = 0; i < 6; i++) difference += u[i] * phi[i];
+    DualShape(ELEMENT_TRI6, phi);
+    DualBasisEvaluate(&basis, xi, psi);
+    for (PetscInt i = 0; i < 6; i++) {
+      sum += phi[i];
+      difference -= transformed[i] * phi[i];
+      expected += row[i] * phi[i];
+    }
+    CHECK_NEAR(sum, 1., EXACT);
+    CHECK_NEAR(difference, 0., EXACT);
+    CHECK_NEAR(psi[0], expected, 10. * EXACT);
+  }
+}
+
+/* Every other type is left as it is. */
+static void TestUntransformed(ElementType type)
+{
+  const PetscReal xi[2] = {0.3, 0.2};
+  PetscReal       phi[DUAL_MAX], same[DUAL_MAX];
+
+  ElementShape(type, xi, phi, NULL);
+  ElementShape(type, xi, same, NULL);
+  DualShape(type, same);
+  CHECK_NEAR(DualShare(type), 0., 0.);
+  for (PetscInt i = 0; i < ElementNumNodes(type); i++) CHECK_NEAR(same[i], phi[i], 0.);
 }
 
 int main(int argc, char **argv)
@@ -204,6 +252,13 @@ int main(int argc, char **argv)
   TestBiorthogonality(ELEMENT_TRI3);
   TestBiorthogonality(ELEMENT_QUAD4);
   TestBiorthogonality(ELEMENT_LINE3);
+  TestBiorthogonality(ELEMENT_TRI6);
+  TestBiorthogonality(ELEMENT_QUAD9);
+  TestTransformed();
+  TestUntransformed(ELEMENT_LINE3);
+  TestUntransformed(ELEMENT_TRI3);
+  TestUntransformed(ELEMENT_QUAD4);
+  TestUntransformed(ELEMENT_QUAD9);
   PetscCall(PetscFinalize());
   return 0;
 }
