@@ -5,8 +5,8 @@
 #include <petscsys.h>
 
 /* Adds one facet's weighted normal to its nodes (Max 1999; in 2D nu / h: exact on circles for any spacing of straight
-   facets, to h^3 with quadratic ones). 2D: line2 or line3 with the outward normal (dy,-dx). 3D: three or more corners,
-   anticlockwise seen from outside. No edge has zero length. [in] X - [num_nodes][dim]; [in,out] N - [num_nodes][dim], not normalised */
+   facets, to h^3 with quadratic ones). 2D: line2 or line3 with the outward normal (dy,-dx). 3D: tri3, quad4 (exact on
+   spheres for any ring of facets), tri6 or quad9 (off by h^3), anticlockwise seen from outside. No edge has zero length. [in] X - [num_nodes][dim]; [in,out] N - [num_nodes][dim], not normalised */
 void FrameAddFacetNormal(PetscInt dim, PetscInt num_nodes, const PetscReal X[], PetscReal N[]);
 
 /* n / |n|; returns |n| before. Zero stays zero. [in,out] n - [dim] */

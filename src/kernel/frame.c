@@ -9,6 +9,8 @@
 #include <mortise/element.h>
 #include <mortise/frame.h>
 
+enum { MAX_CORNERS = 4 }; /* of facets of first order in space */
+
 static PetscReal Dot_Private(PetscInt dim, const PetscReal a[], const PetscReal b[])
 {
   PetscReal sum = 0.;
@@ -55,12 +57,26 @@ static void AddPolygon_Private(PetscInt num_nodes, const PetscReal X[], PetscRea
   }
 }
 
+/* Each node of tri6 or quad9 gets the normal of the curved facet there, weighted so that smaller facets, which are closer to
+   the surface that they stand for, count more. */
+static void AddCurved_Private(ElementType type, const PetscReal X[], PetscReal N[])
+{
+  for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
+    PetscReal       phi[ELEMENT_MAX_NODES], nu[3];
+    const PetscReal measure = ElementSurface(type, X, ElementNode(type, i), NULL, phi, nu);
+
+    for (PetscInt k = 0; k < 3; k++) N[3 * i + k] += nu[k] / measure;
+  }
+}
+
 void FrameAddFacetNormal(PetscInt dim, PetscInt num_nodes, const PetscReal X[], PetscReal N[])
 {
   if (dim == 2)
     AddLine_Private(num_nodes, X, N);
-  else
+  else if (num_nodes <= MAX_CORNERS)
     AddPolygon_Private(num_nodes, X, N);
+  else
+    AddCurved_Private(num_nodes == ElementNumNodes(ELEMENT_TRI6) ? ELEMENT_TRI6 : ELEMENT_QUAD9, X, N);
 }
 
 PetscReal FrameNormalize(PetscInt dim, PetscReal n[])

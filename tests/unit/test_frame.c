@@ -1,4 +1,5 @@
 /* test_frame.c -- normals on circles and spheres, frames of random directions. */
+#include <mortise/element.h>
 #include <mortise/frame.h>
 #include <test.h>
 
@@ -128,6 +129,41 @@ static void TestSphere(PetscInt num_nodes)
   }
 }
 
+/* A curved facet with its nodes on the unit sphere, distorted, of size h: what its normals are off by. */
+static PetscReal CurvedError(ElementType type, PetscReal h)
+{
+  const PetscReal P[8] = {-0.5, -0.4, 0.6, -0.5, 0.4, 0.5, -0.3, 0.5};
+  PetscReal       X[27], N[27] = {0.}, largest = 0.;
+
+  for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
+    PetscReal p[2], phi[ELEMENT_MAX_NODES], *x = &X[3 * i];
+
+    ElementMap(ElementLinear(type), P, ElementNode(type, i), p, phi, NULL);
+    x[0] = h * p[0];
+    x[1] = h * p[1];
+    x[2] = PetscSqrtReal(1. - x[0] * x[0] - x[1] * x[1]);
+  }
+  FrameAddFacetNormal(3, ElementNumNodes(type), X, N);
+  for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
+    FrameNormalize(3, &N[3 * i]);
+    for (PetscInt k = 0; k < 3; k++) largest = PetscMax(largest, PetscAbsReal(N[3 * i + k] - X[3 * i + k]));
+  }
+  return largest;
+}
+
+/* Normals of one curved facet: outward, and off by h^3 at all of its nodes. */
+static void TestSphereQuadratic(ElementType type)
+{
+  PetscReal before = CurvedError(type, 0.4);
+
+  for (PetscReal h = 0.2; h > 0.02; h *= 0.5) {
+    const PetscReal error = CurvedError(type, h);
+
+    CHECK_NEAR(PetscLog2Real(before / error), 3., 0.05);
+    before = error;
+  }
+}
+
 /* Rows orthonormal and right-handed, the first one being n. */
 static void CheckFrame(PetscInt dim, const PetscReal n[])
 {
@@ -191,6 +227,8 @@ int main(int argc, char **argv)
   TestCircleQuadratic();
   TestSphere(3);
   TestSphere(4);
+  TestSphereQuadratic(ELEMENT_TRI6);
+  TestSphereQuadratic(ELEMENT_QUAD9);
   TestFrames();
   TestNormalize();
   PetscCall(PetscFinalize());
