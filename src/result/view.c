@@ -3,6 +3,9 @@
 #include <mortise/compat.h>
 #include "bodies.h"
 
+/* An edge is straight if its middle is off by no more than this part of its length: files have some ten digits. */
+static const PetscReal STRAIGHT = 1e-9;
+
 PetscErrorCode BodiesCount(const Level *level, PetscInt num_bodies, BodyCount counts[])
 {
   PetscFunctionBeginUser;
@@ -72,6 +75,55 @@ static PetscErrorCode ViewLeftNodes_Private(MPI_Comm comm, const Pair pair)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether some edge of each body bends: its middle node stands beside the mean of its ends. [out] bent - [num_bodies] */
+static PetscErrorCode FindBentEdges_Private(const Level *level, PetscInt num_bodies, PetscBool bent[])
+{
+  const PetscInt dim = level->dim;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscArrayzero(bent, num_bodies));
+  for (PetscInt c = 0; c < level->num_cells; ++c) {
+    const ElementType type  = (ElementType)level->cell_type[c];
+    const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]];
+
+    if (ElementOrder(type) == 1) continue;
+    for (PetscInt e = 0; e < ElementNumEdges(type); ++e) {
+      const PetscInt  *edge = ElementEdgeNodes(type, e);
+      const PetscReal *a = &level->coords[nodes[edge[0]] * dim], *b = &level->coords[nodes[edge[1]] * dim],
+                      *middle = &level->coords[nodes[ElementNumNodes(ElementLinear(type)) + e] * dim];
+      PetscReal length = 0.0, rise = 0.0;
+
+      for (PetscInt k = 0; k < dim; ++k) {
+        length += PetscSqr(b[k] - a[k]);
+        rise += PetscSqr(middle[k] - 0.5 * (a[k] + b[k]));
+      }
+      if (rise > PetscSqr(STRAIGHT) * length) bent[level->cell_body[c]] = PETSC_TRUE;
+    }
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, bent, (PetscMPIInt)num_bodies, MPIU_BOOL, MPI_LOR, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Bodies of order 2 that could follow curves, from files that have none: their sides are polygons. */
+static PetscErrorCode ViewStraight_Private(VI vi)
+{
+  const Scene scene = vi->scene;
+  PetscBool  *bent;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(scene->num_bodies, &bent));
+  PetscCall(FindBentEdges_Private(vi->level, scene->num_bodies, bent));
+  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+    const SceneBody *body = &scene->bodies[b];
+
+    if (body->order == 1 || !body->mesh_file || body->map || bent[b]) continue;
+    PetscCall(PetscPrintf(scene->comm, "    curved edges of %s: its mesh file has none, sides remain polygons\n",
+                          body->name));
+  }
+  PetscCall(PetscFree(bent));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ModelView(VI vi)
 {
   const Scene scene    = vi->scene;
@@ -81,6 +133,7 @@ PetscErrorCode ModelView(VI vi)
   PetscCall(ViewBodies_Private(vi));
   for (PetscInt p = 0; p < vi->num_pairs; ++p) PetscCall(ViewPair_Private(vi, vi->pairs[p]));
   PetscCall(SceneViewLeftOut(scene));
+  PetscCall(ViewStraight_Private(vi));
   for (PetscInt p = 0; p < vi->num_pairs; ++p) PetscCall(ViewLeftNodes_Private(scene->comm, vi->pairs[p]));
   for (PetscInt b = 0; b < scene->num_bodies; ++b) num_held += vi->floating[b] ? 0 : 1;
   if (num_held) {
