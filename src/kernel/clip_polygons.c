@@ -43,6 +43,7 @@ enum {
 /* A part of a facet; its corners run anticlockwise in the plane. */
 typedef struct {
   ElementType type;                               /* tri3 or quad4 */
+  PetscBool   affine;                             /* a triangle or a parallelogram */
   PetscReal   reference[2 * POLYGON_MAX_CORNERS]; /* corners in the facet's reference cell */
   PetscReal   plane[2 * POLYGON_MAX_CORNERS];     /* and in the plane */
 } Part;
@@ -92,16 +93,26 @@ static void PlaneSet_Private(const ClipFacet *nonmortar, Plane *plane)
   for (PetscInt i = 0; i < 2 * n; i++) plane->size = PetscMax(plane->size, 2. * PetscAbsReal(P[i]));
 }
 
+/* Whether the corners 0 and 2 have the same middle as 1 and 3. [in] P - [4][2] */
+static PetscBool IsParallelogram_Private(const PetscReal P[], PetscReal size)
+{
+  for (PetscInt k = 0; k < 2; k++) {
+    if (PetscAbsReal(P[k] - P[2 + k] + P[4 + k] - P[6 + k]) > SAME_POINT * size) return PETSC_FALSE;
+  }
+  return PETSC_TRUE;
+}
+
 /* Appends the part with the given nodes of the facet, turned anticlockwise; none where it has no area. */
-static void AddPart_Private(PetscInt num, const PetscInt nodes[], PetscReal no_area, Shadow *shadow)
+static void AddPart_Private(PetscInt num, const PetscInt nodes[], PetscReal size, Shadow *shadow)
 {
   Part     *part = &shadow->parts[shadow->num_parts];
   PetscReal P[2 * POLYGON_MAX_CORNERS], area;
 
   for (PetscInt i = 0; i < 2 * num; i++) P[i] = shadow->plane[2 * nodes[i / 2] + i % 2];
   area = PolygonArea(num, P);
-  if (PetscAbsReal(area) <= no_area) return;
-  part->type = num == 3 ? ELEMENT_TRI3 : ELEMENT_QUAD4;
+  if (PetscAbsReal(area) <= NO_AREA * size * size) return;
+  part->type   = num == 3 ? ELEMENT_TRI3 : ELEMENT_QUAD4;
+  part->affine = num == 3 ? PETSC_TRUE : IsParallelogram_Private(P, size);
   for (PetscInt i = 0; i < num; i++) {
     const PetscInt node = nodes[area > 0. ? i : num - 1 - i];
 
@@ -114,7 +125,7 @@ static void AddPart_Private(PetscInt num, const PetscInt nodes[], PetscReal no_a
 }
 
 /* Appends a quad, or two triangles that meet at its flattest corner, where it is not convex. [in] nodes - [4] */
-static void AddQuad_Private(const PetscInt nodes[], PetscReal no_area, Shadow *shadow)
+static void AddQuad_Private(const PetscInt nodes[], PetscReal size, Shadow *shadow)
 {
   PetscReal corner[4], sum = 0., sense;
   PetscInt  flattest = 0;
@@ -133,13 +144,13 @@ static void AddQuad_Private(const PetscInt nodes[], PetscReal no_area, Shadow *s
     if (sense * corner[i] < sense * corner[flattest]) flattest = i;
   }
   if (sense * corner[flattest] > CONVEX_SHARE * 0.25 * PetscAbsReal(sum)) {
-    AddPart_Private(4, nodes, no_area, shadow);
+    AddPart_Private(4, nodes, size, shadow);
   } else {
     for (PetscInt half = 0; half < 2; half++) {
       const PetscInt triangle[3] = {nodes[flattest], nodes[(flattest + 1 + half) % 4],
                                     nodes[(flattest + 2 + half) % 4]};
 
-      AddPart_Private(3, triangle, no_area, shadow);
+      AddPart_Private(3, triangle, size, shadow);
     }
   }
 }
@@ -149,30 +160,31 @@ static void ShadowSet_Private(const Plane *plane, const ClipFacet *facet, Shadow
   static const PetscInt tri6[4][3]  = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
   static const PetscInt quad9[4][4] = {{0, 4, 8, 7}, {4, 1, 5, 8}, {8, 5, 2, 6}, {7, 8, 6, 3}};
   static const PetscInt whole[4]    = {0, 1, 2, 3};
-  const PetscReal       no_area     = NO_AREA * plane->size * plane->size;
+  const PetscReal       size        = plane->size;
 
   shadow->facet     = facet;
   shadow->num_parts = 0;
   Project_Private(plane, ElementNumNodes(facet->type), facet->X, shadow->plane);
   switch (facet->type) {
-  case ELEMENT_TRI3: AddPart_Private(3, whole, no_area, shadow); break;
-  case ELEMENT_QUAD4: AddQuad_Private(whole, no_area, shadow); break;
+  case ELEMENT_TRI3: AddPart_Private(3, whole, size, shadow); break;
+  case ELEMENT_QUAD4: AddQuad_Private(whole, size, shadow); break;
   case ELEMENT_TRI6:
-    for (PetscInt i = 0; i < 4; i++) AddPart_Private(3, tri6[i], no_area, shadow);
+    for (PetscInt i = 0; i < 4; i++) AddPart_Private(3, tri6[i], size, shadow);
     break;
   default:
-    for (PetscInt i = 0; i < 4; i++) AddQuad_Private(quad9[i], no_area, shadow);
+    for (PetscInt i = 0; i < 4; i++) AddQuad_Private(quad9[i], size, shadow);
   }
 }
 
 /* Newton's method for the point of a plane cell that lies at p, from a start, which xi holds. The last step may be one of
    roundoff, which in needles is large: no bound is asked of it. Returns whether xi is a number.
-   [in] P - [num_nodes][2]; [in,out] xi - [2] */
-static PetscBool PullBack_Private(ElementType type, const PetscReal P[], const PetscReal p[], PetscReal xi[])
+   [in] P - [num_nodes][2]; max_steps - 1 is enough where the map is affine; [in,out] xi - [2] */
+static PetscBool PullBack_Private(ElementType type, const PetscReal P[], const PetscReal p[], PetscInt max_steps,
+                                  PetscReal xi[])
 {
   PetscReal step = PETSC_MAX_REAL;
 
-  for (PetscInt it = 0; it < NEWTON_MAX_STEPS && step > NEWTON_STEP; it++) {
+  for (PetscInt it = 0; it < max_steps && step > NEWTON_STEP; it++) {
     PetscReal x[2], phi[ELEMENT_MAX_NODES], grad[2 * ELEMENT_MAX_NODES];
 
     if (ElementMap(type, P, xi, x, phi, grad) == 0.) return PETSC_FALSE;
@@ -185,7 +197,6 @@ static PetscBool PullBack_Private(ElementType type, const PetscReal P[], const P
       xi[l] += change;
       step = PetscMax(step, PetscAbsReal(change));
     }
-    if (ElementOrder(type) == 1 && ElementNumNodes(type) == 3) break; /* affine */
   }
   return PetscIsInfOrNanReal(xi[0]) || PetscIsInfOrNanReal(xi[1]) ? PETSC_FALSE : PETSC_TRUE;
 }
@@ -197,7 +208,7 @@ static PetscReal PartPullBack_Private(const Part *part, const PetscReal p[], Pet
   const PetscReal centre   = part->type == ELEMENT_TRI3 ? 1. / 3. : 0.5;
   PetscReal       local[2] = {centre, centre}, phi[ELEMENT_MAX_NODES], area;
 
-  if (!PullBack_Private(part->type, part->plane, p, local)) return 0.;
+  if (!PullBack_Private(part->type, part->plane, p, part->affine ? 1 : NEWTON_MAX_STEPS, local)) return 0.;
   area = ElementMap(part->type, part->plane, local, NULL, phi, NULL);
   return area > 0. ? PetscAbsReal(ElementMap(part->type, part->reference, local, xi, phi, NULL)) / area : 0.;
 }
@@ -211,7 +222,7 @@ static PetscBool MortarPullBack_Private(const Shadow *mortar, const Part *part, 
   if (PartPullBack_Private(part, p, eta) == 0.) return PETSC_FALSE;
   if (mortar->num_parts == 1) return PETSC_TRUE;
   for (PetscInt k = 0; k < 2; k++) true_eta[k] = eta[k];
-  if (PullBack_Private(mortar->facet->type, mortar->plane, p, true_eta) &&
+  if (PullBack_Private(mortar->facet->type, mortar->plane, p, NEWTON_MAX_STEPS, true_eta) &&
       PetscAbsReal(true_eta[0] - eta[0]) < CURVED_EXCESS && PetscAbsReal(true_eta[1] - eta[1]) < CURVED_EXCESS) {
     for (PetscInt k = 0; k < 2; k++) eta[k] = true_eta[k];
   }
@@ -235,25 +246,25 @@ static PetscBool PointSet_Private(const Plane *plane, const Shadow *nonmortar, c
   return PETSC_TRUE;
 }
 
-/* The triangles of a convex polygon: those between its sides and the mean of its vertices; a triangle itself where the rule
-   prefers no corner, so that it does not matter which one is the first. Returns their number.
-   [in] P - [n][2]; [out] triangles - [n][3][2] */
-static PetscInt Fan_Private(PetscInt n, const PetscReal P[], PetscInt degree, PetscReal triangles[])
+/* The triangles of a convex polygon: between its sides and the mean of its vertices, so that it does not matter which one is
+   the first; or, where the rule is exact and this does not matter either, between its sides and its last vertex, two less.
+   Returns their number. [in] P - [n][2]; [out] triangles - [n][3][2] */
+static PetscInt Fan_Private(PetscInt n, const PetscReal P[], PetscBool exact, PetscReal triangles[])
 {
-  const PetscBool single  = n == 3 && degree <= SYMMETRIC_DEGREE ? PETSC_TRUE : PETSC_FALSE;
-  PetscReal       mean[2] = {0., 0.};
+  const PetscInt num     = exact ? n - 2 : n;
+  PetscReal      mean[2] = {0., 0.};
 
   for (PetscInt i = 0; i < n; i++) {
     for (PetscInt k = 0; k < 2; k++) mean[k] += P[2 * i + k] / n;
   }
-  for (PetscInt i = 0; i < n; i++) {
+  for (PetscInt i = 0; i < num; i++) {
     for (PetscInt k = 0; k < 2; k++) {
-      triangles[6 * i + k]     = single ? P[4 + k] : mean[k];
+      triangles[6 * i + k]     = exact ? P[2 * (n - 1) + k] : mean[k];
       triangles[6 * i + 2 + k] = P[2 * i + k];
       triangles[6 * i + 4 + k] = P[2 * ((i + 1) % n) + k];
     }
   }
-  return single ? 1 : n;
+  return num;
 }
 
 PetscInt ClipPolygons(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscInt degree, ClipPoint points[])
@@ -275,7 +286,7 @@ PetscInt ClipPolygons(const ClipFacet *nonmortar, const ClipFacet *mortar, Petsc
     PetscInt       num_triangles;
 
     if (!n || PolygonArea(n, P) < NO_AREA * plane.size * plane.size) continue;
-    num_triangles = Fan_Private(n, P, degree, triangles);
+    num_triangles = Fan_Private(n, P, a->affine && b->affine ? PETSC_TRUE : PETSC_FALSE, triangles);
     for (PetscInt q = 0; q < num_triangles * num_rule && num < CLIP_MAX_POLYGON_POINTS; q++) {
       const PetscReal *triangle = &triangles[6 * (q / num_rule)];
       PetscReal        p[2], phi[ELEMENT_MAX_NODES];
