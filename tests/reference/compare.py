@@ -40,14 +40,15 @@ def same_nodes(table, expected, columns, relative=RELATIVE):
     same_table(table, expected, tolerances, position=("body", "x", "y"))
 
 
-def same_side(table, expected, size):
-    """A pair's table. [in] size - largest displacement"""
+def same_side(table, expected, sizes, relative=RELATIVE):
+    """A pair's table. [in] sizes - largest displacement and stress of the scene"""
     known = lambda gaps: [0.0 if math.isnan(gap) else gap for gap in gaps]
     for status, gap in zip(table["status"], table["gap"]):
         same("a gap is not known", math.isnan(gap), status < 0)
+    length, stress = (max(VANISHING, relative * VANISHING / RELATIVE) * size for size in sizes)
     mine = {**table, "p": table["pressure"], "active": table["status"], "gap": known(table["gap"])}
     same_table(mine, {**expected, "gap": known(expected["gap"])},
-               {"active": (0, 0), "p": (RELATIVE, 0), "force": (RELATIVE, 0), "gap": (RELATIVE, VANISHING * size)})
+               {"active": (0, 0), "p": (relative, stress), "force": (relative, stress), "gap": (relative, length)})
 
 
 def scene_folder(run):
@@ -55,12 +56,17 @@ def scene_folder(run):
     return pathlib.Path(run.arguments[run.arguments.index("-options_file") + 1]).parent
 
 
+def same_tables(run, nodes, sides, relative=RELATIVE):
+    """[in] nodes - table of all nodes; [in] sides - {pair: table}"""
+    with run.fields() as file:
+        table = read_fields(file)
+    same_nodes(table, nodes, ("u_x", "u_y"), relative)
+    same("tables", sorted(sides), sorted(run.summary["pairs"]))
+    for pair, side in sides.items():
+        same_side(run.table(pair), side, (largest(nodes, "u_x", "u_y"), largest(table, "von_mises")), relative)
+
+
 def judge(run):
     folder = scene_folder(run)
-    expected = read_table(folder / "nodes.csv")
-    with run.fields() as file:
-        same_nodes(read_fields(file), expected, ("u_x", "u_y"))
-    pairs = run.summary["pairs"]
-    same("tables", sorted(path.stem for path in folder.glob("*.csv")), sorted(["nodes", *pairs]))
-    for pair in pairs:
-        same_side(run.table(pair), read_table(folder / f"{pair}.csv"), largest(expected, "u_x", "u_y"))
+    tables = {path.stem: read_table(path) for path in folder.glob("*.csv")}
+    same_tables(run, tables.pop("nodes"), tables)

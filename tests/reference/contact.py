@@ -56,9 +56,8 @@ def unit(v):
     return v / math.hypot(*v)
 
 
-def length(c):
-    points, weights = gauss(MANY)
-    return sum(w * math.hypot(*outward(c, s)) for s, w in zip(points, weights))
+def chord(c):
+    return math.hypot(*c[1:].sum(axis=0))  # x(1) - x(0)
 
 
 class Pair:
@@ -92,12 +91,12 @@ class Pair:
         return curve(self.scene.points[list(facet)])
 
     def set_normals(self):
-        """(T13): normals of the curves at a node over their lengths, normalised; then the prescribed directions taken out."""
+        """(T13): normals of the curves at a node over their chords, normalised; then the prescribed directions taken out."""
         self.normal = {node: np.zeros(2) for node in self.nodes}
         for facet in self.facets:
             c = self.geometry(facet)
             for node, s in zip(facet, PLACES):
-                self.normal[node] += unit(outward(c, s)) / length(c)
+                self.normal[node] += unit(outward(c, s)) / chord(c)
         self.normal = {node: unit(n) for node, n in self.normal.items()}
         self.free = {}
         for node, n in self.normal.items():

@@ -9,6 +9,12 @@ foreach(case plates_mixed plates_mixed_21 plates_vertices_2 rings_2) # FIELDS in
   mortise_scene_test(fields_${case} SCENE ${case}/scene CHECK fields.py RANKS 1 2 3 LABELS regression)
 endforeach()
 
+# Scenes put together at random, whose numbers begin at the last word of the title.
+foreach(first 0 12 24 36)
+  mortise_scene_test(scatter_${first} SCENE plates_quads/scene CHECK scatter.py RANKS 1 LABELS regression ARGS -title "Random scenes from ${first}")
+endforeach()
+mortise_scene_test(scatter_ranks SCENE plates_quads/scene CHECK scatter.py RANKS 3 LABELS regression ARGS -title "Random scenes from 48")
+
 # The tables are what independent.py computes from the scenes.
 add_test(NAME reference.origin COMMAND ${MORTISE_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/independent.py --check)
 set_tests_properties(reference.origin PROPERTIES LABELS "reference;regression" TIMEOUT 300 ENVIRONMENT "${MORTISE_TEST_ENVIRONMENT}")
