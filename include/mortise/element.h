@@ -100,9 +100,12 @@ PetscReal ElementMinJacobian(ElementType type, const PetscReal X[]);
 PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x[], PetscReal tolerance,
                         PetscReal xi[]);
 
-/* Strain-displacement matrix at a point, engineering shear, rows (xx,yy,xy) in 2D, (xx,yy,zz,yz,xz,xy) in 3D.
-   [in] grad - [num_nodes][dim]; [out] B - [num_strains][num_nodes*dim] */
-void ElementStrainMatrix(PetscInt dim, PetscInt num_nodes, const PetscReal grad[], PetscReal B[]);
+/* Strain-displacement matrix at a point, engineering shear, rows (xx,yy,xy) in 2D, (xx,yy,zz,yz,xz,xy) in 3D. Axisymmetric
+   cells have (xx,yy,zz,xy), zz = sum_i phi_i / r u_i,x around the axis.
+   [in] grad - [num_nodes][dim]; [in] hoop - phi_i / r [num_nodes], NULL unless axisymmetric;
+   [out] B - [num_strains][num_nodes*dim] */
+void ElementStrainMatrix(PetscInt dim, PetscInt num_nodes, const PetscReal grad[], const PetscReal hoop[],
+                         PetscReal B[]);
 
 /* The degree of quadrature for the stiffness, exact on affine and parallelogram cells: 2 points in each direction for
    quad4 and hex8, 3 for quad9 and hex27; 1 for tri3 and tet4, 6 for tri6, 8 for tet10. */

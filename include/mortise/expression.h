@@ -23,6 +23,9 @@ PetscErrorCode ExpressionCreateConstant(const char option[], PetscInt num_compon
                                         Expression *e);
 PetscErrorCode ExpressionDestroy(Expression *e);
 
+/* Makes z a name of the second coordinate, as r is one of the first: a point (r, z) of a meridian plane. Not collective. */
+void ExpressionNameMeridian(Expression e);
+
 /* Number of components; whether all are plain numbers (or free); whether component c is free. Not collective. */
 PetscInt    ExpressionSize(Expression e);
 PetscBool   ExpressionIsConstant(Expression e);

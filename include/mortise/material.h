@@ -1,4 +1,5 @@
-/* material.h -- Hooke's law (floor 1). Voigt order xx,yy,zz,yz,xz,xy with engineering shear; in 2D xx,yy,xy. */
+/* material.h -- Hooke's law (floor 1). Voigt order xx,yy,zz,yz,xz,xy with engineering shear; in a plane xx,yy,xy. Axisymmetric
+   models have x along the radius and y along the axis; zz is around it: xx,yy,zz,xy. */
 #ifndef MORTISE_MATERIAL_H
 #define MORTISE_MATERIAL_H
 
@@ -6,21 +7,21 @@
 
 typedef enum { MODEL_PLANE_STRAIN, MODEL_PLANE_STRESS, MODEL_AXISYMMETRIC, MODEL_SOLID } ModelKind;
 
-/* Number of strains the model carries: 3 in 2D, 6 in 3D. */
+/* Number of strains the model carries: 3 in a plane, 4 axisymmetric, 6 in 3D. */
 PetscInt MaterialNumStrains(ModelKind model);
 
 /* C of an isotropic body. [out] C - row-major [num_strains][num_strains] */
 void MaterialIsotropic(ModelKind model, PetscReal young, PetscReal poisson, PetscReal C[]);
 
-/* C from the upper triangle row by row (6 numbers in 2D, 21 in 3D), turned by angle degrees (2D: about z; 3D: three
-   intrinsic z-x-z angles). [in] upper - [num_strains*(num_strains+1)/2]; [in] angle - [1] in 2D, [3] in 3D */
+/* C from the upper triangle row by row (6 numbers in a plane, 10 axisymmetric, 21 in 3D), turned by angle degrees (3D: three
+   intrinsic z-x-z angles, else about z). [in] upper - [num_strains*(num_strains+1)/2]; [in] angle - [3] in 3D, else [1] */
 void MaterialAnisotropic(ModelKind model, const PetscReal upper[], const PetscReal angle[], PetscReal C[]);
 
 /* Smallest eigenvalue of C over the largest: <= 0 for an indefinite or singular Hooke tensor. */
 PetscReal MaterialDefiniteness(PetscInt num_strains, const PetscReal C[]);
 
 /* sigma = C eps as six components xx,yy,zz,yz,xz,xy. zz in plane strain is nu (xx + yy) of an isotropic body (poisson),
-   0 in plane stress; NAN where a 2D Hooke tensor leaves it open (pass poisson = NAN). [in] strain - [num_strains] */
+   0 in plane stress; NAN where a plane Hooke tensor leaves it open (pass poisson = NAN). [in] strain - [num_strains] */
 void MaterialStress(ModelKind model, const PetscReal C[], PetscReal poisson, const PetscReal strain[],
                     PetscReal stress[6]);
 

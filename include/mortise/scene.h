@@ -120,6 +120,24 @@ struct _n_Scene {
 };
 typedef struct _n_Scene *Scene;
 
+/* What a piece of a meridian plane stands for: 2 pi r in an axisymmetric scene, 1 in others. [in] x - [dim] */
+static inline PetscReal SceneRing(const struct _n_Scene *scene, const PetscReal x[])
+{
+  return scene->model == MODEL_AXISYMMETRIC ? 2 * PETSC_PI * x[0] : 1;
+}
+
+/* The measure that integrals carry beside that of the mesh: the ring, or the thickness. */
+static inline PetscReal SceneMeasure(const struct _n_Scene *scene, const PetscReal x[])
+{
+  return scene->thickness * SceneRing(scene, x);
+}
+
+/* How much it adds to the degree of an integrand in cells or facets of an order. */
+static inline PetscInt SceneMeasureDegree(const struct _n_Scene *scene, PetscInt order)
+{
+  return scene->model == MODEL_AXISYMMETRIC ? order : 0;
+}
+
 /* Creates an empty scene. Collective on comm. [out] scene - owned by the caller */
 PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene);
 /* Reads every option of interface.md 3-5 that is Mortise's own; faults for anything that can be judged without a mesh.

@@ -23,8 +23,9 @@ struct _n_Expression {
   PetscInt   num_components;
   Component *components;
   PetscBool  constant;
-  PetscReal  x[3];   // what the formulas' variables are bound to
-  PetscBool  failed; // an evaluation was not finite: the first one is described by the rest
+  PetscBool  meridian; // z is the second coordinate
+  PetscReal  x[3];     // what the formulas' variables are bound to
+  PetscBool  failed;   // an evaluation was not finite: the first one is described by the rest
   PetscInt   failed_component, failed_dim;
   PetscReal  failed_x[3];
 };
@@ -225,6 +226,11 @@ PetscErrorCode ExpressionDestroy(Expression *e)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+void ExpressionNameMeridian(Expression e)
+{
+  e->meridian = PETSC_TRUE;
+}
+
 /* --- asking ------------------------------------------------------------------------------------------------------- */
 
 PetscInt ExpressionSize(Expression e)
@@ -259,6 +265,7 @@ PetscErrorCode ExpressionEvaluate(Expression e, PetscInt dim, const PetscReal x[
   PetscFunctionBeginUser;
   if (!e->constant)
     for (PetscInt d = 0; d < 3; ++d) e->x[d] = d < dim ? x[d] : 0;
+  if (e->meridian) e->x[2] = e->x[1];
   for (PetscInt c = 0; c < e->num_components; ++c) {
     Component *component = &e->components[c];
 

@@ -15,6 +15,10 @@ static const PetscReal HELD_NORMAL = 0.1;
 static const PetscReal SLIVER_LINEAR = 1e-3, SLIVER_QUADRATIC = 5e-2;
 /* Covered share that is nothing but roundoff. */
 static const PetscReal NOTHING = 1e-13;
+/* Share of the facets around a node below which its shape function weighs next to nothing: at the axis of a quadratic
+   axisymmetric side, where int phi r is 0 on a straight facet and of either sign on a curved one. Elsewhere it is 1/6 at least
+   on even meshes. */
+static const PetscReal WEIGHTLESS = 1e-2;
 /* Two constraints at one node need normals that differ by at least 20 degrees. */
 static const PetscReal SAME_DIRECTION = 0.93969262078590838;
 
@@ -60,35 +64,54 @@ static PetscReal LeastShare_Private(const Level *level, const ScenePair *spec)
   return quadratic ? SLIVER_QUADRATIC : SLIVER_LINEAR;
 }
 
+/* What the fates of nodes are decided by, at local nodes. */
+enum { SUM_D, SUM_FULL, SUM_MEASURE, SUM_COVER, SUM_COUNT };
+
+/* What coverage makes of a node. Where the shape function weighs next to nothing over whole facets, no share of it can be told
+   and no pressure recovered: the facets themselves tell whether the node is covered, and its row keeps a weight, if only of
+   roundoff, by which it can be spread. [in,out] a - local forms of the sums */
+static NodeFate CoveredFate_Private(PetscScalar *const a[SUM_COUNT], PetscInt i, PetscReal least)
+{
+  const PetscReal D = PetscRealPart(a[SUM_D][i]), full = PetscRealPart(a[SUM_FULL][i]),
+                  measure = PetscRealPart(a[SUM_MEASURE][i]), cover = PetscRealPart(a[SUM_COVER][i]);
+
+  if (full > WEIGHTLESS * measure) {
+    if (PetscAbsReal(D / full) <= NOTHING) return NODE_UNCOVERED;
+    return D / full >= least ? NODE_KEPT : NODE_REMOVED;
+  }
+  if (!(cover > NOTHING * measure)) return NODE_UNCOVERED;
+  if (PetscAbsReal(D) < PETSC_MACHINE_EPSILON * measure) a[SUM_D][i] = PETSC_MACHINE_EPSILON * measure;
+  return NODE_REMOVED;
+}
+
 PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *draft)
 {
-  const PetscInt     dim   = level->dim;
-  const PetscReal    least = LeastShare_Private(level, draft->spec);
-  const PetscScalar *D, *full;
-  PetscScalar       *N;
-  Vec                local_D, local_full, local_N;
+  const PetscInt  dim          = level->dim;
+  const PetscReal least        = LeastShare_Private(level, draft->spec);
+  const Vec       v[SUM_COUNT] = {draft->sums.D, draft->sums.full, draft->sums.measure, draft->sums.cover};
+  PetscScalar    *a[SUM_COUNT], *N;
+  Vec             local[SUM_COUNT], local_N;
 
   PetscFunctionBeginUser;
-  PetscCall(VecGhostGetLocalForm(draft->sums.D, &local_D));
-  PetscCall(VecGhostGetLocalForm(draft->sums.full, &local_full));
+  for (PetscInt i = 0; i < SUM_COUNT; i++) {
+    PetscCall(VecGhostGetLocalForm(v[i], &local[i]));
+    PetscCall(VecGetArray(local[i], &a[i]));
+  }
   PetscCall(VecGhostGetLocalForm(draft->normals, &local_N));
-  PetscCall(VecGetArrayRead(local_D, &D));
-  PetscCall(VecGetArrayRead(local_full, &full));
   PetscCall(VecGetArray(local_N, &N));
   for (PetscInt i = 0; i < level->num_nodes; i++) {
-    const PetscReal share = full[i] > 0 ? D[i] / full[i] : 0;
-    PetscBool       keep  = PETSC_FALSE;
-    if (PetscAbsReal(share) > NOTHING)
-      keep = (PetscBool)(ProjectNormal_Private(held, i, &N[i * dim]) && share >= least);
-    if (draft->spec->type == PAIR_TIED && held->count[i] > 0) keep = PETSC_FALSE; // a tie needs all directions
-    draft->fate[i] = PetscAbsReal(share) <= NOTHING ? NODE_UNCOVERED : (keep ? NODE_KEPT : NODE_REMOVED);
+    draft->fate[i] = CoveredFate_Private(a, i, least);
+    if (draft->fate[i] == NODE_UNCOVERED) continue;
+    if (!ProjectNormal_Private(held, i, &N[i * dim])) draft->fate[i] = NODE_REMOVED;
+    if (draft->spec->type == PAIR_TIED && held->count[i] > 0)
+      draft->fate[i] = NODE_REMOVED; // a tie needs all directions
   }
   PetscCall(VecRestoreArray(local_N, &N));
-  PetscCall(VecRestoreArrayRead(local_full, &full));
-  PetscCall(VecRestoreArrayRead(local_D, &D));
   PetscCall(VecGhostRestoreLocalForm(draft->normals, &local_N));
-  PetscCall(VecGhostRestoreLocalForm(draft->sums.full, &local_full));
-  PetscCall(VecGhostRestoreLocalForm(draft->sums.D, &local_D));
+  for (PetscInt i = 0; i < SUM_COUNT; i++) {
+    PetscCall(VecRestoreArray(local[i], &a[i]));
+    PetscCall(VecGhostRestoreLocalForm(v[i], &local[i]));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -61,11 +61,12 @@ static PetscErrorCode AddCouplings_Private(const Level *level, const Facets *fac
 static PetscErrorCode SumFacets_Private(Level *level, const Facets *facets, const FacetIntegral integrals[],
                                         Integrals *sums)
 {
-  Vec          v[3] = {sums->D, sums->full, sums->G}, local[3];
-  PetscScalar *a[3];
+  enum { NUM_SUMS = 5 };
+  Vec          v[NUM_SUMS] = {sums->D, sums->full, sums->G, sums->measure, sums->cover}, local[NUM_SUMS];
+  PetscScalar *a[NUM_SUMS];
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < 3; i++) {
+  for (PetscInt i = 0; i < NUM_SUMS; i++) {
     PetscCall(VecGhostGetLocalForm(v[i], &local[i]));
     PetscCall(VecZeroEntries(local[i]));
     PetscCall(VecGetArray(local[i], &a[i]));
@@ -77,12 +78,14 @@ static PetscErrorCode SumFacets_Private(Level *level, const Facets *facets, cons
       a[0][node] += integrals[f].covered[i];
       a[1][node] += integrals[f].full[i];
       a[2][node] += integrals[f].gap[i];
+      a[3][node] += integrals[f].measure;
+      a[4][node] += integrals[f].cover;
       measure += integrals[f].covered[i];
     }
     sums->covered[f] = (PetscBool)(measure > 0);
     PetscCall(AddCouplings_Private(level, facets, f, &integrals[f], sums));
   }
-  for (PetscInt i = 0; i < 3; i++) {
+  for (PetscInt i = 0; i < NUM_SUMS; i++) {
     PetscCall(VecRestoreArray(local[i], &a[i]));
     PetscCall(VecGhostRestoreLocalForm(v[i], &local[i]));
     PetscCall(LevelShareVec(v[i], ADD_VALUES));
@@ -146,6 +149,8 @@ PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const 
   PetscCall(LevelCreateVec(level, 1, &sums->D));
   PetscCall(VecDuplicate(sums->D, &sums->full));
   PetscCall(VecDuplicate(sums->D, &sums->G));
+  PetscCall(VecDuplicate(sums->D, &sums->measure));
+  PetscCall(VecDuplicate(sums->D, &sums->cover));
   sums->M = NULL;
   if (partner->mortar) PetscCall(CreateM_Private(level, facets, integrals, &sums->M));
   PetscCall(CreateChain_Private(level, facets, sums->carrier, &sums->chain));
@@ -163,6 +168,8 @@ PetscErrorCode IntegralsDestroy(Integrals *sums)
   PetscCall(VecDestroy(&sums->D));
   PetscCall(VecDestroy(&sums->full));
   PetscCall(VecDestroy(&sums->G));
+  PetscCall(VecDestroy(&sums->measure));
+  PetscCall(VecDestroy(&sums->cover));
   PetscCall(MatDestroy(&sums->chain));
   PetscCall(PetscFree2(sums->covered, sums->carrier));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -15,11 +15,12 @@ PetscErrorCode NodalNormalsSharpen(Level *level, const Facets *facets, const Pet
 
 /* Integrals of all facets, as sums at nodes. */
 typedef struct {
-  Vec          D, full, G; /* ghosted, one per node */
-  Mat          M;          /* node x node, or NULL */
-  Mat          chain;      /* int psi_a phi_c of nodes c that never carry a multiplier (node x node), or NULL (T20) */
-  PetscBool   *covered;    /* of this rank's facets */
-  ElementType *carrier;    /* which of a facet's nodes may carry multipliers: the first ones, as of this type */
+  Vec          D, full, G;     /* ghosted, one per node */
+  Vec          measure, cover; /* of the facets around a node, of their covered parts: ghosted, one per node */
+  Mat          M;              /* node x node, or NULL */
+  Mat          chain;   /* int psi_a phi_c of nodes c that never carry a multiplier (node x node), or NULL (T20) */
+  PetscBool   *covered; /* of this rank's facets */
+  ElementType *carrier; /* which of a facet's nodes may carry multipliers: the first ones, as of this type */
 } Integrals;
 
 /* D, G and M of a pair, before any row is spread. Collective. [in] normals - ghosted; [out] sums - owned by the caller,

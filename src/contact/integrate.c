@@ -49,6 +49,17 @@ static PetscErrorCode GapAt_Private(const FacetPartner *partner, PetscInt n, con
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* What the weights of a facet's points become in this scene: those of the ring that a point stands for. */
+static void WeighPoints_Private(const FacetPartner *partner, const ClipFacet *facet, PointList *list)
+{
+  PetscReal phi[ELEMENT_MAX_NODES], x[3];
+
+  for (PetscInt p = 0; p < list->num; p++) {
+    ElementSurface(facet->type, facet->X, list->point[p].xi, x, phi, NULL);
+    list->point[p].weight *= SceneRing(partner->scene, x);
+  }
+}
+
 /* Adds one quadrature point to M and the weighted gap. [in] psi - [n] */
 static PetscErrorCode AddPoint_Private(const FacetPartner *partner, const ClipPoint *point, PetscInt facet,
                                        const PetscReal psi[], PetscReal gap, FacetIntegral *integral)
@@ -82,6 +93,7 @@ static PetscErrorCode SumPoints_Private(const FacetPartner *partner, const ClipF
   for (PetscInt p = 0; p < list->num; p++) {
     PetscCall(PetscArraycpy(&xi[2 * p], list->point[p].xi, 2));
     w[p] = list->point[p].weight;
+    integral->cover += w[p];
   }
   regular = DualBasisCreate(CarrierType(partner->spec, facet->type), list->num, xi, w, &dual);
   for (PetscInt p = 0; regular && p < list->num; p++) { // a sliver without measure is not covered
@@ -103,23 +115,27 @@ PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *face
 {
   const ElementType carrier   = CarrierType(partner->spec, facet->type);
   const PetscInt    num_gauss = PointsCurved(facet->type);
-  PetscReal         xi[CLIP_MAX_GAUSS], w[CLIP_MAX_GAUSS], phi[ELEMENT_MAX_NODES];
+  PetscReal         xi[CLIP_MAX_GAUSS], w[CLIP_MAX_GAUSS], phi[ELEMENT_MAX_NODES], x[3];
   PointList         list;
 
   PetscFunctionBeginUser;
   integral->n           = ElementNumNodes(carrier);
   integral->num_columns = 0;
+  integral->measure = integral->cover = 0;
   for (PetscInt i = 0; i < integral->n; i++) {
     integral->covered[i] = integral->full[i] = integral->gap[i] = 0;
     PetscCall(PetscArrayzero(integral->chain[i], ELEMENT_MAX_FACET_NODES));
   }
   GaussLine(num_gauss, xi, w);
   for (PetscInt q = 0; q < num_gauss; q++) {
-    const PetscReal weight = w[q] * ElementSurface(facet->type, facet->X, &xi[q], NULL, phi, NULL);
+    PetscReal weight = w[q] * ElementSurface(facet->type, facet->X, &xi[q], x, phi, NULL);
+    weight *= SceneRing(partner->scene, x);
+    integral->measure += weight;
     ElementShape(carrier, &xi[q], phi, NULL);
     for (PetscInt i = 0; i < integral->n; i++) integral->full[i] += weight * phi[i];
   }
   PetscCall(PointListCreate(partner, facet, &list));
+  WeighPoints_Private(partner, facet, &list);
   PetscCall(SumPoints_Private(partner, facet, &list, integral));
   PetscCall(PointListDestroy(&list));
   PetscFunctionReturn(PETSC_SUCCESS);

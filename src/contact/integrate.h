@@ -7,6 +7,7 @@
 /* Contribution of one nonmortar facet, n of whose nodes carry multipliers, the first ones; arrays grow as needed. */
 typedef struct {
   PetscInt   n;                                                       /* all nodes of the facet, or its vertices */
+  PetscReal  measure, cover;                                          /* of the facet, of its covered part */
   PetscReal  covered[ELEMENT_MAX_FACET_NODES];                        /* D_ii: int_cov phi_i = int psi_i */
   PetscReal  full[ELEMENT_MAX_FACET_NODES];                           /* int phi_i over the whole facet */
   PetscReal  gap[ELEMENT_MAX_FACET_NODES];                            /* int psi_i g */

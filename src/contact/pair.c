@@ -26,15 +26,15 @@ static PetscErrorCode CollectNodes_Private(Level *level, const Support *held, co
 {
   const PetscInt     dim      = level->dim;
   PetscInt           count[3] = {0, 0, 0};
-  const PetscScalar *D, *G, *full, *N;
+  const PetscScalar *D, *G, *measure, *N;
 
   PetscFunctionBeginUser;
   PetscCall(VecGetArrayRead(draft->sums.D, &D));
   PetscCall(VecGetArrayRead(draft->sums.G, &G));
-  PetscCall(VecGetArrayRead(draft->sums.full, &full));
+  PetscCall(VecGetArrayRead(draft->sums.measure, &measure));
   PetscCall(VecGetArrayRead(draft->normals, &N));
   for (PetscInt i = 0; i < level->num_owned; i++) {
-    if (PetscRealPart(full[i]) > 0) count[draft->fate[i]]++;
+    if (PetscRealPart(measure[i]) > 0) count[draft->fate[i]]++;
   }
   pair->num = count[NODE_KEPT];
   PetscCall(PetscMalloc5(pair->num, &pair->nodes, pair->num, &pair->D, pair->num, &pair->gap, pair->num * dim,
@@ -49,7 +49,7 @@ static PetscErrorCode CollectNodes_Private(Level *level, const Support *held, co
     k++;
   }
   PetscCall(VecRestoreArrayRead(draft->normals, &N));
-  PetscCall(VecRestoreArrayRead(draft->sums.full, &full));
+  PetscCall(VecRestoreArrayRead(draft->sums.measure, &measure));
   PetscCall(VecRestoreArrayRead(draft->sums.G, &G));
   PetscCall(VecRestoreArrayRead(draft->sums.D, &D));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, count, 3, MPIU_INT, MPI_SUM, level->comm));
@@ -104,7 +104,7 @@ static PetscErrorCode Integrate_Private(Scene scene, Level *level, const Support
   const PetscBool  meshed = (PetscBool)(spec->mortar.body >= 0);
   Facets           mortar = {0, NULL, NULL, NULL};
   MortarSurface    surface;
-  FacetPartner     partner = {.spec = spec, .mortar = NULL, .dim = level->dim};
+  FacetPartner     partner = {.scene = scene, .spec = spec, .mortar = NULL, .dim = level->dim};
 
   PetscFunctionBeginUser;
   draft->spec = spec;

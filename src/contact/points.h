@@ -7,6 +7,7 @@
 
 /* What a facet is integrated against. */
 typedef struct {
+  Scene                scene;
   const ScenePair     *spec;
   const MortarSurface *mortar; /* NULL for an obstacle */
   PetscInt             dim;

@@ -245,22 +245,24 @@ PetscReal ElementMinJacobian(ElementType type, const PetscReal X[])
   return smallest;
 }
 
-void ElementStrainMatrix(PetscInt dim, PetscInt num_nodes, const PetscReal grad[], PetscReal B[])
+void ElementStrainMatrix(PetscInt dim, PetscInt num_nodes, const PetscReal grad[], const PetscReal hoop[],
+                         PetscReal B[])
 {
   static const PetscInt shear_2d[1][2] = {{0, 1}}, shear_3d[3][2] = {{1, 2}, {0, 2}, {0, 1}};
-  const PetscInt        num_shear = dim == 2 ? 1 : 3, row = num_nodes * dim;
+  const PetscInt        num_shear = dim == 2 ? 1 : 3, num_direct = dim + (hoop ? 1 : 0), row = num_nodes * dim;
   const PetscInt(*shear)[2] = dim == 2 ? shear_2d : shear_3d;
 
-  for (PetscInt k = 0; k < (dim + num_shear) * row; k++) B[k] = 0.;
+  for (PetscInt k = 0; k < (num_direct + num_shear) * row; k++) B[k] = 0.;
   for (PetscInt i = 0; i < num_nodes; i++) {
     const PetscReal *d = &grad[i * dim];
 
     for (PetscInt k = 0; k < dim; k++) B[k * row + i * dim + k] = d[k];
+    if (hoop) B[dim * row + i * dim] = hoop[i];
     for (PetscInt s = 0; s < num_shear; s++) { /* gamma_kl = d u_k / d x_l + d u_l / d x_k */
       const PetscInt k = shear[s][0], l = shear[s][1];
 
-      B[(dim + s) * row + i * dim + k] = d[l];
-      B[(dim + s) * row + i * dim + l] = d[k];
+      B[(num_direct + s) * row + i * dim + k] = d[l];
+      B[(num_direct + s) * row + i * dim + l] = d[k];
     }
   }
 }

@@ -8,21 +8,24 @@
 #include <mortise/dense.h>
 #include <mortise/material.h>
 
-enum { STRAINS_2D = 3, STRAINS_3D = 6 };
+enum { STRAINS_PLANE = 3, STRAINS_RING = 4, STRAINS_3D = 6 };
 
-/* The two tensor indices behind each Voigt index. */
-static const PetscInt VOIGT_2D[STRAINS_2D][2] = {{0, 0}, {1, 1}, {0, 1}};
-static const PetscInt VOIGT_3D[STRAINS_3D][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+/* The two tensor indices behind each of the six strains. */
+static const PetscInt VOIGT[STRAINS_3D][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+/* Which of the six a model with so many strains carries; the others are 0. */
+static const PetscInt CARRIED[STRAINS_3D + 1][STRAINS_3D] = {
+    [STRAINS_PLANE] = {0, 1, 5}, [STRAINS_RING] = {0, 1, 2, 5}, [STRAINS_3D] = {0, 1, 2, 3, 4, 5}};
 
 PetscInt MaterialNumStrains(ModelKind model)
 {
-  return model == MODEL_SOLID ? STRAINS_3D : STRAINS_2D;
+  if (model == MODEL_AXISYMMETRIC) return STRAINS_RING;
+  return model == MODEL_SOLID ? STRAINS_3D : STRAINS_PLANE;
 }
 
-/* The direct strains come first, one for each dimension of the model. */
+/* The direct strains come first. */
 static PetscInt NumDirect_Private(PetscInt num_strains)
 {
-  return num_strains == STRAINS_2D ? 2 : 3;
+  return num_strains == STRAINS_PLANE ? 2 : 3;
 }
 
 /* sigma_ij = lambda eps_kk delta_ij + 2 mu eps_ij, and gamma = 2 eps for shear; plane stress has the same form with the
@@ -42,44 +45,36 @@ void MaterialIsotropic(ModelKind model, PetscReal young, PetscReal poisson, Pets
   }
 }
 
-/* R takes components along the material axes to global ones. 3D: R = R_z(angle_0) R_x(angle_1) R_z(angle_2). */
-static void Rotation_Private(PetscInt dim, const PetscReal angle[], PetscReal R[])
+/* R takes components along the material axes to global ones: R = R_z(angle_0) R_x(angle_1) R_z(angle_2), of which a model
+   in a plane has the first. */
+static void Rotation_Private(PetscInt num_angles, const PetscReal angle[], PetscReal R[9])
 {
-  PetscReal c[3], s[3];
+  PetscReal c[3] = {1., 1., 1.}, s[3] = {0., 0., 0.};
 
-  for (PetscInt k = 0; k < (dim == 2 ? 1 : 3); k++) {
+  for (PetscInt k = 0; k < num_angles; k++) {
     c[k] = PetscCosReal(angle[k] * PETSC_PI / 180.);
     s[k] = PetscSinReal(angle[k] * PETSC_PI / 180.);
   }
-  if (dim == 2) {
-    R[0] = R[3] = c[0];
-    R[1]        = -s[0];
-    R[2]        = s[0];
-  } else {
-    R[0] = c[0] * c[2] - s[0] * c[1] * s[2];
-    R[1] = -c[0] * s[2] - s[0] * c[1] * c[2];
-    R[2] = s[0] * s[1];
-    R[3] = s[0] * c[2] + c[0] * c[1] * s[2];
-    R[4] = -s[0] * s[2] + c[0] * c[1] * c[2];
-    R[5] = -c[0] * s[1];
-    R[6] = s[1] * s[2];
-    R[7] = s[1] * c[2];
-    R[8] = c[1];
-  }
+  R[0] = c[0] * c[2] - s[0] * c[1] * s[2];
+  R[1] = -c[0] * s[2] - s[0] * c[1] * c[2];
+  R[2] = s[0] * s[1];
+  R[3] = s[0] * c[2] + c[0] * c[1] * s[2];
+  R[4] = -s[0] * s[2] + c[0] * c[1] * c[2];
+  R[5] = -c[0] * s[1];
+  R[6] = s[1] * s[2];
+  R[7] = s[1] * c[2];
+  R[8] = c[1];
 }
 
-/* Bond's matrix T with (R sigma R') = T sigma in Voigt's order [1]. [in] R - [dim][dim]; [out] T - [n][n] */
-static void Bond_Private(PetscInt dim, const PetscReal R[], PetscReal T[])
+/* Bond's matrix T with (R sigma R') = T sigma for the n components that a model carries [1]. [out] T - [n][n] */
+static void Bond_Private(PetscInt n, const PetscReal R[9], PetscReal T[])
 {
-  const PetscInt(*pair)[2] = dim == 2 ? VOIGT_2D : VOIGT_3D;
-  const PetscInt n         = dim == 2 ? STRAINS_2D : STRAINS_3D;
-
   for (PetscInt row = 0; row < n; row++) {
     for (PetscInt column = 0; column < n; column++) {
-      const PetscInt i = pair[row][0], j = pair[row][1], k = pair[column][0], l = pair[column][1];
+      const PetscInt *ij = VOIGT[CARRIED[n][row]], *kl = VOIGT[CARRIED[n][column]];
 
-      T[row * n + column] = R[i * dim + k] * R[j * dim + l];
-      if (k != l) T[row * n + column] += R[i * dim + l] * R[j * dim + k];
+      T[row * n + column] = R[ij[0] * 3 + kl[0]] * R[ij[1] * 3 + kl[1]];
+      if (kl[0] != kl[1]) T[row * n + column] += R[ij[0] * 3 + kl[1]] * R[ij[1] * 3 + kl[0]];
     }
   }
 }
@@ -88,14 +83,14 @@ static void Bond_Private(PetscInt dim, const PetscReal R[], PetscReal T[])
    transpose. */
 void MaterialAnisotropic(ModelKind model, const PetscReal upper[], const PetscReal angle[], PetscReal C[])
 {
-  const PetscInt n = MaterialNumStrains(model), dim = NumDirect_Private(n);
+  const PetscInt n = MaterialNumStrains(model);
   PetscReal      R[9], T[STRAINS_3D * STRAINS_3D], material[STRAINS_3D * STRAINS_3D], CT[STRAINS_3D * STRAINS_3D];
 
   for (PetscInt i = 0, entry = 0; i < n; i++) {
     for (PetscInt j = i; j < n; j++) material[i * n + j] = material[j * n + i] = upper[entry++];
   }
-  Rotation_Private(dim, angle, R);
-  Bond_Private(dim, R, T);
+  Rotation_Private(model == MODEL_SOLID ? 3 : 1, angle, R);
+  Bond_Private(n, R, T);
   for (PetscInt i = 0; i < n; i++) {
     for (PetscInt j = 0; j < n; j++) {
       CT[i * n + j] = 0.;
@@ -123,19 +118,12 @@ void MaterialStress(ModelKind model, const PetscReal C[], PetscReal poisson, con
                     PetscReal stress[6])
 {
   const PetscInt n = MaterialNumStrains(model);
-  PetscReal      sigma[STRAINS_3D];
 
+  for (PetscInt i = 0; i < STRAINS_3D; i++) stress[i] = 0.;
   for (PetscInt i = 0; i < n; i++) {
-    sigma[i] = 0.;
-    for (PetscInt j = 0; j < n; j++) sigma[i] += C[i * n + j] * strain[j];
+    for (PetscInt j = 0; j < n; j++) stress[CARRIED[n][i]] += C[i * n + j] * strain[j];
   }
-  for (PetscInt i = 0; i < 6; i++) stress[i] = n == STRAINS_3D ? sigma[i] : 0.;
-  if (n == STRAINS_2D) { /* xx,yy,xy to their places among six; zz follows from what the model says about z */
-    stress[0] = sigma[0];
-    stress[1] = sigma[1];
-    stress[2] = model == MODEL_PLANE_STRESS ? 0. : poisson * (sigma[0] + sigma[1]); /* eps_zz = 0 */
-    stress[5] = sigma[2];
-  }
+  if (model == MODEL_PLANE_STRAIN) stress[2] = poisson * (stress[0] + stress[1]); /* eps_zz = 0 */
 }
 
 /* sqrt(3/2 s:s) with the deviator s, written with differences so that pressure of any size drops out. */

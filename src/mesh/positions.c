@@ -81,6 +81,7 @@ static PetscErrorCode LevelMapCoords_Private(Level *level, const PetscReal X[])
       PetscCall(PetscArraycpy(&level->coords[node * dim], &X[node * dim], dim));
   }
   for (PetscInt b = 0; b < scene->num_bodies; ++b) PetscCall(ExpressionCheck(level->comm, scene->bodies[b].map));
+  PetscCall(LevelSetAxis(level));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -126,7 +126,10 @@ PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *
 PetscErrorCode LevelSetCellBodies(Level *level);
 PetscErrorCode LevelSetNodes(Level *level, PetscInt max_order);
 PetscErrorCode LevelSetCells(Level *level);
-/* Positions of nodes. Faults: a map that is not finite. Collective. [in] curves - may be NULL */
+/* Puts nodes that are on the axis of an axisymmetric scene but for roundoff exactly there. Faults: a node beyond the axis.
+   Collective. */
+PetscErrorCode LevelSetAxis(Level *level);
+/* Positions of nodes. Faults: a map that is not finite, a node beyond the axis. Collective. [in] curves - may be NULL */
 PetscErrorCode LevelSetCoords(Level *level, const Curves *curves);
 /* The same for a refined level that has its prolongation. */
 PetscErrorCode LevelFollowCoords(Level *coarse, Level *fine);

@@ -54,7 +54,7 @@ static void GatherHold_Private(Gather *gather, PetscInt node, PetscInt boundary,
   }
   for (PetscInt d = 0; d < dim; ++d) Q[support->count[node] * dim + d] = r[d] / PetscSqrtReal(square);
   values[support->count[node]++] = rest / PetscSqrtReal(square);
-  if (support->side[node] < 0) support->side[node] = boundary;
+  if (support->side[node] == BOUNDARY_NONE) support->side[node] = boundary;
 }
 
 /* Flags the nodes of a side on all ranks that hold them. [out] local - form of gather->flags, to be restored by the
@@ -196,10 +196,31 @@ static PetscErrorCode GatherNormal_Private(Gather *gather, PetscInt body, PetscI
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A ring does not move off its axis: e_r . u = 0 at nodes on it. They are told by their position, which is exact (LevelSetAxis). */
+static void GatherAxis_Private(Gather *gather)
+{
+  const PetscInt  dim       = gather->level->dim;
+  const PetscReal radius[3] = {1, 0, 0};
+
+  if (gather->scene->model != MODEL_AXISYMMETRIC) return;
+  for (PetscInt node = 0; node < gather->level->num_nodes; ++node) {
+    if (gather->level->coords[node * dim] == 0) GatherHold_Private(gather, node, BOUNDARY_AXIS, radius, 0);
+  }
+}
+
+/* How a sentence names a boundary of a body. */
+static void BoundaryShow_Private(const SceneBody *body, PetscInt boundary, char shown[MESH_SENTENCE])
+{
+  if (boundary == BOUNDARY_AXIS)
+    snprintf(shown, MESH_SENTENCE, "on the axis of revolution");
+  else
+    snprintf(shown, MESH_SENTENCE, "on side '%s'", body->boundaries[boundary].side);
+}
+
 /* Two boundaries that want different values in one direction are a fault. */
 static PetscErrorCode GatherCheck_Private(Gather *gather)
 {
-  char     sentence[MESH_SENTENCE] = "";
+  char     sentence[MESH_SENTENCE] = "", first[MESH_SENTENCE], second[MESH_SENTENCE];
   Support *support                 = gather->support;
 
   PetscFunctionBeginUser;
@@ -210,11 +231,12 @@ static PetscErrorCode GatherCheck_Private(Gather *gather)
     char             z[32] = "";
 
     if (support->dim == 3) snprintf(z, sizeof(z), ", %g", (double)x[2]);
-    snprintf(sentence, sizeof(sentence),
-             "body '%s': the displacements given on sides '%s' and '%s' contradict each other at (%g, %g%s), by %g; "
-             "make them agree there or set a component free",
-             body->name, body->boundaries[support->side[gather->node]].side, body->boundaries[gather->boundary].side,
-             (double)x[0], (double)x[1], z, (double)gather->mismatch);
+    BoundaryShow_Private(body, support->side[gather->node], first);
+    BoundaryShow_Private(body, gather->boundary, second);
+    PetscCall(PetscSNPrintf(sentence, sizeof(sentence),
+                            "body '%s': the displacements given %s and %s contradict each other at (%g, %g%s), by %g; "
+                            "make them agree there or set a component free",
+                            body->name, first, second, (double)x[0], (double)x[1], z, (double)gather->mismatch));
   }
   PetscCall(FaultCheck(gather->level->comm, sentence));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -277,7 +299,7 @@ PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support)
   support->max_value = 0;
   PetscCall(PetscCalloc4(num, &support->count, num, &support->side, num * dim * dim, &support->directions, num * dim,
                          &support->values));
-  for (PetscInt i = 0; i < num; ++i) support->side[i] = -1;
+  for (PetscInt i = 0; i < num; ++i) support->side[i] = BOUNDARY_NONE;
   PetscCall(LevelCreateVec(level, 1, &gather.flags));
   for (PetscInt body = 0; body < scene->num_bodies; ++body) {
     for (PetscInt b = 0; b < scene->bodies[body].num_boundaries; ++b) {
@@ -287,6 +309,7 @@ PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support)
       if (kind == BOUNDARY_NORMAL) PetscCall(GatherNormal_Private(&gather, body, b));
     }
   }
+  GatherAxis_Private(&gather);
   PetscCall(VecDestroy(&gather.flags));
   PetscCall(GatherCheck_Private(&gather));
   SupportFinish_Private(level, support);

@@ -1,8 +1,9 @@
 /* elasticity.c -- stiffness K and load f of all bodies, before any boundary condition.
 
    K_ij^kl = int d_m phi_i C_kmln d_n phi_j, cell by cell over the level's tables, with the quadrature that is exact on
-   parallelograms. This is int B_i' C B_j without the zeros of B, a third of its time. Expressions are evaluated at
-   quadrature points; plain numbers once per body. */
+   parallelograms. This is int B_i' C B_j without the zeros of B, a third of its time. Axisymmetric cells add what the hoop
+   strain phi_j / r u_j costs, by itself and with the others (T23). Expressions are evaluated at quadrature points; plain
+   numbers once per body. */
 #include <mortise/compat.h>
 #include <mortise/elasticity.h>
 #include <mortise/fault.h>
@@ -12,6 +13,7 @@ enum {
   MAX_STRAINS   = 6,
   MAX_UPPER     = 21,
   MAX_TENSOR    = 81, /* C_kmln in 3D */
+  MAX_PLANE     = 4,  /* strains of a plane as a tensor */
   MAX_CELL_DOFS = 3 * ELEMENT_MAX_NODES
 };
 
@@ -64,15 +66,26 @@ static PetscErrorCode HookeCheck_Private(Scene scene, PetscInt body, const Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* C_kmln from C in Voigt's order: eps_ln counts twice among engineering shears, once for eps_nl. [out] tensor - [dim^4] */
-static void Tensor_Private(PetscInt dim, const PetscReal C[], PetscReal tensor[])
+/* C_kmln of a Hooke tensor, and what couples with the hoop strain of axisymmetric models. */
+typedef struct {
+  PetscReal tensor[MAX_TENSOR];         /* [dim][dim][dim][dim] */
+  PetscReal hoop[MAX_PLANE], hoop_hoop; /* C_zz,ln [2][2] and C_zz,zz */
+} Moduli;
+
+/* From C in Voigt's order: eps_ln counts twice among engineering shears, once for eps_nl. */
+static void ModuliSet_Private(ModelKind model, const PetscReal C[], Moduli *moduli)
 {
-  static const PetscInt voigt_2d[2 * 2] = {0, 2, 2, 1}, voigt_3d[3 * 3] = {0, 5, 4, 5, 1, 3, 4, 3, 2};
-  const PetscInt       *voigt = dim == 2 ? voigt_2d : voigt_3d, ns = dim == 2 ? 3 : 6, square = dim * dim;
+  static const PetscInt plane[MAX_PLANE] = {0, 2, 2, 1}, ring[MAX_PLANE] = {0, 3, 3, 1};
+  static const PetscInt solid[3 * 3] = {0, 5, 4, 5, 1, 3, 4, 3, 2};
+  const PetscInt        ns = MaterialNumStrains(model), square = model == MODEL_SOLID ? 3 * 3 : MAX_PLANE, zz = 2;
+  const PetscInt       *voigt = model == MODEL_SOLID ? solid : (model == MODEL_AXISYMMETRIC ? ring : plane);
 
   for (PetscInt km = 0; km < square; km++) {
-    for (PetscInt ln = 0; ln < square; ln++) tensor[km * square + ln] = C[voigt[km] * ns + voigt[ln]];
+    for (PetscInt ln = 0; ln < square; ln++) moduli->tensor[km * square + ln] = C[voigt[km] * ns + voigt[ln]];
   }
+  if (model != MODEL_AXISYMMETRIC) return;
+  for (PetscInt ln = 0; ln < MAX_PLANE; ln++) moduli->hoop[ln] = C[zz * ns + voigt[ln]];
+  moduli->hoop_hoop = C[zz * ns + zz];
 }
 
 /* Ke_ij^kl += w d_m phi_i C_kmln d_n phi_j for i <= j. To be inlined where dim is known, so that its loops are unrolled.
@@ -101,6 +114,29 @@ static inline void AddStiffness_Private(PetscInt dim, PetscInt                  
   }
 }
 
+/* Ke_ij^kl += w (h_i^k t_j^l + t_i^k h_j^l) for i <= j, where h_j^l is the hoop strain of a unit displacement and t_j^l its hoop
+   stress, but half of what the hoop strain itself adds to that. [in] phi - [nn]; [in] grad - [nn][2] */
+static void AddHoop_Private(PetscInt nn, const Moduli *moduli, PetscReal r, const PetscReal phi[],
+                            const PetscReal grad[], PetscReal w, PetscReal Ke[])
+{
+  const PetscInt row = nn * 2;
+  PetscReal      h[2 * ELEMENT_MAX_NODES], t[2 * ELEMENT_MAX_NODES];
+
+  for (PetscInt j = 0; j < nn; j++) {
+    h[2 * j]     = phi[j] / r;
+    h[2 * j + 1] = 0;
+    for (PetscInt l = 0; l < 2; l++) {
+      t[2 * j + l] = 0.5 * moduli->hoop_hoop * h[2 * j + l];
+      for (PetscInt n = 0; n < 2; n++) t[2 * j + l] += moduli->hoop[2 * l + n] * grad[2 * j + n];
+    }
+  }
+  for (PetscInt i = 0; i < nn; i++) {
+    for (PetscInt k = 2 * i; k < 2 * (i + 1); k++) {
+      for (PetscInt l = 2 * i; l < row; l++) Ke[k * row + l] += w * (h[k] * t[l] + t[k] * h[l]);
+    }
+  }
+}
+
 /* Coordinates of a cell's nodes, [num_nodes][dim]. */
 static void CellCoordinates_Private(const Level *level, PetscInt c, PetscReal X[])
 {
@@ -112,27 +148,33 @@ static void CellCoordinates_Private(const Level *level, PetscInt c, PetscReal X[
   }
 }
 
-/* Ke of one cell; tensor is the body's constant C_kmln, or NULL to evaluate it at every point. */
+/* Ke of one cell; constant holds the moduli of the whole body, or is NULL to evaluate them at every point. */
 static PetscErrorCode CellStiffness_Private(Scene scene, Level *level, PetscInt c, const ElementRule *rule,
-                                            const PetscReal tensor[], PetscReal Ke[], Sentence *sentence)
+                                            const Moduli *constant, PetscReal Ke[], Sentence *sentence)
 {
-  const PetscInt dim = level->dim, nn = ElementNumNodes(rule->type), n = nn * dim;
-  PetscReal      X[MAX_CELL_DOFS], grad[MAX_CELL_DOFS], C[MAX_STRAINS * MAX_STRAINS], local[MAX_TENSOR], x[3], nu;
+  const PetscInt  dim = level->dim, nn = ElementNumNodes(rule->type), n = nn * dim;
+  const PetscBool ring   = (PetscBool)(scene->model == MODEL_AXISYMMETRIC);
+  const Moduli   *moduli = constant;
+  PetscReal       X[MAX_CELL_DOFS], grad[MAX_CELL_DOFS], C[MAX_STRAINS * MAX_STRAINS], x[3] = {0, 0, 0}, nu;
+  Moduli          local;
 
   PetscFunctionBeginUser;
   CellCoordinates_Private(level, c, X);
   PetscCall(PetscArrayzero(Ke, n * n));
   for (PetscInt q = 0; q < rule->num; q++) {
-    const PetscReal w = rule->weight[q] * ElementRuleMap(rule, q, X, tensor ? NULL : x, grad) * scene->thickness;
-    if (!tensor) {
+    PetscReal w = rule->weight[q] * ElementRuleMap(rule, q, X, constant && !ring ? NULL : x, grad);
+    w *= SceneMeasure(scene, x);
+    if (!constant) {
       PetscCall(ElasticityHooke(scene, level->cell_body[c], x, C, &nu));
       PetscCall(HookeCheck_Private(scene, level->cell_body[c], x, C, sentence));
-      Tensor_Private(dim, C, local);
+      ModuliSet_Private(scene->model, C, &local);
+      moduli = &local;
     }
     if (dim == 2)
-      AddStiffness_Private(2, nn, tensor ? tensor : local, grad, w, Ke);
+      AddStiffness_Private(2, nn, moduli->tensor, grad, w, Ke);
     else
-      AddStiffness_Private(3, nn, tensor ? tensor : local, grad, w, Ke);
+      AddStiffness_Private(3, nn, moduli->tensor, grad, w, Ke);
+    if (ring) AddHoop_Private(nn, moduli, x[0], &rule->phi[q * nn], grad, w, Ke);
   }
   for (PetscInt i = 0; i < n; i++) { // the lower triangle; blocks on the diagonal are whole
     for (PetscInt j = 0; j < i; j++) Ke[i * n + j] = Ke[j * n + i];
@@ -140,20 +182,27 @@ static PetscErrorCode CellStiffness_Private(Scene scene, Level *level, PetscInt 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Beside the measure, 1 / r makes the integrand of axisymmetric cells no polynomial: as much again. */
+static PetscInt StiffnessDegree_Private(Scene scene, ElementType type)
+{
+  return ElementStiffnessDegree(type) + 2 * SceneMeasureDegree(scene, ElementOrder(type));
+}
+
 /* Adds every cell of this rank to K. */
 static PetscErrorCode AssembleCells_Private(Scene scene, Level *level, Mat K)
 {
-  PetscReal       C[MAX_STRAINS * MAX_STRAINS], tensor[MAX_TENSOR], Ke[MAX_CELL_DOFS * MAX_CELL_DOFS], nu;
+  PetscReal       C[MAX_STRAINS * MAX_STRAINS], Ke[MAX_CELL_DOFS * MAX_CELL_DOFS], nu;
   const PetscReal origin[3] = {0, 0, 0};
   PetscInt        body      = -1, rows[ELEMENT_MAX_NODES];
   PetscBool       constant  = PETSC_FALSE;
   Sentence        sentence  = {""};
+  Moduli          moduli;
   ElementRule    *rules;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(ELEMENT_COUNT, &rules));
   for (PetscInt t = 0; t < ELEMENT_COUNT; t++)
-    ElementRuleSet((ElementType)t, ElementStiffnessDegree((ElementType)t), &rules[t]);
+    ElementRuleSet((ElementType)t, StiffnessDegree_Private(scene, (ElementType)t), &rules[t]);
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]],
                    n      = level->cell_start[c + 1] - level->cell_start[c];
@@ -162,11 +211,11 @@ static PetscErrorCode AssembleCells_Private(Scene scene, Level *level, Mat K)
       constant = HookeIsConstant_Private(&scene->bodies[body]);
       if (constant) {
         PetscCall(ElasticityHooke(scene, body, origin, C, &nu));
-        Tensor_Private(level->dim, C, tensor);
+        ModuliSet_Private(scene->model, C, &moduli);
       }
     }
     PetscCall(
-        CellStiffness_Private(scene, level, c, &rules[level->cell_type[c]], constant ? tensor : NULL, Ke, &sentence));
+        CellStiffness_Private(scene, level, c, &rules[level->cell_type[c]], constant ? &moduli : NULL, Ke, &sentence));
     for (PetscInt i = 0; i < n; i++) rows[i] = level->node_global[nodes[i]];
     PetscCall(MatSetValuesBlocked(K, n, rows, n, rows, Ke, ADD_VALUES));
   }

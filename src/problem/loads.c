@@ -40,10 +40,13 @@ static PetscErrorCode AddBodyForce_Private(Scene scene, Level *level, PetscInt b
                    order = ElementOrder(type);
     if (level->cell_body[c] != body) continue;
     if (rule.num == 0 || rule.type != type)
-      ElementRuleSet(type, constant ? ConstantDegree_Private(order) : LoadDegree_Private(order), &rule);
+      ElementRuleSet(type,
+                     (constant ? ConstantDegree_Private(order) : LoadDegree_Private(order)) +
+                         SceneMeasureDegree(scene, order),
+                     &rule);
     for (PetscInt i = 0; i < nn; i++) PetscCall(PetscArraycpy(&X[i * dim], &level->coords[nodes[i] * dim], dim));
     for (PetscInt q = 0; q < rule.num; q++) {
-      const PetscReal  wq  = rule.weight[q] * ElementRuleMap(&rule, q, X, x, NULL) * scene->thickness;
+      const PetscReal  w = rule.weight[q] * ElementRuleMap(&rule, q, X, x, NULL), wq = w * SceneMeasure(scene, x);
       const PetscReal *phi = &rule.phi[q * nn];
       PetscCall(ExpressionEvaluate(force, dim, x, b));
       for (PetscInt i = 0; i < nn; i++) {
@@ -85,7 +88,7 @@ static PetscErrorCode AddSideLoad_Private(Scene scene, Level *level, PetscInt bo
                    nq = GaussLine(FacetPoints_Private(ElementOrder(type)), xi, w);
     for (PetscInt i = 0; i < nn; i++) PetscCall(PetscArraycpy(&X[i * dim], &level->coords[nodes[i] * dim], dim));
     for (PetscInt q = 0; q < nq; q++) {
-      const PetscReal wq = w[q] * ElementSurface(type, X, &xi[q], x, phi, nu) * scene->thickness;
+      const PetscReal size = w[q] * ElementSurface(type, X, &xi[q], x, phi, nu), wq = size * SceneMeasure(scene, x);
       PetscCall(BoundaryTraction_Private(boundary, dim, x, nu, t));
       for (PetscInt i = 0; i < nn; i++) {
         for (PetscInt k = 0; k < dim; k++) fa[nodes[i] * dim + k] += wq * phi[i] * t[k];

@@ -9,7 +9,8 @@
 /* A vector shorter than this share of its first length is a combination of the ones before it. */
 static const PetscReal DEPENDENT = 1e-8;
 
-/* u of one rigid motion of a body: translations first, then rotations about the origin of coordinates. [in,out] u - ghosted */
+/* u of one rigid motion of a body: translations first, then rotations about the origin of coordinates. Those of a plane serve
+   axisymmetric bodies as well: away from the axis the hoop strain costs little. [in,out] u - ghosted */
 static PetscErrorCode SetMotion_Private(const Level *level, PetscInt body, PetscInt mode, Vec u)
 {
   const PetscInt dim = level->dim;

@@ -41,17 +41,27 @@ static PetscErrorCode BodyFrames_Private(const Level *level, PetscInt num_bodies
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Rigid motions of a body: of a ring, only that along its axis. */
+static PetscInt NumMotions_Private(ModelKind model)
+{
+  if (model == MODEL_AXISYMMETRIC) return 1;
+  return model == MODEL_SOLID ? MAX_MODES : 3;
+}
+
 /* One held direction as a row over the rigid motions: translations, then (x - c) cross d / size. */
-static void Row_Private(PetscInt dim, const PetscReal frame[], const PetscReal x[], const PetscReal d[],
+static void Row_Private(ModelKind model, const PetscReal frame[], const PetscReal x[], const PetscReal d[],
                         PetscReal row[])
 {
-  PetscReal arm[3] = {0, 0, 0}, D[3] = {0, 0, 0};
+  const PetscInt dim    = model == MODEL_SOLID ? 3 : 2;
+  PetscReal      arm[3] = {0, 0, 0}, D[3] = {0, 0, 0};
 
   for (PetscInt k = 0; k < dim; ++k) {
     arm[k] = (x[k] - frame[k]) / frame[3];
     row[k] = D[k] = d[k];
   }
-  if (dim == 2) {
+  if (model == MODEL_AXISYMMETRIC) {
+    row[0] = d[1];
+  } else if (dim == 2) {
     row[2] = arm[0] * D[1] - arm[1] * D[0];
   } else {
     for (PetscInt k = 0; k < 3; ++k) row[3 + k] = arm[(k + 1) % 3] * D[(k + 2) % 3] - arm[(k + 2) % 3] * D[(k + 1) % 3];
@@ -60,9 +70,9 @@ static void Row_Private(PetscInt dim, const PetscReal frame[], const PetscReal x
 
 PetscErrorCode BodiesFloating(const Level *level, const Support *support, PetscInt num_bodies, PetscBool floating[])
 {
-  const PetscInt dim = level->dim, block = MAX_MODES * MAX_MODES;
-  PetscReal     *frames, *gram;
-  const PetscInt n = dim == 2 ? 3 : 6;
+  const ModelKind model = level->scene->model;
+  const PetscInt  dim = level->dim, block = MAX_MODES * MAX_MODES, n = NumMotions_Private(model);
+  PetscReal      *frames, *gram;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc2(4 * num_bodies, &frames, block * num_bodies, &gram));
@@ -73,7 +83,7 @@ PetscErrorCode BodiesFloating(const Level *level, const Support *support, PetscI
     for (PetscInt j = 0; j < support->count[a]; ++j) {
       PetscReal row[MAX_MODES];
 
-      Row_Private(dim, &frames[4 * b], &level->coords[a * dim], &support->directions[(a * dim + j) * dim], row);
+      Row_Private(model, &frames[4 * b], &level->coords[a * dim], &support->directions[(a * dim + j) * dim], row);
       for (PetscInt i = 0; i < n * n; ++i) gram[b * block + i] += row[i / n] * row[i % n];
     }
   }

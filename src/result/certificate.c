@@ -10,7 +10,8 @@
    two meshes have no resultant (row sums of D and M agree). Their moment vanishes on flat or touching sides, but on curved
    sides with a gap only up to a discretisation error, because a nodal normal is not the ray's direction at every point
    (Puso & Laursen 2004 discuss the same). That part is known exactly, is reported, and is taken out before the test: it says
-   something about the mesh, not about whether the discrete problem was solved. */
+   something about the mesh, not about whether the discrete problem was solved. Forces on a ring add up to one along its axis:
+   radial components and all moments are 0 by symmetry, and so are the tests of them. */
 #include <mortise/certificate.h>
 #include <mortise/compat.h>
 
@@ -152,21 +153,25 @@ static PetscErrorCode Centre_Private(const Level *level, PetscReal centre[3])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds one node's forces to the sums. F = loads, inner, contact, obstacle, free residual, reaction, noise, each [dim]. */
-static void AddNode_Private(PetscInt dim, const PetscReal x[], const PetscReal F[7][3], PetscReal stiffness,
+/* Adds one node's forces to the sums. [in] x - from the centre; F = loads, inner, contact, obstacle, free residual, reaction, noise, each [dim]. */
+static void AddNode_Private(ModelKind model, const PetscReal x[], const PetscReal F[7][3], PetscReal stiffness,
                             PetscReal u_max, const PetscReal u[], PetscReal sums[])
 {
+  const PetscInt  dim      = model == MODEL_SOLID ? 3 : 2;
+  const PetscBool ring     = (PetscBool)(model == MODEL_AXISYMMETRIC);
   const PetscReal roundoff = FIELDS_ROUNDOFF * stiffness * u_max + Norm_Private(dim, F[6]), arm = Norm_Private(dim, x);
   PetscReal       outer[3], mesh[3], size, work = 0.0;
 
   for (PetscInt k = 0; k < dim; ++k) {
     outer[k] = F[0][k] + F[5][k] - F[3][k];
     mesh[k]  = F[2][k] - F[3][k];
-    sums[SUM_FORCE + k] += outer[k];
+    if (k > 0 || !ring) sums[SUM_FORCE + k] += outer[k];
     work += PetscAbsReal((F[0][k] + F[5][k]) * u[k]) + PetscAbsReal(F[1][k] * u[k]);
   }
-  AddMoment_Private(dim, x, outer, &sums[SUM_MOMENT]);
-  AddMoment_Private(dim, x, mesh, &sums[SUM_PAIRMOMENT]);
+  if (!ring) {
+    AddMoment_Private(dim, x, outer, &sums[SUM_MOMENT]);
+    AddMoment_Private(dim, x, mesh, &sums[SUM_PAIRMOMENT]);
+  }
   size = Norm_Private(dim, F[0]) + Norm_Private(dim, F[2]) + Norm_Private(dim, F[5]);
   sums[SUM_SIZES] += size;
   sums[SUM_SIZES + 1] += arm * size;
@@ -211,8 +216,10 @@ static PetscErrorCode JudgeNodes_Private(Fields fields, Vec reactions, PetscReal
       x[k]    = level->coords[a * dim + k] - centre[k];
     }
     SplitResidual_Private(support, a, F[4], F[5]);
+    if (vi->scene->model == MODEL_AXISYMMETRIC) x[0] = 0;
     for (PetscInt k = 0; k < dim; ++k) reaction[a * dim + k] = F[5][k];
-    AddNode_Private(dim, x, F, fields->stiffness[a], fields->body_max[level->node_body[a]], &u[a * dim], sums);
+    AddNode_Private(vi->scene->model, x, F, fields->stiffness[a], fields->body_max[level->node_body[a]], &u[a * dim],
+                    sums);
     for (PetscInt j = 0; j < support->count[a]; ++j) {
       PetscReal miss = -support->values[a * dim + j];
 

@@ -41,6 +41,7 @@ static PetscErrorCode CheckNode_Private(VI vi, PetscInt i, const PetscReal exact
   const PetscInt   dim   = level->dim;
   const PetscReal *x     = &level->coords[i * dim];
   const SceneBody *body  = &vi->scene->bodies[level->node_body[i]];
+  const PetscInt   side  = vi->support.side[i];
 
   PetscFunctionBeginUser;
   for (PetscInt j = 0; j < vi->support.count[i] && !sentence[0]; ++j) {
@@ -54,7 +55,8 @@ static PetscErrorCode CheckNode_Private(VI vi, PetscInt i, const PetscReal exact
              "%s: at (%g, %g) on %s:%s it is %.7g along (%g, %g), where the support gives %.7g; one of "
              "the two is wrong",
              ExpressionOption(body->exact), (double)x[0], (double)x[1], body->name,
-             body->boundaries[vi->support.side[i]].side, (double)along, (double)d[0], (double)d[1],
+             side == BOUNDARY_AXIS ? "the axis" : body->boundaries[side].side, (double)along, (double)d[0],
+             (double)d[1],
              (double)given); // which prints 1 as it is written
   }
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -78,6 +78,7 @@ static PetscErrorCode MomentImbalance_Private(Fields fields, PetscInt p, PairSum
   PetscFunctionBeginUser;
   sum->moment_imbalance = NAN;
   if (vi->pairs[p]->spec->obstacle.kind != OBSTACLE_NONE || !sum->active) PetscFunctionReturn(PETSC_SUCCESS);
+  if (vi->scene->model == MODEL_AXISYMMETRIC) PetscFunctionReturn(PETSC_SUCCESS); /* 0 by symmetry, nothing to judge */
   PetscCall(VecDuplicate(fields->lambda, &lambda));
   PetscCall(VecDuplicate(fields->u, &force));
   PetscCall(VecCopy(fields->lambda, lambda));
@@ -136,6 +137,10 @@ PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum)
     sum->upper[k]           = sum->active ? largest[MAX_UPPER + k] : NAN;
     sum->centre[k]          = sum->active ? sums[ADD_CENTRE + k] / sums[ADD_NORMAL] : NAN;
     sum->max_pressure_at[k] = NAN;
+  }
+  if (vi->scene->model == MODEL_AXISYMMETRIC) { /* the resultant of a ring acts along its axis */
+    sum->force[0] = 0;
+    if (sum->active) sum->centre[0] = 0;
   }
   if (sum->active) PetscCall(PressurePlace_Private(fields, p, lambda, sum->max_pressure, sum->max_pressure_at));
   PetscCall(MomentImbalance_Private(fields, p, sum));

@@ -49,9 +49,9 @@ static PetscErrorCode AddFacet_Private(const Level *level, const Facets *facets,
     PetscCall(PetscArraycpy(&X[a * dim], &level->coords[nodes[a] * dim], dim));
   }
   for (PetscInt q = 0; q < num_points; ++q) {
-    const PetscReal ds = w[q] * ElementSurface(type, X, &xi[q * ElementDim(type)], x, phi, NULL);
-    PetscReal       ph = 0;
+    PetscReal ds = w[q] * ElementSurface(type, X, &xi[q * ElementDim(type)], x, phi, NULL), ph = 0;
 
+    ds *= SceneMeasure(level->scene, x);
     PetscCall(ExpressionEvaluate(exact, dim, x, &p));
     for (PetscInt a = 0; a < n; ++a) ph += phi[a] * PetscRealPart(values[nodes[a] * NODE_COUNT + NODE_PRESSURE]);
     squares[ERROR_L2] += ds * PetscSqr(ph - p);
@@ -79,11 +79,10 @@ static PetscErrorCode AddFacets_Private(Fields fields, PetscInt p, PetscReal squ
   PetscCall(VecGhostRestoreLocalForm(nodal, &local));
   PetscCall(FacetsDestroy(&facets));
   PetscCall(VecDestroy(&nodal));
-  for (PetscInt i = ERROR_L2; i <= SIZE_L2; ++i) squares[i] *= fields->vi->scene->thickness;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Rows have the thickness in their D. */
+/* Rows have the measure in their D. */
 static PetscErrorCode AddRows_Private(Fields fields, PetscInt p, PetscReal squares[])
 {
   const VI         vi   = fields->vi;

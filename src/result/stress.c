@@ -56,13 +56,15 @@ typedef struct {
 static PetscErrorCode PointStress_Private(Scene scene, const Cell *cell, const ElementRule *rule, PetscInt q,
                                           PetscReal stress[STRESSES], PetscReal *det)
 {
-  const PetscInt dim = scene->dim, n = ElementNumNodes(rule->type), num_strains = MaterialNumStrains(scene->model);
-  PetscReal      grad[ELEMENT_MAX_NODES * MAX_DIM], B[MAX_STRAINS * ELEMENT_MAX_NODES * MAX_DIM], x[MAX_DIM];
-  PetscReal      C[MAX_STRAINS * MAX_STRAINS], strain[MAX_STRAINS], poisson;
+  const PetscInt  dim = scene->dim, n = ElementNumNodes(rule->type), num_strains = MaterialNumStrains(scene->model);
+  const PetscBool ring = (PetscBool)(scene->model == MODEL_AXISYMMETRIC);
+  PetscReal       grad[ELEMENT_MAX_NODES * MAX_DIM], B[MAX_STRAINS * ELEMENT_MAX_NODES * MAX_DIM], x[MAX_DIM];
+  PetscReal       hoop[ELEMENT_MAX_NODES], C[MAX_STRAINS * MAX_STRAINS], strain[MAX_STRAINS], poisson;
 
   PetscFunctionBeginUser;
   *det = ElementRuleMap(rule, q, cell->X, x, grad);
-  ElementStrainMatrix(dim, n, grad, B);
+  for (PetscInt i = 0; ring && i < n; ++i) hoop[i] = rule->phi[q * n + i] / x[0];
+  ElementStrainMatrix(dim, n, grad, ring ? hoop : NULL, B);
   for (PetscInt s = 0; s < num_strains; ++s) {
     strain[s] = 0.0;
     for (PetscInt i = 0; i < n * dim; ++i) strain[s] += B[s * n * dim + i] * cell->u[i];

@@ -145,7 +145,10 @@ static PetscErrorCode BodyCheckStiffness_Private(Scene scene, const SceneBody *b
     PetscCall(OptionRaise(
         stiffness,
         "the Hooke matrix is not positive definite: some strain would cost no energy, or give some back; check the "
-        "order of its entries, xx-xx, xx-yy, xx-xy, yy-yy, yy-xy, xy-xy"));
+        "order of its entries, %s",
+        scene->model == MODEL_AXISYMMETRIC
+            ? "xx-xx, xx-yy, xx-zz, xx-xy, yy-yy, yy-zz, yy-xy, zz-zz, zz-xy, xy-xy, zz being around the axis"
+            : "xx-xx, xx-yy, xx-xy, yy-yy, yy-xy, xy-xy"));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

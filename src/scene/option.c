@@ -278,5 +278,6 @@ PetscErrorCode OptionGetExpression(const Option *option, PetscInt num_components
   if (!option->text) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(OptionCheckValue_Private(option));
   PetscCall(ExpressionCreate(option->comm, option->name, option->text, num_components, allow_free, e));
+  if (option->scene->model == MODEL_AXISYMMETRIC) ExpressionNameMeridian(*e);
   PetscFunctionReturn(PETSC_SUCCESS);
 }

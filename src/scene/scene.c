@@ -25,9 +25,11 @@ static PetscErrorCode SceneReadGlobal_Private(Scene scene)
   PetscCall(PetscStrallocpy(title.set ? title.text : "", &scene->title));
   PetscCall(OptionGetChoice(&model, &choice));
   scene->model = (ModelKind)choice;
-  if (scene->model != MODEL_PLANE_STRAIN && scene->model != MODEL_PLANE_STRESS) {
-    PetscCall(OptionRaise(&model, "this version solves plane_strain and plane_stress only"));
+  if (scene->model == MODEL_SOLID) {
+    PetscCall(OptionRaise(&model, "this version solves plane_strain, plane_stress and axisymmetric only"));
   }
+  if (scene->model == MODEL_AXISYMMETRIC && thickness.set)
+    PetscCall(OptionRaise(&thickness, "an axisymmetric model is a whole ring, it has no thickness; leave this out"));
   PetscCall(OptionGetReals(&thickness, 1, &scene->thickness));
   if (!(scene->thickness > 0)) PetscCall(OptionRaise(&thickness, "a thickness must be above 0"));
   PetscCall(OptionGetInts(&refine, 1, 0, &scene->refine));

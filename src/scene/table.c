@@ -32,8 +32,11 @@ static const OptionEntry table[] = {
 
     {GROUP_SCENE, "-title", "text", "", "(empty)", "Free text that goes into every result."},
     {GROUP_SCENE, "-model", "plane_strain|plane_stress|axisymmetric|solid", "", "plane_strain",
-     "What two dimensions stand for. This version solves plane_strain and plane_stress."},
-    {GROUP_SCENE, "-thickness", "x", "length", "1", "Thickness of the plane; forces and energies are for it."},
+     "What two dimensions stand for. Axisymmetric: x is the radius r >= 0, y the axis z, forces and areas are those of "
+     "the "
+     "whole ring; nodes on the axis have no radial displacement. This version does not solve solid."},
+    {GROUP_SCENE, "-thickness", "x", "length", "1",
+     "Thickness of the plane; forces and energies are for it. Not with -model axisymmetric."},
     {GROUP_SCENE, "-bodies", "name,name,...", "", "(required)",
      "Names of the bodies. Each is the prefix of its body's options: letters, digits, underscores."},
     {GROUP_SCENE, "-pairs", "name,name,...", "", "(none)",
@@ -65,7 +68,7 @@ static const OptionEntry table[] = {
      "Poisson's ratio of an isotropic body, above -1 and below 0.5."},
     {GROUP_MATERIAL, "-<body>_stiffness", "e,e,e,e,e,e", "stress", "(isotropic)",
      "Instead of the two: the Hooke matrix, its upper triangle row by row in the order xx, yy, xy, with engineering "
-     "shear strains."},
+     "shear strains. Axisymmetric: ten numbers, in the order xx (radius), yy (axis), zz (around), xy."},
     {GROUP_MATERIAL, "-<body>_material_angle", "x", "degrees", "0",
      "Turns the axes of -<body>_stiffness anticlockwise."},
 

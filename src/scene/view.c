@@ -180,8 +180,11 @@ PetscErrorCode SceneView(Scene scene)
   static const char *const models[] = {"plane strain", "plane stress", "axisymmetric", "solid"}; /* ModelKind */
 
   PetscFunctionBeginUser;
-  PetscCall(ViewPrint_Private(scene, "Scene%s%s: %s, thickness %g\n", scene->title[0] ? " " : "", scene->title,
-                              models[scene->model], (double)scene->thickness));
+  PetscCall(ViewPrint_Private(scene, "Scene%s%s: %s", scene->title[0] ? " " : "", scene->title, models[scene->model]));
+  if (scene->model == MODEL_AXISYMMETRIC)
+    PetscCall(ViewPrint_Private(scene, ", r = x, z = y; on the axis r = 0 the radial displacement is held at 0\n"));
+  else
+    PetscCall(ViewPrint_Private(scene, ", thickness %g\n", (double)scene->thickness));
   for (PetscInt i = 0; i < scene->num_bodies; i++) PetscCall(ViewBody_Private(scene, &scene->bodies[i]));
   for (PetscInt i = 0; i < scene->num_pairs; i++) PetscCall(ViewPair_Private(scene, &scene->pairs[i]));
   PetscCall(ViewStudy_Private(scene));

@@ -47,7 +47,11 @@ mistake(name_empty          SAYS "-bodies upper,,lower" empty ARGS -bodies upper
 # --- the scene as a whole ---
 mistake(model_misspelt      SAYS "-model plane_stran" plane_stress "did you mean plane_strain?" ARGS -model plane_stran)
 mistake(model_solid         SAYS "-model solid" plane_strain ARGS -model solid)
-mistake(model_axisymmetric  SAYS "-model axisymmetric" plane_strain ARGS -model axisymmetric)
+mistake(ring_thickness      SAYS "-thickness 2" "whole ring" ARGS -model axisymmetric -thickness 2)
+mistake(ring_beyond_axis    SAYS "-model axisymmetric" upper "r = -0.5" "r >= 0" ARGS -model axisymmetric -upper_map "x-0.5,y")
+mistake(ring_off_axis       SAYS upper "on the axis of revolution" contradict ARGS -model axisymmetric -upper_bc_displacement_top 0.1,0)
+mistake(ring_stiffness      SAYS -third_stiffness "10 wanted"
+  ARGS -model axisymmetric -bodies upper,lower,third -third_dm_plex_box_faces 1,1 -third_stiffness 3,1,0,3,0,1)
 mistake(thickness_zero      SAYS "-thickness 0" "above 0" ARGS -thickness 0)
 mistake(thickness_text      SAYS -thickness thin numbers ARGS -thickness thin)
 mistake(order_half          SAYS "-order 1.5" "1, 2" ARGS -order 1.5)

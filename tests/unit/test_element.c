@@ -423,7 +423,7 @@ static void TestStrainMatrix(PetscInt dim)
     grad[k]                 = -1.;
     grad[(k + 1) * dim + k] = 1.;
   }
-  ElementStrainMatrix(dim, num_nodes, grad, B);
+  ElementStrainMatrix(dim, num_nodes, grad, NULL, B);
   for (PetscInt turn = 0; turn < 2; turn++) {
     for (PetscInt i = 0; i < dim; i++) {
       for (PetscInt j = 0; j < dim; j++) G[i][j] = turn && j <= i ? (i == j ? 0. : -G[j][i]) : Uniform(-1., 1.);
@@ -447,6 +447,23 @@ static void TestStrainMatrix(PetscInt dim)
   }
 }
 
+/* The strains of an axisymmetric triangle: those of the plane, and u_r / r around the axis before the shear. */
+static void TestHoopStrain(void)
+{
+  const PetscReal r = 0.7, grad[6] = {-1., -1., 1., 0., 0., 1.}, phi[3] = {0.2, 0.3, 0.5};
+  const PetscReal hoop[3] = {phi[0] / r, phi[1] / r, phi[2] / r};
+  PetscReal       B[4 * 6], plane[3 * 6];
+
+  ElementStrainMatrix(2, 3, grad, NULL, plane);
+  ElementStrainMatrix(2, 3, grad, hoop, B);
+  for (PetscInt j = 0; j < 6; j++) {
+    CHECK_NEAR(B[j], plane[j], 0.);
+    CHECK_NEAR(B[6 + j], plane[6 + j], 0.);
+    CHECK_NEAR(B[12 + j], j % 2 ? 0. : hoop[j / 2], 0.);
+    CHECK_NEAR(B[18 + j], plane[12 + j], 0.);
+  }
+}
+
 /* K = sum_q w det B'CB of one cell, as the assembler builds it. */
 static void Stiffness(ElementType type, const PetscReal X[], const PetscReal C[], PetscReal K[])
 {
@@ -459,7 +476,7 @@ static void Stiffness(ElementType type, const PetscReal X[], const PetscReal C[]
     PetscReal phi[ELEMENT_MAX_NODES], grad[MAX_DOFS], B[NUM_STRAINS * MAX_DOFS], CB[NUM_STRAINS * MAX_DOFS] = {0.};
     PetscReal w = weights[q] * ElementMap(type, X, &points[2 * q], NULL, phi, grad);
 
-    ElementStrainMatrix(2, n / 2, grad, B);
+    ElementStrainMatrix(2, n / 2, grad, NULL, B);
     for (PetscInt s = 0; s < NUM_STRAINS; s++) {
       for (PetscInt r = 0; r < NUM_STRAINS; r++) {
         for (PetscInt j = 0; j < n; j++) CB[s * n + j] += C[s * NUM_STRAINS + r] * B[r * n + j];
@@ -559,6 +576,7 @@ int main(int argc, char **argv)
   TestMinJacobianCurved();
   TestLocateTolerance();
   TestStrainMatrix(2);
+  TestHoopStrain();
   TestStrainMatrix(3);
   TestUnitSquare();
   PetscCall(PetscFinalize());

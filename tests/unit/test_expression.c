@@ -52,6 +52,19 @@ static void TestFormulas(void)
   CHECK(!ExpressionDestroy(&e));
 }
 
+/* In a meridian plane r and z are the first and the second coordinate. */
+static void TestMeridian(void)
+{
+  Expression e = Read("r+10*z, x+10*y", 2, PETSC_FALSE);
+  PetscReal  values[2];
+
+  ExpressionNameMeridian(e);
+  Evaluate(e, 2, 2, 0.5, 0, values);
+  CHECK_NEAR(values[0], 7, 0);
+  CHECK_NEAR(values[1], 7, 0);
+  CHECK(!ExpressionDestroy(&e));
+}
+
 /* A formula without variables is a number from the start. */
 static void TestFolding(void)
 {
@@ -149,6 +162,7 @@ int main(int argc, char **argv)
   PetscCall(FaultInitialize());
   TestNumbers();
   TestFormulas();
+  TestMeridian();
   TestFolding();
   TestFree();
   TestConstant();

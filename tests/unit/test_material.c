@@ -75,6 +75,25 @@ static void TestUniaxial(void)
   CHECK_NEAR(stress[2], POISSON * strain_modulus, EXACT);
 }
 
+/* Axisymmetric: three direct strains and one shear of a solid; turning does not touch what is around the axis. */
+static void TestRing(void)
+{
+  const PetscReal quarter[] = {90.}, strain[] = {1., 2., 3., 4.}, solid_strain[] = {1., 2., 3., 0., 0., 4.};
+  const PetscReal ring[10]   = {10., 1., 2., 0., 4., 3., 0., 6., 0., 9.}; /* C11 C12 C13 C14 C22 C23 C24 C33 C34 C44 */
+  const PetscReal turned[10] = {4., 1., 3., 0., 10., 2., 0., 6., 0., 9.};
+  PetscReal       C[36], stress[6], solid_stress[6], upper[21];
+
+  CHECK(MaterialNumStrains(MODEL_AXISYMMETRIC) == 4);
+  MaterialIsotropic(MODEL_AXISYMMETRIC, YOUNG, POISSON, C);
+  MaterialStress(MODEL_AXISYMMETRIC, C, POISSON, strain, stress);
+  MaterialIsotropic(MODEL_SOLID, YOUNG, POISSON, C);
+  MaterialStress(MODEL_SOLID, C, POISSON, solid_strain, solid_stress);
+  for (PetscInt i = 0; i < 6; i++) CHECK_NEAR(stress[i], solid_stress[i], EXACT);
+  MaterialAnisotropic(MODEL_AXISYMMETRIC, ring, quarter, C);
+  UpperOf(4, C, upper);
+  for (PetscInt i = 0; i < 10; i++) CHECK_NEAR(upper[i], turned[i], EXACT);
+}
+
 /* Shear lands in the last component; zz of a 2D tensor that leaves it open is not invented. */
 static void TestStressPlaces(void)
 {
@@ -167,14 +186,14 @@ static void TurnTensor(PetscReal e[3][3], PetscInt a, PetscInt b, PetscReal degr
 
 static PetscReal Energy(ModelKind model, const PetscReal C[], PetscReal e[3][3])
 {
-  const PetscInt  n        = MaterialNumStrains(model);
-  const PetscReal solid[6] = {e[0][0], e[1][1], e[2][2], 2. * e[1][2], 2. * e[0][2], 2. * e[0][1]};
-  const PetscReal plane[3] = {e[0][0], e[1][1], 2. * e[0][1]};
-  PetscReal       energy   = 0.;
+  const PetscInt   n        = MaterialNumStrains(model);
+  const PetscReal  solid[6] = {e[0][0], e[1][1], e[2][2], 2. * e[1][2], 2. * e[0][2], 2. * e[0][1]};
+  const PetscReal  plane[3] = {e[0][0], e[1][1], 2. * e[0][1]}, ring[4] = {e[0][0], e[1][1], e[2][2], 2. * e[0][1]};
+  const PetscReal *strain = n == 6 ? solid : (n == 4 ? ring : plane);
+  PetscReal        energy = 0.;
 
   for (PetscInt i = 0; i < n; i++) {
-    for (PetscInt j = 0; j < n; j++)
-      energy += 0.5 * (n == 6 ? solid[i] * solid[j] : plane[i] * plane[j]) * C[i * n + j];
+    for (PetscInt j = 0; j < n; j++) energy += 0.5 * strain[i] * strain[j] * C[i * n + j];
   }
   return energy;
 }
@@ -240,12 +259,15 @@ int main(int argc, char **argv)
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   TestIsotropic();
   TestUniaxial();
+  TestRing();
   TestStressPlaces();
   TestVonMises();
   TestNoTurn(MODEL_PLANE_STRAIN);
+  TestNoTurn(MODEL_AXISYMMETRIC);
   TestNoTurn(MODEL_SOLID);
   TestQuarterTurn();
   TestEnergy(MODEL_PLANE_STRAIN);
+  TestEnergy(MODEL_AXISYMMETRIC);
   TestEnergy(MODEL_SOLID);
   TestDefiniteness();
   TestContactModulus();

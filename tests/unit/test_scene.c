@@ -66,7 +66,7 @@ static const Mistake mistakes[] = {
     /* the scene as a whole */
     {NULL, {{"-model", "plane_strian"}}, {"-model plane_strian", "plane_stress", "did you mean plane_strain"}},
     {NULL, {{"-model", "solid"}}, {"-model solid", "plane_strain"}},
-    {NULL, {{"-model", "axisymmetric"}}, {"-model axisymmetric", "plane_strain"}},
+    {NULL, {{"-model", "axisymmetric"}, {"-thickness", "2"}}, {"-thickness 2", "whole ring"}},
     {NULL, {{"-thickness", "0"}}, {"-thickness 0", "above 0"}},
     {NULL, {{"-thickness", "thin"}}, {"-thickness", "thin"}},
     {NULL, {{"-thickness", "1+x"}}, {"-thickness 1+x", "vary"}},

@@ -378,7 +378,7 @@ static void Stiffness(ElementType type, const PetscReal X[], const PetscReal C[]
     PetscReal       grad[MAX_DOFS], B[NUM_STRAINS * MAX_DOFS], CB[NUM_STRAINS * MAX_DOFS] = {0.};
     const PetscReal w = rule.weight[q] * ElementRuleMap(&rule, q, X, NULL, grad);
 
-    ElementStrainMatrix(DIM, n / DIM, grad, B);
+    ElementStrainMatrix(DIM, n / DIM, grad, NULL, B);
     for (PetscInt s = 0; s < NUM_STRAINS; s++) {
       for (PetscInt r = 0; r < NUM_STRAINS; r++) {
         for (PetscInt j = 0; j < n; j++) CB[s * n + j] += C[s * NUM_STRAINS + r] * B[r * n + j];

@@ -1,0 +1,32 @@
+/* axis.c -- the axis of revolution, x = 0 of an axisymmetric scene. */
+#include "room.h"
+#include <mortise/compat.h>
+#include <mortise/fault.h>
+
+/* Of the largest radius of the scene: what maps and files leave of a zero. */
+static const PetscReal ROUNDOFF = 1e-10;
+
+PetscErrorCode LevelSetAxis(Level *level)
+{
+  const PetscInt dim                     = level->dim;
+  char           sentence[MESH_SENTENCE] = "";
+  PetscReal      largest                 = 0;
+
+  PetscFunctionBeginUser;
+  if (level->scene->model != MODEL_AXISYMMETRIC) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt node = 0; node < level->num_nodes; ++node)
+    largest = PetscMax(largest, PetscAbsReal(level->coords[node * dim]));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPIU_REAL, MPI_MAX, level->comm));
+  for (PetscInt node = 0; node < level->num_nodes && !sentence[0]; ++node) {
+    PetscReal *x = &level->coords[node * dim];
+
+    if (PetscAbsReal(x[0]) <= ROUNDOFF * largest) x[0] = 0;
+    if (x[0] >= 0) continue;
+    snprintf(sentence, sizeof(sentence),
+             "-model axisymmetric: body '%s' reaches beyond the axis of revolution, to r = %g at z = %g; bodies lie in "
+             "the half plane r >= 0, r being x and z being y",
+             level->scene->bodies[level->node_body[node]].name, (double)x[0], (double)x[1]);
+  }
+  PetscCall(FaultCheck(level->comm, sentence));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
