@@ -13,5 +13,6 @@ mortise_scene_test(sectors CHECK hydrostatic.py RANKS 1 2 3)
 mortise_scene_test(sectors_quadratic SCENE sectors CHECK hydrostatic.py RANKS 1 3 ARGS -order 2)
 mortise_scene_test(sectors_mixed SCENE sectors CHECK hydrostatic.py RANKS 1 3 ARGS -b_order 2)
 mortise_scene_test(curved CHECK curved.py RANKS 1 2 4)
+mortise_scene_test(cylinders CHECK cylinders.py RANKS 1 2 3)
 mortise_mistake(circle SCENE sectors SAYS "ab, bc, ac" "circle" "swap"
   ARGS -ac_nonmortar c:left -ac_mortar a:bottom)
