@@ -69,7 +69,7 @@ static PetscErrorCode ViewLeftNodes_Private(MPI_Comm comm, const Pair pair)
   if (pair->num_removed) {
     PetscCall(PetscPrintf(comm,
                           "    multipliers of %s at %" PetscInt_FMT " nodes: held along their normal, covered on a "
-                          "sliver, or served by another pair; neighbours take over\n",
+                          "sliver, at the axis, or served by another pair; neighbours take over\n",
                           pair->spec->name, pair->num_removed));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
