@@ -5,7 +5,6 @@
    directions so. Held directions that are not axes turn their node's unknowns as well. All this is done to the hierarchical
    displacements u~ where there are any (couplings.h), and u = S u~ comes last. */
 #include <mortise/compat.h>
-#include <mortise/fault.h>
 #include "basis.h"
 
 /* A unit vector is along an axis, or two are parallel, to this. */
@@ -15,7 +14,7 @@ static const PetscReal NEGLIGIBLE = 1e-17;
 /* Powers beyond the longest chain of pairs: two pairs on one side may depend on each other through the row of a removed
    node. On straight facets that is a sliver's, whose weight is below a thousandth, and powers fall by as much; on quadratic
    ones a far end that is covered in part weighs more, and the powers fall by 0.7 at the worst place of a seam between the
-   two. Roles in a circle never fall. */
+   two. */
 enum { REMOVED_POWERS = 128 };
 
 /* F^-1 of a 2 x 2 or 3 x 3 matrix by cofactors. [in] F - [dim][dim]; [out] Finv - [dim][dim] */
@@ -246,24 +245,6 @@ static PetscErrorCode CreateE_Private(VI vi, const NodeBases *bases, const Coupl
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Faults with the names of the pairs: their roles run in a circle. */
-static PetscErrorCode RaiseCycle_Private(VI vi)
-{
-  char names[512] = "";
-
-  PetscFunctionBeginUser;
-  for (PetscInt p = 0; p < vi->num_pairs; p++) {
-    PetscCall(PetscStrlcat(names, p ? ", " : "", sizeof(names)));
-    PetscCall(PetscStrlcat(names, vi->pairs[p]->spec->name, sizeof(names)));
-  }
-  PetscCall(FaultRaise(
-      vi->level->comm,
-      "the roles of the pairs %s run in a circle (each nonmortar side meets a mortar side that is nonmortar in the "
-      "next pair); swap -<pair>_nonmortar and -<pair>_mortar of one of them",
-      names));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode BasisCreateT(VI vi, const NodeBases *bases, const Couplings *couplings, Mat *T)
 {
   Mat       E, V, next, shifted;
@@ -279,7 +260,8 @@ PetscErrorCode BasisCreateT(VI vi, const NodeBases *bases, const Couplings *coup
   PetscCall(MatMatMult(E, *T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &V));
   PetscCall(MatNorm(V, NORM_FROBENIUS, &norm));
   for (PetscInt power = 1; norm > NEGLIGIBLE; power++) {
-    if (power > vi->num_pairs + REMOVED_POWERS) PetscCall(RaiseCycle_Private(vi));
+    PetscCheck(power <= vi->num_pairs + REMOVED_POWERS, vi->level->comm, PETSC_ERR_PLIB,
+               "The coupling of the pairs does not fade");
     PetscCall(MatAXPY(*T, 1.0, V, DIFFERENT_NONZERO_PATTERN));
     PetscCall(MatMatMult(E, V, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &next));
     PetscCall(MatDestroy(&V));

@@ -18,7 +18,7 @@ PetscErrorCode NodeBasesCreate(VI vi, NodeBases *bases);
 PetscErrorCode NodeBasesDestroy(NodeBases *bases);
 
 /* T = S (I + E + E E + ..) R with u~ = R y + E u~ (T7): R turns, E adds what the mortar side does. The powers end with the
-   longest chain of pairs; if they do not, the roles run in a circle, which is a fault. NULL where T = I. Collective. */
+   longest chain of pairs, whose roles must not run in a circle (circles.h). NULL where T = I. Collective. */
 PetscErrorCode BasisCreateT(VI vi, const NodeBases *bases, const Couplings *couplings, Mat *T);
 
 /* Global unknowns y_i that held directions and ties fix, with their values in the user's unit. Collective.

@@ -9,6 +9,7 @@
 #include <mortise/vi.h>
 #include "basis.h"
 #include "blocks.h"
+#include "circles.h"
 #include "modes.h"
 
 /* stiffness = mean diagonal of K; length = the displacement to expect: prescribed, by interference, or of the loads. */
@@ -112,6 +113,7 @@ PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi_out)
   PetscCall(ElasticityAssemble(scene, vi->level, &vi->K, &vi->f));
   PetscCall(LogStageEnd(STAGE_ASSEMBLY));
   PetscCall(LogStageBegin(STAGE_CONDENSE));
+  PetscCall(CirclesCheck(vi));
   PetscCall(NodeBasesCreate(vi, &bases));
   PetscCall(CouplingsCreate(vi, &couplings));
   PetscCall(BlocksCreate(vi, &bases, &couplings));

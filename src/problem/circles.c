@@ -1,0 +1,98 @@
+/* circles.c -- roles that run in a circle, found in the graph of the pairs.
+
+   Pair p leads to pair q if a multiplier node of p meets, on its mortar side, a node that carries a multiplier of q. A node
+   that leads back to its own pair would be defined by itself. Whether powers of the coupling fade says less: three bodies
+   round one point may run in a circle there, and still have powers that fade slowly. */
+#include <mortise/compat.h>
+#include <mortise/fault.h>
+#include "circles.h"
+
+/* Entries of M below this part of the whole are roundoff. */
+static const PetscReal ROUNDOFF = 1e-12;
+
+/* 1 at the nodes that carry a multiplier of a pair, 0 elsewhere. [in,out] marks - in the layout of M's rows */
+static PetscErrorCode MarkNodes_Private(const Pair pair, Vec marks)
+{
+  PetscScalar *mark;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecZeroEntries(marks));
+  PetscCall(VecGetArray(marks, &mark));
+  for (PetscInt k = 0; k < pair->num; k++) mark[pair->nodes[k]] = 1;
+  PetscCall(VecRestoreArray(marks, &mark));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether rows of p hold nodes of q: |diag(marks of p) M diag(marks of q)| > 0. */
+static PetscErrorCode Leads_Private(const Pair p, const Pair q, PetscBool *leads)
+{
+  PetscReal all, common;
+  Vec       rows, columns;
+  Mat       part;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateVecs(p->M, &columns, &rows));
+  PetscCall(MarkNodes_Private(p, rows));
+  PetscCall(MarkNodes_Private(q, columns));
+  PetscCall(MatDuplicate(p->M, MAT_COPY_VALUES, &part));
+  PetscCall(MatDiagonalScale(part, rows, columns));
+  PetscCall(MatNorm(p->M, NORM_FROBENIUS, &all));
+  PetscCall(MatNorm(part, NORM_FROBENIUS, &common));
+  *leads = (PetscBool)(common > ROUNDOFF * all);
+  PetscCall(MatDestroy(&part));
+  PetscCall(VecDestroy(&rows));
+  PetscCall(VecDestroy(&columns));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds all ways over other pairs (Warshall). [in,out] leads - [n][n] */
+static void CloseWays_Private(PetscInt n, PetscBool leads[])
+{
+  for (PetscInt over = 0; over < n; over++) {
+    for (PetscInt from = 0; from < n; from++) {
+      for (PetscInt to = 0; to < n; to++) {
+        if (leads[from * n + over] && leads[over * n + to]) leads[from * n + to] = PETSC_TRUE;
+      }
+    }
+  }
+}
+
+/* Names the pairs that come back to themselves. */
+static PetscErrorCode Raise_Private(VI vi, const PetscBool leads[])
+{
+  const PetscInt n          = vi->num_pairs;
+  char           names[512] = "";
+
+  PetscFunctionBeginUser;
+  for (PetscInt p = 0; p < n; p++) {
+    if (!leads[p * n + p]) continue;
+    PetscCall(PetscStrlcat(names, names[0] ? ", " : "", sizeof(names)));
+    PetscCall(PetscStrlcat(names, vi->pairs[p]->spec->name, sizeof(names)));
+  }
+  if (!names[0]) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(FaultRaise(
+      vi->level->comm,
+      "the roles of the pairs %s run in a circle (each nonmortar side meets a mortar side that is nonmortar in the "
+      "next pair); swap -<pair>_nonmortar and -<pair>_mortar of one of them",
+      names));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CirclesCheck(VI vi)
+{
+  const PetscInt n = vi->num_pairs;
+  PetscBool     *leads;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(n * n, &leads));
+  for (PetscInt p = 0; p < n; p++) {
+    for (PetscInt q = 0; q < n; q++) {
+      if (p != q && vi->pairs[p]->M && vi->pairs[q]->M)
+        PetscCall(Leads_Private(vi->pairs[p], vi->pairs[q], &leads[p * n + q]));
+    }
+  }
+  CloseWays_Private(n, leads);
+  PetscCall(Raise_Private(vi, leads));
+  PetscCall(PetscFree(leads));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
