@@ -74,18 +74,27 @@ class Pair:
         self.linear = option("multipliers", "nodes") == "vertices"
         option("reach"), option("exact_pressure")  # everything here is within reach
         if not mortar:
-            self.parabola = self.read_parabola(option)
+            self.distance = self.read_obstacle(option)
         self.nodes = list(dict.fromkeys(node for facet in self.facets for node in facet))
         self.set_normals()
         self.integrate()
         self.set_rows()
 
     @staticmethod
-    def read_parabola(option):
-        """The rigid parabola above y = y_0 + (x - x_0)^2 / (2 R), pointing down."""
-        if option("obstacle") != "parabola" or numbers(option("obstacle_normal")) != [0.0, -1.0]:
-            raise ValueError("the only obstacle here is a parabola that points down")
-        return (*numbers(option("obstacle_point")), float(option("obstacle_radius")))
+    def read_obstacle(option):
+        """Distance of a rigid obstacle along the ray x + t n: a plane, or a parabola y = y_0 + (x - x_0)^2 / (2 R) that points down."""
+        kind, normal, point = option("obstacle"), np.array(numbers(option("obstacle_normal"))), np.array(numbers(option("obstacle_point")))
+        if kind == "plane":
+            return lambda x, n: (point - x) @ normal / (n @ normal)
+        radius = float(option("obstacle_radius"))
+        if kind != "parabola" or list(normal) != [0.0, -1.0]:
+            raise ValueError("the only obstacles here are planes and a parabola that points down")
+
+        def distance(x, n):
+            if n[0] != 0:
+                raise ValueError("rays to the parabola are vertical")
+            return point[1] + (x[0] - point[0])**2 / (2 * radius) - x[1]
+        return distance
 
     def geometry(self, facet):
         return curve(self.scene.points[list(facet)])
@@ -139,7 +148,7 @@ class Pair:
                 w *= math.hypot(*outward(x, s))
                 point, direction = ray(s)
                 if not self.mortar:
-                    yield s, w, self.parabola[1] + (point[0] - self.parabola[0])**2 / (2 * self.parabola[2]) - point[1], {}
+                    yield s, w, self.distance(point, direction), {}
                     continue
                 _, gap, eta, facet = self.meet(point, direction, [seen[3]])
                 yield s, w, gap, dict(zip(facet, poly.polyval(eta, LINES[len(facet)].T)))
