@@ -28,7 +28,8 @@ def read_fields(file):
 
 
 def largest(table, *columns):
-    return max(abs(value) for column in columns for value in table[column])
+    """Of what is known: in plane strain a full Hooke tensor leaves the stress across the plane open."""
+    return max(abs(value) for column in columns for value in table[column] if not math.isnan(value))
 
 
 def same_nodes(table, expected, columns, relative=RELATIVE):
