@@ -229,8 +229,10 @@ PetscErrorCode OptionGetBytes(const Option *option, PetscReal *bytes)
   value  = strtod(option->text, &end);
   letter = *end ? strchr(letters, toupper((unsigned char)*end)) : NULL;
   if (end == option->text || (*end && (!letter || end[1])) || PetscIsInfOrNanReal(value))
-    PetscCall(OptionRaise(option, "is not an amount of memory; write a number of bytes, or one with K, M, G or T "
-                                  "behind it, as in 4G"));
+    PetscCall(OptionRaise(option,
+                          "'%s' is not an amount of memory; write a number of bytes, or one with K, M, G or T "
+                          "behind it, as in 4G",
+                          option->text));
   if (!(value > 0)) PetscCall(OptionRaise(option, "an amount of memory must be above 0"));
   *bytes = letter ? value * PetscPowRealInt(unit, (int)(letter - letters) + 1) : value;
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -3,8 +3,6 @@
 #include <mortise/compat.h>
 #include "extrapolate.h"
 
-enum { TEXT = 96 };
-
 static const PetscReal NEGLIGIBLE = 1e-9; /* part of its size that a quantity is known to at best */
 
 /* The solved record of an order on a level, or NULL. */
@@ -49,12 +47,14 @@ PetscInt ExtrapolateFindBest(Study study, PetscInt quantity)
   return best;
 }
 
-/* Whether a quantity is zero to all that can be told: a component that the scene does not have. */
-static PetscBool Vanishes_Private(Study study, PetscInt quantity, const Extrapolation *limit)
+PetscBool ExtrapolateVanishes(Study study, PetscInt quantity, const Extrapolation *limit)
 {
-  const Record   *finest = StudyFindCoarser(study, ExtrapolateFindBest(study, quantity), study->scene->study.levels);
-  const PetscReal size   = PetscAbsReal(finest->values[study->quantities[quantity].size]);
+  const Record *finest = StudyFindCoarser(study, ExtrapolateFindBest(study, quantity), study->scene->study.levels);
+  PetscReal     size   = 0;
 
+  for (PetscInt q = 0; q < study->num_quantities; ++q)
+    if (study->quantities[q].size == study->quantities[quantity].size)
+      size = PetscMax(size, PetscAbsReal(finest->values[q]));
   return (PetscBool)(PetscAbsReal(limit->value) + limit->bar <= NEGLIGIBLE * size);
 }
 
@@ -68,10 +68,10 @@ PetscErrorCode ExtrapolatePrint(Study study)
     const PetscInt best   = ExtrapolateFindBest(study, q);
     Record         sample = {.order = best};
     Extrapolation  limit;
-    char           text[TEXT], order[ERROR_TEXT];
+    char           text[RICHARDSON_TEXT], order[ERROR_TEXT];
 
     if (best < 0 || !ExtrapolateQuantity(study, q, best, &limit)) continue;
-    if (Vanishes_Private(study, q, &limit)) continue;
+    if (ExtrapolateVanishes(study, q, &limit)) continue;
     if (!begun) PetscCall(PetscPrintf(comm, "extrapolated from the last three levels (Richardson)\n"));
     begun = PETSC_TRUE;
     RichardsonText(&limit, text, sizeof(text));

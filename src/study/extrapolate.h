@@ -10,7 +10,10 @@
 PetscBool ExtrapolateQuantity(Study study, PetscInt quantity, PetscInt order, Extrapolation *limit);
 /* The order whose error bar is smallest, -1 where no order has three levels. Not collective. */
 PetscInt ExtrapolateFindBest(Study study, PetscInt quantity);
-/* Prints them all. Collective. */
+/* Whether an extrapolated quantity is zero to all that can be told, beside the others of its vector: a component that the
+   scene does not have. Not collective. */
+PetscBool ExtrapolateVanishes(Study study, PetscInt quantity, const Extrapolation *limit);
+/* Prints all that do not vanish. Collective. */
 PetscErrorCode ExtrapolatePrint(Study study);
 
 #endif

@@ -95,12 +95,15 @@ static void AddExtrapolated_Private(Study study, cJSON *root)
       if (!ExtrapolateQuantity(study, q, order, &limit)) continue;
       if (!quantity) {
         Extrapolation chosen;
+        char          text[RICHARDSON_TEXT];
 
         (void)ExtrapolateQuantity(study, q, best, &chosen);
         quantity = cJSON_AddObjectToObject(quantities, study->quantities[q].name);
         JSONAddReal(quantity, "value", chosen.value);
         JSONAddReal(quantity, "uncertainty", chosen.bar);
         JSONAddInt(quantity, "order", best);
+        RichardsonText(&chosen, text, sizeof(text));
+        if (!ExtrapolateVanishes(study, q, &chosen)) cJSON_AddStringToObject(quantity, "text", text);
         orders = cJSON_AddObjectToObject(quantity, "orders");
       }
       snprintf(key, sizeof(key), "%d", (int)order);

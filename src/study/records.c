@@ -45,8 +45,10 @@ static PetscErrorCode NameQuantities_Private(Study study)
       AddQuantity_Private(study, "force_", "force ", scene->pairs[p].name, axes[k])->size = normal;
   }
   for (PetscInt i = 0; i < scene->num_probes; ++i) {
+    const PetscInt first = study->num_quantities;
+
     for (PetscInt k = 0; k < dim; ++k)
-      AddQuantity_Private(study, "displacement_", "displacement ", scene->probes[i].name, axes[k]);
+      AddQuantity_Private(study, "displacement_", "displacement ", scene->probes[i].name, axes[k])->size = first;
     AddQuantity_Private(study, "von_mises", "von Mises stress", scene->probes[i].name, "");
   }
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -4,7 +4,7 @@
 
 #include <petscsys.h>
 
-enum { RICHARDSON_LEVELS = 3 };
+enum { RICHARDSON_LEVELS = 3, RICHARDSON_TEXT = 96 };
 
 typedef struct {
   PetscReal value, bar;
@@ -15,7 +15,7 @@ typedef struct {
 /* [in] Q - on three levels, coarse first */
 Extrapolation RichardsonExtrapolate(const PetscReal Q[RICHARDSON_LEVELS]);
 /* "1.83697e6 +- 2.0e2": the value rounded to the last digit of a bar of one digit or two, which is rounded up so that the interval
-   that is written holds the one that was computed. [out] text - [len] */
+   that is written holds the one that was computed. [out] text - [len], RICHARDSON_TEXT is enough */
 void RichardsonText(const Extrapolation *limit, char text[], size_t len);
 
 #endif

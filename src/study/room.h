@@ -43,7 +43,7 @@ typedef struct {
 typedef struct {
   char     name[NAME_LENGTH];  /* key in the files */
   char     label[NAME_LENGTH]; /* in words */
-  PetscInt size; /* position of the quantity that tells how large this one is: components of a force may vanish */
+  PetscInt size; /* first of the quantities that tell how large this one is: components of a vector may vanish */
 } Quantity;
 
 typedef struct {

@@ -159,7 +159,7 @@ mistake(study_orders        SAYS "-study_orders 2,1" "lower one first" ARGS -stu
 mistake(study_own_order     SAYS "-upper_order 2" "-study_orders" ARGS -study uniform -study_orders 1,2 -upper_order 2)
 mistake(study_pair          SAYS "-pairs study" "result_study.csv" "another name"
   ARGS -study uniform -pairs study -study_nonmortar upper:bottom -study_mortar lower:top -options_allow_unused)
-mistake(study_memory        SAYS "-study_memory 4GB" "4G" ARGS -study uniform -study_memory 4GB)
+mistake(study_memory        SAYS "-study_memory 4GB" "'4GB' is not" ARGS -study uniform -study_memory 4GB)
 
 # --- probes and files ---
 mistake(probe_outside       SAYS -probe_tip_at upper ARGS -probes tip -probe_tip_at 0.5,-0.5 -probe_tip_body upper)
