@@ -134,6 +134,12 @@ PetscErrorCode PageCheck(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+void PageGiveUp(const char why[])
+{
+  if (page_prefix[0]) fprintf(stderr, "mortise: -report: there is no page: %s\n", why);
+  page_prefix[0] = '\0';
+}
+
 PetscBool PageWrite(void)
 {
   char why[SAID_LENGTH + PETSC_MAX_PATH_LEN];

@@ -4,6 +4,7 @@
 #include <mortise/fault.h>
 #include <mortise/memory.h>
 #include <mortise/output.h>
+#include <mortise/page.h>
 #include <mortise/probes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -215,6 +216,7 @@ PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
   PetscCall(TableEnd(study));
   if (study->best < 0 && all)
     PetscCall(PetscFPrintf(scene->comm, PETSC_STDERR, "mortise: no run fits into -study_memory\n"));
+  if (study->best < 0) PageGiveUp("no run is solved");
   *verdict = all && study->best >= 0 ? MORTISE_SOLVED : MORTISE_NOT_CONVERGED;
   SetOrder_Private(study, STUDY_OWN_ORDERS);
   PetscCall(InterruptEnd());
