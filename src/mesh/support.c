@@ -233,10 +233,10 @@ static PetscErrorCode GatherCheck_Private(Gather *gather)
     if (support->dim == 3) snprintf(z, sizeof(z), ", %g", (double)x[2]);
     BoundaryShow_Private(body, support->side[gather->node], first);
     BoundaryShow_Private(body, gather->boundary, second);
-    PetscCall(PetscSNPrintf(sentence, sizeof(sentence),
-                            "body '%s': the displacements given %s and %s contradict each other at (%g, %g%s), by %g; "
-                            "make them agree there or set a component free",
-                            body->name, first, second, (double)x[0], (double)x[1], z, (double)gather->mismatch));
+    snprintf(sentence, sizeof(sentence),
+             "body '%.200s': the displacements given %.300s and %.300s contradict each other at (%g, %g%s), by %g; "
+             "make them agree there or set a component free",
+             body->name, first, second, (double)x[0], (double)x[1], z, (double)gather->mismatch);
   }
   PetscCall(FaultCheck(gather->level->comm, sentence));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -183,7 +183,7 @@ static void TestSupports(void)
   TestSceneAddBox(&t, "block", 2, 2, 0, 0, 1, 1);
   TestSceneAddBoundary(&t.bodies[0], BOUNDARY_DISPLACEMENT, "left", "0,0");
   TestSceneAddBoundary(&t.bodies[0], BOUNDARY_DISPLACEMENT, "top", "free,0.25");
-  CheckFault(&t, (const char *[]){"'block'", "'left' and 'top'", "(0, 1)", "0.25", NULL});
+  CheckFault(&t, (const char *[]){"'block'", "side 'left' and on side 'top'", "(0, 1)", "0.25", NULL});
 
   TestSceneInit(&t);
   TestSceneAddBox(&t, "block", 2, 2, 0, 0, 1, 1);
