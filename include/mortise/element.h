@@ -77,6 +77,17 @@ PetscReal ElementMap(ElementType type, const PetscReal X[], const PetscReal xi[]
 PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
                          PetscReal normal[]);
 
+/* A part of a reference cell: xi = origin + size xi' with xi' in the reference cell. The inner part of a triangle is turned
+   round, its size is negative. */
+typedef struct {
+  PetscReal origin[3], size;
+} ElementPiece;
+
+enum { ELEMENT_MAX_PIECES = 4 };
+
+/* Halves of a piece of a 2D cell along each axis; returns their number. [out] parts - [ELEMENT_MAX_PIECES] */
+PetscInt ElementPieceCut(ElementType type, const ElementPiece *piece, ElementPiece parts[]);
+
 /* A rule on the reference cell with the shape functions at its points: what does not change from cell to cell. */
 typedef struct {
   ElementType type;

@@ -3,6 +3,7 @@
    Plain numbers are integrated exactly; expressions with LoadDegree_Private(), so that the error of a load is of higher
    order than that of the discretisation. Sums over facets and cells are taken where they are held, then shared. */
 #include <mortise/compat.h>
+#include "cellforce.h"
 #include "loads.h"
 
 /* The degree of a constant body force: shape functions of order p times det J of degree 2p - 1 in each coordinate. */
@@ -30,28 +31,19 @@ static PetscErrorCode AddBodyForce_Private(Scene scene, Level *level, PetscInt b
   const Expression force    = scene->bodies[body].body_force;
   const PetscInt   dim      = level->dim;
   const PetscBool  constant = ExpressionIsConstant(force);
-  PetscReal        X[3 * ELEMENT_MAX_NODES], x[3], b[3];
-  ElementRule      rule = {.num = 0};
+  PetscReal        fe[3 * ELEMENT_MAX_NODES];
 
   PetscFunctionBeginUser;
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const ElementType type  = (ElementType)level->cell_type[c];
     const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]], nn = ElementNumNodes(type),
                    order = ElementOrder(type);
+    const PetscInt degree =
+        (constant ? ConstantDegree_Private(order) : LoadDegree_Private(order)) + SceneMeasureDegree(scene, order);
     if (level->cell_body[c] != body) continue;
-    if (rule.num == 0 || rule.type != type)
-      ElementRuleSet(type,
-                     (constant ? ConstantDegree_Private(order) : LoadDegree_Private(order)) +
-                         SceneMeasureDegree(scene, order),
-                     &rule);
-    for (PetscInt i = 0; i < nn; i++) PetscCall(PetscArraycpy(&X[i * dim], &level->coords[nodes[i] * dim], dim));
-    for (PetscInt q = 0; q < rule.num; q++) {
-      const PetscReal  w = rule.weight[q] * ElementRuleMap(&rule, q, X, x, NULL), wq = w * SceneMeasure(scene, x);
-      const PetscReal *phi = &rule.phi[q * nn];
-      PetscCall(ExpressionEvaluate(force, dim, x, b));
-      for (PetscInt i = 0; i < nn; i++) {
-        for (PetscInt k = 0; k < dim; k++) fa[nodes[i] * dim + k] += wq * phi[i] * b[k];
-      }
+    PetscCall(CellForceIntegrate(scene, level, c, degree, fe));
+    for (PetscInt i = 0; i < nn; i++) {
+      for (PetscInt k = 0; k < dim; k++) fa[nodes[i] * dim + k] += fe[i * dim + k];
     }
   }
   PetscCall(ExpressionCheck(level->comm, force));

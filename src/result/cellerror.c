@@ -9,7 +9,7 @@
 #include "cellerror.h"
 #include "exact.h"
 
-enum { MAX_STRAINS = 6, MAX_DIM = 3, MAX_PIECES = 4, MAX_DEPTH = 16 };
+enum { MAX_STRAINS = 6, MAX_DIM = 3, MAX_DEPTH = 16 };
 
 /* Of the integral over a body: what a piece may hold without being cut. The rule is off by some hundredths in a piece at a
    singular point, so that what it leaves is below 1e-3 of the integral; measured are 1e-7 of the norm beside stresses like
@@ -19,12 +19,6 @@ static const PetscReal SHARE = 1e-2;
 /* An error norm below this part of the solution's is rounding. That of a difference quotient grows as pieces shrink: cutting would
    never end. */
 static const PetscReal ROUNDING = 1e-9;
-
-/* A cell, or a part of it: xi = origin + size xi', with xi' in the reference cell. A triangle's inner part is turned round, its
-   size is negative. */
-typedef struct {
-  PetscReal origin[MAX_DIM], size;
-} Piece;
 
 /* What is compared with what: nodal values against nodal values, or against a formula for each body. */
 typedef struct {
@@ -91,7 +85,8 @@ static PetscReal EnergyDensity_Private(Scene scene, const PetscReal C[], const P
 }
 
 /* sum = the integrals over a piece of cell c, by one rule. */
-static PetscErrorCode Integrate_Private(const Comparison *compare, PetscInt c, const Piece *piece, ErrorSquares *sum)
+static PetscErrorCode Integrate_Private(const Comparison *compare, PetscInt c, const ElementPiece *piece,
+                                        ErrorSquares *sum)
 {
   const Level      *level = compare->level;
   const ElementType type  = (ElementType)level->cell_type[c];
@@ -132,18 +127,6 @@ static PetscErrorCode Integrate_Private(const Comparison *compare, PetscInt c, c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Halves of a piece along each axis; returns their number. [out] parts - [MAX_PIECES] */
-static PetscInt Cut_Private(ElementType type, const Piece *piece, Piece parts[])
-{
-  const PetscReal half = piece->size / 2;
-
-  for (PetscInt i = 0; i < MAX_PIECES; ++i)
-    parts[i] = (Piece){{piece->origin[0] + (i & 1) * half, piece->origin[1] + (i >> 1) * half}, half};
-  if (ElementLinear(type) == ELEMENT_TRI3)
-    parts[MAX_PIECES - 1].size = -half; // from the middle of the longest side inwards
-  return MAX_PIECES;
-}
-
 /* Whether a part holds more than its share of any of the integrals. */
 static PetscBool IsLarge_Private(const ErrorSquares *part, const ErrorSquares *total)
 {
@@ -152,10 +135,10 @@ static PetscBool IsLarge_Private(const ErrorSquares *part, const ErrorSquares *t
 }
 
 /* Adds a piece of cell c whose integrals are known, or its parts where it is large. */
-static PetscErrorCode AddPiece_Private(const Comparison *compare, PetscInt c, const Piece *piece, PetscInt depth,
+static PetscErrorCode AddPiece_Private(const Comparison *compare, PetscInt c, const ElementPiece *piece, PetscInt depth,
                                        const ErrorSquares *known, const ErrorSquares *total, ErrorSquares *sum)
 {
-  Piece        parts[MAX_PIECES];
+  ElementPiece parts[ELEMENT_MAX_PIECES];
   ErrorSquares part;
   PetscInt     num;
 
@@ -164,7 +147,7 @@ static PetscErrorCode AddPiece_Private(const Comparison *compare, PetscInt c, co
     AddSquares_Private(sum, known);
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  num = Cut_Private((ElementType)compare->level->cell_type[c], piece, parts);
+  num = ElementPieceCut((ElementType)compare->level->cell_type[c], piece, parts);
   for (PetscInt i = 0; i < num; ++i) {
     PetscCall(Integrate_Private(compare, c, &parts[i], &part));
     PetscCall(AddPiece_Private(compare, c, &parts[i], depth + 1, &part, total, sum));
@@ -196,10 +179,10 @@ static void IgnoreRounding_Private(PetscInt num, ErrorSquares totals[])
 /* Both rounds over the cells. */
 static PetscErrorCode AddCells_Private(const Comparison *compare, ErrorSquares squares[])
 {
-  const Level  *level = compare->level;
-  const Scene   scene = compare->scene;
-  const Piece   whole = {{0, 0, 0}, 1};
-  ErrorSquares *cells, *totals;
+  const Level       *level = compare->level;
+  const Scene        scene = compare->scene;
+  const ElementPiece whole = {{0, 0, 0}, 1};
+  ErrorSquares      *cells, *totals;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc2(level->num_cells, &cells, scene->num_bodies, &totals));

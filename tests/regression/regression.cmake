@@ -13,6 +13,7 @@ mortise_scene_test(iterative_vertices SCENE two_plates CHECK iterative.py
 mortise_scene_test(corner CHECK corner.py RANKS 1 3)
 mortise_scene_test(listed_full SCENE manufactured_full CHECK listed.py)
 mortise_scene_test(listed_partial SCENE manufactured_partial CHECK listed.py)
+mortise_scene_test(kink SCENE manufactured_partial CHECK kink.py ARGS -order 2)
 mortise_scene_test(two_plates_graded CHECK two_plates_graded.py)
 mortise_scene_test(edge2d_graded CHECK edge2d_graded.py)
 mortise_scene_test(hertz2d_graded CHECK hertz2d_graded.py)
