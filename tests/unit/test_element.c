@@ -1,102 +1,10 @@
-/* test_element.c -- lines and plane cells: shape functions, quadrature, geometry, strains; the stiffness of one cell built from them. */
+/* test_element.c -- lines and plane cells: shape functions, quadrature, geometry. */
 #include <mortise/compat.h>
 #include <mortise/element.h>
-#include <mortise/material.h>
 #include <petscdt.h>
 #include <test.h>
 
-#include "uniform.h"
-
-static const PetscReal EXACT = 1e-13;
-
-enum { NUM_TRIALS = 500, MAX_DIM = 2, MAX_DOFS = ELEMENT_MAX_NODES * MAX_DIM, NUM_STRAINS = 3 };
-
-/* A point of the reference cell. */
-static void RandomPoint(ElementType type, PetscReal xi[])
-{
-  do {
-    for (PetscInt k = 0; k < ElementDim(type); k++) xi[k] = Uniform(0., 1.);
-  } while (ElementLinear(type) == ELEMENT_TRI3 && xi[0] + xi[1] > 1.);
-}
-
-/* Puts the middles of facets near the middles of the chords, and that of a cell near the mean of its vertices: sides are
-   curved by up to bend, in parts of a side. */
-static void BendSides(ElementType type, PetscReal bend, PetscReal X[])
-{
-  const PetscInt dim = ElementDim(type), num_vertices = ElementNumNodes(ElementLinear(type));
-
-  for (PetscInt i = num_vertices; i < ElementNumNodes(type); i++) {
-    const PetscInt facet      = i - num_vertices;
-    const PetscInt whole      = dim == 1 || facet == ElementNumFacets(type); /* the mean of all vertices */
-    const PetscInt num_around = whole ? num_vertices : 2;
-
-    for (PetscInt k = 0; k < dim; k++) {
-      X[i * dim + k] = Uniform(-bend, bend);
-      for (PetscInt j = 0; j < num_around; j++) {
-        const PetscInt vertex = whole ? j : ElementFacetNodes(type, facet)[j];
-
-        X[i * dim + k] += X[vertex * dim + k] / num_around;
-      }
-    }
-  }
-}
-
-/* The reference cell with its vertices shaken, its sides bent, turned and stretched up to 10^decades times, but not
-   tangled. */
-static void RandomCell(ElementType type, PetscReal decades, PetscReal X[])
-{
-  const PetscInt  dim  = ElementDim(type);
-  const PetscReal bend = 0.1;
-  PetscReal       stretch, turn;
-
-  do {
-    stretch = PetscPowReal(10., Uniform(-decades, decades));
-    turn    = Uniform(0., 2. * PETSC_PI);
-    for (PetscInt i = 0; i < ElementNumNodes(ElementLinear(type)); i++) {
-      for (PetscInt k = 0; k < dim; k++) X[i * dim + k] = ElementNode(type, i)[k] + Uniform(-0.4, 0.4);
-    }
-    BendSides(type, bend, X);
-    for (PetscInt i = 0; i < ElementNumNodes(type) && dim == 2; i++) {
-      const PetscReal x = X[2 * i], y = stretch * X[2 * i + 1];
-
-      X[2 * i]     = PetscCosReal(turn) * x - PetscSinReal(turn) * y;
-      X[2 * i + 1] = PetscSinReal(turn) * x + PetscCosReal(turn) * y;
-    }
-  } while (ElementMinJacobian(type, X) < 0.05 * (dim == 2 ? stretch : 1.));
-}
-
-/* The area inside a polygon run anticlockwise. */
-static PetscReal PolygonArea(PetscInt n, const PetscReal X[])
-{
-  PetscReal area = 0.;
-
-  for (PetscInt i = 0; i < n; i++) {
-    const PetscReal *a = &X[2 * i], *b = &X[2 * ((i + 1) % n)];
-
-    area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
-  }
-  return area;
-}
-
-/* The area of a cell: that of the polygon of its vertices and, by Archimedes, 4/3 of the triangle of end, middle and end
-   for every side that is a parabola. */
-static PetscReal CellArea(ElementType type, const PetscReal X[])
-{
-  PetscReal area = PolygonArea(ElementNumNodes(ElementLinear(type)), X);
-
-  for (PetscInt f = 0; f < ElementNumFacets(type) && ElementOrder(type) == 2; f++) {
-    const PetscInt *nodes = ElementFacetNodes(type, f);
-    PetscReal       triangle[6];
-
-    for (PetscInt k = 0; k < 2; k++) {
-      triangle[k]     = X[2 * nodes[0] + k];
-      triangle[2 + k] = X[2 * nodes[2] + k];
-      triangle[4 + k] = X[2 * nodes[1] + k];
-    }
-    area += 4. / 3. * PolygonArea(3, triangle);
-  }
-  return area;
-}
+#include "plane_cells.h"
 
 static void TestTable(void)
 {
@@ -413,141 +321,6 @@ static void TestLocateTolerance(void)
   CHECK(!ElementLocate(ELEMENT_TRI3, flat, outside, 1e-8, xi));
 }
 
-/* The strains of u = G x on a tetrahedron (3D) and a triangle (2D) against the definition; turns give none. */
-static void TestStrainMatrix(PetscInt dim)
-{
-  const PetscInt num_nodes = dim + 1, num_strains = dim == 2 ? 3 : 6, num_dofs = num_nodes * dim;
-  PetscReal      G[3][3], B[6 * 12], grad[12]                                  = {0.}, strain[6], expected[6];
-
-  for (PetscInt k = 0; k < dim; k++) {
-    grad[k]                 = -1.;
-    grad[(k + 1) * dim + k] = 1.;
-  }
-  ElementStrainMatrix(dim, num_nodes, grad, NULL, B);
-  for (PetscInt turn = 0; turn < 2; turn++) {
-    for (PetscInt i = 0; i < dim; i++) {
-      for (PetscInt j = 0; j < dim; j++) G[i][j] = turn && j <= i ? (i == j ? 0. : -G[j][i]) : Uniform(-1., 1.);
-    }
-    for (PetscInt s = 0; s < num_strains; s++) {
-      strain[s] = 0.;
-      for (PetscInt node = 1; node < num_nodes;
-           node++) { /* u is zero at the node 0 and column k of G at the node k + 1 */
-        for (PetscInt i = 0; i < dim; i++) strain[s] += B[s * num_dofs + node * dim + i] * G[i][node - 1];
-      }
-    }
-    for (PetscInt k = 0; k < dim; k++) expected[k] = G[k][k];
-    if (dim == 2) {
-      expected[2] = G[0][1] + G[1][0];
-    } else {
-      expected[3] = G[1][2] + G[2][1];
-      expected[4] = G[0][2] + G[2][0];
-      expected[5] = G[0][1] + G[1][0];
-    }
-    for (PetscInt s = 0; s < num_strains; s++) CHECK_NEAR(strain[s], turn ? 0. : expected[s], EXACT);
-  }
-}
-
-/* The strains of an axisymmetric triangle: those of the plane, and u_r / r around the axis before the shear. */
-static void TestHoopStrain(void)
-{
-  const PetscReal r = 0.7, grad[6] = {-1., -1., 1., 0., 0., 1.}, phi[3] = {0.2, 0.3, 0.5};
-  const PetscReal hoop[3] = {phi[0] / r, phi[1] / r, phi[2] / r};
-  PetscReal       B[4 * 6], plane[3 * 6];
-
-  ElementStrainMatrix(2, 3, grad, NULL, plane);
-  ElementStrainMatrix(2, 3, grad, hoop, B);
-  for (PetscInt j = 0; j < 6; j++) {
-    CHECK_NEAR(B[j], plane[j], 0.);
-    CHECK_NEAR(B[6 + j], plane[6 + j], 0.);
-    CHECK_NEAR(B[12 + j], j % 2 ? 0. : hoop[j / 2], 0.);
-    CHECK_NEAR(B[18 + j], plane[12 + j], 0.);
-  }
-}
-
-/* K = sum_q w det B'CB of one cell, as the assembler builds it. */
-static void Stiffness(ElementType type, const PetscReal X[], const PetscReal C[], PetscReal K[])
-{
-  const PetscInt n = 2 * ElementNumNodes(type);
-  PetscReal      points[2 * ELEMENT_MAX_POINTS], weights[ELEMENT_MAX_POINTS];
-  const PetscInt num_points = ElementQuadrature(type, ElementStiffnessDegree(type), points, weights);
-
-  for (PetscInt i = 0; i < n * n; i++) K[i] = 0.;
-  for (PetscInt q = 0; q < num_points; q++) {
-    PetscReal phi[ELEMENT_MAX_NODES], grad[MAX_DOFS], B[NUM_STRAINS * MAX_DOFS], CB[NUM_STRAINS * MAX_DOFS] = {0.};
-    PetscReal w = weights[q] * ElementMap(type, X, &points[2 * q], NULL, phi, grad);
-
-    ElementStrainMatrix(2, n / 2, grad, NULL, B);
-    for (PetscInt s = 0; s < NUM_STRAINS; s++) {
-      for (PetscInt r = 0; r < NUM_STRAINS; r++) {
-        for (PetscInt j = 0; j < n; j++) CB[s * n + j] += C[s * NUM_STRAINS + r] * B[r * n + j];
-      }
-    }
-    for (PetscInt s = 0; s < NUM_STRAINS; s++) {
-      for (PetscInt i = 0; i < n; i++) {
-        for (PetscInt j = 0; j < n; j++) K[i * n + j] += w * B[s * n + i] * CB[s * n + j];
-      }
-    }
-  }
-}
-
-/* K u = 0 for rigid motions; u'Ku = area eps'C eps for a constant strain on distorted cells, too: the patch test. */
-static void TestStiffness(ElementType type)
-{
-  const PetscInt n = ElementNumNodes(type);
-  PetscReal      C[9], K[MAX_DOFS * MAX_DOFS];
-
-  MaterialIsotropic(MODEL_PLANE_STRAIN, 2., 0.3, C);
-  for (PetscInt trial = 0; trial < NUM_TRIALS; trial++) {
-    const PetscReal strain[3] = {Uniform(-1., 1.), Uniform(-1., 1.), Uniform(-1., 1.)};
-    PetscReal       X[MAX_DOFS], u[MAX_DOFS], rigid[3][MAX_DOFS], energy = 0., expected = 0., scale = 0.;
-
-    RandomCell(type, 0., X);
-    Stiffness(type, X, C, K);
-    for (PetscInt i = 0; i < n; i++) {
-      const PetscReal x = X[2 * i], y = X[2 * i + 1];
-
-      rigid[0][2 * i] = rigid[1][2 * i + 1] = 1.;
-      rigid[0][2 * i + 1] = rigid[1][2 * i] = 0.;
-      rigid[2][2 * i]                       = -y;
-      rigid[2][2 * i + 1]                   = x;
-      u[2 * i]                              = strain[0] * x + strain[2] * y;
-      u[2 * i + 1]                          = strain[1] * y;
-    }
-    for (PetscInt i = 0; i < 2 * n; i++) {
-      for (PetscInt j = 0; j < 2 * n; j++) {
-        scale = PetscMax(scale, PetscAbsReal(K[i * 2 * n + j]) * PetscMax(1., PetscAbsReal(rigid[2][j])));
-        energy += 0.5 * u[i] * K[i * 2 * n + j] * u[j];
-        CHECK_NEAR(K[i * 2 * n + j], K[j * 2 * n + i], EXACT * scale);
-      }
-    }
-    for (PetscInt r = 0; r < 3; r++) {
-      for (PetscInt i = 0; i < 2 * n; i++) {
-        PetscReal force = 0.;
-
-        for (PetscInt j = 0; j < 2 * n; j++) force += K[i * 2 * n + j] * rigid[r][j];
-        CHECK_NEAR(force, 0., EXACT * scale);
-      }
-    }
-    for (PetscInt s = 0; s < 3; s++) {
-      for (PetscInt t = 0; t < 3; t++) expected += 0.5 * CellArea(type, X) * strain[s] * C[3 * s + t] * strain[t];
-    }
-    CHECK_NEAR(energy / expected, 1., EXACT);
-  }
-}
-
-/* The unit square in plane stress, E = 1: K_00 = (1/2 - nu/6)/(1 - nu^2), K_01 = (1 + nu)/(8 (1 - nu^2)). */
-static void TestUnitSquare(void)
-{
-  const PetscReal X[] = {0., 0., 1., 0., 1., 1., 0., 1.};
-  const PetscReal nu = 0.3, factor = 1. / (1. - nu * nu);
-  PetscReal       C[9], K[MAX_DOFS * MAX_DOFS];
-
-  MaterialIsotropic(MODEL_PLANE_STRESS, 1., nu, C);
-  Stiffness(ELEMENT_QUAD4, X, C, K);
-  CHECK_NEAR(K[0], factor * (0.5 - nu / 6.), 1e-15);
-  CHECK_NEAR(K[1], factor * (1. + nu) / 8., 1e-15);
-}
-
 int main(int argc, char **argv)
 {
   PetscFunctionBeginUser;
@@ -568,17 +341,12 @@ int main(int argc, char **argv)
     TestLocate((ElementType)t);
     if (ElementDim((ElementType)t) == 2) {
       TestFacets((ElementType)t);
-      TestStiffness((ElementType)t);
       TestLocateCurved((ElementType)t);
     }
   }
   TestMinJacobian();
   TestMinJacobianCurved();
   TestLocateTolerance();
-  TestStrainMatrix(2);
-  TestHoopStrain();
-  TestStrainMatrix(3);
-  TestUnitSquare();
   PetscCall(PetscFinalize());
   return 0;
 }
