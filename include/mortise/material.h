@@ -27,8 +27,8 @@ void MaterialStress(ModelKind model, const PetscReal C[], PetscReal poisson, con
 
 PetscReal MaterialVonMises(const PetscReal stress[6]);
 
-/* Modulus against flat indentation, E/(1-nu^2); of an anisotropic C the inverse of the compliance's largest diagonal
-   entry among the direct strains. Used to choose roles and scales. */
+/* Modulus against flat indentation, E/(1-nu^2), but E in plane stress; of an anisotropic C that of the softest axis, in space
+   with one direction across it held. Used to choose roles and scales. */
 PetscReal MaterialContactModulus(PetscInt num_strains, const PetscReal C[]);
 
 #endif

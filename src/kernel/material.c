@@ -135,18 +135,24 @@ PetscReal MaterialVonMises(const PetscReal stress[6])
   return PetscSqrtReal(0.5 * (xy * xy + yz * yz + zx * zx) + 3. * shear);
 }
 
-/* An indenter feels the compliance S = C^-1, not C: in plane strain S_xx = (1 - nu^2)/E. */
+/* An indenter feels the compliance S = C^-1, not C: in plane strain S_xx = (1 - nu^2)/E. In space the material beside the contact
+   holds one direction across it: where eps_j = 0, eps_i = (S_ii - S_ij^2 / S_jj) sigma_i, which is the same. */
 PetscReal MaterialContactModulus(PetscInt num_strains, const PetscReal C[])
 {
   const PetscInt num_direct = NumDirect_Private(num_strains);
-  PetscReal      L[STRAINS_3D * STRAINS_3D], column[STRAINS_3D], compliance = 0.;
+  PetscReal      L[STRAINS_3D * STRAINS_3D], S[STRAINS_3D][STRAINS_3D], compliance = 0.;
 
   for (PetscInt i = 0; i < num_strains * num_strains; i++) L[i] = C[i];
   if (!DenseCholesky(num_strains, L)) return 0.; /* not a material; MaterialDefiniteness() tells the user */
-  for (PetscInt j = 0; j < num_direct; j++) {
-    for (PetscInt i = 0; i < num_strains; i++) column[i] = i == j ? 1. : 0.;
-    DenseCholeskySolve(num_strains, L, column);
-    compliance = PetscMax(compliance, column[j]);
+  for (PetscInt i = 0; i < num_direct; i++) {
+    for (PetscInt j = 0; j < num_strains; j++) S[i][j] = i == j ? 1. : 0.;
+    DenseCholeskySolve(num_strains, L, S[i]);
+  }
+  for (PetscInt i = 0; i < num_direct; i++) {
+    for (PetscInt j = 0; j < num_direct; j++) {
+      if (num_direct == 2) compliance = PetscMax(compliance, S[i][i]);
+      if (num_direct == 3 && i != j) compliance = PetscMax(compliance, S[i][i] - S[i][j] * S[i][j] / S[j][j]);
+    }
   }
   return 1. / compliance;
 }

@@ -243,7 +243,8 @@ static void TestDefiniteness(void)
 
 static void TestContactModulus(void)
 {
-  const PetscReal soft_in_y[] = {10., 0., 0., 0., 4., 0., 0., 0., 2.};
+  const PetscReal soft_in_y[] = {10., 0., 0., 0., 4., 0., 0., 0., 2.}, no_angle[] = {0., 0., 0.};
+  const PetscReal soft_in_z[] = {9., 0., 0.5, 0., 0., 0., 8., 1., 0., 0., 0., 3., 0., 0., 0., 1., 0., 0., 1., 0., 1.};
   PetscReal       C[36];
 
   MaterialIsotropic(MODEL_PLANE_STRAIN, YOUNG, POISSON, C);
@@ -251,6 +252,13 @@ static void TestContactModulus(void)
   MaterialIsotropic(MODEL_PLANE_STRESS, YOUNG, POISSON, C);
   CHECK_NEAR(MaterialContactModulus(3, C), YOUNG, EXACT);
   CHECK_NEAR(MaterialContactModulus(3, soft_in_y), 4., EXACT);
+  MaterialIsotropic(MODEL_AXISYMMETRIC, YOUNG, POISSON, C);
+  CHECK_NEAR(MaterialContactModulus(4, C), YOUNG / (1. - POISSON * POISSON), EXACT);
+  MaterialIsotropic(MODEL_SOLID, YOUNG, POISSON, C);
+  CHECK_NEAR(MaterialContactModulus(6, C), YOUNG / (1. - POISSON * POISSON), EXACT);
+  /* in space z is the softest axis; with y held C_zz - C_xz^2 / C_xx is left of it, with x held C_zz - C_yz^2 / C_yy */
+  MaterialAnisotropic(MODEL_SOLID, soft_in_z, no_angle, C);
+  CHECK_NEAR(MaterialContactModulus(6, C), 3. - 1. / 8., EXACT);
 }
 
 int main(int argc, char **argv)
