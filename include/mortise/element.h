@@ -85,7 +85,7 @@ typedef struct {
 
 enum { ELEMENT_MAX_PIECES = 4 };
 
-/* Halves of a piece of a 2D cell along each axis; returns their number. [out] parts - [ELEMENT_MAX_PIECES] */
+/* Halves of a piece of a 2D cell along each axis; returns their number, 0 in 3D, where cells are not cut. [out] parts - [ELEMENT_MAX_PIECES] */
 PetscInt ElementPieceCut(ElementType type, const ElementPiece *piece, ElementPiece parts[]);
 
 /* A rule on the reference cell with the shape functions at its points: what does not change from cell to cell. */

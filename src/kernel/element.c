@@ -326,6 +326,7 @@ PetscInt ElementPieceCut(ElementType type, const ElementPiece *piece, ElementPie
 {
   const PetscReal half = piece->size / 2;
 
+  if (REFERENCE[type].dim > 2) return 0;
   for (PetscInt i = 0; i < ELEMENT_MAX_PIECES; i++)
     parts[i] = (ElementPiece){{piece->origin[0] + (i & 1) * half, piece->origin[1] + (i >> 1) * half}, half};
   if (ElementLinear(type) == ELEMENT_TRI3)

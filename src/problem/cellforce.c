@@ -2,7 +2,8 @@
 
    A formula may have a kink or a jump inside a cell, where any rule loses its order: an error of the load that falls no faster
    than h^2 hides behind the discretisation in the energy norm, but not in L2. Two rules tell: where they differ by more than
-   they would for a smooth load, the cell is cut, as often as they do. The cells along a kink are few. */
+   they would for a smooth load, the cell is cut, as often as they do. The cells along a kink are few. Cells in space are not cut:
+   there a kink costs the load its order. */
 #include <mortise/compat.h>
 #include "cellforce.h"
 
@@ -81,6 +82,7 @@ PetscErrorCode CellForceIntegrate(Scene scene, const Level *level, PetscInt c, P
   const PetscInt    *nodes = &level->cell_nodes[level->cell_start[c]];
   const ElementPiece whole = {{0, 0, 0}, 1};
   PetscReal          X[MAX_CELL_DOFS];
+  ElementPiece       parts[ELEMENT_MAX_PIECES];
   Cell               cell = {.scene  = scene,
                              .force  = scene->bodies[level->cell_body[c]].body_force,
                              .type   = type,
@@ -91,7 +93,7 @@ PetscErrorCode CellForceIntegrate(Scene scene, const Level *level, PetscInt c, P
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < nn; i++) PetscCall(PetscArraycpy(&X[i * dim], &level->coords[nodes[i] * dim], dim));
   PetscCall(Integrate_Private(&cell, &whole, degree, fe));
-  if (ExpressionIsConstant(cell.force)) PetscFunctionReturn(PETSC_SUCCESS);
+  if (ExpressionIsConstant(cell.force) || !ElementPieceCut(type, &whole, parts)) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt i = 0; i < nn * dim; i++) cell.size += PetscAbsReal(fe[i]);
   PetscCall(PetscArrayzero(fe, nn * dim));
   PetscCall(AddPiece_Private(&cell, &whole, 0, fe));

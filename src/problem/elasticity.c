@@ -54,15 +54,17 @@ typedef struct {
 static PetscErrorCode HookeCheck_Private(Scene scene, PetscInt body, const PetscReal x[], const PetscReal C[],
                                          Sentence *sentence)
 {
-  const SceneBody *b = &scene->bodies[body];
+  const SceneBody *b     = &scene->bodies[body];
+  char             z[32] = "";
 
   PetscFunctionBeginUser;
   if (sentence->text[0] || MaterialDefiniteness(MaterialNumStrains(scene->model), C) > DEFINITE_TOLERANCE)
     PetscFunctionReturn(PETSC_SUCCESS);
+  if (scene->dim == 3) PetscCall(PetscSNPrintf(z, sizeof(z), ", %g", (double)x[2]));
   PetscCall(PetscSNPrintf(sentence->text, sizeof(sentence->text),
-                          "%s gives moduli that are not positive definite at (%g, %g); an elastic body needs "
+                          "%s gives moduli that are not positive definite at (%g, %g%s); an elastic body needs "
                           "E > 0 and -1 < nu < 0.5, or a positive definite Hooke tensor, at every point",
-                          ExpressionOption(b->stiffness ? b->stiffness : b->young), (double)x[0], (double)x[1]));
+                          ExpressionOption(b->stiffness ? b->stiffness : b->young), (double)x[0], (double)x[1], z));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -6,10 +6,10 @@
 #include "cellforce.h"
 #include "loads.h"
 
-/* The degree of a constant body force: shape functions of order p times det J of degree 2p - 1 in each coordinate. */
-static PetscInt ConstantDegree_Private(PetscInt order)
+/* The degree of a constant body force: shape functions of order p times det J of degree dim p - 1 in each coordinate. */
+static PetscInt ConstantDegree_Private(PetscInt dim, PetscInt order)
 {
-  return 3 * order - 1;
+  return (dim + 1) * order - 1;
 }
 
 /* Leaves an error of order h^6 in the work of a smooth load for order 1, h^8 for order 2. */
@@ -18,11 +18,11 @@ static PetscInt LoadDegree_Private(PetscInt order)
   return 2 * order + 3;
 }
 
-/* Gauss points on a line facet: exact to degree 7 on straight ones. The length of a curved one is not a polynomial, so that
-   even constants are exact only to within (the angle it turns by)^12. */
-static PetscInt FacetPoints_Private(PetscInt order)
+/* On a facet, exact to degree 6 on flat ones. The measure of a curved one is not a polynomial, so that even constants are
+   exact only to within (the angle it turns by)^12. */
+static PetscInt FacetDegree_Private(PetscInt order)
 {
-  return 2 * order + 2;
+  return 4 * order + 3;
 }
 
 /* Adds a body's force per volume on this rank's cells. [in,out] fa - [num_nodes][dim] */
@@ -39,7 +39,7 @@ static PetscErrorCode AddBodyForce_Private(Scene scene, Level *level, PetscInt b
     const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]], nn = ElementNumNodes(type),
                    order = ElementOrder(type);
     const PetscInt degree =
-        (constant ? ConstantDegree_Private(order) : LoadDegree_Private(order)) + SceneMeasureDegree(scene, order);
+        (constant ? ConstantDegree_Private(dim, order) : LoadDegree_Private(order)) + SceneMeasureDegree(scene, order);
     if (level->cell_body[c] != body) continue;
     PetscCall(CellForceIntegrate(scene, level, c, degree, fe));
     for (PetscInt i = 0; i < nn; i++) {
@@ -63,12 +63,12 @@ static PetscErrorCode BoundaryTraction_Private(const SceneBoundary *boundary, Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds a traction or pressure on one side: line facets in 2D. [in,out] fa - [num_nodes][dim] */
+/* Adds a traction or pressure on one side. [in,out] fa - [num_nodes][dim] */
 static PetscErrorCode AddSideLoad_Private(Scene scene, Level *level, PetscInt body, const SceneBoundary *boundary,
                                           PetscScalar fa[])
 {
   const PetscInt dim = level->dim;
-  PetscReal      xi[ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_FACET_NODES], x[3], nu[3], t[3];
+  PetscReal      xi[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_FACET_NODES], x[3], nu[3], t[3];
   PetscReal      X[3 * ELEMENT_MAX_FACET_NODES];
   Facets         facets;
 
@@ -77,10 +77,11 @@ static PetscErrorCode AddSideLoad_Private(Scene scene, Level *level, PetscInt bo
   for (PetscInt f = 0; f < facets.num; f++) {
     const ElementType type  = facets.type[f];
     const PetscInt   *nodes = &facets.nodes[f * ELEMENT_MAX_FACET_NODES], nn = ElementNumNodes(type),
-                   nq = GaussLine(FacetPoints_Private(ElementOrder(type)), xi, w);
+                   nq = ElementQuadrature(type, FacetDegree_Private(ElementOrder(type)), xi, w);
     for (PetscInt i = 0; i < nn; i++) PetscCall(PetscArraycpy(&X[i * dim], &level->coords[nodes[i] * dim], dim));
     for (PetscInt q = 0; q < nq; q++) {
-      const PetscReal size = w[q] * ElementSurface(type, X, &xi[q], x, phi, nu), wq = size * SceneMeasure(scene, x);
+      const PetscReal size = w[q] * ElementSurface(type, X, &xi[q * (dim - 1)], x, phi, nu),
+                      wq   = size * SceneMeasure(scene, x);
       PetscCall(BoundaryTraction_Private(boundary, dim, x, nu, t));
       for (PetscInt i = 0; i < nn; i++) {
         for (PetscInt k = 0; k < dim; k++) fa[nodes[i] * dim + k] += wq * phi[i] * t[k];

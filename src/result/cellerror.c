@@ -148,6 +148,7 @@ static PetscErrorCode AddPiece_Private(const Comparison *compare, PetscInt c, co
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   num = ElementPieceCut((ElementType)compare->level->cell_type[c], piece, parts);
+  if (!num) AddSquares_Private(sum, known);
   for (PetscInt i = 0; i < num; ++i) {
     PetscCall(Integrate_Private(compare, c, &parts[i], &part));
     PetscCall(AddPiece_Private(compare, c, &parts[i], depth + 1, &part, total, sum));
