@@ -11,6 +11,10 @@ typedef struct _n_BoxTree *BoxTree;
 PetscErrorCode BoxTreeCreate(PetscInt dim, PetscInt n, const PetscReal boxes[], BoxTree *tree);
 PetscErrorCode BoxTreeDestroy(BoxTree *tree);
 
+/* Bounds of the parts on one level of the tree: at most max (>= 1) boxes of about equally many boxes each, which together hold
+   all; none for an empty tree. Not collective. [out] cover - borrowed from the tree [num][2][dim] */
+PetscErrorCode BoxTreeGetCover(BoxTree tree, PetscInt max, PetscInt *num, const PetscReal *cover[]);
+
 /* The boxes that meet the query box (touching counts), in ascending order of index.
    [in] query - [2][dim]; [out] hits - borrowed until the next query, [num_hits] */
 PetscErrorCode BoxTreeQuery(BoxTree tree, const PetscReal query[], PetscInt *num_hits, const PetscInt *hits[]);

@@ -109,16 +109,17 @@ static PetscErrorCode Integrate_Private(Scene scene, Level *level, const Support
   PetscFunctionBeginUser;
   draft->spec = spec;
   PetscCall(LevelGetFacets(level, scene, spec->nonmortar.body, spec->nonmortar.side, &draft->nonmortar));
-  if (meshed) {
-    PetscCall(LevelGetFacets(level, scene, spec->mortar.body, spec->mortar.side, &mortar));
-    PetscCall(MortarSurfaceCreate(level, &mortar, &surface));
-    partner.mortar          = &surface;
-    pair->num_facets_mortar = surface.num;
-  }
+  if (meshed) PetscCall(LevelGetFacets(level, scene, spec->mortar.body, spec->mortar.side, &mortar));
   PetscCall(ReachChoose(spec, level, held, &draft->nonmortar, meshed ? &mortar : NULL, &partner.reach));
+  if (meshed) {
+    PetscCall(MortarSurfaceCreate(level, &draft->nonmortar, &mortar, partner.reach, &surface));
+    partner.mortar = &surface;
+  }
   pair->reach                = partner.reach;
   pair->num_facets_nonmortar = draft->nonmortar.num;
+  pair->num_facets_mortar    = mortar.num;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &pair->num_facets_nonmortar, 1, MPIU_INT, MPI_SUM, level->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &pair->num_facets_mortar, 1, MPIU_INT, MPI_SUM, level->comm));
   PetscCall(NodalNormalsCreate(level, &draft->nonmortar, &draft->normals));
   PetscCall(IntegrateAlong_Private(level, held, &partner, draft));
   PetscCall(ExpressionCheck(level->comm, spec->gap));

@@ -1,128 +1,282 @@
-/* search.c -- the mortar side on every rank, in a box tree.
+/* search.c -- the mortar facets that this rank's nonmortar facets may meet, in a box tree.
 
-   A contact side of a plane body has of the order of sqrt(N) facets: every rank holds the whole of the mortar side, and
-   each nonmortar facet is served by the rank that holds it. */
+   No rank holds a side. Every rank tells all others a few boxes around its nonmortar facets; a mortar facet goes to the
+   ranks one of whose boxes it meets. Facets that stay come first, then those of other ranks in the order of ranks: what
+   is summed over them differs from partition to partition in the last digits only. */
 #include <mortise/compat.h>
 #include "surface.h"
 
-void FacetCoordinates(const Level *level, const Facets *facets, PetscInt f, PetscReal X[])
-{
-  const PetscInt n = ElementNumNodes(facets->type[f]);
+/* Boxes around the nonmortar facets of one rank. A side that bends leaves most of one box empty, and what travels for
+   nothing is about the volume that they hold. */
+enum { COVER_BOXES = 16 };
 
-  for (PetscInt i = 0; i < n; i++) {
-    const PetscReal *x = &level->coords[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i] * level->dim];
-    for (PetscInt k = 0; k < level->dim; k++) X[i * level->dim + k] = x[k];
-  }
-}
-
-/* A parabola leaves the box of its nodes a little, but never the triangle of its ends and the point in which its tangents
-   there meet, 2 x_middle - (x_first + x_last) / 2. */
-void FacetBox(PetscInt dim, ElementType type, const PetscReal X[], PetscReal box[])
-{
-  for (PetscInt k = 0; k < dim; k++) {
-    box[k] = box[dim + k] = X[k];
-    for (PetscInt i = 1; i < ElementNumNodes(type); i++) {
-      PetscReal x = X[i * dim + k];
-      if (type == ELEMENT_LINE3 && i == 2) x = 2 * x - 0.5 * (X[k] + X[dim + k]);
-      box[k]       = PetscMin(box[k], x);
-      box[dim + k] = PetscMax(box[dim + k], x);
-    }
-  }
-}
-
-PetscReal FacetSize(PetscInt dim, ElementType type, const PetscReal X[])
-{
-  const PetscInt num_vertices = ElementNumNodes(ElementLinear(type));
-  PetscReal      size         = 0;
-
-  for (PetscInt i = 0; i < num_vertices; i++) {
-    PetscReal d2 = 0;
-    for (PetscInt k = 0; k < dim; k++) d2 += PetscSqr(X[i * dim + k] - X[((i + 1) % num_vertices) * dim + k]);
-    size = PetscMax(size, PetscSqrtReal(d2));
-  }
-  return size;
-}
-
-PetscErrorCode FacetsMaxSize(const Level *level, const Facets *facets, PetscReal *size)
-{
-  PetscReal X[3 * ELEMENT_MAX_FACET_NODES];
-
-  PetscFunctionBeginUser;
-  *size = 0;
-  for (PetscInt f = 0; f < facets->num; f++) {
-    FacetCoordinates(level, facets, f, X);
-    *size = PetscMax(*size, FacetSize(level->dim, facets->type[f], X));
-  }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, size, 1, MPIU_REAL, MPIU_MAX, level->comm));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
+/* The boxes of all ranks. */
+typedef struct {
+  BoxTree      tree;
+  PetscInt     num;
+  PetscMPIInt *rank; /* ascending [num] */
+} Covers;
 
 /* One facet as it travels between ranks. */
 typedef struct {
-  PetscInt  type, nodes[ELEMENT_MAX_FACET_NODES];
+  PetscInt  type, nodes[ELEMENT_MAX_FACET_NODES]; /* global */
   PetscReal coords[3 * ELEMENT_MAX_FACET_NODES];
 } FacetRecord;
 
-/* Concatenates every rank's records in the order of ranks; *all is owned by the caller. */
-static PetscErrorCode GatherRecords_Private(MPI_Comm comm, PetscInt num, const FacetRecord mine[], PetscInt *num_all,
-                                            FacetRecord **all)
-{
-  const PetscMPIInt bytes = (PetscMPIInt)(num * (PetscInt)sizeof(FacetRecord));
-  PetscMPIInt      *counts, *offsets, size;
-
-  PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Comm_size(comm, &size));
-  PetscCall(PetscMalloc2(size, &counts, size + 1, &offsets));
-  PetscCallMPI(MPI_Allgather(&bytes, 1, MPI_INT, counts, 1, MPI_INT, comm));
-  offsets[0] = 0;
-  for (PetscMPIInt r = 0; r < size; r++) offsets[r + 1] = offsets[r] + counts[r];
-  *num_all = offsets[size] / (PetscMPIInt)sizeof(FacetRecord);
-  PetscCall(PetscMalloc1(*num_all, all));
-  PetscCallMPI(MPI_Allgatherv(mine, bytes, MPI_BYTE, *all, counts, offsets, MPI_BYTE, comm));
-  PetscCall(PetscFree2(counts, offsets));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Boxes around the facets, into a tree. */
-static PetscErrorCode BuildTree_Private(PetscInt dim, MortarSurface *surface)
+/* A tree over the boxes around all facets of a list. [in] coords - [num][ELEMENT_MAX_FACET_NODES][dim] */
+static PetscErrorCode CreateTree_Private(PetscInt dim, PetscInt num, const ElementType type[], const PetscReal coords[],
+                                         BoxTree *tree)
 {
   PetscReal *boxes;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(2 * dim * surface->num, &boxes));
-  for (PetscInt f = 0; f < surface->num; f++)
-    FacetBox(dim, surface->type[f], &surface->coords[f * ELEMENT_MAX_FACET_NODES * dim], &boxes[2 * f * dim]);
-  PetscCall(BoxTreeCreate(dim, surface->num, boxes, &surface->tree));
+  PetscCall(PetscMalloc1(2 * dim * num, &boxes));
+  for (PetscInt f = 0; f < num; f++)
+    FacetBox(dim, type[f], &coords[f * ELEMENT_MAX_FACET_NODES * dim], &boxes[2 * f * dim]);
+  PetscCall(BoxTreeCreate(dim, num, boxes, tree));
   PetscCall(PetscFree(boxes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *facets, MortarSurface *surface)
+/* A few boxes that hold this rank's facets and all within reach of them. Not collective.
+   [out] boxes - [COVER_BOXES][2][dim], the first *num of them are set */
+static PetscErrorCode CoverFacets_Private(const Level *level, const Facets *facets, PetscReal reach, PetscInt *num,
+                                          PetscReal boxes[])
 {
-  const PetscInt dim = level->dim;
-  FacetRecord   *mine, *all;
+  const PetscInt   dim = level->dim;
+  PetscReal       *coords;
+  const PetscReal *cover;
+  BoxTree          tree;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(facets->num, &mine));
-  for (PetscInt f = 0; f < facets->num; f++) {
-    mine[f].type = facets->type[f];
-    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
-      mine[f].nodes[i] = level->node_global[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
+  PetscCall(PetscMalloc1(facets->num * ELEMENT_MAX_FACET_NODES * dim, &coords));
+  for (PetscInt f = 0; f < facets->num; f++)
+    FacetCoordinates(level, facets, f, &coords[f * ELEMENT_MAX_FACET_NODES * dim]);
+  PetscCall(CreateTree_Private(dim, facets->num, facets->type, coords, &tree));
+  PetscCall(PetscFree(coords));
+  PetscCall(BoxTreeGetCover(tree, COVER_BOXES, num, &cover));
+  for (PetscInt b = 0; b < *num; b++) {
+    for (PetscInt k = 0; k < dim; k++) {
+      boxes[2 * b * dim + k]       = cover[2 * b * dim + k] - reach;
+      boxes[(2 * b + 1) * dim + k] = cover[(2 * b + 1) * dim + k] + reach;
     }
-    FacetCoordinates(level, facets, f, mine[f].coords);
   }
-  PetscCall(GatherRecords_Private(level->comm, facets->num, mine, &surface->num, &all));
-  PetscCall(PetscFree(mine));
-  PetscCall(PetscMalloc3(surface->num, &surface->type, surface->num * ELEMENT_MAX_FACET_NODES, &surface->nodes,
-                         surface->num * ELEMENT_MAX_FACET_NODES * dim, &surface->coords));
-  for (PetscInt f = 0; f < surface->num; f++) {
-    surface->type[f] = (ElementType)all[f].type;
-    PetscCall(PetscArraycpy(&surface->nodes[f * ELEMENT_MAX_FACET_NODES], all[f].nodes, ELEMENT_MAX_FACET_NODES));
-    PetscCall(PetscArraycpy(&surface->coords[f * ELEMENT_MAX_FACET_NODES * dim], all[f].coords,
-                            ELEMENT_MAX_FACET_NODES * dim));
+  PetscCall(BoxTreeDestroy(&tree));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Tells all ranks what each of them covers. Collective. */
+static PetscErrorCode CoversCreate_Private(const Level *level, const Facets *facets, PetscReal reach, Covers *covers)
+{
+  const PetscInt dim = level->dim, length = COVER_BOXES * 2 * dim;
+  PetscReal     *mine, *all;
+  PetscInt       num, *nums;
+  PetscMPIInt    size;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_size(level->comm, &size));
+  PetscCall(PetscMalloc3(size, &nums, length, &mine, size * length, &all));
+  PetscCall(PetscMalloc1(size * COVER_BOXES, &covers->rank));
+  PetscCall(PetscArrayzero(mine, length));
+  PetscCall(CoverFacets_Private(level, facets, reach, &num, mine));
+  PetscCallMPI(MPI_Allgather(&num, 1, MPIU_INT, nums, 1, MPIU_INT, level->comm));
+  PetscCallMPI(MPI_Allgather(mine, (PetscMPIInt)length, MPIU_REAL, all, (PetscMPIInt)length, MPIU_REAL, level->comm));
+  covers->num = 0;
+  for (PetscMPIInt r = 0; r < size; r++) {
+    for (PetscInt b = 0; b < nums[r]; b++) {
+      PetscCall(PetscArraymove(&all[covers->num * 2 * dim], &all[(r * COVER_BOXES + b) * 2 * dim], 2 * dim));
+      covers->rank[covers->num++] = r;
+    }
   }
-  PetscCall(PetscFree(all));
-  PetscCall(BuildTree_Private(dim, surface));
+  PetscCall(BoxTreeCreate(dim, covers->num, all, &covers->tree));
+  PetscCall(PetscFree3(nums, mine, all));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode CoversDestroy_Private(Covers *covers)
+{
+  PetscFunctionBeginUser;
+  PetscCall(BoxTreeDestroy(&covers->tree));
+  PetscCall(PetscFree(covers->rank));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The ranks that may meet a mortar facet, each once. Not collective. [out] ranks - ascending [*num], room for all */
+static PetscErrorCode FindRanks_Private(const Covers *covers, PetscInt dim, const FacetRecord *record, PetscInt *num,
+                                        PetscMPIInt ranks[])
+{
+  PetscReal       box[6];
+  PetscInt        num_hits;
+  const PetscInt *hits;
+
+  PetscFunctionBeginUser;
+  FacetBox(dim, (ElementType)record->type, record->coords, box);
+  PetscCall(BoxTreeQuery(covers->tree, box, &num_hits, &hits));
+  *num = 0;
+  for (PetscInt h = 0; h < num_hits; h++) {
+    if (*num == 0 || ranks[*num - 1] != covers->rank[hits[h]]) ranks[(*num)++] = covers->rank[hits[h]];
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static void PackFacet_Private(const Level *level, const Facets *facets, PetscInt f, FacetRecord *record)
+{
+  record->type = facets->type[f];
+  for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
+    record->nodes[i] = level->node_global[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
+  FacetCoordinates(level, facets, f, record->coords);
+}
+
+/* Appends a facet; the arrays have room for it. */
+static void AddFacet_Private(PetscInt dim, const FacetRecord *record, MortarSurface *surface)
+{
+  const PetscInt f = surface->num++, n = ElementNumNodes((ElementType)record->type);
+
+  surface->type[f] = (ElementType)record->type;
+  for (PetscInt i = 0; i < n; i++) surface->nodes[f * ELEMENT_MAX_FACET_NODES + i] = record->nodes[i];
+  for (PetscInt i = 0; i < n * dim; i++) surface->coords[f * ELEMENT_MAX_FACET_NODES * dim + i] = record->coords[i];
+}
+
+/* Facets on their way between this rank and others. */
+typedef struct {
+  PetscMPIInt  size, rank; /* of and in the communicator */
+  PetscInt    *start;      /* of each rank's part of leaving, empty for this rank's own [size+1] */
+  FacetRecord *leaving;
+  PetscInt     num_staying, num_arriving;
+  PetscMPIInt  num_from;
+  PetscMPIInt *from;  /* ranks that send, ascending [num_from] */
+  PetscInt    *count; /* what they send [num_from] */
+} Traffic;
+
+/* Counts who sends what to whom. Collective. */
+static PetscErrorCode TrafficPlan_Private(const Level *level, const Facets *facets, const Covers *covers,
+                                          Traffic *traffic)
+{
+  FacetRecord  record;
+  PetscInt     num, *start, *count;
+  PetscMPIInt *ranks, num_to = 0;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_size(level->comm, &traffic->size));
+  PetscCallMPI(MPI_Comm_rank(level->comm, &traffic->rank));
+  PetscCall(PetscCalloc1(traffic->size + 1, &traffic->start));
+  PetscCall(PetscMalloc2(traffic->size, &ranks, traffic->size, &count));
+  start                = traffic->start;
+  traffic->num_staying = traffic->num_arriving = 0;
+  for (PetscInt f = 0; f < facets->num; f++) {
+    PackFacet_Private(level, facets, f, &record);
+    PetscCall(FindRanks_Private(covers, level->dim, &record, &num, ranks));
+    for (PetscInt i = 0; i < num; i++) {
+      if (ranks[i] == traffic->rank)
+        traffic->num_staying++;
+      else
+        start[ranks[i] + 1]++;
+    }
+  }
+  for (PetscMPIInt r = 0; r < traffic->size; r++) {
+    if (start[r + 1]) {
+      ranks[num_to]   = r;
+      count[num_to++] = start[r + 1];
+    }
+    start[r + 1] += start[r];
+  }
+  PetscCall(PetscCommBuildTwoSided(level->comm, 1, MPIU_INT, num_to, ranks, count, &traffic->num_from, &traffic->from,
+                                   &traffic->count));
+  PetscCall(PetscSortMPIIntWithIntArray(traffic->num_from, traffic->from, traffic->count));
+  for (PetscMPIInt i = 0; i < traffic->num_from; i++) traffic->num_arriving += traffic->count[i];
+  PetscCall(PetscFree2(ranks, count));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Puts facets that stay into the surface and lines up those that leave. Not collective. */
+static PetscErrorCode TrafficLoad_Private(const Level *level, const Facets *facets, const Covers *covers,
+                                          Traffic *traffic, MortarSurface *surface)
+{
+  PetscInt    *next, num;
+  PetscMPIInt *ranks;
+  FacetRecord  record = {0};
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc2(traffic->size, &next, traffic->size, &ranks));
+  PetscCall(PetscArraycpy(next, traffic->start, traffic->size));
+  PetscCall(PetscMalloc1(traffic->start[traffic->size], &traffic->leaving));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    PackFacet_Private(level, facets, f, &record);
+    PetscCall(FindRanks_Private(covers, level->dim, &record, &num, ranks));
+    for (PetscInt i = 0; i < num; i++) {
+      if (ranks[i] == traffic->rank)
+        AddFacet_Private(level->dim, &record, surface);
+      else
+        traffic->leaving[next[ranks[i]]++] = record;
+    }
+  }
+  PetscCall(PetscFree2(next, ranks));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Sends and receives, and appends what arrives to the surface. Collective. */
+static PetscErrorCode TrafficRun_Private(const Level *level, Traffic *traffic, MortarSurface *surface)
+{
+  MPI_Comm     comm;
+  MPI_Datatype type;
+  MPI_Request *requests;
+  PetscMPIInt  tag, num_requests = 0;
+  FacetRecord *arriving;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCommDuplicate(level->comm, &comm, &tag));
+  PetscCallMPI(MPI_Type_contiguous((PetscMPIInt)sizeof(FacetRecord), MPI_BYTE, &type));
+  PetscCallMPI(MPI_Type_commit(&type));
+  PetscCall(PetscMalloc2(traffic->num_arriving, &arriving, traffic->num_from + traffic->size, &requests));
+  for (PetscInt i = 0, begin = 0; i < traffic->num_from; begin += traffic->count[i++]) {
+    PetscCallMPI(MPI_Irecv(&arriving[begin], (PetscMPIInt)traffic->count[i], type, traffic->from[i], tag, comm,
+                           &requests[num_requests++]));
+  }
+  for (PetscMPIInt r = 0; r < traffic->size; r++) {
+    const PetscInt begin = traffic->start[r], count = traffic->start[r + 1] - begin;
+    if (count) {
+      PetscCallMPI(
+          MPI_Isend(&traffic->leaving[begin], (PetscMPIInt)count, type, r, tag, comm, &requests[num_requests++]));
+    }
+  }
+  PetscCallMPI(MPI_Waitall(num_requests, requests, MPI_STATUSES_IGNORE));
+  for (PetscInt f = 0; f < traffic->num_arriving; f++) AddFacet_Private(level->dim, &arriving[f], surface);
+  PetscCall(PetscFree2(arriving, requests));
+  PetscCallMPI(MPI_Type_free(&type));
+  PetscCall(PetscCommDestroy(&comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode TrafficDestroy_Private(Traffic *traffic)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(traffic->start));
+  PetscCall(PetscFree(traffic->leaving));
+  PetscCall(PetscFree(traffic->from));
+  PetscCall(PetscFree(traffic->count));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const Facets *mortar, PetscReal reach,
+                                   MortarSurface *surface)
+{
+  const PetscInt dim = level->dim;
+  Covers         covers;
+  Traffic        traffic;
+  PetscInt       max;
+
+  PetscFunctionBeginUser;
+  PetscCall(CoversCreate_Private(level, nonmortar, reach, &covers));
+  PetscCall(TrafficPlan_Private(level, mortar, &covers, &traffic));
+  max          = traffic.num_staying + traffic.num_arriving;
+  surface->num = 0;
+  PetscCall(PetscMalloc3(max, &surface->type, max * ELEMENT_MAX_FACET_NODES, &surface->nodes,
+                         max * ELEMENT_MAX_FACET_NODES * dim, &surface->coords));
+  PetscCall(TrafficLoad_Private(level, mortar, &covers, &traffic, surface));
+  PetscCall(CoversDestroy_Private(&covers));
+  PetscCall(TrafficRun_Private(level, &traffic, surface));
+  PetscCall(TrafficDestroy_Private(&traffic));
+  PetscCall(CreateTree_Private(dim, surface->num, surface->type, surface->coords, &surface->tree));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

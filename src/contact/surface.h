@@ -5,8 +5,8 @@
 #include <mortise/boxtree.h>
 #include <mortise/mesh.h>
 
-/* The whole mortar side on every rank, with a box tree. Facets in the order of their lowest global nodes' ranks do not
-   matter: every candidate is integrated, and queries return ascending indices. */
+/* The mortar facets of all ranks that may meet this rank's nonmortar facets, with a box tree. Their order depends on the
+   partition; queries return ascending indices. */
 typedef struct {
   PetscInt     num;
   ElementType *type;   /* [num] */
@@ -15,13 +15,18 @@ typedef struct {
   BoxTree      tree;
 } MortarSurface;
 
-/* Gathers facets of all ranks. Collective. */
-PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *facets, MortarSurface *surface);
+/* Brings the mortar facets within reach of this rank's nonmortar facets to this rank: at least those whose boxes meet that
+   of a nonmortar facet, widened by the reach on all sides. Collective.
+   [out] surface - owned by the caller, MortarSurfaceDestroy() */
+PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const Facets *mortar, PetscReal reach,
+                                   MortarSurface *surface);
 PetscErrorCode MortarSurfaceDestroy(MortarSurface *surface);
 
 /* Coordinates of a facet's nodes, [num_nodes][dim]. Not collective. */
 void FacetCoordinates(const Level *level, const Facets *facets, PetscInt f, PetscReal X[]);
-/* A box that holds the facet, curved or not. [out] box - lower, upper corner [2][dim] */
+/* Points whose convex hull holds the facet, curved or not (those of Bezier), and a box that does. The same goes for any field
+   that is interpolated in its nodes. [in] X - [num_nodes][dim]; [out] hull - [num_nodes][dim]; [out] box - lower, upper corner [2][dim] */
+void FacetHull(PetscInt dim, ElementType type, const PetscReal X[], PetscReal hull[]);
 void FacetBox(PetscInt dim, ElementType type, const PetscReal X[], PetscReal box[]);
 /* Largest distance between neighbouring vertices, or that of all of a side over all ranks. */
 PetscReal      FacetSize(PetscInt dim, ElementType type, const PetscReal X[]);

@@ -119,6 +119,18 @@ PetscErrorCode BoxTreeDestroy(BoxTree *tree)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode BoxTreeGetCover(BoxTree tree, PetscInt max, PetscInt *num, const PetscReal *cover[])
+{
+  PetscInt width = 1;
+
+  PetscFunctionBeginUser;
+  /* the smallest node of a level holds floor(n / width) boxes, and all are halved if that one is */
+  while (2 * width <= max && tree->n / width > LEAF_SIZE) width *= 2;
+  *num   = tree->n ? width : 0;
+  *cover = &tree->bounds[2 * (width - 1) * tree->dim];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Whether two boxes [2][dim] have a point in common; touching counts. */
 static PetscBool Meet_Private(PetscInt dim, const PetscReal a[], const PetscReal b[])
 {

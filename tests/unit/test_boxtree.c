@@ -42,6 +42,31 @@ static void CheckQuery(BoxTree tree, PetscInt dim, PetscInt n, const PetscReal b
   CHECK(num_hits == expected);
 }
 
+/* A cover holds every box, in no more boxes than were asked for, and halves as often as it may. */
+static void CheckCover(BoxTree tree, PetscInt dim, PetscInt n, const PetscReal boxes[])
+{
+  for (PetscInt max = 1; max <= 40; max++) {
+    const PetscReal *cover;
+    PetscInt         num;
+
+    PetscCallAbort(PETSC_COMM_SELF, BoxTreeGetCover(tree, max, &num, &cover));
+    CHECK(num <= max && (num > 0) == (n > 0));
+    CHECK(n < 17 * max / 2 || 2 * num > max);
+    for (PetscInt i = 0; i < n; i++) {
+      PetscBool held = PETSC_FALSE;
+
+      for (PetscInt c = 0; c < num && !held; c++) {
+        held = PETSC_TRUE;
+        for (PetscInt k = 0; k < dim; k++) {
+          if (boxes[2 * dim * i + k] < cover[2 * dim * c + k]) held = PETSC_FALSE;
+          if (boxes[2 * dim * i + dim + k] > cover[2 * dim * c + dim + k]) held = PETSC_FALSE;
+        }
+      }
+      CHECK(held);
+    }
+  }
+}
+
 /* [in] span, size - largest position and extent of the boxes */
 static PetscErrorCode TestRandom(PetscInt dim, PetscInt n, PetscInt span, PetscInt size)
 {
@@ -62,6 +87,7 @@ static PetscErrorCode TestRandom(PetscInt dim, PetscInt n, PetscInt span, PetscI
     CheckQuery(tree, dim, n, boxes, everything);
     CheckQuery(tree, dim, n, boxes, nothing);
   }
+  CheckCover(tree, dim, n, boxes);
   PetscCall(BoxTreeDestroy(&tree));
   CHECK(!tree);
   PetscCall(BoxTreeDestroy(&tree)); /* twice is harmless */
