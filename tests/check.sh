@@ -1,7 +1,12 @@
 #!/usr/bin/env bash
-# check.sh -- everything that is asked of a change: warnings, sanitizers, valgrind, and last all tests.
+# check.sh [long] -- everything that is asked of a change: warnings, sanitizers, valgrind, and last all tests; long: more cases of some.
 set -eu
 cd "$(dirname "$0")/.."
+case "${1:-}" in
+  "") ;;
+  long) export MORTISE_TEST_LONG=1 ;;
+  *) echo "usage: check.sh [long]" >&2 && exit 2 ;;
+esac
 . tests/packages.sh
 install_missing $build_packages $python_packages
 set_up_mpi

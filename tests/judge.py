@@ -24,8 +24,10 @@ import sys
 
 TIMEOUT = 240  # seconds of one run; longer is a hang
 LEAK = re.compile(r"^\[ *\d+\] *\d+ bytes .*", re.MULTILINE)  # a line of -malloc_dump
-CHECKS = ["-skip_petscrc", "-malloc_debug", "-malloc_dump"]
+CHECKS = ["-skip_petscrc", "-malloc_dump"]
+GUARDS = ["-malloc_debug"]  # looks at every block of memory at each request for another: several times the time of a run
 NAME = "result"  # -output of every run
+LONG = bool(os.environ.get("MORTISE_TEST_LONG"))  # checks may look at more cases, see README.md
 
 
 class Failure(Exception):
@@ -202,10 +204,13 @@ def main():
     parser.add_argument("--scratch", required=True, help="folder of the run, emptied before")
     parser.add_argument("--check", type=pathlib.Path, help="file with judge(run)")
     parser.add_argument("--says", action="append", help="the run is a mistake whose sentence has this text; may be repeated")
+    parser.add_argument("--guarded", action="store_true", help="let PETSc watch all memory during the runs")
     parser.add_argument("arguments", nargs=argparse.REMAINDER, help="after --: arguments of the program")
     options = parser.parse_args()
     arguments = options.arguments[1:] if options.arguments[:1] == ["--"] else options.arguments
 
+    if options.guarded or LONG:
+        CHECKS.extend(GUARDS)
     sys.modules["judge"] = sys.modules["__main__"]  # so that a check's `from judge import near` meets this very module
     run = None
     try:

@@ -11,8 +11,6 @@ function(mistake name)
   mortise_mistake(${name} SCENE ${arg_SCENE} SAYS ${arg_SAYS} RANKS 1 2 ARGS ${arg_ARGS})
   set(tests mistakes.${name}.np1 mistakes.${name}.np2)
   set_tests_properties(${tests} PROPERTIES TIMEOUT 20)
-  # Open MPI waits a second before it looks whether the ranks of a program that failed have ended.
-  set_property(TEST ${tests} APPEND PROPERTY ENVIRONMENT OMPI_MCA_odls_base_sigkill_timeout=0)
 endfunction()
 
 # --- the command line and options files ---
