@@ -35,6 +35,16 @@ static PetscErrorCode FileReadPlex_Private(const char path[], DM *dm, char reaso
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+void FileDescribeDimension(PetscInt highest, PetscInt dim, char reason[])
+{
+  const char *hint = "";
+
+  if (highest > dim) hint = "; -model solid takes solids";
+  if (highest < dim)
+    hint = "; gmsh -3 makes solids, and writes those in a physical volume where there are physical groups";
+  snprintf(reason, MESH_SENTENCE, "its cells have dimension %d, the scene has %d%s", (int)highest, (int)dim, hint);
+}
+
 void FileCheckHeight(const PetscReal lower[], const PetscReal upper[], char reason[])
 {
   if (upper[2] - lower[2] > PlaneShare * PetscMax(upper[0] - lower[0], upper[1] - lower[1])) {
@@ -43,7 +53,7 @@ void FileCheckHeight(const PetscReal lower[], const PetscReal upper[], char reas
   }
 }
 
-/* Whether the mesh is plane, of first order, made of triangles and quads. */
+/* Whether the mesh has the scene's dimension, is of first order, and plane in a plane scene. */
 static PetscErrorCode FileCheckPlex_Private(DM dm, PetscInt dim, char reason[])
 {
   PetscInt           mesh_dim, space_dim, begin, end, size;
@@ -54,7 +64,7 @@ static PetscErrorCode FileCheckPlex_Private(DM dm, PetscInt dim, char reason[])
   PetscFunctionBeginUser;
   PetscCall(DMGetDimension(dm, &mesh_dim));
   if (mesh_dim != dim) {
-    snprintf(reason, MESH_SENTENCE, "its cells have dimension %d, the scene has %d", (int)mesh_dim, (int)dim);
+    FileDescribeDimension(mesh_dim, dim, reason);
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(DMPlexGetDepthStratum(dm, 0, &begin, &end));

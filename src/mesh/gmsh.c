@@ -143,7 +143,8 @@ PetscErrorCode GmshMeshDestroy(GmshMesh *mesh)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree(mesh->coords));
-  PetscCall(PetscFree4(mesh->type, mesh->nodes, mesh->first_group, mesh->end_group));
+  PetscCall(PetscFree4(mesh->type, mesh->start, mesh->first_group, mesh->end_group));
+  PetscCall(PetscFree(mesh->nodes));
   PetscCall(PetscFree(mesh->group));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -156,18 +157,32 @@ PetscErrorCode GmshNamesDestroy(GmshNames *names)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The place of a name in the list, -1 if it is not there. */
+static PetscInt NameFind_Private(const GmshNames *names, PetscInt dim, const char name[])
+{
+  for (PetscInt i = 0; i < names->num; ++i) {
+    if (names->dim[i] == dim && !strcmp(names->name[i], name)) return i;
+  }
+  return -1;
+}
+
 /* Names first: a group may be called "7". */
 PetscBool GmshFindGroup(const GmshNames *names, PetscInt dim, const char group[], PetscInt *tag)
 {
-  char *end;
+  const PetscInt at = NameFind_Private(names, dim, group);
+  char          *end;
 
-  for (PetscInt i = 0; i < names->num; ++i) {
-    if (names->dim[i] != dim || strcmp(names->name[i], group)) continue;
-    *tag = names->tag[i];
+  if (at >= 0) {
+    *tag = names->tag[at];
     return PETSC_TRUE;
   }
   *tag = (PetscInt)strtol(group, &end, 10);
   return end != group && !*end ? PETSC_TRUE : PETSC_FALSE;
+}
+
+PetscBool GmshHasName(const GmshNames *names, PetscInt dim, const char name[])
+{
+  return NameFind_Private(names, dim, name) >= 0 ? PETSC_TRUE : PETSC_FALSE;
 }
 
 void GmshDescribeGroup(const GmshNames *names, PetscInt dim, PetscInt tag, char text[], size_t len)

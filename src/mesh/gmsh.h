@@ -1,11 +1,11 @@
 /* gmsh.h -- Gmsh files, read by Mortise itself (private to the room).
 
-   PETSc's reader takes references on trust, and knows neither quadrangles of eight nodes nor cells of second order of
-   two kinds in one file. */
+   PETSc's reader takes references on trust, and knows neither cells without middle nodes in their facets nor cells of
+   second order of two kinds in one file. */
 #ifndef MORTISE_GMSH_H
 #define MORTISE_GMSH_H
 
-#include <petscsys.h>
+#include <mortise/element.h>
 #include <stdio.h>
 
 /* Physical groups that have a name. */
@@ -18,27 +18,37 @@ typedef struct {
 PetscErrorCode GmshNamesDestroy(GmshNames *names);
 /* The number of a physical group that the user gave by its name or its number; PETSC_FALSE if it can be neither. */
 PetscBool GmshFindGroup(const GmshNames *names, PetscInt dim, const char group[], PetscInt *tag);
+/* Whether a physical group of this dimension has this name. */
+PetscBool GmshHasName(const GmshNames *names, PetscInt dim, const char name[]);
 /* Appends "name (number)", or the number alone, to a list for a sentence. [in,out] text - [len] */
 void GmshDescribeGroup(const GmshNames *names, PetscInt dim, PetscInt tag, char text[], size_t len);
 
-enum { GMSH_MAX_NODES = 9 }; /* of an element that is kept */
-
-/* Lines, triangles and quadrangles of first and second order, and what they stand on. */
+/* A type of element of first or second order. */
 typedef struct {
-  PetscInt   num_nodes, num_elements, num_groups;
-  PetscReal *coords;      /* [num_nodes][3] */
-  PetscInt  *type;        /* Gmsh's number [num_elements] */
-  PetscInt  *nodes;       /* indices, in Gmsh's order, which is that of element.h [num_elements][GMSH_MAX_NODES] */
-  PetscInt  *first_group; /* into group [num_elements] */
-  PetscInt  *end_group;   /* [num_elements] */
-  PetscInt  *group;       /* numbers of physical groups [num_groups] */
+  PetscInt        dim, num_nodes;
+  ElementType     cell;  /* ELEMENT_COUNT for those that are no cells here */
+  const char     *name;  /* of several, for sentences */
+  const PetscInt *place; /* which of the cell's nodes each of Gmsh's is [num_nodes]; NULL where they are alike */
+} GmshType;
+
+/* By Gmsh's number; NULL for other numbers. */
+const GmshType *GmshTypeGet(PetscInt64 type);
+
+/* Elements of first and second order, from lines to solids, and what they stand on. */
+typedef struct {
+  PetscInt         num_nodes, num_elements, num_groups;
+  PetscReal       *coords;      /* [num_nodes][3] */
+  const GmshType **type;        /* [num_elements] */
+  PetscInt        *start;       /* [num_elements+1] into nodes */
+  PetscInt        *nodes;       /* indices in the order of element.h, of whose nodes the last may be missing */
+  PetscInt        *first_group; /* into group [num_elements] */
+  PetscInt        *end_group;   /* [num_elements] */
+  PetscInt        *group;       /* numbers of physical groups [num_groups] */
 } GmshMesh;
 
 /* Reads formats 2.2 and 4.1. Not collective. [out] reason - why the file cannot be used, "" if it can [len] */
 PetscErrorCode GmshRead(const char path[], GmshNames *names, GmshMesh *mesh, char reason[], size_t len);
 PetscErrorCode GmshMeshDestroy(GmshMesh *mesh);
-/* Dimension and number of nodes of an element type. */
-void GmshTypeGet(PetscInt type, PetscInt *dim, PetscInt *num_nodes);
 
 /* A file being read. The first thing that goes wrong sets `reason`; nothing is read after that. */
 typedef struct {
@@ -49,9 +59,10 @@ typedef struct {
   char      *reason;             /* [len] */
   size_t     len;
   GmshMesh  *mesh;
-  PetscInt   num_tags, *tag, *node;                 /* sorted tags of nodes, and where the nodes are */
-  PetscInt   num_entities, *entity, *place;         /* sorted 4 * tag + dim, and place in the next two */
-  PetscInt  *entity_first, *entity_end, max_groups; /* into mesh->group */
+  PetscInt   num_tags, *tag, *node;         /* sorted tags of nodes, and where the nodes are */
+  PetscInt   num_entities, *entity, *place; /* sorted 4 * tag + dim, and place in the next two */
+  PetscInt  *entity_first, *entity_end;     /* into mesh->group */
+  PetscInt   max_groups, max_nodes;         /* that mesh->group and mesh->nodes have room for */
 } GmshReader;
 
 enum { GMSH_LINE = 512 }; /* longest line of text that is read as one */

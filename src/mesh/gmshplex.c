@@ -1,29 +1,26 @@
 /* gmshplex.c -- a Gmsh file as one DMPlex, with its physical groups as labels "Cell Sets" and "Face Sets", and the
-   positions of middle nodes where its cells are of second order. */
+   positions of middle nodes where its cells are of second order.
+
+   Cells are the elements of the scene's dimension, facets those of one less; others are left alone. */
 #include "room.h"
 #include <mortise/compat.h>
+#include <string.h>
 
-enum { GMSH_QUAD8 = 16 }; /* a quad9 whose own middle is left to the reader */
-
-/* What a Gmsh element is as a cell; PETSC_FALSE for a line. */
-static PetscBool CellGetType_Private(PetscInt gmsh, ElementType *type)
+/* Position of a node of an element. [in] i - the node's number in the element */
+static const PetscReal *ElementGetPosition_Private(const GmshMesh *mesh, PetscInt e, PetscInt i)
 {
-  static const struct {
-    PetscInt    gmsh;
-    ElementType type;
-  } cells[] = {
-      {2, ELEMENT_TRI3}, {9, ELEMENT_TRI6}, {3, ELEMENT_QUAD4}, {10, ELEMENT_QUAD9}, {GMSH_QUAD8, ELEMENT_QUAD9}};
-
-  for (size_t i = 0; i < sizeof(cells) / sizeof(cells[0]); ++i) {
-    if (cells[i].gmsh != gmsh) continue;
-    *type = cells[i].type;
-    return PETSC_TRUE;
-  }
-  return PETSC_FALSE;
+  return &mesh->coords[3 * mesh->nodes[mesh->start[e] + i]];
 }
 
-/* Whether the cells have the scene's dimension and are plane. [out] reason - "" if so [MESH_SENTENCE] */
-static void GmshCheckPlane_Private(const GmshMesh *mesh, PetscInt dim, char reason[])
+/* Corners of an element. */
+static PetscInt ElementGetNumCorners_Private(const GmshMesh *mesh, PetscInt e)
+{
+  return ElementNumNodes(ElementLinear(mesh->type[e]->cell));
+}
+
+/* Whether the file has cells of the scene's dimension, and a plane scene a plane mesh. [out] reason - "" if so
+   [MESH_SENTENCE] */
+static void GmshCheckDimension_Private(const GmshMesh *mesh, PetscInt dim, char reason[])
 {
   PetscInt  highest = 0;
   PetscReal lower[3], upper[3];
@@ -33,36 +30,78 @@ static void GmshCheckPlane_Private(const GmshMesh *mesh, PetscInt dim, char reas
     upper[d] = -PETSC_MAX_REAL;
   }
   for (PetscInt e = 0; e < mesh->num_elements; ++e) {
-    PetscInt of_type, num;
-
-    GmshTypeGet(mesh->type[e], &of_type, &num);
-    highest = PetscMax(highest, of_type);
-    for (PetscInt i = 0; i < 3 * num && of_type == dim; ++i) {
-      const PetscReal x = mesh->coords[3 * mesh->nodes[e * GMSH_MAX_NODES + i / 3] + i % 3];
+    highest = PetscMax(highest, mesh->type[e]->dim);
+    for (PetscInt i = 0; i < 3 * mesh->type[e]->num_nodes && mesh->type[e]->dim == dim; ++i) {
+      const PetscReal x = ElementGetPosition_Private(mesh, e, i / 3)[i % 3];
 
       lower[i % 3] = PetscMin(lower[i % 3], x);
       upper[i % 3] = PetscMax(upper[i % 3], x);
     }
   }
-  if (highest == dim)
+  if (highest != dim)
+    FileDescribeDimension(highest, dim, reason);
+  else if (dim < 3)
     FileCheckHeight(lower, upper, reason);
-  else
-    snprintf(reason, MESH_SENTENCE, "its cells have dimension %d, the scene has %d", (int)highest, (int)dim);
 }
 
-/* The last node of a cell of eight: where serendipity shape functions have the middle. */
-static void CellSetMiddle_Private(PetscInt cell, BodyList *list)
+/* Whether all cells are of types that there are here. [out] reason - "" if so [MESH_SENTENCE] */
+static void GmshCheckTypes_Private(const GmshMesh *mesh, PetscInt dim, char reason[])
 {
-  const PetscInt dim = list->dim, corners = ElementNumNodes(ELEMENT_QUAD4), middle = list->num_nodes++;
-  PetscInt      *nodes = &list->cell_nodes[cell * ELEMENT_MAX_NODES];
+  const GmshType *first = NULL;
+  PetscInt        at = 0, num = 0, others = 0;
+  size_t          used;
 
-  nodes[2 * corners] = middle;
-  for (PetscInt d = 0; d < dim; ++d) {
-    list->coords[middle * dim + d] = 0;
-    for (PetscInt i = 0; i < corners; ++i)
-      list->coords[middle * dim + d] +=
-          0.5 * list->coords[nodes[corners + i] * dim + d] - 0.25 * list->coords[nodes[i] * dim + d];
+  for (PetscInt e = mesh->num_elements - 1; e >= 0; --e) {
+    if (mesh->type[e]->dim != dim || mesh->type[e]->cell != ELEMENT_COUNT) continue;
+    first = mesh->type[e];
+    at    = e;
+    ++others;
   }
+  if (!first) return;
+  for (PetscInt e = 0; e < mesh->num_elements; ++e) num += !strcmp(mesh->type[e]->name, first->name);
+  used = (size_t)snprintf(reason, MESH_SENTENCE, "it holds %d %s", (int)num, first->name);
+  if (others > num)
+    used += (size_t)snprintf(reason + used, MESH_SENTENCE - used, " and %d others", (int)(others - num));
+  snprintf(reason + used, MESH_SENTENCE - used,
+           ", the first with a corner at (%g, %g, %g), which are no cells here; tetrahedra and hexahedra are: in Gmsh "
+           "extrude without Recombine for tetrahedra, recombine the surface too for hexahedra",
+           (double)ElementGetPosition_Private(mesh, at, 0)[0], (double)ElementGetPosition_Private(mesh, at, 0)[1],
+           (double)ElementGetPosition_Private(mesh, at, 0)[2]);
+}
+
+/* Puts a node in the middle of an element where serendipity shape functions have it. The order of the element is that of
+   element.h. [in] local - which of the cell's nodes the element's are, NULL for the cell itself */
+static void MiddleSet_Private(ElementType type, const PetscInt local[], const PetscInt nodes[], PetscInt middle,
+                              BodyList *list)
+{
+  const PetscInt  dim = list->dim, corners = ElementNumNodes(ElementLinear(type)), edges = ElementNumEdges(type);
+  const PetscReal of_edge   = 2 / PetscPowRealInt(2, (int)ElementDim(type)); // value of an edge's function there
+  const PetscReal of_corner = (1 - edges * of_edge) / corners;
+
+  for (PetscInt d = 0; d < dim; ++d) {
+    PetscReal x = 0;
+
+    for (PetscInt i = 0; i < corners + edges; ++i)
+      x += (i < corners ? of_corner : of_edge) * list->coords[nodes[local ? local[i] : i] * dim + d];
+    list->coords[middle * dim + d] = x;
+  }
+}
+
+/* The nodes from num on, in the middle of facets and of the cell itself, that the file does not give. Cells that share a
+   facet agree about it, so each may have a node of its own there. */
+static void CellSetMiddles_Private(PetscInt cell, PetscInt num, BodyList *list)
+{
+  const ElementType type  = (ElementType)list->cell_type[cell];
+  PetscInt         *nodes = &list->cell_nodes[cell * ELEMENT_MAX_NODES];
+
+  for (PetscInt i = num; i < ElementNumNodes(type); ++i) nodes[i] = list->num_nodes++;
+  for (PetscInt f = 0; f < ElementNumFacets(type); ++f) {
+    const PetscInt *local  = ElementFacetNodes(type, f);
+    const PetscInt  middle = local[ElementNumNodes(ElementFacetType(type)) - 1];
+
+    if (middle >= num) MiddleSet_Private(ElementFacetType(type), local, nodes, nodes[middle], list);
+  }
+  if (num < ElementNumNodes(type)) MiddleSet_Private(type, NULL, nodes, nodes[ElementNumNodes(type) - 1], list);
 }
 
 /* The nodes first .. end-1 of a cell. [in,out] number - of the file's nodes in the list, -1 before */
@@ -70,7 +109,7 @@ static void CellSetNodes_Private(const GmshMesh *mesh, PetscInt e, PetscInt cell
                                  PetscInt number[], BodyList *list)
 {
   for (PetscInt i = first; i < end; ++i) {
-    const PetscInt node = mesh->nodes[e * GMSH_MAX_NODES + i];
+    const PetscInt node = mesh->nodes[mesh->start[e] + i];
 
     if (number[node] < 0) {
       number[node] = list->num_nodes++;
@@ -83,27 +122,27 @@ static void CellSetNodes_Private(const GmshMesh *mesh, PetscInt e, PetscInt cell
 /* All cells of the file, vertices numbered before other nodes. [out] number - as above [mesh->num_nodes] */
 static PetscErrorCode GmshGetCells_Private(const GmshMesh *mesh, PetscInt dim, PetscInt number[], BodyList *list)
 {
-  PetscInt    num_cells = 0, num_middles = 0;
-  ElementType type;
+  PetscInt num_cells = 0, num_middles = 0;
 
   PetscFunctionBeginUser;
   for (PetscInt e = 0; e < mesh->num_elements; ++e) {
-    num_cells += CellGetType_Private(mesh->type[e], &type);
-    num_middles += mesh->type[e] == GMSH_QUAD8;
+    if (mesh->type[e]->dim != dim) continue;
+    ++num_cells;
+    num_middles += ElementNumNodes(mesh->type[e]->cell) - mesh->type[e]->num_nodes;
   }
   PetscCall(BodyListAllocate(dim, num_cells, mesh->num_nodes + num_middles, 0, list));
   list->num_nodes = 0;
   for (PetscInt n = 0; n < mesh->num_nodes; ++n) number[n] = -1;
   for (int middles = 0; middles < 2; ++middles) {
     for (PetscInt e = 0, cell = 0; e < mesh->num_elements; ++e) {
-      PetscInt of_type, num, corners;
+      const GmshType *type = mesh->type[e];
+      PetscInt        corners;
 
-      if (!CellGetType_Private(mesh->type[e], &type)) continue;
-      GmshTypeGet(mesh->type[e], &of_type, &num);
-      corners               = ElementNumNodes(ElementLinear(type));
-      list->cell_type[cell] = type;
-      CellSetNodes_Private(mesh, e, cell, middles ? corners : 0, middles ? num : corners, number, list);
-      if (middles && mesh->type[e] == GMSH_QUAD8) CellSetMiddle_Private(cell, list);
+      if (type->dim != dim) continue;
+      corners               = ElementGetNumCorners_Private(mesh, e);
+      list->cell_type[cell] = type->cell;
+      CellSetNodes_Private(mesh, e, cell, middles ? corners : 0, middles ? type->num_nodes : corners, number, list);
+      if (middles) CellSetMiddles_Private(cell, type->num_nodes, list);
       ++cell;
     }
     if (!middles) list->num_vertices = list->num_nodes;
@@ -111,29 +150,48 @@ static PetscErrorCode GmshGetCells_Private(const GmshMesh *mesh, PetscInt dim, P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The edge of the DM that a line of the file is, -1 if it is none. */
-static PetscErrorCode LineGetPoint_Private(const GmshMesh *mesh, PetscInt e, const PetscInt number[], DM dm,
-                                           PetscInt *point)
+/* The facet of the DM that an element of the file is, -1 if it is none. */
+static PetscErrorCode FacetGetPoint_Private(const GmshMesh *mesh, PetscInt e, const PetscInt number[], DM dm,
+                                            PetscInt *point)
 {
-  const PetscInt *nodes = &mesh->nodes[e * GMSH_MAX_NODES], *join;
-  PetscInt        begin, num, ends[2];
+  const PetscInt *nodes = &mesh->nodes[mesh->start[e]], *join, corners = ElementGetNumCorners_Private(mesh, e);
+  PetscInt        first, begin, end, num, size = 0, vertices[ELEMENT_MAX_FACET_NODES];
 
   PetscFunctionBeginUser;
   *point = -1;
-  PetscCall(DMPlexGetDepthStratum(dm, 0, &begin, NULL));
-  for (PetscInt i = 0; i < 2; ++i) {
+  PetscCall(DMPlexGetDepthStratum(dm, 0, &first, NULL));
+  PetscCall(DMPlexGetHeightStratum(dm, 1, &begin, &end));
+  for (PetscInt i = 0; i < corners; ++i) {
     if (number[nodes[i]] < 0) PetscFunctionReturn(PETSC_SUCCESS); // no cell is there
-    ends[i] = begin + number[nodes[i]];
+    vertices[i] = first + number[nodes[i]];
   }
-  PetscCall(DMPlexGetFullJoin(dm, 2, ends, &num, &join));
-  if (num == 1) *point = join[0];
-  PetscCall(DMPlexRestoreJoin(dm, 2, ends, &num, &join));
+  PetscCall(DMPlexGetFullJoin(dm, corners, vertices, &num, &join));
+  if (num == 1 && join[0] >= begin && join[0] < end) *point = join[0];
+  PetscCall(DMPlexRestoreJoin(dm, corners, vertices, &num, &join));
+  if (*point >= 0) PetscCall(DMPlexGetConeSize(dm, *point, &size)); // a facet has as many sides as corners
+  if (size != corners) *point = -1;
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* "its triangle with corners (0, 0, 0), .. in physical group 7 is not a facet of any cell" */
+static void GmshDescribeFacet_Private(const GmshMesh *mesh, PetscInt e, PetscInt dim, char reason[])
+{
+  size_t used = (size_t)snprintf(reason, MESH_SENTENCE, "one of its %s in physical group %d, with the corners",
+                                 mesh->type[e]->name, (int)mesh->group[mesh->first_group[e]]);
+
+  for (PetscInt i = 0; i < ElementGetNumCorners_Private(mesh, e); ++i) {
+    const PetscReal *x = ElementGetPosition_Private(mesh, e, i);
+
+    for (PetscInt d = 0; d < dim; ++d)
+      used += (size_t)snprintf(reason + used, MESH_SENTENCE - used, "%s%g", d ? ", " : " (", (double)x[d]);
+    used += (size_t)snprintf(reason + used, MESH_SENTENCE - used, ")");
+  }
+  snprintf(reason + used, MESH_SENTENCE - used, ", is not a facet of any cell");
 }
 
 /* Every physical group is a value of one of two labels. [in] point - of every cell in the DM */
 static PetscErrorCode GmshSetLabels_Private(const GmshMesh *mesh, const PetscInt number[], const PetscInt point[],
-                                            DM dm, char reason[])
+                                            PetscInt dim, DM dm, char reason[])
 {
   DMLabel  cells, facets;
   PetscInt cell = 0;
@@ -144,24 +202,17 @@ static PetscErrorCode GmshSetLabels_Private(const GmshMesh *mesh, const PetscInt
   PetscCall(DMGetLabel(dm, "Cell Sets", &cells));
   PetscCall(DMGetLabel(dm, "Face Sets", &facets));
   for (PetscInt e = 0; e < mesh->num_elements && !reason[0]; ++e) {
-    const PetscReal *a = &mesh->coords[3 * mesh->nodes[e * GMSH_MAX_NODES]],
-                    *b = &mesh->coords[3 * mesh->nodes[e * GMSH_MAX_NODES + 1]];
-    ElementType     type;
-    const PetscBool is_cell = CellGetType_Private(mesh->type[e], &type);
+    const PetscBool is_cell = mesh->type[e]->dim == dim ? PETSC_TRUE : PETSC_FALSE;
     PetscInt        at;
 
     if (is_cell)
       at = point[cell++];
-    else if (mesh->first_group[e] < mesh->end_group[e])
-      PetscCall(LineGetPoint_Private(mesh, e, number, dm, &at));
+    else if (mesh->type[e]->dim == dim - 1 && mesh->first_group[e] < mesh->end_group[e])
+      PetscCall(FacetGetPoint_Private(mesh, e, number, dm, &at));
     else
-      continue; // a line in no group
-    if (at < 0) {
-      snprintf(reason, MESH_SENTENCE, "its line from (%g, %g) to (%g, %g) is not a side of any cell", (double)a[0],
-               (double)a[1], (double)b[0], (double)b[1]);
-      break;
-    }
-    for (PetscInt g = mesh->first_group[e]; g < mesh->end_group[e]; ++g)
+      continue; // in no group, or the edge of a solid
+    if (at < 0) GmshDescribeFacet_Private(mesh, e, dim, reason);
+    for (PetscInt g = mesh->first_group[e]; g < mesh->end_group[e] && at >= 0; ++g)
       PetscCall(DMLabelSetValue(is_cell ? cells : facets, at, mesh->group[g]));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -174,14 +225,15 @@ PetscErrorCode GmshToPlex(const GmshMesh *mesh, PetscInt dim, DM *dm, Curves *cu
   PetscInt *number;
 
   PetscFunctionBeginUser;
-  GmshCheckPlane_Private(mesh, dim, reason);
+  GmshCheckDimension_Private(mesh, dim, reason);
+  if (!reason[0]) GmshCheckTypes_Private(mesh, dim, reason);
   if (reason[0]) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(mesh->num_nodes, &number));
   PetscCall(GmshGetCells_Private(mesh, dim, number, &list));
   PetscCall(NumberingCreate(1, &list, &numbering));
   PetscCall(PlexCreate(PETSC_COMM_SELF, dim, &list, &numbering, dm));
   PetscCall(CurvesCreate(*dm, &list, &numbering, curves));
-  PetscCall(GmshSetLabels_Private(mesh, number, numbering.point[0], *dm, reason));
+  PetscCall(GmshSetLabels_Private(mesh, number, numbering.point[0], dim, *dm, reason));
   PetscCall(NumberingDestroy(&numbering));
   PetscCall(BodyListDestroy(&list));
   PetscCall(PetscFree(number));

@@ -8,24 +8,11 @@
 #include <math.h>
 
 enum {
-  MAX_TAGS     = 64,        /* of an element */
-  MAX_NODE_TAG = 100000000, /* far above what a plane mesh needs, far below what an integer holds */
-  MIN_GROUPS   = 64,        /* that there is room for from the beginning */
-  NUM_TYPES    = 20
+  MAX_TAGS  = 64,        /* of an element */
+  MAX_TAG   = 100000000, /* of a node or an entity: far above what a mesh needs, far below what an integer holds */
+  MAX_COUNT = 500000000, /* three coordinates of each can still be numbered */
+  MIN_ROOM  = 64         /* of lists that grow, from the beginning */
 };
-
-/* Dimension and number of nodes of Gmsh's element types below 20, all of first or second order (chapter "Node
-   ordering"). */
-static const struct {
-  int dim, nodes;
-} Type[NUM_TYPES] = {{0, 0}, {1, 2},  {2, 3},  {2, 4},  {3, 4},  {3, 8}, {3, 6}, {3, 5},  {1, 3},  {2, 6},
-                     {2, 9}, {3, 10}, {3, 27}, {3, 18}, {3, 14}, {0, 1}, {2, 8}, {3, 20}, {3, 15}, {3, 13}};
-
-void GmshTypeGet(PetscInt type, PetscInt *dim, PetscInt *num_nodes)
-{
-  *dim       = Type[type].dim;
-  *num_nodes = Type[type].nodes;
-}
 
 /* Next integer, of the given number of bytes in binary files. */
 static PetscInt64 ReadInt_Private(GmshReader *reader, size_t bytes)
@@ -63,7 +50,7 @@ static PetscInt ReadCount_Private(GmshReader *reader, const char what[])
   } else if (!fgets(line, sizeof(line), reader->file) || sscanf(line, "%lld", &value) != 1) {
     GmshReaderFail(reader, "the number of %s is missing", what);
   }
-  if (value < 0 || value > reader->size)
+  if (value < 0 || value > reader->size || value > MAX_COUNT)
     GmshReaderFail(reader, "the number of %s is %lld, which cannot be", what, value);
   return reader->reason[0] ? 0 : (PetscInt)value;
 }
@@ -93,6 +80,16 @@ static void ReadRange_Private(GmshReader *reader)
     GmshReaderFail(reader, "its least tag %lld is above its largest %lld", (long long)least, (long long)largest);
 }
 
+/* Room for more integers in a list that grows. [in,out] room - for as many as there is */
+static PetscErrorCode Grow_Private(PetscInt wanted, PetscInt *room, PetscInt **list)
+{
+  PetscFunctionBeginUser;
+  if (wanted <= *room) PetscFunctionReturn(PETSC_SUCCESS);
+  *room = PetscMax(PetscMax(wanted, MIN_ROOM), 2 * *room);
+  PetscCall(PetscRealloc(*room * sizeof(PetscInt), list));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Appends the number of a physical group; 0 means none, a minus sign another sense of the elements. */
 static PetscErrorCode AddGroup_Private(GmshReader *reader, PetscInt64 group)
 {
@@ -100,10 +97,7 @@ static PetscErrorCode AddGroup_Private(GmshReader *reader, PetscInt64 group)
 
   PetscFunctionBeginUser;
   if (reader->reason[0] || group == 0) PetscFunctionReturn(PETSC_SUCCESS);
-  if (mesh->num_groups == reader->max_groups) {
-    reader->max_groups = PetscMax(MIN_GROUPS, 2 * reader->max_groups);
-    PetscCall(PetscRealloc(reader->max_groups * sizeof(PetscInt), &mesh->group));
-  }
+  PetscCall(Grow_Private(mesh->num_groups + 1, &reader->max_groups, &mesh->group));
   mesh->group[mesh->num_groups++] = (PetscInt)(group < 0 ? -group : group);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -119,10 +113,13 @@ PetscErrorCode GmshReadEntities(GmshReader *reader)
                          &reader->entity_end));
   for (PetscInt dim = 0; dim < 4; ++dim) {
     for (PetscInt i = 0; i < num[dim] && !reader->reason[0]; ++i) {
-      const PetscInt e = reader->num_entities++;
+      const PetscInt   e   = reader->num_entities++;
+      const PetscInt64 tag = ReadTag_Private(reader);
 
+      if (tag < -MAX_TAG || tag > MAX_TAG)
+        GmshReaderFail(reader, "an entity has the tag %lld, which cannot be", (long long)tag);
       reader->place[e]        = e;
-      reader->entity[e]       = 4 * (PetscInt)ReadTag_Private(reader) + dim;
+      reader->entity[e]       = reader->reason[0] ? 0 : 4 * (PetscInt)tag + dim;
       reader->entity_first[e] = reader->mesh->num_groups;
       ReadNumbers_Private(reader, dim ? 6 : 3, NULL); // a box, or a point
       for (PetscInt n = ReadCount_Private(reader, "tags of an entity"); n > 0 && !reader->reason[0]; --n)
@@ -148,7 +145,7 @@ static PetscErrorCode ReadEntity_Private(GmshReader *reader, PetscInt64 *dim, Pe
   *dim    = ReadTag_Private(reader);
   tag     = ReadTag_Private(reader);
   if (reader->reason[0]) PetscFunctionReturn(PETSC_SUCCESS);
-  if (*dim >= 0 && *dim < 4)
+  if (*dim >= 0 && *dim < 4 && tag >= -MAX_TAG && tag <= MAX_TAG)
     PetscCall(PetscFindInt((PetscInt)(4 * tag + *dim), reader->num_entities, reader->entity, &at));
   if (at < 0) {
     GmshReaderFail(reader, "a block belongs to entity %lld of dimension %lld, which the file does not define",
@@ -169,9 +166,9 @@ static PetscErrorCode NodesSort_Private(GmshReader *reader)
   for (PetscInt i = 1; i < num; ++i) {
     if (tag[i] == tag[i - 1]) GmshReaderFail(reader, "node %d is defined twice", (int)tag[i]);
   }
-  if (num && (tag[0] < 0 || tag[num - 1] > MAX_NODE_TAG)) {
+  if (num && (tag[0] < 0 || tag[num - 1] > MAX_TAG)) {
     GmshReaderFail(reader, "a node has the tag %d; tags from 0 to %d are accepted",
-                   (int)(tag[0] < 0 ? tag[0] : tag[num - 1]), MAX_NODE_TAG);
+                   (int)(tag[0] < 0 ? tag[0] : tag[num - 1]), MAX_TAG);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -211,53 +208,56 @@ PetscErrorCode GmshReadNodes(GmshReader *reader)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A type of element that this version can use, or facets and points of any kind. */
-static void CheckType_Private(GmshReader *reader, PetscInt64 type)
+/* A type of element by its number, whose nodes can be read. */
+static const GmshType *ReadType_Private(GmshReader *reader)
 {
-  if (reader->reason[0]) return;
-  if (type < 1 || type >= NUM_TYPES) {
-    GmshReaderFail(reader,
-                   "it holds elements of Gmsh's type %lld, which this version cannot use; triangles and quadrangles of "
-                   "first and second order are accepted",
-                   (long long)type);
-  } else if (Type[type].dim == 3) {
-    GmshReaderFail(reader, "it holds three-dimensional cells, which this version cannot use; "
-                           "plane meshes of triangles and quadrangles are accepted");
-  }
+  const PetscInt64 number = ReadTag_Private(reader);
+  const GmshType  *type   = GmshTypeGet(number);
+
+  if (!type)
+    GmshReaderFail(
+        reader,
+        "it holds elements of Gmsh's type %lld, which cannot be used; triangles, quadrangles, tetrahedra and "
+        "hexahedra of first and second order are accepted",
+        (long long)number);
+  return type;
 }
 
-/* Room for all elements. */
+/* Room for all elements, but for their nodes. */
 static PetscErrorCode ElementsAllocate_Private(GmshMesh *mesh, PetscInt num)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc4(num, &mesh->type, num * GMSH_MAX_NODES, &mesh->nodes, num, &mesh->first_group, num,
-                         &mesh->end_group));
+  PetscCall(PetscMalloc4(num, &mesh->type, num + 1, &mesh->start, num, &mesh->first_group, num, &mesh->end_group));
+  mesh->start[0] = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The nodes of one element, which is kept unless it is a point. [in] first, end - range of its groups */
-static PetscErrorCode ReadElement_Private(GmshReader *reader, PetscInt64 element, PetscInt64 type, size_t bytes,
+static PetscErrorCode ReadElement_Private(GmshReader *reader, PetscInt64 element, const GmshType *type, size_t bytes,
                                           PetscInt first, PetscInt end)
 {
   GmshMesh      *mesh = reader->mesh;
   const PetscInt e    = mesh->num_elements;
 
   PetscFunctionBeginUser;
-  for (int i = 0; !reader->reason[0] && i < Type[type].nodes; ++i) {
+  if (reader->reason[0]) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(Grow_Private(mesh->start[e] + type->num_nodes, &reader->max_nodes, &mesh->nodes));
+  for (PetscInt i = 0; i < type->num_nodes; ++i) {
     const PetscInt64 node = ReadInt_Private(reader, bytes);
     PetscInt         at   = -1;
 
-    if (reader->reason[0]) break;
-    if (node >= 0 && node <= MAX_NODE_TAG) PetscCall(PetscFindInt((PetscInt)node, reader->num_tags, reader->tag, &at));
+    if (reader->reason[0]) PetscFunctionReturn(PETSC_SUCCESS);
+    if (node >= 0 && node <= MAX_TAG) PetscCall(PetscFindInt((PetscInt)node, reader->num_tags, reader->tag, &at));
     if (at < 0) {
       GmshReaderFail(reader, "element %lld refers to node %lld, which the file does not define", (long long)element,
                      (long long)node);
-    } else {
-      mesh->nodes[e * GMSH_MAX_NODES + i] = reader->node[at];
+      PetscFunctionReturn(PETSC_SUCCESS);
     }
+    mesh->nodes[mesh->start[e] + (type->place ? type->place[i] : i)] = reader->node[at];
   }
-  if (reader->reason[0] || Type[type].dim == 0) PetscFunctionReturn(PETSC_SUCCESS);
-  mesh->type[e]        = (PetscInt)type;
+  if (type->dim == 0) PetscFunctionReturn(PETSC_SUCCESS);
+  mesh->type[e]        = type;
+  mesh->start[e + 1]   = mesh->start[e] + type->num_nodes;
   mesh->first_group[e] = first;
   mesh->end_group[e]   = end;
   ++mesh->num_elements;
@@ -273,11 +273,10 @@ static PetscErrorCode ReadRuns_Private(GmshReader *reader)
   PetscCall(ElementsAllocate_Private(reader->mesh, num));
   for (PetscInt e = 0; e < num && !reader->reason[0];) {
     PetscInt64       element  = reader->binary ? 0 : ReadTag_Private(reader);
-    const PetscInt64 type     = ReadTag_Private(reader);
+    const GmshType  *type     = ReadType_Private(reader);
     PetscInt64       run      = reader->binary ? ReadTag_Private(reader) : 1;
     const PetscInt64 num_tags = ReadTag_Private(reader);
 
-    CheckType_Private(reader, type);
     if (run < 1 || run > num - e || num_tags < 0 || num_tags > MAX_TAGS) {
       GmshReaderFail(reader, "element %d of %d cannot be read", (int)e + 1, (int)num);
     }
@@ -307,17 +306,15 @@ static PetscErrorCode ReadBlocks_Private(GmshReader *reader)
   ReadRange_Private(reader);
   PetscCall(ElementsAllocate_Private(reader->mesh, total));
   for (PetscInt b = 0; b < num_blocks && !reader->reason[0]; ++b) {
-    PetscInt64 dim, type;
-    PetscInt   num, entity;
+    const GmshType *type;
+    PetscInt64      dim;
+    PetscInt        num, entity;
 
     PetscCall(ReadEntity_Private(reader, &dim, &entity));
-    type = ReadTag_Private(reader);
+    type = ReadType_Private(reader);
     num  = ReadCount_Private(reader, "elements of a block");
-    CheckType_Private(reader, type);
-    if (!reader->reason[0] && Type[type].dim != dim) {
-      GmshReaderFail(reader, "elements of type %lld stand under an entity of dimension %lld", (long long)type,
-                     (long long)dim);
-    }
+    if (!reader->reason[0] && type->dim != dim)
+      GmshReaderFail(reader, "%s stand under an entity of dimension %lld", type->name, (long long)dim);
     if (num > total - seen) GmshReaderFail(reader, "its blocks hold more elements than the file declares");
     for (PetscInt e = 0; e < num && !reader->reason[0]; ++e) {
       const PetscInt64 element = ReadInt_Private(reader, (size_t)reader->data_size);

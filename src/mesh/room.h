@@ -89,6 +89,8 @@ struct _n_MeshFile {
   GmshNames names; /* empty for other formats */
   MeshFile  next;
 };
+/* Says that the cells of a file have another dimension than the scene, and what to do. [out] reason - [MESH_SENTENCE] */
+void FileDescribeDimension(PetscInt highest, PetscInt dim, char reason[]);
 /* Whether a mesh within these bounds is plane. [in] lower, upper - [3]; [out] reason - untouched if so [MESH_SENTENCE] */
 void FileCheckHeight(const PetscReal lower[], const PetscReal upper[], char reason[]);
 /* The mesh of a body's file as read now or for an earlier body. [in,out] files - list of what was read, NULL at first;
