@@ -1,74 +1,141 @@
-/* box.c -- a body that is a box of quads or triangles.
+/* box.c -- a body that is a box of quads or triangles, of hexahedra or tetrahedra.
 
-   PETSc makes one box at a time and cannot merge two, and its Debian build has no generator for triangles, so boxes are
-   written here as cell lists: nodes run along x first; a quad is cut along the diagonal from its lower left corner. */
+   PETSc makes one box at a time and cannot merge two, and its Debian build has no generator for simplices, so boxes are
+   written here as cell lists: nodes run along x first, then along y, then along z. A quad is cut along the diagonal from its
+   lower left corner, a hexahedron into the six tetrahedra around the diagonal from its lowest corner to its highest one [1]:
+   all facets are cut from their lowest corner, so those of neighbours match.
+
+   Reference:
+     [1] H. W. Kuhn, Some combinatorial lemmas in topology, IBM J. Res. Dev. 4 (1960) 518-524. */
 #include "room.h"
 #include <mortise/compat.h>
 #include <string.h>
 
-enum { NUM_SIDES = 4 };
-/* In the order of a quad's facets: (0,1), (1,2), (2,3), (3,0). */
-static const char *const SideName[NUM_SIDES] = {"bottom", "right", "top", "left"};
+enum { MAX_SIDES = 6, MAX_PARTS = 6, MAX_PARTS_ON_SIDE = 2, MAX_CORNERS = 8 };
 
-/* Cells along the two axes, and what one quad of the grid becomes. */
+/* A side of the box, and of the bricks there. */
 typedef struct {
-  PetscInt nx, ny;
-  PetscInt cells_per_quad; /* 1 quad or 2 triangles */
+  const char *name;
+  PetscInt    axis, end; /* at which end of which axis: 0 or 1 */
+} Side;
+
+/* What a brick of the grid becomes. */
+typedef struct {
+  ElementType brick, part;
+  PetscInt    num_parts, corners[MAX_PARTS][MAX_CORNERS]; /* of each part, as the brick counts its own */
+} Split;
+
+/* [dim] */
+static const Side Sides[][MAX_SIDES] = {
+    [2] = {{"bottom", 1, 0}, {"right", 0, 1}, {"top", 1, 1}, {"left", 0, 0}},
+    [3] = {{"bottom", 2, 0}, {"top", 2, 1}, {"front", 1, 0}, {"right", 0, 1}, {"back", 1, 1}, {"left", 0, 0}}};
+
+/* [dim][simplex]. The tetrahedra are 0 -> 6 by every order of the three axes, right-handed all. */
+static const Split Splits[][2] = {
+    [2] = {{ELEMENT_QUAD4, ELEMENT_QUAD4, 1, {{0, 1, 2, 3}}}, {ELEMENT_QUAD4, ELEMENT_TRI3, 2, {{0, 1, 2}, {0, 2, 3}}}},
+    [3] = {{ELEMENT_HEX8, ELEMENT_HEX8, 1, {{0, 1, 2, 3, 4, 5, 6, 7}}},
+           {ELEMENT_HEX8,
+            ELEMENT_TET4,
+            6,
+            {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6}, {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}}}}};
+
+/* Bricks along the axes. */
+typedef struct {
+  PetscInt     dim, n[3];
+  const Split *split;
 } Grid;
 
-/* Corners a b c d of every quad, anticlockwise from the lower left. */
+/* Splits a number into digits, the first one fastest. [in] base - [dim] */
+static void Digits_Private(PetscInt dim, const PetscInt base[], PetscInt number, PetscInt digit[])
+{
+  for (PetscInt d = 0; d < dim; ++d) {
+    digit[d] = number % base[d];
+    number /= base[d];
+  }
+}
+
+static PetscInt Product_Private(PetscInt num, const PetscInt factor[])
+{
+  PetscInt product = 1;
+
+  for (PetscInt i = 0; i < num; ++i) product *= factor[i];
+  return product;
+}
+
+/* All bricks in turn, each in its parts. */
 static void BoxSetCells_Private(const Grid *grid, BodyList *list)
 {
-  for (PetscInt j = 0; j < grid->ny; ++j) {
-    for (PetscInt i = 0; i < grid->nx; ++i) {
-      const PetscInt quad = j * grid->nx + i, a = j * (grid->nx + 1) + i, b = a + 1, d = b + grid->nx, c = d + 1;
-      PetscInt      *nodes = &list->cell_nodes[quad * grid->cells_per_quad * ELEMENT_MAX_NODES];
+  const Split *split = grid->split;
 
-      if (grid->cells_per_quad == 1) {
-        const PetscInt corners[] = {a, b, c, d};
+  for (PetscInt brick = 0; brick < Product_Private(grid->dim, grid->n); ++brick) {
+    PetscInt at[3], node[MAX_CORNERS];
 
-        memcpy(nodes, corners, sizeof(corners));
-        list->cell_type[quad] = ELEMENT_QUAD4;
-      } else {
-        const PetscInt lower[] = {a, b, c}, upper[] = {a, c, d};
+    Digits_Private(grid->dim, grid->n, brick, at);
+    for (PetscInt i = 0; i < ElementNumNodes(split->brick); ++i) {
+      node[i] = 0;
+      for (PetscInt d = grid->dim - 1; d >= 0; --d)
+        node[i] = node[i] * (grid->n[d] + 1) + at[d] + (ElementNode(split->brick, i)[d] > 0);
+    }
+    for (PetscInt p = 0; p < split->num_parts; ++p) {
+      const PetscInt cell = brick * split->num_parts + p;
 
-        memcpy(nodes, lower, sizeof(lower));
-        memcpy(nodes + ELEMENT_MAX_NODES, upper, sizeof(upper));
-        list->cell_type[2 * quad] = list->cell_type[2 * quad + 1] = ELEMENT_TRI3;
-      }
+      list->cell_type[cell] = split->part;
+      for (PetscInt i = 0; i < ElementNumNodes(split->part); ++i)
+        list->cell_nodes[cell * ELEMENT_MAX_NODES + i] = node[split->corners[p][i]];
     }
   }
 }
 
-/* Nodes row by row from the bottom. */
+/* The weighted mean meets both ends exactly, unlike lower + s (upper - lower). */
 static void BoxSetCoords_Private(const SceneBody *body, const Grid *grid, BodyList *list)
 {
-  for (PetscInt j = 0; j <= grid->ny; ++j) {
-    for (PetscInt i = 0; i <= grid->nx; ++i) {
-      PetscReal      *x = &list->coords[(j * (grid->nx + 1) + i) * 2];
-      const PetscReal s = (PetscReal)i / grid->nx, t = (PetscReal)j / grid->ny;
+  PetscInt num[3], at[3];
 
-      /* the weighted mean meets both ends exactly, unlike lower + s (upper - lower) */
-      x[0] = (1 - s) * body->lower[0] + s * body->upper[0];
-      x[1] = (1 - t) * body->lower[1] + t * body->upper[1];
+  for (PetscInt d = 0; d < grid->dim; ++d) num[d] = grid->n[d] + 1;
+  for (PetscInt node = 0; node < list->num_nodes; ++node) {
+    Digits_Private(grid->dim, num, node, at);
+    for (PetscInt d = 0; d < grid->dim; ++d) {
+      const PetscReal s = (PetscReal)at[d] / grid->n[d];
+
+      list->coords[node * grid->dim + d] = (1 - s) * body->lower[d] + s * body->upper[d];
     }
   }
+}
+
+/* The facet of a part of a brick that lies on a side of the brick, or -1. */
+static PetscInt PartFindFacet_Private(const Split *split, PetscInt part, const Side *side)
+{
+  const PetscInt num = ElementNumNodes(ElementFacetType(split->part));
+
+  for (PetscInt f = 0; f < ElementNumFacets(split->part); ++f) {
+    const PetscInt *nodes = ElementFacetNodes(split->part, f);
+    PetscInt        on    = 0;
+
+    for (PetscInt i = 0; i < num; ++i)
+      on += ElementNode(split->brick, split->corners[part][nodes[i]])[side->axis] == (PetscReal)side->end;
+    if (on == num) return f;
+  }
+  return -1;
 }
 
 /* Facets of one side of the box under the index of its name. */
-static void BoxAddSide_Private(const Grid *grid, PetscInt side, PetscInt index, BodyList *list)
+static void BoxAddSide_Private(const Grid *grid, const Side *side, PetscInt index, BodyList *list)
 {
-  const PetscInt num = side == 0 || side == 2 ? grid->nx : grid->ny, nx = grid->nx, last_row = nx * (grid->ny - 1);
-  const PetscInt first[NUM_SIDES] = {0, nx - 1, last_row, 0}, stride[NUM_SIDES] = {1, nx, 1, nx};
-  /* lower triangle a b c: bottom is (a,b), right (b,c); upper triangle a c d: top (c,d), left (d,a) */
-  const PetscInt half[NUM_SIDES] = {0, 0, 1, 1}, facet[NUM_SIDES] = {0, 1, 1, 2};
+  const Split *split = grid->split;
 
-  for (PetscInt i = 0; i < num; ++i) {
-    const PetscInt quad = first[side] + i * stride[side], n = list->num_facets++;
+  for (PetscInt brick = 0; brick < Product_Private(grid->dim, grid->n); ++brick) {
+    PetscInt at[3];
 
-    list->facet_cell[n] = grid->cells_per_quad == 1 ? quad : 2 * quad + half[side];
-    list->facet[n]      = grid->cells_per_quad == 1 ? side : facet[side];
-    list->facet_side[n] = index;
+    Digits_Private(grid->dim, grid->n, brick, at);
+    if (at[side->axis] != (side->end ? grid->n[side->axis] - 1 : 0)) continue;
+    for (PetscInt p = 0; p < split->num_parts; ++p) {
+      const PetscInt facet = PartFindFacet_Private(split, p, side);
+
+      if (facet < 0) continue;
+      list->facet_cell[list->num_facets]   = brick * split->num_parts + p;
+      list->facet[list->num_facets]        = facet;
+      list->facet_side[list->num_facets++] = index;
+    }
   }
 }
 
@@ -76,23 +143,30 @@ static void BoxAddSide_Private(const Grid *grid, PetscInt side, PetscInt index, 
 PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const SideNames *names, BodyList *list,
                                  char sentence[])
 {
-  const Grid grid = {body->faces[0] << body->refine, body->faces[1] << body->refine, body->simplex ? 2 : 1};
+  static const char *const all[] = {
+      [2] = "left, right, bottom and top", [3] = "left, right, front, back, bottom and top"};
+  Grid     grid     = {.dim = dim, .split = &Splits[dim][body->simplex ? 1 : 0]};
+  PetscInt nodes[3] = {0, 0, 0}, num_bricks, num_facets = 0;
 
   PetscFunctionBeginUser;
-  PetscCall(BodyListAllocate(dim, grid.nx * grid.ny * grid.cells_per_quad, (grid.nx + 1) * (grid.ny + 1),
-                             2 * (grid.nx + grid.ny), list));
+  for (PetscInt d = 0; d < dim; ++d) {
+    grid.n[d] = body->faces[d] << body->refine;
+    nodes[d]  = grid.n[d] + 1;
+  }
+  num_bricks = Product_Private(dim, grid.n);
+  for (PetscInt d = 0; d < dim; ++d) num_facets += 2 * MAX_PARTS_ON_SIDE * (num_bricks / grid.n[d]);
+  PetscCall(BodyListAllocate(dim, num_bricks * grid.split->num_parts, Product_Private(dim, nodes), num_facets, list));
   BoxSetCells_Private(&grid, list);
   BoxSetCoords_Private(body, &grid, list);
   for (PetscInt i = 0; i < names->num; ++i) {
     PetscInt side = 0;
 
-    while (side < NUM_SIDES && strcmp(SideName[side], names->name[i])) ++side;
-    if (side < NUM_SIDES)
-      BoxAddSide_Private(&grid, side, i, list);
+    while (side < 2 * dim && strcmp(Sides[dim][side].name, names->name[i])) ++side;
+    if (side < 2 * dim)
+      BoxAddSide_Private(&grid, &Sides[dim][side], i, list);
     else
-      snprintf(sentence, MESH_SENTENCE,
-               "body '%s' is a box and has no side '%s'; its sides are left, right, bottom and top", body->name,
-               names->name[i]);
+      snprintf(sentence, MESH_SENTENCE, "body '%s' is a box and has no side '%s'; its sides are %s", body->name,
+               names->name[i], all[dim]);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -63,45 +63,54 @@ PetscErrorCode LevelSetCells(Level *level)
 /* Positions of a cell's nodes; returns the longest distance of neighbouring vertices. [out] X - [num_nodes][dim] */
 static PetscReal LevelCellCoords_Private(const Level *level, PetscInt cell, PetscReal X[])
 {
-  const PetscInt *nodes   = &level->cell_nodes[level->cell_start[cell]];
-  const PetscInt  num     = level->cell_start[cell + 1] - level->cell_start[cell];
-  const PetscInt  corners = LevelNumVertices(level, cell);
-  PetscReal       longest = 0;
+  const PetscInt   *nodes   = &level->cell_nodes[level->cell_start[cell]];
+  const PetscInt    num     = level->cell_start[cell + 1] - level->cell_start[cell];
+  const ElementType type    = (ElementType)level->cell_type[cell];
+  PetscReal         longest = 0;
 
   for (PetscInt i = 0; i < num; ++i) {
     for (PetscInt d = 0; d < level->dim; ++d) X[i * level->dim + d] = level->coords[nodes[i] * level->dim + d];
   }
-  for (PetscInt i = 0; i < corners; ++i) {
-    PetscReal square = 0;
+  for (PetscInt e = 0; e < ElementNumEdges(type); ++e) {
+    const PetscInt *ends   = ElementEdgeNodes(type, e);
+    PetscReal       square = 0;
 
     for (PetscInt d = 0; d < level->dim; ++d)
-      square += PetscSqr(X[i * level->dim + d] - X[(i + 1) % corners * level->dim + d]);
-    longest = PetscMax(longest, PetscSqrtReal(square));
+      square += PetscSqr(X[ends[0] * level->dim + d] - X[ends[1] * level->dim + d]);
+    longest = PetscMax(longest, square);
   }
-  return longest;
+  return PetscSqrtReal(longest);
 }
 
-/* Reverses nodes[0 .. num). */
-static void Reverse_Private(PetscInt num, PetscInt nodes[])
+/* The node of a reference cell that mirrors another in the plane xi_0 = xi_1. */
+static PetscInt NodeMirror_Private(ElementType type, PetscInt node)
 {
-  for (PetscInt i = 0; i < num - 1 - i; ++i) {
-    const PetscInt swap = nodes[i];
+  const PetscReal *xi = ElementNode(type, node);
+  PetscInt         i  = 0;
 
-    nodes[i]           = nodes[num - 1 - i];
-    nodes[num - 1 - i] = swap;
+  for (; i < ElementNumNodes(type); ++i) {
+    const PetscReal *other = ElementNode(type, i);
+    PetscBool        same  = other[0] == xi[1] && other[1] == xi[0] ? PETSC_TRUE : PETSC_FALSE;
+
+    for (PetscInt d = 2; d < ElementDim(type); ++d) same = same && other[d] == xi[d] ? PETSC_TRUE : PETSC_FALSE;
+    if (same) break;
   }
+  return i;
 }
 
-/* The facets at the first vertex change places, and so do all behind them. */
+/* The first vertex stays. */
 void CellReverse(ElementType type, PetscInt nodes[])
 {
-  const PetscInt corners = ElementNumNodes(ElementLinear(type));
+  for (PetscInt i = 0; i < ElementNumNodes(type); ++i) {
+    const PetscInt mirror = NodeMirror_Private(type, i), node = nodes[i];
 
-  Reverse_Private(corners - 1, nodes + 1);
-  if (ElementOrder(type) > 1) Reverse_Private(corners, nodes + corners);
+    if (mirror <= i) continue; // on the plane, or changed already
+    nodes[i]      = nodes[mirror];
+    nodes[mirror] = node;
+  }
 }
 
-/* Reverses a cell that runs clockwise; tells whether it did, and whether the cell is sound then. */
+/* Reverses a cell that is inside out; tells whether it did, and whether the cell is sound then. */
 static void LevelTurnCell_Private(Level *level, PetscInt cell, PetscBool *turned, PetscBool *sound)
 {
   const ElementType type = (ElementType)level->cell_type[cell];
@@ -143,7 +152,7 @@ PetscErrorCode LevelTurnCells(Level *level)
 {
   const Scene scene                   = level->scene;
   char        sentence[MESH_SENTENCE] = "";
-  PetscInt   *seen; /* cells that ran anticlockwise and clockwise [num_bodies][2] */
+  PetscInt   *seen; /* cells that were the right way and inside out [num_bodies][2] */
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(2 * scene->num_bodies, &seen));

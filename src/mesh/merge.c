@@ -2,6 +2,23 @@
 #include "room.h"
 #include <mortise/compat.h>
 
+/* The point that is a facet of a list: PETSc numbers facets of solids in an order of its own. */
+static PetscErrorCode FacetGetPoint_Private(const BodyList *list, const Numbering *numbering, PetscInt body, PetscInt f,
+                                            DM dm, PetscInt *point)
+{
+  const PetscInt    cell  = list->facet_cell[f];
+  const ElementType type  = ElementLinear((ElementType)list->cell_type[cell]);
+  const PetscInt    num   = ElementNumNodes(ElementFacetType(type));
+  const PetscInt   *nodes = ElementFacetNodes(type, list->facet[f]);
+  PetscInt          vertices[ELEMENT_MAX_FACET_NODES];
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < num; ++i)
+    vertices[i] = numbering->first_vertex[body] + list->cell_nodes[cell * ELEMENT_MAX_NODES + nodes[i]];
+  PetscCall(PointFindFacet(dm, numbering->point[body][cell], num, vertices, point));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* "body" on cells; "<body>:<side>" on facets, value 1. All ranks make the labels, the first one fills them;
    distribution and refinement carry them on. */
 static PetscErrorCode MergeSetLabels_Private(Scene scene, const BodyList lists[], const SideNames names[],
@@ -23,11 +40,11 @@ static PetscErrorCode MergeSetLabels_Private(Scene scene, const BodyList lists[]
       PetscCall(DMCreateLabel(dm, text));
       PetscCall(DMGetLabel(dm, text, &label));
       for (PetscInt f = 0; f < lists[b].num_facets; ++f) {
-        const PetscInt *cone;
+        PetscInt point;
 
         if (lists[b].facet_side[f] != s) continue;
-        PetscCall(DMPlexGetCone(dm, numbering->point[b][lists[b].facet_cell[f]], &cone));
-        PetscCall(DMLabelSetValue(label, cone[lists[b].facet[f]], 1)); // a Plex polygon counts its edges like element.h
+        PetscCall(FacetGetPoint_Private(&lists[b], numbering, b, f, dm, &point));
+        PetscCall(DMLabelSetValue(label, point, 1));
       }
     }
   }

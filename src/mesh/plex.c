@@ -1,7 +1,7 @@
 /* plex.c -- lists of cells as one DMPlex.
 
    Points: cells sorted by type (DMPlexTransform numbers what it makes by type and needs each type in one run), then the
-   vertices of list after list; edges come behind by DMPlexInterpolate(). */
+   vertices of list after list; edges and facets of solids come behind by DMPlexInterpolate(). */
 #include "room.h"
 #include <mortise/compat.h>
 
@@ -11,7 +11,14 @@ static const DMPolytopeType Polytope[ELEMENT_COUNT] = {[ELEMENT_LINE2] = DM_POLY
                                                        [ELEMENT_TET4]  = DM_POLYTOPE_TETRAHEDRON,
                                                        [ELEMENT_HEX8]  = DM_POLYTOPE_HEXAHEDRON};
 
-/* All triangles of all bodies come before all quads. */
+/* Our vertices in PETSc's order, in which the first facet of a solid, its first vertices, is seen from outside. */
+static const PetscInt ConeOrder[ELEMENT_COUNT][8] = {[ELEMENT_LINE2] = {0, 1},
+                                                     [ELEMENT_TRI3]  = {0, 1, 2},
+                                                     [ELEMENT_QUAD4] = {0, 1, 2, 3},
+                                                     [ELEMENT_TET4]  = {0, 2, 1, 3},
+                                                     [ELEMENT_HEX8]  = {0, 3, 2, 1, 4, 5, 6, 7}};
+
+/* All cells of a type in all bodies come before those of the next. */
 PetscErrorCode NumberingCreate(PetscInt num_bodies, const BodyList lists[], Numbering *numbering)
 {
   PetscInt point = 0;
@@ -65,10 +72,10 @@ static PetscErrorCode PlexSetCones_Private(const BodyList lists[], const Numberi
   PetscCall(DMSetUp(dm));
   for (PetscInt b = 0; b < numbering->num_bodies; ++b) {
     for (PetscInt c = 0; c < lists[b].num_cells; ++c) {
-      const PetscInt num = ElementNumNodes(ElementLinear((ElementType)lists[b].cell_type[c]));
+      const ElementType linear = ElementLinear((ElementType)lists[b].cell_type[c]);
 
-      for (PetscInt i = 0; i < num; ++i)
-        cone[i] = numbering->first_vertex[b] + lists[b].cell_nodes[c * ELEMENT_MAX_NODES + i];
+      for (PetscInt i = 0; i < ElementNumNodes(linear); ++i)
+        cone[i] = numbering->first_vertex[b] + lists[b].cell_nodes[c * ELEMENT_MAX_NODES + ConeOrder[linear][i]];
       PetscCall(DMPlexSetCone(dm, numbering->point[b][c], cone));
     }
   }
@@ -125,7 +132,7 @@ PetscErrorCode PlexCreate(MPI_Comm comm, PetscInt dim, const BodyList lists[], c
   PetscCall(DMSetType(cells, DMPLEX));
   PetscCall(DMSetDimension(cells, dim));
   PetscCall(PlexSetCones_Private(lists, numbering, cells));
-  PetscCall(DMPlexInterpolate(cells, dm)); // adds the edges; cells and vertices keep their numbers
+  PetscCall(DMPlexInterpolate(cells, dm)); // adds what is between; cells and vertices keep their numbers
   PetscCall(DMDestroy(&cells));
   PetscCall(PlexSetCoords_Private(lists, numbering, dim, *dm));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -44,7 +44,7 @@ PetscErrorCode SideNamesDestroy(SideNames *names);
 /* The number of the facet of a cell that has exactly these vertices, or -1. [in] cell, facet - node numbers */
 PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt facet[]);
 
-/* A box of quads or triangles. [out] sentence - [MESH_SENTENCE], "" unless the scene is wrong */
+/* A box of quads or triangles, of hexahedra or tetrahedra. [out] sentence - [MESH_SENTENCE], "" unless the scene is wrong */
 PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const SideNames *names, BodyList *list,
                                  char sentence[]);
 
@@ -104,14 +104,20 @@ PetscErrorCode MeshFileDestroy(MeshFile *files);
 /* The one DMPlex of all bodies, whole on the first rank. Collective. [in] lists - empty on other ranks */
 PetscErrorCode MeshMerge(Scene scene, const BodyList lists[], const SideNames names[], DM *dm, Curves *curves);
 
-/* Vertices of a point of the mesh: a vertex itself, the ends of an edge, the corners of a cell. [out] vertices -
+/* Vertices of a point of the mesh: a vertex itself, the ends of an edge, the corners of a facet or a cell. [out] vertices -
    [ELEMENT_MAX_NODES] */
 PetscErrorCode PointGetVertices(DM dm, PetscInt point, PetscInt *num, PetscInt vertices[]);
-/* Whether order 2 has a node in the middle of an edge or a cell. */
+/* Whether order 2 has a node in the middle of an edge, a facet or a cell. */
 PetscErrorCode PointHasMiddle(DM dm, PetscInt point, PetscBool *has);
+/* The points that carry the nodes behind the vertices in an element of order 2: edges, quads of a hexahedron, the point
+   itself. [in] vertices - in the element's order, which need not be that of PointGetVertices(); [out] middles -
+   [ELEMENT_MAX_NODES] */
+PetscErrorCode PointGetMiddles(DM dm, PetscInt point, const PetscInt vertices[], PetscInt *num, PetscInt middles[]);
+/* The facet of a cell that has exactly these vertices, in any order. */
+PetscErrorCode PointFindFacet(DM dm, PetscInt point, PetscInt num, const PetscInt vertices[], PetscInt *facet);
 /* The local node on a point, -1 where there is none. */
 PetscInt PointGetNode(const Level *level, PetscInt point);
-/* The element on an edge or a cell, in the order of element.h, though perhaps clockwise. [out] nodes - local
+/* The element on an edge, a facet or a cell, in the order of element.h, though perhaps inside out. [out] nodes - local
    [ELEMENT_MAX_NODES] */
 PetscErrorCode PointGetNodes(const Level *level, PetscInt point, ElementType *type, PetscInt nodes[]);
 /* The point of the mesh that each local node is on. [out] point - [num_nodes], freed by the caller */
@@ -135,9 +141,9 @@ PetscErrorCode LevelSetAxis(Level *level);
 PetscErrorCode LevelSetCoords(Level *level, const Curves *curves);
 /* The same for a refined level that has its prolongation. */
 PetscErrorCode LevelFollowCoords(Level *coarse, Level *fine);
-/* Lets all cells run anticlockwise. Faults: a degenerate or tangled cell, a map that folds a body. Collective. */
+/* Lets all cells run anticlockwise, or the facets of solids seen from outside. Faults: a degenerate or tangled cell, a map that folds a body. Collective. */
 PetscErrorCode LevelTurnCells(Level *level);
-/* Reverses the sense of a cell whose nodes these are; its first vertex stays. */
+/* Reverses the sense of a cell whose nodes these are: its mirror image in the plane xi_0 = xi_1. */
 void CellReverse(ElementType type, PetscInt nodes[]);
 /* Splits every cell: tables, prolongation and positions, cells not turned. Collective. */
 PetscErrorCode LevelRefine(Level *coarse, Level *fine);

@@ -1,0 +1,82 @@
+/* test_meshsolid.c -- bodies in space, on any number of ranks: volumes, sides, levels, maps. */
+#include "solid_scene.h"
+
+/* A box of hexahedra above one of tetrahedra: every measure of both on every level. */
+static void TestBoxes(PetscInt refine, PetscInt order)
+{
+  TestScene t;
+  Mesh      mesh;
+
+  SolidSceneInit(&t);
+  t.scene.refine                                                                                              = refine;
+  SolidSceneAddBox(&t, "upper", (PetscInt[]){3, 2, 1}, (PetscReal[]){0, 0, 0}, (PetscReal[]){1, 2, 3})->order = order;
+  SolidSceneAddBox(&t, "lower", (PetscInt[]){1, 2, 2}, (PetscReal[]){-1, 0, -2}, (PetscReal[]){2, 2, 0})->order = order;
+  t.bodies[1].simplex = PETSC_TRUE;
+  for (int s = 0; s < 6; ++s) {
+    TestSceneAddBoundary(&t.bodies[0], BOUNDARY_NORMAL, SolidSides[s], NULL);
+    TestSceneAddBoundary(&t.bodies[1], BOUNDARY_NORMAL, SolidSides[s], NULL);
+  }
+  TestSceneAddPair(&t, "joint", 0, "bottom", 1, "top");
+  mesh = TestSceneMesh(&t);
+  CHECK(mesh->num_levels == refine + 1);
+  for (PetscInt l = 0; l <= refine; ++l) {
+    Level         *level = &mesh->levels[l];
+    const PetscInt s = 1 << l, k = order * s;
+
+    CHECK(level->dim == 3);
+    CHECK_NEAR(Total(level->num_cells), (6 + 6 * 4) * s * s * s, 0);
+    CHECK(level->num_global == (3 * k + 1) * (2 * k + 1) * (k + 1) + (k + 1) * (2 * k + 1) * (2 * k + 1));
+    CHECK_NEAR(Total(level->num_owned), level->num_global, 0);
+    CHECK_NEAR(SolidVolume(level, 0), 6, 1e-12);
+    CHECK_NEAR(SolidVolume(level, 1), 12, 1e-12);
+    SolidCheckBoxSides(&t, level, 0, (PetscReal[]){0, 0, 0}, (PetscReal[]){1, 2, 3});
+    SolidCheckBoxSides(&t, level, 1, (PetscReal[]){-1, 0, -2}, (PetscReal[]){2, 2, 0});
+  }
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
+/* Curved bodies, inside out or not: the divergence of (x, y, z) / 3 in the isoparametric body is its flux through all
+   sides. */
+static void TestMaps(PetscBool simplex, PetscInt order)
+{
+  static const char *const map[] = {"x*cos(y), x*sin(y), z+0.2*x", "x*cos(y), -x*sin(y), z", "y, x, z+x*y/5",
+                                    "x+0.1*sin(3*y), y+0.1*sin(3*z), z+0.1*sin(3*x)"};
+
+  for (size_t m = 0; m < sizeof(map) / sizeof(map[0]); ++m) {
+    TestScene t;
+    Mesh      mesh;
+
+    SolidSceneInit(&t);
+    t.scene.refine = 1;
+    SolidSceneAddBox(&t, "body", (PetscInt[]){2, 3, 2}, (PetscReal[]){1, 0, 0}, (PetscReal[]){2, 1.5, 1})->order =
+        order;
+    t.bodies[0].simplex = simplex;
+    for (int s = 0; s < 6; ++s) TestSceneAddBoundary(&t.bodies[0], BOUNDARY_PRESSURE, SolidSides[s], NULL);
+    CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-map", map[m], 3, PETSC_FALSE, &t.bodies[0].map));
+    mesh = TestSceneMesh(&t);
+    for (PetscInt l = 0; l <= 1; ++l) {
+      SideSums sums;
+
+      SolidSumSide(&t, &mesh->levels[l], 0, "left+right+front+back+bottom+top", &sums);
+      CHECK_NEAR(sums.flux / 3, SolidVolume(&mesh->levels[l], 0), 1e-12);
+      CHECK(sums.flux > 0);
+      for (int d = 0; d < 3; ++d) CHECK_NEAR(sums.normal[d], 0, 1e-12); // of a closed surface
+    }
+    CHECK(!MeshDestroy(&mesh));
+    TestSceneFree(&t);
+  }
+}
+
+int main(int argc, char **argv)
+{
+  CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
+  CHECK(!FaultInitialize());
+  for (PetscInt order = 1; order <= 2; ++order) {
+    TestBoxes(0, order);
+    TestBoxes(2, order);
+    for (int simplex = 0; simplex < 2; ++simplex) TestMaps(simplex ? PETSC_TRUE : PETSC_FALSE, order);
+  }
+  CHECK(!PetscFinalize());
+  return 0;
+}
