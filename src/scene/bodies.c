@@ -10,7 +10,7 @@ static const PetscReal DEFINITE = 1000 * PETSC_MACHINE_EPSILON;
 static PetscErrorCode BodyCheckSize_Private(Scene scene, const SceneBody *body, const Option *faces)
 {
   const PetscInt refine = body->refine + scene->refine + (scene->study.kind ? scene->study.levels - 1 : 0);
-  PetscReal      cells  = body->simplex ? 2 : 1;
+  PetscReal      cells  = !body->simplex ? 1 : scene->dim == 2 ? 2 : 6; /* of every brick */
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < scene->dim; i++) cells *= PetscPowRealInt(2, (int)refine) * body->faces[i];
@@ -29,12 +29,11 @@ static PetscErrorCode BodyReadBox_Private(Scene scene, SceneBody *body, const Op
   Option lower, upper, simplex;
 
   PetscFunctionBeginUser;
-  if (OptionCountItems(faces) == 3)
-    PetscCall(OptionRaise(faces, "three numbers make a solid; this version is two-dimensional, give two"));
   PetscCall(OptionGetInts(faces, scene->dim, 1, body->faces));
   PetscCall(OptionFind(scene, "-<body>_dm_plex_box_lower", body->name, NULL, &lower));
   PetscCall(OptionFind(scene, "-<body>_dm_plex_box_upper", body->name, NULL, &upper));
   PetscCall(OptionFind(scene, "-<body>_dm_plex_simplex", body->name, NULL, &simplex));
+  for (PetscInt i = 0; i < scene->dim; i++) body->upper[i] = 1;
   PetscCall(OptionGetReals(&lower, scene->dim, body->lower));
   PetscCall(OptionGetReals(&upper, scene->dim, body->upper));
   PetscCall(OptionGetBool(&simplex, &body->simplex));

@@ -10,26 +10,55 @@ PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The model says how many dimensions there are. Where it is not given, boxes do; all of them must agree. */
+static PetscErrorCode SceneReadModel_Private(Scene scene)
+{
+  Option   model, faces, first = {.set = PETSC_FALSE};
+  PetscInt choice = MODEL_PLANE_STRAIN, num, dim = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionFind(scene, "-model", NULL, NULL, &model));
+  PetscCall(OptionGetChoice(&model, &choice));
+  if (model.set) dim = choice == MODEL_SOLID ? 3 : 2;
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
+    PetscCall(OptionFind(scene, "-<body>_dm_plex_box_faces", scene->bodies[b].name, NULL, &faces));
+    num = OptionCountItems(&faces);
+    if (num != 2 && num != 3) continue; /* a file, or a mistake that is told with the body */
+    if (!dim) {
+      dim   = num;
+      first = faces;
+    }
+    if (num == dim) continue;
+    if (first.set)
+      PetscCall(OptionRaise(&faces, "all bodies of a scene have the same dimensions, two or three; there is %s %s",
+                            first.name, first.text));
+    else
+      PetscCall(OptionRaise(&faces, "%s",
+                            choice == MODEL_SOLID ? "-model solid has three dimensions; give three numbers"
+                                                  : "three numbers make a solid; give two, or -model solid"));
+  }
+  scene->dim   = dim == 3 ? 3 : 2;
+  scene->model = dim == 3 ? MODEL_SOLID : (ModelKind)choice;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* What holds for the whole scene. */
 static PetscErrorCode SceneReadGlobal_Private(Scene scene)
 {
-  Option   title, model, thickness, refine, order;
-  PetscInt choice = MODEL_PLANE_STRAIN, number = 0;
+  Option   title, thickness, refine, order;
+  PetscInt number = 0;
 
   PetscFunctionBeginUser;
   PetscCall(OptionFind(scene, "-title", NULL, NULL, &title));
-  PetscCall(OptionFind(scene, "-model", NULL, NULL, &model));
   PetscCall(OptionFind(scene, "-thickness", NULL, NULL, &thickness));
   PetscCall(OptionFind(scene, "-dm_refine", NULL, NULL, &refine));
   PetscCall(OptionFind(scene, "-order", NULL, NULL, &order));
   PetscCall(PetscStrallocpy(title.set ? title.text : "", &scene->title));
-  PetscCall(OptionGetChoice(&model, &choice));
-  scene->model = (ModelKind)choice;
-  if (scene->model == MODEL_SOLID) {
-    PetscCall(OptionRaise(&model, "this version solves plane_strain, plane_stress and axisymmetric only"));
-  }
+  PetscCall(SceneReadModel_Private(scene));
   if (scene->model == MODEL_AXISYMMETRIC && thickness.set)
     PetscCall(OptionRaise(&thickness, "an axisymmetric model is a whole ring, it has no thickness; leave this out"));
+  if (scene->model == MODEL_SOLID && thickness.set)
+    PetscCall(OptionRaise(&thickness, "a solid has three dimensions and no thickness beside them; leave this out"));
   PetscCall(OptionGetReals(&thickness, 1, &scene->thickness));
   if (!(scene->thickness > 0)) PetscCall(OptionRaise(&thickness, "a thickness must be above 0"));
   PetscCall(OptionGetInts(&refine, 1, 0, &scene->refine));

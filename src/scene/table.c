@@ -31,57 +31,65 @@ static const OptionEntry table[] = {
      "Options that nothing reads are told as a warning instead of ending the run."},
 
     {GROUP_SCENE, "-title", "text", "", "(empty)", "Free text that goes into every result."},
-    {GROUP_SCENE, "-model", "plane_strain|plane_stress|axisymmetric|solid", "", "plane_strain",
-     "What two dimensions stand for. Axisymmetric: x is the radius r >= 0, y the axis z, forces and areas are those of "
-     "the "
-     "whole ring; nodes on the axis have no radial displacement. This version does not solve solid."},
+    {GROUP_SCENE, "-model", "plane_strain|plane_stress|axisymmetric|solid", "",
+     "(plane_strain, or solid where boxes have three dimensions)",
+     "What two dimensions stand for, or that there are three (solid). Axisymmetric: x is the radius r >= 0, y the axis "
+     "z, "
+     "forces and areas are those of the whole ring; nodes on the axis have no radial displacement."},
     {GROUP_SCENE, "-thickness", "x", "length", "1",
-     "Thickness of the plane; forces and energies are for it. Not with -model axisymmetric."},
+     "Thickness of the plane; forces and energies are for it. With -model plane_strain or plane_stress."},
     {GROUP_SCENE, "-bodies", "name,name,...", "", "(required)",
      "Names of the bodies. Each is the prefix of its body's options: letters, digits, underscores."},
     {GROUP_SCENE, "-pairs", "name,name,...", "", "(none)",
      "Names of the pairs of sides that may touch; each is the prefix of its pair's options."},
     {GROUP_SCENE, "-dm_refine", "n", "", "0", "Refines all bodies so many times; each time halves every edge."},
     {GROUP_SCENE, "-order", "1|2", "", "1",
-     "Polynomial order of all bodies: nodes at vertices, or on edges and in quadrilaterals as well."},
+     "Polynomial order of all bodies: nodes at vertices, or on edges and in quadrilaterals and hexahedra as well."},
 
     {GROUP_MESH, "-<body>_dm_plex_filename", "file", "", "(a box)",
      "Mesh from Gmsh (2.2 or 4.1) or another format that DMPlex reads; tried from here, then from the options file's "
      "folder."},
     {GROUP_MESH, "-<body>_mesh_region", "name", "", "(all cells)",
      "Takes only the cells of this physical group, by name or number, so that bodies may share a file."},
-    {GROUP_MESH, "-<body>_dm_plex_box_faces", "n,n", "", "(a mesh file)",
-     "Instead of a file: a box with so many cells along x and y. Its sides are left, right, bottom, top."},
-    {GROUP_MESH, "-<body>_dm_plex_box_lower", "x,y", "length", "0,0", "Lower left corner of the box."},
-    {GROUP_MESH, "-<body>_dm_plex_box_upper", "x,y", "length", "1,1", "Upper right corner of the box."},
+    {GROUP_MESH, "-<body>_dm_plex_box_faces", "n,n[,n]", "", "(a mesh file)",
+     "Instead of a file: a box with so many cells along x and y, and in solids along z. Its sides are left and right "
+     "(x), "
+     "bottom and top (y); of solids left and right (x), front and back (y), bottom and top (z)."},
+    {GROUP_MESH, "-<body>_dm_plex_box_lower", "x,y[,z]", "length", "(the origin)",
+     "Corner of the box where all coordinates are smallest."},
+    {GROUP_MESH, "-<body>_dm_plex_box_upper", "x,y[,z]", "length", "(1 along every axis)",
+     "Corner of the box where all coordinates are largest."},
     {GROUP_MESH, "-<body>_dm_plex_simplex", "0|1", "", "1",
-     "Box of triangles (1, as everywhere in PETSc) or of quadrilaterals (0)."},
-    {GROUP_MESH, "-<body>_map", "e,e", "length", "(identity)",
-     "Takes a mesh point x, y to its position, on every level: graded boxes, rings, discs."},
+     "Box of triangles or tetrahedra (1, as everywhere in PETSc), or of quadrilaterals or hexahedra (0)."},
+    {GROUP_MESH, "-<body>_map", "e,e[,e]", "length", "(identity)",
+     "Takes a mesh point x, y, z to its position, on every level: graded boxes, rings, discs."},
     {GROUP_MESH, "-<body>_dm_refine", "n", "", "0", "Refines this body so many times, before -dm_refine refines all."},
     {GROUP_MESH, "-<body>_order", "1|2", "", "(-order)", "Polynomial order of this body."},
-    {GROUP_MESH, "-<body>_exact_displacement", "e,e", "length", "(not known)",
+    {GROUP_MESH, "-<body>_exact_displacement", "e,e[,e]", "length", "(not known)",
      "The exact solution in this body: the summary tells how far the computed one is from it."},
 
     {GROUP_MATERIAL, "-<body>_young", "e", "stress", "(required)", "Young's modulus of an isotropic body."},
     {GROUP_MATERIAL, "-<body>_poisson", "e", "", "(required)",
      "Poisson's ratio of an isotropic body, above -1 and below 0.5."},
-    {GROUP_MATERIAL, "-<body>_stiffness", "e,e,e,e,e,e", "stress", "(isotropic)",
+    {GROUP_MATERIAL, "-<body>_stiffness", "e,e,e,e,e,e[,...]", "stress", "(isotropic)",
      "Instead of the two: the Hooke matrix, its upper triangle row by row in the order xx, yy, xy, with engineering "
-     "shear strains. Axisymmetric: ten numbers, in the order xx (radius), yy (axis), zz (around), xy."},
-    {GROUP_MATERIAL, "-<body>_material_angle", "x", "degrees", "0",
-     "Turns the axes of -<body>_stiffness anticlockwise."},
+     "shear strains. Axisymmetric: ten numbers, in the order xx (radius), yy (axis), zz (around), xy. Solids: 21 "
+     "numbers, "
+     "in the order xx, yy, zz, yz, xz, xy."},
+    {GROUP_MATERIAL, "-<body>_material_angle", "x[,y,z]", "degrees", "(0)",
+     "Turns the axes of -<body>_stiffness anticlockwise; in solids three turns, about z, the new x, the new z."},
 
-    {GROUP_LOADS, "-<body>_body_force", "e,e", "force/volume", "(none)",
+    {GROUP_LOADS, "-<body>_body_force", "e,e[,e]", "force/volume", "(none)",
      "Force on the inside of the body, such as weight."},
     {GROUP_LOADS, "-<body>_bc_displacement", "side,side,...", "", "(none)",
      "Sides whose displacement is given. Sides are names or numbers of the mesh, several joined by +."},
-    {GROUP_LOADS, "-<body>_bc_displacement_<side>", "e,e", "length", "(required)",
+    {GROUP_LOADS, "-<body>_bc_displacement_<side>", "e,e[,e]", "length", "(required)",
      "The displacement of a listed side; the word free leaves a component free."},
     {GROUP_LOADS, "-<body>_bc_normal", "side,side,...", "", "(none)",
      "Flat sides that only slide: no displacement along their normal. Planes of symmetry."},
     {GROUP_LOADS, "-<body>_bc_traction", "side,side,...", "", "(none)", "Sides with a given force per area."},
-    {GROUP_LOADS, "-<body>_bc_traction_<side>", "e,e", "stress", "(required)", "The force per area on a listed side."},
+    {GROUP_LOADS, "-<body>_bc_traction_<side>", "e,e[,e]", "stress", "(required)",
+     "The force per area on a listed side."},
     {GROUP_LOADS, "-<body>_bc_pressure", "side,side,...", "", "(none)", "Sides with a given pressure."},
     {GROUP_LOADS, "-<body>_bc_pressure_<side>", "e", "stress", "(required)",
      "The pressure on a listed side; positive pushes into the body."},
@@ -108,9 +116,9 @@ static const OptionEntry table[] = {
     {GROUP_OBSTACLES, "-<pair>_obstacle", "plane|ball|circle|cylinder|parabola|expression", "", "(none)",
      "Shape of a rigid body that the nonmortar side meets. In a plane a ball is a circle; a cylinder is for solids, "
      "not in this version."},
-    {GROUP_OBSTACLES, "-<pair>_obstacle_point", "x,y", "length", "0,0",
+    {GROUP_OBSTACLES, "-<pair>_obstacle_point", "x,y[,z]", "length", "(the origin)",
      "A point of the plane, the centre of the ball, the vertex of the parabola."},
-    {GROUP_OBSTACLES, "-<pair>_obstacle_normal", "x,y", "", "(required)",
+    {GROUP_OBSTACLES, "-<pair>_obstacle_normal", "x,y[,z]", "", "(required)",
      "Direction out of the plane, or out of the parabola at its vertex, towards the body; of any length."},
     {GROUP_OBSTACLES, "-<pair>_obstacle_radius", "x", "length", "(required)",
      "Radius of the ball (negative: a hollow that the body lies in), or of curvature at the parabola's vertex "
@@ -120,7 +128,7 @@ static const OptionEntry table[] = {
 
     {GROUP_PROBES, "-probes", "name,name,...", "", "(none)",
      "Points at which the summary tells displacement and stress."},
-    {GROUP_PROBES, "-probe_<probe>_at", "x,y", "length", "(required)", "Where the probe is."},
+    {GROUP_PROBES, "-probe_<probe>_at", "x,y[,z]", "length", "(required)", "Where the probe is."},
     {GROUP_PROBES, "-probe_<probe>_body", "name", "", "(the only body)", "The body it is in."},
 
     {GROUP_OUTPUT, "-output", "path", "", "(no files)",

@@ -46,6 +46,21 @@ static PetscErrorCode ViewBoundaries_Private(Scene scene, const SceneBody *body)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+static PetscErrorCode ViewBox_Private(Scene scene, const SceneBody *body)
+{
+  static const char *const cells[][2] = {
+      [2] = {"quadrilaterals", "squares cut into triangles"}, [3] = {"hexahedra", "bricks cut into tetrahedra"}};
+
+  PetscFunctionBeginUser;
+  PetscCall(ViewPrint_Private(scene, "  body %s: box", body->name));
+  for (PetscInt d = 0; d < scene->dim; d++)
+    PetscCall(ViewPrint_Private(scene, "%s [%g, %g]", d ? " x" : "", (double)body->lower[d], (double)body->upper[d]));
+  for (PetscInt d = 0; d < scene->dim; d++)
+    PetscCall(ViewPrint_Private(scene, " %s %" PetscInt_FMT, d ? "x" : "of", body->faces[d]));
+  PetscCall(ViewPrint_Private(scene, " %s", cells[scene->dim][body->simplex]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 static PetscErrorCode ViewBody_Private(Scene scene, const SceneBody *body)
 {
   char shown[DATUM_SHOWN + 4];
@@ -55,17 +70,16 @@ static PetscErrorCode ViewBody_Private(Scene scene, const SceneBody *body)
     PetscCall(ViewPrint_Private(scene, "  body %s: mesh %s%s%s", body->name, body->mesh_file,
                                 body->region ? ", region " : "", body->region ? body->region : ""));
   } else {
-    PetscCall(ViewPrint_Private(scene, "  body %s: box [%g, %g] x [%g, %g] of %" PetscInt_FMT " x %" PetscInt_FMT " %s",
-                                body->name, (double)body->lower[0], (double)body->upper[0], (double)body->lower[1],
-                                (double)body->upper[1], body->faces[0], body->faces[1],
-                                body->simplex ? "squares cut into triangles" : "quadrilaterals"));
+    PetscCall(ViewBox_Private(scene, body));
   }
   if (body->map) PetscCall(ViewPrint_Private(scene, ", mapped to %s", ViewShorten_Private(body->map, shown)));
   if (body->refine) PetscCall(ViewPrint_Private(scene, ", refined %" PetscInt_FMT " times", body->refine));
   PetscCall(ViewPrint_Private(scene, ", order %" PetscInt_FMT "\n", body->order));
   if (body->stiffness) {
-    PetscCall(ViewPrint_Private(scene, "    Hooke matrix %s, turned by %g degrees\n",
-                                ViewShorten_Private(body->stiffness, shown), (double)body->angle[0]));
+    PetscCall(ViewPrint_Private(scene, "    Hooke matrix %s, turned by", ViewShorten_Private(body->stiffness, shown)));
+    for (PetscInt i = 0; i < (scene->dim == 2 ? 1 : 3); i++)
+      PetscCall(ViewPrint_Private(scene, "%s %g", i ? "," : "", (double)body->angle[i]));
+    PetscCall(ViewPrint_Private(scene, " degrees\n"));
   } else {
     PetscCall(ViewPrint_Private(scene, "    isotropic, Young's modulus %s", ViewShorten_Private(body->young, shown)));
     PetscCall(ViewPrint_Private(scene, ", Poisson's ratio %s\n", ViewShorten_Private(body->poisson, shown)));
@@ -183,6 +197,8 @@ PetscErrorCode SceneView(Scene scene)
   PetscCall(ViewPrint_Private(scene, "Scene%s%s: %s", scene->title[0] ? " " : "", scene->title, models[scene->model]));
   if (scene->model == MODEL_AXISYMMETRIC)
     PetscCall(ViewPrint_Private(scene, ", r = x, z = y; on the axis r = 0 the radial displacement is held at 0\n"));
+  else if (scene->model == MODEL_SOLID)
+    PetscCall(ViewPrint_Private(scene, "\n"));
   else
     PetscCall(ViewPrint_Private(scene, ", thickness %g\n", (double)scene->thickness));
   for (PetscInt i = 0; i < scene->num_bodies; i++) PetscCall(ViewBody_Private(scene, &scene->bodies[i]));
@@ -191,8 +207,10 @@ PetscErrorCode SceneView(Scene scene)
   for (PetscInt i = 0; i < scene->num_probes; i++) {
     const SceneProbe *p = &scene->probes[i];
 
-    PetscCall(ViewPrint_Private(scene, "  probe %s: (%g, %g) in %s\n", p->name, (double)p->at[0], (double)p->at[1],
-                                scene->bodies[p->body].name));
+    PetscCall(ViewPrint_Private(scene, "  probe %s: (", p->name));
+    for (PetscInt d = 0; d < scene->dim; d++)
+      PetscCall(ViewPrint_Private(scene, "%s%g", d ? ", " : "", (double)p->at[d]));
+    PetscCall(ViewPrint_Private(scene, ") in %s\n", scene->bodies[p->body].name));
   }
   if (scene->refine)
     PetscCall(ViewPrint_Private(scene, "  all bodies refined %" PetscInt_FMT " times\n", scene->refine));

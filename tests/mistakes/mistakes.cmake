@@ -44,7 +44,10 @@ mistake(name_empty          SAYS "-bodies upper,,lower" empty ARGS -bodies upper
 
 # --- the scene as a whole ---
 mistake(model_misspelt      SAYS "-model plane_stran" plane_stress "did you mean plane_strain?" ARGS -model plane_stran)
-mistake(model_solid         SAYS "-model solid" plane_strain ARGS -model solid)
+mistake(model_solid         SAYS "-upper_dm_plex_box_faces" "-model solid has three dimensions" ARGS -model solid)
+mistake(model_plane         SAYS "-upper_dm_plex_box_faces 4,4,4" "give two, or -model solid" ARGS -model plane_strain -upper_dm_plex_box_faces 4,4,4)
+mistake(solid_thickness     SAYS "-thickness 2" "a solid has" ARGS -model solid -thickness 2 -upper_dm_plex_box_faces 4,4,4 -lower_dm_plex_box_faces 4,4,4)
+mistake(solid_map           SAYS "-upper_map" "3 wanted" ARGS -upper_map "x,y" -upper_dm_plex_box_faces 4,4,4 -lower_dm_plex_box_faces 4,4,4)
 mistake(ring_thickness      SAYS "-thickness 2" "whole ring" ARGS -model axisymmetric -thickness 2)
 mistake(ring_beyond_axis    SAYS "-model axisymmetric" upper "r = -0.5" "r >= 0" ARGS -model axisymmetric -upper_map "x-0.5,y")
 mistake(ring_off_axis       SAYS upper "on the axis of revolution" contradict ARGS -model axisymmetric -upper_bc_displacement_top 0.1,0)
@@ -80,7 +83,7 @@ mistake(mesh_region         SCENE mesh SAYS -block_mesh_region steel wood ARGS -
 mistake(box_and_file        SAYS -upper_dm_plex_box_faces "-upper_dm_plex_filename ${here}/triangles.msh"
   ARGS -upper_dm_plex_filename ${here}/triangles.msh)
 mistake(box_count           SAYS "-upper_dm_plex_box_faces 4" "2 wanted" ARGS -upper_dm_plex_box_faces 4)
-mistake(box_solid           SAYS "-upper_dm_plex_box_faces 4,4,4" two-dimensional ARGS -upper_dm_plex_box_faces 4,4,4)
+mistake(box_solid           SAYS "-upper_dm_plex_box_faces 4,4,4" "same dimensions" -lower_dm_plex_box_faces ARGS -upper_dm_plex_box_faces 4,4,4)
 mistake(box_empty           SAYS "-upper_dm_plex_box_upper 1,0" "empty along y" ARGS -upper_dm_plex_box_upper 1,0)
 mistake(map_count           SAYS -upper_map "2 wanted" ARGS -upper_map x)
 mistake(map_folds           SAYS "-upper_map (x-0.5)^2,y" folds ARGS -upper_map "(x-0.5)^2,y")

@@ -65,7 +65,7 @@ static const Mistake mistakes[] = {
     {NULL, {{"-joint_obstacle_point", "0,0"}}, {"-joint_obstacle_point", "nothing in this scene"}},
     /* the scene as a whole */
     {NULL, {{"-model", "plane_strian"}}, {"-model plane_strian", "plane_stress", "did you mean plane_strain"}},
-    {NULL, {{"-model", "solid"}}, {"-model solid", "plane_strain"}},
+    {NULL, {{"-model", "solid"}}, {"-upper_dm_plex_box_faces", "-model solid has three dimensions"}},
     {NULL, {{"-model", "axisymmetric"}, {"-thickness", "2"}}, {"-thickness 2", "whole ring"}},
     {NULL, {{"-thickness", "0"}}, {"-thickness 0", "above 0"}},
     {NULL, {{"-thickness", "thin"}}, {"-thickness", "thin"}},
@@ -79,7 +79,7 @@ static const Mistake mistakes[] = {
     {"-lower_dm_plex_box_faces", {{NULL}}, {"-lower_dm_plex_box_faces", "mesh"}},
     {NULL, {{"-upper_dm_plex_box_faces", "4"}}, {"-upper_dm_plex_box_faces 4", "2 wanted"}},
     {NULL, {{"-upper_dm_plex_box_faces", "4,0"}}, {"-upper_dm_plex_box_faces 4,0", "smallest"}},
-    {NULL, {{"-upper_dm_plex_box_faces", "4,4,4"}}, {"-upper_dm_plex_box_faces 4,4,4", "two-dimensional"}},
+    {NULL, {{"-upper_dm_plex_box_faces", "4,4,4"}}, {"-upper_dm_plex_box_faces 4,4,4", "same dimensions"}},
     {NULL, {{"-upper_dm_plex_box_faces", "4,many"}}, {"'many'", "whole number"}},
     {NULL, {{"-upper_dm_plex_box_upper", "1,-1"}}, {"-upper_dm_plex_box_upper 1,-1", "empty along y"}},
     {NULL, {{"-upper_dm_plex_simplex", "maybe"}}, {"-upper_dm_plex_simplex maybe", "yes"}},
