@@ -179,19 +179,13 @@ static PetscErrorCode KeepNearestLayer_Private(const FacetPartner *partner, cons
 /* Collects the quadrature points of a line facet against the mortar side. */
 static PetscErrorCode CollectMortarPoints_Private(const FacetPartner *partner, const ClipFacet *facet, PointList *list)
 {
-  PetscReal       box[4];
   PieceList       pieces = {0, NULL, NULL, 0};
   PetscInt        num_hits;
   const PetscInt *hits;
   ClipPoint       points[CLIP_MAX_POINTS];
 
   PetscFunctionBeginUser;
-  FacetBox(2, facet->type, facet->X, box);
-  for (PetscInt k = 0; k < 2; k++) {
-    box[k] -= partner->reach;
-    box[2 + k] += partner->reach;
-  }
-  PetscCall(BoxTreeQuery(partner->mortar->tree, box, &num_hits, &hits));
+  PetscCall(MortarSurfaceQuery(partner->mortar, 2, facet, partner->reach, &num_hits, &hits));
   PetscCall(PetscMalloc2(2 * CLIP_MAX_PIECES * num_hits, &pieces.ends, CLIP_MAX_PIECES * num_hits, &pieces.facet));
   for (PetscInt h = 0; h < num_hits; h++) {
     const ClipFacet mortar    = MortarFacet_Private(partner->mortar, hits[h]);

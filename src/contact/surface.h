@@ -3,6 +3,7 @@
 #define MORTISE_SURFACE_H
 
 #include <mortise/boxtree.h>
+#include <mortise/clip.h>
 #include <mortise/mesh.h>
 
 /* The mortar facets of all ranks that may meet this rank's nonmortar facets, with a box tree. Their order depends on the
@@ -21,6 +22,12 @@ typedef struct {
 PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const Facets *mortar, PetscReal reach,
                                    MortarSurface *surface);
 PetscErrorCode MortarSurfaceDestroy(MortarSurface *surface);
+/* The mortar facets that rays from a nonmortar facet may meet within the reach, in front or behind, and few others, so that
+   all queries of a side take n log n however far they reach. The rays go along any normals between those at the nodes. Not
+   collective. [in] reach - no more than that of the surface;
+   [out] hits - ascending, borrowed until the next query [num_hits] */
+PetscErrorCode MortarSurfaceQuery(const MortarSurface *surface, PetscInt dim, const ClipFacet *facet, PetscReal reach,
+                                  PetscInt *num_hits, const PetscInt *hits[]);
 
 /* Coordinates of a facet's nodes, [num_nodes][dim]. Not collective. */
 void FacetCoordinates(const Level *level, const Facets *facets, PetscInt f, PetscReal X[]);

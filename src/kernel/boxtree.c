@@ -140,29 +140,64 @@ static PetscBool Meet_Private(PetscInt dim, const PetscReal a[], const PetscReal
   return PETSC_TRUE;
 }
 
+/* What a query looks for. */
+typedef struct {
+  const PetscReal *box;
+  PetscInt         num_slabs;
+  const BoxSlab   *slabs;
+} Region;
+
+/* Whether a box meets the region's box and each of its slabs. */
+static PetscBool Meets_Private(PetscInt dim, const Region *region, const PetscReal box[])
+{
+  if (!Meet_Private(dim, region->box, box)) return PETSC_FALSE;
+  for (PetscInt s = 0; s < region->num_slabs; s++) {
+    const BoxSlab *slab = &region->slabs[s];
+    PetscReal      low = 0., high = 0.; // of direction . x in the box
+    for (PetscInt k = 0; k < dim; k++) {
+      const PetscReal d = slab->direction[k];
+      low += d * box[d < 0. ? dim + k : k];
+      high += d * box[d < 0. ? k : dim + k];
+    }
+    if (low > slab->upper || high < slab->lower) return PETSC_FALSE;
+  }
+  return PETSC_TRUE;
+}
+
 /* Collects the hits below one node, which holds order[begin..end). */
-static void Query_Private(BoxTree tree, const PetscReal query[], PetscInt node, PetscInt begin, PetscInt end,
+static void Query_Private(BoxTree tree, const Region *region, PetscInt node, PetscInt begin, PetscInt end,
                           PetscInt *num_hits)
 {
   const PetscInt dim = tree->dim, middle = begin + (end - begin) / 2;
 
-  if (!Meet_Private(dim, query, &tree->bounds[2 * node * dim])) return;
+  if (!Meets_Private(dim, region, &tree->bounds[2 * node * dim])) return;
   if (end - begin <= LEAF_SIZE) {
     for (PetscInt i = begin; i < end; i++) {
-      if (Meet_Private(dim, query, &tree->boxes[2 * tree->order[i] * dim])) tree->hits[(*num_hits)++] = tree->order[i];
+      if (Meets_Private(dim, region, &tree->boxes[2 * tree->order[i] * dim]))
+        tree->hits[(*num_hits)++] = tree->order[i];
     }
     return;
   }
-  Query_Private(tree, query, 2 * node + 1, begin, middle, num_hits);
-  Query_Private(tree, query, 2 * node + 2, middle, end, num_hits);
+  Query_Private(tree, region, 2 * node + 1, begin, middle, num_hits);
+  Query_Private(tree, region, 2 * node + 2, middle, end, num_hits);
+}
+
+PetscErrorCode BoxTreeQuerySlabs(BoxTree tree, const PetscReal query[], PetscInt num_slabs, const BoxSlab slabs[],
+                                 PetscInt *num_hits, const PetscInt *hits[])
+{
+  const Region region = {query, num_slabs, slabs};
+
+  PetscFunctionBeginUser;
+  *num_hits = 0;
+  Query_Private(tree, &region, 0, 0, tree->n, num_hits);
+  PetscCall(PetscSortInt(*num_hits, tree->hits)); /* sums over the hits must not depend on the shape of the tree */
+  *hits = tree->hits;
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode BoxTreeQuery(BoxTree tree, const PetscReal query[], PetscInt *num_hits, const PetscInt *hits[])
 {
   PetscFunctionBeginUser;
-  *num_hits = 0;
-  Query_Private(tree, query, 0, 0, tree->n, num_hits);
-  PetscCall(PetscSortInt(*num_hits, tree->hits)); /* sums over the hits must not depend on the shape of the tree */
-  *hits = tree->hits;
+  PetscCall(BoxTreeQuerySlabs(tree, query, 0, NULL, num_hits, hits));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

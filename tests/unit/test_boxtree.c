@@ -42,6 +42,43 @@ static void CheckQuery(BoxTree tree, PetscInt dim, PetscInt n, const PetscReal b
   CHECK(num_hits == expected);
 }
 
+/* The same with slabs: a box meets one where the corner that goes farthest either way does. */
+static void CheckSlabs(BoxTree tree, PetscInt dim, PetscInt n, const PetscReal boxes[], const PetscReal query[])
+{
+  const PetscInt *hits;
+  PetscInt        num_hits, expected = 0;
+  BoxSlab         slabs[2];
+
+  for (PetscInt s = 0; s < 2; s++) {
+    for (PetscInt k = 0; k < dim; k++) slabs[s].direction[k] = PetscFloorReal(Uniform(-2., 3.));
+    slabs[s].lower = PetscFloorReal(Uniform(-30., 30.));
+    slabs[s].upper = slabs[s].lower + PetscFloorReal(Uniform(0., 20.));
+  }
+  PetscCallAbort(PETSC_COMM_SELF, BoxTreeQuerySlabs(tree, query, 2, slabs, &num_hits, &hits));
+  for (PetscInt i = 0; i < n; i++) {
+    PetscBool meet = Meet(dim, query, &boxes[2 * dim * i]);
+
+    for (PetscInt s = 0; s < 2; s++) {
+      PetscReal low = PETSC_MAX_REAL, high = PETSC_MIN_REAL;
+
+      for (PetscInt corner = 0; corner < 1 << dim; corner++) {
+        PetscReal x = 0.;
+
+        for (PetscInt k = 0; k < dim; k++)
+          x += slabs[s].direction[k] * boxes[2 * dim * i + (corner >> k & 1) * dim + k];
+        low  = PetscMin(low, x);
+        high = PetscMax(high, x);
+      }
+      if (low > slabs[s].upper || high < slabs[s].lower) meet = PETSC_FALSE;
+    }
+    if (!meet) continue;
+    CHECK(expected < num_hits);
+    CHECK(hits[expected] == i);
+    expected++;
+  }
+  CHECK(num_hits == expected);
+}
+
 /* A cover holds every box, in no more boxes than were asked for, and halves as often as it may. */
 static void CheckCover(BoxTree tree, PetscInt dim, PetscInt n, const PetscReal boxes[])
 {
@@ -82,6 +119,7 @@ static PetscErrorCode TestRandom(PetscInt dim, PetscInt n, PetscInt span, PetscI
 
     RandomBox(dim, span, q % 4, query);
     CheckQuery(tree, dim, n, boxes, query);
+    CheckSlabs(tree, dim, n, boxes, query);
   }
   if (dim == 3) {
     CheckQuery(tree, dim, n, boxes, everything);

@@ -2,6 +2,7 @@
 #include "../../src/contact/surface.h"
 #include "test.h"
 #include <mortise/compat.h>
+#include <mortise/frame.h>
 #include "uniform.h"
 
 enum { MAX_FACETS = 1200 };
@@ -179,6 +180,125 @@ static void CheckQueries(PetscInt dim, const Side sides[2], PetscReal reach, con
   }
 }
 
+/* Points on rays of a facet: a mortar facet whose box holds one is among the hits. [in] boxes - of the surface [num][6] */
+static void CheckRays(PetscInt dim, const ClipFacet *facet, PetscReal reach, const PetscReal boxes[][6],
+                      const MortarSurface *surface, PetscInt *num_hits)
+{
+  enum { NUM_RAYS = 200 };
+  const ElementType type = facet->type;
+  const PetscInt   *hits;
+
+  CHECK(!MortarSurfaceQuery(surface, dim, facet, reach, num_hits, &hits));
+  for (PetscInt r = 0; r < NUM_RAYS; r++) {
+    const PetscReal s = Uniform(-reach, reach), xi[2] = {Uniform(0, 1), Uniform(0, 1)};
+    PetscReal       x[3], n[3]                        = {0, 0, 0}, phi[ELEMENT_MAX_NODES];
+    if (ElementLinear(type) == ELEMENT_TRI3 && xi[0] + xi[1] > 1) continue;
+    ElementSurface(type, facet->X, xi, x, phi, NULL);
+    for (PetscInt i = 0; i < ElementNumNodes(type) * dim; i++) n[i % dim] += phi[i / dim] * facet->N[i];
+    FrameNormalize(dim, n);
+    for (PetscInt k = 0; k < dim; k++) x[k] += s * n[k];
+    for (PetscInt g = 0; g < surface->num; g++) {
+      PetscBool inside = PETSC_TRUE, hit = PETSC_FALSE;
+      for (PetscInt k = 0; k < dim; k++)
+        inside = (PetscBool)(inside && x[k] >= boxes[g][k] && x[k] <= boxes[g][dim + k]);
+      if (!inside) continue;
+      for (PetscInt h = 0; h < *num_hits; h++) hit = (PetscBool)(hit || hits[h] == g);
+      CHECK(hit);
+    }
+  }
+}
+
+/* Rays along normals that do not turn over a facet, or a little, or by more than a right angle. */
+static PetscErrorCode TestRays(PetscInt dim)
+{
+  enum { NUM_FACETS = 300, NUM_NONMORTAR = 60 };
+  static Side      sides[2];
+  static PetscReal boxes[NUM_FACETS][6];
+  Held             held;
+  MortarSurface    surface;
+  PetscInt         found = 0, all = 0, num_hits;
+
+  PetscFunctionBeginUser;
+  for (PetscInt s = 0; s < 2; s++) {
+    sides[s].num   = s ? NUM_FACETS : NUM_NONMORTAR;
+    sides[s].first = s * MAX_FACETS * ELEMENT_MAX_FACET_NODES;
+    for (PetscInt f = 0; f < sides[s].num; f++) {
+      RandomFacet(dim, 0.05, &sides[s].type[f], sides[s].X[f]);
+      sides[s].rank[f] = f % Size();
+    }
+  }
+  Hold(dim, sides, &held);
+  PetscCall(MortarSurfaceCreate(&held.level, &held.facets[0], &held.facets[1], 0.3, &surface));
+  for (PetscInt g = 0; g < surface.num; g++)
+    FacetBox(dim, surface.type[g], &surface.coords[g * ELEMENT_MAX_FACET_NODES * dim], boxes[g]);
+  for (PetscInt f = 0; f < NUM_NONMORTAR; f++) {
+    const PetscReal turn = f % 3 ? Uniform(0, 0.3) : f % 2 ? 0 : 2;
+    PetscReal       N[3 * ELEMENT_MAX_FACET_NODES], mean[3];
+    const ClipFacet facet = {sides[0].type[f], sides[0].X[f], N};
+    for (PetscInt k = 0; k < dim; k++) mean[k] = Uniform(-1, 1);
+    FrameNormalize(dim, mean);
+    for (PetscInt i = 0; i < ElementNumNodes(sides[0].type[f]); i++) {
+      for (PetscInt k = 0; k < dim; k++) N[i * dim + k] = mean[k] + turn * Uniform(-1, 1);
+      FrameNormalize(dim, &N[i * dim]);
+    }
+    if (sides[0].rank[f] != Rank()) continue;
+    CheckRays(dim, &facet, Uniform(0, 0.3), boxes, &surface, &num_hits);
+    found += num_hits;
+    all += surface.num;
+  }
+  CHECK(2 * found <= all); // it does not return everything
+  PetscCall(MortarSurfaceDestroy(&surface));
+  Release(&held);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A strip of n squares askew under another one, however fine: no query finds more than the few that lie beneath. */
+static PetscErrorCode TestAskew(void)
+{
+  static Side   sides[2];
+  Held          held;
+  MortarSurface surface;
+
+  PetscFunctionBeginUser;
+  for (PetscInt n = 10; n <= 1000; n *= 10) {
+    const PetscReal h = 1. / (PetscReal)n, c = PetscSqrtReal(0.5);
+    PetscReal       N[12];
+    ClipFacet       facet = {ELEMENT_QUAD4, NULL, N};
+    for (PetscInt i = 0; i < 4; i++) {
+      N[3 * i]     = -c;
+      N[3 * i + 1] = 0;
+      N[3 * i + 2] = c;
+    }
+    for (PetscInt s = 0; s < 2; s++) {
+      sides[s].num   = n;
+      sides[s].first = s * MAX_FACETS * ELEMENT_MAX_FACET_NODES;
+      for (PetscInt f = 0; f < n; f++) {
+        sides[s].type[f] = ELEMENT_QUAD4;
+        sides[s].rank[f] = f * Size() / n;
+        for (PetscInt v = 0; v < 4; v++) {
+          const PetscReal *xi      = ElementNode(ELEMENT_QUAD4, v);
+          sides[s].X[f][3 * v]     = c * h * ((PetscReal)f + xi[0]);
+          sides[s].X[f][3 * v + 1] = h * xi[1];
+          sides[s].X[f][3 * v + 2] = sides[s].X[f][3 * v];
+        }
+      }
+    }
+    Hold(3, sides, &held);
+    PetscCall(MortarSurfaceCreate(&held.level, &held.facets[0], &held.facets[1], 0.2, &surface));
+    for (PetscInt f = 0; f < n; f++) {
+      PetscInt        num_hits;
+      const PetscInt *hits;
+      if (sides[0].rank[f] != Rank()) continue;
+      facet.X = sides[0].X[f];
+      PetscCall(MortarSurfaceQuery(&surface, 3, &facet, 0.2, &num_hits, &hits));
+      CHECK(num_hits >= 1 && num_hits <= 5);
+    }
+    PetscCall(MortarSurfaceDestroy(&surface));
+    Release(&held);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* [in] reach - of all facets; [out] held - most facets that a rank was sent or kept */
 static PetscErrorCode Search(PetscInt dim, const Side sides[2], PetscReal reach, PetscInt *most)
 {
@@ -264,9 +384,11 @@ int main(int argc, char **argv)
   for (PetscInt dim = 2; dim <= 3; dim++) {
     TestBoxes(dim);
     PetscCall(TestRandom(dim));
+    PetscCall(TestRays(dim));
   }
   PetscCall(TestStrips(PETSC_FALSE));
   PetscCall(TestStrips(PETSC_TRUE));
+  PetscCall(TestAskew());
   PetscCall(PetscFinalize());
   return 0;
 }
