@@ -16,6 +16,9 @@ PetscBool DenseCholesky(PetscInt n, PetscReal A[]);
 /* Solves L L' x = b in place. [in] L - of DenseCholesky() [n][n]; [in,out] b - [n] */
 void DenseCholeskySolve(PetscInt n, const PetscReal L[], PetscReal b[]);
 
+/* Eigenvalues of a symmetric matrix, the largest first. [in] A - [n][n], n <= DENSE_MAX; [out] values - [n] */
+void DenseEigenvalues(PetscInt n, const PetscReal A[], PetscReal values[]);
+
 /* Smallest and largest eigenvalue of a symmetric matrix. [in] A - [n][n], n <= DENSE_MAX */
 void DenseEigenRange(PetscInt n, const PetscReal A[], PetscReal *smallest, PetscReal *largest);
 

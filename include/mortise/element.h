@@ -77,15 +77,22 @@ PetscReal ElementMap(ElementType type, const PetscReal X[], const PetscReal xi[]
 PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
                          PetscReal normal[]);
 
-/* A part of a reference cell: xi = origin + size xi' with xi' in the reference cell. The inner part of a triangle is turned
-   round, its size is negative. */
+/* A part of a reference cell, an affine picture of it: xi = origin + sum_k xi'_k axes_k with xi' in the reference cell. */
 typedef struct {
-  PetscReal origin[3], size;
+  PetscReal origin[3], axes[3][3];
+  PetscReal size;    /* of the whole cell: 1, 1/2, 1/4, ... */
+  PetscReal measure; /* of the whole cell's measure */
 } ElementPiece;
 
-enum { ELEMENT_MAX_PIECES = 4 };
+enum { ELEMENT_MAX_PIECES = 8 };
 
-/* Halves of a piece of a 2D cell along each axis; returns their number, 0 in 3D, where cells are not cut. [out] parts - [ELEMENT_MAX_PIECES] */
+/* The whole cell as a piece. */
+ElementPiece ElementPieceWhole(void);
+/* xi of a point xi' of the piece, [ElementDim] each. */
+void ElementPiecePoint(ElementType type, const ElementPiece *piece, const PetscReal inside[], PetscReal xi[]);
+/* Cuts a piece of a 2D or 3D cell through the middles of its edges into parts of equal measure; returns their number.
+   Triangles and boxes fall into parts like themselves; of a tetrahedron its corners are cut off, and what is left is cut
+   along a diagonal. [out] parts - [ELEMENT_MAX_PIECES] */
 PetscInt ElementPieceCut(ElementType type, const ElementPiece *piece, ElementPiece parts[]);
 
 /* A rule on the reference cell with the shape functions at its points: what does not change from cell to cell. */

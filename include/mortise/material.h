@@ -26,6 +26,8 @@ void MaterialStress(ModelKind model, const PetscReal C[], PetscReal poisson, con
                     PetscReal stress[6]);
 
 PetscReal MaterialVonMises(const PetscReal stress[6]);
+/* Principal stresses, the largest first; NAN, all three, where a component is not known. */
+void MaterialPrincipal(const PetscReal stress[6], PetscReal principal[3]);
 
 /* Modulus against flat indentation, E/(1-nu^2), but E in plane stress; of an anisotropic C that of the softest axis, in space
    with one direction across it held. Used to choose roles and scales. */

@@ -60,7 +60,7 @@ static void Rotate_Private(PetscInt n, PetscReal A[], PetscInt p, PetscInt q)
   }
 }
 
-void DenseEigenRange(PetscInt n, const PetscReal A[], PetscReal *smallest, PetscReal *largest)
+void DenseEigenvalues(PetscInt n, const PetscReal A[], PetscReal values[])
 {
   PetscReal B[DENSE_MAX * DENSE_MAX], scale = 0.;
   PetscBool turned = PETSC_TRUE;
@@ -79,9 +79,19 @@ void DenseEigenRange(PetscInt n, const PetscReal A[], PetscReal *smallest, Petsc
       }
     }
   }
-  *smallest = *largest = B[0];
-  for (PetscInt i = 1; i < n; i++) {
-    *smallest = PetscMin(*smallest, B[i * n + i]);
-    *largest  = PetscMax(*largest, B[i * n + i]);
+  for (PetscInt i = 0; i < n; i++) { /* each is put behind those that are larger */
+    PetscInt at = i;
+
+    for (; at > 0 && values[at - 1] < B[i * n + i]; at--) values[at] = values[at - 1];
+    values[at] = B[i * n + i];
   }
+}
+
+void DenseEigenRange(PetscInt n, const PetscReal A[], PetscReal *smallest, PetscReal *largest)
+{
+  PetscReal values[DENSE_MAX];
+
+  DenseEigenvalues(n, A, values);
+  *smallest = values[n - 1];
+  *largest  = values[0];
 }

@@ -321,15 +321,3 @@ PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x
   }
   return PETSC_FALSE;
 }
-
-PetscInt ElementPieceCut(ElementType type, const ElementPiece *piece, ElementPiece parts[])
-{
-  const PetscReal half = piece->size / 2;
-
-  if (REFERENCE[type].dim > 2) return 0;
-  for (PetscInt i = 0; i < ELEMENT_MAX_PIECES; i++)
-    parts[i] = (ElementPiece){{piece->origin[0] + (i & 1) * half, piece->origin[1] + (i >> 1) * half}, half};
-  if (ElementLinear(type) == ELEMENT_TRI3)
-    parts[ELEMENT_MAX_PIECES - 1].size = -half; /* from the middle of the longest side inwards */
-  return ELEMENT_MAX_PIECES;
-}

@@ -135,6 +135,17 @@ PetscReal MaterialVonMises(const PetscReal stress[6])
   return PetscSqrtReal(0.5 * (xy * xy + yz * yz + zx * zx) + 3. * shear);
 }
 
+void MaterialPrincipal(const PetscReal stress[6], PetscReal principal[3])
+{
+  const PetscReal tensor[9] = {stress[0], stress[5], stress[4], stress[5], stress[1],
+                               stress[3], stress[4], stress[3], stress[2]};
+  PetscReal       sum       = 0.;
+
+  for (PetscInt k = 0; k < 6; k++) sum += stress[k];
+  for (PetscInt k = 0; k < 3; k++) principal[k] = NAN;
+  if (!PetscIsInfOrNanReal(sum)) DenseEigenvalues(3, tensor, principal);
+}
+
 /* An indenter feels the compliance S = C^-1, not C: in plane strain S_xx = (1 - nu^2)/E. In space the material beside the contact
    holds one direction across it: where eps_j = 0, eps_i = (S_ii - S_ij^2 / S_jj) sigma_i, which is the same. */
 PetscReal MaterialContactModulus(PetscInt num_strains, const PetscReal C[])

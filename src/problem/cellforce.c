@@ -26,18 +26,17 @@ typedef struct {
 /* fe = the integrals over a piece, by one rule. */
 static PetscErrorCode Integrate_Private(const Cell *cell, const ElementPiece *piece, PetscInt degree, PetscReal fe[])
 {
-  const PetscInt  dim = cell->dim, n = ElementNumNodes(cell->type);
-  const PetscReal part = PetscPowRealInt(PetscAbsReal(piece->size), (int)dim);
-  PetscReal       points[3 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_NODES], xi[3], x[3], b[3];
-  const PetscInt  num = ElementQuadrature(cell->type, degree, points, w);
+  const PetscInt dim = cell->dim, n = ElementNumNodes(cell->type);
+  PetscReal      points[3 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_NODES], xi[3], x[3], b[3];
+  const PetscInt num = ElementQuadrature(cell->type, degree, points, w);
 
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(fe, n * dim));
   for (PetscInt q = 0; q < num; q++) {
     PetscReal dx;
 
-    for (PetscInt k = 0; k < dim; k++) xi[k] = piece->origin[k] + piece->size * points[q * dim + k];
-    dx = part * w[q] * ElementMap(cell->type, cell->X, xi, x, phi, NULL);
+    ElementPiecePoint(cell->type, piece, &points[q * dim], xi);
+    dx = piece->measure * w[q] * ElementMap(cell->type, cell->X, xi, x, phi, NULL);
     dx *= SceneMeasure(cell->scene, x);
     PetscCall(ExpressionEvaluate(cell->force, dim, x, b));
     for (PetscInt i = 0; i < n; i++) {
@@ -80,9 +79,8 @@ PetscErrorCode CellForceIntegrate(Scene scene, const Level *level, PetscInt c, P
   const ElementType  type = (ElementType)level->cell_type[c];
   const PetscInt     dim = level->dim, nn = ElementNumNodes(type);
   const PetscInt    *nodes = &level->cell_nodes[level->cell_start[c]];
-  const ElementPiece whole = {{0, 0, 0}, 1};
+  const ElementPiece whole = ElementPieceWhole();
   PetscReal          X[MAX_CELL_DOFS];
-  ElementPiece       parts[ELEMENT_MAX_PIECES];
   Cell               cell = {.scene  = scene,
                              .force  = scene->bodies[level->cell_body[c]].body_force,
                              .type   = type,
@@ -93,7 +91,7 @@ PetscErrorCode CellForceIntegrate(Scene scene, const Level *level, PetscInt c, P
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < nn; i++) PetscCall(PetscArraycpy(&X[i * dim], &level->coords[nodes[i] * dim], dim));
   PetscCall(Integrate_Private(&cell, &whole, degree, fe));
-  if (ExpressionIsConstant(cell.force) || !ElementPieceCut(type, &whole, parts)) PetscFunctionReturn(PETSC_SUCCESS);
+  if (ExpressionIsConstant(cell.force) || dim > 2) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt i = 0; i < nn * dim; i++) cell.size += PetscAbsReal(fe[i]);
   PetscCall(PetscArrayzero(fe, nn * dim));
   PetscCall(AddPiece_Private(&cell, &whole, 0, fe));

@@ -92,12 +92,11 @@ static PetscErrorCode Integrate_Private(const Comparison *compare, PetscInt c, c
   const ElementType type  = (ElementType)level->cell_type[c];
   const PetscInt    dim = level->dim, body = level->cell_body[c];
   const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]];
-  const PetscReal   part  = PetscPowRealInt(PetscAbsReal(piece->size), (int)dim);
   PetscReal         X[MAX_DIM * ELEMENT_MAX_NODES], points[MAX_DIM * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS];
   PetscReal         xi[MAX_DIM], x[MAX_DIM], phi[ELEMENT_MAX_NODES], grad[MAX_DIM * ELEMENT_MAX_NODES], poisson;
   PetscReal         C[MAX_STRAINS * MAX_STRAINS], e[MAX_DIM], ge[MAX_DIM * MAX_DIM], v[MAX_DIM], gv[MAX_DIM * MAX_DIM];
   const PetscInt    num_points = ElementQuadrature(type, ErrorDegree_Private(type), points, w);
-  const CellPoint   at         = {type, X, xi, grad, PetscAbsReal(piece->size)};
+  const CellPoint   at         = {type, X, xi, grad, piece->size};
 
   PetscFunctionBeginUser;
   *sum = (ErrorSquares){0, 0, 0, 0};
@@ -106,8 +105,8 @@ static PetscErrorCode Integrate_Private(const Comparison *compare, PetscInt c, c
   for (PetscInt q = 0; q < num_points; ++q) {
     PetscReal dx;
 
-    for (PetscInt k = 0; k < dim; ++k) xi[k] = piece->origin[k] + piece->size * points[q * dim + k];
-    dx = part * w[q] * ElementMap(type, X, xi, x, phi, grad);
+    ElementPiecePoint(type, piece, &points[q * dim], xi);
+    dx = piece->measure * w[q] * ElementMap(type, X, xi, x, phi, grad);
     dx *= SceneMeasure(compare->scene, x);
     PetscCall(ElasticityHooke(compare->scene, body, x, C, &poisson));
     Interpolate_Private(level, c, compare->u, phi, grad, e, ge);
@@ -182,7 +181,7 @@ static PetscErrorCode AddCells_Private(const Comparison *compare, ErrorSquares s
 {
   const Level       *level = compare->level;
   const Scene        scene = compare->scene;
-  const ElementPiece whole = {{0, 0, 0}, 1};
+  const ElementPiece whole = ElementPieceWhole();
   ErrorSquares      *cells, *totals;
 
   PetscFunctionBeginUser;

@@ -13,8 +13,24 @@
 #include <mortise/compat.h>
 
 /* Of the size of the part that the point is in. Quadrature points of degree 8 and less lie 2e-3 and more from the boundary, on
-   triangles as on quads: further than two steps. */
+   triangles as on boxes: further than two steps. */
 static const PetscReal STEP = 5e-4;
+
+/* On tetrahedra they come nearer: steps are kept to this part of the way that is left. */
+static const PetscReal SHARE_OF_WAY = 1. / 3;
+
+/* The way from a point to the boundary of the reference cell, there and back along axis j. */
+static PetscReal Way_Private(const CellPoint *at, PetscInt j)
+{
+  const PetscInt dim   = ElementDim(at->type);
+  PetscReal      ahead = 1;
+
+  if (ElementNumNodes(ElementLinear(at->type)) > dim + 1)
+    ahead -= at->xi[j];
+  else
+    for (PetscInt k = 0; k < dim; ++k) ahead -= at->xi[k];
+  return PetscMin(ahead, at->xi[j]);
+}
 
 /* u at another point of the cell, xi. */
 static PetscErrorCode Value_Private(Expression exact, const CellPoint *at, const PetscReal xi[], PetscReal u[])
@@ -35,7 +51,7 @@ static PetscErrorCode Derivative_Private(Expression exact, const CellPoint *at, 
 {
   static const PetscReal offset[] = {-2, -1, 1, 2}, weight[] = {1, -8, 8, -1};
   const PetscInt         dim  = ElementDim(at->type);
-  const PetscReal        step = STEP * at->size;
+  const PetscReal        step = PetscMin(STEP * at->size, SHARE_OF_WAY * Way_Private(at, j));
   PetscReal              xi[3], u[3];
 
   PetscFunctionBeginUser;

@@ -11,8 +11,7 @@ typedef struct {
   const PetscReal *X;    /* [num_nodes][dim] */
   const PetscReal *xi;   /* [dim] */
   const PetscReal *grad; /* of the shape functions there, by ElementMap() [num_nodes][dim] */
-  PetscReal size; /* of the part of the cell that the point is in, 1 for all of it; two thousandths of it must lie
-                            between the point and the part's boundary */
+  PetscReal        size; /* of the part of the cell that the point is in, 1 for all of it */
 } CellPoint;
 
 /* u = exact(x) and its gradient g[k][i] = d u_i / d x_k. Not collective; whether values are finite is told by

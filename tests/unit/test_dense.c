@@ -72,6 +72,34 @@ static void TestEigenRange(void)
   }
 }
 
+/* All eigenvalues, the largest first: their sum, the sum of their squares and their product are those of the matrix; of a
+   matrix with a double one they are known. */
+static void TestEigenvalues(void)
+{
+  const PetscReal twice[] = {2., 1., 1., 1., 2., 1., 1., 1., 2.}; /* 4, 1, 1 */
+  PetscReal       values[DENSE_MAX];
+
+  DenseEigenvalues(3, twice, values);
+  CHECK_NEAR(values[0], 4., EXACT);
+  CHECK_NEAR(values[1], 1., EXACT);
+  CHECK_NEAR(values[2], 1., EXACT);
+  for (PetscInt n = 1; n <= DENSE_MAX; n++) {
+    PetscReal A[DENSE_MAX * DENSE_MAX], trace = 0., squares = 0., size;
+
+    RandomDefinite(n, A);
+    DenseEigenvalues(n, A, values);
+    size = values[0] * n;
+    for (PetscInt i = 0; i < n; i++) {
+      CHECK(i == 0 || values[i] <= values[i - 1]);
+      trace += A[i * n + i] - values[i];
+      squares -= values[i] * values[i];
+      for (PetscInt j = 0; j < n; j++) squares += A[i * n + j] * A[i * n + j];
+    }
+    CHECK_NEAR(trace / size, 0., EXACT);
+    CHECK_NEAR(squares / (size * size), 0., EXACT);
+  }
+}
+
 int main(int argc, char **argv)
 {
   PetscFunctionBeginUser;
@@ -79,6 +107,7 @@ int main(int argc, char **argv)
   TestSolve();
   TestRefusal();
   TestEigenRange();
+  TestEigenvalues();
   PetscCall(PetscFinalize());
   return 0;
 }

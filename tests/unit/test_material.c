@@ -261,6 +261,29 @@ static void TestContactModulus(void)
   CHECK_NEAR(MaterialContactModulus(6, C), 3. - 1. / 8., EXACT);
 }
 
+/* Of states whose principal stresses are known, and of one turned about z by 30 degrees. */
+static void TestPrincipal(void)
+{
+  static const PetscReal pull[] = {3., 0., 0., 0., 0., 0.}, shear[] = {0., 0., 0., 0., 0., 2.};
+  static const PetscReal pressure[] = {-5., -5., -5., 0., 0., 0.}, shears[] = {1., 1., 1., 2., 2., 2.};
+  static const PetscReal turned[] = {2.5, 1.5, -4., 0., 0., 0.8660254037844386}, unknown[] = {1., 2., NAN, 0., 0., 0.};
+  const struct {
+    const PetscReal *stress, expected[3];
+  } cases[] = {{pull, {3., 0., 0.}},
+               {shear, {2., 0., -2.}},
+               {pressure, {-5., -5., -5.}},
+               {shears, {5., -1., -1.}},
+               {turned, {3., 1., -4.}}};
+  PetscReal principal[3];
+
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(cases); i++) {
+    MaterialPrincipal(cases[i].stress, principal);
+    for (PetscInt k = 0; k < 3; k++) CHECK_NEAR(principal[k], cases[i].expected[k], EXACT);
+  }
+  MaterialPrincipal(unknown, principal);
+  for (PetscInt k = 0; k < 3; k++) CHECK(PetscIsNanReal(principal[k]));
+}
+
 int main(int argc, char **argv)
 {
   PetscFunctionBeginUser;
@@ -270,6 +293,7 @@ int main(int argc, char **argv)
   TestRing();
   TestStressPlaces();
   TestVonMises();
+  TestPrincipal();
   TestNoTurn(MODEL_PLANE_STRAIN);
   TestNoTurn(MODEL_AXISYMMETRIC);
   TestNoTurn(MODEL_SOLID);
