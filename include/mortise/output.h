@@ -6,7 +6,8 @@
 
 /* Faults if the output folder cannot be made or written to; call before the solve so that nothing is lost. Collective. */
 PetscErrorCode OutputCheck(Scene scene);
-/* Writes <output>.h5 + .xdmf and/or .vtu, and <output>_<pair>.csv for each pair. Collective. */
+/* Writes <output>.h5 + .xdmf and/or .vtu, for each pair the same of its nonmortar side, <output>_<pair>.h5 and so on, and
+   <output>_<pair>.csv. Collective. */
 PetscErrorCode OutputWrite(Fields fields);
 /* Writes text and a final newline to path by way of a temporary file beside it. First rank writes; collective on comm. */
 PetscErrorCode OutputWriteText(MPI_Comm comm, const char path[], const char text[]);

@@ -6,6 +6,7 @@
    that order, so that the table does not depend on the partition. Arc length is that of the curved facets. */
 #include <string.h>
 #include "picture.h"
+#include "side.h"
 #include <mortise/compat.h>
 
 /* A row of the table. */
@@ -57,54 +58,28 @@ static int ComparePiece_Private(const void *a, const void *b)
   return ComparePlace_Private(((const SidePiece *)a)->first, ((const SidePiece *)b)->first);
 }
 
-/* Marks the owned nodes of a set of facets; the rank that holds a facet need not own its nodes. */
-static PetscErrorCode MarkNodes_Private(Level *level, const Facets *facets, Vec *marks)
-{
-  Vec        local;
-  PetscReal *mark;
-
-  PetscFunctionBeginUser;
-  PetscCall(LevelCreateVec(level, 1, marks));
-  PetscCall(VecGhostGetLocalForm(*marks, &local));
-  PetscCall(VecSet(local, 0.0));
-  PetscCall(VecGetArray(local, &mark));
-  for (PetscInt f = 0; f < facets->num; ++f) {
-    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); ++i) {
-      mark[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]] = 1.0;
-    }
-  }
-  PetscCall(VecRestoreArray(local, &mark));
-  PetscCall(VecGhostRestoreLocalForm(*marks, &local));
-  PetscCall(LevelShareVec(*marks, MAX_VALUES));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Gathers the nodes of the side on the first rank, sorted by global number. */
 static PetscErrorCode GatherNodes_Private(Fields fields, PetscInt p, const Facets *facets, PetscInt *num,
                                           SideNode **nodes)
 {
-  Level           *level = fields->vi->level;
-  const PetscInt   dim   = level->dim;
-  PetscInt         n     = 0, *ids, *all_ids;
-  PetscReal       *reals, *all_reals;
-  const PetscReal *mark;
-  PairFields       nodal;
-  Vec              marks;
+  Level         *level = fields->vi->level;
+  const PetscInt dim   = level->dim;
+  PetscInt       n, *mine, *ids, *all_ids;
+  PetscReal     *reals, *all_reals;
+  PairFields     nodal;
 
   PetscFunctionBeginUser;
-  PetscCall(MarkNodes_Private(level, facets, &marks));
+  PetscCall(SideNodesCreate(level, facets, &n, &mine));
   PetscCall(PairFieldsCreate(fields, p, &nodal));
-  PetscCall(PetscMalloc2(level->num_owned, &ids, level->num_owned * SIDE_REALS, &reals));
-  PetscCall(VecGetArrayRead(marks, &mark));
-  for (PetscInt a = 0; a < level->num_owned; ++a) {
-    PetscReal *row = &reals[n * SIDE_REALS];
+  PetscCall(PetscMalloc2(n, &ids, n * SIDE_REALS, &reals));
+  for (PetscInt i = 0; i < n; ++i) {
+    const PetscInt a   = mine[i];
+    PetscReal     *row = &reals[i * SIDE_REALS];
 
-    if (mark[a] == 0.0) continue;
     for (PetscInt k = 0; k < 3; ++k) row[k] = k < dim ? level->coords[a * dim + k] : 0.0;
     row[3] = nodal.pressure[a], row[4] = nodal.gap[a], row[5] = nodal.status[a], row[6] = nodal.force[a];
-    ids[n++] = level->node_global[a];
+    ids[i] = level->node_global[a];
   }
-  PetscCall(VecRestoreArrayRead(marks, &mark));
   PetscCall(GatherInts(level->comm, n, ids, num, &all_ids));
   PetscCall(GatherReals(level->comm, n * SIDE_REALS, reals, NULL, &all_reals));
   PetscCall(PetscMalloc1(*num, nodes));
@@ -113,12 +88,11 @@ static PetscErrorCode GatherNodes_Private(Fields fields, PetscInt p, const Facet
 
     (*nodes)[i] = (SideNode){all_ids[i], {row[0], row[1], row[2]}, row[3], row[4], row[5], row[6], 0.0};
   }
-  if (*num) qsort(*nodes, *num, sizeof(**nodes), CompareNode_Private);
   PetscCall(PetscFree(all_ids));
   PetscCall(PetscFree(all_reals));
+  PetscCall(PetscFree(mine));
   PetscCall(PetscFree2(ids, reals));
   PetscCall(PairFieldsDestroy(&nodal));
-  PetscCall(VecDestroy(&marks));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

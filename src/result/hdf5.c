@@ -61,8 +61,10 @@ static const char *About_Private(const char name[])
       {"displacement", "x, y, z in the unit of length"},
       {"stress", "tensor by rows: xx,xy,xz,yx,yy,yz,zx,zy,zz in the unit of stress; volume-weighted nodal average"},
       {"von_mises", "of the averaged stress"},
+      {"principal", "principal values of the averaged stress, the largest first"},
       {"pressure", "contact pressure on nonmortar sides, 0 elsewhere"},
       {"gap", "left after the motion, along the nonmortar normal; NAN where there is no constraint"},
+      {"normal", "out of the nonmortar body, before the motion; where there is a constraint, its direction"},
       {"status", "0 open, 1 contact, 2 tied, -1 no constraint"},
       {"body", "index of the body, in the order of -bodies"}};
 
@@ -101,10 +103,10 @@ static PetscBool WriteAll_Private(hid_t file, const Picture *picture, const Topo
                      WriteAttribute_Private(file, "units",
                                             "those of the scene: whatever consistent set it was given in") &&
                      WriteArray_Private(file, picture->num_points, &points) && WriteDataset_Private(file, &cells));
-  for (PetscInt i = 0; i < PICTURE_POINT_ARRAYS && good; ++i) {
+  for (PetscInt i = 0; i < picture->num_point_arrays && good; ++i) {
     good = WriteArray_Private(file, picture->num_points, &picture->point[i]);
   }
-  for (PetscInt i = 0; i < PICTURE_CELL_ARRAYS && good; ++i) {
+  for (PetscInt i = 0; i < picture->num_cell_arrays && good; ++i) {
     good = WriteArray_Private(file, picture->num_cells, &picture->cell[i]);
   }
   return good;

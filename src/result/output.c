@@ -21,23 +21,21 @@ PetscErrorCode OutputCheck(Scene scene)
 
   PetscFunctionBeginUser;
   if (scene->output) {
-    const char  *suffixes[] = {".json", scene->formats & OUTPUT_XDMF ? ".h5" : NULL,
-                              scene->formats & OUTPUT_XDMF ? ".xdmf" : NULL,
-                              scene->formats & OUTPUT_VTU ? ".vtu" : NULL};
-    const size_t len        = strlen(scene->output);
+    const char *const files[] = {".json", scene->formats & OUTPUT_XDMF ? ".h5" : NULL,
+                                 scene->formats & OUTPUT_XDMF ? ".xdmf" : NULL,
+                                 scene->formats & OUTPUT_VTU ? ".vtu" : NULL, ".csv"};
+    const size_t      num = sizeof(files) / sizeof(files[0]), len = strlen(scene->output);
 
     if (len == 0 || scene->output[len - 1] == '/') {
       PetscCall(FaultRaise(scene->comm, "-output \"%s\" names no file; give the beginning of a name, such as %sresult",
                            scene->output, scene->output));
     }
-    for (size_t i = 0; i < sizeof(suffixes) / sizeof(suffixes[0]); ++i) {
-      if (!suffixes[i]) continue;
-      PetscCall(OutputPath_Private(scene, NULL, suffixes[i], path));
-      PetscCall(FilesCheck(scene->comm, "-output", path));
-    }
-    for (PetscInt p = 0; p < scene->num_pairs; ++p) {
-      PetscCall(OutputPath_Private(scene, scene->pairs[p].name, ".csv", path));
-      PetscCall(FilesCheck(scene->comm, "-output", path));
+    for (PetscInt p = -1; p < scene->num_pairs; ++p) { /* the bodies have no table, a pair has no summary */
+      for (size_t i = p < 0 ? 0 : 1; i < (p < 0 ? num - 1 : num); ++i) {
+        if (!files[i]) continue;
+        PetscCall(OutputPath_Private(scene, p < 0 ? NULL : scene->pairs[p].name, files[i], path));
+        PetscCall(FilesCheck(scene->comm, "-output", path));
+      }
     }
   }
   if (scene->summary && strcmp(scene->summary, "-") != 0) {
@@ -46,20 +44,20 @@ PetscErrorCode OutputCheck(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The picture in the formats the scene wants. First rank only. */
-static PetscErrorCode WritePicture_Private(Scene scene, const Picture *picture, Files *files)
+/* A picture, of a pair or (NULL) of the bodies, in the formats the scene wants. First rank only. */
+static PetscErrorCode WritePicture_Private(Scene scene, const char pair[], const Picture *picture, Files *files)
 {
   char path[PETSC_MAX_PATH_LEN], hdf5[PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
   if (scene->formats & OUTPUT_XDMF) {
-    PetscCall(OutputPath_Private(scene, NULL, ".h5", hdf5));
-    PetscCall(OutputPath_Private(scene, NULL, ".xdmf", path));
+    PetscCall(OutputPath_Private(scene, pair, ".h5", hdf5));
+    PetscCall(OutputPath_Private(scene, pair, ".xdmf", path));
     PetscCall(PictureWriteHDF5(picture, files, hdf5));
     PetscCall(PictureWriteXDMF(picture, files, path, hdf5));
   }
   if (scene->formats & OUTPUT_VTU) {
-    PetscCall(OutputPath_Private(scene, NULL, ".vtu", path));
+    PetscCall(OutputPath_Private(scene, pair, ".vtu", path));
     PetscCall(PictureWriteVTU(picture, files, path));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -76,11 +74,16 @@ PetscErrorCode OutputWrite(Fields fields)
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_rank(vi->level->comm, &rank));
   PetscCall(PictureCreate(fields, &picture));
-  if (rank == 0) PetscCall(WritePicture_Private(vi->scene, &picture, &files));
+  if (rank == 0) PetscCall(WritePicture_Private(vi->scene, NULL, &picture, &files));
   PetscCall(PictureDestroy(&picture));
   for (PetscInt p = 0; p < vi->num_pairs; ++p) {
-    PetscCall(OutputPath_Private(vi->scene, vi->pairs[p]->spec->name, ".csv", path));
+    const char *name = vi->pairs[p]->spec->name;
+
+    PetscCall(OutputPath_Private(vi->scene, name, ".csv", path));
     PetscCall(PairWriteCSV(fields, p, &files, path));
+    PetscCall(PictureCreateSurface(fields, p, &picture));
+    if (rank == 0) PetscCall(WritePicture_Private(vi->scene, name, &picture, &files));
+    PetscCall(PictureDestroy(&picture));
   }
   PetscCall(FilesFinish(vi->level->comm, &files));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -1,10 +1,11 @@
-/* picture.h -- the whole answer as plain arrays on the first rank, and the formats it is written in (floor 7, private to
+/* picture.h -- the answer as plain arrays on the first rank, and the formats it is written in (floor 7, private to
    this room). */
 #ifndef MORTISE_PICTURE_H
 #define MORTISE_PICTURE_H
 
 #include <mortise/fields.h>
 #include "files.h"
+#include "gather.h"
 
 /* One named quantity. */
 typedef struct {
@@ -14,29 +15,40 @@ typedef struct {
   PetscReal  *values;  /* [points or cells][components] */
 } PictureArray;
 
-enum { PICTURE_POINT_ARRAYS = 6, PICTURE_CELL_ARRAYS = 1 };
+enum { PICTURE_MAX_POINT_ARRAYS = 7, PICTURE_MAX_CELL_ARRAYS = 1 };
 
-/* Points in the order of global nodes; cells sorted by type, since readers of mixed meshes keep one block per type. Everything is
-   empty on the other ranks. */
+/* The bodies, or one side of a pair as cells of one dimension less. Cells are sorted by type, since readers of mixed meshes
+   keep one block per type. Everything is empty on the other ranks, but for the names. */
 typedef struct {
   const char  *title;
+  const char  *first; /* the quantities that a viewer is to take first, as attributes of VTK's PointData */
   PetscInt     num_points, num_cells;
   PetscReal   *points;     /* [num_points][3] */
   PetscInt    *cell_start; /* [num_cells+1] */
   PetscInt    *cell_nodes; /* in VTK's order [cell_start[num_cells]] */
   PetscInt    *cell_type;  /* ElementType [num_cells] */
-  PictureArray point[PICTURE_POINT_ARRAYS];
-  PictureArray cell[PICTURE_CELL_ARRAYS];
+  PetscInt     num_point_arrays, num_cell_arrays;
+  PictureArray point[PICTURE_MAX_POINT_ARRAYS];
+  PictureArray cell[PICTURE_MAX_CELL_ARRAYS];
 } Picture;
 
-/* Gathers everything. Collective. */
+/* Gathers all bodies, points in the order of global nodes. Collective. */
 PetscErrorCode PictureCreate(Fields fields, Picture *picture);
+/* Gathers the nonmortar side of pair p with what happens on it, points in the order of global nodes. Collective. */
+PetscErrorCode PictureCreateSurface(Fields fields, PetscInt p, Picture *picture);
 PetscErrorCode PictureDestroy(Picture *picture);
 
-/* All values that the ranks hold, in the order of the ranks, on the first rank; NULL elsewhere. Collective.
-   [out] all - owned by the caller; [out] total - may be NULL */
-PetscErrorCode GatherReals(MPI_Comm comm, PetscInt n, const PetscReal mine[], PetscInt *total, PetscReal **all);
-PetscErrorCode GatherInts(MPI_Comm comm, PetscInt n, const PetscInt mine[], PetscInt *total, PetscInt **all);
+/* Cells of one rank, with nodes in the order of element.h. */
+typedef struct {
+  PetscInt        num;
+  const PetscInt *type;  /* ElementType [num] */
+  const PetscInt *tag;   /* a whole number for each [num] */
+  const PetscInt *nodes; /* global, cell after cell */
+} PictureCells;
+
+/* Gathers cells into a picture, sorted by type. Collective.
+   [out] tags - of the picture's cells, on the first rank; owned by the caller, PetscFree() */
+PetscErrorCode PictureGatherCells(MPI_Comm comm, const PictureCells *cells, Picture *picture, PetscReal **tags);
 
 /* Writers; first rank only, not collective. What goes wrong with a file is noted in files. */
 PetscErrorCode PictureWriteHDF5(const Picture *picture, Files *files, const char final[]);

@@ -60,10 +60,11 @@ static PetscErrorCode PrintFiles_Private(const SummaryInput *in)
   PetscFunctionBeginUser;
   if (scene->output) {
     PetscCall(PetscPrintf(comm, "  wrote %s.json", scene->output));
-    if (scene->formats & OUTPUT_XDMF) PetscCall(PetscPrintf(comm, ", .h5, .xdmf"));
-    if (scene->formats & OUTPUT_VTU) PetscCall(PetscPrintf(comm, ", .vtu"));
-    for (PetscInt p = 0; p < in->vi->num_pairs; ++p)
-      PetscCall(PetscPrintf(comm, ", _%s.csv", in->vi->pairs[p]->spec->name));
+    for (PetscInt p = -1; p < in->vi->num_pairs; ++p) {
+      if (p >= 0) PetscCall(PetscPrintf(comm, ", _%s.csv", in->vi->pairs[p]->spec->name));
+      if (scene->formats & OUTPUT_XDMF) PetscCall(PetscPrintf(comm, ", .h5, .xdmf"));
+      if (scene->formats & OUTPUT_VTU) PetscCall(PetscPrintf(comm, ", .vtu"));
+    }
     PetscCall(PetscPrintf(comm, "\n"));
   }
   if (scene->summary) PetscCall(PetscPrintf(comm, "  wrote %s\n", scene->summary));

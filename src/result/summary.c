@@ -244,13 +244,15 @@ static PetscErrorCode AddProbes_Private(const SummaryInput *in, cJSON *root)
   for (PetscInt i = 0; i < in->scene->num_probes; ++i) {
     const SceneProbe *spec  = &in->scene->probes[i];
     cJSON            *probe = cJSON_AddObjectToObject(probes, spec->name);
-    PetscReal         u[3], stress[6];
+    PetscReal         u[3], stress[6], principal[3];
 
     PetscCall(ProbeEvaluate(in->fields, spec, u, stress));
     JSONAddReals(probe, "at", in->scene->dim, spec->at);
     JSONAddReals(probe, "displacement", in->scene->dim, u);
     JSONAddReals(probe, "stress", 6, stress);
     JSONAddReal(probe, "von_mises", MaterialVonMises(stress));
+    MaterialPrincipal(stress, principal);
+    JSONAddReals(probe, "principal", 3, principal);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

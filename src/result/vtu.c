@@ -7,8 +7,8 @@
 
 /* VTK's number of a cell (vtkCellType.h); its order of nodes is that of the picture. */
 static const uint8_t vtk_number[ELEMENT_COUNT] = {
-    [ELEMENT_TRI3] = 5,  [ELEMENT_QUAD4] = 9,  [ELEMENT_TET4] = 10,  [ELEMENT_HEX8] = 12,
-    [ELEMENT_TRI6] = 22, [ELEMENT_QUAD9] = 28, [ELEMENT_TET10] = 24, [ELEMENT_HEX27] = 29};
+    [ELEMENT_LINE2] = 3, [ELEMENT_LINE3] = 21, [ELEMENT_TRI3] = 5,   [ELEMENT_QUAD4] = 9,  [ELEMENT_TET4] = 10,
+    [ELEMENT_HEX8] = 12, [ELEMENT_TRI6] = 22,  [ELEMENT_QUAD9] = 28, [ELEMENT_TET10] = 24, [ELEMENT_HEX27] = 29};
 
 /* A block: its length in bytes, then the bytes, encoded as one unit. */
 static PetscErrorCode WriteBlock_Private(FILE *out, const char type[], const char name[], PetscInt components,
@@ -87,12 +87,12 @@ PetscErrorCode PictureWriteVTU(const Picture *picture, Files *files, const char 
   PetscCall(WriteBlock_Private(out, "Float64", "points", 3, picture->num_points * 3 * sizeof(double), picture->points));
   fprintf(out, "</Points>\n");
   PetscCall(WriteCells_Private(out, picture));
-  fprintf(out, "<PointData Vectors=\"displacement\" Tensors=\"stress\" Scalars=\"von_mises\">\n");
-  for (PetscInt i = 0; i < PICTURE_POINT_ARRAYS; ++i) {
+  fprintf(out, "<PointData %s>\n", picture->first);
+  for (PetscInt i = 0; i < picture->num_point_arrays; ++i) {
     PetscCall(WriteArray_Private(out, picture->num_points, &picture->point[i]));
   }
   fprintf(out, "</PointData>\n<CellData Scalars=\"body\">\n");
-  for (PetscInt i = 0; i < PICTURE_CELL_ARRAYS; ++i) {
+  for (PetscInt i = 0; i < picture->num_cell_arrays; ++i) {
     PetscCall(WriteArray_Private(out, picture->num_cells, &picture->cell[i]));
   }
   fprintf(out, "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");

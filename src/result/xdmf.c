@@ -12,11 +12,13 @@
 #include "xml.h"
 #include <mortise/compat.h>
 
-/* XDMF's name and number of a cell; its order of nodes is that of the picture. */
+/* XDMF's name and number of a cell; its order of nodes is that of the picture. A line of two points is told as a polyline, and
+   so needs to be told its length; lines are never mixed with others. */
 static const char *const xdmf_name[ELEMENT_COUNT] = {
-    [ELEMENT_TRI3] = "Triangle",         [ELEMENT_QUAD4] = "Quadrilateral", [ELEMENT_TRI6] = "Triangle_6",
-    [ELEMENT_QUAD9] = "Quadrilateral_9", [ELEMENT_TET4] = "Tetrahedron",    [ELEMENT_HEX8] = "Hexahedron",
-    [ELEMENT_TET10] = "Tetrahedron_10",  [ELEMENT_HEX27] = "Hexahedron_27"};
+    [ELEMENT_LINE2] = "Polyline",      [ELEMENT_LINE3] = "Edge_3",    [ELEMENT_TRI3] = "Triangle",
+    [ELEMENT_QUAD4] = "Quadrilateral", [ELEMENT_TRI6] = "Triangle_6", [ELEMENT_QUAD9] = "Quadrilateral_9",
+    [ELEMENT_TET4] = "Tetrahedron",    [ELEMENT_HEX8] = "Hexahedron", [ELEMENT_TET10] = "Tetrahedron_10",
+    [ELEMENT_HEX27] = "Hexahedron_27"};
 static const int xdmf_number[ELEMENT_COUNT] = {
     [ELEMENT_TRI3] = 4,   [ELEMENT_QUAD4] = 5, [ELEMENT_TET4] = 6,   [ELEMENT_HEX8] = 9,
     [ELEMENT_QUAD9] = 35, [ELEMENT_TRI6] = 36, [ELEMENT_TET10] = 38, [ELEMENT_HEX27] = 50};
@@ -76,15 +78,15 @@ static void WriteGridItems_Private(FILE *out, const Picture *picture, const Topo
 {
   fprintf(out, "      <Geometry GeometryType=\"XYZ\">\n        ");
   WriteItem_Private(out, hdf5, "points", picture->num_points, 3, PETSC_FALSE);
-  fprintf(out,
-          "      </Geometry>\n      <Topology TopologyType=\"%s\" NumberOfElements=\"%" PetscInt_FMT "\">\n        ",
-          topology->name, picture->num_cells);
+  fprintf(
+      out, "      </Geometry>\n      <Topology TopologyType=\"%s\"%s NumberOfElements=\"%" PetscInt_FMT "\">\n        ",
+      topology->name, topology->name == xdmf_name[ELEMENT_LINE2] ? " NodesPerElement=\"2\"" : "", picture->num_cells);
   WriteItem_Private(out, hdf5, "cells", topology->rows, topology->columns, PETSC_TRUE);
   fprintf(out, "      </Topology>\n");
-  for (PetscInt i = 0; i < PICTURE_POINT_ARRAYS; ++i) {
+  for (PetscInt i = 0; i < picture->num_point_arrays; ++i) {
     WriteAttribute_Private(out, hdf5, &picture->point[i], picture->num_points, "Node");
   }
-  for (PetscInt i = 0; i < PICTURE_CELL_ARRAYS; ++i) {
+  for (PetscInt i = 0; i < picture->num_cell_arrays; ++i) {
     WriteAttribute_Private(out, hdf5, &picture->cell[i], picture->num_cells, "Cell");
   }
 }

@@ -132,7 +132,7 @@ static const OptionEntry table[] = {
     {GROUP_PROBES, "-probe_<probe>_body", "name", "", "(the only body)", "The body it is in."},
 
     {GROUP_OUTPUT, "-output", "path", "", "(no files)",
-     "Writes <path>.h5, <path>.xdmf, <path>.json and one <path>_<pair>.csv for every pair."},
+     "Writes <path>.h5, <path>.xdmf, <path>.json, and <path>_<pair>.csv, .h5, .xdmf for every pair."},
     {GROUP_OUTPUT, "-output_format", "xdmf|vtu", "", "xdmf", "Format of the fields; both with xdmf,vtu."},
     {GROUP_OUTPUT, "-summary", "file", "", "(with -output)", "Writes the summary alone as JSON; - prints it."},
     {GROUP_OUTPUT, "-report", "0|1", "", "0", "With -output: writes <path>.html, a page that shows all results."},

@@ -9,6 +9,7 @@ import math
 import struct
 import xml.etree.ElementTree as xml
 
+import h5py
 import numpy as np
 
 from judge import Run, near, require, same, same_table
@@ -25,9 +26,9 @@ KEYS = {
 BODY = ["cells", "nodes", "dofs", "order", "floating"]
 SCENE_PAIR = ["nonmortar", "mortar", "candidates"]
 PAIR = ["force", "normal_force", "area", "max_pressure", "max_pressure_at", "min_gap", "active_nodes", "extent", "centre_of_pressure"]
-PROBE = ["at", "displacement", "stress", "von_mises"]
+PROBE = ["at", "displacement", "stress", "von_mises", "principal"]
 COLUMNS = ["x", "y", "pressure", "gap", "status", "force", "arc_length"]
-POINT_SHAPES = {"displacement": 3, "stress": 9, "von_mises": 1, "pressure": 1, "gap": 1, "status": 1}
+POINT_SHAPES = {"displacement": 3, "stress": 9, "von_mises": 1, "principal": 3, "pressure": 1, "gap": 1, "status": 1}
 ROUNDING = 1e-11
 
 
@@ -126,6 +127,12 @@ def judge_fields(run, summary):
     near("symmetry of the stress", (s - s.transpose(0, 2, 1)).ravel(), np.zeros(9 * nodes), absolute=0)
     deviator = s - np.trace(s, axis1=1, axis2=2)[:, None, None] * np.eye(3) / 3
     near("von Mises", fields["von_mises"], np.sqrt(1.5 * (deviator**2).sum(axis=(1, 2))), relative=1e-13)
+    size = np.abs(s).max()
+    near("principal stresses", fields["principal"].ravel(), np.linalg.eigvalsh(s)[:, ::-1].ravel(), absolute=1e-14 * size)
+    for probe in summary["probes"].values():
+        xx, yy, zz, yz, xz, xy = probe["stress"]
+        tensor = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
+        near("principal stresses of a probe", probe["principal"], np.linalg.eigvalsh(tensor)[::-1], absolute=1e-14 * size)
     for name, nu in (("block", 0.3), ("base", 0.25)):
         own = np.unique(np.concatenate([c for c, b in zip(cells_of(fields), fields["body"]) if list(summary["scene"]["bodies"])[b] == name]))
         near(f"zz of {name} in plane strain", s[own, 2, 2], nu * (s[own, 0, 0] + s[own, 1, 1]), relative=1e-13)
@@ -170,18 +177,54 @@ def judge_xdmf(run, fields):
     same("cells", int(grids[0].find("Topology").get("NumberOfElements")), len(fields["body"]))
 
 
-def judge_vtu(run, fields):
-    """The VTU file holds the same arrays."""
+def vtu_arrays(path):
+    """The arrays of a VTU file by their names."""
     formats = {"Float64": "<f8", "Int32": "<i4", "Int64": "<i8", "UInt8": "u1"}
     arrays = {}
-    for item in xml.parse(run.folder / "result.vtu").getroot().iter("DataArray"):
+    for item in xml.parse(path).getroot().iter("DataArray"):
         data = base64.b64decode(item.text)
         same(f"bytes of {item.get('Name')}", struct.unpack("<Q", data[:8])[0], len(data) - 8)
         arrays[item.get("Name")] = np.frombuffer(data[8:], dtype=formats[item.get("type")])
+    return arrays
+
+
+def judge_vtu(run, fields):
+    """The VTU file holds the same arrays."""
+    arrays = vtu_arrays(run.folder / "result.vtu")
     for name in ["points", "body", *POINT_SHAPES]:
         require(np.array_equal(arrays[name], fields[name].ravel(), equal_nan=True), f"{name} differs between VTU and HDF5")
     require(np.array_equal(arrays["connectivity"], np.concatenate(cells_of(fields))), "cells differ between VTU and HDF5")
     same("cells", len(arrays["types"]), len(fields["body"]))
+
+
+def judge_surfaces(run, summary, fields):
+    """The nonmortar side of each pair as a grid of its own: the table's numbers, lines from point to point."""
+    for name in summary["pairs"]:
+        table = run.table(name)
+        with h5py.File(run.folder / f"result_{name}.h5", "r") as file:
+            surface = {key: file[key][()] for key in file}
+        order, rows = np.argsort(surface["points"] @ (1, math.pi, 0)), np.argsort(np.array(table["x"]) + math.pi * np.array(table["y"]))
+        near(f"points of {name}", surface["points"][order, :2].ravel(), np.column_stack([table["x"], table["y"]])[rows].ravel(), absolute=0)
+        for column in ("pressure", "gap", "status"):
+            require(np.array_equal(surface[column][order], np.array(table[column])[rows], equal_nan=True), f"{column} of {name} differs")
+        ends = surface["points"][surface["cells"]]
+        near(f"length of {name}", np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum(), max(table["arc_length"]), relative=ROUNDING)
+        near(f"normals of {name}", np.linalg.norm(surface["normal"], axis=1), np.ones(len(order)), absolute=1e-15)
+        along = (ends[:, 1] - ends[:, 0]) / np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)[:, None]  # straight sides here
+        near(f"outside of {name}", surface["normal"][surface["cells"][:, 0]].ravel(),
+             np.column_stack([along[:, 1], -along[:, 0], 0 * along[:, 0]]).ravel(), absolute=1e-14)
+        for point, u in zip(surface["points"], surface["displacement"]):
+            near(f"displacement of {name}", np.abs(fields["displacement"][(fields["points"] == point).all(axis=1)] - u).min(axis=0),
+                 [0, 0, 0], absolute=0)
+        tree = xml.parse(run.folder / f"result_{name}.xdmf").getroot()
+        for item in tree.iter("DataItem"):
+            file, dataset = item.text.split(":/")
+            same(f"shape of {dataset} of {name}", (file, *(int(n) for n in item.get("Dimensions").split())),
+                 (f"result_{name}.h5", *surface[dataset].shape))
+        arrays = vtu_arrays(run.folder / f"result_{name}.vtu")
+        for key in ("points", "displacement", "pressure", "gap", "status", "normal", "body"):
+            require(np.array_equal(arrays[key], surface[key].ravel(), equal_nan=True), f"{key} of {name} differs between VTU and HDF5")
+        require(np.array_equal(arrays["connectivity"], surface["cells"].ravel()), f"cells of {name} differ between VTU and HDF5")
 
 
 def judge_readers(run, fields):
@@ -251,6 +294,7 @@ def judge(run):
     fields = judge_fields(run, summary)
     judge_xdmf(run, fields)
     judge_vtu(run, fields)
+    judge_surfaces(run, summary, fields)
     judge_readers(run, fields)
     judge_summary_option(run)
     judge_ranks(run, summary, fields)

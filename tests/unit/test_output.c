@@ -99,20 +99,23 @@ static void FillPicture(Picture *picture)
   for (int i = 0; i < 54; ++i) tensor[i] = i;
   for (int i = 0; i < 6; ++i) gap[i] = i < 3 ? 0.25 * i : NAN;
   memset(picture, 0, sizeof(*picture));
-  picture->title      = "a <mixed> & small one";
-  picture->num_points = 6;
-  picture->num_cells  = 3;
-  picture->points     = points;
-  picture->cell_start = start;
-  picture->cell_nodes = nodes;
-  picture->cell_type  = type;
-  picture->point[0]   = (PictureArray){"displacement", 3, PETSC_FALSE, vector};
-  picture->point[1]   = (PictureArray){"stress", 9, PETSC_FALSE, tensor};
-  picture->point[2]   = (PictureArray){"von_mises", 1, PETSC_FALSE, scalar};
-  picture->point[3]   = (PictureArray){"pressure", 1, PETSC_FALSE, scalar};
-  picture->point[4]   = (PictureArray){"gap", 1, PETSC_FALSE, gap};
-  picture->point[5]   = (PictureArray){"status", 1, PETSC_TRUE, status};
-  picture->cell[0]    = (PictureArray){"body", 1, PETSC_TRUE, body};
+  picture->title            = "a <mixed> & small one";
+  picture->first            = "Vectors=\"displacement\"";
+  picture->num_points       = 6;
+  picture->num_cells        = 3;
+  picture->points           = points;
+  picture->cell_start       = start;
+  picture->cell_nodes       = nodes;
+  picture->cell_type        = type;
+  picture->num_point_arrays = 6;
+  picture->num_cell_arrays  = 1;
+  picture->point[0]         = (PictureArray){"displacement", 3, PETSC_FALSE, vector};
+  picture->point[1]         = (PictureArray){"stress", 9, PETSC_FALSE, tensor};
+  picture->point[2]         = (PictureArray){"von_mises", 1, PETSC_FALSE, scalar};
+  picture->point[3]         = (PictureArray){"pressure", 1, PETSC_FALSE, scalar};
+  picture->point[4]         = (PictureArray){"gap", 1, PETSC_FALSE, gap};
+  picture->point[5]         = (PictureArray){"status", 1, PETSC_TRUE, status};
+  picture->cell[0]          = (PictureArray){"body", 1, PETSC_TRUE, body};
 }
 
 static PetscErrorCode TestPicture(void)

@@ -1,0 +1,12 @@
+/* gather.h -- arrays of all ranks on the first one (floor 7, private to this room). */
+#ifndef MORTISE_GATHER_H
+#define MORTISE_GATHER_H
+
+#include <petscsys.h>
+
+/* All values that the ranks hold, in the order of the ranks, on the first rank; NULL elsewhere. Collective.
+   [out] all - owned by the caller; [out] total - may be NULL */
+PetscErrorCode GatherReals(MPI_Comm comm, PetscInt n, const PetscReal mine[], PetscInt *total, PetscReal **all);
+PetscErrorCode GatherInts(MPI_Comm comm, PetscInt n, const PetscInt mine[], PetscInt *total, PetscInt **all);
+
+#endif

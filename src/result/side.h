@@ -1,0 +1,12 @@
+/* side.h -- the nodes of a side (floor 7, private to this room). */
+#ifndef MORTISE_SIDE_H
+#define MORTISE_SIDE_H
+
+#include <mortise/mesh.h>
+
+/* The nodes of a set of facets that this rank owns, ascending: those of all ranks, one rank behind the other, then ascend by
+   their global numbers. The rank that holds a facet need not own its nodes. Collective.
+   [out] nodes - local [num], owned by the caller, PetscFree() */
+PetscErrorCode SideNodesCreate(Level *level, const Facets *facets, PetscInt *num, PetscInt **nodes);
+
+#endif
