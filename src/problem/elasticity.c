@@ -1,9 +1,10 @@
 /* elasticity.c -- stiffness K and load f of all bodies, before any boundary condition.
 
    K_ij^kl = int d_m phi_i C_kmln d_n phi_j, cell by cell over the level's tables, with the quadrature that is exact on
-   parallelograms. This is int B_i' C B_j without the zeros of B, a third of its time. Axisymmetric cells add what the hoop
-   strain phi_j / r u_j costs, by itself and with the others (T23). Expressions are evaluated at quadrature points; plain
-   numbers once per body. */
+   parallelograms. This is int B_i' C B_j without the zeros of B. Where C is the same in the whole cell, the products of
+   derivatives are summed over the points first, and C is applied once. Axisymmetric cells add what the hoop strain
+   phi_j / r u_j costs, by itself and with the others (T23). Expressions are evaluated at quadrature points; plain numbers
+   once per body. */
 #include <mortise/compat.h>
 #include <mortise/elasticity.h>
 #include <mortise/fault.h>
@@ -13,7 +14,8 @@ enum {
   MAX_STRAINS   = 6,
   MAX_UPPER     = 21,
   MAX_TENSOR    = 81, /* C_kmln in 3D */
-  MAX_PLANE     = 4,  /* strains of a plane as a tensor */
+  MAX_SQUARE    = 9,  /* strains as a tensor */
+  MAX_PLANE     = 4,  /* of a plane */
   MAX_CELL_DOFS = 3 * ELEMENT_MAX_NODES
 };
 
@@ -70,7 +72,7 @@ static PetscErrorCode HookeCheck_Private(Scene scene, PetscInt body, const Petsc
 
 /* C_kmln of a Hooke tensor, and what couples with the hoop strain of axisymmetric models. */
 typedef struct {
-  PetscReal tensor[MAX_TENSOR];         /* [dim][dim][dim][dim] */
+  PetscReal tensor[MAX_TENSOR];         /* C_kmln as [m][n][k][l] */
   PetscReal hoop[MAX_PLANE], hoop_hoop; /* C_zz,ln [2][2] and C_zz,zz */
 } Moduli;
 
@@ -78,41 +80,69 @@ typedef struct {
 static void ModuliSet_Private(ModelKind model, const PetscReal C[], Moduli *moduli)
 {
   static const PetscInt plane[MAX_PLANE] = {0, 2, 2, 1}, ring[MAX_PLANE] = {0, 3, 3, 1};
-  static const PetscInt solid[3 * 3] = {0, 5, 4, 5, 1, 3, 4, 3, 2};
-  const PetscInt        ns = MaterialNumStrains(model), square = model == MODEL_SOLID ? 3 * 3 : MAX_PLANE, zz = 2;
+  static const PetscInt solid[MAX_SQUARE] = {0, 5, 4, 5, 1, 3, 4, 3, 2};
+  const PetscInt        ns = MaterialNumStrains(model), dim = model == MODEL_SOLID ? 3 : 2, square = dim * dim, zz = 2;
   const PetscInt       *voigt = model == MODEL_SOLID ? solid : (model == MODEL_AXISYMMETRIC ? ring : plane);
 
-  for (PetscInt km = 0; km < square; km++) {
-    for (PetscInt ln = 0; ln < square; ln++) moduli->tensor[km * square + ln] = C[voigt[km] * ns + voigt[ln]];
+  for (PetscInt mn = 0; mn < square; mn++) {
+    for (PetscInt kl = 0; kl < square; kl++) {
+      const PetscInt km = kl / dim * dim + mn / dim, ln = kl % dim * dim + mn % dim;
+      moduli->tensor[mn * square + kl] = C[voigt[km] * ns + voigt[ln]];
+    }
   }
   if (model != MODEL_AXISYMMETRIC) return;
   for (PetscInt ln = 0; ln < MAX_PLANE; ln++) moduli->hoop[ln] = C[zz * ns + voigt[ln]];
   moduli->hoop_hoop = C[zz * ns + zz];
 }
 
-/* Ke_ij^kl += w d_m phi_i C_kmln d_n phi_j for i <= j. To be inlined where dim is known, so that its loops are unrolled.
-   [in] tensor - [dim][dim][dim][dim]; [in] grad - [nn][dim]; [in,out] Ke - [nn][dim][nn][dim] */
-static inline void AddStiffness_Private(PetscInt dim, PetscInt                    nn, const PetscReal *restrict tensor,
-                                        const PetscReal *restrict grad, PetscReal w, PetscReal *restrict Ke)
+/* G_im,jn = sum_q w d_m phi_i d_n phi_j for i <= j. [in] grad - [num][n]; [in] w - [num]; [out] G - [n][n] */
+static inline void Products_Private(PetscInt dim, PetscInt n, PetscInt num, const PetscReal *restrict grad,
+                                    const PetscReal w[], PetscReal *restrict G)
 {
-  const PetscInt row = nn * dim;
-  PetscReal      flux[27]; // w C_kmln d_n phi_j, [k][m][l]
+  for (PetscInt r = 0; r < n; r++) {
+    PetscReal *restrict row = &G[r * n];
+    const PetscInt begin    = r - r % dim;
 
-  for (PetscInt j = 0; j < nn; j++) {
-    for (PetscInt kml = 0; kml < dim * dim * dim; kml++) {
-      PetscReal sum = 0;
-      for (PetscInt n = 0; n < dim; n++) sum += tensor[kml * dim + n] * grad[j * dim + n];
-      flux[kml] = w * sum;
+    for (PetscInt c = begin; c < n; c++) row[c] = 0;
+    for (PetscInt q = 0; q < num; q++) {
+      const PetscReal a = w[q] * grad[q * n + r];
+      for (PetscInt c = begin; c < n; c++) row[c] += a * grad[q * n + c];
     }
-    for (PetscInt i = 0; i <= j; i++) {
-      for (PetscInt k = 0; k < dim; k++) {
-        for (PetscInt l = 0; l < dim; l++) {
-          PetscReal sum = 0;
-          for (PetscInt m = 0; m < dim; m++) sum += grad[i * dim + m] * flux[(k * dim + m) * dim + l];
-          Ke[(i * dim + k) * row + j * dim + l] += sum;
-        }
+  }
+}
+
+/* Ke_ik,jl += C_kmln G_im,jn for i <= j. To be inlined where dim is known, so that its loops are unrolled.
+   [in] G - [n][n]; [in,out] Ke - [n][n] */
+static inline void Contract_Private(PetscInt dim, PetscInt n, const PetscReal *restrict tensor,
+                                    const PetscReal *restrict G, PetscReal *restrict Ke)
+{
+  const PetscInt square = dim * dim;
+
+  for (PetscInt i = 0; i < n; i += dim) {
+    for (PetscInt j = i; j < n; j += dim) {
+      PetscReal block[MAX_SQUARE] = {0};
+
+      for (PetscInt mn = 0; mn < square; mn++) {
+        const PetscReal g = G[(i + mn / dim) * n + j + mn % dim];
+        for (PetscInt kl = 0; kl < square; kl++) block[kl] += tensor[mn * square + kl] * g;
       }
+      for (PetscInt kl = 0; kl < square; kl++) Ke[(i + kl / dim) * n + j + kl % dim] += block[kl];
     }
+  }
+}
+
+/* Ke += the stiffness of some points of a cell with the same moduli. [in] grad - [num][n]; [in] w - [num] */
+static void AddStiffness_Private(PetscInt dim, PetscInt n, PetscInt num, const Moduli *moduli, const PetscReal grad[],
+                                 const PetscReal w[], PetscReal Ke[])
+{
+  PetscReal G[MAX_CELL_DOFS * MAX_CELL_DOFS];
+
+  if (dim == 2) {
+    Products_Private(2, n, num, grad, w, G);
+    Contract_Private(2, n, moduli->tensor, G, Ke);
+  } else {
+    Products_Private(3, n, num, grad, w, G);
+    Contract_Private(3, n, moduli->tensor, G, Ke);
   }
 }
 
@@ -150,34 +180,38 @@ static void CellCoordinates_Private(const Level *level, PetscInt c, PetscReal X[
   }
 }
 
+/* Room for the points of one cell, and what is wrong with their moduli. */
+typedef struct {
+  Sentence  sentence;
+  PetscReal w[ELEMENT_MAX_POINTS], grad[ELEMENT_MAX_POINTS * MAX_CELL_DOFS]; /* [num], [num][num_nodes][dim] */
+} Work;
+
 /* Ke of one cell; constant holds the moduli of the whole body, or is NULL to evaluate them at every point. */
 static PetscErrorCode CellStiffness_Private(Scene scene, Level *level, PetscInt c, const ElementRule *rule,
-                                            const Moduli *constant, PetscReal Ke[], Sentence *sentence)
+                                            const Moduli *constant, Work *work, PetscReal Ke[])
 {
   const PetscInt  dim = level->dim, nn = ElementNumNodes(rule->type), n = nn * dim;
-  const PetscBool ring   = (PetscBool)(scene->model == MODEL_AXISYMMETRIC);
-  const Moduli   *moduli = constant;
-  PetscReal       X[MAX_CELL_DOFS], grad[MAX_CELL_DOFS], C[MAX_STRAINS * MAX_STRAINS], x[3] = {0, 0, 0}, nu;
+  const PetscBool ring = (PetscBool)(scene->model == MODEL_AXISYMMETRIC);
+  PetscReal       X[MAX_CELL_DOFS], C[MAX_STRAINS * MAX_STRAINS], x[3] = {0, 0, 0}, nu;
   Moduli          local;
 
   PetscFunctionBeginUser;
   CellCoordinates_Private(level, c, X);
   PetscCall(PetscArrayzero(Ke, n * n));
   for (PetscInt q = 0; q < rule->num; q++) {
-    PetscReal w = rule->weight[q] * ElementRuleMap(rule, q, X, constant && !ring ? NULL : x, grad);
-    w *= SceneMeasure(scene, x);
+    PetscReal *grad = &work->grad[q * n];
+
+    work->w[q] = rule->weight[q] * ElementRuleMap(rule, q, X, constant && !ring ? NULL : x, grad);
+    work->w[q] *= SceneMeasure(scene, x);
     if (!constant) {
       PetscCall(ElasticityHooke(scene, level->cell_body[c], x, C, &nu));
-      PetscCall(HookeCheck_Private(scene, level->cell_body[c], x, C, sentence));
+      PetscCall(HookeCheck_Private(scene, level->cell_body[c], x, C, &work->sentence));
       ModuliSet_Private(scene->model, C, &local);
-      moduli = &local;
+      AddStiffness_Private(dim, n, 1, &local, grad, &work->w[q], Ke);
     }
-    if (dim == 2)
-      AddStiffness_Private(2, nn, moduli->tensor, grad, w, Ke);
-    else
-      AddStiffness_Private(3, nn, moduli->tensor, grad, w, Ke);
-    if (ring) AddHoop_Private(nn, moduli, x[0], &rule->phi[q * nn], grad, w, Ke);
+    if (ring) AddHoop_Private(nn, constant ? constant : &local, x[0], &rule->phi[q * nn], grad, work->w[q], Ke);
   }
+  if (constant) AddStiffness_Private(dim, n, rule->num, constant, work->grad, work->w, Ke);
   for (PetscInt i = 0; i < n; i++) { // the lower triangle; blocks on the diagonal are whole
     for (PetscInt j = 0; j < i; j++) Ke[i * n + j] = Ke[j * n + i];
   }
@@ -197,12 +231,13 @@ static PetscErrorCode AssembleCells_Private(Scene scene, Level *level, Mat K)
   const PetscReal origin[3] = {0, 0, 0};
   PetscInt        body      = -1, rows[ELEMENT_MAX_NODES];
   PetscBool       constant  = PETSC_FALSE;
-  Sentence        sentence  = {""};
   Moduli          moduli;
   ElementRule    *rules;
+  Work           *work;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(ELEMENT_COUNT, &rules));
+  PetscCall(PetscNew(&work));
   for (PetscInt t = 0; t < ELEMENT_COUNT; t++)
     ElementRuleSet((ElementType)t, StiffnessDegree_Private(scene, (ElementType)t), &rules[t]);
   for (PetscInt c = 0; c < level->num_cells; c++) {
@@ -216,8 +251,7 @@ static PetscErrorCode AssembleCells_Private(Scene scene, Level *level, Mat K)
         ModuliSet_Private(scene->model, C, &moduli);
       }
     }
-    PetscCall(
-        CellStiffness_Private(scene, level, c, &rules[level->cell_type[c]], constant ? &moduli : NULL, Ke, &sentence));
+    PetscCall(CellStiffness_Private(scene, level, c, &rules[level->cell_type[c]], constant ? &moduli : NULL, work, Ke));
     for (PetscInt i = 0; i < n; i++) rows[i] = level->node_global[nodes[i]];
     PetscCall(MatSetValuesBlocked(K, n, rows, n, rows, Ke, ADD_VALUES));
   }
@@ -227,7 +261,8 @@ static PetscErrorCode AssembleCells_Private(Scene scene, Level *level, Mat K)
     PetscCall(ExpressionCheck(level->comm, scene->bodies[b].poisson));
     PetscCall(ExpressionCheck(level->comm, scene->bodies[b].stiffness));
   }
-  PetscCall(FaultCheck(level->comm, sentence.text));
+  PetscCall(FaultCheck(level->comm, work->sentence.text));
+  PetscCall(PetscFree(work));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
