@@ -3,7 +3,8 @@
    Every body is made or read on the first rank, refined by its own -<body>_dm_refine, and merged into one DMPlex whose
    cells carry the label "body" (index) and whose facets carry one label per named side that the scene uses. The DMPlex
    keeps box coordinates; a body's map is applied to the node table of each level, so that nodes of curved sides stay on
-   them exactly. Nodes sit on points of the DMPlex: on vertices, and in bodies of order 2 also on edges and in quads. */
+   them exactly. Nodes sit on points of the DMPlex: on vertices, and in bodies of order 2 also on edges, in quads and in
+   hexahedra. */
 #ifndef MORTISE_MESH_H
 #define MORTISE_MESH_H
 
@@ -21,7 +22,7 @@ typedef struct {
   PetscInt   num_cells, num_nodes, num_owned; /* local; num_nodes counts ghosts */
   PetscInt   node_begin, num_global;          /* first owned global node; global number of nodes */
   PetscInt  *cell_start;                      /* [num_cells+1] into cell_nodes */
-  PetscInt  *cell_nodes;                      /* local nodes in the order of element.h, anticlockwise in 2D */
+  PetscInt  *cell_nodes;                      /* local nodes in the order of element.h, never inside out */
   PetscInt  *cell_type;                       /* ElementType [num_cells], of the order of the cell's body */
   PetscInt  *cell_body;                       /* [num_cells] */
   PetscReal *coords;                          /* positions after the map [num_nodes][dim] */
@@ -39,10 +40,10 @@ typedef struct {
    hence to one rank. */
 typedef struct {
   PetscInt     num;
-  ElementType *type; /* [num] */
-  PetscInt    *cell; /* local cell [num] */
-  PetscInt *nodes; /* local nodes [num][ELEMENT_MAX_FACET_NODES], in the order of element.h, the 2D outward normal being
-                        (dy,-dx) */
+  ElementType *type;  /* [num] */
+  PetscInt    *cell;  /* local cell [num] */
+  PetscInt    *nodes; /* local nodes [num][ELEMENT_MAX_FACET_NODES], in the order of element.h with the normal of
+                      ElementSurface() outward: (dy,-dx) in 2D, anticlockwise seen from outside in 3D */
 } Facets;
 
 struct _n_Mesh {

@@ -41,7 +41,7 @@ static PetscErrorCode SideGetPoints_Private(DM dm, const char body[], const char
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One facet with its nodes in the order of its cell: the cell runs anticlockwise, so (dy,-dx) points outward. */
+/* One facet with its nodes in the order of its cell, which is the right way round, so that its normal points outward. */
 static PetscErrorCode FacetSet_Private(const Level *level, PetscInt point, PetscInt f, Facets *facets)
 {
   const PetscInt *cells, *order, *nodes;
@@ -80,6 +80,20 @@ PetscErrorCode LevelGetFacets(Level *level, Scene scene, PetscInt body, const ch
   PetscCall(ISRestoreIndices(is, &points));
   PetscCall(ISDestroy(&is));
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscReal FacetGetMeasure(const Level *level, const Facets *facets, PetscInt f, PetscReal normal[])
+{
+  const ElementType type = ElementLinear(facets->type[f]);
+  PetscReal         X[ELEMENT_MAX_FACET_NODES * 3], xi[3], weight[1], phi[ELEMENT_MAX_NODES];
+
+  for (PetscInt i = 0; i < ElementNumNodes(type); ++i) {
+    const PetscInt node = facets->nodes[f * ELEMENT_MAX_FACET_NODES + i];
+
+    for (PetscInt d = 0; d < level->dim; ++d) X[i * level->dim + d] = level->coords[node * level->dim + d];
+  }
+  (void)ElementQuadrature(type, 1, xi, weight); // the point in the middle
+  return weight[0] * ElementSurface(type, X, xi, NULL, phi, normal);
 }
 
 PetscErrorCode FacetsDestroy(Facets *facets)

@@ -1,6 +1,6 @@
 /* roles.c -- which side of a pair carries the multiplier.
 
-   The softer body (behind the sides), else the finer mesh, else the shorter side (numerics.md 5.6): a stiff
+   The softer body (behind the sides), else the finer mesh, else the smaller side (numerics.md 5.6): a stiff
    nonmortar side would put a stiff skin on a soft mortar side in the condensed matrix. All of it is judged on the
    coarsest level, where it is cheapest. */
 #include "room.h"
@@ -9,11 +9,11 @@
 #include <string.h>
 
 static const PetscReal StiffnessRatio = 3; /* of the contact moduli; below it the mesh decides */
-static const PetscReal SameLength = 1e-6; /* relative; lengths this near are equal, so that round-off decides nothing */
+static const PetscReal SameSize = 1e-6;    /* relative; sizes this near are equal, so that round-off decides nothing */
 
-/* What speaks for one side as nonmortar. */
+/* What speaks for one side as nonmortar. Sizes are lengths, of sides in space areas. */
 typedef struct {
-  PetscReal modulus, facet_length, length;
+  PetscReal modulus, facet_size, size;
 } SideMeasure;
 
 /* The contact modulus of a body's material in the middle of a cell. */
@@ -44,20 +44,17 @@ static PetscErrorCode CellGetModulus_Private(Scene scene, const Level *level, Pe
 static PetscErrorCode SideGetMeasure_Private(Scene scene, Level *level, const SceneSide *side, SideMeasure *measure)
 {
   const SceneBody *body   = &scene->bodies[side->body];
-  PetscReal        sum[3] = {0, 0, 0}; /* of moduli, of lengths, of ones */
+  PetscReal        sum[3] = {0, 0, 0}; /* of moduli, of sizes, of ones */
   Facets           facets;
 
   PetscFunctionBeginUser;
   PetscCall(LevelGetFacets(level, scene, side->body, side->side, &facets));
   for (PetscInt f = 0; f < facets.num; ++f) {
-    const PetscReal *a      = &level->coords[facets.nodes[f * ELEMENT_MAX_FACET_NODES] * level->dim];
-    const PetscReal *b      = &level->coords[facets.nodes[f * ELEMENT_MAX_FACET_NODES + 1] * level->dim];
-    PetscReal        square = 0, modulus = 0;
+    PetscReal modulus = 0;
 
-    for (PetscInt d = 0; d < level->dim; ++d) square += PetscSqr(b[d] - a[d]);
     PetscCall(CellGetModulus_Private(scene, level, facets.cell[f], &modulus));
     sum[0] += modulus;
-    sum[1] += PetscSqrtReal(square);
+    sum[1] += FacetGetMeasure(level, &facets, f, NULL);
     sum[2] += 1;
   }
   PetscCall(FacetsDestroy(&facets));
@@ -65,7 +62,7 @@ static PetscErrorCode SideGetMeasure_Private(Scene scene, Level *level, const Sc
   PetscCall(ExpressionCheck(level->comm, body->young));
   PetscCall(ExpressionCheck(level->comm, body->poisson));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 3, MPIU_REAL, MPIU_SUM, level->comm));
-  *measure = (SideMeasure){.modulus = sum[0] / sum[2], .facet_length = sum[1] / sum[2], .length = sum[1]};
+  *measure = (SideMeasure){.modulus = sum[0] / sum[2], .facet_size = sum[1] / sum[2], .size = sum[1]};
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -74,10 +71,10 @@ static PetscBool RolesSwap_Private(const SideMeasure *nonmortar, const SideMeasu
 {
   if (nonmortar->modulus > StiffnessRatio * mortar->modulus) return PETSC_TRUE;
   if (mortar->modulus > StiffnessRatio * nonmortar->modulus) return PETSC_FALSE;
-  if (PetscAbsReal(nonmortar->facet_length - mortar->facet_length) > SameLength * mortar->facet_length) {
-    return nonmortar->facet_length > mortar->facet_length ? PETSC_TRUE : PETSC_FALSE;
+  if (PetscAbsReal(nonmortar->facet_size - mortar->facet_size) > SameSize * mortar->facet_size) {
+    return nonmortar->facet_size > mortar->facet_size ? PETSC_TRUE : PETSC_FALSE;
   }
-  return nonmortar->length > (1 + SameLength) * mortar->length ? PETSC_TRUE : PETSC_FALSE;
+  return nonmortar->size > (1 + SameSize) * mortar->size ? PETSC_TRUE : PETSC_FALSE;
 }
 
 /* Roles that were given are kept; if they slow the solver down the log says so. */
@@ -104,11 +101,10 @@ static PetscErrorCode PairChooseRoles_Private(Scene scene, Level *level, ScenePa
     pair->mortar    = side;
   }
   PetscCall(PetscInfo(
-      level->dm,
-      "Pair %s: nonmortar is %s:%s (contact moduli %g and %g, facets %g and %g, lengths %g and %g as typed)\n",
+      level->dm, "Pair %s: nonmortar is %s:%s (contact moduli %g and %g, facets %g and %g, sides %g and %g as typed)\n",
       pair->name, scene->bodies[pair->nonmortar.body].name, pair->nonmortar.side, (double)nonmortar.modulus,
-      (double)mortar.modulus, (double)nonmortar.facet_length, (double)mortar.facet_length, (double)nonmortar.length,
-      (double)mortar.length));
+      (double)mortar.modulus, (double)nonmortar.facet_size, (double)mortar.facet_size, (double)nonmortar.size,
+      (double)mortar.size));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

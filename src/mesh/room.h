@@ -125,6 +125,10 @@ PetscErrorCode LevelGetNodePoints(const Level *level, PetscInt **point);
 /* Vertices of a cell, which are the first of its nodes. */
 PetscInt LevelNumVertices(const Level *level, PetscInt cell);
 
+/* Length of a facet, or area, as its vertices span it: exact where it is flat. [out] normal - outward unit normal in its
+   middle [dim], may be NULL */
+PetscReal FacetGetMeasure(const Level *level, const Facets *facets, PetscInt f, PetscReal normal[]);
+
 /* The highest order of any body. */
 PetscInt SceneMaxOrder(Scene scene);
 /* Tables of one DM as it has its cells, with nodes up to an order, without positions. Collective. */

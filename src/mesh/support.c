@@ -128,23 +128,23 @@ static void NormalTidy_Private(PetscInt dim, PetscReal n[])
 static PetscErrorCode SideGetNormal_Private(Gather *gather, PetscInt body, const char side[], PetscReal n[])
 {
   const Level *level  = gather->level;
-  PetscReal    sum[4] = {0, 0, 0, 0}, range[2] = {-PETSC_MAX_REAL, -PETSC_MAX_REAL},
-            size; /* of normals, of their sizes; -lowest, highest */
+  PetscReal    sum[4] = {0, 0, 0, 0}, range[2] = {-PETSC_MAX_REAL, -PETSC_MAX_REAL}, size = 0,
+            extent; /* of normals, of their sizes; -lowest, highest */
   Facets facets;
 
   PetscFunctionBeginUser;
   PetscCall(LevelGetFacets(gather->level, gather->scene, body, side, &facets));
   for (PetscInt f = 0; f < facets.num; ++f) {
-    const PetscReal *a  = &level->coords[facets.nodes[f * ELEMENT_MAX_FACET_NODES] * level->dim];
-    const PetscReal *b  = &level->coords[facets.nodes[f * ELEMENT_MAX_FACET_NODES + 1] * level->dim];
-    const PetscReal  dx = b[0] - a[0], dy = b[1] - a[1];
+    PetscReal       normal[3];
+    const PetscReal area = FacetGetMeasure(level, &facets, f, normal);
 
-    sum[0] += dy;
-    sum[1] -= dx;
-    sum[3] += PetscSqrtReal(dx * dx + dy * dy);
+    for (PetscInt d = 0; d < level->dim; ++d) sum[d] += area * normal[d];
+    sum[3] += area;
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 4, MPIU_REAL, MPIU_SUM, level->comm));
-  size = PetscSqrtReal(sum[0] * sum[0] + sum[1] * sum[1]);
+  for (PetscInt d = 0; d < level->dim; ++d) size += PetscSqr(sum[d]);
+  size   = PetscSqrtReal(size);
+  extent = level->dim == 2 ? sum[3] : PetscSqrtReal(sum[3]);
   for (PetscInt d = 0; d < level->dim; ++d) n[d] = size > 0 ? sum[d] / size : 0;
   for (PetscInt f = 0; f < facets.num; ++f) {
     for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); ++i) {
@@ -158,14 +158,14 @@ static PetscErrorCode SideGetNormal_Private(Gather *gather, PetscInt body, const
   }
   PetscCall(FacetsDestroy(&facets));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, range, 2, MPIU_REAL, MPIU_MAX, level->comm));
-  if (size < (1 - FlatShare) * sum[3] || range[0] + range[1] > FlatShare * sum[3]) {
+  if (size < (1 - FlatShare) * sum[3] || range[0] + range[1] > FlatShare * extent) {
     const char *name = gather->scene->bodies[body].name;
 
     PetscCall(FaultRaise(
         level->comm,
         "-%s_bc_normal: side '%s' of body '%s' is not flat (it leaves its mean plane by %.3g over a length of %.3g); "
         "normal displacement can only be held on flat sides",
-        name, side, name, (double)(range[0] + range[1]), (double)sum[3]));
+        name, side, name, (double)(range[0] + range[1]), (double)extent));
   }
   NormalTidy_Private(level->dim, n);
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -16,8 +16,8 @@ static const char *SideNextPart_Private(const char *cursor, char part[OPTION_MAX
 
 PetscErrorCode SideCheck(const Option *option, const SceneBody *body, const char side[])
 {
-  static const char *const box_sides[] = {"left", "right", "bottom", "top"};
-  const PetscInt           num         = (PetscInt)(sizeof(box_sides) / sizeof(box_sides[0]));
+  static const char *const box_sides[] = {"left", "right", "bottom", "top", "front", "back"};
+  const PetscInt           num         = 2 * option->scene->dim; /* the first four are those of a plane box */
   char                     part[OPTION_MAX], again[OPTION_MAX];
 
   PetscFunctionBeginUser;
@@ -32,8 +32,9 @@ PetscErrorCode SideCheck(const Option *option, const SceneBody *body, const char
     if (!found) {
       const char *near = FaultNearest(part, num, box_sides);
 
-      PetscCall(OptionRaise(option, "the box %s has no side '%s'; its sides are left, right, bottom, top%s%s%s",
-                            body->name, part, near ? "; did you mean " : "", near ? near : "", near ? "?" : ""));
+      PetscCall(OptionRaise(option, "the box %s has no side '%s'; its sides are left, right, bottom, top%s%s%s%s",
+                            body->name, part, option->scene->dim == 3 ? ", front, back" : "",
+                            near ? "; did you mean " : "", near ? near : "", near ? "?" : ""));
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
