@@ -19,8 +19,9 @@ static const PetscReal NOTHING = 1e-13;
    axisymmetric side, where int phi r is 0 on a straight facet and of either sign on a curved one. Elsewhere it is 1/6 at least
    on even meshes. */
 static const PetscReal WEIGHTLESS = 1e-2;
-/* Two constraints at one node need normals that differ by at least 20 degrees. */
-static const PetscReal SAME_DIRECTION = 0.93969262078590838;
+/* A further constraint at a node needs a normal that leaves those of earlier ones, or their plane, by at least 20 degrees: what is
+   left of it across them is no shorter than this. */
+static const PetscReal NEW_DIRECTION = 0.34202014332566873;
 
 /* n := Pi n / |Pi n| with Pi the projection onto the free directions of a node. Returns whether n is free at all. */
 static PetscBool ProjectNormal_Private(const Support *held, PetscInt node, PetscReal n[])
@@ -115,29 +116,51 @@ PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *d
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Removes from a later pair the nodes that an earlier one serves. */
-static PetscErrorCode LoseNodes_Private(const Level *level, const PairDraft *earlier, PairDraft *later)
+/* Whether earlier pairs serve a node of the pair num: one of the two is tied, or its normal is nearly a combination of theirs.
+   [in] n - normals of the pairs at local nodes [num+1] */
+static PetscBool IsServed_Private(PetscInt dim, PetscInt num, const PairDraft drafts[], PetscScalar *const n[],
+                                  PetscInt node)
 {
-  const PetscInt     dim  = level->dim;
-  const PetscBool    tied = (PetscBool)(earlier->spec->type == PAIR_TIED || later->spec->type == PAIR_TIED);
-  Vec                local[2];
-  const PetscScalar *n, *m;
+  PetscReal span[4][3]; // orthonormal; the last one is what is left of the normal at hand
+  PetscInt  rank = 0;
+
+  for (PetscInt q = 0; q <= num; q++) {
+    if (drafts[q].fate[node] != NODE_KEPT) continue;
+    if (q < num && (drafts[q].spec->type == PAIR_TIED || drafts[num].spec->type == PAIR_TIED)) return PETSC_TRUE;
+    if (rank == dim) return PETSC_TRUE;
+    for (PetscInt k = 0; k < dim; k++) span[rank][k] = PetscRealPart(n[q][node * dim + k]);
+    for (PetscInt j = 0; j < rank; j++) {
+      PetscReal dot = 0;
+      for (PetscInt k = 0; k < dim; k++) dot += span[j][k] * span[rank][k];
+      for (PetscInt k = 0; k < dim; k++) span[rank][k] -= dot * span[j][k];
+    }
+    if (FrameNormalize(dim, span[rank]) < NEW_DIRECTION) return PETSC_TRUE;
+    rank++;
+  }
+  return PETSC_FALSE;
+}
+
+/* Removes from the pair num the nodes that earlier ones serve. */
+static PetscErrorCode LoseNodes_Private(const Level *level, PetscInt num, PairDraft drafts[])
+{
+  PairDraft    *later = &drafts[num];
+  PetscScalar **n;
+  Vec          *local;
 
   PetscFunctionBeginUser;
-  PetscCall(VecGhostGetLocalForm(earlier->normals, &local[0]));
-  PetscCall(VecGhostGetLocalForm(later->normals, &local[1]));
-  PetscCall(VecGetArrayRead(local[0], &n));
-  PetscCall(VecGetArrayRead(local[1], &m));
-  for (PetscInt i = 0; i < level->num_nodes; i++) {
-    PetscReal dot = 0;
-    if (earlier->fate[i] != NODE_KEPT || later->fate[i] != NODE_KEPT) continue;
-    for (PetscInt k = 0; k < dim; k++) dot += n[i * dim + k] * m[i * dim + k];
-    if (tied || PetscAbsReal(dot) > SAME_DIRECTION) later->fate[i] = NODE_REMOVED;
+  PetscCall(PetscMalloc2(num + 1, &n, num + 1, &local));
+  for (PetscInt q = 0; q <= num; q++) {
+    PetscCall(VecGhostGetLocalForm(drafts[q].normals, &local[q]));
+    PetscCall(VecGetArray(local[q], &n[q]));
   }
-  PetscCall(VecRestoreArrayRead(local[0], &n));
-  PetscCall(VecRestoreArrayRead(local[1], &m));
-  PetscCall(VecGhostRestoreLocalForm(earlier->normals, &local[0]));
-  PetscCall(VecGhostRestoreLocalForm(later->normals, &local[1]));
+  for (PetscInt i = 0; i < level->num_nodes; i++) {
+    if (later->fate[i] == NODE_KEPT && IsServed_Private(level->dim, num, drafts, n, i)) later->fate[i] = NODE_REMOVED;
+  }
+  for (PetscInt q = 0; q <= num; q++) {
+    PetscCall(VecRestoreArray(local[q], &n[q]));
+    PetscCall(VecGhostRestoreLocalForm(drafts[q].normals, &local[q]));
+  }
+  PetscCall(PetscFree2(n, local));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -158,7 +181,7 @@ PetscErrorCode FatesSettle(const Level *level, PetscInt num, PairDraft drafts[])
   PetscFunctionBeginUser;
   for (PetscInt p = 1; p < num; p++) {
     PetscCall(KeepsAny_Private(level, &drafts[p], &before));
-    for (PetscInt q = 0; q < p; q++) PetscCall(LoseNodes_Private(level, &drafts[q], &drafts[p]));
+    PetscCall(LoseNodes_Private(level, p, drafts));
     PetscCall(KeepsAny_Private(level, &drafts[p], &after));
     if (before && !after) {
       PetscCall(FaultRaise(
