@@ -32,8 +32,8 @@ int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   /* Cases: nothing; flat sides in all three directions; in two, so that it slides; one side in z alone, which leaves the plane; two
-     opposite ones, which add nothing; a side in x and y, which leaves z and, of turns, none about z but two others; the same with z
-     held on another side, which takes all. */
+     opposite ones twice, which leaves y; the lower side in x and y, which leaves z and turns about axes in that side; z on the left
+     beside, which leaves the turn about their common edge; and on the right, which leaves none; one side altogether. */
   TestBlock((const char *[]){NULL}, NULL, PETSC_TRUE);
   TestBlock((const char *[]){"left", "front", "bottom", NULL}, (const char *[]){NULL, NULL, NULL}, PETSC_FALSE);
   TestBlock((const char *[]){"left", "front", NULL}, (const char *[]){NULL, NULL}, PETSC_TRUE);
@@ -41,7 +41,9 @@ int main(int argc, char **argv)
   TestBlock((const char *[]){"bottom", "top", "left", "right", NULL}, (const char *[]){NULL, NULL, NULL, NULL},
             PETSC_TRUE);
   TestBlock((const char *[]){"bottom", NULL}, (const char *[]){"0, 0, free"}, PETSC_TRUE);
-  TestBlock((const char *[]){"bottom", "left", NULL}, (const char *[]){"0, 0, free", "free, free, 0"}, PETSC_FALSE);
+  TestBlock((const char *[]){"bottom", "left", NULL}, (const char *[]){"0, 0, free", "free, free, 0"}, PETSC_TRUE);
+  TestBlock((const char *[]){"bottom", "left+right", NULL}, (const char *[]){"0, 0, free", "free, free, 0"},
+            PETSC_FALSE);
   TestBlock((const char *[]){"back", NULL}, (const char *[]){"0, 0, 0"}, PETSC_FALSE);
   PetscCall(PetscFinalize());
   return 0;
