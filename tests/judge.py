@@ -13,6 +13,7 @@ which gets a finished, solved run. Comparisons print the figure that is off and 
 import argparse
 import csv
 import importlib.util
+import itertools
 import json
 import math
 import os
@@ -162,11 +163,17 @@ def same_table(table, expected, tolerances, position=("x", "y", "z"), distance=1
 def match_points(points, targets, distance):
     """For each target the place of its point; several points in one place are taken in their order."""
     extent = max((max(axis) - min(axis) for axis in zip(*targets)), default=0.0)
-    free, partner = set(range(len(points))), []
+    width = 2 * distance * extent or 1.0  # of a grid: what is near lies in the same cell or beside it
+    cell = lambda point: tuple(math.floor(x / width) for x in point)
+    free, partner = {}, []
+    for p, point in enumerate(points):
+        free.setdefault(cell(point), []).append(p)
     for target in targets:
-        nearest = min(free, key=lambda p: (math.dist(points[p], target), p))
-        require(math.dist(points[nearest], target) <= distance * extent, f"there is no point at {target}")
-        free.remove(nearest)
+        around = itertools.product(*((k - 1, k, k + 1) for k in cell(target)))
+        near_by = [p for place in around for p in free.get(place, ())]
+        nearest = min(near_by, key=lambda p: (math.dist(points[p], target), p), default=None)
+        require(nearest is not None and math.dist(points[nearest], target) <= distance * extent, f"there is no point at {target}")
+        free[cell(points[nearest])].remove(nearest)
         partner.append(nearest)
     return partner
 

@@ -1,7 +1,8 @@
 """meshes.py -- the cells of an HDF5 file of mortise, which has types side by side, for tests that look into it."""
 import numpy as np
 
-SIZES = {4: 3, 5: 4, 36: 6, 35: 9}  # XDMF's numbers of triangles and quads of order 1 and 2, and their nodes
+# XDMF's numbers of triangles, quads, tetrahedra and hexahedra of order 1 and 2, and their nodes.
+SIZES = {4: 3, 5: 4, 36: 6, 35: 9, 6: 4, 9: 8, 38: 10, 50: 27}
 
 
 def cells_by_size(cells):

@@ -3,7 +3,7 @@ set(MORTISE_AUTHOR_SCENES "" CACHE PATH "Folder of the author's meshes (cog_mast
 if(MORTISE_AUTHOR_SCENES)
   foreach(order 1 2)
     foreach(own gears plates indenter)
-      mortise_scene_test(${own}_${order} SCENE ${own} CHECK ../same/same.py LABELS cross mpi ARGS -order ${order}
+      mortise_scene_test(${own}_${order} SCENE ${own} CHECK ../same/same.py LABELS cross mpi ARGS -cross_check -order ${order}
         -slave_dm_plex_filename ${MORTISE_AUTHOR_SCENES}/$<IF:$<STREQUAL:${own},gears>,cog,$<IF:$<STREQUAL:${own},plates>,plate,indent>>_slave.msh
         -master_dm_plex_filename ${MORTISE_AUTHOR_SCENES}/$<IF:$<STREQUAL:${own},gears>,cog,plate>_master.msh)
     endforeach()

@@ -2,7 +2,7 @@
 file(GLOB scenes CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/options/*.opts)
 foreach(path IN LISTS scenes)
   get_filename_component(shipped ${path} NAME_WE)
-  mortise_scene_test(${shipped} CHECK same.py LABELS cross mpi)
+  mortise_scene_test(${shipped} CHECK same.py LABELS cross mpi ARGS -cross_check)
 endforeach()
 
 # The same with cells of order 2, coarser where a scene is large.
@@ -14,18 +14,18 @@ foreach(path IN LISTS scenes)
   get_filename_component(shipped ${path} NAME_WE)
   file(STRINGS ${path} quadratic REGEX "^-order 2")
   if(NOT quadratic)
-    mortise_scene_test(${shipped}_quadratic SCENE ${shipped} CHECK same_quadratic.py LABELS cross mpi ARGS -order 2 ${coarse_${shipped}})
+    mortise_scene_test(${shipped}_quadratic SCENE ${shipped} CHECK same.py LABELS cross mpi ARGS -cross_check -order 2 ${coarse_${shipped}})
   endif()
 endforeach()
 
 # Bodies of both orders, and multipliers at vertices alone.
-mortise_scene_test(two_plates_mixed SCENE two_plates CHECK same_quadratic.py LABELS cross mpi
-  ARGS -upper_order 2 -upper_dm_plex_simplex 1 ${coarse_two_plates})
-mortise_scene_test(three_bodies_mixed SCENE three_bodies CHECK same_quadratic.py LABELS cross mpi ARGS -middle_order 2)
-mortise_scene_test(hertz2d_mixed SCENE hertz2d CHECK same_quadratic.py LABELS cross mpi ARGS -block_order 2 ${coarse_hertz2d})
-mortise_scene_test(two_plates_vertices SCENE two_plates CHECK same_quadratic.py LABELS cross mpi
-  ARGS -order 2 -joint_multipliers vertices ${coarse_two_plates})
-mortise_scene_test(three_bodies_vertices SCENE three_bodies CHECK same_quadratic.py LABELS cross mpi
-  ARGS -order 2 -inner_fit_multipliers vertices -outer_fit_multipliers vertices)
-mortise_scene_test(tied_vertices SCENE tied CHECK same_quadratic.py LABELS cross mpi ARGS -order 2 -glue_multipliers vertices)
-mortise_scene_test(half_discs_vertices SCENE half_discs CHECK same_quadratic.py LABELS cross mpi ARGS -order 2 -joint_multipliers vertices)
+mortise_scene_test(two_plates_mixed SCENE two_plates CHECK same.py LABELS cross mpi
+  ARGS -cross_check -upper_order 2 -upper_dm_plex_simplex 1 ${coarse_two_plates})
+mortise_scene_test(three_bodies_mixed SCENE three_bodies CHECK same.py LABELS cross mpi ARGS -cross_check -middle_order 2)
+mortise_scene_test(hertz2d_mixed SCENE hertz2d CHECK same.py LABELS cross mpi ARGS -cross_check -block_order 2 ${coarse_hertz2d})
+mortise_scene_test(two_plates_vertices SCENE two_plates CHECK same.py LABELS cross mpi
+  ARGS -cross_check -order 2 -joint_multipliers vertices ${coarse_two_plates})
+mortise_scene_test(three_bodies_vertices SCENE three_bodies CHECK same.py LABELS cross mpi
+  ARGS -cross_check -order 2 -inner_fit_multipliers vertices -outer_fit_multipliers vertices)
+mortise_scene_test(tied_vertices SCENE tied CHECK same.py LABELS cross mpi ARGS -cross_check -order 2 -glue_multipliers vertices)
+mortise_scene_test(half_discs_vertices SCENE half_discs CHECK same.py LABELS cross mpi ARGS -cross_check -order 2 -joint_multipliers vertices)

@@ -1,2 +1,2 @@
-mortise_unit(pair ROOMS base kernel mesh contact RANKS 1 2 3 5)
-mortise_unit(search ROOMS base kernel mesh contact RANKS 1 2 3 5)
+mortise_unit(pair ROOMS base kernel mesh contact RANKS 1 3 5)
+mortise_unit(search ROOMS base kernel mesh contact RANKS 1 3 5)

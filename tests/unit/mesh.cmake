@@ -1,5 +1,5 @@
 foreach(module mesh level secondorder curvedfiles support partition meshfaults)
-  mortise_unit(${module} ROOMS base kernel mesh RANKS 1 2 3 4)
+  mortise_unit(${module} ROOMS base kernel mesh RANKS 1 3)
   target_compile_definitions(test_${module} PRIVATE MESHES="${CMAKE_CURRENT_SOURCE_DIR}/unit/meshes")
 endforeach()
 foreach(module meshsolid supportsolid)
