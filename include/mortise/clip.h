@@ -29,6 +29,7 @@ typedef struct {
   PetscReal eta[2]; /* on the mortar facet's reference cell */
   PetscReal weight; /* length or area on the nonmortar facet itself, curved or not */
   PetscReal gap;    /* signed, along the nonmortar normal, open > 0 */
+  PetscReal share;  /* of the nonmortar facet: of its reference cell in 2D, of its shadow on the plane in 3D */
 } ClipPoint;
 
 /* One side of an overlap; the arrays are borrowed. */
@@ -48,8 +49,12 @@ PetscInt ClipLines(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscInt
    is exact to the degree, ClipDegree() or less. Returns the number of points, 0 where the facets do not overlap. Facets of
    second order are cut as polygons through their nodes; all xi lie in the reference cell, and those of a facet that is
    covered once by a tiling cover it once; eta may lie a little outside of curved mortar facets. For flat facets the weights
-   add up to the area of the overlap. No matter which side the mortar facet shows. [out] points - [CLIP_MAX_POLYGON_POINTS] */
+   add up to the area of the overlap, and the shares of what is covered once never to more than 1. No matter which side the mortar facet shows. [out] points - [CLIP_MAX_POLYGON_POINTS] */
 PetscInt ClipPolygons(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscInt degree, ClipPoint points[]);
+
+/* Whether the line through x(xi) of a nonmortar facet in space, along its plane's normal, meets the inside of a mortar facet,
+   and at which gap: for what lies behind what. [in] xi - [2] */
+PetscBool ClipSees(const ClipFacet *nonmortar, const ClipFacet *mortar, const PetscReal xi[], PetscReal *gap);
 
 /* The degree that integrates products of two shape functions of the nonmortar facet, and of one of each, exactly where
    both facets are parallelograms or triangles. */

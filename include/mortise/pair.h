@@ -6,7 +6,8 @@
 
    Where only vertices of quadratic facets carry multipliers (MULTIPLIERS_VERTICES), psi is dual to the linear shape functions
    and all this is written for the displacements u~ of u = u~ + shift u~ on the nonmortar side: a vertex keeps its
-   displacement, the unknown at a middle node is what goes beyond the mean of the two ends (T20). M applies to u. */
+   displacement, the unknown at a middle node is what goes beyond the mean of the two ends (T20). On tri6 psi is dual to phi~,
+   and u~ is that of (T24), where nodes with multipliers are shifted as well. M applies to u. */
 #ifndef MORTISE_PAIR_H
 #define MORTISE_PAIR_H
 
@@ -23,8 +24,8 @@ struct _n_Pair {
   PetscReal       *normal; /* unit, out of the nonmortar body [num][dim] */
   PetscReal       *frame; /* rows (n, t..) orthonormal; t along the held direction where there is one [num][dim][dim] */
   Mat              chain; /* D_ac, c without a multiplier (node x node), or NULL where there is none */
-  Mat              shift; /* of u = u~ + shift u~ (node x node), or NULL where u~ = u */
-  Mat              M;     /* node x node, rows of multiplier nodes; NULL for an obstacle */
+  Mat              shift, unshift; /* u = u~ + shift u~, u~ = u + unshift u (node x node), or NULL where u~ = u */
+  Mat              M;              /* node x node, rows of multiplier nodes; NULL for an obstacle */
   PetscInt         num_facets_nonmortar, num_facets_mortar;     /* of all ranks */
   PetscInt         num_multipliers, num_removed, num_uncovered; /* nodes of all ranks */
   PetscReal        reach;                                       /* that was used */

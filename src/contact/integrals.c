@@ -5,8 +5,7 @@
 #include <mortise/compat.h>
 #include "integrals.h"
 
-/* Number of mortar nodes that each facet meets is bounded by what its row must hold: counts per local node. */
-static PetscErrorCode CreateM_Private(Level *level, const Facets *facets, const FacetIntegral integrals[], Mat *M)
+PetscErrorCode FacetsCreateMat(Level *level, const Facets *facets, const PetscInt entries[], Mat *A)
 {
   Vec          counts, local;
   PetscScalar *ca;
@@ -18,8 +17,8 @@ static PetscErrorCode CreateM_Private(Level *level, const Facets *facets, const 
   PetscCall(VecZeroEntries(local));
   PetscCall(VecGetArray(local, &ca));
   for (PetscInt f = 0; f < facets->num; f++) {
-    for (PetscInt i = 0; i < integrals[f].n; i++)
-      ca[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]] += (PetscReal)integrals[f].num_columns;
+    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
+      ca[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]] += (PetscReal)entries[f];
   }
   PetscCall(VecRestoreArray(local, &ca));
   PetscCall(VecGhostRestoreLocalForm(counts, &local));
@@ -33,7 +32,7 @@ static PetscErrorCode CreateM_Private(Level *level, const Facets *facets, const 
   PetscCall(VecRestoreArray(counts, &ca));
   PetscCall(VecDestroy(&counts));
   PetscCall(MatCreateAIJ(level->comm, level->num_owned, level->num_owned, level->num_global, level->num_global, 0,
-                         d_nnz, 0, o_nnz, M));
+                         d_nnz, 0, o_nnz, A));
   PetscCall(PetscFree2(d_nnz, o_nnz));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -72,7 +71,7 @@ static PetscErrorCode SumFacets_Private(Level *level, const Facets *facets, cons
     PetscCall(VecGetArray(local[i], &a[i]));
   }
   for (PetscInt f = 0; f < facets->num; f++) {
-    PetscReal measure = 0; // single integrals of shape functions may be negative, their sum is the covered length
+    PetscReal measure = 0; // single integrals of shape functions may be negative, their sum is what is covered
     for (PetscInt i = 0; i < integrals[f].n; i++) {
       const PetscInt node = facets->nodes[f * ELEMENT_MAX_FACET_NODES + i];
       a[0][node] += integrals[f].covered[i];
@@ -93,11 +92,26 @@ static PetscErrorCode SumFacets_Private(Level *level, const Facets *facets, cons
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The chain of nodes without multipliers, empty; NULL where all nodes may have one. Collective. */
-static PetscErrorCode CreateChain_Private(const Level *level, const Facets *facets, const ElementType carrier[],
-                                          Mat *chain)
+/* M for the mortar nodes that the facets met, empty; NULL for an obstacle. Collective. */
+static PetscErrorCode CreateM_Private(Level *level, const FacetPartner *partner, const Facets *facets,
+                                      const FacetIntegral integrals[], Mat *M)
 {
-  enum { MAX_ENTRIES = 2 * ELEMENT_MAX_FACET_NODES }; /* beside one node */
+  PetscInt *entries;
+
+  PetscFunctionBeginUser;
+  *M = NULL;
+  if (!partner->mortar) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(facets->num, &entries));
+  for (PetscInt f = 0; f < facets->num; f++) entries[f] = integrals[f].num_columns;
+  PetscCall(FacetsCreateMat(level, facets, entries, M));
+  PetscCall(PetscFree(entries));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The chain of nodes without multipliers, empty; NULL where all nodes may have one. Collective. */
+static PetscErrorCode CreateChain_Private(Level *level, const Facets *facets, const ElementType carrier[], Mat *chain)
+{
+  PetscInt *entries;
   PetscBool any = PETSC_FALSE;
 
   PetscFunctionBeginUser;
@@ -105,8 +119,11 @@ static PetscErrorCode CreateChain_Private(const Level *level, const Facets *face
   for (PetscInt f = 0; f < facets->num; f++) any = (PetscBool)(any || carrier[f] != facets->type[f]);
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, level->comm));
   if (!any) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MatCreateAIJ(level->comm, level->num_owned, level->num_owned, level->num_global, level->num_global,
-                         MAX_ENTRIES, NULL, MAX_ENTRIES, NULL, chain));
+  PetscCall(PetscMalloc1(facets->num, &entries));
+  for (PetscInt f = 0; f < facets->num; f++)
+    entries[f] = ElementNumNodes(facets->type[f]) - ElementNumNodes(carrier[f]);
+  PetscCall(FacetsCreateMat(level, facets, entries, chain));
+  PetscCall(PetscFree(entries));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -127,10 +144,12 @@ PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const 
   PetscReal          X[3 * ELEMENT_MAX_FACET_NODES], N[3 * ELEMENT_MAX_FACET_NODES];
   const PetscScalar *na;
   FacetIntegral     *integrals;
+  PointList          list;
   Vec                local;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(facets->num, &integrals));
+  PetscCall(PointListCreate(dim, &list));
   PetscCall(PetscMalloc2(facets->num, &sums->covered, facets->num, &sums->carrier));
   PetscCall(VecGhostGetLocalForm(normals, &local));
   PetscCall(VecGetArrayRead(local, &na));
@@ -142,17 +161,17 @@ PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const 
       for (PetscInt k = 0; k < dim; k++)
         N[i * dim + k] = PetscRealPart(na[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i] * dim + k]);
     }
-    PetscCall(FacetIntegrate(partner, &facet, &integrals[f]));
+    PetscCall(FacetIntegrate(partner, &facet, &list, &integrals[f]));
   }
   PetscCall(VecRestoreArrayRead(local, &na));
   PetscCall(VecGhostRestoreLocalForm(normals, &local));
+  PetscCall(PointListDestroy(&list));
   PetscCall(LevelCreateVec(level, 1, &sums->D));
   PetscCall(VecDuplicate(sums->D, &sums->full));
   PetscCall(VecDuplicate(sums->D, &sums->G));
   PetscCall(VecDuplicate(sums->D, &sums->measure));
   PetscCall(VecDuplicate(sums->D, &sums->cover));
-  sums->M = NULL;
-  if (partner->mortar) PetscCall(CreateM_Private(level, facets, integrals, &sums->M));
+  PetscCall(CreateM_Private(level, partner, facets, integrals, &sums->M));
   PetscCall(CreateChain_Private(level, facets, sums->carrier, &sums->chain));
   PetscCall(SumFacets_Private(level, facets, integrals, sums));
   PetscCall(Assemble_Private(sums->M));

@@ -29,4 +29,8 @@ PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const 
                                Integrals *sums);
 PetscErrorCode IntegralsDestroy(Integrals *sums);
 
+/* An empty matrix, node x node, with room in the rows of each facet's nodes for what the facet brings to them. Collective.
+   [in] entries - of each facet [facets->num] */
+PetscErrorCode FacetsCreateMat(Level *level, const Facets *facets, const PetscInt entries[], Mat *A);
+
 #endif

@@ -54,29 +54,34 @@ static void WeighPoints_Private(const FacetPartner *partner, const ClipFacet *fa
 {
   PetscReal phi[ELEMENT_MAX_NODES], x[3];
 
-  for (PetscInt p = 0; p < list->num; p++) {
+  for (PetscInt p = 0; p < list->num && partner->scene->model == MODEL_AXISYMMETRIC; p++) {
     ElementSurface(facet->type, facet->X, list->point[p].xi, x, phi, NULL);
     list->point[p].weight *= SceneRing(partner->scene, x);
   }
 }
 
-/* Adds one quadrature point to M and the weighted gap. [in] psi - [n] */
-static PetscErrorCode AddPoint_Private(const FacetPartner *partner, const ClipPoint *point, PetscInt facet,
-                                       const PetscReal psi[], PetscReal gap, FacetIntegral *integral)
+/* Columns of the nodes of a mortar facet; none of an obstacle. [out] columns - [nodes of the facet] */
+static PetscErrorCode FindColumns_Private(const FacetPartner *partner, PetscInt facet, FacetIntegral *integral,
+                                          PetscInt columns[])
+{
+  PetscFunctionBeginUser;
+  if (facet < 0) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt j = 0; j < ElementNumNodes(partner->mortar->type[facet]); j++)
+    PetscCall(FindColumn_Private(integral, partner->mortar->nodes[facet * ELEMENT_MAX_FACET_NODES + j], &columns[j]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds one quadrature point to M. [in] columns - of the mortar facet's nodes; psi - [n] */
+static void AddPoint_Private(const ClipPoint *point, ElementType mortar, const PetscInt columns[],
+                             const PetscReal psi[], FacetIntegral *integral)
 {
   PetscReal phi_m[ELEMENT_MAX_NODES];
 
-  PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < integral->n; i++) integral->gap[i] += point->weight * psi[i] * gap;
-  if (facet < 0) PetscFunctionReturn(PETSC_SUCCESS);
-  ElementShape(partner->mortar->type[facet], point->eta, phi_m, NULL);
-  for (PetscInt j = 0; j < ElementNumNodes(partner->mortar->type[facet]); j++) {
-    PetscInt column;
-    PetscCall(FindColumn_Private(integral, partner->mortar->nodes[facet * ELEMENT_MAX_FACET_NODES + j], &column));
-    for (PetscInt i = 0; i < integral->n; i++)
-      integral->M[column * ELEMENT_MAX_FACET_NODES + i] += point->weight * psi[i] * phi_m[j];
+  ElementShape(mortar, point->eta, phi_m, NULL);
+  for (PetscInt j = 0; j < ElementNumNodes(mortar); j++) {
+    PetscReal *M = &integral->M[columns[j] * ELEMENT_MAX_FACET_NODES];
+    for (PetscInt i = 0; i < integral->n; i++) M[i] += point->weight * psi[i] * phi_m[j];
   }
-  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* D, M, G and what couples with nodes that carry no multiplier, from the collected points. */
@@ -84,6 +89,7 @@ static PetscErrorCode SumPoints_Private(const FacetPartner *partner, const ClipF
                                         FacetIntegral *integral)
 {
   const PetscInt num_nodes = ElementNumNodes(facet->type);
+  PetscInt       columns[ELEMENT_MAX_FACET_NODES];
   PetscReal     *xi, *w;
   DualBasis      dual;
   PetscBool      regular;
@@ -97,12 +103,15 @@ static PetscErrorCode SumPoints_Private(const FacetPartner *partner, const ClipF
   }
   regular = DualBasisCreate(CarrierType(partner->spec, facet->type), list->num, xi, w, &dual);
   for (PetscInt p = 0; regular && p < list->num; p++) { // a sliver without measure is not covered
-    PetscReal phi[ELEMENT_MAX_NODES], psi[ELEMENT_MAX_NODES], gap = list->point[p].gap;
+    const PetscInt f = list->facet[p];
+    PetscReal      phi[ELEMENT_MAX_NODES], psi[ELEMENT_MAX_NODES], gap = list->point[p].gap;
     ElementShape(facet->type, &xi[2 * p], phi, NULL);
     DualBasisEvaluate(&dual, &xi[2 * p], psi);
     PetscCall(GapAt_Private(partner, num_nodes, facet->X, phi, &gap));
-    PetscCall(AddPoint_Private(partner, &list->point[p], list->facet[p], psi, gap, integral));
+    if (p == 0 || f != list->facet[p - 1]) PetscCall(FindColumns_Private(partner, f, integral, columns));
+    if (f >= 0) AddPoint_Private(&list->point[p], partner->mortar->type[f], columns, psi, integral);
     for (PetscInt i = 0; i < integral->n; i++) {
+      integral->gap[i] += w[p] * psi[i] * gap;
       for (PetscInt j = integral->n; j < num_nodes; j++) integral->chain[i][j] += w[p] * psi[i] * phi[j];
     }
   }
@@ -111,12 +120,28 @@ static PetscErrorCode SumPoints_Private(const FacetPartner *partner, const ClipF
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *facet, FacetIntegral *integral)
+/* int phi~ over the whole facet, and its measure. */
+static void IntegrateWhole_Private(const FacetPartner *partner, const ClipFacet *facet, ElementType carrier,
+                                   FacetIntegral *integral)
 {
-  const ElementType carrier   = CarrierType(partner->spec, facet->type);
-  const PetscInt    num_gauss = PointsCurved(facet->type);
-  PetscReal         xi[CLIP_MAX_GAUSS], w[CLIP_MAX_GAUSS], phi[ELEMENT_MAX_NODES], x[3];
-  PointList         list;
+  const PetscInt dim = ElementDim(facet->type);
+  PetscReal      xi[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_NODES], x[3];
+  const PetscInt num = ElementQuadrature(facet->type, PointsCurvedDegree(facet->type), xi, w);
+
+  for (PetscInt q = 0; q < num; q++) {
+    PetscReal weight = w[q] * ElementSurface(facet->type, facet->X, &xi[dim * q], x, phi, NULL);
+    weight *= SceneRing(partner->scene, x);
+    integral->measure += weight;
+    ElementShape(carrier, &xi[dim * q], phi, NULL);
+    DualShape(carrier, phi);
+    for (PetscInt i = 0; i < integral->n; i++) integral->full[i] += weight * phi[i];
+  }
+}
+
+PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *facet, PointList *list,
+                              FacetIntegral *integral)
+{
+  const ElementType carrier = CarrierType(partner->spec, facet->type);
 
   PetscFunctionBeginUser;
   integral->n           = ElementNumNodes(carrier);
@@ -126,18 +151,10 @@ PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *face
     integral->covered[i] = integral->full[i] = integral->gap[i] = 0;
     PetscCall(PetscArrayzero(integral->chain[i], ELEMENT_MAX_FACET_NODES));
   }
-  GaussLine(num_gauss, xi, w);
-  for (PetscInt q = 0; q < num_gauss; q++) {
-    PetscReal weight = w[q] * ElementSurface(facet->type, facet->X, &xi[q], x, phi, NULL);
-    weight *= SceneRing(partner->scene, x);
-    integral->measure += weight;
-    ElementShape(carrier, &xi[q], phi, NULL);
-    for (PetscInt i = 0; i < integral->n; i++) integral->full[i] += weight * phi[i];
-  }
-  PetscCall(PointListCreate(partner, facet, &list));
-  WeighPoints_Private(partner, facet, &list);
-  PetscCall(SumPoints_Private(partner, facet, &list, integral));
-  PetscCall(PointListDestroy(&list));
+  IntegrateWhole_Private(partner, facet, carrier, integral);
+  PetscCall(PointListCollect(partner, facet, list));
+  WeighPoints_Private(partner, facet, list);
+  PetscCall(SumPoints_Private(partner, facet, list, integral));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

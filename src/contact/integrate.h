@@ -8,8 +8,8 @@
 typedef struct {
   PetscInt   n;                                                       /* all nodes of the facet, or its vertices */
   PetscReal  measure, cover;                                          /* of the facet, of its covered part */
-  PetscReal  covered[ELEMENT_MAX_FACET_NODES];                        /* D_ii: int_cov phi_i = int psi_i */
-  PetscReal  full[ELEMENT_MAX_FACET_NODES];                           /* int phi_i over the whole facet */
+  PetscReal  covered[ELEMENT_MAX_FACET_NODES];                        /* D_ii: int_cov phi~_i = int psi_i */
+  PetscReal  full[ELEMENT_MAX_FACET_NODES];                           /* int phi~_i over the whole facet */
   PetscReal  gap[ELEMENT_MAX_FACET_NODES];                            /* int psi_i g */
   PetscReal  chain[ELEMENT_MAX_FACET_NODES][ELEMENT_MAX_FACET_NODES]; /* int psi_i phi_j of nodes j >= n, else zero */
   PetscInt   num_columns, max_columns;                                /* mortar nodes met */
@@ -20,8 +20,9 @@ typedef struct {
 /* The element whose shape functions multipliers of a facet are dual to: the facet's own, or the linear one (T20). */
 ElementType CarrierType(const ScenePair *spec, ElementType facet);
 
-/* Integrates one facet. covered = 0 where nothing is within reach. Not collective. */
-PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *facet, FacetIntegral *integral);
+/* Integrates one facet. covered = 0 where nothing is within reach. Not collective. [in,out] list - any, for the points */
+PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *facet, PointList *list,
+                              FacetIntegral *integral);
 PetscErrorCode FacetIntegralDestroy(FacetIntegral *integral);
 
 #endif

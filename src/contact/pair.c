@@ -6,6 +6,7 @@
 #include <mortise/frame.h>
 #include <mortise/pair.h>
 #include "draft.h"
+#include "shift.h"
 
 /* Rows (n, t..): t is the held direction where there is one, so that held unknowns stay single. [out] Q - [dim][dim] */
 static void NodeFrame_Private(const Support *held, PetscInt node, const PetscReal n[], PetscReal Q[])
@@ -132,38 +133,13 @@ static PetscErrorCode Integrate_Private(Scene scene, Level *level, const Support
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* u = u~ + shift u~ (T20): at nodes that never carry a multiplier the unknown is what goes beyond the shape functions of
-   those that may. NULL where there is none of them. Collective. [in] chain - of the sums, NULL or not on all ranks */
-static PetscErrorCode CreateShift_Private(Level *level, const Facets *facets, const Integrals *sums, Mat *shift)
-{
-  PetscFunctionBeginUser;
-  *shift = NULL;
-  if (!sums->chain) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MatCreateAIJ(level->comm, level->num_owned, level->num_owned, level->num_global, level->num_global,
-                         ELEMENT_MAX_FACET_NODES, NULL, ELEMENT_MAX_FACET_NODES, NULL, shift));
-  for (PetscInt f = 0; f < facets->num; f++) {
-    const PetscInt n = ElementNumNodes(sums->carrier[f]), num_nodes = ElementNumNodes(facets->type[f]);
-    PetscInt       nodes[ELEMENT_MAX_FACET_NODES];
-    for (PetscInt i = 0; i < num_nodes; i++)
-      nodes[i] = level->node_global[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
-    for (PetscInt j = n; j < num_nodes; j++) {
-      PetscReal phi[ELEMENT_MAX_NODES];
-      ElementShape(sums->carrier[f], ElementNode(facets->type[f], j), phi, NULL);
-      PetscCall(MatSetValues(*shift, 1, &nodes[j], n, nodes, phi, INSERT_VALUES));
-    }
-  }
-  PetscCall(MatAssemblyBegin(*shift, MAT_FINAL_ASSEMBLY));
-  PetscCall(MatAssemblyEnd(*shift, MAT_FINAL_ASSEMBLY));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Spreads what is removed and collects what is kept. Collective. */
 static PetscErrorCode Finish_Private(Level *level, const Support *held, PairDraft *draft, Pair pair)
 {
   Integrals *sums = &draft->sums;
 
   PetscFunctionBeginUser;
-  PetscCall(CreateShift_Private(level, &draft->nonmortar, sums, &pair->shift));
+  PetscCall(ShiftCreate(level, &draft->nonmortar, sums->carrier, &pair->shift, &pair->unshift));
   PetscCall(SpreadRemovedRows(level, &draft->nonmortar, draft->fate, sums, &pair->chain));
   PetscCall(CollectNodes_Private(level, held, draft, pair));
   pair->M = sums->M;
@@ -199,6 +175,7 @@ PetscErrorCode PairDestroy(Pair *pair)
   PetscCall(MatDestroy(&(*pair)->M));
   PetscCall(MatDestroy(&(*pair)->chain));
   PetscCall(MatDestroy(&(*pair)->shift));
+  PetscCall(MatDestroy(&(*pair)->unshift));
   PetscCall(PetscFree5((*pair)->nodes, (*pair)->D, (*pair)->gap, (*pair)->normal, (*pair)->frame));
   PetscCall(PetscFree(*pair));
   PetscFunctionReturn(PETSC_SUCCESS);

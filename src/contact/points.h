@@ -14,19 +14,25 @@ typedef struct {
   PetscReal            reach;
 } FacetPartner;
 
-/* Point p lies on mortar facet facet[p] (-1: obstacle). */
+/* Point p lies on mortar facet facet[p] (-1: obstacle). Facets follow each other: all points of one, then those of the next.
+   One list serves one facet after the other. */
 typedef struct {
   PetscInt   num, max;
   ClipPoint *point;
   PetscInt  *facet;
+  ClipPoint *work; /* points of one mortar facet */
 } PointList;
 
-/* Collects the points over the covered part of a facet, each part of it once. Not collective.
-   [out] list - owned by the caller, empty where nothing is within reach */
-PetscErrorCode PointListCreate(const FacetPartner *partner, const ClipFacet *facet, PointList *list);
+/* An empty list for facets of a dimension. Not collective. [out] list - owned by the caller */
+PetscErrorCode PointListCreate(PetscInt dim, PointList *list);
 PetscErrorCode PointListDestroy(PointList *list);
+PetscErrorCode PointListAdd(PointList *list, const ClipPoint *point, PetscInt facet);
 
-/* Gauss points for what is no polynomial on a facet: curved sides, turning normals, gaps given as expressions. */
-PetscInt PointsCurved(ElementType type);
+/* Collects the points over the covered part of a facet, each part of it once; none where nothing is within reach. Not
+   collective. */
+PetscErrorCode PointListCollect(const FacetPartner *partner, const ClipFacet *facet, PointList *list);
+
+/* The degree of quadrature for what is no polynomial on a facet: curved sides, turning normals, gaps given as expressions. */
+PetscInt PointsCurvedDegree(ElementType type);
 
 #endif

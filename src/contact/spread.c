@@ -7,12 +7,17 @@
 #include <mortise/compat.h>
 #include "spread.h"
 
-/* Whether two nodes of a facet follow each other along it. */
+/* Whether two nodes of a facet follow each other on the lattice of its nodes, which has steps of 1 / order along its edges: not the
+   vertices of a quadratic facet, nor those that lie across a quad. */
 static PetscBool AreNeighbours_Private(ElementType type, PetscInt i, PetscInt j)
 {
-  const PetscInt middle = 2;
+  const PetscReal *a = ElementNode(type, i), *b = ElementNode(type, j), longest = 1.5 / ElementOrder(type);
+  const PetscReal  x = PetscAbsReal(a[0] - b[0]), y = ElementDim(type) == 1 ? 0 : PetscAbsReal(a[1] - b[1]);
 
-  return (PetscBool)(i != j && (type != ELEMENT_LINE3 || i == middle || j == middle));
+  if (i == j) return PETSC_FALSE;
+  if (ElementLinear(type) == ELEMENT_TRI3)
+    return (PetscBool)(PetscMax(PetscMax(x, y), PetscAbsReal(a[0] - b[0] + a[1] - b[1])) < longest);
+  return (PetscBool)(x + y < longest);
 }
 
 /* Moves into ring k, on every rank, the nodes that wait beside ring k - 1. [in,out] ring - [num_nodes], -1 waits;
@@ -58,12 +63,14 @@ static PetscErrorCode NextRing_Private(Level *level, const Facets *facets, const
 static PetscErrorCode NeighbourMeans_Private(Level *level, const Facets *facets, const Integrals *sums, PetscInt k,
                                              const PetscInt ring[], Mat *N)
 {
-  enum { MAX_NEIGHBOURS = 16 }; /* of ring k beside one of ring k - 1; two in 2D */
-  Vec ones, columns;
+  Vec       ones, columns;
+  PetscInt *entries;
 
   PetscFunctionBeginUser;
-  PetscCall(MatCreateAIJ(level->comm, level->num_owned, level->num_owned, level->num_global, level->num_global,
-                         MAX_NEIGHBOURS, NULL, MAX_NEIGHBOURS, NULL, N));
+  PetscCall(PetscMalloc1(facets->num, &entries));
+  for (PetscInt f = 0; f < facets->num; f++) entries[f] = ElementNumNodes(sums->carrier[f]) - 1;
+  PetscCall(FacetsCreateMat(level, facets, entries, N));
+  PetscCall(PetscFree(entries));
   for (PetscInt f = 0; f < facets->num; f++) {
     const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(sums->carrier[f]);
     for (PetscInt i = 0; sums->covered[f] && i < n; i++) {

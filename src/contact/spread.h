@@ -9,7 +9,8 @@ typedef enum { NODE_UNCOVERED, NODE_REMOVED, NODE_KEPT } NodeFate;
 
 /* Spreads the rows of removed nodes c over their kept neighbours a on covered facets, w_ac = 1 / (their number):
      M_a += w_ac M_c,  G_a += w_ac G_c,  chain_ac = w_ac D_c + what the sums' own chain has in rows a and c.
-   The ends of a quadratic facet are neighbours of its middle, not of each other.
+   Neighbours follow each other along the lattice of a facet's nodes: the ends of a quadratic facet are neighbours of its
+   middle, not of each other.
    Where a removed node has removed neighbours only, their weights are averaged; one that is cut off from every kept node is
    dropped. Collective.
    [in]     fate  - NodeFate of every local node [num_nodes]

@@ -104,8 +104,9 @@ static void AddPiece_Private(const ClipFacet *nonmortar, const ClipFacet *mortar
     for (PetscInt i = 0; i < num_nodes; i++) f[i] = Side_Private(x, n, &mortar->X[2 * i]);
     eta = Meet_Private(mortar->type, f);
     ElementSurface(mortar->type, mortar->X, &eta, y, phi, NULL);
-    points[q]     = (ClipPoint){.xi = {xi, 0.}, .eta = {eta, 0.}, .weight = w[q] * (cuts[1] - cuts[0]) * measure};
-    points[q].gap = ((y[0] - x[0]) * n[0] + (y[1] - x[1]) * n[1]) / PetscSqrtReal(n[0] * n[0] + n[1] * n[1]);
+    points[q]        = (ClipPoint){.xi = {xi, 0.}, .eta = {eta, 0.}, .share = w[q] * (cuts[1] - cuts[0])};
+    points[q].weight = points[q].share * measure;
+    points[q].gap    = ((y[0] - x[0]) * n[0] + (y[1] - x[1]) * n[1]) / PetscSqrtReal(n[0] * n[0] + n[1] * n[1]);
   }
 }
 

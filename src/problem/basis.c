@@ -3,7 +3,7 @@
    At a node with multipliers y_i = n_i . (u_s - sum_b P_ab u_b + sum_c (D_ac / D_aa) u_c), P = M / D; the other unknowns of
    the node are its tangential displacements (Hueber & Wohlmuth 2005, here for the normal component only). A tie treats all
    directions so. Held directions that are not axes turn their node's unknowns as well. All this is done to the hierarchical
-   displacements u~ where there are any (couplings.h), and u = S u~ comes last. */
+   displacements u~ where there are any, and to those of T24 on tri6 (couplings.h), and u = S u~ comes last. */
 #include <mortise/compat.h>
 #include "basis.h"
 
@@ -290,9 +290,9 @@ static PetscInt FindUnknown_Private(PetscInt dim, const PetscReal F[], const Pet
   return -1;
 }
 
-/* shift p with p = sum_j value_j d_j: how far prescribed displacements of the ends of a facet move its middle. The ends are
-   held wherever the middle is, and in the same directions at least. [out] moved - NULL where nothing is shifted */
-static PetscErrorCode MovedByEnds_Private(VI vi, const Couplings *couplings, Vec *moved)
+/* unshift p with p = sum_j value_j d_j: what prescribed displacements are in u~ beyond what they are in u. The ends of a facet
+   are held wherever its middle is, and in the same directions at least. [out] moved - NULL where nothing is shifted */
+static PetscErrorCode UnshiftPrescribed_Private(VI vi, const Couplings *couplings, Vec *moved)
 {
   const PetscInt dim = vi->level->dim;
   PetscScalar   *value;
@@ -300,8 +300,8 @@ static PetscErrorCode MovedByEnds_Private(VI vi, const Couplings *couplings, Vec
 
   PetscFunctionBeginUser;
   *moved = NULL;
-  if (!couplings->shift) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MatCreateVecs(couplings->shift, &prescribed, moved));
+  if (!couplings->unshift) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatCreateVecs(couplings->unshift, &prescribed, moved));
   PetscCall(VecGetArray(prescribed, &value));
   for (PetscInt i = 0; i < vi->level->num_owned; i++) {
     for (PetscInt j = 0; j < vi->support.count[i]; j++) {
@@ -310,7 +310,7 @@ static PetscErrorCode MovedByEnds_Private(VI vi, const Couplings *couplings, Vec
     }
   }
   PetscCall(VecRestoreArray(prescribed, &value));
-  PetscCall(MatMult(couplings->shift, prescribed, *moved));
+  PetscCall(MatMult(couplings->unshift, prescribed, *moved));
   PetscCall(VecDestroy(&prescribed));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -320,13 +320,13 @@ PetscErrorCode BasisGetFixed(VI vi, const NodeBases *bases, const Couplings *cou
 {
   const PetscInt     dim   = vi->level->dim;
   const PetscScalar *moved = NULL;
-  Vec                by_ends;
+  Vec                unshifted;
 
   PetscFunctionBeginUser;
   *num = 0;
   PetscCall(PetscMalloc2(vi->level->num_owned * dim, dofs, vi->level->num_owned * dim, values));
-  PetscCall(MovedByEnds_Private(vi, couplings, &by_ends));
-  if (by_ends) PetscCall(VecGetArrayRead(by_ends, &moved));
+  PetscCall(UnshiftPrescribed_Private(vi, couplings, &unshifted));
+  if (unshifted) PetscCall(VecGetArrayRead(unshifted, &moved));
   for (PetscInt i = 0; i < vi->level->num_owned; i++) {
     const PetscInt   s = bases->of_node[i];
     const PetscReal *F = s >= 0 ? &bases->F[s * dim * dim] : NULL;
@@ -335,13 +335,13 @@ PetscErrorCode BasisGetFixed(VI vi, const NodeBases *bases, const Couplings *cou
       PetscReal        value = vi->support.values[i * dim + j], sign;
       const PetscInt   r     = FindUnknown_Private(dim, F, d, &sign);
       PetscCheck(r >= 0, PETSC_COMM_SELF, PETSC_ERR_PLIB, "A held direction is not an unknown of its node");
-      for (PetscInt k = 0; moved && k < dim; k++) value -= d[k] * PetscRealPart(moved[i * dim + k]);
+      for (PetscInt k = 0; moved && k < dim; k++) value += d[k] * PetscRealPart(moved[i * dim + k]);
       (*dofs)[*num]       = dim * (vi->level->node_begin + i) + r;
       (*values)[(*num)++] = sign * value;
     }
   }
-  if (by_ends) PetscCall(VecRestoreArrayRead(by_ends, &moved));
-  PetscCall(VecDestroy(&by_ends));
+  if (unshifted) PetscCall(VecRestoreArrayRead(unshifted, &moved));
+  PetscCall(VecDestroy(&unshifted));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     if (vi->pairs[vi->row_pair[r]]->spec->type != PAIR_TIED) continue;
     (*dofs)[*num]       = vi->row_dof[r];

@@ -1,4 +1,4 @@
-/* couplings.c -- rows of the pairs in the displacements u and in the hierarchical ones u~. */
+/* couplings.c -- rows of the pairs in the displacements u and in those of the changed basis, u~. */
 #include <mortise/compat.h>
 #include <mortise/fault.h>
 #include "couplings.h"
@@ -30,15 +30,17 @@ static PetscErrorCode AddProduct_Private(Mat *A, PetscReal a, Mat B, Mat C)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The shifts of all pairs at once: a facet in several of them has the same in each. NULL where there is none. */
-static PetscErrorCode UniteShifts_Private(VI vi, Mat *shift)
+/* The shifts of all pairs at once: a facet in several of them has the same in each. NULL where there is none.
+   [in] inverse - the unshifts instead */
+static PetscErrorCode UniteShifts_Private(VI vi, PetscBool inverse, Mat *shift)
 {
   const PetscInt n = vi->level->num_owned, begin = vi->level->node_begin;
 
   PetscFunctionBeginUser;
   *shift = NULL;
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
-    if (!vi->pairs[p]->shift) continue;
+    const Mat own = inverse ? vi->pairs[p]->unshift : vi->pairs[p]->shift;
+    if (!own) continue;
     if (!*shift)
       PetscCall(MatCreateAIJ(vi->level->comm, n, n, PETSC_DETERMINE, PETSC_DETERMINE, ELEMENT_MAX_FACET_NODES, NULL,
                              ELEMENT_MAX_FACET_NODES, NULL, shift));
@@ -46,9 +48,9 @@ static PetscErrorCode UniteShifts_Private(VI vi, Mat *shift)
       PetscInt           num;
       const PetscInt    *columns;
       const PetscScalar *values;
-      PetscCall(MatGetRow(vi->pairs[p]->shift, row, &num, &columns, &values));
+      PetscCall(MatGetRow(own, row, &num, &columns, &values));
       if (num) PetscCall(MatSetValues(*shift, 1, &row, num, columns, values, INSERT_VALUES));
-      PetscCall(MatRestoreRow(vi->pairs[p]->shift, row, &num, &columns, &values));
+      PetscCall(MatRestoreRow(own, row, &num, &columns, &values));
     }
   }
   if (*shift) {
@@ -83,8 +85,32 @@ static PetscErrorCode Expand_Private(VI vi, Mat shift, Mat *expanded)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* basis = (D + record) S - D. Multiplier nodes are not shifted, so that D S = D. On the pair's own side, if that is shifted,
-   (I - shift) S = I: there the chain stays what it is. */
+/* record = (D + chain) S^-1 - D - M. */
+static PetscErrorCode CreateRecord_Private(const Pair pair, Mat *record)
+{
+  Mat          moved;
+  Vec          D;
+  PetscScalar *value;
+
+  PetscFunctionBeginUser;
+  PetscCall(Add_Private(record, -1.0, pair->M));
+  PetscCall(Add_Private(record, 1.0, pair->chain));
+  PetscCall(AddProduct_Private(record, 1.0, pair->chain, pair->unshift));
+  if (!pair->unshift) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatCreateVecs(pair->unshift, NULL, &D));
+  PetscCall(VecGetArray(D, &value));
+  for (PetscInt k = 0; k < pair->num; k++) value[pair->nodes[k]] = pair->D[k];
+  PetscCall(VecRestoreArray(D, &value));
+  PetscCall(MatDuplicate(pair->unshift, MAT_COPY_VALUES, &moved));
+  PetscCall(MatDiagonalScale(moved, D, NULL));
+  PetscCall(Add_Private(record, 1.0, moved));
+  PetscCall(VecDestroy(&D));
+  PetscCall(MatDestroy(&moved));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* basis = (D + record) S - D. On the pair's own side, if that is shifted, S^-1 S = I: there D and the chain stay what they are.
+   Else the nodes with multipliers are not shifted, so that D S = D. */
 static PetscErrorCode CreateBasis_Private(const Pair pair, Mat shift, Mat *basis)
 {
   Mat other = NULL;
@@ -99,19 +125,31 @@ static PetscErrorCode CreateBasis_Private(const Pair pair, Mat shift, Mat *basis
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a node that this rank owns carries a multiplier of one pair and is shifted by another. */
+/* Entries of a row of a shift; none where it is NULL. */
+static PetscErrorCode CountShift_Private(Mat shift, PetscInt row, PetscInt *num)
+{
+  PetscFunctionBeginUser;
+  *num = 0;
+  if (!shift) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatGetRow(shift, row, num, NULL, NULL));
+  PetscCall(MatRestoreRow(shift, row, NULL, NULL, NULL));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a node that this rank owns carries a multiplier of one pair and is shifted by another in its own way, which the number
+   of nodes that shift it tells: none, the two ends, or these and the node itself. */
 static PetscErrorCode IsTorn_Private(const Pair pair, const Pair other, PetscBool *torn)
 {
-  PetscInt num;
+  PetscInt num, num_own;
 
   PetscFunctionBeginUser;
   *torn = PETSC_FALSE;
   if (!other->shift) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt k = 0; k < pair->num; k++) {
     const PetscInt row = pair->level->node_begin + pair->nodes[k];
-    PetscCall(MatGetRow(other->shift, row, &num, NULL, NULL));
-    *torn = (PetscBool)(*torn || num > 0);
-    PetscCall(MatRestoreRow(other->shift, row, &num, NULL, NULL));
+    PetscCall(CountShift_Private(other->shift, row, &num));
+    PetscCall(CountShift_Private(pair->shift, row, &num_own));
+    *torn = (PetscBool)(*torn || (num > 0 && num != num_own));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -142,20 +180,19 @@ static PetscErrorCode CheckTorn_Private(VI vi)
 
 PetscErrorCode CouplingsCreate(VI vi, Couplings *couplings)
 {
-  Mat shift;
+  Mat shift, unshift;
 
   PetscFunctionBeginUser;
   PetscCall(CheckTorn_Private(vi));
   couplings->num   = vi->num_pairs;
-  couplings->shift = NULL;
+  couplings->shift = couplings->unshift = NULL;
   PetscCall(PetscCalloc2(vi->num_pairs, &couplings->record, vi->num_pairs, &couplings->basis));
-  PetscCall(UniteShifts_Private(vi, &shift));
+  PetscCall(UniteShifts_Private(vi, PETSC_FALSE, &shift));
+  PetscCall(UniteShifts_Private(vi, PETSC_TRUE, &unshift));
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
     const Pair pair   = vi->pairs[p];
     Mat       *record = &couplings->record[p];
-    PetscCall(Add_Private(record, -1.0, pair->M));
-    PetscCall(Add_Private(record, 1.0, pair->chain));
-    PetscCall(AddProduct_Private(record, -1.0, pair->chain, pair->shift));
+    PetscCall(CreateRecord_Private(pair, record));
     if (shift) {
       PetscCall(CreateBasis_Private(pair, shift, &couplings->basis[p]));
     } else {
@@ -164,7 +201,9 @@ PetscErrorCode CouplingsCreate(VI vi, Couplings *couplings)
     }
   }
   if (shift) PetscCall(Expand_Private(vi, shift, &couplings->shift));
+  if (unshift) PetscCall(Expand_Private(vi, unshift, &couplings->unshift));
   PetscCall(MatDestroy(&shift));
+  PetscCall(MatDestroy(&unshift));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -177,5 +216,6 @@ PetscErrorCode CouplingsDestroy(Couplings *couplings)
   }
   PetscCall(PetscFree2(couplings->record, couplings->basis));
   PetscCall(MatDestroy(&couplings->shift));
+  PetscCall(MatDestroy(&couplings->unshift));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,7 +1,7 @@
 /* modes.c -- rigid motions as near null space.
 
    Smoothed aggregation needs the motions of each body as vectors of their own: sums over bodies lose them. In the unknowns
-   y a motion is y = T^-1 u: the ordinary unknowns of u~ = (I - shift) u, F u~ at special nodes, and (B u)_row / D_row where
+   y a motion is y = T^-1 u: the ordinary unknowns of u~ = S^-1 u, F u~ at special nodes, and (B u)_row / D_row where
    a row of B is an unknown. */
 #include <mortise/compat.h>
 #include "modes.h"
@@ -43,9 +43,8 @@ static PetscErrorCode ApplyInverse_Private(VI vi, const NodeBases *bases, const 
   PetscScalar       *ya;
 
   PetscFunctionBeginUser;
-  if (couplings->shift) {
-    PetscCall(MatMult(couplings->shift, u, y));
-    PetscCall(VecAYPX(y, -1.0, u));
+  if (couplings->unshift) {
+    PetscCall(MatMultAdd(couplings->unshift, u, u, y));
   } else {
     PetscCall(VecCopy(u, y));
   }

@@ -64,39 +64,40 @@ static PetscErrorCode PairMoment_Private(Fields fields, PetscInt p, PetscInt mom
   const VI         vi     = fields->vi;
   const Pair       pair   = vi->pairs[p];
   const PetscInt   dim    = vi->level->dim;
-  const PetscReal *coords = vi->level->coords, *taken = NULL;
+  const PetscReal *coords = vi->level->coords, *taken = NULL, *own;
   PetscReal       *value;
   Vec              values, sums, moved;
 
   PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(vi->level, 1, &values));
+  PetscCall(VecDuplicate(values, &sums));
+  PetscCall(VecGetArray(values, &value));
+  for (PetscInt c = 0; c < vi->level->num_owned; ++c) value[c] = moment ? coords[c * dim + moment - 1] : 1.0;
+  PetscCall(VecRestoreArray(values, &value));
+  if (pair->unshift) { /* D and the chain are written for u~ = u + unshift u */
+    PetscCall(VecDuplicate(values, &moved));
+    PetscCall(MatMult(pair->unshift, values, moved));
+    PetscCall(VecAXPY(values, 1.0, moved));
+    PetscCall(VecDestroy(&moved));
+  }
   if (pair->chain) {
-    PetscCall(MatCreateVecs(pair->chain, &values, &sums));
-    PetscCall(VecGetArray(values, &value));
-    for (PetscInt c = 0; c < vi->level->num_owned; ++c) value[c] = moment ? coords[c * dim + moment - 1] : 1.0;
-    PetscCall(VecRestoreArray(values, &value));
-    if (pair->shift) { /* the chain is written for u~ = u - shift u */
-      PetscCall(VecDuplicate(values, &moved));
-      PetscCall(MatMult(pair->shift, values, moved));
-      PetscCall(VecAXPY(values, -1.0, moved));
-      PetscCall(VecDestroy(&moved));
-    }
     PetscCall(MatMult(pair->chain, values, sums));
     PetscCall(VecGetArrayRead(sums, &taken));
   }
+  PetscCall(VecGetArrayRead(values, &own));
   for (PetscInt r = 0; r < vi->num_rows; ++r) {
     const PetscInt a = vi->row_node[r];
     PetscReal      sum;
 
     if (vi->row_pair[r] != p) continue;
-    sum = moment ? coords[pair->nodes[a] * dim + moment - 1] : 1.0;
+    sum = own[pair->nodes[a]];
     if (taken) sum += taken[pair->nodes[a]] / pair->D[a];
     *(moment ? &fields->row_moment[r * dim + moment - 1] : &fields->row_weight[r]) = vi->row_D[r] * sum;
   }
-  if (pair->chain) {
-    PetscCall(VecRestoreArrayRead(sums, &taken));
-    PetscCall(VecDestroy(&values));
-    PetscCall(VecDestroy(&sums));
-  }
+  PetscCall(VecRestoreArrayRead(values, &own));
+  if (taken) PetscCall(VecRestoreArrayRead(sums, &taken));
+  PetscCall(VecDestroy(&values));
+  PetscCall(VecDestroy(&sums));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -99,7 +99,8 @@ PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal)
   PetscCall(VecRestoreArrayRead(fields->slack, &slack));
   PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
   if (pair->chain) PetscCall(ExtendPressure_Private(pair, nodal));
-  if (pair->shift) PetscCall(InterpolatePressure_Private(pair, nodal));
+  if (pair->shift && pair->spec->multipliers == MULTIPLIERS_VERTICES)
+    PetscCall(InterpolatePressure_Private(pair, nodal));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

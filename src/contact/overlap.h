@@ -1,0 +1,22 @@
+/* overlap.h -- what differs between the overlaps of lines and of facets in space (private to the room). */
+#ifndef MORTISE_OVERLAP_H
+#define MORTISE_OVERLAP_H
+
+#include "points.h"
+
+typedef struct {
+  PetscInt max_points; /* of one mortar facet */
+  /* Points of the overlap with one mortar facet; returns their number. [out] points - [max_points] */
+  PetscInt (*points)(const ScenePair *spec, const ClipFacet *facet, const ClipFacet *mortar, ClipPoint points[]);
+  /* Keeps, wherever two layers of the mortar side lie over a part of the facet, the one of smallest |gap|. */
+  PetscErrorCode (*keep_nearest)(const FacetPartner *partner, const ClipFacet *facet, PointList *list);
+} Overlap;
+
+extern const Overlap OVERLAP_LINES, OVERLAP_POLYGONS;
+
+/* A facet of the mortar side. */
+ClipFacet OverlapMortar(const FacetPartner *partner, PetscInt f);
+/* Whether a gap is given that is no constant. */
+PetscBool OverlapGapVaries(const ScenePair *spec);
+
+#endif

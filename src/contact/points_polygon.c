@@ -1,0 +1,54 @@
+/* points_polygon.c -- overlaps of facets in space: lines along the normal of the nonmortar facet's plane. */
+#include <mortise/compat.h>
+#include "overlap.h"
+
+/* Layers of the mortar side are further apart than this share of the nonmortar facet; gaps at points that a curved facet and
+   its neighbour both claim at their common edge are closer. */
+static const PetscReal LAYER_DISTANCE = 1e-3;
+
+/* Exact for products of two shape functions where the facets are parallelograms or triangles and the gap is linear; two
+   degrees more for gaps that are given. */
+static PetscInt PolygonPoints_Private(const ScenePair *spec, const ClipFacet *facet, const ClipFacet *mortar,
+                                      ClipPoint points[])
+{
+  const PetscInt extra = 2, degree = ClipDegree(facet->type, mortar->type);
+
+  return ClipPolygons(facet, mortar, OverlapGapVaries(spec) ? degree + extra : degree, points);
+}
+
+/* Whether one of the mortar facets of a list lies nearer to a point than the one that gave it. */
+static PetscBool IsHidden_Private(const FacetPartner *partner, const ClipFacet *facet, PetscReal size,
+                                  PetscInt num_facets, const PetscInt facets[], const ClipPoint *point, PetscInt own)
+{
+  for (PetscInt i = 0; i < num_facets; i++) {
+    const ClipFacet mortar = OverlapMortar(partner, facets[i]);
+    PetscReal       gap;
+
+    if (facets[i] == own || !ClipSees(facet, &mortar, point->xi, &gap)) continue;
+    if (PetscAbsReal(gap) < PetscAbsReal(point->gap) - LAYER_DISTANCE * size) return PETSC_TRUE;
+  }
+  return PETSC_FALSE;
+}
+
+/* Drops every point before which another mortar facet lies nearer. */
+static PetscErrorCode KeepNearestPoints_Private(const FacetPartner *partner, const ClipFacet *facet, PointList *list)
+{
+  const PetscReal size = FacetSize(3, facet->type, facet->X);
+  PetscInt        kept = 0, num_facets = 0, *facets;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(list->num, &facets));
+  for (PetscInt p = 0; p < list->num; p++) {
+    if (p == 0 || list->facet[p] != list->facet[p - 1]) facets[num_facets++] = list->facet[p];
+  }
+  for (PetscInt p = 0; p < list->num; p++) {
+    if (IsHidden_Private(partner, facet, size, num_facets, facets, &list->point[p], list->facet[p])) continue;
+    list->point[kept]   = list->point[p];
+    list->facet[kept++] = list->facet[p];
+  }
+  list->num = kept;
+  PetscCall(PetscFree(facets));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+const Overlap OVERLAP_POLYGONS = {CLIP_MAX_POLYGON_POINTS, PolygonPoints_Private, KeepNearestPoints_Private};

@@ -1,0 +1,42 @@
+/* shadow.h -- facets in space as polygons in the plane of one of them (private to the room). */
+#ifndef MORTISE_SHADOW_H
+#define MORTISE_SHADOW_H
+
+#include <mortise/clip.h>
+#include "polygon.h"
+
+/* A part of a facet; its corners run anticlockwise in the plane. */
+typedef struct {
+  ElementType type;                               /* tri3 or quad4 */
+  PetscBool   affine;                             /* a triangle or a parallelogram */
+  PetscReal   reference[2 * POLYGON_MAX_CORNERS]; /* corners in the facet's reference cell */
+  PetscReal   plane[2 * POLYGON_MAX_CORNERS];     /* and in the plane */
+  PetscReal   back[4], ratio;                     /* where affine: d reference / d plane, and the ratio of areas */
+} ShadowPart;
+
+/* A facet as the plane sees it. */
+typedef struct {
+  const ClipFacet *facet;
+  PetscReal        plane[2 * ELEMENT_MAX_FACET_NODES]; /* its nodes */
+  PetscReal        area;                               /* of all parts in the plane */
+  PetscInt         num_parts;
+  ShadowPart       parts[CLIP_MAX_PARTS];
+} Shadow;
+
+typedef struct {
+  PetscReal origin[3], Q[9]; /* normal and two tangents */
+  PetscReal size;            /* of the nonmortar facet */
+} ShadowPlane;
+
+/* The plane through a facet that is normal to the sum of its nodal normals. */
+void ShadowPlaneSet(const ClipFacet *nonmortar, ShadowPlane *plane);
+/* Places of nodes in the plane. [in] X - [n][3]; [out] P - [n][2] */
+void ShadowPlaneProject(const ShadowPlane *plane, PetscInt n, const PetscReal X[], PetscReal P[]);
+
+/* A facet's nodes in the plane, then its parts. */
+void ShadowProject(const ShadowPlane *plane, const ClipFacet *facet, Shadow *shadow);
+void ShadowCut(const ShadowPlane *plane, Shadow *shadow);
+/* Whether the boxes around the nodes of two shadows meet; before they are cut. */
+PetscBool ShadowsMeet(const Shadow *a, const Shadow *b);
+
+#endif
