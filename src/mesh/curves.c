@@ -1,20 +1,22 @@
-/* curves.c -- the middle nodes that files of second order give: a position, before any map, on some of the edges and
+/* curves.c -- the middle nodes that files of second order give: a position, before any map, on some of the edges, facets and
    cells of a DM. What has none is straight. */
 #include "room.h"
 #include <mortise/compat.h>
 
-/* The points that carry the nodes behind a cell's vertices, in their order: edges, and the cell itself.
+/* The points that carry the nodes behind a cell's vertices, in the order of element.h: edges, facets, the cell itself.
    [out] num - 0 for a cell of order 1; points - [ELEMENT_MAX_NODES] */
-static PetscErrorCode CellGetMiddles_Private(DM dm, PetscInt cell, ElementType type, PetscInt *num, PetscInt points[])
+static PetscErrorCode CellGetMiddles_Private(DM dm, const BodyList *list, const Numbering *numbering, PetscInt body,
+                                             PetscInt cell, PetscInt *num, PetscInt points[])
 {
-  const PetscInt *cone;
-  PetscInt        size;
+  const ElementType type = (ElementType)list->cell_type[cell];
+  PetscInt          vertices[ELEMENT_MAX_NODES];
 
   PetscFunctionBeginUser;
-  PetscCall(DMPlexGetConeSize(dm, cell, &size));
-  PetscCall(DMPlexGetCone(dm, cell, &cone));
-  *num = ElementNumNodes(type) - ElementNumNodes(ElementLinear(type));
-  for (PetscInt i = 0; i < *num; ++i) points[i] = i < size ? cone[i] : cell; // Plex counts edges like element.h
+  *num = 0;
+  if (ElementOrder(type) == 1) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt i = 0; i < ElementNumNodes(ElementLinear(type)); ++i)
+    vertices[i] = numbering->first_vertex[body] + list->cell_nodes[cell * ELEMENT_MAX_NODES + i];
+  PetscCall(PointGetMiddles(dm, numbering->point[body][cell], vertices, num, points));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -29,7 +31,7 @@ static PetscErrorCode CurvesSetSection_Private(DM dm, const BodyList lists[], co
   PetscCall(PetscSectionSetChart(section, begin, end));
   for (PetscInt b = 0; b < numbering->num_bodies; ++b) {
     for (PetscInt c = 0; c < lists[b].num_cells; ++c) {
-      PetscCall(CellGetMiddles_Private(dm, numbering->point[b][c], (ElementType)lists[b].cell_type[c], &num, points));
+      PetscCall(CellGetMiddles_Private(dm, &lists[b], numbering, b, c, &num, points));
       for (PetscInt i = 0; i < num; ++i) PetscCall(PetscSectionSetDof(section, points[i], lists[b].dim));
     }
   }
@@ -55,7 +57,7 @@ PetscErrorCode CurvesCreate(DM dm, const BodyList lists[], const Numbering *numb
       const ElementType type   = (ElementType)list->cell_type[c];
       const PetscInt   *middle = &list->cell_nodes[c * ELEMENT_MAX_NODES] + ElementNumNodes(ElementLinear(type));
 
-      PetscCall(CellGetMiddles_Private(dm, numbering->point[b][c], type, &num, points));
+      PetscCall(CellGetMiddles_Private(dm, list, numbering, b, c, &num, points));
       for (PetscInt i = 0; i < num; ++i) {
         PetscInt offset;
 
