@@ -30,14 +30,16 @@ static const Side Sides[][MAX_SIDES] = {
     [2] = {{"bottom", 1, 0}, {"right", 0, 1}, {"top", 1, 1}, {"left", 0, 0}},
     [3] = {{"bottom", 2, 0}, {"top", 2, 1}, {"front", 1, 0}, {"right", 0, 1}, {"back", 1, 1}, {"left", 0, 0}}};
 
-/* [dim][simplex]. The tetrahedra are 0 -> 6 by every order of the three axes, right-handed all. */
+/* [dim][simplex]. The tetrahedra have the edge from corner 0 to 6 in common and are right-handed. Which of their vertices is
+   the first decides along which diagonal refinement cuts the octahedron inside: begun like this, volume over the cube of
+   the mean edge stays above 0.56 of a regular one's on all levels; begun otherwise it falls to 0.36. */
 static const Split Splits[][2] = {
     [2] = {{ELEMENT_QUAD4, ELEMENT_QUAD4, 1, {{0, 1, 2, 3}}}, {ELEMENT_QUAD4, ELEMENT_TRI3, 2, {{0, 1, 2}, {0, 2, 3}}}},
     [3] = {{ELEMENT_HEX8, ELEMENT_HEX8, 1, {{0, 1, 2, 3, 4, 5, 6, 7}}},
            {ELEMENT_HEX8,
             ELEMENT_TET4,
             6,
-            {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6}, {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}}}}};
+            {{0, 2, 6, 1}, {0, 3, 6, 2}, {0, 7, 6, 3}, {0, 4, 6, 7}, {0, 5, 6, 4}, {0, 1, 6, 5}}}}};
 
 /* Bricks along the axes. */
 typedef struct {

@@ -4,14 +4,35 @@
 
 /* A point on a side belongs to the cell; round-off of a position is far below this share of the cell. */
 static const PetscReal LocateTolerance = 1e-8;
-/* A parabola through the ends and the middle of an arc of 45 degrees misses it by 2 percent of its height. */
-static const PetscReal CurveSlack = 0.05;
 /* Boxes of cells are widened by this share where a curve may leave them: half a circle over one facet. */
 static const PetscReal CurveMargin = 0.5;
 /* A parabola leaves the box around its three nodes by an eighth of it, a side of a tri6 or a quad9 by less than a third. */
 static const PetscReal OrderMargin = 1. / 3;
 /* Reference coordinates may leave the cell by this much where a curve does. */
 static const PetscReal CurveTolerance = 1;
+/* Derivatives of a map are differences over this share of a cell: half the digits of a number. */
+static const PetscReal DifferenceShare = 1e-7;
+enum { INVERSE_MAX_STEPS = 20 };
+
+/* The box around the nodes of a cell. */
+typedef struct {
+  PetscReal low[3], high[3];
+} Span;
+
+/* [in] X - [num][dim] */
+static Span SpanOf_Private(PetscInt dim, PetscInt num, const PetscReal X[])
+{
+  Span span;
+
+  for (PetscInt d = 0; d < dim; ++d) {
+    span.low[d] = span.high[d] = X[d];
+    for (PetscInt i = 1; i < num; ++i) {
+      span.low[d]  = PetscMin(span.low[d], X[i * dim + d]);
+      span.high[d] = PetscMax(span.high[d], X[i * dim + d]);
+    }
+  }
+  return span;
+}
 
 /* Whether a point lies in the box around a cell, widened by a share of its size. [out] X - [num_nodes][dim] */
 static PetscBool LocateMeetsBox_Private(const Level *level, PetscInt cell, const PetscReal x[], PetscReal margin,
@@ -19,97 +40,99 @@ static PetscBool LocateMeetsBox_Private(const Level *level, PetscInt cell, const
 {
   const PetscInt *nodes = &level->cell_nodes[level->cell_start[cell]];
   const PetscInt  num   = level->cell_start[cell + 1] - level->cell_start[cell];
-  PetscReal       low[3], high[3], size = 0;
+  PetscReal       size  = 0;
+  Span            span;
 
-  for (PetscInt d = 0; d < level->dim; ++d) {
-    low[d]  = PETSC_MAX_REAL;
-    high[d] = -PETSC_MAX_REAL;
-    for (PetscInt i = 0; i < num; ++i) {
-      X[i * level->dim + d] = level->coords[nodes[i] * level->dim + d];
-      low[d]                = PetscMin(low[d], X[i * level->dim + d]);
-      high[d]               = PetscMax(high[d], X[i * level->dim + d]);
-    }
-    size = PetscMax(size, high[d] - low[d]);
+  for (PetscInt i = 0; i < num; ++i) {
+    for (PetscInt d = 0; d < level->dim; ++d) X[i * level->dim + d] = level->coords[nodes[i] * level->dim + d];
   }
+  span = SpanOf_Private(level->dim, num, X);
+  for (PetscInt d = 0; d < level->dim; ++d) size = PetscMax(size, span.high[d] - span.low[d]);
   for (PetscInt d = 0; d < level->dim; ++d) {
-    if (x[d] < low[d] - margin * size || x[d] > high[d] + margin * size) return PETSC_FALSE;
+    if (x[d] < span.low[d] - margin * size || x[d] > span.high[d] + margin * size) return PETSC_FALSE;
   }
   return PETSC_TRUE;
 }
 
-/* The curve over a facet, as a chord a, b and the way from its middle to the curve's. */
-static PetscErrorCode FacetGetCurve_Private(const Level *level, Expression map, PetscInt facet, PetscReal a[],
-                                            PetscReal b[], PetscReal rise[])
+/* A cell as it is before the map. [out] X - of its nodes, as the DM has them [num][dim] */
+static PetscErrorCode CellGetUnmapped_Private(const Level *level, PetscInt cell, ElementType *type, PetscReal X[])
 {
   const PetscScalar *box;
-  PetscReal          middle[3];
-  PetscInt           begin, num, ends[ELEMENT_MAX_NODES];
+  PetscInt           begin, vertex_begin, num, points[ELEMENT_MAX_NODES];
   Vec                coords;
 
   PetscFunctionBeginUser;
-  PetscCall(DMPlexGetDepthStratum(level->dm, 0, &begin, NULL));
-  PetscCall(PointGetVertices(level->dm, facet, &num, ends));
+  PetscCall(DMPlexGetHeightStratum(level->dm, 0, &begin, NULL));
+  if (level->unmapped) {
+    PetscCall(PointGetNodes(level, begin + cell, type, points));
+    for (PetscInt i = 0; i < ElementNumNodes(*type); ++i)
+      PetscCall(PetscArraycpy(&X[i * level->dim], &level->unmapped[points[i] * level->dim], level->dim));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  *type = ElementLinear((ElementType)level->cell_type[cell]);
+  PetscCall(DMPlexGetDepthStratum(level->dm, 0, &vertex_begin, NULL));
+  PetscCall(PointGetVertices(level->dm, begin + cell, &num, points));
   PetscCall(DMGetCoordinatesLocal(level->dm, &coords));
   PetscCall(VecGetArrayRead(coords, &box));
-  for (PetscInt d = 0; d < level->dim; ++d) {
-    const PetscInt i = ends[0] - begin, j = ends[1] - begin;
-
-    middle[d] = 0.5 * PetscRealPart(box[i * level->dim + d] + box[j * level->dim + d]);
-    a[d]      = level->coords[PointGetNode(level, ends[0]) * level->dim + d];
-    b[d]      = level->coords[PointGetNode(level, ends[1]) * level->dim + d];
-  }
+  for (PetscInt i = 0; i < num * level->dim; ++i)
+    X[i] = PetscRealPart(box[(points[i / level->dim] - vertex_begin) * level->dim + i % level->dim]);
   PetscCall(VecRestoreArrayRead(coords, &box));
-  if (PointGetNode(level, facet) >= 0)
-    PetscCall(PetscArraycpy(rise, &level->coords[PointGetNode(level, facet) * level->dim], level->dim));
-  else
-    PetscCall(ExpressionEvaluate(map, level->dim, middle, rise));
-  for (PetscInt d = 0; d < level->dim; ++d) rise[d] -= 0.5 * (a[d] + b[d]);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a point lies between a facet and its curve, taken as the parabola a + t (b - a) + 4 t (1 - t) rise. */
-static PetscErrorCode FacetHoldsPoint_Private(const Level *level, Expression map, PetscInt facet, const PetscReal x[],
-                                              PetscBool *holds)
+/* One step of Newton's method for map(X) = x, as far as the span goes: elsewhere the map may not exist. [in,out] X - [dim];
+   [out] length - of the whole step as a share of the span, infinite where the map cannot be inverted */
+static PetscErrorCode InverseStep_Private(Expression map, PetscInt dim, const PetscReal x[], const Span *span,
+                                          PetscReal X[], PetscReal *length)
 {
-  PetscReal a[3], b[3], rise[3], length = 0, height = 0, t = 0, above = 0;
+  const ElementType simplex = dim == 2 ? ELEMENT_TRI3 : ELEMENT_TET4;
+  PetscReal         at[4 * 3], delta[3], phi[ELEMENT_MAX_NODES], grad[ELEMENT_MAX_NODES * 3];
 
   PetscFunctionBeginUser;
-  PetscCall(FacetGetCurve_Private(level, map, facet, a, b, rise));
-  for (PetscInt d = 0; d < level->dim; ++d) {
-    length += PetscSqr(b[d] - a[d]);
-    height += PetscSqr(rise[d]);
-    t += (x[d] - a[d]) * (b[d] - a[d]);
+  /* the images of X and of points beside it span a simplex, in whose reference coordinates the step is known */
+  PetscCall(ExpressionEvaluate(map, dim, X, at));
+  for (PetscInt i = 0; i < dim; ++i) {
+    PetscReal beside[3];
+
+    PetscCall(PetscArraycpy(beside, X, dim));
+    delta[i] = DifferenceShare * (span->high[i] - span->low[i]);
+    if (2 * X[i] > span->low[i] + span->high[i]) delta[i] = -delta[i]; // inwards
+    beside[i] += delta[i];
+    PetscCall(ExpressionEvaluate(map, dim, beside, &at[(i + 1) * dim]));
   }
-  t /= length;
-  for (PetscInt d = 0; d < level->dim; ++d) above += (x[d] - a[d] - t * (b[d] - a[d])) * rise[d];
-  *holds = t >= 0 && t <= 1 && above >= 0 && height > PetscSqr(LocateTolerance) * length &&
-                   above <= ((1 + CurveSlack) * 4 * t * (1 - t) + LocateTolerance) * height
-               ? PETSC_TRUE
-               : PETSC_FALSE;
+  *length = PETSC_INFINITY;
+  if (ElementMap(simplex, at, ElementNode(simplex, 0), NULL, phi, grad) == 0) PetscFunctionReturn(PETSC_SUCCESS);
+  *length = 0;
+  for (PetscInt i = 0; i < dim; ++i) {
+    PetscReal step = 0;
+
+    for (PetscInt d = 0; d < dim; ++d) step += delta[i] * grad[(i + 1) * dim + d] * (x[d] - at[d]);
+    X[i]    = PetscMin(PetscMax(X[i] + step, span->low[i]), span->high[i]);
+    *length = PetscMax(*length, PetscAbsReal(step) / (span->high[i] - span->low[i]));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a point lies beyond a boundary facet of a cell but within its curve. */
+/* Whether a point is the image of one in a cell, though it may lie beyond the cell's facets: of order 1 there is all of the
+   curve, of order 2 what is between it and the parabola. */
 static PetscErrorCode CellHoldsPoint_Private(const Level *level, Expression map, PetscInt cell, const PetscReal x[],
                                              PetscBool *holds)
 {
-  const PetscInt *facets;
-  PetscInt        begin, size, num_cells;
+  PetscReal   nodes[ELEMENT_MAX_NODES * 3], X[3], xi[3], length = 1;
+  ElementType type;
+  Span        span;
 
   PetscFunctionBeginUser;
-  *holds = PETSC_FALSE;
-  PetscCall(DMPlexGetHeightStratum(level->dm, 0, &begin, NULL));
-  PetscCall(DMPlexGetConeSize(level->dm, begin + cell, &size));
-  PetscCall(DMPlexGetCone(level->dm, begin + cell, &facets));
-  for (PetscInt f = 0; f < size && !*holds; ++f) {
-    PetscCall(DMPlexGetSupportSize(level->dm, facets[f], &num_cells));
-    if (num_cells == 1) PetscCall(FacetHoldsPoint_Private(level, map, facets[f], x, holds));
-  }
+  PetscCall(CellGetUnmapped_Private(level, cell, &type, nodes));
+  span = SpanOf_Private(level->dim, ElementNumNodes(type), nodes);
+  for (PetscInt d = 0; d < level->dim; ++d) X[d] = 0.5 * (span.low[d] + span.high[d]);
+  for (PetscInt i = 0; i < INVERSE_MAX_STEPS && length > LocateTolerance && length < PETSC_INFINITY; ++i)
+    PetscCall(InverseStep_Private(map, level->dim, x, &span, X, &length));
+  *holds = length <= LocateTolerance && ElementLocate(type, nodes, X, LocateTolerance, xi) ? PETSC_TRUE : PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* This rank's first cell that holds the point, -1 if there is none; with a map also beyond facets: of order 1 there lies
-   all of the curve, of order 2 what is between it and the parabola. */
+/* This rank's first cell that holds the point, -1 if there is none; with a map also beyond facets. */
 static PetscErrorCode LocateLocally_Private(const Level *level, PetscInt body, Expression map, const PetscReal x[],
                                             PetscInt *cell, PetscReal xi[])
 {

@@ -95,6 +95,36 @@ static void TestRoles(void)
   CHECK(RolesSwapped(3, 3, 0.5)); // as many facets on half the area
 }
 
+/* Refinement keeps the shape of tetrahedra: volume over the cube of the mean edge, against a regular one's. */
+static void TestShapes(void)
+{
+  TestScene t;
+  Mesh      mesh;
+
+  SolidSceneInit(&t);
+  t.scene.refine = 3;
+  SolidSceneAddBox(&t, "cube", (PetscInt[]){1, 1, 1}, (PetscReal[]){0, 0, 0}, (PetscReal[]){1, 1, 1});
+  t.bodies[0].simplex = PETSC_TRUE;
+  mesh                = TestSceneMesh(&t);
+  for (PetscInt l = 0; l <= 3; ++l) {
+    const Level *level = &mesh->levels[l];
+
+    for (PetscInt c = 0; c < level->num_cells; ++c) {
+      PetscReal X[12], square = 0;
+
+      SolidNodes(level, 4, &level->cell_nodes[level->cell_start[c]], X);
+      for (PetscInt e = 0; e < 6; ++e) {
+        const PetscInt *ends = ElementEdgeNodes(ELEMENT_TET4, e);
+
+        for (int d = 0; d < 3; ++d) square += PetscSqr(X[3 * ends[0] + d] - X[3 * ends[1] + d]) / 6;
+      }
+      CHECK(PetscSqrtReal(2) * ElementMinJacobian(ELEMENT_TET4, X) > 0.56 * PetscPowReal(square, 1.5));
+    }
+  }
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
 int main(int argc, char **argv)
 {
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
@@ -104,6 +134,7 @@ int main(int argc, char **argv)
     for (int simplex = 0; simplex < 2; ++simplex) TestMaps(simplex ? PETSC_TRUE : PETSC_FALSE, order);
   }
   TestRoles();
+  TestShapes();
   CHECK(!PetscFinalize());
   return 0;
 }
