@@ -53,11 +53,12 @@ typedef enum {
 /* A rigid body without a mesh. */
 typedef struct {
   ObstacleKind kind;
-  PetscReal    point[3];  /* on the plane; centre of the ball; vertex of the parabola */
+  PetscReal    point[3];  /* on the plane, on the cylinder's axis; centre of the ball; vertex of the parabola */
   PetscReal    normal[3]; /* unit, out of the obstacle, towards the body: of the plane, of the parabola at its vertex */
-  PetscReal    axis[3];   /* of the cylinder */
-  PetscReal    radius;    /* of the ball (negative: a hollow the body lies in), of curvature at the parabola's vertex */
-  Expression   gap;       /* OBSTACLE_EXPRESSION: the gap itself, a function of the nonmortar point [1] */
+  PetscReal    axis[3];   /* of the cylinder, unit */
+  PetscReal
+      radius; /* of ball and cylinder (negative: a hollow the body lies in), of curvature at the parabola's vertex */
+  Expression gap; /* OBSTACLE_EXPRESSION: the gap itself, a function of the nonmortar point [1] */
 } SceneObstacle;
 
 typedef struct {

@@ -1,6 +1,7 @@
 /* obstacle.c -- rigid obstacles as a gap along the nonmortar normal.
 
-   Each shape is one ray problem: the signed t for which x + t n lies on the surface. */
+   Each shape is one ray problem: the signed t for which x + t n lies on the surface. It is the same in a plane and in space:
+   a circle is the ball of its plane. */
 #include <mortise/compat.h>
 #include <mortise/obstacle.h>
 
@@ -23,18 +24,34 @@ static PetscReal NearRoot_Private(PetscReal a, PetscReal b, PetscReal c)
   return -c / (b > 0 ? b + root : b - root);
 }
 
-/* |x + t n - centre| = |radius|: the ray enters a ball (radius > 0) or leaves a hollow (radius < 0). */
-static PetscReal BallGap_Private(const SceneObstacle *ball, PetscInt dim, const PetscReal x[], const PetscReal n[])
+/* a t^2 + 2 b t + c = 0 for what is round: from outside (radius > 0) where the ray enters it, from inside (radius < 0)
+   where it leaves. a > 0 */
+static PetscReal RoundGap_Private(PetscReal radius, PetscReal a, PetscReal b, PetscReal c)
 {
-  PetscReal d[3], b, c, root;
+  const PetscReal root = PetscSqrtReal(PetscMax(b * b - a * c, 0));
 
-  for (PetscInt k = 0; k < dim; k++) d[k] = x[k] - ball->point[k];
-  b    = Dot_Private(dim, d, n);
-  c    = Dot_Private(dim, d, d) - ball->radius * ball->radius;
-  root = PetscSqrtReal(PetscMax(b * b - c, 0));
-  if (ball->radius < 0) return b < 0 ? root - b : -c / (root + b);
-  if (b < 0) return NearRoot_Private(1, b, c);
-  return c > 0 ? PETSC_INFINITY : -b - root;
+  if (radius < 0 && b < 0) return (root - b) / a;
+  if (radius < 0) return root + b > 0 ? -c / (root + b) : PETSC_INFINITY;
+  if (b < 0) return NearRoot_Private(a, b, c);
+  return c > 0 ? PETSC_INFINITY : -(b + root) / a;
+}
+
+/* |d + t n| = |radius| with what of d = x - point and of n is across the axis: all of them for a ball, whose axis is zero. */
+static PetscReal AxisGap_Private(const SceneObstacle *round, PetscInt dim, const PetscReal x[], const PetscReal n[])
+{
+  PetscReal d[3], across[3], a, b, c, da, na;
+
+  for (PetscInt k = 0; k < dim; k++) d[k] = x[k] - round->point[k];
+  da = Dot_Private(dim, d, round->axis);
+  na = Dot_Private(dim, n, round->axis);
+  for (PetscInt k = 0; k < dim; k++) {
+    d[k] -= da * round->axis[k];
+    across[k] = n[k] - na * round->axis[k];
+  }
+  a = Dot_Private(dim, across, across);
+  b = Dot_Private(dim, d, across);
+  c = Dot_Private(dim, d, d) - round->radius * round->radius;
+  return a > GRAZING * GRAZING ? RoundGap_Private(round->radius, a, b, c) : PETSC_INFINITY;
 }
 
 /* The paraboloid s = -|r|^2 / (2 R), s along its normal and r across it, both from the vertex. */
@@ -64,7 +81,8 @@ PetscErrorCode ObstacleGap(const SceneObstacle *obstacle, PetscInt dim, const Pe
     cosine = -Dot_Private(dim, n, obstacle->normal);
     *gap   = cosine > GRAZING ? Dot_Private(dim, d, obstacle->normal) / cosine : PETSC_INFINITY;
     break;
-  case OBSTACLE_BALL: *gap = BallGap_Private(obstacle, dim, x, n); break;
+  case OBSTACLE_BALL:
+  case OBSTACLE_CYLINDER: *gap = AxisGap_Private(obstacle, dim, x, n); break;
   case OBSTACLE_PARABOLA: *gap = ParabolaGap_Private(obstacle, dim, x, n); break;
   case OBSTACLE_EXPRESSION: PetscCall(ExpressionEvaluate(obstacle->gap, dim, x, gap)); break;
   default: SETERRQ(PETSC_COMM_SELF, PETSC_ERR_SUP, "Obstacle of kind %d", (int)obstacle->kind);

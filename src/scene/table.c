@@ -114,14 +114,20 @@ static const OptionEntry table[] = {
      "The exact contact pressure: the summary tells how far the computed one is from it."},
 
     {GROUP_OBSTACLES, "-<pair>_obstacle", "plane|ball|circle|cylinder|parabola|expression", "", "(none)",
-     "Shape of a rigid body that the nonmortar side meets. In a plane a ball is a circle; a cylinder is for solids, "
-     "not in this version."},
+     "Shape of a rigid body that the nonmortar side meets. In a plane a ball is a circle, and an axisymmetric scene "
+     "turns "
+     "what stands in its meridian plane about the axis: an inclined plane becomes a cone, a circle off the axis a "
+     "ring. "
+     "A parabola in space is one of revolution."},
     {GROUP_OBSTACLES, "-<pair>_obstacle_point", "x,y[,z]", "length", "(the origin)",
-     "A point of the plane, the centre of the ball, the vertex of the parabola."},
+     "A point of the plane or on the cylinder's axis, the centre of the ball, the vertex of the parabola."},
     {GROUP_OBSTACLES, "-<pair>_obstacle_normal", "x,y[,z]", "", "(required)",
      "Direction out of the plane, or out of the parabola at its vertex, towards the body; of any length."},
+    {GROUP_OBSTACLES, "-<pair>_obstacle_axis", "x,y,z", "", "(required)",
+     "Direction of the cylinder's axis, of any length; in axisymmetric scenes there is only one."},
     {GROUP_OBSTACLES, "-<pair>_obstacle_radius", "x", "length", "(required)",
-     "Radius of the ball (negative: a hollow that the body lies in), or of curvature at the parabola's vertex "
+     "Radius of the ball or cylinder (negative: a hollow that the body lies in), or of curvature at the parabola's "
+     "vertex "
      "(negative: a valley)."},
     {GROUP_OBSTACLES, "-<pair>_obstacle_gap", "e", "length", "(required)",
      "With -<pair>_obstacle expression: the gap at a point of the nonmortar side, along its outward normal."},

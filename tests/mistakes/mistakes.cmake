@@ -136,6 +136,12 @@ mistake(obstacle_normal     SAYS "-wall_obstacle_normal 0,0" zero
   ARGS -pairs joint,wall -wall_nonmortar upper:left -wall_obstacle plane -wall_obstacle_normal 0,0)
 mistake(obstacle_radius     SAYS "-wall_obstacle_radius 0" zero
   ARGS -pairs joint,wall -wall_nonmortar upper:left -wall_obstacle circle -wall_obstacle_radius 0)
+mistake(obstacle_flat       SCENE solid SAYS "-floor_obstacle circle" "ball or cylinder" ARGS -floor_obstacle circle)
+mistake(obstacle_axis       SCENE solid SAYS "-floor_obstacle_axis 0,0,0" zero ARGS -floor_obstacle_axis 0,0,0)
+mistake(obstacle_axis_flat  SCENE solid SAYS "-floor_obstacle_axis" "3 wanted" ARGS -floor_obstacle_axis 0,1)
+mistake(obstacle_point_flat SCENE solid SAYS "-floor_obstacle_point" "3 wanted" ARGS -floor_obstacle_point 0,1)
+mistake(obstacle_axis_none  SAYS "-wall_obstacle cylinder" "write circle" ARGS -pairs joint,wall -wall_nonmortar upper:left -wall_obstacle cylinder)
+mistake(obstacle_axis_idle  SCENE solid SAYS "-floor_obstacle_axis 1,0,0" nothing ARGS -floor_obstacle ball)
 mistake(obstacle_gap        SAYS -wall_obstacle_gap missing ARGS -pairs joint,wall -wall_nonmortar upper:left -wall_obstacle expression)
 mistake(torn_side           SAYS -joint_multipliers nodes -second_multipliers vertices
   ARGS -order 2 -pairs joint,second -second_nonmortar upper:bottom -second_obstacle plane
