@@ -5,6 +5,9 @@ build_packages="build-essential cmake pkg-config petsc-dev openmpi-bin libmetis-
 # To read results and draw them.
 python_packages="python3 python3-numpy python3-h5py python3-matplotlib"
 
+# To draw solids by pyvista, which Debian 12 does not have: a place to install it, and OpenGL without a display.
+picture_packages="python3-venv libegl1 libgl1 libgl1-mesa-dri libxrender1"
+
 # Stops with a sentence.
 die() {
   echo "${0##*/}: $*" >&2
@@ -45,4 +48,21 @@ quietly() {
 set_up_mpi() {
   [ "$(id -u)" = 0 ] && export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
+}
+
+# pyvista in build/pictures, where mortise-plot looks for it. It is not needed: without it solids are drawn facet by facet.
+set_up_pictures() {
+  [ -e build/pictures/complete ] && return 0
+  (install_missing $picture_packages) || return 0
+  echo "installing pyvista into build/pictures"
+  local log
+  log=$(mktemp)
+  if /usr/bin/python3 -m venv --system-site-packages build/pictures >"$log" 2>&1 &&
+    build/pictures/bin/python -m pip install --quiet --no-input --disable-pip-version-check -r options/pictures.txt >>"$log" 2>&1; then
+    touch build/pictures/complete
+  else
+    echo "${0##*/}: pyvista cannot be installed ($(tail -n 1 "$log")); solids are drawn without it"
+    rm -rf build/pictures
+  fi
+  rm -f "$log"
 }
