@@ -50,7 +50,7 @@ set_up_mpi() {
   export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
 }
 
-# pyvista in build/pictures, where mortise-plot looks for it. It is not needed: without it solids are drawn facet by facet.
+# pyvista in build/pictures, where mortise-plot looks for it. It is not needed: without it solids are drawn point by point.
 set_up_pictures() {
   [ -e build/pictures/complete ] && return 0
   (install_missing $picture_packages) || return 0
