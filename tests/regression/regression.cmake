@@ -20,6 +20,15 @@ mortise_scene_test(hertz2d_graded CHECK hertz2d_graded.py)
 mortise_scene_test(shells CHECK shells.py)
 mortise_scene_test(tubes CHECK tubes.py)
 mortise_scene_test(hertz_axisymmetric CHECK hertz_axisymmetric.py)
+# Rigid shapes about the axis of revolution.
+mortise_scene_test(indent_ball SCENE indent CHECK indent.py ARGS -joint_obstacle ball -joint_obstacle_point 0,9.99 -joint_obstacle_radius 10)
+mortise_scene_test(indent_parabola SCENE indent CHECK indent.py
+  ARGS -joint_obstacle parabola -joint_obstacle_point 0,-0.01 -joint_obstacle_normal 0,-1 -joint_obstacle_radius 10)
+mortise_scene_test(indent_formula SCENE indent CHECK indent.py ARGS -joint_obstacle expression -joint_obstacle_gap "x^2/20-0.01")
+mortise_scene_test(indent_cone SCENE indent CHECK indent.py
+  ARGS -joint_obstacle plane -joint_obstacle_point 0,-0.01 -joint_obstacle_normal 0.02,-1)
+mortise_scene_test(shaft CHECK shaft.py RANKS 1 3 ARGS -joint_nonmortar ring:left -joint_obstacle_radius 1.01)
+mortise_scene_test(tube SCENE shaft CHECK shaft.py ARGS -joint_nonmortar ring:right -joint_obstacle_radius -1.99)
 mortise_scene_test(curved SCENE rings CHECK curved.py RANKS 1 2 ARGS -order 2 -inner_dm_plex_simplex 1)
 foreach(kind full partial)
   foreach(order 1 2)
