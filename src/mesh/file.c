@@ -53,6 +53,27 @@ void FileCheckHeight(const PetscReal lower[], const PetscReal upper[], char reas
   }
 }
 
+/* Whether all cells are of types that there are here. [out] reason - untouched if so [MESH_SENTENCE] */
+static PetscErrorCode FileCheckTypes_Private(DM dm, char reason[])
+{
+  PetscInt       begin, end;
+  DMPolytopeType type;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetHeightStratum(dm, 0, &begin, &end));
+  for (PetscInt c = begin; c < end; ++c) {
+    PetscCall(DMPlexGetCellType(dm, c, &type));
+    if (type == DM_POLYTOPE_TRIANGLE || type == DM_POLYTOPE_QUADRILATERAL || type == DM_POLYTOPE_TETRAHEDRON ||
+        type == DM_POLYTOPE_HEXAHEDRON)
+      continue;
+    snprintf(reason, MESH_SENTENCE,
+             "it holds a cell that PETSc calls %s; triangles, quadrangles, tetrahedra and hexahedra are accepted",
+             DMPolytopeTypes[type]);
+    break;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Whether the mesh has the scene's dimension, is of first order, and plane in a plane scene. */
 static PetscErrorCode FileCheckPlex_Private(DM dm, PetscInt dim, char reason[])
 {
@@ -87,6 +108,7 @@ static PetscErrorCode FileCheckPlex_Private(DM dm, PetscInt dim, char reason[])
   }
   PetscCall(VecRestoreArrayRead(coords, &x));
   if (space_dim > dim) FileCheckHeight(lower, upper, reason);
+  if (!reason[0]) PetscCall(FileCheckTypes_Private(dm, reason));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

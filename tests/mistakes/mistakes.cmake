@@ -74,12 +74,22 @@ mistake(mesh_folder         SCENE mesh SAYS -block_dm_plex_filename mistakes ARG
 mistake(mesh_text           SCENE mesh SAYS -block_dm_plex_filename text.msh ARGS -block_dm_plex_filename ${here}/text.msh)
 mistake(mesh_cut            SCENE mesh SAYS -block_dm_plex_filename cut.msh ARGS -block_dm_plex_filename ${here}/cut.msh)
 mistake(mesh_node           SCENE mesh SAYS -block_dm_plex_filename node.msh ARGS -block_dm_plex_filename ${here}/node.msh)
-mistake(mesh_volume         SCENE mesh SAYS volume.msh ARGS -block_dm_plex_filename ${here}/volume.msh)
+mistake(mesh_volume         SCENE mesh SAYS volume.msh "dimension 3" "-model solid" ARGS -block_dm_plex_filename ${here}/volume.msh)
 mistake(mesh_flat           SCENE mesh SAYS block degenerate ARGS -block_dm_plex_filename ${here}/flat.msh)
 mistake(mesh_tangled        SCENE mesh SAYS block tangled ARGS -block_dm_plex_filename ${here}/tangled.msh)
 mistake(mesh_side           SCENE mesh SAYS botom bottom slope ARGS -block_dm_plex_filename ${here}/triangles.msh -block_bc_displacement botom
   -block_bc_displacement_botom 0,0 -options_allow_unused)
 mistake(mesh_region         SCENE mesh SAYS -block_mesh_region steel wood ARGS -block_dm_plex_filename ${here}/triangles.msh -block_mesh_region steel)
+mistake(solid_plane         SCENE brick SAYS triangles.msh "dimension 2" "gmsh -3" ARGS -block_dm_plex_filename ${here}/triangles.msh)
+mistake(solid_wedge         SCENE brick SAYS roof.msh "1 wedges" "(0, 0, 1)" tetrahedra ARGS -block_dm_plex_filename ${here}/roof.msh)
+mistake(solid_twisted       SCENE brick SAYS block tangled "(0, 0, 2)" ARGS -block_dm_plex_filename ${here}/twisted.msh)
+mistake(solid_sheet         SCENE brick SAYS sheet.msh "physical group 2" "not a facet" ARGS -block_dm_plex_filename ${here}/sheet.msh)
+mistake(solid_side_volume   SCENE brick SAYS steel volume "floor (1)" ARGS -block_dm_plex_filename ${here}/bricks.msh -block_bc_displacement steel
+  -block_bc_displacement_steel 0,0,0 -options_allow_unused)
+mistake(solid_side_inside   SCENE brick SAYS joint inside "(0, 0, 1)" -block_mesh_region ARGS -block_dm_plex_filename ${here}/bricks.msh
+  -block_bc_displacement joint -block_bc_displacement_joint 0,0,0 -options_allow_unused)
+mistake(solid_region        SCENE brick SAYS "-block_mesh_region joint" surface "steel (1), wood (2)" ARGS -block_dm_plex_filename ${here}/bricks.msh
+  -block_mesh_region joint)
 mistake(box_and_file        SAYS -upper_dm_plex_box_faces "-upper_dm_plex_filename ${here}/triangles.msh"
   ARGS -upper_dm_plex_filename ${here}/triangles.msh)
 mistake(box_count           SAYS "-upper_dm_plex_box_faces 4" "2 wanted" ARGS -upper_dm_plex_box_faces 4)
