@@ -140,7 +140,8 @@ static void LevelDescribeCell_Private(const Level *level, PetscInt cell, char se
     const PetscReal *x = &level->coords[nodes[i] * level->dim];
 
     for (PetscInt d = 0; d < level->dim; ++d) {
-      used += (size_t)snprintf(sentence + used, MESH_SENTENCE - used, "%s%g", d ? ", " : " (", (double)x[d]);
+      used += (size_t)snprintf(sentence + used, MESH_SENTENCE - used, "%s%g", d ? ", " : " (",
+                               (double)(x[d] + 0)); // not -0
     }
     used += (size_t)snprintf(sentence + used, MESH_SENTENCE - used, ")");
   }

@@ -1,5 +1,5 @@
 /* test_meshfaults.c -- every mistake that only the mesh can tell is one sentence that names the culprit. */
-#include "mesh_scene.h"
+#include "solid_scene.h"
 #include <mortise/support.h>
 
 static char FileName[PETSC_MAX_PATH_LEN]; /* written for one test after the other, removed in the end */
@@ -204,6 +204,42 @@ static void TestSupports(void)
   CheckFault(&t, (const char *[]){"-value", NULL});
 }
 
+/* A box in space `block` under a map, held on a side. */
+static void CheckSolidFault(PetscBool simplex, PetscInt order, const char map[], const char side[],
+                            const char *const words[])
+{
+  TestScene t;
+
+  SolidSceneInit(&t);
+  SolidSceneAddBox(&t, "block", (PetscInt[]){2, 2, 2}, (PetscReal[]){0, 0, 0}, (PetscReal[]){1, 1, 1})->order = order;
+  t.bodies[0].simplex                                                                                         = simplex;
+  TestSceneAddBoundary(&t.bodies[0], BOUNDARY_NORMAL, side, NULL);
+  CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-block_map", map, 3, PETSC_FALSE, &t.bodies[0].map));
+  CheckFault(&t, words);
+}
+
+static void TestSolids(void)
+{
+  for (PetscInt order = 1; order <= 2; ++order) {
+    for (int simplex = 0; simplex < 2; ++simplex) {
+      const PetscBool cut = simplex ? PETSC_TRUE : PETSC_FALSE;
+
+      CheckSolidFault(cut, order, "x, y, z", "left+under",
+                      (const char *[]){"'under'", "left, right, front, back, bottom and top", NULL});
+      CheckSolidFault(cut, order, "x, y, x+y", "left",
+                      (const char *[]){"'block'", "degenerate", "after its map", NULL});
+      CheckSolidFault(cut, order, "x*cos(y), x*sin(y), z", "left", (const char *[]){"'block'", "degenerate", NULL});
+      CheckSolidFault(cut, order, "x, y, abs(z-0.5)", "left", (const char *[]){"-block_map", "folds", NULL});
+      CheckSolidFault(cut, order, "x, y, z+(x-0.5)^2", "bottom+left",
+                      (const char *[]){"'bottom'", "is not flat", NULL});
+    }
+  }
+  /* the column of bricks at x = y = 1 is upside down at that edge alone */
+  for (PetscInt order = 1; order <= 2; ++order)
+    CheckSolidFault(PETSC_FALSE, order, "x, y, z*(1-1.5*x*y)", "bottom",
+                    (const char *[]){"'block'", "tangled", "(1, 1, 0)", NULL});
+}
+
 int main(int argc, char **argv)
 {
   PetscMPIInt size;
@@ -220,6 +256,7 @@ int main(int argc, char **argv)
   TestMaps();
   TestRoles();
   TestSupports();
+  TestSolids();
   remove(FileName);
   CHECK(!MPI_Finalize()); // PetscFinalize() would list what the faults have left behind: a run ends with its first
   return 0;

@@ -1,6 +1,6 @@
 /* test_partition.c -- contact edges keep cells that touch on one rank, without spoiling the balance. */
 #include "../../src/mesh/room.h"
-#include "mesh_scene.h"
+#include "solid_scene.h"
 
 enum { N = 16 };
 
@@ -71,6 +71,64 @@ static void TestContactEdges(PetscInt num_parts)
   TestSceneFree(&t);
 }
 
+/* Couples of facets in one plane of space whose boxes overlap, and how many of them the partition separates. */
+static PetscInt CountSolidSeparated(TestScene *t, Level *level, const PetscInt part[], PetscInt *num_touching)
+{
+  Facets   facets[2];
+  PetscInt separated = 0;
+
+  *num_touching = 0;
+  for (int k = 0; k < 2; ++k) CHECK(!LevelGetFacets(level, &t->scene, k, k ? "top" : "bottom", &facets[k]));
+  for (PetscInt f = 0; f < facets[0].num; ++f) {
+    for (PetscInt g = 0; g < facets[1].num; ++g) {
+      PetscReal low[2] = {0, 0}, high[2] = {1, 1};
+
+      for (int k = 0; k < 2; ++k) {
+        PetscReal X[12];
+
+        SolidNodes(level, 4, &facets[k].nodes[(k ? g : f) * ELEMENT_MAX_FACET_NODES], X);
+        for (int d = 0; d < 2; ++d) { // the first and the third corner are opposite
+          low[d]  = PetscMax(low[d], PetscMin(X[d], X[6 + d]));
+          high[d] = PetscMin(high[d], PetscMax(X[d], X[6 + d]));
+        }
+      }
+      if (high[0] - low[0] < 1e-9 || high[1] - low[1] < 1e-9) continue;
+      ++*num_touching;
+      separated += part[facets[0].cell[f]] != part[facets[1].cell[g]];
+    }
+  }
+  for (int k = 0; k < 2; ++k) CHECK(!FacetsDestroy(&facets[k]));
+  return separated;
+}
+
+/* One cube upon another: the cut between two parts crosses the contact, and does not run along it. */
+static void TestSolidContactEdges(void)
+{
+  const PetscInt n = 8;
+  TestScene      t;
+  Mesh           mesh;
+  Level         *level;
+  PetscInt       part[2 * 8 * 8 * 8], touching, plain, joined;
+
+  SolidSceneInit(&t);
+  t.scene.comm = PETSC_COMM_SELF;
+  SolidSceneAddBox(&t, "upper", (PetscInt[]){n, n, n}, (PetscReal[]){0, 0, 0}, (PetscReal[]){1, 1, 1});
+  SolidSceneAddBox(&t, "lower", (PetscInt[]){n - 1, n - 1, n}, (PetscReal[]){0, 0, -1}, (PetscReal[]){1, 1, 0});
+  TestSceneAddPair(&t, "joint", 0, "bottom", 1, "top");
+  mesh  = TestSceneMesh(&t);
+  level = MeshFinest(mesh);
+  CHECK(!PartitionCompute(&t.scene, level, 0, 2, part));
+  plain = CountSolidSeparated(&t, level, part, &touching);
+  CHECK(touching == (2 * n - 2) * (2 * n - 2));
+  CHECK(!PartitionCompute(&t.scene, level, 5, 2, part));
+  joined = CountSolidSeparated(&t, level, part, &touching);
+  CHECK(Imbalance(level->num_cells, 2, part) < 1.05);
+  CHECK(plain > joined);
+  CHECK(joined <= touching / 10); // a row of facets or two
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
 /* Fewer cells than parts: every part has at most one. */
 static void TestTiny(void)
 {
@@ -115,6 +173,7 @@ int main(int argc, char **argv)
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
   CHECK(!FaultInitialize());
   for (PetscInt parts = 2; parts <= 12; parts += parts < 4 ? 1 : 4) TestContactEdges(parts); // both of METIS's methods
+  TestSolidContactEdges();
   TestTiny();
   TestSpread();
   CHECK(!PetscFinalize());
