@@ -28,14 +28,14 @@ static PetscErrorCode SolveOnce(Scene scene, MortiseExit *verdict)
   PetscCall(LogStageEnd(STAGE_SETUP));
 
   PetscCall(RunCreate(scene, mesh, NULL, &run));
-  if (scene->output) {
+  if (scene->output && !run->refused) {
     PetscCall(LogStageBegin(STAGE_OUTPUT));
     PetscCall(OutputWrite(run->fields));
     PetscCall(LogStageEnd(STAGE_OUTPUT));
   }
   input = RunSummary(run);
   PetscCall(SummaryWrite(&input));
-  *verdict = run->solved ? MORTISE_SOLVED : MORTISE_NOT_CONVERGED;
+  *verdict = run->solved ? MORTISE_SOLVED : run->refused ? MORTISE_NO_SOLUTION : MORTISE_NOT_CONVERGED;
 
   PetscCall(RunDestroy(&run));
   PetscCall(MeshDestroy(&mesh));

@@ -22,4 +22,8 @@ void DenseEigenvalues(PetscInt n, const PetscReal A[], PetscReal values[]);
 /* Smallest and largest eigenvalue of a symmetric matrix. [in] A - [n][n], n <= DENSE_MAX */
 void DenseEigenRange(PetscInt n, const PetscReal A[], PetscReal *smallest, PetscReal *largest);
 
+/* A = V diag(values) V'. [in,out] A - symmetric [n][n] of any size, destroyed; [out] values - [n]; [out] V - orthogonal, its
+   columns are the eigenvectors, those of a diagonal matrix the axes in their order [n][n] */
+void DenseEigen(PetscInt n, PetscReal A[], PetscReal values[], PetscReal V[]);
+
 #endif

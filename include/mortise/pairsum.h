@@ -18,7 +18,8 @@ typedef struct {
   PetscInt active;           /* nodes in contact, or tied */
 } PairSum;
 
-/* Collective. */
+/* All NAN, for a pair nothing is known of; the sum of what is known. Collective. */
+PairSum        PairSumUnknown(void);
 PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum);
 
 #endif

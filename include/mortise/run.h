@@ -19,7 +19,8 @@ struct _n_Run {
   Certificate certificate;
   Vec         reactions;
   Errors      errors;
-  PetscBool   solved; /* converged, certified, and confirmed where a second solver was asked */
+  PetscBool   refused; /* there is no solution: nothing was solved, and there are no fields */
+  PetscBool   solved;  /* converged, certified, and confirmed where a second solver was asked */
 };
 typedef struct _n_Run *Run;
 

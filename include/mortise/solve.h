@@ -17,6 +17,7 @@ typedef struct {
   PetscInt  num_changed, changed[SOLVE_MAX_HISTORY]; /* per iteration; num_changed = 0 for types that do not tell */
   PetscBool safeguarded;
   PetscReal linear_residual; /* relative, of the last system */
+  PetscInt  sweeps;          /* solutions with springs that hold bodies (T27); 1 without */
 } SolveReport;
 
 /* Comparison of two solutions of the same VI. */

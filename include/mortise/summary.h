@@ -11,7 +11,7 @@ typedef struct {
   Scene              scene;
   Mesh               mesh;
   VI                 vi;
-  Fields             fields;
+  Fields             fields; /* NULL where there is no solution */
   const SolveReport *report;
   const CrossCheck  *check;
   const Certificate *certificate;

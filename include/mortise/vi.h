@@ -9,15 +9,18 @@
 #define MORTISE_VI_H
 
 #include <mortise/pair.h>
+#include <mortise/rigid.h>
+
+typedef struct _n_Solvability *Solvability; /* solvability.h */
 
 struct _n_VI {
-  Scene      scene; /* borrowed */
-  Level     *level; /* borrowed: the finest */
-  Support    support;
-  PetscBool *floating;     /* bodies that the supports alone do not hold [num_bodies] */
-  PetscBool  any_floating; /* such a body is held by contact only: the empty active set has no solution */
-  PetscInt   num_pairs;
-  Pair      *pairs;
+  Scene        scene; /* borrowed */
+  Level       *level; /* borrowed: the finest */
+  Support      support;
+  RigidMotions motions;     /* that the supports leave to the bodies */
+  Solvability  solvability; /* whether contact can hold these; NULL where there are none */
+  PetscInt     num_pairs;
+  Pair        *pairs;
 
   /* book of record */
   Mat K;    /* N x N, AIJ, block size dim */

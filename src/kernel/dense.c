@@ -39,8 +39,8 @@ void DenseCholeskySolve(PetscInt n, const PetscReal L[], PetscReal b[])
   }
 }
 
-/* A <- J'AJ with the rotation J in the plane (p,q) that makes A_pq zero [1, alg. 8.5.1] */
-static void Rotate_Private(PetscInt n, PetscReal A[], PetscInt p, PetscInt q)
+/* A <- J'AJ and V <- V J with the rotation J in the plane (p,q) that makes A_pq zero [1, alg. 8.5.1]. V may be NULL. */
+static void Rotate_Private(PetscInt n, PetscReal A[], PetscInt p, PetscInt q, PetscReal V[])
 {
   const PetscReal tau = (A[q * n + q] - A[p * n + p]) / (2. * A[p * n + q]);
   const PetscReal t   = (tau >= 0. ? 1. : -1.) / (PetscAbsReal(tau) + PetscSqrtReal(1. + tau * tau));
@@ -52,6 +52,12 @@ static void Rotate_Private(PetscInt n, PetscReal A[], PetscInt p, PetscInt q)
     A[k * n + p] = c * kp - s * kq;
     A[k * n + q] = s * kp + c * kq;
   }
+  for (PetscInt k = 0; k < n && V; k++) {
+    const PetscReal kp = V[k * n + p], kq = V[k * n + q];
+
+    V[k * n + p] = c * kp - s * kq;
+    V[k * n + q] = s * kp + c * kq;
+  }
   for (PetscInt k = 0; k < n; k++) { /* J' (A J): rows */
     const PetscReal pk = A[p * n + k], qk = A[q * n + k];
 
@@ -60,30 +66,39 @@ static void Rotate_Private(PetscInt n, PetscReal A[], PetscInt p, PetscInt q)
   }
 }
 
-void DenseEigenvalues(PetscInt n, const PetscReal A[], PetscReal values[])
+void DenseEigen(PetscInt n, PetscReal A[], PetscReal values[], PetscReal V[])
 {
-  PetscReal B[DENSE_MAX * DENSE_MAX], scale = 0.;
+  PetscReal scale  = 0.;
   PetscBool turned = PETSC_TRUE;
 
   for (PetscInt i = 0; i < n * n; i++) {
-    B[i]  = A[i];
     scale = PetscMax(scale, PetscAbsReal(A[i]));
+    if (V) V[i] = i / n == i % n ? 1. : 0.;
   }
   for (PetscInt sweep = 0; sweep < JACOBI_MAX_SWEEPS && turned; sweep++) {
     turned = PETSC_FALSE;
     for (PetscInt p = 0; p < n; p++) {
       for (PetscInt q = p + 1; q < n; q++) {
-        if (PetscAbsReal(B[p * n + q]) <= PETSC_MACHINE_EPSILON * scale) continue; /* moves no eigenvalue by more */
-        Rotate_Private(n, B, p, q);
+        if (PetscAbsReal(A[p * n + q]) <= PETSC_MACHINE_EPSILON * scale) continue; /* moves no eigenvalue by more */
+        Rotate_Private(n, A, p, q, V);
         turned = PETSC_TRUE;
       }
     }
   }
+  for (PetscInt i = 0; i < n; i++) values[i] = A[i * n + i];
+}
+
+void DenseEigenvalues(PetscInt n, const PetscReal A[], PetscReal values[])
+{
+  PetscReal B[DENSE_MAX * DENSE_MAX], any[DENSE_MAX];
+
+  for (PetscInt i = 0; i < n * n; i++) B[i] = A[i];
+  DenseEigen(n, B, any, NULL);
   for (PetscInt i = 0; i < n; i++) { /* each is put behind those that are larger */
     PetscInt at = i;
 
-    for (; at > 0 && values[at - 1] < B[i * n + i]; at--) values[at] = values[at - 1];
-    values[at] = B[i * n + i];
+    for (; at > 0 && values[at - 1] < any[i]; at--) values[at] = values[at - 1];
+    values[at] = any[i];
   }
 }
 

@@ -34,9 +34,25 @@ static PetscErrorCode SetMotion_Private(const Level *level, PetscInt body, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* y = T^-1 u. [in] Bu - work vector in the layout of G, or NULL */
-static PetscErrorCode ApplyInverse_Private(VI vi, const NodeBases *bases, const Couplings *couplings, Vec u, Vec Bu,
-                                           Vec y)
+PetscErrorCode ModesSetMotion(VI vi, PetscInt k, Vec u)
+{
+  const Level     *level = vi->level;
+  const PetscInt   dim = level->dim, body = vi->motions.body[k];
+  const PetscReal *motion = &vi->motions.motion[k * RIGID_COMPONENTS];
+  PetscScalar     *ua;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecZeroEntries(u));
+  PetscCall(VecGetArray(u, &ua));
+  for (PetscInt i = 0; i < level->num_owned; i++) {
+    if (level->node_body[i] == body)
+      RigidMotionAt(dim, &vi->motions.frames[4 * body], motion, &level->coords[i * dim], &ua[i * dim]);
+  }
+  PetscCall(VecRestoreArray(u, &ua));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ModesApplyInverse(VI vi, const NodeBases *bases, const Couplings *couplings, Vec u, Vec Bu, Vec y)
 {
   const PetscInt     dim = vi->level->dim;
   const PetscScalar *ba;
@@ -104,7 +120,7 @@ PetscErrorCode ModesAttach(VI vi, const NodeBases *bases, const Couplings *coupl
   for (PetscInt b = 0; b < vi->scene->num_bodies; b++) {
     for (PetscInt mode = 0; mode < per_body; mode++) {
       PetscCall(SetMotion_Private(vi->level, b, mode, u));
-      PetscCall(ApplyInverse_Private(vi, bases, couplings, u, Bu, vectors[num]));
+      PetscCall(ModesApplyInverse(vi, bases, couplings, u, Bu, vectors[num]));
       PetscCall(VecGetArray(vectors[num], &ya));
       for (PetscInt i = 0; i < num_fixed; i++) ya[fixed[i] - first] = 0;
       PetscCall(VecRestoreArray(vectors[num], &ya));

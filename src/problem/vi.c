@@ -10,6 +10,7 @@
 #include "basis.h"
 #include "blocks.h"
 #include "circles.h"
+#include "hold.h"
 #include "modes.h"
 
 /* stiffness = mean diagonal of K; length = the displacement to expect: prescribed, by interference, or of the loads. */
@@ -102,9 +103,7 @@ PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi_out)
   vi->level = MeshFinest(mesh);
   PetscCall(LogStageBegin(STAGE_MORTAR));
   PetscCall(SupportCreate(vi->level, scene, &vi->support));
-  PetscCall(PetscMalloc1(scene->num_bodies, &vi->floating));
-  PetscCall(BodiesFloating(vi->level, &vi->support, scene->num_bodies, vi->floating));
-  for (PetscInt b = 0; b < scene->num_bodies; b++) vi->any_floating = (PetscBool)(vi->any_floating || vi->floating[b]);
+  PetscCall(RigidMotionsCreate(vi->level, &vi->support, scene->num_bodies, &vi->motions));
   vi->num_pairs = scene->num_pairs;
   PetscCall(PetscCalloc1(vi->num_pairs, &vi->pairs));
   PetscCall(PairsCreate(scene, vi->level, &vi->support, vi->pairs));
@@ -124,6 +123,7 @@ PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi_out)
   PetscCall(BasisGetFixed(vi, &bases, &couplings, &num_fixed, &fixed, &values));
   PetscCall(Eliminate_Private(vi, num_fixed, fixed, values));
   PetscCall(ModesAttach(vi, &bases, &couplings, num_fixed, fixed));
+  if (vi->motions.num) PetscCall(SolvabilityCreate(vi, &bases, &couplings, num_fixed, fixed, &vi->solvability));
   PetscCall(PetscFree2(fixed, values));
   PetscCall(CouplingsDestroy(&couplings));
   PetscCall(NodeBasesDestroy(&bases));
@@ -141,7 +141,8 @@ PetscErrorCode VIDestroy(VI *vi_in)
   for (PetscInt p = 0; p < vi->num_pairs; p++) PetscCall(PairDestroy(&vi->pairs[p]));
   PetscCall(PetscFree(vi->pairs));
   PetscCall(SupportDestroy(&vi->support));
-  PetscCall(PetscFree(vi->floating));
+  PetscCall(SolvabilityDestroy(&vi->solvability));
+  PetscCall(RigidMotionsDestroy(&vi->motions));
   PetscCall(PetscFree5(vi->row_pair, vi->row_node, vi->row_direction, vi->row_dof, vi->row_D));
   PetscCall(MatDestroy(&vi->nest));
   PetscCall(MatDestroy(&vi->B));

@@ -150,3 +150,12 @@ PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum)
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
+
+PairSum PairSumUnknown(void)
+{
+  PairSum sum = {.normal_force = NAN, .area = NAN, .max_pressure = NAN, .min_gap = NAN, .moment_imbalance = NAN};
+
+  for (PetscInt k = 0; k < 3; ++k)
+    sum.force[k] = sum.max_pressure_at[k] = sum.lower[k] = sum.upper[k] = sum.centre[k] = NAN;
+  return sum;
+}

@@ -6,6 +6,7 @@
 #include <mortise/log.h>
 #include <mortise/compat.h>
 #include <mortise/pairsum.h>
+#include "verdict.h"
 
 static const PetscReal PERCENT = 100;
 
@@ -129,6 +130,7 @@ static PetscErrorCode Print_Private(const SummaryInput *in)
                         in->solved ? "solved" : "NOT SOLVED", in->vi->level->num_global * in->vi->level->dim,
                         report->iterations, report->type, LogTotalSeconds()));
   for (PetscInt p = 0; p < in->vi->num_pairs; ++p) PetscCall(PrintPair_Private(in, p));
+  PetscCall(VerdictPrint(in->vi));
   PetscCall(PrintErrors_Private(in));
   PetscCall(PetscPrintf(comm,
                         "  certificate: equilibrium %.1e, gap %.1e, pressure %.1e, complementarity %.1e, forces %.1e, "
@@ -186,9 +188,10 @@ PetscErrorCode SummaryWrite(const SummaryInput *input)
   } else {
     if (scene->summary) PetscCall(OutputWriteText(scene->comm, scene->summary, text));
     /* Not beside a summary on stdout: that is for programs to read. */
-    if (!scene->quiet) PetscCall(Print_Private(input));
+    if (!scene->quiet && input->fields) PetscCall(Print_Private(input));
   }
   free(text);
-  if (!input->solved) PetscCall(PrintFailures_Private(input));
+  PetscCall(VerdictWarn(input->vi));
+  if (input->fields && !input->solved) PetscCall(PrintFailures_Private(input));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -8,7 +8,9 @@
 #include <mortise/pairsum.h>
 #include <mortise/probes.h>
 #include <mortise/compat.h>
+#include <mortise/solvability.h>
 #include "bodies.h"
+#include "verdict.h"
 
 static PetscErrorCode AddMortise_Private(const SummaryInput *in, cJSON *root)
 {
@@ -25,7 +27,7 @@ static PetscErrorCode AddMortise_Private(const SummaryInput *in, cJSON *root)
   cJSON_AddStringToObject(object, "petsc", petsc);
   JSONAddInt(object, "ranks", ranks);
   cJSON_AddItemToObject(object, "options_file", file ? cJSON_CreateString(file) : cJSON_CreateNull());
-  cJSON_AddStringToObject(root, "status", in->solved ? "solved" : "not_converged");
+  cJSON_AddStringToObject(root, "status", in->solved ? "solved" : in->fields ? "not_converged" : "no_solution");
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -59,7 +61,7 @@ static PetscErrorCode AddBodies_Private(const SummaryInput *in, cJSON *scene)
     JSONAddInt(body, "nodes", counts[b].nodes);
     JSONAddInt(body, "dofs", counts[b].nodes * level->dim);
     JSONAddInt(body, "order", in->scene->bodies[b].order);
-    cJSON_AddBoolToObject(body, "floating", in->vi->floating[b]);
+    cJSON_AddBoolToObject(body, "floating", in->vi->motions.floating[b]);
   }
   PetscCall(PetscFree(counts));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -133,6 +135,7 @@ static void AddSolver_Private(const SummaryInput *in, cJSON *root)
   } else {
     cJSON_AddNullToObject(solver, "changed");
   }
+  JSONAddInt(solver, "sweeps", report->sweeps);
   JSONAddInt(solver, "linear_iterations", report->linear_iterations);
   JSONAddReal(solver, "linear_residual", report->linear_residual);
   cJSON_AddBoolToObject(solver, "converged", report->converged);
@@ -159,7 +162,9 @@ static PetscErrorCode AddEnergy_Private(const SummaryInput *in, cJSON *root)
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(in->scene->num_bodies, &bodies));
-  PetscCall(FieldsEnergy(in->fields, bodies, &potential));
+  potential = NAN;
+  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) bodies[b] = NAN;
+  if (in->fields) PetscCall(FieldsEnergy(in->fields, bodies, &potential));
   for (PetscInt b = 0; b < in->scene->num_bodies; ++b) JSONAddReal(strain, in->scene->bodies[b].name, bodies[b]);
   JSONAddReal(energy, "potential", potential);
   PetscCall(PetscFree(bodies));
@@ -176,7 +181,10 @@ static PetscErrorCode AddPairs_Private(const SummaryInput *in, cJSON *root)
     cJSON  *pair = cJSON_AddObjectToObject(pairs, in->vi->pairs[p]->spec->name), *extent;
     PairSum sum;
 
-    PetscCall(PairSumCompute(in->fields, p, &sum));
+    if (in->fields)
+      PetscCall(PairSumCompute(in->fields, p, &sum));
+    else
+      sum = PairSumUnknown();
     JSONAddReals(pair, "force", dim, sum.force);
     JSONAddReal(pair, "normal_force", sum.normal_force);
     JSONAddReal(pair, "area", sum.area);
@@ -210,14 +218,15 @@ static PetscErrorCode AddReactions_Private(const SummaryInput *in, cJSON *root)
     num += in->scene->bodies[b].num_boundaries;
   }
   PetscCall(PetscCalloc1(num * dim + 1, &sums));
-  PetscCall(VecGetArrayRead(in->reactions, &values));
-  for (PetscInt a = 0; a < level->num_owned; ++a) {
+  for (PetscInt i = 0; i < num * dim && !in->fields; ++i) sums[i] = NAN;
+  if (in->fields) PetscCall(VecGetArrayRead(in->reactions, &values));
+  for (PetscInt a = 0; a < level->num_owned && in->fields; ++a) {
     if (in->vi->support.side[a] < 0) continue;
     for (PetscInt k = 0; k < dim; ++k) {
       sums[(start[level->node_body[a]] + in->vi->support.side[a]) * dim + k] += values[a * dim + k];
     }
   }
-  PetscCall(VecRestoreArrayRead(in->reactions, &values));
+  if (in->fields) PetscCall(VecRestoreArrayRead(in->reactions, &values));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, (PetscMPIInt)(num * dim), MPIU_REAL, MPI_SUM, level->comm));
   for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
     const SceneBody *body = &in->scene->bodies[b];
@@ -244,9 +253,9 @@ static PetscErrorCode AddProbes_Private(const SummaryInput *in, cJSON *root)
   for (PetscInt i = 0; i < in->scene->num_probes; ++i) {
     const SceneProbe *spec  = &in->scene->probes[i];
     cJSON            *probe = cJSON_AddObjectToObject(probes, spec->name);
-    PetscReal         u[3], stress[6], principal[3];
+    PetscReal         u[3] = {NAN, NAN, NAN}, stress[6] = {NAN, NAN, NAN, NAN, NAN, NAN}, principal[3];
 
-    PetscCall(ProbeEvaluate(in->fields, spec, u, stress));
+    if (in->fields) PetscCall(ProbeEvaluate(in->fields, spec, u, stress));
     JSONAddReals(probe, "at", in->scene->dim, spec->at);
     JSONAddReals(probe, "displacement", in->scene->dim, u);
     JSONAddReals(probe, "stress", 6, stress);
@@ -318,6 +327,7 @@ PetscErrorCode SummaryCreate(const SummaryInput *input, char **text)
   PetscCall(AddMortise_Private(input, root));
   PetscCall(AddOptions_Private(root));
   PetscCall(AddScene_Private(input, root));
+  VerdictAdd(input->vi, root);
   AddSolver_Private(input, root);
   PetscCall(AddEnergy_Private(input, root));
   PetscCall(AddPairs_Private(input, root));

@@ -2,6 +2,7 @@
 #include <mortise/summary.h>
 #include <mortise/compat.h>
 #include "bodies.h"
+#include "verdict.h"
 
 /* An edge is straight if its middle is off by no more than this part of its length: files have some ten digits. */
 static const PetscReal STRAIGHT = 1e-9;
@@ -28,10 +29,10 @@ static PetscErrorCode ViewBodies_Private(VI vi)
   PetscCall(PetscPrintf(scene->comm, "  meshed: %" PetscInt_FMT " nodes, %" PetscInt_FMT " unknowns\n", nodes,
                         nodes * vi->level->dim));
   for (PetscInt b = 0; b < scene->num_bodies; ++b) {
-    PetscCall(
-        PetscPrintf(scene->comm, "    body %s: %" PetscInt_FMT " cells, %" PetscInt_FMT " nodes%s\n",
-                    scene->bodies[b].name, counts[b].cells, counts[b].nodes,
-                    vi->floating[b] ? "; floating: its supports leave it free to move, contact has to hold it" : ""));
+    PetscCall(PetscPrintf(
+        scene->comm, "    body %s: %" PetscInt_FMT " cells, %" PetscInt_FMT " nodes%s\n", scene->bodies[b].name,
+        counts[b].cells, counts[b].nodes,
+        vi->motions.floating[b] ? "; floating: its supports leave it free to move, contact has to hold it" : ""));
   }
   PetscCall(PetscFree(counts));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -135,7 +136,8 @@ PetscErrorCode ModelView(VI vi)
   PetscCall(SceneViewLeftOut(scene));
   PetscCall(ViewStraight_Private(vi));
   for (PetscInt p = 0; p < vi->num_pairs; ++p) PetscCall(ViewLeftNodes_Private(scene->comm, vi->pairs[p]));
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) num_held += vi->floating[b] ? 0 : 1;
+  for (PetscInt b = 0; b < scene->num_bodies; ++b) num_held += vi->motions.floating[b] ? 0 : 1;
+  PetscCall(VerdictView(vi));
   if (num_held) {
     PetscCall(PetscPrintf(scene->comm,
                           "    rigid motions of %" PetscInt_FMT " of %" PetscInt_FMT " bodies: supports hold them\n",

@@ -4,8 +4,10 @@
 #include <mortise/compat.h>
 #include <mortise/fault.h>
 #include <mortise/pdas.h>
+#include <mortise/solvability.h>
 #include "active.h"
 #include "room.h"
+#include "springs.h"
 
 /* Of an iterative linear solver, so that mostly one call of it reaches the tolerance of pdas. */
 static const PetscReal KSP_RTOL = 1e-10;
@@ -185,7 +187,7 @@ static PetscErrorCode ReasonOther_Private(SNES snes, SNESConvergedReason reason,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What the SNES did. */
+/* What the SNES did, added to what it did before. */
 static PetscErrorCode Report_Private(SNES snes, VI vi, Vec y, SolveReport *report)
 {
   SNESConvergedReason reason;
@@ -195,7 +197,8 @@ static PetscErrorCode Report_Private(SNES snes, VI vi, Vec y, SolveReport *repor
   KSP                 ksp;
   PC                  pc;
   MatSolverType       package = NULL;
-  PetscBool           pdas, reduced = PETSC_FALSE;
+  PetscBool           pdas, safeguarded, reduced = PETSC_FALSE;
+  PetscInt            iterations, linear;
   const PetscInt     *changed;
   const char         *failure;
   char                words[96];
@@ -209,17 +212,21 @@ static PetscErrorCode Report_Private(SNES snes, VI vi, Vec y, SolveReport *repor
   PetscCall(PetscStrcmp(type, SNESPDAS, &pdas));
   PetscCall(PetscStrncpy(report->type, type, sizeof(report->type)));
   PetscCall(SNESGetConvergedReason(snes, &reason));
-  PetscCall(SNESGetIterationNumber(snes, &report->iterations));
+  PetscCall(SNESGetIterationNumber(snes, &iterations));
+  report->iterations += iterations;
   report->converged = (PetscBool)(reason > 0);
   if (pdas) {
-    PetscCall(PDASGetHistory(snes, NULL, &report->active, &changed, &report->safeguarded));
-    PetscCall(PDASGetLinear(snes, &report->linear_iterations, &report->linear_residual, &reduced));
+    PetscCall(PDASGetHistory(snes, NULL, &report->active, &changed, &safeguarded));
+    PetscCall(PDASGetLinear(snes, &linear, &report->linear_residual, &reduced));
+    report->safeguarded = (PetscBool)(report->safeguarded || safeguarded);
+    report->linear_iterations += linear;
     PetscCall(PDASGetFailure(snes, &failure));
     PetscCall(PetscStrncpy(report->reason, failure, sizeof(report->reason)));
-    report->num_changed = PetscMin(report->iterations, SOLVE_MAX_HISTORY);
-    PetscCall(PetscArraycpy(report->changed, changed, report->num_changed));
+    for (PetscInt k = 0; k < iterations && report->num_changed < SOLVE_MAX_HISTORY; k++)
+      report->changed[report->num_changed++] = changed[k];
   } else {
-    PetscCall(SNESGetLinearSolveIterations(snes, &report->linear_iterations));
+    PetscCall(SNESGetLinearSolveIterations(snes, &linear));
+    report->linear_iterations += linear;
     PetscCall(SolveMeasure(vi, y, &report->active, &report->linear_residual));
     if (!report->converged) PetscCall(ReasonOther_Private(snes, reason, report));
   }
@@ -234,6 +241,21 @@ static PetscErrorCode Report_Private(SNES snes, VI vi, Vec y, SolveReport *repor
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Solves once, and where springs hold bodies again and again until they have nothing left to do. */
+static PetscErrorCode Sweep_Private(VI vi, SNES snes, Springs *springs, Vec y, SolveReport *report)
+{
+  PetscBool done = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  while (!done) {
+    PetscCall(SNESSolve(snes, NULL, y));
+    PetscCall(Report_Private(snes, vi, y, report));
+    report->sweeps++;
+    PetscCall(SpringsRelax(springs, snes, y, report, &done));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], PetscBool progress, Vec guess, Vec y,
                         SolveReport *report)
 {
@@ -243,26 +265,28 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], P
   Default         defaults[] = {{.name = "mat_mumps_icntl_14", .value = "50", .needed = direct},
                                 {.name = "mat_mumps_icntl_7", .value = "0", .needed = direct && vi->level->dim == 2},
                                 {.name = "snes_vi_zero_tolerance", .value = "1e-12", .needed = !pdas},
-                                {.name   = "snes_pdas_start",
-                                 .value  = vi->any_floating ? "full" : "previous",
-                                 .needed = pdas && (vi->any_floating || guess)}};
+                                {.name = "snes_pdas_start", .value = "previous", .needed = pdas && (vi->solvability || guess)}};
   const PetscInt  n          = PETSC_STATIC_ARRAY_LENGTH(defaults);
   SNES            snes;
   Vec             scratch;
   PetscReal       norm;
+  Springs         springs;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(report, sizeof(*report)));
+  PetscCall(SpringsBegin(vi, &springs));
   PetscCall(VecDuplicate(vi->b, &scratch));
   PetscCall(DefaultsApply_Private(n, defaults, prefix, PETSC_TRUE));
-  PetscCall(Configure_Private(vi, choice, prefix, scratch, &norm, &snes));
-  if (progress) PetscCall(ProgressSet(snes, vi));
-  PetscCall(SolveStart(vi, pdas, prefix, guess, y));
-  PetscCall(SNESSolve(snes, NULL, y));
-  PetscCall(Report_Private(snes, vi, y, report));
+  PetscCall(Configure_Private(springs.vi, choice, prefix, scratch, &norm, &snes));
+  if (progress) PetscCall(ProgressSet(snes, springs.vi));
+  PetscCall(SolveStart(springs.vi, pdas, prefix, guess, y));
+  PetscCall(SpringsSet(&springs, guess ? y : NULL, snes, pdas));
+  PetscCall(Sweep_Private(springs.vi, snes, &springs, y, report));
   PetscCall(DefaultsApply_Private(n, defaults, prefix, PETSC_FALSE));
   PetscCall(SNESDestroy(&snes));
   PetscCall(VecDestroy(&scratch));
+  PetscCall(SpringsEnd(&springs));
+  PetscCall(SolvabilitySettle(vi, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

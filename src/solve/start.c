@@ -2,10 +2,10 @@
 
    A good displacement saves steps: its active set, by (T10), is nearly the right one, and a step of an iterative linear
    solver begins near its end. A bad one costs steps and changes nothing else, since the solution of the inequality is unique.
-   Where contact alone holds a body the set of a guess is not safe: were it too small, the first system would be singular.
-   There the iteration begins with all contacts closed, whatever is known. */
+   Where contact alone holds a body and nothing is known, the iteration begins with contacts that can balance the loads. */
 #include <mortise/compat.h>
 #include <mortise/pdas.h>
+#include <mortise/solvability.h>
 #include "active.h"
 #include "room.h"
 
@@ -14,29 +14,34 @@ static const PetscReal GUESS_RTOL = 1e-12;
 /* Distance from a bound, relative to the largest unknown, that a guess cannot mean: above the zero tolerance of PETSc's types. */
 static const PetscReal ON_BOUND = 1e-9;
 
-/* y = min(0, upper): feasible, and zero where it may be. */
+/* y = min(y_0, upper), with y_0 = 0, or bodies moved until they touch: feasible, and at rest where it may be. */
 static PetscErrorCode StartFeasible_Private(VI vi, Vec y)
 {
   PetscFunctionBeginUser;
   PetscCall(VecZeroEntries(y));
+  if (vi->solvability) PetscCall(VecCopy(vi->solvability->rest, y));
   PetscCall(VecPointwiseMin(y, y, vi->upper));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The solution with every bound reached: where contact alone holds a body, a start without contact has no next step. */
+/* The solution with those bounds reached that can balance the loads: a start without contact leads bodies far away. */
 static PetscErrorCode StartTouching_Private(VI vi, const char prefix[], Vec y)
 {
   ActiveSet      set;
   ActiveSolver   solver;
   ActiveSolution solution;
   const char    *failure;
+  PetscReal     *touching;
 
   PetscFunctionBeginUser;
   PetscCall(ActiveSetCreate(vi->upper, vi->A, &set));
   PetscCall(ReducedCreate(&set, vi->A, vi->b, prefix, 0, &solver, &failure));
   if (!failure) {
     PetscCall(ActiveSolutionCreate(&set, &solution));
-    for (PetscInt i = 0; i < set.n; i++) set.active[i] = PETSC_TRUE;
+    PetscCall(PetscMalloc1(set.n, &touching));
+    PetscCall(ActiveSetGather(&set, vi->solvability->start, touching));
+    for (PetscInt i = 0; i < set.n; i++) set.active[i] = (PetscBool)(touching[i] > 0);
+    PetscCall(PetscFree(touching));
     PetscCall((*solver->solve)(solver, set.active, set.upper, &solution));
     if (!solution.failure) PetscCall((*solver->finish)(solver, &solution, y));
     PetscCall(ActiveSolutionDestroy(&solution));
@@ -100,12 +105,15 @@ static PetscErrorCode Settle_Private(VI vi, Vec y)
 PetscErrorCode SolveStart(VI vi, PetscBool pdas, const char prefix[], Vec guess, Vec y)
 {
   PetscFunctionBeginUser;
-  if (guess && !vi->any_floating) {
+  if (guess) {
     PetscCall(StartFrom_Private(vi, guess, y));
     if (!pdas) PetscCall(Settle_Private(vi, y)); // pdas takes an overlap for contact, others ask for none
   } else {
     PetscCall(StartFeasible_Private(vi, y));
-    if (!pdas && vi->any_floating) PetscCall(StartTouching_Private(vi, prefix, y));
+    if (!pdas && vi->solvability) {
+      PetscCall(StartTouching_Private(vi, prefix, y));
+      PetscCall(Settle_Private(vi, y));
+    }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -280,7 +280,7 @@ PetscErrorCode RecordRun(Study study, Run run, Record *record)
 
     PetscCall(PetscStrncpy(record->reason, reason, sizeof(record->reason)));
   }
-  PetscCall(RecordValues_Private(study, run, record->values));
+  if (!run->refused) PetscCall(RecordValues_Private(study, run, record->values));
   if (run->errors.any) RecordErrors_Private(study, &run->errors, record->errors);
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -2,6 +2,42 @@
 #include <mortise/compat.h>
 #include <mortise/log.h>
 #include <mortise/run.h>
+#include <mortise/solvability.h>
+
+/* Solves and judges. */
+static PetscErrorCode Solve_Private(Run run, Vec guess)
+{
+  const Scene scene = run->scene;
+
+  PetscFunctionBeginUser;
+  PetscCall(LogStageBegin(STAGE_SOLVE));
+  PetscCall(VecDuplicate(run->vi->b, &run->y));
+  PetscCall(VISolve(run->vi, guess, run->y, &run->report));
+  if (scene->cross_check && run->report.converged) PetscCall(VICrossCheck(run->vi, run->y, &run->report, &run->check));
+  PetscCall(LogStageEnd(STAGE_SOLVE));
+  PetscCall(SceneCheckUnused(scene, PETSC_FALSE));
+
+  PetscCall(LogStageBegin(STAGE_OUTPUT));
+  PetscCall(FieldsCreate(run->vi, run->y, &run->fields));
+  PetscCall(CertificateCompute(run->fields, &run->certificate, &run->reactions));
+  PetscCall(LogStageEnd(STAGE_OUTPUT));
+  PetscCall(ErrorsCompute(run->fields, &run->errors)); // within no stage: nobody needs it who does not know the answer
+  run->solved = (PetscBool)(run->report.converged && run->certificate.holds && (!run->check.done || run->check.agree));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Nothing is solved where there is no solution, and nothing is known. */
+static PetscErrorCode Refuse_Private(Run run)
+{
+  Certificate *c = &run->certificate;
+
+  PetscFunctionBeginUser;
+  c->equilibrium = c->gap = c->pressure = c->complementarity = c->force = c->moment = c->pair_moment = c->limit = NAN;
+  run->report.linear_residual                                                                                   = NAN;
+  PetscCall(PetscStrncpy(run->report.reason, "there is no solution: ", sizeof(run->report.reason)));
+  PetscCall(PetscStrlcat(run->report.reason, run->vi->solvability->motion.sentence, sizeof(run->report.reason)));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
 
 PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run_out)
 {
@@ -18,20 +54,12 @@ PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run_out)
     PetscCall(SolveView(run->vi));
   }
   PetscCall(ErrorsCheck(run->vi));
-  PetscCall(LogStageBegin(STAGE_SOLVE));
-  PetscCall(VecDuplicate(run->vi->b, &run->y));
-  PetscCall(VISolve(run->vi, guess, run->y, &run->report));
-  if (scene->cross_check && run->report.converged) PetscCall(VICrossCheck(run->vi, run->y, &run->report, &run->check));
-  PetscCall(LogStageEnd(STAGE_SOLVE));
-  PetscCall(SceneCheckUnused(scene, PETSC_FALSE));
-
-  PetscCall(LogStageBegin(STAGE_OUTPUT));
-  PetscCall(FieldsCreate(run->vi, run->y, &run->fields));
-  PetscCall(CertificateCompute(run->fields, &run->certificate, &run->reactions));
-  PetscCall(LogStageEnd(STAGE_OUTPUT));
-  PetscCall(ErrorsCompute(run->fields, &run->errors)); // within no stage: nobody needs it who does not know the answer
-  run->solved = (PetscBool)(run->report.converged && run->certificate.holds && (!run->check.done || run->check.agree));
-  *run_out    = run;
+  run->refused = (PetscBool)(run->vi->solvability && run->vi->solvability->verdict == SOLVABLE_NOT);
+  if (run->refused)
+    PetscCall(Refuse_Private(run));
+  else
+    PetscCall(Solve_Private(run, guess));
+  *run_out = run;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

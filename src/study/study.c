@@ -93,8 +93,8 @@ static PetscErrorCode Guess_Private(Study study, PetscInt o, const Record *recor
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves on the finest mesh of an order and writes down how it went. */
-static PetscErrorCode Solve_Private(Study study, PetscInt o, Record *record)
+/* Solves on the finest mesh of an order and writes down how it went. [out] refused - whether there is no solution */
+static PetscErrorCode Solve_Private(Study study, PetscInt o, Record *record, PetscBool *refused)
 {
   Run     run;
   Vec     guess;
@@ -109,6 +109,7 @@ static PetscErrorCode Solve_Private(Study study, PetscInt o, Record *record)
   study->scene->view = PETSC_FALSE; // of the first run only
   PetscCall(VecDestroy(&guess));
   PetscCall(RecordRun(study, run, record));
+  *refused = run->refused;
   if (run->solved) {
     if (study->exact && coarser) PetscCall(VecDestroy(&coarser->u)); // else to be compared with what is yet to come
     PetscCall(PetscObjectReference((PetscObject)run->fields->u));
@@ -123,7 +124,7 @@ static PetscErrorCode Solve_Private(Study study, PetscInt o, Record *record)
 }
 
 /* One run from beginning to end. */
-static PetscErrorCode Run_Private(Study study, PetscInt o, PetscInt level, PetscBool *solved)
+static PetscErrorCode Run_Private(Study study, PetscInt o, PetscInt level, PetscBool *solved, PetscBool *refused)
 {
   const MPI_Comm comm = study->scene->comm;
   Record        *record;
@@ -131,7 +132,8 @@ static PetscErrorCode Run_Private(Study study, PetscInt o, PetscInt level, Petsc
   PetscBool      done;
 
   PetscFunctionBeginUser;
-  *solved = PETSC_TRUE;
+  *solved  = PETSC_TRUE;
+  *refused = PETSC_FALSE;
   SetOrder_Private(study, study->scene->study.orders[o]);
   PetscCall(StudyAddRecord(study, study->scene->study.orders[o], level, &record));
   PetscCall(LogReset(LogWallClock()));
@@ -139,7 +141,7 @@ static PetscErrorCode Run_Private(Study study, PetscInt o, PetscInt level, Petsc
   PetscCall(MemoryPeak(comm, &held));
   PetscCall(Mesh_Private(study, o, record, held, &done));
   if (done) {
-    PetscCall(Solve_Private(study, o, record));
+    PetscCall(Solve_Private(study, o, record, refused));
     record->own_memory = record->memory - held;
     *solved            = (PetscBool)(record->state == RECORD_SOLVED);
   }
@@ -189,8 +191,8 @@ static PetscErrorCode CheckNames_Private(Scene scene)
 
 PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
 {
-  const SceneStudy *plan     = &scene->study;
-  PetscBool         all      = PETSC_TRUE, solved;
+  const SceneStudy *plan = &scene->study;
+  PetscBool         all = PETSC_TRUE, none = PETSC_FALSE, solved, refused;
   int               terminal = isatty(STDOUT_FILENO);
   Study             study;
   PetscMPIInt       ranks;
@@ -208,8 +210,9 @@ PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
   PetscCall(TableBegin(study));
   for (PetscInt level = 0; level < plan->levels; ++level) {
     for (PetscInt o = 0; o < plan->num_orders; ++o) {
-      PetscCall(Run_Private(study, o, level, &solved));
-      all = (PetscBool)(all && solved);
+      PetscCall(Run_Private(study, o, level, &solved, &refused));
+      none = (PetscBool)(none || refused);
+      all  = (PetscBool)(all && solved);
     }
   }
   PetscCall(WriteSummary_Private(study));
@@ -217,7 +220,9 @@ PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
   if (study->best < 0 && all)
     PetscCall(PetscFPrintf(scene->comm, PETSC_STDERR, "mortise: no run fits into -study_memory\n"));
   if (study->best < 0) PageGiveUp("no run is solved");
-  *verdict = all && study->best >= 0 ? MORTISE_SOLVED : MORTISE_NOT_CONVERGED;
+  *verdict = all && study->best >= 0   ? MORTISE_SOLVED
+             : none && study->best < 0 ? MORTISE_NO_SOLUTION
+                                       : MORTISE_NOT_CONVERGED;
   SetOrder_Private(study, STUDY_OWN_ORDERS);
   PetscCall(InterruptEnd());
   PetscCall(StudyDestroy(&study));

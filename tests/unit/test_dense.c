@@ -100,6 +100,31 @@ static void TestEigenvalues(void)
   }
 }
 
+/* A = V diag(values) V' with V'V = I; a diagonal matrix keeps its axes. */
+static void TestEigen(void)
+{
+  for (PetscInt n = 1; n <= DENSE_MAX; n++) {
+    PetscReal A[DENSE_MAX * DENSE_MAX], B[DENSE_MAX * DENSE_MAX], values[DENSE_MAX], V[DENSE_MAX * DENSE_MAX];
+
+    RandomDefinite(n, A);
+    for (PetscInt i = 0; i < n * n; i++) B[i] = A[i];
+    DenseEigen(n, B, values, V);
+    for (PetscInt i = 0; i < n; i++) {
+      for (PetscInt j = 0; j < n; j++) {
+        PetscReal product = 0., unit = 0.;
+
+        for (PetscInt k = 0; k < n; k++) product += V[i * n + k] * values[k] * V[j * n + k];
+        for (PetscInt k = 0; k < n; k++) unit += V[k * n + i] * V[k * n + j];
+        CHECK_NEAR(product, A[i * n + j], 1e-12);
+        CHECK_NEAR(unit, i == j, EXACT);
+      }
+    }
+    for (PetscInt i = 0; i < n * n; i++) B[i] = i / n == i % n ? (PetscReal)(n - i / n) : 0.;
+    DenseEigen(n, B, values, V);
+    for (PetscInt i = 0; i < n * n; i++) CHECK(V[i] == (i / n == i % n) && values[i / n] == n - i / n);
+  }
+}
+
 int main(int argc, char **argv)
 {
   PetscFunctionBeginUser;
@@ -108,6 +133,7 @@ int main(int argc, char **argv)
   TestRefusal();
   TestEigenRange();
   TestEigenvalues();
+  TestEigen();
   PetscCall(PetscFinalize());
   return 0;
 }

@@ -203,9 +203,6 @@ static PetscErrorCode TestGuess(void)
   PetscCall(SolveFrom("-snes_pdas_start full", &m.vi, guess, other, &report));
   PetscCall(SolveFrom("-snes_pdas_start full", &m.vi, NULL, y, &cold));
   CHECK(report.iterations == cold.iterations); // the user's own start wins
-  m.vi.any_floating = PETSC_TRUE;
-  PetscCall(VISolve(&m.vi, guess, other, &report));
-  CHECK(report.converged && report.iterations == cold.iterations);
   PetscCall(VecDestroy(&y));
   PetscCall(VecDestroy(&guess));
   PetscCall(VecDestroy(&other));

@@ -1,0 +1,22 @@
+/* hold.h -- what holds bodies that supports do not (private to the room). */
+#ifndef MORTISE_HOLD_H
+#define MORTISE_HOLD_H
+
+#include <mortise/solvability.h>
+#include "basis.h"
+#include "cone.h"
+
+/* Judges vi, which is complete but for this, and makes what solvers need. Collective. [in] fixed - global unknowns with unit
+   rows [num_fixed] */
+PetscErrorCode SolvabilityCreate(VI vi, const NodeBases *bases, const Couplings *couplings, PetscInt num_fixed,
+                                 const PetscInt fixed[], Solvability *solvability);
+
+/* Springs (T27), and where they rest. Collective. */
+PetscErrorCode SpringsCreate(VI vi, const NodeBases *bases, PetscInt num_fixed, const PetscInt fixed[],
+                             Solvability solvability);
+
+/* min |q - target|  over  row.q <= bound for all rows, bound >= 0; equality for rows of both signs. Collective.
+   [in] bound - [cone->num]; [in] target - [m]; [out] q - the same on all ranks [m] */
+PetscErrorCode ConeNearest(const Cone *cone, const PetscReal bound[], const PetscReal target[], PetscReal q[]);
+
+#endif

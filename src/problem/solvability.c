@@ -1,0 +1,221 @@
+/* solvability.c -- do the loads do work on a rigid motion that nothing resists?
+
+   Existence is decided by the work of the loads on rigid motions [1, 2], here for the discrete problem, whose energy is quadratic:
+   a minimum exists exactly if the energy is bounded below [3], which it is if phi.q <= 0 wherever C q <= 0. Gaps play no part: they shift
+   the admissible motions, and do not change in which directions one may go for ever. The residual of the least squares problem
+   C'y = phi, y >= 0, is either zero, then y are contact forces that balance the loads, or the very motion that is asked for (nnls.h).
+
+   References: [1] Lions, Stampacchia, Variational inequalities, 1967. [2] Fichera, Boundary value problems of elasticity with
+               unilateral constraints, 1972. [3] Frank, Wolfe, An algorithm for quadratic programming, 1956. */
+#include <mortise/compat.h>
+#include "hold.h"
+#include "modes.h"
+
+/* Loads are in balance if what is left is below this part of the sum of their sizes. */
+static const PetscReal BALANCED = 1e-10;
+/* What rounding leaves of a residual along a row that is in use. */
+static const PetscReal PRICE = 1e-13;
+/* The loads are moved away from the cone's inside by this part of them: they leave it if they are that near to its rim, ... */
+static const PetscReal NUDGE = 1e-6;
+/* ... by at least so much. */
+static const PetscReal LEFT = 1e-11;
+
+/* Modes, C, phi, and the size of the forces. */
+static PetscErrorCode Matrices_Private(VI vi, const NodeBases *bases, const Couplings *couplings, Solvability s)
+{
+  const Level       *level = vi->level;
+  const PetscInt     dim = level->dim, first = dim * level->node_begin;
+  Vec                u, Bu                   = NULL;
+  const PetscScalar *f, *y;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(vi->f, &u));
+  if (vi->G) PetscCall(VecDuplicate(vi->G, &Bu));
+  for (PetscInt k = 0; k < s->m; k++) {
+    PetscCall(ModesSetMotion(vi, k, u));
+    PetscCall(VecDot(vi->f, u, &s->phi[k]));
+    PetscCall(VecDuplicate(vi->upper, &s->modes[k]));
+    PetscCall(ModesApplyInverse(vi, bases, couplings, u, Bu, s->modes[k]));
+    PetscCall(VecGetArrayRead(s->modes[k], &y));
+    for (PetscInt r = 0; r < vi->num_rows; r++) s->C[r * s->m + k] = PetscRealPart(y[vi->row_dof[r] - first]);
+    PetscCall(VecRestoreArrayRead(s->modes[k], &y));
+  }
+  PetscCall(VecDestroy(&u));
+  PetscCall(VecDestroy(&Bu));
+  PetscCall(VecGetArrayRead(vi->f, &f));
+  for (PetscInt a = 0; a < level->num_owned; a++) {
+    if (!vi->motions.floating[level->node_body[a]]) continue;
+    for (PetscInt k = 0; k < dim; k++) s->forces += PetscAbsReal(PetscRealPart(f[a * dim + k]));
+  }
+  PetscCall(VecRestoreArrayRead(vi->f, &f));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &s->forces, 1, MPIU_REAL, MPI_SUM, level->comm));
+  for (PetscInt r = 0; r < vi->num_rows; r++)
+    s->both[r] = (PetscBool)(vi->pairs[vi->row_pair[r]]->spec->type == PAIR_TIED);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The residual of phi in the cone of the rows, in parts of the size of the forces; restricted to motions that are taken.
+   [in] take - NULL for all [m]; [out] rho - [m]; [out] weight - of the rows, or NULL; [out] norm - of rho */
+static PetscErrorCode Leaves_Private(const Cone *cone, const PetscReal phi[], const PetscBool take[], PetscReal rho[],
+                                     PetscReal weight[], PetscReal *norm)
+{
+  Cone       part = *cone;
+  PetscReal *rows, *target;
+  NNLS       nnls;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc2(cone->num * cone->m, &rows, cone->m, &target));
+  for (PetscInt r = 0; r < cone->num; r++)
+    for (PetscInt k = 0; k < cone->m; k++) rows[r * cone->m + k] = !take || take[k] ? cone->rows[r * cone->m + k] : 0;
+  for (PetscInt k = 0; k < cone->m; k++) target[k] = !take || take[k] ? phi[k] : 0;
+  part.rows = rows;
+  PetscCall(NNLSCreate(cone->m, target, &nnls));
+  PetscCall(ConeSolve(&part, PRICE, &nnls, weight));
+  *norm = 0;
+  for (PetscInt k = 0; k < cone->m; k++) {
+    rho[k] = nnls.residual[k];
+    *norm += PetscSqr(rho[k]);
+  }
+  *norm = PetscSqrtReal(*norm);
+  PetscCall(NNLSDestroy(&nnls));
+  PetscCall(PetscFree2(rows, target));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A motion that shows that there is no solution, the simplest one: without rotations if there is one. */
+static PetscErrorCode Refuse_Private(VI vi, const Cone *cone, const PetscReal phi[], const PetscReal rho[],
+                                     Solvability s)
+{
+  PetscBool *straight;
+  PetscReal *q, norm;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc2(s->m, &straight, s->m, &q));
+  for (PetscInt k = 0; k < s->m; k++) {
+    const PetscReal *r = &vi->motions.motion[k * RIGID_COMPONENTS + 3];
+
+    straight[k] = (PetscBool)(PetscSqr(r[0]) + PetscSqr(r[1]) + PetscSqr(r[2]) < PetscSqr(BALANCED));
+  }
+  PetscCall(Leaves_Private(cone, phi, straight, q, NULL, &norm));
+  s->verdict = SOLVABLE_NOT;
+  PetscCall(SceneMotionCreate(vi, s, norm > BALANCED ? q : rho, &s->motion));
+  PetscCall(PetscFree2(straight, q));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a motion moves a body that carries loads; others open contacts that nobody presses. [out] opens - rows that it opens */
+static PetscErrorCode MovesLoads_Private(VI vi, const Cone *cone, const PetscReal phi[], const PetscReal q[],
+                                         PetscBool opens[], PetscBool *loads)
+{
+  PetscReal size = 0;
+
+  PetscFunctionBeginUser;
+  *loads = PETSC_FALSE;
+  for (PetscInt k = 0; k < cone->m; k++) size = PetscMax(size, PetscAbsReal(q[k]));
+  for (PetscInt k = 0; k < cone->m; k++) {
+    if (PetscAbsReal(q[k]) <= NUDGE * size) continue;
+    for (PetscInt l = 0; l < cone->m; l++)
+      if (vi->motions.body[l] == vi->motions.body[k] && PetscAbsReal(phi[l]) > BALANCED) *loads = PETSC_TRUE;
+  }
+  for (PetscInt r = 0; r < cone->num; r++) {
+    PetscReal opening = 0;
+
+    for (PetscInt k = 0; k < cone->m; k++) opening -= cone->rows[r * cone->m + k] * q[k];
+    if (opening > NUDGE * size) opens[r] = PETSC_TRUE;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether loads that are in balance are so on the rim of the cone only: pushed a little away from its middle they leave it, along a
+   motion that opens contacts and costs nothing. Bodies without loads may always be moved away, and are looked past. */
+static PetscErrorCode Marginal_Private(VI vi, const Cone *cone, const PetscReal phi[], Solvability s)
+{
+  PetscBool *opens, loads = PETSC_FALSE;
+  PetscReal *middle, *q, norm, size;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc2(s->m, &middle, s->m, &q));
+  PetscCall(PetscCalloc1(cone->num, &opens));
+  for (PetscInt round = 0; round <= vi->scene->num_bodies; round++) {
+    PetscCall(PetscArrayzero(middle, s->m));
+    for (PetscInt r = 0; r < cone->num; r++)
+      for (PetscInt k = 0; k < s->m && !opens[r] && !cone->both[r]; k++) middle[k] += cone->rows[r * s->m + k];
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, middle, (PetscMPIInt)s->m, MPIU_REAL, MPI_SUM, cone->comm));
+    size = norm = 0;
+    for (PetscInt k = 0; k < s->m; k++) {
+      size = PetscMax(size, PetscAbsReal(middle[k]));
+      norm = PetscMax(norm, PetscAbsReal(phi[k]));
+    }
+    if (!(size > 0) || !(norm > BALANCED)) break;
+    for (PetscInt k = 0; k < s->m; k++) middle[k] = phi[k] / norm - NUDGE * middle[k] / size;
+    PetscCall(Leaves_Private(cone, middle, NULL, q, NULL, &norm));
+    if (!(norm > LEFT)) break;
+    PetscCall(MovesLoads_Private(vi, cone, phi, q, opens, &loads));
+    if (loads) {
+      s->verdict = SOLVABLE_MARGINAL;
+      PetscCall(SceneMotionCreate(vi, s, q, &s->motion));
+      break;
+    }
+  }
+  PetscCall(PetscFree(opens));
+  PetscCall(PetscFree2(middle, q));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The verdict, as far as it can be known before anything is solved, and forces that balance the loads. */
+static PetscErrorCode Judge_Private(VI vi, Solvability s)
+{
+  const Cone cone  = {.comm = vi->level->comm, .num = vi->num_rows, .m = s->m, .rows = s->C, .both = s->both};
+  PetscReal  scale = s->forces > 0 ? s->forces : 1, *phi, *rho, *kernel, norm;
+  PetscInt   dim;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc3(s->m, &phi, s->m, &rho, s->m * s->m, &kernel));
+  for (PetscInt k = 0; k < s->m; k++) phi[k] = s->phi[k] / scale;
+  PetscCall(Leaves_Private(&cone, phi, NULL, rho, s->y, &norm));
+  for (PetscInt r = 0; r < vi->num_rows; r++) s->y[r] *= scale;
+  if (norm > BALANCED) {
+    PetscCall(Refuse_Private(vi, &cone, phi, rho, s));
+  } else {
+    PetscCall(ConeKernel(&cone, NULL, &dim, kernel));
+    s->verdict = dim ? SOLVABLE_FREE : SOLVABLE;
+    PetscCall(Marginal_Private(vi, &cone, phi, s));
+  }
+  PetscCall(PetscFree3(phi, rho, kernel));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolvabilityCreate(VI vi, const NodeBases *bases, const Couplings *couplings, PetscInt num_fixed,
+                                 const PetscInt fixed[], Solvability *solvability)
+{
+  Solvability s;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(&s));
+  s->m = vi->motions.num;
+  PetscCall(PetscCalloc5(s->m, &s->modes, vi->num_rows * s->m, &s->C, vi->num_rows, &s->both, s->m, &s->phi,
+                         vi->num_rows, &s->y));
+  PetscCall(Matrices_Private(vi, bases, couplings, s));
+  PetscCall(Judge_Private(vi, s));
+  if (s->verdict != SOLVABLE_NOT) PetscCall(SpringsCreate(vi, bases, num_fixed, fixed, s));
+  *solvability = s;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolvabilityDestroy(Solvability *solvability)
+{
+  Solvability s = *solvability;
+
+  PetscFunctionBeginUser;
+  if (!s) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt k = 0; k < s->m; k++) PetscCall(VecDestroy(&s->modes[k]));
+  PetscCall(PetscFree5(s->modes, s->C, s->both, s->phi, s->y));
+  PetscCall(SceneMotionDestroy(&s->motion));
+  for (PetscInt i = 0; i < s->num_free; i++) PetscCall(SceneMotionDestroy(&s->free[i]));
+  PetscCall(PetscFree(s->free));
+  PetscCall(VecDestroy(&s->start));
+  PetscCall(VecDestroy(&s->springs));
+  PetscCall(VecDestroy(&s->rest));
+  PetscCall(PetscFree(*solvability));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

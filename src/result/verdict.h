@@ -1,0 +1,17 @@
+/* verdict.h -- what is said about bodies that only contact can hold (floor 7, private to this room). */
+#ifndef MORTISE_RESULT_VERDICT_H
+#define MORTISE_RESULT_VERDICT_H
+
+#include <cjson/cJSON.h>
+#include <mortise/solvability.h>
+
+/* "solvability": verdict, motion, work, and the motions that are free. Not collective. */
+void VerdictAdd(VI vi, cJSON *root);
+/* Lines for the terminal: motions that are free. Collective. */
+PetscErrorCode VerdictPrint(VI vi);
+/* On stderr: why there is no solution, or what is marginal. Collective. */
+PetscErrorCode VerdictWarn(VI vi);
+/* A line of -scene_view. Collective. */
+PetscErrorCode VerdictView(VI vi);
+
+#endif

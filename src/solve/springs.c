@@ -1,0 +1,135 @@
+/* springs.c -- weak springs that come to rest at the solution.
+
+   min 1/2 y'A y - b'y + 1/2 (y - y_j)'W (y - y_j),  y <= upper,   has one solution y_(j+1), which is nearer to those without the last
+   term [1]: where nothing but the springs resists a motion they have no work to do, since the loads do none on it, and everything else
+   is so much stiffer that one or two repetitions leave nothing of them. What they still pull is the residual of the original problem,
+   and ends the iteration: the distance of y_(j+1) from y_j does not, along a free motion it is rounding divided by W.
+
+   References: [1] Rockafellar, Monotone operators and the proximal point algorithm, 1976. */
+#include <mortise/compat.h>
+#include <mortise/pdas.h>
+#include <mortise/solvability.h>
+#include "springs.h"
+
+/* The pull of springs that does not matter, in parts of the forces. */
+static const PetscReal RELAXED = 1e-10;
+/* What inexact solves leave may be as large; a sweep that does not halve it will not help. */
+static const PetscReal TOLERATED = 1e-8, HALVED = 0.5;
+/* Sweeps after which something is wrong: two or three are usual. */
+enum { MAX_SWEEPS = 50 };
+
+PetscErrorCode SpringsBegin(VI vi, Springs *springs)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscMemzero(springs, sizeof(*springs)));
+  springs->vi = springs->original = vi;
+  if (!vi->solvability) PetscFunctionReturn(PETSC_SUCCESS);
+  springs->sprung = *vi;
+  springs->vi     = &springs->sprung;
+  PetscCall(VecDuplicate(vi->upper, &springs->rest));
+  PetscCall(VecDuplicate(vi->upper, &springs->pull));
+  PetscCall(VecDuplicate(vi->upper, &springs->scale));
+  PetscCall(VecDuplicate(vi->b, &springs->sprung.b));
+  PetscCall(MatDuplicate(vi->A, MAT_COPY_VALUES, &springs->sprung.A));
+  PetscCall(MatDiagonalSet(springs->sprung.A, vi->solvability->springs, ADD_VALUES));
+  PetscCall(MatSetOption(springs->sprung.A, MAT_SPD, PETSC_TRUE));
+  PetscCall(MatGetDiagonal(vi->A, springs->scale));
+  PetscCall(VecSqrtAbs(springs->scale));
+  PetscCall(VecReciprocal(springs->scale));
+  springs->last = PETSC_INFINITY;
+  PetscCall(SpringsSet(springs, NULL, NULL, PETSC_FALSE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Springs rest at y. */
+static PetscErrorCode RestAt_Private(Springs *springs, Vec y)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VecCopy(y, springs->rest));
+  PetscCall(VecPointwiseMult(springs->sprung.b, springs->original->solvability->springs, y));
+  PetscCall(VecAXPY(springs->sprung.b, 1, springs->original->b));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SpringsSet(Springs *springs, Vec guess, SNES snes, PetscBool pdas)
+{
+  const Solvability s = springs->original->solvability;
+
+  PetscFunctionBeginUser;
+  if (!s) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(RestAt_Private(springs, guess ? guess : s->rest));
+  if (pdas && !guess) PetscCall(PDASSetStart(snes, s->start));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* |v| in the norm of diag(A)^-1 */
+static PetscErrorCode Size_Private(const Springs *springs, Vec v, PetscReal *size)
+{
+  Vec scaled;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(v, &scaled));
+  PetscCall(VecPointwiseMult(scaled, v, springs->scale));
+  PetscCall(VecNorm(scaled, NORM_2, size));
+  PetscCall(VecDestroy(&scaled));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What the springs pull, in parts of the forces: of the loads, or of the stresses where there are none. */
+static PetscErrorCode Pull_Private(Springs *springs, Vec y, PetscReal *part)
+{
+  PetscReal loads, forces, pull;
+
+  PetscFunctionBeginUser;
+  PetscCall(Size_Private(springs, springs->original->b, &loads));
+  PetscCall(MatMult(springs->original->A, y, springs->pull));
+  PetscCall(Size_Private(springs, springs->pull, &forces));
+  PetscCall(VecWAXPY(springs->pull, -1, springs->rest, y));
+  PetscCall(VecPointwiseMult(springs->pull, springs->pull, springs->original->solvability->springs));
+  PetscCall(Size_Private(springs, springs->pull, &pull));
+  *part = pull > 0 ? pull / PetscMax(loads, forces) : 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SpringsRelax(Springs *springs, SNES snes, Vec y, SolveReport *report, PetscBool *done)
+{
+  PetscReal part = 0;
+  PetscBool pdas;
+  Vec       active;
+
+  PetscFunctionBeginUser;
+  *done = PETSC_TRUE;
+  if (!springs->original->solvability || !report->converged) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(Pull_Private(springs, y, &part));
+  PetscCall(PetscInfo(snes, "sweep %" PetscInt_FMT ": springs pull %g of the forces\n", report->sweeps, (double)part));
+  if (part <= RELAXED || (part <= TOLERATED && part > HALVED * springs->last)) PetscFunctionReturn(PETSC_SUCCESS);
+  if (report->sweeps == MAX_SWEEPS) {
+    report->converged = PETSC_FALSE;
+    PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason),
+                            "after %d sweeps the springs that hold bodies meanwhile still pull %.1e of the forces: is "
+                            "contact near to letting a body go?",
+                            MAX_SWEEPS, (double)part));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  springs->last = part;
+  *done         = PETSC_FALSE;
+  PetscCall(RestAt_Private(springs, y));
+  PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &pdas));
+  if (pdas) {
+    PetscCall(PDASGetActive(snes, &active));
+    PetscCall(PDASSetStart(snes, active));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SpringsEnd(Springs *springs)
+{
+  PetscFunctionBeginUser;
+  if (!springs->original->solvability) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatDestroy(&springs->sprung.A));
+  PetscCall(VecDestroy(&springs->sprung.b));
+  PetscCall(VecDestroy(&springs->rest));
+  PetscCall(VecDestroy(&springs->pull));
+  PetscCall(VecDestroy(&springs->scale));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
