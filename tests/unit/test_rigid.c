@@ -1,11 +1,36 @@
-/* test_rigid.c -- which supports leave a body a rigid motion. */
+/* test_rigid.c -- which rigid motions supports leave to a body. */
 #include <mortise/compat.h>
 #include <mortise/rigid.h>
 #include "mesh_scene.h"
 #include "solid_scene.h"
 
-/* A block with the displacements of some sides given; sides[i] = NULL ends the list. */
-static void TestBlock(const char *const sides[], const char *const values[], PetscBool expected)
+/* Every motion leaves held directions alone, and they are orthonormal. */
+static void CheckLeft(const Level *level, const Support *support, const RigidMotions *motions)
+{
+  for (PetscInt k = 0; k < motions->num; ++k) {
+    const PetscReal *motion = &motions->motion[k * RIGID_COMPONENTS];
+
+    for (PetscInt l = 0; l <= k; ++l) {
+      PetscReal dot = 0;
+
+      for (PetscInt i = 0; i < RIGID_COMPONENTS; ++i) dot += motion[i] * motions->motion[l * RIGID_COMPONENTS + i];
+      CHECK_NEAR(dot, k == l, 1e-14);
+    }
+    for (PetscInt a = 0; a < level->num_owned; ++a) {
+      PetscReal u[3];
+
+      RigidMotionAt(3, motions->frames, motion, &level->coords[3 * a], u);
+      for (PetscInt j = 0; j < support->count[a]; ++j) {
+        const PetscReal *d = &support->directions[9 * a + 3 * j];
+
+        CHECK_NEAR(d[0] * u[0] + d[1] * u[1] + d[2] * u[2], 0, 1e-13);
+      }
+    }
+  }
+}
+
+/* A block with the displacements of some sides given; sides[i] = NULL ends the list, expected motions are left. */
+static void TestBlock(const char *const sides[], const char *const values[], PetscInt expected)
 {
   const PetscInt  faces[3] = {2, 3, 2};
   const PetscReal lower[3] = {5, 0, -1}, upper[3] = {6, 2, 1};
@@ -13,7 +38,7 @@ static void TestBlock(const char *const sides[], const char *const values[], Pet
   SceneBody      *body;
   Mesh            mesh;
   Support         support;
-  PetscBool       floating;
+  RigidMotions    motions;
 
   SolidSceneInit(&t);
   body = SolidSceneAddBox(&t, "block", faces, lower, upper);
@@ -21,8 +46,10 @@ static void TestBlock(const char *const sides[], const char *const values[], Pet
     TestSceneAddBoundary(body, values[i] ? BOUNDARY_DISPLACEMENT : BOUNDARY_NORMAL, sides[i], values[i]);
   mesh = TestSceneMesh(&t);
   CHECK(!SupportCreate(MeshFinest(mesh), &t.scene, &support));
-  CHECK(!BodiesFloating(MeshFinest(mesh), &support, 1, &floating));
-  CHECK(floating == expected);
+  CHECK(!RigidMotionsCreate(MeshFinest(mesh), &support, 1, &motions));
+  CHECK(motions.num == expected && motions.floating[0] == (expected > 0));
+  CheckLeft(MeshFinest(mesh), &support, &motions);
+  CHECK(!RigidMotionsDestroy(&motions));
   CHECK(!SupportDestroy(&support));
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
@@ -34,17 +61,15 @@ int main(int argc, char **argv)
   /* Cases: nothing; flat sides in all three directions; in two, so that it slides; one side in z alone, which leaves the plane; two
      opposite ones twice, which leaves y; the lower side in x and y, which leaves z and turns about axes in that side; z on the left
      beside, which leaves the turn about their common edge; and on the right, which leaves none; one side altogether. */
-  TestBlock((const char *[]){NULL}, NULL, PETSC_TRUE);
-  TestBlock((const char *[]){"left", "front", "bottom", NULL}, (const char *[]){NULL, NULL, NULL}, PETSC_FALSE);
-  TestBlock((const char *[]){"left", "front", NULL}, (const char *[]){NULL, NULL}, PETSC_TRUE);
-  TestBlock((const char *[]){"bottom", NULL}, (const char *[]){NULL}, PETSC_TRUE);
-  TestBlock((const char *[]){"bottom", "top", "left", "right", NULL}, (const char *[]){NULL, NULL, NULL, NULL},
-            PETSC_TRUE);
-  TestBlock((const char *[]){"bottom", NULL}, (const char *[]){"0, 0, free"}, PETSC_TRUE);
-  TestBlock((const char *[]){"bottom", "left", NULL}, (const char *[]){"0, 0, free", "free, free, 0"}, PETSC_TRUE);
-  TestBlock((const char *[]){"bottom", "left+right", NULL}, (const char *[]){"0, 0, free", "free, free, 0"},
-            PETSC_FALSE);
-  TestBlock((const char *[]){"back", NULL}, (const char *[]){"0, 0, 0"}, PETSC_FALSE);
+  TestBlock((const char *[]){NULL}, NULL, 6);
+  TestBlock((const char *[]){"left", "front", "bottom", NULL}, (const char *[]){NULL, NULL, NULL}, 0);
+  TestBlock((const char *[]){"left", "front", NULL}, (const char *[]){NULL, NULL}, 1);
+  TestBlock((const char *[]){"bottom", NULL}, (const char *[]){NULL}, 3);
+  TestBlock((const char *[]){"bottom", "top", "left", "right", NULL}, (const char *[]){NULL, NULL, NULL, NULL}, 1);
+  TestBlock((const char *[]){"bottom", NULL}, (const char *[]){"0, 0, free"}, 3);
+  TestBlock((const char *[]){"bottom", "left", NULL}, (const char *[]){"0, 0, free", "free, free, 0"}, 1);
+  TestBlock((const char *[]){"bottom", "left+right", NULL}, (const char *[]){"0, 0, free", "free, free, 0"}, 0);
+  TestBlock((const char *[]){"back", NULL}, (const char *[]){"0, 0, 0"}, 0);
   PetscCall(PetscFinalize());
   return 0;
 }
