@@ -1,7 +1,7 @@
 # packages.sh -- sourced by tests/check.sh and options/run.sh: what the machine must have, and how MPI runs on it.
 
 # Compiler and libraries; OpenBLAS because MUMPS is several times slower with the reference BLAS that PETSc comes with.
-build_packages="build-essential cmake pkg-config petsc-dev openmpi-bin libmetis-dev libmuparser-dev libcjson-dev libhdf5-openmpi-dev liblapack-dev libopenblas0-pthread"
+build_packages="build-essential cmake pkg-config petsc-dev openmpi-bin libmetis-dev libmumps-dev libmuparser-dev libcjson-dev libhdf5-openmpi-dev liblapack-dev libopenblas0-pthread"
 # To read results and draw them.
 python_packages="python3 python3-numpy python3-h5py python3-matplotlib"
 

@@ -6,9 +6,9 @@
    then each set costs a dense Cholesky factorisation of S_FF, F = C without the set, on the first rank, and the full
    solution is recovered once, at the end, by substitutions with A_II: contact costs one factorisation.
 
-   PETSc hands the indices of S to MUMPS on the first rank alone, where S is wanted; A_II is factored by all ranks. With
-   ICNTL(26) = 0 MatSolve() is A_II^-1 on I and 0 on C. */
+   S is wanted on the first rank alone; A_II is factored by all ranks (factor.h). */
 #include "active.h"
+#include "factor.h"
 
 /* A pivot below this part of A's diagonal, times the number of unknowns, is roundoff of a pivot that is zero. */
 static const PetscReal SINGULAR = 8 * PETSC_MACHINE_EPSILON;
@@ -16,7 +16,7 @@ static const PetscReal SINGULAR = 8 * PETSC_MACHINE_EPSILON;
 static const PetscInt MAX_REFINEMENTS = 2;
 
 typedef struct {
-  Mat          F;       /* factors of A_II */
+  Factor       F;       /* of A_II */
   Vec          r, f, d; /* residual; without fixed rows; correction */
   PetscReal    size;    /* max |A_II^-1 b_I|: how far the bodies move */
   PetscMPIInt  rank;
@@ -170,7 +170,7 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, Vec f, Vec d)
   PetscCall(PetscMalloc1(solver->set->n, &z));
   PetscCall(VecDuplicate(d, &y));
   PetscCall(VecZeroEntries(y));
-  PetscCall(MatSolve(t->F, f, d));
+  PetscCall(FactorSolve(t->F, f, d));
   PetscCall(MatMult(solver->A, d, t->r));
   PetscCall(VecAYPX(t->r, -1, f));
   PetscCall(ActiveSetGather(solver->set, t->r, z));
@@ -180,7 +180,7 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, Vec f, Vec d)
   PetscCall(ActiveSetScatter(solver->set, z, y));
   PetscCall(MatMult(solver->A, y, t->r));
   PetscCall(VecAYPX(t->r, -1, f));
-  PetscCall(MatSolve(t->F, t->r, d));
+  PetscCall(FactorSolve(t->F, t->r, d));
   PetscCall(VecAXPY(d, 1, y));
   PetscCall(VecDestroy(&y));
   PetscCall(PetscFree(z));
@@ -202,7 +202,7 @@ static PetscErrorCode Finish_Reduced(ActiveSolver solver, ActiveSolution *soluti
   PetscCall(ActiveSolverResidual(solver, solution->fixed, y, t->r, t->f, &reference));
   PetscCall(ActiveSetScatter(solver->set, solution->y, y));
   PetscCall(ActiveSolverResidual(solver, solution->fixed, y, t->r, t->f, &size));
-  PetscCall(MatSolve(t->F, t->f, t->d));
+  PetscCall(FactorSolve(t->F, t->f, t->d));
   for (PetscInt k = 0;; k++) {
     PetscCall(VecAXPY(y, 1, t->d));
     PetscCall(ActiveSolverResidual(solver, solution->fixed, y, t->r, t->f, &size));
@@ -220,7 +220,7 @@ static PetscErrorCode Destroy_Reduced(ActiveSolver solver)
   Reduced *t = solver->data;
 
   PetscFunctionBeginUser;
-  PetscCall(MatDestroy(&t->F));
+  PetscCall(FactorDestroy(&t->F));
   PetscCall(VecDestroy(&t->r));
   PetscCall(VecDestroy(&t->f));
   PetscCall(VecDestroy(&t->d));
@@ -262,48 +262,40 @@ static PetscErrorCode Allocate_Private(ActiveSolver solver)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The bounded unknowns of all ranks, on all of them: owned by the caller. */
+static PetscErrorCode AllBounded_Private(const ActiveSet *set, PetscInt **C)
+{
+  PetscMPIInt size, n, *counts, *offsets;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_size(set->comm, &size));
+  PetscCall(PetscMPIIntCast(set->n, &n));
+  PetscCall(PetscMalloc2(size, &counts, size, &offsets));
+  PetscCallMPI(MPI_Allgather(&n, 1, MPI_INT, counts, 1, MPI_INT, set->comm));
+  for (PetscMPIInt r = 0, sum = 0; r < size; sum += counts[r++]) offsets[r] = sum;
+  PetscCall(PetscMalloc1(set->N, C));
+  PetscCallMPI(MPI_Allgatherv(set->dof, n, MPIU_INT, *C, counts, offsets, MPIU_INT, set->comm));
+  PetscCall(PetscFree2(counts, offsets));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Factors A_II and takes S, of which MUMPS gives one triangle: the lower on one rank, the upper on several. */
 static PetscErrorCode Factor_Private(ActiveSolver solver, const char prefix[], MatFactorError *error)
 {
-  Reduced           *t   = solver->data;
-  const ActiveSet   *set = solver->set;
-  const PetscInt     N   = set->N;
-  MatFactorInfo      info;
-  PetscMPIInt        n;
-  PetscInt          *dofs = NULL;
-  const PetscScalar *s;
-  PetscScalar       *full;
-  Mat                S;
-  IS                 is;
+  Reduced       *t = solver->data;
+  const PetscInt N = solver->set->N;
+  PetscInt      *C;
+  PetscScalar   *S = NULL;
 
   PetscFunctionBeginUser;
-  if (!t->rank) PetscCall(PetscMalloc1(N, &dofs));
-  PetscCall(PetscMPIIntCast(set->n, &n));
-  PetscCallMPI(MPI_Gatherv(set->dof, n, MPIU_INT, dofs, t->counts, t->offsets, MPIU_INT, 0, set->comm));
-  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, t->rank ? 0 : N, dofs, PETSC_OWN_POINTER, &is));
-  PetscCall(MatGetFactor(solver->A, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, &t->F));
-  PetscCall(MatSetOptionsPrefix(t->F, prefix));
-  PetscCall(MatFactorInfoInitialize(&info));
-  PetscCall(MatFactorSetSchurIS(t->F, is));
-  PetscCall(ISDestroy(&is));
-  PetscCall(MatCholeskyFactorSymbolic(t->F, solver->A, NULL, &info));
-  PetscCall(MatCholeskyFactorNumeric(t->F, solver->A, &info));
-  PetscCall(MatFactorGetError(t->F, error));
-  if (*error) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MatMumpsSetIcntl(t->F, 26, 0));
-  PetscCall(MatFactorGetSchurComplement(t->F, &S, NULL));
-  PetscCall(MatDenseGetArrayRead(S, &s));
-  if (!t->rank) {
-    PetscCall(MatDenseGetArrayWrite(t->S, &full));
-    for (PetscInt i = 0; i < N; i++) {
-      for (PetscInt j = 0; j <= i; j++) {
-        full[i * N + j] = full[j * N + i] = s[i * N + j] != 0 ? s[i * N + j] : s[j * N + i];
-      }
-    }
-    PetscCall(MatDenseRestoreArrayWrite(t->S, &full));
+  PetscCall(AllBounded_Private(solver->set, &C));
+  if (!t->rank) PetscCall(MatDenseGetArray(t->S, &S));
+  PetscCall(FactorCreate(solver->A, N, C, prefix, S, &t->F, error));
+  for (PetscInt i = 0; i < N && !t->rank && !*error; i++) {
+    for (PetscInt j = 0; j < i; j++) S[i * N + j] = S[j * N + i] = S[i * N + j] != 0 ? S[i * N + j] : S[j * N + i];
   }
-  PetscCall(MatDenseRestoreArrayRead(S, &s));
-  PetscCall(MatFactorRestoreSchurComplement(t->F, &S, MAT_FACTOR_SCHUR_UNFACTORED));
+  if (!t->rank) PetscCall(MatDenseRestoreArray(t->S, &S));
+  PetscCall(PetscFree(C));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -329,7 +321,7 @@ PetscErrorCode ReducedCreate(const ActiveSet *set, Mat A, Vec b, const char pref
   *failure = ActiveFailureOfFactor(error);
   if (*failure) PetscFunctionReturn(PETSC_SUCCESS);
   /* g = b_C - A_CI A_II^-1 b_I */
-  PetscCall(MatSolve(t->F, b, t->d));
+  PetscCall(FactorSolve(t->F, b, t->d));
   PetscCall(VecNorm(t->d, NORM_INFINITY, &t->size));
   PetscCall(MatMult(A, t->d, t->r));
   PetscCall(VecAYPX(t->r, -1, b));

@@ -1,0 +1,188 @@
+/* factor.c -- MUMPS, asked by itself rather than through PETSc.
+
+   PETSc cannot hand an order of pivots to MUMPS' Cholesky factorisation, and with a Schur complement MUMPS itself knows none but
+   minimum degree, which in 3D costs twice the operations of nested dissection and a quarter more memory. */
+#include <dmumps_c.h>
+#include "factor.h"
+
+/* Controls of MUMPS by the numbers of its manual. */
+enum { ICNTL_PRINT = 4, ICNTL_ORDER = 7, ICNTL_INPUT = 18, ICNTL_SCHUR = 19, ICNTL_REDUCED = 26, NUM_ICNTL = 60 };
+enum { NUM_CNTL = 15 };
+/* Their values: pivots in the order given, by minimum degree; entries where they are; S on the host. */
+enum { ORDER_GIVEN = 1, ORDER_MINIMUM_DEGREE = 0, INPUT_DISTRIBUTED = 3, SCHUR_ON_HOST = 1 };
+enum { JOB_BEGIN = -1, JOB_END = -2, JOB_ANALYSE = 1, JOB_FACTOR = 2, JOB_SOLVE = 3, SYMMETRIC_DEFINITE = 1 };
+
+struct _n_Factor {
+  DMUMPS_STRUC_C id;
+  MPI_Comm       comm;
+  PetscMPIInt    rank;
+  VecScatter     to_host; /* of right-hand sides and solutions */
+  Vec            host;    /* all of them on the first rank, nothing elsewhere */
+};
+
+/* The upper triangle of this rank's rows, without zeros, counted from 1. [out] owned by the caller */
+static PetscErrorCode CreateEntries_Private(Mat A, DMUMPS_STRUC_C *id)
+{
+  PetscInt   begin, end;
+  MUMPS_INT8 n = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetOwnershipRange(A, &begin, &end));
+  for (PetscInt pass = 0; pass < 2; pass++) {
+    if (pass) PetscCall(PetscMalloc3(n, &id->irn_loc, n, &id->jcn_loc, n, &id->a_loc));
+    id->nnz_loc = n;
+    n           = 0;
+    for (PetscInt row = begin; row < end; row++) {
+      PetscInt           num;
+      const PetscInt    *columns;
+      const PetscScalar *values;
+
+      PetscCall(MatGetRow(A, row, &num, &columns, &values));
+      for (PetscInt c = 0; c < num; c++) {
+        if (columns[c] < row || values[c] == 0) continue;
+        if (pass) {
+          id->irn_loc[n] = (MUMPS_INT)row + 1;
+          id->jcn_loc[n] = (MUMPS_INT)columns[c] + 1;
+          id->a_loc[n]   = values[c];
+        }
+        n++;
+      }
+      PetscCall(MatRestoreRow(A, row, &num, &columns, &values));
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What PETSc's options say. */
+static PetscErrorCode SetControls_Private(const char prefix[], DMUMPS_STRUC_C *id)
+{
+  char option[64];
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 1; i <= NUM_ICNTL; i++) {
+    PetscInt  value;
+    PetscBool set;
+
+    PetscCall(PetscSNPrintf(option, sizeof(option), "-mat_mumps_icntl_%" PetscInt_FMT, i));
+    PetscCall(PetscOptionsGetInt(NULL, prefix, option, &value, &set));
+    if (set) id->icntl[i - 1] = (MUMPS_INT)value;
+  }
+  for (PetscInt i = 1; i <= NUM_CNTL; i++) {
+    PetscCall(PetscSNPrintf(option, sizeof(option), "-mat_mumps_cntl_%" PetscInt_FMT, i));
+    PetscCall(PetscOptionsGetReal(NULL, prefix, option, &id->cntl[i - 1], NULL));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What INFOG(1) means. */
+static MatFactorError Error_Private(MUMPS_INT info)
+{
+  enum { STRUCTURE = -6, ZERO_PIVOT = -10, NEGATIVE_PIVOT = -40 };
+  static const MUMPS_INT memory[] = {-5, -7, -8, -9, -11, -13, -14, -15, -17, -18, -19, -20};
+
+  if (info >= 0) return MAT_FACTOR_NOERROR;
+  for (size_t i = 0; i < sizeof(memory) / sizeof(memory[0]); i++) {
+    if (info == memory[i]) return MAT_FACTOR_OUTMEMORY;
+  }
+  if (info == STRUCTURE) return MAT_FACTOR_STRUCT_ZEROPIVOT;
+  return info == ZERO_PIVOT || info == NEGATIVE_PIVOT ? MAT_FACTOR_NUMERIC_ZEROPIVOT : MAT_FACTOR_OTHER;
+}
+
+/* Analyses, then factors. [in] C - [num]; [out] S - on the first rank */
+static PetscErrorCode Factor_Private(Factor factor, Mat A, PetscInt num, const PetscInt C[], PetscScalar S[])
+{
+  DMUMPS_STRUC_C *id       = &factor->id;
+  PetscInt       *position = NULL;
+
+  PetscFunctionBeginUser;
+  if (!factor->rank) {
+    PetscCall(PetscMalloc3(id->n, &position, id->n, &id->perm_in, num, &id->listvar_schur));
+    for (PetscInt i = 0; i < num; i++) id->listvar_schur[i] = (MUMPS_INT)C[i] + 1;
+  }
+  if (id->icntl[ICNTL_ORDER - 1] == ORDER_GIVEN) {
+    PetscCall(DissectionOrder(A, num, C, position));
+    for (PetscInt i = 0; i < id->n && !factor->rank; i++) id->perm_in[i] = (MUMPS_INT)position[i];
+  }
+  id->size_schur = (MUMPS_INT)num;
+  id->schur      = S;
+  PetscCall(CreateEntries_Private(A, id));
+  id->job = JOB_ANALYSE;
+  dmumps_c(id);
+  if (id->infog[0] >= 0) {
+    id->job = JOB_FACTOR;
+    dmumps_c(id);
+  }
+  PetscCall(PetscInfo(A, "MUMPS: status %d (%d), order %d, %g operations, %d MB\n", (int)id->infog[0],
+                      (int)id->infog[1], (int)id->infog[6], (double)id->rinfog[0], (int)id->infog[18]));
+  PetscCall(PetscFree3(id->irn_loc, id->jcn_loc, id->a_loc));
+  if (!factor->rank) PetscCall(PetscFree3(position, id->perm_in, id->listvar_schur));
+  id->schur = NULL;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FactorCreate(Mat A, PetscInt num, const PetscInt C[], const char prefix[], PetscScalar S[],
+                            Factor *factor_out, MatFactorError *error)
+{
+  const PetscInt  solid = 3;
+  Factor          factor;
+  DMUMPS_STRUC_C *id;
+  PetscInt        N, bs;
+  Vec             v;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(&factor));
+  *factor_out  = factor;
+  factor->comm = PetscObjectComm((PetscObject)A);
+  PetscCallMPI(MPI_Comm_rank(factor->comm, &factor->rank));
+  PetscCall(MatCreateVecs(A, &v, NULL));
+  PetscCall(VecScatterCreateToZero(v, &factor->to_host, &factor->host));
+  PetscCall(VecDestroy(&v));
+  PetscCall(MatGetSize(A, &N, NULL));
+  PetscCall(MatGetBlockSize(A, &bs));
+  id               = &factor->id;
+  id->job          = JOB_BEGIN;
+  id->par          = 1;
+  id->sym          = SYMMETRIC_DEFINITE;
+  id->comm_fortran = (MUMPS_INT)MPI_Comm_c2f(factor->comm);
+  dmumps_c(id);
+  id->n                      = (MUMPS_INT)N;
+  id->icntl[ICNTL_PRINT - 1] = 0;
+  id->icntl[ICNTL_ORDER - 1] = bs < solid ? ORDER_MINIMUM_DEGREE : ORDER_GIVEN;
+  id->icntl[ICNTL_INPUT - 1] = INPUT_DISTRIBUTED;
+  id->icntl[ICNTL_SCHUR - 1] = SCHUR_ON_HOST;
+  PetscCall(SetControls_Private(prefix, id));
+  PetscCall(Factor_Private(factor, A, num, C, S));
+  *error = Error_Private(id->infog[0]);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FactorSolve(Factor factor, Vec b, Vec x)
+{
+  DMUMPS_STRUC_C *id = &factor->id;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecScatterBegin(factor->to_host, b, factor->host, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecScatterEnd(factor->to_host, b, factor->host, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGetArray(factor->host, &id->rhs));
+  id->job                      = JOB_SOLVE;
+  id->icntl[ICNTL_REDUCED - 1] = 0; /* the unknowns of S come out as 0 */
+  dmumps_c(id);
+  PetscCall(VecRestoreArray(factor->host, &id->rhs));
+  PetscCheck(id->infog[0] >= 0, factor->comm, PETSC_ERR_LIB, "MUMPS could not solve: INFOG(1) = %d, INFOG(2) = %d",
+             (int)id->infog[0], (int)id->infog[1]);
+  PetscCall(VecScatterBegin(factor->to_host, factor->host, x, INSERT_VALUES, SCATTER_REVERSE));
+  PetscCall(VecScatterEnd(factor->to_host, factor->host, x, INSERT_VALUES, SCATTER_REVERSE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FactorDestroy(Factor *factor)
+{
+  PetscFunctionBeginUser;
+  if (!*factor) PetscFunctionReturn(PETSC_SUCCESS);
+  (*factor)->id.job = JOB_END;
+  dmumps_c(&(*factor)->id);
+  PetscCall(VecScatterDestroy(&(*factor)->to_host));
+  PetscCall(VecDestroy(&(*factor)->host));
+  PetscCall(PetscFree(*factor));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,25 @@
+/* factor.h -- the factors of a part of a symmetric positive definite matrix, and the Schur complement of the rest (private to the room). */
+#ifndef MORTISE_FACTOR_H
+#define MORTISE_FACTOR_H
+
+#include <mortise/compat.h>
+#include <petscmat.h>
+
+typedef struct _n_Factor *Factor;
+
+/* A_II = L L' and S = A_CC - A_CI A_II^-1 A_IC by MUMPS. Its controls are PETSc's options -mat_mumps_icntl_<n> and
+   -mat_mumps_cntl_<n>, behind the prefix. Collective.
+   [in] C - ascending, the same on all ranks [num]; [out] S - on the first rank [num][num];
+   [out] error - the same on all ranks; but for MAT_FACTOR_NOERROR nothing but FactorDestroy() is allowed then */
+PetscErrorCode FactorCreate(Mat A, PetscInt num, const PetscInt C[], const char prefix[], PetscScalar S[],
+                            Factor *factor, MatFactorError *error);
+/* x_I = A_II^-1 b_I, 0 on C. Collective. */
+PetscErrorCode FactorSolve(Factor factor, Vec b, Vec x);
+PetscErrorCode FactorDestroy(Factor *factor);
+
+/* A pivot order by nested dissection of the graph of A's blocks, with C behind all others: half the operations of a
+   minimum degree order in 3D. Collective.
+   [in] C - the same on all ranks [num]; [out] position - from 1, of every unknown, on the first rank [N of A] */
+PetscErrorCode DissectionOrder(Mat A, PetscInt num, const PetscInt C[], PetscInt position[]);
+
+#endif
