@@ -18,7 +18,7 @@ VANISHING = 1e-12  # of the largest displacement or stress: allowed beside it, f
 def read_fields(file):
     """All nodal numbers of an HDF5 file as a table; gaps where there is no constraint count as 0, as their status tells."""
     points, stress = file["points"][()], file["stress"][()].reshape(-1, 9)
-    table = {"body": bodies_of_nodes(file["cells"][()], file["body"][()], len(points)), "x": points[:, 0], "y": points[:, 1]}
+    table = {"body": bodies_of_nodes(file["cells"][()], file["body"][()], len(points)), "x": points[:, 0], "y": points[:, 1], "z": points[:, 2]}
     table.update({name: file["displacement"][:, k] for k, name in enumerate(("u_x", "u_y", "u_z"))})
     table.update({f"stress_{k}": stress[:, k] for k in range(9)})
     table.update({name: file[name][()] for name in ("von_mises", "pressure", "status", "gap")})
@@ -32,13 +32,17 @@ def largest(table, *columns):
     return max(abs(value) for column in columns for value in table[column] if not math.isnan(value))
 
 
+def displacements(table):
+    return [name for name in table if name.startswith("u_")]
+
+
 def same_nodes(table, expected, columns, relative=RELATIVE):
     """Columns of two node tables, matched by body and place."""
-    length = largest(expected, "u_x", "u_y")
+    length = largest(expected, *displacements(expected))
     stress = largest(expected, "von_mises") if "von_mises" in expected else 0.0
     size = {name: length if name in ("u_x", "u_y", "u_z", "gap") else stress for name in columns}
     tolerances = {name: (0, 0) if name == "status" else (relative, VANISHING * size[name]) for name in columns}
-    same_table(table, expected, tolerances, position=("body", "x", "y"))
+    same_table(table, expected, tolerances, position=("body", "x", "y", "z"))
 
 
 def same_side(table, expected, sizes, relative=RELATIVE):
@@ -61,10 +65,10 @@ def same_tables(run, nodes, sides, relative=RELATIVE):
     """[in] nodes - table of all nodes; [in] sides - {pair: table}"""
     with run.fields() as file:
         table = read_fields(file)
-    same_nodes(table, nodes, ("u_x", "u_y"), relative)
+    same_nodes(table, nodes, displacements(nodes), relative)
     same("tables", sorted(sides), sorted(run.summary["pairs"]))
     for pair, side in sides.items():
-        same_side(run.table(pair), side, (largest(nodes, "u_x", "u_y"), largest(table, "von_mises")), relative)
+        same_side(run.table(pair), side, (largest(nodes, *displacements(nodes)), largest(table, "von_mises")), relative)
 
 
 def judge(run):

@@ -8,8 +8,8 @@ What it shares with the program is the mathematics (src/THEORY.md), not the way:
 nonmortar facet is cut at all places from which some mortar vertex is seen, and every piece looks for the facet that its
 middle ray meets; nothing is condensed, the saddle point system (T3) is solved as it stands; and the contact set is found by
 Murty's least index method on the dual problem, which changes one node at a time and provably ends.
-It knows boxes of quads or triangles of order 1 or 2 (bodies.py), maps, pairs (contact.py), and what the scenes here need of
-the options; anything else is an error.
+It knows boxes of order 1 or 2 in the plane and in space (bodies.py), maps, pairs (contact.py, space.py), and what the scenes
+here need of the options; anything else is an error.
 
 Reference: K. G. Murty, Note on a Bard-type scheme for solving the complementarity problem, Opsearch 11 (1974).
 """
@@ -21,7 +21,8 @@ import sys
 import numpy as np
 
 from bodies import Body, evaluate, names
-from contact import LINES, MANY, Pair, curve, gauss, outward, poly
+from lines import LinePair
+from space import SpacePair
 
 HERE = pathlib.Path(__file__).resolve().parent
 OPEN, CONTACT, TIED, NONE = 0, 1, 2, -1  # status of a node in the tables
@@ -42,7 +43,7 @@ def read_scene(path):
 
 
 class Scene:
-    """The discrete problem (T3) of an options file as dense arrays; unknown 2 a + k is component k at node a."""
+    """The discrete problem (T3) of an options file as dense arrays; unknown dim a + k is component k at node a."""
 
     def __init__(self, path):
         self.options = read_scene(path)
@@ -52,62 +53,71 @@ class Scene:
             self.bodies[name] = Body(name, self.options, first)
             first += len(self.bodies[name].points)
         self.options.pop("order", None)
-        self.plane_stress = self.options.pop("model", "plane_strain") == "plane_stress"
+        self.options.pop("model", None)
         self.thickness = float(self.options.pop("thickness", "1"))
         self.points = np.vstack([body.points for body in self.bodies.values()])
         self.body = np.concatenate([np.full(len(body.points), b) for b, body in enumerate(self.bodies.values())])
-        self.K, self.f, self.held = np.zeros((2 * first, 2 * first)), np.zeros(2 * first), {}
+        self.dim = self.points.shape[1]
+        self.K, self.f, self.held = np.zeros((self.dim * first,) * 2), np.zeros(self.dim * first), {}
         for body in self.bodies.values():
             self.add_cells(body)
             self.add_loads(body)
             self.add_supports(body)
-        self.pairs = [Pair(name, self) for name in names(self.options.pop("pairs", ""))]
+        kind = LinePair if self.dim == 2 else SpacePair
+        self.pairs = [kind(name, self) for name in names(self.options.pop("pairs", ""))]
         if self.options:
             raise ValueError(f"options that are not known here: {', '.join(self.options)}")
 
+    def unknowns(self, nodes):
+        """[node][component]"""
+        return self.dim * np.asarray(nodes)[..., None] + np.arange(self.dim)
+
     def add_cells(self, body):
-        force = body.asked("body_force", "0,0")
+        force = body.asked("body_force", ",".join("0" * self.dim))
         for cell in body.cells:
-            dofs = (2 * (body.first + cell)[:, None] + [0, 1]).ravel()
+            dofs = self.unknowns(body.first + cell).ravel()
             for at, weight in body.rule:
                 phi, grad, det = body.gradients(cell, at)
                 if det <= 0:
                     raise ValueError("a cell is tangled")
-                part = np.einsum("aj,ijkl,bl->aibk", grad, body.hooke, grad).reshape(len(dofs), -1)
+                part = np.einsum("aj,ijkl,bl->aibk", grad, body.hooke, grad, optimize=True).reshape(len(dofs), -1)
                 self.K[np.ix_(dofs, dofs)] += self.thickness * weight * det * part
                 self.f[dofs] += self.thickness * weight * det * np.outer(phi, evaluate(force, *(phi @ body.points[cell]))).ravel()
 
     def add_loads(self, body):
         """int phi t and - int phi q nu over the facets of a side."""
-        points, weights = gauss(MANY)
         for kind in ("traction", "pressure"):
             for side in names(body.asked(f"bc_{kind}", "")):
                 value = body.asked(f"bc_{kind}_{side}")
                 for facet in body.sides[side]:
-                    c = curve(self.points[list(facet)])
-                    for s, w in zip(points, weights):
-                        normal, given = outward(c, s), evaluate(value, *poly.polyval(s, c))
-                        force = given * math.hypot(*normal) if kind == "traction" else -given[0] * normal
-                        for node, phi in zip(facet, poly.polyval(s, LINES[len(facet)].T)):
-                            self.f[[2 * node, 2 * node + 1]] += self.thickness * w * phi * force
+                    points = self.points[list(facet)]
+                    for phi, normal in body.surface(points):
+                        given = evaluate(value, *(phi @ points))
+                        force = given * np.linalg.norm(normal) if kind == "traction" else -given[0] * normal
+                        self.f[self.unknowns(facet)] += self.thickness * np.outer(phi, force)
 
     def add_supports(self, body):
-        """Fills held: {unknown: value}. Sides with normal supports have to lie along an axis."""
+        """Fills held: {unknown: value}. Sides with normal supports have to lie across an axis."""
         for side in names(body.asked("bc_displacement", "")):
             value = body.asked(f"bc_displacement_{side}")
             for node in {node for facet in body.sides[side] for node in facet}:
                 given = evaluate(value, *self.points[node])
-                self.held.update({2 * node + k: given[k] for k in (0, 1) if not math.isnan(given[k])})
+                self.held.update({self.dim * node + k: u for k, u in enumerate(given) if not math.isnan(u)})
         for side in names(body.asked("bc_normal", "")):
-            along = self.points[body.sides[side][-1][1]] - self.points[body.sides[side][0][0]]
-            k = int(np.argmin(np.abs(along)))
-            if abs(along[k]) > 1e-12 * abs(along[1 - k]):
-                raise ValueError(f"side {side} of {body.name} is not along an axis")
-            self.held.update({2 * node + k: 0.0 for facet in body.sides[side] for node in facet})
+            nodes = [node for facet in body.sides[side] for node in facet]
+            extent = np.ptp(self.points[nodes], axis=0)
+            k = int(np.argmin(extent))
+            if extent[k] > 1e-12 * extent.max():
+                raise ValueError(f"side {side} of {body.name} is not across an axis")
+            self.held.update({self.dim * node + k: 0.0 for node in nodes})
 
     def side(self, text):
         body, side = text.split(":")
         return self.bodies[body].sides[side]
+
+    def owner(self, facets):
+        """The body that has a side."""
+        return next((body for body in self.bodies.values() if any(side is facets for side in body.sides.values())), None)
 
 
 # --- the solution -----------------------------------------------------------------------------------------------------
@@ -136,7 +146,7 @@ def solve_refined(A, b):
 
 
 class Solution:
-    """u [nodes][2] and, per row of all pairs, multiplier p, gap left and status."""
+    """u [nodes][dim] and, per row of all pairs, multiplier p, gap left and status."""
 
     def __init__(self, scene):
         self.scene = scene
@@ -157,7 +167,7 @@ class Solution:
         u[free] = x[:len(free)]
         forces = np.zeros(len(self.rows))
         forces[held] = stiffness * x[len(free):]
-        self.u, self.p = u.reshape(-1, 2), forces / np.array([row[4] for row in self.rows])
+        self.u, self.p = u.reshape(-1, scene.dim), forces / np.array([row[4] for row in self.rows])
         self.gap = np.array([row[3] for row in self.rows]) - B @ u
         self.status = np.where(tied, TIED, np.where(held, CONTACT, OPEN))
         self.judge(scene.K, scene.f, B, forces, free)
@@ -191,7 +201,8 @@ class Solution:
     def nodes(self):
         """Table of all nodes, sorted by coordinates."""
         order = np.lexsort([self.scene.body, *np.round(self.scene.points, 9).T[::-1]])
-        columns = {"body": self.scene.body, "x": self.scene.points[:, 0], "y": self.scene.points[:, 1], "u_x": self.u[:, 0], "u_y": self.u[:, 1]}
+        axes = "xyz"[:self.scene.dim]
+        columns = {"body": self.scene.body, **dict(zip(axes, self.scene.points.T)), **{f"u_{axis}": u for axis, u in zip(axes, self.u.T)}}
         return {name: [value.item() for value in values[order]] for name, values in columns.items()}
 
     def contact(self, pair):
@@ -203,8 +214,10 @@ class Solution:
                 found[node] = (self.p[r], self.gap[r], int(self.status[r]), self.p[r] * pair.weight[node])
         for c, share in pair.share.items():
             found[c] = (sum(w * found[a][0] for a, w in share.items()), math.nan, NONE, 0.0)
-        for begin, end, middle in (facet for facet in pair.facets if pair.linear and len(facet) == 3):
-            found[middle] = (0.5 * (found[begin][0] + found[end][0]), math.nan, NONE, 0.0)
+        for facet in pair.facets if pair.linear else []:
+            hats = [pair.hats.at(place)[0] for place in pair.shape.nodes]
+            for node, hat in list(zip(facet, hats))[len(pair.hats.nodes):]:
+                found[node] = (hat @ [found[corner][0] for corner in facet[:len(hat)]], math.nan, NONE, 0.0)
         return found
 
     def side(self, pair):
@@ -212,7 +225,7 @@ class Solution:
         found = self.contact(pair)
         nodes = sorted(pair.nodes, key=lambda node: tuple(np.round(self.scene.points[node], 9)))
         rows = [(*self.scene.points[node], *found[node]) for node in nodes]
-        return {name: [row[k] for row in rows] for k, name in enumerate(("x", "y", "p", "gap", "active", "force"))}
+        return {name: [row[k] for row in rows] for k, name in enumerate((*"xyz"[:self.scene.dim], "p", "gap", "active", "force"))}
 
 
 if __name__ == "__main__":

@@ -61,7 +61,12 @@ def options_of(number):
     return options
 
 
-def judge(run):
+def tolerance_of(options):
+    return CURVED if any(name.endswith("_map") and text != "x, y" for name, text in options.items()) else RELATIVE
+
+
+def judge(run, options_of=options_of, tolerance_of=tolerance_of):  # pylint: disable=redefined-outer-name
+    """[in] options_of - number -> {option: text}; tolerance_of - of such a scene, relative"""
     first = int(run.arguments[run.arguments.index("-title") + 1].split()[-1])  # "Random scenes from 24"
     for number in range(first, first + COUNT):
         options = options_of(number)
@@ -71,5 +76,4 @@ def judge(run):
         other.require_solved()
         scene = Scene(path)
         solution = Solution(scene)
-        curved = any(options[f"{body}_map"] != "x, y" for body in scene.bodies)
-        same_tables(other, solution.nodes(), {pair.name: solution.side(pair) for pair in scene.pairs}, CURVED if curved else RELATIVE)
+        same_tables(other, solution.nodes(), {pair.name: solution.side(pair) for pair in scene.pairs}, tolerance_of(options))
