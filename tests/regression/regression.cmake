@@ -29,6 +29,12 @@ mortise_scene_test(indent_cone SCENE indent CHECK indent.py
   ARGS -joint_obstacle plane -joint_obstacle_point 0,-0.01 -joint_obstacle_normal 0.02,-1)
 mortise_scene_test(shaft CHECK shaft.py RANKS 1 3 ARGS -joint_nonmortar ring:left -joint_obstacle_radius 1.01)
 mortise_scene_test(tube SCENE shaft CHECK shaft.py ARGS -joint_nonmortar ring:right -joint_obstacle_radius -1.99)
+# Rigid shapes in space.
+mortise_scene_test(indentation CHECK indentation.py)
+mortise_scene_test(fixture CHECK fixture.py RANKS 1 3 ARGS -cross_check)
+mortise_scene_test(roller CHECK roller.py RANKS 1 3 ARGS -cross_check)
+mortise_scene_test(sleeve CHECK sleeve.py RANKS 1 3 ARGS -cross_check -fit_nonmortar pipe:right -fit_obstacle_radius -1.99)
+mortise_scene_test(core SCENE sleeve CHECK sleeve.py ARGS -fit_nonmortar pipe:left -fit_obstacle_radius 1.01)
 mortise_scene_test(curved SCENE rings CHECK curved.py RANKS 1 2 ARGS -order 2 -inner_dm_plex_simplex 1)
 foreach(kind full partial)
   foreach(order 1 2)
