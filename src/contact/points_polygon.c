@@ -6,14 +6,42 @@
    its neighbour both claim at their common edge are closer. */
 static const PetscReal LAYER_DISTANCE = 1e-3;
 
-/* Exact for products of two shape functions where the facets are parallelograms or triangles and the gap is linear; two
-   degrees more for gaps that are given. */
+/* A facet is straight whose middle nodes are off by less than this share. */
+static const PetscReal STRAIGHT = 1e-10;
+
+/* Of rules where no rule is exact: on a curved facet, which is cut into parts. Products of two shape functions err by less
+   than the facet's shape does. */
+enum { CURVED_DEGREE = 5, GIVEN_GAP_DEGREE = 2 };
+
+/* Whether x(xi) is that of a facet of first order with the same vertices. */
+static PetscBool IsStraight_Private(const ClipFacet *facet)
+{
+  const ElementType linear = ElementLinear(facet->type);
+  const PetscReal   size   = FacetSize(3, facet->type, facet->X);
+
+  for (PetscInt i = ElementNumNodes(linear); i < ElementNumNodes(facet->type); i++) {
+    PetscReal phi[ELEMENT_MAX_NODES];
+
+    ElementShape(linear, ElementNode(facet->type, i), phi, NULL);
+    for (PetscInt k = 0; k < 3; k++) {
+      PetscReal off = -facet->X[3 * i + k];
+
+      for (PetscInt v = 0; v < ElementNumNodes(linear); v++) off += phi[v] * facet->X[3 * v + k];
+      if (PetscAbsReal(off) > STRAIGHT * size) return PETSC_FALSE;
+    }
+  }
+  return PETSC_TRUE;
+}
+
+/* Exact for products of two shape functions where the facets are parallelograms or triangles and the gap is linear; somewhat
+   more for gaps that are given. */
 static PetscInt PolygonPoints_Private(const ScenePair *spec, const ClipFacet *facet, const ClipFacet *mortar,
                                       ClipPoint points[])
 {
-  const PetscInt extra = 2, degree = ClipDegree(facet->type, mortar->type);
+  PetscInt degree = ClipDegree(facet->type, mortar->type);
 
-  return ClipPolygons(facet, mortar, OverlapGapVaries(spec) ? degree + extra : degree, points);
+  if (!IsStraight_Private(facet)) degree = PetscMin(degree, CURVED_DEGREE);
+  return ClipPolygons(facet, mortar, OverlapGapVaries(spec) ? degree + GIVEN_GAP_DEGREE : degree, points);
 }
 
 /* Whether one of the mortar facets of a list lies nearer to a point than the one that gave it. */
