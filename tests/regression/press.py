@@ -69,7 +69,7 @@ def judge_surface(run):
 
 
 def judge_pictures(run):
-    """A picture by whatever there is to draw with, and one without pyvista; and the page."""
+    """Two pictures, by whatever there is to draw with, and the page."""
     plot = pathlib.Path(__file__).parents[2] / "options" / "mortise-plot"
     for name, more in (("default", []), ("other", ["--colour", "z"])):
         done = subprocess.run([plot, run.folder / "result", "-o", run.folder / f"{name}.png", *more], capture_output=True, text=True, check=False)
