@@ -1,7 +1,7 @@
 /* mesh.h -- the one DMPlex of all bodies, its levels and their tables (floor 3).
 
    Every body is made or read on the first rank, refined by its own -<body>_dm_refine, and merged into one DMPlex whose
-   cells carry the label "body" (index) and whose facets carry one label per named side that the scene uses. The DMPlex
+   facets carry one label per named side that the scene uses; cells have a label "body" until the tables tell it. The DMPlex
    keeps box coordinates; a body's map is applied to the node table of each level, so that nodes of curved sides stay on
    them exactly. Nodes sit on points of the DMPlex: on vertices, and in bodies of order 2 also on edges, in quads and in
    hexahedra. */

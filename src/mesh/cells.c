@@ -13,13 +13,10 @@ static const PetscReal DegenerateShare = 1e-10;
 PetscErrorCode LevelSetCellBodies(Level *level)
 {
   DMLabel  label;
-  PetscInt begin, end;
+  PetscInt begin;
 
   PetscFunctionBeginUser;
-  PetscCall(DMPlexGetHeightStratum(level->dm, 0, &begin, &end));
-  level->num_cells = end - begin;
-  PetscCall(PetscCalloc3(level->num_cells + 1, &level->cell_start, level->num_cells, &level->cell_type,
-                         level->num_cells, &level->cell_body));
+  PetscCall(DMPlexGetHeightStratum(level->dm, 0, &begin, NULL));
   PetscCall(DMGetLabel(level->dm, "body", &label));
   for (PetscInt b = 0; b < level->scene->num_bodies && label; ++b) {
     const PetscInt *cells;
@@ -30,12 +27,24 @@ PetscErrorCode LevelSetCellBodies(Level *level)
     if (!is) continue; // none of it on this rank
     PetscCall(ISGetLocalSize(is, &num));
     PetscCall(ISGetIndices(is, &cells));
-    for (PetscInt i = 0; i < num; ++i) {
-      if (cells[i] >= begin && cells[i] < end) // refinement labels the cells' edges as well
-        level->cell_body[cells[i] - begin] = b;
-    }
+    for (PetscInt i = 0; i < num; ++i) level->cell_body[cells[i] - begin] = b;
     PetscCall(ISRestoreIndices(is, &cells));
     PetscCall(ISDestroy(&is));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode LevelFollowCellBodies(const Level *coarse, DMPlexTransform transform, Level *fine)
+{
+  DMPolytopeType source, target;
+  PetscInt       begin, coarse_begin, cell, replica;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetHeightStratum(coarse->dm, 0, &coarse_begin, NULL));
+  PetscCall(DMPlexGetHeightStratum(fine->dm, 0, &begin, NULL));
+  for (PetscInt c = 0; c < fine->num_cells; ++c) {
+    PetscCall(DMPlexTransformGetSourcePoint(transform, begin + c, &source, &target, &cell, &replica));
+    fine->cell_body[c] = coarse->cell_body[cell - coarse_begin];
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -7,12 +7,25 @@ PetscInt LevelNumVertices(const Level *level, PetscInt cell)
   return ElementNumNodes(ElementLinear((ElementType)level->cell_type[cell]));
 }
 
+static PetscErrorCode LevelBegin_Private(Scene scene, DM dm, Level *level)
+{
+  PetscInt begin, end;
+
+  PetscFunctionBeginUser;
+  *level = (Level){.comm = scene->comm, .dm = dm, .dim = scene->dim, .scene = scene};
+  PetscCall(PetscObjectReference((PetscObject)dm));
+  PetscCall(DMPlexGetHeightStratum(dm, 0, &begin, &end));
+  level->num_cells = end - begin;
+  PetscCall(PetscCalloc3(level->num_cells + 1, &level->cell_start, level->num_cells, &level->cell_type,
+                         level->num_cells, &level->cell_body));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Bodies tell which points have nodes. */
 PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *level)
 {
   PetscFunctionBeginUser;
-  *level = (Level){.comm = scene->comm, .dm = dm, .dim = scene->dim, .scene = scene};
-  PetscCall(PetscObjectReference((PetscObject)dm));
+  PetscCall(LevelBegin_Private(scene, dm, level));
   PetscCall(LevelSetCellBodies(level));
   PetscCall(LevelSetNodes(level, max_order));
   PetscCall(LevelSetCells(level));
@@ -40,7 +53,10 @@ PetscErrorCode LevelRefine(Level *coarse, Level *fine)
   PetscCall(DMPlexTransformSetType(transform, DMPLEXREFINEREGULAR));
   PetscCall(DMPlexTransformSetUp(transform));
   PetscCall(DMPlexTransformApply(transform, coarse->dm, &dm));
-  PetscCall(LevelCreateTables(coarse->scene, dm, SceneMaxOrder(coarse->scene), fine));
+  PetscCall(LevelBegin_Private(coarse->scene, dm, fine));
+  PetscCall(LevelFollowCellBodies(coarse, transform, fine));
+  PetscCall(LevelSetNodes(fine, SceneMaxOrder(coarse->scene)));
+  PetscCall(LevelSetCells(fine));
   PetscCall(LevelCreateProlongation(coarse, transform, fine));
   PetscCall(LevelFollowCoords(coarse, fine));
   PetscCall(DMDestroy(&dm));

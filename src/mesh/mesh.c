@@ -81,6 +81,7 @@ PetscErrorCode MeshSetUp(Mesh mesh)
   PetscCall(MeshPartition(scene, &dm, &curves));
   PetscCall(PetscMalloc1(1, &mesh->levels));
   PetscCall(LevelCreateTables(scene, dm, SceneMaxOrder(scene), &mesh->levels[0]));
+  PetscCall(DMRemoveLabel(dm, "body", NULL)); // refinement would carry it on at a quarter of its costs
   mesh->num_levels = 1;
   PetscCall(LevelSetCoords(&mesh->levels[0], &curves));
   PetscCall(LevelTurnCells(&mesh->levels[0]));

@@ -133,9 +133,11 @@ PetscReal FacetGetMeasure(const Level *level, const Facets *facets, PetscInt f, 
 PetscInt SceneMaxOrder(Scene scene);
 /* Tables of one DM as it has its cells, with nodes up to an order, without positions. Collective. */
 PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *level);
-/* Its steps: num_cells and cell_body; nodes (number, owner, body, local section of the DM); cell_start, cell_type,
+/* Its steps: cell_body from the label; nodes (number, owner, body, local section of the DM); cell_start, cell_type,
    cell_nodes. */
 PetscErrorCode LevelSetCellBodies(Level *level);
+/* The same for a refined level, from where its cells come from. [in] transform - from coarse to fine */
+PetscErrorCode LevelFollowCellBodies(const Level *coarse, DMPlexTransform transform, Level *fine);
 PetscErrorCode LevelSetNodes(Level *level, PetscInt max_order);
 PetscErrorCode LevelSetCells(Level *level);
 /* Puts nodes that are on the axis of an axisymmetric scene but for roundoff exactly there. Faults: a node beyond the axis.
@@ -145,7 +147,8 @@ PetscErrorCode LevelSetAxis(Level *level);
 PetscErrorCode LevelSetCoords(Level *level, const Curves *curves);
 /* The same for a refined level that has its prolongation. */
 PetscErrorCode LevelFollowCoords(Level *coarse, Level *fine);
-/* Lets all cells run anticlockwise, or the facets of solids seen from outside. Faults: a degenerate or tangled cell, a map that folds a body. Collective. */
+/* Lets all cells run anticlockwise, or the facets of solids seen from outside. Faults: a degenerate or tangled cell, a map
+   that folds a body. Collective. */
 PetscErrorCode LevelTurnCells(Level *level);
 /* Reverses the sense of a cell whose nodes these are: its mirror image in the plane xi_0 = xi_1. */
 void CellReverse(ElementType type, PetscInt nodes[]);
