@@ -111,51 +111,39 @@ static PetscErrorCode EdgesAddPair_Private(Scene scene, const ScenePair *pair, P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sums up edges that occur twice in the row of a cell; returns how many are left. */
-static PetscInt RowMerge_Private(PetscInt num, idx_t adjacent[], idx_t weight[])
-{
-  PetscInt kept = 0;
-
-  for (PetscInt i = 0; i < num; ++i) {
-    PetscInt j = 0;
-
-    while (j < kept && adjacent[j] != adjacent[i]) ++j;
-    if (j == kept) {
-      adjacent[kept] = adjacent[i];
-      weight[kept++] = weight[i];
-    } else
-      weight[j] += weight[i];
-  }
-  return kept;
-}
-
-/* Edges as compressed rows, as METIS wants them. [out] start - [num_cells+1]; adjacent, weight - [2 * edges->num] */
+/* Edges as compressed rows, as METIS wants them; those that occur twice are summed up. [out] start - [num_cells+1];
+   adjacent, weight - [2 * edges->num] */
 static PetscErrorCode EdgesToRows_Private(const Edges *edges, PetscInt num_cells, idx_t start[], idx_t adjacent[],
                                           idx_t weight[])
 {
-  PetscInt *fill, *begin, kept = 0;
+  PetscInt *begin, *fill, *other, *share, kept = 0;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc2(num_cells + 1, &begin, num_cells, &fill));
+  PetscCall(PetscMalloc2(2 * edges->num, &other, 2 * edges->num, &share));
   for (PetscInt i = 0; i < 2 * edges->num; ++i) ++begin[edges->end[i] + 1];
   for (PetscInt c = 0; c < num_cells; ++c) begin[c + 1] += begin[c];
   for (PetscInt i = 0; i < 2 * edges->num; ++i) { // end i faces end i ^ 1
     const PetscInt c = edges->end[i], at = begin[c] + fill[c]++;
 
-    adjacent[at] = (idx_t)edges->end[i ^ 1];
-    weight[at]   = (idx_t)edges->weight[i / 2];
+    other[at] = edges->end[i ^ 1];
+    share[at] = edges->weight[i / 2];
   }
-  for (PetscInt c = 0; c < num_cells; ++c) { // squeezed in place: a row never moves up
-    const PetscInt num = RowMerge_Private(begin[c + 1] - begin[c], &adjacent[begin[c]], &weight[begin[c]]);
-
+  for (PetscInt c = 0; c < num_cells; ++c) {
     start[c] = (idx_t)kept;
-    for (PetscInt i = 0; i < num; ++i, ++kept) {
-      adjacent[kept] = adjacent[begin[c] + i];
-      weight[kept]   = weight[begin[c] + i];
+    PetscCall(PetscSortIntWithArray(fill[c], &other[begin[c]], &share[begin[c]])); // one facet may face thousands
+    for (PetscInt i = begin[c]; i < begin[c + 1]; ++i) {
+      if (kept > start[c] && adjacent[kept - 1] == other[i]) {
+        weight[kept - 1] += (idx_t)share[i];
+        continue;
+      }
+      adjacent[kept] = (idx_t)other[i];
+      weight[kept++] = (idx_t)share[i];
     }
   }
   start[num_cells] = (idx_t)kept;
   PetscCall(PetscFree2(begin, fill));
+  PetscCall(PetscFree2(other, share));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -9,12 +9,13 @@ static const PetscReal DEFINITE = 1000 * PETSC_MACHINE_EPSILON;
 /* Faults where a box would have more cells than the whole numbers of PETSc can count, on the finest mesh of a study. */
 static PetscErrorCode BodyCheckSize_Private(Scene scene, const SceneBody *body, const Option *faces)
 {
-  const PetscInt refine = body->refine + scene->refine + (scene->study.kind ? scene->study.levels - 1 : 0);
-  PetscReal      cells  = !body->simplex ? 1 : scene->dim == 2 ? 2 : 6; /* of every brick */
+  const PetscInt refine   = body->refine + scene->refine + (scene->study.kind ? scene->study.levels - 1 : 0);
+  const PetscInt unknowns = scene->dim == 2 ? 2 * 4 : 3 * 8; /* of a cell of order 2 that shares its nodes */
+  PetscReal      cells    = !body->simplex ? 1 : scene->dim == 2 ? 2 : 6; /* of every brick */
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < scene->dim; i++) cells *= PetscPowRealInt(2, (int)refine) * body->faces[i];
-  if (cells * 2 * scene->dim >= (PetscReal)PETSC_MAX_INT) { /* about as many entries as a table of cells has */
+  if (cells * unknowns >= (PetscReal)PETSC_MAX_INT) {
     PetscCall(OptionRaise(faces,
                           "refined %" PetscInt_FMT
                           " times (-%s_dm_refine and -dm_refine%s) this box has %.3g cells, more than can be numbered",
