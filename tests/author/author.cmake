@@ -8,4 +8,7 @@ if(MORTISE_AUTHOR_SCENES)
         -master_dm_plex_filename ${MORTISE_AUTHOR_SCENES}/$<IF:$<STREQUAL:${own},gears>,cog,plate>_master.msh)
     endforeach()
   endforeach()
+  mortise_scene_test(prisms CHECK ../same/same.py LABELS cross mpi ARGS -cross_check
+    -slave_dm_plex_filename ${MORTISE_AUTHOR_SCENES}/prism_slave.msh
+    -master_dm_plex_filename ${MORTISE_AUTHOR_SCENES}/prism_master.msh)
 endif()
