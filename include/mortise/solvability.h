@@ -46,7 +46,7 @@ struct _n_Solvability {
   SceneMotion       *free;    /* after SolvabilitySettle(): a basis of the motions that are free [num_free] */
   Vec                start;   /* 0/1 per unknown: contacts to begin with */
   Vec                springs; /* what makes A definite, added to its diagonal while solving (T27) */
-  Vec                rest;    /* where springs rest at first: bodies moved rigidly until they touch */
+  Vec                rest;    /* a rigid motion of bodies until they touch, from which solvers count y */
 };
 
 PetscErrorCode SolvabilityDestroy(Solvability *solvability);

@@ -6,17 +6,36 @@
 
 /* Parts of a motion below this part of the largest are rounding, and are left out. */
 static const PetscReal NEGLIGIBLE = 1e-8;
+enum { FLAGS = 4 }; /* of Contacts, for a reduction */
+
 /* A scaled motion is one by its size to this. */
 static const PetscReal UNIT = 1e-6;
 
 /* What a motion does to the contacts of a body. */
 typedef struct {
-  PetscBool touched, opens, keeps; /* it has contacts; some of them open; some stay closed */
+  PetscBool touched, opens, keeps, slides; /* it has contacts; some of them open; some stay closed; and slide */
 } Contacts;
 
 static PetscReal Norm_Private(const PetscReal v[3])
 {
   return PetscSqrtReal(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+void SceneMotionSlip(VI vi, PetscInt row, const PetscReal q[], PetscReal slip[])
+{
+  const Pair       pair     = vi->pairs[vi->row_pair[row]];
+  const PetscInt   dim      = vi->level->dim;
+  const PetscReal *x        = &vi->level->coords[pair->nodes[vi->row_node[row]] * dim];
+  const PetscInt   sides[2] = {pair->spec->nonmortar.body, pair->spec->mortar.body};
+
+  for (PetscInt k = 0; k < vi->motions.num; k++) {
+    const PetscInt body = vi->motions.body[k];
+    PetscReal      u[3];
+
+    if (body != sides[0] && body != sides[1]) continue;
+    RigidMotionAt(dim, &vi->motions.frames[4 * body], &vi->motions.motion[k * RIGID_COMPONENTS], x, u);
+    for (PetscInt i = 0; i < dim; i++) slip[i] += (body == sides[0] ? q[k] : -q[k]) * u[i];
+  }
 }
 
 /* (t, r) of a body, without rounding: parts that are nothing beside the motions of all bodies. */
@@ -62,25 +81,29 @@ static PetscErrorCode Contacts_Private(VI vi, Solvability s, const PetscReal q[]
   PetscInt      *flags;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(3 * num_bodies, &flags));
+  PetscCall(PetscCalloc1(FLAGS * num_bodies, &flags));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    PetscReal opening = 0;
+    PetscReal opening = 0, slip[3] = {0, 0, 0};
 
     for (PetscInt k = 0; k < s->m; k++) opening -= s->C[r * s->m + k] * q[k];
+    SceneMotionSlip(vi, r, q, slip);
     for (PetscInt k = 0; k < s->m; k++) {
-      PetscInt *flag = &flags[3 * vi->motions.body[k]];
+      PetscInt *flag = &flags[FLAGS * vi->motions.body[k]];
 
       if (PetscAbsReal(s->C[r * s->m + k]) <= NEGLIGIBLE) continue;
       flag[0] = 1;
       if (opening > UNIT * size) flag[1] = 1;
       if (opening <= UNIT * size) flag[2] = 1;
+      if (opening <= UNIT * size && Norm_Private(slip) > UNIT * size) flag[3] = 1;
     }
   }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, flags, (PetscMPIInt)(3 * num_bodies), MPIU_INT, MPI_MAX, vi->level->comm));
+  PetscCallMPI(
+      MPI_Allreduce(MPI_IN_PLACE, flags, (PetscMPIInt)(FLAGS * num_bodies), MPIU_INT, MPI_MAX, vi->level->comm));
   for (PetscInt b = 0; b < num_bodies; b++) {
-    contacts[b].touched = flags[3 * b] ? PETSC_TRUE : PETSC_FALSE;
-    contacts[b].opens   = flags[3 * b + 1] ? PETSC_TRUE : PETSC_FALSE;
-    contacts[b].keeps   = flags[3 * b + 2] ? PETSC_TRUE : PETSC_FALSE;
+    contacts[b].touched = flags[FLAGS * b] ? PETSC_TRUE : PETSC_FALSE;
+    contacts[b].opens   = flags[FLAGS * b + 1] ? PETSC_TRUE : PETSC_FALSE;
+    contacts[b].keeps   = flags[FLAGS * b + 2] ? PETSC_TRUE : PETSC_FALSE;
+    contacts[b].slides  = flags[FLAGS * b + 3] ? PETSC_TRUE : PETSC_FALSE;
   }
   PetscCall(PetscFree(flags));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -137,9 +160,9 @@ static void Words_Private(VI vi, const BodyMotion *motion, const Contacts *conta
   } else if (contacts->opens) {
     Going_Private(dim, motion, contacts->keeps ? "moves" : "lifts off", does, sizeof(does));
   } else {
-    Going_Private(dim, motion, contacts->keeps ? "slides" : "moves", does, sizeof(does));
+    Going_Private(dim, motion, contacts->slides ? "slides" : "moves", does, sizeof(does));
   }
-  snprintf(text, len, "%s %s%s", name, does, contacts->touched ? "" : ", which no contact touches,");
+  snprintf(text, len, "%s%s %s", name, contacts->touched ? "" : ", which no contact touches,", does);
 }
 
 /* The scale of q: 1 / the largest rotation, or 1 / the longest translation. */

@@ -25,7 +25,7 @@ typedef struct {
 static PetscErrorCode Pressing_Private(VI vi, Solvability s, Vec u, PetscBool take[])
 {
   const PetscScalar *lambda;
-  PetscReal          size[2] = {0, 0}, sums[2] = {s->forces, 0}, u_max; /* of pressures, of weights; forces, weights */
+  PetscReal          largest = 0, forces, weights = 0, u_max;
   Vec                l;
 
   PetscFunctionBeginUser;
@@ -33,18 +33,19 @@ static PetscErrorCode Pressing_Private(VI vi, Solvability s, Vec u, PetscBool ta
   PetscCall(VecDuplicate(vi->G, &l));
   PetscCall(VIRecoverMultiplier(vi, u, l));
   PetscCall(VecNorm(u, NORM_INFINITY, &u_max));
+  PetscCall(VecNorm(vi->f, NORM_1, &forces));
   PetscCall(VecGetArrayRead(l, &lambda));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    size[0] = PetscMax(size[0], PetscAbsReal(PetscRealPart(lambda[r])));
-    sums[1] += vi->row_D[r];
+    largest = PetscMax(largest, PetscAbsReal(PetscRealPart(lambda[r])));
+    weights += vi->row_D[r];
   }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, size, 2, MPIU_REAL, MPI_MAX, vi->level->comm));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &sums[1], 1, MPIU_REAL, MPI_SUM, vi->level->comm));
-  if (sums[1] > 0) size[0] = PetscMax(size[0], sums[0] / sums[1]);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPIU_REAL, MPI_MAX, vi->level->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &weights, 1, MPIU_REAL, MPI_SUM, vi->level->comm));
+  if (weights > 0) largest = PetscMax(largest, forces / weights); // all pressures may be rounding
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     const PetscReal noise = ROUNDOFF * vi->stiffness * u_max / vi->row_D[r];
 
-    take[r] = (PetscBool)(s->both[r] || PetscRealPart(lambda[r]) > PRESSED * size[0] + noise);
+    take[r] = (PetscBool)(s->both[r] || PetscRealPart(lambda[r]) > PRESSED * largest + noise);
   }
   PetscCall(VecRestoreArrayRead(l, &lambda));
   PetscCall(VecDestroy(&l));

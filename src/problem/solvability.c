@@ -8,6 +8,7 @@
    References: [1] Lions, Stampacchia, Variational inequalities, 1967. [2] Fichera, Boundary value problems of elasticity with
                unilateral constraints, 1972. [3] Frank, Wolfe, An algorithm for quadratic programming, 1956. */
 #include <mortise/compat.h>
+#include <mortise/dense.h>
 #include "hold.h"
 #include "modes.h"
 
@@ -82,9 +83,51 @@ static PetscErrorCode Leaves_Private(const Cone *cone, const PetscReal phi[], co
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Of all motions that differ from q by free ones, which cost nothing, the one that slides least where contacts stay closed: a body that
+   tips turns about its edge. The sum of squares of the slips is a quadratic form in the free part. [in,out] q - [m] */
+static PetscErrorCode Pin_Private(VI vi, const Cone *cone, PetscReal q[])
+{
+  const PetscInt m = cone->m;
+  PetscReal     *kernel, *gram, *sums, *values, *V, *one, largest = 0, size = 0;
+  PetscInt       n;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc6(m * m, &kernel, m * m + m, &gram, m, &values, m * m, &V, 3 * m, &one, m, &sums));
+  PetscCall(ConeKernel(cone, NULL, &n, kernel));
+  for (PetscInt k = 0; k < m; k++) size = PetscMax(size, PetscAbsReal(q[k]));
+  for (PetscInt r = 0; r < cone->num; r++) {
+    PetscReal opening = 0, slip[3] = {0, 0, 0};
+
+    for (PetscInt k = 0; k < m; k++) opening -= cone->rows[r * m + k] * q[k];
+    if (opening > NUDGE * size) continue;
+    SceneMotionSlip(vi, r, q, slip);
+    PetscCall(PetscArrayzero(one, 3 * n));
+    for (PetscInt i = 0; i < n; i++) SceneMotionSlip(vi, r, &kernel[i * m], &one[3 * i]);
+    for (PetscInt i = 0; i < n; i++) {
+      for (PetscInt d = 0; d < 3; d++) {
+        gram[n * n + i] -= one[3 * i + d] * slip[d];
+        for (PetscInt j = 0; j < n; j++) gram[i * n + j] += one[3 * i + d] * one[3 * j + d];
+      }
+    }
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, gram, (PetscMPIInt)(n * n + n), MPIU_REAL, MPI_SUM, cone->comm));
+  for (PetscInt i = 0; i < n; i++) sums[i] = gram[n * n + i];
+  DenseEigen(n, gram, values, V);
+  for (PetscInt i = 0; i < n; i++) largest = PetscMax(largest, values[i]);
+  for (PetscInt i = 0; i < n; i++) { // along each axis of the form that it knows of
+    PetscReal part = 0;
+
+    if (!(values[i] > BALANCED * largest)) continue;
+    for (PetscInt j = 0; j < n; j++) part += V[j * n + i] * sums[j] / values[i];
+    for (PetscInt j = 0; j < n; j++)
+      for (PetscInt k = 0; k < m; k++) q[k] += part * V[j * n + i] * kernel[j * m + k];
+  }
+  PetscCall(PetscFree6(kernel, gram, values, V, one, sums));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* A motion that shows that there is no solution, the simplest one: without rotations if there is one. */
-static PetscErrorCode Refuse_Private(VI vi, const Cone *cone, const PetscReal phi[], const PetscReal rho[],
-                                     Solvability s)
+static PetscErrorCode Refuse_Private(VI vi, const Cone *cone, const PetscReal phi[], PetscReal rho[], Solvability s)
 {
   PetscBool *straight;
   PetscReal *q, norm;
@@ -98,6 +141,7 @@ static PetscErrorCode Refuse_Private(VI vi, const Cone *cone, const PetscReal ph
   }
   PetscCall(Leaves_Private(cone, phi, straight, q, NULL, &norm));
   s->verdict = SOLVABLE_NOT;
+  if (!(norm > BALANCED)) PetscCall(Pin_Private(vi, cone, rho));
   PetscCall(SceneMotionCreate(vi, s, norm > BALANCED ? q : rho, &s->motion));
   PetscCall(PetscFree2(straight, q));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -153,6 +197,7 @@ static PetscErrorCode Marginal_Private(VI vi, const Cone *cone, const PetscReal 
     PetscCall(MovesLoads_Private(vi, cone, phi, q, opens, &loads));
     if (loads) {
       s->verdict = SOLVABLE_MARGINAL;
+      PetscCall(Pin_Private(vi, cone, q));
       PetscCall(SceneMotionCreate(vi, s, q, &s->motion));
       break;
     }

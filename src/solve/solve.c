@@ -285,7 +285,7 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], P
   PetscCall(DefaultsApply_Private(n, defaults, prefix, PETSC_FALSE));
   PetscCall(SNESDestroy(&snes));
   PetscCall(VecDestroy(&scratch));
-  PetscCall(SpringsEnd(&springs));
+  PetscCall(SpringsEnd(&springs, y));
   PetscCall(SolvabilitySettle(vi, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -5,6 +5,9 @@
    is so much stiffer that one or two repetitions leave nothing of them. What they still pull is the residual of the original problem,
    and ends the iteration: the distance of y_(j+1) from y_j does not, along a free motion it is rounding divided by W.
 
+   Where gaps are wide, bodies cross them rigidly before anything is solved, and y is counted from there: what is solved for is of the
+   size of the strains, and not lost in the way bodies went.
+
    References: [1] Rockafellar, Monotone operators and the proximal point algorithm, 1976. */
 #include <mortise/compat.h>
 #include <mortise/pdas.h>
@@ -13,7 +16,7 @@
 
 /* The pull of springs that does not matter, in parts of the forces. */
 static const PetscReal RELAXED = 1e-10;
-/* What inexact solves leave may be as large; a sweep that does not halve it will not help. */
+/* What inexact solves leave may be as large: a sweep that does not halve it will not help. */
 static const PetscReal TOLERATED = 1e-8, HALVED = 0.5;
 /* Sweeps after which something is wrong: two or three are usual. */
 enum { MAX_SWEEPS = 50 };
@@ -30,14 +33,17 @@ PetscErrorCode SpringsBegin(VI vi, Springs *springs)
   PetscCall(VecDuplicate(vi->upper, &springs->pull));
   PetscCall(VecDuplicate(vi->upper, &springs->scale));
   PetscCall(VecDuplicate(vi->b, &springs->sprung.b));
+  PetscCall(VecDuplicate(vi->upper, &springs->sprung.upper));
+  PetscCall(VecWAXPY(springs->sprung.upper, -1, vi->solvability->rest, vi->upper));
   PetscCall(MatDuplicate(vi->A, MAT_COPY_VALUES, &springs->sprung.A));
-  PetscCall(MatDiagonalSet(springs->sprung.A, vi->solvability->springs, ADD_VALUES));
+  PetscCall(MatDiagonalSet(springs->sprung.A, springs->original->solvability->springs, ADD_VALUES));
   PetscCall(MatSetOption(springs->sprung.A, MAT_SPD, PETSC_TRUE));
   PetscCall(MatGetDiagonal(vi->A, springs->scale));
   PetscCall(VecSqrtAbs(springs->scale));
   PetscCall(VecReciprocal(springs->scale));
-  springs->last = PETSC_INFINITY;
-  PetscCall(SpringsSet(springs, NULL, NULL, PETSC_FALSE));
+  springs->last = 1;
+  PetscCall(VecZeroEntries(springs->rest));
+  PetscCall(VecCopy(vi->b, springs->sprung.b));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -57,7 +63,7 @@ PetscErrorCode SpringsSet(Springs *springs, Vec guess, SNES snes, PetscBool pdas
 
   PetscFunctionBeginUser;
   if (!s) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(RestAt_Private(springs, guess ? guess : s->rest));
+  if (guess) PetscCall(RestAt_Private(springs, guess));
   if (pdas && !guess) PetscCall(PDASSetStart(snes, s->start));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -122,10 +128,12 @@ PetscErrorCode SpringsRelax(Springs *springs, SNES snes, Vec y, SolveReport *rep
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SpringsEnd(Springs *springs)
+PetscErrorCode SpringsEnd(Springs *springs, Vec y)
 {
   PetscFunctionBeginUser;
   if (!springs->original->solvability) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecAXPY(y, 1, springs->original->solvability->rest));
+  PetscCall(VecDestroy(&springs->sprung.upper));
   PetscCall(MatDestroy(&springs->sprung.A));
   PetscCall(VecDestroy(&springs->sprung.b));
   PetscCall(VecDestroy(&springs->rest));

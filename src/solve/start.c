@@ -14,12 +14,11 @@ static const PetscReal GUESS_RTOL = 1e-12;
 /* Distance from a bound, relative to the largest unknown, that a guess cannot mean: above the zero tolerance of PETSc's types. */
 static const PetscReal ON_BOUND = 1e-9;
 
-/* y = min(y_0, upper), with y_0 = 0, or bodies moved until they touch: feasible, and at rest where it may be. */
+/* y = min(0, upper): feasible, and zero where it may be. */
 static PetscErrorCode StartFeasible_Private(VI vi, Vec y)
 {
   PetscFunctionBeginUser;
   PetscCall(VecZeroEntries(y));
-  if (vi->solvability) PetscCall(VecCopy(vi->solvability->rest, y));
   PetscCall(VecPointwiseMin(y, y, vi->upper));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -107,6 +106,7 @@ PetscErrorCode SolveStart(VI vi, PetscBool pdas, const char prefix[], Vec guess,
   PetscFunctionBeginUser;
   if (guess) {
     PetscCall(StartFrom_Private(vi, guess, y));
+    if (vi->solvability) PetscCall(VecAXPY(y, -1, vi->solvability->rest)); // from where bodies touch (springs.h)
     if (!pdas) PetscCall(Settle_Private(vi, y)); // pdas takes an overlap for contact, others ask for none
   } else {
     PetscCall(StartFeasible_Private(vi, y));
