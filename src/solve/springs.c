@@ -15,7 +15,7 @@
 #include "springs.h"
 
 /* The pull of springs that does not matter, in parts of the forces. */
-static const PetscReal RELAXED = 1e-10;
+static const PetscReal RELAXED = 1e-13;
 /* What inexact solves leave may be as large: a sweep that does not halve it will not help. */
 static const PetscReal TOLERATED = 1e-8, HALVED = 0.5;
 /* Sweeps after which something is wrong: two or three are usual. */
