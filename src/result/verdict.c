@@ -52,10 +52,10 @@ PetscErrorCode VerdictPrint(VI vi)
   const Solvability s = vi->solvability;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; s && i < s->num_free; ++i) {
-    PetscCall(PetscPrintf(vi->level->comm, "  free motion: %s; of all positions the one of least motion is given\n",
-                          s->free[i].sentence));
-  }
+  for (PetscInt i = 0; s && i < s->num_free; ++i)
+    PetscCall(PetscPrintf(vi->level->comm, "  free motion: %s\n", s->free[i].sentence));
+  if (s && s->num_free)
+    PetscCall(PetscPrintf(vi->level->comm, "    of all positions the one of least motion is given\n"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -14,10 +14,11 @@ import numpy as np
 
 from judge import Run, near, require, same, same_table
 
-TOP = ["mortise", "status", "options", "scene", "solver", "energy", "pairs", "reactions", "probes", "timing", "memory"]
+TOP = ["mortise", "status", "options", "scene", "solvability", "solver", "energy", "pairs", "reactions", "probes", "timing", "memory"]
 KEYS = {
     "mortise": ["version", "petsc", "ranks", "options_file"],
     "scene": ["title", "model", "dimension", "bodies", "pairs"],
+    "solvability": ["verdict", "motion", "work", "free_motions"],
     "solver": ["type", "iterations", "active", "changed", "linear_iterations", "kkt", "balance"],
     "energy": ["strain", "potential"],
     "timing": ["setup", "mortar", "assembly", "condense", "solve", "output", "total", "linear_reference"],

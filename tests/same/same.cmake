@@ -7,6 +7,7 @@ endforeach()
 
 # The same with cells of order 2, coarser where a scene is large.
 set(coarse_anisotropic_plate -board_dm_plex_box_faces 48,24)
+set(coarse_overhang -block_dm_plex_box_faces 20,20 -table_dm_plex_box_faces 34,20)
 set(coarse_parabola -block_dm_plex_box_faces 48,24)
 set(coarse_two_plates -upper_dm_plex_box_faces 20,20 -lower_dm_plex_box_faces 15,15)
 set(coarse_hertz2d -block_dm_plex_box_faces 48,24)
