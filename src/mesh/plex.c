@@ -1,15 +1,9 @@
 /* plex.c -- lists of cells as one DMPlex.
 
    Points: cells sorted by type (DMPlexTransform numbers what it makes by type and needs each type in one run), then the
-   vertices of list after list; edges and facets of solids come behind by DMPlexInterpolate(). */
+   vertices of list after list; facets of solids and edges come behind. */
 #include "room.h"
 #include <mortise/compat.h>
-
-static const DMPolytopeType Polytope[ELEMENT_COUNT] = {[ELEMENT_LINE2] = DM_POLYTOPE_SEGMENT,
-                                                       [ELEMENT_TRI3]  = DM_POLYTOPE_TRIANGLE,
-                                                       [ELEMENT_QUAD4] = DM_POLYTOPE_QUADRILATERAL,
-                                                       [ELEMENT_TET4]  = DM_POLYTOPE_TETRAHEDRON,
-                                                       [ELEMENT_HEX8]  = DM_POLYTOPE_HEXAHEDRON};
 
 /* Our vertices in PETSc's order, in which the first facet of a solid, its first vertices, is seen from outside. */
 static const PetscInt ConeOrder[ELEMENT_COUNT][8] = {[ELEMENT_LINE2] = {0, 1},
@@ -51,33 +45,80 @@ PetscErrorCode NumberingDestroy(Numbering *numbering)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Cells with their vertices as cones. */
-static PetscErrorCode PlexSetCones_Private(const BodyList lists[], const Numbering *numbering, DM dm)
+/* Cells with their vertices, counted from 0, in the order of their points. */
+static PetscErrorCode ShapesOfCells_Private(const BodyList lists[], const Numbering *numbering, Shapes *cells)
+{
+  PetscInt *body, *index, num_corners = 0, vertices[ELEMENT_MAX_NODES];
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc2(numbering->num_cells, &body, numbering->num_cells, &index));
+  for (PetscInt b = 0; b < numbering->num_bodies; ++b) {
+    for (PetscInt c = 0; c < lists[b].num_cells; ++c) {
+      body[numbering->point[b][c]]  = b;
+      index[numbering->point[b][c]] = c;
+      num_corners += ElementNumNodes(ElementLinear((ElementType)lists[b].cell_type[c]));
+    }
+  }
+  PetscCall(ShapesCreate(numbering->num_cells, num_corners, cells));
+  for (PetscInt p = 0; p < numbering->num_cells; ++p) {
+    const BodyList   *list  = &lists[body[p]];
+    const ElementType type  = ElementLinear((ElementType)list->cell_type[index[p]]);
+    const PetscInt    first = numbering->first_vertex[body[p]] - numbering->num_cells;
+
+    for (PetscInt i = 0; i < ElementNumNodes(type); ++i)
+      vertices[i] = first + list->cell_nodes[index[p] * ELEMENT_MAX_NODES + ConeOrder[type][i]];
+    ShapesAdd(cells, type, vertices);
+  }
+  PetscCall(PetscFree2(body, index));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Hands shapes to a DM. [in] first - point of the first one; below - of what bounds them */
+static PetscErrorCode PlexSetSizes_Private(DM dm, const Shapes *shapes, PetscInt first)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < shapes->num; ++i) {
+    PetscCall(DMPlexSetConeSize(dm, first + i, ElementNumFacets((ElementType)shapes->type[i])));
+    PetscCall(DMPlexSetCellType(dm, first + i, PlexPolytope[shapes->type[i]]));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode PlexSetCones_Private(DM dm, const Shapes *shapes, PetscInt first, PetscInt below)
 {
   PetscInt cone[ELEMENT_MAX_NODES];
 
   PetscFunctionBeginUser;
-  PetscCall(DMPlexSetChart(dm, 0, numbering->num_cells + numbering->num_vertices));
-  PetscCall(DMCreateLabel(dm, "celltype")); // kept by hand: PETSc would guess the types from the sizes of the cones
-  for (PetscInt b = 0; b < numbering->num_bodies; ++b) {
-    for (PetscInt c = 0; c < lists[b].num_cells; ++c) {
-      const ElementType linear = ElementLinear((ElementType)lists[b].cell_type[c]);
+  for (PetscInt i = 0; i < shapes->num; ++i) {
+    const PetscInt start = shapes->cone_start[i], num = shapes->cone_start[i + 1] - start;
 
-      PetscCall(DMPlexSetConeSize(dm, numbering->point[b][c], ElementNumNodes(linear)));
-      PetscCall(DMPlexSetCellType(dm, numbering->point[b][c], Polytope[linear]));
-    }
+    for (PetscInt f = 0; f < num; ++f) cone[f] = below + shapes->cone[start + f];
+    PetscCall(DMPlexSetCone(dm, first + i, cone));
+    PetscCall(DMPlexSetConeOrientation(dm, first + i, &shapes->orientation[start]));
   }
-  for (PetscInt v = 0; v < numbering->num_vertices; ++v)
-    PetscCall(DMPlexSetCellType(dm, numbering->num_cells + v, DM_POLYTOPE_POINT));
-  PetscCall(DMSetUp(dm));
-  for (PetscInt b = 0; b < numbering->num_bodies; ++b) {
-    for (PetscInt c = 0; c < lists[b].num_cells; ++c) {
-      const ElementType linear = ElementLinear((ElementType)lists[b].cell_type[c]);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
 
-      for (PetscInt i = 0; i < ElementNumNodes(linear); ++i)
-        cone[i] = numbering->first_vertex[b] + lists[b].cell_nodes[c * ELEMENT_MAX_NODES + ConeOrder[linear][i]];
-      PetscCall(DMPlexSetCone(dm, numbering->point[b][c], cone));
-    }
+/* Shapes by dimension, from that of the cells down to 1. A point is bounded by those of the next, an edge by vertices. */
+static PetscErrorCode PlexSetShapes_Private(DM dm, PetscInt dim, const Shapes shapes[], PetscInt num_vertices)
+{
+  PetscInt first[4] = {shapes[dim].num, 0, 0, 0}, end = shapes[dim].num + num_vertices;
+
+  PetscFunctionBeginUser;
+  for (PetscInt d = dim - 1; d > 0; --d) {
+    first[d] = end;
+    end += shapes[d].num;
+  }
+  PetscCall(DMPlexSetChart(dm, 0, end));
+  PetscCall(DMCreateLabel(dm, "celltype")); // kept by hand: PETSc would look for the types in the cones
+  for (PetscInt d = dim; d > 0; --d) PetscCall(PlexSetSizes_Private(dm, &shapes[d], first[d]));
+  for (PetscInt v = 0; v < num_vertices; ++v) PetscCall(DMPlexSetCellType(dm, first[0] + v, DM_POLYTOPE_POINT));
+  PetscCall(DMSetUp(dm));
+  for (PetscInt d = dim; d > 1; --d) PetscCall(PlexSetCones_Private(dm, &shapes[d], first[d], first[d - 1]));
+  for (PetscInt e = 0; e < shapes[1].num; ++e) {
+    const PetscInt *ends = &shapes[1].vertex[shapes[1].start[e]];
+
+    PetscCall(DMPlexSetCone(dm, first[1] + e, (const PetscInt[]){first[0] + ends[0], first[0] + ends[1]}));
   }
   // nodes of two bodies that coincide are different points, so bodies hang together by nothing
   PetscCall(DMPlexSymmetrize(dm));
@@ -125,15 +166,16 @@ static PetscErrorCode PlexSetCoords_Private(const BodyList lists[], const Number
 
 PetscErrorCode PlexCreate(MPI_Comm comm, PetscInt dim, const BodyList lists[], const Numbering *numbering, DM *dm)
 {
-  DM cells;
+  Shapes shapes[4];
 
   PetscFunctionBeginUser;
-  PetscCall(DMCreate(comm, &cells));
-  PetscCall(DMSetType(cells, DMPLEX));
-  PetscCall(DMSetDimension(cells, dim));
-  PetscCall(PlexSetCones_Private(lists, numbering, cells));
-  PetscCall(DMPlexInterpolate(cells, dm)); // adds what is between; cells and vertices keep their numbers
-  PetscCall(DMDestroy(&cells));
+  PetscCall(DMCreate(comm, dm));
+  PetscCall(DMSetType(*dm, DMPLEX));
+  PetscCall(DMSetDimension(*dm, dim));
+  PetscCall(ShapesOfCells_Private(lists, numbering, &shapes[dim]));
+  for (PetscInt d = dim; d > 1; --d) PetscCall(ShapesBound(&shapes[d], numbering->num_vertices, &shapes[d - 1]));
+  PetscCall(PlexSetShapes_Private(*dm, dim, shapes, numbering->num_vertices));
+  for (PetscInt d = dim; d > 0; --d) PetscCall(ShapesDestroy(&shapes[d]));
   PetscCall(PlexSetCoords_Private(lists, numbering, dim, *dm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

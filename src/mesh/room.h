@@ -57,6 +57,24 @@ typedef struct {
 
 PetscErrorCode NumberingCreate(PetscInt num_bodies, const BodyList lists[], Numbering *numbering);
 PetscErrorCode NumberingDestroy(Numbering *numbering);
+/* Shapes of one dimension, each a list of vertices in PETSc's order; and, once they are bounded, of the shapes that bound
+   them. */
+typedef struct {
+  PetscInt  num;
+  PetscInt *type;                            /* ElementType of order 1 [num] */
+  PetscInt *start, *vertex;                  /* [num+1], [start[num]] */
+  PetscInt *cone_start, *cone, *orientation; /* NULL before ShapesBound() [num+1], [cone_start[num]] twice */
+} Shapes;
+
+/* Room for shapes that ShapesAdd() adds. */
+PetscErrorCode ShapesCreate(PetscInt max_shapes, PetscInt max_vertices, Shapes *shapes);
+PetscErrorCode ShapesDestroy(Shapes *shapes);
+void           ShapesAdd(Shapes *shapes, ElementType type, const PetscInt vertices[]);
+/* The facets of shapes, each once: those of the first shape first. [in] num_vertices - which are numbered from 0; [out]
+   lower - owned by the caller */
+PetscErrorCode ShapesBound(Shapes *upper, PetscInt num_vertices, Shapes *lower);
+/* PETSc's names of the cells of order 1 [ELEMENT_COUNT]. */
+extern const DMPolytopeType PlexPolytope[];
 /* Cells, edges, vertices and their positions, without labels. Collective on comm. */
 PetscErrorCode PlexCreate(MPI_Comm comm, PetscInt dim, const BodyList lists[], const Numbering *numbering, DM *dm);
 
