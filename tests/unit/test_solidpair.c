@@ -289,6 +289,35 @@ static PetscErrorCode TestCuts(ElementType cell, ElementType cell_m, PairMultipl
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The mortar side ends along a line that runs askew through the nonmortar side and passes a node at a distance: facets are cut to
+   triangles, pentagons, slivers. What is covered is the area beside the line. */
+static PetscErrorCode TestAskew(ElementType cell, ElementType cell_m)
+{
+  const PetscReal distance[5] = {0.05, 1e-2, 1e-3, 1e-5, -1e-5}, slope = 0.7, far = 4, down[DIM] = {0, 0, -1};
+  struct _n_Scene scene;
+  SceneBody       bodies[2];
+  ScenePair       spec;
+  Mesh            mesh;
+  Support         support;
+  Pair            pair;
+
+  PetscFunctionBeginUser;
+  PetscCall(SetTwoSolids(&scene, bodies, &spec));
+  for (PetscInt i = 0; i < 5; i++) {
+    const PetscReal end = (1 - slope) / 3 + distance[i], lower[2][DIM] = {{0, 0, 0}, {end - far, -1, -1}},
+                    upper[2][DIM] = {{1, 1, 0.5}, {end, 3, 0}};
+    SetSolid(&bodies[0], "upper", cell, 3, 3, 1, lower[0], upper[0]);
+    SetSolid(&bodies[1], "lower", cell_m, 5, 7, 1, lower[1], upper[1]);
+    PetscCall(ExpressionCreate(PETSC_COMM_WORLD, "-map", "x+0.7*y, y, z", DIM, PETSC_FALSE, &bodies[1].map));
+    PetscCall(MakePair(&scene, NULL, &mesh, &support, &pair));
+    PetscCall(CheckReproduction(pair, down, 0, EXACT));
+    PetscCall(CheckConstantPressure(pair, end + slope / 2, EXACT));
+    PetscCall(LosePair(&scene, &mesh, &support, &pair));
+  }
+  PetscCall(DestroyTwoBoxes(bodies));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* All four edges of the nonmortar side are held: inner nodes take their rows, those of the corners by way of their neighbours. */
 static PetscErrorCode TestCrosspoints(ElementType cell, PairMultipliers multipliers)
 {
@@ -417,6 +446,7 @@ int main(int argc, char **argv)
   for (PetscInt i = 0; i < 4; i++) {
     for (PetscInt j = 0; j < 4; j++) PetscCall(TestFlat(cells[i], cells[j], MULTIPLIERS_NODES));
     PetscCall(TestCuts(cells[i], cells[(i + 1) % 4], MULTIPLIERS_NODES));
+    for (PetscInt j = 0; j < 4; j++) PetscCall(TestAskew(cells[i], cells[j]));
     PetscCall(TestCrosspoints(cells[i], MULTIPLIERS_NODES));
     PetscCall(TestTwoLayers(cells[i]));
   }
