@@ -57,22 +57,38 @@ static PetscBool PullBack_Private(ElementType type, const PetscReal P[], const P
   return PetscIsInfOrNanReal(xi[0]) || PetscIsInfOrNanReal(xi[1]) ? PETSC_FALSE : PETSC_TRUE;
 }
 
-/* Pulls p back to the facet's reference cell by the map of a part; returns how much larger areas are there than in the
-   plane, 0 where it fails. [out] xi - [2] */
+/* The place of (s, t) under a bilinear map and its derivatives along s and t; returns their cross product.
+   [out] x - [2]; [out] d - [2][2] */
+static PetscReal Bilinear_Private(const PetscReal map[], const PetscReal s[], PetscReal x[], PetscReal d[])
+{
+  for (PetscInt k = 0; k < 2; k++) {
+    d[k]     = map[2 + k] + map[6 + k] * s[1];
+    d[2 + k] = map[4 + k] + map[6 + k] * s[0];
+    x[k]     = map[k] + map[2 + k] * s[0] + d[2 + k] * s[1];
+  }
+  return d[0] * d[3] - d[1] * d[2];
+}
+
+/* Pulls p back to the facet's reference cell by the map of a part, by Newton's method, which ends after one step where the map is
+   affine; returns how much larger areas are there than in the plane, 0 where it fails. [out] xi - [2] */
 static PetscReal PartPullBack_Private(const ShadowPart *part, const PetscReal p[], PetscReal xi[])
 {
-  PetscReal local[2] = {0.5, 0.5}, phi[ELEMENT_MAX_NODES], area;
+  const PetscInt max_steps = part->affine ? 1 : NEWTON_MAX_STEPS;
+  PetscReal      s[2] = {0.5, 0.5}, x[2], d[4], step = PETSC_MAX_REAL, area;
 
-  if (part->affine) {
-    const PetscReal d[2] = {p[0] - part->plane[0], p[1] - part->plane[1]};
+  for (PetscInt it = 0; it < max_steps && step > NEWTON_STEP; it++) {
+    PetscReal change[2], r[2];
 
-    for (PetscInt l = 0; l < 2; l++)
-      xi[l] = part->reference[l] + part->back[2 * l] * d[0] + part->back[2 * l + 1] * d[1];
-    return part->ratio;
+    area = Bilinear_Private(part->to_plane, s, x, d);
+    if (area == 0.) return 0.;
+    for (PetscInt k = 0; k < 2; k++) r[k] = p[k] - x[k];
+    change[0] = (r[0] * d[3] - r[1] * d[2]) / area;
+    change[1] = (d[0] * r[1] - d[1] * r[0]) / area;
+    for (PetscInt k = 0; k < 2; k++) s[k] += change[k];
+    step = PetscMax(PetscAbsReal(change[0]), PetscAbsReal(change[1]));
   }
-  if (!PullBack_Private(part->type, part->plane, p, local)) return 0.;
-  area = ElementMap(part->type, part->plane, local, NULL, phi, NULL);
-  return area > 0. ? PetscAbsReal(ElementMap(part->type, part->reference, local, xi, phi, NULL)) / area : 0.;
+  area = Bilinear_Private(part->to_plane, s, x, d);
+  return area > 0. ? PetscAbsReal(Bilinear_Private(part->to_reference, s, xi, d)) / area : 0.;
 }
 
 /* Where the mortar facet lies before p: by the map of its part, then, where that is not the facet's own, on the true facet.
@@ -130,6 +146,14 @@ static PetscInt Fan_Private(PetscInt n, const PetscReal P[], PetscBool exact, Pe
   return num;
 }
 
+/* Whether a rule of ClipDegree() is exact on every triangle of the overlap of two parts, or enough at least: on the parts of a curved
+   quad a lower one may be used, which cannot tell its shape functions apart by the points of a single triangle. */
+static PetscBool IsExact_Private(const Shadow *nonmortar, const ShadowPart *own, const ShadowPart *other)
+{
+  if (!own->affine || !other->affine) return PETSC_FALSE;
+  return nonmortar->num_parts == 1 || own->type == ELEMENT_TRI3 ? PETSC_TRUE : PETSC_FALSE;
+}
+
 PetscInt ClipPolygons(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscInt degree, ClipPoint points[])
 {
   PetscReal   xi[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], P[2 * POLYGON_MAX_VERTICES];
@@ -152,7 +176,7 @@ PetscInt ClipPolygons(const ClipFacet *nonmortar, const ClipFacet *mortar, Petsc
     PetscInt          num_triangles;
 
     if (!n || PolygonArea(n, P) < NO_AREA * plane.size * plane.size) continue;
-    num_triangles = Fan_Private(n, P, a->affine && b->affine ? PETSC_TRUE : PETSC_FALSE, triangles);
+    num_triangles = Fan_Private(n, P, IsExact_Private(&own, a, b), triangles);
     for (PetscInt q = 0; q < num_triangles * num_rule && num < CLIP_MAX_POLYGON_POINTS; q++) {
       const PetscReal *triangle = &triangles[6 * (q / num_rule)];
       PetscReal        p[2], phi[ELEMENT_MAX_NODES];

@@ -53,21 +53,17 @@ static PetscBool IsParallelogram_Private(const PetscReal P[], PetscReal size)
   return PETSC_TRUE;
 }
 
-/* d reference / d plane of an affine part, from the two edges at its first corner. */
-static void SetBack_Private(PetscInt num, ShadowPart *part)
+/* The linear or bilinear map to a polygon. [in] P - [num][2]; [out] map - of (1, s, t, s t) [4][2] */
+static void SetMap_Private(PetscInt num, const PetscReal P[], PetscReal map[])
 {
-  const PetscInt  last = 2 * (num - 1);
-  const PetscReal e[4] = {part->plane[2] - part->plane[0], part->plane[3] - part->plane[1],
-                          part->plane[last] - part->plane[0], part->plane[last + 1] - part->plane[1]};
-  const PetscReal r[4] = {part->reference[2] - part->reference[0], part->reference[3] - part->reference[1],
-                          part->reference[last] - part->reference[0], part->reference[last + 1] - part->reference[1]};
-  const PetscReal det  = e[0] * e[3] - e[1] * e[2];
+  for (PetscInt k = 0; k < 2; k++) {
+    const PetscReal last = P[2 * (num - 1) + k];
 
-  for (PetscInt l = 0; l < 2; l++) {
-    part->back[2 * l]     = (r[l] * e[3] - r[2 + l] * e[1]) / det;
-    part->back[2 * l + 1] = (r[2 + l] * e[0] - r[l] * e[2]) / det;
+    map[k]     = P[k];
+    map[2 + k] = P[2 + k] - P[k];
+    map[4 + k] = last - P[k];
+    map[6 + k] = num == 4 ? P[k] - P[2 + k] + P[4 + k] - last : 0.;
   }
-  part->ratio = PetscAbsReal(r[0] * r[3] - r[1] * r[2]) / det;
 }
 
 /* Appends the part with the given nodes of the facet, turned anticlockwise; none where it has no area. */
@@ -89,7 +85,8 @@ static void AddPart_Private(PetscInt num, const PetscInt nodes[], PetscReal size
       part->plane[2 * i + k]     = shadow->plane[2 * node + k];
     }
   }
-  if (part->affine) SetBack_Private(num, part);
+  SetMap_Private(num, part->reference, part->to_reference);
+  SetMap_Private(num, part->plane, part->to_plane);
   shadow->area += PetscAbsReal(area);
   shadow->num_parts++;
 }

@@ -11,7 +11,7 @@ typedef struct {
   PetscBool   affine;                             /* a triangle or a parallelogram */
   PetscReal   reference[2 * POLYGON_MAX_CORNERS]; /* corners in the facet's reference cell */
   PetscReal   plane[2 * POLYGON_MAX_CORNERS];     /* and in the plane */
-  PetscReal   back[4], ratio;                     /* where affine: d reference / d plane, and the ratio of areas */
+  PetscReal   to_reference[8], to_plane[8];       /* of (1, s, t, s t), s and t from 0 to 1, [4][2] */
 } ShadowPart;
 
 /* A facet as the plane sees it. */

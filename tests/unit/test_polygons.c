@@ -311,6 +311,49 @@ static void TestOdd(void)
   CHECK(ClipPolygons(&triangle, &thin, 4, points) == 0);
 }
 
+/* A small triangle over the corner of a curved facet: the points of a low degree still tell its shape functions apart. */
+static void TestCorner(ElementType type)
+{
+  const PetscInt  n = ElementNumNodes(type), degree = 5;
+  const PetscReal Y[] = {-0.1, -0.1, 0.2, 0.3, -0.1, 0.2, -0.1, 0.3, 0.2}, bulge     = 0.1;
+  PetscReal       X[DIM * ELEMENT_MAX_FACET_NODES], N[DIM * ELEMENT_MAX_FACET_NODES] = {0.};
+  PetscReal       xi[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS];
+  const ClipFacet facet = {type, X, N}, mortar = {ELEMENT_TRI3, Y, NULL};
+  PetscInt        num;
+  DualBasis       dual;
+
+  for (PetscInt i = 0; i < n; i++) {
+    const PetscReal *node = ElementNode(type, i);
+
+    X[DIM * i]     = node[0];
+    X[DIM * i + 1] = node[1];
+    X[DIM * i + 2] = bulge * (node[0] * (1. - node[0]) + node[1] * (1. - node[1]));
+    N[DIM * i + 2] = 1.;
+  }
+  num = ClipPolygons(&facet, &mortar, degree, points);
+  for (PetscInt q = 0; q < num; q++) {
+    xi[2 * q]     = points[q].xi[0];
+    xi[2 * q + 1] = points[q].xi[1];
+    w[q]          = points[q].weight;
+  }
+  CHECK(num > 0 && DualBasisCreate(type, num, xi, w, &dual));
+}
+
+/* The far layer lies behind the near one, and is seen only where that ends. */
+static void TestSees(void)
+{
+  const PetscReal X[]    = {0., 0., 0., 1., 0., 0., 1., 1., 0., 0., 1., 0.},
+                  N[]    = {0., 0., 1., 0., 0., 1., 0., 0., 1., 0., 0., 1.};
+  const PetscReal near[] = {0., 0., 0.1, 0., 1., 0.1, 0.5, 1., 0.1, 0.5, 0., 0.1}, left[] = {0.25, 0.5},
+                  right[] = {0.75, 0.5};
+  const ClipFacet facet = {ELEMENT_QUAD4, X, N}, layer = {ELEMENT_QUAD4, near, NULL};
+  PetscReal       gap;
+
+  CHECK(ClipSees(&facet, &layer, left, &gap));
+  CHECK_NEAR(gap, 0.1, EXACT);
+  CHECK(!ClipSees(&facet, &layer, right, &gap));
+}
+
 int main(int argc, char **argv)
 {
   PetscInt num_pairs = 100000;
@@ -327,6 +370,9 @@ int main(int argc, char **argv)
     }
   }
   TestOdd();
+  TestCorner(ELEMENT_TRI6);
+  TestCorner(ELEMENT_QUAD9);
+  TestSees();
   TestFuzz(num_pairs);
   PetscCall(PetscFinalize());
   return 0;

@@ -446,7 +446,7 @@ int main(int argc, char **argv)
   for (PetscInt i = 0; i < 4; i++) {
     for (PetscInt j = 0; j < 4; j++) PetscCall(TestFlat(cells[i], cells[j], MULTIPLIERS_NODES));
     PetscCall(TestCuts(cells[i], cells[(i + 1) % 4], MULTIPLIERS_NODES));
-    for (PetscInt j = 0; j < 4; j++) PetscCall(TestAskew(cells[i], cells[j]));
+    PetscCall(TestAskew(cells[i], cells[(i + 1) % 4]));
     PetscCall(TestCrosspoints(cells[i], MULTIPLIERS_NODES));
     PetscCall(TestTwoLayers(cells[i]));
   }
