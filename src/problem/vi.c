@@ -10,6 +10,7 @@
 #include "basis.h"
 #include "blocks.h"
 #include "circles.h"
+#include "condense.h"
 #include "hold.h"
 #include "modes.h"
 
@@ -44,7 +45,7 @@ static PetscErrorCode Condense_Private(VI vi)
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(vi->f, &vi->b));
   if (vi->T) {
-    PetscCall(MatPtAP(vi->K, vi->T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &vi->A));
+    PetscCall(CondenseCreate(vi->K, vi->T, &vi->A));
     PetscCall(MatMultTranspose(vi->T, vi->f, vi->b));
   } else {
     PetscCall(MatDuplicate(vi->K, MAT_COPY_VALUES, &vi->A));
