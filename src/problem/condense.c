@@ -45,21 +45,19 @@ static PetscErrorCode CreateDifference_Private(Mat T, Mat *E)
 PetscErrorCode CondenseCreate(Mat K, Mat T, Mat *A)
 {
   PetscInt bs;
-  Mat      E, X, strip, product;
+  Mat      E, X, product;
 
   PetscFunctionBeginUser;
   PetscCall(CreateDifference_Private(T, &E));
   PetscCall(MatMatMult(K, E, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &X));
-  PetscCall(MatTranspose(X, MAT_INITIAL_MATRIX, &strip));
-  PetscCall(MatAXPY(strip, 1, X, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(MatTranspose(X, MAT_INITIAL_MATRIX, A));
+  PetscCall(MatAXPY(*A, 1, X, DIFFERENT_NONZERO_PATTERN));
   PetscCall(MatTransposeMatMult(E, X, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
-  PetscCall(MatAXPY(strip, 1, product, DIFFERENT_NONZERO_PATTERN));
-  PetscCall(MatDuplicate(K, MAT_COPY_VALUES, A));
-  PetscCall(MatAXPY(*A, 1, strip, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(MatAXPY(*A, 1, product, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(MatAXPY(*A, 1, K, DIFFERENT_NONZERO_PATTERN));
   PetscCall(MatGetBlockSize(K, &bs));
   PetscCall(MatSetBlockSize(*A, bs));
   PetscCall(MatDestroy(&product));
-  PetscCall(MatDestroy(&strip));
   PetscCall(MatDestroy(&X));
   PetscCall(MatDestroy(&E));
   PetscFunctionReturn(PETSC_SUCCESS);
