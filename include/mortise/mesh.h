@@ -47,9 +47,10 @@ typedef struct {
 } Facets;
 
 struct _n_Mesh {
-  Scene    scene;      /* borrowed */
-  PetscInt num_levels; /* 1 + the common refinements */
-  Level   *levels;     /* coarse first; the last one is the mesh that is solved on */
+  Scene                scene;      /* borrowed */
+  PetscInt             num_levels; /* 1 + the common refinements */
+  Level               *levels;     /* coarse first; the last one is the mesh that is solved on */
+  struct _n_MeshShape *shape; /* of the mesh room: curves of files under bodies of order 1; NULL where there are none */
 };
 typedef struct _n_Mesh *Mesh;
 

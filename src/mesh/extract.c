@@ -77,14 +77,6 @@ static PetscErrorCode ExtractSelect_Private(Extract *x, PetscInt dim, char sente
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How many nodes of a cell the body wants. */
-static PetscInt ExtractNumNodes_Private(const Extract *x, PetscInt cell)
-{
-  const Level *level = &x->level;
-
-  return x->body->order > 1 ? level->cell_start[cell + 1] - level->cell_start[cell] : LevelNumVertices(level, cell);
-}
-
 /* Numbers the nodes of the chosen cells, vertices first. */
 static void ExtractNumber_Private(Extract *x)
 {
@@ -95,7 +87,7 @@ static void ExtractNumber_Private(Extract *x)
   for (PetscInt c = 0; c < level->num_cells; ++c) {
     const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
 
-    for (PetscInt i = 0; i < ExtractNumNodes_Private(x, c) && x->cell_at[c] >= 0; ++i)
+    for (PetscInt i = 0; i < level->cell_start[c + 1] - level->cell_start[c] && x->cell_at[c] >= 0; ++i)
       x->node_at[nodes[i]] = i < LevelNumVertices(level, c) ? VERTEX : MIDDLE;
   }
   for (PetscInt n = 0; n < level->num_nodes; ++n) {
@@ -107,10 +99,10 @@ static void ExtractNumber_Private(Extract *x)
   }
 }
 
-/* Area or volume of a cell, negative where it is inside out. */
-static PetscReal CellGetMeasure_Private(const BodyList *list, PetscInt cell)
+/* Area or volume of a cell of at most an order, negative where it is inside out. */
+static PetscReal CellGetMeasure_Private(const BodyList *list, PetscInt cell, PetscInt order)
 {
-  const ElementType type   = (ElementType)list->cell_type[cell];
+  const ElementType of_file = (ElementType)list->cell_type[cell], type = order > 1 ? of_file : ElementLinear(of_file);
   const PetscInt    degree = list->dim * ElementOrder(type) - 1; // of det J in each direction, at most
   const PetscInt   *nodes  = &list->cell_nodes[cell * ELEMENT_MAX_NODES];
   PetscReal         X[ELEMENT_MAX_NODES * 3], xi[ELEMENT_MAX_POINTS * 3], weight[ELEMENT_MAX_POINTS];
@@ -124,7 +116,8 @@ static PetscReal CellGetMeasure_Private(const BodyList *list, PetscInt cell)
   return measure;
 }
 
-/* Positions and cells. Cells that are inside out are turned here, so that a body has one orientation before its map. */
+/* Positions and cells, of the order that the file has: a body of order 1 gets its new vertices from them when it is refined.
+   Cells that are inside out are turned here, so that a body has one orientation before its map. */
 static void ExtractCells_Private(const Extract *x, BodyList *list)
 {
   const Level *level = &x->level;
@@ -136,15 +129,14 @@ static void ExtractCells_Private(const Extract *x, BodyList *list)
       list->coords[x->node_at[n] * list->dim + d] = level->coords[n * list->dim + d];
   }
   for (PetscInt c = 0; c < level->num_cells; ++c) {
-    const PetscInt at = x->cell_at[c], num = ExtractNumNodes_Private(x, c);
+    const PetscInt at = x->cell_at[c], num = level->cell_start[c + 1] - level->cell_start[c];
     PetscInt      *nodes;
 
     if (at < 0) continue;
     nodes               = &list->cell_nodes[at * ELEMENT_MAX_NODES];
     list->cell_type[at] = level->cell_type[c];
-    if (x->body->order == 1) list->cell_type[at] = ElementLinear((ElementType)level->cell_type[c]);
     for (PetscInt i = 0; i < num; ++i) nodes[i] = x->node_at[level->cell_nodes[level->cell_start[c] + i]];
-    if (CellGetMeasure_Private(list, at) < 0) CellReverse((ElementType)list->cell_type[at], nodes);
+    if (CellGetMeasure_Private(list, at, x->body->order) < 0) CellReverse((ElementType)list->cell_type[at], nodes);
   }
 }
 

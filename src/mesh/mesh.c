@@ -65,6 +65,7 @@ PetscErrorCode MeshRefine(Mesh mesh)
   PetscCall(PetscRealloc((mesh->num_levels + 1) * sizeof(Level), &mesh->levels));
   PetscCall(LevelRefine(&mesh->levels[mesh->num_levels - 1], &mesh->levels[mesh->num_levels]));
   ++mesh->num_levels;
+  PetscCall(MeshShapeRefine(mesh));
   PetscCall(LevelTurnCells(MeshFinest(mesh)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -85,6 +86,7 @@ PetscErrorCode MeshSetUp(Mesh mesh)
   mesh->num_levels = 1;
   PetscCall(LevelSetCoords(&mesh->levels[0], &curves));
   PetscCall(LevelTurnCells(&mesh->levels[0]));
+  PetscCall(MeshShapeCreate(mesh, &curves));
   PetscCall(CurvesDestroy(&curves));
   PetscCall(DMDestroy(&dm));
   for (PetscInt l = 0; l < scene->refine; ++l) PetscCall(MeshRefine(mesh));
@@ -102,6 +104,7 @@ PetscErrorCode MeshDestroy(Mesh *mesh)
   PetscFunctionBeginUser;
   if (!*mesh) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt l = 0; l < (*mesh)->num_levels; ++l) PetscCall(LevelDestroy(&(*mesh)->levels[l]));
+  PetscCall(MeshShapeDestroy(*mesh));
   PetscCall(PetscFree((*mesh)->levels));
   PetscCall(PetscFree(*mesh));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -27,7 +27,7 @@ typedef struct {
   PetscInt  *facet_cell;   /* [num_facets] */
   PetscInt  *facet;        /* number of the facet in its cell [num_facets] */
   PetscInt  *facet_side;   /* index into the SideNames [num_facets] */
-  PetscBool  straightened; /* the file has curved sides, of which order 1 makes chords */
+  PetscBool  straightened; /* the file has curved sides, the body is of order 1 */
 } BodyList;
 
 /* All nodes are vertices to begin with. */
@@ -175,6 +175,12 @@ PetscErrorCode LevelRefine(Level *coarse, Level *fine);
 PetscErrorCode LevelDestroy(Level *level);
 /* fine->prolongation from where each fine node comes from. [in] transform - a DMPlexTransform from coarse to fine */
 PetscErrorCode LevelCreateProlongation(const Level *coarse, DMPlexTransform transform, Level *fine);
+
+/* Curves of files under bodies of order 1, NULL where there are none: from the coarsest level; one level finer, which
+   moves the nodes of the finest level of the mesh onto them. Collective. */
+PetscErrorCode MeshShapeCreate(Mesh mesh, const Curves *curves);
+PetscErrorCode MeshShapeRefine(Mesh mesh);
+PetscErrorCode MeshShapeDestroy(Mesh mesh);
 
 /* The rank of every cell of the whole mesh, which lies on the first rank. [out] part - [level->num_cells] */
 PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt contact_weight, PetscInt num_parts,

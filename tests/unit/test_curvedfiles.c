@@ -8,15 +8,17 @@ static const char *const DiscFile[NUM_FILES] = {MESHES "/disc_22.msh", MESHES "/
 static const PetscReal   Precision           = 1e-8;
 static const PetscReal   HalfArc             = PETSC_PI / NUM_ARCS;
 
-/* Area of the disc with chords, and of what parabolas add. */
-static PetscReal ChordArea(void)
+/* Area of the disc with chords from end to end of the parabolas, or to their middles, which are on the circle as well. */
+static PetscReal ChordArea(PetscInt level)
 {
-  return NUM_ARCS * PetscSinReal(HalfArc) * PetscCosReal(HalfArc);
+  const PetscReal half = HalfArc / (1 << level);
+
+  return (NUM_ARCS << level) * PetscSinReal(half) * PetscCosReal(half);
 }
 
 static PetscReal ParabolaArea(void)
 {
-  return ChordArea() + NUM_ARCS * 2. / 3 * 2 * PetscSinReal(HalfArc) * (1 - PetscCosReal(HalfArc));
+  return ChordArea(0) + NUM_ARCS * 2. / 3 * 2 * PetscSinReal(HalfArc) * (1 - PetscCosReal(HalfArc));
 }
 
 /* Every node of the rim lies on one of the parabolas. */
@@ -104,12 +106,11 @@ static void TestLocate(void)
   TestSceneFree(&t);
 }
 
-/* The halves as bodies of different orders: order 1 has chords. */
+/* The halves as bodies of different orders: order 1 has chords between points of the curves, more of them on every level. */
 static void TestOrders(PetscInt upper, PetscInt lower)
 {
-  const PetscReal area[] = {0, 0.5 * ChordArea(), 0.5 * ParabolaArea()}; /* of half a disc by order */
-  TestScene       t;
-  Mesh            mesh;
+  TestScene t;
+  Mesh      mesh;
 
   TestSceneInit(&t);
   t.scene.refine = 1;
@@ -119,12 +120,14 @@ static void TestOrders(PetscInt upper, PetscInt lower)
   mesh = TestSceneMesh(&t);
   for (PetscInt b = 0; b < 2; ++b) CHECK(t.bodies[b].straightened == (t.bodies[b].order == 1));
   for (PetscInt l = 0; l <= 1; ++l) {
-    Level *level = &mesh->levels[l];
+    const PetscReal area[] = {0, 0.5 * ChordArea(l), 0.5 * ParabolaArea()}; /* of half a disc by order */
+    Level          *level  = &mesh->levels[l];
 
     for (PetscInt c = 0; c < level->num_cells; ++c)
       CHECK(ElementOrder((ElementType)level->cell_type[c]) == t.bodies[level->cell_body[c]].order);
     CHECK_NEAR(BodyArea(level, 0), area[upper], Precision);
     CHECK_NEAR(BodyArea(level, 1), area[lower], Precision);
+    for (PetscInt b = 0; b < 2; ++b) CheckRim(&t, level, b, NUM_ARCS / 2 << l);
   }
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
@@ -141,6 +144,22 @@ static void TestOwnRefinement(PetscInt order)
   mesh                                                      = TestSceneMesh(&t);
   CheckRim(&t, &mesh->levels[0], 0, 2 * NUM_ARCS);
   if (order > 1) CHECK_NEAR(BodyArea(&mesh->levels[0], 0), 0.5 * ParabolaArea(), Precision);
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
+/* New vertices of order 1 lie on the curves, level by level. */
+static void TestFollow(void)
+{
+  TestScene t;
+  Mesh      mesh;
+
+  TestSceneInit(&t);
+  t.scene.refine = 2;
+  AddDisc(&t, "disc", DiscFile[3], NULL, 1);
+  mesh = TestSceneMesh(&t);
+  CHECK(!MeshRefine(mesh));
+  for (PetscInt l = 0; l <= 3; ++l) CheckRim(&t, &mesh->levels[l], 0, NUM_ARCS << l);
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
 }
@@ -208,6 +227,7 @@ int main(int argc, char **argv)
   TestOrders(1, 1);
   TestOwnRefinement(1);
   TestOwnRefinement(2);
+  TestFollow();
   TestMap();
   TestBulge();
   CHECK(!PetscFinalize());

@@ -11,10 +11,11 @@ static const PetscReal   Precision           = 1e-8; /* Gmsh finds the middles o
 static const PetscReal   HalfArc             = PETSC_PI / NUM_ARCS;
 static const char *const Sides[]             = {"rim", "bottom", "top"};
 
-/* Area of the section with chords, and with parabolas. */
-static PetscReal SectionArea(PetscInt order)
+/* Area of the section with chords, from end to end of the parabolas or to their middles on the circle, and with parabolas. */
+static PetscReal SectionArea(PetscInt order, PetscInt level)
 {
-  const PetscReal chords = NUM_ARCS * PetscSinReal(HalfArc) * PetscCosReal(HalfArc);
+  const PetscReal half   = order == 1 ? HalfArc / (1 << level) : HalfArc;
+  const PetscReal chords = PETSC_PI / half * PetscSinReal(half) * PetscCosReal(half);
 
   return order == 1 ? chords : chords + NUM_ARCS * 2. / 3 * 2 * PetscSinReal(HalfArc) * (1 - PetscCosReal(HalfArc));
 }
@@ -84,7 +85,7 @@ static void TestWhole(PetscInt f, PetscInt refine)
 
     CHECK_NEAR(Total(level->num_cells), NumCells[f] << (3 * l), 0);
     CHECK_NEAR(SolidVolume(level, 0), volume, 1e-12); // sums of up to 70,000 terms
-    CheckMeasures(&t, level, 0, 1, SectionArea(2));
+    CheckMeasures(&t, level, 0, 1, SectionArea(2, 0));
     CheckRim(&t, level, 0);
   }
   CHECK(!MeshDestroy(&mesh));
@@ -108,7 +109,8 @@ static void TestRegions(const char file[], PetscInt upper, PetscInt lower)
       SideSums sums;
 
       CHECK(t.bodies[b].straightened == (t.bodies[b].order == 1));
-      CheckMeasures(&t, &mesh->levels[l], b, 0.5, SectionArea(t.bodies[b].order));
+      CheckMeasures(&t, &mesh->levels[l], b, 0.5, SectionArea(t.bodies[b].order, l));
+      CheckRim(&t, &mesh->levels[l], b);
       SolidSumSide(&t, &mesh->levels[l], b, b ? "3" : "middle", &sums);
       CHECK_NEAR(sums.area, 2, 1e-13);
       CHECK_NEAR(sums.normal[1], b ? 2 : -2, 1e-13);
@@ -128,7 +130,7 @@ static void TestOwnRefinement(const char file[], PetscInt order)
   AddDrum(&t, "upper", file, "1", order)->refine = 1;
   mesh                                           = TestSceneMesh(&t);
   CheckRim(&t, &mesh->levels[0], 0);
-  if (order > 1) CheckMeasures(&t, &mesh->levels[0], 0, 0.5, SectionArea(2));
+  if (order > 1) CheckMeasures(&t, &mesh->levels[0], 0, 0.5, SectionArea(2, 0));
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
 }
@@ -147,14 +149,14 @@ static void TestMap(const char file[])
   for (PetscInt l = 0; l <= 1; ++l) {
     PetscReal flux = 0;
 
-    CHECK_NEAR(SolidVolume(&mesh->levels[l], 0), SectionArea(2), Precision);
+    CHECK_NEAR(SolidVolume(&mesh->levels[l], 0), SectionArea(2, 0), Precision);
     for (size_t s = 0; s < sizeof(Sides) / sizeof(Sides[0]); ++s) {
       SideSums sums;
 
       SolidSumSide(&t, &mesh->levels[l], 0, Sides[s], &sums);
       flux += sums.flux;
     }
-    CHECK_NEAR(flux, 3 * SectionArea(2), 10 * Precision);
+    CHECK_NEAR(flux, 3 * SectionArea(2, 0), 10 * Precision);
   }
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
