@@ -126,7 +126,8 @@ static PetscBool PointSet_Private(const ShadowPlane *plane, const Shadow *nonmor
 }
 
 /* The triangles of a convex polygon: between its sides and the mean of its vertices, so that it does not matter which one is
-   the first; or, where the rule is exact and this does not matter either, between its sides and its last vertex, two less.
+   the first; or, where the rule is exact and this does not matter either, between its sides and its last vertex, two less. One
+   triangle may then be all that is covered of a facet.
    Returns their number. [in] P - [n][2]; [out] triangles - [n][3][2] */
 static PetscInt Fan_Private(PetscInt n, const PetscReal P[], PetscBool exact, PetscReal triangles[])
 {
@@ -146,18 +147,11 @@ static PetscInt Fan_Private(PetscInt n, const PetscReal P[], PetscBool exact, Pe
   return num;
 }
 
-/* Whether a rule of ClipDegree() is exact on every triangle of the overlap of two parts, or enough at least: on the parts of a curved
-   quad a lower one may be used, which cannot tell its shape functions apart by the points of a single triangle. */
-static PetscBool IsExact_Private(const Shadow *nonmortar, const ShadowPart *own, const ShadowPart *other)
-{
-  if (!own->affine || !other->affine) return PETSC_FALSE;
-  return nonmortar->num_parts == 1 || own->type == ELEMENT_TRI3 ? PETSC_TRUE : PETSC_FALSE;
-}
-
 PetscInt ClipPolygons(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscInt degree, ClipPoint points[])
 {
   PetscReal   xi[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], P[2 * POLYGON_MAX_VERTICES];
   PetscInt    num_rule, num = 0;
+  PetscBool   enough;
   ShadowPlane plane;
   Shadow      own, other;
 
@@ -168,15 +162,18 @@ PetscInt ClipPolygons(const ClipFacet *nonmortar, const ClipFacet *mortar, Petsc
   ShadowCut(&plane, &own);
   ShadowCut(&plane, &other);
   num_rule = ElementQuadrature(ELEMENT_TRI3, degree, xi, w);
+  enough = num_rule >= ElementNumNodes(nonmortar->type) ? PETSC_TRUE : PETSC_FALSE; /* to tell shape functions apart */
   for (PetscInt pair = 0; pair < own.num_parts * other.num_parts; pair++) {
     const ShadowPart *a = &own.parts[pair / other.num_parts], *b = &other.parts[pair % other.num_parts];
     const PetscInt    n = PolygonIntersect(ElementNumNodes(a->type), a->plane, ElementNumNodes(b->type), b->plane,
                                            SAME_POINT * plane.size, P);
     PetscReal         triangles[6 * POLYGON_MAX_VERTICES];
     PetscInt          num_triangles;
+    PetscBool         exact;
 
     if (!n || PolygonArea(n, P) < NO_AREA * plane.size * plane.size) continue;
-    num_triangles = Fan_Private(n, P, IsExact_Private(&own, a, b), triangles);
+    exact         = a->affine && b->affine && enough ? PETSC_TRUE : PETSC_FALSE;
+    num_triangles = Fan_Private(n, P, exact, triangles);
     for (PetscInt q = 0; q < num_triangles * num_rule && num < CLIP_MAX_POLYGON_POINTS; q++) {
       const PetscReal *triangle = &triangles[6 * (q / num_rule)];
       PetscReal        p[2], phi[ELEMENT_MAX_NODES];

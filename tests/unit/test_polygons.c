@@ -337,6 +337,17 @@ static void TestCorner(ElementType type)
     w[q]          = points[q].weight;
   }
   CHECK(num > 0 && DualBasisCreate(type, num, xi, w, &dual));
+  for (PetscInt i = 0; i < n; i++) {
+    PetscReal sum[ELEMENT_MAX_NODES] = {0.}, phi[ELEMENT_MAX_NODES], psi[DUAL_MAX];
+
+    for (PetscInt q = 0; q < num; q++) {
+      ElementShape(type, &xi[2 * q], phi, NULL);
+      DualShape(type, phi);
+      DualBasisEvaluate(&dual, &xi[2 * q], psi);
+      for (PetscInt j = 0; j < n; j++) sum[j] += w[q] * psi[i] * phi[j];
+    }
+    for (PetscInt j = 0; j < n; j++) CHECK_NEAR(sum[j], i == j ? dual.D[i] : 0., EXACT);
+  }
 }
 
 /* The far layer lies behind the near one, and is seen only where that ends. */
