@@ -6,6 +6,7 @@
 #include "room.h"
 #include <mortise/boxtree.h>
 #include <mortise/compat.h>
+#include <mortise/frame.h>
 #include <metis.h>
 #include <petscsf.h>
 
@@ -57,8 +58,8 @@ static PetscErrorCode EdgesAddNeighbours_Private(DM dm, Edges *edges)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The box around a facet, widened on all sides. [out] box - [2][dim]; returns the facet's longest extent */
-static PetscReal FacetGetBox_Private(const Level *level, const Facets *facets, PetscInt f, PetscReal widen,
+/* The box around a facet; returns its longest extent. [out] X - its nodes [num_nodes][dim]; [out] box - [2][dim] */
+static PetscReal FacetGetBox_Private(const Level *level, const Facets *facets, PetscInt f, PetscReal X[],
                                      PetscReal box[])
 {
   const PetscInt num = ElementNumNodes(facets->type[f]), dim = level->dim;
@@ -70,14 +71,58 @@ static PetscReal FacetGetBox_Private(const Level *level, const Facets *facets, P
     for (PetscInt i = 0; i < num; ++i) {
       const PetscReal x = level->coords[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i] * dim + d];
 
-      box[d]       = PetscMin(box[d], x);
-      box[dim + d] = PetscMax(box[dim + d], x);
+      X[i * dim + d] = x;
+      box[d]         = PetscMin(box[d], x);
+      box[dim + d]   = PetscMax(box[dim + d], x);
     }
     extent = PetscMax(extent, box[dim + d] - box[d]);
-    box[d] -= widen;
-    box[dim + d] += widen;
   }
   return extent;
+}
+
+/* The range of direction . x over points, widened. [in] X - [num][dim] */
+static BoxSlab SlabAround_Private(PetscInt dim, PetscInt num, const PetscReal X[], const PetscReal direction[],
+                                  PetscReal widen)
+{
+  BoxSlab slab = {.lower = PETSC_MAX_REAL, .upper = -PETSC_MAX_REAL};
+
+  for (PetscInt d = 0; d < dim; ++d) slab.direction[d] = direction[d];
+  for (PetscInt i = 0; i < num; ++i) {
+    PetscReal along = 0;
+
+    for (PetscInt d = 0; d < dim; ++d) along += direction[d] * X[i * dim + d];
+    slab.lower = PetscMin(slab.lower, along);
+    slab.upper = PetscMax(slab.upper, along);
+  }
+  slab.lower -= widen;
+  slab.upper += widen;
+  return slab;
+}
+
+/* What a facet may touch: within the reach before and behind it, and hardly beside it, so that however far it reaches it
+   finds no more of smaller facets. [in] reach - negative: a facet's own size */
+static PetscErrorCode FacetQuery_Private(const Level *level, const Facets *facets, PetscInt f, PetscReal reach,
+                                         BoxTree tree, PetscInt *num_hits, const PetscInt *hits[])
+{
+  const ElementType type = facets->type[f];
+  const PetscInt    dim = level->dim, num = ElementNumNodes(type), num_vertices = ElementNumNodes(ElementLinear(type));
+  PetscReal         X[3 * ELEMENT_MAX_FACET_NODES], box[6], xi[2] = {0, 0}, phi[ELEMENT_MAX_NODES], normal[3], Q[9];
+  const PetscReal   extent = FacetGetBox_Private(level, facets, f, X, box), widen = reach >= 0 ? reach : extent;
+  BoxSlab           slabs[3];
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < num_vertices; ++i) {
+    for (PetscInt k = 0; k < dim - 1; ++k) xi[k] += ElementNode(type, i)[k] / (PetscReal)num_vertices;
+  }
+  (void)ElementSurface(type, X, xi, NULL, phi, normal);
+  FrameFromNormal(dim, normal, Q);
+  for (PetscInt k = 0; k < dim; ++k) {
+    slabs[k] = SlabAround_Private(dim, num, X, &Q[k * dim], k == 0 ? widen : extent);
+    box[k] -= PetscMax(widen, extent);
+    box[dim + k] += PetscMax(widen, extent);
+  }
+  PetscCall(BoxTreeQuerySlabs(tree, box, dim, slabs, num_hits, hits));
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Cells behind facets of a pair that may touch: within the reach that the user gave, or a facet's own size. */
@@ -85,22 +130,20 @@ static PetscErrorCode EdgesAddPair_Private(Scene scene, const ScenePair *pair, P
                                            Edges *edges)
 {
   Facets     nonmortar, mortar;
-  PetscReal *boxes, box[6];
+  PetscReal *boxes, X[3 * ELEMENT_MAX_FACET_NODES];
   BoxTree    tree;
 
   PetscFunctionBeginUser;
   PetscCall(LevelGetFacets(level, scene, pair->nonmortar.body, pair->nonmortar.side, &nonmortar));
   PetscCall(LevelGetFacets(level, scene, pair->mortar.body, pair->mortar.side, &mortar));
   PetscCall(PetscMalloc1(mortar.num * 2 * level->dim, &boxes));
-  for (PetscInt f = 0; f < mortar.num; ++f) (void)FacetGetBox_Private(level, &mortar, f, 0, &boxes[f * 2 * level->dim]);
+  for (PetscInt f = 0; f < mortar.num; ++f) (void)FacetGetBox_Private(level, &mortar, f, X, &boxes[f * 2 * level->dim]);
   PetscCall(BoxTreeCreate(level->dim, mortar.num, boxes, &tree));
   for (PetscInt f = 0; f < nonmortar.num; ++f) {
-    const PetscReal extent = FacetGetBox_Private(level, &nonmortar, f, 0, box);
     const PetscInt *hits;
     PetscInt        num_hits;
 
-    (void)FacetGetBox_Private(level, &nonmortar, f, pair->reach >= 0 ? pair->reach : extent, box);
-    PetscCall(BoxTreeQuery(tree, box, &num_hits, &hits));
+    PetscCall(FacetQuery_Private(level, &nonmortar, f, pair->reach, tree, &num_hits, &hits));
     for (PetscInt h = 0; h < num_hits; ++h)
       PetscCall(EdgesAdd_Private(edges, nonmortar.cell[f], mortar.cell[hits[h]], weight));
   }

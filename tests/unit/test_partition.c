@@ -168,12 +168,39 @@ static void TestSpread(void)
   TestSceneFree(&t);
 }
 
+/* A reach as long as the sides makes no more edges than facets can use: some tens of bytes for each of a few neighbours, and
+   not for each of all. */
+static void TestFarReach(void)
+{
+  const PetscInt
+      n    = 40,
+      some = 4000; // bytes for each facet, in edges and METIS's rows; all others would take a hundred times as much
+  TestScene      t;
+  Mesh           mesh;
+  PetscInt       part[2 * 40 * 40];
+  PetscLogDouble before, after;
+
+  SolidSceneInit(&t);
+  t.scene.comm = PETSC_COMM_SELF;
+  SolidSceneAddBox(&t, "upper", (PetscInt[]){n, n, 1}, (PetscReal[]){0, 0, 0}, (PetscReal[]){1, 1, 0.1});
+  SolidSceneAddBox(&t, "lower", (PetscInt[]){n, n, 1}, (PetscReal[]){0, 0, -0.1}, (PetscReal[]){1, 1, 0});
+  TestSceneAddPair(&t, "joint", 0, "bottom", 1, "top")->reach = 1;
+  mesh                                                        = TestSceneMesh(&t);
+  CHECK(!PetscMallocGetMaximumUsage(&before));
+  CHECK(!PartitionCompute(&t.scene, MeshFinest(mesh), 5, 2, part));
+  CHECK(!PetscMallocGetMaximumUsage(&after));
+  CHECK(after - before < some * n * n);
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
 int main(int argc, char **argv)
 {
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
   CHECK(!FaultInitialize());
   for (PetscInt parts = 2; parts <= 12; parts += parts < 4 ? 1 : 4) TestContactEdges(parts); // both of METIS's methods
   TestSolidContactEdges();
+  TestFarReach();
   TestTiny();
   TestSpread();
   CHECK(!PetscFinalize());
