@@ -23,12 +23,12 @@ import shutil
 import subprocess
 import sys
 
-TIMEOUT = 240  # seconds of one run; longer is a hang
 LEAK = re.compile(r"^\[ *\d+\] *\d+ bytes .*", re.MULTILINE)  # a line of -malloc_dump
 CHECKS = ["-skip_petscrc", "-malloc_dump"]
 GUARDS = ["-malloc_debug"]  # looks at every block of memory at each request for another: several times the time of a run
 NAME = "result"  # -output of every run
 LONG = bool(os.environ.get("MORTISE_TEST_LONG"))  # checks may look at more cases, see README.md
+TIMEOUT = 1800 if LONG else 240  # seconds of one run; longer is a hang
 
 
 class Failure(Exception):

@@ -17,3 +17,4 @@ mortise_scene_test(solid_chain CHECK solid_twice.py RANKS 1 3)
 mortise_scene_test(solid_crosspoints CHECK solid_twice.py RANKS 1 3)
 mortise_scene_test(solid_crosspoints_hex27 SCENE solid_crosspoints CHECK solid_twice.py ARGS -order 2)
 mortise_scene_test(solid_crosspoints_tet10 SCENE solid_crosspoints CHECK solid_twice.py RANKS 3 ARGS -order 2 -upper_dm_plex_simplex 1)
+mortise_scene_test(patch3d CHECK solid_twice.py RANKS 1 3) # tetrahedra on hexahedra, as shipped

@@ -1,2 +1,8 @@
 # One body in space, against closed formulas.
 mortise_scene_test(cantilever CHECK cantilever.py)
+# Contact of solids, against references and closed formulas.
+mortise_scene_test(spherical_gap CHECK spherical_gap.py)
+mortise_scene_test(shells3d CHECK shells3d.py)
+mortise_scene_test(hertz3d CHECK hertz3d.py)
+mortise_scene_test(manufactured_solid CHECK manufactured_solid.py)
+set_tests_properties(regression.manufactured_solid.np1 PROPERTIES TIMEOUT 3600) # check.sh long

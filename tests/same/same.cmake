@@ -1,16 +1,20 @@
-# Every scene that is shipped.
+# Every scene that is shipped, coarser where it takes more than seconds.
+set(small_hertz3d -sphere_dm_plex_box_faces 5,5,3 -block_dm_plex_box_faces 6,6,3)
+set(small_spherical_gap -upper_dm_plex_box_faces 5,5,2 -lower_dm_plex_box_faces 4,4,2)
 file(GLOB scenes CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/options/*.opts)
 foreach(path IN LISTS scenes)
   get_filename_component(shipped ${path} NAME_WE)
-  mortise_scene_test(${shipped} CHECK same.py LABELS cross mpi ARGS -cross_check)
+  mortise_scene_test(${shipped} CHECK same.py LABELS cross mpi ARGS -cross_check ${small_${shipped}})
 endforeach()
 
 # The same with cells of order 2, coarser where a scene is large.
 set(coarse_anisotropic_plate -board_dm_plex_box_faces 48,24)
+set(coarse_manufactured_solid -upper_dm_plex_box_faces 2,2,2 -lower_dm_plex_box_faces 3,3,3)
 set(coarse_overhang -block_dm_plex_box_faces 20,20 -table_dm_plex_box_faces 34,20)
 set(coarse_parabola -block_dm_plex_box_faces 48,24)
 set(coarse_two_plates -upper_dm_plex_box_faces 20,20 -lower_dm_plex_box_faces 15,15)
 set(coarse_hertz2d -block_dm_plex_box_faces 48,24)
+set(coarse_patch3d -upper_dm_plex_box_faces 2,3,2 -lower_dm_plex_box_faces 3,4,2)
 foreach(path IN LISTS scenes)
   get_filename_component(shipped ${path} NAME_WE)
   file(STRINGS ${path} quadratic REGEX "^-order 2")
