@@ -36,4 +36,7 @@ PetscErrorCode PDASGetActive(SNES snes, Vec *active);
    the initial guess. Collective. */
 PetscErrorCode PDASSetStart(SNES snes, Vec active);
 
+/* Whether matrix and bounds stay as they are from one solve to the next, so that factors serve again. Collective. */
+PetscErrorCode PDASSetKeep(SNES snes, PetscBool keep);
+
 #endif

@@ -75,6 +75,8 @@ struct _n_ActiveSolver {
   void            *data;
   /* [in] fixed, value - [n], values are read where fixed; [in,out] solution - created by the caller */
   PetscErrorCode (*solve)(ActiveSolver, const PetscBool fixed[], const PetscReal value[], ActiveSolution *solution);
+  /* Another right-hand side, for the same matrix and bounds. [in] b - borrowed; [in] y - first guess */
+  PetscErrorCode (*load)(ActiveSolver, Vec b, Vec y);
   /* The unknowns without bounds that go with the last solution; its r, eta and norm become those of the full system.
      [out] y */
   PetscErrorCode (*finish)(ActiveSolver, ActiveSolution *solution, Vec y);
@@ -133,6 +135,11 @@ typedef struct {
   const char *failure;    /* why a system could not be solved, or NULL */
   PetscInt    num_active; /* of the present set */
   Vec         active;     /* 0/1, the final set */
+  /* what the next solve can use again, where matrix and bounds stay the same */
+  PetscBool    keep;
+  ActiveSet    set;
+  ActiveSolver solver; /* NULL if there is none */
+  Vec          b;
 } PDAS;
 
 /* Makes the set to begin with, as iteration 0. Collective. [in] y - initial guess; [in] r - its forces b - A y */

@@ -88,6 +88,28 @@ PetscErrorCode PDASSetStart(SNES snes, Vec active)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Forgets what was kept for the next solve. */
+static PetscErrorCode Drop_Private(PDAS *pdas)
+{
+  PetscFunctionBeginUser;
+  if (!pdas->solver) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ActiveSolverDestroy(&pdas->solver));
+  PetscCall(ActiveSetDestroy(&pdas->set));
+  PetscCall(VecDestroy(&pdas->b));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PDASSetKeep(SNES snes, PetscBool keep)
+{
+  PDAS *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(Get_Private(snes, &pdas));
+  pdas->keep = keep;
+  if (!keep) PetscCall(Drop_Private(pdas));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Answers SNESVISetVariableBounds(). */
 static PetscErrorCode SetVariableBounds_PDAS(SNES snes, Vec lower, Vec upper)
 {
@@ -105,6 +127,7 @@ static PetscErrorCode SetVariableBounds_PDAS(SNES snes, Vec lower, Vec upper)
   PetscCall(VecDestroy(&pdas->upper));
   pdas->lower = lower;
   pdas->upper = upper;
+  PetscCall(Drop_Private(pdas));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -207,34 +230,48 @@ static PetscErrorCode End_Private(PDAS *pdas, const ActiveSet *set, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Gets set and solver ready; those of the last solve if they were kept. [in] b - taken over;
+   [in] y - initial guess; [in] r - its forces */
+static PetscErrorCode Prepare_Private(SNES snes, PDAS *pdas, Mat A, Vec b, Vec y, Vec r)
+{
+  Vec upper;
+
+  PetscFunctionBeginUser;
+  if (pdas->solver) {
+    PetscCall(PDASBegin(snes, pdas, &pdas->set, y, r));
+    PetscCall((*pdas->solver->load)(pdas->solver, b, y));
+    PetscCall(VecDestroy(&pdas->b));
+  } else {
+    PetscCall(VecDuplicate(y, &upper));
+    PetscCall(VecSet(upper, PETSC_INFINITY));
+    PetscCall(ActiveSetCreate(pdas->upper ? pdas->upper : upper, A, &pdas->set));
+    PetscCall(VecDestroy(&upper));
+    PetscCall(PDASBegin(snes, pdas, &pdas->set, y, r));
+    PetscCall(Solver_Private(snes, pdas, &pdas->set, A, b, y, &pdas->solver));
+  }
+  pdas->b = b;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 static PetscErrorCode Solve_PDAS(SNES snes, Vec y)
 {
-  PDAS        *pdas;
-  Mat          A;
-  Vec          b, r, upper;
-  ActiveSet    set;
-  ActiveSolver solver;
+  PDAS *pdas;
+  Mat   A;
+  Vec   b, r;
 
   PetscFunctionBeginUser;
   PetscCall(Get_Private(snes, &pdas));
   PetscCall(Reset_Private(snes, pdas));
   PetscCall(Problem_Private(snes, y, &A, &b, &r));
-  PetscCall(VecDuplicate(y, &upper));
-  PetscCall(VecSet(upper, PETSC_INFINITY));
-  PetscCall(ActiveSetCreate(pdas->upper ? pdas->upper : upper, A, &set));
-  PetscCall(PDASBegin(snes, pdas, &set, y, r));
-  PetscCall(Solver_Private(snes, pdas, &set, A, b, y, &solver));
-  if (!pdas->failure) PetscCall(PDASIterate(snes, pdas, &set, solver, y));
+  PetscCall(Prepare_Private(snes, pdas, A, b, y, r));
+  if (!pdas->failure) PetscCall(PDASIterate(snes, pdas, &pdas->set, pdas->solver, y));
   if (pdas->converged)
     PetscCall(SNESSetConvergedReason(snes, SNES_CONVERGED_FNORM_RELATIVE));
   else
     PetscCall(SNESSetConvergedReason(snes, pdas->failure ? SNES_DIVERGED_LINEAR_SOLVE : SNES_DIVERGED_MAX_IT));
-  PetscCall(End_Private(pdas, &set, y));
-  PetscCall(ActiveSolverDestroy(&solver));
-  PetscCall(ActiveSetDestroy(&set));
-  PetscCall(VecDestroy(&upper));
+  PetscCall(End_Private(pdas, &pdas->set, y));
+  if (!pdas->keep || !pdas->converged) PetscCall(Drop_Private(pdas));
   PetscCall(VecDestroy(&r));
-  PetscCall(VecDestroy(&b));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -263,6 +300,7 @@ static PetscErrorCode SetFromOptions_Private(SNES snes)
                              "pdas.h", pdas->reduce, &pdas->reduce, &pdas->reduce_set));
   PetscOptionsEnd();
   pdas->start = (PDASStart)start;
+  PetscCall(Drop_Private(pdas));
   if (!(pdas->c > 0)) {
     PetscCall(
         FaultRaise(PetscObjectComm((PetscObject)snes), "-snes_pdas_c %g: must be a positive number", (double)pdas->c));
@@ -280,6 +318,7 @@ static PetscErrorCode Destroy_Private(void *ctx)
 
   PetscFunctionBeginUser;
   PetscCall(Clear_Private(pdas));
+  PetscCall(Drop_Private(pdas));
   PetscCall(VecDestroy(&pdas->lower));
   PetscCall(VecDestroy(&pdas->upper));
   PetscCall(VecDestroy(&pdas->previous));

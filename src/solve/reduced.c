@@ -299,11 +299,30 @@ static PetscErrorCode Factor_Private(ActiveSolver solver, const char prefix[], M
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* g = b_C - A_CI A_II^-1 b_I */
+static PetscErrorCode Load_Reduced(ActiveSolver solver, Vec b, Vec y)
+{
+  Reduced   *t = solver->data;
+  PetscReal *g;
+
+  PetscFunctionBeginUser;
+  (void)y;
+  solver->b = b;
+  PetscCall(FactorSolve(t->F, b, t->d));
+  PetscCall(VecNorm(t->d, NORM_INFINITY, &t->size));
+  PetscCall(MatMult(solver->A, t->d, t->r));
+  PetscCall(VecAYPX(t->r, -1, b));
+  PetscCall(PetscMalloc1(solver->set->n, &g));
+  PetscCall(ActiveSetGather(solver->set, t->r, g));
+  PetscCall(ToFirst_Private(solver, g, t->g));
+  PetscCall(PetscFree(g));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ReducedCreate(const ActiveSet *set, Mat A, Vec b, const char prefix[], PetscReal rtol,
                              ActiveSolver *solver, const char **failure)
 {
   Reduced       *t;
-  PetscReal     *g;
   PetscMPIInt    n;
   MatFactorError error;
 
@@ -312,6 +331,7 @@ PetscErrorCode ReducedCreate(const ActiveSet *set, Mat A, Vec b, const char pref
   PetscCall(PetscNew(&t));
   (*solver)->data    = t;
   (*solver)->solve   = Solve_Reduced;
+  (*solver)->load    = Load_Reduced;
   (*solver)->finish  = Finish_Reduced;
   (*solver)->destroy = Destroy_Reduced;
   PetscCall(Allocate_Private(*solver));
@@ -320,14 +340,6 @@ PetscErrorCode ReducedCreate(const ActiveSet *set, Mat A, Vec b, const char pref
   PetscCall(Factor_Private(*solver, prefix, &error));
   *failure = ActiveFailureOfFactor(error);
   if (*failure) PetscFunctionReturn(PETSC_SUCCESS);
-  /* g = b_C - A_CI A_II^-1 b_I */
-  PetscCall(FactorSolve(t->F, b, t->d));
-  PetscCall(VecNorm(t->d, NORM_INFINITY, &t->size));
-  PetscCall(MatMult(A, t->d, t->r));
-  PetscCall(VecAYPX(t->r, -1, b));
-  PetscCall(PetscMalloc1(set->n, &g));
-  PetscCall(ActiveSetGather(set, t->r, g));
-  PetscCall(ToFirst_Private(*solver, g, t->g));
-  PetscCall(PetscFree(g));
+  PetscCall(Load_Reduced(*solver, b, NULL));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -19,6 +19,7 @@ typedef struct {
   Vec       free;     /* M */
   Vec       y, r;     /* the solution; b - A y */
   Vec       f, d;     /* M r; correction, A^^-1 f */
+  PetscBool same;     /* M is what A^ was made for */
   PetscBool direct;   /* the KSP only applies its preconditioner */
   PetscBool factored; /* which is a factorisation */
 } Truncated;
@@ -32,10 +33,15 @@ static PetscErrorCode Prescribe_Private(ActiveSolver solver, const PetscBool fix
   PetscScalar     *free, *y;
 
   PetscFunctionBeginUser;
-  PetscCall(VecSet(t->free, 1));
   PetscCall(VecGetArray(t->free, &free));
-  for (PetscInt i = 0; i < set->n; i++) free[set->dof[i] - set->dof_begin] = fixed[i] ? 0 : 1;
+  for (PetscInt i = 0; i < set->n; i++) {
+    const PetscScalar now = fixed[i] ? 0 : 1;
+
+    if (free[set->dof[i] - set->dof_begin] != now) t->same = PETSC_FALSE;
+    free[set->dof[i] - set->dof_begin] = now;
+  }
   PetscCall(VecRestoreArray(t->free, &free));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &t->same, 1, MPIU_BOOL, MPI_LAND, set->comm));
   PetscCall(VecPointwiseMult(t->d, t->y, t->free));
   PetscCall(VecSet(t->y, 0));
   PetscCall(VecGetArray(t->y, &y));
@@ -89,6 +95,7 @@ static PetscErrorCode Matrix_Private(ActiveSolver solver)
   Truncated *t = solver->data;
 
   PetscFunctionBeginUser;
+  if (t->same) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MatCopy(solver->A, t->A, SAME_NONZERO_PATTERN));
   PetscCall(MatDiagonalScale(t->A, t->free, t->free));
   PetscCall(VecPointwiseMult(t->f, t->free, solver->diag));
@@ -97,6 +104,7 @@ static PetscErrorCode Matrix_Private(ActiveSolver solver)
   PetscCall(MatSetOption(t->A, MAT_SPD, PETSC_TRUE));
   PetscCall(NearNullSpace_Private(solver));
   PetscCall(KSPSetOperators(t->ksp, t->A, t->A));
+  t->same = PETSC_TRUE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -156,6 +164,16 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+static PetscErrorCode Load_Truncated(ActiveSolver solver, Vec b, Vec y)
+{
+  Truncated *t = solver->data;
+
+  PetscFunctionBeginUser;
+  solver->b = b;
+  PetscCall(VecCopy(y, t->y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The last solve has it all. */
 static PetscErrorCode Finish_Truncated(ActiveSolver solver, ActiveSolution *solution, Vec y)
 {
@@ -200,11 +218,13 @@ PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ks
   PetscCall(VecDuplicate(b, &t->y));
   PetscCall(VecCopy(y, t->y));
   PetscCall(VecDuplicate(b, &t->free));
+  PetscCall(VecSet(t->free, 1));
   PetscCall(VecDuplicate(b, &t->r));
   PetscCall(VecDuplicate(b, &t->f));
   PetscCall(VecDuplicate(b, &t->d));
   (*solver)->data    = t;
   (*solver)->solve   = Solve_Truncated;
+  (*solver)->load    = Load_Truncated;
   (*solver)->finish  = Finish_Truncated;
   (*solver)->destroy = Destroy_Truncated;
   PetscFunctionReturn(PETSC_SUCCESS);
