@@ -155,7 +155,7 @@ static PetscErrorCode FacetGetPoint_Private(const GmshMesh *mesh, PetscInt e, co
                                             PetscInt *point)
 {
   const PetscInt *nodes = &mesh->nodes[mesh->start[e]], *join, corners = ElementGetNumCorners_Private(mesh, e);
-  PetscInt        first, begin, end, num, size = 0, vertices[ELEMENT_MAX_FACET_NODES];
+  PetscInt        first, begin, end, num, size, vertices[ELEMENT_MAX_FACET_NODES];
 
   PetscFunctionBeginUser;
   *point = -1;
@@ -166,10 +166,12 @@ static PetscErrorCode FacetGetPoint_Private(const GmshMesh *mesh, PetscInt e, co
     vertices[i] = first + number[nodes[i]];
   }
   PetscCall(DMPlexGetFullJoin(dm, corners, vertices, &num, &join));
-  if (num == 1 && join[0] >= begin && join[0] < end) *point = join[0];
+  for (PetscInt i = 0; i < num; ++i) { // three corners of a quadrangle may be those of a triangle of another body
+    if (join[i] < begin || join[i] >= end) continue;
+    PetscCall(DMPlexGetConeSize(dm, join[i], &size)); // a facet has as many sides as corners
+    if (size == corners) *point = join[i];
+  }
   PetscCall(DMPlexRestoreJoin(dm, corners, vertices, &num, &join));
-  if (*point >= 0) PetscCall(DMPlexGetConeSize(dm, *point, &size)); // a facet has as many sides as corners
-  if (size != corners) *point = -1;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

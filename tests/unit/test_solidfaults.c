@@ -1,5 +1,5 @@
 /* test_solidfaults.c -- mistakes in files of solids: each is one sentence that names the culprit; cells that are merely inside
-   out are none. */
+   out, or of two kinds, are none. */
 #include "solid_scene.h"
 
 static char FileName[PETSC_MAX_PATH_LEN]; /* written for one test after the other, removed in the end */
@@ -118,6 +118,29 @@ static void TestInsideOut(void)
   CheckSound("3\n1 2 2 5 1 1 3 2\n2 4 2 1 1 2 1 3 9\n3 4 2 2 1 2 1 3 10");
 }
 
+/* A hexahedron, and on half of its top a tetrahedron of another body: bodies of one file have nothing in common. */
+static void TestTwoKinds(void)
+{
+  TestScene t;
+  Mesh      mesh;
+
+  SceneInit(&t, "4\n" HEX "\n" FLOOR "\n3 2 2 6 1 5 6 7\n4 4 2 2 1 5 6 7 9", "steel", "5");
+  TestSceneAddBoundary(TestSceneAddFile(&t, "other", FileName, "2"), BOUNDARY_PRESSURE, "6", "1");
+  t.scene.refine = 1;
+  mesh           = TestSceneMesh(&t);
+  CHECK(mesh->levels[0].num_global == 8 + 4);
+  for (PetscInt l = 0; l <= 1; ++l) {
+    SideSums sums;
+
+    CHECK_NEAR(SolidVolume(&mesh->levels[l], 0), 1, 1e-14);
+    CHECK_NEAR(SolidVolume(&mesh->levels[l], 1), 1. / 6, 1e-14);
+    SolidSumSide(&t, &mesh->levels[l], 1, "6", &sums);
+    CHECK_NEAR(sums.normal[2], -0.5, 1e-14);
+  }
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
 /* A file cut short anywhere is one that ends too early. */
 static void TestCut(const char path[])
 {
@@ -160,6 +183,7 @@ int main(int argc, char **argv)
   TestCells();
   TestSides();
   TestInsideOut();
+  TestTwoKinds();
   TestCut(MESHES "/drum_22.msh");
   TestCut(MESHES "/drum_41_bin.msh");
   TestCut(MESHES "/drum_tets_41.msh");
