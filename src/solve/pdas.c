@@ -8,10 +8,6 @@
 #include <mortise/pdas.h>
 #include "active.h"
 
-/* Bounded unknowns up to which a dense factorisation per set (here 9e9 operations, half a second, and 216 MB) beats a
-   sparse one. */
-static const PetscInt MAX_REDUCED = 3000;
-
 static const char CONTEXT[] = "MortisePDAS"; /* name under which the context is composed */
 
 static const char *const PDASStarts[] = {"empty", "full", "gap", "previous"};
@@ -169,7 +165,7 @@ static PetscErrorCode Reducible_Private(const PDAS *pdas, const ActiveSet *set, 
   PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCCHOLESKY, &cholesky));
   if (cholesky) PetscCall(PCFactorGetMatSolverType(pc, &type));
   if (type) PetscCall(PetscStrcmp(type, MATSOLVERMUMPS, &mumps));
-  *reduced = (PetscBool)(direct && mumps && set->N <= MAX_REDUCED);
+  *reduced = (PetscBool)(direct && mumps && set->N <= ACTIVE_MAX_REDUCED);
   if (pdas->reduce_set) *reduced = pdas->reduce;
   /* without bounds there is one system only; with nothing else there is nothing to eliminate */
   if (set->N == 0 || set->N == size) *reduced = PETSC_FALSE;
