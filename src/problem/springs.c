@@ -6,7 +6,7 @@
 #include <mortise/compat.h>
 #include "hold.h"
 
-/* Stiffness of a spring by the mean stiffness of its body: each solution is nearer to the next by this factor, and the matrix has
+/* Stiffness of a spring by the mean stiffness of the softest body: each solution is nearer to the next by this factor, and the matrix has
    a condition number of its inverse at least. */
 static const PetscReal WEAK = 1e-6;
 /* A contact force counts, in parts of the largest. */
@@ -75,13 +75,13 @@ static PetscErrorCode Farthest_Private(const Level *level, PetscInt num_bodies, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* WEAK times the mean diagonal of A over each body. [out] weak - [num_bodies] */
+/* WEAK times the mean diagonal of A over the softest body, for all: a stiff body may ride on it. [out] weak - [num_bodies] */
 static PetscErrorCode Stiffness_Private(VI vi, PetscReal weak[])
 {
   const Level       *level = vi->level;
   const PetscInt     dim = level->dim, num_bodies = vi->motions.num_bodies;
   const PetscScalar *d;
-  PetscReal         *sums;
+  PetscReal         *sums, softest = PETSC_MAX_REAL;
   Vec                diagonal;
 
   PetscFunctionBeginUser;
@@ -96,7 +96,8 @@ static PetscErrorCode Stiffness_Private(VI vi, PetscReal weak[])
   PetscCall(VecRestoreArrayRead(diagonal, &d));
   PetscCall(VecDestroy(&diagonal));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, (PetscMPIInt)(2 * num_bodies), MPIU_REAL, MPI_SUM, level->comm));
-  for (PetscInt b = 0; b < num_bodies; b++) weak[b] = WEAK * sums[2 * b] / sums[2 * b + 1];
+  for (PetscInt b = 0; b < num_bodies; b++) softest = PetscMin(softest, sums[2 * b] / sums[2 * b + 1]);
+  for (PetscInt b = 0; b < num_bodies; b++) weak[b] = WEAK * softest;
   PetscCall(PetscFree(sums));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
