@@ -3,6 +3,7 @@
    PETSc cannot hand an order of pivots to MUMPS' Cholesky factorisation, and with a Schur complement MUMPS itself knows none but
    minimum degree, which in 3D costs twice the operations of nested dissection and a quarter more memory. */
 #include <dmumps_c.h>
+#include <mortise/fault.h>
 #include "factor.h"
 
 /* Controls of MUMPS by the numbers of its manual. */
@@ -10,6 +11,7 @@ enum { ICNTL_PRINT = 4, ICNTL_ORDER = 7, ICNTL_INPUT = 18, ICNTL_SCHUR = 19, ICN
 enum { NUM_CNTL = 15 };
 /* Their values: pivots in the order given, by minimum degree; entries where they are; S on the host. */
 enum { ORDER_GIVEN = 1, ORDER_MINIMUM_DEGREE = 0, INPUT_CENTRAL = 0, INPUT_DISTRIBUTED = 3, SCHUR_ON_HOST = 1 };
+enum { LAST_ORDER = 7 };
 enum { JOB_BEGIN = -1, JOB_END = -2, JOB_ANALYSE = 1, JOB_FACTOR = 2, JOB_SOLVE = 3, SYMMETRIC_DEFINITE = 1 };
 
 struct _n_Factor {
@@ -55,8 +57,8 @@ static PetscErrorCode CreateEntries_Private(Mat A, DMUMPS_STRUC_C *id)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What PETSc's options say. */
-static PetscErrorCode SetControls_Private(const char prefix[], DMUMPS_STRUC_C *id)
+/* What PETSc's options say. MUMPS would take another order for one that it does not know. Collective. */
+static PetscErrorCode SetControls_Private(MPI_Comm comm, const char prefix[], DMUMPS_STRUC_C *id)
 {
   char option[64];
 
@@ -67,6 +69,10 @@ static PetscErrorCode SetControls_Private(const char prefix[], DMUMPS_STRUC_C *i
 
     PetscCall(PetscSNPrintf(option, sizeof(option), "-mat_mumps_icntl_%" PetscInt_FMT, i));
     PetscCall(PetscOptionsGetInt(NULL, prefix, option, &value, &set));
+    if (set && i == ICNTL_ORDER && (value < 0 || value > LAST_ORDER)) {
+      PetscCall(FaultRaise(comm, "-%s%s %" PetscInt_FMT ": no order of pivots; must be 0 to %d", prefix ? prefix : "",
+                           &option[1], value, LAST_ORDER));
+    }
     if (set) id->icntl[i - 1] = (MUMPS_INT)value;
   }
   for (PetscInt i = 1; i <= NUM_CNTL; i++) {
@@ -159,7 +165,7 @@ PetscErrorCode FactorCreate(Mat A, PetscInt num, const PetscInt C[], const char 
   id->icntl[ICNTL_ORDER - 1] = bs < solid ? ORDER_MINIMUM_DEGREE : ORDER_GIVEN;
   id->icntl[ICNTL_INPUT - 1] = factor->size == 1 ? INPUT_CENTRAL : INPUT_DISTRIBUTED;
   id->icntl[ICNTL_SCHUR - 1] = SCHUR_ON_HOST;
-  PetscCall(SetControls_Private(prefix, id));
+  PetscCall(SetControls_Private(factor->comm, prefix, id));
   PetscCall(Factor_Private(factor, A, num, C, S));
   *error = Error_Private(id->infog[0]);
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -13,5 +13,5 @@ mortise_mistake(number_of_petsc SCENE two_plates SAYS -ksp_rtol abc ARGS -ksp_rt
 mortise_mistake(type_of_petsc SCENE two_plates SAYS -pc_type zoo ARGS -pc_type zoo)
 mortise_mistake(bool_of_petsc SCENE two_plates SAYS -malloc_debug zoo ARGS -malloc_debug zoo)
 mortise_mistake(solver_of_petsc SCENE two_plates SAYS "solver type zoo" ARGS -pc_type lu -pc_factor_mat_solver_type zoo)
-mortise_mistake(range_of_mumps SCENE two_plates SAYS "Valid values" ARGS -mat_mumps_icntl_7 99)
+mortise_mistake(range_of_mumps SCENE two_plates SAYS "-mat_mumps_icntl_7 99" "0 to 7" ARGS -mat_mumps_icntl_7 99)
 mortise_mistake(viewer_of_petsc SCENE two_plates SAYS -ksp_view nowhere ARGS -ksp_view ascii:nowhere/x)
