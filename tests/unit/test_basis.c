@@ -1,11 +1,12 @@
 /* test_basis.c -- the change of basis: rows of B are single unknowns, rigid motions keep A's null space, supports are met,
-   whatever the order, whichever nodes carry multipliers, and on any number of ranks. */
+   whatever the order, whichever nodes carry multipliers, in the plane and in space, and on any number of ranks. */
 #include <mortise/compat.h>
 #include <mortise/vi.h>
 #include "mesh_scene.h"
+#include "solid_scene.h"
 #include "uniform.h"
 
-/* What a scene is made of; all bodies are boxes of order 2, over and under y = 0. */
+/* What a scene in the plane is made of; all bodies are boxes of order 2, over and under y = 0. */
 typedef enum {
   CASE_VERTICES, /* a block on a block, multipliers at vertices */
   CASE_CHAIN,    /* the side that is shifted in one pair is the mortar side of another, which has them at all nodes */
@@ -47,6 +48,30 @@ static VI CreateVI(TestScene *t, Case which, PetscBool supports, Mesh *mesh)
   return vi;
 }
 
+/* A block of tetrahedra in the corner of two others, all of order 2: T24 on its sides, two constraints on its edge. */
+static VI CreateSolidVI(TestScene *t, PetscBool supports, Mesh *mesh)
+{
+  const PetscInt  faces[3][3] = {{2, 2, 2}, {3, 2, 1}, {1, 2, 3}};
+  const PetscReal lower[3][3] = {{0, 0, 0}, {0, 0, -1}, {-1, 0, 0}}, upper[3][3] = {{1, 1, 1}, {1, 1, 0}, {0, 1, 1}};
+  const char     *names[3] = {"block", "floor", "wall"};
+  SceneBody      *body;
+  VI              vi;
+
+  SolidSceneInit(t);
+  for (PetscInt b = 0; b < 3; ++b) {
+    body          = SolidSceneAddBox(t, names[b], faces[b], lower[b], upper[b]);
+    body->order   = 2;
+    body->simplex = (PetscBool)(b == 0);
+    if (supports) TestSceneAddBoundary(body, BOUNDARY_DISPLACEMENT, "front", "free, 0.01*(x^2+z), free");
+    if (supports && b == 0) TestSceneAddBoundary(body, BOUNDARY_DISPLACEMENT, "right", "0.01*z*y^2, free, 0.02*y");
+  }
+  TestSceneAddPair(t, "below", 0, "bottom", 1, "top");
+  TestSceneAddPair(t, "beside", 0, "left", 2, "right");
+  *mesh = TestSceneMesh(t);
+  CHECK(!VICreate(&t->scene, *mesh, &vi));
+  return vi;
+}
+
 static void DestroyVI(TestScene *t, Mesh *mesh, VI *vi)
 {
   CHECK(!VIDestroy(vi));
@@ -67,7 +92,7 @@ static void TestRows(VI vi)
   CHECK(!VecGetArray(y, &ya));
   for (PetscInt i = 0; i < end - begin; ++i) ya[i] = Uniform(-1, 1);
   CHECK(!VecRestoreArray(y, &ya));
-  CHECK(!LevelCreateVec(vi->level, 2, &u));
+  CHECK(!LevelCreateVec(vi->level, vi->level->dim, &u));
   CHECK(!VIRecoverDisplacement(vi, y, u));
   CHECK(!VecDuplicate(vi->G, &Bu));
   CHECK(!MatMult(vi->B, u, Bu));
@@ -95,7 +120,7 @@ static void TestMotions(VI vi)
 
   CHECK(!MatGetNearNullSpace(vi->A, &space));
   CHECK(!MatNullSpaceGetVecs(space, NULL, &num, &vectors));
-  CHECK(num == 3 * vi->scene->num_bodies);
+  CHECK(num == (vi->level->dim == 3 ? 6 : 3) * vi->scene->num_bodies);
   CHECK(!VecDuplicate(vi->upper, &image));
   for (PetscInt i = 0; i < num; ++i) {
     CHECK(!MatMult(vi->A, vectors[i], image));
@@ -112,17 +137,20 @@ static void TestSupports(VI vi)
   Vec                y, u;
   const PetscScalar *ua;
   const Support     *held = &vi->support;
+  const PetscInt     dim  = vi->level->dim;
 
   CHECK(!VecDuplicate(vi->upper, &y));
   CHECK(!VecCopy(vi->b, y)); // any other unknown may have any value
-  CHECK(!LevelCreateVec(vi->level, 2, &u));
+  CHECK(!LevelCreateVec(vi->level, vi->level->dim, &u));
   CHECK(!VIRecoverDisplacement(vi, y, u));
   CHECK(!VecGetArrayRead(u, &ua));
   for (PetscInt i = 0; i < vi->level->num_owned; ++i) {
     for (PetscInt j = 0; j < held->count[i]; ++j) {
-      const PetscReal *d = &held->directions[(2 * i + j) * 2];
+      const PetscReal *d   = &held->directions[(dim * i + j) * dim];
+      PetscReal        dot = 0;
 
-      CHECK_NEAR(d[0] * ua[2 * i] + d[1] * ua[2 * i + 1], held->values[2 * i + j], 1e-14);
+      for (PetscInt k = 0; k < dim; ++k) dot += d[k] * ua[dim * i + k];
+      CHECK_NEAR(dot, held->values[dim * i + j], 1e-14);
     }
   }
   CHECK(!VecRestoreArrayRead(u, &ua));
@@ -144,6 +172,13 @@ int main(int argc, char **argv)
     DestroyVI(&t, &mesh, &vi);
   }
   vi = CreateVI(&t, CASE_VERTICES, PETSC_TRUE, &mesh);
+  TestSupports(vi);
+  DestroyVI(&t, &mesh, &vi);
+  vi = CreateSolidVI(&t, PETSC_FALSE, &mesh);
+  TestRows(vi);
+  TestMotions(vi);
+  DestroyVI(&t, &mesh, &vi);
+  vi = CreateSolidVI(&t, PETSC_TRUE, &mesh);
   TestSupports(vi);
   DestroyVI(&t, &mesh, &vi);
   PetscCall(PetscFinalize());
