@@ -10,9 +10,20 @@ import numpy as np
 from meshes import cells_by_size
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "reference"))
-from bodies import SHAPES, evaluate, isotropic  # pylint: disable=wrong-import-position
+from bodies import CORNERS, Shape, evaluate, isotropic, shape_of  # pylint: disable=wrong-import-position
 
 KINDS = {3: ("triangle", 1), 4: ("quad", 1), 6: ("triangle", 2), 9: ("quad", 2)}
+
+
+def file_shape(kind, order):
+    """Shape functions of cells in files: corners, middles of the edges between them, centre of a quad."""
+    corners = CORNERS[kind]
+    middles = [tuple(np.mean(ends, axis=0)) for ends in zip(corners, corners[1:] + corners[:1])]
+    centre = [(0.5, 0.5)] if kind == "quad" else []
+    return Shape(corners if order == 1 else corners + middles + centre, shape_of(kind, order).powers)
+
+
+SHAPES = {key: file_shape(*key) for key in KINDS.values()}
 POINTS, STEP = 6, 1e-4  # Gauss points per direction; difference for gradients, of a scene of size 1
 
 
