@@ -59,7 +59,5 @@ PetscErrorCode SolvabilitySettle(VI vi, Vec y);
 /* A motion of all bodies in words and numbers. Collective. [in] q - [m]; [out] motion - to be freed by SceneMotionDestroy() */
 PetscErrorCode SceneMotionCreate(VI vi, Solvability solvability, const PetscReal q[], SceneMotion *motion);
 PetscErrorCode SceneMotionDestroy(SceneMotion *motion);
-/* The motion of every node, for a picture. [out] u - as LevelCreateVec(level, dim) makes it. Collective. */
-PetscErrorCode SceneMotionField(VI vi, const SceneMotion *motion, Vec u);
 
 #endif

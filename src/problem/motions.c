@@ -224,29 +224,3 @@ PetscErrorCode SceneMotionDestroy(SceneMotion *motion)
   motion->num = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
-
-PetscErrorCode SceneMotionField(VI vi, const SceneMotion *motion, Vec u)
-{
-  const Level *level = vi->level;
-  PetscScalar *ua;
-
-  PetscFunctionBeginUser;
-  PetscCall(VecZeroEntries(u));
-  PetscCall(VecGetArray(u, &ua));
-  for (PetscInt i = 0; i < motion->num; i++) {
-    const BodyMotion *body     = &motion->bodies[i];
-    const PetscReal   frame[4] = {body->centre[0], body->centre[1], body->centre[2], 1};
-    PetscReal         components[RIGID_COMPONENTS];
-
-    for (PetscInt k = 0; k < 3; k++) {
-      components[k]     = body->translation[k];
-      components[3 + k] = body->rotation[k];
-    }
-    for (PetscInt a = 0; a < level->num_owned; a++) {
-      if (level->node_body[a] == body->body)
-        RigidMotionAt(level->dim, frame, components, &level->coords[a * level->dim], &ua[a * level->dim]);
-    }
-  }
-  PetscCall(VecRestoreArray(u, &ua));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
