@@ -6,7 +6,7 @@
 #include <mortise/compat.h>
 #include "hold.h"
 
-/* Stiffness of a spring by the mean stiffness of the softest body: each solution is nearer to the next by this factor, and the matrix has
+/* Stiffness of a spring by that of bodies: each solution is nearer to the next by this factor, and the matrix has
    a condition number of its inverse at least. */
 static const PetscReal WEAK = 1e-6;
 /* A contact force counts, in parts of the largest. */
@@ -75,13 +75,14 @@ static PetscErrorCode Farthest_Private(const Level *level, PetscInt num_bodies, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* WEAK times the mean diagonal of A over the softest body, for all: a stiff body may ride on it. [out] weak - [num_bodies] */
+/* WEAK times the mean diagonal of A over each body, or over a softer one that pairs lead to: what lies on it, or on others that do, is
+   held no firmer than that. [out] weak - [num_bodies] */
 static PetscErrorCode Stiffness_Private(VI vi, PetscReal weak[])
 {
   const Level       *level = vi->level;
   const PetscInt     dim = level->dim, num_bodies = vi->motions.num_bodies;
   const PetscScalar *d;
-  PetscReal         *sums, softest = PETSC_MAX_REAL;
+  PetscReal         *sums;
   Vec                diagonal;
 
   PetscFunctionBeginUser;
@@ -96,8 +97,14 @@ static PetscErrorCode Stiffness_Private(VI vi, PetscReal weak[])
   PetscCall(VecRestoreArrayRead(diagonal, &d));
   PetscCall(VecDestroy(&diagonal));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, (PetscMPIInt)(2 * num_bodies), MPIU_REAL, MPI_SUM, level->comm));
-  for (PetscInt b = 0; b < num_bodies; b++) softest = PetscMin(softest, sums[2 * b] / sums[2 * b + 1]);
-  for (PetscInt b = 0; b < num_bodies; b++) weak[b] = WEAK * softest;
+  for (PetscInt b = 0; b < num_bodies; b++) weak[b] = WEAK * sums[2 * b] / sums[2 * b + 1];
+  for (PetscInt round = 0; round < vi->num_pairs; round++) {
+    for (PetscInt p = 0; p < vi->num_pairs; p++) {
+      const PetscInt a = vi->pairs[p]->spec->nonmortar.body, b = vi->pairs[p]->spec->mortar.body;
+
+      if (b >= 0) weak[a] = weak[b] = PetscMin(weak[a], weak[b]);
+    }
+  }
   PetscCall(PetscFree(sums));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
