@@ -39,7 +39,7 @@ static PetscReal RoundGap_Private(PetscReal radius, PetscReal a, PetscReal b, Pe
 /* |d + t n| = |radius| with what of d = x - point and of n is across the axis: all of them for a ball, whose axis is zero. */
 static PetscReal AxisGap_Private(const SceneObstacle *round, PetscInt dim, const PetscReal x[], const PetscReal n[])
 {
-  PetscReal d[3], across[3], a, b, c, da, na;
+  PetscReal d[3] = {0.}, across[3] = {0.}, a, b, c, da, na;
 
   for (PetscInt k = 0; k < dim; k++) d[k] = x[k] - round->point[k];
   da = Dot_Private(dim, d, round->axis);
@@ -58,8 +58,8 @@ static PetscReal AxisGap_Private(const SceneObstacle *round, PetscInt dim, const
 static PetscReal ParabolaGap_Private(const SceneObstacle *parabola, PetscInt dim, const PetscReal x[],
                                      const PetscReal n[])
 {
-  const PetscReal R = parabola->radius;
-  PetscReal       d[3], s, ns, rr, rn;
+  const PetscReal R    = parabola->radius;
+  PetscReal       d[3] = {0.}, s, ns, rr, rn;
 
   for (PetscInt k = 0; k < dim; k++) d[k] = x[k] - parabola->point[k];
   s  = Dot_Private(dim, d, parabola->normal);

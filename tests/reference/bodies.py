@@ -52,6 +52,8 @@ KINDS = {1: ("line", "line"), 2: ("quad", "triangle"), 3: ("hex", "tet")}  # [di
 DIM = {kind: dim for dim, kinds in KINDS.items() for kind in kinds}
 CORNERS = {"line": [(0,), (1,)], "triangle": [(0, 0), (1, 0), (0, 1)], "quad": [(0, 0), (1, 0), (1, 1), (0, 1)],
            "tet": [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], "hex": list(itertools.product((0, 1), repeat=3))}
+# In the order of XDMF's cells, by which other programs of the tests read files.
+MIDDLES = {"triangle": [(0.5, 0), (0.5, 0.5), (0, 0.5)], "quad": [(0.5, 0), (1, 0.5), (0.5, 1), (0, 0.5), (0.5, 0.5)]}
 
 
 def is_simplex(kind):
@@ -61,8 +63,8 @@ def is_simplex(kind):
 def shape_of(kind, order):
     """Corners, then the other nodes of a lattice with `order` steps; powers up to order, of each factor or of all together."""
     lattice = [place for place in itertools.product(range(order + 1), repeat=DIM[kind]) if not is_simplex(kind) or sum(place) <= order]
-    places = [tuple(step / order for step in place) for place in lattice]
-    return Shape(CORNERS[kind] + [place for place in places if place not in CORNERS[kind]], lattice)
+    others = [place for place in (tuple(step / order for step in steps) for steps in lattice) if place not in CORNERS[kind]]
+    return Shape(CORNERS[kind] + (MIDDLES.get(kind, others) if order == 2 else []), lattice)
 
 
 SHAPES = {(kind, order): shape_of(kind, order) for kind in DIM for order in (1, 2)}
