@@ -153,7 +153,7 @@ static void Words_Private(VI vi, const BodyMotion *motion, const Contacts *conta
 {
   const PetscInt dim  = vi->level->dim;
   const char    *name = vi->scene->bodies[motion->body].name;
-  char           does[256];
+  char           does[512];
 
   if (Norm_Private(motion->rotation) > 0) {
     Turning_Private(dim, motion, contacts->opens && contacts->keeps ? "tips" : "turns", does, sizeof(does));
