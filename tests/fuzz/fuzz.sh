@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# fuzz.sh <target> [seconds]: looks for inputs that break a target (expression, options, msh), with clang's libFuzzer and
+# sanitizers; begins with corpus/ and the files of the repository, keeps what it learns under build/fuzz/<target>.
+set -eu
+cd "$(dirname "$0")/../.."
+target=$1 seconds=${2:-600} folder=build/fuzz
+clang=$(command -v clang || command -v clang-14) || {
+  echo "fuzz.sh: clang with libFuzzer is needed (Debian: clang-14 libclang-rt-14-dev)" >&2
+  exit 1
+}
+cmake -S . -B "$folder" -DCMAKE_C_COMPILER="$clang" -DCMAKE_BUILD_TYPE=Debug -DMORTISE_FUZZ=ON \
+  -DMORTISE_SANITIZE=address,undefined >/dev/null
+cmake --build "$folder" -j "$(nproc)" --target "libfuzzer_$target" >/dev/null
+mkdir -p "$folder/$target" "$folder/found"
+case $target in
+  msh) cp -n $(find tests options -name '*.msh' -size -32k) "$folder/$target" ;;
+  options) cp -n options/*.opts tests/*/*.opts "$folder/$target" ;;
+esac
+# Faults leave memory behind, as the program ends with them: -fork begins anew when it is used up.
+ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 "$folder/tests/libfuzzer_$target" \
+  -fork=1 -ignore_ooms=1 -max_total_time="$seconds" -timeout=20 -close_fd_mask=3 -artifact_prefix="$folder/found/$target-" \
+  ${FUZZ_OPTIONS:-} "$folder/$target" "tests/fuzz/corpus/$target"
