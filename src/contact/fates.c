@@ -10,9 +10,10 @@
 /* A normal whose free part is shorter than this is held: no multiplier. */
 static const PetscReal HELD_NORMAL = 0.1;
 /* Covered share of a node's support below which its pressure could not be recovered accurately, on linear and on quadratic
-   facets, whose share e covers e^2 / 2 of a far end or 3 e^2 of a middle node. The far end of a quadratic facet is
-   covered negatively where less than three quarters of the facet are. */
-static const PetscReal SLIVER_LINEAR = 1e-3, SLIVER_QUADRATIC = 5e-2;
+   facets, whose share e covers e^2 / 2 of a far end or 3 e^2 of a middle node. The far end of a quadratic line is covered
+   negatively, 4 e^3 - 3 e^2 >= -1/4, where less than three quarters of the line are; the far corner of a facet in space by the
+   product of two such shares, which is positive again and up to 1/16. */
+static const PetscReal SLIVER_LINEAR = 1e-3, SLIVER_QUADRATIC_LINE = 5e-2, SLIVER_QUADRATIC = 0.1;
 /* Covered share that is nothing but roundoff. */
 static const PetscReal NOTHING = 1e-13;
 /* Share of the facets around a node below which its shape function weighs next to nothing: at the axis of a quadratic
@@ -62,7 +63,8 @@ static PetscReal LeastShare_Private(const Level *level, const ScenePair *spec)
   const PetscBool quadratic =
       (PetscBool)(level->scene->bodies[spec->nonmortar.body].order == 2 && spec->multipliers == MULTIPLIERS_NODES);
 
-  return quadratic ? SLIVER_QUADRATIC : SLIVER_LINEAR;
+  if (!quadratic) return SLIVER_LINEAR;
+  return level->dim == 2 ? SLIVER_QUADRATIC_LINE : SLIVER_QUADRATIC;
 }
 
 /* What the fates of nodes are decided by, at local nodes. */

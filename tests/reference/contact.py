@@ -6,7 +6,8 @@ import numpy as np
 
 from bodies import MANY, SHAPES, evaluate, is_simplex, normal_of, product_rule
 
-SLIVER, NOTHING, HELD = {1: 1e-3, 2: 5e-2}, 1e-13, 0.1  # a node with less cover (of facets of that order) or freedom has no multiplier
+# A node with less cover (in that dimension, of facets of that order) or freedom has no multiplier.
+SLIVER, NOTHING, HELD = {(2, 1): 1e-3, (2, 2): 5e-2, (3, 1): 1e-3, (3, 2): 0.1}, 1e-13, 0.1
 SHARE = 0.2  # of a middle node of a quadratic triangle that its corners take over, whose shape functions integrate to zero
 
 
@@ -117,7 +118,7 @@ class Pair:
         """Whether a node carries its multiplier."""
         dim = self.scene.dim
         held = any(dim * node + k in self.scene.held for k in range(dim))
-        return self.D[node] >= SLIVER[self.order] * self.full[node] and self.free[node] >= HELD and not (self.tied and held)
+        return self.D[node] >= SLIVER[dim, self.order] * self.full[node] and self.free[node] >= HELD and not (self.tied and held)
 
     def shares(self, kept, removed):
         """{removed node: {kept node: weight}}: the mean over neighbours along the side, in rings around the kept nodes."""
