@@ -21,6 +21,9 @@ mortise_scene_test(shells CHECK shells.py)
 mortise_scene_test(tubes CHECK tubes.py)
 mortise_scene_test(hertz_axisymmetric CHECK hertz_axisymmetric.py)
 mortise_scene_test(wheel_on_rail CHECK wheel_on_rail.py RANKS 1 3)
+mortise_scene_test(crossed_cylinders CHECK crossed_cylinders.py)
+mortise_scene_test(ball_in_socket CHECK ball_in_socket.py)
+mortise_scene_test(stack3d CHECK stack3d.py RANKS 1 3)
 # Rigid shapes about the axis of revolution.
 mortise_scene_test(indent_ball SCENE indent CHECK indent.py ARGS -joint_obstacle ball -joint_obstacle_point 0,9.99 -joint_obstacle_radius 10)
 mortise_scene_test(indent_parabola SCENE indent CHECK indent.py
