@@ -77,19 +77,21 @@ void ShapesAdd(Shapes *shapes, ElementType type, const PetscInt vertices[])
   shapes->start[++shapes->num] = start + num;
 }
 
-/* Whether a shape has these vertices, in any order. */
+/* Whether a shape has these vertices one after another, from any of them on and either way round. In a tangled mesh two quads may have
+   the same vertices and not be the same. */
 static PetscBool ShapeIs_Private(const Shapes *shapes, PetscInt shape, PetscInt num, const PetscInt vertices[])
 {
   const PetscInt *own = &shapes->vertex[shapes->start[shape]];
 
   if (shapes->start[shape + 1] - shapes->start[shape] != num) return PETSC_FALSE;
-  for (PetscInt i = 0; i < num; ++i) {
-    PetscInt j = 0;
+  for (PetscInt begin = 0; begin < num; ++begin) {
+    PetscInt forth = 0, back = 0;
 
-    while (j < num && own[j] != vertices[i]) ++j;
-    if (j == num) return PETSC_FALSE;
+    while (forth < num && own[(begin + forth) % num] == vertices[forth]) ++forth;
+    while (back < num && own[(begin + num - back) % num] == vertices[back]) ++back;
+    if (PetscMax(forth, back) == num) return PETSC_TRUE;
   }
-  return PETSC_TRUE;
+  return PETSC_FALSE;
 }
 
 /* The shape with these vertices: a known one, or one that is added. Shapes with the same lowest vertex are a chain.

@@ -18,7 +18,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 int LLVMFuzzerInitialize(int *argc, char ***argv)
 {
   (void)argc, (void)argv;
-  if (FaultInitialize() || PetscInitializeNoArguments()) abort();
+  if (FaultInitialize() || PetscInitializeNoArguments() || PetscPopSignalHandler()) abort(); // signals are the fuzzer's
   return 0;
 }
 
