@@ -200,7 +200,7 @@ PetscErrorCode GmshReadNodes(GmshReader *reader)
       reader->node[i] = i;
       if (!blocks) ReadNumbers_Private(reader, 3, &reader->mesh->coords[3 * i]);
     }
-    if (blocks && !reader->reason[0]) ReadNumbers_Private(reader, 3 * num, &reader->mesh->coords[3 * first]);
+    if (blocks && num > 0 && !reader->reason[0]) ReadNumbers_Private(reader, 3 * num, &reader->mesh->coords[3 * first]);
   }
   if (reader->num_tags < total) GmshReaderFail(reader, "its blocks hold fewer nodes than the file declares");
   reader->mesh->num_nodes = reader->num_tags;
