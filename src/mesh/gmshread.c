@@ -96,6 +96,8 @@ static PetscErrorCode AddGroup_Private(GmshReader *reader, PetscInt64 group)
   GmshMesh *mesh = reader->mesh;
 
   PetscFunctionBeginUser;
+  if (group < -PETSC_MAX_INT || group > PETSC_MAX_INT)
+    GmshReaderFail(reader, "a physical group has the number %lld, which cannot be", (long long)group);
   if (reader->reason[0] || group == 0) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(Grow_Private(mesh->num_groups + 1, &reader->max_groups, &mesh->group));
   mesh->group[mesh->num_groups++] = (PetscInt)(group < 0 ? -group : group);
