@@ -1,4 +1,4 @@
-/* certificate.h -- the answer judged in the original blocks, never in the system that was solved (floor 7; numerics.md 6.6). */
+/* certificate.h -- the answer judged in the original blocks, never in the system that was solved (floor 7; T11). */
 #ifndef MORTISE_CERTIFICATE_H
 #define MORTISE_CERTIFICATE_H
 

@@ -58,7 +58,7 @@ typedef struct _n_Mesh *Mesh;
 PetscErrorCode MeshCreate(Scene scene, Mesh *mesh);
 /* Makes or reads all bodies, merges, partitions, refines, builds the tables. Faults: a file that cannot be read, a
    side or region that does not exist (names those that do), a degenerate or tangled cell (names its place), a side
-   in two roles. Chooses roles of pairs left open, by numerics.md 5.6 (writes nonmortar and mortar of the ScenePair).
+   in two roles. Chooses roles of pairs left open, by THEORY.md, section 9 (writes nonmortar and mortar of the ScenePair).
    Collective. */
 PetscErrorCode MeshSetUp(Mesh mesh);
 /* Appends one more level, the finest one with every cell split; earlier pointers into mesh->levels are void then. Faults:

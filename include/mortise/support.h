@@ -1,4 +1,4 @@
-/* support.h -- which directions of each node are held, and at what value (floor 3; numerics.md 5.7).
+/* support.h -- which directions of each node are held, and at what value (floor 3).
 
    Displacement data hold Cartesian directions, normal data hold the side's normal. Both become orthonormal
    directions per node: d_k . u = value_k, k < count. Data that contradict each other at a node are a fault. Nodes on the axis of an

@@ -1,4 +1,4 @@
-/* vi.h -- the condensed variational inequality and the way back (floor 5; numerics.md 5).
+/* vi.h -- the condensed variational inequality and the way back (floor 5; T3, T7, T8).
 
    Book of record, in the user's units:  K u + B'lambda = f,  B u <= G,  lambda >= 0,  lambda.(B u - G) = 0, and the held
    directions of the supports. One change of basis u = T y makes the constrained combinations single unknowns:

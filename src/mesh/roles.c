@@ -1,6 +1,6 @@
 /* roles.c -- which side of a pair carries the multiplier.
 
-   The softer body (behind the sides), else the finer mesh, else the smaller side (numerics.md 5.6): a stiff
+   The softer body (behind the sides), else the finer mesh, else the smaller side (THEORY.md, section 9): a stiff
    nonmortar side would put a stiff skin on a soft mortar side in the condensed matrix. All of it is judged on the
    coarsest level, where it is cheapest. */
 #include "room.h"

@@ -1,4 +1,4 @@
-/* basis.h -- the change of basis u = T y and what is known of y beforehand (private to the room; numerics.md 5.2-5.7). */
+/* basis.h -- the change of basis u = T y and what is known of y beforehand (private to the room; T7). */
 #ifndef MORTISE_BASIS_H
 #define MORTISE_BASIS_H
 

@@ -1,4 +1,4 @@
-/* modes.h -- rigid motions as near null space (private to the room; numerics.md 8.2). */
+/* modes.h -- rigid motions as near null space (private to the room). */
 #ifndef MORTISE_MODES_H
 #define MORTISE_MODES_H
 

@@ -11,7 +11,7 @@
    tolerance of 1e-12. */
 static const PetscReal CLOSED_TOLERANCE = 1e-10;
 /* A node presses if its pressure exceeds this part of the largest one: below, touching without pressure (a tie) cannot be
-   told from an open node (numerics: the same limit decides which contacts hold a floating body). */
+   told from an open node (the same limit decides which contacts hold a floating body). */
 static const PetscReal PRESSED_TOLERANCE = 1e-9;
 
 /* A nonmortar side at rest may be the sum of two large motions, its own relative one and that of the mortar side: bodies

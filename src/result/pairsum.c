@@ -66,7 +66,7 @@ static PetscErrorCode PressurePlace_Private(Fields fields, PetscInt p, const Pet
 }
 
 /* |sum x cross F| / sum |x||F| over the nodes of both sides, F = B'lambda of this pair alone, x from the centre of
-   pressure: 0 on flat and on touching sides (numerics 3.6). */
+   pressure: 0 on flat and on touching sides, where the points of both are the same. */
 static PetscErrorCode MomentImbalance_Private(Fields fields, PetscInt p, PairSum *sum)
 {
   const VI         vi  = fields->vi;
