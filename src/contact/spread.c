@@ -7,6 +7,10 @@
 #include <mortise/compat.h>
 #include "spread.h"
 
+/* Share of its own weight that a node keeps at least beside the rows that it takes over. With less, down to none at all, a pressure there
+   would pull as much as it pushes. */
+static const PetscReal LEFT_OVER = 0.1;
+
 /* Whether two nodes of a facet follow each other on the lattice of its nodes, which has steps of 1 / order along its edges: not the
    vertices of a quadratic facet, nor those that lie across a quad. */
 static PetscBool AreNeighbours_Private(ElementType type, PetscInt i, PetscInt j)
@@ -154,7 +158,40 @@ static PetscErrorCode KeepRows_Private(const Level *level, const NodeFate fate[]
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, const NodeFate fate[], Integrals *sums, Mat *chain)
+/* Removes kept nodes to which too little is left of their own weight: the rows that they take over may be covered negatively.
+   [in] W - NULL where no row is spread; [out] any - whether there was such a node */
+static PetscErrorCode RemoveOverdrawn_Private(Mat W, const Integrals *sums, PetscInt num_nodes, NodeFate fate[],
+                                              PetscBool *any)
+{
+  Vec                total, local, local_D;
+  const PetscScalar *D, *t;
+
+  PetscFunctionBeginUser;
+  *any = PETSC_FALSE;
+  if (!W) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecDuplicate(sums->D, &total));
+  PetscCall(MatMultAdd(W, sums->D, sums->D, total));
+  PetscCall(VecGhostUpdateBegin(total, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostUpdateEnd(total, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostGetLocalForm(total, &local));
+  PetscCall(VecGhostGetLocalForm(sums->D, &local_D));
+  PetscCall(VecGetArrayRead(local, &t));
+  PetscCall(VecGetArrayRead(local_D, &D));
+  for (PetscInt i = 0; i < num_nodes; i++) {
+    if (fate[i] != NODE_KEPT || PetscRealPart(t[i]) >= LEFT_OVER * PetscRealPart(D[i])) continue;
+    fate[i] = NODE_REMOVED;
+    *any    = PETSC_TRUE;
+  }
+  PetscCall(VecRestoreArrayRead(local_D, &D));
+  PetscCall(VecRestoreArrayRead(local, &t));
+  PetscCall(VecGhostRestoreLocalForm(sums->D, &local_D));
+  PetscCall(VecGhostRestoreLocalForm(total, &local));
+  PetscCall(VecDestroy(&total));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, PetscObjectComm((PetscObject)W)));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, NodeFate fate[], Integrals *sums, Mat *chain)
 {
   PetscBool any = PETSC_FALSE;
   Mat       W   = NULL;
@@ -163,7 +200,11 @@ PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, const NodeF
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < level->num_nodes; i++) any = (PetscBool)(any || fate[i] == NODE_REMOVED);
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, level->comm));
-  if (any) PetscCall(Weights_Private(level, facets, fate, sums, &W));
+  while (any) {
+    PetscCall(MatDestroy(&W));
+    PetscCall(Weights_Private(level, facets, fate, sums, &W));
+    PetscCall(RemoveOverdrawn_Private(W, sums, level->num_nodes, fate, &any));
+  }
   if (W) {
     PetscCall(VecDuplicate(sums->G, &WG));
     PetscCall(MatMult(W, sums->G, WG));

@@ -13,10 +13,10 @@ typedef enum { NODE_UNCOVERED, NODE_REMOVED, NODE_KEPT } NodeFate;
    middle, not of each other.
    Where a removed node has removed neighbours only, their weights are averaged; one that is cut off from every kept node is
    dropped. Collective.
-   [in]     fate  - NodeFate of every local node [num_nodes]
+   [in,out] fate  - NodeFate of every local node; nodes whose rows would be eaten up by what they take over are removed as well
+                    [num_nodes]
    [in,out] sums  - G, M and chain are replaced
    [out]    chain - node x node, rows of kept nodes; NULL where no row was spread and all nodes may have multipliers */
-PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, const NodeFate fate[], Integrals *sums,
-                                 Mat *chain);
+PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, NodeFate fate[], Integrals *sums, Mat *chain);
 
 #endif

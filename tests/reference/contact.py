@@ -8,6 +8,7 @@ from bodies import MANY, SHAPES, evaluate, is_simplex, normal_of, product_rule
 
 # A node with less cover (in that dimension, of facets of that order) or freedom has no multiplier.
 SLIVER, NOTHING, HELD = {(2, 1): 1e-3, (2, 2): 5e-2, (3, 1): 1e-3, (3, 2): 0.1}, 1e-13, 0.1
+LEFT_OVER = 0.1  # of its own weight, beside the rows that a node takes over
 SHARE = 0.2  # of a middle node of a quadratic triangle that its corners take over, whose shape functions integrate to zero
 
 
@@ -132,9 +133,13 @@ class Pair:
     def set_rows(self):
         """Rows of B as {unknown: value} over D_aa; those of removed nodes are shared out among kept ones (T12)."""
         touched = [node for node in self.D if abs(self.D[node]) > NOTHING * self.full[node]]
-        kept, self.weight, self.rows = [node for node in touched if self.keeps(node)], {}, []
+        kept, overdrawn, self.weight, self.rows = [node for node in touched if self.keeps(node)], True, {}, []
+        while overdrawn:
+            self.share = self.shares(kept, [node for node in touched if node not in kept])
+            taken = {a: sum(share.get(a, 0.0) * self.D[c] for c, share in self.share.items()) for a in kept}
+            overdrawn = [a for a in kept if self.D[a] + taken[a] < LEFT_OVER * self.D[a]]
+            kept = [a for a in kept if a not in overdrawn]
         row, G = {node: dict(self.row[node]) for node in kept}, {node: self.G[node] for node in kept}
-        self.share = self.shares(kept, [node for node in touched if node not in kept])
         for c, a, w in [(c, a, w) for c, share in self.share.items() for a, w in share.items()]:
             G[a] += w * self.G[c]
             for b, value in self.row[c].items():

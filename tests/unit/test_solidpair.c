@@ -51,6 +51,7 @@ static PetscErrorCode CheckReproduction(Pair pair, const PetscReal n[], PetscRea
       const PetscInt  node  = pair->nodes[k];
       const PetscReal moved = power ? gap * n[power - 1] * (pair->D[k] + c1[node]) : 0;
       CHECK_NEAR(m[node], c[node] + pair->D[k] * own[node] + moved, tolerance);
+      if (power == 0) CHECK(m[node] > 0); // a pressure pushes
     }
     PetscCall(VecRestoreArrayRead(shifted, &own));
     PetscCall(VecRestoreArrayRead(C1, &c1));
