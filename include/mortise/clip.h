@@ -18,8 +18,8 @@ enum {
   CLIP_MAX_PIECES = 5, /* strongly turning normals can see a mortar facet in several: two ends, four roots of each */
   CLIP_MAX_POINTS = CLIP_MAX_PIECES * CLIP_MAX_GAUSS,
 
-  CLIP_MAX_PARTS          = 8,  /* of a facet in space: the four quads of a quad9, halved where they are not convex */
-  CLIP_MAX_RULE           = 25, /* points of ClipDegree()'s highest rule on a triangle */
+  CLIP_MAX_PARTS = 8,  /* of a facet in space: the four quads of a quad9, halved where they are not convex */
+  CLIP_MAX_RULE  = 25, /* points of a triangle's rule where both facets fall into parts; others are few parts */
   CLIP_MAX_POLYGON_POINTS = CLIP_MAX_PARTS * CLIP_MAX_PARTS * 6 * CLIP_MAX_RULE
 };
 
@@ -46,10 +46,11 @@ typedef struct {
 PetscInt ClipLines(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscInt num_gauss, ClipPoint points[]);
 
 /* The same for facets in space, tri3, quad4, tri6, quad9 in any combination, with a rule on the triangles of the overlap that
-   is exact to the degree, ClipDegree() or less. Returns the number of points, 0 where the facets do not overlap. Facets of
-   second order are cut as polygons through their nodes; all xi lie in the reference cell, and those of a facet that is
+   is exact to the degree. Returns the number of points, 0 where the facets do not overlap. Facets of second order are cut as
+   polygons through their nodes; all xi lie in the reference cell, and those of a facet that is
    covered once by a tiling cover it once; eta may lie a little outside of curved mortar facets. For flat facets the weights
-   add up to the area of the overlap, and the shares of what is covered once never to more than 1. No matter which side the mortar facet shows. [out] points - [CLIP_MAX_POLYGON_POINTS] */
+   add up to the area of the overlap, and the shares of what is covered once never to more than 1. No matter which side the
+   mortar facet shows. [out] points - [CLIP_MAX_POLYGON_POINTS] */
 PetscInt ClipPolygons(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscInt degree, ClipPoint points[]);
 
 /* Whether the line through x(xi) of a nonmortar facet in space, along its plane's normal, meets the inside of a mortar facet,
