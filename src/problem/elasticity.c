@@ -279,25 +279,58 @@ PetscErrorCode ElasticityAssemble(Scene scene, Level *level, Mat *K, Vec *f)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ElasticityBodyEnergy(Scene scene, Level *level, Mat K, Vec u, PetscReal energy[])
+/* v = u less the mean displacement of each body (an axisymmetric one moves along the axis alone): no energy is lost, and
+   what a long way and a small strain have in common does not cancel. */
+static PetscErrorCode TakeTranslation_Private(Scene scene, const Level *level, Vec u, Vec v)
 {
-  const PetscScalar *ua, *ra;
-  Vec                Ku;
+  const PetscInt dim = level->dim, first = scene->model == MODEL_AXISYMMETRIC ? 1 : 0;
+  PetscReal     *sums; /* per body: displacement, number of nodes */
+  PetscScalar   *va;
 
   PetscFunctionBeginUser;
-  PetscCall(VecDuplicate(u, &Ku));
-  PetscCall(MatMult(K, u, Ku));
+  PetscCall(PetscCalloc1(scene->num_bodies * (dim + 1), &sums));
+  PetscCall(VecCopy(u, v));
+  PetscCall(VecGetArray(v, &va));
+  for (PetscInt i = 0; i < level->num_owned; i++) {
+    PetscReal *sum = &sums[level->node_body[i] * (dim + 1)];
+
+    for (PetscInt k = first; k < dim; k++) sum[k] += PetscRealPart(va[i * dim + k]);
+    sum[dim] += 1;
+  }
+  PetscCallMPI(
+      MPI_Allreduce(MPI_IN_PLACE, sums, (PetscMPIInt)(scene->num_bodies * (dim + 1)), MPIU_REAL, MPI_SUM, level->comm));
+  for (PetscInt i = 0; i < level->num_owned; i++) {
+    const PetscReal *sum = &sums[level->node_body[i] * (dim + 1)];
+
+    for (PetscInt k = first; k < dim; k++) va[i * dim + k] -= sum[k] / sum[dim];
+  }
+  PetscCall(VecRestoreArray(v, &va));
+  PetscCall(PetscFree(sums));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ElasticityBodyEnergy(Scene scene, Level *level, Mat K, Vec u, PetscReal energy[])
+{
+  const PetscScalar *va, *ra;
+  Vec                v, Kv;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(u, &v));
+  PetscCall(VecDuplicate(u, &Kv));
+  PetscCall(TakeTranslation_Private(scene, level, u, v));
+  PetscCall(MatMult(K, v, Kv));
   PetscCall(PetscArrayzero(energy, scene->num_bodies));
-  PetscCall(VecGetArrayRead(u, &ua));
-  PetscCall(VecGetArrayRead(Ku, &ra));
+  PetscCall(VecGetArrayRead(v, &va));
+  PetscCall(VecGetArrayRead(Kv, &ra));
   for (PetscInt i = 0; i < level->num_owned; i++) {
     for (PetscInt k = 0; k < level->dim; k++) {
-      energy[level->node_body[i]] += 0.5 * PetscRealPart(ua[i * level->dim + k] * ra[i * level->dim + k]);
+      energy[level->node_body[i]] += 0.5 * PetscRealPart(va[i * level->dim + k] * ra[i * level->dim + k]);
     }
   }
-  PetscCall(VecRestoreArrayRead(Ku, &ra));
-  PetscCall(VecRestoreArrayRead(u, &ua));
-  PetscCall(VecDestroy(&Ku));
+  PetscCall(VecRestoreArrayRead(Kv, &ra));
+  PetscCall(VecRestoreArrayRead(v, &va));
+  PetscCall(VecDestroy(&Kv));
+  PetscCall(VecDestroy(&v));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, energy, (PetscMPIInt)scene->num_bodies, MPIU_REAL, MPI_SUM, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
