@@ -15,18 +15,25 @@ typedef enum {
   SOLVABLE_NOT       /* the loads do work on a motion that nothing resists */
 } SolvabilityVerdict;
 
-/* A point x of a body moves by translation + rotation x (x - centre). */
+/* A point x of a body, or of a piece of it, moves by translation + rotation x (x - centre). */
 typedef struct {
-  PetscInt  body;
+  PetscInt  body, piece;                 /* of vi->motions.pieces; -1 where the body is one */
+  char      name[512];                   /* "lid", or "lid, piece 1 of 2 near (1.2, 0)" */
   PetscReal translation[3], rotation[3]; /* the translation is along the axis of the rotation where there is one */
   PetscReal centre[3];                   /* the point of the axis next to the body's centre, or that itself */
-  PetscReal work;                        /* of the loads on this body */
+  PetscReal work;                        /* of the loads on it */
 } BodyMotion;
+
+/* Where a row of B acts, and which pieces it keeps apart. */
+typedef struct {
+  PetscReal x[3];
+  PetscInt  piece[2]; /* nonmortar, mortar; -1 for an obstacle */
+} ContactPlace;
 
 /* Bodies that move together, scaled so that the largest rotation is 1, or the longest translation if there is none. */
 typedef struct {
   PetscInt    num;
-  BodyMotion *bodies; /* [num] */
+  BodyMotion *bodies; /* or their pieces [num] */
   PetscBool   turns;
   PetscReal   work;           /* of the loads on all of them */
   char        sentence[2048]; /* what moves and how, "body lid tips about (1.2, 0), turning clockwise" */
@@ -34,10 +41,11 @@ typedef struct {
 
 struct _n_Solvability {
   SolvabilityVerdict verdict;
-  PetscInt           m;      /* rigid motions of all bodies: vi->motions.num */
+  PetscInt           m;      /* rigid motions of all pieces of bodies: vi->motions.num */
   Vec               *modes;  /* T^-1 z_k [m] */
   PetscReal         *C;      /* [vi->num_rows][m] */
   PetscBool         *both;   /* rows of ties [vi->num_rows] */
+  ContactPlace      *place;  /* [vi->num_rows] */
   PetscReal         *phi;    /* work of the loads, in the user's units [m] */
   PetscReal          forces; /* sum of |f|: what phi is small against */
   PetscReal         *y;      /* forces that balance the loads, nonzero in at most m rows [vi->num_rows] */

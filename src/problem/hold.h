@@ -19,8 +19,8 @@ PetscErrorCode SpringsCreate(VI vi, const NodeBases *bases, PetscInt num_fixed, 
    [in] bound - [cone->num]; [in] target - [m]; [out] q - the same on all ranks [m] */
 PetscErrorCode ConeNearest(const Cone *cone, const PetscReal bound[], const PetscReal target[], PetscReal q[]);
 
-/* Adds how the two sides of a row's pair move past and from each other at its node. Not collective. [in] q - [m];
+/* Adds how the two sides of a contact move past and from each other at its place. Not collective. [in] q - [m];
    [in,out] slip - [3] */
-void SceneMotionSlip(VI vi, PetscInt row, const PetscReal q[], PetscReal slip[]);
+void SceneMotionSlip(VI vi, const ContactPlace *place, const PetscReal q[], PetscReal slip[]);
 
 #endif

@@ -37,7 +37,7 @@ static PetscErrorCode SetMotion_Private(const Level *level, PetscInt body, Petsc
 PetscErrorCode ModesSetMotion(VI vi, PetscInt k, Vec u)
 {
   const Level     *level = vi->level;
-  const PetscInt   dim = level->dim, body = vi->motions.body[k];
+  const PetscInt   dim = level->dim, piece = vi->motions.piece[k];
   const PetscReal *motion = &vi->motions.motion[k * RIGID_COMPONENTS];
   PetscScalar     *ua;
 
@@ -45,8 +45,8 @@ PetscErrorCode ModesSetMotion(VI vi, PetscInt k, Vec u)
   PetscCall(VecZeroEntries(u));
   PetscCall(VecGetArray(u, &ua));
   for (PetscInt i = 0; i < level->num_owned; i++) {
-    if (level->node_body[i] == body)
-      RigidMotionAt(dim, &vi->motions.frames[4 * body], motion, &level->coords[i * dim], &ua[i * dim]);
+    if (vi->motions.pieces.of_node[i] == piece)
+      RigidMotionAt(dim, &vi->motions.frames[4 * piece], motion, &level->coords[i * dim], &ua[i * dim]);
   }
   PetscCall(VecRestoreArray(u, &ua));
   PetscFunctionReturn(PETSC_SUCCESS);

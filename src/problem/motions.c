@@ -11,7 +11,7 @@ enum { FLAGS = 4 }; /* of Contacts, for a reduction */
 /* A scaled motion is one by its size to this. */
 static const PetscReal UNIT = 1e-6;
 
-/* What a motion does to the contacts of a body. */
+/* What a motion does to the contacts of a piece of a body. */
 typedef struct {
   PetscBool touched, opens, keeps, slides; /* it has contacts; some of them open; some stay closed; and slide */
 } Contacts;
@@ -21,36 +21,33 @@ static PetscReal Norm_Private(const PetscReal v[3])
   return PetscSqrtReal(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-void SceneMotionSlip(VI vi, PetscInt row, const PetscReal q[], PetscReal slip[])
+void SceneMotionSlip(VI vi, const ContactPlace *place, const PetscReal q[], PetscReal slip[])
 {
-  const Pair       pair     = vi->pairs[vi->row_pair[row]];
-  const PetscInt   dim      = vi->level->dim;
-  const PetscReal *x        = &vi->level->coords[pair->nodes[vi->row_node[row]] * dim];
-  const PetscInt   sides[2] = {pair->spec->nonmortar.body, pair->spec->mortar.body};
+  const PetscInt dim = vi->level->dim;
 
   for (PetscInt k = 0; k < vi->motions.num; k++) {
-    const PetscInt body = vi->motions.body[k];
+    const PetscInt piece = vi->motions.piece[k];
     PetscReal      u[3];
 
-    if (body != sides[0] && body != sides[1]) continue;
-    RigidMotionAt(dim, &vi->motions.frames[4 * body], &vi->motions.motion[k * RIGID_COMPONENTS], x, u);
-    for (PetscInt i = 0; i < dim; i++) slip[i] += (body == sides[0] ? q[k] : -q[k]) * u[i];
+    if (piece != place->piece[0] && piece != place->piece[1]) continue;
+    RigidMotionAt(dim, &vi->motions.frames[4 * piece], &vi->motions.motion[k * RIGID_COMPONENTS], place->x, u);
+    for (PetscInt i = 0; i < dim; i++) slip[i] += (piece == place->piece[0] ? q[k] : -q[k]) * u[i];
   }
 }
 
-/* (t, r) of a body, without rounding: parts that are nothing beside the motions of all bodies. */
-static void Gather_Private(VI vi, const PetscReal q[], PetscInt body, PetscReal size, PetscReal motion[])
+/* (t, r) of a piece of a body, without rounding: parts that are nothing beside the motions of all. */
+static void Gather_Private(VI vi, const PetscReal q[], PetscInt piece, PetscReal size, PetscReal motion[])
 {
   for (PetscInt i = 0; i < RIGID_COMPONENTS; i++) motion[i] = 0;
   for (PetscInt k = 0; k < vi->motions.num; k++) {
-    for (PetscInt i = 0; i < RIGID_COMPONENTS && vi->motions.body[k] == body; i++)
+    for (PetscInt i = 0; i < RIGID_COMPONENTS && vi->motions.piece[k] == piece; i++)
       motion[i] += q[k] * vi->motions.motion[k * RIGID_COMPONENTS + i];
   }
   for (PetscInt i = 0; i < RIGID_COMPONENTS; i++)
     if (PetscAbsReal(motion[i]) <= NEGLIGIBLE * size) motion[i] = 0;
 }
 
-/* From (t, r) about the body's centre to an axis and what goes along it. */
+/* From (t, r) about the centre of a piece to an axis and what goes along it. */
 static void Axis_Private(const PetscReal frame[], const PetscReal t[], const PetscReal r[], BodyMotion *motion)
 {
   const PetscReal angle = Norm_Private(r) / frame[3];
@@ -74,21 +71,21 @@ static void Axis_Private(const PetscReal frame[], const PetscReal t[], const Pet
   }
 }
 
-/* What q does to the rows that a body has a part in. Collective. [out] contacts - [num_bodies] */
+/* What q does to the rows that a piece has a part in. Collective. [out] contacts - [pieces.num] */
 static PetscErrorCode Contacts_Private(VI vi, Solvability s, const PetscReal q[], PetscReal size, Contacts contacts[])
 {
-  const PetscInt num_bodies = vi->scene->num_bodies;
+  const PetscInt num = vi->motions.pieces.num;
   PetscInt      *flags;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(FLAGS * num_bodies, &flags));
+  PetscCall(PetscCalloc1(FLAGS * num, &flags));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     PetscReal opening = 0, slip[3] = {0, 0, 0};
 
     for (PetscInt k = 0; k < s->m; k++) opening -= s->C[r * s->m + k] * q[k];
-    SceneMotionSlip(vi, r, q, slip);
+    SceneMotionSlip(vi, &s->place[r], q, slip);
     for (PetscInt k = 0; k < s->m; k++) {
-      PetscInt *flag = &flags[FLAGS * vi->motions.body[k]];
+      PetscInt *flag = &flags[FLAGS * vi->motions.piece[k]];
 
       if (PetscAbsReal(s->C[r * s->m + k]) <= NEGLIGIBLE) continue;
       flag[0] = 1;
@@ -97,9 +94,8 @@ static PetscErrorCode Contacts_Private(VI vi, Solvability s, const PetscReal q[]
       if (opening <= UNIT * size && Norm_Private(slip) > UNIT * size) flag[3] = 1;
     }
   }
-  PetscCallMPI(
-      MPI_Allreduce(MPI_IN_PLACE, flags, (PetscMPIInt)(FLAGS * num_bodies), MPIU_INT, MPI_MAX, vi->level->comm));
-  for (PetscInt b = 0; b < num_bodies; b++) {
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, flags, (PetscMPIInt)(FLAGS * num), MPIU_INT, MPI_MAX, vi->level->comm));
+  for (PetscInt b = 0; b < num; b++) {
     contacts[b].touched = flags[FLAGS * b] ? PETSC_TRUE : PETSC_FALSE;
     contacts[b].opens   = flags[FLAGS * b + 1] ? PETSC_TRUE : PETSC_FALSE;
     contacts[b].keeps   = flags[FLAGS * b + 2] ? PETSC_TRUE : PETSC_FALSE;
@@ -148,11 +144,29 @@ static void Going_Private(PetscInt dim, const BodyMotion *motion, const char ver
   snprintf(text, len, "%s %s %s", verb, PetscAbsReal(length - 1) > UNIT ? "by" : "along", t);
 }
 
+/* What a piece of a body is called. */
+static void Name_Private(VI vi, PetscInt piece, BodyMotion *motion)
+{
+  const Pieces  *pieces = &vi->motions.pieces;
+  const PetscInt num    = PiecesOfBody(pieces, pieces->body[piece]);
+  PetscInt       first  = piece;
+  char           centre[96];
+
+  while (first > 0 && pieces->body[first - 1] == pieces->body[piece]) first--;
+  motion->body  = pieces->body[piece];
+  motion->piece = num > 1 ? piece : -1;
+  Vector_Private(vi->level->dim, &vi->motions.frames[4 * piece], centre, sizeof(centre));
+  snprintf(motion->name, sizeof(motion->name), "%s", vi->scene->bodies[motion->body].name);
+  if (num > 1) {
+    snprintf(motion->name, sizeof(motion->name), "%s, piece %d of %d near %s", vi->scene->bodies[motion->body].name,
+             (int)(piece - first + 1), (int)num, centre);
+  }
+}
+
 /* One body's part of the sentence. */
 static void Words_Private(VI vi, const BodyMotion *motion, const Contacts *contacts, char text[], size_t len)
 {
-  const PetscInt dim  = vi->level->dim;
-  const char    *name = vi->scene->bodies[motion->body].name;
+  const PetscInt dim = vi->level->dim;
   char           does[512];
 
   if (Norm_Private(motion->rotation) > 0) {
@@ -162,7 +176,8 @@ static void Words_Private(VI vi, const BodyMotion *motion, const Contacts *conta
   } else {
     Going_Private(dim, motion, contacts->slides ? "slides" : "moves", does, sizeof(does));
   }
-  snprintf(text, len, "%s%s %s", name, contacts->touched ? "" : ", which no contact touches,", does);
+  snprintf(text, len, "%s%s%s %s", motion->name, motion->piece >= 0 || !contacts->touched ? "," : "",
+           contacts->touched ? "" : " which no contact touches,", does);
 }
 
 /* The scale of q: 1 / the largest rotation, or 1 / the longest translation. */
@@ -170,7 +185,7 @@ static PetscReal Scale_Private(VI vi, const PetscReal q[], PetscReal size, Petsc
 {
   PetscReal rotation = 0, translation = 0, motion[RIGID_COMPONENTS];
 
-  for (PetscInt b = 0; b < vi->scene->num_bodies; b++) {
+  for (PetscInt b = 0; b < vi->motions.pieces.num; b++) {
     Gather_Private(vi, q, b, size, motion);
     rotation    = PetscMax(rotation, Norm_Private(&motion[3]) / vi->motions.frames[4 * b + 3]);
     translation = PetscMax(translation, Norm_Private(motion));
@@ -190,21 +205,21 @@ PetscErrorCode SceneMotionCreate(VI vi, Solvability s, const PetscReal q[], Scen
   scale        = Scale_Private(vi, q, size, &motion->turns);
   motion->num  = 0;
   motion->work = 0;
-  PetscCall(PetscMalloc1(vi->scene->num_bodies, &motion->bodies));
-  PetscCall(PetscMalloc1(vi->scene->num_bodies, &contacts));
+  PetscCall(PetscMalloc1(vi->motions.pieces.num, &motion->bodies));
+  PetscCall(PetscMalloc1(vi->motions.pieces.num, &contacts));
   PetscCall(Contacts_Private(vi, s, q, size, contacts));
   motion->sentence[0] = '\0';
-  for (PetscInt b = 0; b < vi->scene->num_bodies; b++) {
+  for (PetscInt b = 0; b < vi->motions.pieces.num; b++) {
     BodyMotion *body = &motion->bodies[motion->num];
 
     Gather_Private(vi, q, b, size, components);
     if (!(Norm_Private(components) + Norm_Private(&components[3]) > 0)) continue;
     for (PetscInt i = 0; i < RIGID_COMPONENTS; i++) components[i] *= scale;
-    body->body = b;
+    Name_Private(vi, b, body);
     body->work = 0;
     Axis_Private(&vi->motions.frames[4 * b], components, &components[3], body);
     for (PetscInt k = 0; k < s->m; k++)
-      if (vi->motions.body[k] == b) body->work += scale * s->phi[k] * q[k];
+      if (vi->motions.piece[k] == b) body->work += scale * s->phi[k] * q[k];
     motion->work += body->work;
     used +=
         (size_t)snprintf(motion->sentence + used, sizeof(motion->sentence) - used, "%s", motion->num ? "; " : "body ");

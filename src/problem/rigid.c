@@ -1,43 +1,28 @@
-/* rigid.c -- which rigid motions does the support of a body leave it?
+/* rigid.c -- which rigid motions do supports leave to a piece of a body?
 
-   The rows (d, d.rotation(x)) of all held directions d at places x, rotations taken about the body's centre and scaled by half
+   The rows (d, d.rotation(x)) of all held directions d at places x, rotations taken about the piece's centre and scaled by half
    its size, span all rigid motions exactly if none is left. What they do not span is the kernel of their Gram matrix. */
 #include <mortise/compat.h>
 #include <mortise/dense.h>
 #include <mortise/rigid.h>
 
 /* An eigenvalue counts as 0 below this part of the largest. It is the square of a ratio of lengths, (size of the
-   held part / size of the body)^2 at worst, which stays above for a body held at two neighbouring nodes. */
+   held part / size of the piece)^2 at worst, which stays above for a piece held at two neighbouring nodes. */
 static const PetscReal RANK_TOLERANCE = 1e-12;
 
-/* Centre and half size of every body: [num_bodies][4]. */
-static PetscErrorCode BodyFrames_Private(const Level *level, PetscInt num_bodies, PetscReal frames[])
+/* Centre and half size of every piece. [out] frames - [pieces->num][4] */
+static void Frames_Private(const Pieces *pieces, PetscReal frames[])
 {
-  PetscReal *box;
+  for (PetscInt i = 0; i < pieces->num; ++i) {
+    const PetscReal *box    = &pieces->box[i * PIECE_BOX];
+    PetscReal        square = 0.0;
 
-  PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(6 * num_bodies, &box));
-  for (PetscInt i = 0; i < 6 * num_bodies; ++i) box[i] = PETSC_NINFINITY;
-  for (PetscInt a = 0; a < level->num_owned; ++a) {
-    PetscReal *b = &box[6 * level->node_body[a]];
-
-    for (PetscInt k = 0; k < level->dim; ++k) {
-      b[k]     = PetscMax(b[k], level->coords[a * level->dim + k]);
-      b[3 + k] = PetscMax(b[3 + k], -level->coords[a * level->dim + k]);
-    }
-  }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, box, (PetscMPIInt)(6 * num_bodies), MPIU_REAL, MPI_MAX, level->comm));
-  for (PetscInt i = 0; i < num_bodies; ++i) {
-    PetscReal square = 0.0;
-
-    for (PetscInt k = 0; k < level->dim; ++k) {
-      frames[4 * i + k] = 0.5 * (box[6 * i + k] - box[6 * i + 3 + k]);
-      square += PetscSqr(0.5 * (box[6 * i + k] + box[6 * i + 3 + k]));
+    for (PetscInt k = 0; k < 3; ++k) {
+      frames[4 * i + k] = 0.5 * (box[k] - box[3 + k]);
+      square += PetscSqr(0.5 * (box[k] + box[3 + k]));
     }
     frames[4 * i + 3] = PetscSqrtReal(square);
   }
-  PetscCall(PetscFree(box));
-  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The components (t, r) that are rigid motions of a body of this model. [out] components - [RIGID_COMPONENTS] */
@@ -82,8 +67,8 @@ void RigidMotionAt(PetscInt dim, const PetscReal frame[], const PetscReal motion
   }
 }
 
-/* The kernel of one body's Gram matrix, appended to the list. [in,out] gram - [n][n] */
-static void AddMotions_Private(PetscInt body, PetscInt n, const PetscInt components[], PetscReal gram[],
+/* The kernel of one piece's Gram matrix, appended to the list. [in,out] gram - [n][n] */
+static void AddMotions_Private(PetscInt piece, PetscInt n, const PetscInt components[], PetscReal gram[],
                                RigidMotions *motions)
 {
   PetscReal values[RIGID_COMPONENTS], V[RIGID_COMPONENTS * RIGID_COMPONENTS], largest = 0;
@@ -93,40 +78,42 @@ static void AddMotions_Private(PetscInt body, PetscInt n, const PetscInt compone
   for (PetscInt i = 0; i < n; ++i) {
     if (values[i] > RANK_TOLERANCE * largest) continue;
     for (PetscInt k = 0; k < n; ++k) motions->motion[motions->num * RIGID_COMPONENTS + components[k]] = V[k * n + i];
-    motions->body[motions->num++] = body;
-    motions->floating[body]       = PETSC_TRUE;
+    motions->piece[motions->num++]                 = piece;
+    motions->loose[piece]                          = PETSC_TRUE;
+    motions->floating[motions->pieces.body[piece]] = PETSC_TRUE;
   }
 }
 
-PetscErrorCode RigidMotionsCreate(const Level *level, const Support *support, PetscInt num_bodies,
-                                  RigidMotions *motions)
+PetscErrorCode RigidMotionsCreate(Level *level, const Support *support, PetscInt num_bodies, RigidMotions *motions)
 {
   const PetscInt dim = level->dim;
-  PetscInt       components[RIGID_COMPONENTS], n, block;
+  PetscInt       components[RIGID_COMPONENTS], n, block, num;
   PetscReal     *gram;
 
   PetscFunctionBeginUser;
+  PetscCall(PiecesCreate(level, &motions->pieces));
   n                   = Components_Private(level->scene->model, components);
+  num                 = motions->pieces.num;
   block               = n * n;
   motions->num_bodies = num_bodies;
   motions->num        = 0;
-  PetscCall(PetscCalloc4(4 * num_bodies, &motions->frames, num_bodies, &motions->floating, n * num_bodies,
-                         &motions->body, n * num_bodies * RIGID_COMPONENTS, &motions->motion));
-  PetscCall(PetscCalloc1(block * num_bodies, &gram));
-  PetscCall(BodyFrames_Private(level, num_bodies, motions->frames));
+  PetscCall(PetscCalloc5(4 * num, &motions->frames, num, &motions->loose, num_bodies, &motions->floating, n * num,
+                         &motions->piece, n * num * RIGID_COMPONENTS, &motions->motion));
+  PetscCall(PetscCalloc1(block * num, &gram));
+  Frames_Private(&motions->pieces, motions->frames);
   for (PetscInt a = 0; a < level->num_owned; ++a) {
-    const PetscInt b = level->node_body[a];
+    const PetscInt i = motions->pieces.of_node[a];
 
     for (PetscInt j = 0; j < support->count[a]; ++j) {
       PetscReal row[RIGID_COMPONENTS];
 
-      Row_Private(dim, &motions->frames[4 * b], &level->coords[a * dim], &support->directions[(a * dim + j) * dim],
+      Row_Private(dim, &motions->frames[4 * i], &level->coords[a * dim], &support->directions[(a * dim + j) * dim],
                   row);
-      for (PetscInt i = 0; i < block; ++i) gram[b * block + i] += row[components[i / n]] * row[components[i % n]];
+      for (PetscInt k = 0; k < block; ++k) gram[i * block + k] += row[components[k / n]] * row[components[k % n]];
     }
   }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, gram, (PetscMPIInt)(block * num_bodies), MPIU_REAL, MPI_SUM, level->comm));
-  for (PetscInt b = 0; b < num_bodies; ++b) AddMotions_Private(b, n, components, &gram[b * block], motions);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, gram, (PetscMPIInt)(block * num), MPIU_REAL, MPI_SUM, level->comm));
+  for (PetscInt i = 0; i < num; ++i) AddMotions_Private(i, n, components, &gram[i * block], motions);
   PetscCall(PetscFree(gram));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -134,6 +121,7 @@ PetscErrorCode RigidMotionsCreate(const Level *level, const Support *support, Pe
 PetscErrorCode RigidMotionsDestroy(RigidMotions *motions)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscFree4(motions->frames, motions->floating, motions->body, motions->motion));
+  PetscCall(PiecesDestroy(&motions->pieces));
+  PetscCall(PetscFree5(motions->frames, motions->loose, motions->floating, motions->piece, motions->motion));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

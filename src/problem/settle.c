@@ -58,12 +58,12 @@ static void Cell_Private(VI vi, PetscInt c, const ElementRule *rule, const Petsc
 {
   const Level    *level = vi->level;
   const PetscInt  dim = level->dim, n = level->cell_start[c + 1] - level->cell_start[c], m = vi->motions.num;
-  const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]], body = level->cell_body[c];
+  const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]], piece = vi->motions.pieces.of_node[nodes[0]];
   PetscReal       X[ELEMENT_MAX_NODES * MAX_DIM], x[MAX_DIM], value[MAX_DIM], z[RIGID_COMPONENTS * MAX_DIM];
   PetscInt        begin = 0, end;
 
-  while (vi->motions.body[begin] < body) begin++;
-  for (end = begin; end < m && vi->motions.body[end] == body;) end++;
+  while (vi->motions.piece[begin] < piece) begin++;
+  for (end = begin; end < m && vi->motions.piece[end] == piece;) end++;
   for (PetscInt i = 0; i < n * dim; i++) X[i] = level->coords[nodes[i / dim] * dim + i % dim];
   for (PetscInt q = 0; q < rule->num; q++) {
     const PetscReal weight = ElementRuleMap(rule, q, X, x, NULL) * rule->weight[q] * SceneMeasure(vi->scene, x);
@@ -73,7 +73,7 @@ static void Cell_Private(VI vi, PetscInt c, const ElementRule *rule, const Petsc
       for (PetscInt i = 0; i < n; i++) value[k] += rule->phi[q * n + i] * PetscRealPart(u[nodes[i] * dim + k]);
     }
     for (PetscInt k = begin; k < end; k++)
-      RigidMotionAt(dim, &vi->motions.frames[4 * body], &vi->motions.motion[k * RIGID_COMPONENTS], x,
+      RigidMotionAt(dim, &vi->motions.frames[4 * piece], &vi->motions.motion[k * RIGID_COMPONENTS], x,
                     &z[(k - begin) * dim]);
     for (PetscInt k = begin; k < end; k++) {
       for (PetscInt i = 0; i < dim; i++) {
@@ -102,9 +102,10 @@ static PetscErrorCode Mass_Private(VI vi, Vec u, PetscReal mass[], PetscReal wor
   PetscCall(VecGhostGetLocalForm(u, &local));
   PetscCall(VecGetArrayRead(local, &ul));
   for (PetscInt c = 0; c < level->num_cells; c++) {
-    const ElementType type = (ElementType)level->cell_type[c];
+    const ElementType type  = (ElementType)level->cell_type[c];
+    const PetscInt    piece = vi->motions.pieces.of_node[level->cell_nodes[level->cell_start[c]]];
 
-    if (!vi->motions.floating[level->cell_body[c]]) continue;
+    if (!vi->motions.loose[piece]) continue;
     if (!rule->num || rule->type != type) ElementRuleSet(type, 2 * ElementOrder(type), rule);
     Cell_Private(vi, c, rule, ul, mass, work);
   }

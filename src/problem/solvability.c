@@ -45,13 +45,48 @@ static PetscErrorCode Matrices_Private(VI vi, const NodeBases *bases, const Coup
   PetscCall(VecDestroy(&Bu));
   PetscCall(VecGetArrayRead(vi->f, &f));
   for (PetscInt a = 0; a < level->num_owned; a++) {
-    if (!vi->motions.floating[level->node_body[a]]) continue;
+    if (!vi->motions.loose[vi->motions.pieces.of_node[a]]) continue;
     for (PetscInt k = 0; k < dim; k++) s->forces += PetscAbsReal(PetscRealPart(f[a * dim + k]));
   }
   PetscCall(VecRestoreArrayRead(vi->f, &f));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &s->forces, 1, MPIU_REAL, MPI_SUM, level->comm));
   for (PetscInt r = 0; r < vi->num_rows; r++)
     s->both[r] = (PetscBool)(vi->pairs[vi->row_pair[r]]->spec->type == PAIR_TIED);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Where rows act: at their nodes, against the mortar facet that weighs most. */
+static PetscErrorCode Places_Private(VI vi, Solvability s)
+{
+  Level         *level = vi->level;
+  const PetscInt dim   = level->dim;
+  PetscInt      *node, *piece;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc2(vi->num_rows, &node, vi->num_rows, &piece));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const Pair         pair = vi->pairs[vi->row_pair[r]];
+    const PetscInt     a    = pair->nodes[vi->row_node[r]];
+    PetscInt           num;
+    const PetscInt    *columns;
+    const PetscScalar *values;
+    PetscReal          largest = 0;
+
+    s->place[r].piece[0] = vi->motions.pieces.of_node[a];
+    for (PetscInt k = 0; k < dim; k++) s->place[r].x[k] = level->coords[a * dim + k];
+    node[r] = -1;
+    if (!pair->M) continue;
+    PetscCall(MatGetRow(pair->M, level->node_begin + a, &num, &columns, &values));
+    for (PetscInt j = 0; j < num; j++) {
+      if (PetscAbsReal(PetscRealPart(values[j])) <= largest) continue;
+      largest = PetscAbsReal(PetscRealPart(values[j]));
+      node[r] = columns[j];
+    }
+    PetscCall(MatRestoreRow(pair->M, level->node_begin + a, &num, &columns, &values));
+  }
+  PetscCall(PiecesOfGlobalNodes(level, &vi->motions.pieces, vi->num_rows, node, piece));
+  for (PetscInt r = 0; r < vi->num_rows; r++) s->place[r].piece[1] = piece[r];
+  PetscCall(PetscFree2(node, piece));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -85,7 +120,7 @@ static PetscErrorCode Leaves_Private(const Cone *cone, const PetscReal phi[], co
 
 /* Of all motions that differ from q by free ones, which cost nothing, the one that slides least where contacts stay closed: a body that
    tips turns about its edge. The sum of squares of the slips is a quadratic form in the free part. [in,out] q - [m] */
-static PetscErrorCode Pin_Private(VI vi, const Cone *cone, PetscReal q[])
+static PetscErrorCode Pin_Private(VI vi, const Cone *cone, const ContactPlace place[], PetscReal q[])
 {
   const PetscInt m = cone->m;
   PetscReal     *kernel, *gram, *sums, *values, *V, *one, largest = 0, size = 0;
@@ -100,9 +135,9 @@ static PetscErrorCode Pin_Private(VI vi, const Cone *cone, PetscReal q[])
 
     for (PetscInt k = 0; k < m; k++) opening -= cone->rows[r * m + k] * q[k];
     if (opening > NUDGE * size) continue;
-    SceneMotionSlip(vi, r, q, slip);
+    SceneMotionSlip(vi, &place[r], q, slip);
     PetscCall(PetscArrayzero(one, 3 * n));
-    for (PetscInt i = 0; i < n; i++) SceneMotionSlip(vi, r, &kernel[i * m], &one[3 * i]);
+    for (PetscInt i = 0; i < n; i++) SceneMotionSlip(vi, &place[r], &kernel[i * m], &one[3 * i]);
     for (PetscInt i = 0; i < n; i++) {
       for (PetscInt d = 0; d < 3; d++) {
         gram[n * n + i] -= one[3 * i + d] * slip[d];
@@ -141,13 +176,13 @@ static PetscErrorCode Refuse_Private(VI vi, const Cone *cone, const PetscReal ph
   }
   PetscCall(Leaves_Private(cone, phi, straight, q, NULL, &norm));
   s->verdict = SOLVABLE_NOT;
-  if (!(norm > BALANCED)) PetscCall(Pin_Private(vi, cone, rho));
+  if (!(norm > BALANCED)) PetscCall(Pin_Private(vi, cone, s->place, rho));
   PetscCall(SceneMotionCreate(vi, s, norm > BALANCED ? q : rho, &s->motion));
   PetscCall(PetscFree2(straight, q));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a motion moves a body that carries loads; others open contacts that nobody presses. [out] opens - rows that it opens */
+/* Whether a motion moves a piece that carries loads; others open contacts that nobody presses. [out] opens - rows that it opens */
 static PetscErrorCode MovesLoads_Private(VI vi, const Cone *cone, const PetscReal phi[], const PetscReal q[],
                                          PetscBool opens[], PetscBool *loads)
 {
@@ -159,7 +194,7 @@ static PetscErrorCode MovesLoads_Private(VI vi, const Cone *cone, const PetscRea
   for (PetscInt k = 0; k < cone->m; k++) {
     if (PetscAbsReal(q[k]) <= NUDGE * size) continue;
     for (PetscInt l = 0; l < cone->m; l++)
-      if (vi->motions.body[l] == vi->motions.body[k] && PetscAbsReal(phi[l]) > BALANCED) *loads = PETSC_TRUE;
+      if (vi->motions.piece[l] == vi->motions.piece[k] && PetscAbsReal(phi[l]) > BALANCED) *loads = PETSC_TRUE;
   }
   for (PetscInt r = 0; r < cone->num; r++) {
     PetscReal opening = 0;
@@ -197,7 +232,7 @@ static PetscErrorCode Marginal_Private(VI vi, const Cone *cone, const PetscReal 
     PetscCall(MovesLoads_Private(vi, cone, phi, q, opens, &loads));
     if (loads) {
       s->verdict = SOLVABLE_MARGINAL;
-      PetscCall(Pin_Private(vi, cone, q));
+      PetscCall(Pin_Private(vi, cone, s->place, q));
       PetscCall(SceneMotionCreate(vi, s, q, &s->motion));
       break;
     }
@@ -238,8 +273,9 @@ PetscErrorCode SolvabilityCreate(VI vi, const NodeBases *bases, const Couplings 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&s));
   s->m = vi->motions.num;
-  PetscCall(PetscCalloc5(s->m, &s->modes, vi->num_rows * s->m, &s->C, vi->num_rows, &s->both, s->m, &s->phi,
-                         vi->num_rows, &s->y));
+  PetscCall(PetscCalloc6(s->m, &s->modes, vi->num_rows * s->m, &s->C, vi->num_rows, &s->both, s->m, &s->phi,
+                         vi->num_rows, &s->y, vi->num_rows, &s->place));
+  PetscCall(Places_Private(vi, s));
   PetscCall(Matrices_Private(vi, bases, couplings, s));
   PetscCall(Judge_Private(vi, s));
   if (s->verdict != SOLVABLE_NOT) PetscCall(SpringsCreate(vi, bases, num_fixed, fixed, s));
@@ -254,7 +290,7 @@ PetscErrorCode SolvabilityDestroy(Solvability *solvability)
   PetscFunctionBeginUser;
   if (!s) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt k = 0; k < s->m; k++) PetscCall(VecDestroy(&s->modes[k]));
-  PetscCall(PetscFree5(s->modes, s->C, s->both, s->phi, s->y));
+  PetscCall(PetscFree6(s->modes, s->C, s->both, s->phi, s->y, s->place));
   PetscCall(SceneMotionDestroy(&s->motion));
   for (PetscInt i = 0; i < s->num_free; i++) PetscCall(SceneMotionDestroy(&s->free[i]));
   PetscCall(PetscFree(s->free));

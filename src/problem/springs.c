@@ -1,7 +1,7 @@
 /* springs.c -- what makes the matrix definite where contact alone holds bodies (T27).
 
-   Weak springs at a few nodes of each body that floats, as far from each other as the body allows: enough to resist every rigid
-   motion, and so few that each body keeps its own stiffness. They are not part of the problem: they rest where the last solution
+   Weak springs at a few nodes of each piece of a body that floats, as far from each other as it allows: enough to resist every rigid
+   motion, and so few that each piece keeps its own stiffness. They are not part of the problem: they rest where the last solution
    was, and the solution of the problem is where they have nothing left to do. */
 #include <mortise/compat.h>
 #include "hold.h"
@@ -20,26 +20,26 @@ static const PetscReal CLOSED = 1e-9;
 static PetscErrorCode Candidates_Private(VI vi, const NodeBases *bases, PetscBool candidate[])
 {
   const Level   *level      = vi->level;
-  const PetscInt num_bodies = vi->motions.num_bodies;
+  const PetscInt num_pieces = vi->motions.pieces.num;
   PetscInt      *ordinary;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(num_bodies, &ordinary));
-  for (PetscInt a = 0; a < level->num_owned; a++) ordinary[level->node_body[a]] += bases->of_node[a] < 0;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, ordinary, (PetscMPIInt)num_bodies, MPIU_INT, MPI_SUM, level->comm));
+  PetscCall(PetscCalloc1(num_pieces, &ordinary));
+  for (PetscInt a = 0; a < level->num_owned; a++) ordinary[vi->motions.pieces.of_node[a]] += bases->of_node[a] < 0;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, ordinary, (PetscMPIInt)num_pieces, MPIU_INT, MPI_SUM, level->comm));
   for (PetscInt a = 0; a < level->num_owned; a++) {
-    const PetscInt b = level->node_body[a];
+    const PetscInt b = vi->motions.pieces.of_node[a];
 
-    candidate[a] = (PetscBool)(vi->motions.floating[b] && (bases->of_node[a] < 0 || ordinary[b] <= level->dim));
+    candidate[a] = (PetscBool)(vi->motions.loose[b] && (bases->of_node[a] < 0 || ordinary[b] <= level->dim));
   }
   PetscCall(PetscFree(ordinary));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The candidate farthest from all that were taken before, in every body. [in,out] distance - of each node to these, -1 for
-   others [num_owned]; [in,out] places - the last taken, [num_bodies][3]; [out] taken - local nodes, -1 where another rank has it
-   [num_bodies] */
-static PetscErrorCode Farthest_Private(const Level *level, PetscInt num_bodies, const PetscReal distance[],
+/* The candidate farthest from all that were taken before, in every piece of a body. [in,out] distance - of each node to these, -1 for
+   others [num_owned]; [in,out] places - the last taken, [pieces->num][3]; [out] taken - local nodes, -1 where another rank has it
+   [pieces->num] */
+static PetscErrorCode Farthest_Private(const Level *level, const Pieces *pieces, const PetscReal distance[],
                                        PetscReal places[], PetscInt taken[])
 {
   PetscMPIInt rank;
@@ -50,27 +50,27 @@ static PetscErrorCode Farthest_Private(const Level *level, PetscInt num_bodies, 
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_rank(level->comm, &rank));
-  PetscCall(PetscMalloc1(num_bodies, &best));
-  for (PetscInt b = 0; b < num_bodies; b++) {
+  PetscCall(PetscMalloc1(pieces->num, &best));
+  for (PetscInt b = 0; b < pieces->num; b++) {
     best[b].distance = -1;
     best[b].rank     = rank;
     taken[b]         = -1;
   }
   for (PetscInt a = 0; a < level->num_owned; a++) {
-    const PetscInt b = level->node_body[a];
+    const PetscInt b = pieces->of_node[a];
 
     if (distance[a] <= best[b].distance) continue;
     best[b].distance = (double)distance[a];
     taken[b]         = a;
   }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, best, (PetscMPIInt)num_bodies, MPI_DOUBLE_INT, MPI_MAXLOC, level->comm));
-  PetscCall(PetscArrayzero(places, 3 * num_bodies));
-  for (PetscInt b = 0; b < num_bodies; b++) {
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, best, (PetscMPIInt)pieces->num, MPI_DOUBLE_INT, MPI_MAXLOC, level->comm));
+  PetscCall(PetscArrayzero(places, 3 * pieces->num));
+  for (PetscInt b = 0; b < pieces->num; b++) {
     if (best[b].rank != rank) taken[b] = -1;
     for (PetscInt k = 0; k < level->dim && taken[b] >= 0; k++)
       places[3 * b + k] = level->coords[taken[b] * level->dim + k];
   }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, places, (PetscMPIInt)(3 * num_bodies), MPIU_REAL, MPI_SUM, level->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, places, (PetscMPIInt)(3 * pieces->num), MPIU_REAL, MPI_SUM, level->comm));
   PetscCall(PetscFree(best));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -109,38 +109,39 @@ static PetscErrorCode Stiffness_Private(VI vi, PetscReal weak[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Springs at dim + 1 nodes of each body that floats, at all unknowns of these that are not fixed. */
+/* Springs at dim + 1 nodes of each piece of a body that floats, at all unknowns of these that are not fixed. */
 static PetscErrorCode Place_Private(VI vi, const NodeBases *bases, PetscInt num_fixed, const PetscInt fixed[],
                                     Vec springs)
 {
-  const Level   *level = vi->level;
-  const PetscInt dim = level->dim, num_bodies = vi->motions.num_bodies;
+  const Level   *level  = vi->level;
+  const Pieces  *pieces = &vi->motions.pieces;
+  const PetscInt dim = level->dim, num = pieces->num;
   PetscBool     *candidate;
   PetscReal     *distance, *places, *weak;
   PetscInt      *taken;
   PetscScalar   *w;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc5(level->num_owned, &candidate, level->num_owned, &distance, 3 * num_bodies, &places, num_bodies,
-                         &weak, num_bodies, &taken));
+  PetscCall(PetscMalloc5(level->num_owned, &candidate, level->num_owned, &distance, 3 * num, &places,
+                         vi->motions.num_bodies, &weak, num, &taken));
   PetscCall(Candidates_Private(vi, bases, candidate));
   PetscCall(Stiffness_Private(vi, weak));
-  for (PetscInt b = 0; b < num_bodies; b++)
+  for (PetscInt b = 0; b < num; b++)
     for (PetscInt k = 0; k < 3; k++) places[3 * b + k] = vi->motions.frames[4 * b + k];
   PetscCall(VecZeroEntries(springs));
   PetscCall(VecGetArray(springs, &w));
   for (PetscInt round = 0; round <= dim; round++) {
     for (PetscInt a = 0; a < level->num_owned; a++) {
-      const PetscInt b      = level->node_body[a];
+      const PetscInt b      = pieces->of_node[a];
       PetscReal      square = 0;
 
       for (PetscInt k = 0; k < dim; k++) square += PetscSqr(level->coords[a * dim + k] - places[3 * b + k]);
       /* the first is far from the centre, which is no node and is forgotten */
       if (round < 2 || square < distance[a]) distance[a] = candidate[a] ? square : -1;
     }
-    PetscCall(Farthest_Private(level, num_bodies, distance, places, taken));
-    for (PetscInt b = 0; b < num_bodies; b++)
-      for (PetscInt k = 0; k < dim && taken[b] >= 0; k++) w[taken[b] * dim + k] = weak[b];
+    PetscCall(Farthest_Private(level, pieces, distance, places, taken));
+    for (PetscInt b = 0; b < num; b++)
+      for (PetscInt k = 0; k < dim && taken[b] >= 0; k++) w[taken[b] * dim + k] = weak[pieces->body[b]];
   }
   for (PetscInt i = 0; i < num_fixed; i++) w[fixed[i] - dim * level->node_begin] = 0;
   PetscCall(VecRestoreArray(springs, &w));

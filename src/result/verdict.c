@@ -3,14 +3,19 @@
 #include <mortise/json.h>
 #include "verdict.h"
 
-/* Bodies that move together, body by body. */
+/* Bodies that move together, body by body; where one is of several pieces, piece by piece. */
 static void AddMotion_Private(VI vi, const SceneMotion *motion, cJSON *object)
 {
   const PetscInt dim = vi->level->dim;
 
   for (PetscInt i = 0; i < motion->num; ++i) {
     const BodyMotion *moves = &motion->bodies[i];
-    cJSON            *body  = cJSON_AddObjectToObject(object, vi->scene->bodies[moves->body].name);
+    cJSON            *body  = cJSON_AddObjectToObject(object, moves->name);
+
+    if (moves->piece >= 0) {
+      cJSON_AddStringToObject(body, "body", vi->scene->bodies[moves->body].name);
+      JSONAddInt(body, "piece", moves->piece);
+    }
 
     JSONAddReals(body, "translation", dim, moves->translation);
     if (dim == 2)
@@ -71,7 +76,7 @@ PetscErrorCode VerdictWarn(VI vi)
                            "mortise: no solution: %s: the loads do %+.6g of work %s per %s and nothing resists\n",
                            s->motion.sentence, (double)s->motion.work, s->motion.num > 1 ? "together" : "on it",
                            s->motion.turns ? "radian" : "unit of length"));
-  } else if (s->verdict == SOLVABLE_MARGINAL) {
+  } else if (s->verdict == SOLVABLE_MARGINAL && !vi->scene->quiet) {
     PetscCall(PetscFPrintf(comm, PETSC_STDERR,
                            "mortise: warning: the loads are on the verge: %s at no cost; the pressure gathers at an "
                            "edge and grows without bound on finer meshes\n",

@@ -29,9 +29,13 @@ static PetscErrorCode ViewBodies_Private(VI vi)
   PetscCall(PetscPrintf(scene->comm, "  meshed: %" PetscInt_FMT " nodes, %" PetscInt_FMT " unknowns\n", nodes,
                         nodes * vi->level->dim));
   for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+    const PetscInt num        = PiecesOfBody(&vi->motions.pieces, b);
+    char           pieces[64] = "";
+
+    if (num > 1) PetscCall(PetscSNPrintf(pieces, sizeof(pieces), " in %" PetscInt_FMT " pieces", num));
     PetscCall(PetscPrintf(
-        scene->comm, "    body %s: %" PetscInt_FMT " cells, %" PetscInt_FMT " nodes%s\n", scene->bodies[b].name,
-        counts[b].cells, counts[b].nodes,
+        scene->comm, "    body %s: %" PetscInt_FMT " cells, %" PetscInt_FMT " nodes%s%s\n", scene->bodies[b].name,
+        counts[b].cells, counts[b].nodes, pieces,
         vi->motions.floating[b] ? "; floating: its supports leave it free to move, contact has to hold it" : ""));
   }
   PetscCall(PetscFree(counts));
