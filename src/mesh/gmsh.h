@@ -5,7 +5,7 @@
 #ifndef MORTISE_GMSH_H
 #define MORTISE_GMSH_H
 
-#include <mortise/element.h>
+#include <mortise/gmshtype.h>
 #include <stdio.h>
 
 /* Physical groups that have a name. */
@@ -22,17 +22,6 @@ PetscBool GmshFindGroup(const GmshNames *names, PetscInt dim, const char group[]
 PetscBool GmshHasName(const GmshNames *names, PetscInt dim, const char name[]);
 /* Appends "name (number)", or the number alone, to a list for a sentence. [in,out] text - [len] */
 void GmshDescribeGroup(const GmshNames *names, PetscInt dim, PetscInt tag, char text[], size_t len);
-
-/* A type of element of first or second order. */
-typedef struct {
-  PetscInt        dim, num_nodes;
-  ElementType     cell;  /* ELEMENT_COUNT for those that are no cells here */
-  const char     *name;  /* of several, for sentences */
-  const PetscInt *place; /* which of the cell's nodes each of Gmsh's is [num_nodes]; NULL where they are alike */
-} GmshType;
-
-/* By Gmsh's number; NULL for other numbers. */
-const GmshType *GmshTypeGet(PetscInt64 type);
 
 /* Elements of first and second order, from lines to solids, and what they stand on. */
 typedef struct {

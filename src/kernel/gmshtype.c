@@ -1,8 +1,8 @@
-/* gmshtypes.c -- Gmsh's types of elements as a table (Gmsh reference manual, chapter "Node ordering").
+/* gmshtype.c -- Gmsh's types of elements as a table (Gmsh reference manual, chapter "Node ordering").
 
    Lines, triangles and quadrangles have their nodes in the order of element.h. Gmsh counts the edges of a hexahedron by
    their first vertex, and the two edges of a tetrahedron that leave 1 and 2 for its top the other way round. */
-#include "gmsh.h"
+#include <mortise/gmshtype.h>
 
 static const PetscInt Tet10[] = {0, 1, 2, 3, 4, 5, 6, 7, 9, 8};
 static const PetscInt Hex27[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  11, 16, 9,  17, 10,
@@ -20,7 +20,7 @@ static const GmshType Types[] = {
     [17] = {3, 20, ELEMENT_HEX27, "hexahedra", Hex27},  [18] = {3, 15, ELEMENT_COUNT, "wedges", NULL},
     [19] = {3, 13, ELEMENT_COUNT, "pyramids", NULL}};
 
-const GmshType *GmshTypeGet(PetscInt64 type)
+const GmshType *GmshTypeGet(PetscInt64 number)
 {
-  return type >= 1 && type < (PetscInt64)(sizeof(Types) / sizeof(Types[0])) ? &Types[type] : NULL;
+  return number >= 1 && number < (PetscInt64)(sizeof(Types) / sizeof(Types[0])) ? &Types[number] : NULL;
 }
