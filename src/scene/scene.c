@@ -1,5 +1,6 @@
 /* scene.c -- the life of a scene: created empty, filled from the options, destroyed. */
 #include "parts.h"
+#include <string.h>
 
 PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene)
 {
@@ -10,10 +11,41 @@ PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The model says how many dimensions there are. Where it is not given, boxes do; all of them must agree. */
+/* What a body's mesh is made by, and its dimension as far as that can be told: 0, 2 or 3. */
+static PetscErrorCode BodyGetDimension_Private(Scene scene, const SceneBody *body, Option *mesh, PetscInt *dim)
+{
+  PetscFunctionBeginUser;
+  PetscCall(OptionFind(scene, "-<body>_dm_plex_box_faces", body->name, NULL, mesh));
+  *dim = OptionCountItems(mesh);
+  if (!mesh->set) {
+    PetscCall(OptionFind(scene, "-<body>_dm_plex_filename", body->name, NULL, mesh));
+    if (mesh->set) PetscCall(PeekDimension(mesh, dim));
+  }
+  if (*dim != 2 && *dim != 3) *dim = 0; /* a mistake, which is told with the body or its mesh */
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Says that a body has another dimension than the model that the user gave. */
+static PetscErrorCode SceneRaiseModel_Private(const Option *model, const SceneBody *body, const Option *mesh,
+                                              PetscInt dim)
+{
+  PetscFunctionBeginUser;
+  if (strstr(mesh->entry->name, "filename"))
+    PetscCall(OptionRaise(mesh, "the cells of body %s have dimension %d, -model %s has %d; %s", body->name, (int)dim,
+                          model->text, dim == 3 ? 2 : 3,
+                          dim == 3 ? "-model solid takes solids"
+                                   : "gmsh -3 makes solids, and writes those in a physical volume where there are "
+                                     "physical groups"));
+  PetscCall(OptionRaise(mesh, "%s",
+                        dim == 2 ? "-model solid has three dimensions; give three numbers"
+                                 : "three numbers make a solid; give two, or -model solid"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The model says how many dimensions there are. Where it is not given, boxes and Gmsh files do; all of them must agree. */
 static PetscErrorCode SceneReadModel_Private(Scene scene)
 {
-  Option   model, faces, first = {.set = PETSC_FALSE};
+  Option   model, mesh, first = {.set = PETSC_FALSE};
   PetscInt choice = MODEL_PLANE_STRAIN, num, dim = 0;
 
   PetscFunctionBeginUser;
@@ -21,21 +53,17 @@ static PetscErrorCode SceneReadModel_Private(Scene scene)
   PetscCall(OptionGetChoice(&model, &choice));
   if (model.set) dim = choice == MODEL_SOLID ? 3 : 2;
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
-    PetscCall(OptionFind(scene, "-<body>_dm_plex_box_faces", scene->bodies[b].name, NULL, &faces));
-    num = OptionCountItems(&faces);
-    if (num != 2 && num != 3) continue; /* a file, or a mistake that is told with the body */
+    PetscCall(BodyGetDimension_Private(scene, &scene->bodies[b], &mesh, &num));
+    if (!num) continue;
     if (!dim) {
       dim   = num;
-      first = faces;
+      first = mesh;
     }
     if (num == dim) continue;
-    if (first.set)
-      PetscCall(OptionRaise(&faces, "all bodies of a scene have the same dimensions, two or three; there is %s %s",
-                            first.name, first.text));
-    else
-      PetscCall(OptionRaise(&faces, "%s",
-                            choice == MODEL_SOLID ? "-model solid has three dimensions; give three numbers"
-                                                  : "three numbers make a solid; give two, or -model solid"));
+    if (!first.set) PetscCall(SceneRaiseModel_Private(&model, &scene->bodies[b], &mesh, num));
+    PetscCall(OptionRaise(
+        &mesh, "all bodies of a scene have the same dimensions, two or three; this one has %d, that of %s %s has %d",
+        (int)num, first.name, first.text, (int)dim));
   }
   scene->dim   = dim == 3 ? 3 : 2;
   scene->model = dim == 3 ? MODEL_SOLID : (ModelKind)choice;

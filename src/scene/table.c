@@ -32,7 +32,7 @@ static const OptionEntry table[] = {
 
     {GROUP_SCENE, "-title", "text", "", "(empty)", "Free text that goes into every result."},
     {GROUP_SCENE, "-model", "plane_strain|plane_stress|axisymmetric|solid", "",
-     "(plane_strain, or solid where boxes have three dimensions)",
+     "(plane_strain, or solid where bodies have three dimensions)",
      "What two dimensions stand for, or that there are three (solid). Axisymmetric: x is the radius r >= 0, y the axis "
      "z, "
      "forces and areas are those of the whole ring; nodes on the axis have no radial displacement."},

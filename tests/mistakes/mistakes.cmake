@@ -74,7 +74,13 @@ mistake(mesh_folder         SCENE mesh SAYS -block_dm_plex_filename mistakes ARG
 mistake(mesh_text           SCENE mesh SAYS -block_dm_plex_filename text.msh ARGS -block_dm_plex_filename ${here}/text.msh)
 mistake(mesh_cut            SCENE mesh SAYS -block_dm_plex_filename cut.msh ARGS -block_dm_plex_filename ${here}/cut.msh)
 mistake(mesh_node           SCENE mesh SAYS -block_dm_plex_filename node.msh ARGS -block_dm_plex_filename ${here}/node.msh)
-mistake(mesh_volume         SCENE mesh SAYS volume.msh "dimension 3" "-model solid" ARGS -block_dm_plex_filename ${here}/volume.msh)
+mistake(mesh_volume         SCENE mesh SAYS volume.msh "dimension 3" "-model plane_strain has 2" "-model solid" ARGS -model plane_strain
+        -block_dm_plex_filename ${here}/volume.msh)
+mistake(mesh_plane          SCENE mesh SAYS triangles.msh "dimension 2" "-model solid has 3" "gmsh -3" ARGS -model solid -block_dm_plex_filename
+        ${here}/triangles.msh)
+mistake(mesh_mixed          SAYS volume.msh "same dimensions" "this one has 3" "-upper_dm_plex_box_faces 4,3 has 2" ARGS
+        -bodies upper,lower,block -block_dm_plex_filename ${here}/volume.msh)
+mistake(mesh_solid          SCENE mesh SAYS -block_bc_displacement_bottom "0,0" "2 components given, 3 wanted" ARGS -block_dm_plex_filename ${here}/volume.msh)
 mistake(mesh_flat           SCENE mesh SAYS block degenerate ARGS -block_dm_plex_filename ${here}/flat.msh)
 mistake(mesh_tangled        SCENE mesh SAYS block tangled ARGS -block_dm_plex_filename ${here}/tangled.msh)
 mistake(mesh_side           SCENE mesh SAYS botom bottom slope ARGS -block_dm_plex_filename ${here}/triangles.msh -block_bc_displacement botom
