@@ -69,6 +69,37 @@ static void GmshCheckTypes_Private(const GmshMesh *mesh, PetscInt dim, char reas
            (double)ElementGetPosition_Private(mesh, at, 0)[2]);
 }
 
+/* Appends the corners of an element to a sentence: " (0, 0) (1, 0)". [in,out] text - [MESH_SENTENCE] */
+static void ElementDescribe_Private(const GmshMesh *mesh, PetscInt e, PetscInt dim, char text[])
+{
+  for (PetscInt i = 0; i < ElementGetNumCorners_Private(mesh, e); ++i) {
+    for (PetscInt d = 0; d < dim; ++d) {
+      const size_t used = strlen(text);
+
+      snprintf(text + used, MESH_SENTENCE - used, "%s%g", d ? ", " : " (",
+               (double)ElementGetPosition_Private(mesh, e, i)[d]);
+    }
+    snprintf(text + strlen(text), MESH_SENTENCE - strlen(text), ")");
+  }
+}
+
+/* Whether all cells and facets have as many corners as their type says. [out] reason - "" if so [MESH_SENTENCE] */
+static void GmshCheckCorners_Private(const GmshMesh *mesh, PetscInt dim, char reason[])
+{
+  for (PetscInt e = 0; e < mesh->num_elements && !reason[0]; ++e) {
+    const PetscInt *nodes  = &mesh->nodes[mesh->start[e]];
+    PetscBool       merged = PETSC_FALSE;
+
+    if (mesh->type[e]->dim < dim - 1) continue;
+    for (PetscInt i = 1; i < ElementGetNumCorners_Private(mesh, e); ++i) {
+      for (PetscInt j = 0; j < i; ++j) merged = merged || nodes[i] == nodes[j] ? PETSC_TRUE : PETSC_FALSE;
+    }
+    if (!merged) continue;
+    snprintf(reason, MESH_SENTENCE, "one of its %s has one node at several of its corners", mesh->type[e]->name);
+    ElementDescribe_Private(mesh, e, dim, reason);
+  }
+}
+
 /* Puts a node in the middle of an element where serendipity shape functions have it. The order of the element is that of
    element.h. [in] local - which of the cell's nodes the element's are, NULL for the cell itself */
 static void MiddleSet_Private(ElementType type, const PetscInt local[], const PetscInt nodes[], PetscInt middle,
@@ -155,15 +186,15 @@ static PetscErrorCode FacetGetPoint_Private(const GmshMesh *mesh, PetscInt e, co
                                             PetscInt *point)
 {
   const PetscInt *nodes = &mesh->nodes[mesh->start[e]], *join, corners = ElementGetNumCorners_Private(mesh, e);
-  PetscInt        first, begin, end, num, size, vertices[ELEMENT_MAX_FACET_NODES];
+  PetscInt        first, last, begin, end, num, size, vertices[ELEMENT_MAX_FACET_NODES];
 
   PetscFunctionBeginUser;
   *point = -1;
-  PetscCall(DMPlexGetDepthStratum(dm, 0, &first, NULL));
+  PetscCall(DMPlexGetDepthStratum(dm, 0, &first, &last));
   PetscCall(DMPlexGetHeightStratum(dm, 1, &begin, &end));
   for (PetscInt i = 0; i < corners; ++i) {
-    if (number[nodes[i]] < 0) PetscFunctionReturn(PETSC_SUCCESS); // no cell is there
     vertices[i] = first + number[nodes[i]];
+    if (vertices[i] < first || vertices[i] >= last) PetscFunctionReturn(PETSC_SUCCESS); // no cell has a corner there
   }
   PetscCall(DMPlexGetFullJoin(dm, corners, vertices, &num, &join));
   for (PetscInt i = 0; i < num; ++i) { // three corners of a quadrangle may be those of a triangle of another body
@@ -178,17 +209,10 @@ static PetscErrorCode FacetGetPoint_Private(const GmshMesh *mesh, PetscInt e, co
 /* "its triangle with corners (0, 0, 0), .. in physical group 7 is not a facet of any cell" */
 static void GmshDescribeFacet_Private(const GmshMesh *mesh, PetscInt e, PetscInt dim, char reason[])
 {
-  size_t used = (size_t)snprintf(reason, MESH_SENTENCE, "one of its %s in physical group %d, with the corners",
-                                 mesh->type[e]->name, (int)mesh->group[mesh->first_group[e]]);
-
-  for (PetscInt i = 0; i < ElementGetNumCorners_Private(mesh, e); ++i) {
-    const PetscReal *x = ElementGetPosition_Private(mesh, e, i);
-
-    for (PetscInt d = 0; d < dim; ++d)
-      used += (size_t)snprintf(reason + used, MESH_SENTENCE - used, "%s%g", d ? ", " : " (", (double)x[d]);
-    used += (size_t)snprintf(reason + used, MESH_SENTENCE - used, ")");
-  }
-  snprintf(reason + used, MESH_SENTENCE - used, ", is not a facet of any cell");
+  snprintf(reason, MESH_SENTENCE, "one of its %s in physical group %d, with the corners", mesh->type[e]->name,
+           (int)mesh->group[mesh->first_group[e]]);
+  ElementDescribe_Private(mesh, e, dim, reason);
+  snprintf(reason + strlen(reason), MESH_SENTENCE - strlen(reason), ", is not a facet of any cell");
 }
 
 /* Every physical group is a value of one of two labels. [in] point - of every cell in the DM */
@@ -229,6 +253,7 @@ PetscErrorCode GmshToPlex(const GmshMesh *mesh, PetscInt dim, DM *dm, Curves *cu
   PetscFunctionBeginUser;
   GmshCheckDimension_Private(mesh, dim, reason);
   if (!reason[0]) GmshCheckTypes_Private(mesh, dim, reason);
+  if (!reason[0]) GmshCheckCorners_Private(mesh, dim, reason);
   if (reason[0]) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(mesh->num_nodes, &number));
   PetscCall(GmshGetCells_Private(mesh, dim, number, &list));
