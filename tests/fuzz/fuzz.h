@@ -18,6 +18,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 int LLVMFuzzerInitialize(int *argc, char ***argv)
 {
   (void)argc, (void)argv;
+  setenv("OMPI_MCA_opal_signal", "", 1);
   if (FaultInitialize() || PetscInitializeNoArguments() || PetscPopSignalHandler()) abort(); // signals are the fuzzer's
   return 0;
 }
