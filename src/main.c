@@ -28,9 +28,9 @@ static PetscErrorCode SolveOnce(Scene scene, MortiseExit *verdict)
   PetscCall(LogStageEnd(STAGE_SETUP));
 
   PetscCall(RunCreate(scene, mesh, NULL, &run));
-  if (scene->output && !run->refused) {
+  if (scene->output) {
     PetscCall(LogStageBegin(STAGE_OUTPUT));
-    PetscCall(OutputWrite(run->fields));
+    PetscCall(run->refused ? OutputWriteMotion(run->vi) : OutputWrite(run->fields));
     PetscCall(LogStageEnd(STAGE_OUTPUT));
   }
   input = RunSummary(run);
@@ -198,7 +198,7 @@ int main(int argc, char **argv)
   MPI_Finalize();
   if (rank)
     return MORTISE_SOLVED; // a launcher ends the others, at work on a page, as soon as one rank reports a mishap
-  if ((verdict == MORTISE_SOLVED || verdict == MORTISE_NOT_CONVERGED) && !PageWrite() && verdict == MORTISE_SOLVED)
+  if (verdict != MORTISE_FAULT && verdict != MORTISE_FAILED && !PageWrite() && verdict == MORTISE_SOLVED)
     verdict = MORTISE_FAILED;
   return verdict;
 }

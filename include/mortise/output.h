@@ -9,6 +9,9 @@ PetscErrorCode OutputCheck(Scene scene);
 /* Writes <output>.h5 + .xdmf and/or .vtu, for each pair the same of its nonmortar side, <output>_<pair>.h5 and so on, and
    <output>_<pair>.csv. Collective. */
 PetscErrorCode OutputWrite(Fields fields);
+/* Where there is no solution: writes the bodies and, at their nodes, the motion that shows it, as `motion` of <output>.h5 + .xdmf
+   and/or .vtu. Collective. [in] vi - refused */
+PetscErrorCode OutputWriteMotion(VI vi);
 /* Writes text and a final newline to path by way of a temporary file beside it. First rank writes; collective on comm. */
 PetscErrorCode OutputWriteText(MPI_Comm comm, const char path[], const char text[]);
 

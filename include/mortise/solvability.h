@@ -17,7 +17,8 @@ typedef enum {
 
 /* A point x of a body, or of a piece of it, moves by translation + rotation x (x - centre). */
 typedef struct {
-  PetscInt  body, piece;                 /* of vi->motions.pieces; -1 where the body is one */
+  PetscInt  body, piece;                 /* of vi->motions.pieces */
+  PetscBool whole;                       /* the body is of one piece */
   char      name[512];                   /* "lid", or "lid, piece 1 of 2 near (1.2, 0)" */
   PetscReal translation[3], rotation[3]; /* the translation is along the axis of the rotation where there is one */
   PetscReal centre[3];                   /* the point of the axis next to the body's centre, or that itself */
@@ -67,5 +68,7 @@ PetscErrorCode SolvabilitySettle(VI vi, Vec y);
 /* A motion of all bodies in words and numbers. Collective. [in] q - [m]; [out] motion - to be freed by SceneMotionDestroy() */
 PetscErrorCode SceneMotionCreate(VI vi, Solvability solvability, const PetscReal q[], SceneMotion *motion);
 PetscErrorCode SceneMotionDestroy(SceneMotion *motion);
+/* Where it takes a point of the body. [in] x - [dim]; [out] u - [dim] */
+void BodyMotionAt(const BodyMotion *motion, PetscInt dim, const PetscReal x[], PetscReal u[]);
 
 #endif

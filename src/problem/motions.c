@@ -154,10 +154,11 @@ static void Name_Private(VI vi, PetscInt piece, BodyMotion *motion)
 
   while (first > 0 && pieces->body[first - 1] == pieces->body[piece]) first--;
   motion->body  = pieces->body[piece];
-  motion->piece = num > 1 ? piece : -1;
+  motion->piece = piece;
+  motion->whole = (PetscBool)(num == 1);
   Vector_Private(vi->level->dim, &vi->motions.frames[4 * piece], centre, sizeof(centre));
   snprintf(motion->name, sizeof(motion->name), "%s", vi->scene->bodies[motion->body].name);
-  if (num > 1) {
+  if (!motion->whole) {
     snprintf(motion->name, sizeof(motion->name), "%s, piece %d of %d near %s", vi->scene->bodies[motion->body].name,
              (int)(piece - first + 1), (int)num, centre);
   }
@@ -176,7 +177,7 @@ static void Words_Private(VI vi, const BodyMotion *motion, const Contacts *conta
   } else {
     Going_Private(dim, motion, contacts->slides ? "slides" : "moves", does, sizeof(does));
   }
-  snprintf(text, len, "%s%s%s %s", motion->name, motion->piece >= 0 || !contacts->touched ? "," : "",
+  snprintf(text, len, "%s%s%s %s", motion->name, !motion->whole || !contacts->touched ? "," : "",
            contacts->touched ? "" : " which no contact touches,", does);
 }
 
@@ -230,6 +231,18 @@ PetscErrorCode SceneMotionCreate(VI vi, Solvability s, const PetscReal q[], Scen
   }
   PetscCall(PetscFree(contacts));
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void BodyMotionAt(const BodyMotion *motion, PetscInt dim, const PetscReal x[], PetscReal u[])
+{
+  PetscReal a[3] = {0, 0, 0};
+
+  for (PetscInt k = 0; k < dim; k++) a[k] = x[k] - motion->centre[k];
+  for (PetscInt k = 0; k < dim; k++) {
+    const PetscInt i = (k + 1) % 3, j = (k + 2) % 3;
+
+    u[k] = motion->translation[k] + motion->rotation[i] * a[j] - motion->rotation[j] * a[i];
+  }
 }
 
 PetscErrorCode SceneMotionDestroy(SceneMotion *motion)

@@ -59,6 +59,7 @@ static const char *About_Private(const char name[])
   static const char *const table[][2] = {
       {"points", "positions before the motion: x, y, z"},
       {"displacement", "x, y, z in the unit of length"},
+      {"motion", "x, y, z of the rigid motion that loads drive and nothing resists: an angle of 1, else a length of 1"},
       {"stress", "tensor by rows: xx,xy,xz,yx,yy,yz,zx,zy,zz in the unit of stress; volume-weighted nodal average"},
       {"von_mises", "of the averaged stress"},
       {"principal", "principal values of the averaged stress, the largest first"},
@@ -66,7 +67,8 @@ static const char *About_Private(const char name[])
       {"gap", "left after the motion, along the nonmortar normal; NAN where there is no constraint"},
       {"normal", "out of the nonmortar body, before the motion; where there is a constraint, its direction"},
       {"status", "0 open, 1 contact, 2 tied, -1 no constraint"},
-      {"body", "index of the body, in the order of -bodies"}};
+      {"body", "index of the body, in the order of -bodies"},
+      {"piece", "what hangs together: counted over all bodies"}};
 
   for (size_t i = 0; i < sizeof(table) / sizeof(table[0]); ++i) {
     if (strcmp(table[i][0], name) == 0) return table[i][1];

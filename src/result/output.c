@@ -89,6 +89,21 @@ PetscErrorCode OutputWrite(Fields fields)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode OutputWriteMotion(VI vi)
+{
+  Picture     picture;
+  Files       files = {0};
+  PetscMPIInt rank;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_rank(vi->level->comm, &rank));
+  PetscCall(PictureCreateMotion(vi, &picture));
+  if (rank == 0) PetscCall(WritePicture_Private(vi->scene, NULL, &picture, &files));
+  PetscCall(PictureDestroy(&picture));
+  PetscCall(FilesFinish(vi->level->comm, &files));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode OutputWriteText(MPI_Comm comm, const char path[], const char text[])
 {
   Files       files = {0};

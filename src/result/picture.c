@@ -76,19 +76,28 @@ PetscErrorCode PictureGatherCells(MPI_Comm comm, const PictureCells *cells, Pict
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The cells of all bodies, tagged with the body. */
-static PetscErrorCode PictureCells_Private(const Level *level, Picture *picture)
+/* The cells of all bodies, with the body, and where one is of several pieces with the piece. */
+static PetscErrorCode PictureCells_Private(VI vi, Picture *picture)
 {
-  const PetscInt size = level->cell_start[level->num_cells];
-  PetscInt      *nodes;
+  const Level   *level  = vi->level;
+  const Pieces  *pieces = &vi->motions.pieces;
+  const PetscInt size   = level->cell_start[level->num_cells];
+  PetscInt      *nodes, *piece;
+  PetscReal     *tags, *body;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(size, &nodes));
+  PetscCall(PetscMalloc2(size, &nodes, level->num_cells, &piece));
   for (PetscInt i = 0; i < size; ++i) nodes[i] = level->node_global[level->cell_nodes[i]];
-  PetscCall(PictureGatherCells(level->comm,
-                               &(PictureCells){level->num_cells, level->cell_type, level->cell_body, nodes}, picture,
-                               &picture->cell[0].values));
-  PetscCall(PetscFree(nodes));
+  for (PetscInt c = 0; c < level->num_cells; ++c) piece[c] = pieces->of_node[level->cell_nodes[level->cell_start[c]]];
+  PetscCall(PictureGatherCells(level->comm, &(PictureCells){level->num_cells, level->cell_type, piece, nodes}, picture,
+                               &tags));
+  PetscCall(PetscFree2(nodes, piece));
+  PetscCall(PetscMalloc1(picture->num_cells, &body));
+  for (PetscInt c = 0; c < picture->num_cells; ++c) body[c] = (PetscReal)pieces->body[(PetscInt)tags[c]];
+  picture->num_cell_arrays = pieces->num > vi->motions.num_bodies ? 2 : 1;
+  picture->cell[0]         = (PictureArray){"body", 1, PETSC_TRUE, body};
+  picture->cell[1]         = (PictureArray){"piece", 1, PETSC_TRUE, tags};
+  if (picture->num_cell_arrays == 1) PetscCall(PetscFree(picture->cell[1].values));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -147,6 +156,22 @@ static PetscErrorCode PictureStress_Private(Fields fields, Picture *picture)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A picture of the bodies as they are meshed, without quantities at points. */
+static PetscErrorCode PictureMesh_Private(VI vi, Picture *picture)
+{
+  const Level *level = vi->level;
+  PetscMPIInt  rank;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_rank(level->comm, &rank));
+  PetscCall(PetscMemzero(picture, sizeof(*picture)));
+  picture->title      = vi->scene->title;
+  picture->num_points = rank == 0 ? level->num_global : 0;
+  PetscCall(GatherNodes_Private(level, level->dim, 3, level->coords, &picture->points));
+  PetscCall(PictureCells_Private(vi, picture));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode PictureCreate(Fields fields, Picture *picture)
 {
   static const PictureArray arrays[POINT_COUNT] = {[POINT_DISPLACEMENT] = {"displacement", 3, PETSC_FALSE, NULL},
@@ -158,25 +183,39 @@ PetscErrorCode PictureCreate(Fields fields, Picture *picture)
                                                    [POINT_STATUS]       = {"status", 1, PETSC_TRUE, NULL}};
   const Level              *level               = fields->vi->level;
   const PetscReal          *u;
-  PetscMPIInt               rank;
 
   PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Comm_rank(level->comm, &rank));
-  PetscCall(PetscMemzero(picture, sizeof(*picture)));
-  picture->title            = fields->vi->scene->title;
+  PetscCall(PictureMesh_Private(fields->vi, picture));
   picture->first            = "Vectors=\"displacement\" Tensors=\"stress\" Scalars=\"von_mises\"";
-  picture->num_points       = rank == 0 ? level->num_global : 0;
   picture->num_point_arrays = POINT_COUNT;
-  picture->num_cell_arrays  = 1;
-  picture->cell[0]          = (PictureArray){"body", 1, PETSC_TRUE, NULL};
   memcpy(picture->point, arrays, sizeof(arrays));
-  PetscCall(GatherNodes_Private(level, level->dim, 3, level->coords, &picture->points));
-  PetscCall(PictureCells_Private(level, picture));
   PetscCall(VecGetArrayRead(fields->u, &u));
   PetscCall(GatherNodes_Private(level, level->dim, 3, u, &picture->point[POINT_DISPLACEMENT].values));
   PetscCall(VecRestoreArrayRead(fields->u, &u));
   PetscCall(PictureStress_Private(fields, picture));
   PetscCall(PictureContact_Private(fields, picture));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PictureCreateMotion(VI vi, Picture *picture)
+{
+  const Level       *level  = vi->level;
+  const SceneMotion *motion = &vi->solvability->motion;
+  PetscReal         *u;
+
+  PetscFunctionBeginUser;
+  PetscCall(PictureMesh_Private(vi, picture));
+  picture->first            = "Vectors=\"motion\"";
+  picture->num_point_arrays = 1;
+  picture->point[0]         = (PictureArray){"motion", 3, PETSC_FALSE, NULL};
+  PetscCall(PetscCalloc1(level->num_owned * level->dim, &u));
+  for (PetscInt i = 0; i < motion->num; ++i) {
+    for (PetscInt a = 0; a < level->num_owned; ++a)
+      if (vi->motions.pieces.of_node[a] == motion->bodies[i].piece)
+        BodyMotionAt(&motion->bodies[i], level->dim, &level->coords[a * level->dim], &u[a * level->dim]);
+  }
+  PetscCall(GatherNodes_Private(level, level->dim, 3, u, &picture->point[0].values));
+  PetscCall(PetscFree(u));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -4,6 +4,7 @@
 #define MORTISE_PICTURE_H
 
 #include <mortise/fields.h>
+#include <mortise/solvability.h>
 #include "files.h"
 #include "gather.h"
 
@@ -15,7 +16,7 @@ typedef struct {
   PetscReal  *values;  /* [points or cells][components] */
 } PictureArray;
 
-enum { PICTURE_MAX_POINT_ARRAYS = 7, PICTURE_MAX_CELL_ARRAYS = 1 };
+enum { PICTURE_MAX_POINT_ARRAYS = 7, PICTURE_MAX_CELL_ARRAYS = 2 };
 
 /* The bodies, or one side of a pair as cells of one dimension less. Cells are sorted by type, since readers of mixed meshes
    keep one block per type. Everything is empty on the other ranks, but for the names. */
@@ -34,6 +35,8 @@ typedef struct {
 
 /* Gathers all bodies, points in the order of global nodes. Collective. */
 PetscErrorCode PictureCreate(Fields fields, Picture *picture);
+/* Gathers all bodies where they are, with the motion for which there is no solution. Collective. */
+PetscErrorCode PictureCreateMotion(VI vi, Picture *picture);
 /* Gathers the nonmortar side of pair p with what happens on it, points in the order of global nodes. Collective. */
 PetscErrorCode PictureCreateSurface(Fields fields, PetscInt p, Picture *picture);
 PetscErrorCode PictureDestroy(Picture *picture);

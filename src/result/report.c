@@ -61,7 +61,7 @@ static PetscErrorCode PrintFiles_Private(const SummaryInput *in)
   PetscFunctionBeginUser;
   if (scene->output) {
     PetscCall(PetscPrintf(comm, "  wrote %s.json", scene->output));
-    for (PetscInt p = -1; p < in->vi->num_pairs; ++p) {
+    for (PetscInt p = -1; p < (in->fields ? in->vi->num_pairs : 0); ++p) { // without a solution the bodies alone
       if (p >= 0) PetscCall(PetscPrintf(comm, ", _%s.csv", in->vi->pairs[p]->spec->name));
       if (scene->formats & OUTPUT_XDMF) PetscCall(PetscPrintf(comm, ", .h5, .xdmf"));
       if (scene->formats & OUTPUT_VTU) PetscCall(PetscPrintf(comm, ", .vtu"));
@@ -188,7 +188,7 @@ PetscErrorCode SummaryWrite(const SummaryInput *input)
   } else {
     if (scene->summary) PetscCall(OutputWriteText(scene->comm, scene->summary, text));
     /* Not beside a summary on stdout: that is for programs to read. */
-    if (!scene->quiet && input->fields) PetscCall(Print_Private(input));
+    if (!scene->quiet) PetscCall(input->fields ? Print_Private(input) : PrintFiles_Private(input));
   }
   free(text);
   PetscCall(VerdictWarn(input->vi));

@@ -12,7 +12,7 @@ static void AddMotion_Private(VI vi, const SceneMotion *motion, cJSON *object)
     const BodyMotion *moves = &motion->bodies[i];
     cJSON            *body  = cJSON_AddObjectToObject(object, moves->name);
 
-    if (moves->piece >= 0) {
+    if (!moves->whole) {
       cJSON_AddStringToObject(body, "body", vi->scene->bodies[moves->body].name);
       JSONAddInt(body, "piece", moves->piece);
     }

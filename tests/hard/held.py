@@ -88,4 +88,6 @@ def judge_verge(run):
     same("exit code on the verge", verge.exit, 0)
     require("warning" in verge.stderr and "tips about (0.5, 0)" in verge.stderr and verge.stderr.count("\n") == 1, "no warning on the verge")
     judge_variant(verge, verdict="marginal", force=[0, 1])
+    require("tips about (0.5, 0)" in verge.summary["solvability"]["sentence"], "the summary does not tell what the warning tells")
+    verge.again("-quiet", name="quiet")  # which has nothing to say
     near("place of the force", verge.pair("joint")["centre_of_pressure"], [0.5, 0], absolute=1e-9)

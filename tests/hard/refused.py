@@ -40,7 +40,7 @@ def judge_case(run, name, options, words, motions, work):
     near(f"work, {name}", solvability["work"], work, relative=1e-9)
     near(f"work of bodies, {name}", sum(body["work"] for body in solvability["motion"].values()), work, relative=1e-9)
     require(case.summary["energy"]["potential"] is None and case.pair("joint")["normal_force"] is None, "figures of no solution")
-    same(f"files of {name}", sorted(path.name for path in case.folder.iterdir() if path.is_file()), ["result.json"])
+    same(f"files of {name}", sorted(path.name for path in case.folder.iterdir() if path.is_file()), ["result.h5", "result.json", "result.xdmf"])
 
 
 def judge(run):
