@@ -16,7 +16,8 @@ static const PetscReal OTHER_RTOL   = 1e-12;
 static const PetscInt  OTHER_MAX_IT = 100;
 /* Steps of pdas: with one factorisation for all sets they cost next to nothing, and soft structures take many. */
 static const PetscInt PDAS_MAX_IT = 500;
-/* A residual below this part of |A| |y| is roundoff: a soft structure, or a start at the solution, allows no other test. */
+/* A residual below this part of |A| |y| is roundoff after a step, which makes it as small as it can be: a soft structure, or a start at
+   the solution, allows no other test. Before any step it may be a thousand times what a step leaves, where bodies differ in stiffness. */
 static const PetscReal OTHER_ROUNDOFF = 1e-14;
 
 /* A control that can only be reached through the options database. */
@@ -57,7 +58,7 @@ static PetscErrorCode ConvergedFn(SNES snes, PetscInt it, PetscReal xnorm, Petsc
   if (*reason) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SNESGetSolution(snes, &y));
   PetscCall(VecNorm(y, NORM_2, &xnorm));
-  if (fnorm <= OTHER_ROUNDOFF * *norm * xnorm) *reason = SNES_CONVERGED_FNORM_ABS;
+  if (fnorm <= (it ? OTHER_ROUNDOFF : 0) * *norm * xnorm) *reason = SNES_CONVERGED_FNORM_ABS;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
