@@ -18,6 +18,12 @@ static const PetscReal SHORTEST_PIECE = 1e-12;
 
 enum { MAX_ORDER = 2, MAX_CUTS = 2 + 2 * 2 * MAX_ORDER }; /* two ends of the facet, the roots of two mortar ends */
 
+ClipFacet ClipFacetFrom(PetscInt dim, const PetscReal origin[], const ClipFacet *facet, PetscReal X[])
+{
+  for (PetscInt i = 0; i < dim * ElementNumNodes(facet->type); i++) X[i] = facet->X[i] - origin[i % dim];
+  return (ClipFacet){facet->type, X, facet->N};
+}
+
 /* Positive if b points to the left of a. */
 static PetscReal Cross_Private(const PetscReal a[], const PetscReal b[])
 {
@@ -135,17 +141,19 @@ static PetscInt Cuts_Private(const ClipFacet *nonmortar, const ClipFacet *mortar
 
 PetscInt ClipLines(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscInt num_gauss, ClipPoint points[])
 {
-  PetscReal      cuts[MAX_CUTS];
-  const PetscInt num_cuts   = Cuts_Private(nonmortar, mortar, cuts);
-  PetscInt       num_points = 0;
+  PetscReal       cuts[MAX_CUTS], X[2 * ELEMENT_MAX_FACET_NODES], Y[2 * ELEMENT_MAX_FACET_NODES];
+  const ClipFacet own        = ClipFacetFrom(2, nonmortar->X, nonmortar, X);
+  const ClipFacet other      = ClipFacetFrom(2, nonmortar->X, mortar, Y);
+  const PetscInt  num_cuts   = Cuts_Private(&own, &other, cuts);
+  PetscInt        num_points = 0;
 
   for (PetscInt i = 0; i + 1 < num_cuts && num_points + num_gauss <= CLIP_MAX_POINTS; i++) {
     PetscReal x[2], n[2];
 
     if (cuts[i + 1] - cuts[i] < SHORTEST_PIECE) continue;
-    RayAt_Private(nonmortar, 0.5 * (cuts[i] + cuts[i + 1]), x, n);
-    if (Side_Private(x, n, &mortar->X[0]) * Side_Private(x, n, &mortar->X[2]) >= 0.) continue; /* both on one side */
-    AddPiece_Private(nonmortar, mortar, &cuts[i], num_gauss, &points[num_points]);
+    RayAt_Private(&own, 0.5 * (cuts[i] + cuts[i + 1]), x, n);
+    if (Side_Private(x, n, &other.X[0]) * Side_Private(x, n, &other.X[2]) >= 0.) continue; /* both on one side */
+    AddPiece_Private(&own, &other, &cuts[i], num_gauss, &points[num_points]);
     num_points += num_gauss;
   }
   return num_points;

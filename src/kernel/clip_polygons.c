@@ -149,15 +149,17 @@ static PetscInt Fan_Private(PetscInt n, const PetscReal P[], PetscBool exact, Pe
 
 PetscInt ClipPolygons(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscInt degree, ClipPoint points[])
 {
-  PetscReal   xi[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], P[2 * POLYGON_MAX_VERTICES];
-  PetscInt    num_rule, num = 0;
-  PetscBool   enough;
-  ShadowPlane plane;
-  Shadow      own, other;
+  PetscReal       xi[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], P[2 * POLYGON_MAX_VERTICES];
+  PetscReal       X[3 * ELEMENT_MAX_FACET_NODES], Y[3 * ELEMENT_MAX_FACET_NODES];
+  PetscInt        num_rule, num = 0;
+  PetscBool       enough;
+  ShadowPlane     plane;
+  Shadow          own, other;
+  const ClipFacet near = ClipFacetFrom(3, nonmortar->X, nonmortar, X), far = ClipFacetFrom(3, nonmortar->X, mortar, Y);
 
-  ShadowPlaneSet(nonmortar, &plane);
-  ShadowProject(&plane, nonmortar, &own);
-  ShadowProject(&plane, mortar, &other);
+  ShadowPlaneSet(&near, &plane);
+  ShadowProject(&plane, &near, &own);
+  ShadowProject(&plane, &far, &other);
   if (!ShadowsMeet(&own, &other)) return 0;
   ShadowCut(&plane, &own);
   ShadowCut(&plane, &other);
@@ -203,19 +205,21 @@ static PetscBool IsInside_Private(const ShadowPart *part, const PetscReal p[], P
 
 PetscBool ClipSees(const ClipFacet *nonmortar, const ClipFacet *mortar, const PetscReal xi[], PetscReal *gap)
 {
-  PetscReal   x[3], y[3], at[2], eta[2], phi[ELEMENT_MAX_NODES];
-  ShadowPlane plane;
-  Shadow      other;
+  PetscReal       x[3], y[3], at[2], eta[2], phi[ELEMENT_MAX_NODES];
+  PetscReal       X[3 * ELEMENT_MAX_FACET_NODES], Y[3 * ELEMENT_MAX_FACET_NODES];
+  ShadowPlane     plane;
+  Shadow          other;
+  const ClipFacet near = ClipFacetFrom(3, nonmortar->X, nonmortar, X), far = ClipFacetFrom(3, nonmortar->X, mortar, Y);
 
-  ShadowPlaneSet(nonmortar, &plane);
-  ShadowProject(&plane, mortar, &other);
+  ShadowPlaneSet(&near, &plane);
+  ShadowProject(&plane, &far, &other);
   ShadowCut(&plane, &other);
-  ElementSurface(nonmortar->type, nonmortar->X, xi, x, phi, NULL);
+  ElementSurface(near.type, near.X, xi, x, phi, NULL);
   ShadowPlaneProject(&plane, 1, x, at);
   for (PetscInt i = 0; i < other.num_parts; i++) {
     if (!IsInside_Private(&other.parts[i], at, plane.size)) continue;
     if (!MortarPullBack_Private(&other, &other.parts[i], at, eta)) continue;
-    ElementSurface(mortar->type, mortar->X, eta, y, phi, NULL);
+    ElementSurface(far.type, far.X, eta, y, phi, NULL);
     *gap = 0.;
     for (PetscInt k = 0; k < 3; k++) *gap += plane.Q[k] * (y[k] - x[k]);
     return PETSC_TRUE;

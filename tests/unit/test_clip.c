@@ -348,6 +348,19 @@ static void TestSlivers(void)
   CHECK_NEAR(points[0].gap, 0.1, 1e-16);
 }
 
+/* Facets in one plane across an axis touch to the last bit, wherever this plane is: a stiff body feels the rest. */
+static void TestFarFromOrigin(void)
+{
+  const PetscReal h = 1e6 + 0.1, N[] = {0., -1., 0., -1., 0., -1.};
+  const PetscReal X[] = {7. / 3., h, 8. / 3., h, 5. / 2., h}, Y[] = {19. / 7., h, 12. / 5., h, 179. / 70., h};
+  const ClipFacet facet = {ELEMENT_LINE3, X, N}, other = {ELEMENT_LINE3, Y, NULL};
+  ClipPoint       points[CLIP_MAX_POINTS];
+  const PetscInt  num = ClipLines(&facet, &other, 3, points);
+
+  CHECK(num == 3);
+  for (PetscInt p = 0; p < num; p++) CHECK(points[p].gap == 0.);
+}
+
 int main(int argc, char **argv)
 {
   PetscFunctionBeginUser;
@@ -362,6 +375,7 @@ int main(int argc, char **argv)
   TestArcs();
   TestWild();
   TestSlivers();
+  TestFarFromOrigin();
   PetscCall(PetscFinalize());
   return 0;
 }
