@@ -9,11 +9,9 @@
 /* Stiffness of a spring by that of bodies: each solution is nearer to the next by this factor, and the matrix has
    a condition number of its inverse at least. */
 static const PetscReal WEAK = 1e-6;
-/* A contact force counts, in parts of the largest. */
-static const PetscReal PRESSES = 1e-9;
 /* Loads push bodies this many times farther than the largest gap before they are held: what then touches first, touches. */
 static const PetscReal FAR = 1e3;
-/* Gaps that are left then count as closed below this part of the largest one. */
+/* Gaps that are left then count as closed below this part of the largest one, or of the displacement to expect. */
 static const PetscReal CLOSED = 1e-9;
 
 /* Which of this rank's nodes may carry springs: not those whose unknowns mean something else, if there are others. */
@@ -185,7 +183,7 @@ static PetscErrorCode Rest_Private(VI vi, Solvability s, PetscReal left[], Petsc
 PetscErrorCode SpringsCreate(VI vi, const NodeBases *bases, PetscInt num_fixed, const PetscInt fixed[], Solvability s)
 {
   const PetscInt first = vi->level->dim * vi->level->node_begin;
-  PetscReal     *left, largest, force = 0;
+  PetscReal     *left, largest, closed;
   PetscScalar   *start;
 
   PetscFunctionBeginUser;
@@ -195,12 +193,11 @@ PetscErrorCode SpringsCreate(VI vi, const NodeBases *bases, PetscInt num_fixed, 
   PetscCall(Place_Private(vi, bases, num_fixed, fixed, s->springs));
   PetscCall(PetscMalloc1(vi->num_rows, &left));
   PetscCall(Rest_Private(vi, s, left, &largest));
-  for (PetscInt r = 0; r < vi->num_rows; r++) force = PetscMax(force, PetscAbsReal(s->y[r]));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &force, 1, MPIU_REAL, MPI_MAX, vi->level->comm));
+  closed = CLOSED * PetscMax(largest, vi->length);
   PetscCall(VecZeroEntries(s->start));
   PetscCall(VecGetArray(s->start, &start));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    if (!s->both[r] && (left[r] <= CLOSED * largest || s->y[r] > PRESSES * force)) start[vi->row_dof[r] - first] = 1;
+    if (!s->both[r] && left[r] <= closed) start[vi->row_dof[r] - first] = 1;
   }
   PetscCall(VecRestoreArray(s->start, &start));
   PetscCall(PetscFree(left));
