@@ -1,0 +1,6 @@
+"""Work of the loads per radian about the edge."""
+from judge import near
+
+
+def judge(run):
+    near("work", run.summary["solvability"]["work"], 0.03 * 0.9 - 0.43 * 0.05, relative=1e-9)
