@@ -92,7 +92,7 @@ PetscErrorCode LevelSetCoords(Level *level, const Curves *curves)
   PetscInt   size = 0;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(level->num_nodes * level->dim, &X));
+  PetscCall(PetscMalloc1(level->num_nodes * level->dim + 1, &X)); // not NULL where a rank has no nodes
   PetscCall(LevelGetStraight_Private(level, X));
   if (curves) {
     PetscCall(CurvesGetNodes(curves, level, X));
@@ -132,7 +132,8 @@ static PetscErrorCode LevelProlongCoord_Private(Level *coarse, Level *fine, Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Fine nodes lie where the coarse isoparametric cells have them, so that refinement stays on a file's curves. */
+/* Fine nodes lie where the coarse isoparametric cells have them, so that refinement stays on a file's curves. All ranks go the
+   same way, also those without nodes. */
 PetscErrorCode LevelFollowCoords(Level *coarse, Level *fine)
 {
   PetscFunctionBeginUser;
@@ -140,7 +141,7 @@ PetscErrorCode LevelFollowCoords(Level *coarse, Level *fine)
     PetscCall(LevelSetCoords(fine, NULL));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  PetscCall(PetscMalloc1(fine->num_nodes * fine->dim, &fine->unmapped));
+  PetscCall(PetscMalloc1(fine->num_nodes * fine->dim + 1, &fine->unmapped));
   for (PetscInt d = 0; d < fine->dim; ++d) PetscCall(LevelProlongCoord_Private(coarse, fine, d));
   PetscCall(LevelMapCoords_Private(fine, fine->unmapped));
   PetscFunctionReturn(PETSC_SUCCESS);
