@@ -156,8 +156,24 @@ static void LevelDescribeCell_Private(const Level *level, PetscInt cell, char se
   }
 }
 
-/* Before maps every body has one sense (box.c, extract.c), and refinement keeps it. So a map may turn a body inside out
-   as a whole; one that turns only some of its cells has folded it. */
+/* Says that a body has cells of both senses: its map has folded it, or the curves of its file. */
+static PetscErrorCode BodyRaiseFold_Private(const Level *level, const SceneBody *body)
+{
+  PetscFunctionBeginUser;
+  if (body->map) {
+    PetscCall(FaultRaise(level->comm,
+                         "-%s_map %s folds body '%s': it turns some of its cells inside out and others not", body->name,
+                         ExpressionText(body->map), body->name));
+  }
+  PetscCall(FaultRaise(level->comm,
+                       "body '%s' has cells that are inside out as soon as they are refined along the curved sides of "
+                       "%.400s; -%s_order 2 tells which",
+                       body->name, body->mesh_file, body->name));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Before maps every body has one sense (box.c, extract.c), and refinement keeps it, but for curves that are no shape of a
+   cell. So a map may turn a body inside out as a whole; one that turns only some of its cells has folded it. */
 PetscErrorCode LevelTurnCells(Level *level)
 {
   const Scene scene                   = level->scene;
@@ -176,10 +192,7 @@ PetscErrorCode LevelTurnCells(Level *level)
   PetscCall(FaultCheck(level->comm, sentence));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, seen, (int)(2 * scene->num_bodies), MPIU_INT, MPI_MAX, level->comm));
   for (PetscInt b = 0; b < scene->num_bodies; ++b) {
-    if (!seen[2 * b] || !seen[2 * b + 1]) continue;
-    PetscCall(FaultRaise(level->comm,
-                         "-%s_map %s folds body '%s': it turns some of its cells inside out and others not",
-                         scene->bodies[b].name, ExpressionText(scene->bodies[b].map), scene->bodies[b].name));
+    if (seen[2 * b] && seen[2 * b + 1]) PetscCall(BodyRaiseFold_Private(level, &scene->bodies[b]));
   }
   PetscCall(PetscFree(seen));
   PetscFunctionReturn(PETSC_SUCCESS);
