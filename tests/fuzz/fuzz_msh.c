@@ -17,7 +17,16 @@ enum {
 };
 
 /* Bits of the last byte. */
-enum { ORDER_TWO = 1, REFINED = 2, BODY_REFINED = 4, REGION = 8, TWO_BODIES = 16, AXISYMMETRIC = 32, MODEL = 64 };
+enum {
+  ORDER_TWO    = 1,
+  REFINED      = 2,
+  BODY_REFINED = 4,
+  REGION       = 8,
+  TWO_BODIES   = 16,
+  AXISYMMETRIC = 32,
+  MODEL        = 64,
+  NAMES        = 128
+};
 
 /* What the scene may name: groups of cells and of facets, as the file has them. */
 typedef struct {
@@ -97,9 +106,13 @@ static void WriteOptions_Private(const Groups *groups, int bits, char text[])
 
     used += snprintf(text + used, MAX_TEXT - used, " -%c_dm_plex_filename %s -%c_young 1 -%c_poisson 0.3", name, Path,
                      name, name);
-    if (bits & REGION) used += snprintf(text + used, MAX_TEXT - used, " -%c_mesh_region %d", name, (int)groups->cells);
+    if (bits & NAMES)
+      used += snprintf(text + used, MAX_TEXT - used, " -%c_bc_normal side -%c_mesh_region %s", name, name,
+                       bits & REGION ? "side" : "no_such");
+    else if (bits & REGION)
+      used += snprintf(text + used, MAX_TEXT - used, " -%c_mesh_region %d", name, (int)groups->cells);
     if (small && bits & BODY_REFINED) used += snprintf(text + used, MAX_TEXT - used, " -%c_dm_refine 1", name);
-    if (groups->num_sides > 0)
+    if (groups->num_sides > 0 && !(bits & NAMES))
       used += snprintf(text + used, MAX_TEXT - used, " -%c_bc_normal %d", name, (int)groups->sides[0]);
   }
   if (groups->num_sides > 2)

@@ -298,7 +298,7 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max_size, unsi
 
   RandomSeed(seed);
   last = size ? data[size - 1] : 0;
-  if (Random(4) == 0) last ^= (uint8_t)(1 << Random(7));
+  if (Random(4) == 0) last ^= (uint8_t)(1 << Random(8));
   if (Random(3) && DraftRead_Private(data, size)) {
     for (int round = 1 + Random(ROUNDS); round > 0; --round) {
       const int what = Random(3);
