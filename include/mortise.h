@@ -6,6 +6,7 @@
 #include <mortise/log.h>
 #include <mortise/memory.h>
 #include <mortise/fault.h>
+#include <mortise/interrupt.h>
 #include <mortise/options.h>
 #include <mortise/json.h>
 #include <mortise/expression.h>

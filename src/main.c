@@ -1,10 +1,13 @@
 /* main.c -- the life of one problem: scene, mesh, inequality, solve, judge, write. */
 #include <mortise.h>
+#include <errno.h>
+#include <fcntl.h>
 #include <metis.h>
 #include <muParserDLL.h>
 #include <petscpkg_version.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum {
   PATIENCE = 5
@@ -18,6 +21,7 @@ static PetscErrorCode SolveOnce(Scene scene, MortiseExit *verdict)
 {
   Mesh         mesh = NULL;
   Run          run  = NULL;
+  Output       output;
   SummaryInput input;
 
   PetscFunctionBeginUser;
@@ -28,13 +32,14 @@ static PetscErrorCode SolveOnce(Scene scene, MortiseExit *verdict)
   PetscCall(LogStageEnd(STAGE_SETUP));
 
   PetscCall(RunCreate(scene, mesh, NULL, &run));
+  PetscCall(OutputCreate(scene->comm, &output));
   if (scene->output) {
     PetscCall(LogStageBegin(STAGE_OUTPUT));
-    PetscCall(run->refused ? OutputWriteMotion(run->vi) : OutputWrite(run->fields));
+    PetscCall(run->refused ? OutputAddMotion(output, run->vi) : OutputAddFields(output, run->fields));
     PetscCall(LogStageEnd(STAGE_OUTPUT));
   }
   input = RunSummary(run);
-  PetscCall(SummaryWrite(&input));
+  PetscCall(SummaryWrite(&input, &output));
   *verdict = run->solved ? MORTISE_SOLVED : run->refused ? MORTISE_NO_SOLUTION : MORTISE_NOT_CONVERGED;
 
   PetscCall(RunDestroy(&run));
@@ -95,6 +100,7 @@ static PetscErrorCode Begin(int argc, char **argv)
 {
   PetscFunctionBeginUser;
   PetscCall(FaultInitialize());
+  MemoryPrepare();
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   PetscCall(FaultCatchSignals());
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -173,6 +179,27 @@ static PetscBool EndTogether(MPI_Comm farewell)
   return arrived ? PETSC_TRUE : PETSC_FALSE;
 }
 
+/* Whether all that was printed has arrived, where nothing worse has happened; a full disk shows here at the latest. */
+static PetscBool EndPrinting(void)
+{
+  const int failed = fflush(stdout), reason = errno;
+
+  if (!failed && !ferror(stdout)) return PETSC_TRUE;
+  fprintf(stderr, "mortise: cannot write what is printed: %s\n",
+          failed ? strerror(reason) : "the output is incomplete");
+  return PETSC_FALSE;
+}
+
+/* Streams that were closed by whoever started the program lead to nowhere: else files would be opened in their place. */
+static void OpenStreams(void)
+{
+  for (int stream = open("/dev/null", O_RDWR); stream >= 0; stream = dup(stream)) {
+    if (stream <= STDERR_FILENO) continue;
+    (void)close(stream);
+    return;
+  }
+}
+
 /* A fault leaves objects behind that nobody needs any more, so PETSc is not finalised after one: its lists of leaks would
    bury the sentence. Where PETSc has found the mistake, some ranks may not know of it and wait for the others for ever (a
    file that only the first rank opens); these are ended by force, and the sentence is said by who knows it. */
@@ -183,12 +210,15 @@ int main(int argc, char **argv)
   MPI_Comm     farewell;
   int          rank, size;
 
+  MemoryLimitThreads(argv);
+  OpenStreams();
   MPI_Init(&argc, &argv);
   MPI_Comm_dup(MPI_COMM_WORLD, &farewell); // what other ranks wait in must not be taken for the last meeting
   MPI_Comm_rank(farewell, &rank);
   MPI_Comm_size(farewell, &size);
   verdict = Dispatch(start, argc, argv);
-  fflush(stdout);
+  InterruptCleanUp();
+  if (!EndPrinting() && verdict != MORTISE_FAULT) verdict = MORTISE_FAILED;
   if (verdict == MORTISE_FAULT && !EndTogether(farewell)) {
     if (rank) fprintf(stderr, "mortise: %s\n", FaultSentence());
     MPI_Abort(MPI_COMM_WORLD, MORTISE_FAULT);

@@ -24,13 +24,17 @@ typedef enum {
 } MortiseExit;
 
 /* Installs the error handler. It is silent for MORTISE_ERR_FAULT; it turns PETSc's own complaints about an option's value
-   (a word where a number belongs, an unknown type) into faults; it says one sentence when memory runs out; anything else
-   gets PETSc's traceback. Not collective; call once, before PetscInitialize() to cover that as well, or after. */
+   (a word where a number belongs, an unknown type) into faults; it says one sentence when memory runs out or a file cannot be
+   written; anything else gets PETSc's traceback. Not collective; call once, before PetscInitialize() to cover that as well, or after. */
 PetscErrorCode FaultInitialize(void);
 
-/* Lets a crash end all ranks with exit code MORTISE_FAILED and one sentence, and lets a reader of the output that has seen
-   enough (a closed pipe) end the program silently. Not collective; call after PetscInitialize(). */
+/* Lets a crash end all ranks with exit code MORTISE_FAILED and one sentence; takes signals that end the program in the hands
+   of interrupt.h, and a limit on the size of files for a full disk. Not collective; call after PetscInitialize(). */
 PetscErrorCode FaultCatchSignals(void);
+
+/* Memory ran out where no error can be returned: says so and ends all ranks with exit code MORTISE_FAILED. Not collective;
+   MPI is initialised. Does not return. */
+void FaultMemory(void);
 
 /* Raises a fault that all ranks know of: the first rank prints "mortise: <sentence>" on stderr.
    Collective on comm, the same arguments on all ranks. Returns MORTISE_ERR_FAULT: write PetscCall(FaultRaise(...)).

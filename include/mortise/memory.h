@@ -1,8 +1,15 @@
-/* memory.h -- the most memory that the processes held at a time (floor 0). */
+/* memory.h -- the most memory that the processes held at a time, and what happens when there is none left (floor 0). */
 #ifndef MORTISE_MEMORY_H
 #define MORTISE_MEMORY_H
 
 #include <petscsys.h>
+
+/* Where memory is limited (ulimit -v), starts the program anew with one thread of OpenBLAS, unless the user chose their number:
+   each thread sets a large buffer aside, and waits for ever where it cannot have it. Call first of all in main(). */
+void MemoryLimitThreads(char **argv);
+/* Makes libraries that could not return an error, or would wait, end the program by FaultMemory(): C++ (muParser among
+   others), cJSON, and BLAS, whose buffer is taken now. Not collective; MPI is initialised. */
+void MemoryPrepare(void);
 
 /* bytes = sum over the ranks of the largest resident memory so far, since the program began or since MemoryPeakReset().
    Collective on comm. [out] bytes - the same on all ranks; NAN where the system does not tell */

@@ -6,13 +6,23 @@
 
 /* Faults if the output folder cannot be made or written to; call before the solve so that nothing is lost. Collective. */
 PetscErrorCode OutputCheck(Scene scene);
-/* Writes <output>.h5 + .xdmf and/or .vtu, for each pair the same of its nonmortar side, <output>_<pair>.h5 and so on, and
+/* Files of one result: written one after the other under temporary names, they appear together. */
+typedef struct _n_Output *Output;
+
+/* Collective. */
+PetscErrorCode OutputCreate(MPI_Comm comm, Output *output);
+/* Adds <output>.h5 + .xdmf and/or .vtu, for each pair the same of its nonmortar side, <output>_<pair>.h5 and so on, and
    <output>_<pair>.csv. Collective. */
-PetscErrorCode OutputWrite(Fields fields);
-/* Where there is no solution: writes the bodies and, at their nodes, the motion that shows it, as `motion` of <output>.h5 + .xdmf
-   and/or .vtu. Collective. [in] vi - refused */
-PetscErrorCode OutputWriteMotion(VI vi);
-/* Writes text and a final newline to path by way of a temporary file beside it. First rank writes; collective on comm. */
+PetscErrorCode OutputAddFields(Output output, Fields fields);
+/* Where there is no solution: adds the bodies and, at their nodes, the motion that shows it, as `motion` of <output>.h5 + .xdmf
+   and/or .vtu; other fields, of an earlier run, go when the new result appears. Collective. [in] vi - refused */
+PetscErrorCode OutputAddMotion(Output output, VI vi);
+/* Adds a file of text, which gets a final newline. Collective. [in] text - of the first rank */
+PetscErrorCode OutputAddText(Output output, const char path[], const char text[]);
+/* All appear, the one that was added last after all others: beside it there is never a file of another run. Or none does, and
+   that is an error on all ranks. Collective; *output = NULL. */
+PetscErrorCode OutputFinish(Output *output);
+/* A single file of text. Collective. */
 PetscErrorCode OutputWriteText(MPI_Comm comm, const char path[], const char text[]);
 
 #endif

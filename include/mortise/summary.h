@@ -5,6 +5,7 @@
 #include <mortise/certificate.h>
 #include <mortise/errors.h>
 #include <mortise/fault.h>
+#include <mortise/output.h>
 
 /* Everything the summary tells of; borrowed parts. */
 typedef struct {
@@ -23,9 +24,9 @@ typedef struct {
 /* The summary as JSON text, the same keys always; a number that could not be computed is null.
    Collective. [out] text - on the first rank owned by the caller (free()), NULL elsewhere */
 PetscErrorCode SummaryCreate(const SummaryInput *input, char **text);
-/* Writes the summary where the scene wants it (<output>.json, -summary), and prints the few lines a user reads on the
-   terminal: verdict, forces, certificate, files; on failure the reason, on stderr. Collective. */
-PetscErrorCode SummaryWrite(const SummaryInput *input);
+/* Adds the summary to the output where the scene wants it (-summary, <output>.json), completes that, and prints the few lines a user reads on the
+   terminal: verdict, forces, certificate, files; on failure the reason, on stderr. Collective; *output = NULL. */
+PetscErrorCode SummaryWrite(const SummaryInput *input, Output *output);
 /* Prints what the meshes made of the scene, and what was left out of it: with SceneView() before and SolveView() behind,
    -scene_view. Collective. */
 PetscErrorCode ModelView(VI vi);

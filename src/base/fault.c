@@ -5,6 +5,7 @@
    keep silent and change one code into another, which is how PETSc's complaints about options become faults. */
 #include <mortise/compat.h>
 #include <mortise/fault.h>
+#include <mortise/interrupt.h>
 #include <ctype.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -12,6 +13,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <unistd.h>
+
+enum { PATIENCE = 5 }; /* seconds that MPI has to end the other ranks, in a process that may be damaged */
 
 static char last_sentence[FAULT_LENGTH];
 
@@ -112,18 +116,25 @@ static PetscBool FaultIsMemory_Private(const char function[], PetscErrorCode cod
              : PETSC_FALSE;
 }
 
-/* Says that memory ran out: on this rank, since another one may have enough. */
-static PetscErrorCode FaultFromMemory_Private(PetscErrorType type)
+/* Says that memory ran out: on this rank, since another one may have enough, unless all of comm say it. */
+static void FaultTellMemory_Private(MPI_Comm comm)
 {
-  int rank;
+  char place[32] = "";
+  int  rank, size = 1;
 
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (type == PETSC_ERROR_INITIAL)
-    fprintf(stderr,
-            "mortise: out of memory on rank %d; a coarser mesh, more ranks or an iterative solver (-ksp_type cg "
-            "-pc_type gamg) need less\n",
-            rank);
-  return PETSC_ERR_MEM;
+  snprintf(place, sizeof(place), " on rank %d", rank);
+  if (comm != MPI_COMM_NULL && comm != MPI_COMM_SELF) MPI_Comm_size(comm, &size);
+  if (size > 1) {
+    MPI_Comm_rank(comm, &rank);
+    if (rank) return;
+    place[0] = '\0';
+  }
+  fflush(stdout);
+  fprintf(stderr,
+          "mortise: out of memory%s; a coarser mesh, more ranks or an iterative solver (-ksp_type cg -pc_type gamg) "
+          "need less\n",
+          place);
 }
 
 static PetscErrorCode FaultHandlerFn(MPI_Comm comm, int line, const char *function, const char *file,
@@ -132,8 +143,34 @@ static PetscErrorCode FaultHandlerFn(MPI_Comm comm, int line, const char *functi
   if (code == MORTISE_ERR_FAULT) return code;
   if (type == PETSC_ERROR_INITIAL && message && FaultIsOption_Private(function, code))
     return FaultFromPETSc_Private(message);
-  if (FaultIsMemory_Private(function, code, type)) return FaultFromMemory_Private(type);
+  if (FaultIsMemory_Private(function, code, type)) {
+    if (type == PETSC_ERROR_INITIAL) FaultTellMemory_Private(comm);
+    return PETSC_ERR_MEM;
+  }
+  if (code == PETSC_ERR_FILE_WRITE) {
+    if (type == PETSC_ERROR_INITIAL && message) FaultTell_Private(comm, message);
+    return code;
+  }
   return PetscTraceBackErrorHandler(comm, line, function, file, code, type, message, context);
+}
+
+static void OverdueFn(int number)
+{
+  (void)number;
+  _exit(MORTISE_FAILED);
+}
+
+/* Ends all ranks at once, whatever state this one is in: MPI may wait for a lock that is never given back. */
+static void FaultEnd_Private(void)
+{
+  int size;
+
+  (void)signal(SIGALRM, OverdueFn);
+  (void)alarm(PATIENCE);
+  InterruptCleanUp();
+  MPI_Comm_size(MPI_COMM_WORLD, &size);
+  if (size > 1) MPI_Abort(MPI_COMM_WORLD, MORTISE_FAILED);
+  _exit(MORTISE_FAILED);
 }
 
 /* A signal is a failure of the program: no other rank can be told but by ending all. */
@@ -144,8 +181,14 @@ static PetscErrorCode FaultSignalFn(int number, void *context)
   (void)context;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   fprintf(stderr, "mortise: the program failed on rank %d: %s\n", rank, strsignal(number));
-  MPI_Abort(MPI_COMM_WORLD, MORTISE_FAILED);
+  FaultEnd_Private();
   return 0;
+}
+
+/* Of a library that gives up; PETSc leaves this signal alone. */
+static void FaultAbortFn(int number)
+{
+  (void)FaultSignalFn(number, NULL);
 }
 
 PetscErrorCode FaultCatchSignals(void)
@@ -153,8 +196,19 @@ PetscErrorCode FaultCatchSignals(void)
   PetscFunctionBeginUser;
   PetscCall(PetscPushSignalHandler(FaultSignalFn, NULL));
   PetscCall(PetscRegisterFinalize(PetscPopSignalHandler));
-  signal(SIGPIPE, SIG_DFL);
+  (void)signal(SIGABRT, FaultAbortFn);
+  (void)signal(SIGPIPE, SIG_DFL); // those that InterruptBegin() sees to are not for PETSc
+  (void)signal(SIGHUP, SIG_DFL);
+  (void)signal(SIGQUIT, SIG_DFL);
+  (void)signal(SIGXFSZ, SIG_IGN); // writing beyond a limit then fails like writing to a full disk
+  PetscCall(InterruptBegin());
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void FaultMemory(void)
+{
+  FaultTellMemory_Private(MPI_COMM_SELF);
+  FaultEnd_Private();
 }
 
 PetscErrorCode FaultInitialize(void)

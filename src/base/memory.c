@@ -1,18 +1,71 @@
-/* memory.c -- peak of the resident memory, by /proc where it exists, else by getrusage().
+/* memory.c -- peak of the resident memory, by /proc where it exists, else by getrusage(); manners of libraries without memory.
 
    Linux keeps the peak as VmHWM in /proc/self/status and sets it back to the present value when a 5 is written to
    /proc/self/clear_refs (man 5 proc). getrusage() knows the peak since the process began, and cannot be set back. */
-#include <mortise/compat.h>
-#include <mortise/memory.h>
+#include <cjson/cJSON.h>
+#include <dlfcn.h>
 #include <math.h>
+#include <mortise/compat.h>
+#include <mortise/fault.h>
+#include <mortise/memory.h>
+#include <petscblaslapack.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <sys/resource.h>
+#include <unistd.h>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
 /* Bytes of the units that are counted in: by Linux in /proc and getrusage(), and by macOS in getrusage(). */
 enum { KILOBYTE = 1024, BYTE = 1 };
+
+/* Bytes that have to be left before BLAS is asked for the first time: OpenBLAS takes 128 MB of addresses, hardly any of it
+   memory, and asks again and again, without end, as long as it does not get them. */
+static const size_t BLAS_BUFFER = (size_t)160 << 20;
+
+void MemoryLimitThreads(char **argv)
+{
+  static const char threads[] = "OPENBLAS_NUM_THREADS", other[] = "OMP_NUM_THREADS";
+  struct rlimit     limit;
+
+  if (getenv(threads) || getenv(other)) return;
+  if (getrlimit(RLIMIT_AS, &limit) || limit.rlim_cur == RLIM_INFINITY) return;
+  if (!setenv(threads, "1", 1)) (void)execv("/proc/self/exe", argv); // where it cannot be, all stays as it was
+}
+
+static void *AllocateFn(size_t size)
+{
+  void *new = malloc(size);
+
+  if (!new &&size) FaultMemory();
+  return new;
+}
+
+/* The smallest call that makes BLAS take its buffer: 1 / 1. */
+static void PrepareBLAS_Private(void)
+{
+  void              *probe = malloc(BLAS_BUFFER);
+  const PetscBLASInt n     = 1;
+  const PetscScalar  one   = 1;
+  PetscScalar        b     = 1;
+
+  if (!probe) FaultMemory();
+  free(probe);
+  BLAStrsm_("L", "L", "N", "N", &n, &n, &one, &one, &n, &b, &n);
+}
+
+void MemoryPrepare(void)
+{
+  /* std::set_new_handler() as the linker knows it; C++ comes with the libraries, or does not */
+  void *symbol = dlsym(RTLD_DEFAULT, "_ZSt15set_new_handlerPFvvE");
+  void (*(*set)(void (*)(void)))(void);
+
+  *(void **)&set = symbol;
+  if (symbol) (void)(*set)(FaultMemory);
+  cJSON_InitHooks(&(cJSON_Hooks){.malloc_fn = AllocateFn, .free_fn = free});
+  PrepareBLAS_Private();
+}
 
 static PetscReal PeakFromProc_Private(void)
 {

@@ -2,7 +2,6 @@
 #include "textlist.h"
 #include <mortise/compat.h>
 #include <mortise/fault.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,10 +9,7 @@ void *TextAllocate(void *old, size_t size)
 {
   void *new = realloc(old, size);
 
-  if (!new) {
-    fprintf(stderr, "mortise: out of memory while reading options\n");
-    MPI_Abort(MPI_COMM_WORLD, MORTISE_FAILED);
-  }
+  if (!new) FaultMemory();
   return new;
 }
 

@@ -1,13 +1,50 @@
 /* files.c -- temporary names, renaming, and missing folders. */
+#include <ctype.h>
+#include <dirent.h>
 #include <errno.h>
+#include <signal.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include "files.h"
 #include <mortise/fault.h>
+#include <mortise/interrupt.h>
 #include <mortise/compat.h>
 
 enum { FOLDER_MODE = 0777 }; /* what the user's umask leaves of it */
+
+static const char PART[] = ".part"; /* in the name of a temporary file, before the number of the process */
+
+static Files *unfinished; /* those that are being written, the latest first */
+
+/* Removes all temporary files. Signal handlers may call it: signals wait while lists change. */
+static void CleanUpFn(void)
+{
+  for (const Files *files = unfinished; files; files = files->next) {
+    for (PetscInt i = 0; i < files->num; ++i) {
+      if (files->temporary[i]) (void)unlink(files->temporary[i]);
+    }
+  }
+}
+
+/* To the list of unfinished ones, or off it. Signals wait. */
+static void FilesBegin_Private(Files *files)
+{
+  if (files->capacity) return;
+  files->next = unfinished;
+  unfinished  = files;
+  InterruptSetCleanUp(CleanUpFn);
+}
+
+static void FilesEnd_Private(Files *files)
+{
+  for (Files **place = &unfinished; *place; place = &(*place)->next) {
+    if (*place != files) continue;
+    *place = files->next;
+    return;
+  }
+}
 
 /* Makes the folders above path that are missing. Returns 0 or errno; *first_made = length of the path of the topmost folder
    made, 0 if there was none. */
@@ -51,19 +88,72 @@ static PetscErrorCode TemporaryName_Private(const char final[], char **name)
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(len, name));
-  PetscCall(PetscSNPrintf(*name, len, "%s.part%ld", final, (long)getpid()));
+  PetscCall(PetscSNPrintf(*name, len, "%s%s%ld", final, PART, (long)getpid()));
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a name is that of a temporary file of `base` whose process is no more. */
+static PetscBool IsLeftover_Private(const char name[], const char base[])
+{
+  const size_t len = strlen(base);
+  char        *end;
+  long         process;
+
+  if (strncmp(name, base, len) || strncmp(name + len, PART, sizeof(PART) - 1)) return PETSC_FALSE;
+  name += len + sizeof(PART) - 1;
+  if (!isdigit((unsigned char)*name)) return PETSC_FALSE;
+  process = strtol(name, &end, 10);
+  return (PetscBool)(!*end && process > 0 && kill((pid_t)process, 0) && errno == ESRCH);
+}
+
+/* Removes what killed processes have left of a file. */
+static void LeftoversRemove_Private(const char final[])
+{
+  char  path[PETSC_MAX_PATH_LEN + NAME_MAX + 2];
+  char *slash;
+  DIR  *folder;
+
+  snprintf(path, sizeof(path), "%.*s", PETSC_MAX_PATH_LEN, final);
+  slash = strrchr(path, '/');
+  if (slash) slash[slash == path] = '\0';
+  folder = opendir(slash ? path : ".");
+  if (!folder) return;
+  for (const struct dirent *entry = readdir(folder); entry; entry = readdir(folder)) {
+    const char *base = strrchr(final, '/');
+
+    if (!IsLeftover_Private(entry->d_name, base ? base + 1 : final)) continue;
+    snprintf(path, sizeof(path), "%.*s%s", base ? (int)(base + 1 - final) : 0, final, entry->d_name);
+    (void)unlink(path);
+  }
+  (void)closedir(folder);
 }
 
 PetscErrorCode FilesFail(Files *files, const char path[], int error)
 {
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < files->num; ++i) {
-    if (strcmp(path, files->temporary[i]) == 0) path = files->final[i];
+    if (files->temporary[i] && strcmp(path, files->temporary[i]) == 0) path = files->final[i];
   }
   if (!files->failure[0]) {
     PetscCall(PetscSNPrintf(files->failure, sizeof(files->failure), "cannot write %s: %s", path, strerror(error)));
   }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Appends a file, which has no temporary name yet. Signals wait. */
+static PetscErrorCode FilesAppend_Private(Files *files, const char final[], size_t made)
+{
+  PetscFunctionBeginUser;
+  FilesBegin_Private(files);
+  if (files->num == files->capacity) {
+    files->capacity = 2 * files->capacity + 4;
+    PetscCall(PetscRealloc(files->capacity * sizeof(char *), &files->final));
+    PetscCall(PetscRealloc(files->capacity * sizeof(char *), &files->temporary));
+    PetscCall(PetscRealloc(files->capacity * sizeof(size_t), &files->made));
+  }
+  PetscCall(PetscStrallocpy(final, &files->final[files->num]));
+  files->temporary[files->num] = NULL;
+  files->made[files->num++]    = made;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -80,16 +170,21 @@ PetscErrorCode FilesAdd(Files *files, const char final[], const char **temporary
     PetscCall(FilesFail(files, final, error));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  if (files->num == files->capacity) {
-    files->capacity = 2 * files->capacity + 4;
-    PetscCall(PetscRealloc(files->capacity * sizeof(char *), &files->final));
-    PetscCall(PetscRealloc(files->capacity * sizeof(char *), &files->temporary));
-    PetscCall(PetscRealloc(files->capacity * sizeof(size_t), &files->made));
-  }
-  PetscCall(PetscStrallocpy(final, &files->final[files->num]));
-  PetscCall(TemporaryName_Private(final, &files->temporary[files->num]));
-  files->made[files->num] = made;
-  *temporary              = files->temporary[files->num++];
+  LeftoversRemove_Private(final);
+  InterruptHold();
+  PetscCall(FilesAppend_Private(files, final, made));
+  PetscCall(TemporaryName_Private(final, &files->temporary[files->num - 1]));
+  InterruptRelease();
+  *temporary = files->temporary[files->num - 1];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FilesRemove(Files *files, const char final[])
+{
+  PetscFunctionBeginUser;
+  InterruptHold();
+  PetscCall(FilesAppend_Private(files, final, 0));
+  InterruptRelease();
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -119,16 +214,46 @@ PetscErrorCode FilesClose(Files *files, FILE **file)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Removes the file of a name; that there is none is as good. Folders cannot be removed, and so not be replaced. */
+static PetscErrorCode FileRemove_Private(Files *files, const char path[])
+{
+  PetscFunctionBeginUser;
+  if (unlink(path) && errno != ENOENT) PetscCall(FilesFail(files, path, errno));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Gives all files their names, the mark last. */
+static PetscErrorCode FilesRename_Private(Files *files)
+{
+  struct stat info;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < files->num; ++i) {
+    if (!files->temporary[i]) continue;
+    if (stat(files->final[i], &info) == 0 && S_ISDIR(info.st_mode))
+      PetscCall(FilesFail(files, files->final[i], EISDIR));
+    if (access(files->temporary[i], F_OK)) PetscCall(FilesFail(files, files->temporary[i], errno));
+  }
+  if (files->num > 1 && !files->failure[0]) PetscCall(FileRemove_Private(files, files->final[files->num - 1]));
+  for (PetscInt i = 0; i < files->num && !files->failure[0]; ++i) {
+    if (!files->temporary[i])
+      PetscCall(FileRemove_Private(files, files->final[i]));
+    else if (rename(files->temporary[i], files->final[i]))
+      PetscCall(FilesFail(files, files->temporary[i], errno));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode FilesFinish(MPI_Comm comm, Files *files)
 {
   PetscMPIInt rank;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < files->num && !files->failure[0]; ++i) {
-    if (rename(files->temporary[i], files->final[i])) PetscCall(FilesFail(files, files->temporary[i], errno));
-  }
+  InterruptHold();
+  if (!files->failure[0]) PetscCall(FilesRename_Private(files));
+  FilesEnd_Private(files);
   for (PetscInt i = 0; i < files->num; ++i) {
-    if (files->failure[0]) unlink(files->temporary[i]);
+    if (files->failure[0] && files->temporary[i]) unlink(files->temporary[i]);
   }
   for (PetscInt i = 0; i < files->num; ++i) {
     if (files->failure[0]) FoldersRemove_Private(files->final[i], files->made[i]);
@@ -139,6 +264,7 @@ PetscErrorCode FilesFinish(MPI_Comm comm, Files *files)
   PetscCall(PetscFree(files->temporary));
   PetscCall(PetscFree(files->made));
   files->num = files->capacity = 0;
+  InterruptRelease();
   PetscCallMPI(MPI_Comm_rank(comm, &rank));
   PetscCallMPI(MPI_Bcast(files->failure, sizeof(files->failure), MPI_CHAR, 0, comm));
   PetscCheck(!files->failure[0], comm, PETSC_ERR_FILE_WRITE, "%s", files->failure);
@@ -154,6 +280,7 @@ static int TryWrite_Private(const char path[], const char temporary[])
   FILE       *file;
 
   if (stat(path, &info) == 0 && S_ISDIR(info.st_mode)) return EISDIR;
+  if (access(path, W_OK) && errno != ENOENT && errno != ENOTDIR) return errno; // who protects a file wants to keep it
   error = FoldersCreate_Private(path, &made);
   if (!error) {
     file = fopen(temporary, "wb");

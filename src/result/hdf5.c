@@ -123,6 +123,7 @@ static PetscErrorCode CreateImage_Private(const Picture *picture, const Topology
   PetscBool   good      = (PetscBool)(H5Pset_fapl_core(access, IMAGE_INCREMENT, 0) >= 0);
 
   PetscFunctionBeginUser;
+  H5Eset_auto2(H5E_DEFAULT, NULL, NULL); // its lists of functions; what can fail here is told by us
   if (good) file = H5Fcreate("picture", H5F_ACC_TRUNC, H5P_DEFAULT, access);
   good = (PetscBool)(file >= 0 && WriteAll_Private(file, picture, topology) && H5Fflush(file, H5F_SCOPE_LOCAL) >= 0);
   if (good) num_bytes = H5Fget_file_image(file, NULL, 0);
@@ -131,7 +132,7 @@ static PetscErrorCode CreateImage_Private(const Picture *picture, const Topology
   good = (PetscBool)(good && num_bytes > 0 && H5Fget_file_image(file, *image, *size) == num_bytes);
   if (file >= 0) H5Fclose(file);
   H5Pclose(access);
-  PetscCheck(good, PETSC_COMM_SELF, PETSC_ERR_LIB, "HDF5 could not build the picture");
+  PetscCheck(good, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for the picture"); // which is nowhere else
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -5,6 +5,12 @@
 #include <mortise/compat.h>
 #include "picture.h"
 
+struct _n_Output {
+  MPI_Comm    comm;
+  PetscMPIInt rank;
+  Files       files; /* of the first rank */
+};
+
 /* Path of one file of the scene's output; pair may be NULL. */
 static PetscErrorCode OutputPath_Private(Scene scene, const char pair[], const char suffix[],
                                          char path[PETSC_MAX_PATH_LEN])
@@ -63,60 +69,93 @@ static PetscErrorCode WritePicture_Private(Scene scene, const char pair[], const
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode OutputWrite(Fields fields)
+PetscErrorCode OutputCreate(MPI_Comm comm, Output *output)
 {
-  const VI    vi = fields->vi;
-  Picture     picture;
-  Files       files = {0};
-  char        path[PETSC_MAX_PATH_LEN];
-  PetscMPIInt rank;
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(output));
+  (*output)->comm = comm;
+  PetscCallMPI(MPI_Comm_rank(comm, &(*output)->rank));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputAddFields(Output output, Fields fields)
+{
+  const VI vi = fields->vi;
+  Picture  picture;
+  char     path[PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Comm_rank(vi->level->comm, &rank));
   PetscCall(PictureCreate(fields, &picture));
-  if (rank == 0) PetscCall(WritePicture_Private(vi->scene, NULL, &picture, &files));
+  if (output->rank == 0) PetscCall(WritePicture_Private(vi->scene, NULL, &picture, &output->files));
   PetscCall(PictureDestroy(&picture));
   for (PetscInt p = 0; p < vi->num_pairs; ++p) {
     const char *name = vi->pairs[p]->spec->name;
 
     PetscCall(OutputPath_Private(vi->scene, name, ".csv", path));
-    PetscCall(PairWriteCSV(fields, p, &files, path));
+    PetscCall(PairWriteCSV(fields, p, &output->files, path));
     PetscCall(PictureCreateSurface(fields, p, &picture));
-    if (rank == 0) PetscCall(WritePicture_Private(vi->scene, name, &picture, &files));
+    if (output->rank == 0) PetscCall(WritePicture_Private(vi->scene, name, &picture, &output->files));
     PetscCall(PictureDestroy(&picture));
   }
-  PetscCall(FilesFinish(vi->level->comm, &files));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode OutputWriteMotion(VI vi)
+/* All files of fields that an earlier run of the scene may have left. */
+static PetscErrorCode RemoveFields_Private(Output output, Scene scene)
 {
-  Picture     picture;
-  Files       files = {0};
-  PetscMPIInt rank;
+  const char *const suffixes[] = {".csv", ".h5", ".xdmf", ".vtu"}; // the bodies have no table
+  char              path[PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Comm_rank(vi->level->comm, &rank));
+  if (output->rank) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt p = -1; p < scene->num_pairs; ++p) {
+    for (size_t i = p < 0; i < PETSC_STATIC_ARRAY_LENGTH(suffixes); ++i) {
+      PetscCall(OutputPath_Private(scene, p < 0 ? NULL : scene->pairs[p].name, suffixes[i], path));
+      PetscCall(FilesRemove(&output->files, path));
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputAddMotion(Output output, VI vi)
+{
+  Picture picture;
+
+  PetscFunctionBeginUser;
+  PetscCall(RemoveFields_Private(output, vi->scene));
   PetscCall(PictureCreateMotion(vi, &picture));
-  if (rank == 0) PetscCall(WritePicture_Private(vi->scene, NULL, &picture, &files));
+  if (output->rank == 0) PetscCall(WritePicture_Private(vi->scene, NULL, &picture, &output->files));
   PetscCall(PictureDestroy(&picture));
-  PetscCall(FilesFinish(vi->level->comm, &files));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputAddText(Output output, const char path[], const char text[])
+{
+  FILE *out;
+
+  PetscFunctionBeginUser;
+  if (output->rank) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(FilesOpen(&output->files, path, &out));
+  if (out) fprintf(out, "%s\n", text);
+  PetscCall(FilesClose(&output->files, &out));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputFinish(Output *output)
+{
+  PetscFunctionBeginUser;
+  PetscCall(FilesFinish((*output)->comm, &(*output)->files));
+  PetscCall(PetscFree(*output));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode OutputWriteText(MPI_Comm comm, const char path[], const char text[])
 {
-  Files       files = {0};
-  FILE       *out;
-  PetscMPIInt rank;
+  Output output;
 
   PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Comm_rank(comm, &rank));
-  if (rank == 0) {
-    PetscCall(FilesOpen(&files, path, &out));
-    if (out) fprintf(out, "%s\n", text);
-    PetscCall(FilesClose(&files, &out));
-  }
-  PetscCall(FilesFinish(comm, &files));
+  PetscCall(OutputCreate(comm, &output));
+  PetscCall(OutputAddText(output, path, text));
+  PetscCall(OutputFinish(&output));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -171,7 +171,7 @@ static PetscErrorCode PrintFailures_Private(const SummaryInput *in)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SummaryWrite(const SummaryInput *input)
+PetscErrorCode SummaryWrite(const SummaryInput *input, Output *output)
 {
   const Scene     scene         = input->scene;
   const PetscBool stdout_wanted = (PetscBool)(scene->summary && strcmp(scene->summary, "-") == 0);
@@ -179,16 +179,16 @@ PetscErrorCode SummaryWrite(const SummaryInput *input)
 
   PetscFunctionBeginUser;
   PetscCall(SummaryCreate(input, &text));
+  if (scene->summary && !stdout_wanted) PetscCall(OutputAddText(*output, scene->summary, text));
   if (scene->output) {
     PetscCall(PetscSNPrintf(path, sizeof(path), "%s.json", scene->output));
-    PetscCall(OutputWriteText(scene->comm, path, text));
+    PetscCall(OutputAddText(*output, path, text)); // the last: where it is, the result is complete
   }
+  PetscCall(OutputFinish(output));
   if (stdout_wanted) {
     if (text) puts(text);
-  } else {
-    if (scene->summary) PetscCall(OutputWriteText(scene->comm, scene->summary, text));
-    /* Not beside a summary on stdout: that is for programs to read. */
-    if (!scene->quiet) PetscCall(input->fields ? Print_Private(input) : PrintFiles_Private(input));
+  } else if (!scene->quiet) { // not beside a summary on stdout: that is for programs to read
+    PetscCall(input->fields ? Print_Private(input) : PrintFiles_Private(input));
   }
   free(text);
   PetscCall(VerdictWarn(input->vi));

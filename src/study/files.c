@@ -2,12 +2,12 @@
 #include <cjson/cJSON.h>
 #include <math.h>
 #include <mortise/compat.h>
+#include <mortise/interrupt.h>
 #include <mortise/json.h>
 #include <mortise/output.h>
 #include <stdlib.h>
 #include <string.h>
 #include "figure.h"
-#include "interrupt.h"
 #include "extrapolate.h"
 #include "room.h"
 
@@ -172,10 +172,10 @@ static PetscErrorCode Write_Private(Study study, const char suffix[], void (*wri
 
     PetscCheck(out, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for %s", suffix);
     (*write)(study, out);
-    (void)fclose(out);
+    PetscCheck(!fclose(out) && text, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for %s", suffix);
   }
   PetscCall(PetscSNPrintf(path, sizeof(path), "%s%s", study->scene->output, suffix));
-  PetscCall(OutputWriteText(study->scene->comm, path, text));
+  PetscCall(OutputAddText(study->output, path, text));
   free(text);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -206,15 +206,17 @@ PetscErrorCode StudyWriteFiles(Study study)
 
   PetscFunctionBeginUser;
   if (study->scene->output && study->num) {
-    InterruptHold();
+    if (!study->output) PetscCall(OutputCreate(study->scene->comm, &study->output));
     PetscCall(Write_Private(study, "_study.csv", WriteTable_Private));
     if (FigureExists(study)) PetscCall(Write_Private(study, "_study.svg", FigureWrite));
     if (study->best >= 0) {
       PetscCall(StudySummary(study, &text));
       PetscCall(PetscSNPrintf(path, sizeof(path), "%s.json", study->scene->output));
-      PetscCall(OutputWriteText(study->scene->comm, path, text));
+      PetscCall(OutputAddText(study->output, path, text)); // the last: where it is, the result is complete
       free(text);
     }
+    InterruptHold();
+    PetscCall(OutputFinish(&study->output));
     Sentence_Private(study);
     InterruptRelease();
   } else {
@@ -231,9 +233,8 @@ PetscErrorCode StudyWriteBest(Study study, Run run)
   free(study->summary);
   PetscCall(SummaryCreate(&input, &study->summary));
   if (study->scene->output) {
-    InterruptHold();
-    PetscCall(OutputWrite(run->fields));
-    InterruptRelease();
+    PetscCall(OutputCreate(study->scene->comm, &study->output));
+    PetscCall(OutputAddFields(study->output, run->fields));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

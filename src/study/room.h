@@ -6,6 +6,7 @@
 
 #include <stdio.h>
 #include <mortise/log.h>
+#include <mortise/output.h>
 #include <mortise/run.h>
 #include <mortise/study.h>
 
@@ -64,6 +65,7 @@ struct _n_Study {
   PetscInt   reference; /* position of the record that others are compared with, -1 for none */
   PetscInt   best;      /* position of the record whose fields are written out, -1 for none */
   char      *summary;   /* of that record, without the study; first rank only, else NULL (free()) */
+  Output     output;    /* fields of that record which are not under their names yet, NULL if they are */
   PetscBool  quiet;     /* nothing is printed on stdout */
   PetscBool  terminal;  /* where a line may be overwritten */
 };
@@ -135,9 +137,9 @@ PetscInt ForecastUnknowns(Study study, const Record *record);
    (free()); NULL elsewhere, and where no run is solved */
 PetscErrorCode StudySummary(Study study, char **text);
 
-/* Collective. */
+/* Completes the files of all runs so far. Collective. */
 PetscErrorCode StudyWriteFiles(Study study);
-/* Fields and summary of a run that is the finest of the highest order so far. Collective. */
+/* Fields and summary of a run that is the finest of the highest order so far; they appear with StudyWriteFiles(). Collective. */
 PetscErrorCode StudyWriteBest(Study study, Run run);
 
 #endif

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <mortise/compat.h>
 #include <mortise/fault.h>
+#include <mortise/interrupt.h>
 #include <mortise/memory.h>
 #include <mortise/output.h>
 #include <mortise/page.h>
@@ -9,7 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "interrupt.h"
 #include "room.h"
 
 enum { BYTES_TEXT = 24 };
@@ -205,7 +205,7 @@ PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
   study->terminal =
       (PetscBool)(terminal && ranks == 1); // mpiexec gives its ranks terminals where its own output is a file
   study->quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
-  PetscCall(InterruptBegin(scene->comm));
+  PetscCall(InterruptBegin());
   PetscCall(StudyWriteFiles(study));
   PetscCall(TableBegin(study));
   for (PetscInt level = 0; level < plan->levels; ++level) {
@@ -224,6 +224,7 @@ PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
              : none && study->best < 0 ? MORTISE_NO_SOLUTION
                                        : MORTISE_NOT_CONVERGED;
   SetOrder_Private(study, STUDY_OWN_ORDERS);
+  InterruptSetSentence("");
   PetscCall(InterruptEnd());
   PetscCall(StudyDestroy(&study));
   PetscFunctionReturn(PETSC_SUCCESS);
