@@ -3,9 +3,14 @@
 #include <mortise/log.h>
 #include <mortise/run.h>
 #include <mortise/solvability.h>
+#include "beyond.h"
 
-/* Solves and judges. */
-static PetscErrorCode Solve_Private(Run run, Vec guess)
+enum {
+  MAX_TRIES = 4
+}; /* a wider reach has the bodies move less or somewhere else; four times somewhere else is not to be expected */
+
+/* Solves and judges. [out] again - whether a wider reach is needed */
+static PetscErrorCode Solve_Private(Run run, Vec guess, PetscBool *again)
 {
   const Scene scene = run->scene;
 
@@ -21,6 +26,7 @@ static PetscErrorCode Solve_Private(Run run, Vec guess)
   PetscCall(FieldsCreate(run->vi, run->y, &run->fields));
   PetscCall(CertificateCompute(run->fields, &run->certificate, &run->reactions));
   PetscCall(LogStageEnd(STAGE_OUTPUT));
+  if (run->certificate.holds) PetscCall(BeyondReach(run, again));
   PetscCall(ErrorsCompute(run->fields, &run->errors)); // within no stage: nobody needs it who does not know the answer
   run->solved = (PetscBool)(run->report.converged && run->certificate.holds && (!run->check.done || run->check.agree));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -39,11 +45,13 @@ static PetscErrorCode Refuse_Private(Run run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run_out)
+/* One try, with pairs that reach as far as the scene says. */
+static PetscErrorCode Try_Private(Scene scene, Mesh mesh, Vec guess, Run *run_out, PetscBool *again)
 {
   Run run;
 
   PetscFunctionBeginUser;
+  *again = PETSC_FALSE;
   PetscCall(PetscNew(&run));
   run->scene = scene;
   run->mesh  = mesh;
@@ -58,8 +66,30 @@ PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run_out)
   if (run->refused)
     PetscCall(Refuse_Private(run));
   else
-    PetscCall(Solve_Private(run, guess));
+    PetscCall(Solve_Private(run, guess, again));
   *run_out = run;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run)
+{
+  PetscBool again;
+
+  PetscFunctionBeginUser;
+  PetscCall(Try_Private(scene, mesh, guess, run, &again));
+  for (PetscInt tries = 1; again && tries < MAX_TRIES; ++tries) {
+    PetscCall(RunDestroy(run));
+    PetscCall(Try_Private(scene, mesh, guess, run, &again));
+  }
+  if (again) {
+    (*run)->solved            = PETSC_FALSE;
+    (*run)->certificate.holds = PETSC_FALSE;
+    PetscCall(
+        PetscStrncpy((*run)->certificate.failure,
+                     "contact was missed: bodies move on and on beyond what was taken for partners; give the pairs a "
+                     "-<pair>_reach as long as the way they may go",
+                     sizeof((*run)->certificate.failure)));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

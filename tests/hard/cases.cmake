@@ -1,5 +1,6 @@
 # Every file of cases/ is a test, hard.<case>: README.md here tells what its head says.
 file(GLOB cases CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/cases/*.opts)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${cases}) # for their heads
 foreach(path IN LISTS cases)
   get_filename_component(case ${path} NAME_WE)
   foreach(key IN ITEMS scene ranks)

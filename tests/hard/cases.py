@@ -5,7 +5,7 @@ import re
 
 from judge import LONG, load, require, same
 
-HEAD = re.compile(r"^# (hard|must|whence|scene|ranks|verdict|exit|says): (.*)$", re.MULTILINE)
+HEAD = re.compile(r"^# (hard|must|whence|scene|row|ranks|verdict|exit|says): (.*)$", re.MULTILINE)
 AGREE = 1e-8  # of displacements of two solvers, relative to the largest
 ROUNDING = 1e-9  # contact that pulls, relative to the strongest force that pushes
 CERTIFICATE = 1e-7  # the program's own limit is for iterative solvers, too; where nothing carries a force, roundoff itself is 1e-8 here
@@ -54,15 +54,26 @@ def judge_refused(run):
     require(run.summary["energy"]["potential"] is None, "figures of no solution")
 
 
-def judge(run):
-    path = pathlib.Path(run.arguments[len(run.arguments) - 1 - run.arguments[::-1].index("-options_file") + 1])
-    head = read_head(path)
+def judge_end(run, head):
+    """Exit code, verdict, and what goes with them."""
     same("exit code", run.exit, int(head["exit"]))
     if head["exit"] == "1":
         require(run.stderr.count("mortise: ") == 1, "one sentence for one mistake")
+        return
+    same("verdict", run.summary["solvability"]["verdict"], head["verdict"])
+    if head["exit"] == "0":
+        judge_sound(run)
+    elif head["exit"] == "2":
+        judge_refused(run)
     else:
-        same("verdict", run.summary["solvability"]["verdict"], head["verdict"])
-        (judge_refused if head["exit"] == "2" else judge_sound)(run)
+        run.require_clean()
+        require(not run.summary["solver"]["certified"] and "says" in head, "exit code 3 for no reason, or one that is not known")
+
+
+def judge(run):
+    path = pathlib.Path(run.arguments[len(run.arguments) - 1 - run.arguments[::-1].index("-options_file") + 1])
+    head = read_head(path)
+    judge_end(run, head)
     require(head.get("says", "") in run.stderr, f"nothing says '{head.get('says')}'")
     if "says" not in head and head["exit"] == "0":
         run.require_solved()

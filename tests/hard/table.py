@@ -12,6 +12,7 @@ from cases import read_head, worst  # noqa: E402  pylint: disable=wrong-import-p
 
 BEGIN, END = "<!-- cases: written by table.py -->\n", "<!-- end of cases -->\n"
 TITLE = "| case | what is hard | what must come out | whence | steps | differ | certificate | verdict |\n|---|---|---|---|---|---|---|---|\n"
+ENDS = {"1": "a mistake", "3": "not solved, and why"}
 VERDICTS = {"solvable": "solved", "free_motion": "solved, free motion", "marginal": "solved, warning", "no_solution": "no solution"}
 
 
@@ -24,10 +25,10 @@ def figures(path, build, old):
     """Steps of both solvers, how far they differ, the certificate's worst, and the verdict, of the run on the fewest ranks; what stood
     there before if it has not run in this build."""
     head = read_head(path)
-    if head["exit"] == "1":
-        return " - | - | - | a mistake: exit 1 |"
+    if head["exit"] in ENDS:
+        return f" - | - | - | {ENDS[head['exit']]} |"
     ranks = head.get("ranks", "1").split()[0]
-    result = build / f"tests/scratch/hard.{path.stem}.np{ranks}/result.json"
+    result = build / f"tests/scratch/hard.{path.stem}.np{ranks}/{head.get('row', '.')}/result.json"
     if not result.exists():
         return next(row for row in old if row.startswith(words(path))).removeprefix(words(path))
     summary = json.loads(result.read_text(encoding="utf-8"))
