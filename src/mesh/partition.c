@@ -207,6 +207,7 @@ static PetscErrorCode EdgesCut_Private(const Edges *edges, PetscInt num_cells, P
     status = METIS_PartGraphKway(&n, &constraints, start, adjacent, NULL, NULL, weight, &parts, NULL, NULL, NULL, &cut,
                                  answer);
   }
+  PetscCheck(status != METIS_ERROR_MEMORY, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for METIS");
   PetscCheck(status == METIS_OK, PETSC_COMM_SELF, PETSC_ERR_LIB, "METIS gave up with status %d", status);
   for (PetscInt c = 0; c < num_cells; ++c) part[c] = (PetscInt)answer[c];
   PetscCall(PetscFree4(start, adjacent, weight, answer));

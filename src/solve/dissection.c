@@ -115,14 +115,16 @@ static PetscErrorCode Dissect_Private(const Graph *graph, PetscInt bs, const Pet
 {
   idx_t    n     = (idx_t)graph->num, options[METIS_NOPTIONS], *start, *end, *old, *new;
   PetscInt place = 0;
+  int      status;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc4(n + 1, &start, graph->start[n], &end, n, &old, n, &new));
   for (idx_t i = 0; i <= n; i++) start[i] = (idx_t)graph->start[i];
   for (idx_t i = 0; i < start[n]; i++) end[i] = (idx_t)graph->end[i];
   METIS_SetDefaultOptions(options);
-  PetscCheck(METIS_NodeND(&n, start, end, NULL, options, old, new) == METIS_OK, PETSC_COMM_SELF, PETSC_ERR_LIB,
-             "METIS could not dissect the graph of the matrix");
+  status = METIS_NodeND(&n, start, end, NULL, options, old, new);
+  PetscCheck(status != METIS_ERROR_MEMORY, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for METIS");
+  PetscCheck(status == METIS_OK, PETSC_COMM_SELF, PETSC_ERR_LIB, "METIS could not dissect the graph of the matrix");
   for (idx_t i = 0; i < n; i++) {
     for (PetscInt dof = old[i] * bs; dof < (old[i] + 1) * bs; dof++) {
       if (!PetscBTLookup(last, dof)) position[dof] = ++place;

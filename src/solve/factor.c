@@ -82,6 +82,38 @@ static PetscErrorCode SetControls_Private(MPI_Comm comm, const char prefix[], DM
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* PETSC_ERR_MEM if INFOG(1) means that MUMPS asked the system for memory in vain. */
+static PetscErrorCode CheckMemory_Private(MPI_Comm comm, PetscInt info)
+{
+  enum { REALS = -5, INTEGERS = -7, ALLOCATION = -13 };
+
+  PetscFunctionBeginUser;
+  PetscCheck(info != REALS && info != INTEGERS && info != ALLOCATION, comm, PETSC_ERR_MEM, "No memory for MUMPS");
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FactorCheckMemory(KSP ksp)
+{
+  PC             pc;
+  PCFailedReason failed;
+  MatSolverType  type = NULL;
+  Mat            F;
+  PetscBool      mumps;
+  PetscInt       info;
+
+  PetscFunctionBeginUser;
+  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(PCGetFailedReason(pc, &failed));
+  if (failed != PC_FACTOR_OUTMEMORY) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PCFactorGetMatSolverType(pc, &type));
+  PetscCall(PetscStrcmp(type, MATSOLVERMUMPS, &mumps));
+  if (!mumps) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PCFactorGetMatrix(pc, &F));
+  PetscCall(MatMumpsGetInfog(F, 1, &info));
+  PetscCall(CheckMemory_Private(PetscObjectComm((PetscObject)ksp), info));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* What INFOG(1) means. */
 static MatFactorError Error_Private(MUMPS_INT info)
 {
@@ -160,6 +192,7 @@ PetscErrorCode FactorCreate(Mat A, PetscInt num, const PetscInt C[], const char 
   id->sym          = SYMMETRIC_DEFINITE;
   id->comm_fortran = (MUMPS_INT)MPI_Comm_c2f(factor->comm);
   dmumps_c(id);
+  PetscCall(CheckMemory_Private(factor->comm, id->infog[0]));
   id->n                      = (MUMPS_INT)N;
   id->icntl[ICNTL_PRINT - 1] = 0;
   id->icntl[ICNTL_ORDER - 1] = bs < solid ? ORDER_MINIMUM_DEGREE : ORDER_GIVEN;
@@ -167,6 +200,7 @@ PetscErrorCode FactorCreate(Mat A, PetscInt num, const PetscInt C[], const char 
   id->icntl[ICNTL_SCHUR - 1] = SCHUR_ON_HOST;
   PetscCall(SetControls_Private(factor->comm, prefix, id));
   PetscCall(Factor_Private(factor, A, num, C, S));
+  PetscCall(CheckMemory_Private(factor->comm, id->infog[0]));
   *error = Error_Private(id->infog[0]);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -183,6 +217,7 @@ PetscErrorCode FactorSolve(Factor factor, Vec b, Vec x)
   id->icntl[ICNTL_REDUCED - 1] = 0; /* the unknowns of S come out as 0 */
   dmumps_c(id);
   PetscCall(VecRestoreArray(factor->host, &id->rhs));
+  PetscCall(CheckMemory_Private(factor->comm, id->infog[0]));
   PetscCheck(id->infog[0] >= 0, factor->comm, PETSC_ERR_LIB, "MUMPS could not solve: INFOG(1) = %d, INFOG(2) = %d",
              (int)id->infog[0], (int)id->infog[1]);
   PetscCall(VecScatterBegin(factor->to_host, factor->host, x, INSERT_VALUES, SCATTER_REVERSE));

@@ -3,19 +3,23 @@
 #define MORTISE_FACTOR_H
 
 #include <mortise/compat.h>
-#include <petscmat.h>
+#include <petscksp.h>
 
 typedef struct _n_Factor *Factor;
 
 /* A_II = L L' and S = A_CC - A_CI A_II^-1 A_IC by MUMPS. Its controls are PETSc's options -mat_mumps_icntl_<n> and
    -mat_mumps_cntl_<n>, behind the prefix. Collective.
    [in] C - ascending, the same on all ranks [num]; [out] S - on the first rank [num][num];
+   PETSC_ERR_MEM if the system has no memory left, which is told from a workspace that MUMPS took too small.
    [out] error - the same on all ranks; but for MAT_FACTOR_NOERROR nothing but FactorDestroy() is allowed then */
 PetscErrorCode FactorCreate(Mat A, PetscInt num, const PetscInt C[], const char prefix[], PetscScalar S[],
                             Factor *factor, MatFactorError *error);
 /* x_I = A_II^-1 b_I, 0 on C. Collective. */
 PetscErrorCode FactorSolve(Factor factor, Vec b, Vec x);
 PetscErrorCode FactorDestroy(Factor *factor);
+
+/* PETSC_ERR_MEM if a factorisation within a solver of PETSc has failed because the system has no memory left. Collective. */
+PetscErrorCode FactorCheckMemory(KSP ksp);
 
 /* A pivot order by nested dissection of the graph of A's blocks, with C behind all others: half the operations of a
    minimum degree order in 3D. Collective.

@@ -6,6 +6,7 @@
 #include <mortise/pdas.h>
 #include <mortise/solvability.h>
 #include "active.h"
+#include "factor.h"
 #include "room.h"
 #include "springs.h"
 
@@ -174,6 +175,7 @@ static PetscErrorCode ReasonOther_Private(SNES snes, SNESConvergedReason reason,
     PCFailedReason failed;
 
     PetscCall(SNESGetKSP(snes, &ksp));
+    PetscCall(FactorCheckMemory(ksp));
     PetscCall(KSPGetPC(ksp, &pc));
     PetscCall(PCGetFailedReason(pc, &failed));
     PetscCall(PetscStrncpy(report->reason, failed ? FAILURE_SINGULAR : FAILURE_ITERATIVE, sizeof(report->reason)));

@@ -6,6 +6,7 @@
    with M = 0 on fixed unknowns, 1 elsewhere, and v the prescribed values, 0 elsewhere. Near null vectors are emptied at
    fixed unknowns as well: what a preconditioner takes for a rigid motion must be one of A^. */
 #include "active.h"
+#include "factor.h"
 
 /* Solves on the residual after the first: each gains the digits of one solve; what does not get there in so many will
    not. */
@@ -125,6 +126,7 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, Acti
   solution->iterations += its;
   PetscCall(KSPGetConvergedReason(t->ksp, &reason));
   if (reason >= 0) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(FactorCheckMemory(t->ksp));
   PetscCall(KSPGetPC(t->ksp, &pc));
   PetscCall(PCGetFailedReason(pc, &failed));
   error = (int)failed;
