@@ -1,0 +1,1 @@
+from lame import judge  # noqa: F401  pylint: disable=unused-import
