@@ -25,7 +25,8 @@ PetscErrorCode NormalsProject(const Level *level, const Support *held, Vec norma
 /* Decides by coverage and supports which nodes may keep a multiplier; takes held directions out of their normals. Not collective. */
 PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *draft);
 
-/* Where several pairs would constrain nearly the same direction of a node, the first of them does; a tie constrains every
+/* Where several pairs would constrain nearly the same direction of a node, the first of them does, or the nearest if they stand
+   one behind the other before the same facets; a tie constrains every
    direction. Rows then depend on those of earlier pairs only, never in a circle. A pair that is left without a node that it
    could have had is a fault. Collective. [in,out] drafts - [num] */
 PetscErrorCode FatesSettle(const Level *level, PetscInt num, PairDraft drafts[]);

@@ -2,6 +2,7 @@
 
    A node is uncovered, or removed (its row is spread over its neighbours), or kept. Removed are slivers of coverage, whose
    pressure could not be recovered accurately, nodes whose normal direction is held, and nodes that another pair serves. */
+#include <string.h>
 #include <mortise/compat.h>
 #include <mortise/fault.h>
 #include <mortise/frame.h>
@@ -23,6 +24,10 @@ static const PetscReal WEIGHTLESS = 1e-2;
 /* A further constraint at a node needs a normal that leaves those of earlier ones, or their plane, by at least 20 degrees: what is
    left of it across them is no shorter than this. */
 static const PetscReal NEW_DIRECTION = 0.34202014332566873;
+/* What two pairs cover of the facets around a node is covered twice where it exceeds them by this share. */
+static const PetscReal COVERED_TWICE = 1e-8;
+/* Gaps that differ by less than this share are the same, on all processes. */
+static const PetscReal AS_NEAR = 1e-9;
 
 /* n := Pi n / |Pi n| with Pi the projection onto the free directions of a node. Returns whether n is free at all. */
 static PetscBool ProjectNormal_Private(const Support *held, PetscInt node, PetscReal n[])
@@ -142,6 +147,70 @@ static PetscBool IsServed_Private(PetscInt dim, PetscInt num, const PairDraft dr
   return PETSC_FALSE;
 }
 
+/* Whether two pairs see different things from the same facets, so that one may stand behind the other. */
+static PetscBool MayHide_Private(const ScenePair *a, const ScenePair *b)
+{
+  return (PetscBool)(a->type == PAIR_CONTACT && b->type == PAIR_CONTACT && a->nonmortar.body == b->nonmortar.body &&
+                     !strcmp(a->nonmortar.side, b->nonmortar.side));
+}
+
+/* What is known of nodes of a pair when pairs are compared. */
+enum { SEEN_D, SEEN_G, SEEN_MEASURE, SEEN_COVER, SEEN_NORMALS, SEEN_COUNT };
+
+/* Whether the pair b stands farther from a node than a, along nearly the same normal, where both cover the same part of it: more
+   than its whole neighbourhood between them. [in] a, b - local forms */
+static PetscBool IsBehind_Private(PetscInt dim, PetscScalar *const a[], PetscScalar *const b[], PetscInt node)
+{
+  const PetscReal covers  = PetscRealPart(a[SEEN_COVER][node] + b[SEEN_COVER][node]),
+                  measure = PetscRealPart(a[SEEN_MEASURE][node]);
+  PetscReal dot           = 0, gap_a, gap_b;
+
+  for (PetscInt k = 0; k < dim; k++)
+    dot += PetscRealPart(a[SEEN_NORMALS][node * dim + k] * b[SEEN_NORMALS][node * dim + k]);
+  if (covers <= (1 + COVERED_TWICE) * measure || dot * dot < 1 - PetscSqr(NEW_DIRECTION)) return PETSC_FALSE;
+  gap_a = PetscRealPart(a[SEEN_G][node] / a[SEEN_D][node]);
+  gap_b = PetscRealPart(b[SEEN_G][node] / b[SEEN_D][node]);
+  return (PetscBool)(gap_b - gap_a > AS_NEAR * PetscMax(PetscAbsReal(gap_a), PetscAbsReal(gap_b)));
+}
+
+/* Two pairs on one side, one of which stands before the other here and behind it there, as two balls that press on a plate: a node
+   meets the nearer one, and is to the other one as if it were not covered. A row that was spread instead would let its neighbours in by
+   the difference of both gaps. */
+static PetscErrorCode HideNodes_Private(const Level *level, PairDraft *first, PairDraft *second)
+{
+  PairDraft   *draft[2] = {first, second};
+  PetscScalar *a[2][SEEN_COUNT];
+  Vec          local[2][SEEN_COUNT], v[2][SEEN_COUNT];
+
+  PetscFunctionBeginUser;
+  if (!MayHide_Private(first->spec, second->spec)) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt s = 0; s < 2; s++) {
+    const Integrals *sums            = &draft[s]->sums;
+    const Vec        all[SEEN_COUNT] = {sums->D, sums->G, sums->measure, sums->cover, draft[s]->normals};
+
+    for (PetscInt k = 0; k < SEEN_COUNT; k++) {
+      v[s][k] = all[k];
+      PetscCall(VecGhostGetLocalForm(v[s][k], &local[s][k]));
+      PetscCall(VecGetArray(local[s][k], &a[s][k]));
+    }
+  }
+  for (PetscInt i = 0; i < level->num_nodes; i++) {
+    if (first->fate[i] != NODE_KEPT || second->fate[i] != NODE_KEPT) continue;
+    if (IsBehind_Private(level->dim, a[0], a[1], i)) {
+      second->fate[i] = NODE_UNCOVERED;
+    } else if (IsBehind_Private(level->dim, a[1], a[0], i)) {
+      first->fate[i] = NODE_UNCOVERED;
+    }
+  }
+  for (PetscInt s = 0; s < 2; s++) {
+    for (PetscInt k = 0; k < SEEN_COUNT; k++) {
+      PetscCall(VecRestoreArray(local[s][k], &a[s][k]));
+      PetscCall(VecGhostRestoreLocalForm(v[s][k], &local[s][k]));
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Removes from the pair num the nodes that earlier ones serve. */
 static PetscErrorCode LoseNodes_Private(const Level *level, PetscInt num, PairDraft drafts[])
 {
@@ -181,16 +250,19 @@ PetscErrorCode FatesSettle(const Level *level, PetscInt num, PairDraft drafts[])
   PetscBool before, after;
 
   PetscFunctionBeginUser;
+  for (PetscInt p = 0; p < num; p++) {
+    for (PetscInt q = 0; q < p; q++) PetscCall(HideNodes_Private(level, &drafts[q], &drafts[p]));
+  }
   for (PetscInt p = 1; p < num; p++) {
     PetscCall(KeepsAny_Private(level, &drafts[p], &before));
     PetscCall(LoseNodes_Private(level, p, drafts));
     PetscCall(KeepsAny_Private(level, &drafts[p], &after));
     if (before && !after) {
-      PetscCall(FaultRaise(
-          level->comm,
-          "-pairs: every node that pair '%s' could use already serves an earlier pair, so that it would have no "
-          "say; refine its nonmortar side '%s', or swap its sides",
-          drafts[p].spec->name, drafts[p].spec->nonmortar.side));
+      PetscCall(FaultRaise(level->comm,
+                           "-pairs: every node that pair '%s' could use already serves an earlier or nearer pair, so "
+                           "that it would have no "
+                           "say; refine its nonmortar side '%s', or swap its sides",
+                           drafts[p].spec->name, drafts[p].spec->nonmortar.side));
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
