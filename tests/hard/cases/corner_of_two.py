@@ -1,0 +1,20 @@
+"""A parallelogram with the corner's angle, pressed from its other sides."""
+from math import cos, radians, sin
+
+from judge import near, same
+
+def judge_uniform(run, pairs, pressure=1, accuracy=1e-10):
+    for name in pairs:
+        table = run.table(name)
+        found = [p for p, status in zip(table["pressure"], table["status"]) if status != -1]
+        near(f"pressure of {name}", found, [pressure] * len(found), relative=accuracy)
+
+
+def judge(run):
+    for angle in (100, 25, 60, 155, 170):
+        c, s = cos(radians(angle)), sin(radians(angle))
+        turned = ["-block_map", f"x+({c!r})*y, {s!r}*y", "-wall_obstacle_normal", f"{s!r},{-c!r}"]
+        for order in "12":
+            judge_uniform(run.again(*turned, "-order", order, name=f"angle{angle}_{order}"), ["floor", "wall"])
+    for pair, nodes in (("floor", 6), ("wall", 5)):
+        same(f"nodes of {pair}", run.pair(pair)["active_nodes"], nodes)

@@ -1,0 +1,23 @@
+"""The plane scene with the same cells: forces, energy, nodes in contact."""
+from judge import Run, near, same
+
+PLANE = {
+    "upper_dm_plex_box_faces": "8,2",
+    "upper_dm_plex_box_lower": "0,0",
+    "upper_dm_plex_box_upper": "8,0.002",
+    "upper_bc_normal": "left",
+    "upper_bc_traction_top": "0,0-1-x/8",
+    "lower_dm_plex_box_faces": "50,2",
+    "lower_dm_plex_box_lower": "0,-1",
+    "lower_dm_plex_box_upper": "8,0",
+    "lower_bc_displacement_bottom": "0,0",
+}
+
+
+def judge(run):
+    options = {name: text for name, text in run.summary["options"].items() if not text.startswith("front,back") and name != "output"} | PLANE
+    twin = Run(run.program, run.mpiexec, run.ranks, run.folder / "plane", [word for name, text in options.items() for word in ("-" + name, text) if word])
+    twin.require_solved()
+    near("force", [f for k, f in enumerate(run.pair("joint")["force"]) if k != 1], twin.pair("joint")["force"], relative=1e-8)
+    near("potential", run.summary["energy"]["potential"], twin.summary["energy"]["potential"], relative=1e-8)
+    same("nodes", run.pair("joint")["active_nodes"], 2 * twin.pair("joint")["active_nodes"])
