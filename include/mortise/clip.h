@@ -20,7 +20,8 @@ enum {
 
   CLIP_MAX_PARTS = 8,  /* of a facet in space: the four quads of a quad9, halved where they are not convex */
   CLIP_MAX_RULE  = 25, /* points of a triangle's rule where both facets fall into parts; others are few parts */
-  CLIP_MAX_POLYGON_POINTS = CLIP_MAX_PARTS * CLIP_MAX_PARTS * 6 * CLIP_MAX_RULE
+  CLIP_MAX_POLYGON_POINTS = CLIP_MAX_PARTS * CLIP_MAX_PARTS * 6 * CLIP_MAX_RULE,
+  CLIP_MAX_CORNERS        = CLIP_MAX_PARTS * CLIP_MAX_PARTS * 8 /* of two quads */
 };
 
 /* One quadrature point of an overlap. */
@@ -56,6 +57,10 @@ PetscInt ClipLines(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscInt
    add up to the area of the overlap, and the shares of what is covered once never to more than 1. No matter which side the
    mortar facet shows. [out] points - [CLIP_MAX_POLYGON_POINTS] */
 PetscInt ClipPolygons(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscInt degree, ClipPoint points[]);
+
+/* Where the overlap of two facets, lines or in space, ends: the ends of its pieces, the corners of its polygons. Returns how many there
+   are, some of them more than once. [out] xi - on the nonmortar facet's reference cell [CLIP_MAX_CORNERS][2] */
+PetscInt ClipCorners(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscReal xi[]);
 
 /* Whether the line through x(xi) of a nonmortar facet in space, along its plane's normal, meets the inside of a mortar facet,
    and at which gap: for what lies behind what. [in] xi - [2] */

@@ -14,6 +14,12 @@
 #include <mortise/mesh.h>
 #include <mortise/support.h>
 
+/* Where the covered part of the nonmortar side ends within a facet. */
+typedef struct {
+  PetscReal x[3], normal[3]; /* of the nonmortar side */
+  PetscInt  node, mortar;    /* a local node of the nonmortar facet, a global one of the mortar facet */
+} PairEnd;
+
 struct _n_Pair {
   const ScenePair *spec;   /* borrowed */
   Level           *level;  /* borrowed */
@@ -23,7 +29,11 @@ struct _n_Pair {
   PetscReal       *gap;    /* nodal gaps G_a / D_aa, signed, open > 0 [num] */
   PetscReal       *normal; /* unit, out of the nonmortar body [num][dim] */
   PetscReal       *frame; /* rows (n, t..) orthonormal; t along the held direction where there is one [num][dim][dim] */
-  Mat              chain; /* D_ac, c without a multiplier (node x node), or NULL where there is none */
+  PetscBool       *cut;   /* whether a facet around the node is covered in part; then `ends` tell where [num] */
+  PetscBool       *whole; /* whether a facet around the node is covered altogether [num] */
+  PetscInt         num_ends;
+  PairEnd         *ends;           /* of facets of this rank [num_ends] */
+  Mat              chain;          /* D_ac, c without a multiplier (node x node), or NULL where there is none */
   Mat              shift, unshift; /* u = u~ + shift u~, u~ = u + unshift u (node x node), or NULL where u~ = u */
   Mat              M;              /* node x node, rows of multiplier nodes; NULL for an obstacle */
   PetscInt         num_facets_nonmortar, num_facets_mortar;     /* of all ranks */

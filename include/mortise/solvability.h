@@ -31,6 +31,14 @@ typedef struct {
   PetscInt  piece[2]; /* nonmortar, mortar; -1 for an obstacle */
 } ContactPlace;
 
+/* What contact takes from rigid motions q: row.q <= 0, or 0. */
+typedef struct {
+  PetscInt      num;   /* on this rank */
+  PetscReal    *rows;  /* [num][m] */
+  PetscBool    *both;  /* rows of ties [num] */
+  ContactPlace *place; /* [num] */
+} ContactRows;
+
 /* Bodies that move together, scaled so that the largest rotation is 1, or the longest translation if there is none. */
 typedef struct {
   PetscInt    num;
@@ -42,20 +50,23 @@ typedef struct {
 
 struct _n_Solvability {
   SolvabilityVerdict verdict;
-  PetscInt           m;      /* rigid motions of all pieces of bodies: vi->motions.num */
-  Vec               *modes;  /* T^-1 z_k [m] */
-  PetscReal         *C;      /* [vi->num_rows][m] */
-  PetscBool         *both;   /* rows of ties [vi->num_rows] */
-  ContactPlace      *place;  /* [vi->num_rows] */
-  PetscReal         *phi;    /* work of the loads, in the user's units [m] */
-  PetscReal          forces; /* sum of |f|: what phi is small against */
-  PetscReal         *y;      /* forces that balance the loads, nonzero in at most m rows [vi->num_rows] */
-  SceneMotion        motion; /* why not, or what costs nothing; num = 0 with other verdicts */
-  PetscInt           num_free;
-  SceneMotion       *free;    /* after SolvabilitySettle(): a basis of the motions that are free [num_free] */
-  Vec                start;   /* 0/1 per unknown: contacts to begin with */
-  Vec                springs; /* what makes A definite, added to its diagonal while solving (T27) */
-  Vec                rest;    /* a rigid motion of bodies until they touch, from which solvers count y */
+  PetscInt           m;     /* rigid motions of all pieces of bodies: vi->motions.num */
+  Vec               *modes; /* T^-1 z_k [m] */
+  PetscReal         *C;     /* [vi->num_rows][m] */
+  PetscBool         *both;  /* rows of ties [vi->num_rows] */
+  ContactPlace      *place; /* [vi->num_rows] */
+  ContactRows  cover;  /* the same, but up to where partners end instead of nodes beyond it; no other where none does */
+  PetscBool    cut;    /* there is such a place */
+  PetscBool    coarse; /* contact could balance the loads, but for nodes that end before their partner */
+  PetscReal   *phi;    /* work of the loads, in the user's units [m] */
+  PetscReal    forces; /* sum of |f|: what phi is small against */
+  PetscReal   *y;      /* forces that balance the loads, nonzero in at most m rows [vi->num_rows] */
+  SceneMotion  motion; /* why not, or what costs nothing; num = 0 with other verdicts */
+  PetscInt     num_free;
+  SceneMotion *free;    /* after SolvabilitySettle(): a basis of the motions that are free [num_free] */
+  Vec          start;   /* 0/1 per unknown: contacts to begin with */
+  Vec          springs; /* what makes A definite, added to its diagonal while solving (T27) */
+  Vec          rest;    /* a rigid motion of bodies until they touch, from which solvers count y */
 };
 
 PetscErrorCode SolvabilityDestroy(Solvability *solvability);

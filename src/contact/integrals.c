@@ -56,6 +56,41 @@ static PetscErrorCode AddCouplings_Private(const Level *level, const Facets *fac
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Where the cover ends, and which nodes that concerns. Collective. */
+static PetscErrorCode Ends_Private(const Facets *facets, const FacetIntegral integrals[], Integrals *sums)
+{
+  Vec          v[2] = {sums->whole, sums->cut}, local[2];
+  PetscScalar *a[2];
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < 2; i++) {
+    PetscCall(VecGhostGetLocalForm(v[i], &local[i]));
+    PetscCall(VecZeroEntries(local[i]));
+    PetscCall(VecGetArray(local[i], &a[i]));
+  }
+  sums->num_ends = 0;
+  for (PetscInt f = 0; f < facets->num; f++) sums->num_ends += integrals[f].num_ends;
+  PetscCall(PetscMalloc1(sums->num_ends, &sums->ends));
+  for (PetscInt f = 0, n = 0; f < facets->num; f++) {
+    const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES];
+
+    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
+      if (integrals[f].whole) a[0][nodes[i]] = 1;
+      if (integrals[f].cut) a[1][nodes[i]] = 1;
+    }
+    for (PetscInt i = 0; i < integrals[f].num_ends; i++, n++) {
+      sums->ends[n]      = integrals[f].ends[i];
+      sums->ends[n].node = nodes[0];
+    }
+  }
+  for (PetscInt i = 0; i < 2; i++) {
+    PetscCall(VecRestoreArray(local[i], &a[i]));
+    PetscCall(VecGhostRestoreLocalForm(v[i], &local[i]));
+    PetscCall(LevelShareVec(v[i], MAX_VALUES));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Sums what this rank's facets contribute; ghosts are not yet shared. */
 static PetscErrorCode SumFacets_Private(Level *level, const Facets *facets, const FacetIntegral integrals[],
                                         Integrals *sums)
@@ -171,9 +206,12 @@ PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const 
   PetscCall(VecDuplicate(sums->D, &sums->G));
   PetscCall(VecDuplicate(sums->D, &sums->measure));
   PetscCall(VecDuplicate(sums->D, &sums->cover));
+  PetscCall(VecDuplicate(sums->D, &sums->whole));
+  PetscCall(VecDuplicate(sums->D, &sums->cut));
   PetscCall(CreateM_Private(level, partner, facets, integrals, &sums->M));
   PetscCall(CreateChain_Private(level, facets, sums->carrier, &sums->chain));
   PetscCall(SumFacets_Private(level, facets, integrals, sums));
+  PetscCall(Ends_Private(facets, integrals, sums));
   PetscCall(Assemble_Private(sums->M));
   PetscCall(Assemble_Private(sums->chain));
   for (PetscInt f = 0; f < facets->num; f++) PetscCall(FacetIntegralDestroy(&integrals[f]));
@@ -189,6 +227,9 @@ PetscErrorCode IntegralsDestroy(Integrals *sums)
   PetscCall(VecDestroy(&sums->G));
   PetscCall(VecDestroy(&sums->measure));
   PetscCall(VecDestroy(&sums->cover));
+  PetscCall(VecDestroy(&sums->whole));
+  PetscCall(VecDestroy(&sums->cut));
+  PetscCall(PetscFree(sums->ends));
   PetscCall(MatDestroy(&sums->chain));
   PetscCall(PetscFree2(sums->covered, sums->carrier));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -18,13 +18,16 @@ typedef struct {
   Vec          D, full, G;     /* ghosted, one per node */
   Vec          measure, cover; /* of the facets around a node, of their covered parts: ghosted, one per node */
   Mat          M;              /* node x node, or NULL */
-  Mat          chain;   /* int psi_a phi_c of nodes c that never carry a multiplier (node x node), or NULL (T20) */
+  Mat          chain;      /* int psi_a phi_c of nodes c that never carry a multiplier (node x node), or NULL (T20) */
+  Vec          whole, cut; /* whether a facet around a node is covered altogether, in part: ghosted, one per node */
+  PetscInt     num_ends;
+  PairEnd     *ends;    /* of this rank's facets [num_ends] */
   PetscBool   *covered; /* of this rank's facets */
   ElementType *carrier; /* which of a facet's nodes may carry multipliers: the first ones, as of this type */
 } Integrals;
 
 /* D, G and M of a pair, before any row is spread. Collective. [in] normals - ghosted; [out] sums - owned by the caller,
-   but M passes to the pair */
+   but M and the ends pass to the pair */
 PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const Facets *facets, Vec normals,
                                Integrals *sums);
 PetscErrorCode IntegralsDestroy(Integrals *sums);

@@ -5,7 +5,12 @@
    biorthogonality, row sums and linear reproduction then hold to roundoff for any rule. */
 #include <mortise/compat.h>
 #include <mortise/dual.h>
+#include <mortise/frame.h>
 #include "integrate.h"
+#include "overlap.h"
+
+/* Share of a facet that is nothing, or all. */
+static const PetscReal NOTHING = 1e-9;
 
 enum { START_COLUMNS = 16 }; /* first size of the list of mortar nodes */
 
@@ -138,6 +143,39 @@ static void IntegrateWhole_Private(const FacetPartner *partner, const ClipFacet 
   }
 }
 
+/* Where the mortar facets of a list end within a facet that they cover in part. */
+static PetscErrorCode FindEnds_Private(const FacetPartner *partner, const ClipFacet *facet, const PointList *list,
+                                       FacetIntegral *integral)
+{
+  const PetscInt dim = partner->dim;
+  PetscReal     *xi;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(2 * CLIP_MAX_CORNERS, &xi));
+  for (PetscInt p = 0; p < list->num; p++) {
+    const PetscInt f = list->facet[p];
+    ClipFacet      mortar;
+    PetscInt       num;
+
+    if (p > 0 && f == list->facet[p - 1]) continue;
+    mortar = OverlapMortar(partner, f);
+    num    = ClipCorners(facet, &mortar, xi);
+    PetscCall(PetscRealloc(sizeof(PairEnd) * (integral->num_ends + num), &integral->ends));
+    for (PetscInt i = 0; i < num; i++) {
+      PairEnd  *end = &integral->ends[integral->num_ends++];
+      PetscReal phi[ELEMENT_MAX_NODES];
+
+      *end = (PairEnd){.mortar = partner->mortar->nodes[f * ELEMENT_MAX_FACET_NODES]};
+      ElementSurface(facet->type, facet->X, &xi[2 * i], end->x, phi, NULL);
+      for (PetscInt j = 0; j < ElementNumNodes(facet->type); j++)
+        for (PetscInt k = 0; k < dim; k++) end->normal[k] += phi[j] * facet->N[j * dim + k];
+      FrameNormalize(dim, end->normal);
+    }
+  }
+  PetscCall(PetscFree(xi));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *facet, PointList *list,
                               FacetIntegral *integral)
 {
@@ -155,6 +193,9 @@ PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *face
   PetscCall(PointListCollect(partner, facet, list));
   WeighPoints_Private(partner, facet, list);
   PetscCall(SumPoints_Private(partner, facet, list, integral));
+  integral->whole = (PetscBool)(integral->cover >= (1 - NOTHING) * integral->measure);
+  integral->cut   = (PetscBool)(partner->mortar && !integral->whole && integral->cover > NOTHING * integral->measure);
+  if (integral->cut) PetscCall(FindEnds_Private(partner, facet, list, integral));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -162,6 +203,7 @@ PetscErrorCode FacetIntegralDestroy(FacetIntegral *integral)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree(integral->columns));
+  PetscCall(PetscFree(integral->ends));
   PetscCall(PetscFree(integral->M));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -27,28 +27,35 @@ static PetscErrorCode CollectNodes_Private(Level *level, const Support *held, co
 {
   const PetscInt     dim      = level->dim;
   PetscInt           count[3] = {0, 0, 0};
-  const PetscScalar *D, *G, *measure, *N;
+  const PetscScalar *D, *G, *measure, *N, *whole, *cut;
 
   PetscFunctionBeginUser;
   PetscCall(VecGetArrayRead(draft->sums.D, &D));
   PetscCall(VecGetArrayRead(draft->sums.G, &G));
   PetscCall(VecGetArrayRead(draft->sums.measure, &measure));
   PetscCall(VecGetArrayRead(draft->normals, &N));
+  PetscCall(VecGetArrayRead(draft->sums.whole, &whole));
+  PetscCall(VecGetArrayRead(draft->sums.cut, &cut));
   for (PetscInt i = 0; i < level->num_owned; i++) {
     if (PetscRealPart(measure[i]) > 0) count[draft->fate[i]]++;
   }
   pair->num = count[NODE_KEPT];
   PetscCall(PetscMalloc5(pair->num, &pair->nodes, pair->num, &pair->D, pair->num, &pair->gap, pair->num * dim,
                          &pair->normal, pair->num * dim * dim, &pair->frame));
+  PetscCall(PetscMalloc2(pair->num, &pair->cut, pair->num, &pair->whole));
   for (PetscInt i = 0, k = 0; i < level->num_owned; i++) {
     if (draft->fate[i] != NODE_KEPT) continue;
     pair->nodes[k] = i;
     pair->D[k]     = PetscRealPart(D[i]);
     pair->gap[k]   = PetscRealPart(G[i]) / pair->D[k];
     for (PetscInt j = 0; j < dim; j++) pair->normal[k * dim + j] = PetscRealPart(N[i * dim + j]);
+    pair->whole[k] = (PetscBool)(PetscRealPart(whole[i]) > 0);
+    pair->cut[k]   = (PetscBool)(PetscRealPart(cut[i]) > 0);
     NodeFrame_Private(held, i, &pair->normal[k * dim], &pair->frame[k * dim * dim]);
     k++;
   }
+  PetscCall(VecRestoreArrayRead(draft->sums.cut, &cut));
+  PetscCall(VecRestoreArrayRead(draft->sums.whole, &whole));
   PetscCall(VecRestoreArrayRead(draft->normals, &N));
   PetscCall(VecRestoreArrayRead(draft->sums.measure, &measure));
   PetscCall(VecRestoreArrayRead(draft->sums.G, &G));
@@ -142,7 +149,10 @@ static PetscErrorCode Finish_Private(Level *level, const Support *held, PairDraf
   PetscCall(ShiftCreate(level, &draft->nonmortar, sums->carrier, &pair->shift, &pair->unshift));
   PetscCall(SpreadRemovedRows(level, &draft->nonmortar, draft->fate, sums, &pair->chain));
   PetscCall(CollectNodes_Private(level, held, draft, pair));
-  pair->M = sums->M;
+  pair->M        = sums->M;
+  pair->num_ends = sums->num_ends;
+  pair->ends     = sums->ends;
+  sums->ends     = NULL;
   PetscCall(IntegralsDestroy(sums));
   PetscCall(VecDestroy(&draft->normals));
   PetscCall(FacetsDestroy(&draft->nonmortar));
@@ -176,6 +186,8 @@ PetscErrorCode PairDestroy(Pair *pair)
   PetscCall(MatDestroy(&(*pair)->chain));
   PetscCall(MatDestroy(&(*pair)->shift));
   PetscCall(MatDestroy(&(*pair)->unshift));
+  PetscCall(PetscFree2((*pair)->cut, (*pair)->whole));
+  PetscCall(PetscFree((*pair)->ends));
   PetscCall(PetscFree5((*pair)->nodes, (*pair)->D, (*pair)->gap, (*pair)->normal, (*pair)->frame));
   PetscCall(PetscFree(*pair));
   PetscFunctionReturn(PETSC_SUCCESS);

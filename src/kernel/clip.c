@@ -12,6 +12,7 @@
          Comput. Methods Appl. Mech. Engng 193 (2004). */
 #include <mortise/clip.h>
 #include <mortise/roots.h>
+#include "shadow.h"
 
 /* Pieces below this share of the facet are skipped: their ends differ by little more than roundoff. */
 static const PetscReal SHORTEST_PIECE = 1e-12;
@@ -139,6 +140,17 @@ static PetscInt Cuts_Private(const ClipFacet *nonmortar, const ClipFacet *mortar
   return num_cuts;
 }
 
+/* Whether the rays between two cuts meet the mortar facet. */
+static PetscBool IsPiece_Private(const ClipFacet *nonmortar, const ClipFacet *mortar, const PetscReal cuts[])
+{
+  PetscReal x[2], n[2];
+
+  if (cuts[1] - cuts[0] < SHORTEST_PIECE) return PETSC_FALSE;
+  RayAt_Private(nonmortar, 0.5 * (cuts[0] + cuts[1]), x, n);
+  return (PetscBool)(Side_Private(x, n, &mortar->X[0]) * Side_Private(x, n, &mortar->X[2]) <
+                     0.); /* ends on both sides */
+}
+
 PetscInt ClipLines(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscInt num_gauss, ClipPoint points[])
 {
   PetscReal       cuts[MAX_CUTS], X[2 * ELEMENT_MAX_FACET_NODES], Y[2 * ELEMENT_MAX_FACET_NODES];
@@ -148,13 +160,34 @@ PetscInt ClipLines(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscInt
   PetscInt        num_points = 0;
 
   for (PetscInt i = 0; i + 1 < num_cuts && num_points + num_gauss <= CLIP_MAX_POINTS; i++) {
-    PetscReal x[2], n[2];
-
-    if (cuts[i + 1] - cuts[i] < SHORTEST_PIECE) continue;
-    RayAt_Private(&own, 0.5 * (cuts[i] + cuts[i + 1]), x, n);
-    if (Side_Private(x, n, &other.X[0]) * Side_Private(x, n, &other.X[2]) >= 0.) continue; /* both on one side */
+    if (!IsPiece_Private(&own, &other, &cuts[i])) continue;
     AddPiece_Private(&own, &other, &cuts[i], num_gauss, &points[num_points]);
     num_points += num_gauss;
   }
   return num_points;
+}
+
+/* The ends of all pieces. */
+static PetscInt LineEnds_Private(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscReal xi[])
+{
+  PetscReal       cuts[MAX_CUTS], X[2 * ELEMENT_MAX_FACET_NODES], Y[2 * ELEMENT_MAX_FACET_NODES];
+  const ClipFacet own      = ClipFacetFrom(2, nonmortar->X, nonmortar, X);
+  const ClipFacet other    = ClipFacetFrom(2, nonmortar->X, mortar, Y);
+  const PetscInt  num_cuts = Cuts_Private(&own, &other, cuts);
+  PetscInt        num      = 0;
+
+  for (PetscInt i = 0; i + 1 < num_cuts; i++) {
+    if (!IsPiece_Private(&own, &other, &cuts[i])) continue;
+    for (PetscInt end = 0; end < 2; end++, num++) {
+      xi[2 * num]     = cuts[i + end];
+      xi[2 * num + 1] = 0.;
+    }
+  }
+  return num;
+}
+
+PetscInt ClipCorners(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscReal xi[])
+{
+  return ElementDim(nonmortar->type) == 1 ? LineEnds_Private(nonmortar, mortar, xi)
+                                          : ClipPolygonCorners(nonmortar, mortar, xi);
 }

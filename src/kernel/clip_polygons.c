@@ -147,6 +147,46 @@ static PetscInt Fan_Private(PetscInt n, const PetscReal P[], PetscBool exact, Pe
   return num;
 }
 
+/* The planes' parts of both facets; returns whether they may meet. */
+static PetscBool Shadows_Private(const ClipFacet *nonmortar, const ClipFacet *mortar, ShadowPlane *plane, Shadow *own,
+                                 Shadow *other)
+{
+  ShadowPlaneSet(nonmortar, plane);
+  ShadowProject(plane, nonmortar, own);
+  ShadowProject(plane, mortar, other);
+  if (!ShadowsMeet(own, other)) return PETSC_FALSE;
+  ShadowCut(plane, own);
+  ShadowCut(plane, other);
+  return PETSC_TRUE;
+}
+
+/* The common part of two parts; returns the number of its vertices, 0 where it has no area. [out] P - [POLYGON_MAX_VERTICES][2] */
+static PetscInt Common_Private(const ShadowPart *a, const ShadowPart *b, PetscReal size, PetscReal P[])
+{
+  const PetscInt n =
+      PolygonIntersect(ElementNumNodes(a->type), a->plane, ElementNumNodes(b->type), b->plane, SAME_POINT * size, P);
+
+  return !n || PolygonArea(n, P) < NO_AREA * size * size ? 0 : n;
+}
+
+PetscInt ClipPolygonCorners(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscReal xi[])
+{
+  PetscReal       P[2 * POLYGON_MAX_VERTICES], X[3 * ELEMENT_MAX_FACET_NODES], Y[3 * ELEMENT_MAX_FACET_NODES];
+  PetscInt        num  = 0;
+  const ClipFacet near = ClipFacetFrom(3, nonmortar->X, nonmortar, X), far = ClipFacetFrom(3, nonmortar->X, mortar, Y);
+  ShadowPlane     plane;
+  Shadow          own, other;
+
+  if (!Shadows_Private(&near, &far, &plane, &own, &other)) return 0;
+  for (PetscInt pair = 0; pair < own.num_parts * other.num_parts; pair++) {
+    const ShadowPart *a = &own.parts[pair / other.num_parts];
+    const PetscInt    n = Common_Private(a, &other.parts[pair % other.num_parts], plane.size, P);
+
+    for (PetscInt i = 0; i < n; i++) num += PartPullBack_Private(a, &P[2 * i], &xi[2 * num]) > 0. ? 1 : 0;
+  }
+  return num;
+}
+
 PetscInt ClipPolygons(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscInt degree, ClipPoint points[])
 {
   PetscReal       xi[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], P[2 * POLYGON_MAX_VERTICES];
@@ -157,23 +197,17 @@ PetscInt ClipPolygons(const ClipFacet *nonmortar, const ClipFacet *mortar, Petsc
   Shadow          own, other;
   const ClipFacet near = ClipFacetFrom(3, nonmortar->X, nonmortar, X), far = ClipFacetFrom(3, nonmortar->X, mortar, Y);
 
-  ShadowPlaneSet(&near, &plane);
-  ShadowProject(&plane, &near, &own);
-  ShadowProject(&plane, &far, &other);
-  if (!ShadowsMeet(&own, &other)) return 0;
-  ShadowCut(&plane, &own);
-  ShadowCut(&plane, &other);
+  if (!Shadows_Private(&near, &far, &plane, &own, &other)) return 0;
   num_rule = ElementQuadrature(ELEMENT_TRI3, degree, xi, w);
   enough = num_rule >= ElementNumNodes(nonmortar->type) ? PETSC_TRUE : PETSC_FALSE; /* to tell shape functions apart */
   for (PetscInt pair = 0; pair < own.num_parts * other.num_parts; pair++) {
     const ShadowPart *a = &own.parts[pair / other.num_parts], *b = &other.parts[pair % other.num_parts];
-    const PetscInt    n = PolygonIntersect(ElementNumNodes(a->type), a->plane, ElementNumNodes(b->type), b->plane,
-                                           SAME_POINT * plane.size, P);
+    const PetscInt    n = Common_Private(a, b, plane.size, P);
     PetscReal         triangles[6 * POLYGON_MAX_VERTICES];
     PetscInt          num_triangles;
     PetscBool         exact;
 
-    if (!n || PolygonArea(n, P) < NO_AREA * plane.size * plane.size) continue;
+    if (!n) continue;
     exact         = a->affine && b->affine && enough ? PETSC_TRUE : PETSC_FALSE;
     num_triangles = Fan_Private(n, P, exact, triangles);
     for (PetscInt q = 0; q < num_triangles * num_rule && num < CLIP_MAX_POLYGON_POINTS; q++) {

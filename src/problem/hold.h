@@ -11,6 +11,10 @@
 PetscErrorCode SolvabilityCreate(VI vi, const NodeBases *bases, const Couplings *couplings, PetscInt num_fixed,
                                  const PetscInt fixed[], Solvability *solvability);
 
+/* The rows of B as rows of contact, and those of the bodies themselves where partners end within facets: s->cover. Collective. */
+PetscErrorCode CoverCreate(VI vi, Solvability s);
+PetscErrorCode CoverDestroy(Solvability s);
+
 /* Springs (T27), and where they rest. Collective. */
 PetscErrorCode SpringsCreate(VI vi, const NodeBases *bases, PetscInt num_fixed, const PetscInt fixed[],
                              Solvability solvability);
@@ -22,5 +26,7 @@ PetscErrorCode ConeNearest(const Cone *cone, const PetscReal bound[], const Pets
 /* Adds how the two sides of a contact move past and from each other at its place. Not collective. [in] q - [m];
    [in,out] slip - [3] */
 void SceneMotionSlip(VI vi, const ContactPlace *place, const PetscReal q[], PetscReal slip[]);
+/* The same of one rigid motion, k, with a factor. */
+void SceneMotionSlipOf(VI vi, const ContactPlace *place, PetscInt k, PetscReal factor, PetscReal slip[]);
 
 #endif

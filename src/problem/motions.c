@@ -21,18 +21,19 @@ static PetscReal Norm_Private(const PetscReal v[3])
   return PetscSqrtReal(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
+void SceneMotionSlipOf(VI vi, const ContactPlace *place, PetscInt k, PetscReal factor, PetscReal slip[])
+{
+  const PetscInt dim = vi->level->dim, piece = vi->motions.piece[k];
+  PetscReal      u[3];
+
+  if (piece != place->piece[0] && piece != place->piece[1]) return;
+  RigidMotionAt(dim, &vi->motions.frames[4 * piece], &vi->motions.motion[k * RIGID_COMPONENTS], place->x, u);
+  for (PetscInt i = 0; i < dim; i++) slip[i] += (piece == place->piece[0] ? factor : -factor) * u[i];
+}
+
 void SceneMotionSlip(VI vi, const ContactPlace *place, const PetscReal q[], PetscReal slip[])
 {
-  const PetscInt dim = vi->level->dim;
-
-  for (PetscInt k = 0; k < vi->motions.num; k++) {
-    const PetscInt piece = vi->motions.piece[k];
-    PetscReal      u[3];
-
-    if (piece != place->piece[0] && piece != place->piece[1]) continue;
-    RigidMotionAt(dim, &vi->motions.frames[4 * piece], &vi->motions.motion[k * RIGID_COMPONENTS], place->x, u);
-    for (PetscInt i = 0; i < dim; i++) slip[i] += (piece == place->piece[0] ? q[k] : -q[k]) * u[i];
-  }
+  for (PetscInt k = 0; k < vi->motions.num; k++) SceneMotionSlipOf(vi, place, k, q[k], slip);
 }
 
 /* (t, r) of a piece of a body, without rounding: parts that are nothing beside the motions of all. */
@@ -79,15 +80,16 @@ static PetscErrorCode Contacts_Private(VI vi, Solvability s, const PetscReal q[]
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(FLAGS * num, &flags));
-  for (PetscInt r = 0; r < vi->num_rows; r++) {
-    PetscReal opening = 0, slip[3] = {0, 0, 0};
+  for (PetscInt r = 0; r < s->cover.num; r++) {
+    const PetscReal *row     = &s->cover.rows[r * s->m];
+    PetscReal        opening = 0, slip[3] = {0, 0, 0};
 
-    for (PetscInt k = 0; k < s->m; k++) opening -= s->C[r * s->m + k] * q[k];
-    SceneMotionSlip(vi, &s->place[r], q, slip);
+    for (PetscInt k = 0; k < s->m; k++) opening -= row[k] * q[k];
+    SceneMotionSlip(vi, &s->cover.place[r], q, slip);
     for (PetscInt k = 0; k < s->m; k++) {
       PetscInt *flag = &flags[FLAGS * vi->motions.piece[k]];
 
-      if (PetscAbsReal(s->C[r * s->m + k]) <= NEGLIGIBLE) continue;
+      if (PetscAbsReal(row[k]) <= NEGLIGIBLE) continue;
       flag[0] = 1;
       if (opening > UNIT * size) flag[1] = 1;
       if (opening <= UNIT * size) flag[2] = 1;

@@ -162,7 +162,8 @@ static PetscErrorCode Pin_Private(VI vi, const Cone *cone, const ContactPlace pl
 }
 
 /* A motion that shows that there is no solution, the simplest one: without rotations if there is one. */
-static PetscErrorCode Refuse_Private(VI vi, const Cone *cone, const PetscReal phi[], PetscReal rho[], Solvability s)
+static PetscErrorCode Refuse_Private(VI vi, const Cone *cone, const ContactPlace place[], const PetscReal phi[],
+                                     PetscReal rho[], Solvability s)
 {
   PetscBool *straight;
   PetscReal *q, norm;
@@ -176,7 +177,7 @@ static PetscErrorCode Refuse_Private(VI vi, const Cone *cone, const PetscReal ph
   }
   PetscCall(Leaves_Private(cone, phi, straight, q, NULL, &norm));
   s->verdict = SOLVABLE_NOT;
-  if (!(norm > BALANCED)) PetscCall(Pin_Private(vi, cone, s->place, rho));
+  if (!(norm > BALANCED)) PetscCall(Pin_Private(vi, cone, place, rho));
   PetscCall(SceneMotionCreate(vi, s, norm > BALANCED ? q : rho, &s->motion));
   PetscCall(PetscFree2(straight, q));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -232,7 +233,7 @@ static PetscErrorCode Marginal_Private(VI vi, const Cone *cone, const PetscReal 
     PetscCall(MovesLoads_Private(vi, cone, phi, q, opens, &loads));
     if (loads) {
       s->verdict = SOLVABLE_MARGINAL;
-      PetscCall(Pin_Private(vi, cone, s->place, q));
+      PetscCall(Pin_Private(vi, cone, s->cover.place, q));
       PetscCall(SceneMotionCreate(vi, s, q, &s->motion));
       break;
     }
@@ -242,26 +243,34 @@ static PetscErrorCode Marginal_Private(VI vi, const Cone *cone, const PetscReal 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The verdict, as far as it can be known before anything is solved, and forces that balance the loads. */
+/* The verdict, as far as it can be known before anything is solved, and forces that balance the loads: in the bodies, up to where they
+   end, and at the nodes. */
 static PetscErrorCode Judge_Private(VI vi, Solvability s)
 {
   const Cone cone  = {.comm = vi->level->comm, .num = vi->num_rows, .m = s->m, .rows = s->C, .both = s->both};
-  PetscReal  scale = s->forces > 0 ? s->forces : 1, *phi, *rho, *kernel, norm;
+  const Cone cover = {cone.comm, s->cover.num, s->m, s->cover.rows, s->cover.both};
+  PetscReal  scale = s->forces > 0 ? s->forces : 1, *phi, *rho, *rho_cover, *kernel, norm, norm_cover = 0;
   PetscInt   dim;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc3(s->m, &phi, s->m, &rho, s->m * s->m, &kernel));
+  PetscCall(PetscMalloc4(s->m, &phi, s->m, &rho, s->m, &rho_cover, s->m * s->m, &kernel));
   for (PetscInt k = 0; k < s->m; k++) phi[k] = s->phi[k] / scale;
   PetscCall(Leaves_Private(&cone, phi, NULL, rho, s->y, &norm));
   for (PetscInt r = 0; r < vi->num_rows; r++) s->y[r] *= scale;
-  if (norm > BALANCED) {
-    PetscCall(Refuse_Private(vi, &cone, phi, rho, s));
+  if (s->cut) {
+    PetscCall(Leaves_Private(&cover, phi, NULL, rho_cover, NULL, &norm_cover));
+    s->coarse = (PetscBool)(norm > BALANCED && !(norm_cover > BALANCED));
+  }
+  if (s->coarse) {
+    PetscCall(Refuse_Private(vi, &cone, s->place, phi, rho, s));
+  } else if (norm > BALANCED || norm_cover > BALANCED) {
+    PetscCall(Refuse_Private(vi, &cover, s->cover.place, phi, s->cut ? rho_cover : rho, s));
   } else {
     PetscCall(ConeKernel(&cone, NULL, &dim, kernel));
     s->verdict = dim ? SOLVABLE_FREE : SOLVABLE;
-    PetscCall(Marginal_Private(vi, &cone, phi, s));
+    PetscCall(Marginal_Private(vi, &cover, phi, s));
   }
-  PetscCall(PetscFree3(phi, rho, kernel));
+  PetscCall(PetscFree4(phi, rho, rho_cover, kernel));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -277,6 +286,7 @@ PetscErrorCode SolvabilityCreate(VI vi, const NodeBases *bases, const Couplings 
                          vi->num_rows, &s->y, vi->num_rows, &s->place));
   PetscCall(Places_Private(vi, s));
   PetscCall(Matrices_Private(vi, bases, couplings, s));
+  PetscCall(CoverCreate(vi, s));
   PetscCall(Judge_Private(vi, s));
   if (s->verdict != SOLVABLE_NOT) PetscCall(SpringsCreate(vi, bases, num_fixed, fixed, s));
   *solvability = s;
@@ -290,6 +300,7 @@ PetscErrorCode SolvabilityDestroy(Solvability *solvability)
   PetscFunctionBeginUser;
   if (!s) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt k = 0; k < s->m; k++) PetscCall(VecDestroy(&s->modes[k]));
+  PetscCall(CoverDestroy(s));
   PetscCall(PetscFree6(s->modes, s->C, s->both, s->phi, s->y, s->place));
   PetscCall(SceneMotionDestroy(&s->motion));
   for (PetscInt i = 0; i < s->num_free; i++) PetscCall(SceneMotionDestroy(&s->free[i]));

@@ -34,6 +34,7 @@ void VerdictAdd(VI vi, cJSON *root)
   cJSON                   *object     = cJSON_AddObjectToObject(root, "solvability"), *motions;
 
   cJSON_AddStringToObject(object, "verdict", verdicts[s ? s->verdict : SOLVABLE]);
+  cJSON_AddBoolToObject(object, "on_this_mesh", s && s->coarse);
   if (s && s->motion.num) {
     AddMotion_Private(vi, &s->motion, cJSON_AddObjectToObject(object, "motion"));
     JSONAddReal(object, "work", s->motion.work);
@@ -73,9 +74,12 @@ PetscErrorCode VerdictWarn(VI vi)
   if (!s) PetscFunctionReturn(PETSC_SUCCESS);
   if (s->verdict == SOLVABLE_NOT) {
     PetscCall(PetscFPrintf(comm, PETSC_STDERR,
-                           "mortise: no solution: %s: the loads do %+.6g of work %s per %s and nothing resists\n",
-                           s->motion.sentence, (double)s->motion.work, s->motion.num > 1 ? "together" : "on it",
-                           s->motion.turns ? "radian" : "unit of length"));
+                           "mortise: no solution%s: %s: the loads do %+.6g of work %s per %s and nothing resists%s\n",
+                           s->coarse ? " on this mesh" : "", s->motion.sentence, (double)s->motion.work,
+                           s->motion.num > 1 ? "together" : "on it", s->motion.turns ? "radian" : "unit of length",
+                           s->coarse ? "; the bodies reach farther than the last nodes that can press: refine, or let "
+                                       "facets end where the partner does"
+                                     : ""));
   } else if (s->verdict == SOLVABLE_MARGINAL && !vi->scene->quiet) {
     PetscCall(PetscFPrintf(comm, PETSC_STDERR,
                            "mortise: warning: the loads are on the verge: %s at no cost; the pressure gathers at an "
