@@ -104,6 +104,8 @@ static PetscErrorCode ReaderSections_Private(GmshReader *reader, GmshNames *name
       PetscCall(ReaderNames_Private(reader, names));
     } else if (!strcmp(line, "$Entities") && !reader->entity) {
       PetscCall(GmshReadEntities(reader));
+    } else if (!strcmp(line, "$PartitionedEntities")) {
+      GmshReaderFail(reader, "it is cut into partitions; save the mesh whole: it is cut among processes here");
     } else if (!strcmp(line, "$Nodes") && !reader->tag) {
       PetscCall(GmshReadNodes(reader));
     } else if (!strcmp(line, "$Elements")) {

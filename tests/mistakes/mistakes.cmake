@@ -81,6 +81,7 @@ mistake(mesh_plane          SCENE mesh SAYS triangles.msh "dimension 2" "-model 
 mistake(mesh_mixed          SAYS volume.msh "same dimensions" "this one has 3" "-upper_dm_plex_box_faces 4,3 has 2" ARGS
         -bodies upper,lower,block -block_dm_plex_filename ${here}/volume.msh)
 mistake(mesh_solid          SCENE mesh SAYS -block_bc_displacement_bottom "0,0" "2 components given, 3 wanted" ARGS -block_dm_plex_filename ${here}/volume.msh)
+mistake(mesh_partitioned    SCENE mesh SAYS parts.msh "cut into partitions" whole ARGS -block_dm_plex_filename ${here}/parts.msh)
 mistake(mesh_merged         SCENE mesh SAYS merged.msh "quadrangles has one node at several of its corners" ARGS -block_dm_plex_filename
         ${here}/merged.msh)
 mistake(mesh_flat           SCENE mesh SAYS block degenerate ARGS -block_dm_plex_filename ${here}/flat.msh)
