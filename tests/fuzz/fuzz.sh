@@ -15,8 +15,15 @@ mkdir -p "$folder/$target" "$folder/found"
 case $target in
   msh) cp -n $(find tests options -name '*.msh' -size -32k) "$folder/$target" ;;
   options) cp -n options/*.opts tests/*/*.opts "$folder/$target" ;;
+  expression) grep -ho '"[^"]*"' options/*.opts tests/*/*.opts | tr -d '"' | sort -u | split -l 1 - "$folder/$target/value_" ;;
 esac
+# Words that are put in: the options and, of expressions, all that muParser knows.
+{
+  grep -oE '"-[a-z<][^" ]*"' src/scene/table.c | sed -E 's/<body>/block/; s/<pair>/pair/; s/<probe>/probe/; s/<side>/top/'
+  sed -n '/known_names\[\]/,/;/p' src/base/expression.c | grep -oE '"[a-z0-9]+"'
+} | sort -u >"$folder/words"
 # Faults leave memory behind, as the program ends with them: -fork begins anew when it is used up.
 ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 "$folder/tests/libfuzzer_$target" \
-  -fork=1 -ignore_ooms=1 -max_total_time="$seconds" -timeout=20 -close_fd_mask=3 -artifact_prefix="$folder/found/$target-" \
+  -fork=1 -ignore_ooms=1 -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2000 -malloc_limit_mb=500 \
+  -dict="$folder/words" -close_fd_mask=3 -artifact_prefix="$folder/found/$target-" \
   ${FUZZ_OPTIONS:-} "$folder/$target" "tests/fuzz/corpus/$target"
