@@ -37,6 +37,15 @@ static const char *const known_names[]    = {"x",     "y",     "z",    "r",     
                                              "acosh", "atanh", "exp",  "ln",    "log",  "log2", "log10", "sqrt",
                                              "abs",   "sign",  "rint", "min",   "max",  "sum",  "avg",   "free"};
 
+enum { TEXT_SHOWN = 200 }; // letters of the text in a sentence: there may be thousands
+
+/* The text as sentences quote it. [out] shown - [TEXT_SHOWN] */
+static const char *Show_Private(const char text[], char shown[])
+{
+  snprintf(shown, TEXT_SHOWN, "%.*s%s", TEXT_SHOWN - 4, text, strlen(text) > TEXT_SHOWN - 4 ? "..." : "");
+  return shown;
+}
+
 /* --- reading ------------------------------------------------------------------------------------------------------ */
 
 /* Whether text is a decimal number and nothing else: strtod() alone would also take nan, inf and hexadecimal digits. */
@@ -170,14 +179,14 @@ PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char t
                                 PetscBool allow_free, Expression *e)
 {
   const PetscInt count          = CountComponents_Private(text);
-  char           complaint[512] = "", *part;
+  char           complaint[512] = "", shown[TEXT_SHOWN], *part;
 
   PetscFunctionBeginUser;
   *e = NULL;
   if (num_components && count != num_components)
     PetscCall(FaultRaise(
         comm, "%s \"%s\": %" PetscInt_FMT " component%s given, %" PetscInt_FMT " wanted, separated by commas", option,
-        text, count, count == 1 ? "" : "s", num_components));
+        Show_Private(text, shown), count, count == 1 ? "" : "s", num_components));
   PetscCall(ExpressionAllocate_Private(option, text, count, e));
   for (PetscInt c = 0; c < count && !complaint[0]; ++c) {
     const size_t length = ComponentLength_Private(text);
@@ -192,7 +201,7 @@ PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char t
     char sentence[FAULT_LENGTH];
 
     snprintf(sentence, sizeof(sentence), "%s \"%s\": %s; accepted are numbers and formulas in x, y, z%s", (*e)->option,
-             (*e)->text, complaint, allow_free ? ", and 'free'" : "");
+             Show_Private((*e)->text, shown), complaint, allow_free ? ", and 'free'" : "");
     PetscCall(ExpressionDestroy(e));
     PetscCall(FaultRaise(comm, "%s", sentence));
   }
@@ -281,7 +290,7 @@ PetscErrorCode ExpressionEvaluate(Expression e, PetscInt dim, const PetscReal x[
 
 PetscErrorCode ExpressionCheck(MPI_Comm comm, Expression e)
 {
-  char sentence[FAULT_LENGTH] = "", point[128];
+  char sentence[FAULT_LENGTH] = "", point[128], shown[TEXT_SHOWN];
 
   PetscFunctionBeginUser;
   if (!e || e->constant) PetscFunctionReturn(PETSC_SUCCESS);
@@ -295,7 +304,7 @@ PetscErrorCode ExpressionCheck(MPI_Comm comm, Expression e)
     else
       snprintf(point, sizeof(point), "(%g, %g, %g)", (double)x[0], (double)x[1], (double)x[2]);
     snprintf(sentence, sizeof(sentence), "%s \"%s\": component %" PetscInt_FMT " is not a finite number at %s",
-             e->option, e->text, e->failed_component + 1, point);
+             e->option, Show_Private(e->text, shown), e->failed_component + 1, point);
   }
   e->failed = PETSC_FALSE;
   PetscCall(FaultCheck(comm, sentence));

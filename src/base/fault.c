@@ -106,6 +106,15 @@ static PetscErrorCode FaultFromPETSc_Private(const char message[])
   return MORTISE_ERR_FAULT;
 }
 
+/* Whether PETSc's table of options is full, which it calls a want of memory. */
+static PetscBool FaultIsTable_Private(const char function[], PetscErrorCode code, PetscErrorType type)
+{
+  return code == PETSC_ERR_MEM && type == PETSC_ERROR_INITIAL && function &&
+                 strstr(function, "PetscOptionsSetValue") == function
+             ? PETSC_TRUE
+             : PETSC_FALSE;
+}
+
 /* Whether memory ran out; PETSc 3.18 raises this without its code, and with the wrong text. */
 static PetscBool FaultIsMemory_Private(const char function[], PetscErrorCode code, PetscErrorType type)
 {
@@ -143,6 +152,11 @@ static PetscErrorCode FaultHandlerFn(MPI_Comm comm, int line, const char *functi
   if (code == MORTISE_ERR_FAULT) return code;
   if (type == PETSC_ERROR_INITIAL && message && FaultIsOption_Private(function, code))
     return FaultFromPETSc_Private(message);
+  if (FaultIsTable_Private(function, code, type)) {
+    FaultTell_Private(MPI_COMM_WORLD, "there are more options than PETSc has room for, which are some 500; sides that "
+                                      "have the same data can be joined with '+', and defaults be left out");
+    return MORTISE_ERR_FAULT;
+  }
   if (FaultIsMemory_Private(function, code, type)) {
     if (type == PETSC_ERROR_INITIAL) FaultTellMemory_Private(comm);
     return PETSC_ERR_MEM;

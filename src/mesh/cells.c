@@ -162,8 +162,8 @@ static PetscErrorCode BodyRaiseFold_Private(const Level *level, const SceneBody 
   PetscFunctionBeginUser;
   if (body->map) {
     PetscCall(FaultRaise(level->comm,
-                         "-%s_map %s folds body '%s': it turns some of its cells inside out and others not", body->name,
-                         ExpressionText(body->map), body->name));
+                         "-%s_map %.200s folds body '%s': it turns some of its cells inside out and others not",
+                         body->name, ExpressionText(body->map), body->name));
   }
   PetscCall(FaultRaise(level->comm,
                        "body '%s' has cells that are inside out as soon as they are refined along the curved sides of "

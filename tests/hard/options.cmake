@@ -9,6 +9,12 @@ set_tests_properties(hard.usage PROPERTIES PASS_REGULAR_EXPRESSION "^mortise: no
 
 mortise_mistake(no_file_name SAYS -options_file "name of a file" ARGS -options_file -quiet)
 mortise_mistake(binary_file SAYS "not a text file" ARGS -options_file ${MORTISE_PYTHON})
+set(crowd "-bodies a\n")
+foreach(i RANGE 1 600)
+  string(APPEND crowd "-a_option_${i} 1\n")
+endforeach()
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/crowd.opts "${crowd}")
+mortise_mistake(options_too_many SAYS "more options than PETSc has room for" ARGS -options_file ${CMAKE_CURRENT_BINARY_DIR}/crowd.opts)
 mortise_mistake(number_of_petsc SCENE two_plates SAYS -ksp_rtol abc ARGS -ksp_rtol abc)
 mortise_mistake(type_of_petsc SCENE two_plates SAYS -pc_type zoo ARGS -pc_type zoo)
 mortise_mistake(bool_of_petsc SCENE two_plates SAYS -malloc_debug zoo ARGS -malloc_debug zoo)

@@ -138,6 +138,20 @@ static void TestFaults(void)
   CheckFault("x)", 1, "parenthesis");
 }
 
+/* What is wrong with a formula is told, however long it is. */
+static void TestLong(void)
+{
+  enum { LENGTH = 20000 };
+  char       text[LENGTH + 1];
+  Expression e;
+
+  for (int i = 0; i < LENGTH; ++i) text[i] = i % 2 ? '+' : 'x';
+  text[LENGTH] = '\0';
+  CHECK(ExpressionCreate(PETSC_COMM_WORLD, "-datum", text, 1, PETSC_FALSE, &e) == MORTISE_ERR_FAULT);
+  CHECK(strstr(FaultSentence(), "-datum \"x+x") && strstr(FaultSentence(), "...\": "));
+  CHECK(strstr(FaultSentence(), "accepted are numbers"));
+}
+
 /* One bad point on one rank is a fault on all, once. */
 static void TestNotFinite(void)
 {
@@ -167,6 +181,7 @@ int main(int argc, char **argv)
   TestFree();
   TestConstant();
   TestFaults();
+  TestLong();
   TestNotFinite();
   PetscCall(PetscFinalize());
   return 0;
