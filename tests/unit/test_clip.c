@@ -361,6 +361,32 @@ static void TestFarFromOrigin(void)
   for (PetscInt p = 0; p < num; p++) CHECK(points[p].gap == 0.);
 }
 
+/* The ends of what is covered, of lines and of quads. */
+static void TestCorners(void)
+{
+  const PetscReal X[4] = {0., 0., 2., 0.}, N[4] = {0., -1., 0., -1.}, Y[4] = {3., -0.1, 0.5, -0.1};
+  const PetscReal Q[12]         = {0., 0., 0., 0., 1., 0., 1., 1., 0., 1., 0., 0.},
+                  up[12]        = {0., 0., 1., 0., 0., 1., 0., 0., 1., 0., 0., 1.};
+  const PetscReal R[12]         = {0.25, -1., 0.1, 1.25, -1., 0.1, 1.25, 0.5, 0.1, 0.25, 0.5, 0.1};
+  const PetscReal corners[4][2] = {{0., 0.25}, {0., 1.}, {0.5, 1.}, {0.5, 0.25}}; /* the first axis of the facet is y */
+  const ClipFacet line = {ELEMENT_LINE2, X, N}, other = {ELEMENT_LINE2, Y, NULL}, quad = {ELEMENT_QUAD4, Q, up},
+                  shifted = {ELEMENT_QUAD4, R, NULL};
+  PetscReal xi[2 * CLIP_MAX_CORNERS];
+
+  CHECK(ClipCorners(&line, &other, xi) == 2);
+  CHECK_NEAR(xi[0], 0.25, EXACT);
+  CHECK_NEAR(xi[2], 1., EXACT);
+  CHECK(ClipCorners(&quad, &shifted, xi) == 4);
+  for (PetscInt i = 0; i < 4; i++) {
+    PetscReal nearest = 1.;
+
+    for (PetscInt j = 0; j < 4; j++)
+      nearest =
+          PetscMin(nearest, PetscAbsReal(xi[2 * j] - corners[i][0]) + PetscAbsReal(xi[2 * j + 1] - corners[i][1]));
+    CHECK_NEAR(nearest, 0., EXACT);
+  }
+}
+
 int main(int argc, char **argv)
 {
   PetscFunctionBeginUser;
@@ -376,6 +402,7 @@ int main(int argc, char **argv)
   TestWild();
   TestSlivers();
   TestFarFromOrigin();
+  TestCorners();
   PetscCall(PetscFinalize());
   return 0;
 }
