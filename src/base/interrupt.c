@@ -1,6 +1,7 @@
 /* interrupt.c -- see the header. A handler may do next to nothing: the sentence is made beforehand, and said by write(). */
 #include <mortise/compat.h>
 #include <mortise/interrupt.h>
+#include <pthread.h>
 #include <signal.h>
 #include <string.h>
 #include <unistd.h>
@@ -14,6 +15,7 @@ static struct {
   volatile sig_atomic_t held, waiting; /* how often signals were told to wait; the one that does */
   volatile sig_atomic_t length;        /* of the sentence */
   int                   depth;         /* of InterruptBegin() */
+  pthread_t             thread;        /* that called it: the one that computes */
   char                  sentence[SENTENCE_LENGTH];
   void (*volatile clean)(void);
   struct sigaction before[NUM_SIGNALS];
@@ -36,9 +38,12 @@ static void Die_Private(int number)
   (void)raise(number);
 }
 
+/* MPI has threads of its own, and any of them may be given a signal, while the one that writes goes on. */
 static void SignalFn(int number)
 {
-  if (state.held)
+  if (!pthread_equal(pthread_self(), state.thread))
+    (void)pthread_kill(state.thread, number);
+  else if (state.held)
     state.waiting = number;
   else
     Die_Private(number);
@@ -51,6 +56,7 @@ PetscErrorCode InterruptBegin(void)
   PetscFunctionBeginUser;
   if (state.depth++) PetscFunctionReturn(PETSC_SUCCESS);
   state.held = state.waiting = state.length = 0;
+  state.thread                              = pthread_self();
   (void)memset(&action, 0, sizeof(action));
   action.sa_handler = SignalFn;
   action.sa_flags   = SA_NODEFER | SA_RESTART; // the signal is raised again by its own handler

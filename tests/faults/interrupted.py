@@ -1,0 +1,51 @@
+"""Signals at many moments, a rank that dies: no hang, no mixture of results, nothing half-written, no leftovers where the
+program could clean up; what kill -9 leaves is gone after the next run."""
+import os
+import random
+import signal
+import time
+
+from judge import require, same
+from world import children, ended_by, files, finish, parts, require_whole, start, wait_for_writing
+
+SETTING_UP = 0.3  # seconds, about the length of the run
+
+
+def end(run, number, moment, whom=None):
+    """Sends a signal at a moment; "writing" is soon after the first file was begun."""
+    before = files(run)
+    process = start(run, title=f"{signal.Signals(number).name} {moment}")
+    if moment == "writing":
+        wait_for_writing(run, process)
+        time.sleep(random.uniform(0, 0.01))
+    else:
+        time.sleep(moment)
+    targets = children(process) if whom == "rank" else [process.pid]
+    for target in targets[-1:]:
+        try:
+            os.kill(target, number)
+        except ProcessLookupError:
+            pass
+    code, _, _ = finish(process)
+    if run.ranks == 1:
+        require(code in (-number, 0), f"exit code {code}, {ended_by(number)}")
+    if targets and files(run) == before:
+        require(code != 0, f"a run {ended_by(number)} pretends that it was finished")
+    require_whole(run, before)
+
+
+def judge(run):
+    random.seed(5)
+    for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+        for moment in ("writing", "writing", random.uniform(0, SETTING_UP)):
+            end(run, number, moment)
+            if run.ranks == 1:  # mpiexec may give its ranks no time
+                same(f"leftovers of a run {ended_by(number)}", parts(run), [])
+    for moment in ("writing", "writing", random.uniform(0, SETTING_UP)):
+        end(run, signal.SIGKILL, moment, "rank" if run.ranks > 1 else None)
+    (run.folder / "result.h5.part999999999").write_text("left by a process that was killed")
+    (run.folder / "result.h5.partner").write_text("of somebody else")
+    code, _, stderr = finish(start(run, title="last"))
+    require(code == 0, f"exit code {code} of an undisturbed run: {stderr}")
+    same("leftovers", parts(run), ["result.h5.partner"])
+    same("title", run.summary["scene"]["title"], "last")
