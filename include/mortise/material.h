@@ -7,6 +7,9 @@
 
 typedef enum { MODEL_PLANE_STRAIN, MODEL_PLANE_STRESS, MODEL_AXISYMMETRIC, MODEL_SOLID } ModelKind;
 
+/* From this Poisson's ratio on, in all models but plane stress, displacements alone cannot tell the pressure. */
+#define MATERIAL_POISSON_END 0.4999995
+
 /* Number of strains the model carries: 3 in a plane, 4 axisymmetric, 6 in 3D. */
 PetscInt MaterialNumStrains(ModelKind model);
 
@@ -24,6 +27,12 @@ PetscReal MaterialDefiniteness(PetscInt num_strains, const PetscReal C[]);
    0 in plane stress; NAN where a plane Hooke tensor leaves it open (pass poisson = NAN). [in] strain - [num_strains] */
 void MaterialStress(ModelKind model, const PetscReal C[], PetscReal poisson, const PetscReal strain[],
                     PetscReal stress[6]);
+
+/* Takes the resistance to changes of volume out of an isotropic C of any model but plane stress: C becomes that of
+   2 mu dev eps, with the deviator of three dimensions. Returns the bulk modulus. [in,out] C - [num_strains][num_strains] */
+PetscReal MaterialTakeBulk(PetscInt num_strains, PetscReal C[]);
+/* Trace of a strain; eps_zz of a plane is 0. [in] strain - [num_strains] */
+PetscReal MaterialDilatation(PetscInt num_strains, const PetscReal strain[]);
 
 PetscReal MaterialVonMises(const PetscReal stress[6]);
 /* Principal stresses, the largest first; NAN, all three, where a component is not known. */

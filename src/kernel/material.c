@@ -126,6 +126,26 @@ void MaterialStress(ModelKind model, const PetscReal C[], PetscReal poisson, con
   if (model == MODEL_PLANE_STRAIN) stress[2] = poisson * (stress[0] + stress[1]); /* eps_zz = 0 */
 }
 
+/* mu is the last of C; lambda = -2/3 mu is written anew, since next to a large one its digits are lost. */
+PetscReal MaterialTakeBulk(PetscInt num_strains, PetscReal C[])
+{
+  const PetscInt  num_direct = NumDirect_Private(num_strains);
+  const PetscReal mu = C[num_strains * num_strains - 1], bulk = C[1] + 2. / 3. * mu;
+
+  for (PetscInt i = 0; i < num_direct; i++) {
+    for (PetscInt j = 0; j < num_direct; j++) C[i * num_strains + j] = (i == j ? 4. / 3. : -2. / 3.) * mu;
+  }
+  return bulk;
+}
+
+PetscReal MaterialDilatation(PetscInt num_strains, const PetscReal strain[])
+{
+  PetscReal trace = 0.;
+
+  for (PetscInt i = 0; i < NumDirect_Private(num_strains); i++) trace += strain[i];
+  return trace;
+}
+
 /* sqrt(3/2 s:s) with the deviator s, written with differences so that pressure of any size drops out. */
 PetscReal MaterialVonMises(const PetscReal stress[6])
 {

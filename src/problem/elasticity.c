@@ -3,12 +3,14 @@
    K_ij^kl = int d_m phi_i C_kmln d_n phi_j, cell by cell over the level's tables, with the quadrature that is exact on
    parallelograms. This is int B_i' C B_j without the zeros of B. Where C is the same in the whole cell, the products of
    derivatives are summed over the points first, and C is applied once. Axisymmetric cells add what the hoop strain
-   phi_j / r u_j costs, by itself and with the others (T23). Expressions are evaluated at quadrature points; plain numbers
-   once per body. */
+   phi_j / r u_j costs, by itself and with the others (T23). Cells of nearly incompressible bodies have C without its bulk
+   modulus there, and pay for what Pi leaves of their change of volume (T29). Expressions are evaluated at quadrature points;
+   plain numbers once per body. */
 #include <mortise/compat.h>
 #include <mortise/elasticity.h>
 #include <mortise/fault.h>
 #include "loads.h"
+#include "volume.h"
 
 enum {
   MAX_STRAINS   = 6,
@@ -54,19 +56,22 @@ typedef struct {
 
 /* Writes a sentence if moduli that vary in space are not those of an elastic body at x. */
 static PetscErrorCode HookeCheck_Private(Scene scene, PetscInt body, const PetscReal x[], const PetscReal C[],
-                                         Sentence *sentence)
+                                         PetscReal poisson, Sentence *sentence)
 {
   const SceneBody *b     = &scene->bodies[body];
+  const PetscReal  end   = scene->model == MODEL_PLANE_STRESS ? 0.5 : MATERIAL_POISSON_END;
   char             z[32] = "";
 
   PetscFunctionBeginUser;
-  if (sentence->text[0] || MaterialDefiniteness(MaterialNumStrains(scene->model), C) > DEFINITE_TOLERANCE)
+  if (sentence->text[0]) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!(poisson >= end) && MaterialDefiniteness(MaterialNumStrains(scene->model), C) > DEFINITE_TOLERANCE)
     PetscFunctionReturn(PETSC_SUCCESS);
   if (scene->dim == 3) PetscCall(PetscSNPrintf(z, sizeof(z), ", %g", (double)x[2]));
   PetscCall(PetscSNPrintf(sentence->text, sizeof(sentence->text),
                           "%s gives moduli that are not positive definite at (%g, %g%s); an elastic body needs "
-                          "E > 0 and -1 < nu < 0.5, or a positive definite Hooke tensor, at every point",
-                          ExpressionOption(b->stiffness ? b->stiffness : b->young), (double)x[0], (double)x[1], z));
+                          "E > 0 and -1 < nu < %.7g, or a positive definite Hooke tensor, at every point",
+                          ExpressionOption(b->stiffness ? b->stiffness : b->young), (double)x[0], (double)x[1], z,
+                          (double)end));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -93,6 +98,29 @@ static void ModuliSet_Private(ModelKind model, const PetscReal C[], Moduli *modu
   if (model != MODEL_AXISYMMETRIC) return;
   for (PetscInt ln = 0; ln < MAX_PLANE; ln++) moduli->hoop[ln] = C[zz * ns + voigt[ln]];
   moduli->hoop_hoop = C[zz * ns + zz];
+}
+
+/* What is the same in all cells of a body whose moduli are. */
+typedef struct {
+  PetscBool constant;
+  Moduli    whole, shear;  /* with and without the bulk modulus */
+  PetscReal bulk, poisson; /* NAN where nothing restrains changes of volume */
+} Law;
+
+static PetscErrorCode LawSet_Private(Scene scene, PetscInt body, Law *law)
+{
+  const PetscReal origin[3] = {0, 0, 0};
+  PetscReal       C[MAX_STRAINS * MAX_STRAINS];
+
+  PetscFunctionBeginUser;
+  law->constant = HookeIsConstant_Private(&scene->bodies[body]);
+  if (!law->constant) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ElasticityHooke(scene, body, origin, C, &law->poisson));
+  ModuliSet_Private(scene->model, C, &law->whole);
+  if (scene->model == MODEL_PLANE_STRESS) law->poisson = NAN;
+  law->bulk = MaterialTakeBulk(MaterialNumStrains(scene->model), C);
+  ModuliSet_Private(scene->model, C, &law->shear);
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* G_im,jn = sum_q w d_m phi_i d_n phi_j for i <= j. [in] grad - [num][n]; [in] w - [num]; [out] G - [n][n] */
@@ -169,89 +197,82 @@ static void AddHoop_Private(PetscInt nn, const Moduli *moduli, PetscReal r, cons
   }
 }
 
-/* Coordinates of a cell's nodes, [num_nodes][dim]. */
-static void CellCoordinates_Private(const Level *level, PetscInt c, PetscReal X[])
-{
-  const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
-  const PetscInt  n     = level->cell_start[c + 1] - level->cell_start[c];
-
-  for (PetscInt i = 0; i < n; i++) {
-    for (PetscInt k = 0; k < level->dim; k++) X[i * level->dim + k] = level->coords[nodes[i] * level->dim + k];
-  }
-}
-
 /* Room for the points of one cell, and what is wrong with their moduli. */
 typedef struct {
   Sentence  sentence;
-  PetscReal w[ELEMENT_MAX_POINTS], grad[ELEMENT_MAX_POINTS * MAX_CELL_DOFS]; /* [num], [num][num_nodes][dim] */
+  PetscReal x[ELEMENT_MAX_POINTS * 3], w[ELEMENT_MAX_POINTS],
+      bulk[ELEMENT_MAX_POINTS];                        /* [num][dim]; [num]; [num], weighted */
+  PetscReal  grad[ELEMENT_MAX_POINTS * MAX_CELL_DOFS]; /* [num][num_nodes][dim] */
+  Dilatation pi;
 } Work;
 
-/* Ke of one cell; constant holds the moduli of the whole body, or is NULL to evaluate them at every point. */
+/* Ke of one cell. */
 static PetscErrorCode CellStiffness_Private(Scene scene, Level *level, PetscInt c, const ElementRule *rule,
-                                            const Moduli *constant, Work *work, PetscReal Ke[])
+                                            const Law *law, Work *work, PetscReal Ke[])
 {
-  const PetscInt  dim = level->dim, nn = ElementNumNodes(rule->type), n = nn * dim;
-  const PetscBool ring = (PetscBool)(scene->model == MODEL_AXISYMMETRIC);
-  PetscReal       X[MAX_CELL_DOFS], C[MAX_STRAINS * MAX_STRAINS], x[3] = {0, 0, 0}, nu;
+  const PetscInt  dim = level->dim, nn = ElementNumNodes(rule->type), n = nn * dim, body = level->cell_body[c];
+  const PetscInt  num_strains = MaterialNumStrains(scene->model);
+  const PetscBool ring        = (PetscBool)(scene->model == MODEL_AXISYMMETRIC);
+  PetscReal       X[MAX_CELL_DOFS], C[MAX_STRAINS * MAX_STRAINS], nu;
+  const Moduli   *moduli;
+  DilatationKind  kind;
   Moduli          local;
 
   PetscFunctionBeginUser;
-  CellCoordinates_Private(level, c, X);
+  CellCoordinates(level, c, X);
   PetscCall(PetscArrayzero(Ke, n * n));
+  nu   = law->poisson;
+  kind = DilatationChoose(rule->type, nu);
+  if (!law->constant) PetscCall(ElasticityDilatationKind(scene, level, c, rule, &kind, &nu));
+  if (kind == DILATATION_LOCKS && !work->sentence.text[0])
+    CellLocks(scene, body, rule->type, nu, work->sentence.text, sizeof(work->sentence.text));
+  moduli = !law->constant ? &local : (kind ? &law->shear : &law->whole);
   for (PetscInt q = 0; q < rule->num; q++) {
-    PetscReal *grad = &work->grad[q * n];
+    PetscReal *grad = &work->grad[q * n], *x = &work->x[q * dim];
 
-    work->w[q] = rule->weight[q] * ElementRuleMap(rule, q, X, constant && !ring ? NULL : x, grad);
+    work->w[q] = rule->weight[q] * ElementRuleMap(rule, q, X, law->constant && !ring && !kind ? NULL : x, grad);
     work->w[q] *= SceneMeasure(scene, x);
-    if (!constant) {
-      PetscCall(ElasticityHooke(scene, level->cell_body[c], x, C, &nu));
-      PetscCall(HookeCheck_Private(scene, level->cell_body[c], x, C, &work->sentence));
+    work->bulk[q] = work->w[q] * law->bulk;
+    if (!law->constant) {
+      PetscCall(ElasticityHooke(scene, body, x, C, &nu));
+      PetscCall(HookeCheck_Private(scene, body, x, C, nu, &work->sentence));
+      if (kind) work->bulk[q] = work->w[q] * MaterialTakeBulk(num_strains, C);
       ModuliSet_Private(scene->model, C, &local);
       AddStiffness_Private(dim, n, 1, &local, grad, &work->w[q], Ke);
     }
-    if (ring) AddHoop_Private(nn, constant ? constant : &local, x[0], &rule->phi[q * nn], grad, work->w[q], Ke);
+    if (ring) AddHoop_Private(nn, moduli, x[0], &rule->phi[q * nn], grad, work->w[q], Ke);
   }
-  if (constant) AddStiffness_Private(dim, n, rule->num, constant, work->grad, work->w, Ke);
+  if (law->constant) AddStiffness_Private(dim, n, rule->num, moduli, work->grad, work->w, Ke);
+  if (kind) {
+    CellDilatation(scene, kind, rule, work->x, work->w, work->grad, &work->pi);
+    DilatationStiffness(&work->pi, rule->num, work->x, work->bulk, Ke);
+  }
   for (PetscInt i = 0; i < n; i++) { // the lower triangle; blocks on the diagonal are whole
     for (PetscInt j = 0; j < i; j++) Ke[i * n + j] = Ke[j * n + i];
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Beside the measure, 1 / r makes the integrand of axisymmetric cells no polynomial: as much again. */
-static PetscInt StiffnessDegree_Private(Scene scene, ElementType type)
-{
-  return ElementStiffnessDegree(type) + 2 * SceneMeasureDegree(scene, ElementOrder(type));
-}
-
 /* Adds every cell of this rank to K. */
 static PetscErrorCode AssembleCells_Private(Scene scene, Level *level, Mat K)
 {
-  PetscReal       C[MAX_STRAINS * MAX_STRAINS], Ke[MAX_CELL_DOFS * MAX_CELL_DOFS], nu;
-  const PetscReal origin[3] = {0, 0, 0};
-  PetscInt        body      = -1, rows[ELEMENT_MAX_NODES];
-  PetscBool       constant  = PETSC_FALSE;
-  Moduli          moduli;
-  ElementRule    *rules;
-  Work           *work;
+  PetscReal    Ke[MAX_CELL_DOFS * MAX_CELL_DOFS];
+  PetscInt     body = -1, rows[ELEMENT_MAX_NODES];
+  ElementRule *rules;
+  Work        *work;
+  Law          law;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(ELEMENT_COUNT, &rules));
+  PetscCall(ElasticityRulesCreate(scene, &rules));
   PetscCall(PetscNew(&work));
-  for (PetscInt t = 0; t < ELEMENT_COUNT; t++)
-    ElementRuleSet((ElementType)t, StiffnessDegree_Private(scene, (ElementType)t), &rules[t]);
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]],
                    n      = level->cell_start[c + 1] - level->cell_start[c];
     if (level->cell_body[c] != body) { // cells of a body follow one another
-      body     = level->cell_body[c];
-      constant = HookeIsConstant_Private(&scene->bodies[body]);
-      if (constant) {
-        PetscCall(ElasticityHooke(scene, body, origin, C, &nu));
-        ModuliSet_Private(scene->model, C, &moduli);
-      }
+      body = level->cell_body[c];
+      PetscCall(LawSet_Private(scene, body, &law));
     }
-    PetscCall(CellStiffness_Private(scene, level, c, &rules[level->cell_type[c]], constant ? &moduli : NULL, work, Ke));
+    PetscCall(CellStiffness_Private(scene, level, c, &rules[level->cell_type[c]], &law, work, Ke));
     for (PetscInt i = 0; i < n; i++) rows[i] = level->node_global[nodes[i]];
     PetscCall(MatSetValuesBlocked(K, n, rows, n, rows, Ke, ADD_VALUES));
   }

@@ -24,7 +24,8 @@ static const PetscReal ROUNDING = 1e-9;
 typedef struct {
   Scene              scene;
   Level             *level;
-  const PetscScalar *u, *v; /* local forms; v may be NULL */
+  const PetscScalar *u, *v;     /* local forms; v may be NULL */
+  ElementRule       *stiffness; /* of every type of cell, for Pi */
 } Comparison;
 
 /* In the plane four points in each direction for order 1, five for order 2: leaves four orders of h beyond the error of a smooth
@@ -62,17 +63,17 @@ static void Interpolate_Private(const Level *level, PetscInt c, const PetscScala
   }
 }
 
-/* eps : C eps of a displacement u with this gradient at x. Near x it is u + sum_k dx_k g_k: one "node" for the value, whose
+/* Strain of a displacement u with gradient g at x. Near x it is u + sum_k dx_k g_k: one "node" for the value, whose
    shape function is 1, and one for each direction, whose shape functions are the coordinates from x. */
-static PetscReal EnergyDensity_Private(Scene scene, const PetscReal C[], const PetscReal x[], const PetscReal u[],
-                                       const PetscReal g[])
+static void Strain_Private(Scene scene, const PetscReal x[], const PetscReal u[], const PetscReal g[],
+                           PetscReal strain[])
 {
   static const PetscReal axes[MAX_DIM + 1][(MAX_DIM + 1) * MAX_DIM] = {
       {0}, {0, 1}, {0, 0, 1, 0, 0, 1}, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}};
   const PetscBool ring              = (PetscBool)(scene->model == MODEL_AXISYMMETRIC);
   const PetscReal hoop[MAX_DIM + 1] = {ring ? 1 / x[0] : 0, 0, 0, 0};
-  const PetscInt  dim = scene->dim, num_strains = MaterialNumStrains(scene->model), num  = (dim + 1) * dim;
-  PetscReal       B[MAX_STRAINS * (MAX_DIM + 1) * MAX_DIM], strain[MAX_STRAINS], density = 0;
+  const PetscInt  dim = scene->dim, num_strains = MaterialNumStrains(scene->model), num = (dim + 1) * dim;
+  PetscReal       B[MAX_STRAINS * (MAX_DIM + 1) * MAX_DIM];
 
   ElementStrainMatrix(dim, dim + 1, axes[dim], ring ? hoop : NULL, B);
   for (PetscInt s = 0; s < num_strains; ++s) {
@@ -80,9 +81,40 @@ static PetscReal EnergyDensity_Private(Scene scene, const PetscReal C[], const P
     for (PetscInt j = 0; j < dim; ++j) strain[s] += B[s * num + j] * u[j];
     for (PetscInt j = 0; j < dim * dim; ++j) strain[s] += B[s * num + dim + j] * g[j];
   }
+}
+
+/* eps : C eps */
+static PetscReal EnergyDensity_Private(PetscInt num_strains, const PetscReal C[], const PetscReal strain[])
+{
+  PetscReal density = 0;
+
   for (PetscInt r = 0; r < num_strains; ++r)
     for (PetscInt s = 0; s < num_strains; ++s) density += strain[r] * C[r * num_strains + s] * strain[s];
   return density;
+}
+
+/* Adds the energies of e = u - v and of v, whose strains are given, at one point of cell c with weight dx. In cells with a Pi the change of volume of u is
+   that of (T29). Between two nodal vectors it is left out there: that of a coarser mesh cannot be seen on the finer one. */
+static PetscErrorCode AddEnergy_Private(const Comparison *compare, PetscInt c, const Dilatation *pi,
+                                        const PetscReal x[], const PetscReal strains[2][MAX_STRAINS], PetscReal dx,
+                                        ErrorSquares *sum)
+{
+  const Level    *level = compare->level;
+  const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]], dim = level->dim;
+  const PetscInt  num_strains = MaterialNumStrains(compare->scene->model);
+  PetscReal       C[MAX_STRAINS * MAX_STRAINS], u[MAX_DIM * ELEMENT_MAX_NODES], poisson, bulk, change;
+
+  PetscFunctionBeginUser;
+  PetscCall(ElasticityHooke(compare->scene, level->cell_body[c], x, C, &poisson));
+  bulk = pi->num ? MaterialTakeBulk(num_strains, C) : 0;
+  sum->error_energy += dx * EnergyDensity_Private(num_strains, C, strains[0]);
+  sum->size_energy += dx * EnergyDensity_Private(num_strains, C, strains[1]);
+  if (!pi->num || compare->v) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt i = 0; i < pi->num_dofs; ++i) u[i] = PetscRealPart(compare->u[nodes[i / dim] * dim + i % dim]);
+  change = MaterialDilatation(num_strains, strains[1]);
+  sum->error_energy += dx * bulk * PetscSqr(DilatationEvaluate(pi, x, u) - change);
+  sum->size_energy += dx * bulk * PetscSqr(change);
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* sum = the integrals over a piece of cell c, by one rule. */
@@ -94,12 +126,14 @@ static PetscErrorCode Integrate_Private(const Comparison *compare, PetscInt c, c
   const PetscInt    dim = level->dim, body = level->cell_body[c];
   const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]];
   PetscReal         X[MAX_DIM * ELEMENT_MAX_NODES], points[MAX_DIM * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS];
-  PetscReal         xi[MAX_DIM], x[MAX_DIM], phi[ELEMENT_MAX_NODES], grad[MAX_DIM * ELEMENT_MAX_NODES], poisson;
-  PetscReal         C[MAX_STRAINS * MAX_STRAINS], e[MAX_DIM], ge[MAX_DIM * MAX_DIM], v[MAX_DIM], gv[MAX_DIM * MAX_DIM];
+  PetscReal         xi[MAX_DIM], x[MAX_DIM], phi[ELEMENT_MAX_NODES], grad[MAX_DIM * ELEMENT_MAX_NODES];
+  PetscReal         strains[2][MAX_STRAINS], e[MAX_DIM], ge[MAX_DIM * MAX_DIM], v[MAX_DIM], gv[MAX_DIM * MAX_DIM];
   const PetscInt    num_points = ElementQuadrature(type, ErrorDegree_Private(type), points, w);
   const CellPoint   at         = {type, X, xi, grad, piece->size};
+  Dilatation        pi;
 
   PetscFunctionBeginUser;
+  PetscCall(ElasticityDilatation(compare->scene, level, c, &compare->stiffness[type], &pi));
   *sum = (ErrorSquares){0, 0, 0, 0};
   for (PetscInt a = 0; a < ElementNumNodes(type); ++a)
     PetscCall(PetscArraycpy(&X[a * dim], &level->coords[nodes[a] * dim], dim));
@@ -109,7 +143,6 @@ static PetscErrorCode Integrate_Private(const Comparison *compare, PetscInt c, c
     ElementPiecePoint(type, piece, &points[q * dim], xi);
     dx = piece->measure * w[q] * ElementMap(type, X, xi, x, phi, grad);
     dx *= SceneMeasure(compare->scene, x);
-    PetscCall(ElasticityHooke(compare->scene, body, x, C, &poisson));
     Interpolate_Private(level, c, compare->u, phi, grad, e, ge);
     if (compare->v)
       Interpolate_Private(level, c, compare->v, phi, grad, v, gv);
@@ -121,8 +154,9 @@ static PetscErrorCode Integrate_Private(const Comparison *compare, PetscInt c, c
       sum->size_l2 += dx * PetscSqr(v[i]);
     }
     for (PetscInt j = 0; j < dim * dim; ++j) ge[j] -= gv[j];
-    sum->error_energy += dx * EnergyDensity_Private(compare->scene, C, x, e, ge);
-    sum->size_energy += dx * EnergyDensity_Private(compare->scene, C, x, v, gv);
+    Strain_Private(compare->scene, x, e, ge, strains[0]);
+    Strain_Private(compare->scene, x, v, gv, strains[1]);
+    PetscCall(AddEnergy_Private(compare, c, &pi, x, strains, dx, sum));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -219,7 +253,9 @@ PetscErrorCode CellErrorsIntegrate(Scene scene, Level *level, Vec u, Vec v, Erro
     PetscCall(VecGhostGetLocalForm(v, &local_v));
     PetscCall(VecGetArrayRead(local_v, &compare.v));
   }
+  PetscCall(ElasticityRulesCreate(scene, &compare.stiffness));
   PetscCall(AddCells_Private(&compare, squares));
+  PetscCall(PetscFree(compare.stiffness));
   if (v) {
     PetscCall(VecRestoreArrayRead(local_v, &compare.v));
     PetscCall(VecGhostRestoreLocalForm(v, &local_v));

@@ -14,13 +14,15 @@ enum { STRESSES = 6, MAX_STRAINS = 6, MAX_DIM = 3 };
 
 /* Where the stress of one type of cell is taken, and how it is continued to its nodes. */
 typedef struct {
+  const ElementRule *stiffness; /* borrowed */
+
   ElementRule rule;
   PetscReal   spread[ELEMENT_MAX_NODES * ELEMENT_MAX_NODES]; /* [num_nodes][rule.num] */
 } Recovery;
 
 /* The points are the vertices, drawn towards the middle until they lie on the Gauss points of degree 2 (3 in quads). The
    functions of the linear cell, drawn in likewise, are 1 at one of them and 0 at the others. */
-static void RecoverySet_Private(ElementType type, Recovery *recovery)
+static void RecoverySet_Private(ElementType type, const ElementRule *stiffness, Recovery *recovery)
 {
   const ElementType linear = ElementLinear(type);
   const PetscInt    dim = ElementDim(type), nn = ElementNumNodes(type), nv = ElementNumNodes(linear);
@@ -29,8 +31,9 @@ static void RecoverySet_Private(ElementType type, Recovery *recovery)
   PetscReal         middle[MAX_DIM], xi[MAX_DIM], measure;
 
   ElementQuadrature(linear, 1, middle, &measure);
-  rule->type = type;
-  rule->num  = ElementOrder(type) == 1 ? 1 : nv;
+  recovery->stiffness = stiffness;
+  rule->type          = type;
+  rule->num           = ElementOrder(type) == 1 ? 1 : nv;
   for (PetscInt q = 0; q < rule->num; ++q) {
     for (PetscInt k = 0; k < dim; ++k)
       xi[k] = rule->num == 1 ? middle[k] : middle[k] + shrink * (ElementNode(linear, q)[k] - middle[k]);
@@ -46,10 +49,11 @@ static void RecoverySet_Private(ElementType type, Recovery *recovery)
   }
 }
 
-/* What is known at the nodes of one cell, [num_nodes][dim] each. */
+/* What is known of one cell; at its nodes [num_nodes][dim] each. */
 typedef struct {
-  PetscInt  body;
-  PetscReal X[ELEMENT_MAX_NODES * MAX_DIM], u[ELEMENT_MAX_NODES * MAX_DIM];
+  PetscInt   body;
+  PetscReal  X[ELEMENT_MAX_NODES * MAX_DIM], u[ELEMENT_MAX_NODES * MAX_DIM];
+  Dilatation pi;
 } Cell;
 
 /* sigma at point q of a cell. [out] det - det J there */
@@ -59,7 +63,7 @@ static PetscErrorCode PointStress_Private(Scene scene, const Cell *cell, const E
   const PetscInt  dim = scene->dim, n = ElementNumNodes(rule->type), num_strains = MaterialNumStrains(scene->model);
   const PetscBool ring = (PetscBool)(scene->model == MODEL_AXISYMMETRIC);
   PetscReal       grad[ELEMENT_MAX_NODES * MAX_DIM], B[MAX_STRAINS * ELEMENT_MAX_NODES * MAX_DIM], x[MAX_DIM];
-  PetscReal       hoop[ELEMENT_MAX_NODES], C[MAX_STRAINS * MAX_STRAINS], strain[MAX_STRAINS], poisson;
+  PetscReal       hoop[ELEMENT_MAX_NODES], C[MAX_STRAINS * MAX_STRAINS], strain[MAX_STRAINS], poisson, change;
 
   PetscFunctionBeginUser;
   *det = ElementRuleMap(rule, q, cell->X, x, grad);
@@ -71,6 +75,10 @@ static PetscErrorCode PointStress_Private(Scene scene, const Cell *cell, const E
   }
   PetscCall(ElasticityHooke(scene, cell->body, x, C, &poisson));
   MaterialStress(scene->model, C, poisson, strain, stress);
+  if (!cell->pi.num) PetscFunctionReturn(PETSC_SUCCESS);
+  change = DilatationEvaluate(&cell->pi, x, cell->u) - MaterialDilatation(num_strains, strain);
+  change *= MaterialTakeBulk(num_strains, C);
+  for (PetscInt k = 0; k < 3; ++k) stress[k] += change; /* sigma = C eps + bulk (theta - div u) 1 */
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -91,6 +99,7 @@ static PetscErrorCode AddCell_Private(Scene scene, const Level *level, PetscInt 
       cell.u[i * dim + k] = u[nodes[i] * dim + k];
     }
   }
+  PetscCall(ElasticityDilatation(scene, level, c, recovery->stiffness, &cell.pi));
   for (PetscInt q = 0; q < num; ++q) {
     PetscReal det;
 
@@ -115,10 +124,12 @@ static PetscErrorCode AddCells_Private(Scene scene, const Level *level, Vec u, V
   const PetscReal *displacement;
   PetscReal       *sums, *volumes;
   Recovery        *recoveries;
+  ElementRule     *rules;
 
   PetscFunctionBeginUser;
+  PetscCall(ElasticityRulesCreate(scene, &rules));
   PetscCall(PetscMalloc1(ELEMENT_COUNT, &recoveries));
-  for (PetscInt t = 0; t < ELEMENT_COUNT; ++t) RecoverySet_Private((ElementType)t, &recoveries[t]);
+  for (PetscInt t = 0; t < ELEMENT_COUNT; ++t) RecoverySet_Private((ElementType)t, &rules[t], &recoveries[t]);
   PetscCall(VecGhostGetLocalForm(u, &local[0]));
   PetscCall(VecGhostGetLocalForm(stress, &local[1]));
   PetscCall(VecGhostGetLocalForm(volume, &local[2]));
@@ -135,6 +146,7 @@ static PetscErrorCode AddCells_Private(Scene scene, const Level *level, Vec u, V
   PetscCall(VecGhostRestoreLocalForm(stress, &local[1]));
   PetscCall(VecGhostRestoreLocalForm(u, &local[0]));
   PetscCall(PetscFree(recoveries));
+  PetscCall(PetscFree(rules));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -1,6 +1,7 @@
 /* view.c -- the rest of -scene_view: what the meshes made of the scene, and what was left out of it, and why. */
 #include <mortise/summary.h>
 #include <mortise/compat.h>
+#include <mortise/elasticity.h>
 #include "bodies.h"
 #include "verdict.h"
 
@@ -37,6 +38,29 @@ static PetscErrorCode ViewBodies_Private(VI vi)
         scene->comm, "    body %s: %" PetscInt_FMT " cells, %" PetscInt_FMT " nodes%s%s\n", scene->bodies[b].name,
         counts[b].cells, counts[b].nodes, pieces,
         vi->motions.floating[b] ? "; floating: its supports leave it free to move, contact has to hold it" : ""));
+  }
+  PetscCall(PetscFree(counts));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* How bodies take their changes of volume, and why. */
+static PetscErrorCode ViewVolume_Private(VI vi)
+{
+  static const char *const words[DILATATION_LOCKS] = {[DILATATION_MEAN] = "mean", [DILATATION_LINEAR] = "linear"};
+  const Scene              scene                   = vi->scene;
+  DilatationCount         *counts;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(scene->num_bodies, &counts));
+  PetscCall(ElasticityDilatationCount(scene, vi->level, counts));
+  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+    for (PetscInt kind = DILATATION_MEAN; kind < DILATATION_LOCKS; ++kind) {
+      if (!counts[b].cells[kind]) continue;
+      PetscCall(PetscPrintf(scene->comm,
+                            "    body %s: %s dilatation in each of %" PetscInt_FMT
+                            " cells: at a Poisson's ratio of %g they would lock if volume counted at every point\n",
+                            scene->bodies[b].name, words[kind], counts[b].cells[kind], (double)counts[b].poisson));
+    }
   }
   PetscCall(PetscFree(counts));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -136,6 +160,7 @@ PetscErrorCode ModelView(VI vi)
 
   PetscFunctionBeginUser;
   PetscCall(ViewBodies_Private(vi));
+  PetscCall(ViewVolume_Private(vi));
   for (PetscInt p = 0; p < vi->num_pairs; ++p) PetscCall(ViewPair_Private(vi, vi->pairs[p]));
   PetscCall(SceneViewLeftOut(scene));
   PetscCall(ViewStraight_Private(vi));

@@ -103,8 +103,8 @@ static PetscErrorCode BodyReadMesh_Private(Scene scene, SceneBody *body)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Checks E and nu where they are plain numbers. Above nu = 1/2 a body would grow under pressure. At nu = 1/2 it keeps
-   its volume: plane stress can still show that by its thickness, but in plane strain displacements alone cannot carry
+/* Checks E and nu where they are plain numbers. Above nu = 1/2 a body would grow under pressure. Near nu = 1/2 it keeps
+   its volume: plane stress can still show that by its thickness, but in other models displacements alone cannot tell
    the pressure. */
 static PetscErrorCode BodyCheckIsotropic_Private(Scene scene, const SceneBody *body, const Option *young,
                                                  const Option *poisson)
@@ -119,11 +119,12 @@ static PetscErrorCode BodyCheckIsotropic_Private(Scene scene, const SceneBody *b
   }
   if (ExpressionIsConstant(body->poisson)) {
     PetscCall(ExpressionEvaluate(body->poisson, scene->dim, origin, &nu));
-    if (nu == 0.5 && scene->model != MODEL_PLANE_STRESS) {
+    if (nu >= MATERIAL_POISSON_END && nu <= 0.5 && scene->model != MODEL_PLANE_STRESS) {
       PetscCall(OptionRaise(
           poisson,
-          "an incompressible body would need a mixed method, which this program does not have; Poisson's ratio must be "
-          "above -1 and below 0.5"));
+          "a body that keeps its volume would need a mixed method, which this program does not have; Poisson's ratio "
+          "must be above -1 and below %.7g",
+          MATERIAL_POISSON_END));
     }
     if (!(nu > -1 && nu <= 0.5)) PetscCall(OptionRaise(poisson, "Poisson's ratio must be above -1 and below 0.5"));
   }

@@ -115,7 +115,16 @@ mistake(young_zero          SAYS "-upper_young 0" "above 0" ARGS -upper_young 0)
 mistake(young_negative      SAYS "-upper_young -8e9" "above 0" ARGS -upper_young -8e9)
 mistake(young_text          SAYS -upper_young steel numbers ARGS -upper_young steel)
 mistake(young_varying       SAYS upper ARGS -upper_young "8e9*(x-0.5)")
-mistake(poisson_half        SAYS "-upper_poisson 0.5" "mixed method" "below 0.5" ARGS -upper_poisson 0.5)
+mistake(poisson_half        SAYS "-upper_poisson 0.5" "mixed method" "below 0.4999995" ARGS -upper_poisson 0.5)
+mistake(poisson_near_half   SAYS "-upper_poisson 0.4999995" "mixed method" "below 0.4999995" ARGS -upper_poisson 0.4999995)
+mistake(poisson_varying     SAYS upper "nu < 0.4999995" ARGS -upper_poisson "0.4999996+0*x")
+mistake(lock_triangles      SAYS "-upper_poisson 0.46" "triangles of order 1" 0.45 quadrilaterals "-upper_order 2"
+  ARGS -upper_poisson 0.46 -upper_dm_plex_simplex 1)
+mistake(lock_varying        SAYS "-upper_poisson 0.3+0.19*x" "triangles of order 1" 0.45 ARGS -upper_poisson "0.3+0.19*x" -upper_dm_plex_simplex 1)
+mistake(lock_tetrahedra     SCENE solid SAYS "-block_poisson 0.48" "tetrahedra of order 1" 0.45 hexahedra "-block_order 2"
+  ARGS -block_poisson 0.48 -block_dm_plex_simplex 1)
+mistake(lock_tetrahedra_2   SCENE solid SAYS "-block_poisson 0.499" "tetrahedra of order 2" 0.49 hexahedra
+  ARGS -block_poisson 0.499 -block_dm_plex_simplex 1 -order 2)
 mistake(poisson_beyond      SAYS "-upper_poisson 3" "below 0.5" ARGS -upper_poisson 3)
 mistake(stiffness_both      SAYS "-upper_young 8e9" -upper_stiffness ARGS -upper_stiffness 3,1,0,3,0,1)
 mistake(stiffness_count     SAYS -third_stiffness "6 wanted" ARGS -bodies upper,lower,third -third_dm_plex_box_faces 1,1 -third_stiffness 3,1,3,1)

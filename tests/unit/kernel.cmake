@@ -2,6 +2,7 @@
 mortise_unit(element ROOMS kernel)
 mortise_unit(piece ROOMS kernel)
 mortise_unit(stiffness ROOMS kernel)
+mortise_unit(dilatation ROOMS kernel)
 mortise_unit(solid ROOMS kernel)
 mortise_unit(material ROOMS kernel)
 mortise_unit(dense ROOMS kernel)
