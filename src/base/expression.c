@@ -58,16 +58,34 @@ static PetscBool ReadNumber_Private(const char text[], PetscReal *number)
   return !*end ? PETSC_TRUE : PETSC_FALSE;
 }
 
-/* muParser's complaint in words that go on with our sentence. Its getters share one buffer: each is used up before the next. */
-static void DescribeError_Private(muParserHandle_t parser, char words[], size_t len)
+/* The same for a formula that is too long to ask muParser for words. */
+static void DescribeLong_Private(muParserHandle_t parser, const char formula[], char words[], size_t len)
 {
-  enum { UNKNOWN_NAME = 1 }; // ecUNASSIGNABLE_TOKEN of muParser's C++ header
+  enum { TOO_LONG = 37, SHOWN = 40 }; // ecEXPRESSION_TOO_LONG of muParser's C++ header
+  const size_t length = strlen(formula);
+  const int    place  = mupGetErrorPos(parser);
+
+  if (mupGetErrorCode(parser) == TOO_LONG)
+    snprintf(words, len, "a formula of %zu letters is longer than muParser takes, 20000", length);
+  else if (place < 0 || (size_t)place >= length)
+    snprintf(words, len, "something is missing at its end");
+  else
+    snprintf(words, len, "it cannot be read from letter %d on, '%.*s...'", place + 1, SHOWN, formula + place);
+}
+
+/* muParser's complaint in words that go on with our sentence. Its getters share one buffer: each is used up before the next.
+   They write what they quote of the formula into it without a look at its end. */
+static void DescribeError_Private(muParserHandle_t parser, const char formula[], char words[], size_t len)
+{
+  enum { UNKNOWN_NAME = 1, SAFE = 1024 }; // ecUNASSIGNABLE_TOKEN of muParser's C++ header; half of its buffer
   static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
   const char       *text, *nearest;
   char              name[64];
   int               length;
 
-  if (mupGetErrorCode(parser) == UNKNOWN_NAME) {
+  if (strlen(formula) > SAFE) {
+    DescribeLong_Private(parser, formula, words, len);
+  } else if (mupGetErrorCode(parser) == UNKNOWN_NAME) {
     text = mupGetErrorToken(parser); // the rest of the formula
     snprintf(name, sizeof(name), "%.*s", (int)PetscMax(1, strspn(text, letters)), text);
     nearest = FaultNearest(name, PETSC_STATIC_ARRAY_LENGTH(known_names), known_names);
@@ -97,15 +115,20 @@ static PetscBool HasAssignment_Private(const char text[])
 static void CompileFormula_Private(Expression e, const char text[], Component *component, char complaint[], size_t len)
 {
   muParserHandle_t parser = mupCreate(muBASETYPE_FLOAT);
+  PetscBool        failed;
 
   component->parser = parser;
   mupDefineConst(parser, "pi", PETSC_PI);
   for (size_t v = 0; v < PETSC_STATIC_ARRAY_LENGTH(variable_names); ++v)
     mupDefineVar(parser, variable_names[v], &e->x[v % 3]);
   mupSetExpr(parser, text);
-  component->number = mupEval(parser); // the byte code is made at the first evaluation
-  if (mupError(parser))
-    DescribeError_Private(parser, complaint, len);
+  failed = mupError(parser) ? PETSC_TRUE : PETSC_FALSE; // asking takes the answer away
+  if (!failed) {
+    component->number = mupEval(parser); // the byte code is made at the first evaluation
+    failed            = mupError(parser) ? PETSC_TRUE : PETSC_FALSE;
+  }
+  if (failed)
+    DescribeError_Private(parser, text, complaint, len);
   else if (HasAssignment_Private(text))
     snprintf(complaint, len, "'=' cannot be used, equality is '=='");
   else if (!mupGetExprVarNum(parser)) {

@@ -138,18 +138,30 @@ static void TestFaults(void)
   CheckFault("x)", 1, "parenthesis");
 }
 
-/* What is wrong with a formula is told, however long it is. */
+/* What is wrong with a formula is told, however long it is: muParser itself would write it beyond the end of a buffer. */
 static void TestLong(void)
 {
-  enum { LENGTH = 20000 };
-  char       text[LENGTH + 1];
+  enum { MOST = 19999 };
+  static const struct {
+    int         length;
+    const char *end, *words;
+  } cases[] = {
+      {MOST + 2, "x", "longer than muParser takes"}, {MOST, "+", "missing at its end"}, {3000, "+q", "'q...'"}};
+  char       text[MOST + 8];
   Expression e;
 
-  for (int i = 0; i < LENGTH; ++i) text[i] = i % 2 ? '+' : 'x';
-  text[LENGTH] = '\0';
-  CHECK(ExpressionCreate(PETSC_COMM_WORLD, "-datum", text, 1, PETSC_FALSE, &e) == MORTISE_ERR_FAULT);
-  CHECK(strstr(FaultSentence(), "-datum \"x+x") && strstr(FaultSentence(), "...\": "));
-  CHECK(strstr(FaultSentence(), "accepted are numbers"));
+  for (size_t c = 0; c < sizeof(cases) / sizeof(*cases); ++c) {
+    const int length = cases[c].length - (int)strlen(cases[c].end);
+
+    for (int i = 0; i < length; ++i) text[i] = i % 2 ? '+' : 'x';
+    if (text[length - 1] == '+') text[length - 1] = ' ';
+    strcpy(text + length, cases[c].end);
+    CHECK(ExpressionCreate(PETSC_COMM_WORLD, "-datum", text, 1, PETSC_FALSE, &e) == MORTISE_ERR_FAULT);
+    CHECK(strstr(FaultSentence(), "-datum \"x+x") && strstr(FaultSentence(), "...\": "));
+    if (!strstr(FaultSentence(), cases[c].words))
+      fprintf(stderr, "'%s' does not say '%s'\n", FaultSentence(), cases[c].words);
+    CHECK(strstr(FaultSentence(), cases[c].words) && strstr(FaultSentence(), "accepted are numbers"));
+  }
 }
 
 /* One bad point on one rank is a fault on all, once. */
