@@ -1,0 +1,1 @@
+from safeguard import judge  # noqa: F401  pylint: disable=unused-import
