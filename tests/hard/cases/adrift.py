@@ -1,0 +1,13 @@
+"""Three motions of both, and sliding."""
+from judge import near
+
+def judge_uniform(run, pairs, pressure=1, accuracy=1e-10):
+    for name in pairs:
+        table = run.table(name)
+        found = [p for p, status in zip(table["pressure"], table["status"]) if status != -1]
+        near(f"pressure of {name}", found, [pressure] * len(found), relative=accuracy)
+
+
+def judge(run):
+    judge_uniform(run, ["joint"], accuracy=1e-9)
+    near("free motions", len(run.summary["solvability"]["free_motions"]), 4)

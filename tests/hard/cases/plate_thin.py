@@ -1,0 +1,15 @@
+"""Stress is that of the sheet, forces and energy are for its thickness."""
+from judge import near
+
+def judge_uniform(run, pairs, pressure=1, accuracy=1e-10):
+    for name in pairs:
+        table = run.table(name)
+        found = [p for p, status in zip(table["pressure"], table["status"]) if status != -1]
+        near(f"pressure of {name}", found, [pressure] * len(found), relative=accuracy)
+
+
+def judge(run):
+    for solved in (run, run.again("-order", "2", name="quadratic")):
+        judge_uniform(solved, ["joint"])
+        near("force", solved.pair("joint")["force"], [0, 1e-6], absolute=1e-16)
+        near("potential", solved.summary["energy"]["potential"], -0.5e-6 * (1e-3 + 1e-6), relative=1e-10)
