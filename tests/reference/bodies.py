@@ -211,12 +211,38 @@ class Body:
         return face[::-1] if face.ndim == 1 else face.T
 
     def set_material(self):
+        self.pressures = np.zeros((0, self.dim))
         model = self.options.get("model", "plane_strain")
         if f"{self.name}_stiffness" in self.options:
             self.hooke, self.zz = anisotropic(numbers(self.asked("stiffness")), numbers(self.asked("material_angle", "0"))), None
         else:
             young, poisson = float(self.asked("young")), float(self.asked("poisson"))
             self.hooke, self.zz = isotropic(young, poisson, model), poisson if model == "plane_strain" else 0.0
+            self.set_volume(young / 3 / (1 - 2 * poisson), poisson, model)
+
+    def set_volume(self, bulk, poisson, model):
+        """Where cells would lock: pressures of the cell, powers of x, and Hooke's tensor of a body that has no bulk modulus."""
+        if model == "plane_stress" or poisson <= (0.45, 0.49)[self.order - 1]:
+            return
+        if is_simplex(self.kind) and (self.order, self.dim) != (2, 2):
+            raise ValueError("these cells lock")
+        one = np.eye(self.dim)
+        linear = self.order == 2 and not is_simplex(self.kind)
+        self.bulk, self.hooke, self.zz = bulk, self.hooke - bulk * np.einsum("ij,kl->ijkl", one, one), -1.0  # what is left has no trace
+        self.pressures = np.vstack([0 * one[:1], one]) if linear else 0 * one[:1]
+
+    def functions(self, cell, phi):
+        """The pressures q of a cell at a point."""
+        return np.prod((phi @ self.points[cell] - self.points[cell].mean(axis=0)) ** self.pressures, axis=1)
+
+    def volume(self, cell):
+        """int q q' and int q div of a cell."""
+        mass, divergence = 0.0, 0.0
+        for at, weight in self.rule:
+            phi, grad, det = self.gradients(cell, at)
+            q = self.functions(cell, phi)
+            mass, divergence = mass + weight * det * np.outer(q, q), divergence + weight * det * np.outer(q, grad.ravel())
+        return mass, divergence
 
     def gradients(self, cell, at):
         """Shape functions, their gradients [n][dim] and det J at a point of the reference cell."""

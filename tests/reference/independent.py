@@ -83,6 +83,9 @@ class Scene:
                 part = np.einsum("aj,ijkl,bl->aibk", grad, body.hooke, grad, optimize=True).reshape(len(dofs), -1)
                 self.K[np.ix_(dofs, dofs)] += self.thickness * weight * det * part
                 self.f[dofs] += self.thickness * weight * det * np.outer(phi, evaluate(force, *(phi @ body.points[cell]))).ravel()
+            if len(body.pressures):  # int (div u - p / k) q = 0 gives p, whose work is int p div v
+                mass, divergence = body.volume(cell)
+                self.K[np.ix_(dofs, dofs)] += self.thickness * body.bulk * divergence.T @ np.linalg.solve(mass, divergence)
 
     def add_loads(self, body):
         """int phi t and - int phi q nu over the facets of a side."""

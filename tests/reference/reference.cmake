@@ -5,7 +5,7 @@ foreach(path IN LISTS references)
   get_filename_component(case ${folder} NAME)
   mortise_scene_test(${case} SCENE ${case}/scene CHECK compare.py RANKS 1 3 LABELS regression)
 endforeach()
-foreach(case plates_mixed plates_mixed_21 plates_vertices_2 rings_2) # FIELDS in tables.py
+foreach(case plates_mixed plates_mixed_21 plates_vertices_2 rings_2 rubber rubber_2 rubber_triangles_2) # FIELDS in tables.py
   mortise_scene_test(fields_${case} SCENE ${case}/scene CHECK fields.py RANKS 1 3 LABELS regression)
 endforeach()
 
@@ -16,6 +16,9 @@ endforeach()
 mortise_scene_test(scatter_ranks SCENE plates_quads/scene CHECK scatter.py RANKS 3 LABELS regression ARGS -title "Random scenes from 48")
 mortise_scene_test(scatter_space SCENE plates_quads/scene CHECK scatter_space.py RANKS 1 LABELS regression ARGS -title "Random scenes from 0")
 mortise_scene_test(scatter_space_ranks SCENE plates_quads/scene CHECK scatter_space.py RANKS 3 LABELS regression ARGS -title "Random scenes from 40")
+
+# Random scenes of nearly incompressible bodies.
+mortise_scene_test(scatter_rubber SCENE plates_quads/scene CHECK scatter_rubber.py RANKS 1 3 LABELS regression ARGS -title "Random scenes from 0")
 
 # The tables are what independent.py computes from the scenes.
 add_test(NAME reference.origin COMMAND ${MORTISE_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/independent.py --check)

@@ -8,7 +8,7 @@ import numpy as np
 import independent
 from bodies import CORNERS, SHAPES, Shape
 
-FIELDS = ("plates_mixed", "plates_mixed_21", "plates_vertices_2", "rings_2")  # the cases that also have an HDF5 file
+FIELDS = ("plates_mixed", "plates_mixed_21", "plates_vertices_2", "rings_2", "rubber", "rubber_2", "rubber_triangles_2")  # the cases that also have an HDF5 file
 METHOD = """Made by tests/reference/independent.py, not by mortise: dense arrays in Python with numpy, own elements, own integration of
 the contact side, contact set by Murty's least index method on the dual problem, one solution of the saddle point system.
 Scene: scene.opts beside this file. Command: python3 tests/reference/independent.py {case}
@@ -41,9 +41,15 @@ def nodal_stress(scene, solution):
         for cell in body.cells:
             nodes, size = body.first + cell, sum(weight * body.gradients(cell, at)[2] for at, weight in body.rule)
             s = np.zeros((len(places), 3, 3))
+            pressures = []
+            if len(body.pressures):
+                mass, divergence = body.volume(cell)
+                pressures = body.bulk * np.linalg.solve(mass, divergence @ solution.u[nodes].ravel())
             for p, at in enumerate(places):
                 s[p, :2, :2] = np.einsum("ijkl,nk,nl->ij", body.hooke, solution.u[nodes], body.gradients(cell, at)[1])
                 s[p, 2, 2] = body.zz * np.trace(s[p])
+                if len(body.pressures):
+                    s[p] += pressures @ body.functions(cell, body.gradients(cell, at)[0]) * np.eye(3)
             stress[nodes] += size * np.einsum("np,pij->nij", continuation, s)
             area[nodes] += size
     return stress / area[:, None, None]
