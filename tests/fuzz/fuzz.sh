@@ -14,7 +14,12 @@ cmake --build "$folder" -j "$(nproc)" --target "libfuzzer_$target" >/dev/null
 mkdir -p "$folder/$target" "$folder/found"
 case $target in
   msh) cp -n $(find tests options -name '*.msh' -size -32k) "$folder/$target" ;;
-  options) cp -n options/*.opts tests/*/*.opts "$folder/$target" ;;
+  options)
+    cp -n options/*.opts tests/*/*.opts "$folder/$target"
+    grep -oP '^mistake\(\w+ .*ARGS \K.*(?=\)$)' tests/mistakes/mistakes.cmake | while read -r change; do # every known mistake
+      { cat tests/mistakes/boxes.opts && echo "$change"; } >"$folder/$target/mistake_$(echo "$change" | md5sum | cut -c1-8)"
+    done
+    ;;
   expression) grep -ho '"[^"]*"' options/*.opts tests/*/*.opts | tr -d '"' | sort -u | split -l 1 - "$folder/$target/value_" ;;
 esac
 # Words that are put in: the options and, of expressions, all that muParser knows.
