@@ -1,0 +1,11 @@
+"""Plane strain, a = 1, b = 2, pressure q = 1 outside and p inside: u(a) of the hub is that of the shaft,
+(1 + nu) / E ((1 - 2 nu) (p a^2 - q b^2) + (p - q) b^2) / (b^2 - a^2) a  =  -(1 + nu) (1 - 2 nu) / E_s p a."""
+from judge import near
+
+
+def judge(run):
+    nu = 0.4999
+    shaft, hub = (1 + nu) * (1 - 2 * nu) / 1e3, (1 + nu) / 2e3
+    p = hub * ((1 - 2 * nu) * 4 + 4) / 3 / (shaft + hub * ((1 - 2 * nu) + 4) / 3)
+    pressures = run.table("joint")["pressure"]
+    near("pressure", pressures, [p] * len(pressures), relative=1e-4)
