@@ -3,6 +3,7 @@
 #define MORTISE_CERTIFICATE_H
 
 #include <mortise/fields.h>
+#include <mortise/solve.h>
 
 /* All dimensionless; the same on all ranks. NAN where the answer holds numbers that are not finite. */
 typedef struct {
@@ -13,12 +14,19 @@ typedef struct {
   PetscReal force,
       moment;            /* balance of loads, reactions and obstacles of the whole scene, over the sum of their sizes */
   PetscReal pair_moment; /* part of moment that contact forces between two meshes leave on curved sides with a gap */
-  PetscReal limit;       /* what none of those above but pair_moment may exceed */
+  PetscReal pull;        /* sum of contact forces (pressure times the row's weight) that pull, over the sum of all */
+  PetscInt  weightless;  /* rows of contact that weigh nothing or less: there must be none */
+  PetscReal
+      energy_norm; /* |u|_K = (u'Ku)^(1/2), in the user's units: what the bound of the error is compared with; no test */
+  PetscReal limit; /* what none of those above but pair_moment may exceed */
   PetscBool holds;
   char      failure[256]; /* which test failed, by how much, what to try; "" where it holds */
 } Certificate;
 
 /* Collective. [out] reactions - ghosted Vec of dim per node: what the supports exert, owned by the caller */
 PetscErrorCode CertificateCompute(Fields fields, Certificate *certificate, Vec *reactions);
+
+/* The bound of the error over |u|_K: NAN where one of them is not known, or there is no energy. Not collective. */
+PetscReal CertificateRelativeBound(const Certificate *certificate, const EnergyBound *bound);
 
 #endif

@@ -7,17 +7,24 @@
 
 enum { SOLVE_MAX_HISTORY = 512 };
 
+/* |u - u*|_K of a displacement u is not larger, in the user's units (root of work); u* solves the inequality (T31). */
+typedef struct {
+  PetscReal value;     /* NAN where it is not known */
+  PetscBool estimated; /* by Ritz values of an iterative solver, instead of a factorisation */
+} EnergyBound;
+
 /* How one solve went; the same on all ranks. */
 typedef struct {
-  char      type[64];    /* SNES type */
-  char      linear[128]; /* what solved the linear systems, in words */
-  PetscBool converged;
-  char      reason[256]; /* why not, as a sentence; "" when converged */
-  PetscInt  iterations, active, linear_iterations;
-  PetscInt  num_changed, changed[SOLVE_MAX_HISTORY]; /* per iteration; num_changed = 0 for types that do not tell */
-  PetscBool safeguarded;
-  PetscReal linear_residual; /* relative, of the last system */
-  PetscInt  sweeps;          /* solutions with springs that hold bodies (T27); 1 without */
+  char        type[64];    /* SNES type */
+  char        linear[128]; /* what solved the linear systems, in words */
+  PetscBool   converged;
+  char        reason[256]; /* why not, as a sentence; "" when converged */
+  PetscInt    iterations, active, linear_iterations;
+  PetscInt    num_changed, changed[SOLVE_MAX_HISTORY]; /* per iteration; num_changed = 0 for types that do not tell */
+  PetscBool   safeguarded;
+  PetscReal   linear_residual; /* relative, of the last system */
+  PetscInt    sweeps;          /* solutions with springs that hold bodies (T27); 1 without */
+  EnergyBound bound;
 } SolveReport;
 
 /* Comparison of two solutions of the same VI. */
@@ -33,6 +40,9 @@ typedef struct {
    [in] guess - displacement to begin with (ghosted, dim per node), which changes the work and not the answer; or NULL
    [out] y - created by the caller in the layout of vi->b */
 PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report);
+/* How far any y, converged or not, feasible or not, can be from the solution; for the price of one factorisation or linear solve.
+   VISolve() has it of its own y for a substitution. Collective. */
+PetscErrorCode VIEnergyBound(VI vi, Vec y, EnergyBound *bound);
 /* Solves by the other of pdas and vinewtonrsls and compares. Collective. */
 PetscErrorCode VICrossCheck(VI vi, Vec y, const SolveReport *report, CrossCheck *check);
 /* Prints what was chosen for the linear systems and why (part of -scene_view). Collective. */

@@ -31,6 +31,10 @@ enum {
   SUM_COMPLEMENTARITY_ROUNDOFF,
   SUM_WORK,
   SUM_WORK_ROUNDOFF,
+  SUM_ENERGY, /* u.Ku */
+  SUM_PULL,   /* contact forces that pull; all of them, with their roundoff over the tolerance */
+  SUM_PRESS,
+  SUM_WEIGHTLESS,                      /* rows */
   SUM_FORCE,                           /* resultant [3] */
   SUM_MOMENT     = SUM_FORCE + 3,      /* moment about the centre [3] */
   SUM_PAIRMOMENT = SUM_MOMENT + 3,     /* of contact forces between meshes [3] */
@@ -167,6 +171,7 @@ static void AddNode_Private(ModelKind model, const PetscReal x[], const PetscRea
     mesh[k]  = F[2][k] - F[3][k];
     if (k > 0 || !ring) sums[SUM_FORCE + k] += outer[k];
     work += PetscAbsReal((F[0][k] + F[5][k]) * u[k]) + PetscAbsReal(F[1][k] * u[k]);
+    sums[SUM_ENERGY] += F[1][k] * u[k];
   }
   if (!ring) {
     AddMoment_Private(dim, x, outer, &sums[SUM_MOMENT]);
@@ -236,6 +241,16 @@ static PetscErrorCode JudgeNodes_Private(Fields fields, Vec reactions, PetscReal
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The force of a row of contact: a pressure on a weight below zero pulls. */
+static void AddForce_Private(Fields fields, PetscInt r, PetscReal lambda, PetscReal sums[])
+{
+  const PetscReal weight = fields->row_weight[r], force = lambda * weight;
+
+  sums[SUM_PULL] += PetscMax(-force, 0.0);
+  sums[SUM_PRESS] += PetscAbsReal(force) + fields->row_noise[r] * PetscAbsReal(weight) / TOLERANCE;
+  sums[SUM_WEIGHTLESS] += fields->vi->row_D[r] > 0 && weight > 0 ? 0 : 1;
+}
+
 /* Rows: penetration, tension, complementarity. Tied rows must vanish, whatever their multiplier is. */
 static PetscErrorCode JudgeRows_Private(Fields fields, PetscReal sums[], PetscReal largest[])
 {
@@ -250,6 +265,7 @@ static PetscErrorCode JudgeRows_Private(Fields fields, PetscReal sums[], PetscRe
       largest[MAX_GAP] = PetscMax(largest[MAX_GAP], PetscAbsReal(slack[r]));
       continue;
     }
+    AddForce_Private(fields, r, lambda[r], sums);
     largest[MAX_GAP] = PetscMax(largest[MAX_GAP], -slack[r]);
     /* Per row, because the roundoff of a row with little coverage is larger. */
     largest[MAX_PRESSURE] =
@@ -272,6 +288,9 @@ static void Judge_Private(Fields fields, const PetscReal sums[], const PetscReal
   c->equilibrium     = Ratio_Private(PetscSqrtReal(sums[SUM_FREE]), size, PetscSqrtReal(sums[SUM_ROUNDOFF]));
   c->gap             = Ratio_Private(largest[MAX_GAP], fields->u_ref, 0.0);
   c->pressure        = largest[MAX_PRESSURE];
+  c->pull            = Ratio_Private(sums[SUM_PULL], sums[SUM_PRESS], 0.0);
+  c->weightless      = (PetscInt)sums[SUM_WEIGHTLESS];
+  c->energy_norm     = PetscSqrtReal(PetscMax(sums[SUM_ENERGY], 0.0));
   c->complementarity = Ratio_Private(sums[SUM_COMPLEMENTARITY], sums[SUM_WORK],
                                      sums[SUM_WORK_ROUNDOFF] + sums[SUM_COMPLEMENTARITY_ROUNDOFF]);
   for (PetscInt k = 0; k < 3; ++k) rest[k] = sums[SUM_MOMENT + k] - sums[SUM_PAIRMOMENT + k];
@@ -284,6 +303,7 @@ static void Judge_Private(Fields fields, const PetscReal sums[], const PetscReal
 static PetscErrorCode Verdict_Private(Certificate *c)
 {
   static const char solver[] = "tighten -ksp_rtol, or leave -ksp_type and -pc_type to their defaults";
+  static const char mesh[]   = "look at the cells of that side, or turn -<pair>_nonmortar and -<pair>_mortar round";
   static const char set[]    = "raise -snes_max_it, tighten -ksp_rtol, or see what -cross_check says";
   const struct {
     const char *name;
@@ -294,6 +314,7 @@ static PetscErrorCode Verdict_Private(Certificate *c)
       {"penetration, or distance from given displacements,", c->gap, set},
       {"tension in a contact", c->pressure, set},
       {"complementarity of pressure and gap", c->complementarity, set},
+      {"the part of the contact forces that pulls", c->pull, mesh},
       {"balance of forces", c->force, solver},
       {"balance of moments", c->moment, solver},
   };
@@ -308,6 +329,14 @@ static PetscErrorCode Verdict_Private(Certificate *c)
     PetscCall(PetscSNPrintf(c->failure, sizeof(c->failure),
                             "the certificate fails: %s is off by %.2g, allowed %.0e; %s", tests[i].name,
                             (double)tests[i].value, (double)TOLERANCE, tests[i].advice));
+  }
+  if (c->weightless && c->holds) {
+    c->holds = PETSC_FALSE;
+    PetscCall(PetscSNPrintf(c->failure, sizeof(c->failure),
+                            "the certificate fails: %" PetscInt_FMT
+                            " nodes in a contact weigh nothing or less, so that "
+                            "their pressure tells no force; %s",
+                            c->weightless, mesh));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -325,7 +354,17 @@ PetscErrorCode CertificateCompute(Fields fields, Certificate *certificate, Vec *
   if (PetscIsInfOrNanReal(size[0]) || PetscIsInfOrNanReal(size[1])) {
     /* A maximum would lose a NAN on its way. */
     PetscCall(VecSet(*reactions, NAN));
-    *certificate = (Certificate){NAN, NAN, NAN, NAN, NAN, NAN, NAN, TOLERANCE, PETSC_FALSE, ""};
+    *certificate = (Certificate){.equilibrium     = NAN,
+                                 .gap             = NAN,
+                                 .pressure        = NAN,
+                                 .complementarity = NAN,
+                                 .force           = NAN,
+                                 .moment          = NAN,
+                                 .pair_moment     = NAN,
+                                 .pull            = NAN,
+                                 .energy_norm     = NAN,
+                                 .limit           = TOLERANCE,
+                                 .holds           = PETSC_FALSE};
     PetscCall(PetscSNPrintf(certificate->failure, sizeof(certificate->failure),
                             "the solution holds numbers that are not finite; the linear systems may be singular: "
                             "look for a body that nothing holds, or try -pc_type lu"));
@@ -338,4 +377,9 @@ PetscErrorCode CertificateCompute(Fields fields, Certificate *certificate, Vec *
   Judge_Private(fields, sums, largest, certificate);
   PetscCall(Verdict_Private(certificate));
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscReal CertificateRelativeBound(const Certificate *certificate, const EnergyBound *bound)
+{
+  return certificate->energy_norm > 0 ? bound->value / certificate->energy_norm : NAN;
 }

@@ -118,6 +118,21 @@ static void AddCrossCheck_Private(const CrossCheck *check, cJSON *solver)
   JSONAddReal(object, "displacement_difference", check->displacement_difference);
 }
 
+/* Bound of the algebraic error: absolute, and relative to the displacement. */
+static void AddBound_Private(const SummaryInput *in, cJSON *solver)
+{
+  const EnergyBound *bound  = &in->report->bound;
+  const PetscBool    known  = (PetscBool)!PetscIsInfOrNanReal(bound->value);
+  cJSON             *object = cJSON_AddObjectToObject(solver, "energy_bound");
+
+  JSONAddReal(object, "absolute", bound->value);
+  JSONAddReal(object, "relative", CertificateRelativeBound(in->certificate, bound));
+  if (known)
+    cJSON_AddStringToObject(object, "kind", bound->estimated ? "estimated" : "exact");
+  else
+    cJSON_AddNullToObject(object, "kind");
+}
+
 static void AddSolver_Private(const SummaryInput *in, cJSON *root)
 {
   const SolveReport *report = in->report;
@@ -148,10 +163,12 @@ static void AddSolver_Private(const SummaryInput *in, cJSON *root)
   JSONAddReal(object, "gap", c->gap);
   JSONAddReal(object, "pressure", c->pressure);
   JSONAddReal(object, "complementarity", c->complementarity);
+  JSONAddReal(object, "pull", c->pull);
   object = cJSON_AddObjectToObject(solver, "balance");
   JSONAddReal(object, "force", c->force);
   JSONAddReal(object, "moment", c->moment);
   JSONAddReal(object, "pair_moment", c->pair_moment);
+  AddBound_Private(in, solver);
   AddCrossCheck_Private(in->check, solver);
 }
 

@@ -67,11 +67,12 @@ PetscErrorCode ActiveSetUpdate(ActiveSet *set, const ActiveSolution *solution, P
 /* One way to solve  y_i = value_i where fixed,  (A y - b)_i = 0 elsewhere.  All functions are collective. */
 typedef struct _n_ActiveSolver *ActiveSolver;
 struct _n_ActiveSolver {
-  const ActiveSet *set;  /* borrowed */
-  Mat              A;    /* borrowed */
-  Vec              b;    /* borrowed */
-  Vec              diag; /* of A */
-  PetscReal        rtol; /* eta that is good enough */
+  const ActiveSet *set;      /* borrowed */
+  Mat              A;        /* borrowed */
+  Vec              b;        /* borrowed */
+  Vec              diag;     /* of A */
+  PetscReal        rtol;     /* eta that is good enough */
+  PetscBool        factored; /* whether by a factorisation */
   void            *data;
   /* [in] fixed, value - [n], values are read where fixed; [in,out] solution - created by the caller */
   PetscErrorCode (*solve)(ActiveSolver, const PetscBool fixed[], const PetscReal value[], ActiveSolution *solution);
@@ -80,6 +81,13 @@ struct _n_ActiveSolver {
   /* The unknowns without bounds that go with the last solution; its r, eta and norm become those of the full system.
      [out] y */
   PetscErrorCode (*finish)(ActiveSolver, ActiveSolution *solution, Vec y);
+  /* d = A_FF^-1 f for the last set, F the unknowns that were not fixed; of an iterative solver its preconditioner, B f.
+     [in] f - 0 where fixed; [out] d - 0 where fixed; [out] alpha - the smallest Ritz value of B A_FF, 1 with a
+     factorisation, 0 where it is not known */
+  PetscErrorCode (*correct)(ActiveSolver, Vec f, Vec d, PetscReal *alpha);
+  /* What there is to know of d = A_FF^-1 f for half the price; NULL for solvers that cannot. [in] f - 0 where fixed;
+     [out] square - |d|_A^2; [out] felt - A d where fixed [n] */
+  PetscErrorCode (*measure)(ActiveSolver, Vec f, PetscReal *square, PetscReal felt[]);
   PetscErrorCode (*destroy)(ActiveSolver);
 };
 
@@ -101,6 +109,8 @@ PetscErrorCode ActiveSolverCreate(const ActiveSet *set, Mat A, Vec b, PetscReal 
 PetscErrorCode ActiveSolverResidual(ActiveSolver solver, const PetscBool fixed[], Vec y, Vec r, Vec f, PetscReal *size);
 /* What the bounded unknowns see of y, r and f. Collective. [in,out] solution - fixed, and y where fixed, are there */
 PetscErrorCode ActiveSolverRestrict(ActiveSolver solver, Vec y, Vec r, Vec f, ActiveSolution *solution);
+/* r = b - A y, as if computed in twice the precision and rounded once; see residual.c. Collective. */
+PetscErrorCode ActiveResidual(Mat A, Vec b, Vec y, Vec r);
 /* What such an error of a factorisation means, NULL for none. Not collective. */
 const char *ActiveFailureOfFactor(MatFactorError error);
 
@@ -150,5 +160,13 @@ PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r);
 /* From set to set until none changes; pdas->converged, or pdas->failure, or neither after max_it steps. Collective.
    [out] y - the last solution, unless there was a failure */
 PetscErrorCode PDASIterate(SNES snes, PDAS *pdas, ActiveSet *set, ActiveSolver solver, Vec y);
+
+/* What the last solve used, its last set being its own, if it was kept (PDASSetKeep()) and found the solution. Borrowed, NULL if
+   there is none. Not collective. */
+PetscErrorCode PDASGetSolver(SNES snes, ActiveSolver *solver);
+/* A solver of the kind that pdas would use, or of the KSP alone where the SNES is of another type. Collective.
+   [out] failure - why it cannot be had, or NULL; solver is to be destroyed all the same */
+PetscErrorCode PDASCreateSolver(SNES snes, const ActiveSet *set, Mat A, Vec b, PetscReal rtol, ActiveSolver *solver,
+                                const char **failure);
 
 #endif

@@ -115,6 +115,7 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
 
   PetscFunctionBeginUser;
   PetscCall(PetscObjectGetComm((PetscObject)vi->A, &comm));
+  choice->bound = PETSC_TRUE;
   PetscCall(PetscStrncpy(choice->snes, SNESPDAS, sizeof(choice->snes)));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-snes_type", choice->snes, sizeof(choice->snes), NULL));
   PetscCall(CheckBounds_Private(comm, choice->snes));

@@ -211,6 +211,51 @@ static PetscErrorCode Solver_Private(SNES snes, PDAS *pdas, const ActiveSet *set
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode PDASGetSolver(SNES snes, ActiveSolver *solver)
+{
+  PDAS     *pdas;
+  PetscBool is_pdas;
+
+  PetscFunctionBeginUser;
+  *solver = NULL;
+  PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &is_pdas));
+  if (!is_pdas) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(Get_Private(snes, &pdas));
+  *solver = pdas->solver;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PDASCreateSolver(SNES snes, const ActiveSet *set, Mat A, Vec b, PetscReal rtol, ActiveSolver *solver,
+                                const char **failure)
+{
+  Vec       y;
+  KSP       ksp;
+  PDAS     *pdas;
+  PetscBool is_pdas, reduced = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  *failure = NULL;
+  PetscCall(VecDuplicate(b, &y));
+  PetscCall(VecZeroEntries(y));
+  PetscCall(SNESGetKSP(snes, &ksp));
+  PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &is_pdas));
+  if (is_pdas) {
+    PetscCall(Get_Private(snes, &pdas));
+    PetscCall(Reducible_Private(pdas, set, y, ksp, &reduced));
+  }
+  if (reduced) {
+    const char *prefix;
+
+    PetscCall(KSPGetOptionsPrefix(ksp, &prefix));
+    PetscCall(ReducedCreate(set, A, b, prefix, rtol, solver, failure));
+  } else {
+    PetscCall(KSPReset(ksp)); /* it may have been used for a matrix of another size */
+    PetscCall(TruncatedCreate(set, A, b, y, ksp, rtol, solver));
+  }
+  PetscCall(VecDestroy(&y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The final set, for PDASGetActive(). */
 static PetscErrorCode End_Private(PDAS *pdas, const ActiveSet *set, Vec y)
 {

@@ -159,14 +159,15 @@ static PetscErrorCode Solve_Reduced(ActiveSolver solver, const PetscBool fixed[]
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* d = A_FF^-1 f for the last set, by blocks: I, then F by S, then I again. [in] f - 0 where fixed; t->r is used up */
-static PetscErrorCode Correct_Private(ActiveSolver solver, Vec f, Vec d)
+/* By blocks: I, then F by S, then I again; t->r is used up. */
+static PetscErrorCode Correct_Reduced(ActiveSolver solver, Vec f, Vec d, PetscReal *alpha)
 {
   Reduced   *t = solver->data;
   PetscReal *z;
   Vec        y;
 
   PetscFunctionBeginUser;
+  *alpha = 1;
   PetscCall(PetscMalloc1(solver->set->n, &z));
   PetscCall(VecDuplicate(d, &y));
   PetscCall(VecZeroEntries(y));
@@ -187,11 +188,41 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, Vec f, Vec d)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Without d_I = A_II^-1 (f_I - A_IF z), z = S_FF^-1 w_F, w = f_C - A_CI A_II^-1 f_I:
+   |d|_A^2 = f_I.A_II^-1 f_I + w_F.z,  A_CF d = S_CF z - w where f = 0. */
+static PetscErrorCode Measure_Reduced(ActiveSolver solver, Vec f, PetscReal *square, PetscReal felt[])
+{
+  Reduced    *t = solver->data;
+  PetscScalar inner, outer = 0;
+  Vec         z;
+
+  PetscFunctionBeginUser;
+  PetscCall(FactorSolve(t->F, f, t->d));
+  PetscCall(VecDot(f, t->d, &inner));
+  PetscCall(MatMult(solver->A, t->d, t->r));
+  PetscCall(VecAYPX(t->r, -1, f));
+  PetscCall(ActiveSetGather(solver->set, t->r, felt));
+  PetscCall(ToFirst_Private(solver, felt, t->r_C));
+  if (!t->rank) {
+    PetscCall(VecDuplicate(t->r_C, &z));
+    PetscCall(VecCopy(t->r_C, z));
+    PetscCall(DenseSolve_Private(t, z));
+    PetscCall(VecDot(t->r_C, z, &outer));
+    PetscCall(MatMult(t->S, z, t->y));
+    PetscCall(VecAYPX(t->r_C, -1, t->y));
+    PetscCall(VecDestroy(&z));
+  }
+  PetscCallMPI(MPI_Bcast(&outer, 1, MPIU_SCALAR, 0, solver->set->comm));
+  PetscCall(FromFirst_Private(solver, t->r_C, felt));
+  *square = PetscRealPart(inner + outer);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* y_I = A_II^-1 (b_I - A_IC y_C), then corrections down to roundoff with A itself, from which the forces come. */
 static PetscErrorCode Finish_Reduced(ActiveSolver solver, ActiveSolution *solution, Vec y)
 {
   Reduced   *t = solver->data;
-  PetscReal *v, reference, size;
+  PetscReal *v, reference, size, alpha;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(solver->set->n, &v));
@@ -208,7 +239,7 @@ static PetscErrorCode Finish_Reduced(ActiveSolver solver, ActiveSolution *soluti
     PetscCall(ActiveSolverResidual(solver, solution->fixed, y, t->r, t->f, &size));
     solution->eta = reference > 0 ? size / reference : 0;
     if (k == MAX_REFINEMENTS || (k && solution->eta <= solver->rtol)) break;
-    PetscCall(Correct_Private(solver, t->f, t->d));
+    PetscCall(Correct_Reduced(solver, t->f, t->d, &alpha));
   }
   if (!(solution->eta <= solver->rtol)) solution->failure = FAILURE_RESIDUAL;
   PetscCall(ActiveSolverRestrict(solver, y, t->r, t->f, solution));
@@ -329,11 +360,14 @@ PetscErrorCode ReducedCreate(const ActiveSet *set, Mat A, Vec b, const char pref
   PetscFunctionBeginUser;
   PetscCall(ActiveSolverCreate(set, A, b, rtol, solver));
   PetscCall(PetscNew(&t));
-  (*solver)->data    = t;
-  (*solver)->solve   = Solve_Reduced;
-  (*solver)->load    = Load_Reduced;
-  (*solver)->finish  = Finish_Reduced;
-  (*solver)->destroy = Destroy_Reduced;
+  (*solver)->data     = t;
+  (*solver)->factored = PETSC_TRUE;
+  (*solver)->solve    = Solve_Reduced;
+  (*solver)->load     = Load_Reduced;
+  (*solver)->finish   = Finish_Reduced;
+  (*solver)->correct  = Correct_Reduced;
+  (*solver)->measure  = Measure_Reduced;
+  (*solver)->destroy  = Destroy_Reduced;
   PetscCall(Allocate_Private(*solver));
   PetscCall(PetscMPIIntCast(set->n, &n));
   PetscCallMPI(MPI_Gatherv(set->diag, n, MPIU_REAL, t->diag, t->counts, t->offsets, MPIU_REAL, 0, set->comm));

@@ -6,9 +6,9 @@
 #include <mortise/pdas.h>
 #include <mortise/solvability.h>
 #include "active.h"
+#include "bound.h"
 #include "factor.h"
 #include "room.h"
-#include "springs.h"
 
 /* Of an iterative linear solver, so that mostly one call of it reaches the tolerance of pdas. */
 static const PetscReal KSP_RTOL = 1e-10;
@@ -284,7 +284,10 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], P
   if (progress) PetscCall(ProgressSet(snes, springs.vi));
   PetscCall(SolveStart(springs.vi, pdas, prefix, guess, y));
   PetscCall(SpringsSet(&springs, guess ? y : NULL, snes, pdas));
+  if (pdas && (choice->bound || vi->solvability)) PetscCall(PDASSetKeep(snes, PETSC_TRUE));
   PetscCall(Sweep_Private(springs.vi, snes, &springs, y, report));
+  report->bound.value = NAN;
+  if (choice->bound) PetscCall(BoundCompute(&springs, snes, y, &report->bound));
   PetscCall(DefaultsApply_Private(n, defaults, prefix, PETSC_FALSE));
   PetscCall(SNESDestroy(&snes));
   PetscCall(VecDestroy(&scratch));
@@ -308,5 +311,29 @@ PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report)
   }
   PetscCall(ProgressWanted(vi->scene, &progress));
   PetscCall(SolveRun(vi, &choice, "", progress, guess, y, report));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VIEnergyBound(VI vi, Vec y, EnergyBound *bound)
+{
+  SolveChoice choice;
+  SNES        snes;
+  Vec         scratch, own;
+  PetscReal   norm;
+  Springs     springs;
+
+  PetscFunctionBeginUser;
+  PetscCall(SolveChoose(vi, &choice));
+  PetscCall(SpringsBegin(vi, &springs));
+  PetscCall(VecDuplicate(vi->b, &scratch));
+  PetscCall(VecDuplicate(y, &own));
+  PetscCall(VecCopy(y, own));
+  if (vi->solvability) PetscCall(VecAXPY(own, -1, vi->solvability->rest));
+  PetscCall(Configure_Private(springs.vi, &choice, "", scratch, &norm, &snes));
+  PetscCall(BoundCompute(&springs, snes, own, bound));
+  PetscCall(SNESDestroy(&snes));
+  PetscCall(VecDestroy(&scratch));
+  PetscCall(SpringsEnd(&springs, own));
+  PetscCall(VecDestroy(&own));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

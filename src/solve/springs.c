@@ -65,7 +65,6 @@ PetscErrorCode SpringsSet(Springs *springs, Vec guess, SNES snes, PetscBool pdas
   if (!s) PetscFunctionReturn(PETSC_SUCCESS);
   if (guess) PetscCall(RestAt_Private(springs, guess));
   if (pdas && !guess) PetscCall(PDASSetStart(snes, s->start));
-  if (pdas) PetscCall(PDASSetKeep(snes, PETSC_TRUE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -15,14 +15,14 @@ static const PetscInt MAX_REFINEMENTS = 8;
 static const PetscReal STALLED = 0.5;
 
 typedef struct {
-  KSP       ksp;      /* borrowed */
-  Mat       A;        /* A^ */
-  Vec       free;     /* M */
-  Vec       y, r;     /* the solution; b - A y */
-  Vec       f, d;     /* M r; correction, A^^-1 f */
-  PetscBool same;     /* M is what A^ was made for */
-  PetscBool direct;   /* the KSP only applies its preconditioner */
-  PetscBool factored; /* which is a factorisation */
+  KSP       ksp;    /* borrowed */
+  Mat       A;      /* A^ */
+  Vec       free;   /* M */
+  Vec       y, r;   /* the solution; b - A y */
+  Vec       f, d;   /* M r; correction, A^^-1 f */
+  PetscBool same;   /* M is what A^ was made for */
+  PetscBool direct; /* the KSP only applies its preconditioner */
+  PetscReal ritz;   /* the smallest Ritz value of all systems, 0 if there is none */
 } Truncated;
 
 /* M, the last solution emptied where fixed as first guess d, and y = v. */
@@ -109,6 +109,18 @@ static PetscErrorCode Matrix_Private(ActiveSolver solver)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* How small the eigenvalues of B A^ are: what an iteration has seen of them, from above. */
+static PetscErrorCode Ritz_Private(Truncated *t)
+{
+  PetscReal largest, smallest;
+
+  PetscFunctionBeginUser;
+  if (t->direct) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(KSPComputeExtremeSingularValues(t->ksp, &largest, &smallest));
+  if (smallest > 0 && (t->ritz == 0 || smallest < t->ritz)) t->ritz = smallest;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* d = A^^-1 f; iterative solvers may begin at d. */
 static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, ActiveSolution *solution)
 {
@@ -125,6 +137,7 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, Acti
   PetscCall(KSPGetIterationNumber(t->ksp, &its));
   solution->iterations += its;
   PetscCall(KSPGetConvergedReason(t->ksp, &reason));
+  if (its > 0) PetscCall(Ritz_Private(t));
   if (reason >= 0) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(FactorCheckMemory(t->ksp));
   PetscCall(KSPGetPC(t->ksp, &pc));
@@ -161,8 +174,22 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
     if (solution->eta <= solver->rtol && (!t->direct || k)) break;
     if (!(solution->eta <= STALLED * before)) break;
   }
-  if (!(solution->eta <= solver->rtol)) solution->failure = t->factored ? FAILURE_RESIDUAL : FAILURE_ITERATIVE;
+  if (!(solution->eta <= solver->rtol)) solution->failure = solver->factored ? FAILURE_RESIDUAL : FAILURE_ITERATIVE;
   PetscCall(ActiveSolverRestrict(solver, t->y, t->r, t->f, solution));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Correct_Truncated(ActiveSolver solver, Vec f, Vec d, PetscReal *alpha)
+{
+  Truncated *t = solver->data;
+  PC         pc;
+
+  PetscFunctionBeginUser;
+  PetscCall(KSPSetUp(t->ksp));
+  PetscCall(KSPGetPC(t->ksp, &pc));
+  PetscCall(PCApply(pc, f, d));
+  PetscCall(VecPointwiseMult(d, d, t->free));
+  *alpha = solver->factored ? 1 : t->ritz;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -214,8 +241,9 @@ PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ks
   PetscCall(PetscObjectTypeCompare((PetscObject)ksp, KSPPREONLY, &t->direct));
   /* an interpolation made for another set is not a preconditioner for this one: it need not even be definite */
   PetscCall(KSPGetPC(ksp, &pc));
-  PetscCall(PetscObjectTypeCompareAny((PetscObject)pc, &t->factored, PCCHOLESKY, PCLU, ""));
+  PetscCall(PetscObjectTypeCompareAny((PetscObject)pc, &(*solver)->factored, PCCHOLESKY, PCLU, ""));
   PetscCall(PCGAMGSetReuseInterpolation(pc, PETSC_FALSE));
+  PetscCall(KSPSetComputeSingularValues(ksp, (PetscBool)!t->direct));
   PetscCall(MatDuplicate(A, MAT_DO_NOT_COPY_VALUES, &t->A));
   PetscCall(VecDuplicate(b, &t->y));
   PetscCall(VecCopy(y, t->y));
@@ -228,6 +256,7 @@ PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ks
   (*solver)->solve   = Solve_Truncated;
   (*solver)->load    = Load_Truncated;
   (*solver)->finish  = Finish_Truncated;
+  (*solver)->correct = Correct_Truncated;
   (*solver)->destroy = Destroy_Truncated;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -38,8 +38,9 @@ static PetscErrorCode Refuse_Private(Run run)
   Certificate *c = &run->certificate;
 
   PetscFunctionBeginUser;
-  c->equilibrium = c->gap = c->pressure = c->complementarity = c->force = c->moment = c->pair_moment = c->limit = NAN;
-  run->report.linear_residual                                                                                   = NAN;
+  c->equilibrium = c->gap = c->pressure = c->complementarity = c->force = c->moment = c->pair_moment = c->pull =
+      c->energy_norm = c->limit = NAN;
+  run->report.linear_residual = run->report.bound.value = NAN;
   PetscCall(PetscStrncpy(run->report.reason, "there is no solution: ", sizeof(run->report.reason)));
   PetscCall(PetscStrlcat(run->report.reason, run->vi->solvability->motion.sentence, sizeof(run->report.reason)));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -19,7 +19,7 @@ KEYS = {
     "mortise": ["version", "petsc", "ranks", "options_file"],
     "scene": ["title", "model", "dimension", "bodies", "pairs"],
     "solvability": ["verdict", "motion", "work", "free_motions"],
-    "solver": ["type", "iterations", "active", "changed", "linear_iterations", "kkt", "balance"],
+    "solver": ["type", "iterations", "active", "changed", "linear_iterations", "kkt", "balance", "energy_bound"],
     "energy": ["strain", "potential"],
     "timing": ["setup", "mortar", "assembly", "condense", "solve", "output", "total", "linear_reference"],
     "memory": ["peak_bytes"],

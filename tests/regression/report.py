@@ -126,6 +126,7 @@ def judge_numbers(page, summary):
         told(f"strain energy of {name}", value)
     told("potential energy", summary["energy"]["potential"])
     told("equilibrium", solver["kkt"]["equilibrium"], limit)
+    told("distance from the exact solution", solver["energy_bound"]["relative"])
     told("balance of moments", solver["balance"]["moment"], limit)
     told("total", summary["timing"]["total"])
     for name, body in summary["scene"]["bodies"].items():

@@ -1,0 +1,11 @@
+/* bound.h -- how far a displacement can be from the solution of the inequality; internal (floor 6; T31). */
+#ifndef MORTISE_BOUND_H
+#define MORTISE_BOUND_H
+
+#include "springs.h"
+
+/* Of any y, with the factors or the preconditioner that a SNES of type pdas kept, or with its KSP. Collective.
+   [in] y - of what was solved, springs->vi; [out] bound - in the user's units */
+PetscErrorCode BoundCompute(const Springs *springs, SNES snes, Vec y, EnergyBound *bound);
+
+#endif
