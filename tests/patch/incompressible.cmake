@@ -4,7 +4,7 @@ function(nearly_incompressible scene) # the rest: names of bodies
   foreach(body IN LISTS ARGN)
     list(APPEND poisson -${body}_poisson 0.4999)
   endforeach()
-  set(one ${poisson})
+  set(one ${poisson} -cross_check)
   if(scene STREQUAL cylinders)
     list(APPEND one -upper_exact_displacement "1.4997/1000*r, -3/2000-3/1000*(z-1)" -lower_exact_displacement "1.4997/2000*r, -3/2000*z")
   endif()
