@@ -7,11 +7,21 @@
 #include "factor.h"
 
 /* Controls of MUMPS by the numbers of its manual. */
-enum { ICNTL_PRINT = 4, ICNTL_ORDER = 7, ICNTL_INPUT = 18, ICNTL_SCHUR = 19, ICNTL_REDUCED = 26, NUM_ICNTL = 60 };
+enum {
+  ICNTL_PRINT   = 4,
+  ICNTL_ORDER   = 7,
+  ICNTL_ROOM    = 14,
+  ICNTL_INPUT   = 18,
+  ICNTL_SCHUR   = 19,
+  ICNTL_REDUCED = 26,
+  NUM_ICNTL     = 60
+};
 enum { NUM_CNTL = 15 };
 /* Their values: pivots in the order given, by minimum degree; entries where they are; S on the host. */
 enum { ORDER_GIVEN = 1, ORDER_MINIMUM_DEGREE = 0, INPUT_CENTRAL = 0, INPUT_DISTRIBUTED = 3, SCHUR_ON_HOST = 1 };
 enum { LAST_ORDER = 7 };
+/* How often workspace is doubled; all that was foretold, in percent. */
+enum { MAX_DOUBLED = 5, WHOLE = 100 };
 enum { JOB_BEGIN = -1, JOB_END = -2, JOB_ANALYSE = 1, JOB_FACTOR = 2, JOB_SOLVE = 3, SYMMETRIC_DEFINITE = 1 };
 
 struct _n_Factor {
@@ -128,6 +138,28 @@ static MatFactorError Error_Private(MUMPS_INT info)
   return info == ZERO_PIVOT || info == NEGATIVE_PIVOT ? MAT_FACTOR_NUMERIC_ZEROPIVOT : MAT_FACTOR_OTHER;
 }
 
+/* Factors. MUMPS takes as much workspace as the analysis foretells and ICNTL(14) percent more; where pivots or messages need more than
+   that it says so, and is given twice as much again and again. What the system has not got is another matter. Collective. */
+static PetscErrorCode FactorWithRoom_Private(Factor factor)
+{
+  enum { INTEGERS = -8, REALS = -9, SEND_BUFFER = -17, RECEIVE_BUFFER = -20 };
+  DMUMPS_STRUC_C *id = &factor->id;
+  PetscMPIInt     room;
+
+  PetscFunctionBeginUser;
+  id->job = JOB_FACTOR;
+  for (int k = 0; k <= MAX_DOUBLED; k++) {
+    dmumps_c(id);
+    if (id->infog[0] != INTEGERS && id->infog[0] != REALS && id->infog[0] != SEND_BUFFER &&
+        id->infog[0] != RECEIVE_BUFFER)
+      break;
+    room = id->icntl[ICNTL_ROOM - 1];
+    PetscCallMPI(MPI_Bcast(&room, 1, MPI_INT, 0, factor->comm));
+    id->icntl[ICNTL_ROOM - 1] = 2 * PetscMax(room, 0) + WHOLE;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Analyses, then factors. [in] C - [num]; [out] S - on the first rank */
 static PetscErrorCode Factor_Private(Factor factor, Mat A, PetscInt num, const PetscInt C[], PetscScalar S[])
 {
@@ -154,10 +186,7 @@ static PetscErrorCode Factor_Private(Factor factor, Mat A, PetscInt num, const P
   }
   id->job = JOB_ANALYSE;
   dmumps_c(id);
-  if (id->infog[0] >= 0) {
-    id->job = JOB_FACTOR;
-    dmumps_c(id);
-  }
+  if (id->infog[0] >= 0) PetscCall(FactorWithRoom_Private(factor));
   PetscCall(PetscInfo(A, "MUMPS: status %d (%d), order %d, %g operations, %d MB\n", (int)id->infog[0],
                       (int)id->infog[1], (int)id->infog[6], (double)id->rinfog[0], (int)id->infog[18]));
   PetscCall(PetscFree3(id->irn_loc, id->jcn_loc, id->a_loc));

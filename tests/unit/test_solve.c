@@ -30,6 +30,7 @@ static PetscErrorCode TestWays(void)
   static const char *const ways[] = {"-snes_pdas_reduce 0", /* first: must have the same history, too */
                                      "-snes_type vinewtonrsls",
                                      "-pc_type lu",
+                                     "-mat_mumps_icntl_14 -95", /* too little room, so that it has to ask for more */
                                      "-ksp_type cg -pc_type gamg -snes_rtol 1e-12",
                                      "-pc_type hypre -snes_rtol 1e-12",
                                      "-pc_type jacobi -snes_rtol 1e-12",
