@@ -22,7 +22,7 @@
 enum { MAX_SETS = 4, MAX_CORRECTIONS = 8 };
 enum { NUM_VECS = 6 };
 /* The bound is wanted to some digits, not to all: what corrections may leave, in parts of the residual. */
-static const PetscReal SETTLED = 1e-8;
+static const PetscReal SETTLED = 1e-6;
 /* Residual of a solve that only makes factors, or Ritz values. */
 static const PetscReal LOOSE = 1e-3;
 
@@ -149,6 +149,7 @@ static PetscErrorCode Correct_Private(Bound *m, PetscReal *square)
     PetscCall(Size_Private(m, before, &change));
     PetscCall(Size_Private(m, m->s, &left));
     PetscCall(VecDestroy(&before));
+    PetscCall(PetscInfo(m->A, "unbalanced %g, changed by %g, of %g\n", (double)left, (double)change, (double)size));
   }
   if (PetscMin(left, change) > SETTLED * size) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecWAXPY(m->c, -1, m->s, m->f));

@@ -5,7 +5,7 @@
 #include "two_boxes.h"
 
 /* A way to solve systems: how many perturbed solutions it is tried on, and the least and the most that its bounds may be, in parts of
-   the error. A factorisation leaves ten digits; how much larger bounds are was seen to be 1.3 and 4 on these meshes. */
+   the error. A factorisation leaves six digits or more; how much larger bounds are was seen to be 1.3 and 4 on these meshes. */
 typedef struct {
   const char *options;
   PetscBool   estimated;
@@ -14,9 +14,9 @@ typedef struct {
 } Way;
 
 static const Way ways[] = {
-    {"-snes_pdas_reduce 1", PETSC_FALSE, 25, 1 - 1e-8, 2},
-    {"-snes_pdas_reduce 0", PETSC_FALSE, 4, 1 - 1e-8, 2},
-    {"-snes_type vinewtonrsls", PETSC_FALSE, 4, 1 - 1e-8, 2},
+    {"-snes_pdas_reduce 1", PETSC_FALSE, 25, 1 - 1e-6, 2},
+    {"-snes_pdas_reduce 0", PETSC_FALSE, 4, 1 - 1e-6, 2},
+    {"-snes_type vinewtonrsls", PETSC_FALSE, 4, 1 - 1e-6, 2},
     {"-pc_type gamg", PETSC_TRUE, 4, 0.5, 10},
     {"-snes_type vinewtonrsls -pc_type hypre", PETSC_TRUE, 4, 0.5, 10},
 };
