@@ -304,10 +304,11 @@ PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report)
   PetscFunctionBeginUser;
   PetscCall(SolveChoose(vi, &choice));
   if (choice.nearly && !SolveFactors(choice.pc)) {
-    PetscCall(PetscFPrintf(PetscObjectComm((PetscObject)vi->A), PETSC_STDERR,
-                           "mortise: warning: -pc_type %s: takes thousands of iterations for a body that is so nearly "
-                           "incompressible, where -pc_type cholesky takes none\n",
-                           choice.pc));
+    PetscCall(
+        PetscFPrintf(PetscObjectComm((PetscObject)vi->A), PETSC_STDERR,
+                     "mortise: warning: -pc_type %s: may take thousands of iterations for a body that is so nearly "
+                     "incompressible, where -pc_type cholesky takes none\n",
+                     choice.pc));
   }
   PetscCall(ProgressWanted(vi->scene, &progress));
   PetscCall(SolveRun(vi, &choice, "", progress, guess, y, report));

@@ -3,7 +3,7 @@
 LIMIT is from cells of order 2 on 96 x 96 and 192 x 192 cells and from triangles of order 2, whose changes of volume are taken in
 another way; they differ in the last digit. Cells of order 1 without projection make the force 27 % too large.
 """
-from judge import near, require
+from judge import Run, near, require
 
 LIMIT = {"force": 0.23396, "energy": 0.0048656, "crown": 0.7337, "bulge": 0.022432}
 
@@ -22,3 +22,14 @@ def judge(run):
     viewed = run.again("-scene_view", name="view").stdout
     require("body rubber: mean dilatation in each of 2304 cells: at a Poisson's ratio of 0.4999" in viewed, "-scene_view does not tell")
     require("body plate: mean dilatation" not in viewed, "-scene_view tells of the plate what it does not do")
+    iterated(run)
+
+
+def iterated(run):
+    """An iterative solver is warned of, and finds the same."""
+    coarse = ["-rubber_dm_plex_box_faces", "12,12", "-plate_dm_plex_box_faces", "10,3"]
+    factored = run.again(*coarse, name="factored").pair("joint")["normal_force"]
+    other = Run(run.program, run.mpiexec, run.ranks, run.folder / "iterated", run.arguments + coarse + ["-pc_type", "gamg"])
+    require(other.exit == 0, f"exit code {other.exit} with -pc_type gamg")
+    require("warning: -pc_type gamg" in other.stderr and "cholesky" in other.stderr, "nobody warns of -pc_type gamg")
+    near("force by CG", other.pair("joint")["normal_force"], factored, relative=1e-7)
