@@ -137,7 +137,7 @@ static PetscErrorCode Print_Private(const SummaryInput *in)
                         "moments %.1e\n",
                         (double)c->equilibrium, (double)c->gap, (double)c->pressure, (double)c->complementarity,
                         (double)c->force, (double)c->moment));
-  if (!PetscIsInfOrNanReal(report->bound.value)) {
+  if (!PetscIsInfOrNanReal(CertificateRelativeBound(c, &report->bound))) {
     PetscCall(PetscPrintf(comm, "  energy of the solver's error: at most %.1e of the energy norm%s\n",
                           (double)CertificateRelativeBound(c, &report->bound),
                           report->bound.estimated ? " (estimated)" : ""));
