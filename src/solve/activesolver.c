@@ -41,8 +41,7 @@ PetscErrorCode ActiveSolverResidual(ActiveSolver solver, const PetscBool fixed[]
   PetscReal          sum = 0;
 
   PetscFunctionBeginUser;
-  PetscCall(MatMult(solver->A, y, r));
-  PetscCall(VecAYPX(r, -1, solver->b));
+  PetscCall(ActiveResidual(solver->A, solver->b, y, r));
   PetscCall(VecCopy(r, f));
   PetscCall(VecGetLocalSize(f, &n));
   PetscCall(VecGetArray(f, &a));

@@ -19,7 +19,7 @@
 #include "bound.h"
 
 /* Sets until no pressure pulls; then the empty one, which has none. Corrections until springs do not matter. */
-enum { MAX_SETS = 4, MAX_CORRECTIONS = 8 };
+enum { MAX_SETS = 4, MAX_CORRECTIONS = 50 };
 enum { NUM_VECS = 6 };
 /* The bound is wanted to some digits, not to all: what corrections may leave, in parts of the residual. */
 static const PetscReal SETTLED = 1e-6;

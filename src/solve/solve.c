@@ -35,8 +35,8 @@ static PetscErrorCode FunctionFn(SNES snes, Vec y, Vec f, void *ctx)
 
   PetscFunctionBeginUser;
   (void)snes;
-  PetscCall(MatMult(vi->A, y, f));
-  PetscCall(VecAXPY(f, -1, vi->b));
+  PetscCall(ActiveResidual(vi->A, vi->b, y, f));
+  PetscCall(VecScale(f, -1));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
