@@ -21,7 +21,7 @@ double LogWallClock(void);
 PetscErrorCode LogInitialize(double start);
 /* Begins to count anew, as if the program had begun at start: for a run among several. Within no stage. Not collective. */
 PetscErrorCode LogReset(double start);
-/* Enters and leaves a stage; wall seconds are added up. Stages do not nest. Collective on PETSC_COMM_WORLD. */
+/* Enters and leaves a stage; wall seconds are added up. A stage within another one stops that one's clock. Collective on PETSC_COMM_WORLD. */
 PetscErrorCode LogStageBegin(LogStage stage);
 PetscErrorCode LogStageEnd(LogStage stage);
 /* Wall seconds so far of one stage (largest over the ranks is taken by the caller), and since the program began. */

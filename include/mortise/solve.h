@@ -23,6 +23,7 @@ typedef struct {
   PetscInt    num_changed, changed[SOLVE_MAX_HISTORY]; /* per iteration; num_changed = 0 for types that do not tell */
   PetscBool   safeguarded;
   PetscReal   linear_residual; /* relative, of the last system */
+  PetscReal   work;            /* products with matrices of all levels, in products with the finest; 0 without levels */
   PetscInt    sweeps;          /* solutions with springs that hold bodies (T27); 1 without */
   EnergyBound bound;
 } SolveReport;

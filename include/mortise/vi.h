@@ -12,10 +12,12 @@
 #include <mortise/rigid.h>
 
 typedef struct _n_Solvability *Solvability; /* solvability.h */
+typedef struct _n_VIBasis     *VIBasis;     /* of the problem room: what T is made of */
 
 struct _n_VI {
   Scene        scene; /* borrowed */
-  Level       *level; /* borrowed: the finest */
+  Mesh         mesh;  /* borrowed */
+  Level       *level; /* borrowed: the finest of mesh, or a coarser one (VICreateCoarse()) */
   Support      support;
   RigidMotions motions;     /* that the supports leave to the bodies */
   Solvability  solvability; /* whether contact can hold these; NULL where there are none */
@@ -39,17 +41,37 @@ struct _n_VI {
 
   /* the inequality */
   Mat       T;                 /* u = length * T y; NULL when it is the identity */
-  Mat       A;                 /* SPD, AIJ, block size dim, near null space attached */
+  Mat       Z;                 /* (T'KT - K) / stiffness: nonzero beside contact only; NULL with T */
+  Mat       A;                 /* SPD, block size dim; a shell that knows products and diagonal, until VIAssemble() */
   Vec       b;                 /* ghosted */
   Vec       upper;             /* nodal gaps / length on contact unknowns, +infinity elsewhere */
   Vec       lower;             /* -infinity */
   PetscReal length, stiffness; /* scales */
+
+  PetscInt  num_fixed;   /* unknowns of this rank that are eliminated from A */
+  PetscInt *fixed;       /* global numbers [num_fixed] */
+  PetscInt *fixed_local; /* counted from this rank's first */
+  PetscBool assembled;   /* whether A is AIJ */
+  VIBasis   basis;
 };
 typedef struct _n_VI *VI;
 
 /* Searches, integrates, assembles and condenses. Role cycles are a fault (5.4). Collective. [out] vi - owned by the caller */
 PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi);
 PetscErrorCode VIDestroy(VI *vi);
+/* The same scene on a coarser level of its mesh, as far as multigrid needs it: with the scales of vi, without regard to
+   solvability and near null spaces. Collective. [in] l - level of vi->mesh; [out] coarse - owned by the caller */
+PetscErrorCode VICreateCoarse(VI vi, PetscInt l, VI *coarse);
+/* Makes A a matrix: who factors it or takes it apart needs that, and memory for as much as K. Collective. */
+PetscErrorCode VIAssemble(VI vi);
+/* Attaches to A, as near null space, the rigid motions of all bodies. Collective. */
+PetscErrorCode VIAttachModes(VI vi);
+/* A with springs on its diagonal, a matrix or a shell like A. Collective. [in] springs - borrowed for as long as the result lives;
+   [out] A - owned by the caller */
+PetscErrorCode VICreateSprung(VI vi, Vec springs, Mat *A);
+/* T^-1, as sparse as B: its rows are those of B, and nodes' frames. Collective.
+   [out] inverse - owned by the caller; NULL where T is the identity */
+PetscErrorCode VICreateInverse(VI vi, Mat *inverse);
 
 /* u = length * T y. [in] y; [out] u - ghosted, created by LevelCreateVec(level, dim), ghosts updated. Collective. */
 PetscErrorCode VIRecoverDisplacement(VI vi, Vec y, Vec u);

@@ -7,12 +7,16 @@
 
 static const char *const stage_names[STAGE_COUNT] = {"Setup", "Mortar", "Assembly", "Condense", "Solve", "Output"};
 
+enum { STAGE_DEPTH = 4 }; // stages within stages, at most
+
 static struct {
   PetscLogStage handle[STAGE_COUNT];
   double        begin[STAGE_COUNT];   // clock at which the stage was last entered
   double        seconds[STAGE_COUNT]; // of all visits
-  double        start;                // clock at which the program, or the run, began
-  double        worked;               // processor seconds by then
+  LogStage      within[STAGE_DEPTH];  // the stages that are open, outermost first
+  int           depth;
+  double        start;  // clock at which the program, or the run, began
+  double        worked; // processor seconds by then
 } journal;
 
 double LogWallClock(void)
@@ -53,16 +57,27 @@ PetscErrorCode LogReset(double start)
 
 PetscErrorCode LogStageBegin(LogStage stage)
 {
+  const double now = LogWallClock();
+
   PetscFunctionBeginUser;
+  PetscCheck(journal.depth < STAGE_DEPTH, PETSC_COMM_SELF, PETSC_ERR_PLIB, "Too many stages within each other");
   PetscCall(PetscLogStagePush(journal.handle[stage]));
-  journal.begin[stage] = LogWallClock();
+  if (journal.depth) {
+    const LogStage outer = journal.within[journal.depth - 1];
+    journal.seconds[outer] += now - journal.begin[outer];
+  }
+  journal.within[journal.depth++] = stage;
+  journal.begin[stage]            = now;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode LogStageEnd(LogStage stage)
 {
+  const double now = LogWallClock();
+
   PetscFunctionBeginUser;
-  journal.seconds[stage] += LogWallClock() - journal.begin[stage];
+  journal.seconds[stage] += now - journal.begin[stage];
+  if (--journal.depth) journal.begin[journal.within[journal.depth - 1]] = now;
   PetscCall(PetscLogStagePop());
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -324,7 +324,8 @@ PetscErrorCode BasisGetFixed(VI vi, const NodeBases *bases, const Couplings *cou
 
   PetscFunctionBeginUser;
   *num = 0;
-  PetscCall(PetscMalloc2(vi->level->num_owned * dim, dofs, vi->level->num_owned * dim, values));
+  PetscCall(PetscMalloc1(vi->level->num_owned * dim, dofs));
+  PetscCall(PetscMalloc1(vi->level->num_owned * dim, values));
   PetscCall(UnshiftPrescribed_Private(vi, couplings, &unshifted));
   if (unshifted) PetscCall(VecGetArrayRead(unshifted, &moved));
   for (PetscInt i = 0; i < vi->level->num_owned; i++) {

@@ -1,7 +1,6 @@
 /* condense.c -- T'KT, of which only what lies beside the contact differs from K.
 
-   With T = I + E, T'KT = K + X + X' + E'X, X = K E: E has rows at the nodes of the nonmortar sides alone, and X, E'X are as small.
-   A general triple product takes several times longer, most of it to find out that almost nothing changes. */
+   With T = I + E, T'KT = K + Z, Z = X + X' + X'E, X' = E'K: E has rows at the nodes of the nonmortar sides alone, and Z is as small. */
 #include <mortise/compat.h>
 #include "condense.h"
 
@@ -42,22 +41,18 @@ static PetscErrorCode CreateDifference_Private(Mat T, Mat *E)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CondenseCreate(Mat K, Mat T, Mat *A)
+PetscErrorCode CondenseCreate(Mat K, Mat T, Mat *Z)
 {
-  PetscInt bs;
-  Mat      E, X, product;
+  Mat E, transpose, X;
 
   PetscFunctionBeginUser;
   PetscCall(CreateDifference_Private(T, &E));
-  PetscCall(MatMatMult(K, E, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &X));
-  PetscCall(MatTranspose(X, MAT_INITIAL_MATRIX, A));
-  PetscCall(MatAXPY(*A, 1, X, DIFFERENT_NONZERO_PATTERN));
-  PetscCall(MatTransposeMatMult(E, X, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
-  PetscCall(MatAXPY(*A, 1, product, DIFFERENT_NONZERO_PATTERN));
-  PetscCall(MatAXPY(*A, 1, K, DIFFERENT_NONZERO_PATTERN));
-  PetscCall(MatGetBlockSize(K, &bs));
-  PetscCall(MatSetBlockSize(*A, bs));
-  PetscCall(MatDestroy(&product));
+  PetscCall(MatTransposeMatMult(E, K, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &transpose)); // (K E)', of few rows
+  PetscCall(MatTranspose(transpose, MAT_INITIAL_MATRIX, &X));
+  PetscCall(MatMatMult(transpose, E, MAT_INITIAL_MATRIX, PETSC_DEFAULT, Z));
+  PetscCall(MatAXPY(*Z, 1, X, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(MatAXPY(*Z, 1, transpose, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(MatDestroy(&transpose));
   PetscCall(MatDestroy(&X));
   PetscCall(MatDestroy(&E));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -4,8 +4,15 @@
 
 #include <petscmat.h>
 
-/* A = T'KT for a symmetric K and a T that differs from the identity in few rows. Collective. [out] A - AIJ with K's block size,
-   owned by the caller */
-PetscErrorCode CondenseCreate(Mat K, Mat T, Mat *A);
+/* Z = T'KT - K for a symmetric K and a T that differs from the identity in few rows. Collective. [out] Z - AIJ, owned by the caller */
+PetscErrorCode CondenseCreate(Mat K, Mat T, Mat *Z);
+
+/* A = M (K / stiffness + Z) M + 1 - M + W without forming it: a shell. Collective.
+   [in] K; [in] Z - or NULL; [in] fixed - counted from this rank's first, where M is 0 [num]; [in] springs - diagonal of W, 0 where M is, or
+   NULL; all borrowed for as long as A lives */
+PetscErrorCode CondensedCreateShell(Mat K, PetscReal stiffness, Mat Z, PetscInt num, const PetscInt fixed[],
+                                    Vec springs, Mat *A);
+/* The same as a matrix. Collective. [in] fixed - global numbers [num] */
+PetscErrorCode CondensedAssemble(Mat K, PetscReal stiffness, Mat Z, PetscInt num, const PetscInt fixed[], Mat *A);
 
 #endif

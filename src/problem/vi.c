@@ -39,37 +39,76 @@ static PetscErrorCode ChooseScales_Private(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A = T'KT / stiffness and b = T'f / (stiffness length). */
-static PetscErrorCode Condense_Private(VI vi)
+/* A = T'KT / stiffness and b = T'f / (stiffness length), without the fixed unknowns: unit rows, their values on the right-hand side.
+   [in] values - [vi->num_fixed] */
+static PetscErrorCode Condense_Private(VI vi, const PetscReal values[])
 {
+  const PetscInt first = vi->level->dim * vi->level->node_begin;
+  Vec            y, Ay;
+  PetscScalar   *a;
+
   PetscFunctionBeginUser;
+  if (vi->T) PetscCall(CondenseCreate(vi->K, vi->T, &vi->Z));
+  if (vi->Z) PetscCall(MatScale(vi->Z, 1 / vi->stiffness));
   PetscCall(VecDuplicate(vi->f, &vi->b));
-  if (vi->T) {
-    PetscCall(CondenseCreate(vi->K, vi->T, &vi->A));
+  if (vi->T)
     PetscCall(MatMultTranspose(vi->T, vi->f, vi->b));
-  } else {
-    PetscCall(MatDuplicate(vi->K, MAT_COPY_VALUES, &vi->A));
+  else
     PetscCall(VecCopy(vi->f, vi->b));
-  }
-  PetscCall(MatScale(vi->A, 1 / vi->stiffness));
   PetscCall(VecScale(vi->b, 1 / (vi->stiffness * vi->length)));
+  PetscCall(MatCreateVecs(vi->K, &y, &Ay));
+  PetscCall(VecZeroEntries(y));
+  PetscCall(VecGetArray(y, &a));
+  for (PetscInt i = 0; i < vi->num_fixed; i++) a[vi->fixed[i] - first] = values[i] / vi->length;
+  PetscCall(VecRestoreArray(y, &a));
+  PetscCall(MatMult(vi->K, y, Ay));
+  PetscCall(VecAXPY(vi->b, -1 / vi->stiffness, Ay));
+  if (vi->Z) {
+    PetscCall(MatMult(vi->Z, y, Ay));
+    PetscCall(VecAXPY(vi->b, -1, Ay));
+  }
+  PetscCall(VecGetArray(vi->b, &a));
+  for (PetscInt i = 0; i < vi->num_fixed; i++) a[vi->fixed[i] - first] = values[i] / vi->length;
+  PetscCall(VecRestoreArray(vi->b, &a));
+  PetscCall(VecDestroy(&y));
+  PetscCall(VecDestroy(&Ay));
+  PetscCall(PetscMalloc1(vi->num_fixed, &vi->fixed_local));
+  for (PetscInt i = 0; i < vi->num_fixed; i++) vi->fixed_local[i] = vi->fixed[i] - first;
+  PetscCall(CondensedCreateShell(vi->K, vi->stiffness, vi->Z, vi->num_fixed, vi->fixed_local, NULL, &vi->A));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Takes fixed unknowns out of A and b: unit rows, their values on the right-hand side. */
-static PetscErrorCode Eliminate_Private(VI vi, PetscInt num, const PetscInt dofs[], const PetscReal values[])
+PetscErrorCode VIAssemble(VI vi)
 {
-  Vec y;
-
+  if (vi->assembled) return PETSC_SUCCESS;
   PetscFunctionBeginUser;
-  PetscCall(VecDuplicate(vi->upper, &y));
-  PetscCall(VecZeroEntries(y));
-  for (PetscInt i = 0; i < num; i++) PetscCall(VecSetValue(y, dofs[i], values[i] / vi->length, INSERT_VALUES));
-  PetscCall(VecAssemblyBegin(y));
-  PetscCall(VecAssemblyEnd(y));
-  PetscCall(MatZeroRowsColumns(vi->A, num, dofs, 1.0, y, vi->b));
-  PetscCall(MatSetOption(vi->A, MAT_SPD, PETSC_TRUE));
-  PetscCall(VecDestroy(&y));
+  PetscCall(LogStageBegin(STAGE_CONDENSE));
+  PetscCall(MatDestroy(&vi->A));
+  PetscCall(CondensedAssemble(vi->K, vi->stiffness, vi->Z, vi->num_fixed, vi->fixed, &vi->A));
+  vi->assembled = PETSC_TRUE;
+  PetscCall(LogStageEnd(STAGE_CONDENSE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VIAttachModes(VI vi)
+{
+  PetscFunctionBeginUser;
+  PetscCall(LogStageBegin(STAGE_CONDENSE));
+  PetscCall(ModesAttach(vi, &vi->basis->bases, &vi->basis->couplings, vi->num_fixed, vi->fixed));
+  PetscCall(LogStageEnd(STAGE_CONDENSE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VICreateSprung(VI vi, Vec springs, Mat *A)
+{
+  PetscFunctionBeginUser;
+  if (vi->assembled) {
+    PetscCall(MatDuplicate(vi->A, MAT_COPY_VALUES, A));
+    PetscCall(MatDiagonalSet(*A, springs, ADD_VALUES));
+    PetscCall(MatSetOption(*A, MAT_SPD, PETSC_TRUE));
+  } else {
+    PetscCall(CondensedCreateShell(vi->K, vi->stiffness, vi->Z, vi->num_fixed, vi->fixed_local, springs, A));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -90,46 +129,67 @@ static PetscErrorCode SetBounds_Private(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi_out)
+/* Supports, contact and the matrices of one level. [in] scales - an inequality whose scales it shares, or NULL */
+static PetscErrorCode Create_Private(Scene scene, Mesh mesh, Level *level, VI scales, VI *vi_out)
 {
   VI         vi;
-  NodeBases  bases;
-  Couplings  couplings;
-  PetscInt   num_fixed, *fixed;
+  VIBasis    basis;
   PetscReal *values;
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&vi));
+  PetscCall(PetscNew(&basis));
   vi->scene = scene;
-  vi->level = MeshFinest(mesh);
+  vi->mesh  = mesh;
+  vi->level = level;
+  vi->basis = basis;
   PetscCall(LogStageBegin(STAGE_MORTAR));
-  PetscCall(SupportCreate(vi->level, scene, &vi->support));
-  PetscCall(RigidMotionsCreate(vi->level, &vi->support, scene->num_bodies, &vi->motions));
+  PetscCall(SupportCreate(level, scene, &vi->support));
+  PetscCall(RigidMotionsCreate(level, &vi->support, scene->num_bodies, &vi->motions));
   vi->num_pairs = scene->num_pairs;
   PetscCall(PetscCalloc1(vi->num_pairs, &vi->pairs));
-  PetscCall(PairsCreate(scene, vi->level, &vi->support, vi->pairs));
+  PetscCall(PairsCreate(scene, level, &vi->support, vi->pairs));
   PetscCall(LogStageEnd(STAGE_MORTAR));
   PetscCall(LogStageBegin(STAGE_ASSEMBLY));
-  PetscCall(ElasticityAssemble(scene, vi->level, &vi->K, &vi->f));
+  PetscCall(ElasticityAssemble(scene, level, &vi->K, &vi->f));
   PetscCall(LogStageEnd(STAGE_ASSEMBLY));
   PetscCall(LogStageBegin(STAGE_CONDENSE));
   PetscCall(CirclesCheck(vi));
-  PetscCall(NodeBasesCreate(vi, &bases));
-  PetscCall(CouplingsCreate(vi, &couplings));
-  PetscCall(BlocksCreate(vi, &bases, &couplings));
-  PetscCall(BasisCreateT(vi, &bases, &couplings, &vi->T));
-  PetscCall(ChooseScales_Private(vi));
-  PetscCall(Condense_Private(vi));
+  PetscCall(NodeBasesCreate(vi, &basis->bases));
+  PetscCall(CouplingsCreate(vi, &basis->couplings));
+  PetscCall(BlocksCreate(vi, &basis->bases, &basis->couplings));
+  PetscCall(BasisCreateT(vi, &basis->bases, &basis->couplings, &vi->T));
+  if (scales) {
+    vi->length    = scales->length;
+    vi->stiffness = scales->stiffness;
+  } else {
+    PetscCall(ChooseScales_Private(vi));
+  }
   PetscCall(SetBounds_Private(vi));
-  PetscCall(BasisGetFixed(vi, &bases, &couplings, &num_fixed, &fixed, &values));
-  PetscCall(Eliminate_Private(vi, num_fixed, fixed, values));
-  PetscCall(ModesAttach(vi, &bases, &couplings, num_fixed, fixed));
-  if (vi->motions.num) PetscCall(SolvabilityCreate(vi, &bases, &couplings, num_fixed, fixed, &vi->solvability));
-  PetscCall(PetscFree2(fixed, values));
-  PetscCall(CouplingsDestroy(&couplings));
-  PetscCall(NodeBasesDestroy(&bases));
+  PetscCall(BasisGetFixed(vi, &basis->bases, &basis->couplings, &vi->num_fixed, &vi->fixed, &values));
+  PetscCall(Condense_Private(vi, values));
+  PetscCall(PetscFree(values));
   PetscCall(LogStageEnd(STAGE_CONDENSE));
   *vi_out = vi;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi)
+{
+  PetscFunctionBeginUser;
+  PetscCall(Create_Private(scene, mesh, MeshFinest(mesh), NULL, vi));
+  PetscCall(LogStageBegin(STAGE_CONDENSE));
+  if ((*vi)->motions.num)
+    PetscCall(SolvabilityCreate(*vi, &(*vi)->basis->bases, &(*vi)->basis->couplings, (*vi)->num_fixed, (*vi)->fixed,
+                                &(*vi)->solvability));
+  PetscCall(LogStageEnd(STAGE_CONDENSE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VICreateCoarse(VI vi, PetscInt l, VI *coarse)
+{
+  PetscFunctionBeginUser;
+  PetscCall(Create_Private(vi->scene, vi->mesh, &vi->mesh->levels[l], vi, coarse));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -141,6 +201,11 @@ PetscErrorCode VIDestroy(VI *vi_in)
   if (!vi) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt p = 0; p < vi->num_pairs; p++) PetscCall(PairDestroy(&vi->pairs[p]));
   PetscCall(PetscFree(vi->pairs));
+  PetscCall(CouplingsDestroy(&vi->basis->couplings));
+  PetscCall(NodeBasesDestroy(&vi->basis->bases));
+  PetscCall(PetscFree(vi->basis));
+  PetscCall(PetscFree(vi->fixed));
+  PetscCall(PetscFree(vi->fixed_local));
   PetscCall(SupportDestroy(&vi->support));
   PetscCall(SolvabilityDestroy(&vi->solvability));
   PetscCall(RigidMotionsDestroy(&vi->motions));
@@ -150,6 +215,7 @@ PetscErrorCode VIDestroy(VI *vi_in)
   PetscCall(MatDestroy(&vi->K));
   PetscCall(MatDestroy(&vi->T));
   PetscCall(MatDestroy(&vi->A));
+  PetscCall(MatDestroy(&vi->Z));
   PetscCall(VecDestroy(&vi->f));
   PetscCall(VecDestroy(&vi->G));
   PetscCall(VecDestroy(&vi->b));

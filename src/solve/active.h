@@ -71,7 +71,9 @@ struct _n_ActiveSolver {
   Mat              A;        /* borrowed */
   Vec              b;        /* borrowed */
   Vec              diag;     /* of A */
-  PetscReal        rtol;     /* eta that is good enough */
+  PetscReal        rtol;     /* eta that is good enough in the end */
+  PetscReal        target;   /* and now: not below rtol */
+  PetscBool        inexact;  /* whether less accuracy costs less */
   PetscBool        factored; /* whether by a factorisation */
   void            *data;
   /* [in] fixed, value - [n], values are read where fixed; [in,out] solution - created by the caller */
@@ -144,6 +146,7 @@ typedef struct {
   PetscInt    num_seen;
   uint64_t   *seen; /* hashes of the sets that were solved for [max_it] */
   PetscBool   converged, safeguarded, reduced;
+  PetscBool   again;      /* the set did not change, and is to be solved for once more, exactly */
   PetscReal   residual;   /* relative, of the last system */
   const char *failure;    /* why a system could not be solved, or NULL */
   PetscInt    num_active; /* of the present set */

@@ -17,7 +17,7 @@ PetscErrorCode ActiveSolverCreate(const ActiveSet *set, Mat A, Vec b, PetscReal 
   (*solver)->set  = set;
   (*solver)->A    = A;
   (*solver)->b    = b;
-  (*solver)->rtol = rtol;
+  (*solver)->rtol = (*solver)->target = rtol;
   PetscCall(VecDuplicate(b, &(*solver)->diag));
   PetscCall(MatGetDiagonal(A, (*solver)->diag));
   PetscFunctionReturn(PETSC_SUCCESS);

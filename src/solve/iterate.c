@@ -45,6 +45,21 @@ PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* How exact the first systems of an inexact solver are, and how much more so the next ones once few unknowns change. */
+static const PetscReal LOOSE = 1e-2, TIGHTER = 0.03;
+static const PetscInt  FEW = 2;
+
+/* How exactly the next system is to be solved, after one in which so many unknowns changed: in the end all that counts is the last
+   one. [in,out] pdas - converged only if the last system was exact enough */
+static void Tighten_Private(PDAS *pdas, ActiveSolver solver, PetscInt changed)
+{
+  const PetscBool last = (PetscBool)(solver->target <= solver->rtol);
+
+  pdas->again = (PetscBool)(pdas->converged && !last);
+  if (pdas->again) pdas->converged = PETSC_FALSE;
+  if (changed <= FEW) solver->target = PetscMax(solver->rtol, TIGHTER * solver->target);
+}
+
 /* Whether the present set was solved for before; remembers it. */
 static PetscErrorCode Seen_Private(PDAS *pdas, const ActiveSet *set, PetscBool *seen)
 {
@@ -85,10 +100,16 @@ static PetscErrorCode Step_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solv
   PetscFunctionBeginUser;
   *changed   = 0;
   *violation = 0;
-  if (!guard->on) {
+  if (!guard->on && !pdas->again) {
     PetscCall(Seen_Private(pdas, set, &seen));
+    if (seen && solver->target > solver->rtol) { // it may be for want of digits
+      solver->target = solver->rtol;
+      pdas->num_seen = 1;
+      seen           = PETSC_FALSE;
+    }
     if (seen || pdas->num_seen > MANY_STEPS) {
       pdas->safeguarded = PETSC_TRUE;
+      solver->target    = solver->rtol;
       PetscCall(SafeguardBegin(guard, set, solver, solution));
     }
   }
@@ -113,8 +134,10 @@ PetscErrorCode PDASIterate(SNES snes, PDAS *pdas, ActiveSet *set, ActiveSolver s
 
   PetscFunctionBeginUser;
   PetscCall(ActiveSolutionCreate(set, &solution));
+  solver->target = solver->inexact ? PetscMax(LOOSE, solver->rtol) : solver->rtol;
   while (!pdas->converged && !solution.failure && pdas->iterations < pdas->max_it) {
     PetscCall(Step_Private(pdas, set, solver, &guard, &solution, &changed, &violation));
+    Tighten_Private(pdas, solver, changed);
     if (pdas->converged || (!solution.failure && pdas->iterations + 1 == pdas->max_it)) {
       PetscCall(solver->finish(solver, &solution, y));
       if (solution.failure) pdas->converged = PETSC_FALSE;

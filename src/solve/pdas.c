@@ -7,6 +7,7 @@
 #include <mortise/fault.h>
 #include <mortise/pdas.h>
 #include "active.h"
+#include "multigrid.h"
 
 static const char CONTEXT[] = "MortisePDAS"; /* name under which the context is composed */
 
@@ -134,9 +135,9 @@ static PetscErrorCode Clear_Private(PDAS *pdas)
   PetscCall(PetscFree2(pdas->changed, pdas->seen));
   PetscCall(VecDestroy(&pdas->active));
   pdas->iterations = pdas->linear_iterations = pdas->num_seen = pdas->num_active = 0;
-  pdas->converged = pdas->safeguarded = PETSC_FALSE;
-  pdas->residual                      = 0;
-  pdas->failure                       = NULL;
+  pdas->converged = pdas->safeguarded = pdas->again = PETSC_FALSE;
+  pdas->residual                                    = 0;
+  pdas->failure                                     = NULL;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -391,6 +392,7 @@ PetscErrorCode PDASRegister(void)
 {
   PetscFunctionBeginUser;
   PetscCall(SNESRegister(SNESPDAS, SNESCreate_PDAS));
+  PetscCall(MultigridRegister());
   PetscCall(SNESAddOptionsChecker(SetFromOptions_Private));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

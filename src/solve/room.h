@@ -20,6 +20,11 @@ PetscBool SolveFactors(const char pc[]);
 /* From -snes_type, -ksp_type, -pc_type; by size where they are silent. Faults on types that cannot. Collective. */
 PetscErrorCode SolveChoose(VI vi, SolveChoice *choice);
 
+/* A SNES as the choice and the options want it. Collective. [in] prefix - of its options; [in] scratch, norm - for its function and its
+   test; must outlive it; [out] snes */
+PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, const char prefix[], Vec scratch, PetscReal *norm,
+                              SNES *snes);
+
 /* Solves with a SNES of its own, whose options begin with prefix ("" for the user's). Collective.
    [in] progress - whether to print the table; [in] guess - displacement, or NULL; [out] y - created by the caller;
    [out] report */

@@ -8,18 +8,9 @@
 #include "active.h"
 #include "bound.h"
 #include "factor.h"
+#include "cascade.h"
+#include "multigrid.h"
 #include "room.h"
-
-/* Of an iterative linear solver, so that mostly one call of it reaches the tolerance of pdas. */
-static const PetscReal KSP_RTOL = 1e-10;
-/* PETSc's own solvers of inequalities: relative to the first residual; several times the steps they take. */
-static const PetscReal OTHER_RTOL   = 1e-12;
-static const PetscInt  OTHER_MAX_IT = 100;
-/* Steps of pdas: with one factorisation for all sets they cost next to nothing, and soft structures take many. */
-static const PetscInt PDAS_MAX_IT = 500;
-/* A residual below this part of |A| |y| is roundoff after a step, which makes it as small as it can be: a soft structure, or a start at
-   the solution, allows no other test. Before any step it may be a thousand times what a step leaves, where bodies differ in stiffness. */
-static const PetscReal OTHER_ROUNDOFF = 1e-14;
 
 /* A control that can only be reached through the options database. */
 typedef struct {
@@ -27,41 +18,6 @@ typedef struct {
   bool        needed;
   PetscBool   set; /* by us, so to be cleared by us */
 } Default;
-
-/* F(y) = A y - b */
-static PetscErrorCode FunctionFn(SNES snes, Vec y, Vec f, void *ctx)
-{
-  VI vi = ctx;
-
-  PetscFunctionBeginUser;
-  (void)snes;
-  PetscCall(ActiveResidual(vi->A, vi->b, y, f));
-  PetscCall(VecScale(f, -1));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* F'(y) = A, which is there already */
-static PetscErrorCode JacobianFn(SNES snes, Vec y, Mat A, Mat P, void *ctx)
-{
-  (void)snes, (void)y, (void)A, (void)P, (void)ctx;
-  return PETSC_SUCCESS;
-}
-
-/* Convergence of PETSc's own types: by the first residual, or at roundoff. [in] ctx - |A| */
-static PetscErrorCode ConvergedFn(SNES snes, PetscInt it, PetscReal xnorm, PetscReal snorm, PetscReal fnorm,
-                                  SNESConvergedReason *reason, void *ctx)
-{
-  const PetscReal *norm = ctx;
-  Vec              y;
-
-  PetscFunctionBeginUser;
-  PetscCall(SNESConvergedDefault(snes, it, xnorm, snorm, fnorm, reason, NULL));
-  if (*reason) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(SNESGetSolution(snes, &y));
-  PetscCall(VecNorm(y, NORM_2, &xnorm));
-  if (fnorm <= (it ? OTHER_ROUNDOFF : 0) * *norm * xnorm) *reason = SNES_CONVERGED_FNORM_ABS;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
 
 /* Puts defaults into the options database where the user has put nothing, or takes them out again. */
 static PetscErrorCode DefaultsApply_Private(PetscInt n, Default defaults[], const char prefix[], PetscBool apply)
@@ -81,49 +37,6 @@ static PetscErrorCode DefaultsApply_Private(PetscInt n, Default defaults[], cons
       PetscCall(PetscOptionsClearValue(NULL, option));
     }
   }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* A SNES as the choice and the options want it. [in] scratch, norm - for its function, its test; must outlive it */
-static PetscErrorCode Configure_Private(VI vi, const SolveChoice *choice, const char prefix[], Vec scratch,
-                                        PetscReal *norm, SNES *snes)
-{
-  KSP      ksp;
-  PC       pc;
-  PetscInt max_it;
-
-  PetscFunctionBeginUser;
-  PetscCall(SNESCreate(PetscObjectComm((PetscObject)vi->A), snes));
-  PetscCall(SNESSetOptionsPrefix(*snes, prefix));
-  PetscCall(SNESSetFunction(*snes, scratch, FunctionFn, vi));
-  PetscCall(SNESSetJacobian(*snes, vi->A, vi->A, JacobianFn, vi));
-  PetscCall(SNESGetKSP(*snes, &ksp));
-  PetscCall(KSPSetType(ksp, choice->ksp));
-  PetscCall(KSPSetTolerances(ksp, KSP_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
-  PetscCall(KSPGetPC(ksp, &pc));
-  PetscCall(PCSetType(pc, choice->pc));
-  if (SolveFactors(choice->pc)) PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
-  PetscCall(SNESSetType(*snes, choice->snes));
-  if (!strcmp(choice->snes, SNESPDAS)) {
-    PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, PDAS_MAX_IT, PETSC_DEFAULT));
-  } else {
-    SNESLineSearch search;
-
-    /* whole steps can run in a circle; the minimum of the residual along a step has not been seen to */
-    PetscCall(SNESGetLineSearch(*snes, &search));
-    PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHL2));
-    PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, OTHER_RTOL, 0, OTHER_MAX_IT, PETSC_DEFAULT));
-    PetscCall(SNESSetDivergenceTolerance(*snes, -1)); // none: the first steps may go far before the set is right
-    PetscCall(MatNorm(vi->A, NORM_INFINITY, norm));
-    PetscCall(SNESSetConvergenceTest(*snes, ConvergedFn, norm, NULL));
-  }
-  PetscCall(SNESSetFromOptions(*snes));
-  PetscCall(SNESGetTolerances(*snes, NULL, NULL, NULL, &max_it, NULL));
-  if (max_it < 1) {
-    PetscCall(FaultRaise(PetscObjectComm((PetscObject)vi->A), "-%ssnes_max_it %" PetscInt_FMT ": must be at least 1",
-                         prefix, max_it));
-  }
-  PetscCall(SNESVISetVariableBounds(*snes, vi->lower, vi->upper)); /* pdas keeps them itself, so not before the type */
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -259,37 +172,77 @@ static PetscErrorCode Sweep_Private(VI vi, SNES snes, Springs *springs, Vec y, S
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The levels that the SNES' preconditioner works on, if it does. [out] hierarchy - NULL if not */
+static PetscErrorCode Hierarchy_Private(const Springs *springs, SNES snes, PetscBool pdas, Hierarchy *hierarchy)
+{
+  const VI  vi = springs->vi;
+  PetscBool multigrid;
+  KSP       ksp;
+  PC        pc;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESGetKSP(snes, &ksp));
+  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCTRUNCATEDMG, &multigrid));
+  if (!multigrid || vi->mesh->num_levels < 2) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(HierarchyCreate(vi, vi->solvability ? vi->solvability->springs : NULL, hierarchy));
+  PetscCall(MultigridSetHierarchy(pc, *hierarchy, (*hierarchy)->num - 1, pdas ? NULL : snes));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Begins with what coarser levels find. */
+static PetscErrorCode Cascade_Private(Hierarchy hierarchy, SNES snes, Vec y)
+{
+  Vec active;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(y, &active));
+  PetscCall(CascadeStart(hierarchy, y, active));
+  PetscCall(PDASSetStart(snes, active));
+  PetscCall(VecDestroy(&active));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], PetscBool progress, Vec guess, Vec y,
                         SolveReport *report)
 {
   /* MUMPS: spare memory, in percent; approximate minimum degree, which orders meshes in 2D in a fifth of the time of
      what MUMPS would choose, for factors of the same size. A tolerance in the unit of y, which is of order one. */
   const PetscBool direct = SolveFactors(choice->pc), pdas = (PetscBool)!strcmp(choice->snes, SNESPDAS);
-  Default         defaults[] = {{.name = "mat_mumps_icntl_14", .value = "50", .needed = direct},
-                                {.name = "mat_mumps_icntl_7", .value = "0", .needed = direct && vi->level->dim == 2},
-                                {.name = "snes_vi_zero_tolerance", .value = "1e-12", .needed = !pdas},
-                                {.name = "snes_pdas_start", .value = "previous", .needed = pdas && (vi->solvability || guess)}};
-  const PetscInt  n          = PETSC_STATIC_ARRAY_LENGTH(defaults);
-  SNES            snes;
-  Vec             scratch;
-  PetscReal       norm;
-  Springs         springs;
+  const PetscBool nested     = (PetscBool)(pdas && !guess && !vi->solvability && !strcmp(choice->pc, PCTRUNCATEDMG));
+  Default         defaults[] = {
+              {.name = "mat_mumps_icntl_14", .value = "50", .needed = direct},
+              {.name = "mat_mumps_icntl_7", .value = "0", .needed = direct && vi->level->dim == 2},
+              {.name = "snes_vi_zero_tolerance", .value = "1e-12", .needed = !pdas},
+              {.name = "snes_pdas_start", .value = "previous", .needed = pdas && (vi->solvability || guess || nested)}};
+  const PetscInt n = PETSC_STATIC_ARRAY_LENGTH(defaults);
+  SNES           snes;
+  Vec            scratch;
+  PetscReal      norm;
+  Springs        springs;
+  Hierarchy      hierarchy = NULL;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(report, sizeof(*report)));
+  if (!pdas || strcmp(choice->pc, PCTRUNCATEDMG)) PetscCall(VIAssemble(vi));
+  if (!direct && strcmp(choice->pc, PCTRUNCATEDMG)) PetscCall(VIAttachModes(vi));
   PetscCall(SpringsBegin(vi, &springs));
   PetscCall(VecDuplicate(vi->b, &scratch));
   PetscCall(DefaultsApply_Private(n, defaults, prefix, PETSC_TRUE));
-  PetscCall(Configure_Private(springs.vi, choice, prefix, scratch, &norm, &snes));
+  PetscCall(SolveConfigure(springs.vi, choice, prefix, scratch, &norm, &snes));
+  PetscCall(Hierarchy_Private(&springs, snes, pdas, &hierarchy));
   if (progress) PetscCall(ProgressSet(snes, springs.vi));
   PetscCall(SolveStart(springs.vi, pdas, prefix, guess, y));
   PetscCall(SpringsSet(&springs, guess ? y : NULL, snes, pdas));
   if (pdas && (choice->bound || vi->solvability)) PetscCall(PDASSetKeep(snes, PETSC_TRUE));
+  if (hierarchy && nested) PetscCall(Cascade_Private(hierarchy, snes, y));
   PetscCall(Sweep_Private(springs.vi, snes, &springs, y, report));
   report->bound.value = NAN;
   if (choice->bound) PetscCall(BoundCompute(&springs, snes, y, &report->bound));
   PetscCall(DefaultsApply_Private(n, defaults, prefix, PETSC_FALSE));
   PetscCall(SNESDestroy(&snes));
+  if (hierarchy) report->work = hierarchy->work;
+  PetscCall(HierarchyDestroy(&hierarchy));
   PetscCall(VecDestroy(&scratch));
   PetscCall(SpringsEnd(&springs, y));
   PetscCall(SolvabilitySettle(vi, y));

@@ -35,9 +35,7 @@ PetscErrorCode SpringsBegin(VI vi, Springs *springs)
   PetscCall(VecDuplicate(vi->b, &springs->sprung.b));
   PetscCall(VecDuplicate(vi->upper, &springs->sprung.upper));
   PetscCall(VecWAXPY(springs->sprung.upper, -1, vi->solvability->rest, vi->upper));
-  PetscCall(MatDuplicate(vi->A, MAT_COPY_VALUES, &springs->sprung.A));
-  PetscCall(MatDiagonalSet(springs->sprung.A, springs->original->solvability->springs, ADD_VALUES));
-  PetscCall(MatSetOption(springs->sprung.A, MAT_SPD, PETSC_TRUE));
+  PetscCall(VICreateSprung(vi, vi->solvability->springs, &springs->sprung.A));
   PetscCall(MatGetDiagonal(vi->A, springs->scale));
   PetscCall(VecSqrtAbs(springs->scale));
   PetscCall(VecReciprocal(springs->scale));

@@ -7,6 +7,7 @@
    fixed unknowns as well: what a preconditioner takes for a rigid motion must be one of A^. */
 #include "active.h"
 #include "factor.h"
+#include "multigrid.h"
 
 /* Solves on the residual after the first: each gains the digits of one solve; what does not get there in so many will
    not. */
@@ -16,12 +17,15 @@ static const PetscReal STALLED = 0.5;
 
 typedef struct {
   KSP       ksp;    /* borrowed */
+  PC        pc;     /* of it */
   Mat       A;      /* A^ */
   Vec       free;   /* M */
   Vec       y, r;   /* the solution; b - A y */
   Vec       f, d;   /* M r; correction, A^^-1 f */
   PetscBool same;   /* M is what A^ was made for */
   PetscBool direct; /* the KSP only applies its preconditioner */
+  PetscBool shell;  /* A^ is the preconditioner's own: no copy of A */
+  PetscReal rtol;   /* of the KSP, for the last solve of an inequality */
   PetscReal ritz;   /* the smallest Ritz value of all systems, 0 if there is none */
 } Truncated;
 
@@ -91,12 +95,11 @@ static PetscErrorCode NearNullSpace_Private(ActiveSolver solver)
 
 /* A^ for the present M. Scaling by M from both sides empties rows and columns without talking to other ranks about them
    and without touching the pattern; A itself is never written to. */
-static PetscErrorCode Matrix_Private(ActiveSolver solver)
+static PetscErrorCode Copy_Private(ActiveSolver solver)
 {
   Truncated *t = solver->data;
 
   PetscFunctionBeginUser;
-  if (t->same) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MatCopy(solver->A, t->A, SAME_NONZERO_PATTERN));
   PetscCall(MatDiagonalScale(t->A, t->free, t->free));
   PetscCall(VecPointwiseMult(t->f, t->free, solver->diag));
@@ -104,6 +107,20 @@ static PetscErrorCode Matrix_Private(ActiveSolver solver)
   PetscCall(MatDiagonalSet(t->A, t->f, ADD_VALUES));
   PetscCall(MatSetOption(t->A, MAT_SPD, PETSC_TRUE));
   PetscCall(NearNullSpace_Private(solver));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A^ for the present M, by whatever makes it. */
+static PetscErrorCode Matrix_Private(ActiveSolver solver)
+{
+  Truncated *t = solver->data;
+
+  PetscFunctionBeginUser;
+  if (t->same) PetscFunctionReturn(PETSC_SUCCESS);
+  if (t->shell)
+    PetscCall(MultigridSetFree(t->pc, t->free));
+  else
+    PetscCall(Copy_Private(solver));
   PetscCall(KSPSetOperators(t->ksp, t->A, t->A));
   t->same = PETSC_TRUE;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -149,11 +166,49 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, Acti
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether no free unknown with a bound has a force beside those of fixed ones: it would count as pressure or tension. */
+static PetscErrorCode Forceless_Private(ActiveSolver solver, const PetscBool fixed[], PetscBool *forceless)
+{
+  static const PetscReal NO_FORCE = 1e-8;
+  const Truncated       *t        = solver->data;
+  const ActiveSet       *set      = solver->set;
+  const PetscScalar     *r;
+  PetscReal              max[2] = {0, 0};
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetArrayRead(t->r, &r));
+  for (PetscInt i = 0; i < set->n; i++) {
+    const int which = fixed[i] ? 1 : 0;
+
+    max[which] = PetscMax(max[which], PetscAbsScalar(r[set->dof[i] - set->dof_begin]));
+  }
+  PetscCall(VecRestoreArrayRead(t->r, &r));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, max, 2, MPIU_REAL, MPI_MAX, set->comm));
+  *forceless = (PetscBool)(max[0] <= NO_FORCE * max[1] || max[1] == 0);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The KSP goes a little further than it has to, since it measures residuals in its own way; what is still missing then is little.
+   [in] k - solves before, for the same set */
+static PetscErrorCode Tolerance_Private(ActiveSolver solver, PetscInt k)
+{
+  static const PetscReal FURTHER = 0.5, A_LITTLE = 0.05;
+  Truncated             *t    = solver->data;
+  PetscReal              rtol = t->rtol;
+
+  PetscFunctionBeginUser;
+  if (solver->target > solver->rtol) rtol = FURTHER * solver->target;
+  if (solver->inexact && k) rtol = A_LITTLE;
+  PetscCall(KSPSetTolerances(t->ksp, rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
                                       ActiveSolution *solution)
 {
   Truncated *t = solver->data;
   PetscReal  reference, size;
+  PetscBool  forceless;
 
   PetscFunctionBeginUser;
   solution->iterations = 0;
@@ -164,6 +219,7 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
   for (PetscInt k = 0; k <= MAX_REFINEMENTS && reference > 0; k++) {
     const PetscReal before = k ? solution->eta : 1;
 
+    PetscCall(Tolerance_Private(solver, k));
     PetscCall(Correct_Private(solver, (PetscBool)(k == 0 && !t->direct), solution));
     if (solution->failure) PetscFunctionReturn(PETSC_SUCCESS);
     PetscCall(VecPointwiseMult(t->d, t->d, t->free)); /* a preconditioner may have leaked into fixed unknowns */
@@ -171,10 +227,11 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
     PetscCall(ActiveSolverResidual(solver, fixed, t->y, t->r, t->f, &size));
     solution->eta = size / reference;
     /* a direct solver gets to roundoff, not just below a tolerance, for the price of one more substitution */
-    if (solution->eta <= solver->rtol && (!t->direct || k)) break;
+    PetscCall(Forceless_Private(solver, fixed, &forceless));
+    if (solution->eta <= solver->target && (!t->direct || k) && (forceless || solver->target > solver->rtol)) break;
     if (!(solution->eta <= STALLED * before)) break;
   }
-  if (!(solution->eta <= solver->rtol)) solution->failure = solver->factored ? FAILURE_RESIDUAL : FAILURE_ITERATIVE;
+  if (!(solution->eta <= solver->target)) solution->failure = solver->factored ? FAILURE_RESIDUAL : FAILURE_ITERATIVE;
   PetscCall(ActiveSolverRestrict(solver, t->y, t->r, t->f, solution));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -219,6 +276,7 @@ static PetscErrorCode Destroy_Truncated(ActiveSolver solver)
   Truncated *t = solver->data;
 
   PetscFunctionBeginUser;
+  PetscCall(KSPSetTolerances(t->ksp, t->rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
   PetscCall(MatDestroy(&t->A));
   PetscCall(VecDestroy(&t->free));
   PetscCall(VecDestroy(&t->y));
@@ -244,7 +302,16 @@ PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ks
   PetscCall(PetscObjectTypeCompareAny((PetscObject)pc, &(*solver)->factored, PCCHOLESKY, PCLU, ""));
   PetscCall(PCGAMGSetReuseInterpolation(pc, PETSC_FALSE));
   PetscCall(KSPSetComputeSingularValues(ksp, (PetscBool)!t->direct));
-  PetscCall(MatDuplicate(A, MAT_DO_NOT_COPY_VALUES, &t->A));
+  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCTRUNCATEDMG, &t->shell));
+  PetscCall(KSPGetTolerances(ksp, &t->rtol, NULL, NULL, NULL));
+  t->pc              = pc;
+  (*solver)->inexact = t->shell;
+  if (t->shell) {
+    PetscCall(MultigridGetOperator(pc, &t->A));
+    PetscCall(PetscObjectReference((PetscObject)t->A));
+  } else {
+    PetscCall(MatDuplicate(A, MAT_DO_NOT_COPY_VALUES, &t->A));
+  }
   PetscCall(VecDuplicate(b, &t->y));
   PetscCall(VecCopy(y, t->y));
   PetscCall(VecDuplicate(b, &t->free));

@@ -1,0 +1,112 @@
+/* cascade.c -- nested iteration: each level begins where the coarser one ended.
+
+   The coarser mesh knows the solution up to its own discretisation error, and where contact ends up to one of its facets. What is left
+   to do on the finer level is little, and on coarse levels everything is cheap; for the same reason no system there needs more digits
+   than that error has. */
+#include <mortise/compat.h>
+#include <mortise/pdas.h>
+#include "active.h"
+#include "cascade.h"
+#include "multigrid.h"
+#include "room.h"
+
+/* Linear residual that is enough on a level that is not the last one. */
+static const PetscReal COARSE_RTOL = 1e-4;
+/* An unknown begins as active where so much of what it comes from is active. */
+static const PetscReal ACTIVE_SHARE = 0.5;
+/* Options of the solvers on coarser levels. */
+static const char PREFIX[] = "nested_";
+
+/* Solves on one level. [in,out] y; [in] start - set to begin with, or NULL; [out] active - of the level */
+static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, Vec y, Vec start, Vec active)
+{
+  const VI          vi     = hierarchy->grid[l].vi;
+  const SolveChoice choice = l ? (SolveChoice){.snes = SNESPDAS, .ksp = KSPCG, .pc = PCTRUNCATEDMG}
+                               : (SolveChoice){.snes = SNESPDAS, .ksp = KSPPREONLY, .pc = PCCHOLESKY};
+  PetscReal         norm;
+  SNES              snes;
+  KSP               ksp;
+  PC                pc;
+  Vec               scratch, last;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(vi->b, &scratch));
+  PetscCall(SolveConfigure(vi, &choice, PREFIX, scratch, &norm, &snes));
+  if (l) PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, COARSE_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscCall(SNESGetKSP(snes, &ksp));
+  PetscCall(KSPGetPC(ksp, &pc));
+  if (l) PetscCall(MultigridSetHierarchy(pc, hierarchy, l, NULL));
+  if (start) PetscCall(PDASSetStart(snes, start));
+  PetscCall(SNESSolve(snes, NULL, y));
+  PetscCall(PDASGetActive(snes, &last));
+  PetscCall(VecCopy(last, active));
+  PetscCall(SNESDestroy(&snes));
+  PetscCall(VecDestroy(&scratch));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Eliminated unknowns have their values. */
+static PetscErrorCode Prescribe_Private(VI vi, Vec y)
+{
+  const PetscInt     first = vi->level->dim * vi->level->node_begin;
+  const PetscScalar *b;
+  PetscScalar       *a;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetArrayRead(vi->b, &b));
+  PetscCall(VecGetArray(y, &a));
+  for (PetscInt i = 0; i < vi->num_fixed; i++) a[vi->fixed[i] - first] = b[vi->fixed[i] - first];
+  PetscCall(VecRestoreArray(y, &a));
+  PetscCall(VecRestoreArrayRead(vi->b, &b));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* 1 where an unknown with a bound comes from active ones for the most part. [in,out] active */
+static PetscErrorCode Round_Private(VI vi, Vec active)
+{
+  const PetscScalar *upper;
+  PetscScalar       *a;
+  PetscInt           n;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetLocalSize(active, &n));
+  PetscCall(VecGetArrayRead(vi->upper, &upper));
+  PetscCall(VecGetArray(active, &a));
+  for (PetscInt i = 0; i < n; i++)
+    a[i] = PetscRealPart(upper[i]) < PETSC_INFINITY && PetscRealPart(a[i]) >= ACTIVE_SHARE ? 1 : 0;
+  PetscCall(VecRestoreArray(active, &a));
+  PetscCall(VecRestoreArrayRead(vi->upper, &upper));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CascadeStart(Hierarchy hierarchy, Vec y, Vec active)
+{
+  Vec at = NULL, start = NULL, found, next;
+
+  PetscFunctionBeginUser;
+  for (PetscInt l = 0; l + 1 < hierarchy->num; l++) {
+    const Grid *finer = &hierarchy->grid[l + 1];
+
+    if (!at) {
+      PetscCall(VecDuplicate(hierarchy->grid[l].vi->b, &at));
+      PetscCall(VecZeroEntries(at));
+    }
+    PetscCall(VecDuplicate(at, &found));
+    PetscCall(SolveLevel_Private(hierarchy, l, at, start, found));
+    PetscCall(VecDuplicate(finer->vi->b, &next));
+    PetscCall(MatMult(finer->P, at, next));
+    PetscCall(Prescribe_Private(finer->vi, next));
+    PetscCall(VecDestroy(&at));
+    at = next;
+    PetscCall(VecDestroy(&start));
+    PetscCall(VecDuplicate(at, &start));
+    PetscCall(MatMult(finer->P, found, start));
+    PetscCall(Round_Private(finer->vi, start));
+    PetscCall(VecDestroy(&found));
+  }
+  PetscCall(VecCopy(at, y));
+  PetscCall(VecCopy(start, active));
+  PetscCall(VecDestroy(&at));
+  PetscCall(VecDestroy(&start));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,11 @@
+/* cascade.h -- from the coarsest level to the next to finest one; internal (floor 6; T30). */
+#ifndef MORTISE_CASCADE_H
+#define MORTISE_CASCADE_H
+
+#include "hierarchy.h"
+
+/* Solves on all levels but the finest, each from what the one before found, and takes that to the finest level. Collective.
+   [out] y - displacement to begin with; [out] active - 1 or 0: set to begin with, in the layout of y */
+PetscErrorCode CascadeStart(Hierarchy hierarchy, Vec y, Vec active);
+
+#endif

@@ -1,0 +1,99 @@
+/* configure.c -- a SNES for an inequality. */
+#include <string.h>
+#include <mortise/compat.h>
+#include <mortise/fault.h>
+#include <mortise/pdas.h>
+#include "active.h"
+#include "multigrid.h"
+#include "room.h"
+
+/* Of an iterative linear solver, so that mostly one call of it reaches the tolerance of pdas. */
+static const PetscReal KSP_RTOL       = 1e-10;
+static const PetscReal MULTIGRID_RTOL = 5e-9;
+/* PETSc's own solvers of inequalities: relative to the first residual; several times the steps they take. */
+static const PetscReal OTHER_RTOL   = 1e-12;
+static const PetscInt  OTHER_MAX_IT = 100;
+/* Steps of pdas: with one factorisation for all sets they cost next to nothing, and soft structures take many. */
+static const PetscInt PDAS_MAX_IT = 500;
+/* A residual below this part of |A| |y| is roundoff after a step, which makes it as small as it can be: a soft structure, or a start at
+   the solution, allows no other test. Before any step it may be a thousand times what a step leaves, where bodies differ in stiffness. */
+static const PetscReal OTHER_ROUNDOFF = 1e-14;
+
+/* F(y) = A y - b */
+static PetscErrorCode FunctionFn(SNES snes, Vec y, Vec f, void *ctx)
+{
+  VI vi = ctx;
+
+  PetscFunctionBeginUser;
+  (void)snes;
+  PetscCall(ActiveResidual(vi->A, vi->b, y, f));
+  PetscCall(VecScale(f, -1));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* F'(y) = A, which is there already */
+static PetscErrorCode JacobianFn(SNES snes, Vec y, Mat A, Mat P, void *ctx)
+{
+  (void)snes, (void)y, (void)A, (void)P, (void)ctx;
+  return PETSC_SUCCESS;
+}
+
+/* Convergence of PETSc's own types: by the first residual, or at roundoff. [in] ctx - |A| */
+static PetscErrorCode ConvergedFn(SNES snes, PetscInt it, PetscReal xnorm, PetscReal snorm, PetscReal fnorm,
+                                  SNESConvergedReason *reason, void *ctx)
+{
+  const PetscReal *norm = ctx;
+  Vec              y;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESConvergedDefault(snes, it, xnorm, snorm, fnorm, reason, NULL));
+  if (*reason) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SNESGetSolution(snes, &y));
+  PetscCall(VecNorm(y, NORM_2, &xnorm));
+  if (fnorm <= (it ? OTHER_ROUNDOFF : 0) * *norm * xnorm) *reason = SNES_CONVERGED_FNORM_ABS;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, const char prefix[], Vec scratch, PetscReal *norm,
+                              SNES *snes)
+{
+  const PetscBool multigrid = (PetscBool)!strcmp(choice->pc, PCTRUNCATEDMG);
+  KSP             ksp;
+  PC              pc;
+  PetscInt        max_it;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESCreate(PetscObjectComm((PetscObject)vi->A), snes));
+  PetscCall(SNESSetOptionsPrefix(*snes, prefix));
+  PetscCall(SNESSetFunction(*snes, scratch, FunctionFn, vi));
+  PetscCall(SNESSetJacobian(*snes, vi->A, vi->A, JacobianFn, vi));
+  PetscCall(SNESGetKSP(*snes, &ksp));
+  PetscCall(KSPSetType(ksp, choice->ksp));
+  PetscCall(KSPSetTolerances(ksp, multigrid ? MULTIGRID_RTOL : KSP_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(PCSetType(pc, choice->pc));
+  if (multigrid) PetscCall(KSPSetNormType(ksp, KSP_NORM_UNPRECONDITIONED));
+  if (SolveFactors(choice->pc)) PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  PetscCall(SNESSetType(*snes, choice->snes));
+  if (!strcmp(choice->snes, SNESPDAS)) {
+    PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, PDAS_MAX_IT, PETSC_DEFAULT));
+  } else {
+    SNESLineSearch search;
+
+    /* whole steps can run in a circle; the minimum of the residual along a step has not been seen to */
+    PetscCall(SNESGetLineSearch(*snes, &search));
+    PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHL2));
+    PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, OTHER_RTOL, 0, OTHER_MAX_IT, PETSC_DEFAULT));
+    PetscCall(SNESSetDivergenceTolerance(*snes, -1)); // none: the first steps may go far before the set is right
+    PetscCall(MatNorm(vi->A, NORM_INFINITY, norm));
+    PetscCall(SNESSetConvergenceTest(*snes, ConvergedFn, norm, NULL));
+  }
+  PetscCall(SNESSetFromOptions(*snes));
+  PetscCall(SNESGetTolerances(*snes, NULL, NULL, NULL, &max_it, NULL));
+  if (max_it < 1) {
+    PetscCall(FaultRaise(PetscObjectComm((PetscObject)vi->A), "-%ssnes_max_it %" PetscInt_FMT ": must be at least 1",
+                         prefix, max_it));
+  }
+  PetscCall(SNESVISetVariableBounds(*snes, vi->lower, vi->upper)); /* pdas keeps them itself, so not before the type */
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

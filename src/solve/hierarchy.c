@@ -1,0 +1,204 @@
+/* hierarchy.c -- the inequalities of coarser meshes, and prolongation between their unknowns.
+
+   Displacements are prolonged by the shape functions of the coarser level; what solvers see are unknowns y of u = T y, so
+   P^ = T_f^-1 P T_c. Where meshes are nested, P^' A_f P^ = T_c' (P' K_f P) T_c is the coarser level's own A: none of these products
+   is ever formed. */
+#include <mortise/compat.h>
+#include <petscksp.h>
+#include "hierarchy.h"
+
+/* Steps of CG that find the largest eigenvalue well enough, and what is added for the rest of the way to it. */
+enum { EIGENVALUE_STEPS = 10 };
+static const PetscReal EIGENVALUE_MARGIN = 1.1;
+
+/* P (x) 1: the same for every component. */
+static PetscErrorCode Blocks_Private(Mat P, PetscInt dim, Mat *blocks)
+{
+  PetscInt     begin, end, rows, columns, first, last, *start, *column, count = 0;
+  PetscScalar *value;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetOwnershipRange(P, &begin, &end));
+  PetscCall(MatGetLocalSize(P, &rows, &columns));
+  PetscCall(MatGetOwnershipRangeColumn(P, &first, &last));
+  for (PetscInt row = begin; row < end; row++) {
+    PetscInt num;
+
+    PetscCall(MatGetRow(P, row, &num, NULL, NULL));
+    count += dim * num;
+    PetscCall(MatRestoreRow(P, row, &num, NULL, NULL));
+  }
+  PetscCall(PetscMalloc3(dim * rows + 1, &start, count, &column, count, &value));
+  count    = 0;
+  start[0] = 0;
+  for (PetscInt row = begin; row < end; row++) {
+    PetscInt           num;
+    const PetscInt    *c;
+    const PetscScalar *v;
+
+    PetscCall(MatGetRow(P, row, &num, &c, &v));
+    for (PetscInt k = 0; k < dim; k++) {
+      for (PetscInt j = 0; j < num; j++) {
+        column[count]  = dim * c[j] + k;
+        value[count++] = v[j];
+      }
+      start[dim * (row - begin) + k + 1] = count;
+    }
+    PetscCall(MatRestoreRow(P, row, &num, &c, &v));
+  }
+  PetscCall(MatCreate(PetscObjectComm((PetscObject)P), blocks));
+  PetscCall(MatSetSizes(*blocks, dim * rows, dim * columns, PETSC_DETERMINE, PETSC_DETERMINE));
+  PetscCall(MatSetType(*blocks, MATAIJ));
+  PetscCall(MatSeqAIJSetPreallocationCSR(*blocks, start, column, value)); // one of the two does nothing
+  PetscCall(MatMPIAIJSetPreallocationCSR(*blocks, start, column, value));
+  PetscCall(PetscFree3(start, column, value));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* 1 where an unknown is left in A, 0 where it was eliminated. */
+static PetscErrorCode CreateOpen_Private(VI vi, Vec *open)
+{
+  const PetscInt first = vi->level->dim * vi->level->node_begin;
+  PetscScalar   *a;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(vi->upper, open));
+  PetscCall(VecSet(*open, 1));
+  PetscCall(VecGetArray(*open, &a));
+  for (PetscInt i = 0; i < vi->num_fixed; i++) a[vi->fixed[i] - first] = 0;
+  PetscCall(VecRestoreArray(*open, &a));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* T_f^-1 (P (x) 1) T_c, emptied where unknowns are eliminated. */
+static PetscErrorCode CreateProlongation_Private(VI coarse, VI fine, Mat *P)
+{
+  Mat inverse, product;
+  Vec open[2];
+
+  PetscFunctionBeginUser;
+  PetscCall(Blocks_Private(fine->level->prolongation, fine->level->dim, P));
+  if (coarse->T) {
+    PetscCall(MatMatMult(*P, coarse->T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
+    PetscCall(MatDestroy(P));
+    *P = product;
+  }
+  PetscCall(VICreateInverse(fine, &inverse));
+  if (inverse) {
+    PetscCall(MatMatMult(inverse, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
+    PetscCall(MatDestroy(P));
+    PetscCall(MatDestroy(&inverse));
+    *P = product;
+  }
+  PetscCall(CreateOpen_Private(fine, &open[0]));
+  PetscCall(CreateOpen_Private(coarse, &open[1]));
+  PetscCall(MatDiagonalScale(*P, open[0], open[1]));
+  PetscCall(VecDestroy(&open[0]));
+  PetscCall(VecDestroy(&open[1]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The squares of every column, summed up. */
+static PetscErrorCode WeighColumns_Private(Mat P, Vec *weight)
+{
+  PetscInt begin, end;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateVecs(P, weight, NULL));
+  PetscCall(MatGetOwnershipRange(P, &begin, &end));
+  for (PetscInt row = begin; row < end; row++) {
+    PetscInt           num;
+    const PetscInt    *columns;
+    const PetscScalar *values;
+
+    PetscCall(MatGetRow(P, row, &num, &columns, &values));
+    for (PetscInt j = 0; j < num; j++) PetscCall(VecSetValue(*weight, columns[j], values[j] * values[j], ADD_VALUES));
+    PetscCall(MatRestoreRow(P, row, &num, &columns, &values));
+  }
+  PetscCall(VecAssemblyBegin(*weight));
+  PetscCall(VecAssemblyEnd(*weight));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The largest eigenvalue of diag(A)^-1 A, by a few steps of CG with a right-hand side that has some of everything. */
+static PetscErrorCode LargestEigenvalue_Private(Mat A, PetscReal *largest)
+{
+  PetscInt     begin, end;
+  PetscReal    smallest;
+  PetscScalar *a;
+  Vec          b, x;
+  KSP          ksp;
+  PC           pc;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateVecs(A, &x, &b));
+  PetscCall(VecGetOwnershipRange(b, &begin, &end));
+  PetscCall(VecGetArray(b, &a));
+  for (PetscInt i = begin; i < end; i++) a[i - begin] = PetscSinReal(1 + (PetscReal)i * (PetscReal)i);
+  PetscCall(VecRestoreArray(b, &a));
+  PetscCall(KSPCreate(PetscObjectComm((PetscObject)A), &ksp));
+  PetscCall(KSPSetType(ksp, KSPCG));
+  PetscCall(KSPSetOperators(ksp, A, A));
+  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(PCSetType(pc, PCJACOBI));
+  PetscCall(KSPSetComputeSingularValues(ksp, PETSC_TRUE));
+  PetscCall(KSPSetTolerances(ksp, 0, 0, PETSC_DEFAULT, EIGENVALUE_STEPS));
+  PetscCall(KSPSetNormType(ksp, KSP_NORM_NONE));
+  PetscCall(KSPSolve(ksp, b, x));
+  PetscCall(KSPComputeExtremeSingularValues(ksp, largest, &smallest));
+  *largest *= EIGENVALUE_MARGIN;
+  PetscCall(KSPDestroy(&ksp));
+  PetscCall(VecDestroy(&b));
+  PetscCall(VecDestroy(&x));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode HierarchyCreate(VI vi, Vec springs, Hierarchy *hierarchy)
+{
+  MatInfo   info;
+  Hierarchy h;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(&h));
+  h->num     = vi->mesh->num_levels;
+  h->springs = springs;
+  PetscCall(PetscCalloc1(h->num, &h->grid));
+  for (PetscInt l = 0; l < h->num; l++) {
+    Grid *grid = &h->grid[l];
+
+    if (l + 1 < h->num)
+      PetscCall(VICreateCoarse(vi, l, &grid->vi));
+    else
+      grid->vi = vi;
+    if (!l) PetscCall(VIAssemble(grid->vi));
+    grid->A = grid->vi->A;
+    PetscCall(MatCreateVecs(grid->A, &grid->diag, NULL));
+    PetscCall(MatGetDiagonal(grid->A, grid->diag));
+    PetscCall(MatGetInfo(grid->vi->K, MAT_GLOBAL_SUM, &info));
+    grid->share = info.nz_used;
+    if (!l) continue;
+    PetscCall(CreateProlongation_Private(h->grid[l - 1].vi, grid->vi, &grid->P));
+    PetscCall(WeighColumns_Private(grid->P, &grid->weight));
+    PetscCall(LargestEigenvalue_Private(grid->A, &grid->largest));
+  }
+  for (PetscInt l = 0; l < h->num; l++) h->grid[l].share /= info.nz_used;
+  *hierarchy = h;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode HierarchyDestroy(Hierarchy *hierarchy)
+{
+  PetscFunctionBeginUser;
+  if (!*hierarchy) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt l = 0; l < (*hierarchy)->num; l++) {
+    Grid *grid = &(*hierarchy)->grid[l];
+
+    PetscCall(MatDestroy(&grid->P));
+    PetscCall(VecDestroy(&grid->weight));
+    PetscCall(VecDestroy(&grid->diag));
+    if (l + 1 < (*hierarchy)->num) PetscCall(VIDestroy(&grid->vi));
+  }
+  PetscCall(PetscFree((*hierarchy)->grid));
+  PetscCall(PetscFree(*hierarchy));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

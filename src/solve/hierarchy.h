@@ -1,0 +1,29 @@
+/* hierarchy.h -- one inequality on all levels of its mesh, and what leads from one to the next; internal (floor 6; T29). */
+#ifndef MORTISE_HIERARCHY_H
+#define MORTISE_HIERARCHY_H
+
+#include <mortise/vi.h>
+
+/* One level. */
+typedef struct {
+  VI  vi; /* owned but for the finest */
+  Mat A;  /* vi->A, borrowed */
+  Mat P; /* y of the next coarser level to y of this one, nothing from and to eliminated unknowns; NULL on the coarsest */
+  Vec weight; /* how much of this level each unknown of the next coarser one moves: squares of P's columns; NULL like P */
+  Vec       diag;    /* of A */
+  PetscReal largest; /* eigenvalue of diag^-1 A, at least; 0 on the coarsest */
+  PetscReal share;   /* entries of A by those of the finest: what a product costs */
+} Grid;
+
+typedef struct {
+  PetscInt  num;
+  Grid     *grid;    /* coarse first */
+  Vec       springs; /* what is in the finest A beside the bodies' stiffness, on its diagonal; borrowed, or NULL */
+  PetscReal work;    /* products with A so far, in products with the finest one */
+} * Hierarchy;
+
+/* All levels of vi->mesh. The finest is vi itself. Collective. [in] springs - on the diagonal of vi->A, or NULL */
+PetscErrorCode HierarchyCreate(VI vi, Vec springs, Hierarchy *hierarchy);
+PetscErrorCode HierarchyDestroy(Hierarchy *hierarchy);
+
+#endif

@@ -1,0 +1,21 @@
+/* multigrid.h -- the PC type `truncatedmg`: multigrid that keeps away from active unknowns; internal (floor 6; T29). */
+#ifndef MORTISE_MULTIGRID_H
+#define MORTISE_MULTIGRID_H
+
+#include <petscsnes.h>
+#include "hierarchy.h"
+
+#define PCTRUNCATEDMG "truncatedmg"
+
+/* Registers the type. Not collective. Options: those of PCMG behind the prefix of the PC, -mg_levels_ksp_max_it <3> ... */
+PetscErrorCode MultigridRegister(void);
+/* The levels that a PC of this type works on; nothing for other types. Collective.
+   [in] hierarchy - borrowed; [in] finest - level that the PC's vectors belong to; [in] snes - borrowed: of the type `vinewtonrsls`
+   where the PC is to be applied to the unknowns that this leaves, else NULL */
+PetscErrorCode MultigridSetHierarchy(PC pc, Hierarchy hierarchy, PetscInt finest, SNES snes);
+/* Which unknowns are free (1) and which are held (0). Collective. */
+PetscErrorCode MultigridSetFree(PC pc, Vec free);
+/* A with the rows and columns of held unknowns emptied but for the diagonal, without a copy of it. Borrowed. Not collective. */
+PetscErrorCode MultigridGetOperator(PC pc, Mat *A);
+
+#endif
