@@ -42,6 +42,7 @@ typedef struct {
   Hierarchy  hierarchy; /* borrowed */
   PetscInt   num;       /* levels */
   Rung      *rung;      /* coarse first */
+  Mat        outer;     /* A^ of the finest level, for who iterates */
   PC         mg;
   PetscBool  ready; /* whether M was set before */
   SNES       snes;  /* borrowed, or NULL */
@@ -94,6 +95,27 @@ static PetscErrorCode Mult_Rung(Mat A, Vec x, Vec y)
   if (rung->grid->vi->Z) PetscCall(MatMultAdd(rung->grid->vi->Z, x, y, y));
   if (rung->springs) PetscCall(AddSprings_Private(rung->springs, x, y));
   if (rung->change) PetscCall(MatMultAdd(rung->change, x, y, y));
+  rung->hierarchy->work += rung->grid->share;
+  PetscCall(VecGetArrayRead(rung->diag, &d));
+  PetscCall(VecGetArrayRead(x, &xa));
+  PetscCall(VecGetArray(y, &ya));
+  for (PetscInt i = 0; i < rung->num; i++) ya[rung->held[i]] = d[rung->held[i]] * xa[rung->held[i]];
+  PetscCall(VecRestoreArray(y, &ya));
+  PetscCall(VecRestoreArrayRead(x, &xa));
+  PetscCall(VecRestoreArrayRead(rung->diag, &d));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The same for an x that is 0 where active, whatever it is where unknowns were eliminated: to iterate with. */
+static PetscErrorCode Mult_Outer(Mat A, Vec x, Vec y)
+{
+  Rung              *rung;
+  const PetscScalar *d, *xa;
+  PetscScalar       *ya;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(A, &rung));
+  PetscCall(MatMult(rung->grid->A, x, y));
   rung->hierarchy->work += rung->grid->share;
   PetscCall(VecGetArrayRead(rung->diag, &d));
   PetscCall(VecGetArrayRead(x, &xa));
@@ -310,7 +332,7 @@ PetscErrorCode MultigridGetOperator(PC pc, Mat *A)
 
   PetscFunctionBeginUser;
   PetscCall(Get_Private(pc, &multigrid));
-  *A = multigrid->rung[multigrid->num - 1].A;
+  *A = multigrid->outer;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -329,6 +351,22 @@ static PetscErrorCode RungCreate_Private(Rung *rung)
   PetscCall(MatCreateShell(comm, n, coarse, PETSC_DETERMINE, PETSC_DETERMINE, rung, &rung->P));
   PetscCall(MatShellSetOperation(rung->P, MATOP_MULT, (void (*)(void))Interpolate_Rung));
   PetscCall(MatShellSetOperation(rung->P, MATOP_MULT_TRANSPOSE, (void (*)(void))Restrict_Rung));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A^ of the finest level. */
+static PetscErrorCode OuterCreate_Private(Multigrid *multigrid)
+{
+  Rung    *finest = &multigrid->rung[multigrid->num - 1];
+  PetscInt n;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetLocalSize(finest->grid->A, &n, NULL));
+  PetscCall(MatCreateShell(PetscObjectComm((PetscObject)finest->grid->A), n, n, PETSC_DETERMINE, PETSC_DETERMINE,
+                           finest, &multigrid->outer));
+  PetscCall(MatShellSetOperation(multigrid->outer, MATOP_MULT, (void (*)(void))Mult_Outer));
+  PetscCall(MatShellSetOperation(multigrid->outer, MATOP_GET_DIAGONAL, (void (*)(void))GetDiagonal_Rung));
+  PetscCall(MatSetOption(multigrid->outer, MAT_SPD, PETSC_TRUE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -374,6 +412,7 @@ static PetscErrorCode Clear_Private(Multigrid *multigrid)
 {
   PetscFunctionBeginUser;
   PetscCall(PCDestroy(&multigrid->mg));
+  PetscCall(MatDestroy(&multigrid->outer));
   for (PetscInt l = 0; l < multigrid->num; l++) {
     Rung *rung = &multigrid->rung[l];
 
@@ -417,6 +456,9 @@ PetscErrorCode MultigridSetHierarchy(PC pc, Hierarchy hierarchy, PetscInt finest
     PetscCall(VecSet(rung->free, 1));
     if (l) PetscCall(RungCreate_Private(rung));
   }
+  PetscCall(VecDuplicate(multigrid->rung[finest].diag, &multigrid->r));
+  PetscCall(VecDuplicate(multigrid->r, &multigrid->z));
+  PetscCall(OuterCreate_Private(multigrid));
   PetscCall(Configure_Private(pc, multigrid));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -441,10 +483,6 @@ static PetscErrorCode SetUp_Multigrid(PC pc)
   PetscCall(PetscObjectReference((PetscObject)multigrid->left));
   PetscCall(PCGetOperators(pc, &A, NULL));
   PetscCall(MatCreateVecs(A, &reduced, NULL));
-  if (!multigrid->r) {
-    PetscCall(VecDuplicate(multigrid->rung[multigrid->num - 1].diag, &multigrid->r));
-    PetscCall(VecDuplicate(multigrid->r, &multigrid->z));
-  }
   PetscCall(VecScatterCreate(multigrid->r, multigrid->left, reduced, NULL, &multigrid->scatter));
   PetscCall(VecZeroEntries(multigrid->r));
   PetscCall(VecSet(reduced, 1));
@@ -455,6 +493,26 @@ static PetscErrorCode SetUp_Multigrid(PC pc)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* z = cycle of r; eliminated unknowns, which couple to nothing, by themselves. [in] r - is spoilt */
+static PetscErrorCode Cycle_Private(Multigrid *multigrid, Vec r, Vec z)
+{
+  const VI     vi = multigrid->rung[multigrid->num - 1].grid->vi;
+  PetscScalar *ra, *za, *alone;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(vi->num_fixed, &alone));
+  PetscCall(VecGetArray(r, &ra));
+  for (PetscInt i = 0; i < vi->num_fixed; i++) alone[i] = ra[vi->fixed_local[i]];
+  for (PetscInt i = 0; i < vi->num_fixed; i++) ra[vi->fixed_local[i]] = 0;
+  PetscCall(VecRestoreArray(r, &ra));
+  PetscCall(PCApply(multigrid->mg, r, z));
+  PetscCall(VecGetArray(z, &za));
+  for (PetscInt i = 0; i < vi->num_fixed; i++) za[vi->fixed_local[i]] = alone[i];
+  PetscCall(VecRestoreArray(z, &za));
+  PetscCall(PetscFree(alone));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 static PetscErrorCode Apply_Multigrid(PC pc, Vec r, Vec z)
 {
   Multigrid *multigrid;
@@ -462,13 +520,14 @@ static PetscErrorCode Apply_Multigrid(PC pc, Vec r, Vec z)
   PetscFunctionBeginUser;
   PetscCall(Get_Private(pc, &multigrid));
   if (!multigrid->snes) {
-    PetscCall(PCApply(multigrid->mg, r, z));
+    PetscCall(VecCopy(r, multigrid->r));
+    PetscCall(Cycle_Private(multigrid, multigrid->r, z));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(VecZeroEntries(multigrid->r));
   PetscCall(VecScatterBegin(multigrid->scatter, r, multigrid->r, INSERT_VALUES, SCATTER_REVERSE));
   PetscCall(VecScatterEnd(multigrid->scatter, r, multigrid->r, INSERT_VALUES, SCATTER_REVERSE));
-  PetscCall(PCApply(multigrid->mg, multigrid->r, multigrid->z));
+  PetscCall(Cycle_Private(multigrid, multigrid->r, multigrid->z));
   PetscCall(VecScatterBegin(multigrid->scatter, multigrid->z, z, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecScatterEnd(multigrid->scatter, multigrid->z, z, INSERT_VALUES, SCATTER_FORWARD));
   PetscFunctionReturn(PETSC_SUCCESS);
