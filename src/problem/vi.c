@@ -93,6 +93,7 @@ PetscErrorCode VIAssemble(VI vi)
 PetscErrorCode VIAttachModes(VI vi)
 {
   PetscFunctionBeginUser;
+  if (!vi->basis) PetscFunctionReturn(PETSC_SUCCESS); // an inequality that was not made from bodies
   PetscCall(LogStageBegin(STAGE_CONDENSE));
   PetscCall(ModesAttach(vi, &vi->basis->bases, &vi->basis->couplings, vi->num_fixed, vi->fixed));
   PetscCall(LogStageEnd(STAGE_CONDENSE));

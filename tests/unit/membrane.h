@@ -58,6 +58,7 @@ static PetscErrorCode MembraneCreate(PetscReal stiffness, PetscReal length, Pets
   PetscCall(MatAssemblyBegin(vi->A, MAT_FINAL_ASSEMBLY));
   PetscCall(MatAssemblyEnd(vi->A, MAT_FINAL_ASSEMBLY));
   PetscCall(MatSetOption(vi->A, MAT_SPD, PETSC_TRUE));
+  vi->assembled = PETSC_TRUE;
   PetscCall(VecAssemblyBegin(vi->upper));
   PetscCall(VecAssemblyEnd(vi->upper));
   PetscFunctionReturn(0);

@@ -118,6 +118,7 @@ static void TestMotions(VI vi)
   Vec          image;
   PetscReal    norm;
 
+  CHECK(!VIAttachModes(vi));
   CHECK(!MatGetNearNullSpace(vi->A, &space));
   CHECK(!MatNullSpaceGetVecs(space, NULL, &num, &vectors));
   CHECK(num == (vi->level->dim == 3 ? 6 : 3) * vi->scene->num_bodies);
