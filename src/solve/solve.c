@@ -172,6 +172,17 @@ static PetscErrorCode Sweep_Private(VI vi, SNES snes, Springs *springs, Vec y, S
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A as the choice needs it: multigrid needs its products alone, AMG the motions of the bodies. */
+static PetscErrorCode Prepare_Private(VI vi, const SolveChoice *choice)
+{
+  const PetscBool multigrid = (PetscBool)!strcmp(choice->pc, PCTRUNCATEDMG);
+
+  PetscFunctionBeginUser;
+  if (!multigrid || strcmp(choice->snes, SNESPDAS)) PetscCall(VIAssemble(vi));
+  if (!multigrid && !SolveFactors(choice->pc)) PetscCall(VIAttachModes(vi));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The levels that the SNES' preconditioner works on, if it does. [out] hierarchy - NULL if not */
 static PetscErrorCode Hierarchy_Private(const Springs *springs, SNES snes, PetscBool pdas, Hierarchy *hierarchy)
 {
@@ -224,8 +235,7 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], P
 
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(report, sizeof(*report)));
-  if (!pdas || strcmp(choice->pc, PCTRUNCATEDMG)) PetscCall(VIAssemble(vi));
-  if (!direct && strcmp(choice->pc, PCTRUNCATEDMG)) PetscCall(VIAttachModes(vi));
+  PetscCall(Prepare_Private(vi, choice));
   PetscCall(SpringsBegin(vi, &springs));
   PetscCall(VecDuplicate(vi->b, &scratch));
   PetscCall(DefaultsApply_Private(n, defaults, prefix, PETSC_TRUE));
@@ -275,17 +285,21 @@ PetscErrorCode VIEnergyBound(VI vi, Vec y, EnergyBound *bound)
   Vec         scratch, own;
   PetscReal   norm;
   Springs     springs;
+  Hierarchy   hierarchy = NULL;
 
   PetscFunctionBeginUser;
   PetscCall(SolveChoose(vi, &choice));
+  PetscCall(Prepare_Private(vi, &choice));
   PetscCall(SpringsBegin(vi, &springs));
   PetscCall(VecDuplicate(vi->b, &scratch));
   PetscCall(VecDuplicate(y, &own));
   PetscCall(VecCopy(y, own));
   if (vi->solvability) PetscCall(VecAXPY(own, -1, vi->solvability->rest));
-  PetscCall(Configure_Private(springs.vi, &choice, "", scratch, &norm, &snes));
+  PetscCall(SolveConfigure(springs.vi, &choice, "", scratch, &norm, &snes));
+  PetscCall(Hierarchy_Private(&springs, snes, PETSC_TRUE, &hierarchy));
   PetscCall(BoundCompute(&springs, snes, own, bound));
   PetscCall(SNESDestroy(&snes));
+  PetscCall(HierarchyDestroy(&hierarchy));
   PetscCall(VecDestroy(&scratch));
   PetscCall(SpringsEnd(&springs, own));
   PetscCall(VecDestroy(&own));
