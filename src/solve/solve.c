@@ -183,21 +183,28 @@ static PetscErrorCode Prepare_Private(VI vi, const SolveChoice *choice)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The levels that the SNES' preconditioner works on, if it does. [out] hierarchy - NULL if not */
-static PetscErrorCode Hierarchy_Private(const Springs *springs, SNES snes, PetscBool pdas, Hierarchy *hierarchy)
+/* The levels that a preconditioner works on, if it does. [in] snes - that leaves it the free unknowns alone, or NULL; [in,out] hierarchy -
+   made where it is NULL, and left so if it is not needed */
+static PetscErrorCode Hierarchy_Private(const Springs *springs, PC pc, SNES snes, Hierarchy *hierarchy)
 {
   const VI  vi = springs->vi;
   PetscBool multigrid;
-  KSP       ksp;
-  PC        pc;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCTRUNCATEDMG, &multigrid));
+  if (!multigrid || vi->mesh->num_levels < 2) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!*hierarchy) PetscCall(HierarchyCreate(vi, vi->solvability ? vi->solvability->springs : NULL, hierarchy));
+  PetscCall(MultigridSetHierarchy(pc, *hierarchy, (*hierarchy)->num - 1, snes));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode GetPC_Private(SNES snes, PC *pc)
+{
+  KSP ksp;
 
   PetscFunctionBeginUser;
   PetscCall(SNESGetKSP(snes, &ksp));
-  PetscCall(KSPGetPC(ksp, &pc));
-  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCTRUNCATEDMG, &multigrid));
-  if (!multigrid || vi->mesh->num_levels < 2) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(HierarchyCreate(vi, vi->solvability ? vi->solvability->springs : NULL, hierarchy));
-  PetscCall(MultigridSetHierarchy(pc, *hierarchy, (*hierarchy)->num - 1, pdas ? NULL : snes));
+  PetscCall(KSPGetPC(ksp, pc));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -232,6 +239,7 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], P
   PetscReal      norm;
   Springs        springs;
   Hierarchy      hierarchy = NULL;
+  PC             pc;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(report, sizeof(*report)));
@@ -240,7 +248,8 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], P
   PetscCall(VecDuplicate(vi->b, &scratch));
   PetscCall(DefaultsApply_Private(n, defaults, prefix, PETSC_TRUE));
   PetscCall(SolveConfigure(springs.vi, choice, prefix, scratch, &norm, &snes));
-  PetscCall(Hierarchy_Private(&springs, snes, pdas, &hierarchy));
+  PetscCall(GetPC_Private(snes, &pc));
+  PetscCall(Hierarchy_Private(&springs, pc, pdas ? NULL : snes, &hierarchy));
   if (progress) PetscCall(ProgressSet(snes, springs.vi));
   PetscCall(SolveStart(springs.vi, pdas, prefix, guess, y));
   PetscCall(SpringsSet(&springs, guess ? y : NULL, snes, pdas));
@@ -248,6 +257,7 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], P
   if (hierarchy && nested) PetscCall(Cascade_Private(hierarchy, snes, y));
   PetscCall(Sweep_Private(springs.vi, snes, &springs, y, report));
   report->bound.value = NAN;
+  if (choice->bound && !pdas) PetscCall(Hierarchy_Private(&springs, pc, NULL, &hierarchy));
   if (choice->bound) PetscCall(BoundCompute(&springs, snes, y, &report->bound));
   PetscCall(DefaultsApply_Private(n, defaults, prefix, PETSC_FALSE));
   PetscCall(SNESDestroy(&snes));
@@ -286,6 +296,7 @@ PetscErrorCode VIEnergyBound(VI vi, Vec y, EnergyBound *bound)
   PetscReal   norm;
   Springs     springs;
   Hierarchy   hierarchy = NULL;
+  PC          pc;
 
   PetscFunctionBeginUser;
   PetscCall(SolveChoose(vi, &choice));
@@ -296,7 +307,8 @@ PetscErrorCode VIEnergyBound(VI vi, Vec y, EnergyBound *bound)
   PetscCall(VecCopy(y, own));
   if (vi->solvability) PetscCall(VecAXPY(own, -1, vi->solvability->rest));
   PetscCall(SolveConfigure(springs.vi, &choice, "", scratch, &norm, &snes));
-  PetscCall(Hierarchy_Private(&springs, snes, PETSC_TRUE, &hierarchy));
+  PetscCall(GetPC_Private(snes, &pc));
+  PetscCall(Hierarchy_Private(&springs, pc, NULL, &hierarchy));
   PetscCall(BoundCompute(&springs, snes, own, bound));
   PetscCall(SNESDestroy(&snes));
   PetscCall(HierarchyDestroy(&hierarchy));
