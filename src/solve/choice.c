@@ -5,6 +5,7 @@
 #include <mortise/pdas.h>
 #include <string.h>
 #include "active.h"
+#include "multigrid.h"
 #include "room.h"
 
 /* Unknowns up to which factorisations beat iterating: in 3D their cost grows much faster than the mesh, and one for each active set
@@ -81,10 +82,17 @@ static PetscErrorCode LargestPoisson_Private(VI vi, PetscReal *poisson)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* What preconditions an iteration: the levels of the mesh if there are any. */
+static const char *Iterative_Private(VI vi, PetscBool pdas)
+{
+  if (vi->mesh && vi->mesh->num_levels > 1) return PCTRUNCATEDMG;
+  return pdas ? PCGAMG : PCHYPRE; // GAMG needs matrices that keep their size
+}
+
 /* The linear solver where the user says nothing: by size, unless iterations are hopeless. */
 static PetscErrorCode ChooseBySize_Private(VI vi, PetscBool pdas, SolveChoice *choice)
 {
-  const char *iterative = pdas ? PCGAMG : PCHYPRE;
+  const char *iterative = Iterative_Private(vi, pdas);
   PetscInt    size, limit = DIRECT_2D;
   PetscReal   poisson;
   PetscBool   reducible;
@@ -128,13 +136,18 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
     PetscCall(PetscStrncpy(choice->ksp, SolveFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
   }
   if (ksp && !pc) {
-    const char *iterative = pdas ? PCGAMG : PCHYPRE;
+    const char *iterative = Iterative_Private(vi, pdas);
 
     PetscCall(PetscStrncpy(choice->pc, strcmp(choice->ksp, KSPPREONLY) ? iterative : PCCHOLESKY, sizeof(choice->pc)));
   }
   if (ksp || pc) {
     PetscCall(PetscStrncpy(choice->why, ksp ? (pc ? "-ksp_type and -pc_type" : "-ksp_type") : "-pc_type",
                            sizeof(choice->why)));
+  }
+  if (!strcmp(choice->pc, PCTRUNCATEDMG) && !(vi->mesh && vi->mesh->num_levels > 1)) {
+    PetscCall(FaultRaise(comm,
+                         "-pc_type %s: needs levels of the mesh, and there is one; refine with -dm_refine 1 or more",
+                         PCTRUNCATEDMG));
   }
   if (!pdas && !strcmp(choice->pc, PCGAMG)) {
     PetscCall(
