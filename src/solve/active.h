@@ -137,7 +137,7 @@ typedef enum { START_EMPTY, START_FULL, START_GAP, START_PREVIOUS, START_COUNT }
 typedef struct {
   PetscReal c;
   PDASStart start;
-  PetscBool reduce, reduce_set;
+  PetscBool start_set, reduce, reduce_set;
   Vec       lower, upper; /* NULL without bounds */
   Vec       previous;     /* of PDASSetStart(), or NULL */
   /* and what happened */

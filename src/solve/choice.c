@@ -5,6 +5,7 @@
 #include <mortise/pdas.h>
 #include <string.h>
 #include "active.h"
+#include "hierarchy.h"
 #include "multigrid.h"
 #include "room.h"
 
@@ -12,6 +13,9 @@
    costs as much as the set's iterations much earlier than one for all. Two cubes of hexahedra in contact, 6 sets: 139000 unknowns
    in a third of the time of CG with GAMG, and 1.7 GB; at 290000 it would be the same time and 5 GB. */
 static const PetscInt DIRECT_2D = 1000000, DIRECT_3D = 150000, DIRECT_3D_EACH = 40000;
+
+/* The same where nested levels help to iterate. */
+static const PetscInt DIRECT_2D_LEVELS = 150000, DIRECT_3D_LEVELS = 30000;
 
 PetscBool SolveFactors(const char pc[])
 {
@@ -95,11 +99,15 @@ static PetscErrorCode ChooseBySize_Private(VI vi, PetscBool pdas, SolveChoice *c
   const char *iterative = Iterative_Private(vi, pdas);
   PetscInt    size, limit = DIRECT_2D;
   PetscReal   poisson;
-  PetscBool   reducible;
+  PetscBool   reducible, nested;
 
   PetscFunctionBeginUser;
   PetscCall(Reducible_Private(vi, &reducible));
   if (vi->level->dim == 3) limit = pdas && reducible ? DIRECT_3D : DIRECT_3D_EACH;
+  if (vi->mesh && vi->mesh->num_levels > 1) {
+    PetscCall(HierarchyIsNested(vi, &nested));
+    if (nested) limit = PetscMin(limit, vi->level->dim == 3 ? DIRECT_3D_LEVELS : DIRECT_2D_LEVELS);
+  }
   PetscCall(VecGetSize(vi->b, &size));
   PetscCall(PetscStrncpy(choice->ksp, size <= limit ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
   PetscCall(PetscStrncpy(choice->pc, size <= limit ? PCCHOLESKY : iterative, sizeof(choice->pc)));

@@ -5,6 +5,7 @@
    is ever formed. */
 #include <mortise/compat.h>
 #include <petscksp.h>
+#include <mortise/elasticity.h>
 #include "hierarchy.h"
 
 /* Steps of CG that find the largest eigenvalue well enough, and what is added for the rest of the way to it. */
@@ -137,6 +138,7 @@ static PetscErrorCode LargestEigenvalue_Private(Mat A, PetscReal *largest)
   for (PetscInt i = begin; i < end; i++) a[i - begin] = PetscSinReal(1 + (PetscReal)i * (PetscReal)i);
   PetscCall(VecRestoreArray(b, &a));
   PetscCall(KSPCreate(PetscObjectComm((PetscObject)A), &ksp));
+  PetscCall(KSPSetOptionsPrefix(ksp, "eigenvalue_"));
   PetscCall(KSPSetType(ksp, KSPCG));
   PetscCall(KSPSetOperators(ksp, A, A));
   PetscCall(KSPGetPC(ksp, &pc));
@@ -153,6 +155,20 @@ static PetscErrorCode LargestEigenvalue_Private(Mat A, PetscReal *largest)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode HierarchyIsNested(VI vi, PetscBool *nested)
+{
+  const Scene      scene = vi->scene;
+  DilatationCount *counts;
+
+  PetscFunctionBeginUser;
+  *nested = PETSC_TRUE;
+  PetscCall(PetscMalloc1(scene->num_bodies, &counts));
+  PetscCall(ElasticityDilatationCount(scene, vi->level, counts));
+  for (PetscInt b = 0; b < scene->num_bodies; b++) *nested = (PetscBool)(*nested && counts[b].poisson == 0);
+  PetscCall(PetscFree(counts));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode HierarchyCreate(VI vi, Vec springs, Hierarchy *hierarchy)
 {
   MatInfo   info;
@@ -162,6 +178,7 @@ PetscErrorCode HierarchyCreate(VI vi, Vec springs, Hierarchy *hierarchy)
   PetscCall(PetscNew(&h));
   h->num     = vi->mesh->num_levels;
   h->springs = springs;
+  PetscCall(HierarchyIsNested(vi, &h->nested));
   PetscCall(PetscCalloc1(h->num, &h->grid));
   for (PetscInt l = 0; l < h->num; l++) {
     Grid *grid = &h->grid[l];

@@ -16,12 +16,16 @@ typedef struct {
 } Grid;
 
 typedef struct {
-  PetscInt  num;
-  Grid     *grid;    /* coarse first */
-  Vec       springs; /* what is in the finest A beside the bodies' stiffness, on its diagonal; borrowed, or NULL */
-  PetscReal work;    /* products with A so far, in products with the finest one */
+  PetscInt num;
+  Grid    *grid; /* coarse first */
+  PetscBool
+      nested;  /* whether each level's A is P^'A P^ of the finer one: straight cells, of materials that do not lock */
+  Vec springs; /* what is in the finest A beside the bodies' stiffness, on its diagonal; borrowed, or NULL */
+  PetscReal work; /* products with A so far, in products with the finest one */
 } * Hierarchy;
 
+/* Whether levels' matrices are nearly those of prolongation: not where volumes change by whole cells (T29). Collective. */
+PetscErrorCode HierarchyIsNested(VI vi, PetscBool *nested);
 /* All levels of vi->mesh. The finest is vi itself. Collective. [in] springs - on the diagonal of vi->A, or NULL */
 PetscErrorCode HierarchyCreate(VI vi, Vec springs, Hierarchy *hierarchy);
 PetscErrorCode HierarchyDestroy(Hierarchy *hierarchy);

@@ -72,6 +72,37 @@ PetscErrorCode MultigridSetFree(PC pc, Vec free)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode MultigridForgo(PC pc, PetscBool *done)
+{
+  Multigrid *multigrid;
+
+  PetscFunctionBeginUser;
+  PetscCall(Get_Private(pc, &multigrid));
+  *done                        = multigrid->hierarchy->nested;
+  multigrid->hierarchy->nested = PETSC_FALSE;
+  for (PetscInt l = 0; l < multigrid->num; l++) PetscCall(RungForget(&multigrid->rung[l]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MultigridForces(PC pc, Vec y, PetscReal *size)
+{
+  Multigrid  *multigrid;
+  const Grid *grid;
+  PetscScalar square;
+
+  PetscFunctionBeginUser;
+  PetscCall(Get_Private(pc, &multigrid));
+  grid = multigrid->rung[multigrid->num - 1].grid;
+  PetscCall(MatMult(grid->vi->K, y, multigrid->r));
+  PetscCall(VecScale(multigrid->r, 1 / grid->vi->stiffness));
+  if (grid->vi->Z) PetscCall(MatMultAdd(grid->vi->Z, y, multigrid->r, multigrid->r));
+  multigrid->hierarchy->work += grid->share;
+  PetscCall(VecPointwiseDivide(multigrid->z, multigrid->r, grid->diag));
+  PetscCall(VecDot(multigrid->z, multigrid->r, &square));
+  *size = PetscSqrtReal(PetscRealPart(square));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode MultigridGetOperator(PC pc, Mat *A)
 {
   Multigrid *multigrid;

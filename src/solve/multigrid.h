@@ -18,4 +18,10 @@ PetscErrorCode MultigridSetFree(PC pc, Vec free);
 /* A with the rows and columns of held unknowns emptied but for the diagonal, without a copy of it. Borrowed. Not collective. */
 PetscErrorCode MultigridGetOperator(PC pc, Mat *A);
 
+/* Does without what held unknowns take from coarser matrices: where these are not quite those of prolongation it can be more than there
+   is. Who holds unknowns has to do so again. Collective. [out] done - whether it did not do without that before */
+PetscErrorCode MultigridForgo(PC pc, PetscBool *done);
+/* |T'K T y| in the norm of diag(A)^-1, supports' reactions and contact forces among them. Collective. */
+PetscErrorCode MultigridForces(PC pc, Vec y, PetscReal *size);
+
 #endif

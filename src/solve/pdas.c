@@ -82,6 +82,7 @@ PetscErrorCode PDASSetStart(SNES snes, Vec active)
   PetscCall(Get_Private(snes, &pdas));
   if (!pdas->previous) PetscCall(VecDuplicate(active, &pdas->previous));
   PetscCall(VecCopy(active, pdas->previous));
+  if (!pdas->start_set) pdas->start = START_PREVIOUS;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -337,7 +338,7 @@ static PetscErrorCode SetFromOptions_Private(SNES snes)
   PetscCall(PetscOptionsReal("-snes_pdas_c", "Constant of the active set test, times the local stiffness", "pdas.h",
                              pdas->c, &pdas->c, NULL));
   PetscCall(PetscOptionsEList("-snes_pdas_start", "Set to begin with", "pdas.h", PDASStarts, START_COUNT,
-                              PDASStarts[start], &start, NULL));
+                              PDASStarts[start], &start, &pdas->start_set));
   PetscCall(PetscOptionsBool("-snes_pdas_reduce", "One factorisation for all active sets; by default if that is cheap",
                              "pdas.h", pdas->reduce, &pdas->reduce, &pdas->reduce_set));
   PetscOptionsEnd();

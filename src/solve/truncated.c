@@ -156,6 +156,15 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, Acti
   PetscCall(KSPGetConvergedReason(t->ksp, &reason));
   if (its > 0) PetscCall(Ritz_Private(t));
   if (reason >= 0) PetscFunctionReturn(PETSC_SUCCESS);
+  if (t->shell) {
+    PetscBool again;
+
+    PetscCall(MultigridForgo(t->pc, &again));
+    t->same = PETSC_FALSE;
+    if (again) PetscCall(Matrix_Private(solver));
+    if (again) PetscCall(Correct_Private(solver, PETSC_FALSE, solution));
+    if (again) PetscFunctionReturn(PETSC_SUCCESS);
+  }
   PetscCall(FactorCheckMemory(t->ksp));
   PetscCall(KSPGetPC(t->ksp, &pc));
   PetscCall(PCGetFailedReason(pc, &failed));
@@ -188,9 +197,9 @@ static PetscErrorCode Forceless_Private(ActiveSolver solver, const PetscBool fix
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The KSP goes a little further than it has to, since it measures residuals in its own way; what is still missing then is little.
-   [in] k - solves before, for the same set */
-static PetscErrorCode Tolerance_Private(ActiveSolver solver, PetscInt k)
+/* How far the KSP goes: a little further than it has to, since it measures residuals in its own way.
+   [in] k - solves before, for the same set; [in] left - part of the residual that they should have left */
+static PetscErrorCode Tolerance_Private(ActiveSolver solver, PetscInt k, PetscReal left)
 {
   static const PetscReal FURTHER = 0.5, A_LITTLE = 0.05;
   Truncated             *t    = solver->data;
@@ -198,8 +207,24 @@ static PetscErrorCode Tolerance_Private(ActiveSolver solver, PetscInt k)
 
   PetscFunctionBeginUser;
   if (solver->target > solver->rtol) rtol = FURTHER * solver->target;
-  if (solver->inexact && k) rtol = A_LITTLE;
+  if (solver->inexact && k) rtol = PetscMax(t->rtol, PetscMin(A_LITTLE, FURTHER * left));
   PetscCall(KSPSetTolerances(t->ksp, rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What the residual is small against: the first one, but in the end not more than the forces in the bodies, where these can be had.
+   Supports that move a body far make a large first residual of next to no force. */
+static PetscErrorCode Reference_Private(ActiveSolver solver, PetscReal first, PetscReal *reference)
+{
+  static const PetscReal ROUNDING = 1e-4; /* smaller forces would ask for digits that there are none of */
+  Truncated             *t        = solver->data;
+  PetscReal              forces;
+
+  PetscFunctionBeginUser;
+  *reference = first;
+  if (!t->shell || solver->target > solver->rtol) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MultigridForces(t->pc, t->y, &forces));
+  *reference = PetscMax(ROUNDING * first, PetscMin(first, forces));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -207,7 +232,7 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
                                       ActiveSolution *solution)
 {
   Truncated *t = solver->data;
-  PetscReal  reference, size;
+  PetscReal  first, reference, size, left = 1;
   PetscBool  forceless;
 
   PetscFunctionBeginUser;
@@ -215,17 +240,19 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
   solution->eta        = 0;
   PetscCall(Prescribe_Private(solver, fixed, value, solution));
   PetscCall(Matrix_Private(solver));
-  PetscCall(ActiveSolverResidual(solver, fixed, t->y, t->r, t->f, &reference));
-  for (PetscInt k = 0; k <= MAX_REFINEMENTS && reference > 0; k++) {
-    const PetscReal before = k ? solution->eta : 1;
+  PetscCall(ActiveSolverResidual(solver, fixed, t->y, t->r, t->f, &first));
+  for (PetscInt k = 0; k <= MAX_REFINEMENTS && first > 0; k++) {
+    const PetscReal before = k ? solution->eta : PETSC_MAX_REAL;
 
-    PetscCall(Tolerance_Private(solver, k));
+    PetscCall(Tolerance_Private(solver, k, left));
     PetscCall(Correct_Private(solver, (PetscBool)(k == 0 && !t->direct), solution));
     if (solution->failure) PetscFunctionReturn(PETSC_SUCCESS);
     PetscCall(VecPointwiseMult(t->d, t->d, t->free)); /* a preconditioner may have leaked into fixed unknowns */
     PetscCall(VecAXPY(t->y, 1, t->d));
     PetscCall(ActiveSolverResidual(solver, fixed, t->y, t->r, t->f, &size));
+    PetscCall(Reference_Private(solver, first, &reference));
     solution->eta = size / reference;
+    left          = solver->target / solution->eta;
     /* a direct solver gets to roundoff, not just below a tolerance, for the price of one more substitution */
     PetscCall(Forceless_Private(solver, fixed, &forceless));
     if (solution->eta <= solver->target && (!t->direct || k) && (forceless || solver->target > solver->rtol)) break;
