@@ -24,6 +24,8 @@ PetscErrorCode LogReset(double start);
 /* Enters and leaves a stage; wall seconds are added up. A stage within another one stops that one's clock. Collective on PETSC_COMM_WORLD. */
 PetscErrorCode LogStageBegin(LogStage stage);
 PetscErrorCode LogStageEnd(LogStage stage);
+/* Stages that are entered while counting is off are stages of PETSc's log alone. Within no stage. Not collective. */
+void LogCount(PetscBool on);
 /* Wall seconds so far of one stage (largest over the ranks is taken by the caller), and since the program began. */
 double LogStageSeconds(LogStage stage);
 double LogTotalSeconds(void);

@@ -117,7 +117,7 @@ struct _n_Scene {
   int         formats; /* OutputFormat bits */
   char       *summary; /* file for the summary alone, "-" for stdout, or NULL */
   SceneStudy  study;
-  PetscBool   cross_check, quiet, monitor, view, report, allow_unused;
+  PetscBool   cross_check, measure_linear, quiet, monitor, view, report, allow_unused;
 };
 typedef struct _n_Scene *Scene;
 

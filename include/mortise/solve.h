@@ -13,6 +13,14 @@ typedef struct {
   PetscBool estimated; /* by Ritz values of an iterative solver, instead of a factorisation */
 } EnergyBound;
 
+/* What one linear solve with the final active set costs, from its preconditioner to its solution. */
+typedef struct {
+  PetscBool done;       /* whether it was asked for, and solved */
+  PetscReal seconds;    /* of the slowest rank, on the wall */
+  PetscReal work;       /* as in SolveReport */
+  PetscInt  iterations; /* of an iterative solver */
+} LinearReference;
+
 /* How one solve went; the same on all ranks. */
 typedef struct {
   char        type[64];    /* SNES type */
@@ -26,6 +34,9 @@ typedef struct {
   PetscReal   work;            /* products with matrices of all levels, in products with the finest; 0 without levels */
   PetscInt    sweeps;          /* solutions with springs that hold bodies (T27); 1 without */
   EnergyBound bound;
+
+  PetscReal       seconds;   /* of the slowest rank, on the wall, from the levels of multigrid to the bound */
+  LinearReference reference; /* of VILinearReference() */
 } SolveReport;
 
 /* Comparison of two solutions of the same VI. */
@@ -44,6 +55,9 @@ PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report);
 /* How far any y, converged or not, feasible or not, can be from the solution; for the price of one factorisation or linear solve.
    VISolve() has it of its own y for a substitution. Collective. */
 PetscErrorCode VIEnergyBound(VI vi, Vec y, EnergyBound *bound);
+/* Solves once more with the active set of the solution y, by the linear solver that the options want, from zero and with everything it
+   needs made anew; the seconds belong to no stage. Collective. [out] reference - for the summary */
+PetscErrorCode VILinearReference(VI vi, Vec y, LinearReference *reference);
 /* Solves by the other of pdas and vinewtonrsls and compares. Collective. */
 PetscErrorCode VICrossCheck(VI vi, Vec y, const SolveReport *report, CrossCheck *check);
 /* Prints what was chosen for the linear systems and why (part of -scene_view). Collective. */

@@ -15,6 +15,7 @@ static struct {
   double        seconds[STAGE_COUNT]; // of all visits
   LogStage      within[STAGE_DEPTH];  // the stages that are open, outermost first
   int           depth;
+  PetscBool     off;    // whether stages are not counted
   double        start;  // clock at which the program, or the run, began
   double        worked; // processor seconds by then
 } journal;
@@ -62,6 +63,7 @@ PetscErrorCode LogStageBegin(LogStage stage)
   PetscFunctionBeginUser;
   PetscCheck(journal.depth < STAGE_DEPTH, PETSC_COMM_SELF, PETSC_ERR_PLIB, "Too many stages within each other");
   PetscCall(PetscLogStagePush(journal.handle[stage]));
+  if (journal.off) PetscFunctionReturn(PETSC_SUCCESS);
   if (journal.depth) {
     const LogStage outer = journal.within[journal.depth - 1];
     journal.seconds[outer] += now - journal.begin[outer];
@@ -76,10 +78,19 @@ PetscErrorCode LogStageEnd(LogStage stage)
   const double now = LogWallClock();
 
   PetscFunctionBeginUser;
+  if (journal.off) {
+    PetscCall(PetscLogStagePop());
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
   journal.seconds[stage] += now - journal.begin[stage];
   if (--journal.depth) journal.begin[journal.within[journal.depth - 1]] = now;
   PetscCall(PetscLogStagePop());
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void LogCount(PetscBool on)
+{
+  journal.off = (PetscBool)!on;
 }
 
 double LogStageSeconds(LogStage stage)

@@ -118,6 +118,26 @@ static PetscErrorCode PrintErrors_Private(const SummaryInput *in)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Work of all levels, and what one linear solve costs beside it. */
+static PetscErrorCode PrintCost_Private(const SummaryInput *in)
+{
+  const SolveReport *report = in->report;
+
+  PetscFunctionBeginUser;
+  if (report->work > 0) {
+    PetscCall(PetscPrintf(in->scene->comm,
+                          "  cost: as much as %.0f products with the matrix, %" PetscInt_FMT " linear iterations\n",
+                          (double)report->work, report->linear_iterations));
+  }
+  if (report->reference.done) {
+    PetscCall(PetscPrintf(in->scene->comm,
+                          "  one linear solve with the final active set: %.3g s, %" PetscInt_FMT " iterations; all of "
+                          "the solve: %.3g s\n",
+                          (double)report->reference.seconds, report->reference.iterations, report->seconds));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 static PetscErrorCode Print_Private(const SummaryInput *in)
 {
   const MPI_Comm     comm   = in->scene->comm;
@@ -129,6 +149,7 @@ static PetscErrorCode Print_Private(const SummaryInput *in)
   PetscCall(PetscPrintf(comm, "  %s: %" PetscInt_FMT " unknowns, %" PetscInt_FMT " iterations of %s, %.3g s\n",
                         in->solved ? "solved" : "NOT SOLVED", in->vi->level->num_global * in->vi->level->dim,
                         report->iterations, report->type, LogTotalSeconds()));
+  PetscCall(PrintCost_Private(in));
   for (PetscInt p = 0; p < in->vi->num_pairs; ++p) PetscCall(PrintPair_Private(in, p));
   PetscCall(VerdictPrint(in->vi));
   PetscCall(PrintErrors_Private(in));

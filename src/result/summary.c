@@ -133,6 +133,22 @@ static void AddBound_Private(const SummaryInput *in, cJSON *solver)
     cJSON_AddNullToObject(object, "kind");
 }
 
+/* One linear solve, for comparison; null where nobody asked. */
+static void AddReference_Private(const SolveReport *report, cJSON *solver)
+{
+  const LinearReference *reference = &report->reference;
+  cJSON                 *object;
+
+  if (!reference->done) {
+    cJSON_AddNullToObject(solver, "linear_reference");
+    return;
+  }
+  object = cJSON_AddObjectToObject(solver, "linear_reference");
+  JSONAddInt(object, "iterations", reference->iterations);
+  JSONAddReal(object, "work_units", reference->work > 0 ? reference->work : NAN);
+  JSONAddReal(object, "contact_ratio", reference->seconds > 0 ? report->seconds / reference->seconds : NAN);
+}
+
 static void AddSolver_Private(const SummaryInput *in, cJSON *root)
 {
   const SolveReport *report = in->report;
@@ -153,6 +169,8 @@ static void AddSolver_Private(const SummaryInput *in, cJSON *root)
   JSONAddInt(solver, "sweeps", report->sweeps);
   JSONAddInt(solver, "linear_iterations", report->linear_iterations);
   JSONAddReal(solver, "linear_residual", report->linear_residual);
+  JSONAddReal(solver, "work_units", report->work > 0 ? report->work : NAN);
+  AddReference_Private(report, solver);
   cJSON_AddBoolToObject(solver, "converged", report->converged);
   cJSON_AddBoolToObject(solver, "safeguarded", report->safeguarded);
   cJSON_AddBoolToObject(solver, "certified", c->holds);
@@ -329,7 +347,7 @@ static PetscErrorCode AddCost_Private(const SummaryInput *in, cJSON *root)
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, seconds, STAGE_COUNT + 1, MPIU_REAL, MPI_MAX, in->scene->comm));
   for (int stage = 0; stage < STAGE_COUNT; ++stage) JSONAddReal(timing, names[stage], seconds[stage]);
   JSONAddReal(timing, "total", seconds[STAGE_COUNT]);
-  cJSON_AddNullToObject(timing, "linear_reference");
+  JSONAddReal(timing, "linear_reference", in->report->reference.done ? in->report->reference.seconds : NAN);
   PetscCall(MemoryPeak(in->scene->comm, &bytes));
   JSONAddReal(cJSON_AddObjectToObject(root, "memory"), "peak_bytes", bytes);
   PetscFunctionReturn(PETSC_SUCCESS);

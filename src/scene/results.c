@@ -45,7 +45,7 @@ static PetscErrorCode ResultsReadFiles_Private(Scene scene)
 
 PetscErrorCode ResultsRead(Scene scene)
 {
-  Option   quiet, monitor, view, check, type;
+  Option   quiet, monitor, view, check, measure, type;
   PetscInt choice = 0;
 
   PetscFunctionBeginUser;
@@ -54,6 +54,8 @@ PetscErrorCode ResultsRead(Scene scene)
   PetscCall(OptionFind(scene, "-monitor", NULL, NULL, &monitor));
   PetscCall(OptionFind(scene, "-scene_view", NULL, NULL, &view));
   PetscCall(OptionFind(scene, "-cross_check", NULL, NULL, &check));
+  PetscCall(OptionFind(scene, "-measure_linear", NULL, NULL, &measure));
+  PetscCall(OptionGetBool(&measure, &scene->measure_linear));
   PetscCall(OptionGetBool(&quiet, &scene->quiet));
   PetscCall(OptionGetBool(&monitor, &scene->monitor));
   PetscCall(OptionGetBool(&view, &scene->view));

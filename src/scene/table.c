@@ -169,6 +169,10 @@ static const OptionEntry table[] = {
      "Whether one factorisation serves all active sets, by a dense matrix for the nodes that may touch."},
     {GROUP_SOLVER, "-cross_check", "0|1", "", "0",
      "Solves by pdas and by vinewtonrsls and compares; a difference is exit code 3."},
+    {GROUP_SOLVER, "-measure_linear", "0|1", "", "0",
+     "After the solution, solves one linear system with its active set, from zero to 1e-8 and with everything the "
+     "linear solver "
+     "needs made anew; timing.linear_reference in the summary is what that takes, in seconds."},
 
     {GROUP_PETSC, "-snes_max_it", "n", "", "500",
      "Largest number of active sets to try; of iterations, 100 by default, where -snes_type is one of PETSc's."},

@@ -3,6 +3,7 @@
 #include <string.h>
 #include <mortise/compat.h>
 #include <mortise/fault.h>
+#include <mortise/log.h>
 #include <mortise/pdas.h>
 #include <mortise/solvability.h>
 #include "active.h"
@@ -10,6 +11,7 @@
 #include "factor.h"
 #include "cascade.h"
 #include "multigrid.h"
+#include "reference.h"
 #include "room.h"
 
 /* A control that can only be reached through the options database. */
@@ -38,6 +40,21 @@ static PetscErrorCode DefaultsApply_Private(PetscInt n, Default defaults[], cons
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+enum { NUM_DEFAULTS = 4 };
+
+/* MUMPS: spare memory, in percent; approximate minimum degree, which orders meshes in 2D in a fifth of the time of what MUMPS would
+   choose, for factors of the same size. A tolerance in the unit of y, which is of order one. [in] previous - whether there is a set to
+   begin with */
+static void Defaults_Private(VI vi, const SolveChoice *choice, PetscBool previous, Default defaults[])
+{
+  const PetscBool direct = SolveFactors(choice->pc), pdas = (PetscBool)!strcmp(choice->snes, SNESPDAS);
+
+  defaults[0] = (Default){.name = "mat_mumps_icntl_14", .value = "50", .needed = direct};
+  defaults[1] = (Default){.name = "mat_mumps_icntl_7", .value = "0", .needed = direct && vi->level->dim == 2};
+  defaults[2] = (Default){.name = "snes_vi_zero_tolerance", .value = "1e-12", .needed = !pdas};
+  defaults[3] = (Default){.name = "snes_pdas_start", .value = "previous", .needed = pdas && previous};
 }
 
 PetscErrorCode SolveMeasure(VI vi, Vec y, PetscInt *active, PetscReal *residual)
@@ -224,29 +241,23 @@ static PetscErrorCode Cascade_Private(Hierarchy hierarchy, SNES snes, Vec y)
 PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], PetscBool progress, Vec guess, Vec y,
                         SolveReport *report)
 {
-  /* MUMPS: spare memory, in percent; approximate minimum degree, which orders meshes in 2D in a fifth of the time of
-     what MUMPS would choose, for factors of the same size. A tolerance in the unit of y, which is of order one. */
-  const PetscBool direct = SolveFactors(choice->pc), pdas = (PetscBool)!strcmp(choice->snes, SNESPDAS);
-  const PetscBool nested     = (PetscBool)(pdas && !guess && !vi->solvability && !strcmp(choice->pc, PCTRUNCATEDMG));
-  Default         defaults[] = {
-              {.name = "mat_mumps_icntl_14", .value = "50", .needed = direct},
-              {.name = "mat_mumps_icntl_7", .value = "0", .needed = direct && vi->level->dim == 2},
-              {.name = "snes_vi_zero_tolerance", .value = "1e-12", .needed = !pdas},
-              {.name = "snes_pdas_start", .value = "previous", .needed = pdas && (vi->solvability || guess || nested)}};
-  const PetscInt n = PETSC_STATIC_ARRAY_LENGTH(defaults);
-  SNES           snes;
-  Vec            scratch;
-  PetscReal      norm;
-  Springs        springs;
-  Hierarchy      hierarchy = NULL;
-  PC             pc;
+  const PetscBool pdas   = (PetscBool)!strcmp(choice->snes, SNESPDAS);
+  const PetscBool nested = (PetscBool)(pdas && !guess && !vi->solvability && !strcmp(choice->pc, PCTRUNCATEDMG));
+  Default         defaults[NUM_DEFAULTS];
+  SNES            snes;
+  Vec             scratch;
+  PetscReal       norm;
+  Springs         springs;
+  Hierarchy       hierarchy = NULL;
+  PC              pc;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(report, sizeof(*report)));
   PetscCall(Prepare_Private(vi, choice));
   PetscCall(SpringsBegin(vi, &springs));
   PetscCall(VecDuplicate(vi->b, &scratch));
-  PetscCall(DefaultsApply_Private(n, defaults, prefix, PETSC_TRUE));
+  Defaults_Private(vi, choice, (PetscBool)(vi->solvability || guess || nested), defaults);
+  PetscCall(DefaultsApply_Private(NUM_DEFAULTS, defaults, prefix, PETSC_TRUE));
   PetscCall(SolveConfigure(springs.vi, choice, prefix, scratch, &norm, &snes));
   PetscCall(GetPC_Private(snes, &pc));
   PetscCall(Hierarchy_Private(&springs, pc, pdas ? NULL : snes, &hierarchy));
@@ -259,7 +270,7 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], P
   report->bound.value = NAN;
   if (choice->bound && !pdas) PetscCall(Hierarchy_Private(&springs, pc, NULL, &hierarchy));
   if (choice->bound) PetscCall(BoundCompute(&springs, snes, y, &report->bound));
-  PetscCall(DefaultsApply_Private(n, defaults, prefix, PETSC_FALSE));
+  PetscCall(DefaultsApply_Private(NUM_DEFAULTS, defaults, prefix, PETSC_FALSE));
   PetscCall(SNESDestroy(&snes));
   if (hierarchy) report->work = hierarchy->work;
   PetscCall(HierarchyDestroy(&hierarchy));
@@ -271,49 +282,111 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], P
 
 PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report)
 {
-  SolveChoice choice;
-  PetscBool   progress;
+  const MPI_Comm comm  = PetscObjectComm((PetscObject)vi->A);
+  const double   start = LogWallClock();
+  SolveChoice    choice;
+  PetscBool      progress;
 
   PetscFunctionBeginUser;
   PetscCall(SolveChoose(vi, &choice));
   if (choice.nearly && !SolveFactors(choice.pc)) {
     PetscCall(
-        PetscFPrintf(PetscObjectComm((PetscObject)vi->A), PETSC_STDERR,
+        PetscFPrintf(comm, PETSC_STDERR,
                      "mortise: warning: -pc_type %s: may take thousands of iterations for a body that is so nearly "
                      "incompressible, where -pc_type cholesky takes none\n",
                      choice.pc));
   }
   PetscCall(ProgressWanted(vi->scene, &progress));
   PetscCall(SolveRun(vi, &choice, "", progress, guess, y, report));
+  report->seconds = LogWallClock() - start;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &report->seconds, 1, MPIU_REAL, MPI_MAX, comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A solver of its own for what is asked after the solution is known. */
+typedef struct {
+  SolveChoice choice;
+  Springs     springs;
+  SNES        snes;
+  Vec         scratch;
+  PetscReal   norm;
+  Hierarchy   hierarchy;
+  Default     defaults[NUM_DEFAULTS];
+} Aftermath;
+
+static PetscErrorCode AftermathBegin_Private(VI vi, Aftermath *after)
+{
+  PC pc;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMemzero(after, sizeof(*after)));
+  PetscCall(SolveChoose(vi, &after->choice));
+  PetscCall(Prepare_Private(vi, &after->choice));
+  PetscCall(SpringsBegin(vi, &after->springs));
+  PetscCall(VecDuplicate(vi->b, &after->scratch));
+  Defaults_Private(vi, &after->choice, PETSC_FALSE, after->defaults);
+  PetscCall(DefaultsApply_Private(NUM_DEFAULTS, after->defaults, "", PETSC_TRUE));
+  PetscCall(SolveConfigure(after->springs.vi, &after->choice, "", after->scratch, &after->norm, &after->snes));
+  PetscCall(GetPC_Private(after->snes, &pc));
+  PetscCall(Hierarchy_Private(&after->springs, pc, NULL, &after->hierarchy));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* [in,out] y - a copy to be spoilt */
+static PetscErrorCode AftermathEnd_Private(Aftermath *after, Vec y)
+{
+  PetscFunctionBeginUser;
+  PetscCall(DefaultsApply_Private(NUM_DEFAULTS, after->defaults, "", PETSC_FALSE));
+  PetscCall(SNESDestroy(&after->snes));
+  PetscCall(HierarchyDestroy(&after->hierarchy));
+  PetscCall(VecDestroy(&after->scratch));
+  PetscCall(SpringsEnd(&after->springs, y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* y without what VISolve() adds to the solution of the inequality. [out] own - to be destroyed by the caller */
+static PetscErrorCode Unsettle_Private(VI vi, Vec y, Vec *own)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(y, own));
+  PetscCall(VecCopy(y, *own));
+  if (vi->solvability) PetscCall(VecAXPY(*own, -1, vi->solvability->rest));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode VIEnergyBound(VI vi, Vec y, EnergyBound *bound)
 {
-  SolveChoice choice;
-  SNES        snes;
-  Vec         scratch, own;
-  PetscReal   norm;
-  Springs     springs;
-  Hierarchy   hierarchy = NULL;
-  PC          pc;
+  Aftermath after;
+  Vec       own;
 
   PetscFunctionBeginUser;
-  PetscCall(SolveChoose(vi, &choice));
-  PetscCall(Prepare_Private(vi, &choice));
-  PetscCall(SpringsBegin(vi, &springs));
-  PetscCall(VecDuplicate(vi->b, &scratch));
-  PetscCall(VecDuplicate(y, &own));
-  PetscCall(VecCopy(y, own));
-  if (vi->solvability) PetscCall(VecAXPY(own, -1, vi->solvability->rest));
-  PetscCall(SolveConfigure(springs.vi, &choice, "", scratch, &norm, &snes));
-  PetscCall(GetPC_Private(snes, &pc));
-  PetscCall(Hierarchy_Private(&springs, pc, NULL, &hierarchy));
-  PetscCall(BoundCompute(&springs, snes, own, bound));
-  PetscCall(SNESDestroy(&snes));
-  PetscCall(HierarchyDestroy(&hierarchy));
-  PetscCall(VecDestroy(&scratch));
-  PetscCall(SpringsEnd(&springs, own));
+  PetscCall(Unsettle_Private(vi, y, &own));
+  PetscCall(AftermathBegin_Private(vi, &after));
+  PetscCall(BoundCompute(&after.springs, after.snes, own, bound));
+  PetscCall(AftermathEnd_Private(&after, own));
+  PetscCall(VecDestroy(&own));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VILinearReference(VI vi, Vec y, LinearReference *reference)
+{
+  const MPI_Comm comm = PetscObjectComm((PetscObject)vi->A);
+  Aftermath      after;
+  Vec            own;
+  double         start;
+
+  PetscFunctionBeginUser;
+  PetscCall(Unsettle_Private(vi, y, &own));
+  PetscCallMPI(MPI_Barrier(comm));
+  LogCount(PETSC_FALSE);
+  start = LogWallClock();
+  PetscCall(AftermathBegin_Private(vi, &after));
+  PetscCall(ReferenceSolve(&after.springs, after.snes, own, &reference->iterations, &reference->done));
+  reference->seconds = LogWallClock() - start;
+  LogCount(PETSC_TRUE);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &reference->seconds, 1, MPIU_REAL, MPI_MAX, comm));
+  reference->work = after.hierarchy ? after.hierarchy->work : 0;
+  PetscCall(AftermathEnd_Private(&after, own));
   PetscCall(VecDestroy(&own));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

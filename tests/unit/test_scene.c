@@ -293,6 +293,7 @@ static PetscErrorCode TestRest(void)
                                           {"-summary", "-"},
                                           {"-quiet", NULL},
                                           {"-cross_check", "yes"},
+                                          {"-measure_linear", "1"},
                                           {"-snes_type", "vinewtonrsls"},
                                           {"-title", "Two plates"}};
   Scene                    scene;
@@ -309,7 +310,7 @@ static PetscErrorCode TestRest(void)
   CHECK(scene->num_probes == 2 && scene->probes[0].body == 1 && scene->probes[1].body == 0 &&
         scene->probes[1].at[1] == 0.25);
   CHECK(!strcmp(scene->output, "results/two") && scene->formats == (OUTPUT_XDMF | OUTPUT_VTU));
-  CHECK(!strcmp(scene->summary, "-") && scene->quiet && scene->cross_check && !scene->monitor);
+  CHECK(!strcmp(scene->summary, "-") && scene->quiet && scene->cross_check && scene->measure_linear && !scene->monitor);
   PetscCall(SceneView(scene));
   PetscCall(SceneDestroy(&scene));
   PetscFunctionReturn(PETSC_SUCCESS);
