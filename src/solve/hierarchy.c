@@ -121,8 +121,8 @@ static PetscErrorCode WeighColumns_Private(Mat P, Vec *weight)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The largest eigenvalue of diag(A)^-1 A, by a few steps of CG with a right-hand side that has some of everything. */
-static PetscErrorCode LargestEigenvalue_Private(Mat A, PetscReal *largest)
+/* The largest eigenvalue of S^-1 A, S the diagonal if it is NULL, by a few steps of CG with a right-hand side that has some of everything. */
+static PetscErrorCode LargestEigenvalue_Private(Mat A, Mat S, PetscReal *largest)
 {
   PetscInt     begin, end;
   PetscReal    smallest;
@@ -140,9 +140,9 @@ static PetscErrorCode LargestEigenvalue_Private(Mat A, PetscReal *largest)
   PetscCall(KSPCreate(PetscObjectComm((PetscObject)A), &ksp));
   PetscCall(KSPSetOptionsPrefix(ksp, "eigenvalue_"));
   PetscCall(KSPSetType(ksp, KSPCG));
-  PetscCall(KSPSetOperators(ksp, A, A));
+  PetscCall(KSPSetOperators(ksp, A, S ? S : A));
   PetscCall(KSPGetPC(ksp, &pc));
-  PetscCall(PCSetType(pc, PCJACOBI));
+  PetscCall(SmootherSetPC(pc, S));
   PetscCall(KSPSetComputeSingularValues(ksp, PETSC_TRUE));
   PetscCall(KSPSetTolerances(ksp, 0, 0, PETSC_DEFAULT, EIGENVALUE_STEPS));
   PetscCall(KSPSetNormType(ksp, KSP_NORM_NONE));
@@ -196,7 +196,8 @@ PetscErrorCode HierarchyCreate(VI vi, Vec springs, Hierarchy *hierarchy)
     if (!l) continue;
     PetscCall(CreateProlongation_Private(h->grid[l - 1].vi, grid->vi, &grid->P));
     PetscCall(WeighColumns_Private(grid->P, &grid->weight));
-    PetscCall(LargestEigenvalue_Private(grid->A, &grid->largest));
+    PetscCall(SmootherCreate(grid->vi, grid->diag, &grid->smoother));
+    PetscCall(LargestEigenvalue_Private(grid->A, grid->smoother.S, &grid->largest));
   }
   for (PetscInt l = 0; l < h->num; l++) h->grid[l].share /= info.nz_used;
   *hierarchy = h;
@@ -213,6 +214,7 @@ PetscErrorCode HierarchyDestroy(Hierarchy *hierarchy)
     PetscCall(MatDestroy(&grid->P));
     PetscCall(VecDestroy(&grid->weight));
     PetscCall(VecDestroy(&grid->diag));
+    PetscCall(SmootherDestroy(&grid->smoother));
     if (l + 1 < (*hierarchy)->num) PetscCall(VIDestroy(&grid->vi));
   }
   PetscCall(PetscFree((*hierarchy)->grid));

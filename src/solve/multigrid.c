@@ -44,6 +44,14 @@ static PetscErrorCode Get_Private(PC pc, Multigrid **multigrid)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* What a smoother multiplies and solves with. */
+static PetscErrorCode SetOperators_Private(KSP ksp, const Rung *rung)
+{
+  PetscFunctionBeginUser;
+  PetscCall(KSPSetOperators(ksp, rung->A, rung->S ? rung->S : rung->A));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Held unknowns of the finest level are those with 0; the rest follows. */
 static PetscErrorCode Hold_Private(Multigrid *multigrid, Vec free)
 {
@@ -54,6 +62,8 @@ static PetscErrorCode Hold_Private(Multigrid *multigrid, Vec free)
   for (PetscInt l = 1; l < multigrid->num; l++) { // what smoothers keep of their matrix is out of date
     PetscCall(MatAssemblyBegin(multigrid->rung[l].A, MAT_FINAL_ASSEMBLY));
     PetscCall(MatAssemblyEnd(multigrid->rung[l].A, MAT_FINAL_ASSEMBLY));
+    PetscCall(PCMGGetSmoother(multigrid->mg, l, &ksp));
+    PetscCall(SetOperators_Private(ksp, &multigrid->rung[l]));
   }
   PetscCall(RungAssemble(&multigrid->rung[0]));
   PetscCall(PCMGGetCoarseSolve(multigrid->mg, &ksp));
@@ -131,13 +141,13 @@ static PetscErrorCode Configure_Private(PC pc, Multigrid *multigrid)
 
     PetscCall(PCMGSetInterpolation(multigrid->mg, l, multigrid->rung[l].P));
     PetscCall(PCMGGetSmoother(multigrid->mg, l, &ksp));
-    PetscCall(KSPSetOperators(ksp, multigrid->rung[l].A, multigrid->rung[l].A));
+    PetscCall(SetOperators_Private(ksp, &multigrid->rung[l]));
     PetscCall(KSPSetType(ksp, KSPCHEBYSHEV));
     PetscCall(KSPChebyshevSetEigenvalues(ksp, largest, SMOOTHED_FROM * largest));
     PetscCall(KSPSetNormType(ksp, KSP_NORM_NONE));
     PetscCall(KSPSetTolerances(ksp, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, SMOOTHING_STEPS));
     PetscCall(KSPGetPC(ksp, &inner));
-    PetscCall(PCSetType(inner, PCJACOBI));
+    PetscCall(SmootherSetPC(inner, multigrid->rung[l].S));
     PetscCall(KSPSetFromOptions(ksp));
   }
   PetscCall(PCMGGetCoarseSolve(multigrid->mg, &ksp));

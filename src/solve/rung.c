@@ -128,6 +128,20 @@ static PetscErrorCode SetDiagonal_Private(Rung *rung)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The smoother's matrix that goes with diag, change and held. */
+static PetscErrorCode SetSmoother_Private(Rung *rung)
+{
+  Vec more;
+
+  PetscFunctionBeginUser;
+  if (!rung->grid->smoother.S) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecDuplicate(rung->diag, &more));
+  PetscCall(VecWAXPY(more, -1, rung->grid->diag, rung->diag));
+  PetscCall(SmootherHold(&rung->grid->smoother, more, rung->change, rung->num, rung->held, &rung->S));
+  PetscCall(VecDestroy(&more));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* M of the coarser level: what moves next to nothing that is free is held. [out] free - on the coarser level */
 static PetscErrorCode HoldCoarser_Private(const Rung *fine, Vec free)
 {
@@ -231,6 +245,7 @@ PetscErrorCode RungsHold(PetscInt num, Rung rungs[], Vec free)
     PetscCall(VecDestroy(&is));
     PetscCall(List_Private(rung));
     PetscCall(SetDiagonal_Private(rung));
+    PetscCall(SetSmoother_Private(rung));
     rung->ready = PETSC_TRUE;
     if (!l) break;
     if (strip) PetscCall(StripRestrict(strip, rung->grid->P, &dC));
@@ -308,6 +323,7 @@ PetscErrorCode RungCreate(Hierarchy hierarchy, PetscInt l, Rung *rung)
   PetscCall(VecDuplicate(rung->grid->diag, &rung->diag));
   PetscCall(VecDuplicate(rung->grid->diag, &rung->free));
   PetscCall(VecSet(rung->free, 1));
+  if (rung->grid->smoother.S) PetscCall(MatDuplicate(rung->grid->smoother.S, MAT_COPY_VALUES, &rung->S));
   if (l) PetscCall(CreateShells_Private(rung));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -318,6 +334,7 @@ PetscErrorCode RungDestroy(Rung *rung)
   PetscCall(MatDestroy(&rung->change));
   PetscCall(MatDestroy(&rung->A));
   PetscCall(MatDestroy(&rung->P));
+  PetscCall(MatDestroy(&rung->S));
   PetscCall(VecDestroy(&rung->diag));
   PetscCall(VecDestroy(&rung->free));
   PetscCall(PetscFree(rung->held));

@@ -18,6 +18,7 @@ typedef struct {
   Vec       diag;          /* of A + change, of A where held */
   Mat       A;             /* A^, a shell; on the coarsest level a matrix */
   Mat       P;             /* M P, a shell */
+  Mat       S;             /* the smoother's, or NULL */
 } Rung;
 
 /* [in] hierarchy - borrowed; [in] l - level. Collective. */
