@@ -159,7 +159,7 @@ static PetscErrorCode SetBlock_Private(const Star *star, PetscInt row, PetscInt 
 /* The rows of S that lines of nodes make at one node. */
 static PetscErrorCode SetLines_Private(const Star *star, PetscInt node, PetscInt num, const PetscInt strong[], Mat S)
 {
-  const PetscInt dim = star->dim, size = dim * dim;
+  const PetscInt dim = star->dim, size                          = dim * dim;
   PetscReal      own[DIM_MAX * DIM_MAX], sum[DIM_MAX * DIM_MAX] = {0};
 
   PetscFunctionBeginUser;
