@@ -3,8 +3,8 @@
    Where cells are much longer than wide, an error may vary slowly along the short way and be no smooth function on the coarser level,
    which is as long and wide [1]: smoothing has to solve for the couplings along the short way, lines of nodes. Couplings of nodes are
    dim x dim blocks. The strong ones go into
-       S_ij = -B_ij,   S_ii = sum_j |B_ij| + [A_ii - sum_j |B_ij|]+,   B_ij = -(A_ij + A_ij')/2,
-   |.| and [.]+ by eigenvalues, so that S is a sum of semidefinite parts; lines cross rarely, and S has factors as sparse as itself.
+       S_ij = -B_ij,   S_ii = sum_j B_ij + [A_ii - sum_j B_ij]+,   B_ij = [-(A_ij + A_ij')/2]+,
+   [.]+ by eigenvalues, so that S is a sum of semidefinite parts; lines cross rarely, and S has factors as sparse as itself.
 
    Where the nonmortar side is stiff, moving a mortar side's unknown moves it as well: much stiffness in rows of the soft side, and what
    the soft side does alone takes unknowns of both sides at once. There S has all couplings of these unknowns to each other: a strip
@@ -97,13 +97,13 @@ static PetscErrorCode Gather_Private(Star *star, PetscInt node)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* X := sum over eigenvectors of f(eigenvalue) v v', f = |.| or max(., least) */
-static void Clip_Private(PetscInt dim, PetscReal X[], PetscBool absolute, PetscReal least)
+/* X := sum over eigenvectors of max(eigenvalue, least) v v' */
+static void Clip_Private(PetscInt dim, PetscReal X[], PetscReal least)
 {
   PetscReal values[DIM_MAX], V[DIM_MAX * DIM_MAX];
 
   DenseEigen(dim, X, values, V);
-  for (PetscInt i = 0; i < dim; i++) values[i] = absolute ? PetscAbsReal(values[i]) : PetscMax(values[i], least);
+  for (PetscInt i = 0; i < dim; i++) values[i] = PetscMax(values[i], least);
   for (PetscInt r = 0; r < dim; r++)
     for (PetscInt c = 0; c < dim; c++) {
       X[r * dim + c] = 0;
@@ -127,7 +127,7 @@ static PetscErrorCode FindStrong_Private(const Star *star, PetscInt node, PetscI
     PetscReal trace = 0;
 
     for (PetscInt r = 0; r < star->dim; r++) trace += star->block[(n * star->dim + r) * star->dim + r];
-    trace = PetscAbsReal(trace);
+    trace = -trace;
     if (trace <= STRONG * PetscSqrtReal(star->trace[node] * star->trace[star->node[n]])) continue;
     strong[(*num_strong)++] = n;
     if (trace > STRONG * most) *stretched = PETSC_TRUE;
@@ -168,13 +168,14 @@ static PetscErrorCode SetLines_Private(const Star *star, PetscInt node, PetscInt
     PetscReal        B[DIM_MAX * DIM_MAX];
 
     for (PetscInt r = 0; r < dim; r++)
-      for (PetscInt c = 0; c < dim; c++) B[r * dim + c] = (block[r * dim + c] + block[c * dim + r]) / 2;
-    PetscCall(SetBlock_Private(star, node, star->node[strong[n]], B, S));
-    Clip_Private(dim, B, PETSC_TRUE, 0);
+      for (PetscInt c = 0; c < dim; c++) B[r * dim + c] = -(block[r * dim + c] + block[c * dim + r]) / 2;
+    Clip_Private(dim, B, 0);
     for (PetscInt k = 0; k < size; k++) sum[k] += B[k];
+    for (PetscInt k = 0; k < size; k++) B[k] = -B[k];
+    PetscCall(SetBlock_Private(star, node, star->node[strong[n]], B, S));
   }
   for (PetscInt k = 0; k < size; k++) own[k] = star->block[k] - sum[k];
-  if (num) Clip_Private(dim, own, PETSC_FALSE, LEAST * star->trace[node] / dim);
+  if (num) Clip_Private(dim, own, LEAST * star->trace[node] / dim);
   for (PetscInt k = 0; k < size; k++) own[k] += sum[k];
   PetscCall(SetBlock_Private(star, node, node, own, S));
   PetscFunctionReturn(PETSC_SUCCESS);
