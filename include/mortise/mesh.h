@@ -46,17 +46,25 @@ typedef struct {
                       ElementSurface() outward: (dy,-dx) in 2D, anticlockwise seen from outside in 3D */
 } Facets;
 
+/* Unknowns from which on a linear system is solved with the help of coarser levels, where there are any and the user does
+   not choose otherwise: below, factorisations are as fast. */
+enum { MESH_LEVELS_2D = 20000, MESH_LEVELS_3D = 10000 };
+
 struct _n_Mesh {
   Scene                scene;      /* borrowed */
-  PetscInt             num_levels; /* 1 + the common refinements */
-  Level               *levels;     /* coarse first; the last one is the mesh that is solved on */
+  PetscInt             num_levels; /* those that boxes begin with by themselves, 1, common refinements */
+  PetscInt             own;    /* the level that is the scene's mesh with its -dm_refine; MeshRefine() adds others */
+  Level               *levels; /* coarse first; the last one is the mesh that is solved on */
   struct _n_MeshShape *shape; /* of the mesh room: curves of files under bodies of order 1; NULL where there are none */
 };
 typedef struct _n_Mesh *Mesh;
 
 /* Creates an empty mesh for a scene, which must outlive it. Collective on the scene's comm. */
 PetscErrorCode MeshCreate(Scene scene, Mesh *mesh);
-/* Makes or reads all bodies, merges, partitions, refines, builds the tables. Faults: a file that cannot be read, a
+/* Whether solvers want levels for a scene of so many unknowns. Not collective. */
+PetscBool MeshWantsLevels(Scene scene, PetscReal num_unknowns);
+/* Makes or reads all bodies, merges, partitions, refines, builds the tables. Where solvers want levels, boxes begin with fewer
+   cells and more refinements than the options say; the levels from there on are the same but for the numbering. Faults: a file that cannot be read, a
    side or region that does not exist (names those that do), a degenerate or tangled cell (names its place), a side
    in two roles. Chooses roles of pairs left open, by THEORY.md, section 9 (writes nonmortar and mortar of the ScenePair).
    Collective. */

@@ -94,6 +94,9 @@ enum {
   STUDY_OWN_ORDERS = 0 /* in place of an order: every body keeps its own, and they differ */
 };
 
+/* Whether linear systems are solved with the help of coarser meshes, as far as -ksp_type and -pc_type say. */
+typedef enum { LEVELS_BY_SIZE, LEVELS_USED, LEVELS_UNUSED } SceneLevels;
+
 /* The same scene on several meshes. */
 typedef struct {
   StudyKind kind;
@@ -109,6 +112,7 @@ struct _n_Scene {
   ModelKind   model;
   PetscReal   thickness;
   PetscInt    refine; /* common refinements: the levels */
+  SceneLevels levels; /* whether a solver may need more of them */
   PetscInt    num_bodies, num_pairs, num_probes;
   SceneBody  *bodies;
   ScenePair  *pairs;

@@ -174,25 +174,32 @@ static PetscErrorCode BodyRaiseFold_Private(const Level *level, const SceneBody 
 
 /* Before maps every body has one sense (box.c, extract.c), and refinement keeps it, but for curves that are no shape of a
    cell. So a map may turn a body inside out as a whole; one that turns only some of its cells has folded it. */
-PetscErrorCode LevelTurnCells(Level *level)
+PetscErrorCode LevelTurnCells(Level *level, PetscBool *sound)
 {
-  const Scene scene                   = level->scene;
-  char        sentence[MESH_SENTENCE] = "";
-  PetscInt   *seen; /* cells that were the right way and inside out [num_bodies][2] */
+  const Scene    scene                   = level->scene;
+  char           sentence[MESH_SENTENCE] = "";
+  const PetscInt num                     = 2 * scene->num_bodies;
+  PetscInt      *seen; /* cells that were the right way and inside out [num_bodies][2]; those that are neither */
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(2 * scene->num_bodies, &seen));
+  PetscCall(PetscCalloc1(num + 1, &seen));
   for (PetscInt c = 0; c < level->num_cells; ++c) {
-    PetscBool turned, sound;
+    PetscBool turned, good;
 
-    LevelTurnCell_Private(level, c, &turned, &sound);
-    if (!sound && !sentence[0]) LevelDescribeCell_Private(level, c, sentence);
+    LevelTurnCell_Private(level, c, &turned, &good);
+    if (!good && !sentence[0]) LevelDescribeCell_Private(level, c, sentence);
     seen[2 * level->cell_body[c] + turned] = 1;
   }
-  PetscCall(FaultCheck(level->comm, sentence));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, seen, (int)(2 * scene->num_bodies), MPIU_INT, MPI_MAX, level->comm));
+  if (!sound) PetscCall(FaultCheck(level->comm, sentence));
+  seen[num] = sentence[0] ? 1 : 0;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, seen, (int)(num + 1), MPIU_INT, MPI_MAX, level->comm));
+  if (sound) *sound = seen[num] ? PETSC_FALSE : PETSC_TRUE;
   for (PetscInt b = 0; b < scene->num_bodies; ++b) {
-    if (seen[2 * b] && seen[2 * b + 1]) PetscCall(BodyRaiseFold_Private(level, &scene->bodies[b]));
+    if (!seen[2 * b] || !seen[2 * b + 1]) continue;
+    if (sound)
+      *sound = PETSC_FALSE;
+    else
+      PetscCall(BodyRaiseFold_Private(level, &scene->bodies[b]));
   }
   PetscCall(PetscFree(seen));
   PetscFunctionReturn(PETSC_SUCCESS);

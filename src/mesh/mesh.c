@@ -16,7 +16,7 @@ PetscErrorCode MeshCreate(Scene scene, Mesh *mesh)
 }
 
 /* Makes or reads every body; the first rank alone does, and stops at the first mistake. */
-static PetscErrorCode MeshMakeBodies_Private(Scene scene, const SideNames names[], BodyList lists[])
+static PetscErrorCode MeshMakeBodies_Private(Scene scene, PetscInt coarser, const SideNames names[], BodyList lists[])
 {
   char        sentence[MESH_SENTENCE] = "";
   MeshFile    files                   = NULL;
@@ -25,21 +25,22 @@ static PetscErrorCode MeshMakeBodies_Private(Scene scene, const SideNames names[
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_rank(scene->comm, &rank));
   for (PetscInt b = 0; b < scene->num_bodies && !rank && !sentence[0]; ++b) {
-    const SceneBody *body = &scene->bodies[b];
+    SceneBody body = scene->bodies[b];
 
     // a later body is not made once there is a mistake to tell
-    if (body->mesh_file)
-      PetscCall(BodyListCreateFile(body, scene->dim, &names[b], &files, &lists[b], sentence));
+    BodyCoarsen(&body, scene->dim, coarser);
+    if (body.mesh_file)
+      PetscCall(BodyListCreateFile(&body, scene->dim, &names[b], &files, &lists[b], sentence));
     else
-      PetscCall(BodyListCreateBox(body, scene->dim, &names[b], &lists[b], sentence));
+      PetscCall(BodyListCreateBox(&body, scene->dim, &names[b], &lists[b], sentence));
   }
   PetscCall(MeshFileDestroy(&files));
   PetscCall(FaultCheck(scene->comm, sentence));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The merged mesh, whole on the first rank. */
-static PetscErrorCode MeshCreateWhole_Private(Scene scene, DM *dm, Curves *curves)
+/* The merged mesh, whole on the first rank. [in] coarser - halvings that bodies are spared */
+static PetscErrorCode MeshCreateWhole_Private(Scene scene, PetscInt coarser, DM *dm, Curves *curves)
 {
   BodyList  *lists;
   SideNames *names;
@@ -47,7 +48,7 @@ static PetscErrorCode MeshCreateWhole_Private(Scene scene, DM *dm, Curves *curve
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc2(scene->num_bodies, &lists, scene->num_bodies, &names));
   for (PetscInt b = 0; b < scene->num_bodies; ++b) PetscCall(SideNamesOfBody(scene, b, &names[b]));
-  PetscCall(MeshMakeBodies_Private(scene, names, lists));
+  PetscCall(MeshMakeBodies_Private(scene, coarser, names, lists));
   PetscCall(MeshMerge(scene, lists, names, dm, curves));
   for (PetscInt b = 0; b < scene->num_bodies; ++b) {
     scene->bodies[b].straightened = lists[b].straightened;
@@ -59,37 +60,82 @@ static PetscErrorCode MeshCreateWhole_Private(Scene scene, DM *dm, Curves *curve
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode MeshRefine(Mesh mesh)
+/* One more level, its cells not judged yet. */
+static PetscErrorCode MeshAppend_Private(Mesh mesh)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscRealloc((mesh->num_levels + 1) * sizeof(Level), &mesh->levels));
   PetscCall(LevelRefine(&mesh->levels[mesh->num_levels - 1], &mesh->levels[mesh->num_levels]));
   ++mesh->num_levels;
   PetscCall(MeshShapeRefine(mesh));
-  PetscCall(LevelTurnCells(MeshFinest(mesh)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Body by body on the first rank; together from there on. */
-PetscErrorCode MeshSetUp(Mesh mesh)
+PetscErrorCode MeshRefine(Mesh mesh)
+{
+  PetscFunctionBeginUser;
+  PetscCall(MeshAppend_Private(mesh));
+  PetscCall(LevelTurnCells(MeshFinest(mesh), NULL));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The coarsest level, its cells not judged yet: body by body on the first rank; together from there on. */
+static PetscErrorCode MeshBegin_Private(Mesh mesh, PetscInt coarser)
 {
   Scene  scene = mesh->scene;
   Curves curves;
   DM     dm;
 
   PetscFunctionBeginUser;
-  PetscCall(MeshCreateWhole_Private(scene, &dm, &curves));
+  PetscCall(MeshCreateWhole_Private(scene, coarser, &dm, &curves));
   PetscCall(MeshPartition(scene, &dm, &curves));
   PetscCall(PetscMalloc1(1, &mesh->levels));
   PetscCall(LevelCreateTables(scene, dm, SceneMaxOrder(scene), &mesh->levels[0]));
   PetscCall(DMRemoveLabel(dm, "body", NULL)); // refinement would carry it on at a quarter of its costs
   mesh->num_levels = 1;
   PetscCall(LevelSetCoords(&mesh->levels[0], &curves));
-  PetscCall(LevelTurnCells(&mesh->levels[0]));
   PetscCall(MeshShapeCreate(mesh, &curves));
   PetscCall(CurvesDestroy(&curves));
   PetscCall(DMDestroy(&dm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode MeshClear_Private(Mesh mesh)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt l = 0; l < mesh->num_levels; ++l) PetscCall(LevelDestroy(&mesh->levels[l]));
+  PetscCall(MeshShapeDestroy(mesh));
+  PetscCall(PetscFree(mesh->levels));
+  mesh->num_levels = 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Levels that nobody asked for must not fail: where a map bends so much that large cells tangle, there are fewer. */
+PetscErrorCode MeshSetUp(Mesh mesh)
+{
+  Scene       scene = mesh->scene;
+  PetscMPIInt size;
+  PetscInt    coarser;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_size(scene->comm, &size));
+  coarser = SceneCountCoarser(scene, size);
+  PetscCall(MeshBegin_Private(mesh, coarser));
+  while (mesh->num_levels <= coarser) {
+    PetscBool sound;
+
+    PetscCall(LevelTurnCells(MeshFinest(mesh), &sound));
+    if (sound) {
+      PetscCall(MeshAppend_Private(mesh));
+    } else {
+      coarser -= mesh->num_levels;
+      PetscCall(MeshClear_Private(mesh));
+      PetscCall(MeshBegin_Private(mesh, coarser));
+    }
+  }
+  PetscCall(LevelTurnCells(MeshFinest(mesh), NULL));
   for (PetscInt l = 0; l < scene->refine; ++l) PetscCall(MeshRefine(mesh));
+  mesh->own = coarser + scene->refine;
   PetscCall(MeshChooseRoles(mesh));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -103,9 +149,7 @@ PetscErrorCode MeshDestroy(Mesh *mesh)
 {
   PetscFunctionBeginUser;
   if (!*mesh) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt l = 0; l < (*mesh)->num_levels; ++l) PetscCall(LevelDestroy(&(*mesh)->levels[l]));
-  PetscCall(MeshShapeDestroy(*mesh));
-  PetscCall(PetscFree((*mesh)->levels));
+  PetscCall(MeshClear_Private(*mesh));
   PetscCall(PetscFree(*mesh));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

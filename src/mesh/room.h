@@ -48,6 +48,12 @@ PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt f
 PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const SideNames *names, BodyList *list,
                                  char sentence[]);
 
+/* How many times all bodies can be made of cells twice as large, and should be, for the sake of solvers. [in] num_ranks - to
+   share the coarsest mesh */
+PetscInt SceneCountCoarser(Scene scene, PetscMPIInt num_ranks);
+/* Takes so many halvings of its edges from a box. */
+void BodyCoarsen(SceneBody *body, PetscInt dim, PetscInt times);
+
 /* Where the cells and vertices of lists are among the points of a DM. */
 typedef struct {
   PetscInt   num_bodies, num_cells, num_vertices;
@@ -166,8 +172,8 @@ PetscErrorCode LevelSetCoords(Level *level, const Curves *curves);
 /* The same for a refined level that has its prolongation. */
 PetscErrorCode LevelFollowCoords(Level *coarse, Level *fine);
 /* Lets all cells run anticlockwise, or the facets of solids seen from outside. Faults: a degenerate or tangled cell, a map
-   that folds a body. Collective. */
-PetscErrorCode LevelTurnCells(Level *level);
+   that folds a body; with sound none, but this tells. Collective. [out] sound - the same on all ranks; or NULL */
+PetscErrorCode LevelTurnCells(Level *level, PetscBool *sound);
 /* Reverses the sense of a cell whose nodes these are: its mirror image in the plane xi_0 = xi_1. */
 void CellReverse(ElementType type, PetscInt nodes[]);
 /* Splits every cell: tables, prolongation and positions, cells not turned. Collective. */

@@ -70,6 +70,21 @@ static PetscErrorCode SceneReadModel_Private(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* -ksp_type and -pc_type are read by who solves; what the mesh needs to know of them is whether coarser levels are of use. */
+static PetscErrorCode SceneReadLevels_Private(Scene scene)
+{
+  Option ksp, pc;
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionFind(scene, "-ksp_type", NULL, NULL, &ksp));
+  PetscCall(OptionFind(scene, "-pc_type", NULL, NULL, &pc));
+  if (pc.set)
+    scene->levels = strcmp(pc.text, "truncatedmg") ? LEVELS_UNUSED : LEVELS_USED;
+  else if (ksp.set)
+    scene->levels = strcmp(ksp.text, "preonly") ? LEVELS_BY_SIZE : LEVELS_UNUSED;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* What holds for the whole scene. */
 static PetscErrorCode SceneReadGlobal_Private(Scene scene)
 {
@@ -90,6 +105,7 @@ static PetscErrorCode SceneReadGlobal_Private(Scene scene)
   PetscCall(OptionGetReals(&thickness, 1, &scene->thickness));
   if (!(scene->thickness > 0)) PetscCall(OptionRaise(&thickness, "a thickness must be above 0"));
   PetscCall(OptionGetInts(&refine, 1, 0, &scene->refine));
+  PetscCall(SceneReadLevels_Private(scene));
   PetscCall(OptionGetChoice(&order, &number));
   for (PetscInt i = 0; i < scene->num_bodies; i++) scene->bodies[i].order = number + 1;
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -63,9 +63,9 @@ static PetscInt FindReference_Private(Study study)
    on a finer level. */
 static PetscErrorCode Bring_Private(Study study, const Record *record, const Record *reference, Vec *v)
 {
-  const PetscInt first = study->scene->refine, to = first + reference->level;
-  Mesh           mesh = study->mesh[OrderIndex_Private(study, record->order)];
-  Mesh           goal = study->mesh[OrderIndex_Private(study, reference->order)];
+  const Mesh     mesh  = study->mesh[OrderIndex_Private(study, record->order)];
+  const Mesh     goal  = study->mesh[OrderIndex_Private(study, reference->order)];
+  const PetscInt first = goal->own, to = first + reference->level; // meshes of all orders have the same levels
   Vec            low;
   Mat            embedding;
 
@@ -96,11 +96,12 @@ PetscErrorCode CompareWithReference(Study study)
   PetscCall(PetscMalloc1(scene->num_bodies, &bodies));
   for (PetscInt r = 0; r < study->num; ++r) {
     const Record *reference = &study->records[study->reference];
+    const Mesh    mesh      = study->mesh[OrderIndex_Private(study, reference->order)];
     Record       *record    = &study->records[r];
     Vec           v         = NULL;
 
     record->errors[0] = record->errors[1] = (RecordError){NAN, NAN, NAN};
-    level = &study->mesh[OrderIndex_Private(study, reference->order)]->levels[scene->refine + reference->level];
+    level                                 = &mesh->levels[mesh->own + reference->level];
     if (record != reference) PetscCall(Bring_Private(study, record, reference, &v));
     if (!v) continue;
     PetscCall(DifferenceCompute(scene, level, v, reference->u, bodies, &total));

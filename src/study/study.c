@@ -83,7 +83,7 @@ static PetscErrorCode Mesh_Private(Study study, PetscInt o, Record *record, Pets
 /* The solution of the next coarser run, on this run's mesh; NULL if there is none. */
 static PetscErrorCode Guess_Private(Study study, PetscInt o, const Record *record, Vec *guess)
 {
-  const PetscInt first   = study->scene->refine;
+  const PetscInt first   = study->mesh[o]->own;
   const Record  *coarser = StudyFindCoarser(study, record->order, record->level);
 
   PetscFunctionBeginUser;

@@ -1,4 +1,5 @@
 mortise_scene_test(two_plates CHECK two_plates.py)
+mortise_scene_test(levels SCENE two_plates CHECK levels.py)
 mortise_scene_test(patch_interference CHECK patch_interference.py RANKS 1 2)
 mortise_scene_test(touching CHECK touching.py RANKS 1 2)
 mortise_scene_test(rings CHECK rings.py)
