@@ -42,6 +42,7 @@ struct _n_VI {
   /* the inequality */
   Mat       T;                 /* u = length * T y; NULL when it is the identity */
   Mat       Z;                 /* (T'KT - K) / stiffness: nonzero beside contact only; NULL with T */
+  Mat       S;                 /* K / stiffness for fast products, NULL until VIPrepareProducts() */
   Mat       A;                 /* SPD, block size dim; a shell that knows products and diagonal, until VIAssemble() */
   Vec       b;                 /* ghosted */
   Vec       upper;             /* nodal gaps / length on contact unknowns, +infinity elsewhere */
@@ -64,6 +65,8 @@ PetscErrorCode VIDestroy(VI *vi);
 PetscErrorCode VICreateCoarse(VI vi, PetscInt l, VI *coarse);
 /* Makes A a matrix: who factors it or takes it apart needs that, and memory for as much as K. Collective. */
 PetscErrorCode VIAssemble(VI vi);
+/* Makes S, which products with A take in place of K from then on: worth its memory, half of K's, to who iterates. Collective. */
+PetscErrorCode VIPrepareProducts(VI vi);
 /* Attaches to A, as near null space, the rigid motions of all bodies. Collective. */
 PetscErrorCode VIAttachModes(VI vi);
 /* A with springs on its diagonal, a matrix or a shell like A. Collective. [in] springs - borrowed for as long as the result lives;

@@ -14,5 +14,9 @@ PetscErrorCode CondensedCreateShell(Mat K, PetscReal stiffness, Mat Z, PetscInt 
                                     Vec springs, Mat *A);
 /* The same as a matrix. Collective. [in] fixed - global numbers [num] */
 PetscErrorCode CondensedAssemble(Mat K, PetscReal stiffness, Mat Z, PetscInt num, const PetscInt fixed[], Mat *A);
+/* Lets a shell take products with K / stiffness from S. Not collective. [in] S - ProductsCreate(), borrowed for as long as A lives */
+PetscErrorCode CondensedSetProducts(Mat A, Mat S);
+/* factor K for products with vectors alone. Collective. [in] K - symmetric, AIJ, in full blocks; [out] S - SBAIJ, owned by the caller */
+PetscErrorCode ProductsCreate(Mat K, PetscReal factor, Mat *S);
 
 #endif

@@ -5,7 +5,7 @@
 #include "condense.h"
 
 typedef struct {
-  Mat             K, Z;
+  Mat             K, Z, S; /* S is K / stiffness, or NULL */
   PetscReal       stiffness;
   PetscInt        num;
   const PetscInt *fixed;
@@ -24,8 +24,8 @@ static PetscErrorCode Mult_Condensed(Mat A, Vec x, Vec y)
   PetscCall(VecGetArray(c->work, &a));
   for (PetscInt i = 0; i < c->num; i++) a[c->fixed[i]] = 0;
   PetscCall(VecRestoreArray(c->work, &a));
-  PetscCall(MatMult(c->K, c->work, y));
-  PetscCall(VecScale(y, 1 / c->stiffness));
+  PetscCall(MatMult(c->S ? c->S : c->K, c->work, y));
+  if (!c->S) PetscCall(VecScale(y, 1 / c->stiffness));
   if (c->Z) PetscCall(MatMultAdd(c->Z, c->work, y, y));
   if (c->springs) {
     PetscCall(VecPointwiseMult(c->work, c->springs, c->work));
@@ -87,6 +87,16 @@ PetscErrorCode CondensedCreateShell(Mat K, PetscReal stiffness, Mat Z, PetscInt 
   PetscCall(MatShellSetOperation(*A, MATOP_GET_DIAGONAL, (void (*)(void))GetDiagonal_Condensed));
   PetscCall(MatShellSetOperation(*A, MATOP_DESTROY, (void (*)(void))Destroy_Condensed));
   PetscCall(MatSetOption(*A, MAT_SPD, PETSC_TRUE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CondensedSetProducts(Mat A, Mat S)
+{
+  Condensed *c;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(A, &c));
+  c->S = S;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -90,6 +90,17 @@ PetscErrorCode VIAssemble(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode VIPrepareProducts(VI vi)
+{
+  PetscFunctionBeginUser;
+  if (vi->S) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(LogStageBegin(STAGE_CONDENSE));
+  PetscCall(ProductsCreate(vi->K, 1 / vi->stiffness, &vi->S));
+  if (!vi->assembled) PetscCall(CondensedSetProducts(vi->A, vi->S));
+  PetscCall(LogStageEnd(STAGE_CONDENSE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode VIAttachModes(VI vi)
 {
   PetscFunctionBeginUser;
@@ -109,6 +120,7 @@ PetscErrorCode VICreateSprung(VI vi, Vec springs, Mat *A)
     PetscCall(MatSetOption(*A, MAT_SPD, PETSC_TRUE));
   } else {
     PetscCall(CondensedCreateShell(vi->K, vi->stiffness, vi->Z, vi->num_fixed, vi->fixed_local, springs, A));
+    PetscCall(CondensedSetProducts(*A, vi->S));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -217,6 +229,7 @@ PetscErrorCode VIDestroy(VI *vi_in)
   PetscCall(MatDestroy(&vi->T));
   PetscCall(MatDestroy(&vi->A));
   PetscCall(MatDestroy(&vi->Z));
+  PetscCall(MatDestroy(&vi->S));
   PetscCall(VecDestroy(&vi->f));
   PetscCall(VecDestroy(&vi->G));
   PetscCall(VecDestroy(&vi->b));

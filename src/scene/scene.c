@@ -81,7 +81,7 @@ static PetscErrorCode SceneReadLevels_Private(Scene scene)
   if (pc.set)
     scene->levels = strcmp(pc.text, "truncatedmg") ? LEVELS_UNUSED : LEVELS_USED;
   else if (ksp.set)
-    scene->levels = strcmp(ksp.text, "preonly") ? LEVELS_BY_SIZE : LEVELS_UNUSED;
+    scene->levels = strcmp(ksp.text, "preonly") ? LEVELS_USED : LEVELS_UNUSED;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

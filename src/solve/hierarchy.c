@@ -187,7 +187,7 @@ PetscErrorCode HierarchyCreate(VI vi, Vec springs, Hierarchy *hierarchy)
       PetscCall(VICreateCoarse(vi, l, &grid->vi));
     else
       grid->vi = vi;
-    if (!l) PetscCall(VIAssemble(grid->vi));
+    PetscCall(l ? VIPrepareProducts(grid->vi) : VIAssemble(grid->vi));
     grid->A = grid->vi->A;
     PetscCall(MatCreateVecs(grid->A, &grid->diag, NULL));
     PetscCall(MatGetDiagonal(grid->A, grid->diag));

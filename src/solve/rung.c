@@ -34,8 +34,7 @@ static PetscErrorCode Mult_Rung(Mat A, Vec x, Vec y)
 
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(A, &rung));
-  PetscCall(MatMult(rung->grid->vi->K, x, y));
-  PetscCall(VecScale(y, 1 / rung->grid->vi->stiffness));
+  PetscCall(MatMult(rung->grid->vi->S, x, y));
   if (rung->grid->vi->Z) PetscCall(MatMultAdd(rung->grid->vi->Z, x, y, y));
   if (rung->springs) PetscCall(AddSprings_Private(rung->springs, x, y));
   if (rung->change) PetscCall(MatMultAdd(rung->change, x, y, y));

@@ -159,6 +159,35 @@ static void TestSupports(VI vi)
   CHECK(!VecDestroy(&y));
 }
 
+/* A is the same by products with K, by products with half of it, and as a matrix. */
+static void TestProducts(VI vi)
+{
+  PetscReal    norm, off;
+  PetscScalar *a;
+  PetscInt     n;
+  Vec          x, y[3];
+
+  CHECK(!VecDuplicate(vi->b, &x));
+  CHECK(!VecGetLocalSize(x, &n));
+  CHECK(!VecGetArray(x, &a));
+  for (PetscInt i = 0; i < n; ++i) a[i] = Uniform(-1, 1);
+  CHECK(!VecRestoreArray(x, &a));
+  for (int way = 0; way < 3; ++way) {
+    if (way == 1) CHECK(!VIPrepareProducts(vi));
+    if (way == 2) CHECK(!VIAssemble(vi));
+    CHECK((vi->S != NULL) == (way > 0));
+    CHECK(!VecDuplicate(vi->b, &y[way]));
+    CHECK(!MatMult(vi->A, x, y[way]));
+    if (way == 0) continue;
+    CHECK(!VecNorm(y[0], NORM_2, &norm));
+    CHECK(!VecAXPY(y[way], -1, y[0]));
+    CHECK(!VecNorm(y[way], NORM_2, &off));
+    CHECK_NEAR(off, 0, 1e-12 * norm);
+  }
+  for (int way = 0; way < 3; ++way) CHECK(!VecDestroy(&y[way]));
+  CHECK(!VecDestroy(&x));
+}
+
 int main(int argc, char **argv)
 {
   TestScene t;
@@ -174,6 +203,7 @@ int main(int argc, char **argv)
   }
   vi = CreateVI(&t, CASE_VERTICES, PETSC_TRUE, &mesh);
   TestSupports(vi);
+  TestProducts(vi);
   DestroyVI(&t, &mesh, &vi);
   vi = CreateSolidVI(&t, PETSC_FALSE, &mesh);
   TestRows(vi);
@@ -181,6 +211,7 @@ int main(int argc, char **argv)
   DestroyVI(&t, &mesh, &vi);
   vi = CreateSolidVI(&t, PETSC_TRUE, &mesh);
   TestSupports(vi);
+  TestProducts(vi);
   DestroyVI(&t, &mesh, &vi);
   PetscCall(PetscFinalize());
   return 0;
