@@ -99,17 +99,20 @@ static void TestSolid(PetscBool simplex, PetscInt order)
   TestSceneFree(&t);
 }
 
-/* By size: none for few unknowns, and no coarsest mesh that is too small to be worth it. */
+/* By size: none for few unknowns, no coarsest mesh that is too small to be worth it, no halves of odd numbers. */
 static void TestSize(void)
 {
-  const PetscInt faces[3] = {16, 88, 160}, coarser[3] = {0, 2, 3};
-  TestScene      t;
-  Mesh           mesh;
+  const PetscInt  faces[3] = {8, 16, 24}, coarser[3] = {0, 1, 1};
+  const PetscReal lower[2][3] = {{0, 0, 0}, {0, 0, -1}}, upper[2][3] = {{1, 1, 1}, {1, 1, 0}};
+  TestScene       t;
+  Mesh            mesh;
 
   for (PetscInt i = 0; i < 3; ++i) {
-    TestSceneInit(&t);
-    TestSceneAddBox(&t, "upper", faces[i], faces[i], 0, 0, 1, 1);
-    TestSceneAddBox(&t, "lower", 80, 80, 0, -1, 1, 0);
+    const PetscInt n[3] = {faces[i], faces[i], faces[i]}, m[3] = {3 * faces[i] / 4, faces[i] / 2, faces[i]};
+
+    SolidSceneInit(&t);
+    SolidSceneAddBox(&t, "upper", n, lower[0], upper[0]);
+    SolidSceneAddBox(&t, "lower", m, lower[1], upper[1]);
     mesh = TestSceneMesh(&t);
     CHECK(mesh->own == coarser[i]);
     CHECK(!MeshDestroy(&mesh));
