@@ -33,6 +33,8 @@ mistake(misspelt_of_box     SAYS -third_dm_plex_box_face "-third_dm_plex_box_fac
 mistake(misspelt_of_solver  SAYS "-snes_pdas_strt full" "-snes_pdas_start?" ARGS -snes_pdas_strt full)
 mistake(misspelt_of_petsc   SAYS "-ksp_rtoll 1e-9" "-ksp_rtol?" ARGS -ksp_rtoll 1e-9)
 mistake(idle_of_petsc       SAYS "-snes_linesearch_type bt" "nothing reads" ARGS -snes_linesearch_type bt)
+mistake(multigrid_alone     SAYS "-pc_type truncatedmg" "-dm_refine" ARGS -pc_type truncatedmg)
+mistake(multigrid_alone_vi  SAYS "-pc_type truncatedmg" "-dm_refine" ARGS -pc_type truncatedmg -snes_type vinewtonrsls)
 mistake(unknown_option      SAYS "-gravity_of_earth 9.81" -help ARGS -gravity_of_earth 9.81)
 mistake(idle_option         SAYS "-upper_material_angle 30" -upper_stiffness ARGS -upper_material_angle 30)
 mistake(name_twice          SAYS -bodies upper twice ARGS -bodies upper,lower,upper)

@@ -1,4 +1,4 @@
-/* test_log.c -- times of stages, of the whole and of the processor, and how they begin anew. */
+/* test_log.c -- times of stages, of the whole and of the processor, and how they begin anew; stages within others. */
 #include <mortise/compat.h>
 #include <mortise/log.h>
 #include <test.h>
@@ -36,6 +36,27 @@ static PetscErrorCode TestReset(void)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A stage within another one stops that one's clock, also if it is of the same name. */
+static PetscErrorCode TestNested(void)
+{
+  PetscFunctionBeginUser;
+  PetscCall(LogReset(LogWallClock()));
+  PetscCall(LogStageBegin(STAGE_SOLVE));
+  PetscCall(LogStageBegin(STAGE_MORTAR));
+  Work(WORK);
+  PetscCall(LogStageBegin(STAGE_MORTAR));
+  Work(WORK);
+  PetscCall(LogStageEnd(STAGE_MORTAR));
+  PetscCall(LogStageBegin(STAGE_SOLVE));
+  Work(WORK);
+  PetscCall(LogStageEnd(STAGE_SOLVE));
+  PetscCall(LogStageEnd(STAGE_MORTAR));
+  PetscCall(LogStageEnd(STAGE_SOLVE));
+  CHECK(LogStageSeconds(STAGE_MORTAR) >= 2 * WORK && LogStageSeconds(STAGE_SOLVE) >= WORK);
+  CHECK(LogStageSeconds(STAGE_MORTAR) + LogStageSeconds(STAGE_SOLVE) <= LogTotalSeconds());
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 int main(int argc, char **argv)
 {
   const double start = LogWallClock();
@@ -43,6 +64,7 @@ int main(int argc, char **argv)
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   PetscCall(LogInitialize(start));
   PetscCall(TestReset());
+  PetscCall(TestNested());
   PetscCall(PetscFinalize());
   return 0;
 }

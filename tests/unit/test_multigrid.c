@@ -1,0 +1,313 @@
+/* test_multigrid.c -- what truncated multigrid is made of, against products of assembled matrices: the inverse of T, the matrix as a
+   shell, the coarser levels' own matrices, and what held unknowns make of them, at once or one change after the other. */
+#include <mortise/compat.h>
+#include <mortise/vi.h>
+#include "../../src/solve/rung.h"
+#include "mesh_scene.h"
+#include "solid_scene.h"
+#include "uniform.h"
+
+static const PetscReal ROUNDING = 1e-12; /* of products of matrices whose diagonals are about 1 */
+
+/* Boxes whose meshes do not match. */
+typedef enum {
+  CASE_QUADS,     /* a block on a block */
+  CASE_TRIANGLES, /* the same of order 2, multipliers at vertices, one of the two of triangles */
+  CASE_CHAIN,     /* order 2: a mortar side that is shifted itself */
+  CASE_OBLIQUE,   /* turned by a third of a right angle, sliding along a support */
+  CASE_SOLID,     /* hexahedra on tetrahedra */
+  CASE_TIED,      /* glued: coarse spaces are not part of fine ones */
+  CASE_COUNT
+} Case;
+
+static SceneBody *AddBlock(TestScene *t, const char name[], PetscInt n, const PetscReal lower[3],
+                           const PetscReal upper[3])
+{
+  const PetscInt faces[] = {n, n > 2 ? 2 : 1, 2};
+
+  return SolidSceneAddBox(t, name, faces, lower, upper);
+}
+
+static void AddBodies(TestScene *t, Case which)
+{
+  static const PetscReal corners[][3] = {{0, 0, 0}, {1, 1, 1}, {0, -1, 0}, {2, 0, 1}, {1, 0, 0}, {2, 1, 1}},
+                         solid[][3]   = {{0, 0, 0}, {1, 1, 1}, {0, 0, -1}, {1.5, 1, 0}};
+  const PetscReal(*x)[3]              = which == CASE_SOLID ? solid : corners;
+  const PetscInt order                = which == CASE_TRIANGLES || which == CASE_CHAIN ? 2 : 1;
+
+  if (which == CASE_SOLID)
+    SolidSceneInit(t);
+  else
+    TestSceneInit(t);
+  AddBlock(t, "above", 2, x[0], x[1])->simplex = (PetscBool)(which == CASE_TRIANGLES || which == CASE_SOLID);
+  AddBlock(t, "below", 3, x[2], x[3]);
+  if (which == CASE_CHAIN) AddBlock(t, "beside", 2, corners[4], corners[5]);
+  for (PetscInt b = 0; b < t->scene.num_bodies; ++b) {
+    t->bodies[b].order = order;
+    if (which == CASE_OBLIQUE) TestSceneSetMap(&t->bodies[b], "x*cos(pi/6) - y*sin(pi/6), x*sin(pi/6) + y*cos(pi/6)");
+  }
+}
+
+static VI CreateVI(TestScene *t, Case which, PetscInt refine, Mesh *mesh)
+{
+  ScenePair *pair;
+  VI         vi;
+
+  AddBodies(t, which);
+  t->scene.refine = refine;
+  if (which == CASE_OBLIQUE) {
+    TestSceneAddBoundary(&t->bodies[0], BOUNDARY_NORMAL, "left", NULL); // meets the contact in a corner
+    TestSceneAddBoundary(&t->bodies[1], BOUNDARY_NORMAL, "left", NULL);
+  } else {
+    const char *value = which == CASE_SOLID ? "0, free, 0" : "0, free";
+
+    TestSceneAddBoundary(&t->bodies[0], BOUNDARY_DISPLACEMENT, "left", value);
+    TestSceneAddBoundary(&t->bodies[1], BOUNDARY_DISPLACEMENT, "bottom", which == CASE_SOLID ? "0, 0, 0" : "0, 0");
+  }
+  pair = TestSceneAddPair(t, "pair", 0, "bottom", 1, "top");
+  if (which == CASE_TRIANGLES) pair->multipliers = MULTIPLIERS_VERTICES;
+  if (which == CASE_TIED) pair->type = PAIR_TIED;
+  if (which == CASE_CHAIN) TestSceneAddPair(t, "other", 1, "top", 2, "bottom")->multipliers = MULTIPLIERS_VERTICES;
+  *mesh = TestSceneMesh(t);
+  CHECK(!VICreate(&t->scene, *mesh, &vi));
+  return vi;
+}
+
+static void DestroyVI(TestScene *t, Mesh *mesh, VI *vi)
+{
+  CHECK(!VIDestroy(vi));
+  CHECK(!MeshDestroy(mesh));
+  TestSceneFree(t);
+}
+
+static void Fill(Vec x)
+{
+  PetscScalar *a;
+  PetscInt     n;
+
+  CHECK(!VecGetLocalSize(x, &n));
+  CHECK(!VecGetArray(x, &a));
+  for (PetscInt i = 0; i < n; ++i) a[i] = Uniform(-1, 1);
+  CHECK(!VecRestoreArray(x, &a));
+}
+
+/* The largest entry of x - y; x is spoilt. */
+static PetscReal Difference(Vec x, Vec y)
+{
+  PetscReal norm;
+
+  CHECK(!VecAXPY(x, -1, y));
+  CHECK(!VecNorm(x, NORM_INFINITY, &norm));
+  return norm;
+}
+
+/* T^-1 T x = x */
+static void TestInverse(VI vi)
+{
+  Mat inverse;
+  Vec x, Tx, back;
+
+  CHECK(!VICreateInverse(vi, &inverse));
+  CHECK(inverse && vi->T);
+  CHECK(!MatCreateVecs(vi->K, &x, &Tx));
+  CHECK(!VecDuplicate(x, &back));
+  Fill(x);
+  CHECK(!MatMult(vi->T, x, Tx));
+  CHECK(!MatMult(inverse, Tx, back));
+  CHECK_NEAR(Difference(back, x), 0, ROUNDING);
+  CHECK(!VecDestroy(&x));
+  CHECK(!VecDestroy(&Tx));
+  CHECK(!VecDestroy(&back));
+  CHECK(!MatDestroy(&inverse));
+}
+
+/* Products with the shell, its diagonal, and both with springs, against the matrix, and that against T'KT. */
+static void TestShell(VI vi)
+{
+  const PetscInt first = vi->level->dim * vi->level->node_begin;
+  Vec            x, springs, image[2], diagonal[2];
+  Mat            sprung, TKT;
+
+  CHECK(!VIAssemble(vi));
+  for (PetscInt i = 0; i < 2; ++i) {
+    CHECK(!VecDuplicate(vi->upper, &image[i]));
+    CHECK(!VecDuplicate(vi->upper, &diagonal[i]));
+  }
+  CHECK(!VecDuplicate(vi->upper, &x));
+  CHECK(!VecDuplicate(vi->upper, &springs));
+  Fill(springs);
+  for (PetscInt i = 0; i < vi->num_fixed; ++i) CHECK(!VecSetValue(springs, vi->fixed[i], 0, INSERT_VALUES));
+  CHECK(!VecAssemblyBegin(springs));
+  CHECK(!VecAssemblyEnd(springs));
+  Fill(x);
+  for (PetscInt with = 0; with < 2; ++with) {
+    vi->assembled = PETSC_FALSE; // A stays what it is; what is made of it is a shell
+    CHECK(!VICreateSprung(vi, springs, &sprung));
+    vi->assembled = PETSC_TRUE;
+    CHECK(!MatMult(sprung, x, image[0]));
+    CHECK(!MatGetDiagonal(sprung, diagonal[0]));
+    CHECK(!MatMult(vi->A, x, image[1]));
+    CHECK(!MatGetDiagonal(vi->A, diagonal[1]));
+    CHECK(!VecAXPY(diagonal[1], 1, springs));
+    CHECK(!VecPointwiseMult(springs, springs, x));
+    CHECK(!VecAXPY(image[1], 1, springs));
+    CHECK_NEAR(Difference(image[0], image[1]), 0, ROUNDING);
+    CHECK_NEAR(Difference(diagonal[0], diagonal[1]), 0, ROUNDING);
+    CHECK(!MatDestroy(&sprung));
+    CHECK(!VecZeroEntries(springs));
+  }
+  CHECK(!MatPtAP(vi->K, vi->T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &TKT));
+  for (PetscInt i = 0; i < vi->num_fixed; ++i) CHECK(!VecSetValue(x, vi->fixed[i], 0, INSERT_VALUES));
+  CHECK(!VecAssemblyBegin(x));
+  CHECK(!VecAssemblyEnd(x));
+  CHECK(!MatMult(vi->A, x, image[0]));
+  CHECK(!MatMult(TKT, x, image[1]));
+  CHECK(!VecScale(image[1], 1 / vi->stiffness));
+  {
+    PetscScalar *a;
+
+    CHECK(!VecGetArray(image[1], &a));
+    for (PetscInt i = 0; i < vi->num_fixed; ++i) a[vi->fixed[i] - first] = 0;
+    CHECK(!VecRestoreArray(image[1], &a));
+  }
+  CHECK_NEAR(Difference(image[0], image[1]), 0, ROUNDING);
+  for (PetscInt i = 0; i < 2; ++i) {
+    CHECK(!VecDestroy(&image[i]));
+    CHECK(!VecDestroy(&diagonal[i]));
+  }
+  CHECK(!VecDestroy(&x));
+  CHECK(!VecDestroy(&springs));
+  CHECK(!MatDestroy(&TKT));
+}
+
+/* x := x, but 0 where eliminated. */
+static void Empty(VI vi, Vec x)
+{
+  PetscScalar *a;
+
+  CHECK(!VecGetArray(x, &a));
+  for (PetscInt i = 0; i < vi->num_fixed; ++i) a[vi->fixed_local[i]] = 0;
+  CHECK(!VecRestoreArray(x, &a));
+}
+
+/* P^' A_f P^ x = A_c x on levels of meshes that are nested. */
+static void TestNested(Hierarchy h)
+{
+  for (PetscInt l = 1; l < h->num; ++l) {
+    Vec x, Px, APx, image, product;
+
+    CHECK(!MatCreateVecs(h->grid[l].P, &x, &Px));
+    CHECK(!VecDuplicate(x, &image));
+    CHECK(!VecDuplicate(x, &product));
+    CHECK(!VecDuplicate(Px, &APx));
+    Fill(x);
+    Empty(h->grid[l - 1].vi, x);
+    CHECK(!MatMult(h->grid[l].P, x, Px));
+    CHECK(!MatMult(h->grid[l].A, Px, APx));
+    CHECK(!MatMultTranspose(h->grid[l].P, APx, product));
+    CHECK(!MatMult(h->grid[l - 1].A, x, image));
+    CHECK_NEAR(Difference(image, product), 0, ROUNDING);
+    CHECK(!VecDestroy(&x));
+    CHECK(!VecDestroy(&Px));
+    CHECK(!VecDestroy(&APx));
+    CHECK(!VecDestroy(&image));
+    CHECK(!VecDestroy(&product));
+  }
+}
+
+/* 0 at some of the unknowns with a bound, 1 elsewhere. [in] share - of them that are held */
+static void Choose(VI vi, PetscReal share, Vec free)
+{
+  const PetscScalar *upper;
+  PetscScalar       *f;
+  PetscInt           n;
+
+  CHECK(!VecGetLocalSize(free, &n));
+  CHECK(!VecGetArrayRead(vi->upper, &upper));
+  CHECK(!VecGetArray(free, &f));
+  for (PetscInt i = 0; i < n; ++i) f[i] = PetscRealPart(upper[i]) < PETSC_INFINITY && Uniform(0, 1) < share ? 0 : 1;
+  CHECK(!VecRestoreArray(free, &f));
+  CHECK(!VecRestoreArrayRead(vi->upper, &upper));
+}
+
+/* A^ of every level by products of matrices, A_(l-1) + P'(M A^_l M - A_l)P; products with them against those of the rungs. */
+static void CompareRungs(Hierarchy h, Rung rungs[])
+{
+  Mat own, finer = NULL; // A of this level with what finer ones make of it
+
+  for (PetscInt l = h->num - 1; l >= 0; --l) {
+    Vec x, image, expected;
+
+    CHECK(!VIAssemble(h->grid[l].vi));
+    CHECK(!MatDuplicate(h->grid[l].vi->A, MAT_COPY_VALUES, &own));
+    if (finer) {
+      Mat restricted;
+
+      CHECK(!MatPtAP(finer, h->grid[l + 1].P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &restricted));
+      CHECK(!MatAXPY(own, 1, restricted, DIFFERENT_NONZERO_PATTERN));
+      CHECK(!MatDestroy(&restricted));
+      CHECK(!MatDestroy(&finer));
+    }
+    CHECK(!VecDuplicate(rungs[l].free, &x));
+    CHECK(!VecDuplicate(x, &image));
+    CHECK(!VecDuplicate(x, &expected));
+    Fill(x);
+    Empty(h->grid[l].vi, x);
+    CHECK(!VecPointwiseMult(x, x, rungs[l].free));
+    CHECK(!MatMult(own, x, expected));
+    CHECK(!VecPointwiseMult(expected, expected, rungs[l].free));
+    CHECK(!MatMult(rungs[l].A, x, image));
+    CHECK_NEAR(Difference(image, expected), 0, ROUNDING);
+    CHECK(!MatDiagonalScale(own, rungs[l].free, rungs[l].free));
+    CHECK(!MatAXPY(own, -1, h->grid[l].vi->A, DIFFERENT_NONZERO_PATTERN));
+    finer = own;
+    CHECK(!VecDestroy(&x));
+    CHECK(!VecDestroy(&image));
+    CHECK(!VecDestroy(&expected));
+  }
+  CHECK(!MatDestroy(&finer));
+}
+
+/* Held sets one after the other: none, some, all, others, few, none again. */
+static void TestRungs(VI vi, Hierarchy h)
+{
+  static const PetscReal shares[] = {0, 0.3, 1, 0.7, 0.1, 0};
+  Rung                  *rungs;
+  Vec                    free;
+
+  CHECK(!PetscCalloc1(h->num, &rungs));
+  for (PetscInt l = 0; l < h->num; ++l) CHECK(!RungCreate(h, l, &rungs[l]));
+  CHECK(!VecDuplicate(vi->upper, &free));
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(shares); ++i) {
+    Choose(vi, shares[i], free);
+    CHECK(!RungsHold(h->num, rungs, free));
+    CHECK(!RungAssemble(&rungs[0]));
+    CompareRungs(h, rungs);
+  }
+  for (PetscInt l = 0; l < h->num; ++l) CHECK(!RungDestroy(&rungs[l]));
+  CHECK(!PetscFree(rungs));
+  CHECK(!VecDestroy(&free));
+}
+
+int main(int argc, char **argv)
+{
+  PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
+  for (PetscInt which = 0; which < CASE_COUNT; ++which) {
+    TestScene t;
+    Mesh      mesh;
+    Hierarchy h;
+    VI        vi = CreateVI(&t, (Case)which, which == CASE_QUADS || which == CASE_OBLIQUE ? 2 : 1, &mesh);
+
+    TestInverse(vi);
+    CHECK(!HierarchyCreate(vi, NULL, &h));
+    if (which != CASE_TIED) TestNested(h);
+    CHECK(!HierarchyDestroy(&h));
+    TestShell(vi);
+    CHECK(!HierarchyCreate(vi, NULL, &h));
+    TestRungs(vi, h);
+    CHECK(!HierarchyDestroy(&h));
+    DestroyVI(&t, &mesh, &vi);
+  }
+  PetscCall(PetscFinalize());
+  return 0;
+}
