@@ -1,0 +1,34 @@
+# Scenes of all kinds with multigrid on the levels of their meshes, small enough for a factorisation to compare with.
+# mg(<name> [SCENE <scene>] ARGS ...): of options/ or of this folder
+function(mg name)
+  cmake_parse_arguments(arg "" "SCENE" "ARGS" ${ARGN})
+  if(NOT arg_SCENE)
+    set(arg_SCENE ${name})
+  endif()
+  mortise_scene_test(${name} SCENE ${arg_SCENE} CHECK multigrid.py ARGS -pc_type cholesky ${arg_ARGS})
+endfunction()
+set(coarse -upper_dm_plex_box_faces 10,10 -lower_dm_plex_box_faces 7,7)
+set(solid -upper_dm_plex_box_faces 3,3,3 -lower_dm_plex_box_faces 2,2,2 -dm_refine 1)
+
+# --- cells, orders, dimensions ---
+mg(two_plates             ARGS ${coarse} -dm_refine 2)
+mg(two_plates_triangles   SCENE two_plates ARGS ${coarse} -upper_dm_plex_simplex 1 -lower_dm_plex_simplex 1 -dm_refine 2)
+mg(two_plates_quadratic   SCENE two_plates ARGS ${coarse} -order 2 -dm_refine 1)
+mg(two_plates_vertices    SCENE two_plates ARGS ${coarse} -order 2 -upper_dm_plex_simplex 1 -joint_multipliers vertices -dm_refine 1)
+mg(blocks                 ARGS ${solid})
+mg(blocks_tetrahedra      SCENE blocks ARGS ${solid} -upper_dm_plex_simplex 1 -lower_dm_plex_simplex 1)
+mg(blocks_quadratic       SCENE blocks ARGS ${solid} -order 2)
+
+# --- what bodies touch ---
+mg(three_bodies           ARGS -dm_refine 1)
+mg(tied                   ARGS -dm_refine 2)
+mg(rings                  ARGS -dm_refine 1)
+mg(patch_interference     ARGS -dm_refine 1)
+mg(parabola               ARGS -block_dm_plex_box_faces 16,8 -dm_refine 1)
+mg(touching               ARGS -dm_refine 1)
+mg(stack                  ARGS -dm_refine 1)
+mg(two_plates_uneven      SCENE two_plates ARGS ${coarse} -upper_young 8e10 -dm_refine 2)
+
+# --- iterations ---
+mortise_scene_test(growth       SCENE two_plates CHECK growth.py ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6)
+mortise_scene_test(growth_solid SCENE blocks CHECK growth.py)

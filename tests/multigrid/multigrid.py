@@ -1,0 +1,36 @@
+"""Multigrid that keeps away from active unknowns finds what a factorisation finds: with both solvers, on any number of ranks, and each
+time in as many iterations."""
+import pathlib
+import sys
+
+import numpy as np
+
+from judge import LONG, require, same, same_table
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "same"))
+from same import fields  # pylint: disable=wrong-import-position
+
+DISPLACEMENT = 1e-8  # relative to the largest
+PRESSURE = 1e-6  # the same; what the certificate of an iterative solver allows forces to be off
+SPREAD = 2  # iterations that rounding on other ranks may add
+RANKS = (1, 2, 3, 4) if LONG else (1, 3)
+
+
+def compare(run, other, what):
+    mine, theirs = fields(run), fields(other)
+    scale, off = np.abs(mine[:, :3]).max(), np.abs(mine[:, :3] - theirs[:, :3]).max()
+    require(off <= DISPLACEMENT * scale, f"displacement with {what}: off by {off:.3g} of {scale:.3g}")
+    strongest = np.abs(mine[:, 3:]).max()  # stress: there may be no pressure
+    for pair, values in run.summary["pairs"].items():
+        same(f"active nodes of {pair} with {what}", other.pair(pair)["active_nodes"], values["active_nodes"])
+        same_table(other.table(pair), run.table(pair), {"pressure": (0, PRESSURE * strongest), "status": (0, 0)})
+
+
+def judge(run):
+    for snes in ("pdas", "vinewtonrsls"):
+        iterations = []
+        for ranks in RANKS:
+            other = run.again("-pc_type", "truncatedmg", "-snes_type", snes, ranks=ranks, name=f"{snes}{ranks}")
+            compare(run, other, f"{snes} on {ranks} ranks")
+            iterations.append(other.summary["solver"]["linear_iterations"])
+        require(max(iterations) - min(iterations) <= SPREAD + max(iterations) // 20, f"{snes} takes {iterations} iterations on {RANKS} ranks")
