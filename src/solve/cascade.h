@@ -1,4 +1,4 @@
-/* cascade.h -- from the coarsest level to the next to finest one; internal (floor 6; T30). */
+/* cascade.h -- from the coarsest level to the next to finest one; internal (floor 6; T36). */
 #ifndef MORTISE_CASCADE_H
 #define MORTISE_CASCADE_H
 

@@ -1,4 +1,4 @@
-/* hierarchy.h -- one inequality on all levels of its mesh, and what leads from one to the next; internal (floor 6; T29). */
+/* hierarchy.h -- one inequality on all levels of its mesh, and what leads from one to the next; internal (floor 6; T35). */
 #ifndef MORTISE_HIERARCHY_H
 #define MORTISE_HIERARCHY_H
 

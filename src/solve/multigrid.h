@@ -1,4 +1,4 @@
-/* multigrid.h -- the PC type `truncatedmg`: multigrid that keeps away from active unknowns; internal (floor 6; T29). */
+/* multigrid.h -- the PC type `truncatedmg`: multigrid that keeps away from active unknowns; internal (floor 6; T35). */
 #ifndef MORTISE_MULTIGRID_H
 #define MORTISE_MULTIGRID_H
 

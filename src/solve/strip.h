@@ -1,4 +1,4 @@
-/* strip.h -- what emptying a few rows and columns changes in a matrix, and in the coarser one; internal (floor 6; T29). */
+/* strip.h -- what emptying a few rows and columns changes in a matrix, and in the coarser one; internal (floor 6; T35). */
 #ifndef MORTISE_STRIP_H
 #define MORTISE_STRIP_H
 
