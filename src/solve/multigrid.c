@@ -3,8 +3,8 @@
    Held unknowns, active ones and eliminated ones alike, are no part of a system:
        A^ = M A M + (1 - M) diag(A),   M = 0 where held, 1 elsewhere.
    A coarse correction that moved them would spoil them, so nothing is interpolated to them [1]: P^ = M P. The operator of the coarser level is
-   then P^' A P^ = A_c + P'(M A M - A) P with A_c = P'A P, its own matrix, and what is added is nonzero near held unknowns only. A coarse
-   unknown that moves next to nothing but held ones is itself held.
+   then P^' A P^ = A_c + P'(M A M - A) P with A_c its own matrix, P'A P where meshes are nested, and what is added is nonzero near
+   held unknowns only. A coarse unknown that moves next to nothing but held ones is itself held.
 
    PCMG cycles; here is what it works with. The type rides on PCSHELL, with public headers.
 
