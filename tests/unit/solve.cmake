@@ -5,3 +5,4 @@ mortise_unit(solvefaults ROOMS base kernel scene mesh contact problem solve RANK
 mortise_unit(dissection ROOMS base kernel scene mesh contact problem solve RANKS 1 3)
 mortise_unit(residual ROOMS base kernel scene mesh contact problem solve RANKS 1 3)
 mortise_unit(multigrid ROOMS base kernel scene mesh contact problem solve RANKS 1 3)
+mortise_unit(smoother ROOMS base kernel scene mesh contact problem solve RANKS 1 3)
