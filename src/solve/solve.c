@@ -197,6 +197,7 @@ static PetscErrorCode Prepare_Private(VI vi, const SolveChoice *choice)
   PetscFunctionBeginUser;
   if (!multigrid || strcmp(choice->snes, SNESPDAS)) PetscCall(VIAssemble(vi));
   if (!multigrid && !SolveFactors(choice->pc)) PetscCall(VIAttachModes(vi));
+  if (multigrid) PetscCall(VIPrepareProducts(vi)); // here: of a copy with springs nobody would give them back
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
