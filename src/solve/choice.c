@@ -14,9 +14,6 @@
    in a third of the time of CG with GAMG, and 1.7 GB; at 290000 it would be the same time and 5 GB. */
 static const PetscInt DIRECT_2D = 1000000, DIRECT_3D = 150000, DIRECT_3D_EACH = 40000;
 
-/* The same where nested levels help to iterate. */
-static const PetscInt DIRECT_2D_LEVELS = 150000, DIRECT_3D_LEVELS = 30000;
-
 PetscBool SolveFactors(const char pc[])
 {
   return (PetscBool)(!strcmp(pc, PCCHOLESKY) || !strcmp(pc, PCLU));
@@ -106,7 +103,7 @@ static PetscErrorCode ChooseBySize_Private(VI vi, PetscBool pdas, SolveChoice *c
   if (vi->level->dim == 3) limit = pdas && reducible ? DIRECT_3D : DIRECT_3D_EACH;
   if (vi->mesh && vi->mesh->num_levels > 1) {
     PetscCall(HierarchyIsNested(vi, &nested));
-    if (nested) limit = PetscMin(limit, vi->level->dim == 3 ? DIRECT_3D_LEVELS : DIRECT_2D_LEVELS);
+    if (nested) limit = PetscMin(limit, vi->level->dim == 3 ? MESH_LEVELS_3D : MESH_LEVELS_2D);
   }
   PetscCall(VecGetSize(vi->b, &size));
   PetscCall(PetscStrncpy(choice->ksp, size <= limit ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));

@@ -21,9 +21,9 @@ typedef struct {
   PetscInt num;
   Grid    *grid; /* coarse first */
   PetscBool
-      nested;  /* whether each level's A is P^'A P^ of the finer one: straight cells, of materials that do not lock */
-  Vec springs; /* what is in the finest A beside the bodies' stiffness, on its diagonal; borrowed, or NULL */
-  PetscReal work; /* products with A so far, in products with the finest one */
+            nested; /* whether coarser A may be changed by what is held: they are P^'A P^ of the finer ones, or nearly so on curved cells */
+  Vec       springs; /* what is in the finest A beside the bodies' stiffness, on its diagonal; borrowed, or NULL */
+  PetscReal work;    /* products with A so far, in products with the finest one */
 } * Hierarchy;
 
 /* Whether levels' matrices are nearly those of prolongation: not where volumes change by whole cells (T29). Collective. */

@@ -25,20 +25,13 @@ static PetscErrorCode AddSprings_Private(Vec springs, Vec x, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* y = A^ x for x that is 0 where held, but for the diagonal there */
-static PetscErrorCode Mult_Rung(Mat A, Vec x, Vec y)
+/* y = diag x where held */
+static PetscErrorCode KeepDiagonal_Private(const Rung *rung, Vec x, Vec y)
 {
-  Rung              *rung;
   const PetscScalar *d, *xa;
   PetscScalar       *ya;
 
   PetscFunctionBeginUser;
-  PetscCall(MatShellGetContext(A, &rung));
-  PetscCall(MatMult(rung->grid->vi->S, x, y));
-  if (rung->grid->vi->Z) PetscCall(MatMultAdd(rung->grid->vi->Z, x, y, y));
-  if (rung->springs) PetscCall(AddSprings_Private(rung->springs, x, y));
-  if (rung->change) PetscCall(MatMultAdd(rung->change, x, y, y));
-  rung->hierarchy->work += rung->grid->share;
   PetscCall(VecGetArrayRead(rung->diag, &d));
   PetscCall(VecGetArrayRead(x, &xa));
   PetscCall(VecGetArray(y, &ya));
@@ -49,24 +42,32 @@ static PetscErrorCode Mult_Rung(Mat A, Vec x, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* y = A^ x for x that is 0 where held, but for the diagonal there */
+static PetscErrorCode Mult_Rung(Mat A, Vec x, Vec y)
+{
+  Rung *rung;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(A, &rung));
+  PetscCall(MatMult(rung->grid->vi->S, x, y));
+  if (rung->grid->vi->Z) PetscCall(MatMultAdd(rung->grid->vi->Z, x, y, y));
+  if (rung->springs) PetscCall(AddSprings_Private(rung->springs, x, y));
+  if (rung->change) PetscCall(MatMultAdd(rung->change, x, y, y));
+  rung->hierarchy->work += rung->grid->share;
+  PetscCall(KeepDiagonal_Private(rung, x, y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The same for an x that is 0 where active, whatever it is where unknowns were eliminated: to iterate with. */
 static PetscErrorCode Mult_Outer(Mat A, Vec x, Vec y)
 {
-  Rung              *rung;
-  const PetscScalar *d, *xa;
-  PetscScalar       *ya;
+  Rung *rung;
 
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(A, &rung));
   PetscCall(MatMult(rung->grid->A, x, y));
   rung->hierarchy->work += rung->grid->share;
-  PetscCall(VecGetArrayRead(rung->diag, &d));
-  PetscCall(VecGetArrayRead(x, &xa));
-  PetscCall(VecGetArray(y, &ya));
-  for (PetscInt i = 0; i < rung->num; i++) ya[rung->held[i]] = d[rung->held[i]] * xa[rung->held[i]];
-  PetscCall(VecRestoreArray(y, &ya));
-  PetscCall(VecRestoreArrayRead(x, &xa));
-  PetscCall(VecRestoreArrayRead(rung->diag, &d));
+  PetscCall(KeepDiagonal_Private(rung, x, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
