@@ -45,12 +45,14 @@ def files(run):
 
 
 def require_whole(run, before):
-    """Beside a summary all files are of its run; without one, nothing is claimed."""
+    """Beside a summary all files are of its run; without one, nothing is claimed. A run before that was killed may have left none."""
+    summary = f"{NAME}.json"
     now = files(run)
-    if f"{NAME}.json" not in now:
+    if summary not in now:
         return
-    require(set(now) == set(before), f"files are missing or too many: {sorted(set(now) ^ set(before))}")
-    if now[f"{NAME}.json"] == before[f"{NAME}.json"]:
+    whole = set(before) | {summary}
+    require(set(now) == whole, f"files are missing or too many: {sorted(set(now) ^ whole)}")
+    if now[summary] == before.get(summary):
         require(now == before, "files of a run that was not finished stand beside the summary of an earlier one")
     else:
         require(run.fields().attrs["title"] == run.summary["scene"]["title"], "fields and summary are of different runs")
