@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# check.sh [long] -- everything that is asked of a change: warnings, sanitizers, valgrind, and last all tests; long: more cases of some.
+# check.sh [long] -- everything that is asked of a change: warnings, sanitizers, valgrind, and last all tests;
+# long: all tests with sanitizers, and scenes on 1, 2 and 4 ranks at least.
 set -eu
 cd "$(dirname "$0")/.."
 case "${1:-}" in
-  "") ;;
-  long) export MORTISE_TEST_LONG=1 ;;
+  "") long=OFF sanitized="-L sanitize" ;;
+  long) long=ON sanitized="-LE house" ;;
   *) echo "usage: check.sh [long]" >&2 && exit 2 ;;
 esac
 . tests/packages.sh
@@ -31,9 +32,9 @@ check_memory() {
   done
 }
 
-build build/check -DCMAKE_BUILD_TYPE=Release
+build build/check -DCMAKE_BUILD_TYPE=Release -DMORTISE_TEST_LONG=$long
 build build/sanitize -DCMAKE_BUILD_TYPE=Debug -DMORTISE_SANITIZE=address,undefined
 echo "testing with sanitizers"
-quietly ctest --test-dir build/sanitize -L sanitize -j "$jobs" --output-on-failure
+quietly ctest --test-dir build/sanitize $sanitized -j "$jobs" --output-on-failure
 if [ -z "${CI:-}" ] && command -v valgrind >/dev/null; then check_memory build/check; fi
 ctest --test-dir build/check -j "$jobs" --output-on-failure
