@@ -109,6 +109,10 @@ PetscErrorCode ActiveSolverCreate(const ActiveSet *set, Mat A, Vec b, PetscReal 
 /* Collective. [out] r - b - A y; [out] f - the same, 0 where fixed; [out] size - sqrt(f' diag(A)^-1 f): rows of
    different stiffness count alike */
 PetscErrorCode ActiveSolverResidual(ActiveSolver solver, const PetscBool fixed[], Vec y, Vec r, Vec f, PetscReal *size);
+/* Whether a residual of such a size is as good as digits can make it: below rtol of the reference, or what the last digit of y makes where
+   that is still small beside the reference. Collective. */
+PetscErrorCode ActiveSolverSuffices(ActiveSolver solver, Vec y, PetscReal size, PetscReal reference,
+                                    PetscBool *suffices);
 /* What the bounded unknowns see of y, r and f. Collective. [in,out] solution - fixed, and y where fixed, are there */
 PetscErrorCode ActiveSolverRestrict(ActiveSolver solver, Vec y, Vec r, Vec f, ActiveSolution *solution);
 /* r = b - A y, as if computed in twice the precision and rounded once; see residual.c. Collective. */

@@ -223,6 +223,7 @@ static PetscErrorCode Finish_Reduced(ActiveSolver solver, ActiveSolution *soluti
 {
   Reduced   *t = solver->data;
   PetscReal *v, reference, size, alpha;
+  PetscBool  suffices;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(solver->set->n, &v));
@@ -241,7 +242,8 @@ static PetscErrorCode Finish_Reduced(ActiveSolver solver, ActiveSolution *soluti
     if (k == MAX_REFINEMENTS || (k && solution->eta <= solver->rtol)) break;
     PetscCall(Correct_Reduced(solver, t->f, t->d, &alpha));
   }
-  if (!(solution->eta <= solver->rtol)) solution->failure = FAILURE_RESIDUAL;
+  PetscCall(ActiveSolverSuffices(solver, y, size, reference, &suffices));
+  if (!suffices) solution->failure = FAILURE_RESIDUAL;
   PetscCall(ActiveSolverRestrict(solver, y, t->r, t->f, solution));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

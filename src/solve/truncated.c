@@ -232,8 +232,8 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
                                       ActiveSolution *solution)
 {
   Truncated *t = solver->data;
-  PetscReal  first, reference, size, left = 1;
-  PetscBool  forceless;
+  PetscReal  first, reference = 0, size = 0, left = 1;
+  PetscBool  forceless, suffices;
 
   PetscFunctionBeginUser;
   solution->iterations = 0;
@@ -258,7 +258,10 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
     if (solution->eta <= solver->target && (!t->direct || k) && (forceless || solver->target > solver->rtol)) break;
     if (!(solution->eta <= STALLED * before)) break;
   }
-  if (!(solution->eta <= solver->target)) solution->failure = solver->factored ? FAILURE_RESIDUAL : FAILURE_ITERATIVE;
+  if (!(solution->eta <= solver->target)) {
+    PetscCall(ActiveSolverSuffices(solver, t->y, size, reference, &suffices));
+    if (!suffices) solution->failure = solver->factored ? FAILURE_RESIDUAL : FAILURE_ITERATIVE;
+  }
   PetscCall(ActiveSolverRestrict(solver, t->y, t->r, t->f, solution));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
