@@ -165,6 +165,44 @@ static PetscErrorCode TestSpoilt(Case *c, PetscReal push)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A row of each rank weighs other than it did: all equations hold, and still its force pulls where the weight is below zero, or there is no
+   force that its pressure could tell of. */
+static PetscErrorCode TestWeights(Case *c)
+{
+  PetscReal       *weight = c->fields->row_weight, kept = 0, part[3] = {0, 0, 0};
+  const PetscReal *lambda;
+  PetscInt         r = 0;
+  Certificate      certificate;
+
+  PetscFunctionBeginUser;
+  while (r < c->vi->num_rows && c->fields->row_status[r] != STATUS_CONTACT) r++;
+  PetscCall(VecGetArrayRead(c->fields->lambda, &lambda));
+  for (PetscInt i = 0; i < c->vi->num_rows; i++) part[0] += PetscAbsReal(lambda[i] * weight[i]);
+  if (r < c->vi->num_rows) {
+    kept      = weight[r];
+    part[1]   = lambda[r] * kept;
+    part[2]   = 1;
+    weight[r] = -kept;
+  }
+  PetscCall(VecRestoreArrayRead(c->fields->lambda, &lambda));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, part, 3, MPIU_REAL, MPI_SUM, PETSC_COMM_WORLD));
+  CHECK(part[1] > 0);
+  PetscCall(Certify(c, &certificate));
+  CHECK(!certificate.holds && strstr(certificate.failure, "pulls"));
+  CHECK_NEAR(certificate.pull / (part[1] / part[0]), 1, 1e-6);
+  CHECK(certificate.equilibrium < 1e-12 && certificate.pressure < 1e-12);
+
+  if (r < c->vi->num_rows) weight[r] = 0;
+  PetscCall(Certify(c, &certificate));
+  CHECK(!certificate.holds && strstr(certificate.failure, "weigh nothing"));
+  CHECK(certificate.weightless == (PetscInt)part[2] && certificate.pull < 1e-12);
+
+  if (r < c->vi->num_rows) weight[r] = kept;
+  PetscCall(Certify(c, &certificate));
+  CHECK(certificate.holds);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 int main(int argc, char **argv)
 {
   static const PetscReal pushes[] = {1e-2, 1e-8}; /* nothing depends on the size of the answer */
@@ -179,6 +217,7 @@ int main(int argc, char **argv)
     PetscCall(Solve(&c, pushes[i]));
     PetscCall(TestSolution(&c));
     PetscCall(TestSpoilt(&c, pushes[i]));
+    PetscCall(TestWeights(&c));
     PetscCall(Destroy(&c));
   }
   /* Nothing pushes, nothing moves: solved, with all zeros. */
