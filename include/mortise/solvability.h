@@ -64,6 +64,7 @@ struct _n_Solvability {
   SceneMotion  motion; /* why not, or what costs nothing; num = 0 with other verdicts */
   PetscInt     num_free;
   SceneMotion *free;    /* after SolvabilitySettle(): a basis of the motions that are free [num_free] */
+  PetscReal    slip;    /* and the most that moving along them has changed a gap that is closed */
   Vec          start;   /* 0/1 per unknown: contacts to begin with */
   Vec          springs; /* what makes A definite, added to its diagonal while solving (T27) */
   Vec          rest;    /* a rigid motion of bodies until they touch, from which solvers count y */

@@ -171,6 +171,22 @@ static PetscErrorCode Least_Private(const Cone *cone, const Play *play, PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* How far a motion takes apart, or pushes together, what presses: rounding, unless contact resists it next to nothing.
+   [in] take - rows that press [num]; [in] q - [m] */
+static PetscErrorCode Slip_Private(const Cone *cone, const PetscBool take[], const PetscReal q[], PetscReal *slip)
+{
+  PetscFunctionBeginUser;
+  *slip = 0;
+  for (PetscInt r = 0; r < cone->num; r++) {
+    PetscReal closing = 0;
+
+    for (PetscInt k = 0; k < cone->m && take[r]; k++) closing += cone->rows[r * cone->m + k] * q[k];
+    *slip = PetscMax(*slip, PetscAbsReal(closing));
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, slip, 1, MPIU_REAL, MPI_MAX, cone->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* What is known of free motions once pressures are. */
 static PetscErrorCode Tell_Private(VI vi, Solvability s, PetscInt n, const PetscReal kernel[])
 {
@@ -218,6 +234,7 @@ PetscErrorCode SolvabilitySettle(VI vi, Vec y)
     PetscCall(VecRestoreArrayRead(y, &ya));
     PetscCall(Mass_Private(vi, u, play.mass, play.work));
     PetscCall(Least_Private(&cone, &play, n, kernel, q));
+    PetscCall(Slip_Private(&cone, play.take, q, &s->slip));
     for (PetscInt k = 0; k < s->m; k++) PetscCall(VecAXPY(y, q[k] / vi->length, s->modes[k]));
   }
   PetscCall(VecDestroy(&u));

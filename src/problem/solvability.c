@@ -214,19 +214,24 @@ static PetscErrorCode Marginal_Private(VI vi, const Cone *cone, const PetscReal 
   PetscReal *middle, *q, norm, size;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc2(s->m, &middle, s->m, &q));
+  PetscCall(PetscMalloc2(s->m + 1, &middle, s->m, &q)); // the last is a sum of sizes
   PetscCall(PetscCalloc1(cone->num, &opens));
   for (PetscInt round = 0; round <= vi->scene->num_bodies; round++) {
-    PetscCall(PetscArrayzero(middle, s->m));
-    for (PetscInt r = 0; r < cone->num; r++)
-      for (PetscInt k = 0; k < s->m && !opens[r] && !cone->both[r]; k++) middle[k] += cone->rows[r * s->m + k];
-    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, middle, (PetscMPIInt)s->m, MPIU_REAL, MPI_SUM, cone->comm));
+    PetscCall(PetscArrayzero(middle, s->m + 1));
+    for (PetscInt r = 0; r < cone->num; r++) {
+      for (PetscInt k = 0; k < s->m && !opens[r] && !cone->both[r]; k++) {
+        middle[k] += cone->rows[r * s->m + k];
+        middle[s->m] += PetscAbsReal(cone->rows[r * s->m + k]);
+      }
+    }
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, middle, (PetscMPIInt)(s->m + 1), MPIU_REAL, MPI_SUM, cone->comm));
     size = norm = 0;
     for (PetscInt k = 0; k < s->m; k++) {
       size = PetscMax(size, PetscAbsReal(middle[k]));
       norm = PetscMax(norm, PetscAbsReal(phi[k]));
     }
-    if (!(size > 0) || !(norm > BALANCED)) break;
+    /* rows that cancel, as around a pin in a hole, have no rim, and rounding for a sum */
+    if (!(size > BALANCED * middle[s->m]) || !(norm > BALANCED)) break;
     for (PetscInt k = 0; k < s->m; k++) middle[k] = phi[k] / norm - NUDGE * middle[k] / size;
     PetscCall(Leaves_Private(cone, middle, NULL, q, NULL, &norm));
     if (!(norm > LEFT)) break;

@@ -5,6 +5,7 @@
 #include <mortise/fields.h>
 #include <mortise/compat.h>
 #include <mortise/elasticity.h>
+#include <mortise/solvability.h>
 #include "stress.h"
 
 /* A bound counts as reached within this part of the largest unknown: pdas reaches it exactly, vinewtonrsls to its zero
@@ -153,16 +154,18 @@ static PetscErrorCode ReferenceSizes_Private(Fields fields)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* In contact is what lies on its bound and presses by more than roundoff. */
+/* In contact is what lies on its bound, but for what bodies that are free to move have moved since, and presses by more than roundoff. */
 static PetscErrorCode RowStatus_Private(Fields fields, Vec y)
 {
   const VI         vi = fields->vi;
   const PetscReal *lambda, *values, *upper;
-  PetscReal        size;
+  PetscReal        tolerance;
   PetscInt         begin;
 
   PetscFunctionBeginUser;
-  PetscCall(VecNorm(y, NORM_INFINITY, &size));
+  PetscCall(VecNorm(y, NORM_INFINITY, &tolerance));
+  tolerance *= CLOSED_TOLERANCE;
+  if (vi->solvability) tolerance += vi->solvability->slip / vi->length;
   PetscCall(VecGetOwnershipRange(y, &begin, NULL));
   PetscCall(VecGetArrayRead(fields->lambda, &lambda));
   PetscCall(VecGetArrayRead(y, &values));
@@ -176,7 +179,7 @@ static PetscErrorCode RowStatus_Private(Fields fields, Vec y)
     if (pair->spec->type == PAIR_TIED) {
       fields->row_status[r] = STATUS_TIED;
     } else {
-      const PetscBool closed  = (PetscBool)(values[i] >= upper[i] - CLOSED_TOLERANCE * size);
+      const PetscBool closed  = (PetscBool)(values[i] >= upper[i] - tolerance);
       const PetscBool pressed = (PetscBool)(lambda[r] > PRESSED_TOLERANCE * fields->p_ref + fields->row_noise[r]);
 
       fields->row_status[r] = closed && pressed ? STATUS_CONTACT : STATUS_OPEN;

@@ -154,7 +154,7 @@ static PetscErrorCode Correct_Private(Bound *m, PetscReal *square)
   if (PetscMin(left, change) > SETTLED * size) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecWAXPY(m->c, -1, m->s, m->f));
   PetscCall(VecDot(m->c, m->d, &work));
-  *square = PetscMax(PetscRealPart(work), 0);
+  *square = PetscAbsReal(PetscRealPart(work)); // below 0 it is rounding, and says how much of that there is
   PetscCall(MatMult(m->A, m->d, m->c));
   PetscCall(ActiveSetGather(m->solver->set, m->c, m->values));
   PetscFunctionReturn(PETSC_SUCCESS);
