@@ -63,24 +63,27 @@ def westergaard():
 
 SCENES = {"rings": lame(2), "shells": lame(3), "edge2d": westergaard()}
 # Cells at k = 1 and the multiples k; orders that are expected and how near: energy norm, L2, pressure (at least), mean stress at nodes
-# (at least). Cells with the mean of straight sides have a pressure of order h on circles that do not match, as at other nu.
+# (at least), the same away from an axis. Cells with the mean of straight sides have a pressure of order h on circles that do not match, as
+# at other nu; next to an axis the directions of contact forces leave stresses of order h, as at other nu (THEORY.md, section 8).
 MESHES = {"rings": ("outer 3,5 inner 2,4", (4, 8)), "shells": ("outer 3,5 inner 2,4", (4, 8)), "edge2d": ("upper 8,4 lower 6,3", (4, 8))}
-ORDERS = {("rings", "1"): (1.0, 2.0, 0.9, 1.2), ("rings", "2"): (2.0, 3.0, 1.9, 2.4),
-          ("shells", "1"): (1.0, 2.0, 1.7, 0.9), ("shells", "2"): (2.0, 3.0, 1.9, 0.8),
-          ("edge2d", "1"): (1.0, 2.0, 1.0, None), ("edge2d", "2"): (1.5, 2.0, None, None)}
+ORDERS = {("rings", "1"): (1.0, 2.0, 0.9, 1.2, 1.2), ("rings", "2"): (2.0, 3.0, 1.9, 2.4, 2.4),
+          ("shells", "1"): (1.0, 2.0, 1.7, 0.9, 1.6), ("shells", "2"): (2.0, 3.0, 1.9, 0.8, 2.5),
+          ("edge2d", "1"): (1.0, 2.0, 1.0, None, None), ("edge2d", "2"): (1.5, 2.0, None, None, None)}
+AXIS = 0.5  # radians from the y axis, around which shells revolve
 NEAR = {"rings": (0.03, 0.05), "shells": (0.03, 0.05), "edge2d": (0.35, 0.6)}  # order 2 is erratic where a contact ends
 
 
 def mean_stress_error(run, n):
-    """Largest error of (sigma_xx + sigma_yy + sigma_zz) / 3 at nodes, of the fit's pressure."""
+    """Largest error of (sigma_xx + sigma_yy + sigma_zz) / 3 at nodes, of the fit's pressure: at all of them, and away from the axis."""
     with run.fields() as file:
-        stress, cells, bodies = file["stress"][()], file["cells"][()], file["body"][()].ravel()
+        points, stress, cells, bodies = file["points"][()], file["stress"][()], file["cells"][()], file["body"][()].ravel()
     pressure, expected = fit(n), numpy.zeros(len(stress))
     for place, (layer, loads) in enumerate((("outer", (1.0, 0.0)), ("inner", (0.0, 1.0)))):
         _, a, b = LAYERS[layer]
         A, _ = constants(n, a, b, *(pressure * load for load in loads))
         expected[numpy.unique(cells[bodies == place])] = A * (2 * (1 + POISSON) / 3 if n == 2 else 1)
-    return float(numpy.abs(stress[:, [0, 4, 8]].sum(axis=1) / 3 - expected).max() / pressure)
+    off = numpy.abs(stress[:, [0, 4, 8]].sum(axis=1) / 3 - expected) / pressure
+    return float(off.max()), float(off[numpy.arctan2(points[:, 0], points[:, 1]) > AXIS].max())
 
 
 def errors(run, scene, order, k):
@@ -89,8 +92,8 @@ def errors(run, scene, order, k):
              for word in (f"-{body}_dm_plex_box_faces", ",".join(str(k * int(c)) for c in count.split(",")))]
     again = run.again(*SCENES[scene], *faces, "-order", order, name=f"{order}mesh{k}")
     total, pair = again.summary["errors_total"], next(iter(again.summary["pairs"]))
-    mean = mean_stress_error(again, 2 if scene == "rings" else 3) if scene != "edge2d" else math.nan
-    return total["energy"], total["l2"], again.summary["errors"][pair]["pressure_l2"], mean
+    mean = mean_stress_error(again, 2 if scene == "rings" else 3) if scene != "edge2d" else (math.nan, math.nan)
+    return total["energy"], total["l2"], again.summary["errors"][pair]["pressure_l2"], *mean
 
 
 def judge(run):
@@ -101,5 +104,5 @@ def judge(run):
         expected = ORDERS[scene, order]
         for name, found, wanted, allowed in zip(("energy", "L2"), seen, expected, NEAR[scene]):
             near(f"order {order}: order in {name}", found, wanted, absolute=allowed)
-        for name, found, least in zip(("pressure", "mean stress"), seen[2:], expected[2:]):
+        for name, found, least in zip(("pressure", "mean stress", "mean stress away from the axis"), seen[2:], expected[2:]):
             require(least is None or found >= least, f"order {order}: the {name} is of order {found:.3f}, not {least}")
