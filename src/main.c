@@ -152,7 +152,8 @@ static MortiseExit Dispatch(double start, int argc, char **argv)
     if (!rank) PrintVersion();
     return MORTISE_SOLVED;
   }
-  if (HasOption(argc, argv, "-help")) return PrintHelp(argv[0]) ? MORTISE_FAILED : MORTISE_SOLVED;
+  if (HasOption(argc, argv, "-help") || HasOption(argc, argv, "-h"))
+    return PrintHelp(argv[0]) ? MORTISE_FAILED : MORTISE_SOLVED;
   if (argc < 2) {
     if (!rank) fputs(usage, stderr);
     return MORTISE_FAULT;

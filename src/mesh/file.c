@@ -40,16 +40,21 @@ void FileDescribeDimension(PetscInt highest, PetscInt dim, char reason[])
   const char *hint = "";
 
   if (highest > dim) hint = "; -model solid takes solids";
-  if (highest < dim)
+  if (highest < dim && dim == 3)
     hint = "; gmsh -3 makes solids, and writes those in a physical volume where there are physical groups";
+  else if (highest < dim)
+    hint = "; gmsh -2 meshes surfaces, and writes those in a physical surface where there are physical groups";
   snprintf(reason, MESH_SENTENCE, "its cells have dimension %d, the scene has %d%s", (int)highest, (int)dim, hint);
 }
 
 void FileCheckHeight(const PetscReal lower[], const PetscReal upper[], char reason[])
 {
   if (upper[2] - lower[2] > PlaneShare * PetscMax(upper[0] - lower[0], upper[1] - lower[1])) {
-    snprintf(reason, MESH_SENTENCE, "its mesh is not parallel to the x,y plane: z runs from %g to %g", (double)lower[2],
-             (double)upper[2]);
+    snprintf(
+        reason, MESH_SENTENCE,
+        "its mesh is one of surfaces and not parallel to the x,y plane: z runs from %g to %g; gmsh -3 makes solids, "
+        "and writes those in a physical volume where there are physical groups",
+        (double)lower[2], (double)upper[2]);
   }
 }
 

@@ -165,9 +165,12 @@ static PetscErrorCode ExtractNoSide_Private(const Extract *x, const char side[],
   PetscCall(ExtractFindOther(x, list->dim - 1, side, &other));
   snprintf(sentence, MESH_SENTENCE,
            "body '%s' has no side '%s' in %.300s: no facet on its boundary is in a physical group of this name or "
-           "number%s%s; its sides are %s",
+           "number%s%s; %s%s",
            x->body->name, side, x->body->mesh_file, other ? ", which is a " : "", other ? other : "",
-           text[0] ? text : "none");
+           text[0]          ? "its sides are "
+           : list->dim == 2 ? "nor in any other: sides are physical curves of Gmsh"
+                            : "nor in any other: sides are physical surfaces of Gmsh",
+           text);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

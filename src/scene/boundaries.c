@@ -20,18 +20,29 @@ static PetscErrorCode BoundaryFindList_Private(Scene scene, const SceneBody *bod
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The datum of one listed side. */
-static PetscErrorCode BoundaryReadValue_Private(Scene scene, const SceneBody *body, SceneBoundary *boundary)
+/* Looks for the datum of one listed side. When one is missing, those of all others have been seen, and what is left is
+   the datum of a side that is not listed. */
+static PetscErrorCode BoundaryFindValue_Private(Scene scene, const SceneBody *body, const SceneBoundary *boundary,
+                                                Option *datum)
 {
   static const char *const patterns[NUM_KINDS] = {"-<body>_bc_displacement_<side>", NULL, "-<body>_bc_traction_<side>",
                                                   "-<body>_bc_pressure_<side>"};
-  const PetscBool          displacement        = (PetscBool)(boundary->kind == BOUNDARY_DISPLACEMENT);
-  Option                   datum;
-  char                     why[OPTION_MAX];
 
   PetscFunctionBeginUser;
   if (boundary->kind == BOUNDARY_NORMAL) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(OptionFind(scene, patterns[boundary->kind], body->name, boundary->side, &datum));
+  PetscCall(OptionFind(scene, patterns[boundary->kind], body->name, boundary->side, datum));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode BoundaryReadValue_Private(Scene scene, const SceneBody *body, SceneBoundary *boundary)
+{
+  const PetscBool displacement = (PetscBool)(boundary->kind == BOUNDARY_DISPLACEMENT);
+  Option          datum;
+  char            why[OPTION_MAX];
+
+  PetscFunctionBeginUser;
+  if (boundary->kind == BOUNDARY_NORMAL) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(BoundaryFindValue_Private(scene, body, boundary, &datum));
   PetscCall(PetscSNPrintf(why, sizeof(why), "the side is listed in -<body>_bc_%s", kinds[boundary->kind]));
   PetscCall(OptionRequire(&datum, why));
   PetscCall(OptionGetExpression(&datum, boundary->kind == BOUNDARY_PRESSURE ? 1 : scene->dim, displacement,
@@ -42,7 +53,7 @@ static PetscErrorCode BoundaryReadValue_Private(Scene scene, const SceneBody *bo
 /* Reads one list with its data behind the boundaries that are there already. */
 static PetscErrorCode BoundaryReadKind_Private(Scene scene, SceneBody *body, PetscInt kind)
 {
-  Option      list;
+  Option      list, datum;
   const char *cursor = NULL;
   char        side[OPTION_MAX];
   PetscInt    num, first = body->num_boundaries;
@@ -66,8 +77,10 @@ static PetscErrorCode BoundaryReadKind_Private(Scene scene, SceneBody *body, Pet
     boundary->kind = (BoundaryKind)kind;
     body->num_boundaries++;
     PetscCall(PetscStrallocpy(side, &boundary->side));
-    PetscCall(BoundaryReadValue_Private(scene, body, boundary));
+    PetscCall(BoundaryFindValue_Private(scene, body, boundary, &datum));
   }
+  for (PetscInt i = first; i < body->num_boundaries; i++)
+    PetscCall(BoundaryReadValue_Private(scene, body, &body->boundaries[i]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -18,10 +18,15 @@ PetscErrorCode OptionExpand(const char pattern[], const char owner[], const char
   PetscFunctionBeginUser;
   name[0] = '\0';
   for (; open; open = strchr(pattern, '<')) {
-    const char *word = strncmp(open, "<side>", 6) ? owner : side;
+    const PetscBool is_side = (PetscBool)!strncmp(open, "<side>", 6);
+    const char     *word    = is_side ? side : owner;
+    char           *begin   = name + n + (open - pattern);
 
     n += (size_t)snprintf(name + n, OPTION_MAX - n, "%.*s%s", (int)(open - pattern), pattern, word ? word : "");
     PetscCheck(n < OPTION_MAX, PETSC_COMM_SELF, PETSC_ERR_PLIB, "Name of option %s too long", pattern);
+    for (char *c = begin; is_side && *c; c++) {
+      if (isspace((unsigned char)*c)) *c = '_'; /* a blank would end the option */
+    }
     pattern = strchr(open, '>') + 1;
   }
   n += (size_t)snprintf(name + n, OPTION_MAX - n, "%s", pattern);
@@ -84,7 +89,7 @@ PetscErrorCode OptionRequire(const Option *option, const char why[])
 
   PetscFunctionBeginUser;
   if (option->set) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(UnusedNearest(option->scene, option->name, near));
+  PetscCall(UnusedNearest(option, near));
   if (near[0])
     PetscCall(FaultRaise(option->comm, "%s: there is no such option; did you mean %s, which is missing?", near,
                          option->name));

@@ -67,7 +67,8 @@ OptionScope        OptionEntryScope(const OptionEntry *entry);
    [in] owner - name of the body, pair or probe; not looked at for SCOPE_PROGRAM */
 const OptionEntry *OptionTableMatch(OptionScope scope, const char owner[], const char option[]);
 
-/* name = pattern, or any text, with its placeholders filled in; owner and side may be NULL where it has none. */
+/* name = pattern, or any text, with its placeholders filled in; owner and side may be NULL where it has none. Blanks in
+   the name of a side become underscores. */
 PetscErrorCode OptionExpand(const char pattern[], const char owner[], const char side[], char name[OPTION_MAX]);
 
 /* Looks up an option; reading counts as use. Not collective. [in] pattern - the name of a row of the table */

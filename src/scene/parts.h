@@ -18,8 +18,9 @@ PetscErrorCode NamesFindBody(Scene scene, const Option *option, const char name[
 PetscErrorCode UnusedCheckUnknown(Scene scene, PetscBool only_near);
 /* Whether an option (with its dash) begins as PETSc's own options do, so that no body or pair may. Not collective. */
 PetscBool UnusedBeginsLikePETSc(const char option[]);
-/* The unused option in the database that looks like a misspelling of this one; "" if there is none. Not collective. */
-PetscErrorCode UnusedNearest(Scene scene, const char option[], char near[OPTION_MAX]);
+/* The unused option in the database that looks like a misspelling of this one, or like its datum for a side that is not
+   listed; "" if there is none. Not collective. */
+PetscErrorCode UnusedNearest(const Option *option, char near[OPTION_MAX]);
 
 /* suggest.c: the documented option nearest to a misspelt one, "" if none is near. Not collective. */
 PetscErrorCode SuggestOption(Scene scene, const char misspelt[], char near[OPTION_MAX]);

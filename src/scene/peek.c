@@ -53,42 +53,45 @@ static PetscBool PeekSkip_Private(Peek *peek, const GmshType *type, long long nu
   return num ? PETSC_FALSE : PETSC_TRUE;
 }
 
-/* The type of the next block of elements, or in text of format 2.2 of the next element; NULL behind the last one. */
-static const GmshType *PeekNext_Private(Peek *peek)
+/* The type of the next block of elements, or in text of format 2.2 of the next element; NULL behind the last one, or where it
+   is none that is used here. [in,out] dim - the highest dimension so far, which format 4.1 tells of any type */
+static const GmshType *PeekNext_Private(Peek *peek, PetscInt *dim)
 {
   const GmshType *type;
   char            line[LINE];
   int       head[3] = {0, 0, 0}, num_tags = 0, number = 0; // a head: dimension, entity, type; or type, elements, tags
-  size_t    size = 0;
-  long long num  = 0;
+  int       entity = 0;
+  size_t    size   = 0;
+  long long num    = 0;
 
   if (peek->binary) {
     if (fread(head, sizeof(head), 1, peek->file) != 1) return NULL;
     if (peek->recent && fread(&size, sizeof(size), 1, peek->file) != 1) return NULL;
+    entity   = peek->recent ? head[0] : 0;
     number   = peek->recent ? head[2] : head[0];
     num      = peek->recent ? (long long)size : head[1];
     num_tags = peek->recent ? 0 : head[2];
-  } else if (!PeekLine_Private(peek, line) ||
-             sscanf(line, peek->recent ? "%*d %*d %d %lld" : "%*d %d", &number, &num) < 1) {
+  } else if (!PeekLine_Private(peek, line) || (peek->recent ? sscanf(line, "%d %*d %d %lld", &entity, &number, &num) < 2
+                                                            : sscanf(line, "%*d %d", &number) < 1)) {
     return NULL;
   }
   type = GmshTypeGet(number);
+  *dim = PetscMax(*dim, type ? type->dim : PetscMin(entity, 3));
   return type && PeekSkip_Private(peek, type, num, num_tags) ? type : NULL;
 }
 
 /* The highest dimension of its elements, 0 where there are none that can be read. */
 static PetscInt PeekFile_Private(const char path[])
 {
-  const GmshType *type;
-  Peek            peek = {.file = fopen(path, "rb")};
-  PetscInt        dim  = 0;
-  char            line[LINE];
-  size_t          counts[4];
+  Peek     peek = {.file = fopen(path, "rb")};
+  PetscInt dim  = 0;
+  char     line[LINE];
+  size_t   counts[4];
 
   if (!peek.file) return 0;
   if (PeekBegin_Private(&peek) &&
       (peek.recent && peek.binary ? fread(counts, sizeof(counts), 1, peek.file) == 1 : PeekLine_Private(&peek, line))) {
-    while (dim < 3 && (type = PeekNext_Private(&peek))) dim = PetscMax(dim, type->dim);
+    while (dim < 3 && PeekNext_Private(&peek, &dim)) continue;
   }
   fclose(peek.file);
   return dim;

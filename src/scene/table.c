@@ -26,6 +26,7 @@ static const OptionEntry table[] = {
     {GROUP_RUN, "-options_file", "file", "", "(none)",
      "Reads options from a file, one to a line, # begins a comment; the command line wins over files."},
     {GROUP_RUN, "-help", "", "", "(off)", "Prints this manual and ends."},
+    {GROUP_RUN, "-h", "", "", "(off)", "The same as -help."},
     {GROUP_RUN, "-version", "", "", "(off)", "Prints the versions of Mortise and of PETSc, and ends."},
     {GROUP_RUN, "-options_allow_unused", "0|1", "", "0",
      "Options that nothing reads are told as a warning instead of ending the run."},
@@ -82,7 +83,9 @@ static const OptionEntry table[] = {
     {GROUP_LOADS, "-<body>_body_force", "e,e[,e]", "force/volume", "(none)",
      "Force on the inside of the body, such as weight."},
     {GROUP_LOADS, "-<body>_bc_displacement", "side,side,...", "", "(none)",
-     "Sides whose displacement is given. Sides are names or numbers of the mesh, several joined by +."},
+     "Sides whose displacement is given. Sides are names or numbers of the mesh, several joined by +; a blank in a "
+     "name "
+     "is an underscore in the options that end with it."},
     {GROUP_LOADS, "-<body>_bc_displacement_<side>", "e,e[,e]", "length", "(required)",
      "The displacement of a listed side; the word free leaves a component free."},
     {GROUP_LOADS, "-<body>_bc_normal", "side,side,...", "", "(none)",
@@ -188,7 +191,8 @@ static const OptionEntry table[] = {
     {GROUP_PETSC, "-ksp_*", "", "", "",
      "Everything else of KSP: -ksp_monitor, -ksp_view, -ksp_max_it; they show nothing where one factorisation serves "
      "all active sets (-snes_pdas_reduce 0)."},
-    {GROUP_PETSC, "-pc_type", "name", "", "(by size)", "Preconditioner: cholesky, gamg, hypre, jacobi."},
+    {GROUP_PETSC, "-pc_type", "name", "", "(by size)",
+     "Preconditioner: cholesky, truncatedmg (multigrid on the levels of -dm_refine), gamg, hypre, jacobi."},
     {GROUP_PETSC, "-pc_*", "", "", "", "Everything else of PC: -pc_factor_mat_solver_type, -pc_gamg_threshold."},
     {GROUP_PETSC, "-mat_mumps_*", "", "", "", "Controls of MUMPS: -mat_mumps_icntl_14 (spare memory, percent)."},
     {GROUP_PETSC, "-log_view", "", "", "(off)", "PETSc's table of times and flops by stage and event."},

@@ -109,19 +109,23 @@ static PetscBool UnusedMayBeRead_Private(const Leftover *left)
   return UnusedBeginsLikePETSc(left->name);
 }
 
-PetscErrorCode UnusedNearest(Scene scene, const char option[], char near[OPTION_MAX])
+PetscErrorCode UnusedNearest(const Option *option, char near[OPTION_MAX])
 {
-  PetscInt num;
-  char   **names, **values;
-  Leftover left;
+  const char *const wanted = option->name;
+  PetscInt          num;
+  char            **names, **values;
+  Leftover          left;
 
   PetscFunctionBeginUser;
   near[0] = '\0';
   PetscCall(PetscOptionsLeftGet(NULL, &num, &names, &values));
   for (PetscInt i = 0; i < num && !near[0]; i++) {
-    PetscCall(UnusedJudge_Private(scene, names[i], values[i], &left));
-    if (UnusedIsDocumented_Private(&left) && !strstr(left.entry->name, "<side>")) continue; /* merely not read yet */
-    if (!FaultNearest(left.name, 1, &option)) continue;
+    PetscCall(UnusedJudge_Private(option->scene, names[i], values[i], &left));
+    if (UnusedIsDocumented_Private(&left)) { /* merely not read yet, unless it is the same for another side */
+      if (left.entry != option->entry || !strstr(left.entry->name, "<side>")) continue;
+      if (strcasecmp(left.owner, option->owner) != 0) continue;
+    }
+    if (!FaultNearest(left.name, 1, &wanted)) continue;
     PetscCall(PetscStrncpy(near, left.name, OPTION_MAX));
   }
   PetscCall(PetscOptionsLeftRestore(NULL, &num, &names, &values));

@@ -1,10 +1,11 @@
 # The front door: what is said before there is a scene, and mistakes that PETSc is the first to see.
 add_test(NAME hard.version COMMAND mortise -version)
 add_test(NAME hard.help COMMAND mortise -help)
+add_test(NAME hard.help_short COMMAND mortise -h)
 add_test(NAME hard.usage COMMAND mortise)
-set_tests_properties(hard.version hard.help hard.usage PROPERTIES LABELS hard ENVIRONMENT "${MORTISE_TEST_ENVIRONMENT}")
+set_tests_properties(hard.version hard.help hard.help_short hard.usage PROPERTIES LABELS hard ENVIRONMENT "${MORTISE_TEST_ENVIRONMENT}")
 set_tests_properties(hard.version PROPERTIES PASS_REGULAR_EXPRESSION "^mortise [0-9.]+\nPETSc 3")
-set_tests_properties(hard.help PROPERTIES PASS_REGULAR_EXPRESSION "-<body>_young")
+set_tests_properties(hard.help hard.help_short PROPERTIES PASS_REGULAR_EXPRESSION "-<body>_young")
 set_tests_properties(hard.usage PROPERTIES PASS_REGULAR_EXPRESSION "^mortise: no scene given")
 
 mortise_mistake(no_file_name SAYS -options_file "name of a file" ARGS -options_file -quiet)

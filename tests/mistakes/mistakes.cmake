@@ -82,6 +82,8 @@ mistake(mesh_plane          SCENE mesh SAYS triangles.msh "dimension 2" "-model 
         ${here}/triangles.msh)
 mistake(mesh_mixed          SAYS volume.msh "same dimensions" "this one has 3" "-upper_dm_plex_box_faces 4,3 has 2" ARGS
         -bodies upper,lower,block -block_dm_plex_filename ${here}/volume.msh)
+mistake(mesh_cubic          ALONE SAYS cubic.msh "type 29" "first and second order" ARGS -bodies block -block_young 1 -block_poisson 0.3
+  -block_body_force 0,0,1 -block_dm_plex_filename ${here}/cubic.msh)
 mistake(mesh_solid          SCENE mesh SAYS -block_bc_displacement_bottom "0,0" "2 components given, 3 wanted" ARGS -block_dm_plex_filename ${here}/volume.msh)
 mistake(mesh_partitioned    SCENE mesh SAYS parts.msh "cut into partitions" whole ARGS -block_dm_plex_filename ${here}/parts.msh)
 mistake(mesh_merged         SCENE mesh SAYS merged.msh "quadrangles has one node at several of its corners" ARGS -block_dm_plex_filename
@@ -138,6 +140,9 @@ mistake(side_of_box         SAYS "-lower_bc_traction lft" "left, right, bottom, 
 mistake(side_twice          SAYS -lower_bc_traction left twice ARGS -lower_bc_traction left,left+right -lower_bc_traction_left 1,1)
 mistake(datum_missing       SAYS -lower_bc_traction_left missing ARGS -lower_bc_traction left)
 mistake(datum_unlisted      SAYS "-lower_bc_pressure_left 1" "-lower_bc_pressure" ARGS -lower_bc_pressure_left 1)
+mistake(datum_missing_beside SAYS "-upper_bc_displacement_left is missing" ARGS -upper_bc_displacement top,left)
+mistake(datum_missing_first SAYS "-upper_bc_displacement_left is missing" ARGS -upper_bc_displacement left,top)
+mistake(datum_other_side    SAYS "-upper_bc_displacement_top" "did you mean -upper_bc_displacement_left, which is missing?" ARGS -upper_bc_displacement left)
 mistake(datum_count         SAYS -upper_bc_displacement_top "2 wanted" ARGS -upper_bc_displacement_top 0)
 mistake(datum_infinite      SAYS -lower_bc_pressure_left "not a finite number" ARGS -lower_bc_pressure left -lower_bc_pressure_left "sqrt(y)")
 mistake(datum_free          SAYS -lower_bc_traction_left free ARGS -lower_bc_traction left -lower_bc_traction_left free,1)

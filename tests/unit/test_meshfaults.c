@@ -59,8 +59,7 @@ static void TestFiles(void)
   CheckFileFault(Square, cells, NULL, "6",
                  (const char *[]){"body 'block'", "side '6'", FileName, "its sides are 5", NULL});
   CheckFileFault(Square, cells, NULL, "left", (const char *[]){"side 'left'", "its sides are 5", NULL});
-  CheckFileFault(Square, cells, "2", "5",
-                 (const char *[]){"side '5'", "its sides are none", NULL}); // on the other region
+  CheckFileFault(Square, cells, "2", "5", (const char *[]){"side '5'", "physical curves", NULL}); // on the other region
   CheckFileFault(
       Square, "4\n1 1 2 5 1 1 2\n2 1 2 5 1 1 3\n3 2 2 2 1 1 2 3\n4 2 2 1 1 1 3 4", NULL, "5",
       (const char *[]){"side '5' of body 'block'", "facets inside the body (1)", "-block_mesh_region", NULL});
@@ -74,13 +73,13 @@ static void TestFiles(void)
                  (const char *[]){FileName, "text where a coordinate belongs", NULL});
   CheckFileFault(Square, "2\n1 2 2 1 1 1 2 3", NULL, "5",
                  (const char *[]){FileName, "text where a whole number belongs", NULL});
-  CheckFileFault(Square, "1\n1 1 2 5 1 1 2", NULL, "5", (const char *[]){FileName, "dimension 1", NULL});
+  CheckFileFault(Square, "1\n1 1 2 5 1 1 2", NULL, "5", (const char *[]){FileName, "dimension 1", "gmsh -2", NULL});
   CheckFileFault(Square, "1\n1 4 2 1 1 1 2 3 4", NULL, "5",
                  (const char *[]){FileName, "dimension 3", "the scene has 2", "-model solid", NULL});
   CheckFileFault(Square, "1\n1 21 2 1 1 1 2 3 4 1 2 3 4 1 2", NULL, "5",
                  (const char *[]){FileName, "type 21", "hexahedra of first and second order", NULL});
   CheckFileFault("4\n1 0 0 0\n2 1 0 0\n3 1 0 1\n4 0 0 1", cells, NULL, "5",
-                 (const char *[]){FileName, "not parallel to the x,y plane", NULL});
+                 (const char *[]){FileName, "not parallel to the x,y plane", "gmsh -3", NULL});
   CheckFileFault(
       Square, "3\n1 1 2 5 1 2 4\n2 2 2 1 1 1 2 3\n3 2 2 2 1 1 3 4", NULL, "5",
       (const char *[]){FileName, "lines in physical group 5", "(1, 0) (0, 1)", "not a facet of any cell", NULL});
