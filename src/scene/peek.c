@@ -37,7 +37,8 @@ static PetscBool PeekBegin_Private(Peek *peek)
   return PETSC_FALSE;
 }
 
-/* Goes past the elements of a block whose head says how many there are and what they are. */
+/* Goes past the elements of a block whose head says how many there are and what they are; NULL if they are none that are used
+   here. */
 static PetscBool PeekSkip_Private(Peek *peek, const GmshType *type, long long num, int num_tags)
 {
   char      line[LINE];
@@ -45,6 +46,7 @@ static PetscBool PeekSkip_Private(Peek *peek, const GmshType *type, long long nu
 
   if (num < 0 || num > INT_MAX || num_tags < 0 || num_tags > LINE) return PETSC_FALSE;
   if (peek->binary) {
+    if (!type) return PETSC_FALSE;
     bytes = peek->recent ? (long long)sizeof(size_t) * (1 + type->num_nodes)
                          : (long long)sizeof(int) * (1 + num_tags + type->num_nodes);
     return fseek(peek->file, (long)(num * bytes), SEEK_CUR) ? PETSC_FALSE : PETSC_TRUE;
@@ -53,9 +55,9 @@ static PetscBool PeekSkip_Private(Peek *peek, const GmshType *type, long long nu
   return num ? PETSC_FALSE : PETSC_TRUE;
 }
 
-/* The type of the next block of elements, or in text of format 2.2 of the next element; NULL behind the last one, or where it
-   is none that is used here. [in,out] dim - the highest dimension so far, which format 4.1 tells of any type */
-static const GmshType *PeekNext_Private(Peek *peek, PetscInt *dim)
+/* The dimension of the next block of elements, or in text of format 2.2 of the next element, which format 4.1 tells of any
+   type; 0 where that is not known. Whether there may be more. */
+static PetscBool PeekNext_Private(Peek *peek, PetscInt *dim)
 {
   const GmshType *type;
   char            line[LINE];
@@ -64,20 +66,21 @@ static const GmshType *PeekNext_Private(Peek *peek, PetscInt *dim)
   size_t    size   = 0;
   long long num    = 0;
 
+  *dim = 0;
   if (peek->binary) {
-    if (fread(head, sizeof(head), 1, peek->file) != 1) return NULL;
-    if (peek->recent && fread(&size, sizeof(size), 1, peek->file) != 1) return NULL;
+    if (fread(head, sizeof(head), 1, peek->file) != 1) return PETSC_FALSE;
+    if (peek->recent && fread(&size, sizeof(size), 1, peek->file) != 1) return PETSC_FALSE;
     entity   = peek->recent ? head[0] : 0;
     number   = peek->recent ? head[2] : head[0];
     num      = peek->recent ? (long long)size : head[1];
     num_tags = peek->recent ? 0 : head[2];
   } else if (!PeekLine_Private(peek, line) || (peek->recent ? sscanf(line, "%d %*d %d %lld", &entity, &number, &num) < 2
                                                             : sscanf(line, "%*d %d", &number) < 1)) {
-    return NULL;
+    return PETSC_FALSE;
   }
   type = GmshTypeGet(number);
-  *dim = PetscMax(*dim, type ? type->dim : PetscMin(entity, 3));
-  return type && PeekSkip_Private(peek, type, num, num_tags) ? type : NULL;
+  *dim = type ? type->dim : entity;
+  return PeekSkip_Private(peek, type, num, num_tags);
 }
 
 /* The highest dimension of its elements, 0 where there are none that can be read. */
@@ -91,7 +94,14 @@ static PetscInt PeekFile_Private(const char path[])
   if (!peek.file) return 0;
   if (PeekBegin_Private(&peek) &&
       (peek.recent && peek.binary ? fread(counts, sizeof(counts), 1, peek.file) == 1 : PeekLine_Private(&peek, line))) {
-    while (dim < 3 && PeekNext_Private(&peek, &dim)) continue;
+    PetscBool more = PETSC_TRUE;
+
+    while (dim < 3 && more) {
+      PetscInt next;
+
+      more = PeekNext_Private(&peek, &next);
+      dim  = PetscMax(dim, PetscMin(next, 3));
+    }
   }
   fclose(peek.file);
   return dim;

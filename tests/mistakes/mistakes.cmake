@@ -82,7 +82,7 @@ mistake(mesh_plane          SCENE mesh SAYS triangles.msh "dimension 2" "-model 
         ${here}/triangles.msh)
 mistake(mesh_mixed          SAYS volume.msh "same dimensions" "this one has 3" "-upper_dm_plex_box_faces 4,3 has 2" ARGS
         -bodies upper,lower,block -block_dm_plex_filename ${here}/volume.msh)
-mistake(mesh_cubic          ALONE SAYS cubic.msh "type 29" "first and second order" ARGS -bodies block -block_young 1 -block_poisson 0.3
+mistake(mesh_cubic          ALONE SAYS cubic.msh "type 21" "first and second order" ARGS -bodies block -block_young 1 -block_poisson 0.3
   -block_body_force 0,0,1 -block_dm_plex_filename ${here}/cubic.msh)
 mistake(mesh_solid          SCENE mesh SAYS -block_bc_displacement_bottom "0,0" "2 components given, 3 wanted" ARGS -block_dm_plex_filename ${here}/volume.msh)
 mistake(mesh_partitioned    SCENE mesh SAYS parts.msh "cut into partitions" whole ARGS -block_dm_plex_filename ${here}/parts.msh)
