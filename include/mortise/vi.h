@@ -61,8 +61,9 @@ typedef struct _n_VI *VI;
 PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi);
 PetscErrorCode VIDestroy(VI *vi);
 /* The same scene on a coarser level of its mesh, as far as multigrid needs it: with the scales of vi, without regard to
-   solvability and near null spaces. Collective. [in] l - level of vi->mesh; [out] coarse - owned by the caller */
-PetscErrorCode VICreateCoarse(VI vi, PetscInt l, VI *coarse);
+   solvability and near null spaces. Collective. [in] l - level of vi->mesh; [in] K - in place of the level's own, or NULL;
+   [out] coarse - owned by the caller */
+PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse);
 /* Makes A a matrix: who factors it or takes it apart needs that, and memory for as much as K. Collective. */
 PetscErrorCode VIAssemble(VI vi);
 /* Makes S, which products with A take in place of K from then on: worth its memory, half of K's, to who iterates. Collective. */

@@ -142,8 +142,9 @@ static PetscErrorCode SetBounds_Private(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Supports, contact and the matrices of one level. [in] scales - an inequality whose scales it shares, or NULL */
-static PetscErrorCode Create_Private(Scene scene, Mesh mesh, Level *level, VI scales, VI *vi_out)
+/* Supports, contact and the matrices of one level. [in] scales - an inequality whose scales it shares, or NULL;
+   [in] K - in place of the level's own, or NULL */
+static PetscErrorCode Create_Private(Scene scene, Mesh mesh, Level *level, VI scales, Mat K, VI *vi_out)
 {
   VI         vi;
   VIBasis    basis;
@@ -165,6 +166,11 @@ static PetscErrorCode Create_Private(Scene scene, Mesh mesh, Level *level, VI sc
   PetscCall(LogStageEnd(STAGE_MORTAR));
   PetscCall(LogStageBegin(STAGE_ASSEMBLY));
   PetscCall(ElasticityAssemble(scene, level, &vi->K, &vi->f));
+  if (K) {
+    PetscCall(PetscObjectReference((PetscObject)K));
+    PetscCall(MatDestroy(&vi->K));
+    vi->K = K;
+  }
   PetscCall(LogStageEnd(STAGE_ASSEMBLY));
   PetscCall(LogStageBegin(STAGE_CONDENSE));
   PetscCall(CirclesCheck(vi));
@@ -190,7 +196,7 @@ static PetscErrorCode Create_Private(Scene scene, Mesh mesh, Level *level, VI sc
 PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi)
 {
   PetscFunctionBeginUser;
-  PetscCall(Create_Private(scene, mesh, MeshFinest(mesh), NULL, vi));
+  PetscCall(Create_Private(scene, mesh, MeshFinest(mesh), NULL, NULL, vi));
   PetscCall(LogStageBegin(STAGE_CONDENSE));
   if ((*vi)->motions.num)
     PetscCall(SolvabilityCreate(*vi, &(*vi)->basis->bases, &(*vi)->basis->couplings, (*vi)->num_fixed, (*vi)->fixed,
@@ -199,10 +205,10 @@ PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VICreateCoarse(VI vi, PetscInt l, VI *coarse)
+PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse)
 {
   PetscFunctionBeginUser;
-  PetscCall(Create_Private(vi->scene, vi->mesh, &vi->mesh->levels[l], vi, coarse));
+  PetscCall(Create_Private(vi->scene, vi->mesh, &vi->mesh->levels[l], vi, K, coarse));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

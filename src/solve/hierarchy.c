@@ -1,8 +1,8 @@
 /* hierarchy.c -- the inequalities of coarser meshes, and prolongation between their unknowns.
 
    Displacements are prolonged by the shape functions of the coarser level; what solvers see are unknowns y of u = T y, so
-   P^ = T_f^-1 P T_c. Where meshes are nested, P^' A_f P^ = T_c' (P' K_f P) T_c is the coarser level's own A: none of these products
-   is ever formed. */
+   P^ = T_f^-1 P T_c. Where meshes are nested, P^' A_f P^ = T_c' (P' K_f P) T_c is the coarser level's own A, and no such product is
+   formed; elsewhere P' K_f P takes the place of the coarser level's K: what truncation takes from a matrix has to be in it. */
 #include <mortise/compat.h>
 #include <petscksp.h>
 #include <mortise/elasticity.h>
@@ -49,6 +49,7 @@ static PetscErrorCode Blocks_Private(Mat P, PetscInt dim, Mat *blocks)
   }
   PetscCall(MatCreate(PetscObjectComm((PetscObject)P), blocks));
   PetscCall(MatSetSizes(*blocks, dim * rows, dim * columns, PETSC_DETERMINE, PETSC_DETERMINE));
+  PetscCall(MatSetBlockSize(*blocks, dim));
   PetscCall(MatSetType(*blocks, MATAIJ));
   PetscCall(MatSeqAIJSetPreallocationCSR(*blocks, start, column, value)); // one of the two does nothing
   PetscCall(MatMPIAIJSetPreallocationCSR(*blocks, start, column, value));
@@ -169,24 +170,77 @@ PetscErrorCode HierarchyIsNested(VI vi, PetscBool *nested)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether the fine level's cells are parts of the coarse one's: not along curves. */
+static PetscErrorCode AreParts_Private(Level *coarse, Level *fine, PetscBool *parts)
+{
+  static const PetscReal SAME   = 1e-9; /* relative to the scene */
+  PetscReal              off[2] = {0, 0};
+  PetscScalar           *x;
+  Vec                    from, to;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(coarse, 1, &from));
+  PetscCall(LevelCreateVec(fine, 1, &to));
+  for (PetscInt d = 0; d < fine->dim; d++) {
+    PetscCall(VecGetArray(from, &x));
+    for (PetscInt i = 0; i < coarse->num_owned; i++) x[i] = coarse->coords[i * coarse->dim + d];
+    PetscCall(VecRestoreArray(from, &x));
+    PetscCall(MatMult(fine->prolongation, from, to));
+    PetscCall(VecGetArray(to, &x));
+    for (PetscInt i = 0; i < fine->num_owned; i++) {
+      const PetscReal own = fine->coords[i * fine->dim + d];
+
+      off[0] = PetscMax(off[0], PetscAbsScalar(x[i] - own));
+      off[1] = PetscMax(off[1], PetscAbsReal(own));
+    }
+    PetscCall(VecRestoreArray(to, &x));
+  }
+  PetscCall(VecDestroy(&from));
+  PetscCall(VecDestroy(&to));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, off, 2, MPIU_REAL, MPI_MAX, fine->comm));
+  *parts = (PetscBool)(off[0] <= SAME * off[1]);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The inequality of level l, the next coarser one of fine's. Its K is P'K P of the fine one, by itself or made so. [in] same - whether
+   energies are the same where cells are parts of cells */
+static PetscErrorCode CreateCoarse_Private(VI fine, PetscInt l, PetscBool same, VI *coarse)
+{
+  Mat       P, K = NULL;
+  PetscBool nested = same;
+
+  PetscFunctionBeginUser;
+  if (same) PetscCall(AreParts_Private(&fine->mesh->levels[l], fine->level, &nested));
+  if (!nested) {
+    PetscCall(Blocks_Private(fine->level->prolongation, fine->level->dim, &P));
+    PetscCall(MatPtAP(fine->K, P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &K));
+    PetscCall(MatDestroy(&P));
+  }
+  PetscCall(VICreateCoarse(fine, l, K, coarse));
+  PetscCall(MatDestroy(&K));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode HierarchyCreate(VI vi, Vec springs, Hierarchy *hierarchy)
 {
   MatInfo   info;
   Hierarchy h;
+  PetscBool same;
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&h));
   h->num     = vi->mesh->num_levels;
   h->springs = springs;
-  PetscCall(HierarchyIsNested(vi, &h->nested));
   PetscCall(PetscCalloc1(h->num, &h->grid));
+  h->grid[h->num - 1].vi = vi;
+  PetscCall(HierarchyIsNested(vi, &same));
+  if (vi->scene->model == MODEL_AXISYMMETRIC)
+    same = PETSC_FALSE; // 1 / radius is integrated on each level in its own way
+  for (PetscInt l = h->num - 2; l >= 0; l--)
+    PetscCall(CreateCoarse_Private(h->grid[l + 1].vi, l, same, &h->grid[l].vi));
   for (PetscInt l = 0; l < h->num; l++) {
     Grid *grid = &h->grid[l];
 
-    if (l + 1 < h->num)
-      PetscCall(VICreateCoarse(vi, l, &grid->vi));
-    else
-      grid->vi = vi;
     PetscCall(l ? VIPrepareProducts(grid->vi) : VIAssemble(grid->vi));
     grid->A = grid->vi->A;
     PetscCall(MatCreateVecs(grid->A, &grid->diag, NULL));

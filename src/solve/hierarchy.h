@@ -18,10 +18,8 @@ typedef struct {
 } Grid;
 
 typedef struct {
-  PetscInt num;
-  Grid    *grid; /* coarse first */
-  PetscBool
-            nested; /* whether coarser A may be changed by what is held: they are P^'A P^ of the finer ones, or nearly so on curved cells */
+  PetscInt  num;
+  Grid     *grid;    /* coarse first */
   Vec       springs; /* what is in the finest A beside the bodies' stiffness, on its diagonal; borrowed, or NULL */
   PetscReal work;    /* products with A so far, in products with the finest one */
 } * Hierarchy;

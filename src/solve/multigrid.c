@@ -3,7 +3,7 @@
    Held unknowns, active ones and eliminated ones alike, are no part of a system:
        A^ = M A M + (1 - M) diag(A),   M = 0 where held, 1 elsewhere.
    A coarse correction that moved them would spoil them, so nothing is interpolated to them [1]: P^ = M P. The operator of the coarser level is
-   then P^' A P^ = A_c + P'(M A M - A) P with A_c its own matrix, P'A P where meshes are nested, and what is added is nonzero near
+   then P^' A P^ = A_c + P'(M A M - A) P with A_c its own matrix, P'A P (hierarchy.c), and what is added is nonzero near
    held unknowns only. A coarse unknown that moves next to nothing but held ones is itself held.
 
    PCMG cycles; here is what it works with. The type rides on PCSHELL, with public headers.
@@ -30,7 +30,8 @@ typedef struct {
   SNES       snes; /* borrowed, or NULL */
   IS         left; /* unknowns that snes leaves, or NULL */
   VecScatter scatter;
-  Vec        r, z; /* on all unknowns */
+  Vec        r, z;    /* on all unknowns */
+  PetscReal  seen[2]; /* r'z of the last two cycles since MultigridWatch() */
 } Multigrid;
 
 static PetscErrorCode Get_Private(PC pc, Multigrid **multigrid)
@@ -82,23 +83,11 @@ PetscErrorCode MultigridSetFree(PC pc, Vec free)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode MultigridForgo(PC pc, PetscBool *done)
-{
-  Multigrid *multigrid;
-
-  PetscFunctionBeginUser;
-  PetscCall(Get_Private(pc, &multigrid));
-  *done                        = multigrid->hierarchy->nested;
-  multigrid->hierarchy->nested = PETSC_FALSE;
-  for (PetscInt l = 0; l < multigrid->num; l++) PetscCall(RungForget(&multigrid->rung[l]));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode MultigridForces(PC pc, Vec y, PetscReal *size)
+PetscErrorCode MultigridForces(PC pc, Vec y, PetscReal *size, PetscReal *energy)
 {
   Multigrid  *multigrid;
   const Grid *grid;
-  PetscScalar square;
+  PetscScalar work, square;
 
   PetscFunctionBeginUser;
   PetscCall(Get_Private(pc, &multigrid));
@@ -107,9 +96,32 @@ PetscErrorCode MultigridForces(PC pc, Vec y, PetscReal *size)
   PetscCall(VecScale(multigrid->r, 1 / grid->vi->stiffness));
   if (grid->vi->Z) PetscCall(MatMultAdd(grid->vi->Z, y, multigrid->r, multigrid->r));
   multigrid->hierarchy->work += grid->share;
+  PetscCall(VecDot(multigrid->r, y, &work));
   PetscCall(VecPointwiseDivide(multigrid->z, multigrid->r, grid->diag));
   PetscCall(VecDot(multigrid->z, multigrid->r, &square));
-  *size = PetscSqrtReal(PetscRealPart(square));
+  *energy = PetscMax(PetscRealPart(work), 0);
+  *size   = PetscSqrtReal(PetscRealPart(square));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MultigridWatch(PC pc)
+{
+  Multigrid *multigrid;
+
+  PetscFunctionBeginUser;
+  PetscCall(Get_Private(pc, &multigrid));
+  multigrid->seen[0] = multigrid->seen[1] = PETSC_MAX_REAL;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MultigridGetError(PC pc, PetscReal *square)
+{
+  Multigrid *multigrid;
+
+  PetscFunctionBeginUser;
+  PetscCall(Get_Private(pc, &multigrid));
+  *square = multigrid->seen[1] * PetscMin(multigrid->seen[1] / multigrid->seen[0], 1);
+  if (multigrid->seen[0] == PETSC_MAX_REAL) *square = multigrid->seen[1];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -251,13 +263,17 @@ static PetscErrorCode Cycle_Private(Multigrid *multigrid, Vec r, Vec z)
 
 static PetscErrorCode Apply_Multigrid(PC pc, Vec r, Vec z)
 {
-  Multigrid *multigrid;
+  Multigrid  *multigrid;
+  PetscScalar work;
 
   PetscFunctionBeginUser;
   PetscCall(Get_Private(pc, &multigrid));
   if (!multigrid->snes) {
     PetscCall(VecCopy(r, multigrid->r));
     PetscCall(Cycle_Private(multigrid, multigrid->r, z));
+    PetscCall(VecDot(r, z, &work));
+    multigrid->seen[0] = multigrid->seen[1];
+    multigrid->seen[1] = PetscRealPart(work);
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(VecZeroEntries(multigrid->r));

@@ -18,10 +18,12 @@ PetscErrorCode MultigridSetFree(PC pc, Vec free);
 /* A with the rows and columns of held unknowns emptied but for the diagonal, without a copy of it. Borrowed. Not collective. */
 PetscErrorCode MultigridGetOperator(PC pc, Mat *A);
 
-/* Does without what held unknowns take from coarser matrices: where these are not quite those of prolongation it can be more than there
-   is. Who holds unknowns has to do so again. Collective. [out] done - whether it did not do without that before */
-PetscErrorCode MultigridForgo(PC pc, PetscBool *done);
-/* |T'K T y| in the norm of diag(A)^-1, supports' reactions and contact forces among them. Collective. */
-PetscErrorCode MultigridForces(PC pc, Vec y, PetscReal *size);
+/* |T'K T y| in the norm of diag(A)^-1, supports' reactions and contact forces among them, and y'T'K T y. Collective. */
+PetscErrorCode MultigridForces(PC pc, Vec y, PetscReal *size, PetscReal *energy);
+/* What cycles tell of the iteration they precondition: forgets it, */
+PetscErrorCode MultigridWatch(PC pc);
+/* and e'A e of the last iterate's error e, to the order of magnitude: r'B r of the one before, by the part that the step before that left;
+   PETSC_MAX_REAL where no cycle was watched. Not collective. */
+PetscErrorCode MultigridGetError(PC pc, PetscReal *square);
 
 #endif

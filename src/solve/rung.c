@@ -204,27 +204,6 @@ static PetscErrorCode List_Private(Rung *rung)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What changes in M (A + change) M. Where coarser levels have matrices of their own, nothing may be taken from these that is not in them:
-   then it is the springs alone, and held unknowns are left to interpolation. [in] is - new M; [out] strip - NULL if nothing changes */
-static PetscErrorCode Change_Private(const Rung *rung, Mat dC, Vec is, Mat *strip)
-{
-  const Vec springs = rung->ready ? NULL : rung->springs;
-  Vec       ones;
-
-  PetscFunctionBeginUser;
-  *strip = NULL;
-  if (rung->hierarchy->nested) {
-    PetscCall(StripCreate(rung->grid->vi, rung->change, dC, rung->free, is, springs, strip));
-    PetscFunctionReturn(PETSC_SUCCESS);
-  }
-  if (!dC && !springs) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(VecDuplicate(is, &ones));
-  PetscCall(VecSet(ones, 1));
-  PetscCall(StripCreate(rung->grid->vi, rung->change, dC, ones, ones, springs, strip));
-  PetscCall(VecDestroy(&ones));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode RungsHold(PetscInt num, Rung rungs[], Vec free)
 {
   Mat dC = NULL, strip = NULL;
@@ -236,7 +215,9 @@ PetscErrorCode RungsHold(PetscInt num, Rung rungs[], Vec free)
   for (PetscInt l = num - 1; l >= 0; l--) {
     Rung *rung = &rungs[l];
 
-    if (l) PetscCall(Change_Private(rung, dC, is, &strip));
+    if (l)
+      PetscCall(
+          StripCreate(rung->grid->vi, rung->change, dC, rung->free, is, rung->ready ? NULL : rung->springs, &strip));
     if (rung->change && dC) PetscCall(MatAXPY(rung->change, 1, dC, DIFFERENT_NONZERO_PATTERN));
     if (dC && !rung->change) PetscCall(PetscObjectReference((PetscObject)dC));
     if (dC && !rung->change) rung->change = dC;
@@ -248,20 +229,11 @@ PetscErrorCode RungsHold(PetscInt num, Rung rungs[], Vec free)
     PetscCall(SetSmoother_Private(rung));
     rung->ready = PETSC_TRUE;
     if (!l) break;
-    if (strip) PetscCall(StripRestrict(strip, rung->grid->P, &dC));
+    PetscCall(StripRestrict(strip, rung->grid->P, &dC));
     PetscCall(MatDestroy(&strip));
     PetscCall(VecDuplicate(rungs[l - 1].free, &is));
     PetscCall(HoldCoarser_Private(rung, is));
   }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode RungForget(Rung *rung)
-{
-  PetscFunctionBeginUser;
-  PetscCall(MatDestroy(&rung->change));
-  PetscCall(VecSet(rung->free, 1));
-  rung->ready = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -28,8 +28,6 @@ PetscErrorCode RungDestroy(Rung *rung);
 /* Which unknowns are held, on the finest level and from there on all coarser ones; only what has changed since the last time is worked
    on. Collective. [in,out] rungs - coarse first [num]; [in] free - of the finest: 1 where free, 0 where held */
 PetscErrorCode RungsHold(PetscInt num, Rung rungs[], Vec free);
-/* Nothing is held any more. Collective. */
-PetscErrorCode RungForget(Rung *rung);
 /* A^ of the coarsest level as a matrix. Collective. */
 PetscErrorCode RungAssemble(Rung *rung);
 /* A^ for vectors that are 0 where active, whatever they are where unknowns were eliminated before: to iterate with. Collective.

@@ -14,6 +14,8 @@
 static const PetscInt MAX_REFINEMENTS = 8;
 /* A solve that leaves more than this part of the residual is no progress. */
 static const PetscReal STALLED = 0.5;
+/* What rounding leaves of the forces that displacements alone would need. */
+static const PetscReal ROUNDING = 16 * PETSC_MACHINE_EPSILON;
 
 typedef struct {
   KSP       ksp;    /* borrowed */
@@ -150,21 +152,13 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, Acti
 
   PetscFunctionBeginUser;
   PetscCall(KSPSetInitialGuessNonzero(t->ksp, guess));
+  if (t->shell) PetscCall(MultigridWatch(t->pc));
   PetscCall(KSPSolve(t->ksp, t->f, t->d));
   PetscCall(KSPGetIterationNumber(t->ksp, &its));
   solution->iterations += its;
   PetscCall(KSPGetConvergedReason(t->ksp, &reason));
   if (its > 0) PetscCall(Ritz_Private(t));
   if (reason >= 0) PetscFunctionReturn(PETSC_SUCCESS);
-  if (t->shell) {
-    PetscBool again;
-
-    PetscCall(MultigridForgo(t->pc, &again));
-    t->same = PETSC_FALSE;
-    if (again) PetscCall(Matrix_Private(solver));
-    if (again) PetscCall(Correct_Private(solver, PETSC_FALSE, solution));
-    if (again) PetscFunctionReturn(PETSC_SUCCESS);
-  }
   PetscCall(FactorCheckMemory(t->ksp));
   PetscCall(KSPGetPC(t->ksp, &pc));
   PetscCall(PCGetFailedReason(pc, &failed));
@@ -175,25 +169,27 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, Acti
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether no free unknown with a bound has a force beside those of fixed ones: it would count as pressure or tension. */
+/* Whether no free unknown with a bound has a force beside those of fixed ones, or rounding: it would count as pressure or tension. */
 static PetscErrorCode Forceless_Private(ActiveSolver solver, const PetscBool fixed[], PetscBool *forceless)
 {
   static const PetscReal NO_FORCE = 1e-8;
   const Truncated       *t        = solver->data;
   const ActiveSet       *set      = solver->set;
   const PetscScalar     *r;
-  PetscReal              max[2] = {0, 0};
+  PetscReal largest, max[3] = {0, 0, 0}; /* forces of free ones, of fixed ones; the stiffest of free ones */
 
   PetscFunctionBeginUser;
+  PetscCall(VecNorm(t->y, NORM_INFINITY, &largest));
   PetscCall(VecGetArrayRead(t->r, &r));
   for (PetscInt i = 0; i < set->n; i++) {
     const int which = fixed[i] ? 1 : 0;
 
     max[which] = PetscMax(max[which], PetscAbsScalar(r[set->dof[i] - set->dof_begin]));
+    if (!fixed[i]) max[2] = PetscMax(max[2], set->diag[i]);
   }
   PetscCall(VecRestoreArrayRead(t->r, &r));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, max, 2, MPIU_REAL, MPI_MAX, set->comm));
-  *forceless = (PetscBool)(max[0] <= NO_FORCE * max[1] || max[1] == 0);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, max, 3, MPIU_REAL, MPI_MAX, set->comm));
+  *forceless = (PetscBool)(max[0] <= PetscMax(NO_FORCE * max[1], ROUNDING * max[2] * largest));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -212,28 +208,44 @@ static PetscErrorCode Tolerance_Private(ActiveSolver solver, PetscInt k, PetscRe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What the residual is small against: the first one, but in the end not more than the forces in the bodies, where these can be had.
-   Supports that move a body far make a large first residual of next to no force. */
-static PetscErrorCode Reference_Private(ActiveSolver solver, PetscReal first, PetscReal *reference)
+/* Whether the solution is what multigrid is asked for in the end. The residual has to be small beside the forces in the bodies: supports
+   that move a body far make a large first residual of next to no force; and the error beside the solution in the norm of energy, since
+   residuals say little of errors that are smooth. What rounding leaves is small in any case.
+   [in] size - of the residual; [in,out] eta - the same by the first one, and by the forces; [out] left - part of it that may be left */
+static PetscErrorCode Exact_Private(ActiveSolver solver, PetscReal first, PetscReal size, PetscReal *eta,
+                                    PetscReal *left, PetscBool *exact)
 {
-  static const PetscReal ROUNDING = 1e-4; /* smaller forces would ask for digits that there are none of */
-  Truncated             *t        = solver->data;
-  PetscReal              forces;
+  static const PetscReal PART = 0.5; /* of rtol, for the energy: what is said of it is an estimate */
+  Truncated             *t    = solver->data;
+  PetscReal              forces, energy, error;
+  PetscScalar            square;
 
   PetscFunctionBeginUser;
-  *reference = first;
-  if (!t->shell || solver->target > solver->rtol) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MultigridForces(t->pc, t->y, &forces));
-  *reference = PetscMax(ROUNDING * first, PetscMin(first, forces));
+  PetscCall(MultigridForces(t->pc, t->y, &forces, &energy));
+  PetscCall(MultigridGetError(t->pc, &error));
+  PetscCall(VecPointwiseMult(t->d, solver->diag, t->y));
+  PetscCall(VecDot(t->d, t->y, &square));
+  *eta   = size / PetscMax(PetscMin(first, forces), ROUNDING / solver->rtol * PetscSqrtReal(PetscRealPart(square)));
+  *left  = solver->rtol / *eta;
+  *exact = (PetscBool)(*eta <= solver->rtol);
+  if (t->ritz > 0) error /= t->ritz;
+  energy *= PetscSqr(PART * solver->rtol);
+  PetscCall(
+      PetscInfo(t->ksp, "energy of the error %g, asked %g, eta %g\n", (double)error, (double)energy, (double)*eta));
+  if (error > energy) {
+    if (error < PETSC_MAX_REAL) *left = PetscMin(*left, PetscSqrtReal(energy / error));
+    *exact = PETSC_FALSE;
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
                                       ActiveSolution *solution)
 {
-  Truncated *t = solver->data;
-  PetscReal  first, reference = 0, size = 0, left = 1;
-  PetscBool  forceless, suffices;
+  Truncated      *t    = solver->data;
+  const PetscBool last = (PetscBool)(solver->target <= solver->rtol);
+  PetscReal       first, size = 0, left = 1;
+  PetscBool       done = PETSC_FALSE, suffices;
 
   PetscFunctionBeginUser;
   solution->iterations = 0;
@@ -241,7 +253,7 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
   PetscCall(Prescribe_Private(solver, fixed, value, solution));
   PetscCall(Matrix_Private(solver));
   PetscCall(ActiveSolverResidual(solver, fixed, t->y, t->r, t->f, &first));
-  for (PetscInt k = 0; k <= MAX_REFINEMENTS && first > 0; k++) {
+  for (PetscInt k = 0; k <= MAX_REFINEMENTS && first > 0 && !done; k++) {
     const PetscReal before = k ? solution->eta : PETSC_MAX_REAL;
 
     PetscCall(Tolerance_Private(solver, k, left));
@@ -250,16 +262,16 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
     PetscCall(VecPointwiseMult(t->d, t->d, t->free)); /* a preconditioner may have leaked into fixed unknowns */
     PetscCall(VecAXPY(t->y, 1, t->d));
     PetscCall(ActiveSolverResidual(solver, fixed, t->y, t->r, t->f, &size));
-    PetscCall(Reference_Private(solver, first, &reference));
-    solution->eta = size / reference;
+    solution->eta = size / first;
     left          = solver->target / solution->eta;
     /* a direct solver gets to roundoff, not just below a tolerance, for the price of one more substitution */
-    PetscCall(Forceless_Private(solver, fixed, &forceless));
-    if (solution->eta <= solver->target && (!t->direct || k) && (forceless || solver->target > solver->rtol)) break;
+    done = (PetscBool)(solution->eta <= solver->target && (!t->direct || k));
+    if (t->shell && last) PetscCall(Exact_Private(solver, first, size, &solution->eta, &left, &done));
+    if (done && last) PetscCall(Forceless_Private(solver, fixed, &done));
     if (!(solution->eta <= STALLED * before)) break;
   }
   if (!(solution->eta <= solver->target)) {
-    PetscCall(ActiveSolverSuffices(solver, t->y, size, reference, &suffices));
+    PetscCall(ActiveSolverSuffices(solver, t->y, size, size / solution->eta, &suffices));
     if (!suffices) solution->failure = solver->factored ? FAILURE_RESIDUAL : FAILURE_ITERATIVE;
   }
   PetscCall(ActiveSolverRestrict(solver, t->y, t->r, t->f, solution));

@@ -28,6 +28,9 @@ mg(parabola               ARGS -block_dm_plex_box_faces 16,8 -dm_refine 1)
 mg(touching               ARGS -dm_refine 1)
 mg(stack                  ARGS -dm_refine 1)
 mg(two_plates_uneven      SCENE two_plates ARGS ${plane_coarse} -upper_young 8e10 -dm_refine 2)
+mg(shells                 ARGS -dm_refine 1)
+mg(two_plates_apart       SCENE two_plates ARGS ${plane_coarse} -joint_gap 1 -dm_refine 2)
+mg(two_plates_nearly      SCENE two_plates ARGS ${plane_coarse} -upper_poisson 0.49 -dm_refine 1)
 
 # --- iterations ---
 mortise_scene_test(growth       SCENE two_plates CHECK growth.py ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6)
