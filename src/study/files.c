@@ -209,7 +209,7 @@ PetscErrorCode StudyWriteFiles(Study study)
     if (!study->output) PetscCall(OutputCreate(study->scene->comm, &study->output));
     PetscCall(Write_Private(study, "_study.csv", WriteTable_Private));
     if (FigureExists(study)) PetscCall(Write_Private(study, "_study.svg", FigureWrite));
-    if (study->best >= 0) {
+    if (study->shown) {
       PetscCall(StudySummary(study, &text));
       PetscCall(PetscSNPrintf(path, sizeof(path), "%s.json", study->scene->output));
       PetscCall(OutputAddText(study->output, path, text)); // the last: where it is, the result is complete
@@ -234,7 +234,8 @@ PetscErrorCode StudyWriteBest(Study study, Run run)
   PetscCall(SummaryCreate(&input, &study->summary));
   if (study->scene->output) {
     PetscCall(OutputCreate(study->scene->comm, &study->output));
-    PetscCall(OutputAddFields(study->output, run->fields));
+    PetscCall(run->refused ? OutputAddMotion(study->output, run->vi) : OutputAddFields(study->output, run->fields));
   }
+  study->shown = PETSC_TRUE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -64,10 +64,12 @@ struct _n_Study {
   Record    *records;   /* in the order of the runs */
   PetscInt   reference; /* position of the record that others are compared with, -1 for none */
   PetscInt   best;      /* position of the record whose fields are written out, -1 for none */
-  char      *summary;   /* of that record, without the study; first rank only, else NULL (free()) */
-  Output     output;    /* fields of that record which are not under their names yet, NULL if they are */
-  PetscBool  quiet;     /* nothing is printed on stdout */
-  PetscBool  terminal;  /* where a line may be overwritten */
+  PetscBool
+            shown; /* whether fields and a summary are there: of that record, or of one without a solution as long as there is none */
+  char     *summary;  /* of that record, without the study; first rank only, else NULL (free()) */
+  Output    output;   /* fields of that record which are not under their names yet, NULL if they are */
+  PetscBool quiet;    /* nothing is printed on stdout */
+  PetscBool terminal; /* where a line may be overwritten */
 };
 typedef struct _n_Study *Study;
 
@@ -139,7 +141,8 @@ PetscErrorCode StudySummary(Study study, char **text);
 
 /* Completes the files of all runs so far. Collective. */
 PetscErrorCode StudyWriteFiles(Study study);
-/* Fields and summary of a run that is the finest of the highest order so far; they appear with StudyWriteFiles(). Collective. */
+/* Fields, or the motion that shows that there is no solution, and summary of a run that is the finest of the highest order so
+   far; they appear with StudyWriteFiles(). Collective. */
 PetscErrorCode StudyWriteBest(Study study, Run run);
 
 #endif

@@ -37,14 +37,15 @@ static PetscErrorCode Solve_Private(Run run, Vec guess, PetscBool *again)
 /* Nothing is solved where there is no solution, and nothing is known. */
 static PetscErrorCode Refuse_Private(Run run)
 {
-  Certificate *c = &run->certificate;
+  const Solvability s = run->vi->solvability;
+  Certificate      *c = &run->certificate;
 
   PetscFunctionBeginUser;
   c->equilibrium = c->gap = c->pressure = c->complementarity = c->force = c->moment = c->pair_moment = c->pull =
       c->energy_norm = c->limit = NAN;
   run->report.linear_residual = run->report.bound.value = NAN;
-  PetscCall(PetscStrncpy(run->report.reason, "there is no solution: ", sizeof(run->report.reason)));
-  PetscCall(PetscStrlcat(run->report.reason, run->vi->solvability->motion.sentence, sizeof(run->report.reason)));
+  PetscCall(PetscSNPrintf(run->report.reason, sizeof(run->report.reason), "there is no solution%s: %s",
+                          s->coarse ? " on this mesh" : "", s->motion.sentence));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

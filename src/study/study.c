@@ -110,6 +110,7 @@ static PetscErrorCode Solve_Private(Study study, PetscInt o, Record *record, Pet
   PetscCall(VecDestroy(&guess));
   PetscCall(RecordRun(study, run, record));
   *refused = run->refused;
+  if (run->refused && study->best < 0) PetscCall(StudyWriteBest(study, run));
   if (run->solved) {
     if (study->exact && coarser) PetscCall(VecDestroy(&coarser->u)); // else to be compared with what is yet to come
     PetscCall(PetscObjectReference((PetscObject)run->fields->u));
@@ -166,7 +167,7 @@ static PetscErrorCode WriteSummary_Private(Study study)
   char       *text;
 
   PetscFunctionBeginUser;
-  if (!scene->summary || study->best < 0) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!scene->summary || !study->shown) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(StudySummary(study, &text));
   if (strcmp(scene->summary, "-"))
     PetscCall(OutputWriteText(scene->comm, scene->summary, text));
@@ -219,7 +220,7 @@ PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
   PetscCall(TableEnd(study));
   if (study->best < 0 && all)
     PetscCall(PetscFPrintf(scene->comm, PETSC_STDERR, "mortise: no run fits into -study_memory\n"));
-  if (study->best < 0) PageGiveUp("no run is solved");
+  if (!study->shown) PageGiveUp("no run is solved");
   *verdict = all && study->best >= 0   ? MORTISE_SOLVED
              : none && study->best < 0 ? MORTISE_NO_SOLUTION
                                        : MORTISE_NOT_CONVERGED;

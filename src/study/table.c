@@ -116,11 +116,12 @@ static PetscErrorCode PrintFiles_Private(Study study, PetscBool figure)
   if (scene->output) {
     PetscCall(PetscPrintf(comm, "wrote %s_study.csv", scene->output));
     if (figure) PetscCall(PetscPrintf(comm, ", _study.svg"));
-    if (study->best >= 0) {
+    if (study->shown) {
       PetscCall(PetscPrintf(comm, ", .json"));
       if (scene->formats & OUTPUT_XDMF) PetscCall(PetscPrintf(comm, ", .h5, .xdmf"));
       if (scene->formats & OUTPUT_VTU) PetscCall(PetscPrintf(comm, ", .vtu"));
-      for (PetscInt p = 0; p < scene->num_pairs; ++p) PetscCall(PetscPrintf(comm, ", _%s.csv", scene->pairs[p].name));
+      for (PetscInt p = 0; p < scene->num_pairs && study->best >= 0; ++p)
+        PetscCall(PetscPrintf(comm, ", _%s.csv", scene->pairs[p].name));
     }
     PetscCall(PetscPrintf(comm, "\n"));
     if (!figure)
