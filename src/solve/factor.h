@@ -3,7 +3,7 @@
 #define MORTISE_FACTOR_H
 
 #include <mortise/compat.h>
-#include <petscksp.h>
+#include <petscsnes.h>
 
 typedef struct _n_Factor *Factor;
 
@@ -20,6 +20,10 @@ PetscErrorCode FactorDestroy(Factor *factor);
 
 /* PETSC_ERR_MEM if a factorisation within a solver of PETSc has failed because the system has no memory left. Collective. */
 PetscErrorCode FactorCheckMemory(KSP ksp);
+
+/* After a solve that failed: whether it is worth another try because MUMPS, within PETSc's solver, ran short of its workspace; the option
+   -mat_mumps_icntl_14 then stands for more of it, and the factors are forgotten. Collective. */
+PetscErrorCode FactorMoreRoom(SNES snes, PetscBool *again);
 
 /* A pivot order by nested dissection of the graph of A's blocks, with C behind all others: half the operations of a
    minimum degree order in 3D. Collective.

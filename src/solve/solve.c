@@ -108,7 +108,8 @@ static PetscErrorCode ReasonOther_Private(SNES snes, SNESConvergedReason reason,
     PetscCall(FactorCheckMemory(ksp));
     PetscCall(KSPGetPC(ksp, &pc));
     PetscCall(PCGetFailedReason(pc, &failed));
-    PetscCall(PetscStrncpy(report->reason, failed ? FAILURE_SINGULAR : FAILURE_ITERATIVE, sizeof(report->reason)));
+    PetscCall(PetscStrncpy(report->reason, failed ? ActiveFailureOfFactor((MatFactorError)failed) : FAILURE_ITERATIVE,
+                           sizeof(report->reason)));
   } else if (reason == SNES_DIVERGED_MAX_IT) {
     PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason),
                             "%s had not converged after %" PetscInt_FMT " iterations (-snes_max_it)", report->type,
@@ -177,11 +178,14 @@ static PetscErrorCode Report_Private(SNES snes, VI vi, Vec y, SolveReport *repor
 /* Solves once, and where springs hold bodies again and again until they have nothing left to do. */
 static PetscErrorCode Sweep_Private(VI vi, SNES snes, Springs *springs, Vec y, SolveReport *report)
 {
-  PetscBool done = PETSC_FALSE;
+  PetscBool done = PETSC_FALSE, again;
 
   PetscFunctionBeginUser;
   while (!done) {
-    PetscCall(SNESSolve(snes, NULL, y));
+    do {
+      PetscCall(SNESSolve(snes, NULL, y));
+      PetscCall(FactorMoreRoom(snes, &again));
+    } while (again);
     PetscCall(Report_Private(snes, vi, y, report));
     report->sweeps++;
     PetscCall(SpringsRelax(springs, snes, y, report, &done));

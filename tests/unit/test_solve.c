@@ -31,6 +31,8 @@ static PetscErrorCode TestWays(void)
                                      "-snes_type vinewtonrsls",
                                      "-pc_type lu",
                                      "-mat_mumps_icntl_14 -95", /* too little room, so that it has to ask for more */
+                                     "-mat_mumps_icntl_14 -95 -snes_pdas_reduce 0",
+                                     "-mat_mumps_icntl_14 -95 -snes_type vinewtonrsls",
                                      "-ksp_type cg -pc_type gamg -snes_rtol 1e-12",
                                      "-pc_type hypre -snes_rtol 1e-12",
                                      "-pc_type jacobi -snes_rtol 1e-12",
