@@ -72,26 +72,31 @@ static PetscErrorCode CreateOpen_Private(VI vi, Vec *open)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* P := A B; A or B may be P. */
+static PetscErrorCode Multiply_Private(Mat A, Mat B, Mat *P)
+{
+  Mat product;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatMatMult(A, B, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
+  PetscCall(MatProductClear(product)); // it would keep its factors
+  PetscCall(MatDestroy(P));
+  *P = product;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* T_f^-1 (P (x) 1) T_c, emptied where unknowns are eliminated. */
 static PetscErrorCode CreateProlongation_Private(VI coarse, VI fine, Mat *P)
 {
-  Mat inverse, product;
+  Mat inverse;
   Vec open[2];
 
   PetscFunctionBeginUser;
   PetscCall(Blocks_Private(fine->level->prolongation, fine->level->dim, P));
-  if (coarse->T) {
-    PetscCall(MatMatMult(*P, coarse->T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
-    PetscCall(MatDestroy(P));
-    *P = product;
-  }
+  if (coarse->T) PetscCall(Multiply_Private(*P, coarse->T, P));
   PetscCall(VICreateInverse(fine, &inverse));
-  if (inverse) {
-    PetscCall(MatMatMult(inverse, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
-    PetscCall(MatDestroy(P));
-    PetscCall(MatDestroy(&inverse));
-    *P = product;
-  }
+  if (inverse) PetscCall(Multiply_Private(inverse, *P, P));
+  PetscCall(MatDestroy(&inverse));
   PetscCall(CreateOpen_Private(fine, &open[0]));
   PetscCall(CreateOpen_Private(coarse, &open[1]));
   PetscCall(MatDiagonalScale(*P, open[0], open[1]));
