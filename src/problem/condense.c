@@ -50,6 +50,7 @@ PetscErrorCode CondenseCreate(Mat K, Mat T, Mat *Z)
   PetscCall(MatTransposeMatMult(E, K, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &transpose)); // (K E)', of few rows
   PetscCall(MatTranspose(transpose, MAT_INITIAL_MATRIX, &X));
   PetscCall(MatMatMult(transpose, E, MAT_INITIAL_MATRIX, PETSC_DEFAULT, Z));
+  PetscCall(MatProductClear(*Z)); // it would keep its factors
   PetscCall(MatAXPY(*Z, 1, X, DIFFERENT_NONZERO_PATTERN));
   PetscCall(MatAXPY(*Z, 1, transpose, DIFFERENT_NONZERO_PATTERN));
   PetscCall(MatDestroy(&transpose));
