@@ -12,6 +12,7 @@ esac
 install_missing $build_packages $python_packages
 set_up_mpi
 jobs=$(nproc)
+tests=$((2 * jobs)) # side by side: ranks wait for each other, and for mpiexec to start them
 
 # build <folder> <cmake option> ...
 build() {
@@ -35,6 +36,6 @@ check_memory() {
 build build/check -DCMAKE_BUILD_TYPE=Release -DMORTISE_TEST_LONG=$long
 build build/sanitize -DCMAKE_BUILD_TYPE=Debug -DMORTISE_SANITIZE=address,undefined
 echo "testing with sanitizers"
-quietly ctest --test-dir build/sanitize $sanitized -j "$jobs" --output-on-failure
+quietly ctest --test-dir build/sanitize $sanitized -j "$tests" --output-on-failure
 if [ -z "${CI:-}" ] && command -v valgrind >/dev/null; then check_memory build/check; fi
-ctest --test-dir build/check -j "$jobs" --output-on-failure
+ctest --test-dir build/check -j "$tests" --output-on-failure
