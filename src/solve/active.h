@@ -60,9 +60,7 @@ PetscErrorCode ActiveSetUpdate(ActiveSet *set, const ActiveSolution *solution, P
   "body held?"
 #define FAILURE_MEMORY "the direct solver ran out of memory: try -mat_mumps_icntl_14 100, or -pc_type gamg"
 #define FAILURE_ITERATIVE                                                                                              \
-  "the linear solver did not converge: try more -ksp_max_it, another -pc_type, or leave -ksp_type and -pc_type away "  \
-  "for "                                                                                                               \
-  "the direct solver"
+  "the linear solver did not converge: try -pc_type cholesky, which does not iterate, or more -ksp_max_it"
 
 /* One way to solve  y_i = value_i where fixed,  (A y - b)_i = 0 elsewhere.  All functions are collective. */
 typedef struct _n_ActiveSolver *ActiveSolver;

@@ -136,6 +136,7 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
   PetscCall(ChooseBySize_Private(vi, pdas, choice));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-ksp_type", choice->ksp, sizeof(choice->ksp), &ksp));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-pc_type", choice->pc, sizeof(choice->pc), &pc));
+  choice->own = (PetscBool)(!ksp && !pc);
   /* one of the two implies the other: a factorisation needs no iteration, anything else does */
   if (pc && !ksp) {
     PetscCall(PetscStrncpy(choice->ksp, SolveFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
@@ -161,6 +162,23 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
                    "-pc_type cholesky or -pc_type hypre do",
                    choice->snes));
   }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolveChooseAnother(MPI_Comm comm, const SolveReport *report, SolveChoice *choice, PetscBool *again)
+{
+  char words[128];
+
+  PetscFunctionBeginUser;
+  *again = (PetscBool)(choice->own && !report->converged && !strcmp(report->reason, FAILURE_ITERATIVE));
+  if (!*again) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SolveDescribe(choice->ksp, choice->pc, NULL, words, sizeof(words)));
+  PetscCall(PetscFPrintf(comm, PETSC_STDERR,
+                         "mortise: warning: %s has not converged; factorising instead, as -pc_type cholesky does at "
+                         "once\n",
+                         words));
+  PetscCall(PetscStrncpy(choice->ksp, KSPPREONLY, sizeof(choice->ksp)));
+  PetscCall(PetscStrncpy(choice->pc, PCCHOLESKY, sizeof(choice->pc)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -10,6 +10,7 @@ typedef struct {
   char      why[160];                  /* where the choice of the linear solver comes from */
   PetscBool nearly;                    /* whether some body is so nearly incompressible that iterating takes long */
   PetscBool bound;                     /* whether the energy of the error is to be bounded */
+  PetscBool own;                       /* whether the linear solver is nobody's wish */
 } SolveChoice;
 
 /* The linear solver in words. Not collective. [in] package - that factors, or NULL; [out] words - shape [len] */
@@ -19,6 +20,10 @@ PetscBool SolveFactors(const char pc[]);
 
 /* From -snes_type, -ksp_type, -pc_type; by size where they are silent. Faults on types that cannot. Collective. */
 PetscErrorCode SolveChoose(VI vi, SolveChoice *choice);
+
+/* A factorisation where an iteration has failed that nobody asked for, and a warning that says so. Collective.
+   [out] again - whether there is something else to try */
+PetscErrorCode SolveChooseAnother(MPI_Comm comm, const SolveReport *report, SolveChoice *choice, PetscBool *again);
 
 /* A SNES as the choice and the options want it. Collective. [in] prefix - of its options; [in] scratch, norm - for its function and its
    test; must outlive it; [out] snes */

@@ -290,7 +290,7 @@ PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report)
   const MPI_Comm comm  = PetscObjectComm((PetscObject)vi->A);
   const double   start = LogWallClock();
   SolveChoice    choice;
-  PetscBool      progress;
+  PetscBool      progress, again;
 
   PetscFunctionBeginUser;
   PetscCall(SolveChoose(vi, &choice));
@@ -303,6 +303,8 @@ PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report)
   }
   PetscCall(ProgressWanted(vi->scene, &progress));
   PetscCall(SolveRun(vi, &choice, "", progress, guess, y, report));
+  PetscCall(SolveChooseAnother(comm, report, &choice, &again));
+  if (again) PetscCall(SolveRun(vi, &choice, "", progress, guess, y, report));
   report->seconds = LogWallClock() - start;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &report->seconds, 1, MPIU_REAL, MPI_MAX, comm));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -35,3 +35,4 @@ mg(two_plates_nearly      SCENE two_plates ARGS ${plane_coarse} -upper_poisson 0
 # --- iterations ---
 mortise_scene_test(growth       SCENE two_plates CHECK growth.py ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6)
 mortise_scene_test(growth_solid SCENE blocks CHECK growth.py)
+mortise_scene_test(gives_way    SCENE blocks CHECK gives_way.py)
