@@ -148,7 +148,6 @@ typedef struct {
   PetscInt    num_seen;
   uint64_t   *seen; /* hashes of the sets that were solved for [max_it] */
   PetscBool   converged, safeguarded, reduced;
-  PetscBool   again;      /* the set did not change, and is to be solved for once more, exactly */
   PetscReal   residual;   /* relative, of the last system */
   const char *failure;    /* why a system could not be solved, or NULL */
   PetscInt    num_active; /* of the present set */

@@ -12,6 +12,8 @@
 
 /* Linear residual that is enough on a level that is not the last one. */
 static const PetscReal COARSE_RTOL = 1e-4;
+/* The KSP measures it in its own way: a little less. */
+static const PetscReal KSP_SHARE = 0.5;
 /* An unknown begins as active where so much of what it comes from is active. */
 static const PetscReal ACTIVE_SHARE = 0.5;
 /* Options of the solvers on coarser levels. */
@@ -34,6 +36,7 @@ static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, Vec y,
   PetscCall(SolveConfigure(vi, &choice, PREFIX, scratch, &norm, &snes));
   if (l) PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, COARSE_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
   PetscCall(SNESGetKSP(snes, &ksp));
+  if (l) PetscCall(KSPSetTolerances(ksp, KSP_SHARE * COARSE_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
   PetscCall(KSPGetPC(ksp, &pc));
   if (l) PetscCall(MultigridSetHierarchy(pc, hierarchy, l, NULL));
   if (start) PetscCall(PDASSetStart(snes, start));

@@ -49,17 +49,6 @@ PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r)
 static const PetscReal LOOSE = 1e-2, TIGHTER = 0.03;
 static const PetscInt  FEW = 2;
 
-/* How exactly the next system is to be solved, after one in which so many unknowns changed: in the end all that counts is the last
-   one. [in,out] pdas - converged only if the last system was exact enough */
-static void Tighten_Private(PDAS *pdas, ActiveSolver solver, PetscInt changed)
-{
-  const PetscBool last = (PetscBool)(solver->target <= solver->rtol);
-
-  pdas->again = (PetscBool)(pdas->converged && !last);
-  if (pdas->again) pdas->converged = PETSC_FALSE;
-  if (changed <= FEW) solver->target = PetscMax(solver->rtol, TIGHTER * solver->target);
-}
-
 /* Whether the present set was solved for before; remembers it. */
 static PetscErrorCode Seen_Private(PDAS *pdas, const ActiveSet *set, PetscBool *seen)
 {
@@ -91,21 +80,59 @@ static PetscErrorCode Record_Private(SNES snes, PDAS *pdas, const ActiveSet *set
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One system: the active set's, or a step of the safeguard, which takes over where a set comes back. */
+/* The present set's system, and the set that follows. [in,out] solution - iterations are added */
+static PetscErrorCode System_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solver, ActiveSolution *solution,
+                                     PetscInt *changed, PetscReal *violation)
+{
+  const PetscInt before = solution->iterations;
+
+  PetscFunctionBeginUser;
+  PetscCall(solver->solve(solver, set->active, set->upper, solution));
+  solution->iterations += before;
+  if (!solution->failure) PetscCall(ActiveSetUpdate(set, solution, pdas->c, changed, violation));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* More digits from now on. In the end all count, and sets that came back before may have done so for want of digits: then no set was
+   solved for before but the present one. */
+static void Tighten_Private(PDAS *pdas, ActiveSolver solver, PetscReal target)
+{
+  solver->target = PetscMax(solver->rtol, target);
+  if (solver->target > solver->rtol) return;
+  pdas->seen[0]  = pdas->seen[pdas->num_seen - 1];
+  pdas->num_seen = 1;
+}
+
+/* Solves for the set: an inexact solver to more and more digits as long as these say nothing against it. */
+static PetscErrorCode Follow_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solver, ActiveSolution *solution,
+                                     PetscInt *changed, PetscReal *violation)
+{
+  PetscFunctionBeginUser;
+  PetscCall(System_Private(pdas, set, solver, solution, changed, violation));
+  while (solver->target > solver->rtol && !*changed && !solution->failure) {
+    Tighten_Private(pdas, solver, TIGHTER * solver->target);
+    PetscCall(System_Private(pdas, set, solver, solution, changed, violation));
+  }
+  pdas->converged = (PetscBool)(!*changed && !solution->failure);
+  if (solver->target > solver->rtol && *changed <= FEW) Tighten_Private(pdas, solver, TIGHTER * solver->target);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* One step: the active set's, or one of the safeguard, which takes over where a set comes back. */
 static PetscErrorCode Step_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solver, Safeguard *guard,
                                    ActiveSolution *solution, PetscInt *changed, PetscReal *violation)
 {
   PetscBool seen = PETSC_FALSE;
 
   PetscFunctionBeginUser;
-  *changed   = 0;
-  *violation = 0;
-  if (!guard->on && !pdas->again) {
+  *changed             = 0;
+  *violation           = 0;
+  solution->iterations = 0;
+  if (!guard->on) {
     PetscCall(Seen_Private(pdas, set, &seen));
     if (seen && solver->target > solver->rtol) { // it may be for want of digits
-      solver->target = solver->rtol;
-      pdas->num_seen = 1;
-      seen           = PETSC_FALSE;
+      Tighten_Private(pdas, solver, solver->rtol);
+      seen = PETSC_FALSE;
     }
     if (seen || pdas->num_seen > MANY_STEPS) {
       pdas->safeguarded = PETSC_TRUE;
@@ -118,9 +145,7 @@ static PetscErrorCode Step_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solv
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   guard->settled = PETSC_FALSE; /* if its set is not confirmed now, it goes on from where it was */
-  PetscCall(solver->solve(solver, set->active, set->upper, solution));
-  if (!solution->failure) PetscCall(ActiveSetUpdate(set, solution, pdas->c, changed, violation));
-  pdas->converged = (PetscBool)(!*changed && !solution->failure);
+  PetscCall(Follow_Private(pdas, set, solver, solution, changed, violation));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -137,7 +162,6 @@ PetscErrorCode PDASIterate(SNES snes, PDAS *pdas, ActiveSet *set, ActiveSolver s
   solver->target = solver->inexact ? PetscMax(LOOSE, solver->rtol) : solver->rtol;
   while (!pdas->converged && !solution.failure && pdas->iterations < pdas->max_it) {
     PetscCall(Step_Private(pdas, set, solver, &guard, &solution, &changed, &violation));
-    Tighten_Private(pdas, solver, changed);
     if (pdas->converged || (!solution.failure && pdas->iterations + 1 == pdas->max_it)) {
       PetscCall(solver->finish(solver, &solution, y));
       if (solution.failure) pdas->converged = PETSC_FALSE;

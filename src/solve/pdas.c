@@ -136,9 +136,9 @@ static PetscErrorCode Clear_Private(PDAS *pdas)
   PetscCall(PetscFree2(pdas->changed, pdas->seen));
   PetscCall(VecDestroy(&pdas->active));
   pdas->iterations = pdas->linear_iterations = pdas->num_seen = pdas->num_active = 0;
-  pdas->converged = pdas->safeguarded = pdas->again = PETSC_FALSE;
-  pdas->residual                                    = 0;
-  pdas->failure                                     = NULL;
+  pdas->converged = pdas->safeguarded = PETSC_FALSE;
+  pdas->residual                      = 0;
+  pdas->failure                       = NULL;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -189,7 +189,7 @@ static PetscErrorCode Forceless_Private(ActiveSolver solver, const PetscBool fix
   }
   PetscCall(VecRestoreArrayRead(t->r, &r));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, max, 3, MPIU_REAL, MPI_MAX, set->comm));
-  *forceless = (PetscBool)(max[0] <= PetscMax(NO_FORCE * max[1], ROUNDING * max[2] * largest));
+  *forceless = (PetscBool)(max[0] <= PetscMax(PetscMax(NO_FORCE, solver->rtol) * max[1], ROUNDING * max[2] * largest));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
