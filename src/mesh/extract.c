@@ -184,6 +184,7 @@ PetscErrorCode BodyListCreateFile(const SceneBody *body, PetscInt dim, const Sid
   ExtractCells_Private(&x, list);
   if (!sentence[0]) PetscCall(ExtractCheckFacets(&x, list, sentence));
   PetscCall(ExtractSides(&x, names, list, sentence));
+  PetscCall(ExtractHinges(&x, list));
   PetscCall(PetscFree2(x.cell_at, x.node_at));
   PetscCall(LevelDestroy(&x.level));
   PetscFunctionReturn(PETSC_SUCCESS);

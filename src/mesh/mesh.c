@@ -15,6 +15,21 @@ PetscErrorCode MeshCreate(Scene scene, Mesh *mesh)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A mesh file may join parts of a body too little. */
+static void TellHinges_Private(Scene scene, PetscInt b, const BodyList *list)
+{
+  char z[32] = "";
+
+  if (!list->num_hinges || scene->quiet) return;
+  if (list->dim == 3) snprintf(z, sizeof(z), ", %g", (double)list->hinge[2]);
+  fprintf(
+      stderr,
+      "mortise: warning: parts of body %s hang together at vertices alone (%d), the first at (%g, %g%s), and turn "
+      "about them with no resistance; parts that share facets do not, and those that are bodies of their own can be "
+      "tied\n",
+      scene->bodies[b].name, (int)list->num_hinges, (double)list->hinge[0], (double)list->hinge[1], z);
+}
+
 /* Makes or reads every body; the first rank alone does, and stops at the first mistake. */
 static PetscErrorCode MeshMakeBodies_Private(Scene scene, PetscInt coarser, const SideNames names[], BodyList lists[])
 {
@@ -33,6 +48,7 @@ static PetscErrorCode MeshMakeBodies_Private(Scene scene, PetscInt coarser, cons
       PetscCall(BodyListCreateFile(&body, scene->dim, &names[b], &files, &lists[b], sentence));
     else
       PetscCall(BodyListCreateBox(&body, scene->dim, &names[b], &lists[b], sentence));
+    TellHinges_Private(scene, b, &lists[b]);
   }
   PetscCall(MeshFileDestroy(&files));
   PetscCall(FaultCheck(scene->comm, sentence));

@@ -28,6 +28,8 @@ typedef struct {
   PetscInt  *facet;        /* number of the facet in its cell [num_facets] */
   PetscInt  *facet_side;   /* index into the SideNames [num_facets] */
   PetscBool  straightened; /* the file has curved sides, the body is of order 1 */
+  PetscInt   num_hinges;   /* vertices by which alone some cells hang together */
+  PetscReal  hinge[3];     /* the first of them, before the map */
 } BodyList;
 
 /* All nodes are vertices to begin with. */

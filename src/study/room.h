@@ -65,9 +65,9 @@ struct _n_Study {
   PetscInt   reference; /* position of the record that others are compared with, -1 for none */
   PetscInt   best;      /* position of the record whose fields are written out, -1 for none */
   PetscBool
-            shown; /* whether fields and a summary are there: of that record, or of one without a solution as long as there is none */
-  char     *summary;  /* of that record, without the study; first rank only, else NULL (free()) */
-  Output    output;   /* fields of that record which are not under their names yet, NULL if they are */
+         shown;   /* fields and summary are there: of that record, or, while there is none, of one without a solution */
+  char  *summary; /* of that record, without the study; first rank only, else NULL (free()) */
+  Output output;  /* fields of that record which are not under their names yet, NULL if they are */
   PetscBool quiet;    /* nothing is printed on stdout */
   PetscBool terminal; /* where a line may be overwritten */
 };
