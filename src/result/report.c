@@ -6,6 +6,7 @@
 #include <mortise/log.h>
 #include <mortise/compat.h>
 #include <mortise/pairsum.h>
+#include "validity.h"
 #include "verdict.h"
 
 static const PetscReal PERCENT = 100;
@@ -152,6 +153,7 @@ static PetscErrorCode Print_Private(const SummaryInput *in)
   PetscCall(PrintCost_Private(in));
   for (PetscInt p = 0; p < in->vi->num_pairs; ++p) PetscCall(PrintPair_Private(in, p));
   PetscCall(VerdictPrint(in->vi));
+  PetscCall(ValidityPrint(in->fields));
   PetscCall(PrintErrors_Private(in));
   PetscCall(PetscPrintf(comm,
                         "  certificate: equilibrium %.1e, gap %.1e, pressure %.1e, complementarity %.1e, forces %.1e, "
@@ -159,7 +161,7 @@ static PetscErrorCode Print_Private(const SummaryInput *in)
                         (double)c->equilibrium, (double)c->gap, (double)c->pressure, (double)c->complementarity,
                         (double)c->force, (double)c->moment));
   if (!PetscIsInfOrNanReal(CertificateRelativeBound(c, &report->bound))) {
-    PetscCall(PetscPrintf(comm, "  energy of the solver's error: at most %.1e of the energy norm%s\n",
+    PetscCall(PetscPrintf(comm, "  error that the solver leaves: at most %.1e in the energy norm%s\n",
                           (double)CertificateRelativeBound(c, &report->bound),
                           report->bound.estimated ? " (estimated)" : ""));
   }

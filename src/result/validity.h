@@ -1,0 +1,10 @@
+/* validity.h -- whether a solution is one that small displacements allow (floor 7, private to this room). */
+#ifndef MORTISE_RESULT_VALIDITY_H
+#define MORTISE_RESULT_VALIDITY_H
+
+#include <mortise/fields.h>
+
+/* A line for the terminal where a body is strained or turned more than is small. Collective. */
+PetscErrorCode ValidityPrint(Fields fields);
+
+#endif
