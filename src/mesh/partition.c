@@ -2,7 +2,10 @@
 
    METIS minimises the weight of cut edges in the graph of cells. Cells of two bodies share no facet, so a plain
    partition of two equal bodies gives one to each of two ranks and makes all contact remote. Cells whose facets may
-   touch are therefore joined by extra, heavier edges. */
+   touch are therefore joined by extra, heavier edges. These alone would give all contact to one rank, if that has room for it:
+   contact is work, and is shared out as the cells are [1].
+
+   Reference: [1] G. Karypis, V. Kumar, Multilevel algorithms for multi-constraint graph partitioning, 1998. */
 #include "room.h"
 #include <mortise/boxtree.h>
 #include <mortise/compat.h>
@@ -13,8 +16,10 @@
 enum {
   CONTACT_WEIGHT =
       5, /* of an edge across contact, against 1 across a facet: coupling of D and M and of the condensed rows */
-  MIN_CELLS_A_PART = 4, /* with fewer METIS is not asked */
-  MAX_RECURSIVE    = 8  /* METIS's own advice: recursive bisection is better up to eight parts */
+  MAX_LOADS         = 2, /* what is shared out: the work of cells, and that of contact */
+  MIN_CELLS_A_PART  = 4, /* with fewer METIS is not asked */
+  MIN_FACETS_A_PART = 3, /* that may touch, for parts that have equally many of them */
+  MAX_RECURSIVE     = 8  /* METIS's own advice: recursive bisection is better up to eight parts */
 };
 
 /* Weighted edges of the graph of cells, each once. */
@@ -23,6 +28,13 @@ typedef struct {
   PetscInt *end; /* [max][2] */
   PetscInt *weight;
 } Edges;
+
+/* How much more a part may have than its share. A mesh of few cells cannot share contact out evenly, and it is the smaller work. */
+static const real_t TOLERANCE[MAX_LOADS] = {1.02F, 1.1F};
+
+/* Nodes that a cell of first order has for itself in a regular mesh, in twelfths: triangles cost half of what quadrilaterals do. */
+static const idx_t Share[ELEMENT_COUNT] = {
+    [ELEMENT_TRI3] = 6, [ELEMENT_QUAD4] = 12, [ELEMENT_TET4] = 2, [ELEMENT_HEX8] = 12};
 
 /* Appends an edge; an edge from a cell to itself, where a body touches itself in a corner, says nothing. */
 static PetscErrorCode EdgesAdd_Private(Edges *edges, PetscInt a, PetscInt b, PetscInt weight)
@@ -125,9 +137,10 @@ static PetscErrorCode FacetQuery_Private(const Level *level, const Facets *facet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Cells behind facets of a pair that may touch: within the reach that the user gave, or a facet's own size. */
+/* Cells behind facets of a pair that may touch: within the reach that the user gave, or a facet's own size.
+   [in,out] contact - facets of nonmortar sides among them, by cell */
 static PetscErrorCode EdgesAddPair_Private(Scene scene, const ScenePair *pair, PetscInt weight, Level *level,
-                                           Edges *edges)
+                                           Edges *edges, PetscInt contact[])
 {
   Facets     nonmortar, mortar;
   PetscReal *boxes, X[3 * ELEMENT_MAX_FACET_NODES];
@@ -146,6 +159,7 @@ static PetscErrorCode EdgesAddPair_Private(Scene scene, const ScenePair *pair, P
     PetscCall(FacetQuery_Private(level, &nonmortar, f, pair->reach, tree, &num_hits, &hits));
     for (PetscInt h = 0; h < num_hits; ++h)
       PetscCall(EdgesAdd_Private(edges, nonmortar.cell[f], mortar.cell[hits[h]], weight));
+    if (num_hits) ++contact[nonmortar.cell[f]];
   }
   PetscCall(BoxTreeDestroy(&tree));
   PetscCall(PetscFree(boxes));
@@ -190,22 +204,48 @@ static PetscErrorCode EdgesToRows_Private(const Edges *edges, PetscInt num_cells
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Hands the graph to METIS. */
-static PetscErrorCode EdgesCut_Private(const Edges *edges, PetscInt num_cells, PetscInt num_parts, PetscInt part[])
+/* What every cell weighs: its nodes, order counted in where bodies differ in it; and facets that may touch, if there are enough.
+   [in] contact - such facets by cell; [out] load - [num_cells][*num_loads] */
+static PetscErrorCode LoadsCreate_Private(Scene scene, const Level *level, const PetscInt contact[], PetscInt num_parts,
+                                          PetscInt *num_loads, idx_t **load)
 {
-  idx_t *start, *adjacent, *weight, *answer, n = (idx_t)num_cells, parts = (idx_t)num_parts, constraints = 1, cut;
+  PetscInt least = PETSC_MAX_INT, touching = 0;
+
+  PetscFunctionBeginUser;
+  for (PetscInt b = 0; b < scene->num_bodies; ++b) least = PetscMin(least, scene->bodies[b].order);
+  for (PetscInt c = 0; c < level->num_cells; ++c) touching += contact[c];
+  *num_loads = touching >= MIN_FACETS_A_PART * num_parts ? MAX_LOADS : 1;
+  PetscCall(PetscMalloc1(level->num_cells * *num_loads, load));
+  for (PetscInt c = 0; c < level->num_cells; ++c) {
+    idx_t *own = &(*load)[c * *num_loads];
+
+    own[0] = Share[ElementLinear((ElementType)level->cell_type[c])];
+    if (scene->bodies[level->cell_body[c]].order > least) own[0] *= 1 << level->dim;
+    if (*num_loads > 1) own[1] = (idx_t)contact[c];
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Hands the graph to METIS. [in] load - [num_cells][num_loads] */
+static PetscErrorCode EdgesCut_Private(const Edges *edges, PetscInt num_cells, PetscInt num_loads, idx_t load[],
+                                       PetscInt num_parts, PetscInt part[])
+{
+  idx_t  n = (idx_t)num_cells, parts = (idx_t)num_parts, constraints = (idx_t)num_loads, cut;
+  idx_t *start, *adjacent, *weight, *answer;
+  real_t tolerance[MAX_LOADS];
   int    status;
 
   PetscFunctionBeginUser;
   PetscCall(
       PetscMalloc4(num_cells + 1, &start, 2 * edges->num, &adjacent, 2 * edges->num, &weight, num_cells, &answer));
   PetscCall(EdgesToRows_Private(edges, num_cells, start, adjacent, weight));
+  for (PetscInt i = 0; i < num_loads; ++i) tolerance[i] = TOLERANCE[i];
   if (num_parts <= MAX_RECURSIVE) {
-    status = METIS_PartGraphRecursive(&n, &constraints, start, adjacent, NULL, NULL, weight, &parts, NULL, NULL, NULL,
-                                      &cut, answer);
+    status = METIS_PartGraphRecursive(&n, &constraints, start, adjacent, load, NULL, weight, &parts, NULL, tolerance,
+                                      NULL, &cut, answer);
   } else {
-    status = METIS_PartGraphKway(&n, &constraints, start, adjacent, NULL, NULL, weight, &parts, NULL, NULL, NULL, &cut,
-                                 answer);
+    status = METIS_PartGraphKway(&n, &constraints, start, adjacent, load, NULL, weight, &parts, NULL, tolerance, NULL,
+                                 &cut, answer);
   }
   PetscCheck(status != METIS_ERROR_MEMORY, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for METIS");
   PetscCheck(status == METIS_OK, PETSC_COMM_SELF, PETSC_ERR_LIB, "METIS gave up with status %d", status);
@@ -217,19 +257,25 @@ static PetscErrorCode EdgesCut_Private(const Edges *edges, PetscInt num_cells, P
 /* Without contact_weight contact is left out, which is what the test compares with. */
 PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt contact_weight, PetscInt num_parts, PetscInt part[])
 {
-  Edges edges = {0, 0, NULL, NULL};
+  Edges     edges = {0, 0, NULL, NULL};
+  PetscInt *contact, num_loads;
+  idx_t    *load;
 
   PetscFunctionBeginUser;
   if (level->num_cells < MIN_CELLS_A_PART * num_parts) {
     for (PetscInt c = 0; c < level->num_cells; ++c) part[c] = c * num_parts / level->num_cells;
     PetscFunctionReturn(PETSC_SUCCESS);
   }
+  PetscCall(PetscCalloc1(level->num_cells, &contact));
   PetscCall(EdgesAddNeighbours_Private(level->dm, &edges));
   for (PetscInt p = 0; p < scene->num_pairs && contact_weight; ++p) {
     if (scene->pairs[p].mortar.body >= 0)
-      PetscCall(EdgesAddPair_Private(scene, &scene->pairs[p], contact_weight, level, &edges));
+      PetscCall(EdgesAddPair_Private(scene, &scene->pairs[p], contact_weight, level, &edges, contact));
   }
-  PetscCall(EdgesCut_Private(&edges, level->num_cells, num_parts, part));
+  PetscCall(LoadsCreate_Private(scene, level, contact, num_parts, &num_loads, &load));
+  PetscCall(EdgesCut_Private(&edges, level->num_cells, num_loads, load, num_parts, part));
+  PetscCall(PetscFree(load));
+  PetscCall(PetscFree(contact));
   PetscCall(PetscFree(edges.end));
   PetscCall(PetscFree(edges.weight));
   PetscFunctionReturn(PETSC_SUCCESS);

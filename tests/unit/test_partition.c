@@ -146,12 +146,64 @@ static void TestTiny(void)
   TestSceneFree(&t);
 }
 
-/* The mesh arrives as it was parted: nothing lost, no rank overloaded. */
+/* Each of two parts of cubes on cubes gets half of the facets that may touch: by edges alone it would be none or all. */
+static void TestShared(void)
+{
+  TestScene t;
+  Mesh      mesh;
+  PetscInt  part[5 * 5 * 5 + 4 * 4 * 4], own = 0;
+  Facets    facets;
+
+  SolidSceneInit(&t);
+  t.scene.comm = PETSC_COMM_SELF;
+  SolidSceneAddBox(&t, "upper", (PetscInt[]){5, 5, 5}, (PetscReal[]){0, 0, 0}, (PetscReal[]){1, 1, 1});
+  SolidSceneAddBox(&t, "lower", (PetscInt[]){4, 4, 4}, (PetscReal[]){0, 0, -1}, (PetscReal[]){1, 1, 0});
+  TestSceneAddPair(&t, "joint", 0, "bottom", 1, "top");
+  mesh = TestSceneMesh(&t);
+  CHECK(!PartitionCompute(&t.scene, MeshFinest(mesh), 5, 2, part));
+  CHECK(Imbalance(MeshFinest(mesh)->num_cells, 2, part) < 1.05);
+  CHECK(!LevelGetFacets(MeshFinest(mesh), &t.scene, 0, "bottom", &facets));
+  for (PetscInt f = 0; f < facets.num; ++f) own += part[facets.cell[f]];
+  CHECK(facets.num == 25);
+  CHECK(own >= 10 && own <= 15);
+  CHECK(!FacetsDestroy(&facets));
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
+/* Cells of order 2 beside some of order 1, and triangles beside quadrilaterals: parts have equally many nodes. */
+static void TestNodes(PetscInt order, PetscBool simplex)
+{
+  const PetscInt a_cell =
+      order == 2 ? 4 : 2; // nodes of a quadrilateral of the lower body, by those of a cell of the upper one
+  TestScene t;
+  Mesh      mesh;
+  Level    *level;
+  PetscInt  part[2 * N * N + N * N], nodes = 0, total = 0;
+
+  TestSceneInit(&t);
+  t.scene.comm                                            = PETSC_COMM_SELF;
+  TestSceneAddBox(&t, "upper", N, N, 0, 0, 1, 1)->simplex = simplex;
+  TestSceneAddBox(&t, "lower", N, N, 0, -1, 1, 0)->order  = order;
+  mesh                                                    = TestSceneMesh(&t);
+  level                                                   = MeshFinest(mesh);
+  CHECK(!PartitionCompute(&t.scene, level, 5, 2, part));
+  for (PetscInt c = 0; c < level->num_cells; ++c) {
+    nodes += part[c] * (level->cell_body[c] ? a_cell : 1);
+    total += level->cell_body[c] ? a_cell : 1;
+  }
+  CHECK(total == N * N * (order == 2 ? 5 : 4));
+  CHECK(20 * PetscAbsInt(2 * nodes - total) <= 2 * total);
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
+/* The mesh arrives as it was parted: nothing lost, no rank overloaded. Two triangles weigh as much as a quadrilateral. */
 static void TestSpread(void)
 {
   TestScene   t;
   Mesh        mesh;
-  PetscInt    largest;
+  PetscInt    num, largest = 0;
   PetscMPIInt size;
 
   CHECK(!MPI_Comm_size(PETSC_COMM_WORLD, &size));
@@ -159,11 +211,12 @@ static void TestSpread(void)
   TestSceneAddBox(&t, "upper", N, N, 0, 0, 1, 1);
   TestSceneAddBox(&t, "lower", N, N, 0, -1, 1, 0)->simplex = PETSC_TRUE;
   TestSceneAddPair(&t, "joint", 0, "bottom", 1, "top");
-  mesh    = TestSceneMesh(&t);
-  largest = MeshFinest(mesh)->num_cells;
-  CHECK_NEAR(Total(largest), 3 * N * N, 0);
+  mesh = TestSceneMesh(&t);
+  num  = MeshFinest(mesh)->num_cells;
+  for (PetscInt c = 0; c < num; ++c) largest += MeshFinest(mesh)->cell_body[c] ? 1 : 2;
+  CHECK_NEAR(Total(num), 3 * N * N, 0);
   CHECK(!MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPIU_INT, MPI_MAX, PETSC_COMM_WORLD));
-  CHECK(largest * size <= 1.1 * 3 * N * N);
+  CHECK(largest * size <= 1.1 * 4 * N * N);
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
 }
@@ -200,6 +253,9 @@ int main(int argc, char **argv)
   CHECK(!FaultInitialize());
   for (PetscInt parts = 2; parts <= 12; parts += parts < 4 ? 1 : 4) TestContactEdges(parts); // both of METIS's methods
   TestSolidContactEdges();
+  TestShared();
+  TestNodes(2, PETSC_FALSE);
+  TestNodes(1, PETSC_TRUE);
   TestFarReach();
   TestTiny();
   TestSpread();
