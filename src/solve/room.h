@@ -43,6 +43,8 @@ PetscErrorCode ProgressSet(SNES snes, VI vi);
 /* Whether the scene and the terminal ask for that. Collective. */
 PetscErrorCode ProgressWanted(Scene scene, PetscBool *wanted);
 
+/* Adds what a SNES did to what it did before. Collective. [in] vi, y - its problem and solution; [in,out] report */
+PetscErrorCode SolveReportAdd(SNES snes, VI vi, Vec y, SolveReport *report);
 /* What of a solution touches its bounds. Collective. [out] active - unknowns at their bound with a force on them;
    [out] residual - of all others, relative as in active.h */
 PetscErrorCode SolveMeasure(VI vi, Vec y, PetscInt *active, PetscReal *residual);

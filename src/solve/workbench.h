@@ -1,0 +1,39 @@
+/* workbench.h -- all that solving an inequality takes; internal (floor 6). */
+#ifndef MORTISE_SOLVE_WORKBENCH_H
+#define MORTISE_SOLVE_WORKBENCH_H
+
+#include <stdbool.h>
+#include "hierarchy.h"
+#include "room.h"
+#include "springs.h"
+
+/* A control that can only be reached through the options database. */
+typedef struct {
+  const char *name, *value;
+  bool        needed;
+  PetscBool   set; /* by us, so to be cleared by us */
+} Default;
+
+enum { WORKBENCH_DEFAULTS = 4 };
+
+typedef struct {
+  const char *prefix; /* of options; borrowed */
+  Springs     springs;
+  SNES        snes;
+  PC          pc;        /* of its KSP */
+  Hierarchy   hierarchy; /* NULL where there are no levels, or nobody works on them */
+  Vec         scratch;
+  PetscReal   norm;
+  Default     defaults[WORKBENCH_DEFAULTS];
+} Workbench;
+
+/* Collective. [in] prefix - of options; [in] previous - whether there is a set to begin with; [out] bench - not to be moved: the SNES
+   knows where it is */
+PetscErrorCode WorkbenchCreate(VI vi, const SolveChoice *choice, const char prefix[], PetscBool previous,
+                               Workbench *bench);
+/* The levels that the preconditioner works on, if it does. Collective. [in] snes - that leaves it the free unknowns alone, or NULL */
+PetscErrorCode WorkbenchSetLevels(Workbench *bench, SNES snes);
+/* Collective. [in,out] y - what SpringsEnd() takes */
+PetscErrorCode WorkbenchDestroy(Workbench *bench, Vec y);
+
+#endif
