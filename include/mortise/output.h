@@ -22,6 +22,9 @@ PetscErrorCode OutputAddText(Output output, const char path[], const char text[]
 /* All appear, the one that was added last after all others: beside it there is never a file of another run. Or none does, and
    that is an error on all ranks. Collective; *output = NULL. */
 PetscErrorCode OutputFinish(Output *output);
+/* Prints the endings of the names of all files of fields, as in ", .h5, .xdmf, _joint.csv, .h5, .xdmf"; without those of
+   pairs where there is no solution. Collective. */
+PetscErrorCode OutputPrintNames(Scene scene, PetscBool pairs);
 /* A single file of text. Collective. */
 PetscErrorCode OutputWriteText(MPI_Comm comm, const char path[], const char text[]);
 

@@ -149,6 +149,17 @@ PetscErrorCode OutputFinish(Output *output)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode OutputPrintNames(Scene scene, PetscBool pairs)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt p = -1; p < (pairs ? scene->num_pairs : 0); ++p) { // -1: the bodies
+    if (p >= 0) PetscCall(PetscPrintf(scene->comm, ", _%s.csv", scene->pairs[p].name));
+    if (scene->formats & OUTPUT_XDMF) PetscCall(PetscPrintf(scene->comm, ", .h5, .xdmf"));
+    if (scene->formats & OUTPUT_VTU) PetscCall(PetscPrintf(scene->comm, ", .vtu"));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode OutputWriteText(MPI_Comm comm, const char path[], const char text[])
 {
   Output output;

@@ -35,7 +35,8 @@ static PetscErrorCode PrintPair_Private(const SummaryInput *in, PetscInt p)
   PetscFunctionBeginUser;
   if (!in->vi->pairs[p]->num_multipliers) {
     PetscCall(PetscPrintf(comm,
-                          "  %s: no part of %s:%s faces what it is to meet within the reach of %.6g (-%s_reach)\n",
+                          "  %s: no part of %s:%s faces what it is to meet within the reach of %.6g (-%s_reach), be it "
+                          "across a gap or in an overlap\n",
                           spec->name, in->scene->bodies[spec->nonmortar.body].name, spec->nonmortar.side,
                           (double)in->vi->pairs[p]->reach, spec->name));
     PetscFunctionReturn(PETSC_SUCCESS);
@@ -62,11 +63,7 @@ static PetscErrorCode PrintFiles_Private(const SummaryInput *in)
   PetscFunctionBeginUser;
   if (scene->output) {
     PetscCall(PetscPrintf(comm, "  wrote %s.json", scene->output));
-    for (PetscInt p = -1; p < (in->fields ? in->vi->num_pairs : 0); ++p) { // without a solution the bodies alone
-      if (p >= 0) PetscCall(PetscPrintf(comm, ", _%s.csv", in->vi->pairs[p]->spec->name));
-      if (scene->formats & OUTPUT_XDMF) PetscCall(PetscPrintf(comm, ", .h5, .xdmf"));
-      if (scene->formats & OUTPUT_VTU) PetscCall(PetscPrintf(comm, ", .vtu"));
-    }
+    PetscCall(OutputPrintNames(scene, in->fields ? PETSC_TRUE : PETSC_FALSE));
     PetscCall(PetscPrintf(comm, "\n"));
   }
   if (scene->summary) PetscCall(PetscPrintf(comm, "  wrote %s\n", scene->summary));

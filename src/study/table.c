@@ -118,10 +118,7 @@ static PetscErrorCode PrintFiles_Private(Study study, PetscBool figure)
     if (figure) PetscCall(PetscPrintf(comm, ", _study.svg"));
     if (study->shown) {
       PetscCall(PetscPrintf(comm, ", .json"));
-      if (scene->formats & OUTPUT_XDMF) PetscCall(PetscPrintf(comm, ", .h5, .xdmf"));
-      if (scene->formats & OUTPUT_VTU) PetscCall(PetscPrintf(comm, ", .vtu"));
-      for (PetscInt p = 0; p < scene->num_pairs && study->best >= 0; ++p)
-        PetscCall(PetscPrintf(comm, ", _%s.csv", scene->pairs[p].name));
+      PetscCall(OutputPrintNames(scene, (PetscBool)(study->best >= 0)));
     }
     PetscCall(PetscPrintf(comm, "\n"));
     if (!figure)
