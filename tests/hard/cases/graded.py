@@ -1,11 +1,5 @@
 """Whatever the cells, a uniform state is in both."""
-from judge import near
-
-def judge_uniform(run, pairs, pressure=1, accuracy=1e-10):
-    for name in pairs:
-        table = run.table(name)
-        found = [p for p, status in zip(table["pressure"], table["status"]) if status != -1]
-        near(f"pressure of {name}", found, [pressure] * len(found), relative=accuracy)
+from uniform import judge_uniform
 
 
 def judge(run):

@@ -1,5 +1,5 @@
 """The plane scene with the same cells: forces, energy, nodes in contact."""
-from judge import Run, near, same
+from twins import judge_slab
 
 PLANE = {
     "upper_dm_plex_box_faces": "8,2",
@@ -15,9 +15,4 @@ PLANE = {
 
 
 def judge(run):
-    options = {name: text for name, text in run.summary["options"].items() if not text.startswith("front,back") and name != "output"} | PLANE
-    twin = Run(run.program, run.mpiexec, run.ranks, run.folder / "plane", [word for name, text in options.items() for word in ("-" + name, text) if word])
-    twin.require_solved()
-    near("force", [f for k, f in enumerate(run.pair("joint")["force"]) if k != 1], twin.pair("joint")["force"], relative=1e-8)
-    near("potential", run.summary["energy"]["potential"], twin.summary["energy"]["potential"], relative=1e-8)
-    same("nodes", run.pair("joint")["active_nodes"], 2 * twin.pair("joint")["active_nodes"])
+    judge_slab(run, PLANE, 2)
