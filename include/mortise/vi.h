@@ -15,9 +15,10 @@ typedef struct _n_Solvability *Solvability; /* solvability.h */
 typedef struct _n_VIBasis     *VIBasis;     /* of the problem room: what T is made of */
 
 struct _n_VI {
-  Scene        scene; /* borrowed */
-  Mesh         mesh;  /* borrowed */
-  Level       *level; /* borrowed: the finest of mesh, or a coarser one (VICreateCoarse()) */
+  Scene scene; /* borrowed */
+  Mesh  mesh;  /* borrowed */
+  Level *
+      level; /* borrowed: the finest of mesh, or a coarser one (VICreateCoarse()); NULL below these (VICreateOfMatrix()) */
   Support      support;
   RigidMotions motions;     /* that the supports leave to the bodies */
   Solvability  solvability; /* whether contact can hold these; NULL where there are none */
@@ -64,6 +65,10 @@ PetscErrorCode VIDestroy(VI *vi);
    solvability and near null spaces. Collective. [in] l - level of vi->mesh; [in] K - in place of the level's own, or NULL;
    [out] coarse - owned by the caller */
 PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse);
+/* A level without mesh: a matrix, its own products, and nothing else. Collective.
+   [in] A - AIJ, SPD; referenced; [in] fixed - unknowns with unit rows, counted from this rank's first [num_fixed], taken over; [out] vi - owned
+   by the caller */
+PetscErrorCode VICreateOfMatrix(Mat A, PetscInt num_fixed, PetscInt fixed[], VI *vi);
 /* Makes A a matrix: who factors it or takes it apart needs that, and memory for as much as K. Collective. */
 PetscErrorCode VIAssemble(VI vi);
 /* Makes S, which products with A take in place of K from then on: worth its memory, half of K's, to who iterates. Collective. */

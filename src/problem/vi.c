@@ -212,6 +212,19 @@ PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode VICreateOfMatrix(Mat A, PetscInt num_fixed, PetscInt fixed[], VI *vi)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(vi));
+  for (PetscInt i = 0; i < 3; i++) PetscCall(PetscObjectReference((PetscObject)A));
+  (*vi)->A = (*vi)->K = (*vi)->S = A;
+  (*vi)->assembled               = PETSC_TRUE;
+  (*vi)->length = (*vi)->stiffness = 1;
+  (*vi)->num_fixed                 = num_fixed;
+  (*vi)->fixed_local               = fixed;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode VIDestroy(VI *vi_in)
 {
   VI vi = *vi_in;
@@ -220,8 +233,10 @@ PetscErrorCode VIDestroy(VI *vi_in)
   if (!vi) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt p = 0; p < vi->num_pairs; p++) PetscCall(PairDestroy(&vi->pairs[p]));
   PetscCall(PetscFree(vi->pairs));
-  PetscCall(CouplingsDestroy(&vi->basis->couplings));
-  PetscCall(NodeBasesDestroy(&vi->basis->bases));
+  if (vi->basis) {
+    PetscCall(CouplingsDestroy(&vi->basis->couplings));
+    PetscCall(NodeBasesDestroy(&vi->basis->bases));
+  }
   PetscCall(PetscFree(vi->basis));
   PetscCall(PetscFree(vi->fixed));
   PetscCall(PetscFree(vi->fixed_local));

@@ -192,7 +192,7 @@ static const OptionEntry table[] = {
      "Everything else of KSP: -ksp_monitor, -ksp_view, -ksp_max_it; they show nothing where one factorisation serves "
      "all active sets (-snes_pdas_reduce 0)."},
     {GROUP_PETSC, "-pc_type", "name", "", "(by size)",
-     "Preconditioner: cholesky, truncatedmg (multigrid on the levels of -dm_refine), gamg, hypre, jacobi."},
+     "Preconditioner: cholesky, truncatedmg (multigrid), gamg, hypre, jacobi."},
     {GROUP_PETSC, "-pc_*", "", "", "", "Everything else of PC: -pc_factor_mat_solver_type, -pc_gamg_threshold."},
     {GROUP_PETSC, "-mat_mumps_*", "", "", "", "Controls of MUMPS: -mat_mumps_icntl_14 (spare memory, percent)."},
     {GROUP_PETSC, "-log_view", "", "", "(off)", "PETSc's table of times and flops by stage and event."},

@@ -161,7 +161,7 @@ PetscErrorCode CascadeStart(Hierarchy hierarchy, Vec y, Vec active)
   Vec at = NULL, start = NULL, found, next;
 
   PetscFunctionBeginUser;
-  for (PetscInt l = 0; l + 1 < hierarchy->num; l++) {
+  for (PetscInt l = hierarchy->first; l + 1 < hierarchy->num; l++) {
     const Grid *finer = &hierarchy->grid[l + 1];
 
     if (!at) {

@@ -9,9 +9,9 @@
 #include "multigrid.h"
 #include "room.h"
 
-/* Unknowns up to which factorisations beat iterating: in 3D their cost grows much faster than the mesh, and one for each active set
-   costs as much as the set's iterations much earlier than one for all. Two cubes of hexahedra in contact, 6 sets: 139000 unknowns
-   in a third of the time of CG with GAMG, and 1.7 GB; at 290000 it would be the same time and 5 GB. */
+/* Unknowns up to which factorisations beat iterating where multigrid has no coarser meshes (2D: triangles from a file, 10 sets: 414000
+   unknowns 7.1 s and 1.0 GB by factorisation, 20 s and 0.8 GB by iterations) or takes many iterations, in 3D: nearly incompressible bodies, where
+   one factorisation for each active set costs as much as the set's iterations much earlier than one for all. */
 static const PetscInt DIRECT_2D = 1000000, DIRECT_3D = 150000, DIRECT_3D_EACH = 40000;
 
 PetscBool SolveFactors(const char pc[])
@@ -31,6 +31,27 @@ PetscErrorCode SolveDescribe(const char ksp[], const char pc[], const char packa
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A type that PETSc does not know is a fault that names the nearest one. Collective. */
+static PetscErrorCode CheckName_Private(MPI_Comm comm, const char option[], const char type[], PetscFunctionList types)
+{
+  const char **names, *nearest;
+  int          num;
+  PetscBool    known = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscFunctionListGet(types, &names, &num));
+  while (num && !names[num - 1]) num--; // PETSc counts the end of the list
+  for (int i = 0; i < num; i++) known = (PetscBool)(known || !strcmp(names[i], type));
+  nearest = FaultNearest(type, num, names);
+  if (!known && nearest) {
+    PetscCall(FaultRaise(comm, "%s %s: there is no such type; did you mean %s?", option, type, nearest));
+  } else if (!known) {
+    PetscCall(FaultRaise(comm, "%s %s: there is no such type in this PETSc", option, type));
+  }
+  PetscCall(PetscFree(names));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Whether a SNES type keeps bounds: those that do answer SNESVISetVariableBounds() themselves. */
 static PetscErrorCode CheckBounds_Private(MPI_Comm comm, const char type[])
 {
@@ -38,8 +59,9 @@ static PetscErrorCode CheckBounds_Private(MPI_Comm comm, const char type[])
   SNES snes;
 
   PetscFunctionBeginUser;
-  PetscCall(SNESCreate(comm, &snes));
-  PetscCall(SNESSetType(snes, type)); /* an unknown one ends here, with a fault (fault.h) */
+  PetscCall(SNESCreate(comm, &snes)); // with it PETSc has its types
+  PetscCall(CheckName_Private(comm, "-snes_type", type, SNESList));
+  PetscCall(SNESSetType(snes, type));
   PetscCall(PetscObjectQueryFunction((PetscObject)snes, "SNESVISetVariableBounds_C", &answer));
   PetscCall(SNESDestroy(&snes));
   if (!answer) {
@@ -83,28 +105,39 @@ static PetscErrorCode LargestPoisson_Private(VI vi, PetscReal *poisson)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What preconditions an iteration: the levels of the mesh if there are any. */
+/* What preconditions an iteration: levels of the mesh, or made of it. */
 static const char *Iterative_Private(VI vi, PetscBool pdas)
 {
-  if (vi->mesh && vi->mesh->num_levels > 1) return PCTRUNCATEDMG;
+  if (vi->mesh) return PCTRUNCATEDMG;
   return pdas ? PCGAMG : PCHYPRE; // GAMG needs matrices that keep their size
+}
+
+/* Unknowns up to which a factorisation is the choice. */
+static PetscErrorCode LargestDirect_Private(VI vi, PetscBool pdas, PetscInt *limit)
+{
+  const PetscBool solid = (PetscBool)(vi->level->dim == 3);
+  PetscBool       reducible, nested;
+
+  PetscFunctionBeginUser;
+  PetscCall(Reducible_Private(vi, &reducible));
+  *limit = DIRECT_2D;
+  if (solid) *limit = pdas && reducible ? DIRECT_3D : DIRECT_3D_EACH;
+  if (!vi->mesh) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(HierarchyIsNested(vi, &nested));
+  if (nested && solid) *limit = PetscMin(*limit, MESH_LEVELS_3D);
+  if (nested && !solid && vi->mesh->num_levels > 1) *limit = PetscMin(*limit, MESH_LEVELS_2D);
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The linear solver where the user says nothing: by size, unless iterations are hopeless. */
 static PetscErrorCode ChooseBySize_Private(VI vi, PetscBool pdas, SolveChoice *choice)
 {
   const char *iterative = Iterative_Private(vi, pdas);
-  PetscInt    size, limit = DIRECT_2D;
+  PetscInt    size, limit = 0;
   PetscReal   poisson;
-  PetscBool   reducible, nested;
 
   PetscFunctionBeginUser;
-  PetscCall(Reducible_Private(vi, &reducible));
-  if (vi->level->dim == 3) limit = pdas && reducible ? DIRECT_3D : DIRECT_3D_EACH;
-  if (vi->mesh && vi->mesh->num_levels > 1) {
-    PetscCall(HierarchyIsNested(vi, &nested));
-    if (nested) limit = PetscMin(limit, vi->level->dim == 3 ? MESH_LEVELS_3D : MESH_LEVELS_2D);
-  }
+  PetscCall(LargestDirect_Private(vi, pdas, &limit));
   PetscCall(VecGetSize(vi->b, &size));
   PetscCall(PetscStrncpy(choice->ksp, size <= limit ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
   PetscCall(PetscStrncpy(choice->pc, size <= limit ? PCCHOLESKY : iterative, sizeof(choice->pc)));
@@ -137,6 +170,10 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
   PetscCall(PetscOptionsGetString(NULL, NULL, "-ksp_type", choice->ksp, sizeof(choice->ksp), &ksp));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-pc_type", choice->pc, sizeof(choice->pc), &pc));
   choice->own = (PetscBool)(!ksp && !pc);
+  PetscCall(KSPInitializePackage()); // with them PETSc has its types
+  PetscCall(PCInitializePackage());
+  PetscCall(CheckName_Private(comm, "-ksp_type", choice->ksp, KSPList));
+  PetscCall(CheckName_Private(comm, "-pc_type", choice->pc, PCList));
   /* one of the two implies the other: a factorisation needs no iteration, anything else does */
   if (pc && !ksp) {
     PetscCall(PetscStrncpy(choice->ksp, SolveFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
@@ -150,11 +187,7 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
     PetscCall(PetscStrncpy(choice->why, ksp ? (pc ? "-ksp_type and -pc_type" : "-ksp_type") : "-pc_type",
                            sizeof(choice->why)));
   }
-  if (!strcmp(choice->pc, PCTRUNCATEDMG) && !(vi->mesh && vi->mesh->num_levels > 1)) {
-    PetscCall(FaultRaise(comm,
-                         "-pc_type %s: needs levels of the mesh, and there is one; refine with -dm_refine 1 or more",
-                         PCTRUNCATEDMG));
-  }
+  choice->nested = (PetscBool)(pdas && !strcmp(choice->pc, PCTRUNCATEDMG) && vi->mesh && vi->mesh->num_levels > 1);
   if (!pdas && !strcmp(choice->pc, PCGAMG)) {
     PetscCall(
         FaultRaise(comm,
@@ -177,6 +210,7 @@ PetscErrorCode SolveChooseAnother(MPI_Comm comm, const SolveReport *report, Solv
                          "mortise: warning: %s has not converged; factorising instead, as -pc_type cholesky does at "
                          "once\n",
                          words));
+  choice->nested = PETSC_FALSE;
   PetscCall(PetscStrncpy(choice->ksp, KSPPREONLY, sizeof(choice->ksp)));
   PetscCall(PetscStrncpy(choice->pc, PCCHOLESKY, sizeof(choice->pc)));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -187,11 +221,14 @@ PetscErrorCode SolveView(VI vi)
   SolveChoice choice;
   MPI_Comm    comm;
   char        words[128];
+  const char *levels = "";
 
   PetscFunctionBeginUser;
   PetscCall(PetscObjectGetComm((PetscObject)vi->A, &comm));
   PetscCall(SolveChoose(vi, &choice));
+  if (!strcmp(choice.pc, PCTRUNCATEDMG) && vi->mesh->num_levels == 1)
+    levels = "; on levels of aggregates, since the mesh has one level";
   PetscCall(SolveDescribe(choice.ksp, choice.pc, NULL, words, sizeof(words)));
-  PetscCall(PetscPrintf(comm, "  solver %s: linear systems by %s (%s)\n", choice.snes, words, choice.why));
+  PetscCall(PetscPrintf(comm, "  solver %s: linear systems by %s (%s%s)\n", choice.snes, words, choice.why, levels));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -6,11 +6,17 @@
 #include <mortise/compat.h>
 #include <petscksp.h>
 #include <mortise/elasticity.h>
+#include "algebraic.h"
 #include "hierarchy.h"
 
 /* Steps of CG that find the largest eigenvalue well enough, and what is added for the rest of the way to it. */
 enum { EIGENVALUE_STEPS = 10 };
 static const PetscReal EIGENVALUE_MARGIN = 1.1;
+
+/* Unknowns from which on the coarsest mesh is not factored but has levels below it, and to which these go down. */
+enum { LARGE = 10000, COARSEST = 2500, MAX_BELOW = 16 };
+/* A level of more than this part of the finer one's unknowns is the last one. */
+static const PetscReal SLOW = 0.7;
 
 /* P (x) 1: the same for every component. */
 static PetscErrorCode Blocks_Private(Mat P, PetscInt dim, Mat *blocks)
@@ -226,39 +232,81 @@ static PetscErrorCode CreateCoarse_Private(VI fine, PetscInt l, PetscBool same, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A level and what belongs to it alone. [in] coarsest - whether it is to be factored */
+static PetscErrorCode GridBegin_Private(Grid *grid, PetscBool coarsest)
+{
+  MatInfo info;
+
+  PetscFunctionBeginUser;
+  PetscCall(coarsest ? VIAssemble(grid->vi) : VIPrepareProducts(grid->vi));
+  grid->A = grid->vi->A;
+  PetscCall(MatCreateVecs(grid->A, &grid->diag, NULL));
+  PetscCall(MatGetDiagonal(grid->A, grid->diag));
+  PetscCall(MatGetInfo(grid->vi->K, MAT_GLOBAL_SUM, &info));
+  grid->share = info.nz_used;
+  if (coarsest) PetscFunctionReturn(PETSC_SUCCESS);
+  if (grid->vi->level) PetscCall(SmootherCreate(grid->vi, grid->diag, &grid->smoother));
+  PetscCall(LargestEigenvalue_Private(grid->A, grid->smoother.S, &grid->largest));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Levels below the coarsest mesh: all there are if it is the only one. [in,out] coarsest - the coarsest mesh; before it there is room for
+   MAX_BELOW; [out] num - below */
+static PetscErrorCode GoBelow_Private(Grid *coarsest, PetscInt *num)
+{
+  const VI  vi = coarsest->vi;
+  Fabric    fabric;
+  PetscInt  size, coarser;
+  PetscBool go;
+
+  PetscFunctionBeginUser;
+  *num = 0;
+  PetscCall(VecGetSize(vi->b, &size));
+  go = (PetscBool)(size > LARGE || vi->mesh->num_levels == 1);
+  PetscCall(GridBegin_Private(coarsest, (PetscBool)!go));
+  if (!go) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(AlgebraicBegin(vi, &fabric));
+  for (Grid *grid = coarsest; go; grid--) {
+    PetscReal largest = grid->largest;
+
+    if (grid->smoother.S) PetscCall(LargestEigenvalue_Private(grid->A, NULL, &largest));
+    PetscCall(AlgebraicCoarsen(grid->vi, &fabric, largest, &grid->P, &grid[-1].vi));
+    PetscCall(WeighColumns_Private(grid->P, &grid->weight));
+    PetscCall(MatGetSize(grid[-1].vi->K, &coarser, NULL));
+    go = (PetscBool)(++*num < MAX_BELOW && coarser > COARSEST && coarser < SLOW * size);
+    PetscCall(GridBegin_Private(&grid[-1], (PetscBool)!go));
+    size = coarser;
+  }
+  PetscCall(FabricDestroy(&fabric));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode HierarchyCreate(VI vi, Vec springs, Hierarchy *hierarchy)
 {
-  MatInfo   info;
-  Hierarchy h;
-  PetscBool same;
+  const PetscInt meshes = vi->mesh->num_levels;
+  Grid          *mesh; // those that have one
+  Hierarchy      h;
+  PetscBool      same;
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&h));
-  h->num     = vi->mesh->num_levels;
   h->springs = springs;
-  PetscCall(PetscCalloc1(h->num, &h->grid));
-  h->grid[h->num - 1].vi = vi;
+  PetscCall(PetscCalloc1(MAX_BELOW + meshes, &h->grid));
+  mesh                = &h->grid[MAX_BELOW];
+  mesh[meshes - 1].vi = vi;
   PetscCall(HierarchyIsNested(vi, &same));
   if (vi->scene->model == MODEL_AXISYMMETRIC)
     same = PETSC_FALSE; // 1 / radius is integrated on each level in its own way
-  for (PetscInt l = h->num - 2; l >= 0; l--)
-    PetscCall(CreateCoarse_Private(h->grid[l + 1].vi, l, same, &h->grid[l].vi));
-  for (PetscInt l = 0; l < h->num; l++) {
-    Grid *grid = &h->grid[l];
-
-    PetscCall(l ? VIPrepareProducts(grid->vi) : VIAssemble(grid->vi));
-    grid->A = grid->vi->A;
-    PetscCall(MatCreateVecs(grid->A, &grid->diag, NULL));
-    PetscCall(MatGetDiagonal(grid->A, grid->diag));
-    PetscCall(MatGetInfo(grid->vi->K, MAT_GLOBAL_SUM, &info));
-    grid->share = info.nz_used;
-    if (!l) continue;
-    PetscCall(CreateProlongation_Private(h->grid[l - 1].vi, grid->vi, &grid->P));
-    PetscCall(WeighColumns_Private(grid->P, &grid->weight));
-    PetscCall(SmootherCreate(grid->vi, grid->diag, &grid->smoother));
-    PetscCall(LargestEigenvalue_Private(grid->A, grid->smoother.S, &grid->largest));
+  for (PetscInt l = meshes - 2; l >= 0; l--) PetscCall(CreateCoarse_Private(mesh[l + 1].vi, l, same, &mesh[l].vi));
+  PetscCall(GoBelow_Private(mesh, &h->first));
+  for (PetscInt l = 1; l < meshes; l++) {
+    PetscCall(GridBegin_Private(&mesh[l], PETSC_FALSE));
+    PetscCall(CreateProlongation_Private(mesh[l - 1].vi, mesh[l].vi, &mesh[l].P));
+    PetscCall(WeighColumns_Private(mesh[l].P, &mesh[l].weight));
   }
-  for (PetscInt l = 0; l < h->num; l++) h->grid[l].share /= info.nz_used;
+  h->num = h->first + meshes;
+  PetscCall(PetscArraymove(h->grid, mesh - h->first, h->num));
+  for (PetscInt l = 0; l < h->num; l++) h->grid[l].share /= h->grid[h->num - 1].share;
   *hierarchy = h;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

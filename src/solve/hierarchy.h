@@ -19,6 +19,7 @@ typedef struct {
 
 typedef struct {
   PetscInt  num;
+  PetscInt  first;   /* the coarsest level that has a mesh */
   Grid     *grid;    /* coarse first */
   Vec       springs; /* what is in the finest A beside the bodies' stiffness, on its diagonal; borrowed, or NULL */
   PetscReal work;    /* products with A so far, in products with the finest one */

@@ -250,11 +250,8 @@ static PetscErrorCode SetUp_Multigrid(PC pc)
   PetscFunctionBeginUser;
   PetscCall(Get_Private(pc, &multigrid));
   if (!multigrid->num) {
-    PetscCall(FaultRaise(
-        PetscObjectComm((PetscObject)pc),
-        "-pc_type %s: needs a mesh that was refined, by -dm_refine 1 or more, or boxes that can be: of even numbers of "
-        "faces",
-        PCTRUNCATEDMG));
+    PetscCall(FaultRaise(PetscObjectComm((PetscObject)pc),
+                         "-pc_type %s: needs a mesh, which this inequality does not have", PCTRUNCATEDMG));
   }
   if (!multigrid->snes) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ISDestroy(&multigrid->left));

@@ -9,6 +9,7 @@ typedef struct {
   char      snes[64], ksp[64], pc[64]; /* types; what the options database says of ksp and pc still comes on top */
   char      why[160];                  /* where the choice of the linear solver comes from */
   PetscBool nearly;                    /* whether some body is so nearly incompressible that iterating takes long */
+  PetscBool nested;                    /* whether there are coarser meshes to begin on */
   PetscBool bound;                     /* whether the energy of the error is to be bounded */
   PetscBool own;                       /* whether the linear solver is nobody's wish */
 } SolveChoice;

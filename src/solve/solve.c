@@ -46,7 +46,7 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], P
                         SolveReport *report)
 {
   const PetscBool pdas   = (PetscBool)!strcmp(choice->snes, SNESPDAS);
-  const PetscBool nested = (PetscBool)(pdas && !guess && !vi->solvability && !strcmp(choice->pc, PCTRUNCATEDMG));
+  const PetscBool nested = (PetscBool)(choice->nested && !guess && !vi->solvability);
   Workbench       bench;
 
   PetscFunctionBeginUser;

@@ -62,7 +62,7 @@ PetscErrorCode WorkbenchSetLevels(Workbench *bench, SNES snes)
 
   PetscFunctionBeginUser;
   PetscCall(PetscObjectTypeCompare((PetscObject)bench->pc, PCTRUNCATEDMG, &multigrid));
-  if (!multigrid || vi->mesh->num_levels < 2) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!multigrid || !vi->mesh) PetscFunctionReturn(PETSC_SUCCESS);
   if (!*hierarchy) PetscCall(HierarchyCreate(vi, vi->solvability ? vi->solvability->springs : NULL, hierarchy));
   PetscCall(MultigridSetHierarchy(bench->pc, *hierarchy, (*hierarchy)->num - 1, snes));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -32,6 +32,17 @@ mg(shells                 ARGS -dm_refine 1)
 mg(two_plates_apart       SCENE two_plates ARGS ${plane_coarse} -joint_gap 1 -dm_refine 2)
 mg(two_plates_nearly      SCENE two_plates ARGS ${plane_coarse} -upper_poisson 0.49 -dm_refine 1)
 
+# --- meshes with one level, and levels made of aggregates of nodes below it ---
+function(aggregates name)
+  cmake_parse_arguments(arg "" "SCENE" "ARGS" ${ARGN})
+  mortise_scene_test(aggregates_${name} SCENE ${arg_SCENE} CHECK aggregates.py LABELS mpi ARGS -pc_type cholesky ${arg_ARGS})
+endfunction()
+aggregates(file           SCENE half_discs)
+aggregates(quadratic      SCENE two_plates ARGS -order 2 -upper_dm_plex_simplex 1 -upper_dm_plex_box_faces 17,17 -lower_dm_plex_box_faces 13,13)
+aggregates(solid          SCENE blocks ARGS -upper_dm_plex_simplex 1 -upper_dm_plex_box_faces 9,9,9 -lower_dm_plex_box_faces 7,7,7)
+aggregates(floating       SCENE stack)
+aggregates(tied           SCENE tied)
+
 # --- iterations ---
 mortise_scene_test(growth       SCENE two_plates CHECK growth.py ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6)
 mortise_scene_test(growth_solid SCENE blocks CHECK growth.py)
