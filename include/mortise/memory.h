@@ -12,8 +12,9 @@ void MemoryLimitThreads(char **argv);
 void MemoryPrepare(void);
 
 /* bytes = sum over the ranks of the largest resident memory so far, since the program began or since MemoryPeakReset().
-   Collective on comm. [out] bytes - the same on all ranks; NAN where the system does not tell */
-PetscErrorCode MemoryPeak(MPI_Comm comm, PetscReal *bytes);
+   Collective on comm. [out] bytes - the same on all ranks; NAN where the system does not tell; [out] largest - that of the rank which held
+   most, or NULL */
+PetscErrorCode MemoryPeak(MPI_Comm comm, PetscReal *bytes, PetscReal *largest);
 /* Gives freed memory back to the system and lets the peak begin anew at what is held now: for a run among several.
    Collective on comm. [out] done - whether the system can do so; elsewhere the peak stays that of the whole program */
 PetscErrorCode MemoryPeakReset(MPI_Comm comm, PetscBool *done);

@@ -90,11 +90,12 @@ static PetscReal PeakFromUsage_Private(void)
   return getrusage(RUSAGE_SELF, &usage) == 0 ? (PetscReal)usage.ru_maxrss * unit : NAN;
 }
 
-PetscErrorCode MemoryPeak(MPI_Comm comm, PetscReal *bytes)
+PetscErrorCode MemoryPeak(MPI_Comm comm, PetscReal *bytes, PetscReal *largest)
 {
   PetscFunctionBeginUser;
   *bytes = PeakFromProc_Private();
   if (PetscIsNanReal(*bytes)) *bytes = PeakFromUsage_Private();
+  if (largest) PetscCallMPI(MPI_Allreduce(bytes, largest, 1, MPIU_REAL, MPI_MAX, comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, bytes, 1, MPIU_REAL, MPI_SUM, comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

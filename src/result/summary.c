@@ -334,12 +334,12 @@ static void AddErrors_Private(const SummaryInput *in, cJSON *root)
   AddBodyError_Private(cJSON_AddObjectToObject(root, "errors_total"), &in->errors->total);
 }
 
-/* Seconds of the slowest rank in each stage; peak memory of all ranks together. */
+/* Seconds of the slowest rank in each stage; peak memory of all ranks together, and of the one that held most. */
 static PetscErrorCode AddCost_Private(const SummaryInput *in, cJSON *root)
 {
   static const char *const names[STAGE_COUNT] = {"setup", "mortar", "assembly", "condense", "solve", "output"};
-  cJSON                   *timing             = cJSON_AddObjectToObject(root, "timing");
-  PetscReal                seconds[STAGE_COUNT + 1], bytes;
+  cJSON    *timing = cJSON_AddObjectToObject(root, "timing"), *memory = cJSON_AddObjectToObject(root, "memory");
+  PetscReal seconds[STAGE_COUNT + 1], bytes, largest;
 
   PetscFunctionBeginUser;
   for (int stage = 0; stage < STAGE_COUNT; ++stage) seconds[stage] = LogStageSeconds((LogStage)stage);
@@ -348,8 +348,9 @@ static PetscErrorCode AddCost_Private(const SummaryInput *in, cJSON *root)
   for (int stage = 0; stage < STAGE_COUNT; ++stage) JSONAddReal(timing, names[stage], seconds[stage]);
   JSONAddReal(timing, "total", seconds[STAGE_COUNT]);
   JSONAddReal(timing, "linear_reference", in->report->reference.done ? in->report->reference.seconds : NAN);
-  PetscCall(MemoryPeak(in->scene->comm, &bytes));
-  JSONAddReal(cJSON_AddObjectToObject(root, "memory"), "peak_bytes", bytes);
+  PetscCall(MemoryPeak(in->scene->comm, &bytes, &largest));
+  JSONAddReal(memory, "peak_bytes", bytes);
+  JSONAddReal(memory, "largest_rank_bytes", largest);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

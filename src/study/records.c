@@ -259,7 +259,7 @@ static PetscErrorCode RecordCost_Private(Study study, Record *record)
   if (coarser) before = coarser->with_coarser;
   record->with_coarser = before + record->total;
   record->rank_seconds = record->total * ranks;
-  PetscCall(MemoryPeak(comm, &record->memory));
+  PetscCall(MemoryPeak(comm, &record->memory, NULL));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -139,7 +139,7 @@ static PetscErrorCode Run_Private(Study study, PetscInt o, PetscInt level, Petsc
   PetscCall(StudyAddRecord(study, study->scene->study.orders[o], level, &record));
   PetscCall(LogReset(LogWallClock()));
   PetscCall(MemoryPeakReset(comm, &done));
-  PetscCall(MemoryPeak(comm, &held));
+  PetscCall(MemoryPeak(comm, &held, NULL));
   PetscCall(Mesh_Private(study, o, record, held, &done));
   if (done) {
     PetscCall(Solve_Private(study, o, record, refused));

@@ -19,24 +19,29 @@ static void Hold(void)
 
 int main(int argc, char **argv)
 {
-  PetscReal   before, held, anew;
-  PetscMPIInt size;
+  PetscReal   before, held, anew, most, one;
+  PetscMPIInt size, rank;
   PetscBool   done;
 
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   PetscCallMPI(MPI_Comm_size(PETSC_COMM_WORLD, &size));
+  PetscCallMPI(MPI_Comm_rank(PETSC_COMM_WORLD, &rank));
   PetscCall(MemoryPeakReset(PETSC_COMM_WORLD, &done));
-  PetscCall(MemoryPeak(PETSC_COMM_WORLD, &before));
+  PetscCall(MemoryPeak(PETSC_COMM_WORLD, &before, NULL));
   CHECK(before > 0);
   Hold();
-  PetscCall(MemoryPeak(PETSC_COMM_WORLD, &held));
+  PetscCall(MemoryPeak(PETSC_COMM_WORLD, &held, NULL));
   CHECK(held > before + 0.9 * (PetscReal)HELD * size); // some of it may have been free below the peak before
   PetscCall(MemoryPeakReset(PETSC_COMM_WORLD, &done));
-  PetscCall(MemoryPeak(PETSC_COMM_WORLD, &anew));
+  PetscCall(MemoryPeak(PETSC_COMM_WORLD, &anew, &most));
   if (done)
     CHECK(anew < held - 0.9 * (PetscReal)HELD * size);
   else
     CHECK(anew >= held);
+  CHECK(most * size >= anew && (most < anew || size == 1));
+  if (rank == size - 1) Hold();
+  PetscCall(MemoryPeak(PETSC_COMM_WORLD, &held, &one));
+  if (done && size > 1) CHECK(one > held / size + 0.5 * (PetscReal)HELD * (size - 1) / size); // one rank alone has it
   PetscCall(PetscFinalize());
   return 0;
 }
