@@ -90,8 +90,9 @@ PetscErrorCode LevelShareVec(Vec v, InsertMode mode);
    tables. Collective. */
 PetscErrorCode LevelCreateMat(Level *level, PetscInt bs, Mat *A);
 
-/* Node values of one order to those of a higher one on the same mesh: two Meshes whose scenes differ in nothing but orders
-   have the same DMs, cut alike. Collective. [out] E - AIJ, owned by the caller */
+/* Node values of one order to those of a higher one on the same mesh: two Meshes whose scenes differ in nothing but the one
+   order that all bodies have are of the same DMs, cut alike. Where orders are mixed, ranks share the unknowns out in another
+   way. Collective. [out] E - AIJ, owned by the caller */
 PetscErrorCode LevelCreateEmbedding(const Level *low, const Level *high, Mat *E);
 
 /* Finds the cell of a body that holds a point, and the point's reference coordinates there. A point between a

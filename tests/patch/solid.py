@@ -1,7 +1,8 @@
 """A uniform pressure of 1e6 passes through solids and their joints, whatever the cells, straight up, turned in space and confined."""
-from judge import near, require
+from judge import near
+from uniform import PRESSURE, pressures
 
-PRESSURE, POISSON = 1e6, 0.3
+POISSON = 0.3
 TOLERANCE = 1e-11
 TURN = [[2 / 3, -2 / 3, 1 / 3], [1 / 3, 2 / 3, 2 / 3], [-2 / 3, -1 / 3, 2 / 3]]  # a rotation, no axis of which is special
 TURN_MAP = "(2*x-2*y+z)/3, (x+2*y+2*z)/3, (2*z-2*x-y)/3"
@@ -11,11 +12,7 @@ UPRIGHT = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
 def column(run, tolerance=TOLERANCE, turn=None, lateral=0.0):
     """p = 1e6 at every multiplier; sigma = Q diag(lateral, lateral, -1e6) Q' at every node."""
     turn = turn or UPRIGHT
-    for pair in run.summary["pairs"]:
-        table = run.table(pair)
-        touching = [p for p, status in zip(table["pressure"], table["status"]) if status == 1]
-        require(touching, f"{pair}: nothing touches")
-        near(f"pressure of {pair}", touching, [PRESSURE] * len(touching), relative=tolerance)
+    pressures(run, tolerance)
     with run.fields() as file:
         stress = file["stress"][()]  # 3 x 3, row by row
     for i in range(3):

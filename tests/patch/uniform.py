@@ -4,13 +4,18 @@ from judge import near, require
 PRESSURE = 1e6
 
 
-def uniform(run, tolerance=1e-12):
-    """p = 1e6 at every multiplier, sigma = diag(0, -1e6) at every node."""
+def pressures(run, tolerance):
+    """p = 1e6 at every multiplier."""
     for pair in run.summary["pairs"]:
         table = run.table(pair)
         touching = [p for p, status in zip(table["pressure"], table["status"]) if status == 1]
         require(touching, f"{pair}: nothing touches")
         near(f"pressure of {pair}", touching, [PRESSURE] * len(touching), relative=tolerance)
+
+
+def uniform(run, tolerance=1e-12):
+    """Besides, sigma = diag(0, -1e6) at every node."""
+    pressures(run, tolerance)
     with run.fields() as file:
         stress = file["stress"][()]  # 3 x 3, row by row
     near("sigma_yy", stress[:, 4], [-PRESSURE] * len(stress), relative=tolerance)

@@ -141,4 +141,32 @@ static void Couple(const Chain *nonmortar, const Chain *mortar, PetscInt num_gau
   }
 }
 
+/* D and M do not notice that everything is turned and moved together. [in] n - nodes of the mortar side, odd where quadratic */
+static void CheckRigidMotion(PetscBool quadratic, PetscInt n, PetscInt num_gauss, PetscReal tolerance)
+{
+  for (PetscInt trial = 0; trial < 100; trial++) {
+    const PetscReal angle = Uniform(0., 6.), c = PetscCosReal(angle), s = PetscSinReal(angle), shift = Uniform(-1., 1.);
+    Chain           chains[2];
+    Coupling        before, after;
+
+    RandomChain(quadratic, 5, 0., 1., 0., 0.05, &chains[0]);
+    RandomChain(quadratic, n, -0.1, 1.1, -0.2, 0.05, &chains[1]);
+    Couple(&chains[0], &chains[1], num_gauss, &before);
+    for (PetscInt k = 0; k < 2; k++) {
+      for (PetscInt i = 0; i < chains[k].n; i++) {
+        const PetscReal x = chains[k].X[i][0], y = chains[k].X[i][1];
+
+        chains[k].X[i][0] = c * x - s * y + shift;
+        chains[k].X[i][1] = s * x + c * y - shift;
+      }
+      ChainSetNormals(&chains[k]);
+    }
+    Couple(&chains[0], &chains[1], num_gauss, &after);
+    for (PetscInt a = 0; a < 5; a++) {
+      CHECK_NEAR(after.D[a], before.D[a], tolerance);
+      for (PetscInt b = 0; b < n; b++) CHECK_NEAR(after.M[a][b], before.M[a][b], tolerance);
+    }
+  }
+}
+
 #endif

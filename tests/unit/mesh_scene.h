@@ -113,6 +113,33 @@ static inline PetscReal Total(PetscReal local)
   return local;
 }
 
+/* Points are found in their own bodies only, by one rank, and are where the reference coordinates say. [in] point -
+   [num][level->dim]; [in] inside - [num][2] */
+static inline void CheckLocate(Level *level, PetscInt num, const PetscReal point[], const PetscBool inside[])
+{
+  const PetscInt dim = level->dim;
+
+  for (PetscInt p = 0; p < num; ++p) {
+    for (PetscInt body = 0; body < 2; ++body) {
+      PetscReal xi[3], phi[ELEMENT_MAX_NODES], x[3] = {0, 0, 0};
+      PetscInt  cell;
+      PetscBool found;
+
+      CHECK(!LevelLocate(level, body, &point[p * dim], &cell, xi, &found));
+      CHECK(found == inside[2 * p + body]);
+      CHECK_NEAR(Total(cell >= 0), found, 0);
+      if (cell < 0) continue;
+      CHECK(level->cell_body[cell] == body);
+      ElementShape((ElementType)level->cell_type[cell], xi, phi, NULL);
+      for (PetscInt i = level->cell_start[cell]; i < level->cell_start[cell + 1]; ++i) {
+        for (PetscInt d = 0; d < dim; ++d)
+          x[d] += phi[i - level->cell_start[cell]] * level->coords[dim * level->cell_nodes[i] + d];
+      }
+      for (PetscInt d = 0; d < dim; ++d) CHECK_NEAR(x[d], point[p * dim + d], 1e-14);
+    }
+  }
+}
+
 /* Positions of a cell's nodes. */
 static inline void CellCoords(const Level *level, PetscInt c, PetscReal X[])
 {

@@ -70,34 +70,6 @@ static void TestCoupling(PetscReal roughness)
   }
 }
 
-/* D and M do not notice that everything is turned and moved together. */
-static void TestRigidMotion(void)
-{
-  for (PetscInt trial = 0; trial < 100; trial++) {
-    const PetscReal angle = Uniform(0., 6.), c = PetscCosReal(angle), s = PetscSinReal(angle), shift = Uniform(-1., 1.);
-    Chain           chains[2];
-    Coupling        before, after;
-
-    RandomChain(PETSC_FALSE, 5, 0., 1., 0., 0.05, &chains[0]);
-    RandomChain(PETSC_FALSE, 6, -0.1, 0.9, -0.1, 0.05, &chains[1]);
-    Couple(&chains[0], &chains[1], NUM_GAUSS, &before);
-    for (PetscInt k = 0; k < 2; k++) {
-      for (PetscInt i = 0; i < chains[k].n; i++) {
-        const PetscReal x = chains[k].X[i][0], y = chains[k].X[i][1];
-
-        chains[k].X[i][0] = c * x - s * y + shift;
-        chains[k].X[i][1] = s * x + c * y - shift;
-      }
-      ChainSetNormals(&chains[k]);
-    }
-    Couple(&chains[0], &chains[1], NUM_GAUSS, &after);
-    for (PetscInt a = 0; a < 5; a++) {
-      CHECK_NEAR(after.D[a], before.D[a], EXACT);
-      for (PetscInt b = 0; b < 6; b++) CHECK_NEAR(after.M[a][b], before.M[a][b], EXACT);
-    }
-  }
-}
-
 static void Swap(const PetscReal V[], PetscReal swapped[])
 {
   for (PetscInt k = 0; k < 2; k++) {
@@ -394,7 +366,7 @@ int main(int argc, char **argv)
   TestReferenceValues();
   TestCoupling(0.);
   TestCoupling(0.05);
-  TestRigidMotion();
+  CheckRigidMotion(PETSC_FALSE, 6, NUM_GAUSS, EXACT);
   TestOrder();
   TestCover(-1.5, 2.5);
   TestCover(0.3, 0.7);

@@ -76,34 +76,6 @@ static void TestReferenceValues(void)
   }
 }
 
-/* D and M do not notice that everything is turned and moved together. */
-static void TestRigidMotion(void)
-{
-  for (PetscInt trial = 0; trial < 100; trial++) {
-    const PetscReal angle = Uniform(0., 6.), c = PetscCosReal(angle), s = PetscSinReal(angle), shift = Uniform(-1., 1.);
-    Chain           chains[2];
-    Coupling        before, after;
-
-    RandomChain(PETSC_TRUE, 5, 0., 1., 0., 0.05, &chains[0]);
-    RandomChain(PETSC_TRUE, 7, -0.1, 1.1, -0.2, 0.05, &chains[1]);
-    Couple(&chains[0], &chains[1], CURVED_GAUSS, &before);
-    for (PetscInt k = 0; k < 2; k++) {
-      for (PetscInt i = 0; i < chains[k].n; i++) {
-        const PetscReal x = chains[k].X[i][0], y = chains[k].X[i][1];
-
-        chains[k].X[i][0] = c * x - s * y + shift;
-        chains[k].X[i][1] = s * x + c * y - shift;
-      }
-      ChainSetNormals(&chains[k]);
-    }
-    Couple(&chains[0], &chains[1], CURVED_GAUSS, &after);
-    for (PetscInt a = 0; a < 5; a++) {
-      CHECK_NEAR(after.D[a], before.D[a], EXACT);
-      for (PetscInt b = 0; b < 7; b++) CHECK_NEAR(after.M[a][b], before.M[a][b], 10. * EXACT);
-    }
-  }
-}
-
 /* A facet with normals far off its own against any facet: every point lies on its ray and on both facets; what is covered is
    where sampled rays pass between the mortar ends. */
 static void TestWild(void)
@@ -224,7 +196,7 @@ int main(int argc, char **argv)
     TestCoupling(quadratic_s, quadratic_m, 0.);
     TestCoupling(quadratic_s, quadratic_m, 0.03);
   }
-  TestRigidMotion();
+  CheckRigidMotion(PETSC_TRUE, 7, CURVED_GAUSS, 10. * EXACT);
   TestWild();
   TestArcs();
   TestCoincidentArcs();

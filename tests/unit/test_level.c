@@ -173,36 +173,15 @@ static void TestMat(PetscInt nx, PetscInt refine)
   TestSceneFree(&t);
 }
 
-/* The point is found in its own body only, by one rank, and is where the reference coordinates say. */
 static void TestLocate(void)
 {
   static const PetscReal point[][2]  = {{0.3, 0.7},  {0, 0},  {1, 1},       {0.5, 0},    {0.25, 0.5},
                                         {0.3, -0.7}, {1, -1}, {1.001, 0.5}, {0.5, 1e-6}, {0.5, -1e-6}};
   static const PetscBool inside[][2] = {{1, 0}, {1, 1}, {1, 0}, {1, 1}, {1, 0}, {0, 1}, {0, 1}, {0, 0}, {1, 0}, {0, 1}};
   TestScene              t;
-  Mesh                   mesh  = MakeMesh(&t, 4, 1, NULL);
-  Level                 *level = MeshFinest(mesh);
+  Mesh                   mesh = MakeMesh(&t, 4, 1, NULL);
 
-  for (size_t p = 0; p < sizeof(point) / sizeof(point[0]); ++p) {
-    for (PetscInt body = 0; body < 2; ++body) {
-      PetscReal xi[2], phi[ELEMENT_MAX_NODES], x[2] = {0, 0};
-      PetscInt  cell;
-      PetscBool found;
-
-      CHECK(!LevelLocate(level, body, point[p], &cell, xi, &found));
-      CHECK(found == inside[p][body]);
-      CHECK_NEAR(Total(cell >= 0), found, 0);
-      if (cell < 0) continue;
-      CHECK(level->cell_body[cell] == body);
-      ElementShape((ElementType)level->cell_type[cell], xi, phi, NULL);
-      for (PetscInt i = level->cell_start[cell]; i < level->cell_start[cell + 1]; ++i) {
-        for (int d = 0; d < 2; ++d)
-          x[d] += phi[i - level->cell_start[cell]] * level->coords[2 * level->cell_nodes[i] + d];
-      }
-      CHECK_NEAR(x[0], point[p][0], 1e-14);
-      CHECK_NEAR(x[1], point[p][1], 1e-14);
-    }
-  }
+  CheckLocate(MeshFinest(mesh), PETSC_STATIC_ARRAY_LENGTH(point), point[0], inside[0]);
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
 }
