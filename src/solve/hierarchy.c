@@ -245,8 +245,11 @@ static PetscErrorCode GridBegin_Private(Grid *grid, PetscBool coarsest)
   PetscCall(MatGetInfo(grid->vi->K, MAT_GLOBAL_SUM, &info));
   grid->share = info.nz_used;
   if (coarsest) PetscFunctionReturn(PETSC_SUCCESS);
-  if (grid->vi->level) PetscCall(SmootherCreate(grid->vi, grid->diag, &grid->smoother));
-  PetscCall(LargestEigenvalue_Private(grid->A, grid->smoother.S, &grid->largest));
+  if (grid->vi->level) PetscCall(SmootherCreate(grid->vi, &grid->S));
+  PetscCall(LargestEigenvalue_Private(grid->A, grid->S, &grid->largest));
+  if (!grid->S) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatScale(grid->S, grid->largest)); // so that S >= A, also after the same change of both
+  grid->largest = 1;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -269,7 +272,7 @@ static PetscErrorCode GoBelow_Private(Grid *coarsest, PetscInt *num)
   for (Grid *grid = coarsest; go; grid--) {
     PetscReal largest = grid->largest;
 
-    if (grid->smoother.S) PetscCall(LargestEigenvalue_Private(grid->A, NULL, &largest));
+    if (grid->S) PetscCall(LargestEigenvalue_Private(grid->A, NULL, &largest));
     PetscCall(AlgebraicCoarsen(grid->vi, &fabric, largest, &grid->P, &grid[-1].vi));
     PetscCall(WeighColumns_Private(grid->P, &grid->weight));
     PetscCall(MatGetSize(grid[-1].vi->K, &coarser, NULL));
@@ -321,7 +324,7 @@ PetscErrorCode HierarchyDestroy(Hierarchy *hierarchy)
     PetscCall(MatDestroy(&grid->P));
     PetscCall(VecDestroy(&grid->weight));
     PetscCall(VecDestroy(&grid->diag));
-    PetscCall(SmootherDestroy(&grid->smoother));
+    PetscCall(MatDestroy(&grid->S));
     if (l + 1 < (*hierarchy)->num) PetscCall(VIDestroy(&grid->vi));
   }
   PetscCall(PetscFree((*hierarchy)->grid));

@@ -11,9 +11,9 @@ typedef struct {
   Mat A;  /* vi->A, borrowed */
   Mat P; /* y of the next coarser level to y of this one, nothing from and to eliminated unknowns; NULL on the coarsest */
   Vec weight; /* how much of this level each unknown of the next coarser one moves: squares of P's columns; NULL like P */
-  Vec       diag; /* of A */
-  Smoother  smoother;
-  PetscReal largest; /* eigenvalue of S^-1 A, S the smoother's, at least; 0 on the coarsest */
+  Vec       diag;    /* of A */
+  Mat       S;       /* the smoother's, or NULL where that is the diagonal */
+  PetscReal largest; /* eigenvalue of S^-1 A at least; 0 on the coarsest */
   PetscReal share;   /* entries of A by those of the finest: what a product costs */
 } Grid;
 

@@ -128,20 +128,6 @@ static PetscErrorCode SetDiagonal_Private(Rung *rung)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The smoother's matrix that goes with diag, change and held. */
-static PetscErrorCode SetSmoother_Private(Rung *rung)
-{
-  Vec more;
-
-  PetscFunctionBeginUser;
-  if (!rung->grid->smoother.S) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(VecDuplicate(rung->diag, &more));
-  PetscCall(VecWAXPY(more, -1, rung->grid->diag, rung->diag));
-  PetscCall(SmootherHold(&rung->grid->smoother, more, rung->change, rung->num, rung->held, &rung->S));
-  PetscCall(VecDestroy(&more));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* M of the coarser level: what moves next to nothing that is free is held. [out] free - on the coarser level */
 static PetscErrorCode HoldCoarser_Private(const Rung *fine, Vec free)
 {
@@ -226,7 +212,7 @@ PetscErrorCode RungsHold(PetscInt num, Rung rungs[], Vec free)
     PetscCall(VecDestroy(&is));
     PetscCall(List_Private(rung));
     PetscCall(SetDiagonal_Private(rung));
-    PetscCall(SetSmoother_Private(rung));
+    PetscCall(SmootherHold(rung->grid->S, rung->change, rung->num, rung->held, &rung->S));
     rung->ready = PETSC_TRUE;
     if (!l) break;
     PetscCall(StripRestrict(strip, rung->grid->P, &dC));
@@ -295,7 +281,7 @@ PetscErrorCode RungCreate(Hierarchy hierarchy, PetscInt l, Rung *rung)
   PetscCall(VecDuplicate(rung->grid->diag, &rung->diag));
   PetscCall(VecDuplicate(rung->grid->diag, &rung->free));
   PetscCall(VecSet(rung->free, 1));
-  if (rung->grid->smoother.S) PetscCall(MatDuplicate(rung->grid->smoother.S, MAT_COPY_VALUES, &rung->S));
+  if (rung->grid->S) PetscCall(MatDuplicate(rung->grid->S, MAT_COPY_VALUES, &rung->S));
   if (l) PetscCall(CreateShells_Private(rung));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

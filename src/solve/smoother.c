@@ -6,9 +6,9 @@
        S_ij = -B_ij,   S_ii = sum_j B_ij + [A_ii - sum_j B_ij]+,   B_ij = [-(A_ij + A_ij')/2]+,
    [.]+ by eigenvalues, so that S is a sum of semidefinite parts; lines cross rarely, and S has factors as sparse as itself.
 
-   Where the nonmortar side is stiff, moving a mortar side's unknown moves it as well: much stiffness in rows of the soft side, and what
-   the soft side does alone takes unknowns of both sides at once. There S has all couplings of these unknowns to each other: a strip
-   along the contact, as small as that.
+   These are couplings of displacements u. What is solved for is y, u = T y, in which moving a mortar side's unknown moves the nonmortar side
+   as well: much stiffness in rows of the mortar side where the other one is stiff, and lines that go on across contact. T'S T has all of it, and
+   its eigenvalues with T'K T are those of S with K.
 
    Couplings between ranks are left out.
 
@@ -23,20 +23,18 @@ enum { DIM_MAX = 3 };
 static const PetscReal STRONG = 0.4;
 /* What is left at least of a node's own stiffness, for definiteness. */
 static const PetscReal LEAST = 1e-6;
-/* A mortar side's row belongs to the strip if what condensing adds to its diagonal is so much of what was there; equal sides: 1. */
+/* A nonmortar side is stiff where condensing adds so much to the diagonal of what was there; equal sides: 1. */
 static const PetscReal STIFFER = 2;
 
 /* One node's couplings to nodes of this rank. */
 typedef struct {
-  VI               vi;
-  PetscInt         dim, begin, n; /* nodes of this rank */
-  PetscReal       *trace;         /* of A's diagonal blocks without eliminated unknowns [n] */
-  PetscBool       *fixed;         /* whether eliminated [dim * n] */
-  const PetscBool *strip;         /* [dim * n] */
-  PetscInt         num, max;
-  PetscInt        *node;  /* neighbours, counted from this rank's first [num] */
-  PetscReal       *block; /* rows of the centre, columns of the neighbour [num][dim][dim] */
-  PetscInt        *at;    /* position in node, or -1 [n] */
+  VI         vi;
+  PetscInt   dim, begin, n; /* nodes of this rank */
+  PetscReal *trace;         /* of K's diagonal blocks [n] */
+  PetscInt   num, max;
+  PetscInt  *node;  /* neighbours, counted from this rank's first [num] */
+  PetscReal *block; /* rows of the centre, columns of the neighbour [num][dim][dim] */
+  PetscInt  *at;    /* position in node, or -1 [n] */
 } Star;
 
 /* The place of a neighbour's block, a new one if need be. */
@@ -59,41 +57,32 @@ static PetscErrorCode Place_Private(Star *star, PetscInt node, PetscInt *at)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds factor * X. */
-static PetscErrorCode AddBlocks_Private(Star *star, Mat X, PetscReal factor, PetscInt node)
-{
-  const PetscInt dim = star->dim;
-
-  PetscFunctionBeginUser;
-  for (PetscInt r = 0; r < dim; r++) {
-    const PetscInt     row = dim * (star->begin + node) + r;
-    PetscInt           num, at;
-    const PetscInt    *columns;
-    const PetscScalar *values;
-
-    if (star->fixed[dim * node + r]) continue;
-    PetscCall(MatGetRow(X, row, &num, &columns, &values));
-    for (PetscInt c = 0; c < num; c++) {
-      const PetscInt column = columns[c] - dim * star->begin;
-      if (column < 0 || column >= dim * star->n || star->fixed[column]) continue;
-      PetscCall(Place_Private(star, column / dim, &at));
-      star->block[(at * dim + r) * dim + column % dim] += factor * PetscRealPart(values[c]);
-    }
-    PetscCall(MatRestoreRow(X, row, &num, &columns, &values));
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 static PetscErrorCode Gather_Private(Star *star, PetscInt node)
 {
-  PetscInt at;
+  const PetscInt  dim    = star->dim;
+  const PetscReal factor = 1 / star->vi->stiffness;
+  PetscInt        at;
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < star->num; i++) star->at[star->node[i]] = -1;
   star->num = 0;
   PetscCall(Place_Private(star, node, &at)); // the first
-  PetscCall(AddBlocks_Private(star, star->vi->K, 1 / star->vi->stiffness, node));
-  if (star->vi->Z) PetscCall(AddBlocks_Private(star, star->vi->Z, 1, node));
+  for (PetscInt r = 0; r < dim; r++) {
+    const PetscInt     row = dim * (star->begin + node) + r;
+    PetscInt           num;
+    const PetscInt    *columns;
+    const PetscScalar *values;
+
+    PetscCall(MatGetRow(star->vi->K, row, &num, &columns, &values));
+    for (PetscInt c = 0; c < num; c++) {
+      const PetscInt column = columns[c] - dim * star->begin;
+
+      if (column < 0 || column >= dim * star->n) continue;
+      PetscCall(Place_Private(star, column / dim, &at));
+      star->block[(at * dim + r) * dim + column % dim] += factor * PetscRealPart(values[c]);
+    }
+    PetscCall(MatRestoreRow(star->vi->K, row, &num, &columns, &values));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -135,24 +124,16 @@ static PetscErrorCode FindStrong_Private(const Star *star, PetscInt node, PetscI
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets a block of S but for rows and columns of the strip and eliminated unknowns; for these, 1 on the diagonal. */
 static PetscErrorCode SetBlock_Private(const Star *star, PetscInt row, PetscInt column, const PetscReal block[], Mat S)
 {
-  const PetscInt dim = star->dim, first = dim * star->begin;
+  PetscInt rows[DIM_MAX], columns[DIM_MAX];
 
   PetscFunctionBeginUser;
-  for (PetscInt r = 0; r < dim; r++) {
-    const PetscInt i = dim * row + r;
-
-    for (PetscInt c = 0; c < dim; c++) {
-      const PetscInt j = dim * column + c;
-
-      if (!star->strip[i] && !star->strip[j] && !star->fixed[i] && !star->fixed[j])
-        PetscCall(MatSetValue(S, first + i, first + j, block[r * dim + c], INSERT_VALUES));
-      else if (i == j)
-        PetscCall(MatSetValue(S, first + i, first + j, 1, INSERT_VALUES));
-    }
+  for (PetscInt k = 0; k < star->dim; k++) {
+    rows[k]    = star->dim * (star->begin + row) + k;
+    columns[k] = star->dim * (star->begin + column) + k;
   }
+  PetscCall(MatSetValues(S, star->dim, rows, star->dim, columns, block, INSERT_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -181,66 +162,33 @@ static PetscErrorCode SetLines_Private(const Star *star, PetscInt node, PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The rows of S that the strip makes at one node, or how many entries they have. */
-static PetscErrorCode SetStrip_Private(const Star *star, PetscInt node, Mat S, PetscInt count[])
+/* Whether a nonmortar side of this rank weighs on a mortar side that is much softer. */
+static PetscErrorCode Weighs_Private(VI vi, PetscBool *weighs)
 {
-  const PetscInt dim = star->dim, first = dim * star->begin;
-
-  PetscFunctionBeginUser;
-  for (PetscInt r = 0; r < dim; r++) {
-    if (!star->strip[dim * node + r]) continue;
-    for (PetscInt n = 0; n < star->num; n++) {
-      for (PetscInt c = 0; c < dim; c++) {
-        const PetscInt column = dim * star->node[n] + c;
-
-        if (!star->strip[column]) continue;
-        if (count) count[r]++;
-        if (S)
-          PetscCall(MatSetValue(S, first + dim * node + r, first + column, star->block[(n * dim + r) * dim + c],
-                                INSERT_VALUES));
-      }
-    }
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* The unknowns of mortar sides that stiff nonmortar sides weigh on, and of multipliers that go with them. */
-static PetscErrorCode FindStrip_Private(VI vi, const PetscBool fixed[], PetscBool strip[])
-{
-  const PetscInt     dim = vi->level->dim, n = dim * vi->level->num_owned, begin = dim * vi->level->node_begin;
+  const PetscInt     n = vi->level->dim * vi->level->num_owned, begin = vi->level->dim * vi->level->node_begin;
   const PetscScalar *z, *k;
-  PetscBool         *contact;
+  PetscBool         *apart; /* unknowns that are not the mortar side's, or eliminated */
   Vec                diag[2];
 
   PetscFunctionBeginUser;
+  *weighs = PETSC_FALSE;
   if (!vi->Z) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscCalloc1(n, &contact));
-  for (PetscInt r = 0; r < vi->num_rows; r++) contact[vi->row_dof[r] - begin] = PETSC_TRUE;
-  for (PetscInt i = 0; i < n; i++) contact[i] = (PetscBool)(contact[i] && !fixed[i]);
+  PetscCall(PetscCalloc1(n, &apart));
+  for (PetscInt r = 0; r < vi->num_rows; r++) apart[vi->row_dof[r] - begin] = PETSC_TRUE;
+  for (PetscInt i = 0; i < vi->num_fixed; i++) apart[vi->fixed_local[i]] = PETSC_TRUE;
   for (PetscInt i = 0; i < 2; i++) {
     PetscCall(MatCreateVecs(vi->K, &diag[i], NULL));
     PetscCall(MatGetDiagonal(i ? vi->K : vi->Z, diag[i]));
   }
   PetscCall(VecGetArrayRead(diag[0], &z));
   PetscCall(VecGetArrayRead(diag[1], &k));
-  for (PetscInt i = 0; i < n; i++) {
-    PetscInt           num;
-    const PetscInt    *columns;
-    const PetscScalar *values;
-
-    if (fixed[i] || contact[i] || PetscRealPart(z[i]) <= STIFFER * PetscRealPart(k[i]) / vi->stiffness) continue;
-    strip[i] = PETSC_TRUE;
-    PetscCall(MatGetRow(vi->Z, begin + i, &num, &columns, &values));
-    for (PetscInt c = 0; c < num; c++)
-      if (columns[c] >= begin && columns[c] < begin + n && contact[columns[c] - begin])
-        strip[columns[c] - begin] = PETSC_TRUE;
-    PetscCall(MatRestoreRow(vi->Z, begin + i, &num, &columns, &values));
-  }
+  for (PetscInt i = 0; i < n; i++)
+    if (!apart[i] && PetscRealPart(z[i]) > STIFFER * PetscRealPart(k[i]) / vi->stiffness) *weighs = PETSC_TRUE;
   PetscCall(VecRestoreArrayRead(diag[0], &z));
   PetscCall(VecRestoreArrayRead(diag[1], &k));
   PetscCall(VecDestroy(&diag[0]));
   PetscCall(VecDestroy(&diag[1]));
-  PetscCall(PetscFree(contact));
+  PetscCall(PetscFree(apart));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -257,50 +205,60 @@ static PetscErrorCode Fill_Private(Star *star, Mat S, PetscInt count[], PetscBoo
     PetscCall(Gather_Private(star, node));
     if (star->max > max) PetscCall(PetscRealloc((max = star->max) * sizeof(PetscInt), &strong));
     PetscCall(FindStrong_Private(star, node, strong, &num, &stretched));
-    if (count) {
-      for (PetscInt r = 0; r < star->dim; r++) {
-        count[star->dim * node + r] = star->dim * (1 + num);
-        if (star->strip[star->dim * node + r]) stretched = PETSC_TRUE;
-      }
-      if (stretched) *needed = PETSC_TRUE;
-    }
+    for (PetscInt r = 0; count && r < star->dim; r++) count[star->dim * node + r] = star->dim * (1 + num);
+    if (count && stretched) *needed = PETSC_TRUE;
     if (S) PetscCall(SetLines_Private(star, node, num, strong, S));
-    PetscCall(SetStrip_Private(star, node, S, count ? &count[star->dim * node] : NULL));
   }
   PetscCall(PetscFree(strong));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SmootherCreate(VI vi, Vec diag, Smoother *smoother)
+/* T'S T without eliminated unknowns. [in,out] S */
+static PetscErrorCode Condense_Private(VI vi, Mat *S)
+{
+  Mat product;
+
+  PetscFunctionBeginUser;
+  if (vi->T) {
+    PetscCall(MatPtAP(*S, vi->T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
+    PetscCall(MatDestroy(S));
+    *S = product;
+  }
+  PetscCall(MatZeroRowsColumns(*S, vi->num_fixed, vi->fixed, 1, NULL, NULL));
+  PetscCall(MatSetOption(*S, MAT_SPD, PETSC_TRUE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SmootherCreate(VI vi, Mat *S)
 {
   const PetscInt     dim = vi->level->dim, n = vi->level->num_owned, N = vi->level->num_global;
   Star               star = {.vi = vi, .dim = dim, .begin = vi->level->node_begin, .n = n};
   const PetscScalar *d;
   PetscInt          *count;
-  PetscBool          needed = PETSC_FALSE;
+  PetscBool          needed;
+  Vec                diag;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(dim * n, &smoother->strip));
-  PetscCall(PetscCalloc4(n, &star.trace, dim * n, &star.fixed, n, &star.at, dim * n, &count));
-  for (PetscInt i = 0; i < vi->num_fixed; i++) star.fixed[vi->fixed_local[i]] = PETSC_TRUE;
+  *S = NULL;
+  PetscCall(Weighs_Private(vi, &needed));
+  PetscCall(PetscCalloc3(n, &star.trace, n, &star.at, dim * n, &count));
   for (PetscInt i = 0; i < n; i++) star.at[i] = -1;
+  PetscCall(MatCreateVecs(vi->K, &diag, NULL));
+  PetscCall(MatGetDiagonal(vi->K, diag));
   PetscCall(VecGetArrayRead(diag, &d));
-  for (PetscInt i = 0; i < dim * n; i++) star.trace[i / dim] += star.fixed[i] ? 0 : PetscRealPart(d[i]);
+  for (PetscInt i = 0; i < dim * n; i++) star.trace[i / dim] += PetscRealPart(d[i]) / vi->stiffness;
   PetscCall(VecRestoreArrayRead(diag, &d));
-  PetscCall(FindStrip_Private(vi, star.fixed, smoother->strip));
-  star.strip = smoother->strip;
+  PetscCall(VecDestroy(&diag));
   PetscCall(Fill_Private(&star, NULL, count, &needed));
   PetscCall(MPIU_Allreduce(MPI_IN_PLACE, &needed, 1, MPIU_BOOL, MPI_LOR, vi->level->comm));
   if (needed) {
-    PetscCall(MatCreateAIJ(vi->level->comm, dim * n, dim * n, dim * N, dim * N, 0, count, 0, NULL, &smoother->S));
-    PetscCall(MatSetOption(smoother->S, MAT_SPD, PETSC_TRUE));
-    PetscCall(Fill_Private(&star, smoother->S, NULL, &needed));
-    PetscCall(MatAssemblyBegin(smoother->S, MAT_FINAL_ASSEMBLY));
-    PetscCall(MatAssemblyEnd(smoother->S, MAT_FINAL_ASSEMBLY));
-  } else {
-    PetscCall(PetscFree(smoother->strip));
+    PetscCall(MatCreateAIJ(vi->level->comm, dim * n, dim * n, dim * N, dim * N, 0, count, 0, NULL, S));
+    PetscCall(Fill_Private(&star, *S, NULL, &needed));
+    PetscCall(MatAssemblyBegin(*S, MAT_FINAL_ASSEMBLY));
+    PetscCall(MatAssemblyEnd(*S, MAT_FINAL_ASSEMBLY));
+    PetscCall(Condense_Private(vi, S));
   }
-  PetscCall(PetscFree4(star.trace, star.fixed, star.at, count));
+  PetscCall(PetscFree3(star.trace, star.at, count));
   PetscCall(PetscFree(star.node));
   PetscCall(PetscFree(star.block));
   PetscFunctionReturn(PETSC_SUCCESS);
