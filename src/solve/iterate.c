@@ -48,6 +48,8 @@ PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r)
 /* How exact the first systems of an inexact solver are, and how much more so the next ones once few unknowns change. */
 static const PetscReal LOOSE = 1e-2, TIGHTER = 0.03;
 static const PetscInt  FEW = 2;
+/* Steps in which a set comes to rest; one that is not there by then may have been led astray by inexact systems. */
+static const PetscInt SEVERAL = 8;
 
 /* Whether the present set was solved for before; remembers it. */
 static PetscErrorCode Seen_Private(PDAS *pdas, const ActiveSet *set, PetscBool *seen)
@@ -114,7 +116,8 @@ static PetscErrorCode Follow_Private(PDAS *pdas, ActiveSet *set, ActiveSolver so
     PetscCall(System_Private(pdas, set, solver, solution, changed, violation));
   }
   pdas->converged = (PetscBool)(!*changed && !solution->failure);
-  if (solver->target > solver->rtol && *changed <= FEW) Tighten_Private(pdas, solver, TIGHTER * solver->target);
+  if (solver->target > solver->rtol && (*changed <= FEW || pdas->iterations >= SEVERAL))
+    Tighten_Private(pdas, solver, TIGHTER * solver->target);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
