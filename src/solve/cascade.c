@@ -134,6 +134,7 @@ static PetscErrorCode Relax_Private(Hierarchy hierarchy, const Grid *grid, Vec y
   Vec       z, r, step;
 
   PetscFunctionBeginUser;
+  if (grid->S) PetscFunctionReturn(PETSC_SUCCESS); // where the diagonal does not smooth it does not see either
   PetscCall(VecDuplicate(y, &z));
   PetscCall(VecDuplicate(y, &r));
   PetscCall(VecDuplicate(y, &step));
