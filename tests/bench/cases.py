@@ -1,0 +1,91 @@
+"""What scaling.py runs: scenes and their sizes, and one run of the program with what it cost."""
+import collections
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import threading
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+OPTIONS = os.path.join(HERE, "..", "..", "options")
+LIMIT = 900  # seconds that a run may take
+SOLVER = ["-pc_type", "truncatedmg"]
+
+Size = collections.namedtuple("Size", "name options unknowns")  # unknowns: about
+Scene = collections.namedtuple("Scene", "words file sizes slope_from dim")
+
+
+def boxes(upper, lower, refine):
+    """Cells of the coarse boxes, and how often they are refined."""
+    def text(cells):
+        return ",".join(str(c) for c in cells)
+    return ["-upper_dm_plex_box_faces", text(upper), "-lower_dm_plex_box_faces", text(lower), "-dm_refine", str(refine)]
+
+
+def brick(upper, lower, refine, dim):
+    """Two boxes with so many cells along every edge of the coarsest mesh."""
+    n, m = upper * 2**refine, lower * 2**refine
+    return Size(f"{n}:{m}", boxes((upper,) * dim, (lower,) * dim, refine), dim * ((n + 1) ** dim + (m + 1) ** dim))
+
+
+def refined(counts, more=()):
+    """A scene as it is, refined so many times: unknowns about counts."""
+    return [Size(f"refined {r}", ["-dm_refine", str(r), *more], count) for r, count in counts.items()]
+
+
+def option(file):
+    return os.path.join(OPTIONS, file)
+
+
+SCENES = {
+    "plates": Scene("two plates, 9 : 7", option("two_plates.opts"), [brick(9, 7, r, 2) for r in (3, 4, 5, 6)], 6e4, 2),
+    "squares": Scene("two plates, 1 : 1", option("two_plates.opts"), [brick(8, 8, r, 2) for r in (5, 6)], 6e4, 2),
+    "blocks": Scene("two blocks, curved gap", os.path.join(HERE, "blocks.opts"),
+                    [brick(5, 4, 1, 3), brick(5, 4, 2, 3), brick(5, 4, 3, 3), brick(15, 12, 2, 3)], 4e4, 3),
+    "hertz2d": Scene("hertz2d", option("hertz2d.opts"), refined({1: 5e4, 2: 2e5, 3: 8e5}), 4e4, 2),
+    "hertz3d": Scene("hertz3d, order 1", option("hertz3d.opts"), refined({1: 3.2e4, 2: 2.3e5}, ["-order", "1"]), 3e4, 3),
+}
+
+# What one rank is compared with two on, and the sizes at which numbers of iterations are compared.
+SPEED = [("plates", "576:448"), ("blocks", "40:32")]
+EQUAL = [("plates", "72:56"), ("blocks", "20:16"), ("hertz3d", "refined 1")]
+# Where the second solver is asked, too.
+CROSS = [("plates", "288:224"), ("blocks", "20:16"), ("plates", "576:448"), ("blocks", "40:32")]
+# A smooth exact solution, for error against cost.
+EXACT = (option("manufactured_full.opts"), boxes((4, 4), (6, 6), 0))
+
+
+def size_of(scene, name):
+    return next(size for size in SCENES[scene].sizes if size.name == name)
+
+
+def unknowns(summary):
+    return sum(body["dofs"] for body in summary["scene"]["bodies"].values())
+
+
+def knows(program, name):
+    """Whether the program has an option."""
+    return name in subprocess.run([program, "-help"], capture_output=True, text=True, check=False).stdout.split()
+
+
+def run_once(program, file, options, ranks=1):
+    """Runs the program once, with one thread for each process and no output files; returns (CPU seconds, MB, summary) or None."""
+    with tempfile.TemporaryDirectory() as folder:
+        summary = os.path.join(folder, "summary.json")
+        launcher = ["mpiexec", "-n", str(ranks)] if ranks > 1 else []
+        command = launcher + [program, "-options_file", file, "-quiet", "-summary", summary] + options
+        environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
+        process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL)
+        alarm = threading.Timer(LIMIT, process.terminate)
+        alarm.start()
+        _, status, usage = os.wait4(process.pid, 0)
+        alarm.cancel()
+        process.returncode = os.waitstatus_to_exitcode(status)
+        if process.returncode:
+            print(f"scaling: {' '.join(command)} ended with status {process.returncode}", file=sys.stderr)
+            return None
+        with open(summary, encoding="utf-8") as text:
+            found = json.load(text)
+        megabytes = usage.ru_maxrss / 1024 if ranks == 1 else found["memory"]["peak_bytes"] / 2**20
+        return usage.ru_utime + usage.ru_stime, megabytes, found
