@@ -8,6 +8,7 @@ import time
 from judge import ALONE, NAME, TIMEOUT, require
 
 PART = ".part"  # in the name of a file that is being written
+PATIENCE = 10  # seconds between two looks at a run that does not end
 
 
 def start(run, *arguments, title="new", **options):
@@ -18,9 +19,28 @@ def start(run, *arguments, title="new", **options):
 
 
 def finish(process):
-    """Exit code and what was said; longer than the time of a test is a hang."""
-    stdout, stderr = process.communicate(timeout=TIMEOUT / 4)
-    return process.returncode, stdout or "", stderr or ""
+    """Exit code and what was said; longer than the time of a test is a hang. An mpiexec whose ranks have all ended is not waited for: Open MPI
+    now and then stops for ever in its own PMIx_server_finalize() when a signal comes early."""
+    limit, over = time.monotonic() + TIMEOUT / 4, False
+    while True:
+        try:
+            stdout, stderr = process.communicate(timeout=PATIENCE)
+            return process.returncode, stdout or "", stderr or ""
+        except subprocess.TimeoutExpired:
+            if time.monotonic() > limit:
+                raise
+            if over and ranks_ended(process):
+                process.kill()
+            over = ranks_ended(process)
+
+
+def ranks_ended(process):
+    """Whether mpiexec has children, and nothing is left of them but their exit codes."""
+    try:
+        states = [pathlib.Path(f"/proc/{number}/stat").read_text().rpartition(")")[2].split()[0] for number in children(process)]
+    except OSError:  # one has just gone
+        return False
+    return bool(states) and set(states) == {"Z"}
 
 
 def wait_for_writing(run, process):
