@@ -187,6 +187,8 @@ PetscErrorCode ProductsCreate(Mat K, PetscReal factor, Mat *S)
   PetscCall(PetscNew(&products));
   PetscCall(MatGetLocalSize(K, &n, NULL));
   PetscCall(MatGetBlockSize(K, &bs));
+  PetscCheck(bs == 2 || bs == MAX_DIM, PetscObjectComm((PetscObject)K), PETSC_ERR_PLIB, "Blocks of size %" PetscInt_FMT,
+             bs);
   products->bs     = bs;
   products->num    = n / bs;
   products->factor = factor;

@@ -305,6 +305,7 @@ static PetscErrorCode Smooth_Private(const Fabric *fabric, PetscReal largest, Ma
   for (PetscInt i = 0; i < n; i++) s[i] = fabric->held[i] ? 0 : -DAMPING / largest / s[i];
   PetscCall(VecRestoreArray(scale, &s));
   PetscCall(MatMatMult(fabric->A, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &AP));
+  PetscCall(MatProductClear(AP)); // it would keep its factors
   PetscCall(MatDiagonalScale(AP, scale, NULL));
   PetscCall(MatAXPY(AP, 1, *P, SUBSET_NONZERO_PATTERN));
   PetscCall(MatDestroy(P));

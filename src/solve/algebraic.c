@@ -116,6 +116,7 @@ static PetscErrorCode Truncate_Private(VI vi, const PetscBool held[], Mat *P, Ma
   PetscCall(VICreateInverse(vi, &inverse));
   if (inverse) {
     PetscCall(MatMatMult(inverse, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
+    PetscCall(MatProductClear(product));
     PetscCall(MatDestroy(P));
     PetscCall(MatDestroy(&inverse));
     *P = product;
@@ -161,6 +162,7 @@ PetscErrorCode AlgebraicCoarsen(VI fine, Fabric *fabric, PetscReal largest, Mat 
   PetscFunctionBeginUser;
   PetscCall(FabricCoarsen(fabric, largest, P, &next));
   PetscCall(MatPtAP(fabric->A, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &Ac));
+  PetscCall(MatProductClear(Ac)); // it would keep its factors
   PetscCall(MatScale(Ac, 1 / fine->stiffness));
   if (fine->level) PetscCall(Truncate_Private(fine, fabric->held, P, Ac));
   PetscCall(MatGetLocalSize(Ac, &n, NULL));

@@ -198,7 +198,7 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveChooseAnother(MPI_Comm comm, const SolveReport *report, SolveChoice *choice, PetscBool *again)
+PetscErrorCode SolveChooseAnother(Scene scene, const SolveReport *report, SolveChoice *choice, PetscBool *again)
 {
   char words[128];
 
@@ -206,10 +206,12 @@ PetscErrorCode SolveChooseAnother(MPI_Comm comm, const SolveReport *report, Solv
   *again = (PetscBool)(choice->own && !report->converged && !strcmp(report->reason, FAILURE_ITERATIVE));
   if (!*again) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SolveDescribe(choice->ksp, choice->pc, NULL, words, sizeof(words)));
-  PetscCall(PetscFPrintf(comm, PETSC_STDERR,
-                         "mortise: warning: %s has not converged; factorising instead, as -pc_type cholesky does at "
-                         "once\n",
-                         words));
+  if (!scene->quiet) {
+    PetscCall(PetscFPrintf(scene->comm, PETSC_STDERR,
+                           "mortise: warning: %s has not converged; factorising instead, as -pc_type cholesky does at "
+                           "once\n",
+                           words));
+  }
   choice->nested = PETSC_FALSE;
   PetscCall(PetscStrncpy(choice->ksp, KSPPREONLY, sizeof(choice->ksp)));
   PetscCall(PetscStrncpy(choice->pc, PCCHOLESKY, sizeof(choice->pc)));

@@ -225,6 +225,7 @@ static PetscErrorCode CreateCoarse_Private(VI fine, PetscInt l, PetscBool same, 
   if (!nested) {
     PetscCall(Blocks_Private(fine->level->prolongation, fine->level->dim, &P));
     PetscCall(MatPtAP(fine->K, P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &K));
+    PetscCall(MatProductClear(K)); // it would keep its factors
     PetscCall(MatDestroy(&P));
   }
   PetscCall(VICreateCoarse(fine, l, K, coarse));

@@ -24,7 +24,7 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice);
 
 /* A factorisation where an iteration has failed that nobody asked for, and a warning that says so. Collective.
    [out] again - whether there is something else to try */
-PetscErrorCode SolveChooseAnother(MPI_Comm comm, const SolveReport *report, SolveChoice *choice, PetscBool *again);
+PetscErrorCode SolveChooseAnother(Scene scene, const SolveReport *report, SolveChoice *choice, PetscBool *again);
 
 /* A SNES as the choice and the options want it. Collective. [in] prefix - of its options; [in] scratch, norm - for its function and its
    test; must outlive it; [out] snes */

@@ -221,6 +221,7 @@ static PetscErrorCode Condense_Private(VI vi, Mat *S)
   PetscFunctionBeginUser;
   if (vi->T) {
     PetscCall(MatPtAP(*S, vi->T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
+    PetscCall(MatProductClear(product)); // it would keep its factors
     PetscCall(MatDestroy(S));
     *S = product;
   }

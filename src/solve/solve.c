@@ -77,7 +77,7 @@ PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report)
 
   PetscFunctionBeginUser;
   PetscCall(SolveChoose(vi, &choice));
-  if (choice.nearly && !SolveFactors(choice.pc)) {
+  if (choice.nearly && !SolveFactors(choice.pc) && !vi->scene->quiet) {
     PetscCall(
         PetscFPrintf(comm, PETSC_STDERR,
                      "mortise: warning: -pc_type %s: may take thousands of iterations for a body that is so nearly "
@@ -86,7 +86,7 @@ PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report)
   }
   PetscCall(ProgressWanted(vi->scene, &progress));
   PetscCall(SolveRun(vi, &choice, "", progress, guess, y, report));
-  PetscCall(SolveChooseAnother(comm, report, &choice, &again));
+  PetscCall(SolveChooseAnother(vi->scene, report, &choice, &again));
   if (again) PetscCall(SolveRun(vi, &choice, "", progress, guess, y, report));
   report->seconds = LogWallClock() - start;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &report->seconds, 1, MPIU_REAL, MPI_MAX, comm));
