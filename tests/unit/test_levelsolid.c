@@ -71,7 +71,7 @@ static void TestEmbedding(PetscInt n)
   Order[0] = Order[1] = 1;
   mesh[0]             = MakeMesh(&low, n, 1);
   Order[0] = Order[1] = 2;
-  mesh[1] = MakeMesh(&high, n, 1);
+  mesh[1]             = MakeMesh(&high, n, 1);
   CHECK(!LevelCreateEmbedding(MeshFinest(mesh[0]), MeshFinest(mesh[1]), &E));
   CHECK_NEAR(Miss(E, MeshFinest(mesh[0]), MeshFinest(mesh[1]), ones), 0, 1e-13);
   CHECK(!MatDestroy(&E));
