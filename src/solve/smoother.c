@@ -137,6 +137,18 @@ static PetscErrorCode SetBlock_Private(const Star *star, PetscInt row, PetscInt 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The rows of S at a node without lines: the diagonal. */
+static PetscErrorCode SetPoint_Private(const Star *star, PetscInt node, Mat S)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt k = 0; k < star->dim; k++) {
+    const PetscInt row = star->dim * (star->begin + node) + k;
+
+    PetscCall(MatSetValue(S, row, row, star->block[k * star->dim + k], INSERT_VALUES));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The rows of S that lines of nodes make at one node. */
 static PetscErrorCode SetLines_Private(const Star *star, PetscInt node, PetscInt num, const PetscInt strong[], Mat S)
 {
@@ -156,7 +168,7 @@ static PetscErrorCode SetLines_Private(const Star *star, PetscInt node, PetscInt
     PetscCall(SetBlock_Private(star, node, star->node[strong[n]], B, S));
   }
   for (PetscInt k = 0; k < size; k++) own[k] = star->block[k] - sum[k];
-  if (num) Clip_Private(dim, own, LEAST * star->trace[node] / dim);
+  Clip_Private(dim, own, LEAST * star->trace[node] / dim);
   for (PetscInt k = 0; k < size; k++) own[k] += sum[k];
   PetscCall(SetBlock_Private(star, node, node, own, S));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -205,25 +217,51 @@ static PetscErrorCode Fill_Private(Star *star, Mat S, PetscInt count[], PetscBoo
     PetscCall(Gather_Private(star, node));
     if (star->max > max) PetscCall(PetscRealloc((max = star->max) * sizeof(PetscInt), &strong));
     PetscCall(FindStrong_Private(star, node, strong, &num, &stretched));
-    for (PetscInt r = 0; count && r < star->dim; r++) count[star->dim * node + r] = star->dim * (1 + num);
+    for (PetscInt r = 0; count && r < star->dim; r++) count[star->dim * node + r] = num ? star->dim * (1 + num) : 1;
     if (count && stretched) *needed = PETSC_TRUE;
-    if (S) PetscCall(SetLines_Private(star, node, num, strong, S));
+    if (S && num) PetscCall(SetLines_Private(star, node, num, strong, S));
+    if (S && !num) PetscCall(SetPoint_Private(star, node, S));
   }
   PetscCall(PetscFree(strong));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* T'S T without eliminated unknowns. [in,out] S */
+/* S with what condensing adds to the diagonal. */
+static PetscErrorCode AddDiagonal_Private(VI vi, Mat S)
+{
+  Vec more, zero;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateVecs(vi->K, &more, &zero));
+  PetscCall(MatGetDiagonal(vi->Z, more));
+  PetscCall(VecZeroEntries(zero));
+  PetscCall(VecPointwiseMax(more, more, zero));
+  PetscCall(MatDiagonalSet(S, more, ADD_VALUES));
+  PetscCall(VecDestroy(&more));
+  PetscCall(VecDestroy(&zero));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* T'S T without eliminated unknowns; not where it would be a dense matrix, since few nodes of one side face very many of the other.
+   [in,out] S */
 static PetscErrorCode Condense_Private(VI vi, Mat *S)
 {
-  Mat product;
+  Mat     product;
+  MatInfo mine, whole;
 
   PetscFunctionBeginUser;
   if (vi->T) {
     PetscCall(MatPtAP(*S, vi->T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
     PetscCall(MatProductClear(product)); // it would keep its factors
-    PetscCall(MatDestroy(S));
-    *S = product;
+    PetscCall(MatGetInfo(product, MAT_GLOBAL_SUM, &mine));
+    PetscCall(MatGetInfo(vi->K, MAT_GLOBAL_SUM, &whole));
+    if (mine.nz_used > whole.nz_used) {
+      PetscCall(MatDestroy(&product));
+      PetscCall(AddDiagonal_Private(vi, *S));
+    } else {
+      PetscCall(MatDestroy(S));
+      *S = product;
+    }
   }
   PetscCall(MatZeroRowsColumns(*S, vi->num_fixed, vi->fixed, 1, NULL, NULL));
   PetscCall(MatSetOption(*S, MAT_SPD, PETSC_TRUE));
