@@ -1,6 +1,7 @@
 /* condense.c -- T'KT, of which only what lies beside the contact differs from K.
 
-   With T = I + E, T'KT = K + Z, Z = X + X' + X'E, X' = E'K: E has rows at the nodes of the nonmortar sides alone, and Z is as small. */
+   With T = I + E, T'KT = K + Z, Z = E'K + K E + E'K E = E'W + W'E, W = K (I + E / 2): E has rows at the nodes of the nonmortar sides alone,
+   so that of W no others are needed, and Z is as small. All is done with these rows, of which every rank has its own. */
 #include <mortise/compat.h>
 #include "condense.h"
 
@@ -41,20 +42,86 @@ static PetscErrorCode CreateDifference_Private(Mat T, Mat *E)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Some rows of one matrix, or of two in turn: a matrix with as many columns. [in] other - NULL; rows - of this rank [num] */
+static PetscErrorCode CreateRows_Private(PetscInt num, const PetscInt rows[], Mat one, Mat other, Mat *few)
+{
+  const Mat    from[2] = {one, other};
+  const int    parts   = other ? 2 : 1;
+  PetscInt    *start, *column, n, N, count = 0;
+  PetscScalar *value;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetLocalSize(one, NULL, &n));
+  PetscCall(MatGetSize(one, NULL, &N));
+  PetscCall(PetscMalloc1(parts * num + 1, &start));
+  start[0] = 0;
+  for (int pass = 0; pass < 2; pass++) {
+    if (pass) PetscCall(PetscMalloc2(count, &column, count, &value));
+    count = 0;
+    for (PetscInt i = 0; i < parts * num; i++) {
+      PetscInt           size;
+      const PetscInt    *c;
+      const PetscScalar *v;
+
+      PetscCall(MatGetRow(from[i % parts], rows[i / parts], &size, &c, &v));
+      if (pass) PetscCall(PetscArraycpy(&column[count], c, size));
+      if (pass) PetscCall(PetscArraycpy(&value[count], v, size));
+      count += size;
+      start[i + 1] = count;
+      PetscCall(MatRestoreRow(from[i % parts], rows[i / parts], &size, &c, &v));
+    }
+  }
+  PetscCall(MatCreate(PetscObjectComm((PetscObject)one), few));
+  PetscCall(MatSetSizes(*few, parts * num, n, PETSC_DETERMINE, N));
+  PetscCall(MatSetType(*few, MATAIJ));
+  PetscCall(MatSeqAIJSetPreallocationCSR(*few, start, column, value)); // one of the two does nothing
+  PetscCall(MatMPIAIJSetPreallocationCSR(*few, start, column, value));
+  PetscCall(PetscFree(start));
+  PetscCall(PetscFree2(column, value));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The rows of E that are not empty. [out] rows - owned by the caller [num] */
+static PetscErrorCode ListRows_Private(Mat E, PetscInt *num, PetscInt **rows)
+{
+  PetscInt begin, end, size;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetOwnershipRange(E, &begin, &end));
+  PetscCall(PetscMalloc1(end - begin, rows));
+  *num = 0;
+  for (PetscInt row = begin; row < end; row++) {
+    PetscCall(MatGetRow(E, row, &size, NULL, NULL));
+    if (size) (*rows)[(*num)++] = row;
+    PetscCall(MatRestoreRow(E, row, &size, NULL, NULL));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode CondenseCreate(Mat K, Mat T, Mat *Z)
 {
-  Mat E, transpose, X;
+  PetscInt *rows, num, begin;
+  Mat       E, few, W, KE, left, right;
 
   PetscFunctionBeginUser;
   PetscCall(CreateDifference_Private(T, &E));
-  PetscCall(MatTransposeMatMult(E, K, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &transpose)); // (K E)', of few rows
-  PetscCall(MatTranspose(transpose, MAT_INITIAL_MATRIX, &X));
-  PetscCall(MatMatMult(transpose, E, MAT_INITIAL_MATRIX, PETSC_DEFAULT, Z));
-  PetscCall(MatProductClear(*Z)); // it would keep its factors
-  PetscCall(MatAXPY(*Z, 1, X, DIFFERENT_NONZERO_PATTERN));
-  PetscCall(MatAXPY(*Z, 1, transpose, DIFFERENT_NONZERO_PATTERN));
-  PetscCall(MatDestroy(&transpose));
-  PetscCall(MatDestroy(&X));
+  PetscCall(ListRows_Private(E, &num, &rows));
+  PetscCall(CreateRows_Private(num, rows, E, NULL, &few));
+  PetscCall(CreateRows_Private(num, rows, K, NULL, &W));
+  PetscCall(MatMatMult(W, E, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &KE));
+  PetscCall(MatAXPY(W, 0.5, KE, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(MatDestroy(&KE));
   PetscCall(MatDestroy(&E));
+  PetscCall(MatGetOwnershipRange(few, &begin, NULL));
+  for (PetscInt i = 0; i < num; i++) rows[i] = begin + i;
+  PetscCall(CreateRows_Private(num, rows, few, W, &left));
+  PetscCall(CreateRows_Private(num, rows, W, few, &right));
+  PetscCall(MatTransposeMatMult(left, right, MAT_INITIAL_MATRIX, PETSC_DEFAULT, Z)); // both terms at once
+  PetscCall(MatProductClear(*Z));                                                    // it would keep its factors
+  PetscCall(MatDestroy(&left));
+  PetscCall(MatDestroy(&right));
+  PetscCall(MatDestroy(&W));
+  PetscCall(MatDestroy(&few));
+  PetscCall(PetscFree(rows));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
