@@ -29,6 +29,8 @@ typedef struct {
   PetscInt       refine; /* refinements of this body alone, before all are merged */
   PetscInt       order;
   PetscBool      straightened;   /* found by the mesh: the file has curved sides, of which order 1 makes chords */
+  PetscInt       num_hinges;     /* likewise, on the first rank: vertices by which alone some cells hang together */
+  PetscReal      hinge[3];       /* the first of them, before the map */
   Expression     young, poisson; /* of an isotropic body, else NULL */
   Expression     stiffness;      /* upper triangle of the Hooke tensor, else NULL */
   PetscReal      angle[3];       /* of the material axes, degrees */

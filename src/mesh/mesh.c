@@ -15,21 +15,6 @@ PetscErrorCode MeshCreate(Scene scene, Mesh *mesh)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A mesh file may join parts of a body too little. */
-static void TellHinges_Private(Scene scene, PetscInt b, const BodyList *list)
-{
-  char z[32] = "";
-
-  if (!list->num_hinges || scene->quiet) return;
-  if (list->dim == 3) snprintf(z, sizeof(z), ", %g", (double)list->hinge[2]);
-  fprintf(
-      stderr,
-      "mortise: warning: parts of body %s hang together at vertices alone (%d), the first at (%g, %g%s), and turn "
-      "about them with no resistance; parts that share facets do not, and those that are bodies of their own can be "
-      "tied\n",
-      scene->bodies[b].name, (int)list->num_hinges, (double)list->hinge[0], (double)list->hinge[1], z);
-}
-
 /* Makes or reads every body; the first rank alone does, and stops at the first mistake. */
 static PetscErrorCode MeshMakeBodies_Private(Scene scene, PetscInt coarser, const SideNames names[], BodyList lists[])
 {
@@ -48,7 +33,6 @@ static PetscErrorCode MeshMakeBodies_Private(Scene scene, PetscInt coarser, cons
       PetscCall(BodyListCreateFile(&body, scene->dim, &names[b], &files, &lists[b], sentence));
     else
       PetscCall(BodyListCreateBox(&body, scene->dim, &names[b], &lists[b], sentence));
-    TellHinges_Private(scene, b, &lists[b]);
   }
   PetscCall(MeshFileDestroy(&files));
   PetscCall(FaultCheck(scene->comm, sentence));
@@ -68,6 +52,8 @@ static PetscErrorCode MeshCreateWhole_Private(Scene scene, PetscInt coarser, DM 
   PetscCall(MeshMerge(scene, lists, names, dm, curves));
   for (PetscInt b = 0; b < scene->num_bodies; ++b) {
     scene->bodies[b].straightened = lists[b].straightened;
+    scene->bodies[b].num_hinges   = lists[b].num_hinges;
+    PetscCall(PetscArraycpy(scene->bodies[b].hinge, lists[b].hinge, 3));
     PetscCallMPI(MPI_Bcast(&scene->bodies[b].straightened, 1, MPIU_BOOL, 0, scene->comm));
     PetscCall(SideNamesDestroy(&names[b]));
     PetscCall(BodyListDestroy(&lists[b]));
@@ -126,6 +112,20 @@ static PetscErrorCode MeshClear_Private(Mesh mesh)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A mesh file may join parts of a body too little. */
+static void TellHinges_Private(const SceneBody *body, PetscInt dim)
+{
+  char z[32] = "";
+
+  if (dim == 3) snprintf(z, sizeof(z), ", %g", (double)body->hinge[2]);
+  fprintf(
+      stderr,
+      "mortise: warning: parts of body %s hang together at vertices alone (%d), the first at (%g, %g%s), and turn "
+      "about them with no resistance; parts that share facets do not, and those that are bodies of their own can be "
+      "tied\n",
+      body->name, (int)body->num_hinges, (double)body->hinge[0], (double)body->hinge[1], z);
+}
+
 /* Levels that nobody asked for must not fail: where a map bends so much that large cells tangle, there are fewer. */
 PetscErrorCode MeshSetUp(Mesh mesh)
 {
@@ -153,6 +153,8 @@ PetscErrorCode MeshSetUp(Mesh mesh)
   for (PetscInt l = 0; l < scene->refine; ++l) PetscCall(MeshRefine(mesh));
   mesh->own = coarser + scene->refine;
   PetscCall(MeshChooseRoles(mesh));
+  for (PetscInt b = 0; b < scene->num_bodies && !scene->quiet; ++b)
+    if (scene->bodies[b].num_hinges) TellHinges_Private(&scene->bodies[b], scene->dim);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
