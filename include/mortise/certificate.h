@@ -26,7 +26,7 @@ typedef struct {
 /* Collective. [out] reactions - ghosted Vec of dim per node: what the supports exert, owned by the caller */
 PetscErrorCode CertificateCompute(Fields fields, Certificate *certificate, Vec *reactions);
 
-/* The bound of the error over |u|_K: NAN where one of them is not known, or there is no energy. Not collective. */
-PetscReal CertificateRelativeBound(const Certificate *certificate, const EnergyBound *bound);
+/* An error in the norm of energy over |u|_K: NAN where one of them is not known, or there is no energy. Not collective. */
+PetscReal CertificateRelative(const Certificate *certificate, PetscReal error);
 
 #endif

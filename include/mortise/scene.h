@@ -97,6 +97,9 @@ enum {
 };
 
 /* Whether linear systems are solved with the help of coarser meshes, as far as -ksp_type and -pc_type say. */
+/* Where iterative solvers stop. */
+typedef enum { STOP_RESIDUAL, STOP_DISCRETISATION } SceneStop;
+
 typedef enum { LEVELS_BY_SIZE, LEVELS_USED, LEVELS_UNUSED } SceneLevels;
 
 /* The same scene on several meshes. */
@@ -123,6 +126,7 @@ struct _n_Scene {
   int         formats; /* OutputFormat bits */
   char       *summary; /* file for the summary alone, "-" for stdout, or NULL */
   SceneStudy  study;
+  SceneStop   stop;
   PetscBool   cross_check, measure_linear, quiet, monitor, view, report, allow_unused;
 };
 typedef struct _n_Scene *Scene;

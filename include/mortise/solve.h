@@ -34,6 +34,8 @@ typedef struct {
   PetscReal   work;            /* products with matrices of all levels, in products with the finest; 0 without levels */
   PetscInt    sweeps;          /* solutions with springs that hold bodies (T27); 1 without */
   EnergyBound bound;
+  PetscReal
+      discretisation; /* |u - u_h|_K by what a coarser mesh says, like bound; NAN but where that was to stop the solver (T37) */
 
   PetscReal       seconds;   /* of the slowest rank, on the wall, from the levels of multigrid to the bound */
   LinearReference reference; /* of VILinearReference() */

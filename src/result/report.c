@@ -157,10 +157,15 @@ static PetscErrorCode Print_Private(const SummaryInput *in)
                         "moments %.1e\n",
                         (double)c->equilibrium, (double)c->gap, (double)c->pressure, (double)c->complementarity,
                         (double)c->force, (double)c->moment));
-  if (!PetscIsInfOrNanReal(CertificateRelativeBound(c, &report->bound))) {
+  if (!PetscIsInfOrNanReal(CertificateRelative(c, report->bound.value))) {
     PetscCall(PetscPrintf(comm, "  error that the solver leaves: at most %.1e in the energy norm%s\n",
-                          (double)CertificateRelativeBound(c, &report->bound),
+                          (double)CertificateRelative(c, report->bound.value),
                           report->bound.estimated ? " (estimated)" : ""));
+  }
+  if (report->discretisation > 0) {
+    PetscCall(PetscPrintf(
+        comm, "  stopped at the discretisation error: about %.1e in the energy norm, as the next coarser mesh tells\n",
+        (double)CertificateRelative(c, report->discretisation)));
   }
   if (in->check->done) {
     PetscCall(

@@ -126,11 +126,26 @@ static void AddBound_Private(const SummaryInput *in, cJSON *solver)
   cJSON             *object = cJSON_AddObjectToObject(solver, "energy_bound");
 
   JSONAddReal(object, "absolute", bound->value);
-  JSONAddReal(object, "relative", CertificateRelativeBound(in->certificate, bound));
+  JSONAddReal(object, "relative", CertificateRelative(in->certificate, bound->value));
   if (known)
     cJSON_AddStringToObject(object, "kind", bound->estimated ? "estimated" : "exact");
   else
     cJSON_AddNullToObject(object, "kind");
+}
+
+/* What the solver stopped at; null where that is its own residual. */
+static void AddDiscretisation_Private(const SummaryInput *in, cJSON *solver)
+{
+  const PetscReal error = in->report->discretisation;
+  cJSON          *object;
+
+  if (!(error > 0)) {
+    cJSON_AddNullToObject(solver, "discretisation_error");
+    return;
+  }
+  object = cJSON_AddObjectToObject(solver, "discretisation_error");
+  JSONAddReal(object, "absolute", error);
+  JSONAddReal(object, "relative", CertificateRelative(in->certificate, error));
 }
 
 /* One linear solve, for comparison; null where nobody asked. */
@@ -187,6 +202,7 @@ static void AddSolver_Private(const SummaryInput *in, cJSON *root)
   JSONAddReal(object, "moment", c->moment);
   JSONAddReal(object, "pair_moment", c->pair_moment);
   AddBound_Private(in, solver);
+  AddDiscretisation_Private(in, solver);
   AddCrossCheck_Private(in->check, solver);
 }
 

@@ -60,6 +60,10 @@ PetscErrorCode ResultsRead(Scene scene)
   PetscCall(OptionGetBool(&monitor, &scene->monitor));
   PetscCall(OptionGetBool(&view, &scene->view));
   PetscCall(OptionGetBool(&check, &scene->cross_check));
+  if (scene->cross_check && scene->stop == STOP_DISCRETISATION) {
+    PetscCall(OptionRaise(
+        &check, "-stop discretisation leaves more of an error than two solvers may differ by; give one of the two"));
+  }
   if (scene->quiet && scene->monitor)
     PetscCall(OptionRaise(&monitor, "-quiet asks for the opposite; give one of the two"));
   PetscCall(OptionFind(scene, "-snes_type", NULL, NULL,

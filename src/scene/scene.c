@@ -73,9 +73,14 @@ static PetscErrorCode SceneReadModel_Private(Scene scene)
 /* -ksp_type and -pc_type are read by who solves; what the mesh needs to know of them is whether coarser levels are of use. */
 static PetscErrorCode SceneReadLevels_Private(Scene scene)
 {
-  Option ksp, pc;
+  Option   ksp, pc, stop;
+  PetscInt choice = STOP_RESIDUAL;
 
   PetscFunctionBeginUser;
+  PetscCall(OptionFind(scene, "-stop", NULL, NULL, &stop));
+  PetscCall(OptionGetChoice(&stop, &choice));
+  scene->stop = (SceneStop)choice;
+  if (scene->stop == STOP_DISCRETISATION) scene->levels = LEVELS_USED;
   PetscCall(OptionFind(scene, "-ksp_type", NULL, NULL, &ksp));
   PetscCall(OptionFind(scene, "-pc_type", NULL, NULL, &pc));
   if (pc.set)

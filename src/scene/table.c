@@ -170,6 +170,10 @@ static const OptionEntry table[] = {
      "where contact alone holds a body."},
     {GROUP_SOLVER, "-snes_pdas_reduce", "0|1", "", "(if it is cheap)",
      "Whether one factorisation serves all active sets, by a dense matrix for the nodes that may touch."},
+    {GROUP_SOLVER, "-stop", "residual|discretisation", "", "residual",
+     "Where to stop: at -snes_rtol, or where the solver's error in the energy norm is a tenth of the discretisation "
+     "error, "
+     "by what the next coarser level of the mesh says of it."},
     {GROUP_SOLVER, "-cross_check", "0|1", "", "0",
      "Solves by pdas and by vinewtonrsls and compares; a difference is exit code 3."},
     {GROUP_SOLVER, "-measure_linear", "0|1", "", "0",

@@ -73,7 +73,11 @@ struct _n_ActiveSolver {
   PetscReal        target;   /* and now: not below rtol */
   PetscBool        inexact;  /* whether less accuracy costs less */
   PetscBool        factored; /* whether by a factorisation */
-  void            *data;
+  /* where the error, not the residual, says when to stop: squares of |y - y*|_A */
+  PetscReal enough; /* part of the first one that is small enough, or 0 */
+  PetscReal gained; /* before the first solve */
+  PetscReal first;  /* with that, of what the first solve began with; 0 before it */
+  void     *data;
   /* [in] fixed, value - [n], values are read where fixed; [in,out] solution - created by the caller */
   PetscErrorCode (*solve)(ActiveSolver, const PetscBool fixed[], const PetscReal value[], ActiveSolution *solution);
   /* Another right-hand side, for the same matrix and bounds. [in] b - borrowed; [in] y - first guess */
@@ -140,8 +144,9 @@ typedef struct {
   PetscReal c;
   PDASStart start;
   PetscBool start_set, reduce, reduce_set;
-  Vec       lower, upper; /* NULL without bounds */
-  Vec       previous;     /* of PDASSetStart(), or NULL */
+  Vec       lower, upper;   /* NULL without bounds */
+  Vec       previous;       /* of PDASSetStart(), or NULL */
+  PetscReal enough, gained; /* of PDASSetEnough() */
   /* and what happened */
   PetscInt    max_it, iterations, linear_iterations;
   PetscInt   *changed; /* [max_it] */
@@ -164,6 +169,17 @@ PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r);
 /* From set to set until none changes; pdas->converged, or pdas->failure, or neither after max_it steps. Collective.
    [out] y - the last solution, unless there was a failure */
 PetscErrorCode PDASIterate(SNES snes, PDAS *pdas, ActiveSet *set, ActiveSolver solver, Vec y);
+
+/* The context of a SNES of type pdas. Not collective. */
+PetscErrorCode PDASGet(SNES snes, PDAS **pdas);
+/* Makes pdas->solver for pdas->set; pdas->failure tells if it cannot be had. Collective. [in] y - initial guess */
+PetscErrorCode PDASChooseSolver(SNES snes, PDAS *pdas, Mat A, Vec b, Vec y);
+
+/* Systems are solved until the error is small beside that of the start: |y - y*|_A^2 <= enough (gained + |y_0 - y*|_A^2), with multigrid.
+   Collective. [in] gained - of the square, before y_0 */
+PetscErrorCode PDASSetEnough(SNES snes, PetscReal enough, PetscReal gained);
+/* The same of one solver: sets the test of its KSP. Collective. [in] ksp - with multigrid */
+PetscErrorCode EnoughSet(ActiveSolver solver, KSP ksp, PetscReal enough, PetscReal gained);
 
 /* What the last solve used, its last set being its own, if it was kept (PDASSetKeep()) and found the solution. Borrowed, NULL if
    there is none. Not collective. */

@@ -12,11 +12,10 @@
 #include "cascade.h"
 #include "multigrid.h"
 #include "room.h"
+#include "stop.h"
 
-/* Linear residual that is enough on a level that is not the last one. */
-static const PetscReal COARSE_RTOL = 1e-4;
-/* The KSP measures it in its own way: a little less. */
-static const PetscReal KSP_SHARE = 0.5;
+/* Linear residual that is enough where there is no coarser mesh that tells the discretisation error. */
+static const PetscReal COARSEST_RTOL = 1e-4;
 /* Projected steps, and their length by the largest one that is stable. */
 enum { RELAXATION_STEPS = 4 };
 static const PetscReal RELAXATION = 0.9;
@@ -25,8 +24,9 @@ static const PetscReal ACTIVE_SHARE = 0.5;
 /* Options of the solvers on coarser levels. */
 static const char PREFIX[] = "nested_";
 
-/* Solves on one level. [in,out] y; [in] start - set to begin with, or NULL; [out] active - of the level */
-static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, Vec y, Vec start, Vec active)
+/* Solves on one level. [in,out] y; [in] gained - as of PDASSetEnough(); [in] start - set to begin with, or NULL; [out] active - of the level */
+static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, PetscReal gained, Vec y, Vec start,
+                                         Vec active)
 {
   const VI          vi     = hierarchy->grid[l].vi;
   const SolveChoice choice = l ? (SolveChoice){.snes = SNESPDAS, .ksp = KSPCG, .pc = PCTRUNCATEDMG}
@@ -40,9 +40,13 @@ static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, Vec y,
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(vi->b, &scratch));
   PetscCall(SolveConfigure(vi, &choice, PREFIX, scratch, &norm, &snes));
-  if (l) PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, COARSE_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
   PetscCall(SNESGetKSP(snes, &ksp));
-  if (l) PetscCall(KSPSetTolerances(ksp, KSP_SHARE * COARSE_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  if (start) {
+    PetscCall(PDASSetEnough(snes, StopPart(vi->scene), gained));
+  } else if (l) {
+    PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, COARSEST_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+    PetscCall(KSPSetTolerances(ksp, 0.5 * COARSEST_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  }
   PetscCall(KSPGetPC(ksp, &pc));
   if (l) PetscCall(MultigridSetHierarchy(pc, hierarchy, l, NULL));
   if (start) PetscCall(PDASSetStart(snes, start));
@@ -126,14 +130,15 @@ static PetscErrorCode Pressed_Private(VI vi, Vec y, Vec r, Vec active)
 }
 
 /* A few steps y := min( upper, y + omega D^-1 r ), D = diag A, and the set that they end with; nothing where they lead nowhere.
-   [in,out] y - feasible only afterwards; [in,out] active */
-static PetscErrorCode Relax_Private(Hierarchy hierarchy, const Grid *grid, Vec y, Vec active)
+   [in,out] y - feasible only afterwards; [in,out] active; [out] gained - twice the energy */
+static PetscErrorCode Relax_Private(Hierarchy hierarchy, const Grid *grid, Vec y, Vec active, PetscReal *gained)
 {
   const VI  vi    = grid->vi;
   PetscReal first = 0, energy;
   Vec       z, r, step;
 
   PetscFunctionBeginUser;
+  *gained = 0;
   if (grid->S) PetscFunctionReturn(PETSC_SUCCESS); // where the diagonal does not smooth it does not see either
   PetscCall(VecDuplicate(y, &z));
   PetscCall(VecDuplicate(y, &r));
@@ -151,17 +156,19 @@ static PetscErrorCode Relax_Private(Hierarchy hierarchy, const Grid *grid, Vec y
     PetscCall(VecCopy(z, y));
     PetscCall(Pressed_Private(vi, y, r, active));
   }
+  *gained = 2 * PetscMax(first - energy, 0);
   PetscCall(VecDestroy(&step));
   PetscCall(VecDestroy(&r));
   PetscCall(VecDestroy(&z));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CascadeStart(Hierarchy hierarchy, Vec y, Vec active)
+PetscErrorCode CascadeStart(Hierarchy hierarchy, Vec y, Vec active, PetscReal *gained)
 {
   Vec at = NULL, start = NULL, found, next;
 
   PetscFunctionBeginUser;
+  *gained = 0;
   for (PetscInt l = hierarchy->first; l + 1 < hierarchy->num; l++) {
     const Grid *finer = &hierarchy->grid[l + 1];
 
@@ -170,9 +177,10 @@ PetscErrorCode CascadeStart(Hierarchy hierarchy, Vec y, Vec active)
       PetscCall(VecZeroEntries(at));
     }
     PetscCall(VecDuplicate(at, &found));
-    PetscCall(SolveLevel_Private(hierarchy, l, at, start, found));
+    PetscCall(SolveLevel_Private(hierarchy, l, *gained, at, start, found));
     PetscCall(VecDuplicate(finer->vi->b, &next));
     PetscCall(MatMult(finer->P, at, next));
+    if (finer->lift) PetscCall(VecAXPY(next, 1, finer->lift));
     PetscCall(Prescribe_Private(finer->vi, next));
     PetscCall(VecDestroy(&at));
     at = next;
@@ -180,7 +188,7 @@ PetscErrorCode CascadeStart(Hierarchy hierarchy, Vec y, Vec active)
     PetscCall(VecDuplicate(at, &start));
     PetscCall(MatMult(finer->P, found, start));
     PetscCall(Round_Private(finer->vi, start));
-    PetscCall(Relax_Private(hierarchy, finer, at, start));
+    PetscCall(Relax_Private(hierarchy, finer, at, start, gained));
     PetscCall(VecDestroy(&found));
   }
   PetscCall(VecCopy(at, y));

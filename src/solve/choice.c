@@ -154,6 +154,37 @@ static PetscErrorCode ChooseBySize_Private(VI vi, PetscBool pdas, SolveChoice *c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* To stop at the discretisation error takes the cascade, which begins with the next coarser level. */
+static PetscErrorCode ChooseStop_Private(VI vi, PetscBool own, SolveChoice *choice)
+{
+  const MPI_Comm comm = PetscObjectComm((PetscObject)vi->b);
+
+  PetscFunctionBeginUser;
+  choice->stop = (PetscBool)(vi->scene->stop == STOP_DISCRETISATION);
+  if (!choice->stop) PetscFunctionReturn(PETSC_SUCCESS);
+  if (vi->solvability) {
+    PetscCall(FaultRaise(
+        comm,
+        "-stop discretisation: works where supports hold all bodies, and here contact holds some; leave it away"));
+  }
+  if (own) {
+    PetscCall(PetscStrncpy(choice->ksp, KSPCG, sizeof(choice->ksp)));
+    PetscCall(PetscStrncpy(choice->pc, PCTRUNCATEDMG, sizeof(choice->pc)));
+    PetscCall(PetscStrncpy(choice->why, "-stop discretisation", sizeof(choice->why)));
+  }
+  if (strcmp(choice->snes, SNESPDAS) || strcmp(choice->ksp, KSPCG) || strcmp(choice->pc, PCTRUNCATEDMG)) {
+    PetscCall(FaultRaise(comm,
+                         "-stop discretisation: needs -snes_type " SNESPDAS ", -ksp_type " KSPCG
+                         " and -pc_type " PCTRUNCATEDMG ", and gets %s, %s and %s; leave these away",
+                         choice->snes, choice->ksp, choice->pc));
+  }
+  if (!(vi->mesh && vi->mesh->num_levels > 1)) {
+    PetscCall(FaultRaise(comm, "-stop discretisation: needs a coarser level of the mesh, and there is one level; "
+                               "refine with -dm_refine 1 or more"));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
 {
   MPI_Comm  comm;
@@ -187,6 +218,7 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
     PetscCall(PetscStrncpy(choice->why, ksp ? (pc ? "-ksp_type and -pc_type" : "-ksp_type") : "-pc_type",
                            sizeof(choice->why)));
   }
+  PetscCall(ChooseStop_Private(vi, choice->own, choice));
   choice->nested = (PetscBool)(pdas && !strcmp(choice->pc, PCTRUNCATEDMG) && vi->mesh && vi->mesh->num_levels > 1);
   if (!pdas && !strcmp(choice->pc, PCGAMG)) {
     PetscCall(

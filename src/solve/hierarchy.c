@@ -91,8 +91,29 @@ static PetscErrorCode Multiply_Private(Mat A, Mat B, Mat *P)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* T_f^-1 (P (x) 1) T_c, emptied where unknowns are eliminated. */
-static PetscErrorCode CreateProlongation_Private(VI coarse, VI fine, Mat *P)
+/* What eliminated unknowns of the coarser level, which have their values, give to others of this one. [in] P - of all unknowns; [in] open -
+   1 where an unknown is left, fine and coarse; [out] lift - NULL where the values are 0 */
+static PetscErrorCode CreateLift_Private(VI coarse, VI fine, Mat P, const Vec open[2], Vec *lift)
+{
+  PetscReal size;
+  Vec       given;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(coarse->b, &given));
+  PetscCall(VecPointwiseMult(given, coarse->b, open[1]));
+  PetscCall(VecAYPX(given, -1, coarse->b));
+  PetscCall(VecNorm(given, NORM_INFINITY, &size));
+  if (size > 0) {
+    PetscCall(VecDuplicate(fine->b, lift));
+    PetscCall(MatMult(P, given, *lift));
+    PetscCall(VecPointwiseMult(*lift, *lift, open[0]));
+  }
+  PetscCall(VecDestroy(&given));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* T_f^-1 (P (x) 1) T_c, emptied where unknowns are eliminated. [out] lift - of CreateLift_Private() */
+static PetscErrorCode CreateProlongation_Private(VI coarse, VI fine, Mat *P, Vec *lift)
 {
   Mat inverse;
   Vec open[2];
@@ -105,6 +126,7 @@ static PetscErrorCode CreateProlongation_Private(VI coarse, VI fine, Mat *P)
   PetscCall(MatDestroy(&inverse));
   PetscCall(CreateOpen_Private(fine, &open[0]));
   PetscCall(CreateOpen_Private(coarse, &open[1]));
+  PetscCall(CreateLift_Private(coarse, fine, *P, open, lift));
   PetscCall(MatDiagonalScale(*P, open[0], open[1]));
   PetscCall(VecDestroy(&open[0]));
   PetscCall(VecDestroy(&open[1]));
@@ -305,7 +327,7 @@ PetscErrorCode HierarchyCreate(VI vi, Vec springs, Hierarchy *hierarchy)
   PetscCall(GoBelow_Private(mesh, &h->first));
   for (PetscInt l = 1; l < meshes; l++) {
     PetscCall(GridBegin_Private(&mesh[l], PETSC_FALSE));
-    PetscCall(CreateProlongation_Private(mesh[l - 1].vi, mesh[l].vi, &mesh[l].P));
+    PetscCall(CreateProlongation_Private(mesh[l - 1].vi, mesh[l].vi, &mesh[l].P, &mesh[l].lift));
     PetscCall(WeighColumns_Private(mesh[l].P, &mesh[l].weight));
   }
   h->num = h->first + meshes;
@@ -324,6 +346,7 @@ PetscErrorCode HierarchyDestroy(Hierarchy *hierarchy)
 
     PetscCall(MatDestroy(&grid->P));
     PetscCall(VecDestroy(&grid->weight));
+    PetscCall(VecDestroy(&grid->lift));
     PetscCall(VecDestroy(&grid->diag));
     PetscCall(MatDestroy(&grid->S));
     if (l + 1 < (*hierarchy)->num) PetscCall(VIDestroy(&grid->vi));

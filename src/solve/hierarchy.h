@@ -10,6 +10,7 @@ typedef struct {
   VI  vi; /* owned but for the finest */
   Mat A;  /* vi->A, borrowed */
   Mat P; /* y of the next coarser level to y of this one, nothing from and to eliminated unknowns; NULL on the coarsest */
+  Vec lift;   /* what comes to this level from eliminated unknowns of the coarser one; NULL where they are 0 */
   Vec weight; /* how much of this level each unknown of the next coarser one moves: squares of P's columns; NULL like P */
   Vec       diag;    /* of A */
   Mat       S;       /* the smoother's, or NULL where that is the diagonal */

@@ -13,7 +13,7 @@ static const char CONTEXT[] = "MortisePDAS"; /* name under which the context is 
 
 static const char *const PDASStarts[] = {"empty", "full", "gap", "previous"};
 
-static PetscErrorCode Get_Private(SNES snes, PDAS **pdas)
+PetscErrorCode PDASGet(SNES snes, PDAS **pdas)
 {
   PetscContainer container;
 
@@ -30,7 +30,7 @@ PetscErrorCode PDASGetHistory(SNES snes, PetscInt *iterations, PetscInt *active,
   PDAS *pdas;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(snes, &pdas));
+  PetscCall(PDASGet(snes, &pdas));
   if (iterations) *iterations = pdas->iterations;
   if (active) *active = pdas->num_active;
   if (changed) *changed = pdas->changed;
@@ -43,7 +43,7 @@ PetscErrorCode PDASGetLinear(SNES snes, PetscInt *iterations, PetscReal *residua
   PDAS *pdas;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(snes, &pdas));
+  PetscCall(PDASGet(snes, &pdas));
   if (iterations) *iterations = pdas->linear_iterations;
   if (residual) *residual = pdas->residual;
   if (reduced) *reduced = pdas->reduced;
@@ -55,7 +55,7 @@ PetscErrorCode PDASGetFailure(SNES snes, const char *sentence[])
   PDAS *pdas;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(snes, &pdas));
+  PetscCall(PDASGet(snes, &pdas));
   *sentence = "";
   if (pdas->failure)
     *sentence = pdas->failure;
@@ -69,7 +69,7 @@ PetscErrorCode PDASGetActive(SNES snes, Vec *active)
   PDAS *pdas;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(snes, &pdas));
+  PetscCall(PDASGet(snes, &pdas));
   *active = pdas->active;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -79,7 +79,7 @@ PetscErrorCode PDASSetStart(SNES snes, Vec active)
   PDAS *pdas;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(snes, &pdas));
+  PetscCall(PDASGet(snes, &pdas));
   if (!pdas->previous) PetscCall(VecDuplicate(active, &pdas->previous));
   PetscCall(VecCopy(active, pdas->previous));
   if (!pdas->start_set) pdas->start = START_PREVIOUS;
@@ -102,9 +102,21 @@ PetscErrorCode PDASSetKeep(SNES snes, PetscBool keep)
   PDAS *pdas;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(snes, &pdas));
+  PetscCall(PDASGet(snes, &pdas));
   pdas->keep = keep;
   if (!keep) PetscCall(Drop_Private(pdas));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PDASSetEnough(SNES snes, PetscReal enough, PetscReal gained)
+{
+  PDAS *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  pdas->enough = enough;
+  pdas->gained = gained;
+  if (pdas->solver) pdas->solver->enough = enough;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -115,7 +127,7 @@ static PetscErrorCode SetVariableBounds_PDAS(SNES snes, Vec lower, Vec upper)
   PetscReal max;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(snes, &pdas));
+  PetscCall(PDASGet(snes, &pdas));
   PetscCall(VecMax(lower, NULL, &max));
   PetscCheck(max <= PETSC_NINFINITY, PetscObjectComm((PetscObject)snes), PETSC_ERR_SUP,
              SNESPDAS " knows upper bounds only");
@@ -152,28 +164,6 @@ static PetscErrorCode Reset_Private(SNES snes, PDAS *pdas)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether one factorisation is to serve all sets: by itself where the KSP is a MUMPS Cholesky solve alone. */
-static PetscErrorCode Reducible_Private(const PDAS *pdas, const ActiveSet *set, Vec y, KSP ksp, PetscBool *reduced)
-{
-  PetscBool     direct, cholesky, mumps = PETSC_FALSE;
-  MatSolverType type = NULL;
-  PetscInt      size;
-  PC            pc;
-
-  PetscFunctionBeginUser;
-  PetscCall(VecGetSize(y, &size));
-  PetscCall(KSPGetPC(ksp, &pc));
-  PetscCall(PetscObjectTypeCompare((PetscObject)ksp, KSPPREONLY, &direct));
-  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCCHOLESKY, &cholesky));
-  if (cholesky) PetscCall(PCFactorGetMatSolverType(pc, &type));
-  if (type) PetscCall(PetscStrcmp(type, MATSOLVERMUMPS, &mumps));
-  *reduced = (PetscBool)(direct && mumps && set->N <= ACTIVE_MAX_REDUCED);
-  if (pdas->reduce_set) *reduced = pdas->reduce;
-  /* without bounds there is one system only; with nothing else there is nothing to eliminate */
-  if (set->N == 0 || set->N == size) *reduced = PETSC_FALSE;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* The matrix, b = -F(0), and r = b - A y = -F(y): function and Jacobian give everything. */
 static PetscErrorCode Problem_Private(SNES snes, Vec y, Mat *A, Vec *b, Vec *r)
 {
@@ -189,72 +179,6 @@ static PetscErrorCode Problem_Private(SNES snes, Vec y, Mat *A, Vec *b, Vec *r)
   PetscCall(VecScale(*b, -1));
   PetscCall(SNESComputeFunction(snes, y, *r));
   PetscCall(VecScale(*r, -1));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* One of the two ways to solve for a set; pdas->failure tells if it cannot be had. */
-static PetscErrorCode Solver_Private(SNES snes, PDAS *pdas, const ActiveSet *set, Mat A, Vec b, Vec y,
-                                     ActiveSolver *solver)
-{
-  KSP         ksp;
-  const char *prefix;
-  PetscReal   rtol;
-
-  PetscFunctionBeginUser;
-  PetscCall(SNESGetKSP(snes, &ksp));
-  PetscCall(SNESGetTolerances(snes, NULL, &rtol, NULL, NULL, NULL));
-  PetscCall(Reducible_Private(pdas, set, y, ksp, &pdas->reduced));
-  if (pdas->reduced) {
-    PetscCall(KSPGetOptionsPrefix(ksp, &prefix));
-    PetscCall(ReducedCreate(set, A, b, prefix, rtol, solver, &pdas->failure));
-  } else {
-    PetscCall(TruncatedCreate(set, A, b, y, ksp, rtol, solver));
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode PDASGetSolver(SNES snes, ActiveSolver *solver)
-{
-  PDAS     *pdas;
-  PetscBool is_pdas;
-
-  PetscFunctionBeginUser;
-  *solver = NULL;
-  PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &is_pdas));
-  if (!is_pdas) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(Get_Private(snes, &pdas));
-  *solver = pdas->solver;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode PDASCreateSolver(SNES snes, const ActiveSet *set, Mat A, Vec b, PetscReal rtol, ActiveSolver *solver,
-                                const char **failure)
-{
-  Vec       y;
-  KSP       ksp;
-  PDAS     *pdas;
-  PetscBool is_pdas, reduced = PETSC_FALSE;
-
-  PetscFunctionBeginUser;
-  *failure = NULL;
-  PetscCall(VecDuplicate(b, &y));
-  PetscCall(VecZeroEntries(y));
-  PetscCall(SNESGetKSP(snes, &ksp));
-  PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &is_pdas));
-  if (is_pdas) {
-    PetscCall(Get_Private(snes, &pdas));
-    PetscCall(Reducible_Private(pdas, set, y, ksp, &reduced));
-  }
-  if (reduced) {
-    const char *prefix;
-
-    PetscCall(KSPGetOptionsPrefix(ksp, &prefix));
-    PetscCall(ReducedCreate(set, A, b, prefix, rtol, solver, failure));
-  } else {
-    PetscCall(KSPReset(ksp)); /* it may have been used for a matrix of another size */
-    PetscCall(TruncatedCreate(set, A, b, y, ksp, rtol, solver));
-  }
-  PetscCall(VecDestroy(&y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -290,7 +214,7 @@ static PetscErrorCode Prepare_Private(SNES snes, PDAS *pdas, Mat A, Vec b, Vec y
     PetscCall(ActiveSetCreate(pdas->upper ? pdas->upper : upper, A, &pdas->set));
     PetscCall(VecDestroy(&upper));
     PetscCall(PDASBegin(snes, pdas, &pdas->set, y, r));
-    PetscCall(Solver_Private(snes, pdas, &pdas->set, A, b, y, &pdas->solver));
+    PetscCall(PDASChooseSolver(snes, pdas, A, b, y));
   }
   pdas->b = b;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -303,7 +227,7 @@ static PetscErrorCode Solve_PDAS(SNES snes, Vec y)
   Vec   b, r;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(snes, &pdas));
+  PetscCall(PDASGet(snes, &pdas));
   PetscCall(Reset_Private(snes, pdas));
   PetscCall(Problem_Private(snes, y, &A, &b, &r));
   PetscCall(Prepare_Private(snes, pdas, A, b, y, r));
@@ -331,7 +255,7 @@ static PetscErrorCode SetFromOptions_Private(SNES snes)
   PetscFunctionBeginUser;
   PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &is_pdas));
   if (!is_pdas) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(Get_Private(snes, &pdas));
+  PetscCall(PDASGet(snes, &pdas));
   PetscCall(SNESGetOptionsPrefix(snes, &prefix));
   start = (PetscInt)pdas->start;
   PetscOptionsBegin(PetscObjectComm((PetscObject)snes), prefix, "Primal-dual active set options", "SNES");

@@ -10,6 +10,7 @@ typedef struct {
   char      why[160];                  /* where the choice of the linear solver comes from */
   PetscBool nearly;                    /* whether some body is so nearly incompressible that iterating takes long */
   PetscBool nested;                    /* whether there are coarser meshes to begin on */
+  PetscBool stop;                      /* whether at the discretisation error (T37) */
   PetscBool bound;                     /* whether the energy of the error is to be bounded */
   PetscBool own;                       /* whether the linear solver is nobody's wish */
 } SolveChoice;

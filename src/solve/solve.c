@@ -10,6 +10,7 @@
 #include "factor.h"
 #include "multigrid.h"
 #include "reference.h"
+#include "stop.h"
 
 /* Solves once, and where springs hold bodies again and again until they have nothing left to do. */
 static PetscErrorCode Sweep_Private(Workbench *bench, Vec y, SolveReport *report)
@@ -29,14 +30,14 @@ static PetscErrorCode Sweep_Private(Workbench *bench, Vec y, SolveReport *report
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Begins with what coarser levels find. */
-static PetscErrorCode Cascade_Private(Hierarchy hierarchy, SNES snes, Vec y)
+/* Begins with what coarser levels find. [out] gained - as of CascadeStart() */
+static PetscErrorCode Cascade_Private(Hierarchy hierarchy, SNES snes, Vec y, PetscReal *gained)
 {
   Vec active;
 
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(y, &active));
-  PetscCall(CascadeStart(hierarchy, y, active));
+  PetscCall(CascadeStart(hierarchy, y, active, gained));
   PetscCall(PDASSetStart(snes, active));
   PetscCall(VecDestroy(&active));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -46,7 +47,8 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], P
                         SolveReport *report)
 {
   const PetscBool pdas   = (PetscBool)!strcmp(choice->snes, SNESPDAS);
-  const PetscBool nested = (PetscBool)(choice->nested && !guess && !vi->solvability);
+  const PetscBool nested = (PetscBool)(choice->nested && (!guess || choice->stop) && !vi->solvability);
+  PetscReal       gained = 0;
   Workbench       bench;
 
   PetscFunctionBeginUser;
@@ -57,11 +59,13 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], P
   PetscCall(SolveStart(bench.springs.vi, pdas, prefix, guess, y));
   PetscCall(SpringsSet(&bench.springs, guess ? y : NULL, bench.snes, pdas));
   if (pdas && (choice->bound || vi->solvability)) PetscCall(PDASSetKeep(bench.snes, PETSC_TRUE));
-  if (bench.hierarchy && nested) PetscCall(Cascade_Private(bench.hierarchy, bench.snes, y));
+  if (bench.hierarchy && nested) PetscCall(Cascade_Private(bench.hierarchy, bench.snes, y, &gained));
+  if (choice->stop) PetscCall(StopSet(&bench, gained));
   PetscCall(Sweep_Private(&bench, y, report));
-  report->bound.value = NAN;
+  report->bound.value = report->discretisation = NAN;
   if (choice->bound && !pdas) PetscCall(WorkbenchSetLevels(&bench, NULL));
   if (choice->bound) PetscCall(BoundCompute(&bench.springs, bench.snes, y, &report->bound));
+  if (choice->stop) PetscCall(StopConfirm(&bench, y, report));
   if (bench.hierarchy) report->work = bench.hierarchy->work;
   PetscCall(WorkbenchDestroy(&bench, y));
   PetscCall(SolvabilitySettle(vi, y));

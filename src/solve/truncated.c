@@ -266,6 +266,7 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
     left          = solver->target / solution->eta;
     /* a direct solver gets to roundoff, not just below a tolerance, for the price of one more substitution */
     done = (PetscBool)(solution->eta <= solver->target && (!t->direct || k));
+    if (solver->enough > 0) break;
     if (t->shell && last) PetscCall(Exact_Private(solver, first, size, &solution->eta, &left, &done));
     if (done && last) PetscCall(Forceless_Private(solver, fixed, &done));
     if (!(solution->eta <= STALLED * before)) break;

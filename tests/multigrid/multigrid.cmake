@@ -43,6 +43,10 @@ aggregates(solid          SCENE blocks ARGS -upper_dm_plex_simplex 1 -upper_dm_p
 aggregates(floating       SCENE stack)
 aggregates(tied           SCENE tied)
 
+# --- stopping at the discretisation error ---
+mortise_scene_test(stop SCENE two_plates CHECK stop.py RANKS 1 3 LABELS mpi ARGS -upper_dm_plex_box_faces 64,64 -lower_dm_plex_box_faces 64,64
+  -stop discretisation -pc_type truncatedmg)
+
 # --- iterations ---
 mortise_scene_test(growth       SCENE two_plates CHECK growth.py ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6)
 mortise_scene_test(growth_solid SCENE blocks CHECK growth.py)

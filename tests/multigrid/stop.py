@@ -1,0 +1,23 @@
+"""-stop discretisation ends at a tenth of the discretisation error, says how large both are, and takes a third of the work."""
+from math import sqrt
+
+from judge import near, require
+
+LIMIT = -5918.26337  # potential energy under refinement, from an independent high-order solution (options/two_plates.opts)
+WORK = 60            # products with the finest matrix, all levels
+
+
+def judge(run):
+    whole = run.again("-stop", "residual", name="whole").summary
+    part = run.summary
+    solver, energy, exact = part["solver"], part["energy"]["potential"], whole["energy"]["potential"]
+    require(whole["solver"]["discretisation_error"] is None, "an error of the mesh that nobody asked for")
+    estimate, bound = solver["discretisation_error"]["absolute"], solver["energy_bound"]["absolute"]
+    require(bound <= estimate / 10, f"the solver's error {bound} by that of the mesh {estimate}")
+    # of a feasible displacement, 1/2 |u - u_h|_K^2 is at most what its energy is above the least one
+    require(energy >= exact - 1e-9 * abs(exact), f"energy {energy} below the least, {exact}")
+    require(sqrt(2 * max(energy - exact, 0)) <= 1.2 * bound, f"the error {sqrt(2 * (energy - exact))} above its bound {bound}")
+    near("discretisation error", estimate, sqrt(2 * (exact - LIMIT)), relative=0.35)
+    near("force", part["pairs"]["joint"]["force"][1], whole["pairs"]["joint"]["force"][1], relative=1e-3)
+    require(solver["work_units"] <= WORK, f"{solver['work_units']} units of work")
+    require(solver["work_units"] < 0.5 * whole["solver"]["work_units"], "no less work than to the end")
