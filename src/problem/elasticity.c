@@ -9,6 +9,7 @@
 #include <mortise/compat.h>
 #include <mortise/elasticity.h>
 #include <mortise/fault.h>
+#include "gather.h"
 #include "loads.h"
 #include "volume.h"
 
@@ -257,25 +258,25 @@ static PetscErrorCode CellStiffness_Private(Scene scene, Level *level, PetscInt 
 static PetscErrorCode AssembleCells_Private(Scene scene, Level *level, Mat K)
 {
   PetscReal    Ke[MAX_CELL_DOFS * MAX_CELL_DOFS];
-  PetscInt     body = -1, rows[ELEMENT_MAX_NODES];
+  PetscInt     body = -1;
   ElementRule *rules;
   Work        *work;
   Law          law;
+  Gather       gather;
 
   PetscFunctionBeginUser;
   PetscCall(ElasticityRulesCreate(scene, &rules));
+  PetscCall(GatherCreate(level, &gather));
   PetscCall(PetscNew(&work));
   for (PetscInt c = 0; c < level->num_cells; c++) {
-    const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]],
-                   n      = level->cell_start[c + 1] - level->cell_start[c];
     if (level->cell_body[c] != body) { // cells of a body follow one another
       body = level->cell_body[c];
       PetscCall(LawSet_Private(scene, body, &law));
     }
     PetscCall(CellStiffness_Private(scene, level, c, &rules[level->cell_type[c]], &law, work, Ke));
-    for (PetscInt i = 0; i < n; i++) rows[i] = level->node_global[nodes[i]];
-    PetscCall(MatSetValuesBlocked(K, n, rows, n, rows, Ke, ADD_VALUES));
+    PetscCall(GatherAdd(&gather, c, Ke, K));
   }
+  PetscCall(GatherFinish(&gather, K));
   PetscCall(PetscFree(rules));
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     PetscCall(ExpressionCheck(level->comm, scene->bodies[b].young));
