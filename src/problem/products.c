@@ -1,7 +1,7 @@
 /* products.c -- K for products alone: its upper triangle in blocks.
 
    Iterations read K from memory again and again. Half of it, without a column for every entry, is read in half the time. Each block
-   is used twice on the way through it: for its row, and transposed for the row of its column. What couples to unknowns of other ranks
+   is used twice on the way through it: for its row, and transposed for the row of its column (T39). What couples to unknowns of other ranks
    is little, and stays where it is. */
 #include <mortise/compat.h>
 #include <petscvec.h>
