@@ -2,8 +2,11 @@
 
 Cells of order 1 without projection are 31 % off in the potential and 19 % in the force.
 """
+import sys
+
 from judge import near
 
+POISSON = 0.4999
 POTENTIAL, FORCE, END = -4587.455, 2277073.26, 0.42086
 ALLOWED = {"1": (1e-2, 5e-3), "2": (1e-3, 5e-4)}  # order 1: as it was asked for
 
@@ -17,10 +20,12 @@ def judge(run):
     edge = max(x for x, status in zip(table["x"], table["status"]) if status == 1)
     step = sorted(set(table["x"]))[1]
     near("end of the contact", edge, END, absolute=step)
-    equations(run)
+    equations(run, step)
 
 
-def equations(run):
-    """What the summary says of the solution fits together: without gaps, the potential is minus the strain energy."""
+def equations(run, step):
+    """What the summary says of the solution fits together: without gaps, the potential is minus the strain energy, up to the rounding of
+    K's entries: these are larger than shear stresses by bulk over shear modulus, and displacements larger than their differences by 1 / step."""
     energy = run.summary["energy"]
-    near("strain energy", sum(energy["strain"].values()), -energy["potential"], relative=1e-9)
+    rounding = sys.float_info.epsilon * 2 * (1 + POISSON) / (3 * (1 - 2 * POISSON)) / step**2
+    near("strain energy", sum(energy["strain"].values()), -energy["potential"], relative=rounding)

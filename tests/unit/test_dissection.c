@@ -10,9 +10,10 @@ enum { SIDE = 9, DOFS = 3, NUM = SIDE * SIDE * SIDE * DOFS };
 static Mat Cube(void)
 {
   Mat      A;
-  PetscInt begin, end;
+  PetscInt begin, end, own = PETSC_DECIDE, nodes = NUM / DOFS;
 
-  CHECK(!MatCreateAIJ(PETSC_COMM_WORLD, PETSC_DECIDE, PETSC_DECIDE, NUM, NUM, 81, NULL, 81, NULL, &A));
+  CHECK(!PetscSplitOwnership(PETSC_COMM_WORLD, &own, &nodes));
+  CHECK(!MatCreateAIJ(PETSC_COMM_WORLD, own * DOFS, own * DOFS, NUM, NUM, 81, NULL, 81, NULL, &A));
   CHECK(!MatSetBlockSize(A, DOFS));
   CHECK(!MatGetOwnershipRange(A, &begin, &end));
   for (PetscInt row = begin; row < end; ++row) {
