@@ -13,8 +13,9 @@
 enum { EIGENVALUE_STEPS = 10 };
 static const PetscReal EIGENVALUE_MARGIN = 1.1;
 
-/* Unknowns from which on the coarsest mesh is not factored but has levels below it, and to which these go down. */
-enum { LARGE = 10000, COARSEST = 2500, MAX_BELOW = 16 };
+/* Unknowns from which on the coarsest mesh, in the plane and in space, is not factored but has levels below it, and to which these go
+   down. */
+enum { LARGE_2D = 20000, LARGE_3D = 10000, COARSEST = 2500, MAX_BELOW = 16 };
 /* A level of more than this part of the finer one's unknowns is the last one. */
 static const PetscReal SLOW = 0.7;
 
@@ -288,7 +289,7 @@ static PetscErrorCode GoBelow_Private(Grid *coarsest, PetscInt *num)
   PetscFunctionBeginUser;
   *num = 0;
   PetscCall(VecGetSize(vi->b, &size));
-  go = (PetscBool)(size > LARGE || vi->mesh->num_levels == 1);
+  go = (PetscBool)(size > (vi->level->dim == 3 ? LARGE_3D : LARGE_2D) || vi->mesh->num_levels == 1);
   PetscCall(GridBegin_Private(coarsest, (PetscBool)!go));
   if (!go) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(AlgebraicBegin(vi, &fabric));

@@ -19,7 +19,7 @@ static const char CONTEXT[] = "MortiseMultigrid"; /* name under which the contex
 
 /* Steps of the smoother, and the part of the spectrum that it is for. */
 enum { SMOOTHING_STEPS = 3 };
-static const PetscReal SMOOTHED_FROM = 0.1;
+static const PetscReal SMOOTHED_FROM = 0.07;
 /* Unknowns of the coarsest level that every rank factors for itself, and percent of workspace on top where that is shared. */
 enum { REPEATED_UNKNOWNS = 20000 };
 static const char ROOM[] = "200";

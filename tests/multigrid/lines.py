@@ -1,5 +1,5 @@
-"""The same where lines of strongly coupled unknowns run along the contact: smoothers follow them on each rank alone, so that ranks which cut
-them take more iterations, here half as many again (Known issues in src/CHANGES.md)."""
+"""The same where unknowns are coupled strongly along lines or across contact: smoothers keep such couplings together on each rank alone, so that
+ranks which cut them take more iterations, here up to half as many again (Known issues in src/CHANGES.md)."""
 import multigrid
 
 MORE = 0.6
