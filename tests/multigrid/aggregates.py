@@ -1,7 +1,7 @@
 """Multigrid on levels of aggregates, where the mesh has one level, finds what a factorisation finds: with both solvers, on any number of
 ranks, in tens of iterations. Ranks aggregate for themselves, so the numbers of iterations differ a little."""
 from judge import require
-from multigrid import RANKS, compare
+from multigrid import RANKS, iterations_on_ranks
 
 MOST = 60  # iterations of CG for one system of vinewtonrsls, and twice as many for all of pdas together
 GROWTH = 1.5  # times as many on some ranks as on others
@@ -9,10 +9,5 @@ GROWTH = 1.5  # times as many on some ranks as on others
 
 def judge(run):
     for snes, most in (("pdas", 2 * MOST), ("vinewtonrsls", MOST)):
-        iterations = []
-        for ranks in RANKS:
-            other = run.again("-pc_type", "truncatedmg", "-snes_type", snes, ranks=ranks, name=f"{snes}{ranks}")
-            compare(run, other, f"{snes} on {ranks} ranks")
-            solver = other.summary["solver"]
-            iterations.append(solver["linear_iterations"] / (solver["iterations"] if snes == "vinewtonrsls" else 1))
+        iterations = iterations_on_ranks(run, snes)
         require(max(iterations) <= min(most, GROWTH * min(iterations)), f"{snes} takes {iterations} iterations on {RANKS} ranks")

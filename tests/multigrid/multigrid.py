@@ -26,14 +26,20 @@ def compare(run, other, what):
         same_table(other.table(pair), run.table(pair), {"pressure": (0, PRESSURE * strongest), "status": (0, 0)})
 
 
+def iterations_on_ranks(run, snes):
+    """Compares the solutions on all numbers of ranks; iterations of pdas in all, of vinewtonrsls for a system."""
+    iterations = []
+    for ranks in RANKS:
+        other = run.again("-pc_type", "truncatedmg", "-snes_type", snes, ranks=ranks, name=f"{snes}{ranks}")
+        compare(run, other, f"{snes} on {ranks} ranks")
+        solver = other.summary["solver"]
+        # rounding may decide whether vinewtonrsls takes one step more; what counts is a system's price
+        iterations.append(solver["linear_iterations"] / (solver["iterations"] if snes == "vinewtonrsls" else 1))
+    return iterations
+
+
 def judge(run, more=0.05):
     """[in] more - part of the iterations that may come on top on other ranks, beside what rounding adds"""
     for snes in ("pdas", "vinewtonrsls"):
-        iterations = []
-        for ranks in RANKS:
-            other = run.again("-pc_type", "truncatedmg", "-snes_type", snes, ranks=ranks, name=f"{snes}{ranks}")
-            compare(run, other, f"{snes} on {ranks} ranks")
-            solver = other.summary["solver"]
-            # rounding may decide whether vinewtonrsls takes one step more; what counts is a system's price
-            iterations.append(solver["linear_iterations"] / (solver["iterations"] if snes == "vinewtonrsls" else 1))
+        iterations = iterations_on_ranks(run, snes)
         require(max(iterations) - min(iterations) <= SPREAD + more * min(iterations), f"{snes} takes {iterations} iterations on {RANKS} ranks")
