@@ -155,7 +155,7 @@ static PetscErrorCode ChooseBySize_Private(VI vi, PetscBool pdas, SolveChoice *c
 }
 
 /* To stop at the discretisation error takes the cascade, which begins with the next coarser level. */
-static PetscErrorCode ChooseStop_Private(VI vi, PetscBool own, SolveChoice *choice)
+static PetscErrorCode ChooseStop_Private(VI vi, SolveChoice *choice)
 {
   const MPI_Comm comm = PetscObjectComm((PetscObject)vi->b);
 
@@ -167,7 +167,7 @@ static PetscErrorCode ChooseStop_Private(VI vi, PetscBool own, SolveChoice *choi
         comm,
         "-stop discretisation: works where supports hold all bodies, and here contact holds some; leave it away"));
   }
-  if (own) {
+  if (choice->own) {
     PetscCall(PetscStrncpy(choice->ksp, KSPCG, sizeof(choice->ksp)));
     PetscCall(PetscStrncpy(choice->pc, PCTRUNCATEDMG, sizeof(choice->pc)));
     PetscCall(PetscStrncpy(choice->why, "-stop discretisation", sizeof(choice->why)));
@@ -218,7 +218,7 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
     PetscCall(PetscStrncpy(choice->why, ksp ? (pc ? "-ksp_type and -pc_type" : "-ksp_type") : "-pc_type",
                            sizeof(choice->why)));
   }
-  PetscCall(ChooseStop_Private(vi, choice->own, choice));
+  PetscCall(ChooseStop_Private(vi, choice));
   choice->nested = (PetscBool)(pdas && !strcmp(choice->pc, PCTRUNCATEDMG) && vi->mesh && vi->mesh->num_levels > 1);
   if (!pdas && !strcmp(choice->pc, PCGAMG)) {
     PetscCall(
