@@ -1,8 +1,8 @@
 /* progress.c -- the table of nonlinear iterations on the terminal. */
 #include <petsctime.h>
-#include <unistd.h>
 #include <mortise/compat.h>
 #include <mortise/pdas.h>
+#include <mortise/terminal.h>
 #include "room.h"
 
 typedef struct {
@@ -12,10 +12,10 @@ typedef struct {
 
 PetscErrorCode ProgressWanted(Scene scene, PetscBool *wanted)
 {
-  int terminal = isatty(STDOUT_FILENO);
+  PetscBool terminal;
 
   PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Bcast(&terminal, 1, MPI_INT, 0, scene->comm)); /* the first rank is the one that prints */
+  PetscCall(TerminalIsThere(scene->comm, &terminal));
   /* a study has lines of its own */
   *wanted = (PetscBool)(scene->monitor || (terminal && !scene->quiet && scene->study.kind == STUDY_NONE));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -7,9 +7,9 @@
 #include <mortise/output.h>
 #include <mortise/page.h>
 #include <mortise/probes.h>
+#include <mortise/terminal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include "room.h"
 
 enum { BYTES_TEXT = 24 };
@@ -194,17 +194,12 @@ PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
 {
   const SceneStudy *plan = &scene->study;
   PetscBool         all = PETSC_TRUE, none = PETSC_FALSE, solved, refused;
-  int               terminal = isatty(STDOUT_FILENO);
   Study             study;
-  PetscMPIInt       ranks;
 
   PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Bcast(&terminal, 1, MPI_INT, 0, scene->comm)); // the first rank is the one that prints
   PetscCall(CheckNames_Private(scene));
   PetscCall(StudyCreate(scene, &study));
-  PetscCallMPI(MPI_Comm_size(scene->comm, &ranks));
-  study->terminal =
-      (PetscBool)(terminal && ranks == 1); // mpiexec gives its ranks terminals where its own output is a file
+  PetscCall(TerminalIsThere(scene->comm, &study->terminal));
   study->quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
   PetscCall(InterruptBegin());
   PetscCall(StudyWriteFiles(study));

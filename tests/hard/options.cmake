@@ -22,3 +22,4 @@ mortise_mistake(bool_of_petsc SCENE two_plates SAYS -malloc_debug zoo ARGS -mall
 mortise_mistake(solver_of_petsc SCENE two_plates SAYS "solver type zoo" ARGS -pc_type lu -pc_factor_mat_solver_type zoo)
 mortise_mistake(range_of_mumps SCENE two_plates SAYS "-mat_mumps_icntl_7 99" "0 to 7" ARGS -mat_mumps_icntl_7 99)
 mortise_mistake(viewer_of_petsc SCENE two_plates SAYS -ksp_view nowhere ARGS -ksp_view ascii:nowhere/x)
+mortise_scene_test(terminal SCENE patch2d CHECK terminal.py RANKS 1 3)

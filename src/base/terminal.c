@@ -1,0 +1,37 @@
+/* terminal.c -- does somebody look on.
+
+   Open MPI lets the ranks of this machine write to pseudo-terminals, also where its own output is a file. Its own output is that
+   of their parent. */
+#include <mortise/compat.h>
+#include <mortise/terminal.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+enum { PATH_LENGTH = 64 };
+
+/* Whether standard output of the parent process is a terminal, where the system tells (Linux). */
+static int ParentHasTerminal_Private(void)
+{
+  char path[PATH_LENGTH];
+  int  output, terminal;
+
+  (void)snprintf(path, sizeof(path), "/proc/%ld/fd/%d", (long)getppid(), STDOUT_FILENO);
+  output = open(path, O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (output < 0) return 0;
+  terminal = isatty(output);
+  (void)close(output);
+  return terminal;
+}
+
+PetscErrorCode TerminalIsThere(MPI_Comm comm, PetscBool *there)
+{
+  int terminal = isatty(STDOUT_FILENO);
+
+  PetscFunctionBeginUser;
+  if (terminal && getenv("OMPI_COMM_WORLD_SIZE")) terminal = ParentHasTerminal_Private();
+  PetscCallMPI(MPI_Bcast(&terminal, 1, MPI_INT, 0, comm));
+  *there = terminal ? PETSC_TRUE : PETSC_FALSE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
