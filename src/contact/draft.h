@@ -18,6 +18,17 @@ typedef struct {
 PetscErrorCode ReachChoose(const ScenePair *spec, Level *level, const Support *held, const Facets *nonmortar,
                            const Facets *mortar, PetscReal *reach);
 
+/* A wider reach where bodies overlap by more than it to begin with. Fault: they do, and it was given. Collective.
+   [in,out] reach - as it was chosen */
+PetscErrorCode ReachWiden(const ScenePair *spec, const Level *level, const Facets *nonmortar, const Facets *mortar,
+                          PetscReal *reach);
+
+/* How far nodes of a side lie inside a body whose side they are to meet, where none of that is within reach: the largest distance from
+   the partner's side. Collective. [in] side, partner - of this rank; [in] body - of the partner; [in,out] depth - grows if there are such
+   nodes farther away; [in,out] at - where the farthest is [dim] */
+PetscErrorCode DepthFind(const Level *level, const Facets *side, PetscInt body, const Facets *partner, PetscReal reach,
+                         PetscReal *depth, PetscReal at[]);
+
 /* Takes held directions out of the normals of nodes that are free enough, before rays are sent along them: a symmetry plane
    then cuts the side where the mirror image would go on. Not collective. [in,out] normals - ghosted */
 PetscErrorCode NormalsProject(const Level *level, const Support *held, Vec normals);

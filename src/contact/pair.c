@@ -120,6 +120,7 @@ static PetscErrorCode Integrate_Private(Scene scene, Level *level, const Support
   if (meshed) PetscCall(LevelGetFacets(level, scene, spec->mortar.body, spec->mortar.side, &mortar));
   PetscCall(ReachChoose(spec, level, held, &draft->nonmortar, meshed ? &mortar : NULL, &partner.reach));
   if (meshed) {
+    PetscCall(ReachWiden(spec, level, &draft->nonmortar, &mortar, &partner.reach));
     PetscCall(MortarSurfaceCreate(level, &draft->nonmortar, &mortar, partner.reach, &surface));
     partner.mortar = &surface;
   }

@@ -1,14 +1,18 @@
 /* reach.c -- how far apart faces are still candidates.
 
    A multiplier costs little and an unused one nothing but its row, while a missed contact is a wrong answer: the reach is
-   generous. What approaches from beyond it does not move little. */
+   generous, and wider where bodies overlap by more. What approaches from beyond it does not move little. */
 #include <mortise/compat.h>
+#include <mortise/fault.h>
 #include "draft.h"
 
 /* Facets within this many facet sizes of the other side are candidates ... */
 static const PetscReal REACH_FACETS = 3;
 /* ... and within twice the largest prescribed displacement, and within a tenth of the smaller side. */
 static const PetscReal REACH_PRESCRIBED = 2, REACH_SIDE = 0.1;
+/* Rays out of an overlap are no longer than this many times the shortest way, where the partner is flat: 1 / 0.3 where sides face each
+   other just so. */
+static const PetscReal REACH_OVERLAP = 3.5;
 
 /* Diagonal of the box around a side, over all ranks; 0 for an empty one. */
 static PetscErrorCode SideExtent_Private(const Level *level, const Facets *facets, PetscReal *extent)
@@ -47,5 +51,40 @@ PetscErrorCode ReachChoose(const ScenePair *spec, Level *level, const Support *h
     extent = PetscMin(extent, extent_m);
   }
   *reach = PetscMax(REACH_FACETS * size, PetscMax(REACH_PRESCRIBED * held->max_value, REACH_SIDE * extent));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* "(1.5, -2)" */
+static PetscErrorCode PlaceText_Private(PetscInt dim, const PetscReal at[], char text[], size_t len)
+{
+  PetscFunctionBeginUser;
+  if (dim == 2) {
+    PetscCall(PetscSNPrintf(text, len, "(%.6g, %.6g)", (double)at[0], (double)at[1]));
+  } else {
+    PetscCall(PetscSNPrintf(text, len, "(%.6g, %.6g, %.6g)", (double)at[0], (double)at[1], (double)at[2]));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ReachWiden(const ScenePair *spec, const Level *level, const Facets *nonmortar, const Facets *mortar,
+                          PetscReal *reach)
+{
+  const PetscInt s = spec->nonmortar.body, m = spec->mortar.body;
+  PetscReal      depth = 0, at[3];
+  char           place[128];
+
+  PetscFunctionBeginUser;
+  if (s == m) PetscFunctionReturn(PETSC_SUCCESS); // a body is always inside itself
+  PetscCall(DepthFind(level, nonmortar, m, mortar, *reach, &depth, at));
+  PetscCall(DepthFind(level, mortar, s, nonmortar, *reach, &depth, at));
+  if (depth > *reach && spec->reach >= 0) {
+    PetscCall(PlaceText_Private(level->dim, at, place, sizeof(place)));
+    PetscCall(FaultRaise(level->comm,
+                         "-%s_reach %.6g: bodies %s and %s overlap by %.3g at %s to begin with, farther than partners "
+                         "are looked for; leave it out, or give at least that",
+                         spec->name, (double)spec->reach, level->scene->bodies[s].name, level->scene->bodies[m].name,
+                         (double)depth, place));
+  }
+  *reach = PetscMax(*reach, REACH_OVERLAP * depth);
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -110,8 +110,8 @@ static const OptionEntry table[] = {
     {GROUP_PAIRS, "-<pair>_gap_offset", "e", "length", "(none)",
      "Is added to the gap; negative for an interference fit."},
     {GROUP_PAIRS, "-<pair>_reach", "x", "length", "(from the meshes)",
-     "How far apart facets are still taken for partners. Bodies that overlap where they were farther apart are exit "
-     "code 3."},
+     "How far apart facets are still taken for partners, across a gap or in an overlap. One that misses an overlap is "
+     "refused, or exit code 3 where loads make it."},
     {GROUP_PAIRS, "-<pair>_multipliers", "nodes|vertices", "", "nodes",
      "On a nonmortar side of order 2: whether all its nodes carry a pressure, or its vertices alone."},
     {GROUP_PAIRS, "-<pair>_exact_pressure", "e", "stress", "(not known)",

@@ -170,6 +170,7 @@ mistake(pair_type           SAYS "-joint_type glued" "contact, tied" ARGS -joint
 mistake(pair_tied_gap       SAYS "-joint_gap 1e-3" tied ARGS -joint_type tied -joint_gap 1e-3)
 mistake(pair_gap_count      SAYS -joint_gap "1 wanted" ARGS -joint_gap 1,2)
 mistake(pair_reach          SAYS "-joint_reach -1" "above 0" ARGS -joint_reach -1)
+mistake(reach_overlap       SAYS "-joint_reach 0.01" "overlap by" "leave it out" ARGS -joint_reach 0.01 -upper_dm_plex_box_lower 0,-0.5)
 mistake(obstacle_and_mortar SAYS "-joint_obstacle plane" "-joint_mortar lower:top" ARGS -joint_obstacle plane)
 mistake(obstacle_misspelt   SAYS "-wall_obstacle plain" "did you mean plane?" ARGS -pairs joint,wall -wall_nonmortar upper:left -wall_obstacle plain)
 mistake(obstacle_normal     SAYS "-wall_obstacle_normal 0,0" zero

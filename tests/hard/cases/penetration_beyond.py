@@ -1,0 +1,1 @@
+from bars import judge  # noqa: F401  pylint: disable=unused-import
