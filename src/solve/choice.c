@@ -244,7 +244,7 @@ PetscErrorCode SolveChooseAnother(Scene scene, const SolveReport *report, SolveC
                            "once\n",
                            words));
   }
-  choice->nested = PETSC_FALSE;
+  choice->nested = choice->stop = PETSC_FALSE; // a factorisation has no error to stop at
   PetscCall(PetscStrncpy(choice->ksp, KSPPREONLY, sizeof(choice->ksp)));
   PetscCall(PetscStrncpy(choice->pc, PCCHOLESKY, sizeof(choice->pc)));
   PetscFunctionReturn(PETSC_SUCCESS);

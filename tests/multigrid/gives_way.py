@@ -11,10 +11,15 @@ def stopped(run, name, *arguments):
     return other
 
 
+def require_factorised(run):
+    linear = run.summary["solver"]["linear"]
+    require(run.exit == 0 and linear.startswith("Cholesky"), f"exit {run.exit}, solved by {linear}, {run.stderr}")
+
+
 def judge(run):
     wanted = stopped(run, "wanted", "-pc_type", "truncatedmg", "-dm_refine", "1")
     require(wanted.exit == 3 and "try -pc_type cholesky" in wanted.stderr, f"exit {wanted.exit}, {wanted.stderr}")
     own = stopped(run, "own", *LARGE)
-    require(own.exit == 0 and "factorising instead" in own.stderr, f"exit {own.exit}, {own.stderr}")
-    linear = own.summary["solver"]["linear"]
-    require(linear.startswith("Cholesky"), f"solved by {linear}")
+    require("factorising instead" in own.stderr, own.stderr)
+    require_factorised(own)
+    require_factorised(stopped(run, "stop", "-stop", "discretisation", "-dm_refine", "1"))  # which then has nothing to stop
