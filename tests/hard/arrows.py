@@ -31,10 +31,13 @@ def refuse(run, name, *options):
     case = Run(run.program, run.mpiexec, run.ranks, run.folder / name, run.arguments + list(options))
     same(f"exit code of {name}", case.exit, 2)
     case.require_clean()
-    done = subprocess.run([OPTIONS / "mortise-plot", case.folder / "result"], capture_output=True, text=True, check=False)
-    same(f"what mortise-plot says of {name}", (done.returncode, done.stderr), (0, ""))
-    require((case.folder / "result.png").stat().st_size > 0, f"{name}: no picture")
     return case
+
+
+def require_picture(case):
+    done = subprocess.run([OPTIONS / "mortise-plot", case.folder / "result"], capture_output=True, text=True, check=False)
+    same(f"what mortise-plot says of {case.folder.name}", (done.returncode, done.stderr), (0, ""))
+    require((case.folder / "result.png").stat().st_size > 0, f"{case.folder.name}: no picture")
 
 
 def judge_file(case):
@@ -79,6 +82,7 @@ def judge_free(run, plot, bodies):
 def judge(run):
     plot = load("mortise-plot")
     case = refuse(run, "tipped", *TIPPED, "-report", "1")
+    require_picture(case)
     judge_file(case)
     judge_arrows(case, plot)
     page = (case.folder / "result.html").read_text(encoding="utf-8")
@@ -86,6 +90,7 @@ def judge(run):
     vtu = refuse(run, "both_formats", *TIPPED, "-output_format", "xdmf,vtu")
     require('Name="motion"' in (vtu.folder / "result.vtu").read_text(encoding="utf-8"), "no motion in the VTU file")
     ring = refuse(run, "ring", *RING)
+    require_picture(ring)
     near("work on the ring", ring.summary["solvability"]["work"], np.pi * (1 - 0.5**2) * (2 - 1), relative=1e-9)
     judge_free(run, plot, 1)
     judge_free(run.again("-upper_body_force", "0,0", "-upper_bc_traction_top", "0,0", name="idle"), plot, 3)

@@ -2,12 +2,12 @@
 from matplotlib import pyplot as plt
 from matplotlib.patches import FancyArrowPatch
 
-from arrows import load, refuse
+from arrows import load, refuse, require_picture
 from judge import same
 
 
 def judge(run):
-    refuse(run, "lifted", "-b5_body_force", "0,0,1")
+    require_picture(refuse(run, "lifted", "-b5_body_force", "0,0,1"))
     plot, solid = load("mortise-plot"), load("mortise-plot-solid")
     fields = plot.read_fields(str(run.folder / "result"))
     figure, axes = plt.subplots()

@@ -27,11 +27,24 @@ def judge_refused(run, name, x, end, *options):
 
 def judge(run):
     for name, options in {"linear": [], "quadratic": ["-order", "2"], "swapped": ["-joint_nonmortar", "lower:top", "-joint_mortar", "upper:bottom"]}.items():
-        judge_refused(run, f"{name}_far", 0.5, 0.4, *options)
         judge_refused(run, f"{name}_near", 0.42, 0.4, *options)  # the next node is at 0.4375
+        if run.ranks == 1:
+            judge_refused(run, f"{name}_far", 0.5, 0.4, *options)
+    judge_verge(run)
+    if run.ranks == 1:
+        judge_beside(run)
+
+
+def judge_beside(run):
+    """On the partner, and between its end and a node that there is: solved as any other load."""
     held = run_at(run, "held", 0.39, 0.4)
     held.require_solved()
     near("force", held.pair("joint")["force"], [0, 1], absolute=1e-9)
+    run_at(run, "fine", 0.3755, 0.376, "-upper_dm_plex_box_faces", "125,16").require_solved()  # a node at 0.376
+
+
+def judge_verge(run):
+    """Right over the end, and between the last node that can press and the end."""
     verge = run_at(run, "verge", 0.4, 0.4)
     same("exit code on the verge", verge.exit, 0)
     require("tips about (0.4, 0)" in verge.summary["solvability"]["sentence"] and verge.summary["solvability"]["verdict"] == "marginal", "no warning at the end")
@@ -40,4 +53,3 @@ def judge(run):
     same("exit code of a load between node and end", coarse.exit, 2)
     require("no solution on this mesh: body upper tips about (0.375" in coarse.stderr and "refine" in coarse.stderr, f"coarse: {coarse.stderr!r}")
     same("on this mesh", coarse.summary["solvability"]["on_this_mesh"], True)
-    run_at(run, "fine", 0.3755, 0.376, "-upper_dm_plex_box_faces", "125,16").require_solved()  # a node at 0.376

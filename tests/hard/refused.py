@@ -18,6 +18,8 @@ CASES = {  # options, words, motions of bodies, work of the loads
                "body upper slides along (1, 0)", {"upper": ([1, 0], 0, [0.5, 0.5])}, 0.1),
 }
 
+ON_RANKS = ["tipped", "without_contact", "both"]  # of these, where ranks can matter: edges, bodies alone, bodies together
+
 
 def judge_case(run, name, options, words, motions, work):
     if name == "pushed":  # no load on top
@@ -44,5 +46,5 @@ def judge_case(run, name, options, words, motions, work):
 
 
 def judge(run):
-    for name, case in CASES.items():
-        judge_case(run, name, *case)
+    for name in CASES if run.ranks == 1 else ON_RANKS:
+        judge_case(run, name, *CASES[name])
