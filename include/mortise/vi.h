@@ -2,7 +2,7 @@
 
    Book of record, in the user's units:  K u + B'lambda = f,  B u <= G,  lambda >= 0,  lambda.(B u - G) = 0, and the held
    directions of the supports. One change of basis u = T y makes the constrained combinations single unknowns:
-       min 1/2 y'A y - b'y   subject to   y_i <= upper_i   for i in `normal`,
+       min 1/2 y'A y - b'y   subject to   y_i <= upper_i   where a row of contact has its unknown (row_dof),
    with A = T'KT and b = T'f after held and tied unknowns are eliminated (unit rows, scaled), so that only true
    inequalities are left. A, b, y and upper are dimensionless: u = length * T y, A_user = stiffness * A. */
 #ifndef MORTISE_VI_H
@@ -16,7 +16,7 @@ typedef struct _n_VIBasis     *VIBasis;     /* of the problem room: what T is ma
 
 struct _n_VI {
   Scene scene; /* borrowed */
-  Mesh  mesh;  /* borrowed */
+  Mesh  mesh;  /* borrowed; NULL for a matrix alone */
   Level *
       level; /* borrowed: the finest of mesh, or a coarser one (VICreateCoarse()); NULL below these (VICreateOfMatrix()) */
   Support      support;
@@ -58,7 +58,7 @@ struct _n_VI {
 };
 typedef struct _n_VI *VI;
 
-/* Searches, integrates, assembles and condenses. Role cycles are a fault (5.4). Collective. [out] vi - owned by the caller */
+/* Searches, integrates, assembles and condenses. Roles that run in a circle are a fault. Collective. [out] vi - owned by the caller */
 PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi);
 PetscErrorCode VIDestroy(VI *vi);
 /* The same scene on a coarser level of its mesh, as far as multigrid needs it: with the scales of vi, without regard to
@@ -84,7 +84,7 @@ PetscErrorCode VICreateInverse(VI vi, Mat *inverse);
 
 /* u = length * T y. [in] y; [out] u - ghosted, created by LevelCreateVec(level, dim), ghosts updated. Collective. */
 PetscErrorCode VIRecoverDisplacement(VI vi, Vec y, Vec u);
-/* lambda = (T'(f - K u))_row / D_row for every row of B (5.3): pressures of contact rows, tractions of tied rows.
+/* lambda = (T'(f - K u))_row / D_row for every row of B (T9): pressures of contact rows, tractions of tied rows.
    Collective. [in] u - ghosted; [out] lambda - layout of G, created by the caller */
 PetscErrorCode VIRecoverMultiplier(VI vi, Vec u, Vec lambda);
 

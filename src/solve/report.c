@@ -69,27 +69,60 @@ static PetscErrorCode ReasonOther_Private(SNES snes, SNESConvergedReason reason,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveReportAdd(SNES snes, VI vi, Vec y, SolveReport *report)
+/* What pdas alone tells: its active sets. [in] iterations - of this solve; [out] reduced - whether by one factorisation for all sets */
+static PetscErrorCode AddSets_Private(SNES snes, PetscInt iterations, SolveReport *report, PetscBool *reduced)
 {
-  SNESConvergedReason reason;
-  SNESType            type;
-  KSPType             ksp_type;
-  PCType              pc_type;
-  KSP                 ksp;
-  PC                  pc;
-  MatSolverType       package = NULL;
-  PetscBool           pdas, safeguarded, reduced = PETSC_FALSE;
-  PetscInt            iterations, linear;
-  const PetscInt     *changed;
-  const char         *failure;
-  char                words[96];
+  PetscBool       safeguarded;
+  PetscInt        linear;
+  const PetscInt *changed;
+  const char     *failure;
 
   PetscFunctionBeginUser;
-  PetscCall(SNESGetType(snes, &type));
+  PetscCall(PDASGetHistory(snes, NULL, &report->active, &changed, &safeguarded));
+  PetscCall(PDASGetLinear(snes, &linear, &report->linear_residual, reduced));
+  report->safeguarded = (PetscBool)(report->safeguarded || safeguarded);
+  report->linear_iterations += linear;
+  PetscCall(PDASGetFailure(snes, &failure));
+  PetscCall(PetscStrncpy(report->reason, failure, sizeof(report->reason)));
+  for (PetscInt k = 0; k < iterations && report->num_changed < SOLVE_MAX_HISTORY; k++)
+    report->changed[report->num_changed++] = changed[k];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The linear solver in words. [in] reduced - as of AddSets_Private(): whatever the KSP is, it was not asked then */
+static PetscErrorCode DescribeLinear_Private(SNES snes, PetscBool reduced, SolveReport *report)
+{
+  KSPType       ksp_type;
+  PCType        pc_type;
+  KSP           ksp;
+  PC            pc;
+  MatSolverType package = NULL;
+  char          words[96];
+
+  PetscFunctionBeginUser;
   PetscCall(SNESGetKSP(snes, &ksp));
   PetscCall(KSPGetPC(ksp, &pc));
   PetscCall(KSPGetType(ksp, &ksp_type));
   PetscCall(PCGetType(pc, &pc_type));
+  if (SolveFactors(pc_type)) PetscCall(PCFactorGetMatSolverType(pc, &package));
+  if (reduced)
+    PetscCall(SolveDescribe(KSPPREONLY, PCCHOLESKY, MATSOLVERMUMPS, words, sizeof(words)));
+  else
+    PetscCall(SolveDescribe(ksp_type, pc_type, package, words, sizeof(words)));
+  PetscCall(
+      PetscSNPrintf(report->linear, sizeof(report->linear), "%s%s", words, reduced ? ", one for all active sets" : ""));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolveReportAdd(SNES snes, VI vi, Vec y, SolveReport *report)
+{
+  SNESConvergedReason reason;
+  SNESType            type;
+  PetscBool           pdas, reduced = PETSC_FALSE;
+  PetscInt            iterations, linear;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESGetType(snes, &type));
   PetscCall(PetscStrcmp(type, SNESPDAS, &pdas));
   PetscCall(PetscStrncpy(report->type, type, sizeof(report->type)));
   PetscCall(SNESGetConvergedReason(snes, &reason));
@@ -97,27 +130,13 @@ PetscErrorCode SolveReportAdd(SNES snes, VI vi, Vec y, SolveReport *report)
   report->iterations += iterations;
   report->converged = (PetscBool)(reason > 0);
   if (pdas) {
-    PetscCall(PDASGetHistory(snes, NULL, &report->active, &changed, &safeguarded));
-    PetscCall(PDASGetLinear(snes, &linear, &report->linear_residual, &reduced));
-    report->safeguarded = (PetscBool)(report->safeguarded || safeguarded);
-    report->linear_iterations += linear;
-    PetscCall(PDASGetFailure(snes, &failure));
-    PetscCall(PetscStrncpy(report->reason, failure, sizeof(report->reason)));
-    for (PetscInt k = 0; k < iterations && report->num_changed < SOLVE_MAX_HISTORY; k++)
-      report->changed[report->num_changed++] = changed[k];
+    PetscCall(AddSets_Private(snes, iterations, report, &reduced));
   } else {
     PetscCall(SNESGetLinearSolveIterations(snes, &linear));
     report->linear_iterations += linear;
     PetscCall(SolveMeasure(vi, y, &report->active, &report->linear_residual));
     if (!report->converged) PetscCall(ReasonOther_Private(snes, reason, report));
   }
-  if (SolveFactors(pc_type)) PetscCall(PCFactorGetMatSolverType(pc, &package));
-  if (reduced) { // whatever the KSP is, it was not asked
-    PetscCall(SolveDescribe(KSPPREONLY, PCCHOLESKY, MATSOLVERMUMPS, words, sizeof(words)));
-  } else {
-    PetscCall(SolveDescribe(ksp_type, pc_type, package, words, sizeof(words)));
-  }
-  PetscCall(
-      PetscSNPrintf(report->linear, sizeof(report->linear), "%s%s", words, reduced ? ", one for all active sets" : ""));
+  PetscCall(DescribeLinear_Private(snes, reduced, report));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

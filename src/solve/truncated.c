@@ -145,7 +145,6 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, Acti
 {
   Truncated         *t = solver->data;
   KSPConvergedReason reason;
-  PC                 pc;
   PCFailedReason     failed;
   PetscInt           its;
   int                error;
@@ -160,8 +159,7 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, Acti
   if (its > 0) PetscCall(Ritz_Private(t));
   if (reason >= 0) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(FactorCheckMemory(t->ksp));
-  PetscCall(KSPGetPC(t->ksp, &pc));
-  PetscCall(PCGetFailedReason(pc, &failed));
+  PetscCall(PCGetFailedReason(t->pc, &failed));
   error = (int)failed;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &error, 1, MPI_INT, MPI_MAX, solver->set->comm));
   /* the first members of PCFailedReason are those of MatFactorError */
@@ -282,12 +280,10 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
 static PetscErrorCode Correct_Truncated(ActiveSolver solver, Vec f, Vec d, PetscReal *alpha)
 {
   Truncated *t = solver->data;
-  PC         pc;
 
   PetscFunctionBeginUser;
   PetscCall(KSPSetUp(t->ksp));
-  PetscCall(KSPGetPC(t->ksp, &pc));
-  PetscCall(PCApply(pc, f, d));
+  PetscCall(PCApply(t->pc, f, d));
   PetscCall(VecPointwiseMult(d, d, t->free));
   *alpha = solver->factored ? 1 : t->ritz;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -333,7 +329,6 @@ static PetscErrorCode Destroy_Truncated(ActiveSolver solver)
 PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ksp, PetscReal rtol, ActiveSolver *solver)
 {
   Truncated *t;
-  PC         pc;
 
   PetscFunctionBeginUser;
   PetscCall(ActiveSolverCreate(set, A, b, rtol, solver));
@@ -341,16 +336,15 @@ PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ks
   t->ksp = ksp;
   PetscCall(PetscObjectTypeCompare((PetscObject)ksp, KSPPREONLY, &t->direct));
   /* an interpolation made for another set is not a preconditioner for this one: it need not even be definite */
-  PetscCall(KSPGetPC(ksp, &pc));
-  PetscCall(PetscObjectTypeCompareAny((PetscObject)pc, &(*solver)->factored, PCCHOLESKY, PCLU, ""));
-  PetscCall(PCGAMGSetReuseInterpolation(pc, PETSC_FALSE));
+  PetscCall(KSPGetPC(ksp, &t->pc));
+  PetscCall(PetscObjectTypeCompareAny((PetscObject)t->pc, &(*solver)->factored, PCCHOLESKY, PCLU, ""));
+  PetscCall(PCGAMGSetReuseInterpolation(t->pc, PETSC_FALSE));
   PetscCall(KSPSetComputeSingularValues(ksp, (PetscBool)!t->direct));
-  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCTRUNCATEDMG, &t->shell));
+  PetscCall(PetscObjectTypeCompare((PetscObject)t->pc, PCTRUNCATEDMG, &t->shell));
   PetscCall(KSPGetTolerances(ksp, &t->rtol, NULL, NULL, NULL));
-  t->pc              = pc;
   (*solver)->inexact = t->shell;
   if (t->shell) {
-    PetscCall(MultigridGetOperator(pc, &t->A));
+    PetscCall(MultigridGetOperator(t->pc, &t->A));
     PetscCall(PetscObjectReference((PetscObject)t->A));
   } else {
     PetscCall(MatDuplicate(A, MAT_DO_NOT_COPY_VALUES, &t->A));
