@@ -23,8 +23,9 @@ typedef struct {
 
 /* How one solve went; the same on all ranks. */
 typedef struct {
-  char        type[64];    /* SNES type */
-  char        linear[128]; /* what solved the linear systems, in words */
+  char        type[64];        /* SNES type */
+  char        linear[128];     /* what solved the linear systems, in words */
+  char        ksp[64], pc[64]; /* the same, types of PETSc */
   PetscBool   converged;
   char        reason[256]; /* why not, as a sentence; "" when converged */
   PetscInt    iterations, active, linear_iterations;

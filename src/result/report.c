@@ -168,9 +168,10 @@ static PetscErrorCode Print_Private(const SummaryInput *in)
         (double)CertificateRelative(c, report->discretisation)));
   }
   if (in->check->done) {
-    PetscCall(
-        PetscPrintf(comm, "  cross-check by %s: active sets differ in %" PetscInt_FMT " nodes, displacements by %.1e\n",
-                    in->check->other.type, in->check->active_difference, (double)in->check->displacement_difference));
+    PetscCall(PetscPrintf(
+        comm, "  cross-check by %s, %s: active sets differ in %" PetscInt_FMT " nodes, displacements by %.1e\n",
+        in->check->other.type, in->check->other.linear, in->check->active_difference,
+        (double)in->check->displacement_difference));
   }
   PetscCall(PrintFiles_Private(in));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -191,7 +192,10 @@ static PetscErrorCode PrintFailures_Private(const SummaryInput *in)
 
     PetscCall(PetscFPrintf(comm, PETSC_STDERR, "mortise: %.*s\n", shown, failure));
   }
-  if (in->check->done && !in->check->agree) {
+  if (in->check->done && !in->check->other.converged) {
+    PetscCall(PetscFPrintf(comm, PETSC_STDERR, "mortise: not confirmed: %s found no solution: %s\n",
+                           in->check->other.type, in->check->other.reason));
+  } else if (in->check->done && !in->check->agree) {
     PetscCall(PetscFPrintf(comm, PETSC_STDERR,
                            "mortise: %s and %s disagree: active sets differ in %" PetscInt_FMT
                            " nodes, displacements by %.1e\n",

@@ -113,7 +113,10 @@ static void AddCrossCheck_Private(const CrossCheck *check, cJSON *solver)
   cJSON_AddStringToObject(object, "type", check->other.type);
   cJSON_AddBoolToObject(object, "converged", check->other.converged);
   cJSON_AddBoolToObject(object, "agree", check->agree);
+  cJSON_AddStringToObject(object, "linear", check->other.linear);
   JSONAddInt(object, "iterations", check->other.iterations);
+  JSONAddInt(object, "linear_iterations", check->other.linear_iterations);
+  JSONAddReal(object, "work_units", check->other.work > 0 ? check->other.work : NAN);
   JSONAddInt(object, "active_difference", check->active_difference);
   JSONAddReal(object, "displacement_difference", check->displacement_difference);
 }

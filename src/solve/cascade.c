@@ -6,6 +6,7 @@
    iteration [1] see it.
 
    References: [1] Kornhuber, Monotone multigrid methods for elliptic variational inequalities I, 1994. */
+#include <string.h>
 #include <mortise/compat.h>
 #include <mortise/pdas.h>
 #include "active.h"
@@ -16,6 +17,8 @@
 
 /* Linear residual that is enough where there is no coarser mesh that tells the discretisation error. */
 static const PetscReal COARSEST_RTOL = 1e-4;
+/* Of a type that does not tell errors: part of the residual that a level begins with, and of that of each of its systems. */
+static const PetscReal OTHER_RTOL = 1e-3, OTHER_LINEAR_RTOL = 1e-2;
 /* Projected steps, and their length by the largest one that is stable. */
 enum { RELAXATION_STEPS = 4 };
 static const PetscReal RELAXATION = 0.9;
@@ -23,40 +26,6 @@ static const PetscReal RELAXATION = 0.9;
 static const PetscReal ACTIVE_SHARE = 0.5;
 /* Options of the solvers on coarser levels. */
 static const char PREFIX[] = "nested_";
-
-/* Solves on one level. [in,out] y; [in] gained - as of PDASSetEnough(); [in] start - set to begin with, or NULL; [out] active - of the level */
-static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, PetscReal gained, Vec y, Vec start,
-                                         Vec active)
-{
-  const VI          vi     = hierarchy->grid[l].vi;
-  const SolveChoice choice = l ? (SolveChoice){.snes = SNESPDAS, .ksp = KSPCG, .pc = PCTRUNCATEDMG}
-                               : (SolveChoice){.snes = SNESPDAS, .ksp = KSPPREONLY, .pc = PCCHOLESKY};
-  PetscReal         norm;
-  SNES              snes;
-  KSP               ksp;
-  PC                pc;
-  Vec               scratch, last;
-
-  PetscFunctionBeginUser;
-  PetscCall(VecDuplicate(vi->b, &scratch));
-  PetscCall(SolveConfigure(vi, &choice, PREFIX, scratch, &norm, &snes));
-  PetscCall(SNESGetKSP(snes, &ksp));
-  if (start) {
-    PetscCall(PDASSetEnough(snes, StopPart(vi->scene), gained));
-  } else if (l) {
-    PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, COARSEST_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
-    PetscCall(KSPSetTolerances(ksp, 0.5 * COARSEST_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
-  }
-  PetscCall(KSPGetPC(ksp, &pc));
-  if (l) PetscCall(MultigridSetHierarchy(pc, hierarchy, l, NULL));
-  if (start) PetscCall(PDASSetStart(snes, start));
-  PetscCall(SNESSolve(snes, NULL, y));
-  PetscCall(PDASGetActive(snes, &last));
-  PetscCall(VecCopy(last, active));
-  PetscCall(SNESDestroy(&snes));
-  PetscCall(VecDestroy(&scratch));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
 
 /* Eliminated unknowns have their values. */
 static PetscErrorCode Prescribe_Private(VI vi, Vec y)
@@ -129,6 +98,62 @@ static PetscErrorCode Pressed_Private(VI vi, Vec y, Vec r, Vec active)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* How exact a level's solution is to be. [in] gained, start - of SolveLevel_Private() */
+static PetscErrorCode SetTolerances_Private(SNES snes, PetscBool pdas, PetscReal part, PetscReal gained, Vec start)
+{
+  const PetscReal rtol = pdas || !start ? COARSEST_RTOL : OTHER_RTOL;
+  KSP             ksp;
+
+  PetscFunctionBeginUser;
+  if (pdas && start) {
+    PetscCall(PDASSetEnough(snes, part, gained));
+    PetscCall(PDASSetStart(snes, start));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(SNESGetKSP(snes, &ksp));
+  PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscCall(KSPSetTolerances(ksp, pdas ? 0.5 * rtol : OTHER_LINEAR_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Solves on one level. [in] type - of the SNES; [in] gained - as of PDASSetEnough(); [in] start - set to begin with, or NULL;
+   [in,out] y; [out] active - of the level */
+static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, const char type[], PetscReal gained,
+                                         Vec start, Vec y, Vec active)
+{
+  const VI        vi     = hierarchy->grid[l].vi;
+  const PetscBool pdas   = (PetscBool)!strcmp(type, SNESPDAS);
+  SolveChoice     choice = l ? (SolveChoice){.ksp = KSPCG, .pc = PCTRUNCATEDMG, .prefix = PREFIX}
+                             : (SolveChoice){.ksp = KSPPREONLY, .pc = PCCHOLESKY, .prefix = PREFIX};
+  PetscReal       norm;
+  SNES            snes;
+  KSP             ksp;
+  PC              pc;
+  Vec             scratch, last;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscStrncpy(choice.snes, type, sizeof(choice.snes)));
+  PetscCall(VecDuplicate(vi->b, &scratch));
+  PetscCall(SolveConfigure(vi, &choice, scratch, &norm, &snes));
+  PetscCall(SetTolerances_Private(snes, pdas, StopPart(vi->scene), gained, start));
+  PetscCall(SNESGetKSP(snes, &ksp));
+  PetscCall(KSPGetPC(ksp, &pc));
+  if (l) PetscCall(MultigridSetHierarchy(pc, hierarchy, l, pdas ? NULL : snes));
+  PetscCall(SNESSolve(snes, NULL, y));
+  if (pdas) {
+    PetscCall(PDASGetActive(snes, &last));
+    PetscCall(VecCopy(last, active));
+  } else {
+    PetscReal energy;
+
+    PetscCall(Residual_Private(hierarchy, &hierarchy->grid[l], y, scratch, &energy));
+    PetscCall(Pressed_Private(vi, y, scratch, active));
+  }
+  PetscCall(SNESDestroy(&snes));
+  PetscCall(VecDestroy(&scratch));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* A few steps y := min( upper, y + omega D^-1 r ), D = diag A, and the set that they end with; nothing where they lead nowhere.
    [in,out] y - feasible only afterwards; [in,out] active; [out] gained - twice the energy */
 static PetscErrorCode Relax_Private(Hierarchy hierarchy, const Grid *grid, Vec y, Vec active, PetscReal *gained)
@@ -163,7 +188,28 @@ static PetscErrorCode Relax_Private(Hierarchy hierarchy, const Grid *grid, Vec y
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CascadeStart(Hierarchy hierarchy, Vec y, Vec active, PetscReal *gained)
+/* y where it is to begin: types other than pdas see contact only at bounds that are reached. */
+static PetscErrorCode Touch_Private(VI vi, Vec active, Vec y)
+{
+  const PetscScalar *upper, *a;
+  PetscScalar       *values;
+  PetscInt           n;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecPointwiseMin(y, y, vi->upper));
+  PetscCall(VecGetLocalSize(y, &n));
+  PetscCall(VecGetArrayRead(vi->upper, &upper));
+  PetscCall(VecGetArrayRead(active, &a));
+  PetscCall(VecGetArray(y, &values));
+  for (PetscInt i = 0; i < n; i++)
+    if (PetscRealPart(a[i]) > 0) values[i] = upper[i];
+  PetscCall(VecRestoreArray(y, &values));
+  PetscCall(VecRestoreArrayRead(active, &a));
+  PetscCall(VecRestoreArrayRead(vi->upper, &upper));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CascadeStart(Hierarchy hierarchy, const char type[], Vec y, Vec active, PetscReal *gained)
 {
   Vec at = NULL, start = NULL, found, next;
 
@@ -177,7 +223,7 @@ PetscErrorCode CascadeStart(Hierarchy hierarchy, Vec y, Vec active, PetscReal *g
       PetscCall(VecZeroEntries(at));
     }
     PetscCall(VecDuplicate(at, &found));
-    PetscCall(SolveLevel_Private(hierarchy, l, *gained, at, start, found));
+    PetscCall(SolveLevel_Private(hierarchy, l, type, *gained, start, at, found));
     PetscCall(VecDuplicate(finer->vi->b, &next));
     PetscCall(MatMult(finer->P, at, next));
     if (finer->lift) PetscCall(VecAXPY(next, 1, finer->lift));
@@ -189,6 +235,7 @@ PetscErrorCode CascadeStart(Hierarchy hierarchy, Vec y, Vec active, PetscReal *g
     PetscCall(MatMult(finer->P, found, start));
     PetscCall(Round_Private(finer->vi, start));
     PetscCall(Relax_Private(hierarchy, finer, at, start, gained));
+    if (strcmp(type, SNESPDAS)) PetscCall(Touch_Private(finer->vi, start, at));
     PetscCall(VecDestroy(&found));
   }
   PetscCall(VecCopy(at, y));

@@ -5,8 +5,8 @@
 #include "hierarchy.h"
 
 /* Solves on all levels but the finest, each from what the one before found, and takes that to the finest level. Collective.
-   [out] y - displacement to begin with; [out] active - 1 or 0: set to begin with, in the layout of y; [out] gained - twice the
+   [in] type - of the SNES that solves; [out] y - displacement to begin with; [out] active - 1 or 0: set to begin with, in the layout of y; [out] gained - twice the
    energy that y has less than the displacement of the next coarser level */
-PetscErrorCode CascadeStart(Hierarchy hierarchy, Vec y, Vec active, PetscReal *gained);
+PetscErrorCode CascadeStart(Hierarchy hierarchy, const char type[], Vec y, Vec active, PetscReal *gained);
 
 #endif

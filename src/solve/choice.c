@@ -105,24 +105,30 @@ static PetscErrorCode LargestPoisson_Private(VI vi, PetscReal *poisson)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What preconditions an iteration: levels of the mesh, or made of it. */
-static const char *Iterative_Private(VI vi, PetscBool pdas)
+/* Whether multigrid knows which unknowns a type leaves free. */
+static PetscBool Truncatable_Private(const char snes[])
 {
-  if (vi->mesh) return PCTRUNCATEDMG;
-  return pdas ? PCGAMG : PCHYPRE; // GAMG needs matrices that keep their size
+  return (PetscBool)(!strcmp(snes, SNESPDAS) || !strcmp(snes, SNESVINEWTONRSLS));
+}
+
+/* What preconditions an iteration: levels of the mesh, or made of it. */
+static const char *Iterative_Private(VI vi, const char snes[])
+{
+  if (vi->mesh && Truncatable_Private(snes)) return PCTRUNCATEDMG;
+  return strcmp(snes, SNESPDAS) ? PCHYPRE : PCGAMG; // GAMG needs matrices that keep their size
 }
 
 /* Unknowns up to which a factorisation is the choice. */
-static PetscErrorCode LargestDirect_Private(VI vi, PetscBool pdas, PetscInt *limit)
+static PetscErrorCode LargestDirect_Private(VI vi, const char snes[], PetscInt *limit)
 {
-  const PetscBool solid = (PetscBool)(vi->level->dim == 3);
+  const PetscBool solid = (PetscBool)(vi->level->dim == 3), pdas = (PetscBool)!strcmp(snes, SNESPDAS);
   PetscBool       reducible, nested;
 
   PetscFunctionBeginUser;
   PetscCall(Reducible_Private(vi, &reducible));
   *limit = DIRECT_2D;
   if (solid) *limit = pdas && reducible ? DIRECT_3D : DIRECT_3D_EACH;
-  if (!vi->mesh) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!vi->mesh || !Truncatable_Private(snes)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(HierarchyIsNested(vi, &nested));
   if (nested && solid) *limit = PetscMin(*limit, MESH_LEVELS_3D);
   if (nested && !solid && vi->mesh->num_levels > 1) *limit = PetscMin(*limit, MESH_LEVELS_2D);
@@ -130,14 +136,14 @@ static PetscErrorCode LargestDirect_Private(VI vi, PetscBool pdas, PetscInt *lim
 }
 
 /* The linear solver where the user says nothing: by size, unless iterations are hopeless. */
-static PetscErrorCode ChooseBySize_Private(VI vi, PetscBool pdas, SolveChoice *choice)
+static PetscErrorCode ChooseBySize_Private(VI vi, SolveChoice *choice)
 {
-  const char *iterative = Iterative_Private(vi, pdas);
+  const char *iterative = Iterative_Private(vi, choice->snes);
   PetscInt    size, limit = 0;
   PetscReal   poisson;
 
   PetscFunctionBeginUser;
-  PetscCall(LargestDirect_Private(vi, pdas, &limit));
+  PetscCall(LargestDirect_Private(vi, choice->snes, &limit));
   PetscCall(VecGetSize(vi->b, &size));
   PetscCall(PetscStrncpy(choice->ksp, size <= limit ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
   PetscCall(PetscStrncpy(choice->pc, size <= limit ? PCCHOLESKY : iterative, sizeof(choice->pc)));
@@ -185,6 +191,12 @@ static PetscErrorCode ChooseStop_Private(VI vi, SolveChoice *choice)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether there are coarser meshes to begin on, and levels for them. */
+static PetscBool Nested_Private(VI vi, const char pc[])
+{
+  return (PetscBool)(!strcmp(pc, PCTRUNCATEDMG) && vi->mesh && vi->mesh->num_levels > 1);
+}
+
 PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
 {
   MPI_Comm  comm;
@@ -192,12 +204,14 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
 
   PetscFunctionBeginUser;
   PetscCall(PetscObjectGetComm((PetscObject)vi->A, &comm));
-  choice->bound = PETSC_TRUE;
+  choice->bound  = PETSC_TRUE;
+  choice->prefix = "";
+  choice->keep   = PETSC_FALSE;
   PetscCall(PetscStrncpy(choice->snes, SNESPDAS, sizeof(choice->snes)));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-snes_type", choice->snes, sizeof(choice->snes), NULL));
   PetscCall(CheckBounds_Private(comm, choice->snes));
   pdas = (PetscBool)!strcmp(choice->snes, SNESPDAS);
-  PetscCall(ChooseBySize_Private(vi, pdas, choice));
+  PetscCall(ChooseBySize_Private(vi, choice));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-ksp_type", choice->ksp, sizeof(choice->ksp), &ksp));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-pc_type", choice->pc, sizeof(choice->pc), &pc));
   choice->own = (PetscBool)(!ksp && !pc);
@@ -210,7 +224,7 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
     PetscCall(PetscStrncpy(choice->ksp, SolveFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
   }
   if (ksp && !pc) {
-    const char *iterative = Iterative_Private(vi, pdas);
+    const char *iterative = Iterative_Private(vi, choice->snes);
 
     PetscCall(PetscStrncpy(choice->pc, strcmp(choice->ksp, KSPPREONLY) ? iterative : PCCHOLESKY, sizeof(choice->pc)));
   }
@@ -219,7 +233,14 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
                            sizeof(choice->why)));
   }
   PetscCall(ChooseStop_Private(vi, choice));
-  choice->nested = (PetscBool)(pdas && !strcmp(choice->pc, PCTRUNCATEDMG) && vi->mesh && vi->mesh->num_levels > 1);
+  choice->nested = Nested_Private(vi, choice->pc);
+  if (!strcmp(choice->pc, PCTRUNCATEDMG) && !Truncatable_Private(choice->snes)) {
+    PetscCall(FaultRaise(comm,
+                         "-pc_type " PCTRUNCATEDMG
+                         ": does not work with -snes_type %s, which does not tell what it leaves "
+                         "free; -snes_type " SNESPDAS ", -pc_type cholesky or -pc_type hypre do",
+                         choice->snes));
+  }
   if (!pdas && !strcmp(choice->pc, PCGAMG)) {
     PetscCall(
         FaultRaise(comm,
@@ -227,6 +248,23 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
                    "-pc_type cholesky or -pc_type hypre do",
                    choice->snes));
   }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolveChooseSecond(VI vi, const SolveReport *first, const char prefix[], SolveChoice *choice)
+{
+  const PetscBool multigrid = (PetscBool)!strcmp(first->pc, PCTRUNCATEDMG),
+                  pdas      = (PetscBool)!strcmp(first->type, SNESPDAS);
+  PetscBool set;
+
+  PetscFunctionBeginUser;
+  *choice = (SolveChoice){.prefix = prefix};
+  PetscCall(PetscStrncpy(choice->snes, pdas ? SNESVINEWTONRSLS : SNESPDAS, sizeof(choice->snes)));
+  PetscCall(PetscStrncpy(choice->pc, multigrid ? PCTRUNCATEDMG : PCCHOLESKY, sizeof(choice->pc)));
+  PetscCall(PetscOptionsGetString(NULL, prefix, "-pc_type", choice->pc, sizeof(choice->pc), &set));
+  PetscCall(PetscStrncpy(choice->ksp, SolveFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
+  choice->own    = (PetscBool)!set;
+  choice->nested = Nested_Private(vi, choice->pc);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -40,6 +40,15 @@ static PetscErrorCode JacobianFn(SNES snes, Vec y, Mat A, Mat P, void *ctx)
   return PETSC_SUCCESS;
 }
 
+/* |A|, or where that is not a matrix |K|, which next to contact alone is another one. */
+static PetscErrorCode Norm_Private(VI vi, PetscReal *norm)
+{
+  PetscFunctionBeginUser;
+  PetscCall(MatNorm(vi->assembled ? vi->A : vi->K, NORM_INFINITY, norm));
+  if (!vi->assembled) *norm /= vi->stiffness;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Convergence of PETSc's own types: by the first residual, or at roundoff. [in] ctx - |A| */
 static PetscErrorCode ConvergedFn(SNES snes, PetscInt it, PetscReal xnorm, PetscReal snorm, PetscReal fnorm,
                                   SNESConvergedReason *reason, void *ctx)
@@ -56,8 +65,7 @@ static PetscErrorCode ConvergedFn(SNES snes, PetscInt it, PetscReal xnorm, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, const char prefix[], Vec scratch, PetscReal *norm,
-                              SNES *snes)
+PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, Vec scratch, PetscReal *norm, SNES *snes)
 {
   const PetscBool multigrid = (PetscBool)!strcmp(choice->pc, PCTRUNCATEDMG);
   KSP             ksp;
@@ -66,7 +74,7 @@ PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, const char prefi
 
   PetscFunctionBeginUser;
   PetscCall(SNESCreate(PetscObjectComm((PetscObject)vi->A), snes));
-  PetscCall(SNESSetOptionsPrefix(*snes, prefix));
+  PetscCall(SNESSetOptionsPrefix(*snes, choice->prefix));
   PetscCall(SNESSetFunction(*snes, scratch, FunctionFn, vi));
   PetscCall(SNESSetJacobian(*snes, vi->A, vi->A, JacobianFn, vi));
   PetscCall(SNESGetKSP(*snes, &ksp));
@@ -88,14 +96,14 @@ PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, const char prefi
     PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHL2));
     PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, OTHER_RTOL, 0, OTHER_MAX_IT, PETSC_DEFAULT));
     PetscCall(SNESSetDivergenceTolerance(*snes, -1)); // none: the first steps may go far before the set is right
-    PetscCall(MatNorm(vi->A, NORM_INFINITY, norm));
+    PetscCall(Norm_Private(vi, norm));
     PetscCall(SNESSetConvergenceTest(*snes, ConvergedFn, norm, NULL));
   }
   PetscCall(SNESSetFromOptions(*snes));
   PetscCall(SNESGetTolerances(*snes, NULL, NULL, NULL, &max_it, NULL));
   if (max_it < 1) {
     PetscCall(FaultRaise(PetscObjectComm((PetscObject)vi->A), "-%ssnes_max_it %" PetscInt_FMT ": must be at least 1",
-                         prefix, max_it));
+                         choice->prefix, max_it));
   }
   PetscCall(SNESVISetVariableBounds(*snes, vi->lower, vi->upper)); /* pdas keeps them itself, so not before the type */
   PetscFunctionReturn(PETSC_SUCCESS);

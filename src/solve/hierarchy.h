@@ -30,6 +30,13 @@ typedef struct {
 PetscErrorCode HierarchyIsNested(VI vi, PetscBool *nested);
 /* All levels of vi->mesh. The finest is vi itself. Collective. [in] springs - on the diagonal of vi->A, or NULL */
 PetscErrorCode HierarchyCreate(VI vi, Vec springs, Hierarchy *hierarchy);
+/* Whether there is one or not. Collective. */
 PetscErrorCode HierarchyDestroy(Hierarchy *hierarchy);
+
+/* Leaves levels to vi, which destroys them in the end, for who solves it again. Collective. [in,out] hierarchy - NULL afterwards */
+PetscErrorCode HierarchyKeep(VI vi, Hierarchy *hierarchy);
+/* Takes them back. Collective. [in] from - what has them; [in] finest - their finest level from now on, a copy of from but for what springs
+   change; [out] hierarchy - owned by the caller, NULL if there are none */
+PetscErrorCode HierarchyTake(VI from, VI finest, Hierarchy *hierarchy);
 
 #endif

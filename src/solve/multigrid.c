@@ -12,6 +12,7 @@
                Multigrid methods for obstacle problems, 2009. */
 #include <mortise/compat.h>
 #include <mortise/fault.h>
+#include "excerpt.h"
 #include "multigrid.h"
 #include "rung.h"
 
@@ -220,6 +221,18 @@ static PetscErrorCode Clear_Private(Multigrid *multigrid)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The matrix that snes takes its free part from. */
+static PetscErrorCode SetWhole_Private(Hierarchy hierarchy, const Grid *grid, SNES snes)
+{
+  Mat whole;
+
+  PetscFunctionBeginUser;
+  PetscCall(ExcerptCreateWhole(grid->A, grid->share, &hierarchy->work, &whole));
+  PetscCall(SNESSetJacobian(snes, whole, whole, NULL, NULL));
+  PetscCall(MatDestroy(&whole));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode MultigridSetHierarchy(PC pc, Hierarchy hierarchy, PetscInt finest, SNES snes)
 {
   Multigrid *multigrid;
@@ -237,6 +250,7 @@ PetscErrorCode MultigridSetHierarchy(PC pc, Hierarchy hierarchy, PetscInt finest
   PetscCall(VecDuplicate(multigrid->r, &multigrid->z));
   PetscCall(RungCreateOuter(&multigrid->rung[finest], &multigrid->outer));
   PetscCall(Configure_Private(pc, multigrid));
+  if (snes) PetscCall(SetWhole_Private(hierarchy, &hierarchy->grid[finest], snes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

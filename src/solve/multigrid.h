@@ -11,7 +11,7 @@
 PetscErrorCode MultigridRegister(void);
 /* The levels that a PC of this type works on; nothing for other types. Collective.
    [in] hierarchy - borrowed; [in] finest - level that the PC's vectors belong to; [in] snes - borrowed: of the type `vinewtonrsls`
-   where the PC is to be applied to the unknowns that this leaves, else NULL */
+   where the PC is to be applied to the unknowns that this leaves, else NULL; its Jacobian becomes one whose parts are not copies */
 PetscErrorCode MultigridSetHierarchy(PC pc, Hierarchy hierarchy, PetscInt finest, SNES snes);
 /* Which unknowns are free (1) and which are held (0). Collective. */
 PetscErrorCode MultigridSetFree(PC pc, Vec free);

@@ -105,10 +105,14 @@ static PetscErrorCode DescribeLinear_Private(SNES snes, PetscBool reduced, Solve
   PetscCall(KSPGetType(ksp, &ksp_type));
   PetscCall(PCGetType(pc, &pc_type));
   if (SolveFactors(pc_type)) PetscCall(PCFactorGetMatSolverType(pc, &package));
-  if (reduced)
-    PetscCall(SolveDescribe(KSPPREONLY, PCCHOLESKY, MATSOLVERMUMPS, words, sizeof(words)));
-  else
-    PetscCall(SolveDescribe(ksp_type, pc_type, package, words, sizeof(words)));
+  if (reduced) {
+    ksp_type = KSPPREONLY;
+    pc_type  = PCCHOLESKY;
+    package  = MATSOLVERMUMPS;
+  }
+  PetscCall(PetscStrncpy(report->ksp, ksp_type, sizeof(report->ksp)));
+  PetscCall(PetscStrncpy(report->pc, pc_type, sizeof(report->pc)));
+  PetscCall(SolveDescribe(ksp_type, pc_type, package, words, sizeof(words)));
   PetscCall(
       PetscSNPrintf(report->linear, sizeof(report->linear), "%s%s", words, reduced ? ", one for all active sets" : ""));
   PetscFunctionReturn(PETSC_SUCCESS);

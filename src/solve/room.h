@@ -6,13 +6,15 @@
 
 /* How an inequality is to be solved. */
 typedef struct {
-  char      snes[64], ksp[64], pc[64]; /* types; what the options database says of ksp and pc still comes on top */
-  char      why[160];                  /* where the choice of the linear solver comes from */
-  PetscBool nearly;                    /* whether some body is so nearly incompressible that iterating takes long */
-  PetscBool nested;                    /* whether there are coarser meshes to begin on */
-  PetscBool stop;                      /* whether at the discretisation error (T37) */
-  PetscBool bound;                     /* whether the energy of the error is to be bounded */
-  PetscBool own;                       /* whether the linear solver is nobody's wish */
+  char        snes[64], ksp[64], pc[64]; /* types; what the options database says of ksp and pc still comes on top */
+  char        why[160];                  /* where the choice of the linear solver comes from */
+  const char *prefix;                    /* of options; "" for the user's */
+  PetscBool   nearly;                    /* whether some body is so nearly incompressible that iterating takes long */
+  PetscBool   nested;                    /* whether there are coarser meshes to begin on */
+  PetscBool   stop;                      /* whether at the discretisation error (T37) */
+  PetscBool   bound;                     /* whether the energy of the error is to be bounded */
+  PetscBool   own;                       /* whether the linear solver is nobody's wish */
+  PetscBool   keep;                      /* whether levels of multigrid are left to vi, for the next solve */
 } SolveChoice;
 
 /* The linear solver in words. Not collective. [in] package - that factors, or NULL; [out] words - shape [len] */
@@ -23,22 +25,23 @@ PetscBool SolveFactors(const char pc[]);
 /* From -snes_type, -ksp_type, -pc_type; by size where they are silent. Faults on types that cannot. Collective. */
 PetscErrorCode SolveChoose(VI vi, SolveChoice *choice);
 
+/* The other one of pdas and vinewtonrsls: with multigrid if the first used it, else, and whatever that was, with a factorisation.
+   Collective. [in] prefix - of its options, which may say otherwise */
+PetscErrorCode SolveChooseSecond(VI vi, const SolveReport *first, const char prefix[], SolveChoice *choice);
+
 /* A factorisation where an iteration has failed that nobody asked for, and a warning that says so. Collective.
    [out] again - whether there is something else to try */
 PetscErrorCode SolveChooseAnother(Scene scene, const SolveReport *report, SolveChoice *choice, PetscBool *again);
 
-/* A SNES as the choice and the options want it. Collective. [in] prefix - of its options; [in] scratch, norm - for its function and its
-   test; must outlive it; [out] snes */
-PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, const char prefix[], Vec scratch, PetscReal *norm,
-                              SNES *snes);
+/* A SNES as the choice and the options want it. Collective. [in] scratch, norm - for its function and its test; must outlive it; [out] snes */
+PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, Vec scratch, PetscReal *norm, SNES *snes);
 
-/* Solves with a SNES of its own, whose options begin with prefix ("" for the user's). Collective.
+/* Solves with a SNES of its own. Collective.
    [in] progress - whether to print the table; [in] guess - displacement, or NULL; [out] y - created by the caller;
    [out] report */
-PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], PetscBool progress, Vec guess, Vec y,
-                        SolveReport *report);
-/* Where SolveRun() begins. Collective. [in] pdas - whether for pdas; [in] guess - displacement, or NULL; [out] y */
-PetscErrorCode SolveStart(VI vi, PetscBool pdas, const char prefix[], Vec guess, Vec y);
+PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, PetscBool progress, Vec guess, Vec y, SolveReport *report);
+/* Where SolveRun() begins. Collective. [in] snes - of the choice, multigrid not yet bound to it; [in] guess - displacement, or NULL; [out] y */
+PetscErrorCode SolveStart(VI vi, const SolveChoice *choice, SNES snes, Vec guess, Vec y);
 
 /* Prints one line per iteration on the first rank, from now to SNESDestroy(). Collective. */
 PetscErrorCode ProgressSet(SNES snes, VI vi);

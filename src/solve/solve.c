@@ -30,21 +30,24 @@ static PetscErrorCode Sweep_Private(Workbench *bench, Vec y, SolveReport *report
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Begins with what coarser levels find. [out] gained - as of CascadeStart() */
+/* Begins with what coarser levels find, by the same method. [out] gained - as of CascadeStart() */
 static PetscErrorCode Cascade_Private(Hierarchy hierarchy, SNES snes, Vec y, PetscReal *gained)
 {
-  Vec active;
+  SNESType  type;
+  PetscBool pdas;
+  Vec       active;
 
   PetscFunctionBeginUser;
+  PetscCall(SNESGetType(snes, &type));
+  PetscCall(PetscStrcmp(type, SNESPDAS, &pdas));
   PetscCall(VecDuplicate(y, &active));
-  PetscCall(CascadeStart(hierarchy, y, active, gained));
-  PetscCall(PDASSetStart(snes, active));
+  PetscCall(CascadeStart(hierarchy, type, y, active, gained));
+  if (pdas) PetscCall(PDASSetStart(snes, active));
   PetscCall(VecDestroy(&active));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], PetscBool progress, Vec guess, Vec y,
-                        SolveReport *report)
+PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, PetscBool progress, Vec guess, Vec y, SolveReport *report)
 {
   const PetscBool pdas   = (PetscBool)!strcmp(choice->snes, SNESPDAS);
   const PetscBool nested = (PetscBool)(choice->nested && (!guess || choice->stop) && !vi->solvability);
@@ -53,10 +56,11 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, const char prefix[], P
 
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(report, sizeof(*report)));
-  PetscCall(WorkbenchCreate(vi, choice, prefix, (PetscBool)(vi->solvability || guess || nested), &bench));
-  PetscCall(WorkbenchSetLevels(&bench, pdas ? NULL : bench.snes));
+  PetscCall(WorkbenchCreate(vi, choice, (PetscBool)(vi->solvability || guess || nested), &bench));
+  PetscCall(WorkbenchSetLevels(&bench, NULL));
   if (progress) PetscCall(ProgressSet(bench.snes, bench.springs.vi));
-  PetscCall(SolveStart(bench.springs.vi, pdas, prefix, guess, y));
+  PetscCall(SolveStart(bench.springs.vi, choice, bench.snes, guess, y));
+  if (!pdas) PetscCall(WorkbenchSetLevels(&bench, bench.snes));
   PetscCall(SpringsSet(&bench.springs, guess ? y : NULL, bench.snes, pdas));
   if (pdas && (choice->bound || vi->solvability)) PetscCall(PDASSetKeep(bench.snes, PETSC_TRUE));
   if (bench.hierarchy && nested) PetscCall(Cascade_Private(bench.hierarchy, bench.snes, y, &gained));
@@ -89,9 +93,11 @@ PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report)
                      choice.pc));
   }
   PetscCall(ProgressWanted(vi->scene, &progress));
-  PetscCall(SolveRun(vi, &choice, "", progress, guess, y, report));
+  choice.keep = vi->scene->cross_check;
+  PetscCall(SolveRun(vi, &choice, progress, guess, y, report));
+  if (!report->converged) PetscCall(PetscContainerDestroy(&vi->levels));
   PetscCall(SolveChooseAnother(vi->scene, report, &choice, &again));
-  if (again) PetscCall(SolveRun(vi, &choice, "", progress, guess, y, report));
+  if (again) PetscCall(SolveRun(vi, &choice, progress, guess, y, report));
   report->seconds = LogWallClock() - start;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &report->seconds, 1, MPIU_REAL, MPI_MAX, comm));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -114,7 +120,7 @@ static PetscErrorCode Again_Private(VI vi, Workbench *bench)
 
   PetscFunctionBeginUser;
   PetscCall(SolveChoose(vi, &choice));
-  PetscCall(WorkbenchCreate(vi, &choice, "", PETSC_FALSE, bench));
+  PetscCall(WorkbenchCreate(vi, &choice, PETSC_FALSE, bench));
   PetscCall(WorkbenchSetLevels(bench, NULL));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

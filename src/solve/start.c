@@ -3,14 +3,18 @@
    A good displacement saves steps: its active set, by (T10), is nearly the right one, and a step of an iterative linear
    solver begins near its end. A bad one costs steps and changes nothing else, since the solution of the inequality is unique.
    Where contact alone holds a body and nothing is known, the iteration begins with contacts that can balance the loads. */
+#include <string.h>
 #include <mortise/compat.h>
 #include <mortise/pdas.h>
 #include <mortise/solvability.h>
 #include "active.h"
+#include "multigrid.h"
 #include "room.h"
 
 /* Of T y = u: good enough to tell which bounds are reached. */
 static const PetscReal GUESS_RTOL = 1e-12;
+/* Of a system that is only to be begun with. */
+static const PetscReal START_RTOL = 1e-4;
 /* Distance from a bound, relative to the largest unknown, that a guess cannot mean: above the zero tolerance of PETSc's types. */
 static const PetscReal ON_BOUND = 1e-9;
 
@@ -23,8 +27,9 @@ static PetscErrorCode StartFeasible_Private(VI vi, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The solution with those bounds reached that can balance the loads: a start without contact leads bodies far away. */
-static PetscErrorCode StartTouching_Private(VI vi, const char prefix[], Vec y)
+/* The solution with those bounds reached that can balance the loads: a start without contact leads bodies far away. By one
+   factorisation, or by multigrid where that solves what follows. */
+static PetscErrorCode StartTouching_Private(VI vi, const SolveChoice *choice, SNES snes, Vec y)
 {
   ActiveSet      set;
   ActiveSolver   solver;
@@ -34,7 +39,10 @@ static PetscErrorCode StartTouching_Private(VI vi, const char prefix[], Vec y)
 
   PetscFunctionBeginUser;
   PetscCall(ActiveSetCreate(vi->upper, vi->A, &set));
-  PetscCall(ReducedCreate(&set, vi->A, vi->b, prefix, 0, &solver, &failure));
+  if (strcmp(choice->pc, PCTRUNCATEDMG))
+    PetscCall(ReducedCreate(&set, vi->A, vi->b, choice->prefix, 0, &solver, &failure));
+  else
+    PetscCall(PDASCreateSolver(snes, &set, vi->A, vi->b, START_RTOL, &solver, &failure));
   if (!failure) {
     PetscCall(ActiveSolutionCreate(&set, &solution));
     PetscCall(PetscMalloc1(set.n, &touching));
@@ -101,8 +109,10 @@ static PetscErrorCode Settle_Private(VI vi, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveStart(VI vi, PetscBool pdas, const char prefix[], Vec guess, Vec y)
+PetscErrorCode SolveStart(VI vi, const SolveChoice *choice, SNES snes, Vec guess, Vec y)
 {
+  const PetscBool pdas = (PetscBool)!strcmp(choice->snes, SNESPDAS);
+
   PetscFunctionBeginUser;
   if (guess) {
     PetscCall(StartFrom_Private(vi, guess, y));
@@ -111,7 +121,7 @@ PetscErrorCode SolveStart(VI vi, PetscBool pdas, const char prefix[], Vec guess,
   } else {
     PetscCall(StartFeasible_Private(vi, y));
     if (!pdas && vi->solvability) {
-      PetscCall(StartTouching_Private(vi, prefix, y));
+      PetscCall(StartTouching_Private(vi, choice, snes, y));
       PetscCall(Settle_Private(vi, y));
     }
   }

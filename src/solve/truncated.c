@@ -316,6 +316,7 @@ static PetscErrorCode Destroy_Truncated(ActiveSolver solver)
 
   PetscFunctionBeginUser;
   PetscCall(KSPSetTolerances(t->ksp, t->rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscCall(KSPSetInitialGuessNonzero(t->ksp, PETSC_FALSE)); // others may use it afterwards
   PetscCall(MatDestroy(&t->A));
   PetscCall(VecDestroy(&t->free));
   PetscCall(VecDestroy(&t->y));

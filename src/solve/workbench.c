@@ -48,7 +48,7 @@ static PetscErrorCode Prepare_Private(VI vi, const SolveChoice *choice)
   const PetscBool multigrid = (PetscBool)!strcmp(choice->pc, PCTRUNCATEDMG);
 
   PetscFunctionBeginUser;
-  if (!multigrid || strcmp(choice->snes, SNESPDAS)) PetscCall(VIAssemble(vi));
+  if (!multigrid) PetscCall(VIAssemble(vi));
   if (!multigrid && !SolveFactors(choice->pc)) PetscCall(VIAttachModes(vi));
   if (multigrid) PetscCall(VIPrepareProducts(vi)); // here: of a copy with springs nobody would give them back
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -63,25 +63,26 @@ PetscErrorCode WorkbenchSetLevels(Workbench *bench, SNES snes)
   PetscFunctionBeginUser;
   PetscCall(PetscObjectTypeCompare((PetscObject)bench->pc, PCTRUNCATEDMG, &multigrid));
   if (!multigrid || !vi->mesh) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!*hierarchy) PetscCall(HierarchyTake(bench->springs.original, vi, hierarchy));
   if (!*hierarchy) PetscCall(HierarchyCreate(vi, vi->solvability ? vi->solvability->springs : NULL, hierarchy));
   PetscCall(MultigridSetHierarchy(bench->pc, *hierarchy, (*hierarchy)->num - 1, snes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode WorkbenchCreate(VI vi, const SolveChoice *choice, const char prefix[], PetscBool previous,
-                               Workbench *bench)
+PetscErrorCode WorkbenchCreate(VI vi, const SolveChoice *choice, PetscBool previous, Workbench *bench)
 {
   KSP ksp;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(bench, sizeof(*bench)));
-  bench->prefix = prefix;
+  bench->prefix = choice->prefix;
+  bench->keep   = choice->keep;
   PetscCall(Prepare_Private(vi, choice));
   PetscCall(SpringsBegin(vi, &bench->springs));
   PetscCall(VecDuplicate(vi->b, &bench->scratch));
   Defaults_Private(vi, choice, previous, bench->defaults);
   PetscCall(DefaultsApply_Private(bench, PETSC_TRUE));
-  PetscCall(SolveConfigure(bench->springs.vi, choice, prefix, bench->scratch, &bench->norm, &bench->snes));
+  PetscCall(SolveConfigure(bench->springs.vi, choice, bench->scratch, &bench->norm, &bench->snes));
   PetscCall(SNESGetKSP(bench->snes, &ksp));
   PetscCall(KSPGetPC(ksp, &bench->pc));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -92,6 +93,7 @@ PetscErrorCode WorkbenchDestroy(Workbench *bench, Vec y)
   PetscFunctionBeginUser;
   PetscCall(DefaultsApply_Private(bench, PETSC_FALSE));
   PetscCall(SNESDestroy(&bench->snes));
+  if (bench->hierarchy && bench->keep) PetscCall(HierarchyKeep(bench->springs.original, &bench->hierarchy));
   PetscCall(HierarchyDestroy(&bench->hierarchy));
   PetscCall(VecDestroy(&bench->scratch));
   PetscCall(SpringsEnd(&bench->springs, y));

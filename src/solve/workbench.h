@@ -18,6 +18,7 @@ enum { WORKBENCH_DEFAULTS = 4 };
 
 typedef struct {
   const char *prefix; /* of options; borrowed */
+  PetscBool   keep;   /* whether vi is to have the levels afterwards */
   Springs     springs;
   SNES        snes;
   PC          pc;        /* of its KSP */
@@ -27,11 +28,10 @@ typedef struct {
   Default     defaults[WORKBENCH_DEFAULTS];
 } Workbench;
 
-/* Collective. [in] prefix - of options; [in] previous - whether there is a set to begin with; [out] bench - not to be moved: the SNES
-   knows where it is */
-PetscErrorCode WorkbenchCreate(VI vi, const SolveChoice *choice, const char prefix[], PetscBool previous,
-                               Workbench *bench);
-/* The levels that the preconditioner works on, if it does. Collective. [in] snes - that leaves it the free unknowns alone, or NULL */
+/* Collective. [in] previous - whether there is a set to begin with; [out] bench - not to be moved: the SNES knows where it is */
+PetscErrorCode WorkbenchCreate(VI vi, const SolveChoice *choice, PetscBool previous, Workbench *bench);
+/* The levels that the preconditioner works on, if it does; those that the solve before has kept if there are any. Collective.
+   [in] snes - that leaves it the free unknowns alone, or NULL */
 PetscErrorCode WorkbenchSetLevels(Workbench *bench, SNES snes);
 /* Collective. [in,out] y - what SpringsEnd() takes */
 PetscErrorCode WorkbenchDestroy(Workbench *bench, Vec y);

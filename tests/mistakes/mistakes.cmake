@@ -67,6 +67,7 @@ mistake(refine_negative     SAYS "-dm_refine -1" "smallest value is 0" ARGS -dm_
 mistake(refine_text         SAYS "-dm_refine twice" "whole number" ARGS -dm_refine twice)
 mistake(refine_beyond       SAYS -upper_dm_plex_box_faces "-dm_refine" "more than can be numbered" ARGS -dm_refine 20)
 mistake(boolean             SAYS "-cross_check perhaps" yes no ARGS -cross_check perhaps)
+mistake(solver_untold       SAYS "-pc_type truncatedmg" "-snes_type vinewtonssls" pdas ARGS -snes_type vinewtonssls -pc_type truncatedmg -dm_refine 1)
 mistake(solver_unbounded    SAYS "-snes_type newtonls" pdas vinewtonrsls bounds ARGS -snes_type newtonls)
 mistake(solver_steps        SAYS "-snes_max_it 0" "at least 1" ARGS -snes_max_it 0)
 mistake(solver_start        SAYS -snes_pdas_start filled ARGS -snes_pdas_start filled)
