@@ -4,14 +4,10 @@
    P^ = T_f^-1 P T_c. Where meshes are nested, P^' A_f P^ = T_c' (P' K_f P) T_c is the coarser level's own A, and no such product is
    formed; elsewhere P' K_f P takes the place of the coarser level's K: what truncation takes from a matrix has to be in it. */
 #include <mortise/compat.h>
-#include <petscksp.h>
 #include <mortise/elasticity.h>
 #include "algebraic.h"
+#include "eigenvalue.h"
 #include "hierarchy.h"
-
-/* Steps of CG that find the largest eigenvalue well enough, and what is added for the rest of the way to it. */
-enum { EIGENVALUE_STEPS = 10 };
-static const PetscReal EIGENVALUE_MARGIN = 1.1;
 
 /* Unknowns from which on the coarsest mesh, in the plane and in space, is not factored but has levels below it, and to which these go
    down. */
@@ -156,40 +152,6 @@ static PetscErrorCode WeighColumns_Private(Mat P, Vec *weight)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The largest eigenvalue of S^-1 A, S the diagonal if it is NULL, by a few steps of CG with a right-hand side that has some of everything. */
-static PetscErrorCode LargestEigenvalue_Private(Mat A, Mat S, PetscReal *largest)
-{
-  PetscInt     begin, end;
-  PetscReal    smallest;
-  PetscScalar *a;
-  Vec          b, x;
-  KSP          ksp;
-  PC           pc;
-
-  PetscFunctionBeginUser;
-  PetscCall(MatCreateVecs(A, &x, &b));
-  PetscCall(VecGetOwnershipRange(b, &begin, &end));
-  PetscCall(VecGetArray(b, &a));
-  for (PetscInt i = begin; i < end; i++) a[i - begin] = PetscSinReal(1 + (PetscReal)i * (PetscReal)i);
-  PetscCall(VecRestoreArray(b, &a));
-  PetscCall(KSPCreate(PetscObjectComm((PetscObject)A), &ksp));
-  PetscCall(KSPSetOptionsPrefix(ksp, "eigenvalue_"));
-  PetscCall(KSPSetType(ksp, KSPCG));
-  PetscCall(KSPSetOperators(ksp, A, S ? S : A));
-  PetscCall(KSPGetPC(ksp, &pc));
-  PetscCall(SmootherSetPC(pc, S));
-  PetscCall(KSPSetComputeSingularValues(ksp, PETSC_TRUE));
-  PetscCall(KSPSetTolerances(ksp, 0, 0, PETSC_DEFAULT, EIGENVALUE_STEPS));
-  PetscCall(KSPSetNormType(ksp, KSP_NORM_NONE));
-  PetscCall(KSPSolve(ksp, b, x));
-  PetscCall(KSPComputeExtremeSingularValues(ksp, largest, &smallest));
-  *largest *= EIGENVALUE_MARGIN;
-  PetscCall(KSPDestroy(&ksp));
-  PetscCall(VecDestroy(&b));
-  PetscCall(VecDestroy(&x));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode HierarchyIsNested(VI vi, PetscBool *nested)
 {
   const Scene      scene = vi->scene;
@@ -270,7 +232,7 @@ static PetscErrorCode GridBegin_Private(Grid *grid, PetscBool coarsest)
   grid->share = info.nz_used;
   if (coarsest) PetscFunctionReturn(PETSC_SUCCESS);
   if (grid->vi->level) PetscCall(SmootherCreate(grid->vi, &grid->S));
-  PetscCall(LargestEigenvalue_Private(grid->A, grid->S, &grid->largest));
+  PetscCall(EigenvalueLargest(grid->A, grid->S, NULL, &grid->largest));
   if (!grid->S) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MatScale(grid->S, grid->largest)); // so that S >= A, also after the same change of both
   grid->largest = 1;
@@ -296,7 +258,7 @@ static PetscErrorCode GoBelow_Private(Grid *coarsest, PetscInt *num)
   for (Grid *grid = coarsest; go; grid--) {
     PetscReal largest = grid->largest;
 
-    if (grid->S) PetscCall(LargestEigenvalue_Private(grid->A, NULL, &largest));
+    if (grid->S) PetscCall(EigenvalueLargest(grid->A, NULL, NULL, &largest));
     PetscCall(AlgebraicCoarsen(grid->vi, &fabric, largest, &grid->P, &grid[-1].vi));
     PetscCall(WeighColumns_Private(grid->P, &grid->weight));
     PetscCall(MatGetSize(grid[-1].vi->K, &coarser, NULL));

@@ -54,6 +54,7 @@ static PetscErrorCode SetOperators_Private(KSP ksp, const Rung *rung)
 {
   PetscFunctionBeginUser;
   PetscCall(KSPSetOperators(ksp, rung->A, rung->S ? rung->S : rung->A));
+  PetscCall(KSPChebyshevSetEigenvalues(ksp, rung->largest, SMOOTHED_FROM * rung->largest)); // nothing for other types
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -185,13 +186,10 @@ static PetscErrorCode Configure_Private(PC pc, Multigrid *multigrid)
   PetscCall(PCSetType(multigrid->mg, PCMG));
   PetscCall(PCMGSetLevels(multigrid->mg, multigrid->num, NULL));
   for (PetscInt l = 1; l < multigrid->num; l++) {
-    const PetscReal largest = multigrid->rung[l].grid->largest;
-
     PetscCall(PCMGSetInterpolation(multigrid->mg, l, multigrid->rung[l].P));
     PetscCall(PCMGGetSmoother(multigrid->mg, l, &ksp));
-    PetscCall(SetOperators_Private(ksp, &multigrid->rung[l]));
     PetscCall(KSPSetType(ksp, KSPCHEBYSHEV));
-    PetscCall(KSPChebyshevSetEigenvalues(ksp, largest, SMOOTHED_FROM * largest));
+    PetscCall(SetOperators_Private(ksp, &multigrid->rung[l]));
     PetscCall(KSPSetNormType(ksp, KSP_NORM_NONE));
     PetscCall(KSPSetTolerances(ksp, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, SMOOTHING_STEPS));
     PetscCall(KSPGetPC(ksp, &inner));

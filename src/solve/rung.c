@@ -1,5 +1,6 @@
 /* rung.c -- the operators of one level of truncated multigrid, and what held unknowns of finer levels make of them. */
 #include <mortise/compat.h>
+#include "eigenvalue.h"
 #include "rung.h"
 #include "strip.h"
 
@@ -190,6 +191,31 @@ static PetscErrorCode List_Private(Rung *rung)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* On a mesh, A^ is near that of a body held there, and has no larger eigenvalues. Where aggregates take the place of a mesh a few unknowns that
+   are cut off may double them, near those that are: so that is where one looks. */
+static PetscErrorCode SetLargest_Private(Rung *rung)
+{
+  PetscReal there;
+  Vec       seed, b;
+
+  PetscFunctionBeginUser;
+  rung->largest = rung->grid->largest;
+  if (rung->grid->vi->level || !rung->change) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecDuplicate(rung->free, &seed));
+  PetscCall(VecDuplicate(rung->free, &b));
+  PetscCall(EigenvalueSeed(seed));
+  PetscCall(MatMult(rung->change, seed, b));
+  PetscCall(VecPointwiseMult(b, b, rung->free));
+  PetscCall(VecNorm(b, NORM_INFINITY, &there));
+  if (there > 0) {
+    PetscCall(EigenvalueLargest(rung->A, NULL, b, &there));
+    rung->largest = PetscMax(rung->largest, there);
+  }
+  PetscCall(VecDestroy(&seed));
+  PetscCall(VecDestroy(&b));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode RungsHold(PetscInt num, Rung rungs[], Vec free)
 {
   Mat dC = NULL, strip = NULL;
@@ -215,6 +241,7 @@ PetscErrorCode RungsHold(PetscInt num, Rung rungs[], Vec free)
     PetscCall(SmootherHold(rung->grid->S, rung->change, rung->num, rung->held, &rung->S));
     rung->ready = PETSC_TRUE;
     if (!l) break;
+    PetscCall(SetLargest_Private(rung));
     PetscCall(StripRestrict(strip, rung->grid->P, &dC));
     PetscCall(MatDestroy(&strip));
     PetscCall(VecDuplicate(rungs[l - 1].free, &is));
@@ -277,6 +304,7 @@ PetscErrorCode RungCreate(Hierarchy hierarchy, PetscInt l, Rung *rung)
   PetscFunctionBeginUser;
   rung->hierarchy = hierarchy;
   rung->grid      = &hierarchy->grid[l];
+  rung->largest   = rung->grid->largest;
   rung->springs   = l + 1 == hierarchy->num ? hierarchy->springs : NULL;
   PetscCall(VecDuplicate(rung->grid->diag, &rung->diag));
   PetscCall(VecDuplicate(rung->grid->diag, &rung->free));

@@ -19,6 +19,7 @@ typedef struct {
   Mat       A;             /* A^, a shell; on the coarsest level a matrix */
   Mat       P;             /* M P, a shell */
   Mat       S;             /* the smoother's, or NULL */
+  PetscReal largest;       /* eigenvalue of S^-1 A^ at least */
 } Rung;
 
 /* [in] hierarchy - borrowed; [in] l - level. Collective. */

@@ -42,6 +42,8 @@ aggregates(quadratic      SCENE two_plates ARGS -order 2 -upper_dm_plex_simplex 
 aggregates(solid          SCENE blocks ARGS -upper_dm_plex_simplex 1 -upper_dm_plex_box_faces 9,9,9 -lower_dm_plex_box_faces 7,7,7)
 aggregates(floating       SCENE stack)
 aggregates(tied           SCENE tied)
+mortise_scene_test(aggregates_stiff SCENE blocks CHECK stiff.py ARGS -pc_type truncatedmg -upper_dm_plex_simplex 1 -upper_dm_plex_box_faces 21,21,18
+  -upper_young 2e10 -lower_dm_plex_simplex 1 -lower_dm_plex_box_faces 16,16,14 -lower_young 5e8 -joint_gap "2*((x-0.4)^2+(y-0.45)^2)")
 
 # --- stopping at the discretisation error ---
 mortise_scene_test(stop SCENE two_plates CHECK stop.py RANKS 1 3 LABELS mpi ARGS -upper_dm_plex_box_faces 64,64 -lower_dm_plex_box_faces 64,64

@@ -1,0 +1,50 @@
+/* eigenvalue.c -- the largest eigenvalue by a few steps of CG. */
+#include <mortise/compat.h>
+#include <petscksp.h>
+#include "eigenvalue.h"
+#include "smoother.h"
+
+/* Steps of CG that find the largest eigenvalue well enough, and what is added for the rest of the way to it. */
+enum { STEPS = 10 };
+static const PetscReal MARGIN = 1.1;
+
+PetscErrorCode EigenvalueSeed(Vec b)
+{
+  PetscInt     begin, end;
+  PetscScalar *a;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetOwnershipRange(b, &begin, &end));
+  PetscCall(VecGetArray(b, &a));
+  for (PetscInt i = begin; i < end; i++) a[i - begin] = PetscSinReal(1 + (PetscReal)i * (PetscReal)i);
+  PetscCall(VecRestoreArray(b, &a));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EigenvalueLargest(Mat A, Mat S, Vec b, PetscReal *largest)
+{
+  PetscReal smallest;
+  Vec       seed, x;
+  KSP       ksp;
+  PC        pc;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateVecs(A, &x, &seed));
+  PetscCall(b ? VecCopy(b, seed) : EigenvalueSeed(seed));
+  PetscCall(KSPCreate(PetscObjectComm((PetscObject)A), &ksp));
+  PetscCall(KSPSetOptionsPrefix(ksp, "eigenvalue_"));
+  PetscCall(KSPSetType(ksp, KSPCG));
+  PetscCall(KSPSetOperators(ksp, A, S ? S : A));
+  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(SmootherSetPC(pc, S));
+  PetscCall(KSPSetComputeSingularValues(ksp, PETSC_TRUE));
+  PetscCall(KSPSetTolerances(ksp, 0, 0, PETSC_DEFAULT, STEPS));
+  PetscCall(KSPSetNormType(ksp, KSP_NORM_NONE));
+  PetscCall(KSPSolve(ksp, seed, x));
+  PetscCall(KSPComputeExtremeSingularValues(ksp, largest, &smallest));
+  *largest *= MARGIN;
+  PetscCall(KSPDestroy(&ksp));
+  PetscCall(VecDestroy(&seed));
+  PetscCall(VecDestroy(&x));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
