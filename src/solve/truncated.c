@@ -18,7 +18,7 @@ static const PetscReal STALLED = 0.5;
 static const PetscReal ROUNDING = 16 * PETSC_MACHINE_EPSILON;
 
 typedef struct {
-  KSP       ksp;    /* borrowed */
+  KSP       ksp;    /* referenced: a SNES destroys its own before what was kept with it */
   PC        pc;     /* of it */
   Mat       A;      /* A^ */
   Vec       free;   /* M */
@@ -317,6 +317,7 @@ static PetscErrorCode Destroy_Truncated(ActiveSolver solver)
   PetscFunctionBeginUser;
   PetscCall(KSPSetTolerances(t->ksp, t->rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
   PetscCall(KSPSetInitialGuessNonzero(t->ksp, PETSC_FALSE)); // others may use it afterwards
+  PetscCall(KSPDestroy(&t->ksp));
   PetscCall(MatDestroy(&t->A));
   PetscCall(VecDestroy(&t->free));
   PetscCall(VecDestroy(&t->y));
@@ -334,6 +335,7 @@ PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ks
   PetscFunctionBeginUser;
   PetscCall(ActiveSolverCreate(set, A, b, rtol, solver));
   PetscCall(PetscNew(&t));
+  PetscCall(PetscObjectReference((PetscObject)ksp));
   t->ksp = ksp;
   PetscCall(PetscObjectTypeCompare((PetscObject)ksp, KSPPREONLY, &t->direct));
   /* an interpolation made for another set is not a preconditioner for this one: it need not even be definite */
