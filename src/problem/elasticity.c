@@ -274,7 +274,7 @@ static PetscErrorCode AssembleCells_Private(Scene scene, Level *level, Mat K)
       PetscCall(LawSet_Private(scene, body, &law));
     }
     PetscCall(CellStiffness_Private(scene, level, c, &rules[level->cell_type[c]], &law, work, Ke));
-    PetscCall(GatherAdd(&gather, c, Ke, K));
+    GatherAdd(&gather, c, Ke);
   }
   PetscCall(GatherFinish(&gather, K));
   PetscCall(PetscFree(rules));

@@ -1,32 +1,30 @@
 /* gather.c -- matrices of cells, summed up before a Mat sees them.
 
    A Mat looks for every entry by itself, and moves others out of its way. Here nodes are looked for, once for all entries of a block,
-   and rows reach the Mat complete and in order. Sums are made in the order of the cells. */
+   and rows reach the Mat complete and in order; what belongs to rows of other ranks goes there once, in sums. These are made in the order
+   of the cells. */
 #include "gather.h"
 #include <mortise/compat.h>
 
-enum { MAX_BLOCK = 9 }; /* entries, in space */
-
-/* The cells of every node of this rank. */
+/* The cells of every node, ghosts included. */
 typedef struct {
-  PetscInt *start, *cell; /* [num_owned+1], [start[num_owned]] */
+  PetscInt *start, *cell; /* [num_nodes+1], [start[num_nodes]] */
 } Stars;
 
 static PetscErrorCode StarsCreate_Private(const Level *level, Stars *stars)
 {
-  const PetscInt num = level->num_owned;
+  const PetscInt num = level->num_nodes;
   PetscInt      *start;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(num + 2, &stars->start)); // one place ahead, until all cells are listed
   start = &stars->start[1];
-  for (PetscInt i = 0; i < level->cell_start[level->num_cells]; i++)
-    if (level->cell_nodes[i] < num) start[level->cell_nodes[i] + 1]++;
+  for (PetscInt i = 0; i < level->cell_start[level->num_cells]; i++) start[level->cell_nodes[i] + 1]++;
   for (PetscInt i = 0; i < num; i++) start[i + 1] += start[i];
   PetscCall(PetscMalloc1(start[num], &stars->cell));
   for (PetscInt c = 0; c < level->num_cells; c++) {
     for (PetscInt i = level->cell_start[c]; i < level->cell_start[c + 1]; i++)
-      if (level->cell_nodes[i] < num) stars->cell[start[level->cell_nodes[i]]++] = c;
+      stars->cell[start[level->cell_nodes[i]]++] = c;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -40,7 +38,7 @@ static inline PetscInt Find_Private(PetscInt num, const PetscInt list[], PetscIn
   return at;
 }
 
-/* The nodes of some cells that this rank owns, ascending. [out] list - room for all of them, each as often as cells have it */
+/* The nodes of some cells, ascending. [out] list - room for all of them, each as often as cells have it */
 static void ListNeighbours_Private(const Level *level, PetscInt num_cells, const PetscInt cells[], PetscInt *num,
                                    PetscInt list[])
 {
@@ -49,7 +47,7 @@ static void ListNeighbours_Private(const Level *level, PetscInt num_cells, const
     for (PetscInt i = level->cell_start[cells[c]]; i < level->cell_start[cells[c] + 1]; i++) {
       const PetscInt node = level->cell_nodes[i], at = Find_Private(*num, list, node);
 
-      if (node >= level->num_owned || (at < *num && list[at] == node)) continue;
+      if (at < *num && list[at] == node) continue;
       for (PetscInt k = (*num)++; k > at; k--) list[k] = list[k - 1];
       list[at] = node;
     }
@@ -58,7 +56,7 @@ static void ListNeighbours_Private(const Level *level, PetscInt num_cells, const
 
 PetscErrorCode GatherCreate(const Level *level, Gather *gather)
 {
-  const PetscInt num  = level->num_owned;
+  const PetscInt num  = level->num_nodes;
   PetscInt       most = 0, size;
   Stars          stars;
 
@@ -88,43 +86,22 @@ static inline void AddBlock_Private(PetscInt dim, PetscInt n, const PetscReal Ke
     for (PetscInt l = 0; l < dim; l++) rows[k * width + l] += Ke[k * n + l];
 }
 
-/* The same for a Mat, where the column is another rank's. */
-static PetscErrorCode AddOther_Private(PetscInt dim, PetscInt n, const PetscReal Ke[], PetscInt row, PetscInt column,
-                                       Mat K)
-{
-  PetscScalar block[MAX_BLOCK];
-
-  PetscFunctionBeginUser;
-  for (PetscInt k = 0; k < dim; k++)
-    for (PetscInt l = 0; l < dim; l++) block[k * dim + l] = Ke[k * n + l];
-  PetscCall(MatSetValuesBlocked(K, 1, &row, 1, &column, block, ADD_VALUES));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode GatherAdd(Gather *gather, PetscInt cell, const PetscReal Ke[], Mat K)
+void GatherAdd(Gather *gather, PetscInt cell, const PetscReal Ke[])
 {
   const Level    *level = gather->level;
   const PetscInt *nodes = &level->cell_nodes[level->cell_start[cell]], dim = level->dim;
   const PetscInt  num = level->cell_start[cell + 1] - level->cell_start[cell], n = dim * num;
 
-  PetscFunctionBeginUser;
   for (PetscInt a = 0; a < num; a++) {
-    const PetscInt row = nodes[a], begin = row < level->num_owned ? gather->start[row] : 0,
-                   size = row < level->num_owned ? gather->start[row + 1] - begin : 0;
+    const PetscInt begin = gather->start[nodes[a]], size = gather->start[nodes[a] + 1] - begin;
 
     for (PetscInt b = 0; b < num; b++) {
-      const PetscReal *block = &Ke[(dim * a) * n + dim * b];
+      const PetscInt at = Find_Private(size, &gather->node[begin], nodes[b]);
 
-      if (row < level->num_owned && nodes[b] < level->num_owned) {
-        const PetscInt at = Find_Private(size, &gather->node[begin], nodes[b]);
-
-        AddBlock_Private(dim, n, block, dim * size, &gather->value[(size_t)begin * dim * dim + dim * at]);
-      } else {
-        PetscCall(AddOther_Private(dim, n, block, level->node_global[row], level->node_global[nodes[b]], K));
-      }
+      AddBlock_Private(dim, n, &Ke[(dim * a) * n + dim * b], dim * size,
+                       &gather->value[(size_t)begin * dim * dim + dim * at]);
     }
   }
-  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode GatherFinish(Gather *gather, Mat K)
@@ -132,11 +109,11 @@ PetscErrorCode GatherFinish(Gather *gather, Mat K)
   const Level *level = gather->level;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < gather->start[level->num_owned]; i++) gather->node[i] += level->node_begin;
-  for (PetscInt i = 0; i < level->num_owned; i++) {
-    const PetscInt row = level->node_begin + i, begin = gather->start[i];
+  for (PetscInt i = 0; i < gather->start[level->num_nodes]; i++) gather->node[i] = level->node_global[gather->node[i]];
+  for (PetscInt i = 0; i < level->num_nodes; i++) {
+    const PetscInt begin = gather->start[i];
 
-    PetscCall(MatSetValuesBlocked(K, 1, &row, gather->start[i + 1] - begin, &gather->node[begin],
+    PetscCall(MatSetValuesBlocked(K, 1, &level->node_global[i], gather->start[i + 1] - begin, &gather->node[begin],
                                   &gather->value[(size_t)begin * level->dim * level->dim], ADD_VALUES));
   }
   PetscCall(PetscFree(gather->start));

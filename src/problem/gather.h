@@ -4,19 +4,18 @@
 
 #include <mortise/mesh.h>
 
-/* Block rows of this rank's nodes, as far as its own columns go. */
+/* What the cells of this rank make of the block rows of their nodes. */
 typedef struct {
   const Level *level; /* borrowed */
-  PetscInt    *start; /* [num_owned+1] */
-  PetscInt    *node;  /* neighbours that this rank owns, local, ascending [start[num_owned]] */
+  PetscInt    *start; /* [num_nodes+1] */
+  PetscInt    *node;  /* neighbours, local, ascending [start[num_nodes]] */
   PetscReal   *value; /* a node's rows [dim][neighbours][dim], one node after the other */
 } Gather;
 
 /* Zeros. Not collective. [out] gather - to be destroyed by GatherFinish() */
 PetscErrorCode GatherCreate(const Level *level, Gather *gather);
-/* Adds the matrix of a cell: to the sums, or to K where it couples nodes of other ranks. Not collective.
-   [in] Ke - [dim * num_nodes][dim * num_nodes] */
-PetscErrorCode GatherAdd(Gather *gather, PetscInt cell, const PetscReal Ke[], Mat K);
+/* Adds the matrix of a cell to the sums. Not collective. [in] Ke - [dim * num_nodes][dim * num_nodes] */
+void GatherAdd(Gather *gather, PetscInt cell, const PetscReal Ke[]);
 /* Adds the sums to K, whose assembly is left to do, and frees them. Not collective. */
 PetscErrorCode GatherFinish(Gather *gather, Mat K);
 
