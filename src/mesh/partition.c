@@ -3,7 +3,8 @@
    METIS minimises the weight of cut edges in the graph of cells. Cells of two bodies share no facet, so a plain
    partition of two equal bodies gives one to each of two ranks and makes all contact remote. Cells whose facets may
    touch are therefore joined by extra, heavier edges. These alone would give all contact to one rank, if that has room for it:
-   contact is work, and is shared out as the cells are [1].
+   contact is work, and is shared out as the cells are [1]. Edges across which cells are short are heavier too: there K couples
+   strongly, and smoothers solve along lines that had better not end between ranks.
 
    Reference: [1] G. Karypis, V. Kumar, Multilevel algorithms for multi-constraint graph partitioning, 1998. */
 #include "room.h"
@@ -16,10 +17,9 @@
 enum {
   CONTACT_WEIGHT =
       5, /* of an edge across contact, against 1 across a facet: coupling of D and M and of the condensed rows */
-  MAX_LOADS         = 2, /* what is shared out: the work of cells, and that of contact */
-  MIN_CELLS_A_PART  = 4, /* with fewer METIS is not asked */
-  MIN_FACETS_A_PART = 3, /* that may touch, for parts that have equally many of them */
-  MAX_RECURSIVE     = 8  /* METIS's own advice: recursive bisection is better up to eight parts */
+  MAX_WEIGHT       = 10, /* of an edge across short cells: how many times longer they are at most */
+  MIN_CELLS_A_PART = 4,  /* with fewer METIS is not asked */
+  MAX_RECURSIVE    = 8   /* METIS's own advice: recursive bisection is better up to eight parts */
 };
 
 /* Weighted edges of the graph of cells, each once. */
@@ -30,11 +30,7 @@ typedef struct {
 } Edges;
 
 /* How much more a part may have than its share. A mesh of few cells cannot share contact out evenly, and it is the smaller work. */
-static const real_t TOLERANCE[MAX_LOADS] = {1.02F, 1.1F};
-
-/* Nodes that a cell of first order has for itself in a regular mesh, in twelfths: triangles cost half of what quadrilaterals do. */
-static const idx_t Share[ELEMENT_COUNT] = {
-    [ELEMENT_TRI3] = 6, [ELEMENT_QUAD4] = 12, [ELEMENT_TET4] = 2, [ELEMENT_HEX8] = 12};
+static const real_t TOLERANCE[SHARES_MAX] = {1.02F, 1.1F};
 
 /* Appends an edge; an edge from a cell to itself, where a body touches itself in a corner, says nothing. */
 static PetscErrorCode EdgesAdd_Private(Edges *edges, PetscInt a, PetscInt b, PetscInt weight)
@@ -52,21 +48,51 @@ static PetscErrorCode EdgesAdd_Private(Edges *edges, PetscInt a, PetscInt b, Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Cells on both sides of a facet. */
-static PetscErrorCode EdgesAddNeighbours_Private(DM dm, Edges *edges)
+static PetscReal CellsGetDistance_Private(const Level *level, const PetscInt cells[2])
 {
-  PetscInt begin, end;
+  PetscReal square = 0;
+
+  for (PetscInt d = 0; d < level->dim; ++d) {
+    PetscReal x[2] = {0, 0};
+
+    for (PetscInt k = 0; k < 2; ++k) {
+      const PetscInt begin = level->cell_start[cells[k]], end = level->cell_start[cells[k] + 1];
+
+      for (PetscInt i = begin; i < end; ++i)
+        x[k] += level->coords[level->cell_nodes[i] * level->dim + d] / (PetscReal)(end - begin);
+    }
+    square += PetscSqr(x[1] - x[0]);
+  }
+  return PetscSqrtReal(square);
+}
+
+/* Cells on both sides of a facet. How far their middles are apart, beside how far cells around them are, tells where they are short. */
+static PetscErrorCode EdgesAddNeighbours_Private(const Level *level, Edges *edges)
+{
+  PetscInt   begin, end;
+  PetscReal *farthest; /* of each cell's neighbours */
 
   PetscFunctionBeginUser;
-  PetscCall(DMPlexGetHeightStratum(dm, 1, &begin, &end));
-  for (PetscInt f = begin; f < end; ++f) {
-    const PetscInt *cells;
-    PetscInt        num;
+  PetscCall(PetscCalloc1(level->num_cells, &farthest));
+  PetscCall(DMPlexGetHeightStratum(level->dm, 1, &begin, &end));
+  for (PetscInt pass = 0; pass < 2; ++pass) {
+    for (PetscInt f = begin; f < end; ++f) {
+      const PetscInt *cells; // the first points
+      PetscInt        num;
+      PetscReal       distance, most;
 
-    PetscCall(DMPlexGetSupportSize(dm, f, &num));
-    PetscCall(DMPlexGetSupport(dm, f, &cells));
-    if (num == 2) PetscCall(EdgesAdd_Private(edges, cells[0], cells[1], 1)); // cells are the first points
+      PetscCall(DMPlexGetSupportSize(level->dm, f, &num));
+      PetscCall(DMPlexGetSupport(level->dm, f, &cells));
+      if (num != 2) continue;
+      distance = CellsGetDistance_Private(level, cells);
+      most     = PetscMax(farthest[cells[0]], farthest[cells[1]]);
+      for (PetscInt k = 0; k < 2; ++k) farthest[cells[k]] = PetscMax(farthest[cells[k]], distance);
+      if (!pass) continue;
+      PetscCall(EdgesAdd_Private(edges, cells[0], cells[1],
+                                 most >= MAX_WEIGHT * distance ? MAX_WEIGHT : (PetscInt)(most / distance)));
+    }
   }
+  PetscCall(PetscFree(farthest));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -204,53 +230,33 @@ static PetscErrorCode EdgesToRows_Private(const Edges *edges, PetscInt num_cells
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What every cell weighs: its nodes, order counted in where bodies differ in it; and facets that may touch, if there are enough.
-   [in] contact - such facets by cell; [out] load - [num_cells][*num_loads] */
-static PetscErrorCode LoadsCreate_Private(Scene scene, const Level *level, const PetscInt contact[], PetscInt num_parts,
-                                          PetscInt *num_loads, idx_t **load)
+/* Hands the graph to METIS. */
+static PetscErrorCode EdgesCut_Private(const Edges *edges, PetscInt num_cells, const Shares *shares, PetscInt part[])
 {
-  PetscInt least = PETSC_MAX_INT, touching = 0;
-
-  PetscFunctionBeginUser;
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) least = PetscMin(least, scene->bodies[b].order);
-  for (PetscInt c = 0; c < level->num_cells; ++c) touching += contact[c];
-  *num_loads = touching >= MIN_FACETS_A_PART * num_parts ? MAX_LOADS : 1;
-  PetscCall(PetscMalloc1(level->num_cells * *num_loads, load));
-  for (PetscInt c = 0; c < level->num_cells; ++c) {
-    idx_t *own = &(*load)[c * *num_loads];
-
-    own[0] = Share[ElementLinear((ElementType)level->cell_type[c])];
-    if (scene->bodies[level->cell_body[c]].order > least) own[0] *= 1 << level->dim;
-    if (*num_loads > 1) own[1] = (idx_t)contact[c];
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Hands the graph to METIS. [in] load - [num_cells][num_loads] */
-static PetscErrorCode EdgesCut_Private(const Edges *edges, PetscInt num_cells, PetscInt num_loads, idx_t load[],
-                                       PetscInt num_parts, PetscInt part[])
-{
-  idx_t  n = (idx_t)num_cells, parts = (idx_t)num_parts, constraints = (idx_t)num_loads, cut;
-  idx_t *start, *adjacent, *weight, *answer;
-  real_t tolerance[MAX_LOADS];
+  idx_t  n = (idx_t)num_cells, parts = (idx_t)shares->num_parts, constraints = (idx_t)shares->num, cut;
+  idx_t *start, *adjacent, *weight, *load, *answer;
+  real_t tolerance[SHARES_MAX], *target;
   int    status;
 
   PetscFunctionBeginUser;
-  PetscCall(
-      PetscMalloc4(num_cells + 1, &start, 2 * edges->num, &adjacent, 2 * edges->num, &weight, num_cells, &answer));
+  PetscCall(PetscMalloc3(num_cells + 1, &start, 2 * edges->num, &adjacent, 2 * edges->num, &weight));
+  PetscCall(PetscMalloc3(num_cells * shares->num, &load, shares->num_parts * shares->num, &target, num_cells, &answer));
   PetscCall(EdgesToRows_Private(edges, num_cells, start, adjacent, weight));
-  for (PetscInt i = 0; i < num_loads; ++i) tolerance[i] = TOLERANCE[i];
-  if (num_parts <= MAX_RECURSIVE) {
-    status = METIS_PartGraphRecursive(&n, &constraints, start, adjacent, load, NULL, weight, &parts, NULL, tolerance,
+  for (PetscInt i = 0; i < num_cells * shares->num; ++i) load[i] = (idx_t)shares->load[i];
+  for (PetscInt i = 0; i < shares->num_parts * shares->num; ++i) target[i] = (real_t)shares->target[i];
+  for (PetscInt i = 0; i < shares->num; ++i) tolerance[i] = TOLERANCE[i];
+  if (parts <= MAX_RECURSIVE) {
+    status = METIS_PartGraphRecursive(&n, &constraints, start, adjacent, load, NULL, weight, &parts, target, tolerance,
                                       NULL, &cut, answer);
   } else {
-    status = METIS_PartGraphKway(&n, &constraints, start, adjacent, load, NULL, weight, &parts, NULL, tolerance, NULL,
+    status = METIS_PartGraphKway(&n, &constraints, start, adjacent, load, NULL, weight, &parts, target, tolerance, NULL,
                                  &cut, answer);
   }
   PetscCheck(status != METIS_ERROR_MEMORY, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for METIS");
   PetscCheck(status == METIS_OK, PETSC_COMM_SELF, PETSC_ERR_LIB, "METIS gave up with status %d", status);
   for (PetscInt c = 0; c < num_cells; ++c) part[c] = (PetscInt)answer[c];
-  PetscCall(PetscFree4(start, adjacent, weight, answer));
+  PetscCall(PetscFree3(load, target, answer));
+  PetscCall(PetscFree3(start, adjacent, weight));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -258,8 +264,8 @@ static PetscErrorCode EdgesCut_Private(const Edges *edges, PetscInt num_cells, P
 PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt contact_weight, PetscInt num_parts, PetscInt part[])
 {
   Edges     edges = {0, 0, NULL, NULL};
-  PetscInt *contact, num_loads;
-  idx_t    *load;
+  PetscInt *contact;
+  Shares    shares;
 
   PetscFunctionBeginUser;
   if (level->num_cells < MIN_CELLS_A_PART * num_parts) {
@@ -267,14 +273,16 @@ PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt contact_weig
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(PetscCalloc1(level->num_cells, &contact));
-  PetscCall(EdgesAddNeighbours_Private(level->dm, &edges));
+  PetscCall(EdgesAddNeighbours_Private(level, &edges));
   for (PetscInt p = 0; p < scene->num_pairs && contact_weight; ++p) {
     if (scene->pairs[p].mortar.body >= 0)
       PetscCall(EdgesAddPair_Private(scene, &scene->pairs[p], contact_weight, level, &edges, contact));
   }
-  PetscCall(LoadsCreate_Private(scene, level, contact, num_parts, &num_loads, &load));
-  PetscCall(EdgesCut_Private(&edges, level->num_cells, num_loads, load, num_parts, part));
-  PetscCall(PetscFree(load));
+  PetscCall(SharesCreate(scene, level, contact, num_parts, &shares));
+  PetscCall(EdgesCut_Private(&edges, level->num_cells, &shares, part));
+  PetscCall(SharesCorrect(scene, level, part, &shares));
+  PetscCall(EdgesCut_Private(&edges, level->num_cells, &shares, part));
+  PetscCall(SharesDestroy(&shares));
   PetscCall(PetscFree(contact));
   PetscCall(PetscFree(edges.end));
   PetscCall(PetscFree(edges.weight));

@@ -190,6 +190,20 @@ PetscErrorCode MeshShapeCreate(Mesh mesh, const Curves *curves);
 PetscErrorCode MeshShapeRefine(Mesh mesh);
 PetscErrorCode MeshShapeDestroy(Mesh mesh);
 
+/* What is shared out among the parts of a mesh: the work of unknowns, and that of contact. */
+enum { SHARES_MAX = 2 };
+typedef struct {
+  PetscInt   num, num_parts; /* 1, unless enough facets may touch */
+  PetscInt  *load;           /* what every cell has, nodes in twelfths [num_cells][num] */
+  PetscReal *target;         /* which part of all each part is to have [num_parts][num] */
+} Shares;
+
+/* The same for all. [in] contact - facets that may touch, by cell */
+PetscErrorCode SharesCreate(Scene scene, const Level *level, const PetscInt contact[], PetscInt num_parts,
+                            Shares *shares);
+/* Less where there are more nodes between. [in] part - a partition much like the one to come [num_cells] */
+PetscErrorCode SharesCorrect(Scene scene, const Level *level, const PetscInt part[], Shares *shares);
+PetscErrorCode SharesDestroy(Shares *shares);
 /* The rank of every cell of the whole mesh, which lies on the first rank. [out] part - [level->num_cells] */
 PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt contact_weight, PetscInt num_parts,
                                 PetscInt part[]);
