@@ -12,6 +12,8 @@ static const PetscReal KSP_RTOL       = 1e-10;
 static const PetscReal MULTIGRID_RTOL = 5e-9;
 /* Some ten are usual: after so many a factorisation would long have been done, or there is no end to it. */
 static const PetscInt MULTIGRID_MAX_IT = 500;
+/* A first guess may be this much worse than none: the solution of another set, which left a body to next to nothing. */
+static const PetscReal MULTIGRID_DTOL = 1e16;
 /* PETSc's own solvers of inequalities: relative to the first residual; several times the steps they take. */
 static const PetscReal OTHER_RTOL   = 1e-12;
 static const PetscInt  OTHER_MAX_IT = 100;
@@ -79,8 +81,8 @@ PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, Vec scratch, Pet
   PetscCall(SNESSetJacobian(*snes, vi->A, vi->A, JacobianFn, vi));
   PetscCall(SNESGetKSP(*snes, &ksp));
   PetscCall(KSPSetType(ksp, choice->ksp));
-  PetscCall(KSPSetTolerances(ksp, multigrid ? MULTIGRID_RTOL : KSP_RTOL, PETSC_DEFAULT, PETSC_DEFAULT,
-                             multigrid ? MULTIGRID_MAX_IT : PETSC_DEFAULT));
+  PetscCall(KSPSetTolerances(ksp, KSP_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  if (multigrid) PetscCall(KSPSetTolerances(ksp, MULTIGRID_RTOL, PETSC_DEFAULT, MULTIGRID_DTOL, MULTIGRID_MAX_IT));
   PetscCall(KSPGetPC(ksp, &pc));
   PetscCall(PCSetType(pc, choice->pc));
   if (multigrid) PetscCall(KSPSetNormType(ksp, KSP_NORM_UNPRECONDITIONED));

@@ -7,6 +7,7 @@
 
    References: [1] Hintermueller, Ito, Kunisch, The primal-dual active set strategy as a semismooth Newton method, 2002.
                [2] Ben Gharbia, Gilbert, Nonconvergence of the plain Newton-min algorithm for LCPs, 2012. */
+#include <string.h>
 #include "active.h"
 
 /* Contact problems take up to some fifteen steps; one that takes so many is wandering. */
@@ -152,6 +153,24 @@ static PetscErrorCode Step_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solv
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A first set that leaves a body to nothing has no solution, and all that is known then is that more has to be in contact.
+   [out] changed - nothing where it was something else */
+static PetscErrorCode Rescue_Private(const PDAS *pdas, ActiveSet *set, ActiveSolution *solution, PetscInt *changed)
+{
+  PetscBool *all;
+
+  PetscFunctionBeginUser;
+  *changed = 0;
+  if (pdas->start_set || pdas->iterations || set->num_active == set->N) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!strcmp(solution->failure, FAILURE_MEMORY)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(set->n, &all));
+  for (PetscInt i = 0; i < set->n; i++) all[i] = PETSC_TRUE;
+  PetscCall(ActiveSetReplace(set, all, changed));
+  PetscCall(PetscFree(all));
+  solution->failure = NULL;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* From set to set until none changes. [out] y */
 PetscErrorCode PDASIterate(SNES snes, PDAS *pdas, ActiveSet *set, ActiveSolver solver, Vec y)
 {
@@ -165,6 +184,7 @@ PetscErrorCode PDASIterate(SNES snes, PDAS *pdas, ActiveSet *set, ActiveSolver s
   solver->target = solver->inexact ? PetscMax(LOOSE, solver->rtol) : solver->rtol;
   while (!pdas->converged && !solution.failure && pdas->iterations < pdas->max_it) {
     PetscCall(Step_Private(pdas, set, solver, &guard, &solution, &changed, &violation));
+    if (solution.failure) PetscCall(Rescue_Private(pdas, set, &solution, &changed));
     if (pdas->converged || (!solution.failure && pdas->iterations + 1 == pdas->max_it)) {
       PetscCall(solver->finish(solver, &solution, y));
       if (solution.failure) pdas->converged = PETSC_FALSE;

@@ -256,7 +256,11 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
 
     PetscCall(Tolerance_Private(solver, k, left));
     PetscCall(Correct_Private(solver, (PetscBool)(k == 0 && !t->direct), solution));
-    if (solution->failure) PetscFunctionReturn(PETSC_SUCCESS);
+    if (solution->failure) { // nothing of it is worth to begin with
+      PetscCall(VecZeroEntries(t->y));
+      t->ritz = 0;
+      PetscFunctionReturn(PETSC_SUCCESS);
+    }
     PetscCall(VecPointwiseMult(t->d, t->d, t->free)); /* a preconditioner may have leaked into fixed unknowns */
     PetscCall(VecAXPY(t->y, 1, t->d));
     PetscCall(ActiveSolverResidual(solver, fixed, t->y, t->r, t->f, &size));

@@ -55,6 +55,8 @@ mortise_scene_test(opinion_solid SCENE blocks CHECK opinion.py LABELS mpi ARGS $
 mortise_scene_test(opinion_long  SCENE parabola CHECK opinion.py LABELS mpi ARGS -block_dm_plex_box_faces 16,8 -dm_refine 1 -pc_type truncatedmg -cross_check)
 mortise_scene_test(opinion_free  SCENE stack CHECK opinion.py LABELS mpi ARGS -dm_refine 1 -pc_type truncatedmg -cross_check)
 
+mortise_scene_test(hard SCENE touching CHECK hard.py ONLY_RANKS "its scenes have tests on ranks of their own")
+
 # --- iterations ---
 mortise_scene_test(growth       SCENE two_plates CHECK growth.py ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6)
 mortise_scene_test(growth_solid SCENE blocks CHECK growth.py)

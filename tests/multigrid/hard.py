@@ -1,0 +1,43 @@
+"""All hard cases that have a solution, by multigrid whatever their size, with both solvers: right, or an end that says why not and what to
+try. Figures are compared by tests/hard, where factorisations solve; here it is the verdict of both solvers and of the certificate."""
+import pathlib
+import sys
+
+from judge import Run, require
+
+HARD = pathlib.Path(__file__).parents[1] / "hard"
+sys.path.insert(0, str(HARD))
+from cases import AGREE, read_head  # pylint: disable=wrong-import-position
+
+# Cells of 1 : 1000 in space, and multipliers on the side that is a million times stiffer: rounding spoils the cycles.
+NOT_SOLVED = {"shrink_fit_stiff_ring", "slab_needles", "stiffness_1e6_solid"}
+ADVICE = "not solved: the linear solver did not converge: try -pc_type cholesky"
+
+
+def scene_of(head):
+    """The options of the scene that a case changes."""
+    if "scene" not in head:
+        return []
+    places = [folder / f"{head['scene']}.opts" for folder in (HARD, HARD.parents[1] / "options")]
+    return ["-options_file", str(next(place for place in places if place.exists()))]
+
+
+def judge_case(run, path):
+    """What is wrong with a case, or None."""
+    head = read_head(path)
+    if head["exit"] != "0":
+        return None
+    arguments = [*scene_of(head), "-options_file", str(path), "-pc_type", "truncatedmg", "-cross_check"]
+    other = Run(run.program, run.mpiexec, run.ranks, run.folder / path.stem, arguments)
+    if other.exit == 3 and path.stem in NOT_SOLVED:
+        return None if ADVICE in other.stderr else other.stderr
+    if other.exit != 0:
+        return f"exit code {other.exit}: {other.stderr}"
+    check = other.summary["solver"]["cross_check"]
+    return None if check["agree"] and check["displacement_difference"] <= AGREE else str(check)
+
+
+def judge(run):
+    wrong = {path.stem: judge_case(run, path) for path in sorted((HARD / "cases").glob("*.opts"))}
+    wrong = {name: what for name, what in wrong.items() if what}
+    require(not wrong, "\n".join(f"{name}: {what}" for name, what in wrong.items()))
