@@ -58,9 +58,9 @@ PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report);
 /* How far any y, converged or not, feasible or not, can be from the solution; for the price of one factorisation or linear solve.
    VISolve() has it of its own y for a substitution. Collective. */
 PetscErrorCode VIEnergyBound(VI vi, Vec y, EnergyBound *bound);
-/* Solves once more with the active set of the solution y, by the linear solver that the options want, from zero and with everything it
-   needs made anew; the seconds belong to no stage. Collective. [out] reference - for the summary */
-PetscErrorCode VILinearReference(VI vi, Vec y, LinearReference *reference);
+/* Solves once more with the active set of the solution y, by what solved the linear systems for it, from zero and with everything that
+   needs made anew; the seconds belong to no stage. Collective. [in,out] report - of VISolve(); its reference is set */
+PetscErrorCode VILinearReference(VI vi, Vec y, SolveReport *report);
 /* Solves by the other of pdas and vinewtonrsls and compares. Collective. */
 PetscErrorCode VICrossCheck(VI vi, Vec y, const SolveReport *report, CrossCheck *check);
 /* Prints what was chosen for the linear systems and why (part of -scene_view). Collective. */

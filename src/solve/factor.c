@@ -92,8 +92,7 @@ static PetscErrorCode SetControls_Private(MPI_Comm comm, const char prefix[], DM
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* PETSC_ERR_MEM if INFOG(1) means that MUMPS asked the system for memory in vain. */
-static PetscErrorCode CheckMemory_Private(MPI_Comm comm, PetscInt info)
+PetscErrorCode FactorCheckInfo(MPI_Comm comm, PetscInt info)
 {
   enum { REALS = -5, INTEGERS = -7, ALLOCATION = -13 };
 
@@ -102,26 +101,11 @@ static PetscErrorCode CheckMemory_Private(MPI_Comm comm, PetscInt info)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FactorCheckMemory(KSP ksp)
+PetscBool FactorIsShort(PetscInt info)
 {
-  PC             pc;
-  PCFailedReason failed;
-  MatSolverType  type = NULL;
-  Mat            F;
-  PetscBool      mumps;
-  PetscInt       info;
+  enum { INTEGERS = -8, REALS = -9, SEND_BUFFER = -17, RECEIVE_BUFFER = -20 };
 
-  PetscFunctionBeginUser;
-  PetscCall(KSPGetPC(ksp, &pc));
-  PetscCall(PCGetFailedReason(pc, &failed));
-  if (failed != PC_FACTOR_OUTMEMORY) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PCFactorGetMatSolverType(pc, &type));
-  PetscCall(PetscStrcmp(type, MATSOLVERMUMPS, &mumps));
-  if (!mumps) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PCFactorGetMatrix(pc, &F));
-  PetscCall(MatMumpsGetInfog(F, 1, &info));
-  PetscCall(CheckMemory_Private(PetscObjectComm((PetscObject)ksp), info));
-  PetscFunctionReturn(PETSC_SUCCESS);
+  return (PetscBool)(info == INTEGERS || info == REALS || info == SEND_BUFFER || info == RECEIVE_BUFFER);
 }
 
 /* What INFOG(1) means. */
@@ -142,7 +126,6 @@ static MatFactorError Error_Private(MUMPS_INT info)
    that it says so, and is given twice as much again and again. What the system has not got is another matter. Collective. */
 static PetscErrorCode FactorWithRoom_Private(Factor factor)
 {
-  enum { INTEGERS = -8, REALS = -9, SEND_BUFFER = -17, RECEIVE_BUFFER = -20 };
   DMUMPS_STRUC_C *id = &factor->id;
   PetscMPIInt     room;
 
@@ -150,9 +133,7 @@ static PetscErrorCode FactorWithRoom_Private(Factor factor)
   id->job = JOB_FACTOR;
   for (int k = 0; k <= MAX_DOUBLED; k++) {
     dmumps_c(id);
-    if (id->infog[0] != INTEGERS && id->infog[0] != REALS && id->infog[0] != SEND_BUFFER &&
-        id->infog[0] != RECEIVE_BUFFER)
-      break;
+    if (!FactorIsShort(id->infog[0])) break;
     room = id->icntl[ICNTL_ROOM - 1];
     PetscCallMPI(MPI_Bcast(&room, 1, MPI_INT, 0, factor->comm));
     id->icntl[ICNTL_ROOM - 1] = 2 * PetscMax(room, 0) + WHOLE;
@@ -221,7 +202,7 @@ PetscErrorCode FactorCreate(Mat A, PetscInt num, const PetscInt C[], const char 
   id->sym          = SYMMETRIC_DEFINITE;
   id->comm_fortran = (MUMPS_INT)MPI_Comm_c2f(factor->comm);
   dmumps_c(id);
-  PetscCall(CheckMemory_Private(factor->comm, id->infog[0]));
+  PetscCall(FactorCheckInfo(factor->comm, id->infog[0]));
   id->n                      = (MUMPS_INT)N;
   id->icntl[ICNTL_PRINT - 1] = 0;
   id->icntl[ICNTL_ORDER - 1] = bs < solid ? ORDER_MINIMUM_DEGREE : ORDER_GIVEN;
@@ -229,7 +210,7 @@ PetscErrorCode FactorCreate(Mat A, PetscInt num, const PetscInt C[], const char 
   id->icntl[ICNTL_SCHUR - 1] = SCHUR_ON_HOST;
   PetscCall(SetControls_Private(factor->comm, prefix, id));
   PetscCall(Factor_Private(factor, A, num, C, S));
-  PetscCall(CheckMemory_Private(factor->comm, id->infog[0]));
+  PetscCall(FactorCheckInfo(factor->comm, id->infog[0]));
   *error = Error_Private(id->infog[0]);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -246,7 +227,7 @@ PetscErrorCode FactorSolve(Factor factor, Vec b, Vec x)
   id->icntl[ICNTL_REDUCED - 1] = 0; /* the unknowns of S come out as 0 */
   dmumps_c(id);
   PetscCall(VecRestoreArray(factor->host, &id->rhs));
-  PetscCall(CheckMemory_Private(factor->comm, id->infog[0]));
+  PetscCall(FactorCheckInfo(factor->comm, id->infog[0]));
   PetscCheck(id->infog[0] >= 0, factor->comm, PETSC_ERR_LIB, "MUMPS could not solve: INFOG(1) = %d, INFOG(2) = %d",
              (int)id->infog[0], (int)id->infog[1]);
   PetscCall(VecScatterBegin(factor->to_host, factor->host, x, INSERT_VALUES, SCATTER_REVERSE));

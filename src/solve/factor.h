@@ -18,11 +18,16 @@ PetscErrorCode FactorCreate(Mat A, PetscInt num, const PetscInt C[], const char 
 PetscErrorCode FactorSolve(Factor factor, Vec b, Vec x);
 PetscErrorCode FactorDestroy(Factor *factor);
 
+/* What INFOG(1) of MUMPS means: that the workspace it took was too small (not collective); PETSC_ERR_MEM if it asked the system for memory
+   in vain (collective). */
+PetscBool      FactorIsShort(PetscInt info);
+PetscErrorCode FactorCheckInfo(MPI_Comm comm, PetscInt info);
+
 /* PETSC_ERR_MEM if a factorisation within a solver of PETSc has failed because the system has no memory left. Collective. */
 PetscErrorCode FactorCheckMemory(KSP ksp);
 
 /* After a solve that failed: whether it is worth another try because MUMPS, within PETSc's solver, ran short of its workspace; the option
-   -mat_mumps_icntl_14 then stands for more of it, and the factors are forgotten. Collective. */
+   -mat_mumps_icntl_14 then stands for more of it, until somebody puts it back, and the factors are forgotten. Collective. */
 PetscErrorCode FactorMoreRoom(SNES snes, PetscBool *again);
 
 /* A pivot order by nested dissection of the graph of A's blocks, with C behind all others: half the operations of a

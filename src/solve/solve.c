@@ -113,13 +113,17 @@ static PetscErrorCode Unsettle_Private(VI vi, Vec y, Vec *own)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* All that the solution took once more, for what is asked when it is known. */
-static PetscErrorCode Again_Private(VI vi, Workbench *bench)
+/* All that the solution took once more, for what is asked when it is known. [in] report - of it, or NULL if it is anybody's */
+static PetscErrorCode Again_Private(VI vi, const SolveReport *report, Workbench *bench)
 {
   SolveChoice choice;
 
   PetscFunctionBeginUser;
   PetscCall(SolveChoose(vi, &choice));
+  if (report) { // what was chosen may have given way to something else
+    PetscCall(PetscStrncpy(choice.ksp, report->ksp, sizeof(choice.ksp)));
+    PetscCall(PetscStrncpy(choice.pc, report->pc, sizeof(choice.pc)));
+  }
   PetscCall(WorkbenchCreate(vi, &choice, PETSC_FALSE, bench));
   PetscCall(WorkbenchSetLevels(bench, NULL));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -132,26 +136,27 @@ PetscErrorCode VIEnergyBound(VI vi, Vec y, EnergyBound *bound)
 
   PetscFunctionBeginUser;
   PetscCall(Unsettle_Private(vi, y, &own));
-  PetscCall(Again_Private(vi, &bench));
+  PetscCall(Again_Private(vi, NULL, &bench));
   PetscCall(BoundCompute(&bench.springs, bench.snes, own, bound));
   PetscCall(WorkbenchDestroy(&bench, own));
   PetscCall(VecDestroy(&own));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VILinearReference(VI vi, Vec y, LinearReference *reference)
+PetscErrorCode VILinearReference(VI vi, Vec y, SolveReport *report)
 {
-  const MPI_Comm comm = PetscObjectComm((PetscObject)vi->A);
-  Workbench      bench;
-  Vec            own;
-  double         start;
+  const MPI_Comm   comm      = PetscObjectComm((PetscObject)vi->A);
+  LinearReference *reference = &report->reference;
+  Workbench        bench;
+  Vec              own;
+  double           start;
 
   PetscFunctionBeginUser;
   PetscCall(Unsettle_Private(vi, y, &own));
   PetscCallMPI(MPI_Barrier(comm));
   LogCount(PETSC_FALSE);
   start = LogWallClock();
-  PetscCall(Again_Private(vi, &bench));
+  PetscCall(Again_Private(vi, report, &bench));
   PetscCall(ReferenceSolve(&bench.springs, bench.snes, own, &reference->iterations, &reference->done));
   reference->seconds = LogWallClock() - start;
   LogCount(PETSC_TRUE);

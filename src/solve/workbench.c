@@ -19,11 +19,13 @@ static PetscErrorCode DefaultsApply_Private(Workbench *bench, PetscBool apply)
     PetscCall(PetscSNPrintf(option, sizeof(option), "-%s%s", bench->prefix, defaults[i].name));
     if (!defaults[i].needed) continue; /* not even looked up: an option that nothing reads is a mistake */
     if (apply) {
-      PetscCall(PetscOptionsHasName(NULL, NULL, option, &there));
+      PetscCall(PetscOptionsGetString(NULL, NULL, option, defaults[i].given, sizeof(defaults[i].given), &there));
       defaults[i].set = (PetscBool)!there;
       if (defaults[i].set) PetscCall(PetscOptionsSetValue(NULL, option, defaults[i].value));
     } else if (defaults[i].set) {
       PetscCall(PetscOptionsClearValue(NULL, option));
+    } else {
+      PetscCall(PetscOptionsSetValue(NULL, option, defaults[i].given));
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);

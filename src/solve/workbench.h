@@ -11,7 +11,8 @@
 typedef struct {
   const char *name, *value;
   bool        needed;
-  PetscBool   set; /* by us, so to be cleared by us */
+  PetscBool   set;       /* by us, so to be cleared by us */
+  char        given[32]; /* by the user, so to be put back, whatever it has been in between */
 } Default;
 
 enum { WORKBENCH_DEFAULTS = 4 };

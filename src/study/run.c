@@ -20,8 +20,7 @@ static PetscErrorCode Solve_Private(Run run, Vec guess, PetscBool *again)
   PetscCall(VISolve(run->vi, guess, run->y, &run->report));
   if (scene->cross_check && run->report.converged) PetscCall(VICrossCheck(run->vi, run->y, &run->report, &run->check));
   PetscCall(LogStageEnd(STAGE_SOLVE));
-  if (scene->measure_linear && run->report.converged)
-    PetscCall(VILinearReference(run->vi, run->y, &run->report.reference));
+  if (scene->measure_linear && run->report.converged) PetscCall(VILinearReference(run->vi, run->y, &run->report));
   PetscCall(SceneCheckUnused(scene, PETSC_FALSE));
 
   PetscCall(LogStageBegin(STAGE_OUTPUT));

@@ -19,7 +19,9 @@ def require_factorised(run):
 def judge(run):
     wanted = stopped(run, "wanted", "-pc_type", "truncatedmg", "-dm_refine", "1")
     require(wanted.exit == 3 and "try -pc_type cholesky" in wanted.stderr, f"exit {wanted.exit}, {wanted.stderr}")
-    own = stopped(run, "own", *LARGE)
+    own = stopped(run, "own", *LARGE, "-measure_linear")
     require("factorising instead" in own.stderr, own.stderr)
     require_factorised(own)
+    reference = own.summary["solver"]["linear_reference"]  # of the factorisation: levels had nothing to do
+    require(reference["work_units"] is None and reference["contact_ratio"] > 1, f"one linear solve: {reference}")
     require_factorised(stopped(run, "stop", "-stop", "discretisation", "-dm_refine", "1"))  # which then has nothing to stop

@@ -8,12 +8,16 @@
 static PetscErrorCode SolveFrom(const char options[], VI vi, Vec guess, Vec y, SolveReport *report)
 {
   PetscOptions own;
+  char         before[16] = "", after[16] = "";
 
   PetscFunctionBeginUser;
   PetscCall(PetscOptionsCreate(&own));
   PetscCall(PetscOptionsPush(own));
   PetscCall(PetscOptionsInsertString(own, options));
+  PetscCall(PetscOptionsGetString(own, NULL, "-mat_mumps_icntl_14", before, sizeof(before), NULL));
   PetscCall(VISolve(vi, guess, y, report));
+  PetscCall(PetscOptionsGetString(own, NULL, "-mat_mumps_icntl_14", after, sizeof(after), NULL));
+  CHECK(!strcmp(before, after)); // however much room MUMPS was given in between
   PetscCall(PetscOptionsPop());
   PetscCall(PetscOptionsDestroy(&own));
   PetscFunctionReturn(0);
