@@ -90,7 +90,7 @@ static PetscErrorCode MeshBegin_Private(Mesh mesh, PetscInt coarser)
 
   PetscFunctionBeginUser;
   PetscCall(MeshCreateWhole_Private(scene, coarser, &dm, &curves));
-  PetscCall(MeshPartition(scene, &dm, &curves));
+  PetscCall(MeshPartition(scene, coarser + scene->refine, &dm, &curves));
   PetscCall(PetscMalloc1(1, &mesh->levels));
   PetscCall(LevelCreateTables(scene, dm, SceneMaxOrder(scene), &mesh->levels[0]));
   PetscCall(DMRemoveLabel(dm, "body", NULL)); // refinement would carry it on at a quarter of its costs

@@ -261,7 +261,8 @@ static PetscErrorCode EdgesCut_Private(const Edges *edges, PetscInt num_cells, c
 }
 
 /* Without contact_weight contact is left out, which is what the test compares with. */
-PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt contact_weight, PetscInt num_parts, PetscInt part[])
+PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, PetscInt contact_weight, PetscInt num_parts,
+                                PetscInt part[])
 {
   Edges     edges = {0, 0, NULL, NULL};
   PetscInt *contact;
@@ -280,7 +281,7 @@ PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt contact_weig
   }
   PetscCall(SharesCreate(scene, level, contact, num_parts, &shares));
   PetscCall(EdgesCut_Private(&edges, level->num_cells, &shares, part));
-  PetscCall(SharesCorrect(scene, level, part, &shares));
+  PetscCall(SharesCorrect(scene, level, refine, part, &shares));
   PetscCall(EdgesCut_Private(&edges, level->num_cells, &shares, part));
   PetscCall(SharesDestroy(&shares));
   PetscCall(PetscFree(contact));
@@ -308,7 +309,7 @@ static PetscErrorCode PartitionerSet_Private(PetscInt num_cells, const PetscInt 
 
 /* The coarsest mesh is parted: all descendants of a cell stay with it, and METIS sees a small graph. Vertices are all it
    needs, so that meshes of every order are parted alike; cells are judged later, on every number of ranks. */
-PetscErrorCode MeshPartition(Scene scene, DM *dm, Curves *curves)
+PetscErrorCode MeshPartition(Scene scene, PetscInt refine, DM *dm, Curves *curves)
 {
   PetscPartitioner partitioner;
   PetscMPIInt      size;
@@ -325,7 +326,7 @@ PetscErrorCode MeshPartition(Scene scene, DM *dm, Curves *curves)
   PetscCall(LevelSetCoords(&level, NULL));
   PetscCall(DMDestroy(&clone));
   PetscCall(PetscMalloc1(level.num_cells, &part));
-  PetscCall(PartitionCompute(scene, &level, CONTACT_WEIGHT, size, part));
+  PetscCall(PartitionCompute(scene, &level, refine, CONTACT_WEIGHT, size, part));
   PetscCall(DMPlexGetPartitioner(*dm, &partitioner));
   PetscCall(PartitionerSet_Private(level.num_cells, part, size, partitioner));
   PetscCall(PetscFree(part));

@@ -201,14 +201,16 @@ typedef struct {
 /* The same for all. [in] contact - facets that may touch, by cell */
 PetscErrorCode SharesCreate(Scene scene, const Level *level, const PetscInt contact[], PetscInt num_parts,
                             Shares *shares);
-/* Less where there are more nodes between. [in] part - a partition much like the one to come [num_cells] */
-PetscErrorCode SharesCorrect(Scene scene, const Level *level, const PetscInt part[], Shares *shares);
+/* Less where there are more nodes between. [in] refine - how often the mesh will be; part - a partition much like the one to come
+   [num_cells] */
+PetscErrorCode SharesCorrect(Scene scene, const Level *level, PetscInt refine, const PetscInt part[], Shares *shares);
 PetscErrorCode SharesDestroy(Shares *shares);
-/* The rank of every cell of the whole mesh, which lies on the first rank. [out] part - [level->num_cells] */
-PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt contact_weight, PetscInt num_parts,
+/* The rank of every cell of the whole mesh, which lies on the first rank. [in] refine - how often it will be; [out] part -
+   [level->num_cells] */
+PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, PetscInt contact_weight, PetscInt num_parts,
                                 PetscInt part[]);
-/* Spreads the mesh over the ranks; the DM and its curves are replaced. Collective. */
-PetscErrorCode MeshPartition(Scene scene, DM *dm, Curves *curves);
+/* Spreads the mesh over the ranks; the DM and its curves are replaced. Collective. [in] refine - how often it will be */
+PetscErrorCode MeshPartition(Scene scene, PetscInt refine, DM *dm, Curves *curves);
 
 /* Decides the roles left open; notes given ones that are unfavourable. Faults: a side that meets itself, or another
    side twice. Collective. */

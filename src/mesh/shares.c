@@ -47,13 +47,14 @@ PetscErrorCode SharesCreate(Scene scene, const Level *level, const PetscInt cont
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Nodes between cells of different parts, in the units of loads: on the finest level of lowest order a facet has as many fewer than a
-   cell as that has cells along an edge. DMPlexDistribute() gives them to the highest rank. [out] nodes - [num_parts] */
-static PetscErrorCode CountBetween_Private(Scene scene, const Level *level, const PetscInt part[], PetscReal nodes[])
+/* Nodes between cells of different parts, in the units of loads: on the finest level a facet has as many fewer than a cell as that has
+   cells along an edge. DMPlexDistribute() gives them to the highest rank. An order that all bodies have does not count, so that all
+   orders are parted alike. [out] nodes - [num_parts] */
+static PetscErrorCode CountBetween_Private(Scene scene, const Level *level, PetscInt refine, const PetscInt part[],
+                                           PetscReal nodes[])
 {
-  const PetscReal along =
-      PetscPowRealInt(2, (int)scene->refine) * scene->bodies[0].order / OrderFactor_Private(scene, 0);
-  PetscInt begin, end;
+  const PetscReal along = PetscPowRealInt(2, (int)refine);
+  PetscInt        begin, end;
 
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetHeightStratum(level->dm, 1, &begin, &end));
@@ -72,14 +73,14 @@ static PetscErrorCode CountBetween_Private(Scene scene, const Level *level, cons
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SharesCorrect(Scene scene, const Level *level, const PetscInt part[], Shares *shares)
+PetscErrorCode SharesCorrect(Scene scene, const Level *level, PetscInt refine, const PetscInt part[], Shares *shares)
 {
   const PetscInt num_parts = shares->num_parts;
   PetscReal     *between, all = 0, mean = 0, most = 0, factor;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(num_parts, &between));
-  PetscCall(CountBetween_Private(scene, level, part, between));
+  PetscCall(CountBetween_Private(scene, level, refine, part, between));
   for (PetscInt c = 0; c < level->num_cells; ++c) all += (PetscReal)shares->load[c * shares->num];
   for (PetscInt p = 0; p < num_parts; ++p) mean += between[p] / (PetscReal)num_parts;
   for (PetscInt p = 0; p < num_parts; ++p) most = PetscMax(most, PetscAbsReal(between[p] - mean));
