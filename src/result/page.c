@@ -38,7 +38,7 @@ static void Find_Private(char path[], size_t len)
   snprintf(path, len, "%s", COMPANION);
 }
 
-/* Reads to the end of a pipe and keeps the beginning, without the blanks at its end. */
+/* Reads to the end of a pipe and keeps what comes last, where a trace has its reason, without the blanks at its end. */
 static void Listen_Private(int pipe_end, char said[], size_t len)
 {
   char    rest[SAID_LENGTH];
@@ -48,7 +48,10 @@ static void Listen_Private(int pipe_end, char said[], size_t len)
   while ((got = read(pipe_end, rest, sizeof(rest))) != 0) {
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) break;
-    for (ssize_t i = 0; i < got && kept + 1 < len; ++i) said[kept++] = rest[i];
+    for (ssize_t i = 0; i < got; ++i) {
+      if (kept + 1 == len) memmove(said, said + 1, --kept);
+      said[kept++] = rest[i];
+    }
   }
   while (kept && strchr(" \r\n", said[kept - 1])) --kept;
   said[kept] = '\0';
