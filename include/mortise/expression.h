@@ -25,6 +25,8 @@ PetscErrorCode ExpressionDestroy(Expression *e);
 
 /* Makes z a name of the second coordinate, as r is one of the first: a point (r, z) of a meridian plane. Not collective. */
 void ExpressionNameMeridian(Expression e);
+/* Whether a formula names one of x, y, z, r. Not collective. */
+PetscBool ExpressionNames(Expression e, const char name[]);
 
 /* Number of components; whether all are plain numbers (or free); whether component c is free. Not collective. */
 PetscInt    ExpressionSize(Expression e);

@@ -111,9 +111,10 @@ typedef struct {
 } SceneStudy;
 
 struct _n_Scene {
-  MPI_Comm    comm;
-  char       *title; /* "" where none was given */
-  PetscInt    dim;
+  MPI_Comm comm;
+  char    *title; /* "" where none was given */
+  PetscInt dim;
+  char    *unread; /* "-<option> <file>" of a mesh file without cells where nothing else tells the dimension, or NULL */
   ModelKind   model;
   PetscReal   thickness;
   PetscInt    refine; /* common refinements: the levels */

@@ -263,6 +263,23 @@ void ExpressionNameMeridian(Expression e)
   e->meridian = PETSC_TRUE;
 }
 
+PetscBool ExpressionNames(Expression e, const char name[])
+{
+  for (PetscInt c = 0; c < e->num_components; ++c) {
+    const muParserHandle_t parser = e->components[c].parser;
+    const int              num    = parser ? mupGetExprVarNum(parser) : 0;
+
+    for (int v = 0; v < num; ++v) {
+      const muChar_t *used;
+      muFloat_t      *bound;
+
+      mupGetExprVar(parser, (unsigned)v, &used, &bound);
+      if (!strcmp(used, name)) return PETSC_TRUE;
+    }
+  }
+  return PETSC_FALSE;
+}
+
 /* --- asking ------------------------------------------------------------------------------------------------------- */
 
 PetscInt ExpressionSize(Expression e)

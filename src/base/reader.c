@@ -170,7 +170,8 @@ static int SplitLine_Private(Reader *reader, const char where[], char line[], Wo
     words[num_words++] = (Word){begin, quoted};
     if (quoted && !last) Complain_Private(reader, "%s: the quote before '%s' is not closed in this line", where, begin);
     if (quoted && behind && !strchr(blanks, behind) && behind != '#')
-      Complain_Private(reader, "%s: a space is missing before '%s'", where, end + 1);
+      Complain_Private(reader, "%s: '%s' follows right after a quote; quotes stand around a value as a whole", where,
+                       end + 1);
     *end = '\0';
     if (!last || last == '#') break;
     line = end + 1;

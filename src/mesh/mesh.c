@@ -15,6 +15,22 @@ PetscErrorCode MeshCreate(Scene scene, Mesh *mesh)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether the cells of a file can be numbered on the finest mesh, as those of boxes can. [out] sentence - untouched if so */
+static void CheckSize_Private(const struct _n_Scene *scene, const SceneBody *body, const BodyList *list,
+                              char sentence[])
+{
+  const PetscInt  refine   = body->refine + scene->refine + (scene->study.kind ? scene->study.levels - 1 : 0);
+  const PetscInt  unknowns = scene->dim == 2 ? 2 * 4 : 3 * 8; // of a cell of order 2 that shares its nodes
+  const PetscReal cells    = PetscPowReal(2, (PetscReal)(scene->dim * refine)) * (PetscReal)list->num_cells;
+
+  if (cells * unknowns < (PetscReal)PETSC_MAX_INT) return;
+  snprintf(sentence, MESH_SENTENCE,
+           "-%s_dm_plex_filename %.400s: refined %d times (-%s_dm_refine and -dm_refine%s) this mesh of %d cells has "
+           "%.3g, more than can be numbered",
+           body->name, body->mesh_file, (int)refine, body->name, scene->study.kind ? ", then -study_levels" : "",
+           (int)list->num_cells, (double)cells);
+}
+
 /* Makes or reads every body; the first rank alone does, and stops at the first mistake. */
 static PetscErrorCode MeshMakeBodies_Private(Scene scene, PetscInt coarser, const SideNames names[], BodyList lists[])
 {
@@ -29,9 +45,10 @@ static PetscErrorCode MeshMakeBodies_Private(Scene scene, PetscInt coarser, cons
 
     // a later body is not made once there is a mistake to tell
     BodyCoarsen(&body, scene->dim, coarser);
-    if (body.mesh_file)
+    if (body.mesh_file) {
       PetscCall(BodyListCreateFile(&body, scene->dim, &names[b], &files, &lists[b], sentence));
-    else
+      if (!sentence[0]) CheckSize_Private(scene, &body, &lists[b], sentence);
+    } else
       PetscCall(BodyListCreateBox(&body, scene->dim, &names[b], &lists[b], sentence));
   }
   PetscCall(MeshFileDestroy(&files));

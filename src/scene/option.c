@@ -279,12 +279,51 @@ PetscErrorCode OptionGetChoice(const Option *option, PetscInt *index)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Formulas name coordinates that the scene has: r and z are those of a meridian plane. */
+static PetscErrorCode CheckNames_Private(const Option *option, Expression e)
+{
+  const PetscBool solid = (PetscBool)(option->scene->dim == 3);
+
+  PetscFunctionBeginUser;
+  if (option->scene->model == MODEL_AXISYMMETRIC) {
+    ExpressionNameMeridian(e);
+  } else if (ExpressionNames(e, "r")) {
+    PetscCall(OptionRaise(option, "'r' is the radius of -model axisymmetric; the coordinates of this scene are %s",
+                          solid ? "x, y, z" : "x, y"));
+  } else if (!solid && ExpressionNames(e, "z")) {
+    PetscCall(OptionRaise(option, "'z' is known in solids and with -model axisymmetric; the coordinates of this scene "
+                                  "are x, y"));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Data of solids where the mesh file ought to tell that there are any: not they are wrong. */
+static PetscErrorCode CheckSolid_Private(const Option *option, PetscBool allow_free)
+{
+  Expression e;
+  PetscInt   given;
+
+  PetscFunctionBeginUser;
+  PetscCall(ExpressionCreate(option->comm, option->name, option->text, 0, allow_free, &e));
+  given = ExpressionSize(e);
+  PetscCall(ExpressionDestroy(&e));
+  if (given == 3) {
+    PetscCall(FaultRaise(option->comm,
+                         "%s: no cells are found in this file, and %s is of a solid; it is damaged, or not one of "
+                         "Gmsh's (2.2, 4.1), and then "
+                         "-model solid tells that it holds one",
+                         option->scene->unread, option->name));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode OptionGetExpression(const Option *option, PetscInt num_components, PetscBool allow_free, Expression *e)
 {
   PetscFunctionBeginUser;
   if (!option->text) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(OptionCheckValue_Private(option));
+  if (option->scene->unread && num_components == 2) PetscCall(CheckSolid_Private(option, allow_free));
   PetscCall(ExpressionCreate(option->comm, option->name, option->text, num_components, allow_free, e));
-  if (option->scene->model == MODEL_AXISYMMETRIC) ExpressionNameMeridian(*e);
+  PetscCall(CheckNames_Private(option, *e));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -45,8 +45,9 @@ static PetscErrorCode SceneRaiseModel_Private(const Option *model, const SceneBo
 /* The model says how many dimensions there are. Where it is not given, boxes and Gmsh files do; all of them must agree. */
 static PetscErrorCode SceneReadModel_Private(Scene scene)
 {
-  Option   model, mesh, first = {.set = PETSC_FALSE};
+  Option   model, mesh, first = {.set = PETSC_FALSE}, unread = {.set = PETSC_FALSE};
   PetscInt choice = MODEL_PLANE_STRAIN, num, dim = 0;
+  char     text[OPTION_MAX + PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
   PetscCall(OptionFind(scene, "-model", NULL, NULL, &model));
@@ -54,6 +55,7 @@ static PetscErrorCode SceneReadModel_Private(Scene scene)
   if (model.set) dim = choice == MODEL_SOLID ? 3 : 2;
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     PetscCall(BodyGetDimension_Private(scene, &scene->bodies[b], &mesh, &num));
+    if (!num && mesh.set && !unread.set) unread = mesh;
     if (!num) continue;
     if (!dim) {
       dim   = num;
@@ -64,6 +66,10 @@ static PetscErrorCode SceneReadModel_Private(Scene scene)
     PetscCall(OptionRaise(
         &mesh, "all bodies of a scene have the same dimensions, two or three; this one has %d, that of %s %s has %d",
         (int)num, first.name, first.text, (int)dim));
+  }
+  if (!dim && unread.set && strstr(unread.entry->name, "filename")) {
+    PetscCall(PetscSNPrintf(text, sizeof(text), "%s %s", unread.name, unread.text));
+    PetscCall(PetscStrallocpy(text, &scene->unread));
   }
   scene->dim   = dim == 3 ? 3 : 2;
   scene->model = dim == 3 ? MODEL_SOLID : (ModelKind)choice;
@@ -147,6 +153,7 @@ PetscErrorCode SceneDestroy(Scene *scene)
   PetscCall(PetscFree((*scene)->pairs));
   PetscCall(PetscFree((*scene)->probes));
   PetscCall(PetscFree((*scene)->title));
+  PetscCall(PetscFree((*scene)->unread));
   PetscCall(PetscFree((*scene)->output));
   PetscCall(PetscFree((*scene)->summary));
   PetscCall(PetscFree(*scene));

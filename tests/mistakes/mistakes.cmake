@@ -16,11 +16,14 @@ endfunction()
 # --- the command line and options files ---
 mistake(no_file             ALONE SAYS -options_file no_such.opts ARGS -options_file no_such.opts)
 mistake(malformed_quote     ALONE SAYS "quote.opts, line 2" "not closed" ARGS -options_file ${here}/quote.opts)
+mistake(malformed_quotes    ALONE SAYS "quotes.opts, line 2" "around a value as a whole" ARGS -options_file ${here}/quotes.opts)
 mistake(malformed_word      ALONE SAYS "word.opts, line 2" upper_young ARGS -options_file ${here}/word.opts)
 mistake(malformed_equals    ALONE SAYS "equals.opts, line 1" -bodies=upper ARGS -options_file ${here}/equals.opts)
 mistake(file_of_itself      ALONE SAYS itself.opts "names itself" ARGS -options_file ${here}/itself.opts)
 mistake(stray_word          SAYS plates "one word too many" ARGS -title Two plates)
 mistake(minus_formula       SAYS "-sin(x),0" "0-sin(x),0" ARGS -upper_bc_displacement_top "-sin(x),0")
+mistake(formula_in_z        SAYS "-upper_bc_displacement_top 0,z" "are x, y" ARGS -upper_bc_displacement_top 0,z)
+mistake(formula_in_r        SCENE solid SAYS "-model axisymmetric" "are x, y, z" ARGS -block_young 1e9*r)
 mistake(no_bodies           ALONE SAYS -bodies missing ARGS -title Empty)
 
 # --- names and misspelt options ---
@@ -94,11 +97,15 @@ mistake(mesh_solid          SCENE mesh SAYS -block_bc_displacement_bottom "0,0" 
 mistake(mesh_partitioned    SCENE mesh SAYS parts.msh "cut into partitions" whole ARGS -block_dm_plex_filename ${here}/parts.msh)
 mistake(mesh_merged         SCENE mesh SAYS merged.msh "quadrangles has one node at several of its corners" ARGS -block_dm_plex_filename
         ${here}/merged.msh)
+mistake(mesh_refined        SCENE mesh SAYS -block_dm_plex_filename "-dm_refine" "more than can be numbered" ARGS -dm_refine 30
+  -block_dm_plex_filename ${here}/triangles.msh)
 mistake(mesh_flat           SCENE mesh SAYS block degenerate ARGS -block_dm_plex_filename ${here}/flat.msh)
 mistake(mesh_tangled        SCENE mesh SAYS block tangled ARGS -block_dm_plex_filename ${here}/tangled.msh)
 mistake(mesh_side           SCENE mesh SAYS botom bottom slope ARGS -block_dm_plex_filename ${here}/triangles.msh -block_bc_displacement botom
   -block_bc_displacement_botom 0,0 -options_allow_unused)
 mistake(mesh_region         SCENE mesh SAYS -block_mesh_region steel wood ARGS -block_dm_plex_filename ${here}/triangles.msh -block_mesh_region steel)
+mistake(solid_cut           ALONE SAYS -block_dm_plex_filename cut_solid.msh "no cells are found" "-model solid" ARGS -bodies block -block_young 1
+  -block_poisson 0.3 -block_bc_displacement floor -block_bc_displacement_floor 0,0,0 -block_dm_plex_filename ${here}/cut_solid.msh)
 mistake(solid_plane         SCENE brick SAYS triangles.msh "dimension 2" "gmsh -3" ARGS -block_dm_plex_filename ${here}/triangles.msh)
 mistake(solid_wedge         SCENE brick SAYS roof.msh "1 wedges" "(0, 0, 1)" tetrahedra ARGS -block_dm_plex_filename ${here}/roof.msh)
 mistake(solid_twisted       SCENE brick SAYS block tangled "(0, 0, 2)" ARGS -block_dm_plex_filename ${here}/twisted.msh)
