@@ -16,8 +16,7 @@ PetscErrorCode CondensedCreateShell(Mat K, PetscReal stiffness, Mat Z, PetscInt 
 PetscErrorCode CondensedAssemble(Mat K, PetscReal stiffness, Mat Z, PetscInt num, const PetscInt fixed[], Mat *A);
 /* Lets a shell take products with K / stiffness from S. Not collective. [in] S - ProductsCreate(), borrowed for as long as A lives */
 PetscErrorCode CondensedSetProducts(Mat A, Mat S);
-/* factor K for products with vectors alone. Collective. [in] K - symmetric, AIJ, in full blocks, borrowed for as long as S lives; [out]
-   S - a shell, owned by the caller */
+/* factor K for products with vectors alone. Collective. [in] K - symmetric, AIJ, in full blocks; [out] S - a shell, owned by the caller */
 PetscErrorCode ProductsCreate(Mat K, PetscReal factor, Mat *S);
 
 #endif

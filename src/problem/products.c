@@ -1,47 +1,53 @@
 /* products.c -- K for products alone: its upper triangle in blocks.
 
    Iterations read K from memory again and again. Half of it, without a column for every entry, is read in half the time. Each block
-   is used twice on the way through it: for its row, and transposed for the row of its column (T39). What couples to unknowns of other ranks
-   is little, and stays where it is. */
+   is used twice on the way through it: for its row, and transposed for the row of its column (T39). Blocks that couple to unknowns of other
+   ranks follow by themselves. */
 #include <mortise/compat.h>
 #include <petscvec.h>
 #include "condense.h"
 
 enum { MAX_DIM = 3 };
 
+/* Block rows, each block row by row. */
 typedef struct {
-  PetscInt     bs, num;        /* block rows of this rank */
-  PetscInt    *start, *column; /* from the diagonal on, counted from this rank's first [num+1], [start[num]] */
-  PetscScalar *value;          /* [start[num]][bs][bs], each block row by row */
-  PetscReal    factor;         /* is in value */
-  Mat          others;         /* K's columns of other ranks, borrowed, NULL on one rank; without the factor */
-  Vec          ghosts, result; /* what stands there; this rank's part of a product */
-  VecScatter   scatter;
+  PetscInt     num;
+  PetscInt    *row;            /* NULL where these are all [num] */
+  PetscInt    *start, *column; /* [num+1], [start[num]] */
+  PetscScalar *value;          /* [start[num]][bs][bs] */
+} Blocks;
+
+typedef struct {
+  PetscInt   bs;
+  Blocks     own;    /* from the diagonal on, counted from this rank's first */
+  Blocks     others; /* columns among ghosts */
+  Vec        ghosts; /* unknowns of other ranks; NULL on one rank */
+  VecScatter scatter;
 } Products;
 
-/* y += V x. To be inlined where bs is known, so that its loops are unrolled. */
-static inline void AddBlocks_Private(const PetscInt bs, const Products *products, const PetscScalar *restrict x,
-                                     PetscScalar *restrict y)
+/* y += V x for the symmetric V whose upper triangle these blocks are. To be inlined where bs is known, so that its loops are unrolled. */
+static inline void AddSymmetric_Private(const PetscInt bs, const Blocks *own, const PetscScalar *restrict x,
+                                        PetscScalar *restrict y)
 {
-  const PetscScalar *restrict v = products->value;
+  const PetscScalar *restrict v = own->value;
 
-  for (PetscInt i = 0; i < products->num; i++) {
-    PetscScalar own[MAX_DIM], sum[MAX_DIM];
+  for (PetscInt i = 0; i < own->num; i++) {
+    PetscScalar xi[MAX_DIM], sum[MAX_DIM];
 
-    for (PetscInt k = 0; k < bs; k++) own[k] = x[bs * i + k];
+    for (PetscInt k = 0; k < bs; k++) xi[k] = x[bs * i + k];
     for (PetscInt k = 0; k < bs; k++) {
       sum[k] = 0;
-      for (PetscInt l = 0; l < bs; l++) sum[k] += v[bs * k + l] * own[l];
+      for (PetscInt l = 0; l < bs; l++) sum[k] += v[bs * k + l] * xi[l];
     }
     v += bs * bs;
-    for (PetscInt j = products->start[i] + 1; j < products->start[i + 1]; j++, v += bs * bs) {
-      const PetscScalar *restrict xj = &x[bs * products->column[j]];
-      PetscScalar *restrict yj       = &y[bs * products->column[j]];
+    for (PetscInt j = own->start[i] + 1; j < own->start[i + 1]; j++, v += bs * bs) {
+      const PetscScalar *restrict xj = &x[bs * own->column[j]];
+      PetscScalar *restrict yj       = &y[bs * own->column[j]];
 
       for (PetscInt k = 0; k < bs; k++) {
         for (PetscInt l = 0; l < bs; l++) {
           sum[k] += v[bs * k + l] * xj[l];
-          yj[k] += v[bs * l + k] * own[l];
+          yj[k] += v[bs * l + k] * xi[l];
         }
       }
     }
@@ -49,15 +55,23 @@ static inline void AddBlocks_Private(const PetscInt bs, const Products *products
   }
 }
 
-/* y += factor K_others ghosts */
-static PetscErrorCode AddOthers_Private(const Products *products, Vec y)
+/* y += V x. The same. */
+static inline void AddOthers_Private(const PetscInt bs, const Blocks *others, const PetscScalar *restrict x,
+                                     PetscScalar *restrict y)
 {
-  PetscFunctionBeginUser;
-  PetscCall(VecScale(products->ghosts, products->factor));
-  PetscCall(VecGetLocalVector(y, products->result));
-  PetscCall(MatMultAdd(products->others, products->ghosts, products->result, products->result));
-  PetscCall(VecRestoreLocalVector(y, products->result));
-  PetscFunctionReturn(PETSC_SUCCESS);
+  const PetscScalar *restrict v = others->value;
+
+  for (PetscInt i = 0; i < others->num; i++) {
+    PetscScalar sum[MAX_DIM] = {0};
+
+    for (PetscInt j = others->start[i]; j < others->start[i + 1]; j++, v += bs * bs) {
+      const PetscScalar *restrict xj = &x[bs * others->column[j]];
+
+      for (PetscInt k = 0; k < bs; k++)
+        for (PetscInt l = 0; l < bs; l++) sum[k] += v[bs * k + l] * xj[l];
+    }
+    for (PetscInt k = 0; k < bs; k++) y[bs * others->row[i] + k] += sum[k];
+  }
 }
 
 static PetscErrorCode Mult_Products(Mat S, Vec x, Vec y)
@@ -68,19 +82,36 @@ static PetscErrorCode Mult_Products(Mat S, Vec x, Vec y)
 
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(S, &p));
-  if (p->others) PetscCall(VecScatterBegin(p->scatter, x, p->ghosts, INSERT_VALUES, SCATTER_FORWARD));
+  if (p->ghosts) PetscCall(VecScatterBegin(p->scatter, x, p->ghosts, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecZeroEntries(y));
   PetscCall(VecGetArrayRead(x, &xa));
   PetscCall(VecGetArray(y, &ya));
   if (p->bs == 2)
-    AddBlocks_Private(2, p, xa, ya);
+    AddSymmetric_Private(2, &p->own, xa, ya);
   else
-    AddBlocks_Private(3, p, xa, ya);
-  PetscCall(VecRestoreArray(y, &ya));
+    AddSymmetric_Private(3, &p->own, xa, ya);
   PetscCall(VecRestoreArrayRead(x, &xa));
-  PetscCall(PetscLogFlops(4.0 * p->start[p->num] * p->bs * p->bs));
-  if (p->others) PetscCall(VecScatterEnd(p->scatter, x, p->ghosts, INSERT_VALUES, SCATTER_FORWARD));
-  if (p->others) PetscCall(AddOthers_Private(p, y));
+  PetscCall(PetscLogFlops(4.0 * p->own.start[p->own.num] * p->bs * p->bs));
+  if (p->ghosts) {
+    PetscCall(VecScatterEnd(p->scatter, x, p->ghosts, INSERT_VALUES, SCATTER_FORWARD));
+    PetscCall(VecGetArrayRead(p->ghosts, &xa));
+    if (p->bs == 2)
+      AddOthers_Private(2, &p->others, xa, ya);
+    else
+      AddOthers_Private(3, &p->others, xa, ya);
+    PetscCall(VecRestoreArrayRead(p->ghosts, &xa));
+    PetscCall(PetscLogFlops(2.0 * p->others.start[p->others.num] * p->bs * p->bs));
+  }
+  PetscCall(VecRestoreArray(y, &ya));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode BlocksDestroy_Private(Blocks *blocks)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(blocks->row));
+  PetscCall(PetscFree(blocks->start));
+  PetscCall(PetscFree2(blocks->column, blocks->value));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -90,10 +121,9 @@ static PetscErrorCode Destroy_Products(Mat S)
 
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(S, &products));
-  PetscCall(PetscFree(products->start));
-  PetscCall(PetscFree2(products->column, products->value));
+  PetscCall(BlocksDestroy_Private(&products->own));
+  PetscCall(BlocksDestroy_Private(&products->others));
   PetscCall(VecDestroy(&products->ghosts));
-  PetscCall(VecDestroy(&products->result));
   PetscCall(VecScatterDestroy(&products->scatter));
   PetscCall(PetscFree(products));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -115,41 +145,51 @@ static PetscInt FindDiagonal_Private(PetscInt num, const PetscInt columns[], Pet
   return lower;
 }
 
-/* How many blocks the upper triangle has. [in] K - this rank's */
-static PetscErrorCode CountBlocks_Private(Mat K, Products *products)
+/* Counts blocks, and lists the rows that have some where these are not all. [in] K - this rank's columns, or others' */
+static PetscErrorCode CountBlocks_Private(Mat K, PetscInt bs, PetscBool symmetric, Blocks *blocks)
 {
-  const PetscInt bs = products->bs;
+  PetscInt rows, count = 0;
 
   PetscFunctionBeginUser;
-  products->start[0] = 0;
-  for (PetscInt i = 0; i < products->num; i++) {
+  PetscCall(MatGetLocalSize(K, &rows, NULL));
+  rows /= bs;
+  PetscCall(PetscMalloc1(rows + 1, &blocks->start));
+  if (!symmetric) PetscCall(PetscMalloc1(rows, &blocks->row));
+  blocks->num = 0;
+  for (PetscInt i = 0; i < rows; i++) {
     const PetscInt *columns;
-    PetscInt        num;
+    PetscInt        num, size;
 
     PetscCall(MatGetRow(K, bs * i, &num, &columns, NULL));
-    products->start[i + 1] = products->start[i] + (num - FindDiagonal_Private(num, columns, bs * i)) / bs;
+    size = (num - (symmetric ? FindDiagonal_Private(num, columns, bs * i) : 0)) / bs;
     PetscCall(MatRestoreRow(K, bs * i, &num, &columns, NULL));
+    if (!symmetric && !size) continue;
+    if (!symmetric) blocks->row[blocks->num] = i;
+    blocks->start[blocks->num++] = count;
+    count += size;
   }
+  blocks->start[blocks->num] = count;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode FillBlocks_Private(Mat K, Products *products)
+static PetscErrorCode CreateBlocks_Private(Mat K, PetscInt bs, PetscReal factor, PetscBool symmetric, Blocks *blocks)
 {
-  const PetscInt bs = products->bs;
-
   PetscFunctionBeginUser;
-  for (PetscInt row = 0; row < bs * products->num; row++) {
-    const PetscInt     i = row / bs, k = row % bs, *columns;
+  PetscCall(CountBlocks_Private(K, bs, symmetric, blocks));
+  PetscCall(
+      PetscMalloc2(blocks->start[blocks->num], &blocks->column, blocks->start[blocks->num] * bs * bs, &blocks->value));
+  for (PetscInt r = 0; r < bs * blocks->num; r++) {
+    const PetscInt     i = r / bs, k = r % bs, row = bs * (symmetric ? i : blocks->row[i]) + k, *columns;
     PetscInt           num, first;
     const PetscScalar *values;
 
     PetscCall(MatGetRow(K, row, &num, &columns, &values));
-    first = FindDiagonal_Private(num, columns, row - k);
+    first = symmetric ? FindDiagonal_Private(num, columns, row - k) : 0;
     for (PetscInt j = first; j < num; j++) {
-      const PetscInt block = products->start[i] + (j - first) / bs, l = (j - first) % bs;
+      const PetscInt block = blocks->start[i] + (j - first) / bs, l = (j - first) % bs;
 
-      products->column[block]                    = columns[j] / bs;
-      products->value[(block * bs + k) * bs + l] = products->factor * values[j];
+      blocks->column[block]                    = columns[j] / bs;
+      blocks->value[(block * bs + k) * bs + l] = factor * values[j];
     }
     PetscCall(MatRestoreRow(K, row, &num, &columns, &values));
   }
@@ -157,7 +197,7 @@ static PetscErrorCode FillBlocks_Private(Mat K, Products *products)
 }
 
 /* What it takes to have the unknowns of other ranks that this rank's rows couple to. [in] columns - which these are */
-static PetscErrorCode CreateScatter_Private(Mat K, Mat own, const PetscInt columns[], Products *products)
+static PetscErrorCode CreateScatter_Private(Mat K, Mat others, const PetscInt columns[], Products *products)
 {
   IS       from;
   PetscInt n;
@@ -165,8 +205,7 @@ static PetscErrorCode CreateScatter_Private(Mat K, Mat own, const PetscInt colum
 
   PetscFunctionBeginUser;
   PetscCall(MatCreateVecs(K, &x, NULL));
-  PetscCall(MatCreateVecs(own, NULL, &products->result));
-  PetscCall(MatCreateVecs(products->others, &products->ghosts, NULL));
+  PetscCall(MatCreateVecs(others, &products->ghosts, NULL));
   PetscCall(VecGetSize(products->ghosts, &n));
   PetscCall(ISCreateGeneral(PETSC_COMM_SELF, n, columns, PETSC_USE_POINTER, &from));
   PetscCall(VecScatterCreate(x, from, products->ghosts, NULL, &products->scatter));
@@ -177,11 +216,11 @@ static PetscErrorCode CreateScatter_Private(Mat K, Mat own, const PetscInt colum
 
 PetscErrorCode ProductsCreate(Mat K, PetscReal factor, Mat *S)
 {
-  Mat             own = K;
+  Mat             own = K, others;
   Products       *products;
   PetscBool       sequential;
   const PetscInt *columns;
-  PetscInt        n, bs, blocks;
+  PetscInt        n, bs;
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&products));
@@ -189,19 +228,14 @@ PetscErrorCode ProductsCreate(Mat K, PetscReal factor, Mat *S)
   PetscCall(MatGetBlockSize(K, &bs));
   PetscCheck(bs == 2 || bs == MAX_DIM, PetscObjectComm((PetscObject)K), PETSC_ERR_PLIB, "Blocks of size %" PetscInt_FMT,
              bs);
-  products->bs     = bs;
-  products->num    = n / bs;
-  products->factor = factor;
+  products->bs = bs;
   PetscCall(PetscObjectTypeCompare((PetscObject)K, MATSEQAIJ, &sequential));
   if (!sequential) {
-    PetscCall(MatMPIAIJGetSeqAIJ(K, &own, &products->others, &columns));
-    PetscCall(CreateScatter_Private(K, own, columns, products));
+    PetscCall(MatMPIAIJGetSeqAIJ(K, &own, &others, &columns));
+    PetscCall(CreateScatter_Private(K, others, columns, products));
+    PetscCall(CreateBlocks_Private(others, bs, factor, PETSC_FALSE, &products->others));
   }
-  PetscCall(PetscMalloc1(products->num + 1, &products->start));
-  PetscCall(CountBlocks_Private(own, products));
-  blocks = products->start[products->num];
-  PetscCall(PetscMalloc2(blocks, &products->column, blocks * bs * bs, &products->value));
-  PetscCall(FillBlocks_Private(own, products));
+  PetscCall(CreateBlocks_Private(own, bs, factor, PETSC_TRUE, &products->own));
   PetscCall(MatCreateShell(PetscObjectComm((PetscObject)K), n, n, PETSC_DETERMINE, PETSC_DETERMINE, products, S));
   PetscCall(MatSetBlockSize(*S, bs));
   PetscCall(MatShellSetOperation(*S, MATOP_MULT, (void (*)(void))Mult_Products));

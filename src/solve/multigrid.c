@@ -21,9 +21,6 @@ static const char CONTEXT[] = "MortiseMultigrid"; /* name under which the contex
 /* Steps of the smoother, and the part of the spectrum that it is for. */
 enum { SMOOTHING_STEPS = 3 };
 static const PetscReal SMOOTHED_FROM = 0.07;
-/* Unknowns of the coarsest level that every rank factors for itself, and percent of workspace on top where that is shared. */
-enum { REPEATED_UNKNOWNS = 20000 };
-static const char ROOM[] = "200";
 
 typedef struct {
   Hierarchy  hierarchy; /* borrowed */
@@ -140,30 +137,21 @@ PetscErrorCode MultigridGetOperator(PC pc, Mat *A)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A factorisation of few unknowns on several ranks is messages and hardly any work: each makes its own. One of many is shared, with room for
-   what MUMPS cannot foresee there. */
-static PetscErrorCode ConfigureCoarsest_Private(KSP ksp, PetscInt num_unknowns)
+/* The coarsest level has few unknowns, and a factorisation of few on several ranks is messages and hardly any work: each makes its own. */
+static PetscErrorCode ConfigureCoarsest_Private(KSP ksp)
 {
-  char        option[128];
-  const char *prefix;
   PetscMPIInt size;
-  PetscBool   there;
   PC          pc;
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_size(PetscObjectComm((PetscObject)ksp), &size));
   PetscCall(KSPSetType(ksp, KSPPREONLY));
   PetscCall(KSPGetPC(ksp, &pc));
-  if (size > 1 && num_unknowns <= REPEATED_UNKNOWNS) {
+  if (size > 1) {
     PetscCall(PCSetType(pc, PCREDUNDANT));
     PetscCall(PCRedundantGetKSP(pc, &ksp));
     PetscCall(KSPSetType(ksp, KSPPREONLY));
     PetscCall(KSPGetPC(ksp, &pc));
-  } else if (size > 1) {
-    PetscCall(KSPGetOptionsPrefix(ksp, &prefix));
-    PetscCall(PetscSNPrintf(option, sizeof(option), "-%smat_mumps_icntl_14", prefix ? prefix : ""));
-    PetscCall(PetscOptionsHasName(NULL, NULL, option, &there));
-    if (!there) PetscCall(PetscOptionsSetValue(NULL, option, ROOM));
   }
   PetscCall(PCSetType(pc, PCCHOLESKY));
   PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
@@ -174,12 +162,10 @@ static PetscErrorCode ConfigureCoarsest_Private(KSP ksp, PetscInt num_unknowns)
 static PetscErrorCode Configure_Private(PC pc, Multigrid *multigrid)
 {
   const char *prefix;
-  PetscInt    coarsest;
   KSP         ksp;
   PC          inner;
 
   PetscFunctionBeginUser;
-  PetscCall(VecGetSize(multigrid->rung[0].diag, &coarsest));
   PetscCall(PCGetOptionsPrefix(pc, &prefix));
   PetscCall(PCCreate(PetscObjectComm((PetscObject)pc), &multigrid->mg));
   PetscCall(PCSetOptionsPrefix(multigrid->mg, prefix));
@@ -197,7 +183,7 @@ static PetscErrorCode Configure_Private(PC pc, Multigrid *multigrid)
     PetscCall(KSPSetFromOptions(ksp));
   }
   PetscCall(PCMGGetCoarseSolve(multigrid->mg, &ksp));
-  PetscCall(ConfigureCoarsest_Private(ksp, coarsest));
+  PetscCall(ConfigureCoarsest_Private(ksp));
   PetscCall(KSPSetFromOptions(ksp));
   PetscCall(
       PCSetOperators(multigrid->mg, multigrid->rung[multigrid->num - 1].A, multigrid->rung[multigrid->num - 1].A));
