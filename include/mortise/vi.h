@@ -66,6 +66,8 @@ PetscErrorCode VIDestroy(VI *vi);
    solvability and near null spaces. Collective. [in] l - level of vi->mesh; [in] K - in place of the level's own, or NULL;
    [out] coarse - owned by the caller */
 PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse);
+/* Fills in vi->solvability of a coarser level, if bodies are to be held by contact and it is not known. Collective. */
+PetscErrorCode VIJudge(VI vi);
 /* A level without mesh: a matrix, its own products, and nothing else. Collective.
    [in] A - AIJ, SPD; referenced; [in] fixed - unknowns with unit rows, counted from this rank's first [num_fixed], taken over; [out] vi - owned
    by the caller */

@@ -193,15 +193,22 @@ static PetscErrorCode Create_Private(Scene scene, Mesh mesh, Level *level, VI sc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode VIJudge(VI vi)
+{
+  PetscFunctionBeginUser;
+  if (!vi->motions.num || vi->solvability) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(LogStageBegin(STAGE_CONDENSE));
+  PetscCall(
+      SolvabilityCreate(vi, &vi->basis->bases, &vi->basis->couplings, vi->num_fixed, vi->fixed, &vi->solvability));
+  PetscCall(LogStageEnd(STAGE_CONDENSE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi)
 {
   PetscFunctionBeginUser;
   PetscCall(Create_Private(scene, mesh, MeshFinest(mesh), NULL, NULL, vi));
-  PetscCall(LogStageBegin(STAGE_CONDENSE));
-  if ((*vi)->motions.num)
-    PetscCall(SolvabilityCreate(*vi, &(*vi)->basis->bases, &(*vi)->basis->couplings, (*vi)->num_fixed, (*vi)->fixed,
-                                &(*vi)->solvability));
-  PetscCall(LogStageEnd(STAGE_CONDENSE));
+  PetscCall(VIJudge(*vi));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <mortise/compat.h>
 #include <mortise/pdas.h>
+#include <mortise/solvability.h>
 #include "active.h"
 #include "cascade.h"
 #include "multigrid.h"
@@ -26,6 +27,31 @@ static const PetscReal RELAXATION = 0.9;
 static const PetscReal ACTIVE_SHARE = 0.5;
 /* Options of the solvers on coarser levels. */
 static const char PREFIX[] = "nested_";
+
+/* Where a level begins or ends. */
+typedef struct {
+  Vec y;
+  Vec active; /* its set: 1 or 0 */
+} State;
+
+/* At rest, without contact. [out] state - to be destroyed by StateDestroy_Private() */
+static PetscErrorCode StateCreate_Private(const Grid *grid, State *state)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(grid->vi->b, &state->y));
+  PetscCall(VecDuplicate(state->y, &state->active));
+  PetscCall(VecZeroEntries(state->y));
+  PetscCall(VecZeroEntries(state->active));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode StateDestroy_Private(State *state)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VecDestroy(&state->y));
+  PetscCall(VecDestroy(&state->active));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
 
 /* Eliminated unknowns have their values. */
 static PetscErrorCode Prescribe_Private(VI vi, Vec y)
@@ -98,16 +124,16 @@ static PetscErrorCode Pressed_Private(VI vi, Vec y, Vec r, Vec active)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How exact a level's solution is to be. [in] gained, start - of SolveLevel_Private() */
-static PetscErrorCode SetTolerances_Private(SNES snes, PetscBool pdas, PetscReal part, PetscReal gained, Vec start)
+/* How exact a level's solution is to be. [in] gained, begun - of SolveLevel_Private() */
+static PetscErrorCode SetTolerances_Private(SNES snes, PetscBool pdas, PetscReal part, PetscReal gained,
+                                            PetscBool begun)
 {
-  const PetscReal rtol = pdas || !start ? COARSEST_RTOL : OTHER_RTOL;
+  const PetscReal rtol = pdas || !begun ? COARSEST_RTOL : OTHER_RTOL;
   KSP             ksp;
 
   PetscFunctionBeginUser;
-  if (pdas && start) {
+  if (pdas && begun) {
     PetscCall(PDASSetEnough(snes, part, gained));
-    PetscCall(PDASSetStart(snes, start));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(SNESGetKSP(snes, &ksp));
@@ -116,10 +142,10 @@ static PetscErrorCode SetTolerances_Private(SNES snes, PetscBool pdas, PetscReal
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves on one level. [in] type - of the SNES; [in] gained - as of PDASSetEnough(); [in] start - set to begin with, or NULL;
-   [in,out] y; [out] active - of the level */
+/* Solves on one level. [in] type - of the SNES; [in] gained - as of PDASSetEnough(); [in] begun - whether a coarser level says what to begin
+   with; [in,out] state */
 static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, const char type[], PetscReal gained,
-                                         Vec start, Vec y, Vec active)
+                                         PetscBool begun, State *state)
 {
   const VI        vi     = hierarchy->grid[l].vi;
   const PetscBool pdas   = (PetscBool)!strcmp(type, SNESPDAS);
@@ -135,19 +161,21 @@ static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, const 
   PetscCall(PetscStrncpy(choice.snes, type, sizeof(choice.snes)));
   PetscCall(VecDuplicate(vi->b, &scratch));
   PetscCall(SolveConfigure(vi, &choice, scratch, &norm, &snes));
-  PetscCall(SetTolerances_Private(snes, pdas, StopPart(vi->scene), gained, start));
+  PetscCall(SetTolerances_Private(snes, pdas, StopPart(vi->scene), gained, begun));
   PetscCall(SNESGetKSP(snes, &ksp));
   PetscCall(KSPGetPC(ksp, &pc));
   if (l) PetscCall(MultigridSetHierarchy(pc, hierarchy, l, pdas ? NULL : snes));
-  PetscCall(SNESSolve(snes, NULL, y));
+  if (!begun && vi->solvability) PetscCall(VecCopy(vi->solvability->start, state->active));
+  if (pdas && (begun || vi->solvability)) PetscCall(PDASSetStart(snes, state->active));
+  PetscCall(SNESSolve(snes, NULL, state->y));
   if (pdas) {
     PetscCall(PDASGetActive(snes, &last));
-    PetscCall(VecCopy(last, active));
+    PetscCall(VecCopy(last, state->active));
   } else {
     PetscReal energy;
 
-    PetscCall(Residual_Private(hierarchy, &hierarchy->grid[l], y, scratch, &energy));
-    PetscCall(Pressed_Private(vi, y, scratch, active));
+    PetscCall(Residual_Private(hierarchy, &hierarchy->grid[l], state->y, scratch, &energy));
+    PetscCall(Pressed_Private(vi, state->y, scratch, state->active));
   }
   PetscCall(SNESDestroy(&snes));
   PetscCall(VecDestroy(&scratch));
@@ -209,38 +237,88 @@ static PetscErrorCode Touch_Private(VI vi, Vec active, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CascadeStart(Hierarchy hierarchy, const char type[], Vec y, Vec active, PetscReal *gained)
+/* The level as it is solved: with springs where contact alone holds bodies, which are in its A from now on. */
+static PetscErrorCode Begin_Private(Grid *grid, Springs *springs)
 {
-  Vec at = NULL, start = NULL, found, next;
+  PetscFunctionBeginUser;
+  PetscCall(SpringsBegin(grid->vi, springs));
+  grid->vi = springs->vi;
+  grid->A  = springs->vi->A;
+  if (springs->original->solvability) grid->springs = springs->original->solvability->springs;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The level as it was, for what is solved on finer ones. [in,out] y - as of SpringsEnd() */
+static PetscErrorCode End_Private(Grid *grid, Springs *springs, Vec y)
+{
+  PetscFunctionBeginUser;
+  grid->vi      = springs->original;
+  grid->A       = springs->original->A;
+  grid->springs = NULL;
+  PetscCall(SpringsEnd(springs, y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The coarsest level from which on contact can hold what has to be held on every level. */
+static PetscErrorCode FindFirst_Private(Hierarchy hierarchy, PetscInt *first)
+{
+  PetscFunctionBeginUser;
+  *first = hierarchy->first;
+  for (PetscInt l = hierarchy->first; l + 1 < hierarchy->num; l++) {
+    const VI vi = hierarchy->grid[l].vi;
+
+    PetscCall(VIJudge(vi));
+    if (vi->solvability && vi->solvability->verdict == SOLVABLE_NOT) *first = l + 1;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What the finer level begins with. [in] from - of the coarser one; [in,out] springs - of the finer one; [out] to; [out] gained - as of
+   CascadeStart() */
+static PetscErrorCode GoUp_Private(Hierarchy hierarchy, const Grid *finer, const State *from, Springs *springs,
+                                   State *to, PetscReal *gained)
+{
+  PetscFunctionBeginUser;
+  PetscCall(StateCreate_Private(finer, to));
+  PetscCall(MatMult(finer->P, from->y, to->y));
+  if (finer->lift) PetscCall(VecAXPY(to->y, 1, finer->lift));
+  PetscCall(Prescribe_Private(finer->vi, to->y));
+  PetscCall(SpringsFollow(springs, to->y));
+  PetscCall(MatMult(finer->P, from->active, to->active));
+  PetscCall(Round_Private(finer->vi, to->active));
+  PetscCall(Relax_Private(hierarchy, finer, to->y, to->active, gained));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CascadeStart(Hierarchy hierarchy, const char type[], Springs *springs, Vec y, Vec active,
+                            PetscReal *gained, PetscBool *found)
+{
+  const PetscInt finest = hierarchy->num - 1;
+  PetscInt       first;
+  Springs        own[2]; // of this level and the next one, in turns: they are not to be moved
+  State          state, next;
 
   PetscFunctionBeginUser;
   *gained = 0;
-  for (PetscInt l = hierarchy->first; l + 1 < hierarchy->num; l++) {
-    const Grid *finer = &hierarchy->grid[l + 1];
+  PetscCall(FindFirst_Private(hierarchy, &first));
+  *found = (PetscBool)(first < finest);
+  if (!*found) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(Begin_Private(&hierarchy->grid[first], &own[first % 2]));
+  PetscCall(StateCreate_Private(&hierarchy->grid[first], &state));
+  for (PetscInt l = first; l < finest; l++) {
+    Grid    *finer = &hierarchy->grid[l + 1];
+    Springs *above = l + 1 < finest ? &own[(l + 1) % 2] : springs;
 
-    if (!at) {
-      PetscCall(VecDuplicate(hierarchy->grid[l].vi->b, &at));
-      PetscCall(VecZeroEntries(at));
-    }
-    PetscCall(VecDuplicate(at, &found));
-    PetscCall(SolveLevel_Private(hierarchy, l, type, *gained, start, at, found));
-    PetscCall(VecDuplicate(finer->vi->b, &next));
-    PetscCall(MatMult(finer->P, at, next));
-    if (finer->lift) PetscCall(VecAXPY(next, 1, finer->lift));
-    PetscCall(Prescribe_Private(finer->vi, next));
-    PetscCall(VecDestroy(&at));
-    at = next;
-    PetscCall(VecDestroy(&start));
-    PetscCall(VecDuplicate(at, &start));
-    PetscCall(MatMult(finer->P, found, start));
-    PetscCall(Round_Private(finer->vi, start));
-    PetscCall(Relax_Private(hierarchy, finer, at, start, gained));
-    if (strcmp(type, SNESPDAS)) PetscCall(Touch_Private(finer->vi, start, at));
-    PetscCall(VecDestroy(&found));
+    PetscCall(SolveLevel_Private(hierarchy, l, type, *gained, (PetscBool)(l > first), &state));
+    PetscCall(End_Private(&hierarchy->grid[l], &own[l % 2], state.y));
+    if (l + 1 < finest) PetscCall(Begin_Private(finer, above));
+    PetscCall(GoUp_Private(hierarchy, finer, &state, above, &next, gained));
+    if (strcmp(type, SNESPDAS)) PetscCall(Touch_Private(finer->vi, next.active, next.y));
+    PetscCall(StateDestroy_Private(&state));
+    state = next;
   }
-  PetscCall(VecCopy(at, y));
-  PetscCall(VecCopy(start, active));
-  PetscCall(VecDestroy(&at));
-  PetscCall(VecDestroy(&start));
+  PetscCall(VecCopy(state.y, y));
+  PetscCall(VecCopy(state.active, active));
+  PetscCall(StateDestroy_Private(&state));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

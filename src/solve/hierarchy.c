@@ -279,10 +279,10 @@ PetscErrorCode HierarchyCreate(VI vi, Vec springs, Hierarchy *hierarchy)
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&h));
-  h->springs = springs;
   PetscCall(PetscCalloc1(MAX_BELOW + meshes, &h->grid));
-  mesh                = &h->grid[MAX_BELOW];
-  mesh[meshes - 1].vi = vi;
+  mesh                     = &h->grid[MAX_BELOW];
+  mesh[meshes - 1].vi      = vi;
+  mesh[meshes - 1].springs = springs;
   PetscCall(HierarchyIsNested(vi, &same));
   if (vi->scene->model == MODEL_AXISYMMETRIC)
     same = PETSC_FALSE; // 1 / radius is integrated on each level in its own way

@@ -16,14 +16,14 @@ typedef struct {
   Mat       S;       /* the smoother's, or NULL where that is the diagonal */
   PetscReal largest; /* eigenvalue of S^-1 A at least; 0 on the coarsest */
   PetscReal share;   /* entries of A by those of the finest: what a product costs */
+  Vec       springs; /* what is in A beside the bodies' stiffness, on its diagonal; borrowed, or NULL */
 } Grid;
 
 typedef struct {
   PetscInt  num;
-  PetscInt  first;   /* the coarsest level that has a mesh */
-  Grid     *grid;    /* coarse first */
-  Vec       springs; /* what is in the finest A beside the bodies' stiffness, on its diagonal; borrowed, or NULL */
-  PetscReal work;    /* products with A so far, in products with the finest one */
+  PetscInt  first; /* the coarsest level that has a mesh */
+  Grid     *grid;  /* coarse first */
+  PetscReal work;  /* products with A so far, in products with the finest one */
 } * Hierarchy;
 
 /* Whether levels' matrices are nearly those of prolongation: not where volumes change by whole cells (T29). Collective. */

@@ -305,7 +305,7 @@ PetscErrorCode RungCreate(Hierarchy hierarchy, PetscInt l, Rung *rung)
   rung->hierarchy = hierarchy;
   rung->grid      = &hierarchy->grid[l];
   rung->largest   = rung->grid->largest;
-  rung->springs   = l + 1 == hierarchy->num ? hierarchy->springs : NULL;
+  rung->springs   = rung->grid->springs;
   PetscCall(VecDuplicate(rung->grid->diag, &rung->diag));
   PetscCall(VecDuplicate(rung->grid->diag, &rung->free));
   PetscCall(VecSet(rung->free, 1));

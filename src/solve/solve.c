@@ -31,18 +31,18 @@ static PetscErrorCode Sweep_Private(Workbench *bench, Vec y, SolveReport *report
 }
 
 /* Begins with what coarser levels find, by the same method. [out] gained - as of CascadeStart() */
-static PetscErrorCode Cascade_Private(Hierarchy hierarchy, SNES snes, Vec y, PetscReal *gained)
+static PetscErrorCode Cascade_Private(Workbench *bench, Vec y, PetscReal *gained)
 {
   SNESType  type;
-  PetscBool pdas;
+  PetscBool pdas, found;
   Vec       active;
 
   PetscFunctionBeginUser;
-  PetscCall(SNESGetType(snes, &type));
+  PetscCall(SNESGetType(bench->snes, &type));
   PetscCall(PetscStrcmp(type, SNESPDAS, &pdas));
   PetscCall(VecDuplicate(y, &active));
-  PetscCall(CascadeStart(hierarchy, type, y, active, gained));
-  if (pdas) PetscCall(PDASSetStart(snes, active));
+  PetscCall(CascadeStart(bench->hierarchy, type, &bench->springs, y, active, gained, &found));
+  if (pdas && found) PetscCall(PDASSetStart(bench->snes, active));
   PetscCall(VecDestroy(&active));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -50,7 +50,7 @@ static PetscErrorCode Cascade_Private(Hierarchy hierarchy, SNES snes, Vec y, Pet
 PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, PetscBool progress, Vec guess, Vec y, SolveReport *report)
 {
   const PetscBool pdas   = (PetscBool)!strcmp(choice->snes, SNESPDAS);
-  const PetscBool nested = (PetscBool)(choice->nested && (!guess || choice->stop) && !vi->solvability);
+  const PetscBool nested = (PetscBool)(choice->nested && (!guess || choice->stop) && (!vi->solvability || pdas));
   PetscReal       gained = 0;
   Workbench       bench;
 
@@ -63,7 +63,7 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, PetscBool progress, Ve
   if (!pdas) PetscCall(WorkbenchSetLevels(&bench, bench.snes));
   PetscCall(SpringsSet(&bench.springs, guess ? y : NULL, bench.snes, pdas));
   if (pdas && (choice->bound || vi->solvability)) PetscCall(PDASSetKeep(bench.snes, PETSC_TRUE));
-  if (bench.hierarchy && nested) PetscCall(Cascade_Private(bench.hierarchy, bench.snes, y, &gained));
+  if (bench.hierarchy && nested) PetscCall(Cascade_Private(&bench, y, &gained));
   if (choice->stop) PetscCall(StopSet(&bench, gained));
   PetscCall(Sweep_Private(&bench, y, report));
   report->bound.value = report->discretisation = NAN;

@@ -14,8 +14,8 @@
 #include <mortise/solvability.h>
 #include "springs.h"
 
-/* The pull of springs that does not matter, in parts of the forces. */
-static const PetscReal RELAXED = 1e-13;
+/* The pull of springs that does not matter, in parts of the forces, and in parts of the residual that an iteration may leave. */
+static const PetscReal RELAXED = 1e-13, BESIDE = 1e-2;
 /* What inexact solves leave may be as large: a sweep that does not halve it will not help. */
 static const PetscReal TOLERATED = 1e-8, HALVED = 0.5;
 /* Sweeps after which something is wrong: two or three are usual. */
@@ -55,12 +55,37 @@ static PetscErrorCode RestAt_Private(Springs *springs, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode SpringsFollow(Springs *springs, Vec y)
+{
+  PetscFunctionBeginUser;
+  if (!springs->original->solvability) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecAXPY(y, -1, springs->original->solvability->rest));
+  PetscCall(RestAt_Private(springs, y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The pull that does not matter beside what the linear solver leaves. */
+static PetscErrorCode Relaxed_Private(SNES snes, PetscReal *relaxed)
+{
+  KSP       ksp;
+  PetscBool direct;
+  PetscReal rtol;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESGetKSP(snes, &ksp));
+  PetscCall(PetscObjectTypeCompare((PetscObject)ksp, KSPPREONLY, &direct));
+  PetscCall(KSPGetTolerances(ksp, &rtol, NULL, NULL, NULL));
+  *relaxed = direct ? RELAXED : PetscMax(RELAXED, BESIDE * rtol);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SpringsSet(Springs *springs, Vec guess, SNES snes, PetscBool pdas)
 {
   const Solvability s = springs->original->solvability;
 
   PetscFunctionBeginUser;
   if (!s) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(Relaxed_Private(snes, &springs->relaxed));
   if (guess) PetscCall(RestAt_Private(springs, guess));
   if (pdas && !guess) PetscCall(PDASSetStart(snes, s->start));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -106,7 +131,7 @@ PetscErrorCode SpringsRelax(Springs *springs, SNES snes, Vec y, SolveReport *rep
   if (!springs->original->solvability || !report->converged) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(Pull_Private(springs, y, &part));
   PetscCall(PetscInfo(snes, "sweep %" PetscInt_FMT ": springs pull %g of the forces\n", report->sweeps, (double)part));
-  if (part <= RELAXED) PetscFunctionReturn(PETSC_SUCCESS);
+  if (part <= springs->relaxed) PetscFunctionReturn(PETSC_SUCCESS);
   if (part <= TOLERATED &&
       part > HALVED * springs->last) { // roundoff: the better one of the two last sweeps is as good as it gets
     if (part > springs->last) PetscCall(VecCopy(springs->rest, y));

@@ -13,12 +13,16 @@ typedef struct {
   Vec          rest;        /* y_0 */
   Vec          pull, scale; /* W (y - y_0); diag(A)^(-1/2) */
   PetscReal    last;        /* pull that the last sweep left, in parts of the forces */
+  PetscReal    relaxed;     /* pull that does not matter */
 } Springs;
 
 /* Makes what is to be solved, with springs at rest at 0. Collective. [out] springs - to be ended by SpringsEnd() */
 PetscErrorCode SpringsBegin(VI vi, Springs *springs);
-/* Lets springs rest at a guess if there is one, and begins with contacts that balance the loads if not. Collective. */
+/* Lets springs rest at a guess if there is one, and begins with contacts that balance the loads if not. Collective.
+   [in] snes - that is to solve, with its tolerances */
 PetscErrorCode SpringsSet(Springs *springs, Vec guess, SNES snes, PetscBool pdas);
+/* Lets springs rest at y. Collective. [in,out] y - of the original; of what is solved */
+PetscErrorCode SpringsFollow(Springs *springs, Vec y);
 /* Whether the pull of the springs is nothing beside the forces; if not, they rest at y from now on. Collective.
    [in,out] report - fails if there is no end to it; [out] done - also after a failure */
 PetscErrorCode SpringsRelax(Springs *springs, SNES snes, Vec y, SolveReport *report, PetscBool *done);
