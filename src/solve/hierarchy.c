@@ -231,10 +231,12 @@ static PetscErrorCode GridBegin_Private(Grid *grid, PetscBool coarsest)
   PetscCall(MatGetInfo(grid->vi->K, MAT_GLOBAL_SUM, &info));
   grid->share = info.nz_used;
   if (coarsest) PetscFunctionReturn(PETSC_SUCCESS);
-  if (grid->vi->level) PetscCall(SmootherCreate(grid->vi, &grid->S));
+  if (grid->vi->level)
+    PetscCall(SmootherCreate(
+        grid->vi, (PetscBool)(grid->vi->level == &grid->vi->mesh->levels[grid->vi->mesh->num_levels - 1]), &grid->S));
   PetscCall(EigenvalueLargest(grid->A, grid->S, NULL, &grid->largest));
   if (!grid->S) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MatScale(grid->S, grid->largest)); // so that S >= A, also after the same change of both
+  PetscCall(SmootherScale(grid->S, grid->largest)); // so that S >= A, also after the same change of both
   grid->largest = 1;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

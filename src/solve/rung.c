@@ -309,7 +309,7 @@ PetscErrorCode RungCreate(Hierarchy hierarchy, PetscInt l, Rung *rung)
   PetscCall(VecDuplicate(rung->grid->diag, &rung->diag));
   PetscCall(VecDuplicate(rung->grid->diag, &rung->free));
   PetscCall(VecSet(rung->free, 1));
-  if (rung->grid->S) PetscCall(MatDuplicate(rung->grid->S, MAT_COPY_VALUES, &rung->S));
+  PetscCall(SmootherHold(rung->grid->S, NULL, 0, NULL, &rung->S));
   if (l) PetscCall(CreateShells_Private(rung));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

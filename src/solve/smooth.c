@@ -1,14 +1,23 @@
 /* smooth.c -- the smoother of one level at work: with unknowns held, and as a PC. */
 #include <mortise/compat.h>
+#include "apart.h"
 #include "smoother.h"
 
 PetscErrorCode SmootherHold(Mat from, Mat change, PetscInt num, const PetscInt held[], Mat *S)
 {
-  PetscInt begin, *rows;
+  PetscInt  begin, *rows;
+  PetscBool apart;
 
   PetscFunctionBeginUser;
   PetscCall(MatDestroy(S));
   if (!from) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ApartIs(from, &apart));
+  if (apart) {
+    PetscCall(ApartHold(from, num, held));
+    PetscCall(PetscObjectReference((PetscObject)from));
+    *S = from;
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
   PetscCall(MatDuplicate(from, MAT_COPY_VALUES, S));
   if (change) PetscCall(MatAXPY(*S, 1, change, DIFFERENT_NONZERO_PATTERN));
   PetscCall(MatGetOwnershipRange(*S, &begin, NULL));
@@ -20,14 +29,26 @@ PetscErrorCode SmootherHold(Mat from, Mat change, PetscInt num, const PetscInt h
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SmootherSetPC(PC pc, Mat S)
+PetscErrorCode SmootherScale(Mat S, PetscReal factor)
 {
-  KSP *own;
-  PC   inner;
+  PetscBool apart;
 
   PetscFunctionBeginUser;
-  if (!S) {
-    PetscCall(PCSetType(pc, PCJACOBI));
+  PetscCall(ApartIs(S, &apart));
+  PetscCall(MatScale(S, apart ? 1 / factor : factor));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SmootherSetPC(PC pc, Mat S)
+{
+  PetscBool apart = PETSC_FALSE;
+  KSP      *own;
+  PC        inner;
+
+  PetscFunctionBeginUser;
+  if (S) PetscCall(ApartIs(S, &apart));
+  if (!S || apart) {
+    PetscCall(PCSetType(pc, apart ? PCMAT : PCJACOBI));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(PCSetType(pc, PCBJACOBI));

@@ -15,6 +15,7 @@
    References: [1] Trottenberg, Oosterlee, Schueller, Multigrid, 2001, section 5.1. */
 #include <mortise/compat.h>
 #include <mortise/dense.h>
+#include "apart.h"
 #include "smoother.h"
 
 enum { DIM_MAX = 3 };
@@ -268,18 +269,19 @@ static PetscErrorCode Condense_Private(VI vi, Mat *S)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SmootherCreate(VI vi, Mat *S)
+PetscErrorCode SmootherCreate(VI vi, PetscBool finest, Mat *S)
 {
   const PetscInt     dim = vi->level->dim, n = vi->level->num_owned, N = vi->level->num_global;
   Star               star = {.vi = vi, .dim = dim, .begin = vi->level->node_begin, .n = n};
   const PetscScalar *d;
   PetscInt          *count;
-  PetscBool          needed;
+  PetscBool          weighs, needed;
   Vec                diag;
 
   PetscFunctionBeginUser;
   *S = NULL;
-  PetscCall(Weighs_Private(vi, &needed));
+  PetscCall(Weighs_Private(vi, &weighs));
+  needed = (PetscBool)(weighs && !finest);
   PetscCall(PetscCalloc3(n, &star.trace, n, &star.at, dim * n, &count));
   for (PetscInt i = 0; i < n; i++) star.at[i] = -1;
   PetscCall(MatCreateVecs(vi->K, &diag, NULL));
@@ -290,12 +292,15 @@ PetscErrorCode SmootherCreate(VI vi, Mat *S)
   PetscCall(VecDestroy(&diag));
   PetscCall(Fill_Private(&star, NULL, count, &needed));
   PetscCall(MPIU_Allreduce(MPI_IN_PLACE, &needed, 1, MPIU_BOOL, MPI_LOR, vi->level->comm));
+  PetscCall(MPIU_Allreduce(MPI_IN_PLACE, &weighs, 1, MPIU_BOOL, MPI_LOR, vi->level->comm));
   if (needed) {
     PetscCall(MatCreateAIJ(vi->level->comm, dim * n, dim * n, dim * N, dim * N, 0, count, 0, NULL, S));
     PetscCall(Fill_Private(&star, *S, NULL, &needed));
     PetscCall(MatAssemblyBegin(*S, MAT_FINAL_ASSEMBLY));
     PetscCall(MatAssemblyEnd(*S, MAT_FINAL_ASSEMBLY));
     PetscCall(Condense_Private(vi, S));
+  } else if (finest && vi->T && (weighs || vi->mesh->num_levels == 1)) {
+    PetscCall(ApartCreate(vi, S));
   }
   PetscCall(PetscFree3(star.trace, star.at, count));
   PetscCall(PetscFree(star.node));

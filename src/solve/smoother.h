@@ -5,8 +5,11 @@
 #include <petscksp.h>
 #include <mortise/vi.h>
 
-/* For a level with no unknown held. Collective. [out] S - distributed like A, owned by the caller; NULL where the diagonal will do */
-PetscErrorCode SmootherCreate(VI vi, Mat *S);
+/* For a level with no unknown held. Collective. [in] finest - whether nothing but held unknowns will change A; [out] S - distributed like A, owned by
+   the caller: a matrix, or the inverse of one (apart.h); NULL where the diagonal will do */
+PetscErrorCode SmootherCreate(VI vi, PetscBool finest, Mat *S);
+/* S := factor S. Collective. */
+PetscErrorCode SmootherScale(Mat S, PetscReal factor);
 /* S where unknowns are held: S >= A by eigenvalues remains so. Collective. [in] from - with none held, or NULL; [in] change - of A, or NULL;
    [in] num, held - unknowns counted from this rank's first; [in,out] S - is replaced, owned by the caller; NULL like `from` */
 PetscErrorCode SmootherHold(Mat from, Mat change, PetscInt num, const PetscInt held[], Mat *S);

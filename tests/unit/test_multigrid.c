@@ -1,7 +1,9 @@
-/* test_multigrid.c -- what truncated multigrid is made of, against products of assembled matrices: the inverse of T, the matrix as a
+/* test_multigrid.c -- what truncated multigrid is made of, against products of assembled matrices: the inverse of T, smoothing
+   apart, the matrix as a
    shell, the coarser levels' own matrices, and what held unknowns make of them, at once or one change after the other. */
 #include <mortise/compat.h>
 #include <mortise/vi.h>
+#include "../../src/solve/apart.h"
 #include "../../src/solve/rung.h"
 #include "mesh_scene.h"
 #include "solid_scene.h"
@@ -230,6 +232,53 @@ static void Choose(VI vi, PetscReal share, Vec free)
   CHECK(!VecRestoreArrayRead(vi->upper, &upper));
 }
 
+/* S_ff^-1 S_ff x = x for S = T'D T, where some unknowns are held. */
+static void TestApart(VI vi)
+{
+  static const PetscReal shares[] = {0, 0.5, 1};
+  Vec                    x, u, r, back, diag, free;
+  Mat                    inverse;
+
+  CHECK(!ApartCreate(vi, &inverse));
+  CHECK(!MatCreateVecs(vi->K, &x, &u));
+  CHECK(!VecDuplicate(x, &r));
+  CHECK(!VecDuplicate(x, &back));
+  CHECK(!VecDuplicate(x, &diag));
+  CHECK(!VecDuplicate(x, &free));
+  CHECK(!MatGetDiagonal(vi->K, diag));
+  CHECK(!VecScale(diag, 1 / vi->stiffness));
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(shares); ++i) {
+    PetscInt           n, num = 0, *held;
+    const PetscScalar *f;
+
+    Choose(vi, shares[i], free);
+    Empty(vi, free);
+    CHECK(!VecGetLocalSize(free, &n));
+    CHECK(!PetscMalloc1(n, &held));
+    CHECK(!VecGetArrayRead(free, &f));
+    for (PetscInt k = 0; k < n; ++k)
+      if (f[k] == 0) held[num++] = k;
+    CHECK(!VecRestoreArrayRead(free, &f));
+    CHECK(!ApartHold(inverse, num, held));
+    CHECK(!PetscFree(held));
+    Fill(x);
+    CHECK(!VecPointwiseMult(x, x, free));
+    CHECK(!MatMult(vi->T, x, u));
+    CHECK(!VecPointwiseMult(u, u, diag));
+    CHECK(!MatMultTranspose(vi->T, u, r));
+    CHECK(!VecPointwiseMult(r, r, free));
+    CHECK(!MatMult(inverse, r, back));
+    CHECK_NEAR(Difference(back, x), 0, ROUNDING);
+  }
+  CHECK(!MatDestroy(&inverse));
+  CHECK(!VecDestroy(&x));
+  CHECK(!VecDestroy(&u));
+  CHECK(!VecDestroy(&r));
+  CHECK(!VecDestroy(&back));
+  CHECK(!VecDestroy(&diag));
+  CHECK(!VecDestroy(&free));
+}
+
 /* A^ of every level by products of matrices, A_(l-1) + P'(M A^_l M - A_l)P; products with them against those of the rungs. */
 static void CompareRungs(Hierarchy h, Rung rungs[])
 {
@@ -299,6 +348,7 @@ int main(int argc, char **argv)
     VI        vi = CreateVI(&t, (Case)which, which == CASE_QUADS || which == CASE_OBLIQUE ? 2 : 1, &mesh);
 
     TestInverse(vi);
+    TestApart(vi);
     CHECK(!HierarchyCreate(vi, NULL, &h));
     if (which != CASE_TIED) TestNested(h);
     CHECK(!HierarchyDestroy(&h));
