@@ -10,6 +10,9 @@ typedef struct {
   PetscReal normal_force; /* integral of the pressure */
   PetscReal area;         /* where the pressure is positive */
   PetscReal max_pressure, max_pressure_at[3];
+  PetscReal
+      max_covered; /* the largest at nodes around which the partner covers all facets or none: beside its end pressures are
+                         continued from the covered part of a facet */
   PetscReal min_gap;
   PetscReal lower[3], upper[3]; /* box around the active nodes */
   PetscReal centre[3];          /* of pressure */

@@ -7,7 +7,7 @@
 
 /* What is added over rows; what is maximised (minima by their negatives). */
 enum { ADD_FORCE = 0, ADD_NORMAL = 3, ADD_AREA, ADD_CENTRE, ADD_ACTIVE = ADD_CENTRE + 3, ADD_COUNT };
-enum { MAX_PRESSURE, MAX_CLOSED, MAX_LOWER, MAX_UPPER = MAX_LOWER + 3, MAX_COUNT = MAX_UPPER + 3 };
+enum { MAX_PRESSURE, MAX_COVERED, MAX_CLOSED, MAX_LOWER, MAX_UPPER = MAX_LOWER + 3, MAX_COUNT = MAX_UPPER + 3 };
 
 /* Pressures that differ by less than this part count as equal when the place of the largest is told, so that symmetric
    scenes tell the same place on any number of ranks. */
@@ -33,6 +33,7 @@ static void AddRow_Private(Fields fields, PetscInt r, PetscReal lambda, PetscRea
   if (lambda > 0) sums[ADD_AREA] += weight;
   sums[ADD_ACTIVE] += 1;
   largest[MAX_PRESSURE] = PetscMax(largest[MAX_PRESSURE], lambda);
+  if (!pair->cut[a]) largest[MAX_COVERED] = PetscMax(largest[MAX_COVERED], lambda);
   for (PetscInt k = 0; k < dim; ++k) {
     largest[MAX_LOWER + k] = PetscMax(largest[MAX_LOWER + k], -x[k]);
     largest[MAX_UPPER + k] = PetscMax(largest[MAX_UPPER + k], x[k]);
@@ -130,6 +131,7 @@ PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum)
   sum->area         = sums[ADD_AREA];
   sum->active       = (PetscInt)sums[ADD_ACTIVE];
   sum->max_pressure = sum->active ? largest[MAX_PRESSURE] : 0.0;
+  sum->max_covered  = PetscMax(largest[MAX_COVERED], 0);
   sum->min_gap      = -largest[MAX_CLOSED];
   for (PetscInt k = 0; k < 3; ++k) {
     sum->force[k]           = sums[ADD_FORCE + k];
@@ -153,7 +155,12 @@ PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum)
 
 PairSum PairSumUnknown(void)
 {
-  PairSum sum = {.normal_force = NAN, .area = NAN, .max_pressure = NAN, .min_gap = NAN, .moment_imbalance = NAN};
+  PairSum sum = {.normal_force     = NAN,
+                 .area             = NAN,
+                 .max_pressure     = NAN,
+                 .max_covered      = NAN,
+                 .min_gap          = NAN,
+                 .moment_imbalance = NAN};
 
   for (PetscInt k = 0; k < 3; ++k)
     sum.force[k] = sum.max_pressure_at[k] = sum.lower[k] = sum.upper[k] = sum.centre[k] = NAN;

@@ -48,8 +48,10 @@ static PetscErrorCode PrintPair_Private(const SummaryInput *in, PetscInt p)
                         force, in->scene->bodies[spec->nonmortar.body].name));
   if (sum.active && spec->type == PAIR_CONTACT) {
     PetscCall(VectorText_Private(in->scene->dim, sum.max_pressure_at, at, sizeof(at)));
-    PetscCall(PetscPrintf(comm, "    largest pressure %.6g at %s, area %.6g\n", (double)sum.max_pressure, at,
-                          (double)sum.area));
+    PetscCall(PetscPrintf(comm, "    largest pressure %.6g at %s, ", (double)sum.max_pressure, at));
+    if (sum.max_covered < sum.max_pressure)
+      PetscCall(PetscPrintf(comm, "where the partner ends, %.6g elsewhere, ", (double)sum.max_covered));
+    PetscCall(PetscPrintf(comm, "area %.6g\n", (double)sum.area));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

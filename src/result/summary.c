@@ -244,6 +244,7 @@ static PetscErrorCode AddPairs_Private(const SummaryInput *in, cJSON *root)
     JSONAddReal(pair, "area", sum.area);
     JSONAddReal(pair, "max_pressure", sum.max_pressure);
     JSONAddReals(pair, "max_pressure_at", dim, sum.max_pressure_at);
+    JSONAddReal(pair, "max_pressure_covered", sum.max_covered);
     JSONAddReal(pair, "min_gap", sum.min_gap);
     JSONAddInt(pair, "active_nodes", sum.active);
     extent = cJSON_AddObjectToObject(pair, "extent");

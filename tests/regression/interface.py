@@ -109,6 +109,8 @@ def judge_tables(run, summary):
         near(f"largest pressure of {name}", max(pressed), pair["max_pressure"], relative=1e-15)
     joint = run.table("joint")
     same("nodes of the joint", len(joint["x"]), 4)
+    covered = [p for p, s, x in zip(joint["pressure"], joint["status"], joint["x"]) if s >= 1 and x > 0.5]  # the base begins at 0.1
+    near("largest pressure away from the end of the base", summary["pairs"]["joint"]["max_pressure_covered"], max(covered, default=0), relative=1e-15)
     same("joint is walked from its first end", joint["x"], sorted(joint["x"]))
 
 
