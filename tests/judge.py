@@ -25,7 +25,6 @@ import sys
 
 LEAK = re.compile(r"^\[ *\d+\] *\d+ bytes .*", re.MULTILINE)  # a line of -malloc_dump
 CHECKS = ["-skip_petscrc", "-malloc_dump"]
-GUARDS = ["-malloc_debug"]  # looks at every block of memory at each request for another: several times the time of a run
 NAME = "result"  # -output of every run
 # A program without mpiexec starts five times faster without Open MPI's daemon, whose folder such programs would share.
 ALONE = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_orte_create_session_dirs": "0"}
@@ -215,13 +214,10 @@ def main():
     parser.add_argument("--check", type=pathlib.Path, help="file with judge(run)")
     parser.add_argument("--says", action="append", help="the run is a mistake whose sentence has this text; may be repeated")
     parser.add_argument("--any-end", action="store_true", help="the check judges the exit code, too")
-    parser.add_argument("--guarded", action="store_true", help="let PETSc watch all memory during the runs")
     parser.add_argument("arguments", nargs=argparse.REMAINDER, help="after --: arguments of the program")
     options = parser.parse_args()
     arguments = options.arguments[1:] if options.arguments[:1] == ["--"] else options.arguments
 
-    if options.guarded:
-        CHECKS.extend(GUARDS)
     sys.modules["judge"] = sys.modules["__main__"]  # so that a check's `from judge import near` meets this very module
     run = None
     try:
