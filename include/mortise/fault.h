@@ -14,7 +14,7 @@
 /* Longest sentence, with its final zero: room for a few option names, a path and a list of choices. */
 enum { FAULT_LENGTH = 8192 };
 
-/* What the program tells the shell (interface.md 1). */
+/* What the program tells the shell. */
 typedef enum {
   MORTISE_SOLVED        = 0, /* solved, and the certificate holds */
   MORTISE_FAULT         = 1, /* the scene is wrong */

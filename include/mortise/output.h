@@ -1,4 +1,4 @@
-/* output.h -- files: HDF5 + XDMF, VTU, CSV; each complete under its final name, or absent (floor 7; interface.md 5). */
+/* output.h -- files: HDF5 + XDMF, VTU, CSV; each complete under its final name, or absent (floor 7). */
 #ifndef MORTISE_OUTPUT_H
 #define MORTISE_OUTPUT_H
 

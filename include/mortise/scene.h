@@ -1,4 +1,4 @@
-/* scene.h -- what the user described, checked as far as it can be without a mesh (floor 2; interface.md 3).
+/* scene.h -- what the user described, checked as far as it can be without a mesh (floor 2).
 
    Plain data. Absent things are NULL or of zero length. All texts and expressions are owned by the scene. */
 #ifndef MORTISE_SCENE_H
@@ -152,7 +152,7 @@ static inline PetscInt SceneMeasureDegree(const struct _n_Scene *scene, PetscInt
 
 /* Creates an empty scene. Collective on comm. [out] scene - owned by the caller */
 PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene);
-/* Reads every option of interface.md 3-5 that is Mortise's own; faults for anything that can be judged without a mesh.
+/* Reads every option of the table that -help prints (src/scene/table.c); faults for anything that can be judged without a mesh.
    Collective on the scene's comm. */
 PetscErrorCode SceneSetFromOptions(Scene scene);
 /* Faults on options that nothing has read. With before_solve only those outside PETSc's own name spaces (ksp_, pc_, mat_,

@@ -1,4 +1,4 @@
-/* summary.h -- the JSON summary and the verdict (floor 7; interface.md 5). */
+/* summary.h -- the JSON summary and the verdict (floor 7). */
 #ifndef MORTISE_SUMMARY_H
 #define MORTISE_SUMMARY_H
 

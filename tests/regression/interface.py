@@ -39,7 +39,7 @@ def has(what, table, keys):
 
 
 def judge_keys(summary):
-    """interface.md 5, key by key."""
+    """Every key that there is to be, and what of the scene is counted."""
     has("the summary", summary, TOP)
     for part, keys in KEYS.items():
         has(part, summary[part], keys)
