@@ -9,7 +9,7 @@
    Not collective; expressions are checked by ElasticityAssemble(). [out] C - [num_strains][num_strains] */
 PetscErrorCode ElasticityHooke(Scene scene, PetscInt body, const PetscReal x[], PetscReal C[], PetscReal *poisson);
 
-/* The rules that the stiffness is integrated with. [out] rules - of every type of cell [ELEMENT_COUNT]; PetscFree() it */
+/* The rules that the stiffness is integrated with. Not collective. [out] rules - of every type of cell [ELEMENT_COUNT]; PetscFree() it */
 PetscErrorCode ElasticityRulesCreate(Scene scene, ElementRule **rules);
 
 /* How cell c takes its changes of volume, judged by the largest Poisson's ratio at the points of its rule, which is given

@@ -30,7 +30,7 @@ PetscErrorCode PDASGetLinear(SNES snes, PetscInt *iterations, PetscReal *residua
 /* Why the last solve did not converge, as a sentence; "" if it did. Borrowed. Not collective. */
 PetscErrorCode PDASGetFailure(SNES snes, const char *sentence[]);
 
-/* 0/1 per unknown: the final active set. Borrowed. */
+/* 0/1 per unknown: the final active set. Not collective; borrowed. */
 PetscErrorCode PDASGetActive(SNES snes, Vec *active);
 /* The set that -snes_pdas_start previous begins with; copied. Without one it begins with the set that (T10) makes of
    the initial guess. Collective. */

@@ -35,7 +35,7 @@ void FacetCoordinates(const Level *level, const Facets *facets, PetscInt f, Pets
    that is interpolated in its nodes. [in] X - [num_nodes][dim]; [out] hull - [num_nodes][dim]; [out] box - lower, upper corner [2][dim] */
 void FacetHull(PetscInt dim, ElementType type, const PetscReal X[], PetscReal hull[]);
 void FacetBox(PetscInt dim, ElementType type, const PetscReal X[], PetscReal box[]);
-/* Largest distance between neighbouring vertices, or that of all of a side over all ranks. */
+/* Largest distance between neighbouring vertices, or (collective) that of all of a side over all ranks. */
 PetscReal      FacetSize(PetscInt dim, ElementType type, const PetscReal X[]);
 PetscErrorCode FacetsMaxSize(const Level *level, const Facets *facets, PetscReal *size);
 

@@ -1,4 +1,5 @@
-/* extract.h -- a body on its way from the mesh of its file to the lists (private to the room). */
+/* extract.h -- a body on its way from the mesh of its file to the lists (private to the room). All of it is on the first rank, nothing is
+   collective. */
 #ifndef MORTISE_EXTRACT_H
 #define MORTISE_EXTRACT_H
 

@@ -1,7 +1,7 @@
 /* room.h -- what the files of this room share (private to the room).
 
    A body begins as plain lists on the first rank: boxes are written as such, files are turned into such, and all are
-   merged into the one DMPlex. Levels are its tables. */
+   merged into the one DMPlex. Levels are its tables. Nothing is collective but what says so. */
 #ifndef MORTISE_MESH_ROOM_H
 #define MORTISE_MESH_ROOM_H
 
@@ -159,19 +159,20 @@ PetscReal FacetGetMeasure(const Level *level, const Facets *facets, PetscInt f, 
 PetscInt SceneMaxOrder(Scene scene);
 /* Tables of one DM as it has its cells, with nodes up to an order, without positions. Collective. */
 PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *level);
-/* Its steps: cell_body from the label; nodes (number, owner, body, local section of the DM); cell_start, cell_type,
-   cell_nodes. */
+/* Its steps: cell_body, from the label */
 PetscErrorCode LevelSetCellBodies(Level *level);
-/* The same for a refined level, from where its cells come from. [in] transform - from coarse to fine */
+/* or, for a refined level, from where its cells come from; [in] transform - from coarse to fine */
 PetscErrorCode LevelFollowCellBodies(const Level *coarse, DMPlexTransform transform, Level *fine);
+/* nodes: number, owner, body, local section of the DM; collective; */
 PetscErrorCode LevelSetNodes(Level *level, PetscInt max_order);
+/* cell_start, cell_type, cell_nodes. */
 PetscErrorCode LevelSetCells(Level *level);
 /* Puts nodes that are on the axis of an axisymmetric scene but for roundoff exactly there. Faults: a node beyond the axis.
    Collective. */
 PetscErrorCode LevelSetAxis(Level *level);
 /* Positions of nodes. Faults: a map that is not finite, a node beyond the axis. Collective. [in] curves - may be NULL */
 PetscErrorCode LevelSetCoords(Level *level, const Curves *curves);
-/* The same for a refined level that has its prolongation. */
+/* The same for a refined level that has its prolongation. Collective. */
 PetscErrorCode LevelFollowCoords(Level *coarse, Level *fine);
 /* Lets all cells run anticlockwise, or the facets of solids seen from outside. Faults: a degenerate or tangled cell, a map
    that folds a body; with sound none, but this tells. Collective. [out] sound - the same on all ranks; or NULL */
@@ -181,7 +182,7 @@ void CellReverse(ElementType type, PetscInt nodes[]);
 /* Splits every cell: tables, prolongation and positions, cells not turned. Collective. */
 PetscErrorCode LevelRefine(Level *coarse, Level *fine);
 PetscErrorCode LevelDestroy(Level *level);
-/* fine->prolongation from where each fine node comes from. [in] transform - a DMPlexTransform from coarse to fine */
+/* fine->prolongation from where each fine node comes from. Collective. [in] transform - a DMPlexTransform from coarse to fine */
 PetscErrorCode LevelCreateProlongation(const Level *coarse, DMPlexTransform transform, Level *fine);
 
 /* Curves of files under bodies of order 1, NULL where there are none: from the coarsest level; one level finer, which

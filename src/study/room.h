@@ -120,10 +120,11 @@ void RecordColumns(Study study, const Record *record, PetscBool errors_named, Co
 
 /* --- table.c: the terminal --- */
 
+/* Collective, all four: its head, the run that begins, one that has ended; */
 PetscErrorCode TableBegin(Study study);
 PetscErrorCode TableAnnounce(Study study, const Record *record);
 PetscErrorCode TableAdd(Study study, const Record *record);
-/* What is known at the end: differences from the reference, extrapolated values, files. */
+/* and what is known at the end: differences from the reference, extrapolated values, files. */
 PetscErrorCode TableEnd(Study study);
 
 /* --- forecast.c: memory of runs that were not made yet --- */
