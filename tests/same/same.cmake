@@ -3,6 +3,7 @@ set(small_ball_in_socket -head_dm_plex_box_faces 4,4,2 -cup_dm_plex_box_faces 6,
 set(small_crossed_cylinders -upper_dm_plex_box_faces 5,5,3 -lower_dm_plex_box_faces 4,4,3)
 set(small_hertz3d -sphere_dm_plex_box_faces 5,5,3 -block_dm_plex_box_faces 6,6,3)
 set(small_spherical_gap -upper_dm_plex_box_faces 5,5,2 -lower_dm_plex_box_faces 4,4,2)
+set(small_wheel_on_rail -wheel_order 1)
 file(GLOB scenes CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/options/*.opts)
 foreach(path IN LISTS scenes)
   get_filename_component(shipped ${path} NAME_WE)
