@@ -84,6 +84,10 @@ PetscErrorCode VICreateSprung(VI vi, Vec springs, Mat *A);
 /* T^-1, as sparse as B: its rows are those of B, and nodes' frames. Collective.
    [out] inverse - owned by the caller; NULL where T is the identity */
 PetscErrorCode VICreateInverse(VI vi, Mat *inverse);
+/* P := T^-1 P: what led to displacements, over length, leads to y. Collective. [in,out] P - AIJ, replaced */
+PetscErrorCode VIMultiplyInverse(VI vi, Mat *P);
+/* 1 where an unknown is left in A, 0 where it was eliminated. Collective. [out] open - like upper, owned by the caller */
+PetscErrorCode VICreateOpen(VI vi, Vec *open);
 
 /* u = length * T y. [in] y; [out] u - ghosted, created by LevelCreateVec(level, dim), ghosts updated. Collective. */
 PetscErrorCode VIRecoverDisplacement(VI vi, Vec y, Vec u);

@@ -93,3 +93,18 @@ PetscErrorCode VICreateInverse(VI vi, Mat *inverse)
   PetscCall(PetscFree3(source.row, d_nnz, o_nnz));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
+
+PetscErrorCode VIMultiplyInverse(VI vi, Mat *P)
+{
+  Mat inverse, product;
+
+  PetscFunctionBeginUser;
+  PetscCall(VICreateInverse(vi, &inverse));
+  if (!inverse) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatMatMult(inverse, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
+  PetscCall(MatProductClear(product)); // it would keep its factors
+  PetscCall(MatDestroy(&inverse));
+  PetscCall(MatDestroy(P));
+  *P = product;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -125,6 +125,19 @@ PetscErrorCode VICreateSprung(VI vi, Vec springs, Mat *A)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode VICreateOpen(VI vi, Vec *open)
+{
+  PetscScalar *a;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(vi->upper, open));
+  PetscCall(VecSet(*open, 1));
+  PetscCall(VecGetArray(*open, &a));
+  for (PetscInt i = 0; i < vi->num_fixed; i++) a[vi->fixed_local[i]] = 0;
+  PetscCall(VecRestoreArray(*open, &a));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* y_i <= nodal gap for contact rows. */
 static PetscErrorCode SetBounds_Private(VI vi)
 {

@@ -90,39 +90,17 @@ PetscErrorCode AlgebraicBegin(VI vi, Fabric *fabric)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* 1 where something is left, 0 for unknowns in a list. [in] list - counted from this rank's first [num] */
-static PetscErrorCode CreateOpen_Private(Vec like, PetscInt num, const PetscInt list[], Vec *open)
-{
-  PetscScalar *a;
-
-  PetscFunctionBeginUser;
-  PetscCall(VecDuplicate(like, open));
-  PetscCall(VecSet(*open, 1));
-  PetscCall(VecGetArray(*open, &a));
-  for (PetscInt i = 0; i < num; i++) a[list[i]] = 0;
-  PetscCall(VecRestoreArray(*open, &a));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* P := T^-1 P, emptied where unknowns are eliminated, and what that changes in P'A P. [in,out] P, Ac */
 static PetscErrorCode Truncate_Private(VI vi, const PetscBool held[], Mat *P, Mat Ac)
 {
-  Mat          inverse, product, strip;
-  Vec          diag, was, is;
+  Mat          product, strip;
+  Vec          was, is;
   PetscScalar *a;
   PetscInt     n;
 
   PetscFunctionBeginUser;
-  PetscCall(VICreateInverse(vi, &inverse));
-  if (inverse) {
-    PetscCall(MatMatMult(inverse, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
-    PetscCall(MatProductClear(product));
-    PetscCall(MatDestroy(P));
-    PetscCall(MatDestroy(&inverse));
-    *P = product;
-  }
-  PetscCall(MatCreateVecs(vi->K, &diag, NULL));
-  PetscCall(CreateOpen_Private(diag, vi->num_fixed, vi->fixed_local, &is));
+  PetscCall(VIMultiplyInverse(vi, P));
+  PetscCall(VICreateOpen(vi, &is));
   PetscCall(VecDuplicate(is, &was));
   PetscCall(VecGetLocalSize(was, &n));
   PetscCall(VecGetArray(was, &a));
@@ -136,7 +114,6 @@ static PetscErrorCode Truncate_Private(VI vi, const PetscBool held[], Mat *P, Ma
   PetscCall(MatDestroy(&strip));
   PetscCall(VecDestroy(&was));
   PetscCall(VecDestroy(&is));
-  PetscCall(VecDestroy(&diag));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -60,34 +60,6 @@ static PetscErrorCode Blocks_Private(Mat P, PetscInt dim, Mat *blocks)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* 1 where an unknown is left in A, 0 where it was eliminated. */
-static PetscErrorCode CreateOpen_Private(VI vi, Vec *open)
-{
-  const PetscInt first = vi->level->dim * vi->level->node_begin;
-  PetscScalar   *a;
-
-  PetscFunctionBeginUser;
-  PetscCall(VecDuplicate(vi->upper, open));
-  PetscCall(VecSet(*open, 1));
-  PetscCall(VecGetArray(*open, &a));
-  for (PetscInt i = 0; i < vi->num_fixed; i++) a[vi->fixed[i] - first] = 0;
-  PetscCall(VecRestoreArray(*open, &a));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* P := A B; A or B may be P. */
-static PetscErrorCode Multiply_Private(Mat A, Mat B, Mat *P)
-{
-  Mat product;
-
-  PetscFunctionBeginUser;
-  PetscCall(MatMatMult(A, B, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
-  PetscCall(MatProductClear(product)); // it would keep its factors
-  PetscCall(MatDestroy(P));
-  *P = product;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* What eliminated unknowns of the coarser level, which have their values, give to others of this one. [in] P - of all unknowns; [in] open -
    1 where an unknown is left, fine and coarse; [out] lift - NULL where the values are 0 */
 static PetscErrorCode CreateLift_Private(VI coarse, VI fine, Mat P, const Vec open[2], Vec *lift)
@@ -112,17 +84,21 @@ static PetscErrorCode CreateLift_Private(VI coarse, VI fine, Mat P, const Vec op
 /* T_f^-1 (P (x) 1) T_c, emptied where unknowns are eliminated. [out] lift - of CreateLift_Private() */
 static PetscErrorCode CreateProlongation_Private(VI coarse, VI fine, Mat *P, Vec *lift)
 {
-  Mat inverse;
+  Mat blocks;
   Vec open[2];
 
   PetscFunctionBeginUser;
-  PetscCall(Blocks_Private(fine->level->prolongation, fine->level->dim, P));
-  if (coarse->T) PetscCall(Multiply_Private(*P, coarse->T, P));
-  PetscCall(VICreateInverse(fine, &inverse));
-  if (inverse) PetscCall(Multiply_Private(inverse, *P, P));
-  PetscCall(MatDestroy(&inverse));
-  PetscCall(CreateOpen_Private(fine, &open[0]));
-  PetscCall(CreateOpen_Private(coarse, &open[1]));
+  PetscCall(Blocks_Private(fine->level->prolongation, fine->level->dim, &blocks));
+  if (coarse->T) {
+    PetscCall(MatMatMult(blocks, coarse->T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, P));
+    PetscCall(MatProductClear(*P)); // it would keep its factors
+    PetscCall(MatDestroy(&blocks));
+  } else {
+    *P = blocks;
+  }
+  PetscCall(VIMultiplyInverse(fine, P));
+  PetscCall(VICreateOpen(fine, &open[0]));
+  PetscCall(VICreateOpen(coarse, &open[1]));
   PetscCall(CreateLift_Private(coarse, fine, *P, open, lift));
   PetscCall(MatDiagonalScale(*P, open[0], open[1]));
   PetscCall(VecDestroy(&open[0]));
