@@ -175,7 +175,9 @@ static const OptionEntry table[] = {
      "error, "
      "by what the next coarser level of the mesh says of it."},
     {GROUP_SOLVER, "-cross_check", "0|1", "", "0",
-     "Solves by pdas and by vinewtonrsls and compares; a difference is exit code 3."},
+     "Solves by pdas and by vinewtonrsls and compares; a difference is exit code 3. The second one has multigrid where "
+     "the "
+     "first has it, and else a factorisation; -cross_check_pc_type says otherwise."},
     {GROUP_SOLVER, "-measure_linear", "0|1", "", "0",
      "After the solution, solves one linear system with its active set, from zero to 1e-8 and with everything the "
      "linear solver "

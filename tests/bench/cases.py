@@ -50,8 +50,9 @@ SCENES = {
 # What one rank is compared with two on, and the sizes at which numbers of iterations are compared.
 SPEED = [("plates", "576:448"), ("blocks", "40:32")]
 EQUAL = [("plates", "72:56"), ("blocks", "20:16"), ("hertz3d", "refined 1")]
-# Where the second solver is asked, too: it factors, which takes 5 GB for the next larger blocks.
-CROSS = [("plates", "288:224"), ("blocks", "20:16"), ("plates", "576:448")]
+# Where the second solver is asked, too.
+CROSS = [("plates", "288:224"), ("plates", "576:448"), ("squares", "512:512"), ("blocks", "20:16"), ("blocks", "40:32"), ("blocks", "60:48"),
+         ("hertz2d", "refined 3"), ("hertz3d", "refined 1")]
 # A smooth exact solution, for error against cost.
 EXACT = (option("manufactured_full.opts"), boxes((4, 4), (6, 6), 0))
 

@@ -82,8 +82,13 @@ def accuracy_table(found):
 
 
 def cross_table(found):
-    return markdown(["scene", "unknowns", "largest difference of displacements", "differently active"],
-                    [[SCENES[row["scene"]].words, row["unknowns"], f"{row['difference']:.1e}", row["active"]] for row in found["cross"]])
+    pairs = {"steps": ("steps", 0), "work units": ("work", 0), "CPU s": ("cpu", 2), "MB": ("megabytes", 0)}
+    header = ["scene", "unknowns", *(f"{word}, {who}" for word in list(pairs)[:2] for who in ("first", "second")),
+              *(f"{word}, {what}" for word in list(pairs)[2:] for what in ("first", "both")),
+              "largest difference of displacements", "differently active"]
+    return markdown(header, [[SCENES[row["scene"]].words, row["unknowns"],
+                              *(number(value, digits) for key, digits in pairs.values() for value in row.get(key, (None, None))),
+                              f"{row['difference']:.1e}", row["active"]] for row in found["cross"]])
 
 
 class Verdicts:

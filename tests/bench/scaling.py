@@ -90,11 +90,13 @@ class Bench:
         rows = []
         for scene, name in CROSS:
             if self.wants(scene, size_of(scene, name)):
-                done = self.run(scene, size_of(scene, name), ("-cross_check",))
+                alone, done = (self.run(scene, size_of(scene, name), more) for more in ((), ("-cross_check",)))
                 check = done and done[2]["solver"]["cross_check"]
-                if check:
+                if alone and check:
                     rows.append({"scene": scene, "unknowns": unknowns(done[2]), "difference": check["displacement_difference"],
-                                 "active": check["active_difference"]})
+                                 "active": check["active_difference"], "linear": check["linear"],
+                                 "steps": (alone[2]["solver"]["iterations"], check["iterations"]), "cpu": (alone[0], done[0]),
+                                 "work": (alone[2]["solver"]["work_units"], check["work_units"]), "megabytes": (alone[1], done[1])})
         return rows
 
     def accuracy(self):
