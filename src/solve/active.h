@@ -48,6 +48,8 @@ typedef struct {
 
 PetscErrorCode ActiveSolutionCreate(const ActiveSet *set, ActiveSolution *solution);
 PetscErrorCode ActiveSolutionDestroy(ActiveSolution *solution);
+/* Whether the decision (T10) with tolerances leaves the set as it is. Collective. */
+PetscErrorCode ActiveSetHolds(const ActiveSet *set, const ActiveSolution *solution, PetscReal c, PetscBool *holds);
 /* The decision (T10) with tolerances, and how far the solution is from fulfilling all inequalities (2-norm, force).
    Collective. [in] c - of (T10); [out] changed - of all ranks */
 PetscErrorCode ActiveSetUpdate(ActiveSet *set, const ActiveSolution *solution, PetscReal c, PetscInt *changed,
@@ -77,7 +79,11 @@ struct _n_ActiveSolver {
   PetscReal enough; /* part of the first one that is small enough, or 0 */
   PetscReal gained; /* before the first solve */
   PetscReal first;  /* with that, of what the first solve began with; 0 before it */
-  void     *data;
+  /* asked by an inexact solver that has reached its target, of an iterate: whether that set is still worth more digits. Then it lowers the target,
+     and the solver goes on. NULL where nobody minds. [in] pdas - who asks it */
+  PetscErrorCode (*holds)(ActiveSolver, const ActiveSolution *iterate, PetscBool *holds);
+  void *pdas;
+  void *data;
   /* [in] fixed, value - [n], values are read where fixed; [in,out] solution - created by the caller */
   PetscErrorCode (*solve)(ActiveSolver, const PetscBool fixed[], const PetscReal value[], ActiveSolution *solution);
   /* Another right-hand side, for the same matrix and bounds. [in] b - borrowed; [in] y - first guess */
@@ -178,8 +184,8 @@ PetscErrorCode PDASChooseSolver(SNES snes, PDAS *pdas, Mat A, Vec b, Vec y);
 /* Systems are solved until the error is small beside that of the start: |y - y*|_A^2 <= enough (gained + |y_0 - y*|_A^2), with multigrid.
    Collective. [in] gained - of the square, before y_0 */
 PetscErrorCode PDASSetEnough(SNES snes, PetscReal enough, PetscReal gained);
-/* The same of one solver: sets the test of its KSP. Collective. [in] ksp - with multigrid */
-PetscErrorCode EnoughSet(ActiveSolver solver, KSP ksp, PetscReal enough, PetscReal gained);
+/* The same of one solver, with multigrid. Not collective. */
+PetscErrorCode EnoughSet(ActiveSolver solver, PetscReal enough, PetscReal gained);
 
 /* What the last solve used, its last set being its own, if it was kept (PDASSetKeep()) and found the solution. Borrowed, NULL if
    there is none. Not collective. */

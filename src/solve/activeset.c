@@ -7,8 +7,9 @@
 /* Two numbers that differ by less than this part of their scale are equal: a bound that is just touched, a force that
    just vanishes. Without it exact ties cycle from roundoff alone. */
 static const PetscReal TIE = 1e-11;
-/* ... or by less than inexact linear solves can tell apart. */
-static const PetscReal TIE_PER_RESIDUAL = 10;
+/* ... or by a part of the residual of an inexact solve. Not by all that this may hide: what is decided wrong is decided again with more digits,
+   what is left undecided costs a system of its own later. */
+static const PetscReal TIE_PER_RESIDUAL = 0.1;
 /* What roundoff alone can do to a value, in units of the largest unknown: it grows with the condition of the Schur
    complement, a few hundred on fine meshes; and to a force, in units of the diagonal times the largest unknown. */
 static const PetscReal NOISE_VALUE = 1024 * PETSC_MACHINE_EPSILON;
@@ -111,6 +112,31 @@ static PetscErrorCode Tolerances_Private(const ActiveSet *set, const ActiveSolut
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* (T10) in units of force. One of the two terms is exactly zero, so the sign does not depend on c; the band around zero in which the state
+   stays as it is must scale with c in the same way, to keep that true. [in] tol - of Tolerances_Private() */
+static PetscBool Decide_Private(const ActiveSet *set, const ActiveSolution *s, PetscReal c, const PetscReal tol[2],
+                                PetscInt i)
+{
+  const PetscReal stiffness = c * set->diag[i];
+  const PetscReal test      = s->r[i] + stiffness * (s->y[i] - set->upper[i]);
+
+  if (set->active[i]) return (PetscBool)(test >= -PetscMax(tol[1], NOISE_FORCE * set->diag[i] * s->size));
+  return (PetscBool)(test > stiffness * tol[0]);
+}
+
+PetscErrorCode ActiveSetHolds(const ActiveSet *set, const ActiveSolution *s, PetscReal c, PetscBool *holds)
+{
+  PetscReal tol[2];
+
+  PetscFunctionBeginUser;
+  PetscCall(Tolerances_Private(set, s, tol));
+  *holds = PETSC_TRUE;
+  for (PetscInt i = 0; i < set->n && *holds; i++)
+    *holds = (PetscBool)(Decide_Private(set, s, c, tol, i) == set->active[i]);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, holds, 1, MPIU_BOOL, MPI_LAND, set->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ActiveSetUpdate(ActiveSet *set, const ActiveSolution *s, PetscReal c, PetscInt *changed,
                                PetscReal *violation)
 {
@@ -121,16 +147,9 @@ PetscErrorCode ActiveSetUpdate(ActiveSet *set, const ActiveSolution *s, PetscRea
   PetscCall(Tolerances_Private(set, s, tol));
   PetscCall(PetscMalloc1(set->n, &next));
   for (PetscInt i = 0; i < set->n; i++) {
-    /* (T10) in units of force. One of the two terms is exactly zero, so the sign does not depend on c; the band around
-       zero in which the state stays as it is must scale with c in the same way, to keep that true. */
-    const PetscReal stiffness = c * set->diag[i];
-    const PetscReal test      = s->r[i] + stiffness * (s->y[i] - set->upper[i]);
-    const PetscReal wrong     = set->active[i] ? -s->r[i] : set->diag[i] * (s->y[i] - set->upper[i]);
+    const PetscReal wrong = set->active[i] ? -s->r[i] : set->diag[i] * (s->y[i] - set->upper[i]);
 
-    if (set->active[i])
-      next[i] = (PetscBool)(test >= -PetscMax(tol[1], NOISE_FORCE * set->diag[i] * s->size));
-    else
-      next[i] = (PetscBool)(test > stiffness * tol[0]);
+    next[i] = Decide_Private(set, s, c, tol, i);
     if (wrong > 0) sum += PetscSqr(wrong);
   }
   PetscCallMPI(MPI_Allreduce(&sum, violation, 1, MPIU_REAL, MPI_SUM, set->comm));

@@ -106,16 +106,31 @@ static void Tighten_Private(PDAS *pdas, ActiveSolver solver, PetscReal target)
   pdas->num_seen = 1;
 }
 
-/* Solves for the set: an inexact solver to more and more digits as long as these say nothing against it. */
+/* An inexact solver goes on for more digits as long as these say nothing against the set. */
+static PetscErrorCode Holds_Private(ActiveSolver solver, const ActiveSolution *iterate, PetscBool *holds)
+{
+  PDAS *pdas = solver->pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActiveSetHolds(solver->set, iterate, pdas->c, holds));
+  while (*holds && solver->target > solver->rtol && iterate->eta <= solver->target)
+    Tighten_Private(pdas, solver, TIGHTER * solver->target);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Solves for the set, once more where the solver did not ask and the solution says nothing against the set. */
 static PetscErrorCode Follow_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solver, ActiveSolution *solution,
                                      PetscInt *changed, PetscReal *violation)
 {
   PetscFunctionBeginUser;
+  solver->holds = Holds_Private;
+  solver->pdas  = pdas;
   PetscCall(System_Private(pdas, set, solver, solution, changed, violation));
   while (solver->target > solver->rtol && !*changed && !solution->failure) {
     Tighten_Private(pdas, solver, TIGHTER * solver->target);
     PetscCall(System_Private(pdas, set, solver, solution, changed, violation));
   }
+  solver->holds   = NULL;
   pdas->converged = (PetscBool)(!*changed && !solution->failure);
   if (solver->target > solver->rtol && (*changed <= FEW || pdas->iterations >= SEVERAL))
     Tighten_Private(pdas, solver, TIGHTER * solver->target);

@@ -85,6 +85,16 @@ PetscErrorCode MultigridSetFree(PC pc, Vec free)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode MultigridAddWork(PC pc)
+{
+  Multigrid *multigrid;
+
+  PetscFunctionBeginUser;
+  PetscCall(Get_Private(pc, &multigrid));
+  multigrid->hierarchy->work += multigrid->rung[multigrid->num - 1].grid->share;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode MultigridForces(PC pc, Vec y, PetscReal *size, PetscReal *energy)
 {
   Multigrid  *multigrid;

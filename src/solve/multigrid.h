@@ -18,6 +18,8 @@ PetscErrorCode MultigridSetFree(PC pc, Vec free);
 /* A with the rows and columns of held unknowns emptied but for the diagonal, without a copy of it. Borrowed. Not collective. */
 PetscErrorCode MultigridGetOperator(PC pc, Mat *A);
 
+/* Counts a product with the finest matrix that the PC had no part in. Not collective. */
+PetscErrorCode MultigridAddWork(PC pc);
 /* |T'K T y| in the norm of diag(A)^-1, supports' reactions and contact forces among them, and y'T'K T y. Collective. */
 PetscErrorCode MultigridForces(PC pc, Vec y, PetscReal *size, PetscReal *energy);
 /* What cycles tell of the iteration they precondition: forgets it, */

@@ -42,7 +42,7 @@ PetscErrorCode PDASChooseSolver(SNES snes, PDAS *pdas, Mat A, Vec b, Vec y)
     PetscCall(ReducedCreate(set, A, b, prefix, rtol, solver, &pdas->failure));
   } else {
     PetscCall(TruncatedCreate(set, A, b, y, ksp, rtol, solver));
-    if (pdas->enough > 0) PetscCall(EnoughSet(*solver, ksp, pdas->enough, pdas->gained));
+    if (pdas->enough > 0) PetscCall(EnoughSet(*solver, pdas->enough, pdas->gained));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -5,32 +5,15 @@
        A^ d = f,   y = v + d,   A^ = M A M + (1 - M) diag(A),   f = M (b - A v),
    with M = 0 on fixed unknowns, 1 elsewhere, and v the prescribed values, 0 elsewhere. Near null vectors are emptied at
    fixed unknowns as well: what a preconditioner takes for a rigid motion must be one of A^. */
-#include "active.h"
 #include "factor.h"
 #include "multigrid.h"
+#include "truncated.h"
 
 /* Solves on the residual after the first: each gains the digits of one solve; what does not get there in so many will
    not. */
 static const PetscInt MAX_REFINEMENTS = 8;
 /* A solve that leaves more than this part of the residual is no progress. */
 static const PetscReal STALLED = 0.5;
-/* What rounding leaves of the forces that displacements alone would need. */
-static const PetscReal ROUNDING = 16 * PETSC_MACHINE_EPSILON;
-
-typedef struct {
-  KSP       ksp;    /* referenced: a SNES destroys its own before what was kept with it */
-  PC        pc;     /* of it */
-  Mat       A;      /* A^ */
-  Vec       free;   /* M */
-  Vec       y, r;   /* the solution; b - A y */
-  Vec       f, d;   /* M r; correction, A^^-1 f */
-  PetscBool same;   /* M is what A^ was made for */
-  PetscBool direct; /* the KSP only applies its preconditioner */
-  PetscBool shell;  /* A^ is the preconditioner's own: no copy of A */
-  PetscReal rtol;   /* of the KSP, for the last solve of an inequality */
-  PetscReal ritz;   /* the smallest Ritz value of all systems, 0 if there is none */
-} Truncated;
-
 /* M, the last solution emptied where fixed as first guess d, and y = v. */
 static PetscErrorCode Prescribe_Private(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
                                         ActiveSolution *solution)
@@ -128,18 +111,6 @@ static PetscErrorCode Matrix_Private(ActiveSolver solver)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How small the eigenvalues of B A^ are: what an iteration has seen of them, from above. */
-static PetscErrorCode Ritz_Private(Truncated *t)
-{
-  PetscReal largest, smallest;
-
-  PetscFunctionBeginUser;
-  if (t->direct) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(KSPComputeExtremeSingularValues(t->ksp, &largest, &smallest));
-  if (smallest > 0 && (t->ritz == 0 || smallest < t->ritz)) t->ritz = smallest;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* d = A^^-1 f; iterative solvers may begin at d. */
 static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, ActiveSolution *solution)
 {
@@ -151,12 +122,11 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, Acti
 
   PetscFunctionBeginUser;
   PetscCall(KSPSetInitialGuessNonzero(t->ksp, guess));
-  if (t->shell) PetscCall(MultigridWatch(t->pc));
   PetscCall(KSPSolve(t->ksp, t->f, t->d));
   PetscCall(KSPGetIterationNumber(t->ksp, &its));
   solution->iterations += its;
   PetscCall(KSPGetConvergedReason(t->ksp, &reason));
-  if (its > 0) PetscCall(Ritz_Private(t));
+  if (its > 0) PetscCall(TruncatedRitz(t));
   if (reason >= 0) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(FactorCheckMemory(t->ksp));
   PetscCall(PCGetFailedReason(t->pc, &failed));
@@ -167,83 +137,50 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, Acti
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether no free unknown with a bound has a force beside those of fixed ones, or rounding: it would count as pressure or tension. */
-static PetscErrorCode Forceless_Private(ActiveSolver solver, const PetscBool fixed[], PetscBool *forceless)
+/* How far a KSP without multigrid goes: a little further than it has to, since it measures residuals in its own way. */
+static PetscErrorCode Tolerance_Private(ActiveSolver solver)
 {
-  static const PetscReal NO_FORCE = 1e-8;
-  const Truncated       *t        = solver->data;
-  const ActiveSet       *set      = solver->set;
-  const PetscScalar     *r;
-  PetscReal largest, max[3] = {0, 0, 0}; /* forces of free ones, of fixed ones; the stiffest of free ones */
+  static const PetscReal FURTHER = 0.5;
+  Truncated             *t       = solver->data;
+  const PetscReal        rtol    = solver->target > solver->rtol ? FURTHER * solver->target : t->rtol;
 
   PetscFunctionBeginUser;
-  PetscCall(VecNorm(t->y, NORM_INFINITY, &largest));
-  PetscCall(VecGetArrayRead(t->r, &r));
-  for (PetscInt i = 0; i < set->n; i++) {
-    const int which = fixed[i] ? 1 : 0;
-
-    max[which] = PetscMax(max[which], PetscAbsScalar(r[set->dof[i] - set->dof_begin]));
-    if (!fixed[i]) max[2] = PetscMax(max[2], set->diag[i]);
-  }
-  PetscCall(VecRestoreArrayRead(t->r, &r));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, max, 3, MPIU_REAL, MPI_MAX, set->comm));
-  *forceless = (PetscBool)(max[0] <= PetscMax(PetscMax(NO_FORCE, solver->rtol) * max[1], ROUNDING * max[2] * largest));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* How far the KSP goes: a little further than it has to, since it measures residuals in its own way.
-   [in] k - solves before, for the same set; [in] left - part of the residual that they should have left */
-static PetscErrorCode Tolerance_Private(ActiveSolver solver, PetscInt k, PetscReal left)
-{
-  static const PetscReal FURTHER = 0.5, A_LITTLE = 0.05;
-  Truncated             *t    = solver->data;
-  PetscReal              rtol = t->rtol;
-
-  PetscFunctionBeginUser;
-  if (solver->target > solver->rtol) rtol = FURTHER * solver->target;
-  if (solver->inexact && k) rtol = PetscMax(t->rtol, PetscMin(A_LITTLE, FURTHER * left));
   PetscCall(KSPSetTolerances(t->ksp, rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the solution is what multigrid is asked for in the end. The residual has to be small beside the forces in the bodies: supports
-   that move a body far make a large first residual of next to no force; and the error beside the solution in the norm of energy, since
-   residuals say little of errors that are smooth. What rounding leaves is small in any case.
-   [in] size - of the residual; [in,out] eta - the same by the first one, and by the forces; [out] left - part of it that may be left */
-static PetscErrorCode Exact_Private(ActiveSolver solver, PetscReal first, PetscReal size, PetscReal *eta,
-                                    PetscReal *left, PetscBool *exact)
+/* One call of the KSP, and what it leaves of the residual. [in] k - calls before, for the same set; [in] first - |f|_D before all of them;
+   [out] done - whether that is as little as it can be or has to be */
+static PetscErrorCode Call_Private(ActiveSolver solver, PetscInt k, PetscReal first, ActiveSolution *solution,
+                                   PetscBool *done)
 {
-  static const PetscReal PART = 0.5; /* of rtol, for the energy: what is said of it is an estimate */
-  Truncated             *t    = solver->data;
-  PetscReal              forces, energy, error;
-  PetscScalar            square;
+  Truncated *t = solver->data;
+  PetscReal  size;
 
   PetscFunctionBeginUser;
-  PetscCall(MultigridForces(t->pc, t->y, &forces, &energy));
-  PetscCall(MultigridGetError(t->pc, &error));
-  PetscCall(VecPointwiseMult(t->d, solver->diag, t->y));
-  PetscCall(VecDot(t->d, t->y, &square));
-  *eta   = size / PetscMax(PetscMin(first, forces), ROUNDING / solver->rtol * PetscSqrtReal(PetscRealPart(square)));
-  *left  = solver->rtol / *eta;
-  *exact = (PetscBool)(*eta <= solver->rtol);
-  if (t->ritz > 0) error /= t->ritz;
-  energy *= PetscSqr(PART * solver->rtol);
-  PetscCall(
-      PetscInfo(t->ksp, "energy of the error %g, asked %g, eta %g\n", (double)error, (double)energy, (double)*eta));
-  if (error > energy) {
-    if (error < PETSC_MAX_REAL) *left = PetscMin(*left, PetscSqrtReal(energy / error));
-    *exact = PETSC_FALSE;
+  PetscCall(t->asked ? EndingBegin(solver, first, solution) : Tolerance_Private(solver));
+  PetscCall(Correct_Private(solver, (PetscBool)(t->asked || (k == 0 && !t->direct)), solution));
+  if (solution->failure) PetscFunctionReturn(PETSC_SUCCESS);
+  if (t->asked) {
+    PetscCall(EndingFinish(solver));
+    *done = t->done;
+    PetscFunctionReturn(PETSC_SUCCESS);
   }
+  PetscCall(VecPointwiseMult(t->d, t->d, t->free)); /* a preconditioner may have leaked into fixed unknowns */
+  PetscCall(VecAXPY(t->y, 1, t->d));
+  PetscCall(ActiveSolverResidual(solver, solution->fixed, t->y, t->r, t->f, &size));
+  solution->eta = size / first;
+  /* a direct solver gets to roundoff, not just below a tolerance, for the price of one more substitution */
+  *done = (PetscBool)(solution->eta <= solver->target && (!t->direct || k));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
                                       ActiveSolution *solution)
 {
-  Truncated      *t    = solver->data;
-  const PetscBool last = (PetscBool)(solver->target <= solver->rtol);
-  PetscReal       first, size = 0, left = 1;
-  PetscBool       done = PETSC_FALSE, suffices;
+  Truncated *t = solver->data;
+  PetscReal  first;
+  PetscBool  done = PETSC_FALSE, suffices;
 
   PetscFunctionBeginUser;
   solution->iterations = 0;
@@ -251,33 +188,23 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
   PetscCall(Prescribe_Private(solver, fixed, value, solution));
   PetscCall(Matrix_Private(solver));
   PetscCall(ActiveSolverResidual(solver, fixed, t->y, t->r, t->f, &first));
+  if (t->shell) PetscCall(MultigridAddWork(t->pc));
   for (PetscInt k = 0; k <= MAX_REFINEMENTS && first > 0 && !done; k++) {
     const PetscReal before = k ? solution->eta : PETSC_MAX_REAL;
 
-    PetscCall(Tolerance_Private(solver, k, left));
-    PetscCall(Correct_Private(solver, (PetscBool)(k == 0 && !t->direct), solution));
+    PetscCall(Call_Private(solver, k, first, solution, &done));
     if (solution->failure) { // nothing of it is worth to begin with
       PetscCall(VecZeroEntries(t->y));
       t->ritz = 0;
       PetscFunctionReturn(PETSC_SUCCESS);
     }
-    PetscCall(VecPointwiseMult(t->d, t->d, t->free)); /* a preconditioner may have leaked into fixed unknowns */
-    PetscCall(VecAXPY(t->y, 1, t->d));
-    PetscCall(ActiveSolverResidual(solver, fixed, t->y, t->r, t->f, &size));
-    solution->eta = size / first;
-    left          = solver->target / solution->eta;
-    /* a direct solver gets to roundoff, not just below a tolerance, for the price of one more substitution */
-    done = (PetscBool)(solution->eta <= solver->target && (!t->direct || k));
-    if (solver->enough > 0) break;
-    if (t->shell && last) PetscCall(Exact_Private(solver, first, size, &solution->eta, &left, &done));
-    if (done && last) PetscCall(Forceless_Private(solver, fixed, &done));
     if (!(solution->eta <= STALLED * before)) break;
   }
   if (!(solution->eta <= solver->target)) {
-    PetscCall(ActiveSolverSuffices(solver, t->y, size, size / solution->eta, &suffices));
+    PetscCall(ActiveSolverSuffices(solver, t->y, solution->eta * first, first, &suffices));
     if (!suffices) solution->failure = solver->factored ? FAILURE_RESIDUAL : FAILURE_ITERATIVE;
   }
-  PetscCall(ActiveSolverRestrict(solver, t->y, t->r, t->f, solution));
+  PetscCall(ActiveSolverRestrict(solver, t->y, t->r, t->asked && first > 0 ? t->rest : t->f, solution));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -321,6 +248,7 @@ static PetscErrorCode Destroy_Truncated(ActiveSolver solver)
   PetscFunctionBeginUser;
   PetscCall(KSPSetTolerances(t->ksp, t->rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
   PetscCall(KSPSetInitialGuessNonzero(t->ksp, PETSC_FALSE)); // others may use it afterwards
+  if (t->asked) PetscCall(EndingUnset(t));
   PetscCall(KSPDestroy(&t->ksp));
   PetscCall(MatDestroy(&t->A));
   PetscCall(VecDestroy(&t->free));
@@ -328,6 +256,7 @@ static PetscErrorCode Destroy_Truncated(ActiveSolver solver)
   PetscCall(VecDestroy(&t->r));
   PetscCall(VecDestroy(&t->f));
   PetscCall(VecDestroy(&t->d));
+  PetscCall(VecDestroy(&t->rest));
   PetscCall(PetscFree(t));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -349,6 +278,7 @@ PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ks
   PetscCall(KSPSetComputeSingularValues(ksp, (PetscBool)!t->direct));
   PetscCall(PetscObjectTypeCompare((PetscObject)t->pc, PCTRUNCATEDMG, &t->shell));
   PetscCall(KSPGetTolerances(ksp, &t->rtol, NULL, NULL, NULL));
+  t->asked           = (PetscBool)(t->shell && !t->direct);
   (*solver)->inexact = t->shell;
   if (t->shell) {
     PetscCall(MultigridGetOperator(t->pc, &t->A));
@@ -363,7 +293,8 @@ PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ks
   PetscCall(VecDuplicate(b, &t->r));
   PetscCall(VecDuplicate(b, &t->f));
   PetscCall(VecDuplicate(b, &t->d));
-  (*solver)->data    = t;
+  (*solver)->data = t;
+  if (t->asked) PetscCall(EndingSet(*solver));
   (*solver)->solve   = Solve_Truncated;
   (*solver)->load    = Load_Truncated;
   (*solver)->finish  = Finish_Truncated;
