@@ -157,7 +157,8 @@ typedef struct {
   PetscInt    max_it, iterations, linear_iterations;
   PetscInt   *changed; /* [max_it] */
   PetscInt    num_seen;
-  uint64_t   *seen; /* hashes of the sets that were solved for [max_it] */
+  uint64_t   *seen;   /* hashes of the sets that were solved for [max_it] */
+  PetscReal   target; /* residual at which the next system is first looked at */
   PetscBool   converged, safeguarded, reduced;
   PetscReal   residual;   /* relative, of the last system */
   const char *failure;    /* why a system could not be solved, or NULL */

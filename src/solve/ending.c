@@ -13,7 +13,7 @@ static const PetscReal FURTHER = 0.5, A_LITTLE = 0.9;
 /* An iterate whose residual is more than this part of that of the last look: recursions go on, digits do not. */
 static const PetscReal STALLED = 0.5;
 /* Of rtol, for the energy: what is said of it is an estimate. */
-static const PetscReal PART = 0.5;
+static const PetscReal PART = 0.2;
 
 PetscErrorCode TruncatedRitz(Truncated *t)
 {

@@ -46,9 +46,8 @@ PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How exact the first systems of an inexact solver are, and how much more so the next ones once few unknowns change. */
+/* How exact the solution of an inexact solver is when it is first looked at, and how much more so each time that it says nothing against the set. */
 static const PetscReal LOOSE = 1e-2, TIGHTER = 0.03;
-static const PetscInt  FEW = 2;
 /* Steps in which a set comes to rest; one that is not there by then may have been led astray by inexact systems. */
 static const PetscInt SEVERAL = 8;
 
@@ -96,16 +95,6 @@ static PetscErrorCode System_Private(PDAS *pdas, ActiveSet *set, ActiveSolver so
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* More digits from now on. In the end all count, and sets that came back before may have done so for want of digits: then no set was
-   solved for before but the present one. */
-static void Tighten_Private(PDAS *pdas, ActiveSolver solver, PetscReal target)
-{
-  solver->target = PetscMax(solver->rtol, target);
-  if (solver->target > solver->rtol) return;
-  pdas->seen[0]  = pdas->seen[pdas->num_seen - 1];
-  pdas->num_seen = 1;
-}
-
 /* An inexact solver goes on for more digits as long as these say nothing against the set. */
 static PetscErrorCode Holds_Private(ActiveSolver solver, const ActiveSolution *iterate, PetscBool *holds)
 {
@@ -114,7 +103,7 @@ static PetscErrorCode Holds_Private(ActiveSolver solver, const ActiveSolution *i
   PetscFunctionBeginUser;
   PetscCall(ActiveSetHolds(solver->set, iterate, pdas->c, holds));
   while (*holds && solver->target > solver->rtol && iterate->eta <= solver->target)
-    Tighten_Private(pdas, solver, TIGHTER * solver->target);
+    solver->target = PetscMax(solver->rtol, TIGHTER * solver->target);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -123,17 +112,17 @@ static PetscErrorCode Follow_Private(PDAS *pdas, ActiveSet *set, ActiveSolver so
                                      PetscInt *changed, PetscReal *violation)
 {
   PetscFunctionBeginUser;
-  solver->holds = Holds_Private;
-  solver->pdas  = pdas;
+  solver->holds  = Holds_Private;
+  solver->pdas   = pdas;
+  solver->target = pdas->target;
   PetscCall(System_Private(pdas, set, solver, solution, changed, violation));
   while (solver->target > solver->rtol && !*changed && !solution->failure) {
-    Tighten_Private(pdas, solver, TIGHTER * solver->target);
+    solver->target = PetscMax(solver->rtol, TIGHTER * solver->target);
     PetscCall(System_Private(pdas, set, solver, solution, changed, violation));
   }
   solver->holds   = NULL;
   pdas->converged = (PetscBool)(!*changed && !solution->failure);
-  if (solver->target > solver->rtol && (*changed <= FEW || pdas->iterations >= SEVERAL))
-    Tighten_Private(pdas, solver, TIGHTER * solver->target);
+  if (pdas->iterations >= SEVERAL) pdas->target = PetscMax(solver->rtol, TIGHTER * pdas->target);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -149,13 +138,15 @@ static PetscErrorCode Step_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solv
   solution->iterations = 0;
   if (!guard->on) {
     PetscCall(Seen_Private(pdas, set, &seen));
-    if (seen && solver->target > solver->rtol) { // it may be for want of digits
-      Tighten_Private(pdas, solver, solver->rtol);
-      seen = PETSC_FALSE;
+    if (seen && pdas->target > solver->rtol) { // for want of digits it may be; no set was solved for to all of them
+      pdas->target   = solver->rtol;
+      pdas->seen[0]  = pdas->seen[pdas->num_seen - 1];
+      pdas->num_seen = 1;
+      seen           = PETSC_FALSE;
     }
     if (seen || pdas->num_seen > MANY_STEPS) {
       pdas->safeguarded = PETSC_TRUE;
-      solver->target    = solver->rtol;
+      pdas->target = solver->target = solver->rtol;
       PetscCall(SafeguardBegin(guard, set, solver, solution));
     }
   }
@@ -196,7 +187,7 @@ PetscErrorCode PDASIterate(SNES snes, PDAS *pdas, ActiveSet *set, ActiveSolver s
 
   PetscFunctionBeginUser;
   PetscCall(ActiveSolutionCreate(set, &solution));
-  solver->target = solver->inexact ? PetscMax(LOOSE, solver->rtol) : solver->rtol;
+  pdas->target = solver->inexact ? PetscMax(LOOSE, solver->rtol) : solver->rtol;
   while (!pdas->converged && !solution.failure && pdas->iterations < pdas->max_it) {
     PetscCall(Step_Private(pdas, set, solver, &guard, &solution, &changed, &violation));
     if (solution.failure) PetscCall(Rescue_Private(pdas, set, &solution, &changed));

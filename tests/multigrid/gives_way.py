@@ -24,4 +24,4 @@ def judge(run):
     require_factorised(own)
     reference = own.summary["solver"]["linear_reference"]  # of the factorisation: levels had nothing to do
     require(reference["work_units"] is None and reference["contact_ratio"] > 1, f"one linear solve: {reference}")
-    require_factorised(stopped(run, "stop", "-stop", "discretisation", "-dm_refine", "1"))  # which then has nothing to stop
+    require_factorised(stopped(run, "stop", "-stop", "discretisation", "-dm_refine", "2"))  # which then has nothing to stop
