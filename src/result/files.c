@@ -236,9 +236,10 @@ static PetscErrorCode FilesRename_Private(Files *files)
   }
   if (files->num > 1 && !files->failure[0]) PetscCall(FileRemove_Private(files, files->final[files->num - 1]));
   for (PetscInt i = 0; i < files->num && !files->failure[0]; ++i) {
-    if (!files->temporary[i])
-      PetscCall(FileRemove_Private(files, files->final[i]));
-    else if (rename(files->temporary[i], files->final[i]))
+    if (!files->temporary[i]) {
+      if (stat(files->final[i], &info) || !S_ISDIR(info.st_mode)) // a folder of that name is no file of an earlier run
+        PetscCall(FileRemove_Private(files, files->final[i]));
+    } else if (rename(files->temporary[i], files->final[i]))
       PetscCall(FilesFail(files, files->temporary[i], errno));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -306,7 +307,9 @@ PetscErrorCode FilesCheck(MPI_Comm comm, const char option[], const char path[])
     int error;
 
     PetscCall(TemporaryName_Private(path, &temporary));
+    InterruptHold(); // nothing of the attempt is left behind
     error = TryWrite_Private(path, temporary);
+    InterruptRelease();
     if (error) {
       PetscCall(PetscSNPrintf(sentence, sizeof(sentence),
                               "%s: cannot write %s (%s); name a place that can be written to", option, path,

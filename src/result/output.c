@@ -56,15 +56,20 @@ static PetscErrorCode WritePicture_Private(Scene scene, const char pair[], const
   char path[PETSC_MAX_PATH_LEN], hdf5[PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
+  PetscCall(OutputPath_Private(scene, pair, ".h5", hdf5));
+  PetscCall(OutputPath_Private(scene, pair, ".xdmf", path));
   if (scene->formats & OUTPUT_XDMF) {
-    PetscCall(OutputPath_Private(scene, pair, ".h5", hdf5));
-    PetscCall(OutputPath_Private(scene, pair, ".xdmf", path));
     PetscCall(PictureWriteHDF5(picture, files, hdf5));
     PetscCall(PictureWriteXDMF(picture, files, path, hdf5));
+  } else {
+    PetscCall(FilesRemove(files, hdf5));
+    PetscCall(FilesRemove(files, path));
   }
+  PetscCall(OutputPath_Private(scene, pair, ".vtu", path));
   if (scene->formats & OUTPUT_VTU) {
-    PetscCall(OutputPath_Private(scene, pair, ".vtu", path));
     PetscCall(PictureWriteVTU(picture, files, path));
+  } else {
+    PetscCall(FilesRemove(files, path));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
