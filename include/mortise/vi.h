@@ -88,6 +88,9 @@ PetscErrorCode VICreateInverse(VI vi, Mat *inverse);
 PetscErrorCode VIMultiplyInverse(VI vi, Mat *P);
 /* 1 where an unknown is left in A, 0 where it was eliminated. Collective. [out] open - like upper, owned by the caller */
 PetscErrorCode VICreateOpen(VI vi, Vec *open);
+/* Marks eliminated unknowns that are displacements: whose row of T is empty but for them. Not collective.
+   [in,out] held - true there, untouched elsewhere [unknowns of this rank] */
+PetscErrorCode VIMarkHeld(VI vi, PetscBool held[]);
 
 /* u = length * T y. [in] y; [out] u - ghosted, created by LevelCreateVec(level, dim), ghosts updated. Collective. */
 PetscErrorCode VIRecoverDisplacement(VI vi, Vec y, Vec u);

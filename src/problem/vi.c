@@ -138,6 +138,23 @@ PetscErrorCode VICreateOpen(VI vi, Vec *open)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode VIMarkHeld(VI vi, PetscBool held[])
+{
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < vi->num_fixed; i++) {
+    PetscInt        num = 1, own = vi->fixed[i];
+    const PetscInt *columns;
+
+    if (vi->T) {
+      PetscCall(MatGetRow(vi->T, vi->fixed[i], &num, &columns, NULL));
+      own = num == 1 ? columns[0] : -1;
+      PetscCall(MatRestoreRow(vi->T, vi->fixed[i], &num, &columns, NULL));
+    }
+    if (own == vi->fixed[i]) held[vi->fixed_local[i]] = PETSC_TRUE;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* y_i <= nodal gap for contact rows. */
 static PetscErrorCode SetBounds_Private(VI vi)
 {

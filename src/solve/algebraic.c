@@ -11,27 +11,6 @@
 /* Couplings weaker than this part of the stiffness of both nodes do not hold an aggregate together. */
 static const PetscReal STRONGER = 0.02;
 
-/* Eliminated unknowns that are displacements: whose row of T is empty but for them. [out] held - 1 there */
-static PetscErrorCode FindHeld_Private(VI vi, PetscBool held[])
-{
-  const PetscInt first = vi->level->dim * vi->level->node_begin;
-
-  PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < vi->num_fixed; i++) {
-    PetscInt        num = 1, own;
-    const PetscInt *columns;
-
-    if (vi->T) {
-      PetscCall(MatGetRow(vi->T, vi->fixed[i], &num, &columns, NULL));
-      own = num == 1 ? columns[0] : -1;
-      PetscCall(MatRestoreRow(vi->T, vi->fixed[i], &num, &columns, NULL));
-      if (own != vi->fixed[i]) continue;
-    }
-    held[vi->fixed[i] - first] = PETSC_TRUE;
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Rigid motions at one node: translations, then rotations about the origin of x. [in] x - [dim]; [out] motion - [dim][num] */
 static void SetMotions_Private(PetscInt dim, PetscInt num, const PetscReal x[], PetscReal motion[])
 {
@@ -76,7 +55,7 @@ PetscErrorCode AlgebraicBegin(VI vi, Fabric *fabric)
   *fabric = (Fabric){.A = vi->K, .bs = dim, .num = num, .stronger = STRONGER};
   PetscCall(PetscMalloc1(dim * n * num, &fabric->motion));
   PetscCall(PetscCalloc1(dim * n, &fabric->held));
-  PetscCall(FindHeld_Private(vi, fabric->held));
+  PetscCall(VIMarkHeld(vi, fabric->held));
   PetscCall(Extent_Private(level, middle, &size));
   for (PetscInt i = 0; i < n; i++) {
     PetscReal x[3];

@@ -76,7 +76,7 @@ static PetscErrorCode Mult_Apart(Mat S, Vec r, Vec z)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* D^-1, and eliminated unknowns that are displacements: whose row of T is empty but for them. */
+/* D^-1, 0 where `alone`. */
 static PetscErrorCode SetWeights_Private(VI vi, Apart *apart)
 {
   PetscScalar *w;
@@ -86,18 +86,10 @@ static PetscErrorCode SetWeights_Private(VI vi, Apart *apart)
   PetscCall(VecReciprocal(apart->w));
   PetscCall(VecScale(apart->w, vi->stiffness));
   PetscCall(PetscCalloc1(vi->level->dim * vi->level->num_owned, &apart->alone));
+  PetscCall(VIMarkHeld(vi, apart->alone));
   PetscCall(VecGetArray(apart->w, &w));
-  for (PetscInt i = 0; i < vi->num_fixed; i++) {
-    PetscInt        num;
-    PetscBool       alone;
-    const PetscInt *columns;
-
-    PetscCall(MatGetRow(vi->T, vi->fixed[i], &num, &columns, NULL));
-    alone = (PetscBool)(num == 1 && columns[0] == vi->fixed[i]);
-    PetscCall(MatRestoreRow(vi->T, vi->fixed[i], &num, &columns, NULL));
-    apart->alone[vi->fixed_local[i]] = alone;
-    if (alone) w[vi->fixed_local[i]] = 0;
-  }
+  for (PetscInt i = 0; i < vi->num_fixed; i++)
+    if (apart->alone[vi->fixed_local[i]]) w[vi->fixed_local[i]] = 0;
   PetscCall(VecRestoreArray(apart->w, &w));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
