@@ -141,7 +141,7 @@ static void FaultTellMemory_Private(MPI_Comm comm)
   }
   fflush(stdout);
   fprintf(stderr,
-          "mortise: out of memory%s; a coarser mesh, more ranks or an iterative solver (-ksp_type cg -pc_type gamg) "
+          "mortise: out of memory%s; a coarser mesh, more ranks or an iterative solver (-pc_type truncatedmg) "
           "need less\n",
           place);
 }

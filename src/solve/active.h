@@ -60,7 +60,7 @@ PetscErrorCode ActiveSetUpdate(ActiveSet *set, const ActiveSolution *solution, P
   "the direct solver leaves a residual above -snes_rtol: either that is too small, or the system is nearly singular: " \
   "is every "                                                                                                          \
   "body held?"
-#define FAILURE_MEMORY "the direct solver ran out of memory: try -mat_mumps_icntl_14 100, or -pc_type gamg"
+#define FAILURE_MEMORY "the direct solver ran out of memory: try -mat_mumps_icntl_14 100, or -pc_type truncatedmg"
 #define FAILURE_ITERATIVE                                                                                              \
   "the linear solver did not converge: try -pc_type cholesky, which does not iterate, or more -ksp_max_it"
 
