@@ -13,7 +13,7 @@ LIMIT = 900  # seconds that a run may take
 SOLVER = ["-pc_type", "truncatedmg"]
 
 Size = collections.namedtuple("Size", "name options unknowns")  # unknowns: about
-Scene = collections.namedtuple("Scene", "words file sizes slope_from dim")
+Scene = collections.namedtuple("Scene", "words file sizes slope_from dim levels", defaults=[True])  # levels: whether the mesh has some
 
 
 def boxes(upper, lower, refine):
@@ -27,6 +27,17 @@ def brick(upper, lower, refine, dim):
     """Two boxes with so many cells along every edge of the coarsest mesh."""
     n, m = upper * 2**refine, lower * 2**refine
     return Size(f"{n}:{m}", boxes((upper,) * dim, (lower,) * dim, refine), dim * ((n + 1) ** dim + (m + 1) ** dim))
+
+
+def grains(upper, lower):
+    """Tetrahedra in two boxes with odd numbers of cells along every edge, which leave no coarser mesh, as those of a file do."""
+    return brick(upper, lower, 0, 3)._replace(options=boxes((upper,) * 3, (lower,) * 3, 0) + ["-upper_dm_plex_simplex", "1", "-lower_dm_plex_simplex", "1"])
+
+
+def own_refined(bodies, counts, more=()):
+    """A scene with bodies refined for themselves, before they meet, which leaves no coarser mesh: unknowns about counts."""
+    return [Size(f"bodies refined {r}", [word for body in bodies for word in (f"-{body}_dm_refine", str(r))] + list(more), count)
+            for r, count in counts.items()]
 
 
 def refined(counts, more=()):
@@ -43,16 +54,18 @@ SCENES = {
     "squares": Scene("two plates, 1 : 1", option("two_plates.opts"), [brick(8, 8, r, 2) for r in (5, 6)], 6e4, 2),
     "blocks": Scene("two blocks, curved gap", os.path.join(HERE, "blocks.opts"),
                     [brick(5, 4, 1, 3), brick(5, 4, 2, 3), brick(5, 4, 3, 3), brick(15, 12, 2, 3)], 4e4, 3),
+    "tets": Scene("two blocks of tetrahedra, one mesh", os.path.join(HERE, "blocks.opts"), [grains(17, 13), grains(25, 19), grains(35, 27)], 2e4, 3, False),
+    "rail": Scene("wheel on rail, Gmsh, order 1", option("wheel_on_rail.opts"), own_refined(("wheel", "rail"), {1: 1.2e4}, ["-order", "1"]), 1e4, 3, False),
     "hertz2d": Scene("hertz2d", option("hertz2d.opts"), refined({1: 5e4, 2: 2e5, 3: 8e5}), 4e4, 2),
     "hertz3d": Scene("hertz3d, order 1", option("hertz3d.opts"), refined({1: 3.2e4, 2: 2.3e5}, ["-order", "1"]), 3e4, 3),
 }
 
 # What one rank is compared with two on, and the sizes at which numbers of iterations are compared.
 SPEED = [("plates", "576:448"), ("blocks", "40:32")]
-EQUAL = [("plates", "72:56"), ("blocks", "20:16"), ("hertz3d", "refined 1")]
+EQUAL = [("plates", "72:56"), ("blocks", "20:16"), ("tets", "17:13"), ("hertz3d", "refined 1")]
 # Where the second solver is asked, too.
 CROSS = [("plates", "288:224"), ("plates", "576:448"), ("squares", "512:512"), ("blocks", "20:16"), ("blocks", "40:32"), ("blocks", "60:48"),
-         ("hertz2d", "refined 3"), ("hertz3d", "refined 1")]
+         ("tets", "17:13"), ("hertz2d", "refined 3"), ("hertz3d", "refined 1")]
 # A smooth exact solution, for error against cost.
 EXACT = (option("manufactured_full.opts"), boxes((4, 4), (6, 6), 0))
 

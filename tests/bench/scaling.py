@@ -71,7 +71,7 @@ class Bench:
     def cost(self):
         cases = [(scene, size) for scene in self.arguments.scenes for size in SCENES[scene].sizes if self.wants(scene, size)]
         added = [(), ("-measure_linear",)] + ([tuple(STOP)] if self.stops else [])
-        results = self.turns([(scene, size, 1, more) for scene, size in cases for more in added])
+        results = self.turns([(scene, size, 1, more) for scene, size in cases for more in added if more != tuple(STOP) or SCENES[scene].levels])
         return [medians(scene, size, *(results[(scene, size.name, 1, more)] for more in (added + [None])[:3]))
                 for scene, size in cases if results[(scene, size.name, 1, ())]]
 
