@@ -3,8 +3,8 @@ ranks, in tens of iterations. Ranks aggregate for themselves, so the numbers of 
 from judge import require
 from multigrid import RANKS, iterations_on_ranks
 
-MOST = 60  # iterations of CG for one system of vinewtonrsls, and twice as many for all of pdas together
-GROWTH = 1.5  # times as many on some ranks as on others
+MOST = 35  # iterations of CG for one system of vinewtonrsls, and twice as many for all of pdas together
+GROWTH = 1.3  # times as many on some ranks as on others
 
 
 def judge(run):
