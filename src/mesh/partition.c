@@ -260,7 +260,6 @@ static PetscErrorCode EdgesCut_Private(const Edges *edges, PetscInt num_cells, c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Without contact_weight contact is left out, which is what the test compares with. */
 PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, PetscInt contact_weight, PetscInt num_parts,
                                 PetscInt part[])
 {

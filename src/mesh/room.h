@@ -206,8 +206,9 @@ PetscErrorCode SharesCreate(Scene scene, const Level *level, const PetscInt cont
    [num_cells] */
 PetscErrorCode SharesCorrect(Scene scene, const Level *level, PetscInt refine, const PetscInt part[], Shares *shares);
 PetscErrorCode SharesDestroy(Shares *shares);
-/* The rank of every cell of the whole mesh, which lies on the first rank. [in] refine - how often it will be; [out] part -
-   [level->num_cells] */
+/* The rank of every cell of the whole mesh, which lies on the first rank; other ranks have none and ask the same. Not collective.
+   [in] refine - how often it will be; contact_weight - of an edge across contact, 1 across a facet; 0: as if bodies did not touch;
+   [out] part - [level->num_cells] */
 PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, PetscInt contact_weight, PetscInt num_parts,
                                 PetscInt part[]);
 /* Spreads the mesh over the ranks; the DM and its curves are replaced. Collective. [in] refine - how often it will be */
