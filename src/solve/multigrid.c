@@ -59,6 +59,7 @@ static PetscErrorCode SetOperators_Private(KSP ksp, const Rung *rung)
 static PetscErrorCode Hold_Private(Multigrid *multigrid, Vec free)
 {
   KSP ksp;
+  PC  pc;
 
   PetscFunctionBeginUser;
   PetscCall(RungsHold(multigrid->num, multigrid->rung, free));
@@ -67,6 +68,8 @@ static PetscErrorCode Hold_Private(Multigrid *multigrid, Vec free)
     PetscCall(MatAssemblyEnd(multigrid->rung[l].A, MAT_FINAL_ASSEMBLY));
     PetscCall(PCMGGetSmoother(multigrid->mg, l, &ksp));
     PetscCall(SetOperators_Private(ksp, &multigrid->rung[l]));
+    PetscCall(KSPGetPC(ksp, &pc));
+    PetscCall(SmootherRenew(pc));
   }
   PetscCall(RungAssemble(&multigrid->rung[0]));
   PetscCall(PCMGGetCoarseSolve(multigrid->mg, &ksp));

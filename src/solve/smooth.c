@@ -1,7 +1,11 @@
 /* smooth.c -- the smoother of one level at work: with unknowns held, and as a PC. */
 #include <mortise/compat.h>
 #include "apart.h"
+#include "components.h"
 #include "smoother.h"
+
+/* Nodes that each node of a line is coupled to, itself included. */
+enum { LINE = 3 };
 
 PetscErrorCode SmootherHold(Mat from, Mat change, PetscInt num, const PetscInt held[], Mat *S)
 {
@@ -39,11 +43,53 @@ PetscErrorCode SmootherScale(Mat S, PetscReal factor)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Bundles that ranks cut are solved for by one of them. */
+static PetscErrorCode DealOut_Private(PC pc, Mat S)
+{
+  IS rows;
+
+  PetscFunctionBeginUser;
+  PetscCall(PCSetType(pc, PCASM));
+  PetscCall(PCASMSetType(pc, PC_ASM_BASIC));
+  PetscCall(PCASMSetOverlap(pc, 0));
+  PetscCall(ComponentsGather(S, &rows));
+  PetscCall(PCASMSetLocalSubdomains(pc, 1, &rows, &rows));
+  PetscCall(ISDestroy(&rows));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Lines have factors as sparse as themselves; those of planes have dense parts, which is what CHOLMOD is fast with. */
+static PetscErrorCode ConfigureFactor_Private(KSP ksp)
+{
+  PetscInt  N, bs;
+  PetscBool available;
+  MatInfo   info;
+  Mat       S;
+  PC        pc;
+
+  PetscFunctionBeginUser;
+  PetscCall(KSPGetOperators(ksp, NULL, &S));
+  PetscCall(KSPSetType(ksp, KSPPREONLY));
+  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(PCSetType(pc, PCCHOLESKY));
+  PetscCall(MatGetSize(S, &N, NULL));
+  PetscCall(MatGetBlockSize(S, &bs));
+  PetscCall(MatGetInfo(S, MAT_LOCAL, &info));
+  PetscCall(MatGetFactorAvailable(S, MATSOLVERCHOLMOD, MAT_FACTOR_CHOLESKY, &available));
+  if (available && info.nz_used > LINE * bs * (PetscReal)N) {
+    PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERCHOLMOD));
+    PetscCall(PCFactorSetMatOrderingType(pc, MATORDERINGEXTERNAL));
+  } else {
+    PetscCall(PCFactorSetMatOrderingType(pc, MATORDERINGQMD));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SmootherSetPC(PC pc, Mat S)
 {
-  PetscBool apart = PETSC_FALSE;
-  KSP      *own;
-  PC        inner;
+  PetscMPIInt size;
+  PetscBool   apart = PETSC_FALSE;
+  KSP        *own;
 
   PetscFunctionBeginUser;
   if (S) PetscCall(ApartIs(S, &apart));
@@ -51,12 +97,35 @@ PetscErrorCode SmootherSetPC(PC pc, Mat S)
     PetscCall(PCSetType(pc, apart ? PCMAT : PCJACOBI));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  PetscCall(PCSetType(pc, PCBJACOBI));
-  PetscCall(PCSetUp(pc));
-  PetscCall(PCBJacobiGetSubKSP(pc, NULL, NULL, &own));
-  PetscCall(KSPSetType(own[0], KSPPREONLY));
-  PetscCall(KSPGetPC(own[0], &inner));
-  PetscCall(PCSetType(inner, PCCHOLESKY));
-  PetscCall(PCFactorSetMatOrderingType(inner, MATORDERINGND));
+  PetscCallMPI(MPI_Comm_size(PetscObjectComm((PetscObject)S), &size));
+  if (size > 1) {
+    PetscCall(DealOut_Private(pc, S));
+    PetscCall(PCSetUp(pc));
+    PetscCall(PCASMGetSubKSP(pc, NULL, NULL, &own));
+  } else {
+    PetscCall(PCSetType(pc, PCBJACOBI));
+    PetscCall(PCSetUp(pc));
+    PetscCall(PCBJacobiGetSubKSP(pc, NULL, NULL, &own));
+  }
+  PetscCall(ConfigureFactor_Private(own[0]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SmootherRenew(PC pc)
+{
+  Mat       A, S;
+  PetscBool dealt;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCASM, &dealt));
+  if (!dealt) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PCGetOperators(pc, &A, &S));
+  PetscCall(PetscObjectReference((PetscObject)A));
+  PetscCall(PetscObjectReference((PetscObject)S));
+  PetscCall(PCReset(pc));
+  PetscCall(PCSetOperators(pc, A, S));
+  PetscCall(SmootherSetPC(pc, S));
+  PetscCall(MatDestroy(&A));
+  PetscCall(MatDestroy(&S));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
