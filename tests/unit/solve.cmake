@@ -6,4 +6,5 @@ mortise_unit(dissection ROOMS base kernel scene mesh contact problem solve RANKS
 mortise_unit(residual ROOMS base kernel scene mesh contact problem solve RANKS 1 3)
 mortise_unit(aggregate ROOMS base kernel scene mesh contact problem solve RANKS 1 3)
 mortise_unit(multigrid ROOMS base kernel scene mesh contact problem solve RANKS 1 3)
+mortise_unit(bundles ROOMS base kernel scene mesh contact problem solve RANKS 1 3)
 mortise_unit(smoother ROOMS base kernel scene mesh contact problem solve RANKS 1 3)

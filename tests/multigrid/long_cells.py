@@ -1,0 +1,12 @@
+"""Cells that are short in two directions and long in the third cost no more iterations than cubes, on any number of ranks: planes of nodes are
+smoothed as a whole, also where ranks cut them."""
+from judge import LONG, require
+
+MOST = 15  # iterations of CG for all active sets together; 50 with lines in place of planes
+RANKS = (1, 2, 4, 8) if LONG else (1, 3)
+
+
+def judge(run):
+    counts = [run.again(ranks=ranks, name=f"ranks{ranks}").summary["solver"]["linear_iterations"] for ranks in RANKS]
+    require(max(counts) <= MOST, f"{counts} iterations on {RANKS} ranks")
+    require(max(counts) - min(counts) <= 1, f"{counts} iterations on {RANKS} ranks")
