@@ -2,6 +2,7 @@
 import collections
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -66,8 +67,23 @@ EQUAL = [("plates", "72:56"), ("blocks", "20:16"), ("tets", "17:13"), ("hertz3d"
 # Where the second solver is asked, too.
 CROSS = [("plates", "288:224"), ("plates", "576:448"), ("squares", "512:512"), ("blocks", "20:16"), ("blocks", "40:32"), ("blocks", "60:48"),
          ("tets", "17:13"), ("hertz2d", "refined 3"), ("hertz3d", "refined 1")]
+# Tetrahedra as a mesh generator makes them: order and size of cells of ball.geo, unknowns (about), and whether factorising is bearable.
+BALL = [(1, 0.53, 2e4, True), (1, 0.34, 6e4, True), (1, 0.22, 2e5, False), (2, 0.7, 7e4, True)]
 # A smooth exact solution, for error against cost.
 EXACT = (option("manufactured_full.opts"), boxes((4, 4), (6, 6), 0))
+
+
+def mesh_ball(folder, order, size):
+    """Has Gmsh mesh ball.geo; returns the scene and the options that name the files, or None where there is no Gmsh."""
+    gmsh, options = shutil.which("gmsh"), ["-order", str(order)]
+    if not gmsh:
+        return None
+    for number, body in enumerate(("ball", "block"), 1):
+        file = os.path.join(folder, f"{body}.msh")
+        subprocess.run([gmsh, "-3", "-v", "1", "-order", str(order), "-format", "msh41", "-setnumber", "body", str(number), "-setnumber", "size", str(size),
+                        os.path.join(HERE, "ball.geo"), "-o", file], check=True, stdout=subprocess.DEVNULL)
+        options += [f"-{body}_dm_plex_filename", file]
+    return os.path.join(HERE, "ball.opts"), options
 
 
 def size_of(scene, name):

@@ -91,6 +91,13 @@ def cross_table(found):
                               f"{row['difference']:.1e}", row["active"]] for row in found["cross"]])
 
 
+def files_table(found):
+    """Of runs that were measured before there was this part, nothing."""
+    rows = [[f"{row['order']}, {row['solver']}", row["unknowns"], row["steps"], number(row["iterations"]), number(row["work"]), number(row["cpu"], 2),
+             number(row["megabytes"])] for row in found.get("files", [])]
+    return markdown(["ball on block, Gmsh tetrahedra: order, solver", "unknowns", "steps", "CG", "work units", "CPU s", "MB"], rows) if rows else ""
+
+
 class Verdicts:
     """Figures, what they are to be, and whether they are."""
 
@@ -157,5 +164,5 @@ def sections(found):
     return {
         "figures": origin(found) + "\n" + verdicts(found),
         "tables": "\n".join([origin(found), verdicts(found), cost_table(found), growth_lines(found) + PICTURES, rank_table(found), cross_table(found),
-                             accuracy_table(found)]),
+                             accuracy_table(found), files_table(found)]),
     }

@@ -4,7 +4,7 @@
     python3 tests/bench/scaling.py build/mortise --output build/scaling                  everything: some ten minutes on an idle machine
     python3 tests/bench/scaling.py build/mortise --output build/scaling --quick          up to 3e5 unknowns in the plane, once: two minutes
     python3 tests/bench/scaling.py --output build/scaling --again                        tables and charts of what was measured before
-        [--scenes plates,blocks] [--largest 3e5] [--runs 3] [--parts cost,ranks,cross,accuracy] [--readme tests/bench/README.md ...] [-- option of mortise ...]
+        [--scenes plates,blocks] [--largest 3e5] [--runs 3] [--parts cost,ranks,cross,accuracy,files] [--readme tests/bench/README.md ...] [-- option of mortise ...]
 
 Whole program, no output files, one thread for each process. Runs are interleaved: every case once, then every case again, so that a
 machine that changes its speed does it to all of them; figures are medians of --runs runs, of cases beyond 4e5 unknowns of one. CPU seconds and memory
@@ -23,12 +23,13 @@ import platform
 import re
 import statistics
 import sys
+import tempfile
 
-from cases import CROSS, EQUAL, EXACT, SCENES, SOLVER, SPEED, knows, run_once, size_of, unknowns
+from cases import BALL, CROSS, EQUAL, EXACT, SCENES, SOLVER, SPEED, knows, mesh_ball, run_once, size_of, unknowns
 from charts import draw
 from figures import STAGES, sections
 
-PARTS = ["cost", "ranks", "cross", "accuracy"]
+PARTS = ["cost", "ranks", "cross", "accuracy", "files"]
 ONCE_FROM = 4e5  # unknowns from which a case is run once
 STOP = ["-stop", "discretisation"]
 
@@ -109,6 +110,27 @@ class Bench:
                 say(f"study with {words} solver: {done[0]:.2f} s")
                 rows += [{"order": run["order"], "solver": words, "unknowns": run["unknowns"], "error": run["energy_error_relative"],
                           "cpu": run["seconds_processor"], "megabytes": run["peak_bytes"] / 2**20} for run in done[2]["study"]["runs"]]
+        return rows
+
+    def files(self):
+        rows = []
+        for order, size, about, factored in BALL:
+            if about > self.arguments.largest or (self.arguments.quick and about > 1e5):
+                continue
+            with tempfile.TemporaryDirectory() as folder:
+                scene = mesh_ball(folder, order, size)
+                if not scene:
+                    say("no Gmsh: nothing is said of meshes from files")
+                    break
+                for solver, words in (("truncatedmg", "multigrid"), ("cholesky", "direct"))[: 2 if factored else 1]:
+                    options = scene[1] + ["-pc_type", solver] + self.arguments.rest
+                    results = [done for done in (run_once(self.arguments.program, scene[0], options) for _ in range(self.arguments.runs)) if done]
+                    if results:
+                        found = results[0][2]["solver"]
+                        rows.append({"order": order, "solver": words, "unknowns": unknowns(results[0][2]), "steps": found["iterations"],
+                                     "iterations": found["linear_iterations"] if solver == SOLVER[1] else None, "work": found["work_units"] or None,
+                                     "cpu": statistics.median(run[0] for run in results), "megabytes": statistics.median(run[1] for run in results)})
+                        say(f"ball on block of order {order}, {rows[-1]['unknowns']} unknowns, {words}: {rows[-1]['cpu']:.2f} s")
         return rows
 
 
