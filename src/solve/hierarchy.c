@@ -6,6 +6,7 @@
 #include <mortise/compat.h>
 #include <mortise/elasticity.h>
 #include "algebraic.h"
+#include "apart.h"
 #include "eigenvalue.h"
 #include "hierarchy.h"
 
@@ -194,6 +195,25 @@ static PetscErrorCode CreateCoarse_Private(VI fine, PetscInt l, PetscBool same, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* What one level is smoothed with. Tetrahedra as a mesh generator makes them have long cells here and there, but no lines of them worth solving
+   for: that would cost several times what all else does. */
+static PetscErrorCode CreateSmoother_Private(VI vi, Mat *S)
+{
+  const PetscInt  levels = vi->mesh->num_levels;
+  const PetscBool finest = (PetscBool)(vi->level == &vi->mesh->levels[levels - 1]);
+  PetscBool       lines  = (PetscBool)(levels > 1);
+
+  PetscFunctionBeginUser;
+  for (PetscInt c = 0; c < vi->level->num_cells && !lines; c++)
+    lines = (PetscBool)(ElementLinear((ElementType)vi->level->cell_type[c]) != ELEMENT_TET4);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &lines, 1, MPIU_BOOL, MPI_LOR, vi->level->comm));
+  if (lines)
+    PetscCall(SmootherCreate(vi, finest, S));
+  else if (vi->T)
+    PetscCall(ApartCreate(vi, S));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* A level and what belongs to it alone. [in] coarsest - whether it is to be factored */
 static PetscErrorCode GridBegin_Private(Grid *grid, PetscBool coarsest)
 {
@@ -207,9 +227,7 @@ static PetscErrorCode GridBegin_Private(Grid *grid, PetscBool coarsest)
   PetscCall(MatGetInfo(grid->vi->K, MAT_GLOBAL_SUM, &info));
   grid->share = info.nz_used;
   if (coarsest) PetscFunctionReturn(PETSC_SUCCESS);
-  if (grid->vi->level)
-    PetscCall(SmootherCreate(
-        grid->vi, (PetscBool)(grid->vi->level == &grid->vi->mesh->levels[grid->vi->mesh->num_levels - 1]), &grid->S));
+  if (grid->vi->level) PetscCall(CreateSmoother_Private(grid->vi, &grid->S));
   PetscCall(EigenvalueLargest(grid->A, grid->S, NULL, &grid->largest));
   if (!grid->S) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SmootherScale(grid->S, grid->largest)); // so that S >= A, also after the same change of both
