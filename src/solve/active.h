@@ -76,9 +76,10 @@ struct _n_ActiveSolver {
   PetscBool        inexact;  /* whether less accuracy costs less */
   PetscBool        factored; /* whether by a factorisation */
   /* where the error, not the residual, says when to stop: squares of |y - y*|_A */
-  PetscReal enough; /* part of the first one that is small enough, or 0 */
-  PetscReal gained; /* before the first solve */
-  PetscReal first;  /* with that, of what the first solve began with; 0 before it */
+  PetscReal enough;  /* part of the first one that is small enough, or 0 */
+  PetscReal gained;  /* before the first solve */
+  PetscBool patient; /* no iterate is to be looked at before */
+  PetscReal first;   /* with that, of what the first solve began with; 0 before it */
   /* asked by an inexact solver that has reached its target, of an iterate: whether that set is still worth more digits. Then it lowers the target,
      and the solver goes on. NULL where nobody minds. [in] pdas - who asks it */
   PetscErrorCode (*holds)(ActiveSolver, const ActiveSolution *iterate, PetscBool *holds);

@@ -122,7 +122,7 @@ static PetscErrorCode Due_Private(ActiveSolver solver, PetscInt it, PetscReal no
       *enough = (PetscBool)(square <= solver->enough * solver->first);
     else
       solver->first = solver->gained + square; // all that a first cycle tells is what it began with
-    *due = PETSC_TRUE;
+    *due = (PetscBool)(*enough || !solver->patient);
   } else {
     *due = (PetscBool)(norm <= t->limit);
     if (*due && last && t->reference > 0) PetscCall(Settled_Private(t, due));

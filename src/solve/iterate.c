@@ -48,8 +48,8 @@ PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r)
 
 /* How exact the solution of an inexact solver is when it is first looked at, and how much more so each time that it says nothing against the set. */
 static const PetscReal LOOSE = 1e-2, TIGHTER = 0.03;
-/* Steps in which a set comes to rest; one that is not there by then may have been led astray by inexact systems. */
-static const PetscInt SEVERAL = 8;
+/* A step that changes more than this part of what the one before did may have been led astray by too inexact a system. */
+static const PetscReal FEWER = 0.7;
 
 /* Whether the present set was solved for before; remembers it. */
 static PetscErrorCode Seen_Private(PDAS *pdas, const ActiveSet *set, PetscBool *seen)
@@ -122,8 +122,17 @@ static PetscErrorCode Follow_Private(PDAS *pdas, ActiveSet *set, ActiveSolver so
   }
   solver->holds   = NULL;
   pdas->converged = (PetscBool)(!*changed && !solution->failure);
-  if (pdas->iterations >= SEVERAL) pdas->target = PetscMax(solver->rtol, TIGHTER * pdas->target);
+  if (pdas->iterations > 0 && (PetscReal)*changed > FEWER * (PetscReal)pdas->changed[pdas->iterations - 1]) {
+    pdas->target    = PetscMax(solver->rtol, TIGHTER * pdas->target);
+    solver->patient = PETSC_TRUE;
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether sets have been changed before all digits were there. */
+static PetscBool Hasty_Private(const PDAS *pdas, ActiveSolver solver)
+{
+  return (PetscBool)(pdas->target > solver->rtol || (solver->enough > 0 && !solver->patient));
 }
 
 /* One step: the active set's, or one of the safeguard, which takes over where a set comes back. */
@@ -138,11 +147,12 @@ static PetscErrorCode Step_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solv
   solution->iterations = 0;
   if (!guard->on) {
     PetscCall(Seen_Private(pdas, set, &seen));
-    if (seen && pdas->target > solver->rtol) { // for want of digits it may be; no set was solved for to all of them
-      pdas->target   = solver->rtol;
-      pdas->seen[0]  = pdas->seen[pdas->num_seen - 1];
-      pdas->num_seen = 1;
-      seen           = PETSC_FALSE;
+    if (seen && Hasty_Private(pdas, solver)) { // for want of digits it may be; no set was solved for to all of them
+      pdas->target    = solver->rtol;
+      solver->patient = PETSC_TRUE;
+      pdas->seen[0]   = pdas->seen[pdas->num_seen - 1];
+      pdas->num_seen  = 1;
+      seen            = PETSC_FALSE;
     }
     if (seen || pdas->num_seen > MANY_STEPS) {
       pdas->safeguarded = PETSC_TRUE;
@@ -187,7 +197,8 @@ PetscErrorCode PDASIterate(SNES snes, PDAS *pdas, ActiveSet *set, ActiveSolver s
 
   PetscFunctionBeginUser;
   PetscCall(ActiveSolutionCreate(set, &solution));
-  pdas->target = solver->inexact ? PetscMax(LOOSE, solver->rtol) : solver->rtol;
+  solver->patient = PETSC_FALSE;
+  pdas->target    = solver->inexact ? PetscMax(LOOSE, solver->rtol) : solver->rtol;
   while (!pdas->converged && !solution.failure && pdas->iterations < pdas->max_it) {
     PetscCall(Step_Private(pdas, set, solver, &guard, &solution, &changed, &violation));
     if (solution.failure) PetscCall(Rescue_Private(pdas, set, &solution, &changed));
