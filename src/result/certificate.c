@@ -303,9 +303,10 @@ static void Judge_Private(Fields fields, const PetscReal sums[], const PetscReal
   c->pair_moment = Ratio_Private(Norm_Private(3, &sums[SUM_PAIRMOMENT]), sums[SUM_SIZES + 1], sums[SUM_SIZES + 3]);
 }
 
-/* The first test that does not hold, as a sentence. A NAN holds nothing. */
-static PetscErrorCode Verdict_Private(Certificate *c)
+/* The first test that does not hold, as a sentence. A NAN holds nothing. [in] stopped - whether at the discretisation error */
+static PetscErrorCode Verdict_Private(PetscBool stopped, Certificate *c)
 {
+  static const char coarse[] = "the mesh is too coarse to stop at its error, leave -stop discretisation away";
   static const char solver[] = "tighten -ksp_rtol, or leave -ksp_type and -pc_type to their defaults";
   static const char mesh[]   = "look at the cells of that side, or turn -<pair>_nonmortar and -<pair>_mortar round";
   static const char set[]    = "raise -snes_max_it, tighten -ksp_rtol, or see what -cross_check says";
@@ -331,7 +332,7 @@ static PetscErrorCode Verdict_Private(Certificate *c)
     c->holds = PETSC_FALSE;
     PetscCall(PetscSNPrintf(c->failure, sizeof(c->failure),
                             "the certificate fails: %s is off by %.2g, allowed %.0e; %s", tests[i].name,
-                            (double)tests[i].value, (double)c->limit, tests[i].advice));
+                            (double)tests[i].value, (double)c->limit, stopped ? coarse : tests[i].advice));
   }
   if (c->weightless && c->holds) {
     c->holds = PETSC_FALSE;
@@ -347,7 +348,8 @@ static PetscErrorCode Verdict_Private(Certificate *c)
 PetscErrorCode CertificateCompute(Fields fields, Certificate *certificate, Vec *reactions)
 {
   const MPI_Comm  comm            = fields->vi->level->comm;
-  const PetscReal limit           = fields->vi->scene->stop == STOP_DISCRETISATION ? STOPPED_TOLERANCE : TOLERANCE;
+  const PetscBool stopped         = (PetscBool)(fields->vi->scene->stop == STOP_DISCRETISATION);
+  const PetscReal limit           = stopped ? STOPPED_TOLERANCE : TOLERANCE;
   PetscReal       sums[SUM_COUNT] = {0}, largest[MAX_COUNT] = {0}, size[2] = {0, 0};
 
   PetscFunctionBeginUser;
@@ -380,7 +382,7 @@ PetscErrorCode CertificateCompute(Fields fields, Certificate *certificate, Vec *
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, SUM_COUNT, MPIU_REAL, MPI_SUM, comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, MAX_COUNT, MPIU_REAL, MPI_MAX, comm));
   Judge_Private(fields, sums, largest, certificate);
-  PetscCall(Verdict_Private(certificate));
+  PetscCall(Verdict_Private(stopped, certificate));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
