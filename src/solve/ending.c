@@ -10,10 +10,11 @@
 
 /* The first look comes a little late, since a KSP has its own way to measure residuals; later ones know how these compare. */
 static const PetscReal FURTHER = 0.5, A_LITTLE = 0.9;
-/* An iterate whose residual is more than this part of that of the last look: recursions go on, digits do not. */
-static const PetscReal STALLED = 0.5;
+/* Where the KSP's residual has become so much smaller since the last look, and the true one has not even halved, recursions go on and digits do
+   not. */
+static const PetscReal MUCH_SMALLER = 0.1, STALLED = 0.5;
 /* Of rtol, for the energy: what is said of it is an estimate. */
-static const PetscReal PART = 0.2;
+static const PetscReal PART = 0.02;
 
 PetscErrorCode TruncatedRitz(Truncated *t)
 {
@@ -157,9 +158,10 @@ static PetscErrorCode Consider_Private(ActiveSolver solver, PetscReal norm, Pets
     if (holds && solver->target <= solver->rtol) PetscCall(Measure_Private(solver));
   }
   *stop = t->done = (PetscBool)(good && !holds);
-  if (!good) {
+  if (!good && norm <= MUCH_SMALLER * t->norm) {
     *stop     = (PetscBool)(solution->eta > STALLED * t->before);
     t->before = solution->eta;
+    t->norm   = norm;
   }
   t->limit = A_LITTLE * norm * PetscMin(1, solver->target / solution->eta);
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -221,8 +223,8 @@ PetscErrorCode EndingBegin(ActiveSolver solver, PetscReal first, ActiveSolution 
   t->solution  = solution;
   t->limit     = FURTHER * solver->target * norm;
   if (solver->target <= solver->rtol) t->limit = PetscMin(t->limit, t->rtol * norm);
-  t->before = PETSC_MAX_REAL;
-  t->done   = PETSC_FALSE;
+  t->before = t->norm = PETSC_MAX_REAL;
+  t->done             = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

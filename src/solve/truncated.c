@@ -12,6 +12,8 @@
 /* Solves on the residual after the first: each gains the digits of one solve; what does not get there in so many will
    not. */
 static const PetscInt MAX_REFINEMENTS = 8;
+/* After so many what conjugate gradients take for the residual has come away from it: they begin again with the true one. */
+static const PetscInt MANY_ITERATIONS = 50;
 /* A solve that leaves more than this part of the residual is no progress. */
 static const PetscReal STALLED = 0.5;
 /* M, the last solution emptied where fixed as first guess d, and y = v. */
@@ -163,7 +165,7 @@ static PetscErrorCode Call_Private(ActiveSolver solver, PetscInt k, PetscReal fi
   if (solution->failure) PetscFunctionReturn(PETSC_SUCCESS);
   if (t->asked) {
     PetscCall(EndingFinish(solver));
-    *done = t->done;
+    *done = (PetscBool)(t->done && (k || solution->iterations <= MANY_ITERATIONS));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(VecPointwiseMult(t->d, t->d, t->free)); /* a preconditioner may have leaked into fixed unknowns */

@@ -27,7 +27,8 @@ typedef struct {
   PetscReal       reference; /* what the residual is to be small beside in the end, 0 as long as that is not known */
   PetscReal       energy;    /* what the square of the error is to come below in the end */
   PetscReal       limit;     /* residual in the KSP's norm at which an iterate is worth a look */
-  PetscReal       before;    /* eta of the last one that was not good enough */
+  PetscReal       before;    /* eta of one that was not good enough, */
+  PetscReal       norm;      /* and its residual in the KSP's norm */
   PetscBool       done;      /* the last one was */
 } Truncated;
 
