@@ -22,10 +22,6 @@ static const char CONTEXT[] = "MortiseMultigrid"; /* name under which the contex
 enum { SMOOTHING_STEPS = 3 };
 static const PetscReal SMOOTHED_FROM = 0.07;
 
-/* In iterations that take so long r'z goes up and down by factors of a hundred: what counts is how high it has been of late. */
-enum { MANY_CYCLES = 20 };
-static const PetscReal FADING = 0.7;
-
 typedef struct {
   Hierarchy  hierarchy; /* borrowed */
   PetscInt   num;       /* levels */
@@ -36,9 +32,7 @@ typedef struct {
   IS         left; /* unknowns that snes leaves, or NULL */
   VecScatter scatter;
   Vec        r, z;    /* on all unknowns */
-  PetscInt   cycles;  /* since MultigridWatch() */
-  PetscReal  seen[2]; /* r'z of the last two of them */
-  PetscReal  peak;    /* and the largest of the last ones */
+  PetscReal  seen[2]; /* r'z of the last two cycles since MultigridWatch() */
 } Multigrid;
 
 static PetscErrorCode Get_Private(PC pc, Multigrid **multigrid)
@@ -132,8 +126,6 @@ PetscErrorCode MultigridWatch(PC pc)
   PetscFunctionBeginUser;
   PetscCall(Get_Private(pc, &multigrid));
   multigrid->seen[0] = multigrid->seen[1] = PETSC_MAX_REAL;
-  multigrid->cycles                       = 0;
-  multigrid->peak                         = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -145,7 +137,6 @@ PetscErrorCode MultigridGetError(PC pc, PetscReal *square)
   PetscCall(Get_Private(pc, &multigrid));
   *square = multigrid->seen[1] * PetscMin(multigrid->seen[1] / multigrid->seen[0], 1);
   if (multigrid->seen[0] == PETSC_MAX_REAL) *square = multigrid->seen[1];
-  if (multigrid->cycles > MANY_CYCLES) *square = multigrid->peak;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -323,8 +314,6 @@ static PetscErrorCode Apply_Multigrid(PC pc, Vec r, Vec z)
     PetscCall(VecDot(r, z, &work));
     multigrid->seen[0] = multigrid->seen[1];
     multigrid->seen[1] = PetscRealPart(work);
-    multigrid->peak    = PetscMax(multigrid->seen[1], FADING * multigrid->peak);
-    multigrid->cycles++;
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(VecZeroEntries(multigrid->r));
