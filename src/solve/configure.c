@@ -67,12 +67,27 @@ static PetscErrorCode ConvergedFn(SNES snes, PetscInt it, PetscReal xnorm, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* PETSc takes any number for the most iterations, and neither method ends well after none. */
+static PetscErrorCode CheckLimits_Private(SNES snes, const char prefix[])
+{
+  const MPI_Comm comm = PetscObjectComm((PetscObject)snes);
+  KSP            ksp;
+  PetscInt       max_it;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESGetTolerances(snes, NULL, NULL, NULL, &max_it, NULL));
+  if (max_it < 1) PetscCall(FaultRaise(comm, "-%ssnes_max_it %" PetscInt_FMT ": must be at least 1", prefix, max_it));
+  PetscCall(SNESGetKSP(snes, &ksp));
+  PetscCall(KSPGetTolerances(ksp, NULL, NULL, NULL, &max_it));
+  if (max_it < 1) PetscCall(FaultRaise(comm, "-%sksp_max_it %" PetscInt_FMT ": must be at least 1", prefix, max_it));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, Vec scratch, PetscReal *norm, SNES *snes)
 {
   const PetscBool multigrid = (PetscBool)!strcmp(choice->pc, PCTRUNCATEDMG);
   KSP             ksp;
   PC              pc;
-  PetscInt        max_it;
 
   PetscFunctionBeginUser;
   PetscCall(SNESCreate(PetscObjectComm((PetscObject)vi->A), snes));
@@ -102,11 +117,7 @@ PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, Vec scratch, Pet
     PetscCall(SNESSetConvergenceTest(*snes, ConvergedFn, norm, NULL));
   }
   PetscCall(SNESSetFromOptions(*snes));
-  PetscCall(SNESGetTolerances(*snes, NULL, NULL, NULL, &max_it, NULL));
-  if (max_it < 1) {
-    PetscCall(FaultRaise(PetscObjectComm((PetscObject)vi->A), "-%ssnes_max_it %" PetscInt_FMT ": must be at least 1",
-                         choice->prefix, max_it));
-  }
+  PetscCall(CheckLimits_Private(*snes, choice->prefix));
   PetscCall(SNESVISetVariableBounds(*snes, vi->lower, vi->upper)); /* pdas keeps them itself, so not before the type */
   PetscFunctionReturn(PETSC_SUCCESS);
 }
