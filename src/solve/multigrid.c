@@ -9,7 +9,8 @@
    PCMG cycles; here is what it works with. The type rides on PCSHELL, with public headers.
 
    References: [1] Kornhuber, Monotone multigrid methods for elliptic variational inequalities I, 1994; Graeser, Kornhuber,
-               Multigrid methods for obstacle problems, 2009. */
+               Multigrid methods for obstacle problems, 2009. [2] Bramble, Pasciak, New convergence estimates for multigrid
+               algorithms, 1987: the variable V-cycle. */
 #include <mortise/compat.h>
 #include <mortise/fault.h>
 #include "excerpt.h"
@@ -18,7 +19,8 @@
 
 static const char CONTEXT[] = "MortiseMultigrid"; /* name under which the context is composed */
 
-/* Steps of the smoother, and the part of the spectrum that it is for. */
+/* Steps of the smoother on the two finest levels, and the part of the spectrum that it is for. Each coarser level has one step more than the one
+   above it: next to nothing beside the finest ones' steps, and iterations do not grow with the number of levels [2]. */
 enum { SMOOTHING_STEPS = 3 };
 static const PetscReal SMOOTHED_FROM = 0.07;
 
@@ -190,7 +192,8 @@ static PetscErrorCode Configure_Private(PC pc, Multigrid *multigrid)
     PetscCall(KSPSetType(ksp, KSPCHEBYSHEV));
     PetscCall(SetOperators_Private(ksp, &multigrid->rung[l]));
     PetscCall(KSPSetNormType(ksp, KSP_NORM_NONE));
-    PetscCall(KSPSetTolerances(ksp, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, SMOOTHING_STEPS));
+    PetscCall(KSPSetTolerances(ksp, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT,
+                               SMOOTHING_STEPS + PetscMax(multigrid->num - 2 - l, 0)));
     PetscCall(KSPGetPC(ksp, &inner));
     PetscCall(SmootherSetPC(inner, multigrid->rung[l].S));
     PetscCall(KSPSetFromOptions(ksp));

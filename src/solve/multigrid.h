@@ -7,7 +7,7 @@
 
 #define PCTRUNCATEDMG "truncatedmg"
 
-/* Registers the type. Not collective. Options: those of PCMG behind the prefix of the PC, -mg_levels_ksp_max_it <3> ... */
+/* Registers the type. Not collective. Options: those of PCMG behind the prefix of the PC, -mg_levels_ksp_max_it <3, more on coarse levels> ... */
 PetscErrorCode MultigridRegister(void);
 /* The levels that a PC of this type works on; nothing for other types. Collective.
    [in] hierarchy - borrowed; [in] finest - level that the PC's vectors belong to; [in] snes - borrowed: of the type `vinewtonrsls`
