@@ -28,7 +28,7 @@ def draw(found, folder):
 
 def cost_chart(plt, found, scenes, finish):
     growth = {name: (least, most, exponent) for name, least, most, exponent in exponents(found)}
-    figure, (cost, ratio) = plt.subplots(1, 2, figsize=(11, 4.5))
+    figure, (cost, ratio) = plt.subplots(1, 2, figsize=(13, 4.5))
     for colour, (name, rows) in enumerate(scenes.items()):
         size = [row["unknowns"] for row in rows]
         label = SCENES[name].words + (f", to the {growth[name][2]:.2f}" if name in growth else "")
@@ -42,12 +42,12 @@ def cost_chart(plt, found, scenes, finish):
                 scale *= (seconds / n**exponent) ** (1 / len(middle))
             cost.loglog([least, most], [scale * least**exponent, scale * most**exponent], "-", color=f"C{colour}")
         measured = [row for row in rows if row["ratio"]]
-        ratio.semilogx([row["unknowns"] for row in measured], [row["ratio"] for row in measured], "o-", color=f"C{colour}", label=SCENES[name].words)
+        ratio.semilogx([row["unknowns"] for row in measured], [row["ratio"] for row in measured], "o-", color=f"C{colour}")
     cost.set(xlabel="unknowns", ylabel="CPU seconds, whole program")
     ratio.set(xlabel="unknowns", ylabel="contact solve / one linear solve", ylim=(0, None))
     for axes in (cost, ratio):
         axes.grid(True, which="both", alpha=0.3)
-        axes.legend(fontsize=8)
+    ratio.legend(*cost.get_legend_handles_labels(), fontsize=8, loc="center left", bbox_to_anchor=(1, 0.5), title="time grows as size")
     finish(figure, "cost.svg")
 
 
