@@ -173,6 +173,27 @@ static PetscErrorCode ConfigureCoarsest_Private(KSP ksp)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* What the user says of a smoother: how it iterates, but not with what, of which it knows the eigenvalues. */
+static PetscErrorCode SmootherFromOptions_Private(KSP ksp, PC pc)
+{
+  PCType    type;
+  char      own[64];
+  PetscBool same;
+
+  PetscFunctionBeginUser;
+  PetscCall(PCGetType(pc, &type));
+  PetscCall(PetscStrncpy(own, type, sizeof(own)));
+  PetscCall(KSPSetFromOptions(ksp));
+  PetscCall(PetscObjectTypeCompare((PetscObject)pc, own, &same));
+  PetscCall(PCGetType(pc, &type));
+  if (!same) {
+    PetscCall(FaultRaise(PetscObjectComm((PetscObject)ksp),
+                         "-mg_levels_pc_type %s: smoothing is with what the level asks for, here %s; leave it away",
+                         type, own));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Smoothers, transfers, the coarsest solver, and what the user says of them. */
 static PetscErrorCode Configure_Private(PC pc, Multigrid *multigrid)
 {
@@ -196,7 +217,7 @@ static PetscErrorCode Configure_Private(PC pc, Multigrid *multigrid)
                                SMOOTHING_STEPS + PetscMax(multigrid->num - 2 - l, 0)));
     PetscCall(KSPGetPC(ksp, &inner));
     PetscCall(SmootherSetPC(inner, multigrid->rung[l].S));
-    PetscCall(KSPSetFromOptions(ksp));
+    PetscCall(SmootherFromOptions_Private(ksp, inner));
   }
   PetscCall(PCMGGetCoarseSolve(multigrid->mg, &ksp));
   PetscCall(ConfigureCoarsest_Private(ksp));
