@@ -73,7 +73,7 @@ mistake(boolean             SAYS "-cross_check perhaps" yes no ARGS -cross_check
 mistake(solver_untold       SAYS "-pc_type truncatedmg" "-snes_type vinewtonssls" pdas ARGS -snes_type vinewtonssls -pc_type truncatedmg -dm_refine 1)
 mistake(solver_unbounded    SAYS "-snes_type newtonls" pdas vinewtonrsls bounds ARGS -snes_type newtonls)
 mistake(solver_steps        SAYS "-snes_max_it 0" "at least 1" ARGS -snes_max_it 0)
-mistake(smoother            SAYS "-mg_levels_pc_type sor" "jacobi" ARGS -mg_levels_pc_type sor -pc_type truncatedmg)
+mistake(smoother            SAYS "-mg_levels_pc_type sor" "leave it away" ARGS -mg_levels_pc_type sor -pc_type truncatedmg)
 mistake(linear_steps        SAYS "-ksp_max_it 0" "at least 1" ARGS -ksp_max_it 0 -pc_type truncatedmg)
 mistake(solver_start        SAYS -snes_pdas_start filled ARGS -snes_pdas_start filled)
 mistake(solver_constant     SAYS -snes_pdas_c ARGS -snes_pdas_c -1)
