@@ -1,4 +1,4 @@
-/* eigenvalue.c -- the largest eigenvalue by a few steps of CG. */
+/* eigenvalue.c -- eigenvalues as a few steps of CG see them. */
 #include <mortise/compat.h>
 #include <petscksp.h>
 #include "eigenvalue.h"
@@ -21,9 +21,25 @@ PetscErrorCode EigenvalueSeed(Vec b)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode EigenvalueSeen(KSP ksp, PetscReal *largest, PetscReal *smallest, PetscBool *seen)
+{
+  KSPConvergedReason reason;
+  PetscInt           its;
+
+  PetscFunctionBeginUser;
+  PetscCall(KSPGetIterationNumber(ksp, &its));
+  PetscCall(KSPGetConvergedReason(ksp, &reason));
+  /* PETSc counts a step that broke down, reads of it what was never written, and never ends where it finds no number there */
+  *seen = (PetscBool)(its > 0 && (reason >= 0 || reason == KSP_DIVERGED_ITS) && reason != KSP_CONVERGED_ATOL);
+  if (*seen) PetscCall(KSPComputeExtremeSingularValues(ksp, largest, smallest));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode EigenvalueLargest(Mat A, Mat S, Vec b, PetscReal *largest)
 {
   PetscReal smallest;
+  PetscInt  its;
+  PetscBool seen;
   Vec       seed, x;
   KSP       ksp;
   PC        pc;
@@ -41,8 +57,14 @@ PetscErrorCode EigenvalueLargest(Mat A, Mat S, Vec b, PetscReal *largest)
   PetscCall(KSPSetTolerances(ksp, 0, 0, PETSC_DEFAULT, STEPS));
   PetscCall(KSPSetNormType(ksp, KSP_NORM_NONE));
   PetscCall(KSPSolve(ksp, seed, x));
-  PetscCall(KSPComputeExtremeSingularValues(ksp, largest, &smallest));
-  *largest *= MARGIN;
+  PetscCall(EigenvalueSeen(ksp, largest, &smallest, &seen));
+  if (!seen) { /* nothing is left to see after so many steps, so one less sees all */
+    PetscCall(KSPGetIterationNumber(ksp, &its));
+    PetscCall(KSPSetTolerances(ksp, 0, 0, PETSC_DEFAULT, PetscMax(its - 1, 0)));
+    PetscCall(KSPSolve(ksp, seed, x));
+    PetscCall(EigenvalueSeen(ksp, largest, &smallest, &seen));
+  }
+  *largest = seen ? *largest * MARGIN : 0;
   PetscCall(KSPDestroy(&ksp));
   PetscCall(VecDestroy(&seed));
   PetscCall(VecDestroy(&x));

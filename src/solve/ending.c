@@ -5,6 +5,7 @@
    right (T40). Where the mesh says when to stop, the energy of the error does (T37): cycles of multigrid see it in any iterate's residual,
    |e|_A^2 ~ r'B r, a number that conjugate gradients compute anyway, and the first one is that of what a coarser mesh knows. */
 #include <mortise/compat.h>
+#include "eigenvalue.h"
 #include "multigrid.h"
 #include "truncated.h"
 
@@ -19,11 +20,12 @@ static const PetscReal PART = 0.02;
 PetscErrorCode TruncatedRitz(Truncated *t)
 {
   PetscReal largest, smallest;
+  PetscBool seen;
 
   PetscFunctionBeginUser;
   if (t->direct) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(KSPComputeExtremeSingularValues(t->ksp, &largest, &smallest));
-  if (smallest > 0 && (t->ritz == 0 || smallest < t->ritz)) t->ritz = smallest;
+  PetscCall(EigenvalueSeen(t->ksp, &largest, &smallest, &seen));
+  if (seen && smallest > 0 && (t->ritz == 0 || smallest < t->ritz)) t->ritz = smallest;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -184,7 +186,7 @@ static PetscErrorCode Test_Private(KSP ksp, PetscInt it, PetscReal norm, KSPConv
   PetscCall(Due_Private(solver, it, norm, &due, &enough));
   if (due) PetscCall(Consider_Private(solver, norm, enough, &stop));
   if (stop || norm == 0)
-    *reason = KSP_CONVERGED_ATOL;
+    *reason = KSP_CONVERGED_RTOL;
   else if (it >= max_it)
     *reason = KSP_DIVERGED_ITS;
   PetscFunctionReturn(PETSC_SUCCESS);

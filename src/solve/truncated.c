@@ -128,7 +128,7 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, Acti
   PetscCall(KSPGetIterationNumber(t->ksp, &its));
   solution->iterations += its;
   PetscCall(KSPGetConvergedReason(t->ksp, &reason));
-  if (its > 0) PetscCall(TruncatedRitz(t));
+  PetscCall(TruncatedRitz(t));
   if (reason >= 0) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(FactorCheckMemory(t->ksp));
   PetscCall(PCGetFailedReason(t->pc, &failed));
