@@ -234,6 +234,19 @@ static PetscErrorCode ElementsAllocate_Private(GmshMesh *mesh, PetscInt num)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether the nodes just read are those of the element before, in the same order: an element of several physical groups
+   is listed by format 2.2 once for each of them, one right after the other. */
+static PetscBool ElementIsAgain_Private(const GmshMesh *mesh, const GmshType *type)
+{
+  const PetscInt e = mesh->num_elements, num = type->num_nodes;
+
+  if (e == 0 || mesh->type[e - 1] != type) return PETSC_FALSE;
+  for (PetscInt i = 0; i < num; ++i) {
+    if (mesh->nodes[mesh->start[e] + i] != mesh->nodes[mesh->start[e - 1] + i]) return PETSC_FALSE;
+  }
+  return PETSC_TRUE;
+}
+
 /* The nodes of one element, which is kept unless it is a point. [in] first, end - range of its groups */
 static PetscErrorCode ReadElement_Private(GmshReader *reader, PetscInt64 element, const GmshType *type, size_t bytes,
                                           PetscInt first, PetscInt end)
@@ -258,6 +271,10 @@ static PetscErrorCode ReadElement_Private(GmshReader *reader, PetscInt64 element
     mesh->nodes[mesh->start[e] + (type->place ? type->place[i] : i)] = reader->node[at];
   }
   if (type->dim == 0) PetscFunctionReturn(PETSC_SUCCESS);
+  if (reader->version < 40 && ElementIsAgain_Private(mesh, type)) {
+    mesh->end_group[e - 1] = end; // its groups follow those of the element before
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
   mesh->type[e]        = type;
   mesh->start[e + 1]   = mesh->start[e] + type->num_nodes;
   mesh->first_group[e] = first;

@@ -6,6 +6,9 @@ static const char ClockwiseFile[] = MESHES "/clockwise.msh";
 /* Triangles below, quadrangles above, in four formats. */
 static const char *const RegionFile[] = {MESHES "/two_regions_22.msh", MESHES "/two_regions_22_bin.msh",
                                          MESHES "/two_regions_41.msh", MESHES "/two_regions_41_bin.msh"};
+/* Cells and facets in two physical groups, which format 2.2 lists once for each group. */
+static const char *const GroupFile[] = {MESHES "/two_groups_22.msh", MESHES "/two_groups_22_bin.msh",
+                                        MESHES "/two_groups_41.msh", MESHES "/two_groups_41_bin.msh"};
 
 /* A side's length and the sum of its outward normals. */
 static void CheckSide(TestScene *t, Level *level, PetscInt body, const char side[], PetscReal length, PetscReal nx,
@@ -208,6 +211,27 @@ static void TestRoles(void)
   CHECK(!RolesSwapped(1, 1, 4, 4, 1));  // nothing speaks for a swap
 }
 
+/* A cell in two groups is one cell, in either region and without one, and its edges are those of two cells at most. */
+static void TestGroups(const char file[], const char region[], PetscReal area)
+{
+  TestScene t;
+  Mesh      mesh;
+
+  TestSceneInit(&t);
+  t.scene.refine = 1;
+  TestSceneAddBoundary(TestSceneAddFile(&t, "block", file, region), BOUNDARY_NORMAL, "foot", NULL);
+  TestSceneAddBoundary(&t.bodies[0], BOUNDARY_NORMAL, "left foot", NULL);
+  mesh = TestSceneMesh(&t);
+  for (PetscInt l = 0; l < mesh->num_levels; ++l) {
+    CHECK_NEAR(BodyArea(&mesh->levels[l], 0), area, 1e-14);
+    CheckSide(&t, &mesh->levels[l], 0, "foot", area, 0, -area);
+    CheckSide(&t, &mesh->levels[l], 0, "left foot", 1, 0, -1);
+  }
+  CHECK(t.bodies[0].num_hinges == 0);
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
 int main(int argc, char **argv)
 {
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
@@ -221,6 +245,11 @@ int main(int argc, char **argv)
   TestRegions();
   TestClockwise();
   TestRoles();
+  for (int f = 0; f < 4; ++f) {
+    TestGroups(GroupFile[f], NULL, 2);
+    TestGroups(GroupFile[f], "all", 2);
+    TestGroups(GroupFile[f], "left half", 1);
+  }
   CHECK(!PetscFinalize());
   return 0;
 }
