@@ -163,7 +163,7 @@ static PetscErrorCode UnusedExplain_Private(Scene scene, const Leftover *left, c
     *suggested = (PetscBool) !!near[0];
     if (near[0])
       PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE, "%s: there is no such option; did you mean %s?", shown, near));
-    else if (UnusedBeginsLikePETSc(left->name))
+    else if (UnusedBeginsLikePETSc(left->name) || UnusedMayBeRead_Private(left))
       PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE,
                               "%s: nothing reads this option here: PETSc has none of this name, or the solvers of this "
                               "run do not ask for it; -help lists those that serve",

@@ -36,6 +36,7 @@ mistake(misspelt_of_box     SAYS -third_dm_plex_box_face "-third_dm_plex_box_fac
 mistake(misspelt_of_solver  SAYS "-snes_pdas_strt full" "-snes_pdas_start?" ARGS -snes_pdas_strt full)
 mistake(misspelt_of_petsc   SAYS "-ksp_rtoll 1e-9" "-ksp_rtol?" ARGS -ksp_rtoll 1e-9)
 mistake(idle_of_petsc       SAYS "-snes_linesearch_type bt" "nothing reads" ARGS -snes_linesearch_type bt)
+mistake(idle_behind_prefix  SAYS "-cross_check_pc_type cholesky" "nothing reads" ARGS -cross_check_pc_type cholesky)
 mistake(misspelt_pc         SAYS "-pc_type truncatedgm" "truncatedmg?" ARGS -pc_type truncatedgm)
 mistake(misspelt_snes       SAYS "-snes_type vinewtonrls" "vinewtonrsls?" ARGS -snes_type vinewtonrls)
 mistake(stop_word           SAYS "-stop" "residual, discretisation" ARGS -stop discretization)
