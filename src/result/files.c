@@ -92,6 +92,25 @@ static PetscErrorCode TemporaryName_Private(const char final[], char **name)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether a process is at work. One that was killed keeps its number until somebody has asked for its exit code, which may take a while: a
+   system that tells the states of processes says 'Z' of it. */
+static PetscBool IsAtWork_Private(long process)
+{
+  char        path[64], text[PETSC_MAX_PATH_LEN] = "";
+  const char *state;
+  FILE       *file;
+
+  snprintf(path, sizeof(path), "/proc/%ld/stat", process);
+  file = fopen(path, "r");
+  if (file) {
+    text[fread(text, 1, sizeof(text) - 1, file)] = '\0';
+    (void)fclose(file);
+  }
+  state = strrchr(text, ')'); // the name before may have anything in it
+  if (state && strncmp(state, ") Z", 3) == 0) return PETSC_FALSE;
+  return (PetscBool)(!kill((pid_t)process, 0) || errno != ESRCH);
+}
+
 /* Whether a name is that of a temporary file of `base` whose process is no more. */
 static PetscBool IsLeftover_Private(const char name[], const char base[])
 {
@@ -103,7 +122,7 @@ static PetscBool IsLeftover_Private(const char name[], const char base[])
   name += len + sizeof(PART) - 1;
   if (!isdigit((unsigned char)*name)) return PETSC_FALSE;
   process = strtol(name, &end, 10);
-  return (PetscBool)(!*end && process > 0 && kill((pid_t)process, 0) && errno == ESRCH);
+  return (PetscBool)(!*end && process > 0 && !IsAtWork_Private(process));
 }
 
 /* Removes what killed processes have left of a file. */

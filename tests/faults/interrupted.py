@@ -3,10 +3,11 @@ program could clean up; what kill -9 leaves is gone after the next run."""
 import os
 import random
 import signal
+import subprocess
 import time
 
 from judge import require, same
-from world import children, ended_by, files, finish, parts, require_whole, start, wait_for_writing
+from world import children, ended_by, files, finish, parts, require_whole, start, wait_for_end, wait_for_writing
 
 SETTING_UP = 0.3  # seconds, about the length of the run
 
@@ -43,9 +44,14 @@ def judge(run):
                 same(f"leftovers of a run {ended_by(number)}", parts(run), [])
     for moment in ("writing", "writing", random.uniform(0, SETTING_UP)):
         end(run, signal.SIGKILL, moment, "rank" if run.ranks > 1 else None)
-    (run.folder / "result.h5.part999999999").write_text("left by a process that was killed")
-    (run.folder / "result.h5.partner").write_text("of somebody else")
-    code, _, stderr = finish(start(run, title="last"))
+    stay = ["result.h5.partner", f"result.h5.part{os.getpid()}"]
+    for name in stay:
+        (run.folder / name).write_text("of somebody else, of a process that is at work")
+    with subprocess.Popen(["true"]) as ended:  # nobody asks for its exit code before the end of this block
+        wait_for_end(ended.pid)
+        for number in (999999999, ended.pid):
+            (run.folder / f"result.h5.part{number}").write_text("left by a process that was killed")
+        code, _, stderr = finish(start(run, title="last"))
     require(code == 0, f"exit code {code} of an undisturbed run: {stderr}")
-    same("leftovers", parts(run), ["result.h5.partner"])
+    same("leftovers", sorted(parts(run)), sorted(stay))
     same("title", run.summary["scene"]["title"], "last")
