@@ -245,12 +245,13 @@ static PetscErrorCode JudgeNodes_Private(Fields fields, Vec reactions, PetscReal
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The force of a row of contact: a pressure on a weight below zero pulls. */
+/* The force of a row of contact: a pressure on a weight below zero pulls. Where a row is open there is what the solver has left of the residual,
+   and of that the test of tension tells: sides that do not meet have no forces to compare it with. */
 static void AddForce_Private(Fields fields, PetscInt r, PetscReal lambda, PetscReal sums[])
 {
   const PetscReal weight = fields->row_weight[r], force = lambda * weight;
 
-  sums[SUM_PULL] += PetscMax(-force, 0.0);
+  if (fields->row_status[r] == STATUS_CONTACT) sums[SUM_PULL] += PetscMax(-force, 0.0);
   sums[SUM_PRESS] += PetscAbsReal(force) + fields->row_noise[r] * PetscAbsReal(weight) / TOLERANCE;
   sums[SUM_WEIGHTLESS] += fields->vi->row_D[r] > 0 && weight > 0 ? 0 : 1;
 }

@@ -49,6 +49,7 @@ mortise_scene_test(aggregates_stiff SCENE blocks CHECK stiff.py ARGS -pc_type tr
 # --- stopping at the discretisation error ---
 mortise_scene_test(stop SCENE two_plates CHECK stop.py RANKS 1 3 LABELS mpi ARGS -upper_dm_plex_box_faces 64,64 -lower_dm_plex_box_faces 64,64
   -stop discretisation -pc_type truncatedmg)
+mortise_scene_test(stop_apart SCENE two_plates CHECK stop_apart.py LABELS mpi ARGS ${plane_coarse} -dm_refine 2 -joint_gap 0.1 -stop discretisation)
 
 # --- the second opinion ---
 mortise_scene_test(opinion       SCENE two_plates CHECK opinion.py RANKS 1 3 LABELS mpi ARGS ${plane_coarse} -pc_type truncatedmg -cross_check -dm_refine 2)
