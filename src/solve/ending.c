@@ -91,7 +91,7 @@ static PetscErrorCode Measure_Private(ActiveSolver solver)
   PetscCall(VecDot(t->rest, t->y, &square));
   t->reference =
       PetscMax(PetscMin(t->first, forces), TRUNCATED_ROUNDING / solver->rtol * PetscSqrtReal(PetscRealPart(square)));
-  t->energy        = energy * PetscSqr(PART * solver->rtol);
+  t->energy = PetscMax(energy * PetscSqr(PART * solver->rtol), PetscSqr(TRUNCATED_ROUNDING) * PetscRealPart(square));
   t->solution->eta = size / t->reference;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

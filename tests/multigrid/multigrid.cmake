@@ -63,5 +63,7 @@ mortise_scene_test(hard SCENE touching CHECK hard.py ONLY_RANKS "its scenes have
 mortise_scene_test(long_cells SCENE hertz3d CHECK long_cells.py LABELS mpi ARGS -order 1 -dm_refine 1 -pc_type truncatedmg)
 mortise_scene_test(growth       SCENE two_plates CHECK growth.py ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6)
 mortise_scene_test(growth_solid SCENE blocks CHECK growth.py)
+mortise_scene_test(afar         CHECK afar.py ARGS -pc_type truncatedmg)
+mortise_scene_test(afar_quadratic SCENE afar CHECK afar.py ARGS -pc_type truncatedmg -order 2)
 mortise_scene_test(zigzag       SCENE blocks CHECK zigzag.py ARGS -dm_refine 2 -upper_young 2e12 -pc_type truncatedmg)
 mortise_scene_test(gives_way    SCENE blocks CHECK gives_way.py)
