@@ -16,6 +16,8 @@
 
 /* The pull of springs that does not matter, in parts of the forces, and in parts of the residual that an iteration may leave. */
 static const PetscReal RELAXED = 1e-13, BESIDE = 1e-2;
+/* In the norm of energy, the part of the solution that springs may keep from it. */
+static const PetscReal KEPT = 1e-9;
 /* What inexact solves leave may be as large: a sweep that does not halve it will not help. */
 static const PetscReal TOLERATED = 1e-8, HALVED = 0.5;
 /* Sweeps after which something is wrong: two or three are usual. */
@@ -104,34 +106,50 @@ static PetscErrorCode Size_Private(const Springs *springs, Vec v, PetscReal *siz
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What the springs pull, in parts of the forces: of the loads, or of the stresses where there are none. */
-static PetscErrorCode Pull_Private(Springs *springs, Vec y, PetscReal *part)
+/* What the springs pull, in parts of the forces: of the loads, or of the stresses where there are none; and how far the sweep went, in the norm
+   of energy and in parts of the solution. */
+static PetscErrorCode Measure_Private(Springs *springs, Vec y, PetscReal *part, PetscReal *way)
 {
-  PetscReal loads, forces, pull;
+  const Mat   A = springs->original->A;
+  Vec         d, forces;
+  PetscReal   loads, stresses, pull;
+  PetscScalar all, last;
 
   PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(y, &d));
+  PetscCall(VecDuplicate(y, &forces));
   PetscCall(Size_Private(springs, springs->original->b, &loads));
-  PetscCall(MatMult(springs->original->A, y, springs->pull));
-  PetscCall(Size_Private(springs, springs->pull, &forces));
-  PetscCall(VecWAXPY(springs->pull, -1, springs->rest, y));
-  PetscCall(VecPointwiseMult(springs->pull, springs->pull, springs->original->solvability->springs));
+  PetscCall(MatMult(A, y, forces));
+  PetscCall(VecDot(y, forces, &all));
+  PetscCall(Size_Private(springs, forces, &stresses));
+  PetscCall(VecWAXPY(d, -1, springs->rest, y));
+  PetscCall(VecPointwiseMult(springs->pull, d, springs->original->solvability->springs));
   PetscCall(Size_Private(springs, springs->pull, &pull));
-  *part = pull > 0 ? pull / PetscMax(loads, forces) : 0;
+  PetscCall(MatMult(A, d, forces));
+  PetscCall(VecDot(d, forces, &last));
+  *part = pull > 0 ? pull / PetscMax(loads, stresses) : 0;
+  *way =
+      PetscRealPart(last) > 0 && PetscRealPart(all) > 0 ? PetscSqrtReal(PetscRealPart(last) / PetscRealPart(all)) : 0;
+  PetscCall(VecDestroy(&d));
+  PetscCall(VecDestroy(&forces));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode SpringsRelax(Springs *springs, SNES snes, Vec y, SolveReport *report, PetscBool *done)
 {
-  PetscReal part = 0;
+  PetscReal part = 0, way = 0;
   PetscBool pdas;
   Vec       active;
 
   PetscFunctionBeginUser;
   *done = PETSC_TRUE;
   if (!springs->original->solvability || !report->converged) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(Pull_Private(springs, y, &part));
-  PetscCall(PetscInfo(snes, "sweep %" PetscInt_FMT ": springs pull %g of the forces\n", report->sweeps, (double)part));
-  if (part <= springs->relaxed) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(Measure_Private(springs, y, &part, &way));
+  PetscCall(PetscInfo(snes, "sweep %" PetscInt_FMT ": springs pull %g of the forces, and gave %g of the solution\n",
+                      report->sweeps, (double)part, (double)way));
+  /* what the next sweep would give is as much less as the springs pull less; a first one does not tell */
+  if (report->sweeps > 1) way *= part / springs->last;
+  if (part <= springs->relaxed && way <= KEPT) PetscFunctionReturn(PETSC_SUCCESS);
   if (part <= TOLERATED &&
       part > HALVED * springs->last) { // roundoff: the better one of the two last sweeps is as good as it gets
     if (part > springs->last) PetscCall(VecCopy(springs->rest, y));

@@ -56,6 +56,7 @@ mortise_scene_test(opinion       SCENE two_plates CHECK opinion.py RANKS 1 3 LAB
 mortise_scene_test(opinion_solid SCENE blocks CHECK opinion.py LABELS mpi ARGS ${solid_coarse} -pc_type truncatedmg -cross_check)
 mortise_scene_test(opinion_long  SCENE parabola CHECK opinion.py LABELS mpi ARGS -block_dm_plex_box_faces 16,8 -dm_refine 1 -pc_type truncatedmg -cross_check)
 mortise_scene_test(opinion_free  SCENE stack CHECK opinion.py LABELS mpi ARGS -dm_refine 1 -pc_type truncatedmg -cross_check)
+mortise_scene_test(pad CHECK pad.py LABELS mpi ARGS -pc_type truncatedmg -cross_check -cross_check_pc_type cholesky)
 
 mortise_scene_test(hard SCENE touching CHECK hard.py ONLY_RANKS "its scenes have tests on ranks of their own")
 
