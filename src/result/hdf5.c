@@ -1,18 +1,21 @@
-/* hdf5.c -- the picture as plain contiguous datasets, written by the first rank alone.
+/* hdf5.c -- the picture as plain contiguous datasets, written by the first rank alone, each as it comes.
 
    /points [N][3], /cells (see xdmf.c), one dataset per quantity under its own name; attributes of the file: title, version,
-   units, and a word on every dataset's order. Readable by h5py, MATLAB, h5dump without any library of ours.
-
-   The file is built in memory (HDF5's core driver) and written as bytes: after a failed write HDF5 1.10 can neither close
-   the file nor survive MPI_Finalize(), so a full disk would end in a crash instead of a sentence. The price is the file's
-   size in memory, little beside what solving took. */
+   units, and a word on every dataset's order. Readable by h5py, MATLAB, h5dump without any library of ours. */
 #include <string.h>
 #include <hdf5.h>
 #include "picture.h"
+#include "sink.h"
 #include "xdmf.h"
 #include <mortise/compat.h>
 
-enum { IMAGE_INCREMENT = 1 << 20 }; /* bytes by which the file in memory grows */
+/* The file that is being written. */
+typedef struct {
+  Sink      sink;
+  hid_t     access, file;
+  PetscBool good; /* false where HDF5 failed, for which memory is the only reason: what files do is in sink */
+  Topology  topology;
+} Image;
 
 /* A text attribute, of variable length so that h5py gives a str; false on failure. */
 static PetscBool WriteAttribute_Private(hid_t where, const char name[], const char text[])
@@ -76,81 +79,104 @@ static const char *About_Private(const char name[])
   return "";
 }
 
-static PetscBool WriteArray_Private(hid_t file, PetscInt rows, const PictureArray *array)
+/* rows of a quantity, unless something failed before. */
+static void WriteQuantity_Private(Image *image, PetscInt rows, const Quantity *quantity, const PetscReal values[])
 {
-  return WriteDataset_Private(file, &(Dataset){.name    = array->name,
-                                               .about   = About_Private(array->name),
-                                               .rows    = rows,
-                                               .columns = array->components,
-                                               .memory  = H5T_NATIVE_DOUBLE,
-                                               .stored  = array->integer ? H5T_STD_I32LE : H5T_IEEE_F64LE,
-                                               .values  = array->values});
+  image->good = (PetscBool)(image->good &&
+                            WriteDataset_Private(
+                                image->file, &(Dataset){.name    = quantity->name,
+                                                        .about   = About_Private(quantity->name),
+                                                        .rows    = rows,
+                                                        .columns = quantity->components,
+                                                        .memory  = H5T_NATIVE_DOUBLE,
+                                                        .stored  = quantity->integer ? H5T_STD_I32LE : H5T_IEEE_F64LE,
+                                                        .values  = values}));
 }
 
-static PetscBool WriteAll_Private(hid_t file, const Picture *picture, const Topology *topology)
+static PetscErrorCode HDF5Begin_Private(Picture *picture)
 {
-  const PictureArray points = {"points", 3, PETSC_FALSE, picture->points};
-  const Dataset      cells  = {.name    = "cells",
-                               .about   = topology->columns == 1 ? "per cell: XDMF type number, then its points"
-                                                                 : "points of each cell",
-                               .rows    = topology->rows,
-                               .columns = topology->columns,
-                               .memory  = H5T_NATIVE_INT,
-                               .stored  = H5T_STD_I32LE,
-                               .values  = topology->values};
-  PetscBool          good;
-
-  good = (PetscBool)(WriteAttribute_Private(file, "title", picture->title) &&
-                     WriteAttribute_Private(file, "creator", "mortise " MORTISE_VERSION) &&
-                     WriteAttribute_Private(file, "units",
-                                            "those of the scene: whatever consistent set it was given in") &&
-                     WriteArray_Private(file, picture->num_points, &points) && WriteDataset_Private(file, &cells));
-  for (PetscInt i = 0; i < picture->num_point_arrays && good; ++i) {
-    good = WriteArray_Private(file, picture->num_points, &picture->point[i]);
-  }
-  for (PetscInt i = 0; i < picture->num_cell_arrays && good; ++i) {
-    good = WriteArray_Private(file, picture->num_cells, &picture->cell[i]);
-  }
-  return good;
-}
-
-/* The file as bytes. [out] image - owned by the caller */
-static PetscErrorCode CreateImage_Private(const Picture *picture, const Topology *topology, size_t *size, char **image)
-{
-  const hid_t access    = H5Pcreate(H5P_FILE_ACCESS);
-  hid_t       file      = -1;
-  ssize_t     num_bytes = 0;
-  PetscBool   good      = (PetscBool)(H5Pset_fapl_core(access, IMAGE_INCREMENT, 0) >= 0);
+  Image *image;
 
   PetscFunctionBeginUser;
+  PetscCall(PetscNew(&image));
+  picture->data = image;
   H5Eset_auto2(H5E_DEFAULT, NULL, NULL); // its lists of functions; what can fail here is told by us
-  if (good) file = H5Fcreate("picture", H5F_ACC_TRUNC, H5P_DEFAULT, access);
-  good = (PetscBool)(file >= 0 && WriteAll_Private(file, picture, topology) && H5Fflush(file, H5F_SCOPE_LOCAL) >= 0);
-  if (good) num_bytes = H5Fget_file_image(file, NULL, 0);
-  *size = (size_t)PetscMax(num_bytes, 0);
-  PetscCall(PetscMalloc1(*size, image));
-  good = (PetscBool)(good && num_bytes > 0 && H5Fget_file_image(file, *image, *size) == num_bytes);
-  if (file >= 0) H5Fclose(file);
-  H5Pclose(access);
-  PetscCheck(good, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for the picture"); // which is nowhere else
+  image->sink.file = fileno(picture->out);
+  image->access    = SinkCreate(&image->sink);
+  image->file      = image->access < 0 ? -1 : H5Fcreate(picture->base, H5F_ACC_TRUNC, H5P_DEFAULT, image->access);
+  image->good      = (PetscBool)(image->file >= 0 && WriteAttribute_Private(image->file, "title", picture->title) &&
+                            WriteAttribute_Private(image->file, "creator", "mortise " MORTISE_VERSION) &&
+                            WriteAttribute_Private(image->file, "units",
+                                                        "those of the scene: whatever consistent set it was given in"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PictureWriteHDF5(const Picture *picture, Files *files, const char final[])
+static PetscErrorCode HDF5Points_Private(Picture *picture, const PetscReal positions[])
 {
-  FILE    *out;
-  Topology topology;
-  char    *image;
-  size_t   size;
+  PetscFunctionBeginUser;
+  WriteQuantity_Private((Image *)picture->data, picture->num_points, &(Quantity){"points", 3, PETSC_FALSE}, positions);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode HDF5Cells_Private(Picture *picture, const SortedCells *cells)
+{
+  Image    *image    = (Image *)picture->data;
+  Topology *topology = &image->topology;
 
   PetscFunctionBeginUser;
-  PetscCall(FilesOpen(files, final, &out));
-  if (!out) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(TopologyCreate(picture, &topology));
-  PetscCall(CreateImage_Private(picture, &topology, &size, &image));
-  fwrite(image, 1, size, out); /* what fails shows when the file is closed */
-  PetscCall(PetscFree(image));
-  PetscCall(TopologyDestroy(&topology));
-  PetscCall(FilesClose(files, &out));
+  PetscCall(TopologyCreate(cells, topology));
+  image->good = (PetscBool)(image->good &&
+                            WriteDataset_Private(image->file,
+                                                 &(Dataset){.name    = "cells",
+                                                            .about   = topology->columns == 1
+                                                                           ? "per cell: XDMF type number, then its points"
+                                                                           : "points of each cell",
+                                                            .rows    = topology->rows,
+                                                            .columns = topology->columns,
+                                                            .memory  = H5T_NATIVE_INT,
+                                                            .stored  = H5T_STD_I32LE,
+                                                            .values  = topology->values}));
+  PetscCall(TopologyDestroy(topology));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
+
+static PetscErrorCode HDF5Point_Private(Picture *picture, const Quantity *quantity, const PetscReal values[])
+{
+  PetscFunctionBeginUser;
+  WriteQuantity_Private((Image *)picture->data, picture->num_points, quantity, values);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode HDF5Cell_Private(Picture *picture, const Quantity *quantity, const PetscReal values[])
+{
+  PetscFunctionBeginUser;
+  WriteQuantity_Private((Image *)picture->data, picture->num_cells, quantity, values);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode HDF5End_Private(Picture *picture)
+{
+  Image *image = (Image *)picture->data;
+  char   path[PETSC_MAX_PATH_LEN];
+
+  PetscFunctionBeginUser;
+  if (!picture->out) PetscFunctionReturn(PETSC_SUCCESS);
+  if (image->file >= 0 && H5Fclose(image->file) < 0) image->good = PETSC_FALSE;
+  if (image->access >= 0) H5Pclose(image->access);
+  SinkDestroy(&image->sink);
+  PetscCall(PetscSNPrintf(path, sizeof(path), "%s%s", picture->base, picture->format->suffix));
+  if (image->sink.error) PetscCall(FilesFail(picture->files, path, image->sink.error));
+  PetscCall(FilesClose(picture->files, &picture->out));
+  PetscCheck(image->good || image->sink.error, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for the picture");
+  PetscCall(PictureWriteXDMF(picture, &image->topology, path));
+  PetscCall(PetscFree(picture->data));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+const PictureFormat picture_hdf5 = {.suffix = ".h5",
+                                    .begin  = HDF5Begin_Private,
+                                    .points = HDF5Points_Private,
+                                    .cells  = HDF5Cells_Private,
+                                    .point  = HDF5Point_Private,
+                                    .cell   = HDF5Cell_Private,
+                                    .end    = HDF5End_Private};

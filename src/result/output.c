@@ -50,26 +50,54 @@ PetscErrorCode OutputCheck(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A picture, of a pair or (NULL) of the bodies, in the formats the scene wants. First rank only. */
-static PetscErrorCode WritePicture_Private(Scene scene, const char pair[], const Picture *picture, Files *files)
+/* What a picture tells: fields, of a pair or (pair < 0) of all bodies; without fields the motion of bodies. */
+typedef struct {
+  VI       vi;
+  Fields   fields;
+  PetscInt pair;
+} Told;
+
+static PetscErrorCode Tell_Private(const Told *told, Picture *picture)
 {
-  char path[PETSC_MAX_PATH_LEN], hdf5[PETSC_MAX_PATH_LEN];
+  PetscFunctionBeginUser;
+  if (!told->fields) {
+    PetscCall(PictureTellMotion(picture, told->vi));
+  } else if (told->pair < 0) {
+    PetscCall(PictureTellFields(picture, told->fields));
+  } else {
+    PetscCall(PictureTellSurface(picture, told->fields, told->pair));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A picture in the formats the scene wants. Collective.
+   [in] first - the quantities that a viewer is to take first, as attributes of VTK's PointData */
+static PetscErrorCode AddPicture_Private(Output output, const Told *told, const char first[])
+{
+  static const struct {
+    OutputFormat         bit;
+    const PictureFormat *format;
+    const char          *files[2]; // suffixes
+  } formats[]       = {{OUTPUT_XDMF, &picture_hdf5, {".h5", ".xdmf"}}, {OUTPUT_VTU, &picture_vtu, {".vtu", NULL}}};
+  const Scene scene = told->vi->scene;
+  const char *pair  = told->pair < 0 ? NULL : told->vi->pairs[told->pair]->spec->name;
+  char        path[PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
-  PetscCall(OutputPath_Private(scene, pair, ".h5", hdf5));
-  PetscCall(OutputPath_Private(scene, pair, ".xdmf", path));
-  if (scene->formats & OUTPUT_XDMF) {
-    PetscCall(PictureWriteHDF5(picture, files, hdf5));
-    PetscCall(PictureWriteXDMF(picture, files, path, hdf5));
-  } else {
-    PetscCall(FilesRemove(files, hdf5));
-    PetscCall(FilesRemove(files, path));
-  }
-  PetscCall(OutputPath_Private(scene, pair, ".vtu", path));
-  if (scene->formats & OUTPUT_VTU) {
-    PetscCall(PictureWriteVTU(picture, files, path));
-  } else {
-    PetscCall(FilesRemove(files, path));
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(formats); ++i) {
+    if (scene->formats & formats[i].bit) {
+      Picture picture = {.base = path, .title = pair ? pair : scene->title, .first = first, .files = &output->files};
+
+      PetscCall(OutputPath_Private(scene, pair, "", path));
+      PetscCall(PictureOpen(output->comm, formats[i].format, &picture));
+      PetscCall(Tell_Private(told, &picture));
+      PetscCall(PictureClose(&picture));
+    } else if (output->rank == 0) {
+      for (PetscInt k = 0; k < 2 && formats[i].files[k]; ++k) {
+        PetscCall(OutputPath_Private(scene, pair, formats[i].files[k], path));
+        PetscCall(FilesRemove(&output->files, path));
+      }
+    }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -86,21 +114,16 @@ PetscErrorCode OutputCreate(MPI_Comm comm, Output *output)
 PetscErrorCode OutputAddFields(Output output, Fields fields)
 {
   const VI vi = fields->vi;
-  Picture  picture;
   char     path[PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
-  PetscCall(PictureCreate(fields, &picture));
-  if (output->rank == 0) PetscCall(WritePicture_Private(vi->scene, NULL, &picture, &output->files));
-  PetscCall(PictureDestroy(&picture));
+  PetscCall(AddPicture_Private(output, &(Told){vi, fields, -1},
+                               "Vectors=\"displacement\" Tensors=\"stress\" Scalars=\"von_mises\""));
   for (PetscInt p = 0; p < vi->num_pairs; ++p) {
-    const char *name = vi->pairs[p]->spec->name;
-
-    PetscCall(OutputPath_Private(vi->scene, name, ".csv", path));
+    PetscCall(OutputPath_Private(vi->scene, vi->pairs[p]->spec->name, ".csv", path));
     PetscCall(PairWriteCSV(fields, p, &output->files, path));
-    PetscCall(PictureCreateSurface(fields, p, &picture));
-    if (output->rank == 0) PetscCall(WritePicture_Private(vi->scene, name, &picture, &output->files));
-    PetscCall(PictureDestroy(&picture));
+    PetscCall(AddPicture_Private(output, &(Told){vi, fields, p},
+                                 "Vectors=\"displacement\" Scalars=\"pressure\" Normals=\"normal\""));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -124,13 +147,9 @@ static PetscErrorCode RemoveFields_Private(Output output, Scene scene)
 
 PetscErrorCode OutputAddMotion(Output output, VI vi)
 {
-  Picture picture;
-
   PetscFunctionBeginUser;
   PetscCall(RemoveFields_Private(output, vi->scene));
-  PetscCall(PictureCreateMotion(vi, &picture));
-  if (output->rank == 0) PetscCall(WritePicture_Private(vi->scene, NULL, &picture, &output->files));
-  PetscCall(PictureDestroy(&picture));
+  PetscCall(AddPicture_Private(output, &(Told){vi, NULL, -1}, "Vectors=\"motion\""));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

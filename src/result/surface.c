@@ -1,11 +1,7 @@
 /* surface.c -- the nonmortar side of a pair as a surface of its own, with what happens on it at its nodes. */
-#include <string.h>
 #include <mortise/compat.h>
 #include "picture.h"
 #include "side.h"
-
-/* Quantities, in the order of the files. */
-enum { SURFACE_DISPLACEMENT, SURFACE_PRESSURE, SURFACE_GAP, SURFACE_STATUS, SURFACE_NORMAL, SURFACE_COUNT };
 
 /* Sum over a node's facets of their normals there, times their size. [out] normals - ghosted, owned by the caller */
 static PetscErrorCode FacetNormals_Private(Level *level, const Facets *facets, Vec *normals)
@@ -62,49 +58,37 @@ static PetscErrorCode Normals_Private(const Pair pair, const Facets *facets, Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Gathers [num_owned][from] values at some nodes as [points][to]; vectors of the plane get a third component 0. */
-static PetscErrorCode GatherAt_Private(const Level *level, PetscInt num, const PetscInt nodes[], PetscInt from,
-                                       const PetscReal values[], PetscInt to, PetscReal **all)
+/* The side as points and cells. */
+static PetscErrorCode TellFacets_Private(Picture *picture, const Level *level, const Facets *facets, PetscInt num,
+                                         const PetscInt nodes[], PetscReal **body)
 {
-  PetscReal *padded;
+  PetscInt *types, *bodies, *globals, n = 0;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(num * to, &padded));
-  for (PetscInt i = 0; i < num; ++i) PetscCall(PetscArraycpy(&padded[i * to], &values[nodes[i] * from], from));
-  PetscCall(GatherReals(level->comm, num * to, padded, NULL, all));
-  PetscCall(PetscFree(padded));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Facets as cells; their global nodes become positions among the points. [in] nodes - of this rank [num] */
-static PetscErrorCode GatherFacets_Private(const Level *level, const Facets *facets, PetscInt num,
-                                           const PetscInt nodes[], Picture *picture)
-{
-  PetscInt *types, *bodies, *globals, *ids, *all_ids, n = 0;
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscMalloc4(facets->num, &types, facets->num, &bodies, facets->num * ELEMENT_MAX_FACET_NODES, &globals,
-                         num, &ids));
+  PetscCall(PetscMalloc3(facets->num, &types, facets->num, &bodies, facets->num * ELEMENT_MAX_FACET_NODES, &globals));
   for (PetscInt f = 0; f < facets->num; ++f) {
     types[f]  = facets->type[f];
     bodies[f] = level->cell_body[facets->cell[f]];
     for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); ++i)
       globals[n++] = level->node_global[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
   }
-  PetscCall(PictureGatherCells(level->comm, &(PictureCells){facets->num, types, bodies, globals}, picture,
-                               &picture->cell[0].values));
-  for (PetscInt i = 0; i < num; ++i) ids[i] = level->node_global[nodes[i]];
-  PetscCall(GatherInts(level->comm, num, ids, &picture->num_points, &all_ids));
-  for (PetscInt i = 0; i < picture->cell_start[picture->num_cells]; ++i)
-    PetscCall(PetscFindInt(picture->cell_nodes[i], picture->num_points, all_ids, &picture->cell_nodes[i]));
-  PetscCall(PetscFree(all_ids));
-  PetscCall(PetscFree4(types, bodies, globals, ids));
+  PetscCall(PictureMesh(picture,
+                        &(PicturePart){.dim        = level->dim,
+                                       .num_points = num,
+                                       .nodes      = nodes,
+                                       .global     = level->node_global,
+                                       .coords     = level->coords,
+                                       .num_cells  = facets->num,
+                                       .cell_type  = types,
+                                       .cell_tag   = bodies,
+                                       .cell_nodes = globals},
+                        body));
+  PetscCall(PetscFree3(types, bodies, globals));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Displacement, pressure, gap, status and normal at some of this rank's nodes. */
-static PetscErrorCode GatherQuantities_Private(Fields fields, PetscInt p, const Facets *facets, PetscInt num,
-                                               const PetscInt nodes[], Picture *picture)
+/* Displacement, pressure, gap, status and normal. */
+static PetscErrorCode TellQuantities_Private(Picture *picture, Fields fields, PetscInt p, const Facets *facets)
 {
   const Level     *level = fields->vi->level;
   PairFields       nodal;
@@ -117,48 +101,33 @@ static PetscErrorCode GatherQuantities_Private(Fields fields, PetscInt p, const 
   PetscCall(PetscMalloc1(level->num_owned, &status));
   for (PetscInt a = 0; a < level->num_owned; ++a) status[a] = (PetscReal)nodal.status[a];
   PetscCall(VecGetArrayRead(fields->u, &u));
-  {
-    const PetscReal *const values[SURFACE_COUNT] = {u, nodal.pressure, nodal.gap, status, normal};
-
-    for (PetscInt i = 0; i < SURFACE_COUNT; ++i) {
-      const PetscInt to = picture->point[i].components;
-
-      PetscCall(
-          GatherAt_Private(level, num, nodes, to == 1 ? 1 : level->dim, values[i], to, &picture->point[i].values));
-    }
-  }
+  PetscCall(PicturePoints(picture, (Quantity){"displacement", 3, PETSC_FALSE}, level->dim, u));
   PetscCall(VecRestoreArrayRead(fields->u, &u));
+  PetscCall(PicturePoints(picture, (Quantity){"pressure", 1, PETSC_FALSE}, 1, nodal.pressure));
+  PetscCall(PicturePoints(picture, (Quantity){"gap", 1, PETSC_FALSE}, 1, nodal.gap));
+  PetscCall(PicturePoints(picture, (Quantity){"status", 1, PETSC_TRUE}, 1, status));
+  PetscCall(PicturePoints(picture, (Quantity){"normal", 3, PETSC_FALSE}, level->dim, normal));
   PetscCall(PetscFree(status));
   PetscCall(PetscFree(normal));
   PetscCall(PairFieldsDestroy(&nodal));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PictureCreateSurface(Fields fields, PetscInt p, Picture *picture)
+PetscErrorCode PictureTellSurface(Picture *picture, Fields fields, PetscInt p)
 {
-  static const PictureArray arrays[SURFACE_COUNT] = {[SURFACE_DISPLACEMENT] = {"displacement", 3, PETSC_FALSE, NULL},
-                                                     [SURFACE_PRESSURE]     = {"pressure", 1, PETSC_FALSE, NULL},
-                                                     [SURFACE_GAP]          = {"gap", 1, PETSC_FALSE, NULL},
-                                                     [SURFACE_STATUS]       = {"status", 1, PETSC_TRUE, NULL},
-                                                     [SURFACE_NORMAL]       = {"normal", 3, PETSC_FALSE, NULL}};
-  Level                    *level                 = fields->vi->level;
-  const ScenePair          *spec                  = fields->vi->pairs[p]->spec;
-  PetscInt                  num, *nodes;
-  Facets                    facets;
+  Level           *level = fields->vi->level;
+  const ScenePair *spec  = fields->vi->pairs[p]->spec;
+  PetscInt         num, *nodes;
+  PetscReal       *body;
+  Facets           facets;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMemzero(picture, sizeof(*picture)));
-  picture->title            = spec->name;
-  picture->first            = "Vectors=\"displacement\" Scalars=\"pressure\" Normals=\"normal\"";
-  picture->num_point_arrays = SURFACE_COUNT;
-  picture->num_cell_arrays  = 1;
-  picture->cell[0]          = (PictureArray){"body", 1, PETSC_TRUE, NULL};
-  memcpy(picture->point, arrays, sizeof(arrays));
   PetscCall(LevelGetFacets(level, fields->vi->scene, spec->nonmortar.body, spec->nonmortar.side, &facets));
   PetscCall(SideNodesCreate(level, &facets, &num, &nodes));
-  PetscCall(GatherFacets_Private(level, &facets, num, nodes, picture));
-  PetscCall(GatherAt_Private(level, num, nodes, level->dim, level->coords, 3, &picture->points));
-  PetscCall(GatherQuantities_Private(fields, p, &facets, num, nodes, picture));
+  PetscCall(TellFacets_Private(picture, level, &facets, num, nodes, &body));
+  PetscCall(TellQuantities_Private(picture, fields, p, &facets));
+  PetscCall(PictureCells(picture, (Quantity){"body", 1, PETSC_TRUE}, body));
+  PetscCall(PetscFree(body));
   PetscCall(PetscFree(nodes));
   PetscCall(FacetsDestroy(&facets));
   PetscFunctionReturn(PETSC_SUCCESS);

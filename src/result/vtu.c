@@ -30,72 +30,98 @@ static PetscErrorCode WriteBlock_Private(FILE *out, const char type[], const cha
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode WriteArray_Private(FILE *out, PetscInt rows, const PictureArray *array)
+static PetscErrorCode WriteArray_Private(FILE *out, PetscInt rows, const Quantity *quantity, const PetscReal values[])
 {
-  const PetscInt n = rows * array->components;
+  const PetscInt n = rows * quantity->components;
 
   PetscFunctionBeginUser;
-  if (array->integer) {
+  if (quantity->integer) {
     int32_t *whole;
 
     PetscCall(PetscMalloc1(n, &whole));
-    for (PetscInt i = 0; i < n; ++i) whole[i] = (int32_t)array->values[i];
-    PetscCall(WriteBlock_Private(out, "Int32", array->name, array->components, n * sizeof(int32_t), whole));
+    for (PetscInt i = 0; i < n; ++i) whole[i] = (int32_t)values[i];
+    PetscCall(WriteBlock_Private(out, "Int32", quantity->name, quantity->components, n * sizeof(int32_t), whole));
     PetscCall(PetscFree(whole));
   } else {
-    PetscCall(WriteBlock_Private(out, "Float64", array->name, array->components, n * sizeof(double), array->values));
+    PetscCall(WriteBlock_Private(out, "Float64", quantity->name, quantity->components, n * sizeof(double), values));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode WriteCells_Private(FILE *out, const Picture *picture)
-{
-  const PetscInt num_cells = picture->num_cells, num_entries = picture->cell_start[num_cells];
-  int64_t       *nodes, *ends;
-  uint8_t       *types;
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscMalloc3(num_entries, &nodes, num_cells, &ends, num_cells, &types));
-  for (PetscInt i = 0; i < num_entries; ++i) nodes[i] = picture->cell_nodes[i];
-  for (PetscInt c = 0; c < num_cells; ++c) {
-    ends[c]  = picture->cell_start[c + 1];
-    types[c] = vtk_number[picture->cell_type[c]];
-  }
-  fprintf(out, "<Cells>\n");
-  PetscCall(WriteBlock_Private(out, "Int64", "connectivity", 1, num_entries * sizeof(int64_t), nodes));
-  PetscCall(WriteBlock_Private(out, "Int64", "offsets", 1, num_cells * sizeof(int64_t), ends));
-  PetscCall(WriteBlock_Private(out, "UInt8", "types", 1, num_cells, types));
-  fprintf(out, "</Cells>\n");
-  PetscCall(PetscFree3(nodes, ends, types));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode PictureWriteVTU(const Picture *picture, Files *files, const char final[])
+static PetscErrorCode VTUBegin_Private(Picture *picture)
 {
   const uint16_t order = 1; /* its first byte tells the machine's byte order */
-  FILE          *out;
 
   PetscFunctionBeginUser;
-  PetscCall(FilesOpen(files, final, &out));
-  if (!out) PetscFunctionReturn(PETSC_SUCCESS);
-  fprintf(out,
+  fprintf(picture->out,
           "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"%s\" "
           "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"%" PetscInt_FMT
           "\" NumberOfCells=\"%" PetscInt_FMT "\">\n",
           *(const unsigned char *)&order ? "LittleEndian" : "BigEndian", picture->num_points, picture->num_cells);
-  fprintf(out, "<Points>\n");
-  PetscCall(WriteBlock_Private(out, "Float64", "points", 3, picture->num_points * 3 * sizeof(double), picture->points));
-  fprintf(out, "</Points>\n");
-  PetscCall(WriteCells_Private(out, picture));
-  fprintf(out, "<PointData %s>\n", picture->first);
-  for (PetscInt i = 0; i < picture->num_point_arrays; ++i) {
-    PetscCall(WriteArray_Private(out, picture->num_points, &picture->point[i]));
-  }
-  fprintf(out, "</PointData>\n<CellData Scalars=\"body\">\n");
-  for (PetscInt i = 0; i < picture->num_cell_arrays; ++i) {
-    PetscCall(WriteArray_Private(out, picture->num_cells, &picture->cell[i]));
-  }
-  fprintf(out, "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
-  PetscCall(FilesClose(files, &out));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
+
+static PetscErrorCode VTUPoints_Private(Picture *picture, const PetscReal positions[])
+{
+  PetscFunctionBeginUser;
+  fprintf(picture->out, "<Points>\n");
+  PetscCall(
+      WriteBlock_Private(picture->out, "Float64", "points", 3, picture->num_points * 3 * sizeof(double), positions));
+  fprintf(picture->out, "</Points>\n");
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode VTUCells_Private(Picture *picture, const SortedCells *cells)
+{
+  const PetscInt num_entries = cells->start[cells->num];
+  int64_t       *nodes, *ends;
+  uint8_t       *types;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc3(num_entries, &nodes, cells->num, &ends, cells->num, &types));
+  for (PetscInt i = 0; i < num_entries; ++i) nodes[i] = cells->nodes[i];
+  for (PetscInt c = 0; c < cells->num; ++c) {
+    ends[c]  = cells->start[c + 1];
+    types[c] = vtk_number[cells->type[c]];
+  }
+  fprintf(picture->out, "<Cells>\n");
+  PetscCall(WriteBlock_Private(picture->out, "Int64", "connectivity", 1, num_entries * sizeof(int64_t), nodes));
+  PetscCall(WriteBlock_Private(picture->out, "Int64", "offsets", 1, cells->num * sizeof(int64_t), ends));
+  PetscCall(WriteBlock_Private(picture->out, "UInt8", "types", 1, cells->num, types));
+  fprintf(picture->out, "</Cells>\n");
+  PetscCall(PetscFree3(nodes, ends, types));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode VTUPoint_Private(Picture *picture, const Quantity *quantity, const PetscReal values[])
+{
+  PetscFunctionBeginUser;
+  if (picture->num_point_quantities == 0) fprintf(picture->out, "<PointData %s>\n", picture->first);
+  PetscCall(WriteArray_Private(picture->out, picture->num_points, quantity, values));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode VTUCell_Private(Picture *picture, const Quantity *quantity, const PetscReal values[])
+{
+  PetscFunctionBeginUser;
+  if (picture->num_cell_quantities == 0) fprintf(picture->out, "</PointData>\n<CellData Scalars=\"body\">\n");
+  PetscCall(WriteArray_Private(picture->out, picture->num_cells, quantity, values));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode VTUEnd_Private(Picture *picture)
+{
+  PetscFunctionBeginUser;
+  if (!picture->out) PetscFunctionReturn(PETSC_SUCCESS);
+  fprintf(picture->out, "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+  PetscCall(FilesClose(picture->files, &picture->out));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+const PictureFormat picture_vtu = {.suffix = ".vtu",
+                                   .begin  = VTUBegin_Private,
+                                   .points = VTUPoints_Private,
+                                   .cells  = VTUCells_Private,
+                                   .point  = VTUPoint_Private,
+                                   .cell   = VTUCell_Private,
+                                   .end    = VTUEnd_Private};

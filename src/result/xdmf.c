@@ -23,11 +23,11 @@ static const int xdmf_number[ELEMENT_COUNT] = {
     [ELEMENT_TRI3] = 4,   [ELEMENT_QUAD4] = 5, [ELEMENT_TET4] = 6,   [ELEMENT_HEX8] = 9,
     [ELEMENT_QUAD9] = 35, [ELEMENT_TRI6] = 36, [ELEMENT_TET10] = 38, [ELEMENT_HEX27] = 50};
 
-PetscErrorCode TopologyCreate(const Picture *picture, Topology *topology)
+PetscErrorCode TopologyCreate(const SortedCells *cells, Topology *topology)
 {
-  const PetscInt  num_cells = picture->num_cells, num_entries = picture->cell_start[num_cells];
-  const PetscInt  first = num_cells ? picture->cell_type[0] : ELEMENT_TRI3;
-  const PetscBool mixed = (PetscBool)(num_cells && picture->cell_type[num_cells - 1] != first); /* they are sorted */
+  const PetscInt  num_cells = cells->num, num_entries = cells->start[num_cells];
+  const PetscInt  first = num_cells ? cells->type[0] : ELEMENT_TRI3;
+  const PetscBool mixed = (PetscBool)(num_cells && cells->type[num_cells - 1] != first); /* they are sorted */
   PetscInt        n     = 0;
 
   PetscFunctionBeginUser;
@@ -36,9 +36,9 @@ PetscErrorCode TopologyCreate(const Picture *picture, Topology *topology)
   topology->rows    = mixed ? num_entries + num_cells : num_cells;
   PetscCall(PetscMalloc1(num_entries + num_cells, &topology->values));
   for (PetscInt c = 0; c < num_cells; ++c) {
-    if (mixed) topology->values[n++] = xdmf_number[picture->cell_type[c]];
-    for (PetscInt i = picture->cell_start[c]; i < picture->cell_start[c + 1]; ++i) {
-      topology->values[n++] = (int)picture->cell_nodes[i];
+    if (mixed) topology->values[n++] = xdmf_number[cells->type[c]];
+    for (PetscInt i = cells->start[c]; i < cells->start[c + 1]; ++i) {
+      topology->values[n++] = (int)cells->nodes[i];
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -63,13 +63,14 @@ static void WriteItem_Private(FILE *out, const char hdf5[], const char name[], P
   fprintf(out, ":/%s</DataItem>\n", name);
 }
 
-static void WriteAttribute_Private(FILE *out, const char hdf5[], const PictureArray *array, PetscInt rows,
+static void WriteAttribute_Private(FILE *out, const char hdf5[], const Quantity *quantity, PetscInt rows,
                                    const char centre[])
 {
-  const char *type = array->components == 1 ? "Scalar" : array->components == 3 ? "Vector" : "Tensor";
+  const char *type = quantity->components == 1 ? "Scalar" : quantity->components == 3 ? "Vector" : "Tensor";
 
-  fprintf(out, "      <Attribute Name=\"%s\" AttributeType=\"%s\" Center=\"%s\">\n        ", array->name, type, centre);
-  WriteItem_Private(out, hdf5, array->name, rows, array->components, array->integer);
+  fprintf(out, "      <Attribute Name=\"%s\" AttributeType=\"%s\" Center=\"%s\">\n        ", quantity->name, type,
+          centre);
+  WriteItem_Private(out, hdf5, quantity->name, rows, quantity->components, quantity->integer);
   fprintf(out, "      </Attribute>\n");
 }
 
@@ -83,36 +84,35 @@ static void WriteGridItems_Private(FILE *out, const Picture *picture, const Topo
       topology->name, topology->name == xdmf_name[ELEMENT_LINE2] ? " NodesPerElement=\"2\"" : "", picture->num_cells);
   WriteItem_Private(out, hdf5, "cells", topology->rows, topology->columns, PETSC_TRUE);
   fprintf(out, "      </Topology>\n");
-  for (PetscInt i = 0; i < picture->num_point_arrays; ++i) {
+  for (PetscInt i = 0; i < picture->num_point_quantities; ++i) {
     WriteAttribute_Private(out, hdf5, &picture->point[i], picture->num_points, "Node");
   }
-  for (PetscInt i = 0; i < picture->num_cell_arrays; ++i) {
+  for (PetscInt i = 0; i < picture->num_cell_quantities; ++i) {
     WriteAttribute_Private(out, hdf5, &picture->cell[i], picture->num_cells, "Cell");
   }
 }
 
-PetscErrorCode PictureWriteXDMF(const Picture *picture, Files *files, const char final[], const char hdf5[])
+PetscErrorCode PictureWriteXDMF(const Picture *picture, const Topology *topology, const char hdf5[])
 {
   const char *slash = strrchr(hdf5, '/'), *title = picture->title[0] ? picture->title : "mortise";
-  Topology    topology;
+  char        path[PETSC_MAX_PATH_LEN];
   FILE       *out;
 
   PetscFunctionBeginUser;
-  PetscCall(FilesOpen(files, final, &out));
+  PetscCall(PetscSNPrintf(path, sizeof(path), "%s.xdmf", picture->base));
+  PetscCall(FilesOpen(picture->files, path, &out));
   if (!out) PetscFunctionReturn(PETSC_SUCCESS);
   if (slash) hdf5 = slash + 1;
-  PetscCall(TopologyCreate(picture, &topology));
   fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n    <Grid Name=\"");
   XMLWriteText(out, title);
   fprintf(out, "\" GridType=\"Uniform\" Reference=\"/Xdmf/Domain/Grid/Information/Grid\">\n");
-  WriteGridItems_Private(out, picture, &topology, hdf5);
+  WriteGridItems_Private(out, picture, topology, hdf5);
   fprintf(out,
           "      <Information Name=\"steady\" Value=\"the same with a time\">&lt;steady/&gt;\n      <Grid Name=\"");
   XMLWriteText(out, title);
   fprintf(out, "\" GridType=\"Uniform\">\n      <Time Value=\"0\"/>\n");
-  WriteGridItems_Private(out, picture, &topology, hdf5);
+  WriteGridItems_Private(out, picture, topology, hdf5);
   fprintf(out, "      </Grid>\n      </Information>\n    </Grid>\n  </Domain>\n</Xdmf>\n");
-  PetscCall(TopologyDestroy(&topology));
-  PetscCall(FilesClose(files, &out));
+  PetscCall(FilesClose(picture->files, &out));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -86,53 +86,56 @@ static void TestXML(void)
   }
 }
 
-/* A quad and two triangles beside it, sorted by type as PictureCreate() does. */
-static void FillPicture(Picture *picture)
-{
-  static PetscReal points[6 * 3] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 0, 0, 2, 1, 0};
-  static PetscInt  start[4] = {0, 3, 6, 10}, nodes[10] = {1, 4, 5, 1, 5, 2, 0, 1, 2, 3};
-  static PetscInt  type[3] = {ELEMENT_TRI3, ELEMENT_TRI3, ELEMENT_QUAD4};
-  static PetscReal vector[18], tensor[54], scalar[6] = {1, 2, 3, 4, 5, 6}, gap[6], status[6] = {-1, 0, 1, 2, -1, -1};
-  static PetscReal body[3] = {1, 1, 0};
+/* A quad and two triangles beside it. */
+static const PicturePart small_part = {.dim        = 2,
+                                       .num_points = 6,
+                                       .coords     = (const PetscReal[]){0, 0, 1, 0, 1, 1, 0, 1, 2, 0, 2, 1},
+                                       .num_cells  = 3,
+                                       .cell_type  = (const PetscInt[]){ELEMENT_QUAD4, ELEMENT_TRI3, ELEMENT_TRI3},
+                                       .cell_tag   = (const PetscInt[]){0, 1, 1},
+                                       .cell_nodes = (const PetscInt[]){0, 1, 2, 3, 1, 4, 5, 1, 5, 2}};
 
-  for (int i = 0; i < 18; ++i) vector[i] = 0.5 * i;
-  for (int i = 0; i < 54; ++i) tensor[i] = i;
-  for (int i = 0; i < 6; ++i) gap[i] = i < 3 ? 0.25 * i : NAN;
-  memset(picture, 0, sizeof(*picture));
-  picture->title            = "a <mixed> & small one";
-  picture->first            = "Vectors=\"displacement\"";
-  picture->num_points       = 6;
-  picture->num_cells        = 3;
-  picture->points           = points;
-  picture->cell_start       = start;
-  picture->cell_nodes       = nodes;
-  picture->cell_type        = type;
-  picture->num_point_arrays = 6;
-  picture->num_cell_arrays  = 1;
-  picture->point[0]         = (PictureArray){"displacement", 3, PETSC_FALSE, vector};
-  picture->point[1]         = (PictureArray){"stress", 9, PETSC_FALSE, tensor};
-  picture->point[2]         = (PictureArray){"von_mises", 1, PETSC_FALSE, scalar};
-  picture->point[3]         = (PictureArray){"pressure", 1, PETSC_FALSE, scalar};
-  picture->point[4]         = (PictureArray){"gap", 1, PETSC_FALSE, gap};
-  picture->point[5]         = (PictureArray){"status", 1, PETSC_TRUE, status};
-  picture->cell[0]          = (PictureArray){"body", 1, PETSC_TRUE, body};
+/* Quantities at the points of a part. */
+static PetscErrorCode WritePicture(MPI_Comm comm, const PictureFormat *format, const PicturePart *part, Files *files,
+                                   const char base[])
+{
+  const PetscInt n       = part->num_points + 1; /* nodes, at most */
+  Picture        picture = {
+             .base = base, .title = "a <mixed> & small one", .first = "Vectors=\"displacement\"", .files = files};
+  PetscReal *values, *body;
+
+  PetscFunctionBeginUser;
+  PetscCall(PictureOpen(comm, format, &picture));
+  PetscCall(PictureMesh(&picture, part, &body));
+  PetscCall(PetscMalloc1(n * 9, &values));
+  for (PetscInt i = 0; i < n * 9; ++i) values[i] = 0.5 * (PetscReal)i;
+  PetscCall(PicturePoints(&picture, (Quantity){"displacement", 3, PETSC_FALSE}, 2, values));
+  PetscCall(PicturePoints(&picture, (Quantity){"stress", 9, PETSC_FALSE}, 9, values));
+  PetscCall(PicturePoints(&picture, (Quantity){"von_mises", 1, PETSC_FALSE}, 1, values));
+  PetscCall(PicturePoints(&picture, (Quantity){"pressure", 1, PETSC_FALSE}, 1, values));
+  for (PetscInt i = 0; i < n; ++i) values[i] = i < 3 ? 0.25 * (PetscReal)i : NAN;
+  PetscCall(PicturePoints(&picture, (Quantity){"gap", 1, PETSC_FALSE}, 1, values));
+  for (PetscInt i = 0; i < n; ++i) values[i] = (PetscReal)(i % 4 - 1);
+  PetscCall(PicturePoints(&picture, (Quantity){"status", 1, PETSC_TRUE}, 1, values));
+  PetscCall(PictureCells(&picture, (Quantity){"body", 1, PETSC_TRUE}, body));
+  PetscCall(PictureClose(&picture));
+  PetscCall(PetscFree(values));
+  PetscCall(PetscFree(body));
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 static PetscErrorCode TestPicture(void)
 {
   static const int expected[13] = {4, 1, 4, 5, 4, 1, 5, 2, 5, 0, 1, 2, 3};
-  Picture          picture;
-  Files            files = {0};
-  int              cells[13];
+  Files            files        = {0};
+  int              cells[13], status[6];
   double           displacement[18], gap[6];
   hid_t            file, set;
   char            *text;
 
   PetscFunctionBeginUser;
-  FillPicture(&picture);
-  PetscCall(PictureWriteHDF5(&picture, &files, "folder/below/picture.h5"));
-  PetscCall(PictureWriteXDMF(&picture, &files, "folder/below/picture.xdmf", "folder/below/picture.h5"));
-  PetscCall(PictureWriteVTU(&picture, &files, "folder/below/picture.vtu"));
+  PetscCall(WritePicture(PETSC_COMM_SELF, &picture_hdf5, &small_part, &files, "folder/below/picture"));
+  PetscCall(WritePicture(PETSC_COMM_SELF, &picture_vtu, &small_part, &files, "folder/below/picture"));
   CHECK(!Exists("folder/below/picture.h5")); /* not before it is finished */
   PetscCall(FilesFinish(PETSC_COMM_SELF, &files));
 
@@ -144,11 +147,15 @@ static PetscErrorCode TestPicture(void)
   H5Dclose(set);
   set = H5Dopen2(file, "displacement", H5P_DEFAULT);
   CHECK(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, displacement) >= 0);
-  for (int i = 0; i < 18; ++i) CHECK(displacement[i] == 0.5 * i);
+  for (int i = 0; i < 18; ++i) CHECK(displacement[i] == (i % 3 < 2 ? 0.5 * (i - i / 3) : 0.0)); /* in the plane */
   H5Dclose(set);
   set = H5Dopen2(file, "gap", H5P_DEFAULT);
   CHECK(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, gap) >= 0);
   CHECK(gap[2] == 0.5 && isnan(gap[3]));
+  H5Dclose(set);
+  set = H5Dopen2(file, "status", H5P_DEFAULT);
+  CHECK(H5Dread(set, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, status) >= 0);
+  CHECK(status[0] == -1 && status[3] == 2 && status[5] == 0);
   H5Dclose(set);
   H5Fclose(file);
 
@@ -170,21 +177,23 @@ static PetscErrorCode TestPicture(void)
    the formats know them are 36 and 35, 22 and 28. */
 static PetscErrorCode TestQuadraticCells(void)
 {
-  static const int expected[17] = {36, 0, 1, 2, 3, 4, 5, 35, 1, 6, 7, 2, 8, 9, 10, 4, 11};
-  static PetscInt  start[3] = {0, 6, 15}, nodes[15] = {0, 1, 2, 3, 4, 5, 1, 6, 7, 2, 8, 9, 10, 4, 11};
-  static PetscInt  type[2] = {ELEMENT_TRI6, ELEMENT_QUAD9};
-  Picture          picture;
-  Topology         topology;
-  Files            files = {0};
-  char            *text;
+  static const int       expected[17] = {36, 0, 1, 2, 3, 4, 5, 35, 1, 6, 7, 2, 8, 9, 10, 4, 11};
+  static PetscInt        start[3] = {0, 6, 15}, nodes[15] = {0, 1, 2, 3, 4, 5, 1, 6, 7, 2, 8, 9, 10, 4, 11};
+  static PetscInt        type[2]        = {ELEMENT_TRI6, ELEMENT_QUAD9};
+  static const PetscReal places[12 * 2] = {0};
+  const PicturePart      part           = {.dim        = 2,
+                                           .num_points = 12,
+                                           .coords     = places,
+                                           .num_cells  = 2,
+                                           .cell_type  = type,
+                                           .cell_tag   = (const PetscInt[]){0, 1},
+                                           .cell_nodes = nodes};
+  Topology               topology;
+  Files                  files = {0};
+  char                  *text;
 
   PetscFunctionBeginUser;
-  FillPicture(&picture);
-  picture.num_cells  = 2;
-  picture.cell_start = start;
-  picture.cell_nodes = nodes;
-  picture.cell_type  = type;
-  PetscCall(TopologyCreate(&picture, &topology));
+  PetscCall(TopologyCreate(&(SortedCells){2, start, nodes, type}, &topology));
   CHECK(strcmp(topology.name, "Mixed") == 0 && topology.rows == 17 && topology.columns == 1);
   CHECK(memcmp(topology.values, expected, sizeof(expected)) == 0);
   PetscCall(TopologyDestroy(&topology));
@@ -192,17 +201,11 @@ static PetscErrorCode TestQuadraticCells(void)
     static const char *const name[2]  = {"Triangle_6", "Quadrilateral_9"};
     PetscInt                 alone[2] = {0, first ? 9 : 6};
 
-    picture.num_cells  = 1;
-    picture.cell_start = alone;
-    picture.cell_type  = &type[first];
-    PetscCall(TopologyCreate(&picture, &topology));
+    PetscCall(TopologyCreate(&(SortedCells){1, alone, nodes, &type[first]}, &topology));
     CHECK(strcmp(topology.name, name[first]) == 0 && topology.rows == 1 && topology.columns == alone[1]);
     PetscCall(TopologyDestroy(&topology));
   }
-  picture.num_cells  = 2;
-  picture.cell_start = start;
-  picture.cell_type  = type;
-  PetscCall(PictureWriteVTU(&picture, &files, "picture.vtu"));
+  PetscCall(WritePicture(PETSC_COMM_SELF, &picture_vtu, &part, &files, "picture"));
   PetscCall(FilesFinish(PETSC_COMM_SELF, &files));
   text = Slurp("picture.vtu");
   CHECK(strstr(text, "Name=\"types\" format=\"binary\">\nAgAAAAAAAAAWHA==\n")); /* 2 bytes: 22, 28 */
@@ -211,17 +214,95 @@ static PetscErrorCode TestQuadraticCells(void)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Points that are some of the nodes: cells tell of nodes by their places among the points. Each rank but the second, which has
+   nothing, has a line between two of its three nodes. */
+static PetscErrorCode TestSomeNodes(void)
+{
+  PetscMPIInt     rank, ranks;
+  const PetscReal coords[] = {0, 0, 1, 0, 2, 0};
+  const PetscInt  nodes[] = {0, 2}, type = ELEMENT_LINE2, tag = 0;
+  PetscInt        global[3], ends[2];
+  Files           files = {0};
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_rank(PETSC_COMM_WORLD, &rank));
+  PetscCallMPI(MPI_Comm_size(PETSC_COMM_WORLD, &ranks));
+  for (PetscInt i = 0; i < 3; ++i) global[i] = 3 * rank + i;
+  for (PetscInt i = 0; i < 2; ++i) ends[i] = global[nodes[i]];
+  PetscCall(WritePicture(PETSC_COMM_WORLD, &picture_hdf5,
+                         &(PicturePart){.dim        = 2,
+                                        .num_points = rank == 1 ? 0 : 2,
+                                        .nodes      = rank == 1 ? NULL : nodes,
+                                        .global     = global,
+                                        .coords     = coords,
+                                        .num_cells  = rank == 1 ? 0 : 1,
+                                        .cell_type  = &type,
+                                        .cell_tag   = &tag,
+                                        .cell_nodes = ends},
+                         &files, "side"));
+  PetscCall(FilesFinish(PETSC_COMM_WORLD, &files));
+  if (rank == 0) {
+    const hid_t file    = H5Fopen("side.h5", H5F_ACC_RDONLY, H5P_DEFAULT);
+    const hid_t sets[2] = {H5Dopen2(file, "points", H5P_DEFAULT), H5Dopen2(file, "cells", H5P_DEFAULT)};
+    double      points[3 * 6];
+    int         cells[6];
+
+    CHECK(ranks <= 3);
+    CHECK(H5Dread(sets[0], H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, points) >= 0);
+    CHECK(H5Dread(sets[1], H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, cells) >= 0);
+    CHECK(points[0] == 0 && points[3] == 2 && cells[0] == 0 && cells[1] == 1);
+    if (ranks > 2) CHECK(points[6] == 0 && points[9] == 2 && cells[2] == 2 && cells[3] == 3);
+    for (int i = 0; i < 2; ++i) H5Dclose(sets[i]);
+    H5Fclose(file);
+    CHECK(unlink("side.h5") == 0 && unlink("side.xdmf") == 0);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* While a large picture is written, the first rank holds one quantity and not all: less than half of the file. */
+static PetscErrorCode TestMemory(void)
+{
+#if !defined(__SANITIZE_ADDRESS__) /* which keeps what is freed */
+  enum { NUM = 400000 };
+  PetscReal    *coords;
+  PetscInt      nodes[3] = {0, 1, 2};
+  PicturePart   part     = {.dim        = 2,
+                            .num_points = NUM,
+                            .num_cells  = 1,
+                            .cell_type  = (const PetscInt[]){ELEMENT_TRI3},
+                            .cell_tag   = (const PetscInt[]){0},
+                            .cell_nodes = nodes};
+  Files         files    = {0};
+  struct rusage before, after;
+  struct stat   info;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(NUM * 2, &coords));
+  for (PetscInt i = 0; i < NUM * 2; ++i) coords[i] = (PetscReal)i;
+  part.coords = coords;
+  CHECK(getrusage(RUSAGE_SELF, &before) == 0);
+  PetscCall(WritePicture(PETSC_COMM_SELF, &picture_hdf5, &part, &files, "large"));
+  CHECK(getrusage(RUSAGE_SELF, &after) == 0);
+  PetscCall(FilesFinish(PETSC_COMM_SELF, &files));
+  CHECK(stat("large.h5", &info) == 0 && info.st_size > (3 + 3 + 9 + 3) * NUM * 8);
+  CHECK((after.ru_maxrss - before.ru_maxrss) * 1024 < info.st_size * 2 / 3);
+  PetscCall(PetscFree(coords));
+  CHECK(unlink("large.h5") == 0 && unlink("large.xdmf") == 0);
+#else
+  PetscFunctionBeginUser;
+#endif
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* A disk that is full after 4 KiB: an error, a sentence, and no file at all, not even those that would have fitted. */
 static PetscErrorCode TestFullDisk(void)
 {
   struct rlimit  old, small;
-  Picture        picture;
   Files          files = {0};
   FILE          *out;
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
-  FillPicture(&picture);
   CHECK(getrlimit(RLIMIT_FSIZE, &old) == 0);
   small = (struct rlimit){4096, old.rlim_max};
   signal(SIGXFSZ, SIG_IGN);
@@ -230,15 +311,15 @@ static PetscErrorCode TestFullDisk(void)
   fputs("short", out);
   PetscCall(FilesClose(&files, &out));
   CHECK(!files.failure[0]);
-  PetscCall(PictureWriteHDF5(&picture, &files, "large.h5"));
+  PetscCall(WritePicture(PETSC_COMM_SELF, &picture_hdf5, &small_part, &files, "large"));
   CHECK(strstr(files.failure, "cannot write large.h5: "));
-  PetscCall(PictureWriteVTU(&picture, &files, "large.vtu")); /* does nothing any more */
+  PetscCall(WritePicture(PETSC_COMM_SELF, &picture_vtu, &small_part, &files, "large")); /* does nothing any more */
   CHECK(setrlimit(RLIMIT_FSIZE, &old) == 0);
   PetscCall(PetscPushErrorHandler(PetscReturnErrorHandler, NULL));
   error = FilesFinish(PETSC_COMM_SELF, &files);
   PetscCall(PetscPopErrorHandler());
   CHECK(error == PETSC_ERR_FILE_WRITE);
-  CHECK(!Exists("fits.txt") && !Exists("large.h5") && !Exists("large.vtu"));
+  CHECK(!Exists("fits.txt") && !Exists("large.h5") && !Exists("large.xdmf") && !Exists("large.vtu"));
 
   CHECK(setrlimit(RLIMIT_FSIZE, &small) == 0);
   files = (Files){0};
@@ -307,12 +388,14 @@ int main(int argc, char **argv)
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   PetscCallMPI(MPI_Comm_rank(PETSC_COMM_WORLD, &rank));
   PetscCall(TestGather());
+  if (rank == 0) CHECK(mkdtemp(folder) && chdir(folder) == 0);
+  PetscCall(TestSomeNodes());
   if (rank == 0) {
-    CHECK(mkdtemp(folder) && chdir(folder) == 0);
     TestNumbers();
     TestXML();
     PetscCall(TestPicture());
     PetscCall(TestQuadraticCells());
+    PetscCall(TestMemory());
     PetscCall(TestFullDisk());
     PetscCall(TestCheck());
     CHECK(chdir("..") == 0 && rmdir(folder) == 0);
