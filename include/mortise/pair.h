@@ -21,13 +21,14 @@ typedef struct {
 } PairEnd;
 
 struct _n_Pair {
-  const ScenePair *spec;   /* borrowed */
-  Level           *level;  /* borrowed */
-  PetscInt         num;    /* multiplier nodes owned by this rank */
-  PetscInt        *nodes;  /* their local node numbers, ascending [num] */
-  PetscReal       *D;      /* weights D_aa > 0 [num] */
-  PetscReal       *gap;    /* nodal gaps G_a / D_aa, signed, open > 0 [num] */
-  PetscReal       *normal; /* unit, out of the nonmortar body [num][dim] */
+  const ScenePair *spec;    /* borrowed */
+  Level           *level;   /* borrowed */
+  PetscInt         num;     /* multiplier nodes owned by this rank */
+  PetscInt        *nodes;   /* their local node numbers, ascending [num] */
+  PetscReal       *D;       /* weights D_aa > 0 [num] */
+  PetscReal       *gap;     /* nodal gaps G_a / D_aa, signed, open > 0 [num] */
+  PetscReal       *overlap; /* the largest -g at a point of the facets around a node [num] */
+  PetscReal       *normal;  /* unit, out of the nonmortar body [num][dim] */
   PetscReal       *frame; /* rows (n, t..) orthonormal; t along the held direction where there is one [num][dim][dim] */
   PetscBool       *cut;   /* whether a facet around the node is covered in part; then `ends` tell where [num] */
   PetscBool       *whole; /* whether a facet around the node is covered altogether [num] */

@@ -91,6 +91,29 @@ static PetscErrorCode Ends_Private(const Facets *facets, const FacetIntegral int
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The largest overlap at a point of the facets around each node. Collective. */
+static PetscErrorCode Overlaps_Private(const Facets *facets, const FacetIntegral integrals[], Vec overlap)
+{
+  Vec          local;
+  PetscScalar *a;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGhostGetLocalForm(overlap, &local));
+  PetscCall(VecSet(local, PETSC_MIN_REAL));
+  PetscCall(VecGetArray(local, &a));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    for (PetscInt i = 0; i < integrals[f].n; i++) {
+      PetscScalar *at = &a[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
+
+      *at = PetscMax(PetscRealPart(*at), -integrals[f].least);
+    }
+  }
+  PetscCall(VecRestoreArray(local, &a));
+  PetscCall(VecGhostRestoreLocalForm(overlap, &local));
+  PetscCall(LevelShareVec(overlap, MAX_VALUES));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Sums what this rank's facets contribute; ghosts are not yet shared. */
 static PetscErrorCode SumFacets_Private(Level *level, const Facets *facets, const FacetIntegral integrals[],
                                         Integrals *sums)
@@ -204,6 +227,7 @@ PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const 
   PetscCall(LevelCreateVec(level, 1, &sums->D));
   PetscCall(VecDuplicate(sums->D, &sums->full));
   PetscCall(VecDuplicate(sums->D, &sums->G));
+  PetscCall(VecDuplicate(sums->D, &sums->overlap));
   PetscCall(VecDuplicate(sums->D, &sums->measure));
   PetscCall(VecDuplicate(sums->D, &sums->cover));
   PetscCall(VecDuplicate(sums->D, &sums->whole));
@@ -211,6 +235,7 @@ PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const 
   PetscCall(CreateM_Private(level, partner, facets, integrals, &sums->M));
   PetscCall(CreateChain_Private(level, facets, sums->carrier, &sums->chain));
   PetscCall(SumFacets_Private(level, facets, integrals, sums));
+  PetscCall(Overlaps_Private(facets, integrals, sums->overlap));
   PetscCall(Ends_Private(facets, integrals, sums));
   PetscCall(Assemble_Private(sums->M));
   PetscCall(Assemble_Private(sums->chain));
@@ -225,6 +250,7 @@ PetscErrorCode IntegralsDestroy(Integrals *sums)
   PetscCall(VecDestroy(&sums->D));
   PetscCall(VecDestroy(&sums->full));
   PetscCall(VecDestroy(&sums->G));
+  PetscCall(VecDestroy(&sums->overlap));
   PetscCall(VecDestroy(&sums->measure));
   PetscCall(VecDestroy(&sums->cover));
   PetscCall(VecDestroy(&sums->whole));

@@ -115,6 +115,7 @@ static PetscErrorCode SumPoints_Private(const FacetPartner *partner, const ClipF
     PetscCall(GapAt_Private(partner, num_nodes, facet->X, phi, &gap));
     if (p == 0 || f != list->facet[p - 1]) PetscCall(FindColumns_Private(partner, f, integral, columns));
     if (f >= 0) AddPoint_Private(&list->point[p], partner->mortar->type[f], columns, psi, integral);
+    integral->least = PetscMin(integral->least, gap);
     for (PetscInt i = 0; i < integral->n; i++) {
       integral->gap[i] += w[p] * psi[i] * gap;
       for (PetscInt j = integral->n; j < num_nodes; j++) integral->chain[i][j] += w[p] * psi[i] * phi[j];
@@ -185,6 +186,7 @@ PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *face
   integral->n           = ElementNumNodes(carrier);
   integral->num_columns = 0;
   integral->measure = integral->cover = 0;
+  integral->least                     = PETSC_MAX_REAL;
   for (PetscInt i = 0; i < integral->n; i++) {
     integral->covered[i] = integral->full[i] = integral->gap[i] = 0;
     PetscCall(PetscArrayzero(integral->chain[i], ELEMENT_MAX_FACET_NODES));

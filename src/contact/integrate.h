@@ -7,12 +7,13 @@
 
 /* Contribution of one nonmortar facet, n of whose nodes carry multipliers, the first ones; arrays grow as needed. */
 typedef struct {
-  PetscInt   n;                                                       /* all nodes of the facet, or its vertices */
-  PetscReal  measure, cover;                                          /* of the facet, of its covered part */
-  PetscBool  whole, cut;                                              /* covered altogether, by a mesh in part */
-  PetscReal  covered[ELEMENT_MAX_FACET_NODES];                        /* D_ii: int_cov phi~_i = int psi_i */
-  PetscReal  full[ELEMENT_MAX_FACET_NODES];                           /* int phi~_i over the whole facet */
-  PetscReal  gap[ELEMENT_MAX_FACET_NODES];                            /* int psi_i g */
+  PetscInt   n;                                /* all nodes of the facet, or its vertices */
+  PetscReal  measure, cover;                   /* of the facet, of its covered part */
+  PetscBool  whole, cut;                       /* covered altogether, by a mesh in part */
+  PetscReal  covered[ELEMENT_MAX_FACET_NODES]; /* D_ii: int_cov phi~_i = int psi_i */
+  PetscReal  full[ELEMENT_MAX_FACET_NODES];    /* int phi~_i over the whole facet */
+  PetscReal  gap[ELEMENT_MAX_FACET_NODES];     /* int psi_i g */
+  PetscReal  least;                            /* gap at any point; infinite where there is none */
   PetscReal  chain[ELEMENT_MAX_FACET_NODES][ELEMENT_MAX_FACET_NODES]; /* int psi_i phi_j of nodes j >= n, else zero */
   PetscInt   num_columns, max_columns;                                /* mortar nodes met */
   PetscInt  *columns;                                                 /* global nodes [num_columns] */

@@ -27,12 +27,13 @@ static PetscErrorCode CollectNodes_Private(Level *level, const Support *held, co
 {
   const PetscInt     dim      = level->dim;
   PetscInt           count[3] = {0, 0, 0};
-  const PetscScalar *D, *G, *measure, *N, *whole, *cut;
+  const PetscScalar *D, *G, *measure, *overlap, *N, *whole, *cut;
 
   PetscFunctionBeginUser;
   PetscCall(VecGetArrayRead(draft->sums.D, &D));
   PetscCall(VecGetArrayRead(draft->sums.G, &G));
   PetscCall(VecGetArrayRead(draft->sums.measure, &measure));
+  PetscCall(VecGetArrayRead(draft->sums.overlap, &overlap));
   PetscCall(VecGetArrayRead(draft->normals, &N));
   PetscCall(VecGetArrayRead(draft->sums.whole, &whole));
   PetscCall(VecGetArrayRead(draft->sums.cut, &cut));
@@ -42,12 +43,13 @@ static PetscErrorCode CollectNodes_Private(Level *level, const Support *held, co
   pair->num = count[NODE_KEPT];
   PetscCall(PetscMalloc5(pair->num, &pair->nodes, pair->num, &pair->D, pair->num, &pair->gap, pair->num * dim,
                          &pair->normal, pair->num * dim * dim, &pair->frame));
-  PetscCall(PetscMalloc2(pair->num, &pair->cut, pair->num, &pair->whole));
+  PetscCall(PetscMalloc3(pair->num, &pair->cut, pair->num, &pair->whole, pair->num, &pair->overlap));
   for (PetscInt i = 0, k = 0; i < level->num_owned; i++) {
     if (draft->fate[i] != NODE_KEPT) continue;
-    pair->nodes[k] = i;
-    pair->D[k]     = PetscRealPart(D[i]);
-    pair->gap[k]   = PetscRealPart(G[i]) / pair->D[k];
+    pair->nodes[k]   = i;
+    pair->D[k]       = PetscRealPart(D[i]);
+    pair->gap[k]     = PetscRealPart(G[i]) / pair->D[k];
+    pair->overlap[k] = PetscRealPart(overlap[i]);
     for (PetscInt j = 0; j < dim; j++) pair->normal[k * dim + j] = PetscRealPart(N[i * dim + j]);
     pair->whole[k] = (PetscBool)(PetscRealPart(whole[i]) > 0);
     pair->cut[k]   = (PetscBool)(PetscRealPart(cut[i]) > 0);
@@ -57,6 +59,7 @@ static PetscErrorCode CollectNodes_Private(Level *level, const Support *held, co
   PetscCall(VecRestoreArrayRead(draft->sums.cut, &cut));
   PetscCall(VecRestoreArrayRead(draft->sums.whole, &whole));
   PetscCall(VecRestoreArrayRead(draft->normals, &N));
+  PetscCall(VecRestoreArrayRead(draft->sums.overlap, &overlap));
   PetscCall(VecRestoreArrayRead(draft->sums.measure, &measure));
   PetscCall(VecRestoreArrayRead(draft->sums.G, &G));
   PetscCall(VecRestoreArrayRead(draft->sums.D, &D));
@@ -187,7 +190,7 @@ PetscErrorCode PairDestroy(Pair *pair)
   PetscCall(MatDestroy(&(*pair)->chain));
   PetscCall(MatDestroy(&(*pair)->shift));
   PetscCall(MatDestroy(&(*pair)->unshift));
-  PetscCall(PetscFree2((*pair)->cut, (*pair)->whole));
+  PetscCall(PetscFree3((*pair)->cut, (*pair)->whole, (*pair)->overlap));
   PetscCall(PetscFree((*pair)->ends));
   PetscCall(PetscFree5((*pair)->nodes, (*pair)->D, (*pair)->gap, (*pair)->normal, (*pair)->frame));
   PetscCall(PetscFree(*pair));

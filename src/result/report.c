@@ -6,6 +6,7 @@
 #include <mortise/log.h>
 #include <mortise/compat.h>
 #include <mortise/pairsum.h>
+#include "bumps.h"
 #include "validity.h"
 #include "verdict.h"
 
@@ -24,6 +25,29 @@ static PetscErrorCode VectorText_Private(PetscInt dim, const PetscReal v[], char
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Where contact pushes as if bodies overlapped that do not; nothing where that does not show. */
+static PetscErrorCode PrintBump_Private(const SummaryInput *in, PetscInt p)
+{
+  const Pair pair = in->vi->pairs[p];
+  PetscBool  shows;
+  PetscReal  overlap, at[3];
+  char       text[128];
+
+  PetscFunctionBeginUser;
+  PetscCall(BumpFind(in->fields, p, &shows, &overlap, at));
+  if (!shows) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VectorText_Private(in->scene->dim, at, text, sizeof(text)));
+  PetscCall(PetscPrintf(in->scene->comm,
+                        "    not to be trusted near %s: the gap has a step or a bend within a facet there, and its "
+                        "mean pushes as if bodies "
+                        "overlapped by %.3g more than they do; let facets end there%s\n",
+                        text, (double)overlap,
+                        pair->spec->mortar.body < 0
+                            ? ""
+                            : ", list in the pair only what is to meet, or let the other side be nonmortar"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* One pair, in one or two lines. */
 static PetscErrorCode PrintPair_Private(const SummaryInput *in, PetscInt p)
 {
@@ -33,6 +57,13 @@ static PetscErrorCode PrintPair_Private(const SummaryInput *in, PetscInt p)
   char             force[128], at[128];
 
   PetscFunctionBeginUser;
+  if (!in->vi->pairs[p]->num_multipliers && in->vi->pairs[p]->num_removed) {
+    PetscCall(PetscPrintf(comm,
+                          "  %s: nothing for contact to decide: the nodes of %s:%s that face it are held along their "
+                          "normal, or served by another pair\n",
+                          spec->name, in->scene->bodies[spec->nonmortar.body].name, spec->nonmortar.side));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
   if (!in->vi->pairs[p]->num_multipliers) {
     PetscCall(PetscPrintf(comm,
                           "  %s: no part of %s:%s faces what it is to meet within the reach of %.6g (-%s_reach), be it "
@@ -53,6 +84,7 @@ static PetscErrorCode PrintPair_Private(const SummaryInput *in, PetscInt p)
       PetscCall(PetscPrintf(comm, "where the partner ends, %.6g elsewhere, ", (double)sum.max_covered));
     PetscCall(PetscPrintf(comm, "area %.6g\n", (double)sum.area));
   }
+  PetscCall(PrintBump_Private(in, p));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

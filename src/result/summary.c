@@ -10,6 +10,7 @@
 #include <mortise/compat.h>
 #include <mortise/solvability.h>
 #include "bodies.h"
+#include "bumps.h"
 #include "verdict.h"
 
 static PetscErrorCode AddMortise_Private(const SummaryInput *in, cJSON *root)
@@ -252,6 +253,7 @@ static PetscErrorCode AddPairs_Private(const SummaryInput *in, cJSON *root)
     JSONAddReals(extent, "upper", dim, sum.upper);
     JSONAddReals(pair, "centre_of_pressure", dim, sum.centre);
     JSONAddReal(pair, "moment_imbalance", sum.moment_imbalance);
+    PetscCall(BumpAdd(in->fields, p, dim, pair));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

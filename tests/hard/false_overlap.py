@@ -1,0 +1,21 @@
+"""The mean gap beside a bend within a facet is below all gaps there: that is told, with its size, and not where a facet ends at the bend."""
+from judge import near, require
+
+FACET, SLOPE, BEND = 0.2, 0.5, 1 / 3  # the bend is a third into the facet from 0.4 to 0.6
+
+
+def antiderivative(t):
+    """Of psi (t - BEND), psi = 2 - 3 t the dual function of the node at t = 0, which has int psi = 1/2 on each of its two facets."""
+    return -(t**3) + (2 + 3 * BEND) / 2 * t**2 - 2 * BEND * t
+
+
+def judge(run):
+    overlap = -SLOPE * FACET * (antiderivative(1) - antiderivative(BEND))  # all gaps there are at least 0
+    near("overlap", run.pair("joint")["false_overlap"], overlap, relative=1e-9)
+    near("its place", run.pair("joint")["false_overlap_at"], [0.4, 0], absolute=1e-12)
+    told = f"not to be trusted near (0.4, 0): the gap has a step or a bend within a facet there, and its mean pushes as if bodies overlapped by {overlap:.3g} more"
+    require(told in run.stdout, run.stdout)
+    other = run.again("-block_dm_plex_box_faces", "15,5", name="nodes")
+    require(other.pair("joint")["false_overlap"] < 1e-12 and "false_overlap_at" not in other.pair("joint"), str(other.pair("joint")))
+    require("not to be trusted" not in other.stdout, other.stdout)
+    near("force", other.pair("joint")["normal_force"], 2, relative=1e-9)
