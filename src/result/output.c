@@ -3,6 +3,7 @@
 #include <mortise/output.h>
 #include <mortise/fault.h>
 #include <mortise/compat.h>
+#include "drawn.h"
 #include "picture.h"
 
 struct _n_Output {
@@ -119,6 +120,7 @@ PetscErrorCode OutputAddFields(Output output, Fields fields)
   PetscFunctionBeginUser;
   PetscCall(AddPicture_Private(output, &(Told){vi, fields, -1},
                                "Vectors=\"displacement\" Tensors=\"stress\" Scalars=\"von_mises\""));
+  if (output->rank == 0) PetscCall(DrawnRemove(&output->files, vi->scene->output));
   for (PetscInt p = 0; p < vi->num_pairs; ++p) {
     PetscCall(OutputPath_Private(vi->scene, vi->pairs[p]->spec->name, ".csv", path));
     PetscCall(PairWriteCSV(fields, p, &output->files, path));
@@ -150,6 +152,7 @@ PetscErrorCode OutputAddMotion(Output output, VI vi)
   PetscFunctionBeginUser;
   PetscCall(RemoveFields_Private(output, vi->scene));
   PetscCall(AddPicture_Private(output, &(Told){vi, NULL, -1}, "Vectors=\"motion\""));
+  if (output->rank == 0) PetscCall(DrawnRemove(&output->files, vi->scene->output));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -1,7 +1,11 @@
-"""A run in another format than the one before: fields of the earlier one go with its summary, and a folder of such a name stays."""
+"""A run in another format than the one before: fields of the earlier one go with its summary, and a folder of such a name stays. So do picture
+and page that the companions made of it, and others of such names stay."""
+import pathlib
 import subprocess
 
 from judge import CHECKS, NAME, require, same
+
+PLOT = pathlib.Path(__file__).parents[2] / "options" / "mortise-plot"
 
 
 def endings(run, *arguments):
@@ -16,3 +20,11 @@ def judge(run):
     same("files beside a folder", endings(run, "-output_format", "vtu"), [".csv", ".json", ".vtu"])
     (run.folder / f"{NAME}.h5").rmdir()
     same("files of XDMF again", endings(run), [".csv", ".h5", ".json", ".xdmf"])
+    same("files with a page", endings(run, "-report"), [".csv", ".h5", ".html", ".json", ".xdmf"])
+    subprocess.run([PLOT, run.folder / NAME], check=True, capture_output=True)
+    same("files with the next page", endings(run, "-report"), [".csv", ".h5", ".html", ".json", ".xdmf"])
+    subprocess.run([PLOT, run.folder / NAME], check=True, capture_output=True)
+    same("files after both", endings(run), [".csv", ".h5", ".json", ".xdmf"])
+    (run.folder / f"{NAME}.png").write_bytes(bytes(range(256)))
+    (run.folder / f"{NAME}.html").write_text("a page of somebody")
+    same("files beside those of others", endings(run), [".csv", ".h5", ".html", ".json", ".png", ".xdmf"])
