@@ -16,6 +16,7 @@ foreach(path IN LISTS cases)
     mortise_find_scene(scene_file ${case_scene})
     list(PREPEND case_options -options_file ${scene_file})
   endif()
+  set(options_of_${case} ${case_options}) # for others who ask something of every case
   foreach(ranks IN LISTS case_ranks)
     mortise_judged(${case} ${ranks} "" --any-end --check ${CMAKE_CURRENT_LIST_DIR}/cases.py -- ${case_options} -cross_check)
   endforeach()
