@@ -8,8 +8,8 @@
    X the rows h of T^-1, so that G_hh is small and sparse and is factored. Displacements held along axes are no part of all this: D^-1
    is 0 there. */
 #include <mortise/compat.h>
-#include <petscksp.h>
 #include "apart.h"
+#include "everywhere.h"
 
 typedef struct {
   Mat        inverse; /* T^-1 */
@@ -18,9 +18,9 @@ typedef struct {
   Vec        s, t;    /* displacements, forces */
   PetscBool *alone;   /* eliminated, and a displacement [unknowns of this rank] */
   PetscInt   num;
-  PetscInt  *held; /* [num] */
-  Mat        X;    /* NULL where all that is held is alone */
-  KSP        ksp;  /* with G_hh */
+  PetscInt  *held;   /* [num] */
+  Mat        X;      /* NULL where all that is held is alone */
+  PC         factor; /* of G_hh */
   Vec        gap, force;
 } Apart;
 
@@ -29,7 +29,7 @@ static PetscErrorCode Release_Private(Apart *apart)
   PetscFunctionBeginUser;
   PetscCall(PetscFree(apart->held));
   PetscCall(MatDestroy(&apart->X));
-  PetscCall(KSPDestroy(&apart->ksp));
+  PetscCall(PCDestroy(&apart->factor));
   PetscCall(VecDestroy(&apart->gap));
   PetscCall(VecDestroy(&apart->force));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -64,7 +64,7 @@ static PetscErrorCode Mult_Apart(Mat S, Vec r, Vec z)
   PetscCall(VecPointwiseMult(apart->s, apart->w, apart->t));
   if (apart->X) {
     PetscCall(MatMult(apart->X, apart->s, apart->gap));
-    PetscCall(KSPSolve(apart->ksp, apart->gap, apart->force));
+    PetscCall(PCApply(apart->factor, apart->gap, apart->force));
     PetscCall(VecScale(apart->force, -1));
     PetscCall(MatMultTransposeAdd(apart->X, apart->force, apart->t, apart->t));
     PetscCall(VecPointwiseMult(apart->s, apart->w, apart->t));
@@ -179,28 +179,19 @@ static PetscErrorCode CreateG_Private(Mat X, Vec w, Mat *G)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* G_hh and its factors, which every rank makes for itself. */
+/* G_hh and its factors. */
 static PetscErrorCode Factor_Private(Apart *apart)
 {
   Mat G;
-  KSP own;
-  PC  pc;
 
   PetscFunctionBeginUser;
   PetscCall(CreateG_Private(apart->X, apart->w, &G));
   PetscCall(MatCreateVecs(G, &apart->force, &apart->gap));
-  PetscCall(KSPCreate(PetscObjectComm((PetscObject)G), &apart->ksp));
-  PetscCall(KSPSetOptionsPrefix(apart->ksp, "apart_"));
-  PetscCall(KSPSetType(apart->ksp, KSPPREONLY));
-  PetscCall(KSPSetOperators(apart->ksp, G, G));
-  PetscCall(KSPGetPC(apart->ksp, &pc));
-  PetscCall(PCSetType(pc, PCREDUNDANT));
-  PetscCall(PCRedundantGetKSP(pc, &own));
-  PetscCall(KSPSetType(own, KSPPREONLY));
-  PetscCall(KSPGetPC(own, &pc));
-  PetscCall(PCSetType(pc, PCCHOLESKY));
-  PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
-  PetscCall(KSPSetUp(apart->ksp));
+  PetscCall(PCCreate(PetscObjectComm((PetscObject)G), &apart->factor));
+  PetscCall(PCSetOptionsPrefix(apart->factor, "apart_"));
+  PetscCall(PCSetOperators(apart->factor, G, G));
+  PetscCall(EverywhereSetPC(apart->factor));
+  PetscCall(PCSetUp(apart->factor));
   PetscCall(MatDestroy(&G));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -13,6 +13,7 @@
                algorithms, 1987: the variable V-cycle. */
 #include <mortise/compat.h>
 #include <mortise/fault.h>
+#include "everywhere.h"
 #include "excerpt.h"
 #include "multigrid.h"
 #include "rung.h"
@@ -152,27 +153,6 @@ PetscErrorCode MultigridGetOperator(PC pc, Mat *A)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The coarsest level has few unknowns, and a factorisation of few on several ranks is messages and hardly any work: each makes its own. */
-static PetscErrorCode ConfigureCoarsest_Private(KSP ksp)
-{
-  PetscMPIInt size;
-  PC          pc;
-
-  PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Comm_size(PetscObjectComm((PetscObject)ksp), &size));
-  PetscCall(KSPSetType(ksp, KSPPREONLY));
-  PetscCall(KSPGetPC(ksp, &pc));
-  if (size > 1) {
-    PetscCall(PCSetType(pc, PCREDUNDANT));
-    PetscCall(PCRedundantGetKSP(pc, &ksp));
-    PetscCall(KSPSetType(ksp, KSPPREONLY));
-    PetscCall(KSPGetPC(ksp, &pc));
-  }
-  PetscCall(PCSetType(pc, PCCHOLESKY));
-  PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* What the user says of a smoother: how it iterates, but not with what, of which it knows the eigenvalues. */
 static PetscErrorCode SmootherFromOptions_Private(KSP ksp, PC pc)
 {
@@ -220,7 +200,9 @@ static PetscErrorCode Configure_Private(PC pc, Multigrid *multigrid)
     PetscCall(SmootherFromOptions_Private(ksp, inner));
   }
   PetscCall(PCMGGetCoarseSolve(multigrid->mg, &ksp));
-  PetscCall(ConfigureCoarsest_Private(ksp));
+  PetscCall(KSPSetType(ksp, KSPPREONLY));
+  PetscCall(KSPGetPC(ksp, &inner));
+  PetscCall(EverywhereSetPC(inner));
   PetscCall(KSPSetFromOptions(ksp));
   PetscCall(
       PCSetOperators(multigrid->mg, multigrid->rung[multigrid->num - 1].A, multigrid->rung[multigrid->num - 1].A));
