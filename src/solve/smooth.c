@@ -4,9 +4,6 @@
 #include "components.h"
 #include "smoother.h"
 
-/* Nodes that each node of a line is coupled to, itself included. */
-enum { LINE = 3 };
-
 PetscErrorCode SmootherHold(Mat from, Mat change, PetscInt num, const PetscInt held[], Mat *S)
 {
   PetscInt  begin, *rows;
@@ -58,12 +55,12 @@ static PetscErrorCode DealOut_Private(PC pc, Mat S)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Lines have factors as sparse as themselves; those of planes have dense parts, which is what CHOLMOD is fast with. */
+/* Factors of planes have dense parts, which is what CHOLMOD is fast with; those of lines are as sparse as themselves, and cost the same with
+   anything. To a rank without rows CHOLMOD would say that it is an error. */
 static PetscErrorCode ConfigureFactor_Private(KSP ksp)
 {
-  PetscInt  N, bs;
+  PetscInt  n;
   PetscBool available;
-  MatInfo   info;
   Mat       S;
   PC        pc;
 
@@ -72,16 +69,11 @@ static PetscErrorCode ConfigureFactor_Private(KSP ksp)
   PetscCall(KSPSetType(ksp, KSPPREONLY));
   PetscCall(KSPGetPC(ksp, &pc));
   PetscCall(PCSetType(pc, PCCHOLESKY));
-  PetscCall(MatGetSize(S, &N, NULL));
-  PetscCall(MatGetBlockSize(S, &bs));
-  PetscCall(MatGetInfo(S, MAT_LOCAL, &info));
   PetscCall(MatGetFactorAvailable(S, MATSOLVERCHOLMOD, MAT_FACTOR_CHOLESKY, &available));
-  if (available && info.nz_used > LINE * bs * (PetscReal)N) {
-    PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERCHOLMOD));
-    PetscCall(PCFactorSetMatOrderingType(pc, MATORDERINGEXTERNAL));
-  } else {
-    PetscCall(PCFactorSetMatOrderingType(pc, MATORDERINGQMD));
-  }
+  PetscCall(MatGetSize(S, &n, NULL));
+  available = (PetscBool)(available && n > 0);
+  if (available) PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERCHOLMOD));
+  PetscCall(PCFactorSetMatOrderingType(pc, available ? MATORDERINGEXTERNAL : MATORDERINGQMD));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

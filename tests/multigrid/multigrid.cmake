@@ -18,6 +18,9 @@ mg(two_plates_vertices    SCENE two_plates ARGS ${plane_coarse} -order 2 -upper_
 mg(blocks                 ARGS ${solid_coarse})
 mg(blocks_tetrahedra      SCENE blocks ARGS ${solid_coarse} -upper_dm_plex_simplex 1 -lower_dm_plex_simplex 1)
 mg(blocks_quadratic       SCENE blocks ARGS ${solid_coarse} -order 2)
+# one cell a body: of three ranks one has nothing, and planes of nodes to share
+mg(blocks_long            SCENE blocks ARGS -upper_dm_plex_box_faces 1,1,1 -lower_dm_plex_box_faces 1,1,1 -dm_refine 2
+                          -upper_dm_plex_box_upper 8,1,1 -lower_dm_plex_box_upper 8,1,0)
 
 # --- what bodies touch ---
 mg(three_bodies           ARGS -dm_refine 1)
