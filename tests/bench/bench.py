@@ -11,13 +11,13 @@ With --search: the search for partners alone, between two sheets bent in space (
 (cmake --build build --target bench_search).
 """
 import argparse
-import json
 import math
 import os
 import statistics
 import subprocess
 import sys
-import tempfile
+
+from cases import run_once
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SCENE = os.path.join(HERE, "..", "..", "options", "two_plates.opts")
@@ -26,18 +26,9 @@ SEARCH = ["n", "ranks", "nonmortar", "mortar", "found each", "exchange ms", "que
 STAGES = ["setup", "mortar", "assembly", "condense", "solve", "output"]
 
 
-def run_once(program, options):
-    """Runs the program once; returns (cpu seconds, peak MB, summary)."""
-    with tempfile.TemporaryDirectory() as folder:
-        summary = os.path.join(folder, "summary.json")
-        command = [program, "-options_file", SCENE, "-quiet", "-summary", summary] + options
-        environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
-        process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL)
-        _, status, usage = os.wait4(process.pid, 0)
-        if status != 0:
-            sys.exit(f"bench: {' '.join(command)} ended with status {os.waitstatus_to_exitcode(status)}")
-        with open(summary, encoding="utf-8") as file:
-            return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024.0, json.load(file)
+def run_plates(program, options):
+    """Runs the program once; returns (CPU seconds, peak MB, summary)."""
+    return run_once(program, SCENE, options) or sys.exit("bench: a run that does not end well has no cost")
 
 
 def size_options(n, arguments):
@@ -52,8 +43,8 @@ def size_options(n, arguments):
 def row(program, n, arguments):
     """One line of the table: medians over the runs after one warm-up."""
     options = size_options(n, arguments)
-    run_once(program, options)
-    runs = [run_once(program, options) for _ in range(arguments.runs)]
+    run_plates(program, options)
+    runs = [run_plates(program, options) for _ in range(arguments.runs)]
     summary = runs[0][2]
     unknowns = sum(body["dofs"] for body in summary["scene"]["bodies"].values())
     total = statistics.median(r[2]["timing"]["total"] for r in runs)

@@ -113,7 +113,7 @@ def run_once(program, file, options, ranks=1):
         alarm.cancel()
         process.returncode = os.waitstatus_to_exitcode(status)
         if process.returncode:
-            print(f"scaling: {' '.join(command)} ended with status {process.returncode}", file=sys.stderr)
+            print(f"{' '.join(command)} ended with status {process.returncode}", file=sys.stderr)
             return None
         with open(summary, encoding="utf-8") as text:
             found = json.load(text)
