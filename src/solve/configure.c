@@ -67,27 +67,82 @@ static PetscErrorCode ConvergedFn(SNES snes, PetscInt it, PetscReal xnorm, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* PETSc takes any number for the most iterations, and neither method ends well after none. */
+/* A part of what there was, below one; less than rounding asks for as little as there can be, and is rounding. [in] option - without prefix */
+static PetscErrorCode CheckPart_Private(MPI_Comm comm, const char prefix[], const char option[], PetscReal *part)
+{
+  PetscFunctionBeginUser;
+  if (!(*part >= 0 && *part < 1))
+    PetscCall(FaultRaise(comm, "-%s%s %g: must be at least 0 and less than 1", prefix, option, (double)*part));
+  *part = PetscMax(*part, PETSC_MACHINE_EPSILON);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Neither method ends well after no iterations. */
+static PetscErrorCode CheckMost_Private(MPI_Comm comm, const char prefix[], const char option[], PetscInt most)
+{
+  PetscFunctionBeginUser;
+  if (most < 1) PetscCall(FaultRaise(comm, "-%s%s %" PetscInt_FMT ": must be at least 1", prefix, option, most));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* PETSc takes any number for where to end. */
 static PetscErrorCode CheckLimits_Private(SNES snes, const char prefix[])
 {
   const MPI_Comm comm = PetscObjectComm((PetscObject)snes);
   KSP            ksp;
   PetscInt       max_it;
+  PetscReal      rtol;
 
   PetscFunctionBeginUser;
-  PetscCall(SNESGetTolerances(snes, NULL, NULL, NULL, &max_it, NULL));
-  if (max_it < 1) PetscCall(FaultRaise(comm, "-%ssnes_max_it %" PetscInt_FMT ": must be at least 1", prefix, max_it));
+  PetscCall(SNESGetTolerances(snes, NULL, &rtol, NULL, &max_it, NULL));
+  PetscCall(CheckMost_Private(comm, prefix, "snes_max_it", max_it));
+  PetscCall(CheckPart_Private(comm, prefix, "snes_rtol", &rtol));
+  PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
   PetscCall(SNESGetKSP(snes, &ksp));
-  PetscCall(KSPGetTolerances(ksp, NULL, NULL, NULL, &max_it));
-  if (max_it < 1) PetscCall(FaultRaise(comm, "-%sksp_max_it %" PetscInt_FMT ": must be at least 1", prefix, max_it));
+  PetscCall(KSPGetTolerances(ksp, &rtol, NULL, NULL, &max_it));
+  PetscCall(CheckMost_Private(comm, prefix, "ksp_max_it", max_it));
+  PetscCall(CheckPart_Private(comm, prefix, "ksp_rtol", &rtol));
+  PetscCall(KSPSetTolerances(ksp, rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode ConfigureLinear_Private(const SolveChoice *choice, KSP ksp)
+{
+  const PetscBool multigrid = (PetscBool)!strcmp(choice->pc, PCTRUNCATEDMG);
+  PC              pc;
+
+  PetscFunctionBeginUser;
+  PetscCall(KSPSetType(ksp, choice->ksp));
+  PetscCall(KSPSetTolerances(ksp, KSP_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(PCSetType(pc, choice->pc));
+  if (multigrid) {
+    PetscCall(KSPSetTolerances(ksp, MULTIGRID_RTOL, PETSC_DEFAULT, MULTIGRID_DTOL, MULTIGRID_MAX_IT));
+    PetscCall(KSPSetNormType(ksp, KSP_NORM_UNPRECONDITIONED));
+  }
+  if (SolveFactors(choice->pc)) PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Steps of PETSc's own types, and their end. [out] norm - for their test */
+static PetscErrorCode ConfigureOther_Private(VI vi, PetscReal *norm, SNES snes)
+{
+  SNESLineSearch search;
+
+  PetscFunctionBeginUser;
+  /* whole steps can run in a circle; the minimum of the residual along a step has not been seen to */
+  PetscCall(SNESGetLineSearch(snes, &search));
+  PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHL2));
+  PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, OTHER_RTOL, 0, OTHER_MAX_IT, PETSC_DEFAULT));
+  PetscCall(SNESSetDivergenceTolerance(snes, -1)); // none: the first steps may go far before the set is right
+  PetscCall(Norm_Private(vi, norm));
+  PetscCall(SNESSetConvergenceTest(snes, ConvergedFn, norm, NULL));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, Vec scratch, PetscReal *norm, SNES *snes)
 {
-  const PetscBool multigrid = (PetscBool)!strcmp(choice->pc, PCTRUNCATEDMG);
-  KSP             ksp;
-  PC              pc;
+  KSP ksp;
 
   PetscFunctionBeginUser;
   PetscCall(SNESCreate(PetscObjectComm((PetscObject)vi->A), snes));
@@ -95,27 +150,12 @@ PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, Vec scratch, Pet
   PetscCall(SNESSetFunction(*snes, scratch, FunctionFn, vi));
   PetscCall(SNESSetJacobian(*snes, vi->A, vi->A, JacobianFn, vi));
   PetscCall(SNESGetKSP(*snes, &ksp));
-  PetscCall(KSPSetType(ksp, choice->ksp));
-  PetscCall(KSPSetTolerances(ksp, KSP_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
-  if (multigrid) PetscCall(KSPSetTolerances(ksp, MULTIGRID_RTOL, PETSC_DEFAULT, MULTIGRID_DTOL, MULTIGRID_MAX_IT));
-  PetscCall(KSPGetPC(ksp, &pc));
-  PetscCall(PCSetType(pc, choice->pc));
-  if (multigrid) PetscCall(KSPSetNormType(ksp, KSP_NORM_UNPRECONDITIONED));
-  if (SolveFactors(choice->pc)) PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  PetscCall(ConfigureLinear_Private(choice, ksp));
   PetscCall(SNESSetType(*snes, choice->snes));
-  if (!strcmp(choice->snes, SNESPDAS)) {
+  if (!strcmp(choice->snes, SNESPDAS))
     PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, PDAS_MAX_IT, PETSC_DEFAULT));
-  } else {
-    SNESLineSearch search;
-
-    /* whole steps can run in a circle; the minimum of the residual along a step has not been seen to */
-    PetscCall(SNESGetLineSearch(*snes, &search));
-    PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHL2));
-    PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, OTHER_RTOL, 0, OTHER_MAX_IT, PETSC_DEFAULT));
-    PetscCall(SNESSetDivergenceTolerance(*snes, -1)); // none: the first steps may go far before the set is right
-    PetscCall(Norm_Private(vi, norm));
-    PetscCall(SNESSetConvergenceTest(*snes, ConvergedFn, norm, NULL));
-  }
+  else
+    PetscCall(ConfigureOther_Private(vi, norm, *snes));
   PetscCall(SNESSetFromOptions(*snes));
   PetscCall(CheckLimits_Private(*snes, choice->prefix));
   PetscCall(SNESVISetVariableBounds(*snes, vi->lower, vi->upper)); /* pdas keeps them itself, so not before the type */
