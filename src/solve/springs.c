@@ -20,6 +20,9 @@ static const PetscReal RELAXED = 1e-13, BESIDE = 1e-2;
 static const PetscReal KEPT = 1e-9;
 /* What inexact solves leave may be as large: a sweep that does not halve it will not help. */
 static const PetscReal TOLERATED = 1e-8, HALVED = 0.5;
+/* Forces that are nothing but rounding, in parts of those that would move every node alone as far as it moves: bodies that overlap are
+   pushed apart where nothing presses them together again. */
+static const PetscReal ROUNDING = 1e-13;
 /* Sweeps after which something is wrong: two or three are usual. */
 enum { MAX_SWEEPS = 50 };
 
@@ -106,13 +109,14 @@ static PetscErrorCode Size_Private(const Springs *springs, Vec v, PetscReal *siz
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What the springs pull, in parts of the forces: of the loads, or of the stresses where there are none; and how far the sweep went, in the norm
+/* What the springs pull, in parts of the forces: of the loads, or of the stresses where there are none, or so that rounding is tolerated where
+   there is nothing else; and how far the sweep went, in the norm
    of energy and in parts of the solution. */
 static PetscErrorCode Measure_Private(Springs *springs, Vec y, PetscReal *part, PetscReal *way)
 {
   const Mat   A = springs->original->A;
   Vec         d, forces;
-  PetscReal   loads, stresses, pull;
+  PetscReal   loads, stresses, pull, alone, forced;
   PetscScalar all, last;
 
   PetscFunctionBeginUser;
@@ -127,7 +131,10 @@ static PetscErrorCode Measure_Private(Springs *springs, Vec y, PetscReal *part, 
   PetscCall(Size_Private(springs, springs->pull, &pull));
   PetscCall(MatMult(A, d, forces));
   PetscCall(VecDot(d, forces, &last));
-  *part = pull > 0 ? pull / PetscMax(loads, stresses) : 0;
+  PetscCall(VecPointwiseDivide(forces, y, springs->scale)); // y in the norm of diag(A)
+  PetscCall(VecNorm(forces, NORM_2, &alone));
+  forced = PetscMax(loads, stresses);
+  *part  = pull > 0 ? pull / (forced > ROUNDING * alone ? forced : ROUNDING / TOLERATED * alone) : 0;
   *way =
       PetscRealPart(last) > 0 && PetscRealPart(all) > 0 ? PetscSqrtReal(PetscRealPart(last) / PetscRealPart(all)) : 0;
   PetscCall(VecDestroy(&d));
