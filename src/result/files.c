@@ -241,6 +241,18 @@ static PetscErrorCode FileRemove_Private(Files *files, const char path[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether a name is that of a device, a pipe or a socket, or leads to one, or to a stream of a process: a file that is renamed would take its
+   place, and of /dev/null that of everybody's. */
+static PetscBool IsSpecial_Private(const char path[])
+{
+  static const char streams[] = "/proc/";
+  struct stat       info;
+  char              target[sizeof(streams)] = "";
+
+  if (readlink(path, target, sizeof(target) - 1) > 0 && !strcmp(target, streams)) return PETSC_TRUE;
+  return stat(path, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode) ? PETSC_TRUE : PETSC_FALSE;
+}
+
 /* Gives all files their names, the mark last. */
 static PetscErrorCode FilesRename_Private(Files *files)
 {
@@ -251,12 +263,13 @@ static PetscErrorCode FilesRename_Private(Files *files)
     if (!files->temporary[i]) continue;
     if (stat(files->final[i], &info) == 0 && S_ISDIR(info.st_mode))
       PetscCall(FilesFail(files, files->final[i], EISDIR));
+    if (IsSpecial_Private(files->final[i])) PetscCall(FilesFail(files, files->final[i], EEXIST));
     if (access(files->temporary[i], F_OK)) PetscCall(FilesFail(files, files->temporary[i], errno));
   }
   if (files->num > 1 && !files->failure[0]) PetscCall(FileRemove_Private(files, files->final[files->num - 1]));
   for (PetscInt i = 0; i < files->num && !files->failure[0]; ++i) {
     if (!files->temporary[i]) {
-      if (stat(files->final[i], &info) || !S_ISDIR(info.st_mode)) // a folder of that name is no file of an earlier run
+      if (stat(files->final[i], &info) || S_ISREG(info.st_mode)) // a folder of that name is no file of an earlier run
         PetscCall(FileRemove_Private(files, files->final[i]));
     } else if (rename(files->temporary[i], files->final[i]))
       PetscCall(FilesFail(files, files->temporary[i], errno));
@@ -329,6 +342,11 @@ PetscErrorCode FilesCheck(MPI_Comm comm, const char option[], const char path[])
     InterruptHold(); // nothing of the attempt is left behind
     error = TryWrite_Private(path, temporary);
     InterruptRelease();
+    if (!error && IsSpecial_Private(path)) {
+      PetscCall(PetscSNPrintf(sentence, sizeof(sentence),
+                              "%s: %s is a device, a pipe or a stream, whose place the file would take; name a file%s",
+                              option, path, strcmp(option, "-summary") ? "" : ", or - to print the summary"));
+    }
     if (error) {
       PetscCall(PetscSNPrintf(sentence, sizeof(sentence),
                               "%s: cannot write %s (%s); name a place that can be written to", option, path,

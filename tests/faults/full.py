@@ -1,8 +1,10 @@
 """No room on the disk, a file that nobody may write, nobody who reads: exit code 4 (or 1, where it is known before) and one
 sentence, and the earlier result as it was."""
+import os
 import pathlib
 import resource
 import signal
+import stat
 import subprocess
 
 from judge import require, same
@@ -22,6 +24,22 @@ def require_said(code, stderr, expected, text):
     require(len(told) == 1 and text in told[0] and "PETSC ERROR" not in stderr, f"not one sentence with '{text}': {stderr}")
 
 
+def require_special(run):
+    """What is no file keeps its place: a pipe, what leads to one, and a stream of the process. Never tried with /dev itself."""
+    pipe, link, stream, absent = (run.folder / name for name in ("pipe", "link.json", "stream", "absent"))
+    os.mkfifo(pipe)
+    link.symlink_to("pipe")
+    stream.symlink_to("/proc/self/fd/1")
+    for options in (["-summary", "pipe"], ["-summary", "link.json"], ["-summary", "stream"], ["-output", "link"]):
+        code, _, stderr = finish(start(run, *options))
+        require_said(code, stderr, 1, f"{options[0]}: {'link.json' if options[1] == 'link' else options[1]} is a device, a pipe or a stream")
+    require(stat.S_ISFIFO(pipe.lstat().st_mode) and link.is_symlink() and stream.is_symlink(), "a file took the place of a pipe or a link")
+    code, _, stderr = finish(start(run, "-summary", "absent"))
+    same("exit code beside them", (code, stderr, absent.is_file()), (0, "", True))
+    for path in (pipe, link, stream, absent):
+        path.unlink()
+
+
 def judge(run):
     before = files(run)
     for size in (1, 4, 64, 400):  # kilobytes of the largest file: as if the disk were full there
@@ -36,6 +54,7 @@ def judge(run):
     (run.folder / "result.xdmf").rmdir()
     (run.folder / "result.xdmf").write_bytes(before["result.xdmf"])
     require_untouched(run, before)
+    require_special(run)
     if pathlib.Path("/dev/full").exists():
         with open("/dev/full", "w", encoding="utf-8") as full:
             code, _, stderr = finish(start(run, "-summary", "-", stdout=full))
