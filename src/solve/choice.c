@@ -111,10 +111,16 @@ static PetscBool Truncatable_Private(const char snes[])
   return (PetscBool)(!strcmp(snes, SNESPDAS) || !strcmp(snes, SNESVINEWTONRSLS));
 }
 
-/* What preconditions an iteration: levels of the mesh, or made of it. */
-static const char *Iterative_Private(VI vi, const char snes[])
+/* Whether pdas can tell where an iteration with multigrid is to end: by residuals and steps of conjugate gradients. */
+static PetscBool Tellable_Private(const char snes[], const char ksp[])
 {
-  if (vi->mesh && Truncatable_Private(snes)) return PCTRUNCATEDMG;
+  return (PetscBool)(strcmp(snes, SNESPDAS) || !strcmp(ksp, KSPCG));
+}
+
+/* What preconditions an iteration: levels of the mesh, or made of it. */
+static const char *Iterative_Private(VI vi, const char snes[], const char ksp[])
+{
+  if (vi->mesh && Truncatable_Private(snes) && Tellable_Private(snes, ksp)) return PCTRUNCATEDMG;
   return strcmp(snes, SNESPDAS) ? PCHYPRE : PCGAMG; // GAMG needs matrices that keep their size
 }
 
@@ -138,7 +144,7 @@ static PetscErrorCode LargestDirect_Private(VI vi, const char snes[], PetscInt *
 /* The linear solver where the user says nothing: by size, unless iterations are hopeless. */
 static PetscErrorCode ChooseBySize_Private(VI vi, SolveChoice *choice)
 {
-  const char *iterative = Iterative_Private(vi, choice->snes);
+  const char *iterative = Iterative_Private(vi, choice->snes, KSPCG);
   PetscInt    size, limit = 0;
   PetscReal   poisson;
 
@@ -191,6 +197,39 @@ static PetscErrorCode ChooseStop_Private(VI vi, SolveChoice *choice)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Types that do not go with one another. */
+static PetscErrorCode CheckTogether_Private(MPI_Comm comm, const SolveChoice *choice)
+{
+  const PetscBool multigrid = (PetscBool)!strcmp(choice->pc, PCTRUNCATEDMG);
+
+  PetscFunctionBeginUser;
+  if (multigrid && !Truncatable_Private(choice->snes)) {
+    PetscCall(FaultRaise(comm,
+                         "-%spc_type " PCTRUNCATEDMG
+                         ": does not work with -snes_type %s, which does not tell what it leaves "
+                         "free; -snes_type " SNESPDAS ", -pc_type cholesky or -pc_type hypre do",
+                         choice->prefix, choice->snes));
+  }
+  if (multigrid && !Tellable_Private(choice->snes, choice->ksp)) {
+    PetscCall(FaultRaise(comm,
+                         "-%sksp_type %s: does not work with -pc_type " PCTRUNCATEDMG
+                         ", which ends by what conjugate gradients tell; -ksp_type " KSPCG " or -pc_type " PCGAMG " do",
+                         choice->prefix, choice->ksp));
+  }
+  if (strcmp(choice->snes, SNESPDAS) && !strcmp(choice->pc, PCGAMG)) {
+    PetscCall(FaultRaise(
+        comm,
+        "-%spc_type gamg: does not work with -snes_type %s, whose systems change their size; -snes_type pdas, "
+        "-pc_type cholesky or -pc_type hypre do",
+        choice->prefix, choice->snes));
+  }
+  if (!strcmp(choice->ksp,
+              KSPFCG)) // of 3.18: looks for eigenvalues in memory that is not there, and keeps vectors of another size
+    PetscCall(FaultRaise(comm, "-%sksp_type " KSPFCG ": PETSc's does not work here; -ksp_type " KSPCG " does",
+                         choice->prefix));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Whether there are coarser meshes to begin on, and levels for them. */
 static PetscBool Nested_Private(VI vi, const char pc[])
 {
@@ -200,7 +239,7 @@ static PetscBool Nested_Private(VI vi, const char pc[])
 PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
 {
   MPI_Comm  comm;
-  PetscBool ksp, pc, pdas;
+  PetscBool ksp, pc;
 
   PetscFunctionBeginUser;
   PetscCall(PetscObjectGetComm((PetscObject)vi->A, &comm));
@@ -210,7 +249,6 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
   PetscCall(PetscStrncpy(choice->snes, SNESPDAS, sizeof(choice->snes)));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-snes_type", choice->snes, sizeof(choice->snes), NULL));
   PetscCall(CheckBounds_Private(comm, choice->snes));
-  pdas = (PetscBool)!strcmp(choice->snes, SNESPDAS);
   PetscCall(ChooseBySize_Private(vi, choice));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-ksp_type", choice->ksp, sizeof(choice->ksp), &ksp));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-pc_type", choice->pc, sizeof(choice->pc), &pc));
@@ -224,7 +262,7 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
     PetscCall(PetscStrncpy(choice->ksp, SolveFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
   }
   if (ksp && !pc) {
-    const char *iterative = Iterative_Private(vi, choice->snes);
+    const char *iterative = Iterative_Private(vi, choice->snes, choice->ksp);
 
     PetscCall(PetscStrncpy(choice->pc, strcmp(choice->ksp, KSPPREONLY) ? iterative : PCCHOLESKY, sizeof(choice->pc)));
   }
@@ -234,20 +272,7 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
   }
   PetscCall(ChooseStop_Private(vi, choice));
   choice->nested = Nested_Private(vi, choice->pc);
-  if (!strcmp(choice->pc, PCTRUNCATEDMG) && !Truncatable_Private(choice->snes)) {
-    PetscCall(FaultRaise(comm,
-                         "-pc_type " PCTRUNCATEDMG
-                         ": does not work with -snes_type %s, which does not tell what it leaves "
-                         "free; -snes_type " SNESPDAS ", -pc_type cholesky or -pc_type hypre do",
-                         choice->snes));
-  }
-  if (!pdas && !strcmp(choice->pc, PCGAMG)) {
-    PetscCall(
-        FaultRaise(comm,
-                   "-pc_type gamg: does not work with -snes_type %s, whose systems change their size; -snes_type pdas, "
-                   "-pc_type cholesky or -pc_type hypre do",
-                   choice->snes));
-  }
+  PetscCall(CheckTogether_Private(comm, choice));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -263,8 +288,10 @@ PetscErrorCode SolveChooseSecond(VI vi, const SolveReport *first, const char pre
   PetscCall(PetscStrncpy(choice->pc, multigrid ? PCTRUNCATEDMG : PCCHOLESKY, sizeof(choice->pc)));
   PetscCall(PetscOptionsGetString(NULL, prefix, "-pc_type", choice->pc, sizeof(choice->pc), &set));
   PetscCall(PetscStrncpy(choice->ksp, SolveFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
+  PetscCall(PetscOptionsGetString(NULL, prefix, "-ksp_type", choice->ksp, sizeof(choice->ksp), NULL));
   choice->own    = (PetscBool)!set;
   choice->nested = Nested_Private(vi, choice->pc);
+  PetscCall(CheckTogether_Private(PetscObjectComm((PetscObject)vi->b), choice));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -118,7 +118,7 @@ static PetscErrorCode ConfigureLinear_Private(const SolveChoice *choice, KSP ksp
   PetscCall(PCSetType(pc, choice->pc));
   if (multigrid) {
     PetscCall(KSPSetTolerances(ksp, MULTIGRID_RTOL, PETSC_DEFAULT, MULTIGRID_DTOL, MULTIGRID_MAX_IT));
-    PetscCall(KSPSetNormType(ksp, KSP_NORM_UNPRECONDITIONED));
+    if (!strcmp(choice->ksp, KSPCG)) PetscCall(KSPSetNormType(ksp, KSP_NORM_UNPRECONDITIONED)); // not all have it
   }
   if (SolveFactors(choice->pc)) PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
   PetscFunctionReturn(PETSC_SUCCESS);
