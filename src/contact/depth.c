@@ -45,7 +45,7 @@ static PetscErrorCode BodyBox_Private(const Level *level, PetscInt body, PetscRe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Lends x of each node of the facets that lies in a box, once on this rank. [out] x - [*num][dim], room for all */
+/* Copies x of each node of the facets that lies in a box, once on this rank. [out] x - [*num][dim], room for all */
 static PetscErrorCode CollectNodes_Private(const Level *level, const Facets *facets, const PetscReal box[],
                                            PetscInt *num, PetscReal x[])
 {

@@ -7,7 +7,7 @@
 /* An upper bound, but for bad luck, of the eigenvalues of S^-1 A that b sees. Collective. [in] S - or NULL for the diagonal of A; [in] b - or NULL
    for one that has some of everything; [out] largest */
 PetscErrorCode EigenvalueLargest(Mat A, Mat S, Vec b, PetscReal *largest);
-/* Something of everything, the same whatever the number of ranks. Collective. [out] b */
+/* Something of everything, by the numbers of unknowns, and so another for another partition. Collective. [out] b */
 PetscErrorCode EigenvalueSeed(Vec b);
 
 /* The extreme eigenvalues of B A, B the preconditioner, from inside, as far as CG has seen them: after its solve, or in its test of convergence.

@@ -28,7 +28,8 @@ typedef struct {
 
 /* Whether levels' matrices are nearly those of prolongation: not where volumes change by whole cells (T29). Collective. */
 PetscErrorCode HierarchyIsNested(VI vi, PetscBool *nested);
-/* All levels of vi->mesh. The finest is vi itself. Collective. [in] springs - on the diagonal of vi->A, or NULL */
+/* All levels of vi->mesh, and where the coarsest has many unknowns, or is the only one, levels below it (algebraic.h). The finest is vi
+   itself. Collective. [in] springs - on the diagonal of vi->A, or NULL */
 PetscErrorCode HierarchyCreate(VI vi, Vec springs, Hierarchy *hierarchy);
 /* Whether there is one or not. Collective. */
 PetscErrorCode HierarchyDestroy(Hierarchy *hierarchy);
