@@ -38,7 +38,7 @@ static const char *const ours[]    = {"snes_pdas_", "dm_"};
 static const char *const readers[] = {"dm_plex_"};
 
 /* Words that are PETSc's behind any prefix, as in -sub_pc_type. */
-static const char *const nested[] = {"_ksp_", "_pc_", "_mat_"};
+static const char *const nested[] = {"_snes_", "_ksp_", "_pc_", "_mat_"};
 
 static PetscBool UnusedBegins_Private(const char option[], size_t num, const char *const words[])
 {

@@ -22,6 +22,8 @@ static const PetscInt PDAS_MAX_IT = 500;
 /* A residual below this part of |A| |y| is roundoff after a step, which makes it as small as it can be: a soft structure, or a start at
    the solution, allows no other test. Before any step it may be a thousand times what a step leaves, where bodies differ in stiffness. */
 static const PetscReal OTHER_ROUNDOFF = 1e-14;
+/* Below this part of it the residuals of two steps differ by little but rounding where bodies differ in stiffness. */
+static const PetscReal OTHER_ALIKE = 1e-12;
 
 /* F(y) = A y - b */
 static PetscErrorCode FunctionFn(SNES snes, Vec y, Vec f, void *ctx)
@@ -64,6 +66,28 @@ static PetscErrorCode ConvergedFn(SNES snes, PetscInt it, PetscReal xnorm, Petsc
   PetscCall(SNESGetSolution(snes, &y));
   PetscCall(VecNorm(y, NORM_2, &xnorm));
   if (fnorm <= (it ? OTHER_ROUNDOFF : 0) * *norm * xnorm) *reason = SNES_CONVERGED_FNORM_ABS;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The whole step where residuals do not tell steps from each other. [in] ctx - |A| */
+static PetscErrorCode PostCheckFn(SNESLineSearch search, Vec y, Vec step, Vec next, PetscBool *changed_step,
+                                  PetscBool *changed_next, void *ctx)
+{
+  const PetscReal *norm = ctx;
+  PetscReal        fnorm, ynorm;
+  SNES             snes;
+  void            *vi;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESLineSearchGetSNES(search, &snes));
+  PetscCall(SNESGetFunctionNorm(snes, &fnorm));
+  PetscCall(VecNorm(y, NORM_2, &ynorm));
+  *changed_step = PETSC_FALSE;
+  *changed_next = (PetscBool)(fnorm <= OTHER_ALIKE * *norm * ynorm);
+  if (!*changed_next) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SNESGetFunction(snes, NULL, NULL, &vi));
+  PetscCall(VecWAXPY(next, -1, step, y));
+  PetscCall(VecPointwiseMin(next, next, ((VI)vi)->upper));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -137,6 +161,7 @@ static PetscErrorCode ConfigureOther_Private(VI vi, PetscReal *norm, SNES snes)
   PetscCall(SNESSetDivergenceTolerance(snes, -1)); // none: the first steps may go far before the set is right
   PetscCall(Norm_Private(vi, norm));
   PetscCall(SNESSetConvergenceTest(snes, ConvergedFn, norm, NULL));
+  PetscCall(SNESLineSearchSetPostCheck(search, PostCheckFn, norm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
