@@ -2,16 +2,14 @@
 
    The coarser mesh knows the solution up to its own discretisation error, and where contact ends up to one of its facets. What is left
    to do on the finer level is little, and on coarse levels everything is cheap; for the same reason no system there needs more digits
-   than that error has. Where contact ends on the finer mesh is a matter of the finer mesh: a few projected steps of a simple
-   iteration [1] see it.
-
-   References: [1] Kornhuber, Monotone multigrid methods for elliptic variational inequalities I, 1994. */
+   than that error has. Where contact ends on the finer mesh is a matter of the finer mesh (forecast.c). */
 #include <string.h>
 #include <mortise/compat.h>
 #include <mortise/pdas.h>
 #include <mortise/solvability.h>
 #include "active.h"
 #include "cascade.h"
+#include "forecast.h"
 #include "multigrid.h"
 #include "room.h"
 #include "stop.h"
@@ -20,9 +18,6 @@
 static const PetscReal COARSEST_RTOL = 1e-4;
 /* Of a type that does not tell errors: part of the residual that a level begins with, and of that of each of its systems. */
 static const PetscReal OTHER_RTOL = 1e-3, OTHER_LINEAR_RTOL = 1e-2;
-/* Projected steps, and their length by the largest one that is stable. */
-enum { RELAXATION_STEPS = 4 };
-static const PetscReal RELAXATION = 0.9;
 /* An unknown begins as active where so much of what it comes from is active. */
 static const PetscReal ACTIVE_SHARE = 0.5;
 /* Options of the solvers on coarser levels. */
@@ -54,7 +49,7 @@ static PetscErrorCode StateDestroy_Private(State *state)
 }
 
 /* Eliminated unknowns have their values. */
-static PetscErrorCode Prescribe_Private(VI vi, Vec y)
+static PetscErrorCode Eliminate_Private(VI vi, Vec y)
 {
   const PetscInt     first = vi->level->dim * vi->level->node_begin;
   const PetscScalar *b;
@@ -83,43 +78,6 @@ static PetscErrorCode Round_Private(VI vi, Vec active)
   for (PetscInt i = 0; i < n; i++)
     a[i] = PetscRealPart(upper[i]) < PETSC_INFINITY && PetscRealPart(a[i]) >= ACTIVE_SHARE ? 1 : 0;
   PetscCall(VecRestoreArray(active, &a));
-  PetscCall(VecRestoreArrayRead(vi->upper, &upper));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* r = b - A y;  energy = 1/2 y'A y - b'y */
-static PetscErrorCode Residual_Private(Hierarchy hierarchy, const Grid *grid, Vec y, Vec r, PetscReal *energy)
-{
-  PetscScalar by, ry;
-
-  PetscFunctionBeginUser;
-  PetscCall(MatMult(grid->A, y, r));
-  PetscCall(VecAYPX(r, -1, grid->vi->b));
-  PetscCall(VecDot(y, grid->vi->b, &by));
-  PetscCall(VecDot(y, r, &ry));
-  *energy = -0.5 * PetscRealPart(by + ry);
-  hierarchy->work += grid->share;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* 1 where an unknown is at its bound with a force on it. [out] active */
-static PetscErrorCode Pressed_Private(VI vi, Vec y, Vec r, Vec active)
-{
-  const PetscScalar *upper, *at, *force;
-  PetscScalar       *a;
-  PetscInt           n;
-
-  PetscFunctionBeginUser;
-  PetscCall(VecGetLocalSize(active, &n));
-  PetscCall(VecGetArrayRead(vi->upper, &upper));
-  PetscCall(VecGetArrayRead(y, &at));
-  PetscCall(VecGetArrayRead(r, &force));
-  PetscCall(VecGetArray(active, &a));
-  for (PetscInt i = 0; i < n; i++)
-    a[i] = PetscRealPart(at[i]) >= PetscRealPart(upper[i]) && PetscRealPart(force[i]) > 0 ? 1 : 0;
-  PetscCall(VecRestoreArray(active, &a));
-  PetscCall(VecRestoreArrayRead(r, &force));
-  PetscCall(VecRestoreArrayRead(y, &at));
   PetscCall(VecRestoreArrayRead(vi->upper, &upper));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -172,47 +130,10 @@ static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, const 
     PetscCall(PDASGetActive(snes, &last));
     PetscCall(VecCopy(last, state->active));
   } else {
-    PetscReal energy;
-
-    PetscCall(Residual_Private(hierarchy, &hierarchy->grid[l], state->y, scratch, &energy));
-    PetscCall(Pressed_Private(vi, state->y, scratch, state->active));
+    PetscCall(ForecastPressed(hierarchy, &hierarchy->grid[l], state->y, state->active));
   }
   PetscCall(SNESDestroy(&snes));
   PetscCall(VecDestroy(&scratch));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* A few steps y := min( upper, y + omega D^-1 r ), D = diag A, and the set that they end with; nothing where they lead nowhere.
-   [in,out] y - feasible only afterwards; [in,out] active; [out] gained - twice the energy */
-static PetscErrorCode Relax_Private(Hierarchy hierarchy, const Grid *grid, Vec y, Vec active, PetscReal *gained)
-{
-  const VI  vi    = grid->vi;
-  PetscReal first = 0, energy;
-  Vec       z, r, step;
-
-  PetscFunctionBeginUser;
-  *gained = 0;
-  if (grid->S) PetscFunctionReturn(PETSC_SUCCESS); // where the diagonal does not smooth it does not see either
-  PetscCall(VecDuplicate(y, &z));
-  PetscCall(VecDuplicate(y, &r));
-  PetscCall(VecDuplicate(y, &step));
-  PetscCall(VecPointwiseMin(z, y, vi->upper));
-  PetscCall(Residual_Private(hierarchy, grid, z, r, &first));
-  for (PetscInt k = 0; k < RELAXATION_STEPS; k++) {
-    PetscCall(VecPointwiseDivide(step, r, grid->diag));
-    PetscCall(VecAXPY(z, 2 * RELAXATION / grid->largest, step));
-    PetscCall(Prescribe_Private(vi, z));
-    PetscCall(VecPointwiseMin(z, z, vi->upper));
-    PetscCall(Residual_Private(hierarchy, grid, z, r, &energy));
-  }
-  if (energy < first) {
-    PetscCall(VecCopy(z, y));
-    PetscCall(Pressed_Private(vi, y, r, active));
-  }
-  *gained = 2 * PetscMax(first - energy, 0);
-  PetscCall(VecDestroy(&step));
-  PetscCall(VecDestroy(&r));
-  PetscCall(VecDestroy(&z));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -273,33 +194,53 @@ static PetscErrorCode FindFirst_Private(Hierarchy hierarchy, PetscInt *first)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What the finer level begins with. [in] from - of the coarser one; [in,out] springs - of the finer one; [out] to; [out] gained - as of
-   CascadeStart() */
-static PetscErrorCode GoUp_Private(Hierarchy hierarchy, const Grid *finer, const State *from, Springs *springs,
+/* What the finer level begins with. [in] pc - of Forecast(); [in] from - of the coarser one; [in,out] springs - of the finer one;
+   [out] to; [out] gained - as of CascadeStart() */
+static PetscErrorCode GoUp_Private(Hierarchy hierarchy, const Grid *finer, PC pc, const State *from, Springs *springs,
                                    State *to, PetscReal *gained)
 {
   PetscFunctionBeginUser;
   PetscCall(StateCreate_Private(finer, to));
   PetscCall(MatMult(finer->P, from->y, to->y));
   if (finer->lift) PetscCall(VecAXPY(to->y, 1, finer->lift));
-  PetscCall(Prescribe_Private(finer->vi, to->y));
+  PetscCall(Eliminate_Private(finer->vi, to->y));
   PetscCall(SpringsFollow(springs, to->y));
   PetscCall(MatMult(finer->P, from->active, to->active));
   PetscCall(Round_Private(finer->vi, to->active));
-  PetscCall(Relax_Private(hierarchy, finer, to->y, to->active, gained));
+  PetscCall(Forecast(hierarchy, finer, pc, to->y, to->active, gained));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CascadeStart(Hierarchy hierarchy, const char type[], Springs *springs, Vec y, Vec active,
-                            PetscReal *gained, PetscBool *found)
+/* The preconditioner that cycles before the finest level's first system: not that of another type, which leaves it parts of vectors, nor where
+   the mesh ends iterations so early that a cycle more is much of all. [out] pc - borrowed, or NULL */
+static PetscErrorCode GetCycles_Private(SNES snes, VI vi, PC *pc)
+{
+  PetscBool pdas;
+  KSP       ksp;
+
+  PetscFunctionBeginUser;
+  *pc = NULL;
+  PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &pdas));
+  if (!pdas || vi->scene->stop == STOP_DISCRETISATION) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SNESGetKSP(snes, &ksp));
+  PetscCall(KSPGetPC(ksp, pc));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CascadeStart(Hierarchy hierarchy, SNES snes, Springs *springs, Vec y, Vec active, PetscReal *gained,
+                            PetscBool *found)
 {
   const PetscInt finest = hierarchy->num - 1;
+  SNESType       type;
+  PC             pc;
   PetscInt       first;
   Springs        own[2]; // of this level and the next one, in turns: they are not to be moved
   State          state, next;
 
   PetscFunctionBeginUser;
   *gained = 0;
+  PetscCall(SNESGetType(snes, &type));
+  PetscCall(GetCycles_Private(snes, springs->vi, &pc));
   PetscCall(FindFirst_Private(hierarchy, &first));
   *found = (PetscBool)(first < finest);
   if (!*found) PetscFunctionReturn(PETSC_SUCCESS);
@@ -312,7 +253,7 @@ PetscErrorCode CascadeStart(Hierarchy hierarchy, const char type[], Springs *spr
     PetscCall(SolveLevel_Private(hierarchy, l, type, *gained, (PetscBool)(l > first), &state));
     PetscCall(End_Private(&hierarchy->grid[l], &own[l % 2], state.y));
     if (l + 1 < finest) PetscCall(Begin_Private(finer, above));
-    PetscCall(GoUp_Private(hierarchy, finer, &state, above, &next, gained));
+    PetscCall(GoUp_Private(hierarchy, finer, l + 1 < finest ? NULL : pc, &state, above, &next, gained));
     if (strcmp(type, SNESPDAS)) PetscCall(Touch_Private(finer->vi, next.active, next.y));
     PetscCall(StateDestroy_Private(&state));
     state = next;

@@ -33,15 +33,13 @@ static PetscErrorCode Sweep_Private(Workbench *bench, Vec y, SolveReport *report
 /* Begins with what coarser levels find, by the same method. [out] gained - as of CascadeStart() */
 static PetscErrorCode Cascade_Private(Workbench *bench, Vec y, PetscReal *gained)
 {
-  SNESType  type;
   PetscBool pdas, found;
   Vec       active;
 
   PetscFunctionBeginUser;
-  PetscCall(SNESGetType(bench->snes, &type));
-  PetscCall(PetscStrcmp(type, SNESPDAS, &pdas));
+  PetscCall(PetscObjectTypeCompare((PetscObject)bench->snes, SNESPDAS, &pdas));
   PetscCall(VecDuplicate(y, &active));
-  PetscCall(CascadeStart(bench->hierarchy, type, &bench->springs, y, active, gained, &found));
+  PetscCall(CascadeStart(bench->hierarchy, bench->snes, &bench->springs, y, active, gained, &found));
   if (pdas && found) PetscCall(PDASSetStart(bench->snes, active));
   PetscCall(VecDestroy(&active));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -69,5 +69,6 @@ mortise_scene_test(growth       SCENE two_plates CHECK growth.py ARGS -upper_dm_
 mortise_scene_test(growth_solid SCENE blocks CHECK growth.py)
 mortise_scene_test(afar         CHECK afar.py ARGS -pc_type truncatedmg)
 mortise_scene_test(afar_quadratic SCENE afar CHECK afar.py ARGS -pc_type truncatedmg -order 2)
+mortise_scene_test(sets         SCENE blocks CHECK sets.py RANKS 1 3 LABELS mpi)
 mortise_scene_test(zigzag       SCENE blocks CHECK zigzag.py ARGS -dm_refine 2 -upper_young 2e12 -pc_type truncatedmg)
 mortise_scene_test(gives_way    SCENE blocks CHECK gives_way.py)
