@@ -133,12 +133,28 @@ static PetscErrorCode Due_Private(ActiveSolver solver, PetscInt it, PetscReal no
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether an iterate that has been looked at may be the last one of all. */
+static PetscErrorCode Ends_Private(ActiveSolver solver, PetscBool *ends)
+{
+  Truncated *t = solver->data;
+
+  PetscFunctionBeginUser;
+  *ends = PETSC_TRUE;
+  if (t->reference == 0) { // later on it is due only where this is so
+    PetscCall(Measure_Private(solver));
+    PetscCall(Settled_Private(t, ends));
+  }
+  if (*ends) *ends = (PetscBool)(t->solution->eta <= solver->target);
+  if (*ends) PetscCall(Forceless_Private(solver, ends));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Looks at an iterate. [in] enough - of Due_Private(); [out] stop */
 static PetscErrorCode Consider_Private(ActiveSolver solver, PetscReal norm, PetscBool enough, PetscBool *stop)
 {
   Truncated      *t        = solver->data;
   ActiveSolution *solution = t->solution;
-  PetscBool       last = (PetscBool)(solver->target <= solver->rtol), holds = PETSC_FALSE, good = PETSC_TRUE;
+  PetscBool       last = (PetscBool)(solver->target <= solver->rtol), holds = PETSC_FALSE, good = PETSC_FALSE;
   Vec             x;
 
   PetscFunctionBeginUser;
@@ -149,17 +165,14 @@ static PetscErrorCode Consider_Private(ActiveSolver solver, PetscReal norm, Pets
     *stop = t->done = (PetscBool)(enough || (solver->holds && !holds));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  if (last && t->reference == 0) {
-    PetscCall(Measure_Private(solver));
-    PetscCall(Settled_Private(t, &good));
+  if (!last) {
+    good = (PetscBool)(solution->eta <= solver->target);
+    if (good && solver->holds) PetscCall((*solver->holds)(solver, solution, &holds)); // lowers the target where it does
+    last = (PetscBool)(holds &&
+                       solver->target <= solver->rtol); // and it may be there already, with nothing but rounding left
   }
-  if (good) good = (PetscBool)(solution->eta <= solver->target);
-  if (good && last) PetscCall(Forceless_Private(solver, &good));
-  if (good && !last && solver->holds) {
-    PetscCall((*solver->holds)(solver, solution, &holds)); // lowers the target where it does
-    if (holds && solver->target <= solver->rtol) PetscCall(Measure_Private(solver));
-  }
-  *stop = t->done = (PetscBool)(good && !holds);
+  if (last) PetscCall(Ends_Private(solver, &good));
+  *stop = t->done = (PetscBool)(good && (last || !holds));
   if (!good && norm <= MUCH_SMALLER * t->norm) {
     *stop     = (PetscBool)(solution->eta > STALLED * t->before);
     t->before = solution->eta;
