@@ -26,11 +26,12 @@ struct _n_VI {
   Pair        *pairs;
 
   /* book of record */
-  Mat K;    /* N x N, AIJ, block size dim */
-  Vec f;    /* ghosted */
-  Mat B;    /* m x N, rows as below; NULL when no pair has a multiplier */
-  Vec G;    /* m */
-  Mat nest; /* [K B'; B 0], borrows K and B; NULL like B */
+  Mat K;        /* N x N, AIJ, block size dim */
+  Vec diagonal; /* of K */
+  Vec f;        /* ghosted */
+  Mat B;        /* m x N, rows as below; NULL when no pair has a multiplier */
+  Vec G;        /* m */
+  Mat nest;     /* [K B'; B 0], borrows K and B; NULL like B */
 
   /* rows of B: this rank's multipliers, by pair, then by node, then (tied) by direction */
   PetscInt   num_rows;      /* owned by this rank */

@@ -155,25 +155,21 @@ PetscErrorCode NodeBasesDestroy(NodeBases *bases)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* R: the identity, but F^-1 at special nodes. */
-static PetscErrorCode CreateR_Private(VI vi, const NodeBases *bases, Mat *R)
+/* Adds R: the identity, but F^-1 at special nodes. */
+static PetscErrorCode AddR_Private(VI vi, const NodeBases *bases, Mat R)
 {
-  const PetscInt dim = vi->level->dim, n = vi->level->num_owned * dim, first = vi->level->node_begin * dim;
+  const PetscInt dim = vi->level->dim, first = vi->level->node_begin * dim;
 
   PetscFunctionBeginUser;
-  PetscCall(MatCreateAIJ(vi->level->comm, n, n, PETSC_DETERMINE, PETSC_DETERMINE, dim, NULL, 0, NULL, R));
-  PetscCall(MatSetBlockSize(*R, dim));
   for (PetscInt i = 0; i < vi->level->num_owned; i++) {
     const PetscInt s = bases->of_node[i], block = vi->level->node_begin + i;
     if (s >= 0) {
-      PetscCall(MatSetValuesBlocked(*R, 1, &block, 1, &block, &bases->Finv[s * dim * dim], INSERT_VALUES));
+      PetscCall(MatSetValuesBlocked(R, 1, &block, 1, &block, &bases->Finv[s * dim * dim], ADD_VALUES));
     } else {
       for (PetscInt k = 0; k < dim; k++)
-        PetscCall(MatSetValue(*R, first + dim * i + k, first + dim * i + k, 1.0, INSERT_VALUES));
+        PetscCall(MatSetValue(R, first + dim * i + k, first + dim * i + k, 1.0, ADD_VALUES));
     }
   }
-  PetscCall(MatAssemblyBegin(*R, MAT_FINAL_ASSEMBLY));
-  PetscCall(MatAssemblyEnd(*R, MAT_FINAL_ASSEMBLY));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -220,56 +216,103 @@ static PetscErrorCode CountE_Private(VI vi, const Couplings *couplings, PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* E: what other displacements contribute to u~ at special nodes. */
-static PetscErrorCode CreateE_Private(VI vi, const NodeBases *bases, const Couplings *couplings, Mat *E)
+/* A sum of R, the identity but at special nodes, and E, what other displacements contribute to u~ there. */
+static PetscErrorCode CreateSum_Private(VI vi, const NodeBases *bases, const Couplings *couplings, PetscBool with_R,
+                                        PetscBool with_E, Mat *sum)
 {
   const PetscInt dim = vi->level->dim, n = vi->level->num_owned, rest = vi->level->num_global - n;
   PetscInt      *nnz, *d_nnz, *o_nnz;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc3(n, &nnz, n * dim, &d_nnz, n * dim, &o_nnz));
-  PetscCall(CountE_Private(vi, couplings, nnz));
+  PetscCall(PetscCalloc3(n, &nnz, n * dim, &d_nnz, n * dim, &o_nnz));
+  if (with_E) PetscCall(CountE_Private(vi, couplings, nnz));
   for (PetscInt i = 0; i < n * dim; i++) {
-    d_nnz[i] = dim * PetscMin(nnz[i / dim], n);
+    d_nnz[i] = dim * PetscMin(nnz[i / dim] + (with_R ? 1 : 0), n);
     o_nnz[i] = dim * PetscMin(nnz[i / dim], rest);
   }
-  PetscCall(MatCreateAIJ(vi->level->comm, n * dim, n * dim, PETSC_DETERMINE, PETSC_DETERMINE, 0, d_nnz, 0, o_nnz, E));
-  PetscCall(MatSetBlockSize(*E, dim));
+  PetscCall(MatCreateAIJ(vi->level->comm, n * dim, n * dim, PETSC_DETERMINE, PETSC_DETERMINE, 0, d_nnz, 0, o_nnz, sum));
+  PetscCall(MatSetBlockSize(*sum, dim));
   PetscCall(PetscFree3(nnz, d_nnz, o_nnz));
-  for (PetscInt r = 0; r < vi->num_rows; r++) {
+  if (with_R) PetscCall(AddR_Private(vi, bases, *sum));
+  for (PetscInt r = 0; r < (with_E ? vi->num_rows : 0); r++) {
     const Mat C = couplings->basis[vi->row_pair[r]];
-    if (C) PetscCall(AddCoupling_Private(vi, bases, C, r, *E));
+    if (C) PetscCall(AddCoupling_Private(vi, bases, C, r, *sum));
   }
-  PetscCall(MatAssemblyBegin(*E, MAT_FINAL_ASSEMBLY));
-  PetscCall(MatAssemblyEnd(*E, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatAssemblyBegin(*sum, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatAssemblyEnd(*sum, MAT_FINAL_ASSEMBLY));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BasisCreateT(VI vi, const NodeBases *bases, const Couplings *couplings, Mat *T)
+/* Whether what E adds comes from special nodes, too: if not, E has no powers and no R beside it but 1. */
+static PetscErrorCode IsChained_Private(VI vi, const NodeBases *bases, const Couplings *couplings, PetscBool *chained)
 {
-  Mat       E, V, next, shifted;
-  PetscReal norm;
-  PetscInt  special = bases->num;
+  const PetscScalar *reached;
+  Vec                marks;
 
   PetscFunctionBeginUser;
-  *T = NULL;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &special, 1, MPIU_INT, MPI_SUM, vi->level->comm));
-  if (special == 0 && !couplings->shift) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(CreateR_Private(vi, bases, T));
-  PetscCall(CreateE_Private(vi, bases, couplings, &E));
-  PetscCall(MatMatMult(E, *T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &V));
+  PetscCall(LevelCreateVec(vi->level, 1, &marks));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const Mat       C    = couplings->basis[vi->row_pair[r]];
+    const PetscInt  node = vi->level->node_begin + vi->pairs[vi->row_pair[r]]->nodes[vi->row_node[r]];
+    PetscInt        num;
+    const PetscInt *columns;
+
+    if (!C) continue;
+    PetscCall(MatGetRow(C, node, &num, &columns, NULL));
+    for (PetscInt c = 0; c < num; c++) PetscCall(VecSetValue(marks, columns[c], 1, INSERT_VALUES));
+    PetscCall(MatRestoreRow(C, node, &num, &columns, NULL));
+  }
+  PetscCall(VecAssemblyBegin(marks));
+  PetscCall(VecAssemblyEnd(marks));
+  *chained = PETSC_FALSE;
+  PetscCall(VecGetArrayRead(marks, &reached));
+  for (PetscInt s = 0; s < bases->num; s++)
+    if (reached[bases->node[s]] != 0) *chained = PETSC_TRUE;
+  PetscCall(VecRestoreArrayRead(marks, &reached));
+  PetscCall(VecDestroy(&marks));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, chained, 1, MPIU_BOOL, MPI_LOR, vi->level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* T += (E + E E + ..) T */
+static PetscErrorCode AddPowers_Private(VI vi, Mat E, Mat T)
+{
+  Mat       V, next;
+  PetscReal norm;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatMatMult(E, T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &V));
   PetscCall(MatNorm(V, NORM_FROBENIUS, &norm));
   for (PetscInt power = 1; norm > NEGLIGIBLE; power++) {
     PetscCheck(power <= vi->num_pairs + REMOVED_POWERS, vi->level->comm, PETSC_ERR_PLIB,
                "The coupling of the pairs does not fade");
-    PetscCall(MatAXPY(*T, 1.0, V, DIFFERENT_NONZERO_PATTERN));
+    PetscCall(MatAXPY(T, 1.0, V, DIFFERENT_NONZERO_PATTERN));
     PetscCall(MatMatMult(E, V, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &next));
     PetscCall(MatDestroy(&V));
     V = next;
     PetscCall(MatNorm(V, NORM_FROBENIUS, &norm));
   }
   PetscCall(MatDestroy(&V));
-  PetscCall(MatDestroy(&E));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BasisCreateT(VI vi, const NodeBases *bases, const Couplings *couplings, Mat *T)
+{
+  Mat       E, shifted;
+  PetscBool chained;
+  PetscInt  special = bases->num;
+
+  PetscFunctionBeginUser;
+  *T = NULL;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &special, 1, MPIU_INT, MPI_SUM, vi->level->comm));
+  if (special == 0 && !couplings->shift) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(IsChained_Private(vi, bases, couplings, &chained));
+  PetscCall(CreateSum_Private(vi, bases, couplings, PETSC_TRUE, (PetscBool)!chained, T));
+  if (chained) {
+    PetscCall(CreateSum_Private(vi, bases, couplings, PETSC_FALSE, PETSC_TRUE, &E));
+    PetscCall(AddPowers_Private(vi, E, *T));
+    PetscCall(MatDestroy(&E));
+  }
   if (couplings->shift) {
     PetscCall(MatMatMult(couplings->shift, *T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &shifted));
     PetscCall(MatAXPY(*T, 1.0, shifted, DIFFERENT_NONZERO_PATTERN));

@@ -5,8 +5,8 @@
 #include <mortise/compat.h>
 #include "condense.h"
 
-/* E = T - I without the zeros. */
-static PetscErrorCode CreateDifference_Private(Mat T, Mat *E)
+/* E = T - I without the zeros. [out] rows - of this rank, that are not empty; owned by the caller [num] */
+static PetscErrorCode CreateDifference_Private(Mat T, PetscInt *num, PetscInt **rows, Mat *E)
 {
   PetscInt begin, end, N, bs, *d_nnz, *o_nnz;
 
@@ -14,26 +14,35 @@ static PetscErrorCode CreateDifference_Private(Mat T, Mat *E)
   PetscCall(MatGetOwnershipRange(T, &begin, &end));
   PetscCall(MatGetSize(T, &N, NULL));
   PetscCall(MatGetBlockSize(T, &bs));
+  PetscCall(PetscMalloc1(end - begin, rows));
   PetscCall(PetscCalloc2(end - begin, &d_nnz, end - begin, &o_nnz));
+  *num = 0;
   for (PetscInt pass = 0; pass < 2; pass++) {
+    const PetscInt listed = *num;
+
     if (pass) {
       PetscCall(MatCreateAIJ(PetscObjectComm((PetscObject)T), end - begin, end - begin, N, N, 0, d_nnz, 0, o_nnz, E));
       PetscCall(MatSetBlockSize(*E, bs));
     }
-    for (PetscInt row = begin; row < end; row++) {
-      PetscInt           num;
+    for (PetscInt i = 0; i < (pass ? listed : end - begin);
+         i++) { // most rows of T are the identity's: they are read once
+      const PetscInt     row = pass ? (*rows)[i] : begin + i;
+      PetscInt           size;
       const PetscInt    *columns;
       const PetscScalar *values;
 
-      PetscCall(MatGetRow(T, row, &num, &columns, &values));
-      for (PetscInt c = 0; c < num; c++) {
+      PetscCall(MatGetRow(T, row, &size, &columns, &values));
+      for (PetscInt c = 0; c < size; c++) {
         const PetscScalar value = values[c] - (columns[c] == row ? 1 : 0);
+
         if (value == 0) continue;
-        if (pass) PetscCall(MatSetValue(*E, row, columns[c], value, INSERT_VALUES));
-        if (!pass && columns[c] >= begin && columns[c] < end) d_nnz[row - begin]++;
-        if (!pass && (columns[c] < begin || columns[c] >= end)) o_nnz[row - begin]++;
+        if (pass)
+          PetscCall(MatSetValue(*E, row, columns[c], value, INSERT_VALUES));
+        else
+          (columns[c] >= begin && columns[c] < end ? d_nnz : o_nnz)[i]++;
       }
-      PetscCall(MatRestoreRow(T, row, &num, &columns, &values));
+      PetscCall(MatRestoreRow(T, row, &size, &columns, &values));
+      if (!pass && d_nnz[i] + o_nnz[i]) (*rows)[(*num)++] = row;
     }
   }
   PetscCall(PetscFree2(d_nnz, o_nnz));
@@ -81,31 +90,13 @@ static PetscErrorCode CreateRows_Private(PetscInt num, const PetscInt rows[], Ma
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The rows of E that are not empty. [out] rows - owned by the caller [num] */
-static PetscErrorCode ListRows_Private(Mat E, PetscInt *num, PetscInt **rows)
-{
-  PetscInt begin, end, size;
-
-  PetscFunctionBeginUser;
-  PetscCall(MatGetOwnershipRange(E, &begin, &end));
-  PetscCall(PetscMalloc1(end - begin, rows));
-  *num = 0;
-  for (PetscInt row = begin; row < end; row++) {
-    PetscCall(MatGetRow(E, row, &size, NULL, NULL));
-    if (size) (*rows)[(*num)++] = row;
-    PetscCall(MatRestoreRow(E, row, &size, NULL, NULL));
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode CondenseCreate(Mat K, Mat T, Mat *Z)
 {
   PetscInt *rows, num, begin;
   Mat       E, few, W, KE, left, right;
 
   PetscFunctionBeginUser;
-  PetscCall(CreateDifference_Private(T, &E));
-  PetscCall(ListRows_Private(E, &num, &rows));
+  PetscCall(CreateDifference_Private(T, &num, &rows, &E));
   PetscCall(CreateRows_Private(num, rows, E, NULL, &few));
   PetscCall(CreateRows_Private(num, rows, K, NULL, &W));
   PetscCall(MatMatMult(W, E, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &KE));

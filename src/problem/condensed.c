@@ -9,7 +9,7 @@ typedef struct {
   PetscReal       stiffness;
   PetscInt        num;
   const PetscInt *fixed;
-  Vec             springs, work;
+  Vec             diagonal, springs, work; /* diag K */
 } Condensed;
 
 static PetscErrorCode Mult_Condensed(Mat A, Vec x, Vec y)
@@ -46,7 +46,7 @@ static PetscErrorCode GetDiagonal_Condensed(Mat A, Vec diagonal)
 
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(A, &c));
-  PetscCall(MatGetDiagonal(c->K, diagonal));
+  PetscCall(VecCopy(c->diagonal, diagonal));
   PetscCall(VecScale(diagonal, 1 / c->stiffness));
   if (c->Z) PetscCall(MatGetDiagonal(c->Z, c->work));
   if (c->Z) PetscCall(VecAXPY(diagonal, 1, c->work));
@@ -68,15 +68,21 @@ static PetscErrorCode Destroy_Condensed(Mat A)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CondensedCreateShell(Mat K, PetscReal stiffness, Mat Z, PetscInt num, const PetscInt fixed[],
-                                    Vec springs, Mat *A)
+PetscErrorCode CondensedCreateShell(VI vi, Vec springs, Mat *A)
 {
+  const Mat  K = vi->K;
   Condensed *c;
   PetscInt   n, bs;
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&c));
-  *c = (Condensed){.K = K, .Z = Z, .stiffness = stiffness, .num = num, .fixed = fixed, .springs = springs};
+  *c = (Condensed){.K         = K,
+                   .Z         = vi->Z,
+                   .stiffness = vi->stiffness,
+                   .num       = vi->num_fixed,
+                   .fixed     = vi->fixed_local,
+                   .diagonal  = vi->diagonal,
+                   .springs   = springs};
   PetscCall(MatCreateVecs(K, &c->work, NULL));
   PetscCall(MatGetLocalSize(K, &n, NULL));
   PetscCall(MatGetBlockSize(K, &bs));

@@ -84,19 +84,15 @@ static PetscErrorCode Stiffness_Private(VI vi, PetscReal weak[])
   const PetscScalar *d;
   DilatationCount   *counts;
   PetscReal         *sums;
-  Vec                diagonal;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(2 * num_bodies, &sums));
-  PetscCall(VecDuplicate(vi->f, &diagonal));
-  PetscCall(MatGetDiagonal(vi->K, diagonal));
-  PetscCall(VecGetArrayRead(diagonal, &d));
+  PetscCall(VecGetArrayRead(vi->diagonal, &d));
   for (PetscInt i = 0; i < dim * level->num_owned; i++) {
     sums[2 * level->node_body[i / dim]] += PetscRealPart(d[i]) / vi->stiffness;
     sums[2 * level->node_body[i / dim] + 1] += 1;
   }
-  PetscCall(VecRestoreArrayRead(diagonal, &d));
-  PetscCall(VecDestroy(&diagonal));
+  PetscCall(VecRestoreArrayRead(vi->diagonal, &d));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, (PetscMPIInt)(2 * num_bodies), MPIU_REAL, MPI_SUM, level->comm));
   PetscCall(PetscMalloc1(num_bodies, &counts));
   PetscCall(ElasticityDilatationCount(vi->scene, level, counts));

@@ -17,17 +17,13 @@
 /* stiffness = mean diagonal of K; length = the displacement to expect: prescribed, by interference, or of the loads. */
 static PetscErrorCode ChooseScales_Private(VI vi)
 {
-  Vec         diagonal;
   PetscScalar sum;
   PetscReal   force, interference = 0;
   PetscInt    n;
 
   PetscFunctionBeginUser;
-  PetscCall(VecDuplicate(vi->f, &diagonal));
-  PetscCall(MatGetDiagonal(vi->K, diagonal));
-  PetscCall(VecSum(diagonal, &sum));
-  PetscCall(VecGetSize(diagonal, &n));
-  PetscCall(VecDestroy(&diagonal));
+  PetscCall(VecSum(vi->diagonal, &sum));
+  PetscCall(VecGetSize(vi->diagonal, &n));
   vi->stiffness = PetscRealPart(sum) / n;
   PetscCall(VecNorm(vi->f, NORM_1, &force));
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
@@ -74,7 +70,7 @@ static PetscErrorCode Condense_Private(VI vi, const PetscReal values[])
   PetscCall(VecDestroy(&Ay));
   PetscCall(PetscMalloc1(vi->num_fixed, &vi->fixed_local));
   for (PetscInt i = 0; i < vi->num_fixed; i++) vi->fixed_local[i] = vi->fixed[i] - first;
-  PetscCall(CondensedCreateShell(vi->K, vi->stiffness, vi->Z, vi->num_fixed, vi->fixed_local, NULL, &vi->A));
+  PetscCall(CondensedCreateShell(vi, NULL, &vi->A));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -119,7 +115,7 @@ PetscErrorCode VICreateSprung(VI vi, Vec springs, Mat *A)
     PetscCall(MatDiagonalSet(*A, springs, ADD_VALUES));
     PetscCall(MatSetOption(*A, MAT_SPD, PETSC_TRUE));
   } else {
-    PetscCall(CondensedCreateShell(vi->K, vi->stiffness, vi->Z, vi->num_fixed, vi->fixed_local, springs, A));
+    PetscCall(CondensedCreateShell(vi, springs, A));
     PetscCall(CondensedSetProducts(*A, vi->S));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -201,6 +197,8 @@ static PetscErrorCode Create_Private(Scene scene, Mesh mesh, Level *level, VI sc
     PetscCall(MatDestroy(&vi->K));
     vi->K = K;
   }
+  PetscCall(MatCreateVecs(vi->K, &vi->diagonal, NULL));
+  PetscCall(MatGetDiagonal(vi->K, vi->diagonal));
   PetscCall(LogStageEnd(STAGE_ASSEMBLY));
   PetscCall(LogStageBegin(STAGE_CONDENSE));
   PetscCall(CirclesCheck(vi));
@@ -255,7 +253,9 @@ PetscErrorCode VICreateOfMatrix(Mat A, PetscInt num_fixed, PetscInt fixed[], VI 
   PetscCall(PetscNew(vi));
   for (PetscInt i = 0; i < 3; i++) PetscCall(PetscObjectReference((PetscObject)A));
   (*vi)->A = (*vi)->K = (*vi)->S = A;
-  (*vi)->assembled               = PETSC_TRUE;
+  PetscCall(MatCreateVecs(A, &(*vi)->diagonal, NULL));
+  PetscCall(MatGetDiagonal(A, (*vi)->diagonal));
+  (*vi)->assembled = PETSC_TRUE;
   (*vi)->length = (*vi)->stiffness = 1;
   (*vi)->num_fixed                 = num_fixed;
   (*vi)->fixed_local               = fixed;
@@ -289,6 +289,7 @@ PetscErrorCode VIDestroy(VI *vi_in)
   PetscCall(MatDestroy(&vi->A));
   PetscCall(MatDestroy(&vi->Z));
   PetscCall(MatDestroy(&vi->S));
+  PetscCall(VecDestroy(&vi->diagonal));
   PetscCall(VecDestroy(&vi->f));
   PetscCall(VecDestroy(&vi->G));
   PetscCall(VecDestroy(&vi->b));

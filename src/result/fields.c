@@ -33,14 +33,11 @@ static PetscErrorCode NodeScales_Private(Fields fields)
 {
   const Level     *level = fields->vi->level;
   const PetscInt   dim = level->dim, num_bodies = fields->vi->scene->num_bodies;
-  Vec              diagonal;
   const PetscReal *d, *u;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc2(level->num_owned, &fields->stiffness, num_bodies, &fields->body_max));
-  PetscCall(VecDuplicate(fields->u, &diagonal));
-  PetscCall(MatGetDiagonal(fields->vi->K, diagonal));
-  PetscCall(VecGetArrayRead(diagonal, &d));
+  PetscCall(VecGetArrayRead(fields->vi->diagonal, &d));
   PetscCall(VecGetArrayRead(fields->u, &u));
   for (PetscInt a = 0; a < level->num_owned; ++a) {
     PetscReal *largest = &fields->body_max[level->node_body[a]];
@@ -51,8 +48,7 @@ static PetscErrorCode NodeScales_Private(Fields fields)
     }
   }
   PetscCall(VecRestoreArrayRead(fields->u, &u));
-  PetscCall(VecRestoreArrayRead(diagonal, &d));
-  PetscCall(VecDestroy(&diagonal));
+  PetscCall(VecRestoreArrayRead(fields->vi->diagonal, &d));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, fields->body_max, (PetscMPIInt)num_bodies, MPIU_REAL, MPI_MAX, level->comm));
   ShareLargest_Private(fields->vi->scene, fields->body_max);
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -82,7 +82,7 @@ static PetscErrorCode SetWeights_Private(VI vi, Apart *apart)
   PetscScalar *w;
 
   PetscFunctionBeginUser;
-  PetscCall(MatGetDiagonal(vi->K, apart->w));
+  PetscCall(VecCopy(vi->diagonal, apart->w));
   PetscCall(VecReciprocal(apart->w));
   PetscCall(VecScale(apart->w, vi->stiffness));
   PetscCall(PetscCalloc1(vi->level->dim * vi->level->num_owned, &apart->alone));

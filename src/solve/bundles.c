@@ -42,20 +42,16 @@ typedef struct {
 static PetscErrorCode Scale_Private(Star *star, Halo *halo)
 {
   const PetscScalar *d;
-  Vec                diag;
 
   PetscFunctionBeginUser;
-  PetscCall(MatCreateVecs(star->vi->K, &diag, NULL));
-  PetscCall(MatGetDiagonal(star->vi->K, diag));
-  PetscCall(VecGetArrayRead(diag, &d));
+  PetscCall(VecGetArrayRead(star->vi->diagonal, &d));
   for (PetscInt i = 0; i < halo->n; i++) {
     PetscReal trace = 0;
 
     for (PetscInt k = 0; k < star->dim; k++) trace += PetscRealPart(d[i * star->dim + k]);
     star->scale[i] = 1 / PetscSqrtReal(trace);
   }
-  PetscCall(VecRestoreArrayRead(diag, &d));
-  PetscCall(VecDestroy(&diag));
+  PetscCall(VecRestoreArrayRead(star->vi->diagonal, &d));
   PetscCall(HaloShare(halo, star->scale));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

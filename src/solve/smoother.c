@@ -78,7 +78,7 @@ static PetscErrorCode Weighs_Private(VI vi, PetscBool *weighs)
   const PetscInt     n = vi->level->dim * vi->level->num_owned, begin = vi->level->dim * vi->level->node_begin;
   const PetscScalar *z, *k;
   PetscBool         *apart; /* unknowns that are not the mortar side's, or eliminated */
-  Vec                diag[2];
+  Vec                diag;
 
   PetscFunctionBeginUser;
   *weighs = PETSC_FALSE;
@@ -86,18 +86,15 @@ static PetscErrorCode Weighs_Private(VI vi, PetscBool *weighs)
   PetscCall(PetscCalloc1(n, &apart));
   for (PetscInt r = 0; r < vi->num_rows; r++) apart[vi->row_dof[r] - begin] = PETSC_TRUE;
   for (PetscInt i = 0; i < vi->num_fixed; i++) apart[vi->fixed_local[i]] = PETSC_TRUE;
-  for (PetscInt i = 0; i < 2; i++) {
-    PetscCall(MatCreateVecs(vi->K, &diag[i], NULL));
-    PetscCall(MatGetDiagonal(i ? vi->K : vi->Z, diag[i]));
-  }
-  PetscCall(VecGetArrayRead(diag[0], &z));
-  PetscCall(VecGetArrayRead(diag[1], &k));
+  PetscCall(MatCreateVecs(vi->Z, &diag, NULL));
+  PetscCall(MatGetDiagonal(vi->Z, diag));
+  PetscCall(VecGetArrayRead(diag, &z));
+  PetscCall(VecGetArrayRead(vi->diagonal, &k));
   for (PetscInt i = 0; i < n; i++)
     if (!apart[i] && PetscRealPart(z[i]) > STIFFER * PetscRealPart(k[i]) / vi->stiffness) *weighs = PETSC_TRUE;
-  PetscCall(VecRestoreArrayRead(diag[0], &z));
-  PetscCall(VecRestoreArrayRead(diag[1], &k));
-  PetscCall(VecDestroy(&diag[0]));
-  PetscCall(VecDestroy(&diag[1]));
+  PetscCall(VecRestoreArrayRead(diag, &z));
+  PetscCall(VecRestoreArrayRead(vi->diagonal, &k));
+  PetscCall(VecDestroy(&diag));
   PetscCall(PetscFree(apart));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
