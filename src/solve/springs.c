@@ -25,6 +25,10 @@ static const PetscReal TOLERATED = 1e-8, HALVED = 0.5;
 static const PetscReal ROUNDING = 1e-13;
 /* Sweeps after which something is wrong: two or three are usual. */
 enum { MAX_SWEEPS = 50 };
+/* A body that bends easily may resist a motion no more than springs do: where a sweep leaves more than this part of what they pull, and it was not
+   one of the first, which look for contacts, springs get weaker by that factor, so many times. */
+static const PetscReal SLOW = 0.1, WEAKER = 1e-2;
+enum { SEARCHING = 3, MOST_WEAKER = 3 };
 
 PetscErrorCode SpringsBegin(VI vi, Springs *springs)
 {
@@ -142,6 +146,30 @@ static PetscErrorCode Measure_Private(Springs *springs, Vec y, PetscReal *part, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* What is solved from now on has weaker springs. */
+static PetscErrorCode Weaken_Private(Springs *springs, SNES snes, PetscBool pdas)
+{
+  const Vec w = springs->original->solvability->springs;
+
+  PetscFunctionBeginUser;
+  springs->weaker++;
+  PetscCall(VecCopy(w, springs->pull));
+  PetscCall(VecScale(w, WEAKER));
+  PetscCall(VecAYPX(springs->pull, -1, w));
+  if (springs->original->assembled) {
+    PetscCall(MatDiagonalSet(springs->sprung.A, springs->pull, ADD_VALUES));
+  } else { // products see w itself, and nobody else knows that it has changed
+    PetscCall(MatAssemblyBegin(springs->sprung.A, MAT_FINAL_ASSEMBLY));
+    PetscCall(MatAssemblyEnd(springs->sprung.A, MAT_FINAL_ASSEMBLY));
+  }
+  if (pdas) { // what it has factored
+    PetscCall(PDASSetKeep(snes, PETSC_FALSE));
+    PetscCall(PDASSetKeep(snes, PETSC_TRUE));
+  }
+  PetscCall(PetscInfo(snes, "springs are weaker by %g\n", (double)WEAKER));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SpringsRelax(Springs *springs, SNES snes, Vec y, SolveReport *report, PetscBool *done)
 {
   PetscReal part = 0, way = 0;
@@ -170,10 +198,12 @@ PetscErrorCode SpringsRelax(Springs *springs, SNES snes, Vec y, SolveReport *rep
                             MAX_SWEEPS, (double)part));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
+  PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &pdas));
+  if (report->sweeps >= SEARCHING && part > PetscMax(SLOW * springs->last, TOLERATED) && springs->weaker < MOST_WEAKER)
+    PetscCall(Weaken_Private(springs, snes, pdas));
   springs->last = part;
   *done         = PETSC_FALSE;
   PetscCall(RestAt_Private(springs, y));
-  PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &pdas));
   if (pdas) {
     PetscCall(PDASGetActive(snes, &active));
     PetscCall(PDASSetStart(snes, active));

@@ -14,6 +14,7 @@ typedef struct {
   Vec          pull, scale; /* W (y - y_0); diag(A)^(-1/2) */
   PetscReal    last;        /* pull that the last sweep left, in parts of the forces */
   PetscReal    relaxed;     /* pull that does not matter */
+  PetscInt     weaker;      /* how often they were made weaker */
 } Springs;
 
 /* Makes what is to be solved, with springs at rest at 0. Collective. [out] springs - to be ended by SpringsEnd() */

@@ -6,6 +6,7 @@ mortise_scene_test(pile_cg SCENE stack CHECK weights.py ARGS -ksp_type cg -ksp_r
 mortise_scene_test(pile_quadratic SCENE stack CHECK weights.py ARGS -order 2 -snes_type vinewtonrsls)
 mortise_scene_test(tower CHECK weights.py RANKS 1 3 ARGS -cross_check)
 mortise_scene_test(sandwich CHECK sandwich.py RANKS 1 3 ARGS -cross_check)
+mortise_scene_test(sheet CHECK sheet.py RANKS 1 3 ARGS -cross_check)
 mortise_scene_test(pieces CHECK pieces.py RANKS 1 3 ARGS -cross_check)
 mortise_scene_test(beyond_small SCENE patch2d CHECK beyond_small.py RANKS 1 3)
 mortise_scene_test(pushed_apart CHECK pushed_apart.py RANKS 1 3)
