@@ -12,6 +12,9 @@
 
 static const PetscReal PERCENT = 100;
 
+/* The discretisation error, as a part of the solution, above which a solver that stops there leaves nothing to read off. */
+static const PetscReal COARSE = 0.1;
+
 /* "(1.5, -2)" */
 static PetscErrorCode VectorText_Private(PetscInt dim, const PetscReal v[], char text[], size_t len)
 {
@@ -65,11 +68,12 @@ static PetscErrorCode PrintPair_Private(const SummaryInput *in, PetscInt p)
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   if (!in->vi->pairs[p]->num_multipliers) {
-    PetscCall(PetscPrintf(comm,
-                          "  %s: no part of %s:%s faces what it is to meet within the reach of %.6g (-%s_reach), be it "
-                          "across a gap or in an overlap\n",
-                          spec->name, in->scene->bodies[spec->nonmortar.body].name, spec->nonmortar.side,
-                          (double)in->vi->pairs[p]->reach, spec->name));
+    PetscCall(PetscPrintf(
+        comm,
+        "  %s: no part of %s:%s faces what it is to meet within the reach of %.6g (-%s_reach), be it "
+        "across a gap or in an overlap; is a side another one than was meant, or a body beyond its partner?\n",
+        spec->name, in->scene->bodies[spec->nonmortar.body].name, spec->nonmortar.side, (double)in->vi->pairs[p]->reach,
+        spec->name));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(PairSumCompute(in->fields, p, &sum));
@@ -192,14 +196,18 @@ static PetscErrorCode Print_Private(const SummaryInput *in)
                         (double)c->equilibrium, (double)c->gap, (double)c->pressure, (double)c->complementarity,
                         (double)c->force, (double)c->moment));
   if (!PetscIsInfOrNanReal(CertificateRelative(c, report->bound.value))) {
-    PetscCall(PetscPrintf(comm, "  error that the solver leaves: at most %.1e in the energy norm%s\n",
+    PetscCall(PetscPrintf(comm, "  error that the solver leaves: at most %.1e of the solution, in the energy norm%s\n",
                           (double)CertificateRelative(c, report->bound.value),
                           report->bound.estimated ? " (estimated)" : ""));
   }
   if (report->discretisation > 0) {
+    const PetscReal part = CertificateRelative(c, report->discretisation);
+
     PetscCall(PetscPrintf(
-        comm, "  stopped at the discretisation error: about %.1e in the energy norm, as the next coarser mesh tells\n",
-        (double)CertificateRelative(c, report->discretisation)));
+        comm,
+        "  stopped at the discretisation error: about %.1e of the solution, in the energy norm, as the next "
+        "coarser mesh tells%s\n",
+        (double)part, part > COARSE ? "; so much is not to be relied on: refine, or stop at the residual" : ""));
   }
   if (in->check->done) {
     PetscCall(PetscPrintf(
