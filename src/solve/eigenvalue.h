@@ -4,7 +4,7 @@
 
 #include <petscksp.h>
 
-/* An upper bound, but for bad luck, of the eigenvalues of S^-1 A that b sees. Collective. [in] S - or NULL for the diagonal of A; [in] b - or NULL
+/* An upper bound, but for bad luck (see MultigridSmoothShorter()), of the eigenvalues of S^-1 A that b sees. Collective. [in] S - or NULL for the diagonal of A; [in] b - or NULL
    for one that has some of everything; [out] largest */
 PetscErrorCode EigenvalueLargest(Mat A, Mat S, Vec b, PetscReal *largest);
 /* Something of everything, by the numbers of unknowns, and so another for another partition. Collective. [out] b */

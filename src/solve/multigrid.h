@@ -15,6 +15,9 @@ PetscErrorCode MultigridRegister(void);
 PetscErrorCode MultigridSetHierarchy(PC pc, Hierarchy hierarchy, PetscInt finest, SNES snes);
 /* Which unknowns are free (1) and which are held (0). Collective. */
 PetscErrorCode MultigridSetFree(PC pc, Vec free);
+/* Takes shorter steps in smoothing on all levels, for who has found a cycle indefinite: estimates of the largest eigenvalues come from inside, and may
+   be too small. Collective. */
+PetscErrorCode MultigridSmoothShorter(PC pc);
 /* A with the rows and columns of held unknowns emptied but for the diagonal, without a copy of it. Borrowed. Not collective. */
 PetscErrorCode MultigridGetOperator(PC pc, Mat *A);
 

@@ -14,6 +14,8 @@
 static const PetscInt MAX_REFINEMENTS = 8;
 /* After so many what conjugate gradients take for the residual has come away from it: they begin again with the true one. */
 static const PetscInt MANY_ITERATIONS = 50;
+/* So often cycles may show themselves indefinite in one system, and be made shorter. */
+enum { MAX_SHORTER = 3 };
 /* A solve that leaves more than this part of the residual is no progress. */
 static const PetscReal STALLED = 0.5;
 /* M, the last solution emptied where fixed as first guess d, and y = v. */
@@ -124,10 +126,15 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, Acti
 
   PetscFunctionBeginUser;
   PetscCall(KSPSetInitialGuessNonzero(t->ksp, guess));
-  PetscCall(KSPSolve(t->ksp, t->f, t->d));
-  PetscCall(KSPGetIterationNumber(t->ksp, &its));
-  solution->iterations += its;
-  PetscCall(KSPGetConvergedReason(t->ksp, &reason));
+  for (PetscInt k = 0;; k++) {
+    PetscCall(KSPSolve(t->ksp, t->f, t->d));
+    PetscCall(KSPGetIterationNumber(t->ksp, &its));
+    solution->iterations += its;
+    PetscCall(KSPGetConvergedReason(t->ksp, &reason));
+    if (reason != KSP_DIVERGED_INDEFINITE_PC || !t->asked || k == MAX_SHORTER) break;
+    PetscCall(MultigridSmoothShorter(t->pc));
+    PetscCall(MultigridWatch(t->pc));
+  }
   PetscCall(TruncatedRitz(t));
   if (reason >= 0) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(FactorCheckMemory(t->ksp));
