@@ -63,14 +63,17 @@ def cost_table(found):
 
 
 def rank_table(found):
-    header = ["scene", "unknowns", "ranks", "steps", "CG", "work units", "wall s", "CPU s", "times as fast", "MB", "MB, largest rank"]
+    header = ["scene", "unknowns", "ranks", "steps", "CG", "work units", "wall s", "CPU s", "times as fast", "at most", "MB",
+              "MB, largest rank"]
     rows = []
     for row in found["ranks"]:
         alone = next((r for r in found["ranks"] if (r["scene"], r["size"], r["ranks"], r["timed"]) == (row["scene"], row["size"], 1, row["timed"])), row)
         timed = row["timed"]
         rows.append([SCENES[row["scene"]].words, row["unknowns"], row["ranks"], row["steps"], row["iterations"], number(row["work"], 1),
                      number(row["wall"] if timed else None, 2), number(row["cpu"] if timed else None, 2),
-                     number(alone["wall"] / row["wall"] if timed else None, 2), number(row["megabytes"]), number(row["largest"])])
+                     number(alone["wall"] / row["wall"] if timed else None, 2),
+                     number(2 * alone["wall"] / alone["beside"] if row["ranks"] == 2 and alone.get("beside") else None, 2), number(row["megabytes"]),
+                     number(row["largest"])])
     return markdown(header, rows)
 
 

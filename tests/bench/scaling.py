@@ -15,6 +15,7 @@ With --readme, what stands in these files between <!-- bench:figures --> or <!--
 """
 import argparse
 import collections
+import concurrent.futures
 import datetime
 import json
 import math
@@ -82,10 +83,23 @@ class Bench:
             results = self.turns(cases, {(scene, size.name, ranks, more) for scene, size, ranks, more in cases} if timed else ())
             return [on_ranks(scene, size, ranks, timed, results[(scene, size.name, ranks, more)]) for scene, size, ranks, more in cases
                     if results[(scene, size.name, ranks, more)]]
+        timed = rows(SPEED, (1, 2), True)
+        for row in timed:
+            if row["ranks"] == 1:
+                row["beside"] = self.beside(row["scene"], size_of(row["scene"], row["size"]))
         runs, self.arguments.runs = self.arguments.runs, 1
         equal = rows(EQUAL, (1, 2, 4) if self.arguments.quick else (1, 2, 4, 8), False)
         self.arguments.runs = runs
-        return rows(SPEED, (1, 2), True) + equal
+        return timed + equal
+
+    def beside(self, scene, size):
+        """Wall seconds of one of two runs at the same time that have nothing to do with each other: what one does to the other is the machine's."""
+        seconds = []
+        for _ in range(self.arguments.runs):
+            with concurrent.futures.ThreadPoolExecutor(2) as pool:
+                both = list(pool.map(lambda _: self.run(scene, size), range(2)))
+            seconds += [done[2]["timing"]["total"] for done in both if done]
+        return statistics.median(seconds) if seconds else None
 
     def cross(self):
         rows = []
