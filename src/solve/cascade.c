@@ -20,6 +20,8 @@ static const PetscReal COARSEST_RTOL = 1e-4;
 static const PetscReal OTHER_RTOL = 1e-3, OTHER_LINEAR_RTOL = 1e-2;
 /* An unknown begins as active where so much of what it comes from is active. */
 static const PetscReal ACTIVE_SHARE = 0.5;
+/* Sets that a level is solved for at most where it is but a start for the next one, and a coarser one was its own. */
+enum { MAX_SETS = 12 };
 /* Options of the solvers on coarser levels. */
 static const char PREFIX[] = "nested_";
 
@@ -91,12 +93,38 @@ static PetscErrorCode SetTolerances_Private(SNES snes, PetscBool pdas, PetscReal
 
   PetscFunctionBeginUser;
   if (pdas && begun) {
+    PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, MAX_SETS, PETSC_DEFAULT));
     PetscCall(PDASSetEnough(snes, part, gained));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(SNESGetKSP(snes, &ksp));
   PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
   PetscCall(KSPSetTolerances(ksp, pdas ? 0.5 * rtol : OTHER_LINEAR_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What a level has found, for the next one: nothing where a system could not be solved, the last set where they go on and on.
+   [in] y - as it was before; [in,out] state */
+static PetscErrorCode Find_Private(Hierarchy hierarchy, const Grid *grid, SNES snes, Vec y, State *state)
+{
+  SNESConvergedReason reason;
+  PetscBool           pdas;
+  Vec                 last;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESGetConvergedReason(snes, &reason));
+  if (reason < 0) PetscCall(PetscInfo(snes, "a coarser level ends with %s\n", SNESConvergedReasons[reason]));
+  if (reason < 0 && reason != SNES_DIVERGED_MAX_IT) {
+    PetscCall(VecCopy(y, state->y));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &pdas));
+  if (pdas) {
+    PetscCall(PDASGetActive(snes, &last));
+    PetscCall(VecCopy(last, state->active));
+  } else {
+    PetscCall(ForecastPressed(hierarchy, grid, state->y, state->active));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -113,7 +141,7 @@ static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, const 
   SNES            snes;
   KSP             ksp;
   PC              pc;
-  Vec             scratch, last;
+  Vec             scratch, before;
 
   PetscFunctionBeginUser;
   PetscCall(PetscStrncpy(choice.snes, type, sizeof(choice.snes)));
@@ -125,13 +153,11 @@ static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, const 
   if (l) PetscCall(MultigridSetHierarchy(pc, hierarchy, l, pdas ? NULL : snes));
   if (!begun && vi->solvability) PetscCall(VecCopy(vi->solvability->start, state->active));
   if (pdas && (begun || vi->solvability)) PetscCall(PDASSetStart(snes, state->active));
+  PetscCall(VecDuplicate(state->y, &before));
+  PetscCall(VecCopy(state->y, before));
   PetscCall(SNESSolve(snes, NULL, state->y));
-  if (pdas) {
-    PetscCall(PDASGetActive(snes, &last));
-    PetscCall(VecCopy(last, state->active));
-  } else {
-    PetscCall(ForecastPressed(hierarchy, &hierarchy->grid[l], state->y, state->active));
-  }
+  PetscCall(Find_Private(hierarchy, &hierarchy->grid[l], snes, before, state));
+  PetscCall(VecDestroy(&before));
   PetscCall(SNESDestroy(&snes));
   PetscCall(VecDestroy(&scratch));
   PetscFunctionReturn(PETSC_SUCCESS);

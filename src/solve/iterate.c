@@ -12,6 +12,12 @@
 
 /* Contact problems take up to some fifteen steps; one that takes so many is wandering. */
 static const PetscInt MANY_STEPS = 30;
+/* How exact the solution of an inexact solver is when it is first looked at, and how much more so each time that it says nothing against the set. */
+static const PetscReal LOOSE = 1e-2, TIGHTER = 0.03;
+/* A step that changes more than this part of what the one before did may have been led astray by too inexact a system. */
+static const PetscReal FEWER = 0.7;
+/* A set as numbers has 1 and 0. */
+static const PetscReal BETWEEN = 0.5;
 
 PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r)
 {
@@ -29,7 +35,7 @@ PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r)
     case START_GAP: next[i] = (PetscBool)(set->upper[i] <= 0); break;
     case START_PREVIOUS:
       if (pdas->previous)
-        next[i] = (PetscBool)(guess[i] > 0.5);
+        next[i] = (PetscBool)(guess[i] > BETWEEN);
       else
         next[i] = (PetscBool)(force[i] + pdas->c * set->diag[i] * (guess[i] - set->upper[i]) > 0); /* (T10) */
       break;
@@ -45,11 +51,6 @@ PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r)
   PetscCall(SNESMonitor(snes, 0, norm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
-
-/* How exact the solution of an inexact solver is when it is first looked at, and how much more so each time that it says nothing against the set. */
-static const PetscReal LOOSE = 1e-2, TIGHTER = 0.03;
-/* A step that changes more than this part of what the one before did may have been led astray by too inexact a system. */
-static const PetscReal FEWER = 0.7;
 
 /* Whether the present set was solved for before; remembers it. */
 static PetscErrorCode Seen_Private(PDAS *pdas, const ActiveSet *set, PetscBool *seen)
