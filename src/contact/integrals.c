@@ -91,52 +91,26 @@ static PetscErrorCode Ends_Private(const Facets *facets, const FacetIntegral int
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The largest distance between two nodes of a facet. */
-static PetscReal FacetSize_Private(const Level *level, const Facets *facets, PetscInt f)
+/* The largest overlap at a point of the facets around each node. Collective. */
+static PetscErrorCode Overlaps_Private(const Facets *facets, const FacetIntegral integrals[], Vec overlap)
 {
-  const PetscInt dim = level->dim, num                   = ElementNumNodes(facets->type[f]);
-  PetscReal      X[3 * ELEMENT_MAX_FACET_NODES], largest = 0;
-
-  FacetCoordinates(level, facets, f, X);
-  for (PetscInt i = 0; i < num; i++) {
-    for (PetscInt j = 0; j < i; j++) {
-      PetscReal square = 0;
-
-      for (PetscInt k = 0; k < dim; k++) square += PetscSqr(X[i * dim + k] - X[j * dim + k]);
-      largest = PetscMax(largest, square);
-    }
-  }
-  return PetscSqrtReal(largest);
-}
-
-/* The largest overlap at a point of the facets around each node, and their size. Collective. */
-static PetscErrorCode Overlaps_Private(const Level *level, const Facets *facets, const FacetIntegral integrals[],
-                                       Integrals *sums)
-{
-  Vec          v[2] = {sums->overlap, sums->size}, local[2];
-  PetscScalar *a[2];
+  Vec          local;
+  PetscScalar *a;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < 2; i++) {
-    PetscCall(VecGhostGetLocalForm(v[i], &local[i]));
-    PetscCall(VecSet(local[i], PETSC_MIN_REAL));
-    PetscCall(VecGetArray(local[i], &a[i]));
-  }
+  PetscCall(VecGhostGetLocalForm(overlap, &local));
+  PetscCall(VecSet(local, PETSC_MIN_REAL));
+  PetscCall(VecGetArray(local, &a));
   for (PetscInt f = 0; f < facets->num; f++) {
-    const PetscReal size = FacetSize_Private(level, facets, f);
-
     for (PetscInt i = 0; i < integrals[f].n; i++) {
-      const PetscInt node = facets->nodes[f * ELEMENT_MAX_FACET_NODES + i];
+      PetscScalar *at = &a[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
 
-      a[0][node] = PetscMax(PetscRealPart(a[0][node]), -integrals[f].least);
-      a[1][node] = PetscMax(PetscRealPart(a[1][node]), size);
+      *at = PetscMax(PetscRealPart(*at), -integrals[f].least);
     }
   }
-  for (PetscInt i = 0; i < 2; i++) {
-    PetscCall(VecRestoreArray(local[i], &a[i]));
-    PetscCall(VecGhostRestoreLocalForm(v[i], &local[i]));
-    PetscCall(LevelShareVec(v[i], MAX_VALUES));
-  }
+  PetscCall(VecRestoreArray(local, &a));
+  PetscCall(VecGhostRestoreLocalForm(overlap, &local));
+  PetscCall(LevelShareVec(overlap, MAX_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -254,7 +228,6 @@ PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const 
   PetscCall(VecDuplicate(sums->D, &sums->full));
   PetscCall(VecDuplicate(sums->D, &sums->G));
   PetscCall(VecDuplicate(sums->D, &sums->overlap));
-  PetscCall(VecDuplicate(sums->D, &sums->size));
   PetscCall(VecDuplicate(sums->D, &sums->measure));
   PetscCall(VecDuplicate(sums->D, &sums->cover));
   PetscCall(VecDuplicate(sums->D, &sums->whole));
@@ -262,7 +235,7 @@ PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const 
   PetscCall(CreateM_Private(level, partner, facets, integrals, &sums->M));
   PetscCall(CreateChain_Private(level, facets, sums->carrier, &sums->chain));
   PetscCall(SumFacets_Private(level, facets, integrals, sums));
-  PetscCall(Overlaps_Private(level, facets, integrals, sums));
+  PetscCall(Overlaps_Private(facets, integrals, sums->overlap));
   PetscCall(Ends_Private(facets, integrals, sums));
   PetscCall(Assemble_Private(sums->M));
   PetscCall(Assemble_Private(sums->chain));
@@ -278,7 +251,6 @@ PetscErrorCode IntegralsDestroy(Integrals *sums)
   PetscCall(VecDestroy(&sums->full));
   PetscCall(VecDestroy(&sums->G));
   PetscCall(VecDestroy(&sums->overlap));
-  PetscCall(VecDestroy(&sums->size));
   PetscCall(VecDestroy(&sums->measure));
   PetscCall(VecDestroy(&sums->cover));
   PetscCall(VecDestroy(&sums->whole));

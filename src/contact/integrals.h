@@ -15,9 +15,8 @@ PetscErrorCode NodalNormalsSharpen(Level *level, const Facets *facets, const Pet
 
 /* Integrals of all facets, as sums at nodes. */
 typedef struct {
-  Vec D, full, G; /* ghosted, one per node */
-  Vec overlap,
-      size; /* the largest -g at a point, and the largest distance of two nodes, of the facets around a node: ghosted */
+  Vec          D, full, G;     /* ghosted, one per node */
+  Vec          overlap;        /* the largest -g at a point of the facets around a node: ghosted, one per node */
   Vec          measure, cover; /* of the facets around a node, of their covered parts: ghosted, one per node */
   Mat          M;              /* node x node, or NULL */
   Mat          chain;      /* int psi_a phi_c of nodes c that never carry a multiplier (node x node), or NULL (T20) */

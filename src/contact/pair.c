@@ -8,9 +8,6 @@
 #include "draft.h"
 #include "shift.h"
 
-/* How much less than all gaps a mean gap may be, in parts of the facet: that of a curve whose facets turn by 7 degrees. */
-static const PetscReal FAR_LESS = 0.01;
-
 /* Rows (n, t..): t is the held direction where there is one, so that held unknowns stay single. [out] Q - [dim][dim] */
 static void NodeFrame_Private(const Support *held, PetscInt node, const PetscReal n[], PetscReal Q[])
 {
@@ -25,26 +22,18 @@ static void NodeFrame_Private(const Support *held, PetscInt node, const PetscRea
   }
 }
 
-/* A mean gap, but not far less than the least gap at any point around the node. Weights psi are negative in part: on a curve of radius R the mean
-   is less by h^2 / (12 R), which all nodes share, but where the gap jumps or bends within a facet it is less by a part of the jump. */
-static PetscReal GapLimit_Private(PetscReal mean, PetscReal least, PetscReal size)
-{
-  return least - mean > FAR_LESS * size ? least : mean;
-}
-
 /* Fills the pair's plain arrays from the nodes that this rank owns. Collective. */
 static PetscErrorCode CollectNodes_Private(Level *level, const Support *held, const PairDraft *draft, Pair pair)
 {
   const PetscInt     dim      = level->dim;
   PetscInt           count[3] = {0, 0, 0};
-  const PetscScalar *D, *G, *measure, *overlap, *size, *N, *whole, *cut;
+  const PetscScalar *D, *G, *measure, *overlap, *N, *whole, *cut;
 
   PetscFunctionBeginUser;
   PetscCall(VecGetArrayRead(draft->sums.D, &D));
   PetscCall(VecGetArrayRead(draft->sums.G, &G));
   PetscCall(VecGetArrayRead(draft->sums.measure, &measure));
   PetscCall(VecGetArrayRead(draft->sums.overlap, &overlap));
-  PetscCall(VecGetArrayRead(draft->sums.size, &size));
   PetscCall(VecGetArrayRead(draft->normals, &N));
   PetscCall(VecGetArrayRead(draft->sums.whole, &whole));
   PetscCall(VecGetArrayRead(draft->sums.cut, &cut));
@@ -61,8 +50,6 @@ static PetscErrorCode CollectNodes_Private(Level *level, const Support *held, co
     pair->D[k]       = PetscRealPart(D[i]);
     pair->gap[k]     = PetscRealPart(G[i]) / pair->D[k];
     pair->overlap[k] = PetscRealPart(overlap[i]);
-    if (pair->spec->type == PAIR_CONTACT)
-      pair->gap[k] = GapLimit_Private(pair->gap[k], -pair->overlap[k], PetscRealPart(size[i]));
     for (PetscInt j = 0; j < dim; j++) pair->normal[k * dim + j] = PetscRealPart(N[i * dim + j]);
     pair->whole[k] = (PetscBool)(PetscRealPart(whole[i]) > 0);
     pair->cut[k]   = (PetscBool)(PetscRealPart(cut[i]) > 0);
@@ -72,7 +59,6 @@ static PetscErrorCode CollectNodes_Private(Level *level, const Support *held, co
   PetscCall(VecRestoreArrayRead(draft->sums.cut, &cut));
   PetscCall(VecRestoreArrayRead(draft->sums.whole, &whole));
   PetscCall(VecRestoreArrayRead(draft->normals, &N));
-  PetscCall(VecRestoreArrayRead(draft->sums.size, &size));
   PetscCall(VecRestoreArrayRead(draft->sums.overlap, &overlap));
   PetscCall(VecRestoreArrayRead(draft->sums.measure, &measure));
   PetscCall(VecRestoreArrayRead(draft->sums.G, &G));
