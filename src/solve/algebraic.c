@@ -1,90 +1,138 @@
-/* algebraic.c -- levels where there is no coarser mesh: what aggregates of nodes can do as a whole.
+/* algebraic.c -- levels where there is no coarser mesh: some of the nodes.
 
-   They are made of the stiffness K of the bodies alone, in displacements u, where bodies do not couple and rigid motions cost nothing: whatever
-   touches, the levels stay as they are. With P_0 from unknowns of aggregates to u,
+   They are made of the stiffness K of the bodies alone, in displacements u, where bodies do not couple: whatever touches, the levels stay as they
+   are. With P_0 from displacements of chosen nodes to u,
        P = T^-1 P_0,   P'A P = P_0'K P_0,
-   as on levels of a mesh; what is held, by supports, by ties or by contact, is truncated on top of that (rung.c), but for those held
-   displacements that aggregates need not move to begin with. */
+   as on levels of a mesh; what is held, by supports, by ties or by contact, is truncated on top of that (rung.c), but for displacements
+   that are held along axes to begin with. */
+#include <mortise/element.h>
 #include "algebraic.h"
 #include "strip.h"
 
-/* Couplings weaker than this part of the stiffness of both nodes do not hold an aggregate together. */
-static const PetscReal STRONGER = 0.02;
+/* A coarse unknown that is left with no more than this part of what it moves, in squares, is none. */
+static const PetscReal NEXT_TO_NOTHING = 1e-2;
 
-/* Rigid motions at one node: translations, then rotations about the origin of x. [in] x - [dim]; [out] motion - [dim][num] */
-static void SetMotions_Private(PetscInt dim, PetscInt num, const PetscReal x[], PetscReal motion[])
+/* Of cells of second order the next coarser level has the vertices, in the middle between which other nodes move. Orders are known cell by cell. */
+static PetscErrorCode TakeFromVertices_Private(const Level *level, Points *points)
 {
-  for (PetscInt k = 0; k < dim * num; k++) motion[k] = 0;
-  for (PetscInt k = 0; k < dim; k++) motion[k * num + k] = 1;
-  for (PetscInt r = dim; r < num; r++) { // about the axis across the plane (j, k)
-    const PetscInt j = dim == 2 ? 0 : (r - dim + 1) % 3, k = dim == 2 ? 1 : (r - dim + 2) % 3;
-
-    motion[j * num + r] = -x[k];
-    motion[k * num + r] = x[j];
-  }
-}
-
-/* Middle and size of the box around all nodes. Collective. [out] middle - [dim] */
-static PetscErrorCode Extent_Private(const Level *level, PetscReal middle[], PetscReal *size)
-{
-  const PetscInt dim      = level->dim;
-  PetscReal      range[6] = {PETSC_MAX_REAL, PETSC_MAX_REAL, PETSC_MAX_REAL, PETSC_MAX_REAL,
-                             PETSC_MAX_REAL, PETSC_MAX_REAL}; // smallest coordinates, and largest with the sign turned
+  static const PetscReal NO_WEIGHT = 1e-12;
+  const PetscInt         n         = level->num_owned;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < level->num_owned * dim; i++) {
-    range[i % dim]     = PetscMin(range[i % dim], level->coords[i]);
-    range[3 + i % dim] = PetscMin(range[3 + i % dim], -level->coords[i]);
-  }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, range, 6, MPIU_REAL, MPIU_MIN, level->comm));
-  *size = 0;
-  for (PetscInt k = 0; k < dim; k++) {
-    middle[k] = (range[k] - range[3 + k]) / 2;
-    *size     = PetscMax(*size, (-range[3 + k] - range[k]) / 2);
+  PetscCall(PetscCalloc3(n, &points->count, n * POINTS_TERMS, &points->from, n * POINTS_TERMS, &points->weight));
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    const ElementType type = (ElementType)level->cell_type[c], linear = ElementLinear(type);
+    const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]];
+
+    for (PetscInt i = 0; i < level->cell_start[c + 1] - level->cell_start[c]; i++) {
+      const PetscInt node = nodes[i];
+      PetscReal      phi[ELEMENT_MAX_NODES];
+
+      if (node >= n || points->count[node]) continue;
+      ElementShape(linear, ElementNode(type, i), phi, NULL);
+      for (PetscInt v = 0; v < ElementNumNodes(linear); v++) {
+        if (phi[v] <= NO_WEIGHT) continue;
+        points->from[node * POINTS_TERMS + points->count[node]]     = level->node_global[nodes[v]];
+        points->weight[node * POINTS_TERMS + points->count[node]++] = phi[v];
+      }
+    }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode AlgebraicBegin(VI vi, Fabric *fabric)
+PetscErrorCode AlgebraicBegin(VI vi, Points *points)
 {
-  const Level   *level = vi->level;
-  const PetscInt dim = level->dim, n = level->num_owned, num = dim * (dim + 1) / 2;
-  PetscReal      middle[3], size;
+  const Level   *level  = vi->level;
+  const PetscInt n      = level->dim * level->num_owned;
+  PetscBool      higher = PETSC_FALSE;
 
   PetscFunctionBeginUser;
-  *fabric = (Fabric){.A = vi->K, .bs = dim, .num = num, .stronger = STRONGER};
-  PetscCall(PetscMalloc1(dim * n * num, &fabric->motion));
-  PetscCall(PetscCalloc1(dim * n, &fabric->held));
-  PetscCall(VIMarkHeld(vi, fabric->held));
-  PetscCall(Extent_Private(level, middle, &size));
+  *points = (Points){.A = vi->K, .dim = level->dim};
+  PetscCall(PetscMalloc1(n, &points->x));
+  PetscCall(PetscArraycpy(points->x, level->coords, n));
+  PetscCall(PetscCalloc1(n, &points->held));
+  PetscCall(VIMarkHeld(vi, points->held));
+  for (PetscInt c = 0; c < level->num_cells; c++)
+    if (ElementOrder((ElementType)level->cell_type[c]) > 1) higher = PETSC_TRUE;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &higher, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  if (higher) PetscCall(TakeFromVertices_Private(level, points));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode AlgebraicWeigh(Mat P, Vec open, Vec *weight)
+{
+  const PetscScalar *o = NULL;
+  PetscInt           begin, end;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateVecs(P, weight, NULL));
+  PetscCall(MatGetOwnershipRange(P, &begin, &end));
+  if (open) PetscCall(VecGetArrayRead(open, &o));
+  for (PetscInt row = begin; row < end; row++) {
+    PetscInt           num;
+    const PetscInt    *columns;
+    const PetscScalar *values;
+
+    if (o && o[row - begin] == 0) continue;
+    PetscCall(MatGetRow(P, row, &num, &columns, &values));
+    for (PetscInt j = 0; j < num; j++) PetscCall(VecSetValue(*weight, columns[j], values[j] * values[j], ADD_VALUES));
+    PetscCall(MatRestoreRow(P, row, &num, &columns, &values));
+  }
+  if (open) PetscCall(VecRestoreArrayRead(open, &o));
+  PetscCall(VecAssemblyBegin(*weight));
+  PetscCall(VecAssemblyEnd(*weight));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Coarse unknowns that move nothing, or next to nothing but what is eliminated. [in] P - whole; [in] open - 0 where eliminated; [in,out] held; [out] keep -
+   1 for all that are left */
+static PetscErrorCode Drop_Private(Mat P, Vec open, PetscBool held[], Vec *keep)
+{
+  const PetscScalar *w, *left;
+  PetscScalar       *k;
+  PetscInt           n;
+  Vec                weight[2];
+
+  PetscFunctionBeginUser;
+  PetscCall(AlgebraicWeigh(P, NULL, &weight[0]));
+  PetscCall(AlgebraicWeigh(P, open, &weight[1]));
+  PetscCall(VecDuplicate(weight[0], keep));
+  PetscCall(VecGetLocalSize(*keep, &n));
+  PetscCall(VecGetArrayRead(weight[0], &w));
+  PetscCall(VecGetArrayRead(weight[1], &left));
+  PetscCall(VecGetArrayWrite(*keep, &k));
   for (PetscInt i = 0; i < n; i++) {
-    PetscReal x[3];
-
-    for (PetscInt k = 0; k < dim; k++) x[k] = (level->coords[i * dim + k] - middle[k]) / size;
-    SetMotions_Private(dim, num, x, &fabric->motion[i * dim * num]);
+    held[i] = (PetscBool)(held[i] || PetscRealPart(left[i]) <= NEXT_TO_NOTHING * PetscRealPart(w[i]));
+    k[i]    = held[i] ? 0 : 1;
   }
-  for (PetscInt i = 0; i < dim * n; i++) {
-    for (PetscInt k = 0; fabric->held[i] && k < num; k++) fabric->motion[i * num + k] = 0;
-  }
+  PetscCall(VecRestoreArrayWrite(*keep, &k));
+  PetscCall(VecRestoreArrayRead(weight[1], &left));
+  PetscCall(VecRestoreArrayRead(weight[0], &w));
+  PetscCall(VecDestroy(&weight[0]));
+  PetscCall(VecDestroy(&weight[1]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* P := T^-1 P, emptied where unknowns are eliminated, and what that changes in P'A P. [in,out] P, Ac */
-static PetscErrorCode Truncate_Private(VI vi, const PetscBool held[], Mat *P, Mat Ac)
+/* P := T^-1 P, emptied where unknowns are eliminated, and what that changes in P'A P. [in] was_held - displacements that P was empty for;
+   [in,out] held - coarse unknowns; [in,out] P, Ac */
+static PetscErrorCode Truncate_Private(VI vi, const PetscBool was_held[], PetscBool held[], Mat *P, Mat Ac)
 {
   Mat          product, strip;
-  Vec          was, is;
+  Vec          was, is, keep;
   PetscScalar *a;
   PetscInt     n;
 
   PetscFunctionBeginUser;
   PetscCall(VIMultiplyInverse(vi, P));
   PetscCall(VICreateOpen(vi, &is));
+  PetscCall(Drop_Private(*P, is, held, &keep));
+  PetscCall(MatDiagonalScale(*P, NULL, keep));
+  PetscCall(MatDiagonalScale(Ac, keep, keep));
   PetscCall(VecDuplicate(is, &was));
   PetscCall(VecGetLocalSize(was, &n));
-  PetscCall(VecGetArray(was, &a));
-  for (PetscInt i = 0; i < n; i++) a[i] = held[i] ? 0 : 1;
-  PetscCall(VecRestoreArray(was, &a));
+  PetscCall(VecGetArrayWrite(was, &a));
+  for (PetscInt i = 0; i < n; i++) a[i] = was_held[i] ? 0 : 1;
+  PetscCall(VecRestoreArrayWrite(was, &a));
   PetscCall(StripCreate(vi, NULL, NULL, was, is, NULL, &strip));
   PetscCall(StripRestrict(strip, *P, &product));
   PetscCall(MatAXPY(Ac, 1, product, DIFFERENT_NONZERO_PATTERN));
@@ -93,6 +141,7 @@ static PetscErrorCode Truncate_Private(VI vi, const PetscBool held[], Mat *P, Ma
   PetscCall(MatDestroy(&strip));
   PetscCall(VecDestroy(&was));
   PetscCall(VecDestroy(&is));
+  PetscCall(VecDestroy(&keep));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -109,18 +158,18 @@ static PetscErrorCode SetIdle_Private(Mat A, PetscInt num, const PetscInt idle[]
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode AlgebraicCoarsen(VI fine, Fabric *fabric, PetscReal largest, Mat *P, VI *coarse)
+PetscErrorCode AlgebraicCoarsen(VI fine, Points *points, Mat *P, VI *coarse)
 {
-  Fabric   next;
+  Points   next;
   Mat      Ac;
   PetscInt n, num = 0, *idle;
 
   PetscFunctionBeginUser;
-  PetscCall(FabricCoarsen(fabric, largest, P, &next));
-  PetscCall(MatPtAP(fabric->A, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &Ac));
+  PetscCall(PointsCoarsen(points, P, &next));
+  PetscCall(MatPtAP(points->A, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &Ac));
   PetscCall(MatProductClear(Ac)); // it would keep its factors
   PetscCall(MatScale(Ac, 1 / fine->stiffness));
-  if (fine->level) PetscCall(Truncate_Private(fine, fabric->held, P, Ac));
+  if (fine->level) PetscCall(Truncate_Private(fine, points->held, next.held, P, Ac));
   PetscCall(MatGetLocalSize(Ac, &n, NULL));
   PetscCall(PetscMalloc1(n, &idle));
   for (PetscInt i = 0; i < n; i++)
@@ -128,8 +177,8 @@ PetscErrorCode AlgebraicCoarsen(VI fine, Fabric *fabric, PetscReal largest, Mat 
   PetscCall(SetIdle_Private(Ac, num, idle));
   PetscCall(VICreateOfMatrix(Ac, num, idle, coarse));
   PetscCall(MatDestroy(&Ac));
-  PetscCall(FabricDestroy(fabric));
-  *fabric   = next;
-  fabric->A = (*coarse)->K;
+  PetscCall(PointsDestroy(points));
+  *points   = next;
+  points->A = (*coarse)->K;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -3,14 +3,17 @@
 #define MORTISE_ALGEBRAIC_H
 
 #include <mortise/vi.h>
-#include "aggregate.h"
+#include "points.h"
 
-/* K of a level of the mesh, with the rigid motions of its bodies. Collective. [out] fabric - of its displacements, to be destroyed by
-   FabricDestroy() */
-PetscErrorCode AlgebraicBegin(VI vi, Fabric *fabric);
-/* The next coarser level. Collective.
-   [in] fine - a level of the mesh or one of these; [in,out] fabric - of fine, then of coarse; [in] largest - eigenvalue of diag(A)^-1 A, at
-   least; [out] P - y of coarse to y of fine; [out] coarse - both owned by the caller */
-PetscErrorCode AlgebraicCoarsen(VI fine, Fabric *fabric, PetscReal largest, Mat *P, VI *coarse);
+/* K of a level of the mesh and its nodes. Collective. [out] points - to be destroyed by the caller; borrows K from vi */
+PetscErrorCode AlgebraicBegin(VI vi, Points *points);
+/* The next coarser level. Collective. [in] fine - mesh level or one made here, that points belong to; [in,out] points - of the coarser level
+   afterwards; [out] P - y of the coarser level to y of the fine one, owned by the caller; [out] coarse - owned by the caller, before points are
+   destroyed */
+PetscErrorCode AlgebraicCoarsen(VI fine, Points *points, Mat *P, VI *coarse);
+
+/* The squares of every column, summed up. Collective. [in] open - 1 in rows that count, 0 in others; NULL for all; [out] weight - owned by the
+   caller */
+PetscErrorCode AlgebraicWeigh(Mat P, Vec open, Vec *weight);
 
 #endif

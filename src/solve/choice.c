@@ -326,7 +326,7 @@ PetscErrorCode SolveView(VI vi)
   PetscCall(PetscObjectGetComm((PetscObject)vi->A, &comm));
   PetscCall(SolveChoose(vi, &choice));
   if (!strcmp(choice.pc, PCTRUNCATEDMG) && vi->mesh->num_levels == 1)
-    levels = "; on levels of aggregates, since the mesh has one level";
+    levels = "; on levels of some of its nodes, since the mesh has one level";
   PetscCall(SolveDescribe(choice.ksp, choice.pc, NULL, words, sizeof(words)));
   PetscCall(PetscPrintf(comm, "  solver %s: linear systems by %s (%s%s)\n", choice.snes, words, choice.why, levels));
   PetscFunctionReturn(PETSC_SUCCESS);

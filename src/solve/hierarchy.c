@@ -107,28 +107,6 @@ static PetscErrorCode CreateProlongation_Private(VI coarse, VI fine, Mat *P, Vec
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The squares of every column, summed up. */
-static PetscErrorCode WeighColumns_Private(Mat P, Vec *weight)
-{
-  PetscInt begin, end;
-
-  PetscFunctionBeginUser;
-  PetscCall(MatCreateVecs(P, weight, NULL));
-  PetscCall(MatGetOwnershipRange(P, &begin, &end));
-  for (PetscInt row = begin; row < end; row++) {
-    PetscInt           num;
-    const PetscInt    *columns;
-    const PetscScalar *values;
-
-    PetscCall(MatGetRow(P, row, &num, &columns, &values));
-    for (PetscInt j = 0; j < num; j++) PetscCall(VecSetValue(*weight, columns[j], values[j] * values[j], ADD_VALUES));
-    PetscCall(MatRestoreRow(P, row, &num, &columns, &values));
-  }
-  PetscCall(VecAssemblyBegin(*weight));
-  PetscCall(VecAssemblyEnd(*weight));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode HierarchyIsNested(VI vi, PetscBool *nested)
 {
   const Scene      scene = vi->scene;
@@ -240,7 +218,7 @@ static PetscErrorCode GridBegin_Private(Grid *grid, PetscBool coarsest)
 static PetscErrorCode GoBelow_Private(Grid *coarsest, PetscInt *num)
 {
   const VI  vi = coarsest->vi;
-  Fabric    fabric;
+  Points    points;
   PetscInt  size, coarser;
   PetscBool go;
 
@@ -250,19 +228,16 @@ static PetscErrorCode GoBelow_Private(Grid *coarsest, PetscInt *num)
   go = (PetscBool)(size > (vi->level->dim == 3 ? LARGE_3D : LARGE_2D) || vi->mesh->num_levels == 1);
   PetscCall(GridBegin_Private(coarsest, (PetscBool)!go));
   if (!go) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(AlgebraicBegin(vi, &fabric));
+  PetscCall(AlgebraicBegin(vi, &points));
   for (Grid *grid = coarsest; go; grid--) {
-    PetscReal largest = grid->largest;
-
-    if (grid->S) PetscCall(EigenvalueLargest(grid->A, NULL, NULL, &largest));
-    PetscCall(AlgebraicCoarsen(grid->vi, &fabric, largest, &grid->P, &grid[-1].vi));
-    PetscCall(WeighColumns_Private(grid->P, &grid->weight));
+    PetscCall(AlgebraicCoarsen(grid->vi, &points, &grid->P, &grid[-1].vi));
+    PetscCall(AlgebraicWeigh(grid->P, NULL, &grid->weight));
     PetscCall(MatGetSize(grid[-1].vi->K, &coarser, NULL));
     go = (PetscBool)(++*num < MAX_BELOW && coarser > COARSEST && coarser < SLOW * size);
     PetscCall(GridBegin_Private(&grid[-1], (PetscBool)!go));
     size = coarser;
   }
-  PetscCall(FabricDestroy(&fabric));
+  PetscCall(PointsDestroy(&points));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -287,7 +262,7 @@ PetscErrorCode HierarchyCreate(VI vi, Vec springs, Hierarchy *hierarchy)
   for (PetscInt l = 1; l < meshes; l++) {
     PetscCall(GridBegin_Private(&mesh[l], PETSC_FALSE));
     PetscCall(CreateProlongation_Private(mesh[l - 1].vi, mesh[l].vi, &mesh[l].P, &mesh[l].lift));
-    PetscCall(WeighColumns_Private(mesh[l].P, &mesh[l].weight));
+    PetscCall(AlgebraicWeigh(mesh[l].P, NULL, &mesh[l].weight));
   }
   h->num = h->first + meshes;
   PetscCall(PetscArraymove(h->grid, mesh - h->first, h->num));

@@ -200,6 +200,7 @@ static PetscErrorCode Configure_Private(PC pc, Multigrid *multigrid)
 {
   const char *prefix;
   KSP         ksp;
+  Mat         R;
   PC          inner;
 
   PetscFunctionBeginUser;
@@ -210,6 +211,9 @@ static PetscErrorCode Configure_Private(PC pc, Multigrid *multigrid)
   PetscCall(PCMGSetLevels(multigrid->mg, multigrid->num, NULL));
   for (PetscInt l = 1; l < multigrid->num; l++) {
     PetscCall(PCMGSetInterpolation(multigrid->mg, l, multigrid->rung[l].P));
+    PetscCall(MatCreateTranspose(multigrid->rung[l].P, &R)); // or PETSc takes P for P' where it is square
+    PetscCall(PCMGSetRestriction(multigrid->mg, l, R));
+    PetscCall(MatDestroy(&R));
     PetscCall(PCMGGetSmoother(multigrid->mg, l, &ksp));
     PetscCall(KSPSetType(ksp, KSPCHEBYSHEV));
     PetscCall(SetOperators_Private(ksp, &multigrid->rung[l]));

@@ -191,7 +191,7 @@ static PetscErrorCode List_Private(Rung *rung)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* On a mesh, A^ is near that of a body held there, and has no larger eigenvalues. Where aggregates take the place of a mesh a few unknowns that
+/* On a mesh, A^ is near that of a body held there, and has no larger eigenvalues. Where there is none, a few unknowns that
    are cut off may double them, near those that are: so that is where one looks. */
 static PetscErrorCode SetLargest_Private(Rung *rung)
 {
@@ -250,6 +250,21 @@ PetscErrorCode RungsHold(PetscInt num, Rung rungs[], Vec free)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Without a mesh two displacements of a coarse node may move the same unknown after the other one was cut off: what tells them apart is any resistance. */
+static PetscErrorCode Stiffen_Private(Mat A)
+{
+  static const PetscReal A_LITTLE = 1e-10;
+  Vec                    diag;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateVecs(A, &diag, NULL));
+  PetscCall(MatGetDiagonal(A, diag));
+  PetscCall(VecScale(diag, A_LITTLE));
+  PetscCall(MatDiagonalSet(A, diag, ADD_VALUES));
+  PetscCall(VecDestroy(&diag));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode RungAssemble(Rung *rung)
 {
   PetscInt *rows, begin;
@@ -263,6 +278,7 @@ PetscErrorCode RungAssemble(Rung *rung)
   for (PetscInt i = 0; i < rung->num_truncated; i++) rows[i] = begin + rung->held[i];
   PetscCall(MatZeroRowsColumns(rung->A, rung->num_truncated, rows, 1, NULL, NULL));
   PetscCall(PetscFree(rows));
+  if (!rung->grid->vi->level) PetscCall(Stiffen_Private(rung->A));
   PetscCall(MatSetOption(rung->A, MAT_SPD, PETSC_TRUE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -36,17 +36,17 @@ mg(shells                 ARGS -dm_refine 1)
 mg(two_plates_apart       SCENE two_plates ARGS ${plane_coarse} -joint_gap 1 -dm_refine 2)
 mg(two_plates_nearly      SCENE two_plates ARGS ${plane_coarse} -upper_poisson 0.49 -dm_refine 1)
 
-# --- meshes with one level, and levels made of aggregates of nodes below it ---
-function(aggregates name)
+# --- meshes with one level, and levels made of some of its nodes below it ---
+function(nodes name)
   cmake_parse_arguments(arg "" "SCENE" "ARGS" ${ARGN})
-  mortise_scene_test(aggregates_${name} SCENE ${arg_SCENE} CHECK aggregates.py LABELS mpi ARGS -pc_type cholesky ${arg_ARGS})
+  mortise_scene_test(nodes_${name} SCENE ${arg_SCENE} CHECK nodes.py LABELS mpi ARGS -pc_type cholesky ${arg_ARGS})
 endfunction()
-aggregates(file           SCENE half_discs)
-aggregates(quadratic      SCENE two_plates ARGS -order 2 -upper_dm_plex_simplex 1 -upper_dm_plex_box_faces 17,17 -lower_dm_plex_box_faces 13,13)
-aggregates(solid          SCENE blocks ARGS -upper_dm_plex_simplex 1 -upper_dm_plex_box_faces 9,9,9 -lower_dm_plex_box_faces 7,7,7)
-aggregates(floating       SCENE stack)
-aggregates(tied           SCENE tied)
-mortise_scene_test(aggregates_stiff SCENE blocks CHECK stiff.py ARGS -pc_type truncatedmg -upper_dm_plex_simplex 1 -upper_dm_plex_box_faces 21,21,18
+nodes(file           SCENE half_discs)
+nodes(quadratic      SCENE two_plates ARGS -order 2 -upper_dm_plex_simplex 1 -upper_dm_plex_box_faces 17,17 -lower_dm_plex_box_faces 13,13)
+nodes(solid          SCENE blocks ARGS -upper_dm_plex_simplex 1 -upper_dm_plex_box_faces 9,9,9 -lower_dm_plex_box_faces 7,7,7)
+nodes(floating       SCENE stack)
+nodes(tied           SCENE tied)
+mortise_scene_test(nodes_stiff SCENE blocks CHECK stiff.py ARGS -pc_type truncatedmg -upper_dm_plex_simplex 1 -upper_dm_plex_box_faces 21,21,18
   -upper_young 2e10 -lower_dm_plex_simplex 1 -lower_dm_plex_box_faces 16,16,14 -lower_young 5e8 -joint_gap "2*((x-0.4)^2+(y-0.45)^2)")
 
 # --- stopping at the discretisation error ---

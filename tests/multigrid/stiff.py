@@ -1,4 +1,4 @@
-"""Multigrid on levels of aggregates where a stiff body touches a soft one with few nodes: levels below the finest know of contact by
+"""Multigrid on levels of some of the nodes where a stiff body touches a soft one with few nodes: levels below the finest know of contact by
 truncation alone, which must not lead their smoothers astray."""
 from judge import require
 

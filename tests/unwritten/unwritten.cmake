@@ -23,7 +23,7 @@ unwritten(bounds       RANKS 1   ARGS ${plane} -dm_refine 1 -pc_type truncatedmg
 unwritten(stop         RANKS 1   ARGS ${plane} -dm_refine 2 -pc_type truncatedmg -stop discretisation -measure_linear)
 unwritten(study        RANKS 1   ARGS ${plane} -study uniform -study_levels 2 -study_orders 1,2)
 unwritten(solid        RANKS 1   ARGS ${solid} -dm_refine 1 -pc_type truncatedmg -cross_check)
-unwritten(aggregates   RANKS 1   ARGS ${solid} -upper_dm_plex_simplex 1 -upper_dm_plex_box_faces 7,7,7 -pc_type truncatedmg)
+unwritten(nodes        RANKS 1   ARGS ${solid} -upper_dm_plex_simplex 1 -upper_dm_plex_box_faces 7,7,7 -pc_type truncatedmg)
 unwritten(floating     RANKS 1   ARGS ${stack} -pc_type truncatedmg -dm_refine 1 -cross_check)
 # Conjugate gradients that break down, after which PETSc has no eigenvalues to tell: once a hang.
 unwritten(breakdown    RANKS 1   ARGS ${options_of_shrink_fit_stiff_ring} -pc_type truncatedmg -cross_check)
