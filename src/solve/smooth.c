@@ -68,6 +68,7 @@ static PetscErrorCode ConfigureFactor_Private(KSP ksp)
   PetscCall(KSPGetOperators(ksp, NULL, &S));
   PetscCall(KSPSetType(ksp, KSPPREONLY));
   PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(PCSetType(pc, PCNONE)); // forgets the package: where there were rows there may be none now
   PetscCall(PCSetType(pc, PCCHOLESKY));
   PetscCall(MatGetFactorAvailable(S, MATSOLVERCHOLMOD, MAT_FACTOR_CHOLESKY, &available));
   PetscCall(MatGetSize(S, &n, NULL));

@@ -72,5 +72,6 @@ mortise_scene_test(afar_quadratic SCENE afar CHECK afar.py ARGS -pc_type truncat
 mortise_scene_test(sets         SCENE blocks CHECK sets.py RANKS 1 3 LABELS mpi)
 mortise_scene_test(wander       CHECK wander.py ARGS -pc_type truncatedmg)
 mortise_scene_test(zigzag       SCENE blocks CHECK zigzag.py ARGS -dm_refine 2 -upper_young 2e12 -pc_type truncatedmg)
+mortise_scene_test(dealt        CHECK dealt.py ONLY_RANKS "it is with five ranks that one loses its bundles" RANKS 5 LABELS mpi ARGS -pc_type cholesky -dm_refine 3)
 mortise_scene_test(shorter      SCENE stiff_floor CHECK shorter.py LABELS mpi ARGS -pc_type cholesky -dm_refine 3)
 mortise_scene_test(gives_way    SCENE blocks CHECK gives_way.py)
