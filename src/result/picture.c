@@ -120,9 +120,12 @@ static PetscErrorCode GatherCells_Private(MPI_Comm comm, const PicturePart *part
 static PetscErrorCode NumberByPoints_Private(const Picture *picture, const PicturePart *part, SortedCells *cells)
 {
   PetscInt *ids, *all_ids, num;
+  PetscBool some = (PetscBool)(part->global != NULL);
 
   PetscFunctionBeginUser;
-  if (!part->global) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCallMPI(
+      MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPIU_BOOL, MPI_LOR, picture->comm)); // NULL as well on a rank without nodes
+  if (!some) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(part->num_points, &ids));
   for (PetscInt i = 0; i < part->num_points; ++i) ids[i] = part->global[part->nodes[i]];
   PetscCall(GatherInts(picture->comm, part->num_points, ids, &num, &all_ids));
