@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from bodies import MANY, SHAPES, evaluate, is_simplex, normal_of, product_rule
+from refined import solve_refined
 
 # A node with less cover (in that dimension, of facets of that order) or freedom has no multiplier.
 SLIVER, NOTHING, HELD = {(2, 1): 1e-3, (2, 2): 5e-2, (3, 1): 1e-3, (3, 2): 0.1}, 1e-13, 0.1
@@ -100,7 +101,8 @@ class Pair:
     def add_facet(self, facet, points, rays):
         w = np.array([ray[1] for ray in rays])
         hat, phi = (np.column_stack([shape(ray[0]) for ray in rays]) for shape in (self.hat, lambda at: self.shape.at(at)[0]))
-        psi = np.diag(hat @ w) @ np.linalg.solve((hat * w) @ hat.T, hat)
+        exact = hat.astype(np.longdouble)  # of a sliver: its matrix is nearly singular
+        psi = np.diag(hat @ w) @ solve_refined((exact * w) @ exact.T, hat)
         gaps = [self.gap_at(x, ray[2]) for x, ray in zip(phi.T @ points, rays)]
         for i, j in itertools.permutations(range(len(hat)), 2):
             if self.beside_each_other(self.hats, i, j):

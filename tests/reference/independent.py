@@ -22,6 +22,7 @@ import numpy as np
 
 from bodies import Body, evaluate, names
 from lines import LinePair
+from refined import solve_refined
 from space import SpacePair
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -138,14 +139,6 @@ def least_index(S, q):
             return inside
         inside[np.argmax(wrong)] ^= True
     raise ArithmeticError("no end")
-
-
-def solve_refined(A, b):
-    """A x = b, the residual taken twice more in extended precision."""
-    inverse, x = np.linalg.inv(A), np.zeros(len(b), dtype=np.longdouble)
-    for _ in range(4):
-        x = x + inverse @ np.asarray(b - A.astype(np.longdouble) @ x, dtype=float)
-    return x.astype(float)
 
 
 class Solution:
