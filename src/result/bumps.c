@@ -55,10 +55,11 @@ static PetscErrorCode Place_Private(Fields fields, PetscInt p, PetscReal largest
     PetscReal least = PETSC_INFINITY;
 
     for (PetscInt r = 0; r < vi->num_rows; ++r) {
-      const PetscReal *x     = &vi->level->coords[vi->pairs[p]->nodes[vi->row_node[r]] * dim];
+      const PetscReal *x;
       PetscBool        first = PETSC_TRUE;
 
-      if (Row_Private(fields, p, r) < (1 - SAME) * largest) continue;
+      if (Row_Private(fields, p, r) < (1 - SAME) * largest) continue; // also those of other pairs
+      x = &vi->level->coords[vi->pairs[p]->nodes[vi->row_node[r]] * dim];
       for (PetscInt j = 0; j < k; ++j) first = (PetscBool)(first && x[j] == at[j]);
       if (first) least = PetscMin(least, x[k]);
     }
