@@ -9,6 +9,7 @@
 #include <mortise/interrupt.h>
 #include <mortise/options.h>
 #include <mortise/json.h>
+#include <mortise/warning.h>
 #include <mortise/expression.h>
 #include <mortise/material.h>
 #include <mortise/element.h>

@@ -47,6 +47,22 @@ static PetscErrorCode SolveOnce(Scene scene, MortiseExit *verdict)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Where warnings are to fail a run, they do: files and numbers are there all the same. */
+static PetscErrorCode CountWarnings(Scene scene, MortiseExit *verdict)
+{
+  PetscInt num;
+
+  PetscFunctionBeginUser;
+  if (!scene->warnings_fail) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(WarningNum(scene->comm, &num));
+  if (!num || *verdict != MORTISE_SOLVED) PetscFunctionReturn(PETSC_SUCCESS);
+  *verdict = MORTISE_NOT_CONVERGED;
+  PetscCall(PetscFPrintf(scene->comm, PETSC_STDERR,
+                         "mortise: -warnings error: %" PetscInt_FMT " warning%s; the results are complete\n", num,
+                         num == 1 ? "" : "s"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Solves the scene of the options, once or as a study. */
 static PetscErrorCode SolveScene(MortiseExit *verdict)
 {
@@ -64,6 +80,7 @@ static PetscErrorCode SolveScene(MortiseExit *verdict)
     PetscCall(SolveOnce(scene, verdict));
   else
     PetscCall(StudyRun(scene, verdict));
+  PetscCall(CountWarnings(scene, verdict));
   PetscCall(SceneDestroy(&scene));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -36,6 +36,10 @@ class Failure(Exception):
     """What a test does not like, as a sentence."""
 
 
+TOLERATED = {"model_limit"}  # loads of tests may be as large as they please
+TOLERATED_LINE = re.compile("mortise: warning: (order [12], level [0-9]+: )?beyond small displacements")
+
+
 def require(condition, sentence):
     """Fails the test with the sentence unless the condition holds."""
     if not condition:
@@ -56,19 +60,30 @@ class Run:
         done = subprocess.run(self.command, cwd=self.folder, env=environment, capture_output=True, text=True, timeout=TIMEOUT, errors="replace")
         self.exit, self.stdout, self.stderr = done.returncode, done.stdout, done.stderr
 
-    def again(self, *arguments, ranks=None, name="again"):
-        """The same scene once more, with more arguments or on another number of ranks, solved."""
+    def again(self, *arguments, ranks=None, name="again", warns=None):
+        """The same scene once more, with more arguments or on another number of ranks, solved, with warnings of these codes; or,
+        where nothing is said of them, none of other codes than this run has."""
         other = Run(self.program, self.mpiexec, ranks or self.ranks, self.folder / name, self.arguments + list(arguments))
         try:
-            other.require_solved()
+            known = {w["code"] for w in self.summary["warnings"]}
+            other.require_solved(*([w["code"] for w in other.summary["warnings"] if w["code"] in known] if warns is None else warns))
         except Failure as failure:
             raise Failure(f"{failure}, when run again {other.describe()}") from None
         return other
 
-    def require_solved(self):
+    def require_solved(self, *warns):
+        """Solved, with warnings of these codes and no others, and nothing else to say."""
         require(self.exit == 0, f"exit code {self.exit} instead of 0")
-        require(not self.stderr.strip(), "a solved run has nothing to say on stderr")
+        self.require_warned(*warns)
         self.require_clean()
+
+    def require_warned(self, *codes):
+        """Warnings of these codes: in the summary, and the same lines on stderr, with nothing beside them."""
+        found = [w for w in self.summary["warnings"] if w["code"] not in TOLERATED or w["code"] in codes]
+        told = [] if "-quiet" in self.arguments else sorted("mortise: warning: " + "; ".join(filter(None, (w["text"], w["advice"]))) for w in found)
+        require(sorted(w["code"] for w in found) == sorted(codes), f"warnings {found} instead of {codes}")
+        lines = (line for line in self.stderr.splitlines() if TOLERATED & set(codes) or not TOLERATED_LINE.match(line))
+        require(sorted(lines) == told, f"stderr does not have the lines {told} alone")
 
     def require_clean(self):
         leak = LEAK.search(self.stdout + self.stderr)
@@ -213,6 +228,7 @@ def main():
     parser.add_argument("--scratch", required=True, help="folder of the run, emptied before")
     parser.add_argument("--check", type=pathlib.Path, help="file with judge(run)")
     parser.add_argument("--says", action="append", help="the run is a mistake whose sentence has this text; may be repeated")
+    parser.add_argument("--warns", action="append", default=[], help="the code of a warning of the solved run; may be repeated")
     parser.add_argument("--any-end", action="store_true", help="the check judges the exit code, too")
     parser.add_argument("arguments", nargs=argparse.REMAINDER, help="after --: arguments of the program")
     options = parser.parse_args()
@@ -226,7 +242,7 @@ def main():
             judge_mistake(run, options.says)
         else:
             if not options.any_end:
-                run.require_solved()
+                run.require_solved(*options.warns)
             if options.check:
                 load(options.check)(run)
     except (Failure, subprocess.TimeoutExpired) as failure:

@@ -128,7 +128,7 @@ struct _n_Scene {
   char       *summary; /* file for the summary alone, "-" for stdout, or NULL */
   SceneStudy  study;
   SceneStop   stop;
-  PetscBool   cross_check, measure_linear, quiet, monitor, view, report, allow_unused;
+  PetscBool   cross_check, measure_linear, quiet, monitor, view, report, allow_unused, warnings_fail;
 };
 typedef struct _n_Scene *Scene;
 

@@ -21,6 +21,8 @@ typedef struct {
   PetscBool          solved; /* converged, certified, and confirmed where a second solver was asked */
 } SummaryInput;
 
+/* Adds to the warnings all that qualifies the answer, or the refusal. Collective; once for each run. */
+PetscErrorCode SummaryWarn(const SummaryInput *input);
 /* The summary as JSON text, the same keys always; a number that could not be computed is null.
    Collective. [out] text - on the first rank owned by the caller (free()), NULL elsewhere */
 PetscErrorCode SummaryCreate(const SummaryInput *input, char **text);

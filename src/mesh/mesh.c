@@ -6,6 +6,7 @@
 #include "room.h"
 #include <mortise/compat.h>
 #include <mortise/fault.h>
+#include <mortise/warning.h>
 
 PetscErrorCode MeshCreate(Scene scene, Mesh *mesh)
 {
@@ -130,17 +131,24 @@ static PetscErrorCode MeshClear_Private(Mesh mesh)
 }
 
 /* A mesh file may join parts of a body too little. */
-static void TellHinges_Private(const SceneBody *body, PetscInt dim)
+static PetscErrorCode WarnHinges_Private(const SceneBody *body, PetscInt dim)
 {
+  const Warning hinged = {
+      .code   = "hinged_parts",
+      .body   = body->name,
+      .dim    = dim,
+      .at     = {body->hinge[0], body->hinge[1], body->hinge[2]},
+      .advice = "let them share facets, or tie them as bodies of their own",
+  };
   char z[32] = "";
 
-  if (dim == 3) snprintf(z, sizeof(z), ", %g", (double)body->hinge[2]);
-  fprintf(
-      stderr,
-      "mortise: warning: parts of body %s hang together at vertices alone (%d), the first at (%g, %g%s), and turn "
-      "about them with no resistance; parts that share facets do not, and those that are bodies of their own can be "
-      "tied\n",
-      body->name, (int)body->num_hinges, (double)body->hinge[0], (double)body->hinge[1], z);
+  PetscFunctionBeginUser;
+  if (dim == 3) PetscCall(PetscSNPrintf(z, sizeof(z), ", %g", (double)body->hinge[2]));
+  PetscCall(WarningAdd(&hinged,
+                       "parts of body %s hang together at vertices alone (%d), the first at (%g, %g%s), and turn about "
+                       "them with no resistance",
+                       body->name, (int)body->num_hinges, (double)body->hinge[0], (double)body->hinge[1], z));
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Levels that nobody asked for must not fail: where a map bends so much that large cells tangle, there are fewer. */
@@ -170,8 +178,8 @@ PetscErrorCode MeshSetUp(Mesh mesh)
   for (PetscInt l = 0; l < scene->refine; ++l) PetscCall(MeshRefine(mesh));
   mesh->own = coarser + scene->refine;
   PetscCall(MeshChooseRoles(mesh));
-  for (PetscInt b = 0; b < scene->num_bodies && !scene->quiet; ++b)
-    if (scene->bodies[b].num_hinges) TellHinges_Private(&scene->bodies[b], scene->dim);
+  for (PetscInt b = 0; b < scene->num_bodies; ++b)
+    if (scene->bodies[b].num_hinges) PetscCall(WarnHinges_Private(&scene->bodies[b], scene->dim));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -7,6 +7,7 @@
 #include <mortise/log.h>
 #include <mortise/rigid.h>
 #include <mortise/vi.h>
+#include <mortise/warning.h>
 #include "basis.h"
 #include "blocks.h"
 #include "circles.h"
@@ -243,7 +244,9 @@ PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi)
 PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse)
 {
   PetscFunctionBeginUser;
+  WarningMute(); // what is not well with a coarser level says nothing of the answer
   PetscCall(Create_Private(vi->scene, vi->mesh, &vi->mesh->levels[l], vi, K, coarse));
+  WarningUnmute();
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -10,6 +10,9 @@
 
 /* The part of the largest displacement along the normals that such an overlap may have before it is told. */
 static const PetscReal SHOWS = 0.1;
+/* The part of coordinates, gaps and radii, of which gaps are differences, below which an overlap is their rounding: a mean over some
+   hundred points, with weights of either sign. */
+static const PetscReal ROUNDING = 256 * PETSC_MACHINE_EPSILON;
 /* Those that differ by less than this part count as equal when the place is told, on any number of ranks. */
 static const PetscReal SAME = 1e-9;
 
@@ -24,21 +27,27 @@ static PetscReal Row_Private(Fields fields, PetscInt p, PetscInt r)
   return PetscMax(-pair->gap[a] - pair->overlap[a], 0);
 }
 
-/* The largest displacement of the pair's nodes along their normals, on this rank. */
-static PetscErrorCode Displacement_Private(Fields fields, PetscInt p, PetscReal *largest)
+/* Of this rank, [out] largest - displacement of the pair's nodes along their normals, [out] size - number that a gap is made of. */
+static PetscErrorCode Sizes_Private(Fields fields, PetscInt p, PetscReal *largest, PetscReal *size)
 {
-  const Pair         pair = fields->vi->pairs[p];
-  const PetscInt     dim  = fields->vi->level->dim;
-  const PetscScalar *u;
+  const Pair           pair     = fields->vi->pairs[p];
+  const SceneObstacle *obstacle = &pair->spec->obstacle;
+  const Level         *level    = fields->vi->level;
+  const PetscInt       dim      = level->dim;
+  const PetscScalar   *u;
 
   PetscFunctionBeginUser;
   *largest = 0;
+  *size    = PetscAbsReal(obstacle->radius);
+  for (PetscInt k = 0; k < dim; ++k) *size = PetscMax(*size, PetscAbsReal(obstacle->point[k]));
   PetscCall(VecGetArrayRead(fields->u, &u)); // of nodes that this rank owns, as those of the pair are
   for (PetscInt a = 0; a < pair->num; ++a) {
     PetscReal un = 0;
 
     for (PetscInt k = 0; k < dim; ++k) un += PetscRealPart(u[pair->nodes[a] * dim + k]) * pair->normal[a * dim + k];
     *largest = PetscMax(*largest, PetscAbsReal(un));
+    *size    = PetscMax(*size, PetscAbsReal(pair->gap[a]));
+    for (PetscInt k = 0; k < dim; ++k) *size = PetscMax(*size, PetscAbsReal(level->coords[pair->nodes[a] * dim + k]));
   }
   PetscCall(VecRestoreArrayRead(fields->u, &u));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -71,16 +80,16 @@ static PetscErrorCode Place_Private(Fields fields, PetscInt p, PetscReal largest
 PetscErrorCode BumpFind(Fields fields, PetscInt p, PetscBool *shows, PetscReal *overlap, PetscReal at[])
 {
   const VI  vi         = fields->vi;
-  PetscReal largest[2] = {0, 0};
+  PetscReal largest[3] = {0, 0, 0}; /* overlap, displacement, numbers */
 
   PetscFunctionBeginUser;
   for (PetscInt r = 0; r < vi->num_rows; ++r) {
     if (vi->row_pair[r] == p) largest[0] = PetscMax(largest[0], Row_Private(fields, p, r));
   }
-  PetscCall(Displacement_Private(fields, p, &largest[1]));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 2, MPIU_REAL, MPI_MAX, vi->level->comm));
-  *overlap = largest[0];
-  *shows   = (PetscBool)(largest[0] > SHOWS * largest[1]);
+  PetscCall(Sizes_Private(fields, p, &largest[1], &largest[2]));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 3, MPIU_REAL, MPI_MAX, vi->level->comm));
+  *overlap = largest[0] > ROUNDING * largest[2] ? largest[0] : 0;
+  *shows   = (PetscBool)(*overlap > SHOWS * largest[1]);
   if (*shows) PetscCall(Place_Private(fields, p, largest[0], at));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

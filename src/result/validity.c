@@ -4,6 +4,7 @@
    of a cell is more than that, one of them is not: loads that are meant to be so large need another program, and most of the
    time newtons, metres and megapascals were mixed. */
 #include <mortise/compat.h>
+#include <mortise/warning.h>
 #include "validity.h"
 
 /* The largest gradient that is small: its square is a hundredth. */
@@ -30,7 +31,7 @@ static PetscReal Cell_Private(const Level *level, PetscInt c, const PetscScalar 
   return largest;
 }
 
-PetscErrorCode ValidityPrint(Fields fields)
+PetscErrorCode ValidityWarn(Fields fields)
 {
   const Level       *level = fields->vi->level;
   const Scene        scene = fields->vi->scene;
@@ -53,11 +54,14 @@ PetscErrorCode ValidityPrint(Fields fields)
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, squares, (PetscMPIInt)scene->num_bodies, MPIU_REAL, MPI_MAX, level->comm));
   for (PetscInt b = 1; b < scene->num_bodies; ++b)
     if (squares[b] > squares[worst]) worst = b;
-  if (squares[worst] > PetscSqr(SMALL))
-    PetscCall(PetscPrintf(level->comm,
-                          "  beyond small displacements: body %s is strained or turned by up to %.3g; do the units of "
-                          "loads, lengths and moduli fit together?\n",
-                          scene->bodies[worst].name, (double)PetscSqrtReal(squares[worst])));
+  if (squares[worst] > PetscSqr(SMALL)) {
+    const Warning large = {.code   = "model_limit",
+                           .body   = scene->bodies[worst].name,
+                           .advice = "do the units of loads, lengths and moduli fit together?"};
+
+    PetscCall(WarningAdd(&large, "beyond small displacements: body %s is strained or turned by up to %.3g", large.body,
+                         (double)PetscSqrtReal(squares[worst])));
+  }
   PetscCall(PetscFree(squares));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

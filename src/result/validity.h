@@ -4,7 +4,7 @@
 
 #include <mortise/fields.h>
 
-/* A line for the terminal where a body is strained or turned more than is small. Collective. */
-PetscErrorCode ValidityPrint(Fields fields);
+/* Warns where a body is strained or turned more than is small. Collective. */
+PetscErrorCode ValidityWarn(Fields fields);
 
 #endif

@@ -1,6 +1,7 @@
 /* verdict.c -- whether contact holds what supports do not, for people and for programs. */
 #include <mortise/compat.h>
 #include <mortise/json.h>
+#include <mortise/warning.h>
 #include "verdict.h"
 
 /* Bodies that move together, body by body; where one is of several pieces, piece by piece. */
@@ -65,26 +66,33 @@ PetscErrorCode VerdictPrint(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VerdictWarn(VI vi)
+PetscErrorCode VerdictRefuse(VI vi)
 {
-  const Solvability s    = vi->solvability;
-  const MPI_Comm    comm = vi->level->comm;
+  const Solvability s = vi->solvability;
 
   PetscFunctionBeginUser;
-  if (!s) PetscFunctionReturn(PETSC_SUCCESS);
-  if (s->verdict == SOLVABLE_NOT) {
-    PetscCall(PetscFPrintf(comm, PETSC_STDERR,
+  if (s && s->verdict == SOLVABLE_NOT) {
+    PetscCall(PetscFPrintf(vi->level->comm, PETSC_STDERR,
                            "mortise: no solution%s: %s: the loads do %+.6g of work %s per %s and nothing resists%s\n",
                            s->coarse ? " on this mesh" : "", s->motion.sentence, (double)s->motion.work,
                            s->motion.num > 1 ? "together" : "on it", s->motion.turns ? "radian" : "unit of length",
                            s->coarse ? "; the bodies reach farther than the last nodes that can press: refine, or let "
                                        "facets end where the partner does"
                                      : ""));
-  } else if (s->verdict == SOLVABLE_MARGINAL && !vi->scene->quiet) {
-    PetscCall(PetscFPrintf(comm, PETSC_STDERR,
-                           "mortise: warning: the loads are on the verge: %s at no cost; the pressure gathers at an "
-                           "edge and grows without bound on finer meshes\n",
-                           s->motion.sentence));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VerdictWarn(VI vi)
+{
+  const Solvability s = vi->solvability;
+
+  PetscFunctionBeginUser;
+  if (s && s->verdict == SOLVABLE_MARGINAL) {
+    PetscCall(WarningAdd(&(Warning){.code = "marginal"},
+                         "the loads are on the verge: %s at no cost; the pressure gathers at an edge and grows without "
+                         "bound on finer meshes",
+                         s->motion.sentence));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -9,7 +9,9 @@
 void VerdictAdd(VI vi, cJSON *root);
 /* Lines for the terminal: motions that are free. Collective. */
 PetscErrorCode VerdictPrint(VI vi);
-/* On stderr: why there is no solution, or what is marginal. Collective. */
+/* On stderr: why there is no solution. Collective. */
+PetscErrorCode VerdictRefuse(VI vi);
+/* Warns of what is marginal. Collective. */
 PetscErrorCode VerdictWarn(VI vi);
 /* A line of -scene_view. Collective. */
 PetscErrorCode VerdictView(VI vi);

@@ -1,5 +1,8 @@
 /* results.c -- probes, files, progress, and the few options of the solver that can be wrong before it exists. */
 #include "parts.h"
+#include <mortise/warning.h>
+
+enum { WARNINGS_TELL, WARNINGS_ERROR };
 
 PetscErrorCode ProbeRead(Scene scene, SceneProbe *probe)
 {
@@ -45,7 +48,7 @@ static PetscErrorCode ResultsReadFiles_Private(Scene scene)
 
 PetscErrorCode ResultsRead(Scene scene)
 {
-  Option   quiet, monitor, view, check, measure, type;
+  Option   quiet, monitor, view, check, measure, type, warnings;
   PetscInt choice = 0;
 
   PetscFunctionBeginUser;
@@ -57,6 +60,10 @@ PetscErrorCode ResultsRead(Scene scene)
   PetscCall(OptionFind(scene, "-measure_linear", NULL, NULL, &measure));
   PetscCall(OptionGetBool(&measure, &scene->measure_linear));
   PetscCall(OptionGetBool(&quiet, &scene->quiet));
+  PetscCall(OptionFind(scene, "-warnings", NULL, NULL, &warnings));
+  PetscCall(OptionGetChoice(&warnings, &choice));
+  scene->warnings_fail = (PetscBool)(choice == WARNINGS_ERROR);
+  WarningSetQuiet((PetscBool)(scene->quiet && !scene->warnings_fail)); // what fails a run is said
   PetscCall(OptionGetBool(&monitor, &scene->monitor));
   PetscCall(OptionGetBool(&view, &scene->view));
   PetscCall(OptionGetBool(&check, &scene->cross_check));

@@ -147,7 +147,9 @@ static const OptionEntry table[] = {
     {GROUP_OUTPUT, "-summary", "file", "", "(with -output)", "Writes the summary alone as JSON; - prints it."},
     {GROUP_OUTPUT, "-report", "0|1", "", "0", "With -output: writes <path>.html, a page that shows all results."},
     {GROUP_OUTPUT, "-quiet", "0|1", "", "0",
-     "Prints mistakes and failures alone; -summary - still prints the summary."},
+     "Prints mistakes and failures alone; -summary - still prints the summary, warnings included."},
+    {GROUP_OUTPUT, "-warnings", "tell|error", "", "tell",
+     "Warnings are lines on stderr and in the summary; with error any of them also makes the exit code 3."},
     {GROUP_OUTPUT, "-monitor", "0|1", "", "(on a terminal)", "The progress table, even in a log file."},
     {GROUP_OUTPUT, "-scene_view", "0|1", "", "0", "Prints what was modelled, and what was left out and why."},
 

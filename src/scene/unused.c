@@ -5,6 +5,7 @@
    is left unread in those name spaces is told when all is solved. The first rank judges for all: it reads what any
    rank does. */
 #include "parts.h"
+#include <mortise/warning.h>
 #include <string.h>
 #include <strings.h>
 
@@ -215,7 +216,7 @@ PetscErrorCode SceneCheckUnused(Scene scene, PetscBool before_solve)
     if (UnusedIsEnvironment_Private(left.name) || (before_solve && UnusedMayBeRead_Private(&left))) continue;
     PetscCall(UnusedExplain_Private(scene, &left, sentence, &suggested));
     if (!scene->allow_unused) continue;
-    PetscCall(PetscFPrintf(PETSC_COMM_SELF, stderr, "mortise: warning: %s\n", sentence));
+    PetscCall(WarningAdd(&(Warning){.code = "unused_option"}, "%s", sentence));
     sentence[0] = '\0';
   }
   PetscCall(PetscOptionsLeftRestore(NULL, &num, &names, &values));

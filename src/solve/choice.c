@@ -3,6 +3,7 @@
 #include <mortise/elasticity.h>
 #include <mortise/fault.h>
 #include <mortise/pdas.h>
+#include <mortise/warning.h>
 #include <string.h>
 #include "active.h"
 #include "hierarchy.h"
@@ -295,7 +296,7 @@ PetscErrorCode SolveChooseSecond(VI vi, const SolveReport *first, const char pre
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveChooseAnother(Scene scene, const SolveReport *report, SolveChoice *choice, PetscBool *again)
+PetscErrorCode SolveChooseAnother(const SolveReport *report, SolveChoice *choice, PetscBool *again)
 {
   char words[128];
 
@@ -303,12 +304,8 @@ PetscErrorCode SolveChooseAnother(Scene scene, const SolveReport *report, SolveC
   *again = (PetscBool)(choice->own && !report->converged && !strcmp(report->reason, FAILURE_ITERATIVE));
   if (!*again) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SolveDescribe(choice->ksp, choice->pc, NULL, words, sizeof(words)));
-  if (!scene->quiet) {
-    PetscCall(PetscFPrintf(scene->comm, PETSC_STDERR,
-                           "mortise: warning: %s has not converged; factorising instead, as -pc_type cholesky does at "
-                           "once\n",
-                           words));
-  }
+  PetscCall(WarningAdd(&(Warning){.code = "solver_replaced", .advice = "-pc_type cholesky does that at once"},
+                       "%s has not converged; factorising instead", words));
   choice->nested = choice->stop = PETSC_FALSE; // a factorisation has no error to stop at
   PetscCall(PetscStrncpy(choice->ksp, KSPPREONLY, sizeof(choice->ksp)));
   PetscCall(PetscStrncpy(choice->pc, PCCHOLESKY, sizeof(choice->pc)));

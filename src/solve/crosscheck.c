@@ -166,7 +166,7 @@ PetscErrorCode VICrossCheck(VI vi, Vec y, const SolveReport *report, CrossCheck 
   if (SolveFactors(choice.pc)) PetscCall(PetscContainerDestroy(&vi->levels));
   PetscCall(VecDuplicate(y, &second));
   PetscCall(SolveRun(vi, &choice, PETSC_FALSE, NULL, second, &check->other));
-  PetscCall(SolveChooseAnother(vi->scene, &check->other, &choice, &again));
+  PetscCall(SolveChooseAnother(&check->other, &choice, &again));
   if (again) PetscCall(SolveRun(vi, &choice, PETSC_FALSE, NULL, second, &check->other));
   PetscCall(PetscContainerDestroy(&vi->levels));
   iterated = (PetscBool)(!SolveFactors(report->pc) || !SolveFactors(check->other.pc));

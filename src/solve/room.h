@@ -31,7 +31,7 @@ PetscErrorCode SolveChooseSecond(VI vi, const SolveReport *first, const char pre
 
 /* A factorisation where an iteration has failed that nobody asked for, and a warning that says so. Collective.
    [out] again - whether there is something else to try */
-PetscErrorCode SolveChooseAnother(Scene scene, const SolveReport *report, SolveChoice *choice, PetscBool *again);
+PetscErrorCode SolveChooseAnother(const SolveReport *report, SolveChoice *choice, PetscBool *again);
 
 /* A SNES as the choice and the options want it. Collective. [in] scratch, norm - for its function and its test; must outlive it; [out] snes */
 PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, Vec scratch, PetscReal *norm, SNES *snes);

@@ -4,6 +4,7 @@
 #include <mortise/log.h>
 #include <mortise/pdas.h>
 #include <mortise/solvability.h>
+#include <mortise/warning.h>
 #include "workbench.h"
 #include "bound.h"
 #include "cascade.h"
@@ -77,24 +78,22 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, PetscBool progress, Ve
 PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report)
 {
   const MPI_Comm comm  = PetscObjectComm((PetscObject)vi->A);
+  const Warning  slow  = {.code = "slow_solver", .advice = "-pc_type cholesky takes none"};
   const double   start = LogWallClock();
   SolveChoice    choice;
   PetscBool      progress, again;
 
   PetscFunctionBeginUser;
   PetscCall(SolveChoose(vi, &choice));
-  if (choice.nearly && !SolveFactors(choice.pc) && !vi->scene->quiet) {
-    PetscCall(
-        PetscFPrintf(comm, PETSC_STDERR,
-                     "mortise: warning: -pc_type %s: may take thousands of iterations for a body that is so nearly "
-                     "incompressible, where -pc_type cholesky takes none\n",
-                     choice.pc));
+  if (choice.nearly && !SolveFactors(choice.pc)) {
+    PetscCall(WarningAdd(
+        &slow, "-pc_type %s may take thousands of iterations for a body that is so nearly incompressible", choice.pc));
   }
   PetscCall(ProgressWanted(vi->scene, &progress));
   choice.keep = vi->scene->cross_check;
   PetscCall(SolveRun(vi, &choice, progress, guess, y, report));
   if (!report->converged) PetscCall(PetscContainerDestroy(&vi->levels));
-  PetscCall(SolveChooseAnother(vi->scene, report, &choice, &again));
+  PetscCall(SolveChooseAnother(report, &choice, &again));
   if (again) PetscCall(SolveRun(vi, &choice, progress, guess, y, report));
   report->seconds = LogWallClock() - start;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &report->seconds, 1, MPIU_REAL, MPI_MAX, comm));

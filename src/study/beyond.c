@@ -5,6 +5,7 @@
    together, nothing beyond it can have been met. Otherwise the inequality is made once more with the distance they moved
    as the reach, and the displacements are put into its rows: nodes that had no multiplier before must not overlap. */
 #include <mortise/compat.h>
+#include <mortise/warning.h>
 #include "beyond.h"
 
 /* Overlaps above this part of the largest displacement count: as much as the certificate allows where rows were found. */
@@ -121,7 +122,9 @@ static PetscErrorCode Look_Private(Run run, const PetscReal motion[], PetscBool 
     given[p] = specs[p].reach;
     if (motion[p] > run->vi->pairs[p]->reach) specs[p].reach = motion[p];
   }
+  WarningMute(); // if this one counts, it is made again
   PetscCall(VICreate(run->scene, run->mesh, &wide));
+  WarningUnmute();
   PetscCall(Overlaps_Private(run, wide, overlap));
   *again = PETSC_FALSE;
   for (PetscInt p = 0; p < run->scene->num_pairs; ++p) {

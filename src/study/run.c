@@ -3,6 +3,7 @@
 #include <mortise/log.h>
 #include <mortise/run.h>
 #include <mortise/solvability.h>
+#include <mortise/warning.h>
 #include "beyond.h"
 
 enum {
@@ -55,6 +56,7 @@ static PetscErrorCode Try_Private(Scene scene, Mesh mesh, Vec guess, Run *run_ou
 
   PetscFunctionBeginUser;
   *again = PETSC_FALSE;
+  WarningBeginRun();
   PetscCall(PetscNew(&run));
   run->scene = scene;
   run->mesh  = mesh;
@@ -76,7 +78,8 @@ static PetscErrorCode Try_Private(Scene scene, Mesh mesh, Vec guess, Run *run_ou
 
 PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run)
 {
-  PetscBool again;
+  SummaryInput known;
+  PetscBool    again;
 
   PetscFunctionBeginUser;
   PetscCall(Try_Private(scene, mesh, guess, run, &again));
@@ -93,6 +96,9 @@ PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run)
                      "-<pair>_reach as long as the way they may go",
                      sizeof((*run)->certificate.failure)));
   }
+  known = RunSummary(*run);
+  PetscCall(SummaryWarn(&known));
+  WarningEndRun();
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

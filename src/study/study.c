@@ -8,6 +8,7 @@
 #include <mortise/page.h>
 #include <mortise/probes.h>
 #include <mortise/terminal.h>
+#include <mortise/warning.h>
 #include <stdlib.h>
 #include <string.h>
 #include "room.h"
@@ -98,6 +99,7 @@ static PetscErrorCode Solve_Private(Study study, PetscInt o, Record *record, Pet
 {
   Run     run;
   Vec     guess;
+  char    order[ERROR_TEXT], label[ERROR_TEXT + 32];
   Record *coarser = StudyFindCoarser(study, record->order, record->level);
 
   PetscFunctionBeginUser;
@@ -105,6 +107,9 @@ static PetscErrorCode Solve_Private(Study study, PetscInt o, Record *record, Pet
   PetscCall(LogStageBegin(STAGE_SOLVE));
   PetscCall(Guess_Private(study, o, record, &guess));
   PetscCall(LogStageEnd(STAGE_SOLVE));
+  RecordOrderText(record, order);
+  PetscCall(PetscSNPrintf(label, sizeof(label), "%s, level %" PetscInt_FMT, order, record->level));
+  WarningSetLabel(label);
   PetscCall(RunCreate(study->scene, study->mesh[o], guess, &run));
   study->scene->view = PETSC_FALSE; // of the first run only
   PetscCall(VecDestroy(&guess));

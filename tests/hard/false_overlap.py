@@ -1,5 +1,5 @@
 """The mean gap beside a bend within a facet is below all gaps there: that is told, with its size, and not where a facet ends at the bend."""
-from judge import near, require
+from judge import Run, near, require, same
 
 FACET, SLOPE, BEND = 0.2, 0.5, 1 / 3  # the bend is a third into the facet from 0.4 to 0.6
 
@@ -14,8 +14,12 @@ def judge(run):
     near("overlap", run.pair("joint")["false_overlap"], overlap, relative=1e-9)
     near("its place", run.pair("joint")["false_overlap_at"], [0.4, 0], absolute=1e-12)
     told = f"not to be trusted near (0.4, 0): the gap has a step or a bend within a facet there, and its mean pushes as if bodies overlapped by {overlap:.3g} more"
-    require(told in run.stdout, run.stdout)
-    other = run.again("-block_dm_plex_box_faces", "15,5", name="nodes")
+    (warning,) = run.summary["warnings"]
+    require(told in warning["text"] and warning["pair"] == "joint" and "let facets end there" in warning["advice"], str(warning))
+    near("its place in the warning", warning["at"], [0.4, 0], absolute=1e-12)
+    strict = Run(run.program, run.mpiexec, run.ranks, run.folder / "strict", run.arguments + ["-warnings", "error", "-quiet"])
+    same("exit code with -warnings error", (strict.exit, strict.summary["status"]), (3, "solved"))
+    require("mortise: -warnings error: 1 warning" in strict.stderr and "not to be trusted" in strict.stderr, strict.stderr)
+    other = run.again("-block_dm_plex_box_faces", "15,5", "-warnings", "error", name="nodes")
     require(other.pair("joint")["false_overlap"] < 1e-12 and "false_overlap_at" not in other.pair("joint"), str(other.pair("joint")))
-    require("not to be trusted" not in other.stdout, other.stdout)
     near("force", other.pair("joint")["normal_force"], 2, relative=1e-9)

@@ -89,5 +89,5 @@ def judge_verge(run):
     require("warning" in verge.stderr and "tips about (0.5, 0)" in verge.stderr and verge.stderr.count("\n") == 1, "no warning on the verge")
     judge_variant(verge, verdict="marginal", force=[0, 1])
     require("tips about (0.5, 0)" in verge.summary["solvability"]["sentence"], "the summary does not tell what the warning tells")
-    verge.again("-quiet", name="quiet")  # which has nothing to say
+    verge.again("-quiet", name="quiet", warns=["marginal"])  # which is not said, but in the summary
     near("place of the force", verge.pair("joint")["centre_of_pressure"], [0.5, 0], absolute=1e-9)

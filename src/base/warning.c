@@ -1,0 +1,162 @@
+/* warning.c -- one list of warnings, kept as the JSON that the summary will have. */
+#include <mortise/compat.h>
+#include <mortise/json.h>
+#include <mortise/warning.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { TEXT_LENGTH = 2048, LABEL_LENGTH = 64 };
+
+/* The first rank's alone, but for the flags. */
+static struct {
+  cJSON    *common, *run, *told; /* of all runs, of this one, all lines that were printed; NULL while empty */
+  char      label[LABEL_LENGTH];
+  PetscBool within, quiet; /* within a run */
+  int       muted, ended;  /* how often; warnings of runs that have ended */
+} book;
+
+static void Forget_Private(cJSON **list)
+{
+  cJSON_Delete(*list);
+  *list = NULL;
+}
+
+/* Whether a list has it already. */
+static PetscBool Has_Private(const cJSON *list, const cJSON *one)
+{
+  const cJSON *item;
+
+  cJSON_ArrayForEach(item, list)
+  {
+    if (cJSON_Compare(item, one, cJSON_True)) return PETSC_TRUE;
+  }
+  return PETSC_FALSE;
+}
+
+static void Append_Private(cJSON **list, cJSON *one)
+{
+  if (!*list) *list = cJSON_CreateArray();
+  cJSON_AddItemToArray(*list, one);
+}
+
+/* A line of its own, once in the life of the program; of several runs, the first that has something to say of a body or pair says it. */
+static void Tell_Private(const Warning *about, const char text[])
+{
+  const PetscBool several = (PetscBool)(book.within && book.label[0]);
+  const char     *who     = about->body ? about->body : about->pair ? about->pair : "";
+  char            key[TEXT_LENGTH + 256];
+  cJSON          *line;
+
+  if (book.quiet) return;
+  (void)snprintf(key, sizeof(key), "%s %s %s", about->code, who, several ? "" : text);
+  line = cJSON_CreateString(key);
+  if (Has_Private(book.told, line)) {
+    cJSON_Delete(line);
+    return;
+  }
+  Append_Private(&book.told, line);
+  (void)fflush(stdout); // what was printed before stands before it
+  fprintf(stderr, "mortise: warning: %s%s%s%s%s\n", several ? book.label : "", several ? ": " : "", text,
+          about->advice ? "; " : "", about->advice ? about->advice : "");
+}
+
+static cJSON *Create_Private(const Warning *about, const char text[])
+{
+  cJSON *one = cJSON_CreateObject();
+
+  cJSON_AddStringToObject(one, "code", about->code);
+  cJSON_AddStringToObject(one, "text", text);
+  if (about->body) cJSON_AddStringToObject(one, "body", about->body);
+  if (about->pair) cJSON_AddStringToObject(one, "pair", about->pair);
+  if (about->dim)
+    JSONAddReals(one, "at", about->dim, about->at);
+  else
+    cJSON_AddNullToObject(one, "at");
+  cJSON_AddItemToObject(one, "advice", about->advice ? cJSON_CreateString(about->advice) : cJSON_CreateNull());
+  return one;
+}
+
+PetscErrorCode WarningAdd(const Warning *about, const char format[], ...)
+{
+  char        text[TEXT_LENGTH];
+  cJSON      *one;
+  va_list     arguments;
+  PetscMPIInt rank;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_rank(MPI_COMM_WORLD, &rank));
+  if (rank || book.muted) PetscFunctionReturn(PETSC_SUCCESS);
+  va_start(arguments, format);
+  (void)vsnprintf(text, sizeof(text), format, arguments);
+  va_end(arguments);
+  one = Create_Private(about, text);
+  if (Has_Private(book.common, one) || Has_Private(book.run, one)) {
+    cJSON_Delete(one);
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  Append_Private(book.within ? &book.run : &book.common, one);
+  Tell_Private(about, text);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void WarningBeginRun(void)
+{
+  Forget_Private(&book.run);
+  book.within = PETSC_TRUE;
+  book.muted  = 0;
+}
+
+void WarningEndRun(void)
+{
+  if (book.within) book.ended += cJSON_GetArraySize(book.run);
+  book.within = PETSC_FALSE;
+}
+
+void WarningSetLabel(const char label[])
+{
+  (void)snprintf(book.label, sizeof(book.label), "%s", label);
+}
+
+void WarningMute(void)
+{
+  ++book.muted;
+}
+
+void WarningUnmute(void)
+{
+  --book.muted;
+}
+
+void WarningSetQuiet(PetscBool quiet)
+{
+  book.quiet = quiet;
+}
+
+PetscErrorCode WarningNum(MPI_Comm comm, PetscInt *num)
+{
+  int count = cJSON_GetArraySize(book.common) + book.ended + (book.within ? cJSON_GetArraySize(book.run) : 0);
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &count, 1, MPI_INT, MPI_MAX, comm));
+  *num = count;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+cJSON *WarningList(void)
+{
+  cJSON       *all = cJSON_CreateArray();
+  const cJSON *item;
+
+  cJSON_ArrayForEach(item, book.common) cJSON_AddItemToArray(all, cJSON_Duplicate(item, cJSON_True));
+  cJSON_ArrayForEach(item, book.run) cJSON_AddItemToArray(all, cJSON_Duplicate(item, cJSON_True));
+  return all;
+}
+
+void WarningClear(void)
+{
+  Forget_Private(&book.common);
+  Forget_Private(&book.run);
+  Forget_Private(&book.told);
+  memset(&book, 0, sizeof(book));
+}

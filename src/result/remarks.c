@@ -1,0 +1,104 @@
+/* remarks.c -- what qualifies an answer, as warnings. */
+#include <string.h>
+#include <mortise/compat.h>
+#include <mortise/summary.h>
+#include <mortise/warning.h>
+#include "bumps.h"
+#include "validity.h"
+#include "verdict.h"
+#include "words.h"
+
+/* The discretisation error, as a part of the solution, above which a solver that stops there leaves nothing to read off. */
+static const PetscReal COARSE = 0.1;
+
+PetscErrorCode WordsVector(PetscInt dim, const PetscReal v[], char text[], size_t len)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscStrncpy(text, "(", len));
+  for (PetscInt k = 0; k < dim; ++k) {
+    const size_t used = strlen(text);
+
+    PetscCall(PetscSNPrintf(text + used, len - used, "%s%.6g%s", k ? ", " : "", (double)v[k], k == dim - 1 ? ")" : ""));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Where contact pushes as if bodies overlapped that do not; nothing where that does not show. */
+static PetscErrorCode WarnBump_Private(const SummaryInput *in, PetscInt p)
+{
+  const ScenePair *spec = in->vi->pairs[p]->spec;
+  PetscBool        shows;
+  PetscReal        overlap;
+  Warning          jump = {.code = "gap_jump", .pair = spec->name, .dim = in->scene->dim};
+  char             text[128];
+
+  PetscFunctionBeginUser;
+  PetscCall(BumpFind(in->fields, p, &shows, &overlap, jump.at));
+  if (!shows) PetscFunctionReturn(PETSC_SUCCESS);
+  jump.advice = spec->mortar.body < 0 ? "let facets end there"
+                                      : "let facets end there, list in the pair only what is to meet, or let the other "
+                                        "side be nonmortar";
+  PetscCall(WordsVector(jump.dim, jump.at, text, sizeof(text)));
+  PetscCall(WarningAdd(&jump,
+                       "%s is not to be trusted near %s: the gap has a step or a bend within a facet there, and its "
+                       "mean pushes as if bodies overlapped by %.3g more than they do",
+                       spec->name, text, (double)overlap));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A pair that has nothing to say. */
+static PetscErrorCode WarnEmpty_Private(const SummaryInput *in, PetscInt p)
+{
+  const Pair       pair = in->vi->pairs[p];
+  const ScenePair *spec = pair->spec;
+  const char      *body = in->scene->bodies[spec->nonmortar.body].name;
+  const Warning    held = {.code = "nothing_to_decide", .pair = spec->name};
+  const Warning    none = {.code   = "no_partner",
+                           .pair   = spec->name,
+                           .advice = "is a side another one than was meant, or a body beyond its partner?"};
+
+  PetscFunctionBeginUser;
+  if (pair->num_multipliers) PetscFunctionReturn(PETSC_SUCCESS);
+  if (pair->num_removed) {
+    PetscCall(WarningAdd(&held,
+                         "%s: nothing for contact to decide: the nodes of %s:%s that face it are held along their "
+                         "normal, or served by another pair",
+                         spec->name, body, spec->nonmortar.side));
+  } else {
+    PetscCall(WarningAdd(&none,
+                         "%s: no part of %s:%s faces what it is to meet within the reach of %.6g (-%s_reach), be it "
+                         "across a gap or in an overlap",
+                         spec->name, body, spec->nonmortar.side, (double)pair->reach, spec->name));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A solver that stops at a discretisation error that is no small part of the solution. */
+static PetscErrorCode WarnCoarse_Private(const SummaryInput *in)
+{
+  const Warning   coarse = {.code = "coarse_mesh", .advice = "refine, or stop at the residual"};
+  const PetscReal part   = CertificateRelative(in->certificate, in->report->discretisation);
+
+  PetscFunctionBeginUser;
+  if (in->report->discretisation > 0 && part > COARSE) {
+    PetscCall(WarningAdd(&coarse,
+                         "the solver stopped at a discretisation error of about %.1e of the solution; so much is not "
+                         "to be relied on",
+                         (double)part));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SummaryWarn(const SummaryInput *input)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VerdictWarn(input->vi));
+  for (PetscInt p = 0; p < input->vi->num_pairs; ++p) {
+    PetscCall(WarnEmpty_Private(input, p));
+    if (input->fields) PetscCall(WarnBump_Private(input, p));
+  }
+  if (!input->fields) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ValidityWarn(input->fields));
+  PetscCall(WarnCoarse_Private(input));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
