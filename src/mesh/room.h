@@ -214,6 +214,20 @@ PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, Pets
 /* Spreads the mesh over the ranks; the DM and its curves are replaced. Collective. [in] refine - how often it will be */
 PetscErrorCode MeshPartition(Scene scene, PetscInt refine, DM *dm, Curves *curves);
 
+/* Pairs of bodies with the side that each prefers to be nonmortar, its end 2 p, and the other one, its end 2 p + 1. */
+typedef struct {
+  PetscInt   num;
+  PetscBool *fixed; /* the user said so [num] */
+  PetscInt  *order; /* pairs, fixed ones first, then the ones with the strongest reasons [num] */
+  PetscBool *touch; /* whether two ends have a node in common [2 num][2 num] */
+} RoleGraph;
+
+/* Turns pairs that are not fixed, as few as the order says, so that the fixed ones alone close circles. Not collective.
+   [out] turned - [num], all false unless found; [out] found - false where there is no such choice, or a long search met none */
+PetscErrorCode RoleGraphOrient(const RoleGraph *graph, PetscBool turned[], PetscBool *found);
+/* Whether some pair leads back to itself. Not collective. [in] turned - [num] */
+PetscErrorCode RoleGraphHasCircle(const RoleGraph *graph, const PetscBool turned[], PetscBool *circle);
+
 /* Decides the roles left open; notes given ones that are unfavourable. Faults: a side that meets itself, or another
    side twice. Collective. */
 PetscErrorCode MeshChooseRoles(Mesh mesh);
