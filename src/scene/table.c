@@ -175,11 +175,13 @@ static const OptionEntry table[] = {
     {GROUP_SOLVER, "-stop", "residual|discretisation", "", "residual",
      "Where to stop: at -snes_rtol, or where the solver's error in the energy norm is a tenth of the discretisation "
      "error, "
-     "by what the next coarser level of the mesh says of it."},
+     "by what the coarser levels of the mesh say of it."},
     {GROUP_SOLVER, "-cross_check", "0|1", "", "0",
      "Solves by pdas and by vinewtonrsls and compares; a difference is exit code 3. The second one has multigrid where "
      "the "
-     "first has it, and else a factorisation; -cross_check_pc_type says otherwise."},
+     "first has it, and else a factorisation (-cross_check_pc_type says otherwise), and 500 iterations or twice those "
+     "of "
+     "the first (-cross_check_snes_max_it). If it finds nothing, that is a warning."},
     {GROUP_SOLVER, "-measure_linear", "0|1", "", "0",
      "After the solution, solves one linear system with its active set, from zero to 1e-8 and with everything the "
      "linear solver "

@@ -128,6 +128,17 @@ static PetscErrorCode Find_Private(Hierarchy hierarchy, const Grid *grid, SNES s
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* How far the level's solution is from the next coarser one's, for whoever asks how fast that falls. */
+static PetscErrorCode Change_Private(const Grid *grid, SNES snes, PetscReal *change)
+{
+  ActiveSolver solver;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGetSolver(snes, &solver));
+  *change = solver ? solver->first * grid->vi->stiffness * PetscSqr(grid->vi->length) : 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Solves on one level. [in] type - of the SNES; [in] gained - as of PDASSetEnough(); [in] begun - whether a coarser level says what to begin
    with; [in,out] state */
 static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, const char type[], PetscReal gained,
@@ -155,7 +166,10 @@ static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, const 
   if (pdas && (begun || vi->solvability)) PetscCall(PDASSetStart(snes, state->active));
   PetscCall(VecDuplicate(state->y, &before));
   PetscCall(VecCopy(state->y, before));
+  if (pdas) PetscCall(PDASSetKeep(snes, PETSC_TRUE));
   PetscCall(SNESSolve(snes, NULL, state->y));
+  hierarchy->change = 0;
+  if (pdas && begun) PetscCall(Change_Private(&hierarchy->grid[l], snes, &hierarchy->change));
   PetscCall(Find_Private(hierarchy, &hierarchy->grid[l], snes, before, state));
   PetscCall(VecDestroy(&before));
   PetscCall(SNESDestroy(&snes));

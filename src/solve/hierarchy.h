@@ -24,6 +24,8 @@ typedef struct {
   PetscInt  first; /* the coarsest level that has a mesh */
   Grid     *grid;  /* coarse first */
   PetscReal work;  /* products with A so far, in products with the finest one */
+  PetscReal
+      change; /* |u_2h - u_4h|_K^2, of the finest two levels below the finest, in the user's units; 0 where it is not known */
 } * Hierarchy;
 
 /* Whether levels' matrices are nearly those of prolongation: not where volumes change by whole cells (T29). Collective. */

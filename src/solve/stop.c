@@ -1,8 +1,9 @@
 /* stop.c -- stopping where the solver's error no longer counts beside that of the mesh (T37).
 
-   What the solution differs by from that of the next coarser level tells the discretisation error: where elements of order p converge
-   as they can, |u - u_h|_K^2 is a (4^p - 1)th of |u_h - u_2h|_K^2 [1]. Where they cannot, at corners, it is more, so this asks for too
-   much rather than too little.
+   What the solution differs by from that of the next coarser level tells the discretisation error: if the squares of such differences
+   fall by rho from level to level, |u - u_h|_K^2 is a (rho - 1)th of |u_h - u_2h|_K^2 [1]. Three levels show rho. The iteration has to
+   know before it ends, and is stopped as if elements of order p converged as they can, rho = 4^p: where they cannot, at corners and
+   at the ends of contact, that asks for too much rather than too little.
 
    References: [1] Bank, Weiser, Some a posteriori error estimators for elliptic partial differential equations, 1985; it is
                Richardson's extrapolation of the energy. */
@@ -18,13 +19,24 @@ static const PetscReal SHARE = 0.1, AIM = 0.7;
 /* How often the solver goes on where the bound of its error says so. */
 enum { MORE = 4 };
 
-/* |u_h - u_2h|^2 by |u - u_h|^2 */
+/* Of two levels that do not show rho, and the least that is believed of three: an order of 1/2, as beside the worst of corners. */
+static const PetscReal SLOW = 2;
+
+/* |u_h - u_2h|^2 by |u - u_h|^2, at most */
 static PetscReal Ratio_Private(const Scene scene)
 {
   PetscInt order = 1;
 
   for (PetscInt b = 0; b < scene->num_bodies; b++) order = PetscMax(order, scene->bodies[b].order);
   return PetscPowReal(4, order) - 1;
+}
+
+/* The same by what the levels show. [in] change - |u_h - u_2h|^2, and of the level before, or 0 */
+static PetscReal Observed_Private(const Scene scene, PetscReal change, PetscReal before)
+{
+  const PetscReal fall = change > 0 && before > 0 ? before / change : SLOW;
+
+  return PetscMin(PetscMax(fall, SLOW) - 1, Ratio_Private(scene));
 }
 
 PetscReal StopPart(const Scene scene)
@@ -45,14 +57,16 @@ PetscErrorCode StopConfirm(Workbench *bench, Vec y, SolveReport *report)
 {
   const VI        vi    = bench->springs.vi;
   const PetscReal ratio = Ratio_Private(vi->scene);
-  PetscReal       aim   = AIM;
+  PetscReal       aim   = AIM, change;
   ActiveSolver    solver;
   Vec             active;
 
   PetscFunctionBeginUser;
   PetscCall(PDASGetSolver(bench->snes, &solver));
   if (!solver) PetscFunctionReturn(PETSC_SUCCESS);
-  report->discretisation = PetscSqrtReal(solver->first / ratio * vi->stiffness) * vi->length;
+  change = solver->first * vi->stiffness * PetscSqr(vi->length);
+  report->discretisation =
+      PetscSqrtReal(change / Observed_Private(vi->scene, change, bench->hierarchy ? bench->hierarchy->change : 0));
   for (PetscInt k = 0; k < MORE && report->converged && !(report->bound.value <= SHARE * report->discretisation); k++) {
     const PetscReal excess = report->bound.value / (SHARE * report->discretisation);
 
