@@ -20,7 +20,7 @@ struct _n_Run {
   Vec         reactions;
   Errors      errors;
   PetscBool   refused; /* there is no solution: nothing was solved, and there are no fields */
-  PetscBool   solved;  /* converged, certified, and confirmed where a second solver was asked */
+  PetscBool   solved;  /* converged, certified, and not contradicted by a second solver */
 };
 typedef struct _n_Run *Run;
 

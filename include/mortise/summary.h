@@ -18,7 +18,7 @@ typedef struct {
   const Certificate *certificate;
   const Errors      *errors;
   Vec                reactions;
-  PetscBool          solved; /* converged, certified, and confirmed where a second solver was asked */
+  PetscBool          solved; /* converged, certified, and not contradicted by a second solver */
 } SummaryInput;
 
 /* Adds to the warnings all that qualifies the answer, or the refusal. Collective; once for each run. */

@@ -89,6 +89,19 @@ static PetscErrorCode WarnCoarse_Private(const SummaryInput *in)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A second solver that has found nothing. */
+static PetscErrorCode WarnUnconfirmed_Private(const SummaryInput *in)
+{
+  const Warning alone = {.code = "not_confirmed", .advice = "give it more with options that begin with -cross_check_"};
+
+  PetscFunctionBeginUser;
+  if (in->check->done && !in->check->other.converged) {
+    PetscCall(
+        WarningAdd(&alone, "not confirmed: %s found no solution: %s", in->check->other.type, in->check->other.reason));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SummaryWarn(const SummaryInput *input)
 {
   PetscFunctionBeginUser;
@@ -100,5 +113,6 @@ PetscErrorCode SummaryWarn(const SummaryInput *input)
   if (!input->fields) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ValidityWarn(input->fields));
   PetscCall(WarnCoarse_Private(input));
+  PetscCall(WarnUnconfirmed_Private(input));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

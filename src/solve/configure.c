@@ -149,7 +149,7 @@ static PetscErrorCode ConfigureLinear_Private(const SolveChoice *choice, KSP ksp
 }
 
 /* Steps of PETSc's own types, and their end. [out] norm - for their test */
-static PetscErrorCode ConfigureOther_Private(VI vi, PetscReal *norm, SNES snes)
+static PetscErrorCode ConfigureOther_Private(VI vi, PetscInt max_it, PetscReal *norm, SNES snes)
 {
   SNESLineSearch search;
 
@@ -157,7 +157,7 @@ static PetscErrorCode ConfigureOther_Private(VI vi, PetscReal *norm, SNES snes)
   /* whole steps can run in a circle; the minimum of the residual along a step has not been seen to */
   PetscCall(SNESGetLineSearch(snes, &search));
   PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHL2));
-  PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, OTHER_RTOL, 0, OTHER_MAX_IT, PETSC_DEFAULT));
+  PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, OTHER_RTOL, 0, max_it, PETSC_DEFAULT));
   PetscCall(SNESSetDivergenceTolerance(snes, -1)); // none: the first steps may go far before the set is right
   PetscCall(Norm_Private(vi, norm));
   PetscCall(SNESSetConvergenceTest(snes, ConvergedFn, norm, NULL));
@@ -167,7 +167,9 @@ static PetscErrorCode ConfigureOther_Private(VI vi, PetscReal *norm, SNES snes)
 
 PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, Vec scratch, PetscReal *norm, SNES *snes)
 {
-  KSP ksp;
+  const PetscBool pdas   = (PetscBool)!strcmp(choice->snes, SNESPDAS);
+  const PetscInt  max_it = PetscMax(choice->max_it, pdas ? PDAS_MAX_IT : OTHER_MAX_IT);
+  KSP             ksp;
 
   PetscFunctionBeginUser;
   PetscCall(SNESCreate(PetscObjectComm((PetscObject)vi->A), snes));
@@ -177,10 +179,10 @@ PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, Vec scratch, Pet
   PetscCall(SNESGetKSP(*snes, &ksp));
   PetscCall(ConfigureLinear_Private(choice, ksp));
   PetscCall(SNESSetType(*snes, choice->snes));
-  if (!strcmp(choice->snes, SNESPDAS))
-    PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, PDAS_MAX_IT, PETSC_DEFAULT));
+  if (pdas)
+    PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, max_it, PETSC_DEFAULT));
   else
-    PetscCall(ConfigureOther_Private(vi, norm, *snes));
+    PetscCall(ConfigureOther_Private(vi, max_it, norm, *snes));
   PetscCall(SNESSetFromOptions(*snes));
   PetscCall(CheckLimits_Private(*snes, choice->prefix));
   PetscCall(SNESVISetVariableBounds(*snes, vi->lower, vi->upper)); /* pdas keeps them itself, so not before the type */

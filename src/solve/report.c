@@ -46,7 +46,10 @@ PetscErrorCode SolveMeasure(VI vi, Vec y, PetscInt *active, PetscReal *residual)
 /* Why a type of PETSc's did not converge. */
 static PetscErrorCode ReasonOther_Private(SNES snes, SNESConvergedReason reason, SolveReport *report)
 {
+  const char *prefix;
+
   PetscFunctionBeginUser;
+  PetscCall(SNESGetOptionsPrefix(snes, &prefix));
   if (reason == SNES_DIVERGED_LINEAR_SOLVE) {
     KSP            ksp;
     PC             pc;
@@ -60,8 +63,8 @@ static PetscErrorCode ReasonOther_Private(SNES snes, SNESConvergedReason reason,
                            sizeof(report->reason)));
   } else if (reason == SNES_DIVERGED_MAX_IT) {
     PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason),
-                            "%s had not converged after %" PetscInt_FMT " iterations (-snes_max_it)", report->type,
-                            report->iterations));
+                            "%s had not converged after %" PetscInt_FMT " iterations (-%ssnes_max_it)", report->type,
+                            report->iterations, prefix ? prefix : ""));
   } else {
     PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason), "%s stopped with PETSc's %s", report->type,
                             SNESConvergedReasons[reason]));

@@ -14,6 +14,7 @@ typedef struct {
   PetscBool   stop;                      /* whether at the discretisation error (T37) */
   PetscBool   bound;                     /* whether the energy of the error is to be bounded */
   PetscBool   own;                       /* whether the linear solver is nobody's wish */
+  PetscInt    max_it;                    /* iterations at most, where that is more than usual */
   PetscBool   keep;                      /* whether levels of multigrid are left to vi, for the next solve */
 } SolveChoice;
 
@@ -25,7 +26,8 @@ PetscBool SolveFactors(const char pc[]);
 /* From -snes_type, -ksp_type, -pc_type; by size where they are silent. Faults on types that cannot. Collective. */
 PetscErrorCode SolveChoose(VI vi, SolveChoice *choice);
 
-/* The other one of pdas and vinewtonrsls: with multigrid if the first used it, else, and whatever that was, with a factorisation.
+/* The other one of pdas and vinewtonrsls: with multigrid if the first used it, else, and whatever that was, with a factorisation; with
+   500 iterations, or twice those of the first.
    Collective. [in] prefix - of its options, which may say otherwise */
 PetscErrorCode SolveChooseSecond(VI vi, const SolveReport *first, const char prefix[], SolveChoice *choice);
 

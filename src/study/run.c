@@ -30,7 +30,9 @@ static PetscErrorCode Solve_Private(Run run, Vec guess, PetscBool *again)
   PetscCall(LogStageEnd(STAGE_OUTPUT));
   if (run->certificate.holds) PetscCall(BeyondReach(run, again));
   PetscCall(ErrorsCompute(run->fields, &run->errors)); // within no stage: nobody needs it who does not know the answer
-  run->solved = (PetscBool)(run->report.converged && run->certificate.holds && (!run->check.done || run->check.agree));
+  /* a second solver that finds nothing says nothing against the first, which has its certificate: that is a warning */
+  run->solved = (PetscBool)(run->report.converged && run->certificate.holds &&
+                            (!run->check.done || !run->check.other.converged || run->check.agree));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
