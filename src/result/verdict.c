@@ -2,6 +2,7 @@
 #include <mortise/compat.h>
 #include <mortise/json.h>
 #include <mortise/warning.h>
+#include "round.h"
 #include "verdict.h"
 
 /* Bodies that move together, body by body; where one is of several pieces, piece by piece. */
@@ -85,15 +86,17 @@ PetscErrorCode VerdictRefuse(VI vi)
 
 PetscErrorCode VerdictWarn(VI vi)
 {
-  const Solvability s = vi->solvability;
+  const Solvability s    = vi->solvability;
+  const char       *then = "it is free to do so";
+  PetscBool         round;
 
   PetscFunctionBeginUser;
-  if (s && s->verdict == SOLVABLE_MARGINAL) {
-    PetscCall(WarningAdd(&(Warning){.code = "marginal"},
-                         "the loads are on the verge: %s at no cost; the pressure gathers at an edge and grows without "
-                         "bound on finer meshes",
-                         s->motion.sentence));
-  }
+  if (!s || s->verdict != SOLVABLE_MARGINAL) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(RoundCarries(vi, &round));
+  if (round) then = "what it rests on is round, and it is free to roll";
+  if (s->motion.turns && !round) then = "the pressure gathers at an edge and grows without bound on finer meshes";
+  PetscCall(WarningAdd(&(Warning){.code = "marginal"}, "the loads are on the verge: %s at no cost; %s",
+                       s->motion.sentence, then));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

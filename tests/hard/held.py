@@ -90,4 +90,5 @@ def judge_verge(run):
     judge_variant(verge, verdict="marginal", force=[0, 1])
     require("tips about (0.5, 0)" in verge.summary["solvability"]["sentence"], "the summary does not tell what the warning tells")
     verge.again("-quiet", name="quiet", warns=["marginal"])  # which is not said, but in the summary
+    require("gathers at an edge" in verge.stderr, "it is not said where the pressure goes")
     near("place of the force", verge.pair("joint")["centre_of_pressure"], [0.5, 0], absolute=1e-9)

@@ -1,0 +1,11 @@
+/* round.h -- whether what carries a body is round (floor 7, private to this room). */
+#ifndef MORTISE_RESULT_ROUND_H
+#define MORTISE_RESULT_ROUND_H
+
+#include <mortise/solvability.h>
+
+/* Whether all contact forces that balance the loads (solvability->y) act where a side, or the obstacle it meets, is curved and smooth:
+   what rests there rolls, and what rests at an edge tips. Collective. */
+PetscErrorCode RoundCarries(VI vi, PetscBool *round);
+
+#endif
