@@ -40,6 +40,9 @@ const char *ExpressionText(Expression e);
    [in] x - point, array of shape [dim]; [in] dim - 1 to 3; [out] values - array of shape [ExpressionSize(e)] */
 PetscErrorCode ExpressionEvaluate(Expression e, PetscInt dim, const PetscReal x[], PetscReal values[]);
 
+/* The same where a value need not exist, such as beside the body: a value that is not finite is forgotten, and finite says so. */
+PetscErrorCode ExpressionTry(Expression e, PetscInt dim, const PetscReal x[], PetscReal values[], PetscBool *finite);
+
 /* Faults with option, text and point if any evaluation on any rank was not finite. Collective on comm; e may be NULL. */
 PetscErrorCode ExpressionCheck(MPI_Comm comm, Expression e);
 

@@ -328,6 +328,18 @@ PetscErrorCode ExpressionEvaluate(Expression e, PetscInt dim, const PetscReal x[
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode ExpressionTry(Expression e, PetscInt dim, const PetscReal x[], PetscReal values[], PetscBool *finite)
+{
+  const PetscBool failed = e->failed;
+
+  PetscFunctionBeginUser;
+  PetscCall(ExpressionEvaluate(e, dim, x, values));
+  *finite = PETSC_TRUE;
+  for (PetscInt c = 0; c < e->num_components; ++c) *finite = (PetscBool)(*finite && !PetscIsInfOrNanReal(values[c]));
+  e->failed = failed;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ExpressionCheck(MPI_Comm comm, Expression e)
 {
   char sentence[FAULT_LENGTH] = "", point[128], shown[TEXT_SHOWN];

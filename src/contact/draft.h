@@ -9,7 +9,8 @@
 typedef struct {
   const ScenePair *spec;      /* borrowed */
   Facets           nonmortar; /* of this rank */
-  Vec              normals;   /* ghosted, dim per node */
+  SideShape        shape;     /* of these facets */
+  Vec              normals;   /* directions of contact: ghosted, dim per node */
   Integrals        sums;
   NodeFate        *fate; /* [num_nodes] */
 } PairDraft;

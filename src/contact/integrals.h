@@ -4,9 +4,18 @@
 
 #include "integrate.h"
 
-/* Unit normals of the nonmortar side at its nodes, zero elsewhere (T13). Collective.
+/* Unit normals of the nonmortar side at its nodes, zero elsewhere (T13). Collective. [in] shape - of the side;
    [out] normals - ghosted, dim per node, owned by the caller */
-PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, Vec *normals);
+PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, const SideShape *shape, Vec *normals);
+
+/* Directions of contact at the nodes of the nonmortar side, from its own normals: between these and the partner's, by the curvatures
+   of both (T46). A node that faces no partner within reach keeps its own normal. Collective. [in] shape - of the side;
+   [in,out] normals - ghosted */
+PetscErrorCode ContactNormalsSet(Level *level, const FacetPartner *partner, const Facets *facets,
+                                 const SideShape *shape, Vec normals);
+
+/* Sums what ranks hold of normals at their nodes, and normalises; zero stays zero. Collective. [in,out] normals - ghosted */
+PetscErrorCode NormalsShare(Level *level, Vec normals);
 
 /* Where facets meet at more than 45 degrees, takes the node's normal from those that see the other side. Collective.
    [in] sees - [facets->num]; [in,out] normals - ghosted, as created; [out] changed - whether there is such a node */

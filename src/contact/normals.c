@@ -1,14 +1,29 @@
 /* normals.c -- nodal normals of the nonmortar side.
 
-   Only facets of this contact side count, never side faces of the body; nodes at its ends have one-sided normals. Where
-   facets meet at a sharp edge, only those that see the other side count: the mean with one that turns its back would slant
-   the contact force. */
+   Only facets of this contact side count, never side faces of the body. Where facets meet at a sharp edge, only those that see the
+   other side count: the mean with one that turns its back would slant the contact force. */
 #include <mortise/compat.h>
 #include <mortise/frame.h>
 #include "integrals.h"
 
 /* Facets of a smooth side deviate from the normal at their node by less than half of 45 degrees. */
 static const PetscReal SMOOTH = 0.92387953251128674;
+
+PetscErrorCode NormalsShare(Level *level, Vec normals)
+{
+  const PetscInt dim = level->dim;
+  PetscScalar   *na;
+  Vec            local;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelShareVec(normals, ADD_VALUES));
+  PetscCall(VecGhostGetLocalForm(normals, &local));
+  PetscCall(VecGetArray(local, &na));
+  for (PetscInt i = 0; i < level->num_nodes; i++) FrameNormalize(dim, &na[i * dim]);
+  PetscCall(VecRestoreArray(local, &na));
+  PetscCall(VecGhostRestoreLocalForm(normals, &local));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
 
 /* Sums of the weighted normals of facets at their nodes, normalised; zero where there is none. Collective.
    [in] counts - which facets [facets->num], or NULL for all; [out] normals - ghosted */
@@ -35,24 +50,37 @@ static PetscErrorCode SumNormals_Private(Level *level, const Facets *facets, con
   }
   PetscCall(VecRestoreArray(local, &na));
   PetscCall(VecGhostRestoreLocalForm(normals, &local));
-  PetscCall(LevelShareVec(normals, ADD_VALUES));
-  PetscCall(VecGhostGetLocalForm(normals, &local));
-  PetscCall(VecGetArray(local, &na));
-  for (PetscInt i = 0; i < level->num_nodes; i++) {
-    PetscReal sum = 0;
-    for (PetscInt k = 0; k < dim; k++) sum += PetscAbsScalar(na[i * dim + k]);
-    if (sum > 0) FrameNormalize(dim, &na[i * dim]);
-  }
-  PetscCall(VecRestoreArray(local, &na));
-  PetscCall(VecGhostRestoreLocalForm(normals, &local));
+  PetscCall(NormalsShare(level, normals));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, Vec *normals)
+PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, const SideShape *shape, Vec *normals)
 {
+  const PetscInt dim = level->dim;
+  PetscReal      X[3 * ELEMENT_MAX_FACET_NODES], N[3 * ELEMENT_MAX_FACET_NODES];
+  PetscScalar   *na;
+  Vec            local;
+
   PetscFunctionBeginUser;
-  PetscCall(LevelCreateVec(level, level->dim, normals));
-  PetscCall(SumNormals_Private(level, facets, NULL, *normals));
+  PetscCall(LevelCreateVec(level, dim, normals));
+  PetscCall(VecGhostGetLocalForm(*normals, &local));
+  PetscCall(VecZeroEntries(local));
+  PetscCall(VecGetArray(local, &na));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    const PetscInt n = ElementNumNodes(facets->type[f]), corner = f * ELEMENT_MAX_FACET_NODES;
+
+    FacetCoordinates(level, facets, f, X);
+    PetscCall(PetscArrayzero(N, n * dim));
+    FrameAddFacetNormal(dim, n, X, N);
+    for (PetscInt i = 0; i < n; i++) { // at feature edges the patches' mean
+      const PetscReal *add = shape->ridge[corner + i] == 0 ? &shape->normal[(corner + i) * dim] : &N[i * dim];
+
+      for (PetscInt k = 0; k < dim; k++) na[facets->nodes[corner + i] * dim + k] += add[k];
+    }
+  }
+  PetscCall(VecRestoreArray(local, &na));
+  PetscCall(VecGhostRestoreLocalForm(*normals, &local));
+  PetscCall(NormalsShare(level, *normals));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -1,12 +1,16 @@
-/* obstacle.c -- rigid obstacles as a gap along the nonmortar normal.
+/* obstacle.c -- rigid obstacles as a gap along the contact normal, and their shape.
 
    Each shape is one ray problem: the signed t for which x + t n lies on the surface. It is the same in a plane and in space:
    a circle is the ball of its plane. */
 #include <mortise/compat.h>
+#include <mortise/frame.h>
 #include <mortise/obstacle.h>
 
 /* Rays that run along a surface to within this cosine never meet it. */
 static const PetscReal GRAZING = 1e-10;
+
+/* Differences of formulas reach so far, as a share of a facet. */
+static const PetscReal DIFFERENCE = 1e-3;
 
 static PetscReal Dot_Private(PetscInt dim, const PetscReal a[], const PetscReal b[])
 {
@@ -85,6 +89,114 @@ PetscErrorCode ObstacleGap(const SceneObstacle *obstacle, PetscInt dim, const Pe
   case OBSTACLE_CYLINDER: *gap = AxisGap_Private(obstacle, dim, x, n); break;
   case OBSTACLE_PARABOLA: *gap = ParabolaGap_Private(obstacle, dim, x, n); break;
   case OBSTACLE_EXPRESSION: PetscCall(ExpressionEvaluate(obstacle->gap, dim, x, gap)); break;
+  default: SETERRQ(PETSC_COMM_SELF, PETSC_ERR_SUP, "Obstacle of kind %d", (int)obstacle->kind);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A level set with a gradient and second derivatives: n = grad / |grad|, S = P hess P / |grad|, P across n. Returns whether the gradient
+   is long enough. [in] least - what it must exceed */
+static PetscBool LevelSetShape_Private(PetscInt dim, const PetscReal gradient[], const PetscReal hessian[],
+                                       PetscReal least, SurfacePoint *at)
+{
+  PetscReal length, P[9];
+
+  for (PetscInt k = 0; k < dim; k++) at->normal[k] = gradient[k];
+  length = FrameNormalize(dim, at->normal);
+  if (!(length > least)) return PETSC_FALSE;
+  for (PetscInt k = 0; k < dim * dim; k++)
+    P[k] = (k / dim == k % dim ? 1. : 0.) - at->normal[k / dim] * at->normal[k % dim];
+  for (PetscInt k = 0; k < dim * dim; k++) {
+    at->curvature[k] = 0;
+    for (PetscInt a = 0; a < dim * dim; a++)
+      at->curvature[k] += P[k / dim * dim + a / dim] * hessian[a] * P[a % dim * dim + k % dim] / length;
+  }
+  return PETSC_TRUE;
+}
+
+/* |x - point| across the axis, from inside the other way round. */
+static PetscBool RoundShape_Private(const SceneObstacle *round, PetscInt dim, const PetscReal x[], SurfacePoint *at)
+{
+  const PetscReal sign = round->radius < 0 ? -1 : 1;
+  PetscReal       d[3] = {0.}, along, hessian[9] = {0.};
+
+  for (PetscInt k = 0; k < dim; k++) d[k] = x[k] - round->point[k];
+  along = Dot_Private(dim, d, round->axis);
+  for (PetscInt k = 0; k < dim; k++) d[k] = sign * (d[k] - along * round->axis[k]);
+  for (PetscInt k = 0; k < dim * dim; k++)
+    hessian[k] = sign * ((k / dim == k % dim ? 1. : 0.) - round->axis[k / dim] * round->axis[k % dim]);
+  if (!LevelSetShape_Private(dim, d, hessian, GRAZING * PetscAbsReal(round->radius), at)) return PETSC_FALSE;
+  for (PetscInt k = 0; k < dim * dim; k++) // on the surface itself, not through x
+    at->curvature[k] *= PetscSqrtReal(Dot_Private(dim, d, d)) / PetscAbsReal(round->radius);
+  return PETSC_TRUE;
+}
+
+/* s + |r|^2 / (2 R), as in ParabolaGap_Private(). */
+static PetscBool ParabolaShape_Private(const SceneObstacle *parabola, PetscInt dim, const PetscReal x[],
+                                       SurfacePoint *at)
+{
+  PetscReal d[3] = {0.}, s, gradient[3] = {0.}, hessian[9] = {0.};
+
+  for (PetscInt k = 0; k < dim; k++) d[k] = x[k] - parabola->point[k];
+  s = Dot_Private(dim, d, parabola->normal);
+  for (PetscInt k = 0; k < dim; k++)
+    gradient[k] = parabola->normal[k] + (d[k] - s * parabola->normal[k]) / parabola->radius;
+  for (PetscInt k = 0; k < dim * dim; k++)
+    hessian[k] =
+        ((k / dim == k % dim ? 1. : 0.) - parabola->normal[k / dim] * parabola->normal[k % dim]) / parabola->radius;
+  return LevelSetShape_Private(dim, gradient, hessian, GRAZING, at);
+}
+
+/* By central differences. */
+static PetscErrorCode FormulaShape_Private(Expression gap, PetscInt dim, const PetscReal x[], PetscReal size,
+                                           SurfacePoint *at, PetscBool *known)
+{
+  const PetscReal h = DIFFERENCE * size;
+  PetscReal       y[3], value, there[3][2], corner[4], gradient[3] = {0.}, hessian[9] = {0.};
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscArraycpy(y, x, dim));
+  PetscCall(ExpressionTry(gap, dim, y, &value, known));
+  for (PetscInt k = 0; k < dim && *known; k++) {
+    for (PetscInt way = 0; way < 2 && *known; way++) {
+      y[k] = x[k] + (way ? h : -h);
+      PetscCall(ExpressionTry(gap, dim, y, &there[k][way], known));
+    }
+    y[k]                 = x[k];
+    gradient[k]          = (there[k][1] - there[k][0]) / (2 * h);
+    hessian[k * dim + k] = (there[k][1] - 2 * value + there[k][0]) / (h * h);
+  }
+  for (PetscInt k = 0; k < dim && *known; k++) {
+    for (PetscInt j = 0; j < k && *known; j++) {
+      for (PetscInt way = 0; way < 4 && *known; way++) {
+        y[k] = x[k] + (way % 2 ? h : -h);
+        y[j] = x[j] + (way / 2 ? h : -h);
+        PetscCall(ExpressionTry(gap, dim, y, &corner[way], known));
+      }
+      y[k] = x[k];
+      y[j] = x[j];
+
+      hessian[k * dim + j] = hessian[j * dim + k] = (corner[3] - corner[1] - corner[2] + corner[0]) / (4 * h * h);
+    }
+  }
+  if (*known) *known = LevelSetShape_Private(dim, gradient, hessian, GRAZING, at);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ObstacleShape(const SceneObstacle *obstacle, PetscInt dim, const PetscReal x[], PetscReal size,
+                             SurfacePoint *at, PetscBool *known)
+{
+  PetscFunctionBeginUser;
+  *known = PETSC_TRUE;
+  switch (obstacle->kind) {
+  case OBSTACLE_PLANE:
+    *at = (SurfacePoint){.normal = {0}};
+    for (PetscInt k = 0; k < dim; k++) at->normal[k] = obstacle->normal[k];
+    break;
+  case OBSTACLE_BALL:
+  case OBSTACLE_CYLINDER: *known = RoundShape_Private(obstacle, dim, x, at); break;
+  case OBSTACLE_PARABOLA: *known = ParabolaShape_Private(obstacle, dim, x, at); break;
+  case OBSTACLE_EXPRESSION: PetscCall(FormulaShape_Private(obstacle->gap, dim, x, size, at, known)); break;
   default: SETERRQ(PETSC_COMM_SELF, PETSC_ERR_SUP, "Obstacle of kind %d", (int)obstacle->kind);
   }
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -84,27 +84,51 @@ static PetscErrorCode VecGhostCopy_Private(Vec from, Vec to)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* D, M and G along the side's normals; once more where sharp edges show only then which of their facets see a partner. */
+/* D, M and G along the directions of contact that follow from the side's own normals. */
+static PetscErrorCode IntegrateFrom_Private(Level *level, const Support *held, const FacetPartner *partner, Vec own,
+                                            PairDraft *draft)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VecGhostCopy_Private(own, draft->normals));
+  PetscCall(ContactNormalsSet(level, partner, &draft->nonmortar, &draft->shape, draft->normals));
+  PetscCall(NormalsProject(level, held, draft->normals));
+  PetscCall(IntegralsCreate(level, partner, &draft->nonmortar, draft->normals, &draft->sums));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Once more where sharp edges show only then which of their facets see a partner. */
 static PetscErrorCode IntegrateAlong_Private(Level *level, const Support *held, const FacetPartner *partner,
                                              PairDraft *draft)
 {
   PetscBool changed;
-  Vec       raw;
+  Vec       own;
 
   PetscFunctionBeginUser;
-  PetscCall(VecDuplicate(draft->normals, &raw));
-  PetscCall(VecGhostCopy_Private(draft->normals, raw));
-  PetscCall(NormalsProject(level, held, draft->normals));
-  PetscCall(IntegralsCreate(level, partner, &draft->nonmortar, draft->normals, &draft->sums));
-  PetscCall(NodalNormalsSharpen(level, &draft->nonmortar, draft->sums.covered, raw, &changed));
+  PetscCall(VecDuplicate(draft->normals, &own));
+  PetscCall(VecGhostCopy_Private(draft->normals, own));
+  PetscCall(IntegrateFrom_Private(level, held, partner, own, draft));
+  PetscCall(NodalNormalsSharpen(level, &draft->nonmortar, draft->sums.covered, own, &changed));
   if (changed) {
-    PetscCall(VecGhostCopy_Private(raw, draft->normals));
-    PetscCall(NormalsProject(level, held, draft->normals));
     PetscCall(MatDestroy(&draft->sums.M));
     PetscCall(IntegralsDestroy(&draft->sums));
-    PetscCall(IntegralsCreate(level, partner, &draft->nonmortar, draft->normals, &draft->sums));
+    PetscCall(IntegrateFrom_Private(level, held, partner, own, draft));
   }
-  PetscCall(VecDestroy(&raw));
+  PetscCall(VecDestroy(&own));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The mortar facets in reach, with their shape where the nonmortar side is curved: a flat one decides alone. Collective. */
+static PetscErrorCode CreateSurface_Private(Level *level, const Facets *mortar, PetscReal reach, const PairDraft *draft,
+                                            MortarSurface *surface)
+{
+  PetscBool curved;
+  SideShape shape;
+
+  PetscFunctionBeginUser;
+  PetscCall(SideShapeIsCurved(level, &draft->nonmortar, &draft->shape, &curved));
+  if (curved) PetscCall(SideShapeCreate(level, mortar, &shape));
+  PetscCall(MortarSurfaceCreate(level, &draft->nonmortar, mortar, curved ? &shape : NULL, reach, surface));
+  if (curved) PetscCall(SideShapeDestroy(&shape));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -121,10 +145,11 @@ static PetscErrorCode Integrate_Private(Scene scene, Level *level, const Support
   draft->spec = spec;
   PetscCall(LevelGetFacets(level, scene, spec->nonmortar.body, spec->nonmortar.side, &draft->nonmortar));
   if (meshed) PetscCall(LevelGetFacets(level, scene, spec->mortar.body, spec->mortar.side, &mortar));
+  PetscCall(SideShapeCreate(level, &draft->nonmortar, &draft->shape));
   PetscCall(ReachChoose(spec, level, held, &draft->nonmortar, meshed ? &mortar : NULL, &partner.reach));
   if (meshed) {
     PetscCall(ReachWiden(spec, level, &draft->nonmortar, &mortar, &partner.reach));
-    PetscCall(MortarSurfaceCreate(level, &draft->nonmortar, &mortar, partner.reach, &surface));
+    PetscCall(CreateSurface_Private(level, &mortar, partner.reach, draft, &surface));
     partner.mortar = &surface;
   }
   pair->reach                = partner.reach;
@@ -132,7 +157,7 @@ static PetscErrorCode Integrate_Private(Scene scene, Level *level, const Support
   pair->num_facets_mortar    = mortar.num;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &pair->num_facets_nonmortar, 1, MPIU_INT, MPI_SUM, level->comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &pair->num_facets_mortar, 1, MPIU_INT, MPI_SUM, level->comm));
-  PetscCall(NodalNormalsCreate(level, &draft->nonmortar, &draft->normals));
+  PetscCall(NodalNormalsCreate(level, &draft->nonmortar, &draft->shape, &draft->normals));
   PetscCall(IntegrateAlong_Private(level, held, &partner, draft));
   PetscCall(ExpressionCheck(level->comm, spec->gap));
   PetscCall(ExpressionCheck(level->comm, spec->gap_offset));
@@ -159,6 +184,7 @@ static PetscErrorCode Finish_Private(Level *level, const Support *held, PairDraf
   sums->ends     = NULL;
   PetscCall(IntegralsDestroy(sums));
   PetscCall(VecDestroy(&draft->normals));
+  PetscCall(SideShapeDestroy(&draft->shape));
   PetscCall(FacetsDestroy(&draft->nonmortar));
   PetscCall(PetscFree(draft->fate));
   PetscFunctionReturn(PETSC_SUCCESS);

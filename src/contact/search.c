@@ -21,7 +21,15 @@ typedef struct {
 typedef struct {
   PetscInt  type, nodes[ELEMENT_MAX_FACET_NODES]; /* global */
   PetscReal coords[3 * ELEMENT_MAX_FACET_NODES];
+  PetscReal normals[3 * ELEMENT_MAX_FACET_NODES], curvature[9 * ELEMENT_MAX_FACET_NODES];
 } FacetRecord;
+
+/* The mortar side of this rank. */
+typedef struct {
+  const Level     *level;
+  const Facets    *facets;
+  const SideShape *shape; /* may be NULL */
+} Side;
 
 /* A tree over the boxes around all facets of a list. [in] coords - [num][ELEMENT_MAX_FACET_NODES][dim] */
 static PetscErrorCode CreateTree_Private(PetscInt dim, PetscInt num, const ElementType type[], const PetscReal coords[],
@@ -119,12 +127,20 @@ static PetscErrorCode FindRanks_Private(const Covers *covers, PetscInt dim, cons
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static void PackFacet_Private(const Level *level, const Facets *facets, PetscInt f, FacetRecord *record)
+static void PackFacet_Private(const Side *side, PetscInt f, FacetRecord *record)
 {
+  const Level   *level  = side->level;
+  const Facets  *facets = side->facets;
+  const PetscInt dim    = level->dim;
+
   record->type = facets->type[f];
   for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
     record->nodes[i] = level->node_global[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
   FacetCoordinates(level, facets, f, record->coords);
+  for (PetscInt i = 0; i < ELEMENT_MAX_FACET_NODES * dim && side->shape; i++)
+    record->normals[i] = side->shape->normal[f * ELEMENT_MAX_FACET_NODES * dim + i];
+  for (PetscInt i = 0; i < ELEMENT_MAX_FACET_NODES * dim * dim && side->shape; i++)
+    record->curvature[i] = side->shape->curvature[f * ELEMENT_MAX_FACET_NODES * dim * dim + i];
 }
 
 /* Appends a facet; the arrays have room for it. */
@@ -135,6 +151,9 @@ static void AddFacet_Private(PetscInt dim, const FacetRecord *record, MortarSurf
   surface->type[f] = (ElementType)record->type;
   for (PetscInt i = 0; i < n; i++) surface->nodes[f * ELEMENT_MAX_FACET_NODES + i] = record->nodes[i];
   for (PetscInt i = 0; i < n * dim; i++) surface->coords[f * ELEMENT_MAX_FACET_NODES * dim + i] = record->coords[i];
+  for (PetscInt i = 0; i < n * dim; i++) surface->normals[f * ELEMENT_MAX_FACET_NODES * dim + i] = record->normals[i];
+  for (PetscInt i = 0; i < n * dim * dim; i++)
+    surface->curvature[f * ELEMENT_MAX_FACET_NODES * dim * dim + i] = record->curvature[i];
 }
 
 /* Facets on their way between this rank and others. */
@@ -149,10 +168,10 @@ typedef struct {
 } Traffic;
 
 /* Counts who sends what to whom. Collective. */
-static PetscErrorCode TrafficPlan_Private(const Level *level, const Facets *facets, const Covers *covers,
-                                          Traffic *traffic)
+static PetscErrorCode TrafficPlan_Private(const Side *side, const Covers *covers, Traffic *traffic)
 {
-  FacetRecord  record;
+  const Level *level  = side->level;
+  FacetRecord  record = {0};
   PetscInt     num, *start, *count;
   PetscMPIInt *ranks, num_to = 0;
 
@@ -163,9 +182,9 @@ static PetscErrorCode TrafficPlan_Private(const Level *level, const Facets *face
   PetscCall(PetscMalloc2(traffic->size, &ranks, traffic->size, &count));
   start                = traffic->start;
   traffic->num_staying = traffic->num_arriving = 0;
-  for (PetscInt f = 0; f < facets->num; f++) {
-    PackFacet_Private(level, facets, f, &record);
-    PetscCall(FindRanks_Private(covers, level->dim, &record, &num, ranks));
+  for (PetscInt f = 0; f < side->facets->num; f++) {
+    PackFacet_Private(side, f, &record);
+    PetscCall(FindRanks_Private(covers, side->level->dim, &record, &num, ranks));
     for (PetscInt i = 0; i < num; i++) {
       if (ranks[i] == traffic->rank)
         traffic->num_staying++;
@@ -189,8 +208,8 @@ static PetscErrorCode TrafficPlan_Private(const Level *level, const Facets *face
 }
 
 /* Puts facets that stay into the surface and lines up those that leave. Not collective. */
-static PetscErrorCode TrafficLoad_Private(const Level *level, const Facets *facets, const Covers *covers,
-                                          Traffic *traffic, MortarSurface *surface)
+static PetscErrorCode TrafficLoad_Private(const Side *side, const Covers *covers, Traffic *traffic,
+                                          MortarSurface *surface)
 {
   PetscInt    *next, num;
   PetscMPIInt *ranks;
@@ -200,12 +219,12 @@ static PetscErrorCode TrafficLoad_Private(const Level *level, const Facets *face
   PetscCall(PetscMalloc2(traffic->size, &next, traffic->size, &ranks));
   PetscCall(PetscArraycpy(next, traffic->start, traffic->size));
   PetscCall(PetscMalloc1(traffic->start[traffic->size], &traffic->leaving));
-  for (PetscInt f = 0; f < facets->num; f++) {
-    PackFacet_Private(level, facets, f, &record);
-    PetscCall(FindRanks_Private(covers, level->dim, &record, &num, ranks));
+  for (PetscInt f = 0; f < side->facets->num; f++) {
+    PackFacet_Private(side, f, &record);
+    PetscCall(FindRanks_Private(covers, side->level->dim, &record, &num, ranks));
     for (PetscInt i = 0; i < num; i++) {
       if (ranks[i] == traffic->rank)
-        AddFacet_Private(level->dim, &record, surface);
+        AddFacet_Private(side->level->dim, &record, surface);
       else
         traffic->leaving[next[ranks[i]]++] = record;
     }
@@ -257,22 +276,24 @@ static PetscErrorCode TrafficDestroy_Private(Traffic *traffic)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const Facets *mortar, PetscReal reach,
-                                   MortarSurface *surface)
+PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const Facets *mortar, const SideShape *shape,
+                                   PetscReal reach, MortarSurface *surface)
 {
-  const PetscInt dim = level->dim;
+  const PetscInt dim  = level->dim;
+  const Side     side = {level, mortar, shape};
   Covers         covers;
   Traffic        traffic;
   PetscInt       max;
 
   PetscFunctionBeginUser;
   PetscCall(CoversCreate_Private(level, nonmortar, reach, &covers));
-  PetscCall(TrafficPlan_Private(level, mortar, &covers, &traffic));
+  PetscCall(TrafficPlan_Private(&side, &covers, &traffic));
   max          = traffic.num_staying + traffic.num_arriving;
   surface->num = 0;
-  PetscCall(PetscMalloc3(max, &surface->type, max * ELEMENT_MAX_FACET_NODES, &surface->nodes,
-                         max * ELEMENT_MAX_FACET_NODES * dim, &surface->coords));
-  PetscCall(TrafficLoad_Private(level, mortar, &covers, &traffic, surface));
+  PetscCall(PetscMalloc5(max, &surface->type, max * ELEMENT_MAX_FACET_NODES, &surface->nodes,
+                         max * ELEMENT_MAX_FACET_NODES * dim, &surface->coords, max * ELEMENT_MAX_FACET_NODES * dim,
+                         &surface->normals, max * ELEMENT_MAX_FACET_NODES * dim * dim, &surface->curvature));
+  PetscCall(TrafficLoad_Private(&side, &covers, &traffic, surface));
   PetscCall(CoversDestroy_Private(&covers));
   PetscCall(TrafficRun_Private(level, &traffic, surface));
   PetscCall(TrafficDestroy_Private(&traffic));
@@ -283,7 +304,7 @@ PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const 
 PetscErrorCode MortarSurfaceDestroy(MortarSurface *surface)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscFree3(surface->type, surface->nodes, surface->coords));
+  PetscCall(PetscFree5(surface->type, surface->nodes, surface->coords, surface->normals, surface->curvature));
   PetscCall(BoxTreeDestroy(&surface->tree));
   surface->num = 0;
   PetscFunctionReturn(PETSC_SUCCESS);

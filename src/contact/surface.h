@@ -5,6 +5,7 @@
 #include <mortise/boxtree.h>
 #include <mortise/clip.h>
 #include <mortise/mesh.h>
+#include <mortise/sideshape.h>
 
 /* The mortar facets of all ranks that may meet this rank's nonmortar facets, with a box tree. Their order depends on the
    partition; queries return ascending indices. */
@@ -13,14 +14,16 @@ typedef struct {
   ElementType *type;   /* [num] */
   PetscInt    *nodes;  /* global nodes [num][ELEMENT_MAX_FACET_NODES] */
   PetscReal   *coords; /* [num][ELEMENT_MAX_FACET_NODES][dim] */
-  BoxTree      tree;
+  PetscReal   *normals,
+      *curvature; /* of their patches, zero where no shape was given [num][ELEMENT_MAX_FACET_NODES][dim], [..][dim][dim] */
+  BoxTree tree;
 } MortarSurface;
 
 /* Brings the mortar facets within reach of this rank's nonmortar facets to this rank: at least those whose boxes meet that
-   of a nonmortar facet, widened by the reach on all sides. Collective.
+   of a nonmortar facet, widened by the reach on all sides. Collective. [in] shape - of the mortar facets, or NULL where nobody asks for it;
    [out] surface - owned by the caller, MortarSurfaceDestroy() */
-PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const Facets *mortar, PetscReal reach,
-                                   MortarSurface *surface);
+PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const Facets *mortar, const SideShape *shape,
+                                   PetscReal reach, MortarSurface *surface);
 PetscErrorCode MortarSurfaceDestroy(MortarSurface *surface);
 /* The mortar facets that rays from a nonmortar facet may meet within the reach, in front or behind, and few others, so that
    all queries of a side take n log n however far they reach. The rays go along any normals between those at the nodes. Not

@@ -64,6 +64,7 @@ static PetscErrorCode Measure(Scene scene, Level *level)
 {
   const ScenePair   *spec = &scene->pairs[0];
   Facets             nonmortar, mortar;
+  SideShape          shape;
   Vec                normals, local;
   const PetscScalar *na;
   PetscReal          hits = 0, held = 0;
@@ -72,14 +73,15 @@ static PetscErrorCode Measure(Scene scene, Level *level)
   PetscFunctionBeginUser;
   PetscCall(LevelGetFacets(level, scene, spec->nonmortar.body, spec->nonmortar.side, &nonmortar));
   PetscCall(LevelGetFacets(level, scene, spec->mortar.body, spec->mortar.side, &mortar));
-  PetscCall(NodalNormalsCreate(level, &nonmortar, &normals));
+  PetscCall(SideShapeCreate(level, &nonmortar, &shape));
+  PetscCall(NodalNormalsCreate(level, &nonmortar, &shape, &normals));
   PetscCall(VecGhostGetLocalForm(normals, &local));
   PetscCall(VecGetArrayRead(local, &na));
   for (PetscInt repeat = 0; repeat < REPEATS; repeat++) {
     const PetscLogDouble start = Seconds();
     PetscLogDouble       middle;
     MortarSurface        surface;
-    PetscCall(MortarSurfaceCreate(level, &nonmortar, &mortar, spec->reach, &surface));
+    PetscCall(MortarSurfaceCreate(level, &nonmortar, &mortar, NULL, spec->reach, &surface));
     middle = Seconds();
     PetscCall(QueryAll(level, &nonmortar, na, &surface, spec->reach, &hits));
     query    = PetscMin(query, Seconds() - middle);
@@ -95,6 +97,7 @@ static PetscErrorCode Measure(Scene scene, Level *level)
                         (double)Sum((PetscReal)nonmortar.num), (double)Sum((PetscReal)mortar.num), (double)Sum(hits),
                         (double)Most(exchange), (double)Most(query), (double)Most(held),
                         (double)(Most(held) * BytesPerFacet(level->dim)) / MEGA));
+  PetscCall(SideShapeDestroy(&shape));
   PetscCall(FacetsDestroy(&nonmortar));
   PetscCall(FacetsDestroy(&mortar));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -9,10 +9,11 @@ import numpy as np
 from numpy.polynomial import polynomial as poly
 
 from bodies import MANY, gauss, numbers
-from contact import Pair, unit
+from contact import Pair, frame, unit
 
 LINES = {2: np.array([[1, -1], [0, 1]]), 3: np.array([[1, -3, 2], [0, -1, 2], [0, 4, -4]])}  # phi by powers of s
 PLACES = (0.0, 1.0, 0.5)  # of the nodes of a facet
+FLAT, NONE = 1e-11, 1e-8  # differences of unit normals, and shares of curvatures, that are rounding
 
 
 def curve(values):
@@ -50,11 +51,21 @@ def chord(c):
     return math.hypot(*c[1:].sum(axis=0))  # x(1) - x(0)
 
 
+def share(own, other):
+    """How much of the turn a side of one curvature makes towards the other one's normal."""
+    size = NONE * (abs(own) + abs(other))
+    if abs(own) <= size:
+        return 0.0
+    if abs(own + other) <= size:
+        return 0.5
+    return min(max(own / (own + other), 0.0), 1.0) if own + other > 0 else float(abs(own) > abs(other))
+
+
 class LinePair(Pair):
     """Where points of a side meet the other one along the normals between nodal ones."""
 
     def __init__(self, name, scene):
-        self.distance = None
+        self.distance = self.flat_obstacle = None
         super().__init__(name, scene)
 
     def read_obstacle(self, option):
@@ -62,6 +73,7 @@ class LinePair(Pair):
         kind, normal, point = option("obstacle"), np.array(numbers(option("obstacle_normal"))), np.array(numbers(option("obstacle_point")))
         if kind == "plane":
             self.distance = lambda x, n: (point - x) @ normal / (n @ normal)
+            self.flat_obstacle = unit(normal)
             return
         radius = float(option("obstacle_radius"))
         if kind != "parabola" or list(normal) != [0.0, -1.0]:
@@ -77,12 +89,80 @@ class LinePair(Pair):
         return curve(self.scene.points[list(facet)])
 
     def set_normals(self):
-        """(T13): normals of the curves at a node over their chords, to be normalised."""
-        self.normal = {node: np.zeros(2) for node in self.nodes}
-        for facet in self.facets:
+        """The directions of contact (T46), from normals and curvatures of both sides."""
+        self.normal, kappa = self.side_shape(self.facets)
+        if self.distance and self.flat_obstacle is not None:
+            self.normal = {node: -self.flat_obstacle for node in self.nodes}
+        elif self.distance and any(kappa.values()):
+            raise ValueError("a parabola wants a flat side here")
+        elif self.mortar and any(kappa.values()):
+            normal_m, kappa_m = self.side_shape(self.mortar)
+            self.normal = {node: self.direction(node, n, kappa[node], normal_m, kappa_m) for node, n in self.normal.items()}
+
+    def side_shape(self, facets):
+        """{node: unit normal}, {node: curvature} of a smooth side. Normals: those of the curves at a node over their chords (T13). An end of
+        straight facets turns on from its neighbour, which has a facet on either side, with the curvature there."""
+        around, normal = {}, {}
+        for facet in facets:
             c = self.geometry(facet)
             for node, s in zip(facet, PLACES):
-                self.normal[node] += unit(outward(c, s)) / chord(c)
+                around.setdefault(node, []).append(facet)
+                normal[node] = normal.get(node, 0.0) + unit(outward(c, s)) / chord(c)
+        normal = {node: unit(n) for node, n in normal.items()}
+        inner = {node for node, own in around.items() if len(own) == 2 or node in own[0][2:]}
+        for end in around.keys() - inner if len(facets[0]) == 2 else ():
+            near = sum(around[end][0]) - end
+            if near not in inner:
+                continue
+            step, known = self.scene.points[end] - self.scene.points[near], self.curvature(near, around, normal, inner)
+            tau = np.array([-normal[near][1], normal[near][0]])
+            turn = known * (step @ tau) if known is not None else 0.0
+            if known is None and abs(normal[near] @ step) > FLAT * math.hypot(*step):
+                normal[end] = normal[near] - 2 * (normal[near] @ step) / (step @ step) * step
+            elif abs(turn) > FLAT:
+                normal[end] = turn * tau + math.sqrt(1 - turn**2) * normal[near]
+        return normal, {node: self.curvature(node, around, normal, around) for node in around}
+
+    def curvature(self, node, around, normal, counted):
+        """Mean of dn/dx along the tangent over the other nodes of the facets at a node; None without one that counts."""
+        slopes, tau = [], np.array([-normal[node][1], normal[node][0]])
+        for other in (b for facet in around[node] for b in facet if b != node and b in counted):
+            dn, dx = ((values[other] - values[node]) @ tau for values in (normal, self.scene.points))
+            slopes.append(dn / dx if np.abs(dn * tau).max() > FLAT else 0.0)
+        return sum(slopes) / len(slopes) if slopes else None
+
+    def direction(self, node, n, kappa, normal_m, kappa_m):
+        """The normal of the side, turned towards that of the nearest point of the other side that faces it."""
+        hits = []
+        for facet in self.mortar:
+            c = seen_from(self.geometry(facet), self.scene.points[node])
+            square = poly.polyadd(*(poly.polymul(c[:, k], c[:, k]) for k in range(2)))
+            places = [0.0, 1.0] + [s for s in roots(poly.polyder(square)) if 0 < s < 1]
+            s = min(places, key=lambda place: poly.polyval(place, square))
+            weights = poly.polyval(s, LINES[len(facet)].T)
+            n_m = unit(sum(w * normal_m[b] for w, b in zip(weights, facet)))
+            if n_m @ n < -0.3:
+                hits.append((poly.polyval(s, square), tuple(n_m), sum(w * kappa_m[b] for w, b in zip(weights, facet))))
+        if not hits:
+            return n
+        found = self.turned(n, kappa, *min(hits)[1:])
+        for _ in range(3):
+            hit = self.meet(self.scene.points[node], found, self.mortar)
+            if hit is None:
+                break
+            weights = poly.polyval(hit[2], LINES[len(hit[3])].T)
+            n_m, other = (sum(w * values[b] for w, b in zip(weights, hit[3])) for values in (normal_m, kappa_m))
+            found = self.turned(n, kappa, unit(n_m), other)
+        return found
+
+    @staticmethod
+    def turned(n, kappa, n_m, other):
+        """n turned towards -n_m by the share that the curvatures give it."""
+        n_m = np.array(n_m)
+        if other == 0.0 and kappa != 0.0:
+            return -n_m
+        tau = frame(unit(n - n_m))[1]
+        return unit(n - share(kappa, other) * ((n + n_m) @ tau) * tau)
 
     # --- where the two sides see each other ---
 

@@ -33,7 +33,7 @@ mortise_scene_test(indent_parabola SCENE indent CHECK indent.py
   ARGS -joint_obstacle parabola -joint_obstacle_point 0,-0.01 -joint_obstacle_normal 0,-1 -joint_obstacle_radius 10)
 mortise_scene_test(indent_formula SCENE indent CHECK indent.py ARGS -joint_obstacle expression -joint_obstacle_gap "x^2/20-0.01")
 mortise_scene_test(indent_cone SCENE indent CHECK indent.py
-  ARGS -joint_obstacle plane -joint_obstacle_point 0,-0.01 -joint_obstacle_normal 0.02,-1)
+  ARGS -joint_obstacle plane -joint_obstacle_point 0,-0.001 -joint_obstacle_normal 0.002,-1)
 mortise_scene_test(shaft CHECK shaft.py RANKS 1 3 ARGS -joint_nonmortar ring:left -joint_obstacle_radius 1.01)
 mortise_scene_test(tube SCENE shaft CHECK shaft.py ARGS -joint_nonmortar ring:right -joint_obstacle_radius -1.99)
 # Rigid shapes in space.

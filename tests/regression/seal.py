@@ -1,11 +1,12 @@
 """A rubber seal: force, pressure and bulge against order 2 on finer meshes, and the stress beside the contact against its pressure.
 
-LIMIT is from cells of order 2 on 96 x 96 and 192 x 192 cells and from triangles of order 2, whose changes of volume are taken in
-another way; they differ in the last digit. Cells of order 1 without projection make the force 27 % too large.
+LIMIT is from cells of order 2 on 32 x 32 cells with either side nonmortar: 0.226170 and 0.226164, 0.00477872 and 0.00477878. With the flat plate as
+nonmortar side its own normal is the direction of contact. Along the normals of the rubber the force was 3.4 % too large. Cells of order 1 without
+projection make it 27 % larger again.
 """
 from judge import Run, near, require
 
-LIMIT = {"force": 0.23396, "energy": 0.0048656, "crown": 0.7337, "bulge": 0.022432}
+LIMIT = {"force": 0.226167, "energy": 0.00477875, "crown": 0.7330, "bulge": 0.022049}
 
 
 def judge(run):
@@ -16,7 +17,7 @@ def judge(run):
     table = run.table("joint")
     row = table["x"].index(0.0)
     near("pressure at the crown", table["pressure"][row], LIMIT["crown"], relative=1e-3)
-    near("stress at the crown", crown["stress"][1], -LIMIT["crown"], relative=3e-3)
+    near("stress at the crown", crown["stress"][1], -LIMIT["crown"], relative=5e-3)  # of order 1, as means of cells
     second = run.again("-order", "2", "-rubber_dm_plex_box_faces", "16,16", "-plate_dm_plex_box_faces", "12,3", name="second")
     near("force, order 2", second.pair("joint")["normal_force"], LIMIT["force"], relative=2e-3)
     viewed = run.again("-scene_view", name="view").stdout

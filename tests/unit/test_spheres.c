@@ -2,11 +2,10 @@
 #include "test.h"
 #include "two_solids.h"
 
-static const PetscReal EXACT = 1e-12;
+static const PetscReal INTERPOLATED = 2e-5;
 
-/* Parts of spherical shells, one in the other, cut differently. [out] worst - gap, sine of the angle between the normal and the
-   radius, the same at inner nodes alone */
-static PetscErrorCode MeasureSpheres(ElementType cell, PetscInt level, PetscReal worst[3])
+/* Parts of spherical shells, one in the other, cut differently. [out] worst - gap, sine of the angle between the normal and the radius */
+static PetscErrorCode MeasureSpheres(ElementType cell, PetscInt level, PetscReal worst[2])
 {
   const char *map =
       "z*tan(x)/sqrt(1+tan(x)^2+tan(y)^2), z*tan(y)/sqrt(1+tan(x)^2+tan(y)^2), z/sqrt(1+tan(x)^2+tan(y)^2)";
@@ -24,37 +23,39 @@ static PetscErrorCode MeasureSpheres(ElementType cell, PetscInt level, PetscReal
   SetSolid(&bodies[0], "outer", cell, 2 << level, 2 << level, 1, lower[0], upper[0]);
   SetSolid(&bodies[1], "inner", cell, 3 << level, 3 << level, 1, lower[1], upper[1]);
   PetscCall(MakePair(&scene, map, &mesh, &support, &pair));
-  worst[0] = worst[1] = worst[2] = 0;
+  worst[0] = worst[1] = 0;
   for (PetscInt k = 0; k < pair->num; k++) {
     const PetscReal *x = &pair->level->coords[DIM * pair->nodes[k]], *n = &pair->normal[DIM * k];
-    const PetscReal  edge = x[2] * PetscTanReal(wide) * (1 - 1e-9);
     PetscReal        sine = 0;
     for (PetscInt j = 0; j < DIM; j++)
       sine += PetscSqr(n[(j + 1) % 3] * x[(j + 2) % 3] - n[(j + 2) % 3] * x[(j + 1) % 3]);
     sine     = PetscSqrtReal(sine);
     worst[0] = PetscMax(worst[0], PetscAbsReal(pair->gap[k]));
     worst[1] = PetscMax(worst[1], sine);
-    if (PetscMax(PetscAbsReal(x[0]), PetscAbsReal(x[1])) < edge) worst[2] = PetscMax(worst[2], sine);
     CHECK(n[0] * x[0] + n[1] * x[1] + n[2] * x[2] < 0);
   }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, worst, 3, MPIU_REAL, MPIU_MAX, PETSC_COMM_WORLD));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, worst, 2, MPIU_REAL, MPIU_MAX, PETSC_COMM_WORLD));
   PetscCall(LosePair(&scene, &mesh, &support, &pair));
   PetscCall(DestroyTwoBoxes(bodies));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Normals of straight facets are exact inside of a side (Max 1999) and err by h at its ends; gaps err by h^2. On quadratic facets
-   both follow the isoparametric surface: h^2 and h^3. */
+/* A side's own normals are exact on spheres (test_sideshape.c); between the nodes of straight facets the partner's are so but for the
+   interpolation between exact ones. Normals of facets on one side of an end alone would be off by h / 2 there, .05 and .03.
+   Gaps err by h^2. On quadratic facets normals follow the isoparametric surface: h^2, and gaps h^3. */
 static PetscErrorCode TestSpheres(ElementType cell)
 {
   const PetscInt order = ElementOrder(cell);
-  PetscReal      worst[2][3];
+  PetscReal      worst[2][2];
 
   PetscFunctionBeginUser;
   for (PetscInt level = 0; level < 2; level++) PetscCall(MeasureSpheres(cell, level + 1, worst[level]));
   CHECK_NEAR(PetscLog2Real(worst[0][0] / worst[1][0]), order + 1., 0.25);
-  CHECK_NEAR(PetscLog2Real(worst[0][1] / worst[1][1]), (PetscReal)order, 0.25);
-  if (order == 1) CHECK_NEAR(worst[0][2], 0., EXACT);
+  if (order == 1) {
+    for (PetscInt level = 0; level < 2; level++) CHECK_NEAR(worst[level][1], 0., INTERPOLATED);
+  } else {
+    CHECK_NEAR(PetscLog2Real(worst[0][1] / worst[1][1]), (PetscReal)order, 0.25);
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -1,0 +1,470 @@
+/* sideshape.c -- normals and curvatures of the smooth patches of a side.
+
+   What the facets around a node know of it is summed at the node, over all ranks. At a feature edge the sums of one patch are
+   wanted: the few facets there are told to all ranks. */
+#include <mortise/compat.h>
+#include <mortise/frame.h>
+#include <mortise/sideshape.h>
+
+/* Facets of one patch meet at less than 30 degrees; half of that is what they leave their mean normal by at most. */
+static const PetscReal SMOOTH = 0.86602540378443865, SURELY_SMOOTH = 0.96592582628906829;
+/* Share of a full turn that the facets of a patch fill around an inner node; an end of a line fills half, a corner less than a third. */
+static const PetscReal INNER = 0.8, END = 0.35, FULLER = 0.1;
+/* Differences of unit normals below this are rounding: flat. */
+static const PetscReal FLAT = 1e-11;
+/* Neighbours lie on a line whose second moment across it is below this share. */
+static const PetscReal ON_A_LINE = 1e-4;
+
+enum { F = ELEMENT_MAX_FACET_NODES };
+
+/* A side at work. */
+typedef struct {
+  Level        *level;
+  const Facets *facets;
+  SideShape    *shape;
+  PetscReal    *weighted; /* normal of each facet alone, with its weight [num][F][dim] */
+  PetscReal    *share;    /* of a full turn around the node: of the facet, then of its patch [num][F] */
+} Side;
+
+/* One corner of a facet at a feature edge. */
+typedef struct {
+  PetscInt  node;                                    /* global */
+  PetscReal unit[3], weighted[3], share, outward[3]; /* from the node to the middle of the facet */
+} Corner;
+
+static PetscReal Dot_Private(PetscInt dim, const PetscReal a[], const PetscReal b[])
+{
+  PetscReal sum = 0;
+
+  for (PetscInt k = 0; k < dim; ++k) sum += a[k] * b[k];
+  return sum;
+}
+
+static const PetscReal *Position_Private(const Side *side, PetscInt f, PetscInt i)
+{
+  return &side->level->coords[side->facets->nodes[f * F + i] * side->level->dim];
+}
+
+/* The share of a full turn around node i that a facet fills. [in] X - [num_nodes][dim] */
+static PetscReal Share_Private(PetscInt dim, ElementType type, PetscInt i, const PetscReal X[])
+{
+  const PetscInt num = ElementNumNodes(ElementLinear(type)), edges = dim == 2 ? 0 : num;
+  PetscReal      a[3], b[3];
+
+  if (i >= num) return i < num + edges ? 0.5 : 1;
+  if (dim == 2) return 0.5;
+  for (PetscInt k = 0; k < 3; ++k) {
+    a[k] = X[3 * ((i + 1) % num) + k] - X[3 * i + k];
+    b[k] = X[3 * ((i + num - 1) % num) + k] - X[3 * i + k];
+  }
+  return PetscAcosReal(PetscMax(
+             -1, PetscMin(1, Dot_Private(3, a, b) / PetscSqrtReal(Dot_Private(3, a, a) * Dot_Private(3, b, b))))) /
+         (2 * PETSC_PI);
+}
+
+static void SetCorners_Private(Side *side)
+{
+  const PetscInt dim = side->level->dim;
+
+  for (PetscInt f = 0; f < side->facets->num; ++f) {
+    const ElementType type = side->facets->type[f];
+    PetscReal         X[3 * F];
+
+    for (PetscInt i = 0; i < ElementNumNodes(type); ++i) {
+      for (PetscInt k = 0; k < dim; ++k) X[i * dim + k] = Position_Private(side, f, i)[k];
+    }
+    FrameAddFacetNormal(dim, ElementNumNodes(type), X, &side->weighted[f * F * dim]);
+    for (PetscInt i = 0; i < ElementNumNodes(type); ++i) side->share[f * F + i] = Share_Private(dim, type, i, X);
+  }
+}
+
+/* Sums values of corners at their nodes over all ranks, and gives each corner the sum. Collective.
+   [in] skip - corners that have no part in it, or NULL; [in,out] values - [num][F][bs] */
+static PetscErrorCode SumAtNodes_Private(const Side *side, PetscInt bs, const PetscReal skip[], PetscReal values[])
+{
+  Vec          sums, local;
+  PetscScalar *a;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(side->level, bs, &sums));
+  for (PetscInt way = 0; way < 2; ++way) {
+    PetscCall(VecGhostGetLocalForm(sums, &local));
+    if (way == 0) PetscCall(VecZeroEntries(local));
+    PetscCall(VecGetArray(local, &a));
+    for (PetscInt f = 0; f < side->facets->num; ++f) {
+      for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); ++i) {
+        PetscScalar *at   = &a[side->facets->nodes[f * F + i] * bs];
+        PetscReal   *mine = &values[(f * F + i) * bs];
+
+        if (skip && skip[f * F + i] != 0) continue;
+        for (PetscInt k = 0; k < bs; ++k) {
+          if (way == 0)
+            at[k] += mine[k];
+          else
+            mine[k] = PetscRealPart(at[k]);
+        }
+      }
+    }
+    PetscCall(VecRestoreArray(local, &a));
+    PetscCall(VecGhostRestoreLocalForm(sums, &local));
+    if (way == 0) PetscCall(LevelShareVec(sums, ADD_VALUES));
+  }
+  PetscCall(VecDestroy(&sums));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether facets around the nodes of corners may meet at a feature edge. Collective. [out] suspect - 1 or 0 [num][F] */
+static PetscErrorCode FindSuspects_Private(const Side *side, PetscReal suspect[])
+{
+  const PetscInt dim = side->level->dim;
+
+  PetscFunctionBeginUser;
+  for (PetscInt f = 0; f < side->facets->num; ++f) {
+    for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); ++i) {
+      PetscReal unit[3];
+
+      PetscCall(PetscArraycpy(unit, &side->weighted[(f * F + i) * dim], dim));
+      FrameNormalize(dim, unit);
+      suspect[f * F + i] = Dot_Private(dim, unit, &side->shape->normal[(f * F + i) * dim]) < SURELY_SMOOTH ? 1 : 0;
+    }
+  }
+  PetscCall(SumAtNodes_Private(side, 1, NULL, suspect));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* This rank's corner as others are told of it. */
+static Corner CornerOf_Private(const Side *side, PetscInt f, PetscInt i)
+{
+  const PetscInt dim = side->level->dim, n = ElementNumNodes(ElementLinear(side->facets->type[f]));
+  Corner corner = {.node = side->level->node_global[side->facets->nodes[f * F + i]], .share = side->share[f * F + i]};
+
+  for (PetscInt k = 0; k < dim; ++k) {
+    corner.unit[k] = corner.weighted[k] = side->weighted[(f * F + i) * dim + k];
+    for (PetscInt v = 0; v < n; ++v)
+      corner.outward[k] += (Position_Private(side, f, v)[k] - Position_Private(side, f, i)[k]) / (PetscReal)n;
+  }
+  FrameNormalize(dim, corner.unit);
+  FrameNormalize(dim, corner.outward);
+  return corner;
+}
+
+static int CompareCorners_Private(const void *a, const void *b)
+{
+  const PetscInt first = ((const Corner *)a)->node, second = ((const Corner *)b)->node;
+
+  return first < second ? -1 : first > second;
+}
+
+/* The corners at suspect nodes, of all ranks, by nodes. Collective. [out] all - freed by the caller [*num] */
+static PetscErrorCode GatherCorners_Private(const Side *side, const PetscReal suspect[], PetscInt *num, Corner **all)
+{
+  PetscMPIInt size, *counts, *begin, mine = 0;
+  Corner     *corners;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_size(side->level->comm, &size));
+  PetscCall(PetscMalloc3(side->facets->num * F, &corners, size, &counts, size + 1, &begin));
+  for (PetscInt f = 0; f < side->facets->num; ++f) {
+    for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); ++i) {
+      if (suspect[f * F + i] > 0) corners[mine++] = CornerOf_Private(side, f, i);
+    }
+  }
+  mine *= (PetscMPIInt)sizeof(Corner);
+  PetscCallMPI(MPI_Allgather(&mine, 1, MPI_INT, counts, 1, MPI_INT, side->level->comm));
+  begin[0] = 0;
+  for (PetscMPIInt r = 0; r < size; ++r) begin[r + 1] = begin[r] + counts[r];
+  *num = begin[size] / (PetscInt)sizeof(Corner);
+  PetscCall(PetscMalloc1(*num, all));
+  PetscCallMPI(MPI_Allgatherv(corners, mine, MPI_BYTE, *all, counts, begin, MPI_BYTE, side->level->comm));
+  qsort(*all, (size_t)*num, sizeof(Corner), CompareCorners_Private);
+  PetscCall(PetscFree3(corners, counts, begin));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Gives one corner the normal of its own patch, where there are others. [in] node - all corners of its node [num] */
+static void SetPatch_Private(Side *side, PetscInt f, PetscInt i, PetscInt num, const Corner node[])
+{
+  const PetscInt dim       = side->level->dim;
+  const Corner   own       = CornerOf_Private(side, f, i);
+  PetscReal      normal[3] = {0}, share = 0, ridge = 0;
+  PetscBool      edge = PETSC_FALSE;
+
+  for (PetscInt c = 0; c < num; ++c) {
+    if (Dot_Private(dim, own.unit, node[c].unit) < SMOOTH) {
+      edge = PETSC_TRUE;
+      ridge -= Dot_Private(dim, own.unit, node[c].outward); // the others fall away behind a convex edge
+      continue;
+    }
+    share += node[c].share;
+    for (PetscInt k = 0; k < dim; ++k) normal[k] += node[c].weighted[k];
+  }
+  if (!edge) return;
+  FrameNormalize(dim, normal);
+  for (PetscInt k = 0; k < dim; ++k) side->shape->normal[(f * F + i) * dim + k] = normal[k];
+  side->share[f * F + i]        = share;
+  side->shape->ridge[f * F + i] = ridge > 0 ? 1 : -1;
+}
+
+/* Lets corners at feature edges have the normals of their own patches. Collective. */
+static PetscErrorCode SplitPatches_Private(Side *side)
+{
+  PetscReal *suspect;
+  PetscInt   num;
+  Corner    *corners;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(side->facets->num * F, &suspect));
+  PetscCall(FindSuspects_Private(side, suspect));
+  PetscCall(GatherCorners_Private(side, suspect, &num, &corners));
+  for (PetscInt f = 0; f < side->facets->num && num; ++f) {
+    for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); ++i) {
+      const Corner key = {.node = side->level->node_global[side->facets->nodes[f * F + i]]};
+      Corner      *first =
+          suspect[f * F + i] > 0 ? bsearch(&key, corners, (size_t)num, sizeof(Corner), CompareCorners_Private) : NULL;
+      PetscInt count = 0;
+
+      if (!first) continue;
+      while (first > corners && first[-1].node == key.node) --first;
+      while (first + count < corners + num && first[count].node == key.node) ++count;
+      SetPatch_Private(side, f, i, count, first);
+    }
+  }
+  PetscCall(PetscFree(corners));
+  PetscCall(PetscFree(suspect));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds what one neighbour in its facet says of a corner: moments dx dx', dn dx' / |dx|^2 in the tangent plane. [in,out] sums - [2][dim][dim] */
+static void AddNeighbour_Private(const Side *side, PetscInt f, PetscInt i, PetscInt j, PetscReal sums[])
+{
+  const PetscInt   dim = side->level->dim;
+  const PetscReal *n = &side->shape->normal[(f * F + i) * dim], *m = &side->shape->normal[(f * F + j) * dim];
+  PetscReal        dx[3], dn[3], along, across, square, most = 0;
+
+  for (PetscInt k = 0; k < dim; ++k) {
+    dx[k] = Position_Private(side, f, j)[k] - Position_Private(side, f, i)[k];
+    dn[k] = m[k] - n[k];
+  }
+  along  = Dot_Private(dim, dx, n);
+  across = Dot_Private(dim, dn, n);
+  for (PetscInt k = 0; k < dim; ++k) {
+    dx[k] -= along * n[k];
+    dn[k] -= across * n[k];
+    most = PetscMax(most, PetscAbsReal(dn[k]));
+  }
+  square = Dot_Private(dim, dx, dx);
+  for (PetscInt k = 0; k < dim * dim && square > 0; ++k) {
+    sums[k] += dx[k / dim] * dx[k % dim] / square;
+    if (most > FLAT) sums[dim * dim + k] += dn[k / dim] * dx[k % dim] / square;
+  }
+}
+
+/* Eigenvector of the larger eigenvalue of a symmetric matrix of the plane; its smaller eigenvalue over the larger. */
+static PetscReal Principal_Private(const PetscReal A[4], PetscReal d[2])
+{
+  const PetscReal mean = 0.5 * (A[0] + A[3]), half = 0.5 * (A[0] - A[3]), off = 0.5 * (A[1] + A[2]);
+  const PetscReal radius = PetscSqrtReal(half * half + off * off), angle = 0.5 * PetscAtan2Real(off, half);
+
+  d[0] = PetscCosReal(angle);
+  d[1] = PetscSinReal(angle);
+  return mean + radius > 0 ? (mean - radius) / (mean + radius) : 0;
+}
+
+/* S with S dx = dn for all neighbours in the mean; along a line of them alone where there are no others. Returns whether there are.
+   [in] sums - [2][dim][dim]; [out] S - [dim][dim] */
+static PetscBool FitCurvature_Private(PetscInt dim, const PetscReal n[], const PetscReal sums[], PetscReal S[])
+{
+  PetscReal Q[9], X[4] = {0}, N[4] = {0}, T[4] = {0}, d[2];
+  PetscBool full = PETSC_TRUE;
+
+  FrameFromNormal(dim, n, Q);
+  for (PetscInt a = 0; a < dim - 1; ++a) {
+    for (PetscInt b = 0; b < dim - 1; ++b) {
+      for (PetscInt k = 0; k < dim * dim; ++k) {
+        const PetscReal q = Q[(1 + a) * dim + k / dim] * Q[(1 + b) * dim + k % dim];
+
+        X[2 * a + b] += q * sums[k];
+        N[2 * a + b] += q * sums[dim * dim + k];
+      }
+    }
+  }
+  if (dim == 2) {
+    full = (PetscBool)(X[0] > 0);
+    T[0] = full ? N[0] / X[0] : 0;
+  } else if (Principal_Private(X, d) < ON_A_LINE) {
+    const PetscReal size = X[0] + X[3], s[2] = {N[0] * d[0] + N[1] * d[1], N[2] * d[0] + N[3] * d[1]};
+
+    full = PETSC_FALSE;
+    for (PetscInt k = 0; k < 4 && size > 0; ++k) T[k] = (s[0] * d[0] + s[1] * d[1]) / size * d[k / 2] * d[k % 2];
+  } else {
+    const PetscReal det = X[0] * X[3] - X[1] * X[2];
+
+    T[0] = (N[0] * X[3] - N[1] * X[2]) / det;
+    T[3] = (N[3] * X[0] - N[2] * X[1]) / det;
+    T[1] = T[2] = 0.5 * (N[1] * X[0] - N[0] * X[1] + N[2] * X[3] - N[3] * X[2]) / det;
+  }
+  for (PetscInt k = 0; k < dim * dim; ++k) {
+    S[k] = 0;
+    for (PetscInt a = 0; a < (dim - 1) * (dim - 1); ++a)
+      S[k] += T[2 * (a / (dim - 1)) + a % (dim - 1)] * Q[(1 + a / (dim - 1)) * dim + k / dim] *
+              Q[(1 + a % (dim - 1)) * dim + k % dim];
+  }
+  return full;
+}
+
+/* Curvatures of all corners. Collective. [in] inner - from inner nodes of patches alone; [out] known - 1 where they are in all
+   directions [num][F], or NULL */
+static PetscErrorCode SetCurvatures_Private(Side *side, PetscBool inner, PetscReal known[])
+{
+  const PetscInt dim = side->level->dim;
+  PetscReal     *sums;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(side->facets->num * F * 2 * dim * dim, &sums));
+  for (PetscInt f = 0; f < side->facets->num; ++f) {
+    const PetscInt n = ElementNumNodes(side->facets->type[f]);
+
+    for (PetscInt i = 0; i < n; ++i) {
+      for (PetscInt j = 0; j < n; ++j) {
+        if (i == j || (inner && side->share[f * F + j] < INNER)) continue;
+        AddNeighbour_Private(side, f, i, j, &sums[(f * F + i) * 2 * dim * dim]);
+      }
+    }
+  }
+  PetscCall(SumAtNodes_Private(side, 2 * dim * dim, side->shape->ridge, sums));
+  for (PetscInt f = 0; f < side->facets->num; ++f) {
+    for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); ++i) {
+      const PetscInt  c    = f * F + i;
+      const PetscBool full = FitCurvature_Private(dim, &side->shape->normal[c * dim], &sums[c * 2 * dim * dim],
+                                                  &side->shape->curvature[c * dim * dim]);
+
+      if (known) known[c] = full && side->share[c] >= INNER ? 1 : 0;
+    }
+  }
+  PetscCall(PetscFree(sums));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The normal at corner i as its neighbour j has it: turned by the curvature, or else mirrored at the plane between them. Both are
+   exact on circles and spheres, and the first on cylinders. Returns whether it turns at all. */
+static PetscBool TurnNormal_Private(const Side *side, PetscInt f, PetscInt i, PetscInt j, PetscBool known,
+                                    PetscReal n[])
+{
+  const PetscInt   dim = side->level->dim;
+  const PetscReal *m = &side->shape->normal[(f * F + j) * dim], *S = &side->shape->curvature[(f * F + j) * dim * dim];
+  PetscReal        dx[3] = {0}, t[3] = {0}, square, along;
+
+  for (PetscInt k = 0; k < dim; ++k) dx[k] = Position_Private(side, f, i)[k] - Position_Private(side, f, j)[k];
+  for (PetscInt k = 0; k < dim * dim; ++k) t[k / dim] += S[k] * dx[k % dim];
+  square = Dot_Private(dim, t, t);
+  along  = Dot_Private(dim, m, dx) / Dot_Private(dim, dx, dx);
+  for (PetscInt k = 0; k < dim; ++k)
+    n[k] = known && square < 1 ? t[k] + PetscSqrtReal(1 - square) * m[k] : m[k] - 2 * along * dx[k];
+  return (PetscBool)(PetscMax(square, PetscSqr(along) * Dot_Private(dim, dx, dx)) > FLAT * FLAT);
+}
+
+/* Normals at the ends of patches of first order, where facets on one side alone would tilt them: from neighbours that have more
+   around them. Collective. [in] least, most - share of those ends; known - of curvatures [num][F] */
+static PetscErrorCode SetEnds_Private(Side *side, PetscReal least, PetscReal most, const PetscReal known[])
+{
+  const PetscInt dim = side->level->dim;
+  PetscReal     *normals, n[3];
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(side->facets->num * F * dim, &normals));
+  for (PetscInt f = 0; f < side->facets->num; ++f) {
+    const PetscInt num = ElementNumNodes(side->facets->type[f]);
+
+    if (ElementOrder(side->facets->type[f]) > 1) continue;
+    for (PetscInt i = 0; i < num; ++i) {
+      const PetscReal share = side->share[f * F + i];
+
+      if (share < least || share >= most) continue;
+      for (PetscInt j = 0; j < num; ++j) {
+        if (side->share[f * F + j] < share + FULLER) continue;
+        if (known[f * F + j] == 0 && (i + 2) % 4 == j && num == 4) continue; // no mirror across a quad
+        if (!TurnNormal_Private(side, f, i, j, (PetscBool)(known[f * F + j] > 0), n)) continue;
+        for (PetscInt k = 0; k < dim; ++k) normals[(f * F + i) * dim + k] += n[k];
+      }
+    }
+  }
+  PetscCall(SumAtNodes_Private(side, dim, side->shape->ridge, normals));
+  for (PetscInt c = 0; c < side->facets->num * F; ++c) {
+    if (FrameNormalize(dim, &normals[c * dim]) > 0)
+      PetscCall(PetscArraycpy(&side->shape->normal[c * dim], &normals[c * dim], dim));
+  }
+  PetscCall(PetscFree(normals));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether facets of one patch meet at an angle, or are curved, anywhere. Collective. */
+static PetscErrorCode Turns_Private(const Side *side, PetscBool *turns)
+{
+  const PetscInt dim = side->level->dim;
+
+  PetscFunctionBeginUser;
+  *turns = PETSC_FALSE;
+  for (PetscInt f = 0; f < side->facets->num; ++f) {
+    for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); ++i) {
+      PetscReal unit[3], own[3];
+
+      PetscCall(PetscArraycpy(unit, &side->weighted[(f * F + i) * dim], dim));
+      PetscCall(PetscArraycpy(own, &side->weighted[f * F * dim], dim));
+      FrameNormalize(dim, unit);
+      FrameNormalize(dim, own);
+      for (PetscInt k = 0; k < dim; ++k) {
+        const PetscReal normal = side->shape->normal[(f * F + i) * dim + k];
+        if (PetscAbsReal(unit[k] - normal) > FLAT || PetscAbsReal(unit[k] - own[k]) > FLAT) *turns = PETSC_TRUE;
+      }
+    }
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, turns, 1, MPIU_BOOL, MPI_LOR, side->level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, SideShape *shape)
+{
+  const PetscInt dim = level->dim, num = facets->num * F;
+  Side           side = {.level = level, .facets = facets, .shape = shape};
+  PetscReal     *known;
+  PetscBool      turns;
+
+  PetscFunctionBeginUser;
+  shape->num = facets->num;
+  PetscCall(PetscCalloc3(num * dim, &shape->normal, num * dim * dim, &shape->curvature, num, &shape->ridge));
+  PetscCall(PetscCalloc3(num * dim, &side.weighted, num, &side.share, num, &known));
+  SetCorners_Private(&side);
+  PetscCall(PetscArraycpy(shape->normal, side.weighted, num * dim));
+  PetscCall(SumAtNodes_Private(&side, dim, NULL, shape->normal));
+  for (PetscInt c = 0; c < num; ++c) FrameNormalize(dim, &shape->normal[c * dim]);
+  PetscCall(SplitPatches_Private(&side));
+  PetscCall(Turns_Private(&side, &turns));
+  if (turns) {
+    PetscCall(SumAtNodes_Private(&side, 1, shape->ridge, side.share));
+    PetscCall(SetCurvatures_Private(&side, PETSC_TRUE, known));
+    PetscCall(SetEnds_Private(&side, END, INNER, known));
+    PetscCall(SetEnds_Private(&side, 0, END, known));
+    PetscCall(SetCurvatures_Private(&side, PETSC_FALSE, NULL));
+  }
+  PetscCall(PetscFree3(side.weighted, side.share, known));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SideShapeDestroy(SideShape *shape)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree3(shape->normal, shape->curvature, shape->ridge));
+  shape->num = 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SideShapeIsCurved(const Level *level, const Facets *facets, const SideShape *shape, PetscBool *curved)
+{
+  const PetscInt dim = level->dim;
+
+  PetscFunctionBeginUser;
+  *curved = PETSC_FALSE;
+  for (PetscInt c = 0; c < facets->num * F * dim * dim; ++c) *curved = (PetscBool)(*curved || shape->curvature[c] != 0);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, curved, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

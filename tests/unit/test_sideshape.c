@@ -1,0 +1,154 @@
+/* test_sideshape.c -- normals and curvatures of circles, cylinders and spheres cut into facets, up to their ends, and at edges. */
+#include "solid_scene.h"
+#include <mortise/compat.h>
+#include <mortise/sideshape.h>
+
+enum { F = ELEMENT_MAX_FACET_NODES };
+
+static const PetscReal EXACT = 1e-12;
+
+/* Largest errors over all corners: of the normal against x / |x| across an axis, of the curvature against (1 - n n' - a a') / R. */
+typedef struct {
+  PetscReal normal, curvature;
+  PetscInt  ridges;
+} Errors;
+
+/* [in] axis - unit, or zero for a sphere; [in] sign - 1 for a convex side */
+static Errors MeasureRound(TestScene *t, PetscInt dim, const char side[], const PetscReal axis[], PetscReal sign)
+{
+  Mesh      mesh   = TestSceneMesh(t);
+  Level    *level  = MeshFinest(mesh);
+  Errors    errors = {0, 0, 0};
+  Facets    facets;
+  SideShape shape;
+
+  CHECK(!LevelGetFacets(level, &t->scene, 0, side, &facets));
+  CHECK(!SideShapeCreate(level, &facets, &shape));
+  for (PetscInt f = 0; f < facets.num; ++f) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); ++i) {
+      const PetscReal *x = &level->coords[facets.nodes[f * F + i] * dim], *n = &shape.normal[(f * F + i) * dim];
+      PetscReal        r[3], R = 0, along = 0;
+
+      for (PetscInt k = 0; k < dim; ++k) along += x[k] * axis[k];
+      for (PetscInt k = 0; k < dim; ++k) {
+        r[k] = x[k] - along * axis[k];
+        R += r[k] * r[k];
+      }
+      R = PetscSqrtReal(R);
+      for (PetscInt k = 0; k < dim; ++k) errors.normal = PetscMax(errors.normal, PetscAbsReal(n[k] - sign * r[k] / R));
+      for (PetscInt k = 0; k < dim * dim; ++k) {
+        const PetscInt  a = k / dim, b = k % dim;
+        const PetscReal S = sign * ((a == b ? 1 : 0) - r[a] * r[b] / (R * R) - axis[a] * axis[b]) / R;
+
+        errors.curvature = PetscMax(errors.curvature, PetscAbsReal(shape.curvature[(f * F + i) * dim * dim + k] - S));
+      }
+      if (shape.ridge[f * F + i] != 0) ++errors.ridges;
+    }
+  }
+  CHECK(!SideShapeDestroy(&shape));
+  CHECK(!FacetsDestroy(&facets));
+  CHECK(!MeshDestroy(&mesh));
+  CHECK(!MPI_Allreduce(MPI_IN_PLACE, &errors.normal, 1, MPIU_REAL, MPIU_MAX, PETSC_COMM_WORLD));
+  CHECK(!MPI_Allreduce(MPI_IN_PLACE, &errors.curvature, 1, MPIU_REAL, MPIU_MAX, PETSC_COMM_WORLD));
+  CHECK(!MPI_Allreduce(MPI_IN_PLACE, &errors.ridges, 1, MPIU_INT, MPI_SUM, PETSC_COMM_WORLD));
+  return errors;
+}
+
+/* An arc of unequal segments, convex and concave. */
+static void TestCircle(void)
+{
+  const PetscReal none[3] = {0, 0, 0};
+  TestScene       t;
+  Errors          errors;
+
+  TestSceneInit(&t);
+  (void)TestSceneAddBox(&t, "ring", 2, 7, 2, 0, 3, 1);
+  (void)TestSceneAddPair(&t, "outer", 0, "right", 0, "left");
+  TestSceneSetMap(&t.bodies[0], "x*cos(y+0.2*y^2),x*sin(y+0.2*y^2)");
+  for (PetscInt inner = 0; inner < 2; ++inner) {
+    errors = MeasureRound(&t, 2, inner ? "left" : "right", none, inner ? -1 : 1);
+    CHECK_NEAR(errors.normal, 0, EXACT);
+    CHECK_NEAR(errors.curvature, 0, EXACT);
+    CHECK(errors.ridges == 0);
+  }
+  TestSceneFree(&t);
+}
+
+/* A part of a cylinder and of a sphere, as quads with unequal edges; one facet wide, too. */
+static void TestSolids(void)
+{
+  const char *ball =
+      "z*tan(x)/sqrt(1+tan(x)^2+tan(y)^2), z*tan(y)/sqrt(1+tan(x)^2+tan(y)^2), z/sqrt(1+tan(x)^2+tan(y)^2)";
+  const PetscReal lower[3] = {-0.4, -0.3, 1}, upper[3] = {0.4, 0.5, 2}, axis[2][3] = {{0, 1, 0}, {0, 0, 0}};
+  const PetscInt  faces[2][3] = {{5, 1, 1}, {6, 5, 1}};
+
+  for (PetscInt sphere = 0; sphere < 2; ++sphere) {
+    TestScene t;
+    Errors    errors;
+
+    SolidSceneInit(&t);
+    (void)SolidSceneAddBox(&t, "part", faces[sphere], lower, upper);
+    (void)TestSceneAddPair(&t, "outer", 0, "top", 0, "bottom");
+    CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-map", sphere ? ball : "z*sin(x), y, z*cos(x)", 3, PETSC_FALSE,
+                            &t.bodies[0].map));
+    errors = MeasureRound(&t, 3, "top", axis[sphere], 1);
+    CHECK_NEAR(errors.normal, 0, EXACT);
+    CHECK_NEAR(errors.curvature, 0, EXACT);
+    errors = MeasureRound(&t, 3, "bottom", axis[sphere], -1);
+    CHECK_NEAR(errors.normal, 0, EXACT);
+    CHECK_NEAR(errors.curvature, 0, EXACT);
+    TestSceneFree(&t);
+  }
+}
+
+/* Two sides of a box as one: each facet has the normal of its own side, exactly flat; the edge between them is a convex ridge. */
+static void TestEdge(void)
+{
+  TestScene t;
+  Mesh      mesh;
+  Level    *level;
+  Facets    facets;
+  SideShape shape;
+  PetscInt  ridges = 0;
+  PetscBool curved;
+
+  TestSceneInit(&t);
+  (void)TestSceneAddBox(&t, "box", 3, 4, 0, 0, 1, 1);
+  (void)TestSceneAddPair(&t, "corner", 0, "top+right", 0, "left");
+  mesh  = TestSceneMesh(&t);
+  level = MeshFinest(mesh);
+  CHECK(!LevelGetFacets(level, &t.scene, 0, "top+right", &facets));
+  CHECK(!SideShapeCreate(level, &facets, &shape));
+  for (PetscInt f = 0; f < facets.num; ++f) {
+    const PetscReal *a = &level->coords[2 * facets.nodes[f * F]], *b = &level->coords[2 * facets.nodes[f * F + 1]];
+    const PetscBool  top = (PetscBool)(a[1] == b[1]);
+
+    for (PetscInt i = 0; i < 2; ++i) {
+      const PetscReal *x = i ? b : a, *n = &shape.normal[(f * F + i) * 2];
+
+      CHECK_NEAR(n[0], top ? 0 : 1, EXACT);
+      CHECK_NEAR(n[1], top ? 1 : 0, EXACT);
+      CHECK(shape.ridge[f * F + i] == (x[0] == 1 && x[1] == 1 ? 1 : 0));
+      ridges += shape.ridge[f * F + i] != 0;
+    }
+  }
+  CHECK_NEAR(Total(ridges), 2, 0);
+  CHECK(!SideShapeIsCurved(level, &facets, &shape, &curved));
+  CHECK(!curved);
+  CHECK(!SideShapeDestroy(&shape));
+  CHECK(!FacetsDestroy(&facets));
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
+int main(int argc, char **argv)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
+  PetscCall(FaultInitialize());
+  TestCircle();
+  TestSolids();
+  TestEdge();
+  PetscCall(PetscFinalize());
+  return 0;
+}
