@@ -1,10 +1,11 @@
 /* loads.c -- body forces, tractions and pressures as nodal loads.
 
    Plain numbers are integrated exactly; expressions with LoadDegree_Private(), so that the error of a load is of higher
-   order than that of the discretisation. Sums over facets and cells are taken where they are held, then shared. */
+   order than that of the discretisation, and anew where they have jumps or kinks (loadrefine.c). Sums over facets and cells
+   are taken where they are held, then shared. */
 #include <mortise/compat.h>
-#include "cellforce.h"
 #include "loads.h"
+#include "loadterm.h"
 
 /* The degree of a constant body force: shape functions of order p times det J of degree dim p - 1 in each coordinate. */
 static PetscInt ConstantDegree_Private(PetscInt dim, PetscInt order)
@@ -25,94 +26,180 @@ static PetscInt FacetDegree_Private(PetscInt order)
   return 4 * order + 3;
 }
 
-/* Adds a body's force per volume on this rank's cells. [in,out] fa - [num_nodes][dim] */
-static PetscErrorCode AddBodyForce_Private(Scene scene, Level *level, PetscInt body, PetscScalar fa[])
+void LoadElementSet(const LoadTerm *term, PetscInt e, LoadElement *element)
 {
-  const Expression force    = scene->bodies[body].body_force;
-  const PetscInt   dim      = level->dim;
-  const PetscBool  constant = ExpressionIsConstant(force);
-  PetscReal        fe[3 * ELEMENT_MAX_NODES];
+  const PetscInt dim = term->dim;
 
-  PetscFunctionBeginUser;
-  for (PetscInt c = 0; c < level->num_cells; c++) {
-    const ElementType type  = (ElementType)level->cell_type[c];
-    const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]], nn = ElementNumNodes(type),
-                   order = ElementOrder(type);
-    const PetscInt degree =
-        (constant ? ConstantDegree_Private(dim, order) : LoadDegree_Private(order)) + SceneMeasureDegree(scene, order);
-    if (level->cell_body[c] != body) continue;
-    PetscCall(CellForceIntegrate(scene, level, c, degree, fe));
-    for (PetscInt i = 0; i < nn; i++) {
-      for (PetscInt k = 0; k < dim; k++) fa[nodes[i] * dim + k] += fe[i * dim + k];
-    }
+  element->term      = term;
+  element->type      = term->type[e];
+  element->nodes     = term->nodes[e];
+  element->num_nodes = ElementNumNodes(element->type);
+  for (PetscInt i = 0; i < element->num_nodes; i++) {
+    for (PetscInt k = 0; k < dim; k++) element->X[i * dim + k] = term->level->coords[element->nodes[i] * dim + k];
   }
-  PetscCall(ExpressionCheck(level->comm, force));
-  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Force per area of one boundary datum at x, where nu is the outward unit normal. */
-static PetscErrorCode BoundaryTraction_Private(const SceneBoundary *boundary, PetscInt dim, const PetscReal x[],
-                                               const PetscReal nu[], PetscReal t[])
+PetscErrorCode LoadElementValue(const LoadElement *element, const PetscReal xi[], PetscReal weight, PetscReal value[])
 {
+  const LoadTerm *term = element->term;
+  const PetscInt  dim  = term->dim;
+  PetscReal       phi[ELEMENT_MAX_NODES], x[3], nu[3], t[3], dx;
+
   PetscFunctionBeginUser;
-  PetscCall(ExpressionEvaluate(boundary->value, dim, x, t));
-  if (boundary->kind == BOUNDARY_PRESSURE) {
+  if (term->on_facets) dx = weight * ElementSurface(element->type, element->X, xi, x, phi, nu);
+  else dx = weight * ElementMap(element->type, element->X, xi, x, phi, NULL);
+  dx *= SceneMeasure(term->scene, x);
+  PetscCall(ExpressionEvaluate(term->value, dim, x, t));
+  if (term->pressure) {
     const PetscReal p = t[0];
     for (PetscInt k = 0; k < dim; k++) t[k] = -p * nu[k];
   }
+  for (PetscInt i = 0; i < element->num_nodes; i++) {
+    for (PetscInt k = 0; k < dim; k++) value[i * dim + k] = dx * phi[i] * t[k];
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds a traction or pressure on one side. [in,out] fa - [num_nodes][dim] */
-static PetscErrorCode AddSideLoad_Private(Scene scene, Level *level, PetscInt body, const SceneBoundary *boundary,
-                                          PetscScalar fa[])
+PetscErrorCode LoadElementIntegrate(const LoadElement *element, PetscReal fe[])
 {
-  const PetscInt dim = level->dim;
-  PetscReal      xi[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_FACET_NODES], x[3], nu[3], t[3];
-  PetscReal      X[3 * ELEMENT_MAX_FACET_NODES];
-  Facets         facets;
+  const LoadTerm *term  = element->term;
+  const PetscInt  dim   = term->dim, inner = ElementDim(element->type), n = element->num_nodes * dim;
+  const PetscInt  order = ElementOrder(element->type);
+  PetscInt        degree, num;
+  PetscReal points[3 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], value[CUBATURE_MAX_SIZE];
 
   PetscFunctionBeginUser;
-  PetscCall(LevelGetFacets(level, scene, body, boundary->side, &facets));
-  for (PetscInt f = 0; f < facets.num; f++) {
-    const ElementType type  = facets.type[f];
-    const PetscInt   *nodes = &facets.nodes[f * ELEMENT_MAX_FACET_NODES], nn = ElementNumNodes(type),
-                   nq = ElementQuadrature(type, FacetDegree_Private(ElementOrder(type)), xi, w);
-    for (PetscInt i = 0; i < nn; i++) PetscCall(PetscArraycpy(&X[i * dim], &level->coords[nodes[i] * dim], dim));
-    for (PetscInt q = 0; q < nq; q++) {
-      const PetscReal size = w[q] * ElementSurface(type, X, &xi[q * (dim - 1)], x, phi, nu),
-                      wq   = size * SceneMeasure(scene, x);
-      PetscCall(BoundaryTraction_Private(boundary, dim, x, nu, t));
-      for (PetscInt i = 0; i < nn; i++) {
-        for (PetscInt k = 0; k < dim; k++) fa[nodes[i] * dim + k] += wq * phi[i] * t[k];
-      }
+  if (term->on_facets) degree = FacetDegree_Private(order);
+  else
+    degree = (term->formula ? LoadDegree_Private(order) : ConstantDegree_Private(dim, order)) +
+             SceneMeasureDegree(term->scene, order);
+  num = ElementQuadrature(element->type, degree, points, w);
+  PetscCall(PetscArrayzero(fe, n));
+  for (PetscInt q = 0; q < num; q++) {
+    PetscCall(LoadElementValue(element, &points[q * inner], w[q], value));
+    for (PetscInt i = 0; i < n; i++) fe[i] += value[i];
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void LoadElementAdd(const LoadElement *element, PetscReal scale, const PetscReal fe[], PetscScalar fa[])
+{
+  const PetscInt dim = element->term->dim;
+
+  for (PetscInt i = 0; i < element->num_nodes; i++) {
+    for (PetscInt k = 0; k < dim; k++) fa[element->nodes[i] * dim + k] += scale * fe[i * dim + k];
+  }
+}
+
+void LoadElementSums(const LoadElement *element, const PetscReal fe[], PetscReal sums[])
+{
+  const PetscInt dim = element->term->dim;
+
+  for (PetscInt i = 0; i < element->num_nodes * dim; i++) sums[i % dim] += PetscAbsReal(fe[i]);
+}
+
+/* The facets of a side, or where boundary is NULL the cells of a body. */
+static PetscErrorCode LoadTermCreate_Private(Scene scene, Level *level, PetscInt body, const SceneBoundary *boundary,
+                                             LoadTerm *term)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscMemzero(term, sizeof(*term)));
+  term->scene    = scene;
+  term->level    = level;
+  term->value    = boundary ? boundary->value : scene->bodies[body].body_force;
+  term->pressure = (PetscBool)(boundary && boundary->kind == BOUNDARY_PRESSURE);
+  term->on_facets = (PetscBool)(boundary != NULL);
+  term->formula = (PetscBool)!ExpressionIsConstant(term->value);
+  term->dim      = level->dim;
+  if (boundary) {
+    PetscCall(LevelGetFacets(level, scene, body, boundary->side, &term->facets));
+    term->num = term->facets.num;
+  }
+  for (PetscInt c = 0; !boundary && c < level->num_cells; c++) term->num += level->cell_body[c] == body;
+  PetscCall(PetscMalloc2(term->num, &term->type, term->num, &term->nodes));
+  for (PetscInt f = 0; f < term->facets.num; f++) {
+    term->type[f]  = term->facets.type[f];
+    term->nodes[f] = &term->facets.nodes[f * ELEMENT_MAX_FACET_NODES];
+  }
+  for (PetscInt c = 0, e = 0; !boundary && c < level->num_cells; c++) {
+    if (level->cell_body[c] != body) continue;
+    term->type[e]    = (ElementType)level->cell_type[c];
+    term->nodes[e++] = &level->cell_nodes[level->cell_start[c]];
+  }
+  if (term->formula)
+    PetscCall(PetscCalloc2(term->num * term->dim, &term->own, term->num * term->dim, &term->miss));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode LoadTermDestroy_Private(LoadTerm *term)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree2(term->own, term->miss));
+  PetscCall(PetscFree2(term->type, term->nodes));
+  PetscCall(FacetsDestroy(&term->facets));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* All terms of a scene. [out] terms - owned by the caller, [num] */
+static PetscErrorCode CreateTerms_Private(Scene scene, Level *level, PetscInt *num, LoadTerm **terms)
+{
+  PetscInt room = 0;
+
+  PetscFunctionBeginUser;
+  for (PetscInt b = 0; b < scene->num_bodies; b++) room += 1 + scene->bodies[b].num_boundaries;
+  PetscCall(PetscMalloc1(room, terms));
+  *num = 0;
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
+    const SceneBody *body = &scene->bodies[b];
+    if (body->body_force) PetscCall(LoadTermCreate_Private(scene, level, b, NULL, &(*terms)[(*num)++]));
+    for (PetscInt i = 0; i < body->num_boundaries; i++) {
+      const BoundaryKind kind = body->boundaries[i].kind;
+      if (kind != BOUNDARY_TRACTION && kind != BOUNDARY_PRESSURE) continue;
+      PetscCall(LoadTermCreate_Private(scene, level, b, &body->boundaries[i], &(*terms)[(*num)++]));
     }
   }
-  PetscCall(FacetsDestroy(&facets));
-  PetscCall(ExpressionCheck(level->comm, boundary->value));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds a term by the rule for smooth loads. [in,out] fa - [num_nodes][dim] */
+static PetscErrorCode AddTerm_Private(LoadTerm *term, PetscScalar fa[])
+{
+  LoadElement element;
+  PetscReal   fe[CUBATURE_MAX_SIZE];
+
+  PetscFunctionBeginUser;
+  for (PetscInt e = 0; e < term->num; e++) {
+    LoadElementSet(term, e, &element);
+    PetscCall(LoadElementIntegrate(&element, fe));
+    LoadElementAdd(&element, 1., fe, fa);
+    if (term->formula) PetscCall(LoadElementCheck(&element, e, fe));
+    else LoadElementSums(&element, fe, term->total);
+  }
+  for (PetscInt i = 0; term->formula && i < term->num * term->dim; i++) term->total[i % term->dim] += term->own[i];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode LoadsAssemble(Scene scene, Level *level, Vec f)
 {
+  LoadTerm    *terms;
   PetscScalar *fa;
+  PetscInt     num;
   Vec          local;
 
   PetscFunctionBeginUser;
+  PetscCall(CreateTerms_Private(scene, level, &num, &terms));
   PetscCall(VecGhostGetLocalForm(f, &local));
   PetscCall(VecZeroEntries(local));
   PetscCall(VecGetArray(local, &fa));
-  for (PetscInt b = 0; b < scene->num_bodies; b++) {
-    const SceneBody *body = &scene->bodies[b];
-    if (body->body_force) PetscCall(AddBodyForce_Private(scene, level, b, fa));
-    for (PetscInt i = 0; i < body->num_boundaries; i++) {
-      const BoundaryKind kind = body->boundaries[i].kind;
-      if (kind != BOUNDARY_TRACTION && kind != BOUNDARY_PRESSURE) continue;
-      PetscCall(AddSideLoad_Private(scene, level, b, &body->boundaries[i], fa));
-    }
-  }
+  for (PetscInt i = 0; i < num; i++) PetscCall(AddTerm_Private(&terms[i], fa));
+  PetscCall(LoadTermsRefine(level, num, terms, fa));
   PetscCall(VecRestoreArray(local, &fa));
   PetscCall(VecGhostRestoreLocalForm(f, &local));
   PetscCall(LevelShareVec(f, ADD_VALUES));
+  for (PetscInt i = 0; i < num; i++) {
+    PetscCall(ExpressionCheck(level->comm, terms[i].value));
+    PetscCall(LoadTermDestroy_Private(&terms[i]));
+  }
+  PetscCall(PetscFree(terms));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,6 +1,7 @@
 # Floor 1 needs nothing below it: plain arrays on one rank.
 mortise_unit(element ROOMS kernel)
 mortise_unit(piece ROOMS kernel)
+mortise_unit(cubature ROOMS kernel)
 mortise_unit(stiffness ROOMS kernel)
 mortise_unit(dilatation ROOMS kernel)
 mortise_unit(solid ROOMS kernel)

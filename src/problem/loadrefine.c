@@ -1,0 +1,345 @@
+/* loadrefine.c -- loads given by formulas with jumps and kinks inside facets and cells.
+
+   A second rule, whose points reach the vertices, tells where a formula is not smooth. Only these elements are integrated anew, by
+   nested integrals that are cut at jumps and kinks (cubature.h). A curve may cross a facet between the points of both rules
+   and then cross its neighbour's as well: neighbours of such elements are looked at more closely. */
+#include <mortise/compat.h>
+#include "loadterm.h"
+
+enum {
+  MAX_DIM       = 3,
+  REGULAR_WORK  = 20000000, /* evaluations that all elements of a term may take together */
+  LARGEST_WORK  = 3000000,   /* of one of them */
+  SMALLEST_WORK = 20000
+};
+
+/* Pieces along each coordinate of lines, facets in space or cells in the plane, and cells in space: of all; and of those where two
+   rules differ, to begin with, and their neighbours. What is narrower is not seen. */
+static const PetscInt PIECES[MAX_DIM + 1] = {0, 8, 2, 1}, ROUGH_PIECES[MAX_DIM + 1] = {0, 8, 8, 2},
+                      NEIGHBOUR_PIECES[MAX_DIM + 1] = {0, 8, 8, 4};
+
+/* What two rules may differ by, relative to the load on an element or to its share in the load of its datum: a tenth of what totals
+   are promised to. */
+static const PetscReal ACCURACY = 1e-11, PROMISED = 1e-10;
+/* A component of a load is compared with no less than this part of the largest one of the scene: what is less by so much more may be
+   the rounding of sin(pi). */
+static const PetscReal NEGLIGIBLE = 1e-5;
+/* Elements that would take too long are integrated to tolerances this much coarser, and then finer ones. */
+static const PetscReal COARSEST = 1e8, FINER = 1e-2;
+/* Roundings of coordinates that points keep away from vertices. */
+static const PetscReal ROUNDINGS = 32., LEAST_INSET = 1e-13, LARGEST_INSET = 1e-6;
+
+/* What a term is measured by, the same on all ranks. */
+typedef struct {
+  PetscReal scale[MAX_DIM]; /* of each component's total */
+  PetscReal num;            /* elements */
+} Measure;
+
+static PetscErrorCode Integrand_Private(void *ctx, const PetscReal xi[], PetscReal value[])
+{
+  PetscFunctionBeginUser;
+  PetscCall(LoadElementValue((const LoadElement *)ctx, xi, 1., value));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A vertex is known to within the rounding of its coordinates; on which side of a jump that lies there is not. */
+static PetscReal Inset_Private(const LoadElement *element)
+{
+  const PetscInt dim = element->term->dim, num = ElementNumNodes(ElementLinear(element->type));
+  PetscReal      largest = 0., shortest = PETSC_MAX_REAL;
+
+  for (PetscInt i = 0; i < num; i++) {
+    for (PetscInt k = 0; k < dim; k++) largest = PetscMax(largest, PetscAbsReal(element->X[i * dim + k]));
+    for (PetscInt j = 0; j < i; j++) {
+      PetscReal distance = 0.;
+      for (PetscInt k = 0; k < dim; k++)
+        distance = PetscMax(distance, PetscAbsReal(element->X[i * dim + k] - element->X[j * dim + k]));
+      shortest = PetscMin(shortest, distance);
+    }
+  }
+  return PetscMin(PetscMax(ROUNDINGS * PETSC_MACHINE_EPSILON * largest / shortest, LEAST_INSET), LARGEST_INSET);
+}
+
+/* An element's cubature, without a tolerance. */
+static Cubature CubatureOf_Private(const LoadElement *element, PetscInt pieces)
+{
+  return (Cubature){.type      = element->type,
+                    .size      = element->num_nodes * element->term->dim,
+                    .integrand = Integrand_Private,
+                    .ctx       = (void *)element,
+                    .inset     = Inset_Private(element),
+                    .pieces    = pieces};
+}
+
+/* Largest difference of two loads in each component. [in] n - [num_nodes][dim]; [out] miss - [dim] */
+static void Difference_Private(PetscInt n, PetscInt dim, const PetscReal a[], const PetscReal b[], PetscReal miss[])
+{
+  for (PetscInt k = 0; k < dim; k++) miss[k] = 0.;
+  for (PetscInt i = 0; i < n; i++) miss[i % dim] = PetscMax(miss[i % dim], PetscAbsReal(a[i] - b[i]));
+}
+
+PetscErrorCode LoadElementCheck(const LoadElement *element, PetscInt e, const PetscReal fe[])
+{
+  const LoadTerm *term     = element->term;
+  const PetscInt  dim      = term->dim;
+  Cubature        cubature = CubatureOf_Private(element, PIECES[ElementDim(element->type)]);
+  PetscReal      *own = &term->own[e * dim], other[CUBATURE_MAX_SIZE], sums[2][MAX_DIM] = {{0.}};
+
+  PetscFunctionBeginUser;
+  PetscCall(CubatureLobatto(&cubature, other));
+  LoadElementSums(element, fe, sums[0]);
+  LoadElementSums(element, other, sums[1]);
+  for (PetscInt k = 0; k < dim; k++) own[k] = PetscMax(sums[0][k], sums[1][k]);
+  Difference_Private(cubature.size, dim, fe, other, &term->miss[e * dim]);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Totals over all ranks. Components of a pressure have the scale of all of them. [out] measures - [num] */
+static PetscErrorCode MeasureTerms_Private(MPI_Comm comm, PetscInt num, const LoadTerm terms[], Measure measures[])
+{
+  enum { COLUMNS = MAX_DIM + 1 };
+  PetscReal *sums, largest = 0.;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(num * COLUMNS, &sums));
+  for (PetscInt i = 0; i < num; i++) {
+    for (PetscInt k = 0; k < terms[i].dim; k++) sums[i * COLUMNS + (terms[i].pressure ? 0 : k)] += terms[i].total[k];
+    sums[i * COLUMNS + MAX_DIM] = (PetscReal)terms[i].num;
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, (PetscMPIInt)(num * COLUMNS), MPIU_REAL, MPI_SUM, comm));
+  for (PetscInt i = 0; i < num; i++) {
+    for (PetscInt k = 0; k < MAX_DIM; k++) largest = PetscMax(largest, sums[i * COLUMNS + k]);
+  }
+  for (PetscInt i = 0; i < num; i++) {
+    for (PetscInt k = 0; k < MAX_DIM; k++)
+      measures[i].scale[k] =
+          PetscMax(PetscMax(sums[i * COLUMNS + (terms[i].pressure ? 0 : k)], NEGLIGIBLE * largest), PETSC_MIN_REAL);
+    measures[i].num = PetscMax(sums[i * COLUMNS + MAX_DIM], 1.);
+  }
+  PetscCall(PetscFree(sums));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The load on an element in a component; on all of them of a pressure. */
+static PetscReal Own_Private(const LoadTerm *term, PetscInt e, PetscInt component)
+{
+  PetscReal sum = 0.;
+
+  if (!term->pressure) return term->own[e * term->dim + component];
+  for (PetscInt k = 0; k < term->dim; k++) sum += term->own[e * term->dim + k];
+  return sum;
+}
+
+/* Whether two rules differ by more than loads may be wrong by. [in] miss - [dim] */
+static PetscBool Differs_Private(const LoadTerm *term, const Measure *measure, PetscInt e, const PetscReal miss[])
+{
+  for (PetscInt k = 0; k < term->dim; k++) {
+    if (miss[k] > ACCURACY * PetscMax(Own_Private(term, e, k), measure->scale[k] / measure->num)) return PETSC_TRUE;
+  }
+  return PETSC_FALSE;
+}
+
+/* Finds elements where the formula is not smooth; where it is but the rule for loads is too coarse, takes a finer one.
+   [out] pieces - to begin with, 0 where nothing is left to do [term->num]; [in,out] fa */
+static PetscErrorCode FindRough_Private(const LoadTerm *term, const Measure *measure, PetscInt pieces[],
+                                        PetscScalar fa[])
+{
+  PetscReal   fe[CUBATURE_MAX_SIZE], other[CUBATURE_MAX_SIZE], finer[CUBATURE_MAX_SIZE], miss[MAX_DIM];
+  LoadElement element;
+  Cubature    cubature;
+
+  PetscFunctionBeginUser;
+  for (PetscInt e = 0; e < term->num; e++) {
+    pieces[e] = 0;
+    if (!Differs_Private(term, measure, e, &term->miss[e * term->dim])) continue;
+    LoadElementSet(term, e, &element);
+    cubature = CubatureOf_Private(&element, PIECES[ElementDim(element.type)]);
+    PetscCall(CubatureLobatto(&cubature, other));
+    PetscCall(CubatureGauss(&cubature, finer));
+    Difference_Private(cubature.size, term->dim, other, finer, miss);
+    pieces[e] = ROUGH_PIECES[ElementDim(element.type)];
+    if (Differs_Private(term, measure, e, miss)) continue;
+    pieces[e] = 0;
+    PetscCall(LoadElementIntegrate(&element, fe));
+    LoadElementAdd(&element, -1., fe, fa);
+    LoadElementAdd(&element, 1., finer, fa);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Looks more closely at elements that share a node with one where two rules differ. Collective. [in,out] pieces - [term->num] */
+static PetscErrorCode FindNeighbours_Private(const LoadTerm *term, const Measure *measure, PetscInt pieces[])
+{
+  PetscReal    fe[CUBATURE_MAX_SIZE], other[CUBATURE_MAX_SIZE], miss[MAX_DIM];
+  LoadElement  element;
+  PetscScalar *mark;
+  Vec          nodes, local;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(term->level, 1, &nodes));
+  PetscCall(VecGhostGetLocalForm(nodes, &local));
+  PetscCall(VecZeroEntries(local));
+  PetscCall(VecGetArray(local, &mark));
+  for (PetscInt e = 0; e < term->num; e++) {
+    for (PetscInt i = 0; pieces[e] && i < ElementNumNodes(term->type[e]); i++) mark[term->nodes[e][i]] = 1.;
+  }
+  PetscCall(VecRestoreArray(local, &mark));
+  PetscCall(VecGhostRestoreLocalForm(nodes, &local));
+  PetscCall(LevelShareVec(nodes, MAX_VALUES));
+  PetscCall(VecGhostGetLocalForm(nodes, &local));
+  PetscCall(VecGetArray(local, &mark));
+  for (PetscInt e = 0; e < term->num; e++) {
+    PetscBool near = PETSC_FALSE;
+    Cubature  cubature;
+
+    for (PetscInt i = 0; i < ElementNumNodes(term->type[e]); i++)
+      near = (PetscBool)(near || PetscRealPart(mark[term->nodes[e][i]]) > 0.);
+    if (pieces[e] || !near) continue;
+    LoadElementSet(term, e, &element);
+    cubature = CubatureOf_Private(&element, NEIGHBOUR_PIECES[ElementDim(element.type)]);
+    PetscCall(LoadElementIntegrate(&element, fe));
+    PetscCall(CubatureLobatto(&cubature, other));
+    Difference_Private(cubature.size, term->dim, fe, other, miss);
+    if (Differs_Private(term, measure, e, miss)) pieces[e] = cubature.pieces;
+  }
+  PetscCall(VecRestoreArray(local, &mark));
+  PetscCall(VecGhostRestoreLocalForm(nodes, &local));
+  PetscCall(VecDestroy(&nodes));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The integrals over one element, as accurate as its budget allows: to the tolerance at once, or, where that takes too long, to
+   tolerances that fall. [in] tolerance - [dim]; [out] fe - [num_nodes][dim]; [out] miss - what they may be wrong by [dim] */
+static PetscErrorCode IntegrateRough_Private(const LoadElement *element, PetscInt pieces, PetscInt budget,
+                                             const PetscReal tolerance[], PetscReal fe[], PetscReal miss[])
+{
+  const PetscInt dim      = element->term->dim;
+  Cubature       cubature = CubatureOf_Private(element, pieces);
+  PetscReal      scaled[CUBATURE_MAX_SIZE], next[CUBATURE_MAX_SIZE], error;
+
+  PetscFunctionBeginUser;
+  cubature.tolerance = scaled;
+  cubature.budget    = budget;
+  for (PetscInt i = 0; i < cubature.size; i++) scaled[i] = tolerance[i % dim];
+  PetscCall(CubatureAdaptive(&cubature, fe, &error));
+  for (PetscInt k = 0; k < dim; k++) miss[k] = error * tolerance[k];
+  if (cubature.count <= budget) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscReal factor = COARSEST; factor > 1.; factor *= FINER) {
+    for (PetscInt i = 0; i < cubature.size; i++) scaled[i] = factor * tolerance[i % dim];
+    PetscCall(CubatureAdaptive(&cubature, next, &error));
+    if (factor < COARSEST) Difference_Private(cubature.size, dim, fe, next, miss);
+    if (cubature.count > budget) break; /* the one before is the better one */
+    PetscCall(PetscArraycpy(fe, next, cubature.size));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What is not reached in a term. */
+typedef struct {
+  PetscReal miss[MAX_DIM]; /* on all elements */
+  PetscReal worst;         /* on one of them, relative to the scale */
+  PetscReal at[MAX_DIM];   /* its centre */
+} Shortfall;
+
+/* Integrates anew what is not smooth. [in] num_rough - elements on all ranks; [in,out] fa */
+static PetscErrorCode Refine_Private(const LoadTerm *term, const Measure *measure, const PetscInt pieces[],
+                                     PetscReal num_rough, PetscScalar fa[], Shortfall *shortfall)
+{
+  const PetscInt budget = (PetscInt)PetscMax(SMALLEST_WORK, PetscMin(LARGEST_WORK, REGULAR_WORK / num_rough));
+  const PetscInt dim    = term->dim;
+  PetscReal      fe[CUBATURE_MAX_SIZE], tolerance[MAX_DIM], miss[MAX_DIM];
+  LoadElement    element;
+
+  PetscFunctionBeginUser;
+  for (PetscInt e = 0; e < term->num; e++) {
+    PetscReal worst = 0.;
+
+    if (!pieces[e]) continue;
+    LoadElementSet(term, e, &element);
+    PetscCall(LoadElementIntegrate(&element, fe));
+    LoadElementAdd(&element, -1., fe, fa);
+    for (PetscInt k = 0; k < dim; k++)
+      tolerance[k] = ACCURACY * PetscMax(Own_Private(term, e, k), 0.5 * measure->scale[k] / num_rough);
+    PetscCall(IntegrateRough_Private(&element, pieces[e], budget, tolerance, fe, miss));
+    LoadElementAdd(&element, 1., fe, fa);
+    for (PetscInt k = 0; k < dim; k++) {
+      shortfall->miss[k] += miss[k];
+      worst = PetscMax(worst, miss[k] / measure->scale[k]);
+    }
+    if (worst <= shortfall->worst) continue;
+    shortfall->worst = worst;
+    for (PetscInt k = 0; k < dim; k++) {
+      shortfall->at[k] = 0.;
+      for (PetscInt i = 0; i < element.num_nodes; i++) shortfall->at[k] += element.X[i * dim + k] / element.num_nodes;
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Warns where a total is not known as promised. Collective. */
+static PetscErrorCode Warn_Private(const LoadTerm *term, const Measure *measure, Shortfall *shortfall)
+{
+  const MPI_Comm comm  = term->level->comm;
+  PetscReal      worst = shortfall->worst, part = 0.;
+  PetscMPIInt    rank, holder;
+  char           z[32] = "";
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_rank(comm, &rank));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, shortfall->miss, MAX_DIM, MPIU_REAL, MPI_SUM, comm));
+  for (PetscInt k = 0; k < term->dim; k++) part = PetscMax(part, shortfall->miss[k] / measure->scale[k]);
+  if (part <= PROMISED) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPIU_REAL, MPI_MAX, comm));
+  holder = shortfall->worst == worst ? rank : PETSC_MPI_INT_MAX;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &holder, 1, MPI_INT, MPI_MIN, comm));
+  PetscCallMPI(MPI_Bcast(shortfall->at, MAX_DIM, MPIU_REAL, holder, comm));
+  if (term->dim == 3) PetscCall(PetscSNPrintf(z, sizeof(z), ", %g", (double)shortfall->at[2]));
+  PetscCall(PetscFPrintf(comm, stderr,
+                         "mortise: warning: %s jumps or bends within cells: two rules differ by %.1e of its total, most at "
+                         "(%g, %g%s); let edges of the mesh follow it, or refine\n",
+                         ExpressionOption(term->value), (double)part, (double)shortfall->at[0],
+                         (double)shortfall->at[1], z));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Elements of a term on all ranks that are to be integrated anew. Collective. */
+static PetscErrorCode CountRough_Private(const LoadTerm *term, const PetscInt pieces[], PetscReal *num)
+{
+  PetscFunctionBeginUser;
+  *num = 0.;
+  for (PetscInt e = 0; e < term->num; e++) *num += pieces[e] > 0;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, num, 1, MPIU_REAL, MPI_SUM, term->level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode LoadTermsRefine(Level *level, PetscInt num, LoadTerm terms[], PetscScalar fa[])
+{
+  PetscBool formulas = PETSC_FALSE;
+  Measure  *measures;
+  PetscInt *pieces;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < num; i++) formulas = (PetscBool)(formulas || terms[i].formula);
+  if (!formulas) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(num, &measures));
+  PetscCall(MeasureTerms_Private(level->comm, num, terms, measures));
+  for (PetscInt i = 0; i < num; i++) {
+    const LoadTerm *term      = &terms[i];
+    Shortfall       shortfall = {{0.}, 0., {0.}};
+    PetscReal       num_rough;
+
+    if (!term->formula) continue;
+    PetscCall(PetscMalloc1(term->num, &pieces));
+    PetscCall(FindRough_Private(term, &measures[i], pieces, fa));
+    PetscCall(CountRough_Private(term, pieces, &num_rough));
+    if (num_rough > 0.) {
+      if (term->dim > 2 || !term->on_facets) PetscCall(FindNeighbours_Private(term, &measures[i], pieces));
+      PetscCall(CountRough_Private(term, pieces, &num_rough));
+      PetscCall(Refine_Private(term, &measures[i], pieces, num_rough, fa, &shortfall));
+      PetscCall(Warn_Private(term, &measures[i], &shortfall));
+    }
+    PetscCall(PetscFree(pieces));
+  }
+  PetscCall(PetscFree(measures));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

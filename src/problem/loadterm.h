@@ -1,0 +1,52 @@
+/* loadterm.h -- one load datum on the cells or facets of this rank (private to the room). */
+#ifndef MORTISE_LOADTERM_H
+#define MORTISE_LOADTERM_H
+
+#include <mortise/cubature.h>
+#include <mortise/mesh.h>
+
+typedef struct {
+  Scene            scene;
+  Level           *level;
+  Expression       value;
+  PetscBool        pressure;  /* else value is a force per volume or area */
+  PetscBool        on_facets; /* of a side; else on the cells of the body */
+  PetscBool        formula;   /* else plain numbers */
+  PetscInt         dim;
+  Facets           facets; /* of a traction or pressure */
+  PetscInt         num;    /* elements: facets, or cells of the body */
+  ElementType     *type;   /* [num] */
+  const PetscInt **nodes;  /* local nodes of each [num] */
+  PetscReal       *own;    /* sum_i |int phi_i t| by the larger of two rules; formulas only [num][dim] */
+  PetscReal       *miss;   /* largest difference of two rules; formulas only [num][dim] */
+  PetscReal        total[3]; /* of own, on this rank */
+} LoadTerm;
+
+/* An element of a term with what its integrand needs. */
+typedef struct {
+  const LoadTerm *term;
+  ElementType     type;
+  PetscInt        num_nodes;
+  const PetscInt *nodes;
+  PetscReal       X[3 * ELEMENT_MAX_NODES]; /* [num_nodes][dim] */
+} LoadElement;
+
+void LoadElementSet(const LoadTerm *term, PetscInt e, LoadElement *element);
+/* value_i = weight phi_i t dx/dxi at xi, t the force per area or volume. Not collective. [out] value - [num_nodes][dim] */
+PetscErrorCode LoadElementValue(const LoadElement *element, const PetscReal xi[], PetscReal weight, PetscReal value[]);
+/* fe = the integrals over the element by the rule that loads have where they are smooth. Not collective. */
+PetscErrorCode LoadElementIntegrate(const LoadElement *element, PetscReal fe[]);
+/* fa += scale fe. [in] fe - [num_nodes][dim]; [in,out] fa - [level->num_nodes][dim] */
+void LoadElementAdd(const LoadElement *element, PetscReal scale, const PetscReal fe[], PetscScalar fa[]);
+
+/* sums_k += sum_i |fe_ik|. [in] fe - [num_nodes][dim]; [in,out] sums - [dim] */
+void LoadElementSums(const LoadElement *element, const PetscReal fe[], PetscReal sums[]);
+
+/* Compares the integrals of LoadElementIntegrate() over element e with those of a second rule: writes own and miss of the term.
+   Not collective. [in] fe - [num_nodes][dim] */
+PetscErrorCode LoadElementCheck(const LoadElement *element, PetscInt e, const PetscReal fe[]);
+/* Integrates formulas anew where two rules differ, and warns of what is not reached. Collective; own and miss of all elements are set.
+   [in,out] fa - holds the integrals of all elements by LoadElementIntegrate() [level->num_nodes][dim] */
+PetscErrorCode LoadTermsRefine(Level *level, PetscInt num, LoadTerm terms[], PetscScalar fa[]);
+
+#endif

@@ -1,0 +1,108 @@
+/* test_loads.c -- total loads of formulas with jumps and kinks inside facets and cells, by closed formulas. */
+#include <mortise/compat.h>
+#include <mortise/elasticity.h>
+#include "solid_scene.h"
+
+/* What totals are promised to, relative to themselves. */
+static const PetscReal PROMISED = 1e-10;
+
+/* One box with one load. */
+typedef struct {
+  PetscInt    dim, faces[3], order;
+  PetscBool   simplex;
+  ModelKind   model;
+  const char *side; /* of a traction or pressure; NULL for a body force */
+  PetscBool   pressure;
+  const char *value;
+  PetscInt    component;
+  PetscReal   total;
+} Case;
+
+static const Case CASES[] = {
+    /* tractions on one facet and on sixteen; a strip as narrow as 0.003 of a facet; kinks */
+    {2, {1, 1}, 1, PETSC_FALSE, MODEL_PLANE_STRAIN, "top", PETSC_FALSE, "0, (x>0.7) ? -10 : 0", 1, -3.},
+    {2, {16, 16}, 2, PETSC_FALSE, MODEL_PLANE_STRAIN, "top", PETSC_FALSE, "0, (x>0.7) ? -10 : 0", 1, -3.},
+    {2, {1, 1}, 2, PETSC_FALSE, MODEL_PLANE_STRAIN, "top", PETSC_FALSE, "(x>0.997) ? 1 : 0, 5", 0, 0.003},
+    {2, {5, 2}, 1, PETSC_TRUE, MODEL_PLANE_STRAIN, "top", PETSC_FALSE, "0, abs(x-0.7)", 1, 0.29},
+    /* (1 - x^2)^1/2 at the end of a side: a root */
+    {2, {3, 3}, 2, PETSC_FALSE, MODEL_PLANE_STRAIN, "top", PETSC_TRUE, "sqrt(1-x^2)", 1, -PETSC_PI / 4.},
+    /* body forces in the plane: beyond an oblique line, on a disc, on a disc with a kink around it */
+    {2, {1, 1}, 1, PETSC_FALSE, MODEL_PLANE_STRAIN, NULL, PETSC_FALSE, "0, (x+2*y>1.3) ? -10 : 0", 1, -6.},
+    {2, {7, 5}, 2, PETSC_TRUE, MODEL_PLANE_STRAIN, NULL, PETSC_FALSE, "0, (x+2*y>1.3) ? -10 : 0", 1, -6.},
+    {2, {6, 6}, 2, PETSC_FALSE, MODEL_PLANE_STRAIN, NULL, PETSC_FALSE, "((x-.5)^2+(y-.47)^2<.09) ? 2 : 0, 0", 0,
+     0.18 * PETSC_PI},
+    {2, {3, 3}, 1, PETSC_TRUE, MODEL_PLANE_STRAIN, NULL, PETSC_FALSE, "0, max(0, .09-(x-.5)^2-(y-.5)^2)", 1,
+     0.00405 * PETSC_PI},
+    /* rings: the end face beyond r = 0.7, and the volume below z = 0.3 */
+    {2, {4, 4}, 1, PETSC_FALSE, MODEL_AXISYMMETRIC, "top", PETSC_FALSE, "0, (r>0.7) ? 1 : 0", 1, 0.51 * PETSC_PI},
+    {2, {3, 4}, 2, PETSC_FALSE, MODEL_AXISYMMETRIC, NULL, PETSC_FALSE, "0, (y<0.3) ? 1 : 0", 1, 0.3 * PETSC_PI},
+    /* pressure on a disc in space; the same in one facet, and on triangles */
+    {3, {9, 8, 1}, 1, PETSC_FALSE, MODEL_SOLID, "top", PETSC_TRUE, "((x-.5)^2+(y-.47)^2<.09) ? 10 : 0", 2,
+     -0.9 * PETSC_PI},
+    {3, {1, 1, 1}, 2, PETSC_FALSE, MODEL_SOLID, "top", PETSC_TRUE, "((x-.5)^2+(y-.47)^2<.09) ? 10 : 0", 2,
+     -0.9 * PETSC_PI},
+    {3, {4, 4, 1}, 1, PETSC_TRUE, MODEL_SOLID, "top", PETSC_TRUE, "((x-.5)^2+(y-.47)^2<.09) ? 10 : 0", 2,
+     -0.9 * PETSC_PI},
+    /* body forces in space, beyond planes */
+    {3, {2, 2, 4}, 1, PETSC_FALSE, MODEL_SOLID, NULL, PETSC_FALSE, "0, 0, (z>0.7) ? -10 : 0", 2, -3.},
+    {3, {3, 2, 2}, 1, PETSC_FALSE, MODEL_SOLID, NULL, PETSC_FALSE, "0, (x>0.7) ? -10 : 0, 0", 1, -3.},
+    {3, {2, 2, 1}, 2, PETSC_FALSE, MODEL_SOLID, NULL, PETSC_FALSE, "0, 0, (x+2*y>1.3) ? -10 : 0", 2, -6.},
+};
+
+/* The sum of the nodal loads. */
+static PetscReal TotalLoad(TestScene *t, PetscInt component)
+{
+  Mesh        mesh = TestSceneMesh(t);
+  PetscScalar total;
+  Mat         K;
+  Vec         f;
+
+  CHECK(!ElasticityAssemble(&t->scene, MeshFinest(mesh), &K, &f));
+  CHECK(!VecStrideSum(f, component, &total));
+  CHECK(!MatDestroy(&K));
+  CHECK(!VecDestroy(&f));
+  CHECK(!MeshDestroy(&mesh));
+  return PetscRealPart(total);
+}
+
+static void CheckCase(const Case *c)
+{
+  const PetscReal lower[3] = {0, 0, 0}, upper[3] = {1, 1, 1};
+  TestScene       t;
+  SceneBody      *body;
+
+  SolidSceneInit(&t);
+  t.scene.dim   = c->dim;
+  t.scene.model = c->model;
+  body          = SolidSceneAddBox(&t, "body", c->faces, lower, upper);
+  body->order   = c->order;
+  body->simplex = c->simplex;
+  if (c->side) TestSceneAddBoundary(body, c->pressure ? BOUNDARY_PRESSURE : BOUNDARY_TRACTION, c->side, c->value);
+  else CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-force", c->value, c->dim, PETSC_FALSE, &body->body_force));
+  CHECK_NEAR(TotalLoad(&t, c->component), c->total, PROMISED * PetscAbsReal(c->total));
+  CHECK(!ExpressionDestroy(&body->body_force));
+  TestSceneFree(&t);
+}
+
+/* On a side that bends at (2, 0) a pressure beyond x = 1.3, between y = -0.7 and 0.7, pushes along x with this height. */
+static void TestPressureOnCurve(void)
+{
+  TestScene  t;
+  SceneBody *body;
+
+  TestSceneInit(&t);
+  body = TestSceneAddBox(&t, "body", 1, 2, 0, -1, 1, 1);
+  TestSceneSetMap(body, "x*(2-abs(y)), y");
+  TestSceneAddBoundary(body, BOUNDARY_PRESSURE, "right", "(x>1.3) ? 5 : 0"); /* sides (1,-1), (2,0), (1,1) */
+  CHECK_NEAR(TotalLoad(&t, 0), -5 * 1.4, PROMISED * 7);
+  TestSceneFree(&t);
+}
+
+int main(int argc, char **argv)
+{
+  PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(CASES); i++) CheckCase(&CASES[i]);
+  TestPressureOnCurve();
+  PetscCall(PetscFinalize());
+  return 0;
+}
