@@ -18,15 +18,16 @@ typedef struct {
   CubatureFn       integrand;
   void            *ctx;
   const PetscReal *tolerance; /* positive, what each integral may be wrong by [size] */
-  PetscReal        inset;     /* part of a line at both of its ends that has no points; shorter intervals are rounding */
-  PetscInt         pieces;    /* each line is cut into so many to begin with, up to CUBATURE_MAX_PIECES */
-  PetscInt         budget;    /* evaluations that CubatureAdaptive() may take */
-  PetscInt         count;     /* evaluations that it took */
+  PetscReal        inset;  /* part of a line at both of its ends that has no points; shorter intervals are rounding */
+  PetscInt         pieces; /* each line is cut into so many to begin with, up to CUBATURE_MAX_PIECES */
+  PetscInt         budget; /* evaluations that CubatureAdaptive() may take */
+  PetscInt         count;  /* evaluations that it took */
 } Cubature;
 
 /* The integrals by a product of equal rules: Gauss-Legendre with 5 points, exact to degree 9 in each coordinate, or
    Gauss-Lobatto with 5, exact to degree 7, on each of the pieces. Points of the latter reach the vertices of the reference
-   cell, less the inset. On simplices both are exact to one degree less for every coordinate but one.
+   cell, less the inset. On simplices both are exact to one
+   degree less in the plane and two less in space.
    Not collective. [out] value - [size] */
 PetscErrorCode CubatureGauss(Cubature *cubature, PetscReal value[]);
 PetscErrorCode CubatureLobatto(Cubature *cubature, PetscReal value[]);

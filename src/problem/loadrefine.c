@@ -4,19 +4,20 @@
    nested integrals that are cut at jumps and kinks (cubature.h). A curve may cross a facet between the points of both rules
    and then cross its neighbour's as well: neighbours of such elements are looked at more closely. */
 #include <mortise/compat.h>
+#include <mortise/warning.h>
 #include "loadterm.h"
 
 enum {
   MAX_DIM       = 3,
   REGULAR_WORK  = 20000000, /* evaluations that all elements of a term may take together */
-  LARGEST_WORK  = 3000000,   /* of one of them */
+  LARGEST_WORK  = 3000000,  /* of one of them */
   SMALLEST_WORK = 20000
 };
 
 /* Pieces along each coordinate of lines, facets in space or cells in the plane, and cells in space: of all; and of those where two
    rules differ, to begin with, and their neighbours. What is narrower is not seen. */
 static const PetscInt PIECES[MAX_DIM + 1] = {0, 8, 2, 1}, ROUGH_PIECES[MAX_DIM + 1] = {0, 8, 8, 2},
-                      NEIGHBOUR_PIECES[MAX_DIM + 1] = {0, 8, 8, 4};
+                                       NEIGHBOUR_PIECES[MAX_DIM + 1] = {0, 8, 8, 4};
 
 /* What two rules may differ by, relative to the load on an element or to its share in the load of its datum: a tenth of what totals
    are promised to. */
@@ -282,7 +283,10 @@ static PetscErrorCode Warn_Private(const LoadTerm *term, const Measure *measure,
   const MPI_Comm comm  = term->level->comm;
   PetscReal      worst = shortfall->worst, part = 0.;
   PetscMPIInt    rank, holder;
-  char           z[32] = "";
+  Warning        rough = {.code   = "rough_load",
+                          .body   = term->scene->bodies[term->body].name,
+                          .dim    = term->dim,
+                          .advice = "let edges of the mesh follow it, or refine"};
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_rank(comm, &rank));
@@ -293,12 +297,9 @@ static PetscErrorCode Warn_Private(const LoadTerm *term, const Measure *measure,
   holder = shortfall->worst == worst ? rank : PETSC_MPI_INT_MAX;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &holder, 1, MPI_INT, MPI_MIN, comm));
   PetscCallMPI(MPI_Bcast(shortfall->at, MAX_DIM, MPIU_REAL, holder, comm));
-  if (term->dim == 3) PetscCall(PetscSNPrintf(z, sizeof(z), ", %g", (double)shortfall->at[2]));
-  PetscCall(PetscFPrintf(comm, stderr,
-                         "mortise: warning: %s jumps or bends within cells: two rules differ by %.1e of its total, most at "
-                         "(%g, %g%s); let edges of the mesh follow it, or refine\n",
-                         ExpressionOption(term->value), (double)part, (double)shortfall->at[0],
-                         (double)shortfall->at[1], z));
+  for (PetscInt k = 0; k < MAX_DIM; k++) rough.at[k] = shortfall->at[k];
+  PetscCall(WarningAdd(&rough, "%s jumps or bends within cells, and two rules differ by %.1e of its total",
+                       ExpressionOption(term->value), (double)part));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -46,8 +46,10 @@ PetscErrorCode LoadElementValue(const LoadElement *element, const PetscReal xi[]
   PetscReal       phi[ELEMENT_MAX_NODES], x[3], nu[3], t[3], dx;
 
   PetscFunctionBeginUser;
-  if (term->on_facets) dx = weight * ElementSurface(element->type, element->X, xi, x, phi, nu);
-  else dx = weight * ElementMap(element->type, element->X, xi, x, phi, NULL);
+  if (term->on_facets)
+    dx = weight * ElementSurface(element->type, element->X, xi, x, phi, nu);
+  else
+    dx = weight * ElementMap(element->type, element->X, xi, x, phi, NULL);
   dx *= SceneMeasure(term->scene, x);
   PetscCall(ExpressionEvaluate(term->value, dim, x, t));
   if (term->pressure) {
@@ -62,14 +64,15 @@ PetscErrorCode LoadElementValue(const LoadElement *element, const PetscReal xi[]
 
 PetscErrorCode LoadElementIntegrate(const LoadElement *element, PetscReal fe[])
 {
-  const LoadTerm *term  = element->term;
-  const PetscInt  dim   = term->dim, inner = ElementDim(element->type), n = element->num_nodes * dim;
+  const LoadTerm *term = element->term;
+  const PetscInt  dim = term->dim, inner = ElementDim(element->type), n = element->num_nodes * dim;
   const PetscInt  order = ElementOrder(element->type);
   PetscInt        degree, num;
-  PetscReal points[3 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], value[CUBATURE_MAX_SIZE];
+  PetscReal       points[3 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], value[CUBATURE_MAX_SIZE];
 
   PetscFunctionBeginUser;
-  if (term->on_facets) degree = FacetDegree_Private(order);
+  if (term->on_facets)
+    degree = FacetDegree_Private(order);
   else
     degree = (term->formula ? LoadDegree_Private(order) : ConstantDegree_Private(dim, order)) +
              SceneMeasureDegree(term->scene, order);
@@ -104,13 +107,14 @@ static PetscErrorCode LoadTermCreate_Private(Scene scene, Level *level, PetscInt
 {
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(term, sizeof(*term)));
-  term->scene    = scene;
-  term->level    = level;
-  term->value    = boundary ? boundary->value : scene->bodies[body].body_force;
-  term->pressure = (PetscBool)(boundary && boundary->kind == BOUNDARY_PRESSURE);
+  term->scene     = scene;
+  term->level     = level;
+  term->value     = boundary ? boundary->value : scene->bodies[body].body_force;
+  term->pressure  = (PetscBool)(boundary && boundary->kind == BOUNDARY_PRESSURE);
   term->on_facets = (PetscBool)(boundary != NULL);
-  term->formula = (PetscBool)!ExpressionIsConstant(term->value);
-  term->dim      = level->dim;
+  term->formula   = (PetscBool)!ExpressionIsConstant(term->value);
+  term->body      = body;
+  term->dim       = level->dim;
   if (boundary) {
     PetscCall(LevelGetFacets(level, scene, body, boundary->side, &term->facets));
     term->num = term->facets.num;
@@ -126,8 +130,7 @@ static PetscErrorCode LoadTermCreate_Private(Scene scene, Level *level, PetscInt
     term->type[e]    = (ElementType)level->cell_type[c];
     term->nodes[e++] = &level->cell_nodes[level->cell_start[c]];
   }
-  if (term->formula)
-    PetscCall(PetscCalloc2(term->num * term->dim, &term->own, term->num * term->dim, &term->miss));
+  if (term->formula) PetscCall(PetscCalloc2(term->num * term->dim, &term->own, term->num * term->dim, &term->miss));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -172,8 +175,10 @@ static PetscErrorCode AddTerm_Private(LoadTerm *term, PetscScalar fa[])
     LoadElementSet(term, e, &element);
     PetscCall(LoadElementIntegrate(&element, fe));
     LoadElementAdd(&element, 1., fe, fa);
-    if (term->formula) PetscCall(LoadElementCheck(&element, e, fe));
-    else LoadElementSums(&element, fe, term->total);
+    if (term->formula)
+      PetscCall(LoadElementCheck(&element, e, fe));
+    else
+      LoadElementSums(&element, fe, term->total);
   }
   for (PetscInt i = 0; term->formula && i < term->num * term->dim; i++) term->total[i % term->dim] += term->own[i];
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -12,13 +12,13 @@ typedef struct {
   PetscBool        pressure;  /* else value is a force per volume or area */
   PetscBool        on_facets; /* of a side; else on the cells of the body */
   PetscBool        formula;   /* else plain numbers */
-  PetscInt         dim;
-  Facets           facets; /* of a traction or pressure */
-  PetscInt         num;    /* elements: facets, or cells of the body */
-  ElementType     *type;   /* [num] */
-  const PetscInt **nodes;  /* local nodes of each [num] */
-  PetscReal       *own;    /* sum_i |int phi_i t| by the larger of two rules; formulas only [num][dim] */
-  PetscReal       *miss;   /* largest difference of two rules; formulas only [num][dim] */
+  PetscInt         body, dim;
+  Facets           facets;   /* of a traction or pressure */
+  PetscInt         num;      /* elements: facets, or cells of the body */
+  ElementType     *type;     /* [num] */
+  const PetscInt **nodes;    /* local nodes of each [num] */
+  PetscReal       *own;      /* sum_i |int phi_i t| by the larger of two rules; formulas only [num][dim] */
+  PetscReal       *miss;     /* largest difference of two rules; formulas only [num][dim] */
   PetscReal        total[3]; /* of own, on this rank */
 } LoadTerm;
 

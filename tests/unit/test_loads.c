@@ -29,19 +29,59 @@ static const Case CASES[] = {
     /* body forces in the plane: beyond an oblique line, on a disc, on a disc with a kink around it */
     {2, {1, 1}, 1, PETSC_FALSE, MODEL_PLANE_STRAIN, NULL, PETSC_FALSE, "0, (x+2*y>1.3) ? -10 : 0", 1, -6.},
     {2, {7, 5}, 2, PETSC_TRUE, MODEL_PLANE_STRAIN, NULL, PETSC_FALSE, "0, (x+2*y>1.3) ? -10 : 0", 1, -6.},
-    {2, {6, 6}, 2, PETSC_FALSE, MODEL_PLANE_STRAIN, NULL, PETSC_FALSE, "((x-.5)^2+(y-.47)^2<.09) ? 2 : 0, 0", 0,
+    {2,
+     {6, 6},
+     2,
+     PETSC_FALSE,
+     MODEL_PLANE_STRAIN,
+     NULL,
+     PETSC_FALSE,
+     "((x-.5)^2+(y-.47)^2<.09) ? 2 : 0, 0",
+     0,
      0.18 * PETSC_PI},
-    {2, {3, 3}, 1, PETSC_TRUE, MODEL_PLANE_STRAIN, NULL, PETSC_FALSE, "0, max(0, .09-(x-.5)^2-(y-.5)^2)", 1,
+    {2,
+     {3, 3},
+     1,
+     PETSC_TRUE,
+     MODEL_PLANE_STRAIN,
+     NULL,
+     PETSC_FALSE,
+     "0, max(0, .09-(x-.5)^2-(y-.5)^2)",
+     1,
      0.00405 * PETSC_PI},
     /* rings: the end face beyond r = 0.7, and the volume below z = 0.3 */
     {2, {4, 4}, 1, PETSC_FALSE, MODEL_AXISYMMETRIC, "top", PETSC_FALSE, "0, (r>0.7) ? 1 : 0", 1, 0.51 * PETSC_PI},
     {2, {3, 4}, 2, PETSC_FALSE, MODEL_AXISYMMETRIC, NULL, PETSC_FALSE, "0, (y<0.3) ? 1 : 0", 1, 0.3 * PETSC_PI},
     /* pressure on a disc in space; the same in one facet, and on triangles */
-    {3, {9, 8, 1}, 1, PETSC_FALSE, MODEL_SOLID, "top", PETSC_TRUE, "((x-.5)^2+(y-.47)^2<.09) ? 10 : 0", 2,
+    {3,
+     {9, 8, 1},
+     1,
+     PETSC_FALSE,
+     MODEL_SOLID,
+     "top",
+     PETSC_TRUE,
+     "((x-.5)^2+(y-.47)^2<.09) ? 10 : 0",
+     2,
      -0.9 * PETSC_PI},
-    {3, {1, 1, 1}, 2, PETSC_FALSE, MODEL_SOLID, "top", PETSC_TRUE, "((x-.5)^2+(y-.47)^2<.09) ? 10 : 0", 2,
+    {3,
+     {1, 1, 1},
+     2,
+     PETSC_FALSE,
+     MODEL_SOLID,
+     "top",
+     PETSC_TRUE,
+     "((x-.5)^2+(y-.47)^2<.09) ? 10 : 0",
+     2,
      -0.9 * PETSC_PI},
-    {3, {4, 4, 1}, 1, PETSC_TRUE, MODEL_SOLID, "top", PETSC_TRUE, "((x-.5)^2+(y-.47)^2<.09) ? 10 : 0", 2,
+    {3,
+     {4, 4, 1},
+     1,
+     PETSC_TRUE,
+     MODEL_SOLID,
+     "top",
+     PETSC_TRUE,
+     "((x-.5)^2+(y-.47)^2<.09) ? 10 : 0",
+     2,
      -0.9 * PETSC_PI},
     /* body forces in space, beyond planes */
     {3, {2, 2, 4}, 1, PETSC_FALSE, MODEL_SOLID, NULL, PETSC_FALSE, "0, 0, (z>0.7) ? -10 : 0", 2, -3.},
@@ -77,8 +117,10 @@ static void CheckCase(const Case *c)
   body          = SolidSceneAddBox(&t, "body", c->faces, lower, upper);
   body->order   = c->order;
   body->simplex = c->simplex;
-  if (c->side) TestSceneAddBoundary(body, c->pressure ? BOUNDARY_PRESSURE : BOUNDARY_TRACTION, c->side, c->value);
-  else CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-force", c->value, c->dim, PETSC_FALSE, &body->body_force));
+  if (c->side)
+    TestSceneAddBoundary(body, c->pressure ? BOUNDARY_PRESSURE : BOUNDARY_TRACTION, c->side, c->value);
+  else
+    CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-force", c->value, c->dim, PETSC_FALSE, &body->body_force));
   CHECK_NEAR(TotalLoad(&t, c->component), c->total, PROMISED * PetscAbsReal(c->total));
   CHECK(!ExpressionDestroy(&body->body_force));
   TestSceneFree(&t);
