@@ -18,5 +18,8 @@ PetscErrorCode MemoryPeak(MPI_Comm comm, PetscReal *bytes, PetscReal *largest);
 /* Gives freed memory back to the system and lets the peak begin anew at what is held now: for a run among several.
    Collective on comm. [out] done - whether the system can do so; elsewhere the peak stays that of the whole program */
 PetscErrorCode MemoryPeakReset(MPI_Comm comm, PetscBool *done);
+/* Whether the processes of each machine can have so many bytes more together; yes where the system does not tell. Collective on comm.
+   [in] bytes - of this rank; [out] suffices - the same on all ranks */
+PetscErrorCode MemorySuffices(MPI_Comm comm, PetscReal bytes, PetscBool *suffices);
 
 #endif

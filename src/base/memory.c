@@ -78,6 +78,18 @@ static PetscReal PeakFromProc_Private(void)
   return size ? (PetscReal)size * KILOBYTE : NAN;
 }
 
+/* What Linux could give without writing memory to disks; NAN elsewhere. */
+static PetscReal Available_Private(void)
+{
+  FILE         *file = fopen("/proc/meminfo", "r");
+  char          line[256];
+  unsigned long size = 0;
+
+  while (file && !size && fgets(line, sizeof(line), file)) (void)sscanf(line, "MemAvailable: %lu kB", &size);
+  if (file) fclose(file);
+  return size ? (PetscReal)size * KILOBYTE : NAN;
+}
+
 static PetscReal PeakFromUsage_Private(void)
 {
 #ifdef __APPLE__
@@ -117,5 +129,23 @@ PetscErrorCode MemoryPeakReset(MPI_Comm comm, PetscBool *done)
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &ok, 1, MPI_INT, MPI_MIN, comm));
   *done = ok ? PETSC_TRUE : PETSC_FALSE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MemorySuffices(MPI_Comm comm, PetscReal bytes, PetscBool *suffices)
+{
+  struct rlimit   limit;
+  const PetscReal available = Available_Private();
+  PetscReal       together;
+  MPI_Comm        machine;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine));
+  PetscCallMPI(MPI_Allreduce(&bytes, &together, 1, MPIU_REAL, MPI_SUM, machine));
+  PetscCallMPI(MPI_Comm_free(&machine));
+  *suffices = (PetscBool) !(together > available); // nothing is known where that is no number
+  if (!getrlimit(RLIMIT_AS, &limit) && limit.rlim_cur != RLIM_INFINITY && bytes > (PetscReal)limit.rlim_cur)
+    *suffices = PETSC_FALSE;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, suffices, 1, MPIU_BOOL, MPI_LAND, comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

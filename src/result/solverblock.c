@@ -87,6 +87,7 @@ void SolverBlockAdd(const SummaryInput *in, cJSON *root)
   JSONAddInt(solver, "linear_iterations", report->linear_iterations);
   JSONAddReal(solver, "linear_residual", report->linear_residual);
   JSONAddReal(solver, "work_units", report->work > 0 ? report->work : NAN);
+  cJSON_AddBoolToObject(solver, "gave_way", report->gave_way);
   AddReference_Private(report, solver);
   cJSON_AddBoolToObject(solver, "converged", report->converged);
   cJSON_AddBoolToObject(solver, "safeguarded", report->safeguarded);

@@ -31,6 +31,8 @@ PetscErrorCode ActiveSetGather(const ActiveSet *set, Vec v, PetscReal values[]);
 PetscErrorCode ActiveSetScatter(const ActiveSet *set, const PetscReal values[], Vec v);
 /* Makes next the active set and counts what changes. Collective. [in] next - [n]; [out] changed - of all ranks */
 PetscErrorCode ActiveSetReplace(ActiveSet *set, const PetscBool next[], PetscInt *changed);
+/* The bounded unknowns of all ranks, on all of them. Collective. [out] C - owned by the caller [N] */
+PetscErrorCode ActiveSetAll(const ActiveSet *set, PetscInt **C);
 /* A number that tells sets apart. Collective. */
 PetscErrorCode ActiveSetHash(const ActiveSet *set, uint64_t *hash);
 
@@ -63,6 +65,7 @@ PetscErrorCode ActiveSetUpdate(ActiveSet *set, const ActiveSolution *solution, P
 #define FAILURE_MEMORY "the direct solver ran out of memory: try -mat_mumps_icntl_14 100, or -pc_type truncatedmg"
 #define FAILURE_ITERATIVE                                                                                              \
   "the linear solver did not converge: try -pc_type cholesky, which does not iterate, or more -ksp_max_it"
+#define FAILURE_COST "the iteration has cost more than a factorisation would"
 
 /* One way to solve  y_i = value_i where fixed,  (A y - b)_i = 0 elsewhere.  All functions are collective. */
 typedef struct _n_ActiveSolver *ActiveSolver;

@@ -172,6 +172,22 @@ static uint64_t Mix_Private(uint64_t z)
   return z ^ (z >> 31);
 }
 
+PetscErrorCode ActiveSetAll(const ActiveSet *set, PetscInt **C)
+{
+  PetscMPIInt size, n, *counts, *offsets;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_size(set->comm, &size));
+  PetscCall(PetscMPIIntCast(set->n, &n));
+  PetscCall(PetscMalloc2(size, &counts, size, &offsets));
+  PetscCallMPI(MPI_Allgather(&n, 1, MPI_INT, counts, 1, MPI_INT, set->comm));
+  for (PetscMPIInt r = 0, sum = 0; r < size; sum += counts[r++]) offsets[r] = sum;
+  PetscCall(PetscMalloc1(set->N, C));
+  PetscCallMPI(MPI_Allgatherv(set->dof, n, MPIU_INT, *C, counts, offsets, MPIU_INT, set->comm));
+  PetscCall(PetscFree2(counts, offsets));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ActiveSetHash(const ActiveSet *set, uint64_t *hash)
 {
   uint64_t sum = 0;

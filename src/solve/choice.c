@@ -8,6 +8,7 @@
 #include "active.h"
 #include "hierarchy.h"
 #include "multigrid.h"
+#include "patience.h"
 #include "room.h"
 
 /* Unknowns up to which factorisations beat iterating where multigrid has no coarser meshes (2D: triangles from a file, 10 sets: 414000
@@ -72,8 +73,8 @@ static PetscErrorCode CheckBounds_Private(MPI_Comm comm, const char type[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether one factorisation would serve all active sets. */
-static PetscErrorCode Reducible_Private(VI vi, PetscBool *reducible)
+/* Unknowns with bounds, and whether one factorisation would serve all active sets. */
+static PetscErrorCode Reducible_Private(VI vi, PetscInt *num_out, PetscBool *reducible)
 {
   const PetscScalar *upper;
   PetscInt           n, num = 0;
@@ -84,6 +85,7 @@ static PetscErrorCode Reducible_Private(VI vi, PetscBool *reducible)
   for (PetscInt i = 0; i < n; i++) num += PetscRealPart(upper[i]) < PETSC_INFINITY;
   PetscCall(VecRestoreArrayRead(vi->upper, &upper));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &num, 1, MPIU_INT, MPI_SUM, PetscObjectComm((PetscObject)vi->upper)));
+  *num_out   = num;
   *reducible = (PetscBool)(num <= ACTIVE_MAX_REDUCED);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -130,9 +132,10 @@ static PetscErrorCode LargestDirect_Private(VI vi, const char snes[], PetscInt *
 {
   const PetscBool solid = (PetscBool)(vi->level->dim == 3), pdas = (PetscBool)!strcmp(snes, SNESPDAS);
   PetscBool       reducible, nested;
+  PetscInt        num;
 
   PetscFunctionBeginUser;
-  PetscCall(Reducible_Private(vi, &reducible));
+  PetscCall(Reducible_Private(vi, &num, &reducible));
   *limit = DIRECT_2D;
   if (solid) *limit = pdas && reducible ? DIRECT_3D : DIRECT_3D_EACH;
   if (!vi->mesh || !Truncatable_Private(snes)) PetscFunctionReturn(PETSC_SUCCESS);
@@ -142,12 +145,36 @@ static PetscErrorCode LargestDirect_Private(VI vi, const char snes[], PetscInt *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The linear solver where the user says nothing: by size, unless iterations are hopeless. */
+/* A factorisation in place of an iteration. */
+static PetscErrorCode Factor_Private(SolveChoice *choice)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscStrncpy(choice->ksp, KSPPREONLY, sizeof(choice->ksp)));
+  PetscCall(PetscStrncpy(choice->pc, PCCHOLESKY, sizeof(choice->pc)));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether bodies are so thin that size says nothing. */
+static PetscErrorCode Thin_Private(VI vi, const SolveChoice *choice, PetscBool *thin)
+{
+  PetscInt  num;
+  PetscBool reducible;
+
+  PetscFunctionBeginUser;
+  *thin = PETSC_FALSE;
+  if (!vi->mesh || strcmp(choice->pc, PCTRUNCATEDMG)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(Reducible_Private(vi, &num, &reducible));
+  PetscCall(ThinIsCheap(vi, num, (PetscBool)(reducible && !strcmp(choice->snes, SNESPDAS)), thin));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The linear solver where the user says nothing: by size, unless iterations are hopeless, or bodies thin. */
 static PetscErrorCode ChooseBySize_Private(VI vi, SolveChoice *choice)
 {
   const char *iterative = Iterative_Private(vi, choice->snes, KSPCG);
   PetscInt    size, limit = 0;
   PetscReal   poisson;
+  PetscBool   thin;
 
   PetscFunctionBeginUser;
   PetscCall(LargestDirect_Private(vi, choice->snes, &limit));
@@ -159,10 +186,15 @@ static PetscErrorCode ChooseBySize_Private(VI vi, SolveChoice *choice)
   PetscCall(LargestPoisson_Private(vi, &poisson));
   choice->nearly = (PetscBool)(poisson > ITERABLE);
   if (choice->nearly && size > limit) {
-    PetscCall(PetscStrncpy(choice->ksp, KSPPREONLY, sizeof(choice->ksp)));
-    PetscCall(PetscStrncpy(choice->pc, PCCHOLESKY, sizeof(choice->pc)));
+    PetscCall(Factor_Private(choice));
     PetscCall(PetscSNPrintf(choice->why, sizeof(choice->why), "a Poisson's ratio above %g, whatever the size",
                             (double)ITERABLE));
+  }
+  PetscCall(Thin_Private(vi, choice, &thin));
+  if (thin) {
+    PetscCall(Factor_Private(choice));
+    PetscCall(PetscStrncpy(choice->why, "bodies so thin that a factorisation takes less than an iteration",
+                           sizeof(choice->why)));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -240,6 +272,7 @@ static PetscBool Nested_Private(VI vi, const char pc[])
 PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
 {
   MPI_Comm  comm;
+  PetscInt  size;
   PetscBool ksp, pc;
 
   PetscFunctionBeginUser;
@@ -272,6 +305,9 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
                            sizeof(choice->why)));
   }
   PetscCall(ChooseStop_Private(vi, choice));
+  PetscCall(VecGetSize(vi->b, &size)); // beyond these sizes even to order pivots is too much
+  choice->yields = (PetscBool)(choice->own && !choice->stop && !strcmp(choice->snes, SNESPDAS) &&
+                               size <= (vi->level->dim == 3 ? DIRECT_3D : DIRECT_2D));
   choice->nested = Nested_Private(vi, choice->pc);
   PetscCall(CheckTogether_Private(comm, choice));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -302,17 +338,24 @@ PetscErrorCode SolveChooseSecond(VI vi, const SolveReport *first, const char pre
 
 PetscErrorCode SolveChooseAnother(const SolveReport *report, SolveChoice *choice, PetscBool *again)
 {
-  char words[128];
+  const PetscBool costly = (PetscBool)!strcmp(report->reason, FAILURE_COST);
+  char            words[128], why[160];
 
   PetscFunctionBeginUser;
-  *again = (PetscBool)(choice->own && !report->converged && !strcmp(report->reason, FAILURE_ITERATIVE));
+  *again = (PetscBool)(choice->own && !report->converged && (costly || !strcmp(report->reason, FAILURE_ITERATIVE)));
   if (!*again) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SolveDescribe(choice->ksp, choice->pc, NULL, words, sizeof(words)));
+  if (costly) {
+    PetscCall(PetscSNPrintf(why, sizeof(why),
+                            "has cost %.0f products with the matrix, and a factorisation costs some %.0f",
+                            (double)report->work, (double)report->foretold));
+  } else {
+    PetscCall(PetscStrncpy(why, "has not converged", sizeof(why)));
+  }
   PetscCall(WarningAdd(&(Warning){.code = "solver_replaced", .advice = "-pc_type cholesky does that at once"},
-                       "%s has not converged; factorising instead", words));
+                       "%s %s; factorising instead", words, why));
   choice->nested = choice->stop = PETSC_FALSE; // a factorisation has no error to stop at
-  PetscCall(PetscStrncpy(choice->ksp, KSPPREONLY, sizeof(choice->ksp)));
-  PetscCall(PetscStrncpy(choice->pc, PCCHOLESKY, sizeof(choice->pc)));
+  PetscCall(Factor_Private(choice));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

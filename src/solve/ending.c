@@ -186,6 +186,8 @@ static PetscErrorCode Consider_Private(ActiveSolver solver, PetscReal norm, Pets
 static PetscErrorCode Test_Private(KSP ksp, PetscInt it, PetscReal norm, KSPConvergedReason *reason, void *ctx)
 {
   ActiveSolver solver = ctx;
+  Truncated   *t      = solver->data;
+  Hierarchy    hierarchy;
   PetscInt     max_it;
   PetscBool    due, enough, stop = PETSC_FALSE;
 
@@ -198,10 +200,13 @@ static PetscErrorCode Test_Private(KSP ksp, PetscInt it, PetscReal norm, KSPConv
   PetscCall(KSPGetTolerances(ksp, NULL, NULL, NULL, &max_it));
   PetscCall(Due_Private(solver, it, norm, &due, &enough));
   if (due) PetscCall(Consider_Private(solver, norm, enough, &stop));
-  if (stop || norm == 0)
+  if (stop || norm == 0) {
     *reason = KSP_CONVERGED_RTOL;
-  else if (it >= max_it)
-    *reason = KSP_DIVERGED_ITS;
+  } else {
+    PetscCall(MultigridGetHierarchy(t->pc, &hierarchy));
+    PetscCall(HierarchyIsOver(hierarchy, &t->over));
+    if (t->over || it >= max_it) *reason = KSP_DIVERGED_ITS;
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -22,6 +22,8 @@ enum { ORDER_GIVEN = 1, ORDER_MINIMUM_DEGREE = 0, INPUT_CENTRAL = 0, INPUT_DISTR
 enum { LAST_ORDER = 7 };
 /* How often workspace is doubled; all that was foretold, in percent. */
 enum { MAX_DOUBLED = 5, WHOLE = 100 };
+/* Where INFO has the memory that the analysis foretells to a rank, in millions of bytes. */
+enum { ANALYSED_SIZE = 15 };
 enum { JOB_BEGIN = -1, JOB_END = -2, JOB_ANALYSE = 1, JOB_FACTOR = 2, JOB_SOLVE = 3, SYMMETRIC_DEFINITE = 1 };
 
 struct _n_Factor {
@@ -30,6 +32,8 @@ struct _n_Factor {
   PetscMPIInt    rank, size;
   VecScatter     to_host; /* of right-hand sides and solutions */
   Vec            host;    /* all of them on the first rank, nothing elsewhere */
+  PetscInt
+      *position; /* of every unknown among the pivots, on the first rank; from Analyse_Private() to Forget_Private() */
 };
 
 /* The upper triangle of this rank's rows, counted from 1. Zeros, which fixed unknowns leave, do not count in a dissection; minimum
@@ -141,23 +145,21 @@ static PetscErrorCode FactorWithRoom_Private(Factor factor)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Analyses, then factors. [in] C - [num]; [out] S - on the first rank */
-static PetscErrorCode Factor_Private(Factor factor, Mat A, PetscInt num, const PetscInt C[], PetscScalar S[])
+/* The order of pivots and what it leads to. [in] C - [num] */
+static PetscErrorCode Analyse_Private(Factor factor, Mat A, PetscInt num, const PetscInt C[])
 {
-  DMUMPS_STRUC_C *id       = &factor->id;
-  PetscInt       *position = NULL;
+  DMUMPS_STRUC_C *id = &factor->id;
 
   PetscFunctionBeginUser;
   if (!factor->rank) {
-    PetscCall(PetscMalloc3(id->n, &position, id->n, &id->perm_in, num, &id->listvar_schur));
+    PetscCall(PetscMalloc3(id->n, &factor->position, id->n, &id->perm_in, num, &id->listvar_schur));
     for (PetscInt i = 0; i < num; i++) id->listvar_schur[i] = (MUMPS_INT)C[i] + 1;
   }
   if (id->icntl[ICNTL_ORDER - 1] == ORDER_GIVEN) {
-    PetscCall(DissectionOrder(A, num, C, position));
-    for (PetscInt i = 0; i < id->n && !factor->rank; i++) id->perm_in[i] = (MUMPS_INT)position[i];
+    PetscCall(DissectionOrder(A, num, C, factor->position));
+    for (PetscInt i = 0; i < id->n && !factor->rank; i++) id->perm_in[i] = (MUMPS_INT)factor->position[i];
   }
   id->size_schur = (MUMPS_INT)num;
-  id->schur      = S;
   PetscCall(CreateEntries_Private(A, id));
   if (factor->size == 1) { // distributed input would be collected, in a second copy
     id->nnz = id->nnz_loc;
@@ -167,23 +169,28 @@ static PetscErrorCode Factor_Private(Factor factor, Mat A, PetscInt num, const P
   }
   id->job = JOB_ANALYSE;
   dmumps_c(id);
-  if (id->infog[0] >= 0) PetscCall(FactorWithRoom_Private(factor));
-  PetscCall(PetscInfo(A, "MUMPS: status %d (%d), order %d, %g operations, %d MB\n", (int)id->infog[0],
-                      (int)id->infog[1], (int)id->infog[6], (double)id->rinfog[0], (int)id->infog[18]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The matrix and its order, which solutions do not need. */
+static PetscErrorCode Forget_Private(Factor factor)
+{
+  DMUMPS_STRUC_C *id = &factor->id;
+
+  PetscFunctionBeginUser;
   PetscCall(PetscFree3(id->irn_loc, id->jcn_loc, id->a_loc));
-  if (!factor->rank) PetscCall(PetscFree3(position, id->perm_in, id->listvar_schur));
+  if (!factor->rank) PetscCall(PetscFree3(factor->position, id->perm_in, id->listvar_schur));
   id->schur = NULL;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FactorCreate(Mat A, PetscInt num, const PetscInt C[], const char prefix[], PetscScalar S[],
-                            Factor *factor_out, MatFactorError *error)
+/* MUMPS with its controls. [in] schur - whether some unknowns are left to the end */
+static PetscErrorCode Begin_Private(Mat A, PetscBool schur, const char prefix[], Factor *factor_out)
 {
   const PetscInt  solid = 3;
   Factor          factor;
   DMUMPS_STRUC_C *id;
   PetscInt        N, bs;
-  Vec             v;
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&factor));
@@ -191,9 +198,6 @@ PetscErrorCode FactorCreate(Mat A, PetscInt num, const PetscInt C[], const char 
   factor->comm = PetscObjectComm((PetscObject)A);
   PetscCallMPI(MPI_Comm_rank(factor->comm, &factor->rank));
   PetscCallMPI(MPI_Comm_size(factor->comm, &factor->size));
-  PetscCall(MatCreateVecs(A, &v, NULL));
-  PetscCall(VecScatterCreateToZero(v, &factor->to_host, &factor->host));
-  PetscCall(VecDestroy(&v));
   PetscCall(MatGetSize(A, &N, NULL));
   PetscCall(MatGetBlockSize(A, &bs));
   id               = &factor->id;
@@ -207,11 +211,55 @@ PetscErrorCode FactorCreate(Mat A, PetscInt num, const PetscInt C[], const char 
   id->icntl[ICNTL_PRINT - 1] = 0;
   id->icntl[ICNTL_ORDER - 1] = bs < solid ? ORDER_MINIMUM_DEGREE : ORDER_GIVEN;
   id->icntl[ICNTL_INPUT - 1] = factor->size == 1 ? INPUT_CENTRAL : INPUT_DISTRIBUTED;
-  id->icntl[ICNTL_SCHUR - 1] = SCHUR_ON_HOST;
+  id->icntl[ICNTL_SCHUR - 1] = schur ? SCHUR_ON_HOST : 0;
   PetscCall(SetControls_Private(factor->comm, prefix, id));
-  PetscCall(Factor_Private(factor, A, num, C, S));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FactorCreate(Mat A, PetscInt num, const PetscInt C[], const char prefix[], PetscScalar S[],
+                            Factor *factor_out, MatFactorError *error)
+{
+  Factor          factor;
+  DMUMPS_STRUC_C *id;
+  Vec             v;
+
+  PetscFunctionBeginUser;
+  PetscCall(Begin_Private(A, PETSC_TRUE, prefix, factor_out));
+  factor = *factor_out;
+  id     = &factor->id;
+  PetscCall(MatCreateVecs(A, &v, NULL));
+  PetscCall(VecScatterCreateToZero(v, &factor->to_host, &factor->host));
+  PetscCall(VecDestroy(&v));
+  PetscCall(Analyse_Private(factor, A, num, C));
+  id->schur = S;
+  if (id->infog[0] >= 0) PetscCall(FactorWithRoom_Private(factor));
+  PetscCall(PetscInfo(A, "MUMPS: status %d (%d), order %d, %g operations, %d MB\n", (int)id->infog[0],
+                      (int)id->infog[1], (int)id->infog[6], (double)id->rinfog[0], (int)id->infog[18]));
+  PetscCall(Forget_Private(factor));
   PetscCall(FactorCheckInfo(factor->comm, id->infog[0]));
   *error = Error_Private(id->infog[0]);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FactorForetell(Mat A, PetscInt num, const PetscInt C[], const char prefix[], FactorForecast *forecast)
+{
+  const PetscReal megabyte = 1e6;
+  Factor          factor;
+  DMUMPS_STRUC_C *id;
+
+  PetscFunctionBeginUser;
+  PetscCall(Begin_Private(A, (PetscBool)(num > 0), prefix, &factor));
+  id = &factor->id;
+  PetscCall(Analyse_Private(factor, A, num, C));
+  PetscCall(Forget_Private(factor));
+  PetscCall(FactorCheckInfo(factor->comm, id->infog[0]));
+  forecast->known      = (PetscBool)(id->infog[0] >= 0);
+  forecast->operations = id->rinfog[0];
+  forecast->bytes      = megabyte * (PetscReal)id->info[ANALYSED_SIZE - 1];
+  if (!factor->rank) forecast->bytes += (PetscReal)num * (PetscReal)num * (PetscReal)sizeof(PetscScalar);
+  PetscCall(PetscInfo(A, "MUMPS foretells: status %d, %g operations, %g bytes on this rank\n", (int)id->infog[0],
+                      (double)forecast->operations, (double)forecast->bytes));
+  PetscCall(FactorDestroy(&factor));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -14,6 +14,15 @@ typedef struct _n_Factor *Factor;
    [out] error - the same on all ranks; but for MAT_FACTOR_NOERROR nothing but FactorDestroy() is allowed then */
 PetscErrorCode FactorCreate(Mat A, PetscInt num, const PetscInt C[], const char prefix[], PetscScalar S[],
                             Factor *factor, MatFactorError *error);
+/* What that would take. */
+typedef struct {
+  PetscBool known;      /* whether there is an order of pivots at all */
+  PetscReal operations; /* of all ranks */
+  PetscReal bytes;      /* of this rank */
+} FactorForecast;
+
+/* Orders pivots and counts, without values. Collective. [in] A - its pattern matters; [in] num - or 0, if no unknown is left to the end */
+PetscErrorCode FactorForetell(Mat A, PetscInt num, const PetscInt C[], const char prefix[], FactorForecast *forecast);
 /* x_I = A_II^-1 b_I, 0 on C. Collective. */
 PetscErrorCode FactorSolve(Factor factor, Vec b, Vec x);
 PetscErrorCode FactorDestroy(Factor *factor);

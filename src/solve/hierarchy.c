@@ -271,6 +271,16 @@ PetscErrorCode HierarchyCreate(VI vi, Vec springs, Hierarchy *hierarchy)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode HierarchyIsOver(Hierarchy hierarchy, PetscBool *over)
+{
+  const Grid *finest = &hierarchy->grid[hierarchy->num - 1];
+
+  PetscFunctionBeginUser;
+  PetscCall(PatienceCheck(&hierarchy->patience, finest->vi, (PetscBool)(finest->S != NULL), hierarchy->work));
+  *over = hierarchy->patience.over;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode HierarchyDestroy(Hierarchy *hierarchy)
 {
   PetscFunctionBeginUser;

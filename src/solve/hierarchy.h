@@ -3,6 +3,7 @@
 #define MORTISE_HIERARCHY_H
 
 #include <mortise/vi.h>
+#include "patience.h"
 #include "smoother.h"
 
 /* One level. */
@@ -26,6 +27,7 @@ typedef struct {
   PetscReal work;  /* products with A so far, in products with the finest one */
   PetscReal
       change; /* |u_2h - u_4h|_K^2, of the finest two levels below the finest, in the user's units; 0 where it is not known */
+  Patience patience;
 } * Hierarchy;
 
 /* Whether levels' matrices are nearly those of prolongation: not where volumes change by whole cells (T29). Collective. */
@@ -35,6 +37,9 @@ PetscErrorCode HierarchyIsNested(VI vi, PetscBool *nested);
 PetscErrorCode HierarchyCreate(VI vi, Vec springs, Hierarchy *hierarchy);
 /* Whether there is one or not. Collective. */
 PetscErrorCode HierarchyDestroy(Hierarchy *hierarchy);
+
+/* Whether all that was done on the levels is too much beside a factorisation. Collective. */
+PetscErrorCode HierarchyIsOver(Hierarchy hierarchy, PetscBool *over);
 
 /* Leaves levels to vi, which destroys them in the end, for who solves it again. Collective. [in,out] hierarchy - NULL afterwards */
 PetscErrorCode HierarchyKeep(VI vi, Hierarchy *hierarchy);

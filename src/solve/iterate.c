@@ -179,7 +179,8 @@ static PetscErrorCode Rescue_Private(const PDAS *pdas, ActiveSet *set, ActiveSol
   PetscFunctionBeginUser;
   *changed = 0;
   if (pdas->start_set || pdas->iterations || set->num_active == set->N) PetscFunctionReturn(PETSC_SUCCESS);
-  if (!strcmp(solution->failure, FAILURE_MEMORY)) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!strcmp(solution->failure, FAILURE_MEMORY) || !strcmp(solution->failure, FAILURE_COST))
+    PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(set->n, &all));
   for (PetscInt i = 0; i < set->n; i++) all[i] = PETSC_TRUE;
   PetscCall(ActiveSetReplace(set, all, changed));

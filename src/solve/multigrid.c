@@ -5,7 +5,6 @@
    A coarse correction that moved them would spoil them, so nothing is interpolated to them [1]: P^ = M P. The operator of the coarser level is
    then P^' A P^ = A_c + P'(M A M - A) P with A_c its own matrix, P'A P (hierarchy.c), and what is added is nonzero near
    held unknowns only. A coarse unknown that moves next to nothing but held ones is itself held.
-
    PCMG cycles; here is what it works with. The type rides on PCSHELL, with public headers.
 
    References: [1] Kornhuber, Monotone multigrid methods for elliptic variational inequalities I, 1994; Graeser, Kornhuber,
@@ -119,6 +118,16 @@ PetscErrorCode MultigridAddWork(PC pc)
   PetscFunctionBeginUser;
   PetscCall(Get_Private(pc, &multigrid));
   multigrid->hierarchy->work += multigrid->rung[multigrid->num - 1].grid->share;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MultigridGetHierarchy(PC pc, Hierarchy *hierarchy)
+{
+  Multigrid *multigrid;
+
+  PetscFunctionBeginUser;
+  PetscCall(Get_Private(pc, &multigrid));
+  *hierarchy = multigrid->hierarchy;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

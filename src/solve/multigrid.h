@@ -23,6 +23,8 @@ PetscErrorCode MultigridGetOperator(PC pc, Mat *A);
 
 /* Counts a product with the finest matrix that the PC had no part in. Not collective. */
 PetscErrorCode MultigridAddWork(PC pc);
+/* What the PC works on. Borrowed. Not collective. */
+PetscErrorCode MultigridGetHierarchy(PC pc, Hierarchy *hierarchy);
 /* |T'K T y| in the norm of diag(A)^-1, supports' reactions and contact forces among them, and y'T'K T y. Collective. */
 PetscErrorCode MultigridForces(PC pc, Vec y, PetscReal *size, PetscReal *energy);
 /* What cycles tell of the iteration they precondition: forgets it, */

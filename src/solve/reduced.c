@@ -295,23 +295,6 @@ static PetscErrorCode Allocate_Private(ActiveSolver solver)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The bounded unknowns of all ranks, on all of them: owned by the caller. */
-static PetscErrorCode AllBounded_Private(const ActiveSet *set, PetscInt **C)
-{
-  PetscMPIInt size, n, *counts, *offsets;
-
-  PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Comm_size(set->comm, &size));
-  PetscCall(PetscMPIIntCast(set->n, &n));
-  PetscCall(PetscMalloc2(size, &counts, size, &offsets));
-  PetscCallMPI(MPI_Allgather(&n, 1, MPI_INT, counts, 1, MPI_INT, set->comm));
-  for (PetscMPIInt r = 0, sum = 0; r < size; sum += counts[r++]) offsets[r] = sum;
-  PetscCall(PetscMalloc1(set->N, C));
-  PetscCallMPI(MPI_Allgatherv(set->dof, n, MPIU_INT, *C, counts, offsets, MPIU_INT, set->comm));
-  PetscCall(PetscFree2(counts, offsets));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Factors A_II and takes S, of which MUMPS gives one triangle: the lower on one rank, the upper on several. */
 static PetscErrorCode Factor_Private(ActiveSolver solver, const char prefix[], MatFactorError *error)
 {
@@ -321,7 +304,7 @@ static PetscErrorCode Factor_Private(ActiveSolver solver, const char prefix[], M
   PetscScalar   *S = NULL;
 
   PetscFunctionBeginUser;
-  PetscCall(AllBounded_Private(solver->set, &C));
+  PetscCall(ActiveSetAll(solver->set, &C));
   if (!t->rank) PetscCall(MatDenseGetArray(t->S, &S));
   PetscCall(FactorCreate(solver->A, N, C, prefix, S, &t->F, error));
   for (PetscInt i = 0; i < N && !t->rank && !*error; i++) {

@@ -15,6 +15,7 @@ typedef struct {
   PetscBool   bound;                     /* whether the energy of the error is to be bounded */
   PetscBool   own;                       /* whether the linear solver is nobody's wish */
   PetscInt    max_it;                    /* iterations at most, where that is more than usual */
+  PetscBool   yields;                    /* whether it gives way to a factorisation that would have cost less */
   PetscBool   keep;                      /* whether levels of multigrid are left to vi, for the next solve */
 } SolveChoice;
 

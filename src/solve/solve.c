@@ -6,6 +6,7 @@
 #include <mortise/solvability.h>
 #include <mortise/warning.h>
 #include "workbench.h"
+#include "active.h"
 #include "bound.h"
 #include "cascade.h"
 #include "factor.h"
@@ -27,6 +28,7 @@ static PetscErrorCode Sweep_Private(Workbench *bench, Vec y, SolveReport *report
     PetscCall(SolveReportAdd(bench->snes, bench->springs.vi, y, report));
     report->sweeps++;
     PetscCall(SpringsRelax(&bench->springs, bench->snes, y, report, &done));
+    if (bench->hierarchy) bench->hierarchy->patience.found = PETSC_TRUE;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -62,6 +64,7 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, PetscBool progress, Ve
   if (!pdas) PetscCall(WorkbenchSetLevels(&bench, bench.snes));
   PetscCall(SpringsSet(&bench.springs, guess ? y : NULL, bench.snes, pdas));
   if (pdas && (choice->bound || vi->solvability)) PetscCall(PDASSetKeep(bench.snes, PETSC_TRUE));
+  if (bench.hierarchy) bench.hierarchy->patience.on = choice->yields;
   if (bench.hierarchy && nested) PetscCall(Cascade_Private(&bench, y, &gained));
   if (choice->stop) PetscCall(StopSet(&bench, gained));
   PetscCall(Sweep_Private(&bench, y, report));
@@ -69,9 +72,33 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, PetscBool progress, Ve
   if (choice->bound && !pdas) PetscCall(WorkbenchSetLevels(&bench, NULL));
   if (choice->bound) PetscCall(BoundCompute(&bench.springs, bench.snes, y, &report->bound));
   if (choice->stop) PetscCall(StopConfirm(&bench, y, report));
-  if (bench.hierarchy) report->work = bench.hierarchy->work;
+  if (bench.hierarchy) {
+    report->work     = bench.hierarchy->work;
+    report->foretold = PatienceForetold(&bench.hierarchy->patience);
+  }
   PetscCall(WorkbenchDestroy(&bench, y));
   PetscCall(SolvabilitySettle(vi, y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A factorisation where an iteration has failed or cost too much; and if that fails, the iteration to its end where it was but slow. */
+static PetscErrorCode Otherwise_Private(VI vi, const SolveChoice *choice, PetscBool progress, Vec guess, Vec y,
+                                        SolveReport *report)
+{
+  SolveChoice other = *choice;
+  PetscBool   again, slow = (PetscBool)!strcmp(report->reason, FAILURE_COST);
+
+  PetscFunctionBeginUser;
+  PetscCall(SolveChooseAnother(report, &other, &again));
+  if (!again) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SolveRun(vi, &other, progress, guess, y, report));
+  report->gave_way = PETSC_TRUE;
+  if (!slow || report->converged) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(WarningAdd(&(Warning){.code = "solver_replaced", .advice = "-pc_type truncatedmg does that at once"},
+                       "the factorisation that took the place of an iteration has failed; iterating to the end"));
+  other        = *choice;
+  other.yields = PETSC_FALSE;
+  PetscCall(SolveRun(vi, &other, progress, guess, y, report));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -81,7 +108,7 @@ PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report)
   const Warning  slow  = {.code = "slow_solver", .advice = "-pc_type cholesky takes none"};
   const double   start = LogWallClock();
   SolveChoice    choice;
-  PetscBool      progress, again;
+  PetscBool      progress;
 
   PetscFunctionBeginUser;
   PetscCall(SolveChoose(vi, &choice));
@@ -93,8 +120,7 @@ PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report)
   choice.keep = vi->scene->cross_check;
   PetscCall(SolveRun(vi, &choice, progress, guess, y, report));
   if (!report->converged) PetscCall(PetscContainerDestroy(&vi->levels));
-  PetscCall(SolveChooseAnother(report, &choice, &again));
-  if (again) PetscCall(SolveRun(vi, &choice, progress, guess, y, report));
+  PetscCall(Otherwise_Private(vi, &choice, progress, guess, y, report));
   report->seconds = LogWallClock() - start;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &report->seconds, 1, MPIU_REAL, MPI_MAX, comm));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -137,6 +137,10 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, Acti
   }
   PetscCall(TruncatedRitz(t));
   if (reason >= 0) PetscFunctionReturn(PETSC_SUCCESS);
+  if (t->over) {
+    solution->failure = FAILURE_COST;
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
   PetscCall(FactorCheckMemory(t->ksp));
   PetscCall(PCGetFailedReason(t->pc, &failed));
   error = (int)failed;
@@ -188,6 +192,7 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
                                       ActiveSolution *solution)
 {
   Truncated *t = solver->data;
+  Hierarchy  hierarchy;
   PetscReal  first;
   PetscBool  done = PETSC_FALSE, suffices;
 
@@ -197,7 +202,11 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
   PetscCall(Prescribe_Private(solver, fixed, value, solution));
   PetscCall(Matrix_Private(solver));
   PetscCall(ActiveSolverResidual(solver, fixed, t->y, t->r, t->f, &first));
-  if (t->shell) PetscCall(MultigridAddWork(t->pc));
+  if (t->shell) {
+    PetscCall(MultigridAddWork(t->pc));
+    PetscCall(MultigridGetHierarchy(t->pc, &hierarchy));
+    hierarchy->patience.sets++;
+  }
   for (PetscInt k = 0; k <= MAX_REFINEMENTS && first > 0 && !done; k++) {
     const PetscReal before = k ? solution->eta : PETSC_MAX_REAL;
 

@@ -30,6 +30,7 @@ typedef struct {
   PetscReal       before;    /* eta of one that was not good enough, */
   PetscReal       norm;      /* and its residual in the KSP's norm */
   PetscBool       done;      /* the last one was */
+  PetscBool       over;      /* a factorisation would cost less */
 } Truncated;
 
 /* The smallest eigenvalues of B A^: what iterations have seen of them, from above. Collective. [in] t - after an iteration of its KSP, or in it */

@@ -4,8 +4,10 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <test.h>
+#include <unistd.h>
 
-static const size_t HELD = (size_t)64 << 20; /* bytes */
+static const PetscReal MOST = 1e18;             /* more than there is */
+static const size_t    HELD = (size_t)64 << 20; /* bytes */
 
 /* Takes memory from the system, touches it and gives it back: no allocator may keep it. */
 static void Hold(void)
@@ -21,7 +23,7 @@ int main(int argc, char **argv)
 {
   PetscReal   before, held, anew, most, one;
   PetscMPIInt size, rank;
-  PetscBool   done;
+  PetscBool   done, suffices;
 
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   PetscCallMPI(MPI_Comm_size(PETSC_COMM_WORLD, &size));
@@ -42,6 +44,10 @@ int main(int argc, char **argv)
   if (rank == size - 1) Hold();
   PetscCall(MemoryPeak(PETSC_COMM_WORLD, &held, &one));
   if (done && size > 1) CHECK(one > held / size + 0.5 * (PetscReal)HELD * (size - 1) / size); // one rank alone has it
+  PetscCall(MemorySuffices(PETSC_COMM_WORLD, 1, &suffices));
+  CHECK(suffices);
+  PetscCall(MemorySuffices(PETSC_COMM_WORLD, rank == size - 1 ? MOST : 0, &suffices));
+  if (access("/proc/meminfo", R_OK) == 0) CHECK(!suffices); // wherever one rank alone wants it
   PetscCall(PetscFinalize());
   return 0;
 }
