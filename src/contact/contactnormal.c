@@ -2,8 +2,7 @@
 
    To first order, the distance of a point from a surface changes along the normal of that surface, not of the point's own body. Rows
    along a round body's own normals fan out and hold it sideways, as a notch would. So the partner's normal and curvature are
-   looked up at its nearest point, and the two bodies share the direction by their curvatures; then once more where this direction
-   meets the partner. */
+   looked up below the node, and the two bodies share the direction by their curvatures. */
 #include <mortise/closest.h>
 #include <mortise/compat.h>
 #include <mortise/frame.h>
@@ -12,13 +11,18 @@
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
-/* Surfaces face each other when the cosine of their normals is below this. */
-static const PetscReal FACING = -0.3;
-/* A line that passes a facet by this share of it meets it: it may pass between two. */
-static const PetscReal ON_LINE = 1e-9;
+/* Surfaces face each other when the cosine of their normals is below the first number. A node up to the second one takes part: the facet
+   beside it may be covered, and must not twist. */
+static const PetscReal FACING = -0.3, BESIDE = 0.5;
+/* Distances from the normal of a facet's end count so many times. */
+static const PetscReal ASIDE = 100;
+/* Parallel surfaces are taken up to this share of the way to a centre of curvature. */
+static const PetscReal LEAST_SCALE = 0.1;
+/* Places on a reference cell that differ by less are the same. */
+static const PetscReal SAME_POINT = 1e-13;
 
-/* How often a direction is followed to the partner: a step leaves a share of the gap over the radius. */
-enum { LINE_STEPS = 3 };
+/* Steps along interpolated normals, at most: each leaves a share of the distance over the radius, down to rounding of eta. */
+enum { FOLLOW_STEPS = 40 };
 
 static PetscReal Dot_Private(PetscInt dim, const PetscReal a[], const PetscReal b[])
 {
@@ -57,19 +61,86 @@ static void MortarShape_Private(const MortarSurface *mortar, PetscInt dim, Petsc
   }
 }
 
-/* The shape of the mortar side where it is nearest to a point and faces it. Not collective. [in] n - normal at the point;
-   [out] found - whether it does within reach */
+/* The point of a facet whose normal, between those of the nodes, leads through x: from there to x it goes through the centre of a circle or
+   a ball, however far chords are from it. Returns the squared distance, enlarged where the facet ends before that point.
+   [in,out] eta - begins at the nearest point */
+static PetscReal FollowNormal_Private(const MortarSurface *mortar, PetscInt dim, PetscInt f, const PetscReal x[],
+                                      PetscReal eta[], SurfacePoint *at)
+{
+  const PetscReal  *X    = &mortar->coords[f * F * dim];
+  const ElementType type = mortar->type[f];
+  PetscReal         phi[ELEMENT_MAX_NODES], away[3], y[3], before[2], along = 0, square = 0, change = 1;
+
+  for (PetscInt step = 0; step <= FOLLOW_STEPS; step++) {
+    MortarShape_Private(mortar, dim, f, eta, at);
+    ElementShape(type, eta, phi, NULL);
+    for (PetscInt k = 0; k < dim; k++) away[k] = -x[k];
+    for (PetscInt i = 0; i < ElementNumNodes(type) * dim; i++) away[i % dim] += phi[i / dim] * X[i];
+    along  = Dot_Private(dim, away, at->normal);
+    square = Dot_Private(dim, away, away);
+    if (step == FOLLOW_STEPS || change <= SAME_POINT) break;
+    for (PetscInt k = 0; k < dim; k++) y[k] = x[k] + along * at->normal[k];
+    for (PetscInt k = 0; k < dim - 1; k++) before[k] = eta[k];
+    (void)FacetClosest(dim, type, X, y, eta);
+    change = 0;
+    for (PetscInt k = 0; k < dim - 1; k++) change = PetscMax(change, PetscAbsReal(eta[k] - before[k]));
+  }
+  return square + ASIDE * PetscMax(0, square - along * along);
+}
+
+/* How far x is above the smooth surface through a facet's nodes, along the normal at the foot: the surface itself is above the facet by
+   1/2 sum phi_i d_i.S d_i, d_i from the foot to the nodes. */
+static PetscReal HeightOver_Private(const MortarSurface *mortar, PetscInt dim, PetscInt f, const PetscReal x[],
+                                    const PetscReal eta[], const SurfacePoint *at)
+{
+  const PetscReal *X   = &mortar->coords[f * F * dim];
+  const PetscInt   num = ElementNumNodes(mortar->type[f]);
+  PetscReal        phi[ELEMENT_MAX_NODES], y[3] = {0}, height = 0;
+
+  ElementShape(mortar->type[f], eta, phi, NULL);
+  for (PetscInt i = 0; i < num * dim; i++) y[i % dim] += phi[i / dim] * X[i];
+  for (PetscInt k = 0; k < dim; k++) height += (x[k] - y[k]) * at->normal[k];
+  for (PetscInt i = 0; i < num; i++) {
+    for (PetscInt k = 0; k < dim * dim; k++)
+      height -=
+          0.5 * phi[i] * (X[i * dim + k / dim] - y[k / dim]) * at->curvature[k] * (X[i * dim + k % dim] - y[k % dim]);
+  }
+  return height;
+}
+
+/* The curvature of the parallel surface that lies above by a height: S (1 + height S)^-1 in the tangent plane. */
+static void ToParallel_Private(PetscInt dim, PetscReal height, SurfacePoint *at)
+{
+  PetscReal trace = 0, square = 0, product, scale;
+
+  for (PetscInt k = 0; k < dim * dim; k++) {
+    if (k / dim == k % dim) trace += at->curvature[k];
+    square += at->curvature[k] * at->curvature[k % dim * dim + k / dim];
+  }
+  product = dim == 3 ? 0.5 * (trace * trace - square) : 0;
+  scale   = 1 + height * trace + height * height * product;
+  if (!(scale > LEAST_SCALE)) return; // beyond a centre of curvature, or nearly
+  for (PetscInt k = 0; k < dim * dim; k++) {
+    const PetscReal across = (k / dim == k % dim ? 1. : 0.) - at->normal[k / dim] * at->normal[k % dim];
+
+    at->curvature[k] = (at->curvature[k] + height * product * across) / scale;
+  }
+}
+
+/* The shape of the mortar side below a point, as that of the parallel surface through it: then centres of circles and balls are where they
+   are. Facets that face the point are preferred to those that hardly do. Not collective. [in] n - normal at the point;
+   [out] found - whether there are such facets within reach */
 static PetscErrorCode FindMortar_Private(const FacetPartner *partner, const PetscReal x[], const PetscReal n[],
                                          SurfacePoint *at, PetscBool *found)
 {
   const MortarSurface *mortar = partner->mortar;
   const PetscInt       dim    = partner->dim;
-  PetscReal            query[6], nearest = PetscSqr(partner->reach);
-  PetscInt             num;
+  PetscReal            query[6], nearest = PetscSqr(partner->reach), best[2];
+  PetscInt             num, facet        = -1;
+  PetscBool            faces = PETSC_FALSE;
   const PetscInt      *hits;
 
   PetscFunctionBeginUser;
-  *found = PETSC_FALSE;
   for (PetscInt k = 0; k < dim; k++) {
     query[k]       = x[k] - partner->reach;
     query[dim + k] = x[k] + partner->reach;
@@ -78,58 +149,24 @@ static PetscErrorCode FindMortar_Private(const FacetPartner *partner, const Pets
   for (PetscInt h = 0; h < num; h++) {
     const PetscInt   f = hits[h];
     const PetscReal *X = &mortar->coords[f * F * dim];
-    PetscReal        eta[2], square;
+    PetscReal        eta[2], square, cosine;
     SurfacePoint     here;
+    PetscBool        better;
 
-    if (BoxDistance_Private(dim, mortar->type[f], X, x) >= nearest) continue;
-    square = FacetClosest(dim, mortar->type[f], X, x, eta);
-    if (square >= nearest) continue;
-    MortarShape_Private(mortar, dim, f, eta, &here);
-    if (Dot_Private(dim, here.normal, n) >= FACING) continue;
+    if (faces && BoxDistance_Private(dim, mortar->type[f], X, x) >= nearest) continue;
+    if (FacetClosest(dim, mortar->type[f], X, x, eta) >= (faces ? nearest : PetscSqr(partner->reach))) continue;
+    square = FollowNormal_Private(mortar, dim, f, x, eta, &here);
+    cosine = Dot_Private(dim, here.normal, n);
+    better = (PetscBool)(square < nearest || facet < 0 || (cosine < FACING && !faces));
+    if (cosine >= BESIDE || (cosine >= FACING && faces) || !better) continue;
     nearest = square;
+    facet   = f;
+    faces   = (PetscBool)(cosine < FACING);
     *at     = here;
-    *found  = PETSC_TRUE;
+    for (PetscInt k = 0; k < dim - 1; k++) best[k] = eta[k];
   }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* The same where the line through a point along n meets the mortar side, if it does: unlike the nearest point of a concave side, that is
-   one point. [in,out] at - unchanged where the line misses */
-static PetscErrorCode FindAlong_Private(const FacetPartner *partner, const PetscReal x[], const PetscReal n[],
-                                        SurfacePoint *at)
-{
-  const MortarSurface *mortar = partner->mortar;
-  const PetscInt       dim    = partner->dim;
-  PetscReal            query[6], nearest = PETSC_MAX_REAL;
-  PetscInt             num;
-  const PetscInt      *hits;
-
-  PetscFunctionBeginUser;
-  for (PetscInt k = 0; k < dim; k++) { // as far as the reach along the line
-    query[k]       = x[k] - PetscAbsReal(n[k]) * partner->reach;
-    query[dim + k] = x[k] + PetscAbsReal(n[k]) * partner->reach;
-  }
-  PetscCall(BoxTreeQuery(mortar->tree, query, &num, &hits));
-  for (PetscInt h = 0; h < num; h++) {
-    const PetscInt   f = hits[h], nodes = ElementNumNodes(mortar->type[f]);
-    const PetscReal *X = &mortar->coords[f * F * dim], size = FacetSize(dim, mortar->type[f], X);
-    PetscReal        across[3 * F], origin[3] = {0, 0, 0}, eta[2], phi[ELEMENT_MAX_NODES], t = 0;
-    SurfacePoint     here;
-
-    for (PetscInt i = 0; i < nodes; i++) { // as seen along the line
-      const PetscReal along = Dot_Private(dim, &X[i * dim], n) - Dot_Private(dim, x, n);
-      for (PetscInt k = 0; k < dim; k++) across[i * dim + k] = X[i * dim + k] - x[k] - along * n[k];
-    }
-    if (BoxDistance_Private(dim, mortar->type[f], across, origin) > PetscSqr(ON_LINE * size)) continue;
-    if (FacetClosest(dim, mortar->type[f], across, origin, eta) > PetscSqr(ON_LINE * size)) continue;
-    MortarShape_Private(mortar, dim, f, eta, &here);
-    if (Dot_Private(dim, here.normal, n) >= FACING) continue;
-    ElementShape(mortar->type[f], eta, phi, NULL);
-    for (PetscInt i = 0; i < nodes; i++) t += phi[i] * (Dot_Private(dim, &X[i * dim], n) - Dot_Private(dim, x, n));
-    if (PetscAbsReal(t) >= nearest) continue;
-    nearest = PetscAbsReal(t);
-    *at     = here;
-  }
+  *found = (PetscBool)(facet >= 0);
+  if (*found) ToParallel_Private(dim, HeightOver_Private(mortar, dim, facet, x, best, at), at);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -146,7 +183,7 @@ static PetscErrorCode Direction_Private(const FacetPartner *partner, const Petsc
     PetscCall(FindMortar_Private(partner, x, own->normal, &other, &found));
   } else {
     PetscCall(ObstacleShape(&partner->spec->obstacle, dim, x, size, &other, &found));
-    if (found) found = (PetscBool)(Dot_Private(dim, other.normal, own->normal) < FACING);
+    if (found) found = (PetscBool)(Dot_Private(dim, other.normal, own->normal) < BESIDE);
   }
   if (!found) {
     PetscCall(PetscArraycpy(n, own->normal, dim));
@@ -154,10 +191,6 @@ static PetscErrorCode Direction_Private(const FacetPartner *partner, const Petsc
     for (PetscInt k = 0; k < dim; k++) n[k] = -other.normal[k]; // exact however far the node moves
   } else {
     ContactDirection(dim, own, &other, n);
-    for (PetscInt step = 0; step < LINE_STEPS && partner->mortar; step++) {
-      PetscCall(FindAlong_Private(partner, x, n, &other));
-      ContactDirection(dim, own, &other, n);
-    }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -132,33 +132,35 @@ class LinePair(Pair):
         return sum(slopes) / len(slopes) if slopes else None
 
     def direction(self, node, n, kappa, normal_m, kappa_m):
-        """The normal of the side, turned towards that of the nearest point of the other side that faces it."""
-        hits = []
+        """The normal of the side, turned towards that of the other side where the latter, between those of nodes, leads through the node; with the
+        curvature of the parallel curve through the node. Where no normal of a facet does, its nearest point is taken."""
+        hits, x = [], self.scene.points[node]
         for facet in self.mortar:
-            c = seen_from(self.geometry(facet), self.scene.points[node])
+            c, normals = seen_from(self.geometry(facet), x), curve(np.array([normal_m[b] for b in facet]))
             square = poly.polyadd(*(poly.polymul(c[:, k], c[:, k]) for k in range(2)))
-            places = [0.0, 1.0] + [s for s in roots(poly.polyder(square)) if 0 < s < 1]
-            s = min(places, key=lambda place: poly.polyval(place, square))
-            weights = poly.polyval(s, LINES[len(facet)].T)
-            n_m = unit(sum(w * normal_m[b] for w, b in zip(weights, facet)))
-            if n_m @ n < -0.3:
-                hits.append((poly.polyval(s, square), tuple(n_m), sum(w * kappa_m[b] for w, b in zip(weights, facet))))
+            feet = [s for s in roots(cross(c, normals)) if -1e-12 <= s <= 1 + 1e-12]
+            if not feet:
+                places = [0.0, 1.0] + [s for s in roots(poly.polyder(square)) if 0 < s < 1]
+                feet = [min(places, key=lambda place: poly.polyval(place, square))]
+            for s in feet:
+                weights, n_m, away = poly.polyval(s, LINES[len(facet)].T), unit(poly.polyval(s, normals)), poly.polyval(s, c)
+                aside = away @ away - (away @ n_m)**2
+                if n_m @ n < 0.5:
+                    hits.append((bool(n_m @ n >= -0.3), away @ away + 100 * max(aside, 0.0), tuple(n_m), tuple(away), tuple(weights), facet))
         if not hits:
             return n
-        found = self.turned(n, kappa, *min(hits)[1:])
-        for _ in range(3):
-            hit = self.meet(self.scene.points[node], found, self.mortar)
-            if hit is None:
-                break
-            weights = poly.polyval(hit[2], LINES[len(hit[3])].T)
-            n_m, other = (sum(w * values[b] for w, b in zip(weights, hit[3])) for values in (normal_m, kappa_m))
-            found = self.turned(n, kappa, unit(n_m), other)
-        return found
+        _, _, n_m, away, weights, facet = min(hits)
+        n_m, tau = np.array(n_m), np.array([-n_m[1], n_m[0]])
+        other = sum(w * kappa_m[b] for w, b in zip(weights, facet))
+        rise = 0.5 * other * sum(w * ((self.scene.points[b] - x - away) @ tau)**2 for w, b in zip(weights, facet))
+        height = -np.array(away) @ n_m - rise
+        if 1 + height * other > 0.1:
+            other /= 1 + height * other
+        return self.turned(n, kappa, n_m, other)
 
     @staticmethod
     def turned(n, kappa, n_m, other):
         """n turned towards -n_m by the share that the curvatures give it."""
-        n_m = np.array(n_m)
         if other == 0.0 and kappa != 0.0:
             return -n_m
         tau = frame(unit(n - n_m))[1]
