@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""house.py -- checks of the text itself: house.py <floors|sizes|options> <top of the tree>. Prints what is wrong, or nothing."""
+"""house.py -- checks of the text itself: house.py <floors|sizes|options|warnings> <top of the tree>. Prints what is wrong, or nothing."""
 import pathlib
 import re
 import sys
@@ -132,8 +132,21 @@ def check_options(top):
         yield f"{table_file.relative_to(top)} documents {name}, which nothing reads"
 
 
+# --- warnings ---------------------------------------------------------------------------------------------------------
+
+
+def check_warnings(top):
+    """Codes of warnings are listed with what they mean, and all those that are listed exist."""
+    table = (top / "options/README.md").read_text().split("\n## Warnings\n")[1].split("\n## ")[0]
+    listed = set(re.findall(r"^\| `(\w+)` \|", table, re.MULTILINE))
+    used = {code: path.relative_to(top) for path in sources(top) for code in re.findall(r'\.code\s*=\s*"(\w+)"', path.read_text()) if path.name != "warning.h"}
+    yield from (f"{file} warns of {code}, which the table of options/README.md does not have" for code, file in sorted(used.items()) if code not in listed)
+    yield from (f"the table of options/README.md has {code}, which nothing warns of" for code in sorted(listed - set(used)))
+    yield from (f"{code} is not in snake_case" for code in sorted(used) if not re.fullmatch(r"[a-z]+(_[a-z]+)*", code))
+
+
 def main():
-    checks = {"floors": check_floors, "sizes": check_sizes, "options": check_options}
+    checks = {"floors": check_floors, "sizes": check_sizes, "options": check_options, "warnings": check_warnings}
     wrong = list(checks[sys.argv[1]](pathlib.Path(sys.argv[2]).resolve()))
     print("\n".join(wrong))
     sys.exit(bool(wrong))
