@@ -12,10 +12,11 @@ typedef struct {
   PetscReal pressure;    /* max (-lambda)_+ over p_ref */
   PetscReal complementarity; /* sum D lambda |slack| over the work of the loads */
   PetscReal force,
-      moment;            /* balance of loads, reactions and obstacles of the whole scene, over the sum of their sizes */
-  PetscReal pair_moment; /* part of moment that contact forces between two meshes leave on curved sides with a gap */
-  PetscReal pull;        /* sum of contact forces (pressure times the row's weight) that pull, over the sum of all */
-  PetscInt  weightless;  /* rows of contact that weigh nothing or less: there must be none */
+      moment; /* balance of loads, reactions and obstacles of the whole scene, over the sum of their sizes */
+  PetscReal
+            pair_moment; /* part of moment that forces between two meshes in contact (ties hand theirs over) leave on curved sides with a gap */
+  PetscReal pull;       /* sum of contact forces (pressure times the row's weight) that pull, over the sum of all */
+  PetscInt  weightless; /* rows of contact that weigh nothing or less: there must be none */
   PetscReal
       energy_norm; /* |u|_K = (u'Ku)^(1/2), in the user's units: what the bound of the error is compared with; no test */
   PetscReal limit; /* what none of those above but pair_moment may exceed */

@@ -37,6 +37,7 @@ struct _n_Pair {
   Mat              chain;          /* D_ac, c without a multiplier (node x node), or NULL where there is none */
   Mat              shift, unshift; /* u = u~ + shift u~, u~ = u + unshift u (node x node), or NULL where u~ = u */
   Mat              M;              /* node x node, rows of multiplier nodes; NULL for an obstacle */
+  Mat              arm;            /* of a tie across a gap: what joins M, in blocks of size dim (T49); else NULL */
   PetscInt         num_facets_nonmortar, num_facets_mortar;     /* of all ranks */
   PetscInt         num_multipliers, num_removed, num_uncovered; /* nodes of all ranks */
   PetscReal        reach;                                       /* that was used */

@@ -7,6 +7,15 @@
 
 PetscErrorCode FacetsCreateMat(Level *level, const Facets *facets, const PetscInt entries[], Mat *A)
 {
+  PetscFunctionBeginUser;
+  PetscCall(FacetsCreateBlockMat(level, facets, entries, 1, A));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FacetsCreateBlockMat(Level *level, const Facets *facets, const PetscInt entries[], PetscInt bs, Mat *A)
+{
+  const PetscInt rows = bs * level->num_owned, all = bs * level->num_global;
+
   Vec          counts, local;
   PetscScalar *ca;
   PetscInt    *d_nnz, *o_nnz;
@@ -23,16 +32,16 @@ PetscErrorCode FacetsCreateMat(Level *level, const Facets *facets, const PetscIn
   PetscCall(VecRestoreArray(local, &ca));
   PetscCall(VecGhostRestoreLocalForm(counts, &local));
   PetscCall(LevelShareVec(counts, ADD_VALUES));
-  PetscCall(PetscMalloc2(level->num_owned, &d_nnz, level->num_owned, &o_nnz));
+  PetscCall(PetscMalloc2(rows, &d_nnz, rows, &o_nnz));
   PetscCall(VecGetArray(counts, &ca));
-  for (PetscInt i = 0; i < level->num_owned; i++) {
-    d_nnz[i] = PetscMin((PetscInt)PetscRealPart(ca[i]), level->num_owned);
-    o_nnz[i] = PetscMin((PetscInt)PetscRealPart(ca[i]), level->num_global - level->num_owned);
+  for (PetscInt i = 0; i < rows; i++) {
+    d_nnz[i] = PetscMin(bs * (PetscInt)PetscRealPart(ca[i / bs]), rows);
+    o_nnz[i] = PetscMin(bs * (PetscInt)PetscRealPart(ca[i / bs]), all - rows);
   }
   PetscCall(VecRestoreArray(counts, &ca));
   PetscCall(VecDestroy(&counts));
-  PetscCall(MatCreateAIJ(level->comm, level->num_owned, level->num_owned, level->num_global, level->num_global, 0,
-                         d_nnz, 0, o_nnz, A));
+  PetscCall(MatCreateAIJ(level->comm, rows, rows, all, all, 0, d_nnz, 0, o_nnz, A));
+  PetscCall(MatSetBlockSize(*A, bs));
   PetscCall(PetscFree2(d_nnz, o_nnz));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -53,6 +62,24 @@ static PetscErrorCode AddCouplings_Private(const Level *level, const Facets *fac
   }
   for (PetscInt i = 0; i < n && num_nodes > n; i++)
     PetscCall(MatSetValues(sums->chain, 1, &nodes[i], num_nodes - n, &nodes[n], &integral->chain[i][n], ADD_VALUES));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds one facet's blocks to the arm. */
+static PetscErrorCode AddArm_Private(const Level *level, const Facets *facets, PetscInt f,
+                                     const FacetIntegral *integral, Mat arm)
+{
+  const PetscInt squares = level->dim * level->dim;
+
+  PetscFunctionBeginUser;
+  for (PetscInt j = 0; integral->apart && j < integral->num_columns; j++) {
+    for (PetscInt i = 0; i < integral->n; i++) {
+      const PetscInt row = level->node_global[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
+
+      PetscCall(MatSetValuesBlocked(arm, 1, &row, 1, &integral->columns[j],
+                                    &integral->arm[(j * ELEMENT_MAX_FACET_NODES + i) * squares], ADD_VALUES));
+    }
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -185,6 +212,27 @@ static PetscErrorCode CreateChain_Private(Level *level, const Facets *facets, co
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The arm of a tie; NULL where its sides touch. Collective. */
+static PetscErrorCode CreateArm_Private(Level *level, const FacetPartner *partner, const Facets *facets,
+                                        const FacetIntegral integrals[], Mat *arm)
+{
+  PetscBool any = PETSC_FALSE;
+  PetscInt *entries;
+
+  PetscFunctionBeginUser;
+  *arm = NULL;
+  if (partner->spec->type != PAIR_TIED) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt f = 0; f < facets->num; f++) any = (PetscBool)(any || integrals[f].apart);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  if (!any) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(facets->num, &entries));
+  for (PetscInt f = 0; f < facets->num; f++) entries[f] = integrals[f].apart ? integrals[f].num_columns : 0;
+  PetscCall(FacetsCreateBlockMat(level, facets, entries, level->dim, arm));
+  PetscCall(PetscFree(entries));
+  for (PetscInt f = 0; f < facets->num; f++) PetscCall(AddArm_Private(level, facets, f, &integrals[f], *arm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Ends what MatSetValues() began. */
 static PetscErrorCode Assemble_Private(Mat A)
 {
@@ -233,11 +281,13 @@ PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const 
   PetscCall(VecDuplicate(sums->D, &sums->whole));
   PetscCall(VecDuplicate(sums->D, &sums->cut));
   PetscCall(CreateM_Private(level, partner, facets, integrals, &sums->M));
+  PetscCall(CreateArm_Private(level, partner, facets, integrals, &sums->arm));
   PetscCall(CreateChain_Private(level, facets, sums->carrier, &sums->chain));
   PetscCall(SumFacets_Private(level, facets, integrals, sums));
   PetscCall(Overlaps_Private(facets, integrals, sums->overlap));
   PetscCall(Ends_Private(facets, integrals, sums));
   PetscCall(Assemble_Private(sums->M));
+  PetscCall(Assemble_Private(sums->arm));
   PetscCall(Assemble_Private(sums->chain));
   for (PetscInt f = 0; f < facets->num; f++) PetscCall(FacetIntegralDestroy(&integrals[f]));
   PetscCall(PetscFree(integrals));
@@ -256,6 +306,7 @@ PetscErrorCode IntegralsDestroy(Integrals *sums)
   PetscCall(VecDestroy(&sums->whole));
   PetscCall(VecDestroy(&sums->cut));
   PetscCall(PetscFree(sums->ends));
+  PetscCall(MatDestroy(&sums->arm));
   PetscCall(MatDestroy(&sums->chain));
   PetscCall(PetscFree2(sums->covered, sums->carrier));
   PetscFunctionReturn(PETSC_SUCCESS);

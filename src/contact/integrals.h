@@ -28,6 +28,7 @@ typedef struct {
   Vec          overlap;        /* the largest -g at a point of the facets around a node: ghosted, one per node */
   Vec          measure, cover; /* of the facets around a node, of their covered parts: ghosted, one per node */
   Mat          M;              /* node x node, or NULL */
+  Mat          arm;            /* of a tie across a gap: unknown x unknown, block size dim, or NULL (arm.h) */
   Mat          chain;      /* int psi_a phi_c of nodes c that never carry a multiplier (node x node), or NULL (T20) */
   Vec          whole, cut; /* whether a facet around a node is covered altogether, in part: ghosted, one per node */
   PetscInt     num_ends;
@@ -37,7 +38,7 @@ typedef struct {
 } Integrals;
 
 /* D, G and M of a pair, before any row is spread. Collective. [in] normals - ghosted; [out] sums - owned by the caller,
-   but M and the ends pass to the pair */
+   but M, the arm and the ends pass to the pair */
 PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const Facets *facets, Vec normals,
                                Integrals *sums);
 PetscErrorCode IntegralsDestroy(Integrals *sums);
@@ -45,5 +46,7 @@ PetscErrorCode IntegralsDestroy(Integrals *sums);
 /* An empty matrix, node x node, with room in the rows of each facet's nodes for what the facet brings to them. Collective.
    [in] entries - of each facet [facets->num] */
 PetscErrorCode FacetsCreateMat(Level *level, const Facets *facets, const PetscInt entries[], Mat *A);
+/* The same with a block of size bs for each of a facet's entries, unknown x unknown. Collective. */
+PetscErrorCode FacetsCreateBlockMat(Level *level, const Facets *facets, const PetscInt entries[], PetscInt bs, Mat *A);
 
 #endif

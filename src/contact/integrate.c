@@ -6,6 +6,7 @@
 #include <mortise/compat.h>
 #include <mortise/dual.h>
 #include <mortise/frame.h>
+#include "arm.h"
 #include "integrate.h"
 #include "overlap.h"
 
@@ -20,8 +21,11 @@ ElementType CarrierType(const ScenePair *spec, ElementType facet)
 }
 
 /* Position of a global node among the columns, added if it is new. */
-static PetscErrorCode FindColumn_Private(FacetIntegral *integral, PetscInt node, PetscInt *column)
+static PetscErrorCode FindColumn_Private(const FacetPartner *partner, FacetIntegral *integral, PetscInt node,
+                                         PetscInt *column)
 {
+  const PetscInt arms = partner->spec->type == PAIR_TIED ? ELEMENT_MAX_FACET_NODES * partner->dim * partner->dim : 0;
+
   PetscFunctionBeginUser;
   for (*column = 0; *column < integral->num_columns; (*column)++) {
     if (integral->columns[*column] == node) PetscFunctionReturn(PETSC_SUCCESS);
@@ -30,9 +34,11 @@ static PetscErrorCode FindColumn_Private(FacetIntegral *integral, PetscInt node,
     integral->max_columns = integral->max_columns ? 2 * integral->max_columns : START_COLUMNS;
     PetscCall(PetscRealloc(sizeof(PetscInt) * integral->max_columns, &integral->columns));
     PetscCall(PetscRealloc(sizeof(PetscReal) * ELEMENT_MAX_FACET_NODES * integral->max_columns, &integral->M));
+    if (arms) PetscCall(PetscRealloc(sizeof(PetscReal) * arms * integral->max_columns, &integral->arm));
   }
   integral->columns[integral->num_columns++] = node;
   for (PetscInt i = 0; i < ELEMENT_MAX_FACET_NODES; i++) integral->M[*column * ELEMENT_MAX_FACET_NODES + i] = 0;
+  for (PetscInt i = 0; i < arms; i++) integral->arm[*column * arms + i] = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -72,7 +78,8 @@ static PetscErrorCode FindColumns_Private(const FacetPartner *partner, PetscInt 
   PetscFunctionBeginUser;
   if (facet < 0) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt j = 0; j < ElementNumNodes(partner->mortar->type[facet]); j++)
-    PetscCall(FindColumn_Private(integral, partner->mortar->nodes[facet * ELEMENT_MAX_FACET_NODES + j], &columns[j]));
+    PetscCall(FindColumn_Private(partner, integral, partner->mortar->nodes[facet * ELEMENT_MAX_FACET_NODES + j],
+                                 &columns[j]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -86,6 +93,25 @@ static void AddPoint_Private(const ClipPoint *point, ElementType mortar, const P
   for (PetscInt j = 0; j < ElementNumNodes(mortar); j++) {
     PetscReal *M = &integral->M[columns[j] * ELEMENT_MAX_FACET_NODES];
     for (PetscInt i = 0; i < integral->n; i++) M[i] += point->weight * psi[i] * phi_m[j];
+  }
+}
+
+/* Adds one quadrature point to the arm. [in] columns - of the mortar facet's nodes; psi - [n] */
+static void AddArm_Private(const FacetPartner *partner, const ClipFacet *facet, PetscInt mortar, const ClipPoint *point,
+                           const PetscInt columns[], const PetscReal psi[], FacetIntegral *integral)
+{
+  const PetscInt  squares = partner->dim * partner->dim;
+  const ClipFacet other   = OverlapMortar(partner, mortar);
+  PetscReal       blocks[9 * ELEMENT_MAX_FACET_NODES];
+
+  if (!ArmAtPoint(partner->dim, facet, &other, point, integral->size, blocks)) return;
+  integral->apart = PETSC_TRUE;
+  for (PetscInt j = 0; j < ElementNumNodes(other.type); j++) {
+    for (PetscInt i = 0; i < integral->n; i++) {
+      PetscReal *arm = &integral->arm[(columns[j] * ELEMENT_MAX_FACET_NODES + i) * squares];
+
+      for (PetscInt k = 0; k < squares; k++) arm[k] += point->weight * psi[i] * blocks[j * squares + k];
+    }
   }
 }
 
@@ -115,6 +141,8 @@ static PetscErrorCode SumPoints_Private(const FacetPartner *partner, const ClipF
     PetscCall(GapAt_Private(partner, num_nodes, facet->X, phi, &gap));
     if (p == 0 || f != list->facet[p - 1]) PetscCall(FindColumns_Private(partner, f, integral, columns));
     if (f >= 0) AddPoint_Private(&list->point[p], partner->mortar->type[f], columns, psi, integral);
+    if (f >= 0 && partner->spec->type == PAIR_TIED)
+      AddArm_Private(partner, facet, f, &list->point[p], columns, psi, integral);
     integral->least = PetscMin(integral->least, gap);
     for (PetscInt i = 0; i < integral->n; i++) {
       integral->gap[i] += w[p] * psi[i] * gap;
@@ -185,6 +213,8 @@ PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *face
   PetscFunctionBeginUser;
   integral->n           = ElementNumNodes(carrier);
   integral->num_columns = 0;
+  integral->apart       = PETSC_FALSE;
+  integral->size        = FacetSize(partner->dim, facet->type, facet->X);
   integral->measure = integral->cover = 0;
   integral->least                     = PETSC_MAX_REAL;
   for (PetscInt i = 0; i < integral->n; i++) {
@@ -207,5 +237,6 @@ PetscErrorCode FacetIntegralDestroy(FacetIntegral *integral)
   PetscCall(PetscFree(integral->columns));
   PetscCall(PetscFree(integral->ends));
   PetscCall(PetscFree(integral->M));
+  PetscCall(PetscFree(integral->arm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -8,6 +8,7 @@
 /* Contribution of one nonmortar facet, n of whose nodes carry multipliers, the first ones; arrays grow as needed. */
 typedef struct {
   PetscInt   n;                                /* all nodes of the facet, or its vertices */
+  PetscReal  size;                             /* of the facet, a length */
   PetscReal  measure, cover;                   /* of the facet, of its covered part */
   PetscBool  whole, cut;                       /* covered altogether, by a mesh in part */
   PetscReal  covered[ELEMENT_MAX_FACET_NODES]; /* D_ii: int_cov phi~_i = int psi_i */
@@ -18,8 +19,10 @@ typedef struct {
   PetscInt   num_columns, max_columns;                                /* mortar nodes met */
   PetscInt  *columns;                                                 /* global nodes [num_columns] */
   PetscInt   num_ends;
-  PairEnd   *ends; /* where the cover ends, of a facet that is covered in part; without their nodes [num_ends] */
-  PetscReal *M;    /* int psi_i phi^m_j(pi) [num_columns][ELEMENT_MAX_FACET_NODES] */
+  PairEnd   *ends;  /* where the cover ends, of a facet that is covered in part; without their nodes [num_ends] */
+  PetscReal *M;     /* int psi_i phi^m_j(pi) [num_columns][ELEMENT_MAX_FACET_NODES] */
+  PetscBool  apart; /* whether a tie has an arm on this facet (arm.h) */
+  PetscReal *arm;   /* of a tie: int psi_i block_j [num_columns][ELEMENT_MAX_FACET_NODES][dim][dim] */
 } FacetIntegral;
 
 /* The element whose shape functions multipliers of a facet are dual to: the facet's own, or the linear one (T20). */

@@ -179,6 +179,8 @@ static PetscErrorCode Finish_Private(Level *level, const Support *held, PairDraf
   PetscCall(SpreadRemovedRows(level, &draft->nonmortar, draft->fate, sums, &pair->chain));
   PetscCall(CollectNodes_Private(level, held, draft, pair));
   pair->M        = sums->M;
+  pair->arm      = sums->arm;
+  sums->arm      = NULL;
   pair->num_ends = sums->num_ends;
   pair->ends     = sums->ends;
   sums->ends     = NULL;
@@ -213,6 +215,7 @@ PetscErrorCode PairDestroy(Pair *pair)
   PetscFunctionBeginUser;
   if (!*pair) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MatDestroy(&(*pair)->M));
+  PetscCall(MatDestroy(&(*pair)->arm));
   PetscCall(MatDestroy(&(*pair)->chain));
   PetscCall(MatDestroy(&(*pair)->shift));
   PetscCall(MatDestroy(&(*pair)->unshift));

@@ -142,6 +142,20 @@ static PetscErrorCode AddSpread_Private(Mat W, Mat *A)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The same for all components, with W (x) 1. */
+static PetscErrorCode AddBlockSpread_Private(Mat W, PetscInt dim, Mat *A)
+{
+  Mat blocks, expanded;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateMAIJ(W, dim, &blocks));
+  PetscCall(MatConvert(blocks, MATAIJ, MAT_INITIAL_MATRIX, &expanded));
+  PetscCall(AddSpread_Private(expanded, A));
+  PetscCall(MatDestroy(&expanded));
+  PetscCall(MatDestroy(&blocks));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Empties the rows of nodes that are not kept. */
 static PetscErrorCode KeepRows_Private(const Level *level, const NodeFate fate[], Mat A)
 {
@@ -211,6 +225,7 @@ PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, NodeFate fa
     PetscCall(VecAXPY(sums->G, 1.0, WG));
     PetscCall(VecDestroy(&WG));
     if (sums->M) PetscCall(AddSpread_Private(W, &sums->M));
+    if (sums->arm) PetscCall(AddBlockSpread_Private(W, level->dim, &sums->arm));
     if (sums->chain) PetscCall(AddSpread_Private(W, &sums->chain));
     PetscCall(MatDiagonalScale(W, NULL, sums->D));
     if (sums->chain) PetscCall(MatAXPY(sums->chain, 1.0, W, DIFFERENT_NONZERO_PATTERN));

@@ -5,7 +5,7 @@
    directions so. Held directions that are not axes turn their node's unknowns as well. All this is done to the hierarchical
    displacements u~ where there are any, and to those of T24 on tri6 (couplings.h), and u = S u~ comes last. */
 #include <mortise/compat.h>
-#include "basis.h"
+#include "arms.h"
 
 /* A unit vector is along an axis, or two are parallel, to this. */
 static const PetscReal PARALLEL = 1e-12;
@@ -201,7 +201,8 @@ static PetscErrorCode AddCoupling_Private(VI vi, const NodeBases *bases, Mat C, 
 /* Entries of a node's rows of E, over all its constraints. [out] nnz - blocks per owned node [num_owned] */
 static PetscErrorCode CountE_Private(VI vi, const Couplings *couplings, PetscInt nnz[])
 {
-  PetscInt num;
+  const PetscInt dim = vi->level->dim;
+  PetscInt       num;
 
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(nnz, vi->level->num_owned));
@@ -211,6 +212,8 @@ static PetscErrorCode CountE_Private(VI vi, const Couplings *couplings, PetscInt
       PetscCall(MatGetRow(couplings->basis[p], vi->level->node_begin + node, &num, NULL, NULL));
       nnz[node] += num;
       PetscCall(MatRestoreRow(couplings->basis[p], vi->level->node_begin + node, &num, NULL, NULL));
+      PetscCall(ArmCount(couplings->arm[p], dim * (vi->level->node_begin + node), &num));
+      nnz[node] += (num + dim - 1) / dim;
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -237,6 +240,7 @@ static PetscErrorCode CreateSum_Private(VI vi, const NodeBases *bases, const Cou
   for (PetscInt r = 0; r < (with_E ? vi->num_rows : 0); r++) {
     const Mat C = couplings->basis[vi->row_pair[r]];
     if (C) PetscCall(AddCoupling_Private(vi, bases, C, r, *sum));
+    PetscCall(ArmAddToE(vi, bases, couplings->arm[vi->row_pair[r]], r, *sum));
   }
   PetscCall(MatAssemblyBegin(*sum, MAT_FINAL_ASSEMBLY));
   PetscCall(MatAssemblyEnd(*sum, MAT_FINAL_ASSEMBLY));
@@ -261,6 +265,7 @@ static PetscErrorCode IsChained_Private(VI vi, const NodeBases *bases, const Cou
     PetscCall(MatGetRow(C, node, &num, &columns, NULL));
     for (PetscInt c = 0; c < num; c++) PetscCall(VecSetValue(marks, columns[c], 1, INSERT_VALUES));
     PetscCall(MatRestoreRow(C, node, &num, &columns, NULL));
+    PetscCall(ArmMark(couplings->arm[vi->row_pair[r]], vi->level->dim, vi->level->dim * node, marks));
   }
   PetscCall(VecAssemblyBegin(marks));
   PetscCall(VecAssemblyEnd(marks));

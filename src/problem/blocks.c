@@ -1,5 +1,6 @@
 /* blocks.c -- the book of record [K B'; B 0]: the problem before any condensation, kept to judge the answer by. */
 #include <mortise/compat.h>
+#include "arms.h"
 #include "blocks.h"
 
 /* Adds coefficient * (row of a node x node matrix) (x) F_i to row of B. */
@@ -37,6 +38,8 @@ static PetscErrorCode CountRow_Private(VI vi, const Couplings *couplings, PetscI
   } else {
     *nnz = vi->level->dim;
   }
+  PetscCall(ArmCount(pair->arm, vi->level->dim * node, &num));
+  *nnz += num;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -82,6 +85,7 @@ PetscErrorCode BlocksCreate(VI vi, const NodeBases *bases, const Couplings *coup
     for (PetscInt j = 0; j < dim; j++)
       PetscCall(MatSetValue(vi->B, first + r, dim * node + j, vi->row_D[r] * Fi[j], ADD_VALUES));
     if (C) PetscCall(AddRow_Private(vi, C, node, thickness, Fi, first + r));
+    PetscCall(ArmAddToB(vi, bases, r, first + r));
     PetscCall(
         VecSetValue(vi->G, first + r, pair->spec->type == PAIR_TIED ? 0 : vi->row_D[r] * pair->gap[k], INSERT_VALUES));
   }

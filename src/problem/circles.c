@@ -10,33 +10,33 @@
 /* Entries of M below this part of the whole are roundoff. */
 static const PetscReal ROUNDOFF = 1e-12;
 
-/* 1 at the nodes that carry a multiplier of a pair, 0 elsewhere. [in,out] marks - in the layout of M's rows */
-static PetscErrorCode MarkNodes_Private(const Pair pair, Vec marks)
+/* 1 at the nodes that carry a multiplier of a pair, 0 elsewhere. [in,out] marks - bs of each node */
+static PetscErrorCode MarkNodes_Private(const Pair pair, PetscInt bs, Vec marks)
 {
   PetscScalar *mark;
 
   PetscFunctionBeginUser;
   PetscCall(VecZeroEntries(marks));
   PetscCall(VecGetArray(marks, &mark));
-  for (PetscInt k = 0; k < pair->num; k++) mark[pair->nodes[k]] = 1;
+  for (PetscInt k = 0; k < bs * pair->num; k++) mark[bs * pair->nodes[k / bs] + k % bs] = 1;
   PetscCall(VecRestoreArray(marks, &mark));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether rows of p hold nodes of q: |diag(marks of p) M diag(marks of q)| > 0. */
-static PetscErrorCode Leads_Private(const Pair p, const Pair q, PetscBool *leads)
+/* Whether rows of p hold nodes of q: |diag(marks of p) M diag(marks of q)| > 0. [in] M - that of p, or its arm: bs rows of each node */
+static PetscErrorCode Leads_Private(const Pair p, const Pair q, Mat M, PetscInt bs, PetscBool *leads)
 {
   PetscReal all, common;
   Vec       rows, columns;
   Mat       part;
 
   PetscFunctionBeginUser;
-  PetscCall(MatCreateVecs(p->M, &columns, &rows));
-  PetscCall(MarkNodes_Private(p, rows));
-  PetscCall(MarkNodes_Private(q, columns));
-  PetscCall(MatDuplicate(p->M, MAT_COPY_VALUES, &part));
+  PetscCall(MatCreateVecs(M, &columns, &rows));
+  PetscCall(MarkNodes_Private(p, bs, rows));
+  PetscCall(MarkNodes_Private(q, bs, columns));
+  PetscCall(MatDuplicate(M, MAT_COPY_VALUES, &part));
   PetscCall(MatDiagonalScale(part, rows, columns));
-  PetscCall(MatNorm(p->M, NORM_FROBENIUS, &all));
+  PetscCall(MatNorm(M, NORM_FROBENIUS, &all));
   PetscCall(MatNorm(part, NORM_FROBENIUS, &common));
   *leads = (PetscBool)(common > ROUNDOFF * all);
   PetscCall(MatDestroy(&part));
@@ -87,8 +87,12 @@ PetscErrorCode CirclesCheck(VI vi)
   PetscCall(PetscCalloc1(n * n, &leads));
   for (PetscInt p = 0; p < n; p++) {
     for (PetscInt q = 0; q < n; q++) {
-      if (p != q && vi->pairs[p]->M && vi->pairs[q]->M)
-        PetscCall(Leads_Private(vi->pairs[p], vi->pairs[q], &leads[p * n + q]));
+      const Pair from = vi->pairs[p], to = vi->pairs[q];
+
+      if (p == q || !from->M || !to->M) continue;
+      PetscCall(Leads_Private(from, to, from->M, 1, &leads[p * n + q]));
+      if (from->arm && !leads[p * n + q])
+        PetscCall(Leads_Private(from, to, from->arm, vi->level->dim, &leads[p * n + q]));
     }
   }
   CloseWays_Private(n, leads);

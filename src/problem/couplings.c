@@ -186,7 +186,8 @@ PetscErrorCode CouplingsCreate(VI vi, Couplings *couplings)
   PetscCall(CheckTorn_Private(vi));
   couplings->num   = vi->num_pairs;
   couplings->shift = couplings->unshift = NULL;
-  PetscCall(PetscCalloc2(vi->num_pairs, &couplings->record, vi->num_pairs, &couplings->basis));
+  PetscCall(PetscCalloc3(vi->num_pairs, &couplings->record, vi->num_pairs, &couplings->basis, vi->num_pairs,
+                         &couplings->arm));
   PetscCall(UniteShifts_Private(vi, PETSC_FALSE, &shift));
   PetscCall(UniteShifts_Private(vi, PETSC_TRUE, &unshift));
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
@@ -202,6 +203,10 @@ PetscErrorCode CouplingsCreate(VI vi, Couplings *couplings)
   }
   if (shift) PetscCall(Expand_Private(vi, shift, &couplings->shift));
   if (unshift) PetscCall(Expand_Private(vi, unshift, &couplings->unshift));
+  for (PetscInt p = 0; p < vi->num_pairs; p++) {
+    PetscCall(Add_Private(&couplings->arm[p], 1.0, vi->pairs[p]->arm));
+    PetscCall(AddProduct_Private(&couplings->arm[p], 1.0, vi->pairs[p]->arm, couplings->shift));
+  }
   PetscCall(MatDestroy(&shift));
   PetscCall(MatDestroy(&unshift));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -213,8 +218,9 @@ PetscErrorCode CouplingsDestroy(Couplings *couplings)
   for (PetscInt p = 0; p < couplings->num; p++) {
     PetscCall(MatDestroy(&couplings->record[p]));
     PetscCall(MatDestroy(&couplings->basis[p]));
+    PetscCall(MatDestroy(&couplings->arm[p]));
   }
-  PetscCall(PetscFree2(couplings->record, couplings->basis));
+  PetscCall(PetscFree3(couplings->record, couplings->basis, couplings->arm));
   PetscCall(MatDestroy(&couplings->shift));
   PetscCall(MatDestroy(&couplings->unshift));
   PetscFunctionReturn(PETSC_SUCCESS);

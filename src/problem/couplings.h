@@ -7,12 +7,13 @@
 
 #include <mortise/vi.h>
 
-/* Row a of pair p says D_aa u_a + (record[p] u)_a, which is D_aa u~_a + (basis[p] u~)_a. All are node x node matrices of
-   which the rows of multiplier nodes count. */
+/* Row a of pair p says D_aa u_a + (record[p] u)_a - (arm of the pair u)_a, which is D_aa u~_a + (basis[p] u~)_a - (arm[p] u~)_a. Record and
+   basis are node x node matrices, arms unknown x unknown; the rows of multiplier nodes count. */
 typedef struct {
   PetscInt num;
   Mat     *record;         /* (D + chain) S^-1 - D - M, NULL where there is nothing of it [num] */
   Mat     *basis;          /* (D + record) S - D; the very same where S = I [num] */
+  Mat     *arm;            /* that of the pair, times S; NULL where it has none [num] */
   Mat      shift, unshift; /* S - I, S^-1 - I on unknowns (block size dim), NULL where S = I */
 } Couplings;
 

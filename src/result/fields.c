@@ -150,12 +150,29 @@ static PetscErrorCode ReferenceSizes_Private(Fields fields)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* How many times its own size the displacement of a node is the sum of others by the arm of a tie, and so its rounding (T49). */
+static PetscErrorCode ArmSize_Private(const Pair pair, PetscInt k, PetscReal *size)
+{
+  const PetscInt     dim = pair->level->dim, first = dim * (pair->level->node_begin + pair->nodes[k]);
+  PetscInt           num;
+  const PetscScalar *values;
+
+  PetscFunctionBeginUser;
+  *size = 0;
+  for (PetscInt i = 0; pair->arm && i < dim; ++i) {
+    PetscCall(MatGetRow(pair->arm, first + i, &num, NULL, &values));
+    for (PetscInt c = 0; c < num; ++c) *size += PetscAbsScalar(values[c]) / pair->D[k];
+    PetscCall(MatRestoreRow(pair->arm, first + i, &num, NULL, &values));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* In contact is what lies on its bound, but for what bodies that are free to move have moved since, and presses by more than roundoff. */
 static PetscErrorCode RowStatus_Private(Fields fields, Vec y)
 {
   const VI         vi = fields->vi;
   const PetscReal *lambda, *values, *upper;
-  PetscReal        tolerance;
+  PetscReal        tolerance, arm;
   PetscInt         begin;
 
   PetscFunctionBeginUser;
@@ -171,7 +188,8 @@ static PetscErrorCode RowStatus_Private(Fields fields, Vec y)
     const PetscInt  node = pair->nodes[vi->row_node[r]], i = vi->row_dof[r] - begin;
     const PetscReal force = fields->stiffness[node] * fields->body_max[vi->level->node_body[node]];
 
-    fields->row_noise[r] = FIELDS_ROUNDOFF * force / vi->row_D[r];
+    PetscCall(ArmSize_Private(pair, vi->row_node[r], &arm));
+    fields->row_noise[r] = FIELDS_ROUNDOFF * (1 + arm) * force / vi->row_D[r];
     if (pair->spec->type == PAIR_TIED) {
       fields->row_status[r] = STATUS_TIED;
     } else {

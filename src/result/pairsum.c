@@ -66,14 +66,32 @@ static PetscErrorCode PressurePlace_Private(Fields fields, PetscInt p, const Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The mean of the nodes with the weights |F|: what the forces of a tie act around, whose centre of pressure may be anywhere. */
+static PetscErrorCode Middle_Private(const Level *level, const PetscReal F[], PetscReal middle[3])
+{
+  PetscReal sums[4] = {0, 0, 0, 0};
+
+  PetscFunctionBeginUser;
+  for (PetscInt a = 0; a < level->num_owned; ++a) {
+    PetscReal square = 0;
+
+    for (PetscInt k = 0; k < level->dim; ++k) square += PetscSqr(F[a * level->dim + k]);
+    for (PetscInt k = 0; k < level->dim; ++k) sums[k] += PetscSqrtReal(square) * level->coords[a * level->dim + k];
+    sums[3] += PetscSqrtReal(square);
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 4, MPIU_REAL, MPI_SUM, level->comm));
+  for (PetscInt k = 0; k < 3; ++k) middle[k] = sums[3] > 0 ? sums[k] / sums[3] : 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* |sum x cross F| / sum |x||F| over the nodes of both sides, F = B'lambda of this pair alone, x from the centre of
-   pressure: 0 on flat and on touching sides, where the points of both are the same. */
+   pressure, or from the middle of a tie: 0 on flat and on touching sides, where the points of both are the same, and of ties. */
 static PetscErrorCode MomentImbalance_Private(Fields fields, PetscInt p, PairSum *sum)
 {
   const VI         vi  = fields->vi;
   const PetscInt   dim = vi->level->dim;
   Vec              lambda, force;
-  PetscReal       *l, sums[4] = {0, 0, 0, 0};
+  PetscReal       *l, sums[4] = {0, 0, 0, 0}, centre[3];
   const PetscReal *F;
 
   PetscFunctionBeginUser;
@@ -90,11 +108,13 @@ static PetscErrorCode MomentImbalance_Private(Fields fields, PetscInt p, PairSum
   PetscCall(VecRestoreArray(lambda, &l));
   PetscCall(MatMultTranspose(vi->B, lambda, force));
   PetscCall(VecGetArrayRead(force, &F));
+  PetscCall(PetscArraycpy(centre, sum->centre, 3));
+  if (vi->pairs[p]->spec->type == PAIR_TIED) PetscCall(Middle_Private(vi->level, F, centre));
   for (PetscInt a = 0; a < vi->level->num_owned; ++a) {
     PetscReal x[3] = {0, 0, 0}, f[3] = {0, 0, 0}, xx = 0, ff = 0;
 
     for (PetscInt k = 0; k < dim; ++k) {
-      x[k] = vi->level->coords[a * dim + k] - sum->centre[k];
+      x[k] = vi->level->coords[a * dim + k] - centre[k];
       f[k] = F[a * dim + k];
       xx += x[k] * x[k];
       ff += f[k] * f[k];

@@ -104,7 +104,7 @@ static const OptionEntry table[] = {
     {GROUP_PAIRS, "-<pair>_sides", "body:side,body:side", "", "(none)",
      "Instead of the two: both sides, their roles chosen by stiffness and mesh."},
     {GROUP_PAIRS, "-<pair>_type", "contact|tied", "", "contact",
-     "Sides that push but never pull, without friction; or sides glued together."},
+     "Sides that push but never pull, without friction; or sides glued together, across a gap as by rigid links."},
     {GROUP_PAIRS, "-<pair>_gap", "e", "length", "(measured)",
      "The gap between the sides, instead of the one measured from the meshes."},
     {GROUP_PAIRS, "-<pair>_gap_offset", "e", "length", "(none)",

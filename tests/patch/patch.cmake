@@ -16,3 +16,8 @@ mortise_scene_test(curved CHECK curved.py RANKS 1 3)
 mortise_scene_test(cylinders CHECK cylinders.py RANKS 1 3)
 mortise_mistake(circle SCENE sectors SAYS "ab, bc, ac" "circle" "swap"
   ARGS -ac_nonmortar c:left -ac_mortar a:bottom)
+mortise_scene_test(tied_apart CHECK tied_apart.py RANKS 1 3 ARGS -cross_check)
+mortise_scene_test(tied_apart_quadratic SCENE tied_apart CHECK tied_apart.py RANKS 1 3 ARGS -cross_check -order 2)
+mortise_scene_test(tied_apart_triangles SCENE tied_apart CHECK tied_apart.py
+  ARGS -cross_check -order 2 -top_dm_plex_simplex 1 -middle_dm_plex_simplex 1 -base_dm_plex_simplex 1 -lower_multipliers vertices -upper_multipliers vertices)
+mortise_scene_test(tied_apart_multigrid SCENE tied_apart CHECK tied_apart.py RANKS 1 3 ARGS -cross_check -dm_refine 2 -pc_type truncatedmg -ksp_rtol 1e-12 -lower_reach 0.4)

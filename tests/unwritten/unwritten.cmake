@@ -25,6 +25,7 @@ unwritten(study        RANKS 1   ARGS ${plane} -study uniform -study_levels 2 -s
 unwritten(solid        RANKS 1   ARGS ${solid} -dm_refine 1 -pc_type truncatedmg -cross_check)
 unwritten(nodes        RANKS 1   ARGS ${solid} -upper_dm_plex_simplex 1 -upper_dm_plex_box_faces 7,7,7 -pc_type truncatedmg)
 unwritten(floating     RANKS 1   ARGS ${stack} -pc_type truncatedmg -dm_refine 1 -cross_check)
+unwritten(ties         RANKS 1 3 ARGS -options_file ${PROJECT_SOURCE_DIR}/tests/patch/tied_apart.opts -order 2 -top_bc_traction top -top_bc_traction_top 1,-5)
 # Conjugate gradients that break down, after which PETSc has no eigenvalues to tell: once a hang.
 unwritten(breakdown    RANKS 1   ARGS ${options_of_shrink_fit_stiff_ring} -pc_type truncatedmg -cross_check)
 
