@@ -8,11 +8,14 @@
 #include "loadterm.h"
 
 enum {
-  MAX_DIM       = 3,
-  REGULAR_WORK  = 20000000, /* evaluations that all elements of a term may take together */
-  LARGEST_WORK  = 3000000,  /* of one of them */
-  SMALLEST_WORK = 20000
+  MAX_DIM      = 3,
+  REGULAR_WORK = 20000000, /* evaluations that all elements of a term may take together */
+  LARGEST_WORK = 3000000   /* of one of them */
 };
+
+/* Evaluations that one may always take: of lines, facets in space or cells in the plane, and cells in space. On facets and in the
+   plane few elements, where a curve touches a line of points, take more than 10000. */
+static const PetscInt SMALLEST_WORK[MAX_DIM + 1] = {0, 1000000, 1000000, 20000};
 
 /* Pieces along each coordinate of lines, facets in space or cells in the plane, and cells in space: of all; and of those where two
    rules differ, to begin with, and their neighbours. What is narrower is not seen. */
@@ -246,10 +249,11 @@ typedef struct {
 static PetscErrorCode Refine_Private(const LoadTerm *term, const Measure *measure, const PetscInt pieces[],
                                      PetscReal num_rough, PetscScalar fa[], Shortfall *shortfall)
 {
-  const PetscInt budget = (PetscInt)PetscMax(SMALLEST_WORK, PetscMin(LARGEST_WORK, REGULAR_WORK / num_rough));
-  const PetscInt dim    = term->dim;
-  PetscReal      fe[CUBATURE_MAX_SIZE], tolerance[MAX_DIM], miss[MAX_DIM];
-  LoadElement    element;
+  const PetscInt  dim    = term->dim;
+  const PetscReal least  = SMALLEST_WORK[term->on_facets ? dim - 1 : dim];
+  const PetscInt  budget = (PetscInt)PetscMax(least, PetscMin(LARGEST_WORK, REGULAR_WORK / num_rough));
+  PetscReal       fe[CUBATURE_MAX_SIZE], tolerance[MAX_DIM], miss[MAX_DIM];
+  LoadElement     element;
 
   PetscFunctionBeginUser;
   for (PetscInt e = 0; e < term->num; e++) {
