@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""hertz.py -- largest pressure against Hertz' formula for a = .17, .1, .05, .03 R: hertz.py <program> [cells in a half width]
+
+A half disc of radius 1 on one of radius 2, and a cylinder's ring shape in space would cost too much: a ball on a ball, axisymmetric. Both
+bodies are blocks of polar cells around the point of contact, small where they touch, so deep that what lies behind does not matter. The
+largest pressure of a Hertz contact with the force that was found is
+
+    plane: p0 = sqrt(F E* / (pi R)), a = sqrt(4 F R / (pi E*));    balls: p0 = (6 F E*^2 / (pi^3 R^2))^(1/3), a = (3 F R / (4 E*))^(1/3)
+
+with 1/R = 1/R1 + 1/R2. It is exact for half spaces, so that the error of the bodies' shape, O((a/R)^2), is left: the table tells it, and
+the order that two lines of it give.
+"""
+import math
+import pathlib
+import sys
+import tempfile
+import types
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from scenes import Scene  # noqa: E402 pylint: disable=wrong-import-position
+
+RATIOS = (0.17, 0.1, 0.05, 0.03)
+POISSON = 0.3
+
+
+def polar(radius, sign, half, grade=0.06):
+    """A sector of [0, 1] x [0, 1]: x along the arc up to the angle 0.6, small below half; y from the arc inward to 0.2 of the radius."""
+    angle = f"(0.6*({grade}*x+{1 - grade}*x^3))"
+    r = f"({radius}*(1-0.8*({grade}*y+{1 - grade}*y^3)))"
+    return f"{r}*sin({angle}), {sign}*({radius}-{r}*cos({angle}))"
+
+
+def scene_of(model, ratio, cells, swapped):
+    """[in] ratio - of the half width that the approach makes, about"""
+    R = 2 / 3
+    approach = ratio**2 * R * (1.0 if model == "axisymmetric" else 1 + math.log(4 / ratio))
+    scene = Scene(order=2)
+    if model == "axisymmetric":
+        scene.give(model=model)
+    grade = min(1.0, ratio * R)
+    for name, radius, sign, young, n in (("upper", 1, 1, 2000, cells), ("lower", 2, -1, 1000, cells + 3)):
+        scene.block(name, (n, max(8, n // 2)), (0, 0), (1, 1), young=young, poisson=POISSON, map=polar(radius, sign, grade, grade=grade * 0.5),
+                    bc_displacement="top", bc_displacement_top=f"0,{-approach if sign > 0 else 0}", bc_normal="left")
+    scene.joint("joint", "upper:bottom", "lower:bottom", swapped=swapped)
+    return scene
+
+
+def errors(run, model, ratio, cells, swapped=False):
+    """a / R and the error of the largest pressure, with the force that was found."""
+    done = scene_of(model, ratio, cells, swapped).solve(run, f"{model}_{ratio}_{cells}_{swapped}")
+    pair = done.pair("joint")
+    modulus, R = 1 / ((1 - POISSON**2) * (1 / 2000 + 1 / 1000)), 2 / 3
+    if model == "axisymmetric":
+        F = abs(pair["normal_force"])
+        a, p0 = (3 * F * R / (4 * modulus)) ** (1 / 3), (6 * F * modulus**2 / (math.pi**3 * R**2)) ** (1 / 3)
+    else:
+        F = 2 * abs(pair["normal_force"])  # of both halves
+        a, p0 = math.sqrt(4 * F * R / (math.pi * modulus)), math.sqrt(F * modulus / (math.pi * R))
+    return a / R, pair["max_pressure"] / p0 - 1
+
+
+def main():
+    program = str(pathlib.Path(sys.argv[1]).resolve())
+    cells = int(sys.argv[2]) if len(sys.argv) > 2 else 60
+    with tempfile.TemporaryDirectory() as folder:
+        run = types.SimpleNamespace(program=program, mpiexec="mpiexec", folder=pathlib.Path(folder))
+        print("| model | nonmortar | a / R | p0 / Hertz - 1 | order |\n|---|---|---:|---:|---:|")
+        for model in ("plane_strain", "axisymmetric"):
+            for swapped in (False, True):
+                last = None
+                for ratio in RATIOS:
+                    at, error = errors(run, model, ratio, cells, swapped)
+                    order = f"{math.log(abs(last[1] / error)) / math.log(last[0] / at):.2f}" if last else "-"
+                    print(f"| {model} | {'lower' if swapped else 'upper'} | {at:.4f} | {error:.3e} | {order} |", flush=True)
+                    last = at, error
+
+
+if __name__ == "__main__":
+    main()
