@@ -55,11 +55,12 @@ struct _n_Solvability {
   PetscReal         *C;     /* [vi->num_rows][m] */
   PetscBool         *both;  /* rows of ties [vi->num_rows] */
   ContactPlace      *place; /* [vi->num_rows] */
-  ContactRows  cover;  /* the same, but up to where partners end instead of nodes beyond it; no other where none does */
-  PetscBool    cut;    /* there is such a place */
-  PetscBool    coarse; /* contact could balance the loads, but for nodes that end before their partner */
-  PetscReal   *phi;    /* work of the loads, in the user's units [m] */
-  PetscReal    forces; /* sum of |f|: what phi is small against */
+  ContactRows cover;   /* the same, but up to where partners end instead of nodes beyond it; no other where none does */
+  PetscBool   cut;     /* there is such a place */
+  PetscBool   coarse;  /* contact could balance the loads, but for nodes that end before their partner */
+  PetscReal  *phi;     /* work of the loads, in the user's units [m] */
+  PetscReal   forces;  /* sum of |f|: what phi is small against */
+  PetscReal undecided; /* the part of them that meshes of round surfaces do not decide about; 0 where contact is flat */
   PetscReal   *y;      /* forces that balance the loads, nonzero in at most m rows [vi->num_rows] */
   SceneMotion  motion; /* why not, or what costs nothing; num = 0 with other verdicts */
   PetscInt     num_free;

@@ -7,6 +7,8 @@
 static const PetscReal RANK_TOLERANCE = 1e-12;
 /* Parts of a motion that are rounding. */
 static const PetscReal NEGLIGIBLE = 1e-9;
+/* Rows of a basis, of length 1, are not divided by less: rows of C that are small, but not rounding, leave motions known to 1e-6 only. */
+static const PetscReal PIVOT = 1e-4;
 
 /* The best row of this rank: its price, with the sign that it has to enter with. */
 static PetscReal Best_Private(const Cone *cone, const NNLS *nnls, PetscInt *row, PetscReal *sign)
@@ -75,7 +77,7 @@ static void Reduce_Private(PetscInt n, PetscInt m, PetscReal rows[])
 
     for (PetscInt i = done; i < n; i++)
       if (PetscAbsReal(rows[i * m + column]) > PetscAbsReal(rows[best * m + column])) best = i;
-    if (PetscAbsReal(rows[best * m + column]) < NEGLIGIBLE) continue;
+    if (PetscAbsReal(rows[best * m + column]) < PIVOT) continue;
     for (PetscInt k = m - 1; k >= 0; k--) {
       const PetscReal swap = rows[best * m + k];
 

@@ -14,6 +14,12 @@
 
 /* Loads are in balance if what is left is below this part of the sum of their sizes. */
 static const PetscReal BALANCED = 1e-10;
+/* The same where two curved surfaces meet: meshes know their common normal to some digits only. Half of what the certificate allows. */
+static const PetscReal BALANCED_ROUND = 5e-7;
+/* Normals that differ by more are those of a curved surface. */
+static const PetscReal CURVED = 1e-6;
+/* A motion is told with free ones added as long as these cost nothing beside its own work. */
+static const PetscReal COSTS = 1e-3;
 /* What rounding leaves of a residual along a row that is in use. */
 static const PetscReal PRICE = 1e-13;
 /* The loads are moved away from the cone's inside by this part of them: they leave it if they are that near to its rim, ... */
@@ -163,7 +169,7 @@ static PetscErrorCode Pin_Private(VI vi, const Cone *cone, const ContactPlace pl
 
 /* A motion that shows that there is no solution, the simplest one: without rotations if there is one. */
 static PetscErrorCode Refuse_Private(VI vi, const Cone *cone, const ContactPlace place[], const PetscReal phi[],
-                                     PetscReal rho[], Solvability s)
+                                     const PetscReal rho[], PetscReal balanced, Solvability s)
 {
   PetscBool *straight;
   PetscReal *q, norm;
@@ -177,8 +183,18 @@ static PetscErrorCode Refuse_Private(VI vi, const Cone *cone, const ContactPlace
   }
   PetscCall(Leaves_Private(cone, phi, straight, q, NULL, &norm));
   s->verdict = SOLVABLE_NOT;
-  if (!(norm > BALANCED)) PetscCall(Pin_Private(vi, cone, place, rho));
-  PetscCall(SceneMotionCreate(vi, s, norm > BALANCED ? q : rho, &s->motion));
+  if (!(norm > balanced)) {
+    PetscReal work = 0, pinned = 0;
+
+    PetscCall(PetscArraycpy(q, rho, s->m));
+    PetscCall(Pin_Private(vi, cone, place, q));
+    for (PetscInt k = 0; k < s->m; k++) {
+      work += phi[k] * rho[k];
+      pinned += phi[k] * q[k];
+    }
+    if (PetscAbsReal(pinned - work) > COSTS * work) PetscCall(PetscArraycpy(q, rho, s->m));
+  }
+  PetscCall(SceneMotionCreate(vi, s, q, &s->motion));
   PetscCall(PetscFree2(straight, q));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -248,29 +264,86 @@ static PetscErrorCode Marginal_Private(VI vi, const Cone *cone, const PetscReal 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Below which loads count as balanced: where both surfaces of a pair are curved, normals between them are not known to the last digit, and what
+   they leave of the loads along a motion that they hardly resist is not known either. Collective. */
+static PetscErrorCode ChooseBalanced_Private(VI vi, PetscReal *balanced)
+{
+  const PetscInt dim = vi->level->dim;
+
+  PetscFunctionBeginUser;
+  *balanced = BALANCED;
+  for (PetscInt p = 0; p < vi->num_pairs; p++) {
+    const Pair pair = vi->pairs[p];
+    PetscReal  most[6]; // of n and of -n
+
+    if (pair->spec->obstacle.kind == OBSTACLE_PLANE) continue;
+    for (PetscInt k = 0; k < 6; k++) most[k] = -1;
+    for (PetscInt a = 0; a < pair->num; a++) {
+      for (PetscInt k = 0; k < dim; k++) {
+        most[k]     = PetscMax(most[k], pair->normal[a * dim + k]);
+        most[3 + k] = PetscMax(most[3 + k], -pair->normal[a * dim + k]);
+      }
+    }
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, most, 6, MPIU_REAL, MPIU_MAX, vi->level->comm));
+    for (PetscInt k = 0; k < dim; k++)
+      if (most[k] + most[3 + k] > CURVED) *balanced = BALANCED_ROUND;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Takes from the loads what they leave of the cone, which is nothing to rounding but where surfaces are round: no solution could carry it, and
+   springs would pull at it for ever. It stays in the book of record, where the certificate finds it. [in] rho - of the loads [m] */
+static PetscErrorCode TakeUndecided_Private(VI vi, Solvability s, const PetscReal rho[])
+{
+  const PetscInt m = s->m;
+  PetscReal     *gram, *values, *V, *part, largest = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc4(m * m, &gram, m, &values, m * m, &V, m, &part));
+  for (PetscInt i = 0; i < m; i++) PetscCall(VecMDot(s->modes[i], m, s->modes, &gram[i * m]));
+  DenseEigen(m, gram, values, V);
+  for (PetscInt i = 0; i < m; i++) largest = PetscMax(largest, values[i]);
+  for (PetscInt i = 0; i < m; i++) {
+    PetscReal along = 0;
+
+    for (PetscInt k = 0; k < m; k++) along += V[k * m + i] * rho[k];
+    for (PetscInt k = 0; k < m && values[i] > BALANCED * largest; k++) part[k] += V[k * m + i] * along / values[i];
+  }
+  for (PetscInt k = 0; k < m; k++) {
+    PetscCall(VecAXPY(vi->b, -part[k] / (vi->stiffness * vi->length), s->modes[k]));
+    s->phi[k] -= rho[k];
+  }
+  PetscCall(PetscFree4(gram, values, V, part));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The verdict, as far as it can be known before anything is solved, and forces that balance the loads: in the bodies, up to where they
    end, and at the nodes. */
 static PetscErrorCode Judge_Private(VI vi, Solvability s)
 {
   const Cone cone  = {.comm = vi->level->comm, .num = vi->num_rows, .m = s->m, .rows = s->C, .both = s->both};
   const Cone cover = {cone.comm, s->cover.num, s->m, s->cover.rows, s->cover.both};
-  PetscReal  scale = s->forces > 0 ? s->forces : 1, *phi, *rho, *rho_cover, *kernel, norm, norm_cover = 0;
+  PetscReal  scale = s->forces > 0 ? s->forces : 1, *phi, *rho, *rho_cover, *kernel, norm, norm_cover = 0, balanced;
   PetscInt   dim;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc4(s->m, &phi, s->m, &rho, s->m, &rho_cover, s->m * s->m, &kernel));
+  PetscCall(ChooseBalanced_Private(vi, &balanced));
+  s->undecided = balanced > BALANCED ? balanced : 0;
   for (PetscInt k = 0; k < s->m; k++) phi[k] = s->phi[k] / scale;
   PetscCall(Leaves_Private(&cone, phi, NULL, rho, s->y, &norm));
   for (PetscInt r = 0; r < vi->num_rows; r++) s->y[r] *= scale;
   if (s->cut) {
     PetscCall(Leaves_Private(&cover, phi, NULL, rho_cover, NULL, &norm_cover));
-    s->coarse = (PetscBool)(norm > BALANCED && !(norm_cover > BALANCED));
+    s->coarse = (PetscBool)(norm > balanced && !(norm_cover > balanced));
   }
   if (s->coarse) {
-    PetscCall(Refuse_Private(vi, &cone, s->place, phi, rho, s));
-  } else if (norm > BALANCED || norm_cover > BALANCED) {
-    PetscCall(Refuse_Private(vi, &cover, s->cover.place, phi, s->cut ? rho_cover : rho, s));
+    PetscCall(Refuse_Private(vi, &cone, s->place, phi, rho, balanced, s));
+  } else if (norm > balanced || norm_cover > balanced) {
+    PetscCall(Refuse_Private(vi, &cover, s->cover.place, phi, s->cut ? rho_cover : rho, balanced, s));
   } else {
+    for (PetscInt k = 0; k < s->m; k++) rho[k] *= scale;
+    if (norm > BALANCED) PetscCall(TakeUndecided_Private(vi, s, rho));
     PetscCall(ConeKernel(&cone, NULL, &dim, kernel));
     s->verdict = dim ? SOLVABLE_FREE : SOLVABLE;
     PetscCall(Marginal_Private(vi, &cover, phi, s));

@@ -18,7 +18,8 @@
 static const PetscReal RELAXED = 1e-13, BESIDE = 1e-2;
 /* In the norm of energy, the part of the solution that springs may keep from it. */
 static const PetscReal KEPT = 1e-9;
-/* What inexact solves leave may be as large: a sweep that does not halve it will not help. */
+/* What inexact solves leave may be as large, or what meshes of round surfaces do not decide about: a sweep that does not halve it will not
+   help. */
 static const PetscReal TOLERATED = 1e-8, HALVED = 0.5;
 /* Forces that are nothing but rounding, in parts of those that would move every node alone as far as it moves: bodies that overlap are
    pushed apart where nothing presses them together again. */
@@ -172,7 +173,7 @@ static PetscErrorCode Weaken_Private(Springs *springs, SNES snes, PetscBool pdas
 
 PetscErrorCode SpringsRelax(Springs *springs, SNES snes, Vec y, SolveReport *report, PetscBool *done)
 {
-  PetscReal part = 0, way = 0;
+  PetscReal part = 0, way = 0, tolerated;
   PetscBool pdas;
   Vec       active;
 
@@ -185,7 +186,8 @@ PetscErrorCode SpringsRelax(Springs *springs, SNES snes, Vec y, SolveReport *rep
   /* what the next sweep would give is as much less as the springs pull less; a first one does not tell */
   if (report->sweeps > 1) way *= part / springs->last;
   if (part <= springs->relaxed && way <= KEPT) PetscFunctionReturn(PETSC_SUCCESS);
-  if (part <= TOLERATED &&
+  tolerated = PetscMax(TOLERATED, springs->original->solvability->undecided);
+  if (part <= tolerated &&
       part > HALVED * springs->last) { // roundoff: the better one of the two last sweeps is as good as it gets
     if (part > springs->last) PetscCall(VecCopy(springs->rest, y));
     PetscFunctionReturn(PETSC_SUCCESS);
@@ -199,7 +201,7 @@ PetscErrorCode SpringsRelax(Springs *springs, SNES snes, Vec y, SolveReport *rep
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &pdas));
-  if (report->sweeps >= SEARCHING && part > PetscMax(SLOW * springs->last, TOLERATED) && springs->weaker < MOST_WEAKER)
+  if (report->sweeps >= SEARCHING && part > PetscMax(SLOW * springs->last, tolerated) && springs->weaker < MOST_WEAKER)
     PetscCall(Weaken_Private(springs, snes, pdas));
   springs->last = part;
   *done         = PETSC_FALSE;
