@@ -183,7 +183,8 @@ static PetscErrorCode Direction_Private(const FacetPartner *partner, const Petsc
     PetscCall(FindMortar_Private(partner, x, own->normal, &other, &found));
   } else {
     PetscCall(ObstacleShape(&partner->spec->obstacle, dim, x, size, &other, &found));
-    if (found) found = (PetscBool)(Dot_Private(dim, other.normal, own->normal) < BESIDE);
+    if (found && partner->spec->obstacle.kind != OBSTACLE_PLANE) // which has one normal, for nodes beside it, too
+      found = (PetscBool)(Dot_Private(dim, other.normal, own->normal) < BESIDE);
   }
   if (!found) {
     PetscCall(PetscArraycpy(n, own->normal, dim));

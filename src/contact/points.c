@@ -142,7 +142,7 @@ static PetscErrorCode CollectObstaclePoints_Private(const FacetPartner *partner,
 {
   const PetscInt dim = partner->dim, dim_facet = ElementDim(facet->type);
   PetscReal      xi[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], x[3], nu[3], phi[ELEMENT_MAX_NODES], own;
-  PetscBool      near     = PETSC_FALSE;
+  PetscBool      near = PETSC_FALSE, back = PETSC_FALSE;
   const PetscInt num_rule = ElementQuadrature(facet->type, PointsCurvedDegree(facet->type), xi, w);
 
   PetscFunctionBeginUser;
@@ -158,12 +158,11 @@ static PetscErrorCode CollectObstaclePoints_Private(const FacetPartner *partner,
     PetscCall(ObstacleGap(&partner->spec->obstacle, dim, x, n, &point.gap));
     PetscCall(ObstacleGap(&partner->spec->obstacle, dim, x, nu, &own));
     if (own <= partner->reach) near = PETSC_TRUE;
+    if (PetscMax(own, point.gap) >= PETSC_INFINITY)
+      back = PETSC_TRUE; // part of the facet turns its back on the obstacle
     PetscCall(PointListAdd(list, &point, -1));
   }
-  if (!near) list->num = 0;
-  for (PetscInt p = 0; p < list->num; p++) {
-    if (list->point[p].gap >= PETSC_INFINITY) list->num = 0; // part of the facet turns its back on the obstacle
-  }
+  if (!near || back) list->num = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
