@@ -67,5 +67,5 @@ def judge(run):
     for order in (1, 2) if LONG else (1,):
         for swapped in (False, True):
             with found.case():
-                judge_pyramid(run, order, 4, swapped)
+                judge_pyramid(run, order, 6 if swapped else 4, swapped)  # swapped, no node is where balls touch
     found.end()

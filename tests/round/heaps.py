@@ -5,5 +5,5 @@ from random_scenes import survey
 
 def judge(run):
     told = []
-    survey(run, range(300 if LONG else 10), told.append)
+    survey(run, range(300 if LONG else 9), told.append)
     require(not told, "\n".join(told))

@@ -45,9 +45,10 @@ def judge(run):
     found = Findings()
     with found.case():
         shipped(run, "half_discs", "joint", ("upper:upper_arc", "lower:lower_arc"))
-    with found.case():
-        shipped(run, "crossed_cylinders", "cross", ("upper:bottom", "lower:top"), *([] if LONG else ["-order", "1"]))
-    for order, cells in ((1, 10), (2, 8)) if LONG else ((1, 10),):
+    if LONG:
         with found.case():
-            judge_swapped(f"spheres_{order}", *(spheres(swapped, order, cells).solve(run, f"spheres_{order}_{swapped}") for swapped in (False, True)), "joint")
+            shipped(run, "crossed_cylinders", "cross", ("upper:bottom", "lower:top"))
+        for order, cells in ((1, 12), (2, 10)):
+            with found.case():
+                judge_swapped(f"spheres_{order}", *(spheres(swapped, order, cells).solve(run, f"spheres_{order}_{swapped}") for swapped in (False, True)), "joint")
     found.end()

@@ -66,7 +66,7 @@ def judge(run):
             for turned in (0, 0.3):
                 with found.case():
                     judge_row(run, order, swapped, turned)
-            if LONG or order == 2 or not swapped:
+            if LONG or not swapped:
                 with found.case():
                     judge_bearing(run, order, not swapped)
     found.end()
