@@ -10,6 +10,8 @@
 static const PetscReal REACH_FACETS = 3;
 /* ... and within twice the largest prescribed displacement, and within a tenth of the smaller side. */
 static const PetscReal REACH_PRESCRIBED = 2, REACH_SIDE = 0.1;
+/* Ties join what they name, also across a gap, whatever the size of facets: within half of the smaller side. */
+static const PetscReal REACH_TIED = 0.5;
 /* Rays out of an overlap are no longer than this many times the shortest way, where the partner is flat: 1 / 0.3 where sides face each
    other just so. */
 static const PetscReal REACH_OVERLAP = 3.5;
@@ -39,7 +41,8 @@ static PetscErrorCode SideExtent_Private(const Level *level, const Facets *facet
 PetscErrorCode ReachChoose(const ScenePair *spec, Level *level, const Support *held, const Facets *nonmortar,
                            const Facets *mortar, PetscReal *reach)
 {
-  PetscReal size, extent, extent_m;
+  const PetscReal share = spec->type == PAIR_TIED ? REACH_TIED : REACH_SIDE;
+  PetscReal       size, extent, extent_m;
 
   PetscFunctionBeginUser;
   *reach = spec->reach;
@@ -50,7 +53,7 @@ PetscErrorCode ReachChoose(const ScenePair *spec, Level *level, const Support *h
     PetscCall(SideExtent_Private(level, mortar, &extent_m));
     extent = PetscMin(extent, extent_m);
   }
-  *reach = PetscMax(REACH_FACETS * size, PetscMax(REACH_PRESCRIBED * held->max_value, REACH_SIDE * extent));
+  *reach = PetscMax(REACH_FACETS * size, PetscMax(REACH_PRESCRIBED * held->max_value, share * extent));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
