@@ -21,26 +21,29 @@ typedef struct {
 } PairEnd;
 
 struct _n_Pair {
-  const ScenePair *spec;    /* borrowed */
-  Level           *level;   /* borrowed */
-  PetscInt         num;     /* multiplier nodes owned by this rank */
-  PetscInt        *nodes;   /* their local node numbers, ascending [num] */
-  PetscReal       *D;       /* weights D_aa > 0 [num] */
-  PetscReal       *gap;     /* nodal gaps G_a / D_aa, signed, open > 0 [num] */
-  PetscReal       *overlap; /* the largest -g at a point of the facets around a node [num] */
-  PetscReal       *normal;  /* unit, out of the nonmortar body [num][dim] */
-  PetscReal       *frame; /* rows (n, t..) orthonormal; t along the held direction where there is one [num][dim][dim] */
-  PetscBool       *cut;   /* whether a facet around the node is covered in part; then `ends` tell where [num] */
-  PetscBool       *whole; /* whether a facet around the node is covered altogether [num] */
-  PetscInt         num_ends;
-  PairEnd         *ends;           /* of facets of this rank [num_ends] */
-  Mat              chain;          /* D_ac, c without a multiplier (node x node), or NULL where there is none */
-  Mat              shift, unshift; /* u = u~ + shift u~, u~ = u + unshift u (node x node), or NULL where u~ = u */
-  Mat              M;              /* node x node, rows of multiplier nodes; NULL for an obstacle */
-  Mat              arm;            /* of a tie across a gap: what joins M, in blocks of size dim (T49); else NULL */
-  PetscInt         num_facets_nonmortar, num_facets_mortar;     /* of all ranks */
-  PetscInt         num_multipliers, num_removed, num_uncovered; /* nodes of all ranks */
-  PetscReal        reach;                                       /* that was used */
+  const ScenePair *spec;  /* borrowed */
+  Level           *level; /* borrowed */
+  PetscInt         num;   /* multiplier nodes owned by this rank */
+  PetscInt        *nodes; /* their local node numbers, ascending [num] */
+  PetscReal       *D;     /* weights D_aa > 0 [num] */
+  PetscReal       *gap;   /* nodal gaps G_a / D_aa, signed, open > 0 [num] */
+  PetscReal
+      *overlap; /* the largest -g at a point of the facets around a node, and what curves change g by there [num] */
+  PetscReal *normal; /* unit, out of the nonmortar body [num][dim] */
+  PetscReal *frame;  /* rows (n, t..) orthonormal; t along the held direction where there is one [num][dim][dim] */
+  PetscBool *cut;    /* whether a facet around the node is covered in part; then `ends` tell where [num] */
+  PetscBool *whole;  /* whether a facet around the node is covered altogether [num] */
+  PetscInt   num_ends;
+  PairEnd   *ends;           /* of facets of this rank [num_ends] */
+  Mat        chain;          /* D_ac, c without a multiplier (node x node), or NULL where there is none */
+  Mat        shift, unshift; /* u = u~ + shift u~, u~ = u + unshift u (node x node), or NULL where u~ = u */
+  Mat        M;              /* node x node, rows of multiplier nodes; NULL for an obstacle */
+  Mat        arm;            /* of a tie across a gap: what joins M, in blocks of size dim (T49); else NULL */
+  PetscInt   num_facets_nonmortar, num_facets_mortar;     /* of all ranks */
+  PetscInt   num_multipliers, num_removed, num_uncovered; /* nodes of all ranks */
+  PetscReal  reach;                                       /* that was used */
+  PetscBool  smooth[2]; /* whether the nonmortar, the mortar side is taken for smooth: gaps are those of curves (T47) */
+  PetscReal left[2]; /* what gaps may be off by as each side bends between its nodes, at most; 0 where gaps are given */
 };
 typedef struct _n_Pair *Pair;
 

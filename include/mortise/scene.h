@@ -28,7 +28,10 @@ typedef struct {
   Expression     map;    /* box coordinates to positions [dim], or NULL */
   PetscInt       refine; /* refinements of this body alone, before all are merged */
   PetscInt       order;
-  PetscBool      straightened;   /* found by the mesh: the file has curved sides, of which order 1 makes chords */
+  PetscBool      polygonal;    /* sides are the polygons that the facets of first order make */
+  PetscBool      curved_file;  /* found by the mesh: the file is of second order */
+  PetscBool      straightened; /* likewise: it has curved sides, of which order 1 makes chords */
+  PetscBool      arcs; /* likewise: it is of first order, and has sides of pairs that are taken for smooth and bend */
   PetscInt       num_hinges;     /* likewise, on the first rank: vertices by which alone some cells hang together */
   PetscReal      hinge[3];       /* the first of them, before the map */
   Expression     young, poisson; /* of an isotropic body, else NULL */

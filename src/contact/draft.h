@@ -10,6 +10,7 @@ typedef struct {
   const ScenePair *spec;      /* borrowed */
   Facets           nonmortar; /* of this rank */
   SideShape        shape;     /* of these facets */
+  PetscReal       *rise;      /* of these facets, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */
   Vec              normals;   /* directions of contact: ghosted, dim per node */
   Integrals        sums;
   NodeFate        *fate; /* [num_nodes] */

@@ -267,7 +267,8 @@ PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const 
       for (PetscInt k = 0; k < dim; k++)
         N[i * dim + k] = PetscRealPart(na[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i] * dim + k]);
     }
-    PetscCall(FacetIntegrate(partner, &facet, &list, &integrals[f]));
+    PetscCall(FacetIntegrate(partner, &facet, partner->rise ? &partner->rise[f * ELEMENT_MAX_FACET_NODES * dim] : NULL,
+                             &list, &integrals[f]));
   }
   PetscCall(VecRestoreArrayRead(local, &na));
   PetscCall(VecGhostRestoreLocalForm(normals, &local));

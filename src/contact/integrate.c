@@ -9,6 +9,7 @@
 #include "arm.h"
 #include "integrate.h"
 #include "overlap.h"
+#include "rise.h"
 
 /* Share of a facet that is nothing, or all. */
 static const PetscReal NOTHING = 1e-9;
@@ -205,10 +206,11 @@ static PetscErrorCode FindEnds_Private(const FacetPartner *partner, const ClipFa
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *facet, PointList *list,
-                              FacetIntegral *integral)
+PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *facet, const PetscReal rise[],
+                              PointList *list, FacetIntegral *integral)
 {
   const ElementType carrier = CarrierType(partner->spec, facet->type);
+  PetscReal         curve;
 
   PetscFunctionBeginUser;
   integral->n           = ElementNumNodes(carrier);
@@ -223,8 +225,10 @@ PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *face
   }
   IntegrateWhole_Private(partner, facet, carrier, integral);
   PetscCall(PointListCollect(partner, facet, list));
+  curve = GapsRise(partner, facet, rise, list);
   WeighPoints_Private(partner, facet, list);
   PetscCall(SumPoints_Private(partner, facet, list, integral));
+  integral->least -= curve;
   integral->whole = (PetscBool)(integral->cover >= (1 - NOTHING) * integral->measure);
   integral->cut   = (PetscBool)(partner->mortar && !integral->whole && integral->cover > NOTHING * integral->measure);
   if (integral->cut) PetscCall(FindEnds_Private(partner, facet, list, integral));

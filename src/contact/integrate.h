@@ -14,7 +14,7 @@ typedef struct {
   PetscReal  covered[ELEMENT_MAX_FACET_NODES]; /* D_ii: int_cov phi~_i = int psi_i */
   PetscReal  full[ELEMENT_MAX_FACET_NODES];    /* int phi~_i over the whole facet */
   PetscReal  gap[ELEMENT_MAX_FACET_NODES];     /* int psi_i g */
-  PetscReal  least;                            /* gap at any point; infinite where there is none */
+  PetscReal  least; /* gap at any point, less what curves change it by; infinite where there is none */
   PetscReal  chain[ELEMENT_MAX_FACET_NODES][ELEMENT_MAX_FACET_NODES]; /* int psi_i phi_j of nodes j >= n, else zero */
   PetscInt   num_columns, max_columns;                                /* mortar nodes met */
   PetscInt  *columns;                                                 /* global nodes [num_columns] */
@@ -28,9 +28,10 @@ typedef struct {
 /* The element whose shape functions multipliers of a facet are dual to: the facet's own, or the linear one (T20). */
 ElementType CarrierType(const ScenePair *spec, ElementType facet);
 
-/* Integrates one facet. covered = 0 where nothing is within reach. Not collective. [in,out] list - any, for the points */
-PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *facet, PointList *list,
-                              FacetIntegral *integral);
+/* Integrates one facet. covered = 0 where nothing is within reach. Not collective. [in] rise - of the facet, or NULL; [in,out] list -
+   any, for the points */
+PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *facet, const PetscReal rise[],
+                              PointList *list, FacetIntegral *integral);
 PetscErrorCode FacetIntegralDestroy(FacetIntegral *integral);
 
 #endif

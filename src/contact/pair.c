@@ -6,6 +6,7 @@
 #include <mortise/frame.h>
 #include <mortise/pair.h>
 #include "draft.h"
+#include "rise.h"
 #include "shift.h"
 
 /* Rows (n, t..): t is the held direction where there is one, so that held unknowns stay single. [out] Q - [dim][dim] */
@@ -117,18 +118,34 @@ static PetscErrorCode IntegrateAlong_Private(Level *level, const Support *held, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The mortar facets in reach, with their shape where the nonmortar side is curved: a flat one decides alone. Collective. */
-static PetscErrorCode CreateSurface_Private(Level *level, const Facets *mortar, PetscReal reach, const PairDraft *draft,
+static PetscBool IsPolygonal_Private(const Level *level, const SceneSide *side)
+{
+  return level->scene->bodies[side->body].polygonal;
+}
+
+/* The mortar facets in reach, with their shape where it is asked for: by gaps, and by directions where the nonmortar side is curved. A flat
+   one decides alone, and before a flat mortar side nodes are where they are: the straight facets between them move as those of the other
+   side do. Collective. */
+static PetscErrorCode CreateSurface_Private(Level *level, const Facets *mortar, PairDraft *draft, Pair pair,
                                             MortarSurface *surface)
 {
-  PetscBool curved;
-  SideShape shape;
+  PetscBool  curved, curved_m;
+  SideShape  shape;
+  PetscReal *rise = NULL;
 
   PetscFunctionBeginUser;
+  PetscCall(SideShapeCreate(level, mortar, &shape));
   PetscCall(SideShapeIsCurved(level, &draft->nonmortar, &draft->shape, &curved));
-  if (curved) PetscCall(SideShapeCreate(level, mortar, &shape));
-  PetscCall(MortarSurfaceCreate(level, &draft->nonmortar, mortar, curved ? &shape : NULL, reach, surface));
-  if (curved) PetscCall(SideShapeDestroy(&shape));
+  PetscCall(SideShapeIsCurved(level, mortar, &shape, &curved_m));
+  if (!curved_m) PetscCall(PetscFree(draft->rise));
+  PetscCall(RiseCreate(level, pair->spec, mortar, &shape, IsPolygonal_Private(level, &pair->spec->mortar), &rise,
+                       &pair->left[1]));
+  pair->smooth[1] = rise ? PETSC_TRUE : PETSC_FALSE;
+  PetscCall(
+      MortarSurfaceCreate(level, &draft->nonmortar, mortar, curved || rise ? &shape : NULL, pair->reach, surface));
+  if (rise) PetscCall(RiseCreateMortar(level->dim, surface));
+  PetscCall(PetscFree(rise));
+  PetscCall(SideShapeDestroy(&shape));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -146,13 +163,18 @@ static PetscErrorCode Integrate_Private(Scene scene, Level *level, const Support
   PetscCall(LevelGetFacets(level, scene, spec->nonmortar.body, spec->nonmortar.side, &draft->nonmortar));
   if (meshed) PetscCall(LevelGetFacets(level, scene, spec->mortar.body, spec->mortar.side, &mortar));
   PetscCall(SideShapeCreate(level, &draft->nonmortar, &draft->shape));
+  PetscCall(RiseCreate(level, spec, &draft->nonmortar, &draft->shape, IsPolygonal_Private(level, &spec->nonmortar),
+                       &draft->rise, &pair->left[0]));
+  if (spec->obstacle.kind == OBSTACLE_PLANE) PetscCall(PetscFree(draft->rise));
   PetscCall(ReachChoose(spec, level, held, &draft->nonmortar, meshed ? &mortar : NULL, &partner.reach));
+  if (meshed) PetscCall(ReachWiden(spec, level, &draft->nonmortar, &mortar, &partner.reach));
+  pair->reach = partner.reach;
   if (meshed) {
-    PetscCall(ReachWiden(spec, level, &draft->nonmortar, &mortar, &partner.reach));
-    PetscCall(CreateSurface_Private(level, &mortar, partner.reach, draft, &surface));
+    PetscCall(CreateSurface_Private(level, &mortar, draft, pair, &surface));
     partner.mortar = &surface;
   }
-  pair->reach                = partner.reach;
+  pair->smooth[0]            = draft->rise ? PETSC_TRUE : PETSC_FALSE;
+  partner.rise               = draft->rise;
   pair->num_facets_nonmortar = draft->nonmortar.num;
   pair->num_facets_mortar    = mortar.num;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &pair->num_facets_nonmortar, 1, MPIU_INT, MPI_SUM, level->comm));
@@ -187,6 +209,7 @@ static PetscErrorCode Finish_Private(Level *level, const Support *held, PairDraf
   PetscCall(IntegralsDestroy(sums));
   PetscCall(VecDestroy(&draft->normals));
   PetscCall(SideShapeDestroy(&draft->shape));
+  PetscCall(PetscFree(draft->rise));
   PetscCall(FacetsDestroy(&draft->nonmortar));
   PetscCall(PetscFree(draft->fate));
   PetscFunctionReturn(PETSC_SUCCESS);

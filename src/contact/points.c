@@ -55,8 +55,11 @@ ClipFacet OverlapMortar(const FacetPartner *partner, PetscInt f)
   return (ClipFacet){mortar->type[f], &mortar->coords[f * ELEMENT_MAX_FACET_NODES * partner->dim], NULL};
 }
 
-PetscBool OverlapGapVaries(const ScenePair *spec)
+PetscBool OverlapGapVaries(const FacetPartner *partner)
 {
+  const ScenePair *spec = partner->spec;
+
+  if (partner->rise || (partner->mortar && partner->mortar->rise)) return PETSC_TRUE;
   if (spec->gap && !ExpressionIsConstant(spec->gap)) return PETSC_TRUE;
   return (PetscBool)(spec->gap_offset && !ExpressionIsConstant(spec->gap_offset));
 }
@@ -124,7 +127,7 @@ static PetscErrorCode CollectMortarPoints_Private(const FacetPartner *partner, c
     const ClipFacet mortar = OverlapMortar(partner, hits[h]);
     PetscInt        num;
     if (!FacesEachOther_Private(partner->dim, nu, &mortar)) continue;
-    num = overlap->points(partner->spec, facet, &mortar, list->work);
+    num = overlap->points(partner, facet, &mortar, list->work);
     if (!WithinReach_Private(num, list->work, partner->reach)) continue;
     for (PetscInt p = 0; p < num; p++) {
       covered += list->work[p].share;

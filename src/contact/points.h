@@ -12,6 +12,8 @@ typedef struct {
   const MortarSurface *mortar; /* NULL for an obstacle */
   PetscInt             dim;
   PetscReal            reach;
+  const PetscReal *
+      rise; /* of the nonmortar facets, where they are taken for smooth and bend, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */
 } FacetPartner;
 
 /* Point p lies on mortar facet facet[p] (-1: obstacle). Facets follow each other: all points of one, then those of the next.

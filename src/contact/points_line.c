@@ -32,19 +32,19 @@ static PetscBool Turns_Private(const ClipFacet *facet)
 
 /* Gauss points per piece: order + 1 are exact for the product of two shape functions where the facets are straight and
    the gap is linear, and more are taken elsewhere. */
-static PetscInt PointsPerPiece_Private(const ScenePair *spec, const ClipFacet *facet, const ClipFacet *mortar)
+static PetscInt PointsPerPiece_Private(const FacetPartner *partner, const ClipFacet *facet, const ClipFacet *mortar)
 {
   const ElementType type = ElementOrder(mortar->type) > ElementOrder(facet->type) ? mortar->type : facet->type;
 
-  if (Turns_Private(facet) || !IsStraight_Private(facet) || !IsStraight_Private(mortar) || OverlapGapVaries(spec))
+  if (Turns_Private(facet) || !IsStraight_Private(facet) || !IsStraight_Private(mortar) || OverlapGapVaries(partner))
     return (PointsCurvedDegree(type) + 1) / 2;
   return ElementOrder(type) + 1;
 }
 
-static PetscInt LinePoints_Private(const ScenePair *spec, const ClipFacet *facet, const ClipFacet *mortar,
+static PetscInt LinePoints_Private(const FacetPartner *partner, const ClipFacet *facet, const ClipFacet *mortar,
                                    ClipPoint points[])
 {
-  return ClipLines(facet, mortar, PointsPerPiece_Private(spec, facet, mortar), points);
+  return ClipLines(facet, mortar, PointsPerPiece_Private(partner, facet, mortar), points);
 }
 
 /* Points of the part [from, to] of a facet against one mortar facet, on the facet's own reference cell. The part is a
@@ -103,7 +103,7 @@ static PetscErrorCode PieceListCreate_Private(const FacetPartner *partner, const
   PetscCall(PetscMalloc2(list->num, &pieces->facet, 2 * list->num, &pieces->ends));
   for (PetscInt p = 0; p < list->num; p += num_gauss) {
     const ClipFacet mortar = OverlapMortar(partner, list->facet[p]);
-    num_gauss              = PointsPerPiece_Private(partner->spec, facet, &mortar);
+    num_gauss              = PointsPerPiece_Private(partner, facet, &mortar);
     PieceEnds_Private(num_gauss, &list->point[p], &pieces->ends[2 * pieces->num]);
     pieces->facet[pieces->num++] = list->facet[p];
   }
@@ -126,7 +126,7 @@ static PetscErrorCode KeepNearestPieces_Private(const FacetPartner *partner, con
     if (pieces.ends[e + 1] - pieces.ends[e] <= SAME_END) continue;
     for (PetscInt i = 0; i < pieces.num; i++) {
       const ClipFacet mortar    = OverlapMortar(partner, pieces.facet[i]);
-      const PetscInt  num_gauss = PointsPerPiece_Private(partner->spec, facet, &mortar);
+      const PetscInt  num_gauss = PointsPerPiece_Private(partner, facet, &mortar);
       const PetscInt  num       = ClipPart_Private(facet, &pieces.ends[e], &mortar, num_gauss, points);
       PetscReal       gap       = 0;
       for (PetscInt p = 0; p < num; p++) gap += PetscAbsReal(points[p].gap) / num;

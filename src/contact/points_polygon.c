@@ -35,13 +35,13 @@ static PetscBool IsStraight_Private(const ClipFacet *facet)
 
 /* Exact for products of two shape functions where the facets are parallelograms or triangles and the gap is linear; somewhat
    more for gaps that are given. */
-static PetscInt PolygonPoints_Private(const ScenePair *spec, const ClipFacet *facet, const ClipFacet *mortar,
+static PetscInt PolygonPoints_Private(const FacetPartner *partner, const ClipFacet *facet, const ClipFacet *mortar,
                                       ClipPoint points[])
 {
   PetscInt degree = ClipDegree(facet->type, mortar->type);
 
   if (!IsStraight_Private(facet)) degree = PetscMin(degree, CURVED_DEGREE);
-  return ClipPolygons(facet, mortar, OverlapGapVaries(spec) ? degree + GIVEN_GAP_DEGREE : degree, points);
+  return ClipPolygons(facet, mortar, OverlapGapVaries(partner) ? degree + GIVEN_GAP_DEGREE : degree, points);
 }
 
 /* Whether one of the mortar facets of a list lies nearer to a point than the one that gave it. */

@@ -288,8 +288,9 @@ PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const 
   PetscFunctionBeginUser;
   PetscCall(CoversCreate_Private(level, nonmortar, reach, &covers));
   PetscCall(TrafficPlan_Private(&side, &covers, &traffic));
-  max          = traffic.num_staying + traffic.num_arriving;
-  surface->num = 0;
+  max           = traffic.num_staying + traffic.num_arriving;
+  surface->num  = 0;
+  surface->rise = NULL;
   PetscCall(PetscMalloc5(max, &surface->type, max * ELEMENT_MAX_FACET_NODES, &surface->nodes,
                          max * ELEMENT_MAX_FACET_NODES * dim, &surface->coords, max * ELEMENT_MAX_FACET_NODES * dim,
                          &surface->normals, max * ELEMENT_MAX_FACET_NODES * dim * dim, &surface->curvature));
@@ -305,6 +306,7 @@ PetscErrorCode MortarSurfaceDestroy(MortarSurface *surface)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree5(surface->type, surface->nodes, surface->coords, surface->normals, surface->curvature));
+  PetscCall(PetscFree(surface->rise));
   PetscCall(BoxTreeDestroy(&surface->tree));
   surface->num = 0;
   PetscFunctionReturn(PETSC_SUCCESS);

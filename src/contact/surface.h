@@ -16,7 +16,8 @@ typedef struct {
   PetscReal   *coords; /* [num][ELEMENT_MAX_FACET_NODES][dim] */
   PetscReal   *normals,
       *curvature; /* of their patches, zero where no shape was given [num][ELEMENT_MAX_FACET_NODES][dim], [..][dim][dim] */
-  BoxTree tree;
+  PetscReal *rise; /* of sides that are taken for smooth, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */
+  BoxTree    tree;
 } MortarSurface;
 
 /* Brings the mortar facets within reach of this rank's nonmortar facets to this rank: at least those whose boxes meet that

@@ -154,12 +154,22 @@ static void LevelDescribeCell_Private(const Level *level, PetscInt cell, char se
     }
     used += (size_t)snprintf(sentence + used, MESH_SENTENCE - used, ")");
   }
+  if (body->arcs)
+    snprintf(sentence + used, MESH_SENTENCE - used,
+             "; sides in contact are taken for smooth, and -%s_polygonal 1 keeps the polygons of its file", body->name);
 }
 
-/* Says that a body has cells of both senses: its map has folded it, or the curves of its file. */
-static PetscErrorCode BodyRaiseFold_Private(const Level *level, const SceneBody *body)
+/* Says that a body has cells of both senses: its map has folded it, or the curves of its file, or those of sides that are taken for
+   smooth. [in] cell - of this rank, of the sense that fewer cells have, or -1 */
+static PetscErrorCode BodyRaiseFold_Private(const Level *level, const SceneBody *body, PetscInt cell)
 {
+  char sentence[MESH_SENTENCE] = "";
+
   PetscFunctionBeginUser;
+  if (body->arcs && !body->map) {
+    if (cell >= 0) LevelDescribeCell_Private(level, cell, sentence);
+    PetscCall(FaultCheck(level->comm, sentence));
+  }
   if (body->map) {
     PetscCall(FaultRaise(level->comm,
                          "-%s_map %.200s folds body '%s': it turns some of its cells inside out and others not",
@@ -179,28 +189,30 @@ PetscErrorCode LevelTurnCells(Level *level, PetscBool *sound)
   const Scene    scene                   = level->scene;
   char           sentence[MESH_SENTENCE] = "";
   const PetscInt num                     = 2 * scene->num_bodies;
-  PetscInt      *seen; /* cells that were the right way and inside out [num_bodies][2]; those that are neither */
+  PetscInt      *seen;  /* cells that were the right way and inside out [num_bodies][2]; those that are neither */
+  PetscInt      *first; /* of this rank, or -1 [num_bodies][2] */
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(num + 1, &seen));
+  PetscCall(PetscCalloc2(num + 1, &seen, num, &first));
+  for (PetscInt i = 0; i < num; ++i) first[i] = -1;
   for (PetscInt c = 0; c < level->num_cells; ++c) {
     PetscBool turned, good;
 
     LevelTurnCell_Private(level, c, &turned, &good);
     if (!good && !sentence[0]) LevelDescribeCell_Private(level, c, sentence);
-    seen[2 * level->cell_body[c] + turned] = 1;
+    if (!seen[2 * level->cell_body[c] + turned]++) first[2 * level->cell_body[c] + turned] = c;
   }
   if (!sound) PetscCall(FaultCheck(level->comm, sentence));
   seen[num] = sentence[0] ? 1 : 0;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, seen, (int)(num + 1), MPIU_INT, MPI_MAX, level->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, seen, (int)(num + 1), MPIU_INT, MPI_SUM, level->comm));
   if (sound) *sound = seen[num] ? PETSC_FALSE : PETSC_TRUE;
   for (PetscInt b = 0; b < scene->num_bodies; ++b) {
     if (!seen[2 * b] || !seen[2 * b + 1]) continue;
     if (sound)
       *sound = PETSC_FALSE;
     else
-      PetscCall(BodyRaiseFold_Private(level, &scene->bodies[b]));
+      PetscCall(BodyRaiseFold_Private(level, &scene->bodies[b], first[2 * b + (seen[2 * b] > seen[2 * b + 1])]));
   }
-  PetscCall(PetscFree(seen));
+  PetscCall(PetscFree2(seen, first));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

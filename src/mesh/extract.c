@@ -123,6 +123,7 @@ static void ExtractCells_Private(const Extract *x, BodyList *list)
   const Level *level = &x->level;
 
   list->num_vertices = x->num_vertices;
+  list->curved_file  = x->alone.order > 1 ? PETSC_TRUE : PETSC_FALSE;
   list->straightened = x->body->order < x->alone.order ? PETSC_TRUE : PETSC_FALSE;
   for (PetscInt n = 0; n < level->num_nodes; ++n) {
     for (PetscInt d = 0; d < list->dim && x->node_at[n] >= 0; ++d)
@@ -142,7 +143,7 @@ static void ExtractCells_Private(const Extract *x, BodyList *list)
 
 /* Tables of the file's mesh, split as often as the body wants. A file of second order is followed along its curves, so that
    the vertices of a body are the same whatever its order. */
-static PetscErrorCode ExtractSetLevel_Private(Extract *x, PetscInt dim, MeshFile file)
+static PetscErrorCode ExtractSetLevel_Private(Extract *x, Scene scene, PetscInt body, MeshFile file)
 {
   PetscInt size;
 
@@ -151,30 +152,35 @@ static PetscErrorCode ExtractSetLevel_Private(Extract *x, PetscInt dim, MeshFile
   x->alone       = *x->body;
   x->alone.map   = NULL;
   x->alone.order = size ? 2 : 1;
-  x->scene       = (struct _n_Scene){.comm = PETSC_COMM_SELF, .dim = dim, .num_bodies = 1, .bodies = &x->alone};
+  x->scene       = (struct _n_Scene){.comm = PETSC_COMM_SELF, .dim = scene->dim, .num_bodies = 1, .bodies = &x->alone};
   PetscCall(LevelCreateTables(&x->scene, file->dm, x->alone.order, &x->level));
   PetscCall(LevelSetCoords(&x->level, &file->curves));
   for (PetscInt i = 0; i < x->body->refine; ++i) {
-    Level coarse = x->level;
+    ArcSides sides;
+    Level    coarse;
 
-    PetscCall(LevelRefine(&coarse, &x->level));
+    PetscCall(ExtractArcSides(x, scene, body, &sides));
+    coarse = x->level;
+    PetscCall(LevelRefine(&coarse, &sides, &x->level));
+    PetscCall(ArcSidesDestroy(&sides));
     PetscCall(LevelDestroy(&coarse));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BodyListCreateFile(const SceneBody *body, PetscInt dim, const SideNames *names, MeshFile *files,
-                                  BodyList *list, char sentence[])
+PetscErrorCode BodyListCreateFile(Scene scene, PetscInt body, const SideNames *names, MeshFile *files, BodyList *list,
+                                  char sentence[])
 {
-  Extract  x = {.body = body};
-  PetscInt begin, end;
-  MeshFile file;
+  const PetscInt dim = scene->dim;
+  Extract        x   = {.body = &scene->bodies[body]};
+  PetscInt       begin, end;
+  MeshFile       file;
 
   PetscFunctionBeginUser;
-  PetscCall(MeshFileOpen(body, dim, files, &file, sentence));
+  PetscCall(MeshFileOpen(x.body, dim, files, &file, sentence));
   if (sentence[0]) PetscFunctionReturn(PETSC_SUCCESS);
   x.names = &file->names;
-  PetscCall(ExtractSetLevel_Private(&x, dim, file));
+  PetscCall(ExtractSetLevel_Private(&x, scene, body, file));
   PetscCall(DMPlexGetHeightStratum(x.level.dm, 0, &x.cell_begin, NULL));
   PetscCall(DMPlexGetHeightStratum(x.level.dm, 1, &begin, &end));
   PetscCall(PetscMalloc2(x.level.num_cells, &x.cell_at, x.level.num_nodes, &x.node_at));

@@ -27,5 +27,8 @@ PetscErrorCode ExtractCheckFacets(const Extract *x, const BodyList *list, char s
 PetscErrorCode ExtractHinges(const Extract *x, BodyList *list);
 /* All sides that the scene names. A facet counts once in each of them. [out] sentence - "" unless there is a mistake */
 PetscErrorCode ExtractSides(const Extract *x, const SideNames *names, BodyList *list, char sentence[]);
+/* Sides that are taken for smooth on the level as it is; positions before the map are kept where there are some. [out] sides - owned by
+   the caller */
+PetscErrorCode ExtractArcSides(Extract *x, Scene scene, PetscInt body, ArcSides *sides);
 
 #endif

@@ -42,7 +42,7 @@ PetscInt SceneMaxOrder(Scene scene)
 
 /* Where each new point comes from is known to the transform alone, so the way up from the coarse level is written down
    here. */
-PetscErrorCode LevelRefine(Level *coarse, Level *fine)
+PetscErrorCode LevelRefine(Level *coarse, const ArcSides *sides, Level *fine)
 {
   DMPlexTransform transform;
   DM              dm;
@@ -58,7 +58,7 @@ PetscErrorCode LevelRefine(Level *coarse, Level *fine)
   PetscCall(LevelSetNodes(fine, SceneMaxOrder(coarse->scene)));
   PetscCall(LevelSetCells(fine));
   PetscCall(LevelCreateProlongation(coarse, transform, fine));
-  PetscCall(LevelFollowCoords(coarse, fine));
+  PetscCall(LevelFollowCoords(coarse, sides, transform, fine));
   PetscCall(DMDestroy(&dm));
   PetscCall(DMPlexTransformDestroy(&transform));
   PetscFunctionReturn(PETSC_SUCCESS);

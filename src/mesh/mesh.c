@@ -47,7 +47,7 @@ static PetscErrorCode MeshMakeBodies_Private(Scene scene, PetscInt coarser, cons
     // a later body is not made once there is a mistake to tell
     BodyCoarsen(&body, scene->dim, coarser);
     if (body.mesh_file) {
-      PetscCall(BodyListCreateFile(&body, scene->dim, &names[b], &files, &lists[b], sentence));
+      PetscCall(BodyListCreateFile(scene, b, &names[b], &files, &lists[b], sentence));
       if (!sentence[0]) CheckSize_Private(scene, &body, &lists[b], sentence);
     } else
       PetscCall(BodyListCreateBox(&body, scene->dim, &names[b], &lists[b], sentence));
@@ -70,9 +70,11 @@ static PetscErrorCode MeshCreateWhole_Private(Scene scene, PetscInt coarser, DM 
   PetscCall(MeshMerge(scene, lists, names, dm, curves));
   for (PetscInt b = 0; b < scene->num_bodies; ++b) {
     scene->bodies[b].straightened = lists[b].straightened;
+    scene->bodies[b].curved_file  = lists[b].curved_file;
     scene->bodies[b].num_hinges   = lists[b].num_hinges;
     PetscCall(PetscArraycpy(scene->bodies[b].hinge, lists[b].hinge, 3));
     PetscCallMPI(MPI_Bcast(&scene->bodies[b].straightened, 1, MPIU_BOOL, 0, scene->comm));
+    PetscCallMPI(MPI_Bcast(&scene->bodies[b].curved_file, 1, MPIU_BOOL, 0, scene->comm));
     PetscCall(SideNamesDestroy(&names[b]));
     PetscCall(BodyListDestroy(&lists[b]));
   }
@@ -83,9 +85,13 @@ static PetscErrorCode MeshCreateWhole_Private(Scene scene, PetscInt coarser, DM 
 /* One more level, its cells not judged yet. */
 static PetscErrorCode MeshAppend_Private(Mesh mesh)
 {
+  ArcSides sides;
+
   PetscFunctionBeginUser;
   PetscCall(PetscRealloc((mesh->num_levels + 1) * sizeof(Level), &mesh->levels));
-  PetscCall(LevelRefine(&mesh->levels[mesh->num_levels - 1], &mesh->levels[mesh->num_levels]));
+  PetscCall(ArcSidesCreate(MeshFinest(mesh), 1, &sides));
+  PetscCall(LevelRefine(MeshFinest(mesh), &sides, &mesh->levels[mesh->num_levels]));
+  PetscCall(ArcSidesDestroy(&sides));
   ++mesh->num_levels;
   PetscCall(MeshShapeRefine(mesh));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -114,6 +120,7 @@ static PetscErrorCode MeshBegin_Private(Mesh mesh, PetscInt coarser)
   PetscCall(DMRemoveLabel(dm, "body", NULL)); // refinement would carry it on at a quarter of its costs
   mesh->num_levels = 1;
   PetscCall(LevelSetCoords(&mesh->levels[0], &curves));
+  PetscCall(LevelBeginArcs(&mesh->levels[0]));
   PetscCall(MeshShapeCreate(mesh, &curves));
   PetscCall(CurvesDestroy(&curves));
   PetscCall(DMDestroy(&dm));

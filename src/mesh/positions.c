@@ -132,9 +132,43 @@ static PetscErrorCode LevelProlongCoord_Private(Level *coarse, Level *fine, Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Fine nodes lie where the coarse isoparametric cells have them, so that refinement stays on a file's curves. All ranks go the
-   same way, also those without nodes. */
-PetscErrorCode LevelFollowCoords(Level *coarse, Level *fine)
+PetscErrorCode LevelKeepUnmapped(Level *level)
+{
+  PetscFunctionBeginUser;
+  if (level->unmapped) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(level->num_nodes * level->dim + 1, &level->unmapped));
+  PetscCall(LevelGetStraight_Private(level, level->unmapped));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Middle nodes of bodies of order 2 whose files have straight edges. */
+static PetscErrorCode LevelCurveMiddles_Private(Level *level)
+{
+  ArcSides sides;
+
+  PetscFunctionBeginUser;
+  PetscCall(ArcSidesCreate(level, 2, &sides));
+  if (sides.any) PetscCall(LevelArcMiddles(level, &sides));
+  PetscCall(ArcSidesDestroy(&sides));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode LevelBeginArcs(Level *level)
+{
+  PetscBool any;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelFindArcs(level, &any));
+  if (!any) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(LevelKeepUnmapped(level));
+  PetscCall(LevelCurveMiddles_Private(level));
+  PetscCall(LevelMapCoords_Private(level, level->unmapped));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Fine nodes lie where the coarse isoparametric cells have them, so that refinement stays on a file's curves; or on the arcs over
+   straight edges. All ranks go the same way, also those without nodes. */
+PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine)
 {
   PetscFunctionBeginUser;
   if (!coarse->unmapped) {
@@ -143,6 +177,8 @@ PetscErrorCode LevelFollowCoords(Level *coarse, Level *fine)
   }
   PetscCall(PetscMalloc1(fine->num_nodes * fine->dim + 1, &fine->unmapped));
   for (PetscInt d = 0; d < fine->dim; ++d) PetscCall(LevelProlongCoord_Private(coarse, fine, d));
+  if (sides->any) PetscCall(LevelArcVertices(coarse, sides, transform, fine));
+  PetscCall(LevelCurveMiddles_Private(fine));
   PetscCall(LevelMapCoords_Private(fine, fine->unmapped));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

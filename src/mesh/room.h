@@ -27,7 +27,8 @@ typedef struct {
   PetscInt  *facet_cell;   /* [num_facets] */
   PetscInt  *facet;        /* number of the facet in its cell [num_facets] */
   PetscInt  *facet_side;   /* index into the SideNames [num_facets] */
-  PetscBool  straightened; /* the file has curved sides, the body is of order 1 */
+  PetscBool  curved_file;  /* the file is of second order */
+  PetscBool  straightened; /* it is, and the body of order 1 */
   PetscInt   num_hinges;   /* vertices by which alone some cells hang together */
   PetscReal  hinge[3];     /* the first of them, before the map */
 } BodyList;
@@ -122,9 +123,9 @@ void FileCheckHeight(const PetscReal lower[], const PetscReal upper[], char reas
 /* The mesh of a body's file as read now or for an earlier body. [in,out] files - list of what was read, NULL at first;
    [out] file - borrowed from the list; [out] sentence - [MESH_SENTENCE], "" unless the file cannot be used */
 PetscErrorCode MeshFileOpen(const SceneBody *body, PetscInt dim, MeshFile *files, MeshFile *file, char sentence[]);
-/* The cells of a file, or of one of its regions. */
-PetscErrorCode BodyListCreateFile(const SceneBody *body, PetscInt dim, const SideNames *names, MeshFile *files,
-                                  BodyList *list, char sentence[]);
+/* The cells of a body's file, or of one of its regions, refined as the body wants it. */
+PetscErrorCode BodyListCreateFile(Scene scene, PetscInt body, const SideNames *names, MeshFile *files, BodyList *list,
+                                  char sentence[]);
 PetscErrorCode MeshFileDestroy(MeshFile *files);
 
 /* The one DMPlex of all bodies, whole on the first rank. Collective. [in] lists - empty on other ranks */
@@ -172,15 +173,47 @@ PetscErrorCode LevelSetCells(Level *level);
 PetscErrorCode LevelSetAxis(Level *level);
 /* Positions of nodes. Faults: a map that is not finite, a node beyond the axis. Collective. [in] curves - may be NULL */
 PetscErrorCode LevelSetCoords(Level *level, const Curves *curves);
-/* The same for a refined level that has its prolongation. Collective. */
-PetscErrorCode LevelFollowCoords(Level *coarse, Level *fine);
+/* Positions before maps of a level that none had to keep so far. */
+PetscErrorCode LevelKeepUnmapped(Level *level);
+/* The level with its nodes where they are before maps; a borrowed copy. */
+Level LevelBeforeMap(const Level *level);
+/* Looks on the coarsest level for sides that are taken for smooth, and moves its nodes of order 2. Collective. */
+PetscErrorCode LevelBeginArcs(Level *level);
+
+/* Sides that are taken for smooth, and those that must stay flat. Of files of first order, and seen from outside. */
+typedef struct {
+  PetscBool any; /* the same on all ranks */
+  Facets    round, held;
+} ArcSides;
+
+/* The names of a body's sides that may be taken for smooth, and of those that only slide, joined. [out] each freed by the caller, NULL if
+   there are none */
+PetscErrorCode ArcSideNames(Scene scene, PetscInt body, char **round, char **held);
+/* Decides which bodies have sides that are taken for smooth, and bent. Collective. [out] any - whether there are such bodies */
+PetscErrorCode LevelFindArcs(Level *level, PetscBool *any);
+/* Whether facets of first order bend as one patch, on any rank. Collective. */
+PetscErrorCode LevelHasArcs(Level *level, const Facets *facets, PetscBool *any);
+/* The facets of all bodies of an order that have such sides. Collective. [out] sides - owned by the caller */
+PetscErrorCode ArcSidesCreate(Level *level, PetscInt order, ArcSides *sides);
+PetscErrorCode ArcSidesDestroy(ArcSides *sides);
+/* Puts vertices of a refined level on the curves over the edges of the coarse one, or the level's own middle nodes on those of its own edges:
+   positions before maps, which both levels have. Collective. */
+PetscErrorCode LevelArcVertices(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine);
+PetscErrorCode LevelArcMiddles(Level *level, const ArcSides *sides);
+/* Room for facets; all facets of first order seen from outside, whatever the sense of their cells. */
+PetscErrorCode FacetsAllocate(PetscInt num, Facets *facets);
+void           FacetsTurnOut(const Level *level, Facets *facets);
+
+/* The same for a refined level that has its prolongation. Collective. [in] sides - of bodies of order 1 whose new vertices go on curves */
+PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine);
 /* Lets all cells run anticlockwise, or the facets of solids seen from outside. Faults: a degenerate or tangled cell, a map
    that folds a body; with sound none, but this tells. Collective. [out] sound - the same on all ranks; or NULL */
 PetscErrorCode LevelTurnCells(Level *level, PetscBool *sound);
 /* Reverses the sense of a cell whose nodes these are: its mirror image in the plane xi_0 = xi_1. */
 void CellReverse(ElementType type, PetscInt nodes[]);
-/* Splits every cell: tables, prolongation and positions, cells not turned. Collective. */
-PetscErrorCode LevelRefine(Level *coarse, Level *fine);
+/* Splits every cell: tables, prolongation and positions, cells not turned. Collective. [in] sides - of bodies of order 1 that are taken for
+   smooth */
+PetscErrorCode LevelRefine(Level *coarse, const ArcSides *sides, Level *fine);
 PetscErrorCode LevelDestroy(Level *level);
 /* fine->prolongation from where each fine node comes from. Collective. [in] transform - a DMPlexTransform from coarse to fine */
 PetscErrorCode LevelCreateProlongation(const Level *coarse, DMPlexTransform transform, Level *fine);

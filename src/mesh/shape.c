@@ -30,6 +30,7 @@ PetscErrorCode MeshShapeCreate(Mesh mesh, const Curves *curves)
   PetscCall(DMClone(MeshFinest(mesh)->dm, &dm)); // a DM has one layout of nodes
   PetscCall(LevelCreateTables(own, dm, SceneMaxOrder(own), &mesh->shape->level));
   PetscCall(LevelSetCoords(&mesh->shape->level, curves));
+  PetscCall(LevelBeginArcs(&mesh->shape->level));
   PetscCall(DMDestroy(&dm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -39,11 +40,14 @@ PetscErrorCode MeshShapeRefine(Mesh mesh)
 {
   Level   *fine = MeshFinest(mesh), coarse;
   PetscInt dim  = fine->dim;
+  ArcSides sides;
 
   PetscFunctionBeginUser;
   if (!mesh->shape) PetscFunctionReturn(PETSC_SUCCESS);
   coarse = mesh->shape->level;
-  PetscCall(LevelRefine(&coarse, &mesh->shape->level));
+  PetscCall(ArcSidesCreate(&coarse, 1, &sides));
+  PetscCall(LevelRefine(&coarse, &sides, &mesh->shape->level));
+  PetscCall(ArcSidesDestroy(&sides));
   PetscCall(LevelDestroy(&coarse));
   PetscCall(MatDestroy(&mesh->shape->level.prolongation)); // has done its work
   for (PetscInt p = fine->point_begin; p < fine->point_end; ++p) {

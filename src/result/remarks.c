@@ -10,6 +10,8 @@
 
 /* The discretisation error, as a part of the solution, above which a solver that stops there leaves nothing to read off. */
 static const PetscReal COARSE = 0.1;
+/* An overlap is no accident above this part of the displacements, and what is left of a curve shows above this part of the overlap. */
+static const PetscReal OVERLAP_SHOWS = 0.1, CURVE_SHOWS = 0.1;
 
 PetscErrorCode WordsVector(PetscInt dim, const PetscReal v[], char text[], size_t len)
 {
@@ -43,6 +45,52 @@ static PetscErrorCode WarnBump_Private(const SummaryInput *in, PetscInt p)
                        "%s is not to be trusted near %s: the gap has a step or a bend within a facet there, and its "
                        "mean pushes as if bodies overlapped by %.3g more than they do",
                        spec->name, text, (double)overlap));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What bodies overlap by to begin with where a pair's nodes are in contact, and the largest displacement of its nodes along their
+   normals: of all ranks. */
+static PetscErrorCode FindOverlap_Private(const SummaryInput *in, PetscInt p, PetscReal size[2])
+{
+  const Pair         pair = in->vi->pairs[p];
+  const PetscInt     dim  = in->scene->dim;
+  const PetscScalar *u;
+
+  PetscFunctionBeginUser;
+  size[0] = size[1] = 0;
+  PetscCall(VecGetArrayRead(in->fields->u, &u)); // of nodes that this rank owns, as those of the pair are
+  for (PetscInt a = 0; a < pair->num; ++a) {
+    PetscReal un = 0;
+
+    for (PetscInt k = 0; k < dim; ++k) un += PetscRealPart(u[pair->nodes[a] * dim + k]) * pair->normal[a * dim + k];
+    size[0] = PetscMax(size[0], -pair->gap[a]);
+    size[1] = PetscMax(size[1], PetscAbsReal(un));
+  }
+  PetscCall(VecRestoreArrayRead(in->fields->u, &u));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, size, 2, MPIU_REAL, MPI_MAX, in->scene->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* An interference of the order of what is left between facets and the curves that they stand for. */
+static PetscErrorCode WarnCurve_Private(const SummaryInput *in, PetscInt p)
+{
+  const Pair       pair  = in->vi->pairs[p];
+  const PetscInt   which = pair->left[1] > pair->left[0] ? 1 : 0;
+  const SceneSide *side  = which ? &pair->spec->mortar : &pair->spec->nonmortar;
+  const PetscReal  left  = pair->left[0] + pair->left[1];
+  Warning          curve = {.code = "coarse_curve", .pair = pair->spec->name};
+  PetscReal        size[2];
+
+  PetscFunctionBeginUser;
+  if (!(left > 0) || pair->spec->type == PAIR_TIED) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(FindOverlap_Private(in, p, size));
+  if (size[0] <= OVERLAP_SHOWS * size[1] || left <= CURVE_SHOWS * size[0]) PetscFunctionReturn(PETSC_SUCCESS);
+  curve.advice = in->scene->bodies[side->body].polygonal ? "refine, or leave the sides smooth" : "refine";
+  PetscCall(WarningAdd(&curve,
+                       "%s: bodies overlap by %.3g to begin with, and facets are off their curves by up to %.3g, most "
+                       "on %s:%s",
+                       pair->spec->name, (double)size[0], (double)left, in->scene->bodies[side->body].name,
+                       side->side));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -109,6 +157,7 @@ PetscErrorCode SummaryWarn(const SummaryInput *input)
   for (PetscInt p = 0; p < input->vi->num_pairs; ++p) {
     PetscCall(WarnEmpty_Private(input, p));
     if (input->fields) PetscCall(WarnBump_Private(input, p));
+    if (input->fields) PetscCall(WarnCurve_Private(input, p));
   }
   if (!input->fields) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ValidityWarn(input->fields));

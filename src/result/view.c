@@ -87,6 +87,23 @@ static PetscErrorCode ViewPair_Private(VI vi, const Pair pair)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether a side that bends has its gaps measured from curves. [in] which - 0 nonmortar, 1 mortar */
+static PetscErrorCode ViewSide_Private(Scene scene, const Pair pair, PetscInt which)
+{
+  const SceneSide *side = which ? &pair->spec->mortar : &pair->spec->nonmortar;
+  const char      *how  = "taken for smooth, curved by its nodal normals";
+
+  PetscFunctionBeginUser;
+  if (side->body < 0 || !(pair->left[which] > 0)) PetscFunctionReturn(PETSC_SUCCESS);
+  if (scene->bodies[side->body].polygonal)
+    how = "polygonal";
+  else if (!pair->smooth[which] && !scene->bodies[side->body].arcs)
+    PetscFunctionReturn(PETSC_SUCCESS); // curves of a map, or of its file
+  PetscCall(PetscPrintf(scene->comm, "    side %s:%s of %s: %s\n", scene->bodies[side->body].name, side->side,
+                        pair->spec->name, how));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Nodes of nonmortar sides that have no multiplier. */
 static PetscErrorCode ViewLeftNodes_Private(MPI_Comm comm, const Pair pair)
 {
@@ -161,7 +178,10 @@ PetscErrorCode ModelView(VI vi)
   PetscFunctionBeginUser;
   PetscCall(ViewBodies_Private(vi));
   PetscCall(ViewVolume_Private(vi));
-  for (PetscInt p = 0; p < vi->num_pairs; ++p) PetscCall(ViewPair_Private(vi, vi->pairs[p]));
+  for (PetscInt p = 0; p < vi->num_pairs; ++p) {
+    PetscCall(ViewPair_Private(vi, vi->pairs[p]));
+    for (PetscInt which = 0; which < 2; ++which) PetscCall(ViewSide_Private(scene, vi->pairs[p], which));
+  }
   PetscCall(SceneViewLeftOut(scene));
   PetscCall(ViewStraight_Private(vi));
   for (PetscInt p = 0; p < vi->num_pairs; ++p) PetscCall(ViewLeftNodes_Private(scene->comm, vi->pairs[p]));

@@ -72,7 +72,7 @@ static PetscErrorCode BodyReadFile_Private(Scene scene, SceneBody *body, const O
 
 static PetscErrorCode BodyReadMesh_Private(Scene scene, SceneBody *body)
 {
-  Option   file, faces, map, refine, order, exact;
+  Option   file, faces, map, refine, polygonal, order, exact;
   PetscInt number;
 
   PetscFunctionBeginUser;
@@ -80,6 +80,7 @@ static PetscErrorCode BodyReadMesh_Private(Scene scene, SceneBody *body)
   PetscCall(OptionFind(scene, "-<body>_dm_plex_box_faces", body->name, NULL, &faces));
   PetscCall(OptionFind(scene, "-<body>_map", body->name, NULL, &map));
   PetscCall(OptionFind(scene, "-<body>_dm_refine", body->name, NULL, &refine));
+  PetscCall(OptionFind(scene, "-<body>_polygonal", body->name, NULL, &polygonal));
   PetscCall(OptionFind(scene, "-<body>_order", body->name, NULL, &order));
   if (file.set && faces.set)
     PetscCall(
@@ -91,6 +92,7 @@ static PetscErrorCode BodyReadMesh_Private(Scene scene, SceneBody *body)
     PetscCall(OptionRequire(&faces, "every body needs a mesh: a box, or a file named by -<body>_dm_plex_filename"));
     PetscCall(BodyReadBox_Private(scene, body, &faces));
   }
+  PetscCall(OptionGetBool(&polygonal, &body->polygonal));
   PetscCall(OptionGetExpression(&map, scene->dim, PETSC_FALSE, &body->map));
   PetscCall(OptionFind(scene, "-<body>_exact_displacement", body->name, NULL, &exact));
   PetscCall(OptionGetExpression(&exact, scene->dim, PETSC_FALSE, &body->exact));

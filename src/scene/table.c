@@ -65,6 +65,12 @@ static const OptionEntry table[] = {
     {GROUP_MESH, "-<body>_map", "e,e[,e]", "length", "(identity)",
      "Takes a mesh point x, y, z to its position, on every level: graded boxes, rings, discs."},
     {GROUP_MESH, "-<body>_dm_refine", "n", "", "0", "Refines this body so many times, before -dm_refine refines all."},
+    {GROUP_MESH, "-<body>_polygonal", "0|1", "", "0",
+     "Sides in contact stay the polygons that straight edges make. Else facets that meet at less than 30 degrees are "
+     "taken "
+     "for one smooth side: gaps are those of the curves that nodal normals make of it, and refinement of a mesh file "
+     "of "
+     "first order puts new nodes on them."},
     {GROUP_MESH, "-<body>_order", "1|2", "", "(-order)", "Polynomial order of this body."},
     {GROUP_MESH, "-<body>_exact_displacement", "e,e[,e]", "length", "(not known)",
      "The exact solution in this body: the summary tells how far the computed one is from it."},

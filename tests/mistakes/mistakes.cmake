@@ -110,6 +110,8 @@ mistake(mesh_refined        SCENE mesh SAYS -block_dm_plex_filename "-dm_refine"
   -block_dm_plex_filename ${here}/triangles.msh)
 mistake(mesh_flat           SCENE mesh SAYS block degenerate ARGS -block_dm_plex_filename ${here}/flat.msh)
 mistake(mesh_tangled        SCENE mesh SAYS block tangled ARGS -block_dm_plex_filename ${here}/tangled.msh)
+mistake(mesh_too_thin       SCENE mesh SAYS "(2, 0)" tangled "-block_polygonal 1" ARGS -block_dm_plex_filename ${here}/thin.msh -dm_refine 1
+  -pairs fit -fit_nonmortar block:bore -fit_obstacle ball -fit_obstacle_point 0,0 -fit_obstacle_radius 1.99)
 mistake(mesh_side           SCENE mesh SAYS botom bottom slope ARGS -block_dm_plex_filename ${here}/triangles.msh -block_bc_displacement botom
   -block_bc_displacement_botom 0,0 -options_allow_unused)
 mistake(mesh_region         SCENE mesh SAYS -block_mesh_region steel wood ARGS -block_dm_plex_filename ${here}/triangles.msh -block_mesh_region steel)

@@ -194,6 +194,7 @@ class Body:
         self.cells = list(cut(lattice, self.kind, self.order))
         self.sides = {side: [tuple(facet.tolist()) for facet in cut(first + self.skin(lattice, *place), self.facet_kind, self.order)]
                       for side, place in SIDES[self.dim].items()}
+        self.polygonal = self.asked("polygonal", "0") == "1"
         self.set_material()
 
     def asked(self, key, default=None):

@@ -91,13 +91,32 @@ class LinePair(Pair):
     def set_normals(self):
         """The directions of contact (T46), from normals and curvatures of both sides."""
         self.normal, kappa = self.side_shape(self.facets)
+        self.rise = self.rises(self.facets, self.normal)
         if self.distance and self.flat_obstacle is not None:
             self.normal = {node: -self.flat_obstacle for node in self.nodes}
         elif self.distance and any(kappa.values()):
             raise ValueError("a parabola wants a flat side here")
-        elif self.mortar and any(kappa.values()):
-            normal_m, kappa_m = self.side_shape(self.mortar)
+        normal_m, kappa_m = self.side_shape(self.mortar) if self.mortar else ({}, {})
+        self.rise = self.rise | self.rises(self.mortar, normal_m) if any(kappa_m.values()) else {}
+        if self.mortar and any(kappa.values()):
             self.normal = {node: self.direction(node, n, kappa[node], normal_m, kappa_m) for node, n in self.normal.items()}
+
+    def rises(self, facets, normal):
+        """{straight facet: from its middle to that of the arc between the normals at its ends (T47)}."""
+        found = {}
+        if not facets or len(facets[0]) > 2 or self.scene.owner(facets).polygonal:
+            return found
+        for a, b in facets:
+            step, mean = self.scene.points[b] - self.scene.points[a], normal[a] + normal[b]
+            ends = [-normal[a] @ step, normal[b] @ step]  # alike on a circle
+            if min(ends) * max(ends) > 0 and min(map(abs, ends)) > FLAT * math.hypot(*step):
+                across = mean - (mean @ step) / (step @ step) * step
+                found[a, b] = unit(across) * 2 / (1 / ends[0] + 1 / ends[1]) / (2 + math.hypot(*mean))
+        return found
+
+    def bulge(self, facet, s, n):
+        """How far along n the curve is off the facet; a parabola."""
+        return 4 * s * (1 - s) * (self.rise[tuple(facet)] @ n) if tuple(facet) in self.rise else 0.0
 
     def side_shape(self, facets):
         """{node: unit normal}, {node: curvature} of a smooth side. Normals: those of the curves at a node over their chords (T13). An end of
@@ -200,7 +219,8 @@ class LinePair(Pair):
                 w *= math.hypot(*outward(x, s))
                 point, direction = ray(s)
                 if not self.mortar:
-                    yield (s,), w, self.distance(point, direction), {}
+                    yield (s,), w, self.distance(point, direction) - self.bulge(facet, s, direction), {}
                     continue
-                _, gap, eta, facet = self.meet(point, direction, [seen[3]])
-                yield (s,), w, gap, dict(zip(facet, poly.polyval(eta, LINES[len(facet)].T)))
+                _, gap, eta, other = self.meet(point, direction, [seen[3]])
+                gap += self.bulge(other, eta, direction) - self.bulge(facet, s, direction)
+                yield (s,), w, gap, dict(zip(other, poly.polyval(eta, LINES[len(other)].T)))

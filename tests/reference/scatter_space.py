@@ -43,6 +43,7 @@ def options_of(number):
                "lower_dm_plex_box_lower": pick(["0,0,-1", "0.13,0,-1", "-0.2,-0.1,-1", "0.26,0.31,-1"]),
                "lower_dm_plex_box_upper": pick(["1,1,0", "0.87,1,0", "1.2,1.1,0", "0.77,0.73,0"])}
     for body in order:
+        options[f"{body}_polygonal"] = "1"  # space.py has straight facets only
         most = 4 - int(order[body]) - int(simplex[body])
         options |= {f"{body}_dm_plex_box_faces": f"{integer(1, most + 1)},{integer(1, most)},{integer(1, 2)}", f"{body}_order": order[body],
                     f"{body}_dm_plex_simplex": simplex[body]}

@@ -1,0 +1,167 @@
+/* arcsides.c -- which sides are taken for smooth: those of pairs, of bodies whose files have straight edges (T47). */
+#include "room.h"
+#include <mortise/compat.h>
+#include <string.h>
+
+enum { F = ELEMENT_MAX_FACET_NODES };
+
+/* Lets a facet of first order be seen from outside, whatever the sense of its cell. */
+static void FacetTurnOut_Private(const Level *mapped, Facets *facets, PetscInt f)
+{
+  const Level     before = LevelBeforeMap(mapped), *level = &before; // positions after the map may not be known yet
+  const PetscInt *cell = &level->cell_nodes[level->cell_start[facets->cell[f]]];
+  const PetscInt  dim = level->dim, n = LevelNumVertices(level, facets->cell[f]);
+  const PetscInt  last = ElementNumNodes(facets->type[f]) - 1, first = dim == 3 ? 1 : 0; // of what changes places
+  PetscInt       *nodes = &facets->nodes[f * F], node;
+  PetscReal       normal[3], inward = 0;
+
+  (void)FacetGetMeasure(level, facets, f, normal);
+  for (PetscInt i = 0; i < n; ++i) {
+    for (PetscInt k = 0; k < dim; ++k)
+      inward += normal[k] * (level->coords[cell[i] * dim + k] - level->coords[nodes[0] * dim + k]);
+  }
+  if (inward <= 0) return;
+  node         = nodes[first];
+  nodes[first] = nodes[last];
+  nodes[last]  = node;
+}
+
+PetscErrorCode FacetsAllocate(PetscInt num, Facets *facets)
+{
+  PetscFunctionBeginUser;
+  facets->num = num;
+  PetscCall(PetscMalloc3(num, &facets->type, num, &facets->cell, num * F, &facets->nodes));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Appends facets as those of first order; more is destroyed. */
+static PetscErrorCode FacetsAppend_Private(const Level *level, Facets *more, Facets *facets)
+{
+  Facets both;
+
+  PetscFunctionBeginUser;
+  PetscCall(FacetsAllocate(facets->num + more->num, &both));
+  PetscCall(PetscArraycpy(both.type, facets->type, facets->num));
+  PetscCall(PetscArraycpy(both.cell, facets->cell, facets->num));
+  PetscCall(PetscArraycpy(both.nodes, facets->nodes, facets->num * F));
+  PetscCall(PetscArraycpy(&both.cell[facets->num], more->cell, more->num));
+  PetscCall(PetscArraycpy(&both.nodes[facets->num * F], more->nodes, more->num * F));
+  for (PetscInt f = 0; f < more->num; ++f) {
+    both.type[facets->num + f] = ElementLinear(more->type[f]);
+    FacetTurnOut_Private(level, &both, facets->num + f);
+  }
+  PetscCall(FacetsDestroy(facets));
+  PetscCall(FacetsDestroy(more));
+  *facets = both;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void FacetsTurnOut(const Level *level, Facets *facets)
+{
+  for (PetscInt f = 0; f < facets->num; ++f) FacetTurnOut_Private(level, facets, f);
+}
+
+/* "a+b+c". [out] side - freed by the caller, NULL for no names; the names are destroyed */
+static PetscErrorCode JoinNames_Private(SideNames *names, char **side)
+{
+  size_t length = 1;
+
+  PetscFunctionBeginUser;
+  *side = NULL;
+  for (PetscInt i = 0; i < names->num; ++i) length += strlen(names->name[i]) + 1;
+  if (names->num) PetscCall(PetscCalloc1(length, side));
+  for (PetscInt i = 0; i < names->num; ++i) {
+    if (i) strcat(*side, "+");
+    strcat(*side, names->name[i]);
+  }
+  PetscCall(SideNamesDestroy(names));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ArcSideNames(Scene scene, PetscInt body, char **round, char **held)
+{
+  const SceneBody *b       = &scene->bodies[body];
+  SideNames        of_pair = {0, NULL}, normal = {0, NULL};
+
+  PetscFunctionBeginUser;
+  for (PetscInt p = 0; p < scene->num_pairs; ++p) {
+    const ScenePair *pair = &scene->pairs[p];
+
+    if (pair->nonmortar.body == body) PetscCall(SideNamesAdd(&of_pair, pair->nonmortar.side));
+    if (pair->mortar.body == body) PetscCall(SideNamesAdd(&of_pair, pair->mortar.side));
+  }
+  for (PetscInt i = 0; i < b->num_boundaries; ++i) {
+    if (b->boundaries[i].kind == BOUNDARY_NORMAL) PetscCall(SideNamesAdd(&normal, b->boundaries[i].side));
+  }
+  PetscCall(JoinNames_Private(&of_pair, round));
+  PetscCall(JoinNames_Private(&normal, held));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Appends the facets of sides of a body, if there are any. [in,out] side - is freed */
+static PetscErrorCode AddFacets_Private(Level *level, PetscInt body, char **side, Facets *facets)
+{
+  Facets more;
+
+  PetscFunctionBeginUser;
+  if (*side) {
+    PetscCall(LevelGetFacets(level, level->scene, body, *side, &more));
+    PetscCall(FacetsAppend_Private(level, &more, facets));
+  }
+  PetscCall(PetscFree(*side));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds a body's facets. */
+static PetscErrorCode ArcSidesAdd_Private(Level *level, PetscInt body, ArcSides *sides)
+{
+  char *round, *held;
+
+  PetscFunctionBeginUser;
+  PetscCall(ArcSideNames(level->scene, body, &round, &held));
+  PetscCall(AddFacets_Private(level, body, &round, &sides->round));
+  PetscCall(AddFacets_Private(level, body, &held, &sides->held));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ArcSidesCreate(Level *level, PetscInt order, ArcSides *sides)
+{
+  const Scene scene = level->scene;
+
+  PetscFunctionBeginUser;
+  *sides = (ArcSides){.any = PETSC_FALSE};
+  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+    if (!scene->bodies[b].arcs || scene->bodies[b].order != order) continue;
+    sides->any = PETSC_TRUE;
+    PetscCall(ArcSidesAdd_Private(level, b, sides));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ArcSidesDestroy(ArcSides *sides)
+{
+  PetscFunctionBeginUser;
+  PetscCall(FacetsDestroy(&sides->round));
+  PetscCall(FacetsDestroy(&sides->held));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode LevelFindArcs(Level *level, PetscBool *any)
+{
+  const Scene scene = level->scene;
+
+  PetscFunctionBeginUser;
+  *any = PETSC_FALSE;
+  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+    SceneBody *body  = &scene->bodies[b];
+    ArcSides   sides = {.any = PETSC_FALSE};
+
+    body->arcs = PETSC_FALSE;
+    if (!body->mesh_file || body->polygonal || body->curved_file) continue;
+    PetscCall(ArcSidesAdd_Private(level, b, &sides));
+    PetscCall(LevelHasArcs(level, &sides.round, &body->arcs));
+    PetscCall(ArcSidesDestroy(&sides));
+    *any = (PetscBool)(*any || body->arcs);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

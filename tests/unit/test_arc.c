@@ -1,0 +1,141 @@
+/* test_arc.c -- curves over straight edges: circles, spheres and cylinders exactly, other curves to fourth order, what is flat not
+   at all. */
+#include <mortise/arc.h>
+#include <mortise/frame.h>
+#include <test.h>
+
+#include "uniform.h"
+
+static const PetscReal EXACT = 1e-14;
+
+/* Middles of chords of a circle, convex or hollow, come to lie on it. */
+static void TestCircle(void)
+{
+  for (PetscInt trial = 0; trial < 1000; trial++) {
+    const PetscReal radius = Uniform(0.1, 2), sign = trial % 2 ? 1 : -1, angle[2] = {Uniform(-3, 3), Uniform(-3, 3)};
+    PetscReal       X[4], N[4], offset[2], x[2], r;
+
+    if (PetscAbsReal(angle[1] - angle[0]) > 3) continue; // more than half of the circle, nearly
+    for (PetscInt i = 0; i < 2; i++) {
+      N[2 * i]     = sign * PetscCosReal(angle[i]);
+      N[2 * i + 1] = sign * PetscSinReal(angle[i]);
+      for (PetscInt k = 0; k < 2; k++) X[2 * i + k] = sign * radius * N[2 * i + k];
+    }
+    ArcOffset(2, X, N, &X[2], &N[2], offset);
+    for (PetscInt k = 0; k < 2; k++) x[k] = 0.5 * (X[k] + X[2 + k]) + offset[k];
+    r = PetscSqrtReal(x[0] * x[0] + x[1] * x[1]);
+    CHECK_NEAR(r, radius, EXACT * radius);
+  }
+}
+
+/* On a sphere, and on a cylinder between points anywhere on it, in space. */
+static void TestSphereAndCylinder(void)
+{
+  for (PetscInt trial = 0; trial < 1000; trial++) {
+    const PetscBool sphere = trial % 2 ? PETSC_TRUE : PETSC_FALSE;
+    PetscReal       X[6], N[6], offset[3], square = 0;
+
+    for (PetscInt i = 0; i < 2; i++) {
+      for (PetscInt k = 0; k < 3; k++) N[3 * i + k] = i == 0 ? Uniform(-1, 1) : N[k] + Uniform(-0.5, 0.5);
+      if (!sphere) N[3 * i + 2] = 0;
+      FrameNormalize(3, &N[3 * i]);
+      for (PetscInt k = 0; k < 3; k++) X[3 * i + k] = 2 * N[3 * i + k];
+      if (!sphere) X[3 * i + 2] = Uniform(-1, 1);
+    }
+    ArcOffset(3, X, N, &X[3], &N[3], offset);
+    for (PetscInt k = 0; k < (sphere ? 3 : 2); k++) square += PetscSqr(0.5 * (X[k] + X[3 + k]) + offset[k]);
+    CHECK_NEAR(PetscSqrtReal(square), 2, EXACT * 2);
+    if (!sphere) CHECK_NEAR(offset[2], 0, EXACT);
+  }
+}
+
+/* On an ellipse the middle is off by the fourth power of the edge. */
+static void TestEllipse(void)
+{
+  PetscReal before = 0;
+
+  for (PetscInt level = 0; level < 4; level++) {
+    const PetscReal h = 0.4 / (PetscReal)(1 << level);
+    PetscReal       X[4], N[4], offset[2], x[2], off;
+
+    for (PetscInt i = 0; i < 2; i++) {
+      const PetscReal t = 0.7 + (PetscReal)i * h;
+
+      X[2 * i]     = 2 * PetscCosReal(t);
+      X[2 * i + 1] = PetscSinReal(t);
+      N[2 * i]     = 0.5 * PetscCosReal(t);
+      N[2 * i + 1] = PetscSinReal(t);
+      FrameNormalize(2, &N[2 * i]);
+    }
+    ArcOffset(2, X, N, &X[2], &N[2], offset);
+    for (PetscInt k = 0; k < 2; k++) x[k] = 0.5 * (X[k] + X[2 + k]) + offset[k];
+    off = PetscAbsReal(PetscSqrtReal(PetscSqr(x[0] / 2) + PetscSqr(x[1])) - 1);
+    CHECK(level == 0 || off < before / 14);
+    CHECK(off > 0);
+    before = off;
+  }
+}
+
+/* Nothing at all, where one end is straight, where both are to rounding, and where the curve bends both ways. */
+static void TestFlat(void)
+{
+  const PetscReal x0[2] = {0.1, 0.2}, x1[2] = {1.1, 0.2}, up[2] = {0, 1}, nearly[2] = {3e-16, 1};
+  PetscReal       tilted[2] = {0.3, 1}, offset[2];
+
+  FrameNormalize(2, tilted);
+  ArcOffset(2, x0, up, x1, up, offset);
+  CHECK(offset[0] == 0 && offset[1] == 0);
+  ArcOffset(2, x0, up, x1, nearly, offset);
+  CHECK(offset[0] == 0 && offset[1] == 0);
+  ArcOffset(2, x0, up, x1, tilted, offset);
+  CHECK(offset[0] == 0 && offset[1] == 0);
+  ArcOffset(2, x0, tilted, x1, tilted, offset);
+  CHECK(offset[0] == 0 && offset[1] == 0);
+}
+
+/* Points of facets on the unit sphere rise to it to third order in the middle of a quad, fourth in those of edges. */
+static void TestBulge(void)
+{
+  const ElementType types[2] = {ELEMENT_TRI3, ELEMENT_QUAD4};
+
+  for (PetscInt t = 0; t < 2; t++) {
+    PetscReal before = 0;
+
+    for (PetscInt level = 0; level < 3; level++) {
+      const PetscReal h = 0.4 / (PetscReal)(1 << level), inside[2] = {1. / 3, 1. / 3};
+      const PetscInt  num = ElementNumNodes(types[t]);
+      PetscReal       X[12], bulge[27], x[3], phi[ELEMENT_MAX_NODES], n[3], off;
+
+      for (PetscInt i = 0; i < num; i++) {
+        const PetscReal *node = ElementNode(types[t], i);
+        const PetscReal  a = 0.3 + h * node[0], b = 0.4 + 0.8 * h * node[1];
+
+        X[3 * i]     = PetscCosReal(a) * PetscCosReal(b);
+        X[3 * i + 1] = PetscSinReal(a) * PetscCosReal(b);
+        X[3 * i + 2] = PetscSinReal(b);
+      }
+      CHECK(ArcBulge(types[t], X, X, bulge));
+      for (PetscInt i = 0; i < 3 * num; i++) CHECK(bulge[i] == 0);
+      (void)ElementSurface(types[t], X, inside, x, phi, n);
+      off = PetscSqrtReal(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+      for (PetscInt k = 0; k < 3; k++) n[k] = x[k] / off;
+      off = PetscAbsReal(off + ArcRise(types[t], bulge, inside, n) - 1);
+      CHECK(level == 0 || off < before / 12);
+      CHECK(off < h * h * h * h);
+      before = off;
+    }
+  }
+}
+
+int main(int argc, char **argv)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
+  TestCircle();
+  TestSphereAndCylinder();
+  TestEllipse();
+  TestFlat();
+  TestBulge();
+  PetscCall(PetscFinalize());
+  return 0;
+}
