@@ -1,4 +1,4 @@
-/* arc.h -- the curve that nodal normals make of a straight edge, and of a facet of first order (floor 1; T47). */
+/* arc.h -- the curve that nodal normals make of a straight edge, and of a facet of first order (floor 1; T51). */
 #ifndef MORTISE_ARC_H
 #define MORTISE_ARC_H
 

@@ -42,7 +42,7 @@ struct _n_Pair {
   PetscInt   num_facets_nonmortar, num_facets_mortar;     /* of all ranks */
   PetscInt   num_multipliers, num_removed, num_uncovered; /* nodes of all ranks */
   PetscReal  reach;                                       /* that was used */
-  PetscBool  smooth[2]; /* whether the nonmortar, the mortar side is taken for smooth: gaps are those of curves (T47) */
+  PetscBool  smooth[2]; /* whether the nonmortar, the mortar side is taken for smooth: gaps are those of curves (T51) */
   PetscReal left[2]; /* what gaps may be off by as each side bends between its nodes, at most; 0 where gaps are given */
 };
 typedef struct _n_Pair *Pair;

@@ -67,7 +67,8 @@ PetscErrorCode RiseCreate(Level *level, const ScenePair *spec, const Facets *fac
   *rise = NULL;
   *left = 0;
   if (spec->gap || spec->obstacle.kind == OBSTACLE_EXPRESSION) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscCalloc1(facets->num * F * dim, rise));
+  PetscCall(
+      PetscCalloc1(facets->num * F * dim + 1, rise)); // also a rank without facets tells whether any rank has a curve
   for (PetscInt f = 0; f < facets->num; f++) {
     const ElementType type = facets->type[f];
     const PetscReal  *N    = &shape->normal[f * F * dim];

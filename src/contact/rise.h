@@ -1,4 +1,4 @@
-/* rise.h -- gaps between sides that are taken for smooth (private to the room; T47). */
+/* rise.h -- gaps between sides that are taken for smooth (private to the room; T51). */
 #ifndef MORTISE_RISE_H
 #define MORTISE_RISE_H
 

@@ -1,15 +1,13 @@
 /* frame.c -- nodal normals from the facets around a node, and a frame for each normal.
 
    Normals are an input of the method, not a detail: an error in them is an error in the gap of a curved surface. The
-   weights used here are exact where a surface is a circle or a sphere; means weighted by angle or area are not.
+   weights used here are exact where a surface is a circle or a sphere; means weighted by angle or area are not. Facets of second order
+   are taken as the straight ones between their nodes: the slopes of parabolas would err by h^3 on a circle.
 
    References:
      [1] N. Max, Weights for computing vertex normals from facet normals, J. Graphics Tools 4 (1999).
      [2] T. Duff et al., Building an orthonormal basis, revisited, J. Computer Graphics Techniques 6 (2017). */
-#include <mortise/element.h>
 #include <mortise/frame.h>
-
-enum { MAX_CORNERS = 4 }; /* of facets of first order in space */
 
 static PetscReal Dot_Private(PetscInt dim, const PetscReal a[], const PetscReal b[])
 {
@@ -19,29 +17,27 @@ static PetscReal Dot_Private(PetscInt dim, const PetscReal a[], const PetscReal 
   return sum;
 }
 
-/* Each node gets nu / h, with nu the normal of the curve at the node and h the chord (T13): a chord of a circle is tilted
-   from the tangent at its end in proportion to its length, so that these weights cancel the tilts of two chords for any
-   spacing. A parabola through three points of a circle is tilted by no more than h^3 at its ends. */
-static void AddLine_Private(PetscInt num_nodes, const PetscReal X[], PetscReal N[])
+/* Both ends get nu / h of their chord: a chord of a circle is tilted from the tangent at its end in proportion to its length, so that
+   these weights cancel the tilts of two chords for any spacing (T13). */
+static void AddChord_Private(PetscInt from, PetscInt to, const PetscReal X[], PetscReal N[])
 {
-  const ElementType type  = num_nodes == 2 ? ELEMENT_LINE2 : ELEMENT_LINE3;
-  const PetscReal   chord = PetscSqrtReal(PetscSqr(X[2] - X[0]) + PetscSqr(X[3] - X[1]));
+  const PetscReal dx = X[2 * to] - X[2 * from], dy = X[2 * to + 1] - X[2 * from + 1], square = dx * dx + dy * dy;
+  const PetscInt  ends[2] = {from, to};
 
-  for (PetscInt i = 0; i < num_nodes; i++) {
-    PetscReal phi[ELEMENT_MAX_NODES], nu[2];
-
-    ElementSurface(type, X, ElementNode(type, i), NULL, phi, nu);
-    for (PetscInt k = 0; k < 2; k++) N[2 * i + k] += nu[k] / chord;
+  for (PetscInt i = 0; i < 2; i++) {
+    N[2 * ends[i]] += dy / square;
+    N[2 * ends[i] + 1] -= dx / square;
   }
 }
 
-/* The corner i gets e1 x e2 / (|e1|^2 |e2|^2) with e1 and e2 the facet's edges to the next and the previous corner:
-   the sum is exact where all the corners lie on a sphere [1]. */
-static void AddPolygon_Private(PetscInt num_nodes, const PetscReal X[], PetscReal N[])
+/* Each corner gets e1 x e2 / (|e1|^2 |e2|^2) with e1 and e2 the polygon's edges to the next and the previous corner: the sum is exact
+   where all the corners lie on a sphere [1]. [in] corners - nodes, anticlockwise [num] */
+static void AddPolygon_Private(PetscInt num, const PetscInt corners[], const PetscReal X[], PetscReal N[])
 {
-  for (PetscInt i = 0; i < num_nodes; i++) {
-    const PetscReal *x = &X[3 * i], *next = &X[3 * ((i + 1) % num_nodes)];
-    const PetscReal *previous = &X[3 * ((i + num_nodes - 1) % num_nodes)];
+  for (PetscInt i = 0; i < num; i++) {
+    const PetscInt   own = corners[i];
+    const PetscReal *x = &X[3 * own], *next = &X[3 * corners[(i + 1) % num]];
+    const PetscReal *previous = &X[3 * corners[(i + num - 1) % num]];
     PetscReal        e1[3], e2[3], weight;
 
     for (PetscInt k = 0; k < 3; k++) {
@@ -52,31 +48,27 @@ static void AddPolygon_Private(PetscInt num_nodes, const PetscReal X[], PetscRea
     for (PetscInt k = 0; k < 3; k++) {
       const PetscInt l = (k + 1) % 3, m = (k + 2) % 3;
 
-      N[3 * i + k] += weight * (e1[l] * e2[m] - e1[m] * e2[l]);
+      N[3 * own + k] += weight * (e1[l] * e2[m] - e1[m] * e2[l]);
     }
-  }
-}
-
-/* Each node of tri6 or quad9 gets the normal of the curved facet there, weighted so that smaller facets, which are closer to
-   the surface that they stand for, count more. */
-static void AddCurved_Private(ElementType type, const PetscReal X[], PetscReal N[])
-{
-  for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
-    PetscReal       phi[ELEMENT_MAX_NODES], nu[3];
-    const PetscReal measure = ElementSurface(type, X, ElementNode(type, i), NULL, phi, nu);
-
-    for (PetscInt k = 0; k < 3; k++) N[3 * i + k] += nu[k] / measure;
   }
 }
 
 void FrameAddFacetNormal(PetscInt dim, PetscInt num_nodes, const PetscReal X[], PetscReal N[])
 {
-  if (dim == 2)
-    AddLine_Private(num_nodes, X, N);
-  else if (num_nodes <= MAX_CORNERS)
-    AddPolygon_Private(num_nodes, X, N);
-  else
-    AddCurved_Private(num_nodes == ElementNumNodes(ELEMENT_TRI6) ? ELEMENT_TRI6 : ELEMENT_QUAD9, X, N);
+  static const PetscInt whole[4]    = {0, 1, 2, 3};
+  static const PetscInt tri6[4][3]  = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+  static const PetscInt quad9[4][4] = {{0, 4, 8, 7}, {4, 1, 5, 8}, {8, 5, 2, 6}, {7, 8, 6, 3}};
+
+  if (dim == 2 && num_nodes == 2) AddChord_Private(0, 1, X, N);
+  if (dim == 2 && num_nodes == 3) {
+    AddChord_Private(0, 2, X, N);
+    AddChord_Private(2, 1, X, N);
+  }
+  if (dim == 3 && num_nodes <= 4) AddPolygon_Private(num_nodes, whole, X, N);
+  for (PetscInt part = 0; part < 4 && num_nodes > 4; part++) {
+    if (num_nodes == 6) AddPolygon_Private(3, tri6[part], X, N);
+    if (num_nodes == 9) AddPolygon_Private(4, quad9[part], X, N);
+  }
 }
 
 PetscReal FrameNormalize(PetscInt dim, PetscReal n[])

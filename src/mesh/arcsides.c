@@ -1,4 +1,4 @@
-/* arcsides.c -- which sides are taken for smooth: those of pairs, of bodies whose files have straight edges (T47). */
+/* arcsides.c -- which sides are taken for smooth: those of pairs, of bodies whose files have straight edges (T51). */
 #include "room.h"
 #include <mortise/compat.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* extractarcs.c -- the sides of a body that are taken for smooth, while its file's mesh is refined for it alone (T47). */
+/* extractarcs.c -- the sides of a body that are taken for smooth, while its file's mesh is refined for it alone (T51). */
 #include "extract.h"
 #include <mortise/compat.h>
 

@@ -363,7 +363,16 @@ static PetscBool TurnNormal_Private(const Side *side, PetscInt f, PetscInt i, Pe
   return (PetscBool)(PetscMax(square, PetscSqr(along) * Dot_Private(dim, dx, dx)) > FLAT * FLAT);
 }
 
-/* Normals at the ends of patches of first order, where facets on one side alone would tilt them: from neighbours that have more
+/* Whether two nodes of a facet lie on a line of its lattice: a mirror between others is not that of a cylinder. */
+static PetscBool OnOneLine_Private(ElementType type, PetscInt i, PetscInt j)
+{
+  const PetscReal *a = ElementNode(type, i), *b = ElementNode(type, j);
+
+  if (ElementDim(type) == 1 || a[0] == b[0] || a[1] == b[1]) return PETSC_TRUE;
+  return (PetscBool)(ElementNumNodes(ElementLinear(type)) == 3 && a[0] + a[1] == b[0] + b[1]);
+}
+
+/* Normals at the ends of patches, where facets on one side alone would tilt them: from neighbours that have more
    around them. Collective. [in] least, most - share of those ends; known - of curvatures [num][F] */
 static PetscErrorCode SetEnds_Private(Side *side, PetscReal least, PetscReal most, const PetscReal known[])
 {
@@ -375,14 +384,13 @@ static PetscErrorCode SetEnds_Private(Side *side, PetscReal least, PetscReal mos
   for (PetscInt f = 0; f < side->facets->num; ++f) {
     const PetscInt num = ElementNumNodes(side->facets->type[f]);
 
-    if (ElementOrder(side->facets->type[f]) > 1) continue;
     for (PetscInt i = 0; i < num; ++i) {
       const PetscReal share = side->share[f * F + i];
 
       if (share < least || share >= most) continue;
       for (PetscInt j = 0; j < num; ++j) {
         if (side->share[f * F + j] < share + FULLER) continue;
-        if (known[f * F + j] == 0 && (i + 2) % 4 == j && num == 4) continue; // no mirror across a quad
+        if (known[f * F + j] == 0 && !OnOneLine_Private(side->facets->type[f], i, j)) continue;
         if (!TurnNormal_Private(side, f, i, j, (PetscBool)(known[f * F + j] > 0), n)) continue;
         for (PetscInt k = 0; k < dim; ++k) normals[(f * F + i) * dim + k] += n[k];
       }

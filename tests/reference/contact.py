@@ -24,11 +24,20 @@ def frame(n):
     return Q
 
 
+def add_to(sums, key, value):
+    sums[key] = sums.get(key, 0.0) + value
+
+
+def turning(v, n, gradients):
+    """{node: block} of how v turns with the mortar side's displacement (T49); gradients: {node: of its shape function along the facet}."""
+    return {b: (v @ g) * np.eye(len(v)) - (v @ n) * np.outer(g, n) for b, g in gradients.items()}
+
+
 class Pair:
     """Weights, couplings and gaps of (T4), (T5), and from them the rows of B with one multiplier each.
 
     What is left open: set_normals() sums up normals at nodes; rays(facet) yields points of a facet: place on the reference
-    facet, weight, gap, and {mortar node: shape function}; read_obstacle() reads one.
+    facet, weight, gap, {mortar node: shape function}, and of ties {mortar node: what it does to the link}; read_obstacle() reads one.
     """
 
     def __init__(self, name, scene):
@@ -83,7 +92,7 @@ class Pair:
     def integrate(self):
         """Per multiplier: its weight D_aa, its weight were all covered, G, and {node: int psi phi, of the mortar side with a
         minus}; psi from the biorthogonality (T6) on what is covered, to phi or, with one multiplier per vertex, to hats."""
-        self.D, self.full, self.G, self.row, self.beside = {}, {}, {}, {}, {}
+        self.D, self.full, self.G, self.row, self.beside, self.arms = {}, {}, {}, {}, {}, {}
         for facet in self.facets:
             points = self.scene.points[list(facet)]
             for at, w in product_rule(self.kind, MANY):
@@ -113,9 +122,11 @@ class Pair:
             for b, value in zip(facet, (psi[i] * w) @ phi.T):
                 row[b] = row.get(b, 0.0) + value
             self.G[node] = self.G.get(node, 0.0) + (w * psi[i]) @ gaps
-            for (_, _, _, mortar), weight in zip(rays, w * psi[i]):
+            for (_, _, _, mortar, arms), weight in zip(rays, w * psi[i]):
                 for b, shape in mortar.items():
                     row[b] = row.get(b, 0.0) - weight * shape
+                for b, block in arms.items():
+                    add_to(self.arms.setdefault(node, {}), b, -weight * block)
 
     def keeps(self, node):
         """Whether a node carries its multiplier."""
@@ -142,13 +153,18 @@ class Pair:
             overdrawn = [a for a in kept if self.D[a] + taken[a] < LEFT_OVER * self.D[a]]
             kept = [a for a in kept if a not in overdrawn]
         row, G = {node: dict(self.row[node]) for node in kept}, {node: self.G[node] for node in kept}
+        arms = {node: dict(self.arms.get(node, {})) for node in kept}
         for c, a, w in [(c, a, w) for c, share in self.share.items() for a, w in share.items()]:
             G[a] += w * self.G[c]
             for b, value in self.row[c].items():
                 row[a][b] = row[a].get(b, 0.0) + w * value
+            for b, block in self.arms.get(c, {}).items():
+                add_to(arms[a], b, w * block)
         for a in kept:
             dim, n, D = self.scene.dim, self.normal[a], self.D[a]
             self.weight[a] = self.scene.thickness * sum(row[a].get(b, 0.0) for b in self.nodes)
             for direction in frame(n) if self.tied else (n,):
                 entries = {dim * b + k: value / D * direction[k] for b, value in row[a].items() for k in range(dim)}
+                for b, k in itertools.product(arms[a], range(dim)):
+                    add_to(entries, dim * b + k, direction @ arms[a][b][:, k] / D)
                 self.rows.append((a, entries, 0.0 if self.tied else G[a] / D, self.scene.thickness * D))

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.polynomial import polynomial as poly
 
 from bodies import MANY, gauss, numbers
-from contact import Pair, frame, unit
+from contact import Pair, frame, turning, unit
 
 LINES = {2: np.array([[1, -1], [0, 1]]), 3: np.array([[1, -3, 2], [0, -1, 2], [0, 4, -4]])}  # phi by powers of s
 PLACES = (0.0, 1.0, 0.5)  # of the nodes of a facet
@@ -45,10 +45,6 @@ def outward(c, s):
     """The normal (dy, -dx)/ds of a curve whose body lies on its left; its length is |dx/ds|."""
     x, y = poly.polyval(s, poly.polyder(c))
     return np.array([y, -x])
-
-
-def chord(c):
-    return math.hypot(*c[1:].sum(axis=0))  # x(1) - x(0)
 
 
 def share(own, other):
@@ -102,7 +98,7 @@ class LinePair(Pair):
             self.normal = {node: self.direction(node, n, kappa[node], normal_m, kappa_m) for node, n in self.normal.items()}
 
     def rises(self, facets, normal):
-        """{straight facet: from its middle to that of the arc between the normals at its ends (T47)}."""
+        """{straight facet: from its middle to that of the arc between the normals at its ends (T51)}."""
         found = {}
         if not facets or len(facets[0]) > 2 or self.scene.owner(facets).polygonal:
             return found
@@ -119,28 +115,34 @@ class LinePair(Pair):
         return 4 * s * (1 - s) * (self.rise[tuple(facet)] @ n) if tuple(facet) in self.rise else 0.0
 
     def side_shape(self, facets):
-        """{node: unit normal}, {node: curvature} of a smooth side. Normals: those of the curves at a node over their chords (T13). An end of
-        straight facets turns on from its neighbour, which has a facet on either side, with the curvature there."""
+        """{node: unit normal}, {node: curvature} of a smooth side. Normals: those of the chords between nodes over their lengths (T13). An end
+        turns on from the nodes of its facet that have chords on both sides, with the curvature there."""
         around, normal = {}, {}
         for facet in facets:
-            c = self.geometry(facet)
-            for node, s in zip(facet, PLACES):
+            along = [facet[0], *facet[2:], facet[1]]
+            for node in facet:
                 around.setdefault(node, []).append(facet)
-                normal[node] = normal.get(node, 0.0) + unit(outward(c, s)) / chord(c)
+            for chord_ends in zip(along, along[1:]):
+                dx, dy = self.scene.points[chord_ends[1]] - self.scene.points[chord_ends[0]]
+                for node in chord_ends:
+                    normal[node] = normal.get(node, 0.0) + np.array([dy, -dx]) / (dx * dx + dy * dy)
         normal = {node: unit(n) for node, n in normal.items()}
         inner = {node for node, own in around.items() if len(own) == 2 or node in own[0][2:]}
-        for end in around.keys() - inner if len(facets[0]) == 2 else ():
-            near = sum(around[end][0]) - end
-            if near not in inner:
-                continue
-            step, known = self.scene.points[end] - self.scene.points[near], self.curvature(near, around, normal, inner)
-            tau = np.array([-normal[near][1], normal[near][0]])
-            turn = known * (step @ tau) if known is not None else 0.0
-            if known is None and abs(normal[near] @ step) > FLAT * math.hypot(*step):
-                normal[end] = normal[near] - 2 * (normal[near] @ step) / (step @ step) * step
-            elif abs(turn) > FLAT:
-                normal[end] = turn * tau + math.sqrt(1 - turn**2) * normal[near]
+        for end in around.keys() - inner:
+            turned = [n for near in around[end][0] if near in inner and (n := self.turned_on(near, end, around, normal, inner)) is not None]
+            if turned:
+                normal[end] = unit(sum(turned))
         return normal, {node: self.curvature(node, around, normal, around) for node in around}
+
+    def turned_on(self, near, end, around, normal, inner):
+        """The normal at an end of a side, as a node inside has it; None where the side does not turn."""
+        step, known = self.scene.points[end] - self.scene.points[near], self.curvature(near, around, normal, inner)
+        if known is None:
+            along = normal[near] @ step
+            return normal[near] - 2 * along / (step @ step) * step if abs(along) > FLAT * math.hypot(*step) else None
+        tau = np.array([-normal[near][1], normal[near][0]])
+        turn = known * (step @ tau)
+        return turn * tau + math.sqrt(1 - turn**2) * normal[near] if abs(turn) > FLAT else None
 
     def curvature(self, node, around, normal, counted):
         """Mean of dn/dx along the tangent over the other nodes of the facets at a node; None without one that counts."""
@@ -219,8 +221,14 @@ class LinePair(Pair):
                 w *= math.hypot(*outward(x, s))
                 point, direction = ray(s)
                 if not self.mortar:
-                    yield (s,), w, self.distance(point, direction) - self.bulge(facet, s, direction), {}
+                    yield (s,), w, self.distance(point, direction) - self.bulge(facet, s, direction), {}, {}
                     continue
                 _, gap, eta, other = self.meet(point, direction, [seen[3]])
                 gap += self.bulge(other, eta, direction) - self.bulge(facet, s, direction)
-                yield (s,), w, gap, dict(zip(other, poly.polyval(eta, LINES[len(other)].T)))
+                yield (s,), w, gap, dict(zip(other, poly.polyval(eta, LINES[len(other)].T))), self.arms_at(point, other, eta) if self.tied else {}
+
+    def arms_at(self, point, facet, s):
+        c = self.geometry(facet)
+        n, slopes = outward(c, s), poly.polyval(s, poly.polyder(LINES[len(facet)].T))
+        tangent = np.array([-n[1], n[0]]) / (n @ n)
+        return turning(point - poly.polyval(s, c), unit(n), {b: slope * tangent for b, slope in zip(facet, slopes)})

@@ -10,7 +10,7 @@ import itertools
 import numpy as np
 
 from bodies import CORNERS, gauss
-from contact import Pair, frame, unit
+from contact import Pair, frame, turning, unit
 
 EXACT = 7  # Gauss points in each direction: to degree 12 in the plane
 CLOSE = 1e-12  # of a facet's size
@@ -57,6 +57,7 @@ class Plate:
             raise ValueError("a facet is not an affine image of its reference cell")
         self.flat = (points[:self.count] - origin) @ Q[1:].T
         self.inverse = np.linalg.inv(Q[1:] @ self.edges)
+        self.gradient = np.linalg.pinv(self.edges)  # along the facet, from the one on the reference cell
         self.measure = np.linalg.norm(np.cross(*self.edges.T)) * abs(np.linalg.det(self.inverse))  # of space, by that of the plane
 
     def polygon(self):
@@ -106,4 +107,6 @@ class SpacePair(Pair):
                     p = fan + r * ((1 - s) * (a - fan) + s * (b - fan))
                     place, x = mine.at(p)
                     eta, y = theirs.at(p)
-                    yield place, v * w * r * area * mine.measure, (y - x) @ n, dict(zip(other, theirs.shape.at(eta)[0]))
+                    phi, slopes = theirs.shape.at(eta)
+                    arms = turning(x - y, unit(np.cross(*theirs.edges.T)), dict(zip(other, slopes @ theirs.gradient))) if self.tied else {}
+                    yield place, v * w * r * area * mine.measure, (y - x) @ n, dict(zip(other, phi)), arms

@@ -385,7 +385,7 @@ static PetscErrorCode TestRings(PairMultipliers multipliers)
     for (PetscInt b = 0; b < 2; b++) PetscCall(ExpressionDestroy(&bodies[b].map));
   }
   CHECK(worst[0][0] / worst[1][0] > 12);
-  CHECK_NEAR(PetscLog2Real(worst[0][1] / worst[1][1]), 3., 0.1);
+  for (PetscInt level = 0; level < 2; level++) CHECK_NEAR(worst[level][1], 0., 1e-13); // all nodes lie on circles
   PetscCall(DestroyTwoBoxes(bodies));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -65,8 +65,11 @@ static void TestCircle(void)
   (void)TestSceneAddBox(&t, "ring", 2, 7, 2, 0, 3, 1);
   (void)TestSceneAddPair(&t, "outer", 0, "right", 0, "left");
   TestSceneSetMap(&t.bodies[0], "x*cos(y+0.2*y^2),x*sin(y+0.2*y^2)");
-  for (PetscInt inner = 0; inner < 2; ++inner) {
-    errors = MeasureRound(&t, 2, inner ? "left" : "right", none, inner ? -1 : 1);
+  for (PetscInt trial = 0; trial < 4; ++trial) {
+    const PetscInt inner = trial % 2;
+
+    t.bodies[0].order = 1 + trial / 2;
+    errors            = MeasureRound(&t, 2, inner ? "left" : "right", none, inner ? -1 : 1);
     CHECK_NEAR(errors.normal, 0, EXACT);
     CHECK_NEAR(errors.curvature, 0, EXACT);
     CHECK(errors.ridges == 0);
@@ -82,13 +85,15 @@ static void TestSolids(void)
   const PetscReal lower[3] = {-0.4, -0.3, 1}, upper[3] = {0.4, 0.5, 2}, axis[2][3] = {{0, 1, 0}, {0, 0, 0}};
   const PetscInt  faces[2][3] = {{5, 1, 1}, {6, 5, 1}};
 
-  for (PetscInt sphere = 0; sphere < 2; ++sphere) {
-    TestScene t;
-    Errors    errors;
+  for (PetscInt trial = 0; trial < 4; ++trial) {
+    const PetscInt sphere = trial % 2;
+    TestScene      t;
+    Errors         errors;
 
     SolidSceneInit(&t);
     (void)SolidSceneAddBox(&t, "part", faces[sphere], lower, upper);
     (void)TestSceneAddPair(&t, "outer", 0, "top", 0, "bottom");
+    t.bodies[0].order = 1 + trial / 2;
     CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-map", sphere ? ball : "z*sin(x), y, z*cos(x)", 3, PETSC_FALSE,
                             &t.bodies[0].map));
     errors = MeasureRound(&t, 3, "top", axis[sphere], 1);
