@@ -7,7 +7,7 @@
 
 #include <mortise/element.h>
 
-enum { CUBATURE_MAX_SIZE = 3 * ELEMENT_MAX_NODES, CUBATURE_MAX_PIECES = 8 };
+enum { CUBATURE_MAX_SIZE = 3 * ELEMENT_MAX_NODES, CUBATURE_MAX_PIECES = 8, CUBATURE_MAX_GAUSS = 8 };
 
 /* value = the integrand at xi, with all measures but that of the reference cell. [in] xi - [ElementDim]; [out] value - [size] */
 typedef PetscErrorCode (*CubatureFn)(void *ctx, const PetscReal xi[], PetscReal value[]);
@@ -24,12 +24,12 @@ typedef struct {
   PetscInt         count;  /* evaluations that it took */
 } Cubature;
 
-/* The integrals by a product of equal rules: Gauss-Legendre with 5 points, exact to degree 9 in each coordinate, or
+/* The integrals by a product of equal rules: Gauss-Legendre with num points, exact to degree 2 num - 1 in each coordinate, or
    Gauss-Lobatto with 5, exact to degree 7, on each of the pieces. Points of the latter reach the vertices of the reference
    cell, less the inset. On simplices both are exact to one
    degree less in the plane and two less in space.
-   Not collective. [out] value - [size] */
-PetscErrorCode CubatureGauss(Cubature *cubature, PetscReal value[]);
+   Not collective. [in] num - up to CUBATURE_MAX_GAUSS; [out] value - [size] */
+PetscErrorCode CubatureGauss(Cubature *cubature, PetscInt num, PetscReal value[]);
 PetscErrorCode CubatureLobatto(Cubature *cubature, PetscReal value[]);
 
 /* The integrals by nested adaptive rules, which are cut at jumps and kinks. Not collective.

@@ -3,8 +3,6 @@
 #include "nested.h"
 #include "reference.h"
 
-enum { FINER = 5 }; /* points of CubatureGauss() along each coordinate */
-
 const PetscReal CUBATURE_POINT[CUBATURE_POINTS] = {
     0.,  0.069431844202973712388, 0.17267316464601142810, 0.33000947820757186760,
     0.5, 0.66999052179242813240,  0.82732683535398857190, 0.93056815579702628761,
@@ -55,13 +53,13 @@ static PetscErrorCode Product_Private(Cubature *cubature, PetscInt num, const Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CubatureGauss(Cubature *cubature, PetscReal value[])
+PetscErrorCode CubatureGauss(Cubature *cubature, PetscInt num, PetscReal value[])
 {
-  PetscReal s[FINER], w[FINER];
+  PetscReal s[CUBATURE_MAX_GAUSS], w[CUBATURE_MAX_GAUSS];
 
   PetscFunctionBeginUser;
-  GaussLine(FINER, s, w);
-  PetscCall(Product_Private(cubature, FINER, s, w, value));
+  GaussLine(num, s, w);
+  PetscCall(Product_Private(cubature, num, s, w, value));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

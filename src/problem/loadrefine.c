@@ -9,6 +9,7 @@
 
 enum {
   MAX_DIM      = 3,
+  FINER_POINTS = 5,        /* points along each coordinate of the rule after the two that are compared first */
   REGULAR_WORK = 20000000, /* evaluations that all elements of a term may take together */
   LARGEST_WORK = 3000000   /* of one of them */
 };
@@ -25,6 +26,8 @@ static const PetscInt PIECES[MAX_DIM + 1] = {0, 8, 2, 1}, ROUGH_PIECES[MAX_DIM +
 /* What two rules may differ by, relative to the load on an element or to its share in the load of its datum: a tenth of what totals
    are promised to. */
 static const PetscReal ACCURACY = 1e-11, PROMISED = 1e-10;
+/* From rule to rule, errors of smooth functions fall at least so much. */
+static const PetscReal FALLING = 0.1;
 /* A component of a load is compared with no less than this part of the largest one of the scene: what is less by so much more may be
    the rounding of sin(pi). */
 static const PetscReal NEGLIGIBLE = 1e-5;
@@ -143,12 +146,49 @@ static PetscBool Differs_Private(const LoadTerm *term, const Measure *measure, P
   return PETSC_FALSE;
 }
 
+static PetscReal Most_Private(PetscInt dim, const PetscReal miss[])
+{
+  PetscReal most = 0.;
+
+  for (PetscInt k = 0; k < dim; k++) most = PetscMax(most, miss[k]);
+  return most;
+}
+
+/* Whether the errors of rules with ever more points fall as they do for smooth functions that are far from resolved: those of a jump or
+   a kink do not. [in] other - the integrals by Lobatto's rule, whose points are elsewhere; [out] finest - those by the last rule */
+static PetscErrorCode Falls_Private(Cubature *cubature, const LoadTerm *term, const Measure *measure, PetscInt e,
+                                    const PetscReal other[], PetscReal finest[], PetscBool *falls)
+{
+  static const PetscInt points[3] = {3, 5, 7};
+  const PetscInt        dim       = term->dim;
+  PetscReal             value[CUBATURE_MAX_SIZE], miss[MAX_DIM], apart, before = PETSC_MAX_REAL;
+
+  PetscFunctionBeginUser;
+  PetscCall(CubatureGauss(cubature, CUBATURE_MAX_GAUSS, finest));
+  Difference_Private(cubature->size, dim, other, finest, miss);
+  apart  = Differs_Private(term, measure, e, miss) ? Most_Private(dim, miss) : 0.;
+  *falls = PETSC_TRUE;
+  for (PetscInt i = 0; i < 3 && *falls; i++) {
+    PetscReal most;
+
+    PetscCall(CubatureGauss(cubature, points[i], value));
+    Difference_Private(cubature->size, dim, value, finest, miss);
+    most = Most_Private(dim, miss);
+    if (i == 0) *falls = (PetscBool)(apart <= most);     // of a lower degree than Lobatto's
+    if (!Differs_Private(term, measure, e, miss)) break; // all that are left are rounding
+    *falls = (PetscBool)(*falls && most <= FALLING * before);
+    before = most;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Finds elements where the formula is not smooth; where it is but the rule for loads is too coarse, takes a finer one.
    [out] pieces - to begin with, 0 where nothing is left to do [term->num]; [in,out] fa */
 static PetscErrorCode FindRough_Private(const LoadTerm *term, const Measure *measure, PetscInt pieces[],
                                         PetscScalar fa[])
 {
-  PetscReal   fe[CUBATURE_MAX_SIZE], other[CUBATURE_MAX_SIZE], finer[CUBATURE_MAX_SIZE], miss[MAX_DIM];
+  PetscReal   fe[CUBATURE_MAX_SIZE], other[CUBATURE_MAX_SIZE], finer[CUBATURE_MAX_SIZE], finest[CUBATURE_MAX_SIZE];
+  PetscReal   miss[MAX_DIM];
   LoadElement element;
   Cubature    cubature;
 
@@ -159,11 +199,18 @@ static PetscErrorCode FindRough_Private(const LoadTerm *term, const Measure *mea
     LoadElementSet(term, e, &element);
     cubature = CubatureOf_Private(&element, PIECES[ElementDim(element.type)]);
     PetscCall(CubatureLobatto(&cubature, other));
-    PetscCall(CubatureGauss(&cubature, finer));
+    PetscCall(CubatureGauss(&cubature, FINER_POINTS, finer));
     Difference_Private(cubature.size, term->dim, other, finer, miss);
-    pieces[e] = ROUGH_PIECES[ElementDim(element.type)];
-    if (Differs_Private(term, measure, e, miss)) continue;
-    pieces[e] = 0;
+    if (Differs_Private(term, measure, e, miss)) {
+      PetscBool falls = PETSC_FALSE;
+
+      PetscCall(Falls_Private(&cubature, term, measure, e, other, finest, &falls));
+      if (!falls) {
+        pieces[e] = ROUGH_PIECES[ElementDim(element.type)];
+        continue;
+      }
+      PetscCall(PetscArraycpy(finer, finest, cubature.size));
+    }
     PetscCall(LoadElementIntegrate(&element, fe));
     LoadElementAdd(&element, -1., fe, fa);
     LoadElementAdd(&element, 1., finer, fa);

@@ -75,7 +75,7 @@ static void CheckRules(ElementType type, Function function, PetscReal gauss, Pet
   Cubature  cubature = Make(type, &function, NULL);
   PetscReal value[SIZE];
 
-  CHECK(!CubatureGauss(&cubature, value));
+  CHECK(!CubatureGauss(&cubature, 5, value));
   CHECK_NEAR(value[0], gauss, 1e-12);
   CHECK(!CubatureLobatto(&cubature, value));
   CHECK_NEAR(value[0], lobatto, 1e-12);
