@@ -6,7 +6,7 @@
 
 /* From the middle of the chord between two points to the middle of the curve that has these unit normals there, across the
    chord: exact on circles, spheres and cylinders along any direction. Nothing, exactly, where the edge is straight at one of its
-   ends: a flat side that ends in a fillet, or at another flat one, stays flat. Also where it bends both ways.
+   ends: a flat side that ends in a fillet, or at another flat one, stays flat. Also where it bends both ways, or turns by 30 degrees and more.
    [in] x0, n0, x1, n1 - [dim]; [out] offset - [dim] */
 void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const PetscReal x1[], const PetscReal n1[],
                PetscReal offset[]);

@@ -10,6 +10,8 @@
 
 /* Edges that turn by less between their ends are straight: rounding of normals. */
 static const PetscReal STRAIGHT = 1e-11;
+/* Edges that turn by 30 degrees and more are those of polygons: |n0 + n1| is 2 cos 15 degrees there. */
+static const PetscReal SMOOTH = 1.9318516525781366;
 
 void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const PetscReal x1[], const PetscReal n1[],
                PetscReal offset[])
@@ -26,6 +28,7 @@ void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const P
     nn += n[k] * n[k];
   }
   if (a * b <= 0 || PetscMin(PetscAbsReal(a), PetscAbsReal(b)) <= STRAIGHT * PetscSqrtReal(dd)) return;
+  if (nn < PetscSqr(SMOOTH)) return;
   rise = 2 * a * b / (a + b) / (2 + PetscSqrtReal(nn));
   for (PetscInt k = 0; k < dim; k++) along += n[k] * d[k] / dd;
   for (PetscInt k = 0; k < dim; k++) n[k] -= along * d[k];

@@ -6,8 +6,8 @@
 #include <mortise/frame.h>
 #include <mortise/sideshape.h>
 
-/* Facets of one patch meet at less than 30 degrees; half of that is what they leave their mean normal by at most. */
-static const PetscReal SMOOTH = 0.86602540378443865, SURELY_SMOOTH = 0.96592582628906829;
+/* Facets of one patch meet at less than 45 degrees; half of that is what they leave their mean normal by at most. */
+static const PetscReal SMOOTH = 0.70710678118654752, SURELY_SMOOTH = 0.92387953251128674;
 /* Share of a full turn that the facets of a patch fill around an inner node; an end of a line fills half, a corner less than a third. */
 static const PetscReal INNER = 0.8, END = 0.35, FULLER = 0.1;
 /* Differences of unit normals below this are rounding: flat. */
@@ -176,7 +176,7 @@ static PetscErrorCode GatherCorners_Private(const Side *side, const PetscReal su
   *num = begin[size] / (PetscInt)sizeof(Corner);
   PetscCall(PetscMalloc1(*num, all));
   PetscCallMPI(MPI_Allgatherv(corners, mine, MPI_BYTE, *all, counts, begin, MPI_BYTE, side->level->comm));
-  qsort(*all, (size_t)*num, sizeof(Corner), CompareCorners_Private);
+  if (*num) qsort(*all, (size_t)*num, sizeof(Corner), CompareCorners_Private);
   PetscCall(PetscFree3(corners, counts, begin));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

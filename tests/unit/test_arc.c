@@ -6,16 +6,16 @@
 
 #include "uniform.h"
 
-static const PetscReal EXACT = 1e-14;
+static const PetscReal EXACT = 1e-14, TURN = 0.5; // beyond 30 degrees edges are those of polygons
 
 /* Middles of chords of a circle, convex or hollow, come to lie on it. */
 static void TestCircle(void)
 {
   for (PetscInt trial = 0; trial < 1000; trial++) {
-    const PetscReal radius = Uniform(0.1, 2), sign = trial % 2 ? 1 : -1, angle[2] = {Uniform(-3, 3), Uniform(-3, 3)};
-    PetscReal       X[4], N[4], offset[2], x[2], r;
+    const PetscReal radius = Uniform(0.1, 2), sign = trial % 2 ? 1 : -1, middle = Uniform(-3, 3),
+                    angle[2] = {middle, middle + Uniform(-TURN, TURN)};
+    PetscReal X[4], N[4], offset[2], x[2], r;
 
-    if (PetscAbsReal(angle[1] - angle[0]) > 3) continue; // more than half of the circle, nearly
     for (PetscInt i = 0; i < 2; i++) {
       N[2 * i]     = sign * PetscCosReal(angle[i]);
       N[2 * i + 1] = sign * PetscSinReal(angle[i]);
@@ -42,6 +42,7 @@ static void TestSphereAndCylinder(void)
       for (PetscInt k = 0; k < 3; k++) X[3 * i + k] = 2 * N[3 * i + k];
       if (!sphere) X[3 * i + 2] = Uniform(-1, 1);
     }
+    if (N[0] * N[3] + N[1] * N[4] + N[2] * N[5] < PetscCosReal(TURN)) continue;
     ArcOffset(3, X, N, &X[3], &N[3], offset);
     for (PetscInt k = 0; k < (sphere ? 3 : 2); k++) square += PetscSqr(0.5 * (X[k] + X[3 + k]) + offset[k]);
     CHECK_NEAR(PetscSqrtReal(square), 2, EXACT * 2);
