@@ -33,7 +33,7 @@ typedef struct {
   PetscBool   safeguarded;
   PetscReal   linear_residual; /* relative, of the last system */
   PetscReal   work;            /* products with matrices of all levels, in products with the finest; 0 without levels */
-  PetscReal   foretold;        /* what a factorisation would cost, in the same unit; 0 where nobody has asked */
+  PetscReal   foretold;        /* predicted cost of a factorisation, in the same unit; 0 without a prediction */
   PetscBool   gave_way;        /* whether this was a factorisation after an iteration that was given up */
   PetscInt    sweeps;          /* solutions with springs that hold bodies (T27); 1 without */
   EnergyBound bound;

@@ -36,8 +36,8 @@ void WarningBeginRun(void);
 void WarningEndRun(void);
 /* Said before the lines of runs from now on, one of several: "order 2, level 3"; "" for nothing. Not collective. */
 void WarningSetLabel(const char label[]);
-/* Between these two calls nothing is printed or kept: for what is computed beside the answer (other levels, wider reaches). Pairs
-   may be nested. Not collective. */
+/* Between these two calls no warning is printed or kept: coarser levels and wider reaches repeat those of the answer. Calls may be
+   nested. Not collective. */
 void WarningMute(void);
 void WarningUnmute(void);
 /* Keeps lines from stderr, not from the list. Not collective. */

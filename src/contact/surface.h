@@ -21,7 +21,7 @@ typedef struct {
 } MortarSurface;
 
 /* Brings the mortar facets within reach of this rank's nonmortar facets to this rank: at least those whose boxes meet that
-   of a nonmortar facet, widened by the reach on all sides. Collective. [in] shape - of the mortar facets, or NULL where nobody asks for it;
+   of a nonmortar facet, widened by the reach on all sides. Collective. [in] shape - of the mortar facets, optional, may be NULL;
    [out] surface - owned by the caller, MortarSurfaceDestroy() */
 PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const Facets *mortar, const SideShape *shape,
                                    PetscReal reach, MortarSurface *surface);

@@ -50,7 +50,7 @@ static void AddDiscretisation_Private(const SummaryInput *in, cJSON *solver)
   JSONAddReal(object, "relative", CertificateRelative(in->certificate, error));
 }
 
-/* One linear solve, for comparison; null where nobody asked. */
+/* One linear solve, for comparison; null without -measure_linear. */
 static void AddReference_Private(const SolveReport *report, cJSON *solver)
 {
   const LinearReference *reference = &report->reference;
