@@ -29,6 +29,6 @@ verdict=0
 "${launcher[@]}" build/mortise -options_file "options/$scene.opts" -output "results/$scene" "$@" || verdict=$?
 [ "$verdict" -eq 0 ] || [ "$verdict" -eq 2 ] || exit "$verdict" # 2: there is no solution, and a picture of why
 grep -q '"dimension":[[:space:]]*3' "results/$scene.json" && set_up_pictures
-/usr/bin/python3 options/mortise-plot "results/$scene"
+/usr/bin/python3 src/plot/mortise-plot "results/$scene"
 echo "fields:  results/$scene.xdmf (ParaView), results/$scene.h5"
 exit "$verdict"

@@ -116,10 +116,10 @@ static void PrintVersion(void)
 static PetscErrorCode Begin(int argc, char **argv)
 {
   PetscFunctionBeginUser;
-  PetscCall(FaultInitialize());
+  PetscCall(UserErrorInitialize());
   MemoryPrepare();
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
-  PetscCall(FaultCatchSignals());
+  PetscCall(UserErrorCatchSignals());
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -161,7 +161,7 @@ static MortiseExit Dispatch(double start, int argc, char **argv)
 {
   MortiseExit    verdict = MORTISE_FAILED;
   PetscErrorCode error;
-  char           sentence[FAULT_LENGTH];
+  char           sentence[USER_ERROR_LENGTH];
   int            rank;
 
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -173,15 +173,15 @@ static MortiseExit Dispatch(double start, int argc, char **argv)
     return PrintHelp(argv[0]) ? MORTISE_FAILED : MORTISE_SOLVED;
   if (argc < 2) {
     if (!rank) fputs(usage, stderr);
-    return MORTISE_FAULT;
+    return MORTISE_USER_ERROR;
   }
   OptionsExpand(argc, argv, &argc, &argv, sentence, sizeof(sentence));
   if (sentence[0]) {
     if (!rank) fprintf(stderr, "mortise: %s\n", sentence);
-    return MORTISE_FAULT;
+    return MORTISE_USER_ERROR;
   }
   error = RunArguments(start, argc, argv, &verdict);
-  if (error == MORTISE_ERR_FAULT) return MORTISE_FAULT;
+  if (error == MORTISE_ERR_USER) return MORTISE_USER_ERROR;
   return error ? MORTISE_FAILED : verdict;
 }
 
@@ -236,17 +236,17 @@ int main(int argc, char **argv)
   MPI_Comm_size(farewell, &size);
   verdict = Dispatch(start, argc, argv);
   InterruptCleanUp();
-  if (!EndPrinting() && verdict != MORTISE_FAULT) verdict = MORTISE_FAILED;
-  if (verdict == MORTISE_FAULT && !EndTogether(farewell)) {
-    if (rank) fprintf(stderr, "mortise: %s\n", FaultSentence());
-    MPI_Abort(MPI_COMM_WORLD, MORTISE_FAULT);
+  if (!EndPrinting() && verdict != MORTISE_USER_ERROR) verdict = MORTISE_FAILED;
+  if (verdict == MORTISE_USER_ERROR && !EndTogether(farewell)) {
+    if (rank) fprintf(stderr, "mortise: %s\n", UserErrorSentence());
+    MPI_Abort(MPI_COMM_WORLD, MORTISE_USER_ERROR);
   }
   if (verdict == MORTISE_FAILED && size > 1) MPI_Abort(MPI_COMM_WORLD, MORTISE_FAILED);
   MPI_Comm_free(&farewell);
   MPI_Finalize();
   if (rank)
     return MORTISE_SOLVED; // a launcher ends the others, at work on a page, as soon as one rank reports a mishap
-  if (verdict != MORTISE_FAULT && verdict != MORTISE_FAILED && !PageWrite() && verdict == MORTISE_SOLVED)
+  if (verdict != MORTISE_USER_ERROR && verdict != MORTISE_FAILED && !PageWrite() && verdict == MORTISE_SOLVED)
     verdict = MORTISE_FAILED;
   return verdict;
 }

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""house.py -- checks of the text itself: house.py <floors|sizes|options|warnings> <top of the tree>. Prints what is wrong, or nothing."""
+"""house.py -- checks of the text: house.py <layers|sizes|options|warnings> <top of the tree>. Prints what is wrong, or nothing."""
 import pathlib
 import re
 import sys
 
 MAX_FILE, MAX_FUNCTION, MAX_ARGUMENTS = 600, 80, 7
-INCLUDE = re.compile(r'^#include [<"]([^">]+)[">]', re.MULTILINE)
+INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 PETSC_OWN = re.compile(r"-(skip_petscrc|options_file_yaml|dm_plex_gmsh_\w+)")  # set or passed on here, not ours to document
 ROW = re.compile(r"^\| (\d+) \| `(\w+)` \| ([^|]*) \|", re.MULTILINE)
 
@@ -14,28 +14,21 @@ def sources(top):
     return sorted(top.glob("src/**/*.[ch]")) + sorted(top.glob("include/**/*.h"))
 
 
-# --- floors -----------------------------------------------------------------------------------------------------------
+# --- layers -----------------------------------------------------------------------------------------------------------
 
 
 def read_table(top):
-    """The table of src/README.md: room -> floor, header -> room."""
-    floor, room_of = {}, {}
-    for number, room, headers in ROW.findall((top / "src/README.md").read_text()):
-        floor[room] = int(number)
-        room_of.update({header: room for header in re.findall(r"`(\w+)`", headers)})
-    return floor, room_of
+    """The table of src/README.md: module -> layer, module -> names of its interface headers."""
+    rows = ROW.findall((top / "src/README.md").read_text())
+    return {module: int(layer) for layer, module, _ in rows}, {module: set(re.findall(r"`(\w+)`", headers)) for _, module, headers in rows}
 
 
 def read_includes(top):
-    """The house's own includes: file -> files, as paths from the top."""
-    graph = {}
-    for path in sources(top):
-        own = [top / "include" / name if name.startswith("mortise") else path.parent / name for name in INCLUDE.findall(path.read_text())]
-        graph[str(path.relative_to(top))] = [str(file.relative_to(top)) for file in own if file.is_file()]
-    return graph
+    """The project's own includes: file -> files, as paths from src."""
+    return {str(path.relative_to(top / "src")): INCLUDE.findall(path.read_text()) for path in sorted(top.glob("src/*/*.[ch]"))}
 
 
-def find_circle(graph):
+def find_cycle(graph):
     """A list of files each of which includes the next and the last the first, or None."""
     done, path = set(), []
 
@@ -45,41 +38,40 @@ def find_circle(graph):
         if file in done:
             return None
         path.append(file)
-        circle = next(filter(None, map(visit, graph.get(file, []))), None)
+        cycle = next(filter(None, map(visit, graph.get(file, []))), None)
         path.pop()
         done.add(file)
-        return circle
+        return cycle
 
     return next(filter(None, map(visit, graph)), None)
 
 
-def check_floors(top):
-    floor, room_of = read_table(top)
+def check_layers(top):
+    layer, interface = read_table(top)
     graph = read_includes(top)
-
-    def room(file):
-        parts = pathlib.PurePath(file).parts
-        return parts[1] if parts[0] == "src" else room_of.get(pathlib.PurePath(file).stem)
-
-    headers = {path.stem for path in top.glob("include/mortise/*.h")}
-    yield from (f"include/mortise/{name}.h has no place in the table of src/README.md" for name in sorted(headers - set(room_of)))
-    yield from (f"the table of src/README.md names {name}, which is not in include/mortise" for name in sorted(set(room_of) - headers))
-    yield from (f"src/{path.name} is a room without a floor" for path in top.glob("src/*/") if path.name not in floor)
+    stems = {}
+    for path in sorted(top.glob("src/*/")):
+        if any(path.glob("*.c")) and path.name not in layer:
+            yield f"src/{path.name} is not in the table of src/README.md"
+    for module, headers in interface.items():
+        yield from (f"the table of src/README.md names {name}, which is not in src/{module}"
+                    for name in sorted(headers) if not (top / f"src/{module}/{name}.h").is_file())
     for file, includes in graph.items():
-        if file in ("src/main.c", "include/mortise.h"):
-            continue  # the roof
+        module, stem = file.split("/")[0], pathlib.PurePath(file).stem
+        stems.setdefault(stem, set()).add(module)
         for other in includes:
-            if floor.get(room(other), 0) > floor.get(room(file), 0):
-                yield f"{file} ({room(file)}) includes {other} of the higher floor of {room(other)}"
-            if other.startswith("src/") and room(other) != room(file):
-                yield f"{file} includes {other}, which is private to another room"
-    for name in sorted(headers & set(room_of)):
-        said = re.search(r"\(floor (\d)", (top / f"include/mortise/{name}.h").read_text())
-        if said and int(said.group(1)) != floor[room_of[name]]:
-            yield f"include/mortise/{name}.h says floor {said.group(1)}, the table says {floor[room_of[name]]}"
-    circle = find_circle(graph)
-    if circle:
-        yield "these include each other in a circle: " + " -> ".join(circle + circle[:1])
+            if other not in graph:
+                yield f'src/{file} includes "{other}", which is not in src'
+                continue
+            owner, name = other.split("/")[0], pathlib.PurePath(other).stem
+            if layer.get(owner, 0) > layer.get(module, 0):
+                yield f"src/{file} includes {other} of a higher layer"
+            elif owner != module and name not in interface.get(owner, ()):
+                yield f"src/{file} includes {other}, which is private to {owner}"
+    yield from (f"{stem} is the name of files in {' and '.join(sorted(modules))}" for stem, modules in sorted(stems.items()) if len(modules) > 1)
+    cycle = find_cycle(graph)
+    if cycle:
+        yield "these include each other in a cycle: " + " -> ".join(cycle + cycle[:1])
 
 
 # --- sizes ------------------------------------------------------------------------------------------------------------
@@ -117,7 +109,7 @@ def check_sizes(top):
 
 
 def check_options(top):
-    table_file = top / "src/scene/table.c"
+    table_file = top / "src/scene/optiontable.c"
     groups = re.findall(r'\{(GROUP_\w+), "(-[^"]+)"', table_file.read_text())
     documented = {name for _, name in groups}
     patterns = [re.compile(re.escape(name).replace(r"\*", r"\w+")) for name in documented]
@@ -146,7 +138,7 @@ def check_warnings(top):
 
 
 def main():
-    checks = {"floors": check_floors, "sizes": check_sizes, "options": check_options, "warnings": check_warnings}
+    checks = {"layers": check_layers, "sizes": check_sizes, "options": check_options, "warnings": check_warnings}
     wrong = list(checks[sys.argv[1]](pathlib.Path(sys.argv[2]).resolve()))
     print("\n".join(wrong))
     sys.exit(bool(wrong))

@@ -4,9 +4,9 @@
    plain number from then on.
 
    References: [1] muParser, a fast math parser library, https://beltoforion.de/en/muparser */
-#include <mortise/compat.h>
-#include <mortise/expression.h>
-#include <mortise/fault.h>
+#include "base/compat.h"
+#include "base/expression.h"
+#include "base/usererror.h"
 #include <ctype.h>
 #include <muParserDLL.h>
 #include <string.h>
@@ -88,7 +88,7 @@ static void DescribeError_Private(muParserHandle_t parser, const char formula[],
   } else if (mupGetErrorCode(parser) == UNKNOWN_NAME) {
     text = mupGetErrorToken(parser); // the rest of the formula
     snprintf(name, sizeof(name), "%.*s", (int)PetscMax(1, strspn(text, letters)), text);
-    nearest = FaultNearest(name, PETSC_STATIC_ARRAY_LENGTH(known_names), known_names);
+    nearest = UserErrorNearest(name, PETSC_STATIC_ARRAY_LENGTH(known_names), known_names);
     snprintf(words, len, "'%s' is not known here%s%s%s", name, nearest ? ", nearest is '" : "", nearest ? nearest : "",
              nearest ? "'" : "");
   } else {
@@ -207,7 +207,7 @@ PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char t
   PetscFunctionBeginUser;
   *e = NULL;
   if (num_components && count != num_components)
-    PetscCall(FaultRaise(
+    PetscCall(UserErrorRaise(
         comm, "%s \"%s\": %" PetscInt_FMT " component%s given, %" PetscInt_FMT " wanted, separated by commas", option,
         Show_Private(text, shown), count, count == 1 ? "" : "s", num_components));
   PetscCall(ExpressionAllocate_Private(option, text, count, e));
@@ -221,12 +221,12 @@ PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char t
     text += length + 1;
   }
   if (complaint[0]) {
-    char sentence[FAULT_LENGTH];
+    char sentence[USER_ERROR_LENGTH];
 
     snprintf(sentence, sizeof(sentence), "%s \"%s\": %s; accepted are numbers and formulas in x, y, z%s", (*e)->option,
              Show_Private((*e)->text, shown), complaint, allow_free ? ", and 'free'" : "");
     PetscCall(ExpressionDestroy(e));
-    PetscCall(FaultRaise(comm, "%s", sentence));
+    PetscCall(UserErrorRaise(comm, "%s", sentence));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -342,7 +342,7 @@ PetscErrorCode ExpressionTry(Expression e, PetscInt dim, const PetscReal x[], Pe
 
 PetscErrorCode ExpressionCheck(MPI_Comm comm, Expression e)
 {
-  char sentence[FAULT_LENGTH] = "", point[128], shown[TEXT_SHOWN];
+  char sentence[USER_ERROR_LENGTH] = "", point[128], shown[TEXT_SHOWN];
 
   PetscFunctionBeginUser;
   if (!e || e->constant) PetscFunctionReturn(PETSC_SUCCESS);
@@ -359,6 +359,6 @@ PetscErrorCode ExpressionCheck(MPI_Comm comm, Expression e)
              e->option, Show_Private(e->text, shown), e->failed_component + 1, point);
   }
   e->failed = PETSC_FALSE;
-  PetscCall(FaultCheck(comm, sentence));
+  PetscCall(UserErrorCheck(comm, sentence));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

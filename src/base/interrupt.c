@@ -1,6 +1,6 @@
 /* interrupt.c -- see the header. A handler may do next to nothing: the sentence is made beforehand, and said by write(). */
-#include <mortise/compat.h>
-#include <mortise/interrupt.h>
+#include "base/compat.h"
+#include "base/interrupt.h"
 #include <pthread.h>
 #include <signal.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* json.c -- see the header. */
 #include <stdio.h>
 #include <stdlib.h>
-#include <mortise/json.h>
+#include "base/json.h"
 
 enum { DIGITS_MIN = 15, DIGITS_MAX = 17 }; /* any double is told apart by 17 significant digits, most by 15 */
 

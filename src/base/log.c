@@ -1,6 +1,6 @@
 /* log.c -- stages: named in PETSc's log, and timed here as well, since PETSc keeps no times without -log_view. */
-#include <mortise/compat.h>
-#include <mortise/log.h>
+#include "base/compat.h"
+#include "base/log.h"
 #include <math.h>
 #include <sys/resource.h>
 #include <time.h>

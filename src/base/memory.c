@@ -5,9 +5,9 @@
 #include <cjson/cJSON.h>
 #include <dlfcn.h>
 #include <math.h>
-#include <mortise/compat.h>
-#include <mortise/fault.h>
-#include <mortise/memory.h>
+#include "base/compat.h"
+#include "base/usererror.h"
+#include "base/memory.h"
 #include <petscblaslapack.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -38,7 +38,7 @@ static void *AllocateFn(size_t size)
 {
   void *new = malloc(size);
 
-  if (!new &&size) FaultMemory();
+  if (!new &&size) UserErrorMemory();
   return new;
 }
 
@@ -50,7 +50,7 @@ static void PrepareBLAS_Private(void)
   const PetscScalar  one   = 1;
   PetscScalar        b     = 1;
 
-  if (!probe) FaultMemory();
+  if (!probe) UserErrorMemory();
   free(probe);
   BLAStrsm_("L", "L", "N", "N", &n, &n, &one, &one, &n, &b, &n);
 }
@@ -62,7 +62,7 @@ void MemoryPrepare(void)
   void (*(*set)(void (*)(void)))(void);
 
   *(void **)&set = symbol;
-  if (symbol) (void)(*set)(FaultMemory);
+  if (symbol) (void)(*set)(UserErrorMemory);
   cJSON_InitHooks(&(cJSON_Hooks){.malloc_fn = AllocateFn, .free_fn = free});
   PrepareBLAS_Private();
 }

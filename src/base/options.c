@@ -2,9 +2,9 @@
 
    The first rank reads and checks everything (reader.c), then two lists are broadcast: the arguments, and the files that
    were read (their folders are where meshes are looked for). */
-#include "reader.h"
-#include <mortise/compat.h>
-#include <mortise/options.h>
+#include "base/optionsreader.h"
+#include "base/compat.h"
+#include "base/options.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -2,8 +2,8 @@
 
    Open MPI lets the ranks of this machine write to pseudo-terminals, also where its own output is a file. Its own output is that
    of their parent. */
-#include <mortise/compat.h>
-#include <mortise/terminal.h>
+#include "base/compat.h"
+#include "base/terminal.h"
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>

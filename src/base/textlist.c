@@ -1,7 +1,7 @@
 /* textlist.c -- see the header. */
-#include "textlist.h"
-#include <mortise/compat.h>
-#include <mortise/fault.h>
+#include "base/textlist.h"
+#include "base/compat.h"
+#include "base/usererror.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,7 +9,7 @@ void *TextAllocate(void *old, size_t size)
 {
   void *new = realloc(old, size);
 
-  if (!new) FaultMemory();
+  if (!new) UserErrorMemory();
   return new;
 }
 

@@ -1,4 +1,4 @@
-/* textlist.h -- lists of texts before PETSc begins (private to the room `base`). */
+/* textlist.h -- lists of texts before PETSc begins. */
 #ifndef BASE_TEXTLIST_H
 #define BASE_TEXTLIST_H
 

@@ -1,7 +1,7 @@
 /* warning.c -- one list of warnings, kept as the JSON that the summary will have. */
-#include <mortise/compat.h>
-#include <mortise/json.h>
-#include <mortise/warning.h>
+#include "base/compat.h"
+#include "base/json.h"
+#include "base/warning.h"
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>

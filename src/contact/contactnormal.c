@@ -3,11 +3,11 @@
    To first order, the distance of a point from a surface changes along the normal of that surface, not of the point's own body. Rows
    along a round body's own normals fan out and hold it sideways, as a notch would. So the partner's normal and curvature are
    looked up below the node, and the two bodies share the direction by their curvatures. */
-#include <mortise/closest.h>
-#include <mortise/compat.h>
-#include <mortise/frame.h>
-#include <mortise/obstacle.h>
-#include "integrals.h"
+#include "kernel/closest.h"
+#include "base/compat.h"
+#include "kernel/frame.h"
+#include "contact/obstacle.h"
+#include "contact/mortarintegrals.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 

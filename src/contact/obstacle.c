@@ -2,9 +2,9 @@
 
    Each shape is one ray problem: the signed t for which x + t n lies on the surface. It is the same in a plane and in space:
    a circle is the ball of its plane. */
-#include <mortise/compat.h>
-#include <mortise/frame.h>
-#include <mortise/obstacle.h>
+#include "base/compat.h"
+#include "kernel/frame.h"
+#include "contact/obstacle.h"
 
 /* Rays that run along a surface to within this cosine never meet it. */
 static const PetscReal GRAZING = 1e-10;

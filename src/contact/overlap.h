@@ -1,8 +1,8 @@
-/* overlap.h -- what differs between the overlaps of lines and of facets in space (private to the room). */
+/* overlap.h -- what differs between the overlaps of lines and of facets in space. */
 #ifndef MORTISE_OVERLAP_H
 #define MORTISE_OVERLAP_H
 
-#include "points.h"
+#include "contact/overlappoints.h"
 
 typedef struct {
   PetscInt max_points; /* of one mortar facet */

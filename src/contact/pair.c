@@ -2,12 +2,12 @@
 
    Everything is computed once, in the reference configuration (the bodies move little). All pairs are integrated before
    any decides on its multipliers, since a node can serve several pairs but each of its directions only one. */
-#include <mortise/compat.h>
-#include <mortise/frame.h>
-#include <mortise/pair.h>
-#include "draft.h"
-#include "rise.h"
-#include "shift.h"
+#include "base/compat.h"
+#include "kernel/frame.h"
+#include "contact/pair.h"
+#include "contact/pairassembly.h"
+#include "contact/smoothgap.h"
+#include "contact/quadraticbasis.h"
 
 /* Rows (n, t..): t is the held direction where there is one, so that held unknowns stay single. [out] Q - [dim][dim] */
 static void NodeFrame_Private(const Support *held, PetscInt node, const PetscReal n[], PetscReal Q[])

@@ -2,9 +2,9 @@
 
    A multiplier costs little and an unused one nothing but its row, while a missed contact is a wrong answer: the reach is
    generous, and wider where bodies overlap by more. What approaches from beyond it does not move little. */
-#include <mortise/compat.h>
-#include <mortise/fault.h>
-#include "draft.h"
+#include "base/compat.h"
+#include "base/usererror.h"
+#include "contact/pairassembly.h"
 
 /* Facets within this many facet sizes of the other side are candidates ... */
 static const PetscReal REACH_FACETS = 3;
@@ -82,11 +82,12 @@ PetscErrorCode ReachWiden(const ScenePair *spec, const Level *level, const Facet
   PetscCall(DepthFind(level, mortar, s, nonmortar, *reach, &depth, at));
   if (depth > *reach && spec->reach >= 0) {
     PetscCall(PlaceText_Private(level->dim, at, place, sizeof(place)));
-    PetscCall(FaultRaise(level->comm,
-                         "-%s_reach %.6g: bodies %s and %s overlap by %.3g at %s to begin with, farther than partners "
-                         "are looked for; leave it out, or give at least that",
-                         spec->name, (double)spec->reach, level->scene->bodies[s].name, level->scene->bodies[m].name,
-                         (double)depth, place));
+    PetscCall(
+        UserErrorRaise(level->comm,
+                       "-%s_reach %.6g: bodies %s and %s overlap by %.3g at %s to begin with, farther than partners "
+                       "are looked for; leave it out, or give at least that",
+                       spec->name, (double)spec->reach, level->scene->bodies[s].name, level->scene->bodies[m].name,
+                       (double)depth, place));
   }
   *reach = PetscMax(*reach, REACH_OVERLAP * depth);
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -3,8 +3,8 @@
    No rank holds a side. Every rank tells all others a few boxes around its nonmortar facets; a mortar facet goes to the
    ranks one of whose boxes it meets. Facets that stay come first, then those of other ranks in the order of ranks: what
    is summed over them differs from partition to partition in the last digits only. */
-#include <mortise/compat.h>
-#include "surface.h"
+#include "base/compat.h"
+#include "contact/contactsurface.h"
 
 /* Boxes around the nonmortar facets of one rank. A side that bends leaves most of one box empty, and what travels for
    nothing is about the volume that they hold. */

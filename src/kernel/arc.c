@@ -5,8 +5,8 @@
    same holds there. Both ends see the half of it: b = d.n1 and a = -d.n0 are equal on circles, and elsewhere their harmonic mean
    differs from half their sum by a part of (b - a)^2 / (b + a)^2, which is of the order of what any curve through two points and
    normals errs by. It vanishes with either of them. */
-#include <mortise/arc.h>
-#include <mortise/compat.h>
+#include "kernel/arc.h"
+#include "base/compat.h"
 
 /* Edges that turn by less between their ends are straight: rounding of normals. */
 static const PetscReal STRAIGHT = 1e-11;

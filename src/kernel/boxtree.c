@@ -6,8 +6,8 @@
 
    Reference:
      [1] C. Ericson, Real-Time Collision Detection (2005), sections 6.2 and 6.6. */
-#include <mortise/boxtree.h>
-#include <mortise/compat.h>
+#include "kernel/boxtree.h"
+#include "base/compat.h"
 
 enum { LEAF_SIZE = 8, MAX_DIM = 3 };
 

@@ -10,9 +10,9 @@
    Reference:
      [1] M. A. Puso, T. A. Laursen, A mortar segment-to-segment contact method for large deformation solid mechanics,
          Comput. Methods Appl. Mech. Engng 193 (2004). */
-#include <mortise/clip.h>
-#include <mortise/roots.h>
-#include "shadow.h"
+#include "kernel/clip.h"
+#include "kernel/roots.h"
+#include "kernel/facetpolygon.h"
 
 /* Pieces below this share of the facet are skipped: their ends differ by little more than roundoff. */
 static const PetscReal SHORTEST_PIECE = 1e-12;

@@ -1,7 +1,7 @@
 /* closest.c -- the point of a facet that is nearest to a given one, by Gauss-Newton steps.
 
    On a straight line or a flat triangle one step is exact. A point whose foot is beyond the facet has its nearest point on an edge. */
-#include <mortise/closest.h>
+#include "kernel/closest.h"
 
 enum { MAX_STEPS = 30, MAX_EDGES = 4 };
 

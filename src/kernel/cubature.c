@@ -1,7 +1,7 @@
 /* cubature.c -- product rules over reference cells, as the unit cube: simplices with collapsed coordinates (nested.c). */
-#include <mortise/compat.h>
-#include "nested.h"
-#include "reference.h"
+#include "base/compat.h"
+#include "kernel/nested.h"
+#include "kernel/referencecell.h"
 
 const PetscReal CUBATURE_POINT[CUBATURE_POINTS] = {
     0.,  0.069431844202973712388, 0.17267316464601142810, 0.33000947820757186760,

@@ -2,7 +2,7 @@
 
    References:
      [1] G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed. (2013), sections 4.2 and 8.5. */
-#include <mortise/dense.h>
+#include "kernel/dense.h"
 
 /* A pivot below this share of its diagonal entry is roundoff. The share is invariant under scaling of rows and columns
    together, so that a facet covered by a sliver at one end, badly scaled but regular, passes. */

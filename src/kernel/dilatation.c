@@ -8,8 +8,8 @@
      [1] T. J. R. Hughes, Generalization of selective integration procedures to anisotropic and nonlinear media (1980).
      [2] D. Boffi, F. Brezzi, M. Fortin, Mixed Finite Element Methods and Applications (2013), sections 8.4 and 8.6.
      [3] D. Boffi, L. Gastaldi, On the quadrilateral Q2-P1 element for the Stokes problem (2002). */
-#include <mortise/dense.h>
-#include <mortise/dilatation.h>
+#include "kernel/dense.h"
+#include "kernel/dilatation.h"
 
 /* Plain cells of order 1 lose a tenth of their accuracy at the first, those of order 2 at the second. */
 static const PetscReal THRESHOLD[] = {0.45, 0.49};

@@ -3,8 +3,8 @@
    Near the place where two surfaces touch, n_s = n + S_s t and n_m = -n + S_m t at points with the distance t from the common
    normal n. So n_s + n_m = (S_s + S_m) t lies in the plane across n_s - n_m, and n = n_s - S_s t. Nothing changes but a sign
    when the two change roles. */
-#include <mortise/direction.h>
-#include <mortise/frame.h>
+#include "kernel/direction.h"
+#include "kernel/frame.h"
 
 /* Curvatures below this share of the largest one are none; a relative curvature below it: one surface lies in the other, and t
    cannot be known. */

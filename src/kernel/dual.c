@@ -16,8 +16,8 @@
      [2] T. Cichosz, M. Bischoff, Consistent treatment of boundaries with mortar contact formulations (2011).
      [3] A. Popp, B. Wohlmuth, M. W. Gee, W. A. Wall, Dual quadratic mortar finite element methods for 3D finite
          deformation contact, SIAM J. Sci. Comput. 34 (2012). */
-#include <mortise/dense.h>
-#include <mortise/dual.h>
+#include "kernel/dense.h"
+#include "kernel/dual.h"
 
 /* Any share between 0 and 1/2 makes the integrals positive; this one leaves them of like size. */
 static const PetscReal TRI6_SHARE = 1. / 5.;

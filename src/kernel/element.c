@@ -2,7 +2,7 @@
 
    Reference:
      [1] T. J. R. Hughes, The Finite Element Method (1987), chapter 3. */
-#include "reference.h"
+#include "kernel/referencecell.h"
 
 enum { MAX_DIM = REFERENCE_MAX_DIM, NEWTON_MAX_STEPS = 25 };
 

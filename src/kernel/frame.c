@@ -7,7 +7,7 @@
    References:
      [1] N. Max, Weights for computing vertex normals from facet normals, J. Graphics Tools 4 (1999).
      [2] T. Duff et al., Building an orthonormal basis, revisited, J. Computer Graphics Techniques 6 (2017). */
-#include <mortise/frame.h>
+#include "kernel/frame.h"
 
 static PetscReal Dot_Private(PetscInt dim, const PetscReal a[], const PetscReal b[])
 {

@@ -5,8 +5,8 @@
 
    Reference:
      [1] B. A. Auld, Acoustic Fields and Waves in Solids I (1973), section 3.D: Bond's matrices. */
-#include <mortise/dense.h>
-#include <mortise/material.h>
+#include "kernel/dense.h"
+#include "kernel/material.h"
 
 enum { STRAINS_PLANE = 3, STRAINS_RING = 4, STRAINS_3D = 6 };
 

@@ -10,10 +10,10 @@
 
    References: [1] M. G. Duffy, Quadrature over a pyramid or cube of integrands with a singularity at a vertex, SIAM J.
    Numer. Anal. 19 (1982). */
-#include <mortise/compat.h>
-#include <mortise/cubature.h>
-#include "nested.h"
-#include "reference.h"
+#include "base/compat.h"
+#include "kernel/cubature.h"
+#include "kernel/nested.h"
+#include "kernel/referencecell.h"
 
 enum {
   POINTS        = CUBATURE_POINTS,

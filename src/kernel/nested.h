@@ -1,8 +1,8 @@
-/* nested.h -- points and values of nested integrals (private to the room). */
+/* nested.h -- points and values of nested integrals. */
 #ifndef MORTISE_NESTED_H
 #define MORTISE_NESTED_H
 
-#include <mortise/cubature.h>
+#include "kernel/cubature.h"
 
 enum {
   CUBATURE_LOBATTO = 5,

@@ -4,8 +4,8 @@
    asks for a weight below zero, the step towards it ends at the first column that loses its weight, which leaves.
 
    References: [1] Lawson, Hanson, Solving Least Squares Problems, 1974, algorithm NNLS (23.10). */
-#include <mortise/compat.h>
-#include <mortise/nnls.h>
+#include "base/compat.h"
+#include "kernel/nnls.h"
 
 /* What is left of a column behind the others' directions: below this part of it, it is one of their combinations. */
 static const PetscReal DEPENDENT = 1e-13;

@@ -6,7 +6,7 @@
 
    Reference:
      [1] I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping, Comm. ACM 17 (1974). */
-#include "polygon.h"
+#include "kernel/polygon.h"
 
 PetscReal PolygonArea(PetscInt n, const PetscReal P[])
 {

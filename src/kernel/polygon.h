@@ -1,4 +1,4 @@
-/* polygon.h -- convex polygons in a plane (private to the room). */
+/* polygon.h -- convex polygons in a plane. */
 #ifndef MORTISE_POLYGON_H
 #define MORTISE_POLYGON_H
 

@@ -7,7 +7,7 @@
      [1] G. R. Cowper, Gaussian quadrature formulas for triangles, Int. J. Numer. Meth. Engng 7 (1973).
      [2] A. H. Stroud, Approximate Calculation of Multiple Integrals (1971), T2:5-1.
      [3] N. J. Walkington, Quadrature on simplices of arbitrary dimension (2000). */
-#include <mortise/element.h>
+#include "kernel/element.h"
 
 enum { GAUSS_MAX = 8, GAUSS_HALF = 4 };
 

@@ -3,7 +3,7 @@
    Between neighbouring roots of its derivative a polynomial is monotone, so that it has one root there or none, as its
    signs at the ends tell. Nothing is divided by a leading coefficient: where the higher ones are roundoff the answer is
    that of the lower degree. */
-#include <mortise/roots.h>
+#include "kernel/roots.h"
 
 /* Halving alone would end after as many steps as a number has digits. */
 enum { MAX_STEPS = 100 };

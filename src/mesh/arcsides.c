@@ -1,6 +1,6 @@
 /* arcsides.c -- which sides are taken for smooth: those of pairs, of bodies whose files have straight edges (T51). */
-#include "room.h"
-#include <mortise/compat.h>
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
 #include <string.h>
 
 enum { F = ELEMENT_MAX_FACET_NODES };

@@ -1,7 +1,7 @@
 /* axis.c -- the axis of revolution, x = 0 of an axisymmetric scene. */
-#include "room.h"
-#include <mortise/compat.h>
-#include <mortise/fault.h>
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
+#include "base/usererror.h"
 
 /* Of the largest radius of the scene: what maps and files leave of a zero. */
 static const PetscReal ROUNDOFF = 1e-10;
@@ -27,6 +27,6 @@ PetscErrorCode LevelSetAxis(Level *level)
              "the half plane r >= 0, r being x and z being y",
              level->scene->bodies[level->node_body[node]].name, (double)x[0], (double)x[1]);
   }
-  PetscCall(FaultCheck(level->comm, sentence));
+  PetscCall(UserErrorCheck(level->comm, sentence));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -2,8 +2,8 @@
 
    A side that the user joins with '+' is a union of named sides; the mesh knows the parts only, so that a part that
    occurs in several unions is labelled once. */
-#include "room.h"
-#include <mortise/compat.h>
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
 #include <string.h>
 
 PetscErrorCode BodyListAllocate(PetscInt dim, PetscInt num_cells, PetscInt num_nodes, PetscInt max_facets,

@@ -7,8 +7,8 @@
 
    Reference:
      [1] H. W. Kuhn, Some combinatorial lemmas in topology, IBM J. Res. Dev. 4 (1960) 518-524. */
-#include "room.h"
-#include <mortise/compat.h>
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
 #include <string.h>
 
 enum { MAX_SIDES = 6, MAX_PARTS = 6, MAX_PARTS_ON_SIDE = 2, MAX_CORNERS = 8 };

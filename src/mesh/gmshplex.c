@@ -2,8 +2,8 @@
    positions of middle nodes where its cells are of second order.
 
    Cells are the elements of the scene's dimension, facets those of one less; others are left alone. */
-#include "room.h"
-#include <mortise/compat.h>
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
 #include <string.h>
 
 /* Position of a node of an element. [in] i - the node's number in the element */

@@ -3,8 +3,8 @@
    A wrong preallocation makes assembly many times slower or an error, DMCreateMatrix() is slower than the assembly
    itself. Here the graph of the nodes is counted from the points of the mesh, without a search and with one
    exchange. */
-#include "room.h"
-#include <mortise/compat.h>
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
 #include <petscbt.h>
 #include <petscsf.h>
 

@@ -1,6 +1,6 @@
 /* level.c -- the tables of one DMPlex, made in the order in which they need each other, and those of the next finer. */
-#include "room.h"
-#include <mortise/compat.h>
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
 
 PetscInt LevelNumVertices(const Level *level, PetscInt cell)
 {

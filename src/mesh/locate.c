@@ -1,6 +1,6 @@
 /* locate.c -- which cell of a body holds a point. */
-#include "room.h"
-#include <mortise/compat.h>
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
 
 /* A point on a side belongs to the cell; round-off of a position is far below this share of the cell. */
 static const PetscReal LocateTolerance = 1e-8;

@@ -3,10 +3,10 @@
    Input is the first rank's business until the mesh is whole, so that reading needs no thought of ranks. The
    coarsest mesh is spread, and every rank refines its own part: the work and the memory that grow with refinement
    are shared from the beginning. */
-#include "room.h"
-#include <mortise/compat.h>
-#include <mortise/fault.h>
-#include <mortise/warning.h>
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
+#include "base/usererror.h"
+#include "base/warning.h"
 
 PetscErrorCode MeshCreate(Scene scene, Mesh *mesh)
 {
@@ -53,7 +53,7 @@ static PetscErrorCode MeshMakeBodies_Private(Scene scene, PetscInt coarser, cons
       PetscCall(BodyListCreateBox(&body, scene->dim, &names[b], &lists[b], sentence));
   }
   PetscCall(MeshFileDestroy(&files));
-  PetscCall(FaultCheck(scene->comm, sentence));
+  PetscCall(UserErrorCheck(scene->comm, sentence));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -7,10 +7,10 @@
    strongly, and smoothers solve along lines that had better not end between ranks.
 
    Reference: [1] G. Karypis, V. Kumar, Multilevel algorithms for multi-constraint graph partitioning, 1998. */
-#include "room.h"
-#include <mortise/boxtree.h>
-#include <mortise/compat.h>
-#include <mortise/frame.h>
+#include "mesh/meshimpl.h"
+#include "kernel/boxtree.h"
+#include "base/compat.h"
+#include "kernel/frame.h"
 #include <metis.h>
 #include <petscsf.h>
 

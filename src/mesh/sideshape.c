@@ -2,9 +2,9 @@
 
    What the facets around a node know of it is summed at the node, over all ranks. At a feature edge the sums of one patch are
    wanted: the few facets there are told to all ranks. */
-#include <mortise/compat.h>
-#include <mortise/frame.h>
-#include <mortise/sideshape.h>
+#include "base/compat.h"
+#include "kernel/frame.h"
+#include "mesh/sideshape.h"
 
 /* Facets of one patch meet at less than 45 degrees; half of that is what they leave their mean normal by at most. */
 static const PetscReal SMOOTH = 0.70710678118654752, SURELY_SMOOTH = 0.92387953251128674;

@@ -3,8 +3,8 @@
    Shapes are taken from the dimension above: each one lists its facets, and those that it has in common with another are
    found among the few that begin at the same lowest vertex. DMPlexInterpolate() gives the same, and took most of the time of
    a large mesh. How PETSc numbers the facets of one cell, and their vertices, is asked of PETSc. */
-#include "room.h"
-#include <mortise/compat.h>
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
 
 enum { MAX_FACETS = 6, MAX_CORNERS = 8 };
 

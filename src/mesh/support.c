@@ -3,10 +3,10 @@
    Whether a node lies on a side is known to the ranks that hold one of the side's facets there, not to every rank
    that holds the node: flags travel through a ghosted Vec. All that follows depends on the node's position and on
    the boundary alone, so every rank that holds a node finds the same. */
-#include "room.h"
-#include <mortise/compat.h>
-#include <mortise/fault.h>
-#include <mortise/support.h>
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
+#include "base/usererror.h"
+#include "mesh/support.h"
 
 static const PetscReal FlatShare = 1e-6; /* a flat side stays this near its plane, over its length */
 static const PetscReal ParallelSine =
@@ -161,7 +161,7 @@ static PetscErrorCode SideGetNormal_Private(Gather *gather, PetscInt body, const
   if (size < (1 - FlatShare) * sum[3] || range[0] + range[1] > FlatShare * extent) {
     const char *name = gather->scene->bodies[body].name;
 
-    PetscCall(FaultRaise(
+    PetscCall(UserErrorRaise(
         level->comm,
         "-%s_bc_normal: side '%s' of body '%s' is not flat (it leaves its mean plane by %.3g over a length of %.3g); "
         "normal displacement can only be held on flat sides",
@@ -238,7 +238,7 @@ static PetscErrorCode GatherCheck_Private(Gather *gather)
              "make them agree there or set a component free",
              body->name, first, second, (double)x[0], (double)x[1], z, (double)gather->mismatch);
   }
-  PetscCall(FaultCheck(gather->level->comm, sentence));
+  PetscCall(UserErrorCheck(gather->level->comm, sentence));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

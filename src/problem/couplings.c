@@ -1,7 +1,7 @@
 /* couplings.c -- rows of the pairs in the displacements u and in those of the changed basis, u~. */
-#include <mortise/compat.h>
-#include <mortise/fault.h>
-#include "couplings.h"
+#include "base/compat.h"
+#include "base/usererror.h"
+#include "problem/couplings.h"
 
 /* A := A + a B, where NULL stands for 0. */
 static PetscErrorCode Add_Private(Mat *A, PetscReal a, Mat B)
@@ -170,10 +170,11 @@ static PetscErrorCode CheckTorn_Private(VI vi)
   if (first < none) {
     const char *nodes    = vi->pairs[first / vi->num_pairs]->spec->name,
                *vertices = vi->pairs[first % vi->num_pairs]->spec->name;
-    PetscCall(FaultRaise(vi->level->comm,
-                         "-%s_multipliers nodes and -%s_multipliers vertices do not go together on the side that both "
-                         "pairs share; give them the same",
-                         nodes, vertices));
+    PetscCall(
+        UserErrorRaise(vi->level->comm,
+                       "-%s_multipliers nodes and -%s_multipliers vertices do not go together on the side that both "
+                       "pairs share; give them the same",
+                       nodes, vertices));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

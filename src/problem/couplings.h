@@ -1,11 +1,11 @@
-/* couplings.h -- what the rows of the pairs hold beside the nodes' own displacements (private to the room).
+/* couplings.h -- what the rows of the pairs hold beside the nodes' own displacements.
 
    Where only vertices of a quadratic side carry multipliers, and on tri6, the change of basis starts from the displacements u~
    of u = S u~ (T20, T24). Rows are needed in both: in u for the book of record, in u~ for the change of basis. */
 #ifndef MORTISE_COUPLINGS_H
 #define MORTISE_COUPLINGS_H
 
-#include <mortise/vi.h>
+#include "problem/vi.h"
 
 /* Row a of pair p says D_aa u_a + (record[p] u)_a - (arm of the pair u)_a, which is D_aa u~_a + (basis[p] u~)_a - (arm[p] u~)_a. Record and
    basis are node x node matrices, arms unknown x unknown; the rows of multiplier nodes count. */

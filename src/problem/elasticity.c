@@ -6,12 +6,12 @@
    phi_j / r u_j costs, by itself and with the others (T23). Cells of nearly incompressible bodies have C without its bulk
    modulus there, and pay for what Pi leaves of their change of volume (T29). Expressions are evaluated at quadrature points;
    plain numbers once per body. */
-#include <mortise/compat.h>
-#include <mortise/elasticity.h>
-#include <mortise/fault.h>
-#include "gather.h"
-#include "loads.h"
-#include "volume.h"
+#include "base/compat.h"
+#include "problem/elasticity.h"
+#include "base/usererror.h"
+#include "problem/cellsums.h"
+#include "problem/loads.h"
+#include "problem/volumestrain.h"
 
 enum {
   MAX_STRAINS   = 6,
@@ -283,7 +283,7 @@ static PetscErrorCode AssembleCells_Private(Scene scene, Level *level, Mat K)
     PetscCall(ExpressionCheck(level->comm, scene->bodies[b].poisson));
     PetscCall(ExpressionCheck(level->comm, scene->bodies[b].stiffness));
   }
-  PetscCall(FaultCheck(level->comm, work->sentence.text));
+  PetscCall(UserErrorCheck(level->comm, work->sentence.text));
   PetscCall(PetscFree(work));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

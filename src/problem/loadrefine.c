@@ -3,9 +3,9 @@
    A second rule, whose points reach the vertices, tells where a formula is not smooth. Only these elements are integrated anew, by
    nested integrals that are cut at jumps and kinks (cubature.h). A curve may cross a facet between the points of both rules
    and then cross its neighbour's as well: neighbours of such elements are looked at more closely. */
-#include <mortise/compat.h>
-#include <mortise/warning.h>
-#include "loadterm.h"
+#include "base/compat.h"
+#include "base/warning.h"
+#include "problem/loadterm.h"
 
 enum {
   MAX_DIM      = 3,

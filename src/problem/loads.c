@@ -3,9 +3,9 @@
    Plain numbers are integrated exactly; expressions with LoadDegree_Private(), so that the error of a load is of higher
    order than that of the discretisation, and anew where they have jumps or kinks (loadrefine.c). Sums over facets and cells
    are taken where they are held, then shared. */
-#include <mortise/compat.h>
-#include "loads.h"
-#include "loadterm.h"
+#include "base/compat.h"
+#include "problem/loads.h"
+#include "problem/loadterm.h"
 
 /* The degree of a constant body force: shape functions of order p times det J of degree dim p - 1 in each coordinate. */
 static PetscInt ConstantDegree_Private(PetscInt dim, PetscInt order)

@@ -1,9 +1,9 @@
-/* loadterm.h -- one load datum on the cells or facets of this rank (private to the room). */
+/* loadterm.h -- one load datum on the cells or facets of this rank. */
 #ifndef MORTISE_LOADTERM_H
 #define MORTISE_LOADTERM_H
 
-#include <mortise/cubature.h>
-#include <mortise/mesh.h>
+#include "kernel/cubature.h"
+#include "mesh/mesh.h"
 
 typedef struct {
   Scene            scene;

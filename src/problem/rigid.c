@@ -2,9 +2,9 @@
 
    The rows (d, d.rotation(x)) of all held directions d at places x, rotations taken about the piece's centre and scaled by half
    its size, span all rigid motions exactly if none is left. What they do not span is the kernel of their Gram matrix. */
-#include <mortise/compat.h>
-#include <mortise/dense.h>
-#include <mortise/rigid.h>
+#include "base/compat.h"
+#include "kernel/dense.h"
+#include "problem/rigid.h"
 
 /* An eigenvalue counts as 0 below this part of the largest. It is the square of a ratio of lengths, (size of the
    held part / size of the piece)^2 at worst, which stays above for a piece held at two neighbouring nodes. */

@@ -7,10 +7,10 @@
 
    References: [1] Lions, Stampacchia, Variational inequalities, 1967. [2] Fichera, Boundary value problems of elasticity with
                unilateral constraints, 1972. [3] Frank, Wolfe, An algorithm for quadratic programming, 1956. */
-#include <mortise/compat.h>
-#include <mortise/dense.h>
-#include "hold.h"
-#include "modes.h"
+#include "base/compat.h"
+#include "kernel/dense.h"
+#include "problem/rigidimpl.h"
+#include "problem/nearnullspace.h"
 
 /* Loads are in balance if what is left is below this part of the sum of their sizes. */
 static const PetscReal BALANCED = 1e-10;

@@ -2,18 +2,18 @@
 
    Stages: supports and pairs (mortar), K and f (assembly), B, T, A and bounds (condense). Fixed unknowns are eliminated from
    A here, so that a solver sees inequalities only. */
-#include <mortise/compat.h>
-#include <mortise/elasticity.h>
-#include <mortise/log.h>
-#include <mortise/rigid.h>
-#include <mortise/vi.h>
-#include <mortise/warning.h>
-#include "basis.h"
-#include "blocks.h"
-#include "circles.h"
-#include "condense.h"
-#include "hold.h"
-#include "modes.h"
+#include "base/compat.h"
+#include "problem/elasticity.h"
+#include "base/log.h"
+#include "problem/rigid.h"
+#include "problem/vi.h"
+#include "base/warning.h"
+#include "problem/basischange.h"
+#include "problem/kktsystem.h"
+#include "problem/cyclicroles.h"
+#include "problem/condensation.h"
+#include "problem/rigidimpl.h"
+#include "problem/nearnullspace.h"
 
 /* stiffness = mean diagonal of K; length = the displacement to expect: prescribed, by interference, or of the loads. */
 static PetscErrorCode ChooseScales_Private(VI vi)

@@ -4,10 +4,10 @@
    is then cut into halves along each axis, as long as that is so: pieces become small towards points where the exact solution
    is singular, and nowhere else unless there are few cells. So their number is bounded, and what the rule gets wrong in the
    pieces that are left is a small part of a small share. */
-#include <mortise/compat.h>
-#include <mortise/elasticity.h>
-#include "cellerror.h"
-#include "exact.h"
+#include "base/compat.h"
+#include "problem/elasticity.h"
+#include "result/cellerror.h"
+#include "result/exact.h"
 
 enum { MAX_STRAINS = 6, MAX_DIM = 3, MAX_DEPTH = 16 };
 

@@ -1,8 +1,8 @@
-/* cellerror.h -- squares of the norms of an error and of what it is an error of (floor 7, private to this room). */
-#ifndef MORTISE_RESULT_CELLERROR_H
-#define MORTISE_RESULT_CELLERROR_H
+/* cellerror.h -- squares of the norms of an error and of what it is an error of. */
+#ifndef MORTISE_CELLERROR_H
+#define MORTISE_CELLERROR_H
 
-#include <mortise/errors.h>
+#include "result/errors.h"
 
 /* Of one body, or of all. */
 typedef struct {

@@ -13,8 +13,8 @@
    something about the mesh, not about whether the discrete problem was solved. Ties hand over force and moment, across a gap as well
    (T49), so that theirs stays in the test. Forces on a ring add up to one along its axis:
    radial components and all moments are 0 by symmetry, and so are the tests of them. */
-#include <mortise/certificate.h>
-#include <mortise/compat.h>
+#include "result/certificate.h"
+#include "base/compat.h"
 
 /* What a test allows. A factorisation leaves 1e-12; what has to pass as well is an iterative solver that stops at its default
    relative residual of 1e-8. That is relative to a right-hand side in which given displacements count as forces, and these

@@ -1,9 +1,9 @@
 /* errors.c -- errors against exact solutions, body by body and pair by pair, and of all bodies together. */
-#include <mortise/compat.h>
-#include <mortise/errors.h>
-#include <mortise/fault.h>
-#include "cellerror.h"
-#include "pressureerror.h"
+#include "base/compat.h"
+#include "result/errors.h"
+#include "base/usererror.h"
+#include "result/cellerror.h"
+#include "result/pressureerror.h"
 
 /* Exact and given displacements may differ by this part of the largest exact one: numbers that people write have fewer
    digits than those of the machine. */
@@ -92,7 +92,7 @@ PetscErrorCode ErrorsCheck(VI vi)
   PetscCall(PetscFree(exact));
   for (PetscInt b = 0; b < vi->scene->num_bodies; ++b)
     PetscCall(ExpressionCheck(vi->level->comm, vi->scene->bodies[b].exact));
-  PetscCall(FaultCheck(vi->level->comm, sentence));
+  PetscCall(UserErrorCheck(vi->level->comm, sentence));
   for (PetscInt p = 0; p < vi->num_pairs; ++p) PetscCall(CheckPressure_Private(vi->pairs[p]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -9,8 +9,8 @@
    this is 2e-15 where f changes over a length of one cell, and below 1e-9 at a twentieth of a cell from a point where f behaves
    like r^(1/2). Rounding costs 1.5 eps / s of the value, which weighs as much as the value does against its change over a cell:
    1e-12 times the number of cells over which f changes. */
-#include "exact.h"
-#include <mortise/compat.h>
+#include "result/exact.h"
+#include "base/compat.h"
 
 /* Of the size of the part that the point is in. Quadrature points of degree 8 and less lie 2e-3 and more from the boundary, on
    triangles as on boxes: further than two steps. */

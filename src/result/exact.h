@@ -1,9 +1,9 @@
-/* exact.h -- values and gradients of an exact solution in a cell (floor 7, private to this room). */
-#ifndef MORTISE_RESULT_EXACT_H
-#define MORTISE_RESULT_EXACT_H
+/* exact.h -- values and gradients of an exact solution in a cell. */
+#ifndef MORTISE_EXACT_H
+#define MORTISE_EXACT_H
 
-#include <mortise/element.h>
-#include <mortise/expression.h>
+#include "kernel/element.h"
+#include "base/expression.h"
 
 /* A point of a cell. */
 typedef struct {

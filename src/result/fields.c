@@ -2,11 +2,11 @@
 
    Pressures at open nodes are left as computed (roundoff, not 0): the certificate has to judge the numbers that are given
    out. Whether a node is in contact is therefore a decision with a tolerance, taken here once for all outputs. */
-#include <mortise/fields.h>
-#include <mortise/compat.h>
-#include <mortise/elasticity.h>
-#include <mortise/solvability.h>
-#include "stress.h"
+#include "result/fields.h"
+#include "base/compat.h"
+#include "problem/elasticity.h"
+#include "problem/solvability.h"
+#include "result/stress.h"
 
 /* A bound counts as reached within this part of the largest unknown: pdas reaches it exactly, vinewtonrsls to its zero
    tolerance of 1e-12. */

@@ -1,6 +1,6 @@
 /* pairfields.c -- rows of the inequality as values at the nodes of a nonmortar side. */
-#include <mortise/fields.h>
-#include <mortise/compat.h>
+#include "result/fields.h"
+#include "base/compat.h"
 
 /* Pressure of removed nodes. Their dual functions went to neighbours a with weights w_ac, D_ac = w_ac D_cc, which makes the
    discrete pressure there the weighted mean of the neighbours' pressures:  p_c = sum_a D_ac p_a / sum_a D_ac. */

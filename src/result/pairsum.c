@@ -2,8 +2,8 @@
 
    With p_h = sum p_a psi_a:  integral of p_h n = sum_a W_a p_a n_a,  W_a = int psi_a = D_aa + sum_c D_ac, which is what -B'lambda
    adds up to on the nonmortar body, and by the row sums of D and M its negative on the mortar side. */
-#include <mortise/pairsum.h>
-#include <mortise/compat.h>
+#include "result/pairsum.h"
+#include "base/compat.h"
 
 /* What is added over rows; what is maximised (minima by their negatives). */
 enum { ADD_FORCE = 0, ADD_NORMAL = 3, ADD_AREA, ADD_CENTRE, ADD_ACTIVE = ADD_CENTRE + 3, ADD_COUNT };

@@ -1,6 +1,6 @@
 /* pressureerror.c -- the error of a pressure as the field that is written out, and row by row. */
-#include <mortise/compat.h>
-#include "pressureerror.h"
+#include "base/compat.h"
+#include "result/pressureerror.h"
 
 /* Eight points on a line: an exact pressure may have a kink within a facet, where contact ends. */
 enum { FACET_DEGREE = 14, MAX_DIM = 3 };

@@ -1,8 +1,8 @@
 /* probes.c -- finds probes in their bodies and interpolates. Places are those before the motion. */
 #include <string.h>
-#include <mortise/probes.h>
-#include <mortise/fault.h>
-#include <mortise/compat.h>
+#include "result/probes.h"
+#include "base/usererror.h"
+#include "base/compat.h"
 
 /* Box around a body, for the sentence to a user whose probe lies outside. */
 static PetscErrorCode BodyBox_Private(const Level *level, PetscInt body, PetscReal lower[3], PetscReal upper[3])
@@ -57,9 +57,9 @@ PetscErrorCode ProbesCheck(Scene scene, Mesh mesh)
     PetscCall(PointText_Private(level->dim, probe->at, at, sizeof(at)));
     PetscCall(PointText_Private(level->dim, lower, low, sizeof(low)));
     PetscCall(PointText_Private(level->dim, upper, high, sizeof(high)));
-    PetscCall(FaultRaise(scene->comm,
-                         "-probe_%s_at %s lies outside body %s, whose cells fill a part of the box %s to %s",
-                         probe->name, at, scene->bodies[probe->body].name, low, high));
+    PetscCall(UserErrorRaise(scene->comm,
+                             "-probe_%s_at %s lies outside body %s, whose cells fill a part of the box %s to %s",
+                             probe->name, at, scene->bodies[probe->body].name, low, high));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -6,9 +6,9 @@
    points (a constant for order 1, linear or bilinear for order 2), and averaged over the cells that meet at a node, with
    their volumes as weights. Nodes belong to one body, so nothing is averaged across an interface. Linear stresses are
    reproduced exactly on cells of order 2 with straight sides. */
-#include <mortise/compat.h>
-#include <mortise/elasticity.h>
-#include "stress.h"
+#include "base/compat.h"
+#include "problem/elasticity.h"
+#include "result/stress.h"
 
 enum { STRESSES = 6, MAX_STRAINS = 6, MAX_DIM = 3 };
 

@@ -1,8 +1,8 @@
-/* stress.h -- stresses at nodes (floor 7, private to this room). */
+/* stress.h -- stresses at nodes. */
 #ifndef MORTISE_STRESS_H
 #define MORTISE_STRESS_H
 
-#include <mortise/mesh.h>
+#include "mesh/mesh.h"
 
 /* Stresses of the displacement u at nodes (T19), xx,yy,zz,yz,xz,xy. Collective. [in] u - ghosted, dim per node;
    [out] stress - ghosted, 6 per node, owned by the caller */

@@ -1,5 +1,5 @@
 /* scene.c -- the life of a scene: created empty, filled from the options, destroyed. */
-#include "parts.h"
+#include "scene/sceneparts.h"
 #include <string.h>
 
 PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene)

@@ -3,10 +3,10 @@
    Sets and displacements are its own from the start. With a factorisation it shares A and b with the first one; where that used multigrid it
    does so as well, on the same levels, and begins on the coarsest one. Levels decide how fast the residual falls and not what it is that
    falls. */
-#include <mortise/compat.h>
-#include <mortise/pdas.h>
-#include "active.h"
-#include "room.h"
+#include "base/compat.h"
+#include "pdas/pdas.h"
+#include "pdas/pdasimpl.h"
+#include "solve/solveimpl.h"
 
 /* Two solutions agree to this part of the largest displacement; forces and bounds to the same part of theirs. */
 static const PetscReal AGREE = 1e-9;

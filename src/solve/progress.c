@@ -1,9 +1,9 @@
 /* progress.c -- the table of nonlinear iterations on the terminal. */
 #include <petsctime.h>
-#include <mortise/compat.h>
-#include <mortise/pdas.h>
-#include <mortise/terminal.h>
-#include "room.h"
+#include "base/compat.h"
+#include "pdas/pdas.h"
+#include "base/terminal.h"
+#include "solve/solveimpl.h"
 
 typedef struct {
   VI             vi; /* borrowed */

@@ -1,18 +1,18 @@
 /* solve.c -- an inequality solved, and what is asked of its solution afterwards. */
 #include <string.h>
-#include <mortise/compat.h>
-#include <mortise/log.h>
-#include <mortise/pdas.h>
-#include <mortise/solvability.h>
-#include <mortise/warning.h>
-#include "workbench.h"
-#include "active.h"
-#include "bound.h"
-#include "cascade.h"
-#include "factor.h"
-#include "multigrid.h"
-#include "reference.h"
-#include "stop.h"
+#include "base/compat.h"
+#include "base/log.h"
+#include "pdas/pdas.h"
+#include "problem/solvability.h"
+#include "base/warning.h"
+#include "solve/solvercontext.h"
+#include "pdas/pdasimpl.h"
+#include "solve/errorbound.h"
+#include "solve/nestediteration.h"
+#include "pdas/factorization.h"
+#include "multigrid/multigrid.h"
+#include "solve/linearreference.h"
+#include "solve/discretizationstop.h"
 
 /* Solves once, and where springs hold bodies again and again until they have nothing left to do. */
 static PetscErrorCode Sweep_Private(Workbench *bench, Vec y, SolveReport *report)

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include "richardson.h"
+#include "study/richardson.h"
 
 /* Roache's factor for three meshes. */
 static const PetscReal SAFETY = 1.25;

@@ -1,6 +1,6 @@
-/* richardson.h -- the limit of a sequence of values on meshes, each halved once more (floor 8, private to this room). */
-#ifndef MORTISE_STUDY_RICHARDSON_H
-#define MORTISE_STUDY_RICHARDSON_H
+/* richardson.h -- the limit of a sequence of values on meshes, each halved once more. */
+#ifndef MORTISE_RICHARDSON_H
+#define MORTISE_RICHARDSON_H
 
 #include <petscsys.h>
 

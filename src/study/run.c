@@ -1,10 +1,10 @@
 /* run.c -- the life of one problem, from its mesh on. */
-#include <mortise/compat.h>
-#include <mortise/log.h>
-#include <mortise/run.h>
-#include <mortise/solvability.h>
-#include <mortise/warning.h>
-#include "beyond.h"
+#include "base/compat.h"
+#include "base/log.h"
+#include "study/run.h"
+#include "problem/solvability.h"
+#include "base/warning.h"
+#include "study/reachcheck.h"
 
 enum {
   MAX_TRIES = 4

@@ -1,17 +1,17 @@
 /* study.c -- which runs a study has, and how each of them comes about. */
 #include <math.h>
-#include <mortise/compat.h>
-#include <mortise/fault.h>
-#include <mortise/interrupt.h>
-#include <mortise/memory.h>
-#include <mortise/output.h>
-#include <mortise/page.h>
-#include <mortise/probes.h>
-#include <mortise/terminal.h>
-#include <mortise/warning.h>
+#include "base/compat.h"
+#include "base/usererror.h"
+#include "base/interrupt.h"
+#include "base/memory.h"
+#include "output/output.h"
+#include "output/htmlreport.h"
+#include "result/probes.h"
+#include "base/terminal.h"
+#include "base/warning.h"
 #include <stdlib.h>
 #include <string.h>
-#include "room.h"
+#include "study/studyimpl.h"
 
 enum { BYTES_TEXT = 24 };
 
@@ -188,9 +188,9 @@ static PetscErrorCode CheckNames_Private(Scene scene)
   PetscFunctionBeginUser;
   for (PetscInt p = 0; p < scene->num_pairs && scene->output; ++p) {
     if (strcmp(scene->pairs[p].name, "study")) continue;
-    PetscCall(FaultRaise(scene->comm,
-                         "-pairs study: %s_study.csv is the table of the study itself; give the pair another name",
-                         scene->output));
+    PetscCall(UserErrorRaise(scene->comm,
+                             "-pairs study: %s_study.csv is the table of the study itself; give the pair another name",
+                             scene->output));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -2,9 +2,9 @@
 
    Reads a scene as the program does, makes its mesh, and searches for its first pair. Prints a line of numbers that begin with
    their names; times are of the processor, of the rank that takes longest, and memory is that of the rank that holds most. */
-#include "../../src/contact/integrals.h"
-#include <mortise/compat.h>
-#include <mortise/pair.h>
+#include "contact/mortarintegrals.h"
+#include "base/compat.h"
+#include "contact/pair.h"
 #include <time.h>
 
 static const double MEGA = 1048576.0;

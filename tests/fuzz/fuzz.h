@@ -5,8 +5,8 @@
 #ifndef MORTISE_FUZZ_H
 #define MORTISE_FUZZ_H
 
-#include <mortise/compat.h>
-#include <mortise/fault.h>
+#include "base/compat.h"
+#include "base/usererror.h"
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +19,8 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
 {
   (void)argc, (void)argv;
   setenv("OMPI_MCA_opal_signal", "", 1);
-  if (FaultInitialize() || PetscInitializeNoArguments() || PetscPopSignalHandler()) abort(); // signals are the fuzzer's
+  if (UserErrorInitialize() || PetscInitializeNoArguments() || PetscPopSignalHandler())
+    abort(); // signals are the fuzzer's
   return 0;
 }
 
@@ -38,7 +39,7 @@ static inline char *FuzzText(const uint8_t *data, size_t size)
 /* A fault is the right answer to most inputs; any other error is what is looked for. */
 static inline void FuzzExpect(PetscErrorCode code)
 {
-  if (code && code != MORTISE_ERR_FAULT) abort();
+  if (code && code != MORTISE_ERR_USER) abort();
 }
 
 #endif

@@ -24,7 +24,7 @@ case $target in
 esac
 # Words that are put in: the options and, of expressions, all that muParser knows.
 {
-  grep -oE '"-[a-z<][^" ]*"' src/scene/table.c | sed -E 's/<body>/block/; s/<pair>/pair/; s/<probe>/probe/; s/<side>/top/'
+  grep -oE '"-[a-z<][^" ]*"' src/scene/optiontable.c | sed -E 's/<body>/block/; s/<pair>/pair/; s/<probe>/probe/; s/<side>/top/'
   sed -n '/known_names\[\]/,/;/p' src/base/expression.c | grep -oE '"[a-z0-9]+"'
 } | sort -u >"$folder/words"
 # Faults leave memory behind, as the program ends with them: -fork begins anew when it is used up.

@@ -1,5 +1,5 @@
 /* fuzz_expression.c -- a number that varies in space, read and evaluated. */
-#include <mortise/expression.h>
+#include "base/expression.h"
 #include "fuzz.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -1,6 +1,6 @@
 /* fuzz_options.c -- an options file, read into arguments and then into a scene. */
-#include "../../src/base/reader.h"
-#include <mortise/scene.h>
+#include "base/optionsreader.h"
+#include "scene/scene.h"
 #include "fuzz.h"
 
 /* The options in PETSc's database as a scene. */

@@ -3,7 +3,7 @@
    Changed bytes end in the reader. What lies behind it is reached by meshes: a file that can be read is taken as a list of
    nodes and elements, one or a few of these are changed, and the list is written again in any of the four formats (2.2 and
    4.1, text and binary). Other files, and every third of these, are changed as texts or as bytes. */
-#include "../../src/mesh/room.h"
+#include "mesh/meshimpl.h"
 #include "mutate.h"
 #include <stdio.h>
 #include <string.h>

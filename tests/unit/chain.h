@@ -2,10 +2,10 @@
 #ifndef CHAIN_H
 #define CHAIN_H
 
-#include <mortise/clip.h>
-#include <mortise/dual.h>
-#include <mortise/element.h>
-#include <mortise/frame.h>
+#include "kernel/clip.h"
+#include "kernel/dual.h"
+#include "kernel/element.h"
+#include "kernel/frame.h"
 #include <test.h>
 #include "uniform.h"
 

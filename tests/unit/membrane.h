@@ -2,7 +2,7 @@
 #ifndef MORTISE_TEST_MEMBRANE_H
 #define MORTISE_TEST_MEMBRANE_H
 
-#include <mortise/solve.h>
+#include "solve/solve.h"
 #include "test.h"
 
 enum { GRID = 31 }; /* inner points per side; 2D, one unknown per point */

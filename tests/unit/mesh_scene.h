@@ -2,8 +2,8 @@
 #ifndef MORTISE_MESH_SCENE_H
 #define MORTISE_MESH_SCENE_H
 
-#include <mortise/mesh.h>
-#include <mortise/fault.h>
+#include "mesh/mesh.h"
+#include "base/usererror.h"
 #include <string.h>
 #include "test.h"
 

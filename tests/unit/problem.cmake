@@ -1,3 +1,3 @@
-mortise_unit(loads ROOMS base kernel mesh contact problem RANKS 1 3)
-mortise_unit(rigid ROOMS base kernel mesh contact problem RANKS 1 3)
-mortise_unit(basis ROOMS base kernel mesh contact problem RANKS 1 3)
+mortise_unit(loads LAYER problem RANKS 1 3)
+mortise_unit(rigid LAYER problem RANKS 1 3)
+mortise_unit(basis LAYER problem RANKS 1 3)

@@ -1,1 +1,1 @@
-mortise_unit(orient ROOMS base kernel mesh RANKS 1 3)
+mortise_unit(orient LAYER mesh RANKS 1 3)

@@ -2,7 +2,7 @@
 #ifndef SMALL_PROBLEM_H
 #define SMALL_PROBLEM_H
 
-#include <mortise/pdas.h>
+#include "pdas/pdas.h"
 #include "test.h"
 
 enum { MAX = 10 }; /* unknowns */

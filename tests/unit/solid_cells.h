@@ -2,7 +2,7 @@
 #ifndef MORTISE_SOLID_CELLS_H
 #define MORTISE_SOLID_CELLS_H
 
-#include <mortise/element.h>
+#include "kernel/element.h"
 
 #include "uniform.h"
 

@@ -1,1 +1,1 @@
-mortise_unit(richardson ROOMS base kernel scene mesh contact problem solve result study)
+mortise_unit(richardson LAYER study)

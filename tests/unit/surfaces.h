@@ -2,9 +2,9 @@
 #ifndef MORTISE_SURFACES_H
 #define MORTISE_SURFACES_H
 
-#include <mortise/clip.h>
-#include <mortise/dual.h>
-#include <mortise/frame.h>
+#include "kernel/clip.h"
+#include "kernel/dual.h"
+#include "kernel/frame.h"
 
 #include "uniform.h"
 

@@ -1,5 +1,5 @@
 /* test_affine.c -- linear functions at one place by values at others: whatever the places, and of the nearest ones. */
-#include "../../src/solve/affine.h"
+#include "multigrid/barycentric.h"
 #include "test.h"
 
 enum { DIM_MAX = 3 };

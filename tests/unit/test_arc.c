@@ -1,7 +1,7 @@
 /* test_arc.c -- curves over straight edges: circles, spheres and cylinders exactly, other curves to fourth order, what is flat not
    at all. */
-#include <mortise/arc.h>
-#include <mortise/frame.h>
+#include "kernel/arc.h"
+#include "kernel/frame.h"
 #include <test.h>
 
 #include "uniform.h"

@@ -1,7 +1,7 @@
 /* test_basis.c -- the change of basis: rows of B are single unknowns, rigid motions keep A's null space, supports are met,
    whatever the order, whichever nodes carry multipliers, in the plane and in space, and on any number of ranks. */
-#include <mortise/compat.h>
-#include <mortise/vi.h>
+#include "base/compat.h"
+#include "problem/vi.h"
 #include "mesh_scene.h"
 #include "solid_scene.h"
 #include "uniform.h"

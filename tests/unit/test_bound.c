@@ -1,6 +1,6 @@
 /* test_bound.c -- VIEnergyBound() against the energy of errors that are known: it is never smaller, and not much larger. */
-#include <mortise/mesh.h>
-#include <mortise/pdas.h>
+#include "mesh/mesh.h"
+#include "pdas/pdas.h"
 #include "membrane.h"
 #include "two_boxes.h"
 
@@ -181,7 +181,7 @@ static PetscErrorCode TestBoxes(PetscBool floating, PetscInt order)
 int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
-  PetscCall(FaultInitialize());
+  PetscCall(UserErrorInitialize());
   PetscCall(PDASRegister());
   PetscCall(TestMembrane());
   PetscCall(TestBoxes(PETSC_FALSE, 1));

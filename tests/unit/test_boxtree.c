@@ -1,6 +1,6 @@
 /* test_boxtree.c -- queries against looking at every box. */
-#include <mortise/boxtree.h>
-#include <mortise/compat.h>
+#include "kernel/boxtree.h"
+#include "base/compat.h"
 #include <test.h>
 
 #include "uniform.h"

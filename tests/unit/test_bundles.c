@@ -1,8 +1,8 @@
 /* test_bundles.c -- connected components of graphs that ranks cut; lines and planes of nodes in a box of long cells. */
-#include <mortise/compat.h>
-#include <mortise/vi.h>
-#include "../../src/solve/bundles.h"
-#include "../../src/solve/components.h"
+#include "base/compat.h"
+#include "problem/vi.h"
+#include "multigrid/blocksmoother.h"
+#include "multigrid/graphcomponents.h"
 #include "mesh_scene.h"
 #include "solid_scene.h"
 

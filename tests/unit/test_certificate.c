@@ -2,11 +2,11 @@
 #include "test.h"
 #include "two_boxes.h"
 #include <math.h>
-#include <mortise/certificate.h>
-#include <mortise/log.h>
-#include <mortise/pdas.h>
+#include "result/certificate.h"
+#include "base/log.h"
+#include "pdas/pdas.h"
 #include <string.h>
-#include <mortise/pairsum.h>
+#include "result/pairsum.h"
 
 typedef struct {
   struct _n_Scene scene;
@@ -214,7 +214,7 @@ int main(int argc, char **argv)
   Certificate            certificate;
 
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
-  PetscCall(FaultInitialize());
+  PetscCall(UserErrorInitialize());
   PetscCall(LogInitialize(LogWallClock()));
   PetscCall(PDASRegister());
   for (int i = 0; i < 2; i++) {

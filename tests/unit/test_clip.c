@@ -1,8 +1,8 @@
 /* test_clip.c -- overlaps of line facets: reference values, chains without holes, and wild normals against sampling. */
-#include <mortise/clip.h>
-#include <mortise/dual.h>
-#include <mortise/element.h>
-#include <mortise/frame.h>
+#include "kernel/clip.h"
+#include "kernel/dual.h"
+#include "kernel/element.h"
+#include "kernel/frame.h"
 #include <test.h>
 
 #include "chain.h"

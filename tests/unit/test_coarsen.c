@@ -140,7 +140,7 @@ static void TestTangled(void)
 int main(int argc, char **argv)
 {
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
-  CHECK(!FaultInitialize());
+  CHECK(!UserErrorInitialize());
   for (PetscInt order = 1; order <= 2; ++order) {
     for (PetscInt refine = 0; refine <= 1; ++refine) TestPlane(order, refine);
     for (PetscInt simplex = 0; simplex <= 1; ++simplex) TestSolid(simplex ? PETSC_TRUE : PETSC_FALSE, order);

@@ -1,6 +1,6 @@
 /* test_cubature.c -- integrals of functions with jumps, kinks and roots over reference cells, by closed formulas. */
-#include <mortise/compat.h>
-#include <mortise/cubature.h>
+#include "base/compat.h"
+#include "kernel/cubature.h"
 #include <test.h>
 
 enum { SIZE = 3 };

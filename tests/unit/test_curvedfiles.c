@@ -218,7 +218,7 @@ static void TestBulge(void)
 int main(int argc, char **argv)
 {
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
-  CHECK(!FaultInitialize());
+  CHECK(!UserErrorInitialize());
   for (int f = 0; f < NUM_FILES; ++f) TestWhole(DiscFile[f]);
   TestLocate();
   TestOrders(2, 2);

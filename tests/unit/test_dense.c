@@ -1,5 +1,5 @@
 /* test_dense.c -- small factorisations and eigenvalues against products and closed forms. */
-#include <mortise/dense.h>
+#include "kernel/dense.h"
 #include <test.h>
 
 #include "uniform.h"

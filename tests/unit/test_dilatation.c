@@ -1,7 +1,7 @@
 /* test_dilatation.c -- which cells project their changes of volume, and what they project them to. */
-#include <mortise/compat.h>
-#include <mortise/dilatation.h>
-#include <mortise/material.h>
+#include "base/compat.h"
+#include "kernel/dilatation.h"
+#include "kernel/material.h"
 #include <test.h>
 
 #include "uniform.h"

@@ -1,8 +1,8 @@
 /* test_direction.c -- the direction of contact of two bodies near the place where they touch: the line of centres. */
 #include "test.h"
-#include <mortise/closest.h>
-#include <mortise/direction.h>
-#include <mortise/frame.h>
+#include "kernel/closest.h"
+#include "kernel/direction.h"
+#include "kernel/frame.h"
 #include "uniform.h"
 
 static const PetscReal EXACT = 1e-14;

@@ -1,7 +1,7 @@
 /* test_dissection.c -- the pivot order of solids: every unknown once, those of the Schur complement last; and the factors that MUMPS
    makes with it, or with an order of its own. */
-#include <mortise/compat.h>
-#include "../../src/solve/factor.h"
+#include "base/compat.h"
+#include "pdas/factorization.h"
 #include "test.h"
 
 enum { SIDE = 9, DOFS = 3, NUM = SIDE * SIDE * SIDE * DOFS };

@@ -1,6 +1,6 @@
 /* test_dual.c -- closed forms of the dual basis, and biorthogonality on random covered parts. */
-#include <mortise/dual.h>
-#include <mortise/element.h>
+#include "kernel/dual.h"
+#include "kernel/element.h"
 #include <test.h>
 
 #include "uniform.h"

@@ -1,9 +1,9 @@
 /* test_eigenvalue.c -- eigenvalues that steps of CG see, also where these break down. */
-#include <mortise/compat.h>
+#include "base/compat.h"
 #include <errno.h>
 #include <malloc.h>
 #include <string.h>
-#include "../../src/solve/eigenvalue.h"
+#include "multigrid/eigenvalue.h"
 #include "test.h"
 
 enum { N = 40 };

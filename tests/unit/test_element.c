@@ -1,6 +1,6 @@
 /* test_element.c -- lines and plane cells: shape functions, quadrature, geometry. */
-#include <mortise/compat.h>
-#include <mortise/element.h>
+#include "base/compat.h"
+#include "kernel/element.h"
 #include <petscdt.h>
 #include <test.h>
 

@@ -3,9 +3,9 @@
 #include "test.h"
 #include "two_boxes.h"
 #include <math.h>
-#include <mortise/errors.h>
+#include "result/errors.h"
 #include <string.h>
-#include "../../src/result/exact.h"
+#include "result/exact.h"
 
 /* Of a gradient, relative to its size: what the step leaves in the largest cell and beside a singular point, and rounding in a
    cell as long as the formula's own length, which grows as cells become shorter. */
@@ -298,8 +298,8 @@ static PetscErrorCode Check(Case *c, const char text[], const char *const words[
   PetscCall(ExpressionDestroy(&c->bodies[0].exact));
   PetscCall(ExpressionCreate(PETSC_COMM_WORLD, "-upper_exact_displacement", text, 2, PETSC_FALSE, &c->bodies[0].exact));
   error = ErrorsCheck(c->vi);
-  CHECK(error == (words ? MORTISE_ERR_FAULT : PETSC_SUCCESS));
-  for (PetscInt i = 0; words && i < 3; ++i) CHECK(strstr(FaultSentence(), words[i]));
+  CHECK(error == (words ? MORTISE_ERR_USER : PETSC_SUCCESS));
+  for (PetscInt i = 0; words && i < 3; ++i) CHECK(strstr(UserErrorSentence(), words[i]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -325,7 +325,7 @@ static PetscErrorCode TestCheck(void)
 int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
-  PetscCall(FaultInitialize());
+  PetscCall(UserErrorInitialize());
   TestGradient();
   for (PetscInt order = 1; order <= 2; ++order) {
     for (PetscInt simplex = 0; simplex < 2; ++simplex) {

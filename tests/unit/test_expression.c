@@ -1,7 +1,7 @@
 /* test_expression.c -- numbers, formulas, `free`, and the sentences for what is none of them. */
-#include <mortise/compat.h>
-#include <mortise/expression.h>
-#include <mortise/fault.h>
+#include "base/compat.h"
+#include "base/expression.h"
+#include "base/usererror.h"
 #include <string.h>
 #include <test.h>
 
@@ -108,10 +108,10 @@ static void CheckFault(const char text[], PetscInt num_components, const char cu
 {
   Expression e;
 
-  CHECK(ExpressionCreate(PETSC_COMM_WORLD, "-datum", text, num_components, PETSC_FALSE, &e) == MORTISE_ERR_FAULT);
-  CHECK(!e && strstr(FaultSentence(), "-datum") && strstr(FaultSentence(), text));
-  if (!strstr(FaultSentence(), culprit)) fprintf(stderr, "'%s' does not name '%s'\n", FaultSentence(), culprit);
-  CHECK(strstr(FaultSentence(), culprit));
+  CHECK(ExpressionCreate(PETSC_COMM_WORLD, "-datum", text, num_components, PETSC_FALSE, &e) == MORTISE_ERR_USER);
+  CHECK(!e && strstr(UserErrorSentence(), "-datum") && strstr(UserErrorSentence(), text));
+  if (!strstr(UserErrorSentence(), culprit)) fprintf(stderr, "'%s' does not name '%s'\n", UserErrorSentence(), culprit);
+  CHECK(strstr(UserErrorSentence(), culprit));
 }
 
 static void TestFaults(void)
@@ -156,11 +156,11 @@ static void TestLong(void)
     for (int i = 0; i < length; ++i) text[i] = i % 2 ? '+' : 'x';
     if (text[length - 1] == '+') text[length - 1] = ' ';
     strcpy(text + length, cases[c].end);
-    CHECK(ExpressionCreate(PETSC_COMM_WORLD, "-datum", text, 1, PETSC_FALSE, &e) == MORTISE_ERR_FAULT);
-    CHECK(strstr(FaultSentence(), "-datum \"x+x") && strstr(FaultSentence(), "...\": "));
-    if (!strstr(FaultSentence(), cases[c].words))
-      fprintf(stderr, "'%s' does not say '%s'\n", FaultSentence(), cases[c].words);
-    CHECK(strstr(FaultSentence(), cases[c].words) && strstr(FaultSentence(), "accepted are numbers"));
+    CHECK(ExpressionCreate(PETSC_COMM_WORLD, "-datum", text, 1, PETSC_FALSE, &e) == MORTISE_ERR_USER);
+    CHECK(strstr(UserErrorSentence(), "-datum \"x+x") && strstr(UserErrorSentence(), "...\": "));
+    if (!strstr(UserErrorSentence(), cases[c].words))
+      fprintf(stderr, "'%s' does not say '%s'\n", UserErrorSentence(), cases[c].words);
+    CHECK(strstr(UserErrorSentence(), cases[c].words) && strstr(UserErrorSentence(), "accepted are numbers"));
   }
 }
 
@@ -175,8 +175,8 @@ static void TestNotFinite(void)
   MPI_Comm_size(PETSC_COMM_WORLD, &size);
   Evaluate(e, 2, rank == size - 1 ? 0 : 1, 0.25, 0, values);
   Evaluate(e, 2, 2, 3, 0, values);
-  CHECK(ExpressionCheck(PETSC_COMM_WORLD, e) == MORTISE_ERR_FAULT);
-  CHECK(!strcmp(FaultSentence(), "-datum \"1, 1/x\": component 2 is not a finite number at (0, 0.25)"));
+  CHECK(ExpressionCheck(PETSC_COMM_WORLD, e) == MORTISE_ERR_USER);
+  CHECK(!strcmp(UserErrorSentence(), "-datum \"1, 1/x\": component 2 is not a finite number at (0, 0.25)"));
   CHECK(!ExpressionCheck(PETSC_COMM_WORLD, e));
   CHECK(!ExpressionCheck(PETSC_COMM_WORLD, NULL));
   CHECK(!ExpressionDestroy(&e));
@@ -185,7 +185,7 @@ static void TestNotFinite(void)
 int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
-  PetscCall(FaultInitialize());
+  PetscCall(UserErrorInitialize());
   TestNumbers();
   TestFormulas();
   TestMeridian();

@@ -1,6 +1,6 @@
 /* test_fault.c -- one sentence, one code, on every rank. */
-#include <mortise/compat.h>
-#include <mortise/fault.h>
+#include "base/compat.h"
+#include "base/usererror.h"
 #include <petscksp.h>
 #include <string.h>
 #include <test.h>
@@ -8,7 +8,7 @@
 static void CheckNearest(const char misspelt[], const char expected[])
 {
   static const char *const names[] = {"young", "poisson", "thickness", "top", "x"};
-  const char              *nearest = FaultNearest(misspelt, 5, names);
+  const char              *nearest = UserErrorNearest(misspelt, 5, names);
 
   CHECK(expected ? nearest && !strcmp(nearest, expected) : !nearest);
 }
@@ -22,13 +22,13 @@ static void TestNearest(void)
   CheckNearest("bottom", NULL);
   CheckNearest("y", NULL); // another letter is another name
   CheckNearest("", NULL);
-  CHECK(!FaultNearest("young", 0, NULL));
+  CHECK(!UserErrorNearest("young", 0, NULL));
 }
 
 static void TestRaise(void)
 {
-  CHECK(FaultRaise(PETSC_COMM_WORLD, "-%s %d: expected by the test", "value", 3) == MORTISE_ERR_FAULT);
-  CHECK(!strcmp(FaultSentence(), "-value 3: expected by the test"));
+  CHECK(UserErrorRaise(PETSC_COMM_WORLD, "-%s %d: expected by the test", "value", 3) == MORTISE_ERR_USER);
+  CHECK(!strcmp(UserErrorSentence(), "-value 3: expected by the test"));
 }
 
 /* Of the ranks that complain the lowest is heard, by all; where none complains there is no fault. */
@@ -41,10 +41,10 @@ static void TestCheck(void)
   MPI_Comm_size(PETSC_COMM_WORLD, &size);
   snprintf(sentence, sizeof(sentence), "rank %d complains, expected by the test", rank);
   snprintf(expected, sizeof(expected), "rank %d complains, expected by the test", size / 2);
-  CHECK(!FaultCheck(PETSC_COMM_WORLD, NULL));
-  CHECK(!FaultCheck(PETSC_COMM_WORLD, ""));
-  CHECK(FaultCheck(PETSC_COMM_WORLD, rank >= size / 2 ? sentence : NULL) == MORTISE_ERR_FAULT);
-  CHECK(!strcmp(FaultSentence(), expected));
+  CHECK(!UserErrorCheck(PETSC_COMM_WORLD, NULL));
+  CHECK(!UserErrorCheck(PETSC_COMM_WORLD, ""));
+  CHECK(UserErrorCheck(PETSC_COMM_WORLD, rank >= size / 2 ? sentence : NULL) == MORTISE_ERR_USER);
+  CHECK(!strcmp(UserErrorSentence(), expected));
 }
 
 /* PETSc's complaints about what the user typed are faults; a mistake of the program stays PETSc's. */
@@ -55,14 +55,14 @@ static void TestOptions(void)
   KSP            ksp;
 
   CHECK(!PetscOptionsSetValue(NULL, "-a_number", "three"));
-  CHECK(PetscOptionsGetReal(NULL, NULL, "-a_number", &value, NULL) == MORTISE_ERR_FAULT);
-  CHECK(strstr(FaultSentence(), "three"));
+  CHECK(PetscOptionsGetReal(NULL, NULL, "-a_number", &value, NULL) == MORTISE_ERR_USER);
+  CHECK(strstr(UserErrorSentence(), "three"));
   CHECK(!KSPCreate(PETSC_COMM_WORLD, &ksp));
-  CHECK(KSPSetType(ksp, "nonsense") == MORTISE_ERR_FAULT);
-  CHECK(strstr(FaultSentence(), "nonsense"));
+  CHECK(KSPSetType(ksp, "nonsense") == MORTISE_ERR_USER);
+  CHECK(strstr(UserErrorSentence(), "nonsense"));
   CHECK(!PetscPushErrorHandler(PetscReturnErrorHandler, NULL));
   error = KSPSetTolerances(ksp, -3, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT);
-  CHECK(error && error != MORTISE_ERR_FAULT);
+  CHECK(error && error != MORTISE_ERR_USER);
   CHECK(!PetscPopErrorHandler());
   CHECK(!KSPDestroy(&ksp));
 }
@@ -70,7 +70,7 @@ static void TestOptions(void)
 int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
-  PetscCall(FaultInitialize());
+  PetscCall(UserErrorInitialize());
   TestNearest();
   TestRaise();
   TestCheck();

@@ -1,6 +1,6 @@
 /* test_frame.c -- normals on circles and spheres, frames of random directions. */
-#include <mortise/element.h>
-#include <mortise/frame.h>
+#include "kernel/element.h"
+#include "kernel/frame.h"
 #include <test.h>
 
 #include "uniform.h"

@@ -218,7 +218,7 @@ static void TestLocateCurve(PetscInt order)
 int main(int argc, char **argv)
 {
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
-  CHECK(!FaultInitialize());
+  CHECK(!UserErrorInitialize());
   TestShare();
   for (int o = 0; o < NUM_ORDERS; ++o) {
     for (int b = 0; b < 2; ++b) Order[b] = Orders[o][b];

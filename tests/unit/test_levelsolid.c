@@ -167,7 +167,7 @@ int main(int argc, char **argv)
   static const PetscInt orders[][2] = {{1, 1}, {1, 2}, {2, 1}};
 
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
-  CHECK(!FaultInitialize());
+  CHECK(!UserErrorInitialize());
   for (int o = 0; o < 3; ++o) {
     for (int b = 0; b < 2; ++b) Order[b] = orders[o][b];
     TestProlongation(1);

@@ -1,6 +1,6 @@
 /* test_loads.c -- total loads of formulas with jumps and kinks inside facets and cells, by closed formulas. */
-#include <mortise/compat.h>
-#include <mortise/elasticity.h>
+#include "base/compat.h"
+#include "problem/elasticity.h"
 #include "solid_scene.h"
 
 /* What totals are promised to, relative to themselves. */

@@ -1,6 +1,6 @@
 /* test_log.c -- times of stages, of the whole and of the processor, and how they begin anew; stages within others. */
-#include <mortise/compat.h>
-#include <mortise/log.h>
+#include "base/compat.h"
+#include "base/log.h"
 #include <test.h>
 
 static const double WORK = 0.1; /* seconds */

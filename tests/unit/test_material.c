@@ -1,5 +1,5 @@
 /* test_material.c -- Hooke's law: closed forms, rotations against tensors, definiteness. */
-#include <mortise/material.h>
+#include "kernel/material.h"
 #include <test.h>
 
 #include "uniform.h"

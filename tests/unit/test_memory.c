@@ -1,6 +1,6 @@
 /* test_memory.c -- the peak sees what was held and given back, on every rank, and begins anew where the system can. */
-#include <mortise/compat.h>
-#include <mortise/memory.h>
+#include "base/compat.h"
+#include "base/memory.h"
 #include <string.h>
 #include <sys/mman.h>
 #include <test.h>

@@ -235,7 +235,7 @@ static void TestGroups(const char file[], const char region[], PetscReal area)
 int main(int argc, char **argv)
 {
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
-  CHECK(!FaultInitialize());
+  CHECK(!UserErrorInitialize());
   TestBoxes(0);
   TestBoxes(2);
   TestOwnRefinement();

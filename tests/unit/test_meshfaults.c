@@ -1,6 +1,6 @@
 /* test_meshfaults.c -- every mistake that only the mesh can tell is one sentence that names the culprit. */
 #include "solid_scene.h"
-#include <mortise/support.h>
+#include "mesh/support.h"
 
 static char FileName[PETSC_MAX_PATH_LEN]; /* written for one test after the other, removed in the end */
 
@@ -29,10 +29,10 @@ static void CheckFault(TestScene *t, const char *const words[])
   CHECK(!MeshCreate(&t->scene, &mesh));
   code = MeshSetUp(mesh);
   if (!code) code = SupportCreate(MeshFinest(mesh), &t->scene, &support);
-  CHECK(code == MORTISE_ERR_FAULT);
+  CHECK(code == MORTISE_ERR_USER);
   for (; *words; ++words) {
-    if (strstr(FaultSentence(), *words)) continue;
-    fprintf(stderr, "'%s' does not say '%s'\n", FaultSentence(), *words);
+    if (strstr(UserErrorSentence(), *words)) continue;
+    fprintf(stderr, "'%s' does not say '%s'\n", UserErrorSentence(), *words);
     CHECK(0);
   }
   CHECK(!MPI_Barrier(PETSC_COMM_WORLD));
@@ -243,7 +243,7 @@ int main(int argc, char **argv)
   PetscMPIInt size;
 
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
-  CHECK(!FaultInitialize());
+  CHECK(!UserErrorInitialize());
   CHECK(!MPI_Comm_size(PETSC_COMM_WORLD, &size));
   snprintf(FileName, sizeof(FileName), "meshfaults_%d.msh", size); // runs on other numbers of ranks may be about
   TestFiles();

@@ -128,7 +128,7 @@ static void TestShapes(void)
 int main(int argc, char **argv)
 {
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
-  CHECK(!FaultInitialize());
+  CHECK(!UserErrorInitialize());
   for (PetscInt order = 1; order <= 2; ++order) {
     TestBoxes(1, order);
     for (int simplex = 0; simplex < 2; ++simplex) TestMaps(simplex ? PETSC_TRUE : PETSC_FALSE, order);

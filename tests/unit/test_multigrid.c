@@ -1,10 +1,10 @@
 /* test_multigrid.c -- what truncated multigrid is made of, against products of assembled matrices: the inverse of T, smoothing
    apart, the matrix as a
    shell, the coarser levels' own matrices, and what held unknowns make of them, at once or one change after the other. */
-#include <mortise/compat.h>
-#include <mortise/vi.h>
-#include "../../src/solve/apart.h"
-#include "../../src/solve/rung.h"
+#include "base/compat.h"
+#include "problem/vi.h"
+#include "multigrid/bodysmoother.h"
+#include "multigrid/mglevel.h"
 #include "mesh_scene.h"
 #include "solid_scene.h"
 #include "uniform.h"

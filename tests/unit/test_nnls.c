@@ -1,5 +1,5 @@
 /* test_nnls.c -- nonnegative least squares: small problems with known answers, and what every answer has to fulfil. */
-#include <mortise/nnls.h>
+#include "kernel/nnls.h"
 #include <test.h>
 
 #include "uniform.h"

@@ -1,7 +1,7 @@
 /* test_obstacle.c -- gaps of rigid obstacles: the ray ends on the surface, on the side that the body meets. */
-#include <mortise/compat.h>
-#include <mortise/frame.h>
-#include <mortise/obstacle.h>
+#include "base/compat.h"
+#include "kernel/frame.h"
+#include "contact/obstacle.h"
 #include "test.h"
 #include "uniform.h"
 

@@ -1,7 +1,7 @@
 /* test_options.c -- the argument list that PETSc gets, and the sentence where there is none. Files are written to and read
    from the working directory. */
-#include <mortise/compat.h>
-#include <mortise/options.h>
+#include "base/compat.h"
+#include "base/options.h"
 #include <string.h>
 #include <sys/stat.h>
 #include <test.h>

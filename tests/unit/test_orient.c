@@ -1,5 +1,5 @@
 /* test_orient.c -- roles without circles: small graphs by hand, and random ones against all choices there are. */
-#include "../../src/mesh/room.h"
+#include "mesh/meshimpl.h"
 #include "mesh_scene.h"
 
 enum { MAX_PAIRS = 8, MAX_ENDS = 2 * MAX_PAIRS };
@@ -174,7 +174,7 @@ static void TestApart(void)
 int main(int argc, char **argv)
 {
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
-  CHECK(!FaultInitialize());
+  CHECK(!UserErrorInitialize());
   TestRandom();
   CHECK(RingOfFour(0x0) == 0x4); // facets are 4, 1.5, 1.5 and 4 times as fine: the later one of the weakest
   CHECK(RingOfFour(0x4) == 0x2);

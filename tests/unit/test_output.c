@@ -7,13 +7,13 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <mortise/compat.h>
-#include <mortise/fault.h>
-#include <mortise/output.h>
-#include <mortise/json.h>
-#include "../../src/result/picture.h"
-#include "../../src/result/xdmf.h"
-#include "../../src/result/xml.h"
+#include "base/compat.h"
+#include "base/usererror.h"
+#include "output/output.h"
+#include "base/json.h"
+#include "output/fieldwriter.h"
+#include "output/xdmf.h"
+#include "output/xml.h"
 
 static PetscBool Exists(const char path[])
 {
@@ -347,13 +347,13 @@ static PetscErrorCode TestCheck(void)
   PetscCall(PetscPushErrorHandler(PetscReturnErrorHandler, NULL));
   error = FilesCheck(PETSC_COMM_SELF, "-output", "plain/run.json");
   PetscCall(PetscPopErrorHandler());
-  CHECK(error == MORTISE_ERR_FAULT);
-  CHECK(strstr(FaultSentence(), "-output") && strstr(FaultSentence(), "plain/run.json"));
+  CHECK(error == MORTISE_ERR_USER);
+  CHECK(strstr(UserErrorSentence(), "-output") && strstr(UserErrorSentence(), "plain/run.json"));
   CHECK(mkdir("taken", 0777) == 0);
   PetscCall(PetscPushErrorHandler(PetscReturnErrorHandler, NULL));
   error = FilesCheck(PETSC_COMM_SELF, "-summary", "taken");
   PetscCall(PetscPopErrorHandler());
-  CHECK(error == MORTISE_ERR_FAULT);
+  CHECK(error == MORTISE_ERR_USER);
   CHECK(rmdir("taken") == 0 && unlink("plain") == 0);
   PetscFunctionReturn(PETSC_SUCCESS);
 }

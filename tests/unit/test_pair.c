@@ -422,7 +422,7 @@ int main(int argc, char **argv)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
-  PetscCall(FaultInitialize());
+  PetscCall(UserErrorInitialize());
   PetscCall(TestExactNumbers());
   PetscCall(TestExactNumbersQuadratic(MULTIPLIERS_NODES));
   PetscCall(TestExactNumbersQuadratic(MULTIPLIERS_VERTICES));

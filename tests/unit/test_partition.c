@@ -1,5 +1,5 @@
 /* test_partition.c -- contact edges keep cells that touch on one rank, without spoiling the balance. */
-#include "../../src/mesh/room.h"
+#include "mesh/meshimpl.h"
 #include "solid_scene.h"
 
 enum { N = 16 };
@@ -313,7 +313,7 @@ static void TestFarReach(void)
 int main(int argc, char **argv)
 {
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
-  CHECK(!FaultInitialize());
+  CHECK(!UserErrorInitialize());
   for (PetscInt parts = 2; parts <= 12; parts += parts < 4 ? 1 : 4) TestContactEdges(parts); // both of METIS's methods
   TestSolidContactEdges();
   TestShared();

@@ -1,6 +1,6 @@
 /* test_pdas.c -- pdas against known answers and against trying every active set. */
-#include <mortise/fault.h>
-#include <mortise/pdas.h>
+#include "base/usererror.h"
+#include "pdas/pdas.h"
 #include "small_problem.h"
 
 static void CheckSameHistory(const Run *a, const Run *b)
@@ -201,7 +201,7 @@ int main(int argc, char **argv)
   PetscMPIInt size;
 
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
-  PetscCall(FaultInitialize());
+  PetscCall(UserErrorInitialize());
   PetscCall(PDASRegister());
   PetscCallMPI(MPI_Comm_size(PETSC_COMM_WORLD, &size));
   PetscCall(TestCycle());

@@ -1,7 +1,7 @@
 /* test_peek.c -- scenes whose bodies come from Gmsh files have the files' dimension without being told. */
-#include <mortise/compat.h>
-#include <mortise/fault.h>
-#include <mortise/scene.h>
+#include "base/compat.h"
+#include "base/usererror.h"
+#include "scene/scene.h"
 #include <string.h>
 #include <test.h>
 #include <unistd.h>
@@ -32,10 +32,10 @@ static PetscErrorCode ReadScene(const char file[], const char model[], const cha
 
 static void CheckSentence(PetscErrorCode code, const char *const words[])
 {
-  CHECK(code == MORTISE_ERR_FAULT);
+  CHECK(code == MORTISE_ERR_USER);
   for (; *words; ++words) {
-    if (!strstr(FaultSentence(), *words)) fprintf(stderr, "'%s' does not say '%s'\n", FaultSentence(), *words);
-    CHECK(strstr(FaultSentence(), *words));
+    if (!strstr(UserErrorSentence(), *words)) fprintf(stderr, "'%s' does not say '%s'\n", UserErrorSentence(), *words);
+    CHECK(strstr(UserErrorSentence(), *words));
   }
 }
 
@@ -70,7 +70,7 @@ static PetscErrorCode TestFile(const char file[], PetscInt dim)
 int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
-  PetscCall(FaultInitialize());
+  PetscCall(UserErrorInitialize());
   CHECK(!chdir(MESHES)); /* sentences show so much of a long path */
   for (size_t i = 0; i < sizeof(files) / sizeof(files[0]); i++) PetscCall(TestFile(files[i].file, files[i].dim));
   PetscCall(PetscFinalize());

@@ -1,5 +1,5 @@
 /* test_piece.c -- parts of reference cells: together they are the cell, and no part of it twice. */
-#include <mortise/element.h>
+#include "kernel/element.h"
 #include <test.h>
 
 static const PetscReal EXACT = 1e-13;

@@ -1,5 +1,5 @@
 /* test_points.c -- coarser levels of a lattice of nodes: fewer nodes, linear functions, and what is held stays where it is. */
-#include "../../src/solve/points.h"
+#include "multigrid/nodecoarsening.h"
 #include "test.h"
 
 enum { SIDE = 12, DIM = 2, NODES = SIDE * SIDE };

@@ -1,10 +1,10 @@
 /* test_polygons.c -- overlaps of facets in space: reference values, tilings without holes, curved facets.
 
    -fuzz_pairs <n>: how many random pairs of facets are clipped (100000). */
-#include <mortise/clip.h>
-#include <mortise/dual.h>
-#include <mortise/element.h>
-#include <mortise/frame.h>
+#include "kernel/clip.h"
+#include "kernel/dual.h"
+#include "kernel/element.h"
+#include "kernel/frame.h"
 #include <test.h>
 
 #include "surfaces.h"

@@ -1,6 +1,6 @@
 /* test_residual.c -- b - A y where all but the last digits cancel. */
-#include <mortise/compat.h>
-#include "../../src/solve/active.h"
+#include "base/compat.h"
+#include "pdas/pdasimpl.h"
 #include "test.h"
 
 enum { SIZE = 60 };

@@ -1,8 +1,8 @@
 /* test_richardson.c -- limits of sequences whose limit is known, and how they are written. */
 #include "test.h"
-#include "../../src/study/richardson.h"
+#include "study/richardson.h"
 #include <math.h>
-#include <mortise/compat.h>
+#include "base/compat.h"
 #include <string.h>
 
 /* Q(h) = 3 + h^q has its limit found exactly, whatever its sign. */

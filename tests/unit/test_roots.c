@@ -1,5 +1,5 @@
 /* test_roots.c -- roots of polynomials whose roots are known. */
-#include <mortise/roots.h>
+#include "kernel/roots.h"
 #include <test.h>
 
 #include "uniform.h"

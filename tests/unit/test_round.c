@@ -1,8 +1,8 @@
 /* test_round.c -- what is round where forces carry a body, and what is an edge, or flat. */
-#include <mortise/compat.h>
-#include <mortise/solvability.h>
+#include "base/compat.h"
+#include "problem/solvability.h"
 #include "test.h"
-#include "../../src/result/round.h"
+#include "result/roundness.h"
 
 /* A square becomes a disc. */
 static const char *const disc[] = {"-a_map", "x*sqrt(1-y^2/2), y*sqrt(1-x^2/2)", NULL};

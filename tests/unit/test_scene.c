@@ -1,7 +1,7 @@
 /* test_scene.c -- a scene read from options: what arrives, and the sentence that each mistake is answered with. */
-#include <mortise/compat.h>
-#include <mortise/fault.h>
-#include <mortise/scene.h>
+#include "base/compat.h"
+#include "base/usererror.h"
+#include "scene/scene.h"
 #include <string.h>
 #include <test.h>
 
@@ -220,16 +220,16 @@ static PetscErrorCode TestMistake(const Mistake *mistake)
   PetscErrorCode code  = ReadScene(mistake->without, 3, mistake->change, &scene);
 
   PetscFunctionBeginUser;
-  if (code != MORTISE_ERR_FAULT) {
+  if (code != MORTISE_ERR_USER) {
     fprintf(stderr, "no fault: without %s, with %s %s\n", mistake->without, mistake->change[0][0],
             mistake->change[0][1]);
   }
-  CHECK(code == MORTISE_ERR_FAULT);
+  CHECK(code == MORTISE_ERR_USER);
   for (PetscInt i = 0; i < 3 && mistake->words[i]; i++) {
-    if (!strstr(FaultSentence(), mistake->words[i])) fprintf(stderr, "the sentence lacks: %s\n", mistake->words[i]);
-    CHECK(strstr(FaultSentence(), mistake->words[i]));
+    if (!strstr(UserErrorSentence(), mistake->words[i])) fprintf(stderr, "the sentence lacks: %s\n", mistake->words[i]);
+    CHECK(strstr(UserErrorSentence(), mistake->words[i]));
   }
-  CHECK(!strchr(FaultSentence(), '\n'));
+  CHECK(!strchr(UserErrorSentence(), '\n'));
   PetscCall(SceneDestroy(&scene));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -369,7 +369,7 @@ static PetscErrorCode TestRoles(void)
   Scene scene;
 
   PetscFunctionBeginUser;
-  CHECK(ReadScene("-joint_mortar", 1, open, &scene) == MORTISE_ERR_FAULT); /* it has its nonmortar side */
+  CHECK(ReadScene("-joint_mortar", 1, open, &scene) == MORTISE_ERR_USER); /* it has its nonmortar side */
   PetscCall(SceneDestroy(&scene));
   PetscCall(PetscOptionsClear(NULL));
   PetscCall(ReadScene("-joint_mortar", 3, closed, &scene));
@@ -395,8 +395,8 @@ static PetscErrorCode TestLate(void)
 
   PetscFunctionBeginUser;
   PetscCall(ReadScene(NULL, 3, change, &scene));
-  CHECK(SceneCheckUnused(scene, PETSC_FALSE) == MORTISE_ERR_FAULT);
-  CHECK(strstr(FaultSentence(), "-sub_pc_type ilu"));
+  CHECK(SceneCheckUnused(scene, PETSC_FALSE) == MORTISE_ERR_USER);
+  CHECK(strstr(UserErrorSentence(), "-sub_pc_type ilu"));
   PetscCall(PetscOptionsClearValue(NULL, "-sub_pc_type"));
   PetscCall(SceneCheckUnused(scene, PETSC_FALSE));
   PetscCall(PetscOptionsClearValue(NULL, "-log_view"));
@@ -416,12 +416,12 @@ static PetscErrorCode TestStiffness(void)
     PetscCall(PetscOptionsInsertString(NULL, "-bodies wood -wood_dm_plex_box_faces 2,2 -wood_material_angle 30"));
     PetscCall(PetscOptionsSetValue(NULL, "-wood_stiffness", values[i]));
     PetscCall(SceneCreate(PETSC_COMM_WORLD, &scene));
-    CHECK(SceneSetFromOptions(scene) == (i == 0 ? PETSC_SUCCESS : MORTISE_ERR_FAULT));
+    CHECK(SceneSetFromOptions(scene) == (i == 0 ? PETSC_SUCCESS : MORTISE_ERR_USER));
     if (i == 0)
       CHECK(scene->bodies[0].angle[0] == 30 && !scene->bodies[0].young &&
             ExpressionSize(scene->bodies[0].stiffness) == 6);
     else
-      CHECK(strstr(FaultSentence(), "-wood_stiffness") && strstr(FaultSentence(), "positive definite"));
+      CHECK(strstr(UserErrorSentence(), "-wood_stiffness") && strstr(UserErrorSentence(), "positive definite"));
     PetscCall(SceneDestroy(&scene));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -430,7 +430,7 @@ static PetscErrorCode TestStiffness(void)
 int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
-  PetscCall(FaultInitialize());
+  PetscCall(UserErrorInitialize());
   PetscCall(TestBase());
   PetscCall(TestRest());
   PetscCall(TestStudy());

@@ -1,8 +1,8 @@
 /* test_search.c -- the mortar facets that reach a rank: all that its facets may meet, each once, and not the whole side. */
-#include "../../src/contact/surface.h"
+#include "contact/contactsurface.h"
 #include "test.h"
-#include <mortise/compat.h>
-#include <mortise/frame.h>
+#include "base/compat.h"
+#include "kernel/frame.h"
 #include "uniform.h"
 
 enum { MAX_FACETS = 1200 };

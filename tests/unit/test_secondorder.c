@@ -176,7 +176,7 @@ static void TestEmbedding(void)
 int main(int argc, char **argv)
 {
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
-  CHECK(!FaultInitialize());
+  CHECK(!UserErrorInitialize());
   for (int simplex = 0; simplex < 2; ++simplex) {
     TestRing(simplex ? PETSC_TRUE : PETSC_FALSE, "x*cos(y), x*sin(y)");
     TestRing(simplex ? PETSC_TRUE : PETSC_FALSE, "x*sin(y), x*cos(y)");

@@ -1,7 +1,7 @@
 /* test_sideshape.c -- normals and curvatures of circles, cylinders and spheres cut into facets, up to their ends, and at edges. */
 #include "solid_scene.h"
-#include <mortise/compat.h>
-#include <mortise/sideshape.h>
+#include "base/compat.h"
+#include "mesh/sideshape.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
@@ -150,7 +150,7 @@ int main(int argc, char **argv)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
-  PetscCall(FaultInitialize());
+  PetscCall(UserErrorInitialize());
   TestCircle();
   TestSolids();
   TestEdge();

@@ -1,5 +1,5 @@
 /* test_skeleton.c -- facets and edges between cells and vertices, against those that PETSc finds. */
-#include "../../src/mesh/room.h"
+#include "mesh/meshimpl.h"
 #include "solid_scene.h"
 
 /* The same numbers everywhere. */

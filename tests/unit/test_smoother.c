@@ -1,7 +1,7 @@
 /* test_smoother.c -- multigrid on stretched cells, and under a stiff nonmortar side. */
-#include <mortise/mesh.h>
-#include <mortise/pdas.h>
-#include <mortise/solve.h>
+#include "mesh/mesh.h"
+#include "pdas/pdas.h"
+#include "solve/solve.h"
 #include "two_boxes.h"
 #include "test.h"
 
@@ -49,7 +49,7 @@ static PetscErrorCode TestPress(PetscReal height, PetscReal young, PetscInt most
 int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
-  PetscCall(FaultInitialize());
+  PetscCall(UserErrorInitialize());
   PetscCall(PDASRegister());
   PetscCall(PetscOptionsInsertString(NULL, "-pc_type truncatedmg"));
   PetscCall(TestPress(1, 1e3, 12));    // seen: 9 iterations

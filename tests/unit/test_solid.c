@@ -1,6 +1,6 @@
 /* test_solid.c -- cells in space and their facets: shape functions, quadrature, geometry, stiffness. */
-#include <mortise/element.h>
-#include <mortise/material.h>
+#include "kernel/element.h"
+#include "kernel/material.h"
 #include <test.h>
 
 #include "solid_cells.h"

@@ -42,10 +42,10 @@ static void CheckFault(const char elements[], const char region[], const char si
 
   SceneInit(&t, elements, region, side);
   CHECK(!MeshCreate(&t.scene, &mesh));
-  CHECK(MeshSetUp(mesh) == MORTISE_ERR_FAULT);
+  CHECK(MeshSetUp(mesh) == MORTISE_ERR_USER);
   for (; *words; ++words) {
-    if (strstr(FaultSentence(), *words)) continue;
-    fprintf(stderr, "'%s' does not say '%s'\n", FaultSentence(), *words);
+    if (strstr(UserErrorSentence(), *words)) continue;
+    fprintf(stderr, "'%s' does not say '%s'\n", UserErrorSentence(), *words);
     CHECK(0);
   }
   CHECK(!MPI_Barrier(PETSC_COMM_WORLD));
@@ -166,8 +166,8 @@ static void TestCut(const char path[])
     SolidSceneInit(&t);
     TestSceneAddFile(&t, "block", FileName, NULL);
     CHECK(!MeshCreate(&t.scene, &mesh));
-    CHECK(MeshSetUp(mesh) == MORTISE_ERR_FAULT);
-    CHECK(strstr(FaultSentence(), FileName));
+    CHECK(MeshSetUp(mesh) == MORTISE_ERR_USER);
+    CHECK(strstr(UserErrorSentence(), FileName));
     CHECK(!MPI_Barrier(PETSC_COMM_WORLD));
   }
 }
@@ -177,7 +177,7 @@ int main(int argc, char **argv)
   PetscMPIInt size;
 
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
-  CHECK(!FaultInitialize());
+  CHECK(!UserErrorInitialize());
   CHECK(!MPI_Comm_size(PETSC_COMM_WORLD, &size));
   snprintf(FileName, sizeof(FileName), "solidfaults_%d.msh", size); // runs on other numbers of ranks may be about
   TestCells();

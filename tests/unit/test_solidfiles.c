@@ -165,7 +165,7 @@ static void TestMap(const char file[])
 int main(int argc, char **argv)
 {
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
-  CHECK(!FaultInitialize());
+  CHECK(!UserErrorInitialize());
   for (PetscInt f = 0; f < NUM_FILES; ++f) {
     TestWhole(f, f % 2 ? 2 : 1);
     TestMap(DrumFile[f]);

@@ -339,7 +339,7 @@ int main(int argc, char **argv)
 
   PetscFunctionBeginUser;
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
-  PetscCall(FaultInitialize());
+  PetscCall(UserErrorInitialize());
   PetscCall(TestExactNumbers());
   for (PetscInt i = 0; i < 4; i++) {
     for (PetscInt j = 0; j < 4; j++) PetscCall(TestFlat(cells[i], cells[j], MULTIPLIERS_NODES));

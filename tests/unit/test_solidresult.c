@@ -1,12 +1,12 @@
 /* test_solidresult.c -- in space: gradients of formulas, stresses recovered from displacements that are known, and norms of errors
    against integrals done by hand. */
 #include <math.h>
-#include <mortise/compat.h>
-#include <mortise/material.h>
+#include "base/compat.h"
+#include "kernel/material.h"
 #include "solid_scene.h"
-#include "../../src/result/cellerror.h"
-#include "../../src/result/exact.h"
-#include "../../src/result/stress.h"
+#include "result/cellerror.h"
+#include "result/exact.h"
+#include "result/stress.h"
 
 enum { DIM = 3 };
 

@@ -1,6 +1,6 @@
 /* test_solve.c -- VISolve() and VICrossCheck() on a membrane above a wire: every solver finds the same contact. */
-#include <mortise/fault.h>
-#include <mortise/pdas.h>
+#include "base/usererror.h"
+#include "pdas/pdas.h"
 #include <string.h>
 #include "membrane.h"
 
@@ -222,7 +222,7 @@ static PetscErrorCode TestGuess(void)
 int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
-  PetscCall(FaultInitialize());
+  PetscCall(UserErrorInitialize());
   PetscCall(PDASRegister());
   PetscCall(TestWays());
   PetscCall(TestUnits());

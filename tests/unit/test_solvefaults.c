@@ -1,6 +1,6 @@
 /* test_solvefaults.c -- solver options that cannot be are told in one sentence. What a fault leaves is not freed. */
-#include <mortise/fault.h>
-#include <mortise/pdas.h>
+#include "base/usererror.h"
+#include "pdas/pdas.h"
 #include <string.h>
 #include "membrane.h"
 
@@ -28,8 +28,8 @@ static PetscErrorCode TestFaults(void)
     PetscCall(PetscOptionsCreate(&own));
     PetscCall(PetscOptionsPush(own));
     PetscCall(PetscOptionsInsertString(own, mistakes[k][0]));
-    CHECK(VISolve(&m.vi, NULL, y, &report) == MORTISE_ERR_FAULT);
-    CHECK(strstr(FaultSentence(), mistakes[k][1]));
+    CHECK(VISolve(&m.vi, NULL, y, &report) == MORTISE_ERR_USER);
+    CHECK(strstr(UserErrorSentence(), mistakes[k][1]));
     PetscCall(PetscOptionsPop());
     PetscCall(PetscOptionsDestroy(&own));
   }
@@ -41,7 +41,7 @@ static PetscErrorCode TestFaults(void)
 int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
-  PetscCall(FaultInitialize());
+  PetscCall(UserErrorInitialize());
   PetscCall(PDASRegister());
   PetscCall(TestFaults());
   PetscCall(PetscFinalize());

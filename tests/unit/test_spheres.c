@@ -62,7 +62,7 @@ int main(int argc, char **argv)
 
   PetscFunctionBeginUser;
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
-  PetscCall(FaultInitialize());
+  PetscCall(UserErrorInitialize());
   for (PetscInt i = 0; i < 4; i++) PetscCall(TestSpheres(cells[i], PETSC_FALSE));
   for (PetscInt i = 0; i < 2; i++) PetscCall(TestSpheres(cells[i], PETSC_TRUE));
   PetscCall(PetscFinalize());

@@ -1,7 +1,7 @@
 /* test_stiffness.c -- strains, and the stiffness of one plane cell built from shape functions, quadrature and Hooke's law. */
-#include <mortise/compat.h>
-#include <mortise/element.h>
-#include <mortise/material.h>
+#include "base/compat.h"
+#include "kernel/element.h"
+#include "kernel/material.h"
 #include <test.h>
 
 #include "plane_cells.h"

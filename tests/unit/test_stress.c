@@ -1,9 +1,9 @@
 /* test_stress.c -- loads on cells and sides of both orders, and stresses recovered from displacements that are known. */
 #include <math.h>
-#include <mortise/compat.h>
-#include <mortise/elasticity.h>
+#include "base/compat.h"
+#include "problem/elasticity.h"
 #include "mesh_scene.h"
-#include "../../src/result/stress.h"
+#include "result/stress.h"
 
 typedef PetscReal (*Function)(const PetscReal x[]);
 

@@ -1,6 +1,6 @@
 /* test_supportsolid.c -- held directions in space: sides that meet in edges and corners, oblique planes, free components. */
 #include "solid_scene.h"
-#include <mortise/support.h>
+#include "mesh/support.h"
 
 enum { MAX_CONDITIONS = 6 };
 
@@ -107,7 +107,7 @@ static void TestOblique(PetscBool simplex, PetscInt order)
 int main(int argc, char **argv)
 {
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
-  CHECK(!FaultInitialize());
+  CHECK(!UserErrorInitialize());
   for (PetscInt order = 1; order <= 2; ++order) {
     for (int simplex = 0; simplex < 2; ++simplex) {
       TestSymmetry(simplex ? PETSC_TRUE : PETSC_FALSE, order);

@@ -1,6 +1,6 @@
 /* test_warning.c -- one list of warnings: what is kept, what a new run forgets, what is never said twice. */
-#include <mortise/compat.h>
-#include <mortise/warning.h>
+#include "base/compat.h"
+#include "base/warning.h"
 #include <string.h>
 #include <test.h>
 

@@ -2,9 +2,9 @@
 #ifndef TWO_BOXES_H
 #define TWO_BOXES_H
 
-#include <mortise/compat.h>
-#include <mortise/fault.h>
-#include <mortise/vi.h>
+#include "base/compat.h"
+#include "base/usererror.h"
+#include "problem/vi.h"
 
 /* Sets a box of quads with isotropic material; strings are borrowed. */
 static inline void SetBox(SceneBody *body, const char *name, PetscInt nx, PetscInt ny, PetscReal x0, PetscReal y0,

@@ -1,0 +1,49 @@
+/* expression.h -- numbers that vary in space.
+
+   A datum of a scene is a list of components separated by commas outside parentheses; each component is a plain number
+   (costs nothing at run time), the word `free`, or an expression in x, y, z (r, z when axisymmetric) read by the
+   muParser library. */
+#ifndef MORTISE_EXPRESSION_H
+#define MORTISE_EXPRESSION_H
+
+#include <petscsys.h>
+
+typedef struct _n_Expression *Expression;
+
+/* Reads text into an expression of one or more components.
+   Collective on comm: all ranks hold the same text. A text that cannot be read is a fault that names the option.
+   [in] option         - the option's name with its dash, kept for error messages
+   [in] num_components - the number wanted, or 0 for as many as there are
+   [in] allow_free     - whether `free` is a component
+   [out] e             - owned by the caller */
+PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char text[], PetscInt num_components,
+                                PetscBool allow_free, Expression *e);
+/* An expression of plain numbers; values is an array of shape [num_components]. Not collective. */
+PetscErrorCode ExpressionCreateConstant(const char option[], PetscInt num_components, const PetscReal values[],
+                                        Expression *e);
+PetscErrorCode ExpressionDestroy(Expression *e);
+
+/* Makes z a name of the second coordinate, as r is one of the first: a point (r, z) of a meridian plane. Not collective. */
+void ExpressionNameMeridian(Expression e);
+/* Whether a formula names one of x, y, z, r. Not collective. */
+PetscBool ExpressionNames(Expression e, const char name[]);
+
+/* Number of components; whether all are plain numbers (or free); whether component c is free. Not collective. */
+PetscInt    ExpressionSize(Expression e);
+PetscBool   ExpressionIsConstant(Expression e);
+PetscBool   ExpressionIsFree(Expression e, PetscInt c);
+const char *ExpressionOption(Expression e);
+const char *ExpressionText(Expression e);
+
+/* values = e(x). Not collective. A value that is not finite is *not* an error here: it is remembered (the first point
+   and component) and becomes a fault at the next ExpressionCheck(). Free components give 0.
+   [in] x - point, array of shape [dim]; [in] dim - 1 to 3; [out] values - array of shape [ExpressionSize(e)] */
+PetscErrorCode ExpressionEvaluate(Expression e, PetscInt dim, const PetscReal x[], PetscReal values[]);
+
+/* The same where a value need not exist, such as beside the body: a value that is not finite is forgotten, and finite says so. */
+PetscErrorCode ExpressionTry(Expression e, PetscInt dim, const PetscReal x[], PetscReal values[], PetscBool *finite);
+
+/* Faults with option, text and point if any evaluation on any rank was not finite. Collective on comm; e may be NULL. */
+PetscErrorCode ExpressionCheck(MPI_Comm comm, Expression e);
+
+#endif

@@ -1,0 +1,41 @@
+/* options.h -- the command line and options files, read before PETSc sees them.
+
+   PETSc's own reader aborts with a stack trace on a malformed file. Here files are read by the first rank, checked,
+   broadcast and laid out as one argument list, files first, so that the command line wins.
+
+   Syntax of a file, PETSc's with two additions: lines of `-name value`, `#` begins a comment, a value with spaces stands in
+   double quotes; added are several options in one line and `#` inside quotes. PETSc takes a value that begins with a minus
+   and a letter for the next option; where that can be seen, it is a mistake with a sentence here. */
+#ifndef MORTISE_OPTIONS_H
+#define MORTISE_OPTIONS_H
+
+#include <petscsys.h>
+
+/* Expands ~/.petscrc, ./.petscrc and ./petscrc (unless -skip_petscrc), the variable PETSC_OPTIONS and every -options_file
+   (also inside files) into one argument list for PetscInitialize(), which then has nothing left to read.
+   Collective on MPI_COMM_WORLD; MPI is initialised, PETSc is not. The first rank's command line counts.
+   [out] argc_out, argv_out - the expanded list, owned by the module until the next call
+   [out] sentence           - one sentence if something is wrong (a missing or malformed file, a stray word), else ""
+                              (array of shape [len], the same on all ranks) */
+void OptionsExpand(int argc, char **argv, int *argc_out, char ***argv_out, char sentence[], size_t len);
+
+/* The first options file as the user typed it, or NULL. Not collective. */
+const char *OptionsFileName(void);
+
+/* An option in effect. */
+typedef struct {
+  const char *name;  /* without its dash */
+  const char *value; /* "" for a bare option */
+} OptionGiven;
+
+/* The options in effect as the user gave them, on the command line or in files, sorted by name; of an option given twice
+   the last. Those that name options files are not among them. Not collective.
+   [out] given - array of shape [num], owned by the caller; its texts are borrowed */
+PetscErrorCode OptionsGetGiven(PetscInt *num, OptionGiven **given);
+
+/* Finds a file named by an option: relative to the working directory, then to each options file's folder.
+   Collective on comm (the first rank looks). [out] found - array of shape [len], the name itself where nothing is found;
+   [out] exists - whether it can be read */
+PetscErrorCode OptionsFindFile(MPI_Comm comm, const char name[], char found[], size_t len, PetscBool *exists);
+
+#endif

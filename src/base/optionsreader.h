@@ -1,0 +1,45 @@
+/* optionsreader.h -- options in words, lines and files, until the first mistake.
+
+   Nothing here may call PETSc, which has not begun yet, except PetscOptionsValidKey(), which decides like PETSc's own
+   parser whether a word is an option. First rank only; not collective. */
+#ifndef BASE_READER_H
+#define BASE_READER_H
+
+#include "base/textlist.h"
+
+enum { READER_MAX_DEPTH = 16 }; /* of files within files: a chain this long is a mistake */
+
+/* A word of a line or of the command line. */
+typedef struct {
+  char *text; // borrowed
+  int   quoted;
+} Word;
+
+/* What reading needs to know: where the first mistake is told, the list that options go to, the lists of all arguments and
+   of the files that were read, and the files that are open, outermost first. */
+typedef struct {
+  char     *sentence;
+  size_t    len;
+  TextList *target;
+  TextList *arguments; // where options of files go
+  TextList *files;     // as found, in the order of reading; the first as typed
+  int       depth;
+  char     *open[READER_MAX_DEPTH];
+} Reader;
+
+/* Whether a word is the name of an option, and of this one, with one dash or two. */
+int WordIsName(const char word[]);
+int WordIs(const char word[], const char name[]);
+
+int FileCanRead(const char path[]);
+/* found = name, or name within the folder of one of the files; whether it can be read there. */
+int FileFind(const TextList *files, const char name[], char found[], size_t len);
+
+/* Reads the words of one line. [in] where - names the line in a complaint */
+void ReaderReadWords(Reader *reader, const char where[], int num_words, const Word words[]);
+/* Reads the lines of a text in place. [in] source - names the text in a complaint */
+void ReaderReadText(Reader *reader, const char source[], char text[]);
+/* The file's text, to be freed, or NULL after a complaint. */
+char *ReaderSlurp(Reader *reader, const char path[]);
+
+#endif

@@ -1,0 +1,56 @@
+/* usererror.h -- a user's mistake as one sentence and an exit code.
+
+   A mistake of the user is not an internal error: it is told in one sentence on stderr by the first rank, without a
+   stack trace, and ends the program with exit code 1 on every number of ranks. A fault travels through PetscCall() as
+   the error code MORTISE_ERR_USER; the handler installed by UserErrorInitialize() keeps PETSc silent about it. */
+#ifndef MORTISE_USERERROR_H
+#define MORTISE_USERERROR_H
+
+#include <petscsys.h>
+
+/* The code that a fault travels under; outside the range of PETSc's own codes. */
+#define MORTISE_ERR_USER ((PetscErrorCode)4711)
+
+/* Longest sentence, with its final zero: room for a few option names, a path and a list of choices. */
+enum { USER_ERROR_LENGTH = 8192 };
+
+/* What the program tells the shell. */
+typedef enum {
+  MORTISE_SOLVED        = 0, /* solved, and the certificate holds */
+  MORTISE_USER_ERROR    = 1, /* the scene is wrong */
+  MORTISE_NO_SOLUTION   = 2, /* well posed as input, but nothing balances the loads */
+  MORTISE_NOT_CONVERGED = 3, /* not solved to tolerance */
+  MORTISE_FAILED        = 4  /* the program itself failed */
+} MortiseExit;
+
+/* Installs the error handler. It is silent for MORTISE_ERR_USER; it turns PETSc's own complaints about an option's value
+   (a word where a number belongs, an unknown type) into faults; it says one sentence when memory runs out or a file cannot be
+   written; anything else gets PETSc's traceback. Not collective; call once, before PetscInitialize() to cover that as well, or after. */
+PetscErrorCode UserErrorInitialize(void);
+
+/* Lets a crash end all ranks with exit code MORTISE_FAILED and one sentence; takes signals that end the program in the hands
+   of interrupt.h, and a limit on the size of files for a full disk. Not collective; call after PetscInitialize(). */
+PetscErrorCode UserErrorCatchSignals(void);
+
+/* Memory ran out where no error can be returned: says so and ends all ranks with exit code MORTISE_FAILED. Not collective;
+   MPI is initialised. Does not return. */
+void UserErrorMemory(void);
+
+/* Raises a fault that all ranks know of: the first rank prints "mortise: <sentence>" on stderr.
+   Collective on comm, the same arguments on all ranks. Returns MORTISE_ERR_USER: write PetscCall(UserErrorRaise(...)).
+   [in] format - printf format of the sentence, without a final newline */
+PetscErrorCode UserErrorRaise(MPI_Comm comm, const char format[], ...) PETSC_ATTRIBUTE_FORMAT(2, 3);
+
+/* Raises a fault that only some ranks have found; returns 0 where no rank has one.
+   Collective on comm. Of several sentences the one of the lowest rank is printed.
+   [in] sentence - what is wrong as this rank sees it; NULL or "" where nothing is */
+PetscErrorCode UserErrorCheck(MPI_Comm comm, const char sentence[]);
+
+/* The sentence of the last fault, "" before any; the same on all ranks of its communicator. Not collective. */
+const char *UserErrorSentence(void);
+
+/* The name in names[] that is nearest to the misspelt one (edit distance), or NULL if none is near. Not collective.
+   [in] names - array of shape [num_names], borrowed; the result points into it */
+const char *UserErrorNearest(const char misspelt[], PetscInt num_names, const char *const names[]);
+
+#endif

@@ -1,0 +1,53 @@
+/* warning.h -- what a user has to know of an answer that is given all the same.
+
+   Every warning of the program goes through WarningAdd(): a line on stderr, and an entry of the summary's `warnings`. Codes are
+   stable, in snake_case, and stand in the table of options/README.md (test house.warnings).
+
+   The first rank of MPI_COMM_WORLD keeps the list and prints; what other ranks add is dropped without a word. So WarningAdd() may be
+   called by all ranks or by the first alone, and what only another rank knows is reduced before. Nothing here communicates but
+   WarningNum().
+
+   A warning belongs to a run (one problem, from its inequality to its answer) if it is added between WarningBeginRun() and
+   WarningEndRun(), and else to all of them: options, files, meshes. A run that begins forgets those of the run before, so that a
+   second try, or the next run of a study, has its own alone; nothing is listed twice, and no line is printed twice. Of the runs of
+   a study the first that says something of a body or pair prints its line, with its label, and the others keep theirs for the list. */
+#ifndef MORTISE_WARNING_H
+#define MORTISE_WARNING_H
+
+#include <petscsys.h>
+#include <cjson/cJSON.h>
+
+/* What a warning is about, and what to do; everything but the code may be left out: {.code = "gap_jump", .pair = name}. */
+typedef struct {
+  const char *code;
+  const char *body, *pair; /* name of the one or of the other, or NULL */
+  PetscInt    dim;         /* components of at, 0 where there is no place */
+  PetscReal   at[3];
+  const char *advice; /* what to do, as a clause that goes on behind a semicolon, or NULL */
+} Warning;
+
+/* Prints "mortise: warning: <text>; <advice>" and keeps it. Not collective.
+   [in] format - printf format of one plain sentence without a full stop, that names what it is about */
+PetscErrorCode WarningAdd(const Warning *about, const char format[], ...) PETSC_ATTRIBUTE_FORMAT(2, 3);
+
+/* Forgets what the run before was warned of, or the try before of the same run. Not collective; all ranks. */
+void WarningBeginRun(void);
+/* What is added from now on is of all runs; what the run was warned of stays until another one begins. Not collective. */
+void WarningEndRun(void);
+/* Said before the lines of runs from now on, one of several: "order 2, level 3"; "" for nothing. Not collective. */
+void WarningSetLabel(const char label[]);
+/* Between these two calls no warning is printed or kept: coarser levels and wider reaches repeat those of the answer. Calls may be
+   nested. Not collective. */
+void WarningMute(void);
+void WarningUnmute(void);
+/* Keeps lines from stderr, not from the list. Not collective. */
+void WarningSetQuiet(PetscBool quiet);
+
+/* How many warnings there were so far, of all runs together. Collective on comm. */
+PetscErrorCode WarningNum(MPI_Comm comm, PetscInt *num);
+/* The array of the summary; empty on ranks that keep nothing. Not collective. Owned by the caller, or by what it is added to. */
+cJSON *WarningList(void);
+/* Forgets everything, as at the beginning of the program. Not collective. */
+void WarningClear(void);
+
+#endif

@@ -1,0 +1,246 @@
+/* facetintegrals.c -- the integrals of one nonmortar facet against everything it may touch.
+
+   All quadrature points of a facet, from all mortar facets that cover it, are collected first. The dual basis is built
+   from these very points (Cichosz & Bischoff 2011 on cut facets), then D, M and the weighted gap are summed over them:
+   biorthogonality, row sums and linear reproduction then hold to roundoff for any rule. */
+#include "base/compat.h"
+#include "kernel/dual.h"
+#include "kernel/frame.h"
+#include "contact/leverarm.h"
+#include "contact/facetintegrals.h"
+#include "contact/overlap.h"
+#include "contact/smoothgap.h"
+
+/* Share of a facet that is nothing, or all. */
+static const PetscReal NOTHING = 1e-9;
+
+enum { START_COLUMNS = 16 }; /* first size of the list of mortar nodes */
+
+ElementType CarrierType(const ScenePair *spec, ElementType facet)
+{
+  return spec->multipliers == MULTIPLIERS_VERTICES ? ElementLinear(facet) : facet;
+}
+
+/* Position of a global node among the columns, added if it is new. */
+static PetscErrorCode FindColumn_Private(const FacetPartner *partner, FacetIntegral *integral, PetscInt node,
+                                         PetscInt *column)
+{
+  const PetscInt arms = partner->spec->type == PAIR_TIED ? ELEMENT_MAX_FACET_NODES * partner->dim * partner->dim : 0;
+
+  PetscFunctionBeginUser;
+  for (*column = 0; *column < integral->num_columns; (*column)++) {
+    if (integral->columns[*column] == node) PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  if (integral->num_columns == integral->max_columns) {
+    integral->max_columns = integral->max_columns ? 2 * integral->max_columns : START_COLUMNS;
+    PetscCall(PetscRealloc(sizeof(PetscInt) * integral->max_columns, &integral->columns));
+    PetscCall(PetscRealloc(sizeof(PetscReal) * ELEMENT_MAX_FACET_NODES * integral->max_columns, &integral->M));
+    if (arms) PetscCall(PetscRealloc(sizeof(PetscReal) * arms * integral->max_columns, &integral->arm));
+  }
+  integral->columns[integral->num_columns++] = node;
+  for (PetscInt i = 0; i < ELEMENT_MAX_FACET_NODES; i++) integral->M[*column * ELEMENT_MAX_FACET_NODES + i] = 0;
+  for (PetscInt i = 0; i < arms; i++) integral->arm[*column * arms + i] = 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The gap at a point: measured, or given, plus the offset. */
+static PetscErrorCode GapAt_Private(const FacetPartner *partner, PetscInt n, const PetscReal X[], const PetscReal phi[],
+                                    PetscReal *gap)
+{
+  PetscReal x[3] = {0, 0, 0}, offset;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < n; i++) {
+    for (PetscInt k = 0; k < partner->dim; k++) x[k] += phi[i] * X[i * partner->dim + k];
+  }
+  if (partner->spec->gap) PetscCall(ExpressionEvaluate(partner->spec->gap, partner->dim, x, gap));
+  if (partner->spec->gap_offset) {
+    PetscCall(ExpressionEvaluate(partner->spec->gap_offset, partner->dim, x, &offset));
+    *gap += offset;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What the weights of a facet's points become in this scene: those of the ring that a point stands for. */
+static void WeighPoints_Private(const FacetPartner *partner, const ClipFacet *facet, PointList *list)
+{
+  PetscReal phi[ELEMENT_MAX_NODES], x[3];
+
+  for (PetscInt p = 0; p < list->num && partner->scene->model == MODEL_AXISYMMETRIC; p++) {
+    ElementSurface(facet->type, facet->X, list->point[p].xi, x, phi, NULL);
+    list->point[p].weight *= SceneRing(partner->scene, x);
+  }
+}
+
+/* Columns of the nodes of a mortar facet; none of an obstacle. [out] columns - [nodes of the facet] */
+static PetscErrorCode FindColumns_Private(const FacetPartner *partner, PetscInt facet, FacetIntegral *integral,
+                                          PetscInt columns[])
+{
+  PetscFunctionBeginUser;
+  if (facet < 0) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt j = 0; j < ElementNumNodes(partner->mortar->type[facet]); j++)
+    PetscCall(FindColumn_Private(partner, integral, partner->mortar->nodes[facet * ELEMENT_MAX_FACET_NODES + j],
+                                 &columns[j]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds one quadrature point to M. [in] columns - of the mortar facet's nodes; psi - [n] */
+static void AddPoint_Private(const ClipPoint *point, ElementType mortar, const PetscInt columns[],
+                             const PetscReal psi[], FacetIntegral *integral)
+{
+  PetscReal phi_m[ELEMENT_MAX_NODES];
+
+  ElementShape(mortar, point->eta, phi_m, NULL);
+  for (PetscInt j = 0; j < ElementNumNodes(mortar); j++) {
+    PetscReal *M = &integral->M[columns[j] * ELEMENT_MAX_FACET_NODES];
+    for (PetscInt i = 0; i < integral->n; i++) M[i] += point->weight * psi[i] * phi_m[j];
+  }
+}
+
+/* Adds one quadrature point to the arm. [in] columns - of the mortar facet's nodes; psi - [n] */
+static void AddArm_Private(const FacetPartner *partner, const ClipFacet *facet, PetscInt mortar, const ClipPoint *point,
+                           const PetscInt columns[], const PetscReal psi[], FacetIntegral *integral)
+{
+  const PetscInt  squares = partner->dim * partner->dim;
+  const ClipFacet other   = OverlapMortar(partner, mortar);
+  PetscReal       blocks[9 * ELEMENT_MAX_FACET_NODES];
+
+  if (!ArmAtPoint(partner->dim, facet, &other, point, integral->size, blocks)) return;
+  integral->apart = PETSC_TRUE;
+  for (PetscInt j = 0; j < ElementNumNodes(other.type); j++) {
+    for (PetscInt i = 0; i < integral->n; i++) {
+      PetscReal *arm = &integral->arm[(columns[j] * ELEMENT_MAX_FACET_NODES + i) * squares];
+
+      for (PetscInt k = 0; k < squares; k++) arm[k] += point->weight * psi[i] * blocks[j * squares + k];
+    }
+  }
+}
+
+/* D, M, G and what couples with nodes that carry no multiplier, from the collected points. */
+static PetscErrorCode SumPoints_Private(const FacetPartner *partner, const ClipFacet *facet, const PointList *list,
+                                        FacetIntegral *integral)
+{
+  const PetscInt num_nodes = ElementNumNodes(facet->type);
+  PetscInt       columns[ELEMENT_MAX_FACET_NODES];
+  PetscReal     *xi, *w;
+  DualBasis      dual;
+  PetscBool      regular;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc2(2 * list->num, &xi, list->num, &w));
+  for (PetscInt p = 0; p < list->num; p++) {
+    PetscCall(PetscArraycpy(&xi[2 * p], list->point[p].xi, 2));
+    w[p] = list->point[p].weight;
+    integral->cover += w[p];
+  }
+  regular = DualBasisCreate(CarrierType(partner->spec, facet->type), list->num, xi, w, &dual);
+  for (PetscInt p = 0; regular && p < list->num; p++) { // a sliver without measure is not covered
+    const PetscInt f = list->facet[p];
+    PetscReal      phi[ELEMENT_MAX_NODES], psi[ELEMENT_MAX_NODES], gap = list->point[p].gap;
+    ElementShape(facet->type, &xi[2 * p], phi, NULL);
+    DualBasisEvaluate(&dual, &xi[2 * p], psi);
+    PetscCall(GapAt_Private(partner, num_nodes, facet->X, phi, &gap));
+    if (p == 0 || f != list->facet[p - 1]) PetscCall(FindColumns_Private(partner, f, integral, columns));
+    if (f >= 0) AddPoint_Private(&list->point[p], partner->mortar->type[f], columns, psi, integral);
+    if (f >= 0 && partner->spec->type == PAIR_TIED)
+      AddArm_Private(partner, facet, f, &list->point[p], columns, psi, integral);
+    integral->least = PetscMin(integral->least, gap);
+    for (PetscInt i = 0; i < integral->n; i++) {
+      integral->gap[i] += w[p] * psi[i] * gap;
+      for (PetscInt j = integral->n; j < num_nodes; j++) integral->chain[i][j] += w[p] * psi[i] * phi[j];
+    }
+  }
+  if (regular) PetscCall(PetscArraycpy(integral->covered, dual.D, integral->n));
+  PetscCall(PetscFree2(xi, w));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* int phi~ over the whole facet, and its measure. */
+static void IntegrateWhole_Private(const FacetPartner *partner, const ClipFacet *facet, ElementType carrier,
+                                   FacetIntegral *integral)
+{
+  const PetscInt dim = ElementDim(facet->type);
+  PetscReal      xi[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_NODES], x[3];
+  const PetscInt num = ElementQuadrature(facet->type, PointsCurvedDegree(facet->type), xi, w);
+
+  for (PetscInt q = 0; q < num; q++) {
+    PetscReal weight = w[q] * ElementSurface(facet->type, facet->X, &xi[dim * q], x, phi, NULL);
+    weight *= SceneRing(partner->scene, x);
+    integral->measure += weight;
+    ElementShape(carrier, &xi[dim * q], phi, NULL);
+    DualShape(carrier, phi);
+    for (PetscInt i = 0; i < integral->n; i++) integral->full[i] += weight * phi[i];
+  }
+}
+
+/* Where the mortar facets of a list end within a facet that they cover in part. */
+static PetscErrorCode FindEnds_Private(const FacetPartner *partner, const ClipFacet *facet, const PointList *list,
+                                       FacetIntegral *integral)
+{
+  const PetscInt dim = partner->dim;
+  PetscReal     *xi;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(2 * CLIP_MAX_CORNERS, &xi));
+  for (PetscInt p = 0; p < list->num; p++) {
+    const PetscInt f = list->facet[p];
+    ClipFacet      mortar;
+    PetscInt       num;
+
+    if (p > 0 && f == list->facet[p - 1]) continue;
+    mortar = OverlapMortar(partner, f);
+    num    = ClipCorners(facet, &mortar, xi);
+    PetscCall(PetscRealloc(sizeof(PairEnd) * (integral->num_ends + num), &integral->ends));
+    for (PetscInt i = 0; i < num; i++) {
+      PairEnd  *end = &integral->ends[integral->num_ends++];
+      PetscReal phi[ELEMENT_MAX_NODES];
+
+      *end = (PairEnd){.mortar = partner->mortar->nodes[f * ELEMENT_MAX_FACET_NODES]};
+      ElementSurface(facet->type, facet->X, &xi[2 * i], end->x, phi, NULL);
+      for (PetscInt j = 0; j < ElementNumNodes(facet->type); j++)
+        for (PetscInt k = 0; k < dim; k++) end->normal[k] += phi[j] * facet->N[j * dim + k];
+      FrameNormalize(dim, end->normal);
+    }
+  }
+  PetscCall(PetscFree(xi));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *facet, const PetscReal rise[],
+                              PointList *list, FacetIntegral *integral)
+{
+  const ElementType carrier = CarrierType(partner->spec, facet->type);
+  PetscReal         curve;
+
+  PetscFunctionBeginUser;
+  integral->n           = ElementNumNodes(carrier);
+  integral->num_columns = 0;
+  integral->apart       = PETSC_FALSE;
+  integral->size        = FacetSize(partner->dim, facet->type, facet->X);
+  integral->measure = integral->cover = 0;
+  integral->least                     = PETSC_MAX_REAL;
+  for (PetscInt i = 0; i < integral->n; i++) {
+    integral->covered[i] = integral->full[i] = integral->gap[i] = 0;
+    PetscCall(PetscArrayzero(integral->chain[i], ELEMENT_MAX_FACET_NODES));
+  }
+  IntegrateWhole_Private(partner, facet, carrier, integral);
+  PetscCall(PointListCollect(partner, facet, list));
+  curve = GapsRise(partner, facet, rise, list);
+  WeighPoints_Private(partner, facet, list);
+  PetscCall(SumPoints_Private(partner, facet, list, integral));
+  integral->least -= curve;
+  integral->whole = (PetscBool)(integral->cover >= (1 - NOTHING) * integral->measure);
+  integral->cut   = (PetscBool)(partner->mortar && !integral->whole && integral->cover > NOTHING * integral->measure);
+  if (integral->cut) PetscCall(FindEnds_Private(partner, facet, list, integral));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FacetIntegralDestroy(FacetIntegral *integral)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(integral->columns));
+  PetscCall(PetscFree(integral->ends));
+  PetscCall(PetscFree(integral->M));
+  PetscCall(PetscFree(integral->arm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,314 @@
+/* mortarintegrals.c -- D, M and G of a side as sums at nodes.
+
+   Facets are integrated by the rank that holds them and summed at their nodes' owners, so that no result depends on the
+   partition. */
+#include "base/compat.h"
+#include "contact/mortarintegrals.h"
+
+PetscErrorCode FacetsCreateMat(Level *level, const Facets *facets, const PetscInt entries[], Mat *A)
+{
+  PetscFunctionBeginUser;
+  PetscCall(FacetsCreateBlockMat(level, facets, entries, 1, A));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FacetsCreateBlockMat(Level *level, const Facets *facets, const PetscInt entries[], PetscInt bs, Mat *A)
+{
+  const PetscInt rows = bs * level->num_owned, all = bs * level->num_global;
+
+  Vec          counts, local;
+  PetscScalar *ca;
+  PetscInt    *d_nnz, *o_nnz;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, 1, &counts));
+  PetscCall(VecGhostGetLocalForm(counts, &local));
+  PetscCall(VecZeroEntries(local));
+  PetscCall(VecGetArray(local, &ca));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
+      ca[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]] += (PetscReal)entries[f];
+  }
+  PetscCall(VecRestoreArray(local, &ca));
+  PetscCall(VecGhostRestoreLocalForm(counts, &local));
+  PetscCall(LevelShareVec(counts, ADD_VALUES));
+  PetscCall(PetscMalloc2(rows, &d_nnz, rows, &o_nnz));
+  PetscCall(VecGetArray(counts, &ca));
+  for (PetscInt i = 0; i < rows; i++) {
+    d_nnz[i] = PetscMin(bs * (PetscInt)PetscRealPart(ca[i / bs]), rows);
+    o_nnz[i] = PetscMin(bs * (PetscInt)PetscRealPart(ca[i / bs]), all - rows);
+  }
+  PetscCall(VecRestoreArray(counts, &ca));
+  PetscCall(VecDestroy(&counts));
+  PetscCall(MatCreateAIJ(level->comm, rows, rows, all, all, 0, d_nnz, 0, o_nnz, A));
+  PetscCall(MatSetBlockSize(*A, bs));
+  PetscCall(PetscFree2(d_nnz, o_nnz));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds one facet's couplings to M and to the chain. */
+static PetscErrorCode AddCouplings_Private(const Level *level, const Facets *facets, PetscInt f,
+                                           const FacetIntegral *integral, Integrals *sums)
+{
+  const PetscInt n = integral->n, num_nodes = ElementNumNodes(facets->type[f]);
+  PetscInt       nodes[ELEMENT_MAX_FACET_NODES];
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < num_nodes; i++)
+    nodes[i] = level->node_global[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
+  for (PetscInt j = 0; j < integral->num_columns; j++) {
+    PetscCall(MatSetValues(sums->M, n, nodes, 1, &integral->columns[j], &integral->M[j * ELEMENT_MAX_FACET_NODES],
+                           ADD_VALUES));
+  }
+  for (PetscInt i = 0; i < n && num_nodes > n; i++)
+    PetscCall(MatSetValues(sums->chain, 1, &nodes[i], num_nodes - n, &nodes[n], &integral->chain[i][n], ADD_VALUES));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds one facet's blocks to the arm. */
+static PetscErrorCode AddArm_Private(const Level *level, const Facets *facets, PetscInt f,
+                                     const FacetIntegral *integral, Mat arm)
+{
+  const PetscInt squares = level->dim * level->dim;
+
+  PetscFunctionBeginUser;
+  for (PetscInt j = 0; integral->apart && j < integral->num_columns; j++) {
+    for (PetscInt i = 0; i < integral->n; i++) {
+      const PetscInt row = level->node_global[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
+
+      PetscCall(MatSetValuesBlocked(arm, 1, &row, 1, &integral->columns[j],
+                                    &integral->arm[(j * ELEMENT_MAX_FACET_NODES + i) * squares], ADD_VALUES));
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Where the cover ends, and which nodes that concerns. Collective. */
+static PetscErrorCode Ends_Private(const Facets *facets, const FacetIntegral integrals[], Integrals *sums)
+{
+  Vec          v[2] = {sums->whole, sums->cut}, local[2];
+  PetscScalar *a[2];
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < 2; i++) {
+    PetscCall(VecGhostGetLocalForm(v[i], &local[i]));
+    PetscCall(VecZeroEntries(local[i]));
+    PetscCall(VecGetArray(local[i], &a[i]));
+  }
+  sums->num_ends = 0;
+  for (PetscInt f = 0; f < facets->num; f++) sums->num_ends += integrals[f].num_ends;
+  PetscCall(PetscMalloc1(sums->num_ends, &sums->ends));
+  for (PetscInt f = 0, n = 0; f < facets->num; f++) {
+    const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES];
+
+    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
+      if (integrals[f].whole) a[0][nodes[i]] = 1;
+      if (integrals[f].cut) a[1][nodes[i]] = 1;
+    }
+    for (PetscInt i = 0; i < integrals[f].num_ends; i++, n++) {
+      sums->ends[n]      = integrals[f].ends[i];
+      sums->ends[n].node = nodes[0];
+    }
+  }
+  for (PetscInt i = 0; i < 2; i++) {
+    PetscCall(VecRestoreArray(local[i], &a[i]));
+    PetscCall(VecGhostRestoreLocalForm(v[i], &local[i]));
+    PetscCall(LevelShareVec(v[i], MAX_VALUES));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The largest overlap at a point of the facets around each node. Collective. */
+static PetscErrorCode Overlaps_Private(const Facets *facets, const FacetIntegral integrals[], Vec overlap)
+{
+  Vec          local;
+  PetscScalar *a;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGhostGetLocalForm(overlap, &local));
+  PetscCall(VecSet(local, PETSC_MIN_REAL));
+  PetscCall(VecGetArray(local, &a));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    for (PetscInt i = 0; i < integrals[f].n; i++) {
+      PetscScalar *at = &a[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
+
+      *at = PetscMax(PetscRealPart(*at), -integrals[f].least);
+    }
+  }
+  PetscCall(VecRestoreArray(local, &a));
+  PetscCall(VecGhostRestoreLocalForm(overlap, &local));
+  PetscCall(LevelShareVec(overlap, MAX_VALUES));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Sums what this rank's facets contribute; ghosts are not yet shared. */
+static PetscErrorCode SumFacets_Private(Level *level, const Facets *facets, const FacetIntegral integrals[],
+                                        Integrals *sums)
+{
+  enum { NUM_SUMS = 5 };
+  Vec          v[NUM_SUMS] = {sums->D, sums->full, sums->G, sums->measure, sums->cover}, local[NUM_SUMS];
+  PetscScalar *a[NUM_SUMS];
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < NUM_SUMS; i++) {
+    PetscCall(VecGhostGetLocalForm(v[i], &local[i]));
+    PetscCall(VecZeroEntries(local[i]));
+    PetscCall(VecGetArray(local[i], &a[i]));
+  }
+  for (PetscInt f = 0; f < facets->num; f++) {
+    PetscReal measure = 0; // single integrals of shape functions may be negative, their sum is what is covered
+    for (PetscInt i = 0; i < integrals[f].n; i++) {
+      const PetscInt node = facets->nodes[f * ELEMENT_MAX_FACET_NODES + i];
+      a[0][node] += integrals[f].covered[i];
+      a[1][node] += integrals[f].full[i];
+      a[2][node] += integrals[f].gap[i];
+      a[3][node] += integrals[f].measure;
+      a[4][node] += integrals[f].cover;
+      measure += integrals[f].covered[i];
+    }
+    sums->covered[f] = (PetscBool)(measure > 0);
+    PetscCall(AddCouplings_Private(level, facets, f, &integrals[f], sums));
+  }
+  for (PetscInt i = 0; i < NUM_SUMS; i++) {
+    PetscCall(VecRestoreArray(local[i], &a[i]));
+    PetscCall(VecGhostRestoreLocalForm(v[i], &local[i]));
+    PetscCall(LevelShareVec(v[i], ADD_VALUES));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* M for the mortar nodes that the facets met, empty; NULL for an obstacle. Collective. */
+static PetscErrorCode CreateM_Private(Level *level, const FacetPartner *partner, const Facets *facets,
+                                      const FacetIntegral integrals[], Mat *M)
+{
+  PetscInt *entries;
+
+  PetscFunctionBeginUser;
+  *M = NULL;
+  if (!partner->mortar) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(facets->num, &entries));
+  for (PetscInt f = 0; f < facets->num; f++) entries[f] = integrals[f].num_columns;
+  PetscCall(FacetsCreateMat(level, facets, entries, M));
+  PetscCall(PetscFree(entries));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The chain of nodes without multipliers, empty; NULL where all nodes may have one. Collective. */
+static PetscErrorCode CreateChain_Private(Level *level, const Facets *facets, const ElementType carrier[], Mat *chain)
+{
+  PetscInt *entries;
+  PetscBool any = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  *chain = NULL;
+  for (PetscInt f = 0; f < facets->num; f++) any = (PetscBool)(any || carrier[f] != facets->type[f]);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  if (!any) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(facets->num, &entries));
+  for (PetscInt f = 0; f < facets->num; f++)
+    entries[f] = ElementNumNodes(facets->type[f]) - ElementNumNodes(carrier[f]);
+  PetscCall(FacetsCreateMat(level, facets, entries, chain));
+  PetscCall(PetscFree(entries));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The arm of a tie; NULL where its sides touch. Collective. */
+static PetscErrorCode CreateArm_Private(Level *level, const FacetPartner *partner, const Facets *facets,
+                                        const FacetIntegral integrals[], Mat *arm)
+{
+  PetscBool any = PETSC_FALSE;
+  PetscInt *entries;
+
+  PetscFunctionBeginUser;
+  *arm = NULL;
+  if (partner->spec->type != PAIR_TIED) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt f = 0; f < facets->num; f++) any = (PetscBool)(any || integrals[f].apart);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  if (!any) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(facets->num, &entries));
+  for (PetscInt f = 0; f < facets->num; f++) entries[f] = integrals[f].apart ? integrals[f].num_columns : 0;
+  PetscCall(FacetsCreateBlockMat(level, facets, entries, level->dim, arm));
+  PetscCall(PetscFree(entries));
+  for (PetscInt f = 0; f < facets->num; f++) PetscCall(AddArm_Private(level, facets, f, &integrals[f], *arm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Ends what MatSetValues() began. */
+static PetscErrorCode Assemble_Private(Mat A)
+{
+  PetscFunctionBeginUser;
+  if (!A) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const Facets *facets, Vec normals,
+                               Integrals *sums)
+{
+  const PetscInt     dim = level->dim;
+  PetscReal          X[3 * ELEMENT_MAX_FACET_NODES], N[3 * ELEMENT_MAX_FACET_NODES];
+  const PetscScalar *na;
+  FacetIntegral     *integrals;
+  PointList          list;
+  Vec                local;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(facets->num, &integrals));
+  PetscCall(PointListCreate(dim, &list));
+  PetscCall(PetscMalloc2(facets->num, &sums->covered, facets->num, &sums->carrier));
+  PetscCall(VecGhostGetLocalForm(normals, &local));
+  PetscCall(VecGetArrayRead(local, &na));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    const ClipFacet facet = {facets->type[f], X, N};
+    sums->carrier[f]      = CarrierType(partner->spec, facets->type[f]);
+    FacetCoordinates(level, facets, f, X);
+    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
+      for (PetscInt k = 0; k < dim; k++)
+        N[i * dim + k] = PetscRealPart(na[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i] * dim + k]);
+    }
+    PetscCall(FacetIntegrate(partner, &facet, partner->rise ? &partner->rise[f * ELEMENT_MAX_FACET_NODES * dim] : NULL,
+                             &list, &integrals[f]));
+  }
+  PetscCall(VecRestoreArrayRead(local, &na));
+  PetscCall(VecGhostRestoreLocalForm(normals, &local));
+  PetscCall(PointListDestroy(&list));
+  PetscCall(LevelCreateVec(level, 1, &sums->D));
+  PetscCall(VecDuplicate(sums->D, &sums->full));
+  PetscCall(VecDuplicate(sums->D, &sums->G));
+  PetscCall(VecDuplicate(sums->D, &sums->overlap));
+  PetscCall(VecDuplicate(sums->D, &sums->measure));
+  PetscCall(VecDuplicate(sums->D, &sums->cover));
+  PetscCall(VecDuplicate(sums->D, &sums->whole));
+  PetscCall(VecDuplicate(sums->D, &sums->cut));
+  PetscCall(CreateM_Private(level, partner, facets, integrals, &sums->M));
+  PetscCall(CreateArm_Private(level, partner, facets, integrals, &sums->arm));
+  PetscCall(CreateChain_Private(level, facets, sums->carrier, &sums->chain));
+  PetscCall(SumFacets_Private(level, facets, integrals, sums));
+  PetscCall(Overlaps_Private(facets, integrals, sums->overlap));
+  PetscCall(Ends_Private(facets, integrals, sums));
+  PetscCall(Assemble_Private(sums->M));
+  PetscCall(Assemble_Private(sums->arm));
+  PetscCall(Assemble_Private(sums->chain));
+  for (PetscInt f = 0; f < facets->num; f++) PetscCall(FacetIntegralDestroy(&integrals[f]));
+  PetscCall(PetscFree(integrals));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode IntegralsDestroy(Integrals *sums)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VecDestroy(&sums->D));
+  PetscCall(VecDestroy(&sums->full));
+  PetscCall(VecDestroy(&sums->G));
+  PetscCall(VecDestroy(&sums->overlap));
+  PetscCall(VecDestroy(&sums->measure));
+  PetscCall(VecDestroy(&sums->cover));
+  PetscCall(VecDestroy(&sums->whole));
+  PetscCall(VecDestroy(&sums->cut));
+  PetscCall(PetscFree(sums->ends));
+  PetscCall(MatDestroy(&sums->arm));
+  PetscCall(MatDestroy(&sums->chain));
+  PetscCall(PetscFree2(sums->covered, sums->carrier));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

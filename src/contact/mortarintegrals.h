@@ -1,0 +1,52 @@
+/* mortarintegrals.h -- normals and integrals of the nonmortar side as sums at nodes. */
+#ifndef MORTISE_MORTARINTEGRALS_H
+#define MORTISE_MORTARINTEGRALS_H
+
+#include "contact/facetintegrals.h"
+
+/* Unit normals of the nonmortar side at its nodes, zero elsewhere (T13). Collective. [in] shape - of the side;
+   [out] normals - ghosted, dim per node, owned by the caller */
+PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, const SideShape *shape, Vec *normals);
+
+/* Directions of contact at the nodes of the nonmortar side, from its own normals: between these and the partner's, by the curvatures
+   of both (T46). A node that faces no partner within reach keeps its own normal. Collective. [in] shape - of the side;
+   [in,out] normals - ghosted */
+PetscErrorCode ContactNormalsSet(Level *level, const FacetPartner *partner, const Facets *facets,
+                                 const SideShape *shape, Vec normals);
+
+/* Sums what ranks hold of normals at their nodes, and normalises; zero stays zero. Collective. [in,out] normals - ghosted */
+PetscErrorCode NormalsShare(Level *level, Vec normals);
+
+/* Where facets meet at more than 45 degrees, takes the node's normal from those that see the other side. Collective.
+   [in] sees - [facets->num]; [in,out] normals - ghosted, as created; [out] changed - whether there is such a node */
+PetscErrorCode NodalNormalsSharpen(Level *level, const Facets *facets, const PetscBool sees[], Vec normals,
+                                   PetscBool *changed);
+
+/* Integrals of all facets, as sums at nodes. */
+typedef struct {
+  Vec          D, full, G;     /* ghosted, one per node */
+  Vec          overlap;        /* the largest -g at a point of the facets around a node: ghosted, one per node */
+  Vec          measure, cover; /* of the facets around a node, of their covered parts: ghosted, one per node */
+  Mat          M;              /* node x node, or NULL */
+  Mat          arm;            /* of a tie across a gap: unknown x unknown, block size dim, or NULL (arm.h) */
+  Mat          chain;      /* int psi_a phi_c of nodes c that never carry a multiplier (node x node), or NULL (T20) */
+  Vec          whole, cut; /* whether a facet around a node is covered altogether, in part: ghosted, one per node */
+  PetscInt     num_ends;
+  PairEnd     *ends;    /* of this rank's facets [num_ends] */
+  PetscBool   *covered; /* of this rank's facets */
+  ElementType *carrier; /* which of a facet's nodes may carry multipliers: the first ones, as of this type */
+} Integrals;
+
+/* D, G and M of a pair, before any row is spread. Collective. [in] normals - ghosted; [out] sums - owned by the caller,
+   but M, the arm and the ends pass to the pair */
+PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const Facets *facets, Vec normals,
+                               Integrals *sums);
+PetscErrorCode IntegralsDestroy(Integrals *sums);
+
+/* An empty matrix, node x node, with room in the rows of each facet's nodes for what the facet brings to them. Collective.
+   [in] entries - of each facet [facets->num] */
+PetscErrorCode FacetsCreateMat(Level *level, const Facets *facets, const PetscInt entries[], Mat *A);
+/* The same with a block of size bs for each of a facet's entries, unknown x unknown. Collective. */
+PetscErrorCode FacetsCreateBlockMat(Level *level, const Facets *facets, const PetscInt entries[], PetscInt bs, Mat *A);
+
+#endif

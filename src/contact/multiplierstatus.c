@@ -1,0 +1,270 @@
+/* multiplierstatus.c -- which nodes of the nonmortar sides carry a multiplier.
+
+   A node is uncovered, or removed (its row is spread over its neighbours), or kept. Removed are slivers of coverage, whose
+   pressure could not be recovered accurately, nodes whose normal direction is held, and nodes that another pair serves. */
+#include <string.h>
+#include "base/compat.h"
+#include "base/usererror.h"
+#include "kernel/frame.h"
+#include "contact/pairassembly.h"
+
+/* A normal whose free part is shorter than this is held: no multiplier. */
+static const PetscReal HELD_NORMAL = 0.1;
+/* Covered share of a node's support below which its pressure could not be recovered accurately, on linear and on quadratic
+   facets, whose share e covers e^2 / 2 of a far end or 3 e^2 of a middle node. The far end of a quadratic line is covered
+   negatively, 4 e^3 - 3 e^2 >= -1/4, where less than three quarters of the line are; the far corner of a facet in space by the
+   product of two such shares, which is positive again and up to 1/16. */
+static const PetscReal SLIVER_LINEAR = 1e-3, SLIVER_QUADRATIC_LINE = 5e-2, SLIVER_QUADRATIC = 0.1;
+/* Covered share that is nothing but roundoff. */
+static const PetscReal NOTHING = 1e-13;
+/* Share of the facets around a node below which its shape function weighs next to nothing: at the axis of a quadratic
+   axisymmetric side, where int phi r is 0 on a straight facet and of either sign on a curved one. Elsewhere it is 1/6 at least
+   on even meshes. */
+static const PetscReal WEIGHTLESS = 1e-2;
+/* A further constraint at a node needs a normal that leaves those of earlier ones, or their plane, by at least 20 degrees: what is
+   left of it across them is no shorter than this. */
+static const PetscReal NEW_DIRECTION = 0.34202014332566873;
+/* What two pairs cover of the facets around a node is covered twice where it exceeds them by this share. */
+static const PetscReal COVERED_TWICE = 1e-8;
+/* Gaps that differ by less than this share are the same, on all processes. */
+static const PetscReal AS_NEAR = 1e-9;
+
+/* n := Pi n / |Pi n| with Pi the projection onto the free directions of a node. Returns whether n is free at all. */
+static PetscBool ProjectNormal_Private(const Support *held, PetscInt node, PetscReal n[])
+{
+  const PetscInt dim = held->dim;
+
+  for (PetscInt j = 0; j < held->count[node]; j++) {
+    const PetscReal *d   = &held->directions[(node * dim + j) * dim];
+    PetscReal        dot = 0;
+    for (PetscInt k = 0; k < dim; k++) dot += d[k] * n[k];
+    for (PetscInt k = 0; k < dim; k++) n[k] -= dot * d[k];
+  }
+  if (held->count[node] == 0) return PETSC_TRUE;
+  return (PetscBool)(held->count[node] < dim && FrameNormalize(dim, n) >= HELD_NORMAL);
+}
+
+PetscErrorCode NormalsProject(const Level *level, const Support *held, Vec normals)
+{
+  PetscReal    n[3];
+  PetscScalar *N;
+  Vec          local;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGhostGetLocalForm(normals, &local));
+  PetscCall(VecGetArray(local, &N));
+  for (PetscInt i = 0; i < level->num_nodes; i++) {
+    PetscCall(PetscArraycpy(n, &N[i * level->dim], level->dim));
+    if (ProjectNormal_Private(held, i, n)) PetscCall(PetscArraycpy(&N[i * level->dim], n, level->dim));
+  }
+  PetscCall(VecRestoreArray(local, &N));
+  PetscCall(VecGhostRestoreLocalForm(normals, &local));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The share that a node of the draft's nonmortar side needs. */
+static PetscReal LeastShare_Private(const Level *level, const ScenePair *spec)
+{
+  const PetscBool quadratic =
+      (PetscBool)(level->scene->bodies[spec->nonmortar.body].order == 2 && spec->multipliers == MULTIPLIERS_NODES);
+
+  if (!quadratic) return SLIVER_LINEAR;
+  return level->dim == 2 ? SLIVER_QUADRATIC_LINE : SLIVER_QUADRATIC;
+}
+
+/* What the fates of nodes are decided by, at local nodes. */
+enum { SUM_D, SUM_FULL, SUM_MEASURE, SUM_COVER, SUM_COUNT };
+
+/* What coverage makes of a node. Where the shape function weighs next to nothing over whole facets, no share of it can be told
+   and no pressure recovered: the facets themselves tell whether the node is covered, and its row keeps a weight, if only of
+   roundoff, by which it can be spread. [in,out] a - local forms of the sums */
+static NodeFate CoveredFate_Private(PetscScalar *const a[SUM_COUNT], PetscInt i, PetscReal least)
+{
+  const PetscReal D = PetscRealPart(a[SUM_D][i]), full = PetscRealPart(a[SUM_FULL][i]),
+                  measure = PetscRealPart(a[SUM_MEASURE][i]), cover = PetscRealPart(a[SUM_COVER][i]);
+
+  if (full > WEIGHTLESS * measure) {
+    if (PetscAbsReal(D / full) <= NOTHING) return NODE_UNCOVERED;
+    return D / full >= least ? NODE_KEPT : NODE_REMOVED;
+  }
+  if (!(cover > NOTHING * measure)) return NODE_UNCOVERED;
+  if (PetscAbsReal(D) < PETSC_MACHINE_EPSILON * measure) a[SUM_D][i] = PETSC_MACHINE_EPSILON * measure;
+  return NODE_REMOVED;
+}
+
+PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *draft)
+{
+  const PetscInt  dim          = level->dim;
+  const PetscReal least        = LeastShare_Private(level, draft->spec);
+  const Vec       v[SUM_COUNT] = {draft->sums.D, draft->sums.full, draft->sums.measure, draft->sums.cover};
+  PetscScalar    *a[SUM_COUNT], *N;
+  Vec             local[SUM_COUNT], local_N;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < SUM_COUNT; i++) {
+    PetscCall(VecGhostGetLocalForm(v[i], &local[i]));
+    PetscCall(VecGetArray(local[i], &a[i]));
+  }
+  PetscCall(VecGhostGetLocalForm(draft->normals, &local_N));
+  PetscCall(VecGetArray(local_N, &N));
+  for (PetscInt i = 0; i < level->num_nodes; i++) {
+    draft->fate[i] = CoveredFate_Private(a, i, least);
+    if (draft->fate[i] == NODE_UNCOVERED) continue;
+    if (!ProjectNormal_Private(held, i, &N[i * dim])) draft->fate[i] = NODE_REMOVED;
+    if (draft->spec->type == PAIR_TIED && held->count[i] > 0)
+      draft->fate[i] = NODE_REMOVED; // a tie needs all directions
+  }
+  PetscCall(VecRestoreArray(local_N, &N));
+  PetscCall(VecGhostRestoreLocalForm(draft->normals, &local_N));
+  for (PetscInt i = 0; i < SUM_COUNT; i++) {
+    PetscCall(VecRestoreArray(local[i], &a[i]));
+    PetscCall(VecGhostRestoreLocalForm(v[i], &local[i]));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether earlier pairs serve a node of the pair num: one of the two is tied, or its normal is nearly a combination of theirs.
+   [in] n - normals of the pairs at local nodes [num+1] */
+static PetscBool IsServed_Private(PetscInt dim, PetscInt num, const PairDraft drafts[], PetscScalar *const n[],
+                                  PetscInt node)
+{
+  PetscReal span[4][3]; // orthonormal; the last one is what is left of the normal at hand
+  PetscInt  rank = 0;
+
+  for (PetscInt q = 0; q <= num; q++) {
+    if (drafts[q].fate[node] != NODE_KEPT) continue;
+    if (q < num && (drafts[q].spec->type == PAIR_TIED || drafts[num].spec->type == PAIR_TIED)) return PETSC_TRUE;
+    if (rank == dim) return PETSC_TRUE;
+    for (PetscInt k = 0; k < dim; k++) span[rank][k] = PetscRealPart(n[q][node * dim + k]);
+    for (PetscInt j = 0; j < rank; j++) {
+      PetscReal dot = 0;
+      for (PetscInt k = 0; k < dim; k++) dot += span[j][k] * span[rank][k];
+      for (PetscInt k = 0; k < dim; k++) span[rank][k] -= dot * span[j][k];
+    }
+    if (FrameNormalize(dim, span[rank]) < NEW_DIRECTION) return PETSC_TRUE;
+    rank++;
+  }
+  return PETSC_FALSE;
+}
+
+/* Whether two pairs see different things from the same facets, so that one may stand behind the other. */
+static PetscBool MayHide_Private(const ScenePair *a, const ScenePair *b)
+{
+  return (PetscBool)(a->type == PAIR_CONTACT && b->type == PAIR_CONTACT && a->nonmortar.body == b->nonmortar.body &&
+                     !strcmp(a->nonmortar.side, b->nonmortar.side));
+}
+
+/* What is known of nodes of a pair when pairs are compared. */
+enum { SEEN_D, SEEN_G, SEEN_MEASURE, SEEN_COVER, SEEN_NORMALS, SEEN_COUNT };
+
+/* Whether the pair b stands farther from a node than a, along nearly the same normal, where both cover the same part of it: more
+   than its whole neighbourhood between them. [in] a, b - local forms */
+static PetscBool IsBehind_Private(PetscInt dim, PetscScalar *const a[], PetscScalar *const b[], PetscInt node)
+{
+  const PetscReal covers  = PetscRealPart(a[SEEN_COVER][node] + b[SEEN_COVER][node]),
+                  measure = PetscRealPart(a[SEEN_MEASURE][node]);
+  PetscReal dot           = 0, gap_a, gap_b;
+
+  for (PetscInt k = 0; k < dim; k++)
+    dot += PetscRealPart(a[SEEN_NORMALS][node * dim + k] * b[SEEN_NORMALS][node * dim + k]);
+  if (covers <= (1 + COVERED_TWICE) * measure || dot * dot < 1 - PetscSqr(NEW_DIRECTION)) return PETSC_FALSE;
+  gap_a = PetscRealPart(a[SEEN_G][node] / a[SEEN_D][node]);
+  gap_b = PetscRealPart(b[SEEN_G][node] / b[SEEN_D][node]);
+  return (PetscBool)(gap_b - gap_a > AS_NEAR * PetscMax(PetscAbsReal(gap_a), PetscAbsReal(gap_b)));
+}
+
+/* Two pairs on one side, one of which stands before the other here and behind it there, as two balls that press on a plate: a node
+   meets the nearer one, and is to the other one as if it were not covered. A row that was spread instead would let its neighbours in by
+   the difference of both gaps. */
+static PetscErrorCode HideNodes_Private(const Level *level, PairDraft *first, PairDraft *second)
+{
+  PairDraft   *draft[2] = {first, second};
+  PetscScalar *a[2][SEEN_COUNT];
+  Vec          local[2][SEEN_COUNT], v[2][SEEN_COUNT];
+
+  PetscFunctionBeginUser;
+  if (!MayHide_Private(first->spec, second->spec)) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt s = 0; s < 2; s++) {
+    const Integrals *sums            = &draft[s]->sums;
+    const Vec        all[SEEN_COUNT] = {sums->D, sums->G, sums->measure, sums->cover, draft[s]->normals};
+
+    for (PetscInt k = 0; k < SEEN_COUNT; k++) {
+      v[s][k] = all[k];
+      PetscCall(VecGhostGetLocalForm(v[s][k], &local[s][k]));
+      PetscCall(VecGetArray(local[s][k], &a[s][k]));
+    }
+  }
+  for (PetscInt i = 0; i < level->num_nodes; i++) {
+    if (first->fate[i] != NODE_KEPT || second->fate[i] != NODE_KEPT) continue;
+    if (IsBehind_Private(level->dim, a[0], a[1], i)) {
+      second->fate[i] = NODE_UNCOVERED;
+    } else if (IsBehind_Private(level->dim, a[1], a[0], i)) {
+      first->fate[i] = NODE_UNCOVERED;
+    }
+  }
+  for (PetscInt s = 0; s < 2; s++) {
+    for (PetscInt k = 0; k < SEEN_COUNT; k++) {
+      PetscCall(VecRestoreArray(local[s][k], &a[s][k]));
+      PetscCall(VecGhostRestoreLocalForm(v[s][k], &local[s][k]));
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Removes from the pair num the nodes that earlier ones serve. */
+static PetscErrorCode LoseNodes_Private(const Level *level, PetscInt num, PairDraft drafts[])
+{
+  PairDraft    *later = &drafts[num];
+  PetscScalar **n;
+  Vec          *local;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc2(num + 1, &n, num + 1, &local));
+  for (PetscInt q = 0; q <= num; q++) {
+    PetscCall(VecGhostGetLocalForm(drafts[q].normals, &local[q]));
+    PetscCall(VecGetArray(local[q], &n[q]));
+  }
+  for (PetscInt i = 0; i < level->num_nodes; i++) {
+    if (later->fate[i] == NODE_KEPT && IsServed_Private(level->dim, num, drafts, n, i)) later->fate[i] = NODE_REMOVED;
+  }
+  for (PetscInt q = 0; q <= num; q++) {
+    PetscCall(VecRestoreArray(local[q], &n[q]));
+    PetscCall(VecGhostRestoreLocalForm(drafts[q].normals, &local[q]));
+  }
+  PetscCall(PetscFree2(n, local));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a pair keeps a node on any rank. Collective. */
+static PetscErrorCode KeepsAny_Private(const Level *level, const PairDraft *draft, PetscBool *any)
+{
+  PetscFunctionBeginUser;
+  *any = PETSC_FALSE;
+  for (PetscInt i = 0; i < level->num_nodes; i++) *any = (PetscBool)(*any || draft->fate[i] == NODE_KEPT);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FatesSettle(const Level *level, PetscInt num, PairDraft drafts[])
+{
+  PetscBool before, after;
+
+  PetscFunctionBeginUser;
+  for (PetscInt p = 0; p < num; p++) {
+    for (PetscInt q = 0; q < p; q++) PetscCall(HideNodes_Private(level, &drafts[q], &drafts[p]));
+  }
+  for (PetscInt p = 1; p < num; p++) {
+    PetscCall(KeepsAny_Private(level, &drafts[p], &before));
+    PetscCall(LoseNodes_Private(level, p, drafts));
+    PetscCall(KeepsAny_Private(level, &drafts[p], &after));
+    if (before && !after) {
+      PetscCall(
+          UserErrorRaise(level->comm,
+                         "-pairs: every node that pair '%s' could use already serves an earlier or nearer pair, so "
+                         "that it would have no "
+                         "say; refine its nonmortar side '%s', or swap its sides",
+                         drafts[p].spec->name, drafts[p].spec->nonmortar.side));
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

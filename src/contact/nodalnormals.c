@@ -1,0 +1,171 @@
+/* nodalnormals.c -- nodal normals of the nonmortar side.
+
+   Only facets of this contact side count, never side faces of the body. Where facets meet at a sharp edge, only those that see the
+   other side count: the mean with one that turns its back would slant the contact force. */
+#include "base/compat.h"
+#include "kernel/frame.h"
+#include "contact/mortarintegrals.h"
+
+/* Facets of a smooth side deviate from the normal at their node by less than half of 45 degrees. */
+static const PetscReal SMOOTH = 0.92387953251128674;
+
+PetscErrorCode NormalsShare(Level *level, Vec normals)
+{
+  const PetscInt dim = level->dim;
+  PetscScalar   *na;
+  Vec            local;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelShareVec(normals, ADD_VALUES));
+  PetscCall(VecGhostGetLocalForm(normals, &local));
+  PetscCall(VecGetArray(local, &na));
+  for (PetscInt i = 0; i < level->num_nodes; i++) FrameNormalize(dim, &na[i * dim]);
+  PetscCall(VecRestoreArray(local, &na));
+  PetscCall(VecGhostRestoreLocalForm(normals, &local));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Sums of the weighted normals of facets at their nodes, normalised; zero where there is none. Collective.
+   [in] counts - which facets [facets->num], or NULL for all; [out] normals - ghosted */
+static PetscErrorCode SumNormals_Private(Level *level, const Facets *facets, const PetscBool counts[], Vec normals)
+{
+  const PetscInt dim = level->dim;
+  PetscReal      X[3 * ELEMENT_MAX_FACET_NODES], N[3 * ELEMENT_MAX_FACET_NODES];
+  PetscScalar   *na;
+  Vec            local;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGhostGetLocalForm(normals, &local));
+  PetscCall(VecZeroEntries(local));
+  PetscCall(VecGetArray(local, &na));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(facets->type[f]);
+    if (counts && !counts[f]) continue;
+    FacetCoordinates(level, facets, f, X);
+    PetscCall(PetscArrayzero(N, n * dim));
+    FrameAddFacetNormal(dim, n, X, N);
+    for (PetscInt i = 0; i < n; i++) {
+      for (PetscInt k = 0; k < dim; k++) na[nodes[i] * dim + k] += N[i * dim + k];
+    }
+  }
+  PetscCall(VecRestoreArray(local, &na));
+  PetscCall(VecGhostRestoreLocalForm(normals, &local));
+  PetscCall(NormalsShare(level, normals));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, const SideShape *shape, Vec *normals)
+{
+  const PetscInt dim = level->dim;
+  PetscReal      X[3 * ELEMENT_MAX_FACET_NODES], N[3 * ELEMENT_MAX_FACET_NODES];
+  PetscScalar   *na;
+  Vec            local;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, dim, normals));
+  PetscCall(VecGhostGetLocalForm(*normals, &local));
+  PetscCall(VecZeroEntries(local));
+  PetscCall(VecGetArray(local, &na));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    const PetscInt n = ElementNumNodes(facets->type[f]), corner = f * ELEMENT_MAX_FACET_NODES;
+
+    FacetCoordinates(level, facets, f, X);
+    PetscCall(PetscArrayzero(N, n * dim));
+    FrameAddFacetNormal(dim, n, X, N);
+    for (PetscInt i = 0; i < n; i++) { // at feature edges the patches' mean
+      const PetscReal *add = shape->ridge[corner + i] == 0 ? &shape->normal[(corner + i) * dim] : &N[i * dim];
+
+      for (PetscInt k = 0; k < dim; k++) na[facets->nodes[corner + i] * dim + k] += add[k];
+    }
+  }
+  PetscCall(VecRestoreArray(local, &na));
+  PetscCall(VecGhostRestoreLocalForm(*normals, &local));
+  PetscCall(NormalsShare(level, *normals));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Marks nodes some facet of which deviates from their normal by more than a smooth side's would. Collective.
+   [out] sharp - ghosted, one per node, 1 or 0 */
+static PetscErrorCode FindSharp_Private(Level *level, const Facets *facets, Vec normals, Vec sharp)
+{
+  const PetscInt     dim = level->dim;
+  PetscReal          X[3 * ELEMENT_MAX_FACET_NODES], N[3 * ELEMENT_MAX_FACET_NODES];
+  const PetscScalar *na;
+  PetscScalar       *mark;
+  Vec                local[2];
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGhostGetLocalForm(normals, &local[0]));
+  PetscCall(VecGhostGetLocalForm(sharp, &local[1]));
+  PetscCall(VecZeroEntries(local[1]));
+  PetscCall(VecGetArrayRead(local[0], &na));
+  PetscCall(VecGetArray(local[1], &mark));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(facets->type[f]);
+    FacetCoordinates(level, facets, f, X);
+    PetscCall(PetscArrayzero(N, n * dim));
+    FrameAddFacetNormal(dim, n, X, N);
+    for (PetscInt i = 0; i < n; i++) {
+      PetscReal dot = 0;
+      FrameNormalize(dim, &N[i * dim]);
+      for (PetscInt k = 0; k < dim; k++) dot += N[i * dim + k] * na[nodes[i] * dim + k];
+      if (dot < SMOOTH) mark[nodes[i]] = 1;
+    }
+  }
+  PetscCall(VecRestoreArray(local[1], &mark));
+  PetscCall(VecRestoreArrayRead(local[0], &na));
+  PetscCall(VecGhostRestoreLocalForm(sharp, &local[1]));
+  PetscCall(VecGhostRestoreLocalForm(normals, &local[0]));
+  PetscCall(LevelShareVec(sharp, MAX_VALUES));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Takes the normals of marked nodes from those that see the other side, where these have one. */
+static PetscErrorCode TakeSeeing_Private(const Level *level, Vec sharp, Vec seeing, Vec normals)
+{
+  const PetscInt     dim = level->dim;
+  const PetscScalar *mark, *see;
+  PetscScalar       *na;
+  Vec                local[3];
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGhostGetLocalForm(sharp, &local[0]));
+  PetscCall(VecGhostGetLocalForm(seeing, &local[1]));
+  PetscCall(VecGhostGetLocalForm(normals, &local[2]));
+  PetscCall(VecGetArrayRead(local[0], &mark));
+  PetscCall(VecGetArrayRead(local[1], &see));
+  PetscCall(VecGetArray(local[2], &na));
+  for (PetscInt i = 0; i < level->num_nodes; i++) {
+    PetscReal size = 0;
+    for (PetscInt k = 0; k < dim; k++) size += PetscAbsScalar(see[i * dim + k]);
+    if (mark[i] > 0 && size > 0) PetscCall(PetscArraycpy(&na[i * dim], &see[i * dim], dim));
+  }
+  PetscCall(VecRestoreArray(local[2], &na));
+  PetscCall(VecRestoreArrayRead(local[1], &see));
+  PetscCall(VecRestoreArrayRead(local[0], &mark));
+  PetscCall(VecGhostRestoreLocalForm(normals, &local[2]));
+  PetscCall(VecGhostRestoreLocalForm(seeing, &local[1]));
+  PetscCall(VecGhostRestoreLocalForm(sharp, &local[0]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode NodalNormalsSharpen(Level *level, const Facets *facets, const PetscBool sees[], Vec normals,
+                                   PetscBool *changed)
+{
+  PetscReal most;
+  Vec       sharp, seeing;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, 1, &sharp));
+  PetscCall(FindSharp_Private(level, facets, normals, sharp));
+  PetscCall(VecNorm(sharp, NORM_INFINITY, &most));
+  *changed = (PetscBool)(most > 0);
+  if (*changed) {
+    PetscCall(VecDuplicate(normals, &seeing));
+    PetscCall(SumNormals_Private(level, facets, sees, seeing));
+    PetscCall(TakeSeeing_Private(level, sharp, seeing, normals));
+    PetscCall(VecDestroy(&seeing));
+  }
+  PetscCall(VecDestroy(&sharp));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,40 @@
+/* overlappoints.h -- the quadrature points of one nonmortar facet. */
+#ifndef MORTISE_OVERLAPPOINTS_H
+#define MORTISE_OVERLAPPOINTS_H
+
+#include "kernel/clip.h"
+#include "contact/contactsurface.h"
+
+/* What a facet is integrated against. */
+typedef struct {
+  Scene                scene;
+  const ScenePair     *spec;
+  const MortarSurface *mortar; /* NULL for an obstacle */
+  PetscInt             dim;
+  PetscReal            reach;
+  const PetscReal *
+      rise; /* of the nonmortar facets, where they are taken for smooth and bend, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */
+} FacetPartner;
+
+/* Point p lies on mortar facet facet[p] (-1: obstacle). Facets follow each other: all points of one, then those of the next.
+   One list serves one facet after the other. */
+typedef struct {
+  PetscInt   num, max;
+  ClipPoint *point;
+  PetscInt  *facet;
+  ClipPoint *work; /* points of one mortar facet */
+} PointList;
+
+/* An empty list for facets of a dimension. Not collective. [out] list - owned by the caller */
+PetscErrorCode PointListCreate(PetscInt dim, PointList *list);
+PetscErrorCode PointListDestroy(PointList *list);
+PetscErrorCode PointListAdd(PointList *list, const ClipPoint *point, PetscInt facet);
+
+/* Collects the points over the covered part of a facet, each part of it once; none where nothing is within reach. Not
+   collective. */
+PetscErrorCode PointListCollect(const FacetPartner *partner, const ClipFacet *facet, PointList *list);
+
+/* The degree of quadrature for what is no polynomial on a facet: curved sides, turning normals, gaps given as expressions. */
+PetscInt PointsCurvedDegree(ElementType type);
+
+#endif

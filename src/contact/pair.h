@@ -1,0 +1,56 @@
+/* pair.h -- D, M, weighted gap and normals of one contact pair on one level (T4-T6).
+
+   D_ab = int psi_a phi^s_b,  M_ab = int psi_a phi^m_b(pi(.)),  G_a = int psi_a g  over the covered part of the nonmortar
+   side. Rows of removed nodes (held in normal direction, or a sliver of coverage) are spread over their kept neighbours
+   (T12), which is where D gets its few entries off the diagonal. Facets are integrated by the rank that holds them.
+
+   Where only vertices of quadratic facets carry multipliers (MULTIPLIERS_VERTICES), psi is dual to the linear shape functions
+   and all this is written for the displacements u~ of u = u~ + shift u~ on the nonmortar side: a vertex keeps its
+   displacement, the unknown at a middle node is what goes beyond the mean of the two ends (T20). On tri6 psi is dual to phi~,
+   and u~ is that of (T24), where nodes with multipliers are shifted as well. M applies to u. */
+#ifndef MORTISE_PAIR_H
+#define MORTISE_PAIR_H
+
+#include "mesh/mesh.h"
+#include "mesh/support.h"
+
+/* Where the covered part of the nonmortar side ends within a facet. */
+typedef struct {
+  PetscReal x[3], normal[3]; /* of the nonmortar side */
+  PetscInt  node, mortar;    /* a local node of the nonmortar facet, a global one of the mortar facet */
+} PairEnd;
+
+struct _n_Pair {
+  const ScenePair *spec;  /* borrowed */
+  Level           *level; /* borrowed */
+  PetscInt         num;   /* multiplier nodes owned by this rank */
+  PetscInt        *nodes; /* their local node numbers, ascending [num] */
+  PetscReal       *D;     /* weights D_aa > 0 [num] */
+  PetscReal       *gap;   /* nodal gaps G_a / D_aa, signed, open > 0 [num] */
+  PetscReal
+      *overlap; /* the largest -g at a point of the facets around a node, and what curves change g by there [num] */
+  PetscReal *normal; /* unit, out of the nonmortar body [num][dim] */
+  PetscReal *frame;  /* rows (n, t..) orthonormal; t along the held direction where there is one [num][dim][dim] */
+  PetscBool *cut;    /* whether a facet around the node is covered in part; then `ends` tell where [num] */
+  PetscBool *whole;  /* whether a facet around the node is covered altogether [num] */
+  PetscInt   num_ends;
+  PairEnd   *ends;           /* of facets of this rank [num_ends] */
+  Mat        chain;          /* D_ac, c without a multiplier (node x node), or NULL where there is none */
+  Mat        shift, unshift; /* u = u~ + shift u~, u~ = u + unshift u (node x node), or NULL where u~ = u */
+  Mat        M;              /* node x node, rows of multiplier nodes; NULL for an obstacle */
+  Mat        arm;            /* of a tie across a gap: what joins M, in blocks of size dim (T49); else NULL */
+  PetscInt   num_facets_nonmortar, num_facets_mortar;     /* of all ranks */
+  PetscInt   num_multipliers, num_removed, num_uncovered; /* nodes of all ranks */
+  PetscReal  reach;                                       /* that was used */
+  PetscBool  smooth[2]; /* whether the nonmortar, the mortar side is taken for smooth: gaps are those of curves (T51) */
+  PetscReal left[2]; /* what gaps may be off by as each side bends between its nodes, at most; 0 where gaps are given */
+};
+typedef struct _n_Pair *Pair;
+
+/* Searches and integrates all pairs of the scene, and decides which nodes carry their multipliers: not where a node's normal
+   direction is held, nor where an earlier pair constrains nearly the same direction; those rows are spread.
+   Collective. [out] pairs - [scene->num_pairs], each owned by the caller */
+PetscErrorCode PairsCreate(Scene scene, Level *level, const Support *held, Pair pairs[]);
+PetscErrorCode PairDestroy(Pair *pair);
+
+#endif

@@ -1,0 +1,12 @@
+/* quadraticbasis.h -- the displacements that the rows of a pair are written for (T20, T24). */
+#ifndef MORTISE_QUADRATICBASIS_H
+#define MORTISE_QUADRATICBASIS_H
+
+#include "mesh/mesh.h"
+
+/* u = u~ + shift u~ and u~ = u + unshift u on the nonmortar side, node x node. Where only vertices carry multipliers, the unknown
+   of every other node is what goes beyond the linear shape functions there; where tri6 carry them, that of a middle node
+   is the one of DualShape(). Both NULL where u~ = u. Collective. [in] carrier - of each facet [facets->num] */
+PetscErrorCode ShiftCreate(Level *level, const Facets *facets, const ElementType carrier[], Mat *shift, Mat *unshift);
+
+#endif

@@ -1,0 +1,241 @@
+/* redistribution.c -- the removed-node rule.
+
+   psi_a + sum_c w_ac psi_c keeps sum psi = 1 and stays diagonal on the kept nodes, so constant pressures still pass; in 2D
+   this is the constant dual function of Wohlmuth (2000) at the ends of a side. Removed nodes lie in rings around the kept
+   ones: ring 1 has kept neighbours, ring k has neighbours in ring k - 1, and W_k = W_(k-1) N_k with N_k the mean over
+   them. One ring is the rule; more are needed where another pair serves several nodes in a row. */
+#include "base/compat.h"
+#include "contact/redistribution.h"
+
+/* Share of its own weight that a node keeps at least beside the rows that it takes over. With less, down to none at all, a pressure there
+   would pull as much as it pushes. */
+static const PetscReal LEFT_OVER = 0.1;
+
+/* Whether two nodes of a facet follow each other on the lattice of its nodes, which has steps of 1 / order along its edges: not the
+   vertices of a quadratic facet, nor those that lie across a quad. */
+static PetscBool AreNeighbours_Private(ElementType type, PetscInt i, PetscInt j)
+{
+  const PetscReal *a = ElementNode(type, i), *b = ElementNode(type, j), longest = 1.5 / ElementOrder(type);
+  const PetscReal  x = PetscAbsReal(a[0] - b[0]), y = ElementDim(type) == 1 ? 0 : PetscAbsReal(a[1] - b[1]);
+
+  if (i == j) return PETSC_FALSE;
+  if (ElementLinear(type) == ELEMENT_TRI3)
+    return (PetscBool)(PetscMax(PetscMax(x, y), PetscAbsReal(a[0] - b[0] + a[1] - b[1])) < longest);
+  return (PetscBool)(x + y < longest);
+}
+
+/* Moves into ring k, on every rank, the nodes that wait beside ring k - 1. [in,out] ring - [num_nodes], -1 waits;
+   [out] found - whether there was any */
+static PetscErrorCode NextRing_Private(Level *level, const Facets *facets, const Integrals *sums, PetscInt k,
+                                       PetscInt ring[], PetscBool *found)
+{
+  Vec          flags, local;
+  PetscScalar *flag;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, 1, &flags));
+  PetscCall(VecGhostGetLocalForm(flags, &local));
+  PetscCall(VecZeroEntries(local));
+  PetscCall(VecGetArray(local, &flag));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(sums->carrier[f]);
+    for (PetscInt i = 0; sums->covered[f] && i < n; i++) {
+      for (PetscInt j = 0; j < n; j++) {
+        if (ring[nodes[i]] == k - 1 && ring[nodes[j]] == -1 && AreNeighbours_Private(sums->carrier[f], i, j))
+          flag[nodes[j]] = 1;
+      }
+    }
+  }
+  PetscCall(VecRestoreArray(local, &flag));
+  PetscCall(VecGhostRestoreLocalForm(flags, &local));
+  PetscCall(LevelShareVec(flags, MAX_VALUES));
+  *found = PETSC_FALSE;
+  PetscCall(VecGhostGetLocalForm(flags, &local));
+  PetscCall(VecGetArray(local, &flag));
+  for (PetscInt i = 0; i < level->num_nodes; i++) {
+    if (flag[i] > 0) ring[i] = k;
+    *found = (PetscBool)(*found || flag[i] > 0);
+  }
+  PetscCall(VecRestoreArray(local, &flag));
+  PetscCall(VecGhostRestoreLocalForm(flags, &local));
+  PetscCall(VecDestroy(&flags));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, found, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* N diag(1 / column sums), with N of ones: row a, column c for every node a of ring k - 1 beside a node c of ring k. */
+static PetscErrorCode NeighbourMeans_Private(Level *level, const Facets *facets, const Integrals *sums, PetscInt k,
+                                             const PetscInt ring[], Mat *N)
+{
+  Vec       ones, columns;
+  PetscInt *entries;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(facets->num, &entries));
+  for (PetscInt f = 0; f < facets->num; f++) entries[f] = ElementNumNodes(sums->carrier[f]) - 1;
+  PetscCall(FacetsCreateMat(level, facets, entries, N));
+  PetscCall(PetscFree(entries));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(sums->carrier[f]);
+    for (PetscInt i = 0; sums->covered[f] && i < n; i++) {
+      for (PetscInt j = 0; j < n; j++) {
+        if (ring[nodes[i]] != k - 1 || ring[nodes[j]] != k || !AreNeighbours_Private(sums->carrier[f], i, j)) continue;
+        PetscCall(MatSetValue(*N, level->node_global[nodes[i]], level->node_global[nodes[j]], 1.0, INSERT_VALUES));
+      }
+    }
+  }
+  PetscCall(MatAssemblyBegin(*N, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatAssemblyEnd(*N, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatCreateVecs(*N, &columns, &ones));
+  PetscCall(VecSet(ones, 1.0));
+  PetscCall(MatMultTranspose(*N, ones, columns));
+  PetscCall(VecReciprocal(columns));
+  PetscCall(MatDiagonalScale(*N, NULL, columns));
+  PetscCall(VecDestroy(&ones));
+  PetscCall(VecDestroy(&columns));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* W = sum_k W_k, or NULL where no row is to be spread. */
+static PetscErrorCode Weights_Private(Level *level, const Facets *facets, const NodeFate fate[], const Integrals *sums,
+                                      Mat *W)
+{
+  PetscInt *ring;
+  PetscBool found;
+  Mat       N, last = NULL, next;
+
+  PetscFunctionBeginUser;
+  *W = NULL;
+  PetscCall(PetscMalloc1(level->num_nodes, &ring));
+  for (PetscInt i = 0; i < level->num_nodes; i++)
+    ring[i] = fate[i] == NODE_KEPT ? 0 : (fate[i] == NODE_REMOVED ? -1 : -2);
+  PetscCall(NextRing_Private(level, facets, sums, 1, ring, &found));
+  for (PetscInt k = 1; found; k++) {
+    PetscCall(NeighbourMeans_Private(level, facets, sums, k, ring, &N));
+    if (last) {
+      PetscCall(MatMatMult(last, N, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &next));
+      PetscCall(MatAXPY(*W, 1.0, next, DIFFERENT_NONZERO_PATTERN));
+      PetscCall(MatDestroy(&last));
+      PetscCall(MatDestroy(&N));
+      last = next;
+    } else {
+      PetscCall(MatDuplicate(N, MAT_COPY_VALUES, W));
+      last = N;
+    }
+    PetscCall(NextRing_Private(level, facets, sums, k + 1, ring, &found));
+  }
+  PetscCall(MatDestroy(&last));
+  PetscCall(PetscFree(ring));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A := A + W A. */
+static PetscErrorCode AddSpread_Private(Mat W, Mat *A)
+{
+  Mat WA;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatMatMult(W, *A, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &WA));
+  PetscCall(MatAXPY(WA, 1.0, *A, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(MatDestroy(A));
+  *A = WA;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The same for all components, with W (x) 1. */
+static PetscErrorCode AddBlockSpread_Private(Mat W, PetscInt dim, Mat *A)
+{
+  Mat blocks, expanded;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateMAIJ(W, dim, &blocks));
+  PetscCall(MatConvert(blocks, MATAIJ, MAT_INITIAL_MATRIX, &expanded));
+  PetscCall(AddSpread_Private(expanded, A));
+  PetscCall(MatDestroy(&expanded));
+  PetscCall(MatDestroy(&blocks));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Empties the rows of nodes that are not kept. */
+static PetscErrorCode KeepRows_Private(const Level *level, const NodeFate fate[], Mat A)
+{
+  Vec          kept;
+  PetscScalar *value;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateVecs(A, NULL, &kept));
+  PetscCall(VecGetArray(kept, &value));
+  for (PetscInt i = 0; i < level->num_owned; i++) value[i] = fate[i] == NODE_KEPT ? 1 : 0;
+  PetscCall(VecRestoreArray(kept, &value));
+  PetscCall(MatDiagonalScale(A, kept, NULL));
+  PetscCall(VecDestroy(&kept));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Removes kept nodes to which too little is left of their own weight: the rows that they take over may be covered negatively.
+   [in] W - NULL where no row is spread; [out] any - whether there was such a node */
+static PetscErrorCode RemoveOverdrawn_Private(Mat W, const Integrals *sums, PetscInt num_nodes, NodeFate fate[],
+                                              PetscBool *any)
+{
+  Vec                total, local, local_D;
+  const PetscScalar *D, *t;
+
+  PetscFunctionBeginUser;
+  *any = PETSC_FALSE;
+  if (!W) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecDuplicate(sums->D, &total));
+  PetscCall(MatMultAdd(W, sums->D, sums->D, total));
+  PetscCall(VecGhostUpdateBegin(total, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostUpdateEnd(total, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostGetLocalForm(total, &local));
+  PetscCall(VecGhostGetLocalForm(sums->D, &local_D));
+  PetscCall(VecGetArrayRead(local, &t));
+  PetscCall(VecGetArrayRead(local_D, &D));
+  for (PetscInt i = 0; i < num_nodes; i++) {
+    if (fate[i] != NODE_KEPT || PetscRealPart(t[i]) >= LEFT_OVER * PetscRealPart(D[i])) continue;
+    fate[i] = NODE_REMOVED;
+    *any    = PETSC_TRUE;
+  }
+  PetscCall(VecRestoreArrayRead(local_D, &D));
+  PetscCall(VecRestoreArrayRead(local, &t));
+  PetscCall(VecGhostRestoreLocalForm(sums->D, &local_D));
+  PetscCall(VecGhostRestoreLocalForm(total, &local));
+  PetscCall(VecDestroy(&total));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, PetscObjectComm((PetscObject)W)));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, NodeFate fate[], Integrals *sums, Mat *chain)
+{
+  PetscBool any = PETSC_FALSE;
+  Mat       W   = NULL;
+  Vec       WG;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < level->num_nodes; i++) any = (PetscBool)(any || fate[i] == NODE_REMOVED);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  while (any) {
+    PetscCall(MatDestroy(&W));
+    PetscCall(Weights_Private(level, facets, fate, sums, &W));
+    PetscCall(RemoveOverdrawn_Private(W, sums, level->num_nodes, fate, &any));
+  }
+  if (W) {
+    PetscCall(VecDuplicate(sums->G, &WG));
+    PetscCall(MatMult(W, sums->G, WG));
+    PetscCall(VecAXPY(sums->G, 1.0, WG));
+    PetscCall(VecDestroy(&WG));
+    if (sums->M) PetscCall(AddSpread_Private(W, &sums->M));
+    if (sums->arm) PetscCall(AddBlockSpread_Private(W, level->dim, &sums->arm));
+    if (sums->chain) PetscCall(AddSpread_Private(W, &sums->chain));
+    PetscCall(MatDiagonalScale(W, NULL, sums->D));
+    if (sums->chain) PetscCall(MatAXPY(sums->chain, 1.0, W, DIFFERENT_NONZERO_PATTERN));
+  }
+  if (sums->chain) {
+    PetscCall(KeepRows_Private(level, fate, sums->chain));
+    PetscCall(MatDestroy(&W));
+    W = sums->chain;
+  }
+  sums->chain = NULL;
+  *chain      = W;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

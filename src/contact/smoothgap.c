@@ -1,0 +1,139 @@
+/* smoothgap.c -- gaps between sides that are taken for smooth.
+
+   Facets of first order cut the corners off a curved side, by an eighth of the square of their length over the radius: as much as an
+   interference fit, or the approach of two bodies, on any mesh that is not very fine. Nodes alone are on the side, and the normals
+   there say how it goes on between them. Points of facets keep their places in all integrals; the gap alone is that of the
+   curves, to first order: their distance from the facets along the ray. */
+#include "kernel/arc.h"
+#include "base/compat.h"
+#include "kernel/frame.h"
+#include "contact/smoothgap.h"
+
+enum { F = ELEMENT_MAX_FACET_NODES };
+
+/* Normals that differ by less do not turn. */
+static const PetscReal ROUNDING = 1e-11;
+
+/* What a straight facet of a polygon may be off its curve by, at most: half of a polygon's edge may be straight at one end. */
+static PetscReal PolygonLeaves_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal N[])
+{
+  PetscReal most = 0;
+
+  for (PetscInt e = 0; e < ElementNumEdges(type); e++) {
+    const PetscInt *ends = ElementEdgeNodes(type, e);
+    PetscReal       turn = 0, length = 0;
+
+    for (PetscInt k = 0; k < dim; k++) {
+      const PetscReal d = X[ends[1] * dim + k] - X[ends[0] * dim + k];
+
+      turn += d * (N[ends[1] * dim + k] - N[ends[0] * dim + k]);
+      length += d * d;
+    }
+    if (PetscAbsReal(turn) > ROUNDING * PetscSqrtReal(length)) most = PetscMax(most, PetscAbsReal(turn) / 8);
+  }
+  return most;
+}
+
+/* What a facet may be off its curve by, at most: a parabola leaves an arc that turns by 2 gamma with the rise s by s gamma^2 / 16.
+   [in] bulge - of the facet of first order */
+static PetscReal CurveLeaves_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal N[],
+                                     const PetscReal bulge[])
+{
+  const PetscInt num  = ElementNumNodes(ElementLinear(type));
+  PetscReal      most = 0;
+
+  for (PetscInt e = 0; e < ElementNumEdges(ElementLinear(type)); e++) {
+    const PetscInt *ends = ElementEdgeNodes(ElementLinear(type), e);
+    PetscReal       rise = 0, turn = 0;
+
+    for (PetscInt k = 0; k < dim; k++) {
+      const PetscReal b = bulge[(num + e) * dim + k], mean = 0.5 * (X[ends[0] * dim + k] + X[ends[1] * dim + k]);
+
+      rise += ElementOrder(type) > 1 ? PetscSqr(X[(num + e) * dim + k] - mean) : b * b;
+      turn += PetscSqr(N[ends[1] * dim + k] - N[ends[0] * dim + k]); // (2 sin gamma)^2
+    }
+    most = PetscMax(most, PetscSqrtReal(rise) * turn / 64);
+  }
+  return most;
+}
+
+PetscErrorCode RiseCreate(Level *level, const ScenePair *spec, const Facets *facets, const SideShape *shape,
+                          PetscBool polygonal, PetscReal **rise, PetscReal *left)
+{
+  const PetscInt dim = level->dim;
+  PetscReal      X[3 * F], bulge[3 * F] = {0}, largest[2] = {0, 0};
+
+  PetscFunctionBeginUser;
+  *rise = NULL;
+  *left = 0;
+  if (spec->gap || spec->obstacle.kind == OBSTACLE_EXPRESSION) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(
+      PetscCalloc1(facets->num * F * dim + 1, rise)); // also a rank without facets tells whether any rank has a curve
+  for (PetscInt f = 0; f < facets->num; f++) {
+    const ElementType type = facets->type[f];
+    const PetscReal  *N    = &shape->normal[f * F * dim];
+    PetscBool         any;
+
+    FacetCoordinates(level, facets, f, X);
+    if (polygonal && ElementOrder(type) == 1) largest[0] = PetscMax(largest[0], PolygonLeaves_Private(dim, type, X, N));
+    if (polygonal && ElementOrder(type) == 1) continue;
+    any        = ArcBulge(ElementLinear(type), X, N, bulge);
+    largest[0] = PetscMax(largest[0], CurveLeaves_Private(dim, type, X, N, bulge));
+    if (!any || ElementOrder(type) > 1) continue;
+    largest[1] = 1;
+    PetscCall(PetscArraycpy(&(*rise)[f * F * dim], bulge, F * dim));
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 2, MPIU_REAL, MPIU_MAX, level->comm));
+  *left = largest[0];
+  if (largest[1] == 0) PetscCall(PetscFree(*rise));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode RiseCreateMortar(PetscInt dim, MortarSurface *mortar)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(mortar->num * F * dim, &mortar->rise));
+  for (PetscInt f = 0; f < mortar->num; f++) {
+    if (ElementOrder(mortar->type[f]) > 1) continue;
+    (void)ArcBulge(mortar->type[f], &mortar->coords[f * F * dim], &mortar->normals[f * F * dim],
+                   &mortar->rise[f * F * dim]);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The direction of the ray through a point: that of the normals there; in space, before a mesh, that of the facet's plane. [out] n - [dim] */
+static void Ray_Private(const FacetPartner *partner, const ClipFacet *facet, const PetscReal xi[], PetscReal n[])
+{
+  const PetscInt  dim = partner->dim;
+  const PetscBool one = dim == 3 && partner->mortar ? PETSC_TRUE : PETSC_FALSE;
+  PetscReal       phi[ELEMENT_MAX_NODES];
+
+  ElementShape(facet->type, xi, phi, NULL);
+  for (PetscInt k = 0; k < dim; k++) n[k] = 0;
+  for (PetscInt i = 0; i < ElementNumNodes(facet->type); i++) {
+    for (PetscInt k = 0; k < dim; k++) n[k] += (one ? 1 : phi[i]) * facet->N[i * dim + k];
+  }
+  FrameNormalize(dim, n);
+}
+
+PetscReal GapsRise(const FacetPartner *partner, const ClipFacet *facet, const PetscReal rise[], PointList *list)
+{
+  const MortarSurface *mortar = partner->mortar;
+  const PetscReal     *rise_m = mortar ? mortar->rise : NULL;
+  PetscReal            most   = 0;
+
+  if (!rise && !rise_m) return 0;
+  for (PetscInt p = 0; p < list->num; p++) {
+    ClipPoint     *point = &list->point[p];
+    const PetscInt f     = list->facet[p];
+    PetscReal      n[3], off = 0;
+
+    Ray_Private(partner, facet, point->xi, n);
+    if (rise && ElementOrder(facet->type) == 1) off -= ArcRise(facet->type, rise, point->xi, n);
+    if (rise_m && ElementOrder(mortar->type[f]) == 1)
+      off += ArcRise(mortar->type[f], &rise_m[f * F * partner->dim], point->eta, n);
+    point->gap += off;
+    most = PetscMax(most, PetscAbsReal(off));
+  }
+  return most;
+}

@@ -1,0 +1,18 @@
+/* gmshtype.h -- Gmsh's types of elements, by their numbers in its files. */
+#ifndef MORTISE_GMSHTYPE_H
+#define MORTISE_GMSHTYPE_H
+
+#include "kernel/element.h"
+
+/* A type of element of first or second order. */
+typedef struct {
+  PetscInt        dim, num_nodes;
+  ElementType     cell;  /* ELEMENT_COUNT for those that are no cells here */
+  const char     *name;  /* of several, for sentences */
+  const PetscInt *place; /* which of the cell's nodes each of Gmsh's is [num_nodes]; NULL where they are alike */
+} GmshType;
+
+/* NULL for numbers of other types. Not collective. */
+const GmshType *GmshTypeGet(PetscInt64 number);
+
+#endif

@@ -1,0 +1,39 @@
+/* cubature.h -- integrals of functions with jumps and kinks over a reference cell.
+
+   A function of several components is given by its values at points. A rule with points up to the vertices tells whether it
+   is smooth; where it is not, nested integrals along lines find its jumps and kinks by bisection and are cut there. */
+#ifndef MORTISE_CUBATURE_H
+#define MORTISE_CUBATURE_H
+
+#include "kernel/element.h"
+
+enum { CUBATURE_MAX_SIZE = 3 * ELEMENT_MAX_NODES, CUBATURE_MAX_PIECES = 8, CUBATURE_MAX_GAUSS = 8 };
+
+/* value = the integrand at xi, with all measures but that of the reference cell. [in] xi - [ElementDim]; [out] value - [size] */
+typedef PetscErrorCode (*CubatureFn)(void *ctx, const PetscReal xi[], PetscReal value[]);
+
+typedef struct {
+  ElementType      type;
+  PetscInt         size; /* components, up to CUBATURE_MAX_SIZE */
+  CubatureFn       integrand;
+  void            *ctx;
+  const PetscReal *tolerance; /* positive, what each integral may be wrong by [size] */
+  PetscReal        inset;  /* part of a line at both of its ends that has no points; shorter intervals are rounding */
+  PetscInt         pieces; /* each line is cut into so many to begin with, up to CUBATURE_MAX_PIECES */
+  PetscInt         budget; /* evaluations that CubatureAdaptive() may take */
+  PetscInt         count;  /* evaluations that it took */
+} Cubature;
+
+/* The integrals by a product of equal rules: Gauss-Legendre with num points, exact to degree 2 num - 1 in each coordinate, or
+   Gauss-Lobatto with 5, exact to degree 7, on each of the pieces. Points of the latter reach the vertices of the reference
+   cell, less the inset. On simplices both are exact to one
+   degree less in the plane and two less in space.
+   Not collective. [in] num - up to CUBATURE_MAX_GAUSS; [out] value - [size] */
+PetscErrorCode CubatureGauss(Cubature *cubature, PetscInt num, PetscReal value[]);
+PetscErrorCode CubatureLobatto(Cubature *cubature, PetscReal value[]);
+
+/* The integrals by nested adaptive rules, which are cut at jumps and kinks. Not collective.
+   [out] value - [size]; [out] error - its estimate in units of the tolerance, 1 or less unless the budget is used up */
+PetscErrorCode CubatureAdaptive(Cubature *cubature, PetscReal value[], PetscReal *error);
+
+#endif

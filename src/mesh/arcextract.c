@@ -1,0 +1,112 @@
+/* arcextract.c -- the sides of a body that are taken for smooth, while its file's mesh is refined for it alone (T51). */
+#include "mesh/fileextract.h"
+#include "base/compat.h"
+
+/* Marks the cells of the region, or all. [out] chosen - freed by the caller [num_cells] */
+static PetscErrorCode ChooseCells_Private(const Extract *x, PetscBool **chosen)
+{
+  const char *region = x->body->region;
+  PetscInt    begin, tag, num = 0, *points = NULL;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(x->level.num_cells, chosen));
+  for (PetscInt c = 0; c < x->level.num_cells; ++c) (*chosen)[c] = region ? PETSC_FALSE : PETSC_TRUE;
+  PetscCall(DMPlexGetHeightStratum(x->level.dm, 0, &begin, NULL));
+  if (region && GmshFindGroup(x->names, x->level.dim, region, &tag))
+    PetscCall(LabelGetPoints(x->level.dm, "Cell Sets", tag, &num, &points));
+  for (PetscInt i = 0; i < num; ++i) {
+    if (points[i] >= begin && points[i] < begin + x->level.num_cells) (*chosen)[points[i] - begin] = PETSC_TRUE;
+  }
+  PetscCall(PetscFree(points));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The one chosen cell of a facet, -1 if there is none or if there are several. */
+static PetscErrorCode GetCell_Private(const Extract *x, const PetscBool chosen[], PetscInt facet, PetscInt *cell)
+{
+  const PetscInt *support;
+  PetscInt        begin, size, num = 0;
+
+  PetscFunctionBeginUser;
+  *cell = -1;
+  PetscCall(DMPlexGetHeightStratum(x->level.dm, 0, &begin, NULL));
+  PetscCall(DMPlexGetSupportSize(x->level.dm, facet, &size));
+  PetscCall(DMPlexGetSupport(x->level.dm, facet, &support));
+  for (PetscInt i = 0; i < size; ++i) {
+    if (!chosen[support[i] - begin]) continue;
+    *cell = support[i] - begin;
+    ++num;
+  }
+  if (num != 1) *cell = -1;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Points of all sides of a list, each once. [out] points - freed by the caller */
+static PetscErrorCode GetPoints_Private(const Extract *x, const SideNames *names, PetscInt *num, PetscInt **points)
+{
+  PetscFunctionBeginUser;
+  *num    = 0;
+  *points = NULL;
+  for (PetscInt s = 0; s < names->num; ++s) {
+    PetscInt tag, more, *labelled;
+
+    if (!GmshFindGroup(x->names, x->level.dim - 1, names->name[s], &tag) || tag <= 0) continue;
+    PetscCall(LabelGetPoints(x->level.dm, "Face Sets", tag, &more, &labelled));
+    PetscCall(PetscRealloc((*num + more) * sizeof(PetscInt), points));
+    PetscCall(PetscArraycpy(&(*points)[*num], labelled, more));
+    *num += more;
+    PetscCall(PetscFree(labelled));
+  }
+  PetscCall(PetscSortRemoveDupsInt(num, *points));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Facets of sides, joined, on the boundary of the chosen cells. [in] side - NULL for none; it is freed */
+static PetscErrorCode GetFacets_Private(const Extract *x, const PetscBool chosen[], char *side, Facets *facets)
+{
+  SideNames names = {0, NULL};
+  PetscInt  begin, end, num, *points, count = 0;
+
+  PetscFunctionBeginUser;
+  if (side) PetscCall(SideNamesAdd(&names, side));
+  PetscCall(PetscFree(side));
+  PetscCall(GetPoints_Private(x, &names, &num, &points));
+  PetscCall(SideNamesDestroy(&names));
+  PetscCall(DMPlexGetHeightStratum(x->level.dm, 1, &begin, &end));
+  PetscCall(FacetsAllocate(num, facets));
+  for (PetscInt i = 0; i < num; ++i) {
+    PetscInt cell, corners, vertices[ELEMENT_MAX_NODES];
+
+    if (points[i] < begin || points[i] >= end) continue; // refinement labels what is on a facet as well
+    PetscCall(GetCell_Private(x, chosen, points[i], &cell));
+    if (cell < 0) continue;
+    PetscCall(PointGetVertices(x->level.dm, points[i], &corners, vertices));
+    facets->cell[count] = cell;
+    facets->type[count] = ElementFacetType(ElementLinear((ElementType)x->level.cell_type[cell]));
+    for (PetscInt v = 0; v < corners; ++v)
+      facets->nodes[count * ELEMENT_MAX_FACET_NODES + v] = PointGetNode(&x->level, vertices[v]);
+    ++count;
+  }
+  facets->num = count;
+  FacetsTurnOut(&x->level, facets);
+  PetscCall(PetscFree(points));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ExtractArcSides(Extract *x, Scene scene, PetscInt body, ArcSides *sides)
+{
+  char      *round, *held;
+  PetscBool *chosen;
+
+  PetscFunctionBeginUser;
+  *sides = (ArcSides){.any = PETSC_FALSE};
+  if (x->alone.order > 1 || x->body->polygonal) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ArcSideNames(scene, body, &round, &held));
+  PetscCall(ChooseCells_Private(x, &chosen));
+  PetscCall(GetFacets_Private(x, chosen, round, &sides->round));
+  PetscCall(GetFacets_Private(x, chosen, held, &sides->held));
+  PetscCall(PetscFree(chosen));
+  PetscCall(LevelHasArcs(&x->level, &sides->round, &sides->any));
+  if (sides->any) PetscCall(LevelKeepUnmapped(&x->level));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

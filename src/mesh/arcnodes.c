@@ -1,0 +1,267 @@
+/* arcnodes.c -- new nodes of sides that are taken for smooth: on the curves that nodal normals make of straight edges (T51).
+
+   A curve's middle belongs to the node in the middle of its edge, on this level or on the next finer one. Facets tell the nodes, all
+   ranks sum, and what lies in the middle of a quadrilateral or hexahedron follows half or a quarter of the way of its edges
+   (Coons), so that cells stay sound. Everything happens before maps. */
+#include "mesh/meshimpl.h"
+#include "kernel/arc.h"
+#include "base/compat.h"
+#include "kernel/frame.h"
+#include "mesh/sideshape.h"
+
+enum { F = ELEMENT_MAX_FACET_NODES };
+
+/* Nodes that edges, quadrilaterals and hexahedra of one level put in place. */
+typedef struct {
+  Level    *from, *to;
+  PetscInt  begin, end; /* points of from */
+  PetscInt *node;       /* of to, in the middle of each point, or -1 [end - begin] */
+  Vec       sums; /* at nodes of to: sum of offsets, sum of their squares, sum of normals that must not see them */
+} Arcs;
+
+Level LevelBeforeMap(const Level *level)
+{
+  Level plain = *level;
+
+  if (level->unmapped) plain.coords = level->unmapped;
+  return plain;
+}
+
+/* Offsets of all facets, as ArcBulge() has them; returns whether there are any on this rank. [out] bulge - [num][F][dim] */
+static PetscErrorCode BulgesCreate_Private(Level *level, const Facets *facets, PetscReal **bulge, PetscBool *any)
+{
+  const PetscInt dim = level->dim;
+  SideShape      shape;
+  PetscReal      X[3 * F];
+
+  PetscFunctionBeginUser;
+  *any = PETSC_FALSE;
+  PetscCall(SideShapeCreate(level, facets, &shape));
+  PetscCall(PetscCalloc1(facets->num * F * dim, bulge));
+  for (PetscInt f = 0; f < facets->num; ++f) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); ++i)
+      PetscCall(PetscArraycpy(&X[i * dim], &level->coords[facets->nodes[f * F + i] * dim], dim));
+    if (ArcBulge(facets->type[f], X, &shape.normal[f * F * dim], &(*bulge)[f * F * dim])) *any = PETSC_TRUE;
+  }
+  PetscCall(SideShapeDestroy(&shape));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode LevelHasArcs(Level *level, const Facets *facets, PetscBool *any)
+{
+  Level      plain = LevelBeforeMap(level);
+  PetscReal *bulge;
+
+  PetscFunctionBeginUser;
+  PetscCall(BulgesCreate_Private(&plain, facets, &bulge, any));
+  PetscCall(PetscFree(bulge));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The points of the mesh that the edges of a facet are. [in] point - of each node; [out] edges - as ElementEdgeNodes() has them */
+static PetscErrorCode FacetGetEdges_Private(const Level *level, const PetscInt point[], const Facets *facets,
+                                            PetscInt f, PetscInt edges[])
+{
+  PetscFunctionBeginUser;
+  for (PetscInt e = 0; e < ElementNumEdges(facets->type[f]); ++e) {
+    const PetscInt *local   = ElementEdgeNodes(facets->type[f], e);
+    const PetscInt  ends[2] = {point[facets->nodes[f * F + local[0]]], point[facets->nodes[f * F + local[1]]]};
+    const PetscInt *joined;
+    PetscInt        num;
+
+    PetscCall(DMPlexGetJoin(level->dm, 2, ends, &num, &joined));
+    PetscCheck(num == 1, PETSC_COMM_SELF, PETSC_ERR_PLIB, "%" PetscInt_FMT " edges between two vertices", num);
+    edges[e] = joined[0];
+    PetscCall(DMPlexRestoreJoin(level->dm, 2, ends, &num, &joined));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds what facets say of the nodes on their edges. [in] bulge - as BulgesCreate_Private() makes it, or NULL: normals [num][F][dim] */
+static PetscErrorCode ArcsAdd_Private(const Arcs *arcs, const Facets *facets, const PetscReal bulge[],
+                                      PetscScalar sums[])
+{
+  const PetscInt dim = arcs->from->dim, bs = 2 * dim + 1;
+  PetscInt      *point, edges[ELEMENT_MAX_NODES];
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelGetNodePoints(arcs->from, &point));
+  for (PetscInt f = 0; f < facets->num; ++f) {
+    const PetscInt num = ElementNumNodes(facets->type[f]);
+    PetscReal      normal[3];
+
+    PetscCall(FacetGetEdges_Private(arcs->from, point, facets, f, edges));
+    if (!bulge) (void)FacetGetMeasure(arcs->from, facets, f, normal);
+    for (PetscInt e = 0; e < ElementNumEdges(facets->type[f]); ++e) {
+      const PetscInt node = arcs->node[edges[e] - arcs->begin];
+
+      for (PetscInt k = 0; k < dim && node >= 0; ++k) {
+        if (bulge) {
+          sums[node * bs + k] += bulge[(f * F + num + e) * dim + k];
+          sums[node * bs + dim] += PetscSqr(bulge[(f * F + num + e) * dim + k]);
+        } else {
+          sums[node * bs + dim + 1 + k] += normal[k];
+        }
+      }
+    }
+  }
+  PetscCall(PetscFree(point));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Sums of all ranks at the nodes. Collective. */
+static PetscErrorCode ArcsSum_Private(Arcs *arcs, const ArcSides *sides)
+{
+  PetscReal   *bulge;
+  PetscBool    any;
+  PetscScalar *sums;
+  Vec          local;
+
+  PetscFunctionBeginUser;
+  PetscCall(BulgesCreate_Private(arcs->from, &sides->round, &bulge, &any));
+  PetscCall(LevelCreateVec(arcs->to, 2 * arcs->from->dim + 1, &arcs->sums));
+  PetscCall(VecGhostGetLocalForm(arcs->sums, &local));
+  PetscCall(VecZeroEntries(local));
+  PetscCall(VecGetArray(local, &sums));
+  PetscCall(ArcsAdd_Private(arcs, &sides->round, bulge, sums));
+  PetscCall(ArcsAdd_Private(arcs, &sides->held, NULL, sums));
+  PetscCall(VecRestoreArray(local, &sums));
+  PetscCall(VecGhostRestoreLocalForm(arcs->sums, &local));
+  PetscCall(LevelShareVec(arcs->sums, ADD_VALUES));
+  PetscCall(PetscFree(bulge));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The offset of an edge. Two facets of one patch tell the same, and half of the sum is meant; those of two patches tell what is across
+   each other, and the sum is. Sides that are held along their normal stay flat. Returns whether there is any. [out] offset - [dim] */
+static PetscBool SumsToOffset_Private(PetscInt dim, const PetscScalar sums[], PetscReal offset[])
+{
+  const PetscReal squares = PetscRealPart(sums[dim]);
+  PetscReal       total = 0, normal[3], along = 0;
+
+  if (!(squares > 0)) return PETSC_FALSE;
+  for (PetscInt k = 0; k < dim; ++k) {
+    total += PetscSqr(PetscRealPart(sums[k]));
+    normal[k] = PetscRealPart(sums[dim + 1 + k]);
+  }
+  FrameNormalize(dim, normal);
+  for (PetscInt k = 0; k < dim; ++k) {
+    offset[k] = squares / PetscMax(total, squares) * PetscRealPart(sums[k]);
+    along += offset[k] * normal[k];
+  }
+  for (PetscInt k = 0; k < dim; ++k) offset[k] -= along * normal[k];
+  return PETSC_TRUE;
+}
+
+/* How far the node of each edge has to go from where it is. [out] way - [end - begin][dim], zero where nothing is known */
+static PetscErrorCode ArcsGetWays_Private(const Arcs *arcs, PetscReal way[])
+{
+  const PetscInt     dim = arcs->from->dim, bs = 2 * dim + 1;
+  const PetscReal   *at = arcs->to->unmapped, *X = arcs->from->coords;
+  PetscInt           begin, end, num, vertices[ELEMENT_MAX_NODES];
+  const PetscScalar *sums;
+  Vec                local;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetDepthStratum(arcs->from->dm, 1, &begin, &end));
+  PetscCall(VecGhostGetLocalForm(arcs->sums, &local));
+  PetscCall(VecGetArrayRead(local, &sums));
+  for (PetscInt p = begin; p < end; ++p) {
+    const PetscInt node = arcs->node[p - arcs->begin];
+    PetscReal      offset[3];
+
+    if (node < 0 || !SumsToOffset_Private(dim, &sums[node * bs], offset)) continue;
+    PetscCall(PointGetVertices(arcs->from->dm, p, &num, vertices));
+    for (PetscInt k = 0; k < dim; ++k) {
+      const PetscReal a = X[PointGetNode(arcs->from, vertices[0]) * dim + k];
+      const PetscReal b = X[PointGetNode(arcs->from, vertices[1]) * dim + k];
+
+      way[(p - arcs->begin) * dim + k] = 0.5 * (a + b) + offset[k] - at[node * dim + k];
+    }
+  }
+  PetscCall(VecRestoreArrayRead(local, &sums));
+  PetscCall(VecGhostRestoreLocalForm(arcs->sums, &local));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Moves nodes on edges, and those within what edges bound by a share of the sum of their ways. */
+static PetscErrorCode ArcsMove_Private(const Arcs *arcs)
+{
+  static const PetscReal share[] = {0, 1, 1. / 2, 1. / 4}; // by the dimension of the point
+  const PetscInt         dim     = arcs->from->dim;
+  PetscReal             *way;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1((arcs->end - arcs->begin) * dim, &way));
+  PetscCall(ArcsGetWays_Private(arcs, way));
+  for (PetscInt depth = 1; depth <= dim; ++depth) {
+    PetscInt begin, end, edge_begin, edge_end;
+
+    PetscCall(DMPlexGetDepthStratum(arcs->from->dm, 1, &edge_begin, &edge_end));
+    PetscCall(DMPlexGetDepthStratum(arcs->from->dm, depth, &begin, &end));
+    for (PetscInt p = begin; p < end; ++p) {
+      const PetscInt node = arcs->node[p - arcs->begin];
+      PetscInt       num, *closure = NULL;
+
+      if (node < 0) continue;
+      PetscCall(DMPlexGetTransitiveClosure(arcs->from->dm, p, PETSC_TRUE, &num, &closure));
+      for (PetscInt i = 0; i < num; ++i) {
+        if (closure[2 * i] < edge_begin || closure[2 * i] >= edge_end) continue;
+        for (PetscInt k = 0; k < dim; ++k)
+          arcs->to->unmapped[node * dim + k] += share[depth] * way[(closure[2 * i] - arcs->begin) * dim + k];
+      }
+      PetscCall(DMPlexRestoreTransitiveClosure(arcs->from->dm, p, PETSC_TRUE, &num, &closure));
+    }
+  }
+  PetscCall(PetscFree(way));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode ArcsRun_Private(Arcs *arcs, const ArcSides *sides)
+{
+  Level plain = LevelBeforeMap(arcs->from);
+
+  PetscFunctionBeginUser;
+  arcs->from = &plain;
+  PetscCall(ArcsSum_Private(arcs, sides));
+  PetscCall(ArcsMove_Private(arcs));
+  PetscCall(VecDestroy(&arcs->sums));
+  PetscCall(PetscFree(arcs->node));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode LevelArcVertices(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine)
+{
+  Arcs           arcs = {.from = coarse, .to = fine};
+  DMPolytopeType source, target;
+  PetscInt       begin, end, point, replica;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetChart(coarse->dm, &arcs.begin, &arcs.end));
+  PetscCall(PetscMalloc1(arcs.end - arcs.begin, &arcs.node));
+  for (PetscInt p = 0; p < arcs.end - arcs.begin; ++p) arcs.node[p] = -1;
+  PetscCall(DMPlexGetDepthStratum(fine->dm, 0, &begin, &end));
+  for (PetscInt v = begin; v < end; ++v) {
+    PetscCall(DMPlexTransformGetSourcePoint(transform, v, &source, &target, &point, &replica));
+    if (source != DM_POLYTOPE_POINT) arcs.node[point - arcs.begin] = PointGetNode(fine, v);
+  }
+  PetscCall(ArcsRun_Private(&arcs, sides));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode LevelArcMiddles(Level *level, const ArcSides *sides)
+{
+  Arcs     arcs = {.from = level, .to = level};
+  PetscInt begin, end;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetChart(level->dm, &arcs.begin, &arcs.end));
+  PetscCall(PetscMalloc1(arcs.end - arcs.begin, &arcs.node));
+  PetscCall(DMPlexGetDepthStratum(level->dm, 0, &begin, &end));
+  for (PetscInt p = arcs.begin; p < arcs.end; ++p)
+    arcs.node[p - arcs.begin] =
+        (p >= begin && p < end) || p < level->point_begin || p >= level->point_end ? -1 : PointGetNode(level, p);
+  PetscCall(ArcsRun_Private(&arcs, sides));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

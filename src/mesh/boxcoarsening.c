@@ -1,0 +1,103 @@
+/* boxcoarsening.c -- levels that boxes begin with by themselves.
+
+   A box of 256 x 192 cells is one of 8 x 6 cells that is refined five times. Where solvers use coarser levels, scenes of boxes
+   therefore need no -dm_refine to have them. So long as ranks are few their number plays no part, so that iterations do not
+   depend on it. */
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
+
+enum {
+  COARSEST_UNKNOWNS = 800, /* with fewer there is one more level and hardly a cheaper factorisation */
+  CELLS_A_RANK      = 40   /* for parts that are even within some percent */
+};
+
+/* As PetscReal, since it is to be compared before anything is known to fit whole numbers. */
+typedef struct {
+  PetscReal cells, unknowns;
+} Size;
+
+PetscBool MeshWantsLevels(Scene scene, PetscReal num_unknowns)
+{
+  const PetscReal limit = scene->dim == 2 ? MESH_LEVELS_2D : MESH_LEVELS_3D;
+
+  if (scene->levels != LEVELS_BY_SIZE) return scene->levels == LEVELS_USED ? PETSC_TRUE : PETSC_FALSE;
+  return num_unknowns > limit ? PETSC_TRUE : PETSC_FALSE;
+}
+
+/* Of all boxes, their own edges halved so many times beyond their -dm_refine; simplices have the nodes of bricks. [in] order - at
+   least */
+static Size SceneGetSize_Private(Scene scene, PetscInt times, PetscInt order)
+{
+  Size size = {0, 0};
+
+  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+    const SceneBody *body  = &scene->bodies[b];
+    PetscReal        cells = 1, nodes = 1;
+
+    for (PetscInt d = 0; d < scene->dim; ++d) {
+      const PetscReal faces = body->faces[d] * PetscPowReal(2, (PetscReal)(body->refine + times));
+
+      cells *= faces;
+      nodes *= (order ? PetscMax(order, body->order) : 1) * faces + 1;
+    }
+    size.cells += cells;
+    size.unknowns += scene->dim * nodes;
+  }
+  return size;
+}
+
+/* Of the finest mesh and the highest order of a study, all meshes of which have the same levels. */
+static PetscBool SceneWantsLevels_Private(Scene scene)
+{
+  const SceneStudy *study = &scene->study;
+  PetscInt          order = 1;
+
+  for (PetscInt i = 0; i < study->num_orders; ++i) order = PetscMax(order, study->orders[i]);
+  return MeshWantsLevels(scene,
+                         SceneGetSize_Private(scene, scene->refine + PetscMax(study->levels - 1, 0), order).unknowns);
+}
+
+/* How many times the edges of a body can be doubled. Refinement takes triangles to the triangles of the finer box; tetrahedra it
+   takes to others. */
+static PetscInt BodyCountCoarser_Private(const SceneBody *body, PetscInt dim)
+{
+  PetscInt faces = 0, times = body->refine;
+
+  if (body->mesh_file || (body->simplex && dim == 3)) return 0;
+  for (PetscInt d = 0; d < dim; ++d) faces |= body->faces[d]; // its lowest bit is the lowest of all
+  for (; faces % 2 == 0; faces /= 2) ++times;
+  return times;
+}
+
+/* Whether a mesh is too small to begin with: of order 1, so that all orders begin with the same. */
+static PetscBool SceneIsSmall_Private(Scene scene, PetscInt coarser, PetscMPIInt num_ranks)
+{
+  const Size size = SceneGetSize_Private(scene, -coarser, 0);
+
+  return size.unknowns < COARSEST_UNKNOWNS || size.cells < CELLS_A_RANK * (PetscReal)num_ranks ? PETSC_TRUE
+                                                                                               : PETSC_FALSE;
+}
+
+PetscInt SceneCountCoarser(Scene scene, PetscMPIInt num_ranks)
+{
+  PetscInt most = PETSC_MAX_INT, times;
+
+  if (!SceneWantsLevels_Private(scene)) return 0;
+  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+    most = PetscMin(most, BodyCountCoarser_Private(&scene->bodies[b], scene->dim));
+    // cells may tangle in one order and not in another, but in a study all orders have the same levels
+    if (scene->bodies[b].map && scene->study.num_orders > 1) most = 0;
+  }
+  times = most;
+  while (times > 0 && SceneIsSmall_Private(scene, times, num_ranks)) --times;
+  // who asks for levels gets one at least
+  return !times && !scene->refine && scene->levels == LEVELS_USED ? PetscMin(most, 1) : times;
+}
+
+void BodyCoarsen(SceneBody *body, PetscInt dim, PetscInt times)
+{
+  const PetscInt rest = PetscMax(times - body->refine, 0);
+
+  body->refine -= times - rest;
+  for (PetscInt d = 0; d < dim; ++d) body->faces[d] >>= rest;
+}

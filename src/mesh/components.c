@@ -1,0 +1,217 @@
+/* components.c -- pieces of bodies: sets of nodes are united cell by cell on every rank, and then passed on from rank to rank by the
+   nodes that several of them hold, until nothing changes. */
+#include "base/compat.h"
+#include "mesh/components.h"
+
+/* The node that stands for the set of a node; paths to it are halved on the way. */
+static PetscInt Find_Private(PetscInt parent[], PetscInt node)
+{
+  while (parent[node] != node) {
+    parent[node] = parent[parent[node]];
+    node         = parent[node];
+  }
+  return node;
+}
+
+/* Sets of local nodes that this rank's cells join. [out] parent - the node that stands for each one's set [num_nodes] */
+static void Unite_Private(const Level *level, PetscInt parent[])
+{
+  for (PetscInt i = 0; i < level->num_nodes; ++i) parent[i] = i;
+  for (PetscInt c = 0; c < level->num_cells; ++c) {
+    const PetscInt first = level->cell_start[c];
+
+    for (PetscInt i = first + 1; i < level->cell_start[c + 1]; ++i)
+      parent[Find_Private(parent, level->cell_nodes[i])] = Find_Private(parent, level->cell_nodes[first]);
+  }
+  for (PetscInt i = 0; i < level->num_nodes; ++i) parent[i] = Find_Private(parent, i);
+}
+
+/* The largest global node of the piece of each local node. [in] parent - of Unite_Private(); [out] name - [num_nodes] */
+static PetscErrorCode Names_Private(Level *level, const PetscInt parent[], PetscInt name[])
+{
+  PetscBool    changed = PETSC_TRUE;
+  PetscScalar *n;
+  Vec          names, local;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, 1, &names));
+  PetscCall(VecGhostGetLocalForm(names, &local));
+  for (PetscInt i = 0; i < level->num_nodes; ++i) name[i] = 0;
+  for (PetscInt i = 0; i < level->num_nodes; ++i) name[parent[i]] = PetscMax(name[parent[i]], level->node_global[i]);
+  while (changed) {
+    PetscCall(VecGetArray(local, &n));
+    for (PetscInt i = 0; i < level->num_nodes; ++i) n[i] = (PetscReal)name[parent[i]]; // whole numbers below 2^53
+    PetscCall(VecRestoreArray(local, &n));
+    PetscCall(LevelShareVec(names, MAX_VALUES));
+    changed = PETSC_FALSE;
+    PetscCall(VecGetArray(local, &n));
+    for (PetscInt i = 0; i < level->num_nodes; ++i) {
+      const PetscInt told = (PetscInt)PetscRealPart(n[i]);
+
+      if (told <= name[parent[i]]) continue;
+      name[parent[i]] = told;
+      changed         = PETSC_TRUE;
+    }
+    PetscCall(VecRestoreArray(local, &n));
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &changed, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  }
+  for (PetscInt i = 0; i < level->num_nodes; ++i) name[i] = name[parent[i]];
+  PetscCall(VecGhostRestoreLocalForm(names, &local));
+  PetscCall(VecDestroy(&names));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The names and bodies of all pieces on all ranks: a piece is told by the rank that owns the node it is called by.
+   [in] name - [num_nodes]; [out] told - name and body of each piece, names ascending [*num][2], owned by the caller */
+static PetscErrorCode Gather_Private(const Level *level, const PetscInt name[], PetscInt *num, PetscInt **told)
+{
+  PetscMPIInt size, mine = 0, *counts, *starts;
+  PetscInt   *own;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_size(level->comm, &size));
+  PetscCall(PetscMalloc2(size, &counts, size + 1, &starts));
+  for (PetscInt a = 0; a < level->num_owned; ++a) mine += name[a] == level->node_global[a] ? 2 : 0;
+  PetscCall(PetscMalloc1(mine, &own));
+  mine = 0;
+  for (PetscInt a = 0; a < level->num_owned; ++a) {
+    if (name[a] != level->node_global[a]) continue;
+    own[mine++] = name[a];
+    own[mine++] = level->node_body[a];
+  }
+  PetscCallMPI(MPI_Allgather(&mine, 1, MPI_INT, counts, 1, MPI_INT, level->comm));
+  starts[0] = 0;
+  for (PetscMPIInt r = 0; r < size; ++r) starts[r + 1] = starts[r] + counts[r];
+  *num = starts[size] / 2;
+  PetscCall(PetscMalloc1(starts[size], told));
+  PetscCallMPI(MPI_Allgatherv(own, mine, MPIU_INT, *told, counts, starts, MPIU_INT, level->comm));
+  PetscCall(PetscFree(own));
+  PetscCall(PetscFree2(counts, starts));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Boxes around the nodes of each piece. Collective. [out] box - [num][PIECE_BOX] */
+static PetscErrorCode Boxes_Private(const Level *level, PetscInt num, const PetscInt of_node[], PetscReal box[])
+{
+  const PetscInt dim = level->dim;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < num * PIECE_BOX; ++i) box[i] = i % 3 < dim ? PETSC_NINFINITY : 0;
+  for (PetscInt a = 0; a < level->num_owned; ++a) {
+    PetscReal *b = &box[of_node[a] * PIECE_BOX];
+
+    for (PetscInt k = 0; k < dim; ++k) {
+      b[k]     = PetscMax(b[k], level->coords[a * dim + k]);
+      b[3 + k] = PetscMax(b[3 + k], -level->coords[a * dim + k]);
+    }
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, box, (PetscMPIInt)(num * PIECE_BOX), MPIU_REAL, MPI_MAX, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether piece i comes before piece j: largest and smallest coordinates are the same numbers on any number of ranks. */
+static PetscBool Before_Private(const PetscInt told[], const PetscReal box[], PetscInt i, PetscInt j)
+{
+  if (told[2 * i + 1] != told[2 * j + 1]) return (PetscBool)(told[2 * i + 1] < told[2 * j + 1]);
+  for (PetscInt k = 0; k < 3; ++k) {
+    const PetscReal *a = &box[i * PIECE_BOX], *b = &box[j * PIECE_BOX],
+                    difference = (a[k] - a[3 + k]) - (b[k] - b[3 + k]);
+
+    if (difference != 0) return (PetscBool)(difference < 0);
+  }
+  return (PetscBool)(i < j);
+}
+
+/* Sorts pieces in place, by halves. [in,out] order - [num]; work - [num] */
+static void Sort_Private(const PetscInt told[], const PetscReal box[], PetscInt num, PetscInt order[], PetscInt work[])
+{
+  const PetscInt half = num / 2;
+
+  if (num < 2) return;
+  Sort_Private(told, box, half, order, work);
+  Sort_Private(told, box, num - half, order + half, work);
+  for (PetscInt i = 0; i < num; ++i) work[i] = order[i];
+  for (PetscInt n = 0, i = 0, j = half; n < num; ++n)
+    order[n] = j == num || (i < half && Before_Private(told, box, work[i], work[j])) ? work[i++] : work[j++];
+}
+
+PetscErrorCode PiecesCreate(Level *level, Pieces *pieces)
+{
+  PetscInt  *parent, *name, *told, *names, *order, *rank, num;
+  PetscReal *box;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc2(level->num_nodes, &parent, level->num_nodes, &name));
+  PetscCall(PetscMalloc1(level->num_nodes, &pieces->of_node));
+  Unite_Private(level, parent);
+  PetscCall(Names_Private(level, parent, name));
+  PetscCall(Gather_Private(level, name, &num, &told));
+  PetscCall(PetscMalloc4(num, &names, num, &order, num, &rank, num * PIECE_BOX, &box));
+  for (PetscInt i = 0; i < num; ++i) {
+    names[i] = told[2 * i];
+    order[i] = i;
+  }
+  for (PetscInt i = 0; i < level->num_nodes; ++i) PetscCall(PetscFindInt(name[i], num, names, &pieces->of_node[i]));
+  PetscCall(Boxes_Private(level, num, pieces->of_node, box));
+  Sort_Private(told, box, num, order, rank);
+  for (PetscInt n = 0; n < num; ++n) rank[order[n]] = n;
+  pieces->num = num;
+  PetscCall(PetscMalloc2(num, &pieces->body, num * PIECE_BOX, &pieces->box));
+  for (PetscInt n = 0; n < num; ++n) {
+    pieces->body[n] = told[2 * order[n] + 1];
+    PetscCall(PetscArraycpy(&pieces->box[n * PIECE_BOX], &box[order[n] * PIECE_BOX], PIECE_BOX));
+  }
+  for (PetscInt i = 0; i < level->num_nodes; ++i) pieces->of_node[i] = rank[pieces->of_node[i]];
+  PetscCall(PetscFree4(names, order, rank, box));
+  PetscCall(PetscFree(told));
+  PetscCall(PetscFree2(parent, name));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PiecesDestroy(Pieces *pieces)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(pieces->of_node));
+  PetscCall(PetscFree2(pieces->body, pieces->box));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PiecesOfGlobalNodes(Level *level, const Pieces *pieces, PetscInt num, const PetscInt nodes[],
+                                   PetscInt piece[])
+{
+  PetscInt          *asked;
+  PetscScalar       *values;
+  const PetscScalar *found;
+  Vec                all, some;
+  VecScatter         scatter;
+  IS                 where;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(num, &asked));
+  for (PetscInt i = 0; i < num; ++i) asked[i] = PetscMax(nodes[i], 0);
+  PetscCall(LevelCreateVec(level, 1, &all));
+  PetscCall(VecGetArray(all, &values));
+  for (PetscInt a = 0; a < level->num_owned; ++a) values[a] = (PetscReal)pieces->of_node[a];
+  PetscCall(VecRestoreArray(all, &values));
+  PetscCall(VecCreateSeq(PETSC_COMM_SELF, num, &some));
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num, asked, PETSC_OWN_POINTER, &where));
+  PetscCall(VecScatterCreate(all, where, some, NULL, &scatter));
+  PetscCall(VecScatterBegin(scatter, all, some, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecScatterEnd(scatter, all, some, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGetArrayRead(some, &found));
+  for (PetscInt i = 0; i < num; ++i) piece[i] = nodes[i] < 0 ? -1 : (PetscInt)PetscRealPart(found[i]);
+  PetscCall(VecRestoreArrayRead(some, &found));
+  PetscCall(VecScatterDestroy(&scatter));
+  PetscCall(ISDestroy(&where));
+  PetscCall(VecDestroy(&some));
+  PetscCall(VecDestroy(&all));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscInt PiecesOfBody(const Pieces *pieces, PetscInt body)
+{
+  PetscInt count = 0;
+
+  for (PetscInt n = 0; n < pieces->num; ++n) count += pieces->body[n] == body;
+  return count;
+}

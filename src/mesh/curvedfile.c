@@ -1,0 +1,121 @@
+/* curvedfile.c -- the middle nodes that files of second order give: a position, before any map, on some of the edges, facets and
+   cells of a DM. What has none is straight. */
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
+
+/* The points that carry the nodes behind a cell's vertices, in the order of element.h: edges, facets, the cell itself.
+   [out] num - 0 for a cell of order 1; points - [ELEMENT_MAX_NODES] */
+static PetscErrorCode CellGetMiddles_Private(DM dm, const BodyList *list, const Numbering *numbering, PetscInt body,
+                                             PetscInt cell, PetscInt *num, PetscInt points[])
+{
+  const ElementType type = (ElementType)list->cell_type[cell];
+  PetscInt          vertices[ELEMENT_MAX_NODES];
+
+  PetscFunctionBeginUser;
+  *num = 0;
+  if (ElementOrder(type) == 1) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt i = 0; i < ElementNumNodes(ElementLinear(type)); ++i)
+    vertices[i] = numbering->first_vertex[body] + list->cell_nodes[cell * ELEMENT_MAX_NODES + i];
+  PetscCall(PointGetMiddles(dm, numbering->point[body][cell], vertices, num, points));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* dim numbers on every point that a list has a middle node on. */
+static PetscErrorCode CurvesSetSection_Private(DM dm, const BodyList lists[], const Numbering *numbering,
+                                               PetscSection section)
+{
+  PetscInt begin, end, num, points[ELEMENT_MAX_NODES];
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetChart(dm, &begin, &end));
+  PetscCall(PetscSectionSetChart(section, begin, end));
+  for (PetscInt b = 0; b < numbering->num_bodies; ++b) {
+    for (PetscInt c = 0; c < lists[b].num_cells; ++c) {
+      PetscCall(CellGetMiddles_Private(dm, &lists[b], numbering, b, c, &num, points));
+      for (PetscInt i = 0; i < num; ++i) PetscCall(PetscSectionSetDof(section, points[i], lists[b].dim));
+    }
+  }
+  PetscCall(PetscSectionSetUp(section));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CurvesCreate(DM dm, const BodyList lists[], const Numbering *numbering, Curves *curves)
+{
+  PetscInt     size, num, points[ELEMENT_MAX_NODES];
+  PetscScalar *x;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscSectionCreate(PetscObjectComm((PetscObject)dm), &curves->section));
+  PetscCall(CurvesSetSection_Private(dm, lists, numbering, curves->section));
+  PetscCall(PetscSectionGetStorageSize(curves->section, &size));
+  PetscCall(VecCreateSeq(PETSC_COMM_SELF, size, &curves->positions));
+  PetscCall(VecGetArray(curves->positions, &x));
+  for (PetscInt b = 0; b < numbering->num_bodies; ++b) {
+    const BodyList *list = &lists[b];
+
+    for (PetscInt c = 0; c < list->num_cells; ++c) {
+      const ElementType type   = (ElementType)list->cell_type[c];
+      const PetscInt   *middle = &list->cell_nodes[c * ELEMENT_MAX_NODES] + ElementNumNodes(ElementLinear(type));
+
+      PetscCall(CellGetMiddles_Private(dm, list, numbering, b, c, &num, points));
+      for (PetscInt i = 0; i < num; ++i) {
+        PetscInt offset;
+
+        PetscCall(PetscSectionGetOffset(curves->section, points[i], &offset));
+        for (PetscInt d = 0; d < list->dim; ++d) x[offset + d] = list->coords[middle[i] * list->dim + d];
+      }
+    }
+  }
+  PetscCall(VecRestoreArray(curves->positions, &x));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CurvesDestroy(Curves *curves)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscSectionDestroy(&curves->section));
+  PetscCall(VecDestroy(&curves->positions));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CurvesGetSize(const Curves *curves, PetscInt *size)
+{
+  PetscFunctionBeginUser;
+  *size = 0;
+  if (curves->section) PetscCall(PetscSectionGetStorageSize(curves->section, size));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CurvesDistribute(DM dm, PetscSF sf, Curves *curves)
+{
+  Curves spread;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscSectionCreate(PetscObjectComm((PetscObject)dm), &spread.section));
+  PetscCall(VecCreate(PETSC_COMM_SELF, &spread.positions));
+  PetscCall(DMPlexDistributeField(dm, sf, curves->section, curves->positions, spread.section, spread.positions));
+  PetscCall(CurvesDestroy(curves));
+  *curves = spread;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CurvesGetNodes(const Curves *curves, const Level *level, PetscReal X[])
+{
+  const PetscScalar *x;
+  PetscInt           begin, end;
+
+  PetscFunctionBeginUser;
+  if (!curves->section) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscSectionGetChart(curves->section, &begin, &end));
+  PetscCall(VecGetArrayRead(curves->positions, &x));
+  for (PetscInt p = PetscMax(begin, level->point_begin); p < PetscMin(end, level->point_end); ++p) {
+    const PetscInt node = PointGetNode(level, p);
+    PetscInt       num, offset;
+
+    PetscCall(PetscSectionGetDof(curves->section, p, &num));
+    PetscCall(PetscSectionGetOffset(curves->section, p, &offset));
+    for (PetscInt d = 0; d < num && node >= 0; ++d) X[node * level->dim + d] = PetscRealPart(x[offset + d]);
+  }
+  PetscCall(VecRestoreArrayRead(curves->positions, &x));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,197 @@
+/* fileextract.c -- the lists of a body from the mesh of its file: its cells and nodes. */
+#include "mesh/fileextract.h"
+#include "base/compat.h"
+#include <string.h>
+
+PetscErrorCode LabelGetPoints(DM dm, const char name[], PetscInt tag, PetscInt *num, PetscInt **points)
+{
+  const PetscInt *indices;
+  DMLabel         label;
+  IS              is = NULL;
+
+  PetscFunctionBeginUser;
+  *num    = 0;
+  *points = NULL;
+  PetscCall(DMGetLabel(dm, name, &label));
+  if (label && tag < 0)
+    PetscCall(DMLabelGetValueIS(label, &is));
+  else if (label)
+    PetscCall(DMLabelGetStratumIS(label, tag, &is));
+  if (!is) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ISGetLocalSize(is, num));
+  PetscCall(PetscMalloc1(*num, points));
+  PetscCall(ISGetIndices(is, &indices));
+  PetscCall(PetscArraycpy(*points, indices, *num));
+  PetscCall(ISRestoreIndices(is, &indices));
+  PetscCall(ISDestroy(&is));
+  PetscCall(PetscSortInt(*num, *points));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ExtractFindOther(const Extract *x, PetscInt wanted, const char group[], const char **kind)
+{
+  static const char *const kinds[] = {"point", "curve", "surface", "volume"}; /* by dimension, as Gmsh calls them */
+  const PetscInt           dim     = x->level.dim;
+
+  PetscFunctionBeginUser;
+  *kind = NULL;
+  for (PetscInt d = 0; d <= dim; ++d) {
+    PetscInt tag, size = 0;
+
+    if (d == wanted || !GmshFindGroup(x->names, d, group, &tag)) continue;
+    if (d >= dim - 1) PetscCall(DMGetStratumSize(x->level.dm, d == dim ? "Cell Sets" : "Face Sets", tag, &size));
+    if (size || GmshHasName(x->names, d, group)) *kind = kinds[d];
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Marks the cells of the region, or all. */
+static PetscErrorCode ExtractSelect_Private(Extract *x, PetscInt dim, char sentence[])
+{
+  const char *region = x->body->region;
+  const char *other;
+  PetscInt    tag, num = 0, *points = NULL;
+  char        text[MESH_SENTENCE / 2] = "";
+
+  PetscFunctionBeginUser;
+  for (PetscInt c = 0; c < x->level.num_cells; ++c) x->cell_at[c] = region ? -1 : x->num_cells++;
+  if (!region) PetscFunctionReturn(PETSC_SUCCESS);
+  if (GmshFindGroup(x->names, dim, region, &tag))
+    PetscCall(LabelGetPoints(x->level.dm, "Cell Sets", tag, &num, &points));
+  for (PetscInt i = 0; i < num; ++i) { // refinement labels the cells' edges as well
+    if (points[i] >= x->cell_begin && points[i] < x->cell_begin + x->level.num_cells)
+      x->cell_at[points[i] - x->cell_begin] = x->num_cells++;
+  }
+  PetscCall(PetscFree(points));
+  if (x->num_cells) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(LabelGetPoints(x->level.dm, "Cell Sets", -1, &num, &points));
+  for (PetscInt i = 0; i < num; ++i) {
+    if (points[i]) GmshDescribeGroup(x->names, dim, points[i], text, sizeof(text)); // 0: in no group
+  }
+  PetscCall(PetscFree(points));
+  PetscCall(ExtractFindOther(x, dim, region, &other));
+  snprintf(sentence, MESH_SENTENCE,
+           "-%s_mesh_region %s: the mesh has no cells in a physical group of this name or number%s%s; it has %s",
+           x->body->name, region, other ? ", which is a " : "", other ? other : "",
+           text[0] ? text : "no groups of cells");
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Numbers the nodes of the chosen cells, vertices first. */
+static void ExtractNumber_Private(Extract *x)
+{
+  enum { UNUSED = -1, VERTEX = -2, MIDDLE = -3 };
+  const Level *level = &x->level;
+
+  for (PetscInt n = 0; n < level->num_nodes; ++n) x->node_at[n] = UNUSED;
+  for (PetscInt c = 0; c < level->num_cells; ++c) {
+    const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
+
+    for (PetscInt i = 0; i < level->cell_start[c + 1] - level->cell_start[c] && x->cell_at[c] >= 0; ++i)
+      x->node_at[nodes[i]] = i < LevelNumVertices(level, c) ? VERTEX : MIDDLE;
+  }
+  for (PetscInt n = 0; n < level->num_nodes; ++n) {
+    if (x->node_at[n] == VERTEX) x->node_at[n] = x->num_nodes++;
+  }
+  x->num_vertices = x->num_nodes;
+  for (PetscInt n = 0; n < level->num_nodes; ++n) {
+    if (x->node_at[n] == MIDDLE) x->node_at[n] = x->num_nodes++;
+  }
+}
+
+/* Area or volume of a cell of at most an order, negative where it is inside out. */
+static PetscReal CellGetMeasure_Private(const BodyList *list, PetscInt cell, PetscInt order)
+{
+  const ElementType of_file = (ElementType)list->cell_type[cell], type = order > 1 ? of_file : ElementLinear(of_file);
+  const PetscInt    degree = list->dim * ElementOrder(type) - 1; // of det J in each direction, at most
+  const PetscInt   *nodes  = &list->cell_nodes[cell * ELEMENT_MAX_NODES];
+  PetscReal         X[ELEMENT_MAX_NODES * 3], xi[ELEMENT_MAX_POINTS * 3], weight[ELEMENT_MAX_POINTS];
+  PetscReal         phi[ELEMENT_MAX_NODES], measure = 0;
+  const PetscInt    num = ElementQuadrature(type, degree, xi, weight);
+
+  for (PetscInt i = 0; i < ElementNumNodes(type); ++i) {
+    for (PetscInt d = 0; d < list->dim; ++d) X[i * list->dim + d] = list->coords[nodes[i] * list->dim + d];
+  }
+  for (PetscInt q = 0; q < num; ++q) measure += weight[q] * ElementMap(type, X, &xi[q * list->dim], NULL, phi, NULL);
+  return measure;
+}
+
+/* Positions and cells, of the order that the file has: a body of order 1 gets its new vertices from them when it is refined.
+   Cells that are inside out are turned here, so that a body has one orientation before its map. */
+static void ExtractCells_Private(const Extract *x, BodyList *list)
+{
+  const Level *level = &x->level;
+
+  list->num_vertices = x->num_vertices;
+  list->curved_file  = x->alone.order > 1 ? PETSC_TRUE : PETSC_FALSE;
+  list->straightened = x->body->order < x->alone.order ? PETSC_TRUE : PETSC_FALSE;
+  for (PetscInt n = 0; n < level->num_nodes; ++n) {
+    for (PetscInt d = 0; d < list->dim && x->node_at[n] >= 0; ++d)
+      list->coords[x->node_at[n] * list->dim + d] = level->coords[n * list->dim + d];
+  }
+  for (PetscInt c = 0; c < level->num_cells; ++c) {
+    const PetscInt at = x->cell_at[c], num = level->cell_start[c + 1] - level->cell_start[c];
+    PetscInt      *nodes;
+
+    if (at < 0) continue;
+    nodes               = &list->cell_nodes[at * ELEMENT_MAX_NODES];
+    list->cell_type[at] = level->cell_type[c];
+    for (PetscInt i = 0; i < num; ++i) nodes[i] = x->node_at[level->cell_nodes[level->cell_start[c] + i]];
+    if (CellGetMeasure_Private(list, at, x->body->order) < 0) CellReverse((ElementType)list->cell_type[at], nodes);
+  }
+}
+
+/* Tables of the file's mesh, split as often as the body wants. A file of second order is followed along its curves, so that
+   the vertices of a body are the same whatever its order. */
+static PetscErrorCode ExtractSetLevel_Private(Extract *x, Scene scene, PetscInt body, MeshFile file)
+{
+  PetscInt size;
+
+  PetscFunctionBeginUser;
+  PetscCall(CurvesGetSize(&file->curves, &size));
+  x->alone       = *x->body;
+  x->alone.map   = NULL;
+  x->alone.order = size ? 2 : 1;
+  x->scene       = (struct _n_Scene){.comm = PETSC_COMM_SELF, .dim = scene->dim, .num_bodies = 1, .bodies = &x->alone};
+  PetscCall(LevelCreateTables(&x->scene, file->dm, x->alone.order, &x->level));
+  PetscCall(LevelSetCoords(&x->level, &file->curves));
+  for (PetscInt i = 0; i < x->body->refine; ++i) {
+    ArcSides sides;
+    Level    coarse;
+
+    PetscCall(ExtractArcSides(x, scene, body, &sides));
+    coarse = x->level;
+    PetscCall(LevelRefine(&coarse, &sides, &x->level));
+    PetscCall(ArcSidesDestroy(&sides));
+    PetscCall(LevelDestroy(&coarse));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BodyListCreateFile(Scene scene, PetscInt body, const SideNames *names, MeshFile *files, BodyList *list,
+                                  char sentence[])
+{
+  const PetscInt dim = scene->dim;
+  Extract        x   = {.body = &scene->bodies[body]};
+  PetscInt       begin, end;
+  MeshFile       file;
+
+  PetscFunctionBeginUser;
+  PetscCall(MeshFileOpen(x.body, dim, files, &file, sentence));
+  if (sentence[0]) PetscFunctionReturn(PETSC_SUCCESS);
+  x.names = &file->names;
+  PetscCall(ExtractSetLevel_Private(&x, scene, body, file));
+  PetscCall(DMPlexGetHeightStratum(x.level.dm, 0, &x.cell_begin, NULL));
+  PetscCall(DMPlexGetHeightStratum(x.level.dm, 1, &begin, &end));
+  PetscCall(PetscMalloc2(x.level.num_cells, &x.cell_at, x.level.num_nodes, &x.node_at));
+  PetscCall(ExtractSelect_Private(&x, dim, sentence));
+  ExtractNumber_Private(&x);
+  PetscCall(BodyListAllocate(dim, x.num_cells, x.num_nodes, (end - begin) * names->num, list));
+  ExtractCells_Private(&x, list);
+  if (!sentence[0]) PetscCall(ExtractCheckFacets(&x, list, sentence));
+  PetscCall(ExtractSides(&x, names, list, sentence));
+  PetscCall(ExtractHinges(&x, list));
+  PetscCall(PetscFree2(x.cell_at, x.node_at));
+  PetscCall(LevelDestroy(&x.level));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,34 @@
+/* fileextract.h -- a body on its way from the mesh of its file to the lists. All of it is on the first rank, nothing is
+   collective. */
+#ifndef MORTISE_FILEEXTRACT_H
+#define MORTISE_FILEEXTRACT_H
+
+#include "mesh/meshimpl.h"
+
+typedef struct {
+  const SceneBody *body;
+  const GmshNames *names;
+  struct _n_Scene  scene; /* of this body alone, before its map, with all cells of the file */
+  SceneBody        alone;
+  Level            level; /* refined as the body wants it */
+  PetscInt         cell_begin, num_cells, num_vertices, num_nodes;
+  PetscInt        *cell_at; /* position of each cell in the lists, -1 for other regions */
+  PetscInt        *node_at; /* likewise of each of the level's nodes */
+} Extract;
+
+/* The indices of one stratum of a label, or of the label's values with tag < 0; sorted copies. */
+PetscErrorCode LabelGetPoints(DM dm, const char name[], PetscInt tag, PetscInt *num, PetscInt **points);
+/* What a group of another dimension is that the user means by this name or number, NULL if there is none. [in] wanted - the
+   dimension of those that would do */
+PetscErrorCode ExtractFindOther(const Extract *x, PetscInt wanted, const char group[], const char **kind);
+/* Whether no two cells lie upon each other. [out] sentence - "" if so [MESH_SENTENCE] */
+PetscErrorCode ExtractCheckFacets(const Extract *x, const BodyList *list, char sentence[]);
+/* list->num_hinges and list->hinge. */
+PetscErrorCode ExtractHinges(const Extract *x, BodyList *list);
+/* All sides that the scene names. A facet counts once in each of them. [out] sentence - "" unless there is a mistake */
+PetscErrorCode ExtractSides(const Extract *x, const SideNames *names, BodyList *list, char sentence[]);
+/* Sides that are taken for smooth on the level as it is; positions before the map are kept where there are some. [out] sides - owned by
+   the caller */
+PetscErrorCode ExtractArcSides(Extract *x, Scene scene, PetscInt body, ArcSides *sides);
+
+#endif

@@ -1,0 +1,219 @@
+/* levelcells.c -- the cells of a level: their bodies, their nodes, and whether they are sound.
+
+   Loops over elements want plain arrays: what a cell consists of is looked up in the DM once, here. */
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
+#include "base/usererror.h"
+
+/* A cell is degenerate when det J falls below this share of its longest edge squared (cubed in 3D): round-off of the
+   coordinates reaches 1e-15, needle elements of aspect 1e6 keep 1e-6. */
+static const PetscReal DegenerateShare = 1e-10;
+
+/* From the label that the merge has set; a mesh without is of one body. */
+PetscErrorCode LevelSetCellBodies(Level *level)
+{
+  DMLabel  label;
+  PetscInt begin;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetHeightStratum(level->dm, 0, &begin, NULL));
+  PetscCall(DMGetLabel(level->dm, "body", &label));
+  for (PetscInt b = 0; b < level->scene->num_bodies && label; ++b) {
+    const PetscInt *cells;
+    PetscInt        num;
+    IS              is;
+
+    PetscCall(DMLabelGetStratumIS(label, b, &is));
+    if (!is) continue; // none of it on this rank
+    PetscCall(ISGetLocalSize(is, &num));
+    PetscCall(ISGetIndices(is, &cells));
+    for (PetscInt i = 0; i < num; ++i) level->cell_body[cells[i] - begin] = b;
+    PetscCall(ISRestoreIndices(is, &cells));
+    PetscCall(ISDestroy(&is));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode LevelFollowCellBodies(const Level *coarse, DMPlexTransform transform, Level *fine)
+{
+  DMPolytopeType source, target;
+  PetscInt       begin, coarse_begin, cell, replica;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetHeightStratum(coarse->dm, 0, &coarse_begin, NULL));
+  PetscCall(DMPlexGetHeightStratum(fine->dm, 0, &begin, NULL));
+  for (PetscInt c = 0; c < fine->num_cells; ++c) {
+    PetscCall(DMPlexTransformGetSourcePoint(transform, begin + c, &source, &target, &cell, &replica));
+    fine->cell_body[c] = coarse->cell_body[cell - coarse_begin];
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Once to see how many nodes there are, once to write them down. */
+PetscErrorCode LevelSetCells(Level *level)
+{
+  ElementType type;
+  PetscInt    begin, nodes[ELEMENT_MAX_NODES];
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetHeightStratum(level->dm, 0, &begin, NULL));
+  level->cell_start[0] = 0;
+  for (PetscInt c = 0; c < level->num_cells; ++c) {
+    PetscCall(PointGetNodes(level, begin + c, &type, nodes));
+    level->cell_type[c]      = type;
+    level->cell_start[c + 1] = level->cell_start[c] + ElementNumNodes(type);
+  }
+  PetscCall(PetscMalloc1(level->cell_start[level->num_cells], &level->cell_nodes));
+  for (PetscInt c = 0; c < level->num_cells; ++c)
+    PetscCall(PointGetNodes(level, begin + c, &type, &level->cell_nodes[level->cell_start[c]]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Positions of a cell's nodes; returns the longest distance of neighbouring vertices. [out] X - [num_nodes][dim] */
+static PetscReal LevelCellCoords_Private(const Level *level, PetscInt cell, PetscReal X[])
+{
+  const PetscInt   *nodes   = &level->cell_nodes[level->cell_start[cell]];
+  const PetscInt    num     = level->cell_start[cell + 1] - level->cell_start[cell];
+  const ElementType type    = (ElementType)level->cell_type[cell];
+  PetscReal         longest = 0;
+
+  for (PetscInt i = 0; i < num; ++i) {
+    for (PetscInt d = 0; d < level->dim; ++d) X[i * level->dim + d] = level->coords[nodes[i] * level->dim + d];
+  }
+  for (PetscInt e = 0; e < ElementNumEdges(type); ++e) {
+    const PetscInt *ends   = ElementEdgeNodes(type, e);
+    PetscReal       square = 0;
+
+    for (PetscInt d = 0; d < level->dim; ++d)
+      square += PetscSqr(X[ends[0] * level->dim + d] - X[ends[1] * level->dim + d]);
+    longest = PetscMax(longest, square);
+  }
+  return PetscSqrtReal(longest);
+}
+
+/* The node of a reference cell that mirrors another in the plane xi_0 = xi_1. */
+static PetscInt NodeMirror_Private(ElementType type, PetscInt node)
+{
+  const PetscReal *xi = ElementNode(type, node);
+  PetscInt         i  = 0;
+
+  for (; i < ElementNumNodes(type); ++i) {
+    const PetscReal *other = ElementNode(type, i);
+    PetscBool        same  = other[0] == xi[1] && other[1] == xi[0] ? PETSC_TRUE : PETSC_FALSE;
+
+    for (PetscInt d = 2; d < ElementDim(type); ++d) same = same && other[d] == xi[d] ? PETSC_TRUE : PETSC_FALSE;
+    if (same) break;
+  }
+  return i;
+}
+
+/* The first vertex stays. */
+void CellReverse(ElementType type, PetscInt nodes[])
+{
+  for (PetscInt i = 0; i < ElementNumNodes(type); ++i) {
+    const PetscInt mirror = NodeMirror_Private(type, i), node = nodes[i];
+
+    if (mirror <= i) continue; // on the plane, or changed already
+    nodes[i]      = nodes[mirror];
+    nodes[mirror] = node;
+  }
+}
+
+/* Reverses a cell that is inside out; tells whether it did, and whether the cell is sound then. */
+static void LevelTurnCell_Private(Level *level, PetscInt cell, PetscBool *turned, PetscBool *sound)
+{
+  const ElementType type = (ElementType)level->cell_type[cell];
+  PetscReal         X[ELEMENT_MAX_NODES * 3], longest, jacobian;
+
+  longest  = LevelCellCoords_Private(level, cell, X);
+  jacobian = ElementMinJacobian(type, X);
+  *turned  = jacobian < 0 ? PETSC_TRUE : PETSC_FALSE;
+  if (*turned) {
+    CellReverse(type, &level->cell_nodes[level->cell_start[cell]]);
+    (void)LevelCellCoords_Private(level, cell, X);
+    jacobian = ElementMinJacobian(type, X);
+  }
+  *sound = jacobian > DegenerateShare * PetscPowRealInt(longest, (int)level->dim) ? PETSC_TRUE : PETSC_FALSE;
+}
+
+/* "body 'b' has a degenerate or tangled cell with corners (..), (..)"; with curved sides it may be so for all its corners. */
+static void LevelDescribeCell_Private(const Level *level, PetscInt cell, char sentence[])
+{
+  const SceneBody *body  = &level->scene->bodies[level->cell_body[cell]];
+  const PetscInt  *nodes = &level->cell_nodes[level->cell_start[cell]];
+  size_t           used;
+
+  used = (size_t)snprintf(sentence, MESH_SENTENCE, "body '%s' has a degenerate or tangled cell%s%s with corners",
+                          body->name, body->order > 1 ? " of order 2" : "", body->map ? " after its map" : "");
+  for (PetscInt i = 0; i < LevelNumVertices(level, cell); ++i) {
+    const PetscReal *x = &level->coords[nodes[i] * level->dim];
+
+    for (PetscInt d = 0; d < level->dim; ++d) {
+      used += (size_t)snprintf(sentence + used, MESH_SENTENCE - used, "%s%g", d ? ", " : " (",
+                               (double)(x[d] + 0)); // not -0
+    }
+    used += (size_t)snprintf(sentence + used, MESH_SENTENCE - used, ")");
+  }
+  if (body->arcs)
+    snprintf(sentence + used, MESH_SENTENCE - used,
+             "; sides in contact are taken for smooth, and -%s_polygonal 1 keeps the polygons of its file", body->name);
+}
+
+/* Says that a body has cells of both senses: its map has folded it, or the curves of its file, or those of sides that are taken for
+   smooth. [in] cell - of this rank, of the sense that fewer cells have, or -1 */
+static PetscErrorCode BodyRaiseFold_Private(const Level *level, const SceneBody *body, PetscInt cell)
+{
+  char sentence[MESH_SENTENCE] = "";
+
+  PetscFunctionBeginUser;
+  if (body->arcs && !body->map) {
+    if (cell >= 0) LevelDescribeCell_Private(level, cell, sentence);
+    PetscCall(UserErrorCheck(level->comm, sentence));
+  }
+  if (body->map) {
+    PetscCall(UserErrorRaise(level->comm,
+                             "-%s_map %.200s folds body '%s': it turns some of its cells inside out and others not",
+                             body->name, ExpressionText(body->map), body->name));
+  }
+  PetscCall(
+      UserErrorRaise(level->comm,
+                     "body '%s' has cells that are inside out as soon as they are refined along the curved sides of "
+                     "%.400s; -%s_order 2 tells which",
+                     body->name, body->mesh_file, body->name));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Before maps every body has one sense (box.c, extract.c), and refinement keeps it, but for curves that are no shape of a
+   cell. So a map may turn a body inside out as a whole; one that turns only some of its cells has folded it. */
+PetscErrorCode LevelTurnCells(Level *level, PetscBool *sound)
+{
+  const Scene    scene                   = level->scene;
+  char           sentence[MESH_SENTENCE] = "";
+  const PetscInt num                     = 2 * scene->num_bodies;
+  PetscInt      *seen;  /* cells that were the right way and inside out [num_bodies][2]; those that are neither */
+  PetscInt      *first; /* of this rank, or -1 [num_bodies][2] */
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc2(num + 1, &seen, num, &first));
+  for (PetscInt i = 0; i < num; ++i) first[i] = -1;
+  for (PetscInt c = 0; c < level->num_cells; ++c) {
+    PetscBool turned, good;
+
+    LevelTurnCell_Private(level, c, &turned, &good);
+    if (!good && !sentence[0]) LevelDescribeCell_Private(level, c, sentence);
+    if (!seen[2 * level->cell_body[c] + turned]++) first[2 * level->cell_body[c] + turned] = c;
+  }
+  if (!sound) PetscCall(UserErrorCheck(level->comm, sentence));
+  seen[num] = sentence[0] ? 1 : 0;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, seen, (int)(num + 1), MPIU_INT, MPI_SUM, level->comm));
+  if (sound) *sound = seen[num] ? PETSC_FALSE : PETSC_TRUE;
+  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+    if (!seen[2 * b] || !seen[2 * b + 1]) continue;
+    if (sound)
+      *sound = PETSC_FALSE;
+    else
+      PetscCall(BodyRaiseFold_Private(level, &scene->bodies[b], first[2 * b + (seen[2 * b] > seen[2 * b + 1])]));
+  }
+  PetscCall(PetscFree2(seen, first));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,121 @@
+/* levelnodes.c -- which points of the mesh carry a node, and its number.
+
+   Ownership and global numbers come from PETSc's global section, so that Vecs of the DM and of the tables agree. */
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
+
+/* Bodies have no point in common: what bounds a point is of the body that the point is of. [out] body - of every point
+   of the mesh, known for its cells on entry */
+static PetscErrorCode PointsSetBodies_Private(DM dm, PetscInt dim, PetscInt body[])
+{
+  PetscInt first;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetChart(dm, &first, NULL));
+  for (PetscInt height = 0; height < dim; ++height) {
+    PetscInt begin, end;
+
+    PetscCall(DMPlexGetHeightStratum(dm, height, &begin, &end));
+    for (PetscInt p = begin; p < end; ++p) {
+      const PetscInt *cone;
+      PetscInt        size;
+
+      PetscCall(DMPlexGetConeSize(dm, p, &size));
+      PetscCall(DMPlexGetCone(dm, p, &cone));
+      for (PetscInt i = 0; i < size; ++i) body[cone[i] - first] = body[p - first];
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Marks points that carry a node with 0, others with -1. Order 1 asks for vertices alone, so that is all its tables
+   know of. [in] body - of every point of the mesh [chart] */
+static PetscErrorCode LevelMarkNodes_Private(Level *level, PetscInt max_order, const PetscInt body[])
+{
+  PetscInt first, end, vertex_begin, vertex_end;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetChart(level->dm, &first, &end));
+  PetscCall(DMPlexGetDepthStratum(level->dm, 0, &vertex_begin, &vertex_end));
+  level->point_begin = max_order > 1 ? first : vertex_begin;
+  level->point_end   = max_order > 1 ? end : vertex_end;
+  level->num_nodes   = 0;
+  PetscCall(PetscMalloc1(level->point_end - level->point_begin, &level->point_node));
+  for (PetscInt p = level->point_begin; p < level->point_end; ++p) {
+    PetscBool carries = p >= vertex_begin && p < vertex_end ? PETSC_TRUE : PETSC_FALSE;
+
+    if (!carries && level->scene->bodies[body[p - first]].order > 1) PetscCall(PointHasMiddle(level->dm, p, &carries));
+    level->point_node[p - level->point_begin] = carries ? 0 : -1;
+    level->num_nodes += carries;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* dim unknowns on every node: the layout of displacements. */
+static PetscErrorCode LevelSetSection_Private(Level *level)
+{
+  PetscSection section;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscSectionCreate(level->comm, &section));
+  PetscCall(PetscSectionSetNumFields(section, 1));
+  PetscCall(PetscSectionSetFieldName(section, 0, "displacement"));
+  PetscCall(PetscSectionSetFieldComponents(section, 0, level->dim));
+  PetscCall(PetscSectionSetChart(section, level->point_begin, level->point_end));
+  for (PetscInt p = level->point_begin; p < level->point_end; ++p) {
+    if (PointGetNode(level, p) < 0) continue;
+    PetscCall(PetscSectionSetDof(section, p, level->dim));
+    PetscCall(PetscSectionSetFieldDof(section, p, 0, level->dim));
+  }
+  PetscCall(PetscSectionSetUp(section));
+  PetscCall(DMSetLocalSection(level->dm, section));
+  PetscCall(PetscSectionDestroy(&section));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Local nodes: the owned ones in global order, which is the order of the DM, then those of other ranks. */
+static PetscErrorCode LevelNumberNodes_Private(Level *level, const PetscInt body[])
+{
+  PetscSection section;
+  PetscInt     first, node = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetChart(level->dm, &first, NULL));
+  PetscCall(DMGetGlobalSection(level->dm, &section));
+  PetscCall(PetscMalloc3(level->num_nodes, &level->node_global, level->num_nodes, &level->node_body,
+                         level->num_nodes * level->dim, &level->coords));
+  for (PetscInt ghosts = 0; ghosts < 2; ++ghosts) { // first those that this rank owns
+    for (PetscInt p = level->point_begin; p < level->point_end; ++p) {
+      PetscInt offset;
+
+      if (PointGetNode(level, p) < 0) continue;
+      PetscCall(PetscSectionGetOffset(section, p, &offset)); // -(offset + 1) where another rank owns the node
+      if ((offset < 0) != ghosts) continue;
+      level->node_global[node]                  = (ghosts ? -(offset + 1) : offset) / level->dim;
+      level->node_body[node]                    = body[p - first];
+      level->point_node[p - level->point_begin] = node++;
+    }
+    if (!ghosts) level->num_owned = node;
+  }
+  PetscCallMPI(MPI_Scan(&level->num_owned, &level->node_begin, 1, MPIU_INT, MPI_SUM, level->comm));
+  level->node_begin -= level->num_owned;
+  PetscCallMPI(MPI_Allreduce(&level->num_owned, &level->num_global, 1, MPIU_INT, MPI_SUM, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode LevelSetNodes(Level *level, PetscInt max_order)
+{
+  PetscInt *body, first, end, cell_begin;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetChart(level->dm, &first, &end));
+  PetscCall(DMPlexGetHeightStratum(level->dm, 0, &cell_begin, NULL));
+  PetscCall(PetscMalloc1(end - first, &body));
+  PetscCall(PetscArraycpy(&body[cell_begin - first], level->cell_body, level->num_cells));
+  PetscCall(PointsSetBodies_Private(level->dm, level->dim, body));
+  PetscCall(LevelMarkNodes_Private(level, max_order, body));
+  PetscCall(LevelSetSection_Private(level));
+  PetscCall(LevelNumberNodes_Private(level, body));
+  PetscCall(PetscFree(body));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,171 @@
+/* meshfile.c -- mesh files, read once each on the first rank: Gmsh's by gmsh.c, others by DMPlexCreateFromFile().
+
+   PETSc is kept silent meanwhile, so that a broken file becomes one sentence. Physical groups arrive as values of the
+   labels "Cell Sets" and "Face Sets". */
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
+#include <string.h>
+
+/* A plane mesh may lie at any height, but not leave it by more than this share of its size. */
+static const PetscReal PlaneShare = 1e-9;
+
+/* What PETSc would have printed: the first line of the first message. */
+static PetscErrorCode RecordErrorFn(MPI_Comm comm, int line, const char *function, const char *file,
+                                    PetscErrorCode code, PetscErrorType type, const char *message, void *context)
+{
+  char *text = (char *)context; /* [MESH_SENTENCE] */
+
+  (void)comm, (void)line, (void)function, (void)file;
+  if (type == PETSC_ERROR_INITIAL && message && !text[0])
+    snprintf(text, MESH_SENTENCE, "%.*s", (int)strcspn(message, "\n"), message);
+  return code;
+}
+
+/* Reads by PETSc. */
+static PetscErrorCode FileReadPlex_Private(const char path[], DM *dm, char reason[])
+{
+  PetscErrorCode code;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscPushErrorHandler(RecordErrorFn, reason));
+  code = DMPlexCreateFromFile(PETSC_COMM_SELF, path, "", PETSC_TRUE, dm);
+  PetscCall(PetscPopErrorHandler());
+  if (code) *dm = NULL; // half made, and the run ends: nothing can be gained by taking it apart
+  if (code && !reason[0]) snprintf(reason, MESH_SENTENCE, "PETSc cannot read it (error %d)", (int)code);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void FileDescribeDimension(PetscInt highest, PetscInt dim, char reason[])
+{
+  const char *hint = "";
+
+  if (highest > dim) hint = "; -model solid takes solids";
+  if (highest < dim && dim == 3)
+    hint = "; gmsh -3 makes solids, and writes those in a physical volume where there are physical groups";
+  else if (highest < dim)
+    hint = "; gmsh -2 meshes surfaces, and writes those in a physical surface where there are physical groups";
+  snprintf(reason, MESH_SENTENCE, "its cells have dimension %d, the scene has %d%s", (int)highest, (int)dim, hint);
+}
+
+void FileCheckHeight(const PetscReal lower[], const PetscReal upper[], char reason[])
+{
+  if (upper[2] - lower[2] > PlaneShare * PetscMax(upper[0] - lower[0], upper[1] - lower[1])) {
+    snprintf(
+        reason, MESH_SENTENCE,
+        "its mesh is one of surfaces and not parallel to the x,y plane: z runs from %g to %g; gmsh -3 makes solids, "
+        "and writes those in a physical volume where there are physical groups",
+        (double)lower[2], (double)upper[2]);
+  }
+}
+
+/* Whether all cells are of types that there are here. [out] reason - untouched if so [MESH_SENTENCE] */
+static PetscErrorCode FileCheckTypes_Private(DM dm, char reason[])
+{
+  PetscInt       begin, end;
+  DMPolytopeType type;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetHeightStratum(dm, 0, &begin, &end));
+  for (PetscInt c = begin; c < end; ++c) {
+    PetscCall(DMPlexGetCellType(dm, c, &type));
+    if (type == DM_POLYTOPE_TRIANGLE || type == DM_POLYTOPE_QUADRILATERAL || type == DM_POLYTOPE_TETRAHEDRON ||
+        type == DM_POLYTOPE_HEXAHEDRON)
+      continue;
+    snprintf(reason, MESH_SENTENCE,
+             "it holds a cell that PETSc calls %s; triangles, quadrangles, tetrahedra and hexahedra are accepted",
+             DMPolytopeTypes[type]);
+    break;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether the mesh has the scene's dimension, is of first order, and plane in a plane scene. */
+static PetscErrorCode FileCheckPlex_Private(DM dm, PetscInt dim, char reason[])
+{
+  PetscInt           mesh_dim, space_dim, begin, end, size;
+  const PetscScalar *x;
+  PetscReal          lower[3], upper[3];
+  Vec                coords;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMGetDimension(dm, &mesh_dim));
+  if (mesh_dim != dim) {
+    FileDescribeDimension(mesh_dim, dim, reason);
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(DMPlexGetDepthStratum(dm, 0, &begin, &end));
+  PetscCall(DMGetCoordinateDim(dm, &space_dim));
+  PetscCall(DMGetCoordinatesLocal(dm, &coords));
+  PetscCall(VecGetLocalSize(coords, &size));
+  if (size != (end - begin) * space_dim) {
+    snprintf(reason, MESH_SENTENCE,
+             "it holds cells of higher order; of Gmsh's files alone those of second order are accepted");
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(VecGetArrayRead(coords, &x));
+  for (PetscInt d = 0; d < space_dim; ++d) {
+    lower[d] = PETSC_MAX_REAL;
+    upper[d] = -PETSC_MAX_REAL;
+    for (PetscInt i = 0; i < end - begin; ++i) {
+      lower[d] = PetscMin(lower[d], PetscRealPart(x[i * space_dim + d]));
+      upper[d] = PetscMax(upper[d], PetscRealPart(x[i * space_dim + d]));
+    }
+  }
+  PetscCall(VecRestoreArrayRead(coords, &x));
+  if (space_dim > dim) FileCheckHeight(lower, upper, reason);
+  if (!reason[0]) PetscCall(FileCheckTypes_Private(dm, reason));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Reads and checks. [out] reason - "" if the file can be used [MESH_SENTENCE] */
+static PetscErrorCode FileRead_Private(MeshFile file, PetscInt dim, char reason[])
+{
+  const char *extension = strrchr(file->path, '.');
+  GmshMesh    mesh;
+
+  PetscFunctionBeginUser;
+  if (extension && !strncmp(extension, ".msh", strlen(".msh"))) { // .msh2 and .msh4 are used as well
+    PetscCall(GmshRead(file->path, &file->names, &mesh, reason, MESH_SENTENCE));
+    if (!reason[0]) PetscCall(GmshToPlex(&mesh, dim, &file->dm, &file->curves, reason));
+    PetscCall(GmshMeshDestroy(&mesh));
+  } else {
+    PetscCall(FileReadPlex_Private(file->path, &file->dm, reason));
+    if (!reason[0]) PetscCall(FileCheckPlex_Private(file->dm, dim, reason));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Bodies of one file are told apart by their regions; the file is read for the first of them. */
+PetscErrorCode MeshFileOpen(const SceneBody *body, PetscInt dim, MeshFile *files, MeshFile *file, char sentence[])
+{
+  char reason[MESH_SENTENCE] = "";
+
+  PetscFunctionBeginUser;
+  for (*file = *files; *file && strcmp((*file)->path, body->mesh_file); *file = (*file)->next) continue;
+  if (!*file) {
+    PetscCall(PetscNew(file));
+    PetscCall(PetscStrallocpy(body->mesh_file, &(*file)->path));
+    (*file)->next = *files;
+    *files        = *file;
+    PetscCall(FileRead_Private(*file, dim, reason));
+  }
+  if (reason[0])
+    snprintf(sentence, MESH_SENTENCE, "-%s_dm_plex_filename %.400s: %.500s", body->name, body->mesh_file, reason);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MeshFileDestroy(MeshFile *files)
+{
+  PetscFunctionBeginUser;
+  while (*files) {
+    MeshFile file = *files;
+
+    *files = file->next;
+    PetscCall(PetscFree(file->path));
+    PetscCall(DMDestroy(&file->dm));
+    PetscCall(CurvesDestroy(&file->curves));
+    PetscCall(GmshNamesDestroy(&file->names));
+    PetscCall(PetscFree(file));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

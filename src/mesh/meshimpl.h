@@ -1,0 +1,268 @@
+/* meshimpl.h -- what the files of this room share.
+
+   A body begins as plain lists on the first rank: boxes are written as such, files are turned into such, and all are
+   merged into the one DMPlex. Levels are its tables. Nothing is collective but what says so. */
+#ifndef MORTISE_MESHIMPL_H
+#define MORTISE_MESHIMPL_H
+
+#include "mesh/mesh.h"
+#include <petscdmplextransform.h>
+#include "gmsh/gmsh.h"
+
+enum { MESH_SENTENCE = 1024 }; /* length of a fault's sentence */
+
+/* Names of sides, each without '+'. */
+typedef struct {
+  PetscInt num;
+  char   **name; /* [num] */
+} SideNames;
+
+/* Cells, positions and the facets of those sides that the scene uses. Nodes are the vertices, followed by the others
+   that cells of order 2 have. */
+typedef struct {
+  PetscInt   dim, num_cells, num_vertices, num_nodes, num_facets;
+  PetscInt  *cell_type;    /* ElementType [num_cells] */
+  PetscInt  *cell_nodes;   /* [num_cells][ELEMENT_MAX_NODES] */
+  PetscReal *coords;       /* before the map [num_nodes][dim] */
+  PetscInt  *facet_cell;   /* [num_facets] */
+  PetscInt  *facet;        /* number of the facet in its cell [num_facets] */
+  PetscInt  *facet_side;   /* index into the SideNames [num_facets] */
+  PetscBool  curved_file;  /* the file is of second order */
+  PetscBool  straightened; /* it is, and the body of order 1 */
+  PetscInt   num_hinges;   /* vertices by which alone some cells hang together */
+  PetscReal  hinge[3];     /* the first of them, before the map */
+} BodyList;
+
+/* All nodes are vertices to begin with. */
+PetscErrorCode BodyListAllocate(PetscInt dim, PetscInt num_cells, PetscInt num_nodes, PetscInt max_facets,
+                                BodyList *list);
+PetscErrorCode BodyListDestroy(BodyList *list);
+
+/* Splits "a+b" and adds the parts that are not there yet. */
+PetscErrorCode SideNamesAdd(SideNames *names, const char side[]);
+/* All sides of a body that the scene's boundaries and pairs name. */
+PetscErrorCode SideNamesOfBody(Scene scene, PetscInt body, SideNames *names);
+PetscErrorCode SideNamesDestroy(SideNames *names);
+
+/* The number of the facet of a cell that has exactly these vertices, or -1. [in] cell, facet - node numbers */
+PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt facet[]);
+
+/* A box of quads or triangles, of hexahedra or tetrahedra. [out] sentence - [MESH_SENTENCE], "" unless the scene is wrong */
+PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const SideNames *names, BodyList *list,
+                                 char sentence[]);
+
+/* How many times all bodies can be made of cells twice as large, and should be, for the sake of solvers. [in] num_ranks - to
+   share the coarsest mesh */
+PetscInt SceneCountCoarser(Scene scene, PetscMPIInt num_ranks);
+/* Takes so many halvings of its edges from a box. */
+void BodyCoarsen(SceneBody *body, PetscInt dim, PetscInt times);
+
+/* Where the cells and vertices of lists are among the points of a DM. */
+typedef struct {
+  PetscInt   num_bodies, num_cells, num_vertices;
+  PetscInt **point;        /* of every cell of every body [num_bodies][num_cells] */
+  PetscInt  *first_vertex; /* point of the body's first vertex [num_bodies] */
+} Numbering;
+
+PetscErrorCode NumberingCreate(PetscInt num_bodies, const BodyList lists[], Numbering *numbering);
+PetscErrorCode NumberingDestroy(Numbering *numbering);
+/* Shapes of one dimension, each a list of vertices in PETSc's order; and, once they are bounded, of the shapes that bound
+   them. */
+typedef struct {
+  PetscInt  num;
+  PetscInt *type;                            /* ElementType of order 1 [num] */
+  PetscInt *start, *vertex;                  /* [num+1], [start[num]] */
+  PetscInt *cone_start, *cone, *orientation; /* NULL before ShapesBound() [num+1], [cone_start[num]] twice */
+} Shapes;
+
+/* Room for shapes that ShapesAdd() adds. */
+PetscErrorCode ShapesCreate(PetscInt max_shapes, PetscInt max_vertices, Shapes *shapes);
+PetscErrorCode ShapesDestroy(Shapes *shapes);
+void           ShapesAdd(Shapes *shapes, ElementType type, const PetscInt vertices[]);
+/* The facets of shapes, each once: those of the first shape first. [in] num_vertices - which are numbered from 0; [out]
+   lower - owned by the caller */
+PetscErrorCode ShapesBound(Shapes *upper, PetscInt num_vertices, Shapes *lower);
+/* PETSc's names of the cells of order 1 [ELEMENT_COUNT]. */
+extern const DMPolytopeType PlexPolytope[];
+/* Cells, edges, vertices and their positions, without labels. Collective on comm. */
+PetscErrorCode PlexCreate(MPI_Comm comm, PetscInt dim, const BodyList lists[], const Numbering *numbering, DM *dm);
+
+/* Positions before the map of nodes on edges and in cells, where a file gives them. */
+typedef struct {
+  PetscSection section;   /* dim numbers on points of a DM that have one; NULL where all is straight */
+  Vec          positions; /* this rank's */
+} Curves;
+
+/* From the cells of order 2 in lists. Collective on the DM. */
+PetscErrorCode CurvesCreate(DM dm, const BodyList lists[], const Numbering *numbering, Curves *curves);
+PetscErrorCode CurvesDestroy(Curves *curves);
+/* How many numbers there are on this rank. */
+PetscErrorCode CurvesGetSize(const Curves *curves, PetscInt *size);
+/* Lets curves go the way of a DM. Collective. [in] dm - before; sf - what DMPlexDistribute() gave */
+PetscErrorCode CurvesDistribute(DM dm, PetscSF sf, Curves *curves);
+/* Puts those nodes of a level in place that curves know. [in,out] X - [num_nodes][dim] */
+PetscErrorCode CurvesGetNodes(const Curves *curves, const Level *level, PetscReal X[]);
+
+/* A Gmsh file as a DM on this rank alone. [out] curves - owned by the caller; [out] reason - why it cannot be used, "" if
+   it can [MESH_SENTENCE] */
+PetscErrorCode GmshToPlex(const GmshMesh *mesh, PetscInt dim, DM *dm, Curves *curves, char reason[]);
+
+/* Meshes read so far, one per file, so that bodies that share a file share the reading. */
+typedef struct _n_MeshFile *MeshFile;
+struct _n_MeshFile {
+  char     *path;
+  DM        dm; /* as read, before any refinement */
+  Curves    curves;
+  GmshNames names; /* empty for other formats */
+  MeshFile  next;
+};
+/* Says that the cells of a file have another dimension than the scene, and what to do. [out] reason - [MESH_SENTENCE] */
+void FileDescribeDimension(PetscInt highest, PetscInt dim, char reason[]);
+/* Whether a mesh within these bounds is plane. [in] lower, upper - [3]; [out] reason - untouched if so [MESH_SENTENCE] */
+void FileCheckHeight(const PetscReal lower[], const PetscReal upper[], char reason[]);
+/* The mesh of a body's file as read now or for an earlier body. [in,out] files - list of what was read, NULL at first;
+   [out] file - borrowed from the list; [out] sentence - [MESH_SENTENCE], "" unless the file cannot be used */
+PetscErrorCode MeshFileOpen(const SceneBody *body, PetscInt dim, MeshFile *files, MeshFile *file, char sentence[]);
+/* The cells of a body's file, or of one of its regions, refined as the body wants it. */
+PetscErrorCode BodyListCreateFile(Scene scene, PetscInt body, const SideNames *names, MeshFile *files, BodyList *list,
+                                  char sentence[]);
+PetscErrorCode MeshFileDestroy(MeshFile *files);
+
+/* The one DMPlex of all bodies, whole on the first rank. Collective. [in] lists - empty on other ranks */
+PetscErrorCode MeshMerge(Scene scene, const BodyList lists[], const SideNames names[], DM *dm, Curves *curves);
+
+/* Vertices of a point of the mesh: a vertex itself, the ends of an edge, the corners of a facet or a cell. [out] vertices -
+   [ELEMENT_MAX_NODES] */
+PetscErrorCode PointGetVertices(DM dm, PetscInt point, PetscInt *num, PetscInt vertices[]);
+/* Whether order 2 has a node in the middle of an edge, a facet or a cell. */
+PetscErrorCode PointHasMiddle(DM dm, PetscInt point, PetscBool *has);
+/* The points that carry the nodes behind the vertices in an element of order 2: edges, quads of a hexahedron, the point
+   itself. [in] vertices - in the element's order, which need not be that of PointGetVertices(); [out] middles -
+   [ELEMENT_MAX_NODES] */
+PetscErrorCode PointGetMiddles(DM dm, PetscInt point, const PetscInt vertices[], PetscInt *num, PetscInt middles[]);
+/* The facet of a cell that has exactly these vertices, in any order. */
+PetscErrorCode PointFindFacet(DM dm, PetscInt point, PetscInt num, const PetscInt vertices[], PetscInt *facet);
+/* The local node on a point, -1 where there is none. */
+PetscInt PointGetNode(const Level *level, PetscInt point);
+/* The element on an edge, a facet or a cell, in the order of element.h, though perhaps inside out. [out] nodes - local
+   [ELEMENT_MAX_NODES] */
+PetscErrorCode PointGetNodes(const Level *level, PetscInt point, ElementType *type, PetscInt nodes[]);
+/* The point of the mesh that each local node is on. [out] point - [num_nodes], freed by the caller */
+PetscErrorCode LevelGetNodePoints(const Level *level, PetscInt **point);
+/* Vertices of a cell, which are the first of its nodes. */
+PetscInt LevelNumVertices(const Level *level, PetscInt cell);
+
+/* Length of a facet, or area, as its vertices span it: exact where it is flat. [out] normal - outward unit normal in its
+   middle [dim], may be NULL */
+PetscReal FacetGetMeasure(const Level *level, const Facets *facets, PetscInt f, PetscReal normal[]);
+
+/* The highest order of any body. */
+PetscInt SceneMaxOrder(Scene scene);
+/* Tables of one DM as it has its cells, with nodes up to an order, without positions. Collective. */
+PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *level);
+/* Its steps: cell_body, from the label */
+PetscErrorCode LevelSetCellBodies(Level *level);
+/* or, for a refined level, from where its cells come from; [in] transform - from coarse to fine */
+PetscErrorCode LevelFollowCellBodies(const Level *coarse, DMPlexTransform transform, Level *fine);
+/* nodes: number, owner, body, local section of the DM; collective; */
+PetscErrorCode LevelSetNodes(Level *level, PetscInt max_order);
+/* cell_start, cell_type, cell_nodes. */
+PetscErrorCode LevelSetCells(Level *level);
+/* Puts nodes that are on the axis of an axisymmetric scene but for roundoff exactly there. Faults: a node beyond the axis.
+   Collective. */
+PetscErrorCode LevelSetAxis(Level *level);
+/* Positions of nodes. Faults: a map that is not finite, a node beyond the axis. Collective. [in] curves - may be NULL */
+PetscErrorCode LevelSetCoords(Level *level, const Curves *curves);
+/* Positions before maps of a level that none had to keep so far. */
+PetscErrorCode LevelKeepUnmapped(Level *level);
+/* The level with its nodes where they are before maps; a borrowed copy. */
+Level LevelBeforeMap(const Level *level);
+/* Looks on the coarsest level for sides that are taken for smooth, and moves its nodes of order 2. Collective. */
+PetscErrorCode LevelBeginArcs(Level *level);
+
+/* Sides that are taken for smooth, and those that must stay flat. Of files of first order, and seen from outside. */
+typedef struct {
+  PetscBool any; /* the same on all ranks */
+  Facets    round, held;
+} ArcSides;
+
+/* The names of a body's sides that may be taken for smooth, and of those that only slide, joined. [out] each freed by the caller, NULL if
+   there are none */
+PetscErrorCode ArcSideNames(Scene scene, PetscInt body, char **round, char **held);
+/* Decides which bodies have sides that are taken for smooth, and bent. Collective. [out] any - whether there are such bodies */
+PetscErrorCode LevelFindArcs(Level *level, PetscBool *any);
+/* Whether facets of first order bend as one patch, on any rank. Collective. */
+PetscErrorCode LevelHasArcs(Level *level, const Facets *facets, PetscBool *any);
+/* The facets of all bodies of an order that have such sides. Collective. [out] sides - owned by the caller */
+PetscErrorCode ArcSidesCreate(Level *level, PetscInt order, ArcSides *sides);
+PetscErrorCode ArcSidesDestroy(ArcSides *sides);
+/* Puts vertices of a refined level on the curves over the edges of the coarse one, or the level's own middle nodes on those of its own edges:
+   positions before maps, which both levels have. Collective. */
+PetscErrorCode LevelArcVertices(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine);
+PetscErrorCode LevelArcMiddles(Level *level, const ArcSides *sides);
+/* Room for facets; all facets of first order seen from outside, whatever the sense of their cells. */
+PetscErrorCode FacetsAllocate(PetscInt num, Facets *facets);
+void           FacetsTurnOut(const Level *level, Facets *facets);
+
+/* The same for a refined level that has its prolongation. Collective. [in] sides - of bodies of order 1 whose new vertices go on curves */
+PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine);
+/* Lets all cells run anticlockwise, or the facets of solids seen from outside. Faults: a degenerate or tangled cell, a map
+   that folds a body; with sound none, but this tells. Collective. [out] sound - the same on all ranks; or NULL */
+PetscErrorCode LevelTurnCells(Level *level, PetscBool *sound);
+/* Reverses the sense of a cell whose nodes these are: its mirror image in the plane xi_0 = xi_1. */
+void CellReverse(ElementType type, PetscInt nodes[]);
+/* Splits every cell: tables, prolongation and positions, cells not turned. Collective. [in] sides - of bodies of order 1 that are taken for
+   smooth */
+PetscErrorCode LevelRefine(Level *coarse, const ArcSides *sides, Level *fine);
+PetscErrorCode LevelDestroy(Level *level);
+/* fine->prolongation from where each fine node comes from. Collective. [in] transform - a DMPlexTransform from coarse to fine */
+PetscErrorCode LevelCreateProlongation(const Level *coarse, DMPlexTransform transform, Level *fine);
+
+/* Curves of files under bodies of order 1, NULL where there are none: from the coarsest level; one level finer, which
+   moves the nodes of the finest level of the mesh onto them. Collective. */
+PetscErrorCode MeshShapeCreate(Mesh mesh, const Curves *curves);
+PetscErrorCode MeshShapeRefine(Mesh mesh);
+PetscErrorCode MeshShapeDestroy(Mesh mesh);
+
+/* What is shared out among the parts of a mesh: the work of unknowns, and that of contact. */
+enum { SHARES_MAX = 2 };
+typedef struct {
+  PetscInt   num, num_parts; /* 1, unless enough facets may touch */
+  PetscInt  *load;           /* what every cell has, nodes in twelfths [num_cells][num] */
+  PetscReal *target;         /* which part of all each part is to have [num_parts][num] */
+} Shares;
+
+/* The same for all. [in] contact - facets that may touch, by cell */
+PetscErrorCode SharesCreate(Scene scene, const Level *level, const PetscInt contact[], PetscInt num_parts,
+                            Shares *shares);
+/* Less where there are more nodes between. [in] refine - how often the mesh will be; part - a partition much like the one to come
+   [num_cells] */
+PetscErrorCode SharesCorrect(Scene scene, const Level *level, PetscInt refine, const PetscInt part[], Shares *shares);
+PetscErrorCode SharesDestroy(Shares *shares);
+/* The rank of every cell of the whole mesh, which lies on the first rank; other ranks have none and ask the same. Not collective.
+   [in] refine - how often it will be; contact_weight - of an edge across contact, 1 across a facet; 0: as if bodies did not touch;
+   [out] part - [level->num_cells] */
+PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, PetscInt contact_weight, PetscInt num_parts,
+                                PetscInt part[]);
+/* Spreads the mesh over the ranks; the DM and its curves are replaced. Collective. [in] refine - how often it will be */
+PetscErrorCode MeshPartition(Scene scene, PetscInt refine, DM *dm, Curves *curves);
+
+/* Pairs of bodies with the side that each prefers to be nonmortar, its end 2 p, and the other one, its end 2 p + 1. */
+typedef struct {
+  PetscInt   num;
+  PetscBool *fixed; /* the user said so [num] */
+  PetscInt  *order; /* pairs, fixed ones first, then the ones with the strongest reasons [num] */
+  PetscBool *touch; /* whether two ends have a node in common [2 num][2 num] */
+} RoleGraph;
+
+/* Turns pairs that are not fixed, as few as the order says, so that the fixed ones alone close circles. Not collective.
+   [out] turned - [num], all false unless found; [out] found - false where there is no such choice, or a long search met none */
+PetscErrorCode RoleGraphOrient(const RoleGraph *graph, PetscBool turned[], PetscBool *found);
+/* Whether some pair leads back to itself. Not collective. [in] turned - [num] */
+PetscErrorCode RoleGraphHasCircle(const RoleGraph *graph, const PetscBool turned[], PetscBool *circle);
+
+/* Decides the roles left open; notes given ones that are unfavourable. Faults: a side that meets itself, or another
+   side twice. Collective. */
+PetscErrorCode MeshChooseRoles(Mesh mesh);
+
+#endif

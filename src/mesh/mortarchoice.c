@@ -1,0 +1,381 @@
+/* mortarchoice.c -- which side of a pair carries the multiplier.
+
+   The softer body (behind the sides), else the finer mesh, else the smaller side (THEORY.md, section 9): a stiff
+   nonmortar side would put a stiff skin on a soft mortar side in the condensed matrix. Where such roles run in a circle, the
+   weakest reasons give way. All of it is judged on the coarsest level, where it is cheapest: sides that have a node in
+   common there have it on all levels. */
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
+#include "base/usererror.h"
+#include <string.h>
+
+static const PetscReal StiffnessRatio = 3; /* of the contact moduli; below it the mesh decides */
+static const PetscReal SameSize = 1e-6;    /* relative; sizes this near are equal, so that round-off decides nothing */
+
+/* What speaks for one side as nonmortar. Sizes are lengths, of sides in space areas. */
+typedef struct {
+  PetscReal modulus, facet_size, size;
+} SideMeasure;
+
+/* The contact modulus of a body's material in the middle of a cell. */
+static PetscErrorCode CellGetModulus_Private(Scene scene, const Level *level, PetscInt cell, PetscReal *modulus)
+{
+  const SceneBody *body      = &scene->bodies[level->cell_body[cell]];
+  const PetscInt  *nodes     = &level->cell_nodes[level->cell_start[cell]];
+  const PetscInt   num       = LevelNumVertices(level, cell);
+  PetscReal        middle[3] = {0, 0, 0}, C[36], upper[21], young, poisson;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < num; ++i) {
+    for (PetscInt d = 0; d < level->dim; ++d) middle[d] += level->coords[nodes[i] * level->dim + d] / num;
+  }
+  if (body->stiffness) {
+    PetscCall(ExpressionEvaluate(body->stiffness, level->dim, middle, upper));
+    MaterialAnisotropic(scene->model, upper, body->angle, C);
+  } else {
+    PetscCall(ExpressionEvaluate(body->young, level->dim, middle, &young));
+    PetscCall(ExpressionEvaluate(body->poisson, level->dim, middle, &poisson));
+    MaterialIsotropic(scene->model, young, poisson, C);
+  }
+  *modulus = MaterialContactModulus(MaterialNumStrains(scene->model), C);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Means over the facets of a side, and over the cells behind them. */
+static PetscErrorCode SideGetMeasure_Private(Scene scene, Level *level, const SceneSide *side, SideMeasure *measure)
+{
+  const SceneBody *body   = &scene->bodies[side->body];
+  PetscReal        sum[3] = {0, 0, 0}; /* of moduli, of sizes, of ones */
+  Facets           facets;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelGetFacets(level, scene, side->body, side->side, &facets));
+  for (PetscInt f = 0; f < facets.num; ++f) {
+    PetscReal modulus = 0;
+
+    PetscCall(CellGetModulus_Private(scene, level, facets.cell[f], &modulus));
+    sum[0] += modulus;
+    sum[1] += FacetGetMeasure(level, &facets, f, NULL);
+    sum[2] += 1;
+  }
+  PetscCall(FacetsDestroy(&facets));
+  PetscCall(ExpressionCheck(level->comm, body->stiffness));
+  PetscCall(ExpressionCheck(level->comm, body->young));
+  PetscCall(ExpressionCheck(level->comm, body->poisson));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 3, MPIU_REAL, MPIU_SUM, level->comm));
+  *measure = (SideMeasure){.modulus = sum[0] / sum[2], .facet_size = sum[1] / sum[2], .size = sum[1]};
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What speaks for a choice, weak to strong. */
+typedef enum { REASON_NONE, REASON_SIZE, REASON_FACETS, REASON_MODULUS } Reason;
+
+typedef struct {
+  PetscBool swap;     /* the roles as they stand */
+  Reason    reason;   /* of this choice */
+  PetscReal strength; /* the larger measure over the smaller one, in quarters of a power of two */
+} Preference;
+
+/* In whole steps, and none at a ratio that scenes are made of, so that round-off does not order pairs that are alike. */
+static PetscReal RatioGetStrength_Private(PetscReal a, PetscReal b)
+{
+  return PetscFloorReal(4 * PetscLog2Real(a > b ? a / b : b / a) + 0.37);
+}
+
+static Preference RolesPrefer_Private(const SideMeasure *nonmortar, const SideMeasure *mortar)
+{
+  Preference prefer = {.reason = REASON_NONE};
+  PetscReal  s = nonmortar->modulus, m = mortar->modulus;
+
+  if (s > StiffnessRatio * m || m > StiffnessRatio * s) {
+    prefer.reason = REASON_MODULUS;
+  } else if (PetscAbsReal(nonmortar->facet_size - mortar->facet_size) > SameSize * mortar->facet_size) {
+    prefer.reason = REASON_FACETS;
+    s             = nonmortar->facet_size;
+    m             = mortar->facet_size;
+  } else if (PetscAbsReal(nonmortar->size - mortar->size) > SameSize * mortar->size) {
+    prefer.reason = REASON_SIZE;
+    s             = nonmortar->size;
+    m             = mortar->size;
+  }
+  if (prefer.reason == REASON_NONE) return prefer;
+  prefer.swap     = s > m ? PETSC_TRUE : PETSC_FALSE;
+  prefer.strength = RatioGetStrength_Private(s, m);
+  return prefer;
+}
+
+static void PairSwap_Private(ScenePair *pair)
+{
+  const SceneSide side = pair->nonmortar;
+
+  pair->nonmortar = pair->mortar;
+  pair->mortar    = side;
+}
+
+/* What a pair would have for itself. Roles that were given are kept; if they slow the solver down the log says so. */
+static PetscErrorCode PairPreferRoles_Private(Scene scene, Level *level, ScenePair *pair, Preference *prefer)
+{
+  SideMeasure nonmortar, mortar;
+
+  PetscFunctionBeginUser;
+  *prefer = (Preference){.reason = REASON_NONE};
+  PetscCall(SideGetMeasure_Private(scene, level, &pair->nonmortar, &nonmortar));
+  PetscCall(SideGetMeasure_Private(scene, level, &pair->mortar, &mortar));
+  if (!pair->roles_open) {
+    if (nonmortar.modulus > StiffnessRatio * mortar.modulus) {
+      PetscCall(PetscInfo(level->dm,
+                          "Pair %s: the nonmortar body is stiffer than the mortar body (contact moduli %g > %g * %g): "
+                          "swapping the sides helps the solver\n",
+                          pair->name, (double)nonmortar.modulus, (double)StiffnessRatio, (double)mortar.modulus));
+    }
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  *prefer = RolesPrefer_Private(&nonmortar, &mortar);
+  if (prefer->swap) PairSwap_Private(pair);
+  PetscCall(PetscInfo(level->dm,
+                      "Pair %s: nonmortar is better %s:%s (contact moduli %g and %g, facets %g and %g, sides %g and %g "
+                      "as typed)\n",
+                      pair->name, scene->bodies[pair->nonmortar.body].name, pair->nonmortar.side,
+                      (double)nonmortar.modulus, (double)mortar.modulus, (double)nonmortar.facet_size,
+                      (double)mortar.facet_size, (double)nonmortar.size, (double)mortar.size));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Number of a side's facets on this rank. */
+static PetscErrorCode SideCount_Private(Scene scene, Level *level, PetscInt body, const char side[], PetscInt *num)
+{
+  Facets facets;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelGetFacets(level, scene, body, side, &facets));
+  *num = facets.num;
+  PetscCall(FacetsDestroy(&facets));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether two sides have a facet in common on any rank: their union counts it once. */
+static PetscErrorCode SidesShare_Private(Scene scene, Level *level, const SceneSide *a, const SceneSide *b,
+                                         PetscBool *share)
+{
+  const size_t len = strlen(a->side) + strlen(b->side) + sizeof("+");
+  PetscInt     num[3]; /* of a, of b, of both */
+  char        *both;
+
+  PetscFunctionBeginUser;
+  *share = PETSC_FALSE;
+  if (a->body != b->body) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(len, &both));
+  PetscCall(PetscSNPrintf(both, len, "%s+%s", a->side, b->side));
+  PetscCall(SideCount_Private(scene, level, a->body, a->side, &num[0]));
+  PetscCall(SideCount_Private(scene, level, a->body, b->side, &num[1]));
+  PetscCall(SideCount_Private(scene, level, a->body, both, &num[2]));
+  PetscCall(PetscFree(both));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, num, 3, MPIU_INT, MPI_SUM, level->comm));
+  *share = num[2] < num[0] + num[1] ? PETSC_TRUE : PETSC_FALSE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A side may meet several others, each in a pair of its own, but no other twice, and never itself. */
+static PetscErrorCode PairCheckRoles_Private(Scene scene, Level *level, PetscInt p)
+{
+  const ScenePair *pair = &scene->pairs[p];
+  const char *nonmortar = scene->bodies[pair->nonmortar.body].name, *mortar = scene->bodies[pair->mortar.body].name;
+  PetscBool   share;
+
+  PetscFunctionBeginUser;
+  PetscCall(SidesShare_Private(scene, level, &pair->nonmortar, &pair->mortar, &share));
+  if (share) {
+    PetscCall(UserErrorRaise(level->comm,
+                             "pair '%s': sides '%s' and '%s' of body '%s' share facets, which cannot touch themselves",
+                             pair->name, pair->nonmortar.side, pair->mortar.side, mortar));
+  }
+  for (PetscInt q = 0; q < p; ++q) {
+    const ScenePair *before = &scene->pairs[q];
+
+    if (before->mortar.body < 0) continue; // obstacles are all different
+    PetscCall(SidesShare_Private(scene, level, &pair->nonmortar, &before->nonmortar, &share));
+    if (share) PetscCall(SidesShare_Private(scene, level, &pair->mortar, &before->mortar, &share));
+    if (share) {
+      PetscCall(UserErrorRaise(level->comm,
+                               "pairs '%s' and '%s' join facets of %s:%s to the same facets of %s:%s: leave one out",
+                               before->name, pair->name, nonmortar, pair->nonmortar.side, mortar, pair->mortar.side));
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Fixed pairs, then the stronger reason, then the larger ratio, then the earlier pair. [in] prefer - of every pair of the
+   graph */
+static void RoleGraphSort_Private(const Preference prefer[], RoleGraph *graph)
+{
+  for (PetscInt i = 0; i < graph->num; ++i) {
+    PetscInt at = i;
+
+    for (; at > 0; --at) {
+      const PetscInt q = graph->order[at - 1];
+
+      if (graph->fixed[q] || graph->fixed[i]) {
+        if (graph->fixed[q] || !graph->fixed[i]) break;
+      } else if (prefer[q].reason != prefer[i].reason) {
+        if (prefer[q].reason > prefer[i].reason) break;
+      } else if (prefer[q].strength >= prefer[i].strength)
+        break;
+      graph->order[at] = q;
+    }
+    graph->order[at] = i;
+  }
+}
+
+/* The side of a pair's end: even ends are nonmortar ones. [in] pairs - indices into the scene's, of every pair of the
+   graph */
+static const SceneSide *EndGetSide_Private(Scene scene, const PetscInt pairs[], PetscInt end)
+{
+  const ScenePair *pair = &scene->pairs[pairs[end / 2]];
+
+  return end % 2 ? &pair->mortar : &pair->nonmortar;
+}
+
+/* Ends touch where they are of one body: more than is true, and known without a mesh. */
+static void RoleGraphTouchBodies_Private(Scene scene, const PetscInt pairs[], RoleGraph *graph)
+{
+  const PetscInt num = 2 * graph->num;
+
+  for (PetscInt e = 0; e < num; ++e) {
+    for (PetscInt f = 0; f < num; ++f) {
+      graph->touch[e * num + f] =
+          (PetscBool)(EndGetSide_Private(scene, pairs, e)->body == EndGetSide_Private(scene, pairs, f)->body);
+    }
+  }
+}
+
+/* Nodes of a side that this rank owns, ascending; facets of other ranks may be the ones that have them. Collective.
+   [in,out] marks - 0, one value for each node; [out] nodes - owned by the caller */
+static PetscErrorCode SideGetNodes_Private(Scene scene, Level *level, const SceneSide *side, Vec marks, PetscInt *num,
+                                           PetscInt **nodes)
+{
+  Facets       facets;
+  Vec          local;
+  PetscScalar *mark;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelGetFacets(level, scene, side->body, side->side, &facets));
+  PetscCall(VecGhostGetLocalForm(marks, &local));
+  PetscCall(VecZeroEntries(local));
+  PetscCall(VecGetArray(local, &mark));
+  for (PetscInt f = 0; f < facets.num; ++f) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); ++i)
+      mark[facets.nodes[f * ELEMENT_MAX_FACET_NODES + i]] = 1;
+  }
+  PetscCall(VecRestoreArray(local, &mark));
+  PetscCall(VecGhostRestoreLocalForm(marks, &local));
+  PetscCall(FacetsDestroy(&facets));
+  PetscCall(LevelShareVec(marks, MAX_VALUES));
+  PetscCall(VecGetArray(marks, &mark));
+  *num = 0;
+  for (PetscInt n = 0; n < level->num_owned; ++n) *num += PetscRealPart(mark[n]) > 0;
+  PetscCall(PetscMalloc1(*num, nodes));
+  *num = 0;
+  for (PetscInt n = 0; n < level->num_owned; ++n) {
+    if (PetscRealPart(mark[n]) > 0) (*nodes)[(*num)++] = n;
+  }
+  PetscCall(VecRestoreArray(marks, &mark));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether two ascending lists have an entry in common. */
+static PetscBool ListsShare_Private(PetscInt num_a, const PetscInt a[], PetscInt num_b, const PetscInt b[])
+{
+  PetscInt i = 0, j = 0;
+
+  while (i < num_a && j < num_b && a[i] != b[j]) {
+    if (a[i] < b[j])
+      ++i;
+    else
+      ++j;
+  }
+  return i < num_a && j < num_b ? PETSC_TRUE : PETSC_FALSE;
+}
+
+/* Ends touch where they have a node in common. Collective. */
+static PetscErrorCode RoleGraphTouchNodes_Private(Scene scene, Level *level, const PetscInt pairs[], RoleGraph *graph)
+{
+  const PetscInt ends = 2 * graph->num;
+  PetscInt      *num, **nodes;
+  PetscMPIInt    count;
+  Vec            marks;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMPIIntCast(ends * ends, &count));
+  PetscCall(LevelCreateVec(level, 1, &marks));
+  PetscCall(PetscMalloc2(ends, &num, ends, &nodes));
+  for (PetscInt e = 0; e < ends; ++e)
+    PetscCall(SideGetNodes_Private(scene, level, EndGetSide_Private(scene, pairs, e), marks, &num[e], &nodes[e]));
+  for (PetscInt e = 0; e < ends; ++e)
+    for (PetscInt f = 0; f < ends; ++f)
+      graph->touch[e * ends + f] = ListsShare_Private(num[e], nodes[e], num[f], nodes[f]);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, graph->touch, count, MPIU_BOOL, MPI_LOR, level->comm));
+  for (PetscInt e = 0; e < ends; ++e) PetscCall(PetscFree(nodes[e]));
+  PetscCall(PetscFree2(num, nodes));
+  PetscCall(VecDestroy(&marks));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Looks at bodies first: most scenes have no circle of bodies. If nodes leave no choice, or too many to try, an order of
+   bodies is one; if there is none either, preferences stand, and what they come to is judged by the coupling. Collective.
+   [out] turned - [graph->num] */
+static PetscErrorCode RoleGraphSolve_Private(Scene scene, Level *level, const PetscInt pairs[], RoleGraph *graph,
+                                             PetscBool turned[])
+{
+  PetscBool circle, found;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscArrayzero(turned, graph->num));
+  RoleGraphTouchBodies_Private(scene, pairs, graph);
+  PetscCall(RoleGraphHasCircle(graph, turned, &circle));
+  if (!circle) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(RoleGraphTouchNodes_Private(scene, level, pairs, graph));
+  PetscCall(RoleGraphOrient(graph, turned, &found));
+  if (!found) {
+    RoleGraphTouchBodies_Private(scene, pairs, graph);
+    PetscCall(RoleGraphOrient(graph, turned, &found));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MeshChooseRoles(Mesh mesh)
+{
+  Scene       scene = mesh->scene;
+  Level      *level = &mesh->levels[0];
+  RoleGraph   graph = {.num = 0};
+  PetscInt   *pairs;
+  Preference *prefer;
+  PetscBool  *turned;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc3(scene->num_pairs, &pairs, scene->num_pairs, &prefer, scene->num_pairs, &turned));
+  PetscCall(PetscMalloc2(scene->num_pairs, &graph.fixed, scene->num_pairs, &graph.order));
+  for (PetscInt p = 0; p < scene->num_pairs; ++p) {
+    ScenePair *pair = &scene->pairs[p];
+
+    if (pair->mortar.body < 0) continue; // an obstacle
+    PetscCall(PairPreferRoles_Private(scene, level, pair, &prefer[graph.num]));
+    PetscCall(PairCheckRoles_Private(scene, level, p));
+    graph.fixed[graph.num] = (PetscBool)!pair->roles_open;
+    pairs[graph.num++]     = p;
+  }
+  PetscCall(PetscMalloc1(4 * graph.num * graph.num, &graph.touch));
+  RoleGraphSort_Private(prefer, &graph);
+  PetscCall(RoleGraphSolve_Private(scene, level, pairs, &graph, turned));
+  for (PetscInt i = 0; i < graph.num; ++i) {
+    ScenePair *pair = &scene->pairs[pairs[i]];
+
+    if (!turned[i]) continue;
+    PairSwap_Private(pair);
+    PetscCall(PetscInfo(level->dm, "Pair %s: nonmortar is %s:%s instead, or roles would run in a circle\n", pair->name,
+                        scene->bodies[pair->nonmortar.body].name, pair->nonmortar.side));
+  }
+  PetscCall(PetscFree(graph.touch));
+  PetscCall(PetscFree2(graph.fixed, graph.order));
+  PetscCall(PetscFree3(pairs, prefer, turned));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,99 @@
+/* partitionweights.c -- what every rank is to have: unknowns and contact, and of both about as much as others.
+
+   Unknowns belong to nodes, and nodes between the parts of two ranks go to one of them. The parts themselves are made of cells of the
+   coarsest mesh, so who gets the nodes between is to get fewer cells. */
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
+
+enum { MIN_FACETS_A_PART = 3 }; /* that may touch, for parts that have equally many of them */
+
+/* This part of the work goes by nodes, as solving does, the rest by cells, as mesh and assembly do. */
+static const PetscReal BY_NODES = 2.0 / 3;
+/* How much fewer cells a part may get for the nodes around it, by what it would have: where parts are all surface this leads nowhere. */
+static const PetscReal MOST = 0.5;
+
+/* Nodes that a cell and a facet of first order have for themselves in a regular mesh, in twelfths: triangles cost half of what
+   quadrilaterals do. */
+static const PetscInt Nodes[ELEMENT_COUNT] = {
+    [ELEMENT_LINE2] = 12, [ELEMENT_TRI3] = 6, [ELEMENT_QUAD4] = 12, [ELEMENT_TET4] = 2, [ELEMENT_HEX8] = 12};
+
+/* How many times more nodes than a cell of order 1 a cell of a body has along an edge, beside those of the lowest order. */
+static PetscInt OrderFactor_Private(Scene scene, PetscInt body)
+{
+  PetscInt least = PETSC_MAX_INT;
+
+  for (PetscInt b = 0; b < scene->num_bodies; ++b) least = PetscMin(least, scene->bodies[b].order);
+  return scene->bodies[body].order / least;
+}
+
+PetscErrorCode SharesCreate(Scene scene, const Level *level, const PetscInt contact[], PetscInt num_parts,
+                            Shares *shares)
+{
+  PetscInt touching = 0;
+
+  PetscFunctionBeginUser;
+  for (PetscInt c = 0; c < level->num_cells; ++c) touching += contact[c];
+  shares->num       = touching >= MIN_FACETS_A_PART * num_parts ? SHARES_MAX : 1;
+  shares->num_parts = num_parts;
+  PetscCall(PetscMalloc2(level->num_cells * shares->num, &shares->load, num_parts * shares->num, &shares->target));
+  for (PetscInt i = 0; i < num_parts * shares->num; ++i) shares->target[i] = 1 / (PetscReal)num_parts;
+  for (PetscInt c = 0; c < level->num_cells; ++c) {
+    PetscInt *own = &shares->load[c * shares->num];
+
+    own[0] = Nodes[ElementLinear((ElementType)level->cell_type[c])];
+    for (PetscInt d = 0; d < level->dim; ++d) own[0] *= OrderFactor_Private(scene, level->cell_body[c]);
+    if (shares->num > 1) own[1] = contact[c];
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Nodes between cells of different parts, in the units of loads: on the finest level a facet has as many fewer than a cell as that has
+   cells along an edge. DMPlexDistribute() gives them to the highest rank. An order that all bodies have does not count, so that all
+   orders are parted alike. [out] nodes - [num_parts] */
+static PetscErrorCode CountBetween_Private(Scene scene, const Level *level, PetscInt refine, const PetscInt part[],
+                                           PetscReal nodes[])
+{
+  const PetscReal along = PetscPowRealInt(2, (int)refine);
+  PetscInt        begin, end;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetHeightStratum(level->dm, 1, &begin, &end));
+  for (PetscInt f = begin; f < end; ++f) {
+    const PetscInt *cells; // the first points
+    PetscInt        num;
+    PetscReal       own;
+
+    PetscCall(DMPlexGetSupportSize(level->dm, f, &num));
+    PetscCall(DMPlexGetSupport(level->dm, f, &cells));
+    if (num != 2 || part[cells[0]] == part[cells[1]]) continue;
+    own = Nodes[ElementFacetType(ElementLinear((ElementType)level->cell_type[cells[0]]))] / along;
+    for (PetscInt d = 1; d < level->dim; ++d) own *= OrderFactor_Private(scene, level->cell_body[cells[0]]);
+    nodes[PetscMax(part[cells[0]], part[cells[1]])] += own;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SharesCorrect(Scene scene, const Level *level, PetscInt refine, const PetscInt part[], Shares *shares)
+{
+  const PetscInt num_parts = shares->num_parts;
+  PetscReal     *between, all = 0, mean = 0, most = 0, factor;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(num_parts, &between));
+  PetscCall(CountBetween_Private(scene, level, refine, part, between));
+  for (PetscInt c = 0; c < level->num_cells; ++c) all += (PetscReal)shares->load[c * shares->num];
+  for (PetscInt p = 0; p < num_parts; ++p) mean += between[p] / (PetscReal)num_parts;
+  for (PetscInt p = 0; p < num_parts; ++p) most = PetscMax(most, PetscAbsReal(between[p] - mean));
+  factor = most > 0 ? PetscMin(BY_NODES, MOST * all / ((PetscReal)num_parts * most)) : 0;
+  for (PetscInt p = 0; p < num_parts; ++p)
+    shares->target[p * shares->num] = 1 / (PetscReal)num_parts - factor * (between[p] - mean) / all;
+  PetscCall(PetscFree(between));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SharesDestroy(Shares *shares)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree2(shares->load, shares->target));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,105 @@
+/* sidefacets.c -- the facets of a body's side, from the labels that the merge has set.
+
+   Sides are looked up when they are asked for: they are few and short, and no list has to be kept in step with the
+   mesh. */
+#include "mesh/meshimpl.h"
+#include "base/compat.h"
+#include <string.h>
+
+/* Points of the union of the labels "<body>:<part>", sorted, without duplicates, on this rank. [out] is - owned by
+   the caller */
+static PetscErrorCode SideGetPoints_Private(DM dm, const char body[], const char side[], IS *is)
+{
+  SideNames names = {0, NULL};
+  PetscInt  begin, end, num = 0, *points;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetHeightStratum(dm, 1, &begin, &end));
+  PetscCall(SideNamesAdd(&names, side));
+  PetscCall(PetscMalloc1((end - begin) * names.num, &points));
+  for (PetscInt s = 0; s < names.num; ++s) {
+    const PetscInt *labelled;
+    char            text[PETSC_MAX_PATH_LEN];
+    PetscInt        size;
+    IS              stratum;
+
+    PetscCall(PetscSNPrintf(text, sizeof(text), "%s:%s", body, names.name[s]));
+    PetscCall(DMGetStratumIS(dm, text, 1, &stratum));
+    if (!stratum) continue; // none on this rank
+    PetscCall(ISGetLocalSize(stratum, &size));
+    PetscCall(ISGetIndices(stratum, &labelled));
+    for (PetscInt i = 0; i < size; ++i) { // refinement labels new vertices as well
+      if (labelled[i] >= begin && labelled[i] < end) points[num++] = labelled[i];
+    }
+    PetscCall(ISRestoreIndices(stratum, &labelled));
+    PetscCall(ISDestroy(&stratum));
+  }
+  PetscCall(SideNamesDestroy(&names));
+  PetscCall(PetscSortRemoveDupsInt(&num, points));
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num, points, PETSC_COPY_VALUES, is));
+  PetscCall(PetscFree(points));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* One facet with its nodes in the order of its cell, which is the right way round, so that its normal points outward. */
+static PetscErrorCode FacetSet_Private(const Level *level, PetscInt point, PetscInt f, Facets *facets)
+{
+  const PetscInt *cells, *order, *nodes;
+  PetscInt        cell_begin, num, ends[ELEMENT_MAX_NODES], number;
+  ElementType     type;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetHeightStratum(level->dm, 0, &cell_begin, NULL));
+  PetscCall(DMPlexGetSupport(level->dm, point, &cells));
+  PetscCall(PointGetVertices(level->dm, point, &num, ends));
+  facets->cell[f] = cells[0] - cell_begin;
+  type            = (ElementType)level->cell_type[facets->cell[f]];
+  nodes           = &level->cell_nodes[level->cell_start[facets->cell[f]]];
+  for (PetscInt i = 0; i < num; ++i) ends[i] = PointGetNode(level, ends[i]);
+  number = CellFindFacet(type, nodes, ends);
+  PetscCheck(number >= 0, PETSC_COMM_SELF, PETSC_ERR_PLIB, "Facet %" PetscInt_FMT " is not one of its cell", point);
+  facets->type[f] = ElementFacetType(type);
+  order           = ElementFacetNodes(type, number);
+  for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); ++i)
+    facets->nodes[f * ELEMENT_MAX_FACET_NODES + i] = nodes[order[i]];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode LevelGetFacets(Level *level, Scene scene, PetscInt body, const char side[], Facets *facets)
+{
+  const PetscInt *points;
+  IS              is;
+
+  PetscFunctionBeginUser;
+  PetscCall(SideGetPoints_Private(level->dm, scene->bodies[body].name, side, &is));
+  PetscCall(ISGetLocalSize(is, &facets->num));
+  PetscCall(ISGetIndices(is, &points));
+  PetscCall(PetscMalloc3(facets->num, &facets->type, facets->num, &facets->cell, facets->num * ELEMENT_MAX_FACET_NODES,
+                         &facets->nodes));
+  for (PetscInt f = 0; f < facets->num; ++f) PetscCall(FacetSet_Private(level, points[f], f, facets));
+  PetscCall(ISRestoreIndices(is, &points));
+  PetscCall(ISDestroy(&is));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscReal FacetGetMeasure(const Level *level, const Facets *facets, PetscInt f, PetscReal normal[])
+{
+  const ElementType type = ElementLinear(facets->type[f]);
+  PetscReal         X[ELEMENT_MAX_FACET_NODES * 3], xi[3], weight[1], phi[ELEMENT_MAX_NODES];
+
+  for (PetscInt i = 0; i < ElementNumNodes(type); ++i) {
+    const PetscInt node = facets->nodes[f * ELEMENT_MAX_FACET_NODES + i];
+
+    for (PetscInt d = 0; d < level->dim; ++d) X[i * level->dim + d] = level->coords[node * level->dim + d];
+  }
+  (void)ElementQuadrature(type, 1, xi, weight); // the point in the middle
+  return weight[0] * ElementSurface(type, X, xi, NULL, phi, normal);
+}
+
+PetscErrorCode FacetsDestroy(Facets *facets)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree3(facets->type, facets->cell, facets->nodes));
+  facets->num = 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

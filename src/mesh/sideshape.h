@@ -1,0 +1,28 @@
+/* sideshape.h -- normals and curvatures of a side, from its facets (T13, T46).
+
+   Facets that meet at less than 45 degrees belong to one smooth patch. Normals and curvatures are those of a patch: a facet at
+   a feature edge has the normals of its own side of the edge. */
+#ifndef MORTISE_SIDESHAPE_H
+#define MORTISE_SIDESHAPE_H
+
+#include "mesh/mesh.h"
+
+/* All arrays are [num][ELEMENT_MAX_FACET_NODES]..., one entry for each node of each facet of this rank. */
+typedef struct {
+  PetscInt   num;
+  PetscReal *normal; /* unit, outward, of the patch at the node [..][dim] */
+  PetscReal *
+      curvature; /* shape operator S = dn/dx in the tangent plane, symmetric, > 0 where convex; 0 on a flat patch, exactly
+                           [..][dim][dim] */
+  PetscReal *ridge; /* 0 where the patch goes on around the node or ends with the side; at a feature edge 1 if it is
+                           convex, -1 if not [..] */
+} SideShape;
+
+/* Collective. [in] facets - of this rank; [out] shape - owned by the caller */
+PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, SideShape *shape);
+PetscErrorCode SideShapeDestroy(SideShape *shape);
+
+/* Whether a patch is curved anywhere on any rank. Collective. */
+PetscErrorCode SideShapeIsCurved(const Level *level, const Facets *facets, const SideShape *shape, PetscBool *curved);
+
+#endif

@@ -1,0 +1,18 @@
+/* barycentric.h -- a linear function at one place by its values at others; internal (T38). */
+#ifndef MORTISE_BARYCENTRIC_H
+#define MORTISE_BARYCENTRIC_H
+
+#include <petscsys.h>
+
+enum { AFFINE_MOST = 32 }; /* places to choose from */
+
+/* Weights w of at most dim + 1 of the places with
+
+     sum w = 1,   sum w d = 0,   sum (w if w > 0, else LOATH |w|) d^2 the least:
+
+   barycentric coordinates in the simplex of Delaunay's triangulation of these places that zero lies in, and outside of it in one that is near. False where
+   there are none, or only such as make much of small differences. Not collective.
+   [in] num - <= AFFINE_MOST; [in] d - places, seen from where the function is wanted [num][dim]; [out] weight - [num] */
+PetscBool AffineWeights(PetscInt dim, PetscInt num, const PetscReal d[], PetscReal weight[]);
+
+#endif

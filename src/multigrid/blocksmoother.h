@@ -1,0 +1,13 @@
+/* blocksmoother.h -- lines and planes of nodes across long cells. */
+#ifndef MORTISE_BLOCKSMOOTHER_H
+#define MORTISE_BLOCKSMOOTHER_H
+
+#include "problem/vi.h"
+#include "multigrid/ghostexchange.h"
+
+/* Nodes of one bundle have one label; a node that is in none has its own. Collective.
+   [in] vi - with a level; [in] halo - nodes that K leads to; [in] wanted - whether bundles are asked for even where cells are not long; [out] label -
+   by halo [halo->n + halo->num]; [out] found - false where cells are not long and bundles not asked for: label is nothing then */
+PetscErrorCode BundlesFind(VI vi, Halo *halo, PetscBool wanted, PetscReal label[], PetscBool *found);
+
+#endif

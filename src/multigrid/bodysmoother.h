@@ -1,0 +1,16 @@
+/* bodysmoother.h -- smoothing each body in its own displacements, whatever it leans on; internal (T43). */
+#ifndef MORTISE_BODYSMOOTHER_H
+#define MORTISE_BODYSMOOTHER_H
+
+#include "problem/vi.h"
+
+/* S = T'D T, D = diag K, of a level with T, no unknown held but those that are eliminated. Collective.
+   [out] inverse - a shell that multiplies by S^-1, owned by the caller */
+PetscErrorCode ApartCreate(VI vi, Mat *inverse);
+/* Whether a matrix is such a shell. Not collective. */
+PetscErrorCode ApartIs(Mat S, PetscBool *apart);
+/* S of unknowns that are not held: its inverse is 0 at the others. Collective. [in] held - counted from this rank's first [num], eliminated
+   ones among them */
+PetscErrorCode ApartHold(Mat inverse, PetscInt num, const PetscInt held[]);
+
+#endif

@@ -1,0 +1,72 @@
+/* eigenvalue.c -- eigenvalues as a few steps of CG see them. */
+#include "base/compat.h"
+#include <petscksp.h>
+#include "multigrid/eigenvalue.h"
+#include "multigrid/smoother.h"
+
+/* Steps of CG that find the largest eigenvalue well enough, and what is added for the rest of the way to it. */
+enum { STEPS = 10 };
+static const PetscReal MARGIN = 1.1;
+
+PetscErrorCode EigenvalueSeed(Vec b)
+{
+  PetscInt     begin, end;
+  PetscScalar *a;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetOwnershipRange(b, &begin, &end));
+  PetscCall(VecGetArray(b, &a));
+  for (PetscInt i = begin; i < end; i++) a[i - begin] = PetscSinReal(1 + (PetscReal)i * (PetscReal)i);
+  PetscCall(VecRestoreArray(b, &a));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EigenvalueSeen(KSP ksp, PetscReal *largest, PetscReal *smallest, PetscBool *seen)
+{
+  KSPConvergedReason reason;
+  PetscInt           its;
+
+  PetscFunctionBeginUser;
+  PetscCall(KSPGetIterationNumber(ksp, &its));
+  PetscCall(KSPGetConvergedReason(ksp, &reason));
+  /* PETSc counts a step that broke down, reads of it what was never written, and never ends where it finds no number there */
+  *seen = (PetscBool)(its > 0 && (reason >= 0 || reason == KSP_DIVERGED_ITS) && reason != KSP_CONVERGED_ATOL);
+  if (*seen) PetscCall(KSPComputeExtremeSingularValues(ksp, largest, smallest));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EigenvalueLargest(Mat A, Mat S, Vec b, PetscReal *largest)
+{
+  PetscReal smallest;
+  PetscInt  its;
+  PetscBool seen;
+  Vec       seed, x;
+  KSP       ksp;
+  PC        pc;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateVecs(A, &x, &seed));
+  PetscCall(b ? VecCopy(b, seed) : EigenvalueSeed(seed));
+  PetscCall(KSPCreate(PetscObjectComm((PetscObject)A), &ksp));
+  PetscCall(KSPSetOptionsPrefix(ksp, "eigenvalue_"));
+  PetscCall(KSPSetType(ksp, KSPCG));
+  PetscCall(KSPSetOperators(ksp, A, S ? S : A));
+  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(SmootherSetPC(pc, S));
+  PetscCall(KSPSetComputeSingularValues(ksp, PETSC_TRUE));
+  PetscCall(KSPSetTolerances(ksp, 0, 0, PETSC_DEFAULT, STEPS));
+  PetscCall(KSPSetNormType(ksp, KSP_NORM_NONE));
+  PetscCall(KSPSolve(ksp, seed, x));
+  PetscCall(EigenvalueSeen(ksp, largest, &smallest, &seen));
+  if (!seen) { /* nothing is left to see after so many steps, so one less sees all */
+    PetscCall(KSPGetIterationNumber(ksp, &its));
+    PetscCall(KSPSetTolerances(ksp, 0, 0, PETSC_DEFAULT, PetscMax(its - 1, 0)));
+    PetscCall(KSPSolve(ksp, seed, x));
+    PetscCall(EigenvalueSeen(ksp, largest, &smallest, &seen));
+  }
+  *largest = seen ? *largest * MARGIN : 0;
+  PetscCall(KSPDestroy(&ksp));
+  PetscCall(VecDestroy(&seed));
+  PetscCall(VecDestroy(&x));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

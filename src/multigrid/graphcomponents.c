@@ -1,0 +1,166 @@
+/* graphcomponents.c -- the connected components of a matrix' graph, however ranks cut it.
+
+   Each rank joins its own rows; then the smallest row numbers go from rank to rank along the couplings that were cut, until none of them changes. */
+#include "base/compat.h"
+#include "multigrid/graphcomponents.h"
+#include "multigrid/ghostexchange.h"
+
+/* The components of this rank's rows as trees, the first row of each its root. */
+typedef struct {
+  PetscInt *parent;       /* [n] */
+  PetscInt  num_cut, max; /* couplings with other ranks' rows */
+  PetscInt *near, *far;   /* row, ghost [num_cut] */
+} Forest;
+
+static PetscInt Root_Private(PetscInt parent[], PetscInt i)
+{
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+static PetscErrorCode AddCut_Private(Forest *forest, PetscInt near, PetscInt far)
+{
+  PetscFunctionBeginUser;
+  if (forest->num_cut == forest->max) {
+    forest->max = 2 * forest->max + 128;
+    PetscCall(PetscRealloc(forest->max * sizeof(PetscInt), &forest->near));
+    PetscCall(PetscRealloc(forest->max * sizeof(PetscInt), &forest->far));
+  }
+  forest->near[forest->num_cut]  = near;
+  forest->far[forest->num_cut++] = far;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Join_Private(Mat A, const Halo *halo, Forest *forest)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(halo->n, &forest->parent));
+  for (PetscInt i = 0; i < halo->n; i++) forest->parent[i] = i;
+  for (PetscInt i = 0; i < halo->n; i++) {
+    PetscInt           num;
+    const PetscInt    *columns;
+    const PetscScalar *values;
+
+    PetscCall(MatGetRow(A, halo->begin + i, &num, &columns, &values));
+    for (PetscInt c = 0; c < num; c++) {
+      PetscInt at, roots[2];
+
+      if (values[c] == 0) continue;
+      PetscCall(HaloFind(halo, columns[c], &at));
+      if (at < halo->n) {
+        roots[0]                                     = Root_Private(forest->parent, i);
+        roots[1]                                     = Root_Private(forest->parent, at);
+        forest->parent[PetscMax(roots[0], roots[1])] = PetscMin(roots[0], roots[1]);
+      } else {
+        PetscCall(AddCut_Private(forest, i, at));
+      }
+    }
+    PetscCall(MatRestoreRow(A, halo->begin + i, &num, &columns, &values));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ComponentsLabel(Mat A, PetscReal label[])
+{
+  const MPI_Comm comm   = PetscObjectComm((PetscObject)A);
+  Forest         forest = {.num_cut = 0};
+  PetscReal     *first, *all; /* of the component that a root's tree belongs to; labels of all rows and ghosts */
+  PetscBool      changed;
+  Halo           halo;
+
+  PetscFunctionBeginUser;
+  PetscCall(HaloCreate(A, 1, &halo));
+  PetscCall(Join_Private(A, &halo, &forest));
+  PetscCall(PetscMalloc2(halo.n, &first, halo.n + halo.num, &all));
+  for (PetscInt i = 0; i < halo.n; i++) first[i] = (PetscReal)(halo.begin + i);
+  do {
+    for (PetscInt i = 0; i < halo.n; i++) all[i] = first[Root_Private(forest.parent, i)];
+    PetscCall(HaloShare(&halo, all));
+    changed = PETSC_FALSE;
+    for (PetscInt c = 0; c < forest.num_cut; c++) {
+      const PetscInt root = Root_Private(forest.parent, forest.near[c]);
+
+      if (all[forest.far[c]] >= first[root]) continue;
+      first[root] = all[forest.far[c]];
+      changed     = PETSC_TRUE;
+    }
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &changed, 1, MPIU_BOOL, MPI_LOR, comm));
+  } while (changed);
+  PetscCall(PetscArraycpy(label, all, halo.n));
+  PetscCall(PetscFree2(first, all));
+  PetscCall(PetscFree(forest.parent));
+  PetscCall(PetscFree(forest.near));
+  PetscCall(PetscFree(forest.far));
+  PetscCall(HaloDestroy(&halo));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Which rank has most of every component's rows, and the first of those that have as many.
+   [in] label - [n]; [out] rank - [n] */
+static PetscErrorCode Elect_Private(Mat A, PetscInt n, const PetscReal label[], PetscInt rank[])
+{
+  const MPI_Comm     comm = PetscObjectComm((PetscObject)A);
+  PetscMPIInt        size, me;
+  PetscInt           num, *distinct, *count, at;
+  PetscScalar       *vote;
+  const PetscScalar *result;
+  Vec                ballot, votes; /* by label: rows, and the rank as digits behind them */
+  IS                 which;
+  VecScatter         scatter;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_size(comm, &size));
+  PetscCallMPI(MPI_Comm_rank(comm, &me));
+  PetscCall(PetscMalloc2(n, &distinct, n, &count));
+  for (PetscInt i = 0; i < n; i++) distinct[i] = (PetscInt)label[i];
+  num = n;
+  PetscCall(PetscSortRemoveDupsInt(&num, distinct));
+  PetscCall(PetscArrayzero(count, num));
+  for (PetscInt i = 0; i < n; i++) {
+    PetscCall(PetscFindInt((PetscInt)label[i], num, distinct, &at));
+    ++count[at];
+  }
+  PetscCall(MatCreateVecs(A, NULL, &ballot));
+  PetscCall(VecZeroEntries(ballot));
+  PetscCall(VecCreateSeq(PETSC_COMM_SELF, num, &votes));
+  PetscCall(VecGetArrayWrite(votes, &vote));
+  for (PetscInt i = 0; i < num; i++) vote[i] = (PetscScalar)count[i] * size + (size - 1 - me);
+  PetscCall(VecRestoreArrayWrite(votes, &vote));
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num, distinct, PETSC_USE_POINTER, &which));
+  PetscCall(VecScatterCreate(ballot, which, votes, NULL, &scatter));
+  PetscCall(VecScatterBegin(scatter, votes, ballot, MAX_VALUES, SCATTER_REVERSE));
+  PetscCall(VecScatterEnd(scatter, votes, ballot, MAX_VALUES, SCATTER_REVERSE));
+  PetscCall(VecScatterBegin(scatter, ballot, votes, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecScatterEnd(scatter, ballot, votes, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGetArrayRead(votes, &result));
+  for (PetscInt i = 0; i < n; i++) {
+    PetscCall(PetscFindInt((PetscInt)label[i], num, distinct, &at));
+    rank[i] = size - 1 - (PetscInt)PetscRealPart(result[at]) % size;
+  }
+  PetscCall(VecRestoreArrayRead(votes, &result));
+  PetscCall(VecScatterDestroy(&scatter));
+  PetscCall(ISDestroy(&which));
+  PetscCall(VecDestroy(&votes));
+  PetscCall(VecDestroy(&ballot));
+  PetscCall(PetscFree2(distinct, count));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ComponentsGather(Mat A, IS *rows)
+{
+  PetscInt   n, *rank;
+  PetscReal *label;
+  IS         to;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetLocalSize(A, &n, NULL));
+  PetscCall(PetscMalloc2(n, &label, n, &rank));
+  PetscCall(ComponentsLabel(A, label));
+  PetscCall(Elect_Private(A, n, label, rank));
+  PetscCall(ISCreateGeneral(PetscObjectComm((PetscObject)A), n, rank, PETSC_COPY_VALUES, &to));
+  PetscCall(ISBuildTwoSided(to, NULL, rows));
+  PetscCall(ISSort(*rows));
+  PetscCall(ISDestroy(&to));
+  PetscCall(PetscFree2(label, rank));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,400 @@
+/* multigrid.c -- truncated multigrid for the systems of active sets.
+
+   Held unknowns, active ones and eliminated ones alike, are no part of a system:
+       A^ = M A M + (1 - M) diag(A),   M = 0 where held, 1 elsewhere.
+   A coarse correction that moved them would spoil them, so nothing is interpolated to them [1]: P^ = M P. The operator of the coarser level is
+   then P^' A P^ = A_c + P'(M A M - A) P with A_c its own matrix, P'A P (hierarchy.c), and what is added is nonzero near
+   held unknowns only. A coarse unknown that moves next to nothing but held ones is itself held.
+   PCMG cycles; here is what it works with. The type rides on PCSHELL, with public headers.
+
+   References: [1] Kornhuber, Monotone multigrid methods for elliptic variational inequalities I, 1994; Graeser, Kornhuber,
+               Multigrid methods for obstacle problems, 2009. [2] Bramble, Pasciak, New convergence estimates for multigrid
+               algorithms, 1987: the variable V-cycle. */
+#include "base/compat.h"
+#include "base/usererror.h"
+#include "multigrid/redundantsolve.h"
+#include "multigrid/submatrix.h"
+#include "multigrid/multigrid.h"
+#include "multigrid/mglevel.h"
+
+static const char CONTEXT[] = "MortiseMultigrid"; /* name under which the context is composed */
+
+/* Steps of the smoother on the two finest levels, and the part of the spectrum that it is for. Each coarser level has one step more than the one
+   above it: next to nothing beside the finest ones' steps, and iterations do not grow with the number of levels [2]. */
+enum { SMOOTHING_STEPS = 3 };
+static const PetscReal SMOOTHED_FROM = 0.07;
+/* By so much steps get shorter where a cycle shows itself indefinite. Ten steps of CG have been seen to find 2.21 of 2.65 for the largest eigenvalue:
+   with a tenth more for the rest of the way three steps of Chebyshev's iteration let errors there grow, as they do beyond 1.07 of what they are for. */
+static const PetscReal SHORTER = 1.25;
+
+typedef struct {
+  Hierarchy  hierarchy; /* borrowed */
+  PetscInt   num;       /* levels */
+  Rung      *rung;      /* coarse first */
+  Mat        outer;     /* A^ of the finest level, for who iterates */
+  PC         mg;
+  SNES       snes; /* borrowed, or NULL */
+  IS         left; /* unknowns that snes leaves, or NULL */
+  VecScatter scatter;
+  Vec        r, z;    /* on all unknowns */
+  PetscReal  seen[2]; /* r'z of the last two cycles since MultigridWatch() */
+} Multigrid;
+
+static PetscErrorCode Get_Private(PC pc, Multigrid **multigrid)
+{
+  PetscContainer container;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectQuery((PetscObject)pc, CONTEXT, (PetscObject *)&container));
+  *multigrid = NULL;
+  if (container) PetscCall(PetscContainerGetPointer(container, (void **)multigrid));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What a smoother multiplies and solves with. */
+static PetscErrorCode SetOperators_Private(KSP ksp, const Rung *rung)
+{
+  PetscFunctionBeginUser;
+  PetscCall(KSPSetOperators(ksp, rung->A, rung->S ? rung->S : rung->A));
+  PetscCall(KSPChebyshevSetEigenvalues(ksp, rung->largest, SMOOTHED_FROM * rung->largest)); // nothing for other types
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Held unknowns of the finest level are those with 0; the rest follows. */
+static PetscErrorCode Hold_Private(Multigrid *multigrid, Vec free)
+{
+  KSP ksp;
+  PC  pc;
+
+  PetscFunctionBeginUser;
+  PetscCall(RungsHold(multigrid->num, multigrid->rung, free));
+  for (PetscInt l = 1; l < multigrid->num; l++) { // what smoothers keep of their matrix is out of date
+    PetscCall(MatAssemblyBegin(multigrid->rung[l].A, MAT_FINAL_ASSEMBLY));
+    PetscCall(MatAssemblyEnd(multigrid->rung[l].A, MAT_FINAL_ASSEMBLY));
+    PetscCall(PCMGGetSmoother(multigrid->mg, l, &ksp));
+    PetscCall(SetOperators_Private(ksp, &multigrid->rung[l]));
+    PetscCall(KSPGetPC(ksp, &pc));
+    PetscCall(SmootherRenew(pc));
+  }
+  PetscCall(RungAssemble(&multigrid->rung[0]));
+  PetscCall(PCMGGetCoarseSolve(multigrid->mg, &ksp));
+  PetscCall(KSPSetOperators(ksp, multigrid->rung[0].A, multigrid->rung[0].A));
+  PetscCall(PCSetUp(multigrid->mg));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MultigridSetFree(PC pc, Vec free)
+{
+  Multigrid *multigrid;
+
+  PetscFunctionBeginUser;
+  PetscCall(Get_Private(pc, &multigrid));
+  if (multigrid) PetscCall(Hold_Private(multigrid, free));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MultigridSmoothShorter(PC pc)
+{
+  Multigrid *multigrid;
+  KSP        ksp;
+
+  PetscFunctionBeginUser;
+  PetscCall(Get_Private(pc, &multigrid));
+  for (PetscInt l = 1; l < multigrid->num; l++) {
+    Rung *rung = &multigrid->rung[l];
+
+    rung->grid->largest *= SHORTER;
+    rung->largest *= SHORTER;
+    PetscCall(PCMGGetSmoother(multigrid->mg, l, &ksp));
+    PetscCall(SetOperators_Private(ksp, rung));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MultigridAddWork(PC pc)
+{
+  Multigrid *multigrid;
+
+  PetscFunctionBeginUser;
+  PetscCall(Get_Private(pc, &multigrid));
+  multigrid->hierarchy->work += multigrid->rung[multigrid->num - 1].grid->share;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MultigridGetHierarchy(PC pc, Hierarchy *hierarchy)
+{
+  Multigrid *multigrid;
+
+  PetscFunctionBeginUser;
+  PetscCall(Get_Private(pc, &multigrid));
+  *hierarchy = multigrid->hierarchy;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MultigridForces(PC pc, Vec y, PetscReal *size, PetscReal *energy)
+{
+  Multigrid  *multigrid;
+  const Grid *grid;
+  PetscScalar work, square;
+
+  PetscFunctionBeginUser;
+  PetscCall(Get_Private(pc, &multigrid));
+  grid = multigrid->rung[multigrid->num - 1].grid;
+  PetscCall(MatMult(grid->vi->K, y, multigrid->r));
+  PetscCall(VecScale(multigrid->r, 1 / grid->vi->stiffness));
+  if (grid->vi->Z) PetscCall(MatMultAdd(grid->vi->Z, y, multigrid->r, multigrid->r));
+  multigrid->hierarchy->work += grid->share;
+  PetscCall(VecDot(multigrid->r, y, &work));
+  PetscCall(VecPointwiseDivide(multigrid->z, multigrid->r, grid->diag));
+  PetscCall(VecDot(multigrid->z, multigrid->r, &square));
+  *energy = PetscMax(PetscRealPart(work), 0);
+  *size   = PetscSqrtReal(PetscRealPart(square));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MultigridWatch(PC pc)
+{
+  Multigrid *multigrid;
+
+  PetscFunctionBeginUser;
+  PetscCall(Get_Private(pc, &multigrid));
+  multigrid->seen[0] = multigrid->seen[1] = PETSC_MAX_REAL;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MultigridGetError(PC pc, PetscReal *square)
+{
+  Multigrid *multigrid;
+
+  PetscFunctionBeginUser;
+  PetscCall(Get_Private(pc, &multigrid));
+  *square = multigrid->seen[1] * PetscMin(multigrid->seen[1] / multigrid->seen[0], 1);
+  if (multigrid->seen[0] == PETSC_MAX_REAL) *square = multigrid->seen[1];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MultigridGetOperator(PC pc, Mat *A)
+{
+  Multigrid *multigrid;
+
+  PetscFunctionBeginUser;
+  PetscCall(Get_Private(pc, &multigrid));
+  *A = multigrid->outer;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What the user says of a smoother: how it iterates, but not with what, of which it knows the eigenvalues. */
+static PetscErrorCode SmootherFromOptions_Private(KSP ksp, PC pc)
+{
+  PCType    type;
+  char      own[64];
+  PetscBool same;
+
+  PetscFunctionBeginUser;
+  PetscCall(PCGetType(pc, &type));
+  PetscCall(PetscStrncpy(own, type, sizeof(own)));
+  PetscCall(KSPSetFromOptions(ksp));
+  PetscCall(PetscObjectTypeCompare((PetscObject)pc, own, &same));
+  PetscCall(PCGetType(pc, &type));
+  if (!same) {
+    PetscCall(UserErrorRaise(PetscObjectComm((PetscObject)ksp),
+                             "-mg_levels_pc_type %s: smoothing is with what the level asks for, here %s; leave it away",
+                             type, own));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Smoothers, transfers, the coarsest solver, and what the user says of them. */
+static PetscErrorCode Configure_Private(PC pc, Multigrid *multigrid)
+{
+  const char *prefix;
+  KSP         ksp;
+  Mat         R;
+  PC          inner;
+
+  PetscFunctionBeginUser;
+  PetscCall(PCGetOptionsPrefix(pc, &prefix));
+  PetscCall(PCCreate(PetscObjectComm((PetscObject)pc), &multigrid->mg));
+  PetscCall(PCSetOptionsPrefix(multigrid->mg, prefix));
+  PetscCall(PCSetType(multigrid->mg, PCMG));
+  PetscCall(PCMGSetLevels(multigrid->mg, multigrid->num, NULL));
+  for (PetscInt l = 1; l < multigrid->num; l++) {
+    PetscCall(PCMGSetInterpolation(multigrid->mg, l, multigrid->rung[l].P));
+    PetscCall(MatCreateTranspose(multigrid->rung[l].P, &R)); // or PETSc takes P for P' where it is square
+    PetscCall(PCMGSetRestriction(multigrid->mg, l, R));
+    PetscCall(MatDestroy(&R));
+    PetscCall(PCMGGetSmoother(multigrid->mg, l, &ksp));
+    PetscCall(KSPSetType(ksp, KSPCHEBYSHEV));
+    PetscCall(SetOperators_Private(ksp, &multigrid->rung[l]));
+    PetscCall(KSPSetNormType(ksp, KSP_NORM_NONE));
+    PetscCall(KSPSetTolerances(ksp, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT,
+                               SMOOTHING_STEPS + PetscMax(multigrid->num - 2 - l, 0)));
+    PetscCall(KSPGetPC(ksp, &inner));
+    PetscCall(SmootherSetPC(inner, multigrid->rung[l].S));
+    PetscCall(SmootherFromOptions_Private(ksp, inner));
+  }
+  PetscCall(PCMGGetCoarseSolve(multigrid->mg, &ksp));
+  PetscCall(KSPSetType(ksp, KSPPREONLY));
+  PetscCall(KSPGetPC(ksp, &inner));
+  PetscCall(EverywhereSetPC(inner));
+  PetscCall(KSPSetFromOptions(ksp));
+  PetscCall(
+      PCSetOperators(multigrid->mg, multigrid->rung[multigrid->num - 1].A, multigrid->rung[multigrid->num - 1].A));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Clear_Private(Multigrid *multigrid)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PCDestroy(&multigrid->mg));
+  PetscCall(MatDestroy(&multigrid->outer));
+  for (PetscInt l = 0; l < multigrid->num; l++) PetscCall(RungDestroy(&multigrid->rung[l]));
+  PetscCall(PetscFree(multigrid->rung));
+  PetscCall(ISDestroy(&multigrid->left));
+  PetscCall(VecScatterDestroy(&multigrid->scatter));
+  PetscCall(VecDestroy(&multigrid->r));
+  PetscCall(VecDestroy(&multigrid->z));
+  multigrid->num = 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The matrix that snes takes its free part from. */
+static PetscErrorCode SetWhole_Private(Hierarchy hierarchy, const Grid *grid, SNES snes)
+{
+  Mat whole;
+
+  PetscFunctionBeginUser;
+  PetscCall(ExcerptCreateWhole(grid->A, grid->share, &hierarchy->work, &whole));
+  PetscCall(SNESSetJacobian(snes, whole, whole, NULL, NULL));
+  PetscCall(MatDestroy(&whole));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MultigridSetHierarchy(PC pc, Hierarchy hierarchy, PetscInt finest, SNES snes)
+{
+  Multigrid *multigrid;
+
+  PetscFunctionBeginUser;
+  PetscCall(Get_Private(pc, &multigrid));
+  if (!multigrid) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(Clear_Private(multigrid));
+  multigrid->hierarchy = hierarchy;
+  multigrid->num       = finest + 1;
+  multigrid->snes      = snes;
+  PetscCall(PetscCalloc1(multigrid->num, &multigrid->rung));
+  for (PetscInt l = 0; l < multigrid->num; l++) PetscCall(RungCreate(hierarchy, l, &multigrid->rung[l]));
+  PetscCall(VecDuplicate(multigrid->rung[finest].diag, &multigrid->r));
+  PetscCall(VecDuplicate(multigrid->r, &multigrid->z));
+  PetscCall(RungCreateOuter(&multigrid->rung[finest], &multigrid->outer));
+  PetscCall(Configure_Private(pc, multigrid));
+  if (snes) PetscCall(SetWhole_Private(hierarchy, &hierarchy->grid[finest], snes));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* With `vinewtonrsls`: its matrix is that of the unknowns it leaves, so these are the free ones. */
+static PetscErrorCode SetUp_Multigrid(PC pc)
+{
+  Multigrid *multigrid;
+  Vec        reduced;
+  Mat        A;
+
+  PetscFunctionBeginUser;
+  PetscCall(Get_Private(pc, &multigrid));
+  if (!multigrid->num) {
+    PetscCall(UserErrorRaise(PetscObjectComm((PetscObject)pc),
+                             "-pc_type %s: needs a mesh, which this inequality does not have", PCTRUNCATEDMG));
+  }
+  if (!multigrid->snes) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ISDestroy(&multigrid->left));
+  PetscCall(VecScatterDestroy(&multigrid->scatter));
+  PetscCall(SNESVIGetInactiveSet(multigrid->snes, &multigrid->left));
+  PetscCall(PetscObjectReference((PetscObject)multigrid->left));
+  PetscCall(PCGetOperators(pc, &A, NULL));
+  PetscCall(MatCreateVecs(A, &reduced, NULL));
+  PetscCall(VecScatterCreate(multigrid->r, multigrid->left, reduced, NULL, &multigrid->scatter));
+  PetscCall(VecZeroEntries(multigrid->r));
+  PetscCall(VecSet(reduced, 1));
+  PetscCall(VecScatterBegin(multigrid->scatter, reduced, multigrid->r, INSERT_VALUES, SCATTER_REVERSE));
+  PetscCall(VecScatterEnd(multigrid->scatter, reduced, multigrid->r, INSERT_VALUES, SCATTER_REVERSE));
+  PetscCall(VecDestroy(&reduced));
+  PetscCall(Hold_Private(multigrid, multigrid->r));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* z = cycle of r; eliminated unknowns, which couple to nothing, by themselves. [in] r - is spoilt */
+static PetscErrorCode Cycle_Private(Multigrid *multigrid, Vec r, Vec z)
+{
+  const VI     vi = multigrid->rung[multigrid->num - 1].grid->vi;
+  PetscScalar *ra, *za, *alone;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(vi->num_fixed, &alone));
+  PetscCall(VecGetArray(r, &ra));
+  for (PetscInt i = 0; i < vi->num_fixed; i++) alone[i] = ra[vi->fixed_local[i]];
+  for (PetscInt i = 0; i < vi->num_fixed; i++) ra[vi->fixed_local[i]] = 0;
+  PetscCall(VecRestoreArray(r, &ra));
+  PetscCall(PCApply(multigrid->mg, r, z));
+  PetscCall(VecGetArray(z, &za));
+  for (PetscInt i = 0; i < vi->num_fixed; i++) za[vi->fixed_local[i]] = alone[i];
+  PetscCall(VecRestoreArray(z, &za));
+  PetscCall(PetscFree(alone));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Apply_Multigrid(PC pc, Vec r, Vec z)
+{
+  Multigrid  *multigrid;
+  PetscScalar work;
+
+  PetscFunctionBeginUser;
+  PetscCall(Get_Private(pc, &multigrid));
+  if (!multigrid->snes) {
+    PetscCall(VecCopy(r, multigrid->r));
+    PetscCall(Cycle_Private(multigrid, multigrid->r, z));
+    PetscCall(VecDot(r, z, &work));
+    multigrid->seen[0] = multigrid->seen[1];
+    multigrid->seen[1] = PetscRealPart(work);
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(VecZeroEntries(multigrid->r));
+  PetscCall(VecScatterBegin(multigrid->scatter, r, multigrid->r, INSERT_VALUES, SCATTER_REVERSE));
+  PetscCall(VecScatterEnd(multigrid->scatter, r, multigrid->r, INSERT_VALUES, SCATTER_REVERSE));
+  PetscCall(Cycle_Private(multigrid, multigrid->r, multigrid->z));
+  PetscCall(VecScatterBegin(multigrid->scatter, multigrid->z, z, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecScatterEnd(multigrid->scatter, multigrid->z, z, INSERT_VALUES, SCATTER_FORWARD));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Destroy_Private(void *ctx)
+{
+  PetscFunctionBeginUser;
+  PetscCall(Clear_Private(ctx));
+  PetscCall(PetscFree(ctx));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode PCCreate_Multigrid(PC pc)
+{
+  Multigrid     *multigrid;
+  PetscContainer container;
+
+  PetscFunctionBeginUser;
+  PetscCall(PCSetType(pc, PCSHELL));
+  PetscCall(PCShellSetSetUp(pc, SetUp_Multigrid));
+  PetscCall(PCShellSetApply(pc, Apply_Multigrid));
+  PetscCall(PetscObjectChangeTypeName((PetscObject)pc, PCTRUNCATEDMG));
+  PetscCall(PetscNew(&multigrid));
+  PetscCall(PetscContainerCreate(PetscObjectComm((PetscObject)pc), &container));
+  PetscCall(PetscContainerSetPointer(container, multigrid));
+  PetscCall(PetscContainerSetUserDestroy(container, Destroy_Private));
+  PetscCall(PetscObjectCompose((PetscObject)pc, CONTEXT, (PetscObject)container));
+  PetscCall(PetscContainerDestroy(&container));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MultigridRegister(void)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PCRegister(PCTRUNCATEDMG, PCCreate_Multigrid));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

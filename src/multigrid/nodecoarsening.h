@@ -1,0 +1,28 @@
+/* nodecoarsening.h -- a coarser level made of some nodes of a finer one, by its matrix and their places; internal (T38). */
+#ifndef MORTISE_NODECOARSENING_H
+#define MORTISE_NODECOARSENING_H
+
+#include "base/compat.h"
+#include <petscmat.h>
+
+/* What a node may take from: the vertices of a cell, where nodes on edges and in the middle of cells take from these. */
+enum { POINTS_TERMS = 8 };
+
+typedef struct {
+  Mat        A;    /* AIJ; borrowed */
+  PetscInt   dim;  /* unknowns of a node, and coordinates */
+  PetscReal *x;    /* places [nodes of this rank][dim] */
+  PetscBool *held; /* unknowns that stay where they are [unknowns of this rank] */
+  /* what each node takes from which others, itself alone where it is chosen; NULL where this is to be found out */
+  PetscInt  *count;  /* [nodes of this rank] */
+  PetscInt  *from;   /* nodes of all ranks [nodes of this rank][POINTS_TERMS] */
+  PetscReal *weight; /* [nodes of this rank][POINTS_TERMS] */
+} Points;
+
+PetscErrorCode PointsDestroy(Points *points);
+
+/* P gives every node, unless it is told what to take, the linear function of a few chosen ones near it, but for held unknowns, from and to which
+   nothing leads. Nodes that no others give a linear function to are chosen. Collective. [out] P - owned by the caller; [out] coarse - all but A */
+PetscErrorCode PointsCoarsen(const Points *points, Mat *P, Points *coarse);
+
+#endif

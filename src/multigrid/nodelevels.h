@@ -1,0 +1,19 @@
+/* nodelevels.h -- levels below the coarsest mesh; internal (T38). */
+#ifndef MORTISE_NODELEVELS_H
+#define MORTISE_NODELEVELS_H
+
+#include "problem/vi.h"
+#include "multigrid/nodecoarsening.h"
+
+/* K of a level of the mesh and its nodes. Collective. [out] points - to be destroyed by the caller; borrows K from vi */
+PetscErrorCode AlgebraicBegin(VI vi, Points *points);
+/* The next coarser level. Collective. [in] fine - mesh level or one made here, that points belong to; [in,out] points - of the coarser level
+   afterwards; [out] P - y of the coarser level to y of the fine one, owned by the caller; [out] coarse - owned by the caller, before points are
+   destroyed */
+PetscErrorCode AlgebraicCoarsen(VI fine, Points *points, Mat *P, VI *coarse);
+
+/* The squares of every column, summed up. Collective. [in] open - 1 in rows that count, 0 in others; NULL for all; [out] weight - owned by the
+   caller */
+PetscErrorCode AlgebraicWeigh(Mat P, Vec open, Vec *weight);
+
+#endif

@@ -1,0 +1,166 @@
+/* smoother.c -- couplings that smoothing must not cut.
+
+   Where cells are much longer than wide, an error may vary slowly along the short way and be no smooth function on the coarser level,
+   which is as long and wide [1]: smoothing has to solve for the couplings along the short ways, lines and planes of nodes, bundles (bundles.c).
+   S_u is K without couplings between bundles: definite like K, and with sparse factors. Of nodes that are in no bundle it has the diagonal.
+
+   These are couplings of displacements u. What is solved for is y, u = T y, in which moving a mortar side's unknown moves the nonmortar side
+   as well: much stiffness in rows of the mortar side where the other one is stiff, and lines that go on across contact. S = T'S_u T has all of it,
+   and its eigenvalues with T'K T are those of S_u with K.
+
+   References: [1] Trottenberg, Oosterlee, Schueller, Multigrid, 2001, section 5.1. */
+#include "base/compat.h"
+#include "multigrid/bodysmoother.h"
+#include "multigrid/blocksmoother.h"
+#include "multigrid/smoother.h"
+
+/* A nonmortar side is stiff where condensing adds so much to the diagonal of what was there; equal sides: 1. */
+static const PetscReal STIFFER = 2;
+
+/* What S_u has of one row of K: couplings within the node's bundle, or the diagonal of a node that is in none.
+   [in] label - of nodes, by halo; [out] num - entries; [out] column, value - NULL to count only */
+static PetscErrorCode TakeRow_Private(VI vi, const Halo *halo, const PetscReal label[], PetscInt row, PetscInt *num,
+                                      PetscInt column[], PetscScalar value[])
+{
+  const PetscInt     dim = vi->level->dim, global = dim * halo->begin + row;
+  PetscInt           length, at, others = 0;
+  const PetscInt    *columns;
+  const PetscScalar *values;
+
+  PetscFunctionBeginUser;
+  *num = 0;
+  PetscCall(MatGetRow(vi->K, global, &length, &columns, &values));
+  for (PetscInt pass = 0; pass < 2; pass++)
+    for (PetscInt j = 0; j < length; j++) {
+      PetscCall(HaloFind(halo, columns[j] / dim, &at));
+      if (label[at] != label[row / dim]) continue;
+      if (!pass) others += at != row / dim;
+      if (!pass || (!others && columns[j] != global)) continue;
+      if (column) column[*num] = columns[j];
+      if (value) value[*num] = values[j] / vi->stiffness;
+      ++*num;
+    }
+  PetscCall(MatRestoreRow(vi->K, global, &length, &columns, &values));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* S_u. [in] label - of nodes, by halo */
+static PetscErrorCode CreateBundled_Private(VI vi, const Halo *halo, const PetscReal label[], Mat *S)
+{
+  const PetscInt n = vi->level->dim * halo->n;
+  PetscInt      *start, *column, num;
+  PetscScalar   *value;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(n + 1, &start));
+  start[0] = 0;
+  for (PetscInt i = 0; i < n; i++) {
+    PetscCall(TakeRow_Private(vi, halo, label, i, &num, NULL, NULL));
+    start[i + 1] = start[i] + num;
+  }
+  PetscCall(PetscMalloc2(start[n], &column, start[n], &value));
+  for (PetscInt i = 0; i < n; i++)
+    PetscCall(TakeRow_Private(vi, halo, label, i, &num, &column[start[i]], &value[start[i]]));
+  PetscCall(MatCreate(vi->level->comm, S));
+  PetscCall(MatSetSizes(*S, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
+  PetscCall(MatSetBlockSize(*S, vi->level->dim));
+  PetscCall(MatSetType(*S, MATAIJ));
+  PetscCall(MatSeqAIJSetPreallocationCSR(*S, start, column, value)); // one of the two does nothing
+  PetscCall(MatMPIAIJSetPreallocationCSR(*S, start, column, value));
+  PetscCall(PetscFree(start));
+  PetscCall(PetscFree2(column, value));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a nonmortar side of this rank weighs on a mortar side that is much softer. */
+static PetscErrorCode Weighs_Private(VI vi, PetscBool *weighs)
+{
+  const PetscInt     n = vi->level->dim * vi->level->num_owned, begin = vi->level->dim * vi->level->node_begin;
+  const PetscScalar *z, *k;
+  PetscBool         *apart; /* unknowns that are not the mortar side's, or eliminated */
+  Vec                diag;
+
+  PetscFunctionBeginUser;
+  *weighs = PETSC_FALSE;
+  if (!vi->Z) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscCalloc1(n, &apart));
+  for (PetscInt r = 0; r < vi->num_rows; r++) apart[vi->row_dof[r] - begin] = PETSC_TRUE;
+  for (PetscInt i = 0; i < vi->num_fixed; i++) apart[vi->fixed_local[i]] = PETSC_TRUE;
+  PetscCall(MatCreateVecs(vi->Z, &diag, NULL));
+  PetscCall(MatGetDiagonal(vi->Z, diag));
+  PetscCall(VecGetArrayRead(diag, &z));
+  PetscCall(VecGetArrayRead(vi->diagonal, &k));
+  for (PetscInt i = 0; i < n; i++)
+    if (!apart[i] && PetscRealPart(z[i]) > STIFFER * PetscRealPart(k[i]) / vi->stiffness) *weighs = PETSC_TRUE;
+  PetscCall(VecRestoreArrayRead(diag, &z));
+  PetscCall(VecRestoreArrayRead(vi->diagonal, &k));
+  PetscCall(VecDestroy(&diag));
+  PetscCall(PetscFree(apart));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* S with what condensing adds to the diagonal. */
+static PetscErrorCode AddDiagonal_Private(VI vi, Mat S)
+{
+  Vec more, zero;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateVecs(vi->K, &more, &zero));
+  PetscCall(MatGetDiagonal(vi->Z, more));
+  PetscCall(VecZeroEntries(zero));
+  PetscCall(VecPointwiseMax(more, more, zero));
+  PetscCall(MatDiagonalSet(S, more, ADD_VALUES));
+  PetscCall(VecDestroy(&more));
+  PetscCall(VecDestroy(&zero));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* T'S T without eliminated unknowns; not where it would be a dense matrix, since few nodes of one side face very many of the other.
+   [in,out] S */
+static PetscErrorCode Condense_Private(VI vi, Mat *S)
+{
+  Mat     product;
+  MatInfo mine, whole;
+
+  PetscFunctionBeginUser;
+  if (vi->T) {
+    PetscCall(MatPtAP(*S, vi->T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
+    PetscCall(MatProductClear(product)); // it would keep its factors
+    PetscCall(MatGetInfo(product, MAT_GLOBAL_SUM, &mine));
+    PetscCall(MatGetInfo(vi->K, MAT_GLOBAL_SUM, &whole));
+    if (mine.nz_used > whole.nz_used) {
+      PetscCall(MatDestroy(&product));
+      PetscCall(AddDiagonal_Private(vi, *S));
+    } else {
+      PetscCall(MatDestroy(S));
+      *S = product;
+    }
+  }
+  PetscCall(MatZeroRowsColumns(*S, vi->num_fixed, vi->fixed, 1, NULL, NULL));
+  PetscCall(MatSetOption(*S, MAT_SPD, PETSC_TRUE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SmootherCreate(VI vi, PetscBool finest, Mat *S)
+{
+  PetscReal *label;
+  PetscBool  weighs, found;
+  Halo       halo;
+
+  PetscFunctionBeginUser;
+  *S = NULL;
+  PetscCall(Weighs_Private(vi, &weighs));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &weighs, 1, MPIU_BOOL, MPI_LOR, vi->level->comm));
+  PetscCall(HaloCreate(vi->K, vi->level->dim, &halo));
+  PetscCall(PetscMalloc1(halo.n + halo.num, &label));
+  PetscCall(BundlesFind(vi, &halo, (PetscBool)(weighs && !finest), label, &found));
+  if (found) {
+    PetscCall(CreateBundled_Private(vi, &halo, label, S));
+    PetscCall(Condense_Private(vi, S));
+  } else if (finest && vi->T && (weighs || vi->mesh->num_levels == 1)) {
+    PetscCall(ApartCreate(vi, S));
+  }
+  PetscCall(PetscFree(label));
+  PetscCall(HaloDestroy(&halo));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,213 @@
+/* truncationupdate.c -- changes of a matrix by a few held unknowns: entries in a list, few beside the matrix. */
+#include "base/compat.h"
+#include "multigrid/truncationupdate.h"
+
+/* Entries on their way into a matrix. */
+typedef struct {
+  PetscInt     num, max;
+  PetscInt    *row, *column;
+  PetscScalar *value;
+} Entries;
+
+/* M before and after at columns of a matrix: those of this rank, and those of others. */
+typedef struct {
+  PetscInt           begin, end, num_ghosts;
+  const PetscInt    *ghosts;      /* ascending [num_ghosts] */
+  const PetscScalar *was, *is;    /* [end - begin] */
+  PetscScalar       *ghost_state; /* was + 2 is [num_ghosts] */
+} States;
+
+static PetscErrorCode Add_Private(Entries *entries, PetscInt row, PetscInt column, PetscScalar value)
+{
+  PetscFunctionBeginUser;
+  if (value == 0) PetscFunctionReturn(PETSC_SUCCESS);
+  if (entries->num == entries->max) {
+    entries->max = 2 * entries->max + 1024;
+    PetscCall(PetscRealloc(entries->max * sizeof(PetscInt), &entries->row));
+    PetscCall(PetscRealloc(entries->max * sizeof(PetscInt), &entries->column));
+    PetscCall(PetscRealloc(entries->max * sizeof(PetscScalar), &entries->value));
+  }
+  entries->row[entries->num]     = row;
+  entries->column[entries->num]  = column;
+  entries->value[entries->num++] = value;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Collective. [in] X - whose columns are asked for */
+static PetscErrorCode StatesBegin_Private(Mat X, Vec was, Vec is, States *states)
+{
+  const PetscScalar *a;
+  Vec                both, ghosts;
+  IS                 which;
+  VecScatter         scatter;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetOwnershipRange(X, &states->begin, &states->end));
+  PetscCall(MatGetGhosts(X, &states->num_ghosts, &states->ghosts));
+  PetscCall(PetscMalloc1(states->num_ghosts, &states->ghost_state));
+  PetscCall(VecDuplicate(was, &both));
+  PetscCall(VecWAXPY(both, 2, is, was));
+  PetscCall(VecCreateSeq(PETSC_COMM_SELF, states->num_ghosts, &ghosts));
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, states->num_ghosts, states->ghosts, PETSC_COPY_VALUES, &which));
+  PetscCall(VecScatterCreate(both, which, ghosts, NULL, &scatter));
+  PetscCall(VecScatterBegin(scatter, both, ghosts, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecScatterEnd(scatter, both, ghosts, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGetArrayRead(ghosts, &a));
+  PetscCall(PetscArraycpy(states->ghost_state, a, states->num_ghosts));
+  PetscCall(VecRestoreArrayRead(ghosts, &a));
+  PetscCall(VecScatterDestroy(&scatter));
+  PetscCall(ISDestroy(&which));
+  PetscCall(VecDestroy(&ghosts));
+  PetscCall(VecDestroy(&both));
+  PetscCall(VecGetArrayRead(was, &states->was));
+  PetscCall(VecGetArrayRead(is, &states->is));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode StatesEnd_Private(Vec was, Vec is, States *states)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VecRestoreArrayRead(was, &states->was));
+  PetscCall(VecRestoreArrayRead(is, &states->is));
+  PetscCall(PetscFree(states->ghost_state));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* M of one column before and after. */
+static PetscErrorCode StatesGet_Private(const States *states, PetscInt column, PetscBool *was, PetscBool *is)
+{
+  PetscInt at, state;
+
+  PetscFunctionBeginUser;
+  if (column >= states->begin && column < states->end) {
+    *was = (PetscBool)(states->was[column - states->begin] != 0);
+    *is  = (PetscBool)(states->is[column - states->begin] != 0);
+  } else {
+    PetscCall(PetscFindInt(column, states->num_ghosts, states->ghosts, &at));
+    state = (PetscInt)PetscRealPart(states->ghost_state[at]);
+    *was  = (PetscBool)(state % 2);
+    *is   = (PetscBool)(state / 2);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds what a change of M makes of factor * X. */
+static PetscErrorCode AddChanged_Private(Mat X, PetscReal factor, Vec was, Vec is, Entries *entries)
+{
+  States states;
+
+  PetscFunctionBeginUser;
+  PetscCall(StatesBegin_Private(X, was, is, &states));
+  for (PetscInt row = states.begin; row < states.end; row++) {
+    const PetscBool row_was = (PetscBool)(states.was[row - states.begin] != 0),
+                    row_is  = (PetscBool)(states.is[row - states.begin] != 0);
+    PetscInt           num;
+    const PetscInt    *columns;
+    const PetscScalar *values;
+
+    if (row_was == row_is) continue;
+    PetscCall(MatGetRow(X, row, &num, &columns, &values));
+    for (PetscInt j = 0; j < num; j++) {
+      PetscBool column_was, column_is;
+      PetscReal change;
+
+      PetscCall(StatesGet_Private(&states, columns[j], &column_was, &column_is));
+      change = factor * ((row_is && column_is ? 1 : 0) - (row_was && column_was ? 1 : 0));
+      PetscCall(Add_Private(entries, row, columns[j], change * values[j]));
+      if (column_was == column_is) PetscCall(Add_Private(entries, columns[j], row, change * values[j]));
+    }
+    PetscCall(MatRestoreRow(X, row, &num, &columns, &values));
+  }
+  PetscCall(StatesEnd_Private(was, is, &states));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds M X M of a matrix that has little in it. */
+static PetscErrorCode AddAll_Private(Mat X, Vec is, Entries *entries)
+{
+  States states;
+
+  PetscFunctionBeginUser;
+  PetscCall(StatesBegin_Private(X, is, is, &states));
+  for (PetscInt row = states.begin; row < states.end; row++) {
+    PetscInt           num;
+    PetscBool          free;
+    const PetscInt    *columns;
+    const PetscScalar *values;
+
+    if (states.is[row - states.begin] == 0) continue;
+    PetscCall(MatGetRow(X, row, &num, &columns, &values));
+    for (PetscInt j = 0; j < num; j++) {
+      PetscCall(StatesGet_Private(&states, columns[j], &free, &free));
+      if (free) PetscCall(Add_Private(entries, row, columns[j], values[j]));
+    }
+    PetscCall(MatRestoreRow(X, row, &num, &columns, &values));
+  }
+  PetscCall(StatesEnd_Private(is, is, &states));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds a diagonal. */
+static PetscErrorCode AddDiagonal_Private(Vec springs, Entries *entries)
+{
+  const PetscScalar *w;
+  PetscInt           begin, end;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetOwnershipRange(springs, &begin, &end));
+  PetscCall(VecGetArrayRead(springs, &w));
+  for (PetscInt i = begin; i < end; i++) PetscCall(Add_Private(entries, i, i, w[i - begin]));
+  PetscCall(VecRestoreArrayRead(springs, &w));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode StripCreate(VI vi, Mat C, Mat dC, Vec was, Vec is, Vec springs, Mat *strip)
+{
+  Entries  entries = {.num = 0};
+  PetscInt n, N;
+
+  PetscFunctionBeginUser;
+  PetscCall(AddChanged_Private(vi->K, 1 / vi->stiffness, was, is, &entries));
+  if (vi->Z) PetscCall(AddChanged_Private(vi->Z, 1, was, is, &entries));
+  if (C) PetscCall(AddChanged_Private(C, 1, was, is, &entries));
+  if (dC) PetscCall(AddAll_Private(dC, is, &entries));
+  if (springs) PetscCall(AddDiagonal_Private(springs, &entries));
+  PetscCall(MatGetLocalSize(vi->K, &n, NULL));
+  PetscCall(MatGetSize(vi->K, &N, NULL));
+  PetscCall(MatCreate(PetscObjectComm((PetscObject)vi->K), strip));
+  PetscCall(MatSetSizes(*strip, n, n, N, N));
+  PetscCall(MatSetType(*strip, MATAIJ));
+  PetscCall(MatSetPreallocationCOO(*strip, entries.num, entries.row, entries.column));
+  PetscCall(MatSetValuesCOO(*strip, entries.value, ADD_VALUES));
+  PetscCall(PetscFree(entries.row));
+  PetscCall(PetscFree(entries.column));
+  PetscCall(PetscFree(entries.value));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode StripRestrict(Mat strip, Mat P, Mat *product)
+{
+  PetscInt begin, end, num = 0, *rows;
+  IS       is;
+  Mat      small, few;
+
+  PetscFunctionBeginUser; /* of mostly empty rows only the others, which are the columns as well */
+  PetscCall(MatGetOwnershipRange(strip, &begin, &end));
+  PetscCall(PetscMalloc1(end - begin, &rows));
+  for (PetscInt row = begin; row < end; row++) {
+    PetscInt n;
+
+    PetscCall(MatGetRow(strip, row, &n, NULL, NULL));
+    if (n) rows[num++] = row;
+    PetscCall(MatRestoreRow(strip, row, &n, NULL, NULL));
+  }
+  PetscCall(ISCreateGeneral(PetscObjectComm((PetscObject)strip), num, rows, PETSC_COPY_VALUES, &is));
+  PetscCall(PetscFree(rows));
+  PetscCall(MatCreateSubMatrix(strip, is, is, MAT_INITIAL_MATRIX, &small));
+  PetscCall(MatCreateSubMatrix(P, is, NULL, MAT_INITIAL_MATRIX, &few));
+  PetscCall(MatPtAP(small, few, MAT_INITIAL_MATRIX, PETSC_DEFAULT, product));
+  PetscCall(MatDestroy(&small));
+  PetscCall(MatDestroy(&few));
+  PetscCall(ISDestroy(&is));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

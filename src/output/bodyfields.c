@@ -1,0 +1,154 @@
+/* bodyfields.c -- what a picture of the bodies tells. */
+#include "output/fieldwriter.h"
+#include "base/compat.h"
+
+/* Pressure, gap and status of all pairs at once, one after the other: a node in several pairs shows the sum of its pressures,
+   the smallest gap, and the closest status. */
+static PetscErrorCode TellContact_Private(Picture *picture, Fields fields)
+{
+  const PetscInt n = fields->vi->level->num_owned;
+  PetscReal     *merged[3];
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc3(n, &merged[0], n, &merged[1], n, &merged[2]));
+  for (PetscInt a = 0; a < n; ++a) {
+    merged[1][a] = NAN;
+    merged[2][a] = STATUS_NONE;
+  }
+  for (PetscInt p = 0; p < fields->vi->num_pairs; ++p) {
+    PairFields nodal;
+
+    PetscCall(PairFieldsCreate(fields, p, &nodal));
+    for (PetscInt a = 0; a < n; ++a) {
+      merged[0][a] += nodal.pressure[a];
+      merged[1][a] = fmin(merged[1][a], nodal.gap[a]); /* the number where only one is */
+      merged[2][a] = PetscMax(merged[2][a], (PetscReal)nodal.status[a]);
+    }
+    PetscCall(PairFieldsDestroy(&nodal));
+  }
+  PetscCall(PicturePoints(picture, (Quantity){"pressure", 1, PETSC_FALSE}, 1, merged[0]));
+  PetscCall(PicturePoints(picture, (Quantity){"gap", 1, PETSC_FALSE}, 1, merged[1]));
+  PetscCall(PicturePoints(picture, (Quantity){"status", 1, PETSC_TRUE}, 1, merged[2]));
+  PetscCall(PetscFree3(merged[0], merged[1], merged[2]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Stress as a full 3 x 3 tensor: viewers name its nine components by themselves, while for six each has an order of
+   its own. */
+static void Tensor_Private(const PetscReal stress[6], PetscReal tensor[9])
+{
+  static const PetscInt voigt[9] = {0, 5, 4, 5, 1, 3, 4, 3, 2}; /* xx,yy,zz,yz,xz,xy to rows of the tensor */
+
+  for (PetscInt k = 0; k < 9; ++k) tensor[k] = stress[voigt[k]];
+}
+
+static void VonMises_Private(const PetscReal stress[6], PetscReal mises[1])
+{
+  mises[0] = MaterialVonMises(stress);
+}
+
+/* The stress tensor, and what is computed from it. */
+static PetscErrorCode TellStress_Private(Picture *picture, Fields fields)
+{
+  static const struct {
+    Quantity quantity;
+    void (*of)(const PetscReal stress[6], PetscReal values[]);
+  } told[]           = {{{"stress", 9, PETSC_FALSE}, Tensor_Private},
+                        {{"von_mises", 1, PETSC_FALSE}, VonMises_Private},
+                        {{"principal", 3, PETSC_FALSE}, MaterialPrincipal}};
+  const PetscInt   n = fields->vi->level->num_owned;
+  const PetscReal *stress;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetArrayRead(fields->stress, &stress));
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(told); ++i) {
+    const PetscInt size = told[i].quantity.components;
+    PetscReal     *values;
+
+    PetscCall(PetscMalloc1(n * size, &values));
+    for (PetscInt a = 0; a < n; ++a) told[i].of(&stress[a * 6], &values[a * size]);
+    PetscCall(PicturePoints(picture, told[i].quantity, size, values));
+    PetscCall(PetscFree(values));
+  }
+  PetscCall(VecRestoreArrayRead(fields->stress, &stress));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The bodies as they are meshed. [out] tags - pieces of all cells, on the first rank; owned by the caller */
+static PetscErrorCode TellMesh_Private(Picture *picture, VI vi, PetscReal **tags)
+{
+  const Level   *level = vi->level;
+  const PetscInt size  = level->cell_start[level->num_cells];
+  PetscInt      *nodes, *piece;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc2(size, &nodes, level->num_cells, &piece));
+  for (PetscInt i = 0; i < size; ++i) nodes[i] = level->node_global[level->cell_nodes[i]];
+  for (PetscInt c = 0; c < level->num_cells; ++c)
+    piece[c] = vi->motions.pieces.of_node[level->cell_nodes[level->cell_start[c]]];
+  PetscCall(PictureMesh(picture,
+                        &(PicturePart){.dim        = level->dim,
+                                       .num_points = level->num_owned,
+                                       .coords     = level->coords,
+                                       .num_cells  = level->num_cells,
+                                       .cell_type  = level->cell_type,
+                                       .cell_tag   = piece,
+                                       .cell_nodes = nodes},
+                        tags));
+  PetscCall(PetscFree2(nodes, piece));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The body of each cell, and where one is of several pieces the piece. */
+static PetscErrorCode TellCells_Private(Picture *picture, VI vi, const PetscReal tags[])
+{
+  const Pieces  *pieces = &vi->motions.pieces;
+  const PetscInt num    = picture->rank == 0 ? picture->num_cells : 0;
+  PetscReal     *body;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(num, &body));
+  for (PetscInt c = 0; c < num; ++c) body[c] = (PetscReal)pieces->body[(PetscInt)tags[c]];
+  PetscCall(PictureCells(picture, (Quantity){"body", 1, PETSC_TRUE}, body));
+  PetscCall(PetscFree(body));
+  if (pieces->num > vi->motions.num_bodies) PetscCall(PictureCells(picture, (Quantity){"piece", 1, PETSC_TRUE}, tags));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PictureTellFields(Picture *picture, Fields fields)
+{
+  const PetscReal *u;
+  PetscReal       *tags;
+
+  PetscFunctionBeginUser;
+  PetscCall(TellMesh_Private(picture, fields->vi, &tags));
+  PetscCall(VecGetArrayRead(fields->u, &u));
+  PetscCall(PicturePoints(picture, (Quantity){"displacement", 3, PETSC_FALSE}, fields->vi->level->dim, u));
+  PetscCall(VecRestoreArrayRead(fields->u, &u));
+  PetscCall(TellStress_Private(picture, fields));
+  PetscCall(TellContact_Private(picture, fields));
+  PetscCall(TellCells_Private(picture, fields->vi, tags));
+  PetscCall(PetscFree(tags));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PictureTellMotion(Picture *picture, VI vi)
+{
+  const Level       *level  = vi->level;
+  const SceneMotion *motion = &vi->solvability->motion;
+  PetscReal         *u, *tags;
+
+  PetscFunctionBeginUser;
+  PetscCall(TellMesh_Private(picture, vi, &tags));
+  PetscCall(PetscCalloc1(level->num_owned * level->dim, &u));
+  for (PetscInt i = 0; i < motion->num; ++i) {
+    for (PetscInt a = 0; a < level->num_owned; ++a)
+      if (vi->motions.pieces.of_node[a] == motion->bodies[i].piece)
+        BodyMotionAt(&motion->bodies[i], level->dim, &level->coords[a * level->dim], &u[a * level->dim]);
+  }
+  PetscCall(PicturePoints(picture, (Quantity){"motion", 3, PETSC_FALSE}, level->dim, u));
+  PetscCall(PetscFree(u));
+  PetscCall(TellCells_Private(picture, vi, tags));
+  PetscCall(PetscFree(tags));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

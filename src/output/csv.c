@@ -1,0 +1,304 @@
+/* csv.c -- one nonmortar side as a table, in the order in which one walks along it.
+
+   A side is a set of facets. In 2D facets are directed (the body lies to the left), and so are the links from node to node
+   that they consist of: one for order 1, two for order 2. Each connected piece is a chain of links: it starts at a node
+   where no link ends, or anywhere if it is closed. Pieces start at the end that comes first by coordinates, and come in
+   that order, so that the table does not depend on the partition. Arc length is that of the curved facets. */
+#include <string.h>
+#include "output/fieldwriter.h"
+#include "result/sidenodes.h"
+#include "base/compat.h"
+
+/* A row of the table. */
+typedef struct {
+  PetscInt  node; /* global */
+  PetscReal x[3], pressure, gap, status, force;
+  PetscReal arc; /* along its piece */
+} SideNode;
+
+/* Reals that are gathered per node: x, pressure, gap, status, force. */
+enum { SIDE_REALS = 7 };
+
+/* Links between neighbouring nodes, as positions in the sorted nodes, and their lengths. */
+typedef struct {
+  PetscInt   num;
+  PetscInt  *ends;   /* [num][2] */
+  PetscReal *length; /* [num] */
+} SideLinks;
+
+enum {
+  LENGTH_POINTS = 4
+}; /* Gauss points of the length of a link: exact to rounding unless it turns by a large angle */
+
+/* A piece of a side: rows begin..end-1 of the order. */
+typedef struct {
+  PetscInt        begin, end;
+  const SideNode *first;
+} SidePiece;
+
+static int CompareNode_Private(const void *a, const void *b)
+{
+  const SideNode *p = (const SideNode *)a, *q = (const SideNode *)b;
+
+  return (p->node > q->node) - (p->node < q->node);
+}
+
+static int ComparePlace_Private(const void *a, const void *b)
+{
+  const SideNode *p = (const SideNode *)a, *q = (const SideNode *)b;
+
+  for (PetscInt k = 0; k < 3; ++k) {
+    if (p->x[k] != q->x[k]) return (p->x[k] > q->x[k]) - (p->x[k] < q->x[k]);
+  }
+  return 0;
+}
+
+static int ComparePiece_Private(const void *a, const void *b)
+{
+  return ComparePlace_Private(((const SidePiece *)a)->first, ((const SidePiece *)b)->first);
+}
+
+/* Gathers the nodes of the side on the first rank, sorted by global number. */
+static PetscErrorCode GatherNodes_Private(Fields fields, PetscInt p, const Facets *facets, PetscInt *num,
+                                          SideNode **nodes)
+{
+  Level         *level = fields->vi->level;
+  const PetscInt dim   = level->dim;
+  PetscInt       n, *mine, *ids, *all_ids;
+  PetscReal     *reals, *all_reals;
+  PairFields     nodal;
+
+  PetscFunctionBeginUser;
+  PetscCall(SideNodesCreate(level, facets, &n, &mine));
+  PetscCall(PairFieldsCreate(fields, p, &nodal));
+  PetscCall(PetscMalloc2(n, &ids, n * SIDE_REALS, &reals));
+  for (PetscInt i = 0; i < n; ++i) {
+    const PetscInt a   = mine[i];
+    PetscReal     *row = &reals[i * SIDE_REALS];
+
+    for (PetscInt k = 0; k < 3; ++k) row[k] = k < dim ? level->coords[a * dim + k] : 0.0;
+    row[3] = nodal.pressure[a], row[4] = nodal.gap[a], row[5] = nodal.status[a], row[6] = nodal.force[a];
+    ids[i] = level->node_global[a];
+  }
+  PetscCall(GatherInts(level->comm, n, ids, num, &all_ids));
+  PetscCall(GatherReals(level->comm, n * SIDE_REALS, reals, NULL, &all_reals));
+  PetscCall(PetscMalloc1(*num, nodes));
+  for (PetscInt i = 0; i < *num; ++i) {
+    const PetscReal *row = &all_reals[i * SIDE_REALS];
+
+    (*nodes)[i] = (SideNode){all_ids[i], {row[0], row[1], row[2]}, row[3], row[4], row[5], row[6], 0.0};
+  }
+  PetscCall(PetscFree(all_ids));
+  PetscCall(PetscFree(all_reals));
+  PetscCall(PetscFree(mine));
+  PetscCall(PetscFree2(ids, reals));
+  PetscCall(PairFieldsDestroy(&nodal));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Local node k of a line facet in the order in which one walks along it: ends are numbered first. */
+static PetscInt NodeAlong_Private(PetscInt num_nodes, PetscInt k)
+{
+  return k == 0 ? 0 : (k == num_nodes - 1 ? 1 : k + 1);
+}
+
+/* Length of a line facet between two reference coordinates. [in] X - [num_nodes][2] */
+static PetscReal Length_Private(ElementType type, const PetscReal X[], PetscReal from, PetscReal to)
+{
+  PetscReal xi[LENGTH_POINTS], w[LENGTH_POINTS], phi[ELEMENT_MAX_FACET_NODES], length = 0.0;
+
+  GaussLine(LENGTH_POINTS, xi, w);
+  for (PetscInt q = 0; q < LENGTH_POINTS; ++q) {
+    const PetscReal at = from + (to - from) * xi[q];
+
+    length += w[q] * (to - from) * ElementSurface(type, X, &at, NULL, phi, NULL);
+  }
+  return length;
+}
+
+/* Links of all facets, on the first rank. [out] links - owned by the caller, LinksDestroy_Private() */
+static PetscErrorCode LinksCreate_Private(const Level *level, const Facets *facets, PetscInt num_nodes,
+                                          const SideNode nodes[], SideLinks *links)
+{
+  PetscInt  *ends, n = 0;
+  PetscReal *lengths;
+
+  PetscFunctionBeginUser;
+  PetscCall(
+      PetscMalloc2(2 * ELEMENT_MAX_FACET_NODES * facets->num, &ends, ELEMENT_MAX_FACET_NODES * facets->num, &lengths));
+  for (PetscInt f = 0; f < facets->num; ++f) {
+    const ElementType type = facets->type[f];
+    const PetscInt   *node = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], nn = ElementNumNodes(type);
+    PetscReal         X[2 * ELEMENT_MAX_FACET_NODES];
+
+    for (PetscInt i = 0; i < nn; ++i) PetscCall(PetscArraycpy(&X[2 * i], &level->coords[2 * node[i]], 2));
+    for (PetscInt k = 0; k + 1 < nn; ++k) {
+      const PetscInt a = NodeAlong_Private(nn, k), b = NodeAlong_Private(nn, k + 1);
+
+      ends[2 * n]     = level->node_global[node[a]];
+      ends[2 * n + 1] = level->node_global[node[b]];
+      lengths[n++]    = Length_Private(type, X, ElementNode(type, a)[0], ElementNode(type, b)[0]);
+    }
+  }
+  PetscCall(GatherInts(level->comm, 2 * n, ends, NULL, &links->ends));
+  PetscCall(GatherReals(level->comm, n, lengths, &links->num, &links->length));
+  PetscCall(PetscFree2(ends, lengths));
+  for (PetscInt i = 0; i < 2 * links->num; ++i) {
+    const SideNode  key   = {.node = links->ends[i]};
+    const SideNode *found = (const SideNode *)bsearch(&key, nodes, num_nodes, sizeof(key), CompareNode_Private);
+
+    links->ends[i] = (PetscInt)(found - nodes);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode LinksDestroy_Private(SideLinks *links)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(links->ends));
+  PetscCall(PetscFree(links->length));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Walks along next[] from `start` until the end, or until it is back; returns the number of nodes. */
+static PetscInt Walk_Private(PetscInt start, PetscInt next[], PetscInt order[])
+{
+  PetscInt n = 0, at = start;
+
+  do {
+    const PetscInt after = next[at];
+
+    order[n++] = at;
+    next[at]   = -1; /* gone over once */
+    at         = after;
+  } while (at >= 0 && at != start);
+  return n;
+}
+
+/* The node of a closed chain that comes first by its place, whichever node of it was found. */
+static PetscInt FirstOfCircle_Private(PetscInt start, const PetscInt next[], const SideNode nodes[])
+{
+  PetscInt first = start;
+
+  for (PetscInt at = next[start]; at != start; at = next[at]) {
+    if (ComparePlace_Private(&nodes[at], &nodes[first]) < 0) first = at;
+  }
+  return first;
+}
+
+/* Enters the chain from `start` as a piece; an open one is turned so that it starts at the end that comes first.
+   [in] step - length of the link that leaves each node [num_nodes] */
+static void AddPiece_Private(PetscInt start, PetscBool open, PetscInt next[], const PetscReal step[], SideNode nodes[],
+                             PetscInt order[], SidePiece *piece)
+{
+  PetscInt *const rows = &order[piece->begin], n = Walk_Private(start, next, rows);
+  const PetscBool turn = (PetscBool)(open && ComparePlace_Private(&nodes[rows[n - 1]], &nodes[rows[0]]) < 0);
+
+  for (PetscInt a = 0, b = n - 1; turn && a < b; ++a, --b) {
+    const PetscInt swap = rows[a];
+
+    rows[a] = rows[b];
+    rows[b] = swap;
+  }
+  for (PetscInt r = 1; r < n; ++r) nodes[rows[r]].arc = nodes[rows[r - 1]].arc + step[rows[turn ? r : r - 1]];
+  piece->end   = piece->begin + n;
+  piece->first = &nodes[rows[0]];
+}
+
+/* Orders nodes by chains; every node is in exactly one. [in,out] nodes - their arc lengths are entered [num_nodes];
+   [out] order - [num_nodes]; [out] pieces - [num_pieces] */
+static PetscErrorCode OrderChains_Private(PetscInt num_nodes, SideNode nodes[], const SideLinks *links,
+                                          PetscInt order[], PetscInt *num_pieces, SidePiece pieces[])
+{
+  PetscInt  *next, *entered, n = 0;
+  PetscReal *step;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc3(num_nodes, &next, num_nodes, &entered, num_nodes, &step));
+  for (PetscInt i = 0; i < num_nodes; ++i) next[i] = entered[i] = -1;
+  for (PetscInt l = 0; l < links->num; ++l) {
+    const PetscInt a = links->ends[2 * l], b = links->ends[2 * l + 1];
+
+    if (next[a] >= 0 || entered[b] >= 0) continue; /* a side that touches itself: the chain is cut there */
+    next[a]    = b;
+    entered[b] = a;
+    step[a]    = links->length[l];
+  }
+  for (PetscInt i = 0; i < num_nodes; ++i) {
+    if (entered[i] >= 0) continue;
+    pieces[n].begin = n ? pieces[n - 1].end : 0;
+    AddPiece_Private(i, PETSC_TRUE, next, step, nodes, order, &pieces[n++]);
+  }
+  for (PetscInt i = 0; i < num_nodes; ++i) { /* what is left are circles */
+    if (next[i] < 0) continue;
+    pieces[n].begin = n ? pieces[n - 1].end : 0;
+    AddPiece_Private(FirstOfCircle_Private(i, next, nodes), PETSC_FALSE, next, step, nodes, order, &pieces[n++]);
+  }
+  *num_pieces = n;
+  if (n) qsort(pieces, n, sizeof(*pieces), ComparePiece_Private);
+  PetscCall(PetscFree3(next, entered, step));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static void WriteRow_Private(FILE *out, PetscInt dim, const SideNode *node)
+{
+  for (PetscInt k = 0; k < dim; ++k) fprintf(out, "%.17g,", (double)node->x[k]);
+  fprintf(out, "%.17g,", (double)node->pressure);
+  if (PetscIsNanReal(node->gap)) {
+    fprintf(out, "nan,"); /* without the sign that printf may show */
+  } else {
+    fprintf(out, "%.17g,", (double)node->gap);
+  }
+  fprintf(out, "%d,%.17g", (int)node->status, (double)node->force);
+}
+
+/* Writes pieces one after the other, the arc length of each counted from 0. */
+static void WritePieces_Private(FILE *out, const SideNode nodes[], const PetscInt order[], PetscInt num_pieces,
+                                const SidePiece pieces[])
+{
+  fprintf(out, "x,y,pressure,gap,status,force,arc_length\n");
+  for (PetscInt i = 0; i < num_pieces; ++i) {
+    for (PetscInt r = pieces[i].begin; r < pieces[i].end; ++r) {
+      WriteRow_Private(out, 2, &nodes[order[r]]);
+      fprintf(out, ",%.17g\n", (double)nodes[order[r]].arc);
+    }
+  }
+}
+
+PetscErrorCode PairWriteCSV(Fields fields, PetscInt p, Files *files, const char final[])
+{
+  Level           *level = fields->vi->level;
+  const SceneSide *side  = &fields->vi->pairs[p]->spec->nonmortar;
+  PetscInt         num_nodes, num_pieces, *order;
+  SideLinks        links = {0, NULL, NULL};
+  SideNode        *nodes;
+  SidePiece       *pieces;
+  FILE            *out = NULL;
+  Facets           facets;
+  PetscMPIInt      rank;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_rank(level->comm, &rank));
+  PetscCall(LevelGetFacets(level, fields->vi->scene, side->body, side->side, &facets));
+  PetscCall(GatherNodes_Private(fields, p, &facets, &num_nodes, &nodes));
+  if (level->dim == 2) PetscCall(LinksCreate_Private(level, &facets, num_nodes, nodes, &links));
+  if (rank == 0) PetscCall(FilesOpen(files, final, &out));
+  if (out && level->dim == 2) {
+    PetscCall(PetscMalloc2(num_nodes, &order, num_nodes, &pieces));
+    PetscCall(OrderChains_Private(num_nodes, nodes, &links, order, &num_pieces, pieces));
+    WritePieces_Private(out, nodes, order, num_pieces, pieces);
+    PetscCall(PetscFree2(order, pieces));
+  } else if (out) { /* a surface has no natural order but that of its places */
+    fprintf(out, "x,y,z,pressure,gap,status,force\n");
+    qsort(nodes, num_nodes, sizeof(*nodes), ComparePlace_Private);
+    for (PetscInt i = 0; i < num_nodes; ++i) {
+      WriteRow_Private(out, 3, &nodes[i]);
+      fprintf(out, "\n");
+    }
+  }
+  PetscCall(FilesClose(files, &out));
+  PetscCall(PetscFree(nodes));
+  PetscCall(LinksDestroy_Private(&links));
+  PetscCall(FacetsDestroy(&facets));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

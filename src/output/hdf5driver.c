@@ -1,0 +1,139 @@
+/* hdf5driver.c -- how HDF5 places bytes in a file, by HDF5's interface for drivers. */
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "output/hdf5driver.h"
+#if H5_VERSION_GE(1, 13, 2)
+#include <H5FDdevelop.h>
+#endif
+
+typedef struct {
+  H5FD_t  base; /* what HDF5 knows; has to be the first */
+  Sink   *sink;
+  haddr_t allocated, end; /* what HDF5 has given out, and what was written */
+} SinkFile;
+
+static H5FD_t *SinkOpenFn(const char *name, unsigned flags, hid_t access, haddr_t max)
+{
+  Sink *const *sink = (Sink *const *)H5Pget_driver_info(access);
+  SinkFile    *file = sink ? (SinkFile *)calloc(1, sizeof(*file)) : NULL;
+
+  (void)name, (void)flags, (void)max;
+  if (file) file->sink = *sink;
+  return (H5FD_t *)file;
+}
+
+static herr_t SinkCloseFn(H5FD_t *file)
+{
+  free(file);
+  return 0;
+}
+
+/* As HDF5's own drivers, so that the file is that of theirs. */
+static herr_t SinkQueryFn(const H5FD_t *file, unsigned long *features)
+{
+  (void)file;
+  *features = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_ACCUMULATE_METADATA | H5FD_FEAT_DATA_SIEVE |
+              H5FD_FEAT_AGGREGATE_SMALLDATA;
+  return 0;
+}
+
+static haddr_t SinkAllocatedFn(const H5FD_t *file, H5FD_mem_t type)
+{
+  (void)type;
+  return ((const SinkFile *)file)->allocated;
+}
+
+static herr_t SinkAllocateFn(H5FD_t *file, H5FD_mem_t type, haddr_t end)
+{
+  (void)type;
+  ((SinkFile *)file)->allocated = end;
+  return 0;
+}
+
+static haddr_t SinkEndFn(const H5FD_t *file, H5FD_mem_t type)
+{
+  (void)type;
+  return ((const SinkFile *)file)->end;
+}
+
+/* What cannot be read is 0. */
+static herr_t SinkReadFn(H5FD_t *base, H5FD_mem_t type, hid_t transfer, haddr_t at, size_t size, void *buffer)
+{
+  const SinkFile *file = (const SinkFile *)base;
+  ssize_t         n    = 1;
+
+  (void)type, (void)transfer;
+  memset(buffer, 0, size);
+  for (size_t done = 0; done < size && n > 0; done += (size_t)(n > 0 ? n : 0))
+    n = pread(file->sink->file, (char *)buffer + done, size - done, (off_t)(at + done));
+  return 0;
+}
+
+static herr_t SinkWriteFn(H5FD_t *base, H5FD_mem_t type, hid_t transfer, haddr_t at, size_t size, const void *buffer)
+{
+  SinkFile *file = (SinkFile *)base;
+  Sink     *sink = file->sink;
+
+  (void)type, (void)transfer;
+  if (at + size > file->end) file->end = at + size;
+  for (size_t done = 0; done < size && !sink->error;) {
+    const ssize_t n = pwrite(sink->file, (const char *)buffer + done, size - done, (off_t)(at + done));
+
+    if (n > 0) {
+      done += (size_t)n;
+    } else if (n == 0 || errno != EINTR) {
+      sink->error = n == 0 ? ENOSPC : errno;
+    }
+  }
+  return 0;
+}
+
+static herr_t SinkTruncateFn(H5FD_t *base, hid_t transfer, hbool_t closing)
+{
+  SinkFile *file = (SinkFile *)base;
+
+  (void)transfer, (void)closing;
+  if (file->end != file->allocated && !file->sink->error && ftruncate(file->sink->file, (off_t)file->allocated))
+    file->sink->error = errno;
+  file->end = file->allocated;
+  return 0;
+}
+
+static const H5FD_class_t sink_class = {
+#if H5_VERSION_GE(1, 13, 2)
+    .version = H5FD_CLASS_VERSION,
+    .value   = H5_VFD_RESERVED + 1, /* of a driver that only this program knows */
+#endif
+    .name      = "mortise_sink",
+    .maxaddr   = ((haddr_t)1 << 62) - 1,
+    .fc_degree = H5F_CLOSE_WEAK,
+    .fapl_size = sizeof(Sink *),
+    .open      = SinkOpenFn,
+    .close     = SinkCloseFn,
+    .query     = SinkQueryFn,
+    .get_eoa   = SinkAllocatedFn,
+    .set_eoa   = SinkAllocateFn,
+    .get_eof   = SinkEndFn,
+    .read      = SinkReadFn,
+    .write     = SinkWriteFn,
+    .truncate  = SinkTruncateFn,
+    .fl_map    = H5FD_FLMAP_DICHOTOMY};
+
+hid_t SinkCreate(Sink *sink)
+{
+  hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+
+  sink->driver = H5FDregister(&sink_class);
+  if (access >= 0 && (sink->driver < 0 || H5Pset_driver(access, sink->driver, &sink) < 0)) {
+    H5Pclose(access);
+    access = -1;
+  }
+  return access;
+}
+
+void SinkDestroy(Sink *sink)
+{
+  if (sink->driver >= 0) H5FDunregister(sink->driver);
+}

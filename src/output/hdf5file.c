@@ -1,0 +1,182 @@
+/* hdf5file.c -- the picture as plain contiguous datasets, written by the first rank alone, each as it comes.
+
+   /points [N][3], /cells (see xdmf.c), one dataset per quantity under its own name; attributes of the file: title, version,
+   units, and a word on every dataset's order. Readable by h5py, MATLAB, h5dump without any library of ours. */
+#include <string.h>
+#include <hdf5.h>
+#include "output/fieldwriter.h"
+#include "output/hdf5driver.h"
+#include "output/xdmf.h"
+#include "base/compat.h"
+
+/* The file that is being written. */
+typedef struct {
+  Sink      sink;
+  hid_t     access, file;
+  PetscBool good; /* false where HDF5 failed, for which memory is the only reason: what files do is in sink */
+  Topology  topology;
+} Image;
+
+/* A text attribute, of variable length so that h5py gives a str; false on failure. */
+static PetscBool WriteAttribute_Private(hid_t where, const char name[], const char text[])
+{
+  const hid_t space = H5Screate(H5S_SCALAR), type = H5Tcopy(H5T_C_S1);
+  hid_t       attribute;
+  herr_t      bad = H5Tset_size(type, H5T_VARIABLE);
+
+  if (bad >= 0) bad = H5Tset_cset(type, H5T_CSET_UTF8);
+  attribute = H5Acreate2(where, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+  if (bad >= 0) bad = attribute < 0 ? -1 : H5Awrite(attribute, type, &text);
+  if (attribute >= 0) H5Aclose(attribute);
+  H5Tclose(type);
+  H5Sclose(space);
+  return (PetscBool)(bad >= 0);
+}
+
+/* An array of shape [rows][columns], [rows] where columns is 1; HDF5 converts from the type in memory to the stored one. */
+typedef struct {
+  const char *name, *about;
+  PetscInt    rows, columns;
+  hid_t       memory, stored;
+  const void *values;
+} Dataset;
+
+/* False on failure. */
+static PetscBool WriteDataset_Private(hid_t file, const Dataset *data)
+{
+  const hsize_t shape[2] = {(hsize_t)data->rows, (hsize_t)data->columns};
+  const hid_t   space    = H5Screate_simple(data->columns == 1 ? 1 : 2, shape, NULL);
+  const hid_t   set      = H5Dcreate2(file, data->name, data->stored, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  PetscBool     good     = (PetscBool)(set >= 0);
+
+  if (good) good = (PetscBool)(H5Dwrite(set, data->memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data->values) >= 0);
+  if (good) good = WriteAttribute_Private(set, "about", data->about);
+  if (set >= 0 && H5Dclose(set) < 0) good = PETSC_FALSE;
+  H5Sclose(space);
+  return good;
+}
+
+/* What a reader has to know about a quantity. */
+static const char *About_Private(const char name[])
+{
+  static const char *const table[][2] = {
+      {"points", "positions before the motion: x, y, z"},
+      {"displacement", "x, y, z in the unit of length"},
+      {"motion", "x, y, z of the rigid motion that loads drive and nothing resists: an angle of 1, else a length of 1"},
+      {"stress", "tensor by rows: xx,xy,xz,yx,yy,yz,zx,zy,zz in the unit of stress; volume-weighted nodal average"},
+      {"von_mises", "of the averaged stress"},
+      {"principal", "principal values of the averaged stress, the largest first"},
+      {"pressure", "contact pressure on nonmortar sides, 0 elsewhere"},
+      {"gap", "left after the motion, along the nonmortar normal; NAN where there is no constraint"},
+      {"normal", "out of the nonmortar body, before the motion; where there is a constraint, its direction"},
+      {"status", "0 open, 1 contact, 2 tied, -1 no constraint"},
+      {"body", "index of the body, in the order of -bodies"},
+      {"piece", "what hangs together: counted over all bodies"}};
+
+  for (size_t i = 0; i < sizeof(table) / sizeof(table[0]); ++i) {
+    if (strcmp(table[i][0], name) == 0) return table[i][1];
+  }
+  return "";
+}
+
+/* rows of a quantity, unless something failed before. */
+static void WriteQuantity_Private(Image *image, PetscInt rows, const Quantity *quantity, const PetscReal values[])
+{
+  image->good = (PetscBool)(image->good &&
+                            WriteDataset_Private(
+                                image->file, &(Dataset){.name    = quantity->name,
+                                                        .about   = About_Private(quantity->name),
+                                                        .rows    = rows,
+                                                        .columns = quantity->components,
+                                                        .memory  = H5T_NATIVE_DOUBLE,
+                                                        .stored  = quantity->integer ? H5T_STD_I32LE : H5T_IEEE_F64LE,
+                                                        .values  = values}));
+}
+
+static PetscErrorCode HDF5Begin_Private(Picture *picture)
+{
+  Image *image;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(&image));
+  picture->data = image;
+  H5Eset_auto2(H5E_DEFAULT, NULL, NULL); // its lists of functions; what can fail here is told by us
+  image->sink.file = fileno(picture->out);
+  image->access    = SinkCreate(&image->sink);
+  image->file      = image->access < 0 ? -1 : H5Fcreate(picture->base, H5F_ACC_TRUNC, H5P_DEFAULT, image->access);
+  image->good      = (PetscBool)(image->file >= 0 && WriteAttribute_Private(image->file, "title", picture->title) &&
+                            WriteAttribute_Private(image->file, "creator", "mortise " MORTISE_VERSION) &&
+                            WriteAttribute_Private(image->file, "units",
+                                                        "those of the scene: whatever consistent set it was given in"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode HDF5Points_Private(Picture *picture, const PetscReal positions[])
+{
+  PetscFunctionBeginUser;
+  WriteQuantity_Private((Image *)picture->data, picture->num_points, &(Quantity){"points", 3, PETSC_FALSE}, positions);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode HDF5Cells_Private(Picture *picture, const SortedCells *cells)
+{
+  Image    *image    = (Image *)picture->data;
+  Topology *topology = &image->topology;
+
+  PetscFunctionBeginUser;
+  PetscCall(TopologyCreate(cells, topology));
+  image->good = (PetscBool)(image->good &&
+                            WriteDataset_Private(image->file,
+                                                 &(Dataset){.name    = "cells",
+                                                            .about   = topology->columns == 1
+                                                                           ? "per cell: XDMF type number, then its points"
+                                                                           : "points of each cell",
+                                                            .rows    = topology->rows,
+                                                            .columns = topology->columns,
+                                                            .memory  = H5T_NATIVE_INT,
+                                                            .stored  = H5T_STD_I32LE,
+                                                            .values  = topology->values}));
+  PetscCall(TopologyDestroy(topology));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode HDF5Point_Private(Picture *picture, const Quantity *quantity, const PetscReal values[])
+{
+  PetscFunctionBeginUser;
+  WriteQuantity_Private((Image *)picture->data, picture->num_points, quantity, values);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode HDF5Cell_Private(Picture *picture, const Quantity *quantity, const PetscReal values[])
+{
+  PetscFunctionBeginUser;
+  WriteQuantity_Private((Image *)picture->data, picture->num_cells, quantity, values);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode HDF5End_Private(Picture *picture)
+{
+  Image *image = (Image *)picture->data;
+  char   path[PETSC_MAX_PATH_LEN];
+
+  PetscFunctionBeginUser;
+  if (!picture->out) PetscFunctionReturn(PETSC_SUCCESS);
+  if (image->file >= 0 && H5Fclose(image->file) < 0) image->good = PETSC_FALSE;
+  if (image->access >= 0) H5Pclose(image->access);
+  SinkDestroy(&image->sink);
+  PetscCall(PetscSNPrintf(path, sizeof(path), "%s%s", picture->base, picture->format->suffix));
+  if (image->sink.error) PetscCall(FilesFail(picture->files, path, image->sink.error));
+  PetscCall(FilesClose(picture->files, &picture->out));
+  PetscCheck(image->good || image->sink.error, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for the picture");
+  PetscCall(PictureWriteXDMF(picture, &image->topology, path));
+  PetscCall(PetscFree(picture->data));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+const PictureFormat picture_hdf5 = {.suffix = ".h5",
+                                    .begin  = HDF5Begin_Private,
+                                    .points = HDF5Points_Private,
+                                    .cells  = HDF5Cells_Private,
+                                    .point  = HDF5Point_Private,
+                                    .cell   = HDF5Cell_Private,
+                                    .end    = HDF5End_Private};

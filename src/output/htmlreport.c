@@ -1,0 +1,158 @@
+/* htmlreport.c -- starts mortise-report, listens to what it says, and passes that on. */
+#include <errno.h>
+#include <fcntl.h>
+#include <spawn.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include "output/htmlreport.h"
+#include "base/usererror.h"
+#include "base/compat.h"
+#include "output/fileset.h"
+
+static const char COMPANION[] = "mortise-report";
+
+enum { SAID_LENGTH = 1024 }; /* of what the companion says: a sentence; the rest of a long trace is of no use */
+
+extern char **environ;
+
+/* What there is to do when the results are complete; the first rank's alone. */
+static char      page_prefix[PETSC_MAX_PATH_LEN];
+static PetscBool page_quiet;
+
+/* The companion beside this program, else its name alone, which is then looked for in PATH. */
+static void Find_Private(char path[], size_t len)
+{
+  const ssize_t length = readlink("/proc/self/exe", path, len);
+  char         *slash;
+
+  if (length > 0 && (size_t)length + sizeof(COMPANION) < len) {
+    path[length] = '\0';
+    slash        = strrchr(path, '/');
+    if (slash) {
+      strcpy(slash + 1, COMPANION);
+      if (access(path, X_OK) == 0) return;
+    }
+  }
+  snprintf(path, len, "%s", COMPANION);
+}
+
+/* Reads to the end of a pipe and keeps what comes last, where a trace has its reason, without the blanks at its end. */
+static void Listen_Private(int pipe_end, char said[], size_t len)
+{
+  char    rest[SAID_LENGTH];
+  size_t  kept = 0;
+  ssize_t got;
+
+  while ((got = read(pipe_end, rest, sizeof(rest))) != 0) {
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) break;
+    for (ssize_t i = 0; i < got; ++i) {
+      if (kept + 1 == len) memmove(said, said + 1, --kept);
+      said[kept++] = rest[i];
+    }
+  }
+  while (kept && strchr(" \r\n", said[kept - 1])) --kept;
+  said[kept] = '\0';
+}
+
+/* Runs the companion to its end on one argument. Returns 0 or errno of its start; [out] said - what it printed,
+   [out] status - as of waitpid() */
+static int Run_Private(char argument[], char said[], size_t len, int *status)
+{
+  char                       program[PETSC_MAX_PATH_LEN];
+  char                      *arguments[] = {program, argument, NULL};
+  int                        ends[2], error;
+  pid_t                      child;
+  posix_spawn_file_actions_t actions;
+
+  said[0] = '\0';
+  Find_Private(program, sizeof(program));
+  if (pipe(ends)) return errno;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+  posix_spawn_file_actions_addclose(&actions, ends[0]);
+  posix_spawn_file_actions_addclose(&actions, ends[1]);
+  error = posix_spawnp(&child, program, &actions, NULL, arguments, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  close(ends[1]);
+  if (!error) {
+    Listen_Private(ends[0], said, len);
+    while (waitpid(child, status, 0) < 0) {
+      if (errno == EINTR) continue;
+      error = errno;
+      break;
+    }
+  }
+  close(ends[0]);
+  return error;
+}
+
+/* Runs the companion; [out] why - one sentence without a full stop if it fails, else "". */
+static void Ask_Private(char argument[], char why[], size_t len)
+{
+  char        said[SAID_LENGTH];
+  const char *last;
+  int         status = 0, error = Run_Private(argument, said, sizeof(said), &status);
+
+  why[0] = '\0';
+  if (error) {
+    snprintf(why, len, "%s cannot be started (%s); it belongs beside this program or in PATH, and needs python3",
+             COMPANION, strerror(error));
+  } else if (WIFSIGNALED(status)) {
+    snprintf(why, len, "%s was ended by a signal (%s)", COMPANION, strsignal(WTERMSIG(status)));
+  } else if (WEXITSTATUS(status)) {
+    last = strrchr(said, '\n'); // the last line of a trace is its reason
+    last = last ? last + 1 : said;
+    if (!strncmp(last, COMPANION, strlen(COMPANION))) {
+      snprintf(why, len, "%s", last);
+    } else {
+      snprintf(why, len, "%s failed: %s", COMPANION, last[0] ? last : "it did not say why");
+    }
+  }
+}
+
+PetscErrorCode PageCheck(Scene scene)
+{
+  char check[]                     = "--check", why[SAID_LENGTH + PETSC_MAX_PATH_LEN], path[PETSC_MAX_PATH_LEN],
+       sentence[USER_ERROR_LENGTH] = "";
+  PetscMPIInt rank;
+
+  PetscFunctionBeginUser;
+  page_prefix[0] = '\0';
+  if (!scene->report) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCallMPI(MPI_Comm_rank(scene->comm, &rank));
+  if (rank == 0) {
+    Ask_Private(check, why, sizeof(why));
+    if (why[0]) PetscCall(PetscSNPrintf(sentence, sizeof(sentence), "-report: %s", why));
+    PetscCall(PetscSNPrintf(page_prefix, sizeof(page_prefix), "%s", scene->output));
+    page_quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
+  }
+  PetscCall(UserErrorCheck(scene->comm, sentence));
+  PetscCall(PetscSNPrintf(path, sizeof(path), "%s.html", scene->output));
+  PetscCall(FilesCheck(scene->comm, "-report", path));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void PageGiveUp(const char why[])
+{
+  if (page_prefix[0]) fprintf(stderr, "mortise: -report: there is no page: %s\n", why);
+  page_prefix[0] = '\0';
+}
+
+PetscBool PageWrite(void)
+{
+  char why[SAID_LENGTH + PETSC_MAX_PATH_LEN];
+
+  if (!page_prefix[0]) return PETSC_TRUE;
+  Ask_Private(page_prefix, why, sizeof(why));
+  if (why[0]) {
+    fprintf(stderr, "mortise: -report: %s; all other results are complete\n", why);
+    return PETSC_FALSE;
+  }
+  if (!page_quiet) printf("  wrote %s.html\n", page_prefix);
+  return PETSC_TRUE;
+}

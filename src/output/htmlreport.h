@@ -1,0 +1,20 @@
+/* htmlreport.h -- the page of -report, written by the companion program mortise-report.
+
+   The companion is a program of its own (Python), looked for beside this one and then in PATH. It reads the files of
+   -output and writes <output>.html. It is started by the first rank alone, and never while the ranks solve. */
+#ifndef MORTISE_HTMLREPORT_H
+#define MORTISE_HTMLREPORT_H
+
+#include "scene/scene.h"
+
+/* Faults if the scene wants a page and the companion cannot be started or lacks a library, so that nothing is computed in
+   vain; the first rank remembers what PageWrite() is to do. Does nothing without -report. Collective. */
+PetscErrorCode PageCheck(Scene scene);
+/* There will be no page, if one was asked for; says so on stderr. Not collective: the first rank acts. [in] why - a sentence */
+void PageGiveUp(const char why[]);
+/* Writes the page that the last PageCheck() was about, if any; call it once the results are complete. Needs neither MPI nor
+   PETSc. Not collective: any rank may call it, the first one acts. Returns PETSC_FALSE, having said one sentence on stderr,
+   if there should be a page and is none. */
+PetscBool PageWrite(void);
+
+#endif

@@ -1,0 +1,200 @@
+/* output.c -- which files a run writes, and that they appear together. */
+#include <string.h>
+#include "output/output.h"
+#include "base/usererror.h"
+#include "base/compat.h"
+#include "output/staleplots.h"
+#include "output/fieldwriter.h"
+
+struct _n_Output {
+  MPI_Comm    comm;
+  PetscMPIInt rank;
+  Files       files; /* of the first rank */
+};
+
+/* Path of one file of the scene's output; pair may be NULL. */
+static PetscErrorCode OutputPath_Private(Scene scene, const char pair[], const char suffix[],
+                                         char path[PETSC_MAX_PATH_LEN])
+{
+  PetscFunctionBeginUser;
+  PetscCall(
+      PetscSNPrintf(path, PETSC_MAX_PATH_LEN, "%s%s%s%s", scene->output, pair ? "_" : "", pair ? pair : "", suffix));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputCheck(Scene scene)
+{
+  char path[PETSC_MAX_PATH_LEN];
+
+  PetscFunctionBeginUser;
+  if (scene->output) {
+    const char *const files[] = {".json", scene->formats & OUTPUT_XDMF ? ".h5" : NULL,
+                                 scene->formats & OUTPUT_XDMF ? ".xdmf" : NULL,
+                                 scene->formats & OUTPUT_VTU ? ".vtu" : NULL, ".csv"};
+    const size_t      num = sizeof(files) / sizeof(files[0]), len = strlen(scene->output);
+
+    if (len == 0 || scene->output[len - 1] == '/') {
+      PetscCall(UserErrorRaise(scene->comm,
+                               "-output \"%s\" names no file; give the beginning of a name, such as %sresult",
+                               scene->output, scene->output));
+    }
+    for (PetscInt p = -1; p < scene->num_pairs; ++p) { /* the bodies have no table, a pair has no summary */
+      for (size_t i = p < 0 ? 0 : 1; i < (p < 0 ? num - 1 : num); ++i) {
+        if (!files[i]) continue;
+        PetscCall(OutputPath_Private(scene, p < 0 ? NULL : scene->pairs[p].name, files[i], path));
+        PetscCall(FilesCheck(scene->comm, "-output", path));
+      }
+    }
+  }
+  if (scene->summary && strcmp(scene->summary, "-") != 0) {
+    PetscCall(FilesCheck(scene->comm, "-summary", scene->summary));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What a picture tells: fields, of a pair or (pair < 0) of all bodies; without fields the motion of bodies. */
+typedef struct {
+  VI       vi;
+  Fields   fields;
+  PetscInt pair;
+} Told;
+
+static PetscErrorCode Tell_Private(const Told *told, Picture *picture)
+{
+  PetscFunctionBeginUser;
+  if (!told->fields) {
+    PetscCall(PictureTellMotion(picture, told->vi));
+  } else if (told->pair < 0) {
+    PetscCall(PictureTellFields(picture, told->fields));
+  } else {
+    PetscCall(PictureTellSurface(picture, told->fields, told->pair));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A picture in the formats the scene wants. Collective.
+   [in] first - the quantities that a viewer is to take first, as attributes of VTK's PointData */
+static PetscErrorCode AddPicture_Private(Output output, const Told *told, const char first[])
+{
+  static const struct {
+    OutputFormat         bit;
+    const PictureFormat *format;
+    const char          *files[2]; // suffixes
+  } formats[]       = {{OUTPUT_XDMF, &picture_hdf5, {".h5", ".xdmf"}}, {OUTPUT_VTU, &picture_vtu, {".vtu", NULL}}};
+  const Scene scene = told->vi->scene;
+  const char *pair  = told->pair < 0 ? NULL : told->vi->pairs[told->pair]->spec->name;
+  char        path[PETSC_MAX_PATH_LEN];
+
+  PetscFunctionBeginUser;
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(formats); ++i) {
+    if (scene->formats & formats[i].bit) {
+      Picture picture = {.base = path, .title = pair ? pair : scene->title, .first = first, .files = &output->files};
+
+      PetscCall(OutputPath_Private(scene, pair, "", path));
+      PetscCall(PictureOpen(output->comm, formats[i].format, &picture));
+      PetscCall(Tell_Private(told, &picture));
+      PetscCall(PictureClose(&picture));
+    } else if (output->rank == 0) {
+      for (PetscInt k = 0; k < 2 && formats[i].files[k]; ++k) {
+        PetscCall(OutputPath_Private(scene, pair, formats[i].files[k], path));
+        PetscCall(FilesRemove(&output->files, path));
+      }
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputCreate(MPI_Comm comm, Output *output)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(output));
+  (*output)->comm = comm;
+  PetscCallMPI(MPI_Comm_rank(comm, &(*output)->rank));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputAddFields(Output output, Fields fields)
+{
+  const VI vi = fields->vi;
+  char     path[PETSC_MAX_PATH_LEN];
+
+  PetscFunctionBeginUser;
+  PetscCall(AddPicture_Private(output, &(Told){vi, fields, -1},
+                               "Vectors=\"displacement\" Tensors=\"stress\" Scalars=\"von_mises\""));
+  if (output->rank == 0) PetscCall(DrawnRemove(&output->files, vi->scene->output));
+  for (PetscInt p = 0; p < vi->num_pairs; ++p) {
+    PetscCall(OutputPath_Private(vi->scene, vi->pairs[p]->spec->name, ".csv", path));
+    PetscCall(PairWriteCSV(fields, p, &output->files, path));
+    PetscCall(AddPicture_Private(output, &(Told){vi, fields, p},
+                                 "Vectors=\"displacement\" Scalars=\"pressure\" Normals=\"normal\""));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* All files of fields that an earlier run of the scene may have left. */
+static PetscErrorCode RemoveFields_Private(Output output, Scene scene)
+{
+  const char *const suffixes[] = {".csv", ".h5", ".xdmf", ".vtu"}; // the bodies have no table
+  char              path[PETSC_MAX_PATH_LEN];
+
+  PetscFunctionBeginUser;
+  if (output->rank) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt p = -1; p < scene->num_pairs; ++p) {
+    for (size_t i = p < 0; i < PETSC_STATIC_ARRAY_LENGTH(suffixes); ++i) {
+      PetscCall(OutputPath_Private(scene, p < 0 ? NULL : scene->pairs[p].name, suffixes[i], path));
+      PetscCall(FilesRemove(&output->files, path));
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputAddMotion(Output output, VI vi)
+{
+  PetscFunctionBeginUser;
+  PetscCall(RemoveFields_Private(output, vi->scene));
+  PetscCall(AddPicture_Private(output, &(Told){vi, NULL, -1}, "Vectors=\"motion\""));
+  if (output->rank == 0) PetscCall(DrawnRemove(&output->files, vi->scene->output));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputAddText(Output output, const char path[], const char text[])
+{
+  FILE *out;
+
+  PetscFunctionBeginUser;
+  if (output->rank) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(FilesOpen(&output->files, path, &out));
+  if (out) fprintf(out, "%s\n", text);
+  PetscCall(FilesClose(&output->files, &out));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputFinish(Output *output)
+{
+  PetscFunctionBeginUser;
+  PetscCall(FilesFinish((*output)->comm, &(*output)->files));
+  PetscCall(PetscFree(*output));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputPrintNames(Scene scene, PetscBool pairs)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt p = -1; p < (pairs ? scene->num_pairs : 0); ++p) { // -1: the bodies
+    if (p >= 0) PetscCall(PetscPrintf(scene->comm, ", _%s.csv", scene->pairs[p].name));
+    if (scene->formats & OUTPUT_XDMF) PetscCall(PetscPrintf(scene->comm, ", .h5, .xdmf"));
+    if (scene->formats & OUTPUT_VTU) PetscCall(PetscPrintf(scene->comm, ", .vtu"));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputWriteText(MPI_Comm comm, const char path[], const char text[])
+{
+  Output output;
+
+  PetscFunctionBeginUser;
+  PetscCall(OutputCreate(comm, &output));
+  PetscCall(OutputAddText(output, path, text));
+  PetscCall(OutputFinish(&output));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

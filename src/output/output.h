@@ -1,0 +1,31 @@
+/* output.h -- files: HDF5 + XDMF, VTU, CSV; each complete under its final name, or absent. */
+#ifndef MORTISE_OUTPUT_H
+#define MORTISE_OUTPUT_H
+
+#include "result/fields.h"
+
+/* Faults if the output folder cannot be made or written to; call before the solve so that nothing is lost. Collective. */
+PetscErrorCode OutputCheck(Scene scene);
+/* Files of one result: written one after the other under temporary names, they appear together. */
+typedef struct _n_Output *Output;
+
+/* Collective. */
+PetscErrorCode OutputCreate(MPI_Comm comm, Output *output);
+/* Adds <output>.h5 + .xdmf and/or .vtu, for each pair the same of its nonmortar side, <output>_<pair>.h5 and so on, and
+   <output>_<pair>.csv. Collective. */
+PetscErrorCode OutputAddFields(Output output, Fields fields);
+/* Where there is no solution: adds the bodies and, at their nodes, the motion that shows it, as `motion` of <output>.h5 + .xdmf
+   and/or .vtu; other fields, of an earlier run, go when the new result appears. Collective. [in] vi - refused */
+PetscErrorCode OutputAddMotion(Output output, VI vi);
+/* Adds a file of text, which gets a final newline. Collective. [in] text - of the first rank */
+PetscErrorCode OutputAddText(Output output, const char path[], const char text[]);
+/* All appear, the one that was added last after all others: beside it there is never a file of another run. Or none does, and
+   that is an error on all ranks. Collective; *output = NULL. */
+PetscErrorCode OutputFinish(Output *output);
+/* Prints the endings of the names of all files of fields, as in ", .h5, .xdmf, _joint.csv, .h5, .xdmf"; without those of
+   pairs where there is no solution. Collective. */
+PetscErrorCode OutputPrintNames(Scene scene, PetscBool pairs);
+/* A single file of text. Collective. */
+PetscErrorCode OutputWriteText(MPI_Comm comm, const char path[], const char text[]);
+
+#endif

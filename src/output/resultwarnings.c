@@ -1,0 +1,167 @@
+/* resultwarnings.c -- what qualifies an answer, as warnings. */
+#include <string.h>
+#include "base/compat.h"
+#include "output/summary.h"
+#include "base/warning.h"
+#include "result/gapdiscontinuity.h"
+#include "result/smallstrain.h"
+#include "result/solvabilityreport.h"
+#include "result/numberwords.h"
+
+/* The discretisation error, as a part of the solution, above which a solver that stops there leaves nothing to read off. */
+static const PetscReal COARSE = 0.1;
+/* An overlap is no accident above this part of the displacements, and what is left of a curve shows above this part of the overlap. */
+static const PetscReal OVERLAP_SHOWS = 0.1, CURVE_SHOWS = 0.1;
+
+PetscErrorCode WordsVector(PetscInt dim, const PetscReal v[], char text[], size_t len)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscStrncpy(text, "(", len));
+  for (PetscInt k = 0; k < dim; ++k) {
+    const size_t used = strlen(text);
+
+    PetscCall(PetscSNPrintf(text + used, len - used, "%s%.6g%s", k ? ", " : "", (double)v[k], k == dim - 1 ? ")" : ""));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Where contact pushes as if bodies overlapped that do not; nothing where that does not show. */
+static PetscErrorCode WarnBump_Private(const SummaryInput *in, PetscInt p)
+{
+  const ScenePair *spec = in->vi->pairs[p]->spec;
+  PetscBool        shows;
+  PetscReal        overlap;
+  Warning          jump = {.code = "gap_jump", .pair = spec->name, .dim = in->scene->dim};
+  char             text[128];
+
+  PetscFunctionBeginUser;
+  PetscCall(BumpFind(in->fields, p, &shows, &overlap, jump.at));
+  if (!shows) PetscFunctionReturn(PETSC_SUCCESS);
+  jump.advice = spec->mortar.body < 0 ? "let facets end there"
+                                      : "let facets end there, list in the pair only what is to meet, or let the other "
+                                        "side be nonmortar";
+  PetscCall(WordsVector(jump.dim, jump.at, text, sizeof(text)));
+  PetscCall(WarningAdd(&jump,
+                       "%s is not to be trusted near %s: the gap has a step or a bend within a facet there, and its "
+                       "mean pushes as if bodies overlapped by %.3g more than they do",
+                       spec->name, text, (double)overlap));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What bodies overlap by to begin with where a pair's nodes are in contact, and the largest displacement of its nodes along their
+   normals: of all ranks. */
+static PetscErrorCode FindOverlap_Private(const SummaryInput *in, PetscInt p, PetscReal size[2])
+{
+  const Pair         pair = in->vi->pairs[p];
+  const PetscInt     dim  = in->scene->dim;
+  const PetscScalar *u;
+
+  PetscFunctionBeginUser;
+  size[0] = size[1] = 0;
+  PetscCall(VecGetArrayRead(in->fields->u, &u)); // of nodes that this rank owns, as those of the pair are
+  for (PetscInt a = 0; a < pair->num; ++a) {
+    PetscReal un = 0;
+
+    for (PetscInt k = 0; k < dim; ++k) un += PetscRealPart(u[pair->nodes[a] * dim + k]) * pair->normal[a * dim + k];
+    size[0] = PetscMax(size[0], -pair->gap[a]);
+    size[1] = PetscMax(size[1], PetscAbsReal(un));
+  }
+  PetscCall(VecRestoreArrayRead(in->fields->u, &u));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, size, 2, MPIU_REAL, MPI_MAX, in->scene->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* An interference of the order of what is left between facets and the curves that they stand for. */
+static PetscErrorCode WarnCurve_Private(const SummaryInput *in, PetscInt p)
+{
+  const Pair       pair  = in->vi->pairs[p];
+  const PetscInt   which = pair->left[1] > pair->left[0] ? 1 : 0;
+  const SceneSide *side  = which ? &pair->spec->mortar : &pair->spec->nonmortar;
+  const PetscReal  left  = pair->left[0] + pair->left[1];
+  Warning          curve = {.code = "coarse_curve", .pair = pair->spec->name};
+  PetscReal        size[2];
+
+  PetscFunctionBeginUser;
+  if (!(left > 0) || pair->spec->type == PAIR_TIED) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(FindOverlap_Private(in, p, size));
+  if (size[0] <= OVERLAP_SHOWS * size[1] || left <= CURVE_SHOWS * size[0]) PetscFunctionReturn(PETSC_SUCCESS);
+  curve.advice = in->scene->bodies[side->body].polygonal ? "refine, or leave the sides smooth" : "refine";
+  PetscCall(WarningAdd(&curve,
+                       "%s: bodies overlap by %.3g to begin with, and facets are off their curves by up to %.3g, most "
+                       "on %s:%s",
+                       pair->spec->name, (double)size[0], (double)left, in->scene->bodies[side->body].name,
+                       side->side));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A pair that has nothing to say. */
+static PetscErrorCode WarnEmpty_Private(const SummaryInput *in, PetscInt p)
+{
+  const Pair       pair = in->vi->pairs[p];
+  const ScenePair *spec = pair->spec;
+  const char      *body = in->scene->bodies[spec->nonmortar.body].name;
+  const Warning    held = {.code = "nothing_to_decide", .pair = spec->name};
+  const Warning    none = {.code   = "no_partner",
+                           .pair   = spec->name,
+                           .advice = "is a side another one than was meant, or a body beyond its partner?"};
+
+  PetscFunctionBeginUser;
+  if (pair->num_multipliers) PetscFunctionReturn(PETSC_SUCCESS);
+  if (pair->num_removed) {
+    PetscCall(WarningAdd(&held,
+                         "%s: nothing for contact to decide: the nodes of %s:%s that face it are held along their "
+                         "normal, or served by another pair",
+                         spec->name, body, spec->nonmortar.side));
+  } else {
+    PetscCall(WarningAdd(&none,
+                         "%s: no part of %s:%s faces what it is to meet within the reach of %.6g (-%s_reach), be it "
+                         "across a gap or in an overlap",
+                         spec->name, body, spec->nonmortar.side, (double)pair->reach, spec->name));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A solver that stops at a discretisation error that is no small part of the solution. */
+static PetscErrorCode WarnCoarse_Private(const SummaryInput *in)
+{
+  const Warning   coarse = {.code = "coarse_mesh", .advice = "refine, or stop at the residual"};
+  const PetscReal part   = CertificateRelative(in->certificate, in->report->discretisation);
+
+  PetscFunctionBeginUser;
+  if (in->report->discretisation > 0 && part > COARSE) {
+    PetscCall(WarningAdd(&coarse,
+                         "the solver stopped at a discretisation error of about %.1e of the solution; so much is not "
+                         "to be relied on",
+                         (double)part));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A second solver that has found nothing. */
+static PetscErrorCode WarnUnconfirmed_Private(const SummaryInput *in)
+{
+  const Warning alone = {.code = "not_confirmed", .advice = "give it more with options that begin with -cross_check_"};
+
+  PetscFunctionBeginUser;
+  if (in->check->done && !in->check->other.converged) {
+    PetscCall(
+        WarningAdd(&alone, "not confirmed: %s found no solution: %s", in->check->other.type, in->check->other.reason));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SummaryWarn(const SummaryInput *input)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VerdictWarn(input->vi));
+  for (PetscInt p = 0; p < input->vi->num_pairs; ++p) {
+    PetscCall(WarnEmpty_Private(input, p));
+    if (input->fields) PetscCall(WarnBump_Private(input, p));
+    if (input->fields) PetscCall(WarnCurve_Private(input, p));
+  }
+  if (!input->fields) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ValidityWarn(input->fields));
+  PetscCall(WarnCoarse_Private(input));
+  PetscCall(WarnUnconfirmed_Private(input));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

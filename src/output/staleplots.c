@@ -1,0 +1,37 @@
+/* staleplots.c -- what the companions drew of an earlier run.
+
+   They write their name near the beginning of a file, so that a picture of the same name that is not theirs is left alone. */
+#include <string.h>
+#include "base/compat.h"
+#include "output/staleplots.h"
+
+enum { BEGINNING = 4096 }; /* bytes, more than what stands before the name */
+
+/* Whether the word stands in the first bytes of a file, which may hold any bytes. */
+static PetscBool FileNames_Private(const char path[], const char word[])
+{
+  char         bytes[BEGINNING];
+  const size_t len  = strlen(word);
+  FILE        *file = fopen(path, "rb");
+  size_t       num;
+  PetscBool    found = PETSC_FALSE;
+
+  if (!file) return PETSC_FALSE;
+  num = fread(bytes, 1, sizeof(bytes), file);
+  fclose(file);
+  for (size_t i = 0; i + len <= num && !found; ++i) found = memcmp(&bytes[i], word, len) ? PETSC_FALSE : PETSC_TRUE;
+  return found;
+}
+
+PetscErrorCode DrawnRemove(Files *files, const char output[])
+{
+  static const char *const drawn[][2] = {{".png", "mortise-plot"}, {".html", "mortise-report"}};
+  char                     path[PETSC_MAX_PATH_LEN];
+
+  PetscFunctionBeginUser;
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(drawn); ++i) {
+    PetscCall(PetscSNPrintf(path, sizeof(path), "%s%s", output, drawn[i][0]));
+    if (FileNames_Private(path, drawn[i][1])) PetscCall(FilesRemove(files, path));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,11 @@
+/* staleplots.h -- what the companions drew of an earlier run. */
+#ifndef MORTISE_STALEPLOTS_H
+#define MORTISE_STALEPLOTS_H
+
+#include "output/fileset.h"
+
+/* Will remove <output>.png and <output>.html when the files appear, if mortise-plot and mortise-report made them: beside a
+   new result they would show another one. First rank only. */
+PetscErrorCode DrawnRemove(Files *files, const char output[]);
+
+#endif

@@ -1,0 +1,301 @@
+/* summary.c -- the JSON summary: every key of the interface, whatever the scene; null for what could not be computed. */
+#include <string.h>
+#include "output/summary.h"
+#include "base/json.h"
+#include "base/log.h"
+#include "base/memory.h"
+#include "base/options.h"
+#include "result/pairsum.h"
+#include "result/probes.h"
+#include "base/compat.h"
+#include "base/warning.h"
+#include "problem/solvability.h"
+#include "result/bodycounts.h"
+#include "result/gapdiscontinuity.h"
+#include "output/solversummary.h"
+#include "result/solvabilityreport.h"
+
+enum { SCHEMA = 2 }; /* of the summary: what keys mean; new keys do not change it */
+
+static PetscErrorCode AddMortise_Private(const SummaryInput *in, cJSON *root)
+{
+  cJSON      *object = cJSON_AddObjectToObject(root, "mortise");
+  const char *file   = OptionsFileName();
+  char        petsc[64];
+  PetscMPIInt ranks;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_size(in->scene->comm, &ranks));
+  PetscCall(PetscSNPrintf(petsc, sizeof(petsc), "%d.%d.%d", PETSC_VERSION_MAJOR, PETSC_VERSION_MINOR,
+                          PETSC_VERSION_SUBMINOR));
+  cJSON_AddStringToObject(object, "version", MORTISE_VERSION);
+  cJSON_AddStringToObject(object, "petsc", petsc);
+  JSONAddInt(object, "ranks", ranks);
+  cJSON_AddItemToObject(object, "options_file", file ? cJSON_CreateString(file) : cJSON_CreateNull());
+  cJSON_AddStringToObject(root, "status", in->solved ? "solved" : in->fields ? "not_converged" : "no_solution");
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What the user asked for, option by option. */
+static PetscErrorCode AddOptions_Private(cJSON *root)
+{
+  cJSON       *object = cJSON_AddObjectToObject(root, "options");
+  OptionGiven *given;
+  PetscInt     num;
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionsGetGiven(&num, &given));
+  for (PetscInt i = 0; i < num; ++i) cJSON_AddStringToObject(object, given[i].name, given[i].value);
+  PetscCall(PetscFree(given));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode AddBodies_Private(const SummaryInput *in, cJSON *scene)
+{
+  cJSON       *bodies = cJSON_AddObjectToObject(scene, "bodies");
+  const Level *level  = in->vi->level;
+  BodyCount   *counts;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(in->scene->num_bodies, &counts));
+  PetscCall(BodiesCount(level, in->scene->num_bodies, counts));
+  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
+    cJSON *body = cJSON_AddObjectToObject(bodies, in->scene->bodies[b].name);
+
+    JSONAddInt(body, "cells", counts[b].cells);
+    JSONAddInt(body, "nodes", counts[b].nodes);
+    JSONAddInt(body, "dofs", counts[b].nodes * level->dim);
+    JSONAddInt(body, "order", in->scene->bodies[b].order);
+    cJSON_AddBoolToObject(body, "floating", in->vi->motions.floating[b]);
+  }
+  PetscCall(PetscFree(counts));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* "body:side", or the kind of obstacle. */
+static void AddSide_Private(const SummaryInput *in, cJSON *object, const char key[], const ScenePair *pair,
+                            const SceneSide *side)
+{
+  static const char *const obstacles[] = {"", "plane", "ball", "cylinder", "parabola", "expression"};
+  char                     text[PETSC_MAX_PATH_LEN];
+
+  if (side->body >= 0) {
+    snprintf(text, sizeof(text), "%s:%s", in->scene->bodies[side->body].name, side->side);
+  } else {
+    snprintf(text, sizeof(text), "%s", obstacles[pair->obstacle.kind]);
+  }
+  cJSON_AddStringToObject(object, key, text);
+}
+
+static PetscErrorCode AddScene_Private(const SummaryInput *in, cJSON *root)
+{
+  static const char *const models[] = {"plane_strain", "plane_stress", "axisymmetric", "solid"};
+  cJSON                   *scene    = cJSON_AddObjectToObject(root, "scene"), *pairs;
+
+  PetscFunctionBeginUser;
+  cJSON_AddStringToObject(scene, "title", in->scene->title);
+  cJSON_AddStringToObject(scene, "model", models[in->scene->model]);
+  JSONAddInt(scene, "dimension", in->scene->dim);
+  PetscCall(AddBodies_Private(in, scene));
+  pairs = cJSON_AddObjectToObject(scene, "pairs");
+  for (PetscInt p = 0; p < in->vi->num_pairs; ++p) {
+    const ScenePair *spec = in->vi->pairs[p]->spec;
+    cJSON           *pair = cJSON_AddObjectToObject(pairs, spec->name);
+
+    AddSide_Private(in, pair, "nonmortar", spec, &spec->nonmortar);
+    AddSide_Private(in, pair, "mortar", spec, &spec->mortar);
+    JSONAddInt(pair, "candidates", in->vi->pairs[p]->num_multipliers);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode AddEnergy_Private(const SummaryInput *in, cJSON *root)
+{
+  cJSON     *energy = cJSON_AddObjectToObject(root, "energy"), *strain = cJSON_AddObjectToObject(energy, "strain");
+  PetscReal *bodies, potential;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(in->scene->num_bodies, &bodies));
+  potential = NAN;
+  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) bodies[b] = NAN;
+  if (in->fields) PetscCall(FieldsEnergy(in->fields, bodies, &potential));
+  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) JSONAddReal(strain, in->scene->bodies[b].name, bodies[b]);
+  JSONAddReal(energy, "potential", potential);
+  PetscCall(PetscFree(bodies));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode AddPairs_Private(const SummaryInput *in, cJSON *root)
+{
+  cJSON         *pairs = cJSON_AddObjectToObject(root, "pairs");
+  const PetscInt dim   = in->scene->dim;
+
+  PetscFunctionBeginUser;
+  for (PetscInt p = 0; p < in->vi->num_pairs; ++p) {
+    cJSON  *pair = cJSON_AddObjectToObject(pairs, in->vi->pairs[p]->spec->name), *extent;
+    PairSum sum;
+
+    if (in->fields)
+      PetscCall(PairSumCompute(in->fields, p, &sum));
+    else
+      sum = PairSumUnknown();
+    JSONAddReals(pair, "force", dim, sum.force);
+    JSONAddReal(pair, "normal_force", sum.normal_force);
+    JSONAddReal(pair, "area", sum.area);
+    JSONAddReal(pair, "max_pressure", sum.max_pressure);
+    JSONAddReals(pair, "max_pressure_at", dim, sum.max_pressure_at);
+    JSONAddReal(pair, "max_pressure_covered", sum.max_covered);
+    JSONAddReal(pair, "min_gap", sum.min_gap);
+    JSONAddInt(pair, "active_nodes", sum.active);
+    extent = cJSON_AddObjectToObject(pair, "extent");
+    JSONAddReals(extent, "lower", dim, sum.lower);
+    JSONAddReals(extent, "upper", dim, sum.upper);
+    JSONAddReals(pair, "centre_of_pressure", dim, sum.centre);
+    JSONAddReal(pair, "moment_imbalance", sum.moment_imbalance);
+    PetscCall(BumpAdd(in->fields, p, dim, pair));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Reactions by side. A node that two sides hold is counted with the first, so that sides add up to the whole. */
+static PetscErrorCode AddReactions_Private(const SummaryInput *in, cJSON *root)
+{
+  cJSON           *reactions = cJSON_AddObjectToObject(root, "reactions");
+  const Level     *level     = in->vi->level;
+  const PetscInt   dim       = level->dim;
+  PetscInt        *start, num = 0;
+  PetscReal       *sums;
+  const PetscReal *values;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(in->scene->num_bodies + 1, &start));
+  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
+    start[b] = num;
+    num += in->scene->bodies[b].num_boundaries;
+  }
+  PetscCall(PetscCalloc1(num * dim + 1, &sums));
+  for (PetscInt i = 0; i < num * dim && !in->fields; ++i) sums[i] = NAN;
+  if (in->fields) PetscCall(VecGetArrayRead(in->reactions, &values));
+  for (PetscInt a = 0; a < level->num_owned && in->fields; ++a) {
+    if (in->vi->support.side[a] < 0) continue;
+    for (PetscInt k = 0; k < dim; ++k) {
+      sums[(start[level->node_body[a]] + in->vi->support.side[a]) * dim + k] += values[a * dim + k];
+    }
+  }
+  if (in->fields) PetscCall(VecRestoreArrayRead(in->reactions, &values));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, (PetscMPIInt)(num * dim), MPIU_REAL, MPI_SUM, level->comm));
+  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
+    const SceneBody *body = &in->scene->bodies[b];
+
+    for (PetscInt i = 0; i < body->num_boundaries; ++i) {
+      const BoundaryKind kind = body->boundaries[i].kind;
+      char               key[PETSC_MAX_PATH_LEN];
+
+      if (kind != BOUNDARY_DISPLACEMENT && kind != BOUNDARY_NORMAL) continue;
+      PetscCall(PetscSNPrintf(key, sizeof(key), "%s:%s", body->name, body->boundaries[i].side));
+      JSONAddReals(reactions, key, dim, &sums[(start[b] + i) * dim]);
+    }
+  }
+  PetscCall(PetscFree(sums));
+  PetscCall(PetscFree(start));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode AddProbes_Private(const SummaryInput *in, cJSON *root)
+{
+  cJSON *probes = cJSON_AddObjectToObject(root, "probes");
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < in->scene->num_probes; ++i) {
+    const SceneProbe *spec  = &in->scene->probes[i];
+    cJSON            *probe = cJSON_AddObjectToObject(probes, spec->name);
+    PetscReal         u[3] = {NAN, NAN, NAN}, stress[6] = {NAN, NAN, NAN, NAN, NAN, NAN}, principal[3];
+
+    if (in->fields) PetscCall(ProbeEvaluate(in->fields, spec, u, stress));
+    JSONAddReals(probe, "at", in->scene->dim, spec->at);
+    JSONAddReals(probe, "displacement", in->scene->dim, u);
+    JSONAddReals(probe, "stress", 6, stress);
+    JSONAddReal(probe, "von_mises", MaterialVonMises(stress));
+    MaterialPrincipal(stress, principal);
+    JSONAddReals(probe, "principal", 3, principal);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static void AddBodyError_Private(cJSON *object, const BodyError *error)
+{
+  JSONAddReal(object, "l2", error->l2);
+  JSONAddReal(object, "l2_relative", error->l2_relative);
+  JSONAddReal(object, "energy", error->energy);
+  JSONAddReal(object, "energy_relative", error->energy_relative);
+}
+
+/* Errors of what has an exact solution. */
+static void AddErrors_Private(const SummaryInput *in, cJSON *root)
+{
+  cJSON *errors;
+
+  if (!in->errors->any) return;
+  errors = cJSON_AddObjectToObject(root, "errors");
+  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
+    if (!in->scene->bodies[b].exact) continue;
+    AddBodyError_Private(cJSON_AddObjectToObject(errors, in->scene->bodies[b].name), &in->errors->body[b]);
+  }
+  for (PetscInt p = 0; p < in->vi->num_pairs; ++p) {
+    const PressureError *error = &in->errors->pair[p];
+    cJSON               *pair;
+
+    if (!in->vi->pairs[p]->spec->exact) continue;
+    pair = cJSON_AddObjectToObject(errors, in->vi->pairs[p]->spec->name);
+    JSONAddReal(pair, "pressure_l2", error->l2);
+    JSONAddReal(pair, "pressure_l2_relative", error->l2_relative);
+    JSONAddReal(pair, "pressure_weighted", error->weighted);
+    JSONAddReal(pair, "pressure_weighted_relative", error->weighted_relative);
+  }
+  AddBodyError_Private(cJSON_AddObjectToObject(root, "errors_total"), &in->errors->total);
+}
+
+/* Seconds of the slowest rank in each stage; peak memory of all ranks together, and of the one that held most. */
+static PetscErrorCode AddCost_Private(const SummaryInput *in, cJSON *root)
+{
+  static const char *const names[STAGE_COUNT] = {"setup", "mortar", "assembly", "condense", "solve", "output"};
+  cJSON    *timing = cJSON_AddObjectToObject(root, "timing"), *memory = cJSON_AddObjectToObject(root, "memory");
+  PetscReal seconds[STAGE_COUNT + 1], bytes, largest;
+
+  PetscFunctionBeginUser;
+  for (int stage = 0; stage < STAGE_COUNT; ++stage) seconds[stage] = LogStageSeconds((LogStage)stage);
+  seconds[STAGE_COUNT] = LogTotalSeconds();
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, seconds, STAGE_COUNT + 1, MPIU_REAL, MPI_MAX, in->scene->comm));
+  for (int stage = 0; stage < STAGE_COUNT; ++stage) JSONAddReal(timing, names[stage], seconds[stage]);
+  JSONAddReal(timing, "total", seconds[STAGE_COUNT]);
+  JSONAddReal(timing, "linear_reference", in->report->reference.done ? in->report->reference.seconds : NAN);
+  PetscCall(MemoryPeak(in->scene->comm, &bytes, &largest));
+  JSONAddReal(memory, "peak_bytes", bytes);
+  JSONAddReal(memory, "largest_rank_bytes", largest);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SummaryCreate(const SummaryInput *input, char **text)
+{
+  cJSON      *root = cJSON_CreateObject();
+  PetscMPIInt rank;
+
+  PetscFunctionBeginUser;
+  JSONAddInt(root, "schema", SCHEMA);
+  PetscCall(AddMortise_Private(input, root));
+  cJSON_AddItemToObject(root, "warnings", WarningList());
+  PetscCall(AddOptions_Private(root));
+  PetscCall(AddScene_Private(input, root));
+  VerdictAdd(input->vi, root);
+  SolverBlockAdd(input, root);
+  PetscCall(AddEnergy_Private(input, root));
+  PetscCall(AddPairs_Private(input, root));
+  PetscCall(AddReactions_Private(input, root));
+  PetscCall(AddProbes_Private(input, root));
+  AddErrors_Private(input, root);
+  PetscCall(AddCost_Private(input, root));
+  PetscCallMPI(MPI_Comm_rank(input->scene->comm, &rank));
+  *text = rank == 0 ? cJSON_Print(root) : NULL;
+  cJSON_Delete(root);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

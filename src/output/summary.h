@@ -1,0 +1,35 @@
+/* summary.h -- the JSON summary and the verdict. */
+#ifndef MORTISE_SUMMARY_H
+#define MORTISE_SUMMARY_H
+
+#include "result/certificate.h"
+#include "result/errors.h"
+#include "base/usererror.h"
+#include "output/output.h"
+
+/* Everything the summary tells of; borrowed parts. */
+typedef struct {
+  Scene              scene;
+  Mesh               mesh;
+  VI                 vi;
+  Fields             fields; /* NULL where there is no solution */
+  const SolveReport *report;
+  const CrossCheck  *check;
+  const Certificate *certificate;
+  const Errors      *errors;
+  Vec                reactions;
+  PetscBool          solved; /* converged, certified, and not contradicted by a second solver */
+} SummaryInput;
+
+/* Adds to the warnings all that qualifies the answer, or the refusal. Collective; once for each run. */
+PetscErrorCode SummaryWarn(const SummaryInput *input);
+/* The summary as JSON text, the same keys always; a number that could not be computed is null.
+   Collective. [out] text - on the first rank owned by the caller (free()), NULL elsewhere */
+PetscErrorCode SummaryCreate(const SummaryInput *input, char **text);
+/* Adds the summary to the output where the scene wants it (-summary, <output>.json), completes that, and prints the few lines a user reads on the
+   terminal: verdict, forces, certificate, files; on failure the reason, on stderr. Collective; *output = NULL. */
+PetscErrorCode SummaryWrite(const SummaryInput *input, Output *output);
+/* Prints what the meshes made of the scene, and what was left out of it: with SceneView() before and SolveView() behind,
+   -scene_view. Collective. */
+PetscErrorCode ModelView(VI vi);
+#endif

@@ -1,0 +1,134 @@
+/* surfacefields.c -- the nonmortar side of a pair as a surface of its own, with what happens on it at its nodes. */
+#include "base/compat.h"
+#include "output/fieldwriter.h"
+#include "result/sidenodes.h"
+
+/* Sum over a node's facets of their normals there, times their size. [out] normals - ghosted, owned by the caller */
+static PetscErrorCode FacetNormals_Private(Level *level, const Facets *facets, Vec *normals)
+{
+  const PetscInt dim = level->dim;
+  Vec            local;
+  PetscReal     *sums;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, dim, normals));
+  PetscCall(VecGhostGetLocalForm(*normals, &local));
+  PetscCall(VecSet(local, 0.0));
+  PetscCall(VecGetArray(local, &sums));
+  for (PetscInt f = 0; f < facets->num; ++f) {
+    const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(facets->type[f]);
+    PetscReal       X[ELEMENT_MAX_FACET_NODES * 3], phi[ELEMENT_MAX_FACET_NODES], normal[3];
+
+    for (PetscInt i = 0; i < n; ++i) PetscCall(PetscArraycpy(&X[i * dim], &level->coords[nodes[i] * dim], dim));
+    for (PetscInt i = 0; i < n; ++i) {
+      const PetscReal size = ElementSurface(facets->type[f], X, ElementNode(facets->type[f], i), NULL, phi, normal);
+
+      for (PetscInt k = 0; k < dim; ++k) sums[nodes[i] * dim + k] += size * normal[k];
+    }
+  }
+  PetscCall(VecRestoreArray(local, &sums));
+  PetscCall(VecGhostRestoreLocalForm(*normals, &local));
+  PetscCall(LevelShareVec(*normals, ADD_VALUES));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Unit normals of this rank's nodes: the direction of the constraint where there is one, else the mean of the facets'.
+   [out] normal - [num_owned][dim], owned by the caller */
+static PetscErrorCode Normals_Private(const Pair pair, const Facets *facets, PetscReal **normal)
+{
+  const PetscInt   dim = pair->level->dim;
+  Vec              sums;
+  const PetscReal *sum;
+
+  PetscFunctionBeginUser;
+  PetscCall(FacetNormals_Private(pair->level, facets, &sums));
+  PetscCall(PetscCalloc1(pair->level->num_owned * dim, normal));
+  PetscCall(VecGetArrayRead(sums, &sum));
+  for (PetscInt a = 0; a < pair->level->num_owned; ++a) {
+    PetscReal square = 0.0;
+
+    for (PetscInt k = 0; k < dim; ++k) square += PetscSqr(sum[a * dim + k]);
+    for (PetscInt k = 0; k < dim && square > 0.0; ++k)
+      (*normal)[a * dim + k] = sum[a * dim + k] / PetscSqrtReal(square);
+  }
+  PetscCall(VecRestoreArrayRead(sums, &sum));
+  PetscCall(VecDestroy(&sums));
+  for (PetscInt a = 0; a < pair->num; ++a)
+    PetscCall(PetscArraycpy(&(*normal)[pair->nodes[a] * dim], &pair->normal[a * dim], dim));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The side as points and cells. */
+static PetscErrorCode TellFacets_Private(Picture *picture, const Level *level, const Facets *facets, PetscInt num,
+                                         const PetscInt nodes[], PetscReal **body)
+{
+  PetscInt *types, *bodies, *globals, n = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc3(facets->num, &types, facets->num, &bodies, facets->num * ELEMENT_MAX_FACET_NODES, &globals));
+  for (PetscInt f = 0; f < facets->num; ++f) {
+    types[f]  = facets->type[f];
+    bodies[f] = level->cell_body[facets->cell[f]];
+    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); ++i)
+      globals[n++] = level->node_global[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
+  }
+  PetscCall(PictureMesh(picture,
+                        &(PicturePart){.dim        = level->dim,
+                                       .num_points = num,
+                                       .nodes      = nodes,
+                                       .global     = level->node_global,
+                                       .coords     = level->coords,
+                                       .num_cells  = facets->num,
+                                       .cell_type  = types,
+                                       .cell_tag   = bodies,
+                                       .cell_nodes = globals},
+                        body));
+  PetscCall(PetscFree3(types, bodies, globals));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Displacement, pressure, gap, status and normal. */
+static PetscErrorCode TellQuantities_Private(Picture *picture, Fields fields, PetscInt p, const Facets *facets)
+{
+  const Level     *level = fields->vi->level;
+  PairFields       nodal;
+  PetscReal       *status, *normal;
+  const PetscReal *u;
+
+  PetscFunctionBeginUser;
+  PetscCall(PairFieldsCreate(fields, p, &nodal));
+  PetscCall(Normals_Private(fields->vi->pairs[p], facets, &normal));
+  PetscCall(PetscMalloc1(level->num_owned, &status));
+  for (PetscInt a = 0; a < level->num_owned; ++a) status[a] = (PetscReal)nodal.status[a];
+  PetscCall(VecGetArrayRead(fields->u, &u));
+  PetscCall(PicturePoints(picture, (Quantity){"displacement", 3, PETSC_FALSE}, level->dim, u));
+  PetscCall(VecRestoreArrayRead(fields->u, &u));
+  PetscCall(PicturePoints(picture, (Quantity){"pressure", 1, PETSC_FALSE}, 1, nodal.pressure));
+  PetscCall(PicturePoints(picture, (Quantity){"gap", 1, PETSC_FALSE}, 1, nodal.gap));
+  PetscCall(PicturePoints(picture, (Quantity){"status", 1, PETSC_TRUE}, 1, status));
+  PetscCall(PicturePoints(picture, (Quantity){"normal", 3, PETSC_FALSE}, level->dim, normal));
+  PetscCall(PetscFree(status));
+  PetscCall(PetscFree(normal));
+  PetscCall(PairFieldsDestroy(&nodal));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PictureTellSurface(Picture *picture, Fields fields, PetscInt p)
+{
+  Level           *level = fields->vi->level;
+  const ScenePair *spec  = fields->vi->pairs[p]->spec;
+  PetscInt         num, *nodes;
+  PetscReal       *body;
+  Facets           facets;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelGetFacets(level, fields->vi->scene, spec->nonmortar.body, spec->nonmortar.side, &facets));
+  PetscCall(SideNodesCreate(level, &facets, &num, &nodes));
+  PetscCall(TellFacets_Private(picture, level, &facets, num, nodes, &body));
+  PetscCall(TellQuantities_Private(picture, fields, p, &facets));
+  PetscCall(PictureCells(picture, (Quantity){"body", 1, PETSC_TRUE}, body));
+  PetscCall(PetscFree(body));
+  PetscCall(PetscFree(nodes));
+  PetscCall(FacetsDestroy(&facets));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,210 @@
+/* terminalreport.c -- the few lines a user reads on the terminal, and where the summary goes. */
+#include <stdlib.h>
+#include <string.h>
+#include "output/summary.h"
+#include "output/output.h"
+#include "base/log.h"
+#include "base/compat.h"
+#include "result/pairsum.h"
+#include "result/solvabilityreport.h"
+#include "result/numberwords.h"
+
+static const PetscReal PERCENT = 100;
+
+/* One pair, in one or two lines. */
+static PetscErrorCode PrintPair_Private(const SummaryInput *in, PetscInt p)
+{
+  const MPI_Comm   comm = in->scene->comm;
+  const ScenePair *spec = in->vi->pairs[p]->spec;
+  PairSum          sum;
+  char             force[128], at[128];
+
+  PetscFunctionBeginUser;
+  if (!in->vi->pairs[p]->num_multipliers) PetscFunctionReturn(PETSC_SUCCESS); // a warning tells why
+  PetscCall(PairSumCompute(in->fields, p, &sum));
+  PetscCall(WordsVector(in->scene->dim, sum.force, force, sizeof(force)));
+  PetscCall(PetscPrintf(comm, "  %s: %" PetscInt_FMT " of %" PetscInt_FMT " nodes %s, force %s on %s\n", spec->name,
+                        sum.active, in->vi->pairs[p]->num_multipliers, spec->type == PAIR_TIED ? "tied" : "in contact",
+                        force, in->scene->bodies[spec->nonmortar.body].name));
+  if (sum.active && spec->type == PAIR_CONTACT) {
+    PetscCall(WordsVector(in->scene->dim, sum.max_pressure_at, at, sizeof(at)));
+    PetscCall(PetscPrintf(comm, "    largest pressure %.6g at %s, ", (double)sum.max_pressure, at));
+    if (sum.max_covered < sum.max_pressure)
+      PetscCall(PetscPrintf(comm, "where the partner ends, %.6g elsewhere, ", (double)sum.max_covered));
+    PetscCall(PetscPrintf(comm, "area %.6g\n", (double)sum.area));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Names of the files that were written. */
+static PetscErrorCode PrintFiles_Private(const SummaryInput *in)
+{
+  const MPI_Comm comm  = in->scene->comm;
+  const Scene    scene = in->scene;
+
+  PetscFunctionBeginUser;
+  if (scene->output) {
+    PetscCall(PetscPrintf(comm, "  wrote %s.json", scene->output));
+    PetscCall(OutputPrintNames(scene, in->fields ? PETSC_TRUE : PETSC_FALSE));
+    PetscCall(PetscPrintf(comm, "\n"));
+  }
+  if (scene->summary) PetscCall(PetscPrintf(comm, "  wrote %s\n", scene->summary));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* "  error of upper: energy 1.3e-03 (0.84%), L2 3.4e-06 (0.01%)"; nothing where nothing is known. */
+static PetscErrorCode PrintError_Private(MPI_Comm comm, const char what[], const char first[],
+                                         const PetscReal first_error[2], const char second[],
+                                         const PetscReal second_error[2])
+{
+  const struct {
+    const char      *norm;
+    const PetscReal *error; /* absolute, relative */
+  } parts[] = {{first, first_error}, {second, second_error}};
+
+  PetscFunctionBeginUser;
+  if (PetscIsNanReal(first_error[0])) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscPrintf(comm, "  error of %s:", what));
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(parts); ++i) {
+    PetscCall(PetscPrintf(comm, "%s %s %.4e", i ? "," : "", parts[i].norm, (double)parts[i].error[0]));
+    if (!PetscIsNanReal(parts[i].error[1]))
+      PetscCall(PetscPrintf(comm, " (%.3g%%)", (double)(PERCENT * parts[i].error[1])));
+  }
+  PetscCall(PetscPrintf(comm, "\n"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* One line for each body and each pair with an exact solution. */
+static PetscErrorCode PrintErrors_Private(const SummaryInput *in)
+{
+  const MPI_Comm comm = in->scene->comm;
+  char           what[PETSC_MAX_PATH_LEN];
+
+  PetscFunctionBeginUser;
+  if (!in->errors->any) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
+    const BodyError *e        = &in->errors->body[b];
+    const PetscReal  energy[] = {e->energy, e->energy_relative}, l2[] = {e->l2, e->l2_relative};
+
+    PetscCall(PrintError_Private(comm, in->scene->bodies[b].name, "energy", energy, "L2", l2));
+  }
+  for (PetscInt p = 0; p < in->vi->num_pairs; ++p) {
+    const PressureError *e    = &in->errors->pair[p];
+    const PetscReal      l2[] = {e->l2, e->l2_relative}, weighted[] = {e->weighted, e->weighted_relative};
+
+    PetscCall(PetscSNPrintf(what, sizeof(what), "the pressure of %s", in->vi->pairs[p]->spec->name));
+    PetscCall(PrintError_Private(comm, what, "L2", l2, "at nodes", weighted));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Work of all levels, and what one linear solve costs beside it. */
+static PetscErrorCode PrintCost_Private(const SummaryInput *in)
+{
+  const SolveReport *report = in->report;
+
+  PetscFunctionBeginUser;
+  if (report->work > 0) {
+    PetscCall(PetscPrintf(in->scene->comm,
+                          "  cost: as much as %.0f products with the matrix, %" PetscInt_FMT " linear iterations\n",
+                          (double)report->work, report->linear_iterations));
+  }
+  if (report->reference.done) {
+    PetscCall(PetscPrintf(in->scene->comm,
+                          "  one linear solve with the final active set: %.3g s, %" PetscInt_FMT " iterations; all of "
+                          "the solve: %.3g s\n",
+                          (double)report->reference.seconds, report->reference.iterations, report->seconds));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Print_Private(const SummaryInput *in)
+{
+  const MPI_Comm     comm   = in->scene->comm;
+  const SolveReport *report = in->report;
+  const Certificate *c      = in->certificate;
+
+  PetscFunctionBeginUser;
+  if (in->scene->title[0]) PetscCall(PetscPrintf(comm, "%s\n", in->scene->title));
+  PetscCall(PetscPrintf(comm, "  %s: %" PetscInt_FMT " unknowns, %" PetscInt_FMT " iterations of %s, %.3g s\n",
+                        in->solved ? "solved" : "NOT SOLVED", in->vi->level->num_global * in->vi->level->dim,
+                        report->iterations, report->type, LogTotalSeconds()));
+  PetscCall(PrintCost_Private(in));
+  for (PetscInt p = 0; p < in->vi->num_pairs; ++p) PetscCall(PrintPair_Private(in, p));
+  PetscCall(VerdictPrint(in->vi));
+  PetscCall(PrintErrors_Private(in));
+  PetscCall(PetscPrintf(comm,
+                        "  certificate: equilibrium %.1e, gap %.1e, pressure %.1e, complementarity %.1e, forces %.1e, "
+                        "moments %.1e\n",
+                        (double)c->equilibrium, (double)c->gap, (double)c->pressure, (double)c->complementarity,
+                        (double)c->force, (double)c->moment));
+  if (!PetscIsInfOrNanReal(CertificateRelative(c, report->bound.value))) {
+    PetscCall(PetscPrintf(comm, "  error that the solver leaves: at most %.1e of the solution, in the energy norm%s\n",
+                          (double)CertificateRelative(c, report->bound.value),
+                          report->bound.estimated ? " (estimated)" : ""));
+  }
+  if (report->discretisation > 0) {
+    PetscCall(PetscPrintf(comm,
+                          "  stopped at the discretisation error: about %.1e of the solution, in the energy norm, as "
+                          "coarser meshes tell\n",
+                          (double)CertificateRelative(c, report->discretisation)));
+  }
+  if (in->check->done && in->check->other.converged) {
+    PetscCall(PetscPrintf(
+        comm, "  cross-check by %s, %s: active sets differ in %" PetscInt_FMT " nodes, displacements by %.1e\n",
+        in->check->other.type, in->check->other.linear, in->check->active_difference,
+        (double)in->check->displacement_difference));
+  }
+  PetscCall(PrintFiles_Private(in));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Why it is not solved, on stderr: one sentence each. */
+static PetscErrorCode PrintFailures_Private(const SummaryInput *in)
+{
+  const MPI_Comm comm = in->scene->comm;
+
+  PetscFunctionBeginUser;
+  if (!in->report->converged)
+    PetscCall(PetscFPrintf(comm, PETSC_STDERR, "mortise: not solved: %s\n", in->report->reason));
+  /* What would mend a certificate, its part behind the semicolon, is no advice where there is no solution to judge. */
+  if (!in->certificate->holds) {
+    const char *failure = in->certificate->failure;
+    const int   shown   = (int)(in->report->converged ? strlen(failure) : strcspn(failure, ";"));
+
+    PetscCall(PetscFPrintf(comm, PETSC_STDERR, "mortise: %.*s\n", shown, failure));
+  }
+  if (in->check->done && in->check->other.converged && !in->check->agree) {
+    PetscCall(PetscFPrintf(comm, PETSC_STDERR,
+                           "mortise: %s and %s disagree: active sets differ in %" PetscInt_FMT
+                           " nodes, displacements by %.1e\n",
+                           in->report->type, in->check->other.type, in->check->active_difference,
+                           (double)in->check->displacement_difference));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SummaryWrite(const SummaryInput *input, Output *output)
+{
+  const Scene     scene         = input->scene;
+  const PetscBool stdout_wanted = (PetscBool)(scene->summary && strcmp(scene->summary, "-") == 0);
+  char           *text, path[PETSC_MAX_PATH_LEN];
+
+  PetscFunctionBeginUser;
+  PetscCall(SummaryCreate(input, &text));
+  if (scene->summary && !stdout_wanted) PetscCall(OutputAddText(*output, scene->summary, text));
+  if (scene->output) {
+    PetscCall(PetscSNPrintf(path, sizeof(path), "%s.json", scene->output));
+    PetscCall(OutputAddText(*output, path, text)); // the last: where it is, the result is complete
+  }
+  PetscCall(OutputFinish(output));
+  if (stdout_wanted) {
+    if (text) puts(text);
+  } else if (!scene->quiet) { // not beside a summary on stdout: that is for programs to read
+    PetscCall(input->fields ? Print_Private(input) : PrintFiles_Private(input));
+  }
+  free(text);
+  PetscCall(VerdictRefuse(input->vi));
+  if (input->fields && !input->solved) PetscCall(PrintFailures_Private(input));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

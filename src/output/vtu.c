@@ -1,0 +1,127 @@
+/* vtu.c -- the picture as one VTK unstructured grid file (XML, inline base64): self-contained, opens everywhere VTK does. */
+#include <stdint.h>
+#include <string.h>
+#include "output/fieldwriter.h"
+#include "output/xml.h"
+#include "base/compat.h"
+
+/* VTK's number of a cell (vtkCellType.h); its order of nodes is that of the picture. */
+static const uint8_t vtk_number[ELEMENT_COUNT] = {
+    [ELEMENT_LINE2] = 3, [ELEMENT_LINE3] = 21, [ELEMENT_TRI3] = 5,   [ELEMENT_QUAD4] = 9,  [ELEMENT_TET4] = 10,
+    [ELEMENT_HEX8] = 12, [ELEMENT_TRI6] = 22,  [ELEMENT_QUAD9] = 28, [ELEMENT_TET10] = 24, [ELEMENT_HEX27] = 29};
+
+/* A block: its length in bytes, then the bytes, encoded as one unit. */
+static PetscErrorCode WriteBlock_Private(FILE *out, const char type[], const char name[], PetscInt components,
+                                         size_t size, const void *values)
+{
+  const uint64_t length = size;
+  char          *unit;
+
+  PetscFunctionBeginUser;
+  fprintf(out, "<DataArray type=\"%s\" Name=\"%s\"", type, name);
+  if (components > 1) fprintf(out, " NumberOfComponents=\"%" PetscInt_FMT "\"", components);
+  fprintf(out, " format=\"binary\">\n");
+  PetscCall(PetscMalloc1(sizeof(length) + size, &unit));
+  memcpy(unit, &length, sizeof(length));
+  if (size) memcpy(unit + sizeof(length), values, size);
+  XMLWriteBase64(out, sizeof(length) + size, unit);
+  PetscCall(PetscFree(unit));
+  fprintf(out, "\n</DataArray>\n");
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode WriteArray_Private(FILE *out, PetscInt rows, const Quantity *quantity, const PetscReal values[])
+{
+  const PetscInt n = rows * quantity->components;
+
+  PetscFunctionBeginUser;
+  if (quantity->integer) {
+    int32_t *whole;
+
+    PetscCall(PetscMalloc1(n, &whole));
+    for (PetscInt i = 0; i < n; ++i) whole[i] = (int32_t)values[i];
+    PetscCall(WriteBlock_Private(out, "Int32", quantity->name, quantity->components, n * sizeof(int32_t), whole));
+    PetscCall(PetscFree(whole));
+  } else {
+    PetscCall(WriteBlock_Private(out, "Float64", quantity->name, quantity->components, n * sizeof(double), values));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode VTUBegin_Private(Picture *picture)
+{
+  const uint16_t order = 1; /* its first byte tells the machine's byte order */
+
+  PetscFunctionBeginUser;
+  fprintf(picture->out,
+          "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"%s\" "
+          "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"%" PetscInt_FMT
+          "\" NumberOfCells=\"%" PetscInt_FMT "\">\n",
+          *(const unsigned char *)&order ? "LittleEndian" : "BigEndian", picture->num_points, picture->num_cells);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode VTUPoints_Private(Picture *picture, const PetscReal positions[])
+{
+  PetscFunctionBeginUser;
+  fprintf(picture->out, "<Points>\n");
+  PetscCall(
+      WriteBlock_Private(picture->out, "Float64", "points", 3, picture->num_points * 3 * sizeof(double), positions));
+  fprintf(picture->out, "</Points>\n");
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode VTUCells_Private(Picture *picture, const SortedCells *cells)
+{
+  const PetscInt num_entries = cells->start[cells->num];
+  int64_t       *nodes, *ends;
+  uint8_t       *types;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc3(num_entries, &nodes, cells->num, &ends, cells->num, &types));
+  for (PetscInt i = 0; i < num_entries; ++i) nodes[i] = cells->nodes[i];
+  for (PetscInt c = 0; c < cells->num; ++c) {
+    ends[c]  = cells->start[c + 1];
+    types[c] = vtk_number[cells->type[c]];
+  }
+  fprintf(picture->out, "<Cells>\n");
+  PetscCall(WriteBlock_Private(picture->out, "Int64", "connectivity", 1, num_entries * sizeof(int64_t), nodes));
+  PetscCall(WriteBlock_Private(picture->out, "Int64", "offsets", 1, cells->num * sizeof(int64_t), ends));
+  PetscCall(WriteBlock_Private(picture->out, "UInt8", "types", 1, cells->num, types));
+  fprintf(picture->out, "</Cells>\n");
+  PetscCall(PetscFree3(nodes, ends, types));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode VTUPoint_Private(Picture *picture, const Quantity *quantity, const PetscReal values[])
+{
+  PetscFunctionBeginUser;
+  if (picture->num_point_quantities == 0) fprintf(picture->out, "<PointData %s>\n", picture->first);
+  PetscCall(WriteArray_Private(picture->out, picture->num_points, quantity, values));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode VTUCell_Private(Picture *picture, const Quantity *quantity, const PetscReal values[])
+{
+  PetscFunctionBeginUser;
+  if (picture->num_cell_quantities == 0) fprintf(picture->out, "</PointData>\n<CellData Scalars=\"body\">\n");
+  PetscCall(WriteArray_Private(picture->out, picture->num_cells, quantity, values));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode VTUEnd_Private(Picture *picture)
+{
+  PetscFunctionBeginUser;
+  if (!picture->out) PetscFunctionReturn(PETSC_SUCCESS);
+  fprintf(picture->out, "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+  PetscCall(FilesClose(picture->files, &picture->out));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+const PictureFormat picture_vtu = {.suffix = ".vtu",
+                                   .begin  = VTUBegin_Private,
+                                   .points = VTUPoints_Private,
+                                   .cells  = VTUCells_Private,
+                                   .point  = VTUPoint_Private,
+                                   .cell   = VTUCell_Private,
+                                   .end    = VTUEnd_Private};

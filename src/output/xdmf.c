@@ -1,0 +1,118 @@
+/* xdmf.c -- the small XML file that tells viewers what lies in the HDF5 file.
+
+   Kept to what ParaView's, VTK's and meshio's readers share: one uniform grid, version 3, data items that are whole
+   datasets, a relative file name so that the two files can be moved together. Reference: the XDMF model and format.
+
+   They do not share one thing: pyvista's reader fails on a grid without a time, and meshio's on a grid with one. So the grid
+   is told twice, by a feature of the format. Readers of XDMF 2 (VTK, hence pyvista and ParaView) follow the Reference of
+   the plain grid to its copy with a time; meshio and readers of XDMF 3 know no such attribute and take the plain grid. The
+   copy stands in an Information, whose text must be XML to please meshio. */
+#include <string.h>
+#include "output/xdmf.h"
+#include "output/xml.h"
+#include "base/compat.h"
+
+/* XDMF's name and number of a cell; its order of nodes is that of the picture. A line of two points is told as a polyline, and
+   so needs to be told its length; lines are never mixed with others. */
+static const char *const xdmf_name[ELEMENT_COUNT] = {
+    [ELEMENT_LINE2] = "Polyline",      [ELEMENT_LINE3] = "Edge_3",    [ELEMENT_TRI3] = "Triangle",
+    [ELEMENT_QUAD4] = "Quadrilateral", [ELEMENT_TRI6] = "Triangle_6", [ELEMENT_QUAD9] = "Quadrilateral_9",
+    [ELEMENT_TET4] = "Tetrahedron",    [ELEMENT_HEX8] = "Hexahedron", [ELEMENT_TET10] = "Tetrahedron_10",
+    [ELEMENT_HEX27] = "Hexahedron_27"};
+static const int xdmf_number[ELEMENT_COUNT] = {
+    [ELEMENT_TRI3] = 4,   [ELEMENT_QUAD4] = 5, [ELEMENT_TET4] = 6,   [ELEMENT_HEX8] = 9,
+    [ELEMENT_QUAD9] = 35, [ELEMENT_TRI6] = 36, [ELEMENT_TET10] = 38, [ELEMENT_HEX27] = 50};
+
+PetscErrorCode TopologyCreate(const SortedCells *cells, Topology *topology)
+{
+  const PetscInt  num_cells = cells->num, num_entries = cells->start[num_cells];
+  const PetscInt  first = num_cells ? cells->type[0] : ELEMENT_TRI3;
+  const PetscBool mixed = (PetscBool)(num_cells && cells->type[num_cells - 1] != first); /* they are sorted */
+  PetscInt        n     = 0;
+
+  PetscFunctionBeginUser;
+  topology->name    = mixed ? "Mixed" : xdmf_name[first];
+  topology->columns = mixed ? 1 : ElementNumNodes((ElementType)first);
+  topology->rows    = mixed ? num_entries + num_cells : num_cells;
+  PetscCall(PetscMalloc1(num_entries + num_cells, &topology->values));
+  for (PetscInt c = 0; c < num_cells; ++c) {
+    if (mixed) topology->values[n++] = xdmf_number[cells->type[c]];
+    for (PetscInt i = cells->start[c]; i < cells->start[c + 1]; ++i) {
+      topology->values[n++] = (int)cells->nodes[i];
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode TopologyDestroy(Topology *topology)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(topology->values));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* One dataset of the HDF5 file. */
+static void WriteItem_Private(FILE *out, const char hdf5[], const char name[], PetscInt rows, PetscInt columns,
+                              PetscBool integer)
+{
+  fprintf(out, "<DataItem Format=\"HDF\" NumberType=\"%s\" Precision=\"%d\" Dimensions=\"%" PetscInt_FMT,
+          integer ? "Int" : "Float", integer ? 4 : 8, rows);
+  if (columns > 1) fprintf(out, " %" PetscInt_FMT, columns);
+  fprintf(out, "\">");
+  XMLWriteText(out, hdf5);
+  fprintf(out, ":/%s</DataItem>\n", name);
+}
+
+static void WriteAttribute_Private(FILE *out, const char hdf5[], const Quantity *quantity, PetscInt rows,
+                                   const char centre[])
+{
+  const char *type = quantity->components == 1 ? "Scalar" : quantity->components == 3 ? "Vector" : "Tensor";
+
+  fprintf(out, "      <Attribute Name=\"%s\" AttributeType=\"%s\" Center=\"%s\">\n        ", quantity->name, type,
+          centre);
+  WriteItem_Private(out, hdf5, quantity->name, rows, quantity->components, quantity->integer);
+  fprintf(out, "      </Attribute>\n");
+}
+
+/* What a grid consists of: points, cells, quantities. */
+static void WriteGridItems_Private(FILE *out, const Picture *picture, const Topology *topology, const char hdf5[])
+{
+  fprintf(out, "      <Geometry GeometryType=\"XYZ\">\n        ");
+  WriteItem_Private(out, hdf5, "points", picture->num_points, 3, PETSC_FALSE);
+  fprintf(
+      out, "      </Geometry>\n      <Topology TopologyType=\"%s\"%s NumberOfElements=\"%" PetscInt_FMT "\">\n        ",
+      topology->name, topology->name == xdmf_name[ELEMENT_LINE2] ? " NodesPerElement=\"2\"" : "", picture->num_cells);
+  WriteItem_Private(out, hdf5, "cells", topology->rows, topology->columns, PETSC_TRUE);
+  fprintf(out, "      </Topology>\n");
+  for (PetscInt i = 0; i < picture->num_point_quantities; ++i) {
+    WriteAttribute_Private(out, hdf5, &picture->point[i], picture->num_points, "Node");
+  }
+  for (PetscInt i = 0; i < picture->num_cell_quantities; ++i) {
+    WriteAttribute_Private(out, hdf5, &picture->cell[i], picture->num_cells, "Cell");
+  }
+}
+
+PetscErrorCode PictureWriteXDMF(const Picture *picture, const Topology *topology, const char hdf5[])
+{
+  const char *slash = strrchr(hdf5, '/'), *title = picture->title[0] ? picture->title : "mortise";
+  char        path[PETSC_MAX_PATH_LEN];
+  FILE       *out;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscSNPrintf(path, sizeof(path), "%s.xdmf", picture->base));
+  PetscCall(FilesOpen(picture->files, path, &out));
+  if (!out) PetscFunctionReturn(PETSC_SUCCESS);
+  if (slash) hdf5 = slash + 1;
+  fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n    <Grid Name=\"");
+  XMLWriteText(out, title);
+  fprintf(out, "\" GridType=\"Uniform\" Reference=\"/Xdmf/Domain/Grid/Information/Grid\">\n");
+  WriteGridItems_Private(out, picture, topology, hdf5);
+  fprintf(out,
+          "      <Information Name=\"steady\" Value=\"the same with a time\">&lt;steady/&gt;\n      <Grid Name=\"");
+  XMLWriteText(out, title);
+  fprintf(out, "\" GridType=\"Uniform\">\n      <Time Value=\"0\"/>\n");
+  WriteGridItems_Private(out, picture, topology, hdf5);
+  fprintf(out, "      </Grid>\n      </Information>\n    </Grid>\n  </Domain>\n</Xdmf>\n");
+  PetscCall(FilesClose(picture->files, &out));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,22 @@
+/* xdmf.h -- cells as XDMF wants them. */
+#ifndef MORTISE_XDMF_H
+#define MORTISE_XDMF_H
+
+#include "output/fieldwriter.h"
+
+/* One type of cell: [rows = cells][columns = nodes]. Several: one list of type number and nodes, cell after cell, columns = 1. */
+typedef struct {
+  const char *name; /* TopologyType */
+  PetscInt    rows, columns;
+  int        *values;
+} Topology;
+
+/* Not collective. [out] topology - owned by the caller; its values end with TopologyDestroy(), the rest stays */
+PetscErrorCode TopologyCreate(const SortedCells *cells, Topology *topology);
+PetscErrorCode TopologyDestroy(Topology *topology);
+
+/* The file that tells viewers what lies in the HDF5 file, beside which it will stand. First rank only, not collective.
+   [in] topology - values are not needed */
+PetscErrorCode PictureWriteXDMF(const Picture *picture, const Topology *topology, const char hdf5[]);
+
+#endif

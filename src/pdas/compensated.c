@@ -1,0 +1,116 @@
+/* compensated.c -- b - A y as if it were computed in twice the precision.
+
+   Near a solution b - A y is what the terms of a sum leave that cancel to the last digits: computed as usual it is rounding and nothing
+   else. With the rounding of every product and every sum carried along [1], corrections by a factorisation reach the solution itself
+   and not just a small residual, and what is said of the distance from it holds however small that is.
+
+   References: [1] Ogita, Rump, Oishi, Accurate sum and dot product, 2005 (algorithm Dot2; Dekker's product). */
+#include "base/compat.h"
+#include "pdas/pdasimpl.h"
+
+/* Splits a number of 53 bits into two of 26: 2^27 + 1. */
+static const PetscReal SPLITTER = 134217729.;
+
+/* x = high + low, each with half the digits. */
+static void Split_Private(PetscReal x, PetscReal *high, PetscReal *low)
+{
+  const PetscReal c = SPLITTER * x;
+
+  *high = c - (c - x);
+  *low  = x - *high;
+}
+
+/* (sum, rest) -= a y, in which rest gathers what sum cannot hold. */
+static void Subtract_Private(PetscReal a, PetscReal y, PetscReal *sum, PetscReal *rest)
+{
+  const PetscReal product = -a * y;
+  PetscReal       ah, al, yh, yl, error, next, part;
+
+  Split_Private(-a, &ah, &al);
+  Split_Private(y, &yh, &yl);
+  error = al * yl - (((product - ah * yh) - al * yh) - ah * yl);
+  next  = *sum + product;
+  part  = next - *sum;
+  *rest += ((*sum - (next - part)) + (product - part)) + error;
+  *sum = next;
+}
+
+/* (sum, rest)_i -= (A y)_i for all rows of a matrix on one process. [in] y - a value for each column */
+static PetscErrorCode Rows_Private(Mat A, Vec y, PetscReal sum[], PetscReal rest[])
+{
+  const PetscInt    *ia, *ja;
+  const PetscScalar *values, *x;
+  PetscInt           n;
+  PetscBool          done;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetRowIJ(A, 0, PETSC_FALSE, PETSC_FALSE, &n, &ia, &ja, &done));
+  PetscCheck(done, PETSC_COMM_SELF, PETSC_ERR_SUP, "matrix without rows");
+  PetscCall(MatSeqAIJGetArrayRead(A, &values));
+  PetscCall(VecGetArrayRead(y, &x));
+  for (PetscInt i = 0; i < n; i++)
+    for (PetscInt k = ia[i]; k < ia[i + 1]; k++)
+      Subtract_Private(PetscRealPart(values[k]), PetscRealPart(x[ja[k]]), &sum[i], &rest[i]);
+  PetscCall(VecRestoreArrayRead(y, &x));
+  PetscCall(MatSeqAIJRestoreArrayRead(A, &values));
+  PetscCall(MatRestoreRowIJ(A, 0, PETSC_FALSE, PETSC_FALSE, &n, &ia, &ja, &done));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The entries of y that this process has not, and its rows need, in the order of Ao's columns. [out] others - owned by the caller */
+static PetscErrorCode Others_Private(Mat Ao, const PetscInt columns[], Vec y, Vec *others)
+{
+  PetscInt   n;
+  IS         from;
+  VecScatter scatter;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateVecs(Ao, others, NULL));
+  PetscCall(VecGetSize(*others, &n));
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, n, columns, PETSC_USE_POINTER, &from));
+  PetscCall(VecScatterCreate(y, from, *others, NULL, &scatter));
+  PetscCall(VecScatterBegin(scatter, y, *others, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecScatterEnd(scatter, y, *others, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecScatterDestroy(&scatter));
+  PetscCall(ISDestroy(&from));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ActiveResidual(Mat A, Vec b, Vec y, Vec r)
+{
+  Mat             Ad = A, Ao = NULL;
+  const PetscInt *columns;
+  PetscBool       shell, sequential;
+  PetscInt        n;
+  PetscScalar    *sum;
+  PetscReal      *rest;
+  Vec             own, others;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectTypeCompare((PetscObject)A, MATSHELL, &shell));
+  if (shell) { // of products alone; who iterates with these stops long before rounding matters
+    PetscCall(MatMult(A, y, r));
+    PetscCall(VecAYPX(r, -1, b));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(PetscObjectTypeCompare((PetscObject)A, MATSEQAIJ, &sequential));
+  if (!sequential) PetscCall(MatMPIAIJGetSeqAIJ(A, &Ad, &Ao, &columns));
+  PetscCall(VecGetLocalSize(r, &n));
+  PetscCall(PetscCalloc1(n, &rest));
+  PetscCall(VecCopy(b, r));
+  PetscCall(VecGetArray(r, &sum));
+  PetscCall(MatCreateVecs(Ad, &own, NULL));
+  PetscCall(VecGetLocalVectorRead(y, own));
+  PetscCall(Rows_Private(Ad, own, sum, rest));
+  PetscCall(VecRestoreLocalVectorRead(y, own));
+  PetscCall(VecDestroy(&own));
+  if (Ao) {
+    PetscCall(Others_Private(Ao, columns, y, &others));
+    PetscCall(Rows_Private(Ao, others, sum, rest));
+    PetscCall(VecDestroy(&others));
+  }
+  for (PetscInt i = 0; i < n; i++) sum[i] += rest[i];
+  PetscCall(VecRestoreArray(r, &sum));
+  PetscCall(PetscFree(rest));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,268 @@
+/* convergence.c -- when an iteration with multigrid has done enough.
+
+   Where its residual has become as small as it is to be by now the iterate is looked at, and as long as it says nothing against the active
+   set the same iteration goes on: nothing that conjugate gradients have found out is lost (T36). In the end forces and energy are to be
+   right (T40). Where the mesh says when to stop, the energy of the error does (T37): cycles of multigrid see it in any iterate's residual,
+   |e|_A^2 ~ r'B r, a number that conjugate gradients compute anyway, and the first one is that of what a coarser mesh knows. */
+#include "base/compat.h"
+#include "multigrid/eigenvalue.h"
+#include "multigrid/multigrid.h"
+#include "pdas/fullsolver.h"
+
+/* The first look comes a little late, since a KSP has its own way to measure residuals; later ones know how these compare. */
+static const PetscReal FURTHER = 0.5, A_LITTLE = 0.9;
+/* Where the KSP's residual has become so much smaller since the last look, and the true one has not even halved, recursions go on and digits do
+   not. */
+static const PetscReal MUCH_SMALLER = 0.1, STALLED = 0.5;
+/* Of rtol, for the energy: what is said of it is an estimate. */
+static const PetscReal PART = 0.02;
+
+PetscErrorCode TruncatedRitz(Truncated *t)
+{
+  PetscReal largest, smallest;
+  PetscBool seen;
+
+  PetscFunctionBeginUser;
+  if (t->direct) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(EigenvalueSeen(t->ksp, &largest, &smallest, &seen));
+  if (seen && smallest > 0 && (t->ritz == 0 || smallest < t->ritz)) t->ritz = smallest;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether no free unknown with a bound has a force beside those of fixed ones, or rounding: it would count as pressure or tension. */
+static PetscErrorCode Forceless_Private(ActiveSolver solver, PetscBool *forceless)
+{
+  static const PetscReal NO_FORCE = 1e-8;
+  const Truncated       *t        = solver->data;
+  const ActiveSet       *set      = solver->set;
+  const PetscScalar     *r;
+  PetscReal largest, max[3] = {0, 0, 0}; /* forces of free ones, of fixed ones; the stiffest of free ones */
+
+  PetscFunctionBeginUser;
+  PetscCall(VecNorm(t->y, NORM_INFINITY, &largest));
+  PetscCall(VecGetArrayRead(t->r, &r));
+  for (PetscInt i = 0; i < set->n; i++) {
+    const int which = t->solution->fixed[i] ? 1 : 0;
+
+    max[which] = PetscMax(max[which], PetscAbsScalar(r[set->dof[i] - set->dof_begin]));
+    if (!t->solution->fixed[i]) max[2] = PetscMax(max[2], set->diag[i]);
+  }
+  PetscCall(VecRestoreArrayRead(t->r, &r));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, max, 3, MPIU_REAL, MPI_MAX, set->comm));
+  *forceless =
+      (PetscBool)(max[0] <= PetscMax(PetscMax(NO_FORCE, solver->rtol) * max[1], TRUNCATED_ROUNDING * max[2] * largest));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* y, its residual and what the bounded unknowns see of them. [in] x - iterate of the KSP */
+static PetscErrorCode Look_Private(ActiveSolver solver, Vec x)
+{
+  Truncated       *t        = solver->data;
+  ActiveSolution  *solution = t->solution;
+  const ActiveSet *set      = solver->set;
+  PetscReal        size;
+  PetscScalar     *y;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecPointwiseMult(t->y, x, t->free)); // a preconditioner may have leaked into fixed unknowns
+  PetscCall(VecGetArray(t->y, &y));
+  for (PetscInt i = 0; i < set->n; i++)
+    if (solution->fixed[i]) y[set->dof[i] - set->dof_begin] = solution->y[i];
+  PetscCall(VecRestoreArray(t->y, &y));
+  PetscCall(ActiveSolverResidual(solver, solution->fixed, t->y, t->r, t->rest, &size));
+  PetscCall(MultigridAddWork(t->pc));
+  solution->eta = size / (t->reference > 0 ? t->reference : t->first);
+  PetscCall(ActiveSolverRestrict(solver, t->y, t->r, t->rest, solution));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What counts in the end. The residual is to be small beside the forces in the bodies: supports that move a body far make a large f of next to
+   no force; and the error beside the solution in the norm of energy, since residuals say little of errors that are smooth. What rounding
+   leaves is small in any case. */
+static PetscErrorCode Measure_Private(ActiveSolver solver)
+{
+  Truncated  *t = solver->data;
+  PetscReal   forces, energy, size = t->solution->eta * t->first;
+  PetscScalar square;
+
+  PetscFunctionBeginUser;
+  PetscCall(MultigridForces(t->pc, t->y, &forces, &energy));
+  PetscCall(VecPointwiseMult(t->rest, solver->diag, t->y));
+  PetscCall(VecDot(t->rest, t->y, &square));
+  t->reference =
+      PetscMax(PetscMin(t->first, forces), TRUNCATED_ROUNDING / solver->rtol * PetscSqrtReal(PetscRealPart(square)));
+  t->energy = PetscMax(energy * PetscSqr(PART * solver->rtol), PetscSqr(TRUNCATED_ROUNDING) * PetscRealPart(square));
+  t->solution->eta = size / t->reference;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether the energy of the error is what it is to be in the end. */
+static PetscErrorCode Settled_Private(Truncated *t, PetscBool *settled)
+{
+  PetscReal error;
+
+  PetscFunctionBeginUser;
+  PetscCall(MultigridGetError(t->pc, &error));
+  if (error < PETSC_MAX_REAL) PetscCall(TruncatedRitz(t));
+  if (t->ritz > 0) error /= t->ritz;
+  *settled = (PetscBool)(error <= t->energy);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether an iterate is worth a look; where the mesh says when to stop each one is. [out] enough - whether it is to be the last one */
+static PetscErrorCode Due_Private(ActiveSolver solver, PetscInt it, PetscReal norm, PetscBool *due, PetscBool *enough)
+{
+  Truncated      *t      = solver->data;
+  const PetscBool last   = (PetscBool)(solver->target <= solver->rtol);
+  PetscReal       square = 0;
+
+  PetscFunctionBeginUser;
+  *enough = *due = (PetscBool)(norm == 0);
+  if (it == 0 || *due) PetscFunctionReturn(PETSC_SUCCESS);
+  if (solver->enough > 0) {
+    PetscCall(MultigridGetError(t->pc, &square));
+    if (solver->first > 0)
+      *enough = (PetscBool)(square <= solver->enough * solver->first);
+    else
+      solver->first = solver->gained + square; // all that a first cycle tells is what it began with
+    *due = (PetscBool)(*enough || !solver->patient);
+  } else {
+    *due = (PetscBool)(norm <= t->limit);
+    if (*due && last && t->reference > 0) PetscCall(Settled_Private(t, due));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether an iterate that has been looked at may be the last one of all. */
+static PetscErrorCode Ends_Private(ActiveSolver solver, PetscBool *ends)
+{
+  Truncated *t = solver->data;
+
+  PetscFunctionBeginUser;
+  *ends = PETSC_TRUE;
+  if (t->reference == 0) { // later on it is due only where this is so
+    PetscCall(Measure_Private(solver));
+    PetscCall(Settled_Private(t, ends));
+  }
+  if (*ends) *ends = (PetscBool)(t->solution->eta <= solver->target);
+  if (*ends) PetscCall(Forceless_Private(solver, ends));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Looks at an iterate. [in] enough - of Due_Private(); [out] stop */
+static PetscErrorCode Consider_Private(ActiveSolver solver, PetscReal norm, PetscBool enough, PetscBool *stop)
+{
+  Truncated      *t        = solver->data;
+  ActiveSolution *solution = t->solution;
+  PetscBool       last = (PetscBool)(solver->target <= solver->rtol), holds = PETSC_FALSE, good = PETSC_FALSE;
+  Vec             x;
+
+  PetscFunctionBeginUser;
+  PetscCall(KSPBuildSolution(t->ksp, NULL, &x));
+  PetscCall(Look_Private(solver, x));
+  if (solver->enough > 0) {
+    if (solver->holds) PetscCall((*solver->holds)(solver, solution, &holds));
+    *stop = t->done = (PetscBool)(enough || (solver->holds && !holds));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  if (!last) {
+    good = (PetscBool)(solution->eta <= solver->target);
+    if (good && solver->holds) PetscCall((*solver->holds)(solver, solution, &holds)); // lowers the target where it does
+    last = (PetscBool)(holds &&
+                       solver->target <= solver->rtol); // and it may be there already, with nothing but rounding left
+  }
+  if (last) PetscCall(Ends_Private(solver, &good));
+  *stop = t->done = (PetscBool)(good && (last || !holds));
+  if (!good && norm <= MUCH_SMALLER * t->norm) {
+    *stop     = (PetscBool)(solution->eta > STALLED * t->before);
+    t->before = solution->eta;
+    t->norm   = norm;
+  }
+  t->limit = A_LITTLE * norm * PetscMin(1, solver->target / solution->eta);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The KSP's test. [in] ctx - ActiveSolver */
+static PetscErrorCode Test_Private(KSP ksp, PetscInt it, PetscReal norm, KSPConvergedReason *reason, void *ctx)
+{
+  ActiveSolver solver = ctx;
+  Truncated   *t      = solver->data;
+  Hierarchy    hierarchy;
+  PetscInt     max_it;
+  PetscBool    due, enough, stop = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  *reason = KSP_CONVERGED_ITERATING;
+  if (PetscIsInfOrNanReal(norm)) {
+    *reason = KSP_DIVERGED_NANORINF;
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(KSPGetTolerances(ksp, NULL, NULL, NULL, &max_it));
+  PetscCall(Due_Private(solver, it, norm, &due, &enough));
+  if (due) PetscCall(Consider_Private(solver, norm, enough, &stop));
+  if (stop || norm == 0) {
+    *reason = KSP_CONVERGED_RTOL;
+  } else {
+    PetscCall(MultigridGetHierarchy(t->pc, &hierarchy));
+    PetscCall(HierarchyIsOver(hierarchy, &t->over));
+    if (t->over || it >= max_it) *reason = KSP_DIVERGED_ITS;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EndingSet(ActiveSolver solver)
+{
+  Truncated *t = solver->data;
+
+  PetscFunctionBeginUser;
+  PetscCall(KSPSetConvergenceTest(t->ksp, Test_Private, solver, NULL));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EndingUnset(Truncated *t)
+{
+  void *own;
+
+  PetscFunctionBeginUser;
+  PetscCall(KSPConvergedDefaultCreate(&own));
+  PetscCall(KSPSetConvergenceTest(t->ksp, KSPConvergedDefault, own, KSPConvergedDefaultDestroy));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EndingBegin(ActiveSolver solver, PetscReal first, ActiveSolution *solution)
+{
+  Truncated *t = solver->data;
+  PetscReal  norm;
+
+  PetscFunctionBeginUser;
+  PetscCall(MultigridWatch(t->pc));
+  PetscCall(VecNorm(t->f, NORM_2, &norm));
+  if (!t->rest) PetscCall(VecDuplicate(t->f, &t->rest));
+  t->first     = first;
+  t->reference = 0;
+  t->solution  = solution;
+  t->limit     = FURTHER * solver->target * norm;
+  if (solver->target <= solver->rtol) t->limit = PetscMin(t->limit, t->rtol * norm);
+  t->before = t->norm = PETSC_MAX_REAL;
+  t->done             = PETSC_FALSE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EndingFinish(ActiveSolver solver)
+{
+  Truncated *t = solver->data;
+
+  PetscFunctionBeginUser;
+  if (!t->done) PetscCall(Look_Private(solver, t->d));
+  t->solution = NULL;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EnoughSet(ActiveSolver solver, PetscReal enough, PetscReal gained)
+{
+  PetscFunctionBeginUser;
+  solver->enough = enough;
+  solver->gained = gained;
+  solver->rtol   = 1;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,322 @@
+/* fullsolver.c -- one linear system per active set, at full size, by whatever KSP the user chose.
+
+   The rows and columns of fixed unknowns are emptied and keep only their own diagonal A_ii (not 1: the spectrum stays
+   what it was), so size, layout and block structure never change and a preconditioner sees a matrix like A:
+       A^ d = f,   y = v + d,   A^ = M A M + (1 - M) diag(A),   f = M (b - A v),
+   with M = 0 on fixed unknowns, 1 elsewhere, and v the prescribed values, 0 elsewhere. Near null vectors are emptied at
+   fixed unknowns as well: what a preconditioner takes for a rigid motion must be one of A^. */
+#include "pdas/factorization.h"
+#include "multigrid/multigrid.h"
+#include "pdas/fullsolver.h"
+
+/* Solves on the residual after the first: each gains the digits of one solve; what does not get there in so many will
+   not. */
+static const PetscInt MAX_REFINEMENTS = 8;
+/* After so many what conjugate gradients take for the residual has come away from it: they begin again with the true one. */
+static const PetscInt MANY_ITERATIONS = 50;
+/* So often cycles may show themselves indefinite in one system, and be made shorter. */
+enum { MAX_SHORTER = 3 };
+/* A solve that leaves more than this part of the residual is no progress. */
+static const PetscReal STALLED = 0.5;
+/* M, the last solution emptied where fixed as first guess d, and y = v. */
+static PetscErrorCode Prescribe_Private(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
+                                        ActiveSolution *solution)
+{
+  Truncated       *t   = solver->data;
+  const ActiveSet *set = solver->set;
+  PetscScalar     *free, *y;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetArray(t->free, &free));
+  for (PetscInt i = 0; i < set->n; i++) {
+    const PetscScalar now = fixed[i] ? 0 : 1;
+
+    if (free[set->dof[i] - set->dof_begin] != now) t->same = PETSC_FALSE;
+    free[set->dof[i] - set->dof_begin] = now;
+  }
+  PetscCall(VecRestoreArray(t->free, &free));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &t->same, 1, MPIU_BOOL, MPI_LAND, set->comm));
+  PetscCall(VecPointwiseMult(t->d, t->y, t->free));
+  PetscCall(VecSet(t->y, 0));
+  PetscCall(VecGetArray(t->y, &y));
+  for (PetscInt i = 0; i < set->n; i++) {
+    solution->fixed[i] = fixed[i];
+    if (fixed[i]) y[set->dof[i] - set->dof_begin] = solution->y[i] = value[i];
+  }
+  PetscCall(VecRestoreArray(t->y, &y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A^ gets the near null space of A, emptied where fixed and made orthonormal again. */
+static PetscErrorCode NearNullSpace_Private(ActiveSolver solver)
+{
+  static const PetscReal DEPENDENT = 1e-8; /* shorter than this after projection: nothing of the motion is left */
+  Truncated             *t         = solver->data;
+  MatNullSpace           space;
+  const Vec             *vecs;
+  Vec                   *own;
+  PetscInt               n, kept = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetNearNullSpace(solver->A, &space));
+  if (!space) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatNullSpaceGetVecs(space, NULL, &n, &vecs));
+  PetscCall(VecDuplicateVecs(t->y, n, &own));
+  for (PetscInt i = 0; i < n; i++) {
+    PetscReal norm;
+
+    PetscCall(VecPointwiseMult(own[kept], vecs[i], t->free));
+    for (PetscInt j = 0; j < kept; j++) {
+      PetscScalar dot;
+
+      PetscCall(VecDot(own[kept], own[j], &dot));
+      PetscCall(VecAXPY(own[kept], -dot, own[j]));
+    }
+    PetscCall(VecNormalize(own[kept], &norm));
+    if (norm > DEPENDENT) kept++;
+  }
+  PetscCall(MatNullSpaceCreate(PetscObjectComm((PetscObject)solver->A), PETSC_FALSE, kept, own, &space));
+  PetscCall(MatSetNearNullSpace(t->A, space));
+  PetscCall(MatNullSpaceDestroy(&space));
+  PetscCall(VecDestroyVecs(n, &own));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A^ for the present M. Scaling by M from both sides empties rows and columns without talking to other ranks about them
+   and without touching the pattern; A itself is never written to. */
+static PetscErrorCode Copy_Private(ActiveSolver solver)
+{
+  Truncated *t = solver->data;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCopy(solver->A, t->A, SAME_NONZERO_PATTERN));
+  PetscCall(MatDiagonalScale(t->A, t->free, t->free));
+  PetscCall(VecPointwiseMult(t->f, t->free, solver->diag));
+  PetscCall(VecAYPX(t->f, -1, solver->diag));
+  PetscCall(MatDiagonalSet(t->A, t->f, ADD_VALUES));
+  PetscCall(MatSetOption(t->A, MAT_SPD, PETSC_TRUE));
+  PetscCall(NearNullSpace_Private(solver));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A^ for the present M, by whatever makes it. */
+static PetscErrorCode Matrix_Private(ActiveSolver solver)
+{
+  Truncated *t = solver->data;
+
+  PetscFunctionBeginUser;
+  if (t->same) PetscFunctionReturn(PETSC_SUCCESS);
+  if (t->shell)
+    PetscCall(MultigridSetFree(t->pc, t->free));
+  else
+    PetscCall(Copy_Private(solver));
+  PetscCall(KSPSetOperators(t->ksp, t->A, t->A));
+  t->same = PETSC_TRUE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* d = A^^-1 f; iterative solvers may begin at d. */
+static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, ActiveSolution *solution)
+{
+  Truncated         *t = solver->data;
+  KSPConvergedReason reason;
+  PCFailedReason     failed;
+  PetscInt           its;
+  int                error;
+
+  PetscFunctionBeginUser;
+  PetscCall(KSPSetInitialGuessNonzero(t->ksp, guess));
+  for (PetscInt k = 0;; k++) {
+    PetscCall(KSPSolve(t->ksp, t->f, t->d));
+    PetscCall(KSPGetIterationNumber(t->ksp, &its));
+    solution->iterations += its;
+    PetscCall(KSPGetConvergedReason(t->ksp, &reason));
+    if (reason != KSP_DIVERGED_INDEFINITE_PC || !t->asked || k == MAX_SHORTER) break;
+    PetscCall(MultigridSmoothShorter(t->pc));
+    PetscCall(MultigridWatch(t->pc));
+  }
+  PetscCall(TruncatedRitz(t));
+  if (reason >= 0) PetscFunctionReturn(PETSC_SUCCESS);
+  if (t->over) {
+    solution->failure = FAILURE_COST;
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(FactorCheckMemory(t->ksp));
+  PetscCall(PCGetFailedReason(t->pc, &failed));
+  error = (int)failed;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &error, 1, MPI_INT, MPI_MAX, solver->set->comm));
+  /* the first members of PCFailedReason are those of MatFactorError */
+  solution->failure = error > 0 ? ActiveFailureOfFactor((MatFactorError)error) : FAILURE_ITERATIVE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* How far a KSP without multigrid goes: a little further than it has to, since it measures residuals in its own way. */
+static PetscErrorCode Tolerance_Private(ActiveSolver solver)
+{
+  static const PetscReal FURTHER = 0.5;
+  Truncated             *t       = solver->data;
+  const PetscReal        rtol    = solver->target > solver->rtol ? FURTHER * solver->target : t->rtol;
+
+  PetscFunctionBeginUser;
+  PetscCall(KSPSetTolerances(t->ksp, rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* One call of the KSP, and what it leaves of the residual. [in] k - calls before, for the same set; [in] first - |f|_D before all of them;
+   [out] done - whether that is as little as it can be or has to be */
+static PetscErrorCode Call_Private(ActiveSolver solver, PetscInt k, PetscReal first, ActiveSolution *solution,
+                                   PetscBool *done)
+{
+  Truncated *t = solver->data;
+  PetscReal  size;
+
+  PetscFunctionBeginUser;
+  PetscCall(t->asked ? EndingBegin(solver, first, solution) : Tolerance_Private(solver));
+  PetscCall(Correct_Private(solver, (PetscBool)(t->asked || (k == 0 && !t->direct)), solution));
+  if (solution->failure) PetscFunctionReturn(PETSC_SUCCESS);
+  if (t->asked) {
+    PetscCall(EndingFinish(solver));
+    *done = (PetscBool)(t->done && (k || solution->iterations <= MANY_ITERATIONS));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(VecPointwiseMult(t->d, t->d, t->free)); /* a preconditioner may have leaked into fixed unknowns */
+  PetscCall(VecAXPY(t->y, 1, t->d));
+  PetscCall(ActiveSolverResidual(solver, solution->fixed, t->y, t->r, t->f, &size));
+  solution->eta = size / first;
+  /* a direct solver gets to roundoff, not just below a tolerance, for the price of one more substitution */
+  *done = (PetscBool)(solution->eta <= solver->target && (!t->direct || k));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
+                                      ActiveSolution *solution)
+{
+  Truncated *t = solver->data;
+  Hierarchy  hierarchy;
+  PetscReal  first;
+  PetscBool  done = PETSC_FALSE, suffices;
+
+  PetscFunctionBeginUser;
+  solution->iterations = 0;
+  solution->eta        = 0;
+  PetscCall(Prescribe_Private(solver, fixed, value, solution));
+  PetscCall(Matrix_Private(solver));
+  PetscCall(ActiveSolverResidual(solver, fixed, t->y, t->r, t->f, &first));
+  if (t->shell) {
+    PetscCall(MultigridAddWork(t->pc));
+    PetscCall(MultigridGetHierarchy(t->pc, &hierarchy));
+    hierarchy->patience.sets++;
+  }
+  for (PetscInt k = 0; k <= MAX_REFINEMENTS && first > 0 && !done; k++) {
+    const PetscReal before = k ? solution->eta : PETSC_MAX_REAL;
+
+    PetscCall(Call_Private(solver, k, first, solution, &done));
+    if (solution->failure) { // nothing of it is worth to begin with
+      PetscCall(VecZeroEntries(t->y));
+      t->ritz = 0;
+      PetscFunctionReturn(PETSC_SUCCESS);
+    }
+    if (!(solution->eta <= STALLED * before)) break;
+  }
+  if (!(solution->eta <= solver->target)) {
+    PetscCall(ActiveSolverSuffices(solver, t->y, solution->eta * first, first, &suffices));
+    if (!suffices) solution->failure = solver->factored ? FAILURE_RESIDUAL : FAILURE_ITERATIVE;
+  }
+  PetscCall(ActiveSolverRestrict(solver, t->y, t->r, t->asked && first > 0 ? t->rest : t->f, solution));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Correct_Truncated(ActiveSolver solver, Vec f, Vec d, PetscReal *alpha)
+{
+  Truncated *t = solver->data;
+
+  PetscFunctionBeginUser;
+  PetscCall(KSPSetUp(t->ksp));
+  PetscCall(PCApply(t->pc, f, d));
+  PetscCall(VecPointwiseMult(d, d, t->free));
+  *alpha = solver->factored ? 1 : t->ritz;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Load_Truncated(ActiveSolver solver, Vec b, Vec y)
+{
+  Truncated *t = solver->data;
+
+  PetscFunctionBeginUser;
+  solver->b = b;
+  PetscCall(VecCopy(y, t->y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The last solve has it all. */
+static PetscErrorCode Finish_Truncated(ActiveSolver solver, ActiveSolution *solution, Vec y)
+{
+  Truncated *t = solver->data;
+
+  PetscFunctionBeginUser;
+  (void)solution;
+  PetscCall(VecCopy(t->y, y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Destroy_Truncated(ActiveSolver solver)
+{
+  Truncated *t = solver->data;
+
+  PetscFunctionBeginUser;
+  PetscCall(KSPSetTolerances(t->ksp, t->rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscCall(KSPSetInitialGuessNonzero(t->ksp, PETSC_FALSE)); // others may use it afterwards
+  if (t->asked) PetscCall(EndingUnset(t));
+  PetscCall(KSPDestroy(&t->ksp));
+  PetscCall(MatDestroy(&t->A));
+  PetscCall(VecDestroy(&t->free));
+  PetscCall(VecDestroy(&t->y));
+  PetscCall(VecDestroy(&t->r));
+  PetscCall(VecDestroy(&t->f));
+  PetscCall(VecDestroy(&t->d));
+  PetscCall(VecDestroy(&t->rest));
+  PetscCall(PetscFree(t));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ksp, PetscReal rtol, ActiveSolver *solver)
+{
+  Truncated *t;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActiveSolverCreate(set, A, b, rtol, solver));
+  PetscCall(PetscNew(&t));
+  PetscCall(PetscObjectReference((PetscObject)ksp));
+  t->ksp = ksp;
+  PetscCall(PetscObjectTypeCompare((PetscObject)ksp, KSPPREONLY, &t->direct));
+  /* an interpolation made for another set is not a preconditioner for this one: it need not even be definite */
+  PetscCall(KSPGetPC(ksp, &t->pc));
+  PetscCall(PetscObjectTypeCompareAny((PetscObject)t->pc, &(*solver)->factored, PCCHOLESKY, PCLU, ""));
+  PetscCall(PCGAMGSetReuseInterpolation(t->pc, PETSC_FALSE));
+  PetscCall(KSPSetComputeSingularValues(ksp, (PetscBool)!t->direct));
+  PetscCall(PetscObjectTypeCompare((PetscObject)t->pc, PCTRUNCATEDMG, &t->shell));
+  PetscCall(KSPGetTolerances(ksp, &t->rtol, NULL, NULL, NULL));
+  t->asked           = (PetscBool)(t->shell && !t->direct);
+  (*solver)->inexact = t->shell;
+  if (t->shell) {
+    PetscCall(MultigridGetOperator(t->pc, &t->A));
+    PetscCall(PetscObjectReference((PetscObject)t->A));
+  } else {
+    PetscCall(MatDuplicate(A, MAT_DO_NOT_COPY_VALUES, &t->A));
+  }
+  PetscCall(VecDuplicate(b, &t->y));
+  PetscCall(VecCopy(y, t->y));
+  PetscCall(VecDuplicate(b, &t->free));
+  PetscCall(VecSet(t->free, 1));
+  PetscCall(VecDuplicate(b, &t->r));
+  PetscCall(VecDuplicate(b, &t->f));
+  PetscCall(VecDuplicate(b, &t->d));
+  (*solver)->data = t;
+  if (t->asked) PetscCall(EndingSet(*solver));
+  (*solver)->solve   = Solve_Truncated;
+  (*solver)->load    = Load_Truncated;
+  (*solver)->finish  = Finish_Truncated;
+  (*solver)->correct = Correct_Truncated;
+  (*solver)->destroy = Destroy_Truncated;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

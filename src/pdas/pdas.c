@@ -1,0 +1,323 @@
+/* pdas.c -- the SNES type `pdas`: primal-dual active set method for  min 1/2 y'A y - b'y,  y <= upper [1].
+
+   Only public headers: the type rides on SNESSHELL, and its context is composed with the SNES. Here are its options,
+   what it answers, and how it gets the problem out of a SNES; the iteration is in iterate.c.
+
+   References: [1] Hueber, Wohlmuth, A primal-dual active set strategy for non-linear multibody contact, 2005. */
+#include "base/usererror.h"
+#include "pdas/pdas.h"
+#include "pdas/pdasimpl.h"
+#include "multigrid/multigrid.h"
+
+static const char CONTEXT[] = "MortisePDAS"; /* name under which the context is composed */
+
+static const char *const PDASStarts[] = {"empty", "full", "gap", "previous"};
+
+PetscErrorCode PDASGet(SNES snes, PDAS **pdas)
+{
+  PetscContainer container;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectQuery((PetscObject)snes, CONTEXT, (PetscObject *)&container));
+  PetscCheck(container, PetscObjectComm((PetscObject)snes), PETSC_ERR_ARG_WRONGSTATE, "SNES is not of type " SNESPDAS);
+  PetscCall(PetscContainerGetPointer(container, (void **)pdas));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PDASGetHistory(SNES snes, PetscInt *iterations, PetscInt *active, const PetscInt *changed[],
+                              PetscBool *safeguarded)
+{
+  PDAS *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  if (iterations) *iterations = pdas->iterations;
+  if (active) *active = pdas->num_active;
+  if (changed) *changed = pdas->changed;
+  if (safeguarded) *safeguarded = pdas->safeguarded;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PDASGetLinear(SNES snes, PetscInt *iterations, PetscReal *residual, PetscBool *reduced)
+{
+  PDAS *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  if (iterations) *iterations = pdas->linear_iterations;
+  if (residual) *residual = pdas->residual;
+  if (reduced) *reduced = pdas->reduced;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PDASGetFailure(SNES snes, const char *sentence[])
+{
+  PDAS *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  *sentence = "";
+  if (pdas->failure)
+    *sentence = pdas->failure;
+  else if (!pdas->converged)
+    *sentence = "the active set had not settled after -snes_max_it iterations";
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PDASGetActive(SNES snes, Vec *active)
+{
+  PDAS *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  *active = pdas->active;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PDASSetStart(SNES snes, Vec active)
+{
+  PDAS *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  if (!pdas->previous) PetscCall(VecDuplicate(active, &pdas->previous));
+  PetscCall(VecCopy(active, pdas->previous));
+  if (!pdas->start_set) pdas->start = START_PREVIOUS;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Forgets what was kept for the next solve. */
+static PetscErrorCode Drop_Private(PDAS *pdas)
+{
+  PetscFunctionBeginUser;
+  if (!pdas->solver) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ActiveSolverDestroy(&pdas->solver));
+  PetscCall(ActiveSetDestroy(&pdas->set));
+  PetscCall(VecDestroy(&pdas->b));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PDASSetKeep(SNES snes, PetscBool keep)
+{
+  PDAS *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  pdas->keep = keep;
+  if (!keep) PetscCall(Drop_Private(pdas));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PDASSetEnough(SNES snes, PetscReal enough, PetscReal gained)
+{
+  PDAS *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  pdas->enough = enough;
+  pdas->gained = gained;
+  if (pdas->solver) pdas->solver->enough = enough;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Answers SNESVISetVariableBounds(). */
+static PetscErrorCode SetVariableBounds_PDAS(SNES snes, Vec lower, Vec upper)
+{
+  PDAS     *pdas;
+  PetscReal max;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  PetscCall(VecMax(lower, NULL, &max));
+  PetscCheck(max <= PETSC_NINFINITY, PetscObjectComm((PetscObject)snes), PETSC_ERR_SUP,
+             SNESPDAS " knows upper bounds only");
+  PetscCall(PetscObjectReference((PetscObject)lower));
+  PetscCall(PetscObjectReference((PetscObject)upper));
+  PetscCall(VecDestroy(&pdas->lower));
+  PetscCall(VecDestroy(&pdas->upper));
+  pdas->lower = lower;
+  pdas->upper = upper;
+  PetscCall(Drop_Private(pdas));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Forgets the last solve. */
+static PetscErrorCode Clear_Private(PDAS *pdas)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree2(pdas->changed, pdas->seen));
+  PetscCall(VecDestroy(&pdas->active));
+  pdas->iterations = pdas->linear_iterations = pdas->num_seen = pdas->num_active = 0;
+  pdas->converged = pdas->safeguarded = PETSC_FALSE;
+  pdas->residual                      = 0;
+  pdas->failure                       = NULL;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Forgets the last solve, and makes room for the next. */
+static PetscErrorCode Reset_Private(SNES snes, PDAS *pdas)
+{
+  PetscFunctionBeginUser;
+  PetscCall(Clear_Private(pdas));
+  PetscCall(SNESGetTolerances(snes, NULL, NULL, NULL, &pdas->max_it, NULL));
+  PetscCall(PetscMalloc2(pdas->max_it, &pdas->changed, pdas->max_it, &pdas->seen));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The matrix, b = -F(0), and r = b - A y = -F(y): function and Jacobian give everything. */
+static PetscErrorCode Problem_Private(SNES snes, Vec y, Mat *A, Vec *b, Vec *r)
+{
+  Mat P;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESGetJacobian(snes, A, &P, NULL, NULL));
+  PetscCall(SNESComputeJacobian(snes, y, *A, P));
+  PetscCall(VecDuplicate(y, b));
+  PetscCall(VecDuplicate(y, r));
+  PetscCall(VecZeroEntries(*r));
+  PetscCall(SNESComputeFunction(snes, *r, *b));
+  PetscCall(VecScale(*b, -1));
+  PetscCall(SNESComputeFunction(snes, y, *r));
+  PetscCall(VecScale(*r, -1));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The final set, for PDASGetActive(). */
+static PetscErrorCode End_Private(PDAS *pdas, const ActiveSet *set, Vec y)
+{
+  PetscReal *flags;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(y, &pdas->active));
+  PetscCall(VecZeroEntries(pdas->active));
+  PetscCall(PetscMalloc1(set->n, &flags));
+  for (PetscInt i = 0; i < set->n; i++) flags[i] = set->active[i] ? 1 : 0;
+  PetscCall(ActiveSetScatter(set, flags, pdas->active));
+  PetscCall(PetscFree(flags));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Gets set and solver ready; those of the last solve if they were kept. [in] b - taken over;
+   [in] y - initial guess; [in] r - its forces */
+static PetscErrorCode Prepare_Private(SNES snes, PDAS *pdas, Mat A, Vec b, Vec y, Vec r)
+{
+  Vec upper;
+
+  PetscFunctionBeginUser;
+  if (pdas->solver) {
+    PetscCall(PDASBegin(snes, pdas, &pdas->set, y, r));
+    PetscCall((*pdas->solver->load)(pdas->solver, b, y));
+    PetscCall(VecDestroy(&pdas->b));
+  } else {
+    PetscCall(VecDuplicate(y, &upper));
+    PetscCall(VecSet(upper, PETSC_INFINITY));
+    PetscCall(ActiveSetCreate(pdas->upper ? pdas->upper : upper, A, &pdas->set));
+    PetscCall(VecDestroy(&upper));
+    PetscCall(PDASBegin(snes, pdas, &pdas->set, y, r));
+    PetscCall(PDASChooseSolver(snes, pdas, A, b, y));
+  }
+  pdas->b = b;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Solve_PDAS(SNES snes, Vec y)
+{
+  PDAS *pdas;
+  Mat   A;
+  Vec   b, r;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  PetscCall(Reset_Private(snes, pdas));
+  PetscCall(Problem_Private(snes, y, &A, &b, &r));
+  PetscCall(Prepare_Private(snes, pdas, A, b, y, r));
+  if (!pdas->failure) PetscCall(PDASIterate(snes, pdas, &pdas->set, pdas->solver, y));
+  if (pdas->converged)
+    PetscCall(SNESSetConvergedReason(snes, SNES_CONVERGED_FNORM_RELATIVE));
+  else
+    PetscCall(SNESSetConvergedReason(snes, pdas->failure ? SNES_DIVERGED_LINEAR_SOLVE : SNES_DIVERGED_MAX_IT));
+  PetscCall(End_Private(pdas, &pdas->set, y));
+  if (!pdas->keep || !pdas->converged) PetscCall(Drop_Private(pdas));
+  PetscCall(VecDestroy(&r));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Reads the type's own options; SNESSetFromOptions() calls it for every type. SNESSHELL takes no care of the KSP. */
+static PetscErrorCode SetFromOptions_Private(SNES snes)
+{
+  PDAS       *pdas;
+  KSP         ksp;
+  Mat         A, P;
+  const char *prefix;
+  PetscInt    start;
+  PetscBool   is_pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &is_pdas));
+  if (!is_pdas) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PDASGet(snes, &pdas));
+  PetscCall(SNESGetOptionsPrefix(snes, &prefix));
+  start = (PetscInt)pdas->start;
+  PetscOptionsBegin(PetscObjectComm((PetscObject)snes), prefix, "Primal-dual active set options", "SNES");
+  PetscCall(PetscOptionsReal("-snes_pdas_c", "Constant of the active set test, times the local stiffness", "pdas.h",
+                             pdas->c, &pdas->c, NULL));
+  PetscCall(PetscOptionsEList("-snes_pdas_start", "Set to begin with", "pdas.h", PDASStarts, START_COUNT,
+                              PDASStarts[start], &start, &pdas->start_set));
+  PetscCall(PetscOptionsBool("-snes_pdas_reduce", "One factorisation for all active sets; by default if that is cheap",
+                             "pdas.h", pdas->reduce, &pdas->reduce, &pdas->reduce_set));
+  PetscOptionsEnd();
+  pdas->start = (PDASStart)start;
+  PetscCall(Drop_Private(pdas));
+  if (!(pdas->c > 0)) {
+    PetscCall(UserErrorRaise(PetscObjectComm((PetscObject)snes), "-snes_pdas_c %g: must be a positive number",
+                             (double)pdas->c));
+  }
+  PetscCall(SNESGetKSP(snes, &ksp));
+  PetscCall(SNESGetJacobian(snes, &A, &P, NULL, NULL));
+  if (A) PetscCall(KSPSetOperators(ksp, A, P));
+  PetscCall(KSPSetFromOptions(ksp));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Destroy_Private(void *ctx)
+{
+  PDAS *pdas = ctx;
+
+  PetscFunctionBeginUser;
+  PetscCall(Clear_Private(pdas));
+  PetscCall(Drop_Private(pdas));
+  PetscCall(VecDestroy(&pdas->lower));
+  PetscCall(VecDestroy(&pdas->upper));
+  PetscCall(VecDestroy(&pdas->previous));
+  PetscCall(PetscFree(pdas));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode SNESCreate_PDAS(SNES snes)
+{
+  PetscContainer container;
+  PDAS          *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESSetType(snes, SNESSHELL));
+  PetscCall(SNESShellSetSolve(snes, Solve_PDAS));
+  PetscCall(PetscObjectChangeTypeName((PetscObject)snes, SNESPDAS));
+  PetscCall(PetscNew(&pdas));
+  pdas->c = 1;
+  PetscCall(PetscContainerCreate(PetscObjectComm((PetscObject)snes), &container));
+  PetscCall(PetscContainerSetPointer(container, pdas));
+  PetscCall(PetscContainerSetUserDestroy(container, Destroy_Private));
+  PetscCall(PetscObjectCompose((PetscObject)snes, CONTEXT, (PetscObject)container));
+  PetscCall(PetscContainerDestroy(&container));
+  PetscCall(PetscObjectComposeFunction((PetscObject)snes, "SNESVISetVariableBounds_C", SetVariableBounds_PDAS));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PDASRegister(void)
+{
+  PetscFunctionBeginUser;
+  PetscCall(SNESRegister(SNESPDAS, SNESCreate_PDAS));
+  PetscCall(MultigridRegister());
+  PetscCall(SNESAddOptionsChecker(SetFromOptions_Private));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

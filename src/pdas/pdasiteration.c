@@ -1,0 +1,216 @@
+/* pdasiteration.c -- the iteration of `pdas`: from the set to begin with to the one that solves the inequality.
+
+   Each step fixes the active unknowns at their bounds, solves for all others, and moves those with a tensile force
+   out of the set and those beyond their bound into it (T10); when none moves, all inequalities hold. It is a
+   semismooth Newton method [1] and takes few steps whatever the size. It may run in a circle [2]: then safeguard.c
+   takes over.
+
+   References: [1] Hintermueller, Ito, Kunisch, The primal-dual active set strategy as a semismooth Newton method, 2002.
+               [2] Ben Gharbia, Gilbert, Nonconvergence of the plain Newton-min algorithm for LCPs, 2012. */
+#include <string.h>
+#include "pdas/pdasimpl.h"
+
+/* Contact problems take up to some fifteen steps; one that takes so many is wandering. */
+static const PetscInt MANY_STEPS = 30;
+/* How exact the solution of an inexact solver is when it is first looked at, and how much more so each time that it says nothing against the set. */
+static const PetscReal LOOSE = 1e-2, TIGHTER = 0.03;
+/* A step that changes more than this part of what the one before did may have been led astray by too inexact a system. */
+static const PetscReal FEWER = 0.7;
+/* A set as numbers has 1 and 0. */
+static const PetscReal BETWEEN = 0.5;
+
+PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r)
+{
+  PetscBool *next;
+  PetscReal *guess, *force, norm;
+  PetscInt   changed;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc3(set->n, &next, set->n, &guess, set->n, &force));
+  PetscCall(ActiveSetGather(set, pdas->previous ? pdas->previous : y, guess));
+  PetscCall(ActiveSetGather(set, r, force));
+  for (PetscInt i = 0; i < set->n; i++) {
+    switch (pdas->start) {
+    case START_FULL: next[i] = PETSC_TRUE; break;
+    case START_GAP: next[i] = (PetscBool)(set->upper[i] <= 0); break;
+    case START_PREVIOUS:
+      if (pdas->previous)
+        next[i] = (PetscBool)(guess[i] > BETWEEN);
+      else
+        next[i] = (PetscBool)(force[i] + pdas->c * set->diag[i] * (guess[i] - set->upper[i]) > 0); /* (T10) */
+      break;
+    default: next[i] = PETSC_FALSE;
+    }
+  }
+  PetscCall(ActiveSetReplace(set, next, &changed));
+  PetscCall(PetscFree3(next, guess, force));
+  pdas->num_active = set->num_active;
+  PetscCall(VecNorm(r, NORM_2, &norm));
+  PetscCall(SNESSetIterationNumber(snes, 0));
+  PetscCall(SNESSetFunctionNorm(snes, norm));
+  PetscCall(SNESMonitor(snes, 0, norm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether the present set was solved for before; remembers it. */
+static PetscErrorCode Seen_Private(PDAS *pdas, const ActiveSet *set, PetscBool *seen)
+{
+  uint64_t hash;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActiveSetHash(set, &hash));
+  *seen = PETSC_FALSE;
+  for (PetscInt i = 0; i < pdas->num_seen; i++) *seen = (PetscBool)(*seen || pdas->seen[i] == hash);
+  pdas->seen[pdas->num_seen++] = hash;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Writes one iteration down and tells the monitors. */
+static PetscErrorCode Record_Private(SNES snes, PDAS *pdas, const ActiveSet *set, const ActiveSolution *solution,
+                                     PetscInt changed, PetscReal violation)
+{
+  const PetscReal norm = PetscSqrtReal(PetscSqr(violation) + PetscSqr(solution->norm));
+
+  PetscFunctionBeginUser;
+  pdas->changed[pdas->iterations++] = changed;
+  pdas->linear_iterations += solution->iterations;
+  pdas->residual   = solution->eta;
+  pdas->num_active = set->num_active;
+  pdas->failure    = solution->failure;
+  PetscCall(SNESSetIterationNumber(snes, pdas->iterations));
+  PetscCall(SNESSetFunctionNorm(snes, norm));
+  PetscCall(SNESMonitor(snes, pdas->iterations, norm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The present set's system, and the set that follows. [in,out] solution - iterations are added */
+static PetscErrorCode System_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solver, ActiveSolution *solution,
+                                     PetscInt *changed, PetscReal *violation)
+{
+  const PetscInt before = solution->iterations;
+
+  PetscFunctionBeginUser;
+  PetscCall(solver->solve(solver, set->active, set->upper, solution));
+  solution->iterations += before;
+  if (!solution->failure) PetscCall(ActiveSetUpdate(set, solution, pdas->c, changed, violation));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* An inexact solver goes on for more digits as long as these say nothing against the set. */
+static PetscErrorCode Holds_Private(ActiveSolver solver, const ActiveSolution *iterate, PetscBool *holds)
+{
+  PDAS *pdas = solver->pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActiveSetHolds(solver->set, iterate, pdas->c, holds));
+  while (*holds && solver->target > solver->rtol && iterate->eta <= solver->target)
+    solver->target = PetscMax(solver->rtol, TIGHTER * solver->target);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Solves for the set, once more where the solver did not ask and the solution says nothing against the set. */
+static PetscErrorCode Follow_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solver, ActiveSolution *solution,
+                                     PetscInt *changed, PetscReal *violation)
+{
+  PetscFunctionBeginUser;
+  solver->holds  = Holds_Private;
+  solver->pdas   = pdas;
+  solver->target = pdas->target;
+  PetscCall(System_Private(pdas, set, solver, solution, changed, violation));
+  while (solver->target > solver->rtol && !*changed && !solution->failure) {
+    solver->target = PetscMax(solver->rtol, TIGHTER * solver->target);
+    PetscCall(System_Private(pdas, set, solver, solution, changed, violation));
+  }
+  solver->holds   = NULL;
+  pdas->converged = (PetscBool)(!*changed && !solution->failure);
+  if (pdas->iterations > 0 && (PetscReal)*changed > FEWER * (PetscReal)pdas->changed[pdas->iterations - 1]) {
+    pdas->target    = PetscMax(solver->rtol, TIGHTER * pdas->target);
+    solver->patient = PETSC_TRUE;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether sets have been changed before all digits were there. */
+static PetscBool Hasty_Private(const PDAS *pdas, ActiveSolver solver)
+{
+  return (PetscBool)(pdas->target > solver->rtol || (solver->enough > 0 && !solver->patient));
+}
+
+/* One step: the active set's, or one of the safeguard, which takes over where a set comes back. */
+static PetscErrorCode Step_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solver, Safeguard *guard,
+                                   ActiveSolution *solution, PetscInt *changed, PetscReal *violation)
+{
+  PetscBool seen = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  *changed             = 0;
+  *violation           = 0;
+  solution->iterations = 0;
+  if (!guard->on) {
+    PetscCall(Seen_Private(pdas, set, &seen));
+    if (seen && Hasty_Private(pdas, solver)) { // for want of digits it may be; no set was solved for to all of them
+      pdas->target    = solver->rtol;
+      solver->patient = PETSC_TRUE;
+      pdas->seen[0]   = pdas->seen[pdas->num_seen - 1];
+      pdas->num_seen  = 1;
+      seen            = PETSC_FALSE;
+    }
+    if (seen || pdas->num_seen > MANY_STEPS) {
+      pdas->safeguarded = PETSC_TRUE;
+      pdas->target = solver->target = solver->rtol;
+      PetscCall(SafeguardBegin(guard, set, solver, solution));
+    }
+  }
+  if (guard->on && !guard->settled) {
+    PetscCall(SafeguardStep(guard, set, solver, solution, changed, violation));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  guard->settled = PETSC_FALSE; /* if its set is not confirmed now, it goes on from where it was */
+  PetscCall(Follow_Private(pdas, set, solver, solution, changed, violation));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A first set that leaves a body to nothing has no solution, and all that is known then is that more has to be in contact.
+   [out] changed - nothing where it was something else */
+static PetscErrorCode Rescue_Private(const PDAS *pdas, ActiveSet *set, ActiveSolution *solution, PetscInt *changed)
+{
+  PetscBool *all;
+
+  PetscFunctionBeginUser;
+  *changed = 0;
+  if (pdas->start_set || pdas->iterations || set->num_active == set->N) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!strcmp(solution->failure, FAILURE_MEMORY) || !strcmp(solution->failure, FAILURE_COST))
+    PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(set->n, &all));
+  for (PetscInt i = 0; i < set->n; i++) all[i] = PETSC_TRUE;
+  PetscCall(ActiveSetReplace(set, all, changed));
+  PetscCall(PetscFree(all));
+  solution->failure = NULL;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* From set to set until none changes. [out] y */
+PetscErrorCode PDASIterate(SNES snes, PDAS *pdas, ActiveSet *set, ActiveSolver solver, Vec y)
+{
+  ActiveSolution solution;
+  Safeguard      guard = {.on = PETSC_FALSE};
+  PetscInt       changed;
+  PetscReal      violation;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActiveSolutionCreate(set, &solution));
+  solver->patient = PETSC_FALSE;
+  pdas->target    = solver->inexact ? PetscMax(LOOSE, solver->rtol) : solver->rtol;
+  while (!pdas->converged && !solution.failure && pdas->iterations < pdas->max_it) {
+    PetscCall(Step_Private(pdas, set, solver, &guard, &solution, &changed, &violation));
+    if (solution.failure) PetscCall(Rescue_Private(pdas, set, &solution, &changed));
+    if (pdas->converged || (!solution.failure && pdas->iterations + 1 == pdas->max_it)) {
+      PetscCall(solver->finish(solver, &solution, y));
+      if (solution.failure) pdas->converged = PETSC_FALSE;
+    }
+    PetscCall(Record_Private(snes, pdas, set, &solution, changed, violation));
+  }
+  if (guard.on) PetscCall(SafeguardEnd(&guard));
+  PetscCall(ActiveSolutionDestroy(&solution));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

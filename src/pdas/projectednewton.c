@@ -1,0 +1,135 @@
+/* projectednewton.c -- two-metric projected Newton method, for the rare problems on which the active set iteration cycles.
+
+   On the bounded unknowns alone (all others eliminated) the problem is  phi(y) -> min,  y <= upper,  with gradient
+   -r(y). Each step splits the unknowns into those held at their bound, I = {y >= upper - eps, r > 0}, and the rest F;
+   it goes the Newton way on F, the scaled gradient way on I, and projects:
+       d_F = -phi_FF^-1 grad_F,   d_I = r_I / diag,   y(t) = min(y + t d, upper),
+   with t halved until phi falls enough (T17). The energy falls in every step, so no set can come back for ever; near
+   the solution I is the active set, t = 1, and one step more is exact [1, section 3]. The systems are those of any
+   active set, and the energy of a quadratic follows from the forces at both ends, so no matrix is needed here.
+
+   References: [1] Bertsekas, Projected Newton methods for optimization problems with simple constraints, 1982. */
+#include "pdas/pdasimpl.h"
+
+/* Part of the predicted decrease that a step must reach. */
+static const PetscReal SUFFICIENT = 1e-4;
+/* Unknowns nearer to their bound than this part of the largest one may count as held. */
+static const PetscReal NEAR_BOUND = 1e-3;
+/* Down at t = 2^-30 only roundoff is left of any decrease. */
+static const PetscInt MAX_HALVINGS = 30;
+
+PetscErrorCode SafeguardBegin(Safeguard *guard, const ActiveSet *set, ActiveSolver solver, ActiveSolution *solution)
+{
+  PetscFunctionBeginUser;
+  guard->on      = PETSC_TRUE;
+  guard->settled = PETSC_FALSE;
+  PetscCall(PetscMalloc3(set->n, &guard->y, set->n, &guard->r, set->n, &guard->d));
+  PetscCall(PetscMalloc2(set->n, &guard->fixed, set->n, &guard->all));
+  for (PetscInt i = 0; i < set->n; i++) {
+    guard->y[i]   = PetscMin(solution->y[i], set->upper[i]);
+    guard->all[i] = PETSC_TRUE;
+  }
+  PetscCall(solver->solve(solver, guard->all, guard->y, solution));
+  PetscCall(PetscArraycpy(guard->r, solution->r, set->n));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SafeguardEnd(Safeguard *guard)
+{
+  PetscFunctionBeginUser;
+  guard->on = PETSC_FALSE;
+  PetscCall(PetscFree3(guard->y, guard->r, guard->d));
+  PetscCall(PetscFree2(guard->fixed, guard->all));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Splits into I (fixed) and F. The margin eps shrinks with the scaled, projected gradient, so that it does not matter
+   in the end. */
+static PetscErrorCode Split_Private(Safeguard *guard, const ActiveSet *set)
+{
+  PetscReal max[2] = {0, 0}, eps;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < set->n; i++) {
+    const PetscReal step = PetscMin(guard->y[i] + guard->r[i] / set->diag[i], set->upper[i]) - guard->y[i];
+
+    max[0] = PetscMax(max[0], PetscAbsReal(guard->y[i]));
+    max[1] = PetscMax(max[1], PetscAbsReal(step));
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, max, 2, MPIU_REAL, MPI_MAX, set->comm));
+  eps = PetscMin(NEAR_BOUND * max[0], max[1]);
+  for (PetscInt i = 0; i < set->n; i++) {
+    guard->fixed[i] = (PetscBool)(guard->y[i] >= set->upper[i] - eps && guard->r[i] > 0);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Solves at y(t) = min(y + t d, upper), and tells whether phi fell enough there:
+   phi(y) - phi(y(t)) = (r + r(t)).(y(t) - y) / 2. */
+static PetscErrorCode Try_Private(Safeguard *guard, const ActiveSet *set, ActiveSolver solver, PetscReal t,
+                                  PetscReal y[], ActiveSolution *solution, PetscBool *accepted)
+{
+  PetscReal sum[2] = {0, 0}; /* decrease; its prediction */
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < set->n; i++) {
+    y[i] = PetscMin(guard->y[i] + t * guard->d[i], set->upper[i]);
+  }
+  PetscCall(solver->solve(solver, guard->all, y, solution));
+  for (PetscInt i = 0; i < set->n; i++) {
+    const PetscReal step = y[i] - guard->y[i];
+
+    sum[0] += (guard->r[i] + solution->r[i]) * step / 2;
+    sum[1] += guard->r[i] * (guard->fixed[i] ? step : t * guard->d[i]);
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 2, MPIU_REAL, MPI_SUM, set->comm));
+  *accepted = (PetscBool)(sum[0] >= SUFFICIENT * sum[1]);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What is left of the inequalities: the projected gradient, in units of force. */
+static PetscErrorCode Violation_Private(const Safeguard *guard, const ActiveSet *set, PetscReal *violation)
+{
+  PetscReal sum = 0;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < set->n; i++)
+    sum += PetscSqr(PetscMin(guard->r[i], set->diag[i] * (set->upper[i] - guard->y[i])));
+  PetscCallMPI(MPI_Allreduce(&sum, violation, 1, MPIU_REAL, MPI_SUM, set->comm));
+  *violation = PetscSqrtReal(*violation);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SafeguardStep(Safeguard *guard, ActiveSet *set, ActiveSolver solver, ActiveSolution *solution,
+                             PetscInt *changed, PetscReal *violation)
+{
+  PetscBool  accepted = PETSC_FALSE;
+  PetscInt   halvings, iterations;
+  PetscReal *y;
+
+  PetscFunctionBeginUser;
+  if (solution->failure) PetscFunctionReturn(PETSC_SUCCESS); /* at the beginning */
+  PetscCall(Split_Private(guard, set));
+  PetscCall(ActiveSetReplace(set, guard->fixed, changed));
+  PetscCall(solver->solve(solver, guard->fixed, guard->y, solution));
+  for (PetscInt i = 0; i < set->n; i++) {
+    guard->d[i] = guard->fixed[i] ? guard->r[i] / set->diag[i] : solution->y[i] - guard->y[i];
+  }
+  PetscCall(PetscMalloc1(set->n, &y));
+  iterations = solution->iterations;
+  for (halvings = 0; halvings < MAX_HALVINGS && !accepted && !solution->failure; halvings++) {
+    PetscCall(Try_Private(guard, set, solver, PetscPowReal(0.5, (PetscReal)halvings), y, solution, &accepted));
+    iterations += solution->iterations;
+  }
+  solution->iterations = iterations;
+  PetscCall(PetscArraycpy(guard->y, y, set->n));
+  PetscCall(PetscArraycpy(guard->r, solution->r, set->n));
+  PetscCall(PetscFree(y));
+  PetscCall(Violation_Private(guard, set, violation));
+  PetscCall(PetscInfo(solver->A,
+                      "projected Newton: %" PetscInt_FMT " held, %" PetscInt_FMT " changed, t = 2^-%" PetscInt_FMT
+                      ", projected gradient %g\n",
+                      set->num_active, *changed, halvings - 1, (double)*violation));
+  guard->settled = (PetscBool)(!*changed || !accepted);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

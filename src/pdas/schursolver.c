@@ -1,0 +1,364 @@
+/* schursolver.c -- all active sets by one factorisation.
+
+   With C the bounded unknowns and I the others, (A y - b)_I = 0 leaves
+       S y_C - g = -r_C,    S = A_CC - A_CI A_II^-1 A_IC,    g = b_C - A_CI A_II^-1 b_I,
+   a small dense problem that has the same solutions and forces for every set. MUMPS gives S while it factors A_II;
+   then each set costs a dense Cholesky factorisation of S_FF, F = C without the set, on the first rank, and the full
+   solution is recovered once, at the end, by substitutions with A_II: contact costs one factorisation.
+
+   S is wanted on the first rank alone; A_II is factored by all ranks (factor.h). */
+#include "pdas/pdasimpl.h"
+#include "pdas/factorization.h"
+
+/* A pivot below this part of A's diagonal, times the number of unknowns, is roundoff of a pivot that is zero. */
+static const PetscReal SINGULAR = 8 * PETSC_MACHINE_EPSILON;
+/* Substitutions on the residual: one gets to roundoff; what two do not mend is no matter of roundoff. */
+static const PetscInt MAX_REFINEMENTS = 2;
+
+typedef struct {
+  Factor       F;       /* of A_II */
+  Vec          r, f, d; /* residual; without fixed rows; correction */
+  PetscReal    size;    /* max |A_II^-1 b_I|: how far the bodies move */
+  PetscMPIInt  rank;
+  PetscMPIInt *counts, *offsets; /* bounded unknowns of each rank; on the first rank only, as all that follows */
+  Mat          S, L;             /* dense; L with L L' = S_FF, NULL if F is empty */
+  Vec          g, y, r_C;        /* the small problem; values and forces of all bounded unknowns */
+  PetscReal   *diag;             /* of A [N] */
+  PetscBool   *fixed;            /* [N] */
+  IS           free;             /* F */
+} Reduced;
+
+/* Collects values of bounded unknowns on the first rank. [in] own - [n]; [out] all - NULL on other ranks */
+static PetscErrorCode ToFirst_Private(ActiveSolver solver, const PetscReal own[], Vec all)
+{
+  const Reduced *t = solver->data;
+  PetscScalar   *a = NULL;
+  PetscMPIInt    n;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMPIIntCast(solver->set->n, &n));
+  if (all) PetscCall(VecGetArray(all, &a));
+  PetscCallMPI(MPI_Gatherv(own, n, MPIU_REAL, a, t->counts, t->offsets, MPIU_REAL, 0, solver->set->comm));
+  if (all) PetscCall(VecRestoreArray(all, &a));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Sends them back to their owners. [in] all - NULL on other ranks; [out] own - [n] */
+static PetscErrorCode FromFirst_Private(ActiveSolver solver, Vec all, PetscReal own[])
+{
+  const Reduced     *t = solver->data;
+  const PetscScalar *a = NULL;
+  PetscMPIInt        n;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMPIIntCast(solver->set->n, &n));
+  if (all) PetscCall(VecGetArrayRead(all, &a));
+  PetscCallMPI(MPI_Scatterv(a, t->counts, t->offsets, MPIU_REAL, own, n, MPIU_REAL, 0, solver->set->comm));
+  if (all) PetscCall(VecRestoreArrayRead(all, &a));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* F from t->fixed, and L. Whether S_FF is positive definite beyond roundoff. First rank only. */
+static PetscErrorCode DenseFactor_Private(Reduced *t, PetscInt N, PetscBool *definite)
+{
+  const PetscScalar *l;
+  PetscErrorCode     error;
+  PetscInt          *F, n = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(ISDestroy(&t->free));
+  PetscCall(MatDestroy(&t->L));
+  PetscCall(PetscMalloc1(N, &F));
+  for (PetscInt i = 0; i < N; i++) {
+    if (!t->fixed[i]) F[n++] = i;
+  }
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, n, F, PETSC_COPY_VALUES, &t->free));
+  *definite = PETSC_TRUE;
+  if (n) {
+    PetscCall(MatCreateSubMatrix(t->S, t->free, t->free, MAT_INITIAL_MATRIX, &t->L));
+    PetscCall(MatSetOption(t->L, MAT_SPD, PETSC_TRUE));
+    /* a pivot that is not positive is an error to PETSc, but an answer here */
+    PetscCall(PetscPushErrorHandler(PetscReturnErrorHandler, NULL));
+    error = MatCholeskyFactor(t->L, NULL, NULL);
+    PetscCall(PetscPopErrorHandler());
+    *definite = (PetscBool)!error;
+    PetscCall(MatDenseGetArrayRead(t->L, &l));
+    for (PetscInt k = 0; k < n && *definite; k++) {
+      if (!(PetscSqr(PetscRealPart(l[k * n + k])) > SINGULAR * (PetscReal)N * t->diag[F[k]])) *definite = PETSC_FALSE;
+    }
+    PetscCall(MatDenseRestoreArrayRead(t->L, &l));
+  }
+  PetscCall(PetscFree(F));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* w_F = S_FF^-1 w_F, 0 elsewhere. First rank only. */
+static PetscErrorCode DenseSolve_Private(Reduced *t, Vec w)
+{
+  Vec from, to;
+
+  PetscFunctionBeginUser;
+  if (t->L) {
+    PetscCall(MatCreateVecs(t->L, &from, &to));
+    PetscCall(VecISCopy(w, t->free, SCATTER_REVERSE, from));
+    PetscCall(MatSolve(t->L, from, to));
+  }
+  PetscCall(VecZeroEntries(w));
+  if (t->L) {
+    PetscCall(VecISCopy(w, t->free, SCATTER_FORWARD, to));
+    PetscCall(VecDestroy(&from));
+    PetscCall(VecDestroy(&to));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* t->y_F and t->r_C from t->fixed and t->y, which is 0 on F. First rank only. */
+static PetscErrorCode DenseSystem_Private(Reduced *t, PetscInt N, PetscBool *definite, PetscReal *max)
+{
+  PetscFunctionBeginUser;
+  PetscCall(DenseFactor_Private(t, N, definite));
+  if (!*definite) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatMult(t->S, t->y, t->r_C));
+  PetscCall(VecAYPX(t->r_C, -1, t->g));
+  PetscCall(DenseSolve_Private(t, t->r_C));
+  PetscCall(VecAXPY(t->y, 1, t->r_C));
+  PetscCall(MatMult(t->S, t->y, t->r_C));
+  PetscCall(VecAYPX(t->r_C, -1, t->g));
+  PetscCall(VecISSet(t->r_C, t->free, 0));
+  PetscCall(VecNorm(t->y, NORM_INFINITY, max));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Solve_Reduced(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
+                                    ActiveSolution *solution)
+{
+  Reduced         *t        = solver->data;
+  const ActiveSet *set      = solver->set;
+  PetscBool        definite = PETSC_TRUE;
+  PetscReal        max      = 0;
+  PetscMPIInt      n;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < set->n; i++) {
+    solution->fixed[i] = fixed[i];
+    solution->y[i]     = fixed[i] ? value[i] : 0;
+  }
+  PetscCall(PetscMPIIntCast(set->n, &n));
+  PetscCall(ToFirst_Private(solver, solution->y, t->y));
+  PetscCallMPI(MPI_Gatherv(fixed, n, MPIU_BOOL, t->fixed, t->counts, t->offsets, MPIU_BOOL, 0, set->comm));
+  if (!t->rank) PetscCall(DenseSystem_Private(t, set->N, &definite, &max));
+  PetscCallMPI(MPI_Bcast(&definite, 1, MPIU_BOOL, 0, set->comm));
+  PetscCallMPI(MPI_Bcast(&max, 1, MPIU_REAL, 0, set->comm));
+  PetscCall(FromFirst_Private(solver, t->y, solution->y));
+  PetscCall(FromFirst_Private(solver, t->r_C, solution->r));
+  solution->size       = PetscMax(t->size, max);
+  solution->eta        = 0;
+  solution->norm       = 0;
+  solution->iterations = 1;
+  if (!definite) solution->failure = FAILURE_SINGULAR;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* By blocks: I, then F by S, then I again; t->r is used up. */
+static PetscErrorCode Correct_Reduced(ActiveSolver solver, Vec f, Vec d, PetscReal *alpha)
+{
+  Reduced   *t = solver->data;
+  PetscReal *z;
+  Vec        y;
+
+  PetscFunctionBeginUser;
+  *alpha = 1;
+  PetscCall(PetscMalloc1(solver->set->n, &z));
+  PetscCall(VecDuplicate(d, &y));
+  PetscCall(VecZeroEntries(y));
+  PetscCall(FactorSolve(t->F, f, d));
+  PetscCall(MatMult(solver->A, d, t->r));
+  PetscCall(VecAYPX(t->r, -1, f));
+  PetscCall(ActiveSetGather(solver->set, t->r, z));
+  PetscCall(ToFirst_Private(solver, z, t->r_C));
+  if (!t->rank) PetscCall(DenseSolve_Private(t, t->r_C));
+  PetscCall(FromFirst_Private(solver, t->r_C, z));
+  PetscCall(ActiveSetScatter(solver->set, z, y));
+  PetscCall(MatMult(solver->A, y, t->r));
+  PetscCall(VecAYPX(t->r, -1, f));
+  PetscCall(FactorSolve(t->F, t->r, d));
+  PetscCall(VecAXPY(d, 1, y));
+  PetscCall(VecDestroy(&y));
+  PetscCall(PetscFree(z));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Without d_I = A_II^-1 (f_I - A_IF z), z = S_FF^-1 w_F, w = f_C - A_CI A_II^-1 f_I:
+   |d|_A^2 = f_I.A_II^-1 f_I + w_F.z,  A_CF d = S_CF z - w where f = 0. */
+static PetscErrorCode Measure_Reduced(ActiveSolver solver, Vec f, PetscReal *square, PetscReal felt[])
+{
+  Reduced    *t = solver->data;
+  PetscScalar inner, outer = 0;
+  Vec         z;
+
+  PetscFunctionBeginUser;
+  PetscCall(FactorSolve(t->F, f, t->d));
+  PetscCall(VecDot(f, t->d, &inner));
+  PetscCall(MatMult(solver->A, t->d, t->r));
+  PetscCall(VecAYPX(t->r, -1, f));
+  PetscCall(ActiveSetGather(solver->set, t->r, felt));
+  PetscCall(ToFirst_Private(solver, felt, t->r_C));
+  if (!t->rank) {
+    PetscCall(VecDuplicate(t->r_C, &z));
+    PetscCall(VecCopy(t->r_C, z));
+    PetscCall(DenseSolve_Private(t, z));
+    PetscCall(VecDot(t->r_C, z, &outer));
+    PetscCall(MatMult(t->S, z, t->y));
+    PetscCall(VecAYPX(t->r_C, -1, t->y));
+    PetscCall(VecDestroy(&z));
+  }
+  PetscCallMPI(MPI_Bcast(&outer, 1, MPIU_SCALAR, 0, solver->set->comm));
+  PetscCall(FromFirst_Private(solver, t->r_C, felt));
+  *square = PetscRealPart(inner + outer);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* y_I = A_II^-1 (b_I - A_IC y_C), then corrections down to roundoff with A itself, from which the forces come. */
+static PetscErrorCode Finish_Reduced(ActiveSolver solver, ActiveSolution *solution, Vec y)
+{
+  Reduced   *t = solver->data;
+  PetscReal *v, reference, size, alpha;
+  PetscBool  suffices;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(solver->set->n, &v));
+  for (PetscInt i = 0; i < solver->set->n; i++) v[i] = solution->fixed[i] ? solution->y[i] : 0;
+  PetscCall(VecZeroEntries(y));
+  PetscCall(ActiveSetScatter(solver->set, v, y));
+  PetscCall(PetscFree(v));
+  PetscCall(ActiveSolverResidual(solver, solution->fixed, y, t->r, t->f, &reference));
+  PetscCall(ActiveSetScatter(solver->set, solution->y, y));
+  PetscCall(ActiveSolverResidual(solver, solution->fixed, y, t->r, t->f, &size));
+  PetscCall(FactorSolve(t->F, t->f, t->d));
+  for (PetscInt k = 0;; k++) {
+    PetscCall(VecAXPY(y, 1, t->d));
+    PetscCall(ActiveSolverResidual(solver, solution->fixed, y, t->r, t->f, &size));
+    solution->eta = reference > 0 ? size / reference : 0;
+    if (k == MAX_REFINEMENTS || (k && solution->eta <= solver->rtol)) break;
+    PetscCall(Correct_Reduced(solver, t->f, t->d, &alpha));
+  }
+  PetscCall(ActiveSolverSuffices(solver, y, size, reference, &suffices));
+  if (!suffices) solution->failure = FAILURE_RESIDUAL;
+  PetscCall(ActiveSolverRestrict(solver, y, t->r, t->f, solution));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Destroy_Reduced(ActiveSolver solver)
+{
+  Reduced *t = solver->data;
+
+  PetscFunctionBeginUser;
+  PetscCall(FactorDestroy(&t->F));
+  PetscCall(VecDestroy(&t->r));
+  PetscCall(VecDestroy(&t->f));
+  PetscCall(VecDestroy(&t->d));
+  PetscCall(PetscFree2(t->counts, t->offsets));
+  PetscCall(MatDestroy(&t->S));
+  PetscCall(MatDestroy(&t->L));
+  PetscCall(VecDestroy(&t->g));
+  PetscCall(VecDestroy(&t->y));
+  PetscCall(VecDestroy(&t->r_C));
+  PetscCall(PetscFree2(t->diag, t->fixed));
+  PetscCall(ISDestroy(&t->free));
+  PetscCall(PetscFree(t));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Room on the first rank, and how many bounded unknowns come from each. */
+static PetscErrorCode Allocate_Private(ActiveSolver solver)
+{
+  Reduced       *t = solver->data;
+  const PetscInt N = solver->set->N;
+  PetscMPIInt    size, n;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_rank(solver->set->comm, &t->rank));
+  PetscCallMPI(MPI_Comm_size(solver->set->comm, &size));
+  if (!t->rank) {
+    PetscCall(PetscMalloc2(size, &t->counts, size, &t->offsets));
+    PetscCall(MatCreateSeqDense(PETSC_COMM_SELF, N, N, NULL, &t->S));
+    PetscCall(MatCreateVecs(t->S, &t->y, &t->g));
+    PetscCall(VecDuplicate(t->y, &t->r_C));
+    PetscCall(PetscMalloc2(N, &t->diag, N, &t->fixed));
+  }
+  PetscCall(PetscMPIIntCast(solver->set->n, &n));
+  PetscCallMPI(MPI_Gather(&n, 1, MPI_INT, t->counts, 1, MPI_INT, 0, solver->set->comm));
+  for (PetscMPIInt p = 0, offset = 0; p < size && !t->rank; offset += t->counts[p++]) t->offsets[p] = offset;
+  PetscCall(VecDuplicate(solver->b, &t->r));
+  PetscCall(VecDuplicate(solver->b, &t->f));
+  PetscCall(VecDuplicate(solver->b, &t->d));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Factors A_II and takes S, of which MUMPS gives one triangle: the lower on one rank, the upper on several. */
+static PetscErrorCode Factor_Private(ActiveSolver solver, const char prefix[], MatFactorError *error)
+{
+  Reduced       *t = solver->data;
+  const PetscInt N = solver->set->N;
+  PetscInt      *C;
+  PetscScalar   *S = NULL;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActiveSetAll(solver->set, &C));
+  if (!t->rank) PetscCall(MatDenseGetArray(t->S, &S));
+  PetscCall(FactorCreate(solver->A, N, C, prefix, S, &t->F, error));
+  for (PetscInt i = 0; i < N && !t->rank && !*error; i++) {
+    for (PetscInt j = 0; j < i; j++) S[i * N + j] = S[j * N + i] = S[i * N + j] != 0 ? S[i * N + j] : S[j * N + i];
+  }
+  if (!t->rank) PetscCall(MatDenseRestoreArray(t->S, &S));
+  PetscCall(PetscFree(C));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* g = b_C - A_CI A_II^-1 b_I */
+static PetscErrorCode Load_Reduced(ActiveSolver solver, Vec b, Vec y)
+{
+  Reduced   *t = solver->data;
+  PetscReal *g;
+
+  PetscFunctionBeginUser;
+  (void)y;
+  solver->b = b;
+  PetscCall(FactorSolve(t->F, b, t->d));
+  PetscCall(VecNorm(t->d, NORM_INFINITY, &t->size));
+  PetscCall(MatMult(solver->A, t->d, t->r));
+  PetscCall(VecAYPX(t->r, -1, b));
+  PetscCall(PetscMalloc1(solver->set->n, &g));
+  PetscCall(ActiveSetGather(solver->set, t->r, g));
+  PetscCall(ToFirst_Private(solver, g, t->g));
+  PetscCall(PetscFree(g));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ReducedCreate(const ActiveSet *set, Mat A, Vec b, const char prefix[], PetscReal rtol,
+                             ActiveSolver *solver, const char **failure)
+{
+  Reduced       *t;
+  PetscMPIInt    n;
+  MatFactorError error;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActiveSolverCreate(set, A, b, rtol, solver));
+  PetscCall(PetscNew(&t));
+  (*solver)->data     = t;
+  (*solver)->factored = PETSC_TRUE;
+  (*solver)->solve    = Solve_Reduced;
+  (*solver)->load     = Load_Reduced;
+  (*solver)->finish   = Finish_Reduced;
+  (*solver)->correct  = Correct_Reduced;
+  (*solver)->measure  = Measure_Reduced;
+  (*solver)->destroy  = Destroy_Reduced;
+  PetscCall(Allocate_Private(*solver));
+  PetscCall(PetscMPIIntCast(set->n, &n));
+  PetscCallMPI(MPI_Gatherv(set->diag, n, MPIU_REAL, t->diag, t->counts, t->offsets, MPIU_REAL, 0, set->comm));
+  PetscCall(Factor_Private(*solver, prefix, &error));
+  *failure = ActiveFailureOfFactor(error);
+  if (*failure) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(Load_Reduced(*solver, b, NULL));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

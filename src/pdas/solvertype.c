@@ -1,0 +1,93 @@
+/* solvertype.c -- which of its two ways of solving for an active set `pdas` takes. */
+#include "base/compat.h"
+#include "pdas/pdas.h"
+#include "pdas/pdasimpl.h"
+
+/* Whether one factorisation is to serve all sets: by itself where the KSP is a MUMPS Cholesky solve alone. */
+static PetscErrorCode Reducible_Private(const PDAS *pdas, const ActiveSet *set, Vec y, KSP ksp, PetscBool *reduced)
+{
+  PetscBool     direct, cholesky, mumps = PETSC_FALSE;
+  MatSolverType type = NULL;
+  PetscInt      size;
+  PC            pc;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetSize(y, &size));
+  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(PetscObjectTypeCompare((PetscObject)ksp, KSPPREONLY, &direct));
+  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCCHOLESKY, &cholesky));
+  if (cholesky) PetscCall(PCFactorGetMatSolverType(pc, &type));
+  if (type) PetscCall(PetscStrcmp(type, MATSOLVERMUMPS, &mumps));
+  *reduced = (PetscBool)(direct && mumps && set->N <= ACTIVE_MAX_REDUCED);
+  if (pdas->reduce_set) *reduced = pdas->reduce;
+  /* without bounds there is one system only; with nothing else there is nothing to eliminate */
+  if (set->N == 0 || set->N == size) *reduced = PETSC_FALSE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PDASChooseSolver(SNES snes, PDAS *pdas, Mat A, Vec b, Vec y)
+{
+  const ActiveSet *set    = &pdas->set;
+  ActiveSolver    *solver = &pdas->solver;
+  KSP              ksp;
+  const char      *prefix;
+  PetscReal        rtol;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESGetKSP(snes, &ksp));
+  PetscCall(SNESGetTolerances(snes, NULL, &rtol, NULL, NULL, NULL));
+  PetscCall(Reducible_Private(pdas, set, y, ksp, &pdas->reduced));
+  if (pdas->reduced) {
+    PetscCall(KSPGetOptionsPrefix(ksp, &prefix));
+    PetscCall(ReducedCreate(set, A, b, prefix, rtol, solver, &pdas->failure));
+  } else {
+    PetscCall(TruncatedCreate(set, A, b, y, ksp, rtol, solver));
+    if (pdas->enough > 0) PetscCall(EnoughSet(*solver, pdas->enough, pdas->gained));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PDASGetSolver(SNES snes, ActiveSolver *solver)
+{
+  PDAS     *pdas;
+  PetscBool is_pdas;
+
+  PetscFunctionBeginUser;
+  *solver = NULL;
+  PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &is_pdas));
+  if (!is_pdas) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PDASGet(snes, &pdas));
+  *solver = pdas->solver;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PDASCreateSolver(SNES snes, const ActiveSet *set, Mat A, Vec b, PetscReal rtol, ActiveSolver *solver,
+                                const char **failure)
+{
+  Vec       y;
+  KSP       ksp;
+  PDAS     *pdas;
+  PetscBool is_pdas, reduced = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  *failure = NULL;
+  PetscCall(VecDuplicate(b, &y));
+  PetscCall(VecZeroEntries(y));
+  PetscCall(SNESGetKSP(snes, &ksp));
+  PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &is_pdas));
+  if (is_pdas) {
+    PetscCall(PDASGet(snes, &pdas));
+    PetscCall(Reducible_Private(pdas, set, y, ksp, &reduced));
+  }
+  if (reduced) {
+    const char *prefix;
+
+    PetscCall(KSPGetOptionsPrefix(ksp, &prefix));
+    PetscCall(ReducedCreate(set, A, b, prefix, rtol, solver, failure));
+  } else {
+    PetscCall(KSPReset(ksp)); /* it may have been used for a matrix of another size */
+    PetscCall(TruncatedCreate(set, A, b, y, ksp, rtol, solver));
+  }
+  PetscCall(VecDestroy(&y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,35 @@
+/* basischange.h -- the change of basis u = T y and what is known of y beforehand (T7). */
+#ifndef MORTISE_BASISCHANGE_H
+#define MORTISE_BASISCHANGE_H
+
+#include "problem/couplings.h"
+
+/* Nodes whose unknowns are not the Cartesian displacements: those with multipliers or a held direction that is not an axis.
+   Row r of F takes u~ to the node's r-th unknown before the mortar side is subtracted: v = F u~. */
+typedef struct {
+  PetscInt   num;
+  PetscInt  *node;     /* local, owned, ascending [num] */
+  PetscReal *F, *Finv; /* [num][dim][dim] */
+  PetscInt  *of_node;  /* position in the list of every owned node, -1 for ordinary ones [num_owned] */
+} NodeBases;
+
+/* Collects bases and numbers the rows of B (vi->row_*). Not collective but for the level's sizes. */
+PetscErrorCode NodeBasesCreate(VI vi, NodeBases *bases);
+PetscErrorCode NodeBasesDestroy(NodeBases *bases);
+
+/* Kept with a VI. */
+struct _n_VIBasis {
+  NodeBases bases;
+  Couplings couplings;
+};
+
+/* T = S (I + E + E E + ..) R with u~ = R y + E u~ (T7): R turns, E adds what the mortar side does. The powers end with the
+   longest chain of pairs, whose roles must not run in a circle (circles.h). NULL where T = I. Collective. */
+PetscErrorCode BasisCreateT(VI vi, const NodeBases *bases, const Couplings *couplings, Mat *T);
+
+/* Global unknowns y_i that held directions and ties fix, with their values in the user's unit. Collective.
+   [out] dofs, values - [*num], owned by the caller */
+PetscErrorCode BasisGetFixed(VI vi, const NodeBases *bases, const Couplings *couplings, PetscInt *num, PetscInt **dofs,
+                             PetscReal **values);
+
+#endif

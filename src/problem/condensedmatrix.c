@@ -1,0 +1,118 @@
+/* condensedmatrix.c -- the matrix of the inequality, as a product or as a matrix.
+
+   Iterations need its products alone, and these K and the little that condensing changes give without a second matrix of K's size. */
+#include "base/compat.h"
+#include "problem/condensation.h"
+
+typedef struct {
+  Mat             K, Z, S; /* S is K / stiffness, or NULL */
+  PetscReal       stiffness;
+  PetscInt        num;
+  const PetscInt *fixed;
+  Vec             diagonal, springs, work; /* diag K */
+} Condensed;
+
+static PetscErrorCode Mult_Condensed(Mat A, Vec x, Vec y)
+{
+  Condensed         *c;
+  const PetscScalar *xa;
+  PetscScalar       *a;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(A, &c));
+  PetscCall(VecCopy(x, c->work));
+  PetscCall(VecGetArray(c->work, &a));
+  for (PetscInt i = 0; i < c->num; i++) a[c->fixed[i]] = 0;
+  PetscCall(VecRestoreArray(c->work, &a));
+  PetscCall(MatMult(c->S ? c->S : c->K, c->work, y));
+  if (!c->S) PetscCall(VecScale(y, 1 / c->stiffness));
+  if (c->Z) PetscCall(MatMultAdd(c->Z, c->work, y, y));
+  if (c->springs) {
+    PetscCall(VecPointwiseMult(c->work, c->springs, c->work));
+    PetscCall(VecAXPY(y, 1, c->work));
+  }
+  PetscCall(VecGetArray(y, &a));
+  PetscCall(VecGetArrayRead(x, &xa));
+  for (PetscInt i = 0; i < c->num; i++) a[c->fixed[i]] = xa[c->fixed[i]];
+  PetscCall(VecRestoreArrayRead(x, &xa));
+  PetscCall(VecRestoreArray(y, &a));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode GetDiagonal_Condensed(Mat A, Vec diagonal)
+{
+  Condensed   *c;
+  PetscScalar *a;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(A, &c));
+  PetscCall(VecCopy(c->diagonal, diagonal));
+  PetscCall(VecScale(diagonal, 1 / c->stiffness));
+  if (c->Z) PetscCall(MatGetDiagonal(c->Z, c->work));
+  if (c->Z) PetscCall(VecAXPY(diagonal, 1, c->work));
+  if (c->springs) PetscCall(VecAXPY(diagonal, 1, c->springs));
+  PetscCall(VecGetArray(diagonal, &a));
+  for (PetscInt i = 0; i < c->num; i++) a[c->fixed[i]] = 1;
+  PetscCall(VecRestoreArray(diagonal, &a));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Destroy_Condensed(Mat A)
+{
+  Condensed *c;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(A, &c));
+  PetscCall(VecDestroy(&c->work));
+  PetscCall(PetscFree(c));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CondensedCreateShell(VI vi, Vec springs, Mat *A)
+{
+  const Mat  K = vi->K;
+  Condensed *c;
+  PetscInt   n, bs;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(&c));
+  *c = (Condensed){.K         = K,
+                   .Z         = vi->Z,
+                   .stiffness = vi->stiffness,
+                   .num       = vi->num_fixed,
+                   .fixed     = vi->fixed_local,
+                   .diagonal  = vi->diagonal,
+                   .springs   = springs};
+  PetscCall(MatCreateVecs(K, &c->work, NULL));
+  PetscCall(MatGetLocalSize(K, &n, NULL));
+  PetscCall(MatGetBlockSize(K, &bs));
+  PetscCall(MatCreateShell(PetscObjectComm((PetscObject)K), n, n, PETSC_DETERMINE, PETSC_DETERMINE, c, A));
+  PetscCall(MatSetBlockSize(*A, bs));
+  PetscCall(MatShellSetOperation(*A, MATOP_MULT, (void (*)(void))Mult_Condensed));
+  PetscCall(MatShellSetOperation(*A, MATOP_MULT_TRANSPOSE, (void (*)(void))Mult_Condensed));
+  PetscCall(MatShellSetOperation(*A, MATOP_GET_DIAGONAL, (void (*)(void))GetDiagonal_Condensed));
+  PetscCall(MatShellSetOperation(*A, MATOP_DESTROY, (void (*)(void))Destroy_Condensed));
+  PetscCall(MatSetOption(*A, MAT_SPD, PETSC_TRUE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CondensedSetProducts(Mat A, Mat S)
+{
+  Condensed *c;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(A, &c));
+  c->S = S;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CondensedAssemble(Mat K, PetscReal stiffness, Mat Z, PetscInt num, const PetscInt fixed[], Mat *A)
+{
+  PetscFunctionBeginUser;
+  PetscCall(MatDuplicate(K, MAT_COPY_VALUES, A));
+  PetscCall(MatScale(*A, 1 / stiffness));
+  if (Z) PetscCall(MatAXPY(*A, 1, Z, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(MatZeroRowsColumns(*A, num, fixed, 1, NULL, NULL));
+  PetscCall(MatSetOption(*A, MAT_SPD, PETSC_TRUE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

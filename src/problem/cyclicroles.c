@@ -1,0 +1,102 @@
+/* cyclicroles.c -- roles that run in a circle, found in the graph of the pairs.
+
+   Pair p leads to pair q if a multiplier node of p meets, on its mortar side, a node that carries a multiplier of q. A node
+   that leads back to its own pair would be defined by itself. Whether powers of the coupling fade says less: three bodies
+   round one point may run in a circle there, and still have powers that fade slowly. */
+#include "base/compat.h"
+#include "base/usererror.h"
+#include "problem/cyclicroles.h"
+
+/* Entries of M below this part of the whole are roundoff. */
+static const PetscReal ROUNDOFF = 1e-12;
+
+/* 1 at the nodes that carry a multiplier of a pair, 0 elsewhere. [in,out] marks - bs of each node */
+static PetscErrorCode MarkNodes_Private(const Pair pair, PetscInt bs, Vec marks)
+{
+  PetscScalar *mark;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecZeroEntries(marks));
+  PetscCall(VecGetArray(marks, &mark));
+  for (PetscInt k = 0; k < bs * pair->num; k++) mark[bs * pair->nodes[k / bs] + k % bs] = 1;
+  PetscCall(VecRestoreArray(marks, &mark));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether rows of p hold nodes of q: |diag(marks of p) M diag(marks of q)| > 0. [in] M - that of p, or its arm: bs rows of each node */
+static PetscErrorCode Leads_Private(const Pair p, const Pair q, Mat M, PetscInt bs, PetscBool *leads)
+{
+  PetscReal all, common;
+  Vec       rows, columns;
+  Mat       part;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateVecs(M, &columns, &rows));
+  PetscCall(MarkNodes_Private(p, bs, rows));
+  PetscCall(MarkNodes_Private(q, bs, columns));
+  PetscCall(MatDuplicate(M, MAT_COPY_VALUES, &part));
+  PetscCall(MatDiagonalScale(part, rows, columns));
+  PetscCall(MatNorm(M, NORM_FROBENIUS, &all));
+  PetscCall(MatNorm(part, NORM_FROBENIUS, &common));
+  *leads = (PetscBool)(common > ROUNDOFF * all);
+  PetscCall(MatDestroy(&part));
+  PetscCall(VecDestroy(&rows));
+  PetscCall(VecDestroy(&columns));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds all ways over other pairs (Warshall). [in,out] leads - [n][n] */
+static void CloseWays_Private(PetscInt n, PetscBool leads[])
+{
+  for (PetscInt over = 0; over < n; over++) {
+    for (PetscInt from = 0; from < n; from++) {
+      for (PetscInt to = 0; to < n; to++) {
+        if (leads[from * n + over] && leads[over * n + to]) leads[from * n + to] = PETSC_TRUE;
+      }
+    }
+  }
+}
+
+/* Names the pairs that come back to themselves. */
+static PetscErrorCode Raise_Private(VI vi, const PetscBool leads[])
+{
+  const PetscInt n          = vi->num_pairs;
+  char           names[512] = "";
+
+  PetscFunctionBeginUser;
+  for (PetscInt p = 0; p < n; p++) {
+    if (!leads[p * n + p]) continue;
+    PetscCall(PetscStrlcat(names, names[0] ? ", " : "", sizeof(names)));
+    PetscCall(PetscStrlcat(names, vi->pairs[p]->spec->name, sizeof(names)));
+  }
+  if (!names[0]) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(UserErrorRaise(
+      vi->level->comm,
+      "the roles of the pairs %s run in a circle (each nonmortar side meets a mortar side that is nonmortar in the "
+      "next pair); swap -<pair>_nonmortar and -<pair>_mortar of one of them",
+      names));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CirclesCheck(VI vi)
+{
+  const PetscInt n = vi->num_pairs;
+  PetscBool     *leads;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(n * n, &leads));
+  for (PetscInt p = 0; p < n; p++) {
+    for (PetscInt q = 0; q < n; q++) {
+      const Pair from = vi->pairs[p], to = vi->pairs[q];
+
+      if (p == q || !from->M || !to->M) continue;
+      PetscCall(Leads_Private(from, to, from->M, 1, &leads[p * n + q]));
+      if (from->arm && !leads[p * n + q])
+        PetscCall(Leads_Private(from, to, from->arm, vi->level->dim, &leads[p * n + q]));
+    }
+  }
+  CloseWays_Private(n, leads);
+  PetscCall(Raise_Private(vi, leads));
+  PetscCall(PetscFree(leads));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

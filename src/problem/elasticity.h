@@ -1,0 +1,42 @@
+/* elasticity.h -- stiffness K and load f of all bodies, before any boundary condition. */
+#ifndef MORTISE_ELASTICITY_H
+#define MORTISE_ELASTICITY_H
+
+#include "kernel/dilatation.h"
+#include "mesh/mesh.h"
+
+/* C at a point of a body (Hooke tensor, thickness not included) and Poisson's ratio (NAN where there is none).
+   Not collective; expressions are checked by ElasticityAssemble(). [out] C - [num_strains][num_strains] */
+PetscErrorCode ElasticityHooke(Scene scene, PetscInt body, const PetscReal x[], PetscReal C[], PetscReal *poisson);
+
+/* The rules that the stiffness is integrated with. Not collective. [out] rules - of every type of cell [ELEMENT_COUNT]; PetscFree() it */
+PetscErrorCode ElasticityRulesCreate(Scene scene, ElementRule **rules);
+
+/* How cell c takes its changes of volume, judged by the largest Poisson's ratio at the points of its rule, which is given
+   back (NAN where none restrains: anisotropic bodies, plane stress). DILATATION_LOCKS is a fault of ElasticityAssemble(). Not
+   collective. */
+PetscErrorCode ElasticityDilatationKind(Scene scene, const Level *level, PetscInt c, const ElementRule *rule,
+                                        DilatationKind *kind, PetscReal *poisson);
+/* Pi of cell c (T29); num = 0 where theta is div u. Not collective. */
+PetscErrorCode ElasticityDilatation(Scene scene, const Level *level, PetscInt c, const ElementRule *rule,
+                                    Dilatation *dilatation);
+
+/* Cells of a body by what they need, and the largest Poisson's ratio in those that are not DILATATION_POINTWISE, else 0. */
+typedef struct {
+  PetscInt  cells[DILATATION_LOCKS];
+  PetscReal poisson;
+} DilatationCount;
+
+/* Collective. [out] counts - [num_bodies], the same on all ranks */
+PetscErrorCode ElasticityDilatationCount(Scene scene, const Level *level, DilatationCount counts[]);
+
+/* K = int B'CB,  f = int phi b + int_side phi t, times the thickness; in cells with a Dilatation, K is the second derivative
+   of the energy that has theta in place of div u. Faults on moduli that are not positive definite at some point, or that lock
+   the cells they are given. Collective. [out] K - AIJ of block size dim, owned by the caller; [out] f - ghosted Vec, owned by the caller */
+PetscErrorCode ElasticityAssemble(Scene scene, Level *level, Mat *K, Vec *f);
+
+/* energy_b = (1/2) u'K u over the nodes of body b (K does not couple bodies). Collective.
+   [in] u - ghosted; [out] energy - [num_bodies], the same on all ranks */
+PetscErrorCode ElasticityBodyEnergy(Scene scene, Level *level, Mat K, Vec u, PetscReal energy[]);
+
+#endif

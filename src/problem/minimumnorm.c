@@ -1,0 +1,243 @@
+/* minimumnorm.c -- of all solutions, the one that moves least (T28).
+
+   Strains and pressures of a solution are unique, displacements are so up to motions that keep the contacts that press closed and
+   no other from staying open. Among these the mean square displacement of the bodies that float has one minimum: a small
+   quadratic problem in as many unknowns as there are free motions, whose constraints are the gaps that are left. */
+#include "base/compat.h"
+#include "kernel/dense.h"
+#include "problem/rigidimpl.h"
+
+/* A contact presses if its pressure exceeds this part of the largest. */
+static const PetscReal PRESSED = 1e-9;
+/* What rounding leaves of a force, in parts of stiffness times displacement. */
+static const PetscReal ROUNDOFF = 64 * PETSC_MACHINE_EPSILON;
+
+enum { MAX_DIM = 3 };
+
+/* What decides how bodies move that are free to. */
+typedef struct {
+  PetscBool *take;        /* rows that press, or tie [num_rows] */
+  PetscReal *slack;       /* gaps that are left in the others [num_rows] */
+  PetscReal *mass, *work; /* int z_k.z_l [m][m], int z_k.u [m] */
+} Play;
+
+/* Rows that press, or tie. [out] take - [num_rows] */
+static PetscErrorCode Pressing_Private(VI vi, Solvability s, Vec u, PetscBool take[])
+{
+  const PetscScalar *lambda;
+  PetscReal          largest = 0, forces, weights = 0, u_max;
+  Vec                l;
+
+  PetscFunctionBeginUser;
+  if (!vi->G) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecDuplicate(vi->G, &l));
+  PetscCall(VIRecoverMultiplier(vi, u, l));
+  PetscCall(VecNorm(u, NORM_INFINITY, &u_max));
+  PetscCall(VecNorm(vi->f, NORM_1, &forces));
+  PetscCall(VecGetArrayRead(l, &lambda));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    largest = PetscMax(largest, PetscAbsReal(PetscRealPart(lambda[r])));
+    weights += vi->row_D[r];
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPIU_REAL, MPI_MAX, vi->level->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &weights, 1, MPIU_REAL, MPI_SUM, vi->level->comm));
+  if (weights > 0) largest = PetscMax(largest, forces / weights); // all pressures may be rounding
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const PetscReal noise = ROUNDOFF * vi->stiffness * u_max / vi->row_D[r];
+
+    take[r] = (PetscBool)(s->both[r] || PetscRealPart(lambda[r]) > PRESSED * largest + noise);
+  }
+  PetscCall(VecRestoreArrayRead(l, &lambda));
+  PetscCall(VecDestroy(&l));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* int z_k.z_l and int z_k.u over one cell. [in,out] mass - [m][m]; [in,out] work - [m] */
+static void Cell_Private(VI vi, PetscInt c, const ElementRule *rule, const PetscScalar u[], PetscReal mass[],
+                         PetscReal work[])
+{
+  const Level    *level = vi->level;
+  const PetscInt  dim = level->dim, n = level->cell_start[c + 1] - level->cell_start[c], m = vi->motions.num;
+  const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]], piece = vi->motions.pieces.of_node[nodes[0]];
+  PetscReal       X[ELEMENT_MAX_NODES * MAX_DIM], x[MAX_DIM], value[MAX_DIM], z[RIGID_COMPONENTS * MAX_DIM];
+  PetscInt        begin = 0, end;
+
+  while (vi->motions.piece[begin] < piece) begin++;
+  for (end = begin; end < m && vi->motions.piece[end] == piece;) end++;
+  for (PetscInt i = 0; i < n * dim; i++) X[i] = level->coords[nodes[i / dim] * dim + i % dim];
+  for (PetscInt q = 0; q < rule->num; q++) {
+    const PetscReal weight = ElementRuleMap(rule, q, X, x, NULL) * rule->weight[q] * SceneMeasure(vi->scene, x);
+
+    for (PetscInt k = 0; k < dim; k++) {
+      value[k] = 0;
+      for (PetscInt i = 0; i < n; i++) value[k] += rule->phi[q * n + i] * PetscRealPart(u[nodes[i] * dim + k]);
+    }
+    for (PetscInt k = begin; k < end; k++)
+      RigidMotionAt(dim, &vi->motions.frames[4 * piece], &vi->motions.motion[k * RIGID_COMPONENTS], x,
+                    &z[(k - begin) * dim]);
+    for (PetscInt k = begin; k < end; k++) {
+      for (PetscInt i = 0; i < dim; i++) {
+        work[k] += weight * z[(k - begin) * dim + i] * value[i];
+        for (PetscInt l = begin; l < end; l++)
+          mass[k * m + l] += weight * z[(k - begin) * dim + i] * z[(l - begin) * dim + i];
+      }
+    }
+  }
+}
+
+/* The mean square displacement as a quadratic form of rigid motions. [out] mass - [m][m]; [out] work - [m] */
+static PetscErrorCode Mass_Private(VI vi, Vec u, PetscReal mass[], PetscReal work[])
+{
+  const Level       *level = vi->level;
+  const PetscInt     m     = vi->motions.num;
+  Vec                local;
+  const PetscScalar *ul;
+  ElementRule       *rule;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscArrayzero(mass, m * m));
+  PetscCall(PetscArrayzero(work, m));
+  PetscCall(PetscMalloc1(1, &rule));
+  rule->num = 0;
+  PetscCall(VecGhostGetLocalForm(u, &local));
+  PetscCall(VecGetArrayRead(local, &ul));
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    const ElementType type  = (ElementType)level->cell_type[c];
+    const PetscInt    piece = vi->motions.pieces.of_node[level->cell_nodes[level->cell_start[c]]];
+
+    if (!vi->motions.loose[piece]) continue;
+    if (!rule->num || rule->type != type) ElementRuleSet(type, 2 * ElementOrder(type), rule);
+    Cell_Private(vi, c, rule, ul, mass, work);
+  }
+  PetscCall(VecRestoreArrayRead(local, &ul));
+  PetscCall(VecGhostRestoreLocalForm(u, &local));
+  PetscCall(PetscFree(rule));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, mass, (PetscMPIInt)(m * m), MPIU_REAL, MPI_SUM, level->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, work, (PetscMPIInt)m, MPIU_REAL, MPI_SUM, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* b = L^-1 b, or b = L^-T b */
+static void Substitute_Private(PetscInt n, const PetscReal L[], PetscBool transposed, PetscReal b[])
+{
+  for (PetscInt j = 0; j < n; j++) {
+    const PetscInt i = transposed ? n - 1 - j : j;
+
+    for (PetscInt k = transposed ? i + 1 : 0; k < (transposed ? n : i); k++)
+      b[i] -= (transposed ? L[k * n + i] : L[i * n + k]) * b[k];
+    b[i] /= L[i * n + i];
+  }
+}
+
+/* The free motion N's that brings u next to zero and opens no gap beyond its bound. In w = L's, with LL' = N M N' of the mass M,
+   it is the point of a polyhedron next to -L^-1 N work. [in] kernel - N [n][m]; [out] q - [m] */
+static PetscErrorCode Least_Private(const Cone *cone, const Play *play, PetscInt n, const PetscReal kernel[],
+                                    PetscReal q[])
+{
+  const PetscInt m     = cone->m;
+  Cone           small = {.comm = cone->comm, .m = n};
+  PetscReal     *L, *target, *w, *rows, *bound;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc5(n * n, &L, n, &target, n, &w, cone->num * n, &rows, cone->num, &bound));
+  for (PetscInt i = 0; i < n; i++) {
+    for (PetscInt k = 0; k < m; k++) {
+      target[i] -= kernel[i * m + k] * play->work[k];
+      for (PetscInt j = 0; j < n; j++)
+        for (PetscInt l = 0; l < m; l++) L[i * n + j] += kernel[i * m + k] * play->mass[k * m + l] * kernel[j * m + l];
+    }
+  }
+  PetscCheck(DenseCholesky(n, L), cone->comm, PETSC_ERR_PLIB, "free motions are not independent");
+  Substitute_Private(n, L, PETSC_FALSE, target);
+  for (PetscInt r = 0; r < cone->num; r++) {
+    PetscReal *row = &rows[small.num * n];
+
+    if (play->take[r]) continue;
+    for (PetscInt i = 0; i < n; i++) {
+      row[i] = 0;
+      for (PetscInt k = 0; k < m; k++) row[i] += cone->rows[r * m + k] * kernel[i * m + k];
+    }
+    Substitute_Private(n, L, PETSC_FALSE, row); /* row.s = (L^-1 row).w */
+    bound[small.num++] = PetscMax(play->slack[r], 0);
+  }
+  small.rows = rows;
+  PetscCall(ConeNearest(&small, bound, target, w));
+  Substitute_Private(n, L, PETSC_TRUE, w);
+  for (PetscInt k = 0; k < m; k++) {
+    q[k] = 0;
+    for (PetscInt i = 0; i < n; i++) q[k] += kernel[i * m + k] * w[i];
+  }
+  PetscCall(PetscFree5(L, target, w, rows, bound));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* How far a motion takes apart, or pushes together, what presses: rounding, unless contact resists it next to nothing.
+   [in] take - rows that press [num]; [in] q - [m] */
+static PetscErrorCode Slip_Private(const Cone *cone, const PetscBool take[], const PetscReal q[], PetscReal *slip)
+{
+  PetscFunctionBeginUser;
+  *slip = 0;
+  for (PetscInt r = 0; r < cone->num; r++) {
+    PetscReal closing = 0;
+
+    for (PetscInt k = 0; k < cone->m && take[r]; k++) closing += cone->rows[r * cone->m + k] * q[k];
+    *slip = PetscMax(*slip, PetscAbsReal(closing));
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, slip, 1, MPIU_REAL, MPI_MAX, cone->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What is known of free motions once pressures are. */
+static PetscErrorCode Tell_Private(VI vi, Solvability s, PetscInt n, const PetscReal kernel[])
+{
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < s->num_free; i++) PetscCall(SceneMotionDestroy(&s->free[i]));
+  PetscCall(PetscFree(s->free));
+  PetscCall(PetscCalloc1(n, &s->free));
+  s->num_free = n;
+  for (PetscInt i = 0; i < n; i++) PetscCall(SceneMotionCreate(vi, s, &kernel[i * s->m], &s->free[i]));
+  if (s->verdict == SOLVABLE || s->verdict == SOLVABLE_FREE) s->verdict = n ? SOLVABLE_FREE : SOLVABLE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolvabilitySettle(VI vi, Vec y)
+{
+  const Solvability s     = vi->solvability;
+  const PetscInt    first = vi->level->dim * vi->level->node_begin;
+  Cone              cone;
+  Vec               u;
+  Play              play;
+  PetscReal        *kernel, *q;
+  PetscInt          n;
+
+  PetscFunctionBeginUser;
+  if (!s || s->verdict == SOLVABLE_NOT) PetscFunctionReturn(PETSC_SUCCESS);
+  cone = (Cone){.comm = vi->level->comm, .num = vi->num_rows, .m = s->m, .rows = s->C, .both = s->both};
+  PetscCall(PetscCalloc6(vi->num_rows, &play.take, vi->num_rows, &play.slack, s->m * s->m, &kernel, s->m * s->m,
+                         &play.mass, s->m, &play.work, s->m, &q));
+  PetscCall(LevelCreateVec(vi->level, vi->level->dim, &u));
+  PetscCall(VIRecoverDisplacement(vi, y, u));
+  PetscCall(Pressing_Private(vi, s, u, play.take));
+  PetscCall(ConeKernel(&cone, play.take, &n, kernel));
+  PetscCall(Tell_Private(vi, s, n, kernel));
+  if (n) {
+    const PetscScalar *ya, *upper;
+
+    PetscCall(VecGetArrayRead(y, &ya));
+    PetscCall(VecGetArrayRead(vi->upper, &upper));
+    for (PetscInt r = 0; r < vi->num_rows; r++) {
+      const PetscInt i = vi->row_dof[r] - first;
+
+      if (!s->both[r]) play.slack[r] = vi->length * PetscRealPart(upper[i] - ya[i]);
+    }
+    PetscCall(VecRestoreArrayRead(vi->upper, &upper));
+    PetscCall(VecRestoreArrayRead(y, &ya));
+    PetscCall(Mass_Private(vi, u, play.mass, play.work));
+    PetscCall(Least_Private(&cone, &play, n, kernel, q));
+    PetscCall(Slip_Private(&cone, play.take, q, &s->slip));
+    for (PetscInt k = 0; k < s->m; k++) PetscCall(VecAXPY(y, q[k] / vi->length, s->modes[k]));
+  }
+  PetscCall(VecDestroy(&u));
+  PetscCall(PetscFree6(play.take, play.slack, kernel, play.mass, play.work, q));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

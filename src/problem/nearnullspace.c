@@ -1,0 +1,137 @@
+/* nearnullspace.c -- rigid motions as near null space.
+
+   Smoothed aggregation needs the motions of each body as vectors of their own: sums over bodies lose them. In the unknowns
+   y a motion is y = T^-1 u: the ordinary unknowns of u~ = S^-1 u, F u~ at special nodes, and (B u)_row / D_row where
+   a row of B is an unknown. */
+#include "base/compat.h"
+#include "problem/nearnullspace.h"
+
+/* A vector shorter than this share of its first length is a combination of the ones before it. */
+static const PetscReal DEPENDENT = 1e-8;
+
+/* u of one rigid motion of a body: translations first, then rotations about the origin of coordinates. Those of a plane serve
+   axisymmetric bodies as well: away from the axis the hoop strain costs little. [in,out] u - ghosted */
+static PetscErrorCode SetMotion_Private(const Level *level, PetscInt body, PetscInt mode, Vec u)
+{
+  const PetscInt dim = level->dim;
+  PetscScalar   *ua;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecZeroEntries(u));
+  PetscCall(VecGetArray(u, &ua));
+  for (PetscInt i = 0; i < level->num_owned; i++) {
+    const PetscReal *x = &level->coords[i * dim];
+    if (level->node_body[i] != body) continue;
+    if (mode < dim) {
+      ua[i * dim + mode] = 1;
+    } else { // about the axis across the plane (j, k)
+      const PetscInt j = dim == 2 ? 0 : (mode - dim + 1) % 3, k = dim == 2 ? 1 : (mode - dim + 2) % 3;
+      ua[i * dim + j] = -x[k];
+      ua[i * dim + k] = x[j];
+    }
+  }
+  PetscCall(VecRestoreArray(u, &ua));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ModesSetMotion(VI vi, PetscInt k, Vec u)
+{
+  const Level     *level = vi->level;
+  const PetscInt   dim = level->dim, piece = vi->motions.piece[k];
+  const PetscReal *motion = &vi->motions.motion[k * RIGID_COMPONENTS];
+  PetscScalar     *ua;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecZeroEntries(u));
+  PetscCall(VecGetArray(u, &ua));
+  for (PetscInt i = 0; i < level->num_owned; i++) {
+    if (vi->motions.pieces.of_node[i] == piece)
+      RigidMotionAt(dim, &vi->motions.frames[4 * piece], motion, &level->coords[i * dim], &ua[i * dim]);
+  }
+  PetscCall(VecRestoreArray(u, &ua));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ModesApplyInverse(VI vi, const NodeBases *bases, const Couplings *couplings, Vec u, Vec Bu, Vec y)
+{
+  const PetscInt     dim = vi->level->dim;
+  const PetscScalar *ba;
+  PetscScalar       *ya;
+
+  PetscFunctionBeginUser;
+  if (couplings->unshift) {
+    PetscCall(MatMultAdd(couplings->unshift, u, u, y));
+  } else {
+    PetscCall(VecCopy(u, y));
+  }
+  PetscCall(VecGetArray(y, &ya));
+  for (PetscInt s = 0; s < bases->num; s++) {
+    PetscScalar *yi = &ya[bases->node[s] * dim], ui[3];
+    for (PetscInt k = 0; k < dim; k++) ui[k] = yi[k];
+    for (PetscInt r = 0; r < dim; r++) {
+      yi[r] = 0;
+      for (PetscInt k = 0; k < dim; k++) yi[r] += bases->F[(s * dim + r) * dim + k] * ui[k];
+    }
+  }
+  if (Bu) {
+    PetscCall(MatMult(vi->B, u, Bu));
+    PetscCall(VecGetArrayRead(Bu, &ba));
+    for (PetscInt r = 0; r < vi->num_rows; r++) ya[vi->row_dof[r] - dim * vi->level->node_begin] = ba[r] / vi->row_D[r];
+    PetscCall(VecRestoreArrayRead(Bu, &ba));
+  }
+  PetscCall(VecRestoreArray(y, &ya));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Orthonormalises against the vectors before; drops it where nothing is left (its body is fully held). */
+static PetscErrorCode Orthonormalize_Private(PetscInt *num, Vec vectors[])
+{
+  PetscReal   before, after;
+  PetscScalar dot;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecNorm(vectors[*num], NORM_2, &before));
+  for (PetscInt j = 0; j < *num; j++) {
+    PetscCall(VecDot(vectors[*num], vectors[j], &dot));
+    PetscCall(VecAXPY(vectors[*num], -dot, vectors[j]));
+  }
+  PetscCall(VecNorm(vectors[*num], NORM_2, &after));
+  if (after > DEPENDENT * before && before > 0) {
+    PetscCall(VecScale(vectors[*num], 1 / after));
+    (*num)++;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ModesAttach(VI vi, const NodeBases *bases, const Couplings *couplings, PetscInt num_fixed,
+                           const PetscInt fixed[])
+{
+  const PetscInt dim = vi->level->dim, per_body = dim * (dim + 1) / 2, max = vi->scene->num_bodies * per_body;
+  const PetscInt first = dim * vi->level->node_begin;
+  PetscInt       num   = 0;
+  Vec            u, Bu = NULL, *vectors;
+  PetscScalar   *ya;
+  MatNullSpace   space;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(vi->f, &u));
+  if (vi->G) PetscCall(VecDuplicate(vi->G, &Bu));
+  PetscCall(VecDuplicateVecs(vi->upper, max, &vectors));
+  for (PetscInt b = 0; b < vi->scene->num_bodies; b++) {
+    for (PetscInt mode = 0; mode < per_body; mode++) {
+      PetscCall(SetMotion_Private(vi->level, b, mode, u));
+      PetscCall(ModesApplyInverse(vi, bases, couplings, u, Bu, vectors[num]));
+      PetscCall(VecGetArray(vectors[num], &ya));
+      for (PetscInt i = 0; i < num_fixed; i++) ya[fixed[i] - first] = 0;
+      PetscCall(VecRestoreArray(vectors[num], &ya));
+      PetscCall(Orthonormalize_Private(&num, vectors));
+    }
+  }
+  PetscCall(MatNullSpaceCreate(vi->level->comm, PETSC_FALSE, num, vectors, &space));
+  PetscCall(MatSetNearNullSpace(vi->A, space));
+  PetscCall(MatNullSpaceDestroy(&space));
+  PetscCall(VecDestroyVecs(max, &vectors));
+  PetscCall(VecDestroy(&Bu));
+  PetscCall(VecDestroy(&u));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

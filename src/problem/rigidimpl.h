@@ -1,0 +1,32 @@
+/* rigidimpl.h -- what holds bodies that supports do not. */
+#ifndef MORTISE_RIGIDIMPL_H
+#define MORTISE_RIGIDIMPL_H
+
+#include "problem/solvability.h"
+#include "problem/basischange.h"
+#include "problem/conennls.h"
+
+/* Judges vi, which is complete but for this, and makes what solvers need. Collective. [in] fixed - global unknowns with unit
+   rows [num_fixed] */
+PetscErrorCode SolvabilityCreate(VI vi, const NodeBases *bases, const Couplings *couplings, PetscInt num_fixed,
+                                 const PetscInt fixed[], Solvability *solvability);
+
+/* The rows of B as rows of contact, and those of the bodies themselves where partners end within facets: s->cover. Collective. */
+PetscErrorCode CoverCreate(VI vi, Solvability s);
+PetscErrorCode CoverDestroy(Solvability s);
+
+/* Springs (T27), and where they rest. Collective. */
+PetscErrorCode SpringsCreate(VI vi, const NodeBases *bases, PetscInt num_fixed, const PetscInt fixed[],
+                             Solvability solvability);
+
+/* min |q - target|  over  row.q <= bound for all rows, bound >= 0; equality for rows of both signs. Collective.
+   [in] bound - [cone->num]; [in] target - [m]; [out] q - the same on all ranks [m] */
+PetscErrorCode ConeNearest(const Cone *cone, const PetscReal bound[], const PetscReal target[], PetscReal q[]);
+
+/* Adds how the two sides of a contact move past and from each other at its place. Not collective. [in] q - [m];
+   [in,out] slip - [3] */
+void SceneMotionSlip(VI vi, const ContactPlace *place, const PetscReal q[], PetscReal slip[]);
+/* The same of one rigid motion, k, with a factor. */
+void SceneMotionSlipOf(VI vi, const ContactPlace *place, PetscInt k, PetscReal factor, PetscReal slip[]);
+
+#endif

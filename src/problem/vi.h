@@ -1,0 +1,102 @@
+/* vi.h -- the condensed variational inequality and the way back (T3, T7, T8).
+
+   Book of record, in the user's units:  K u + B'lambda = f,  B u <= G,  lambda >= 0,  lambda.(B u - G) = 0, and the held
+   directions of the supports. One change of basis u = T y makes the constrained combinations single unknowns:
+       min 1/2 y'A y - b'y   subject to   y_i <= upper_i   where a row of contact has its unknown (row_dof),
+   with A = T'KT and b = T'f after held and tied unknowns are eliminated (unit rows, scaled), so that only true
+   inequalities are left. A, b, y and upper are dimensionless: u = length * T y, A_user = stiffness * A. */
+#ifndef MORTISE_VI_H
+#define MORTISE_VI_H
+
+#include "contact/pair.h"
+#include "problem/rigid.h"
+
+typedef struct _n_Solvability *Solvability; /* solvability.h */
+typedef struct _n_VIBasis     *VIBasis;     /* of the problem room: what T is made of */
+
+struct _n_VI {
+  Scene scene; /* borrowed */
+  Mesh  mesh;  /* borrowed; NULL for a matrix alone */
+  Level *
+      level; /* borrowed: the finest of mesh, or a coarser one (VICreateCoarse()); NULL below these (VICreateOfMatrix()) */
+  Support      support;
+  RigidMotions motions;     /* that the supports leave to the bodies */
+  Solvability  solvability; /* whether contact can hold these; NULL where there are none */
+  PetscInt     num_pairs;
+  Pair        *pairs;
+
+  /* book of record */
+  Mat K;        /* N x N, AIJ, block size dim */
+  Vec diagonal; /* of K */
+  Vec f;        /* ghosted */
+  Mat B;        /* m x N, rows as below; NULL when no pair has a multiplier */
+  Vec G;        /* m */
+  Mat nest;     /* [K B'; B 0], borrows K and B; NULL like B */
+
+  /* rows of B: this rank's multipliers, by pair, then by node, then (tied) by direction */
+  PetscInt   num_rows;      /* owned by this rank */
+  PetscInt  *row_pair;      /* [num_rows] */
+  PetscInt  *row_node;      /* position in the pair's nodes [num_rows] */
+  PetscInt  *row_direction; /* 0 normal, 1.. tangents (tied pairs only) [num_rows] */
+  PetscInt  *row_dof;       /* the global unknown y_i that is (B u)_row / D_row [num_rows] */
+  PetscReal *row_D;         /* D_aa [num_rows] */
+
+  /* the inequality */
+  Mat       T;                 /* u = length * T y; NULL when it is the identity */
+  Mat       Z;                 /* (T'KT - K) / stiffness: nonzero beside contact only; NULL with T */
+  Mat       S;                 /* K / stiffness for fast products, NULL until VIPrepareProducts() */
+  Mat       A;                 /* SPD, block size dim; a shell that knows products and diagonal, until VIAssemble() */
+  Vec       b;                 /* ghosted */
+  Vec       upper;             /* nodal gaps / length on contact unknowns, +infinity elsewhere */
+  Vec       lower;             /* -infinity */
+  PetscReal length, stiffness; /* scales */
+
+  PetscInt       num_fixed;   /* unknowns of this rank that are eliminated from A */
+  PetscInt      *fixed;       /* global numbers [num_fixed] */
+  PetscInt      *fixed_local; /* counted from this rank's first */
+  PetscBool      assembled;   /* whether A is AIJ */
+  VIBasis        basis;
+  PetscContainer levels; /* what the solve room keeps from one solve for the next, or NULL */
+};
+typedef struct _n_VI *VI;
+
+/* Searches, integrates, assembles and condenses. Roles that run in a circle are a fault. Collective. [out] vi - owned by the caller */
+PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi);
+PetscErrorCode VIDestroy(VI *vi);
+/* The same scene on a coarser level of its mesh, as far as multigrid needs it: with the scales of vi, without regard to
+   solvability and near null spaces. Collective. [in] l - level of vi->mesh; [in] K - in place of the level's own, or NULL;
+   [out] coarse - owned by the caller */
+PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse);
+/* Fills in vi->solvability of a coarser level, if bodies are to be held by contact and it is not known. Collective. */
+PetscErrorCode VIJudge(VI vi);
+/* A level without mesh: a matrix, its own products, and nothing else. Collective.
+   [in] A - AIJ, SPD; referenced; [in] fixed - unknowns with unit rows, counted from this rank's first [num_fixed], taken over; [out] vi - owned
+   by the caller */
+PetscErrorCode VICreateOfMatrix(Mat A, PetscInt num_fixed, PetscInt fixed[], VI *vi);
+/* Makes A a matrix: who factors it or takes it apart needs that, and memory for as much as K. Collective. */
+PetscErrorCode VIAssemble(VI vi);
+/* Makes S, which products with A take in place of K from then on: worth its memory, half of K's, to who iterates. Collective. */
+PetscErrorCode VIPrepareProducts(VI vi);
+/* Attaches to A, as near null space, the rigid motions of all bodies. Collective. */
+PetscErrorCode VIAttachModes(VI vi);
+/* A with springs on its diagonal, a matrix or a shell like A. Collective. [in] springs - borrowed for as long as the result lives;
+   [out] A - owned by the caller */
+PetscErrorCode VICreateSprung(VI vi, Vec springs, Mat *A);
+/* T^-1, as sparse as B: its rows are those of B, and nodes' frames. Collective.
+   [out] inverse - owned by the caller; NULL where T is the identity */
+PetscErrorCode VICreateInverse(VI vi, Mat *inverse);
+/* P := T^-1 P: what led to displacements, over length, leads to y. Collective. [in,out] P - AIJ, replaced */
+PetscErrorCode VIMultiplyInverse(VI vi, Mat *P);
+/* 1 where an unknown is left in A, 0 where it was eliminated. Collective. [out] open - like upper, owned by the caller */
+PetscErrorCode VICreateOpen(VI vi, Vec *open);
+/* Marks eliminated unknowns that are displacements: whose row of T is empty but for them. Not collective.
+   [in,out] held - true there, untouched elsewhere [unknowns of this rank] */
+PetscErrorCode VIMarkHeld(VI vi, PetscBool held[]);
+
+/* u = length * T y. [in] y; [out] u - ghosted, created by LevelCreateVec(level, dim), ghosts updated. Collective. */
+PetscErrorCode VIRecoverDisplacement(VI vi, Vec y, Vec u);
+/* lambda = (T'(f - K u))_row / D_row for every row of B (T9): pressures of contact rows, tractions of tied rows.
+   Collective. [in] u - ghosted; [out] lambda - layout of G, created by the caller */
+PetscErrorCode VIRecoverMultiplier(VI vi, Vec u, Vec lambda);
+
+#endif

@@ -1,0 +1,129 @@
+/* volumestrain.c -- how the cells of a body take its changes of volume (T29).
+
+   Every cell is judged by itself, so that a Poisson's ratio that varies costs nothing where it is low, and a mesh of
+   triangles and quadrilaterals takes each as it needs. Nothing of this is kept: results ask again. */
+#include "base/compat.h"
+#include "problem/volumestrain.h"
+
+/* Beside the measure, 1 / r makes the integrand of axisymmetric cells no polynomial: as much again. */
+static PetscInt StiffnessDegree_Private(Scene scene, ElementType type)
+{
+  return ElementStiffnessDegree(type) + 2 * SceneMeasureDegree(scene, ElementOrder(type));
+}
+
+PetscErrorCode ElasticityRulesCreate(Scene scene, ElementRule **rules)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(ELEMENT_COUNT, rules));
+  for (PetscInt t = 0; t < ELEMENT_COUNT; t++)
+    ElementRuleSet((ElementType)t, StiffnessDegree_Private(scene, (ElementType)t), &(*rules)[t]);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void CellCoordinates(const Level *level, PetscInt c, PetscReal X[])
+{
+  const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
+  const PetscInt  n     = level->cell_start[c + 1] - level->cell_start[c];
+
+  for (PetscInt i = 0; i < n; i++) {
+    for (PetscInt k = 0; k < level->dim; k++) X[i * level->dim + k] = level->coords[nodes[i] * level->dim + k];
+  }
+}
+
+PetscErrorCode ElasticityDilatationKind(Scene scene, const Level *level, PetscInt c, const ElementRule *rule,
+                                        DilatationKind *kind, PetscReal *poisson)
+{
+  const SceneBody *body = &scene->bodies[level->cell_body[c]];
+  PetscReal        X[DILATATION_MAX_DOFS], x[3] = {0, 0, 0}, nu;
+
+  PetscFunctionBeginUser;
+  *kind    = DILATATION_POINTWISE;
+  *poisson = NAN;
+  if (!body->poisson || scene->model == MODEL_PLANE_STRESS) PetscFunctionReturn(PETSC_SUCCESS);
+  if (ExpressionIsConstant(body->poisson)) {
+    PetscCall(ExpressionEvaluate(body->poisson, scene->dim, x, poisson));
+  } else {
+    CellCoordinates(level, c, X);
+    for (PetscInt q = 0; q < rule->num; q++) {
+      ElementRuleMap(rule, q, X, x, NULL);
+      PetscCall(ExpressionEvaluate(body->poisson, scene->dim, x, &nu));
+      if (!(nu <= *poisson)) *poisson = nu;
+    }
+  }
+  *kind = DilatationChoose(rule->type, *poisson);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The displacement phi_i along the radius stretches rings by phi_i / r beside its derivative. */
+void CellDilatation(Scene scene, DilatationKind kind, const ElementRule *rule, const PetscReal x[], const PetscReal w[],
+                    PetscReal grad[], Dilatation *dilatation)
+{
+  const PetscInt dim = scene->dim, nn = ElementNumNodes(rule->type);
+
+  for (PetscInt q = 0; q < rule->num && scene->model == MODEL_AXISYMMETRIC; q++) {
+    for (PetscInt i = 0; i < nn; i++) grad[(q * nn + i) * dim] += rule->phi[q * nn + i] / x[q * dim];
+  }
+  DilatationSet(kind, rule, x, w, grad, dilatation);
+}
+
+PetscErrorCode ElasticityDilatation(Scene scene, const Level *level, PetscInt c, const ElementRule *rule,
+                                    Dilatation *dilatation)
+{
+  const PetscInt dim = scene->dim, n = ElementNumNodes(rule->type) * dim;
+  PetscReal      X[DILATATION_MAX_DOFS], x[ELEMENT_MAX_POINTS * 3], w[ELEMENT_MAX_POINTS], poisson;
+  PetscReal      grad[ELEMENT_MAX_POINTS * DILATATION_MAX_DOFS];
+  DilatationKind kind;
+
+  PetscFunctionBeginUser;
+  dilatation->num = 0;
+  PetscCall(ElasticityDilatationKind(scene, level, c, rule, &kind, &poisson));
+  if (kind == DILATATION_POINTWISE) PetscFunctionReturn(PETSC_SUCCESS);
+  CellCoordinates(level, c, X);
+  for (PetscInt q = 0; q < rule->num; q++) {
+    w[q] = rule->weight[q] * ElementRuleMap(rule, q, X, &x[q * dim], &grad[q * n]);
+    w[q] *= SceneMeasure(scene, &x[q * dim]);
+  }
+  CellDilatation(scene, kind, rule, x, w, grad, dilatation);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ElasticityDilatationCount(Scene scene, const Level *level, DilatationCount counts[])
+{
+  ElementRule *rules;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscArrayzero(counts, scene->num_bodies));
+  PetscCall(ElasticityRulesCreate(scene, &rules));
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    DilatationCount *count = &counts[level->cell_body[c]];
+    DilatationKind   kind;
+    PetscReal        poisson;
+
+    PetscCall(ElasticityDilatationKind(scene, level, c, &rules[level->cell_type[c]], &kind, &poisson));
+    count->cells[kind]++;
+    if (kind) count->poisson = PetscMax(count->poisson, poisson);
+  }
+  PetscCall(PetscFree(rules));
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, counts[b].cells, DILATATION_LOCKS, MPIU_INT, MPI_SUM, level->comm));
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &counts[b].poisson, 1, MPIU_REAL, MPI_MAX, level->comm));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void CellLocks(Scene scene, PetscInt body, ElementType type, PetscReal poisson, char sentence[], size_t len)
+{
+  const SceneBody  *b      = &scene->bodies[body];
+  const PetscBool   plane  = (PetscBool)(scene->dim == 2);
+  const PetscInt    order  = ElementOrder(type);
+  const PetscBool   higher = (PetscBool)(DilatationChoose(ElementOfOrder(type, 2), poisson) != DILATATION_LOCKS);
+  const char *const boxes  = plane ? "quadrilaterals" : "hexahedra", *const simplices =
+                                                                        plane ? "triangles" : "tetrahedra";
+
+  snprintf(
+      sentence, len,
+      "%s %s: %s of order %d lock above %g, since they can hardly move without changing their volume; use %s%s%s%s",
+      ExpressionOption(b->poisson), ExpressionText(b->poisson), simplices, (int)order,
+      (double)DilatationThreshold(type), boxes, higher ? ", or -" : "", higher ? b->name : "",
+      higher ? "_order 2" : "");
+}

@@ -1,0 +1,14 @@
+/* bodycounts.h -- how many cells and nodes each body has on all ranks together. */
+#ifndef MORTISE_BODYCOUNTS_H
+#define MORTISE_BODYCOUNTS_H
+
+#include "problem/vi.h"
+
+typedef struct {
+  PetscInt cells, nodes;
+} BodyCount;
+
+/* Collective. [out] counts - [num_bodies], the same on all ranks */
+PetscErrorCode BodiesCount(const Level *level, PetscInt num_bodies, BodyCount counts[]);
+
+#endif

@@ -1,0 +1,33 @@
+/* certificate.h -- the answer judged in the original blocks, never in the system that was solved (T11). */
+#ifndef MORTISE_CERTIFICATE_H
+#define MORTISE_CERTIFICATE_H
+
+#include "result/fields.h"
+#include "solve/solve.h"
+
+/* All dimensionless; the same on all ranks. NAN where the answer holds numbers that are not finite. */
+typedef struct {
+  PetscReal equilibrium; /* |f - K u - B'lambda| on free directions over the size of the forces */
+  PetscReal gap;         /* max (B u - G)_+ / D over u_ref; also |B u - G| of tied rows and |d.u - value| of supports */
+  PetscReal pressure;    /* max (-lambda)_+ over p_ref */
+  PetscReal complementarity; /* sum D lambda |slack| over the work of the loads */
+  PetscReal force,
+      moment; /* balance of loads, reactions and obstacles of the whole scene, over the sum of their sizes */
+  PetscReal
+            pair_moment; /* part of moment that forces between two meshes in contact (ties hand theirs over) leave on curved sides with a gap */
+  PetscReal pull;       /* sum of contact forces (pressure times the row's weight) that pull, over the sum of all */
+  PetscInt  weightless; /* rows of contact that weigh nothing or less: there must be none */
+  PetscReal
+      energy_norm; /* |u|_K = (u'Ku)^(1/2), in the user's units: what the bound of the error is compared with; no test */
+  PetscReal limit; /* what none of those above but pair_moment may exceed */
+  PetscBool holds;
+  char      failure[256]; /* which test failed, by how much, what to try; "" where it holds */
+} Certificate;
+
+/* Collective. [out] reactions - ghosted Vec of dim per node: what the supports exert, owned by the caller */
+PetscErrorCode CertificateCompute(Fields fields, Certificate *certificate, Vec *reactions);
+
+/* An error in the norm of energy over |u|_K: NAN where one of them is not known, or there is no energy. Not collective. */
+PetscReal CertificateRelative(const Certificate *certificate, PetscReal error);
+
+#endif

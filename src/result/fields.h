@@ -1,0 +1,51 @@
+/* fields.h -- displacement, stress, pressure, gap and status: the answer in the user's units. */
+#ifndef MORTISE_FIELDS_H
+#define MORTISE_FIELDS_H
+
+#include "solve/solve.h"
+
+/* Status of a node for contact. */
+typedef enum { STATUS_NONE = -1, STATUS_OPEN = 0, STATUS_CONTACT = 1, STATUS_TIED = 2 } ContactStatus;
+
+/* lambda and slack are NULL where no pair has a multiplier. Arrays per row follow vi->row_pair and its companions. */
+struct _n_Fields {
+  VI         vi;         /* borrowed */
+  Vec        u;          /* ghosted, dim per node */
+  Vec        lambda;     /* per row of vi->B: pressure (contact) or traction (tied) */
+  Vec        slack;      /* per row: nodal gap left, G/D - (B u)/D */
+  Vec        stress;     /* ghosted, 6 per node: xx,yy,zz,yz,xz,xy; nodal average per body (T19) */
+  PetscReal *stiffness;  /* mean of K's diagonal over the components of each owned node [level->num_owned] */
+  PetscReal *row_weight; /* integral of the row's dual function: D_aa and what removed neighbours gave [vi->num_rows] */
+  PetscReal *row_moment; /* integral of the row's dual function times the position [vi->num_rows][dim] */
+  PetscReal *row_noise;  /* roundoff of lambda in one row [vi->num_rows] */
+  PetscInt  *row_status; /* ContactStatus: in contact = closed and pressed together [vi->num_rows] */
+  PetscReal *body_max; /* max |u| of each body and those it is paired with, the same on all ranks [scene->num_bodies] */
+  PetscReal  u_ref;    /* size of the displacements and gaps, the same on all ranks */
+  PetscReal  p_ref;    /* size of the pressures, the same on all ranks */
+};
+typedef struct _n_Fields *Fields;
+
+/* A computed force is known to about this part of the products that were summed up to it. A row of K u sums some tens of
+   products of size K_ii |u|, each with an error of one unit roundoff. */
+#define FIELDS_ROUNDOFF (64 * PETSC_MACHINE_EPSILON)
+
+/* Recovers everything from y. Collective. [out] fields - owned by the caller */
+PetscErrorCode FieldsCreate(VI vi, Vec y, Fields *fields);
+PetscErrorCode FieldsDestroy(Fields *fields);
+/* Collective. [out] strain - strain energy of each body [num_bodies]; [out] potential - 1/2 u'Ku - f'u */
+PetscErrorCode FieldsEnergy(Fields fields, PetscReal strain[], PetscReal *potential);
+
+/* What one pair does at the nodes this rank owns; arrays of shape [level->num_owned]. */
+typedef struct {
+  PetscReal *pressure; /* 0 off the nonmortar side; at removed nodes the mean of the neighbours that took over */
+  PetscReal *gap;      /* left after the motion; NAN where there is no constraint */
+  PetscReal *force;    /* normal force of the row, its pressure times its weight */
+  PetscInt  *status;   /* ContactStatus */
+  PetscBool *covered;  /* whether there is a pressure: the node's own, or that of neighbours that took over */
+} PairFields;
+
+/* Nodal values of pair p. Collective. [out] nodal - owned by the caller, PairFieldsDestroy() */
+PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal);
+PetscErrorCode PairFieldsDestroy(PairFields *nodal);
+
+#endif

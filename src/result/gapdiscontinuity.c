@@ -1,0 +1,107 @@
+/* gapdiscontinuity.c -- where the mean gap of a node is less than the gap is anywhere around it.
+
+   G_a / D_aa is a mean with weights psi_a, which are negative in part: right for gaps that are linear on a facet, and too small
+   by some h^2 / (12 R) where a curve comes nearest. Where the gap has a step or a sharp bend within a facet (a formula that
+   jumps, a groove or a chamfer of the other side) it may lie far below all of its values, and contact then pushes as if bodies
+   overlapped there. In scenes whose facets follow their curves it is less than a thousandth of the displacements. */
+#include "base/compat.h"
+#include "base/json.h"
+#include "result/gapdiscontinuity.h"
+
+/* The part of the largest displacement along the normals that such an overlap may have before it is told. */
+static const PetscReal SHOWS = 0.1;
+/* The part of coordinates, gaps and radii, of which gaps are differences, below which an overlap is their rounding: a mean over some
+   hundred points, with weights of either sign. */
+static const PetscReal ROUNDING = 256 * PETSC_MACHINE_EPSILON;
+/* Those that differ by less than this part count as equal when the place is told, on any number of ranks. */
+static const PetscReal SAME = 1e-9;
+
+/* How far the mean gap of a row in contact is below all gaps around its node, 0 of other rows. */
+static PetscReal Row_Private(Fields fields, PetscInt p, PetscInt r)
+{
+  const Pair     pair = fields->vi->pairs[p];
+  const PetscInt a    = fields->vi->row_node[r];
+
+  if (fields->vi->row_pair[r] != p || fields->vi->row_direction[r] != 0) return 0;
+  if (fields->row_status[r] != STATUS_CONTACT) return 0;
+  return PetscMax(-pair->gap[a] - pair->overlap[a], 0);
+}
+
+/* Of this rank, [out] largest - displacement of the pair's nodes along their normals, [out] size - number that a gap is made of. */
+static PetscErrorCode Sizes_Private(Fields fields, PetscInt p, PetscReal *largest, PetscReal *size)
+{
+  const Pair           pair     = fields->vi->pairs[p];
+  const SceneObstacle *obstacle = &pair->spec->obstacle;
+  const Level         *level    = fields->vi->level;
+  const PetscInt       dim      = level->dim;
+  const PetscScalar   *u;
+
+  PetscFunctionBeginUser;
+  *largest = 0;
+  *size    = PetscAbsReal(obstacle->radius);
+  for (PetscInt k = 0; k < dim; ++k) *size = PetscMax(*size, PetscAbsReal(obstacle->point[k]));
+  PetscCall(VecGetArrayRead(fields->u, &u)); // of nodes that this rank owns, as those of the pair are
+  for (PetscInt a = 0; a < pair->num; ++a) {
+    PetscReal un = 0;
+
+    for (PetscInt k = 0; k < dim; ++k) un += PetscRealPart(u[pair->nodes[a] * dim + k]) * pair->normal[a * dim + k];
+    *largest = PetscMax(*largest, PetscAbsReal(un));
+    *size    = PetscMax(*size, PetscAbsReal(pair->gap[a]));
+    for (PetscInt k = 0; k < dim; ++k) *size = PetscMax(*size, PetscAbsReal(level->coords[pair->nodes[a] * dim + k]));
+  }
+  PetscCall(VecRestoreArrayRead(fields->u, &u));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The first place by coordinates where the overlap is the largest, found one coordinate after the other. */
+static PetscErrorCode Place_Private(Fields fields, PetscInt p, PetscReal largest, PetscReal at[])
+{
+  const VI       vi  = fields->vi;
+  const PetscInt dim = vi->level->dim;
+
+  PetscFunctionBeginUser;
+  for (PetscInt k = 0; k < dim; ++k) {
+    PetscReal least = PETSC_INFINITY;
+
+    for (PetscInt r = 0; r < vi->num_rows; ++r) {
+      const PetscReal *x;
+      PetscBool        first = PETSC_TRUE;
+
+      if (Row_Private(fields, p, r) < (1 - SAME) * largest) continue; // also those of other pairs
+      x = &vi->level->coords[vi->pairs[p]->nodes[vi->row_node[r]] * dim];
+      for (PetscInt j = 0; j < k; ++j) first = (PetscBool)(first && x[j] == at[j]);
+      if (first) least = PetscMin(least, x[k]);
+    }
+    PetscCallMPI(MPI_Allreduce(&least, &at[k], 1, MPIU_REAL, MPI_MIN, vi->level->comm));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BumpFind(Fields fields, PetscInt p, PetscBool *shows, PetscReal *overlap, PetscReal at[])
+{
+  const VI  vi         = fields->vi;
+  PetscReal largest[3] = {0, 0, 0}; /* overlap, displacement, numbers */
+
+  PetscFunctionBeginUser;
+  for (PetscInt r = 0; r < vi->num_rows; ++r) {
+    if (vi->row_pair[r] == p) largest[0] = PetscMax(largest[0], Row_Private(fields, p, r));
+  }
+  PetscCall(Sizes_Private(fields, p, &largest[1], &largest[2]));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 3, MPIU_REAL, MPI_MAX, vi->level->comm));
+  *overlap = largest[0] > ROUNDING * largest[2] ? largest[0] : 0;
+  *shows   = (PetscBool)(*overlap > SHOWS * largest[1]);
+  if (*shows) PetscCall(Place_Private(fields, p, largest[0], at));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BumpAdd(Fields fields, PetscInt p, PetscInt dim, cJSON *object)
+{
+  PetscReal overlap = NAN, at[3] = {NAN, NAN, NAN};
+  PetscBool shows = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  if (fields) PetscCall(BumpFind(fields, p, &shows, &overlap, at));
+  JSONAddReal(object, "false_overlap", overlap);
+  if (shows) JSONAddReals(object, "false_overlap_at", dim, at);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,12 @@
+/* gatherarrays.h -- arrays of all ranks on the first one. */
+#ifndef MORTISE_GATHERARRAYS_H
+#define MORTISE_GATHERARRAYS_H
+
+#include <petscsys.h>
+
+/* All values that the ranks hold, in the order of the ranks, on the first rank; NULL elsewhere. Collective.
+   [out] all - owned by the caller; [out] total - may be NULL */
+PetscErrorCode GatherReals(MPI_Comm comm, PetscInt n, const PetscReal mine[], PetscInt *total, PetscReal **all);
+PetscErrorCode GatherInts(MPI_Comm comm, PetscInt n, const PetscInt mine[], PetscInt *total, PetscInt **all);
+
+#endif

@@ -1,0 +1,28 @@
+/* pairsum.h -- one contact pair in a few numbers. */
+#ifndef MORTISE_PAIRSUM_H
+#define MORTISE_PAIRSUM_H
+
+#include "result/fields.h"
+
+/* The same on all ranks; NAN where there is nothing to measure. */
+typedef struct {
+  PetscReal force[3];     /* what the mortar side exerts on the nonmortar body */
+  PetscReal normal_force; /* integral of the pressure */
+  PetscReal area;         /* where the pressure is positive */
+  PetscReal max_pressure, max_pressure_at[3];
+  PetscReal
+      max_covered; /* the largest at nodes around which the partner covers all facets or none: beside its end pressures are
+                         continued from the covered part of a facet */
+  PetscReal min_gap;
+  PetscReal lower[3], upper[3]; /* box around the active nodes */
+  PetscReal centre[3];          /* of pressure */
+  PetscReal
+           moment_imbalance; /* of the pair's forces on both sides, over the sum of their sizes; NAN with an obstacle */
+  PetscInt active;           /* nodes in contact, or tied */
+} PairSum;
+
+/* All NAN, for a pair nothing is known of; the sum of what is known. Collective. */
+PairSum        PairSumUnknown(void);
+PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum);
+
+#endif

@@ -1,0 +1,13 @@
+/* probes.h -- the answer at points of the user's choice. */
+#ifndef MORTISE_PROBES_H
+#define MORTISE_PROBES_H
+
+#include "result/fields.h"
+
+/* Displacement and averaged stress at a probe, interpolated by the shape functions of the cell that holds it. Collective; the
+   same on all ranks. [out] u - [3], absent components 0; [out] stress - [6] */
+PetscErrorCode ProbeEvaluate(Fields fields, const SceneProbe *probe, PetscReal u[3], PetscReal stress[6]);
+/* Faults if a probe lies outside its body; call before the solve. Collective. */
+PetscErrorCode ProbesCheck(Scene scene, Mesh mesh);
+
+#endif

@@ -1,0 +1,10 @@
+/* smallstrain.h -- whether a solution is one that small displacements allow. */
+#ifndef MORTISE_SMALLSTRAIN_H
+#define MORTISE_SMALLSTRAIN_H
+
+#include "result/fields.h"
+
+/* Warns where a body is strained or turned more than is small. Collective. */
+PetscErrorCode ValidityWarn(Fields fields);
+
+#endif

@@ -1,0 +1,118 @@
+/* solvabilityreport.c -- whether contact holds what supports do not, for people and for programs. */
+#include "base/compat.h"
+#include "base/json.h"
+#include "base/warning.h"
+#include "result/roundness.h"
+#include "result/solvabilityreport.h"
+
+/* Bodies that move together, body by body; where one is of several pieces, piece by piece. */
+static void AddMotion_Private(VI vi, const SceneMotion *motion, cJSON *object)
+{
+  const PetscInt dim = vi->level->dim;
+
+  for (PetscInt i = 0; i < motion->num; ++i) {
+    const BodyMotion *moves = &motion->bodies[i];
+    cJSON            *body  = cJSON_AddObjectToObject(object, moves->name);
+
+    if (!moves->whole) {
+      cJSON_AddStringToObject(body, "body", vi->scene->bodies[moves->body].name);
+      JSONAddInt(body, "piece", moves->piece);
+    }
+
+    JSONAddReals(body, "translation", dim, moves->translation);
+    if (dim == 2)
+      JSONAddReal(body, "rotation", moves->rotation[2]);
+    else
+      JSONAddReals(body, "rotation", dim, moves->rotation);
+    JSONAddReals(body, "centre", dim, moves->centre);
+    JSONAddReal(body, "work", moves->work);
+  }
+}
+
+void VerdictAdd(VI vi, cJSON *root)
+{
+  static const char *const verdicts[] = {"solvable", "free_motion", "marginal", "no_solution"};
+  const Solvability        s          = vi->solvability;
+  cJSON                   *object     = cJSON_AddObjectToObject(root, "solvability"), *motions;
+
+  cJSON_AddStringToObject(object, "verdict", verdicts[s ? s->verdict : SOLVABLE]);
+  cJSON_AddBoolToObject(object, "on_this_mesh", s && s->coarse);
+  if (s && s->motion.num) {
+    AddMotion_Private(vi, &s->motion, cJSON_AddObjectToObject(object, "motion"));
+    JSONAddReal(object, "work", s->motion.work);
+    cJSON_AddStringToObject(object, "sentence", s->motion.sentence);
+  } else {
+    cJSON_AddNullToObject(object, "motion");
+    cJSON_AddNullToObject(object, "work");
+    cJSON_AddNullToObject(object, "sentence");
+  }
+  motions = cJSON_AddArrayToObject(object, "free_motions");
+  for (PetscInt i = 0; s && i < s->num_free; ++i) {
+    cJSON *one = cJSON_CreateObject();
+
+    AddMotion_Private(vi, &s->free[i], one);
+    cJSON_AddItemToArray(motions, one);
+  }
+}
+
+PetscErrorCode VerdictPrint(VI vi)
+{
+  const Solvability s = vi->solvability;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; s && i < s->num_free; ++i)
+    PetscCall(PetscPrintf(vi->level->comm, "  free motion: %s\n", s->free[i].sentence));
+  if (s && s->num_free)
+    PetscCall(PetscPrintf(vi->level->comm, "    of all positions the one of least motion is given\n"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VerdictRefuse(VI vi)
+{
+  const Solvability s = vi->solvability;
+
+  PetscFunctionBeginUser;
+  if (s && s->verdict == SOLVABLE_NOT) {
+    PetscCall(PetscFPrintf(vi->level->comm, PETSC_STDERR,
+                           "mortise: no solution%s: %s: the loads do %+.6g of work %s per %s and nothing resists%s\n",
+                           s->coarse ? " on this mesh" : "", s->motion.sentence, (double)s->motion.work,
+                           s->motion.num > 1 ? "together" : "on it", s->motion.turns ? "radian" : "unit of length",
+                           s->coarse ? "; the bodies reach farther than the last nodes that can press: refine, or let "
+                                       "facets end where the partner does"
+                                     : ""));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VerdictWarn(VI vi)
+{
+  const Solvability s    = vi->solvability;
+  const char       *then = "it is free to do so";
+  PetscBool         round;
+
+  PetscFunctionBeginUser;
+  if (!s || s->verdict != SOLVABLE_MARGINAL) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(RoundCarries(vi, &round));
+  if (round) then = "what it rests on is round, and it is free to roll";
+  if (s->motion.turns && !round) then = "the pressure gathers at an edge and grows without bound on finer meshes";
+  PetscCall(WarningAdd(&(Warning){.code = "marginal"}, "the loads are on the verge: %s at no cost; %s",
+                       s->motion.sentence, then));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VerdictView(VI vi)
+{
+  static const char *const verdicts[] = {
+      "contact can balance the loads, and resists every one of them",
+      "contact can balance the loads, some of them are free",
+      "contact can just balance the loads",
+      "contact cannot balance the loads",
+  };
+  const Solvability s = vi->solvability;
+
+  PetscFunctionBeginUser;
+  if (!s) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscPrintf(vi->level->comm, "  rigid motions that supports leave: %" PetscInt_FMT "; %s\n", s->m,
+                        verdicts[s->verdict]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,173 @@
+/* scene.h -- what the user described, checked as far as it can be without a mesh.
+
+   Plain data. Absent things are NULL or of zero length. All texts and expressions are owned by the scene. */
+#ifndef MORTISE_SCENE_H
+#define MORTISE_SCENE_H
+
+#include <petscsys.h>
+#include "base/expression.h"
+#include "kernel/material.h"
+
+typedef enum { BOUNDARY_DISPLACEMENT, BOUNDARY_NORMAL, BOUNDARY_TRACTION, BOUNDARY_PRESSURE } BoundaryKind;
+
+/* Data on one side of a body. */
+typedef struct {
+  BoundaryKind kind;
+  char        *side; /* as typed: a name, a number, or several joined with '+' */
+  Expression
+      value; /* displacement [dim] with free components, traction [dim], pressure [1]; NULL for BOUNDARY_NORMAL */
+} SceneBoundary;
+
+typedef struct {
+  char          *name;      /* also the option prefix, without the underscore */
+  char          *mesh_file; /* found path of a mesh, or NULL for a box */
+  char          *region;    /* physical group (name or number) of the cells, or NULL for all */
+  PetscBool      simplex;   /* box of triangles (tetrahedra) instead of quads (hexes) */
+  PetscInt       faces[3];  /* cells of the box along each axis */
+  PetscReal      lower[3], upper[3];
+  Expression     map;    /* box coordinates to positions [dim], or NULL */
+  PetscInt       refine; /* refinements of this body alone, before all are merged */
+  PetscInt       order;
+  PetscBool      polygonal;    /* sides are the polygons that the facets of first order make */
+  PetscBool      curved_file;  /* found by the mesh: the file is of second order */
+  PetscBool      straightened; /* likewise: it has curved sides, of which order 1 makes chords */
+  PetscBool      arcs; /* likewise: it is of first order, and has sides of pairs that are taken for smooth and bend */
+  PetscInt       num_hinges;     /* likewise, on the first rank: vertices by which alone some cells hang together */
+  PetscReal      hinge[3];       /* the first of them, before the map */
+  Expression     young, poisson; /* of an isotropic body, else NULL */
+  Expression     stiffness;      /* upper triangle of the Hooke tensor, else NULL */
+  PetscReal      angle[3];       /* of the material axes, degrees */
+  Expression     body_force;     /* force per volume [dim], or NULL */
+  Expression     exact;          /* the exact displacement, where it is known [dim], or NULL */
+  PetscInt       num_boundaries;
+  SceneBoundary *boundaries; /* in the order typed: displacement, normal, traction, pressure */
+} SceneBody;
+
+typedef enum { PAIR_CONTACT, PAIR_TIED } PairType;
+/* Which nodes of a nonmortar side of second order carry multipliers. */
+typedef enum { MULTIPLIERS_NODES, MULTIPLIERS_VERTICES } PairMultipliers;
+typedef enum {
+  OBSTACLE_NONE,
+  OBSTACLE_PLANE,
+  OBSTACLE_BALL,
+  OBSTACLE_CYLINDER,
+  OBSTACLE_PARABOLA,
+  OBSTACLE_EXPRESSION
+} ObstacleKind;
+
+/* A rigid body without a mesh. */
+typedef struct {
+  ObstacleKind kind;
+  PetscReal    point[3];  /* on the plane, on the cylinder's axis; centre of the ball; vertex of the parabola */
+  PetscReal    normal[3]; /* unit, out of the obstacle, towards the body: of the plane, of the parabola at its vertex */
+  PetscReal    axis[3];   /* of the cylinder, unit */
+  PetscReal
+      radius; /* of ball and cylinder (negative: a hollow the body lies in), of curvature at the parabola's vertex */
+  Expression gap; /* OBSTACLE_EXPRESSION: the gap itself, a function of the nonmortar point [1] */
+} SceneObstacle;
+
+typedef struct {
+  PetscInt body; /* index into bodies, or -1 */
+  char    *side;
+} SceneSide;
+
+typedef struct {
+  char           *name;
+  PairType        type;
+  PetscBool       roles_open; /* the user gave -<pair>_sides only: the mesh decides which side is nonmortar */
+  SceneSide       nonmortar;
+  SceneSide       mortar;     /* body = -1 with an obstacle */
+  SceneObstacle   obstacle;   /* kind OBSTACLE_NONE with a meshed mortar side */
+  Expression      gap;        /* replaces the measured gap, or NULL [1] */
+  Expression      gap_offset; /* is added to it, or NULL [1] */
+  PetscReal       reach;      /* farthest candidate, or negative: from the geometry */
+  PairMultipliers multipliers;
+  Expression      exact; /* the exact pressure, where it is known [1], or NULL */
+} ScenePair;
+
+typedef struct {
+  char     *name;
+  PetscInt  body;
+  PetscReal at[3];
+} SceneProbe;
+
+typedef enum { OUTPUT_XDMF = 1, OUTPUT_VTU = 2 } OutputFormat; /* bits */
+
+typedef enum { STUDY_NONE, STUDY_UNIFORM } StudyKind;
+enum {
+  STUDY_MAX_ORDERS = 2,
+  STUDY_OWN_ORDERS = 0 /* in place of an order: every body keeps its own, and they differ */
+};
+
+/* Whether linear systems are solved with the help of coarser meshes, as far as -ksp_type and -pc_type say. */
+/* Where iterative solvers stop. */
+typedef enum { STOP_RESIDUAL, STOP_DISCRETISATION } SceneStop;
+
+typedef enum { LEVELS_BY_SIZE, LEVELS_USED, LEVELS_UNUSED } SceneLevels;
+
+/* The same scene on several meshes. */
+typedef struct {
+  StudyKind kind;
+  PetscInt  levels; /* meshes, each refined once more than the one before; the first is the scene's own */
+  PetscInt  num_orders, orders[STUDY_MAX_ORDERS]; /* of all bodies, ascending; STUDY_OWN_ORDERS only alone */
+  PetscReal memory; /* bytes that a run may take, of all ranks together; infinite where nothing was said */
+} SceneStudy;
+
+struct _n_Scene {
+  MPI_Comm comm;
+  char    *title; /* "" where none was given */
+  PetscInt dim;
+  char    *unread; /* "-<option> <file>" of a mesh file without cells where nothing else tells the dimension, or NULL */
+  ModelKind   model;
+  PetscReal   thickness;
+  PetscInt    refine; /* common refinements: the levels */
+  SceneLevels levels; /* whether a solver may need more of them */
+  PetscInt    num_bodies, num_pairs, num_probes;
+  SceneBody  *bodies;
+  ScenePair  *pairs;
+  SceneProbe *probes;
+  char       *output;  /* path prefix, or NULL for no files */
+  int         formats; /* OutputFormat bits */
+  char       *summary; /* file for the summary alone, "-" for stdout, or NULL */
+  SceneStudy  study;
+  SceneStop   stop;
+  PetscBool   cross_check, measure_linear, quiet, monitor, view, report, allow_unused, warnings_fail;
+};
+typedef struct _n_Scene *Scene;
+
+/* What a piece of a meridian plane stands for: 2 pi r in an axisymmetric scene, 1 in others. [in] x - [dim] */
+static inline PetscReal SceneRing(const struct _n_Scene *scene, const PetscReal x[])
+{
+  return scene->model == MODEL_AXISYMMETRIC ? 2 * PETSC_PI * x[0] : 1;
+}
+
+/* The measure that integrals carry beside that of the mesh: the ring, or the thickness. */
+static inline PetscReal SceneMeasure(const struct _n_Scene *scene, const PetscReal x[])
+{
+  return scene->thickness * SceneRing(scene, x);
+}
+
+/* How much it adds to the degree of an integrand in cells or facets of an order. */
+static inline PetscInt SceneMeasureDegree(const struct _n_Scene *scene, PetscInt order)
+{
+  return scene->model == MODEL_AXISYMMETRIC ? order : 0;
+}
+
+/* Creates an empty scene. Collective on comm. [out] scene - owned by the caller */
+PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene);
+/* Reads every option of the table that -help prints (src/scene/table.c); faults for anything that can be judged without a mesh.
+   Collective on the scene's comm. */
+PetscErrorCode SceneSetFromOptions(Scene scene);
+/* Faults on options that nothing has read. With before_solve only those outside PETSc's own name spaces (ksp_, pc_, mat_,
+   snes_, ...), since PETSc reads many of its options late; without it, any. -options_allow_unused turns the fault into a
+   warning. Collective. */
+PetscErrorCode SceneCheckUnused(Scene scene, PetscBool before_solve);
+/* Prints every option, its unit and default, grouped. First rank of comm only. */
+PetscErrorCode SceneHelp(MPI_Comm comm);
+/* Prints what was modelled, as far as the scene knows (bodies, materials, loads, pairs). Collective. */
+PetscErrorCode SceneView(Scene scene);
+/* Begins the list of what was left out and why: "left out:" and a line each. Collective. */
+PetscErrorCode SceneViewLeftOut(Scene scene);
+PetscErrorCode SceneDestroy(Scene *scene);
+
+#endif

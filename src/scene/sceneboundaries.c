@@ -1,0 +1,140 @@
+/* sceneboundaries.c -- supports and loads of one body: lists of sides, a datum for each, and what excludes what.
+
+   A direction of a side is either held or loaded. Data on one side that say both are a mistake, except where a
+   component of the displacement is left free for the load. Traction and pressure on one side add up. */
+#include "scene/sceneparts.h"
+#include <string.h>
+
+/* Names of the kinds in the options, in the order of BoundaryKind. */
+static const char *const kinds[] = {"displacement", "normal", "traction", "pressure"};
+enum { NUM_KINDS = 4 };
+
+/* The list of sides of one kind. */
+static PetscErrorCode BoundaryFindList_Private(Scene scene, const SceneBody *body, PetscInt kind, Option *list)
+{
+  static const char *const patterns[NUM_KINDS] = {"-<body>_bc_displacement", "-<body>_bc_normal", "-<body>_bc_traction",
+                                                  "-<body>_bc_pressure"};
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionFind(scene, patterns[kind], body->name, NULL, list));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Looks for the datum of one listed side. When one is missing, those of all others have been seen, and what is left is
+   the datum of a side that is not listed. */
+static PetscErrorCode BoundaryFindValue_Private(Scene scene, const SceneBody *body, const SceneBoundary *boundary,
+                                                Option *datum)
+{
+  static const char *const patterns[NUM_KINDS] = {"-<body>_bc_displacement_<side>", NULL, "-<body>_bc_traction_<side>",
+                                                  "-<body>_bc_pressure_<side>"};
+
+  PetscFunctionBeginUser;
+  if (boundary->kind == BOUNDARY_NORMAL) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(OptionFind(scene, patterns[boundary->kind], body->name, boundary->side, datum));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode BoundaryReadValue_Private(Scene scene, const SceneBody *body, SceneBoundary *boundary)
+{
+  const PetscBool displacement = (PetscBool)(boundary->kind == BOUNDARY_DISPLACEMENT);
+  Option          datum;
+  char            why[OPTION_MAX];
+
+  PetscFunctionBeginUser;
+  if (boundary->kind == BOUNDARY_NORMAL) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(BoundaryFindValue_Private(scene, body, boundary, &datum));
+  PetscCall(PetscSNPrintf(why, sizeof(why), "the side is listed in -<body>_bc_%s", kinds[boundary->kind]));
+  PetscCall(OptionRequire(&datum, why));
+  PetscCall(OptionGetExpression(&datum, boundary->kind == BOUNDARY_PRESSURE ? 1 : scene->dim, displacement,
+                                &boundary->value));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Reads one list with its data behind the boundaries that are there already. */
+static PetscErrorCode BoundaryReadKind_Private(Scene scene, SceneBody *body, PetscInt kind)
+{
+  Option      list, datum;
+  const char *cursor = NULL;
+  char        side[OPTION_MAX];
+  PetscInt    num, first = body->num_boundaries;
+
+  PetscFunctionBeginUser;
+  PetscCall(BoundaryFindList_Private(scene, body, kind, &list));
+  num = OptionCountItems(&list);
+  for (PetscInt i = 0; i < num; i++) {
+    SceneBoundary *boundary = &body->boundaries[body->num_boundaries];
+
+    PetscCall(OptionNextItem(&list, &cursor, side));
+    if (strlen(side) + strlen(list.name) + 2 > OPTION_MAX)
+      PetscCall(OptionRaise(&list, "the name of a side is too long for an option"));
+    PetscCall(SideCheck(&list, body, side));
+    for (PetscInt j = first; j < body->num_boundaries; j++) {
+      char common[OPTION_MAX];
+
+      if (SideOverlaps(side, body->boundaries[j].side, common))
+        PetscCall(OptionRaise(&list, "the side %s is listed twice", common));
+    }
+    boundary->kind = (BoundaryKind)kind;
+    body->num_boundaries++;
+    PetscCall(PetscStrallocpy(side, &boundary->side));
+    PetscCall(BoundaryFindValue_Private(scene, body, boundary, &datum));
+  }
+  for (PetscInt i = first; i < body->num_boundaries; i++)
+    PetscCall(BoundaryReadValue_Private(scene, body, &body->boundaries[i]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscBool BoundaryHoldsAll(Scene scene, const SceneBoundary *boundary)
+{
+  if (boundary->kind != BOUNDARY_DISPLACEMENT) return PETSC_FALSE;
+  for (PetscInt c = 0; c < scene->dim; c++) {
+    if (ExpressionIsFree(boundary->value, c)) return PETSC_FALSE;
+  }
+  return PETSC_TRUE;
+}
+
+/* Faults where a side is held and loaded in the same direction. */
+static PetscErrorCode BoundaryCheckRoles_Private(Scene scene, const SceneBody *body, const SceneBoundary *held,
+                                                 const SceneBoundary *load)
+{
+  char side[OPTION_MAX];
+
+  PetscFunctionBeginUser;
+  if (load->kind != BOUNDARY_TRACTION && load->kind != BOUNDARY_PRESSURE) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!SideOverlaps(held->side, load->side, side)) PetscFunctionReturn(PETSC_SUCCESS);
+  if (BoundaryHoldsAll(scene, held)) {
+    PetscCall(UserErrorRaise(scene->comm,
+                             "-%s_bc_%s: the side %s cannot be loaded, its displacement is given by "
+                             "-%s_bc_displacement_%s; leave a component of "
+                             "that `free`, or take one of the two away",
+                             body->name, kinds[load->kind], side, body->name, held->side));
+  }
+  if (held->kind == BOUNDARY_NORMAL && load->kind == BOUNDARY_PRESSURE) {
+    PetscCall(UserErrorRaise(scene->comm,
+                             "-%s_bc_pressure: the side %s cannot be loaded along its normal, -%s_bc_normal holds it "
+                             "there; take one of the two away",
+                             body->name, side, body->name));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BoundariesRead(Scene scene, SceneBody *body)
+{
+  Option   force, list;
+  PetscInt num = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionFind(scene, "-<body>_body_force", body->name, NULL, &force));
+  PetscCall(OptionGetExpression(&force, scene->dim, PETSC_FALSE, &body->body_force));
+  for (PetscInt kind = 0; kind < NUM_KINDS; kind++) {
+    PetscCall(BoundaryFindList_Private(scene, body, kind, &list));
+    num += OptionCountItems(&list);
+  }
+  PetscCall(PetscCalloc1(num, &body->boundaries));
+  for (PetscInt kind = 0; kind < NUM_KINDS; kind++) PetscCall(BoundaryReadKind_Private(scene, body, kind));
+  for (PetscInt i = 0; i < num; i++) {
+    for (PetscInt j = i + 1; j < num; j++)
+      PetscCall(BoundaryCheckRoles_Private(scene, body, &body->boundaries[i], &body->boundaries[j]));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

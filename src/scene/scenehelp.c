@@ -1,0 +1,79 @@
+/* scenehelp.c -- -help: the table as a manual, chapter by chapter. */
+#include "scene/sceneoption.h"
+#include <string.h>
+
+/* Columns of a page: the option with its argument, the unit, what holds without it; the sentence stands below,
+   indented. */
+enum { PAGE_WIDTH = 110, OPTION_WIDTH = 56, UNIT_WIDTH = 13, INDENT = 6 };
+
+static const char intro[] =
+    "Mortise finds displacements and contact pressures of elastic bodies that touch.\n"
+    "\n"
+    "  mortise -options_file scene.opts [-option value ...]\n"
+    "\n"
+    "Beside each option stand its unit, if it has one, and the value that it has when it is not given, or in "
+    "parentheses\n"
+    "what happens then; its purpose stands below.\n"
+    "\n"
+    "Values: n is a whole number, x a number, e a number or an expression in x and y such as 3e6*(1-y^2), written "
+    "without\n"
+    "blanks or in quotes; components and lists are separated by commas. 0|1 also takes no, yes, and nothing at all for "
+    "yes.\n"
+    "An expression that begins with a minus and a letter is written 0-sin(x). Any consistent set of units will do.\n"
+    "<body>, <pair> and <probe> are names that -bodies, -pairs and -probes list; <side> is a side of the body.\n";
+
+/* Prints a sentence in lines that end before the page does. */
+static PetscErrorCode HelpPrintWrapped_Private(MPI_Comm comm, const char text[])
+{
+  PetscFunctionBeginUser;
+  while (*text) {
+    size_t length = strlen(text);
+
+    if (length > PAGE_WIDTH - INDENT) {
+      length = PAGE_WIDTH - INDENT;
+      while (length > 1 && text[length] != ' ') length--;
+    }
+    PetscCall(PetscPrintf(comm, "%*s%.*s\n", INDENT, "", (int)length, text));
+    text += length;
+    while (*text == ' ') text++;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Prints one row; an option too long for its column has a line of its own. */
+static PetscErrorCode HelpPrintEntry_Private(MPI_Comm comm, const OptionEntry *entry)
+{
+  char left[OPTION_MAX];
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscSNPrintf(left, sizeof(left), "%s %s", entry->name, entry->argument));
+  if (strlen(left) > OPTION_WIDTH) {
+    PetscCall(PetscPrintf(comm, "  %s\n", left));
+    left[0] = '\0';
+  }
+  if (entry->standard[0])
+    PetscCall(PetscPrintf(comm, "  %-*s %-*s %s\n", OPTION_WIDTH, left, UNIT_WIDTH, entry->unit, entry->standard));
+  else
+    PetscCall(PetscPrintf(comm, "  %s\n", left));
+  PetscCall(HelpPrintWrapped_Private(comm, entry->help));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SceneHelp(MPI_Comm comm)
+{
+  static const char  line[] = "--------------------------------------------------"; /* longer than any title */
+  PetscInt           num;
+  const OptionEntry *table = OptionTable(&num);
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscPrintf(comm, "%s", intro));
+  for (PetscInt i = 0; i < num; i++) {
+    const char *title = OptionGroupTitle(table[i].group);
+
+    if (i == 0 || table[i].group != table[i - 1].group) {
+      PetscCall(PetscPrintf(comm, "\n%s\n%.*s\n", title, (int)strlen(title), line));
+    }
+    PetscCall(HelpPrintEntry_Private(comm, &table[i]));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,282 @@
+/* errorbound.c -- how far a displacement can be from the solution of the inequality, in the norm of the energy (T31).
+
+   y^ is y put on the bounds where (T10) wants it and below them elsewhere, A the set of the former, F all others. For any d that
+   vanishes on A, with pressures that do not pull on A and none on F that balance A (y^ + d),
+       b - A (y^ + d) = 0 on F,   >= 0 on A,
+   the solution is not farther from y^ than y^ + d is. The d of the set's own system is such one, unless a pressure pulls: then its
+   node leaves A. So the factors of the last step serve once more, as do its bounds; no norm of the inverse of A itself is needed.
+
+   With springs (springs.h) the factors are those of A + W, and d is the limit of corrections, each of what W pulled in the one before.
+   What does not get less is a force along motions that nothing resists, which the exact problem could not bear: it is rounding, and
+   set aside.
+
+   An iterative solver has no d. Its preconditioner B, and the smallest Ritz value alpha of B A_FF that the method of conjugate
+   gradients has met, estimate |d|_A^2 by f.B f / alpha. */
+#include "base/compat.h"
+#include "pdas/pdas.h"
+#include "problem/solvability.h"
+#include "pdas/pdasimpl.h"
+#include "solve/errorbound.h"
+
+/* Sets until no pressure pulls; then the empty one, which has none. Corrections until springs do not matter. */
+enum { MAX_SETS = 4, MAX_CORRECTIONS = 50 };
+enum { NUM_VECS = 6 };
+/* The bound is wanted to some digits, not to all: what corrections may leave, in parts of the residual. */
+static const PetscReal SETTLED = 1e-6;
+/* Residual of a solve that only makes factors, or Ritz values. */
+static const PetscReal LOOSE = 1e-3;
+
+typedef struct {
+  ActiveSolver solver;
+  Mat          A; /* without springs */
+  Vec          b;
+  Vec         *vecs; /* owns those below */
+  Vec          y, r; /* y^; b - A y^ */
+  Vec          f, d; /* what d has to balance, 0 on A; d */
+  Vec          s, c; /* what it does not balance yet; its next part, scratch */
+  PetscBool   *fixed;
+  PetscReal   *values, *forces; /* of bounded unknowns [n] */
+} Bound;
+
+static PetscErrorCode BoundCreate_Private(ActiveSolver solver, Mat A, Vec b, Bound *m)
+{
+  const PetscInt n = solver->set->n;
+
+  PetscFunctionBeginUser;
+  *m = (Bound){.solver = solver, .A = A, .b = b};
+  PetscCall(VecDuplicateVecs(b, NUM_VECS, &m->vecs));
+  m->y = m->vecs[0], m->r = m->vecs[1], m->f = m->vecs[2];
+  m->d = m->vecs[3], m->s = m->vecs[4], m->c = m->vecs[5];
+  PetscCall(PetscMalloc3(n, &m->fixed, n, &m->values, n, &m->forces));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode BoundDestroy_Private(Bound *m)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VecDestroyVecs(NUM_VECS, &m->vecs));
+  PetscCall(PetscFree3(m->fixed, m->values, m->forces));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* y^, its set, and its residual. [out] moved - |y^ - y|_A */
+static PetscErrorCode Feasible_Private(Bound *m, Vec y, PetscReal *moved)
+{
+  const ActiveSet *set = m->solver->set;
+  PetscScalar      square;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActiveResidual(m->A, m->b, y, m->r));
+  PetscCall(ActiveSetGather(set, y, m->values));
+  PetscCall(ActiveSetGather(set, m->r, m->forces));
+  for (PetscInt i = 0; i < set->n; i++) {
+    m->fixed[i]  = (PetscBool)(m->forces[i] + set->diag[i] * (m->values[i] - set->upper[i]) > 0);
+    m->values[i] = m->fixed[i] ? set->upper[i] : PetscMin(m->values[i], set->upper[i]);
+  }
+  PetscCall(VecCopy(y, m->y));
+  PetscCall(ActiveSetScatter(set, m->values, m->y));
+  PetscCall(VecWAXPY(m->d, -1, y, m->y));
+  PetscCall(MatMult(m->A, m->d, m->c));
+  PetscCall(VecDot(m->c, m->d, &square));
+  *moved = PetscSqrtReal(PetscMax(PetscRealPart(square), 0));
+  if (*moved > 0) PetscCall(ActiveResidual(m->A, m->b, m->y, m->r));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* |v| in the norm of diag(A)^-1 */
+static PetscErrorCode Size_Private(Bound *m, Vec v, PetscReal *size)
+{
+  PetscScalar square;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecPointwiseDivide(m->c, v, m->solver->diag));
+  PetscCall(VecDot(v, m->c, &square));
+  *size = PetscSqrtReal(PetscRealPart(square));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* f: the residual without what pressures balance, all of it on the set or as far as it pushes. */
+static PetscErrorCode Unbalanced_Private(Bound *m, PetscBool all)
+{
+  const ActiveSet *set = m->solver->set;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecCopy(m->r, m->f));
+  PetscCall(ActiveSetGather(set, m->r, m->forces));
+  for (PetscInt i = 0; i < set->n; i++) {
+    if (m->fixed[i]) m->forces[i] = all ? 0 : PetscMin(m->forces[i], 0);
+  }
+  PetscCall(ActiveSetScatter(set, m->forces, m->f));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* s = f - A d but for the set, m->forces = what the set feels of it. */
+static PetscErrorCode Rest_Private(Bound *m)
+{
+  const ActiveSet *set = m->solver->set;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatMult(m->A, m->d, m->s));
+  PetscCall(VecAYPX(m->s, -1, m->f));
+  PetscCall(ActiveSetGather(set, m->s, m->forces));
+  for (PetscInt i = 0; i < set->n; i++) m->values[i] = m->fixed[i] ? 0 : m->forces[i];
+  PetscCall(ActiveSetScatter(set, m->values, m->s));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* d with A d = f but for the set, up to forces along motions that nothing resists. [out] square - |d|_A^2, NAN if there is none;
+   m->values = A d on the set */
+static PetscErrorCode Correct_Private(Bound *m, PetscReal *square)
+{
+  PetscReal   size, left, change, alpha;
+  PetscScalar work;
+
+  PetscFunctionBeginUser;
+  *square = NAN;
+  PetscCall(VecZeroEntries(m->d));
+  PetscCall(Rest_Private(m));
+  PetscCall(Size_Private(m, m->f, &size));
+  left = change = size;
+  for (PetscInt k = 0; k < MAX_CORRECTIONS && PetscMin(left, change) > SETTLED * size; k++) {
+    Vec before;
+
+    PetscCall((*m->solver->correct)(m->solver, m->s, m->c, &alpha));
+    PetscCall(VecAXPY(m->d, 1, m->c));
+    PetscCall(VecDuplicate(m->s, &before));
+    PetscCall(VecCopy(m->s, before));
+    PetscCall(Rest_Private(m));
+    PetscCall(VecAXPY(before, -1, m->s));
+    PetscCall(Size_Private(m, before, &change));
+    PetscCall(Size_Private(m, m->s, &left));
+    PetscCall(VecDestroy(&before));
+    PetscCall(PetscInfo(m->A, "unbalanced %g, changed by %g, of %g\n", (double)left, (double)change, (double)size));
+  }
+  if (PetscMin(left, change) > SETTLED * size) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecWAXPY(m->c, -1, m->s, m->f));
+  PetscCall(VecDot(m->c, m->d, &work));
+  *square = PetscAbsReal(PetscRealPart(work)); // below 0 it is rounding, and says how much of that there is
+  PetscCall(MatMult(m->A, m->d, m->c));
+  PetscCall(ActiveSetGather(m->solver->set, m->c, m->values));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Takes nodes that pull out of the set: b - A (y^ + d) < 0. [out] num - of all ranks */
+static PetscErrorCode Release_Private(Bound *m, PetscInt *num)
+{
+  const ActiveSet *set = m->solver->set;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActiveSetGather(set, m->r, m->forces));
+  *num = 0;
+  for (PetscInt i = 0; i < set->n; i++) {
+    if (!m->fixed[i] || m->forces[i] >= m->values[i]) continue;
+    m->fixed[i] = PETSC_FALSE;
+    ++*num;
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, num, 1, MPIU_INT, MPI_SUM, set->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Makes factors for the set. [out] done - whether there are any */
+static PetscErrorCode Factor_Private(Bound *m, PetscBool *done)
+{
+  const ActiveSet *set = m->solver->set;
+  ActiveSolution   solution;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActiveSolutionCreate(set, &solution));
+  PetscCall((*m->solver->solve)(m->solver, m->fixed, set->upper, &solution));
+  *done = (PetscBool)!solution.failure;
+  PetscCall(ActiveSolutionDestroy(&solution));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The smallest |d|_A that can be had. [in] ready - whether the solver has factors for its own set */
+static PetscErrorCode Distance_Private(Bound *m, PetscBool ready, PetscReal *square)
+{
+  const ActiveSet *set     = m->solver->set;
+  PetscInt         pulling = 1;
+
+  PetscFunctionBeginUser;
+  *square = NAN;
+  for (PetscInt i = 0; i < set->n; i++) ready = (PetscBool)(ready && m->fixed[i] == set->active[i]);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &ready, 1, MPIU_BOOL, MPI_LAND, set->comm));
+  for (PetscInt k = 0; k < MAX_SETS && pulling; k++) {
+    if (k == MAX_SETS - 1) PetscCall(PetscArrayzero(m->fixed, set->n));
+    if (!ready) PetscCall(Factor_Private(m, &ready));
+    if (!ready) PetscFunctionReturn(PETSC_SUCCESS);
+    PetscCall(Unbalanced_Private(m, PETSC_TRUE));
+    if (m->solver->measure && m->solver->A == m->A)
+      PetscCall((*m->solver->measure)(m->solver, m->f, square, m->values));
+    else
+      PetscCall(Correct_Private(m, square));
+    if (PetscIsNanReal(*square)) PetscFunctionReturn(PETSC_SUCCESS);
+    PetscCall(Release_Private(m, &pulling));
+    ready = PETSC_FALSE;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The same by a preconditioner. */
+static PetscErrorCode Estimate_Private(Bound *m, PetscBool ready, PetscReal *square)
+{
+  PetscScalar work;
+  PetscReal   alpha;
+
+  PetscFunctionBeginUser;
+  *square = NAN;
+  if (!ready) PetscCall(Factor_Private(m, &ready));
+  if (!ready) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(Unbalanced_Private(m, PETSC_FALSE));
+  PetscCall((*m->solver->correct)(m->solver, m->f, m->d, &alpha));
+  PetscCall(VecDot(m->f, m->d, &work));
+  if (alpha > 0 && PetscRealPart(work) >= 0) *square = PetscRealPart(work) / alpha;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Of a solver that is there. */
+static PetscErrorCode Bound_Private(ActiveSolver solver, PetscBool ready, Mat A, Vec b, Vec y, EnergyBound *bound)
+{
+  Bound     m;
+  PetscReal moved = 0, square = NAN;
+
+  PetscFunctionBeginUser;
+  PetscCall(BoundCreate_Private(solver, A, b, &m));
+  PetscCall(Feasible_Private(&m, y, &moved));
+  bound->estimated = (PetscBool)!solver->factored;
+  if (solver->factored)
+    PetscCall(Distance_Private(&m, ready, &square));
+  else
+    PetscCall(Estimate_Private(&m, ready, &square));
+  bound->value = moved + PetscSqrtReal(square);
+  PetscCall(BoundDestroy_Private(&m));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BoundCompute(const Springs *springs, SNES snes, Vec y, EnergyBound *bound)
+{
+  const VI            vi = springs->vi, original = springs->original;
+  SNESConvergedReason reason;
+  ActiveSolver        solver;
+  ActiveSet           set;
+  PetscReal           size;
+  const char         *failure;
+
+  PetscFunctionBeginUser;
+  *bound = (EnergyBound){.value = NAN};
+  PetscCall(SNESGetConvergedReason(snes, &reason));
+  PetscCall(VecNorm(y, NORM_2, &size));
+  if (reason == SNES_DIVERGED_LINEAR_SOLVE || PetscIsInfOrNanReal(size)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PDASGetSolver(snes, &solver));
+  if (solver) {
+    PetscCall(Bound_Private(solver, PETSC_TRUE, original->A, original->b, y, bound));
+  } else {
+    PetscCall(ActiveSetCreate(vi->upper, vi->A, &set));
+    PetscCall(PDASCreateSolver(snes, &set, vi->A, vi->b, LOOSE, &solver, &failure));
+    if (!failure) PetscCall(Bound_Private(solver, PETSC_FALSE, original->A, original->b, y, bound));
+    PetscCall(ActiveSolverDestroy(&solver));
+    PetscCall(ActiveSetDestroy(&set));
+  }
+  bound->value *= PetscSqrtReal(vi->stiffness) * vi->length;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

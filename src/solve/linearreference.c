@@ -1,0 +1,61 @@
+/* linearreference.c -- one linear system, that of the final active set, for comparison with what finding the set cost.
+
+   The set is read from the solution, so it does not matter which method found it, and the system is begun at zero with nothing
+   kept from before: no factors, no levels, no first guess. */
+#include "base/compat.h"
+#include "pdas/pdas.h"
+#include "pdas/pdasimpl.h"
+#include "solve/linearreference.h"
+
+/* Relative residual of the system. */
+static const PetscReal REFERENCE_RTOL = 1e-8;
+
+/* Makes the set that y fulfils the conditions of contact with (T10) the active one. */
+static PetscErrorCode Take_Private(VI vi, Vec y, ActiveSet *set)
+{
+  PetscBool *next;
+  PetscReal *values, *forces;
+  PetscInt   changed;
+  Vec        r;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc3(set->n, &next, set->n, &values, set->n, &forces));
+  PetscCall(VecDuplicate(y, &r));
+  PetscCall(MatMult(vi->A, y, r));
+  PetscCall(VecAYPX(r, -1, vi->b));
+  PetscCall(ActiveSetGather(set, y, values));
+  PetscCall(ActiveSetGather(set, r, forces));
+  for (PetscInt i = 0; i < set->n; i++)
+    next[i] = (PetscBool)(forces[i] + set->diag[i] * (values[i] - set->upper[i]) > 0);
+  PetscCall(ActiveSetReplace(set, next, &changed));
+  PetscCall(VecDestroy(&r));
+  PetscCall(PetscFree3(next, values, forces));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ReferenceSolve(const Springs *springs, SNES snes, Vec y, PetscInt *iterations, PetscBool *solved)
+{
+  const VI       vi = springs->vi;
+  ActiveSolver   solver;
+  ActiveSolution solution;
+  ActiveSet      set;
+  const char    *failure;
+
+  PetscFunctionBeginUser;
+  *iterations = 0;
+  *solved     = PETSC_FALSE;
+  PetscCall(ActiveSetCreate(vi->upper, vi->A, &set));
+  PetscCall(Take_Private(springs->original, y, &set));
+  PetscCall(PDASCreateSolver(snes, &set, vi->A, vi->b, REFERENCE_RTOL, &solver, &failure));
+  if (!failure) {
+    solver->rtol = 0; // it is not the end of an inequality, where more than the residual counts
+    PetscCall(ActiveSolutionCreate(&set, &solution));
+    PetscCall((*solver->solve)(solver, set.active, set.upper, &solution));
+    *iterations = solution.iterations;
+    *solved     = (PetscBool)!solution.failure;
+    PetscCall(ActiveSolutionDestroy(&solution));
+  }
+  PetscCall(ActiveSolverDestroy(&solver));
+  PetscCall(ActiveSetDestroy(&set));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

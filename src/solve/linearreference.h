@@ -1,0 +1,11 @@
+/* linearreference.h -- what the last linear system costs by itself. */
+#ifndef MORTISE_LINEARREFERENCE_H
+#define MORTISE_LINEARREFERENCE_H
+
+#include "solve/proximal.h"
+
+/* Solves the system of the active set of y from zero to a relative residual of 1e-8, with what SNES and KSP are configured to. Collective.
+   [in] y - of springs->original; [out] iterations - of the KSP; [out] solved */
+PetscErrorCode ReferenceSolve(const Springs *springs, SNES snes, Vec y, PetscInt *iterations, PetscBool *solved);
+
+#endif

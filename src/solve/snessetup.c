@@ -1,0 +1,190 @@
+/* snessetup.c -- a SNES for an inequality. */
+#include <string.h>
+#include "base/compat.h"
+#include "base/usererror.h"
+#include "pdas/pdas.h"
+#include "pdas/pdasimpl.h"
+#include "multigrid/multigrid.h"
+#include "solve/solveimpl.h"
+
+/* Of an iterative linear solver, so that mostly one call of it reaches the tolerance of pdas. */
+static const PetscReal KSP_RTOL       = 1e-10;
+static const PetscReal MULTIGRID_RTOL = 5e-9;
+/* Some ten are usual: after so many a factorisation would long have been done, or there is no end to it. */
+static const PetscInt MULTIGRID_MAX_IT = 500;
+/* A first guess may be this much worse than none: the solution of another set, which left a body to next to nothing. */
+static const PetscReal MULTIGRID_DTOL = 1e16;
+/* PETSc's own solvers of inequalities: relative to the first residual; several times the steps they take. */
+static const PetscReal OTHER_RTOL   = 1e-12;
+static const PetscInt  OTHER_MAX_IT = 100;
+/* Steps of pdas: with one factorisation for all sets they cost next to nothing, and soft structures take many. */
+static const PetscInt PDAS_MAX_IT = 500;
+/* A residual below this part of |A| |y| is roundoff after a step, which makes it as small as it can be: a soft structure, or a start at
+   the solution, allows no other test. Before any step it may be a thousand times what a step leaves, where bodies differ in stiffness. */
+static const PetscReal OTHER_ROUNDOFF = 1e-14;
+/* Below this part of it the residuals of two steps differ by little but rounding where bodies differ in stiffness. */
+static const PetscReal OTHER_ALIKE = 1e-12;
+
+/* F(y) = A y - b */
+static PetscErrorCode FunctionFn(SNES snes, Vec y, Vec f, void *ctx)
+{
+  VI vi = ctx;
+
+  PetscFunctionBeginUser;
+  (void)snes;
+  PetscCall(ActiveResidual(vi->A, vi->b, y, f));
+  PetscCall(VecScale(f, -1));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* F'(y) = A, which is there already */
+static PetscErrorCode JacobianFn(SNES snes, Vec y, Mat A, Mat P, void *ctx)
+{
+  (void)snes, (void)y, (void)A, (void)P, (void)ctx;
+  return PETSC_SUCCESS;
+}
+
+/* |A|, or where that is not a matrix |K|, which next to contact alone is another one. */
+static PetscErrorCode Norm_Private(VI vi, PetscReal *norm)
+{
+  PetscFunctionBeginUser;
+  PetscCall(MatNorm(vi->assembled ? vi->A : vi->K, NORM_INFINITY, norm));
+  if (!vi->assembled) *norm /= vi->stiffness;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Convergence of PETSc's own types: by the first residual, or at roundoff. [in] ctx - |A| */
+static PetscErrorCode ConvergedFn(SNES snes, PetscInt it, PetscReal xnorm, PetscReal snorm, PetscReal fnorm,
+                                  SNESConvergedReason *reason, void *ctx)
+{
+  const PetscReal *norm = ctx;
+  Vec              y;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESConvergedDefault(snes, it, xnorm, snorm, fnorm, reason, NULL));
+  if (*reason) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SNESGetSolution(snes, &y));
+  PetscCall(VecNorm(y, NORM_2, &xnorm));
+  if (fnorm <= (it ? OTHER_ROUNDOFF : 0) * *norm * xnorm) *reason = SNES_CONVERGED_FNORM_ABS;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The whole step where residuals do not tell steps from each other. [in] ctx - |A| */
+static PetscErrorCode PostCheckFn(SNESLineSearch search, Vec y, Vec step, Vec next, PetscBool *changed_step,
+                                  PetscBool *changed_next, void *ctx)
+{
+  const PetscReal *norm = ctx;
+  PetscReal        fnorm, ynorm;
+  SNES             snes;
+  void            *vi;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESLineSearchGetSNES(search, &snes));
+  PetscCall(SNESGetFunctionNorm(snes, &fnorm));
+  PetscCall(VecNorm(y, NORM_2, &ynorm));
+  *changed_step = PETSC_FALSE;
+  *changed_next = (PetscBool)(fnorm <= OTHER_ALIKE * *norm * ynorm);
+  if (!*changed_next) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SNESGetFunction(snes, NULL, NULL, &vi));
+  PetscCall(VecWAXPY(next, -1, step, y));
+  PetscCall(VecPointwiseMin(next, next, ((VI)vi)->upper));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A part of what there was, below one; less than rounding asks for as little as there can be, and is rounding. [in] option - without prefix */
+static PetscErrorCode CheckPart_Private(MPI_Comm comm, const char prefix[], const char option[], PetscReal *part)
+{
+  PetscFunctionBeginUser;
+  if (!(*part >= 0 && *part < 1))
+    PetscCall(UserErrorRaise(comm, "-%s%s %g: must be at least 0 and less than 1", prefix, option, (double)*part));
+  *part = PetscMax(*part, PETSC_MACHINE_EPSILON);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Neither method ends well after no iterations. */
+static PetscErrorCode CheckMost_Private(MPI_Comm comm, const char prefix[], const char option[], PetscInt most)
+{
+  PetscFunctionBeginUser;
+  if (most < 1) PetscCall(UserErrorRaise(comm, "-%s%s %" PetscInt_FMT ": must be at least 1", prefix, option, most));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* PETSc takes any number for where to end. */
+static PetscErrorCode CheckLimits_Private(SNES snes, const char prefix[])
+{
+  const MPI_Comm comm = PetscObjectComm((PetscObject)snes);
+  KSP            ksp;
+  PetscInt       max_it;
+  PetscReal      rtol;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESGetTolerances(snes, NULL, &rtol, NULL, &max_it, NULL));
+  PetscCall(CheckMost_Private(comm, prefix, "snes_max_it", max_it));
+  PetscCall(CheckPart_Private(comm, prefix, "snes_rtol", &rtol));
+  PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscCall(SNESGetKSP(snes, &ksp));
+  PetscCall(KSPGetTolerances(ksp, &rtol, NULL, NULL, &max_it));
+  PetscCall(CheckMost_Private(comm, prefix, "ksp_max_it", max_it));
+  PetscCall(CheckPart_Private(comm, prefix, "ksp_rtol", &rtol));
+  PetscCall(KSPSetTolerances(ksp, rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode ConfigureLinear_Private(const SolveChoice *choice, KSP ksp)
+{
+  const PetscBool multigrid = (PetscBool)!strcmp(choice->pc, PCTRUNCATEDMG);
+  PC              pc;
+
+  PetscFunctionBeginUser;
+  PetscCall(KSPSetType(ksp, choice->ksp));
+  PetscCall(KSPSetTolerances(ksp, KSP_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(PCSetType(pc, choice->pc));
+  if (multigrid) {
+    PetscCall(KSPSetTolerances(ksp, MULTIGRID_RTOL, PETSC_DEFAULT, MULTIGRID_DTOL, MULTIGRID_MAX_IT));
+    if (!strcmp(choice->ksp, KSPCG)) PetscCall(KSPSetNormType(ksp, KSP_NORM_UNPRECONDITIONED)); // not all have it
+  }
+  if (SolveFactors(choice->pc)) PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Steps of PETSc's own types, and their end. [out] norm - for their test */
+static PetscErrorCode ConfigureOther_Private(VI vi, PetscInt max_it, PetscReal *norm, SNES snes)
+{
+  SNESLineSearch search;
+
+  PetscFunctionBeginUser;
+  /* whole steps can run in a circle; the minimum of the residual along a step has not been seen to */
+  PetscCall(SNESGetLineSearch(snes, &search));
+  PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHL2));
+  PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, OTHER_RTOL, 0, max_it, PETSC_DEFAULT));
+  PetscCall(SNESSetDivergenceTolerance(snes, -1)); // none: the first steps may go far before the set is right
+  PetscCall(Norm_Private(vi, norm));
+  PetscCall(SNESSetConvergenceTest(snes, ConvergedFn, norm, NULL));
+  PetscCall(SNESLineSearchSetPostCheck(search, PostCheckFn, norm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, Vec scratch, PetscReal *norm, SNES *snes)
+{
+  const PetscBool pdas   = (PetscBool)!strcmp(choice->snes, SNESPDAS);
+  const PetscInt  max_it = PetscMax(choice->max_it, pdas ? PDAS_MAX_IT : OTHER_MAX_IT);
+  KSP             ksp;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESCreate(PetscObjectComm((PetscObject)vi->A), snes));
+  PetscCall(SNESSetOptionsPrefix(*snes, choice->prefix));
+  PetscCall(SNESSetFunction(*snes, scratch, FunctionFn, vi));
+  PetscCall(SNESSetJacobian(*snes, vi->A, vi->A, JacobianFn, vi));
+  PetscCall(SNESGetKSP(*snes, &ksp));
+  PetscCall(ConfigureLinear_Private(choice, ksp));
+  PetscCall(SNESSetType(*snes, choice->snes));
+  if (pdas)
+    PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, max_it, PETSC_DEFAULT));
+  else
+    PetscCall(ConfigureOther_Private(vi, max_it, norm, *snes));
+  PetscCall(SNESSetFromOptions(*snes));
+  PetscCall(CheckLimits_Private(*snes, choice->prefix));
+  PetscCall(SNESVISetVariableBounds(*snes, vi->lower, vi->upper)); /* pdas keeps them itself, so not before the type */
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

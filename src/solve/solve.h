@@ -1,0 +1,71 @@
+/* solve.h -- the VI handed to a SNES, defaults by size, the cross-check. */
+#ifndef MORTISE_SOLVE_H
+#define MORTISE_SOLVE_H
+
+#include "problem/vi.h"
+#include <petscsnes.h>
+
+enum { SOLVE_MAX_HISTORY = 512 };
+
+/* |u - u*|_K of a displacement u is not larger, in the user's units (root of work); u* solves the inequality (T31). */
+typedef struct {
+  PetscReal value;     /* NAN where it is not known */
+  PetscBool estimated; /* by Ritz values of an iterative solver, instead of a factorisation */
+} EnergyBound;
+
+/* What one linear solve with the final active set costs, from its preconditioner to its solution. */
+typedef struct {
+  PetscBool done;       /* whether it was asked for, and solved */
+  PetscReal seconds;    /* of the slowest rank, on the wall */
+  PetscReal work;       /* as in SolveReport */
+  PetscInt  iterations; /* of an iterative solver */
+} LinearReference;
+
+/* How one solve went; the same on all ranks. */
+typedef struct {
+  char        type[64];        /* SNES type */
+  char        linear[128];     /* what solved the linear systems, in words */
+  char        ksp[64], pc[64]; /* the same, types of PETSc */
+  PetscBool   converged;
+  char        reason[256]; /* why not, as a sentence; "" when converged */
+  PetscInt    iterations, active, linear_iterations;
+  PetscInt    num_changed, changed[SOLVE_MAX_HISTORY]; /* per iteration; num_changed = 0 for types that do not tell */
+  PetscBool   safeguarded;
+  PetscReal   linear_residual; /* relative, of the last system */
+  PetscReal   work;            /* products with matrices of all levels, in products with the finest; 0 without levels */
+  PetscReal   foretold;        /* predicted cost of a factorisation, in the same unit; 0 without a prediction */
+  PetscBool   gave_way;        /* whether this was a factorisation after an iteration that was given up */
+  PetscInt    sweeps;          /* solutions with springs that hold bodies (T27); 1 without */
+  EnergyBound bound;
+  PetscReal
+      discretisation; /* |u - u_h|_K by what a coarser mesh says, like bound; NAN but where that was to stop the solver (T37) */
+
+  PetscReal       seconds;   /* of the slowest rank, on the wall, from the levels of multigrid to the bound */
+  LinearReference reference; /* of VILinearReference() */
+} SolveReport;
+
+/* Comparison of two solutions of the same VI. */
+typedef struct {
+  PetscBool   done, agree;
+  SolveReport other;
+  PetscInt    active_difference;
+  PetscReal   displacement_difference; /* max |du| / max |u| */
+} CrossCheck;
+
+/* Solves by -snes_type (default pdas); progress lines where the scene wants them. Not converging is not an error: the
+   report says so. Collective.
+   [in] guess - displacement to begin with (ghosted, dim per node), which changes the work and not the answer; or NULL
+   [out] y - created by the caller in the layout of vi->b */
+PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report);
+/* How far any y, converged or not, feasible or not, can be from the solution; for the price of one factorisation or linear solve.
+   VISolve() has it of its own y for a substitution. Collective. */
+PetscErrorCode VIEnergyBound(VI vi, Vec y, EnergyBound *bound);
+/* Solves once more with the active set of the solution y, by what solved the linear systems for it, from zero and with everything that
+   needs made anew; the seconds belong to no stage. Collective. [in,out] report - of VISolve(); its reference is set */
+PetscErrorCode VILinearReference(VI vi, Vec y, SolveReport *report);
+/* Solves by the other of pdas and vinewtonrsls and compares. Collective. */
+PetscErrorCode VICrossCheck(VI vi, Vec y, const SolveReport *report, CrossCheck *check);
+/* Prints what was chosen for the linear systems and why (part of -scene_view). Collective. */
+PetscErrorCode SolveView(VI vi);
+
+#endif

@@ -1,0 +1,60 @@
+/* solveimpl.h -- what the files of this room share beside active.h. */
+#ifndef MORTISE_SOLVEIMPL_H
+#define MORTISE_SOLVEIMPL_H
+
+#include "solve/solve.h"
+
+/* How an inequality is to be solved. */
+typedef struct {
+  char        snes[64], ksp[64], pc[64]; /* types; what the options database says of ksp and pc still comes on top */
+  char        why[160];                  /* where the choice of the linear solver comes from */
+  const char *prefix;                    /* of options; "" for the user's */
+  PetscBool   nearly;                    /* whether some body is so nearly incompressible that iterating takes long */
+  PetscBool   nested;                    /* whether there are coarser meshes to begin on */
+  PetscBool   stop;                      /* whether at the discretisation error (T37) */
+  PetscBool   bound;                     /* whether the energy of the error is to be bounded */
+  PetscBool   own;                       /* whether the linear solver is nobody's wish */
+  PetscInt    max_it;                    /* iterations at most, where that is more than usual */
+  PetscBool   yields;                    /* whether it gives way to a factorisation that would have cost less */
+  PetscBool   keep;                      /* whether levels of multigrid are left to vi, for the next solve */
+} SolveChoice;
+
+/* The linear solver in words. Not collective. [in] package - that factors, or NULL; [out] words - shape [len] */
+PetscErrorCode SolveDescribe(const char ksp[], const char pc[], const char package[], char words[], size_t len);
+/* Whether a PC factors its matrix. Not collective. */
+PetscBool SolveFactors(const char pc[]);
+
+/* From -snes_type, -ksp_type, -pc_type; by size where they are silent. Faults on types that cannot. Collective. */
+PetscErrorCode SolveChoose(VI vi, SolveChoice *choice);
+
+/* The other one of pdas and vinewtonrsls: with multigrid if the first used it, else, and whatever that was, with a factorisation; with
+   500 iterations, or twice those of the first.
+   Collective. [in] prefix - of its options, which may say otherwise */
+PetscErrorCode SolveChooseSecond(VI vi, const SolveReport *first, const char prefix[], SolveChoice *choice);
+
+/* A factorisation where an iteration has failed that nobody asked for, and a warning that says so. Collective.
+   [out] again - whether there is something else to try */
+PetscErrorCode SolveChooseAnother(const SolveReport *report, SolveChoice *choice, PetscBool *again);
+
+/* A SNES as the choice and the options want it. Collective. [in] scratch, norm - for its function and its test; must outlive it; [out] snes */
+PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, Vec scratch, PetscReal *norm, SNES *snes);
+
+/* Solves with a SNES of its own. Collective.
+   [in] progress - whether to print the table; [in] guess - displacement, or NULL; [out] y - created by the caller;
+   [out] report */
+PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, PetscBool progress, Vec guess, Vec y, SolveReport *report);
+/* Where SolveRun() begins. Collective. [in] snes - of the choice, multigrid not yet bound to it; [in] guess - displacement, or NULL; [out] y */
+PetscErrorCode SolveStart(VI vi, const SolveChoice *choice, SNES snes, Vec guess, Vec y);
+
+/* Prints one line per iteration on the first rank, from now to SNESDestroy(). Collective. */
+PetscErrorCode ProgressSet(SNES snes, VI vi);
+/* Whether the scene and the terminal ask for that. Collective. */
+PetscErrorCode ProgressWanted(Scene scene, PetscBool *wanted);
+
+/* Adds what a SNES did to what it did before. Collective. [in] vi, y - its problem and solution; [in,out] report */
+PetscErrorCode SolveReportAdd(SNES snes, VI vi, Vec y, SolveReport *report);
+/* What of a solution touches its bounds. Collective. [out] active - unknowns at their bound with a force on them;
+   [out] residual - of all others, relative as in active.h */
+PetscErrorCode SolveMeasure(VI vi, Vec y, PetscInt *active, PetscReal *residual);
+
+#endif

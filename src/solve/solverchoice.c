@@ -1,0 +1,378 @@
+/* solverchoice.c -- which solvers: what the user says, else by size and dimension. */
+#include "base/compat.h"
+#include "problem/elasticity.h"
+#include "base/usererror.h"
+#include "pdas/pdas.h"
+#include "base/warning.h"
+#include <string.h>
+#include "pdas/pdasimpl.h"
+#include "multigrid/hierarchy.h"
+#include "multigrid/multigrid.h"
+#include "multigrid/iterationcost.h"
+#include "solve/solveimpl.h"
+
+/* Unknowns up to which factorisations beat iterating where multigrid has no coarser meshes (2D: triangles from a file, 10 sets: 414000
+   unknowns 7.1 s and 1.0 GB by factorisation, 20 s and 0.8 GB by iterations) or takes many iterations, in 3D: nearly incompressible bodies, where
+   one factorisation for each active set costs as much as the set's iterations much earlier than one for all. */
+static const PetscInt DIRECT_2D = 1000000, DIRECT_3D = 150000, DIRECT_3D_EACH = 40000;
+
+PetscBool SolveFactors(const char pc[])
+{
+  return (PetscBool)(!strcmp(pc, PCCHOLESKY) || !strcmp(pc, PCLU));
+}
+
+PetscErrorCode SolveDescribe(const char ksp[], const char pc[], const char package[], char words[], size_t len)
+{
+  PetscFunctionBeginUser;
+  if (SolveFactors(pc) && !strcmp(ksp, KSPPREONLY)) {
+    PetscCall(PetscSNPrintf(words, len, "%s factorisation%s%s", strcmp(pc, PCLU) ? "Cholesky" : "LU",
+                            package ? " by " : "", package ? package : ""));
+  } else {
+    PetscCall(PetscSNPrintf(words, len, "%s with %s", ksp, pc));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A type that PETSc does not know is a fault that names the nearest one. Collective. */
+static PetscErrorCode CheckName_Private(MPI_Comm comm, const char option[], const char type[], PetscFunctionList types)
+{
+  const char **names, *nearest;
+  int          num;
+  PetscBool    known = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscFunctionListGet(types, &names, &num));
+  while (num && !names[num - 1]) num--; // PETSc counts the end of the list
+  for (int i = 0; i < num; i++) known = (PetscBool)(known || !strcmp(names[i], type));
+  nearest = UserErrorNearest(type, num, names);
+  if (!known && nearest) {
+    PetscCall(UserErrorRaise(comm, "%s %s: there is no such type; did you mean %s?", option, type, nearest));
+  } else if (!known) {
+    PetscCall(UserErrorRaise(comm, "%s %s: there is no such type in this PETSc", option, type));
+  }
+  PetscCall(PetscFree(names));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a SNES type keeps bounds: those that do answer SNESVISetVariableBounds() themselves. */
+static PetscErrorCode CheckBounds_Private(MPI_Comm comm, const char type[])
+{
+  void (*answer)(void);
+  SNES snes;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESCreate(comm, &snes)); // with it PETSc has its types
+  PetscCall(CheckName_Private(comm, "-snes_type", type, SNESList));
+  PetscCall(SNESSetType(snes, type));
+  PetscCall(PetscObjectQueryFunction((PetscObject)snes, "SNESVISetVariableBounds_C", &answer));
+  PetscCall(SNESDestroy(&snes));
+  if (!answer) {
+    PetscCall(UserErrorRaise(comm, "-snes_type %s: cannot keep bodies apart, since it knows no bounds; use %s or %s",
+                             type, SNESPDAS, SNESVINEWTONRSLS));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Unknowns with bounds, and whether one factorisation would serve all active sets. */
+static PetscErrorCode Reducible_Private(VI vi, PetscInt *num_out, PetscBool *reducible)
+{
+  const PetscScalar *upper;
+  PetscInt           n, num = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetLocalSize(vi->upper, &n));
+  PetscCall(VecGetArrayRead(vi->upper, &upper));
+  for (PetscInt i = 0; i < n; i++) num += PetscRealPart(upper[i]) < PETSC_INFINITY;
+  PetscCall(VecRestoreArrayRead(vi->upper, &upper));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &num, 1, MPIU_INT, MPI_SUM, PetscObjectComm((PetscObject)vi->upper)));
+  *num_out   = num;
+  *reducible = (PetscBool)(num <= ACTIVE_MAX_REDUCED);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Iterations grow with the root of bulk over shear modulus: two plates take CG with GAMG 104 at a Poisson's ratio of 0.3, 890 at
+   0.49, 2369 at 0.499, 6344 at 0.4999. */
+static const PetscReal ITERABLE = 0.499;
+
+/* The largest Poisson's ratio of the cells that it makes nearly incompressible, or 0. */
+static PetscErrorCode LargestPoisson_Private(VI vi, PetscReal *poisson)
+{
+  DilatationCount *counts;
+
+  PetscFunctionBeginUser;
+  *poisson = 0;
+  PetscCall(PetscMalloc1(vi->scene->num_bodies, &counts));
+  PetscCall(ElasticityDilatationCount(vi->scene, vi->level, counts));
+  for (PetscInt b = 0; b < vi->scene->num_bodies; b++) *poisson = PetscMax(*poisson, counts[b].poisson);
+  PetscCall(PetscFree(counts));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether multigrid knows which unknowns a type leaves free. */
+static PetscBool Truncatable_Private(const char snes[])
+{
+  return (PetscBool)(!strcmp(snes, SNESPDAS) || !strcmp(snes, SNESVINEWTONRSLS));
+}
+
+/* Whether pdas can tell where an iteration with multigrid is to end: by residuals and steps of conjugate gradients. */
+static PetscBool Tellable_Private(const char snes[], const char ksp[])
+{
+  return (PetscBool)(strcmp(snes, SNESPDAS) || !strcmp(ksp, KSPCG));
+}
+
+/* What preconditions an iteration: levels of the mesh, or made of it. */
+static const char *Iterative_Private(VI vi, const char snes[], const char ksp[])
+{
+  if (vi->mesh && Truncatable_Private(snes) && Tellable_Private(snes, ksp)) return PCTRUNCATEDMG;
+  return strcmp(snes, SNESPDAS) ? PCHYPRE : PCGAMG; // GAMG needs matrices that keep their size
+}
+
+/* Unknowns up to which a factorisation is the choice. */
+static PetscErrorCode LargestDirect_Private(VI vi, const char snes[], PetscInt *limit)
+{
+  const PetscBool solid = (PetscBool)(vi->level->dim == 3), pdas = (PetscBool)!strcmp(snes, SNESPDAS);
+  PetscBool       reducible, nested;
+  PetscInt        num;
+
+  PetscFunctionBeginUser;
+  PetscCall(Reducible_Private(vi, &num, &reducible));
+  *limit = DIRECT_2D;
+  if (solid) *limit = pdas && reducible ? DIRECT_3D : DIRECT_3D_EACH;
+  if (!vi->mesh || !Truncatable_Private(snes)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(HierarchyIsNested(vi, &nested));
+  if (nested && solid) *limit = PetscMin(*limit, MESH_LEVELS_3D);
+  if (nested && !solid && vi->mesh->num_levels > 1) *limit = PetscMin(*limit, MESH_LEVELS_2D);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A factorisation in place of an iteration. */
+static PetscErrorCode Factor_Private(SolveChoice *choice)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscStrncpy(choice->ksp, KSPPREONLY, sizeof(choice->ksp)));
+  PetscCall(PetscStrncpy(choice->pc, PCCHOLESKY, sizeof(choice->pc)));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether bodies are so thin that size says nothing. */
+static PetscErrorCode Thin_Private(VI vi, const SolveChoice *choice, PetscBool *thin)
+{
+  PetscInt  num;
+  PetscBool reducible;
+
+  PetscFunctionBeginUser;
+  *thin = PETSC_FALSE;
+  if (!vi->mesh || strcmp(choice->pc, PCTRUNCATEDMG)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(Reducible_Private(vi, &num, &reducible));
+  PetscCall(ThinIsCheap(vi, num, (PetscBool)(reducible && !strcmp(choice->snes, SNESPDAS)), thin));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The linear solver where the user says nothing: by size, unless iterations are hopeless, or bodies thin. */
+static PetscErrorCode ChooseBySize_Private(VI vi, SolveChoice *choice)
+{
+  const char *iterative = Iterative_Private(vi, choice->snes, KSPCG);
+  PetscInt    size, limit = 0;
+  PetscReal   poisson;
+  PetscBool   thin;
+
+  PetscFunctionBeginUser;
+  PetscCall(LargestDirect_Private(vi, choice->snes, &limit));
+  PetscCall(VecGetSize(vi->b, &size));
+  PetscCall(PetscStrncpy(choice->ksp, size <= limit ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
+  PetscCall(PetscStrncpy(choice->pc, size <= limit ? PCCHOLESKY : iterative, sizeof(choice->pc)));
+  PetscCall(PetscSNPrintf(choice->why, sizeof(choice->why), "%" PetscInt_FMT " unknowns in %dD, %s than %" PetscInt_FMT,
+                          size, (int)vi->level->dim, size <= limit ? "not more" : "more", limit));
+  PetscCall(LargestPoisson_Private(vi, &poisson));
+  choice->nearly = (PetscBool)(poisson > ITERABLE);
+  if (choice->nearly && size > limit) {
+    PetscCall(Factor_Private(choice));
+    PetscCall(PetscSNPrintf(choice->why, sizeof(choice->why), "a Poisson's ratio above %g, whatever the size",
+                            (double)ITERABLE));
+  }
+  PetscCall(Thin_Private(vi, choice, &thin));
+  if (thin) {
+    PetscCall(Factor_Private(choice));
+    PetscCall(PetscStrncpy(choice->why, "bodies so thin that a factorisation takes less than an iteration",
+                           sizeof(choice->why)));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* To stop at the discretisation error takes the cascade, which begins with the next coarser level. */
+static PetscErrorCode ChooseStop_Private(VI vi, SolveChoice *choice)
+{
+  const MPI_Comm comm = PetscObjectComm((PetscObject)vi->b);
+
+  PetscFunctionBeginUser;
+  choice->stop = (PetscBool)(vi->scene->stop == STOP_DISCRETISATION);
+  if (!choice->stop) PetscFunctionReturn(PETSC_SUCCESS);
+  if (vi->solvability) {
+    PetscCall(UserErrorRaise(
+        comm,
+        "-stop discretisation: works where supports hold all bodies, and here contact holds some; leave it away"));
+  }
+  if (choice->own) {
+    PetscCall(PetscStrncpy(choice->ksp, KSPCG, sizeof(choice->ksp)));
+    PetscCall(PetscStrncpy(choice->pc, PCTRUNCATEDMG, sizeof(choice->pc)));
+    PetscCall(PetscStrncpy(choice->why, "-stop discretisation", sizeof(choice->why)));
+  }
+  if (strcmp(choice->snes, SNESPDAS) || strcmp(choice->ksp, KSPCG) || strcmp(choice->pc, PCTRUNCATEDMG)) {
+    PetscCall(UserErrorRaise(comm,
+                             "-stop discretisation: needs -snes_type " SNESPDAS ", -ksp_type " KSPCG
+                             " and -pc_type " PCTRUNCATEDMG ", and gets %s, %s and %s; leave these away",
+                             choice->snes, choice->ksp, choice->pc));
+  }
+  if (!(vi->mesh && vi->mesh->num_levels > 1)) {
+    PetscCall(UserErrorRaise(comm, "-stop discretisation: needs a coarser level of the mesh, and there is one level; "
+                                   "refine with -dm_refine 1 or more"));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Types that do not go with one another. */
+static PetscErrorCode CheckTogether_Private(MPI_Comm comm, const SolveChoice *choice)
+{
+  const PetscBool multigrid = (PetscBool)!strcmp(choice->pc, PCTRUNCATEDMG);
+
+  PetscFunctionBeginUser;
+  if (multigrid && !Truncatable_Private(choice->snes)) {
+    PetscCall(UserErrorRaise(comm,
+                             "-%spc_type " PCTRUNCATEDMG
+                             ": does not work with -snes_type %s, which does not tell what it leaves "
+                             "free; -snes_type " SNESPDAS ", -pc_type cholesky or -pc_type hypre do",
+                             choice->prefix, choice->snes));
+  }
+  if (multigrid && !Tellable_Private(choice->snes, choice->ksp)) {
+    PetscCall(UserErrorRaise(comm,
+                             "-%sksp_type %s: does not work with -pc_type " PCTRUNCATEDMG
+                             ", which ends by what conjugate gradients tell; -ksp_type " KSPCG " or -pc_type " PCGAMG
+                             " do",
+                             choice->prefix, choice->ksp));
+  }
+  if (strcmp(choice->snes, SNESPDAS) && !strcmp(choice->pc, PCGAMG)) {
+    PetscCall(UserErrorRaise(
+        comm,
+        "-%spc_type gamg: does not work with -snes_type %s, whose systems change their size; -snes_type pdas, "
+        "-pc_type cholesky or -pc_type hypre do",
+        choice->prefix, choice->snes));
+  }
+  if (!strcmp(choice->ksp,
+              KSPFCG)) // of 3.18: looks for eigenvalues in memory that is not there, and keeps vectors of another size
+    PetscCall(UserErrorRaise(comm, "-%sksp_type " KSPFCG ": PETSc's does not work here; -ksp_type " KSPCG " does",
+                             choice->prefix));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether there are coarser meshes to begin on, and levels for them. */
+static PetscBool Nested_Private(VI vi, const char pc[])
+{
+  return (PetscBool)(!strcmp(pc, PCTRUNCATEDMG) && vi->mesh && vi->mesh->num_levels > 1);
+}
+
+PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
+{
+  MPI_Comm  comm;
+  PetscInt  size;
+  PetscBool ksp, pc;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectGetComm((PetscObject)vi->A, &comm));
+  choice->bound  = PETSC_TRUE;
+  choice->prefix = "";
+  choice->keep   = PETSC_FALSE;
+  PetscCall(PetscStrncpy(choice->snes, SNESPDAS, sizeof(choice->snes)));
+  PetscCall(PetscOptionsGetString(NULL, NULL, "-snes_type", choice->snes, sizeof(choice->snes), NULL));
+  PetscCall(CheckBounds_Private(comm, choice->snes));
+  PetscCall(ChooseBySize_Private(vi, choice));
+  PetscCall(PetscOptionsGetString(NULL, NULL, "-ksp_type", choice->ksp, sizeof(choice->ksp), &ksp));
+  PetscCall(PetscOptionsGetString(NULL, NULL, "-pc_type", choice->pc, sizeof(choice->pc), &pc));
+  choice->own = (PetscBool)(!ksp && !pc);
+  PetscCall(KSPInitializePackage()); // with them PETSc has its types
+  PetscCall(PCInitializePackage());
+  PetscCall(CheckName_Private(comm, "-ksp_type", choice->ksp, KSPList));
+  PetscCall(CheckName_Private(comm, "-pc_type", choice->pc, PCList));
+  /* one of the two implies the other: a factorisation needs no iteration, anything else does */
+  if (pc && !ksp) {
+    PetscCall(PetscStrncpy(choice->ksp, SolveFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
+  }
+  if (ksp && !pc) {
+    const char *iterative = Iterative_Private(vi, choice->snes, choice->ksp);
+
+    PetscCall(PetscStrncpy(choice->pc, strcmp(choice->ksp, KSPPREONLY) ? iterative : PCCHOLESKY, sizeof(choice->pc)));
+  }
+  if (ksp || pc) {
+    PetscCall(PetscStrncpy(choice->why, ksp ? (pc ? "-ksp_type and -pc_type" : "-ksp_type") : "-pc_type",
+                           sizeof(choice->why)));
+  }
+  PetscCall(ChooseStop_Private(vi, choice));
+  PetscCall(VecGetSize(vi->b, &size)); // beyond these sizes even to order pivots is too much
+  choice->yields = (PetscBool)(choice->own && !choice->stop && !strcmp(choice->snes, SNESPDAS) &&
+                               size <= (vi->level->dim == 3 ? DIRECT_3D : DIRECT_2D));
+  choice->nested = Nested_Private(vi, choice->pc);
+  PetscCall(CheckTogether_Private(comm, choice));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Iterations of the second solver: where contact travels along a side from node to node, either takes as many as there are nodes (one
+   cell on 2000: 174 steps of pdas, 161 of vinewtonrsls; on 4000, 366 and 317), and PETSc's would give up after 100. */
+enum { SECOND_MAX_IT = 500, SECOND_PER_FIRST = 2 };
+
+PetscErrorCode SolveChooseSecond(VI vi, const SolveReport *first, const char prefix[], SolveChoice *choice)
+{
+  const PetscBool multigrid = (PetscBool)!strcmp(first->pc, PCTRUNCATEDMG),
+                  pdas      = (PetscBool)!strcmp(first->type, SNESPDAS);
+  PetscBool set;
+
+  PetscFunctionBeginUser;
+  *choice = (SolveChoice){.prefix = prefix, .max_it = PetscMax(SECOND_MAX_IT, SECOND_PER_FIRST * first->iterations)};
+  PetscCall(PetscStrncpy(choice->snes, pdas ? SNESVINEWTONRSLS : SNESPDAS, sizeof(choice->snes)));
+  PetscCall(PetscStrncpy(choice->pc, multigrid ? PCTRUNCATEDMG : PCCHOLESKY, sizeof(choice->pc)));
+  PetscCall(PetscOptionsGetString(NULL, prefix, "-pc_type", choice->pc, sizeof(choice->pc), &set));
+  PetscCall(PetscStrncpy(choice->ksp, SolveFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
+  PetscCall(PetscOptionsGetString(NULL, prefix, "-ksp_type", choice->ksp, sizeof(choice->ksp), NULL));
+  choice->own    = (PetscBool)!set;
+  choice->nested = Nested_Private(vi, choice->pc);
+  PetscCall(CheckTogether_Private(PetscObjectComm((PetscObject)vi->b), choice));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolveChooseAnother(const SolveReport *report, SolveChoice *choice, PetscBool *again)
+{
+  const PetscBool costly = (PetscBool)!strcmp(report->reason, FAILURE_COST);
+  char            words[128], why[160];
+
+  PetscFunctionBeginUser;
+  *again = (PetscBool)(choice->own && !report->converged && (costly || !strcmp(report->reason, FAILURE_ITERATIVE)));
+  if (!*again) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SolveDescribe(choice->ksp, choice->pc, NULL, words, sizeof(words)));
+  if (costly) {
+    PetscCall(PetscSNPrintf(why, sizeof(why),
+                            "has cost %.0f products with the matrix, and a factorisation costs some %.0f",
+                            (double)report->work, (double)report->foretold));
+  } else {
+    PetscCall(PetscStrncpy(why, "has not converged", sizeof(why)));
+  }
+  PetscCall(WarningAdd(&(Warning){.code = "solver_replaced", .advice = "-pc_type cholesky does that at once"},
+                       "%s %s; factorising instead", words, why));
+  choice->nested = choice->stop = PETSC_FALSE; // a factorisation has no error to stop at
+  PetscCall(Factor_Private(choice));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolveView(VI vi)
+{
+  SolveChoice choice;
+  MPI_Comm    comm;
+  char        words[128];
+  const char *levels = "";
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectGetComm((PetscObject)vi->A, &comm));
+  PetscCall(SolveChoose(vi, &choice));
+  if (!strcmp(choice.pc, PCTRUNCATEDMG) && vi->mesh->num_levels == 1)
+    levels = "; on levels of some of its nodes, since the mesh has one level";
+  PetscCall(SolveDescribe(choice.ksp, choice.pc, NULL, words, sizeof(words)));
+  PetscCall(PetscPrintf(comm, "  solver %s: linear systems by %s (%s%s)\n", choice.snes, words, choice.why, levels));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,40 @@
+/* solvercontext.h -- all that solving an inequality takes. */
+#ifndef MORTISE_SOLVERCONTEXT_H
+#define MORTISE_SOLVERCONTEXT_H
+
+#include <stdbool.h>
+#include "multigrid/hierarchy.h"
+#include "solve/solveimpl.h"
+#include "solve/proximal.h"
+
+/* A control that can only be reached through the options database. */
+typedef struct {
+  const char *name, *value;
+  bool        needed;
+  PetscBool   set;       /* by us, so to be cleared by us */
+  char        given[32]; /* by the user, so to be put back, whatever it has been in between */
+} Default;
+
+enum { WORKBENCH_DEFAULTS = 4 };
+
+typedef struct {
+  const char *prefix; /* of options; borrowed */
+  PetscBool   keep;   /* whether vi is to have the levels afterwards */
+  Springs     springs;
+  SNES        snes;
+  PC          pc;        /* of its KSP */
+  Hierarchy   hierarchy; /* NULL where there are no levels, or nobody works on them */
+  Vec         scratch;
+  PetscReal   norm;
+  Default     defaults[WORKBENCH_DEFAULTS];
+} Workbench;
+
+/* Collective. [in] previous - whether there is a set to begin with; [out] bench - not to be moved: the SNES knows where it is */
+PetscErrorCode WorkbenchCreate(VI vi, const SolveChoice *choice, PetscBool previous, Workbench *bench);
+/* The levels that the preconditioner works on, if it does; those that the solve before has kept if there are any. Collective.
+   [in] snes - that leaves it the free unknowns alone, or NULL */
+PetscErrorCode WorkbenchSetLevels(Workbench *bench, SNES snes);
+/* Collective. [in,out] y - what SpringsEnd() takes */
+PetscErrorCode WorkbenchDestroy(Workbench *bench, Vec y);
+
+#endif

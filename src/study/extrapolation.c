@@ -1,0 +1,85 @@
+/* extrapolation.c -- see the header. */
+#include <math.h>
+#include "base/compat.h"
+#include "study/extrapolation.h"
+
+static const PetscReal NEGLIGIBLE = 1e-9; /* part of its size that a quantity is known to at best */
+
+/* The solved record of an order on a level, or NULL. */
+static const Record *Find_Private(Study study, PetscInt order, PetscInt level)
+{
+  for (PetscInt r = 0; r < study->num; ++r) {
+    const Record *record = &study->records[r];
+
+    if (record->order == order && record->level == level && record->state == RECORD_SOLVED) return record;
+  }
+  return NULL;
+}
+
+PetscBool ExtrapolateQuantity(Study study, PetscInt quantity, PetscInt order, Extrapolation *limit)
+{
+  const Record *finest = StudyFindCoarser(study, order, study->scene->study.levels);
+  PetscReal     values[RICHARDSON_LEVELS];
+
+  for (PetscInt i = 0; i < RICHARDSON_LEVELS; ++i) {
+    const Record *record = finest ? Find_Private(study, order, finest->level - (RICHARDSON_LEVELS - 1) + i) : NULL;
+
+    if (!record || !isfinite((double)record->values[quantity])) return PETSC_FALSE;
+    values[i] = record->values[quantity];
+  }
+  *limit = RichardsonExtrapolate(values);
+  return PETSC_TRUE;
+}
+
+PetscInt ExtrapolateFindBest(Study study, PetscInt quantity)
+{
+  PetscReal smallest = PETSC_INFINITY;
+  PetscInt  best     = -1;
+
+  for (PetscInt o = 0; o < study->num_orders; ++o) {
+    const PetscInt order = study->scene->study.orders[o];
+    Extrapolation  limit;
+
+    if (!ExtrapolateQuantity(study, quantity, order, &limit) || limit.bar >= smallest) continue;
+    smallest = limit.bar;
+    best     = order;
+  }
+  return best;
+}
+
+PetscBool ExtrapolateVanishes(Study study, PetscInt quantity, const Extrapolation *limit)
+{
+  const Record *finest = StudyFindCoarser(study, ExtrapolateFindBest(study, quantity), study->scene->study.levels);
+  PetscReal     size   = 0;
+
+  for (PetscInt q = 0; q < study->num_quantities; ++q)
+    if (study->quantities[q].size == study->quantities[quantity].size)
+      size = PetscMax(size, PetscAbsReal(finest->values[q]));
+  return (PetscBool)(PetscAbsReal(limit->value) + limit->bar <= NEGLIGIBLE * size);
+}
+
+PetscErrorCode ExtrapolatePrint(Study study)
+{
+  const MPI_Comm comm  = study->scene->comm;
+  PetscBool      begun = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  for (PetscInt q = 0; q < study->num_quantities; ++q) {
+    const PetscInt best   = ExtrapolateFindBest(study, q);
+    Record         sample = {.order = best};
+    Extrapolation  limit;
+    char           text[RICHARDSON_TEXT], order[ERROR_TEXT];
+
+    if (best < 0 || !ExtrapolateQuantity(study, q, best, &limit)) continue;
+    if (ExtrapolateVanishes(study, q, &limit)) continue;
+    if (!begun) PetscCall(PetscPrintf(comm, "extrapolated from the last three levels (Richardson)\n"));
+    begun = PETSC_TRUE;
+    RichardsonText(&limit, text, sizeof(text));
+    RecordOrderText(&sample, order);
+    PetscCall(PetscPrintf(comm, "  %-32s %-28s (%s%s)\n", study->quantities[q].label, text, order,
+                          limit.monotone ? "" : "; not monotone, the spread of the three"));
+  }
+  if (!begun)
+    PetscCall(PetscPrintf(comm, "no extrapolated values: Richardson's method needs three levels of one order\n"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

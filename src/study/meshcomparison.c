@@ -1,0 +1,128 @@
+/* meshcomparison.c -- a solution brought up to a finer mesh: where the next run begins, and to be compared with the finest. */
+#include <math.h>
+#include "base/compat.h"
+#include "result/errors.h"
+#include "study/studyimpl.h"
+
+/* v = P u for each component, with ghosts. [in] P - node values to node values of `level`; [out] v - ghosted */
+static PetscErrorCode Apply_Private(Mat P, Level *level, Vec u, Vec *v)
+{
+  Mat blocks;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, level->dim, v));
+  PetscCall(MatCreateMAIJ(P, level->dim, &blocks));
+  PetscCall(MatMult(blocks, u, *v));
+  PetscCall(MatDestroy(&blocks));
+  PetscCall(VecGhostUpdateBegin(*v, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostUpdateEnd(*v, INSERT_VALUES, SCATTER_FORWARD));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ComparePromote(Mesh mesh, PetscInt from, PetscInt to, Vec u, Vec *v)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectReference((PetscObject)u));
+  *v = u;
+  for (PetscInt l = from + 1; l <= to; ++l) {
+    Level *level = &mesh->levels[l];
+    Vec    fine;
+
+    PetscCall(Apply_Private(level->prolongation, level, *v, &fine));
+    PetscCall(VecDestroy(v));
+    *v = fine;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Position of an order in the study. */
+static PetscInt OrderIndex_Private(Study study, PetscInt order)
+{
+  PetscInt o = 0;
+
+  while (o + 1 < study->num_orders && study->scene->study.orders[o] != order) ++o;
+  return o;
+}
+
+/* The finest solved run of the highest order of those that have one. */
+static PetscInt FindReference_Private(Study study)
+{
+  PetscInt found = -1;
+
+  for (PetscInt r = 0; r < study->num; ++r) {
+    const Record *record = &study->records[r], *best = found < 0 ? NULL : &study->records[found];
+
+    if (record->state != RECORD_SOLVED) continue;
+    if (!best || record->order > best->order || (record->order == best->order && record->level > best->level))
+      found = r;
+  }
+  return found;
+}
+
+/* The displacement of a record on the mesh of the reference; NULL where it has none that can be brought there: not solved, or
+   on a finer level. */
+static PetscErrorCode Bring_Private(Study study, const Record *record, const Record *reference, Vec *v)
+{
+  const Mesh     mesh  = study->mesh[OrderIndex_Private(study, record->order)];
+  const Mesh     goal  = study->mesh[OrderIndex_Private(study, reference->order)];
+  const PetscInt first = goal->own, to = first + reference->level; // meshes of all orders have the same levels
+  Vec            low;
+  Mat            embedding;
+
+  PetscFunctionBeginUser;
+  *v = NULL;
+  if (record->state != RECORD_SOLVED || record->level > reference->level || mesh->num_levels <= to)
+    PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ComparePromote(mesh, first + record->level, to, record->u, v));
+  if (mesh == goal) PetscFunctionReturn(PETSC_SUCCESS);
+  low = *v;
+  PetscCall(LevelCreateEmbedding(&mesh->levels[to], &goal->levels[to], &embedding));
+  PetscCall(Apply_Private(embedding, &goal->levels[to], low, v));
+  PetscCall(MatDestroy(&embedding));
+  PetscCall(VecDestroy(&low));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CompareWithReference(Study study)
+{
+  const Scene scene = study->scene;
+  BodyError  *bodies, total;
+  Level      *level;
+
+  PetscFunctionBeginUser;
+  if (study->exact) PetscFunctionReturn(PETSC_SUCCESS);
+  study->reference = FindReference_Private(study);
+  if (study->reference < 0) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(scene->num_bodies, &bodies));
+  for (PetscInt r = 0; r < study->num; ++r) {
+    const Record *reference = &study->records[study->reference];
+    const Mesh    mesh      = study->mesh[OrderIndex_Private(study, reference->order)];
+    Record       *record    = &study->records[r];
+    Vec           v         = NULL;
+
+    record->errors[0] = record->errors[1] = (RecordError){NAN, NAN, NAN};
+    level                                 = &mesh->levels[mesh->own + reference->level];
+    if (record != reference) PetscCall(Bring_Private(study, record, reference, &v));
+    if (!v) continue;
+    PetscCall(DifferenceCompute(scene, level, v, reference->u, bodies, &total));
+    record->errors[0] = (RecordError){.absolute = total.energy, .relative = total.energy_relative, .rate = NAN};
+    record->errors[1] = (RecordError){.absolute = total.l2, .relative = total.l2_relative, .rate = NAN};
+    PetscCall(VecDestroy(&v));
+  }
+  PetscCall(PetscFree(bodies));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void CompareReferenceText(Study study, char text[])
+{
+  text[0] = '\0';
+  if (study->exact) {
+    snprintf(text, ERROR_TEXT, "exact");
+  } else if (study->reference >= 0) {
+    const Record *record = &study->records[study->reference];
+    char          order[ERROR_TEXT];
+
+    RecordOrderText(record, order);
+    snprintf(text, ERROR_TEXT, "%.30s, level %" PetscInt_FMT, order, record->level);
+  }
+}

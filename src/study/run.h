@@ -1,0 +1,35 @@
+/* run.h -- one problem from its mesh to its judged answer. */
+#ifndef MORTISE_RUN_H
+#define MORTISE_RUN_H
+
+#include "result/certificate.h"
+#include "result/errors.h"
+#include "result/fields.h"
+#include "solve/solve.h"
+#include "output/summary.h"
+
+struct _n_Run {
+  Scene       scene; /* borrowed */
+  Mesh        mesh;  /* borrowed */
+  VI          vi;
+  Vec         y;
+  SolveReport report;
+  CrossCheck  check;
+  Fields      fields;
+  Certificate certificate;
+  Vec         reactions;
+  Errors      errors;
+  PetscBool   refused; /* there is no solution: nothing was solved, and there are no fields */
+  PetscBool   solved;  /* converged, certified, and not contradicted by a second solver */
+};
+typedef struct _n_Run *Run;
+
+/* Condenses, solves and judges on the finest level of a mesh; prints the model where -scene_view asks for it. Faults on
+   options that nothing has read. Collective.
+   [in] guess - displacement to begin with (ghosted, dim per node of that level), or NULL; [out] run - owned by the caller */
+PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run);
+PetscErrorCode RunDestroy(Run *run);
+/* What the summary tells of; borrows from the run. Not collective. */
+SummaryInput RunSummary(Run run);
+
+#endif

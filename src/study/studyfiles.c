@@ -1,0 +1,241 @@
+/* studyfiles.c -- the table, the chart and the summary of a study, rewritten as wholes after every run. */
+#include <cjson/cJSON.h>
+#include <math.h>
+#include "base/compat.h"
+#include "base/interrupt.h"
+#include "base/json.h"
+#include "output/output.h"
+#include <stdlib.h>
+#include <string.h>
+#include "study/studychart.h"
+#include "study/extrapolation.h"
+#include "study/studyimpl.h"
+
+/* --- <output>_study.csv ---------------------------------------------------------------------------------------------- */
+
+/* A row that grows from left to right. */
+typedef struct {
+  FILE     *out;
+  PetscBool names; /* the row of names instead of the values */
+  PetscInt  num;
+} Row;
+
+/* A word in quotes if it has to be. */
+static void WriteWord_Private(FILE *out, const char word[])
+{
+  if (!strpbrk(word, ",\"\n")) {
+    fputs(word, out);
+    return;
+  }
+  fputc('"', out);
+  for (; *word; ++word) {
+    if (*word == '"') fputc('"', out);
+    fputc(*word, out);
+  }
+  fputc('"', out);
+}
+
+static void RowFn(void *ctx, const Column *column)
+{
+  Row *row = ctx;
+
+  if (row->num++) fputc(',', row->out);
+  if (row->names)
+    fputs(column->name, row->out);
+  else if (column->kind == COLUMN_WORD)
+    WriteWord_Private(row->out, column->word);
+  else if (column->kind == COLUMN_COUNT && column->count >= 0)
+    fprintf(row->out, "%" PetscInt_FMT, column->count);
+  else if (column->kind == COLUMN_COUNT || PetscIsNanReal(column->real))
+    fputs("nan", row->out); // without the sign that printf may show
+  else
+    fprintf(row->out, "%.17g", (double)column->real);
+}
+
+static void WriteTable_Private(Study study, FILE *out)
+{
+  for (PetscInt r = -1; r < study->num; ++r) {
+    Row row = {.out = out, .names = (PetscBool)(r < 0)};
+
+    RecordColumns(study, &study->records[PetscMax(r, 0)], PETSC_TRUE, RowFn, &row);
+    if (r < study->num - 1) fputc('\n', out);
+  }
+}
+
+/* --- the block "study" of the summary -------------------------------------------------------------------------------- */
+
+static void ObjectFn(void *ctx, const Column *column)
+{
+  cJSON *object = ctx;
+
+  if (column->kind == COLUMN_WORD)
+    cJSON_AddStringToObject(object, column->name, column->word);
+  else if (column->kind == COLUMN_REAL)
+    JSONAddReal(object, column->name, column->real);
+  else if (column->count >= 0)
+    JSONAddInt(object, column->name, column->count);
+  else
+    cJSON_AddNullToObject(object, column->name);
+}
+
+static void AddExtrapolated_Private(Study study, cJSON *root)
+{
+  cJSON *quantities = cJSON_AddObjectToObject(root, "richardson");
+
+  for (PetscInt q = 0; q < study->num_quantities; ++q) {
+    cJSON         *quantity = NULL, *orders = NULL;
+    const PetscInt best = ExtrapolateFindBest(study, q);
+
+    for (PetscInt o = 0; o < study->num_orders; ++o) {
+      const PetscInt order = study->scene->study.orders[o];
+      Extrapolation  limit;
+      char           key[16];
+      cJSON         *object;
+
+      if (!ExtrapolateQuantity(study, q, order, &limit)) continue;
+      if (!quantity) {
+        Extrapolation chosen;
+        char          text[RICHARDSON_TEXT];
+
+        (void)ExtrapolateQuantity(study, q, best, &chosen);
+        quantity = cJSON_AddObjectToObject(quantities, study->quantities[q].name);
+        JSONAddReal(quantity, "value", chosen.value);
+        JSONAddReal(quantity, "uncertainty", chosen.bar);
+        JSONAddInt(quantity, "order", best);
+        RichardsonText(&chosen, text, sizeof(text));
+        if (!ExtrapolateVanishes(study, q, &chosen)) cJSON_AddStringToObject(quantity, "text", text);
+        orders = cJSON_AddObjectToObject(quantity, "orders");
+      }
+      snprintf(key, sizeof(key), "%d", (int)order);
+      object = cJSON_AddObjectToObject(orders, key);
+      JSONAddReal(object, "value", limit.value);
+      JSONAddReal(object, "uncertainty", limit.bar);
+      JSONAddReal(object, "rate", limit.rate);
+      cJSON_AddBoolToObject(object, "monotone", limit.monotone);
+    }
+  }
+}
+
+/* The block as text. [out] text - owned by the caller (free()) */
+static char *CreateBlock_Private(Study study)
+{
+  cJSON *root = cJSON_CreateObject(), *runs;
+  char   reference[ERROR_TEXT], *text;
+
+  CompareReferenceText(study, reference);
+  cJSON_AddStringToObject(root, "kind", "uniform");
+  cJSON_AddItemToObject(root, "reference", reference[0] ? cJSON_CreateString(reference) : cJSON_CreateNull());
+  runs = cJSON_AddArrayToObject(root, "runs");
+  for (PetscInt r = 0; r < study->num; ++r) {
+    cJSON *run = cJSON_CreateObject();
+
+    RecordColumns(study, &study->records[r], PETSC_FALSE, ObjectFn, run);
+    cJSON_AddItemToArray(runs, run);
+  }
+  AddExtrapolated_Private(study, root);
+  text = cJSON_Print(root);
+  cJSON_Delete(root);
+  return text;
+}
+
+PetscErrorCode StudySummary(Study study, char **text)
+{
+  char  *block;
+  size_t len;
+
+  PetscFunctionBeginUser;
+  *text = NULL;
+  if (!study->summary) PetscFunctionReturn(PETSC_SUCCESS);
+  block = CreateBlock_Private(study);
+  len   = strlen(study->summary) + strlen(block) + 32;
+  *text = malloc(len);
+  PetscCheck(*text, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for the summary");
+  snprintf(*text, len, "%.*s,\n\t\"study\":\t%s\n}", (int)(strrchr(study->summary, '}') - study->summary - 1),
+           study->summary, block);
+  free(block);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* --- all of them ----------------------------------------------------------------------------------------------------- */
+
+/* Writes what `write` puts into a file of memory to a file on disk. Collective. */
+static PetscErrorCode Write_Private(Study study, const char suffix[], void (*write)(Study, FILE *))
+{
+  char        path[PETSC_MAX_PATH_LEN], *text = NULL;
+  size_t      size;
+  PetscMPIInt rank;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_rank(study->scene->comm, &rank));
+  if (!rank) {
+    FILE *out = open_memstream(&text, &size);
+
+    PetscCheck(out, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for %s", suffix);
+    (*write)(study, out);
+    PetscCheck(!fclose(out) && text, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for %s", suffix);
+  }
+  PetscCall(PetscSNPrintf(path, sizeof(path), "%s%s", study->scene->output, suffix));
+  PetscCall(OutputAddText(study->output, path, text));
+  free(text);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What is said if a signal comes now. */
+static void Sentence_Private(Study study)
+{
+  const Scene       scene = study->scene;
+  const char *const line  = study->terminal ? "\n" : ""; // below the one that says what is being solved
+  char              text[PETSC_MAX_PATH_LEN + 256];
+  PetscInt          done = 0;
+
+  for (PetscInt r = 0; r < study->num; ++r) done += study->records[r].state != RECORD_SKIPPED;
+  if (scene->output && done) {
+    snprintf(text, sizeof(text),
+             "%smortise: interrupted; %s_study.csv and the other files hold the %" PetscInt_FMT " finished run%s\n",
+             line, scene->output, done, done == 1 ? "" : "s");
+  } else {
+    snprintf(text, sizeof(text), "%smortise: interrupted; %s\n", line,
+             done ? "nothing is kept, since there is no -output" : "no run was finished");
+  }
+  InterruptSetSentence(text);
+}
+
+PetscErrorCode StudyWriteFiles(Study study)
+{
+  char path[PETSC_MAX_PATH_LEN], *text;
+
+  PetscFunctionBeginUser;
+  if (study->scene->output && study->num) {
+    if (!study->output) PetscCall(OutputCreate(study->scene->comm, &study->output));
+    PetscCall(Write_Private(study, "_study.csv", WriteTable_Private));
+    if (FigureExists(study)) PetscCall(Write_Private(study, "_study.svg", FigureWrite));
+    if (study->shown) {
+      PetscCall(StudySummary(study, &text));
+      PetscCall(PetscSNPrintf(path, sizeof(path), "%s.json", study->scene->output));
+      PetscCall(OutputAddText(study->output, path, text)); // the last: where it is, the result is complete
+      free(text);
+    }
+    InterruptHold();
+    PetscCall(OutputFinish(&study->output));
+    Sentence_Private(study);
+    InterruptRelease();
+  } else {
+    Sentence_Private(study);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode StudyWriteBest(Study study, Run run)
+{
+  const SummaryInput input = RunSummary(run);
+
+  PetscFunctionBeginUser;
+  free(study->summary);
+  PetscCall(SummaryCreate(&input, &study->summary));
+  if (study->scene->output) {
+    PetscCall(OutputCreate(study->scene->comm, &study->output));
+    PetscCall(run->refused ? OutputAddMotion(study->output, run->vi) : OutputAddFields(study->output, run->fields));
+  }
+  study->shown = PETSC_TRUE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,141 @@
+/* studytable.c -- what a user sees of a study on the terminal. */
+#include <math.h>
+#include "base/compat.h"
+#include <string.h>
+#include "study/extrapolation.h"
+#include "study/studychart.h"
+#include "study/studyimpl.h"
+
+enum { CELL = 24, LINE = 100 }; /* longest text of a number, of a line that is overwritten */
+
+static const PetscReal MEGABYTE = 1048576;
+
+/* A number that may be unknown. */
+static const char *Cell_Private(const char format[], PetscReal value, char text[CELL])
+{
+  if (PetscIsNanReal(value))
+    snprintf(text, CELL, "-");
+  else
+    snprintf(text, CELL, format, (double)value);
+  return text;
+}
+
+/* The order of a run in one letter or two. */
+static const char *Order_Private(const Record *record, char text[CELL])
+{
+  if (record->order == STUDY_OWN_ORDERS)
+    snprintf(text, CELL, "own");
+  else
+    snprintf(text, CELL, "%" PetscInt_FMT, record->order);
+  return text;
+}
+
+PetscErrorCode TableBegin(Study study)
+{
+  const MPI_Comm comm = study->scene->comm;
+
+  PetscFunctionBeginUser;
+  if (study->quiet) PetscFunctionReturn(PETSC_SUCCESS);
+  if (study->scene->title[0]) PetscCall(PetscPrintf(comm, "%s\n", study->scene->title));
+  PetscCall(PetscPrintf(comm, "  order level  unknowns         h  steps  active  %s  seconds    memory\n",
+                        study->exact ? "rel. error   rate" : "  potential energy"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode TableAnnounce(Study study, const Record *record)
+{
+  char order[ERROR_TEXT];
+
+  PetscFunctionBeginUser;
+  if (study->quiet || !study->terminal) PetscFunctionReturn(PETSC_SUCCESS);
+  RecordOrderText(record, order);
+  PetscCall(PetscPrintf(study->scene->comm, "  solving %s, level %" PetscInt_FMT ": %" PetscInt_FMT " unknowns ...%s",
+                        order, record->level, record->unknowns, study->scene->monitor ? "\n" : ""));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode TableAdd(Study study, const Record *record)
+{
+  const MPI_Comm comm = study->scene->comm;
+  char           texts[8][CELL], error[2 * CELL + 8];
+
+  PetscFunctionBeginUser;
+  if (study->quiet) PetscFunctionReturn(PETSC_SUCCESS);
+  if (study->terminal && !study->scene->monitor) PetscCall(PetscPrintf(comm, "\r%*s\r", LINE, ""));
+  PetscCall(PetscPrintf(comm, "  %5s %5" PetscInt_FMT " %9" PetscInt_FMT, Order_Private(record, texts[0]),
+                        record->level, record->unknowns));
+  if (record->state == RECORD_SKIPPED) {
+    PetscCall(PetscPrintf(comm, "  skipped: %s\n", record->reason));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  if (study->exact)
+    snprintf(error, sizeof(error), "%10s %6s", Cell_Private("%.3e", record->errors[0].relative, texts[1]),
+             Cell_Private("%.2f", record->errors[0].rate, texts[2]));
+  else
+    snprintf(error, sizeof(error), "%18s", Cell_Private("%.10g", record->values[0], texts[1]));
+  PetscCall(PetscPrintf(comm, " %9.3e  %5" PetscInt_FMT "  %6" PetscInt_FMT "  %s %8s %9s%s\n", (double)record->h,
+                        record->iterations, record->active, error, Cell_Private("%.2f", record->total, texts[3]),
+                        Cell_Private("%.0f MB", record->memory / MEGABYTE, texts[4]),
+                        record->state == RECORD_SOLVED ? "" : "  NOT SOLVED"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Differences from the finest run: known at the end only. */
+static PetscErrorCode PrintDifferences_Private(Study study)
+{
+  const MPI_Comm comm = study->scene->comm;
+  char           reference[ERROR_TEXT], texts[5][CELL];
+
+  PetscFunctionBeginUser;
+  CompareReferenceText(study, reference);
+  PetscCall(PetscPrintf(comm,
+                        "differences from %s, which stands for the exact solution\n"
+                        "  order level  unknowns   energy norm   rate            L2   rate   seconds\n",
+                        reference));
+  for (PetscInt r = 0; r < study->num; ++r) {
+    const Record *record = &study->records[r];
+
+    if (PetscIsNanReal(record->errors[0].absolute)) continue;
+    PetscCall(PetscPrintf(comm, "  %5s %5" PetscInt_FMT " %9" PetscInt_FMT "  %12s %6s  %12s %6s  %8.2f\n",
+                          Order_Private(record, texts[0]), record->level, record->unknowns,
+                          Cell_Private("%.3e", record->errors[0].relative, texts[1]),
+                          Cell_Private("%.2f", record->errors[0].rate, texts[2]),
+                          Cell_Private("%.3e", record->errors[1].relative, texts[3]),
+                          Cell_Private("%.2f", record->errors[1].rate, texts[4]), (double)record->with_coarser));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Names of the files that were written. */
+static PetscErrorCode PrintFiles_Private(Study study, PetscBool figure)
+{
+  const MPI_Comm comm  = study->scene->comm;
+  const Scene    scene = study->scene;
+
+  PetscFunctionBeginUser;
+  if (scene->output) {
+    PetscCall(PetscPrintf(comm, "wrote %s_study.csv", scene->output));
+    if (figure) PetscCall(PetscPrintf(comm, ", _study.svg"));
+    if (study->shown) {
+      PetscCall(PetscPrintf(comm, ", .json"));
+      PetscCall(OutputPrintNames(scene, (PetscBool)(study->best >= 0)));
+    }
+    PetscCall(PetscPrintf(comm, "\n"));
+    if (!figure)
+      PetscCall(PetscPrintf(comm,
+                            "no _study.svg: no run has an error that could be drawn; it needs two runs, or an exact "
+                            "solution\n"));
+  }
+  if (scene->summary) PetscCall(PetscPrintf(comm, "wrote %s\n", scene->summary));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode TableEnd(Study study)
+{
+  PetscFunctionBeginUser;
+  if (study->quiet) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!study->exact && FigureExists(study)) PetscCall(PrintDifferences_Private(study));
+  PetscCall(ExtrapolatePrint(study));
+  PetscCall(PrintFiles_Private(study, FigureExists(study)));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
