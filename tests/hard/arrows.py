@@ -12,7 +12,7 @@ from matplotlib.quiver import Quiver
 
 from judge import Run, near, require, same
 
-OPTIONS = pathlib.Path(__file__).parents[2] / "options"
+PLOT = pathlib.Path(__file__).parents[2] / "src" / "plot"
 TIPPED = ["-lower_dm_plex_box_upper", "0.375,0", "-upper_bc_traction_top", "0,0"]
 CENTRE = np.array([0.375, 0])  # the end of the block below
 RING = ["-model", "axisymmetric", "-lower_dm_plex_box_lower", "0,-1", "-upper_dm_plex_box_lower", "0.5,0", "-upper_bc_traction_top", "0,2"]
@@ -21,7 +21,7 @@ RING = ["-model", "axisymmetric", "-lower_dm_plex_box_lower", "0,-1", "-upper_dm
 def load(name):
     """A program of options/ as a module."""
     sys.dont_write_bytecode = True
-    loader = importlib.machinery.SourceFileLoader(name.replace("-", "_"), str(OPTIONS / name))
+    loader = importlib.machinery.SourceFileLoader(name.replace("-", "_"), str(PLOT / name))
     module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
     loader.exec_module(module)
     return module
@@ -35,7 +35,7 @@ def refuse(run, name, *options):
 
 
 def require_picture(case):
-    done = subprocess.run([OPTIONS / "mortise-plot", case.folder / "result"], capture_output=True, text=True, check=False)
+    done = subprocess.run([PLOT / "mortise-plot", case.folder / "result"], capture_output=True, text=True, check=False)
     same(f"what mortise-plot says of {case.folder.name}", (done.returncode, done.stderr), (0, ""))
     require((case.folder / "result.png").stat().st_size > 0, f"{case.folder.name}: no picture")
 

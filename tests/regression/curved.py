@@ -17,7 +17,7 @@ AREA_OUTER, AREA_INNER = math.pi / 4 * (3.5 ** 2 - 2 ** 2), math.pi / 4 * (2 ** 
 
 def load_plot():
     """src/plot/mortise-plot as a module."""
-    path = pathlib.Path(__file__).parents[2] / "options" / "mortise-plot"
+    path = pathlib.Path(__file__).parents[2] / "src" / "plot" / "mortise-plot"
     sys.dont_write_bytecode = True
     loader = importlib.machinery.SourceFileLoader("mortise_plot", str(path))
     module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))

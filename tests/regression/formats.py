@@ -5,7 +5,7 @@ import subprocess
 
 from judge import CHECKS, NAME, require, same
 
-PLOT = pathlib.Path(__file__).parents[2] / "options" / "mortise-plot"
+PLOT = pathlib.Path(__file__).parents[2] / "src" / "plot" / "mortise-plot"
 
 
 def endings(run, *arguments):

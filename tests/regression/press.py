@@ -70,7 +70,7 @@ def judge_surface(run):
 
 def judge_pictures(run):
     """Two pictures, by whatever there is to draw with, and the page."""
-    plot = pathlib.Path(__file__).parents[2] / "options" / "mortise-plot"
+    plot = pathlib.Path(__file__).parents[2] / "src" / "plot" / "mortise-plot"
     for name, more in (("default", []), ("other", ["--colour", "z"])):
         done = subprocess.run([plot, run.folder / "result", "-o", run.folder / f"{name}.png", *more], capture_output=True, text=True, check=False)
         same("what mortise-plot says", (done.returncode, done.stderr), (0, ""))
