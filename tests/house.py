@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""house.py -- checks of the text: house.py <layers|sizes|options|warnings> <top of the tree>. Prints what is wrong, or nothing."""
+"""house.py -- checks of the text: house.py <layers|sizes|options|warnings|theory> <top of the tree>. Prints what is wrong, or nothing."""
 import pathlib
 import re
 import sys
@@ -137,8 +137,34 @@ def check_warnings(top):
     yield from (f"{code} is not in snake_case" for code in sorted(used) if not re.fullmatch(r"[a-z]+(_[a-z]+)*", code))
 
 
+# --- theory -----------------------------------------------------------------------------------------------------------
+
+
+def check_theory(top):
+    """Equations of src/THEORY.md are numbered in order, section by section, and every equation that the tree cites exists."""
+    text = (top / "src/THEORY.md").read_text()
+    section, last, numbers = 0, 0, set()
+    for line in text.splitlines():
+        heading, tag = re.match(r"## (\d+)\.", line), re.match(r" {4}.*\((\d+)\.(\d+)\)$", line)
+        if heading:
+            section, last = int(heading.group(1)), 0
+        if tag:
+            if (int(tag.group(1)), int(tag.group(2))) != (section, last + 1):
+                yield f"src/THEORY.md: ({tag.group(1)}.{tag.group(2)}) follows ({section}.{last})"
+            last = int(tag.group(2))
+            numbers.add(f"{section}.{last}")
+    yield from (f"src/THEORY.md cites ({number}), which it does not have" for number in sorted(set(re.findall(r"\((\d+\.\d+)\)", text)) - numbers))
+    for path in sorted(file for folder in ("src", "include", "tests", "options", "plot") for file in (top / folder).rglob("*")):
+        if path.suffix not in (".c", ".h", ".py", ".md", ".opts", ".cmake"):
+            continue
+        for lineno, line in enumerate(path.read_text().splitlines(), 1):
+            cited = re.findall(r"\d+\.\d+", " ".join(re.findall(r"\beqs?\. (\d+\.\d+(?:(?:, | and |-)\d+\.\d+)*)", line)))
+            for number in [number for number in cited if number not in numbers] + re.findall(r"\(T\d+\)", line):
+                yield f"{path.relative_to(top)}:{lineno} cites {number}, which src/THEORY.md does not have"
+
+
 def main():
-    checks = {"layers": check_layers, "sizes": check_sizes, "options": check_options, "warnings": check_warnings}
+    checks = {"layers": check_layers, "sizes": check_sizes, "options": check_options, "warnings": check_warnings, "theory": check_theory}
     wrong = list(checks[sys.argv[1]](pathlib.Path(sys.argv[2]).resolve()))
     print("\n".join(wrong))
     sys.exit(bool(wrong))

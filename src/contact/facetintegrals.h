@@ -25,7 +25,7 @@ typedef struct {
   PetscReal *arm;   /* of a tie: int psi_i block_j [num_columns][ELEMENT_MAX_FACET_NODES][dim][dim] */
 } FacetIntegral;
 
-/* The element whose shape functions multipliers of a facet are dual to: the facet's own, or the linear one (T20). */
+/* The element whose shape functions multipliers of a facet are dual to: the facet's own, or the linear one (eq. 3.6). */
 ElementType CarrierType(const ScenePair *spec, ElementType facet);
 
 /* Integrates one facet. covered = 0 where nothing is within reach. Not collective. [in] rise - of the facet, or NULL; [in,out] list -

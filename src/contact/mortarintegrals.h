@@ -4,12 +4,12 @@
 
 #include "contact/facetintegrals.h"
 
-/* Unit normals of the nonmortar side at its nodes, zero elsewhere (T13). Collective. [in] shape - of the side;
+/* Unit normals of the nonmortar side at its nodes, zero elsewhere (eq. 4.1). Collective. [in] shape - of the side;
    [out] normals - ghosted, dim per node, owned by the caller */
 PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, const SideShape *shape, Vec *normals);
 
 /* Directions of contact at the nodes of the nonmortar side, from its own normals: between these and the partner's, by the curvatures
-   of both (T46). A node that faces no partner within reach keeps its own normal. Collective. [in] shape - of the side;
+   of both (eq. 4.3). A node that faces no partner within reach keeps its own normal. Collective. [in] shape - of the side;
    [in,out] normals - ghosted */
 PetscErrorCode ContactNormalsSet(Level *level, const FacetPartner *partner, const Facets *facets,
                                  const SideShape *shape, Vec normals);
@@ -29,7 +29,7 @@ typedef struct {
   Vec          measure, cover; /* of the facets around a node, of their covered parts: ghosted, one per node */
   Mat          M;              /* node x node, or NULL */
   Mat          arm;            /* of a tie across a gap: unknown x unknown, block size dim, or NULL (arm.h) */
-  Mat          chain;      /* int psi_a phi_c of nodes c that never carry a multiplier (node x node), or NULL (T20) */
+  Mat          chain; /* int psi_a phi_c of nodes c that never carry a multiplier (node x node), or NULL (eq. 3.6) */
   Vec          whole, cut; /* whether a facet around a node is covered altogether, in part: ghosted, one per node */
   PetscInt     num_ends;
   PairEnd     *ends;    /* of this rank's facets [num_ends] */

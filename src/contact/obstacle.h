@@ -1,4 +1,4 @@
-/* obstacle.h -- rigid obstacles as a gap along the contact normal, and their shape (T15, T46). */
+/* obstacle.h -- rigid obstacles as a gap along the contact normal, and their shape (eqs. 5.2, 4.3). */
 #ifndef MORTISE_OBSTACLE_H
 #define MORTISE_OBSTACLE_H
 

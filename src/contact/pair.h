@@ -1,13 +1,13 @@
-/* pair.h -- D, M, weighted gap and normals of one contact pair on one level (T4-T6).
+/* pair.h -- D, M, weighted gap and normals of one contact pair on one level (eqs. 3.2-3.4).
 
    D_ab = int psi_a phi^s_b,  M_ab = int psi_a phi^m_b(pi(.)),  G_a = int psi_a g  over the covered part of the nonmortar
    side. Rows of removed nodes (held in normal direction, or a sliver of coverage) are spread over their kept neighbours
-   (T12), which is where D gets its few entries off the diagonal. Facets are integrated by the rank that holds them.
+   (eq. 5.1), which is where D gets its few entries off the diagonal. Facets are integrated by the rank that holds them.
 
    Where only vertices of quadratic facets carry multipliers (MULTIPLIERS_VERTICES), psi is dual to the linear shape functions
    and all this is written for the displacements u~ of u = u~ + shift u~ on the nonmortar side: a vertex keeps its
-   displacement, the unknown at a middle node is what goes beyond the mean of the two ends (T20). On tri6 psi is dual to phi~,
-   and u~ is that of (T24), where nodes with multipliers are shifted as well. M applies to u. */
+   displacement, the unknown at a middle node is what goes beyond the mean of the two ends (eq. 3.6). On tri6 psi is dual to phi~,
+   and u~ is that of eq. 3.5, where nodes with multipliers are shifted as well. M applies to u. */
 #ifndef MORTISE_PAIR_H
 #define MORTISE_PAIR_H
 
@@ -38,11 +38,11 @@ struct _n_Pair {
   Mat        chain;          /* D_ac, c without a multiplier (node x node), or NULL where there is none */
   Mat        shift, unshift; /* u = u~ + shift u~, u~ = u + unshift u (node x node), or NULL where u~ = u */
   Mat        M;              /* node x node, rows of multiplier nodes; NULL for an obstacle */
-  Mat        arm;            /* of a tie across a gap: what joins M, in blocks of size dim (T49); else NULL */
+  Mat        arm;            /* of a tie across a gap: what joins M, in blocks of size dim (eq. 5.4); else NULL */
   PetscInt   num_facets_nonmortar, num_facets_mortar;     /* of all ranks */
   PetscInt   num_multipliers, num_removed, num_uncovered; /* nodes of all ranks */
   PetscReal  reach;                                       /* that was used */
-  PetscBool  smooth[2]; /* whether the nonmortar, the mortar side is taken for smooth: gaps are those of curves (T51) */
+  PetscBool  smooth[2]; /* whether the nonmortar, the mortar side is smooth: gaps are those of curves (eq. 4.5) */
   PetscReal left[2]; /* what gaps may be off by as each side bends between its nodes, at most; 0 where gaps are given */
 };
 typedef struct _n_Pair *Pair;

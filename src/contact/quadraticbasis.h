@@ -1,4 +1,4 @@
-/* quadraticbasis.h -- the displacements that the rows of a pair are written for (T20, T24). */
+/* quadraticbasis.h -- the displacements that the rows of a pair are written for (eqs. 3.6, 3.5). */
 #ifndef MORTISE_QUADRATICBASIS_H
 #define MORTISE_QUADRATICBASIS_H
 

@@ -1,4 +1,4 @@
-/* arc.h -- the curve that nodal normals make of a straight edge, and of a facet of first order (T51). */
+/* arc.h -- the curve that nodal normals make of a straight edge, and of a facet of first order (eq. 4.5). */
 #ifndef MORTISE_ARC_H
 #define MORTISE_ARC_H
 

@@ -1,4 +1,4 @@
-/* clip.c -- which part of a nonmortar facet sees a mortar facet along its normals (T14), as quadrature points.
+/* clip.c -- which part of a nonmortar facet sees a mortar facet along its normals (eq. 4.4), as quadrature points.
 
    The side of a mortar node y on which the ray from x(xi) along n(xi) passes is the sign of
        f(xi) = cross(x(xi) - y, n(xi)),
@@ -93,7 +93,7 @@ static PetscReal Meet_Private(ElementType type, const PetscReal f[])
   return PetscMin(PetscMax(eta, 0.), 1.);
 }
 
-/* The Gauss points of the piece between two cuts, where every ray meets the mortar facet (T14).
+/* The Gauss points of the piece between two cuts, where every ray meets the mortar facet (eq. 4.4).
    [in] cuts - [2]; [out] points - [num_gauss] */
 static void AddPiece_Private(const ClipFacet *nonmortar, const ClipFacet *mortar, const PetscReal cuts[],
                              PetscInt num_gauss, ClipPoint points[])

@@ -1,4 +1,4 @@
-/* clip.h -- overlap of a nonmortar facet with mortar facets as quadrature points (T14).
+/* clip.h -- overlap of a nonmortar facet with mortar facets as quadrature points (eq. 4.4).
 
    2D: the nonmortar facet x(xi) = sum phi_i X_i, xi in [0,1], carries the normal field n(xi) = sum phi_i N_i with the
    same shape functions, linear or quadratic. The ends of a mortar facet are projected along it; between them the rays

@@ -3,7 +3,7 @@
    A cell whose displacements have to keep the volume at every point has next to nothing left to move with: it locks. Where a
    body resists changes of volume much more than changes of shape, the first of its two energies is charged for
 
-       theta = Pi div u                                                                                            (T29)
+       theta = Pi div u                                                                                            (eq. 9.1)
 
    only, where Pi takes the function of a small space Q of each cell that is nearest in L2: its mean, or a linear function. The
    other energy, of the deviator, stays as it is. Q has no unknowns: theta is a sum over the cell's own displacements. */

@@ -1,4 +1,4 @@
-/* direction.h -- the direction of contact between two curved surfaces (T46). */
+/* direction.h -- the direction of contact between two curved surfaces (eq. 4.3). */
 #ifndef MORTISE_DIRECTION_H
 #define MORTISE_DIRECTION_H
 

@@ -1,4 +1,4 @@
-/* dual.c -- the dual basis (T6) of one facet from the quadrature points that cover it.
+/* dual.c -- the dual basis (eq. 3.4) of one facet from the quadrature points that cover it.
 
    Where only a small part of a facet is covered its shape functions are nearly dependent there: M_e has a condition of
    the order of e^-4 for quadratic ones on the share e. But psi_i / D_i is the function that gives a polynomial's value

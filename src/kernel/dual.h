@@ -1,7 +1,7 @@
 /* dual.h -- dual basis of one facet or of its covered part.
 
    psi = A phi with A = D_e M_e^-1, M_e = int_cov phi phi^T, D_e = diag(int_cov phi), so that
-   int_cov psi_i phi_j = delta_ij int_cov phi_j and sum_i psi_i = 1 (T6; Wohlmuth 2000, Cichosz & Bischoff 2011 for cut
+   int_cov psi_i phi_j = delta_ij int_cov phi_j and sum_i psi_i = 1 (eq. 3.4; Wohlmuth 2000, Cichosz & Bischoff 2011 for cut
    facets). The integrals come from the very points that later integrate M and the gap.
 
    On tri6, where int phi vanishes at vertices, phi stands for the functions phi~ of DualShape() (Popp et al. 2012): they

@@ -18,7 +18,7 @@ static PetscReal Dot_Private(PetscInt dim, const PetscReal a[], const PetscReal 
 }
 
 /* Both ends get nu / h of their chord: a chord of a circle is tilted from the tangent at its end in proportion to its length, so that
-   these weights cancel the tilts of two chords for any spacing (T13). */
+   these weights cancel the tilts of two chords for any spacing (eq. 4.1). */
 static void AddChord_Private(PetscInt from, PetscInt to, const PetscReal X[], PetscReal N[])
 {
   const PetscReal dx = X[2 * to] - X[2 * from], dy = X[2 * to + 1] - X[2 * from + 1], square = dx * dx + dy * dy;

@@ -1,4 +1,4 @@
-/* frame.h -- nodal normals and orthonormal frames (T13). */
+/* frame.h -- nodal normals and orthonormal frames (eq. 4.1). */
 #ifndef MORTISE_FRAME_H
 #define MORTISE_FRAME_H
 

@@ -1,4 +1,4 @@
-/* material.c -- Hooke's law in Voigt's order with engineering shear: sigma = C eps (T18).
+/* material.c -- Hooke's law in Voigt's order with engineering shear: sigma = C eps (eq. 8.1).
 
    Voigt's vectors are no vectors: stresses and strains turn with different matrices, because shear is counted twice
    in a strain. Everything that turns is therefore written with the two tensor indices behind each of Voigt's.

@@ -1,6 +1,6 @@
 /* mortarchoice.c -- which side of a pair carries the multiplier.
 
-   The softer body (behind the sides), else the finer mesh, else the smaller side (THEORY.md, section 9): a stiff
+   The softer body (behind the sides), else the finer mesh, else the smaller side (THEORY.md, section 7): a stiff
    nonmortar side would put a stiff skin on a soft mortar side in the condensed matrix. Where such roles run in a circle, the
    weakest reasons give way. All of it is judged on the coarsest level, where it is cheapest: sides that have a node in
    common there have it on all levels. */

@@ -1,4 +1,4 @@
-/* activeprediction.h -- which set a level's solution will have, before any system is solved; internal (T45). */
+/* activeprediction.h -- which set a level's solution will have, before any system is solved; internal (eq. 14.2). */
 #ifndef MORTISE_ACTIVEPREDICTION_H
 #define MORTISE_ACTIVEPREDICTION_H
 

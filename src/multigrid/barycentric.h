@@ -1,4 +1,4 @@
-/* barycentric.h -- a linear function at one place by its values at others; internal (T38). */
+/* barycentric.h -- a linear function at one place by its values at others; internal (eq. 13.6). */
 #ifndef MORTISE_BARYCENTRIC_H
 #define MORTISE_BARYCENTRIC_H
 

@@ -6,7 +6,7 @@
 
        F = sum_chosen d d' - FLAT sum_all d d',   d = x_j - x_i:
 
-   they do where F is positive definite (T41). Couplings of nodes are the traces of blocks of K, by the roots of those of both nodes' own blocks, which are
+   they do where F is positive definite (eq. 13.4). Couplings of nodes are the traces of blocks of K, by the roots of those of both nodes' own blocks, which are
    halves along free surfaces; and those count that are strong at both ends. What they connect is a bundle, if few of its nodes have neighbours along all axes in it:
    else it has no factors that are nearly as sparse as itself, and is cut by what is stronger still. */
 #include "base/compat.h"

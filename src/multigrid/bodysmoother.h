@@ -1,4 +1,4 @@
-/* bodysmoother.h -- smoothing each body in its own displacements, whatever it leans on; internal (T43). */
+/* bodysmoother.h -- smoothing each body in its own displacements, whatever it leans on; internal (eq. 13.5). */
 #ifndef MORTISE_BODYSMOOTHER_H
 #define MORTISE_BODYSMOOTHER_H
 

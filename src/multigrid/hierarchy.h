@@ -1,4 +1,4 @@
-/* hierarchy.h -- one inequality on all levels of its mesh, and what leads from one to the next; internal (T35). */
+/* hierarchy.h -- one inequality on all levels of its mesh, and what leads from one to the next; internal (eq. 13.3). */
 #ifndef MORTISE_HIERARCHY_H
 #define MORTISE_HIERARCHY_H
 
@@ -30,7 +30,7 @@ typedef struct {
   Patience patience;
 } * Hierarchy;
 
-/* Whether levels' matrices are nearly those of prolongation: not where volumes change by whole cells (T29). Collective. */
+/* Whether levels' matrices are nearly those of prolongation: not where volumes change by whole cells (eq. 9.1). Collective. */
 PetscErrorCode HierarchyIsNested(VI vi, PetscBool *nested);
 /* All levels of vi->mesh, and where the coarsest has many unknowns, or is the only one, levels below it (algebraic.h). The finest is vi
    itself. Collective. [in] springs - on the diagonal of vi->A, or NULL */

@@ -1,4 +1,4 @@
-/* iterationcost.h -- when an iteration that drags gives way to a factorisation; internal (T47). */
+/* iterationcost.h -- when an iteration that drags gives way to a factorisation; internal (eq. 14.5). */
 #ifndef MORTISE_ITERATIONCOST_H
 #define MORTISE_ITERATIONCOST_H
 
@@ -26,7 +26,7 @@ PetscErrorCode PatienceUnit(VI vi, PetscReal *operations);
 /* Operations for each set where one factorisation serves num unknowns with bounds. Not collective. */
 PetscReal PatienceSet(PetscInt num);
 
-/* Whether a factorisation is sure to be cheaper than any iteration, because bodies are thin (T48). Collective. [in] num - unknowns with
+/* Whether a factorisation is sure to be cheaper than any iteration, because bodies are thin (eq. 14.6). Collective. [in] num - unknowns with
    bounds; [in] one - whether one factorisation serves all sets */
 PetscErrorCode ThinIsCheap(VI vi, PetscInt num, PetscBool one, PetscBool *cheap);
 

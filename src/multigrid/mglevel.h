@@ -1,4 +1,4 @@
-/* mglevel.h -- one level of truncated multigrid; internal (T35). */
+/* mglevel.h -- one level of truncated multigrid; internal (eq. 13.3). */
 #ifndef MORTISE_MGLEVEL_H
 #define MORTISE_MGLEVEL_H
 

@@ -1,4 +1,4 @@
-/* multigrid.h -- the PC type `truncatedmg`: multigrid that keeps away from active unknowns; internal (T35). */
+/* multigrid.h -- the PC type `truncatedmg`: multigrid that keeps away from active unknowns; internal (eq. 13.3). */
 #ifndef MORTISE_MULTIGRID_H
 #define MORTISE_MULTIGRID_H
 

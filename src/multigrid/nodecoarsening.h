@@ -1,4 +1,4 @@
-/* nodecoarsening.h -- a coarser level made of some nodes of a finer one, by its matrix and their places; internal (T38). */
+/* nodecoarsening.h -- a coarser level made of some nodes of a finer one, by its matrix and their places; internal (eq. 13.6). */
 #ifndef MORTISE_NODECOARSENING_H
 #define MORTISE_NODECOARSENING_H
 

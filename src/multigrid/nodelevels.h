@@ -1,4 +1,4 @@
-/* nodelevels.h -- levels below the coarsest mesh; internal (T38). */
+/* nodelevels.h -- levels below the coarsest mesh; internal (eq. 13.6). */
 #ifndef MORTISE_NODELEVELS_H
 #define MORTISE_NODELEVELS_H
 

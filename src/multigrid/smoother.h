@@ -1,4 +1,4 @@
-/* smoother.h -- what smoothing on one level solves with: the diagonal, and couplings that must not be cut; internal (T35). */
+/* smoother.h -- what smoothing on one level solves with: the diagonal, and couplings that must not be cut; internal (eq. 13.3). */
 #ifndef MORTISE_SMOOTHER_H
 #define MORTISE_SMOOTHER_H
 

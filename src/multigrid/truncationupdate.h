@@ -1,4 +1,4 @@
-/* truncationupdate.h -- what emptying a few rows and columns changes in a matrix, and in the coarser one; internal (T35). */
+/* truncationupdate.h -- what emptying a few rows and columns changes in a matrix, and in the coarser one; internal (eq. 13.3). */
 #ifndef MORTISE_TRUNCATIONUPDATE_H
 #define MORTISE_TRUNCATIONUPDATE_H
 

@@ -112,7 +112,7 @@ static PetscErrorCode Tolerances_Private(const ActiveSet *set, const ActiveSolut
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* (T10) in units of force. One of the two terms is exactly zero, so the sign does not depend on c; the band around zero in which the state
+/* The decision of eq. 10.1 in units of force. One of the two terms is exactly zero, so the sign does not depend on c; the band around zero in which the state
    stays as it is must scale with c in the same way, to keep that true. [in] tol - of Tolerances_Private() */
 static PetscBool Decide_Private(const ActiveSet *set, const ActiveSolution *s, PetscReal c, const PetscReal tol[2],
                                 PetscInt i)

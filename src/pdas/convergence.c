@@ -1,8 +1,8 @@
 /* convergence.c -- when an iteration with multigrid has done enough.
 
    Where its residual has become as small as it is to be by now the iterate is looked at, and as long as it says nothing against the active
-   set the same iteration goes on: nothing that conjugate gradients have found out is lost (T36). In the end forces and energy are to be
-   right (T40). Where the mesh says when to stop, the energy of the error does (T37): cycles of multigrid see it in any iterate's residual,
+   set the same iteration goes on: nothing that conjugate gradients have found out is lost (eq. 14.3). In the end forces and energy are to be
+   right (eq. 14.4). Where the mesh says when to stop, the energy of the error does (eq. 14.7): cycles of multigrid see it in any iterate's residual,
    |e|_A^2 ~ r'B r, a number that conjugate gradients compute anyway, and the first one is that of what a coarser mesh knows. */
 #include "base/compat.h"
 #include "multigrid/eigenvalue.h"

@@ -1,4 +1,4 @@
-/* pdas.h -- primal-dual active set method as a SNES type ((T10), (T17); Hueber & Wohlmuth 2005).
+/* pdas.h -- primal-dual active set method as a SNES type ((eq. 10.1), (eq. 10.2); Hueber & Wohlmuth 2005).
 
    Solves  min 1/2 y'A y - b'y,  y <= upper,  for any SNES whose function is A y - b, whose Jacobian is A (SPD) and
    whose bounds were set by SNESVISetVariableBounds() after the type. Knows nothing of contact. Built on SNESSHELL
@@ -32,7 +32,7 @@ PetscErrorCode PDASGetFailure(SNES snes, const char *sentence[]);
 
 /* 0/1 per unknown: the final active set. Not collective; borrowed. */
 PetscErrorCode PDASGetActive(SNES snes, Vec *active);
-/* The set that -snes_pdas_start previous begins with; copied. Without one it begins with the set that (T10) makes of
+/* The set that -snes_pdas_start previous begins with; copied. Without one it begins with the set that eq. 10.1 makes of
    the initial guess. Collective. */
 PetscErrorCode PDASSetStart(SNES snes, Vec active);
 

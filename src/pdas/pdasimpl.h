@@ -50,10 +50,10 @@ typedef struct {
 
 PetscErrorCode ActiveSolutionCreate(const ActiveSet *set, ActiveSolution *solution);
 PetscErrorCode ActiveSolutionDestroy(ActiveSolution *solution);
-/* Whether the decision (T10) with tolerances leaves the set as it is. Collective. */
+/* Whether the decision (eq. 10.1) with tolerances leaves the set as it is. Collective. */
 PetscErrorCode ActiveSetHolds(const ActiveSet *set, const ActiveSolution *solution, PetscReal c, PetscBool *holds);
-/* The decision (T10) with tolerances, and how far the solution is from fulfilling all inequalities (2-norm, force).
-   Collective. [in] c - of (T10); [out] changed - of all ranks */
+/* The decision (eq. 10.1) with tolerances, and how far the solution is from fulfilling all inequalities (2-norm, force).
+   Collective. [in] c - of eq. 10.1; [out] changed - of all ranks */
 PetscErrorCode ActiveSetUpdate(ActiveSet *set, const ActiveSolution *solution, PetscReal c, PetscInt *changed,
                                PetscReal *violation);
 

@@ -1,7 +1,7 @@
 /* pdasiteration.c -- the iteration of `pdas`: from the set to begin with to the one that solves the inequality.
 
    Each step fixes the active unknowns at their bounds, solves for all others, and moves those with a tensile force
-   out of the set and those beyond their bound into it (T10); when none moves, all inequalities hold. It is a
+   out of the set and those beyond their bound into it (eq. 10.1); when none moves, all inequalities hold. It is a
    semismooth Newton method [1] and takes few steps whatever the size. It may run in a circle [2]: then safeguard.c
    takes over.
 
@@ -37,7 +37,7 @@ PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r)
       if (pdas->previous)
         next[i] = (PetscBool)(guess[i] > BETWEEN);
       else
-        next[i] = (PetscBool)(force[i] + pdas->c * set->diag[i] * (guess[i] - set->upper[i]) > 0); /* (T10) */
+        next[i] = (PetscBool)(force[i] + pdas->c * set->diag[i] * (guess[i] - set->upper[i]) > 0); /* eq. 10.1 */
       break;
     default: next[i] = PETSC_FALSE;
     }

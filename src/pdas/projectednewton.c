@@ -4,7 +4,7 @@
    -r(y). Each step splits the unknowns into those held at their bound, I = {y >= upper - eps, r > 0}, and the rest F;
    it goes the Newton way on F, the scaled gradient way on I, and projects:
        d_F = -phi_FF^-1 grad_F,   d_I = r_I / diag,   y(t) = min(y + t d, upper),
-   with t halved until phi falls enough (T17). The energy falls in every step, so no set can come back for ever; near
+   with t halved until phi falls enough (eq. 10.2). The energy falls in every step, so no set can come back for ever; near
    the solution I is the active set, t = 1, and one step more is exact [1, section 3]. The systems are those of any
    active set, and the energy of a quadratic follows from the forces at both ends, so no matrix is needed here.
 

@@ -3,7 +3,7 @@
    At a node with multipliers y_i = n_i . (u_s - sum_b P_ab u_b + sum_c (D_ac / D_aa) u_c), P = M / D; the other unknowns of
    the node are its tangential displacements (Hueber & Wohlmuth 2005, here for the normal component only). A tie treats all
    directions so. Held directions that are not axes turn their node's unknowns as well. All this is done to the hierarchical
-   displacements u~ where there are any, and to those of T24 on tri6 (couplings.h), and u = S u~ comes last. */
+   displacements u~ where there are any, and to those of eq. 3.5 on tri6 (couplings.h), and u = S u~ comes last. */
 #include "base/compat.h"
 #include "problem/pairarms.h"
 

@@ -1,4 +1,4 @@
-/* basischange.h -- the change of basis u = T y and what is known of y beforehand (T7). */
+/* basischange.h -- the change of basis u = T y and what is known of y beforehand (eq. 6.1). */
 #ifndef MORTISE_BASISCHANGE_H
 #define MORTISE_BASISCHANGE_H
 
@@ -23,7 +23,7 @@ struct _n_VIBasis {
   Couplings couplings;
 };
 
-/* T = S (I + E + E E + ..) R with u~ = R y + E u~ (T7): R turns, E adds what the mortar side does. The powers end with the
+/* T = S (I + E + E E + ..) R with u~ = R y + E u~ (eq. 6.1): R turns, E adds what the mortar side does. The powers end with the
    longest chain of pairs, whose roles must not run in a circle (circles.h). NULL where T = I. Collective. */
 PetscErrorCode BasisCreateT(VI vi, const NodeBases *bases, const Couplings *couplings, Mat *T);
 

@@ -3,8 +3,8 @@
    K_ij^kl = int d_m phi_i C_kmln d_n phi_j, cell by cell over the level's tables, with the quadrature that is exact on
    parallelograms. This is int B_i' C B_j without the zeros of B. Where C is the same in the whole cell, the products of
    derivatives are summed over the points first, and C is applied once. Axisymmetric cells add what the hoop strain
-   phi_j / r u_j costs, by itself and with the others (T23). Cells of nearly incompressible bodies have C without its bulk
-   modulus there, and pay for what Pi leaves of their change of volume (T29). Expressions are evaluated at quadrature points;
+   phi_j / r u_j costs, by itself and with the others (eq. 8.4). Cells of nearly incompressible bodies have C without its bulk
+   modulus there, and pay for what Pi leaves of their change of volume (eq. 9.1). Expressions are evaluated at quadrature points;
    plain numbers once per body. */
 #include "base/compat.h"
 #include "problem/elasticity.h"

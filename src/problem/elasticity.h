@@ -17,7 +17,7 @@ PetscErrorCode ElasticityRulesCreate(Scene scene, ElementRule **rules);
    collective. */
 PetscErrorCode ElasticityDilatationKind(Scene scene, const Level *level, PetscInt c, const ElementRule *rule,
                                         DilatationKind *kind, PetscReal *poisson);
-/* Pi of cell c (T29); num = 0 where theta is div u. Not collective. */
+/* Pi of cell c (eq. 9.1); num = 0 where theta is div u. Not collective. */
 PetscErrorCode ElasticityDilatation(Scene scene, const Level *level, PetscInt c, const ElementRule *rule,
                                     Dilatation *dilatation);
 

@@ -1,7 +1,7 @@
 /* inversebasis.c -- T^-1 as a matrix: what prolongation needs to give finer unknowns y the displacements that coarser ones have.
 
    y = T^-1 u asks for no series: the unknowns of multipliers are (B u)_row / D_row, the others of special nodes F u~, all others u~,
-   with u~ = S^-1 u (T7). */
+   with u~ = S^-1 u (eq. 6.1). */
 #include "base/compat.h"
 #include "problem/basischange.h"
 

@@ -1,4 +1,4 @@
-/* minimumnorm.c -- of all solutions, the one that moves least (T28).
+/* minimumnorm.c -- of all solutions, the one that moves least (eq. 12.7).
 
    Strains and pressures of a solution are unique, displacements are so up to motions that keep the contacts that press closed and
    no other from staying open. Among these the mean square displacement of the bodies that float has one minimum: a small

@@ -1,4 +1,4 @@
-/* pairarms.h -- what the arms of ties across a gap add to rows (T49). Nothing where an arm is NULL. */
+/* pairarms.h -- what the arms of ties across a gap add to rows (eq. 5.4). Nothing where an arm is NULL. */
 #ifndef MORTISE_PAIRARMS_H
 #define MORTISE_PAIRARMS_H
 

@@ -1,4 +1,4 @@
-/* regularization.c -- what makes the matrix definite where contact alone holds bodies (T27).
+/* regularization.c -- what makes the matrix definite where contact alone holds bodies (eq. 12.6).
 
    Weak springs at a few nodes of each piece of a body that floats, as far from each other as it allows: enough to resist every rigid
    motion, and so few that each piece keeps its own stiffness. They are not part of the problem: they rest where the last solution

@@ -15,7 +15,7 @@ PetscErrorCode SolvabilityCreate(VI vi, const NodeBases *bases, const Couplings 
 PetscErrorCode CoverCreate(VI vi, Solvability s);
 PetscErrorCode CoverDestroy(Solvability s);
 
-/* Springs (T27), and where they rest. Collective. */
+/* Springs (eq. 12.6), and where they rest. Collective. */
 PetscErrorCode SpringsCreate(VI vi, const NodeBases *bases, PetscInt num_fixed, const PetscInt fixed[],
                              Solvability solvability);
 

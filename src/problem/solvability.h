@@ -1,4 +1,4 @@
-/* solvability.h -- bodies that only contact can hold: is there a solution, and which motions are left (T25-T28).
+/* solvability.h -- bodies that only contact can hold: is there a solution, and which motions are left (eqs. 12.1-12.7).
 
    The columns z_k of Z are the rigid motions that supports leave. Contact takes from a motion q the direction C q <= 0, one row for
    each row of B, ties C q = 0. With phi = Z'f the loads' work on them, a solution exists exactly if phi.q <= 0 for all q that contact
@@ -67,14 +67,14 @@ struct _n_Solvability {
   SceneMotion *free;    /* after SolvabilitySettle(): a basis of the motions that are free [num_free] */
   PetscReal    slip;    /* and the most that moving along them has changed a gap that is closed */
   Vec          start;   /* 0/1 per unknown: contacts to begin with */
-  Vec          springs; /* what makes A definite, added to its diagonal while solving (T27) */
+  Vec          springs; /* what makes A definite, added to its diagonal while solving (eq. 12.6) */
   Vec          rest;    /* a rigid motion of bodies until they touch, from which solvers count y */
 };
 
 PetscErrorCode SolvabilityDestroy(Solvability *solvability);
 
 /* Of all solutions that differ from y by free motions, the one that moves least: the mean square displacement of the bodies
-   that move freely is smallest (T28). Fills in which motions are free. Nothing without rigid motions. Collective.
+   that move freely is smallest (eq. 12.7). Fills in which motions are free. Nothing without rigid motions. Collective.
    [in,out] y - a solution */
 PetscErrorCode SolvabilitySettle(VI vi, Vec y);
 

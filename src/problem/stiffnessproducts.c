@@ -1,7 +1,7 @@
 /* stiffnessproducts.c -- K for products alone: its upper triangle in blocks.
 
    Iterations read K from memory again and again. Half of it, without a column for every entry, is read in half the time. Each block
-   is used twice on the way through it: for its row, and transposed for the row of its column (T39). Blocks that couple to unknowns of other
+   is used twice on the way through it: for its row, and transposed for the row of its column (eq. 13.2). Blocks that couple to unknowns of other
    ranks follow by themselves. */
 #include "base/compat.h"
 #include <petscvec.h>

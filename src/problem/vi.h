@@ -1,4 +1,4 @@
-/* vi.h -- the condensed variational inequality and the way back (T3, T7, T8).
+/* vi.h -- the condensed variational inequality and the way back (eqs. 3.1, 6.1, 6.2).
 
    Book of record, in the user's units:  K u + B'lambda = f,  B u <= G,  lambda >= 0,  lambda.(B u - G) = 0, and the held
    directions of the supports. One change of basis u = T y makes the constrained combinations single unknowns:
@@ -95,7 +95,7 @@ PetscErrorCode VIMarkHeld(VI vi, PetscBool held[]);
 
 /* u = length * T y. [in] y; [out] u - ghosted, created by LevelCreateVec(level, dim), ghosts updated. Collective. */
 PetscErrorCode VIRecoverDisplacement(VI vi, Vec y, Vec u);
-/* lambda = (T'(f - K u))_row / D_row for every row of B (T9): pressures of contact rows, tractions of tied rows.
+/* lambda = (T'(f - K u))_row / D_row for every row of B (eq. 6.3): pressures of contact rows, tractions of tied rows.
    Collective. [in] u - ghosted; [out] lambda - layout of G, created by the caller */
 PetscErrorCode VIRecoverMultiplier(VI vi, Vec u, Vec lambda);
 

@@ -94,7 +94,7 @@ static PetscReal EnergyDensity_Private(PetscInt num_strains, const PetscReal C[]
 }
 
 /* Adds the energies of e = u - v and of v, whose strains are given, at one point of cell c with weight dx. In cells with a Pi the change of volume of u is
-   that of (T29). Between two nodal vectors it is left out there: that of a coarser mesh cannot be seen on the finer one. */
+   that of eq. 9.1. Between two nodal vectors it is left out there: that of a coarser mesh cannot be seen on the finer one. */
 static PetscErrorCode AddEnergy_Private(const Comparison *compare, PetscInt c, const Dilatation *pi,
                                         const PetscReal x[], const PetscReal strains[2][MAX_STRAINS], PetscReal dx,
                                         ErrorSquares *sum)

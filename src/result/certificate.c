@@ -11,7 +11,7 @@
    sides with a gap only up to a discretisation error, because a nodal normal is not the ray's direction at every point
    (Puso & Laursen 2004 discuss the same). That part is known exactly, is reported, and is taken out before the test: it says
    something about the mesh, not about whether the discrete problem was solved. Ties hand over force and moment, across a gap as well
-   (T49), so that theirs stays in the test. Forces on a ring add up to one along its axis:
+   (eq. 5.4), so that theirs stays in the test. Forces on a ring add up to one along its axis:
    radial components and all moments are 0 by symmetry, and so are the tests of them. */
 #include "result/certificate.h"
 #include "base/compat.h"
@@ -21,7 +21,7 @@
    may be tens of times the forces that are left in the solution, in a norm of its own. */
 static const PetscReal TOLERANCE = 1e-6;
 
-/* The same where the solver stops at the discretisation error: what tells its error is the bound in the norm of energy (T37), and all that
+/* The same where the solver stops at the discretisation error: what tells its error is the bound in the norm of energy (eq. 14.7), and all that
    is left to these tests is to see a state that is not in balance at all. */
 static const PetscReal STOPPED_TOLERANCE = 5e-2;
 
@@ -77,7 +77,7 @@ static PetscErrorCode Part_Private(Fields fields, PetscBool rigid, Vec lambda, V
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* |B|' times the roundoff of lambda, which does not cancel where arms of ties (T49) do. [in,out] noise - zero */
+/* |B|' times the roundoff of lambda, which does not cancel where arms of ties (eq. 5.4) do. [in,out] noise - zero */
 static PetscErrorCode Noise_Private(Fields fields, Vec noise)
 {
   PetscInt           begin, num;

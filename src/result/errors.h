@@ -2,7 +2,7 @@
 
    With e = u_h - u over a body, integrated finely enough not to show, also where the exact solution is singular,
        l2^2 = int |e|^2,   energy^2 = int eps(e) : C eps(e),
-   and for the pressure p_h = sum p_a phi_a that is written out, over the facets of the nonmortar side that carry one (T21),
+   and for the pressure p_h = sum p_a phi_a that is written out, over the facets of the nonmortar side that carry one (eq. 15.1),
        l2^2 = int (p_h - p)^2,   weighted^2 = sum D_aa (p_a - p(x_a))^2.
    Relative means: over the same norm of the exact solution. Everything is for the scene's thickness. */
 #ifndef MORTISE_ERRORS_H

@@ -150,7 +150,7 @@ static PetscErrorCode ReferenceSizes_Private(Fields fields)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How many times its own size the displacement of a node is the sum of others by the arm of a tie, and so its rounding (T49). */
+/* How many times its own size the displacement of a node is the sum of others by the arm of a tie, and so its rounding (eq. 5.4). */
 static PetscErrorCode ArmSize_Private(const Pair pair, PetscInt k, PetscReal *size)
 {
   const PetscInt     dim = pair->level->dim, first = dim * (pair->level->node_begin + pair->nodes[k]);

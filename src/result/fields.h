@@ -13,7 +13,7 @@ struct _n_Fields {
   Vec        u;          /* ghosted, dim per node */
   Vec        lambda;     /* per row of vi->B: pressure (contact) or traction (tied) */
   Vec        slack;      /* per row: nodal gap left, G/D - (B u)/D */
-  Vec        stress;     /* ghosted, 6 per node: xx,yy,zz,yz,xz,xy; nodal average per body (T19) */
+  Vec        stress;     /* ghosted, 6 per node: xx,yy,zz,yz,xz,xy; nodal average per body (eq. 8.2) */
   PetscReal *stiffness;  /* mean of K's diagonal over the components of each owned node [level->num_owned] */
   PetscReal *row_weight; /* integral of the row's dual function: D_aa and what removed neighbours gave [vi->num_rows] */
   PetscReal *row_moment; /* integral of the row's dual function times the position [vi->num_rows][dim] */

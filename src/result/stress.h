@@ -4,7 +4,7 @@
 
 #include "mesh/mesh.h"
 
-/* Stresses of the displacement u at nodes (T19), xx,yy,zz,yz,xz,xy. Collective. [in] u - ghosted, dim per node;
+/* Stresses of the displacement u at nodes (eq. 8.2), xx,yy,zz,yz,xz,xy. Collective. [in] u - ghosted, dim per node;
    [out] stress - ghosted, 6 per node, owned by the caller */
 PetscErrorCode StressCreate(Scene scene, Level *level, Vec u, Vec *stress);
 

@@ -13,7 +13,7 @@ static const PetscReal AGREE = 1e-9;
 /* Where roundoff, or what solvers promise of the energy of their errors, is all that they differ by, they may differ by as much as the
    certificate allows. */
 static const PetscReal AGREE_ILL = 1e-6;
-/* Energy norm of the difference of two solutions, relative to that of one, each within half of it of the true one (T40). */
+/* Energy norm of the difference of two solutions, relative to that of one, each within half of it of the true one (eq. 14.4). */
 static const PetscReal PROMISED = 1e-8;
 /* Roundoff of a row of A y, as a part of its diagonal times the largest displacement. */
 static const PetscReal ROUNDOFF = 64 * PETSC_MACHINE_EPSILON;
@@ -130,7 +130,7 @@ static PetscErrorCode Measure_Private(VI vi, Vec y, Size *size)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether two solutions are as near as their solvers promise (T44). [in] iterated - whether one of them is an iteration's;
+/* Whether two solutions are as near as their solvers promise (eq. 11.4). [in] iterated - whether one of them is an iteration's;
    [out] check - displacement_difference; [out] all - of the first one */
 static PetscErrorCode AreNear_Private(VI vi, Vec first, Vec second, PetscBool iterated, CrossCheck *check, Size *all,
                                       PetscBool *near)

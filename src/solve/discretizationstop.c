@@ -1,4 +1,4 @@
-/* discretizationstop.c -- stopping where the solver's error no longer counts beside that of the mesh (T37).
+/* discretizationstop.c -- stopping where the solver's error no longer counts beside that of the mesh (eq. 14.7).
 
    What the solution differs by from that of the next coarser level tells the discretisation error: if the squares of such differences
    fall by rho from level to level, |u - u_h|_K^2 is a (rho - 1)th of |u_h - u_2h|_K^2 [1]. Three levels show rho. The iteration has to

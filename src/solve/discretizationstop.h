@@ -1,4 +1,4 @@
-/* discretizationstop.h -- stopping at the discretisation error; internal (T37). */
+/* discretizationstop.h -- stopping at the discretisation error; internal (eq. 14.7). */
 #ifndef MORTISE_DISCRETIZATIONSTOP_H
 #define MORTISE_DISCRETIZATIONSTOP_H
 

@@ -1,6 +1,6 @@
-/* errorbound.c -- how far a displacement can be from the solution of the inequality, in the norm of the energy (T31).
+/* errorbound.c -- how far a displacement can be from the solution of the inequality, in the norm of the energy (eq. 11.2).
 
-   y^ is y put on the bounds where (T10) wants it and below them elsewhere, A the set of the former, F all others. For any d that
+   y^ is y put on the bounds where eq. 10.1 wants it and below them elsewhere, A the set of the former, F all others. For any d that
    vanishes on A, with pressures that do not pull on A and none on F that balance A (y^ + d),
        b - A (y^ + d) = 0 on F,   >= 0 on A,
    the solution is not farther from y^ than y^ + d is. The d of the set's own system is such one, unless a pressure pulls: then its

@@ -1,4 +1,4 @@
-/* errorbound.h -- how far a displacement can be from the solution of the inequality; internal (T31). */
+/* errorbound.h -- how far a displacement can be from the solution of the inequality; internal (eq. 11.2). */
 #ifndef MORTISE_ERRORBOUND_H
 #define MORTISE_ERRORBOUND_H
 

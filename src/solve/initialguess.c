@@ -1,6 +1,6 @@
 /* initialguess.c -- where an iteration begins: at rest, with every contact closed, or at a displacement that somebody knows.
 
-   A good displacement saves steps: its active set, by (T10), is nearly the right one, and a step of an iterative linear
+   A good displacement saves steps: its active set, by eq. 10.1, is nearly the right one, and a step of an iterative linear
    solver begins near its end. A bad one costs steps and changes nothing else, since the solution of the inequality is unique.
    Where contact alone holds a body and nothing is known, the iteration begins with contacts that can balance the loads. */
 #include <string.h>

@@ -10,7 +10,7 @@
 /* Relative residual of the system. */
 static const PetscReal REFERENCE_RTOL = 1e-8;
 
-/* Makes the set that y fulfils the conditions of contact with (T10) the active one. */
+/* Makes the set that y fulfils the conditions of contact with eq. 10.1 the active one. */
 static PetscErrorCode Take_Private(VI vi, Vec y, ActiveSet *set)
 {
   PetscBool *next;

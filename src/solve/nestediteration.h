@@ -1,4 +1,4 @@
-/* nestediteration.h -- from the coarsest level to the next to finest one; internal (T36). */
+/* nestediteration.h -- from the coarsest level to the next to finest one; internal (eq. 14.3). */
 #ifndef MORTISE_NESTEDITERATION_H
 #define MORTISE_NESTEDITERATION_H
 

@@ -1,4 +1,4 @@
-/* proximal.h -- the proximal point iteration where contact alone holds bodies; internal (T27). */
+/* proximal.h -- the proximal point iteration where contact alone holds bodies; internal (eq. 12.6). */
 #ifndef MORTISE_PROXIMAL_H
 #define MORTISE_PROXIMAL_H
 

@@ -7,7 +7,7 @@
 
 enum { SOLVE_MAX_HISTORY = 512 };
 
-/* |u - u*|_K of a displacement u is not larger, in the user's units (root of work); u* solves the inequality (T31). */
+/* |u - u*|_K of a displacement u is not larger, in the user's units (root of work); u* solves the inequality (eq. 11.2). */
 typedef struct {
   PetscReal value;     /* NAN where it is not known */
   PetscBool estimated; /* by Ritz values of an iterative solver, instead of a factorisation */
@@ -35,10 +35,10 @@ typedef struct {
   PetscReal   work;            /* products with matrices of all levels, in products with the finest; 0 without levels */
   PetscReal   foretold;        /* predicted cost of a factorisation, in the same unit; 0 without a prediction */
   PetscBool   gave_way;        /* whether this was a factorisation after an iteration that was given up */
-  PetscInt    sweeps;          /* solutions with springs that hold bodies (T27); 1 without */
+  PetscInt    sweeps;          /* solutions with springs that hold bodies (eq. 12.6); 1 without */
   EnergyBound bound;
   PetscReal
-      discretisation; /* |u - u_h|_K by what a coarser mesh says, like bound; NAN but where that was to stop the solver (T37) */
+      discretisation; /* |u - u_h|_K by what a coarser mesh says, like bound; NAN but where that was to stop the solver (eq. 14.7) */
 
   PetscReal       seconds;   /* of the slowest rank, on the wall, from the levels of multigrid to the bound */
   LinearReference reference; /* of VILinearReference() */

@@ -11,7 +11,7 @@ typedef struct {
   const char *prefix;                    /* of options; "" for the user's */
   PetscBool   nearly;                    /* whether some body is so nearly incompressible that iterating takes long */
   PetscBool   nested;                    /* whether there are coarser meshes to begin on */
-  PetscBool   stop;                      /* whether at the discretisation error (T37) */
+  PetscBool   stop;                      /* whether at the discretisation error (eq. 14.7) */
   PetscBool   bound;                     /* whether the energy of the error is to be bounded */
   PetscBool   own;                       /* whether the linear solver is nobody's wish */
   PetscInt    max_it;                    /* iterations at most, where that is more than usual */

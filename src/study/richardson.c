@@ -1,4 +1,4 @@
-/* richardson.c -- extrapolation to h = 0, with an error bar (T22).
+/* richardson.c -- extrapolation to h = 0, with an error bar (eq. 15.2).
 
    Q(h) = Q + C h^q + ... gives q from three levels h, h/2, h/4, and Q = Q2 + (Q2 - Q1) / (2^q - 1); the bar is the distance
    that is extrapolated over, times a factor of safety (Roache, Verification and validation in computational science and

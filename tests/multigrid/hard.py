@@ -11,7 +11,7 @@ from cases import AGREE, read_head  # pylint: disable=wrong-import-position
 
 # Cells of 1 : 1000 in space, 1400 cells of 1 : 1400 beside one, and multipliers on the side that is a million times stiffer: rounding spoils the cycles.
 NOT_SOLVED = {"one_against_1400", "shrink_fit_stiff_ring", "slab_needles", "stiffness_1e6_solid"}
-# A bulk modulus 5000 times the shear modulus: residuals leave displacements known to seven digits (T44).
+# A bulk modulus 5000 times the shear modulus: residuals leave displacements known to seven digits (eq. 11.4).
 ROUNDED = {"incompressible_in_a_box", "incompressible_pin"}
 ADVICE = "not solved: the linear solver did not converge: try -pc_type cholesky"
 

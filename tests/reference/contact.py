@@ -29,12 +29,12 @@ def add_to(sums, key, value):
 
 
 def turning(v, n, gradients):
-    """{node: block} of how v turns with the mortar side's displacement (T49); gradients: {node: of its shape function along the facet}."""
+    """{node: block} of how v turns with the mortar side's displacement (eq. 5.4); gradients: {node: of its shape function along the facet}."""
     return {b: (v @ g) * np.eye(len(v)) - (v @ n) * np.outer(g, n) for b, g in gradients.items()}
 
 
 class Pair:
-    """Weights, couplings and gaps of (T4), (T5), and from them the rows of B with one multiplier each.
+    """Weights, couplings and gaps of eqs. 3.2 and 3.3, and from them the rows of B with one multiplier each.
 
     What is left open: set_normals() sums up normals at nodes; rays(facet) yields points of a facet: place on the reference
     facet, weight, gap, {mortar node: shape function}, and of ties {mortar node: what it does to the link}; read_obstacle() reads one.
@@ -91,7 +91,7 @@ class Pair:
 
     def integrate(self):
         """Per multiplier: its weight D_aa, its weight were all covered, G, and {node: int psi phi, of the mortar side with a
-        minus}; psi from the biorthogonality (T6) on what is covered, to phi or, with one multiplier per vertex, to hats."""
+        minus}; psi from the biorthogonality (eq. 3.4) on what is covered, to phi or, with one multiplier per vertex, to hats."""
         self.D, self.full, self.G, self.row, self.beside, self.arms = {}, {}, {}, {}, {}, {}
         for facet in self.facets:
             points = self.scene.points[list(facet)]
@@ -144,7 +144,7 @@ class Pair:
         return {c: known.get(c, {}) for c in removed}
 
     def set_rows(self):
-        """Rows of B as {unknown: value} over D_aa; those of removed nodes are shared out among kept ones (T12)."""
+        """Rows of B as {unknown: value} over D_aa; those of removed nodes are shared out among kept ones (eq. 5.1)."""
         touched = [node for node in self.D if abs(self.D[node]) > NOTHING * self.full[node]]
         kept, overdrawn, self.weight, self.rows = [node for node in touched if self.keeps(node)], True, {}, []
         while overdrawn:

@@ -6,7 +6,7 @@
 
 What it shares with the program is the mathematics (src/THEORY.md), not the way: Hooke's law stays a tensor of fourth rank; a
 nonmortar facet is cut at all places from which some mortar vertex is seen, and every piece looks for the facet that its
-middle ray meets; nothing is condensed, the saddle point system (T3) is solved as it stands; and the contact set is found by
+middle ray meets; nothing is condensed, the saddle point system (eq. 3.1) is solved as it stands; and the contact set is found by
 Murty's least index method on the dual problem, which changes one node at a time and provably ends.
 It knows boxes of order 1 or 2 in the plane and in space (bodies.py), maps, pairs (contact.py, space.py), and what the scenes
 here need of the options; anything else is an error.
@@ -44,7 +44,7 @@ def read_scene(path):
 
 
 class Scene:
-    """The discrete problem (T3) of an options file as dense arrays; unknown dim a + k is component k at node a."""
+    """The discrete problem (eq. 3.1) of an options file as dense arrays; unknown dim a + k is component k at node a."""
 
     def __init__(self, path):
         self.options = read_scene(path)
@@ -184,7 +184,7 @@ class Solution:
         return held
 
     def judge(self, K, f, B, forces, free):
-        """Residuals of (T3) for ORIGIN, and how far the set is from a tie."""
+        """Residuals of eq. 3.1 for ORIGIN, and how far the set is from a tie."""
         residual, size = (K @ self.u.ravel() + B.T @ forces - f)[free], np.abs(K @ self.u.ravel()).max()
         contact = self.status != TIED
         reach = max(np.abs(self.u).max(), 1e-300)

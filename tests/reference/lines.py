@@ -85,7 +85,7 @@ class LinePair(Pair):
         return curve(self.scene.points[list(facet)])
 
     def set_normals(self):
-        """The directions of contact (T46), from normals and curvatures of both sides."""
+        """The directions of contact (eq. 4.3), from normals and curvatures of both sides."""
         self.normal, kappa = self.side_shape(self.facets)
         self.rise = self.rises(self.facets, self.normal)
         if self.distance and self.flat_obstacle is not None:
@@ -98,7 +98,7 @@ class LinePair(Pair):
             self.normal = {node: self.direction(node, n, kappa[node], normal_m, kappa_m) for node, n in self.normal.items()}
 
     def rises(self, facets, normal):
-        """{straight facet: from its middle to that of the arc between the normals at its ends (T51)}."""
+        """{straight facet: from its middle to that of the arc between the normals at its ends (eq. 4.5)}."""
         found = {}
         if not facets or len(facets[0]) > 2 or self.scene.owner(facets).polygonal:
             return found
@@ -115,7 +115,7 @@ class LinePair(Pair):
         return 4 * s * (1 - s) * (self.rise[tuple(facet)] @ n) if tuple(facet) in self.rise else 0.0
 
     def side_shape(self, facets):
-        """{node: unit normal}, {node: curvature} of a smooth side. Normals: those of the chords between nodes over their lengths (T13). An end
+        """{node: unit normal}, {node: curvature} of a smooth side. Normals: those of the chords between nodes over their lengths (eq. 4.1). An end
         turns on from the nodes of its facet that have chords on both sides, with the curvature there."""
         around, normal = {}, {}
         for facet in facets:

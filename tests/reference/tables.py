@@ -23,7 +23,7 @@ def von_mises(s):
 
 
 def sampling(kind, order):
-    """Where stresses are taken in a cell, and their continuation to its nodes [node][point] (T19)."""
+    """Where stresses are taken in a cell, and their continuation to its nodes [node][point] (eq. 8.2)."""
     shape = SHAPES[kind, order]
     if order == 1:
         return [(1 / 3, 1 / 3) if kind == "triangle" else (0.5, 0.5)], np.ones((len(shape.nodes), 1))
@@ -34,7 +34,7 @@ def sampling(kind, order):
 
 
 def nodal_stress(scene, solution):
-    """Tensors [nodes][3][3]: of the cells around a node, averaged with their areas (T19)."""
+    """Tensors [nodes][3][3]: of the cells around a node, averaged with their areas (eq. 8.2)."""
     stress, area = np.zeros((len(scene.points), 3, 3)), np.zeros(len(scene.points))
     for body in scene.bodies.values():
         places, continuation = sampling(body.kind, body.order)

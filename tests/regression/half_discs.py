@@ -1,4 +1,4 @@
-"""R3: two half discs, against the independent reference with the gap along the line of centres, which is the direction of contact (T46)."""
+"""R3: two half discs, against the independent reference with the gap along the line of centres, which is the direction of contact (eq. 4.3)."""
 from judge import near, require
 
 FORCE = {0.004: 0.098345, 0.01: 0.277113, 0.02: 0.614093}

@@ -48,7 +48,7 @@ static VI CreateVI(TestScene *t, Case which, PetscBool supports, Mesh *mesh)
   return vi;
 }
 
-/* A block of tetrahedra in the corner of two others, all of order 2: T24 on its sides, two constraints on its edge. */
+/* A block of tetrahedra in the corner of two others, all of order 2: eq. 3.5 on its sides, two constraints on its edge. */
 static VI CreateSolidVI(TestScene *t, PetscBool supports, Mesh *mesh)
 {
   const PetscInt  faces[3][3] = {{2, 2, 2}, {3, 2, 1}, {1, 2, 3}};
