@@ -12,7 +12,7 @@ static PetscErrorCode ChooseCells_Private(const Extract *x, PetscBool **chosen)
   PetscCall(PetscMalloc1(x->level.num_cells, chosen));
   for (PetscInt c = 0; c < x->level.num_cells; ++c) (*chosen)[c] = region ? PETSC_FALSE : PETSC_TRUE;
   PetscCall(DMPlexGetHeightStratum(x->level.dm, 0, &begin, NULL));
-  if (region && GmshFindGroup(x->names, x->level.dim, region, &tag))
+  if (region && GmshNamesFindGroup(x->names, x->level.dim, region, &tag))
     PetscCall(LabelGetPoints(x->level.dm, "Cell Sets", tag, &num, &points));
   for (PetscInt i = 0; i < num; ++i) {
     if (points[i] >= begin && points[i] < begin + x->level.num_cells) (*chosen)[points[i] - begin] = PETSC_TRUE;
@@ -50,7 +50,7 @@ static PetscErrorCode GetPoints_Private(const Extract *x, const SideNames *names
   for (PetscInt s = 0; s < names->num; ++s) {
     PetscInt tag, more, *labelled;
 
-    if (!GmshFindGroup(x->names, x->level.dim - 1, names->name[s], &tag) || tag <= 0) continue;
+    if (!GmshNamesFindGroup(x->names, x->level.dim - 1, names->name[s], &tag) || tag <= 0) continue;
     PetscCall(LabelGetPoints(x->level.dm, "Face Sets", tag, &more, &labelled));
     PetscCall(PetscRealloc((*num + more) * sizeof(PetscInt), points));
     PetscCall(PetscArraycpy(&(*points)[*num], labelled, more));

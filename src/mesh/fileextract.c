@@ -38,9 +38,9 @@ PetscErrorCode ExtractFindOther(const Extract *x, PetscInt wanted, const char gr
   for (PetscInt d = 0; d <= dim; ++d) {
     PetscInt tag, size = 0;
 
-    if (d == wanted || !GmshFindGroup(x->names, d, group, &tag)) continue;
+    if (d == wanted || !GmshNamesFindGroup(x->names, d, group, &tag)) continue;
     if (d >= dim - 1) PetscCall(DMGetStratumSize(x->level.dm, d == dim ? "Cell Sets" : "Face Sets", tag, &size));
-    if (size || GmshHasName(x->names, d, group)) *kind = kinds[d];
+    if (size || GmshNamesHas(x->names, d, group)) *kind = kinds[d];
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -56,7 +56,7 @@ static PetscErrorCode ExtractSelect_Private(Extract *x, PetscInt dim, char sente
   PetscFunctionBeginUser;
   for (PetscInt c = 0; c < x->level.num_cells; ++c) x->cell_at[c] = region ? -1 : x->num_cells++;
   if (!region) PetscFunctionReturn(PETSC_SUCCESS);
-  if (GmshFindGroup(x->names, dim, region, &tag))
+  if (GmshNamesFindGroup(x->names, dim, region, &tag))
     PetscCall(LabelGetPoints(x->level.dm, "Cell Sets", tag, &num, &points));
   for (PetscInt i = 0; i < num; ++i) { // refinement labels the cells' edges as well
     if (points[i] >= x->cell_begin && points[i] < x->cell_begin + x->level.num_cells)
@@ -66,7 +66,7 @@ static PetscErrorCode ExtractSelect_Private(Extract *x, PetscInt dim, char sente
   if (x->num_cells) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(LabelGetPoints(x->level.dm, "Cell Sets", -1, &num, &points));
   for (PetscInt i = 0; i < num; ++i) {
-    if (points[i]) GmshDescribeGroup(x->names, dim, points[i], text, sizeof(text)); // 0: in no group
+    if (points[i]) GmshNamesDescribe(x->names, dim, points[i], text, sizeof(text)); // 0: in no group
   }
   PetscCall(PetscFree(points));
   PetscCall(ExtractFindOther(x, dim, region, &other));

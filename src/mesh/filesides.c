@@ -159,7 +159,7 @@ static PetscErrorCode ExtractNoSide_Private(const Extract *x, const char side[],
   for (PetscInt i = 0; i < num; ++i) {
     if (tags[i] <= 0) continue; // 0: in no group
     PetscCall(ExtractSide_Private(x, tags[i], -1, list, &count));
-    if (count.num) GmshDescribeGroup(x->names, list->dim - 1, tags[i], text, sizeof(text));
+    if (count.num) GmshNamesDescribe(x->names, list->dim - 1, tags[i], text, sizeof(text));
   }
   PetscCall(PetscFree(tags));
   PetscCall(ExtractFindOther(x, list->dim - 1, side, &other));
@@ -196,7 +196,7 @@ PetscErrorCode ExtractSides(const Extract *x, const SideNames *names, BodyList *
     SideCount count = {0};
     PetscInt  tag;
 
-    if (GmshFindGroup(x->names, list->dim - 1, names->name[s], &tag) && tag > 0)
+    if (GmshNamesFindGroup(x->names, list->dim - 1, names->name[s], &tag) && tag > 0)
       PetscCall(ExtractSide_Private(x, tag, s, list, &count));
     if (count.num_inside)
       PetscCall(ExtractInside_Private(x, names->name[s], &count, list, sentence));

@@ -1,5 +1,7 @@
 /* scene.c -- the life of a scene: created empty, filled from the options, destroyed. */
 #include "scene/sceneparts.h"
+#include "base/options.h"
+#include "gmsh/gmsh.h"
 #include <string.h>
 
 PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene)
@@ -11,7 +13,26 @@ PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What a body's mesh is made by, and its dimension as far as that can be told: 0, 2 or 3. */
+/* Highest dimension of the elements in a Gmsh file; 0 if it is another file or cannot be read. The mesh tells the reason. */
+static PetscErrorCode SceneProbeFile_Private(const Option *file, PetscInt *dim)
+{
+  const char *extension = strrchr(file->text, '.');
+  char        path[PETSC_MAX_PATH_LEN];
+  PetscBool   exists;
+  PetscMPIInt rank;
+
+  PetscFunctionBeginUser;
+  *dim = 0;
+  if (!extension || strncmp(extension, ".msh", strlen(".msh"))) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(OptionsFindFile(file->comm, file->text, path, sizeof(path), &exists));
+  if (!exists) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCallMPI(MPI_Comm_rank(file->comm, &rank));
+  if (!rank) PetscCall(GmshGetDimension(path, dim));
+  PetscCallMPI(MPI_Bcast(dim, 1, MPIU_INT, 0, file->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The option that gives a body's mesh, and its dimension: 0 (unknown), 2 or 3. */
 static PetscErrorCode BodyGetDimension_Private(Scene scene, const SceneBody *body, Option *mesh, PetscInt *dim)
 {
   PetscFunctionBeginUser;
@@ -19,7 +40,7 @@ static PetscErrorCode BodyGetDimension_Private(Scene scene, const SceneBody *bod
   *dim = OptionCountItems(mesh);
   if (!mesh->set) {
     PetscCall(OptionFind(scene, "-<body>_dm_plex_filename", body->name, NULL, mesh));
-    if (mesh->set) PetscCall(PeekDimension(mesh, dim));
+    if (mesh->set) PetscCall(SceneProbeFile_Private(mesh, dim));
   }
   if (*dim != 2 && *dim != 3) *dim = 0; /* a mistake, which is told with the body or its mesh */
   PetscFunctionReturn(PETSC_SUCCESS);

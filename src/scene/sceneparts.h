@@ -25,10 +25,6 @@ PetscErrorCode UnusedNearest(const Option *option, char near[OPTION_MAX]);
 /* suggest.c: the documented option nearest to a misspelt one, "" if none is near. Not collective. */
 PetscErrorCode SuggestOption(Scene scene, const char misspelt[], char near[OPTION_MAX]);
 
-/* peek.c: the highest dimension of elements in a Gmsh file, 0 where it cannot be told, the file not found or no Gmsh file:
-   whoever reads it then says why. Collective. */
-PetscErrorCode PeekDimension(const Option *file, PetscInt *dim);
-
 /* study.c: before the bodies, whose meshes a study refines. Collective. */
 PetscErrorCode StudyRead(Scene scene);
 /* The orders of a study that names none are those of the bodies; call when they are read. Not collective. */

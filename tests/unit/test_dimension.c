@@ -1,4 +1,4 @@
-/* test_peek.c -- scenes whose bodies come from Gmsh files have the files' dimension without being told. */
+/* test_dimension.c -- scenes whose bodies come from Gmsh files have the files' dimension without being told. */
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "scene/scene.h"
