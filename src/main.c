@@ -35,7 +35,8 @@ static PetscErrorCode SolveOnce(Scene scene, MortiseExit *verdict)
   PetscCall(OutputCreate(scene->comm, &output));
   if (scene->output) {
     PetscCall(LogStageBegin(STAGE_OUTPUT));
-    PetscCall(run->refused ? OutputAddMotion(output, run->vi) : OutputAddFields(output, run->fields));
+    PetscCall(run->refused ? OutputAddMotion(output, run->vi, &run->solvability->motion)
+                           : OutputAddFields(output, run->fields));
     PetscCall(LogStageEnd(STAGE_OUTPUT));
   }
   input = RunSummary(run);

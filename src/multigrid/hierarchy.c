@@ -276,7 +276,8 @@ PetscErrorCode HierarchyIsOver(Hierarchy hierarchy, PetscBool *over)
   const Grid *finest = &hierarchy->grid[hierarchy->num - 1];
 
   PetscFunctionBeginUser;
-  PetscCall(PatienceCheck(&hierarchy->patience, finest->vi, (PetscBool)(finest->S != NULL), hierarchy->work));
+  PetscCall(PatienceCheck(&hierarchy->patience, finest->vi, (PetscBool)(finest->S != NULL),
+                          (PetscBool)(finest->springs != NULL), hierarchy->work));
   *over = hierarchy->patience.over;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -16,8 +16,8 @@ typedef struct {
 } Patience;
 
 /* Foretells a factorisation as soon as the iteration has cost so much that this is worth it, and compares from then on. Collective.
-   [in] vi - of the finest level; [in] slow - whether smoothing is more than products; [in] work - of the iteration so far */
-PetscErrorCode PatienceCheck(Patience *patience, VI vi, PetscBool slow, PetscReal work);
+   [in] vi - of the finest level; [in] slow - whether smoothing is more than products; [in] sprung - whether springs hold bodies; [in] work - of the iteration so far */
+PetscErrorCode PatienceCheck(Patience *patience, VI vi, PetscBool slow, PetscBool sprung, PetscReal work);
 /* What a factorisation takes that has as many sets to solve for as there have been; 0 where nobody asked. Not collective. */
 PetscReal PatienceForetold(const Patience *patience);
 
@@ -26,8 +26,8 @@ PetscErrorCode PatienceUnit(VI vi, PetscReal *operations);
 /* Operations for each set where one factorisation serves num unknowns with bounds. Not collective. */
 PetscReal PatienceSet(PetscInt num);
 
-/* Whether a factorisation is sure to be cheaper than any iteration, because bodies are thin (eq. 14.6). Collective. [in] num - unknowns with
-   bounds; [in] one - whether one factorisation serves all sets */
-PetscErrorCode ThinIsCheap(VI vi, PetscInt num, PetscBool one, PetscBool *cheap);
+/* Whether a factorisation is sure to be cheaper than any iteration, because bodies are thin (eq. 14.6). Collective.
+   [in] floating - whether contact alone holds some body; [in] num - unknowns with bounds; [in] one - whether one factorisation serves all sets */
+PetscErrorCode ThinIsCheap(VI vi, PetscBool floating, PetscInt num, PetscBool one, PetscBool *cheap);
 
 #endif

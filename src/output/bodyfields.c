@@ -132,11 +132,10 @@ PetscErrorCode PictureTellFields(Picture *picture, Fields fields)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PictureTellMotion(Picture *picture, VI vi)
+PetscErrorCode PictureTellMotion(Picture *picture, VI vi, const SceneMotion *motion)
 {
-  const Level       *level  = vi->level;
-  const SceneMotion *motion = &vi->solvability->motion;
-  PetscReal         *u, *tags;
+  const Level *level = vi->level;
+  PetscReal   *u, *tags;
 
   PetscFunctionBeginUser;
   PetscCall(TellMesh_Private(picture, vi, &tags));

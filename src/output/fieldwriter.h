@@ -7,7 +7,6 @@
 #define MORTISE_FIELDWRITER_H
 
 #include "result/fields.h"
-#include "problem/solvability.h"
 #include "output/fileset.h"
 #include "result/gatherarrays.h"
 
@@ -91,7 +90,7 @@ PetscErrorCode PictureCells(Picture *picture, Quantity quantity, const PetscReal
 /* The bodies with what happens to them, points in the order of global nodes. */
 PetscErrorCode PictureTellFields(Picture *picture, Fields fields);
 /* The bodies where they are, with the motion for which there is no solution. */
-PetscErrorCode PictureTellMotion(Picture *picture, VI vi);
+PetscErrorCode PictureTellMotion(Picture *picture, VI vi, const SceneMotion *motion);
 /* The nonmortar side of pair p with what happens on it, points in the order of global nodes. */
 PetscErrorCode PictureTellSurface(Picture *picture, Fields fields, PetscInt p);
 

@@ -170,7 +170,7 @@ static PetscErrorCode ViewStraight_Private(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ModelView(VI vi)
+PetscErrorCode ModelView(VI vi, Solvability solvability)
 {
   const Scene scene    = vi->scene;
   PetscInt    num_held = 0;
@@ -186,7 +186,7 @@ PetscErrorCode ModelView(VI vi)
   PetscCall(ViewStraight_Private(vi));
   for (PetscInt p = 0; p < vi->num_pairs; ++p) PetscCall(ViewLeftNodes_Private(scene->comm, vi->pairs[p]));
   for (PetscInt b = 0; b < scene->num_bodies; ++b) num_held += vi->motions.floating[b] ? 0 : 1;
-  PetscCall(VerdictView(vi));
+  PetscCall(VerdictView(vi, solvability));
   if (num_held) {
     PetscCall(PetscPrintf(scene->comm,
                           "    rigid motions of %" PetscInt_FMT " of %" PetscInt_FMT " bodies: supports hold them\n",

@@ -54,16 +54,17 @@ PetscErrorCode OutputCheck(Scene scene)
 
 /* What a picture tells: fields, of a pair or (pair < 0) of all bodies; without fields the motion of bodies. */
 typedef struct {
-  VI       vi;
-  Fields   fields;
-  PetscInt pair;
+  VI                 vi;
+  Fields             fields;
+  const SceneMotion *motion;
+  PetscInt           pair;
 } Told;
 
 static PetscErrorCode Tell_Private(const Told *told, Picture *picture)
 {
   PetscFunctionBeginUser;
   if (!told->fields) {
-    PetscCall(PictureTellMotion(picture, told->vi));
+    PetscCall(PictureTellMotion(picture, told->vi, told->motion));
   } else if (told->pair < 0) {
     PetscCall(PictureTellFields(picture, told->fields));
   } else {
@@ -119,13 +120,13 @@ PetscErrorCode OutputAddFields(Output output, Fields fields)
   char     path[PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
-  PetscCall(AddPicture_Private(output, &(Told){vi, fields, -1},
+  PetscCall(AddPicture_Private(output, &(Told){.vi = vi, .fields = fields, .pair = -1},
                                "Vectors=\"displacement\" Tensors=\"stress\" Scalars=\"von_mises\""));
   if (output->rank == 0) PetscCall(DrawnRemove(&output->files, vi->scene->output));
   for (PetscInt p = 0; p < vi->num_pairs; ++p) {
     PetscCall(OutputPath_Private(vi->scene, vi->pairs[p]->spec->name, ".csv", path));
     PetscCall(PairWriteCSV(fields, p, &output->files, path));
-    PetscCall(AddPicture_Private(output, &(Told){vi, fields, p},
+    PetscCall(AddPicture_Private(output, &(Told){.vi = vi, .fields = fields, .pair = p},
                                  "Vectors=\"displacement\" Scalars=\"pressure\" Normals=\"normal\""));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -148,11 +149,11 @@ static PetscErrorCode RemoveFields_Private(Output output, Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode OutputAddMotion(Output output, VI vi)
+PetscErrorCode OutputAddMotion(Output output, VI vi, const SceneMotion *motion)
 {
   PetscFunctionBeginUser;
   PetscCall(RemoveFields_Private(output, vi->scene));
-  PetscCall(AddPicture_Private(output, &(Told){vi, NULL, -1}, "Vectors=\"motion\""));
+  PetscCall(AddPicture_Private(output, &(Told){.vi = vi, .motion = motion, .pair = -1}, "Vectors=\"motion\""));
   if (output->rank == 0) PetscCall(DrawnRemove(&output->files, vi->scene->output));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

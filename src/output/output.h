@@ -15,8 +15,8 @@ PetscErrorCode OutputCreate(MPI_Comm comm, Output *output);
    <output>_<pair>.csv. Collective. */
 PetscErrorCode OutputAddFields(Output output, Fields fields);
 /* Where there is no solution: adds the bodies and, at their nodes, the motion that shows it, as `motion` of <output>.h5 + .xdmf
-   and/or .vtu; other fields, of an earlier run, go when the new result appears. Collective. [in] vi - refused */
-PetscErrorCode OutputAddMotion(Output output, VI vi);
+   and/or .vtu; other fields, of an earlier run, go when the new result appears. Collective. */
+PetscErrorCode OutputAddMotion(Output output, VI vi, const SceneMotion *motion);
 /* Adds a file of text, which gets a final newline. Collective. [in] text - of the first rank */
 PetscErrorCode OutputAddText(Output output, const char path[], const char text[]);
 /* All appear, the one that was added last after all others: beside it there is never a file of another run. Or none does, and

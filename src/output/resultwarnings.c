@@ -153,7 +153,7 @@ static PetscErrorCode WarnUnconfirmed_Private(const SummaryInput *in)
 PetscErrorCode SummaryWarn(const SummaryInput *input)
 {
   PetscFunctionBeginUser;
-  PetscCall(VerdictWarn(input->vi));
+  PetscCall(VerdictWarn(input->vi, input->solvability));
   for (PetscInt p = 0; p < input->vi->num_pairs; ++p) {
     PetscCall(WarnEmpty_Private(input, p));
     if (input->fields) PetscCall(WarnBump_Private(input, p));

@@ -9,7 +9,6 @@
 #include "result/probes.h"
 #include "base/compat.h"
 #include "base/warning.h"
-#include "problem/solvability.h"
 #include "result/bodycounts.h"
 #include "result/gapdiscontinuity.h"
 #include "output/solversummary.h"
@@ -286,7 +285,7 @@ PetscErrorCode SummaryCreate(const SummaryInput *input, char **text)
   cJSON_AddItemToObject(root, "warnings", WarningList());
   PetscCall(AddOptions_Private(root));
   PetscCall(AddScene_Private(input, root));
-  VerdictAdd(input->vi, root);
+  VerdictAdd(input->vi, input->solvability, root);
   SolverBlockAdd(input, root);
   PetscCall(AddEnergy_Private(input, root));
   PetscCall(AddPairs_Private(input, root));

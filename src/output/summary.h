@@ -12,7 +12,8 @@ typedef struct {
   Scene              scene;
   Mesh               mesh;
   VI                 vi;
-  Fields             fields; /* NULL where there is no solution */
+  Solvability        solvability; /* NULL where supports hold all bodies */
+  Fields             fields;      /* NULL where there is no solution */
   const SolveReport *report;
   const CrossCheck  *check;
   const Certificate *certificate;
@@ -31,5 +32,5 @@ PetscErrorCode SummaryCreate(const SummaryInput *input, char **text);
 PetscErrorCode SummaryWrite(const SummaryInput *input, Output *output);
 /* Prints what the meshes made of the scene, and what was left out of it: with SceneView() before and SolveView() behind,
    -scene_view. Collective. */
-PetscErrorCode ModelView(VI vi);
+PetscErrorCode ModelView(VI vi, Solvability solvability);
 #endif

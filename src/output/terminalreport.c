@@ -131,7 +131,7 @@ static PetscErrorCode Print_Private(const SummaryInput *in)
                         report->iterations, report->type, LogTotalSeconds()));
   PetscCall(PrintCost_Private(in));
   for (PetscInt p = 0; p < in->vi->num_pairs; ++p) PetscCall(PrintPair_Private(in, p));
-  PetscCall(VerdictPrint(in->vi));
+  PetscCall(VerdictPrint(in->vi, in->solvability));
   PetscCall(PrintErrors_Private(in));
   PetscCall(PetscPrintf(comm,
                         "  certificate: equilibrium %.1e, gap %.1e, pressure %.1e, complementarity %.1e, forces %.1e, "
@@ -204,7 +204,7 @@ PetscErrorCode SummaryWrite(const SummaryInput *input, Output *output)
     PetscCall(input->fields ? Print_Private(input) : PrintFiles_Private(input));
   }
   free(text);
-  PetscCall(VerdictRefuse(input->vi));
+  PetscCall(VerdictRefuse(input->vi, input->solvability));
   if (input->fields && !input->solved) PetscCall(PrintFailures_Private(input));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -398,3 +398,10 @@ PetscErrorCode BasisGetFixed(VI vi, const NodeBases *bases, const Couplings *cou
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
+
+PetscErrorCode VIMarkCartesian(VI vi, PetscBool cartesian[])
+{
+  PetscFunctionBeginUser;
+  for (PetscInt a = 0; a < vi->level->num_owned; a++) cartesian[a] = (PetscBool)(vi->basis->bases.of_node[a] < 0);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -94,6 +94,42 @@ PetscErrorCode VICreateInverse(VI vi, Mat *inverse)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode VIApplyInverse(VI vi, Vec u, Vec y)
+{
+  const PetscInt     dim     = vi->level->dim;
+  const NodeBases   *bases   = &vi->basis->bases;
+  const Mat          unshift = vi->basis->couplings.unshift;
+  const PetscScalar *ba;
+  PetscScalar       *ya;
+  Vec                Bu;
+
+  PetscFunctionBeginUser;
+  if (unshift) {
+    PetscCall(MatMultAdd(unshift, u, u, y));
+  } else {
+    PetscCall(VecCopy(u, y));
+  }
+  PetscCall(VecGetArray(y, &ya));
+  for (PetscInt s = 0; s < bases->num; s++) {
+    PetscScalar *yi = &ya[bases->node[s] * dim], ui[3];
+    for (PetscInt k = 0; k < dim; k++) ui[k] = yi[k];
+    for (PetscInt r = 0; r < dim; r++) {
+      yi[r] = 0;
+      for (PetscInt k = 0; k < dim; k++) yi[r] += bases->F[(s * dim + r) * dim + k] * ui[k];
+    }
+  }
+  if (vi->B) {
+    PetscCall(VecDuplicate(vi->G, &Bu));
+    PetscCall(MatMult(vi->B, u, Bu));
+    PetscCall(VecGetArrayRead(Bu, &ba));
+    for (PetscInt r = 0; r < vi->num_rows; r++) ya[vi->row_dof[r] - dim * vi->level->node_begin] = ba[r] / vi->row_D[r];
+    PetscCall(VecRestoreArrayRead(Bu, &ba));
+    PetscCall(VecDestroy(&Bu));
+  }
+  PetscCall(VecRestoreArray(y, &ya));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode VIMultiplyInverse(VI vi, Mat *P)
 {
   Mat inverse, product;

@@ -5,15 +5,12 @@
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "base/log.h"
-#include "problem/rigid.h"
 #include "problem/vi.h"
 #include "base/warning.h"
 #include "problem/basischange.h"
 #include "problem/kktsystem.h"
 #include "problem/cyclicroles.h"
 #include "problem/condensation.h"
-#include "problem/rigidimpl.h"
-#include "problem/nearnullspace.h"
 
 /* stiffness = mean diagonal of K; length = the displacement to expect: prescribed, by interference, or of the loads. */
 static PetscErrorCode ChooseScales_Private(VI vi)
@@ -94,16 +91,6 @@ PetscErrorCode VIPrepareProducts(VI vi)
   PetscCall(LogStageBegin(STAGE_CONDENSE));
   PetscCall(ProductsCreate(vi->K, 1 / vi->stiffness, &vi->S));
   if (!vi->assembled) PetscCall(CondensedSetProducts(vi->A, vi->S));
-  PetscCall(LogStageEnd(STAGE_CONDENSE));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode VIAttachModes(VI vi)
-{
-  PetscFunctionBeginUser;
-  if (!vi->basis) PetscFunctionReturn(PETSC_SUCCESS); // an inequality that was not made from bodies
-  PetscCall(LogStageBegin(STAGE_CONDENSE));
-  PetscCall(ModesAttach(vi, &vi->basis->bases, &vi->basis->couplings, vi->num_fixed, vi->fixed));
   PetscCall(LogStageEnd(STAGE_CONDENSE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -222,22 +209,10 @@ static PetscErrorCode Create_Private(Scene scene, Mesh mesh, Level *level, VI sc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VIJudge(VI vi)
-{
-  PetscFunctionBeginUser;
-  if (!vi->motions.num || vi->solvability) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(LogStageBegin(STAGE_CONDENSE));
-  PetscCall(
-      SolvabilityCreate(vi, &vi->basis->bases, &vi->basis->couplings, vi->num_fixed, vi->fixed, &vi->solvability));
-  PetscCall(LogStageEnd(STAGE_CONDENSE));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi)
 {
   PetscFunctionBeginUser;
   PetscCall(Create_Private(scene, mesh, MeshFinest(mesh), NULL, NULL, vi));
-  PetscCall(VIJudge(*vi));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -282,7 +257,6 @@ PetscErrorCode VIDestroy(VI *vi_in)
   PetscCall(PetscFree(vi->fixed));
   PetscCall(PetscFree(vi->fixed_local));
   PetscCall(SupportDestroy(&vi->support));
-  PetscCall(SolvabilityDestroy(&vi->solvability));
   PetscCall(RigidMotionsDestroy(&vi->motions));
   PetscCall(PetscFree5(vi->row_pair, vi->row_node, vi->row_direction, vi->row_dof, vi->row_D));
   PetscCall(MatDestroy(&vi->nest));

@@ -9,10 +9,9 @@
 #define MORTISE_VI_H
 
 #include "contact/pair.h"
-#include "problem/rigid.h"
+#include "mesh/rigidmodes.h"
 
-typedef struct _n_Solvability *Solvability; /* solvability.h */
-typedef struct _n_VIBasis     *VIBasis;     /* of the problem room: what T is made of */
+typedef struct _n_VIBasis *VIBasis; /* private to this module: the factors of T */
 
 struct _n_VI {
   Scene scene; /* borrowed */
@@ -20,8 +19,7 @@ struct _n_VI {
   Level *
       level; /* borrowed: the finest of mesh, or a coarser one (VICreateCoarse()); NULL below these (VICreateOfMatrix()) */
   Support      support;
-  RigidMotions motions;     /* that the supports leave to the bodies */
-  Solvability  solvability; /* whether contact can hold these; NULL where there are none */
+  RigidMotions motions; /* that the supports leave to the bodies */
   PetscInt     num_pairs;
   Pair        *pairs;
 
@@ -63,12 +61,9 @@ typedef struct _n_VI *VI;
 /* Searches, integrates, assembles and condenses. Roles that run in a circle are a fault. Collective. [out] vi - owned by the caller */
 PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi);
 PetscErrorCode VIDestroy(VI *vi);
-/* The same scene on a coarser level of its mesh, as far as multigrid needs it: with the scales of vi, without regard to
-   solvability and near null spaces. Collective. [in] l - level of vi->mesh; [in] K - in place of the level's own, or NULL;
+/* The same scene on a coarser level of its mesh, with the scales of vi. Collective. [in] l - level of vi->mesh; [in] K - in place of the level's own, or NULL;
    [out] coarse - owned by the caller */
 PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse);
-/* Fills in vi->solvability of a coarser level, if bodies are to be held by contact and it is not known. Collective. */
-PetscErrorCode VIJudge(VI vi);
 /* A level without mesh: a matrix, its own products, and nothing else. Collective.
    [in] A - AIJ, SPD; referenced; [in] fixed - unknowns with unit rows, counted from this rank's first [num_fixed], taken over; [out] vi - owned
    by the caller */
@@ -77,18 +72,20 @@ PetscErrorCode VICreateOfMatrix(Mat A, PetscInt num_fixed, PetscInt fixed[], VI 
 PetscErrorCode VIAssemble(VI vi);
 /* Makes S, which products with A take in place of K from then on: worth its memory, half of K's, to who iterates. Collective. */
 PetscErrorCode VIPrepareProducts(VI vi);
-/* Attaches to A, as near null space, the rigid motions of all bodies. Collective. */
-PetscErrorCode VIAttachModes(VI vi);
 /* A with springs on its diagonal, a matrix or a shell like A. Collective. [in] springs - borrowed for as long as the result lives;
    [out] A - owned by the caller */
 PetscErrorCode VICreateSprung(VI vi, Vec springs, Mat *A);
 /* T^-1, as sparse as B: its rows are those of B, and nodes' frames. Collective.
    [out] inverse - owned by the caller; NULL where T is the identity */
 PetscErrorCode VICreateInverse(VI vi, Mat *inverse);
+/* y = T^-1 u, without that matrix. Collective. [in] u - ghosts are not needed */
+PetscErrorCode VIApplyInverse(VI vi, Vec u, Vec y);
 /* P := T^-1 P: what led to displacements, over length, leads to y. Collective. [in,out] P - AIJ, replaced */
 PetscErrorCode VIMultiplyInverse(VI vi, Mat *P);
 /* 1 where an unknown is left in A, 0 where it was eliminated. Collective. [out] open - like upper, owned by the caller */
 PetscErrorCode VICreateOpen(VI vi, Vec *open);
+/* Marks nodes whose unknowns are their Cartesian displacements. Not collective. [out] cartesian - [num_owned] */
+PetscErrorCode VIMarkCartesian(VI vi, PetscBool cartesian[]);
 /* Marks eliminated unknowns that are displacements: whose row of T is empty but for them. Not collective.
    [in,out] held - true there, untouched elsewhere [unknowns of this rank] */
 PetscErrorCode VIMarkHeld(VI vi, PetscBool held[]);

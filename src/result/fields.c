@@ -5,7 +5,6 @@
 #include "result/fields.h"
 #include "base/compat.h"
 #include "problem/elasticity.h"
-#include "problem/solvability.h"
 #include "result/stress.h"
 
 /* A bound counts as reached within this part of the largest unknown: pdas reaches it exactly, vinewtonrsls to its zero
@@ -168,7 +167,7 @@ static PetscErrorCode ArmSize_Private(const Pair pair, PetscInt k, PetscReal *si
 }
 
 /* In contact is what lies on its bound, but for what bodies that are free to move have moved since, and presses by more than roundoff. */
-static PetscErrorCode RowStatus_Private(Fields fields, Vec y)
+static PetscErrorCode RowStatus_Private(Fields fields, PetscReal slip, Vec y)
 {
   const VI         vi = fields->vi;
   const PetscReal *lambda, *values, *upper;
@@ -177,8 +176,7 @@ static PetscErrorCode RowStatus_Private(Fields fields, Vec y)
 
   PetscFunctionBeginUser;
   PetscCall(VecNorm(y, NORM_INFINITY, &tolerance));
-  tolerance *= CLOSED_TOLERANCE;
-  if (vi->solvability) tolerance += vi->solvability->slip / vi->length;
+  tolerance = CLOSED_TOLERANCE * tolerance + slip / vi->length;
   PetscCall(VecGetOwnershipRange(y, &begin, NULL));
   PetscCall(VecGetArrayRead(fields->lambda, &lambda));
   PetscCall(VecGetArrayRead(y, &values));
@@ -205,7 +203,7 @@ static PetscErrorCode RowStatus_Private(Fields fields, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FieldsCreate(VI vi, Vec y, Fields *fields)
+PetscErrorCode FieldsCreate(VI vi, Solvability solvability, Vec y, Fields *fields)
 {
   Fields f;
 
@@ -232,7 +230,7 @@ PetscErrorCode FieldsCreate(VI vi, Vec y, Fields *fields)
     PetscCall(RowMoments_Private(f));
   }
   PetscCall(ReferenceSizes_Private(f));
-  if (vi->B) PetscCall(RowStatus_Private(f, y));
+  if (vi->B) PetscCall(RowStatus_Private(f, solvability ? solvability->slip : 0, y));
   *fields = f;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

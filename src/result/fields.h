@@ -29,8 +29,8 @@ typedef struct _n_Fields *Fields;
    products of size K_ii |u|, each with an error of one unit roundoff. */
 #define FIELDS_ROUNDOFF (64 * PETSC_MACHINE_EPSILON)
 
-/* Recovers everything from y. Collective. [out] fields - owned by the caller */
-PetscErrorCode FieldsCreate(VI vi, Vec y, Fields *fields);
+/* Recovers everything from y. Collective. [in] solvability - of vi, or NULL; [out] fields - owned by the caller */
+PetscErrorCode FieldsCreate(VI vi, Solvability solvability, Vec y, Fields *fields);
 PetscErrorCode FieldsDestroy(Fields *fields);
 /* Collective. [out] strain - strain energy of each body [num_bodies]; [out] potential - 1/2 u'Ku - f'u */
 PetscErrorCode FieldsEnergy(Fields fields, PetscReal strain[], PetscReal *potential);

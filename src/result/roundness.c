@@ -75,11 +75,10 @@ static PetscErrorCode Turns_Private(VI vi, const SceneSide *side, Vec *turn)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode RoundCarries(VI vi, PetscBool *round)
+PetscErrorCode RoundCarries(VI vi, Solvability s, PetscBool *round)
 {
-  const Solvability s       = vi->solvability;
-  PetscReal         largest = 0;
-  PetscBool         all     = PETSC_TRUE;
+  PetscReal largest = 0;
+  PetscBool all     = PETSC_TRUE;
 
   PetscFunctionBeginUser;
   for (PetscInt r = 0; r < vi->num_rows; r++) largest = PetscMax(largest, s->y[r]);

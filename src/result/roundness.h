@@ -2,10 +2,10 @@
 #ifndef MORTISE_ROUNDNESS_H
 #define MORTISE_ROUNDNESS_H
 
-#include "problem/solvability.h"
+#include "rigid/solvability.h"
 
 /* Whether all contact forces that balance the loads (solvability->y) act where a side, or the obstacle it meets, is curved and smooth:
    what rests there rolls, and what rests at an edge tips. Collective. */
-PetscErrorCode RoundCarries(VI vi, PetscBool *round);
+PetscErrorCode RoundCarries(VI vi, Solvability solvability, PetscBool *round);
 
 #endif

@@ -29,10 +29,9 @@ static void AddMotion_Private(VI vi, const SceneMotion *motion, cJSON *object)
   }
 }
 
-void VerdictAdd(VI vi, cJSON *root)
+void VerdictAdd(VI vi, Solvability s, cJSON *root)
 {
   static const char *const verdicts[] = {"solvable", "free_motion", "marginal", "no_solution"};
-  const Solvability        s          = vi->solvability;
   cJSON                   *object     = cJSON_AddObjectToObject(root, "solvability"), *motions;
 
   cJSON_AddStringToObject(object, "verdict", verdicts[s ? s->verdict : SOLVABLE]);
@@ -55,10 +54,8 @@ void VerdictAdd(VI vi, cJSON *root)
   }
 }
 
-PetscErrorCode VerdictPrint(VI vi)
+PetscErrorCode VerdictPrint(VI vi, Solvability s)
 {
-  const Solvability s = vi->solvability;
-
   PetscFunctionBeginUser;
   for (PetscInt i = 0; s && i < s->num_free; ++i)
     PetscCall(PetscPrintf(vi->level->comm, "  free motion: %s\n", s->free[i].sentence));
@@ -67,10 +64,8 @@ PetscErrorCode VerdictPrint(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VerdictRefuse(VI vi)
+PetscErrorCode VerdictRefuse(VI vi, Solvability s)
 {
-  const Solvability s = vi->solvability;
-
   PetscFunctionBeginUser;
   if (s && s->verdict == SOLVABLE_NOT) {
     PetscCall(PetscFPrintf(vi->level->comm, PETSC_STDERR,
@@ -84,15 +79,14 @@ PetscErrorCode VerdictRefuse(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VerdictWarn(VI vi)
+PetscErrorCode VerdictWarn(VI vi, Solvability s)
 {
-  const Solvability s    = vi->solvability;
-  const char       *then = "it is free to do so";
-  PetscBool         round;
+  const char *then = "it is free to do so";
+  PetscBool   round;
 
   PetscFunctionBeginUser;
   if (!s || s->verdict != SOLVABLE_MARGINAL) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(RoundCarries(vi, &round));
+  PetscCall(RoundCarries(vi, s, &round));
   if (round) then = "what it rests on is round, and it is free to roll";
   if (s->motion.turns && !round) then = "the pressure gathers at an edge and grows without bound on finer meshes";
   PetscCall(WarningAdd(&(Warning){.code = "marginal"}, "the loads are on the verge: %s at no cost; %s",
@@ -100,7 +94,7 @@ PetscErrorCode VerdictWarn(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VerdictView(VI vi)
+PetscErrorCode VerdictView(VI vi, Solvability s)
 {
   static const char *const verdicts[] = {
       "contact can balance the loads, and resists every one of them",
@@ -108,7 +102,6 @@ PetscErrorCode VerdictView(VI vi)
       "contact can just balance the loads",
       "contact cannot balance the loads",
   };
-  const Solvability s = vi->solvability;
 
   PetscFunctionBeginUser;
   if (!s) PetscFunctionReturn(PETSC_SUCCESS);

@@ -3,17 +3,18 @@
 #define MORTISE_SOLVABILITYREPORT_H
 
 #include <cjson/cJSON.h>
-#include "problem/solvability.h"
+#include "rigid/solvability.h"
 
-/* "solvability": verdict, motion, work, and the motions that are free. Not collective. */
-void VerdictAdd(VI vi, cJSON *root);
+/* solvability is NULL where supports hold all bodies.
+   "solvability": verdict, motion, work, and the motions that are free. Not collective. */
+void VerdictAdd(VI vi, Solvability solvability, cJSON *root);
 /* Lines for the terminal: motions that are free. Collective. */
-PetscErrorCode VerdictPrint(VI vi);
+PetscErrorCode VerdictPrint(VI vi, Solvability solvability);
 /* On stderr: why there is no solution. Collective. */
-PetscErrorCode VerdictRefuse(VI vi);
+PetscErrorCode VerdictRefuse(VI vi, Solvability solvability);
 /* Warns of what is marginal. Collective. */
-PetscErrorCode VerdictWarn(VI vi);
+PetscErrorCode VerdictWarn(VI vi, Solvability solvability);
 /* A line of -scene_view. Collective. */
-PetscErrorCode VerdictView(VI vi);
+PetscErrorCode VerdictView(VI vi, Solvability solvability);
 
 #endif

@@ -45,7 +45,7 @@ PetscReal PatienceForetold(const Patience *patience)
 }
 
 /* By the pattern of K: contact adds couplings of one side with the other, which few unknowns have. */
-static PetscErrorCode Ask_Private(Patience *patience, VI vi, PetscBool slow)
+static PetscErrorCode Ask_Private(Patience *patience, VI vi, PetscBool slow, PetscBool sprung)
 {
   ActiveSet      set;
   FactorForecast forecast;
@@ -60,7 +60,7 @@ static PetscErrorCode Ask_Private(Patience *patience, VI vi, PetscBool slow)
   PetscCall(FactorForetell(vi->K, one ? set.N : 0, C, "", &forecast));
   PetscCall(PatienceUnit(vi, &unit));
   if (slow) unit *= SMOOTHING;
-  patience->once = one ? (vi->solvability ? WITH_SPRINGS : 1) * forecast.operations / unit : 0;
+  patience->once = one ? (sprung ? WITH_SPRINGS : 1) * forecast.operations / unit : 0;
   patience->set  = (one ? PatienceSet(set.N) : forecast.operations) / unit;
   PetscCall(MemorySuffices(set.comm, forecast.bytes, &suffices));
   patience->asked = PETSC_TRUE;
@@ -72,11 +72,11 @@ static PetscErrorCode Ask_Private(Patience *patience, VI vi, PetscBool slow)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PatienceCheck(Patience *patience, VI vi, PetscBool slow, PetscReal work)
+PetscErrorCode PatienceCheck(Patience *patience, VI vi, PetscBool slow, PetscBool sprung, PetscReal work)
 {
   PetscFunctionBeginUser;
   if (!patience->on || work <= SUSPICIOUS) PetscFunctionReturn(PETSC_SUCCESS);
-  if (!patience->asked) PetscCall(Ask_Private(patience, vi, slow));
+  if (!patience->asked) PetscCall(Ask_Private(patience, vi, slow, sprung));
   patience->over = (PetscBool)(patience->on && work > (patience->found ? FOUND : 1) * PatienceForetold(patience));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

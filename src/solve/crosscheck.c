@@ -154,7 +154,7 @@ static PetscErrorCode AreNear_Private(VI vi, Vec first, Vec second, PetscBool it
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VICrossCheck(VI vi, Vec y, const SolveReport *report, CrossCheck *check)
+PetscErrorCode VICrossCheck(VI vi, Solvability solvability, Vec y, const SolveReport *report, CrossCheck *check)
 {
   SolveChoice choice;
   Vec         second;
@@ -165,9 +165,9 @@ PetscErrorCode VICrossCheck(VI vi, Vec y, const SolveReport *report, CrossCheck 
   PetscCall(SolveChooseSecond(vi, report, PREFIX, &choice));
   if (SolveFactors(choice.pc)) PetscCall(PetscContainerDestroy(&vi->levels));
   PetscCall(VecDuplicate(y, &second));
-  PetscCall(SolveRun(vi, &choice, PETSC_FALSE, NULL, second, &check->other));
+  PetscCall(SolveRun(vi, solvability, &choice, PETSC_FALSE, NULL, second, &check->other));
   PetscCall(SolveChooseAnother(&check->other, &choice, &again));
-  if (again) PetscCall(SolveRun(vi, &choice, PETSC_FALSE, NULL, second, &check->other));
+  if (again) PetscCall(SolveRun(vi, solvability, &choice, PETSC_FALSE, NULL, second, &check->other));
   PetscCall(PetscContainerDestroy(&vi->levels));
   iterated = (PetscBool)(!SolveFactors(report->pc) || !SolveFactors(check->other.pc));
   PetscCall(AreNear_Private(vi, y, second, iterated, check, &size, &near));

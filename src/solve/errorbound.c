@@ -14,7 +14,6 @@
    gradients has met, estimate |d|_A^2 by f.B f / alpha. */
 #include "base/compat.h"
 #include "pdas/pdas.h"
-#include "problem/solvability.h"
 #include "pdas/pdasimpl.h"
 #include "solve/errorbound.h"
 

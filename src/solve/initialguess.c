@@ -6,7 +6,6 @@
 #include <string.h>
 #include "base/compat.h"
 #include "pdas/pdas.h"
-#include "problem/solvability.h"
 #include "pdas/pdasimpl.h"
 #include "multigrid/multigrid.h"
 #include "solve/solveimpl.h"
@@ -29,7 +28,7 @@ static PetscErrorCode StartFeasible_Private(VI vi, Vec y)
 
 /* The solution with those bounds reached that can balance the loads: a start without contact leads bodies far away. By one
    factorisation, or by multigrid where that solves what follows. */
-static PetscErrorCode StartTouching_Private(VI vi, const SolveChoice *choice, SNES snes, Vec y)
+static PetscErrorCode StartTouching_Private(VI vi, Vec start, const SolveChoice *choice, SNES snes, Vec y)
 {
   ActiveSet      set;
   ActiveSolver   solver;
@@ -46,7 +45,7 @@ static PetscErrorCode StartTouching_Private(VI vi, const SolveChoice *choice, SN
   if (!failure) {
     PetscCall(ActiveSolutionCreate(&set, &solution));
     PetscCall(PetscMalloc1(set.n, &touching));
-    PetscCall(ActiveSetGather(&set, vi->solvability->start, touching));
+    PetscCall(ActiveSetGather(&set, start, touching));
     for (PetscInt i = 0; i < set.n; i++) set.active[i] = (PetscBool)(touching[i] > 0);
     PetscCall(PetscFree(touching));
     PetscCall((*solver->solve)(solver, set.active, set.upper, &solution));
@@ -109,19 +108,19 @@ static PetscErrorCode Settle_Private(VI vi, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveStart(VI vi, const SolveChoice *choice, SNES snes, Vec guess, Vec y)
+PetscErrorCode SolveStart(VI vi, Solvability solvability, const SolveChoice *choice, SNES snes, Vec guess, Vec y)
 {
   const PetscBool pdas = (PetscBool)!strcmp(choice->snes, SNESPDAS);
 
   PetscFunctionBeginUser;
   if (guess) {
     PetscCall(StartFrom_Private(vi, guess, y));
-    if (vi->solvability) PetscCall(VecAXPY(y, -1, vi->solvability->rest)); // from where bodies touch (springs.h)
+    if (solvability) PetscCall(VecAXPY(y, -1, solvability->rest)); // from where bodies touch (springs.h)
     if (!pdas) PetscCall(Settle_Private(vi, y)); // pdas takes an overlap for contact, others ask for none
   } else {
     PetscCall(StartFeasible_Private(vi, y));
-    if (!pdas && vi->solvability) {
-      PetscCall(StartTouching_Private(vi, choice, snes, y));
+    if (!pdas && solvability) {
+      PetscCall(StartTouching_Private(vi, solvability->start, choice, snes, y));
       PetscCall(Settle_Private(vi, y));
     }
   }

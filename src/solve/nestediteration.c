@@ -6,7 +6,7 @@
 #include <string.h>
 #include "base/compat.h"
 #include "pdas/pdas.h"
-#include "problem/solvability.h"
+#include "rigid/solvability.h"
 #include "pdas/pdasimpl.h"
 #include "solve/nestediteration.h"
 #include "multigrid/activeprediction.h"
@@ -141,8 +141,8 @@ static PetscErrorCode Change_Private(const Grid *grid, SNES snes, PetscReal *cha
 
 /* Solves on one level. [in] type - of the SNES; [in] gained - as of PDASSetEnough(); [in] begun - whether a coarser level says what to begin
    with; [in,out] state */
-static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, const char type[], PetscReal gained,
-                                         PetscBool begun, State *state)
+static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, Solvability solvability, const char type[],
+                                         PetscReal gained, PetscBool begun, State *state)
 {
   const VI        vi     = hierarchy->grid[l].vi;
   const PetscBool pdas   = (PetscBool)!strcmp(type, SNESPDAS);
@@ -162,8 +162,8 @@ static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, const 
   PetscCall(SNESGetKSP(snes, &ksp));
   PetscCall(KSPGetPC(ksp, &pc));
   if (l) PetscCall(MultigridSetHierarchy(pc, hierarchy, l, pdas ? NULL : snes));
-  if (!begun && vi->solvability) PetscCall(VecCopy(vi->solvability->start, state->active));
-  if (pdas && (begun || vi->solvability)) PetscCall(PDASSetStart(snes, state->active));
+  if (!begun && solvability) PetscCall(VecCopy(solvability->start, state->active));
+  if (pdas && (begun || solvability)) PetscCall(PDASSetStart(snes, state->active));
   PetscCall(VecDuplicate(state->y, &before));
   PetscCall(VecCopy(state->y, before));
   if (pdas) PetscCall(PDASSetKeep(snes, PETSC_TRUE));
@@ -199,13 +199,13 @@ static PetscErrorCode Touch_Private(VI vi, Vec active, Vec y)
 }
 
 /* The level as it is solved: with springs where contact alone holds bodies, which are in its A from now on. */
-static PetscErrorCode Begin_Private(Grid *grid, Springs *springs)
+static PetscErrorCode Begin_Private(Grid *grid, Solvability solvability, Springs *springs)
 {
   PetscFunctionBeginUser;
-  PetscCall(SpringsBegin(grid->vi, springs));
+  PetscCall(SpringsBegin(grid->vi, solvability, springs));
   grid->vi = springs->vi;
   grid->A  = springs->vi->A;
-  if (springs->original->solvability) grid->springs = springs->original->solvability->springs;
+  if (solvability) grid->springs = solvability->springs;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -220,16 +220,15 @@ static PetscErrorCode End_Private(Grid *grid, Springs *springs, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The coarsest level from which on contact can hold what has to be held on every level. */
-static PetscErrorCode FindFirst_Private(Hierarchy hierarchy, PetscInt *first)
+/* The coarsest level from which on contact can hold what has to be held on every level. [out] solvability - of each level with a mesh but the
+   finest, owned by the caller [hierarchy->num] */
+static PetscErrorCode FindFirst_Private(Hierarchy hierarchy, Solvability solvability[], PetscInt *first)
 {
   PetscFunctionBeginUser;
   *first = hierarchy->first;
   for (PetscInt l = hierarchy->first; l + 1 < hierarchy->num; l++) {
-    const VI vi = hierarchy->grid[l].vi;
-
-    PetscCall(VIJudge(vi));
-    if (vi->solvability && vi->solvability->verdict == SOLVABLE_NOT) *first = l + 1;
+    PetscCall(SolvabilityCreate(hierarchy->grid[l].vi, &solvability[l]));
+    if (solvability[l] && solvability[l]->verdict == SOLVABLE_NOT) *first = l + 1;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -275,31 +274,38 @@ PetscErrorCode CascadeStart(Hierarchy hierarchy, SNES snes, Springs *springs, Ve
   PC             pc;
   PetscInt       first;
   Springs        own[2]; // of this level and the next one, in turns: they are not to be moved
-  State          state, next;
+  Solvability   *solvability;
+  State          state = {NULL, NULL}, next;
 
   PetscFunctionBeginUser;
   *gained = 0;
+  PetscCall(PetscCalloc1(hierarchy->num, &solvability));
   PetscCall(SNESGetType(snes, &type));
   PetscCall(GetCycles_Private(snes, springs->vi, &pc));
-  PetscCall(FindFirst_Private(hierarchy, &first));
+  PetscCall(FindFirst_Private(hierarchy, solvability, &first));
   *found = (PetscBool)(first < finest);
-  if (!*found) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(Begin_Private(&hierarchy->grid[first], &own[first % 2]));
-  PetscCall(StateCreate_Private(&hierarchy->grid[first], &state));
+  if (*found) {
+    PetscCall(Begin_Private(&hierarchy->grid[first], solvability[first], &own[first % 2]));
+    PetscCall(StateCreate_Private(&hierarchy->grid[first], &state));
+  }
   for (PetscInt l = first; l < finest; l++) {
     Grid    *finer = &hierarchy->grid[l + 1];
     Springs *above = l + 1 < finest ? &own[(l + 1) % 2] : springs;
 
-    PetscCall(SolveLevel_Private(hierarchy, l, type, *gained, (PetscBool)(l > first), &state));
+    PetscCall(SolveLevel_Private(hierarchy, l, solvability[l], type, *gained, (PetscBool)(l > first), &state));
     PetscCall(End_Private(&hierarchy->grid[l], &own[l % 2], state.y));
-    if (l + 1 < finest) PetscCall(Begin_Private(finer, above));
+    if (l + 1 < finest) PetscCall(Begin_Private(finer, solvability[l + 1], above));
     PetscCall(GoUp_Private(hierarchy, finer, l + 1 < finest ? NULL : pc, &state, above, &next, gained));
     if (strcmp(type, SNESPDAS)) PetscCall(Touch_Private(finer->vi, next.active, next.y));
     PetscCall(StateDestroy_Private(&state));
     state = next;
   }
-  PetscCall(VecCopy(state.y, y));
-  PetscCall(VecCopy(state.active, active));
-  PetscCall(StateDestroy_Private(&state));
+  if (*found) {
+    PetscCall(VecCopy(state.y, y));
+    PetscCall(VecCopy(state.active, active));
+    PetscCall(StateDestroy_Private(&state));
+  }
+  for (PetscInt l = hierarchy->first; l < finest; l++) PetscCall(SolvabilityDestroy(&solvability[l]));
+  PetscCall(PetscFree(solvability));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -11,7 +11,6 @@
    References: [1] Rockafellar, Monotone operators and the proximal point algorithm, 1976. */
 #include "base/compat.h"
 #include "pdas/pdas.h"
-#include "problem/solvability.h"
 #include "solve/proximal.h"
 
 /* The pull of springs that does not matter, in parts of the forces, and in parts of the residual that an iteration may leave. */
@@ -31,12 +30,13 @@ enum { MAX_SWEEPS = 50 };
 static const PetscReal SLOW = 0.1, WEAKER = 1e-2;
 enum { SEARCHING = 3, MOST_WEAKER = 3 };
 
-PetscErrorCode SpringsBegin(VI vi, Springs *springs)
+PetscErrorCode SpringsBegin(VI vi, Solvability solvability, Springs *springs)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(springs, sizeof(*springs)));
   springs->vi = springs->original = vi;
-  if (!vi->solvability) PetscFunctionReturn(PETSC_SUCCESS);
+  springs->solvability            = solvability;
+  if (!solvability) PetscFunctionReturn(PETSC_SUCCESS);
   springs->sprung = *vi;
   springs->vi     = &springs->sprung;
   PetscCall(VecDuplicate(vi->upper, &springs->rest));
@@ -44,8 +44,8 @@ PetscErrorCode SpringsBegin(VI vi, Springs *springs)
   PetscCall(VecDuplicate(vi->upper, &springs->scale));
   PetscCall(VecDuplicate(vi->b, &springs->sprung.b));
   PetscCall(VecDuplicate(vi->upper, &springs->sprung.upper));
-  PetscCall(VecWAXPY(springs->sprung.upper, -1, vi->solvability->rest, vi->upper));
-  PetscCall(VICreateSprung(vi, vi->solvability->springs, &springs->sprung.A));
+  PetscCall(VecWAXPY(springs->sprung.upper, -1, solvability->rest, vi->upper));
+  PetscCall(VICreateSprung(vi, solvability->springs, &springs->sprung.A));
   PetscCall(MatGetDiagonal(vi->A, springs->scale));
   PetscCall(VecSqrtAbs(springs->scale));
   PetscCall(VecReciprocal(springs->scale));
@@ -60,7 +60,7 @@ static PetscErrorCode RestAt_Private(Springs *springs, Vec y)
 {
   PetscFunctionBeginUser;
   PetscCall(VecCopy(y, springs->rest));
-  PetscCall(VecPointwiseMult(springs->sprung.b, springs->original->solvability->springs, y));
+  PetscCall(VecPointwiseMult(springs->sprung.b, springs->solvability->springs, y));
   PetscCall(VecAXPY(springs->sprung.b, 1, springs->original->b));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -68,8 +68,8 @@ static PetscErrorCode RestAt_Private(Springs *springs, Vec y)
 PetscErrorCode SpringsFollow(Springs *springs, Vec y)
 {
   PetscFunctionBeginUser;
-  if (!springs->original->solvability) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(VecAXPY(y, -1, springs->original->solvability->rest));
+  if (!springs->solvability) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecAXPY(y, -1, springs->solvability->rest));
   PetscCall(RestAt_Private(springs, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -91,7 +91,7 @@ static PetscErrorCode Relaxed_Private(SNES snes, PetscReal *relaxed)
 
 PetscErrorCode SpringsSet(Springs *springs, Vec guess, SNES snes, PetscBool pdas)
 {
-  const Solvability s = springs->original->solvability;
+  const Solvability s = springs->solvability;
 
   PetscFunctionBeginUser;
   if (!s) PetscFunctionReturn(PETSC_SUCCESS);
@@ -132,7 +132,7 @@ static PetscErrorCode Measure_Private(Springs *springs, Vec y, PetscReal *part, 
   PetscCall(VecDot(y, forces, &all));
   PetscCall(Size_Private(springs, forces, &stresses));
   PetscCall(VecWAXPY(d, -1, springs->rest, y));
-  PetscCall(VecPointwiseMult(springs->pull, d, springs->original->solvability->springs));
+  PetscCall(VecPointwiseMult(springs->pull, d, springs->solvability->springs));
   PetscCall(Size_Private(springs, springs->pull, &pull));
   PetscCall(MatMult(A, d, forces));
   PetscCall(VecDot(d, forces, &last));
@@ -150,7 +150,7 @@ static PetscErrorCode Measure_Private(Springs *springs, Vec y, PetscReal *part, 
 /* What is solved from now on has weaker springs. */
 static PetscErrorCode Weaken_Private(Springs *springs, SNES snes, PetscBool pdas)
 {
-  const Vec w = springs->original->solvability->springs;
+  const Vec w = springs->solvability->springs;
 
   PetscFunctionBeginUser;
   springs->weaker++;
@@ -179,14 +179,14 @@ PetscErrorCode SpringsRelax(Springs *springs, SNES snes, Vec y, SolveReport *rep
 
   PetscFunctionBeginUser;
   *done = PETSC_TRUE;
-  if (!springs->original->solvability || !report->converged) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!springs->solvability || !report->converged) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(Measure_Private(springs, y, &part, &way));
   PetscCall(PetscInfo(snes, "sweep %" PetscInt_FMT ": springs pull %g of the forces, and gave %g of the solution\n",
                       report->sweeps, (double)part, (double)way));
   /* what the next sweep would give is as much less as the springs pull less; a first one does not tell */
   if (report->sweeps > 1) way *= part / springs->last;
   if (part <= springs->relaxed && way <= KEPT) PetscFunctionReturn(PETSC_SUCCESS);
-  tolerated = PetscMax(TOLERATED, springs->original->solvability->undecided);
+  tolerated = PetscMax(TOLERATED, springs->solvability->undecided);
   if (part <= tolerated &&
       part > HALVED * springs->last) { // roundoff: the better one of the two last sweeps is as good as it gets
     if (part > springs->last) PetscCall(VecCopy(springs->rest, y));
@@ -216,8 +216,8 @@ PetscErrorCode SpringsRelax(Springs *springs, SNES snes, Vec y, SolveReport *rep
 PetscErrorCode SpringsEnd(Springs *springs, Vec y)
 {
   PetscFunctionBeginUser;
-  if (!springs->original->solvability) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(VecAXPY(y, 1, springs->original->solvability->rest));
+  if (!springs->solvability) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecAXPY(y, 1, springs->solvability->rest));
   PetscCall(VecDestroy(&springs->sprung.upper));
   PetscCall(MatDestroy(&springs->sprung.A));
   PetscCall(VecDestroy(&springs->sprung.b));

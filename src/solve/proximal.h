@@ -2,6 +2,7 @@
 #ifndef MORTISE_PROXIMAL_H
 #define MORTISE_PROXIMAL_H
 
+#include "rigid/solvability.h"
 #include "solve/solve.h"
 
 /* The inequality that is solved instead: with springs W on the diagonal of A that rest at y_0, A + W and b + W y_0, for y counted from
@@ -9,6 +10,7 @@
 typedef struct {
   VI           vi;          /* what to solve */
   VI           original;    /* borrowed */
+  Solvability  solvability; /* borrowed; NULL where supports hold all bodies */
   struct _n_VI sprung;      /* a copy of the original but for A, b and upper */
   Vec          rest;        /* y_0 */
   Vec          pull, scale; /* W (y - y_0); diag(A)^(-1/2) */
@@ -18,7 +20,7 @@ typedef struct {
 } Springs;
 
 /* Makes what is to be solved, with springs at rest at 0. Collective. [out] springs - to be ended by SpringsEnd() */
-PetscErrorCode SpringsBegin(VI vi, Springs *springs);
+PetscErrorCode SpringsBegin(VI vi, Solvability solvability, Springs *springs);
 /* Lets springs rest at a guess if there is one, and begins with contacts that balance the loads if not. Collective.
    [in] snes - that is to solve, with its tolerances */
 PetscErrorCode SpringsSet(Springs *springs, Vec guess, SNES snes, PetscBool pdas);

@@ -3,7 +3,6 @@
 #include "base/compat.h"
 #include "base/log.h"
 #include "pdas/pdas.h"
-#include "problem/solvability.h"
 #include "base/warning.h"
 #include "solve/solvercontext.h"
 #include "pdas/pdasimpl.h"
@@ -48,22 +47,23 @@ static PetscErrorCode Cascade_Private(Workbench *bench, Vec y, PetscReal *gained
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, PetscBool progress, Vec guess, Vec y, SolveReport *report)
+PetscErrorCode SolveRun(VI vi, Solvability solvability, const SolveChoice *choice, PetscBool progress, Vec guess, Vec y,
+                        SolveReport *report)
 {
   const PetscBool pdas   = (PetscBool)!strcmp(choice->snes, SNESPDAS);
-  const PetscBool nested = (PetscBool)(choice->nested && (!guess || choice->stop) && (!vi->solvability || pdas));
+  const PetscBool nested = (PetscBool)(choice->nested && (!guess || choice->stop) && (!solvability || pdas));
   PetscReal       gained = 0;
   Workbench       bench;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(report, sizeof(*report)));
-  PetscCall(WorkbenchCreate(vi, choice, (PetscBool)(vi->solvability || guess || nested), &bench));
+  PetscCall(WorkbenchCreate(vi, solvability, choice, (PetscBool)(solvability || guess || nested), &bench));
   PetscCall(WorkbenchSetLevels(&bench, NULL));
   if (progress) PetscCall(ProgressSet(bench.snes, bench.springs.vi));
-  PetscCall(SolveStart(bench.springs.vi, choice, bench.snes, guess, y));
+  PetscCall(SolveStart(bench.springs.vi, solvability, choice, bench.snes, guess, y));
   if (!pdas) PetscCall(WorkbenchSetLevels(&bench, bench.snes));
   PetscCall(SpringsSet(&bench.springs, guess ? y : NULL, bench.snes, pdas));
-  if (pdas && (choice->bound || vi->solvability)) PetscCall(PDASSetKeep(bench.snes, PETSC_TRUE));
+  if (pdas && (choice->bound || solvability)) PetscCall(PDASSetKeep(bench.snes, PETSC_TRUE));
   if (bench.hierarchy) bench.hierarchy->patience.on = choice->yields;
   if (bench.hierarchy && nested) PetscCall(Cascade_Private(&bench, y, &gained));
   if (choice->stop) PetscCall(StopSet(&bench, gained));
@@ -77,13 +77,13 @@ PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, PetscBool progress, Ve
     report->foretold = PatienceForetold(&bench.hierarchy->patience);
   }
   PetscCall(WorkbenchDestroy(&bench, y));
-  PetscCall(SolvabilitySettle(vi, y));
+  PetscCall(SolvabilitySettle(vi, solvability, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* A factorisation where an iteration has failed or cost too much; and if that fails, the iteration to its end where it was but slow. */
-static PetscErrorCode Otherwise_Private(VI vi, const SolveChoice *choice, PetscBool progress, Vec guess, Vec y,
-                                        SolveReport *report)
+static PetscErrorCode Otherwise_Private(VI vi, Solvability solvability, const SolveChoice *choice, PetscBool progress,
+                                        Vec guess, Vec y, SolveReport *report)
 {
   SolveChoice other = *choice;
   PetscBool   again, slow = (PetscBool)!strcmp(report->reason, FAILURE_COST);
@@ -91,18 +91,18 @@ static PetscErrorCode Otherwise_Private(VI vi, const SolveChoice *choice, PetscB
   PetscFunctionBeginUser;
   PetscCall(SolveChooseAnother(report, &other, &again));
   if (!again) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(SolveRun(vi, &other, progress, guess, y, report));
+  PetscCall(SolveRun(vi, solvability, &other, progress, guess, y, report));
   report->gave_way = PETSC_TRUE;
   if (!slow || report->converged) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(WarningAdd(&(Warning){.code = "solver_replaced", .advice = "-pc_type truncatedmg does that at once"},
                        "the factorisation that took the place of an iteration has failed; iterating to the end"));
   other        = *choice;
   other.yields = PETSC_FALSE;
-  PetscCall(SolveRun(vi, &other, progress, guess, y, report));
+  PetscCall(SolveRun(vi, solvability, &other, progress, guess, y, report));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report)
+PetscErrorCode VISolve(VI vi, Solvability solvability, Vec guess, Vec y, SolveReport *report)
 {
   const MPI_Comm comm  = PetscObjectComm((PetscObject)vi->A);
   const Warning  slow  = {.code = "slow_solver", .advice = "-pc_type cholesky takes none"};
@@ -111,62 +111,62 @@ PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report)
   PetscBool      progress;
 
   PetscFunctionBeginUser;
-  PetscCall(SolveChoose(vi, &choice));
+  PetscCall(SolveChoose(vi, solvability, &choice));
   if (choice.nearly && !SolveFactors(choice.pc)) {
     PetscCall(WarningAdd(
         &slow, "-pc_type %s may take thousands of iterations for a body that is so nearly incompressible", choice.pc));
   }
   PetscCall(ProgressWanted(vi->scene, &progress));
   choice.keep = vi->scene->cross_check;
-  PetscCall(SolveRun(vi, &choice, progress, guess, y, report));
+  PetscCall(SolveRun(vi, solvability, &choice, progress, guess, y, report));
   if (!report->converged) PetscCall(PetscContainerDestroy(&vi->levels));
-  PetscCall(Otherwise_Private(vi, &choice, progress, guess, y, report));
+  PetscCall(Otherwise_Private(vi, solvability, &choice, progress, guess, y, report));
   report->seconds = LogWallClock() - start;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &report->seconds, 1, MPIU_REAL, MPI_MAX, comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* y without what VISolve() adds to the solution of the inequality. [out] own - to be destroyed by the caller */
-static PetscErrorCode Unsettle_Private(VI vi, Vec y, Vec *own)
+static PetscErrorCode Unsettle_Private(Solvability solvability, Vec y, Vec *own)
 {
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(y, own));
   PetscCall(VecCopy(y, *own));
-  if (vi->solvability) PetscCall(VecAXPY(*own, -1, vi->solvability->rest));
+  if (solvability) PetscCall(VecAXPY(*own, -1, solvability->rest));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* All that the solution took once more, for what is asked when it is known. [in] report - of it, or NULL if it is anybody's */
-static PetscErrorCode Again_Private(VI vi, const SolveReport *report, Workbench *bench)
+static PetscErrorCode Again_Private(VI vi, Solvability solvability, const SolveReport *report, Workbench *bench)
 {
   SolveChoice choice;
 
   PetscFunctionBeginUser;
-  PetscCall(SolveChoose(vi, &choice));
+  PetscCall(SolveChoose(vi, solvability, &choice));
   if (report) { // what was chosen may have given way to something else
     PetscCall(PetscStrncpy(choice.ksp, report->ksp, sizeof(choice.ksp)));
     PetscCall(PetscStrncpy(choice.pc, report->pc, sizeof(choice.pc)));
   }
-  PetscCall(WorkbenchCreate(vi, &choice, PETSC_FALSE, bench));
+  PetscCall(WorkbenchCreate(vi, solvability, &choice, PETSC_FALSE, bench));
   PetscCall(WorkbenchSetLevels(bench, NULL));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VIEnergyBound(VI vi, Vec y, EnergyBound *bound)
+PetscErrorCode VIEnergyBound(VI vi, Solvability solvability, Vec y, EnergyBound *bound)
 {
   Workbench bench;
   Vec       own;
 
   PetscFunctionBeginUser;
-  PetscCall(Unsettle_Private(vi, y, &own));
-  PetscCall(Again_Private(vi, NULL, &bench));
+  PetscCall(Unsettle_Private(solvability, y, &own));
+  PetscCall(Again_Private(vi, solvability, NULL, &bench));
   PetscCall(BoundCompute(&bench.springs, bench.snes, own, bound));
   PetscCall(WorkbenchDestroy(&bench, own));
   PetscCall(VecDestroy(&own));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VILinearReference(VI vi, Vec y, SolveReport *report)
+PetscErrorCode VILinearReference(VI vi, Solvability solvability, Vec y, SolveReport *report)
 {
   const MPI_Comm   comm      = PetscObjectComm((PetscObject)vi->A);
   LinearReference *reference = &report->reference;
@@ -175,11 +175,11 @@ PetscErrorCode VILinearReference(VI vi, Vec y, SolveReport *report)
   double           start;
 
   PetscFunctionBeginUser;
-  PetscCall(Unsettle_Private(vi, y, &own));
+  PetscCall(Unsettle_Private(solvability, y, &own));
   PetscCallMPI(MPI_Barrier(comm));
   LogCount(PETSC_FALSE);
   start = LogWallClock();
-  PetscCall(Again_Private(vi, report, &bench));
+  PetscCall(Again_Private(vi, solvability, report, &bench));
   PetscCall(ReferenceSolve(&bench.springs, bench.snes, own, &reference->iterations, &reference->done));
   reference->seconds = LogWallClock() - start;
   LogCount(PETSC_TRUE);

@@ -3,6 +3,7 @@
 #define MORTISE_SOLVE_H
 
 #include "problem/vi.h"
+#include "rigid/solvability.h"
 #include <petscsnes.h>
 
 enum { SOLVE_MAX_HISTORY = 512 };
@@ -54,18 +55,18 @@ typedef struct {
 
 /* Solves by -snes_type (default pdas); progress lines where the scene wants them. Not converging is not an error: the
    report says so. Collective.
-   [in] guess - displacement to begin with (ghosted, dim per node), which changes the work and not the answer; or NULL
+   [in] solvability - of vi: NULL where supports hold all bodies, here and below; [in] guess - displacement to begin with (ghosted, dim per node), which changes the work and not the answer; or NULL
    [out] y - created by the caller in the layout of vi->b */
-PetscErrorCode VISolve(VI vi, Vec guess, Vec y, SolveReport *report);
+PetscErrorCode VISolve(VI vi, Solvability solvability, Vec guess, Vec y, SolveReport *report);
 /* How far any y, converged or not, feasible or not, can be from the solution; for the price of one factorisation or linear solve.
    VISolve() has it of its own y for a substitution. Collective. */
-PetscErrorCode VIEnergyBound(VI vi, Vec y, EnergyBound *bound);
+PetscErrorCode VIEnergyBound(VI vi, Solvability solvability, Vec y, EnergyBound *bound);
 /* Solves once more with the active set of the solution y, by what solved the linear systems for it, from zero and with everything that
    needs made anew; the seconds belong to no stage. Collective. [in,out] report - of VISolve(); its reference is set */
-PetscErrorCode VILinearReference(VI vi, Vec y, SolveReport *report);
+PetscErrorCode VILinearReference(VI vi, Solvability solvability, Vec y, SolveReport *report);
 /* Solves by the other of pdas and vinewtonrsls and compares. Collective. */
-PetscErrorCode VICrossCheck(VI vi, Vec y, const SolveReport *report, CrossCheck *check);
+PetscErrorCode VICrossCheck(VI vi, Solvability solvability, Vec y, const SolveReport *report, CrossCheck *check);
 /* Prints what was chosen for the linear systems and why (part of -scene_view). Collective. */
-PetscErrorCode SolveView(VI vi);
+PetscErrorCode SolveView(VI vi, Solvability solvability);
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef MORTISE_SOLVEIMPL_H
 #define MORTISE_SOLVEIMPL_H
 
+#include "rigid/solvability.h"
 #include "solve/solve.h"
 
 /* How an inequality is to be solved. */
@@ -25,7 +26,7 @@ PetscErrorCode SolveDescribe(const char ksp[], const char pc[], const char packa
 PetscBool SolveFactors(const char pc[]);
 
 /* From -snes_type, -ksp_type, -pc_type; by size where they are silent. Faults on types that cannot. Collective. */
-PetscErrorCode SolveChoose(VI vi, SolveChoice *choice);
+PetscErrorCode SolveChoose(VI vi, Solvability solvability, SolveChoice *choice);
 
 /* The other one of pdas and vinewtonrsls: with multigrid if the first used it, else, and whatever that was, with a factorisation; with
    500 iterations, or twice those of the first.
@@ -42,9 +43,10 @@ PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, Vec scratch, Pet
 /* Solves with a SNES of its own. Collective.
    [in] progress - whether to print the table; [in] guess - displacement, or NULL; [out] y - created by the caller;
    [out] report */
-PetscErrorCode SolveRun(VI vi, const SolveChoice *choice, PetscBool progress, Vec guess, Vec y, SolveReport *report);
+PetscErrorCode SolveRun(VI vi, Solvability solvability, const SolveChoice *choice, PetscBool progress, Vec guess, Vec y,
+                        SolveReport *report);
 /* Where SolveRun() begins. Collective. [in] snes - of the choice, multigrid not yet bound to it; [in] guess - displacement, or NULL; [out] y */
-PetscErrorCode SolveStart(VI vi, const SolveChoice *choice, SNES snes, Vec guess, Vec y);
+PetscErrorCode SolveStart(VI vi, Solvability solvability, const SolveChoice *choice, SNES snes, Vec guess, Vec y);
 
 /* Prints one line per iteration on the first rank, from now to SNESDestroy(). Collective. */
 PetscErrorCode ProgressSet(SNES snes, VI vi);

@@ -155,7 +155,7 @@ static PetscErrorCode Factor_Private(SolveChoice *choice)
 }
 
 /* Whether bodies are so thin that size says nothing. */
-static PetscErrorCode Thin_Private(VI vi, const SolveChoice *choice, PetscBool *thin)
+static PetscErrorCode Thin_Private(VI vi, PetscBool floating, const SolveChoice *choice, PetscBool *thin)
 {
   PetscInt  num;
   PetscBool reducible;
@@ -164,12 +164,12 @@ static PetscErrorCode Thin_Private(VI vi, const SolveChoice *choice, PetscBool *
   *thin = PETSC_FALSE;
   if (!vi->mesh || strcmp(choice->pc, PCTRUNCATEDMG)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(Reducible_Private(vi, &num, &reducible));
-  PetscCall(ThinIsCheap(vi, num, (PetscBool)(reducible && !strcmp(choice->snes, SNESPDAS)), thin));
+  PetscCall(ThinIsCheap(vi, floating, num, (PetscBool)(reducible && !strcmp(choice->snes, SNESPDAS)), thin));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The linear solver where the user says nothing: by size, unless iterations are hopeless, or bodies thin. */
-static PetscErrorCode ChooseBySize_Private(VI vi, SolveChoice *choice)
+static PetscErrorCode ChooseBySize_Private(VI vi, PetscBool floating, SolveChoice *choice)
 {
   const char *iterative = Iterative_Private(vi, choice->snes, KSPCG);
   PetscInt    size, limit = 0;
@@ -190,7 +190,7 @@ static PetscErrorCode ChooseBySize_Private(VI vi, SolveChoice *choice)
     PetscCall(PetscSNPrintf(choice->why, sizeof(choice->why), "a Poisson's ratio above %g, whatever the size",
                             (double)ITERABLE));
   }
-  PetscCall(Thin_Private(vi, choice, &thin));
+  PetscCall(Thin_Private(vi, floating, choice, &thin));
   if (thin) {
     PetscCall(Factor_Private(choice));
     PetscCall(PetscStrncpy(choice->why, "bodies so thin that a factorisation takes less than an iteration",
@@ -200,14 +200,14 @@ static PetscErrorCode ChooseBySize_Private(VI vi, SolveChoice *choice)
 }
 
 /* To stop at the discretisation error takes the cascade, which begins with the next coarser level. */
-static PetscErrorCode ChooseStop_Private(VI vi, SolveChoice *choice)
+static PetscErrorCode ChooseStop_Private(VI vi, Solvability solvability, SolveChoice *choice)
 {
   const MPI_Comm comm = PetscObjectComm((PetscObject)vi->b);
 
   PetscFunctionBeginUser;
   choice->stop = (PetscBool)(vi->scene->stop == STOP_DISCRETISATION);
   if (!choice->stop) PetscFunctionReturn(PETSC_SUCCESS);
-  if (vi->solvability) {
+  if (solvability) {
     PetscCall(UserErrorRaise(
         comm,
         "-stop discretisation: works where supports hold all bodies, and here contact holds some; leave it away"));
@@ -270,7 +270,7 @@ static PetscBool Nested_Private(VI vi, const char pc[])
   return (PetscBool)(!strcmp(pc, PCTRUNCATEDMG) && vi->mesh && vi->mesh->num_levels > 1);
 }
 
-PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
+PetscErrorCode SolveChoose(VI vi, Solvability solvability, SolveChoice *choice)
 {
   MPI_Comm  comm;
   PetscInt  size;
@@ -284,7 +284,7 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
   PetscCall(PetscStrncpy(choice->snes, SNESPDAS, sizeof(choice->snes)));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-snes_type", choice->snes, sizeof(choice->snes), NULL));
   PetscCall(CheckBounds_Private(comm, choice->snes));
-  PetscCall(ChooseBySize_Private(vi, choice));
+  PetscCall(ChooseBySize_Private(vi, (PetscBool)(solvability != NULL), choice));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-ksp_type", choice->ksp, sizeof(choice->ksp), &ksp));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-pc_type", choice->pc, sizeof(choice->pc), &pc));
   choice->own = (PetscBool)(!ksp && !pc);
@@ -305,7 +305,7 @@ PetscErrorCode SolveChoose(VI vi, SolveChoice *choice)
     PetscCall(PetscStrncpy(choice->why, ksp ? (pc ? "-ksp_type and -pc_type" : "-ksp_type") : "-pc_type",
                            sizeof(choice->why)));
   }
-  PetscCall(ChooseStop_Private(vi, choice));
+  PetscCall(ChooseStop_Private(vi, solvability, choice));
   PetscCall(VecGetSize(vi->b, &size)); // beyond these sizes even to order pivots is too much
   choice->yields = (PetscBool)(choice->own && !choice->stop && !strcmp(choice->snes, SNESPDAS) &&
                                size <= (vi->level->dim == 3 ? DIRECT_3D : DIRECT_2D));
@@ -360,7 +360,7 @@ PetscErrorCode SolveChooseAnother(const SolveReport *report, SolveChoice *choice
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveView(VI vi)
+PetscErrorCode SolveView(VI vi, Solvability solvability)
 {
   SolveChoice choice;
   MPI_Comm    comm;
@@ -369,7 +369,7 @@ PetscErrorCode SolveView(VI vi)
 
   PetscFunctionBeginUser;
   PetscCall(PetscObjectGetComm((PetscObject)vi->A, &comm));
-  PetscCall(SolveChoose(vi, &choice));
+  PetscCall(SolveChoose(vi, solvability, &choice));
   if (!strcmp(choice.pc, PCTRUNCATEDMG) && vi->mesh->num_levels == 1)
     levels = "; on levels of some of its nodes, since the mesh has one level";
   PetscCall(SolveDescribe(choice.ksp, choice.pc, NULL, words, sizeof(words)));

@@ -2,7 +2,7 @@
 #include <string.h>
 #include "base/compat.h"
 #include "pdas/pdas.h"
-#include "problem/solvability.h"
+#include "rigid/nearnullspace.h"
 #include "solve/solvercontext.h"
 #include "multigrid/multigrid.h"
 
@@ -51,27 +51,30 @@ static PetscErrorCode Prepare_Private(VI vi, const SolveChoice *choice)
 
   PetscFunctionBeginUser;
   if (!multigrid) PetscCall(VIAssemble(vi));
-  if (!multigrid && !SolveFactors(choice->pc)) PetscCall(VIAttachModes(vi));
+  if (!multigrid && !SolveFactors(choice->pc)) PetscCall(NearNullSpaceAttach(vi));
   if (multigrid) PetscCall(VIPrepareProducts(vi)); // here: of a copy with springs nobody would give them back
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode WorkbenchSetLevels(Workbench *bench, SNES snes)
 {
-  const VI   vi        = bench->springs.vi;
-  Hierarchy *hierarchy = &bench->hierarchy;
-  PetscBool  multigrid;
+  const Springs *springs   = &bench->springs;
+  const VI       vi        = springs->vi;
+  Hierarchy     *hierarchy = &bench->hierarchy;
+  PetscBool      multigrid;
 
   PetscFunctionBeginUser;
   PetscCall(PetscObjectTypeCompare((PetscObject)bench->pc, PCTRUNCATEDMG, &multigrid));
   if (!multigrid || !vi->mesh) PetscFunctionReturn(PETSC_SUCCESS);
-  if (!*hierarchy) PetscCall(HierarchyTake(bench->springs.original, vi, hierarchy));
-  if (!*hierarchy) PetscCall(HierarchyCreate(vi, vi->solvability ? vi->solvability->springs : NULL, hierarchy));
+  if (!*hierarchy) PetscCall(HierarchyTake(springs->original, vi, hierarchy));
+  if (!*hierarchy)
+    PetscCall(HierarchyCreate(vi, springs->solvability ? springs->solvability->springs : NULL, hierarchy));
   PetscCall(MultigridSetHierarchy(bench->pc, *hierarchy, (*hierarchy)->num - 1, snes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode WorkbenchCreate(VI vi, const SolveChoice *choice, PetscBool previous, Workbench *bench)
+PetscErrorCode WorkbenchCreate(VI vi, Solvability solvability, const SolveChoice *choice, PetscBool previous,
+                               Workbench *bench)
 {
   KSP ksp;
 
@@ -80,7 +83,7 @@ PetscErrorCode WorkbenchCreate(VI vi, const SolveChoice *choice, PetscBool previ
   bench->prefix = choice->prefix;
   bench->keep   = choice->keep;
   PetscCall(Prepare_Private(vi, choice));
-  PetscCall(SpringsBegin(vi, &bench->springs));
+  PetscCall(SpringsBegin(vi, solvability, &bench->springs));
   PetscCall(VecDuplicate(vi->b, &bench->scratch));
   Defaults_Private(vi, choice, previous, bench->defaults);
   PetscCall(DefaultsApply_Private(bench, PETSC_TRUE));

@@ -30,7 +30,8 @@ typedef struct {
 } Workbench;
 
 /* Collective. [in] previous - whether there is a set to begin with; [out] bench - not to be moved: the SNES knows where it is */
-PetscErrorCode WorkbenchCreate(VI vi, const SolveChoice *choice, PetscBool previous, Workbench *bench);
+PetscErrorCode WorkbenchCreate(VI vi, Solvability solvability, const SolveChoice *choice, PetscBool previous,
+                               Workbench *bench);
 /* The levels that the preconditioner works on, if it does; those that the solve before has kept if there are any. Collective.
    [in] snes - that leaves it the free unknowns alone, or NULL */
 PetscErrorCode WorkbenchSetLevels(Workbench *bench, SNES snes);

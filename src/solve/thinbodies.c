@@ -83,7 +83,7 @@ static PetscErrorCode Walk_Private(const Level *level, const PetscScalar a[], Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ThinIsCheap(VI vi, PetscInt num, PetscBool one, PetscBool *cheap)
+PetscErrorCode ThinIsCheap(VI vi, PetscBool floating, PetscInt num, PetscBool one, PetscBool *cheap)
 {
   const PetscReal    bounded = (PetscReal)num;
   const PetscScalar *a;
@@ -105,7 +105,7 @@ PetscErrorCode ThinIsCheap(VI vi, PetscInt num, PetscBool one, PetscBool *cheap)
   }
   PetscCall(VecRestoreArrayRead(ends, &a));
   PetscCall(VecDestroy(&ends));
-  *cheap = (PetscBool)(least <= (vi->solvability ? FLOATS : HELD) * unit);
+  *cheap = (PetscBool)(least <= (floating ? FLOATS : HELD) * unit);
   PetscCall(PetscInfo(vi->K, "a frontal factorisation takes %g products\n", (double)(least / unit)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -2,7 +2,6 @@
 #include "base/compat.h"
 #include "base/log.h"
 #include "study/run.h"
-#include "problem/solvability.h"
 #include "base/warning.h"
 #include "study/reachcheck.h"
 
@@ -18,14 +17,16 @@ static PetscErrorCode Solve_Private(Run run, Vec guess, PetscBool *again)
   PetscFunctionBeginUser;
   PetscCall(LogStageBegin(STAGE_SOLVE));
   PetscCall(VecDuplicate(run->vi->b, &run->y));
-  PetscCall(VISolve(run->vi, guess, run->y, &run->report));
-  if (scene->cross_check && run->report.converged) PetscCall(VICrossCheck(run->vi, run->y, &run->report, &run->check));
+  PetscCall(VISolve(run->vi, run->solvability, guess, run->y, &run->report));
+  if (scene->cross_check && run->report.converged)
+    PetscCall(VICrossCheck(run->vi, run->solvability, run->y, &run->report, &run->check));
   PetscCall(LogStageEnd(STAGE_SOLVE));
-  if (scene->measure_linear && run->report.converged) PetscCall(VILinearReference(run->vi, run->y, &run->report));
+  if (scene->measure_linear && run->report.converged)
+    PetscCall(VILinearReference(run->vi, run->solvability, run->y, &run->report));
   PetscCall(SceneCheckUnused(scene, PETSC_FALSE));
 
   PetscCall(LogStageBegin(STAGE_OUTPUT));
-  PetscCall(FieldsCreate(run->vi, run->y, &run->fields));
+  PetscCall(FieldsCreate(run->vi, run->solvability, run->y, &run->fields));
   PetscCall(CertificateCompute(run->fields, &run->certificate, &run->reactions));
   PetscCall(LogStageEnd(STAGE_OUTPUT));
   if (run->certificate.holds) PetscCall(BeyondReach(run, again));
@@ -39,7 +40,7 @@ static PetscErrorCode Solve_Private(Run run, Vec guess, PetscBool *again)
 /* Nothing is solved where there is no solution, and nothing is known. */
 static PetscErrorCode Refuse_Private(Run run)
 {
-  const Solvability s = run->vi->solvability;
+  const Solvability s = run->solvability;
   Certificate      *c = &run->certificate;
 
   PetscFunctionBeginUser;
@@ -63,13 +64,14 @@ static PetscErrorCode Try_Private(Scene scene, Mesh mesh, Vec guess, Run *run_ou
   run->scene = scene;
   run->mesh  = mesh;
   PetscCall(VICreate(scene, mesh, &run->vi));
+  PetscCall(SolvabilityCreate(run->vi, &run->solvability));
   if (scene->view) {
     PetscCall(SceneView(scene));
-    PetscCall(ModelView(run->vi));
-    PetscCall(SolveView(run->vi));
+    PetscCall(ModelView(run->vi, run->solvability));
+    PetscCall(SolveView(run->vi, run->solvability));
   }
   PetscCall(ErrorsCheck(run->vi));
-  run->refused = (PetscBool)(run->vi->solvability && run->vi->solvability->verdict == SOLVABLE_NOT);
+  run->refused = (PetscBool)(run->solvability && run->solvability->verdict == SOLVABLE_NOT);
   if (run->refused)
     PetscCall(Refuse_Private(run));
   else
@@ -112,6 +114,7 @@ PetscErrorCode RunDestroy(Run *run)
   PetscCall(VecDestroy(&(*run)->y));
   PetscCall(ErrorsDestroy(&(*run)->errors));
   PetscCall(FieldsDestroy(&(*run)->fields));
+  PetscCall(SolvabilityDestroy(&(*run)->solvability));
   PetscCall(VIDestroy(&(*run)->vi));
   PetscCall(PetscFree(*run));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -122,6 +125,7 @@ SummaryInput RunSummary(Run run)
   return (SummaryInput){.scene       = run->scene,
                         .mesh        = run->mesh,
                         .vi          = run->vi,
+                        .solvability = run->solvability,
                         .fields      = run->fields,
                         .report      = &run->report,
                         .check       = &run->check,

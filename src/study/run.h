@@ -12,6 +12,7 @@ struct _n_Run {
   Scene       scene; /* borrowed */
   Mesh        mesh;  /* borrowed */
   VI          vi;
+  Solvability solvability; /* NULL where supports hold all bodies */
   Vec         y;
   SolveReport report;
   CrossCheck  check;

@@ -234,7 +234,8 @@ PetscErrorCode StudyWriteBest(Study study, Run run)
   PetscCall(SummaryCreate(&input, &study->summary));
   if (study->scene->output) {
     PetscCall(OutputCreate(study->scene->comm, &study->output));
-    PetscCall(run->refused ? OutputAddMotion(study->output, run->vi) : OutputAddFields(study->output, run->fields));
+    PetscCall(run->refused ? OutputAddMotion(study->output, run->vi, &run->solvability->motion)
+                           : OutputAddFields(study->output, run->fields));
   }
   study->shown = PETSC_TRUE;
   PetscFunctionReturn(PETSC_SUCCESS);

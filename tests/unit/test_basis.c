@@ -1,7 +1,7 @@
 /* test_basis.c -- the change of basis: rows of B are single unknowns, rigid motions keep A's null space, supports are met,
    whatever the order, whichever nodes carry multipliers, in the plane and in space, and on any number of ranks. */
 #include "base/compat.h"
-#include "problem/vi.h"
+#include "rigid/nearnullspace.h"
 #include "mesh_scene.h"
 #include "solid_scene.h"
 #include "uniform.h"
@@ -118,7 +118,7 @@ static void TestMotions(VI vi)
   Vec          image;
   PetscReal    norm;
 
-  CHECK(!VIAttachModes(vi));
+  CHECK(!NearNullSpaceAttach(vi));
   CHECK(!MatGetNearNullSpace(vi->A, &space));
   CHECK(!MatNullSpaceGetVecs(space, NULL, &num, &vectors));
   CHECK(num == (vi->level->dim == 3 ? 6 : 3) * vi->scene->num_bodies);

@@ -41,9 +41,9 @@ static PetscErrorCode Solve(Case *c, PetscReal push)
   PetscCall(MeshSetUp(c->mesh));
   PetscCall(VICreate(&c->scene, c->mesh, &c->vi));
   PetscCall(VecDuplicate(c->vi->b, &c->y));
-  PetscCall(VISolve(c->vi, NULL, c->y, &report));
+  PetscCall(VISolve(c->vi, NULL, NULL, c->y, &report));
   CHECK(report.converged);
-  PetscCall(FieldsCreate(c->vi, c->y, &c->fields));
+  PetscCall(FieldsCreate(c->vi, NULL, c->y, &c->fields));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -229,7 +229,7 @@ static PetscErrorCode TestErrors(PetscBool simplex, PetscInt order)
   PetscCall(CaseCreate(&c, simplex, order));
   PetscCall(VecDuplicate(c.vi->b, &y));
   PetscCall(VecZeroEntries(y));
-  PetscCall(FieldsCreate(c.vi, y, &fields));
+  PetscCall(FieldsCreate(c.vi, NULL, y, &fields));
   PetscCall(ErrorsCompute(fields, &errors));
   CHECK(!errors.any);
   PetscCall(ErrorsDestroy(&errors));
@@ -276,7 +276,7 @@ static PetscErrorCode TestSingular(PetscBool simplex, PetscInt order)
   PetscCall(ExpressionCreate(PETSC_COMM_WORLD, "-u", root_text, 2, PETSC_FALSE, &c.bodies[0].exact));
   PetscCall(VecDuplicate(c.vi->b, &y));
   PetscCall(VecZeroEntries(y));
-  PetscCall(FieldsCreate(c.vi, y, &fields));
+  PetscCall(FieldsCreate(c.vi, NULL, y, &fields));
   PetscCall(ErrorsCompute(fields, &errors));
   printf("beside a root: %.1e, %.1e\n", PetscSqr(errors.body[0].l2) / (thickness * l2) - 1,
          PetscSqr(errors.body[0].energy) / (thickness * energy) - 1);

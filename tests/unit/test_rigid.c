@@ -1,6 +1,6 @@
 /* test_rigid.c -- which rigid motions supports leave to a body. */
 #include "base/compat.h"
-#include "problem/rigid.h"
+#include "mesh/rigidmodes.h"
 #include "mesh_scene.h"
 #include "solid_scene.h"
 

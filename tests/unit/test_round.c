@@ -1,6 +1,6 @@
 /* test_round.c -- what is round where forces carry a body, and what is an edge, or flat. */
 #include "base/compat.h"
-#include "problem/solvability.h"
+#include "rigid/solvability.h"
 #include "test.h"
 #include "result/roundness.h"
 
@@ -39,6 +39,7 @@ static PetscErrorCode Check(const char *const more[], PetscBool expected)
   Scene                    scene;
   Mesh                     mesh;
   VI                       vi;
+  Solvability              solvability;
   PetscBool                round;
 
   PetscFunctionBeginUser;
@@ -50,9 +51,11 @@ static PetscErrorCode Check(const char *const more[], PetscBool expected)
   PetscCall(MeshCreate(scene, &mesh));
   PetscCall(MeshSetUp(mesh));
   PetscCall(VICreate(scene, mesh, &vi));
-  CHECK(vi->solvability);
-  PetscCall(RoundCarries(vi, &round));
+  PetscCall(SolvabilityCreate(vi, &solvability));
+  CHECK(solvability);
+  PetscCall(RoundCarries(vi, solvability, &round));
   CHECK(round == expected);
+  PetscCall(SolvabilityDestroy(&solvability));
   PetscCall(VIDestroy(&vi));
   PetscCall(MeshDestroy(&mesh));
   PetscCall(SceneDestroy(&scene));

@@ -36,7 +36,7 @@ static PetscErrorCode TestPress(PetscReal height, PetscReal young, PetscInt most
   PetscCall(MeshSetUp(mesh));
   PetscCall(VICreate(&scene, mesh, &vi));
   PetscCall(VecDuplicate(vi->b, &y));
-  PetscCall(VISolve(vi, NULL, y, &report));
+  PetscCall(VISolve(vi, NULL, NULL, y, &report));
   CHECK(report.converged);
   CHECK(report.linear_iterations > 0 && report.linear_iterations <= most);
   PetscCall(VecDestroy(&y));

@@ -2,22 +2,15 @@
 #ifndef MORTISE_RIGIDIMPL_H
 #define MORTISE_RIGIDIMPL_H
 
-#include "problem/solvability.h"
-#include "problem/basischange.h"
-#include "problem/conennls.h"
-
-/* Judges vi, which is complete but for this, and makes what solvers need. Collective. [in] fixed - global unknowns with unit
-   rows [num_fixed] */
-PetscErrorCode SolvabilityCreate(VI vi, const NodeBases *bases, const Couplings *couplings, PetscInt num_fixed,
-                                 const PetscInt fixed[], Solvability *solvability);
+#include "rigid/conennls.h"
+#include "rigid/solvability.h"
 
 /* The rows of B as rows of contact, and those of the bodies themselves where partners end within facets: s->cover. Collective. */
 PetscErrorCode CoverCreate(VI vi, Solvability s);
 PetscErrorCode CoverDestroy(Solvability s);
 
 /* Springs (eq. 12.6), and where they rest. Collective. */
-PetscErrorCode SpringsCreate(VI vi, const NodeBases *bases, PetscInt num_fixed, const PetscInt fixed[],
-                             Solvability solvability);
+PetscErrorCode SpringsCreate(VI vi, Solvability solvability);
 
 /* min |q - target|  over  row.q <= bound for all rows, bound >= 0; equality for rows of both signs. Collective.
    [in] bound - [cone->num]; [in] target - [m]; [out] q - the same on all ranks [m] */

@@ -4,7 +4,8 @@
    y a motion is y = T^-1 u: the ordinary unknowns of u~ = S^-1 u, F u~ at special nodes, and (B u)_row / D_row where
    a row of B is an unknown. */
 #include "base/compat.h"
-#include "problem/nearnullspace.h"
+#include "base/log.h"
+#include "rigid/nearnullspace.h"
 
 /* A vector shorter than this share of its first length is a combination of the ones before it. */
 static const PetscReal DEPENDENT = 1e-8;
@@ -34,55 +35,6 @@ static PetscErrorCode SetMotion_Private(const Level *level, PetscInt body, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ModesSetMotion(VI vi, PetscInt k, Vec u)
-{
-  const Level     *level = vi->level;
-  const PetscInt   dim = level->dim, piece = vi->motions.piece[k];
-  const PetscReal *motion = &vi->motions.motion[k * RIGID_COMPONENTS];
-  PetscScalar     *ua;
-
-  PetscFunctionBeginUser;
-  PetscCall(VecZeroEntries(u));
-  PetscCall(VecGetArray(u, &ua));
-  for (PetscInt i = 0; i < level->num_owned; i++) {
-    if (vi->motions.pieces.of_node[i] == piece)
-      RigidMotionAt(dim, &vi->motions.frames[4 * piece], motion, &level->coords[i * dim], &ua[i * dim]);
-  }
-  PetscCall(VecRestoreArray(u, &ua));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode ModesApplyInverse(VI vi, const NodeBases *bases, const Couplings *couplings, Vec u, Vec Bu, Vec y)
-{
-  const PetscInt     dim = vi->level->dim;
-  const PetscScalar *ba;
-  PetscScalar       *ya;
-
-  PetscFunctionBeginUser;
-  if (couplings->unshift) {
-    PetscCall(MatMultAdd(couplings->unshift, u, u, y));
-  } else {
-    PetscCall(VecCopy(u, y));
-  }
-  PetscCall(VecGetArray(y, &ya));
-  for (PetscInt s = 0; s < bases->num; s++) {
-    PetscScalar *yi = &ya[bases->node[s] * dim], ui[3];
-    for (PetscInt k = 0; k < dim; k++) ui[k] = yi[k];
-    for (PetscInt r = 0; r < dim; r++) {
-      yi[r] = 0;
-      for (PetscInt k = 0; k < dim; k++) yi[r] += bases->F[(s * dim + r) * dim + k] * ui[k];
-    }
-  }
-  if (Bu) {
-    PetscCall(MatMult(vi->B, u, Bu));
-    PetscCall(VecGetArrayRead(Bu, &ba));
-    for (PetscInt r = 0; r < vi->num_rows; r++) ya[vi->row_dof[r] - dim * vi->level->node_begin] = ba[r] / vi->row_D[r];
-    PetscCall(VecRestoreArrayRead(Bu, &ba));
-  }
-  PetscCall(VecRestoreArray(y, &ya));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Orthonormalises against the vectors before; drops it where nothing is left (its body is fully held). */
 static PetscErrorCode Orthonormalize_Private(PetscInt *num, Vec vectors[])
 {
@@ -103,26 +55,25 @@ static PetscErrorCode Orthonormalize_Private(PetscInt *num, Vec vectors[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ModesAttach(VI vi, const NodeBases *bases, const Couplings *couplings, PetscInt num_fixed,
-                           const PetscInt fixed[])
+PetscErrorCode NearNullSpaceAttach(VI vi)
 {
   const PetscInt dim = vi->level->dim, per_body = dim * (dim + 1) / 2, max = vi->scene->num_bodies * per_body;
-  const PetscInt first = dim * vi->level->node_begin;
-  PetscInt       num   = 0;
-  Vec            u, Bu = NULL, *vectors;
+  PetscInt       num = 0;
+  Vec            u, *vectors;
   PetscScalar   *ya;
   MatNullSpace   space;
 
   PetscFunctionBeginUser;
+  if (!vi->basis) PetscFunctionReturn(PETSC_SUCCESS); // made from a matrix, not from bodies
+  PetscCall(LogStageBegin(STAGE_CONDENSE));
   PetscCall(VecDuplicate(vi->f, &u));
-  if (vi->G) PetscCall(VecDuplicate(vi->G, &Bu));
   PetscCall(VecDuplicateVecs(vi->upper, max, &vectors));
   for (PetscInt b = 0; b < vi->scene->num_bodies; b++) {
     for (PetscInt mode = 0; mode < per_body; mode++) {
       PetscCall(SetMotion_Private(vi->level, b, mode, u));
-      PetscCall(ModesApplyInverse(vi, bases, couplings, u, Bu, vectors[num]));
+      PetscCall(VIApplyInverse(vi, u, vectors[num]));
       PetscCall(VecGetArray(vectors[num], &ya));
-      for (PetscInt i = 0; i < num_fixed; i++) ya[fixed[i] - first] = 0;
+      for (PetscInt i = 0; i < vi->num_fixed; i++) ya[vi->fixed_local[i]] = 0;
       PetscCall(VecRestoreArray(vectors[num], &ya));
       PetscCall(Orthonormalize_Private(&num, vectors));
     }
@@ -131,7 +82,7 @@ PetscErrorCode ModesAttach(VI vi, const NodeBases *bases, const Couplings *coupl
   PetscCall(MatSetNearNullSpace(vi->A, space));
   PetscCall(MatNullSpaceDestroy(&space));
   PetscCall(VecDestroyVecs(max, &vectors));
-  PetscCall(VecDestroy(&Bu));
   PetscCall(VecDestroy(&u));
+  PetscCall(LogStageEnd(STAGE_CONDENSE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -6,7 +6,7 @@
 
    References: [1] Lawson, Hanson, Solving Least Squares Problems, 1974, problem LDP. */
 #include "base/compat.h"
-#include "problem/rigidimpl.h"
+#include "rigid/rigidimpl.h"
 
 /* Of the residual along rows in use, whose last component is between 0 and 1. */
 static const PetscReal PRICE = 1e-14;

@@ -1,7 +1,7 @@
 /* conennls.c -- the rank with the most promising row tells it to all. */
 #include "base/compat.h"
 #include "kernel/dense.h"
-#include "problem/conennls.h"
+#include "rigid/conennls.h"
 
 /* An eigenvalue of C'C, the square of a ratio of lengths, counts as 0 below this part of the largest. */
 static const PetscReal RANK_TOLERANCE = 1e-12;

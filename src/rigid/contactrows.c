@@ -5,7 +5,7 @@
    partner's end. On facets that are covered in part the rows of their nodes are therefore replaced by n.[u] at the corners of the covered
    part; in between it is a mean of these. */
 #include "base/compat.h"
-#include "problem/rigidimpl.h"
+#include "rigid/rigidimpl.h"
 
 /* n.[u] of all rigid motions at a place. [out] row - [m] */
 static void Row_Private(VI vi, const ContactPlace *place, const PetscReal n[], PetscReal row[])

@@ -8,9 +8,9 @@
    References: [1] Lions, Stampacchia, Variational inequalities, 1967. [2] Fichera, Boundary value problems of elasticity with
                unilateral constraints, 1972. [3] Frank, Wolfe, An algorithm for quadratic programming, 1956. */
 #include "base/compat.h"
+#include "base/log.h"
 #include "kernel/dense.h"
-#include "problem/rigidimpl.h"
-#include "problem/nearnullspace.h"
+#include "rigid/rigidimpl.h"
 
 /* Loads are in balance if what is left is below this part of the sum of their sizes. */
 static const PetscReal BALANCED = 1e-10;
@@ -27,28 +27,45 @@ static const PetscReal NUDGE = 1e-6;
 /* ... by at least so much. */
 static const PetscReal LEFT = 1e-11;
 
+/* u of one of vi->motions. [out] u - ghosted, ghosts not set. Not collective. */
+static PetscErrorCode SetMotion_Private(VI vi, PetscInt k, Vec u)
+{
+  const Level     *level = vi->level;
+  const PetscInt   dim = level->dim, piece = vi->motions.piece[k];
+  const PetscReal *motion = &vi->motions.motion[k * RIGID_COMPONENTS];
+  PetscScalar     *ua;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecZeroEntries(u));
+  PetscCall(VecGetArray(u, &ua));
+  for (PetscInt i = 0; i < level->num_owned; i++) {
+    if (vi->motions.pieces.of_node[i] == piece)
+      RigidMotionAt(dim, &vi->motions.frames[4 * piece], motion, &level->coords[i * dim], &ua[i * dim]);
+  }
+  PetscCall(VecRestoreArray(u, &ua));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Modes, C, phi, and the size of the forces. */
-static PetscErrorCode Matrices_Private(VI vi, const NodeBases *bases, const Couplings *couplings, Solvability s)
+static PetscErrorCode Matrices_Private(VI vi, Solvability s)
 {
   const Level       *level = vi->level;
   const PetscInt     dim = level->dim, first = dim * level->node_begin;
-  Vec                u, Bu                   = NULL;
+  Vec                u;
   const PetscScalar *f, *y;
 
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(vi->f, &u));
-  if (vi->G) PetscCall(VecDuplicate(vi->G, &Bu));
   for (PetscInt k = 0; k < s->m; k++) {
-    PetscCall(ModesSetMotion(vi, k, u));
+    PetscCall(SetMotion_Private(vi, k, u));
     PetscCall(VecDot(vi->f, u, &s->phi[k]));
     PetscCall(VecDuplicate(vi->upper, &s->modes[k]));
-    PetscCall(ModesApplyInverse(vi, bases, couplings, u, Bu, s->modes[k]));
+    PetscCall(VIApplyInverse(vi, u, s->modes[k]));
     PetscCall(VecGetArrayRead(s->modes[k], &y));
     for (PetscInt r = 0; r < vi->num_rows; r++) s->C[r * s->m + k] = PetscRealPart(y[vi->row_dof[r] - first]);
     PetscCall(VecRestoreArrayRead(s->modes[k], &y));
   }
   PetscCall(VecDestroy(&u));
-  PetscCall(VecDestroy(&Bu));
   PetscCall(VecGetArrayRead(vi->f, &f));
   for (PetscInt a = 0; a < level->num_owned; a++) {
     if (!vi->motions.loose[vi->motions.pieces.of_node[a]]) continue;
@@ -352,21 +369,24 @@ static PetscErrorCode Judge_Private(VI vi, Solvability s)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolvabilityCreate(VI vi, const NodeBases *bases, const Couplings *couplings, PetscInt num_fixed,
-                                 const PetscInt fixed[], Solvability *solvability)
+PetscErrorCode SolvabilityCreate(VI vi, Solvability *solvability)
 {
   Solvability s;
 
   PetscFunctionBeginUser;
+  *solvability = NULL;
+  if (!vi->motions.num) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(LogStageBegin(STAGE_CONDENSE));
   PetscCall(PetscNew(&s));
   s->m = vi->motions.num;
   PetscCall(PetscCalloc6(s->m, &s->modes, vi->num_rows * s->m, &s->C, vi->num_rows, &s->both, s->m, &s->phi,
                          vi->num_rows, &s->y, vi->num_rows, &s->place));
   PetscCall(Places_Private(vi, s));
-  PetscCall(Matrices_Private(vi, bases, couplings, s));
+  PetscCall(Matrices_Private(vi, s));
   PetscCall(CoverCreate(vi, s));
   PetscCall(Judge_Private(vi, s));
-  if (s->verdict != SOLVABLE_NOT) PetscCall(SpringsCreate(vi, bases, num_fixed, fixed, s));
+  if (s->verdict != SOLVABLE_NOT) PetscCall(SpringsCreate(vi, s));
+  PetscCall(LogStageEnd(STAGE_CONDENSE));
   *solvability = s;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,8 +1,8 @@
-/* rigidmodes.c -- rigid motions as people see them: where bodies go, about which points they turn, and what that is called. */
+/* scenemotion.c -- rigid motions as people see them: where bodies go, about which points they turn, and what that is called. */
 #include <math.h>
 #include <string.h>
 #include "base/compat.h"
-#include "problem/rigidimpl.h"
+#include "rigid/rigidimpl.h"
 
 /* Parts of a motion below this part of the largest are rounding, and are left out. */
 static const PetscReal NEGLIGIBLE = 1e-8;

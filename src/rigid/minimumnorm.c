@@ -5,7 +5,7 @@
    quadratic problem in as many unknowns as there are free motions, whose constraints are the gaps that are left. */
 #include "base/compat.h"
 #include "kernel/dense.h"
-#include "problem/rigidimpl.h"
+#include "rigid/rigidimpl.h"
 
 /* A contact presses if its pressure exceeds this part of the largest. */
 static const PetscReal PRESSED = 1e-9;
@@ -200,15 +200,14 @@ static PetscErrorCode Tell_Private(VI vi, Solvability s, PetscInt n, const Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolvabilitySettle(VI vi, Vec y)
+PetscErrorCode SolvabilitySettle(VI vi, Solvability s, Vec y)
 {
-  const Solvability s     = vi->solvability;
-  const PetscInt    first = vi->level->dim * vi->level->node_begin;
-  Cone              cone;
-  Vec               u;
-  Play              play;
-  PetscReal        *kernel, *q;
-  PetscInt          n;
+  const PetscInt first = vi->level->dim * vi->level->node_begin;
+  Cone           cone;
+  Vec            u;
+  Play           play;
+  PetscReal     *kernel, *q;
+  PetscInt       n;
 
   PetscFunctionBeginUser;
   if (!s || s->verdict == SOLVABLE_NOT) PetscFunctionReturn(PETSC_SUCCESS);

@@ -1,10 +1,10 @@
-/* rigid.c -- which rigid motions do supports leave to a piece of a body?
+/* rigidmodes.c -- which rigid motions do supports leave to a piece of a body?
 
    The rows (d, d.rotation(x)) of all held directions d at places x, rotations taken about the piece's centre and scaled by half
    its size, span all rigid motions exactly if none is left. What they do not span is the kernel of their Gram matrix. */
 #include "base/compat.h"
 #include "kernel/dense.h"
-#include "problem/rigid.h"
+#include "mesh/rigidmodes.h"
 
 /* An eigenvalue counts as 0 below this part of the largest. It is the square of a ratio of lengths, (size of the
    held part / size of the piece)^2 at worst, which stays above for a piece held at two neighbouring nodes. */

@@ -1,9 +1,9 @@
-/* rigid.h -- the rigid motions that supports leave to the pieces of bodies (eq. 12.1).
+/* rigidmodes.h -- the rigid motions that supports leave to the pieces of bodies (eq. 12.1).
 
    A motion of a piece is written as six numbers (t, r): it moves a point x by t + r x (x - c) / s, with c the centre of the
    piece's box and s half its diagonal. In a plane t_z = r_x = r_y = 0; of a ring only t_y, along its axis, is rigid. */
-#ifndef MORTISE_RIGID_H
-#define MORTISE_RIGID_H
+#ifndef MORTISE_RIGIDMODES_H
+#define MORTISE_RIGIDMODES_H
 
 #include "mesh/components.h"
 #include "mesh/support.h"

@@ -5,7 +5,7 @@
    was, and the solution of the problem is where they have nothing left to do. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
-#include "problem/rigidimpl.h"
+#include "rigid/rigidimpl.h"
 
 /* Stiffness of a spring by that of bodies: each solution is nearer to the next by this factor, and the matrix has
    a condition number of its inverse at least. */
@@ -16,20 +16,21 @@ static const PetscReal FAR = 1e3;
 static const PetscReal CLOSED = 1e-9;
 
 /* Which of this rank's nodes may carry springs: not those whose unknowns mean something else, if there are others. */
-static PetscErrorCode Candidates_Private(VI vi, const NodeBases *bases, PetscBool candidate[])
+static PetscErrorCode Candidates_Private(VI vi, PetscBool candidate[])
 {
   const Level   *level      = vi->level;
   const PetscInt num_pieces = vi->motions.pieces.num;
   PetscInt      *ordinary;
 
   PetscFunctionBeginUser;
+  PetscCall(VIMarkCartesian(vi, candidate));
   PetscCall(PetscCalloc1(num_pieces, &ordinary));
-  for (PetscInt a = 0; a < level->num_owned; a++) ordinary[vi->motions.pieces.of_node[a]] += bases->of_node[a] < 0;
+  for (PetscInt a = 0; a < level->num_owned; a++) ordinary[vi->motions.pieces.of_node[a]] += candidate[a] ? 1 : 0;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, ordinary, (PetscMPIInt)num_pieces, MPIU_INT, MPI_SUM, level->comm));
   for (PetscInt a = 0; a < level->num_owned; a++) {
     const PetscInt b = vi->motions.pieces.of_node[a];
 
-    candidate[a] = (PetscBool)(vi->motions.loose[b] && (bases->of_node[a] < 0 || ordinary[b] <= level->dim));
+    candidate[a] = (PetscBool)(vi->motions.loose[b] && (candidate[a] || ordinary[b] <= level->dim));
   }
   PetscCall(PetscFree(ordinary));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -115,8 +116,7 @@ static PetscErrorCode Stiffness_Private(VI vi, PetscReal weak[])
 }
 
 /* Springs at dim + 1 nodes of each piece of a body that floats, at all unknowns of these that are not fixed. */
-static PetscErrorCode Place_Private(VI vi, const NodeBases *bases, PetscInt num_fixed, const PetscInt fixed[],
-                                    Vec springs)
+static PetscErrorCode Place_Private(VI vi, Vec springs)
 {
   const Level   *level  = vi->level;
   const Pieces  *pieces = &vi->motions.pieces;
@@ -129,7 +129,7 @@ static PetscErrorCode Place_Private(VI vi, const NodeBases *bases, PetscInt num_
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc5(level->num_owned, &candidate, level->num_owned, &distance, 3 * num, &places,
                          vi->motions.num_bodies, &weak, num, &taken));
-  PetscCall(Candidates_Private(vi, bases, candidate));
+  PetscCall(Candidates_Private(vi, candidate));
   PetscCall(Stiffness_Private(vi, weak));
   for (PetscInt b = 0; b < num; b++)
     for (PetscInt k = 0; k < 3; k++) places[3 * b + k] = vi->motions.frames[4 * b + k];
@@ -148,7 +148,7 @@ static PetscErrorCode Place_Private(VI vi, const NodeBases *bases, PetscInt num_
     for (PetscInt b = 0; b < num; b++)
       for (PetscInt k = 0; k < dim && taken[b] >= 0; k++) w[taken[b] * dim + k] = weak[pieces->body[b]];
   }
-  for (PetscInt i = 0; i < num_fixed; i++) w[fixed[i] - dim * level->node_begin] = 0;
+  for (PetscInt i = 0; i < vi->num_fixed; i++) w[vi->fixed_local[i]] = 0;
   PetscCall(VecRestoreArray(springs, &w));
   PetscCall(PetscFree5(candidate, distance, places, weak, taken));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -187,7 +187,7 @@ static PetscErrorCode Rest_Private(VI vi, Solvability s, PetscReal left[], Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SpringsCreate(VI vi, const NodeBases *bases, PetscInt num_fixed, const PetscInt fixed[], Solvability s)
+PetscErrorCode SpringsCreate(VI vi, Solvability s)
 {
   const PetscInt first = vi->level->dim * vi->level->node_begin;
   PetscReal     *left, largest, closed;
@@ -197,7 +197,7 @@ PetscErrorCode SpringsCreate(VI vi, const NodeBases *bases, PetscInt num_fixed, 
   PetscCall(VecDuplicate(vi->upper, &s->springs));
   PetscCall(VecDuplicate(vi->upper, &s->rest));
   PetscCall(VecDuplicate(vi->upper, &s->start));
-  PetscCall(Place_Private(vi, bases, num_fixed, fixed, s->springs));
+  PetscCall(Place_Private(vi, s->springs));
   PetscCall(PetscMalloc1(vi->num_rows, &left));
   PetscCall(Rest_Private(vi, s, left, &largest));
   closed = CLOSED * PetscMax(largest, vi->length);

@@ -70,13 +70,17 @@ struct _n_Solvability {
   Vec          springs; /* what makes A definite, added to its diagonal while solving (eq. 12.6) */
   Vec          rest;    /* a rigid motion of bodies until they touch, from which solvers count y */
 };
+typedef struct _n_Solvability *Solvability;
 
+/* Whether contact can hold the rigid motions that supports leave. Collective. [out] solvability - owned by the caller; NULL where
+   supports leave no rigid motion */
+PetscErrorCode SolvabilityCreate(VI vi, Solvability *solvability);
 PetscErrorCode SolvabilityDestroy(Solvability *solvability);
 
 /* Of all solutions that differ from y by free motions, the one that moves least: the mean square displacement of the bodies
    that move freely is smallest (eq. 12.7). Fills in which motions are free. Nothing without rigid motions. Collective.
    [in,out] y - a solution */
-PetscErrorCode SolvabilitySettle(VI vi, Vec y);
+PetscErrorCode SolvabilitySettle(VI vi, Solvability solvability, Vec y);
 
 /* A motion of all bodies in words and numbers. Collective. [in] q - [m]; [out] motion - to be freed by SceneMotionDestroy() */
 PetscErrorCode SceneMotionCreate(VI vi, Solvability solvability, const PetscReal q[], SceneMotion *motion);
