@@ -1,4 +1,4 @@
-/* studyfiles.c -- the table, the chart and the summary of a study, rewritten as wholes after every run. */
+/* studyfiles.c -- the table and the summary of a study, rewritten as wholes after every run. */
 #include <cjson/cJSON.h>
 #include <math.h>
 #include "base/compat.h"
@@ -7,7 +7,6 @@
 #include "output/output.h"
 #include <stdlib.h>
 #include <string.h>
-#include "study/studychart.h"
 #include "study/extrapolation.h"
 #include "study/studyimpl.h"
 
@@ -208,7 +207,6 @@ PetscErrorCode StudyWriteFiles(Study study)
   if (study->scene->output && study->num) {
     if (!study->output) PetscCall(OutputCreate(study->scene->comm, &study->output));
     PetscCall(Write_Private(study, "_study.csv", WriteTable_Private));
-    if (FigureExists(study)) PetscCall(Write_Private(study, "_study.svg", FigureWrite));
     if (study->shown) {
       PetscCall(StudySummary(study, &text));
       PetscCall(PetscSNPrintf(path, sizeof(path), "%s.json", study->scene->output));

@@ -3,7 +3,6 @@
 #include "base/compat.h"
 #include <string.h>
 #include "study/extrapolation.h"
-#include "study/studychart.h"
 #include "study/studyimpl.h"
 
 enum { CELL = 24, LINE = 100 }; /* longest text of a number, of a line that is overwritten */
@@ -106,8 +105,16 @@ static PetscErrorCode PrintDifferences_Private(Study study)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether some run can be compared with a finer one. */
+static PetscBool HasDifferences_Private(Study study)
+{
+  for (PetscInt r = 0; study->num_errors && r < study->num; r++)
+    if (!PetscIsNanReal(study->records[r].errors[0].absolute)) return PETSC_TRUE;
+  return PETSC_FALSE;
+}
+
 /* Names of the files that were written. */
-static PetscErrorCode PrintFiles_Private(Study study, PetscBool figure)
+static PetscErrorCode PrintFiles_Private(Study study)
 {
   const MPI_Comm comm  = study->scene->comm;
   const Scene    scene = study->scene;
@@ -115,16 +122,11 @@ static PetscErrorCode PrintFiles_Private(Study study, PetscBool figure)
   PetscFunctionBeginUser;
   if (scene->output) {
     PetscCall(PetscPrintf(comm, "wrote %s_study.csv", scene->output));
-    if (figure) PetscCall(PetscPrintf(comm, ", _study.svg"));
     if (study->shown) {
       PetscCall(PetscPrintf(comm, ", .json"));
       PetscCall(OutputPrintNames(scene, (PetscBool)(study->best >= 0)));
     }
     PetscCall(PetscPrintf(comm, "\n"));
-    if (!figure)
-      PetscCall(PetscPrintf(comm,
-                            "no _study.svg: no run has an error that could be drawn; it needs two runs, or an exact "
-                            "solution\n"));
   }
   if (scene->summary) PetscCall(PetscPrintf(comm, "wrote %s\n", scene->summary));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -134,8 +136,8 @@ PetscErrorCode TableEnd(Study study)
 {
   PetscFunctionBeginUser;
   if (study->quiet) PetscFunctionReturn(PETSC_SUCCESS);
-  if (!study->exact && FigureExists(study)) PetscCall(PrintDifferences_Private(study));
+  if (!study->exact && HasDifferences_Private(study)) PetscCall(PrintDifferences_Private(study));
   PetscCall(ExtrapolatePrint(study));
-  PetscCall(PrintFiles_Private(study, FigureExists(study)));
+  PetscCall(PrintFiles_Private(study));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

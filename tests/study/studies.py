@@ -1,6 +1,8 @@
 """studies.py -- what the tests of studies share: their files as they are read back, and what every study has."""
 import math
+import pathlib
 import re
+import subprocess
 import xml.etree.ElementTree
 
 from judge import NAME, near, read_table, require, same
@@ -8,6 +10,7 @@ from judge import NAME, near, read_table, require, same
 COST = re.compile(r"^(seconds|peak)_")  # columns that no two runs have in common
 STAGES = ("setup", "mortar", "assembly", "condense", "solve", "output")
 FINEST = "_to_finest"  # what the table adds to names of errors that are differences from the finest run
+PLOT = pathlib.Path(__file__).parents[2] / "src" / "plot" / "mortise-plot"
 SVG = "{http://www.w3.org/2000/svg}"
 
 
@@ -28,7 +31,8 @@ def one(table, order, level):
 
 
 def words(run):
-    """All texts of the chart, which has to be well-formed."""
+    """All texts of the chart that mortise-plot draws, which has to be well-formed."""
+    subprocess.run([PLOT, run.folder / f"{NAME}_study"], check=True, capture_output=True)
     root = xml.etree.ElementTree.parse(run.folder / f"{NAME}_study.svg").getroot()
     same("root of the chart", root.tag, SVG + "svg")
     return ["".join(text.itertext()) for text in root.iter(SVG + "text")]
