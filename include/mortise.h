@@ -26,7 +26,7 @@
 #include "problem/vi.h"
 #include "rigid/solvability.h"
 #include "pdas/pdas.h"
-#include "solve/solve.h"
+#include "solve/solver.h"
 #include "result/fields.h"
 #include "result/certificate.h"
 #include "result/errors.h"

@@ -41,10 +41,4 @@ PetscErrorCode HierarchyDestroy(Hierarchy *hierarchy);
 /* Whether all that was done on the levels is too much beside a factorisation. Collective. */
 PetscErrorCode HierarchyIsOver(Hierarchy hierarchy, PetscBool *over);
 
-/* Leaves levels to vi, which destroys them in the end, for who solves it again. Collective. [in,out] hierarchy - NULL afterwards */
-PetscErrorCode HierarchyKeep(VI vi, Hierarchy *hierarchy);
-/* Takes them back. Collective. [in] from - what has them; [in] finest - their finest level from now on, a copy of from but for what springs
-   change; [out] hierarchy - owned by the caller, NULL if there are none */
-PetscErrorCode HierarchyTake(VI from, VI finest, Hierarchy *hierarchy);
-
 #endif

@@ -246,7 +246,6 @@ PetscErrorCode VIDestroy(VI *vi_in)
 
   PetscFunctionBeginUser;
   if (!vi) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscContainerDestroy(&vi->levels));
   for (PetscInt p = 0; p < vi->num_pairs; p++) PetscCall(PairDestroy(&vi->pairs[p]));
   PetscCall(PetscFree(vi->pairs));
   if (vi->basis) {

@@ -49,12 +49,11 @@ struct _n_VI {
   Vec       lower;             /* -infinity */
   PetscReal length, stiffness; /* scales */
 
-  PetscInt       num_fixed;   /* unknowns of this rank that are eliminated from A */
-  PetscInt      *fixed;       /* global numbers [num_fixed] */
-  PetscInt      *fixed_local; /* counted from this rank's first */
-  PetscBool      assembled;   /* whether A is AIJ */
-  VIBasis        basis;
-  PetscContainer levels; /* what the solve room keeps from one solve for the next, or NULL */
+  PetscInt  num_fixed;   /* unknowns of this rank that are eliminated from A */
+  PetscInt *fixed;       /* global numbers [num_fixed] */
+  PetscInt *fixed_local; /* counted from this rank's first */
+  PetscBool assembled;   /* whether A is AIJ */
+  VIBasis   basis;
 };
 typedef struct _n_VI *VI;
 

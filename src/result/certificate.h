@@ -3,7 +3,7 @@
 #define MORTISE_CERTIFICATE_H
 
 #include "result/fields.h"
-#include "solve/solve.h"
+#include "solve/solver.h"
 
 /* All dimensionless; the same on all ranks. NAN where the answer holds numbers that are not finite. */
 typedef struct {

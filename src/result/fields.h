@@ -2,7 +2,7 @@
 #ifndef MORTISE_FIELDS_H
 #define MORTISE_FIELDS_H
 
-#include "solve/solve.h"
+#include "solve/solver.h"
 
 /* Status of a node for contact. */
 typedef enum { STATUS_NONE = -1, STATUS_OPEN = 0, STATUS_CONTACT = 1, STATUS_TIED = 2 } ContactStatus;

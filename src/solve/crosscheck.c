@@ -6,7 +6,7 @@
 #include "base/compat.h"
 #include "pdas/pdas.h"
 #include "pdas/pdasimpl.h"
-#include "solve/solveimpl.h"
+#include "solve/solverimpl.h"
 
 /* Two solutions agree to this part of the largest displacement; forces and bounds to the same part of theirs. */
 static const PetscReal AGREE = 1e-9;
@@ -154,8 +154,9 @@ static PetscErrorCode AreNear_Private(VI vi, Vec first, Vec second, PetscBool it
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VICrossCheck(VI vi, Solvability solvability, Vec y, const SolveReport *report, CrossCheck *check)
+PetscErrorCode SolverCrossCheck(Solver solver, Vec y, const SolveReport *report, CrossCheck *check)
 {
+  const VI    vi = solver->vi;
   SolveChoice choice;
   Vec         second;
   Size        size;
@@ -163,12 +164,12 @@ PetscErrorCode VICrossCheck(VI vi, Solvability solvability, Vec y, const SolveRe
 
   PetscFunctionBeginUser;
   PetscCall(SolveChooseSecond(vi, report, PREFIX, &choice));
-  if (SolveFactors(choice.pc)) PetscCall(PetscContainerDestroy(&vi->levels));
+  if (SolveFactors(choice.pc)) PetscCall(HierarchyDestroy(&solver->hierarchy));
   PetscCall(VecDuplicate(y, &second));
-  PetscCall(SolveRun(vi, solvability, &choice, PETSC_FALSE, NULL, second, &check->other));
+  PetscCall(SolveRun(solver, &choice, PETSC_FALSE, NULL, second, &check->other));
   PetscCall(SolveChooseAnother(&check->other, &choice, &again));
-  if (again) PetscCall(SolveRun(vi, solvability, &choice, PETSC_FALSE, NULL, second, &check->other));
-  PetscCall(PetscContainerDestroy(&vi->levels));
+  if (again) PetscCall(SolveRun(solver, &choice, PETSC_FALSE, NULL, second, &check->other));
+  PetscCall(HierarchyDestroy(&solver->hierarchy));
   iterated = (PetscBool)(!SolveFactors(report->pc) || !SolveFactors(check->other.pc));
   PetscCall(AreNear_Private(vi, y, second, iterated, check, &size, &near));
   PetscCall(CompareSets_Private(vi, y, second, size.max, &check->active_difference));

@@ -8,7 +8,7 @@
 #include "pdas/pdas.h"
 #include "pdas/pdasimpl.h"
 #include "multigrid/multigrid.h"
-#include "solve/solveimpl.h"
+#include "solve/solverimpl.h"
 
 /* Of T y = u: good enough to tell which bounds are reached. */
 static const PetscReal GUESS_RTOL = 1e-12;

@@ -11,7 +11,7 @@
 #include "solve/nestediteration.h"
 #include "multigrid/activeprediction.h"
 #include "multigrid/multigrid.h"
-#include "solve/solveimpl.h"
+#include "solve/solverimpl.h"
 #include "solve/discretizationstop.h"
 
 /* Linear residual that is enough where there is no coarser mesh that tells the discretisation error. */

@@ -3,7 +3,7 @@
 #include "base/compat.h"
 #include "pdas/pdas.h"
 #include "base/terminal.h"
-#include "solve/solveimpl.h"
+#include "solve/solverimpl.h"
 
 typedef struct {
   VI             vi; /* borrowed */

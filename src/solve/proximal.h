@@ -3,7 +3,7 @@
 #define MORTISE_PROXIMAL_H
 
 #include "rigid/solvability.h"
-#include "solve/solve.h"
+#include "solve/solver.h"
 
 /* The inequality that is solved instead: with springs W on the diagonal of A that rest at y_0, A + W and b + W y_0, for y counted from
    where bodies touch. Without bodies that need them it is the original one. */

@@ -5,7 +5,7 @@
 #include "pdas/pdas.h"
 #include "pdas/pdasimpl.h"
 #include "multigrid/multigrid.h"
-#include "solve/solveimpl.h"
+#include "solve/solverimpl.h"
 
 /* Of an iterative linear solver, so that mostly one call of it reaches the tolerance of pdas. */
 static const PetscReal KSP_RTOL       = 1e-10;

@@ -9,7 +9,7 @@
 #include "multigrid/hierarchy.h"
 #include "multigrid/multigrid.h"
 #include "multigrid/iterationcost.h"
-#include "solve/solveimpl.h"
+#include "solve/solverimpl.h"
 
 /* Unknowns up to which factorisations beat iterating where multigrid has no coarser meshes (2D: triangles from a file, 10 sets: 414000
    unknowns 7.1 s and 1.0 GB by factorisation, 20 s and 0.8 GB by iterations) or takes many iterations, in 3D: nearly incompressible bodies, where
@@ -270,11 +270,13 @@ static PetscBool Nested_Private(VI vi, const char pc[])
   return (PetscBool)(!strcmp(pc, PCTRUNCATEDMG) && vi->mesh && vi->mesh->num_levels > 1);
 }
 
-PetscErrorCode SolveChoose(VI vi, Solvability solvability, SolveChoice *choice)
+PetscErrorCode SolveChoose(Solver solver, SolveChoice *choice)
 {
-  MPI_Comm  comm;
-  PetscInt  size;
-  PetscBool ksp, pc;
+  const VI          vi          = solver->vi;
+  const Solvability solvability = solver->solvability;
+  MPI_Comm          comm;
+  PetscInt          size;
+  PetscBool         ksp, pc;
 
   PetscFunctionBeginUser;
   PetscCall(PetscObjectGetComm((PetscObject)vi->A, &comm));
@@ -360,7 +362,7 @@ PetscErrorCode SolveChooseAnother(const SolveReport *report, SolveChoice *choice
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveView(VI vi, Solvability solvability)
+PetscErrorCode SolverView(Solver solver)
 {
   SolveChoice choice;
   MPI_Comm    comm;
@@ -368,9 +370,9 @@ PetscErrorCode SolveView(VI vi, Solvability solvability)
   const char *levels = "";
 
   PetscFunctionBeginUser;
-  PetscCall(PetscObjectGetComm((PetscObject)vi->A, &comm));
-  PetscCall(SolveChoose(vi, solvability, &choice));
-  if (!strcmp(choice.pc, PCTRUNCATEDMG) && vi->mesh->num_levels == 1)
+  PetscCall(PetscObjectGetComm((PetscObject)solver->vi->A, &comm));
+  PetscCall(SolveChoose(solver, &choice));
+  if (!strcmp(choice.pc, PCTRUNCATEDMG) && solver->vi->mesh->num_levels == 1)
     levels = "; on levels of some of its nodes, since the mesh has one level";
   PetscCall(SolveDescribe(choice.ksp, choice.pc, NULL, words, sizeof(words)));
   PetscCall(PetscPrintf(comm, "  solver %s: linear systems by %s (%s%s)\n", choice.snes, words, choice.why, levels));

@@ -56,6 +56,19 @@ static PetscErrorCode Prepare_Private(VI vi, const SolveChoice *choice)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The levels that the solve before has kept, if any: their finest one is what is solved now. */
+static void Take_Private(Workbench *bench)
+{
+  Hierarchy hierarchy = bench->solver->hierarchy;
+
+  bench->solver->hierarchy = NULL;
+  bench->hierarchy         = hierarchy;
+  if (!hierarchy) return;
+  hierarchy->grid[hierarchy->num - 1].vi = bench->springs.vi;
+  hierarchy->grid[hierarchy->num - 1].A  = bench->springs.vi->A;
+  hierarchy->work                        = 0;
+}
+
 PetscErrorCode WorkbenchSetLevels(Workbench *bench, SNES snes)
 {
   const Springs *springs   = &bench->springs;
@@ -66,24 +79,25 @@ PetscErrorCode WorkbenchSetLevels(Workbench *bench, SNES snes)
   PetscFunctionBeginUser;
   PetscCall(PetscObjectTypeCompare((PetscObject)bench->pc, PCTRUNCATEDMG, &multigrid));
   if (!multigrid || !vi->mesh) PetscFunctionReturn(PETSC_SUCCESS);
-  if (!*hierarchy) PetscCall(HierarchyTake(springs->original, vi, hierarchy));
+  if (!*hierarchy) Take_Private(bench);
   if (!*hierarchy)
     PetscCall(HierarchyCreate(vi, springs->solvability ? springs->solvability->springs : NULL, hierarchy));
   PetscCall(MultigridSetHierarchy(bench->pc, *hierarchy, (*hierarchy)->num - 1, snes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode WorkbenchCreate(VI vi, Solvability solvability, const SolveChoice *choice, PetscBool previous,
-                               Workbench *bench)
+PetscErrorCode WorkbenchCreate(Solver solver, const SolveChoice *choice, PetscBool previous, Workbench *bench)
 {
-  KSP ksp;
+  const VI vi = solver->vi;
+  KSP      ksp;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(bench, sizeof(*bench)));
+  bench->solver = solver;
   bench->prefix = choice->prefix;
   bench->keep   = choice->keep;
   PetscCall(Prepare_Private(vi, choice));
-  PetscCall(SpringsBegin(vi, solvability, &bench->springs));
+  PetscCall(SpringsBegin(vi, solver->solvability, &bench->springs));
   PetscCall(VecDuplicate(vi->b, &bench->scratch));
   Defaults_Private(vi, choice, previous, bench->defaults);
   PetscCall(DefaultsApply_Private(bench, PETSC_TRUE));
@@ -98,7 +112,11 @@ PetscErrorCode WorkbenchDestroy(Workbench *bench, Vec y)
   PetscFunctionBeginUser;
   PetscCall(DefaultsApply_Private(bench, PETSC_FALSE));
   PetscCall(SNESDestroy(&bench->snes));
-  if (bench->hierarchy && bench->keep) PetscCall(HierarchyKeep(bench->springs.original, &bench->hierarchy));
+  if (bench->hierarchy && bench->keep) {
+    PetscCall(HierarchyDestroy(&bench->solver->hierarchy));
+    bench->solver->hierarchy = bench->hierarchy;
+    bench->hierarchy         = NULL;
+  }
   PetscCall(HierarchyDestroy(&bench->hierarchy));
   PetscCall(VecDestroy(&bench->scratch));
   PetscCall(SpringsEnd(&bench->springs, y));

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 #include "multigrid/hierarchy.h"
-#include "solve/solveimpl.h"
+#include "solve/solverimpl.h"
 #include "solve/proximal.h"
 
 /* A control that can only be reached through the options database. */
@@ -18,8 +18,9 @@ typedef struct {
 enum { WORKBENCH_DEFAULTS = 4 };
 
 typedef struct {
+  Solver      solver; /* borrowed */
   const char *prefix; /* of options; borrowed */
-  PetscBool   keep;   /* whether vi is to have the levels afterwards */
+  PetscBool   keep;   /* whether the solver keeps the levels afterwards */
   Springs     springs;
   SNES        snes;
   PC          pc;        /* of its KSP */
@@ -30,8 +31,7 @@ typedef struct {
 } Workbench;
 
 /* Collective. [in] previous - whether there is a set to begin with; [out] bench - not to be moved: the SNES knows where it is */
-PetscErrorCode WorkbenchCreate(VI vi, Solvability solvability, const SolveChoice *choice, PetscBool previous,
-                               Workbench *bench);
+PetscErrorCode WorkbenchCreate(Solver solver, const SolveChoice *choice, PetscBool previous, Workbench *bench);
 /* The levels that the preconditioner works on, if it does; those that the solve before has kept if there are any. Collective.
    [in] snes - that leaves it the free unknowns alone, or NULL */
 PetscErrorCode WorkbenchSetLevels(Workbench *bench, SNES snes);

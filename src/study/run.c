@@ -17,12 +17,11 @@ static PetscErrorCode Solve_Private(Run run, Vec guess, PetscBool *again)
   PetscFunctionBeginUser;
   PetscCall(LogStageBegin(STAGE_SOLVE));
   PetscCall(VecDuplicate(run->vi->b, &run->y));
-  PetscCall(VISolve(run->vi, run->solvability, guess, run->y, &run->report));
+  PetscCall(SolverSolve(run->solver, guess, run->y, &run->report));
   if (scene->cross_check && run->report.converged)
-    PetscCall(VICrossCheck(run->vi, run->solvability, run->y, &run->report, &run->check));
+    PetscCall(SolverCrossCheck(run->solver, run->y, &run->report, &run->check));
   PetscCall(LogStageEnd(STAGE_SOLVE));
-  if (scene->measure_linear && run->report.converged)
-    PetscCall(VILinearReference(run->vi, run->solvability, run->y, &run->report));
+  if (scene->measure_linear && run->report.converged) PetscCall(SolverSolveLinear(run->solver, run->y, &run->report));
   PetscCall(SceneCheckUnused(scene, PETSC_FALSE));
 
   PetscCall(LogStageBegin(STAGE_OUTPUT));
@@ -65,10 +64,11 @@ static PetscErrorCode Try_Private(Scene scene, Mesh mesh, Vec guess, Run *run_ou
   run->mesh  = mesh;
   PetscCall(VICreate(scene, mesh, &run->vi));
   PetscCall(SolvabilityCreate(run->vi, &run->solvability));
+  PetscCall(SolverCreate(run->vi, run->solvability, &run->solver));
   if (scene->view) {
     PetscCall(SceneView(scene));
     PetscCall(ModelView(run->vi, run->solvability));
-    PetscCall(SolveView(run->vi, run->solvability));
+    PetscCall(SolverView(run->solver));
   }
   PetscCall(ErrorsCheck(run->vi));
   run->refused = (PetscBool)(run->solvability && run->solvability->verdict == SOLVABLE_NOT);
@@ -114,6 +114,7 @@ PetscErrorCode RunDestroy(Run *run)
   PetscCall(VecDestroy(&(*run)->y));
   PetscCall(ErrorsDestroy(&(*run)->errors));
   PetscCall(FieldsDestroy(&(*run)->fields));
+  PetscCall(SolverDestroy(&(*run)->solver));
   PetscCall(SolvabilityDestroy(&(*run)->solvability));
   PetscCall(VIDestroy(&(*run)->vi));
   PetscCall(PetscFree(*run));

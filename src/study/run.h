@@ -5,7 +5,7 @@
 #include "result/certificate.h"
 #include "result/errors.h"
 #include "result/fields.h"
-#include "solve/solve.h"
+#include "solve/solver.h"
 #include "output/summary.h"
 
 struct _n_Run {
@@ -13,6 +13,7 @@ struct _n_Run {
   Mesh        mesh;  /* borrowed */
   VI          vi;
   Solvability solvability; /* NULL where supports hold all bodies */
+  Solver      solver;
   Vec         y;
   SolveReport report;
   CrossCheck  check;

@@ -2,12 +2,12 @@
 #ifndef MORTISE_TEST_MEMBRANE_H
 #define MORTISE_TEST_MEMBRANE_H
 
-#include "solve/solve.h"
+#include "solve_once.h"
 #include "test.h"
 
 enum { GRID = 31 }; /* inner points per side; 2D, one unknown per point */
 
-/* What VISolve() needs of a VI: -laplace y = b on the unit square, y <= upper on the middle rows. */
+/* What a solver needs of a VI: -laplace y = b on the unit square, y <= upper on the middle rows. */
 typedef struct {
   struct _n_VI    vi;
   struct _n_Scene scene;

@@ -1,4 +1,4 @@
-/* test_bound.c -- VIEnergyBound() against the energy of errors that are known: it is never smaller, and not much larger. */
+/* test_bound.c -- SolverBoundError() against the energy of errors that are known: it is never smaller, and not much larger. */
 #include "mesh/mesh.h"
 #include "pdas/pdas.h"
 #include "membrane.h"
@@ -26,16 +26,19 @@ static const PetscReal SIZES[] = {1e-1, 1e-3, 1e-6, 1e-9};
 /* The Ritz values of springs, a millionth as stiff as bodies, make estimates this much larger at most. */
 static const PetscReal SPRINGS = 1e3;
 
-/* VIEnergyBound() with options that are there for this call only. */
+/* SolverBoundError() with options that are there for this call only. */
 static PetscErrorCode BoundWith(const char options[], VI vi, Solvability solvability, Vec y, EnergyBound *bound)
 {
   PetscOptions own;
+  Solver       solver;
 
   PetscFunctionBeginUser;
   PetscCall(PetscOptionsCreate(&own));
   PetscCall(PetscOptionsPush(own));
   PetscCall(PetscOptionsInsertString(own, options));
-  PetscCall(VIEnergyBound(vi, solvability, y, bound));
+  PetscCall(SolverCreate(vi, solvability, &solver));
+  PetscCall(SolverBoundError(solver, y, bound));
+  PetscCall(SolverDestroy(&solver));
   PetscCall(PetscOptionsPop());
   PetscCall(PetscOptionsDestroy(&own));
   PetscFunctionReturn(0);
@@ -119,12 +122,12 @@ static PetscErrorCode SweepAll(VI vi, Solvability solvability, PetscInt times)
   PetscCall(VecDuplicate(vi->b, &y));
   PetscCall(VecDuplicate(vi->b, &z));
   PetscCall(VecZeroEntries(z));
-  PetscCall(VISolve(vi, solvability, NULL, y, &report));
+  PetscCall(SolveOnce(vi, solvability, NULL, y, &report));
   PetscCall(Distance(vi, y, z, &size));
   CHECK(report.converged && !report.bound.estimated && report.bound.value < 1e-12 * size);
   for (size_t w = 0; w < PETSC_STATIC_ARRAY_LENGTH(ways); w++)
     PetscCall(Sweep(vi, solvability, y, &ways[w], times * ways[w].num, report.bound.value));
-  PetscCall(VIEnergyBound(vi, solvability, z, &bound));
+  PetscCall(BoundWith("", vi, solvability, z, &bound));
   CHECK(solvability || (bound.value >= size && bound.value < 2 * size)); // nothing balances at rest
   PetscCall(VecDestroy(&y));
   PetscCall(VecDestroy(&z));

@@ -1,4 +1,5 @@
 /* test_certificate.c -- the certificate holds for a solution, and fails for every way of not being one. */
+#include "solve_once.h"
 #include "test.h"
 #include "two_boxes.h"
 #include <math.h>
@@ -41,7 +42,7 @@ static PetscErrorCode Solve(Case *c, PetscReal push)
   PetscCall(MeshSetUp(c->mesh));
   PetscCall(VICreate(&c->scene, c->mesh, &c->vi));
   PetscCall(VecDuplicate(c->vi->b, &c->y));
-  PetscCall(VISolve(c->vi, NULL, NULL, c->y, &report));
+  PetscCall(SolveOnce(c->vi, NULL, NULL, c->y, &report));
   CHECK(report.converged);
   PetscCall(FieldsCreate(c->vi, NULL, c->y, &c->fields));
   PetscFunctionReturn(PETSC_SUCCESS);

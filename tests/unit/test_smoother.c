@@ -1,7 +1,7 @@
 /* test_smoother.c -- multigrid on stretched cells, and under a stiff nonmortar side. */
 #include "mesh/mesh.h"
 #include "pdas/pdas.h"
-#include "solve/solve.h"
+#include "solve_once.h"
 #include "two_boxes.h"
 #include "test.h"
 
@@ -36,7 +36,7 @@ static PetscErrorCode TestPress(PetscReal height, PetscReal young, PetscInt most
   PetscCall(MeshSetUp(mesh));
   PetscCall(VICreate(&scene, mesh, &vi));
   PetscCall(VecDuplicate(vi->b, &y));
-  PetscCall(VISolve(vi, NULL, NULL, y, &report));
+  PetscCall(SolveOnce(vi, NULL, NULL, y, &report));
   CHECK(report.converged);
   CHECK(report.linear_iterations > 0 && report.linear_iterations <= most);
   PetscCall(VecDestroy(&y));

@@ -1,10 +1,10 @@
-/* test_solve.c -- VISolve() and VICrossCheck() on a membrane above a wire: every solver finds the same contact. */
+/* test_solve.c -- SolverSolve() and SolverCrossCheck() on a membrane above a wire: every solver finds the same contact. */
 #include "base/usererror.h"
 #include "pdas/pdas.h"
 #include <string.h>
 #include "membrane.h"
 
-/* VISolve() with options that are there for this call only. */
+/* SolveOnce() with options that are there for this call only. */
 static PetscErrorCode SolveFrom(const char options[], VI vi, Vec guess, Vec y, SolveReport *report)
 {
   PetscOptions own;
@@ -15,7 +15,7 @@ static PetscErrorCode SolveFrom(const char options[], VI vi, Vec guess, Vec y, S
   PetscCall(PetscOptionsPush(own));
   PetscCall(PetscOptionsInsertString(own, options));
   PetscCall(PetscOptionsGetString(own, NULL, "-mat_mumps_icntl_14", before, sizeof(before), NULL));
-  PetscCall(VISolve(vi, NULL, guess, y, report));
+  PetscCall(SolveOnce(vi, NULL, guess, y, report));
   PetscCall(PetscOptionsGetString(own, NULL, "-mat_mumps_icntl_14", after, sizeof(after), NULL));
   CHECK(!strcmp(before, after)); // however much room MUMPS was given in between
   PetscCall(PetscOptionsPop());
@@ -53,7 +53,7 @@ static PetscErrorCode TestWays(void)
   PetscCall(MembraneCreate(1, 1, PETSC_TRUE, PETSC_TRUE, &m));
   PetscCall(VecDuplicate(m.vi.b, &y));
   PetscCall(VecDuplicate(m.vi.b, &other));
-  PetscCall(VISolve(&m.vi, NULL, NULL, y, &base));
+  PetscCall(SolveOnce(&m.vi, NULL, NULL, y, &base));
   PetscCall(VecNorm(y, NORM_INFINITY, &max));
   CHECK(base.converged && !base.reason[0] && base.active > 3 && base.linear_residual < 1e-13);
   CHECK(base.num_changed == base.iterations && base.changed[base.iterations - 1] == 0);
@@ -114,22 +114,25 @@ static PetscErrorCode TestCrossCheck(void)
   Membrane                 m;
   SolveReport              report;
   CrossCheck               check;
+  Solver                   solver;
   Vec                      y;
 
   PetscFunctionBeginUser;
   PetscCall(MembraneCreate(1, 1, PETSC_TRUE, PETSC_TRUE, &m));
   PetscCall(VecDuplicate(m.vi.b, &y));
+  PetscCall(SolverCreate(&m.vi, NULL, &solver));
   for (int w = 0; w < 3; w++) {
     PetscCall(SolveWith(ways[w], &m.vi, y, &report));
-    PetscCall(VICrossCheck(&m.vi, NULL, y, &report, &check));
+    PetscCall(SolverCrossCheck(solver, y, &report, &check));
     CHECK(check.done && check.agree && !check.active_difference);
     CHECK(check.displacement_difference < 1e-11);
     CHECK(strcmp(check.other.type, report.type));
   }
   PetscCall(VecScale(y, 0.99));
-  PetscCall(VICrossCheck(&m.vi, NULL, y, &report, &check));
+  PetscCall(SolverCrossCheck(solver, y, &report, &check));
   CHECK(check.done && !check.agree && check.active_difference == report.active);
   CHECK_NEAR(check.displacement_difference, 0.01 / 0.99, 1e-12);
+  PetscCall(SolverDestroy(&solver));
   PetscCall(VecDestroy(&y));
   PetscCall(MembraneDestroy(&m));
   PetscFunctionReturn(0);
@@ -145,7 +148,7 @@ static PetscErrorCode TestEdges(void)
   PetscFunctionBeginUser;
   PetscCall(MembraneCreate(1, 1, PETSC_FALSE, PETSC_TRUE, &m));
   PetscCall(VecDuplicate(m.vi.b, &y));
-  PetscCall(VISolve(&m.vi, NULL, NULL, y, &report));
+  PetscCall(SolveOnce(&m.vi, NULL, NULL, y, &report));
   CHECK(report.converged && report.iterations == 1 && report.active == 0 && report.linear_residual < 1e-13);
   PetscCall(SolveWith("-snes_type vinewtonrsls", &m.vi, y, &report));
   CHECK(report.converged && report.active == 0);
@@ -164,7 +167,7 @@ static PetscErrorCode TestEdges(void)
 
   for (int bounded = 0; bounded < 2; bounded++) { /* what nothing holds has no solution, unless a wire stops it */
     PetscCall(MembraneCreate(1, 1, (PetscBool)bounded, PETSC_FALSE, &m));
-    PetscCall(VISolve(&m.vi, NULL, NULL, y, &report));
+    PetscCall(SolveOnce(&m.vi, NULL, NULL, y, &report));
     CHECK(bounded ? report.converged : !report.converged && strstr(report.reason, "singular"));
     PetscCall(SolveWith("-snes_pdas_reduce 0", &m.vi, y, &report));
     CHECK(bounded ? report.converged : !report.converged && strstr(report.reason, "singular"));
@@ -192,16 +195,16 @@ static PetscErrorCode TestGuess(void)
   PetscCall(VecDuplicate(m.vi.b, &y));
   PetscCall(VecDuplicate(m.vi.b, &guess));
   PetscCall(VecDuplicate(m.vi.b, &other));
-  PetscCall(VISolve(&m.vi, NULL, NULL, y, &cold));
+  PetscCall(SolveOnce(&m.vi, NULL, NULL, y, &cold));
   PetscCall(VecNorm(y, NORM_INFINITY, &max));
   PetscCall(VecCopy(y, guess));
   PetscCall(VecScale(guess, m.vi.length));
-  PetscCall(VISolve(&m.vi, NULL, guess, other, &report));
+  PetscCall(SolveOnce(&m.vi, NULL, guess, other, &report));
   CHECK(cold.iterations > 2 && report.converged && report.iterations == 1 && report.active == cold.active);
   for (int w = 0; w < 6; w++) {
     PetscCall(VecSet(guess, wrong[w % 3]));
     if (w < 3)
-      PetscCall(VISolve(&m.vi, NULL, guess, other, &report));
+      PetscCall(SolveOnce(&m.vi, NULL, guess, other, &report));
     else
       PetscCall(SolveFrom("-snes_type vinewtonrsls", &m.vi, guess, other, &report));
     PetscCall(VecAXPY(other, -1, y));

@@ -28,7 +28,7 @@ static PetscErrorCode TestFaults(void)
     PetscCall(PetscOptionsCreate(&own));
     PetscCall(PetscOptionsPush(own));
     PetscCall(PetscOptionsInsertString(own, mistakes[k][0]));
-    CHECK(VISolve(&m.vi, NULL, NULL, y, &report) == MORTISE_ERR_USER);
+    CHECK(SolveOnce(&m.vi, NULL, NULL, y, &report) == MORTISE_ERR_USER);
     CHECK(strstr(UserErrorSentence(), mistakes[k][1]));
     PetscCall(PetscOptionsPop());
     PetscCall(PetscOptionsDestroy(&own));

@@ -1,6 +1,6 @@
-/* solve.h -- the VI handed to a SNES, defaults by size, the cross-check. */
-#ifndef MORTISE_SOLVE_H
-#define MORTISE_SOLVE_H
+/* solver.h -- the solver of one inequality: a SNES with defaults by size, the error bound, the cross-check. */
+#ifndef MORTISE_SOLVER_H
+#define MORTISE_SOLVER_H
 
 #include "problem/vi.h"
 #include "rigid/solvability.h"
@@ -42,7 +42,7 @@ typedef struct {
       discretisation; /* |u - u_h|_K by what a coarser mesh says, like bound; NAN but where that was to stop the solver (eq. 14.7) */
 
   PetscReal       seconds;   /* of the slowest rank, on the wall, from the levels of multigrid to the bound */
-  LinearReference reference; /* of VILinearReference() */
+  LinearReference reference; /* of SolverSolveLinear() */
 } SolveReport;
 
 /* Comparison of two solutions of the same VI. */
@@ -53,20 +53,27 @@ typedef struct {
   PetscReal   displacement_difference; /* max |du| / max |u| */
 } CrossCheck;
 
+/* The solver of one inequality. It keeps multigrid levels from one solve to the next. */
+typedef struct _n_Solver *Solver;
+
+/* Not collective. [in] vi - borrowed for as long as the solver lives; [in] solvability - of vi, borrowed; NULL where supports hold all bodies;
+   [out] solver - owned by the caller */
+PetscErrorCode SolverCreate(VI vi, Solvability solvability, Solver *solver);
+PetscErrorCode SolverDestroy(Solver *solver);
 /* Solves by -snes_type (default pdas); progress lines where the scene wants them. Not converging is not an error: the
    report says so. Collective.
-   [in] solvability - of vi: NULL where supports hold all bodies, here and below; [in] guess - displacement to begin with (ghosted, dim per node), which changes the work and not the answer; or NULL
+   [in] guess - displacement to begin with (ghosted, dim per node), which changes the work and not the answer; or NULL
    [out] y - created by the caller in the layout of vi->b */
-PetscErrorCode VISolve(VI vi, Solvability solvability, Vec guess, Vec y, SolveReport *report);
+PetscErrorCode SolverSolve(Solver solver, Vec guess, Vec y, SolveReport *report);
 /* How far any y, converged or not, feasible or not, can be from the solution; for the price of one factorisation or linear solve.
-   VISolve() has it of its own y for a substitution. Collective. */
-PetscErrorCode VIEnergyBound(VI vi, Solvability solvability, Vec y, EnergyBound *bound);
+   SolverSolve() has it of its own y for a substitution. Collective. */
+PetscErrorCode SolverBoundError(Solver solver, Vec y, EnergyBound *bound);
 /* Solves once more with the active set of the solution y, by what solved the linear systems for it, from zero and with everything that
-   needs made anew; the seconds belong to no stage. Collective. [in,out] report - of VISolve(); its reference is set */
-PetscErrorCode VILinearReference(VI vi, Solvability solvability, Vec y, SolveReport *report);
+   needs made anew; the seconds belong to no stage. Collective. [in,out] report - of SolverSolve(); its reference is set */
+PetscErrorCode SolverSolveLinear(Solver solver, Vec y, SolveReport *report);
 /* Solves by the other of pdas and vinewtonrsls and compares. Collective. */
-PetscErrorCode VICrossCheck(VI vi, Solvability solvability, Vec y, const SolveReport *report, CrossCheck *check);
+PetscErrorCode SolverCrossCheck(Solver solver, Vec y, const SolveReport *report, CrossCheck *check);
 /* Prints what was chosen for the linear systems and why (part of -scene_view). Collective. */
-PetscErrorCode SolveView(VI vi, Solvability solvability);
+PetscErrorCode SolverView(Solver solver);
 
 #endif

@@ -1,9 +1,9 @@
-/* solvereport.c -- what a SNES did, in numbers and in words. */
+/* solverreport.c -- what a SNES did, in numbers and in words. */
 #include "base/compat.h"
 #include "pdas/pdas.h"
 #include "pdas/pdasimpl.h"
 #include "pdas/factorization.h"
-#include "solve/solveimpl.h"
+#include "solve/solverimpl.h"
 
 PetscErrorCode SolveMeasure(VI vi, Vec y, PetscInt *active, PetscReal *residual)
 {

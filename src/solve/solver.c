@@ -1,4 +1,4 @@
-/* solve.c -- an inequality solved, and what is asked of its solution afterwards. */
+/* solver.c -- an inequality solved, and what is asked of its solution afterwards. */
 #include <string.h>
 #include "base/compat.h"
 #include "base/log.h"
@@ -47,17 +47,36 @@ static PetscErrorCode Cascade_Private(Workbench *bench, Vec y, PetscReal *gained
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveRun(VI vi, Solvability solvability, const SolveChoice *choice, PetscBool progress, Vec guess, Vec y,
+PetscErrorCode SolverCreate(VI vi, Solvability solvability, Solver *solver)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(solver));
+  (*solver)->vi          = vi;
+  (*solver)->solvability = solvability;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolverDestroy(Solver *solver)
+{
+  PetscFunctionBeginUser;
+  if (!*solver) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(HierarchyDestroy(&(*solver)->hierarchy));
+  PetscCall(PetscFree(*solver));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolveRun(Solver solver, const SolveChoice *choice, PetscBool progress, Vec guess, Vec y,
                         SolveReport *report)
 {
-  const PetscBool pdas   = (PetscBool)!strcmp(choice->snes, SNESPDAS);
-  const PetscBool nested = (PetscBool)(choice->nested && (!guess || choice->stop) && (!solvability || pdas));
-  PetscReal       gained = 0;
-  Workbench       bench;
+  const Solvability solvability = solver->solvability;
+  const PetscBool   pdas        = (PetscBool)!strcmp(choice->snes, SNESPDAS);
+  const PetscBool   nested      = (PetscBool)(choice->nested && (!guess || choice->stop) && (!solvability || pdas));
+  PetscReal         gained      = 0;
+  Workbench         bench;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(report, sizeof(*report)));
-  PetscCall(WorkbenchCreate(vi, solvability, choice, (PetscBool)(solvability || guess || nested), &bench));
+  PetscCall(WorkbenchCreate(solver, choice, (PetscBool)(solvability || guess || nested), &bench));
   PetscCall(WorkbenchSetLevels(&bench, NULL));
   if (progress) PetscCall(ProgressSet(bench.snes, bench.springs.vi));
   PetscCall(SolveStart(bench.springs.vi, solvability, choice, bench.snes, guess, y));
@@ -77,13 +96,13 @@ PetscErrorCode SolveRun(VI vi, Solvability solvability, const SolveChoice *choic
     report->foretold = PatienceForetold(&bench.hierarchy->patience);
   }
   PetscCall(WorkbenchDestroy(&bench, y));
-  PetscCall(SolvabilitySettle(vi, solvability, y));
+  PetscCall(SolvabilitySettle(solver->vi, solvability, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* A factorisation where an iteration has failed or cost too much; and if that fails, the iteration to its end where it was but slow. */
-static PetscErrorCode Otherwise_Private(VI vi, Solvability solvability, const SolveChoice *choice, PetscBool progress,
-                                        Vec guess, Vec y, SolveReport *report)
+static PetscErrorCode Otherwise_Private(Solver solver, const SolveChoice *choice, PetscBool progress, Vec guess, Vec y,
+                                        SolveReport *report)
 {
   SolveChoice other = *choice;
   PetscBool   again, slow = (PetscBool)!strcmp(report->reason, FAILURE_COST);
@@ -91,42 +110,43 @@ static PetscErrorCode Otherwise_Private(VI vi, Solvability solvability, const So
   PetscFunctionBeginUser;
   PetscCall(SolveChooseAnother(report, &other, &again));
   if (!again) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(SolveRun(vi, solvability, &other, progress, guess, y, report));
+  PetscCall(SolveRun(solver, &other, progress, guess, y, report));
   report->gave_way = PETSC_TRUE;
   if (!slow || report->converged) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(WarningAdd(&(Warning){.code = "solver_replaced", .advice = "-pc_type truncatedmg does that at once"},
                        "the factorisation that took the place of an iteration has failed; iterating to the end"));
   other        = *choice;
   other.yields = PETSC_FALSE;
-  PetscCall(SolveRun(vi, solvability, &other, progress, guess, y, report));
+  PetscCall(SolveRun(solver, &other, progress, guess, y, report));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VISolve(VI vi, Solvability solvability, Vec guess, Vec y, SolveReport *report)
+PetscErrorCode SolverSolve(Solver solver, Vec guess, Vec y, SolveReport *report)
 {
-  const MPI_Comm comm  = PetscObjectComm((PetscObject)vi->A);
+  const Scene    scene = solver->vi->scene;
+  const MPI_Comm comm  = PetscObjectComm((PetscObject)solver->vi->A);
   const Warning  slow  = {.code = "slow_solver", .advice = "-pc_type cholesky takes none"};
   const double   start = LogWallClock();
   SolveChoice    choice;
   PetscBool      progress;
 
   PetscFunctionBeginUser;
-  PetscCall(SolveChoose(vi, solvability, &choice));
+  PetscCall(SolveChoose(solver, &choice));
   if (choice.nearly && !SolveFactors(choice.pc)) {
     PetscCall(WarningAdd(
         &slow, "-pc_type %s may take thousands of iterations for a body that is so nearly incompressible", choice.pc));
   }
-  PetscCall(ProgressWanted(vi->scene, &progress));
-  choice.keep = vi->scene->cross_check;
-  PetscCall(SolveRun(vi, solvability, &choice, progress, guess, y, report));
-  if (!report->converged) PetscCall(PetscContainerDestroy(&vi->levels));
-  PetscCall(Otherwise_Private(vi, solvability, &choice, progress, guess, y, report));
+  PetscCall(ProgressWanted(scene, &progress));
+  choice.keep = scene->cross_check;
+  PetscCall(SolveRun(solver, &choice, progress, guess, y, report));
+  if (!report->converged) PetscCall(HierarchyDestroy(&solver->hierarchy));
+  PetscCall(Otherwise_Private(solver, &choice, progress, guess, y, report));
   report->seconds = LogWallClock() - start;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &report->seconds, 1, MPIU_REAL, MPI_MAX, comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* y without what VISolve() adds to the solution of the inequality. [out] own - to be destroyed by the caller */
+/* y without what SolverSolve() adds to the solution of the inequality. [out] own - to be destroyed by the caller */
 static PetscErrorCode Unsettle_Private(Solvability solvability, Vec y, Vec *own)
 {
   PetscFunctionBeginUser;
@@ -137,49 +157,49 @@ static PetscErrorCode Unsettle_Private(Solvability solvability, Vec y, Vec *own)
 }
 
 /* All that the solution took once more, for what is asked when it is known. [in] report - of it, or NULL if it is anybody's */
-static PetscErrorCode Again_Private(VI vi, Solvability solvability, const SolveReport *report, Workbench *bench)
+static PetscErrorCode Again_Private(Solver solver, const SolveReport *report, Workbench *bench)
 {
   SolveChoice choice;
 
   PetscFunctionBeginUser;
-  PetscCall(SolveChoose(vi, solvability, &choice));
+  PetscCall(SolveChoose(solver, &choice));
   if (report) { // what was chosen may have given way to something else
     PetscCall(PetscStrncpy(choice.ksp, report->ksp, sizeof(choice.ksp)));
     PetscCall(PetscStrncpy(choice.pc, report->pc, sizeof(choice.pc)));
   }
-  PetscCall(WorkbenchCreate(vi, solvability, &choice, PETSC_FALSE, bench));
+  PetscCall(WorkbenchCreate(solver, &choice, PETSC_FALSE, bench));
   PetscCall(WorkbenchSetLevels(bench, NULL));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VIEnergyBound(VI vi, Solvability solvability, Vec y, EnergyBound *bound)
+PetscErrorCode SolverBoundError(Solver solver, Vec y, EnergyBound *bound)
 {
   Workbench bench;
   Vec       own;
 
   PetscFunctionBeginUser;
-  PetscCall(Unsettle_Private(solvability, y, &own));
-  PetscCall(Again_Private(vi, solvability, NULL, &bench));
+  PetscCall(Unsettle_Private(solver->solvability, y, &own));
+  PetscCall(Again_Private(solver, NULL, &bench));
   PetscCall(BoundCompute(&bench.springs, bench.snes, own, bound));
   PetscCall(WorkbenchDestroy(&bench, own));
   PetscCall(VecDestroy(&own));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VILinearReference(VI vi, Solvability solvability, Vec y, SolveReport *report)
+PetscErrorCode SolverSolveLinear(Solver solver, Vec y, SolveReport *report)
 {
-  const MPI_Comm   comm      = PetscObjectComm((PetscObject)vi->A);
+  const MPI_Comm   comm      = PetscObjectComm((PetscObject)solver->vi->A);
   LinearReference *reference = &report->reference;
   Workbench        bench;
   Vec              own;
   double           start;
 
   PetscFunctionBeginUser;
-  PetscCall(Unsettle_Private(solvability, y, &own));
+  PetscCall(Unsettle_Private(solver->solvability, y, &own));
   PetscCallMPI(MPI_Barrier(comm));
   LogCount(PETSC_FALSE);
   start = LogWallClock();
-  PetscCall(Again_Private(vi, solvability, report, &bench));
+  PetscCall(Again_Private(solver, report, &bench));
   PetscCall(ReferenceSolve(&bench.springs, bench.snes, own, &reference->iterations, &reference->done));
   reference->seconds = LogWallClock() - start;
   LogCount(PETSC_TRUE);

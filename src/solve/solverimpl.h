@@ -1,9 +1,15 @@
-/* solveimpl.h -- what the files of this room share beside active.h. */
-#ifndef MORTISE_SOLVEIMPL_H
-#define MORTISE_SOLVEIMPL_H
+/* solverimpl.h -- what the files of this room share beside active.h. */
+#ifndef MORTISE_SOLVERIMPL_H
+#define MORTISE_SOLVERIMPL_H
 
-#include "rigid/solvability.h"
-#include "solve/solve.h"
+#include "multigrid/hierarchy.h"
+#include "solve/solver.h"
+
+struct _n_Solver {
+  VI          vi;          /* borrowed */
+  Solvability solvability; /* borrowed; NULL where supports hold all bodies */
+  Hierarchy   hierarchy;   /* kept from the last solve for the next one, or NULL */
+};
 
 /* How an inequality is to be solved. */
 typedef struct {
@@ -17,7 +23,7 @@ typedef struct {
   PetscBool   own;                       /* whether the linear solver is nobody's wish */
   PetscInt    max_it;                    /* iterations at most, where that is more than usual */
   PetscBool   yields;                    /* whether it gives way to a factorisation that would have cost less */
-  PetscBool   keep;                      /* whether levels of multigrid are left to vi, for the next solve */
+  PetscBool   keep;                      /* whether the solver keeps the multigrid levels for the next solve */
 } SolveChoice;
 
 /* The linear solver in words. Not collective. [in] package - that factors, or NULL; [out] words - shape [len] */
@@ -26,7 +32,7 @@ PetscErrorCode SolveDescribe(const char ksp[], const char pc[], const char packa
 PetscBool SolveFactors(const char pc[]);
 
 /* From -snes_type, -ksp_type, -pc_type; by size where they are silent. Faults on types that cannot. Collective. */
-PetscErrorCode SolveChoose(VI vi, Solvability solvability, SolveChoice *choice);
+PetscErrorCode SolveChoose(Solver solver, SolveChoice *choice);
 
 /* The other one of pdas and vinewtonrsls: with multigrid if the first used it, else, and whatever that was, with a factorisation; with
    500 iterations, or twice those of the first.
@@ -43,7 +49,7 @@ PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, Vec scratch, Pet
 /* Solves with a SNES of its own. Collective.
    [in] progress - whether to print the table; [in] guess - displacement, or NULL; [out] y - created by the caller;
    [out] report */
-PetscErrorCode SolveRun(VI vi, Solvability solvability, const SolveChoice *choice, PetscBool progress, Vec guess, Vec y,
+PetscErrorCode SolveRun(Solver solver, const SolveChoice *choice, PetscBool progress, Vec guess, Vec y,
                         SolveReport *report);
 /* Where SolveRun() begins. Collective. [in] snes - of the choice, multigrid not yet bound to it; [in] guess - displacement, or NULL; [out] y */
 PetscErrorCode SolveStart(VI vi, Solvability solvability, const SolveChoice *choice, SNES snes, Vec guess, Vec y);
