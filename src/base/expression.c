@@ -40,7 +40,7 @@ static const char *const known_names[]    = {"x",     "y",     "z",    "r",     
 enum { TEXT_SHOWN = 200 }; // letters of the text in a sentence: there may be thousands
 
 /* The text as sentences quote it. [out] shown - [TEXT_SHOWN] */
-static const char *Show_Private(const char text[], char shown[])
+static const char *ExpressionShortenText_Private(const char text[], char shown[])
 {
   snprintf(shown, TEXT_SHOWN, "%.*s%s", TEXT_SHOWN - 4, text, strlen(text) > TEXT_SHOWN - 4 ? "..." : "");
   return shown;
@@ -49,7 +49,7 @@ static const char *Show_Private(const char text[], char shown[])
 /* --- reading ------------------------------------------------------------------------------------------------------ */
 
 /* Whether text is a decimal number and nothing else: strtod() alone would also take nan, inf and hexadecimal digits. */
-static PetscBool ReadNumber_Private(const char text[], PetscReal *number)
+static PetscBool ExpressionReadNumber_Private(const char text[], PetscReal *number)
 {
   char *end;
 
@@ -59,7 +59,7 @@ static PetscBool ReadNumber_Private(const char text[], PetscReal *number)
 }
 
 /* The same for a formula that is too long to ask muParser for words. */
-static void DescribeLong_Private(muParserHandle_t parser, const char formula[], char words[], size_t len)
+static void ExpressionDescribeLong_Private(muParserHandle_t parser, const char formula[], char words[], size_t len)
 {
   enum { TOO_LONG = 37, SHOWN = 40 }; // ecEXPRESSION_TOO_LONG of muParser's C++ header
   const size_t length = strlen(formula);
@@ -75,7 +75,7 @@ static void DescribeLong_Private(muParserHandle_t parser, const char formula[], 
 
 /* muParser's complaint in words that go on with our sentence. Its getters share one buffer: each is used up before the next.
    They write what they quote of the formula into it without a look at its end. */
-static void DescribeError_Private(muParserHandle_t parser, const char formula[], char words[], size_t len)
+static void ExpressionDescribeError_Private(muParserHandle_t parser, const char formula[], char words[], size_t len)
 {
   enum { UNKNOWN_NAME = 1, SAFE = 1024 }; // ecUNASSIGNABLE_TOKEN of muParser's C++ header; half of its buffer
   static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
@@ -84,7 +84,7 @@ static void DescribeError_Private(muParserHandle_t parser, const char formula[],
   int               length;
 
   if (strlen(formula) > SAFE) {
-    DescribeLong_Private(parser, formula, words, len);
+    ExpressionDescribeLong_Private(parser, formula, words, len);
   } else if (mupGetErrorCode(parser) == UNKNOWN_NAME) {
     text = mupGetErrorToken(parser); // the rest of the formula
     snprintf(name, sizeof(name), "%.*s", (int)PetscMax(1, strspn(text, letters)), text);
@@ -100,7 +100,7 @@ static void DescribeError_Private(muParserHandle_t parser, const char formula[],
 }
 
 /* Whether text has a lone '=', which muParser would take for an assignment to a variable. */
-static PetscBool HasAssignment_Private(const char text[])
+static PetscBool ExpressionHasAssignment_Private(const char text[])
 {
   for (const char *t = strchr(text, '='); t; t = strchr(t + 1, '=')) {
     if (t[1] == '=')
@@ -112,7 +112,8 @@ static PetscBool HasAssignment_Private(const char text[])
 }
 
 /* Compiles a formula. [out] complaint - why it cannot be read, or "" (array of shape [len]) */
-static void CompileFormula_Private(Expression e, const char text[], Component *component, char complaint[], size_t len)
+static void ExpressionCompileFormula_Private(Expression e, const char text[], Component *component, char complaint[],
+                                             size_t len)
 {
   muParserHandle_t parser = mupCreate(muBASETYPE_FLOAT);
   PetscBool        failed;
@@ -128,8 +129,8 @@ static void CompileFormula_Private(Expression e, const char text[], Component *c
     failed            = mupError(parser) ? PETSC_TRUE : PETSC_FALSE;
   }
   if (failed)
-    DescribeError_Private(parser, text, complaint, len);
-  else if (HasAssignment_Private(text))
+    ExpressionDescribeError_Private(parser, text, complaint, len);
+  else if (ExpressionHasAssignment_Private(text))
     snprintf(complaint, len, "'=' cannot be used, equality is '=='");
   else if (!mupGetExprVarNum(parser)) {
     mupRelease(parser);
@@ -138,22 +139,22 @@ static void CompileFormula_Private(Expression e, const char text[], Component *c
 }
 
 /* Reads one component. [out] complaint - as above */
-static void ReadComponent_Private(Expression e, const char text[], PetscBool allow_free, Component *component,
-                                  char complaint[], size_t len)
+static void ExpressionReadComponent_Private(Expression e, const char text[], PetscBool allow_free, Component *component,
+                                            char complaint[], size_t len)
 {
   if (!text[0])
     snprintf(complaint, len, "there is nothing between the commas");
   else if (!strcmp(text, "free")) {
     component->free = PETSC_TRUE;
     if (!allow_free) snprintf(complaint, len, "'free' is for given displacements only");
-  } else if (!ReadNumber_Private(text, &component->number))
-    CompileFormula_Private(e, text, component, complaint, len);
+  } else if (!ExpressionReadNumber_Private(text, &component->number))
+    ExpressionCompileFormula_Private(e, text, component, complaint, len);
   if (!complaint[0] && !component->parser && PetscIsInfOrNanReal(component->number))
     snprintf(complaint, len, "this is not a finite number");
 }
 
 /* Length of the component at the front of text: up to a comma outside parentheses, or the end. */
-static size_t ComponentLength_Private(const char text[])
+static size_t ExpressionComponentLength_Private(const char text[])
 {
   PetscInt depth = 0;
   size_t   n;
@@ -162,11 +163,11 @@ static size_t ComponentLength_Private(const char text[])
   return n;
 }
 
-static PetscInt CountComponents_Private(const char text[])
+static PetscInt ExpressionCountComponents_Private(const char text[])
 {
   PetscInt count = 1;
 
-  for (text += ComponentLength_Private(text); *text; text += ComponentLength_Private(text)) {
+  for (text += ExpressionComponentLength_Private(text); *text; text += ExpressionComponentLength_Private(text)) {
     ++text;
     ++count;
   }
@@ -174,7 +175,7 @@ static PetscInt CountComponents_Private(const char text[])
 }
 
 /* A copy of the first length letters without blanks around them; the caller frees it. */
-static PetscErrorCode CopyTrimmed_Private(const char text[], size_t length, char **copy)
+static PetscErrorCode ExpressionCopyTrimmed_Private(const char text[], size_t length, char **copy)
 {
   PetscFunctionBeginUser;
   for (; length && isspace((unsigned char)text[0]); --length) ++text;
@@ -201,7 +202,7 @@ static PetscErrorCode ExpressionAllocate_Private(const char option[], const char
 PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char text[], PetscInt num_components,
                                 PetscBool allow_free, Expression *e)
 {
-  const PetscInt count          = CountComponents_Private(text);
+  const PetscInt count          = ExpressionCountComponents_Private(text);
   char           complaint[512] = "", shown[TEXT_SHOWN], *part;
 
   PetscFunctionBeginUser;
@@ -209,13 +210,13 @@ PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char t
   if (num_components && count != num_components)
     PetscCall(UserErrorRaise(
         comm, "%s \"%s\": %" PetscInt_FMT " component%s given, %" PetscInt_FMT " wanted, separated by commas", option,
-        Show_Private(text, shown), count, count == 1 ? "" : "s", num_components));
+        ExpressionShortenText_Private(text, shown), count, count == 1 ? "" : "s", num_components));
   PetscCall(ExpressionAllocate_Private(option, text, count, e));
   for (PetscInt c = 0; c < count && !complaint[0]; ++c) {
-    const size_t length = ComponentLength_Private(text);
+    const size_t length = ExpressionComponentLength_Private(text);
 
-    PetscCall(CopyTrimmed_Private(text, length, &part));
-    ReadComponent_Private(*e, part, allow_free, &(*e)->components[c], complaint, sizeof(complaint));
+    PetscCall(ExpressionCopyTrimmed_Private(text, length, &part));
+    ExpressionReadComponent_Private(*e, part, allow_free, &(*e)->components[c], complaint, sizeof(complaint));
     PetscCall(PetscFree(part));
     if ((*e)->components[c].parser) (*e)->constant = PETSC_FALSE;
     text += length + 1;
@@ -224,7 +225,7 @@ PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char t
     char sentence[USER_ERROR_LENGTH];
 
     snprintf(sentence, sizeof(sentence), "%s \"%s\": %s; accepted are numbers and formulas in x, y, z%s", (*e)->option,
-             Show_Private((*e)->text, shown), complaint, allow_free ? ", and 'free'" : "");
+             ExpressionShortenText_Private((*e)->text, shown), complaint, allow_free ? ", and 'free'" : "");
     PetscCall(ExpressionDestroy(e));
     PetscCall(UserErrorRaise(comm, "%s", sentence));
   }
@@ -356,7 +357,7 @@ PetscErrorCode ExpressionCheck(MPI_Comm comm, Expression e)
     else
       snprintf(point, sizeof(point), "(%g, %g, %g)", (double)x[0], (double)x[1], (double)x[2]);
     snprintf(sentence, sizeof(sentence), "%s \"%s\": component %" PetscInt_FMT " is not a finite number at %s",
-             e->option, Show_Private(e->text, shown), e->failed_component + 1, point);
+             e->option, ExpressionShortenText_Private(e->text, shown), e->failed_component + 1, point);
   }
   e->failed = PETSC_FALSE;
   PetscCall(UserErrorCheck(comm, sentence));

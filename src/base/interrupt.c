@@ -27,7 +27,7 @@ void InterruptCleanUp(void)
 }
 
 /* Cleans up, says the sentence and dies of the signal. */
-static void Die_Private(int number)
+static void InterruptEndProcess_Private(int number)
 {
   ssize_t done = 0;
 
@@ -39,14 +39,14 @@ static void Die_Private(int number)
 }
 
 /* MPI has threads of its own, and any of them may be given a signal, while the one that writes goes on. */
-static void SignalFn(int number)
+static void InterruptSignalFn(int number)
 {
   if (!pthread_equal(pthread_self(), state.thread))
     (void)pthread_kill(state.thread, number);
   else if (state.held)
     state.waiting = number;
   else
-    Die_Private(number);
+    InterruptEndProcess_Private(number);
 }
 
 PetscErrorCode InterruptBegin(void)
@@ -58,7 +58,7 @@ PetscErrorCode InterruptBegin(void)
   state.held = state.waiting = state.length = 0;
   state.thread                              = pthread_self();
   (void)memset(&action, 0, sizeof(action));
-  action.sa_handler = SignalFn;
+  action.sa_handler = InterruptSignalFn;
   action.sa_flags   = SA_NODEFER | SA_RESTART; // the signal is raised again by its own handler
   (void)sigemptyset(&action.sa_mask);
   for (int s = 0; s < NUM_SIGNALS; ++s) {
@@ -84,7 +84,7 @@ void InterruptHold(void)
 void InterruptRelease(void)
 {
   --state.held;
-  if (!state.held && state.waiting) Die_Private(state.waiting);
+  if (!state.held && state.waiting) InterruptEndProcess_Private(state.waiting);
 }
 
 void InterruptSetSentence(const char sentence[])

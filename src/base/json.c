@@ -5,7 +5,7 @@
 
 enum { DIGITS_MIN = 15, DIGITS_MAX = 17 }; /* any double is told apart by 17 significant digits, most by 15 */
 
-static cJSON *CreateReal_Private(PetscReal value)
+static cJSON *JSONCreateReal_Private(PetscReal value)
 {
   char text[40];
 
@@ -19,7 +19,7 @@ static cJSON *CreateReal_Private(PetscReal value)
 
 void JSONAddReal(cJSON *object, const char name[], PetscReal value)
 {
-  cJSON_AddItemToObject(object, name, CreateReal_Private(value));
+  cJSON_AddItemToObject(object, name, JSONCreateReal_Private(value));
 }
 
 void JSONAddInt(cJSON *object, const char name[], PetscInt value)
@@ -34,5 +34,5 @@ void JSONAddReals(cJSON *object, const char name[], PetscInt n, const PetscReal 
 {
   cJSON *array = cJSON_AddArrayToObject(object, name);
 
-  for (PetscInt i = 0; i < n; ++i) cJSON_AddItemToArray(array, CreateReal_Private(values[i]));
+  for (PetscInt i = 0; i < n; ++i) cJSON_AddItemToArray(array, JSONCreateReal_Private(values[i]));
 }

@@ -29,7 +29,7 @@ double LogWallClock(void)
 }
 
 /* Processor seconds of this process since it began. */
-static double ProcessorSeconds_Private(void)
+static double LogGetProcessorSeconds_Private(void)
 {
   struct rusage usage;
 
@@ -51,7 +51,7 @@ PetscErrorCode LogReset(double start)
 {
   PetscFunctionBeginUser;
   journal.start  = start;
-  journal.worked = ProcessorSeconds_Private();
+  journal.worked = LogGetProcessorSeconds_Private();
   for (int s = 0; s < STAGE_COUNT; ++s) journal.seconds[s] = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -105,5 +105,5 @@ double LogTotalSeconds(void)
 
 double LogProcessorSeconds(void)
 {
-  return ProcessorSeconds_Private() - journal.worked;
+  return LogGetProcessorSeconds_Private() - journal.worked;
 }

@@ -34,7 +34,7 @@ void MemoryLimitThreads(char **argv)
   if (!setenv(threads, "1", 1)) (void)execv("/proc/self/exe", argv); // where it cannot be, all stays as it was
 }
 
-static void *AllocateFn(size_t size)
+static void *MemoryAllocateFn(size_t size)
 {
   void *new = malloc(size);
 
@@ -43,7 +43,7 @@ static void *AllocateFn(size_t size)
 }
 
 /* The smallest call that makes BLAS take its buffer: 1 / 1. */
-static void PrepareBLAS_Private(void)
+static void MemoryPrepareBLAS_Private(void)
 {
   void              *probe = malloc(BLAS_BUFFER);
   const PetscBLASInt n     = 1;
@@ -63,11 +63,11 @@ void MemoryPrepare(void)
 
   *(void **)&set = symbol;
   if (symbol) (void)(*set)(UserErrorMemory);
-  cJSON_InitHooks(&(cJSON_Hooks){.malloc_fn = AllocateFn, .free_fn = free});
-  PrepareBLAS_Private();
+  cJSON_InitHooks(&(cJSON_Hooks){.malloc_fn = MemoryAllocateFn, .free_fn = free});
+  MemoryPrepareBLAS_Private();
 }
 
-static PetscReal PeakFromProc_Private(void)
+static PetscReal MemoryGetPeakFromProc_Private(void)
 {
   FILE         *file = fopen("/proc/self/status", "r");
   char          line[256];
@@ -79,7 +79,7 @@ static PetscReal PeakFromProc_Private(void)
 }
 
 /* What Linux could give without writing memory to disks; NAN elsewhere. */
-static PetscReal Available_Private(void)
+static PetscReal MemoryGetAvailable_Private(void)
 {
   FILE         *file = fopen("/proc/meminfo", "r");
   char          line[256];
@@ -90,7 +90,7 @@ static PetscReal Available_Private(void)
   return size ? (PetscReal)size * KILOBYTE : NAN;
 }
 
-static PetscReal PeakFromUsage_Private(void)
+static PetscReal MemoryGetPeakFromUsage_Private(void)
 {
 #ifdef __APPLE__
   const PetscReal unit = BYTE;
@@ -105,8 +105,8 @@ static PetscReal PeakFromUsage_Private(void)
 PetscErrorCode MemoryPeak(MPI_Comm comm, PetscReal *bytes, PetscReal *largest)
 {
   PetscFunctionBeginUser;
-  *bytes = PeakFromProc_Private();
-  if (PetscIsNanReal(*bytes)) *bytes = PeakFromUsage_Private();
+  *bytes = MemoryGetPeakFromProc_Private();
+  if (PetscIsNanReal(*bytes)) *bytes = MemoryGetPeakFromUsage_Private();
   if (largest) PetscCallMPI(MPI_Allreduce(bytes, largest, 1, MPIU_REAL, MPI_MAX, comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, bytes, 1, MPIU_REAL, MPI_SUM, comm));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -122,7 +122,7 @@ PetscErrorCode MemoryPeakReset(MPI_Comm comm, PetscBool *done)
 #ifdef __GLIBC__
   malloc_trim(0);
 #endif
-  file = PetscIsNanReal(PeakFromProc_Private()) ? NULL : fopen("/proc/self/clear_refs", "w");
+  file = PetscIsNanReal(MemoryGetPeakFromProc_Private()) ? NULL : fopen("/proc/self/clear_refs", "w");
   if (file) {
     ok = fputs(reset, file) >= 0;
     ok = !fclose(file) && ok; // what is written shows at the latest when the file is closed
@@ -135,7 +135,7 @@ PetscErrorCode MemoryPeakReset(MPI_Comm comm, PetscBool *done)
 PetscErrorCode MemorySuffices(MPI_Comm comm, PetscReal bytes, PetscBool *suffices)
 {
   struct rlimit   limit;
-  const PetscReal available = Available_Private();
+  const PetscReal available = MemoryGetAvailable_Private();
   PetscReal       together;
   MPI_Comm        machine;
 

@@ -14,7 +14,7 @@ static TextList arguments; /* what PETSc gets */
 static TextList files;     /* options files as found, in the order of reading; the first as typed */
 
 /* What PETSc would read of itself: its files in the order of its own reader, then its variable. */
-static void ReadDefaults_Private(Reader *reader, int skip_files)
+static void OptionsReadDefaults_Private(Reader *reader, int skip_files)
 {
   const char *home = getenv("HOME"), *variable = getenv("PETSC_OPTIONS");
   char        paths[3][PETSC_MAX_PATH_LEN] = {"", ".petscrc", "petscrc"};
@@ -35,7 +35,7 @@ static void ReadDefaults_Private(Reader *reader, int skip_files)
 }
 
 /* The command line, whose own options wait until the files that it names are read. */
-static void ReadCommandLine_Private(Reader *reader, int argc, char **argv)
+static void OptionsReadCommandLine_Private(Reader *reader, int argc, char **argv)
 {
   Word    *words = TextAllocate(NULL, (size_t)argc * sizeof(*words));
   TextList own   = {0, NULL};
@@ -60,8 +60,8 @@ void OptionsExpand(int argc, char **argv, int *argc_out, char ***argv_out, char 
   if (!rank) {
     for (int a = 1; a < argc; ++a) skip_files |= WordIsName(argv[a]) && WordIs(argv[a], "-skip_petscrc");
     TextListAppend(&arguments, argc ? argv[0] : "mortise");
-    ReadDefaults_Private(&reader, skip_files);
-    ReadCommandLine_Private(&reader, argc, argv);
+    OptionsReadDefaults_Private(&reader, skip_files);
+    OptionsReadCommandLine_Private(&reader, argc, argv);
     TextListAppend(&arguments, "-skip_petscrc"); // PETSc need not read again what is in the list
   }
   unsetenv("PETSC_OPTIONS");
@@ -77,17 +77,17 @@ const char *OptionsFileName(void)
   return files.num ? files.items[0] : NULL;
 }
 
-static int CompareGiven_Private(const void *a, const void *b)
+static int OptionsCompareGiven_Private(const void *a, const void *b)
 {
   return strcasecmp(((const OptionGiven *)a)->name, ((const OptionGiven *)b)->name);
 }
 
 /* Puts an option into a list, over one of the same name: PETSc does not tell capitals from small letters. */
-static void PutGiven_Private(OptionGiven given[], PetscInt *num, OptionGiven option)
+static void OptionsPutGiven_Private(OptionGiven given[], PetscInt *num, OptionGiven option)
 {
   PetscInt i = 0;
 
-  while (i < *num && CompareGiven_Private(&given[i], &option)) ++i;
+  while (i < *num && OptionsCompareGiven_Private(&given[i], &option)) ++i;
   given[i] = option;
   if (i == *num) ++*num;
 }
@@ -105,9 +105,9 @@ PetscErrorCode OptionsGetGiven(PetscInt *num, OptionGiven **given)
 
     name += strspn(name, "-");
     if (value) ++a;
-    PutGiven_Private(*given, num, (OptionGiven){name, value ? arguments.items[a] : ""});
+    OptionsPutGiven_Private(*given, num, (OptionGiven){name, value ? arguments.items[a] : ""});
   }
-  qsort(*given, (size_t)*num, sizeof(**given), CompareGiven_Private);
+  qsort(*given, (size_t)*num, sizeof(**given), OptionsCompareGiven_Private);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -13,7 +13,7 @@
 enum { MAX_SIZE = 1 << 22 }; /* bytes of a file: text that a person would not write */
 
 /* Tells the first mistake; later ones are its consequences. */
-static void Complain_Private(Reader *reader, const char format[], ...)
+static void OptionsReaderRefuse_Private(Reader *reader, const char format[], ...)
 {
   va_list values;
 
@@ -71,18 +71,19 @@ char *ReaderSlurp(Reader *reader, const char path[])
   size_t size;
 
   if (!file) {
-    Complain_Private(reader, "-options_file %s: the file cannot be read: %s", path, strerror(errno));
+    OptionsReaderRefuse_Private(reader, "-options_file %s: the file cannot be read: %s", path, strerror(errno));
     free(text);
     return NULL;
   }
   size       = fread(text, 1, MAX_SIZE, file);
   text[size] = '\0';
   if (ferror(file))
-    Complain_Private(reader, "-options_file %s: the file cannot be read: %s", path, strerror(errno));
+    OptionsReaderRefuse_Private(reader, "-options_file %s: the file cannot be read: %s", path, strerror(errno));
   else if (strlen(text) < size)
-    Complain_Private(reader, "-options_file %s: this is not a text file, it has a zero byte", path);
+    OptionsReaderRefuse_Private(reader, "-options_file %s: this is not a text file, it has a zero byte", path);
   else if (size == MAX_SIZE)
-    Complain_Private(reader, "-options_file %s: longer than %d bytes, hardly an options file", path, MAX_SIZE);
+    OptionsReaderRefuse_Private(reader, "-options_file %s: longer than %d bytes, hardly an options file", path,
+                                MAX_SIZE);
   fclose(file);
   if (!reader->sentence[0]) return text;
   free(text);
@@ -91,35 +92,35 @@ char *ReaderSlurp(Reader *reader, const char path[])
 
 /* --- words ------------------------------------------------------------------------------------------------------ */
 
-static void ReadFile_Private(Reader *reader, const char where[], const char name[]);
+static void OptionsReaderReadFile_Private(Reader *reader, const char where[], const char name[]);
 
 /* Whether a word that PETSc takes for an option's name is something else: a formula, or a text with spaces. */
-static int IsFormula_Private(const Word *word)
+static int OptionsReaderIsFormula_Private(const Word *word)
 {
   return WordIsName(word->text) && (word->quoted || strpbrk(word->text, "()*/^, "));
 }
 
 /* Appends the option that stands at words[0], with its value if it has one. Returns the number of words taken. */
-static int ReadOption_Private(Reader *reader, const char where[], int num_words, const Word words[])
+static int OptionsReaderReadOption_Private(Reader *reader, const char where[], int num_words, const Word words[])
 {
   const char *name = words[0].text, *next = num_words > 1 ? words[1].text : NULL;
   const char *value   = next && !WordIsName(next) ? next : NULL;
   const int   is_file = WordIs(name, "-options_file"), is_yaml = WordIs(name, "-options_file_yaml");
 
-  if (next && IsFormula_Private(&words[1]))
-    Complain_Private(reader,
-                     "%s: %s %s: PETSc takes a value that begins with a minus and a letter for an option; write 0%s",
-                     where, name, next, next);
-  else if (IsFormula_Private(&words[0]))
-    Complain_Private(reader, "%s: '%s' is not an option's name", where, name);
+  if (next && OptionsReaderIsFormula_Private(&words[1]))
+    OptionsReaderRefuse_Private(
+        reader, "%s: %s %s: PETSc takes a value that begins with a minus and a letter for an option; write 0%s", where,
+        name, next, next);
+  else if (OptionsReaderIsFormula_Private(&words[0]))
+    OptionsReaderRefuse_Private(reader, "%s: '%s' is not an option's name", where, name);
   else if (strchr(name, '='))
-    Complain_Private(reader, "%s: %s: a value follows after a space, not after '='", where, name);
+    OptionsReaderRefuse_Private(reader, "%s: %s: a value follows after a space, not after '='", where, name);
   else if ((is_file || is_yaml) && !value)
-    Complain_Private(reader, "%s: %s needs the name of a file", where, name);
+    OptionsReaderRefuse_Private(reader, "%s: %s needs the name of a file", where, name);
   else if (is_yaml && !FileCanRead(value))
-    Complain_Private(reader, "%s: %s %s: there is no such file", where, name, value);
+    OptionsReaderRefuse_Private(reader, "%s: %s %s: there is no such file", where, name, value);
   else if (is_file)
-    ReadFile_Private(reader, where, value);
+    OptionsReaderReadFile_Private(reader, where, value);
   else {
     TextListAppend(reader->target, name);
     if (value) TextListAppend(reader->target, value);
@@ -128,16 +129,19 @@ static int ReadOption_Private(Reader *reader, const char where[], int num_words,
 }
 
 /* Complains about a word that is neither an option nor a value. [in] previous - the option before it, or NULL */
-static void ComplainOfWord_Private(Reader *reader, const char where[], const char word[], const char previous[])
+static void OptionsReaderRefuseWord_Private(Reader *reader, const char where[], const char word[],
+                                            const char previous[])
 {
   if (FileCanRead(word))
-    Complain_Private(reader, "%s: '%s' is a file, but not an option; an options file is named by -options_file %s",
-                     where, word, word);
+    OptionsReaderRefuse_Private(reader,
+                                "%s: '%s' is a file, but not an option; an options file is named by -options_file %s",
+                                where, word, word);
   else if (previous)
-    Complain_Private(reader, "%s: '%s' is one word too many after %s; a value with spaces stands in double quotes",
-                     where, word, previous);
+    OptionsReaderRefuse_Private(reader,
+                                "%s: '%s' is one word too many after %s; a value with spaces stands in double quotes",
+                                where, word, previous);
   else
-    Complain_Private(
+    OptionsReaderRefuse_Private(
         reader,
         "%s: '%s' is not an option, which begins with a minus and a letter; an options file is named by -options_file",
         where, word);
@@ -150,14 +154,14 @@ void ReaderReadWords(Reader *reader, const char where[], int num_words, const Wo
   for (int w = 0; w < num_words && !reader->sentence[0];) {
     if (WordIsName(words[w].text)) {
       previous = words[w].text;
-      w += ReadOption_Private(reader, where, num_words - w, words + w);
+      w += OptionsReaderReadOption_Private(reader, where, num_words - w, words + w);
     } else
-      ComplainOfWord_Private(reader, where, words[w].text, previous);
+      OptionsReaderRefuseWord_Private(reader, where, words[w].text, previous);
   }
 }
 
 /* Cuts a line into words in place, and its comment off. [out] words - array of shape [strlen(line)] at least */
-static int SplitLine_Private(Reader *reader, const char where[], char line[], Word words[])
+static int OptionsReaderSplitLine_Private(Reader *reader, const char where[], char line[], Word words[])
 {
   static const char blanks[]  = " \t\r\f\v";
   int               num_words = 0;
@@ -168,10 +172,11 @@ static int SplitLine_Private(Reader *reader, const char where[], char line[], Wo
     const char  last = *end, behind = last ? end[1] : '\0';
 
     words[num_words++] = (Word){begin, quoted};
-    if (quoted && !last) Complain_Private(reader, "%s: the quote before '%s' is not closed in this line", where, begin);
+    if (quoted && !last)
+      OptionsReaderRefuse_Private(reader, "%s: the quote before '%s' is not closed in this line", where, begin);
     if (quoted && behind && !strchr(blanks, behind) && behind != '#')
-      Complain_Private(reader, "%s: '%s' follows right after a quote; quotes stand around a value as a whole", where,
-                       end + 1);
+      OptionsReaderRefuse_Private(
+          reader, "%s: '%s' follows right after a quote; quotes stand around a value as a whole", where, end + 1);
     *end = '\0';
     if (!last || last == '#') break;
     line = end + 1;
@@ -194,29 +199,31 @@ void ReaderReadText(Reader *reader, const char source[], char text[])
     if (next) *next++ = '\0';
     snprintf(where, sizeof(where), "%s, line %d", source, ++number);
     words     = TextAllocate(NULL, (strlen(line) + 1) * sizeof(*words));
-    num_words = SplitLine_Private(reader, where, line, words);
+    num_words = OptionsReaderSplitLine_Private(reader, where, line, words);
     ReaderReadWords(reader, where, num_words, words);
     free(words);
   }
 }
 
 /* Reads an options file that is named at `where`; its options go before those of the command line. */
-static void ReadFile_Private(Reader *reader, const char where[], const char name[])
+static void OptionsReaderReadFile_Private(Reader *reader, const char where[], const char name[])
 {
   TextList *const target = reader->target;
   char            found[PETSC_MAX_PATH_LEN], *text, *path = NULL;
   struct stat     status;
 
   if (!FileFind(reader->files, name, found, sizeof(found)))
-    Complain_Private(reader, "%s: -options_file %s: %s", where, name,
-                     stat(name, &status) ? "there is no such file" : "this is not a file that can be read");
+    OptionsReaderRefuse_Private(reader, "%s: -options_file %s: %s", where, name,
+                                stat(name, &status) ? "there is no such file" : "this is not a file that can be read");
   else if (reader->depth == READER_MAX_DEPTH)
-    Complain_Private(reader, "%s: -options_file %s: more than %d files within files", where, name, READER_MAX_DEPTH);
+    OptionsReaderRefuse_Private(reader, "%s: -options_file %s: more than %d files within files", where, name,
+                                READER_MAX_DEPTH);
   else
     path = realpath(found, NULL);
   for (int i = 0; path && i < reader->depth; ++i)
     if (!strcmp(path, reader->open[i]))
-      Complain_Private(reader, "%s: -options_file %s: this file is being read already, it names itself", where, name);
+      OptionsReaderRefuse_Private(reader, "%s: -options_file %s: this file is being read already, it names itself",
+                                  where, name);
   text = path && !reader->sentence[0] ? ReaderSlurp(reader, found) : NULL;
   if (text) {
     reader->open[reader->depth++] = path;

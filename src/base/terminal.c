@@ -12,7 +12,7 @@
 enum { PATH_LENGTH = 64 };
 
 /* Whether standard output of the parent process is a terminal, where the system tells (Linux). */
-static int ParentHasTerminal_Private(void)
+static int TerminalParentHasTerminal_Private(void)
 {
   char path[PATH_LENGTH];
   int  output, terminal;
@@ -30,7 +30,7 @@ PetscErrorCode TerminalIsThere(MPI_Comm comm, PetscBool *there)
   int terminal = isatty(STDOUT_FILENO);
 
   PetscFunctionBeginUser;
-  if (terminal && getenv("OMPI_COMM_WORLD_SIZE")) terminal = ParentHasTerminal_Private();
+  if (terminal && getenv("OMPI_COMM_WORLD_SIZE")) terminal = TerminalParentHasTerminal_Private();
   PetscCallMPI(MPI_Bcast(&terminal, 1, MPI_INT, 0, comm));
   *there = terminal ? PETSC_TRUE : PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);

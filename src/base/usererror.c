@@ -48,7 +48,7 @@ static PetscBool UserErrorIsOption_Private(const char function[], PetscErrorCode
 }
 
 /* Whether the message quotes the first length letters of text, in either case, as a word of its own. */
-static PetscBool Quotes_Private(const char message[], const char text[], size_t length)
+static PetscBool UserErrorQuotesText_Private(const char message[], const char text[], size_t length)
 {
   static const char inside[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_+-.";
 
@@ -61,16 +61,16 @@ static PetscBool Quotes_Private(const char message[], const char text[], size_t 
 }
 
 /* As above for any item of a list: PETSc reads it item by item. */
-static PetscBool QuotesItem_Private(const char message[], const char list[])
+static PetscBool UserErrorQuotesItem_Private(const char message[], const char list[])
 {
   for (size_t length = strcspn(list, ",:");; list += length + 1, length = strcspn(list, ",:")) {
-    if (Quotes_Private(message, list, length)) return PETSC_TRUE;
+    if (UserErrorQuotesText_Private(message, list, length)) return PETSC_TRUE;
     if (!list[length]) return PETSC_FALSE;
   }
 }
 
 /* The place in the argument list of the one option whose name or value the message quotes; 0 if none, or not one alone. */
-static int FindOption_Private(const char message[], int num, char *const arguments[])
+static int UserErrorFindOption_Private(const char message[], int num, char *const arguments[])
 {
   int found = 0;
 
@@ -80,8 +80,8 @@ static int FindOption_Private(const char message[], int num, char *const argumen
     (void)PetscOptionsValidKey(arguments[a], &name);
     if (a + 1 < num) (void)PetscOptionsValidKey(arguments[a + 1], &next_name);
     if (!name) continue;
-    if (!Quotes_Private(message, arguments[a], strlen(arguments[a])) &&
-        (next_name || !QuotesItem_Private(message, arguments[a + 1])))
+    if (!UserErrorQuotesText_Private(message, arguments[a], strlen(arguments[a])) &&
+        (next_name || !UserErrorQuotesItem_Private(message, arguments[a + 1])))
       continue;
     if (found) return 0;
     found = a;
@@ -97,7 +97,7 @@ static PetscErrorCode UserErrorFromPETSc_Private(const char message[])
   int    num, option, length = (int)strcspn(message, "\n"); // the rest is PETSc's advice on installing packages
 
   while (length && (isspace((unsigned char)message[length - 1]) || message[length - 1] == '.')) --length;
-  option = PetscGetArgs(&num, &arguments) ? 0 : FindOption_Private(message, num, arguments);
+  option = PetscGetArgs(&num, &arguments) ? 0 : UserErrorFindOption_Private(message, num, arguments);
   if (option)
     snprintf(sentence, sizeof(sentence), "%s: PETSc says: %.*s", arguments[option], length, message);
   else
@@ -169,7 +169,7 @@ static PetscErrorCode UserErrorHandlerFn(MPI_Comm comm, int line, const char *fu
   return PetscTraceBackErrorHandler(comm, line, function, file, code, type, message, context);
 }
 
-static void OverdueFn(int number)
+static void UserErrorAlarmFn(int number)
 {
   (void)number;
   _exit(MORTISE_FAILED);
@@ -180,7 +180,7 @@ static void UserErrorEnd_Private(void)
 {
   int size;
 
-  (void)signal(SIGALRM, OverdueFn);
+  (void)signal(SIGALRM, UserErrorAlarmFn);
   (void)alarm(PATIENCE);
   InterruptCleanUp();
   MPI_Comm_size(MPI_COMM_WORLD, &size);
@@ -268,7 +268,7 @@ PetscErrorCode UserErrorCheck(MPI_Comm comm, const char sentence[])
 
 /* Levenshtein's distance, the least number of letters inserted, deleted or exchanged, ignoring case. One row of the table
    at a time: distance[j] belongs to the first i letters of a and the first j of b. [in] distance - workspace [length of b + 1] */
-static size_t EditDistance_Private(const char a[], const char b[], size_t distance[])
+static size_t UserErrorEditDistance_Private(const char a[], const char b[], size_t distance[])
 {
   const size_t length_a = strlen(a), length_b = strlen(b);
 
@@ -299,7 +299,7 @@ const char *UserErrorNearest(const char misspelt[], PetscInt num_names, const ch
   least = PetscMin((strlen(misspelt) + 2) / 3 + 1,
                    strlen(misspelt)); // more than a third of the letters wrong is another word
   for (PetscInt n = 0; n < num_names; ++n) {
-    const size_t distance = EditDistance_Private(misspelt, names[n], workspace);
+    const size_t distance = UserErrorEditDistance_Private(misspelt, names[n], workspace);
 
     if (distance >= least) continue;
     least   = distance;

@@ -16,14 +16,14 @@ static struct {
   int       muted, ended;  /* how often; warnings of runs that have ended */
 } book;
 
-static void Forget_Private(cJSON **list)
+static void WarningReset_Private(cJSON **list)
 {
   cJSON_Delete(*list);
   *list = NULL;
 }
 
 /* Whether a list has it already. */
-static PetscBool Has_Private(const cJSON *list, const cJSON *one)
+static PetscBool WarningIsListed_Private(const cJSON *list, const cJSON *one)
 {
   const cJSON *item;
 
@@ -34,14 +34,14 @@ static PetscBool Has_Private(const cJSON *list, const cJSON *one)
   return PETSC_FALSE;
 }
 
-static void Append_Private(cJSON **list, cJSON *one)
+static void WarningAppend_Private(cJSON **list, cJSON *one)
 {
   if (!*list) *list = cJSON_CreateArray();
   cJSON_AddItemToArray(*list, one);
 }
 
 /* A line of its own, once in the life of the program; of several runs, the first that has something to say of a body or pair says it. */
-static void Tell_Private(const Warning *about, const char text[])
+static void WarningPrint_Private(const Warning *about, const char text[])
 {
   const PetscBool several = (PetscBool)(book.within && book.label[0]);
   const char     *who     = about->body ? about->body : about->pair ? about->pair : "";
@@ -51,17 +51,17 @@ static void Tell_Private(const Warning *about, const char text[])
   if (book.quiet) return;
   (void)snprintf(key, sizeof(key), "%s %s %s", about->code, who, several ? "" : text);
   line = cJSON_CreateString(key);
-  if (Has_Private(book.told, line)) {
+  if (WarningIsListed_Private(book.told, line)) {
     cJSON_Delete(line);
     return;
   }
-  Append_Private(&book.told, line);
+  WarningAppend_Private(&book.told, line);
   (void)fflush(stdout); // what was printed before stands before it
   fprintf(stderr, "mortise: warning: %s%s%s%s%s\n", several ? book.label : "", several ? ": " : "", text,
           about->advice ? "; " : "", about->advice ? about->advice : "");
 }
 
-static cJSON *Create_Private(const Warning *about, const char text[])
+static cJSON *WarningCreate_Private(const Warning *about, const char text[])
 {
   cJSON *one = cJSON_CreateObject();
 
@@ -90,19 +90,19 @@ PetscErrorCode WarningAdd(const Warning *about, const char format[], ...)
   va_start(arguments, format);
   (void)vsnprintf(text, sizeof(text), format, arguments);
   va_end(arguments);
-  one = Create_Private(about, text);
-  if (Has_Private(book.common, one) || Has_Private(book.run, one)) {
+  one = WarningCreate_Private(about, text);
+  if (WarningIsListed_Private(book.common, one) || WarningIsListed_Private(book.run, one)) {
     cJSON_Delete(one);
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  Append_Private(book.within ? &book.run : &book.common, one);
-  Tell_Private(about, text);
+  WarningAppend_Private(book.within ? &book.run : &book.common, one);
+  WarningPrint_Private(about, text);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 void WarningBeginRun(void)
 {
-  Forget_Private(&book.run);
+  WarningReset_Private(&book.run);
   book.within = PETSC_TRUE;
   book.muted  = 0;
 }
@@ -155,8 +155,8 @@ cJSON *WarningList(void)
 
 void WarningClear(void)
 {
-  Forget_Private(&book.common);
-  Forget_Private(&book.run);
-  Forget_Private(&book.told);
+  WarningReset_Private(&book.common);
+  WarningReset_Private(&book.run);
+  WarningReset_Private(&book.told);
   memset(&book, 0, sizeof(book));
 }

@@ -8,6 +8,7 @@
 #include "kernel/frame.h"
 #include "contact/obstacle.h"
 #include "contact/mortarintegrals.h"
+#include "kernel/vector.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
@@ -24,16 +25,9 @@ static const PetscReal SAME_POINT = 1e-13;
 /* Steps along interpolated normals, at most: each leaves a share of the distance over the radius, down to rounding of eta. */
 enum { FOLLOW_STEPS = 40 };
 
-static PetscReal Dot_Private(PetscInt dim, const PetscReal a[], const PetscReal b[])
-{
-  PetscReal sum = 0;
-
-  for (PetscInt k = 0; k < dim; k++) sum += a[k] * b[k];
-  return sum;
-}
-
 /* Squared distance of a point from a facet's box. */
-static PetscReal BoxDistance_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal x[])
+static PetscReal ContactNormalBoxDistance_Private(PetscInt dim, ElementType type, const PetscReal X[],
+                                                  const PetscReal x[])
 {
   PetscReal box[6], square = 0;
 
@@ -43,8 +37,8 @@ static PetscReal BoxDistance_Private(PetscInt dim, ElementType type, const Petsc
 }
 
 /* Normal and curvature of a mortar facet at a point of its reference cell. */
-static void MortarShape_Private(const MortarSurface *mortar, PetscInt dim, PetscInt f, const PetscReal eta[],
-                                SurfacePoint *at)
+static void ContactNormalMortarShape_Private(const MortarSurface *mortar, PetscInt dim, PetscInt f,
+                                             const PetscReal eta[], SurfacePoint *at)
 {
   const PetscInt num = ElementNumNodes(mortar->type[f]);
   PetscReal      phi[ELEMENT_MAX_NODES], S[9];
@@ -64,20 +58,20 @@ static void MortarShape_Private(const MortarSurface *mortar, PetscInt dim, Petsc
 /* The point of a facet whose normal, between those of the nodes, leads through x: from there to x it goes through the centre of a circle or
    a ball, however far chords are from it. Returns the squared distance, enlarged where the facet ends before that point.
    [in,out] eta - begins at the nearest point */
-static PetscReal FollowNormal_Private(const MortarSurface *mortar, PetscInt dim, PetscInt f, const PetscReal x[],
-                                      PetscReal eta[], SurfacePoint *at)
+static PetscReal ContactNormalFollowNormal_Private(const MortarSurface *mortar, PetscInt dim, PetscInt f,
+                                                   const PetscReal x[], PetscReal eta[], SurfacePoint *at)
 {
   const PetscReal  *X    = &mortar->coords[f * F * dim];
   const ElementType type = mortar->type[f];
   PetscReal         phi[ELEMENT_MAX_NODES], away[3], y[3], before[2], along = 0, square = 0, change = 1;
 
   for (PetscInt step = 0; step <= FOLLOW_STEPS; step++) {
-    MortarShape_Private(mortar, dim, f, eta, at);
+    ContactNormalMortarShape_Private(mortar, dim, f, eta, at);
     ElementShape(type, eta, phi, NULL);
     for (PetscInt k = 0; k < dim; k++) away[k] = -x[k];
     for (PetscInt i = 0; i < ElementNumNodes(type) * dim; i++) away[i % dim] += phi[i / dim] * X[i];
-    along  = Dot_Private(dim, away, at->normal);
-    square = Dot_Private(dim, away, away);
+    along  = VectorDot(dim, away, at->normal);
+    square = VectorDot(dim, away, away);
     if (step == FOLLOW_STEPS || change <= SAME_POINT) break;
     for (PetscInt k = 0; k < dim; k++) y[k] = x[k] + along * at->normal[k];
     for (PetscInt k = 0; k < dim - 1; k++) before[k] = eta[k];
@@ -90,8 +84,8 @@ static PetscReal FollowNormal_Private(const MortarSurface *mortar, PetscInt dim,
 
 /* How far x is above the smooth surface through a facet's nodes, along the normal at the foot: the surface itself is above the facet by
    1/2 sum phi_i d_i.S d_i, d_i from the foot to the nodes. */
-static PetscReal HeightOver_Private(const MortarSurface *mortar, PetscInt dim, PetscInt f, const PetscReal x[],
-                                    const PetscReal eta[], const SurfacePoint *at)
+static PetscReal ContactNormalHeightOver_Private(const MortarSurface *mortar, PetscInt dim, PetscInt f,
+                                                 const PetscReal x[], const PetscReal eta[], const SurfacePoint *at)
 {
   const PetscReal *X   = &mortar->coords[f * F * dim];
   const PetscInt   num = ElementNumNodes(mortar->type[f]);
@@ -109,7 +103,7 @@ static PetscReal HeightOver_Private(const MortarSurface *mortar, PetscInt dim, P
 }
 
 /* The curvature of the parallel surface that lies above by a height: S (1 + height S)^-1 in the tangent plane. */
-static void ToParallel_Private(PetscInt dim, PetscReal height, SurfacePoint *at)
+static void ContactNormalToParallel_Private(PetscInt dim, PetscReal height, SurfacePoint *at)
 {
   PetscReal trace = 0, square = 0, product, scale;
 
@@ -130,8 +124,8 @@ static void ToParallel_Private(PetscInt dim, PetscReal height, SurfacePoint *at)
 /* The shape of the mortar side below a point, as that of the parallel surface through it: then centres of circles and balls are where they
    are. Facets that face the point are preferred to those that hardly do. Not collective. [in] n - normal at the point;
    [out] found - whether there are such facets within reach */
-static PetscErrorCode FindMortar_Private(const FacetPartner *partner, const PetscReal x[], const PetscReal n[],
-                                         SurfacePoint *at, PetscBool *found)
+static PetscErrorCode ContactNormalFindMortar_Private(const FacetPartner *partner, const PetscReal x[],
+                                                      const PetscReal n[], SurfacePoint *at, PetscBool *found)
 {
   const MortarSurface *mortar = partner->mortar;
   const PetscInt       dim    = partner->dim;
@@ -153,10 +147,10 @@ static PetscErrorCode FindMortar_Private(const FacetPartner *partner, const Pets
     SurfacePoint     here;
     PetscBool        better;
 
-    if (faces && BoxDistance_Private(dim, mortar->type[f], X, x) >= nearest) continue;
+    if (faces && ContactNormalBoxDistance_Private(dim, mortar->type[f], X, x) >= nearest) continue;
     if (FacetClosest(dim, mortar->type[f], X, x, eta) >= (faces ? nearest : PetscSqr(partner->reach))) continue;
-    square = FollowNormal_Private(mortar, dim, f, x, eta, &here);
-    cosine = Dot_Private(dim, here.normal, n);
+    square = ContactNormalFollowNormal_Private(mortar, dim, f, x, eta, &here);
+    cosine = VectorDot(dim, here.normal, n);
     better = (PetscBool)(square < nearest || facet < 0 || (cosine < FACING && !faces));
     if (cosine >= BESIDE || (cosine >= FACING && faces) || !better) continue;
     nearest = square;
@@ -166,13 +160,14 @@ static PetscErrorCode FindMortar_Private(const FacetPartner *partner, const Pets
     for (PetscInt k = 0; k < dim - 1; k++) best[k] = eta[k];
   }
   *found = (PetscBool)(facet >= 0);
-  if (*found) ToParallel_Private(dim, HeightOver_Private(mortar, dim, facet, x, best, at), at);
+  if (*found)
+    ContactNormalToParallel_Private(dim, ContactNormalHeightOver_Private(mortar, dim, facet, x, best, at), at);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The direction at one node. [in] own - normal and curvature there; [in] size - of a facet there; [out] n - [dim] */
-static PetscErrorCode Direction_Private(const FacetPartner *partner, const PetscReal x[], const SurfacePoint *own,
-                                        PetscReal size, PetscReal n[])
+static PetscErrorCode ContactNormalFind_Private(const FacetPartner *partner, const PetscReal x[],
+                                                const SurfacePoint *own, PetscReal size, PetscReal n[])
 {
   const PetscInt dim = partner->dim;
   SurfacePoint   other;
@@ -180,11 +175,11 @@ static PetscErrorCode Direction_Private(const FacetPartner *partner, const Petsc
 
   PetscFunctionBeginUser;
   if (partner->mortar) {
-    PetscCall(FindMortar_Private(partner, x, own->normal, &other, &found));
+    PetscCall(ContactNormalFindMortar_Private(partner, x, own->normal, &other, &found));
   } else {
     PetscCall(ObstacleShape(&partner->spec->obstacle, dim, x, size, &other, &found));
     if (found && partner->spec->obstacle.kind != OBSTACLE_PLANE) // which has one normal, for nodes beside it, too
-      found = (PetscBool)(Dot_Private(dim, other.normal, own->normal) < BESIDE);
+      found = (PetscBool)(VectorDot(dim, other.normal, own->normal) < BESIDE);
   }
   if (!found) {
     PetscCall(PetscArraycpy(n, own->normal, dim));
@@ -198,8 +193,8 @@ static PetscErrorCode Direction_Private(const FacetPartner *partner, const Petsc
 
 /* Directions at the nodes of this rank's facets, each once. [in,out] na - own normals at local nodes, then directions, zero at nodes
    of no facet here */
-static PetscErrorCode SetLocal_Private(Level *level, const FacetPartner *partner, const Facets *facets,
-                                       const SideShape *shape, PetscScalar na[])
+static PetscErrorCode ContactNormalSetLocal_Private(Level *level, const FacetPartner *partner, const Facets *facets,
+                                                    const SideShape *shape, PetscScalar na[])
 {
   const PetscInt dim = level->dim;
   PetscReal      X[3 * F];
@@ -221,7 +216,7 @@ static PetscErrorCode SetLocal_Private(Level *level, const FacetPartner *partner
       for (PetscInt k = 0; k < dim; k++) own.normal[k] = PetscRealPart(na[node * dim + k]);
       for (PetscInt k = 0; k < dim * dim && shape->ridge[corner] == 0; k++)
         own.curvature[k] = shape->curvature[corner * dim * dim + k];
-      PetscCall(Direction_Private(partner, &level->coords[node * dim], &own, size, &na[node * dim]));
+      PetscCall(ContactNormalFind_Private(partner, &level->coords[node * dim], &own, size, &na[node * dim]));
     }
   }
   for (PetscInt i = 0; i < level->num_nodes; i++) {
@@ -243,7 +238,7 @@ PetscErrorCode ContactNormalsSet(Level *level, const FacetPartner *partner, cons
   if (!curved && partner->spec->obstacle.kind != OBSTACLE_PLANE) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecGhostGetLocalForm(normals, &local));
   PetscCall(VecGetArray(local, &na));
-  PetscCall(SetLocal_Private(level, partner, facets, shape, na));
+  PetscCall(ContactNormalSetLocal_Private(level, partner, facets, shape, na));
   PetscCall(VecRestoreArray(local, &na));
   PetscCall(VecGhostRestoreLocalForm(normals, &local));
   PetscCall(NormalsShare(level, normals));

@@ -22,8 +22,8 @@ ElementType CarrierType(const ScenePair *spec, ElementType facet)
 }
 
 /* Position of a global node among the columns, added if it is new. */
-static PetscErrorCode FindColumn_Private(const FacetPartner *partner, FacetIntegral *integral, PetscInt node,
-                                         PetscInt *column)
+static PetscErrorCode FacetIntegralFindColumn_Private(const FacetPartner *partner, FacetIntegral *integral,
+                                                      PetscInt node, PetscInt *column)
 {
   const PetscInt arms = partner->spec->type == PAIR_TIED ? ELEMENT_MAX_FACET_NODES * partner->dim * partner->dim : 0;
 
@@ -44,8 +44,8 @@ static PetscErrorCode FindColumn_Private(const FacetPartner *partner, FacetInteg
 }
 
 /* The gap at a point: measured, or given, plus the offset. */
-static PetscErrorCode GapAt_Private(const FacetPartner *partner, PetscInt n, const PetscReal X[], const PetscReal phi[],
-                                    PetscReal *gap)
+static PetscErrorCode FacetIntegralGapAt_Private(const FacetPartner *partner, PetscInt n, const PetscReal X[],
+                                                 const PetscReal phi[], PetscReal *gap)
 {
   PetscReal x[3] = {0, 0, 0}, offset;
 
@@ -62,7 +62,7 @@ static PetscErrorCode GapAt_Private(const FacetPartner *partner, PetscInt n, con
 }
 
 /* What the weights of a facet's points become in this scene: those of the ring that a point stands for. */
-static void WeighPoints_Private(const FacetPartner *partner, const ClipFacet *facet, PointList *list)
+static void FacetIntegralWeighPoints_Private(const FacetPartner *partner, const ClipFacet *facet, PointList *list)
 {
   PetscReal phi[ELEMENT_MAX_NODES], x[3];
 
@@ -73,20 +73,20 @@ static void WeighPoints_Private(const FacetPartner *partner, const ClipFacet *fa
 }
 
 /* Columns of the nodes of a mortar facet; none of an obstacle. [out] columns - [nodes of the facet] */
-static PetscErrorCode FindColumns_Private(const FacetPartner *partner, PetscInt facet, FacetIntegral *integral,
-                                          PetscInt columns[])
+static PetscErrorCode FacetIntegralFindColumns_Private(const FacetPartner *partner, PetscInt facet,
+                                                       FacetIntegral *integral, PetscInt columns[])
 {
   PetscFunctionBeginUser;
   if (facet < 0) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt j = 0; j < ElementNumNodes(partner->mortar->type[facet]); j++)
-    PetscCall(FindColumn_Private(partner, integral, partner->mortar->nodes[facet * ELEMENT_MAX_FACET_NODES + j],
-                                 &columns[j]));
+    PetscCall(FacetIntegralFindColumn_Private(
+        partner, integral, partner->mortar->nodes[facet * ELEMENT_MAX_FACET_NODES + j], &columns[j]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Adds one quadrature point to M. [in] columns - of the mortar facet's nodes; psi - [n] */
-static void AddPoint_Private(const ClipPoint *point, ElementType mortar, const PetscInt columns[],
-                             const PetscReal psi[], FacetIntegral *integral)
+static void FacetIntegralAddPoint_Private(const ClipPoint *point, ElementType mortar, const PetscInt columns[],
+                                          const PetscReal psi[], FacetIntegral *integral)
 {
   PetscReal phi_m[ELEMENT_MAX_NODES];
 
@@ -98,8 +98,9 @@ static void AddPoint_Private(const ClipPoint *point, ElementType mortar, const P
 }
 
 /* Adds one quadrature point to the arm. [in] columns - of the mortar facet's nodes; psi - [n] */
-static void AddArm_Private(const FacetPartner *partner, const ClipFacet *facet, PetscInt mortar, const ClipPoint *point,
-                           const PetscInt columns[], const PetscReal psi[], FacetIntegral *integral)
+static void FacetIntegralAddArm_Private(const FacetPartner *partner, const ClipFacet *facet, PetscInt mortar,
+                                        const ClipPoint *point, const PetscInt columns[], const PetscReal psi[],
+                                        FacetIntegral *integral)
 {
   const PetscInt  squares = partner->dim * partner->dim;
   const ClipFacet other   = OverlapMortar(partner, mortar);
@@ -117,8 +118,8 @@ static void AddArm_Private(const FacetPartner *partner, const ClipFacet *facet, 
 }
 
 /* D, M, G and what couples with nodes that carry no multiplier, from the collected points. */
-static PetscErrorCode SumPoints_Private(const FacetPartner *partner, const ClipFacet *facet, const PointList *list,
-                                        FacetIntegral *integral)
+static PetscErrorCode FacetIntegralSumPoints_Private(const FacetPartner *partner, const ClipFacet *facet,
+                                                     const PointList *list, FacetIntegral *integral)
 {
   const PetscInt num_nodes = ElementNumNodes(facet->type);
   PetscInt       columns[ELEMENT_MAX_FACET_NODES];
@@ -139,11 +140,11 @@ static PetscErrorCode SumPoints_Private(const FacetPartner *partner, const ClipF
     PetscReal      phi[ELEMENT_MAX_NODES], psi[ELEMENT_MAX_NODES], gap = list->point[p].gap;
     ElementShape(facet->type, &xi[2 * p], phi, NULL);
     DualBasisEvaluate(&dual, &xi[2 * p], psi);
-    PetscCall(GapAt_Private(partner, num_nodes, facet->X, phi, &gap));
-    if (p == 0 || f != list->facet[p - 1]) PetscCall(FindColumns_Private(partner, f, integral, columns));
-    if (f >= 0) AddPoint_Private(&list->point[p], partner->mortar->type[f], columns, psi, integral);
+    PetscCall(FacetIntegralGapAt_Private(partner, num_nodes, facet->X, phi, &gap));
+    if (p == 0 || f != list->facet[p - 1]) PetscCall(FacetIntegralFindColumns_Private(partner, f, integral, columns));
+    if (f >= 0) FacetIntegralAddPoint_Private(&list->point[p], partner->mortar->type[f], columns, psi, integral);
     if (f >= 0 && partner->spec->type == PAIR_TIED)
-      AddArm_Private(partner, facet, f, &list->point[p], columns, psi, integral);
+      FacetIntegralAddArm_Private(partner, facet, f, &list->point[p], columns, psi, integral);
     integral->least = PetscMin(integral->least, gap);
     for (PetscInt i = 0; i < integral->n; i++) {
       integral->gap[i] += w[p] * psi[i] * gap;
@@ -156,8 +157,8 @@ static PetscErrorCode SumPoints_Private(const FacetPartner *partner, const ClipF
 }
 
 /* int phi~ over the whole facet, and its measure. */
-static void IntegrateWhole_Private(const FacetPartner *partner, const ClipFacet *facet, ElementType carrier,
-                                   FacetIntegral *integral)
+static void FacetIntegralAddUncovered_Private(const FacetPartner *partner, const ClipFacet *facet, ElementType carrier,
+                                              FacetIntegral *integral)
 {
   const PetscInt dim = ElementDim(facet->type);
   PetscReal      xi[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_NODES], x[3];
@@ -174,8 +175,8 @@ static void IntegrateWhole_Private(const FacetPartner *partner, const ClipFacet 
 }
 
 /* Where the mortar facets of a list end within a facet that they cover in part. */
-static PetscErrorCode FindEnds_Private(const FacetPartner *partner, const ClipFacet *facet, const PointList *list,
-                                       FacetIntegral *integral)
+static PetscErrorCode FacetIntegralFindEnds_Private(const FacetPartner *partner, const ClipFacet *facet,
+                                                    const PointList *list, FacetIntegral *integral)
 {
   const PetscInt dim = partner->dim;
   PetscReal     *xi;
@@ -223,15 +224,15 @@ PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *face
     integral->covered[i] = integral->full[i] = integral->gap[i] = 0;
     PetscCall(PetscArrayzero(integral->chain[i], ELEMENT_MAX_FACET_NODES));
   }
-  IntegrateWhole_Private(partner, facet, carrier, integral);
+  FacetIntegralAddUncovered_Private(partner, facet, carrier, integral);
   PetscCall(PointListCollect(partner, facet, list));
   curve = GapsRise(partner, facet, rise, list);
-  WeighPoints_Private(partner, facet, list);
-  PetscCall(SumPoints_Private(partner, facet, list, integral));
+  FacetIntegralWeighPoints_Private(partner, facet, list);
+  PetscCall(FacetIntegralSumPoints_Private(partner, facet, list, integral));
   integral->least -= curve;
   integral->whole = (PetscBool)(integral->cover >= (1 - NOTHING) * integral->measure);
   integral->cut   = (PetscBool)(partner->mortar && !integral->whole && integral->cover > NOTHING * integral->measure);
-  if (integral->cut) PetscCall(FindEnds_Private(partner, facet, list, integral));
+  if (integral->cut) PetscCall(FacetIntegralFindEnds_Private(partner, facet, list, integral));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

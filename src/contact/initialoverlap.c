@@ -23,7 +23,7 @@ typedef struct {
 } Suspects;
 
 /* The box around a body, over all ranks. [out] box - lower, upper corner [2][dim] */
-static PetscErrorCode BodyBox_Private(const Level *level, PetscInt body, PetscReal box[])
+static PetscErrorCode InitialOverlapBodyBox_Private(const Level *level, PetscInt body, PetscReal box[])
 {
   const PetscInt dim = level->dim;
   PetscReal      least[6]; // of x and of -x
@@ -46,8 +46,8 @@ static PetscErrorCode BodyBox_Private(const Level *level, PetscInt body, PetscRe
 }
 
 /* Copies x of each node of the facets that lies in a box, once on this rank. [out] x - [*num][dim], room for all */
-static PetscErrorCode CollectNodes_Private(const Level *level, const Facets *facets, const PetscReal box[],
-                                           PetscInt *num, PetscReal x[])
+static PetscErrorCode InitialOverlapCollectNodes_Private(const Level *level, const Facets *facets,
+                                                         const PetscReal box[], PetscInt *num, PetscReal x[])
 {
   const PetscInt dim   = level->dim;
   PetscInt       total = 0, *nodes;
@@ -72,8 +72,8 @@ static PetscErrorCode CollectNodes_Private(const Level *level, const Facets *fac
 }
 
 /* The nodes of a side in a box, on all ranks. Collective. */
-static PetscErrorCode SuspectsCreate_Private(const Level *level, const Facets *facets, const PetscReal box[],
-                                             Suspects *suspects)
+static PetscErrorCode InitialOverlapFindSuspects_Private(const Level *level, const Facets *facets,
+                                                         const PetscReal box[], Suspects *suspects)
 {
   PetscReal  *mine;
   PetscInt    num = 0;
@@ -82,7 +82,7 @@ static PetscErrorCode SuspectsCreate_Private(const Level *level, const Facets *f
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_size(level->comm, &size));
   PetscCall(PetscMalloc3(facets->num * ELEMENT_MAX_FACET_NODES * level->dim, &mine, size, &counts, size + 1, &begin));
-  PetscCall(CollectNodes_Private(level, facets, box, &num, mine));
+  PetscCall(InitialOverlapCollectNodes_Private(level, facets, box, &num, mine));
   count = (PetscMPIInt)(num * level->dim);
   PetscCallMPI(MPI_Allgather(&count, 1, MPI_INT, counts, 1, MPI_INT, level->comm));
   begin[0] = 0;
@@ -96,7 +96,8 @@ static PetscErrorCode SuspectsCreate_Private(const Level *level, const Facets *f
 }
 
 /* Lets go of what a side of the other body has within reach. Collective. */
-static PetscErrorCode ClearNear_Private(const Level *level, const Facets *side, PetscReal reach, Suspects *suspects)
+static PetscErrorCode InitialOverlapRemoveNear_Private(const Level *level, const Facets *side, PetscReal reach,
+                                                       Suspects *suspects)
 {
   const PetscInt  dim = level->dim;
   PetscReal       X[ELEMENT_MAX_FACET_NODES * 3], query[6], *boxes;
@@ -128,8 +129,8 @@ static PetscErrorCode ClearNear_Private(const Level *level, const Facets *side, 
 
 /* Which of some points are inside a body, on any rank. Collective. [in] x - the same on all ranks [num][dim];
    [out] inside - [num] */
-static PetscErrorCode FindInside_Private(const Level *level, PetscInt body, PetscInt num, const PetscReal x[],
-                                         PetscBool inside[])
+static PetscErrorCode InitialOverlapFindInside_Private(const Level *level, PetscInt body, PetscInt num,
+                                                       const PetscReal x[], PetscBool inside[])
 {
   const PetscInt  dim = level->dim;
   PetscReal      *boxes, X[ELEMENT_MAX_NODES * 3], cell[6], xi[3];
@@ -168,7 +169,8 @@ static PetscErrorCode FindInside_Private(const Level *level, PetscInt body, Pets
 }
 
 /* Keeps the suspects that are inside of a body with all that is about them. Collective. */
-static PetscErrorCode KeepInside_Private(const Level *level, PetscInt body, PetscReal margin, Suspects *suspects)
+static PetscErrorCode InitialOverlapKeepInside_Private(const Level *level, PetscInt body, PetscReal margin,
+                                                       Suspects *suspects)
 {
   const PetscInt dim = level->dim, num_probes = 2 * dim + 1;
   PetscInt       num = 0;
@@ -183,7 +185,7 @@ static PetscErrorCode KeepInside_Private(const Level *level, PetscInt body, Pets
       if (p) x[num * dim + (p - 1) / 2] += p % 2 ? margin : -margin;
     }
   }
-  PetscCall(FindInside_Private(level, body, num, x, inside));
+  PetscCall(InitialOverlapFindInside_Private(level, body, num, x, inside));
   for (PetscInt i = 0, n = 0; i < suspects->num; i++) {
     for (PetscInt p = 0, deep = suspects->deep[i]; p < num_probes && deep; p++, n++)
       suspects->deep[i] = (PetscBool)(suspects->deep[i] && inside[n]);
@@ -194,8 +196,8 @@ static PetscErrorCode KeepInside_Private(const Level *level, PetscInt body, Pets
 
 /* The farthest of the suspects that are left, by the boxes around the facets of the side that they are away from. Collective.
    [in,out] depth - of what was found before; [in,out] at - [dim] */
-static PetscErrorCode Measure_Private(const Level *level, const Facets *side, const Suspects *suspects,
-                                      PetscReal *depth, PetscReal at[])
+static PetscErrorCode InitialOverlapMeasureDepth_Private(const Level *level, const Facets *side,
+                                                         const Suspects *suspects, PetscReal *depth, PetscReal at[])
 {
   const PetscInt dim = level->dim;
   PetscReal     *away, X[ELEMENT_MAX_FACET_NODES * 3], box[6];
@@ -235,17 +237,17 @@ PetscErrorCode DepthFind(const Level *level, const Facets *side, PetscInt body, 
   Suspects        suspects;
 
   PetscFunctionBeginUser;
-  PetscCall(BodyBox_Private(level, body, box));
+  PetscCall(InitialOverlapBodyBox_Private(level, body, box));
   for (PetscInt k = 0; k < level->dim; k++) {
     box[k] += margin;
     box[level->dim + k] -= margin;
   }
-  PetscCall(SuspectsCreate_Private(level, side, box, &suspects));
-  if (suspects.num) PetscCall(ClearNear_Private(level, partner, reach, &suspects));
+  PetscCall(InitialOverlapFindSuspects_Private(level, side, box, &suspects));
+  if (suspects.num) PetscCall(InitialOverlapRemoveNear_Private(level, partner, reach, &suspects));
   for (PetscInt i = 0; i < suspects.num; i++) any = (PetscBool)(any || suspects.deep[i]);
   if (any) {
-    PetscCall(KeepInside_Private(level, body, margin, &suspects));
-    PetscCall(Measure_Private(level, partner, &suspects, depth, at));
+    PetscCall(InitialOverlapKeepInside_Private(level, body, margin, &suspects));
+    PetscCall(InitialOverlapMeasureDepth_Private(level, partner, &suspects, depth, at));
   }
   PetscCall(PetscFree2(suspects.x, suspects.deep));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -8,7 +8,8 @@ static const PetscReal TOUCHING = 1e-10;
 static const PetscReal DEGENERATE = 1e-12;
 
 /* Gradients along a facet of its shape functions, g_i = sum_ab dphi_ia G^-1_ab t_b. Returns whether it has any. [out] g - [num_nodes][dim] */
-static PetscBool SurfaceGradients_Private(PetscInt dim, const ClipFacet *facet, const PetscReal dphi[], PetscReal g[])
+static PetscBool LeverArmSurfaceGradients_Private(PetscInt dim, const ClipFacet *facet, const PetscReal dphi[],
+                                                  PetscReal g[])
 {
   const PetscInt  n = ElementNumNodes(facet->type), m = dim - 1;
   const PetscReal size    = FacetSize(dim, facet->type, facet->X);
@@ -51,7 +52,7 @@ PetscBool ArmAtPoint(PetscInt dim, const ClipFacet *facet, const ClipFacet *mort
   }
   if (square <= PetscSqr(TOUCHING * size)) return PETSC_FALSE;
   ElementShape(mortar->type, point->eta, phi, dphi);
-  if (!SurfaceGradients_Private(dim, mortar, dphi, g)) return PETSC_FALSE;
+  if (!LeverArmSurfaceGradients_Private(dim, mortar, dphi, g)) return PETSC_FALSE;
   for (PetscInt i = 0; i < ElementNumNodes(mortar->type); i++) {
     PetscReal along = 0;
 

@@ -47,8 +47,8 @@ PetscErrorCode FacetsCreateBlockMat(Level *level, const Facets *facets, const Pe
 }
 
 /* Adds one facet's couplings to M and to the chain. */
-static PetscErrorCode AddCouplings_Private(const Level *level, const Facets *facets, PetscInt f,
-                                           const FacetIntegral *integral, Integrals *sums)
+static PetscErrorCode MortarIntegralsAddCouplings_Private(const Level *level, const Facets *facets, PetscInt f,
+                                                          const FacetIntegral *integral, Integrals *sums)
 {
   const PetscInt n = integral->n, num_nodes = ElementNumNodes(facets->type[f]);
   PetscInt       nodes[ELEMENT_MAX_FACET_NODES];
@@ -66,8 +66,8 @@ static PetscErrorCode AddCouplings_Private(const Level *level, const Facets *fac
 }
 
 /* Adds one facet's blocks to the arm. */
-static PetscErrorCode AddArm_Private(const Level *level, const Facets *facets, PetscInt f,
-                                     const FacetIntegral *integral, Mat arm)
+static PetscErrorCode MortarIntegralsAddArm_Private(const Level *level, const Facets *facets, PetscInt f,
+                                                    const FacetIntegral *integral, Mat arm)
 {
   const PetscInt squares = level->dim * level->dim;
 
@@ -84,7 +84,8 @@ static PetscErrorCode AddArm_Private(const Level *level, const Facets *facets, P
 }
 
 /* Where the cover ends, and which nodes that concerns. Collective. */
-static PetscErrorCode Ends_Private(const Facets *facets, const FacetIntegral integrals[], Integrals *sums)
+static PetscErrorCode MortarIntegralsGatherBoundary_Private(const Facets *facets, const FacetIntegral integrals[],
+                                                            Integrals *sums)
 {
   Vec          v[2] = {sums->whole, sums->cut}, local[2];
   PetscScalar *a[2];
@@ -119,7 +120,8 @@ static PetscErrorCode Ends_Private(const Facets *facets, const FacetIntegral int
 }
 
 /* The largest overlap at a point of the facets around each node. Collective. */
-static PetscErrorCode Overlaps_Private(const Facets *facets, const FacetIntegral integrals[], Vec overlap)
+static PetscErrorCode MortarIntegralsSetOverlap_Private(const Facets *facets, const FacetIntegral integrals[],
+                                                        Vec overlap)
 {
   Vec          local;
   PetscScalar *a;
@@ -142,8 +144,8 @@ static PetscErrorCode Overlaps_Private(const Facets *facets, const FacetIntegral
 }
 
 /* Sums what this rank's facets contribute; ghosts are not yet shared. */
-static PetscErrorCode SumFacets_Private(Level *level, const Facets *facets, const FacetIntegral integrals[],
-                                        Integrals *sums)
+static PetscErrorCode MortarIntegralsSumFacets_Private(Level *level, const Facets *facets,
+                                                       const FacetIntegral integrals[], Integrals *sums)
 {
   enum { NUM_SUMS = 5 };
   Vec          v[NUM_SUMS] = {sums->D, sums->full, sums->G, sums->measure, sums->cover}, local[NUM_SUMS];
@@ -167,7 +169,7 @@ static PetscErrorCode SumFacets_Private(Level *level, const Facets *facets, cons
       measure += integrals[f].covered[i];
     }
     sums->covered[f] = (PetscBool)(measure > 0);
-    PetscCall(AddCouplings_Private(level, facets, f, &integrals[f], sums));
+    PetscCall(MortarIntegralsAddCouplings_Private(level, facets, f, &integrals[f], sums));
   }
   for (PetscInt i = 0; i < NUM_SUMS; i++) {
     PetscCall(VecRestoreArray(local[i], &a[i]));
@@ -178,8 +180,8 @@ static PetscErrorCode SumFacets_Private(Level *level, const Facets *facets, cons
 }
 
 /* M for the mortar nodes that the facets met, empty; NULL for an obstacle. Collective. */
-static PetscErrorCode CreateM_Private(Level *level, const FacetPartner *partner, const Facets *facets,
-                                      const FacetIntegral integrals[], Mat *M)
+static PetscErrorCode MortarIntegralsCreateM_Private(Level *level, const FacetPartner *partner, const Facets *facets,
+                                                     const FacetIntegral integrals[], Mat *M)
 {
   PetscInt *entries;
 
@@ -194,7 +196,8 @@ static PetscErrorCode CreateM_Private(Level *level, const FacetPartner *partner,
 }
 
 /* The chain of nodes without multipliers, empty; NULL where all nodes may have one. Collective. */
-static PetscErrorCode CreateChain_Private(Level *level, const Facets *facets, const ElementType carrier[], Mat *chain)
+static PetscErrorCode MortarIntegralsCreateOffDiagonal_Private(Level *level, const Facets *facets,
+                                                               const ElementType carrier[], Mat *chain)
 {
   PetscInt *entries;
   PetscBool any = PETSC_FALSE;
@@ -213,8 +216,8 @@ static PetscErrorCode CreateChain_Private(Level *level, const Facets *facets, co
 }
 
 /* The arm of a tie; NULL where its sides touch. Collective. */
-static PetscErrorCode CreateArm_Private(Level *level, const FacetPartner *partner, const Facets *facets,
-                                        const FacetIntegral integrals[], Mat *arm)
+static PetscErrorCode MortarIntegralsCreateArm_Private(Level *level, const FacetPartner *partner, const Facets *facets,
+                                                       const FacetIntegral integrals[], Mat *arm)
 {
   PetscBool any = PETSC_FALSE;
   PetscInt *entries;
@@ -229,12 +232,13 @@ static PetscErrorCode CreateArm_Private(Level *level, const FacetPartner *partne
   for (PetscInt f = 0; f < facets->num; f++) entries[f] = integrals[f].apart ? integrals[f].num_columns : 0;
   PetscCall(FacetsCreateBlockMat(level, facets, entries, level->dim, arm));
   PetscCall(PetscFree(entries));
-  for (PetscInt f = 0; f < facets->num; f++) PetscCall(AddArm_Private(level, facets, f, &integrals[f], *arm));
+  for (PetscInt f = 0; f < facets->num; f++)
+    PetscCall(MortarIntegralsAddArm_Private(level, facets, f, &integrals[f], *arm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Ends what MatSetValues() began. */
-static PetscErrorCode Assemble_Private(Mat A)
+static PetscErrorCode MortarIntegralsAssemble_Private(Mat A)
 {
   PetscFunctionBeginUser;
   if (!A) PetscFunctionReturn(PETSC_SUCCESS);
@@ -281,15 +285,15 @@ PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const 
   PetscCall(VecDuplicate(sums->D, &sums->cover));
   PetscCall(VecDuplicate(sums->D, &sums->whole));
   PetscCall(VecDuplicate(sums->D, &sums->cut));
-  PetscCall(CreateM_Private(level, partner, facets, integrals, &sums->M));
-  PetscCall(CreateArm_Private(level, partner, facets, integrals, &sums->arm));
-  PetscCall(CreateChain_Private(level, facets, sums->carrier, &sums->chain));
-  PetscCall(SumFacets_Private(level, facets, integrals, sums));
-  PetscCall(Overlaps_Private(facets, integrals, sums->overlap));
-  PetscCall(Ends_Private(facets, integrals, sums));
-  PetscCall(Assemble_Private(sums->M));
-  PetscCall(Assemble_Private(sums->arm));
-  PetscCall(Assemble_Private(sums->chain));
+  PetscCall(MortarIntegralsCreateM_Private(level, partner, facets, integrals, &sums->M));
+  PetscCall(MortarIntegralsCreateArm_Private(level, partner, facets, integrals, &sums->arm));
+  PetscCall(MortarIntegralsCreateOffDiagonal_Private(level, facets, sums->carrier, &sums->chain));
+  PetscCall(MortarIntegralsSumFacets_Private(level, facets, integrals, sums));
+  PetscCall(MortarIntegralsSetOverlap_Private(facets, integrals, sums->overlap));
+  PetscCall(MortarIntegralsGatherBoundary_Private(facets, integrals, sums));
+  PetscCall(MortarIntegralsAssemble_Private(sums->M));
+  PetscCall(MortarIntegralsAssemble_Private(sums->arm));
+  PetscCall(MortarIntegralsAssemble_Private(sums->chain));
   for (PetscInt f = 0; f < facets->num; f++) PetscCall(FacetIntegralDestroy(&integrals[f]));
   PetscCall(PetscFree(integrals));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -30,7 +30,7 @@ static const PetscReal COVERED_TWICE = 1e-8;
 static const PetscReal AS_NEAR = 1e-9;
 
 /* n := Pi n / |Pi n| with Pi the projection onto the free directions of a node. Returns whether n is free at all. */
-static PetscBool ProjectNormal_Private(const Support *held, PetscInt node, PetscReal n[])
+static PetscBool MultiplierStatusProjectNormal_Private(const Support *held, PetscInt node, PetscReal n[])
 {
   const PetscInt dim = held->dim;
 
@@ -55,7 +55,7 @@ PetscErrorCode NormalsProject(const Level *level, const Support *held, Vec norma
   PetscCall(VecGetArray(local, &N));
   for (PetscInt i = 0; i < level->num_nodes; i++) {
     PetscCall(PetscArraycpy(n, &N[i * level->dim], level->dim));
-    if (ProjectNormal_Private(held, i, n)) PetscCall(PetscArraycpy(&N[i * level->dim], n, level->dim));
+    if (MultiplierStatusProjectNormal_Private(held, i, n)) PetscCall(PetscArraycpy(&N[i * level->dim], n, level->dim));
   }
   PetscCall(VecRestoreArray(local, &N));
   PetscCall(VecGhostRestoreLocalForm(normals, &local));
@@ -63,7 +63,7 @@ PetscErrorCode NormalsProject(const Level *level, const Support *held, Vec norma
 }
 
 /* The share that a node of the draft's nonmortar side needs. */
-static PetscReal LeastShare_Private(const Level *level, const ScenePair *spec)
+static PetscReal MultiplierStatusLeastShare_Private(const Level *level, const ScenePair *spec)
 {
   const PetscBool quadratic =
       (PetscBool)(level->scene->bodies[spec->nonmortar.body].order == 2 && spec->multipliers == MULTIPLIERS_NODES);
@@ -78,7 +78,7 @@ enum { SUM_D, SUM_FULL, SUM_MEASURE, SUM_COVER, SUM_COUNT };
 /* What coverage makes of a node. Where the shape function weighs next to nothing over whole facets, no share of it can be told
    and no pressure recovered: the facets themselves tell whether the node is covered, and its row keeps a weight, if only of
    roundoff, by which it can be spread. [in,out] a - local forms of the sums */
-static NodeFate CoveredFate_Private(PetscScalar *const a[SUM_COUNT], PetscInt i, PetscReal least)
+static NodeFate MultiplierStatusOfCovered_Private(PetscScalar *const a[SUM_COUNT], PetscInt i, PetscReal least)
 {
   const PetscReal D = PetscRealPart(a[SUM_D][i]), full = PetscRealPart(a[SUM_FULL][i]),
                   measure = PetscRealPart(a[SUM_MEASURE][i]), cover = PetscRealPart(a[SUM_COVER][i]);
@@ -95,7 +95,7 @@ static NodeFate CoveredFate_Private(PetscScalar *const a[SUM_COUNT], PetscInt i,
 PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *draft)
 {
   const PetscInt  dim          = level->dim;
-  const PetscReal least        = LeastShare_Private(level, draft->spec);
+  const PetscReal least        = MultiplierStatusLeastShare_Private(level, draft->spec);
   const Vec       v[SUM_COUNT] = {draft->sums.D, draft->sums.full, draft->sums.measure, draft->sums.cover};
   PetscScalar    *a[SUM_COUNT], *N;
   Vec             local[SUM_COUNT], local_N;
@@ -108,9 +108,9 @@ PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *d
   PetscCall(VecGhostGetLocalForm(draft->normals, &local_N));
   PetscCall(VecGetArray(local_N, &N));
   for (PetscInt i = 0; i < level->num_nodes; i++) {
-    draft->fate[i] = CoveredFate_Private(a, i, least);
+    draft->fate[i] = MultiplierStatusOfCovered_Private(a, i, least);
     if (draft->fate[i] == NODE_UNCOVERED) continue;
-    if (!ProjectNormal_Private(held, i, &N[i * dim])) draft->fate[i] = NODE_REMOVED;
+    if (!MultiplierStatusProjectNormal_Private(held, i, &N[i * dim])) draft->fate[i] = NODE_REMOVED;
     if (draft->spec->type == PAIR_TIED && held->count[i] > 0)
       draft->fate[i] = NODE_REMOVED; // a tie needs all directions
   }
@@ -125,8 +125,8 @@ PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *d
 
 /* Whether earlier pairs serve a node of the pair num: one of the two is tied, or its normal is nearly a combination of theirs.
    [in] n - normals of the pairs at local nodes [num+1] */
-static PetscBool IsServed_Private(PetscInt dim, PetscInt num, const PairDraft drafts[], PetscScalar *const n[],
-                                  PetscInt node)
+static PetscBool MultiplierStatusIsServed_Private(PetscInt dim, PetscInt num, const PairDraft drafts[],
+                                                  PetscScalar *const n[], PetscInt node)
 {
   PetscReal span[4][3]; // orthonormal; the last one is what is left of the normal at hand
   PetscInt  rank = 0;
@@ -148,7 +148,7 @@ static PetscBool IsServed_Private(PetscInt dim, PetscInt num, const PairDraft dr
 }
 
 /* Whether two pairs see different things from the same facets, so that one may stand behind the other. */
-static PetscBool MayHide_Private(const ScenePair *a, const ScenePair *b)
+static PetscBool MultiplierStatusMayHide_Private(const ScenePair *a, const ScenePair *b)
 {
   return (PetscBool)(a->type == PAIR_CONTACT && b->type == PAIR_CONTACT && a->nonmortar.body == b->nonmortar.body &&
                      !strcmp(a->nonmortar.side, b->nonmortar.side));
@@ -159,7 +159,8 @@ enum { SEEN_D, SEEN_G, SEEN_MEASURE, SEEN_COVER, SEEN_NORMALS, SEEN_COUNT };
 
 /* Whether the pair b stands farther from a node than a, along nearly the same normal, where both cover the same part of it: more
    than its whole neighbourhood between them. [in] a, b - local forms */
-static PetscBool IsBehind_Private(PetscInt dim, PetscScalar *const a[], PetscScalar *const b[], PetscInt node)
+static PetscBool MultiplierStatusIsBehind_Private(PetscInt dim, PetscScalar *const a[], PetscScalar *const b[],
+                                                  PetscInt node)
 {
   const PetscReal covers  = PetscRealPart(a[SEEN_COVER][node] + b[SEEN_COVER][node]),
                   measure = PetscRealPart(a[SEEN_MEASURE][node]);
@@ -176,14 +177,14 @@ static PetscBool IsBehind_Private(PetscInt dim, PetscScalar *const a[], PetscSca
 /* Two pairs on one side, one of which stands before the other here and behind it there, as two balls that press on a plate: a node
    meets the nearer one, and is to the other one as if it were not covered. A row that was spread instead would let its neighbours in by
    the difference of both gaps. */
-static PetscErrorCode HideNodes_Private(const Level *level, PairDraft *first, PairDraft *second)
+static PetscErrorCode MultiplierStatusHideNodes_Private(const Level *level, PairDraft *first, PairDraft *second)
 {
   PairDraft   *draft[2] = {first, second};
   PetscScalar *a[2][SEEN_COUNT];
   Vec          local[2][SEEN_COUNT], v[2][SEEN_COUNT];
 
   PetscFunctionBeginUser;
-  if (!MayHide_Private(first->spec, second->spec)) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!MultiplierStatusMayHide_Private(first->spec, second->spec)) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt s = 0; s < 2; s++) {
     const Integrals *sums            = &draft[s]->sums;
     const Vec        all[SEEN_COUNT] = {sums->D, sums->G, sums->measure, sums->cover, draft[s]->normals};
@@ -196,9 +197,9 @@ static PetscErrorCode HideNodes_Private(const Level *level, PairDraft *first, Pa
   }
   for (PetscInt i = 0; i < level->num_nodes; i++) {
     if (first->fate[i] != NODE_KEPT || second->fate[i] != NODE_KEPT) continue;
-    if (IsBehind_Private(level->dim, a[0], a[1], i)) {
+    if (MultiplierStatusIsBehind_Private(level->dim, a[0], a[1], i)) {
       second->fate[i] = NODE_UNCOVERED;
-    } else if (IsBehind_Private(level->dim, a[1], a[0], i)) {
+    } else if (MultiplierStatusIsBehind_Private(level->dim, a[1], a[0], i)) {
       first->fate[i] = NODE_UNCOVERED;
     }
   }
@@ -212,7 +213,7 @@ static PetscErrorCode HideNodes_Private(const Level *level, PairDraft *first, Pa
 }
 
 /* Removes from the pair num the nodes that earlier ones serve. */
-static PetscErrorCode LoseNodes_Private(const Level *level, PetscInt num, PairDraft drafts[])
+static PetscErrorCode MultiplierStatusRemoveNodes_Private(const Level *level, PetscInt num, PairDraft drafts[])
 {
   PairDraft    *later = &drafts[num];
   PetscScalar **n;
@@ -225,7 +226,8 @@ static PetscErrorCode LoseNodes_Private(const Level *level, PetscInt num, PairDr
     PetscCall(VecGetArray(local[q], &n[q]));
   }
   for (PetscInt i = 0; i < level->num_nodes; i++) {
-    if (later->fate[i] == NODE_KEPT && IsServed_Private(level->dim, num, drafts, n, i)) later->fate[i] = NODE_REMOVED;
+    if (later->fate[i] == NODE_KEPT && MultiplierStatusIsServed_Private(level->dim, num, drafts, n, i))
+      later->fate[i] = NODE_REMOVED;
   }
   for (PetscInt q = 0; q <= num; q++) {
     PetscCall(VecRestoreArray(local[q], &n[q]));
@@ -236,7 +238,7 @@ static PetscErrorCode LoseNodes_Private(const Level *level, PetscInt num, PairDr
 }
 
 /* Whether a pair keeps a node on any rank. Collective. */
-static PetscErrorCode KeepsAny_Private(const Level *level, const PairDraft *draft, PetscBool *any)
+static PetscErrorCode MultiplierStatusKeepsAny_Private(const Level *level, const PairDraft *draft, PetscBool *any)
 {
   PetscFunctionBeginUser;
   *any = PETSC_FALSE;
@@ -251,12 +253,12 @@ PetscErrorCode FatesSettle(const Level *level, PetscInt num, PairDraft drafts[])
 
   PetscFunctionBeginUser;
   for (PetscInt p = 0; p < num; p++) {
-    for (PetscInt q = 0; q < p; q++) PetscCall(HideNodes_Private(level, &drafts[q], &drafts[p]));
+    for (PetscInt q = 0; q < p; q++) PetscCall(MultiplierStatusHideNodes_Private(level, &drafts[q], &drafts[p]));
   }
   for (PetscInt p = 1; p < num; p++) {
-    PetscCall(KeepsAny_Private(level, &drafts[p], &before));
-    PetscCall(LoseNodes_Private(level, p, drafts));
-    PetscCall(KeepsAny_Private(level, &drafts[p], &after));
+    PetscCall(MultiplierStatusKeepsAny_Private(level, &drafts[p], &before));
+    PetscCall(MultiplierStatusRemoveNodes_Private(level, p, drafts));
+    PetscCall(MultiplierStatusKeepsAny_Private(level, &drafts[p], &after));
     if (before && !after) {
       PetscCall(
           UserErrorRaise(level->comm,

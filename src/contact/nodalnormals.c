@@ -27,7 +27,7 @@ PetscErrorCode NormalsShare(Level *level, Vec normals)
 
 /* Sums of the weighted normals of facets at their nodes, normalised; zero where there is none. Collective.
    [in] counts - which facets [facets->num], or NULL for all; [out] normals - ghosted */
-static PetscErrorCode SumNormals_Private(Level *level, const Facets *facets, const PetscBool counts[], Vec normals)
+static PetscErrorCode NodalNormalsSum_Private(Level *level, const Facets *facets, const PetscBool counts[], Vec normals)
 {
   const PetscInt dim = level->dim;
   PetscReal      X[3 * ELEMENT_MAX_FACET_NODES], N[3 * ELEMENT_MAX_FACET_NODES];
@@ -86,7 +86,7 @@ PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, const Side
 
 /* Marks nodes some facet of which deviates from their normal by more than a smooth side's would. Collective.
    [out] sharp - ghosted, one per node, 1 or 0 */
-static PetscErrorCode FindSharp_Private(Level *level, const Facets *facets, Vec normals, Vec sharp)
+static PetscErrorCode NodalNormalsFindSharp_Private(Level *level, const Facets *facets, Vec normals, Vec sharp)
 {
   const PetscInt     dim = level->dim;
   PetscReal          X[3 * ELEMENT_MAX_FACET_NODES], N[3 * ELEMENT_MAX_FACET_NODES];
@@ -121,7 +121,7 @@ static PetscErrorCode FindSharp_Private(Level *level, const Facets *facets, Vec 
 }
 
 /* Takes the normals of marked nodes from those that see the other side, where these have one. */
-static PetscErrorCode TakeSeeing_Private(const Level *level, Vec sharp, Vec seeing, Vec normals)
+static PetscErrorCode NodalNormalsTakeSeeing_Private(const Level *level, Vec sharp, Vec seeing, Vec normals)
 {
   const PetscInt     dim = level->dim;
   const PetscScalar *mark, *see;
@@ -157,13 +157,13 @@ PetscErrorCode NodalNormalsSharpen(Level *level, const Facets *facets, const Pet
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(level, 1, &sharp));
-  PetscCall(FindSharp_Private(level, facets, normals, sharp));
+  PetscCall(NodalNormalsFindSharp_Private(level, facets, normals, sharp));
   PetscCall(VecNorm(sharp, NORM_INFINITY, &most));
   *changed = (PetscBool)(most > 0);
   if (*changed) {
     PetscCall(VecDuplicate(normals, &seeing));
-    PetscCall(SumNormals_Private(level, facets, sees, seeing));
-    PetscCall(TakeSeeing_Private(level, sharp, seeing, normals));
+    PetscCall(NodalNormalsSum_Private(level, facets, sees, seeing));
+    PetscCall(NodalNormalsTakeSeeing_Private(level, sharp, seeing, normals));
     PetscCall(VecDestroy(&seeing));
   }
   PetscCall(VecDestroy(&sharp));

@@ -5,6 +5,7 @@
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "contact/obstacle.h"
+#include "kernel/vector.h"
 
 /* Rays that run along a surface to within this cosine never meet it. */
 static const PetscReal GRAZING = 1e-10;
@@ -12,16 +13,9 @@ static const PetscReal GRAZING = 1e-10;
 /* Differences of formulas reach so far, as a share of a facet. */
 static const PetscReal DIFFERENCE = 1e-3;
 
-static PetscReal Dot_Private(PetscInt dim, const PetscReal a[], const PetscReal b[])
-{
-  PetscReal sum = 0;
-  for (PetscInt k = 0; k < dim; k++) sum += a[k] * b[k];
-  return sum;
-}
-
 /* The root of a t^2 + 2 b t + c = 0 that stays bounded as a -> 0, without cancellation. Where the ray passes the surface
    by, the surface is continued from its outermost points, so that the gap stays continuous and large. */
-static PetscReal NearRoot_Private(PetscReal a, PetscReal b, PetscReal c)
+static PetscReal ObstacleNearRoot_Private(PetscReal a, PetscReal b, PetscReal c)
 {
   const PetscReal root = PetscSqrtReal(PetscMax(b * b - a * c, 0));
 
@@ -30,47 +24,48 @@ static PetscReal NearRoot_Private(PetscReal a, PetscReal b, PetscReal c)
 
 /* a t^2 + 2 b t + c = 0 for what is round: from outside (radius > 0) where the ray enters it, from inside (radius < 0)
    where it leaves. a > 0 */
-static PetscReal RoundGap_Private(PetscReal radius, PetscReal a, PetscReal b, PetscReal c)
+static PetscReal ObstacleRoundGap_Private(PetscReal radius, PetscReal a, PetscReal b, PetscReal c)
 {
   const PetscReal root = PetscSqrtReal(PetscMax(b * b - a * c, 0));
 
   if (radius < 0 && b < 0) return (root - b) / a;
   if (radius < 0) return root + b > 0 ? -c / (root + b) : PETSC_INFINITY;
-  if (b < 0) return NearRoot_Private(a, b, c);
+  if (b < 0) return ObstacleNearRoot_Private(a, b, c);
   return c > 0 ? PETSC_INFINITY : -(b + root) / a;
 }
 
 /* |d + t n| = |radius| with what of d = x - point and of n is across the axis: all of them for a ball, whose axis is zero. */
-static PetscReal AxisGap_Private(const SceneObstacle *round, PetscInt dim, const PetscReal x[], const PetscReal n[])
+static PetscReal ObstacleAxisGap_Private(const SceneObstacle *round, PetscInt dim, const PetscReal x[],
+                                         const PetscReal n[])
 {
   PetscReal d[3] = {0.}, across[3] = {0.}, a, b, c, da, na;
 
   for (PetscInt k = 0; k < dim; k++) d[k] = x[k] - round->point[k];
-  da = Dot_Private(dim, d, round->axis);
-  na = Dot_Private(dim, n, round->axis);
+  da = VectorDot(dim, d, round->axis);
+  na = VectorDot(dim, n, round->axis);
   for (PetscInt k = 0; k < dim; k++) {
     d[k] -= da * round->axis[k];
     across[k] = n[k] - na * round->axis[k];
   }
-  a = Dot_Private(dim, across, across);
-  b = Dot_Private(dim, d, across);
-  c = Dot_Private(dim, d, d) - round->radius * round->radius;
-  return a > GRAZING * GRAZING ? RoundGap_Private(round->radius, a, b, c) : PETSC_INFINITY;
+  a = VectorDot(dim, across, across);
+  b = VectorDot(dim, d, across);
+  c = VectorDot(dim, d, d) - round->radius * round->radius;
+  return a > GRAZING * GRAZING ? ObstacleRoundGap_Private(round->radius, a, b, c) : PETSC_INFINITY;
 }
 
 /* The paraboloid s = -|r|^2 / (2 R), s along its normal and r across it, both from the vertex. */
-static PetscReal ParabolaGap_Private(const SceneObstacle *parabola, PetscInt dim, const PetscReal x[],
-                                     const PetscReal n[])
+static PetscReal ObstacleParabolaGap_Private(const SceneObstacle *parabola, PetscInt dim, const PetscReal x[],
+                                             const PetscReal n[])
 {
   const PetscReal R    = parabola->radius;
   PetscReal       d[3] = {0.}, s, ns, rr, rn;
 
   for (PetscInt k = 0; k < dim; k++) d[k] = x[k] - parabola->point[k];
-  s  = Dot_Private(dim, d, parabola->normal);
-  ns = Dot_Private(dim, n, parabola->normal);
-  rr = Dot_Private(dim, d, d) - s * s;
-  rn = Dot_Private(dim, d, n) - s * ns;
-  return -ns > GRAZING ? NearRoot_Private(1 - ns * ns, rn + R * ns, rr + 2 * R * s) : PETSC_INFINITY;
+  s  = VectorDot(dim, d, parabola->normal);
+  ns = VectorDot(dim, n, parabola->normal);
+  rr = VectorDot(dim, d, d) - s * s;
+  rn = VectorDot(dim, d, n) - s * ns;
+  return -ns > GRAZING ? ObstacleNearRoot_Private(1 - ns * ns, rn + R * ns, rr + 2 * R * s) : PETSC_INFINITY;
 }
 
 PetscErrorCode ObstacleGap(const SceneObstacle *obstacle, PetscInt dim, const PetscReal x[], const PetscReal n[],
@@ -82,12 +77,12 @@ PetscErrorCode ObstacleGap(const SceneObstacle *obstacle, PetscInt dim, const Pe
   switch (obstacle->kind) {
   case OBSTACLE_PLANE:
     for (PetscInt k = 0; k < dim; k++) d[k] = x[k] - obstacle->point[k];
-    cosine = -Dot_Private(dim, n, obstacle->normal);
-    *gap   = cosine > GRAZING ? Dot_Private(dim, d, obstacle->normal) / cosine : PETSC_INFINITY;
+    cosine = -VectorDot(dim, n, obstacle->normal);
+    *gap   = cosine > GRAZING ? VectorDot(dim, d, obstacle->normal) / cosine : PETSC_INFINITY;
     break;
   case OBSTACLE_BALL:
-  case OBSTACLE_CYLINDER: *gap = AxisGap_Private(obstacle, dim, x, n); break;
-  case OBSTACLE_PARABOLA: *gap = ParabolaGap_Private(obstacle, dim, x, n); break;
+  case OBSTACLE_CYLINDER: *gap = ObstacleAxisGap_Private(obstacle, dim, x, n); break;
+  case OBSTACLE_PARABOLA: *gap = ObstacleParabolaGap_Private(obstacle, dim, x, n); break;
   case OBSTACLE_EXPRESSION: PetscCall(ExpressionEvaluate(obstacle->gap, dim, x, gap)); break;
   default: SETERRQ(PETSC_COMM_SELF, PETSC_ERR_SUP, "Obstacle of kind %d", (int)obstacle->kind);
   }
@@ -96,8 +91,8 @@ PetscErrorCode ObstacleGap(const SceneObstacle *obstacle, PetscInt dim, const Pe
 
 /* A level set with a gradient and second derivatives: n = grad / |grad|, S = P hess P / |grad|, P across n. Returns whether the gradient
    is long enough. [in] least - what it must exceed */
-static PetscBool LevelSetShape_Private(PetscInt dim, const PetscReal gradient[], const PetscReal hessian[],
-                                       PetscReal least, SurfacePoint *at)
+static PetscBool ObstacleLevelSetShape_Private(PetscInt dim, const PetscReal gradient[], const PetscReal hessian[],
+                                               PetscReal least, SurfacePoint *at)
 {
   PetscReal length, P[9];
 
@@ -115,41 +110,42 @@ static PetscBool LevelSetShape_Private(PetscInt dim, const PetscReal gradient[],
 }
 
 /* |x - point| across the axis, from inside the other way round. */
-static PetscBool RoundShape_Private(const SceneObstacle *round, PetscInt dim, const PetscReal x[], SurfacePoint *at)
+static PetscBool ObstacleRoundShape_Private(const SceneObstacle *round, PetscInt dim, const PetscReal x[],
+                                            SurfacePoint *at)
 {
   const PetscReal sign = round->radius < 0 ? -1 : 1;
   PetscReal       d[3] = {0.}, along, hessian[9] = {0.};
 
   for (PetscInt k = 0; k < dim; k++) d[k] = x[k] - round->point[k];
-  along = Dot_Private(dim, d, round->axis);
+  along = VectorDot(dim, d, round->axis);
   for (PetscInt k = 0; k < dim; k++) d[k] = sign * (d[k] - along * round->axis[k]);
   for (PetscInt k = 0; k < dim * dim; k++)
     hessian[k] = sign * ((k / dim == k % dim ? 1. : 0.) - round->axis[k / dim] * round->axis[k % dim]);
-  if (!LevelSetShape_Private(dim, d, hessian, GRAZING * PetscAbsReal(round->radius), at)) return PETSC_FALSE;
+  if (!ObstacleLevelSetShape_Private(dim, d, hessian, GRAZING * PetscAbsReal(round->radius), at)) return PETSC_FALSE;
   for (PetscInt k = 0; k < dim * dim; k++) // on the surface itself, not through x
-    at->curvature[k] *= PetscSqrtReal(Dot_Private(dim, d, d)) / PetscAbsReal(round->radius);
+    at->curvature[k] *= VectorNorm(dim, d) / PetscAbsReal(round->radius);
   return PETSC_TRUE;
 }
 
-/* s + |r|^2 / (2 R), as in ParabolaGap_Private(). */
-static PetscBool ParabolaShape_Private(const SceneObstacle *parabola, PetscInt dim, const PetscReal x[],
-                                       SurfacePoint *at)
+/* s + |r|^2 / (2 R), as in ObstacleParabolaGap_Private(). */
+static PetscBool ObstacleParabolaShape_Private(const SceneObstacle *parabola, PetscInt dim, const PetscReal x[],
+                                               SurfacePoint *at)
 {
   PetscReal d[3] = {0.}, s, gradient[3] = {0.}, hessian[9] = {0.};
 
   for (PetscInt k = 0; k < dim; k++) d[k] = x[k] - parabola->point[k];
-  s = Dot_Private(dim, d, parabola->normal);
+  s = VectorDot(dim, d, parabola->normal);
   for (PetscInt k = 0; k < dim; k++)
     gradient[k] = parabola->normal[k] + (d[k] - s * parabola->normal[k]) / parabola->radius;
   for (PetscInt k = 0; k < dim * dim; k++)
     hessian[k] =
         ((k / dim == k % dim ? 1. : 0.) - parabola->normal[k / dim] * parabola->normal[k % dim]) / parabola->radius;
-  return LevelSetShape_Private(dim, gradient, hessian, GRAZING, at);
+  return ObstacleLevelSetShape_Private(dim, gradient, hessian, GRAZING, at);
 }
 
 /* By central differences. */
-static PetscErrorCode FormulaShape_Private(Expression gap, PetscInt dim, const PetscReal x[], PetscReal size,
-                                           SurfacePoint *at, PetscBool *known)
+static PetscErrorCode ObstacleFormulaShape_Private(Expression gap, PetscInt dim, const PetscReal x[], PetscReal size,
+                                                   SurfacePoint *at, PetscBool *known)
 {
   const PetscReal h = DIFFERENCE * size;
   PetscReal       y[3], value, there[3][2], corner[4], gradient[3] = {0.}, hessian[9] = {0.};
@@ -179,7 +175,7 @@ static PetscErrorCode FormulaShape_Private(Expression gap, PetscInt dim, const P
       hessian[k * dim + j] = hessian[j * dim + k] = (corner[3] - corner[1] - corner[2] + corner[0]) / (4 * h * h);
     }
   }
-  if (*known) *known = LevelSetShape_Private(dim, gradient, hessian, GRAZING, at);
+  if (*known) *known = ObstacleLevelSetShape_Private(dim, gradient, hessian, GRAZING, at);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -194,9 +190,9 @@ PetscErrorCode ObstacleShape(const SceneObstacle *obstacle, PetscInt dim, const 
     for (PetscInt k = 0; k < dim; k++) at->normal[k] = obstacle->normal[k];
     break;
   case OBSTACLE_BALL:
-  case OBSTACLE_CYLINDER: *known = RoundShape_Private(obstacle, dim, x, at); break;
-  case OBSTACLE_PARABOLA: *known = ParabolaShape_Private(obstacle, dim, x, at); break;
-  case OBSTACLE_EXPRESSION: PetscCall(FormulaShape_Private(obstacle->gap, dim, x, size, at, known)); break;
+  case OBSTACLE_CYLINDER: *known = ObstacleRoundShape_Private(obstacle, dim, x, at); break;
+  case OBSTACLE_PARABOLA: *known = ObstacleParabolaShape_Private(obstacle, dim, x, at); break;
+  case OBSTACLE_EXPRESSION: PetscCall(ObstacleFormulaShape_Private(obstacle->gap, dim, x, size, at, known)); break;
   default: SETERRQ(PETSC_COMM_SELF, PETSC_ERR_SUP, "Obstacle of kind %d", (int)obstacle->kind);
   }
   PetscFunctionReturn(PETSC_SUCCESS);

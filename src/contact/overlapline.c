@@ -8,7 +8,7 @@ static const PetscReal SAME_END = 1e-10;
 static const PetscReal TURN_TOLERANCE = 1e-12;
 
 /* Whether x(xi) is linear. */
-static PetscBool IsStraight_Private(const ClipFacet *facet)
+static PetscBool OverlapLineIsStraight_Private(const ClipFacet *facet)
 {
   const PetscReal size = FacetSize(2, facet->type, facet->X);
 
@@ -20,7 +20,7 @@ static PetscBool IsStraight_Private(const ClipFacet *facet)
 }
 
 /* Whether the normals at the nodes differ. */
-static PetscBool Turns_Private(const ClipFacet *facet)
+static PetscBool OverlapLineTurns_Private(const ClipFacet *facet)
 {
   for (PetscInt i = 1; i < ElementNumNodes(facet->type); i++) {
     for (PetscInt k = 0; k < 2; k++) {
@@ -32,25 +32,27 @@ static PetscBool Turns_Private(const ClipFacet *facet)
 
 /* Gauss points per piece: order + 1 are exact for the product of two shape functions where the facets are straight and
    the gap is linear, and more are taken elsewhere. */
-static PetscInt PointsPerPiece_Private(const FacetPartner *partner, const ClipFacet *facet, const ClipFacet *mortar)
+static PetscInt OverlapLinePointsPerPiece_Private(const FacetPartner *partner, const ClipFacet *facet,
+                                                  const ClipFacet *mortar)
 {
   const ElementType type = ElementOrder(mortar->type) > ElementOrder(facet->type) ? mortar->type : facet->type;
 
-  if (Turns_Private(facet) || !IsStraight_Private(facet) || !IsStraight_Private(mortar) || OverlapGapVaries(partner))
+  if (OverlapLineTurns_Private(facet) || !OverlapLineIsStraight_Private(facet) ||
+      !OverlapLineIsStraight_Private(mortar) || OverlapGapVaries(partner))
     return (PointsCurvedDegree(type) + 1) / 2;
   return ElementOrder(type) + 1;
 }
 
-static PetscInt LinePoints_Private(const FacetPartner *partner, const ClipFacet *facet, const ClipFacet *mortar,
-                                   ClipPoint points[])
+static PetscInt OverlapLinePoints_Private(const FacetPartner *partner, const ClipFacet *facet, const ClipFacet *mortar,
+                                          ClipPoint points[])
 {
-  return ClipLines(facet, mortar, PointsPerPiece_Private(partner, facet, mortar), points);
+  return ClipLines(facet, mortar, OverlapLinePointsPerPiece_Private(partner, facet, mortar), points);
 }
 
 /* Points of the part [from, to] of a facet against one mortar facet, on the facet's own reference cell. The part is a
    facet of the same type; its normals are those of the whole facet, not normalised, and send the same rays. */
-static PetscInt ClipPart_Private(const ClipFacet *facet, const PetscReal ends[], const ClipFacet *mortar,
-                                 PetscInt num_gauss, ClipPoint points[])
+static PetscInt OverlapLineClipPart_Private(const ClipFacet *facet, const PetscReal ends[], const ClipFacet *mortar,
+                                            PetscInt num_gauss, ClipPoint points[])
 {
   const PetscInt  n                              = ElementNumNodes(facet->type);
   PetscReal       X[2 * ELEMENT_MAX_FACET_NODES] = {0.}, N[2 * ELEMENT_MAX_FACET_NODES] = {0.};
@@ -75,7 +77,7 @@ static PetscInt ClipPart_Private(const ClipFacet *facet, const PetscReal ends[],
 }
 
 /* The part of the facet that the Gauss points of one piece stand for, from its first and last one. num > 1 */
-static void PieceEnds_Private(PetscInt num, const ClipPoint points[], PetscReal ends[])
+static void OverlapLinePieceEnds_Private(PetscInt num, const ClipPoint points[], PetscReal ends[])
 {
   PetscReal s[CLIP_MAX_GAUSS], w[CLIP_MAX_GAUSS], length;
 
@@ -93,8 +95,8 @@ typedef struct {
 } PieceList;
 
 /* The pieces that a list's points were collected from. */
-static PetscErrorCode PieceListCreate_Private(const FacetPartner *partner, const ClipFacet *facet,
-                                              const PointList *list, PieceList *pieces)
+static PetscErrorCode OverlapLinePieceListCreate_Private(const FacetPartner *partner, const ClipFacet *facet,
+                                                         const PointList *list, PieceList *pieces)
 {
   PetscInt num_gauss;
 
@@ -103,21 +105,22 @@ static PetscErrorCode PieceListCreate_Private(const FacetPartner *partner, const
   PetscCall(PetscMalloc2(list->num, &pieces->facet, 2 * list->num, &pieces->ends));
   for (PetscInt p = 0; p < list->num; p += num_gauss) {
     const ClipFacet mortar = OverlapMortar(partner, list->facet[p]);
-    num_gauss              = PointsPerPiece_Private(partner, facet, &mortar);
-    PieceEnds_Private(num_gauss, &list->point[p], &pieces->ends[2 * pieces->num]);
+    num_gauss              = OverlapLinePointsPerPiece_Private(partner, facet, &mortar);
+    OverlapLinePieceEnds_Private(num_gauss, &list->point[p], &pieces->ends[2 * pieces->num]);
     pieces->facet[pieces->num++] = list->facet[p];
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Cuts the facet wherever a piece ends, and gives each part to the nearest mortar facet over it. */
-static PetscErrorCode KeepNearestPieces_Private(const FacetPartner *partner, const ClipFacet *facet, PointList *list)
+static PetscErrorCode OverlapLineKeepNearestPieces_Private(const FacetPartner *partner, const ClipFacet *facet,
+                                                           PointList *list)
 {
   ClipPoint points[CLIP_MAX_POINTS], best[CLIP_MAX_POINTS];
   PieceList pieces;
 
   PetscFunctionBeginUser;
-  PetscCall(PieceListCreate_Private(partner, facet, list, &pieces));
+  PetscCall(OverlapLinePieceListCreate_Private(partner, facet, list, &pieces));
   PetscCall(PetscSortReal(2 * pieces.num, pieces.ends));
   list->num = 0;
   for (PetscInt e = 0; e + 1 < 2 * pieces.num; e++) {
@@ -126,8 +129,8 @@ static PetscErrorCode KeepNearestPieces_Private(const FacetPartner *partner, con
     if (pieces.ends[e + 1] - pieces.ends[e] <= SAME_END) continue;
     for (PetscInt i = 0; i < pieces.num; i++) {
       const ClipFacet mortar    = OverlapMortar(partner, pieces.facet[i]);
-      const PetscInt  num_gauss = PointsPerPiece_Private(partner, facet, &mortar);
-      const PetscInt  num       = ClipPart_Private(facet, &pieces.ends[e], &mortar, num_gauss, points);
+      const PetscInt  num_gauss = OverlapLinePointsPerPiece_Private(partner, facet, &mortar);
+      const PetscInt  num       = OverlapLineClipPart_Private(facet, &pieces.ends[e], &mortar, num_gauss, points);
       PetscReal       gap       = 0;
       for (PetscInt p = 0; p < num; p++) gap += PetscAbsReal(points[p].gap) / num;
       if (num == 0 || gap >= nearest) continue;
@@ -142,4 +145,4 @@ static PetscErrorCode KeepNearestPieces_Private(const FacetPartner *partner, con
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-const Overlap OVERLAP_LINES = {CLIP_MAX_POINTS, LinePoints_Private, KeepNearestPieces_Private};
+const Overlap OVERLAP_LINES = {CLIP_MAX_POINTS, OverlapLinePoints_Private, OverlapLineKeepNearestPieces_Private};

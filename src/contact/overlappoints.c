@@ -12,7 +12,7 @@ static const PetscReal OVERLAP_TOLERANCE = 1e-8;
 enum { START_POINTS = 64 }; /* first size of the list of points */
 
 /* What serves facets of a dimension. */
-static const Overlap *OverlapOf_Private(PetscInt dim)
+static const Overlap *OverlapPointsGetOverlap_Private(PetscInt dim)
 {
   return dim == 2 ? &OVERLAP_LINES : &OVERLAP_POLYGONS;
 }
@@ -21,7 +21,7 @@ PetscErrorCode PointListCreate(PetscInt dim, PointList *list)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(list, sizeof(*list)));
-  PetscCall(PetscMalloc1(OverlapOf_Private(dim)->max_points, &list->work));
+  PetscCall(PetscMalloc1(OverlapPointsGetOverlap_Private(dim)->max_points, &list->work));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -71,7 +71,7 @@ PetscInt PointsCurvedDegree(ElementType type)
 
 /* A vector along the mean outward normal of the polygon of a facet's vertices: (dy,-dx) of a line, in space the cross product
    of two edges of a triangle, of the diagonals of a quad. */
-static void Outward_Private(PetscInt dim, const ClipFacet *facet, PetscReal nu[])
+static void OverlapPointsOutward_Private(PetscInt dim, const ClipFacet *facet, PetscReal nu[])
 {
   const PetscInt   num = ElementNumNodes(ElementLinear(facet->type));
   const PetscReal *X   = facet->X;
@@ -90,11 +90,11 @@ static void Outward_Private(PetscInt dim, const ClipFacet *facet, PetscReal nu[]
 }
 
 /* Whether a mortar facet faces a nonmortar facet. [in] nu - outward normal of the nonmortar one, of any length */
-static PetscBool FacesEachOther_Private(PetscInt dim, const PetscReal nu[], const ClipFacet *mortar)
+static PetscBool OverlapPointsFaceEachOther_Private(PetscInt dim, const PetscReal nu[], const ClipFacet *mortar)
 {
   PetscReal nu_m[3], dot = 0, square = 0, square_m = 0;
 
-  Outward_Private(dim, mortar, nu_m);
+  OverlapPointsOutward_Private(dim, mortar, nu_m);
   for (PetscInt k = 0; k < dim; k++) {
     dot += nu[k] * nu_m[k];
     square += nu[k] * nu[k];
@@ -104,7 +104,7 @@ static PetscBool FacesEachOther_Private(PetscInt dim, const PetscReal nu[], cons
 }
 
 /* Whether some point of an overlap is within reach, in front or behind. */
-static PetscBool WithinReach_Private(PetscInt num, const ClipPoint points[], PetscReal reach)
+static PetscBool OverlapPointsWithinReach_Private(PetscInt num, const ClipPoint points[], PetscReal reach)
 {
   for (PetscInt p = 0; p < num; p++) {
     if (PetscAbsReal(points[p].gap) <= reach) return PETSC_TRUE;
@@ -113,22 +113,23 @@ static PetscBool WithinReach_Private(PetscInt num, const ClipPoint points[], Pet
 }
 
 /* Collects the quadrature points of a facet against the mortar side. */
-static PetscErrorCode CollectMortarPoints_Private(const FacetPartner *partner, const ClipFacet *facet, PointList *list)
+static PetscErrorCode OverlapPointsCollectMortar_Private(const FacetPartner *partner, const ClipFacet *facet,
+                                                         PointList *list)
 {
-  const Overlap  *overlap = OverlapOf_Private(partner->dim);
+  const Overlap  *overlap = OverlapPointsGetOverlap_Private(partner->dim);
   PetscReal       nu[3], covered = 0;
   PetscInt        num_hits;
   const PetscInt *hits;
 
   PetscFunctionBeginUser;
-  Outward_Private(partner->dim, facet, nu);
+  OverlapPointsOutward_Private(partner->dim, facet, nu);
   PetscCall(MortarSurfaceQuery(partner->mortar, partner->dim, facet, partner->reach, &num_hits, &hits));
   for (PetscInt h = 0; h < num_hits; h++) {
     const ClipFacet mortar = OverlapMortar(partner, hits[h]);
     PetscInt        num;
-    if (!FacesEachOther_Private(partner->dim, nu, &mortar)) continue;
+    if (!OverlapPointsFaceEachOther_Private(partner->dim, nu, &mortar)) continue;
     num = overlap->points(partner, facet, &mortar, list->work);
-    if (!WithinReach_Private(num, list->work, partner->reach)) continue;
+    if (!OverlapPointsWithinReach_Private(num, list->work, partner->reach)) continue;
     for (PetscInt p = 0; p < num; p++) {
       covered += list->work[p].share;
       PetscCall(PointListAdd(list, &list->work[p], hits[h]));
@@ -140,8 +141,8 @@ static PetscErrorCode CollectMortarPoints_Private(const FacetPartner *partner, c
 
 /* Collects the points of a facet against an obstacle: the whole facet, if any of it is within reach along the facet's own
    normal. That of a node at a sharp edge may see what the facet turns its back on. */
-static PetscErrorCode CollectObstaclePoints_Private(const FacetPartner *partner, const ClipFacet *facet,
-                                                    PointList *list)
+static PetscErrorCode OverlapPointsCollectObstacle_Private(const FacetPartner *partner, const ClipFacet *facet,
+                                                           PointList *list)
 {
   const PetscInt dim = partner->dim, dim_facet = ElementDim(facet->type);
   PetscReal      xi[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], x[3], nu[3], phi[ELEMENT_MAX_NODES], own;
@@ -174,8 +175,8 @@ PetscErrorCode PointListCollect(const FacetPartner *partner, const ClipFacet *fa
   PetscFunctionBeginUser;
   list->num = 0;
   if (partner->mortar)
-    PetscCall(CollectMortarPoints_Private(partner, facet, list));
+    PetscCall(OverlapPointsCollectMortar_Private(partner, facet, list));
   else
-    PetscCall(CollectObstaclePoints_Private(partner, facet, list));
+    PetscCall(OverlapPointsCollectObstacle_Private(partner, facet, list));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

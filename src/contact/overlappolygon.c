@@ -14,7 +14,7 @@ static const PetscReal STRAIGHT = 1e-10;
 enum { CURVED_DEGREE = 5, GIVEN_GAP_DEGREE = 2 };
 
 /* Whether x(xi) is that of a facet of first order with the same vertices. */
-static PetscBool IsStraight_Private(const ClipFacet *facet)
+static PetscBool OverlapPolygonIsStraight_Private(const ClipFacet *facet)
 {
   const ElementType linear = ElementLinear(facet->type);
   const PetscReal   size   = FacetSize(3, facet->type, facet->X);
@@ -35,18 +35,19 @@ static PetscBool IsStraight_Private(const ClipFacet *facet)
 
 /* Exact for products of two shape functions where the facets are parallelograms or triangles and the gap is linear; somewhat
    more for gaps that are given. */
-static PetscInt PolygonPoints_Private(const FacetPartner *partner, const ClipFacet *facet, const ClipFacet *mortar,
-                                      ClipPoint points[])
+static PetscInt OverlapPolygonPoints_Private(const FacetPartner *partner, const ClipFacet *facet,
+                                             const ClipFacet *mortar, ClipPoint points[])
 {
   PetscInt degree = ClipDegree(facet->type, mortar->type);
 
-  if (!IsStraight_Private(facet)) degree = PetscMin(degree, CURVED_DEGREE);
+  if (!OverlapPolygonIsStraight_Private(facet)) degree = PetscMin(degree, CURVED_DEGREE);
   return ClipPolygons(facet, mortar, OverlapGapVaries(partner) ? degree + GIVEN_GAP_DEGREE : degree, points);
 }
 
 /* Whether one of the mortar facets of a list lies nearer to a point than the one that gave it. */
-static PetscBool IsHidden_Private(const FacetPartner *partner, const ClipFacet *facet, PetscReal size,
-                                  PetscInt num_facets, const PetscInt facets[], const ClipPoint *point, PetscInt own)
+static PetscBool OverlapPolygonIsHidden_Private(const FacetPartner *partner, const ClipFacet *facet, PetscReal size,
+                                                PetscInt num_facets, const PetscInt facets[], const ClipPoint *point,
+                                                PetscInt own)
 {
   for (PetscInt i = 0; i < num_facets; i++) {
     const ClipFacet mortar = OverlapMortar(partner, facets[i]);
@@ -59,7 +60,8 @@ static PetscBool IsHidden_Private(const FacetPartner *partner, const ClipFacet *
 }
 
 /* Drops every point before which another mortar facet lies nearer. */
-static PetscErrorCode KeepNearestPoints_Private(const FacetPartner *partner, const ClipFacet *facet, PointList *list)
+static PetscErrorCode OverlapPolygonKeepNearestPoints_Private(const FacetPartner *partner, const ClipFacet *facet,
+                                                              PointList *list)
 {
   const PetscReal size = FacetSize(3, facet->type, facet->X);
   PetscInt        kept = 0, num_facets = 0, *facets;
@@ -70,7 +72,8 @@ static PetscErrorCode KeepNearestPoints_Private(const FacetPartner *partner, con
     if (p == 0 || list->facet[p] != list->facet[p - 1]) facets[num_facets++] = list->facet[p];
   }
   for (PetscInt p = 0; p < list->num; p++) {
-    if (IsHidden_Private(partner, facet, size, num_facets, facets, &list->point[p], list->facet[p])) continue;
+    if (OverlapPolygonIsHidden_Private(partner, facet, size, num_facets, facets, &list->point[p], list->facet[p]))
+      continue;
     list->point[kept]   = list->point[p];
     list->facet[kept++] = list->facet[p];
   }
@@ -79,4 +82,5 @@ static PetscErrorCode KeepNearestPoints_Private(const FacetPartner *partner, con
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-const Overlap OVERLAP_POLYGONS = {CLIP_MAX_POLYGON_POINTS, PolygonPoints_Private, KeepNearestPoints_Private};
+const Overlap OVERLAP_POLYGONS = {CLIP_MAX_POLYGON_POINTS, OverlapPolygonPoints_Private,
+                                  OverlapPolygonKeepNearestPoints_Private};

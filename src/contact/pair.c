@@ -10,7 +10,7 @@
 #include "contact/quadraticbasis.h"
 
 /* Rows (n, t..): t is the held direction where there is one, so that held unknowns stay single. [out] Q - [dim][dim] */
-static void NodeFrame_Private(const Support *held, PetscInt node, const PetscReal n[], PetscReal Q[])
+static void PairSetFrame_Private(const Support *held, PetscInt node, const PetscReal n[], PetscReal Q[])
 {
   const PetscInt   dim = held->dim;
   const PetscReal *d   = &held->directions[node * dim * dim];
@@ -24,7 +24,7 @@ static void NodeFrame_Private(const Support *held, PetscInt node, const PetscRea
 }
 
 /* Fills the pair's plain arrays from the nodes that this rank owns. Collective. */
-static PetscErrorCode CollectNodes_Private(Level *level, const Support *held, const PairDraft *draft, Pair pair)
+static PetscErrorCode PairCollectNodes_Private(Level *level, const Support *held, const PairDraft *draft, Pair pair)
 {
   const PetscInt     dim      = level->dim;
   PetscInt           count[3] = {0, 0, 0};
@@ -54,7 +54,7 @@ static PetscErrorCode CollectNodes_Private(Level *level, const Support *held, co
     for (PetscInt j = 0; j < dim; j++) pair->normal[k * dim + j] = PetscRealPart(N[i * dim + j]);
     pair->whole[k] = (PetscBool)(PetscRealPart(whole[i]) > 0);
     pair->cut[k]   = (PetscBool)(PetscRealPart(cut[i]) > 0);
-    NodeFrame_Private(held, i, &pair->normal[k * dim], &pair->frame[k * dim * dim]);
+    PairSetFrame_Private(held, i, &pair->normal[k * dim], &pair->frame[k * dim * dim]);
     k++;
   }
   PetscCall(VecRestoreArrayRead(draft->sums.cut, &cut));
@@ -72,7 +72,7 @@ static PetscErrorCode CollectNodes_Private(Level *level, const Support *held, co
 }
 
 /* to := from, ghosts included. */
-static PetscErrorCode VecGhostCopy_Private(Vec from, Vec to)
+static PetscErrorCode PairCopyGhosts_Private(Vec from, Vec to)
 {
   Vec local[2];
 
@@ -86,11 +86,11 @@ static PetscErrorCode VecGhostCopy_Private(Vec from, Vec to)
 }
 
 /* D, M and G along the directions of contact that follow from the side's own normals. */
-static PetscErrorCode IntegrateFrom_Private(Level *level, const Support *held, const FacetPartner *partner, Vec own,
-                                            PairDraft *draft)
+static PetscErrorCode PairIntegrateFrom_Private(Level *level, const Support *held, const FacetPartner *partner, Vec own,
+                                                PairDraft *draft)
 {
   PetscFunctionBeginUser;
-  PetscCall(VecGhostCopy_Private(own, draft->normals));
+  PetscCall(PairCopyGhosts_Private(own, draft->normals));
   PetscCall(ContactNormalsSet(level, partner, &draft->nonmortar, &draft->shape, draft->normals));
   PetscCall(NormalsProject(level, held, draft->normals));
   PetscCall(IntegralsCreate(level, partner, &draft->nonmortar, draft->normals, &draft->sums));
@@ -98,27 +98,27 @@ static PetscErrorCode IntegrateFrom_Private(Level *level, const Support *held, c
 }
 
 /* Once more where sharp edges show only then which of their facets see a partner. */
-static PetscErrorCode IntegrateAlong_Private(Level *level, const Support *held, const FacetPartner *partner,
-                                             PairDraft *draft)
+static PetscErrorCode PairIntegrateAlong_Private(Level *level, const Support *held, const FacetPartner *partner,
+                                                 PairDraft *draft)
 {
   PetscBool changed;
   Vec       own;
 
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(draft->normals, &own));
-  PetscCall(VecGhostCopy_Private(draft->normals, own));
-  PetscCall(IntegrateFrom_Private(level, held, partner, own, draft));
+  PetscCall(PairCopyGhosts_Private(draft->normals, own));
+  PetscCall(PairIntegrateFrom_Private(level, held, partner, own, draft));
   PetscCall(NodalNormalsSharpen(level, &draft->nonmortar, draft->sums.covered, own, &changed));
   if (changed) {
     PetscCall(MatDestroy(&draft->sums.M));
     PetscCall(IntegralsDestroy(&draft->sums));
-    PetscCall(IntegrateFrom_Private(level, held, partner, own, draft));
+    PetscCall(PairIntegrateFrom_Private(level, held, partner, own, draft));
   }
   PetscCall(VecDestroy(&own));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscBool IsPolygonal_Private(const Level *level, const SceneSide *side)
+static PetscBool PairIsPolygonal_Private(const Level *level, const SceneSide *side)
 {
   return level->scene->bodies[side->body].polygonal;
 }
@@ -126,8 +126,8 @@ static PetscBool IsPolygonal_Private(const Level *level, const SceneSide *side)
 /* The mortar facets in reach, with their shape where it is asked for: by gaps, and by directions where the nonmortar side is curved. A flat
    one decides alone, and before a flat mortar side nodes are where they are: the straight facets between them move as those of the other
    side do. Collective. */
-static PetscErrorCode CreateSurface_Private(Level *level, const Facets *mortar, PairDraft *draft, Pair pair,
-                                            MortarSurface *surface)
+static PetscErrorCode PairCreateSurface_Private(Level *level, const Facets *mortar, PairDraft *draft, Pair pair,
+                                                MortarSurface *surface)
 {
   PetscBool  curved, curved_m;
   SideShape  shape;
@@ -138,7 +138,7 @@ static PetscErrorCode CreateSurface_Private(Level *level, const Facets *mortar, 
   PetscCall(SideShapeIsCurved(level, &draft->nonmortar, &draft->shape, &curved));
   PetscCall(SideShapeIsCurved(level, mortar, &shape, &curved_m));
   if (!curved_m) PetscCall(PetscFree(draft->rise));
-  PetscCall(RiseCreate(level, pair->spec, mortar, &shape, IsPolygonal_Private(level, &pair->spec->mortar), &rise,
+  PetscCall(RiseCreate(level, pair->spec, mortar, &shape, PairIsPolygonal_Private(level, &pair->spec->mortar), &rise,
                        &pair->left[1]));
   pair->smooth[1] = rise ? PETSC_TRUE : PETSC_FALSE;
   PetscCall(
@@ -150,7 +150,7 @@ static PetscErrorCode CreateSurface_Private(Level *level, const Facets *mortar, 
 }
 
 /* Searches and integrates one pair. Collective. */
-static PetscErrorCode Integrate_Private(Scene scene, Level *level, const Support *held, Pair pair, PairDraft *draft)
+static PetscErrorCode PairIntegrate_Private(Scene scene, Level *level, const Support *held, Pair pair, PairDraft *draft)
 {
   const ScenePair *spec   = pair->spec;
   const PetscBool  meshed = (PetscBool)(spec->mortar.body >= 0);
@@ -163,14 +163,14 @@ static PetscErrorCode Integrate_Private(Scene scene, Level *level, const Support
   PetscCall(LevelGetFacets(level, scene, spec->nonmortar.body, spec->nonmortar.side, &draft->nonmortar));
   if (meshed) PetscCall(LevelGetFacets(level, scene, spec->mortar.body, spec->mortar.side, &mortar));
   PetscCall(SideShapeCreate(level, &draft->nonmortar, &draft->shape));
-  PetscCall(RiseCreate(level, spec, &draft->nonmortar, &draft->shape, IsPolygonal_Private(level, &spec->nonmortar),
+  PetscCall(RiseCreate(level, spec, &draft->nonmortar, &draft->shape, PairIsPolygonal_Private(level, &spec->nonmortar),
                        &draft->rise, &pair->left[0]));
   if (spec->obstacle.kind == OBSTACLE_PLANE) PetscCall(PetscFree(draft->rise));
   PetscCall(ReachChoose(spec, level, held, &draft->nonmortar, meshed ? &mortar : NULL, &partner.reach));
   if (meshed) PetscCall(ReachWiden(spec, level, &draft->nonmortar, &mortar, &partner.reach));
   pair->reach = partner.reach;
   if (meshed) {
-    PetscCall(CreateSurface_Private(level, &mortar, draft, pair, &surface));
+    PetscCall(PairCreateSurface_Private(level, &mortar, draft, pair, &surface));
     partner.mortar = &surface;
   }
   pair->smooth[0]            = draft->rise ? PETSC_TRUE : PETSC_FALSE;
@@ -180,7 +180,7 @@ static PetscErrorCode Integrate_Private(Scene scene, Level *level, const Support
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &pair->num_facets_nonmortar, 1, MPIU_INT, MPI_SUM, level->comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &pair->num_facets_mortar, 1, MPIU_INT, MPI_SUM, level->comm));
   PetscCall(NodalNormalsCreate(level, &draft->nonmortar, &draft->shape, &draft->normals));
-  PetscCall(IntegrateAlong_Private(level, held, &partner, draft));
+  PetscCall(PairIntegrateAlong_Private(level, held, &partner, draft));
   PetscCall(ExpressionCheck(level->comm, spec->gap));
   PetscCall(ExpressionCheck(level->comm, spec->gap_offset));
   PetscCall(ExpressionCheck(level->comm, spec->obstacle.gap));
@@ -192,14 +192,14 @@ static PetscErrorCode Integrate_Private(Scene scene, Level *level, const Support
 }
 
 /* Spreads what is removed and collects what is kept. Collective. */
-static PetscErrorCode Finish_Private(Level *level, const Support *held, PairDraft *draft, Pair pair)
+static PetscErrorCode PairFinish_Private(Level *level, const Support *held, PairDraft *draft, Pair pair)
 {
   Integrals *sums = &draft->sums;
 
   PetscFunctionBeginUser;
   PetscCall(ShiftCreate(level, &draft->nonmortar, sums->carrier, &pair->shift, &pair->unshift));
   PetscCall(SpreadRemovedRows(level, &draft->nonmortar, draft->fate, sums, &pair->chain));
-  PetscCall(CollectNodes_Private(level, held, draft, pair));
+  PetscCall(PairCollectNodes_Private(level, held, draft, pair));
   pair->M        = sums->M;
   pair->arm      = sums->arm;
   sums->arm      = NULL;
@@ -225,10 +225,10 @@ PetscErrorCode PairsCreate(Scene scene, Level *level, const Support *held, Pair 
     PetscCall(PetscNew(&pairs[p]));
     pairs[p]->spec  = &scene->pairs[p];
     pairs[p]->level = level;
-    PetscCall(Integrate_Private(scene, level, held, pairs[p], &drafts[p]));
+    PetscCall(PairIntegrate_Private(scene, level, held, pairs[p], &drafts[p]));
   }
   PetscCall(FatesSettle(level, scene->num_pairs, drafts));
-  for (PetscInt p = 0; p < scene->num_pairs; p++) PetscCall(Finish_Private(level, held, &drafts[p], pairs[p]));
+  for (PetscInt p = 0; p < scene->num_pairs; p++) PetscCall(PairFinish_Private(level, held, &drafts[p], pairs[p]));
   PetscCall(PetscFree(drafts));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -8,7 +8,8 @@
 #include "contact/quadraticbasis.h"
 
 /* d, and w of the vertices; returns whether u~_e differs from u_e. [in] node - behind the vertices; [out] w - [vertices] */
-static PetscBool Weights_Private(ElementType type, ElementType carrier, PetscInt node, PetscReal *d, PetscReal w[])
+static PetscBool QuadraticBasisWeights_Private(ElementType type, ElementType carrier, PetscInt node, PetscReal *d,
+                                               PetscReal w[])
 {
   const PetscInt  num_vertices = ElementNumNodes(ElementLinear(type));
   const PetscReal share        = DualShare(carrier);
@@ -25,8 +26,8 @@ static PetscBool Weights_Private(ElementType type, ElementType carrier, PetscInt
 }
 
 /* Enters S - I and S^-1 - I of one facet. */
-static PetscErrorCode AddFacet_Private(const Level *level, const Facets *facets, PetscInt f, ElementType carrier,
-                                       Mat shift, Mat unshift)
+static PetscErrorCode QuadraticBasisAddFacet_Private(const Level *level, const Facets *facets, PetscInt f,
+                                                     ElementType carrier, Mat shift, Mat unshift)
 {
   const ElementType type         = facets->type[f];
   const PetscInt    num_vertices = ElementNumNodes(ElementLinear(type));
@@ -37,7 +38,7 @@ static PetscErrorCode AddFacet_Private(const Level *level, const Facets *facets,
   for (PetscInt i = 0; i < ElementNumNodes(type); i++)
     nodes[i] = level->node_global[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
   for (PetscInt e = num_vertices; e < ElementNumNodes(type); e++) {
-    if (!Weights_Private(type, carrier, e, &d, w)) continue;
+    if (!QuadraticBasisWeights_Private(type, carrier, e, &d, w)) continue;
     for (PetscInt v = 0; v < num_vertices; v++) {
       if (w[v] == 0) continue;
       PetscCall(MatSetValue(shift, nodes[e], nodes[v], w[v], INSERT_VALUES));
@@ -67,7 +68,7 @@ PetscErrorCode ShiftCreate(Level *level, const Facets *facets, const ElementType
   for (PetscInt i = 0; i < 2; i++) PetscCall(FacetsCreateMat(level, facets, entries, mats[i]));
   PetscCall(PetscFree(entries));
   for (PetscInt f = 0; f < facets->num; f++)
-    PetscCall(AddFacet_Private(level, facets, f, carrier[f], *shift, *unshift));
+    PetscCall(QuadraticBasisAddFacet_Private(level, facets, f, carrier[f], *shift, *unshift));
   for (PetscInt i = 0; i < 2; i++) {
     PetscCall(MatAssemblyBegin(*mats[i], MAT_FINAL_ASSEMBLY));
     PetscCall(MatAssemblyEnd(*mats[i], MAT_FINAL_ASSEMBLY));

@@ -17,7 +17,7 @@ static const PetscReal REACH_TIED = 0.5;
 static const PetscReal REACH_OVERLAP = 3.5;
 
 /* Diagonal of the box around a side, over all ranks; 0 for an empty one. */
-static PetscErrorCode SideExtent_Private(const Level *level, const Facets *facets, PetscReal *extent)
+static PetscErrorCode ReachSideExtent_Private(const Level *level, const Facets *facets, PetscReal *extent)
 {
   PetscReal bounds[6], d2 = 0; // upper bounds of x and of -x
 
@@ -48,9 +48,9 @@ PetscErrorCode ReachChoose(const ScenePair *spec, Level *level, const Support *h
   *reach = spec->reach;
   if (spec->reach >= 0) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(FacetsMaxSize(level, nonmortar, &size));
-  PetscCall(SideExtent_Private(level, nonmortar, &extent));
+  PetscCall(ReachSideExtent_Private(level, nonmortar, &extent));
   if (mortar) {
-    PetscCall(SideExtent_Private(level, mortar, &extent_m));
+    PetscCall(ReachSideExtent_Private(level, mortar, &extent_m));
     extent = PetscMin(extent, extent_m);
   }
   *reach = PetscMax(REACH_FACETS * size, PetscMax(REACH_PRESCRIBED * held->max_value, share * extent));
@@ -58,7 +58,7 @@ PetscErrorCode ReachChoose(const ScenePair *spec, Level *level, const Support *h
 }
 
 /* "(1.5, -2)" */
-static PetscErrorCode PlaceText_Private(PetscInt dim, const PetscReal at[], char text[], size_t len)
+static PetscErrorCode ReachPlaceText_Private(PetscInt dim, const PetscReal at[], char text[], size_t len)
 {
   PetscFunctionBeginUser;
   if (dim == 2) {
@@ -81,7 +81,7 @@ PetscErrorCode ReachWiden(const ScenePair *spec, const Level *level, const Facet
   PetscCall(DepthFind(level, nonmortar, m, mortar, *reach, &depth, at));
   PetscCall(DepthFind(level, mortar, s, nonmortar, *reach, &depth, at));
   if (depth > *reach && spec->reach >= 0) {
-    PetscCall(PlaceText_Private(level->dim, at, place, sizeof(place)));
+    PetscCall(ReachPlaceText_Private(level->dim, at, place, sizeof(place)));
     PetscCall(
         UserErrorRaise(level->comm,
                        "-%s_reach %.6g: bodies %s and %s overlap by %.3g at %s to begin with, farther than partners "

@@ -13,7 +13,7 @@ static const PetscReal LEFT_OVER = 0.1;
 
 /* Whether two nodes of a facet follow each other on the lattice of its nodes, which has steps of 1 / order along its edges: not the
    vertices of a quadratic facet, nor those that lie across a quad. */
-static PetscBool AreNeighbours_Private(ElementType type, PetscInt i, PetscInt j)
+static PetscBool RedistributionAreNeighbours_Private(ElementType type, PetscInt i, PetscInt j)
 {
   const PetscReal *a = ElementNode(type, i), *b = ElementNode(type, j), longest = 1.5 / ElementOrder(type);
   const PetscReal  x = PetscAbsReal(a[0] - b[0]), y = ElementDim(type) == 1 ? 0 : PetscAbsReal(a[1] - b[1]);
@@ -26,8 +26,8 @@ static PetscBool AreNeighbours_Private(ElementType type, PetscInt i, PetscInt j)
 
 /* Moves into ring k, on every rank, the nodes that wait beside ring k - 1. [in,out] ring - [num_nodes], -1 waits;
    [out] found - whether there was any */
-static PetscErrorCode NextRing_Private(Level *level, const Facets *facets, const Integrals *sums, PetscInt k,
-                                       PetscInt ring[], PetscBool *found)
+static PetscErrorCode RedistributionNextRing_Private(Level *level, const Facets *facets, const Integrals *sums,
+                                                     PetscInt k, PetscInt ring[], PetscBool *found)
 {
   Vec          flags, local;
   PetscScalar *flag;
@@ -41,7 +41,8 @@ static PetscErrorCode NextRing_Private(Level *level, const Facets *facets, const
     const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(sums->carrier[f]);
     for (PetscInt i = 0; sums->covered[f] && i < n; i++) {
       for (PetscInt j = 0; j < n; j++) {
-        if (ring[nodes[i]] == k - 1 && ring[nodes[j]] == -1 && AreNeighbours_Private(sums->carrier[f], i, j))
+        if (ring[nodes[i]] == k - 1 && ring[nodes[j]] == -1 &&
+            RedistributionAreNeighbours_Private(sums->carrier[f], i, j))
           flag[nodes[j]] = 1;
       }
     }
@@ -64,8 +65,8 @@ static PetscErrorCode NextRing_Private(Level *level, const Facets *facets, const
 }
 
 /* N diag(1 / column sums), with N of ones: row a, column c for every node a of ring k - 1 beside a node c of ring k. */
-static PetscErrorCode NeighbourMeans_Private(Level *level, const Facets *facets, const Integrals *sums, PetscInt k,
-                                             const PetscInt ring[], Mat *N)
+static PetscErrorCode RedistributionNeighbourMeans_Private(Level *level, const Facets *facets, const Integrals *sums,
+                                                           PetscInt k, const PetscInt ring[], Mat *N)
 {
   Vec       ones, columns;
   PetscInt *entries;
@@ -79,7 +80,9 @@ static PetscErrorCode NeighbourMeans_Private(Level *level, const Facets *facets,
     const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(sums->carrier[f]);
     for (PetscInt i = 0; sums->covered[f] && i < n; i++) {
       for (PetscInt j = 0; j < n; j++) {
-        if (ring[nodes[i]] != k - 1 || ring[nodes[j]] != k || !AreNeighbours_Private(sums->carrier[f], i, j)) continue;
+        if (ring[nodes[i]] != k - 1 || ring[nodes[j]] != k ||
+            !RedistributionAreNeighbours_Private(sums->carrier[f], i, j))
+          continue;
         PetscCall(MatSetValue(*N, level->node_global[nodes[i]], level->node_global[nodes[j]], 1.0, INSERT_VALUES));
       }
     }
@@ -97,8 +100,8 @@ static PetscErrorCode NeighbourMeans_Private(Level *level, const Facets *facets,
 }
 
 /* W = sum_k W_k, or NULL where no row is to be spread. */
-static PetscErrorCode Weights_Private(Level *level, const Facets *facets, const NodeFate fate[], const Integrals *sums,
-                                      Mat *W)
+static PetscErrorCode RedistributionWeights_Private(Level *level, const Facets *facets, const NodeFate fate[],
+                                                    const Integrals *sums, Mat *W)
 {
   PetscInt *ring;
   PetscBool found;
@@ -109,9 +112,9 @@ static PetscErrorCode Weights_Private(Level *level, const Facets *facets, const 
   PetscCall(PetscMalloc1(level->num_nodes, &ring));
   for (PetscInt i = 0; i < level->num_nodes; i++)
     ring[i] = fate[i] == NODE_KEPT ? 0 : (fate[i] == NODE_REMOVED ? -1 : -2);
-  PetscCall(NextRing_Private(level, facets, sums, 1, ring, &found));
+  PetscCall(RedistributionNextRing_Private(level, facets, sums, 1, ring, &found));
   for (PetscInt k = 1; found; k++) {
-    PetscCall(NeighbourMeans_Private(level, facets, sums, k, ring, &N));
+    PetscCall(RedistributionNeighbourMeans_Private(level, facets, sums, k, ring, &N));
     if (last) {
       PetscCall(MatMatMult(last, N, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &next));
       PetscCall(MatAXPY(*W, 1.0, next, DIFFERENT_NONZERO_PATTERN));
@@ -122,7 +125,7 @@ static PetscErrorCode Weights_Private(Level *level, const Facets *facets, const 
       PetscCall(MatDuplicate(N, MAT_COPY_VALUES, W));
       last = N;
     }
-    PetscCall(NextRing_Private(level, facets, sums, k + 1, ring, &found));
+    PetscCall(RedistributionNextRing_Private(level, facets, sums, k + 1, ring, &found));
   }
   PetscCall(MatDestroy(&last));
   PetscCall(PetscFree(ring));
@@ -130,7 +133,7 @@ static PetscErrorCode Weights_Private(Level *level, const Facets *facets, const 
 }
 
 /* A := A + W A. */
-static PetscErrorCode AddSpread_Private(Mat W, Mat *A)
+static PetscErrorCode RedistributionAddSpread_Private(Mat W, Mat *A)
 {
   Mat WA;
 
@@ -143,21 +146,21 @@ static PetscErrorCode AddSpread_Private(Mat W, Mat *A)
 }
 
 /* The same for all components, with W (x) 1. */
-static PetscErrorCode AddBlockSpread_Private(Mat W, PetscInt dim, Mat *A)
+static PetscErrorCode RedistributionAddBlockSpread_Private(Mat W, PetscInt dim, Mat *A)
 {
   Mat blocks, expanded;
 
   PetscFunctionBeginUser;
   PetscCall(MatCreateMAIJ(W, dim, &blocks));
   PetscCall(MatConvert(blocks, MATAIJ, MAT_INITIAL_MATRIX, &expanded));
-  PetscCall(AddSpread_Private(expanded, A));
+  PetscCall(RedistributionAddSpread_Private(expanded, A));
   PetscCall(MatDestroy(&expanded));
   PetscCall(MatDestroy(&blocks));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Empties the rows of nodes that are not kept. */
-static PetscErrorCode KeepRows_Private(const Level *level, const NodeFate fate[], Mat A)
+static PetscErrorCode RedistributionKeepRows_Private(const Level *level, const NodeFate fate[], Mat A)
 {
   Vec          kept;
   PetscScalar *value;
@@ -174,8 +177,8 @@ static PetscErrorCode KeepRows_Private(const Level *level, const NodeFate fate[]
 
 /* Removes kept nodes to which too little is left of their own weight: the rows that they take over may be covered negatively.
    [in] W - NULL where no row is spread; [out] any - whether there was such a node */
-static PetscErrorCode RemoveOverdrawn_Private(Mat W, const Integrals *sums, PetscInt num_nodes, NodeFate fate[],
-                                              PetscBool *any)
+static PetscErrorCode RedistributionRemoveOverdrawn_Private(Mat W, const Integrals *sums, PetscInt num_nodes,
+                                                            NodeFate fate[], PetscBool *any)
 {
   Vec                total, local, local_D;
   const PetscScalar *D, *t;
@@ -216,22 +219,22 @@ PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, NodeFate fa
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, level->comm));
   while (any) {
     PetscCall(MatDestroy(&W));
-    PetscCall(Weights_Private(level, facets, fate, sums, &W));
-    PetscCall(RemoveOverdrawn_Private(W, sums, level->num_nodes, fate, &any));
+    PetscCall(RedistributionWeights_Private(level, facets, fate, sums, &W));
+    PetscCall(RedistributionRemoveOverdrawn_Private(W, sums, level->num_nodes, fate, &any));
   }
   if (W) {
     PetscCall(VecDuplicate(sums->G, &WG));
     PetscCall(MatMult(W, sums->G, WG));
     PetscCall(VecAXPY(sums->G, 1.0, WG));
     PetscCall(VecDestroy(&WG));
-    if (sums->M) PetscCall(AddSpread_Private(W, &sums->M));
-    if (sums->arm) PetscCall(AddBlockSpread_Private(W, level->dim, &sums->arm));
-    if (sums->chain) PetscCall(AddSpread_Private(W, &sums->chain));
+    if (sums->M) PetscCall(RedistributionAddSpread_Private(W, &sums->M));
+    if (sums->arm) PetscCall(RedistributionAddBlockSpread_Private(W, level->dim, &sums->arm));
+    if (sums->chain) PetscCall(RedistributionAddSpread_Private(W, &sums->chain));
     PetscCall(MatDiagonalScale(W, NULL, sums->D));
     if (sums->chain) PetscCall(MatAXPY(sums->chain, 1.0, W, DIFFERENT_NONZERO_PATTERN));
   }
   if (sums->chain) {
-    PetscCall(KeepRows_Private(level, fate, sums->chain));
+    PetscCall(RedistributionKeepRows_Private(level, fate, sums->chain));
     PetscCall(MatDestroy(&W));
     W = sums->chain;
   }

@@ -1,14 +1,23 @@
 /* search.c -- the mortar facets that this rank's nonmortar facets may meet, in a box tree.
 
    No rank holds a side. Every rank tells all others a few boxes around its nonmortar facets; a mortar facet goes to the
-   ranks one of whose boxes it meets. Facets that stay come first, then those of other ranks in the order of ranks: what
-   is summed over them differs from partition to partition in the last digits only. */
+   ranks one of whose boxes it meets. Facets that stay come first, then those of other ranks in the order of ranks: sums
+   over them differ from partition to partition in the last digits only.
+
+   A query is about the rays of one nonmortar facet. They fill a tube about the facet's normals that is as long as the reach
+   and hardly wider than the facet. A box around an inclined tube would hold ever more facets as these get smaller; slabs
+   along the tube and across it do not. */
 #include "base/compat.h"
 #include "contact/contactsurface.h"
+#include "kernel/frame.h"
+#include "kernel/vector.h"
 
 /* Boxes around the nonmortar facets of one rank. A side that bends leaves most of one box empty, and what travels for
    nothing is about the volume that they hold. */
 enum { COVER_BOXES = 16 };
+
+/* Roundoff must not hide what touches the end of a facet: a query is wider by this share. */
+static const PetscReal QUERY_SLACK = 1e-8;
 
 /* The boxes of all ranks. */
 typedef struct {
@@ -32,8 +41,8 @@ typedef struct {
 } Side;
 
 /* A tree over the boxes around all facets of a list. [in] coords - [num][ELEMENT_MAX_FACET_NODES][dim] */
-static PetscErrorCode CreateTree_Private(PetscInt dim, PetscInt num, const ElementType type[], const PetscReal coords[],
-                                         BoxTree *tree)
+static PetscErrorCode SearchCreateTree_Private(PetscInt dim, PetscInt num, const ElementType type[],
+                                               const PetscReal coords[], BoxTree *tree)
 {
   PetscReal *boxes;
 
@@ -48,8 +57,8 @@ static PetscErrorCode CreateTree_Private(PetscInt dim, PetscInt num, const Eleme
 
 /* A few boxes that hold this rank's facets and all within reach of them. Not collective.
    [out] boxes - [COVER_BOXES][2][dim], the first *num of them are set */
-static PetscErrorCode CoverFacets_Private(const Level *level, const Facets *facets, PetscReal reach, PetscInt *num,
-                                          PetscReal boxes[])
+static PetscErrorCode SearchCoverFacets_Private(const Level *level, const Facets *facets, PetscReal reach,
+                                                PetscInt *num, PetscReal boxes[])
 {
   const PetscInt   dim = level->dim;
   PetscReal       *coords;
@@ -60,7 +69,7 @@ static PetscErrorCode CoverFacets_Private(const Level *level, const Facets *face
   PetscCall(PetscMalloc1(facets->num * ELEMENT_MAX_FACET_NODES * dim, &coords));
   for (PetscInt f = 0; f < facets->num; f++)
     FacetCoordinates(level, facets, f, &coords[f * ELEMENT_MAX_FACET_NODES * dim]);
-  PetscCall(CreateTree_Private(dim, facets->num, facets->type, coords, &tree));
+  PetscCall(SearchCreateTree_Private(dim, facets->num, facets->type, coords, &tree));
   PetscCall(PetscFree(coords));
   PetscCall(BoxTreeGetCover(tree, COVER_BOXES, num, &cover));
   for (PetscInt b = 0; b < *num; b++) {
@@ -74,7 +83,8 @@ static PetscErrorCode CoverFacets_Private(const Level *level, const Facets *face
 }
 
 /* Tells all ranks what each of them covers. Collective. */
-static PetscErrorCode CoversCreate_Private(const Level *level, const Facets *facets, PetscReal reach, Covers *covers)
+static PetscErrorCode SearchCoversCreate_Private(const Level *level, const Facets *facets, PetscReal reach,
+                                                 Covers *covers)
 {
   const PetscInt dim = level->dim, length = COVER_BOXES * 2 * dim;
   PetscReal     *mine, *all;
@@ -86,7 +96,7 @@ static PetscErrorCode CoversCreate_Private(const Level *level, const Facets *fac
   PetscCall(PetscMalloc3(size, &nums, length, &mine, size * length, &all));
   PetscCall(PetscMalloc1(size * COVER_BOXES, &covers->rank));
   PetscCall(PetscArrayzero(mine, length));
-  PetscCall(CoverFacets_Private(level, facets, reach, &num, mine));
+  PetscCall(SearchCoverFacets_Private(level, facets, reach, &num, mine));
   PetscCallMPI(MPI_Allgather(&num, 1, MPIU_INT, nums, 1, MPIU_INT, level->comm));
   PetscCallMPI(MPI_Allgather(mine, (PetscMPIInt)length, MPIU_REAL, all, (PetscMPIInt)length, MPIU_REAL, level->comm));
   covers->num = 0;
@@ -101,7 +111,7 @@ static PetscErrorCode CoversCreate_Private(const Level *level, const Facets *fac
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode CoversDestroy_Private(Covers *covers)
+static PetscErrorCode SearchCoversDestroy_Private(Covers *covers)
 {
   PetscFunctionBeginUser;
   PetscCall(BoxTreeDestroy(&covers->tree));
@@ -110,8 +120,8 @@ static PetscErrorCode CoversDestroy_Private(Covers *covers)
 }
 
 /* The ranks that may meet a mortar facet, each once. Not collective. [out] ranks - ascending [*num], room for all */
-static PetscErrorCode FindRanks_Private(const Covers *covers, PetscInt dim, const FacetRecord *record, PetscInt *num,
-                                        PetscMPIInt ranks[])
+static PetscErrorCode SearchFindRanks_Private(const Covers *covers, PetscInt dim, const FacetRecord *record,
+                                              PetscInt *num, PetscMPIInt ranks[])
 {
   PetscReal       box[6];
   PetscInt        num_hits;
@@ -127,7 +137,7 @@ static PetscErrorCode FindRanks_Private(const Covers *covers, PetscInt dim, cons
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static void PackFacet_Private(const Side *side, PetscInt f, FacetRecord *record)
+static void SearchPackFacet_Private(const Side *side, PetscInt f, FacetRecord *record)
 {
   const Level   *level  = side->level;
   const Facets  *facets = side->facets;
@@ -144,7 +154,7 @@ static void PackFacet_Private(const Side *side, PetscInt f, FacetRecord *record)
 }
 
 /* Appends a facet; the arrays have room for it. */
-static void AddFacet_Private(PetscInt dim, const FacetRecord *record, MortarSurface *surface)
+static void SearchAddFacet_Private(PetscInt dim, const FacetRecord *record, MortarSurface *surface)
 {
   const PetscInt f = surface->num++, n = ElementNumNodes((ElementType)record->type);
 
@@ -168,7 +178,7 @@ typedef struct {
 } Traffic;
 
 /* Counts who sends what to whom. Collective. */
-static PetscErrorCode TrafficPlan_Private(const Side *side, const Covers *covers, Traffic *traffic)
+static PetscErrorCode SearchTrafficPlan_Private(const Side *side, const Covers *covers, Traffic *traffic)
 {
   const Level *level  = side->level;
   FacetRecord  record = {0};
@@ -183,8 +193,8 @@ static PetscErrorCode TrafficPlan_Private(const Side *side, const Covers *covers
   start                = traffic->start;
   traffic->num_staying = traffic->num_arriving = 0;
   for (PetscInt f = 0; f < side->facets->num; f++) {
-    PackFacet_Private(side, f, &record);
-    PetscCall(FindRanks_Private(covers, side->level->dim, &record, &num, ranks));
+    SearchPackFacet_Private(side, f, &record);
+    PetscCall(SearchFindRanks_Private(covers, side->level->dim, &record, &num, ranks));
     for (PetscInt i = 0; i < num; i++) {
       if (ranks[i] == traffic->rank)
         traffic->num_staying++;
@@ -208,8 +218,8 @@ static PetscErrorCode TrafficPlan_Private(const Side *side, const Covers *covers
 }
 
 /* Puts facets that stay into the surface and lines up those that leave. Not collective. */
-static PetscErrorCode TrafficLoad_Private(const Side *side, const Covers *covers, Traffic *traffic,
-                                          MortarSurface *surface)
+static PetscErrorCode SearchTrafficLoad_Private(const Side *side, const Covers *covers, Traffic *traffic,
+                                                MortarSurface *surface)
 {
   PetscInt    *next, num;
   PetscMPIInt *ranks;
@@ -220,11 +230,11 @@ static PetscErrorCode TrafficLoad_Private(const Side *side, const Covers *covers
   PetscCall(PetscArraycpy(next, traffic->start, traffic->size));
   PetscCall(PetscMalloc1(traffic->start[traffic->size], &traffic->leaving));
   for (PetscInt f = 0; f < side->facets->num; f++) {
-    PackFacet_Private(side, f, &record);
-    PetscCall(FindRanks_Private(covers, side->level->dim, &record, &num, ranks));
+    SearchPackFacet_Private(side, f, &record);
+    PetscCall(SearchFindRanks_Private(covers, side->level->dim, &record, &num, ranks));
     for (PetscInt i = 0; i < num; i++) {
       if (ranks[i] == traffic->rank)
-        AddFacet_Private(side->level->dim, &record, surface);
+        SearchAddFacet_Private(side->level->dim, &record, surface);
       else
         traffic->leaving[next[ranks[i]]++] = record;
     }
@@ -234,7 +244,7 @@ static PetscErrorCode TrafficLoad_Private(const Side *side, const Covers *covers
 }
 
 /* Sends and receives, and appends what arrives to the surface. Collective. */
-static PetscErrorCode TrafficRun_Private(const Level *level, Traffic *traffic, MortarSurface *surface)
+static PetscErrorCode SearchTrafficRun_Private(const Level *level, Traffic *traffic, MortarSurface *surface)
 {
   MPI_Comm     comm;
   MPI_Datatype type;
@@ -259,14 +269,14 @@ static PetscErrorCode TrafficRun_Private(const Level *level, Traffic *traffic, M
     }
   }
   PetscCallMPI(MPI_Waitall(num_requests, requests, MPI_STATUSES_IGNORE));
-  for (PetscInt f = 0; f < traffic->num_arriving; f++) AddFacet_Private(level->dim, &arriving[f], surface);
+  for (PetscInt f = 0; f < traffic->num_arriving; f++) SearchAddFacet_Private(level->dim, &arriving[f], surface);
   PetscCall(PetscFree2(arriving, requests));
   PetscCallMPI(MPI_Type_free(&type));
   PetscCall(PetscCommDestroy(&comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode TrafficDestroy_Private(Traffic *traffic)
+static PetscErrorCode SearchTrafficDestroy_Private(Traffic *traffic)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree(traffic->start));
@@ -286,19 +296,19 @@ PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const 
   PetscInt       max;
 
   PetscFunctionBeginUser;
-  PetscCall(CoversCreate_Private(level, nonmortar, reach, &covers));
-  PetscCall(TrafficPlan_Private(&side, &covers, &traffic));
+  PetscCall(SearchCoversCreate_Private(level, nonmortar, reach, &covers));
+  PetscCall(SearchTrafficPlan_Private(&side, &covers, &traffic));
   max           = traffic.num_staying + traffic.num_arriving;
   surface->num  = 0;
   surface->rise = NULL;
   PetscCall(PetscMalloc5(max, &surface->type, max * ELEMENT_MAX_FACET_NODES, &surface->nodes,
                          max * ELEMENT_MAX_FACET_NODES * dim, &surface->coords, max * ELEMENT_MAX_FACET_NODES * dim,
                          &surface->normals, max * ELEMENT_MAX_FACET_NODES * dim * dim, &surface->curvature));
-  PetscCall(TrafficLoad_Private(&side, &covers, &traffic, surface));
-  PetscCall(CoversDestroy_Private(&covers));
-  PetscCall(TrafficRun_Private(level, &traffic, surface));
-  PetscCall(TrafficDestroy_Private(&traffic));
-  PetscCall(CreateTree_Private(dim, surface->num, surface->type, surface->coords, &surface->tree));
+  PetscCall(SearchTrafficLoad_Private(&side, &covers, &traffic, surface));
+  PetscCall(SearchCoversDestroy_Private(&covers));
+  PetscCall(SearchTrafficRun_Private(level, &traffic, surface));
+  PetscCall(SearchTrafficDestroy_Private(&traffic));
+  PetscCall(SearchCreateTree_Private(dim, surface->num, surface->type, surface->coords, &surface->tree));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -309,5 +319,85 @@ PetscErrorCode MortarSurfaceDestroy(MortarSurface *surface)
   PetscCall(PetscFree(surface->rise));
   PetscCall(BoxTreeDestroy(&surface->tree));
   surface->num = 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Directions about a mean one. */
+typedef struct {
+  PetscReal mean[3], cosine; /* of the widest angle between them; 0 where it is a right one or more */
+} Cone;
+
+/* The cone of the normals: that of the Bezier points of their field, since what lies between two of them is in it, too. */
+static Cone SearchFindNormalCone_Private(PetscInt dim, ElementType type, const PetscReal N[])
+{
+  const PetscInt n    = ElementNumNodes(type);
+  Cone           cone = {{0, 0, 0}, 1};
+  PetscReal      hull[3 * ELEMENT_MAX_FACET_NODES];
+
+  for (PetscInt i = 0; i < n * dim; i++) cone.mean[i % dim] += N[i];
+  FrameNormalize(dim, cone.mean);
+  FacetHull(dim, type, N, hull);
+  for (PetscInt i = 0; i < n; i++) {
+    FrameNormalize(dim, &hull[i * dim]);
+    cone.cosine = PetscMax(0, PetscMin(cone.cosine, VectorDot(dim, cone.mean, &hull[i * dim])));
+  }
+  return cone;
+}
+
+/* The largest component of unit vectors of the cone along a direction whose own component along the mean is given. */
+static PetscReal SearchConeComponent_Private(const Cone *cone, PetscReal along)
+{
+  const PetscReal a = PetscAbsReal(along), c = cone->cosine;
+
+  if (a >= c) return 1; // the direction lies in the cone
+  return a * c + PetscSqrtReal((1 - a * a) * (1 - c * c));
+}
+
+/* The range of direction . x over a facet, widened. [in] hull - [n][dim] */
+static BoxSlab SearchFindSlab_Private(PetscInt dim, PetscInt n, const PetscReal hull[], const PetscReal direction[],
+                                      PetscReal margin)
+{
+  BoxSlab range = {.lower = PETSC_MAX_REAL, .upper = PETSC_MIN_REAL};
+
+  for (PetscInt i = 0; i < n; i++) {
+    const PetscReal x = VectorDot(dim, direction, &hull[i * dim]);
+
+    range.lower = PetscMin(range.lower, x);
+    range.upper = PetscMax(range.upper, x);
+  }
+  for (PetscInt k = 0; k < dim; k++) range.direction[k] = direction[k];
+  range.lower -= margin;
+  range.upper += margin;
+  return range;
+}
+
+PetscErrorCode MortarSurfaceQuery(const MortarSurface *surface, PetscInt dim, const ClipFacet *facet, PetscReal reach,
+                                  PetscInt *num_hits, const PetscInt *hits[])
+{
+  const PetscInt  n         = ElementNumNodes(facet->type);
+  const Cone      cone      = SearchFindNormalCone_Private(dim, facet->type, facet->N);
+  const PetscReal slack     = QUERY_SLACK * (reach + FacetSize(dim, facet->type, facet->X));
+  PetscInt        num_slabs = 0;
+  PetscReal       hull[3 * ELEMENT_MAX_FACET_NODES], Q[9], box[6];
+  BoxSlab         slabs[3];
+
+  PetscFunctionBeginUser;
+  FacetHull(dim, facet->type, facet->X, hull);
+  for (PetscInt k = 0; k < dim; k++) {
+    const PetscReal axis[3] = {k == 0, k == 1, k == 2};
+    const BoxSlab   range =
+        SearchFindSlab_Private(dim, n, hull, axis, SearchConeComponent_Private(&cone, cone.mean[k]) * reach + slack);
+    box[k]       = range.lower;
+    box[dim + k] = range.upper;
+  }
+  if (cone.cosine > 0) {
+    FrameFromNormal(dim, cone.mean, Q);
+    for (; num_slabs < dim; num_slabs++) {
+      const PetscReal along = num_slabs == 0 ? 1 : 0;
+      slabs[num_slabs]      = SearchFindSlab_Private(dim, n, hull, &Q[num_slabs * dim],
+                                                     SearchConeComponent_Private(&cone, along) * reach + slack);
+    }
+  }
+  PetscCall(BoxTreeQuerySlabs(surface->tree, box, num_slabs, slabs, num_hits, hits));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

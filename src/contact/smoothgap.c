@@ -15,7 +15,7 @@ enum { F = ELEMENT_MAX_FACET_NODES };
 static const PetscReal ROUNDING = 1e-11;
 
 /* What a straight facet of a polygon may be off its curve by, at most: half of a polygon's edge may be straight at one end. */
-static PetscReal PolygonLeaves_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal N[])
+static PetscReal SmoothGapPolygonError_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal N[])
 {
   PetscReal most = 0;
 
@@ -36,8 +36,8 @@ static PetscReal PolygonLeaves_Private(PetscInt dim, ElementType type, const Pet
 
 /* What a facet may be off its curve by, at most: a parabola leaves an arc that turns by 2 gamma with the rise s by s gamma^2 / 16.
    [in] bulge - of the facet of first order */
-static PetscReal CurveLeaves_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal N[],
-                                     const PetscReal bulge[])
+static PetscReal SmoothGapCurveError_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal N[],
+                                             const PetscReal bulge[])
 {
   const PetscInt num  = ElementNumNodes(ElementLinear(type));
   PetscReal      most = 0;
@@ -75,10 +75,11 @@ PetscErrorCode RiseCreate(Level *level, const ScenePair *spec, const Facets *fac
     PetscBool         any;
 
     FacetCoordinates(level, facets, f, X);
-    if (polygonal && ElementOrder(type) == 1) largest[0] = PetscMax(largest[0], PolygonLeaves_Private(dim, type, X, N));
+    if (polygonal && ElementOrder(type) == 1)
+      largest[0] = PetscMax(largest[0], SmoothGapPolygonError_Private(dim, type, X, N));
     if (polygonal && ElementOrder(type) == 1) continue;
     any        = ArcBulge(ElementLinear(type), X, N, bulge);
-    largest[0] = PetscMax(largest[0], CurveLeaves_Private(dim, type, X, N, bulge));
+    largest[0] = PetscMax(largest[0], SmoothGapCurveError_Private(dim, type, X, N, bulge));
     if (!any || ElementOrder(type) > 1) continue;
     largest[1] = 1;
     PetscCall(PetscArraycpy(&(*rise)[f * F * dim], bulge, F * dim));
@@ -102,7 +103,8 @@ PetscErrorCode RiseCreateMortar(PetscInt dim, MortarSurface *mortar)
 }
 
 /* The direction of the ray through a point: that of the normals there; in space, before a mesh, that of the facet's plane. [out] n - [dim] */
-static void Ray_Private(const FacetPartner *partner, const ClipFacet *facet, const PetscReal xi[], PetscReal n[])
+static void SmoothGapAlongRay_Private(const FacetPartner *partner, const ClipFacet *facet, const PetscReal xi[],
+                                      PetscReal n[])
 {
   const PetscInt  dim = partner->dim;
   const PetscBool one = dim == 3 && partner->mortar ? PETSC_TRUE : PETSC_FALSE;
@@ -128,7 +130,7 @@ PetscReal GapsRise(const FacetPartner *partner, const ClipFacet *facet, const Pe
     const PetscInt f     = list->facet[p];
     PetscReal      n[3], off = 0;
 
-    Ray_Private(partner, facet, point->xi, n);
+    SmoothGapAlongRay_Private(partner, facet, point->xi, n);
     if (rise && ElementOrder(facet->type) == 1) off -= ArcRise(facet->type, rise, point->xi, n);
     if (rise_m && ElementOrder(mortar->type[f]) == 1)
       off += ArcRise(mortar->type[f], &rise_m[f * F * partner->dim], point->eta, n);

@@ -20,7 +20,7 @@ struct _n_BoxTree {
 };
 
 /* Compares (twice) the centres of two boxes; the index breaks ties, so that equal centres have an order, too. */
-static PetscBool IsBefore_Private(BoxTree tree, PetscInt axis, PetscInt a, PetscInt b)
+static PetscBool BoxTreeIsBefore_Private(BoxTree tree, PetscInt axis, PetscInt a, PetscInt b)
 {
   const PetscReal *A = &tree->boxes[2 * a * tree->dim + axis], *B = &tree->boxes[2 * b * tree->dim + axis];
   const PetscReal  centre_a = A[0] + A[tree->dim], centre_b = B[0] + B[tree->dim];
@@ -30,7 +30,7 @@ static PetscBool IsBefore_Private(BoxTree tree, PetscInt axis, PetscInt a, Petsc
 
 /* Permutes order[begin..end) so that the box at middle is where sorting along the axis would put it, what comes before
    it is on its left and the rest on its right: Hoare's selection, linear time on average. */
-static void Select_Private(BoxTree tree, PetscInt axis, PetscInt begin, PetscInt middle, PetscInt end)
+static void BoxTreeSelect_Private(BoxTree tree, PetscInt axis, PetscInt begin, PetscInt middle, PetscInt end)
 {
   PetscInt *order = tree->order, left = begin, right = end - 1;
 
@@ -39,8 +39,8 @@ static void Select_Private(BoxTree tree, PetscInt axis, PetscInt begin, PetscInt
     PetscInt       i = left, j = right;
 
     while (i <= j) {
-      while (IsBefore_Private(tree, axis, order[i], pivot)) i++;
-      while (IsBefore_Private(tree, axis, pivot, order[j])) j--;
+      while (BoxTreeIsBefore_Private(tree, axis, order[i], pivot)) i++;
+      while (BoxTreeIsBefore_Private(tree, axis, pivot, order[j])) j--;
       if (i <= j) { /* also where i = j: both must pass the pivot for the loop to end */
         const PetscInt swap = order[i];
 
@@ -58,7 +58,7 @@ static void Select_Private(BoxTree tree, PetscInt axis, PetscInt begin, PetscInt
 }
 
 /* The direction in which halving separates most. */
-static PetscInt WidestAxis_Private(PetscInt dim, const PetscReal bounds[])
+static PetscInt BoxTreeWidestAxis_Private(PetscInt dim, const PetscReal bounds[])
 {
   PetscInt widest = 0;
 
@@ -69,7 +69,7 @@ static PetscInt WidestAxis_Private(PetscInt dim, const PetscReal bounds[])
 }
 
 /* Bounds of the node that holds order[begin..end), then its two halves. */
-static void Build_Private(BoxTree tree, PetscInt node, PetscInt begin, PetscInt end)
+static void BoxTreeBuild_Private(BoxTree tree, PetscInt node, PetscInt begin, PetscInt end)
 {
   const PetscInt dim = tree->dim, middle = begin + (end - begin) / 2;
   PetscReal     *bounds = &tree->bounds[2 * node * dim];
@@ -85,9 +85,9 @@ static void Build_Private(BoxTree tree, PetscInt node, PetscInt begin, PetscInt 
     }
   }
   if (end - begin <= LEAF_SIZE) return;
-  Select_Private(tree, WidestAxis_Private(dim, bounds), begin, middle, end);
-  Build_Private(tree, 2 * node + 1, begin, middle);
-  Build_Private(tree, 2 * node + 2, middle, end);
+  BoxTreeSelect_Private(tree, BoxTreeWidestAxis_Private(dim, bounds), begin, middle, end);
+  BoxTreeBuild_Private(tree, 2 * node + 1, begin, middle);
+  BoxTreeBuild_Private(tree, 2 * node + 2, middle, end);
 }
 
 PetscErrorCode BoxTreeCreate(PetscInt dim, PetscInt n, const PetscReal boxes[], BoxTree *tree)
@@ -106,7 +106,7 @@ PetscErrorCode BoxTreeCreate(PetscInt dim, PetscInt n, const PetscReal boxes[], 
                          &(*tree)->hits));
   PetscCall(PetscArraycpy((*tree)->boxes, boxes, 2 * n * dim));
   for (PetscInt i = 0; i < n; i++) (*tree)->order[i] = i;
-  Build_Private(*tree, 0, 0, n);
+  BoxTreeBuild_Private(*tree, 0, 0, n);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -132,7 +132,7 @@ PetscErrorCode BoxTreeGetCover(BoxTree tree, PetscInt max, PetscInt *num, const 
 }
 
 /* Whether two boxes [2][dim] have a point in common; touching counts. */
-static PetscBool Meet_Private(PetscInt dim, const PetscReal a[], const PetscReal b[])
+static PetscBool BoxTreeBoxesMeet_Private(PetscInt dim, const PetscReal a[], const PetscReal b[])
 {
   for (PetscInt k = 0; k < dim; k++) {
     if (a[k] > b[dim + k] || b[k] > a[dim + k]) return PETSC_FALSE;
@@ -148,9 +148,9 @@ typedef struct {
 } Region;
 
 /* Whether a box meets the region's box and each of its slabs. */
-static PetscBool Meets_Private(PetscInt dim, const Region *region, const PetscReal box[])
+static PetscBool BoxTreeRegionMeets_Private(PetscInt dim, const Region *region, const PetscReal box[])
 {
-  if (!Meet_Private(dim, region->box, box)) return PETSC_FALSE;
+  if (!BoxTreeBoxesMeet_Private(dim, region->box, box)) return PETSC_FALSE;
   for (PetscInt s = 0; s < region->num_slabs; s++) {
     const BoxSlab *slab = &region->slabs[s];
     PetscReal      low = 0., high = 0.; // of direction . x in the box
@@ -165,21 +165,21 @@ static PetscBool Meets_Private(PetscInt dim, const Region *region, const PetscRe
 }
 
 /* Collects the hits below one node, which holds order[begin..end). */
-static void Query_Private(BoxTree tree, const Region *region, PetscInt node, PetscInt begin, PetscInt end,
-                          PetscInt *num_hits)
+static void BoxTreeQuery_Private(BoxTree tree, const Region *region, PetscInt node, PetscInt begin, PetscInt end,
+                                 PetscInt *num_hits)
 {
   const PetscInt dim = tree->dim, middle = begin + (end - begin) / 2;
 
-  if (!Meets_Private(dim, region, &tree->bounds[2 * node * dim])) return;
+  if (!BoxTreeRegionMeets_Private(dim, region, &tree->bounds[2 * node * dim])) return;
   if (end - begin <= LEAF_SIZE) {
     for (PetscInt i = begin; i < end; i++) {
-      if (Meets_Private(dim, region, &tree->boxes[2 * tree->order[i] * dim]))
+      if (BoxTreeRegionMeets_Private(dim, region, &tree->boxes[2 * tree->order[i] * dim]))
         tree->hits[(*num_hits)++] = tree->order[i];
     }
     return;
   }
-  Query_Private(tree, region, 2 * node + 1, begin, middle, num_hits);
-  Query_Private(tree, region, 2 * node + 2, middle, end, num_hits);
+  BoxTreeQuery_Private(tree, region, 2 * node + 1, begin, middle, num_hits);
+  BoxTreeQuery_Private(tree, region, 2 * node + 2, middle, end, num_hits);
 }
 
 PetscErrorCode BoxTreeQuerySlabs(BoxTree tree, const PetscReal query[], PetscInt num_slabs, const BoxSlab slabs[],
@@ -189,7 +189,7 @@ PetscErrorCode BoxTreeQuerySlabs(BoxTree tree, const PetscReal query[], PetscInt
 
   PetscFunctionBeginUser;
   *num_hits = 0;
-  Query_Private(tree, &region, 0, 0, tree->n, num_hits);
+  BoxTreeQuery_Private(tree, &region, 0, 0, tree->n, num_hits);
   PetscCall(PetscSortInt(*num_hits, tree->hits)); /* sums over the hits must not depend on the shape of the tree */
   *hits = tree->hits;
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -45,7 +45,8 @@ void ElementPiecePoint(ElementType type, const ElementPiece *piece, const PetscR
 }
 
 /* v = sum_k halves_k axes_k / 2 */
-static void Combine_Private(PetscInt dim, const PetscInt halves[3], const ElementPiece *piece, PetscReal v[3])
+static void CellPieceCombineAxes_Private(PetscInt dim, const PetscInt halves[3], const ElementPiece *piece,
+                                         PetscReal v[3])
 {
   for (PetscInt j = 0; j < dim; j++) {
     v[j] = 0.;
@@ -60,9 +61,9 @@ PetscInt ElementPieceCut(ElementType type, const ElementPiece *piece, ElementPie
 
   for (PetscInt i = 0; i < num; i++) {
     parts[i] = ElementPieceWhole(); /* for the axes that a plane cell does not have */
-    Combine_Private(dim, part[i].origin, piece, parts[i].origin);
+    CellPieceCombineAxes_Private(dim, part[i].origin, piece, parts[i].origin);
     for (PetscInt j = 0; j < dim; j++) parts[i].origin[j] += piece->origin[j];
-    for (PetscInt k = 0; k < dim; k++) Combine_Private(dim, part[i].axes[k], piece, parts[i].axes[k]);
+    for (PetscInt k = 0; k < dim; k++) CellPieceCombineAxes_Private(dim, part[i].axes[k], piece, parts[i].axes[k]);
     parts[i].size    = 0.5 * piece->size;
     parts[i].measure = piece->measure / num;
   }

@@ -2,6 +2,7 @@
 
    On a straight line or a flat triangle one step is exact. A point whose foot is beyond the facet has its nearest point on an edge. */
 #include "kernel/closest.h"
+#include "kernel/vector.h"
 
 enum { MAX_STEPS = 30, MAX_EDGES = 4 };
 
@@ -14,8 +15,8 @@ typedef struct {
 } Segment;
 
 /* y(eta) - x, and the derivatives of y. [out] J - [ElementDim][dim] */
-static void Offset_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal x[],
-                           const PetscReal eta[], PetscReal r[], PetscReal J[])
+static void ClosestPointOffset_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal x[],
+                                       const PetscReal eta[], PetscReal r[], PetscReal J[])
 {
   const PetscInt num = ElementDim(type);
   PetscReal      phi[ELEMENT_MAX_NODES], dphi[2 * ELEMENT_MAX_NODES];
@@ -31,17 +32,9 @@ static void Offset_Private(PetscInt dim, ElementType type, const PetscReal X[], 
   }
 }
 
-static PetscReal Dot_Private(PetscInt dim, const PetscReal a[], const PetscReal b[])
-{
-  PetscReal sum = 0;
-
-  for (PetscInt k = 0; k < dim; ++k) sum += a[k] * b[k];
-  return sum;
-}
-
 /* The nearest point on a segment of the reference cell. Returns its squared distance. [out] eta - [ElementDim] */
-static PetscReal ClosestOnSegment_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal x[],
-                                          const Segment *segment, PetscReal eta[])
+static PetscReal ClosestPointOnSegment_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal x[],
+                                               const Segment *segment, PetscReal eta[])
 {
   const PetscInt num = ElementDim(type);
   PetscReal      s   = 0.5, r[3], J[6], t[3];
@@ -50,21 +43,21 @@ static PetscReal ClosestOnSegment_Private(PetscInt dim, ElementType type, const 
     PetscReal next;
 
     for (PetscInt a = 0; a < num; ++a) eta[a] = segment->from[a] + s * segment->along[a];
-    Offset_Private(dim, type, X, x, eta, r, J);
+    ClosestPointOffset_Private(dim, type, X, x, eta, r, J);
     for (PetscInt k = 0; k < dim; ++k) {
       t[k] = 0;
       for (PetscInt a = 0; a < num; ++a) t[k] += J[a * dim + k] * segment->along[a];
     }
-    next = PetscMax(0, PetscMin(1, s - Dot_Private(dim, r, t) / Dot_Private(dim, t, t)));
+    next = PetscMax(0, PetscMin(1, s - VectorDot(dim, r, t) / VectorDot(dim, t, t)));
     if (PetscAbsReal(next - s) <= SMALL_STEP) break;
     s = next;
   }
-  return Dot_Private(dim, r, r);
+  return VectorDot(dim, r, r);
 }
 
 /* The foot of the perpendicular within a facet in space, without its edges. Returns whether there is one. */
-static PetscBool FindFoot_Private(ElementType type, const PetscReal X[], const PetscReal x[], PetscReal eta[],
-                                  PetscReal *square)
+static PetscBool ClosestPointFindFoot_Private(ElementType type, const PetscReal X[], const PetscReal x[],
+                                              PetscReal eta[], PetscReal *square)
 {
   const PetscBool simplex = (PetscBool)(ElementNumNodes(ElementLinear(type)) == 3);
   PetscReal       r[3], J[6], step[2];
@@ -73,12 +66,12 @@ static PetscBool FindFoot_Private(ElementType type, const PetscReal X[], const P
   for (PetscInt n = 0; n <= MAX_STEPS; ++n) {
     PetscReal a, b, c, d, e, det;
 
-    Offset_Private(3, type, X, x, eta, r, J);
-    a       = Dot_Private(3, J, J);
-    b       = Dot_Private(3, J, &J[3]);
-    c       = Dot_Private(3, &J[3], &J[3]);
-    d       = -Dot_Private(3, J, r);
-    e       = -Dot_Private(3, &J[3], r);
+    ClosestPointOffset_Private(3, type, X, x, eta, r, J);
+    a       = VectorDot(3, J, J);
+    b       = VectorDot(3, J, &J[3]);
+    c       = VectorDot(3, &J[3], &J[3]);
+    d       = -VectorDot(3, J, r);
+    e       = -VectorDot(3, &J[3], r);
     det     = a * c - b * b;
     step[0] = (d * c - e * b) / det;
     step[1] = (e * a - d * b) / det;
@@ -87,7 +80,7 @@ static PetscBool FindFoot_Private(ElementType type, const PetscReal X[], const P
     eta[1] += step[1];
     if (!(PetscMax(PetscAbsReal(eta[0]), PetscAbsReal(eta[1])) < 2)) return PETSC_FALSE; // an edge is nearer
   }
-  *square = Dot_Private(3, r, r);
+  *square = VectorDot(3, r, r);
   if (eta[0] < -ON_EDGE || eta[1] < -ON_EDGE) return PETSC_FALSE;
   return (PetscBool)(simplex ? eta[0] + eta[1] <= 1 + ON_EDGE : PetscMax(eta[0], eta[1]) <= 1 + ON_EDGE);
 }
@@ -100,12 +93,12 @@ PetscReal FacetClosest(PetscInt dim, ElementType type, const PetscReal X[], cons
   const PetscInt       num_edges       = ElementNumNodes(ElementLinear(type));
   PetscReal            square, nearest = PETSC_MAX_REAL;
 
-  if (dim == 2) return ClosestOnSegment_Private(dim, type, X, x, &line, eta);
-  if (FindFoot_Private(type, X, x, eta, &square)) return square;
+  if (dim == 2) return ClosestPointOnSegment_Private(dim, type, X, x, &line, eta);
+  if (ClosestPointFindFoot_Private(type, X, x, eta, &square)) return square;
   for (PetscInt e = 0; e < num_edges; ++e) {
     PetscReal at[2];
 
-    square = ClosestOnSegment_Private(dim, type, X, x, num_edges == 3 ? &triangle[e] : &quad[e], at);
+    square = ClosestPointOnSegment_Private(dim, type, X, x, num_edges == 3 ? &triangle[e] : &quad[e], at);
     if (square >= nearest) continue;
     nearest = square;
     eta[0]  = at[0];

@@ -40,7 +40,7 @@ void DenseCholeskySolve(PetscInt n, const PetscReal L[], PetscReal b[])
 }
 
 /* A <- J'AJ and V <- V J with the rotation J in the plane (p,q) that makes A_pq zero [1, alg. 8.5.1]. V may be NULL. */
-static void Rotate_Private(PetscInt n, PetscReal A[], PetscInt p, PetscInt q, PetscReal V[])
+static void DenseJacobiRotate_Private(PetscInt n, PetscReal A[], PetscInt p, PetscInt q, PetscReal V[])
 {
   const PetscReal tau = (A[q * n + q] - A[p * n + p]) / (2. * A[p * n + q]);
   const PetscReal t   = (tau >= 0. ? 1. : -1.) / (PetscAbsReal(tau) + PetscSqrtReal(1. + tau * tau));
@@ -80,7 +80,7 @@ void DenseEigen(PetscInt n, PetscReal A[], PetscReal values[], PetscReal V[])
     for (PetscInt p = 0; p < n; p++) {
       for (PetscInt q = p + 1; q < n; q++) {
         if (PetscAbsReal(A[p * n + q]) <= PETSC_MACHINE_EPSILON * scale) continue; /* moves no eigenvalue by more */
-        Rotate_Private(n, A, p, q, V);
+        DenseJacobiRotate_Private(n, A, p, q, V);
         turned = PETSC_TRUE;
       }
     }

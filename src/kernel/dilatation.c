@@ -30,7 +30,7 @@ DilatationKind DilatationChoose(ElementType type, PetscReal poisson)
 }
 
 /* (1, x, y, z), with x counted from the cell's middle in its own size. */
-static void Monomials_Private(const Dilatation *dilatation, const PetscReal x[], PetscReal monomials[])
+static void DilatationMonomials_Private(const Dilatation *dilatation, const PetscReal x[], PetscReal monomials[])
 {
   monomials[0] = 1;
   for (PetscInt a = 1; a < dilatation->num; a++)
@@ -42,7 +42,7 @@ void DilatationShape(const Dilatation *dilatation, const PetscReal x[], PetscRea
 {
   const PetscInt num = dilatation->num;
 
-  Monomials_Private(dilatation, x, q);
+  DilatationMonomials_Private(dilatation, x, q);
   for (PetscInt a = 0; a < num; a++) {
     for (PetscInt b = 0; b < a; b++) q[a] -= dilatation->L[a * num + b] * q[b];
     q[a] /= dilatation->L[a * num + a];
@@ -50,7 +50,8 @@ void DilatationShape(const Dilatation *dilatation, const PetscReal x[], PetscRea
 }
 
 /* Middle and size of the cell by its measure: mean and variance of x. */
-static void Frame_Private(PetscInt num_points, const PetscReal x[], const PetscReal w[], Dilatation *dilatation)
+static void DilatationSetFrame_Private(PetscInt num_points, const PetscReal x[], const PetscReal w[],
+                                       Dilatation *dilatation)
 {
   const PetscInt dim     = dilatation->dim;
   PetscReal      measure = 0, variance = 0;
@@ -78,11 +79,11 @@ void DilatationSet(DilatationKind kind, const ElementRule *rule, const PetscReal
   dilatation->dim      = dim;
   dilatation->num_dofs = num_dofs;
   if (!num) return;
-  Frame_Private(rule->num, x, w, dilatation);
+  DilatationSetFrame_Private(rule->num, x, w, dilatation);
   for (PetscInt i = 0; i < num * num; i++) dilatation->L[i] = 0;
   for (PetscInt i = 0; i < num * num_dofs; i++) dilatation->rows[i] = 0;
   for (PetscInt q = 0; q < rule->num; q++) {
-    Monomials_Private(dilatation, &x[q * dim], f);
+    DilatationMonomials_Private(dilatation, &x[q * dim], f);
     for (PetscInt a = 0; a < num; a++) {
       for (PetscInt b = 0; b < num; b++) dilatation->L[a * num + b] += w[q] * f[a] * f[b];
     }

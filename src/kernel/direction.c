@@ -21,7 +21,7 @@ typedef struct {
 } Relative;
 
 /* [in] Q - frame whose rows behind the first one span the tangent plane [dim][dim] */
-static void ToPlane_Private(PetscInt dim, const PetscReal Q[], const PetscReal S[], PetscReal plane[])
+static void DirectionToPlane_Private(PetscInt dim, const PetscReal Q[], const PetscReal S[], PetscReal plane[])
 {
   const PetscInt num = dim - 1;
 
@@ -49,7 +49,7 @@ void CurvatureTransport(PetscInt dim, const PetscReal S[], const PetscReal from[
   }
 }
 
-static void SetPrincipal_Private(Relative *r)
+static void DirectionSetPrincipal_Private(Relative *r)
 {
   if (r->num == 1) {
     r->d[0] = 1;
@@ -68,7 +68,7 @@ static void SetPrincipal_Private(Relative *r)
 }
 
 /* d_i . S d_j */
-static PetscReal Component_Private(const Relative *r, const PetscReal S[], PetscInt i, PetscInt j)
+static PetscReal DirectionComponent_Private(const Relative *r, const PetscReal S[], PetscInt i, PetscInt j)
 {
   PetscReal sum = 0;
 
@@ -78,9 +78,9 @@ static PetscReal Component_Private(const Relative *r, const PetscReal S[], Petsc
 }
 
 /* The nonmortar body's share in the direction d_i; inside says whether it needed no clipping. [in] size - of curvatures */
-static PetscReal Share_Private(const Relative *r, PetscInt i, PetscReal size, PetscBool *inside)
+static PetscReal DirectionWeight_Private(const Relative *r, PetscInt i, PetscReal size, PetscBool *inside)
 {
-  const PetscReal own = Component_Private(r, r->s, i, i), other = r->k[i] - own;
+  const PetscReal own = DirectionComponent_Private(r, r->s, i, i), other = r->k[i] - own;
 
   *inside = PETSC_FALSE;
   if (PetscAbsReal(own) <= NONE * size) return 0;       // flat: it decides alone
@@ -91,7 +91,7 @@ static PetscReal Share_Private(const Relative *r, PetscInt i, PetscReal size, Pe
 }
 
 /* The largest entry of a matrix. */
-static PetscReal Largest_Private(PetscInt num, const PetscReal A[])
+static PetscReal DirectionLargestEntry_Private(PetscInt num, const PetscReal A[])
 {
   PetscReal most = 0;
 
@@ -105,7 +105,8 @@ void ContactDirection(PetscInt dim, const SurfacePoint *nonmortar, const Surface
   PetscReal mean[3], Q[9], tilt[2] = {0, 0}, w[2], change[2], m[4], size, S[9], back[3];
   PetscBool inside[2] = {PETSC_FALSE, PETSC_FALSE};
 
-  if (Largest_Private(dim * dim, mortar->curvature) == 0 && Largest_Private(dim * dim, nonmortar->curvature) > 0) {
+  if (DirectionLargestEntry_Private(dim * dim, mortar->curvature) == 0 &&
+      DirectionLargestEntry_Private(dim * dim, nonmortar->curvature) > 0) {
     for (PetscInt k = 0; k < dim; ++k) n[k] = -mortar->normal[k]; // in all directions, to the last digit
     return;
   }
@@ -113,24 +114,24 @@ void ContactDirection(PetscInt dim, const SurfacePoint *nonmortar, const Surface
   FrameNormalize(dim, mean);
   FrameFromNormal(dim, mean, Q);
   CurvatureTransport(dim, nonmortar->curvature, nonmortar->normal, mean, S);
-  ToPlane_Private(dim, Q, S, r.s);
+  DirectionToPlane_Private(dim, Q, S, r.s);
   for (PetscInt k = 0; k < dim; ++k) back[k] = -mean[k];
   CurvatureTransport(dim, mortar->curvature, mortar->normal, back, S);
-  ToPlane_Private(dim, Q, S, m);
+  DirectionToPlane_Private(dim, Q, S, m);
   for (PetscInt a = 0; a < r.num * r.num; ++a) r.sum[a] = r.s[a] + m[a];
-  SetPrincipal_Private(&r);
-  size = Largest_Private(r.num * r.num, r.s) + Largest_Private(r.num * r.num, m);
+  DirectionSetPrincipal_Private(&r);
+  size = DirectionLargestEntry_Private(r.num * r.num, r.s) + DirectionLargestEntry_Private(r.num * r.num, m);
   for (PetscInt i = 0; i < r.num; ++i) {
     for (PetscInt a = 0; a < r.num; ++a) {
       for (PetscInt k = 0; k < dim; ++k)
         tilt[i] += r.d[i * r.num + a] * Q[(1 + a) * dim + k] * (nonmortar->normal[k] + mortar->normal[k]);
     }
-    w[i]      = Share_Private(&r, i, size, &inside[i]);
+    w[i]      = DirectionWeight_Private(&r, i, size, &inside[i]);
     change[i] = w[i] * tilt[i];
   }
   if (inside[0] && inside[1] && r.k[1] >= COUPLED * r.k[0]) {
-    change[0] += Component_Private(&r, r.s, 0, 1) / r.k[1] * tilt[1];
-    change[1] += Component_Private(&r, r.s, 1, 0) / r.k[0] * tilt[0];
+    change[0] += DirectionComponent_Private(&r, r.s, 0, 1) / r.k[1] * tilt[1];
+    change[1] += DirectionComponent_Private(&r, r.s, 1, 0) / r.k[0] * tilt[0];
   }
   for (PetscInt k = 0; k < dim; ++k) {
     n[k] = nonmortar->normal[k];

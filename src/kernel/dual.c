@@ -41,7 +41,7 @@ void DualShape(ElementType type, PetscReal phi[])
 }
 
 /* The box around the points, as wide as they are. Returns whether it has any width in every direction. */
-static PetscBool Box_Private(PetscInt dim, PetscInt num_points, const PetscReal xi[], DualBasis *basis)
+static PetscBool DualFindBox_Private(PetscInt dim, PetscInt num_points, const PetscReal xi[], DualBasis *basis)
 {
   for (PetscInt k = 0; k < dim; k++) {
     PetscReal upper = PETSC_MIN_REAL;
@@ -58,7 +58,7 @@ static PetscBool Box_Private(PetscInt dim, PetscInt num_points, const PetscReal 
 }
 
 /* L at a point. [in] xi - [ElementDim] */
-static void Local_Private(const DualBasis *basis, const PetscReal xi[], PetscReal L[])
+static void DualLocalShape_Private(const DualBasis *basis, const PetscReal xi[], PetscReal L[])
 {
   PetscReal zeta[2];
 
@@ -67,12 +67,12 @@ static void Local_Private(const DualBasis *basis, const PetscReal xi[], PetscRea
 }
 
 /* The functionals that give u~_i, on every L. [out] C - rows, one for each i [n][n] */
-static void Functionals_Private(const DualBasis *basis, PetscReal C[])
+static void DualFunctionals_Private(const DualBasis *basis, PetscReal C[])
 {
   const PetscInt  n = ElementNumNodes(basis->type), num_vertices = ElementNumNodes(ElementLinear(basis->type));
   const PetscReal share = DualShare(basis->type);
 
-  for (PetscInt i = 0; i < n; i++) Local_Private(basis, ElementNode(basis->type, i), &C[i * n]);
+  for (PetscInt i = 0; i < n; i++) DualLocalShape_Private(basis, ElementNode(basis->type, i), &C[i * n]);
   for (PetscInt i = num_vertices; i < n && share > 0.; i++) {
     const PetscInt *ends = ElementEdgeNodes(basis->type, i - num_vertices);
 
@@ -94,16 +94,16 @@ PetscBool DualBasisCreate(ElementType type, PetscInt num_points, const PetscReal
     DualShape(type, phi);
     for (PetscInt i = 0; i < n; i++) basis->D[i] += w[q] * phi[i];
   }
-  if (!Box_Private(ElementDim(type), num_points, xi, basis)) return PETSC_FALSE;
+  if (!DualFindBox_Private(ElementDim(type), num_points, xi, basis)) return PETSC_FALSE;
   /* Full coverage and cut facets are the same case here: the points lie on what is covered [2]. */
   for (PetscInt q = 0; q < num_points; q++) {
-    Local_Private(basis, &xi[2 * q], phi);
+    DualLocalShape_Private(basis, &xi[2 * q], phi);
     for (PetscInt i = 0; i < n; i++) {
       for (PetscInt j = 0; j < n; j++) M[i * n + j] += w[q] * phi[i] * phi[j];
     }
   }
   if (!DenseCholesky(n, M)) return PETSC_FALSE;
-  Functionals_Private(basis, basis->C);
+  DualFunctionals_Private(basis, basis->C);
   for (PetscInt i = 0; i < n; i++) {
     for (PetscInt j = 0; j < n; j++) basis->C[i * n + j] *= basis->D[i];
     DenseCholeskySolve(n, M, &basis->C[i * n]);
@@ -116,7 +116,7 @@ void DualBasisEvaluate(const DualBasis *basis, const PetscReal xi[], PetscReal p
   const PetscInt n = ElementNumNodes(basis->type);
   PetscReal      L[DUAL_MAX];
 
-  Local_Private(basis, xi, L);
+  DualLocalShape_Private(basis, xi, L);
   for (PetscInt i = 0; i < n; i++) {
     psi[i] = 0.;
     for (PetscInt j = 0; j < n; j++) psi[i] += basis->C[i * n + j] * L[j];

@@ -3,6 +3,7 @@
    Reference:
      [1] T. J. R. Hughes, The Finite Element Method (1987), chapter 3. */
 #include "kernel/referencecell.h"
+#include "kernel/vector.h"
 
 enum { MAX_DIM = REFERENCE_MAX_DIM, NEWTON_MAX_STEPS = 25 };
 
@@ -85,19 +86,9 @@ void ElementShape(ElementType type, const PetscReal xi[], PetscReal phi[], Petsc
   REFERENCE[type].shape(xi, phi, dphi ? dphi : unwanted);
 }
 
-/* [in] a, b - [3]; [out] c - a x b [3] */
-static inline void Cross_Private(const PetscReal a[], const PetscReal b[], PetscReal c[])
-{
-  for (PetscInt k = 0; k < 3; k++) {
-    const PetscInt l = (k + 1) % 3, m = (k + 2) % 3;
-
-    c[k] = a[l] * b[m] - a[m] * b[l];
-  }
-}
-
 /* J[k][l] = d x_k / d xi_l and, where it is regular, its inverse: cofactors by det J; returns det J. */
-static inline PetscReal Jacobian_Private(PetscInt dim, PetscInt num_nodes, const PetscReal X[], const PetscReal dphi[],
-                                         PetscReal inverse[])
+static inline PetscReal ElementJacobian_Private(PetscInt dim, PetscInt num_nodes, const PetscReal X[],
+                                                const PetscReal dphi[], PetscReal inverse[])
 {
   PetscReal J[MAX_DIM * MAX_DIM] = {0.}, det = 0.;
 
@@ -119,7 +110,7 @@ static inline PetscReal Jacobian_Private(PetscInt dim, PetscInt num_nodes, const
     for (PetscInt k = 0; k < 3; k++) {
       PetscReal cofactors[3];
 
-      Cross_Private(&J[3 * ((k + 1) % 3)], &J[3 * ((k + 2) % 3)], cofactors);
+      VectorCross(&J[3 * ((k + 1) % 3)], &J[3 * ((k + 2) % 3)], cofactors);
       for (PetscInt l = 0; l < 3; l++) inverse[3 * l + k] = cofactors[l];
       det += J[3 * k] * cofactors[0];
     }
@@ -131,11 +122,11 @@ static inline PetscReal Jacobian_Private(PetscInt dim, PetscInt num_nodes, const
 
 /* ElementMap() with the shape functions and their derivatives on the reference cell. It takes most of the time of an
    assembly: to be inlined where dim is known, so that its short loops are unrolled. */
-static inline PetscReal Map_Private(PetscInt dim, PetscInt num_nodes, const PetscReal X[], const PetscReal phi[],
-                                    const PetscReal dphi[], PetscReal x[], PetscReal grad[])
+static inline PetscReal ElementMap_Private(PetscInt dim, PetscInt num_nodes, const PetscReal X[], const PetscReal phi[],
+                                           const PetscReal dphi[], PetscReal x[], PetscReal grad[])
 {
   PetscReal       inverse[MAX_DIM * MAX_DIM] = {0.};
-  const PetscReal det                        = Jacobian_Private(dim, num_nodes, X, dphi, inverse);
+  const PetscReal det                        = ElementJacobian_Private(dim, num_nodes, X, dphi, inverse);
 
   if (x) {
     for (PetscInt k = 0; k < dim; k++) {
@@ -154,13 +145,14 @@ static inline PetscReal Map_Private(PetscInt dim, PetscInt num_nodes, const Pets
   return det;
 }
 
-static PetscReal MapCell_Private(const Reference *cell, const PetscReal X[], const PetscReal phi[],
-                                 const PetscReal dphi[], PetscReal x[], PetscReal grad[])
+static PetscReal ElementMapCell_Private(const Reference *cell, const PetscReal X[], const PetscReal phi[],
+                                        const PetscReal dphi[], PetscReal x[], PetscReal grad[])
 {
   const PetscInt n = cell->num_nodes;
 
-  if (cell->dim == 1) return Map_Private(1, n, X, phi, dphi, x, grad);
-  return cell->dim == 2 ? Map_Private(2, n, X, phi, dphi, x, grad) : Map_Private(3, n, X, phi, dphi, x, grad);
+  if (cell->dim == 1) return ElementMap_Private(1, n, X, phi, dphi, x, grad);
+  return cell->dim == 2 ? ElementMap_Private(2, n, X, phi, dphi, x, grad)
+                        : ElementMap_Private(3, n, X, phi, dphi, x, grad);
 }
 
 PetscReal ElementMap(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
@@ -169,7 +161,7 @@ PetscReal ElementMap(ElementType type, const PetscReal X[], const PetscReal xi[]
   PetscReal dphi[ELEMENT_MAX_NODES * MAX_DIM];
 
   REFERENCE[type].shape(xi, phi, dphi);
-  return MapCell_Private(&REFERENCE[type], X, phi, dphi, x, grad);
+  return ElementMapCell_Private(&REFERENCE[type], X, phi, dphi, x, grad);
 }
 
 void ElementRuleSet(ElementType type, PetscInt degree, ElementRule *rule)
@@ -189,7 +181,7 @@ PetscReal ElementRuleMap(const ElementRule *rule, PetscInt q, const PetscReal X[
   const Reference *cell = &REFERENCE[rule->type];
   const PetscInt   n    = cell->num_nodes;
 
-  return MapCell_Private(cell, X, &rule->phi[q * n], &rule->dphi[q * n * cell->dim], x, grad);
+  return ElementMapCell_Private(cell, X, &rule->phi[q * n], &rule->dphi[q * n * cell->dim], x, grad);
 }
 
 PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
@@ -212,8 +204,8 @@ PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal 
       for (PetscInt k = 0; k < dim; k++) t[l][k] += dphi[i * facet->dim + l] * X[i * dim + k];
     }
   }
-  Cross_Private(t[0], t[1], n);
-  measure = PetscSqrtReal(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  VectorCross(t[0], t[1], n);
+  measure = VectorNorm(3, n);
   for (PetscInt k = 0; normal && k < dim; k++) normal[k] = n[k] / measure;
   return measure;
 }
@@ -268,7 +260,7 @@ void ElementStrainMatrix(PetscInt dim, PetscInt num_nodes, const PetscReal grad[
 }
 
 /* Whether xi lies in the reference cell, enlarged by the tolerance. */
-static PetscBool IsInside_Private(const Reference *cell, const PetscReal xi[], PetscReal tolerance)
+static PetscBool ElementIsInside_Private(const Reference *cell, const PetscReal xi[], PetscReal tolerance)
 {
   PetscReal sum = 0.;
 
@@ -281,7 +273,7 @@ static PetscBool IsInside_Private(const Reference *cell, const PetscReal xi[], P
 
 /* Newton's method for x(xi) = x from a start, which xi holds. Whether it converged: after a step of NEWTON_STEP only
    roundoff is left, which in needles of 1 : 1000 is more than the last digits: a smaller bound might never be met. */
-static PetscBool Newton_Private(const Reference *cell, const PetscReal X[], const PetscReal x[], PetscReal xi[])
+static PetscBool ElementNewton_Private(const Reference *cell, const PetscReal X[], const PetscReal x[], PetscReal xi[])
 {
   const PetscInt dim  = cell->dim;
   PetscReal      step = PETSC_MAX_REAL;
@@ -290,7 +282,8 @@ static PetscBool Newton_Private(const Reference *cell, const PetscReal X[], cons
     PetscReal dphi[ELEMENT_MAX_NODES * MAX_DIM], phi[ELEMENT_MAX_NODES], inverse[MAX_DIM * MAX_DIM], r[MAX_DIM];
 
     cell->shape(xi, phi, dphi);
-    if (Jacobian_Private(dim, cell->num_nodes, X, dphi, inverse) == 0.) return PETSC_FALSE; /* flat, or far outside */
+    if (ElementJacobian_Private(dim, cell->num_nodes, X, dphi, inverse) == 0.)
+      return PETSC_FALSE; /* flat, or far outside */
     for (PetscInt k = 0; k < dim; k++) {
       r[k] = x[k];
       for (PetscInt i = 0; i < cell->num_nodes; i++) r[k] -= phi[i] * X[i * dim + k];
@@ -317,7 +310,7 @@ PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x
   for (PetscInt i = -1; i < num_starts; i++) {
     for (PetscInt k = 0; k < cell->dim; k++)
       xi[k] = i >= 0 ? cell->nodes[i][k] : (cell->simplex ? 1. / (1. + cell->dim) : 0.5);
-    if (Newton_Private(cell, X, x, xi) && IsInside_Private(cell, xi, tolerance)) return PETSC_TRUE;
+    if (ElementNewton_Private(cell, X, x, xi) && ElementIsInside_Private(cell, xi, tolerance)) return PETSC_TRUE;
   }
   return PETSC_FALSE;
 }

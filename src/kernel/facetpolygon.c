@@ -45,7 +45,7 @@ void ShadowPlaneSet(const ClipFacet *nonmortar, ShadowPlane *plane)
 }
 
 /* Whether the corners 0 and 2 have the same middle as 1 and 3. [in] P - [4][2] */
-static PetscBool IsParallelogram_Private(const PetscReal P[], PetscReal size)
+static PetscBool FacetPolygonIsParallelogram_Private(const PetscReal P[], PetscReal size)
 {
   for (PetscInt k = 0; k < 2; k++) {
     if (PetscAbsReal(P[k] - P[2 + k] + P[4 + k] - P[6 + k]) > SAME_POINT * size) return PETSC_FALSE;
@@ -54,7 +54,7 @@ static PetscBool IsParallelogram_Private(const PetscReal P[], PetscReal size)
 }
 
 /* The linear or bilinear map to a polygon. [in] P - [num][2]; [out] map - of (1, s, t, s t) [4][2] */
-static void SetMap_Private(PetscInt num, const PetscReal P[], PetscReal map[])
+static void FacetPolygonSetMap_Private(PetscInt num, const PetscReal P[], PetscReal map[])
 {
   for (PetscInt k = 0; k < 2; k++) {
     const PetscReal last = P[2 * (num - 1) + k];
@@ -67,7 +67,7 @@ static void SetMap_Private(PetscInt num, const PetscReal P[], PetscReal map[])
 }
 
 /* Appends the part with the given nodes of the facet, turned anticlockwise; none where it has no area. */
-static void AddPart_Private(PetscInt num, const PetscInt nodes[], PetscReal size, Shadow *shadow)
+static void FacetPolygonAddPart_Private(PetscInt num, const PetscInt nodes[], PetscReal size, Shadow *shadow)
 {
   ShadowPart *part = &shadow->parts[shadow->num_parts];
   PetscReal   P[2 * POLYGON_MAX_CORNERS], area;
@@ -76,7 +76,7 @@ static void AddPart_Private(PetscInt num, const PetscInt nodes[], PetscReal size
   area = PolygonArea(num, P);
   if (PetscAbsReal(area) <= NO_AREA * size * size) return;
   part->type   = num == 3 ? ELEMENT_TRI3 : ELEMENT_QUAD4;
-  part->affine = num == 3 ? PETSC_TRUE : IsParallelogram_Private(P, size);
+  part->affine = num == 3 ? PETSC_TRUE : FacetPolygonIsParallelogram_Private(P, size);
   for (PetscInt i = 0; i < num; i++) {
     const PetscInt node = nodes[area > 0. ? i : num - 1 - i];
 
@@ -85,14 +85,14 @@ static void AddPart_Private(PetscInt num, const PetscInt nodes[], PetscReal size
       part->plane[2 * i + k]     = shadow->plane[2 * node + k];
     }
   }
-  SetMap_Private(num, part->reference, part->to_reference);
-  SetMap_Private(num, part->plane, part->to_plane);
+  FacetPolygonSetMap_Private(num, part->reference, part->to_reference);
+  FacetPolygonSetMap_Private(num, part->plane, part->to_plane);
   shadow->area += PetscAbsReal(area);
   shadow->num_parts++;
 }
 
 /* Appends a quad, or two triangles that meet at its flattest corner, where it is not convex. [in] nodes - [4] */
-static void AddQuad_Private(const PetscInt nodes[], PetscReal size, Shadow *shadow)
+static void FacetPolygonAddQuad_Private(const PetscInt nodes[], PetscReal size, Shadow *shadow)
 {
   PetscReal corner[4], sum = 0., sense;
   PetscInt  flattest = 0;
@@ -111,20 +111,20 @@ static void AddQuad_Private(const PetscInt nodes[], PetscReal size, Shadow *shad
     if (sense * corner[i] < sense * corner[flattest]) flattest = i;
   }
   if (sense * corner[flattest] > CONVEX_SHARE * 0.25 * PetscAbsReal(sum)) {
-    AddPart_Private(4, nodes, size, shadow);
+    FacetPolygonAddPart_Private(4, nodes, size, shadow);
   } else {
     for (PetscInt half = 0; half < 2; half++) {
       const PetscInt triangle[3] = {nodes[flattest], nodes[(flattest + 1 + half) % 4],
                                     nodes[(flattest + 2 + half) % 4]};
 
-      AddPart_Private(3, triangle, size, shadow);
+      FacetPolygonAddPart_Private(3, triangle, size, shadow);
     }
   }
 }
 
 /* Whether the middle nodes are where a facet of first order with the same vertices has these places: then it has the same
    map from the reference cell into the plane, however the facet bulges out of the plane. */
-static PetscBool IsStraight_Private(const Shadow *shadow, PetscReal size)
+static PetscBool FacetPolygonIsStraight_Private(const Shadow *shadow, PetscReal size)
 {
   const ElementType type = shadow->facet->type, linear = ElementLinear(type);
 
@@ -153,14 +153,14 @@ void ShadowCut(const ShadowPlane *plane, Shadow *shadow)
 
   shadow->num_parts = 0;
   shadow->area      = 0.;
-  switch (IsStraight_Private(shadow, size) ? ElementLinear(type) : type) {
-  case ELEMENT_TRI3: AddPart_Private(3, whole, size, shadow); break;
-  case ELEMENT_QUAD4: AddQuad_Private(whole, size, shadow); break;
+  switch (FacetPolygonIsStraight_Private(shadow, size) ? ElementLinear(type) : type) {
+  case ELEMENT_TRI3: FacetPolygonAddPart_Private(3, whole, size, shadow); break;
+  case ELEMENT_QUAD4: FacetPolygonAddQuad_Private(whole, size, shadow); break;
   case ELEMENT_TRI6:
-    for (PetscInt i = 0; i < 4; i++) AddPart_Private(3, tri6[i], size, shadow);
+    for (PetscInt i = 0; i < 4; i++) FacetPolygonAddPart_Private(3, tri6[i], size, shadow);
     break;
   default:
-    for (PetscInt i = 0; i < 4; i++) AddQuad_Private(quad9[i], size, shadow);
+    for (PetscInt i = 0; i < 4; i++) FacetPolygonAddQuad_Private(quad9[i], size, shadow);
   }
 }
 

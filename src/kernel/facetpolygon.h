@@ -36,8 +36,6 @@ void ShadowPlaneProject(const ShadowPlane *plane, PetscInt n, const PetscReal X[
 /* A facet's nodes in the plane, then its parts. */
 void ShadowProject(const ShadowPlane *plane, const ClipFacet *facet, Shadow *shadow);
 void ShadowCut(const ShadowPlane *plane, Shadow *shadow);
-/* ClipCorners() of facets in space. */
-PetscInt ClipPolygonCorners(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscReal xi[]);
 /* Whether the boxes around the nodes of two shadows meet; before they are cut. */
 PetscBool ShadowsMeet(const Shadow *a, const Shadow *b);
 

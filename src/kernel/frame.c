@@ -8,18 +8,11 @@
      [1] N. Max, Weights for computing vertex normals from facet normals, J. Graphics Tools 4 (1999).
      [2] T. Duff et al., Building an orthonormal basis, revisited, J. Computer Graphics Techniques 6 (2017). */
 #include "kernel/frame.h"
-
-static PetscReal Dot_Private(PetscInt dim, const PetscReal a[], const PetscReal b[])
-{
-  PetscReal sum = 0.;
-
-  for (PetscInt k = 0; k < dim; k++) sum += a[k] * b[k];
-  return sum;
-}
+#include "kernel/vector.h"
 
 /* Both ends get nu / h of their chord: a chord of a circle is tilted from the tangent at its end in proportion to its length, so that
    these weights cancel the tilts of two chords for any spacing (eq. 4.1). */
-static void AddChord_Private(PetscInt from, PetscInt to, const PetscReal X[], PetscReal N[])
+static void FrameAddChord_Private(PetscInt from, PetscInt to, const PetscReal X[], PetscReal N[])
 {
   const PetscReal dx = X[2 * to] - X[2 * from], dy = X[2 * to + 1] - X[2 * from + 1], square = dx * dx + dy * dy;
   const PetscInt  ends[2] = {from, to};
@@ -32,24 +25,21 @@ static void AddChord_Private(PetscInt from, PetscInt to, const PetscReal X[], Pe
 
 /* Each corner gets e1 x e2 / (|e1|^2 |e2|^2) with e1 and e2 the polygon's edges to the next and the previous corner: the sum is exact
    where all the corners lie on a sphere [1]. [in] corners - nodes, anticlockwise [num] */
-static void AddPolygon_Private(PetscInt num, const PetscInt corners[], const PetscReal X[], PetscReal N[])
+static void FrameAddPolygon_Private(PetscInt num, const PetscInt corners[], const PetscReal X[], PetscReal N[])
 {
   for (PetscInt i = 0; i < num; i++) {
     const PetscInt   own = corners[i];
     const PetscReal *x = &X[3 * own], *next = &X[3 * corners[(i + 1) % num]];
     const PetscReal *previous = &X[3 * corners[(i + num - 1) % num]];
-    PetscReal        e1[3], e2[3], weight;
+    PetscReal        e1[3], e2[3], cross[3], weight;
 
     for (PetscInt k = 0; k < 3; k++) {
       e1[k] = next[k] - x[k];
       e2[k] = previous[k] - x[k];
     }
-    weight = 1. / (Dot_Private(3, e1, e1) * Dot_Private(3, e2, e2));
-    for (PetscInt k = 0; k < 3; k++) {
-      const PetscInt l = (k + 1) % 3, m = (k + 2) % 3;
-
-      N[3 * own + k] += weight * (e1[l] * e2[m] - e1[m] * e2[l]);
-    }
+    weight = 1. / (VectorDot(3, e1, e1) * VectorDot(3, e2, e2));
+    VectorCross(e1, e2, cross);
+    for (PetscInt k = 0; k < 3; k++) N[3 * own + k] += weight * cross[k];
   }
 }
 
@@ -59,21 +49,21 @@ void FrameAddFacetNormal(PetscInt dim, PetscInt num_nodes, const PetscReal X[], 
   static const PetscInt tri6[4][3]  = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
   static const PetscInt quad9[4][4] = {{0, 4, 8, 7}, {4, 1, 5, 8}, {8, 5, 2, 6}, {7, 8, 6, 3}};
 
-  if (dim == 2 && num_nodes == 2) AddChord_Private(0, 1, X, N);
+  if (dim == 2 && num_nodes == 2) FrameAddChord_Private(0, 1, X, N);
   if (dim == 2 && num_nodes == 3) {
-    AddChord_Private(0, 2, X, N);
-    AddChord_Private(2, 1, X, N);
+    FrameAddChord_Private(0, 2, X, N);
+    FrameAddChord_Private(2, 1, X, N);
   }
-  if (dim == 3 && num_nodes <= 4) AddPolygon_Private(num_nodes, whole, X, N);
+  if (dim == 3 && num_nodes <= 4) FrameAddPolygon_Private(num_nodes, whole, X, N);
   for (PetscInt part = 0; part < 4 && num_nodes > 4; part++) {
-    if (num_nodes == 6) AddPolygon_Private(3, tri6[part], X, N);
-    if (num_nodes == 9) AddPolygon_Private(4, quad9[part], X, N);
+    if (num_nodes == 6) FrameAddPolygon_Private(3, tri6[part], X, N);
+    if (num_nodes == 9) FrameAddPolygon_Private(4, quad9[part], X, N);
   }
 }
 
 PetscReal FrameNormalize(PetscInt dim, PetscReal n[])
 {
-  const PetscReal length = PetscSqrtReal(Dot_Private(dim, n, n));
+  const PetscReal length = VectorNorm(dim, n);
 
   if (length > 0.) {
     for (PetscInt k = 0; k < dim; k++) n[k] /= length;

@@ -23,7 +23,7 @@ PetscInt MaterialNumStrains(ModelKind model)
 }
 
 /* The direct strains come first. */
-static PetscInt NumDirect_Private(PetscInt num_strains)
+static PetscInt MaterialNumDirectStrains_Private(PetscInt num_strains)
 {
   return num_strains == STRAINS_PLANE ? 2 : 3;
 }
@@ -32,7 +32,7 @@ static PetscInt NumDirect_Private(PetscInt num_strains)
    lambda that makes sigma_zz vanish. */
 void MaterialIsotropic(ModelKind model, PetscReal young, PetscReal poisson, PetscReal C[])
 {
-  const PetscInt  num_strains = MaterialNumStrains(model), num_direct = NumDirect_Private(num_strains);
+  const PetscInt  num_strains = MaterialNumStrains(model), num_direct = MaterialNumDirectStrains_Private(num_strains);
   const PetscReal mu     = young / (2. * (1. + poisson));
   const PetscReal lambda = model == MODEL_PLANE_STRESS ? young * poisson / (1. - poisson * poisson)
                                                        : young * poisson / ((1. + poisson) * (1. - 2. * poisson));
@@ -47,7 +47,7 @@ void MaterialIsotropic(ModelKind model, PetscReal young, PetscReal poisson, Pets
 
 /* R takes components along the material axes to global ones: R = R_z(angle_0) R_x(angle_1) R_z(angle_2), of which a model
    in a plane has the first. */
-static void Rotation_Private(PetscInt num_angles, const PetscReal angle[], PetscReal R[9])
+static void MaterialRotationMatrix_Private(PetscInt num_angles, const PetscReal angle[], PetscReal R[9])
 {
   PetscReal c[3] = {1., 1., 1.}, s[3] = {0., 0., 0.};
 
@@ -67,7 +67,7 @@ static void Rotation_Private(PetscInt num_angles, const PetscReal angle[], Petsc
 }
 
 /* Bond's matrix T with (R sigma R') = T sigma for the n components that a model carries [1]. [out] T - [n][n] */
-static void Bond_Private(PetscInt n, const PetscReal R[9], PetscReal T[])
+static void MaterialBondMatrix_Private(PetscInt n, const PetscReal R[9], PetscReal T[])
 {
   for (PetscInt row = 0; row < n; row++) {
     for (PetscInt column = 0; column < n; column++) {
@@ -89,8 +89,8 @@ void MaterialAnisotropic(ModelKind model, const PetscReal upper[], const PetscRe
   for (PetscInt i = 0, entry = 0; i < n; i++) {
     for (PetscInt j = i; j < n; j++) material[i * n + j] = material[j * n + i] = upper[entry++];
   }
-  Rotation_Private(model == MODEL_SOLID ? 3 : 1, angle, R);
-  Bond_Private(n, R, T);
+  MaterialRotationMatrix_Private(model == MODEL_SOLID ? 3 : 1, angle, R);
+  MaterialBondMatrix_Private(n, R, T);
   for (PetscInt i = 0; i < n; i++) {
     for (PetscInt j = 0; j < n; j++) {
       CT[i * n + j] = 0.;
@@ -129,7 +129,7 @@ void MaterialStress(ModelKind model, const PetscReal C[], PetscReal poisson, con
 /* mu is the last of C; lambda = -2/3 mu is written anew, since next to a large one its digits are lost. */
 PetscReal MaterialTakeBulk(PetscInt num_strains, PetscReal C[])
 {
-  const PetscInt  num_direct = NumDirect_Private(num_strains);
+  const PetscInt  num_direct = MaterialNumDirectStrains_Private(num_strains);
   const PetscReal mu = C[num_strains * num_strains - 1], bulk = C[1] + 2. / 3. * mu;
 
   for (PetscInt i = 0; i < num_direct; i++) {
@@ -142,7 +142,7 @@ PetscReal MaterialDilatation(PetscInt num_strains, const PetscReal strain[])
 {
   PetscReal trace = 0.;
 
-  for (PetscInt i = 0; i < NumDirect_Private(num_strains); i++) trace += strain[i];
+  for (PetscInt i = 0; i < MaterialNumDirectStrains_Private(num_strains); i++) trace += strain[i];
   return trace;
 }
 
@@ -170,7 +170,7 @@ void MaterialPrincipal(const PetscReal stress[6], PetscReal principal[3])
    holds one direction across it: where eps_j = 0, eps_i = (S_ii - S_ij^2 / S_jj) sigma_i, which is the same. */
 PetscReal MaterialContactModulus(PetscInt num_strains, const PetscReal C[])
 {
-  const PetscInt num_direct = NumDirect_Private(num_strains);
+  const PetscInt num_direct = MaterialNumDirectStrains_Private(num_strains);
   PetscReal      L[STRAINS_3D * STRAINS_3D], S[STRAINS_3D][STRAINS_3D], compliance = 0.;
 
   for (PetscInt i = 0; i < num_strains * num_strains; i++) L[i] = C[i];

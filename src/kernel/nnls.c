@@ -6,19 +6,12 @@
    References: [1] Lawson, Hanson, Solving Least Squares Problems, 1974, algorithm NNLS (23.10). */
 #include "base/compat.h"
 #include "kernel/nnls.h"
+#include "kernel/vector.h"
 
 /* What is left of a column behind the others' directions: below this part of it, it is one of their combinations. */
 static const PetscReal DEPENDENT = 1e-13;
 /* Steps for each component, at the end of which only rounding can have led in a circle: two or three are usual. */
 enum { MAX_STEPS = 1000 };
-
-static PetscReal Dot_Private(PetscInt n, const PetscReal a[], const PetscReal b[])
-{
-  PetscReal sum = 0;
-
-  for (PetscInt i = 0; i < n; i++) sum += a[i] * b[i];
-  return sum;
-}
 
 PetscErrorCode NNLSCreate(PetscInt m, const PetscReal target[], NNLS *nnls)
 {
@@ -40,31 +33,31 @@ PetscErrorCode NNLSDestroy(NNLS *nnls)
 
 /* Best weights z without regard to signs: Gram and Schmidt, twice against rounding. Returns whether the columns are
    independent. [out] z - [num] */
-static PetscBool LeastSquares_Private(const NNLS *nnls, PetscReal z[])
+static PetscBool NNLSLeastSquares_Private(const NNLS *nnls, PetscReal z[])
 {
   const PetscInt m = nnls->m, num = nnls->num;
   PetscReal     *Q = nnls->work, *R = Q + m * m;
 
   for (PetscInt j = 0; j < num; j++) {
     PetscReal      *q      = &Q[j * m];
-    const PetscReal before = PetscSqrtReal(Dot_Private(m, &nnls->column[j * m], &nnls->column[j * m]));
+    const PetscReal before = VectorNorm(m, &nnls->column[j * m]);
 
     for (PetscInt i = 0; i < m; i++) q[i] = nnls->column[j * m + i];
     for (PetscInt k = 0; k < num; k++) R[j * m + k] = 0;
     for (int twice = 0; twice < 2; twice++) {
       for (PetscInt k = 0; k < j; k++) {
-        const PetscReal part = Dot_Private(m, &Q[k * m], q);
+        const PetscReal part = VectorDot(m, &Q[k * m], q);
 
         R[j * m + k] += part;
         for (PetscInt i = 0; i < m; i++) q[i] -= part * Q[k * m + i];
       }
     }
-    R[j * m + j] = PetscSqrtReal(Dot_Private(m, q, q));
+    R[j * m + j] = VectorNorm(m, q);
     if (!(R[j * m + j] > DEPENDENT * before)) return PETSC_FALSE;
     for (PetscInt i = 0; i < m; i++) q[i] /= R[j * m + j];
   }
   for (PetscInt j = num - 1; j >= 0; j--) {
-    z[j] = Dot_Private(m, &Q[j * m], nnls->target);
+    z[j] = VectorDot(m, &Q[j * m], nnls->target);
     for (PetscInt k = j + 1; k < num; k++) z[j] -= R[k * m + j] * z[k];
     z[j] /= R[j * m + j];
   }
@@ -72,7 +65,7 @@ static PetscBool LeastSquares_Private(const NNLS *nnls, PetscReal z[])
 }
 
 /* Column j leaves; the last one takes its place. */
-static void Leave_Private(NNLS *nnls, PetscInt j)
+static void NNLSRemoveColumn_Private(NNLS *nnls, PetscInt j)
 {
   const PetscInt last = --nnls->num;
 
@@ -82,7 +75,7 @@ static void Leave_Private(NNLS *nnls, PetscInt j)
 }
 
 /* Towards z as far as no weight becomes negative, and without those that became zero. Returns whether z was reached. */
-static PetscBool Step_Private(NNLS *nnls, const PetscReal z[])
+static PetscBool NNLSStepTowards_Private(NNLS *nnls, const PetscReal z[])
 {
   PetscReal length = 1;
   PetscInt  first  = -1;
@@ -96,11 +89,11 @@ static PetscBool Step_Private(NNLS *nnls, const PetscReal z[])
   if (first < 0) return PETSC_TRUE;
   nnls->weight[first] = 0;
   for (PetscInt j = nnls->num - 1; j >= 0; j--)
-    if (!(nnls->weight[j] > 0)) Leave_Private(nnls, j);
+    if (!(nnls->weight[j] > 0)) NNLSRemoveColumn_Private(nnls, j);
   return PETSC_FALSE;
 }
 
-static void Residual_Private(NNLS *nnls)
+static void NNLSSetResidual_Private(NNLS *nnls)
 {
   for (PetscInt i = 0; i < nnls->m; i++) nnls->residual[i] = nnls->target[i];
   for (PetscInt j = 0; j < nnls->num; j++) {
@@ -110,9 +103,9 @@ static void Residual_Private(NNLS *nnls)
 
 PetscReal NNLSPrice(const NNLS *nnls, const PetscReal column[])
 {
-  const PetscReal square = Dot_Private(nnls->m, column, column);
+  const PetscReal square = VectorDot(nnls->m, column, column);
 
-  return square > 0 ? Dot_Private(nnls->m, column, nnls->residual) / PetscSqrtReal(square) : 0;
+  return square > 0 ? VectorDot(nnls->m, column, nnls->residual) / PetscSqrtReal(square) : 0;
 }
 
 PetscBool NNLSEnter(NNLS *nnls, PetscInt name, const PetscReal column[])
@@ -126,12 +119,12 @@ PetscBool NNLSEnter(NNLS *nnls, PetscInt name, const PetscReal column[])
   nnls->weight[nnls->num] = 0;
   for (PetscInt i = 0; i < m; i++) nnls->column[nnls->num * m + i] = column[i];
   nnls->num++;
-  if (!LeastSquares_Private(nnls, z) || !(z[nnls->num - 1] > 0)) {
+  if (!NNLSLeastSquares_Private(nnls, z) || !(z[nnls->num - 1] > 0)) {
     nnls->num--;
     return PETSC_FALSE;
   }
-  while (!Step_Private(nnls, z) && nnls->num > 0 && LeastSquares_Private(nnls, z)) {}
-  Residual_Private(nnls);
+  while (!NNLSStepTowards_Private(nnls, z) && nnls->num > 0 && NNLSLeastSquares_Private(nnls, z)) {}
+  NNLSSetResidual_Private(nnls);
   return PETSC_TRUE;
 }
 

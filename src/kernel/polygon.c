@@ -22,7 +22,7 @@ PetscReal PolygonArea(PetscInt n, const PetscReal P[])
 }
 
 /* Distance of p from the line through a and b, positive on its left. */
-static PetscReal Distance_Private(const PetscReal a[], const PetscReal b[], const PetscReal p[])
+static PetscReal PolygonLineDistance_Private(const PetscReal a[], const PetscReal b[], const PetscReal p[])
 {
   const PetscReal e[2] = {b[0] - a[0], b[1] - a[1]}, length = PetscSqrtReal(e[0] * e[0] + e[1] * e[1]);
 
@@ -31,13 +31,13 @@ static PetscReal Distance_Private(const PetscReal a[], const PetscReal b[], cons
 
 /* What of a polygon lies left of the line through a and b. A line adds one vertex to a convex polygon at most.
    [in] P - [n][2]; [out] Q - [n + 1][2] */
-static PetscInt Cut_Private(PetscInt n, const PetscReal P[], const PetscReal a[], const PetscReal b[],
-                            PetscReal tolerance, PetscReal Q[])
+static PetscInt PolygonCutByLine_Private(PetscInt n, const PetscReal P[], const PetscReal a[], const PetscReal b[],
+                                         PetscReal tolerance, PetscReal Q[])
 {
   PetscReal d[POLYGON_MAX_VERTICES];
   PetscInt  num = 0;
 
-  for (PetscInt i = 0; i < n; i++) d[i] = Distance_Private(a, b, &P[2 * i]);
+  for (PetscInt i = 0; i < n; i++) d[i] = PolygonLineDistance_Private(a, b, &P[2 * i]);
   for (PetscInt i = 0; i < n; i++) {
     const PetscInt  j        = (i + 1) % n;
     const PetscBool inside_i = d[i] >= -tolerance ? PETSC_TRUE : PETSC_FALSE;
@@ -58,7 +58,7 @@ static PetscInt Cut_Private(PetscInt n, const PetscReal P[], const PetscReal a[]
 }
 
 /* Drops every vertex that is closer than the tolerance to the one before it. [in,out] P - [n][2] */
-static PetscInt Merge_Private(PetscInt n, PetscReal tolerance, PetscReal P[])
+static PetscInt PolygonMergeVertices_Private(PetscInt n, PetscReal tolerance, PetscReal P[])
 {
   PetscInt num = 0;
 
@@ -82,9 +82,9 @@ PetscInt PolygonIntersect(PetscInt num_a, const PetscReal A[], PetscInt num_b, c
   for (PetscInt e = 0; e < num_b && n; e++) {
     PetscReal Q[2 * POLYGON_MAX_VERTICES];
 
-    n = Cut_Private(n, P, &B[2 * e], &B[2 * ((e + 1) % num_b)], tolerance, Q);
+    n = PolygonCutByLine_Private(n, P, &B[2 * e], &B[2 * ((e + 1) % num_b)], tolerance, Q);
     for (PetscInt i = 0; i < 2 * n; i++) P[i] = Q[i];
   }
-  n = Merge_Private(n, tolerance, P);
+  n = PolygonMergeVertices_Private(n, tolerance, P);
   return n >= 3 ? n : 0;
 }

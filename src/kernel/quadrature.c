@@ -42,20 +42,21 @@ PetscInt GaussLine(PetscInt n, PetscReal points[], PetscReal weights[])
 }
 
 /* n Gauss points are exact to degree 2n - 1. */
-static PetscInt NumGauss_Private(PetscInt degree)
+static PetscInt QuadratureNumGauss_Private(PetscInt degree)
 {
   return PetscMax(degree, 0) / 2 + 1;
 }
 
 /* The line's rules in every direction, the first one running fastest: exact for x^a y^b z^c with a, b and c up to the
    degree of their direction. [in] degree - [dim] */
-static PetscInt ProductRule_Private(PetscInt dim, const PetscInt degree[], PetscReal points[], PetscReal weights[])
+static PetscInt QuadratureProductRule_Private(PetscInt dim, const PetscInt degree[], PetscReal points[],
+                                              PetscReal weights[])
 {
   PetscReal x[3][GAUSS_MAX], w[3][GAUSS_MAX];
   PetscInt  n[3], num = 1;
 
   for (PetscInt k = 0; k < dim; k++) {
-    n[k] = NumGauss_Private(degree[k]);
+    n[k] = QuadratureNumGauss_Private(degree[k]);
     if (n[k] > GAUSS_MAX) return 0;
     GaussLine(n[k], x[k], w[k]);
     num *= n[k];
@@ -75,7 +76,7 @@ static PetscInt ProductRule_Private(PetscInt dim, const PetscInt degree[], Petsc
 }
 
 /* The three points with barycentric coordinates (1 - 2a, a, a) in every order. */
-static void Orbit_Private(PetscReal a, PetscReal weight, PetscReal points[], PetscReal weights[])
+static void QuadratureOrbit_Private(PetscReal a, PetscReal weight, PetscReal points[], PetscReal weights[])
 {
   for (PetscInt i = 0; i < 3; i++) {
     points[2 * i]     = i == 1 ? 1. - 2. * a : a;
@@ -86,10 +87,10 @@ static void Orbit_Private(PetscReal a, PetscReal weight, PetscReal points[], Pet
 
 /* The rule of the square or cube, drawn together into a corner of the simplex: each coordinate is narrowed by the 1 - t of
    those behind it, whose Jacobian takes one degree of what the line's rule can do for y, two for z. */
-static PetscInt CollapsedRule_Private(PetscInt dim, PetscInt degree, PetscReal points[], PetscReal weights[])
+static PetscInt QuadratureCollapsedRule_Private(PetscInt dim, PetscInt degree, PetscReal points[], PetscReal weights[])
 {
   const PetscInt degrees[3] = {degree, degree + 1, degree + 2};
-  const PetscInt n          = ProductRule_Private(dim, degrees, points, weights);
+  const PetscInt n          = QuadratureProductRule_Private(dim, degrees, points, weights);
 
   for (PetscInt q = 0; q < n; q++) {
     for (PetscInt k = 1; k < dim; k++) {
@@ -105,7 +106,7 @@ static PetscInt CollapsedRule_Private(PetscInt dim, PetscInt degree, PetscReal p
 }
 
 /* Symmetric rules with positive weights and inner points: 1, 3, 6 [1] and 7 points [2]; beyond them, the square's. */
-static PetscInt TriangleRule_Private(PetscInt degree, PetscReal points[], PetscReal weights[])
+static PetscInt QuadratureTriangleRule_Private(PetscInt degree, PetscReal points[], PetscReal weights[])
 {
   const PetscReal area = 0.5, third = 1. / 3.;
 
@@ -115,31 +116,31 @@ static PetscInt TriangleRule_Private(PetscInt degree, PetscReal points[], PetscR
     return 1;
   }
   if (degree == 2) { /* points inside rather than at the middles of the edges, so that no load is evaluated on a side */
-    Orbit_Private(1. / 6., area / 3., points, weights);
+    QuadratureOrbit_Private(1. / 6., area / 3., points, weights);
     return 3;
   }
   if (degree <= 4) { /* also for degree 3, where four points would need a negative weight */
     const PetscReal base = 8. - PetscSqrtReal(10.), root = PetscSqrtReal(38. - 44. * PetscSqrtReal(0.4));
     const PetscReal skew = PetscSqrtReal(213125. - 53320. * PetscSqrtReal(10.));
 
-    Orbit_Private((base + root) / 18., area * (620. + skew) / 3720., points, weights);
-    Orbit_Private((base - root) / 18., area * (620. - skew) / 3720., &points[6], &weights[3]);
+    QuadratureOrbit_Private((base + root) / 18., area * (620. + skew) / 3720., points, weights);
+    QuadratureOrbit_Private((base - root) / 18., area * (620. - skew) / 3720., &points[6], &weights[3]);
     return 6;
   }
   if (degree == 5) {
     const PetscReal root = PetscSqrtReal(15.);
 
-    Orbit_Private((6. + root) / 21., area * (155. + root) / 1200., points, weights);
-    Orbit_Private((6. - root) / 21., area * (155. - root) / 1200., &points[6], &weights[3]);
+    QuadratureOrbit_Private((6. + root) / 21., area * (155. + root) / 1200., points, weights);
+    QuadratureOrbit_Private((6. - root) / 21., area * (155. - root) / 1200., &points[6], &weights[3]);
     points[12] = points[13] = third;
     weights[6]              = area * 9. / 40.;
     return 7;
   }
-  return CollapsedRule_Private(2, degree, points, weights);
+  return QuadratureCollapsedRule_Private(2, degree, points, weights);
 }
 
 /* The four points with barycentric coordinates (1 - 3a, a, a, a) in every order. */
-static void CornerOrbit_Private(PetscReal a, PetscReal weight, PetscReal points[], PetscReal weights[])
+static void QuadratureCornerOrbit_Private(PetscReal a, PetscReal weight, PetscReal points[], PetscReal weights[])
 {
   for (PetscInt i = 0; i < 4; i++) {
     for (PetscInt k = 0; k < 3; k++) points[3 * i + k] = i == k + 1 ? 1. - 3. * a : a;
@@ -148,7 +149,7 @@ static void CornerOrbit_Private(PetscReal a, PetscReal weight, PetscReal points[
 }
 
 /* The six points with barycentric coordinates (1/2 - a, 1/2 - a, a, a) in every order. */
-static void EdgeOrbit_Private(PetscReal a, PetscReal weight, PetscReal points[], PetscReal weights[])
+static void QuadratureEdgeOrbit_Private(PetscReal a, PetscReal weight, PetscReal points[], PetscReal weights[])
 {
   static const PetscInt pair[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
 
@@ -161,19 +162,19 @@ static void EdgeOrbit_Private(PetscReal a, PetscReal weight, PetscReal points[],
 /* Eight points, exact to degree 3. With t = 1 - 4a the place of an orbit between the centroid and the vertices, weights W
    of two orbits must fulfil W_1 + W_2 = 1, sum W t^2 = 1/5, sum W t^3 = 1/15; of the solutions, Stroud's has points on the
    facets (t = -1/3), this one has them all inside. */
-static PetscInt TetrahedronCubic_Private(PetscReal points[], PetscReal weights[])
+static PetscInt QuadratureTetrahedronCubic_Private(PetscReal points[], PetscReal weights[])
 {
   const PetscReal volume = 1. / 6., s = 0.32, ratio = (1. / 15. + s * s * s) / (1. / 5. - s * s),
                   mean = 0.5 * (s + ratio);
   const PetscReal t = mean - PetscSqrtReal(mean * mean - s * s - ratio * s), W = (1. / 5. - s * s) / (t * t - s * s);
 
-  CornerOrbit_Private(0.25 * (1. - t), volume * W / 4., points, weights);
-  CornerOrbit_Private(0.25 * (1. + s), volume * (1. - W) / 4., &points[12], &weights[4]);
+  QuadratureCornerOrbit_Private(0.25 * (1. - t), volume * W / 4., points, weights);
+  QuadratureCornerOrbit_Private(0.25 * (1. + s), volume * (1. - W) / 4., &points[12], &weights[4]);
   return 8;
 }
 
 /* Symmetric rules with positive weights and inner points: 1, 4, 8 and 14 points [3]; beyond them, the cube's. */
-static PetscInt TetrahedronRule_Private(PetscInt degree, PetscReal points[], PetscReal weights[])
+static PetscInt QuadratureTetrahedronRule_Private(PetscInt degree, PetscReal points[], PetscReal weights[])
 {
   const PetscReal volume = 1. / 6.;
 
@@ -183,17 +184,17 @@ static PetscInt TetrahedronRule_Private(PetscInt degree, PetscReal points[], Pet
     return 1;
   }
   if (degree == 2) {
-    CornerOrbit_Private(0.25 - 0.05 * PetscSqrtReal(5.), volume / 4., points, weights);
+    QuadratureCornerOrbit_Private(0.25 - 0.05 * PetscSqrtReal(5.), volume / 4., points, weights);
     return 4;
   }
-  if (degree == 3) return TetrahedronCubic_Private(points, weights);
+  if (degree == 3) return QuadratureTetrahedronCubic_Private(points, weights);
   if (degree <= 5) {
-    CornerOrbit_Private(0.31088591926330060980, 0.018781320953002641800, points, weights);
-    CornerOrbit_Private(0.092735250310891226402, 0.012248840519393658257, &points[12], &weights[4]);
-    EdgeOrbit_Private(0.045503704125649649492, 0.0070910034628469110730, &points[24], &weights[8]);
+    QuadratureCornerOrbit_Private(0.31088591926330060980, 0.018781320953002641800, points, weights);
+    QuadratureCornerOrbit_Private(0.092735250310891226402, 0.012248840519393658257, &points[12], &weights[4]);
+    QuadratureEdgeOrbit_Private(0.045503704125649649492, 0.0070910034628469110730, &points[24], &weights[8]);
     return 14;
   }
-  return CollapsedRule_Private(3, degree, points, weights);
+  return QuadratureCollapsedRule_Private(3, degree, points, weights);
 }
 
 PetscInt ElementQuadrature(ElementType type, PetscInt degree, PetscReal points[], PetscReal weights[])
@@ -201,8 +202,8 @@ PetscInt ElementQuadrature(ElementType type, PetscInt degree, PetscReal points[]
   const PetscInt degrees[3] = {degree, degree, degree};
 
   switch (ElementLinear(type)) {
-  case ELEMENT_TRI3: return TriangleRule_Private(degree, points, weights);
-  case ELEMENT_TET4: return TetrahedronRule_Private(degree, points, weights);
-  default: return ProductRule_Private(ElementDim(type), degrees, points, weights);
+  case ELEMENT_TRI3: return QuadratureTriangleRule_Private(degree, points, weights);
+  case ELEMENT_TET4: return QuadratureTetrahedronRule_Private(degree, points, weights);
+  default: return QuadratureProductRule_Private(ElementDim(type), degrees, points, weights);
   }
 }

@@ -8,7 +8,7 @@
 /* Halving alone would end after as many steps as a number has digits. */
 enum { MAX_STEPS = 100 };
 
-static PetscReal Value_Private(PetscInt degree, const PetscReal c[], PetscReal t)
+static PetscReal RootsValue_Private(PetscInt degree, const PetscReal c[], PetscReal t)
 {
   PetscReal value = c[degree];
 
@@ -18,20 +18,20 @@ static PetscReal Value_Private(PetscInt degree, const PetscReal c[], PetscReal t
 
 /* The root between two places where the signs differ: Newton's method, or halving where that would leave the bracket.
    [in] d - coefficients of the derivative [degree] */
-static PetscReal Bracketed_Private(PetscInt degree, const PetscReal c[], const PetscReal d[], PetscReal low,
-                                   PetscReal high)
+static PetscReal RootsBracketed_Private(PetscInt degree, const PetscReal c[], const PetscReal d[], PetscReal low,
+                                        PetscReal high)
 {
-  const PetscBool negative = Value_Private(degree, c, low) < 0. ? PETSC_TRUE : PETSC_FALSE;
+  const PetscBool negative = RootsValue_Private(degree, c, low) < 0. ? PETSC_TRUE : PETSC_FALSE;
   PetscReal       t        = 0.5 * (low + high);
 
   for (PetscInt step = 0; step < MAX_STEPS; step++) {
-    const PetscReal value = Value_Private(degree, c, t), before = t;
+    const PetscReal value = RootsValue_Private(degree, c, t), before = t;
 
     if ((value < 0.) == negative)
       low = t;
     else
       high = t;
-    t -= value / Value_Private(degree - 1, d, t);
+    t -= value / RootsValue_Private(degree - 1, d, t);
     if (!(t > low && t < high)) t = 0.5 * (low + high);
     if (PetscAbsReal(t - before) <= PETSC_MACHINE_EPSILON * t) break;
   }
@@ -49,11 +49,11 @@ PetscInt RootsInside(PetscInt degree, const PetscReal c[], PetscReal roots[])
   num_ends       = 1 + RootsInside(degree - 1, d, &ends[1]);
   ends[num_ends] = 1.;
   for (PetscInt i = 0; i < num_ends; i++) {
-    const PetscReal low = Value_Private(degree, c, ends[i]), high = Value_Private(degree, c, ends[i + 1]);
+    const PetscReal low = RootsValue_Private(degree, c, ends[i]), high = RootsValue_Private(degree, c, ends[i + 1]);
     PetscReal       t;
 
     if ((low < 0.) == (high < 0.)) continue;
-    t = Bracketed_Private(degree, c, d, ends[i], ends[i + 1]);
+    t = RootsBracketed_Private(degree, c, d, ends[i], ends[i + 1]);
     if (t > 0. && t < 1.) roots[num++] = t;
   }
   return num;

@@ -43,8 +43,8 @@ void ShapeTet4(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 }
 
 /* In barycentric coordinates l: l_i (2 l_i - 1) at vertices, 4 l_i l_j in the middles of edges. [in] edge - [][2] */
-static void Simplex_Private(PetscInt dim, PetscInt num_edges, const PetscInt edge[][2], const PetscReal l[],
-                            const PetscReal dl[], PetscReal phi[], PetscReal dphi[])
+static void ShapeFunctionSimplex_Private(PetscInt dim, PetscInt num_edges, const PetscInt edge[][2],
+                                         const PetscReal l[], const PetscReal dl[], PetscReal phi[], PetscReal dphi[])
 {
   for (PetscInt i = 0; i <= dim; i++) {
     phi[i] = l[i] * (2. * l[i] - 1.);
@@ -64,7 +64,7 @@ void ShapeTri6(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
   PetscReal             l[3], dl[6];
 
   ShapeTri3(xi, l, dl);
-  Simplex_Private(2, 3, edge, l, dl, phi, dphi);
+  ShapeFunctionSimplex_Private(2, 3, edge, l, dl, phi, dphi);
 }
 
 void ShapeTet10(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
@@ -73,12 +73,12 @@ void ShapeTet10(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
   PetscReal             l[4], dl[12];
 
   ShapeTet4(xi, l, dl);
-  Simplex_Private(3, 6, edge, l, dl, phi, dphi);
+  ShapeFunctionSimplex_Private(3, 6, edge, l, dl, phi, dphi);
 }
 
 /* Products phi_a(x) phi_b(y) of the line's functions. [in] node - a, b of every node [num_nodes][2] */
-static void Product_Private(ShapeFn *line, PetscInt num_nodes, const PetscInt node[][2], const PetscReal xi[],
-                            PetscReal phi[], PetscReal dphi[])
+static void ShapeFunctionProduct_Private(ShapeFn *line, PetscInt num_nodes, const PetscInt node[][2],
+                                         const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 {
   PetscReal x[3], y[3], dx[3], dy[3];
 
@@ -97,19 +97,19 @@ void ShapeQuad4(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 {
   static const PetscInt node[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
-  Product_Private(ShapeLine2, 4, node, xi, phi, dphi);
+  ShapeFunctionProduct_Private(ShapeLine2, 4, node, xi, phi, dphi);
 }
 
 void ShapeQuad9(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 {
   static const PetscInt node[9][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 0}, {1, 2}, {2, 1}, {0, 2}, {2, 2}};
 
-  Product_Private(ShapeLine3, 9, node, xi, phi, dphi);
+  ShapeFunctionProduct_Private(ShapeLine3, 9, node, xi, phi, dphi);
 }
 
 /* Products phi_a(x) phi_b(y) phi_c(z) of the line's functions. [in] node - a, b, c of every node [num_nodes][3] */
-static void Product3_Private(ShapeFn *line, PetscInt num_nodes, const PetscInt node[][3], const PetscReal xi[],
-                             PetscReal phi[], PetscReal dphi[])
+static void ShapeFunctionProduct3_Private(ShapeFn *line, PetscInt num_nodes, const PetscInt node[][3],
+                                          const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 {
   PetscReal x[3], y[3], z[3], dx[3], dy[3], dz[3];
 
@@ -131,7 +131,7 @@ void ShapeHex8(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
   static const PetscInt node[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                                       {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
 
-  Product3_Private(ShapeLine2, 8, node, xi, phi, dphi);
+  ShapeFunctionProduct3_Private(ShapeLine2, 8, node, xi, phi, dphi);
 }
 
 /* Vertices; edges of the lower and the upper facet, then upright ones; facets below, above, in front, right, back, left. */
@@ -142,5 +142,5 @@ void ShapeHex27(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
                                        {2, 1, 1}, {0, 2, 1}, {0, 0, 2}, {1, 0, 2}, {1, 1, 2}, {0, 1, 2}, {2, 2, 0},
                                        {2, 2, 1}, {2, 0, 2}, {1, 2, 2}, {2, 1, 2}, {0, 2, 2}, {2, 2, 2}};
 
-  Product3_Private(ShapeLine3, 27, node, xi, phi, dphi);
+  ShapeFunctionProduct3_Private(ShapeLine3, 27, node, xi, phi, dphi);
 }

@@ -4,7 +4,7 @@
 #include "mesh/components.h"
 
 /* The node that stands for the set of a node; paths to it are halved on the way. */
-static PetscInt Find_Private(PetscInt parent[], PetscInt node)
+static PetscInt ComponentsFind_Private(PetscInt parent[], PetscInt node)
 {
   while (parent[node] != node) {
     parent[node] = parent[parent[node]];
@@ -14,20 +14,21 @@ static PetscInt Find_Private(PetscInt parent[], PetscInt node)
 }
 
 /* Sets of local nodes that this rank's cells join. [out] parent - the node that stands for each one's set [num_nodes] */
-static void Unite_Private(const Level *level, PetscInt parent[])
+static void ComponentsUnite_Private(const Level *level, PetscInt parent[])
 {
   for (PetscInt i = 0; i < level->num_nodes; ++i) parent[i] = i;
   for (PetscInt c = 0; c < level->num_cells; ++c) {
     const PetscInt first = level->cell_start[c];
 
     for (PetscInt i = first + 1; i < level->cell_start[c + 1]; ++i)
-      parent[Find_Private(parent, level->cell_nodes[i])] = Find_Private(parent, level->cell_nodes[first]);
+      parent[ComponentsFind_Private(parent, level->cell_nodes[i])] =
+          ComponentsFind_Private(parent, level->cell_nodes[first]);
   }
-  for (PetscInt i = 0; i < level->num_nodes; ++i) parent[i] = Find_Private(parent, i);
+  for (PetscInt i = 0; i < level->num_nodes; ++i) parent[i] = ComponentsFind_Private(parent, i);
 }
 
-/* The largest global node of the piece of each local node. [in] parent - of Unite_Private(); [out] name - [num_nodes] */
-static PetscErrorCode Names_Private(Level *level, const PetscInt parent[], PetscInt name[])
+/* The largest global node of the piece of each local node. [in] parent - of ComponentsUnite_Private(); [out] name - [num_nodes] */
+static PetscErrorCode ComponentsNumber_Private(Level *level, const PetscInt parent[], PetscInt name[])
 {
   PetscBool    changed = PETSC_TRUE;
   PetscScalar *n;
@@ -63,7 +64,8 @@ static PetscErrorCode Names_Private(Level *level, const PetscInt parent[], Petsc
 
 /* The names and bodies of all pieces on all ranks: a piece is told by the rank that owns the node it is called by.
    [in] name - [num_nodes]; [out] told - name and body of each piece, names ascending [*num][2], owned by the caller */
-static PetscErrorCode Gather_Private(const Level *level, const PetscInt name[], PetscInt *num, PetscInt **told)
+static PetscErrorCode ComponentsGather_Private(const Level *level, const PetscInt name[], PetscInt *num,
+                                               PetscInt **told)
 {
   PetscMPIInt size, mine = 0, *counts, *starts;
   PetscInt   *own;
@@ -91,7 +93,8 @@ static PetscErrorCode Gather_Private(const Level *level, const PetscInt name[], 
 }
 
 /* Boxes around the nodes of each piece. Collective. [out] box - [num][PIECE_BOX] */
-static PetscErrorCode Boxes_Private(const Level *level, PetscInt num, const PetscInt of_node[], PetscReal box[])
+static PetscErrorCode ComponentsSetBoxes_Private(const Level *level, PetscInt num, const PetscInt of_node[],
+                                                 PetscReal box[])
 {
   const PetscInt dim = level->dim;
 
@@ -110,7 +113,7 @@ static PetscErrorCode Boxes_Private(const Level *level, PetscInt num, const Pets
 }
 
 /* Whether piece i comes before piece j: largest and smallest coordinates are the same numbers on any number of ranks. */
-static PetscBool Before_Private(const PetscInt told[], const PetscReal box[], PetscInt i, PetscInt j)
+static PetscBool ComponentsCompare_Private(const PetscInt told[], const PetscReal box[], PetscInt i, PetscInt j)
 {
   if (told[2 * i + 1] != told[2 * j + 1]) return (PetscBool)(told[2 * i + 1] < told[2 * j + 1]);
   for (PetscInt k = 0; k < 3; ++k) {
@@ -123,16 +126,17 @@ static PetscBool Before_Private(const PetscInt told[], const PetscReal box[], Pe
 }
 
 /* Sorts pieces in place, by halves. [in,out] order - [num]; work - [num] */
-static void Sort_Private(const PetscInt told[], const PetscReal box[], PetscInt num, PetscInt order[], PetscInt work[])
+static void ComponentsSort_Private(const PetscInt told[], const PetscReal box[], PetscInt num, PetscInt order[],
+                                   PetscInt work[])
 {
   const PetscInt half = num / 2;
 
   if (num < 2) return;
-  Sort_Private(told, box, half, order, work);
-  Sort_Private(told, box, num - half, order + half, work);
+  ComponentsSort_Private(told, box, half, order, work);
+  ComponentsSort_Private(told, box, num - half, order + half, work);
   for (PetscInt i = 0; i < num; ++i) work[i] = order[i];
   for (PetscInt n = 0, i = 0, j = half; n < num; ++n)
-    order[n] = j == num || (i < half && Before_Private(told, box, work[i], work[j])) ? work[i++] : work[j++];
+    order[n] = j == num || (i < half && ComponentsCompare_Private(told, box, work[i], work[j])) ? work[i++] : work[j++];
 }
 
 PetscErrorCode PiecesCreate(Level *level, Pieces *pieces)
@@ -143,17 +147,17 @@ PetscErrorCode PiecesCreate(Level *level, Pieces *pieces)
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc2(level->num_nodes, &parent, level->num_nodes, &name));
   PetscCall(PetscMalloc1(level->num_nodes, &pieces->of_node));
-  Unite_Private(level, parent);
-  PetscCall(Names_Private(level, parent, name));
-  PetscCall(Gather_Private(level, name, &num, &told));
+  ComponentsUnite_Private(level, parent);
+  PetscCall(ComponentsNumber_Private(level, parent, name));
+  PetscCall(ComponentsGather_Private(level, name, &num, &told));
   PetscCall(PetscMalloc4(num, &names, num, &order, num, &rank, num * PIECE_BOX, &box));
   for (PetscInt i = 0; i < num; ++i) {
     names[i] = told[2 * i];
     order[i] = i;
   }
   for (PetscInt i = 0; i < level->num_nodes; ++i) PetscCall(PetscFindInt(name[i], num, names, &pieces->of_node[i]));
-  PetscCall(Boxes_Private(level, num, pieces->of_node, box));
-  Sort_Private(told, box, num, order, rank);
+  PetscCall(ComponentsSetBoxes_Private(level, num, pieces->of_node, box));
+  ComponentsSort_Private(told, box, num, order, rank);
   for (PetscInt n = 0; n < num; ++n) rank[order[n]] = n;
   pieces->num = num;
   PetscCall(PetscMalloc2(num, &pieces->body, num * PIECE_BOX, &pieces->box));

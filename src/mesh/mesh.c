@@ -17,8 +17,8 @@ PetscErrorCode MeshCreate(Scene scene, Mesh *mesh)
 }
 
 /* Whether the cells of a file can be numbered on the finest mesh, as those of boxes can. [out] sentence - untouched if so */
-static void CheckSize_Private(const struct _n_Scene *scene, const SceneBody *body, const BodyList *list,
-                              char sentence[])
+static void MeshCheckSize_Private(const struct _n_Scene *scene, const SceneBody *body, const BodyList *list,
+                                  char sentence[])
 {
   const PetscInt  refine   = body->refine + scene->refine + (scene->study.kind ? scene->study.levels - 1 : 0);
   const PetscInt  unknowns = scene->dim == 2 ? 2 * 4 : 3 * 8; // of a cell of order 2 that shares its nodes
@@ -48,7 +48,7 @@ static PetscErrorCode MeshMakeBodies_Private(Scene scene, PetscInt coarser, cons
     BodyCoarsen(&body, scene->dim, coarser);
     if (body.mesh_file) {
       PetscCall(BodyListCreateFile(scene, b, &names[b], &files, &lists[b], sentence));
-      if (!sentence[0]) CheckSize_Private(scene, &body, &lists[b], sentence);
+      if (!sentence[0]) MeshCheckSize_Private(scene, &body, &lists[b], sentence);
     } else
       PetscCall(BodyListCreateBox(&body, scene->dim, &names[b], &lists[b], sentence));
   }
@@ -138,7 +138,7 @@ static PetscErrorCode MeshClear_Private(Mesh mesh)
 }
 
 /* A mesh file may join parts of a body too little. */
-static PetscErrorCode WarnHinges_Private(const SceneBody *body, PetscInt dim)
+static PetscErrorCode MeshWarnNonManifold_Private(const SceneBody *body, PetscInt dim)
 {
   const Warning hinged = {
       .code   = "hinged_parts",
@@ -186,7 +186,7 @@ PetscErrorCode MeshSetUp(Mesh mesh)
   mesh->own = coarser + scene->refine;
   PetscCall(MeshChooseRoles(mesh));
   for (PetscInt b = 0; b < scene->num_bodies; ++b)
-    if (scene->bodies[b].num_hinges) PetscCall(WarnHinges_Private(&scene->bodies[b], scene->dim));
+    if (scene->bodies[b].num_hinges) PetscCall(MeshWarnNonManifold_Private(&scene->bodies[b], scene->dim));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -9,7 +9,7 @@
 enum { NOWHERE = -1, HINGE = -2 };
 
 /* Cells that are joined facet by facet have the same block; -1 for cells that are not of the body. [out] block - [num_cells] */
-static PetscErrorCode Blocks_Private(const Extract *x, PetscInt block[])
+static PetscErrorCode NonManifoldCountBlocks_Private(const Extract *x, PetscInt block[])
 {
   PetscInt begin, end;
 
@@ -42,7 +42,7 @@ PetscErrorCode ExtractHinges(const Extract *x, BodyList *list)
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc2(level->num_cells, &block, level->num_nodes, &of_node));
-  PetscCall(Blocks_Private(x, block));
+  PetscCall(NonManifoldCountBlocks_Private(x, block));
   for (PetscInt a = 0; a < level->num_nodes; ++a) of_node[a] = NOWHERE;
   for (PetscInt c = 0; c < level->num_cells; ++c) {
     const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];

@@ -18,7 +18,7 @@ static const PetscInt Nodes[ELEMENT_COUNT] = {
     [ELEMENT_LINE2] = 12, [ELEMENT_TRI3] = 6, [ELEMENT_QUAD4] = 12, [ELEMENT_TET4] = 2, [ELEMENT_HEX8] = 12};
 
 /* How many times more nodes than a cell of order 1 a cell of a body has along an edge, beside those of the lowest order. */
-static PetscInt OrderFactor_Private(Scene scene, PetscInt body)
+static PetscInt PartitionWeightsOrderFactor_Private(Scene scene, PetscInt body)
 {
   PetscInt least = PETSC_MAX_INT;
 
@@ -41,7 +41,7 @@ PetscErrorCode SharesCreate(Scene scene, const Level *level, const PetscInt cont
     PetscInt *own = &shares->load[c * shares->num];
 
     own[0] = Nodes[ElementLinear((ElementType)level->cell_type[c])];
-    for (PetscInt d = 0; d < level->dim; ++d) own[0] *= OrderFactor_Private(scene, level->cell_body[c]);
+    for (PetscInt d = 0; d < level->dim; ++d) own[0] *= PartitionWeightsOrderFactor_Private(scene, level->cell_body[c]);
     if (shares->num > 1) own[1] = contact[c];
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -50,8 +50,8 @@ PetscErrorCode SharesCreate(Scene scene, const Level *level, const PetscInt cont
 /* Nodes between cells of different parts, in the units of loads: on the finest level a facet has as many fewer than a cell as that has
    cells along an edge. DMPlexDistribute() gives them to the highest rank. An order that all bodies have does not count, so that all
    orders are parted alike. [out] nodes - [num_parts] */
-static PetscErrorCode CountBetween_Private(Scene scene, const Level *level, PetscInt refine, const PetscInt part[],
-                                           PetscReal nodes[])
+static PetscErrorCode PartitionWeightsCountBetween_Private(Scene scene, const Level *level, PetscInt refine,
+                                                           const PetscInt part[], PetscReal nodes[])
 {
   const PetscReal along = PetscPowRealInt(2, (int)refine);
   PetscInt        begin, end;
@@ -67,7 +67,8 @@ static PetscErrorCode CountBetween_Private(Scene scene, const Level *level, Pets
     PetscCall(DMPlexGetSupport(level->dm, f, &cells));
     if (num != 2 || part[cells[0]] == part[cells[1]]) continue;
     own = Nodes[ElementFacetType(ElementLinear((ElementType)level->cell_type[cells[0]]))] / along;
-    for (PetscInt d = 1; d < level->dim; ++d) own *= OrderFactor_Private(scene, level->cell_body[cells[0]]);
+    for (PetscInt d = 1; d < level->dim; ++d)
+      own *= PartitionWeightsOrderFactor_Private(scene, level->cell_body[cells[0]]);
     nodes[PetscMax(part[cells[0]], part[cells[1]])] += own;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -80,7 +81,7 @@ PetscErrorCode SharesCorrect(Scene scene, const Level *level, PetscInt refine, c
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(num_parts, &between));
-  PetscCall(CountBetween_Private(scene, level, refine, part, between));
+  PetscCall(PartitionWeightsCountBetween_Private(scene, level, refine, part, between));
   for (PetscInt c = 0; c < level->num_cells; ++c) all += (PetscReal)shares->load[c * shares->num];
   for (PetscInt p = 0; p < num_parts; ++p) mean += between[p] / (PetscReal)num_parts;
   for (PetscInt p = 0; p < num_parts; ++p) most = PetscMax(most, PetscAbsReal(between[p] - mean));

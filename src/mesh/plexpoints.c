@@ -40,7 +40,7 @@ static PetscErrorCode PolygonGetVertices_Private(DM dm, PetscInt point, PetscInt
 }
 
 /* Which of num items this one is, num if it is none of them. */
-static PetscInt Find_Private(PetscInt num, const PetscInt items[], PetscInt item)
+static PetscInt PointFindEqual_Private(PetscInt num, const PetscInt items[], PetscInt item)
 {
   PetscInt i = 0;
 
@@ -66,7 +66,7 @@ static PetscErrorCode SolidGetVertices_Private(DM dm, PetscInt point, ElementTyp
     PetscCall(PolygonGetVertices_Private(dm, cone[f], num, polygon));
     for (PetscInt i = 0; i < num; ++i) {
       const PetscInt a = polygon[i], b = polygon[(i + 1) % num];
-      const PetscInt at_a = Find_Private(num, vertices, a), at_b = Find_Private(num, vertices, b);
+      const PetscInt at_a = PointFindEqual_Private(num, vertices, a), at_b = PointFindEqual_Private(num, vertices, b);
 
       if (at_a < num && at_b == num) vertices[PetscMin(num + at_a, num_all - 1)] = b;
       if (at_b < num && at_a == num) vertices[PetscMin(num + at_b, num_all - 1)] = a;
@@ -148,7 +148,7 @@ PetscErrorCode PointFindFacet(DM dm, PetscInt point, PetscInt num, const PetscIn
 
     *facet = cone[f];
     PetscCall(PointGetVertices(dm, *facet, &num_found, polygon));
-    for (PetscInt i = 0; i < num; ++i) found += Find_Private(num_found, polygon, vertices[i]) < num_found;
+    for (PetscInt i = 0; i < num; ++i) found += PointFindEqual_Private(num_found, polygon, vertices[i]) < num_found;
     if (num_found == num && found == num) PetscFunctionReturn(PETSC_SUCCESS);
   }
   SETERRQ(PETSC_COMM_SELF, PETSC_ERR_PLIB, "Point %" PetscInt_FMT " has no such facet", point);

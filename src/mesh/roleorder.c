@@ -19,7 +19,7 @@ typedef struct {
   PetscInt         tries;   /* that are left */
 } Search;
 
-static PetscBool Leads_Private(const Search *search, PetscInt p, PetscInt q)
+static PetscBool RoleGraphHasPath_Private(const Search *search, PetscInt p, PetscInt q)
 {
   const PetscInt mortar = 2 * p + !search->turned[p], nonmortar = 2 * q + search->turned[q];
 
@@ -27,7 +27,7 @@ static PetscBool Leads_Private(const Search *search, PetscInt p, PetscInt q)
 }
 
 /* Whether decided pairs lead from one of them back to it. */
-static PetscBool Returns_Private(Search *search, PetscInt start)
+static PetscBool RoleGraphReturns_Private(Search *search, PetscInt start)
 {
   const PetscInt num   = search->graph->num;
   PetscInt       depth = 1;
@@ -38,7 +38,7 @@ static PetscBool Returns_Private(Search *search, PetscInt start)
     const PetscInt p = search->walk[--depth];
 
     for (PetscInt q = 0; q < num; ++q) {
-      if (q == p || !search->decided[q] || search->seen[q] || !Leads_Private(search, p, q)) continue;
+      if (q == p || !search->decided[q] || search->seen[q] || !RoleGraphHasPath_Private(search, p, q)) continue;
       if (q == start) return PETSC_TRUE;
       search->seen[q]       = PETSC_TRUE;
       search->walk[depth++] = q;
@@ -48,7 +48,7 @@ static PetscBool Returns_Private(Search *search, PetscInt start)
 }
 
 /* Decides the pairs of the order from place k on. */
-static PetscBool Decide_Private(Search *search, PetscInt k)
+static PetscBool RoleGraphDecide_Private(Search *search, PetscInt k)
 {
   const RoleGraph *graph = search->graph;
   PetscInt         p;
@@ -56,11 +56,11 @@ static PetscBool Decide_Private(Search *search, PetscInt k)
   if (k == graph->num) return PETSC_TRUE;
   p                  = graph->order[k];
   search->decided[p] = PETSC_TRUE;
-  if (graph->fixed[p]) return Decide_Private(search, k + 1);
+  if (graph->fixed[p]) return RoleGraphDecide_Private(search, k + 1);
   for (PetscInt turn = 0; turn < 2 && search->tries > 0; ++turn) {
     --search->tries;
     search->turned[p] = turn ? PETSC_TRUE : PETSC_FALSE;
-    if (!Returns_Private(search, p) && Decide_Private(search, k + 1)) return PETSC_TRUE;
+    if (!RoleGraphReturns_Private(search, p) && RoleGraphDecide_Private(search, k + 1)) return PETSC_TRUE;
   }
   search->decided[p] = PETSC_FALSE;
   search->turned[p]  = PETSC_FALSE;
@@ -74,7 +74,7 @@ PetscErrorCode RoleGraphOrient(const RoleGraph *graph, PetscBool turned[], Petsc
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc3(graph->num, &search.decided, graph->num, &search.seen, graph->num, &search.walk));
   PetscCall(PetscArrayzero(turned, graph->num));
-  *found = Decide_Private(&search, 0);
+  *found = RoleGraphDecide_Private(&search, 0);
   PetscCall(PetscFree3(search.decided, search.seen, search.walk));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -91,7 +91,7 @@ PetscErrorCode RoleGraphHasCircle(const RoleGraph *graph, const PetscBool turned
     search.decided[p] = PETSC_TRUE;
     search.turned[p]  = turned[p];
   }
-  for (PetscInt p = 0; p < graph->num && !*circle; ++p) *circle = Returns_Private(&search, p);
+  for (PetscInt p = 0; p < graph->num && !*circle; ++p) *circle = RoleGraphReturns_Private(&search, p);
   PetscCall(PetscFree4(search.decided, search.seen, search.walk, search.turned));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

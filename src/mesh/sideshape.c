@@ -5,6 +5,7 @@
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "mesh/sideshape.h"
+#include "kernel/vector.h"
 
 /* Facets of one patch meet at less than 45 degrees; half of that is what they leave their mean normal by at most. */
 static const PetscReal SMOOTH = 0.70710678118654752, SURELY_SMOOTH = 0.92387953251128674;
@@ -32,21 +33,13 @@ typedef struct {
   PetscReal unit[3], weighted[3], share, outward[3]; /* from the node to the middle of the facet */
 } Corner;
 
-static PetscReal Dot_Private(PetscInt dim, const PetscReal a[], const PetscReal b[])
-{
-  PetscReal sum = 0;
-
-  for (PetscInt k = 0; k < dim; ++k) sum += a[k] * b[k];
-  return sum;
-}
-
-static const PetscReal *Position_Private(const Side *side, PetscInt f, PetscInt i)
+static const PetscReal *SideShapePosition_Private(const Side *side, PetscInt f, PetscInt i)
 {
   return &side->level->coords[side->facets->nodes[f * F + i] * side->level->dim];
 }
 
 /* The share of a full turn around node i that a facet fills. [in] X - [num_nodes][dim] */
-static PetscReal Share_Private(PetscInt dim, ElementType type, PetscInt i, const PetscReal X[])
+static PetscReal SideShapeAngleShare_Private(PetscInt dim, ElementType type, PetscInt i, const PetscReal X[])
 {
   const PetscInt num = ElementNumNodes(ElementLinear(type)), edges = dim == 2 ? 0 : num;
   PetscReal      a[3], b[3];
@@ -57,12 +50,12 @@ static PetscReal Share_Private(PetscInt dim, ElementType type, PetscInt i, const
     a[k] = X[3 * ((i + 1) % num) + k] - X[3 * i + k];
     b[k] = X[3 * ((i + num - 1) % num) + k] - X[3 * i + k];
   }
-  return PetscAcosReal(PetscMax(
-             -1, PetscMin(1, Dot_Private(3, a, b) / PetscSqrtReal(Dot_Private(3, a, a) * Dot_Private(3, b, b))))) /
+  return PetscAcosReal(
+             PetscMax(-1, PetscMin(1, VectorDot(3, a, b) / PetscSqrtReal(VectorDot(3, a, a) * VectorDot(3, b, b))))) /
          (2 * PETSC_PI);
 }
 
-static void SetCorners_Private(Side *side)
+static void SideShapeSetCorners_Private(Side *side)
 {
   const PetscInt dim = side->level->dim;
 
@@ -71,16 +64,18 @@ static void SetCorners_Private(Side *side)
     PetscReal         X[3 * F];
 
     for (PetscInt i = 0; i < ElementNumNodes(type); ++i) {
-      for (PetscInt k = 0; k < dim; ++k) X[i * dim + k] = Position_Private(side, f, i)[k];
+      for (PetscInt k = 0; k < dim; ++k) X[i * dim + k] = SideShapePosition_Private(side, f, i)[k];
     }
     FrameAddFacetNormal(dim, ElementNumNodes(type), X, &side->weighted[f * F * dim]);
-    for (PetscInt i = 0; i < ElementNumNodes(type); ++i) side->share[f * F + i] = Share_Private(dim, type, i, X);
+    for (PetscInt i = 0; i < ElementNumNodes(type); ++i)
+      side->share[f * F + i] = SideShapeAngleShare_Private(dim, type, i, X);
   }
 }
 
 /* Sums values of corners at their nodes over all ranks, and gives each corner the sum. Collective.
    [in] skip - corners that have no part in it, or NULL; [in,out] values - [num][F][bs] */
-static PetscErrorCode SumAtNodes_Private(const Side *side, PetscInt bs, const PetscReal skip[], PetscReal values[])
+static PetscErrorCode SideShapeSumAtNodes_Private(const Side *side, PetscInt bs, const PetscReal skip[],
+                                                  PetscReal values[])
 {
   Vec          sums, local;
   PetscScalar *a;
@@ -114,7 +109,7 @@ static PetscErrorCode SumAtNodes_Private(const Side *side, PetscInt bs, const Pe
 }
 
 /* Whether facets around the nodes of corners may meet at a feature edge. Collective. [out] suspect - 1 or 0 [num][F] */
-static PetscErrorCode FindSuspects_Private(const Side *side, PetscReal suspect[])
+static PetscErrorCode SideShapeFindSuspects_Private(const Side *side, PetscReal suspect[])
 {
   const PetscInt dim = side->level->dim;
 
@@ -125,15 +120,15 @@ static PetscErrorCode FindSuspects_Private(const Side *side, PetscReal suspect[]
 
       PetscCall(PetscArraycpy(unit, &side->weighted[(f * F + i) * dim], dim));
       FrameNormalize(dim, unit);
-      suspect[f * F + i] = Dot_Private(dim, unit, &side->shape->normal[(f * F + i) * dim]) < SURELY_SMOOTH ? 1 : 0;
+      suspect[f * F + i] = VectorDot(dim, unit, &side->shape->normal[(f * F + i) * dim]) < SURELY_SMOOTH ? 1 : 0;
     }
   }
-  PetscCall(SumAtNodes_Private(side, 1, NULL, suspect));
+  PetscCall(SideShapeSumAtNodes_Private(side, 1, NULL, suspect));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* This rank's corner as others are told of it. */
-static Corner CornerOf_Private(const Side *side, PetscInt f, PetscInt i)
+static Corner SideShapeCornerOf_Private(const Side *side, PetscInt f, PetscInt i)
 {
   const PetscInt dim = side->level->dim, n = ElementNumNodes(ElementLinear(side->facets->type[f]));
   Corner corner = {.node = side->level->node_global[side->facets->nodes[f * F + i]], .share = side->share[f * F + i]};
@@ -141,14 +136,15 @@ static Corner CornerOf_Private(const Side *side, PetscInt f, PetscInt i)
   for (PetscInt k = 0; k < dim; ++k) {
     corner.unit[k] = corner.weighted[k] = side->weighted[(f * F + i) * dim + k];
     for (PetscInt v = 0; v < n; ++v)
-      corner.outward[k] += (Position_Private(side, f, v)[k] - Position_Private(side, f, i)[k]) / (PetscReal)n;
+      corner.outward[k] +=
+          (SideShapePosition_Private(side, f, v)[k] - SideShapePosition_Private(side, f, i)[k]) / (PetscReal)n;
   }
   FrameNormalize(dim, corner.unit);
   FrameNormalize(dim, corner.outward);
   return corner;
 }
 
-static int CompareCorners_Private(const void *a, const void *b)
+static int SideShapeCompareCorners_Private(const void *a, const void *b)
 {
   const PetscInt first = ((const Corner *)a)->node, second = ((const Corner *)b)->node;
 
@@ -156,7 +152,8 @@ static int CompareCorners_Private(const void *a, const void *b)
 }
 
 /* The corners at suspect nodes, of all ranks, by nodes. Collective. [out] all - freed by the caller [*num] */
-static PetscErrorCode GatherCorners_Private(const Side *side, const PetscReal suspect[], PetscInt *num, Corner **all)
+static PetscErrorCode SideShapeGatherCorners_Private(const Side *side, const PetscReal suspect[], PetscInt *num,
+                                                     Corner **all)
 {
   PetscMPIInt size, *counts, *begin, mine = 0;
   Corner     *corners;
@@ -166,7 +163,7 @@ static PetscErrorCode GatherCorners_Private(const Side *side, const PetscReal su
   PetscCall(PetscMalloc3(side->facets->num * F, &corners, size, &counts, size + 1, &begin));
   for (PetscInt f = 0; f < side->facets->num; ++f) {
     for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); ++i) {
-      if (suspect[f * F + i] > 0) corners[mine++] = CornerOf_Private(side, f, i);
+      if (suspect[f * F + i] > 0) corners[mine++] = SideShapeCornerOf_Private(side, f, i);
     }
   }
   mine *= (PetscMPIInt)sizeof(Corner);
@@ -176,23 +173,23 @@ static PetscErrorCode GatherCorners_Private(const Side *side, const PetscReal su
   *num = begin[size] / (PetscInt)sizeof(Corner);
   PetscCall(PetscMalloc1(*num, all));
   PetscCallMPI(MPI_Allgatherv(corners, mine, MPI_BYTE, *all, counts, begin, MPI_BYTE, side->level->comm));
-  if (*num) qsort(*all, (size_t)*num, sizeof(Corner), CompareCorners_Private);
+  if (*num) qsort(*all, (size_t)*num, sizeof(Corner), SideShapeCompareCorners_Private);
   PetscCall(PetscFree3(corners, counts, begin));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Gives one corner the normal of its own patch, where there are others. [in] node - all corners of its node [num] */
-static void SetPatch_Private(Side *side, PetscInt f, PetscInt i, PetscInt num, const Corner node[])
+static void SideShapeSetPatch_Private(Side *side, PetscInt f, PetscInt i, PetscInt num, const Corner node[])
 {
   const PetscInt dim       = side->level->dim;
-  const Corner   own       = CornerOf_Private(side, f, i);
+  const Corner   own       = SideShapeCornerOf_Private(side, f, i);
   PetscReal      normal[3] = {0}, share = 0, ridge = 0;
   PetscBool      edge = PETSC_FALSE;
 
   for (PetscInt c = 0; c < num; ++c) {
-    if (Dot_Private(dim, own.unit, node[c].unit) < SMOOTH) {
+    if (VectorDot(dim, own.unit, node[c].unit) < SMOOTH) {
       edge = PETSC_TRUE;
-      ridge -= Dot_Private(dim, own.unit, node[c].outward); // the others fall away behind a convex edge
+      ridge -= VectorDot(dim, own.unit, node[c].outward); // the others fall away behind a convex edge
       continue;
     }
     share += node[c].share;
@@ -206,7 +203,7 @@ static void SetPatch_Private(Side *side, PetscInt f, PetscInt i, PetscInt num, c
 }
 
 /* Lets corners at feature edges have the normals of their own patches. Collective. */
-static PetscErrorCode SplitPatches_Private(Side *side)
+static PetscErrorCode SideShapeSplitPatches_Private(Side *side)
 {
   PetscReal *suspect;
   PetscInt   num;
@@ -214,19 +211,20 @@ static PetscErrorCode SplitPatches_Private(Side *side)
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(side->facets->num * F, &suspect));
-  PetscCall(FindSuspects_Private(side, suspect));
-  PetscCall(GatherCorners_Private(side, suspect, &num, &corners));
+  PetscCall(SideShapeFindSuspects_Private(side, suspect));
+  PetscCall(SideShapeGatherCorners_Private(side, suspect, &num, &corners));
   for (PetscInt f = 0; f < side->facets->num && num; ++f) {
     for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); ++i) {
-      const Corner key = {.node = side->level->node_global[side->facets->nodes[f * F + i]]};
-      Corner      *first =
-          suspect[f * F + i] > 0 ? bsearch(&key, corners, (size_t)num, sizeof(Corner), CompareCorners_Private) : NULL;
-      PetscInt count = 0;
+      const Corner key   = {.node = side->level->node_global[side->facets->nodes[f * F + i]]};
+      Corner      *first = suspect[f * F + i] > 0
+                               ? bsearch(&key, corners, (size_t)num, sizeof(Corner), SideShapeCompareCorners_Private)
+                               : NULL;
+      PetscInt     count = 0;
 
       if (!first) continue;
       while (first > corners && first[-1].node == key.node) --first;
       while (first + count < corners + num && first[count].node == key.node) ++count;
-      SetPatch_Private(side, f, i, count, first);
+      SideShapeSetPatch_Private(side, f, i, count, first);
     }
   }
   PetscCall(PetscFree(corners));
@@ -235,24 +233,24 @@ static PetscErrorCode SplitPatches_Private(Side *side)
 }
 
 /* Adds what one neighbour in its facet says of a corner: moments dx dx', dn dx' / |dx|^2 in the tangent plane. [in,out] sums - [2][dim][dim] */
-static void AddNeighbour_Private(const Side *side, PetscInt f, PetscInt i, PetscInt j, PetscReal sums[])
+static void SideShapeAddNeighbour_Private(const Side *side, PetscInt f, PetscInt i, PetscInt j, PetscReal sums[])
 {
   const PetscInt   dim = side->level->dim;
   const PetscReal *n = &side->shape->normal[(f * F + i) * dim], *m = &side->shape->normal[(f * F + j) * dim];
   PetscReal        dx[3], dn[3], along, across, square, most = 0;
 
   for (PetscInt k = 0; k < dim; ++k) {
-    dx[k] = Position_Private(side, f, j)[k] - Position_Private(side, f, i)[k];
+    dx[k] = SideShapePosition_Private(side, f, j)[k] - SideShapePosition_Private(side, f, i)[k];
     dn[k] = m[k] - n[k];
   }
-  along  = Dot_Private(dim, dx, n);
-  across = Dot_Private(dim, dn, n);
+  along  = VectorDot(dim, dx, n);
+  across = VectorDot(dim, dn, n);
   for (PetscInt k = 0; k < dim; ++k) {
     dx[k] -= along * n[k];
     dn[k] -= across * n[k];
     most = PetscMax(most, PetscAbsReal(dn[k]));
   }
-  square = Dot_Private(dim, dx, dx);
+  square = VectorDot(dim, dx, dx);
   for (PetscInt k = 0; k < dim * dim && square > 0; ++k) {
     sums[k] += dx[k / dim] * dx[k % dim] / square;
     if (most > FLAT) sums[dim * dim + k] += dn[k / dim] * dx[k % dim] / square;
@@ -260,7 +258,7 @@ static void AddNeighbour_Private(const Side *side, PetscInt f, PetscInt i, Petsc
 }
 
 /* Eigenvector of the larger eigenvalue of a symmetric matrix of the plane; its smaller eigenvalue over the larger. */
-static PetscReal Principal_Private(const PetscReal A[4], PetscReal d[2])
+static PetscReal SideShapePrincipal_Private(const PetscReal A[4], PetscReal d[2])
 {
   const PetscReal mean = 0.5 * (A[0] + A[3]), half = 0.5 * (A[0] - A[3]), off = 0.5 * (A[1] + A[2]);
   const PetscReal radius = PetscSqrtReal(half * half + off * off), angle = 0.5 * PetscAtan2Real(off, half);
@@ -272,7 +270,7 @@ static PetscReal Principal_Private(const PetscReal A[4], PetscReal d[2])
 
 /* S with S dx = dn for all neighbours in the mean; along a line of them alone where there are no others. Returns whether there are.
    [in] sums - [2][dim][dim]; [out] S - [dim][dim] */
-static PetscBool FitCurvature_Private(PetscInt dim, const PetscReal n[], const PetscReal sums[], PetscReal S[])
+static PetscBool SideShapeFitCurvature_Private(PetscInt dim, const PetscReal n[], const PetscReal sums[], PetscReal S[])
 {
   PetscReal Q[9], X[4] = {0}, N[4] = {0}, T[4] = {0}, d[2];
   PetscBool full = PETSC_TRUE;
@@ -291,7 +289,7 @@ static PetscBool FitCurvature_Private(PetscInt dim, const PetscReal n[], const P
   if (dim == 2) {
     full = (PetscBool)(X[0] > 0);
     T[0] = full ? N[0] / X[0] : 0;
-  } else if (Principal_Private(X, d) < ON_A_LINE) {
+  } else if (SideShapePrincipal_Private(X, d) < ON_A_LINE) {
     const PetscReal size = X[0] + X[3], s[2] = {N[0] * d[0] + N[1] * d[1], N[2] * d[0] + N[3] * d[1]};
 
     full = PETSC_FALSE;
@@ -314,7 +312,7 @@ static PetscBool FitCurvature_Private(PetscInt dim, const PetscReal n[], const P
 
 /* Curvatures of all corners. Collective. [in] inner - from inner nodes of patches alone; [out] known - 1 where they are in all
    directions [num][F], or NULL */
-static PetscErrorCode SetCurvatures_Private(Side *side, PetscBool inner, PetscReal known[])
+static PetscErrorCode SideShapeSetCurvatures_Private(Side *side, PetscBool inner, PetscReal known[])
 {
   const PetscInt dim = side->level->dim;
   PetscReal     *sums;
@@ -327,16 +325,16 @@ static PetscErrorCode SetCurvatures_Private(Side *side, PetscBool inner, PetscRe
     for (PetscInt i = 0; i < n; ++i) {
       for (PetscInt j = 0; j < n; ++j) {
         if (i == j || (inner && side->share[f * F + j] < INNER)) continue;
-        AddNeighbour_Private(side, f, i, j, &sums[(f * F + i) * 2 * dim * dim]);
+        SideShapeAddNeighbour_Private(side, f, i, j, &sums[(f * F + i) * 2 * dim * dim]);
       }
     }
   }
-  PetscCall(SumAtNodes_Private(side, 2 * dim * dim, side->shape->ridge, sums));
+  PetscCall(SideShapeSumAtNodes_Private(side, 2 * dim * dim, side->shape->ridge, sums));
   for (PetscInt f = 0; f < side->facets->num; ++f) {
     for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); ++i) {
       const PetscInt  c    = f * F + i;
-      const PetscBool full = FitCurvature_Private(dim, &side->shape->normal[c * dim], &sums[c * 2 * dim * dim],
-                                                  &side->shape->curvature[c * dim * dim]);
+      const PetscBool full = SideShapeFitCurvature_Private(dim, &side->shape->normal[c * dim], &sums[c * 2 * dim * dim],
+                                                           &side->shape->curvature[c * dim * dim]);
 
       if (known) known[c] = full && side->share[c] >= INNER ? 1 : 0;
     }
@@ -347,24 +345,25 @@ static PetscErrorCode SetCurvatures_Private(Side *side, PetscBool inner, PetscRe
 
 /* The normal at corner i as its neighbour j has it: turned by the curvature, or else mirrored at the plane between them. Both are
    exact on circles and spheres, and the first on cylinders. Returns whether it turns at all. */
-static PetscBool TurnNormal_Private(const Side *side, PetscInt f, PetscInt i, PetscInt j, PetscBool known,
-                                    PetscReal n[])
+static PetscBool SideShapeTurnNormal_Private(const Side *side, PetscInt f, PetscInt i, PetscInt j, PetscBool known,
+                                             PetscReal n[])
 {
   const PetscInt   dim = side->level->dim;
   const PetscReal *m = &side->shape->normal[(f * F + j) * dim], *S = &side->shape->curvature[(f * F + j) * dim * dim];
   PetscReal        dx[3] = {0}, t[3] = {0}, square, along;
 
-  for (PetscInt k = 0; k < dim; ++k) dx[k] = Position_Private(side, f, i)[k] - Position_Private(side, f, j)[k];
+  for (PetscInt k = 0; k < dim; ++k)
+    dx[k] = SideShapePosition_Private(side, f, i)[k] - SideShapePosition_Private(side, f, j)[k];
   for (PetscInt k = 0; k < dim * dim; ++k) t[k / dim] += S[k] * dx[k % dim];
-  square = Dot_Private(dim, t, t);
-  along  = Dot_Private(dim, m, dx) / Dot_Private(dim, dx, dx);
+  square = VectorDot(dim, t, t);
+  along  = VectorDot(dim, m, dx) / VectorDot(dim, dx, dx);
   for (PetscInt k = 0; k < dim; ++k)
     n[k] = known && square < 1 ? t[k] + PetscSqrtReal(1 - square) * m[k] : m[k] - 2 * along * dx[k];
-  return (PetscBool)(PetscMax(square, PetscSqr(along) * Dot_Private(dim, dx, dx)) > FLAT * FLAT);
+  return (PetscBool)(PetscMax(square, PetscSqr(along) * VectorDot(dim, dx, dx)) > FLAT * FLAT);
 }
 
 /* Whether two nodes of a facet lie on a line of its lattice: a mirror between others is not that of a cylinder. */
-static PetscBool OnOneLine_Private(ElementType type, PetscInt i, PetscInt j)
+static PetscBool SideShapeOnOneLine_Private(ElementType type, PetscInt i, PetscInt j)
 {
   const PetscReal *a = ElementNode(type, i), *b = ElementNode(type, j);
 
@@ -374,7 +373,7 @@ static PetscBool OnOneLine_Private(ElementType type, PetscInt i, PetscInt j)
 
 /* Normals at the ends of patches, where facets on one side alone would tilt them: from neighbours that have more
    around them. Collective. [in] least, most - share of those ends; known - of curvatures [num][F] */
-static PetscErrorCode SetEnds_Private(Side *side, PetscReal least, PetscReal most, const PetscReal known[])
+static PetscErrorCode SideShapeSetEnds_Private(Side *side, PetscReal least, PetscReal most, const PetscReal known[])
 {
   const PetscInt dim = side->level->dim;
   PetscReal     *normals, n[3];
@@ -390,13 +389,13 @@ static PetscErrorCode SetEnds_Private(Side *side, PetscReal least, PetscReal mos
       if (share < least || share >= most) continue;
       for (PetscInt j = 0; j < num; ++j) {
         if (side->share[f * F + j] < share + FULLER) continue;
-        if (known[f * F + j] == 0 && !OnOneLine_Private(side->facets->type[f], i, j)) continue;
-        if (!TurnNormal_Private(side, f, i, j, (PetscBool)(known[f * F + j] > 0), n)) continue;
+        if (known[f * F + j] == 0 && !SideShapeOnOneLine_Private(side->facets->type[f], i, j)) continue;
+        if (!SideShapeTurnNormal_Private(side, f, i, j, (PetscBool)(known[f * F + j] > 0), n)) continue;
         for (PetscInt k = 0; k < dim; ++k) normals[(f * F + i) * dim + k] += n[k];
       }
     }
   }
-  PetscCall(SumAtNodes_Private(side, dim, side->shape->ridge, normals));
+  PetscCall(SideShapeSumAtNodes_Private(side, dim, side->shape->ridge, normals));
   for (PetscInt c = 0; c < side->facets->num * F; ++c) {
     if (FrameNormalize(dim, &normals[c * dim]) > 0)
       PetscCall(PetscArraycpy(&side->shape->normal[c * dim], &normals[c * dim], dim));
@@ -406,7 +405,7 @@ static PetscErrorCode SetEnds_Private(Side *side, PetscReal least, PetscReal mos
 }
 
 /* Whether facets of one patch meet at an angle, or are curved, anywhere. Collective. */
-static PetscErrorCode Turns_Private(const Side *side, PetscBool *turns)
+static PetscErrorCode SideShapeTurns_Private(const Side *side, PetscBool *turns)
 {
   const PetscInt dim = side->level->dim;
 
@@ -441,18 +440,18 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, SideShape *sh
   shape->num = facets->num;
   PetscCall(PetscCalloc3(num * dim, &shape->normal, num * dim * dim, &shape->curvature, num, &shape->ridge));
   PetscCall(PetscCalloc3(num * dim, &side.weighted, num, &side.share, num, &known));
-  SetCorners_Private(&side);
+  SideShapeSetCorners_Private(&side);
   PetscCall(PetscArraycpy(shape->normal, side.weighted, num * dim));
-  PetscCall(SumAtNodes_Private(&side, dim, NULL, shape->normal));
+  PetscCall(SideShapeSumAtNodes_Private(&side, dim, NULL, shape->normal));
   for (PetscInt c = 0; c < num; ++c) FrameNormalize(dim, &shape->normal[c * dim]);
-  PetscCall(SplitPatches_Private(&side));
-  PetscCall(Turns_Private(&side, &turns));
+  PetscCall(SideShapeSplitPatches_Private(&side));
+  PetscCall(SideShapeTurns_Private(&side, &turns));
   if (turns) {
-    PetscCall(SumAtNodes_Private(&side, 1, shape->ridge, side.share));
-    PetscCall(SetCurvatures_Private(&side, PETSC_TRUE, known));
-    PetscCall(SetEnds_Private(&side, END, INNER, known));
-    PetscCall(SetEnds_Private(&side, 0, END, known));
-    PetscCall(SetCurvatures_Private(&side, PETSC_FALSE, NULL));
+    PetscCall(SideShapeSumAtNodes_Private(&side, 1, shape->ridge, side.share));
+    PetscCall(SideShapeSetCurvatures_Private(&side, PETSC_TRUE, known));
+    PetscCall(SideShapeSetEnds_Private(&side, END, INNER, known));
+    PetscCall(SideShapeSetEnds_Private(&side, 0, END, known));
+    PetscCall(SideShapeSetCurvatures_Private(&side, PETSC_FALSE, NULL));
   }
   PetscCall(PetscFree3(side.weighted, side.share, known));
   PetscFunctionReturn(PETSC_SUCCESS);
