@@ -75,7 +75,7 @@ static PetscErrorCode SolveScene(MortiseExit *verdict)
   PetscCall(SceneSetFromOptions(scene));
   PetscCall(SceneCheckUnused(scene, PETSC_TRUE));
   PetscCall(OutputCheck(scene));
-  PetscCall(PageCheck(scene));
+  PetscCall(HTMLReportCheck(scene));
   PetscCall(LogStageEnd(STAGE_SETUP));
   if (scene->study.kind == STUDY_NONE)
     PetscCall(SolveOnce(scene, verdict));
@@ -247,7 +247,7 @@ int main(int argc, char **argv)
   MPI_Finalize();
   if (rank)
     return MORTISE_SOLVED; // a launcher ends the others, at work on a page, as soon as one rank reports a mishap
-  if (verdict != MORTISE_USER_ERROR && verdict != MORTISE_FAILED && !PageWrite() && verdict == MORTISE_SOLVED)
+  if (verdict != MORTISE_USER_ERROR && verdict != MORTISE_FAILED && !HTMLReportWrite() && verdict == MORTISE_SOLVED)
     verdict = MORTISE_FAILED;
   return verdict;
 }

@@ -1,7 +1,7 @@
-/* rigidmodes.c -- which rigid motions do supports leave to a piece of a body?
+/* rigidmodes.c -- which rigid modes do supports leave to a piece of a body?
 
    The rows (d, d.rotation(x)) of all held directions d at places x, rotations taken about the piece's centre and scaled by half
-   its size, span all rigid motions exactly if none is left. What they do not span is the kernel of their Gram matrix. */
+   its size, span all rigid modes exactly if none is left. What they do not span is the kernel of their Gram matrix. */
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "mesh/rigidmodes.h"
@@ -25,7 +25,7 @@ static void Frames_Private(const Pieces *pieces, PetscReal frames[])
   }
 }
 
-/* The components (t, r) that are rigid motions of a body of this model. [out] components - [RIGID_COMPONENTS] */
+/* The components (t, r) that are rigid modes of a body of this model. [out] components - [RIGID_COMPONENTS] */
 static PetscInt Components_Private(ModelKind model, PetscInt components[])
 {
   static const PetscInt plane[] = {0, 1, 5};
@@ -54,22 +54,22 @@ static void Row_Private(PetscInt dim, const PetscReal frame[], const PetscReal x
   }
 }
 
-void RigidMotionAt(PetscInt dim, const PetscReal frame[], const PetscReal motion[], const PetscReal x[], PetscReal u[])
+void RigidModesAt(PetscInt dim, const PetscReal frame[], const PetscReal mode[], const PetscReal x[], PetscReal u[])
 {
-  const PetscReal *r    = &motion[3];
+  const PetscReal *r    = &mode[3];
   PetscReal        a[3] = {0, 0, 0};
 
   for (PetscInt k = 0; k < dim; ++k) a[k] = (x[k] - frame[k]) / frame[3];
   for (PetscInt k = 0; k < dim; ++k) {
     const PetscInt i = (k + 1) % 3, j = (k + 2) % 3;
 
-    u[k] = motion[k] + r[i] * a[j] - r[j] * a[i];
+    u[k] = mode[k] + r[i] * a[j] - r[j] * a[i];
   }
 }
 
 /* The kernel of one piece's Gram matrix, appended to the list. [in,out] gram - [n][n] */
 static void AddMotions_Private(PetscInt piece, PetscInt n, const PetscInt components[], PetscReal gram[],
-                               RigidMotions *motions)
+                               RigidModes *modes)
 {
   PetscReal values[RIGID_COMPONENTS], V[RIGID_COMPONENTS * RIGID_COMPONENTS], largest = 0;
 
@@ -77,51 +77,50 @@ static void AddMotions_Private(PetscInt piece, PetscInt n, const PetscInt compon
   for (PetscInt i = 0; i < n; ++i) largest = PetscMax(largest, values[i]);
   for (PetscInt i = 0; i < n; ++i) {
     if (values[i] > RANK_TOLERANCE * largest) continue;
-    for (PetscInt k = 0; k < n; ++k) motions->motion[motions->num * RIGID_COMPONENTS + components[k]] = V[k * n + i];
-    motions->piece[motions->num++]                 = piece;
-    motions->loose[piece]                          = PETSC_TRUE;
-    motions->floating[motions->pieces.body[piece]] = PETSC_TRUE;
+    for (PetscInt k = 0; k < n; ++k) modes->mode[modes->num * RIGID_COMPONENTS + components[k]] = V[k * n + i];
+    modes->piece[modes->num++]                 = piece;
+    modes->loose[piece]                        = PETSC_TRUE;
+    modes->floating[modes->pieces.body[piece]] = PETSC_TRUE;
   }
 }
 
-PetscErrorCode RigidMotionsCreate(Level *level, const Support *support, PetscInt num_bodies, RigidMotions *motions)
+PetscErrorCode RigidModesCreate(Level *level, const Support *support, PetscInt num_bodies, RigidModes *modes)
 {
   const PetscInt dim = level->dim;
   PetscInt       components[RIGID_COMPONENTS], n, block, num;
   PetscReal     *gram;
 
   PetscFunctionBeginUser;
-  PetscCall(PiecesCreate(level, &motions->pieces));
-  n                   = Components_Private(level->scene->model, components);
-  num                 = motions->pieces.num;
-  block               = n * n;
-  motions->num_bodies = num_bodies;
-  motions->num        = 0;
-  PetscCall(PetscCalloc5(4 * num, &motions->frames, num, &motions->loose, num_bodies, &motions->floating, n * num,
-                         &motions->piece, n * num * RIGID_COMPONENTS, &motions->motion));
+  PetscCall(PiecesCreate(level, &modes->pieces));
+  n                 = Components_Private(level->scene->model, components);
+  num               = modes->pieces.num;
+  block             = n * n;
+  modes->num_bodies = num_bodies;
+  modes->num        = 0;
+  PetscCall(PetscCalloc5(4 * num, &modes->frames, num, &modes->loose, num_bodies, &modes->floating, n * num,
+                         &modes->piece, n * num * RIGID_COMPONENTS, &modes->mode));
   PetscCall(PetscCalloc1(block * num, &gram));
-  Frames_Private(&motions->pieces, motions->frames);
+  Frames_Private(&modes->pieces, modes->frames);
   for (PetscInt a = 0; a < level->num_owned; ++a) {
-    const PetscInt i = motions->pieces.of_node[a];
+    const PetscInt i = modes->pieces.of_node[a];
 
     for (PetscInt j = 0; j < support->count[a]; ++j) {
       PetscReal row[RIGID_COMPONENTS];
 
-      Row_Private(dim, &motions->frames[4 * i], &level->coords[a * dim], &support->directions[(a * dim + j) * dim],
-                  row);
+      Row_Private(dim, &modes->frames[4 * i], &level->coords[a * dim], &support->directions[(a * dim + j) * dim], row);
       for (PetscInt k = 0; k < block; ++k) gram[i * block + k] += row[components[k / n]] * row[components[k % n]];
     }
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, gram, (PetscMPIInt)(block * num), MPIU_REAL, MPI_SUM, level->comm));
-  for (PetscInt i = 0; i < num; ++i) AddMotions_Private(i, n, components, &gram[i * block], motions);
+  for (PetscInt i = 0; i < num; ++i) AddMotions_Private(i, n, components, &gram[i * block], modes);
   PetscCall(PetscFree(gram));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode RigidMotionsDestroy(RigidMotions *motions)
+PetscErrorCode RigidModesDestroy(RigidModes *modes)
 {
   PetscFunctionBeginUser;
-  PetscCall(PiecesDestroy(&motions->pieces));
-  PetscCall(PetscFree5(motions->frames, motions->loose, motions->floating, motions->piece, motions->motion));
+  PetscCall(PiecesDestroy(&modes->pieces));
+  PetscCall(PetscFree5(modes->frames, modes->loose, modes->floating, modes->piece, modes->mode));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

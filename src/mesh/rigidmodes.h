@@ -18,13 +18,13 @@ typedef struct {
   PetscBool *floating; /* bodies with such a piece [num_bodies] */
   PetscInt   num;      /* motions of all pieces */
   PetscInt  *piece;    /* whose each is, ascending [num] */
-  PetscReal *motion;   /* orthonormal within a piece [num][RIGID_COMPONENTS] */
-} RigidMotions;
+  PetscReal *mode;     /* orthonormal within a piece [num][RIGID_COMPONENTS] */
+} RigidModes;
 
 /* The motions of each piece that leave its held directions alone. The same on all ranks. Collective. */
-PetscErrorCode RigidMotionsCreate(Level *level, const Support *support, PetscInt num_bodies, RigidMotions *motions);
-PetscErrorCode RigidMotionsDestroy(RigidMotions *motions);
+PetscErrorCode RigidModesCreate(Level *level, const Support *support, PetscInt num_bodies, RigidModes *modes);
+PetscErrorCode RigidModesDestroy(RigidModes *modes);
 /* Where a motion takes a point. [in] frame - c and s; [in] x - [dim]; [out] u - [dim] */
-void RigidMotionAt(PetscInt dim, const PetscReal frame[], const PetscReal motion[], const PetscReal x[], PetscReal u[]);
+void RigidModesAt(PetscInt dim, const PetscReal frame[], const PetscReal mode[], const PetscReal x[], PetscReal u[]);
 
 #endif

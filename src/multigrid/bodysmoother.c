@@ -86,7 +86,7 @@ static PetscErrorCode SetWeights_Private(VI vi, Apart *apart)
   PetscCall(VecReciprocal(apart->w));
   PetscCall(VecScale(apart->w, vi->stiffness));
   PetscCall(PetscCalloc1(vi->level->dim * vi->level->num_owned, &apart->alone));
-  PetscCall(VIMarkHeld(vi, apart->alone));
+  PetscCall(VIMarkFixedDisplacements(vi, apart->alone));
   PetscCall(VecGetArray(apart->w, &w));
   for (PetscInt i = 0; i < vi->num_fixed; i++)
     if (apart->alone[vi->fixed_local[i]]) w[vi->fixed_local[i]] = 0;
@@ -138,7 +138,7 @@ PetscErrorCode ApartCreate(VI vi, Mat *inverse)
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&apart));
-  PetscCall(VICreateInverse(vi, &apart->inverse));
+  PetscCall(VICreateInverseBasis(vi, &apart->inverse));
   PetscCall(CreateE_Private(apart->inverse, &apart->E));
   PetscCall(MatCreateVecs(vi->K, &apart->w, &apart->s));
   PetscCall(VecDuplicate(apart->w, &apart->t));

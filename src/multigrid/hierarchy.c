@@ -97,9 +97,9 @@ static PetscErrorCode CreateProlongation_Private(VI coarse, VI fine, Mat *P, Vec
   } else {
     *P = blocks;
   }
-  PetscCall(VIMultiplyInverse(fine, P));
-  PetscCall(VICreateOpen(fine, &open[0]));
-  PetscCall(VICreateOpen(coarse, &open[1]));
+  PetscCall(VIMultiplyInverseBasis(fine, P));
+  PetscCall(VICreateFreeMask(fine, &open[0]));
+  PetscCall(VICreateFreeMask(coarse, &open[1]));
   PetscCall(CreateLift_Private(coarse, fine, *P, open, lift));
   PetscCall(MatDiagonalScale(*P, open[0], open[1]));
   PetscCall(VecDestroy(&open[0]));

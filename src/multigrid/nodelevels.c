@@ -51,7 +51,7 @@ PetscErrorCode AlgebraicBegin(VI vi, Points *points)
   PetscCall(PetscMalloc1(n, &points->x));
   PetscCall(PetscArraycpy(points->x, level->coords, n));
   PetscCall(PetscCalloc1(n, &points->held));
-  PetscCall(VIMarkHeld(vi, points->held));
+  PetscCall(VIMarkFixedDisplacements(vi, points->held));
   for (PetscInt c = 0; c < level->num_cells; c++)
     if (ElementOrder((ElementType)level->cell_type[c]) > 1) higher = PETSC_TRUE;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &higher, 1, MPIU_BOOL, MPI_LOR, level->comm));
@@ -123,8 +123,8 @@ static PetscErrorCode Truncate_Private(VI vi, const PetscBool was_held[], PetscB
   PetscInt     n;
 
   PetscFunctionBeginUser;
-  PetscCall(VIMultiplyInverse(vi, P));
-  PetscCall(VICreateOpen(vi, &is));
+  PetscCall(VIMultiplyInverseBasis(vi, P));
+  PetscCall(VICreateFreeMask(vi, &is));
   PetscCall(Drop_Private(*P, is, held, &keep));
   PetscCall(MatDiagonalScale(*P, NULL, keep));
   PetscCall(MatDiagonalScale(Ac, keep, keep));

@@ -4,7 +4,7 @@
 
 /* Pressure, gap and status of all pairs at once, one after the other: a node in several pairs shows the sum of its pressures,
    the smallest gap, and the closest status. */
-static PetscErrorCode TellContact_Private(Picture *picture, Fields fields)
+static PetscErrorCode TellContact_Private(FieldWriter *writer, Fields fields)
 {
   const PetscInt n = fields->vi->level->num_owned;
   PetscReal     *merged[3];
@@ -26,9 +26,9 @@ static PetscErrorCode TellContact_Private(Picture *picture, Fields fields)
     }
     PetscCall(PairFieldsDestroy(&nodal));
   }
-  PetscCall(PicturePoints(picture, (Quantity){"pressure", 1, PETSC_FALSE}, 1, merged[0]));
-  PetscCall(PicturePoints(picture, (Quantity){"gap", 1, PETSC_FALSE}, 1, merged[1]));
-  PetscCall(PicturePoints(picture, (Quantity){"status", 1, PETSC_TRUE}, 1, merged[2]));
+  PetscCall(FieldWriterPoints(writer, (Quantity){"pressure", 1, PETSC_FALSE}, 1, merged[0]));
+  PetscCall(FieldWriterPoints(writer, (Quantity){"gap", 1, PETSC_FALSE}, 1, merged[1]));
+  PetscCall(FieldWriterPoints(writer, (Quantity){"status", 1, PETSC_TRUE}, 1, merged[2]));
   PetscCall(PetscFree3(merged[0], merged[1], merged[2]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -48,7 +48,7 @@ static void VonMises_Private(const PetscReal stress[6], PetscReal mises[1])
 }
 
 /* The stress tensor, and what is computed from it. */
-static PetscErrorCode TellStress_Private(Picture *picture, Fields fields)
+static PetscErrorCode TellStress_Private(FieldWriter *writer, Fields fields)
 {
   static const struct {
     Quantity quantity;
@@ -67,7 +67,7 @@ static PetscErrorCode TellStress_Private(Picture *picture, Fields fields)
 
     PetscCall(PetscMalloc1(n * size, &values));
     for (PetscInt a = 0; a < n; ++a) told[i].of(&stress[a * 6], &values[a * size]);
-    PetscCall(PicturePoints(picture, told[i].quantity, size, values));
+    PetscCall(FieldWriterPoints(writer, told[i].quantity, size, values));
     PetscCall(PetscFree(values));
   }
   PetscCall(VecRestoreArrayRead(fields->stress, &stress));
@@ -75,7 +75,7 @@ static PetscErrorCode TellStress_Private(Picture *picture, Fields fields)
 }
 
 /* The bodies as they are meshed. [out] tags - pieces of all cells, on the first rank; owned by the caller */
-static PetscErrorCode TellMesh_Private(Picture *picture, VI vi, PetscReal **tags)
+static PetscErrorCode TellMesh_Private(FieldWriter *writer, VI vi, PetscReal **tags)
 {
   const Level   *level = vi->level;
   const PetscInt size  = level->cell_start[level->num_cells];
@@ -85,69 +85,70 @@ static PetscErrorCode TellMesh_Private(Picture *picture, VI vi, PetscReal **tags
   PetscCall(PetscMalloc2(size, &nodes, level->num_cells, &piece));
   for (PetscInt i = 0; i < size; ++i) nodes[i] = level->node_global[level->cell_nodes[i]];
   for (PetscInt c = 0; c < level->num_cells; ++c)
-    piece[c] = vi->motions.pieces.of_node[level->cell_nodes[level->cell_start[c]]];
-  PetscCall(PictureMesh(picture,
-                        &(PicturePart){.dim        = level->dim,
-                                       .num_points = level->num_owned,
-                                       .coords     = level->coords,
-                                       .num_cells  = level->num_cells,
-                                       .cell_type  = level->cell_type,
-                                       .cell_tag   = piece,
-                                       .cell_nodes = nodes},
-                        tags));
+    piece[c] = vi->rigid_modes.pieces.of_node[level->cell_nodes[level->cell_start[c]]];
+  PetscCall(FieldWriterMesh(writer,
+                            &(FieldMesh){.dim        = level->dim,
+                                         .num_points = level->num_owned,
+                                         .coords     = level->coords,
+                                         .num_cells  = level->num_cells,
+                                         .cell_type  = level->cell_type,
+                                         .cell_tag   = piece,
+                                         .cell_nodes = nodes},
+                            tags));
   PetscCall(PetscFree2(nodes, piece));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The body of each cell, and where one is of several pieces the piece. */
-static PetscErrorCode TellCells_Private(Picture *picture, VI vi, const PetscReal tags[])
+static PetscErrorCode TellCells_Private(FieldWriter *writer, VI vi, const PetscReal tags[])
 {
-  const Pieces  *pieces = &vi->motions.pieces;
-  const PetscInt num    = picture->rank == 0 ? picture->num_cells : 0;
+  const Pieces  *pieces = &vi->rigid_modes.pieces;
+  const PetscInt num    = writer->rank == 0 ? writer->num_cells : 0;
   PetscReal     *body;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(num, &body));
   for (PetscInt c = 0; c < num; ++c) body[c] = (PetscReal)pieces->body[(PetscInt)tags[c]];
-  PetscCall(PictureCells(picture, (Quantity){"body", 1, PETSC_TRUE}, body));
+  PetscCall(FieldWriterCells(writer, (Quantity){"body", 1, PETSC_TRUE}, body));
   PetscCall(PetscFree(body));
-  if (pieces->num > vi->motions.num_bodies) PetscCall(PictureCells(picture, (Quantity){"piece", 1, PETSC_TRUE}, tags));
+  if (pieces->num > vi->rigid_modes.num_bodies)
+    PetscCall(FieldWriterCells(writer, (Quantity){"piece", 1, PETSC_TRUE}, tags));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PictureTellFields(Picture *picture, Fields fields)
+PetscErrorCode BodyFieldsWrite(FieldWriter *writer, Fields fields)
 {
   const PetscReal *u;
   PetscReal       *tags;
 
   PetscFunctionBeginUser;
-  PetscCall(TellMesh_Private(picture, fields->vi, &tags));
+  PetscCall(TellMesh_Private(writer, fields->vi, &tags));
   PetscCall(VecGetArrayRead(fields->u, &u));
-  PetscCall(PicturePoints(picture, (Quantity){"displacement", 3, PETSC_FALSE}, fields->vi->level->dim, u));
+  PetscCall(FieldWriterPoints(writer, (Quantity){"displacement", 3, PETSC_FALSE}, fields->vi->level->dim, u));
   PetscCall(VecRestoreArrayRead(fields->u, &u));
-  PetscCall(TellStress_Private(picture, fields));
-  PetscCall(TellContact_Private(picture, fields));
-  PetscCall(TellCells_Private(picture, fields->vi, tags));
+  PetscCall(TellStress_Private(writer, fields));
+  PetscCall(TellContact_Private(writer, fields));
+  PetscCall(TellCells_Private(writer, fields->vi, tags));
   PetscCall(PetscFree(tags));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PictureTellMotion(Picture *picture, VI vi, const SceneMotion *motion)
+PetscErrorCode BodyFieldsWriteMotion(FieldWriter *writer, VI vi, const SceneMotion *motion)
 {
   const Level *level = vi->level;
   PetscReal   *u, *tags;
 
   PetscFunctionBeginUser;
-  PetscCall(TellMesh_Private(picture, vi, &tags));
+  PetscCall(TellMesh_Private(writer, vi, &tags));
   PetscCall(PetscCalloc1(level->num_owned * level->dim, &u));
   for (PetscInt i = 0; i < motion->num; ++i) {
     for (PetscInt a = 0; a < level->num_owned; ++a)
-      if (vi->motions.pieces.of_node[a] == motion->bodies[i].piece)
+      if (vi->rigid_modes.pieces.of_node[a] == motion->bodies[i].piece)
         BodyMotionAt(&motion->bodies[i], level->dim, &level->coords[a * level->dim], &u[a * level->dim]);
   }
-  PetscCall(PicturePoints(picture, (Quantity){"motion", 3, PETSC_FALSE}, level->dim, u));
+  PetscCall(FieldWriterPoints(writer, (Quantity){"motion", 3, PETSC_FALSE}, level->dim, u));
   PetscCall(PetscFree(u));
-  PetscCall(TellCells_Private(picture, vi, tags));
+  PetscCall(TellCells_Private(writer, vi, tags));
   PetscCall(PetscFree(tags));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -80,8 +80,8 @@ static PetscErrorCode GatherNodes_Private(Fields fields, PetscInt p, const Facet
     row[3] = nodal.pressure[a], row[4] = nodal.gap[a], row[5] = nodal.status[a], row[6] = nodal.force[a];
     ids[i] = level->node_global[a];
   }
-  PetscCall(GatherInts(level->comm, n, ids, num, &all_ids));
-  PetscCall(GatherReals(level->comm, n * SIDE_REALS, reals, NULL, &all_reals));
+  PetscCall(GatherArraysInt(level->comm, n, ids, num, &all_ids));
+  PetscCall(GatherArraysReal(level->comm, n * SIDE_REALS, reals, NULL, &all_reals));
   PetscCall(PetscMalloc1(*num, nodes));
   for (PetscInt i = 0; i < *num; ++i) {
     const PetscReal *row = &all_reals[i * SIDE_REALS];
@@ -140,8 +140,8 @@ static PetscErrorCode LinksCreate_Private(const Level *level, const Facets *face
       lengths[n++]    = Length_Private(type, X, ElementNode(type, a)[0], ElementNode(type, b)[0]);
     }
   }
-  PetscCall(GatherInts(level->comm, 2 * n, ends, NULL, &links->ends));
-  PetscCall(GatherReals(level->comm, n, lengths, &links->num, &links->length));
+  PetscCall(GatherArraysInt(level->comm, 2 * n, ends, NULL, &links->ends));
+  PetscCall(GatherArraysReal(level->comm, n, lengths, &links->num, &links->length));
   PetscCall(PetscFree2(ends, lengths));
   for (PetscInt i = 0; i < 2 * links->num; ++i) {
     const SideNode  key   = {.node = links->ends[i]};
@@ -265,7 +265,7 @@ static void WritePieces_Private(FILE *out, const SideNode nodes[], const PetscIn
   }
 }
 
-PetscErrorCode PairWriteCSV(Fields fields, PetscInt p, Files *files, const char final[])
+PetscErrorCode CSVWritePair(Fields fields, PetscInt p, FileSet *files, const char final[])
 {
   Level           *level = fields->vi->level;
   const SceneSide *side  = &fields->vi->pairs[p]->spec->nonmortar;
@@ -282,7 +282,7 @@ PetscErrorCode PairWriteCSV(Fields fields, PetscInt p, Files *files, const char 
   PetscCall(LevelGetFacets(level, fields->vi->scene, side->body, side->side, &facets));
   PetscCall(GatherNodes_Private(fields, p, &facets, &num_nodes, &nodes));
   if (level->dim == 2) PetscCall(LinksCreate_Private(level, &facets, num_nodes, nodes, &links));
-  if (rank == 0) PetscCall(FilesOpen(files, final, &out));
+  if (rank == 0) PetscCall(FileSetOpen(files, final, &out));
   if (out && level->dim == 2) {
     PetscCall(PetscMalloc2(num_nodes, &order, num_nodes, &pieces));
     PetscCall(OrderChains_Private(num_nodes, nodes, &links, order, &num_pieces, pieces));
@@ -296,7 +296,7 @@ PetscErrorCode PairWriteCSV(Fields fields, PetscInt p, Files *files, const char 
       fprintf(out, "\n");
     }
   }
-  PetscCall(FilesClose(files, &out));
+  PetscCall(FileSetClose(files, &out));
   PetscCall(PetscFree(nodes));
   PetscCall(LinksDestroy_Private(&links));
   PetscCall(FacetsDestroy(&facets));

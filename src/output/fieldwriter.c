@@ -5,47 +5,47 @@
 #include "output/fieldwriter.h"
 #include "base/compat.h"
 
-PetscErrorCode PictureOpen(MPI_Comm comm, const PictureFormat *format, Picture *picture)
+PetscErrorCode FieldWriterOpen(MPI_Comm comm, const FieldFormat *format, FieldWriter *writer)
 {
   char path[PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
-  picture->comm   = comm;
-  picture->format = format;
-  PetscCallMPI(MPI_Comm_rank(comm, &picture->rank));
-  if (picture->rank) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscSNPrintf(path, sizeof(path), "%s%s", picture->base, format->suffix));
-  PetscCall(FilesOpen(picture->files, path, &picture->out));
+  writer->comm   = comm;
+  writer->format = format;
+  PetscCallMPI(MPI_Comm_rank(comm, &writer->rank));
+  if (writer->rank) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscSNPrintf(path, sizeof(path), "%s%s", writer->base, format->suffix));
+  PetscCall(FileSetOpen(writer->files, path, &writer->out));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PictureClose(Picture *picture)
+PetscErrorCode FieldWriterClose(FieldWriter *writer)
 {
   PetscFunctionBeginUser;
-  if (picture->rank == 0) PetscCall(picture->format->end(picture));
+  if (writer->rank == 0) PetscCall(writer->format->end(writer));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Values of all points on the first rank, NULL elsewhere. [out] spare - what is to be freed */
-static PetscErrorCode GatherPoints_Private(const Picture *picture, PetscInt from, PetscInt to, const PetscReal mine[],
-                                           const PetscReal **all, PetscReal **spare)
+static PetscErrorCode GatherPoints_Private(const FieldWriter *writer, PetscInt from, PetscInt to,
+                                           const PetscReal mine[], const PetscReal **all, PetscReal **spare)
 {
   PetscReal  *padded = NULL, *gathered = NULL;
   PetscMPIInt ranks;
 
   PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Comm_size(picture->comm, &ranks));
-  if (picture->nodes || from != to) {
-    PetscCall(PetscCalloc1(picture->num_mine * to, &padded));
-    for (PetscInt i = 0; i < picture->num_mine; ++i) {
-      const PetscInt node = picture->nodes ? picture->nodes[i] : i;
+  PetscCallMPI(MPI_Comm_size(writer->comm, &ranks));
+  if (writer->nodes || from != to) {
+    PetscCall(PetscCalloc1(writer->num_mine * to, &padded));
+    for (PetscInt i = 0; i < writer->num_mine; ++i) {
+      const PetscInt node = writer->nodes ? writer->nodes[i] : i;
 
       for (PetscInt k = 0; k < PetscMin(from, to); ++k) padded[i * to + k] = mine[node * from + k];
     }
     mine = padded;
   }
   if (ranks > 1) {
-    PetscCall(GatherReals(picture->comm, picture->num_mine * to, mine, NULL, &gathered));
+    PetscCall(GatherArraysReal(writer->comm, writer->num_mine * to, mine, NULL, &gathered));
     PetscCall(PetscFree(padded));
   }
   *all   = ranks > 1 ? gathered : mine;
@@ -53,24 +53,24 @@ static PetscErrorCode GatherPoints_Private(const Picture *picture, PetscInt from
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PicturePoints(Picture *picture, Quantity quantity, PetscInt stride, const PetscReal mine[])
+PetscErrorCode FieldWriterPoints(FieldWriter *writer, Quantity quantity, PetscInt stride, const PetscReal mine[])
 {
   const PetscReal *all;
   PetscReal       *spare;
 
   PetscFunctionBeginUser;
-  PetscCall(GatherPoints_Private(picture, stride, quantity.components, mine, &all, &spare));
-  if (picture->out) PetscCall(picture->format->point(picture, &quantity, all));
-  picture->point[picture->num_point_quantities++] = quantity;
+  PetscCall(GatherPoints_Private(writer, stride, quantity.components, mine, &all, &spare));
+  if (writer->out) PetscCall(writer->format->point(writer, &quantity, all));
+  writer->point[writer->num_point_quantities++] = quantity;
   PetscCall(PetscFree(spare));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PictureCells(Picture *picture, Quantity quantity, const PetscReal all[])
+PetscErrorCode FieldWriterCells(FieldWriter *writer, Quantity quantity, const PetscReal all[])
 {
   PetscFunctionBeginUser;
-  if (picture->out) PetscCall(picture->format->cell(picture, &quantity, all));
-  picture->cell[picture->num_cell_quantities++] = quantity;
+  if (writer->out) PetscCall(writer->format->cell(writer, &quantity, all));
+  writer->cell[writer->num_cell_quantities++] = quantity;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -85,15 +85,15 @@ static void ViewerOrder_Private(ElementType type, const PetscInt nodes[], PetscI
 }
 
 /* Gathers and sorts, by counting. [out] cells, tags - on the first rank, empty elsewhere; owned by the caller */
-static PetscErrorCode GatherCells_Private(MPI_Comm comm, const PicturePart *part, SortedCells *cells, PetscReal **tags)
+static PetscErrorCode GatherCells_Private(MPI_Comm comm, const FieldMesh *part, SortedCells *cells, PetscReal **tags)
 {
   PetscInt *all_nodes, *all_types, *all_tags, *starts, num_cells, num_entries, size = 0, n = 0;
 
   PetscFunctionBeginUser;
   for (PetscInt c = 0; c < part->num_cells; ++c) size += ElementNumNodes((ElementType)part->cell_type[c]);
-  PetscCall(GatherInts(comm, size, part->cell_nodes, &num_entries, &all_nodes));
-  PetscCall(GatherInts(comm, part->num_cells, part->cell_type, &num_cells, &all_types));
-  PetscCall(GatherInts(comm, part->num_cells, part->cell_tag, NULL, &all_tags));
+  PetscCall(GatherArraysInt(comm, size, part->cell_nodes, &num_entries, &all_nodes));
+  PetscCall(GatherArraysInt(comm, part->num_cells, part->cell_type, &num_cells, &all_types));
+  PetscCall(GatherArraysInt(comm, part->num_cells, part->cell_tag, NULL, &all_tags));
   cells->num = num_cells;
   PetscCall(PetscMalloc3(num_cells + 1, &cells->start, num_entries, &cells->nodes, num_cells, &cells->type));
   PetscCall(PetscMalloc1(num_cells, tags));
@@ -117,18 +117,18 @@ static PetscErrorCode GatherCells_Private(MPI_Comm comm, const PicturePart *part
 }
 
 /* Global nodes of cells become positions among the points, where some nodes are none. */
-static PetscErrorCode NumberByPoints_Private(const Picture *picture, const PicturePart *part, SortedCells *cells)
+static PetscErrorCode NumberByPoints_Private(const FieldWriter *writer, const FieldMesh *part, SortedCells *cells)
 {
   PetscInt *ids, *all_ids, num;
   PetscBool some = (PetscBool)(part->global != NULL);
 
   PetscFunctionBeginUser;
   PetscCallMPI(
-      MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPIU_BOOL, MPI_LOR, picture->comm)); // NULL as well on a rank without nodes
+      MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPIU_BOOL, MPI_LOR, writer->comm)); // NULL as well on a rank without nodes
   if (!some) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(part->num_points, &ids));
   for (PetscInt i = 0; i < part->num_points; ++i) ids[i] = part->global[part->nodes[i]];
-  PetscCall(GatherInts(picture->comm, part->num_points, ids, &num, &all_ids));
+  PetscCall(GatherArraysInt(writer->comm, part->num_points, ids, &num, &all_ids));
   for (PetscInt i = 0; i < cells->start[cells->num]; ++i)
     PetscCall(PetscFindInt(cells->nodes[i], num, all_ids, &cells->nodes[i]));
   PetscCall(PetscFree(all_ids));
@@ -136,7 +136,7 @@ static PetscErrorCode NumberByPoints_Private(const Picture *picture, const Pictu
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PictureMesh(Picture *picture, const PicturePart *part, PetscReal **tags)
+PetscErrorCode FieldWriterMesh(FieldWriter *writer, const FieldMesh *part, PetscReal **tags)
 {
   PetscInt         sums[2] = {part->num_points, part->num_cells};
   SortedCells      cells;
@@ -144,18 +144,18 @@ PetscErrorCode PictureMesh(Picture *picture, const PicturePart *part, PetscReal 
   PetscReal       *spare;
 
   PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPIU_INT, MPI_SUM, picture->comm));
-  picture->num_points = sums[0];
-  picture->num_cells  = sums[1];
-  picture->num_mine   = part->num_points;
-  picture->nodes      = part->nodes;
-  if (picture->out) PetscCall(picture->format->begin(picture));
-  PetscCall(GatherPoints_Private(picture, part->dim, 3, part->coords, &positions, &spare));
-  if (picture->out) PetscCall(picture->format->points(picture, positions));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPIU_INT, MPI_SUM, writer->comm));
+  writer->num_points = sums[0];
+  writer->num_cells  = sums[1];
+  writer->num_mine   = part->num_points;
+  writer->nodes      = part->nodes;
+  if (writer->out) PetscCall(writer->format->begin(writer));
+  PetscCall(GatherPoints_Private(writer, part->dim, 3, part->coords, &positions, &spare));
+  if (writer->out) PetscCall(writer->format->points(writer, positions));
   PetscCall(PetscFree(spare));
-  PetscCall(GatherCells_Private(picture->comm, part, &cells, tags));
-  PetscCall(NumberByPoints_Private(picture, part, &cells));
-  if (picture->out) PetscCall(picture->format->cells(picture, &cells));
+  PetscCall(GatherCells_Private(writer->comm, part, &cells, tags));
+  PetscCall(NumberByPoints_Private(writer, part, &cells));
+  if (writer->out) PetscCall(writer->format->cells(writer, &cells));
   PetscCall(PetscFree3(cells.start, cells.nodes, cells.type));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,7 +1,7 @@
 /* fieldwriter.h -- the answer as a picture for viewers, written quantity by quantity: the first rank never holds more of it than
    one of them (floor 7, private to this room).
 
-   PictureOpen(); PictureMesh(); PicturePoints() and PictureCells() for each quantity, those of points first; PictureClose(). All
+   FieldWriterOpen(); FieldWriterMesh(); FieldWriterPoints() and FieldWriterCells() for each quantity, those of points first; FieldWriterClose(). All
    are collective. What goes wrong with a file is noted in files, and nothing is written any more. */
 #ifndef MORTISE_FIELDWRITER_H
 #define MORTISE_FIELDWRITER_H
@@ -17,7 +17,7 @@ typedef struct {
   PetscBool   integer; /* to be stored as whole numbers */
 } Quantity;
 
-enum { PICTURE_MAX_POINT_QUANTITIES = 7, PICTURE_MAX_CELL_QUANTITIES = 2 };
+enum { FIELD_WRITER_MAX_POINT_QUANTITIES = 7, FIELD_WRITER_MAX_CELL_QUANTITIES = 2 };
 
 /* Cells of all ranks, sorted by type, since readers of mixed meshes keep one block per type. */
 typedef struct {
@@ -28,43 +28,43 @@ typedef struct {
 } SortedCells;
 
 /* What the first rank knows of a picture that is being written. */
-typedef struct Picture Picture;
+typedef struct FieldWriter FieldWriter;
 
-/* A format: what it does with each part as it comes. First rank only, not collective; only while picture->out is open, but for
+/* A format: what it does with each part as it comes. First rank only, not collective; only while writer->out is open, but for
    end(), which may write other files that belong to it. */
 typedef struct {
   const char *suffix;
-  PetscErrorCode (*begin)(Picture *picture);                               /* numbers of points and cells are known */
-  PetscErrorCode (*points)(Picture *picture, const PetscReal positions[]); /* [num_points][3] */
-  PetscErrorCode (*cells)(Picture *picture, const SortedCells *cells);
-  PetscErrorCode (*point)(Picture *picture, const Quantity *quantity, const PetscReal values[]);
-  PetscErrorCode (*cell)(Picture *picture, const Quantity *quantity, const PetscReal values[]);
-  PetscErrorCode (*end)(Picture *picture);
-} PictureFormat;
+  PetscErrorCode (*begin)(FieldWriter *writer); /* numbers of points and cells are known */
+  PetscErrorCode (*points)(FieldWriter *writer, const PetscReal positions[]); /* [num_points][3] */
+  PetscErrorCode (*cells)(FieldWriter *writer, const SortedCells *cells);
+  PetscErrorCode (*point)(FieldWriter *writer, const Quantity *quantity, const PetscReal values[]);
+  PetscErrorCode (*cell)(FieldWriter *writer, const Quantity *quantity, const PetscReal values[]);
+  PetscErrorCode (*end)(FieldWriter *writer);
+} FieldFormat;
 
-extern const PictureFormat picture_hdf5, picture_vtu; /* HDF5 brings XDMF with it */
+extern const FieldFormat field_format_hdf5, field_format_vtu; /* HDF5 brings XDMF with it */
 
-struct Picture {
-  MPI_Comm             comm;
-  PetscMPIInt          rank;
-  const PictureFormat *format;
-  const char          *base;  /* of all names of files, without a suffix */
-  const char          *title; /* may be "" */
-  const char          *first; /* the quantities that a viewer is to take first, as attributes of VTK's PointData */
-  Files               *files;
-  FILE                *out;  /* NULL on other ranks, and when no file can be written */
-  void                *data; /* of the format */
-  PetscInt             num_points, num_cells;
-  PetscInt             num_mine;                                  /* points of this rank */
-  const PetscInt      *nodes;                                     /* of PictureMesh() */
-  PetscInt             num_point_quantities, num_cell_quantities; /* so far */
-  Quantity             point[PICTURE_MAX_POINT_QUANTITIES];
-  Quantity             cell[PICTURE_MAX_CELL_QUANTITIES];
+struct FieldWriter {
+  MPI_Comm           comm;
+  PetscMPIInt        rank;
+  const FieldFormat *format;
+  const char        *base;  /* of all names of files, without a suffix */
+  const char        *title; /* may be "" */
+  const char        *first; /* the quantities that a viewer is to take first, as attributes of VTK's PointData */
+  FileSet           *files;
+  FILE              *out;  /* NULL on other ranks, and when no file can be written */
+  void              *data; /* of the format */
+  PetscInt           num_points, num_cells;
+  PetscInt           num_mine;                                  /* points of this rank */
+  const PetscInt    *nodes;                                     /* of FieldWriterMesh() */
+  PetscInt           num_point_quantities, num_cell_quantities; /* so far */
+  Quantity           point[FIELD_WRITER_MAX_POINT_QUANTITIES];
+  Quantity           cell[FIELD_WRITER_MAX_CELL_QUANTITIES];
 };
 
 /* [in] picture - base, title, first and files, which stay the caller's while it is open */
-PetscErrorCode PictureOpen(MPI_Comm comm, const PictureFormat *format, Picture *picture);
-PetscErrorCode PictureClose(Picture *picture);
+PetscErrorCode FieldWriterOpen(MPI_Comm comm, const FieldFormat *format, FieldWriter *writer);
+PetscErrorCode FieldWriterClose(FieldWriter *writer);
 
 /* What this rank holds of the mesh. */
 typedef struct {
@@ -76,25 +76,25 @@ typedef struct {
   const PetscInt  *cell_type;  /* ElementType [num_cells] */
   const PetscInt  *cell_tag;   /* a whole number for each [num_cells] */
   const PetscInt  *cell_nodes; /* global, cell after cell, in the order of element.h */
-} PicturePart;
+} FieldMesh;
 
 /* Points, in the order of the ranks, and cells. nodes stays the caller's while the picture is open.
    [out] tags - of all cells as they are sorted, on the first rank; owned by the caller, PetscFree() */
-PetscErrorCode PictureMesh(Picture *picture, const PicturePart *part, PetscReal **tags);
+PetscErrorCode FieldWriterMesh(FieldWriter *writer, const FieldMesh *part, PetscReal **tags);
 
 /* A quantity of points, by this rank's nodes [][stride]; what a vector of the plane lacks is 0. */
-PetscErrorCode PicturePoints(Picture *picture, Quantity quantity, PetscInt stride, const PetscReal mine[]);
+PetscErrorCode FieldWriterPoints(FieldWriter *writer, Quantity quantity, PetscInt stride, const PetscReal mine[]);
 /* A quantity of cells, on the first rank [num_cells]. */
-PetscErrorCode PictureCells(Picture *picture, Quantity quantity, const PetscReal all[]);
+PetscErrorCode FieldWriterCells(FieldWriter *writer, Quantity quantity, const PetscReal all[]);
 
 /* The bodies with what happens to them, points in the order of global nodes. */
-PetscErrorCode PictureTellFields(Picture *picture, Fields fields);
+PetscErrorCode BodyFieldsWrite(FieldWriter *writer, Fields fields);
 /* The bodies where they are, with the motion for which there is no solution. */
-PetscErrorCode PictureTellMotion(Picture *picture, VI vi, const SceneMotion *motion);
+PetscErrorCode BodyFieldsWriteMotion(FieldWriter *writer, VI vi, const SceneMotion *motion);
 /* The nonmortar side of pair p with what happens on it, points in the order of global nodes. */
-PetscErrorCode PictureTellSurface(Picture *picture, Fields fields, PetscInt p);
+PetscErrorCode SurfaceFieldsWrite(FieldWriter *writer, Fields fields, PetscInt p);
 
 /* The nonmortar side of pair p as a table; collective. */
-PetscErrorCode PairWriteCSV(Fields fields, PetscInt p, Files *files, const char final[]);
+PetscErrorCode CSVWritePair(Fields fields, PetscInt p, FileSet *files, const char final[]);
 
 #endif

@@ -16,12 +16,12 @@ enum { FOLDER_MODE = 0777 }; /* what the user's umask leaves of it */
 
 static const char PART[] = ".part"; /* in the name of a temporary file, before the number of the process */
 
-static Files *unfinished; /* those that are being written, the latest first */
+static FileSet *unfinished; /* those that are being written, the latest first */
 
 /* Removes all temporary files. Signal handlers may call it: signals wait while lists change. */
 static void CleanUpFn(void)
 {
-  for (const Files *files = unfinished; files; files = files->next) {
+  for (const FileSet *files = unfinished; files; files = files->next) {
     for (PetscInt i = 0; i < files->num; ++i) {
       if (files->temporary[i]) (void)unlink(files->temporary[i]);
     }
@@ -29,7 +29,7 @@ static void CleanUpFn(void)
 }
 
 /* To the list of unfinished ones, or off it. Signals wait. */
-static void FilesBegin_Private(Files *files)
+static void FilesBegin_Private(FileSet *files)
 {
   if (files->capacity) return;
   files->next = unfinished;
@@ -37,9 +37,9 @@ static void FilesBegin_Private(Files *files)
   InterruptSetCleanUp(CleanUpFn);
 }
 
-static void FilesEnd_Private(Files *files)
+static void FilesEnd_Private(FileSet *files)
 {
-  for (Files **place = &unfinished; *place; place = &(*place)->next) {
+  for (FileSet **place = &unfinished; *place; place = &(*place)->next) {
     if (*place != files) continue;
     *place = files->next;
     return;
@@ -147,7 +147,7 @@ static void LeftoversRemove_Private(const char final[])
   (void)closedir(folder);
 }
 
-PetscErrorCode FilesFail(Files *files, const char path[], int error)
+PetscErrorCode FileSetFail(FileSet *files, const char path[], int error)
 {
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < files->num; ++i) {
@@ -160,7 +160,7 @@ PetscErrorCode FilesFail(Files *files, const char path[], int error)
 }
 
 /* Appends a file, which has no temporary name yet. Signals wait. */
-static PetscErrorCode FilesAppend_Private(Files *files, const char final[], size_t made)
+static PetscErrorCode FilesAppend_Private(FileSet *files, const char final[], size_t made)
 {
   PetscFunctionBeginUser;
   FilesBegin_Private(files);
@@ -176,7 +176,7 @@ static PetscErrorCode FilesAppend_Private(Files *files, const char final[], size
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FilesAdd(Files *files, const char final[], const char **temporary)
+PetscErrorCode FileSetAdd(FileSet *files, const char final[], const char **temporary)
 {
   size_t made;
   int    error;
@@ -186,7 +186,7 @@ PetscErrorCode FilesAdd(Files *files, const char final[], const char **temporary
   if (files->failure[0]) PetscFunctionReturn(PETSC_SUCCESS);
   error = FoldersCreate_Private(final, &made);
   if (error) {
-    PetscCall(FilesFail(files, final, error));
+    PetscCall(FileSetFail(files, final, error));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   LeftoversRemove_Private(final);
@@ -198,7 +198,7 @@ PetscErrorCode FilesAdd(Files *files, const char final[], const char **temporary
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FilesRemove(Files *files, const char final[])
+PetscErrorCode FileSetRemove(FileSet *files, const char final[])
 {
   PetscFunctionBeginUser;
   InterruptHold();
@@ -207,37 +207,37 @@ PetscErrorCode FilesRemove(Files *files, const char final[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FilesOpen(Files *files, const char final[], FILE **file)
+PetscErrorCode FileSetOpen(FileSet *files, const char final[], FILE **file)
 {
   const char *temporary;
 
   PetscFunctionBeginUser;
   *file = NULL;
-  PetscCall(FilesAdd(files, final, &temporary));
+  PetscCall(FileSetAdd(files, final, &temporary));
   if (!temporary) PetscFunctionReturn(PETSC_SUCCESS);
   *file = fopen(temporary, "wb");
-  if (!*file) PetscCall(FilesFail(files, temporary, errno));
+  if (!*file) PetscCall(FileSetFail(files, temporary, errno));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FilesClose(Files *files, FILE **file)
+PetscErrorCode FileSetClose(FileSet *files, FILE **file)
 {
   PetscFunctionBeginUser;
   if (*file) {
     const PetscBool bad = (PetscBool)(ferror(*file) || fflush(*file));
 
-    if (bad) PetscCall(FilesFail(files, files->temporary[files->num - 1], errno));
-    if (fclose(*file)) PetscCall(FilesFail(files, files->temporary[files->num - 1], errno));
+    if (bad) PetscCall(FileSetFail(files, files->temporary[files->num - 1], errno));
+    if (fclose(*file)) PetscCall(FileSetFail(files, files->temporary[files->num - 1], errno));
     *file = NULL;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Removes the file of a name; that there is none is as good. Folders cannot be removed, and so not be replaced. */
-static PetscErrorCode FileRemove_Private(Files *files, const char path[])
+static PetscErrorCode FileRemove_Private(FileSet *files, const char path[])
 {
   PetscFunctionBeginUser;
-  if (unlink(path) && errno != ENOENT) PetscCall(FilesFail(files, path, errno));
+  if (unlink(path) && errno != ENOENT) PetscCall(FileSetFail(files, path, errno));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -254,7 +254,7 @@ static PetscBool IsSpecial_Private(const char path[])
 }
 
 /* Gives all files their names, the mark last. */
-static PetscErrorCode FilesRename_Private(Files *files)
+static PetscErrorCode FilesRename_Private(FileSet *files)
 {
   struct stat info;
 
@@ -262,9 +262,9 @@ static PetscErrorCode FilesRename_Private(Files *files)
   for (PetscInt i = 0; i < files->num; ++i) {
     if (!files->temporary[i]) continue;
     if (stat(files->final[i], &info) == 0 && S_ISDIR(info.st_mode))
-      PetscCall(FilesFail(files, files->final[i], EISDIR));
-    if (IsSpecial_Private(files->final[i])) PetscCall(FilesFail(files, files->final[i], EEXIST));
-    if (access(files->temporary[i], F_OK)) PetscCall(FilesFail(files, files->temporary[i], errno));
+      PetscCall(FileSetFail(files, files->final[i], EISDIR));
+    if (IsSpecial_Private(files->final[i])) PetscCall(FileSetFail(files, files->final[i], EEXIST));
+    if (access(files->temporary[i], F_OK)) PetscCall(FileSetFail(files, files->temporary[i], errno));
   }
   if (files->num > 1 && !files->failure[0]) PetscCall(FileRemove_Private(files, files->final[files->num - 1]));
   for (PetscInt i = 0; i < files->num && !files->failure[0]; ++i) {
@@ -272,12 +272,12 @@ static PetscErrorCode FilesRename_Private(Files *files)
       if (stat(files->final[i], &info) || S_ISREG(info.st_mode)) // a folder of that name is no file of an earlier run
         PetscCall(FileRemove_Private(files, files->final[i]));
     } else if (rename(files->temporary[i], files->final[i]))
-      PetscCall(FilesFail(files, files->temporary[i], errno));
+      PetscCall(FileSetFail(files, files->temporary[i], errno));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FilesFinish(MPI_Comm comm, Files *files)
+PetscErrorCode FileSetFinish(MPI_Comm comm, FileSet *files)
 {
   PetscMPIInt rank;
 
@@ -328,9 +328,9 @@ static int TryWrite_Private(const char path[], const char temporary[])
   return error;
 }
 
-PetscErrorCode FilesCheck(MPI_Comm comm, const char option[], const char path[])
+PetscErrorCode FileSetCheck(MPI_Comm comm, const char option[], const char path[])
 {
-  char        sentence[FILES_SENTENCE] = "", *temporary;
+  char        sentence[FILE_SET_SENTENCE] = "", *temporary;
   PetscMPIInt rank;
 
   PetscFunctionBeginUser;

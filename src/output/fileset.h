@@ -4,38 +4,38 @@
    the mark of completeness: its predecessor is removed before any other file is renamed, and it is renamed as the last one. So
    whatever ends the program, files that belong to different runs never stand beside such a mark. Temporary files are removed
    when a signal or a failure ends the program (interrupt.h), and what kill -9 has left by the next run that writes the same
-   file. Calls other than FilesFinish() and FilesCheck() are not collective and belong to the first rank. */
+   file. Calls other than FileSetFinish() and FileSetCheck() are not collective and belong to the first rank. */
 #ifndef MORTISE_FILESET_H
 #define MORTISE_FILESET_H
 
 #include <stdio.h>
 #include <petscsys.h>
 
-enum { FILES_SENTENCE = PETSC_MAX_PATH_LEN + 256 };
+enum { FILE_SET_SENTENCE = PETSC_MAX_PATH_LEN + 256 };
 
-typedef struct Files {
-  PetscInt      num, capacity;
-  char        **final;                   /* [num] */
-  char        **temporary;               /* NULL where the file is to be removed [num] */
-  size_t       *made;                    /* length of the topmost folder that was made for it, 0 for none [num] */
-  char          failure[FILES_SENTENCE]; /* the first thing that went wrong, as a sentence; "" while all is well */
-  struct Files *next;                    /* of all that are being written */
-} Files;
+typedef struct FileSet {
+  PetscInt        num, capacity;
+  char          **final;                      /* [num] */
+  char          **temporary;                  /* NULL where the file is to be removed [num] */
+  size_t         *made;                       /* length of the topmost folder that was made for it, 0 for none [num] */
+  char            failure[FILE_SET_SENTENCE]; /* the first thing that went wrong, as a sentence; "" while all is well */
+  struct FileSet *next;                       /* of all that are being written */
+} FileSet;
 
 /* Path of a temporary file that will become `final`; makes missing folders. NULL, with files->failure set, if it cannot.
-   From now on and until FilesFinish() files stays where it is. */
-PetscErrorCode FilesAdd(Files *files, const char final[], const char **temporary);
+   From now on and until FileSetFinish() files stays where it is. */
+PetscErrorCode FileSetAdd(FileSet *files, const char final[], const char **temporary);
 /* Will remove `final`, which an earlier run may have written, when the others appear. */
-PetscErrorCode FilesRemove(Files *files, const char final[]);
+PetscErrorCode FileSetRemove(FileSet *files, const char final[]);
 /* Notes that path cannot be written and why (errno), unless something failed before. path may be a temporary name. */
-PetscErrorCode FilesFail(Files *files, const char path[], int error);
+PetscErrorCode FileSetFail(FileSet *files, const char path[], int error);
 /* Opens a temporary for text and closes it; a full disk shows at the latest when it is closed. NULL after a failure. */
-PetscErrorCode FilesOpen(Files *files, const char final[], FILE **file);
-PetscErrorCode FilesClose(Files *files, FILE **file);
+PetscErrorCode FileSetOpen(FileSet *files, const char final[], FILE **file);
+PetscErrorCode FileSetClose(FileSet *files, FILE **file);
 /* Renames all, or removes all after a failure, which becomes an error on all ranks. Collective; frees the lists. */
-PetscErrorCode FilesFinish(MPI_Comm comm, Files *files);
+PetscErrorCode FileSetFinish(MPI_Comm comm, FileSet *files);
 
 /* Faults, naming the option, if path cannot be written: tries it, and leaves nothing behind. Collective. */
-PetscErrorCode FilesCheck(MPI_Comm comm, const char option[], const char path[]);
+PetscErrorCode FileSetCheck(MPI_Comm comm, const char option[], const char path[]);
 
 #endif

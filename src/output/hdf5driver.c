@@ -121,7 +121,7 @@ static const H5FD_class_t sink_class = {
     .truncate  = SinkTruncateFn,
     .fl_map    = H5FD_FLMAP_DICHOTOMY};
 
-hid_t SinkCreate(Sink *sink)
+hid_t HDF5DriverCreate(Sink *sink)
 {
   hid_t access = H5Pcreate(H5P_FILE_ACCESS);
 
@@ -133,7 +133,7 @@ hid_t SinkCreate(Sink *sink)
   return access;
 }
 
-void SinkDestroy(Sink *sink)
+void HDF5DriverDestroy(Sink *sink)
 {
   if (sink->driver >= 0) H5FDunregister(sink->driver);
 }

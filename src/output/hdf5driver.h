@@ -14,7 +14,7 @@ typedef struct {
 } Sink;
 
 /* Access properties for H5Fcreate(), negative on failure; sink stays the caller's until the file is closed. */
-hid_t SinkCreate(Sink *sink);
-void  SinkDestroy(Sink *sink);
+hid_t HDF5DriverCreate(Sink *sink);
+void  HDF5DriverDestroy(Sink *sink);
 
 #endif

@@ -93,38 +93,38 @@ static void WriteQuantity_Private(Image *image, PetscInt rows, const Quantity *q
                                                         .values  = values}));
 }
 
-static PetscErrorCode HDF5Begin_Private(Picture *picture)
+static PetscErrorCode HDF5Begin_Private(FieldWriter *writer)
 {
   Image *image;
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&image));
-  picture->data = image;
+  writer->data = image;
   H5Eset_auto2(H5E_DEFAULT, NULL, NULL); // its lists of functions; what can fail here is told by us
-  image->sink.file = fileno(picture->out);
-  image->access    = SinkCreate(&image->sink);
-  image->file      = image->access < 0 ? -1 : H5Fcreate(picture->base, H5F_ACC_TRUNC, H5P_DEFAULT, image->access);
-  image->good      = (PetscBool)(image->file >= 0 && WriteAttribute_Private(image->file, "title", picture->title) &&
+  image->sink.file = fileno(writer->out);
+  image->access    = HDF5DriverCreate(&image->sink);
+  image->file      = image->access < 0 ? -1 : H5Fcreate(writer->base, H5F_ACC_TRUNC, H5P_DEFAULT, image->access);
+  image->good      = (PetscBool)(image->file >= 0 && WriteAttribute_Private(image->file, "title", writer->title) &&
                             WriteAttribute_Private(image->file, "creator", "mortise " MORTISE_VERSION) &&
                             WriteAttribute_Private(image->file, "units",
                                                         "those of the scene: whatever consistent set it was given in"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode HDF5Points_Private(Picture *picture, const PetscReal positions[])
+static PetscErrorCode HDF5Points_Private(FieldWriter *writer, const PetscReal positions[])
 {
   PetscFunctionBeginUser;
-  WriteQuantity_Private((Image *)picture->data, picture->num_points, &(Quantity){"points", 3, PETSC_FALSE}, positions);
+  WriteQuantity_Private((Image *)writer->data, writer->num_points, &(Quantity){"points", 3, PETSC_FALSE}, positions);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode HDF5Cells_Private(Picture *picture, const SortedCells *cells)
+static PetscErrorCode HDF5Cells_Private(FieldWriter *writer, const SortedCells *cells)
 {
-  Image    *image    = (Image *)picture->data;
+  Image    *image    = (Image *)writer->data;
   Topology *topology = &image->topology;
 
   PetscFunctionBeginUser;
-  PetscCall(TopologyCreate(cells, topology));
+  PetscCall(XDMFTopologyCreate(cells, topology));
   image->good = (PetscBool)(image->good &&
                             WriteDataset_Private(image->file,
                                                  &(Dataset){.name    = "cells",
@@ -136,47 +136,47 @@ static PetscErrorCode HDF5Cells_Private(Picture *picture, const SortedCells *cel
                                                             .memory  = H5T_NATIVE_INT,
                                                             .stored  = H5T_STD_I32LE,
                                                             .values  = topology->values}));
-  PetscCall(TopologyDestroy(topology));
+  PetscCall(XDMFTopologyDestroy(topology));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode HDF5Point_Private(Picture *picture, const Quantity *quantity, const PetscReal values[])
+static PetscErrorCode HDF5Point_Private(FieldWriter *writer, const Quantity *quantity, const PetscReal values[])
 {
   PetscFunctionBeginUser;
-  WriteQuantity_Private((Image *)picture->data, picture->num_points, quantity, values);
+  WriteQuantity_Private((Image *)writer->data, writer->num_points, quantity, values);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode HDF5Cell_Private(Picture *picture, const Quantity *quantity, const PetscReal values[])
+static PetscErrorCode HDF5Cell_Private(FieldWriter *writer, const Quantity *quantity, const PetscReal values[])
 {
   PetscFunctionBeginUser;
-  WriteQuantity_Private((Image *)picture->data, picture->num_cells, quantity, values);
+  WriteQuantity_Private((Image *)writer->data, writer->num_cells, quantity, values);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode HDF5End_Private(Picture *picture)
+static PetscErrorCode HDF5End_Private(FieldWriter *writer)
 {
-  Image *image = (Image *)picture->data;
+  Image *image = (Image *)writer->data;
   char   path[PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
-  if (!picture->out) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!writer->out) PetscFunctionReturn(PETSC_SUCCESS);
   if (image->file >= 0 && H5Fclose(image->file) < 0) image->good = PETSC_FALSE;
   if (image->access >= 0) H5Pclose(image->access);
-  SinkDestroy(&image->sink);
-  PetscCall(PetscSNPrintf(path, sizeof(path), "%s%s", picture->base, picture->format->suffix));
-  if (image->sink.error) PetscCall(FilesFail(picture->files, path, image->sink.error));
-  PetscCall(FilesClose(picture->files, &picture->out));
+  HDF5DriverDestroy(&image->sink);
+  PetscCall(PetscSNPrintf(path, sizeof(path), "%s%s", writer->base, writer->format->suffix));
+  if (image->sink.error) PetscCall(FileSetFail(writer->files, path, image->sink.error));
+  PetscCall(FileSetClose(writer->files, &writer->out));
   PetscCheck(image->good || image->sink.error, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for the picture");
-  PetscCall(PictureWriteXDMF(picture, &image->topology, path));
-  PetscCall(PetscFree(picture->data));
+  PetscCall(XDMFWrite(writer, &image->topology, path));
+  PetscCall(PetscFree(writer->data));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-const PictureFormat picture_hdf5 = {.suffix = ".h5",
-                                    .begin  = HDF5Begin_Private,
-                                    .points = HDF5Points_Private,
-                                    .cells  = HDF5Cells_Private,
-                                    .point  = HDF5Point_Private,
-                                    .cell   = HDF5Cell_Private,
-                                    .end    = HDF5End_Private};
+const FieldFormat field_format_hdf5 = {.suffix = ".h5",
+                                       .begin  = HDF5Begin_Private,
+                                       .points = HDF5Points_Private,
+                                       .cells  = HDF5Cells_Private,
+                                       .point  = HDF5Point_Private,
+                                       .cell   = HDF5Cell_Private,
+                                       .end    = HDF5End_Private};

@@ -115,7 +115,7 @@ static void Ask_Private(char argument[], char why[], size_t len)
   }
 }
 
-PetscErrorCode PageCheck(Scene scene)
+PetscErrorCode HTMLReportCheck(Scene scene)
 {
   char check[]                     = "--check", why[SAID_LENGTH + PETSC_MAX_PATH_LEN], path[PETSC_MAX_PATH_LEN],
        sentence[USER_ERROR_LENGTH] = "";
@@ -133,17 +133,17 @@ PetscErrorCode PageCheck(Scene scene)
   }
   PetscCall(UserErrorCheck(scene->comm, sentence));
   PetscCall(PetscSNPrintf(path, sizeof(path), "%s.html", scene->output));
-  PetscCall(FilesCheck(scene->comm, "-report", path));
+  PetscCall(FileSetCheck(scene->comm, "-report", path));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-void PageGiveUp(const char why[])
+void HTMLReportGiveUp(const char why[])
 {
   if (page_prefix[0]) fprintf(stderr, "mortise: -report: there is no page: %s\n", why);
   page_prefix[0] = '\0';
 }
 
-PetscBool PageWrite(void)
+PetscBool HTMLReportWrite(void)
 {
   char why[SAID_LENGTH + PETSC_MAX_PATH_LEN];
 

@@ -2,21 +2,11 @@
 #include "output/summary.h"
 #include "base/compat.h"
 #include "problem/elasticity.h"
-#include "result/bodycounts.h"
+#include "output/bodycounts.h"
 #include "result/solvabilityreport.h"
 
 /* An edge is straight if its middle is off by no more than this part of its length: files have some ten digits. */
 static const PetscReal STRAIGHT = 1e-9;
-
-PetscErrorCode BodiesCount(const Level *level, PetscInt num_bodies, BodyCount counts[])
-{
-  PetscFunctionBeginUser;
-  PetscCall(PetscArrayzero(counts, num_bodies));
-  for (PetscInt c = 0; c < level->num_cells; ++c) ++counts[level->cell_body[c]].cells;
-  for (PetscInt a = 0; a < level->num_owned; ++a) ++counts[level->node_body[a]].nodes;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, counts, (PetscMPIInt)(2 * num_bodies), MPIU_INT, MPI_SUM, level->comm));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
 
 static PetscErrorCode ViewBodies_Private(VI vi)
 {
@@ -26,18 +16,18 @@ static PetscErrorCode ViewBodies_Private(VI vi)
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(scene->num_bodies, &counts));
-  PetscCall(BodiesCount(vi->level, scene->num_bodies, counts));
+  PetscCall(BodyCountsCompute(vi->level, scene->num_bodies, counts));
   PetscCall(PetscPrintf(scene->comm, "  meshed: %" PetscInt_FMT " nodes, %" PetscInt_FMT " unknowns\n", nodes,
                         nodes * vi->level->dim));
   for (PetscInt b = 0; b < scene->num_bodies; ++b) {
-    const PetscInt num        = PiecesOfBody(&vi->motions.pieces, b);
+    const PetscInt num        = PiecesOfBody(&vi->rigid_modes.pieces, b);
     char           pieces[64] = "";
 
     if (num > 1) PetscCall(PetscSNPrintf(pieces, sizeof(pieces), " in %" PetscInt_FMT " pieces", num));
     PetscCall(PetscPrintf(
         scene->comm, "    body %s: %" PetscInt_FMT " cells, %" PetscInt_FMT " nodes%s%s\n", scene->bodies[b].name,
         counts[b].cells, counts[b].nodes, pieces,
-        vi->motions.floating[b] ? "; floating: its supports leave it free to move, contact has to hold it" : ""));
+        vi->rigid_modes.floating[b] ? "; floating: its supports leave it free to move, contact has to hold it" : ""));
   }
   PetscCall(PetscFree(counts));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -170,7 +160,7 @@ static PetscErrorCode ViewStraight_Private(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ModelView(VI vi, Solvability solvability)
+PetscErrorCode MeshViewPrint(VI vi, Solvability solvability)
 {
   const Scene scene    = vi->scene;
   PetscInt    num_held = 0;
@@ -185,8 +175,8 @@ PetscErrorCode ModelView(VI vi, Solvability solvability)
   PetscCall(SceneViewLeftOut(scene));
   PetscCall(ViewStraight_Private(vi));
   for (PetscInt p = 0; p < vi->num_pairs; ++p) PetscCall(ViewLeftNodes_Private(scene->comm, vi->pairs[p]));
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) num_held += vi->motions.floating[b] ? 0 : 1;
-  PetscCall(VerdictView(vi, solvability));
+  for (PetscInt b = 0; b < scene->num_bodies; ++b) num_held += vi->rigid_modes.floating[b] ? 0 : 1;
+  PetscCall(SolvabilityReportView(vi, solvability));
   if (num_held) {
     PetscCall(PetscPrintf(scene->comm,
                           "    rigid motions of %" PetscInt_FMT " of %" PetscInt_FMT " bodies: supports hold them\n",

@@ -9,7 +9,7 @@
 struct _n_Output {
   MPI_Comm    comm;
   PetscMPIInt rank;
-  Files       files; /* of the first rank */
+  FileSet     files; /* of the first rank */
 };
 
 /* Path of one file of the scene's output; pair may be NULL. */
@@ -42,12 +42,12 @@ PetscErrorCode OutputCheck(Scene scene)
       for (size_t i = p < 0 ? 0 : 1; i < (p < 0 ? num - 1 : num); ++i) {
         if (!files[i]) continue;
         PetscCall(OutputPath_Private(scene, p < 0 ? NULL : scene->pairs[p].name, files[i], path));
-        PetscCall(FilesCheck(scene->comm, "-output", path));
+        PetscCall(FileSetCheck(scene->comm, "-output", path));
       }
     }
   }
   if (scene->summary && strcmp(scene->summary, "-") != 0) {
-    PetscCall(FilesCheck(scene->comm, "-summary", scene->summary));
+    PetscCall(FileSetCheck(scene->comm, "-summary", scene->summary));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -60,15 +60,15 @@ typedef struct {
   PetscInt           pair;
 } Told;
 
-static PetscErrorCode Tell_Private(const Told *told, Picture *picture)
+static PetscErrorCode Tell_Private(const Told *told, FieldWriter *writer)
 {
   PetscFunctionBeginUser;
   if (!told->fields) {
-    PetscCall(PictureTellMotion(picture, told->vi, told->motion));
+    PetscCall(BodyFieldsWriteMotion(writer, told->vi, told->motion));
   } else if (told->pair < 0) {
-    PetscCall(PictureTellFields(picture, told->fields));
+    PetscCall(BodyFieldsWrite(writer, told->fields));
   } else {
-    PetscCall(PictureTellSurface(picture, told->fields, told->pair));
+    PetscCall(SurfaceFieldsWrite(writer, told->fields, told->pair));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -78,10 +78,10 @@ static PetscErrorCode Tell_Private(const Told *told, Picture *picture)
 static PetscErrorCode AddPicture_Private(Output output, const Told *told, const char first[])
 {
   static const struct {
-    OutputFormat         bit;
-    const PictureFormat *format;
-    const char          *files[2]; // suffixes
-  } formats[]       = {{OUTPUT_XDMF, &picture_hdf5, {".h5", ".xdmf"}}, {OUTPUT_VTU, &picture_vtu, {".vtu", NULL}}};
+    OutputFormat       bit;
+    const FieldFormat *format;
+    const char        *files[2]; // suffixes
+  } formats[] = {{OUTPUT_XDMF, &field_format_hdf5, {".h5", ".xdmf"}}, {OUTPUT_VTU, &field_format_vtu, {".vtu", NULL}}};
   const Scene scene = told->vi->scene;
   const char *pair  = told->pair < 0 ? NULL : told->vi->pairs[told->pair]->spec->name;
   char        path[PETSC_MAX_PATH_LEN];
@@ -89,16 +89,16 @@ static PetscErrorCode AddPicture_Private(Output output, const Told *told, const 
   PetscFunctionBeginUser;
   for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(formats); ++i) {
     if (scene->formats & formats[i].bit) {
-      Picture picture = {.base = path, .title = pair ? pair : scene->title, .first = first, .files = &output->files};
+      FieldWriter writer = {.base = path, .title = pair ? pair : scene->title, .first = first, .files = &output->files};
 
       PetscCall(OutputPath_Private(scene, pair, "", path));
-      PetscCall(PictureOpen(output->comm, formats[i].format, &picture));
-      PetscCall(Tell_Private(told, &picture));
-      PetscCall(PictureClose(&picture));
+      PetscCall(FieldWriterOpen(output->comm, formats[i].format, &writer));
+      PetscCall(Tell_Private(told, &writer));
+      PetscCall(FieldWriterClose(&writer));
     } else if (output->rank == 0) {
       for (PetscInt k = 0; k < 2 && formats[i].files[k]; ++k) {
         PetscCall(OutputPath_Private(scene, pair, formats[i].files[k], path));
-        PetscCall(FilesRemove(&output->files, path));
+        PetscCall(FileSetRemove(&output->files, path));
       }
     }
   }
@@ -122,10 +122,10 @@ PetscErrorCode OutputAddFields(Output output, Fields fields)
   PetscFunctionBeginUser;
   PetscCall(AddPicture_Private(output, &(Told){.vi = vi, .fields = fields, .pair = -1},
                                "Vectors=\"displacement\" Tensors=\"stress\" Scalars=\"von_mises\""));
-  if (output->rank == 0) PetscCall(DrawnRemove(&output->files, vi->scene->output));
+  if (output->rank == 0) PetscCall(StalePlotsRemove(&output->files, vi->scene->output));
   for (PetscInt p = 0; p < vi->num_pairs; ++p) {
     PetscCall(OutputPath_Private(vi->scene, vi->pairs[p]->spec->name, ".csv", path));
-    PetscCall(PairWriteCSV(fields, p, &output->files, path));
+    PetscCall(CSVWritePair(fields, p, &output->files, path));
     PetscCall(AddPicture_Private(output, &(Told){.vi = vi, .fields = fields, .pair = p},
                                  "Vectors=\"displacement\" Scalars=\"pressure\" Normals=\"normal\""));
   }
@@ -143,7 +143,7 @@ static PetscErrorCode RemoveFields_Private(Output output, Scene scene)
   for (PetscInt p = -1; p < scene->num_pairs; ++p) {
     for (size_t i = p < 0; i < PETSC_STATIC_ARRAY_LENGTH(suffixes); ++i) {
       PetscCall(OutputPath_Private(scene, p < 0 ? NULL : scene->pairs[p].name, suffixes[i], path));
-      PetscCall(FilesRemove(&output->files, path));
+      PetscCall(FileSetRemove(&output->files, path));
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -154,7 +154,7 @@ PetscErrorCode OutputAddMotion(Output output, VI vi, const SceneMotion *motion)
   PetscFunctionBeginUser;
   PetscCall(RemoveFields_Private(output, vi->scene));
   PetscCall(AddPicture_Private(output, &(Told){.vi = vi, .motion = motion, .pair = -1}, "Vectors=\"motion\""));
-  if (output->rank == 0) PetscCall(DrawnRemove(&output->files, vi->scene->output));
+  if (output->rank == 0) PetscCall(StalePlotsRemove(&output->files, vi->scene->output));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -164,16 +164,16 @@ PetscErrorCode OutputAddText(Output output, const char path[], const char text[]
 
   PetscFunctionBeginUser;
   if (output->rank) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(FilesOpen(&output->files, path, &out));
+  PetscCall(FileSetOpen(&output->files, path, &out));
   if (out) fprintf(out, "%s\n", text);
-  PetscCall(FilesClose(&output->files, &out));
+  PetscCall(FileSetClose(&output->files, &out));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode OutputFinish(Output *output)
 {
   PetscFunctionBeginUser;
-  PetscCall(FilesFinish((*output)->comm, &(*output)->files));
+  PetscCall(FileSetFinish((*output)->comm, &(*output)->files));
   PetscCall(PetscFree(*output));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -6,7 +6,7 @@
 
 /* Faults if the output folder cannot be made or written to; call before the solve so that nothing is lost. Collective. */
 PetscErrorCode OutputCheck(Scene scene);
-/* Files of one result: written one after the other under temporary names, they appear together. */
+/* FileSet of one result: written one after the other under temporary names, they appear together. */
 typedef struct _n_Output *Output;
 
 /* Collective. */

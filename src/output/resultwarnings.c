@@ -6,24 +6,12 @@
 #include "result/gapdiscontinuity.h"
 #include "result/smallstrain.h"
 #include "result/solvabilityreport.h"
-#include "result/numberwords.h"
+#include "output/numberwords.h"
 
 /* The discretisation error, as a part of the solution, above which a solver that stops there leaves nothing to read off. */
 static const PetscReal COARSE = 0.1;
 /* An overlap is no accident above this part of the displacements, and what is left of a curve shows above this part of the overlap. */
 static const PetscReal OVERLAP_SHOWS = 0.1, CURVE_SHOWS = 0.1;
-
-PetscErrorCode WordsVector(PetscInt dim, const PetscReal v[], char text[], size_t len)
-{
-  PetscFunctionBeginUser;
-  PetscCall(PetscStrncpy(text, "(", len));
-  for (PetscInt k = 0; k < dim; ++k) {
-    const size_t used = strlen(text);
-
-    PetscCall(PetscSNPrintf(text + used, len - used, "%s%.6g%s", k ? ", " : "", (double)v[k], k == dim - 1 ? ")" : ""));
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
 
 /* Where contact pushes as if bodies overlapped that do not; nothing where that does not show. */
 static PetscErrorCode WarnBump_Private(const SummaryInput *in, PetscInt p)
@@ -35,12 +23,12 @@ static PetscErrorCode WarnBump_Private(const SummaryInput *in, PetscInt p)
   char             text[128];
 
   PetscFunctionBeginUser;
-  PetscCall(BumpFind(in->fields, p, &shows, &overlap, jump.at));
+  PetscCall(GapDiscontinuityFind(in->fields, p, &shows, &overlap, jump.at));
   if (!shows) PetscFunctionReturn(PETSC_SUCCESS);
   jump.advice = spec->mortar.body < 0 ? "let facets end there"
                                       : "let facets end there, list in the pair only what is to meet, or let the other "
                                         "side be nonmortar";
-  PetscCall(WordsVector(jump.dim, jump.at, text, sizeof(text)));
+  PetscCall(NumberWordsVector(jump.dim, jump.at, text, sizeof(text)));
   PetscCall(WarningAdd(&jump,
                        "%s is not to be trusted near %s: the gap has a step or a bend within a facet there, and its "
                        "mean pushes as if bodies overlapped by %.3g more than they do",
@@ -153,14 +141,14 @@ static PetscErrorCode WarnUnconfirmed_Private(const SummaryInput *in)
 PetscErrorCode SummaryWarn(const SummaryInput *input)
 {
   PetscFunctionBeginUser;
-  PetscCall(VerdictWarn(input->vi, input->solvability));
+  PetscCall(SolvabilityReportWarn(input->vi, input->solvability));
   for (PetscInt p = 0; p < input->vi->num_pairs; ++p) {
     PetscCall(WarnEmpty_Private(input, p));
     if (input->fields) PetscCall(WarnBump_Private(input, p));
     if (input->fields) PetscCall(WarnCurve_Private(input, p));
   }
   if (!input->fields) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(ValidityWarn(input->fields));
+  PetscCall(SmallStrainWarn(input->fields));
   PetscCall(WarnCoarse_Private(input));
   PetscCall(WarnUnconfirmed_Private(input));
   PetscFunctionReturn(PETSC_SUCCESS);

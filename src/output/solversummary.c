@@ -66,7 +66,7 @@ static void AddReference_Private(const SolveReport *report, cJSON *solver)
   JSONAddReal(object, "contact_ratio", reference->seconds > 0 ? report->seconds / reference->seconds : NAN);
 }
 
-void SolverBlockAdd(const SummaryInput *in, cJSON *root)
+void SolverSummaryAdd(const SummaryInput *in, cJSON *root)
 {
   const SolveReport *report = in->report;
   const Certificate *c      = in->certificate;

@@ -6,6 +6,6 @@
 #include "output/summary.h"
 
 /* Adds "solver". Not collective. */
-void SolverBlockAdd(const SummaryInput *in, cJSON *root);
+void SolverSummaryAdd(const SummaryInput *in, cJSON *root);
 
 #endif

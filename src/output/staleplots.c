@@ -23,7 +23,7 @@ static PetscBool FileNames_Private(const char path[], const char word[])
   return found;
 }
 
-PetscErrorCode DrawnRemove(Files *files, const char output[])
+PetscErrorCode StalePlotsRemove(FileSet *files, const char output[])
 {
   static const char *const drawn[][2] = {
       {".png", "mortise-plot"}, {"_study.svg", "mortise-plot"}, {".html", "mortise-report"}};
@@ -32,7 +32,7 @@ PetscErrorCode DrawnRemove(Files *files, const char output[])
   PetscFunctionBeginUser;
   for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(drawn); ++i) {
     PetscCall(PetscSNPrintf(path, sizeof(path), "%s%s", output, drawn[i][0]));
-    if (FileNames_Private(path, drawn[i][1])) PetscCall(FilesRemove(files, path));
+    if (FileNames_Private(path, drawn[i][1])) PetscCall(FileSetRemove(files, path));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -6,6 +6,6 @@
 
 /* Will remove <output>.png, <output>_study.svg and <output>.html when the files appear, if mortise-plot and mortise-report made them: beside a
    new result they would show another one. First rank only. */
-PetscErrorCode DrawnRemove(Files *files, const char output[]);
+PetscErrorCode StalePlotsRemove(FileSet *files, const char output[]);
 
 #endif

@@ -9,7 +9,7 @@
 #include "result/probes.h"
 #include "base/compat.h"
 #include "base/warning.h"
-#include "result/bodycounts.h"
+#include "output/bodycounts.h"
 #include "result/gapdiscontinuity.h"
 #include "output/solversummary.h"
 #include "result/solvabilityreport.h"
@@ -57,7 +57,7 @@ static PetscErrorCode AddBodies_Private(const SummaryInput *in, cJSON *scene)
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(in->scene->num_bodies, &counts));
-  PetscCall(BodiesCount(level, in->scene->num_bodies, counts));
+  PetscCall(BodyCountsCompute(level, in->scene->num_bodies, counts));
   for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
     cJSON *body = cJSON_AddObjectToObject(bodies, in->scene->bodies[b].name);
 
@@ -65,7 +65,7 @@ static PetscErrorCode AddBodies_Private(const SummaryInput *in, cJSON *scene)
     JSONAddInt(body, "nodes", counts[b].nodes);
     JSONAddInt(body, "dofs", counts[b].nodes * level->dim);
     JSONAddInt(body, "order", in->scene->bodies[b].order);
-    cJSON_AddBoolToObject(body, "floating", in->vi->motions.floating[b]);
+    cJSON_AddBoolToObject(body, "floating", in->vi->rigid_modes.floating[b]);
   }
   PetscCall(PetscFree(counts));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -151,7 +151,7 @@ static PetscErrorCode AddPairs_Private(const SummaryInput *in, cJSON *root)
     JSONAddReals(extent, "upper", dim, sum.upper);
     JSONAddReals(pair, "centre_of_pressure", dim, sum.centre);
     JSONAddReal(pair, "moment_imbalance", sum.moment_imbalance);
-    PetscCall(BumpAdd(in->fields, p, dim, pair));
+    PetscCall(GapDiscontinuityAdd(in->fields, p, dim, pair));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -210,7 +210,7 @@ static PetscErrorCode AddProbes_Private(const SummaryInput *in, cJSON *root)
     cJSON            *probe = cJSON_AddObjectToObject(probes, spec->name);
     PetscReal         u[3] = {NAN, NAN, NAN}, stress[6] = {NAN, NAN, NAN, NAN, NAN, NAN}, principal[3];
 
-    if (in->fields) PetscCall(ProbeEvaluate(in->fields, spec, u, stress));
+    if (in->fields) PetscCall(ProbesEvaluate(in->fields, spec, u, stress));
     JSONAddReals(probe, "at", in->scene->dim, spec->at);
     JSONAddReals(probe, "displacement", in->scene->dim, u);
     JSONAddReals(probe, "stress", 6, stress);
@@ -285,8 +285,8 @@ PetscErrorCode SummaryCreate(const SummaryInput *input, char **text)
   cJSON_AddItemToObject(root, "warnings", WarningList());
   PetscCall(AddOptions_Private(root));
   PetscCall(AddScene_Private(input, root));
-  VerdictAdd(input->vi, input->solvability, root);
-  SolverBlockAdd(input, root);
+  SolvabilityReportAdd(input->vi, input->solvability, root);
+  SolverSummaryAdd(input, root);
   PetscCall(AddEnergy_Private(input, root));
   PetscCall(AddPairs_Private(input, root));
   PetscCall(AddReactions_Private(input, root));

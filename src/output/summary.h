@@ -32,5 +32,5 @@ PetscErrorCode SummaryCreate(const SummaryInput *input, char **text);
 PetscErrorCode SummaryWrite(const SummaryInput *input, Output *output);
 /* Prints what the meshes made of the scene, and what was left out of it: with SceneView() before and SolverView() behind,
    -scene_view. Collective. */
-PetscErrorCode ModelView(VI vi, Solvability solvability);
+PetscErrorCode MeshViewPrint(VI vi, Solvability solvability);
 #endif

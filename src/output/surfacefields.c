@@ -59,7 +59,7 @@ static PetscErrorCode Normals_Private(const Pair pair, const Facets *facets, Pet
 }
 
 /* The side as points and cells. */
-static PetscErrorCode TellFacets_Private(Picture *picture, const Level *level, const Facets *facets, PetscInt num,
+static PetscErrorCode TellFacets_Private(FieldWriter *writer, const Level *level, const Facets *facets, PetscInt num,
                                          const PetscInt nodes[], PetscReal **body)
 {
   PetscInt *types, *bodies, *globals, n = 0;
@@ -72,23 +72,23 @@ static PetscErrorCode TellFacets_Private(Picture *picture, const Level *level, c
     for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); ++i)
       globals[n++] = level->node_global[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
   }
-  PetscCall(PictureMesh(picture,
-                        &(PicturePart){.dim        = level->dim,
-                                       .num_points = num,
-                                       .nodes      = nodes,
-                                       .global     = level->node_global,
-                                       .coords     = level->coords,
-                                       .num_cells  = facets->num,
-                                       .cell_type  = types,
-                                       .cell_tag   = bodies,
-                                       .cell_nodes = globals},
-                        body));
+  PetscCall(FieldWriterMesh(writer,
+                            &(FieldMesh){.dim        = level->dim,
+                                         .num_points = num,
+                                         .nodes      = nodes,
+                                         .global     = level->node_global,
+                                         .coords     = level->coords,
+                                         .num_cells  = facets->num,
+                                         .cell_type  = types,
+                                         .cell_tag   = bodies,
+                                         .cell_nodes = globals},
+                            body));
   PetscCall(PetscFree3(types, bodies, globals));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Displacement, pressure, gap, status and normal. */
-static PetscErrorCode TellQuantities_Private(Picture *picture, Fields fields, PetscInt p, const Facets *facets)
+static PetscErrorCode TellQuantities_Private(FieldWriter *writer, Fields fields, PetscInt p, const Facets *facets)
 {
   const Level     *level = fields->vi->level;
   PairFields       nodal;
@@ -101,19 +101,19 @@ static PetscErrorCode TellQuantities_Private(Picture *picture, Fields fields, Pe
   PetscCall(PetscMalloc1(level->num_owned, &status));
   for (PetscInt a = 0; a < level->num_owned; ++a) status[a] = (PetscReal)nodal.status[a];
   PetscCall(VecGetArrayRead(fields->u, &u));
-  PetscCall(PicturePoints(picture, (Quantity){"displacement", 3, PETSC_FALSE}, level->dim, u));
+  PetscCall(FieldWriterPoints(writer, (Quantity){"displacement", 3, PETSC_FALSE}, level->dim, u));
   PetscCall(VecRestoreArrayRead(fields->u, &u));
-  PetscCall(PicturePoints(picture, (Quantity){"pressure", 1, PETSC_FALSE}, 1, nodal.pressure));
-  PetscCall(PicturePoints(picture, (Quantity){"gap", 1, PETSC_FALSE}, 1, nodal.gap));
-  PetscCall(PicturePoints(picture, (Quantity){"status", 1, PETSC_TRUE}, 1, status));
-  PetscCall(PicturePoints(picture, (Quantity){"normal", 3, PETSC_FALSE}, level->dim, normal));
+  PetscCall(FieldWriterPoints(writer, (Quantity){"pressure", 1, PETSC_FALSE}, 1, nodal.pressure));
+  PetscCall(FieldWriterPoints(writer, (Quantity){"gap", 1, PETSC_FALSE}, 1, nodal.gap));
+  PetscCall(FieldWriterPoints(writer, (Quantity){"status", 1, PETSC_TRUE}, 1, status));
+  PetscCall(FieldWriterPoints(writer, (Quantity){"normal", 3, PETSC_FALSE}, level->dim, normal));
   PetscCall(PetscFree(status));
   PetscCall(PetscFree(normal));
   PetscCall(PairFieldsDestroy(&nodal));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PictureTellSurface(Picture *picture, Fields fields, PetscInt p)
+PetscErrorCode SurfaceFieldsWrite(FieldWriter *writer, Fields fields, PetscInt p)
 {
   Level           *level = fields->vi->level;
   const ScenePair *spec  = fields->vi->pairs[p]->spec;
@@ -124,9 +124,9 @@ PetscErrorCode PictureTellSurface(Picture *picture, Fields fields, PetscInt p)
   PetscFunctionBeginUser;
   PetscCall(LevelGetFacets(level, fields->vi->scene, spec->nonmortar.body, spec->nonmortar.side, &facets));
   PetscCall(SideNodesCreate(level, &facets, &num, &nodes));
-  PetscCall(TellFacets_Private(picture, level, &facets, num, nodes, &body));
-  PetscCall(TellQuantities_Private(picture, fields, p, &facets));
-  PetscCall(PictureCells(picture, (Quantity){"body", 1, PETSC_TRUE}, body));
+  PetscCall(TellFacets_Private(writer, level, &facets, num, nodes, &body));
+  PetscCall(TellQuantities_Private(writer, fields, p, &facets));
+  PetscCall(FieldWriterCells(writer, (Quantity){"body", 1, PETSC_TRUE}, body));
   PetscCall(PetscFree(body));
   PetscCall(PetscFree(nodes));
   PetscCall(FacetsDestroy(&facets));

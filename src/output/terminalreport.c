@@ -7,7 +7,7 @@
 #include "base/compat.h"
 #include "result/pairsum.h"
 #include "result/solvabilityreport.h"
-#include "result/numberwords.h"
+#include "output/numberwords.h"
 
 static const PetscReal PERCENT = 100;
 
@@ -22,12 +22,12 @@ static PetscErrorCode PrintPair_Private(const SummaryInput *in, PetscInt p)
   PetscFunctionBeginUser;
   if (!in->vi->pairs[p]->num_multipliers) PetscFunctionReturn(PETSC_SUCCESS); // a warning tells why
   PetscCall(PairSumCompute(in->fields, p, &sum));
-  PetscCall(WordsVector(in->scene->dim, sum.force, force, sizeof(force)));
+  PetscCall(NumberWordsVector(in->scene->dim, sum.force, force, sizeof(force)));
   PetscCall(PetscPrintf(comm, "  %s: %" PetscInt_FMT " of %" PetscInt_FMT " nodes %s, force %s on %s\n", spec->name,
                         sum.active, in->vi->pairs[p]->num_multipliers, spec->type == PAIR_TIED ? "tied" : "in contact",
                         force, in->scene->bodies[spec->nonmortar.body].name));
   if (sum.active && spec->type == PAIR_CONTACT) {
-    PetscCall(WordsVector(in->scene->dim, sum.max_pressure_at, at, sizeof(at)));
+    PetscCall(NumberWordsVector(in->scene->dim, sum.max_pressure_at, at, sizeof(at)));
     PetscCall(PetscPrintf(comm, "    largest pressure %.6g at %s, ", (double)sum.max_pressure, at));
     if (sum.max_covered < sum.max_pressure)
       PetscCall(PetscPrintf(comm, "where the partner ends, %.6g elsewhere, ", (double)sum.max_covered));
@@ -131,7 +131,7 @@ static PetscErrorCode Print_Private(const SummaryInput *in)
                         report->iterations, report->type, LogTotalSeconds()));
   PetscCall(PrintCost_Private(in));
   for (PetscInt p = 0; p < in->vi->num_pairs; ++p) PetscCall(PrintPair_Private(in, p));
-  PetscCall(VerdictPrint(in->vi, in->solvability));
+  PetscCall(SolvabilityReportPrint(in->vi, in->solvability));
   PetscCall(PrintErrors_Private(in));
   PetscCall(PetscPrintf(comm,
                         "  certificate: equilibrium %.1e, gap %.1e, pressure %.1e, complementarity %.1e, forces %.1e, "
@@ -204,7 +204,7 @@ PetscErrorCode SummaryWrite(const SummaryInput *input, Output *output)
     PetscCall(input->fields ? Print_Private(input) : PrintFiles_Private(input));
   }
   free(text);
-  PetscCall(VerdictRefuse(input->vi, input->solvability));
+  PetscCall(SolvabilityReportRefuse(input->vi, input->solvability));
   if (input->fields && !input->solved) PetscCall(PrintFailures_Private(input));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -48,30 +48,30 @@ static PetscErrorCode WriteArray_Private(FILE *out, PetscInt rows, const Quantit
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode VTUBegin_Private(Picture *picture)
+static PetscErrorCode VTUBegin_Private(FieldWriter *writer)
 {
   const uint16_t order = 1; /* its first byte tells the machine's byte order */
 
   PetscFunctionBeginUser;
-  fprintf(picture->out,
+  fprintf(writer->out,
           "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"%s\" "
           "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"%" PetscInt_FMT
           "\" NumberOfCells=\"%" PetscInt_FMT "\">\n",
-          *(const unsigned char *)&order ? "LittleEndian" : "BigEndian", picture->num_points, picture->num_cells);
+          *(const unsigned char *)&order ? "LittleEndian" : "BigEndian", writer->num_points, writer->num_cells);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode VTUPoints_Private(Picture *picture, const PetscReal positions[])
+static PetscErrorCode VTUPoints_Private(FieldWriter *writer, const PetscReal positions[])
 {
   PetscFunctionBeginUser;
-  fprintf(picture->out, "<Points>\n");
+  fprintf(writer->out, "<Points>\n");
   PetscCall(
-      WriteBlock_Private(picture->out, "Float64", "points", 3, picture->num_points * 3 * sizeof(double), positions));
-  fprintf(picture->out, "</Points>\n");
+      WriteBlock_Private(writer->out, "Float64", "points", 3, writer->num_points * 3 * sizeof(double), positions));
+  fprintf(writer->out, "</Points>\n");
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode VTUCells_Private(Picture *picture, const SortedCells *cells)
+static PetscErrorCode VTUCells_Private(FieldWriter *writer, const SortedCells *cells)
 {
   const PetscInt num_entries = cells->start[cells->num];
   int64_t       *nodes, *ends;
@@ -84,44 +84,44 @@ static PetscErrorCode VTUCells_Private(Picture *picture, const SortedCells *cell
     ends[c]  = cells->start[c + 1];
     types[c] = vtk_number[cells->type[c]];
   }
-  fprintf(picture->out, "<Cells>\n");
-  PetscCall(WriteBlock_Private(picture->out, "Int64", "connectivity", 1, num_entries * sizeof(int64_t), nodes));
-  PetscCall(WriteBlock_Private(picture->out, "Int64", "offsets", 1, cells->num * sizeof(int64_t), ends));
-  PetscCall(WriteBlock_Private(picture->out, "UInt8", "types", 1, cells->num, types));
-  fprintf(picture->out, "</Cells>\n");
+  fprintf(writer->out, "<Cells>\n");
+  PetscCall(WriteBlock_Private(writer->out, "Int64", "connectivity", 1, num_entries * sizeof(int64_t), nodes));
+  PetscCall(WriteBlock_Private(writer->out, "Int64", "offsets", 1, cells->num * sizeof(int64_t), ends));
+  PetscCall(WriteBlock_Private(writer->out, "UInt8", "types", 1, cells->num, types));
+  fprintf(writer->out, "</Cells>\n");
   PetscCall(PetscFree3(nodes, ends, types));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode VTUPoint_Private(Picture *picture, const Quantity *quantity, const PetscReal values[])
+static PetscErrorCode VTUPoint_Private(FieldWriter *writer, const Quantity *quantity, const PetscReal values[])
 {
   PetscFunctionBeginUser;
-  if (picture->num_point_quantities == 0) fprintf(picture->out, "<PointData %s>\n", picture->first);
-  PetscCall(WriteArray_Private(picture->out, picture->num_points, quantity, values));
+  if (writer->num_point_quantities == 0) fprintf(writer->out, "<PointData %s>\n", writer->first);
+  PetscCall(WriteArray_Private(writer->out, writer->num_points, quantity, values));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode VTUCell_Private(Picture *picture, const Quantity *quantity, const PetscReal values[])
+static PetscErrorCode VTUCell_Private(FieldWriter *writer, const Quantity *quantity, const PetscReal values[])
 {
   PetscFunctionBeginUser;
-  if (picture->num_cell_quantities == 0) fprintf(picture->out, "</PointData>\n<CellData Scalars=\"body\">\n");
-  PetscCall(WriteArray_Private(picture->out, picture->num_cells, quantity, values));
+  if (writer->num_cell_quantities == 0) fprintf(writer->out, "</PointData>\n<CellData Scalars=\"body\">\n");
+  PetscCall(WriteArray_Private(writer->out, writer->num_cells, quantity, values));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode VTUEnd_Private(Picture *picture)
+static PetscErrorCode VTUEnd_Private(FieldWriter *writer)
 {
   PetscFunctionBeginUser;
-  if (!picture->out) PetscFunctionReturn(PETSC_SUCCESS);
-  fprintf(picture->out, "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
-  PetscCall(FilesClose(picture->files, &picture->out));
+  if (!writer->out) PetscFunctionReturn(PETSC_SUCCESS);
+  fprintf(writer->out, "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+  PetscCall(FileSetClose(writer->files, &writer->out));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-const PictureFormat picture_vtu = {.suffix = ".vtu",
-                                   .begin  = VTUBegin_Private,
-                                   .points = VTUPoints_Private,
-                                   .cells  = VTUCells_Private,
-                                   .point  = VTUPoint_Private,
-                                   .cell   = VTUCell_Private,
-                                   .end    = VTUEnd_Private};
+const FieldFormat field_format_vtu = {.suffix = ".vtu",
+                                      .begin  = VTUBegin_Private,
+                                      .points = VTUPoints_Private,
+                                      .cells  = VTUCells_Private,
+                                      .point  = VTUPoint_Private,
+                                      .cell   = VTUCell_Private,
+                                      .end    = VTUEnd_Private};

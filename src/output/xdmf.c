@@ -23,7 +23,7 @@ static const int xdmf_number[ELEMENT_COUNT] = {
     [ELEMENT_TRI3] = 4,   [ELEMENT_QUAD4] = 5, [ELEMENT_TET4] = 6,   [ELEMENT_HEX8] = 9,
     [ELEMENT_QUAD9] = 35, [ELEMENT_TRI6] = 36, [ELEMENT_TET10] = 38, [ELEMENT_HEX27] = 50};
 
-PetscErrorCode TopologyCreate(const SortedCells *cells, Topology *topology)
+PetscErrorCode XDMFTopologyCreate(const SortedCells *cells, Topology *topology)
 {
   const PetscInt  num_cells = cells->num, num_entries = cells->start[num_cells];
   const PetscInt  first = num_cells ? cells->type[0] : ELEMENT_TRI3;
@@ -44,7 +44,7 @@ PetscErrorCode TopologyCreate(const SortedCells *cells, Topology *topology)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode TopologyDestroy(Topology *topology)
+PetscErrorCode XDMFTopologyDestroy(Topology *topology)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree(topology->values));
@@ -75,44 +75,44 @@ static void WriteAttribute_Private(FILE *out, const char hdf5[], const Quantity 
 }
 
 /* What a grid consists of: points, cells, quantities. */
-static void WriteGridItems_Private(FILE *out, const Picture *picture, const Topology *topology, const char hdf5[])
+static void WriteGridItems_Private(FILE *out, const FieldWriter *writer, const Topology *topology, const char hdf5[])
 {
   fprintf(out, "      <Geometry GeometryType=\"XYZ\">\n        ");
-  WriteItem_Private(out, hdf5, "points", picture->num_points, 3, PETSC_FALSE);
+  WriteItem_Private(out, hdf5, "points", writer->num_points, 3, PETSC_FALSE);
   fprintf(
       out, "      </Geometry>\n      <Topology TopologyType=\"%s\"%s NumberOfElements=\"%" PetscInt_FMT "\">\n        ",
-      topology->name, topology->name == xdmf_name[ELEMENT_LINE2] ? " NodesPerElement=\"2\"" : "", picture->num_cells);
+      topology->name, topology->name == xdmf_name[ELEMENT_LINE2] ? " NodesPerElement=\"2\"" : "", writer->num_cells);
   WriteItem_Private(out, hdf5, "cells", topology->rows, topology->columns, PETSC_TRUE);
   fprintf(out, "      </Topology>\n");
-  for (PetscInt i = 0; i < picture->num_point_quantities; ++i) {
-    WriteAttribute_Private(out, hdf5, &picture->point[i], picture->num_points, "Node");
+  for (PetscInt i = 0; i < writer->num_point_quantities; ++i) {
+    WriteAttribute_Private(out, hdf5, &writer->point[i], writer->num_points, "Node");
   }
-  for (PetscInt i = 0; i < picture->num_cell_quantities; ++i) {
-    WriteAttribute_Private(out, hdf5, &picture->cell[i], picture->num_cells, "Cell");
+  for (PetscInt i = 0; i < writer->num_cell_quantities; ++i) {
+    WriteAttribute_Private(out, hdf5, &writer->cell[i], writer->num_cells, "Cell");
   }
 }
 
-PetscErrorCode PictureWriteXDMF(const Picture *picture, const Topology *topology, const char hdf5[])
+PetscErrorCode XDMFWrite(const FieldWriter *writer, const Topology *topology, const char hdf5[])
 {
-  const char *slash = strrchr(hdf5, '/'), *title = picture->title[0] ? picture->title : "mortise";
+  const char *slash = strrchr(hdf5, '/'), *title = writer->title[0] ? writer->title : "mortise";
   char        path[PETSC_MAX_PATH_LEN];
   FILE       *out;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscSNPrintf(path, sizeof(path), "%s.xdmf", picture->base));
-  PetscCall(FilesOpen(picture->files, path, &out));
+  PetscCall(PetscSNPrintf(path, sizeof(path), "%s.xdmf", writer->base));
+  PetscCall(FileSetOpen(writer->files, path, &out));
   if (!out) PetscFunctionReturn(PETSC_SUCCESS);
   if (slash) hdf5 = slash + 1;
   fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n    <Grid Name=\"");
   XMLWriteText(out, title);
   fprintf(out, "\" GridType=\"Uniform\" Reference=\"/Xdmf/Domain/Grid/Information/Grid\">\n");
-  WriteGridItems_Private(out, picture, topology, hdf5);
+  WriteGridItems_Private(out, writer, topology, hdf5);
   fprintf(out,
           "      <Information Name=\"steady\" Value=\"the same with a time\">&lt;steady/&gt;\n      <Grid Name=\"");
   XMLWriteText(out, title);
   fprintf(out, "\" GridType=\"Uniform\">\n      <Time Value=\"0\"/>\n");
-  WriteGridItems_Private(out, picture, topology, hdf5);
+  WriteGridItems_Private(out, writer, topology, hdf5);
   fprintf(out, "      </Grid>\n      </Information>\n    </Grid>\n  </Domain>\n</Xdmf>\n");
-  PetscCall(FilesClose(picture->files, &out));
+  PetscCall(FileSetClose(writer->files, &out));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -11,12 +11,12 @@ typedef struct {
   int        *values;
 } Topology;
 
-/* Not collective. [out] topology - owned by the caller; its values end with TopologyDestroy(), the rest stays */
-PetscErrorCode TopologyCreate(const SortedCells *cells, Topology *topology);
-PetscErrorCode TopologyDestroy(Topology *topology);
+/* Not collective. [out] topology - owned by the caller; its values end with XDMFTopologyDestroy(), the rest stays */
+PetscErrorCode XDMFTopologyCreate(const SortedCells *cells, Topology *topology);
+PetscErrorCode XDMFTopologyDestroy(Topology *topology);
 
 /* The file that tells viewers what lies in the HDF5 file, beside which it will stand. First rank only, not collective.
    [in] topology - values are not needed */
-PetscErrorCode PictureWriteXDMF(const Picture *picture, const Topology *topology, const char hdf5[]);
+PetscErrorCode XDMFWrite(const FieldWriter *writer, const Topology *topology, const char hdf5[]);
 
 #endif

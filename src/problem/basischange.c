@@ -212,7 +212,7 @@ static PetscErrorCode CountE_Private(VI vi, const Couplings *couplings, PetscInt
       PetscCall(MatGetRow(couplings->basis[p], vi->level->node_begin + node, &num, NULL, NULL));
       nnz[node] += num;
       PetscCall(MatRestoreRow(couplings->basis[p], vi->level->node_begin + node, &num, NULL, NULL));
-      PetscCall(ArmCount(couplings->arm[p], dim * (vi->level->node_begin + node), &num));
+      PetscCall(PairArmsCount(couplings->arm[p], dim * (vi->level->node_begin + node), &num));
       nnz[node] += (num + dim - 1) / dim;
     }
   }
@@ -240,7 +240,7 @@ static PetscErrorCode CreateSum_Private(VI vi, const NodeBases *bases, const Cou
   for (PetscInt r = 0; r < (with_E ? vi->num_rows : 0); r++) {
     const Mat C = couplings->basis[vi->row_pair[r]];
     if (C) PetscCall(AddCoupling_Private(vi, bases, C, r, *sum));
-    PetscCall(ArmAddToE(vi, bases, couplings->arm[vi->row_pair[r]], r, *sum));
+    PetscCall(PairArmsAddToE(vi, bases, couplings->arm[vi->row_pair[r]], r, *sum));
   }
   PetscCall(MatAssemblyBegin(*sum, MAT_FINAL_ASSEMBLY));
   PetscCall(MatAssemblyEnd(*sum, MAT_FINAL_ASSEMBLY));
@@ -265,7 +265,7 @@ static PetscErrorCode IsChained_Private(VI vi, const NodeBases *bases, const Cou
     PetscCall(MatGetRow(C, node, &num, &columns, NULL));
     for (PetscInt c = 0; c < num; c++) PetscCall(VecSetValue(marks, columns[c], 1, INSERT_VALUES));
     PetscCall(MatRestoreRow(C, node, &num, &columns, NULL));
-    PetscCall(ArmMark(couplings->arm[vi->row_pair[r]], vi->level->dim, vi->level->dim * node, marks));
+    PetscCall(PairArmsMark(couplings->arm[vi->row_pair[r]], vi->level->dim, vi->level->dim * node, marks));
   }
   PetscCall(VecAssemblyBegin(marks));
   PetscCall(VecAssemblyEnd(marks));
@@ -301,7 +301,7 @@ static PetscErrorCode AddPowers_Private(VI vi, Mat E, Mat T)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BasisCreateT(VI vi, const NodeBases *bases, const Couplings *couplings, Mat *T)
+PetscErrorCode BasisChangeCreateT(VI vi, const NodeBases *bases, const Couplings *couplings, Mat *T)
 {
   Mat       E, shifted;
   PetscBool chained;
@@ -363,8 +363,8 @@ static PetscErrorCode UnshiftPrescribed_Private(VI vi, const Couplings *coupling
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BasisGetFixed(VI vi, const NodeBases *bases, const Couplings *couplings, PetscInt *num, PetscInt **dofs,
-                             PetscReal **values)
+PetscErrorCode BasisChangeGetFixed(VI vi, const NodeBases *bases, const Couplings *couplings, PetscInt *num,
+                                   PetscInt **dofs, PetscReal **values)
 {
   const PetscInt     dim   = vi->level->dim;
   const PetscScalar *moved = NULL;

@@ -25,11 +25,11 @@ struct _n_VIBasis {
 
 /* T = S (I + E + E E + ..) R with u~ = R y + E u~ (eq. 6.1): R turns, E adds what the mortar side does. The powers end with the
    longest chain of pairs, whose roles must not run in a circle (circles.h). NULL where T = I. Collective. */
-PetscErrorCode BasisCreateT(VI vi, const NodeBases *bases, const Couplings *couplings, Mat *T);
+PetscErrorCode BasisChangeCreateT(VI vi, const NodeBases *bases, const Couplings *couplings, Mat *T);
 
 /* Global unknowns y_i that held directions and ties fix, with their values in the user's unit. Collective.
    [out] dofs, values - [*num], owned by the caller */
-PetscErrorCode BasisGetFixed(VI vi, const NodeBases *bases, const Couplings *couplings, PetscInt *num, PetscInt **dofs,
-                             PetscReal **values);
+PetscErrorCode BasisChangeGetFixed(VI vi, const NodeBases *bases, const Couplings *couplings, PetscInt *num,
+                                   PetscInt **dofs, PetscReal **values);
 
 #endif

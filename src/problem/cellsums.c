@@ -54,7 +54,7 @@ static void ListNeighbours_Private(const Level *level, PetscInt num_cells, const
   }
 }
 
-PetscErrorCode GatherCreate(const Level *level, Gather *gather)
+PetscErrorCode CellSumsCreate(const Level *level, Gather *gather)
 {
   const PetscInt num  = level->num_nodes;
   PetscInt       most = 0, size;
@@ -86,7 +86,7 @@ static inline void AddBlock_Private(PetscInt dim, PetscInt n, const PetscReal Ke
     for (PetscInt l = 0; l < dim; l++) rows[k * width + l] += Ke[k * n + l];
 }
 
-void GatherAdd(Gather *gather, PetscInt cell, const PetscReal Ke[])
+void CellSumsAdd(Gather *gather, PetscInt cell, const PetscReal Ke[])
 {
   const Level    *level = gather->level;
   const PetscInt *nodes = &level->cell_nodes[level->cell_start[cell]], dim = level->dim;
@@ -104,7 +104,7 @@ void GatherAdd(Gather *gather, PetscInt cell, const PetscReal Ke[])
   }
 }
 
-PetscErrorCode GatherFinish(Gather *gather, Mat K)
+PetscErrorCode CellSumsFinish(Gather *gather, Mat K)
 {
   const Level *level = gather->level;
 

@@ -12,11 +12,11 @@ typedef struct {
   PetscReal   *value; /* a node's rows [dim][neighbours][dim], one node after the other */
 } Gather;
 
-/* Zeros. Not collective. [out] gather - to be destroyed by GatherFinish() */
-PetscErrorCode GatherCreate(const Level *level, Gather *gather);
+/* Zeros. Not collective. [out] gather - to be destroyed by CellSumsFinish() */
+PetscErrorCode CellSumsCreate(const Level *level, Gather *gather);
 /* Adds the matrix of a cell to the sums. Not collective. [in] Ke - [dim * num_nodes][dim * num_nodes] */
-void GatherAdd(Gather *gather, PetscInt cell, const PetscReal Ke[]);
+void CellSumsAdd(Gather *gather, PetscInt cell, const PetscReal Ke[]);
 /* Adds the sums to K, whose assembly is left to do, and frees them. Not collective. */
-PetscErrorCode GatherFinish(Gather *gather, Mat K);
+PetscErrorCode CellSumsFinish(Gather *gather, Mat K);
 
 #endif

@@ -90,7 +90,7 @@ static PetscErrorCode CreateRows_Private(PetscInt num, const PetscInt rows[], Ma
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CondenseCreate(Mat K, Mat T, Mat *Z)
+PetscErrorCode CondensationCreate(Mat K, Mat T, Mat *Z)
 {
   PetscInt *rows, num, begin;
   Mat       E, few, W, KE, left, right;

@@ -5,16 +5,16 @@
 #include "problem/vi.h"
 
 /* Z = T'KT - K for a symmetric K and a T that differs from the identity in few rows. Collective. [out] Z - AIJ, owned by the caller */
-PetscErrorCode CondenseCreate(Mat K, Mat T, Mat *Z);
+PetscErrorCode CondensationCreate(Mat K, Mat T, Mat *Z);
 
 /* A = M (K / stiffness + Z) M + 1 - M + W without forming it: a shell, where M is 0 for the fixed unknowns of vi. Collective.
    [in] vi - its parts are borrowed for as long as A lives; [in] springs - diagonal of W, 0 where M is, or NULL; borrowed as well */
-PetscErrorCode CondensedCreateShell(VI vi, Vec springs, Mat *A);
+PetscErrorCode CondensedMatrixCreateShell(VI vi, Vec springs, Mat *A);
 /* The same as a matrix. Collective. [in] fixed - global numbers [num] */
-PetscErrorCode CondensedAssemble(Mat K, PetscReal stiffness, Mat Z, PetscInt num, const PetscInt fixed[], Mat *A);
-/* Lets a shell take products with K / stiffness from S. Not collective. [in] S - ProductsCreate(), borrowed for as long as A lives */
-PetscErrorCode CondensedSetProducts(Mat A, Mat S);
+PetscErrorCode CondensedMatrixAssemble(Mat K, PetscReal stiffness, Mat Z, PetscInt num, const PetscInt fixed[], Mat *A);
+/* Lets a shell take products with K / stiffness from S. Not collective. [in] S - StiffnessProductsCreate(), borrowed for as long as A lives */
+PetscErrorCode CondensedMatrixSetProducts(Mat A, Mat S);
 /* factor K for products with vectors alone. Collective. [in] K - symmetric, AIJ, in full blocks; [out] S - a shell, owned by the caller */
-PetscErrorCode ProductsCreate(Mat K, PetscReal factor, Mat *S);
+PetscErrorCode StiffnessProductsCreate(Mat K, PetscReal factor, Mat *S);
 
 #endif

@@ -68,7 +68,7 @@ static PetscErrorCode Destroy_Condensed(Mat A)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CondensedCreateShell(VI vi, Vec springs, Mat *A)
+PetscErrorCode CondensedMatrixCreateShell(VI vi, Vec springs, Mat *A)
 {
   const Mat  K = vi->K;
   Condensed *c;
@@ -96,7 +96,7 @@ PetscErrorCode CondensedCreateShell(VI vi, Vec springs, Mat *A)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CondensedSetProducts(Mat A, Mat S)
+PetscErrorCode CondensedMatrixSetProducts(Mat A, Mat S)
 {
   Condensed *c;
 
@@ -106,7 +106,7 @@ PetscErrorCode CondensedSetProducts(Mat A, Mat S)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CondensedAssemble(Mat K, PetscReal stiffness, Mat Z, PetscInt num, const PetscInt fixed[], Mat *A)
+PetscErrorCode CondensedMatrixAssemble(Mat K, PetscReal stiffness, Mat Z, PetscInt num, const PetscInt fixed[], Mat *A)
 {
   PetscFunctionBeginUser;
   PetscCall(MatDuplicate(K, MAT_COPY_VALUES, A));

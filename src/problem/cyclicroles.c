@@ -78,7 +78,7 @@ static PetscErrorCode Raise_Private(VI vi, const PetscBool leads[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CirclesCheck(VI vi)
+PetscErrorCode CyclicRolesCheck(VI vi)
 {
   const PetscInt n = vi->num_pairs;
   PetscBool     *leads;

@@ -6,6 +6,6 @@
 
 /* Faults with the names of the pairs if, from mortar side to mortar side, a pair comes back to itself: its
    nodes would follow nodes that follow them. Pairs exist. Collective. */
-PetscErrorCode CirclesCheck(VI vi);
+PetscErrorCode CyclicRolesCheck(VI vi);
 
 #endif

@@ -220,13 +220,13 @@ static PetscErrorCode CellStiffness_Private(Scene scene, Level *level, PetscInt 
   Moduli          local;
 
   PetscFunctionBeginUser;
-  CellCoordinates(level, c, X);
+  VolumeStrainCoordinates(level, c, X);
   PetscCall(PetscArrayzero(Ke, n * n));
   nu   = law->poisson;
   kind = DilatationChoose(rule->type, nu);
   if (!law->constant) PetscCall(ElasticityDilatationKind(scene, level, c, rule, &kind, &nu));
   if (kind == DILATATION_LOCKS && !work->sentence.text[0])
-    CellLocks(scene, body, rule->type, nu, work->sentence.text, sizeof(work->sentence.text));
+    VolumeStrainLockingText(scene, body, rule->type, nu, work->sentence.text, sizeof(work->sentence.text));
   moduli = !law->constant ? &local : (kind ? &law->shear : &law->whole);
   for (PetscInt q = 0; q < rule->num; q++) {
     PetscReal *grad = &work->grad[q * n], *x = &work->x[q * dim];
@@ -245,7 +245,7 @@ static PetscErrorCode CellStiffness_Private(Scene scene, Level *level, PetscInt 
   }
   if (law->constant) AddStiffness_Private(dim, n, rule->num, moduli, work->grad, work->w, Ke);
   if (kind) {
-    CellDilatation(scene, kind, rule, work->x, work->w, work->grad, &work->pi);
+    VolumeStrainDilatation(scene, kind, rule, work->x, work->w, work->grad, &work->pi);
     DilatationStiffness(&work->pi, rule->num, work->x, work->bulk, Ke);
   }
   for (PetscInt i = 0; i < n; i++) { // the lower triangle; blocks on the diagonal are whole
@@ -266,7 +266,7 @@ static PetscErrorCode AssembleCells_Private(Scene scene, Level *level, Mat K)
 
   PetscFunctionBeginUser;
   PetscCall(ElasticityRulesCreate(scene, &rules));
-  PetscCall(GatherCreate(level, &gather));
+  PetscCall(CellSumsCreate(level, &gather));
   PetscCall(PetscNew(&work));
   for (PetscInt c = 0; c < level->num_cells; c++) {
     if (level->cell_body[c] != body) { // cells of a body follow one another
@@ -274,9 +274,9 @@ static PetscErrorCode AssembleCells_Private(Scene scene, Level *level, Mat K)
       PetscCall(LawSet_Private(scene, body, &law));
     }
     PetscCall(CellStiffness_Private(scene, level, c, &rules[level->cell_type[c]], &law, work, Ke));
-    GatherAdd(&gather, c, Ke);
+    CellSumsAdd(&gather, c, Ke);
   }
-  PetscCall(GatherFinish(&gather, K));
+  PetscCall(CellSumsFinish(&gather, K));
   PetscCall(PetscFree(rules));
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     PetscCall(ExpressionCheck(level->comm, scene->bodies[b].young));

@@ -62,7 +62,7 @@ static PetscErrorCode AddRow_Private(const Source *source, PetscInt node, PetscI
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VICreateInverse(VI vi, Mat *inverse)
+PetscErrorCode VICreateInverseBasis(VI vi, Mat *inverse)
 {
   const PetscInt dim = vi->level->dim, n = dim * vi->level->num_owned, N = dim * vi->level->num_global;
   Source         source = {.vi = vi, .unshift = vi->basis->couplings.unshift};
@@ -94,7 +94,7 @@ PetscErrorCode VICreateInverse(VI vi, Mat *inverse)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VIApplyInverse(VI vi, Vec u, Vec y)
+PetscErrorCode VIApplyInverseBasis(VI vi, Vec u, Vec y)
 {
   const PetscInt     dim     = vi->level->dim;
   const NodeBases   *bases   = &vi->basis->bases;
@@ -130,12 +130,12 @@ PetscErrorCode VIApplyInverse(VI vi, Vec u, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VIMultiplyInverse(VI vi, Mat *P)
+PetscErrorCode VIMultiplyInverseBasis(VI vi, Mat *P)
 {
   Mat inverse, product;
 
   PetscFunctionBeginUser;
-  PetscCall(VICreateInverse(vi, &inverse));
+  PetscCall(VICreateInverseBasis(vi, &inverse));
   if (!inverse) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MatMatMult(inverse, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
   PetscCall(MatProductClear(product)); // it would keep its factors

@@ -38,7 +38,7 @@ static PetscErrorCode CountRow_Private(VI vi, const Couplings *couplings, PetscI
   } else {
     *nnz = vi->level->dim;
   }
-  PetscCall(ArmCount(pair->arm, vi->level->dim * node, &num));
+  PetscCall(PairArmsCount(pair->arm, vi->level->dim * node, &num));
   *nnz += num;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -65,7 +65,7 @@ static PetscErrorCode AllocateB_Private(VI vi, const Couplings *couplings)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BlocksCreate(VI vi, const NodeBases *bases, const Couplings *couplings)
+PetscErrorCode KKTSystemCreate(VI vi, const NodeBases *bases, const Couplings *couplings)
 {
   const PetscInt dim  = vi->level->dim;
   PetscInt       rows = vi->num_rows, first;
@@ -85,7 +85,7 @@ PetscErrorCode BlocksCreate(VI vi, const NodeBases *bases, const Couplings *coup
     for (PetscInt j = 0; j < dim; j++)
       PetscCall(MatSetValue(vi->B, first + r, dim * node + j, vi->row_D[r] * Fi[j], ADD_VALUES));
     if (C) PetscCall(AddRow_Private(vi, C, node, thickness, Fi, first + r));
-    PetscCall(ArmAddToB(vi, bases, r, first + r));
+    PetscCall(PairArmsAddToB(vi, bases, r, first + r));
     PetscCall(
         VecSetValue(vi->G, first + r, pair->spec->type == PAIR_TIED ? 0 : vi->row_D[r] * pair->gap[k], INSERT_VALUES));
   }

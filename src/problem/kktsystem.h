@@ -6,6 +6,6 @@
 
 /* Fills vi->B, vi->G, vi->nest from the pairs; row a, direction i of B is
      thickness F_i . (D_aa u_a + (record u)_a)  with couplings->record = chain - M.  NULL where no pair has a multiplier. Collective. */
-PetscErrorCode BlocksCreate(VI vi, const NodeBases *bases, const Couplings *couplings);
+PetscErrorCode KKTSystemCreate(VI vi, const NodeBases *bases, const Couplings *couplings);
 
 #endif

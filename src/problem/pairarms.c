@@ -2,7 +2,7 @@
 #include "base/compat.h"
 #include "problem/pairarms.h"
 
-PetscErrorCode ArmCount(Mat arm, PetscInt row, PetscInt *num)
+PetscErrorCode PairArmsCount(Mat arm, PetscInt row, PetscInt *num)
 {
   PetscFunctionBeginUser;
   *num = 0;
@@ -12,7 +12,7 @@ PetscErrorCode ArmCount(Mat arm, PetscInt row, PetscInt *num)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ArmMark(Mat arm, PetscInt dim, PetscInt row, Vec marks)
+PetscErrorCode PairArmsMark(Mat arm, PetscInt dim, PetscInt row, Vec marks)
 {
   PetscInt        num;
   const PetscInt *columns;
@@ -45,7 +45,7 @@ static PetscErrorCode AddRows_Private(PetscInt dim, Mat arm, PetscInt node, Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ArmAddToB(VI vi, const NodeBases *bases, PetscInt r, PetscInt row)
+PetscErrorCode PairArmsAddToB(VI vi, const NodeBases *bases, PetscInt r, PetscInt row)
 {
   const Pair     pair = vi->pairs[vi->row_pair[r]];
   const PetscInt dim = vi->level->dim, i = vi->row_dof[r] % dim, node = pair->nodes[vi->row_node[r]];
@@ -59,7 +59,7 @@ PetscErrorCode ArmAddToB(VI vi, const NodeBases *bases, PetscInt r, PetscInt row
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ArmAddToE(VI vi, const NodeBases *bases, Mat arm, PetscInt r, Mat E)
+PetscErrorCode PairArmsAddToE(VI vi, const NodeBases *bases, Mat arm, PetscInt r, Mat E)
 {
   const Pair     pair = vi->pairs[vi->row_pair[r]];
   const PetscInt dim = vi->level->dim, k = vi->row_node[r], i = vi->row_dof[r] % dim,

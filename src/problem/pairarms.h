@@ -5,12 +5,12 @@
 #include "problem/basischange.h"
 
 /* Entries of the rows of a node that this rank owns. Not collective. [in] row - the node's first */
-PetscErrorCode ArmCount(Mat arm, PetscInt row, PetscInt *num);
+PetscErrorCode PairArmsCount(Mat arm, PetscInt row, PetscInt *num);
 /* Marks the nodes in the rows of a node. Not collective. [in] row - the node's first; [in,out] marks - one of each node */
-PetscErrorCode ArmMark(Mat arm, PetscInt dim, PetscInt row, Vec marks);
+PetscErrorCode PairArmsMark(Mat arm, PetscInt dim, PetscInt row, Vec marks);
 /* Adds -F_i arm to row r of B, in the user's units. Not collective. [in] row - the same, global */
-PetscErrorCode ArmAddToB(VI vi, const NodeBases *bases, PetscInt r, PetscInt row);
+PetscErrorCode PairArmsAddToB(VI vi, const NodeBases *bases, PetscInt r, PetscInt row);
 /* Adds (1/D) F^-1_(.,i) (x) F_i arm for row r to E. Not collective. [in] arm - of the changed basis */
-PetscErrorCode ArmAddToE(VI vi, const NodeBases *bases, Mat arm, PetscInt r, Mat E);
+PetscErrorCode PairArmsAddToE(VI vi, const NodeBases *bases, Mat arm, PetscInt r, Mat E);
 
 #endif

@@ -214,7 +214,7 @@ static PetscErrorCode CreateScatter_Private(Mat K, Mat others, const PetscInt co
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ProductsCreate(Mat K, PetscReal factor, Mat *S)
+PetscErrorCode StiffnessProductsCreate(Mat K, PetscReal factor, Mat *S)
 {
   Mat             own = K, others;
   Products       *products;

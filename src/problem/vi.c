@@ -42,7 +42,7 @@ static PetscErrorCode Condense_Private(VI vi, const PetscReal values[])
   PetscScalar   *a;
 
   PetscFunctionBeginUser;
-  if (vi->T) PetscCall(CondenseCreate(vi->K, vi->T, &vi->Z));
+  if (vi->T) PetscCall(CondensationCreate(vi->K, vi->T, &vi->Z));
   if (vi->Z) PetscCall(MatScale(vi->Z, 1 / vi->stiffness));
   PetscCall(VecDuplicate(vi->f, &vi->b));
   if (vi->T)
@@ -68,7 +68,7 @@ static PetscErrorCode Condense_Private(VI vi, const PetscReal values[])
   PetscCall(VecDestroy(&Ay));
   PetscCall(PetscMalloc1(vi->num_fixed, &vi->fixed_local));
   for (PetscInt i = 0; i < vi->num_fixed; i++) vi->fixed_local[i] = vi->fixed[i] - first;
-  PetscCall(CondensedCreateShell(vi, NULL, &vi->A));
+  PetscCall(CondensedMatrixCreateShell(vi, NULL, &vi->A));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -78,7 +78,7 @@ PetscErrorCode VIAssemble(VI vi)
   PetscFunctionBeginUser;
   PetscCall(LogStageBegin(STAGE_CONDENSE));
   PetscCall(MatDestroy(&vi->A));
-  PetscCall(CondensedAssemble(vi->K, vi->stiffness, vi->Z, vi->num_fixed, vi->fixed, &vi->A));
+  PetscCall(CondensedMatrixAssemble(vi->K, vi->stiffness, vi->Z, vi->num_fixed, vi->fixed, &vi->A));
   vi->assembled = PETSC_TRUE;
   PetscCall(LogStageEnd(STAGE_CONDENSE));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -89,13 +89,13 @@ PetscErrorCode VIPrepareProducts(VI vi)
   PetscFunctionBeginUser;
   if (vi->S) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(LogStageBegin(STAGE_CONDENSE));
-  PetscCall(ProductsCreate(vi->K, 1 / vi->stiffness, &vi->S));
-  if (!vi->assembled) PetscCall(CondensedSetProducts(vi->A, vi->S));
+  PetscCall(StiffnessProductsCreate(vi->K, 1 / vi->stiffness, &vi->S));
+  if (!vi->assembled) PetscCall(CondensedMatrixSetProducts(vi->A, vi->S));
   PetscCall(LogStageEnd(STAGE_CONDENSE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VICreateSprung(VI vi, Vec springs, Mat *A)
+PetscErrorCode VICreateRegularized(VI vi, Vec springs, Mat *A)
 {
   PetscFunctionBeginUser;
   if (vi->assembled) {
@@ -103,13 +103,13 @@ PetscErrorCode VICreateSprung(VI vi, Vec springs, Mat *A)
     PetscCall(MatDiagonalSet(*A, springs, ADD_VALUES));
     PetscCall(MatSetOption(*A, MAT_SPD, PETSC_TRUE));
   } else {
-    PetscCall(CondensedCreateShell(vi, springs, A));
-    PetscCall(CondensedSetProducts(*A, vi->S));
+    PetscCall(CondensedMatrixCreateShell(vi, springs, A));
+    PetscCall(CondensedMatrixSetProducts(*A, vi->S));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VICreateOpen(VI vi, Vec *open)
+PetscErrorCode VICreateFreeMask(VI vi, Vec *open)
 {
   PetscScalar *a;
 
@@ -122,7 +122,7 @@ PetscErrorCode VICreateOpen(VI vi, Vec *open)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VIMarkHeld(VI vi, PetscBool held[])
+PetscErrorCode VIMarkFixedDisplacements(VI vi, PetscBool held[])
 {
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < vi->num_fixed; i++) {
@@ -173,7 +173,7 @@ static PetscErrorCode Create_Private(Scene scene, Mesh mesh, Level *level, VI sc
   vi->basis = basis;
   PetscCall(LogStageBegin(STAGE_MORTAR));
   PetscCall(SupportCreate(level, scene, &vi->support));
-  PetscCall(RigidMotionsCreate(level, &vi->support, scene->num_bodies, &vi->motions));
+  PetscCall(RigidModesCreate(level, &vi->support, scene->num_bodies, &vi->rigid_modes));
   vi->num_pairs = scene->num_pairs;
   PetscCall(PetscCalloc1(vi->num_pairs, &vi->pairs));
   PetscCall(PairsCreate(scene, level, &vi->support, vi->pairs));
@@ -189,11 +189,11 @@ static PetscErrorCode Create_Private(Scene scene, Mesh mesh, Level *level, VI sc
   PetscCall(MatGetDiagonal(vi->K, vi->diagonal));
   PetscCall(LogStageEnd(STAGE_ASSEMBLY));
   PetscCall(LogStageBegin(STAGE_CONDENSE));
-  PetscCall(CirclesCheck(vi));
+  PetscCall(CyclicRolesCheck(vi));
   PetscCall(NodeBasesCreate(vi, &basis->bases));
   PetscCall(CouplingsCreate(vi, &basis->couplings));
-  PetscCall(BlocksCreate(vi, &basis->bases, &basis->couplings));
-  PetscCall(BasisCreateT(vi, &basis->bases, &basis->couplings, &vi->T));
+  PetscCall(KKTSystemCreate(vi, &basis->bases, &basis->couplings));
+  PetscCall(BasisChangeCreateT(vi, &basis->bases, &basis->couplings, &vi->T));
   if (scales) {
     vi->length    = scales->length;
     vi->stiffness = scales->stiffness;
@@ -201,7 +201,7 @@ static PetscErrorCode Create_Private(Scene scene, Mesh mesh, Level *level, VI sc
     PetscCall(ChooseScales_Private(vi));
   }
   PetscCall(SetBounds_Private(vi));
-  PetscCall(BasisGetFixed(vi, &basis->bases, &basis->couplings, &vi->num_fixed, &vi->fixed, &values));
+  PetscCall(BasisChangeGetFixed(vi, &basis->bases, &basis->couplings, &vi->num_fixed, &vi->fixed, &values));
   PetscCall(Condense_Private(vi, values));
   PetscCall(PetscFree(values));
   PetscCall(LogStageEnd(STAGE_CONDENSE));
@@ -256,7 +256,7 @@ PetscErrorCode VIDestroy(VI *vi_in)
   PetscCall(PetscFree(vi->fixed));
   PetscCall(PetscFree(vi->fixed_local));
   PetscCall(SupportDestroy(&vi->support));
-  PetscCall(RigidMotionsDestroy(&vi->motions));
+  PetscCall(RigidModesDestroy(&vi->rigid_modes));
   PetscCall(PetscFree5(vi->row_pair, vi->row_node, vi->row_direction, vi->row_dof, vi->row_D));
   PetscCall(MatDestroy(&vi->nest));
   PetscCall(MatDestroy(&vi->B));

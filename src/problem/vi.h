@@ -18,10 +18,10 @@ struct _n_VI {
   Mesh  mesh;  /* borrowed; NULL for a matrix alone */
   Level *
       level; /* borrowed: the finest of mesh, or a coarser one (VICreateCoarse()); NULL below these (VICreateOfMatrix()) */
-  Support      support;
-  RigidMotions motions; /* that the supports leave to the bodies */
-  PetscInt     num_pairs;
-  Pair        *pairs;
+  Support    support;
+  RigidModes rigid_modes; /* that the supports leave to the bodies */
+  PetscInt   num_pairs;
+  Pair      *pairs;
 
   /* book of record */
   Mat K;        /* N x N, AIJ, block size dim */
@@ -73,21 +73,21 @@ PetscErrorCode VIAssemble(VI vi);
 PetscErrorCode VIPrepareProducts(VI vi);
 /* A with springs on its diagonal, a matrix or a shell like A. Collective. [in] springs - borrowed for as long as the result lives;
    [out] A - owned by the caller */
-PetscErrorCode VICreateSprung(VI vi, Vec springs, Mat *A);
+PetscErrorCode VICreateRegularized(VI vi, Vec springs, Mat *A);
 /* T^-1, as sparse as B: its rows are those of B, and nodes' frames. Collective.
    [out] inverse - owned by the caller; NULL where T is the identity */
-PetscErrorCode VICreateInverse(VI vi, Mat *inverse);
+PetscErrorCode VICreateInverseBasis(VI vi, Mat *inverse);
 /* y = T^-1 u, without that matrix. Collective. [in] u - ghosts are not needed */
-PetscErrorCode VIApplyInverse(VI vi, Vec u, Vec y);
+PetscErrorCode VIApplyInverseBasis(VI vi, Vec u, Vec y);
 /* P := T^-1 P: what led to displacements, over length, leads to y. Collective. [in,out] P - AIJ, replaced */
-PetscErrorCode VIMultiplyInverse(VI vi, Mat *P);
+PetscErrorCode VIMultiplyInverseBasis(VI vi, Mat *P);
 /* 1 where an unknown is left in A, 0 where it was eliminated. Collective. [out] open - like upper, owned by the caller */
-PetscErrorCode VICreateOpen(VI vi, Vec *open);
+PetscErrorCode VICreateFreeMask(VI vi, Vec *open);
 /* Marks nodes whose unknowns are their Cartesian displacements. Not collective. [out] cartesian - [num_owned] */
 PetscErrorCode VIMarkCartesian(VI vi, PetscBool cartesian[]);
 /* Marks eliminated unknowns that are displacements: whose row of T is empty but for them. Not collective.
    [in,out] held - true there, untouched elsewhere [unknowns of this rank] */
-PetscErrorCode VIMarkHeld(VI vi, PetscBool held[]);
+PetscErrorCode VIMarkFixedDisplacements(VI vi, PetscBool held[]);
 
 /* u = length * T y. [in] y; [out] u - ghosted, created by LevelCreateVec(level, dim), ghosts updated. Collective. */
 PetscErrorCode VIRecoverDisplacement(VI vi, Vec y, Vec u);

@@ -20,7 +20,7 @@ PetscErrorCode ElasticityRulesCreate(Scene scene, ElementRule **rules)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-void CellCoordinates(const Level *level, PetscInt c, PetscReal X[])
+void VolumeStrainCoordinates(const Level *level, PetscInt c, PetscReal X[])
 {
   const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
   const PetscInt  n     = level->cell_start[c + 1] - level->cell_start[c];
@@ -43,7 +43,7 @@ PetscErrorCode ElasticityDilatationKind(Scene scene, const Level *level, PetscIn
   if (ExpressionIsConstant(body->poisson)) {
     PetscCall(ExpressionEvaluate(body->poisson, scene->dim, x, poisson));
   } else {
-    CellCoordinates(level, c, X);
+    VolumeStrainCoordinates(level, c, X);
     for (PetscInt q = 0; q < rule->num; q++) {
       ElementRuleMap(rule, q, X, x, NULL);
       PetscCall(ExpressionEvaluate(body->poisson, scene->dim, x, &nu));
@@ -55,8 +55,8 @@ PetscErrorCode ElasticityDilatationKind(Scene scene, const Level *level, PetscIn
 }
 
 /* The displacement phi_i along the radius stretches rings by phi_i / r beside its derivative. */
-void CellDilatation(Scene scene, DilatationKind kind, const ElementRule *rule, const PetscReal x[], const PetscReal w[],
-                    PetscReal grad[], Dilatation *dilatation)
+void VolumeStrainDilatation(Scene scene, DilatationKind kind, const ElementRule *rule, const PetscReal x[],
+                            const PetscReal w[], PetscReal grad[], Dilatation *dilatation)
 {
   const PetscInt dim = scene->dim, nn = ElementNumNodes(rule->type);
 
@@ -78,12 +78,12 @@ PetscErrorCode ElasticityDilatation(Scene scene, const Level *level, PetscInt c,
   dilatation->num = 0;
   PetscCall(ElasticityDilatationKind(scene, level, c, rule, &kind, &poisson));
   if (kind == DILATATION_POINTWISE) PetscFunctionReturn(PETSC_SUCCESS);
-  CellCoordinates(level, c, X);
+  VolumeStrainCoordinates(level, c, X);
   for (PetscInt q = 0; q < rule->num; q++) {
     w[q] = rule->weight[q] * ElementRuleMap(rule, q, X, &x[q * dim], &grad[q * n]);
     w[q] *= SceneMeasure(scene, &x[q * dim]);
   }
-  CellDilatation(scene, kind, rule, x, w, grad, dilatation);
+  VolumeStrainDilatation(scene, kind, rule, x, w, grad, dilatation);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -111,7 +111,8 @@ PetscErrorCode ElasticityDilatationCount(Scene scene, const Level *level, Dilata
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-void CellLocks(Scene scene, PetscInt body, ElementType type, PetscReal poisson, char sentence[], size_t len)
+void VolumeStrainLockingText(Scene scene, PetscInt body, ElementType type, PetscReal poisson, char sentence[],
+                             size_t len)
 {
   const SceneBody  *b      = &scene->bodies[body];
   const PetscBool   plane  = (PetscBool)(scene->dim == 2);

@@ -5,14 +5,15 @@
 #include "problem/elasticity.h"
 
 /* Coordinates of a cell's nodes. [out] X - [num_nodes][dim] */
-void CellCoordinates(const Level *level, PetscInt c, PetscReal X[]);
+void VolumeStrainCoordinates(const Level *level, PetscInt c, PetscReal X[]);
 
 /* Pi of a cell whose points are known already. [in] x - [rule->num][dim]; [in] w - weights with det J and the measure
    [rule->num]; [in,out] grad - derivatives of shape functions, which become div [rule->num][num_nodes][dim] */
-void CellDilatation(Scene scene, DilatationKind kind, const ElementRule *rule, const PetscReal x[], const PetscReal w[],
-                    PetscReal grad[], Dilatation *dilatation);
+void VolumeStrainDilatation(Scene scene, DilatationKind kind, const ElementRule *rule, const PetscReal x[],
+                            const PetscReal w[], PetscReal grad[], Dilatation *dilatation);
 
 /* What is to be said of cells that lock, and what would do instead. [out] sentence - [len] */
-void CellLocks(Scene scene, PetscInt body, ElementType type, PetscReal poisson, char sentence[], size_t len);
+void VolumeStrainLockingText(Scene scene, PetscInt body, ElementType type, PetscReal poisson, char sentence[],
+                             size_t len);
 
 #endif

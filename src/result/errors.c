@@ -170,7 +170,7 @@ PetscErrorCode ErrorsDestroy(Errors *errors)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode DifferenceCompute(Scene scene, Level *level, Vec u, Vec v, BodyError body[], BodyError *total)
+PetscErrorCode ErrorsComputeDifference(Scene scene, Level *level, Vec u, Vec v, BodyError body[], BodyError *total)
 {
   ErrorSquares *squares, sum;
 

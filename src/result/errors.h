@@ -36,6 +36,6 @@ PetscErrorCode ErrorsDestroy(Errors *errors);
 
 /* The same norms of the difference of two displacements on one level: l2 and energy of u - v over each body, relative to
    those of v. Collective. [in] u, v - ghosted; [out] body - [num_bodies]; [out] total - of all bodies together */
-PetscErrorCode DifferenceCompute(Scene scene, Level *level, Vec u, Vec v, BodyError body[], BodyError *total);
+PetscErrorCode ErrorsComputeDifference(Scene scene, Level *level, Vec u, Vec v, BodyError body[], BodyError *total);
 
 #endif

@@ -77,7 +77,7 @@ static PetscErrorCode Place_Private(Fields fields, PetscInt p, PetscReal largest
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BumpFind(Fields fields, PetscInt p, PetscBool *shows, PetscReal *overlap, PetscReal at[])
+PetscErrorCode GapDiscontinuityFind(Fields fields, PetscInt p, PetscBool *shows, PetscReal *overlap, PetscReal at[])
 {
   const VI  vi         = fields->vi;
   PetscReal largest[3] = {0, 0, 0}; /* overlap, displacement, numbers */
@@ -94,13 +94,13 @@ PetscErrorCode BumpFind(Fields fields, PetscInt p, PetscBool *shows, PetscReal *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BumpAdd(Fields fields, PetscInt p, PetscInt dim, cJSON *object)
+PetscErrorCode GapDiscontinuityAdd(Fields fields, PetscInt p, PetscInt dim, cJSON *object)
 {
   PetscReal overlap = NAN, at[3] = {NAN, NAN, NAN};
   PetscBool shows = PETSC_FALSE;
 
   PetscFunctionBeginUser;
-  if (fields) PetscCall(BumpFind(fields, p, &shows, &overlap, at));
+  if (fields) PetscCall(GapDiscontinuityFind(fields, p, &shows, &overlap, at));
   JSONAddReal(object, "false_overlap", overlap);
   if (shows) JSONAddReals(object, "false_overlap_at", dim, at);
   PetscFunctionReturn(PETSC_SUCCESS);

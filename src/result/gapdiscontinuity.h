@@ -7,9 +7,9 @@
 
 /* The largest distance by which the mean gap of a node in contact of pair p is below all gaps around it, and whether that shows
    beside the displacements; 0 where it is rounding of coordinates. Collective. [out] at - the first place where it is, if it shows [dim] */
-PetscErrorCode BumpFind(Fields fields, PetscInt p, PetscBool *shows, PetscReal *overlap, PetscReal at[]);
+PetscErrorCode GapDiscontinuityFind(Fields fields, PetscInt p, PetscBool *shows, PetscReal *overlap, PetscReal at[]);
 
 /* "false_overlap" of a pair in the summary, and where it shows "false_overlap_at". Collective. [in] fields - NULL if there is no solution */
-PetscErrorCode BumpAdd(Fields fields, PetscInt p, PetscInt dim, cJSON *object);
+PetscErrorCode GapDiscontinuityAdd(Fields fields, PetscInt p, PetscInt dim, cJSON *object);
 
 #endif

@@ -25,7 +25,7 @@ static PetscErrorCode Gather_Private(MPI_Comm comm, MPI_Datatype type, size_t si
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode GatherReals(MPI_Comm comm, PetscInt n, const PetscReal mine[], PetscInt *total, PetscReal **all)
+PetscErrorCode GatherArraysReal(MPI_Comm comm, PetscInt n, const PetscReal mine[], PetscInt *total, PetscReal **all)
 {
   void *result;
 
@@ -35,7 +35,7 @@ PetscErrorCode GatherReals(MPI_Comm comm, PetscInt n, const PetscReal mine[], Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode GatherInts(MPI_Comm comm, PetscInt n, const PetscInt mine[], PetscInt *total, PetscInt **all)
+PetscErrorCode GatherArraysInt(MPI_Comm comm, PetscInt n, const PetscInt mine[], PetscInt *total, PetscInt **all)
 {
   void *result;
 

@@ -6,7 +6,7 @@
 
 /* All values that the ranks hold, in the order of the ranks, on the first rank; NULL elsewhere. Collective.
    [out] all - owned by the caller; [out] total - may be NULL */
-PetscErrorCode GatherReals(MPI_Comm comm, PetscInt n, const PetscReal mine[], PetscInt *total, PetscReal **all);
-PetscErrorCode GatherInts(MPI_Comm comm, PetscInt n, const PetscInt mine[], PetscInt *total, PetscInt **all);
+PetscErrorCode GatherArraysReal(MPI_Comm comm, PetscInt n, const PetscReal mine[], PetscInt *total, PetscReal **all);
+PetscErrorCode GatherArraysInt(MPI_Comm comm, PetscInt n, const PetscInt mine[], PetscInt *total, PetscInt **all);
 
 #endif

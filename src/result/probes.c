@@ -64,7 +64,7 @@ PetscErrorCode ProbesCheck(Scene scene, Mesh mesh)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ProbeEvaluate(Fields fields, const SceneProbe *probe, PetscReal u[3], PetscReal stress[6])
+PetscErrorCode ProbesEvaluate(Fields fields, const SceneProbe *probe, PetscReal u[3], PetscReal stress[6])
 {
   Level           *level = fields->vi->level;
   const PetscInt   dim   = level->dim;

@@ -6,7 +6,7 @@
 
 /* Displacement and averaged stress at a probe, interpolated by the shape functions of the cell that holds it. Collective; the
    same on all ranks. [out] u - [3], absent components 0; [out] stress - [6] */
-PetscErrorCode ProbeEvaluate(Fields fields, const SceneProbe *probe, PetscReal u[3], PetscReal stress[6]);
+PetscErrorCode ProbesEvaluate(Fields fields, const SceneProbe *probe, PetscReal u[3], PetscReal stress[6]);
 /* Faults if a probe lies outside its body; call before the solve. Collective. */
 PetscErrorCode ProbesCheck(Scene scene, Mesh mesh);
 

@@ -75,7 +75,7 @@ static PetscErrorCode Turns_Private(VI vi, const SceneSide *side, Vec *turn)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode RoundCarries(VI vi, Solvability s, PetscBool *round)
+PetscErrorCode RoundnessCarriesLoads(VI vi, Solvability s, PetscBool *round)
 {
   PetscReal largest = 0;
   PetscBool all     = PETSC_TRUE;

@@ -6,6 +6,6 @@
 
 /* Whether all contact forces that balance the loads (solvability->y) act where a side, or the obstacle it meets, is curved and smooth:
    what rests there rolls, and what rests at an edge tips. Collective. */
-PetscErrorCode RoundCarries(VI vi, Solvability solvability, PetscBool *round);
+PetscErrorCode RoundnessCarriesLoads(VI vi, Solvability solvability, PetscBool *round);
 
 #endif

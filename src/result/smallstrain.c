@@ -31,7 +31,7 @@ static PetscReal Cell_Private(const Level *level, PetscInt c, const PetscScalar 
   return largest;
 }
 
-PetscErrorCode ValidityWarn(Fields fields)
+PetscErrorCode SmallStrainWarn(Fields fields)
 {
   const Level       *level = fields->vi->level;
   const Scene        scene = fields->vi->scene;

@@ -5,6 +5,6 @@
 #include "result/fields.h"
 
 /* Warns where a body is strained or turned more than is small. Collective. */
-PetscErrorCode ValidityWarn(Fields fields);
+PetscErrorCode SmallStrainWarn(Fields fields);
 
 #endif

@@ -29,7 +29,7 @@ static void AddMotion_Private(VI vi, const SceneMotion *motion, cJSON *object)
   }
 }
 
-void VerdictAdd(VI vi, Solvability s, cJSON *root)
+void SolvabilityReportAdd(VI vi, Solvability s, cJSON *root)
 {
   static const char *const verdicts[] = {"solvable", "free_motion", "marginal", "no_solution"};
   cJSON                   *object     = cJSON_AddObjectToObject(root, "solvability"), *motions;
@@ -54,7 +54,7 @@ void VerdictAdd(VI vi, Solvability s, cJSON *root)
   }
 }
 
-PetscErrorCode VerdictPrint(VI vi, Solvability s)
+PetscErrorCode SolvabilityReportPrint(VI vi, Solvability s)
 {
   PetscFunctionBeginUser;
   for (PetscInt i = 0; s && i < s->num_free; ++i)
@@ -64,7 +64,7 @@ PetscErrorCode VerdictPrint(VI vi, Solvability s)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VerdictRefuse(VI vi, Solvability s)
+PetscErrorCode SolvabilityReportRefuse(VI vi, Solvability s)
 {
   PetscFunctionBeginUser;
   if (s && s->verdict == SOLVABLE_NOT) {
@@ -79,14 +79,14 @@ PetscErrorCode VerdictRefuse(VI vi, Solvability s)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VerdictWarn(VI vi, Solvability s)
+PetscErrorCode SolvabilityReportWarn(VI vi, Solvability s)
 {
   const char *then = "it is free to do so";
   PetscBool   round;
 
   PetscFunctionBeginUser;
   if (!s || s->verdict != SOLVABLE_MARGINAL) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(RoundCarries(vi, s, &round));
+  PetscCall(RoundnessCarriesLoads(vi, s, &round));
   if (round) then = "what it rests on is round, and it is free to roll";
   if (s->motion.turns && !round) then = "the pressure gathers at an edge and grows without bound on finer meshes";
   PetscCall(WarningAdd(&(Warning){.code = "marginal"}, "the loads are on the verge: %s at no cost; %s",
@@ -94,7 +94,7 @@ PetscErrorCode VerdictWarn(VI vi, Solvability s)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VerdictView(VI vi, Solvability s)
+PetscErrorCode SolvabilityReportView(VI vi, Solvability s)
 {
   static const char *const verdicts[] = {
       "contact can balance the loads, and resists every one of them",

@@ -7,14 +7,14 @@
 
 /* solvability is NULL where supports hold all bodies.
    "solvability": verdict, motion, work, and the motions that are free. Not collective. */
-void VerdictAdd(VI vi, Solvability solvability, cJSON *root);
+void SolvabilityReportAdd(VI vi, Solvability solvability, cJSON *root);
 /* Lines for the terminal: motions that are free. Collective. */
-PetscErrorCode VerdictPrint(VI vi, Solvability solvability);
+PetscErrorCode SolvabilityReportPrint(VI vi, Solvability solvability);
 /* On stderr: why there is no solution. Collective. */
-PetscErrorCode VerdictRefuse(VI vi, Solvability solvability);
+PetscErrorCode SolvabilityReportRefuse(VI vi, Solvability solvability);
 /* Warns of what is marginal. Collective. */
-PetscErrorCode VerdictWarn(VI vi, Solvability solvability);
+PetscErrorCode SolvabilityReportWarn(VI vi, Solvability solvability);
 /* A line of -scene_view. Collective. */
-PetscErrorCode VerdictView(VI vi, Solvability solvability);
+PetscErrorCode SolvabilityReportView(VI vi, Solvability solvability);
 
 #endif

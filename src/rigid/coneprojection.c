@@ -11,7 +11,7 @@
 /* Of the residual along rows in use, whose last component is between 0 and 1. */
 static const PetscReal PRICE = 1e-14;
 
-PetscErrorCode ConeNearest(const Cone *cone, const PetscReal bound[], const PetscReal target[], PetscReal q[])
+PetscErrorCode ConeProject(const Cone *cone, const PetscReal bound[], const PetscReal target[], PetscReal q[])
 {
   const PetscInt m = cone->m, n = m + 1;
   PetscReal     *rows, *unit, size = 0;

@@ -10,13 +10,13 @@
 /* n.[u] of all rigid motions at a place. [out] row - [m] */
 static void Row_Private(VI vi, const ContactPlace *place, const PetscReal n[], PetscReal row[])
 {
-  const PetscInt m = vi->motions.num, dim = vi->level->dim;
+  const PetscInt m = vi->rigid_modes.num, dim = vi->level->dim;
 
   for (PetscInt k = 0; k < m; k++) {
     PetscReal slip[3] = {0, 0, 0};
 
     row[k] = 0;
-    SceneMotionSlipOf(vi, place, k, 1, slip);
+    SceneMotionAddSlipOfMode(vi, place, k, 1, slip);
     for (PetscInt i = 0; i < dim; i++) row[k] += n[i] * slip[i];
   }
 }
@@ -39,7 +39,7 @@ static PetscInt Ends_Private(VI vi, const PairEnd *out[])
 /* Appends the ends of what is covered. Collective. */
 static PetscErrorCode AddEnds_Private(VI vi, PetscInt num, ContactRows *cover)
 {
-  const PetscInt  m = vi->motions.num;
+  const PetscInt  m = vi->rigid_modes.num;
   const PairEnd **ends;
   PetscInt       *node, *piece;
 
@@ -47,12 +47,12 @@ static PetscErrorCode AddEnds_Private(VI vi, PetscInt num, ContactRows *cover)
   PetscCall(PetscMalloc3(num, &ends, num, &node, num, &piece));
   Ends_Private(vi, ends);
   for (PetscInt i = 0; i < num; i++) node[i] = ends[i]->mortar;
-  PetscCall(PiecesOfGlobalNodes(vi->level, &vi->motions.pieces, num, node, piece));
+  PetscCall(PiecesOfGlobalNodes(vi->level, &vi->rigid_modes.pieces, num, node, piece));
   for (PetscInt i = 0; i < num; i++, cover->num++) {
     ContactPlace *place = &cover->place[cover->num];
 
     PetscCall(PetscArraycpy(place->x, ends[i]->x, 3));
-    place->piece[0]         = vi->motions.pieces.of_node[ends[i]->node];
+    place->piece[0]         = vi->rigid_modes.pieces.of_node[ends[i]->node];
     place->piece[1]         = piece[i];
     cover->both[cover->num] = PETSC_FALSE;
     Row_Private(vi, place, ends[i]->normal, &cover->rows[cover->num * m]);
@@ -61,7 +61,7 @@ static PetscErrorCode AddEnds_Private(VI vi, PetscInt num, ContactRows *cover)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CoverCreate(VI vi, Solvability s)
+PetscErrorCode ContactRowsCreate(VI vi, Solvability s)
 {
   const PetscInt m = s->m, mine = Ends_Private(vi, NULL);
   PetscInt       all   = mine;
@@ -96,7 +96,7 @@ PetscErrorCode CoverCreate(VI vi, Solvability s)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CoverDestroy(Solvability s)
+PetscErrorCode ContactRowsDestroy(Solvability s)
 {
   PetscFunctionBeginUser;
   if (s->cut) PetscCall(PetscFree3(s->cover.rows, s->cover.both, s->cover.place));

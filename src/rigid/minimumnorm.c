@@ -57,13 +57,13 @@ static void Cell_Private(VI vi, PetscInt c, const ElementRule *rule, const Petsc
                          PetscReal work[])
 {
   const Level    *level = vi->level;
-  const PetscInt  dim = level->dim, n = level->cell_start[c + 1] - level->cell_start[c], m = vi->motions.num;
-  const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]], piece = vi->motions.pieces.of_node[nodes[0]];
+  const PetscInt  dim = level->dim, n = level->cell_start[c + 1] - level->cell_start[c], m = vi->rigid_modes.num;
+  const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]], piece = vi->rigid_modes.pieces.of_node[nodes[0]];
   PetscReal       X[ELEMENT_MAX_NODES * MAX_DIM], x[MAX_DIM], value[MAX_DIM], z[RIGID_COMPONENTS * MAX_DIM];
   PetscInt        begin = 0, end;
 
-  while (vi->motions.piece[begin] < piece) begin++;
-  for (end = begin; end < m && vi->motions.piece[end] == piece;) end++;
+  while (vi->rigid_modes.piece[begin] < piece) begin++;
+  for (end = begin; end < m && vi->rigid_modes.piece[end] == piece;) end++;
   for (PetscInt i = 0; i < n * dim; i++) X[i] = level->coords[nodes[i / dim] * dim + i % dim];
   for (PetscInt q = 0; q < rule->num; q++) {
     const PetscReal weight = ElementRuleMap(rule, q, X, x, NULL) * rule->weight[q] * SceneMeasure(vi->scene, x);
@@ -73,8 +73,8 @@ static void Cell_Private(VI vi, PetscInt c, const ElementRule *rule, const Petsc
       for (PetscInt i = 0; i < n; i++) value[k] += rule->phi[q * n + i] * PetscRealPart(u[nodes[i] * dim + k]);
     }
     for (PetscInt k = begin; k < end; k++)
-      RigidMotionAt(dim, &vi->motions.frames[4 * piece], &vi->motions.motion[k * RIGID_COMPONENTS], x,
-                    &z[(k - begin) * dim]);
+      RigidModesAt(dim, &vi->rigid_modes.frames[4 * piece], &vi->rigid_modes.mode[k * RIGID_COMPONENTS], x,
+                   &z[(k - begin) * dim]);
     for (PetscInt k = begin; k < end; k++) {
       for (PetscInt i = 0; i < dim; i++) {
         work[k] += weight * z[(k - begin) * dim + i] * value[i];
@@ -89,7 +89,7 @@ static void Cell_Private(VI vi, PetscInt c, const ElementRule *rule, const Petsc
 static PetscErrorCode Mass_Private(VI vi, Vec u, PetscReal mass[], PetscReal work[])
 {
   const Level       *level = vi->level;
-  const PetscInt     m     = vi->motions.num;
+  const PetscInt     m     = vi->rigid_modes.num;
   Vec                local;
   const PetscScalar *ul;
   ElementRule       *rule;
@@ -103,9 +103,9 @@ static PetscErrorCode Mass_Private(VI vi, Vec u, PetscReal mass[], PetscReal wor
   PetscCall(VecGetArrayRead(local, &ul));
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const ElementType type  = (ElementType)level->cell_type[c];
-    const PetscInt    piece = vi->motions.pieces.of_node[level->cell_nodes[level->cell_start[c]]];
+    const PetscInt    piece = vi->rigid_modes.pieces.of_node[level->cell_nodes[level->cell_start[c]]];
 
-    if (!vi->motions.loose[piece]) continue;
+    if (!vi->rigid_modes.loose[piece]) continue;
     if (!rule->num || rule->type != type) ElementRuleSet(type, 2 * ElementOrder(type), rule);
     Cell_Private(vi, c, rule, ul, mass, work);
   }
@@ -161,7 +161,7 @@ static PetscErrorCode Least_Private(const Cone *cone, const Play *play, PetscInt
     bound[small.num++] = PetscMax(play->slack[r], 0);
   }
   small.rows = rows;
-  PetscCall(ConeNearest(&small, bound, target, w));
+  PetscCall(ConeProject(&small, bound, target, w));
   Substitute_Private(n, L, PETSC_TRUE, w);
   for (PetscInt k = 0; k < m; k++) {
     q[k] = 0;
@@ -200,7 +200,7 @@ static PetscErrorCode Tell_Private(VI vi, Solvability s, PetscInt n, const Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolvabilitySettle(VI vi, Solvability s, Vec y)
+PetscErrorCode MinimumNormApply(VI vi, Solvability s, Vec y)
 {
   const PetscInt first = vi->level->dim * vi->level->node_begin;
   Cone           cone;

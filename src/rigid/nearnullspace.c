@@ -71,7 +71,7 @@ PetscErrorCode NearNullSpaceAttach(VI vi)
   for (PetscInt b = 0; b < vi->scene->num_bodies; b++) {
     for (PetscInt mode = 0; mode < per_body; mode++) {
       PetscCall(SetMotion_Private(vi->level, b, mode, u));
-      PetscCall(VIApplyInverse(vi, u, vectors[num]));
+      PetscCall(VIApplyInverseBasis(vi, u, vectors[num]));
       PetscCall(VecGetArray(vectors[num], &ya));
       for (PetscInt i = 0; i < vi->num_fixed; i++) ya[vi->fixed_local[i]] = 0;
       PetscCall(VecRestoreArray(vectors[num], &ya));

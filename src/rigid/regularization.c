@@ -19,18 +19,18 @@ static const PetscReal CLOSED = 1e-9;
 static PetscErrorCode Candidates_Private(VI vi, PetscBool candidate[])
 {
   const Level   *level      = vi->level;
-  const PetscInt num_pieces = vi->motions.pieces.num;
+  const PetscInt num_pieces = vi->rigid_modes.pieces.num;
   PetscInt      *ordinary;
 
   PetscFunctionBeginUser;
   PetscCall(VIMarkCartesian(vi, candidate));
   PetscCall(PetscCalloc1(num_pieces, &ordinary));
-  for (PetscInt a = 0; a < level->num_owned; a++) ordinary[vi->motions.pieces.of_node[a]] += candidate[a] ? 1 : 0;
+  for (PetscInt a = 0; a < level->num_owned; a++) ordinary[vi->rigid_modes.pieces.of_node[a]] += candidate[a] ? 1 : 0;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, ordinary, (PetscMPIInt)num_pieces, MPIU_INT, MPI_SUM, level->comm));
   for (PetscInt a = 0; a < level->num_owned; a++) {
-    const PetscInt b = vi->motions.pieces.of_node[a];
+    const PetscInt b = vi->rigid_modes.pieces.of_node[a];
 
-    candidate[a] = (PetscBool)(vi->motions.loose[b] && (candidate[a] || ordinary[b] <= level->dim));
+    candidate[a] = (PetscBool)(vi->rigid_modes.loose[b] && (candidate[a] || ordinary[b] <= level->dim));
   }
   PetscCall(PetscFree(ordinary));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -81,7 +81,7 @@ static PetscErrorCode Farthest_Private(const Level *level, const Pieces *pieces,
 static PetscErrorCode Stiffness_Private(VI vi, PetscReal weak[])
 {
   const Level       *level = vi->level;
-  const PetscInt     dim = level->dim, num_bodies = vi->motions.num_bodies;
+  const PetscInt     dim = level->dim, num_bodies = vi->rigid_modes.num_bodies;
   const PetscScalar *d;
   DilatationCount   *counts;
   PetscReal         *sums;
@@ -119,7 +119,7 @@ static PetscErrorCode Stiffness_Private(VI vi, PetscReal weak[])
 static PetscErrorCode Place_Private(VI vi, Vec springs)
 {
   const Level   *level  = vi->level;
-  const Pieces  *pieces = &vi->motions.pieces;
+  const Pieces  *pieces = &vi->rigid_modes.pieces;
   const PetscInt dim = level->dim, num = pieces->num;
   PetscBool     *candidate;
   PetscReal     *distance, *places, *weak;
@@ -128,11 +128,11 @@ static PetscErrorCode Place_Private(VI vi, Vec springs)
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc5(level->num_owned, &candidate, level->num_owned, &distance, 3 * num, &places,
-                         vi->motions.num_bodies, &weak, num, &taken));
+                         vi->rigid_modes.num_bodies, &weak, num, &taken));
   PetscCall(Candidates_Private(vi, candidate));
   PetscCall(Stiffness_Private(vi, weak));
   for (PetscInt b = 0; b < num; b++)
-    for (PetscInt k = 0; k < 3; k++) places[3 * b + k] = vi->motions.frames[4 * b + k];
+    for (PetscInt k = 0; k < 3; k++) places[3 * b + k] = vi->rigid_modes.frames[4 * b + k];
   PetscCall(VecZeroEntries(springs));
   PetscCall(VecGetArray(springs, &w));
   for (PetscInt round = 0; round <= dim; round++) {
@@ -177,7 +177,7 @@ static PetscErrorCode Rest_Private(VI vi, Solvability s, PetscReal left[], Petsc
 
     PetscCall(PetscMalloc1(s->m, &target));
     for (PetscInt k = 0; k < s->m; k++) target[k] = FAR * *largest * s->phi[k] / size;
-    PetscCall(ConeNearest(&cone, bound, target, q));
+    PetscCall(ConeProject(&cone, bound, target, q));
     PetscCall(PetscFree(target));
     for (PetscInt k = 0; k < s->m; k++) PetscCall(VecAXPY(s->rest, q[k] / vi->length, s->modes[k]));
     for (PetscInt r = 0; r < vi->num_rows; r++)
@@ -187,7 +187,7 @@ static PetscErrorCode Rest_Private(VI vi, Solvability s, PetscReal left[], Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SpringsCreate(VI vi, Solvability s)
+PetscErrorCode RegularizationCreate(VI vi, Solvability s)
 {
   const PetscInt first = vi->level->dim * vi->level->node_begin;
   PetscReal     *left, largest, closed;

@@ -21,28 +21,28 @@ static PetscReal Norm_Private(const PetscReal v[3])
   return PetscSqrtReal(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-void SceneMotionSlipOf(VI vi, const ContactPlace *place, PetscInt k, PetscReal factor, PetscReal slip[])
+void SceneMotionAddSlipOfMode(VI vi, const ContactPlace *place, PetscInt k, PetscReal factor, PetscReal slip[])
 {
-  const PetscInt dim = vi->level->dim, piece = vi->motions.piece[k];
+  const PetscInt dim = vi->level->dim, piece = vi->rigid_modes.piece[k];
   PetscReal      u[3];
 
   if (piece != place->piece[0] && piece != place->piece[1]) return;
-  RigidMotionAt(dim, &vi->motions.frames[4 * piece], &vi->motions.motion[k * RIGID_COMPONENTS], place->x, u);
+  RigidModesAt(dim, &vi->rigid_modes.frames[4 * piece], &vi->rigid_modes.mode[k * RIGID_COMPONENTS], place->x, u);
   for (PetscInt i = 0; i < dim; i++) slip[i] += (piece == place->piece[0] ? factor : -factor) * u[i];
 }
 
-void SceneMotionSlip(VI vi, const ContactPlace *place, const PetscReal q[], PetscReal slip[])
+void SceneMotionAddSlip(VI vi, const ContactPlace *place, const PetscReal q[], PetscReal slip[])
 {
-  for (PetscInt k = 0; k < vi->motions.num; k++) SceneMotionSlipOf(vi, place, k, q[k], slip);
+  for (PetscInt k = 0; k < vi->rigid_modes.num; k++) SceneMotionAddSlipOfMode(vi, place, k, q[k], slip);
 }
 
 /* (t, r) of a piece of a body, without rounding: parts that are nothing beside the motions of all. */
 static void Gather_Private(VI vi, const PetscReal q[], PetscInt piece, PetscReal size, PetscReal motion[])
 {
   for (PetscInt i = 0; i < RIGID_COMPONENTS; i++) motion[i] = 0;
-  for (PetscInt k = 0; k < vi->motions.num; k++) {
-    for (PetscInt i = 0; i < RIGID_COMPONENTS && vi->motions.piece[k] == piece; i++)
-      motion[i] += q[k] * vi->motions.motion[k * RIGID_COMPONENTS + i];
+  for (PetscInt k = 0; k < vi->rigid_modes.num; k++) {
+    for (PetscInt i = 0; i < RIGID_COMPONENTS && vi->rigid_modes.piece[k] == piece; i++)
+      motion[i] += q[k] * vi->rigid_modes.mode[k * RIGID_COMPONENTS + i];
   }
   for (PetscInt i = 0; i < RIGID_COMPONENTS; i++)
     if (PetscAbsReal(motion[i]) <= NEGLIGIBLE * size) motion[i] = 0;
@@ -75,7 +75,7 @@ static void Axis_Private(const PetscReal frame[], const PetscReal t[], const Pet
 /* What q does to the rows that a piece has a part in. Collective. [out] contacts - [pieces.num] */
 static PetscErrorCode Contacts_Private(VI vi, Solvability s, const PetscReal q[], PetscReal size, Contacts contacts[])
 {
-  const PetscInt num = vi->motions.pieces.num;
+  const PetscInt num = vi->rigid_modes.pieces.num;
   PetscInt      *flags;
 
   PetscFunctionBeginUser;
@@ -85,9 +85,9 @@ static PetscErrorCode Contacts_Private(VI vi, Solvability s, const PetscReal q[]
     PetscReal        opening = 0, slip[3] = {0, 0, 0};
 
     for (PetscInt k = 0; k < s->m; k++) opening -= row[k] * q[k];
-    SceneMotionSlip(vi, &s->cover.place[r], q, slip);
+    SceneMotionAddSlip(vi, &s->cover.place[r], q, slip);
     for (PetscInt k = 0; k < s->m; k++) {
-      PetscInt *flag = &flags[FLAGS * vi->motions.piece[k]];
+      PetscInt *flag = &flags[FLAGS * vi->rigid_modes.piece[k]];
 
       if (PetscAbsReal(row[k]) <= NEGLIGIBLE) continue;
       flag[0] = 1;
@@ -149,7 +149,7 @@ static void Going_Private(PetscInt dim, const BodyMotion *motion, const char ver
 /* What a piece of a body is called. */
 static void Name_Private(VI vi, PetscInt piece, BodyMotion *motion)
 {
-  const Pieces  *pieces = &vi->motions.pieces;
+  const Pieces  *pieces = &vi->rigid_modes.pieces;
   const PetscInt num    = PiecesOfBody(pieces, pieces->body[piece]);
   PetscInt       first  = piece;
   char           centre[96];
@@ -158,7 +158,7 @@ static void Name_Private(VI vi, PetscInt piece, BodyMotion *motion)
   motion->body  = pieces->body[piece];
   motion->piece = piece;
   motion->whole = (PetscBool)(num == 1);
-  Vector_Private(vi->level->dim, &vi->motions.frames[4 * piece], centre, sizeof(centre));
+  Vector_Private(vi->level->dim, &vi->rigid_modes.frames[4 * piece], centre, sizeof(centre));
   snprintf(motion->name, sizeof(motion->name), "%s", vi->scene->bodies[motion->body].name);
   if (!motion->whole) {
     snprintf(motion->name, sizeof(motion->name), "%s, piece %d of %d near %s", vi->scene->bodies[motion->body].name,
@@ -188,9 +188,9 @@ static PetscReal Scale_Private(VI vi, const PetscReal q[], PetscReal size, Petsc
 {
   PetscReal rotation = 0, translation = 0, motion[RIGID_COMPONENTS];
 
-  for (PetscInt b = 0; b < vi->motions.pieces.num; b++) {
+  for (PetscInt b = 0; b < vi->rigid_modes.pieces.num; b++) {
     Gather_Private(vi, q, b, size, motion);
-    rotation    = PetscMax(rotation, Norm_Private(&motion[3]) / vi->motions.frames[4 * b + 3]);
+    rotation    = PetscMax(rotation, Norm_Private(&motion[3]) / vi->rigid_modes.frames[4 * b + 3]);
     translation = PetscMax(translation, Norm_Private(motion));
   }
   *turns = (PetscBool)(rotation > 0);
@@ -208,11 +208,11 @@ PetscErrorCode SceneMotionCreate(VI vi, Solvability s, const PetscReal q[], Scen
   scale        = Scale_Private(vi, q, size, &motion->turns);
   motion->num  = 0;
   motion->work = 0;
-  PetscCall(PetscMalloc1(vi->motions.pieces.num, &motion->bodies));
-  PetscCall(PetscMalloc1(vi->motions.pieces.num, &contacts));
+  PetscCall(PetscMalloc1(vi->rigid_modes.pieces.num, &motion->bodies));
+  PetscCall(PetscMalloc1(vi->rigid_modes.pieces.num, &contacts));
   PetscCall(Contacts_Private(vi, s, q, size, contacts));
   motion->sentence[0] = '\0';
-  for (PetscInt b = 0; b < vi->motions.pieces.num; b++) {
+  for (PetscInt b = 0; b < vi->rigid_modes.pieces.num; b++) {
     BodyMotion *body = &motion->bodies[motion->num];
 
     Gather_Private(vi, q, b, size, components);
@@ -220,9 +220,9 @@ PetscErrorCode SceneMotionCreate(VI vi, Solvability s, const PetscReal q[], Scen
     for (PetscInt i = 0; i < RIGID_COMPONENTS; i++) components[i] *= scale;
     Name_Private(vi, b, body);
     body->work = 0;
-    Axis_Private(&vi->motions.frames[4 * b], components, &components[3], body);
+    Axis_Private(&vi->rigid_modes.frames[4 * b], components, &components[3], body);
     for (PetscInt k = 0; k < s->m; k++)
-      if (vi->motions.piece[k] == b) body->work += scale * s->phi[k] * q[k];
+      if (vi->rigid_modes.piece[k] == b) body->work += scale * s->phi[k] * q[k];
     motion->work += body->work;
     used +=
         (size_t)snprintf(motion->sentence + used, sizeof(motion->sentence) - used, "%s", motion->num ? "; " : "body ");

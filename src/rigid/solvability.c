@@ -27,20 +27,20 @@ static const PetscReal NUDGE = 1e-6;
 /* ... by at least so much. */
 static const PetscReal LEFT = 1e-11;
 
-/* u of one of vi->motions. [out] u - ghosted, ghosts not set. Not collective. */
+/* u of one of vi->rigid_modes. [out] u - ghosted, ghosts not set. Not collective. */
 static PetscErrorCode SetMotion_Private(VI vi, PetscInt k, Vec u)
 {
   const Level     *level = vi->level;
-  const PetscInt   dim = level->dim, piece = vi->motions.piece[k];
-  const PetscReal *motion = &vi->motions.motion[k * RIGID_COMPONENTS];
+  const PetscInt   dim = level->dim, piece = vi->rigid_modes.piece[k];
+  const PetscReal *motion = &vi->rigid_modes.mode[k * RIGID_COMPONENTS];
   PetscScalar     *ua;
 
   PetscFunctionBeginUser;
   PetscCall(VecZeroEntries(u));
   PetscCall(VecGetArray(u, &ua));
   for (PetscInt i = 0; i < level->num_owned; i++) {
-    if (vi->motions.pieces.of_node[i] == piece)
-      RigidMotionAt(dim, &vi->motions.frames[4 * piece], motion, &level->coords[i * dim], &ua[i * dim]);
+    if (vi->rigid_modes.pieces.of_node[i] == piece)
+      RigidModesAt(dim, &vi->rigid_modes.frames[4 * piece], motion, &level->coords[i * dim], &ua[i * dim]);
   }
   PetscCall(VecRestoreArray(u, &ua));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -60,7 +60,7 @@ static PetscErrorCode Matrices_Private(VI vi, Solvability s)
     PetscCall(SetMotion_Private(vi, k, u));
     PetscCall(VecDot(vi->f, u, &s->phi[k]));
     PetscCall(VecDuplicate(vi->upper, &s->modes[k]));
-    PetscCall(VIApplyInverse(vi, u, s->modes[k]));
+    PetscCall(VIApplyInverseBasis(vi, u, s->modes[k]));
     PetscCall(VecGetArrayRead(s->modes[k], &y));
     for (PetscInt r = 0; r < vi->num_rows; r++) s->C[r * s->m + k] = PetscRealPart(y[vi->row_dof[r] - first]);
     PetscCall(VecRestoreArrayRead(s->modes[k], &y));
@@ -68,7 +68,7 @@ static PetscErrorCode Matrices_Private(VI vi, Solvability s)
   PetscCall(VecDestroy(&u));
   PetscCall(VecGetArrayRead(vi->f, &f));
   for (PetscInt a = 0; a < level->num_owned; a++) {
-    if (!vi->motions.loose[vi->motions.pieces.of_node[a]]) continue;
+    if (!vi->rigid_modes.loose[vi->rigid_modes.pieces.of_node[a]]) continue;
     for (PetscInt k = 0; k < dim; k++) s->forces += PetscAbsReal(PetscRealPart(f[a * dim + k]));
   }
   PetscCall(VecRestoreArrayRead(vi->f, &f));
@@ -95,7 +95,7 @@ static PetscErrorCode Places_Private(VI vi, Solvability s)
     const PetscScalar *values;
     PetscReal          largest = 0;
 
-    s->place[r].piece[0] = vi->motions.pieces.of_node[a];
+    s->place[r].piece[0] = vi->rigid_modes.pieces.of_node[a];
     for (PetscInt k = 0; k < dim; k++) s->place[r].x[k] = level->coords[a * dim + k];
     node[r] = -1;
     if (!pair->M) continue;
@@ -107,7 +107,7 @@ static PetscErrorCode Places_Private(VI vi, Solvability s)
     }
     PetscCall(MatRestoreRow(pair->M, level->node_begin + a, &num, &columns, &values));
   }
-  PetscCall(PiecesOfGlobalNodes(level, &vi->motions.pieces, vi->num_rows, node, piece));
+  PetscCall(PiecesOfGlobalNodes(level, &vi->rigid_modes.pieces, vi->num_rows, node, piece));
   for (PetscInt r = 0; r < vi->num_rows; r++) s->place[r].piece[1] = piece[r];
   PetscCall(PetscFree2(node, piece));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -158,9 +158,9 @@ static PetscErrorCode Pin_Private(VI vi, const Cone *cone, const ContactPlace pl
 
     for (PetscInt k = 0; k < m; k++) opening -= cone->rows[r * m + k] * q[k];
     if (opening > NUDGE * size) continue;
-    SceneMotionSlip(vi, &place[r], q, slip);
+    SceneMotionAddSlip(vi, &place[r], q, slip);
     PetscCall(PetscArrayzero(one, 3 * n));
-    for (PetscInt i = 0; i < n; i++) SceneMotionSlip(vi, &place[r], &kernel[i * m], &one[3 * i]);
+    for (PetscInt i = 0; i < n; i++) SceneMotionAddSlip(vi, &place[r], &kernel[i * m], &one[3 * i]);
     for (PetscInt i = 0; i < n; i++) {
       for (PetscInt d = 0; d < 3; d++) {
         gram[n * n + i] -= one[3 * i + d] * slip[d];
@@ -194,7 +194,7 @@ static PetscErrorCode Refuse_Private(VI vi, const Cone *cone, const ContactPlace
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc2(s->m, &straight, s->m, &q));
   for (PetscInt k = 0; k < s->m; k++) {
-    const PetscReal *r = &vi->motions.motion[k * RIGID_COMPONENTS + 3];
+    const PetscReal *r = &vi->rigid_modes.mode[k * RIGID_COMPONENTS + 3];
 
     straight[k] = (PetscBool)(PetscSqr(r[0]) + PetscSqr(r[1]) + PetscSqr(r[2]) < PetscSqr(BALANCED));
   }
@@ -228,7 +228,7 @@ static PetscErrorCode MovesLoads_Private(VI vi, const Cone *cone, const PetscRea
   for (PetscInt k = 0; k < cone->m; k++) {
     if (PetscAbsReal(q[k]) <= NUDGE * size) continue;
     for (PetscInt l = 0; l < cone->m; l++)
-      if (vi->motions.piece[l] == vi->motions.piece[k] && PetscAbsReal(phi[l]) > BALANCED) *loads = PETSC_TRUE;
+      if (vi->rigid_modes.piece[l] == vi->rigid_modes.piece[k] && PetscAbsReal(phi[l]) > BALANCED) *loads = PETSC_TRUE;
   }
   for (PetscInt r = 0; r < cone->num; r++) {
     PetscReal opening = 0;
@@ -375,17 +375,17 @@ PetscErrorCode SolvabilityCreate(VI vi, Solvability *solvability)
 
   PetscFunctionBeginUser;
   *solvability = NULL;
-  if (!vi->motions.num) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!vi->rigid_modes.num) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(LogStageBegin(STAGE_CONDENSE));
   PetscCall(PetscNew(&s));
-  s->m = vi->motions.num;
+  s->m = vi->rigid_modes.num;
   PetscCall(PetscCalloc6(s->m, &s->modes, vi->num_rows * s->m, &s->C, vi->num_rows, &s->both, s->m, &s->phi,
                          vi->num_rows, &s->y, vi->num_rows, &s->place));
   PetscCall(Places_Private(vi, s));
   PetscCall(Matrices_Private(vi, s));
-  PetscCall(CoverCreate(vi, s));
+  PetscCall(ContactRowsCreate(vi, s));
   PetscCall(Judge_Private(vi, s));
-  if (s->verdict != SOLVABLE_NOT) PetscCall(SpringsCreate(vi, s));
+  if (s->verdict != SOLVABLE_NOT) PetscCall(RegularizationCreate(vi, s));
   PetscCall(LogStageEnd(STAGE_CONDENSE));
   *solvability = s;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -398,7 +398,7 @@ PetscErrorCode SolvabilityDestroy(Solvability *solvability)
   PetscFunctionBeginUser;
   if (!s) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt k = 0; k < s->m; k++) PetscCall(VecDestroy(&s->modes[k]));
-  PetscCall(CoverDestroy(s));
+  PetscCall(ContactRowsDestroy(s));
   PetscCall(PetscFree6(s->modes, s->C, s->both, s->phi, s->y, s->place));
   PetscCall(SceneMotionDestroy(&s->motion));
   for (PetscInt i = 0; i < s->num_free; i++) PetscCall(SceneMotionDestroy(&s->free[i]));

@@ -13,11 +13,11 @@ typedef enum {
   SOLVABLE_FREE,     /* up to motions that nothing resists and no load asks for */
   SOLVABLE_MARGINAL, /* some motion that opens contacts costs nothing: the pressure gathers at an edge */
   SOLVABLE_NOT       /* the loads do work on a motion that nothing resists */
-} SolvabilityVerdict;
+} SolvabilityStatus;
 
 /* A point x of a body, or of a piece of it, moves by translation + rotation x (x - centre). */
 typedef struct {
-  PetscInt  body, piece;                 /* of vi->motions.pieces */
+  PetscInt  body, piece;                 /* of vi->rigid_modes.pieces */
   PetscBool whole;                       /* the body is of one piece */
   char      name[512];                   /* "lid", or "lid, piece 1 of 2 near (1.2, 0)" */
   PetscReal translation[3], rotation[3]; /* the translation is along the axis of the rotation where there is one */
@@ -49,12 +49,12 @@ typedef struct {
 } SceneMotion;
 
 struct _n_Solvability {
-  SolvabilityVerdict verdict;
-  PetscInt           m;     /* rigid motions of all pieces of bodies: vi->motions.num */
-  Vec               *modes; /* T^-1 z_k [m] */
-  PetscReal         *C;     /* [vi->num_rows][m] */
-  PetscBool         *both;  /* rows of ties [vi->num_rows] */
-  ContactPlace      *place; /* [vi->num_rows] */
+  SolvabilityStatus verdict;
+  PetscInt          m;     /* rigid motions of all pieces of bodies: vi->rigid_modes.num */
+  Vec              *modes; /* T^-1 z_k [m] */
+  PetscReal        *C;     /* [vi->num_rows][m] */
+  PetscBool        *both;  /* rows of ties [vi->num_rows] */
+  ContactPlace     *place; /* [vi->num_rows] */
   ContactRows cover;   /* the same, but up to where partners end instead of nodes beyond it; no other where none does */
   PetscBool   cut;     /* there is such a place */
   PetscBool   coarse;  /* contact could balance the loads, but for nodes that end before their partner */
@@ -64,7 +64,7 @@ struct _n_Solvability {
   PetscReal   *y;      /* forces that balance the loads, nonzero in at most m rows [vi->num_rows] */
   SceneMotion  motion; /* why not, or what costs nothing; num = 0 with other verdicts */
   PetscInt     num_free;
-  SceneMotion *free;    /* after SolvabilitySettle(): a basis of the motions that are free [num_free] */
+  SceneMotion *free;    /* after MinimumNormApply(): a basis of the motions that are free [num_free] */
   PetscReal    slip;    /* and the most that moving along them has changed a gap that is closed */
   Vec          start;   /* 0/1 per unknown: contacts to begin with */
   Vec          springs; /* what makes A definite, added to its diagonal while solving (eq. 12.6) */
@@ -80,7 +80,7 @@ PetscErrorCode SolvabilityDestroy(Solvability *solvability);
 /* Of all solutions that differ from y by free motions, the one that moves least: the mean square displacement of the bodies
    that move freely is smallest (eq. 12.7). Fills in which motions are free. Nothing without rigid motions. Collective.
    [in,out] y - a solution */
-PetscErrorCode SolvabilitySettle(VI vi, Solvability solvability, Vec y);
+PetscErrorCode MinimumNormApply(VI vi, Solvability solvability, Vec y);
 
 /* A motion of all bodies in words and numbers. Collective. [in] q - [m]; [out] motion - to be freed by SceneMotionDestroy() */
 PetscErrorCode SceneMotionCreate(VI vi, Solvability solvability, const PetscReal q[], SceneMotion *motion);

@@ -19,7 +19,7 @@ PetscErrorCode ProbeRead(Scene scene, SceneProbe *probe)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Files: -output_format is read only where there are files to format, so that it is told otherwise. */
+/* FileSet: -output_format is read only where there are files to format, so that it is told otherwise. */
 static PetscErrorCode ResultsReadFiles_Private(Scene scene)
 {
   Option      output, format, summary, report;

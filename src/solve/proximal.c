@@ -45,7 +45,7 @@ PetscErrorCode SpringsBegin(VI vi, Solvability solvability, Springs *springs)
   PetscCall(VecDuplicate(vi->b, &springs->sprung.b));
   PetscCall(VecDuplicate(vi->upper, &springs->sprung.upper));
   PetscCall(VecWAXPY(springs->sprung.upper, -1, solvability->rest, vi->upper));
-  PetscCall(VICreateSprung(vi, solvability->springs, &springs->sprung.A));
+  PetscCall(VICreateRegularized(vi, solvability->springs, &springs->sprung.A));
   PetscCall(MatGetDiagonal(vi->A, springs->scale));
   PetscCall(VecSqrtAbs(springs->scale));
   PetscCall(VecReciprocal(springs->scale));

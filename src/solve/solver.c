@@ -96,7 +96,7 @@ PetscErrorCode SolveRun(Solver solver, const SolveChoice *choice, PetscBool prog
     report->foretold = PatienceForetold(&bench.hierarchy->patience);
   }
   PetscCall(WorkbenchDestroy(&bench, y));
-  PetscCall(SolvabilitySettle(solver->vi, solvability, y));
+  PetscCall(MinimumNormApply(solver->vi, solvability, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -20,7 +20,7 @@ static PetscReal Growth_Private(PetscInt dim, PetscInt unknowns)
   return PetscPowReal((PetscReal)unknowns, GROWTH[dim - 2]);
 }
 
-PetscReal ForecastMemory(Study study, PetscInt order, PetscInt unknowns)
+PetscReal CostForecastMemory(Study study, PetscInt order, PetscInt unknowns)
 {
   const Record *last    = StudyFindCoarser(study, order, study->scene->study.levels);
   const Record *before  = last ? StudyFindCoarser(study, order, last->level) : NULL;
@@ -40,7 +40,7 @@ PetscReal ForecastMemory(Study study, PetscInt order, PetscInt unknowns)
 }
 
 /* Refinement makes 2^dim cells of one, and nodes of less than 2^dim times as many. */
-PetscInt ForecastUnknowns(Study study, const Record *record)
+PetscInt CostForecastUnknowns(Study study, const Record *record)
 {
   return record->unknowns << study->scene->dim;
 }

@@ -16,7 +16,7 @@ static const Record *Find_Private(Study study, PetscInt order, PetscInt level)
   return NULL;
 }
 
-PetscBool ExtrapolateQuantity(Study study, PetscInt quantity, PetscInt order, Extrapolation *limit)
+PetscBool ExtrapolationOfQuantity(Study study, PetscInt quantity, PetscInt order, Extrapolation *limit)
 {
   const Record *finest = StudyFindCoarser(study, order, study->scene->study.levels);
   PetscReal     values[RICHARDSON_LEVELS];
@@ -31,7 +31,7 @@ PetscBool ExtrapolateQuantity(Study study, PetscInt quantity, PetscInt order, Ex
   return PETSC_TRUE;
 }
 
-PetscInt ExtrapolateFindBest(Study study, PetscInt quantity)
+PetscInt ExtrapolationFindBest(Study study, PetscInt quantity)
 {
   PetscReal smallest = PETSC_INFINITY;
   PetscInt  best     = -1;
@@ -40,16 +40,16 @@ PetscInt ExtrapolateFindBest(Study study, PetscInt quantity)
     const PetscInt order = study->scene->study.orders[o];
     Extrapolation  limit;
 
-    if (!ExtrapolateQuantity(study, quantity, order, &limit) || limit.bar >= smallest) continue;
+    if (!ExtrapolationOfQuantity(study, quantity, order, &limit) || limit.bar >= smallest) continue;
     smallest = limit.bar;
     best     = order;
   }
   return best;
 }
 
-PetscBool ExtrapolateVanishes(Study study, PetscInt quantity, const Extrapolation *limit)
+PetscBool ExtrapolationVanishes(Study study, PetscInt quantity, const Extrapolation *limit)
 {
-  const Record *finest = StudyFindCoarser(study, ExtrapolateFindBest(study, quantity), study->scene->study.levels);
+  const Record *finest = StudyFindCoarser(study, ExtrapolationFindBest(study, quantity), study->scene->study.levels);
   PetscReal     size   = 0;
 
   for (PetscInt q = 0; q < study->num_quantities; ++q)
@@ -58,20 +58,20 @@ PetscBool ExtrapolateVanishes(Study study, PetscInt quantity, const Extrapolatio
   return (PetscBool)(PetscAbsReal(limit->value) + limit->bar <= NEGLIGIBLE * size);
 }
 
-PetscErrorCode ExtrapolatePrint(Study study)
+PetscErrorCode ExtrapolationPrint(Study study)
 {
   const MPI_Comm comm  = study->scene->comm;
   PetscBool      begun = PETSC_FALSE;
 
   PetscFunctionBeginUser;
   for (PetscInt q = 0; q < study->num_quantities; ++q) {
-    const PetscInt best   = ExtrapolateFindBest(study, q);
+    const PetscInt best   = ExtrapolationFindBest(study, q);
     Record         sample = {.order = best};
     Extrapolation  limit;
     char           text[RICHARDSON_TEXT], order[ERROR_TEXT];
 
-    if (best < 0 || !ExtrapolateQuantity(study, q, best, &limit)) continue;
-    if (ExtrapolateVanishes(study, q, &limit)) continue;
+    if (best < 0 || !ExtrapolationOfQuantity(study, q, best, &limit)) continue;
+    if (ExtrapolationVanishes(study, q, &limit)) continue;
     if (!begun) PetscCall(PetscPrintf(comm, "extrapolated from the last three levels (Richardson)\n"));
     begun = PETSC_TRUE;
     RichardsonText(&limit, text, sizeof(text));

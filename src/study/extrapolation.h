@@ -7,13 +7,13 @@
 
 /* Extrapolates a quantity from the finest three levels of one order that follow each other and are solved. Returns whether
    there are such, and the quantity is known on them. Not collective. */
-PetscBool ExtrapolateQuantity(Study study, PetscInt quantity, PetscInt order, Extrapolation *limit);
+PetscBool ExtrapolationOfQuantity(Study study, PetscInt quantity, PetscInt order, Extrapolation *limit);
 /* The order whose error bar is smallest, -1 where no order has three levels. Not collective. */
-PetscInt ExtrapolateFindBest(Study study, PetscInt quantity);
+PetscInt ExtrapolationFindBest(Study study, PetscInt quantity);
 /* Whether an extrapolated quantity is zero to all that can be told, beside the others of its vector: a component that the
    scene does not have. Not collective. */
-PetscBool ExtrapolateVanishes(Study study, PetscInt quantity, const Extrapolation *limit);
+PetscBool ExtrapolationVanishes(Study study, PetscInt quantity, const Extrapolation *limit);
 /* Prints all that do not vanish. Collective. */
-PetscErrorCode ExtrapolatePrint(Study study);
+PetscErrorCode ExtrapolationPrint(Study study);
 
 #endif

@@ -19,7 +19,7 @@ static PetscErrorCode Apply_Private(Mat P, Level *level, Vec u, Vec *v)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ComparePromote(Mesh mesh, PetscInt from, PetscInt to, Vec u, Vec *v)
+PetscErrorCode MeshComparisonPromote(Mesh mesh, PetscInt from, PetscInt to, Vec u, Vec *v)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscObjectReference((PetscObject)u));
@@ -73,7 +73,7 @@ static PetscErrorCode Bring_Private(Study study, const Record *record, const Rec
   *v = NULL;
   if (record->state != RECORD_SOLVED || record->level > reference->level || mesh->num_levels <= to)
     PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(ComparePromote(mesh, first + record->level, to, record->u, v));
+  PetscCall(MeshComparisonPromote(mesh, first + record->level, to, record->u, v));
   if (mesh == goal) PetscFunctionReturn(PETSC_SUCCESS);
   low = *v;
   PetscCall(LevelCreateEmbedding(&mesh->levels[to], &goal->levels[to], &embedding));
@@ -83,7 +83,7 @@ static PetscErrorCode Bring_Private(Study study, const Record *record, const Rec
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CompareWithReference(Study study)
+PetscErrorCode MeshComparisonRun(Study study)
 {
   const Scene scene = study->scene;
   BodyError  *bodies, total;
@@ -104,7 +104,7 @@ PetscErrorCode CompareWithReference(Study study)
     level                                 = &mesh->levels[mesh->own + reference->level];
     if (record != reference) PetscCall(Bring_Private(study, record, reference, &v));
     if (!v) continue;
-    PetscCall(DifferenceCompute(scene, level, v, reference->u, bodies, &total));
+    PetscCall(ErrorsComputeDifference(scene, level, v, reference->u, bodies, &total));
     record->errors[0] = (RecordError){.absolute = total.energy, .relative = total.energy_relative, .rate = NAN};
     record->errors[1] = (RecordError){.absolute = total.l2, .relative = total.l2_relative, .rate = NAN};
     PetscCall(VecDestroy(&v));
@@ -113,7 +113,7 @@ PetscErrorCode CompareWithReference(Study study)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-void CompareReferenceText(Study study, char text[])
+void MeshComparisonReferenceText(Study study, char text[])
 {
   text[0] = '\0';
   if (study->exact) {

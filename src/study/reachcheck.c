@@ -139,7 +139,7 @@ static PetscErrorCode Look_Private(Run run, const PetscReal motion[], PetscBool 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BeyondReach(Run run, PetscBool *again)
+PetscErrorCode ReachCheckRun(Run run, PetscBool *again)
 {
   PetscReal *motion;
   PetscBool  far = PETSC_FALSE;

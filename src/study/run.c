@@ -28,7 +28,7 @@ static PetscErrorCode Solve_Private(Run run, Vec guess, PetscBool *again)
   PetscCall(FieldsCreate(run->vi, run->solvability, run->y, &run->fields));
   PetscCall(CertificateCompute(run->fields, &run->certificate, &run->reactions));
   PetscCall(LogStageEnd(STAGE_OUTPUT));
-  if (run->certificate.holds) PetscCall(BeyondReach(run, again));
+  if (run->certificate.holds) PetscCall(ReachCheckRun(run, again));
   PetscCall(ErrorsCompute(run->fields, &run->errors)); // within no stage: nobody needs it who does not know the answer
   /* a second solver that finds nothing says nothing against the first, which has its certificate: that is a warning */
   run->solved = (PetscBool)(run->report.converged && run->certificate.holds &&
@@ -67,7 +67,7 @@ static PetscErrorCode Try_Private(Scene scene, Mesh mesh, Vec guess, Run *run_ou
   PetscCall(SolverCreate(run->vi, run->solvability, &run->solver));
   if (scene->view) {
     PetscCall(SceneView(scene));
-    PetscCall(ModelView(run->vi, run->solvability));
+    PetscCall(MeshViewPrint(run->vi, run->solvability));
     PetscCall(SolverView(run->solver));
   }
   PetscCall(ErrorsCheck(run->vi));

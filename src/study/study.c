@@ -39,7 +39,7 @@ static PetscErrorCode Fits_Private(Study study, Record *record, PetscReal held, 
   const PetscReal allowed = study->scene->study.memory;
 
   PetscFunctionBeginUser;
-  record->forecast = held + ForecastMemory(study, record->order, record->unknowns);
+  record->forecast = held + CostForecastMemory(study, record->order, record->unknowns);
   *fits            = (PetscBool) !(record->forecast > allowed);
   if (!*fits) {
     char needed[BYTES_TEXT], limit[BYTES_TEXT];
@@ -62,7 +62,7 @@ static PetscErrorCode Mesh_Private(Study study, PetscInt o, Record *record, Pets
   if (record->level) { // refining shows how large the mesh is only when it is done
     const Record *before = &record[-study->num_orders];
 
-    record->unknowns = ForecastUnknowns(study, before);
+    record->unknowns = CostForecastUnknowns(study, before);
     PetscCall(Fits_Private(study, record, held, made));
     if (before->state == RECORD_SKIPPED) *made = PETSC_FALSE;
     if (!*made) PetscFunctionReturn(PETSC_SUCCESS);
@@ -90,7 +90,7 @@ static PetscErrorCode Guess_Private(Study study, PetscInt o, const Record *recor
   PetscFunctionBeginUser;
   *guess = NULL;
   if (coarser)
-    PetscCall(ComparePromote(study->mesh[o], first + coarser->level, first + record->level, coarser->u, guess));
+    PetscCall(MeshComparisonPromote(study->mesh[o], first + coarser->level, first + record->level, coarser->u, guess));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -103,7 +103,7 @@ static PetscErrorCode Solve_Private(Study study, PetscInt o, Record *record, Pet
   Record *coarser = StudyFindCoarser(study, record->order, record->level);
 
   PetscFunctionBeginUser;
-  PetscCall(TableAnnounce(study, record));
+  PetscCall(StudyTableAnnounce(study, record));
   PetscCall(LogStageBegin(STAGE_SOLVE));
   PetscCall(Guess_Private(study, o, record, &guess));
   PetscCall(LogStageEnd(STAGE_SOLVE));
@@ -151,9 +151,9 @@ static PetscErrorCode Run_Private(Study study, PetscInt o, PetscInt level, Petsc
     record->own_memory = record->memory - held;
     *solved            = (PetscBool)(record->state == RECORD_SOLVED);
   }
-  PetscCall(CompareWithReference(study));
+  PetscCall(MeshComparisonRun(study));
   StudyComputeRates(study);
-  PetscCall(TableAdd(study, record));
+  PetscCall(StudyTableAdd(study, record));
   PetscCall(StudyWriteFiles(study));
   if (record->state == RECORD_NOT_SOLVED) {
     char order[ERROR_TEXT];
@@ -208,7 +208,7 @@ PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
   study->quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
   PetscCall(InterruptBegin());
   PetscCall(StudyWriteFiles(study));
-  PetscCall(TableBegin(study));
+  PetscCall(StudyTableBegin(study));
   for (PetscInt level = 0; level < plan->levels; ++level) {
     for (PetscInt o = 0; o < plan->num_orders; ++o) {
       PetscCall(Run_Private(study, o, level, &solved, &refused));
@@ -217,10 +217,10 @@ PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
     }
   }
   PetscCall(WriteSummary_Private(study));
-  PetscCall(TableEnd(study));
+  PetscCall(StudyTableEnd(study));
   if (study->best < 0 && all)
     PetscCall(PetscFPrintf(scene->comm, PETSC_STDERR, "mortise: no run fits into -study_memory\n"));
-  if (!study->shown) PageGiveUp("no run is solved");
+  if (!study->shown) HTMLReportGiveUp("no run is solved");
   *verdict = all && study->best >= 0   ? MORTISE_SOLVED
              : none && study->best < 0 ? MORTISE_NO_SOLUTION
                                        : MORTISE_NOT_CONVERGED;

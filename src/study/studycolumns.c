@@ -59,7 +59,7 @@ static void Cost_Private(const Record *record, const Sink *sink)
   Real_Private(sink, "peak_bytes_forecast", "", record->forecast);
 }
 
-void RecordColumns(Study study, const Record *record, PetscBool errors_named, ColumnFn take, void *ctx)
+void StudyColumnsVisit(Study study, const Record *record, PetscBool errors_named, ColumnFn take, void *ctx)
 {
   static const char *const states[] = {"solved", "not_solved", "skipped"};
   const Sink               sink     = {.take = take, .ctx = ctx};

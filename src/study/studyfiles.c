@@ -56,7 +56,7 @@ static void WriteTable_Private(Study study, FILE *out)
   for (PetscInt r = -1; r < study->num; ++r) {
     Row row = {.out = out, .names = (PetscBool)(r < 0)};
 
-    RecordColumns(study, &study->records[PetscMax(r, 0)], PETSC_TRUE, RowFn, &row);
+    StudyColumnsVisit(study, &study->records[PetscMax(r, 0)], PETSC_TRUE, RowFn, &row);
     if (r < study->num - 1) fputc('\n', out);
   }
 }
@@ -83,7 +83,7 @@ static void AddExtrapolated_Private(Study study, cJSON *root)
 
   for (PetscInt q = 0; q < study->num_quantities; ++q) {
     cJSON         *quantity = NULL, *orders = NULL;
-    const PetscInt best = ExtrapolateFindBest(study, q);
+    const PetscInt best = ExtrapolationFindBest(study, q);
 
     for (PetscInt o = 0; o < study->num_orders; ++o) {
       const PetscInt order = study->scene->study.orders[o];
@@ -91,18 +91,18 @@ static void AddExtrapolated_Private(Study study, cJSON *root)
       char           key[16];
       cJSON         *object;
 
-      if (!ExtrapolateQuantity(study, q, order, &limit)) continue;
+      if (!ExtrapolationOfQuantity(study, q, order, &limit)) continue;
       if (!quantity) {
         Extrapolation chosen;
         char          text[RICHARDSON_TEXT];
 
-        (void)ExtrapolateQuantity(study, q, best, &chosen);
+        (void)ExtrapolationOfQuantity(study, q, best, &chosen);
         quantity = cJSON_AddObjectToObject(quantities, study->quantities[q].name);
         JSONAddReal(quantity, "value", chosen.value);
         JSONAddReal(quantity, "uncertainty", chosen.bar);
         JSONAddInt(quantity, "order", best);
         RichardsonText(&chosen, text, sizeof(text));
-        if (!ExtrapolateVanishes(study, q, &chosen)) cJSON_AddStringToObject(quantity, "text", text);
+        if (!ExtrapolationVanishes(study, q, &chosen)) cJSON_AddStringToObject(quantity, "text", text);
         orders = cJSON_AddObjectToObject(quantity, "orders");
       }
       snprintf(key, sizeof(key), "%d", (int)order);
@@ -121,14 +121,14 @@ static char *CreateBlock_Private(Study study)
   cJSON *root = cJSON_CreateObject(), *runs;
   char   reference[ERROR_TEXT], *text;
 
-  CompareReferenceText(study, reference);
+  MeshComparisonReferenceText(study, reference);
   cJSON_AddStringToObject(root, "kind", "uniform");
   cJSON_AddItemToObject(root, "reference", reference[0] ? cJSON_CreateString(reference) : cJSON_CreateNull());
   runs = cJSON_AddArrayToObject(root, "runs");
   for (PetscInt r = 0; r < study->num; ++r) {
     cJSON *run = cJSON_CreateObject();
 
-    RecordColumns(study, &study->records[r], PETSC_FALSE, ObjectFn, run);
+    StudyColumnsVisit(study, &study->records[r], PETSC_FALSE, ObjectFn, run);
     cJSON_AddItemToArray(runs, run);
   }
   AddExtrapolated_Private(study, root);

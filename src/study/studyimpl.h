@@ -94,11 +94,11 @@ void RecordOrderText(const Record *record, char text[]);
 /* --- compare.c: solutions on different meshes --- */
 
 /* Brings a displacement up by prolongations. Collective. [in] u - on level `from` of mesh; [out] v - ghosted, on level `to` */
-PetscErrorCode ComparePromote(Mesh mesh, PetscInt from, PetscInt to, Vec u, Vec *v);
+PetscErrorCode MeshComparisonPromote(Mesh mesh, PetscInt from, PetscInt to, Vec u, Vec *v);
 /* Chooses the reference and computes all differences from it, where there are no exact solutions. Collective. */
-PetscErrorCode CompareWithReference(Study study);
+PetscErrorCode MeshComparisonRun(Study study);
 /* "exact", "order 2, level 4", or "" where errors are not known. Not collective. [out] text - [ERROR_TEXT] */
-void CompareReferenceText(Study study, char text[]);
+void MeshComparisonReferenceText(Study study, char text[]);
 
 /* --- columns.c: the one list of what files tell of a run --- */
 
@@ -116,23 +116,23 @@ typedef struct {
 typedef void (*ColumnFn)(void *ctx, const Column *column);
 /* All columns of a record in their order. Not collective. [in] errors_named - whether the names of errors tell that they are
    differences from the finest run, where they are */
-void RecordColumns(Study study, const Record *record, PetscBool errors_named, ColumnFn take, void *ctx);
+void StudyColumnsVisit(Study study, const Record *record, PetscBool errors_named, ColumnFn take, void *ctx);
 
 /* --- table.c: the terminal --- */
 
 /* Collective, all four: its head, the run that begins, one that has ended; */
-PetscErrorCode TableBegin(Study study);
-PetscErrorCode TableAnnounce(Study study, const Record *record);
-PetscErrorCode TableAdd(Study study, const Record *record);
+PetscErrorCode StudyTableBegin(Study study);
+PetscErrorCode StudyTableAnnounce(Study study, const Record *record);
+PetscErrorCode StudyTableAdd(Study study, const Record *record);
 /* and what is known at the end: differences from the reference, extrapolated values, files. */
-PetscErrorCode TableEnd(Study study);
+PetscErrorCode StudyTableEnd(Study study);
 
 /* --- forecast.c: memory of runs that were not made yet --- */
 
 /* Bytes that a run will need beside what is held now; NAN where nothing can be said. Not collective. */
-PetscReal ForecastMemory(Study study, PetscInt order, PetscInt unknowns);
+PetscReal CostForecastMemory(Study study, PetscInt order, PetscInt unknowns);
 /* Unknowns of a level that is not there yet. Not collective. [in] record - of the next coarser level of that order */
-PetscInt ForecastUnknowns(Study study, const Record *record);
+PetscInt CostForecastUnknowns(Study study, const Record *record);
 
 /* --- files.c: everything that is rewritten after every run --- */
 

@@ -206,7 +206,7 @@ static PetscErrorCode RecordValues_Private(Study study, Run run, PetscReal value
   for (PetscInt i = 0; i < scene->num_probes; ++i) {
     PetscReal u[3], stress[6];
 
-    PetscCall(ProbeEvaluate(run->fields, &scene->probes[i], u, stress));
+    PetscCall(ProbesEvaluate(run->fields, &scene->probes[i], u, stress));
     for (PetscInt k = 0; k < dim; ++k) *next++ = u[k];
     *next++ = MaterialVonMises(stress);
   }

@@ -29,7 +29,7 @@ static const char *Order_Private(const Record *record, char text[CELL])
   return text;
 }
 
-PetscErrorCode TableBegin(Study study)
+PetscErrorCode StudyTableBegin(Study study)
 {
   const MPI_Comm comm = study->scene->comm;
 
@@ -41,7 +41,7 @@ PetscErrorCode TableBegin(Study study)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode TableAnnounce(Study study, const Record *record)
+PetscErrorCode StudyTableAnnounce(Study study, const Record *record)
 {
   char order[ERROR_TEXT];
 
@@ -53,7 +53,7 @@ PetscErrorCode TableAnnounce(Study study, const Record *record)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode TableAdd(Study study, const Record *record)
+PetscErrorCode StudyTableAdd(Study study, const Record *record)
 {
   const MPI_Comm comm = study->scene->comm;
   char           texts[8][CELL], error[2 * CELL + 8];
@@ -86,7 +86,7 @@ static PetscErrorCode PrintDifferences_Private(Study study)
   char           reference[ERROR_TEXT], texts[5][CELL];
 
   PetscFunctionBeginUser;
-  CompareReferenceText(study, reference);
+  MeshComparisonReferenceText(study, reference);
   PetscCall(PetscPrintf(comm,
                         "differences from %s, which stands for the exact solution\n"
                         "  order level  unknowns   energy norm   rate            L2   rate   seconds\n",
@@ -132,12 +132,12 @@ static PetscErrorCode PrintFiles_Private(Study study)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode TableEnd(Study study)
+PetscErrorCode StudyTableEnd(Study study)
 {
   PetscFunctionBeginUser;
   if (study->quiet) PetscFunctionReturn(PETSC_SUCCESS);
   if (!study->exact && HasDifferences_Private(study)) PetscCall(PrintDifferences_Private(study));
-  PetscCall(ExtrapolatePrint(study));
+  PetscCall(ExtrapolationPrint(study));
   PetscCall(PrintFiles_Private(study));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -199,7 +199,7 @@ static PetscErrorCode TestDifference(PetscBool simplex, PetscInt order)
   PetscCall(CaseCreate(&c, simplex, order));
   PetscCall(Linear(c.vi->level, 2, 2, 3, &u));
   PetscCall(Linear(c.vi->level, 1, 0, 0, &v));
-  PetscCall(DifferenceCompute(&c.scene, c.vi->level, u, v, body, &total));
+  PetscCall(ErrorsComputeDifference(&c.scene, c.vi->level, u, v, body, &total));
   for (PetscInt b = 0; b < 2; ++b) {
     CHECK_NEAR(PetscSqr(body[b].l2), thickness * l2[b], 1e-12);
     CHECK_NEAR(PetscSqr(body[b].l2_relative), l2[b] / size[b], 1e-11);

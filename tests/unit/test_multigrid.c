@@ -109,7 +109,7 @@ static void TestInverse(VI vi)
   Mat inverse;
   Vec x, Tx, back;
 
-  CHECK(!VICreateInverse(vi, &inverse));
+  CHECK(!VICreateInverseBasis(vi, &inverse));
   CHECK(inverse && vi->T);
   CHECK(!MatCreateVecs(vi->K, &x, &Tx));
   CHECK(!VecDuplicate(x, &back));
@@ -144,7 +144,7 @@ static void TestShell(VI vi)
   Fill(x);
   for (PetscInt with = 0; with < 2; ++with) {
     vi->assembled = PETSC_FALSE; // A stays what it is; what is made of it is a shell
-    CHECK(!VICreateSprung(vi, springs, &sprung));
+    CHECK(!VICreateRegularized(vi, springs, &sprung));
     vi->assembled = PETSC_TRUE;
     CHECK(!MatMult(sprung, x, image[0]));
     CHECK(!MatGetDiagonal(sprung, diagonal[0]));

@@ -1,4 +1,4 @@
-/* test_options.c -- the argument list that PETSc gets, and the sentence where there is none. Files are written to and read
+/* test_options.c -- the argument list that PETSc gets, and the sentence where there is none. FileSet are written to and read
    from the working directory. */
 #include "base/compat.h"
 #include "base/options.h"
@@ -79,7 +79,7 @@ static void TestCommandLine(void)
   EXPECT_FAULT("nowhere.yaml", "no such file", "-options_file_yaml", "nowhere.yaml");
 }
 
-/* Files come first, wherever the command line names them, and in their order. */
+/* FileSet come first, wherever the command line names them, and in their order. */
 static void TestOrder(void)
 {
   Write("first.opts", "-a 1\n-b 2\n");

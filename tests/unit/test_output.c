@@ -87,38 +87,38 @@ static void TestXML(void)
 }
 
 /* A quad and two triangles beside it. */
-static const PicturePart small_part = {.dim        = 2,
-                                       .num_points = 6,
-                                       .coords     = (const PetscReal[]){0, 0, 1, 0, 1, 1, 0, 1, 2, 0, 2, 1},
-                                       .num_cells  = 3,
-                                       .cell_type  = (const PetscInt[]){ELEMENT_QUAD4, ELEMENT_TRI3, ELEMENT_TRI3},
-                                       .cell_tag   = (const PetscInt[]){0, 1, 1},
-                                       .cell_nodes = (const PetscInt[]){0, 1, 2, 3, 1, 4, 5, 1, 5, 2}};
+static const FieldMesh small_part = {.dim        = 2,
+                                     .num_points = 6,
+                                     .coords     = (const PetscReal[]){0, 0, 1, 0, 1, 1, 0, 1, 2, 0, 2, 1},
+                                     .num_cells  = 3,
+                                     .cell_type  = (const PetscInt[]){ELEMENT_QUAD4, ELEMENT_TRI3, ELEMENT_TRI3},
+                                     .cell_tag   = (const PetscInt[]){0, 1, 1},
+                                     .cell_nodes = (const PetscInt[]){0, 1, 2, 3, 1, 4, 5, 1, 5, 2}};
 
 /* Quantities at the points of a part. */
-static PetscErrorCode WritePicture(MPI_Comm comm, const PictureFormat *format, const PicturePart *part, Files *files,
+static PetscErrorCode WritePicture(MPI_Comm comm, const FieldFormat *format, const FieldMesh *part, FileSet *files,
                                    const char base[])
 {
   const PetscInt n       = part->num_points + 1; /* nodes, at most */
-  Picture        picture = {
-             .base = base, .title = "a <mixed> & small one", .first = "Vectors=\"displacement\"", .files = files};
+  FieldWriter    picture = {
+         .base = base, .title = "a <mixed> & small one", .first = "Vectors=\"displacement\"", .files = files};
   PetscReal *values, *body;
 
   PetscFunctionBeginUser;
-  PetscCall(PictureOpen(comm, format, &picture));
-  PetscCall(PictureMesh(&picture, part, &body));
+  PetscCall(FieldWriterOpen(comm, format, &picture));
+  PetscCall(FieldWriterMesh(&picture, part, &body));
   PetscCall(PetscMalloc1(n * 9, &values));
   for (PetscInt i = 0; i < n * 9; ++i) values[i] = 0.5 * (PetscReal)i;
-  PetscCall(PicturePoints(&picture, (Quantity){"displacement", 3, PETSC_FALSE}, 2, values));
-  PetscCall(PicturePoints(&picture, (Quantity){"stress", 9, PETSC_FALSE}, 9, values));
-  PetscCall(PicturePoints(&picture, (Quantity){"von_mises", 1, PETSC_FALSE}, 1, values));
-  PetscCall(PicturePoints(&picture, (Quantity){"pressure", 1, PETSC_FALSE}, 1, values));
+  PetscCall(FieldWriterPoints(&picture, (Quantity){"displacement", 3, PETSC_FALSE}, 2, values));
+  PetscCall(FieldWriterPoints(&picture, (Quantity){"stress", 9, PETSC_FALSE}, 9, values));
+  PetscCall(FieldWriterPoints(&picture, (Quantity){"von_mises", 1, PETSC_FALSE}, 1, values));
+  PetscCall(FieldWriterPoints(&picture, (Quantity){"pressure", 1, PETSC_FALSE}, 1, values));
   for (PetscInt i = 0; i < n; ++i) values[i] = i < 3 ? 0.25 * (PetscReal)i : NAN;
-  PetscCall(PicturePoints(&picture, (Quantity){"gap", 1, PETSC_FALSE}, 1, values));
+  PetscCall(FieldWriterPoints(&picture, (Quantity){"gap", 1, PETSC_FALSE}, 1, values));
   for (PetscInt i = 0; i < n; ++i) values[i] = (PetscReal)(i % 4 - 1);
-  PetscCall(PicturePoints(&picture, (Quantity){"status", 1, PETSC_TRUE}, 1, values));
-  PetscCall(PictureCells(&picture, (Quantity){"body", 1, PETSC_TRUE}, body));
-  PetscCall(PictureClose(&picture));
+  PetscCall(FieldWriterPoints(&picture, (Quantity){"status", 1, PETSC_TRUE}, 1, values));
+  PetscCall(FieldWriterCells(&picture, (Quantity){"body", 1, PETSC_TRUE}, body));
+  PetscCall(FieldWriterClose(&picture));
   PetscCall(PetscFree(values));
   PetscCall(PetscFree(body));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -127,17 +127,17 @@ static PetscErrorCode WritePicture(MPI_Comm comm, const PictureFormat *format, c
 static PetscErrorCode TestPicture(void)
 {
   static const int expected[13] = {4, 1, 4, 5, 4, 1, 5, 2, 5, 0, 1, 2, 3};
-  Files            files        = {0};
+  FileSet          files        = {0};
   int              cells[13], status[6];
   double           displacement[18], gap[6];
   hid_t            file, set;
   char            *text;
 
   PetscFunctionBeginUser;
-  PetscCall(WritePicture(PETSC_COMM_SELF, &picture_hdf5, &small_part, &files, "folder/below/picture"));
-  PetscCall(WritePicture(PETSC_COMM_SELF, &picture_vtu, &small_part, &files, "folder/below/picture"));
+  PetscCall(WritePicture(PETSC_COMM_SELF, &field_format_hdf5, &small_part, &files, "folder/below/picture"));
+  PetscCall(WritePicture(PETSC_COMM_SELF, &field_format_vtu, &small_part, &files, "folder/below/picture"));
   CHECK(!Exists("folder/below/picture.h5")); /* not before it is finished */
-  PetscCall(FilesFinish(PETSC_COMM_SELF, &files));
+  PetscCall(FileSetFinish(PETSC_COMM_SELF, &files));
 
   file = H5Fopen("folder/below/picture.h5", H5F_ACC_RDONLY, H5P_DEFAULT);
   CHECK(file >= 0);
@@ -181,7 +181,7 @@ static PetscErrorCode TestQuadraticCells(void)
   static PetscInt        start[3] = {0, 6, 15}, nodes[15] = {0, 1, 2, 3, 4, 5, 1, 6, 7, 2, 8, 9, 10, 4, 11};
   static PetscInt        type[2]        = {ELEMENT_TRI6, ELEMENT_QUAD9};
   static const PetscReal places[12 * 2] = {0};
-  const PicturePart      part           = {.dim        = 2,
+  const FieldMesh        part           = {.dim        = 2,
                                            .num_points = 12,
                                            .coords     = places,
                                            .num_cells  = 2,
@@ -189,24 +189,24 @@ static PetscErrorCode TestQuadraticCells(void)
                                            .cell_tag   = (const PetscInt[]){0, 1},
                                            .cell_nodes = nodes};
   Topology               topology;
-  Files                  files = {0};
+  FileSet                files = {0};
   char                  *text;
 
   PetscFunctionBeginUser;
-  PetscCall(TopologyCreate(&(SortedCells){2, start, nodes, type}, &topology));
+  PetscCall(XDMFTopologyCreate(&(SortedCells){2, start, nodes, type}, &topology));
   CHECK(strcmp(topology.name, "Mixed") == 0 && topology.rows == 17 && topology.columns == 1);
   CHECK(memcmp(topology.values, expected, sizeof(expected)) == 0);
-  PetscCall(TopologyDestroy(&topology));
+  PetscCall(XDMFTopologyDestroy(&topology));
   for (PetscInt first = 0; first < 2; ++first) {
     static const char *const name[2]  = {"Triangle_6", "Quadrilateral_9"};
     PetscInt                 alone[2] = {0, first ? 9 : 6};
 
-    PetscCall(TopologyCreate(&(SortedCells){1, alone, nodes, &type[first]}, &topology));
+    PetscCall(XDMFTopologyCreate(&(SortedCells){1, alone, nodes, &type[first]}, &topology));
     CHECK(strcmp(topology.name, name[first]) == 0 && topology.rows == 1 && topology.columns == alone[1]);
-    PetscCall(TopologyDestroy(&topology));
+    PetscCall(XDMFTopologyDestroy(&topology));
   }
-  PetscCall(WritePicture(PETSC_COMM_SELF, &picture_vtu, &part, &files, "picture"));
-  PetscCall(FilesFinish(PETSC_COMM_SELF, &files));
+  PetscCall(WritePicture(PETSC_COMM_SELF, &field_format_vtu, &part, &files, "picture"));
+  PetscCall(FileSetFinish(PETSC_COMM_SELF, &files));
   text = Slurp("picture.vtu");
   CHECK(strstr(text, "Name=\"types\" format=\"binary\">\nAgAAAAAAAAAWHA==\n")); /* 2 bytes: 22, 28 */
   free(text);
@@ -222,25 +222,25 @@ static PetscErrorCode TestSomeNodes(void)
   const PetscReal coords[] = {0, 0, 1, 0, 2, 0};
   const PetscInt  nodes[] = {0, 2}, type = ELEMENT_LINE2, tag = 0;
   PetscInt        global[3], ends[2];
-  Files           files = {0};
+  FileSet         files = {0};
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_rank(PETSC_COMM_WORLD, &rank));
   PetscCallMPI(MPI_Comm_size(PETSC_COMM_WORLD, &ranks));
   for (PetscInt i = 0; i < 3; ++i) global[i] = 3 * rank + i;
   for (PetscInt i = 0; i < 2; ++i) ends[i] = global[nodes[i]];
-  PetscCall(WritePicture(PETSC_COMM_WORLD, &picture_hdf5,
-                         &(PicturePart){.dim        = 2,
-                                        .num_points = rank == 1 ? 0 : 2,
-                                        .nodes      = rank == 1 ? NULL : nodes,
-                                        .global     = global,
-                                        .coords     = coords,
-                                        .num_cells  = rank == 1 ? 0 : 1,
-                                        .cell_type  = &type,
-                                        .cell_tag   = &tag,
-                                        .cell_nodes = ends},
+  PetscCall(WritePicture(PETSC_COMM_WORLD, &field_format_hdf5,
+                         &(FieldMesh){.dim        = 2,
+                                      .num_points = rank == 1 ? 0 : 2,
+                                      .nodes      = rank == 1 ? NULL : nodes,
+                                      .global     = global,
+                                      .coords     = coords,
+                                      .num_cells  = rank == 1 ? 0 : 1,
+                                      .cell_type  = &type,
+                                      .cell_tag   = &tag,
+                                      .cell_nodes = ends},
                          &files, "side"));
-  PetscCall(FilesFinish(PETSC_COMM_WORLD, &files));
+  PetscCall(FileSetFinish(PETSC_COMM_WORLD, &files));
   if (rank == 0) {
     const hid_t file    = H5Fopen("side.h5", H5F_ACC_RDONLY, H5P_DEFAULT);
     const hid_t sets[2] = {H5Dopen2(file, "points", H5P_DEFAULT), H5Dopen2(file, "cells", H5P_DEFAULT)};
@@ -266,13 +266,13 @@ static PetscErrorCode TestMemory(void)
   enum { NUM = 400000 };
   PetscReal    *coords;
   PetscInt      nodes[3] = {0, 1, 2};
-  PicturePart   part     = {.dim        = 2,
+  FieldMesh     part     = {.dim        = 2,
                             .num_points = NUM,
                             .num_cells  = 1,
                             .cell_type  = (const PetscInt[]){ELEMENT_TRI3},
                             .cell_tag   = (const PetscInt[]){0},
                             .cell_nodes = nodes};
-  Files         files    = {0};
+  FileSet       files    = {0};
   struct rusage before, after;
   struct stat   info;
 
@@ -281,9 +281,9 @@ static PetscErrorCode TestMemory(void)
   for (PetscInt i = 0; i < NUM * 2; ++i) coords[i] = (PetscReal)i;
   part.coords = coords;
   CHECK(getrusage(RUSAGE_SELF, &before) == 0);
-  PetscCall(WritePicture(PETSC_COMM_SELF, &picture_hdf5, &part, &files, "large"));
+  PetscCall(WritePicture(PETSC_COMM_SELF, &field_format_hdf5, &part, &files, "large"));
   CHECK(getrusage(RUSAGE_SELF, &after) == 0);
-  PetscCall(FilesFinish(PETSC_COMM_SELF, &files));
+  PetscCall(FileSetFinish(PETSC_COMM_SELF, &files));
   CHECK(stat("large.h5", &info) == 0 && info.st_size > (3 + 3 + 9 + 3) * NUM * 8);
   CHECK((after.ru_maxrss - before.ru_maxrss) * 1024 < info.st_size * 2 / 3);
   PetscCall(PetscFree(coords));
@@ -298,7 +298,7 @@ static PetscErrorCode TestMemory(void)
 static PetscErrorCode TestFullDisk(void)
 {
   struct rlimit  old, small;
-  Files          files = {0};
+  FileSet        files = {0};
   FILE          *out;
   PetscErrorCode error;
 
@@ -307,29 +307,29 @@ static PetscErrorCode TestFullDisk(void)
   small = (struct rlimit){4096, old.rlim_max};
   signal(SIGXFSZ, SIG_IGN);
   CHECK(setrlimit(RLIMIT_FSIZE, &small) == 0);
-  PetscCall(FilesOpen(&files, "fits.txt", &out));
+  PetscCall(FileSetOpen(&files, "fits.txt", &out));
   fputs("short", out);
-  PetscCall(FilesClose(&files, &out));
+  PetscCall(FileSetClose(&files, &out));
   CHECK(!files.failure[0]);
-  PetscCall(WritePicture(PETSC_COMM_SELF, &picture_hdf5, &small_part, &files, "large"));
+  PetscCall(WritePicture(PETSC_COMM_SELF, &field_format_hdf5, &small_part, &files, "large"));
   CHECK(strstr(files.failure, "cannot write large.h5: "));
-  PetscCall(WritePicture(PETSC_COMM_SELF, &picture_vtu, &small_part, &files, "large")); /* does nothing any more */
+  PetscCall(WritePicture(PETSC_COMM_SELF, &field_format_vtu, &small_part, &files, "large")); /* does nothing any more */
   CHECK(setrlimit(RLIMIT_FSIZE, &old) == 0);
   PetscCall(PetscPushErrorHandler(PetscReturnErrorHandler, NULL));
-  error = FilesFinish(PETSC_COMM_SELF, &files);
+  error = FileSetFinish(PETSC_COMM_SELF, &files);
   PetscCall(PetscPopErrorHandler());
   CHECK(error == PETSC_ERR_FILE_WRITE);
   CHECK(!Exists("fits.txt") && !Exists("large.h5") && !Exists("large.xdmf") && !Exists("large.vtu"));
 
   CHECK(setrlimit(RLIMIT_FSIZE, &small) == 0);
-  files = (Files){0};
-  PetscCall(FilesOpen(&files, "deep/down/long.txt", &out));
+  files = (FileSet){0};
+  PetscCall(FileSetOpen(&files, "deep/down/long.txt", &out));
   for (int i = 0; i < 10000; ++i) fputs("too long\n", out);
-  PetscCall(FilesClose(&files, &out));
+  PetscCall(FileSetClose(&files, &out));
   CHECK(setrlimit(RLIMIT_FSIZE, &old) == 0);
   CHECK(strstr(files.failure, "cannot write deep/down/long.txt: "));
   PetscCall(PetscPushErrorHandler(PetscReturnErrorHandler, NULL));
-  error = FilesFinish(PETSC_COMM_SELF, &files);
+  error = FileSetFinish(PETSC_COMM_SELF, &files);
   PetscCall(PetscPopErrorHandler());
   CHECK(error == PETSC_ERR_FILE_WRITE && !Exists("deep"));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -342,16 +342,16 @@ static PetscErrorCode TestCheck(void)
 
   PetscFunctionBeginUser;
   PetscCall(OutputWriteText(PETSC_COMM_SELF, "plain", "a file, not a folder"));
-  PetscCall(FilesCheck(PETSC_COMM_SELF, "-output", "new/folders/run.json"));
+  PetscCall(FileSetCheck(PETSC_COMM_SELF, "-output", "new/folders/run.json"));
   CHECK(!Exists("new"));
   PetscCall(PetscPushErrorHandler(PetscReturnErrorHandler, NULL));
-  error = FilesCheck(PETSC_COMM_SELF, "-output", "plain/run.json");
+  error = FileSetCheck(PETSC_COMM_SELF, "-output", "plain/run.json");
   PetscCall(PetscPopErrorHandler());
   CHECK(error == MORTISE_ERR_USER);
   CHECK(strstr(UserErrorSentence(), "-output") && strstr(UserErrorSentence(), "plain/run.json"));
   CHECK(mkdir("taken", 0777) == 0);
   PetscCall(PetscPushErrorHandler(PetscReturnErrorHandler, NULL));
-  error = FilesCheck(PETSC_COMM_SELF, "-summary", "taken");
+  error = FileSetCheck(PETSC_COMM_SELF, "-summary", "taken");
   PetscCall(PetscPopErrorHandler());
   CHECK(error == MORTISE_ERR_USER);
   CHECK(rmdir("taken") == 0 && unlink("plain") == 0);
@@ -369,7 +369,7 @@ static PetscErrorCode TestGather(void)
   PetscCallMPI(MPI_Comm_size(PETSC_COMM_WORLD, &ranks));
   n = rank == 1 ? 0 : rank + 1;
   for (PetscInt i = 0; i < n; ++i) mine[i] = 10 * rank + i;
-  PetscCall(GatherInts(PETSC_COMM_WORLD, n, mine, &total, &all));
+  PetscCall(GatherArraysInt(PETSC_COMM_WORLD, n, mine, &total, &all));
   if (rank == 0) {
     CHECK(total == (ranks == 1 ? 1 : ranks * (ranks + 1) / 2 - 2) && all[0] == 0);
     if (ranks > 2) CHECK(all[1] == 20 && all[3] == 22);

@@ -1,25 +1,25 @@
-/* test_rigid.c -- which rigid motions supports leave to a body. */
+/* test_rigid.c -- which rigid modes supports leave to a body. */
 #include "base/compat.h"
 #include "mesh/rigidmodes.h"
 #include "mesh_scene.h"
 #include "solid_scene.h"
 
 /* Every motion leaves held directions alone, and they are orthonormal. */
-static void CheckLeft(const Level *level, const Support *support, const RigidMotions *motions)
+static void CheckLeft(const Level *level, const Support *support, const RigidModes *modes)
 {
-  for (PetscInt k = 0; k < motions->num; ++k) {
-    const PetscReal *motion = &motions->motion[k * RIGID_COMPONENTS];
+  for (PetscInt k = 0; k < modes->num; ++k) {
+    const PetscReal *motion = &modes->mode[k * RIGID_COMPONENTS];
 
     for (PetscInt l = 0; l <= k; ++l) {
       PetscReal dot = 0;
 
-      for (PetscInt i = 0; i < RIGID_COMPONENTS; ++i) dot += motion[i] * motions->motion[l * RIGID_COMPONENTS + i];
+      for (PetscInt i = 0; i < RIGID_COMPONENTS; ++i) dot += motion[i] * modes->mode[l * RIGID_COMPONENTS + i];
       CHECK_NEAR(dot, k == l, 1e-14);
     }
     for (PetscInt a = 0; a < level->num_owned; ++a) {
       PetscReal u[3];
 
-      RigidMotionAt(3, motions->frames, motion, &level->coords[3 * a], u);
+      RigidModesAt(3, modes->frames, motion, &level->coords[3 * a], u);
       for (PetscInt j = 0; j < support->count[a]; ++j) {
         const PetscReal *d = &support->directions[9 * a + 3 * j];
 
@@ -29,7 +29,7 @@ static void CheckLeft(const Level *level, const Support *support, const RigidMot
   }
 }
 
-/* A block with the displacements of some sides given; sides[i] = NULL ends the list, expected motions are left. */
+/* A block with the displacements of some sides given; sides[i] = NULL ends the list, expected modes are left. */
 static void TestBlock(const char *const sides[], const char *const values[], PetscInt expected)
 {
   const PetscInt  faces[3] = {2, 3, 2};
@@ -38,7 +38,7 @@ static void TestBlock(const char *const sides[], const char *const values[], Pet
   SceneBody      *body;
   Mesh            mesh;
   Support         support;
-  RigidMotions    motions;
+  RigidModes      modes;
 
   SolidSceneInit(&t);
   body = SolidSceneAddBox(&t, "block", faces, lower, upper);
@@ -46,10 +46,10 @@ static void TestBlock(const char *const sides[], const char *const values[], Pet
     TestSceneAddBoundary(body, values[i] ? BOUNDARY_DISPLACEMENT : BOUNDARY_NORMAL, sides[i], values[i]);
   mesh = TestSceneMesh(&t);
   CHECK(!SupportCreate(MeshFinest(mesh), &t.scene, &support));
-  CHECK(!RigidMotionsCreate(MeshFinest(mesh), &support, 1, &motions));
-  CHECK(motions.num == expected && motions.floating[0] == (expected > 0));
-  CheckLeft(MeshFinest(mesh), &support, &motions);
-  CHECK(!RigidMotionsDestroy(&motions));
+  CHECK(!RigidModesCreate(MeshFinest(mesh), &support, 1, &modes));
+  CHECK(modes.num == expected && modes.floating[0] == (expected > 0));
+  CheckLeft(MeshFinest(mesh), &support, &modes);
+  CHECK(!RigidModesDestroy(&modes));
   CHECK(!SupportDestroy(&support));
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);

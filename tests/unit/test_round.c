@@ -53,7 +53,7 @@ static PetscErrorCode Check(const char *const more[], PetscBool expected)
   PetscCall(VICreate(scene, mesh, &vi));
   PetscCall(SolvabilityCreate(vi, &solvability));
   CHECK(solvability);
-  PetscCall(RoundCarries(vi, solvability, &round));
+  PetscCall(RoundnessCarriesLoads(vi, solvability, &round));
   CHECK(round == expected);
   PetscCall(SolvabilityDestroy(&solvability));
   PetscCall(VIDestroy(&vi));

@@ -9,6 +9,6 @@ typedef struct {
 } BodyCount;
 
 /* Collective. [out] counts - [num_bodies], the same on all ranks */
-PetscErrorCode BodiesCount(const Level *level, PetscInt num_bodies, BodyCount counts[]);
+PetscErrorCode BodyCountsCompute(const Level *level, PetscInt num_bodies, BodyCount counts[]);
 
 #endif

@@ -5,6 +5,6 @@
 #include <petscsys.h>
 
 /* "(1.5, -2)". Not collective. */
-PetscErrorCode WordsVector(PetscInt dim, const PetscReal v[], char text[], size_t len);
+PetscErrorCode NumberWordsVector(PetscInt dim, const PetscReal v[], char text[], size_t len);
 
 #endif
