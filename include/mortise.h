@@ -1,41 +1,600 @@
-/* mortise.h -- contact of linearly elastic bodies: every module's contract, in the order of the floors. */
+/* mortise.h -- the public interface of Mortise: contact of linearly elastic bodies, as one object in PETSc's idiom.
+
+   A program reads a scene from options, solves it, and asks for numbers:
+
+       Mortise   m;
+       PetscReal force[3];
+
+       PetscCall(MortiseInitialize(&argc, &argv));         the scene: ./program -options_file scene.opts
+       PetscCall(MortiseCreate(PETSC_COMM_WORLD, &m));
+       PetscCall(MortiseSetFromOptions(m));
+       for (int step = 1; step <= 5; ++step) {
+         PetscCall(MortiseSetTime(m, 0.2 * step));         all loads times 0.2, 0.4, ..., 1
+         PetscCall(MortiseSolve(m));
+         PetscCall(MortiseGetPairForce(m, "joint", force, NULL));
+       }
+       PetscCall(MortiseDestroy(&m));
+       PetscCall(MortiseFinalize());
+
+   Every function returns 0, MORTISE_ERR_USER for a mistake of the user (MortiseGetError() tells it in one sentence), or an error
+   code of PETSc. A mistake prints nothing, and neither does PetscCall() that passes it on; in main() itself PetscCall() ends the
+   program, as with every error. Functions are collective unless they say otherwise: all ranks call them with the same arguments.
+   Units are those of the scene. Options, formulas and files are described in GUIDE.md. */
 #ifndef MORTISE_H
 #define MORTISE_H
 
-#include "base/compat.h"
-#include "base/log.h"
-#include "base/memory.h"
-#include "base/usererror.h"
-#include "base/interrupt.h"
-#include "base/options.h"
-#include "base/json.h"
-#include "base/warning.h"
-#include "base/expression.h"
-#include "kernel/material.h"
-#include "kernel/element.h"
-#include "kernel/dual.h"
-#include "kernel/clip.h"
-#include "kernel/frame.h"
-#include "kernel/boxtree.h"
-#include "scene/scene.h"
-#include "mesh/mesh.h"
-#include "mesh/support.h"
-#include "contact/obstacle.h"
-#include "contact/pair.h"
-#include "problem/elasticity.h"
-#include "problem/vi.h"
-#include "rigid/solvability.h"
-#include "pdas/pdas.h"
-#include "solve/solver.h"
-#include "result/fields.h"
-#include "result/certificate.h"
-#include "result/errors.h"
-#include "result/pairsum.h"
-#include "result/probes.h"
-#include "output/output.h"
-#include "output/summary.h"
-#include "output/htmlreport.h"
-#include "study/run.h"
-#include "study/study.h"
+#include <petscdm.h>
+#include <petscvec.h>
+#include <petscviewer.h>
+
+#if PETSC_VERSION_LT(3, 19, 0) /* programs are written for newer versions, too */
+#define PETSC_SUCCESS 0
+#endif
+#if defined(__GNUC__)
+#define MORTISE_PUBLIC __attribute__((visibility("default")))
+#else
+#define MORTISE_PUBLIC
+#endif
+
+#define MORTISE_VERSION_MAJOR    0
+#define MORTISE_VERSION_MINOR    2
+#define MORTISE_VERSION_SUBMINOR 0
+
+/* Error code of a user's mistake, outside the range of PETSc's own codes. */
+#define MORTISE_ERR_USER ((PetscErrorCode)4711)
+
+#if defined(__cplusplus)
+extern "C" {
+#endif
+
+/* A scene with its mesh and its last solution. */
+typedef struct _p_Mortise *Mortise;
+
+/* How a solve ended; the exit codes of the program. */
+typedef enum {
+  MORTISE_STATUS_SOLVED        = 0, /* solved, and the certificate holds */
+  MORTISE_STATUS_NO_SOLUTION   = 2, /* nothing balances the loads */
+  MORTISE_STATUS_NOT_CONVERGED = 3  /* not solved to tolerance, or a warning with -warnings error */
+} MortiseStatus;
+
+/* Status of a node on the nonmortar side of a pair. */
+typedef enum {
+  MORTISE_NODE_NONE    = -1, /* not on the side, or without a constraint */
+  MORTISE_NODE_OPEN    = 0,
+  MORTISE_NODE_CONTACT = 1,
+  MORTISE_NODE_TIED    = 2
+} MortiseNodeStatus;
+
+/* Residuals of the answer in the uncondensed system, all dimensionless. */
+typedef struct {
+  PetscReal equilibrium;     /* |f - K u - B'lambda| over the size of the forces */
+  PetscReal gap;             /* largest penetration, over the size of displacements and gaps */
+  PetscReal pressure;        /* largest tension, over the size of the pressures */
+  PetscReal complementarity; /* pressure times gap, over the work of the loads */
+  PetscReal force, moment;   /* balance of the whole scene */
+  PetscReal limit;           /* what none of them may exceed */
+  PetscBool holds;
+} MortiseCertificate;
+
+/*@
+   MortiseInitialize - Starts PETSc, or joins a PETSc that runs, and registers what Mortise adds to it.
+
+   Collective on MPI_COMM_WORLD
+
+   Input Parameters:
++  argc - number of arguments, or NULL
+-  argv - arguments, or NULL; not changed
+
+   Options Database Keys:
++  -options_file <file> - reads options from a file; the command line wins
+-  -skip_petscrc        - leaves PETSc's own files of options alone
+
+   Notes:
+   Where PETSc does not run, options files are read and checked here: a missing or malformed one, or a word that is no
+   option, is a mistake of the user, and PETSc is not started. A caller who has started PETSc gives no arguments.
+   MPI is started if it does not run. Call MortiseFinalize() in either case, also after a mistake.
+
+   Level: beginner
+.seealso: MortiseFinalize(), MortiseGetError()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseInitialize(int *argc, char ***argv);
+
+/*@
+   MortiseFinalize - Ends what MortiseInitialize() has begun: PETSc and MPI, where it has started them.
+
+   Collective on MPI_COMM_WORLD
+
+   Notes:
+   All handles are destroyed before. A PETSc of the caller goes on, and PetscFinalize() is called by the caller, afterwards.
+
+   Level: beginner
+.seealso: MortiseInitialize()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseFinalize(void);
+
+/*@
+   MortiseGetError - The sentence of the last mistake of the user, "" before any.
+
+   Not Collective
+
+   Output Parameter:
+.  sentence - without a full stop; the same on all ranks; borrowed, until the next mistake
+
+   Level: beginner
+.seealso: MortiseInitialize(), MortiseSetFromOptions()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseGetError(const char **sentence);
+
+/*@
+   MortiseGetVersions - The versions of Mortise and of the libraries under it, one to a line.
+
+   Not Collective; MPI runs, PETSc need not
+
+   Output Parameter:
+.  text - borrowed, until the next call
+
+   Level: intermediate
+.seealso: MortiseInitialize()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseGetVersions(const char **text);
+
+/*@
+   MortisePrintHelp - Prints every option of a scene, with its unit and default, on standard output.
+
+   Collective
+
+   Input Parameter:
+.  comm - its first rank prints
+
+   Level: intermediate
+.seealso: MortiseSetFromOptions()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortisePrintHelp(MPI_Comm comm);
+
+/*@
+   MortiseCreate - Creates an empty handle.
+
+   Collective
+
+   Input Parameter:
+.  comm - has all ranks of MPI_COMM_WORLD
+
+   Output Parameter:
+.  m - owned by the caller, MortiseDestroy()
+
+   Notes:
+   Several handles may live at the same time, and be used in turn. Give each a prefix by MortiseSetOptionsPrefix().
+
+   Level: beginner
+.seealso: MortiseSetFromOptions(), MortiseDestroy()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseCreate(MPI_Comm comm, Mortise *m);
+
+/*@
+   MortiseSetOptionsPrefix - Gives the handle options of its own: those of PETSc's database that begin with a prefix.
+
+   Logically Collective
+
+   Input Parameters:
++  m      - the handle, before MortiseSetFromOptions()
+-  prefix - such as "left_": the scene's -bodies is then -left_bodies, PETSc's -ksp_type is -left_ksp_type
+
+   Notes:
+   Without a prefix every option of PETSc's database is taken for one of the scene, and one that nothing reads is a mistake: a caller
+   reads its own options before MortiseSetFromOptions(). With a prefix nothing else is looked at. Options are copied by
+   MortiseSetFromOptions().
+
+   Level: intermediate
+.seealso: MortiseInsertFile(), MortiseSetFromOptions()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseSetOptionsPrefix(Mortise m, const char prefix[]);
+
+/*@
+   MortiseInsertFile - Reads an options file, as -options_file does.
+
+   Collective
+
+   Input Parameters:
++  m    - the handle, before MortiseSetFromOptions()
+-  file - its path; names of meshes in it may be relative to its folder
+
+   Notes:
+   Options in the file have no prefix. With MortiseSetOptionsPrefix() they are the handle's alone, and else go into PETSc's
+   database. The command line wins over the file.
+
+   Level: beginner
+.seealso: MortiseSetOptionsPrefix(), MortiseSetFromOptions()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseInsertFile(Mortise m, const char file[]);
+
+/*@
+   MortiseSetFromOptions - Reads the scene, and checks it as far as that can be done without its mesh.
+
+   Collective
+
+   Input Parameter:
+.  m - the handle; what it had from an earlier call is destroyed
+
+   Options Database Keys:
++  -bodies <name,name,...> - the scene, see MortisePrintHelp()
+.  -quiet                  - warnings are kept in the summary alone
+.  -monitor                - prints a line for every iteration
+-  -output <path>          - files that MortiseWrite() writes
+
+   Notes:
+   An option that nothing reads is a mistake (-options_allow_unused makes it a warning). After a mistake the handle is empty; it can
+   be destroyed, or filled again after the options were mended. Warnings are lines on standard error.
+
+   Level: beginner
+.seealso: MortiseSetOptionsPrefix(), MortiseSetUp(), MortiseGetError()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseSetFromOptions(Mortise m);
+
+/*@
+   MortiseSetUp - Makes or reads the meshes, and shares them out among the ranks.
+
+   Collective
+
+   Input Parameter:
+.  m - the handle, after MortiseSetFromOptions()
+
+   Level: intermediate
+.seealso: MortiseSolve(), which calls it, MortiseGetDM()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseSetUp(Mortise m);
+
+/*@
+   MortiseSetTime - Sets t for the solves that follow.
+
+   Logically Collective
+
+   Input Parameters:
++  m - the handle
+-  t - 1 in the beginning
+
+   Notes:
+   Formulas of the scene may name t. Where none does, t is a load factor: it multiplies body forces, tractions, pressures, given
+   displacements and gap offsets. A map of a mesh cannot name t. Every solve is static: nothing is remembered but where the solver
+   begins.
+
+   Level: beginner
+.seealso: MortiseSetDatum(), MortiseSolve()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseSetTime(Mortise m, PetscReal t);
+
+/*@
+   MortiseSetDatum - Replaces a load, a given displacement or a gap of the scene by numbers.
+
+   Collective
+
+   Input Parameters:
++  m      - the handle, after MortiseSetFromOptions()
+.  option - the option that gave the datum, without the handle's prefix
+.  num    - number of components: the dimension, or 1 for a pressure or a gap
+-  values - array of shape [num], in the unit of the option
+
+   Notes:
+   The option is one of -<body>_body_force, -<body>_bc_displacement_<side>, -<body>_bc_traction_<side>, -<body>_bc_pressure_<side>,
+   -<pair>_gap, -<pair>_gap_offset, -<pair>_obstacle_gap, and the scene has it. A component that is `free` in the scene stays free,
+   whatever its value. If t is a load factor it multiplies these numbers, too.
+
+   Level: intermediate
+.seealso: MortiseSetTime(), MortiseSolve()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseSetDatum(Mortise m, const char option[], PetscInt num, const PetscReal values[]);
+
+/*@
+   MortiseSetInitialGuess - Sets where the next solve begins.
+
+   Collective
+
+   Input Parameters:
++  m - the handle, after MortiseSetUp()
+-  u - displacement, in the layout of MortiseGetDisplacement(), copied; or NULL: from zero
+
+   Notes:
+   Counts for one solve. Without it a solve begins at the last solution, and the first one at zero. This changes the time, and not
+   the answer.
+
+   Level: advanced
+.seealso: MortiseSolve(), MortiseGetDisplacement()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseSetInitialGuess(Mortise m, Vec u);
+
+/*@
+   MortiseSolve - Solves the scene and judges the answer.
+
+   Collective
+
+   Input Parameter:
+.  m - the handle, after MortiseSetFromOptions()
+
+   Notes:
+   A scene without a solution and a solver that does not converge are no errors: ask MortiseGetStatus(). Nothing is printed but
+   warnings. With -study all its meshes are solved, and its table and files are written; there is no single answer to ask for then.
+
+   Level: beginner
+.seealso: MortiseGetStatus(), MortiseSetTime(), MortiseSetInitialGuess(), MortiseWrite()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseSolve(Mortise m);
+
+/*@
+   MortiseGetStatus - How the last solve ended.
+
+   Not Collective
+
+   Input Parameter:
+.  m - the handle, after MortiseSolve()
+
+   Output Parameter:
+.  exit_code - one of MortiseStatus
+
+   Level: beginner
+.seealso: MortiseSolve(), MortiseGetReason()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseGetStatus(Mortise m, int *exit_code);
+
+/*@
+   MortiseGetReason - Why the last solve has not found a solution, "" if it has.
+
+   Not Collective
+
+   Input Parameter:
+.  m - the handle, after MortiseSolve()
+
+   Output Parameter:
+.  sentence - borrowed, until the next solve
+
+   Level: beginner
+.seealso: MortiseGetStatus()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseGetReason(Mortise m, const char **sentence);
+
+/*@
+   MortiseWrite - Writes the files that the scene asks for, each complete or not at all.
+
+   Collective
+
+   Input Parameter:
+.  m - the handle, after MortiseSolve()
+
+   Options Database Keys:
++  -output <path>            - <path>.h5, .xdmf, .json, and files of every pair
+.  -output_format <xdmf,vtu> - format of the fields
+-  -summary <file>           - the summary alone; - prints it
+
+   Notes:
+   Files of an earlier call are replaced. Does nothing where no option names a file.
+
+   Level: beginner
+.seealso: MortiseGetSummary(), MortiseView()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseWrite(Mortise m);
+
+/*@
+   MortiseView - Prints the lines that the program prints of a solution; before a solve, the scene.
+
+   Collective
+
+   Input Parameters:
++  m      - the handle, after MortiseSetFromOptions()
+-  viewer - of type ascii; or NULL: standard output
+
+   Level: beginner
+.seealso: MortiseSolve(), MortiseGetSummary()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseView(Mortise m, PetscViewer viewer);
+
+/*@
+   MortiseGetSummary - All numbers of the solution as JSON, the same as the program writes.
+
+   Collective
+
+   Input Parameter:
+.  m - the handle, after MortiseSolve()
+
+   Output Parameter:
+.  json - the same on all ranks; borrowed, until the next solve
+
+   Level: beginner
+.seealso: MortiseGetNumbers(), MortiseWrite()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseGetSummary(Mortise m, const char **json);
+
+/*@
+   MortiseGetNumbers - One number, or array of numbers, of the summary.
+
+   Collective
+
+   Input Parameters:
++  m    - the handle, after MortiseSolve()
+.  path - keys of the summary, joined by '/': "pairs/joint/max_pressure", "reactions/upper:top", "probes/tip/displacement"
+-  num  - numbers wanted: 1, or the length of the array
+
+   Output Parameter:
+.  values - array of shape [num]; NAN where the summary has null
+
+   Level: intermediate
+.seealso: MortiseGetSummary()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseGetNumbers(Mortise m, const char path[], PetscInt num, PetscReal values[]);
+
+/*@
+   MortiseGetPairForce - The force of a pair, and its normal part.
+
+   Collective
+
+   Input Parameters:
++  m    - the handle, after MortiseSolve()
+-  pair - name of the pair
+
+   Output Parameters:
++  force  - what the mortar side exerts on the nonmortar body, array of shape [3], 0 beyond the dimension; or NULL
+-  normal - integral of the pressure; or NULL
+
+   Notes:
+   In two dimensions for the thickness of the scene, axisymmetric for the whole ring. NAN where there is no solution.
+
+   Level: beginner
+.seealso: MortiseGetPressure(), MortiseGetNumbers()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseGetPairForce(Mortise m, const char pair[], PetscReal force[3], PetscReal *normal);
+
+/*@
+   MortiseGetEnergy - The energies of the solution.
+
+   Collective
+
+   Input Parameter:
+.  m - the handle, after MortiseSolve()
+
+   Output Parameters:
++  strain    - strain energy of all bodies, force times length; or NULL
+-  potential - strain energy less the work of the loads; or NULL
+
+   Level: beginner
+.seealso: MortiseGetNumbers()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseGetEnergy(Mortise m, PetscReal *strain, PetscReal *potential);
+
+/*@
+   MortiseGetCertificate - The residuals of the answer in the uncondensed system.
+
+   Not Collective
+
+   Input Parameter:
+.  m - the handle, after MortiseSolve()
+
+   Output Parameter:
+.  certificate - dimensionless; NAN where there is no solution
+
+   Level: beginner
+.seealso: MortiseGetStatus()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseGetCertificate(Mortise m, MortiseCertificate *certificate);
+
+/*@
+   MortiseGetDM - The mesh of all bodies.
+
+   Not Collective
+
+   Input Parameter:
+.  m - the handle, after MortiseSetUp()
+
+   Output Parameter:
+.  dm - a DMPlex; borrowed, as long as the handle lives
+
+   Notes:
+   Its coordinates are those before -<body>_map, and its points carry no section. Positions of nodes: MortiseGetCoordinates().
+
+   Level: advanced
+.seealso: MortiseGetCoordinates()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseGetDM(Mortise m, DM *dm);
+
+/*@
+   MortiseGetCoordinates - Positions of all nodes.
+
+   Collective
+
+   Input Parameter:
+.  m - the handle, after MortiseSetUp()
+
+   Output Parameter:
+.  x - length, dim numbers for each node, block size dim; borrowed, as long as the mesh
+
+   Level: intermediate
+.seealso: MortiseGetDisplacement()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseGetCoordinates(Mortise m, Vec *x);
+
+/*@
+   MortiseGetDisplacement - Displacements of all nodes.
+
+   Not Collective
+
+   Input Parameter:
+.  m - the handle, after MortiseSolve()
+
+   Output Parameter:
+.  u - length, dim numbers for each node, in the layout of MortiseGetCoordinates(); borrowed, until the next solve
+
+   Level: beginner
+.seealso: MortiseGetCoordinates(), MortiseGetPressure()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseGetDisplacement(Mortise m, Vec *u);
+
+/*@
+   MortiseGetPressure - Contact pressures of a pair.
+
+   Collective
+
+   Input Parameters:
++  m    - the handle, after MortiseSolve()
+-  pair - name of the pair
+
+   Output Parameter:
+.  p - force per area, one number for each node, 0 off the nonmortar side; borrowed, until the next solve
+
+   Level: beginner
+.seealso: MortiseGetGap(), MortiseGetPairStatus(), MortiseGetCoordinates()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseGetPressure(Mortise m, const char pair[], Vec *p);
+
+/*@
+   MortiseGetGap - Gaps of a pair that the motion has left.
+
+   Collective
+
+   Input Parameters:
++  m    - the handle, after MortiseSolve()
+-  pair - name of the pair
+
+   Output Parameter:
+.  g - length, one number for each node, NAN where there is no constraint; borrowed, until the next solve
+
+   Level: beginner
+.seealso: MortiseGetPressure()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseGetGap(Mortise m, const char pair[], Vec *g);
+
+/*@
+   MortiseGetPairStatus - Status of the nodes of a pair.
+
+   Collective
+
+   Input Parameters:
++  m    - the handle, after MortiseSolve()
+-  pair - name of the pair
+
+   Output Parameters:
++  num    - nodes of this rank, those of its part of MortiseGetPressure()
+-  status - MortiseNodeStatus, array of shape [num]; borrowed, until the next solve
+
+   Level: intermediate
+.seealso: MortiseGetPressure()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseGetPairStatus(Mortise m, const char pair[], PetscInt *num,
+                                                   const PetscInt *status[]);
+
+/*@
+   MortiseDestroy - Destroys a handle and all that was borrowed from it.
+
+   Collective
+
+   Input Parameter:
+.  m - the handle, NULL afterwards; NULL is allowed
+
+   Notes:
+   What a mistake has interrupted half way keeps its memory until the program ends.
+
+   Level: beginner
+.seealso: MortiseCreate()
+@*/
+MORTISE_PUBLIC PetscErrorCode MortiseDestroy(Mortise *m);
+
+#if defined(__cplusplus)
+}
+#endif
 
 #endif

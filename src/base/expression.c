@@ -24,6 +24,7 @@ struct _n_Expression {
   Component *components;
   PetscBool  constant;
   PetscBool  meridian; // z is the second coordinate
+  PetscReal  factor;   // of all values
   PetscReal  x[3];     // what the formulas' variables are bound to
   PetscBool  failed;   // an evaluation was not finite: the first one is described by the rest
   PetscInt   failed_component, failed_dim;
@@ -32,10 +33,12 @@ struct _n_Expression {
 
 /* What a formula may name beside the functions; the order is that of x[], r being the first coordinate as well. */
 static const char *const variable_names[] = {"x", "y", "z", "r"};
-static const char *const known_names[]    = {"x",     "y",     "z",    "r",     "pi",   "sin",  "cos",   "tan",
-                                             "asin",  "acos",  "atan", "atan2", "sinh", "cosh", "tanh",  "asinh",
-                                             "acosh", "atanh", "exp",  "ln",    "log",  "log2", "log10", "sqrt",
-                                             "abs",   "sign",  "rint", "min",   "max",  "sum",  "avg",   "free"};
+static const char *const known_names[]    = {"x",     "y",    "z",    "r",     "t",    "pi",    "sin",  "cos",   "tan",
+                                             "asin",  "acos", "atan", "atan2", "sinh", "cosh",  "tanh", "asinh", "acosh",
+                                             "atanh", "exp",  "ln",   "log",   "log2", "log10", "sqrt", "abs",   "sign",
+                                             "rint",  "min",  "max",  "sum",   "avg",  "free"};
+
+static PetscReal time_value = 1; // what t is bound to in all formulas
 
 enum { TEXT_SHOWN = 200 }; // letters of the text in a sentence: there may be thousands
 
@@ -122,6 +125,7 @@ static void ExpressionCompileFormula_Private(Expression e, const char text[], Co
   mupDefineConst(parser, "pi", PETSC_PI);
   for (size_t v = 0; v < PETSC_STATIC_ARRAY_LENGTH(variable_names); ++v)
     mupDefineVar(parser, variable_names[v], &e->x[v % 3]);
+  mupDefineVar(parser, "t", &time_value);
   mupSetExpr(parser, text);
   failed = mupError(parser) ? PETSC_TRUE : PETSC_FALSE; // asking takes the answer away
   if (!failed) {
@@ -196,6 +200,7 @@ static PetscErrorCode ExpressionAllocate_Private(const char option[], const char
   PetscCall(PetscCalloc1(num_components, &(*e)->components));
   (*e)->num_components = num_components;
   (*e)->constant       = PETSC_TRUE;
+  (*e)->factor         = 1;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -224,8 +229,9 @@ PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char t
   if (complaint[0]) {
     char sentence[USER_ERROR_LENGTH];
 
-    snprintf(sentence, sizeof(sentence), "%s \"%s\": %s; accepted are numbers and formulas in x, y, z%s", (*e)->option,
-             ExpressionShortenText_Private((*e)->text, shown), complaint, allow_free ? ", and 'free'" : "");
+    snprintf(sentence, sizeof(sentence), "%s \"%s\": %s; accepted are numbers and formulas in x, y, z, t%s",
+             (*e)->option, ExpressionShortenText_Private((*e)->text, shown), complaint,
+             allow_free ? ", and 'free'" : "");
     PetscCall(ExpressionDestroy(e));
     PetscCall(UserErrorRaise(comm, "%s", sentence));
   }
@@ -262,6 +268,16 @@ PetscErrorCode ExpressionDestroy(Expression *e)
 void ExpressionNameMeridian(Expression e)
 {
   e->meridian = PETSC_TRUE;
+}
+
+void ExpressionSetTime(PetscReal t)
+{
+  time_value = t;
+}
+
+void ExpressionSetFactor(Expression e, PetscReal factor)
+{
+  e->factor = factor;
 }
 
 PetscBool ExpressionNames(Expression e, const char name[])
@@ -319,7 +335,7 @@ PetscErrorCode ExpressionEvaluate(Expression e, PetscInt dim, const PetscReal x[
   for (PetscInt c = 0; c < e->num_components; ++c) {
     Component *component = &e->components[c];
 
-    values[c] = component->parser ? mupEval(component->parser) : component->number;
+    values[c] = e->factor * (component->parser ? mupEval(component->parser) : component->number);
     if (!component->parser || !PetscIsInfOrNanReal(values[c]) || e->failed) continue;
     e->failed           = PETSC_TRUE;
     e->failed_component = c;

@@ -1,8 +1,8 @@
 /* expression.h -- numbers that vary in space.
 
    A datum of a scene is a list of components separated by commas outside parentheses; each component is a plain number
-   (costs nothing at run time), the word `free`, or an expression in x, y, z (r, z when axisymmetric) read by the
-   muParser library. */
+   (costs nothing at run time), the word `free`, or an expression in x, y, z (r, z when axisymmetric) and the time t, read by
+   the muParser library. */
 #ifndef MORTISE_EXPRESSION_H
 #define MORTISE_EXPRESSION_H
 
@@ -25,8 +25,13 @@ PetscErrorCode ExpressionDestroy(Expression *e);
 
 /* Makes z a name of the second coordinate, as r is one of the first: a point (r, z) of a meridian plane. Not collective. */
 void ExpressionNameMeridian(Expression e);
-/* Whether a formula names one of x, y, z, r. Not collective. */
+/* Whether a formula names one of x, y, z, r, t. Not collective. */
 PetscBool ExpressionNames(Expression e, const char name[]);
+
+/* The value of t in all formulas, 1 in the beginning. Not collective; the same on all ranks. */
+void ExpressionSetTime(PetscReal t);
+/* Multiplies all values by a factor from now on, 1 in the beginning. Not collective. */
+void ExpressionSetFactor(Expression e, PetscReal factor);
 
 /* Number of components; whether all are plain numbers (or free); whether component c is free. Not collective. */
 PetscInt    ExpressionSize(Expression e);

@@ -41,7 +41,10 @@ static double LogGetProcessorSeconds_Private(void)
 PetscErrorCode LogInitialize(double start)
 {
   PetscFunctionBeginUser;
-  for (int s = 0; s < STAGE_COUNT; ++s) PetscCall(PetscLogStageRegister(stage_names[s], &journal.handle[s]));
+  for (int s = 0; s < STAGE_COUNT; ++s) {
+    PetscCall(PetscLogStageGetId(stage_names[s], &journal.handle[s]));
+    if (journal.handle[s] < 0) PetscCall(PetscLogStageRegister(stage_names[s], &journal.handle[s]));
+  }
   PetscCall(LogReset(start));
   journal.worked = 0; // PETSc's own beginning is part of the program
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -85,6 +88,14 @@ PetscErrorCode LogStageEnd(LogStage stage)
   journal.seconds[stage] += now - journal.begin[stage];
   if (--journal.depth) journal.begin[journal.within[journal.depth - 1]] = now;
   PetscCall(PetscLogStagePop());
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode LogUnwind(void)
+{
+  PetscFunctionBeginUser;
+  journal.off = PETSC_FALSE;
+  while (journal.depth) PetscCall(LogStageEnd(journal.within[journal.depth - 1]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

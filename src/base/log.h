@@ -17,8 +17,10 @@ typedef enum {
 
 /* Seconds on a clock that never jumps; its zero is arbitrary. Works before MPI and PETSc do. Not collective. */
 double LogWallClock(void);
-/* Registers stages; collective on PETSC_COMM_WORLD. start is LogWallClock() when the program began. */
+/* Registers stages, once; collective on PETSC_COMM_WORLD. start is LogWallClock() when the program began. */
 PetscErrorCode LogInitialize(double start);
+/* Leaves all stages that an error has left open. Not collective. */
+PetscErrorCode LogUnwind(void);
 /* Begins to count anew, as if the program had begun at start: for a run among several. Within no stage. Not collective. */
 PetscErrorCode LogReset(double start);
 /* Enters and leaves a stage; wall seconds are added up. A stage within another one stops that one's clock. Collective on PETSC_COMM_WORLD. */

@@ -5,6 +5,7 @@
 #include "base/optionsreader.h"
 #include "base/compat.h"
 #include "base/options.h"
+#include "base/usererror.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -70,6 +71,132 @@ void OptionsExpand(int argc, char **argv, int *argc_out, char ***argv_out, char 
   TextListBroadcast(&files);
   *argc_out = arguments.num;
   *argv_out = arguments.items;
+}
+
+PetscErrorCode OptionsJoin(void)
+{
+  int    num;
+  char **given;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscGetArgs(&num, &given));
+  for (int a = 1; a + 1 < num; ++a)
+    if (WordIsName(given[a]) && WordIs(given[a], "-options_file")) TextListAppend(&files, given[a + 1]);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The words of the present database: -name value -name ... [out] words - to be cleared by the caller */
+static PetscErrorCode ReadDatabase_Private(TextList *words)
+{
+  char *all, *end;
+
+  PetscFunctionBeginUser;
+  *words = (TextList){0, NULL};
+  PetscCall(PetscOptionsGetAll(NULL, &all));
+  for (char *name = strchr(all, '-'); name; name = end) {
+    char *value = name + strcspn(name, " ");
+
+    end = strstr(name, " -");
+    while (end && !WordIsName(end + 1)) end = strstr(end + 1, " -");
+    if (end) *end++ = '\0';
+    if (*value) *value++ = '\0';
+    for (size_t n = strlen(value); n && value[n - 1] == ' '; --n) value[n - 1] = '\0';
+    TextListAppend(words, name);
+    TextListAppend(words, value);
+  }
+  PetscCall(PetscFree(all));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a list of names and values has a name among its first num items. */
+static int HasName_Private(const TextList *words, int num, const char name[])
+{
+  for (int i = 0; i < num; i += 2)
+    if (!strcasecmp(words->items[i], name)) return 1;
+  return 0;
+}
+
+PetscErrorCode OptionsInsertFile(const char name[])
+{
+  char           sentence[USER_ERROR_LENGTH] = "", option[] = "-options_file";
+  char          *copy    = TextAllocate(NULL, strlen(name) + 1);
+  const Word     words[] = {{option, 0}, {strcpy(copy, name), 0}};
+  TextList       read = {0, NULL}, found = {0, NULL}, present;
+  Reader         reader = {sentence, sizeof(sentence), &read, &read, &found, 0, {NULL}};
+  int            rank, num;
+  PetscErrorCode error;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_rank(MPI_COMM_WORLD, &rank));
+  for (int i = 0; i < files.num; ++i) TextListAppend(&found, files.items[i]);
+  if (!rank) ReaderReadWords(&reader, "options of the program", 2, words);
+  free(copy);
+  if (!rank) {
+    TextListClear(&files);
+    files = found;
+  } else {
+    TextListClear(&found);
+    TextListClear(&files);
+  }
+  TextListBroadcast(&files);
+  TextListBroadcast(&read);
+  error = UserErrorCheck(MPI_COMM_WORLD, sentence);
+  if (error) TextListClear(&read);
+  PetscCall(error);
+  PetscCall(ReadDatabase_Private(&present));
+  num = present.num;
+  for (int i = 0; i < read.num; ++i) {
+    const int value = i + 1 < read.num && !WordIsName(read.items[i + 1]);
+
+    if (!HasName_Private(&present, num, read.items[i]))
+      PetscCall(PetscOptionsSetValue(NULL, read.items[i], value ? read.items[i + 1] : NULL));
+    i += value;
+  }
+  TextListClear(&present);
+  TextListClear(&read);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OptionsCopyPrefixed(const char prefix[], PetscOptions target)
+{
+  const size_t length = strlen(prefix);
+  TextList     words;
+
+  PetscFunctionBeginUser;
+  PetscCall(ReadDatabase_Private(&words));
+  for (int i = 0; i < words.num; i += 2) {
+    const char *value = NULL;
+    char        name[PETSC_MAX_OPTION_NAME];
+    PetscBool   set;
+
+    if (strncasecmp(words.items[i] + 1, prefix, length)) continue;
+    PetscCall(PetscOptionsFindPair(NULL, NULL, words.items[i], &value, &set)); // a word in a text is no option
+    PetscCall(PetscSNPrintf(name, sizeof(name), "-%s", words.items[i] + 1 + length));
+    if (set) PetscCall(PetscOptionsSetValue(target, name, value));
+  }
+  TextListClear(&words);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OptionsListDatabase(void)
+{
+  TextList words;
+
+  PetscFunctionBeginUser;
+  PetscCall(ReadDatabase_Private(&words));
+  TextListClear(&arguments);
+  TextListAppend(&arguments, "mortise");
+  for (int i = 0; i < words.num; ++i)
+    if (!(i % 2) || words.items[i][0]) TextListAppend(&arguments, words.items[i]);
+  TextListAppend(&arguments, "-skip_petscrc"); // the last is this module's own
+  TextListClear(&words);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void OptionsClear(void)
+{
+  TextListClear(&arguments);
+  TextListClear(&files);
 }
 
 const char *OptionsFileName(void)

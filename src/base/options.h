@@ -19,6 +19,19 @@
                               (array of shape [len], the same on all ranks) */
 void OptionsExpand(int argc, char **argv, int *argc_out, char ***argv_out, char sentence[], size_t len);
 
+/* Where PETSc runs already and has read its arguments itself: notes the options files among them, whose folders are looked in.
+   Not collective; all ranks. */
+PetscErrorCode OptionsJoin(void);
+/* Reads an options file and gives PETSc's present database those of its options that are not there yet: what was said before wins.
+   Collective on MPI_COMM_WORLD; a file that is missing or malformed is a fault. */
+PetscErrorCode OptionsInsertFile(const char name[]);
+/* Copies the options of the present database that begin with a prefix, without it, to another one. They count as read. Not collective. */
+PetscErrorCode OptionsCopyPrefixed(const char prefix[], PetscOptions target);
+/* OptionsGetGiven() tells of the present database from now on. A value with " -letter" in it is cut there. Not collective. */
+PetscErrorCode OptionsListDatabase(void);
+/* Forgets all lists. Not collective. */
+void OptionsClear(void);
+
 /* The first options file as the user typed it, or NULL. Not collective. */
 const char *OptionsFileName(void);
 

@@ -17,7 +17,8 @@
 
 enum { PATIENCE = 5 }; /* seconds that MPI has to end the other ranks, in a process that may be damaged */
 
-static char last_sentence[USER_ERROR_LENGTH];
+static char      last_sentence[USER_ERROR_LENGTH];
+static PetscBool quiet, installed; /* whether stderr is left alone; whether the handler is below all others */
 
 const char *UserErrorSentence(void)
 {
@@ -31,7 +32,7 @@ static void UserErrorTell_Private(MPI_Comm comm, const char sentence[])
 
   snprintf(last_sentence, sizeof(last_sentence), "%s", sentence);
   MPI_Comm_rank(comm, &rank);
-  if (rank) return;
+  if (rank || quiet) return;
   fflush(stdout); // what was printed before the mistake stands before it
   fprintf(stderr, "mortise: %s\n", last_sentence);
   fflush(stderr);
@@ -233,8 +234,56 @@ PetscErrorCode UserErrorInitialize(void)
   PetscFunctionBeginUser;
   PetscCall(PetscInitialized(&begun));
   PetscCall(PetscPushErrorHandler(UserErrorHandlerFn, NULL));
+  installed = PETSC_TRUE;
   if (begun) PetscCall(PetscRegisterFinalize(PetscPopErrorHandler)); // else it is no memory of PETSc's books
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode UserErrorEnter(void)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscPushErrorHandler(UserErrorHandlerFn, NULL));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode UserErrorLeave(void)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscPopErrorHandler());
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The handler before this one is known to PETSc alone: it is asked while this one is away. */
+static PetscErrorCode SilentHandlerFn(MPI_Comm comm, int line, const char *function, const char *file,
+                                      PetscErrorCode code, PetscErrorType type, const char *message, void *context)
+{
+  PetscErrorCode answer;
+
+  if (code == MORTISE_ERR_USER) return code;
+  if (installed) return PetscTraceBackErrorHandler(comm, line, function, file, code, type, message, context);
+  (void)PetscPopErrorHandler();
+  answer = PetscError(comm, line, function, file, code, type, "%s", message ? message : "");
+  (void)PetscPushErrorHandler(SilentHandlerFn, NULL);
+  return answer;
+}
+
+PetscErrorCode UserErrorSilence(void)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscPushErrorHandler(SilentHandlerFn, NULL));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode UserErrorUnsilence(void)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscPopErrorHandler());
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void UserErrorSetQuiet(PetscBool on)
+{
+  quiet = on;
 }
 
 PetscErrorCode UserErrorRaise(MPI_Comm comm, const char format[], ...)

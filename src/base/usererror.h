@@ -28,6 +28,16 @@ typedef enum {
    written; anything else gets PETSc's traceback. Not collective; call once, before PetscInitialize() to cover that as well, or after. */
 PetscErrorCode UserErrorInitialize(void);
 
+/* The same handler for the calls of a library within a program that has errors of its own. Not collective; PETSc runs. */
+PetscErrorCode UserErrorEnter(void);
+PetscErrorCode UserErrorLeave(void);
+/* Between those calls: MORTISE_ERR_USER goes up without a traceback, all else is for the handler that was there before, or for PETSc's
+   traceback where UserErrorInitialize() was called. Not collective; PETSc runs. */
+PetscErrorCode UserErrorSilence(void);
+PetscErrorCode UserErrorUnsilence(void);
+/* Whether sentences are kept from stderr: whoever called a library asks for them. Not collective. */
+void UserErrorSetQuiet(PetscBool quiet);
+
 /* Lets a crash end all ranks with exit code MORTISE_FAILED and one sentence; takes signals that end the program in the hands
    of interrupt.h, and a limit on the size of files for a full disk. Not collective; call after PetscInitialize(). */
 PetscErrorCode UserErrorCatchSignals(void);

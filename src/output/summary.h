@@ -30,6 +30,8 @@ PetscErrorCode SummaryCreate(const SummaryInput *input, char **text);
 /* Adds the summary to the output where the scene wants it (-summary, <output>.json), completes that, and prints the few lines a user reads on the
    terminal: verdict, forces, certificate, files; on failure the reason, on stderr. Collective; *output = NULL. */
 PetscErrorCode SummaryWrite(const SummaryInput *input, Output *output);
+/* Prints those lines: why there is no solution, too, on stderr. Collective. */
+PetscErrorCode SummaryPrint(const SummaryInput *input);
 /* Prints what the meshes made of the scene, and what was left out of it: with SceneView() before and SolverView() behind,
    -scene_view. Collective. */
 PetscErrorCode MeshViewPrint(VI vi, Solvability solvability);

@@ -155,7 +155,6 @@ static PetscErrorCode Print_Private(const SummaryInput *in)
         in->check->other.type, in->check->other.linear, in->check->active_difference,
         (double)in->check->displacement_difference));
   }
-  PetscCall(PrintFiles_Private(in));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -184,6 +183,23 @@ static PetscErrorCode PrintFailures_Private(const SummaryInput *in)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Why it is not solved, on stderr; nothing where it is. */
+static PetscErrorCode PrintVerdict_Private(const SummaryInput *in)
+{
+  PetscFunctionBeginUser;
+  PetscCall(SolvabilityReportRefuse(in->vi, in->solvability));
+  if (in->fields && !in->solved) PetscCall(PrintFailures_Private(in));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SummaryPrint(const SummaryInput *input)
+{
+  PetscFunctionBeginUser;
+  if (input->fields) PetscCall(Print_Private(input));
+  PetscCall(PrintVerdict_Private(input));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SummaryWrite(const SummaryInput *input, Output *output)
 {
   const Scene     scene         = input->scene;
@@ -201,10 +217,10 @@ PetscErrorCode SummaryWrite(const SummaryInput *input, Output *output)
   if (stdout_wanted) {
     if (text) puts(text);
   } else if (!scene->quiet) { // not beside a summary on stdout: that is for programs to read
-    PetscCall(input->fields ? Print_Private(input) : PrintFiles_Private(input));
+    if (input->fields) PetscCall(Print_Private(input));
+    PetscCall(PrintFiles_Private(input));
   }
   free(text);
-  PetscCall(SolvabilityReportRefuse(input->vi, input->solvability));
-  if (input->fields && !input->solved) PetscCall(PrintFailures_Private(input));
+  PetscCall(PrintVerdict_Private(input));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -162,6 +162,13 @@ PetscErrorCode SceneSetFromOptions(Scene scene);
    snes_, ...), since PETSc reads many of its options late; without it, any. -options_allow_unused turns the fault into a
    warning. Collective. */
 PetscErrorCode SceneCheckUnused(Scene scene, PetscBool before_solve);
+/* t of all formulas from now on. Where no datum of the scene names t, it multiplies loads, given displacements and gap offsets.
+   Faults where a map names t: meshes stay as they are. Collective. */
+PetscErrorCode SceneSetTime(Scene scene, PetscReal t);
+/* Replaces numbers or formulas of a datum that the scene has: a load, a given displacement, a gap or its offset. What is `free` stays
+   free. Faults on another option, another number of components. Collective.
+   [in] option - with its dash, as in the scene; [in] values - [num] */
+PetscErrorCode SceneSetDatum(Scene scene, const char option[], PetscInt num, const PetscReal values[]);
 /* Prints every option, its unit and default, grouped. First rank of comm only. */
 PetscErrorCode SceneHelp(MPI_Comm comm);
 /* Prints what was modelled, as far as the scene knows (bodies, materials, loads, pairs). Collective. */

@@ -216,7 +216,7 @@ PetscErrorCode OptionGetReals(const Option *option, PetscInt n, PetscReal values
   if (constant) PetscCall(ExpressionEvaluate(e, 3, origin, values));
   PetscCall(ExpressionDestroy(&e));
   if (!constant)
-    PetscCall(OptionRaise(option, "this cannot vary in space; a number is wanted, or a formula without x, y, z"));
+    PetscCall(OptionRaise(option, "this cannot vary in space; a number is wanted, or a formula without x, y, z, t"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

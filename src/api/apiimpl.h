@@ -1,0 +1,51 @@
+/* apiimpl.h -- what a handle holds, and what surrounds every call of the public interface. */
+#ifndef API_IMPL_H
+#define API_IMPL_H
+
+#include <cjson/cJSON.h>
+#include <mortise.h>
+#include "base/usererror.h"
+#include "study/run.h"
+
+/* Values of one pair at the nodes of this rank, made when they are asked for. */
+typedef struct {
+  PetscBool  known;
+  PairFields nodal;
+  Vec        pressure, gap;
+} PairValues;
+
+/* Everything behind `options` is empty where there is nothing yet. */
+struct _p_Mortise {
+  MPI_Comm     comm;
+  char        *prefix;  /* NULL without one */
+  PetscOptions options; /* with a prefix: those of the handle, without it; else NULL: PETSc's own */
+  PetscReal    time;
+  Scene        scene;
+  Mesh         mesh;  /* none for a study */
+  PetscReal   *reach; /* of the scene's pairs before a solve widens them [num_pairs] */
+  Vec          coordinates;
+  Run          run;
+  PetscBool    solved_once; /* whether there was a solve: verdict counts */
+  PetscBool    guess_given; /* whether guess counts instead of the last solution, NULL for zero */
+  Vec          guess;
+  MortiseExit  verdict;
+  PairValues  *pairs;   /* [num_pairs] */
+  char        *summary; /* malloc() */
+  cJSON       *numbers; /* of it */
+};
+
+/* Surround the body of every public function: errors are told as in the program, options are those of the handle. ApiEnd() returns
+   error, and leaves stages that it has left open. Not collective. [in] m - or NULL */
+PetscErrorCode ApiBegin(Mortise m);
+PetscErrorCode ApiEnd(Mortise m, PetscErrorCode error);
+/* Whether MortiseInitialize() was called, and MortiseFinalize() not yet. Not collective. */
+PetscBool ApiReady(void);
+/* Whether PETSc was started by somebody else, and has read its options itself. Not collective. */
+PetscBool ApiJoined(void);
+/* Faults before MortiseSetFromOptions(); before MortiseSolve(), or where that had no single answer. Collective. */
+PetscErrorCode ApiNeedScene(Mortise m, const char function[]);
+PetscErrorCode ApiNeedRun(Mortise m, const char function[]);
+/* Destroys what was made of the solution for getters. Collective. */
+PetscErrorCode ApiDropResults(Mortise m);
+
+#endif

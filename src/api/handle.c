@@ -1,0 +1,310 @@
+/* handle.c -- the life of a handle: options, scene, mesh, solution. */
+#include "api/apiimpl.h"
+#include <stdlib.h>
+#include <string.h>
+#include "api/process.h"
+#include "base/compat.h"
+#include "base/log.h"
+#include "base/options.h"
+#include "base/warning.h"
+#include "output/htmlreport.h"
+#include "result/probes.h"
+#include "study/study.h"
+
+PetscErrorCode ApiNeedScene(Mortise m, const char function[])
+{
+  PetscFunctionBeginUser;
+  if (m->scene) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(UserErrorRaise(m->comm, "%s(): there is no scene yet; call MortiseSetFromOptions() before", function));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ApiNeedRun(Mortise m, const char function[])
+{
+  PetscFunctionBeginUser;
+  if (m->run) PetscFunctionReturn(PETSC_SUCCESS);
+  if (m->solved_once)
+    PetscCall(UserErrorRaise(m->comm, "%s(): -study has solved several meshes; leave it out", function));
+  PetscCall(UserErrorRaise(m->comm, "%s(): there is no solution yet; call MortiseSolve() before", function));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MortiseCreate(MPI_Comm comm, Mortise *m)
+{
+  int ranks, all;
+
+  *m = NULL;
+  if (!ApiReady()) { // nor is PETSc, perhaps
+    UserErrorSetQuiet(PETSC_TRUE);
+    return UserErrorRaise(comm, "MortiseCreate(): call MortiseInitialize() before");
+  }
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_size(comm, &ranks));
+  PetscCallMPI(MPI_Comm_size(MPI_COMM_WORLD, &all));
+  if (ranks != all)
+    PetscCall(UserErrorRaise(comm, "MortiseCreate(): the communicator has %d ranks, all %d are needed", ranks, all));
+  PetscCall(PetscNew(m));
+  (*m)->comm = comm;
+  (*m)->time = 1;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ApiDropResults(Mortise m)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt p = 0; m->pairs && p < m->scene->num_pairs; ++p) {
+    PetscCall(VecDestroy(&m->pairs[p].pressure));
+    PetscCall(VecDestroy(&m->pairs[p].gap));
+    if (m->pairs[p].known) PetscCall(PairFieldsDestroy(&m->pairs[p].nodal));
+  }
+  PetscCall(PetscFree(m->pairs));
+  free(m->summary);
+  m->summary = NULL;
+  cJSON_Delete(m->numbers);
+  m->numbers = NULL;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Everything that came of the scene, and the scene. */
+static PetscErrorCode Clear_Private(Mortise m)
+{
+  PetscFunctionBeginUser;
+  PetscCall(ApiDropResults(m));
+  PetscCall(VecDestroy(&m->guess));
+  PetscCall(VecDestroy(&m->coordinates));
+  PetscCall(RunDestroy(&m->run));
+  if (m->mesh) PetscCall(MeshDestroy(&m->mesh));
+  PetscCall(PetscFree(m->reach));
+  PetscCall(SceneDestroy(&m->scene));
+  m->guess_given = m->solved_once = PETSC_FALSE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MortiseDestroy(Mortise *m)
+{
+  PetscErrorCode error;
+
+  PetscFunctionBeginUser;
+  if (!*m) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ApiBegin(*m));
+  error = Clear_Private(*m);
+  PetscCall(ApiEnd(*m, error));
+  if ((*m)->options) PetscCall(PetscOptionsDestroy(&(*m)->options));
+  PetscCall(PetscFree((*m)->prefix));
+  PetscCall(PetscFree(*m));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MortiseSetOptionsPrefix(Mortise m, const char prefix[])
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(m->prefix));
+  if (m->options) PetscCall(PetscOptionsDestroy(&m->options));
+  if (!prefix || !prefix[0]) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscStrallocpy(prefix, &m->prefix));
+  PetscCall(PetscOptionsCreate(&m->options));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MortiseInsertFile(Mortise m, const char file[])
+{
+  PetscErrorCode error;
+
+  PetscFunctionBeginUser;
+  PetscCall(ApiBegin(m));
+  error = OptionsInsertFile(file);
+  PetscCall(ApiEnd(m, error));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Reads the scene. A scene that is wrong is left where it is: it is not known how far it came. */
+static PetscErrorCode ReadScene_Private(Mortise m)
+{
+  Scene scene;
+
+  PetscFunctionBeginUser;
+  WarningClear();
+  PetscCall(LogStageBegin(STAGE_SETUP));
+  PetscCall(SceneCreate(m->comm, &scene));
+  PetscCall(SceneSetTime(scene, m->time));
+  PetscCall(SceneSetFromOptions(scene));
+  PetscCall(SceneCheckUnused(scene, PETSC_TRUE));
+  PetscCall(OutputCheck(scene));
+  if (scene->report && !ProcessIsOwn())
+    PetscCall(UserErrorRaise(m->comm, "-report: the page is made by the program mortise; write files with -output, and "
+                                      "call mortise-report for them"));
+  PetscCall(HTMLReportCheck(scene));
+  PetscCall(LogStageEnd(STAGE_SETUP));
+  if (!ProcessIsOwn() && !scene->monitor) scene->quiet = PETSC_TRUE; // a library prints what it is asked to
+  PetscCall(PetscMalloc1(scene->num_pairs, &m->reach));
+  for (PetscInt p = 0; p < scene->num_pairs; ++p) m->reach[p] = scene->pairs[p].reach;
+  m->scene = scene;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MortiseSetFromOptions(Mortise m)
+{
+  PetscErrorCode error;
+
+  PetscFunctionBeginUser;
+  if (m->options) PetscCall(OptionsCopyPrefixed(m->prefix, m->options));
+  PetscCall(ApiBegin(m));
+  error = Clear_Private(m);
+  if (!error) error = ReadScene_Private(m);
+  PetscCall(ApiEnd(m, error));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A mesh that is wrong is left where it is, like a scene. */
+static PetscErrorCode SetUp_Private(Mortise m)
+{
+  Mesh mesh;
+
+  PetscFunctionBeginUser;
+  PetscCall(ApiNeedScene(m, "MortiseSetUp"));
+  if (m->mesh || m->scene->study.kind != STUDY_NONE) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SceneSetTime(m->scene, m->time));
+  PetscCall(LogStageBegin(STAGE_SETUP));
+  PetscCall(MeshCreate(m->scene, &mesh));
+  PetscCall(MeshSetUp(mesh));
+  PetscCall(ProbesCheck(m->scene, mesh));
+  PetscCall(LogStageEnd(STAGE_SETUP));
+  m->mesh = mesh;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MortiseSetUp(Mortise m)
+{
+  PetscErrorCode error;
+
+  PetscFunctionBeginUser;
+  PetscCall(ApiBegin(m));
+  error = SetUp_Private(m);
+  PetscCall(ApiEnd(m, error));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MortiseSetTime(Mortise m, PetscReal t)
+{
+  PetscFunctionBeginUser;
+  m->time = t;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode SetDatum_Private(Mortise m, const char option[], PetscInt num, const PetscReal values[])
+{
+  PetscFunctionBeginUser;
+  PetscCall(ApiNeedScene(m, "MortiseSetDatum"));
+  PetscCall(SceneSetDatum(m->scene, option, num, values));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MortiseSetDatum(Mortise m, const char option[], PetscInt num, const PetscReal values[])
+{
+  PetscErrorCode error;
+
+  PetscFunctionBeginUser;
+  PetscCall(ApiBegin(m));
+  error = SetDatum_Private(m, option, num, values);
+  PetscCall(ApiEnd(m, error));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode SetGuess_Private(Mortise m, Vec u)
+{
+  PetscFunctionBeginUser;
+  PetscCall(ApiNeedScene(m, "MortiseSetInitialGuess"));
+  PetscCall(SetUp_Private(m));
+  PetscCall(VecDestroy(&m->guess));
+  m->guess_given = PETSC_TRUE;
+  if (!u || !m->mesh) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(LevelCreateVec(MeshFinest(m->mesh), m->scene->dim, &m->guess));
+  PetscCall(VecCopy(u, m->guess));
+  PetscCall(VecGhostUpdateBegin(m->guess, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostUpdateEnd(m->guess, INSERT_VALUES, SCATTER_FORWARD));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MortiseSetInitialGuess(Mortise m, Vec u)
+{
+  PetscErrorCode error;
+
+  PetscFunctionBeginUser;
+  PetscCall(ApiBegin(m));
+  error = SetGuess_Private(m, u);
+  PetscCall(ApiEnd(m, error));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Where warnings are to fail a run, they do: files and numbers are there all the same. */
+static PetscErrorCode CountWarnings_Private(Mortise m)
+{
+  PetscInt num;
+
+  PetscFunctionBeginUser;
+  if (!m->scene->warnings_fail) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(WarningNum(m->comm, &num));
+  if (!num || m->verdict != MORTISE_SOLVED) PetscFunctionReturn(PETSC_SUCCESS);
+  m->verdict = MORTISE_NOT_CONVERGED;
+  if (ProcessIsOwn()) {
+    PetscCall(PetscFPrintf(m->comm, PETSC_STDERR,
+                           "mortise: -warnings error: %" PetscInt_FMT " warning%s; the results are complete\n", num,
+                           num == 1 ? "" : "s"));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Takes the displacement to begin with out of the handle, and the last run away. [out] guess - owned by the caller, or NULL */
+static PetscErrorCode TakeGuess_Private(Mortise m, Vec *guess)
+{
+  PetscFunctionBeginUser;
+  *guess   = m->guess;
+  m->guess = NULL;
+  if (!m->guess_given && m->run && m->run->solved) {
+    *guess = m->run->fields->u;
+    PetscCall(PetscObjectReference((PetscObject)*guess));
+  }
+  m->guess_given = PETSC_FALSE;
+  PetscCall(ApiDropResults(m));
+  PetscCall(RunDestroy(&m->run));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Solve_Private(Mortise m)
+{
+  Vec guess;
+  Run run;
+
+  PetscFunctionBeginUser;
+  PetscCall(ApiNeedScene(m, "MortiseSolve"));
+  if (m->solved_once) PetscCall(LogReset(LogWallClock()));
+  PetscCall(SceneSetTime(m->scene, m->time));
+  PetscCall(SetUp_Private(m));
+  PetscCall(TakeGuess_Private(m, &guess));
+  for (PetscInt p = 0; p < m->scene->num_pairs; ++p) m->scene->pairs[p].reach = m->reach[p];
+  m->solved_once = PETSC_FALSE;
+  if (m->mesh) {
+    PetscCall(RunCreate(m->scene, m->mesh, guess, &run));
+    PetscCall(VecDestroy(&guess));
+    m->run     = run;
+    m->verdict = run->solved ? MORTISE_SOLVED : run->refused ? MORTISE_NO_SOLUTION : MORTISE_NOT_CONVERGED;
+    PetscCall(PetscCalloc1(m->scene->num_pairs, &m->pairs));
+  } else {
+    PetscCall(StudyRun(m->scene, &m->verdict));
+  }
+  m->scene->view = PETSC_FALSE; // of the first solve only
+  m->solved_once = PETSC_TRUE;
+  PetscCall(CountWarnings_Private(m));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MortiseSolve(Mortise m)
+{
+  PetscErrorCode error;
+
+  PetscFunctionBeginUser;
+  PetscCall(ApiBegin(m));
+  error = Solve_Private(m);
+  PetscCall(ApiEnd(m, error));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,12 @@
+# cmake -DPROGRAM=... -DTEMPLATE=... -DPAGE=... -DVERSION=... -P manpage.cmake: the page with all options that the program prints.
+set(ENV{OMPI_ALLOW_RUN_AS_ROOT} 1)
+set(ENV{OMPI_ALLOW_RUN_AS_ROOT_CONFIRM} 1)
+execute_process(COMMAND ${PROGRAM} -help OUTPUT_VARIABLE options RESULT_VARIABLE failed)
+if(failed OR NOT options)
+  message(WARNING "${PROGRAM} -help does not run here: the man page has no list of options")
+  set(options "mortise -help prints all options.\n")
+endif()
+string(REPLACE "\\" "\\e" options "${options}")
+string(REPLACE "-" "\\-" options "${options}")
+string(REGEX REPLACE "(^|\n)([.'])" "\\1\\\\&\\2" options "${options}")
+configure_file(${TEMPLATE} ${PAGE} @ONLY)

@@ -1,0 +1,143 @@
+/* scenetime.c -- data that change from one solution to the next: time, and values that a caller gives. */
+#include "scene/sceneparts.h"
+#include <string.h>
+#include <strings.h>
+
+/* A datum of the scene, where it stands; `load` if time may multiply it, `map` if meshes are made by it. */
+typedef struct {
+  Expression *e;
+  PetscBool   load, variable, map;
+} Datum;
+
+enum { DATA_BODY = 6, DATA_PAIR = 4 }; /* of a body beside its boundaries, of a pair */
+
+/* All data that a scene has. [out] data - [num], owned by the caller */
+static PetscErrorCode DataList_Private(Scene scene, PetscInt *num, Datum **data)
+{
+  PetscInt most = DATA_BODY * scene->num_bodies + DATA_PAIR * scene->num_pairs, n = 0;
+
+  PetscFunctionBeginUser;
+  for (PetscInt b = 0; b < scene->num_bodies; ++b) most += scene->bodies[b].num_boundaries;
+  PetscCall(PetscMalloc1(most, data));
+  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+    SceneBody *body = &scene->bodies[b];
+
+    (*data)[n++] = (Datum){&body->map, PETSC_FALSE, PETSC_FALSE, PETSC_TRUE};
+    (*data)[n++] = (Datum){&body->young, PETSC_FALSE, PETSC_FALSE, PETSC_FALSE};
+    (*data)[n++] = (Datum){&body->poisson, PETSC_FALSE, PETSC_FALSE, PETSC_FALSE};
+    (*data)[n++] = (Datum){&body->stiffness, PETSC_FALSE, PETSC_FALSE, PETSC_FALSE};
+    (*data)[n++] = (Datum){&body->exact, PETSC_FALSE, PETSC_FALSE, PETSC_FALSE};
+    (*data)[n++] = (Datum){&body->body_force, PETSC_TRUE, PETSC_TRUE, PETSC_FALSE};
+    for (PetscInt i = 0; i < body->num_boundaries; ++i)
+      (*data)[n++] = (Datum){&body->boundaries[i].value, PETSC_TRUE, PETSC_TRUE, PETSC_FALSE};
+  }
+  for (PetscInt p = 0; p < scene->num_pairs; ++p) {
+    ScenePair *pair = &scene->pairs[p];
+
+    (*data)[n++] = (Datum){&pair->gap_offset, PETSC_TRUE, PETSC_TRUE, PETSC_FALSE};
+    (*data)[n++] = (Datum){&pair->gap, PETSC_FALSE, PETSC_TRUE, PETSC_FALSE};
+    (*data)[n++] = (Datum){&pair->obstacle.gap, PETSC_FALSE, PETSC_TRUE, PETSC_FALSE};
+    (*data)[n++] = (Datum){&pair->exact, PETSC_FALSE, PETSC_FALSE, PETSC_FALSE};
+  }
+  *num = 0;
+  for (PetscInt i = 0; i < n; ++i)
+    if (*(*data)[i].e) (*data)[(*num)++] = (*data)[i];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SceneSetTime(Scene scene, PetscReal t)
+{
+  PetscInt    num;
+  PetscBool   named = PETSC_FALSE;
+  const char *map   = NULL;
+  Datum      *data;
+
+  PetscFunctionBeginUser;
+  PetscCall(DataList_Private(scene, &num, &data));
+  for (PetscInt i = 0; i < num; ++i) {
+    const PetscBool names = ExpressionNames(*data[i].e, "t");
+
+    if (names && data[i].map) map = ExpressionOption(*data[i].e);
+    named = (PetscBool)(named || names);
+  }
+  for (PetscInt i = 0; i < num; ++i) ExpressionSetFactor(*data[i].e, named || !data[i].load ? 1 : t);
+  ExpressionSetTime(t);
+  PetscCall(PetscFree(data));
+  if (map)
+    PetscCall(UserErrorRaise(scene->comm, "%s: a map cannot name the time t, the mesh is made only once; write x, y, z",
+                             map));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Raises the fault of a datum that the scene does not have. [in] data - [num], freed */
+static PetscErrorCode DatumRaise_Private(Scene scene, const char option[], PetscInt num, Datum *data)
+{
+  const char **names, *near;
+  PetscInt     n                      = 0;
+  char         suggestion[OPTION_MAX] = "";
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(num, &names));
+  for (PetscInt i = 0; i < num; ++i)
+    if (data[i].variable) names[n++] = ExpressionOption(*data[i].e);
+  near = UserErrorNearest(option, n, names);
+  if (near) PetscCall(PetscSNPrintf(suggestion, sizeof(suggestion), "; did you mean %s?", near));
+  PetscCall(PetscFree(names));
+  PetscCall(PetscFree(data));
+  PetscCall(UserErrorRaise(scene->comm, "%s: the scene has no load, given displacement or gap of this name%s", option,
+                           suggestion));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The text of new components. [out] text - owned by the caller */
+static PetscErrorCode DatumText_Private(Expression old, const PetscReal values[], PetscBool *free_any, char **text)
+{
+  enum { NUMBER = 32 };
+  const PetscInt num    = ExpressionSize(old);
+  size_t         length = 0, size = (size_t)num * NUMBER + 1;
+
+  PetscFunctionBeginUser;
+  *free_any = PETSC_FALSE;
+  PetscCall(PetscMalloc1(size, text));
+  for (PetscInt c = 0; c < num; ++c) {
+    const char *comma = c ? "," : "";
+
+    if (ExpressionIsFree(old, c)) {
+      length += (size_t)snprintf(*text + length, size - length, "%sfree", comma);
+      *free_any = PETSC_TRUE;
+    } else {
+      length += (size_t)snprintf(*text + length, size - length, "%s%.17g", comma, (double)values[c]);
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SceneSetDatum(Scene scene, const char option[], PetscInt num, const PetscReal values[])
+{
+  Expression *place = NULL, fresh;
+  PetscInt    num_data;
+  PetscBool   free_any;
+  char       *text;
+  Datum      *data;
+
+  PetscFunctionBeginUser;
+  PetscCall(DataList_Private(scene, &num_data, &data));
+  for (PetscInt i = 0; i < num_data; ++i)
+    if (data[i].variable && !strcasecmp(ExpressionOption(*data[i].e), option)) place = data[i].e;
+  if (!place) PetscCall(DatumRaise_Private(scene, option, num_data, data));
+  PetscCall(PetscFree(data));
+  if (num != ExpressionSize(*place)) {
+    PetscCall(UserErrorRaise(scene->comm, "%s: %" PetscInt_FMT " numbers given, %" PetscInt_FMT " wanted", option, num,
+                             ExpressionSize(*place)));
+  }
+  for (PetscInt c = 0; c < num; ++c) {
+    if (!PetscIsInfOrNanReal(values[c]) || ExpressionIsFree(*place, c)) continue;
+    PetscCall(UserErrorRaise(scene->comm, "%s: component %" PetscInt_FMT " is not a finite number", option, c + 1));
+  }
+  PetscCall(DatumText_Private(*place, values, &free_any, &text));
+  PetscCall(ExpressionCreate(scene->comm, ExpressionOption(*place), text, num, free_any, &fresh));
+  PetscCall(PetscFree(text));
+  PetscCall(ExpressionDestroy(place));
+  *place = fresh;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
