@@ -38,7 +38,7 @@ static void *MemoryAllocateFn(size_t size)
 {
   void *new = malloc(size);
 
-  if (!new &&size) UserErrorMemory();
+  if (!new &&size) UserErrorEndMemory();
   return new;
 }
 
@@ -50,7 +50,7 @@ static void MemoryPrepareBLAS_Private(void)
   const PetscScalar  one   = 1;
   PetscScalar        b     = 1;
 
-  if (!probe) UserErrorMemory();
+  if (!probe) UserErrorEndMemory();
   free(probe);
   BLAStrsm_("L", "L", "N", "N", &n, &n, &one, &one, &n, &b, &n);
 }
@@ -62,7 +62,7 @@ void MemoryPrepare(void)
   void (*(*set)(void (*)(void)))(void);
 
   *(void **)&set = symbol;
-  if (symbol) (void)(*set)(UserErrorMemory);
+  if (symbol) (void)(*set)(UserErrorEndMemory);
   cJSON_InitHooks(&(cJSON_Hooks){.malloc_fn = MemoryAllocateFn, .free_fn = free});
   MemoryPrepareBLAS_Private();
 }

@@ -7,7 +7,7 @@
 /* Where memory is limited (ulimit -v), starts the program anew with one thread of OpenBLAS, unless the user chose their number:
    each thread sets a large buffer aside, and waits for ever where it cannot have it. Call first of all in main(). */
 void MemoryLimitThreads(char **argv);
-/* Makes libraries that could not return an error, or would wait, end the program by UserErrorMemory(): C++ (muParser among
+/* Makes libraries that could not return an error, or would wait, end the program by UserErrorEndMemory(): C++ (muParser among
    others), cJSON, and BLAS, whose buffer is taken now. Not collective; MPI is initialised. */
 void MemoryPrepare(void);
 

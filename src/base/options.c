@@ -22,15 +22,15 @@ static void OptionsReadDefaults_Private(Reader *reader, int skip_files)
 
   if (home) snprintf(paths[0], sizeof(paths[0]), "%s/.petscrc", home);
   for (int i = 0; i < 3 && !skip_files; ++i) {
-    char *text = FileCanRead(paths[i]) ? ReaderSlurp(reader, paths[i]) : NULL;
+    char *text = OptionsReaderCanRead(paths[i]) ? OptionsReaderSlurp(reader, paths[i]) : NULL;
 
-    if (text) ReaderReadText(reader, paths[i], text);
+    if (text) OptionsReaderReadText(reader, paths[i], text);
     free(text);
   }
   if (variable) {
-    char *text = TextAllocate(NULL, strlen(variable) + 1);
+    char *text = TextListAllocate(NULL, strlen(variable) + 1);
 
-    ReaderReadText(reader, "PETSC_OPTIONS", memcpy(text, variable, strlen(variable) + 1));
+    OptionsReaderReadText(reader, "PETSC_OPTIONS", memcpy(text, variable, strlen(variable) + 1));
     free(text);
   }
 }
@@ -38,12 +38,12 @@ static void OptionsReadDefaults_Private(Reader *reader, int skip_files)
 /* The command line, whose own options wait until the files that it names are read. */
 static void OptionsReadCommandLine_Private(Reader *reader, int argc, char **argv)
 {
-  Word    *words = TextAllocate(NULL, (size_t)argc * sizeof(*words));
+  Word    *words = TextListAllocate(NULL, (size_t)argc * sizeof(*words));
   TextList own   = {0, NULL};
 
   for (int a = 1; a < argc; ++a) words[a - 1] = (Word){argv[a], 0};
   reader->target = &own;
-  ReaderReadWords(reader, "command line", argc - 1, words);
+  OptionsReaderReadWords(reader, "command line", argc - 1, words);
   for (int i = 0; i < own.num; ++i) TextListAppend(&arguments, own.items[i]);
   TextListClear(&own);
   free(words);
@@ -59,7 +59,8 @@ void OptionsExpand(int argc, char **argv, int *argc_out, char ***argv_out, char 
   TextListClear(&files);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (!rank) {
-    for (int a = 1; a < argc; ++a) skip_files |= WordIsName(argv[a]) && WordIs(argv[a], "-skip_petscrc");
+    for (int a = 1; a < argc; ++a)
+      skip_files |= OptionsReaderIsName(argv[a]) && OptionsReaderIsWord(argv[a], "-skip_petscrc");
     TextListAppend(&arguments, argc ? argv[0] : "mortise");
     OptionsReadDefaults_Private(&reader, skip_files);
     OptionsReadCommandLine_Private(&reader, argc, argv);
@@ -81,7 +82,8 @@ PetscErrorCode OptionsJoin(void)
   PetscFunctionBeginUser;
   PetscCall(PetscGetArgs(&num, &given));
   for (int a = 1; a + 1 < num; ++a)
-    if (WordIsName(given[a]) && WordIs(given[a], "-options_file")) TextListAppend(&files, given[a + 1]);
+    if (OptionsReaderIsName(given[a]) && OptionsReaderIsWord(given[a], "-options_file"))
+      TextListAppend(&files, given[a + 1]);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -97,7 +99,7 @@ static PetscErrorCode ReadDatabase_Private(TextList *words)
     char *value = name + strcspn(name, " ");
 
     end = strstr(name, " -");
-    while (end && !WordIsName(end + 1)) end = strstr(end + 1, " -");
+    while (end && !OptionsReaderIsName(end + 1)) end = strstr(end + 1, " -");
     if (end) *end++ = '\0';
     if (*value) *value++ = '\0';
     for (size_t n = strlen(value); n && value[n - 1] == ' '; --n) value[n - 1] = '\0';
@@ -119,7 +121,7 @@ static int HasName_Private(const TextList *words, int num, const char name[])
 PetscErrorCode OptionsInsertFile(const char name[])
 {
   char           sentence[USER_ERROR_LENGTH] = "", option[] = "-options_file";
-  char          *copy    = TextAllocate(NULL, strlen(name) + 1);
+  char          *copy    = TextListAllocate(NULL, strlen(name) + 1);
   const Word     words[] = {{option, 0}, {strcpy(copy, name), 0}};
   TextList       read = {0, NULL}, found = {0, NULL}, present;
   Reader         reader = {sentence, sizeof(sentence), &read, &read, &found, 0, {NULL}};
@@ -129,7 +131,7 @@ PetscErrorCode OptionsInsertFile(const char name[])
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_rank(MPI_COMM_WORLD, &rank));
   for (int i = 0; i < files.num; ++i) TextListAppend(&found, files.items[i]);
-  if (!rank) ReaderReadWords(&reader, "options of the program", 2, words);
+  if (!rank) OptionsReaderReadWords(&reader, "options of the program", 2, words);
   free(copy);
   if (!rank) {
     TextListClear(&files);
@@ -146,7 +148,7 @@ PetscErrorCode OptionsInsertFile(const char name[])
   PetscCall(ReadDatabase_Private(&present));
   num = present.num;
   for (int i = 0; i < read.num; ++i) {
-    const int value = i + 1 < read.num && !WordIsName(read.items[i + 1]);
+    const int value = i + 1 < read.num && !OptionsReaderIsName(read.items[i + 1]);
 
     if (!HasName_Private(&present, num, read.items[i]))
       PetscCall(PetscOptionsSetValue(NULL, read.items[i], value ? read.items[i + 1] : NULL));
@@ -228,7 +230,7 @@ PetscErrorCode OptionsGetGiven(PetscInt *num, OptionGiven **given)
   PetscCall(PetscMalloc1(PetscMax(arguments.num, 1), given));
   for (int a = 1; a < last; ++a) {
     const char     *name  = arguments.items[a];
-    const PetscBool value = a + 1 < last && !WordIsName(arguments.items[a + 1]) ? PETSC_TRUE : PETSC_FALSE;
+    const PetscBool value = a + 1 < last && !OptionsReaderIsName(arguments.items[a + 1]) ? PETSC_TRUE : PETSC_FALSE;
 
     name += strspn(name, "-");
     if (value) ++a;
@@ -244,7 +246,7 @@ PetscErrorCode OptionsFindFile(MPI_Comm comm, const char name[], char found[], s
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_rank(comm, &rank));
-  if (!rank) readable = FileFind(&files, name, found, len);
+  if (!rank) readable = OptionsReaderFindFile(&files, name, found, len);
   PetscCallMPI(MPI_Bcast(&readable, 1, MPI_INT, 0, comm));
   PetscCallMPI(MPI_Bcast(found, (int)len, MPI_CHAR, 0, comm));
   *exists = readable ? PETSC_TRUE : PETSC_FALSE;

@@ -23,7 +23,7 @@ static void OptionsReaderRefuse_Private(Reader *reader, const char format[], ...
   va_end(values);
 }
 
-int WordIsName(const char word[])
+int OptionsReaderIsName(const char word[])
 {
   PetscBool valid = PETSC_FALSE;
 
@@ -31,14 +31,14 @@ int WordIsName(const char word[])
   return valid;
 }
 
-int WordIs(const char word[], const char name[])
+int OptionsReaderIsWord(const char word[], const char name[])
 {
   return !strcasecmp(word[1] == '-' ? word + 1 : word, name); // PETSc ignores case, and takes --name for -name
 }
 
 /* --- files ------------------------------------------------------------------------------------------------------ */
 
-int FileCanRead(const char path[])
+int OptionsReaderCanRead(const char path[])
 {
   struct stat status;
   FILE       *file;
@@ -49,24 +49,24 @@ int FileCanRead(const char path[])
   return file || !S_ISREG(status.st_mode);
 }
 
-int FileFind(const TextList *files, const char name[], char found[], size_t len)
+int OptionsReaderFindFile(const TextList *files, const char name[], char found[], size_t len)
 {
   snprintf(found, len, "%s", name);
-  if (FileCanRead(name)) return 1;
+  if (OptionsReaderCanRead(name)) return 1;
   for (int i = 0; name[0] != '/' && i < files->num; ++i) {
     const char *slash = strrchr(files->items[i], '/');
 
     if (!slash) continue; // in the working directory
     snprintf(found, len, "%.*s/%s", (int)(slash - files->items[i]), files->items[i], name);
-    if (FileCanRead(found)) return 1;
+    if (OptionsReaderCanRead(found)) return 1;
   }
   snprintf(found, len, "%s", name);
   return 0;
 }
 
-char *ReaderSlurp(Reader *reader, const char path[])
+char *OptionsReaderSlurp(Reader *reader, const char path[])
 {
-  char  *text = TextAllocate(NULL, MAX_SIZE + 1);
+  char  *text = TextListAllocate(NULL, MAX_SIZE + 1);
   FILE  *file = fopen(path, "r");
   size_t size;
 
@@ -97,15 +97,16 @@ static void OptionsReaderReadFile_Private(Reader *reader, const char where[], co
 /* Whether a word that PETSc takes for an option's name is something else: a formula, or a text with spaces. */
 static int OptionsReaderIsFormula_Private(const Word *word)
 {
-  return WordIsName(word->text) && (word->quoted || strpbrk(word->text, "()*/^, "));
+  return OptionsReaderIsName(word->text) && (word->quoted || strpbrk(word->text, "()*/^, "));
 }
 
 /* Appends the option that stands at words[0], with its value if it has one. Returns the number of words taken. */
 static int OptionsReaderReadOption_Private(Reader *reader, const char where[], int num_words, const Word words[])
 {
   const char *name = words[0].text, *next = num_words > 1 ? words[1].text : NULL;
-  const char *value   = next && !WordIsName(next) ? next : NULL;
-  const int   is_file = WordIs(name, "-options_file"), is_yaml = WordIs(name, "-options_file_yaml");
+  const char *value   = next && !OptionsReaderIsName(next) ? next : NULL;
+  const int   is_file = OptionsReaderIsWord(name, "-options_file"),
+            is_yaml   = OptionsReaderIsWord(name, "-options_file_yaml");
 
   if (next && OptionsReaderIsFormula_Private(&words[1]))
     OptionsReaderRefuse_Private(
@@ -117,7 +118,7 @@ static int OptionsReaderReadOption_Private(Reader *reader, const char where[], i
     OptionsReaderRefuse_Private(reader, "%s: %s: a value follows after a space, not after '='", where, name);
   else if ((is_file || is_yaml) && !value)
     OptionsReaderRefuse_Private(reader, "%s: %s needs the name of a file", where, name);
-  else if (is_yaml && !FileCanRead(value))
+  else if (is_yaml && !OptionsReaderCanRead(value))
     OptionsReaderRefuse_Private(reader, "%s: %s %s: there is no such file", where, name, value);
   else if (is_file)
     OptionsReaderReadFile_Private(reader, where, value);
@@ -132,7 +133,7 @@ static int OptionsReaderReadOption_Private(Reader *reader, const char where[], i
 static void OptionsReaderRefuseWord_Private(Reader *reader, const char where[], const char word[],
                                             const char previous[])
 {
-  if (FileCanRead(word))
+  if (OptionsReaderCanRead(word))
     OptionsReaderRefuse_Private(reader,
                                 "%s: '%s' is a file, but not an option; an options file is named by -options_file %s",
                                 where, word, word);
@@ -147,12 +148,12 @@ static void OptionsReaderRefuseWord_Private(Reader *reader, const char where[], 
         where, word);
 }
 
-void ReaderReadWords(Reader *reader, const char where[], int num_words, const Word words[])
+void OptionsReaderReadWords(Reader *reader, const char where[], int num_words, const Word words[])
 {
   const char *previous = NULL;
 
   for (int w = 0; w < num_words && !reader->sentence[0];) {
-    if (WordIsName(words[w].text)) {
+    if (OptionsReaderIsName(words[w].text)) {
       previous = words[w].text;
       w += OptionsReaderReadOption_Private(reader, where, num_words - w, words + w);
     } else
@@ -184,7 +185,7 @@ static int OptionsReaderSplitLine_Private(Reader *reader, const char where[], ch
   return num_words;
 }
 
-void ReaderReadText(Reader *reader, const char source[], char text[])
+void OptionsReaderReadText(Reader *reader, const char source[], char text[])
 {
   char *next;
   int   number = 0;
@@ -198,9 +199,9 @@ void ReaderReadText(Reader *reader, const char source[], char text[])
     next = strchr(line, '\n');
     if (next) *next++ = '\0';
     snprintf(where, sizeof(where), "%s, line %d", source, ++number);
-    words     = TextAllocate(NULL, (strlen(line) + 1) * sizeof(*words));
+    words     = TextListAllocate(NULL, (strlen(line) + 1) * sizeof(*words));
     num_words = OptionsReaderSplitLine_Private(reader, where, line, words);
-    ReaderReadWords(reader, where, num_words, words);
+    OptionsReaderReadWords(reader, where, num_words, words);
     free(words);
   }
 }
@@ -212,7 +213,7 @@ static void OptionsReaderReadFile_Private(Reader *reader, const char where[], co
   char            found[PETSC_MAX_PATH_LEN], *text, *path = NULL;
   struct stat     status;
 
-  if (!FileFind(reader->files, name, found, sizeof(found)))
+  if (!OptionsReaderFindFile(reader->files, name, found, sizeof(found)))
     OptionsReaderRefuse_Private(reader, "%s: -options_file %s: %s", where, name,
                                 stat(name, &status) ? "there is no such file" : "this is not a file that can be read");
   else if (reader->depth == READER_MAX_DEPTH)
@@ -224,12 +225,12 @@ static void OptionsReaderReadFile_Private(Reader *reader, const char where[], co
     if (!strcmp(path, reader->open[i]))
       OptionsReaderRefuse_Private(reader, "%s: -options_file %s: this file is being read already, it names itself",
                                   where, name);
-  text = path && !reader->sentence[0] ? ReaderSlurp(reader, found) : NULL;
+  text = path && !reader->sentence[0] ? OptionsReaderSlurp(reader, found) : NULL;
   if (text) {
     reader->open[reader->depth++] = path;
     reader->target                = reader->arguments;
     TextListAppend(reader->files, found);
-    ReaderReadText(reader, found, text);
+    OptionsReaderReadText(reader, found, text);
     reader->target = target;
     --reader->depth;
   }

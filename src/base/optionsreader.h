@@ -28,18 +28,18 @@ typedef struct {
 } Reader;
 
 /* Whether a word is the name of an option, and of this one, with one dash or two. */
-int WordIsName(const char word[]);
-int WordIs(const char word[], const char name[]);
+int OptionsReaderIsName(const char word[]);
+int OptionsReaderIsWord(const char word[], const char name[]);
 
-int FileCanRead(const char path[]);
+int OptionsReaderCanRead(const char path[]);
 /* found = name, or name within the folder of one of the files; whether it can be read there. */
-int FileFind(const TextList *files, const char name[], char found[], size_t len);
+int OptionsReaderFindFile(const TextList *files, const char name[], char found[], size_t len);
 
 /* Reads the words of one line. [in] where - names the line in a complaint */
-void ReaderReadWords(Reader *reader, const char where[], int num_words, const Word words[]);
+void OptionsReaderReadWords(Reader *reader, const char where[], int num_words, const Word words[]);
 /* Reads the lines of a text in place. [in] source - names the text in a complaint */
-void ReaderReadText(Reader *reader, const char source[], char text[]);
+void OptionsReaderReadText(Reader *reader, const char source[], char text[]);
 /* The file's text, to be freed, or NULL after a complaint. */
-char *ReaderSlurp(Reader *reader, const char path[]);
+char *OptionsReaderSlurp(Reader *reader, const char path[]);
 
 #endif

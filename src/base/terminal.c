@@ -25,7 +25,7 @@ static int TerminalParentHasTerminal_Private(void)
   return terminal;
 }
 
-PetscErrorCode TerminalIsThere(MPI_Comm comm, PetscBool *there)
+PetscErrorCode TerminalIsPresent(MPI_Comm comm, PetscBool *there)
 {
   int terminal = isatty(STDOUT_FILENO);
 

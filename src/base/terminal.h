@@ -6,6 +6,6 @@
 
 /* Whether what the first rank prints goes to a terminal. Under mpiexec, which gives its ranks terminals of its own making, that is
    whether mpiexec's output does. Collective. */
-PetscErrorCode TerminalIsThere(MPI_Comm comm, PetscBool *there);
+PetscErrorCode TerminalIsPresent(MPI_Comm comm, PetscBool *there);
 
 #endif

@@ -5,11 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-void *TextAllocate(void *old, size_t size)
+void *TextListAllocate(void *old, size_t size)
 {
   void *new = realloc(old, size);
 
-  if (!new) UserErrorMemory();
+  if (!new) UserErrorEndMemory();
   return new;
 }
 
@@ -17,8 +17,8 @@ void TextListAppend(TextList *list, const char text[])
 {
   const size_t size = strlen(text) + 1;
 
-  list->items              = TextAllocate(list->items, (size_t)(list->num + 2) * sizeof(*list->items));
-  list->items[list->num++] = memcpy(TextAllocate(NULL, size), text, size);
+  list->items              = TextListAllocate(list->items, (size_t)(list->num + 2) * sizeof(*list->items));
+  list->items[list->num++] = memcpy(TextListAllocate(NULL, size), text, size);
   list->items[list->num]   = NULL;
 }
 
@@ -40,7 +40,7 @@ void TextListBroadcast(TextList *list)
     char *text;
 
     MPI_Bcast(&size, 1, MPI_INT, 0, MPI_COMM_WORLD);
-    text = rank ? TextAllocate(NULL, (size_t)size) : list->items[i];
+    text = rank ? TextListAllocate(NULL, (size_t)size) : list->items[i];
     MPI_Bcast(text, size, MPI_CHAR, 0, MPI_COMM_WORLD);
     if (!rank) continue;
     TextListAppend(list, text);

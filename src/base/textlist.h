@@ -11,7 +11,7 @@ typedef struct {
 } TextList;
 
 /* realloc() that ends the program where memory is out. */
-void *TextAllocate(void *old, size_t size);
+void *TextListAllocate(void *old, size_t size);
 /* Appends a copy. Not collective. */
 void TextListAppend(TextList *list, const char text[]);
 void TextListClear(TextList *list);

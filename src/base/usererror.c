@@ -221,7 +221,7 @@ PetscErrorCode UserErrorCatchSignals(void)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-void UserErrorMemory(void)
+void UserErrorEndMemory(void)
 {
   UserErrorTellMemory_Private(MPI_COMM_SELF);
   UserErrorEnd_Private();

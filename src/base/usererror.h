@@ -44,7 +44,7 @@ PetscErrorCode UserErrorCatchSignals(void);
 
 /* Memory ran out where no error can be returned: says so and ends all ranks with exit code MORTISE_FAILED. Not collective;
    MPI is initialised. Does not return. */
-void UserErrorMemory(void);
+void UserErrorEndMemory(void);
 
 /* Raises a fault that all ranks know of: the first rank prints "mortise: <sentence>" on stderr.
    Collective on comm, the same arguments on all ranks. Returns MORTISE_ERR_USER: write PetscCall(UserErrorRaise(...)).

@@ -2,7 +2,7 @@
 #include "base/compat.h"
 #include "contact/contactsurface.h"
 
-void FacetCoordinates(const Level *level, const Facets *facets, PetscInt f, PetscReal X[])
+void ContactFacetCoordinates(const Level *level, const Facets *facets, PetscInt f, PetscReal X[])
 {
   const PetscInt n = ElementNumNodes(facets->type[f]);
 
@@ -14,7 +14,7 @@ void FacetCoordinates(const Level *level, const Facets *facets, PetscInt f, Pets
 
 /* Vertices stay; at a middle of an edge 2 x - (mean of its ends), at the middle of a facet what makes the tensor product
    of three Bernstein polynomials in each direction the facet: they are positive and sum to one. */
-void FacetHull(PetscInt dim, ElementType type, const PetscReal X[], PetscReal hull[])
+void ContactFacetHull(PetscInt dim, ElementType type, const PetscReal X[], PetscReal hull[])
 {
   const PetscInt num_nodes = ElementNumNodes(type), num_vertices = ElementNumNodes(ElementLinear(type));
   const PetscInt num_edges = num_nodes > num_vertices ? ElementNumEdges(type) : 0, centre = num_vertices + num_edges;
@@ -34,11 +34,11 @@ void FacetHull(PetscInt dim, ElementType type, const PetscReal X[], PetscReal hu
   }
 }
 
-void FacetBox(PetscInt dim, ElementType type, const PetscReal X[], PetscReal box[])
+void ContactFacetBox(PetscInt dim, ElementType type, const PetscReal X[], PetscReal box[])
 {
   PetscReal hull[3 * ELEMENT_MAX_FACET_NODES];
 
-  FacetHull(dim, type, X, hull);
+  ContactFacetHull(dim, type, X, hull);
   for (PetscInt k = 0; k < dim; k++) {
     box[k] = box[dim + k] = hull[k];
     for (PetscInt i = 1; i < ElementNumNodes(type); i++) {
@@ -48,7 +48,7 @@ void FacetBox(PetscInt dim, ElementType type, const PetscReal X[], PetscReal box
   }
 }
 
-PetscReal FacetSize(PetscInt dim, ElementType type, const PetscReal X[])
+PetscReal ContactFacetSize(PetscInt dim, ElementType type, const PetscReal X[])
 {
   const PetscInt num_vertices = ElementNumNodes(ElementLinear(type));
   PetscReal      size         = 0;
@@ -61,15 +61,15 @@ PetscReal FacetSize(PetscInt dim, ElementType type, const PetscReal X[])
   return size;
 }
 
-PetscErrorCode FacetsMaxSize(const Level *level, const Facets *facets, PetscReal *size)
+PetscErrorCode ContactFacetMaxSize(const Level *level, const Facets *facets, PetscReal *size)
 {
   PetscReal X[3 * ELEMENT_MAX_FACET_NODES];
 
   PetscFunctionBeginUser;
   *size = 0;
   for (PetscInt f = 0; f < facets->num; f++) {
-    FacetCoordinates(level, facets, f, X);
-    *size = PetscMax(*size, FacetSize(level->dim, facets->type[f], X));
+    ContactFacetCoordinates(level, facets, f, X);
+    *size = PetscMax(*size, ContactFacetSize(level->dim, facets->type[f], X));
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, size, 1, MPIU_REAL, MPIU_MAX, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);

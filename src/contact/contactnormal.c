@@ -31,7 +31,7 @@ static PetscReal ContactNormalBoxDistance_Private(PetscInt dim, ElementType type
 {
   PetscReal box[6], square = 0;
 
-  FacetBox(dim, type, X, box);
+  ContactFacetBox(dim, type, X, box);
   for (PetscInt k = 0; k < dim; k++) square += PetscSqr(PetscMax(0, PetscMax(box[k] - x[k], x[k] - box[dim + k])));
   return square;
 }
@@ -50,7 +50,8 @@ static void ContactNormalMortarShape_Private(const MortarSurface *mortar, PetscI
   for (PetscInt i = 0; i < num; i++) {
     const PetscInt corner = f * F + i;
 
-    CurvatureTransport(dim, &mortar->curvature[corner * dim * dim], &mortar->normals[corner * dim], at->normal, S);
+    DirectionTransportCurvature(dim, &mortar->curvature[corner * dim * dim], &mortar->normals[corner * dim], at->normal,
+                                S);
     for (PetscInt k = 0; k < dim * dim; k++) at->curvature[k] += phi[i] * S[k];
   }
 }
@@ -75,7 +76,7 @@ static PetscReal ContactNormalFollowNormal_Private(const MortarSurface *mortar, 
     if (step == FOLLOW_STEPS || change <= SAME_POINT) break;
     for (PetscInt k = 0; k < dim; k++) y[k] = x[k] + along * at->normal[k];
     for (PetscInt k = 0; k < dim - 1; k++) before[k] = eta[k];
-    (void)FacetClosest(dim, type, X, y, eta);
+    (void)ClosestPointOnFacet(dim, type, X, y, eta);
     change = 0;
     for (PetscInt k = 0; k < dim - 1; k++) change = PetscMax(change, PetscAbsReal(eta[k] - before[k]));
   }
@@ -148,7 +149,7 @@ static PetscErrorCode ContactNormalFindMortar_Private(const FacetPartner *partne
     PetscBool        better;
 
     if (faces && ContactNormalBoxDistance_Private(dim, mortar->type[f], X, x) >= nearest) continue;
-    if (FacetClosest(dim, mortar->type[f], X, x, eta) >= (faces ? nearest : PetscSqr(partner->reach))) continue;
+    if (ClosestPointOnFacet(dim, mortar->type[f], X, x, eta) >= (faces ? nearest : PetscSqr(partner->reach))) continue;
     square = ContactNormalFollowNormal_Private(mortar, dim, f, x, eta, &here);
     cosine = VectorDot(dim, here.normal, n);
     better = (PetscBool)(square < nearest || facet < 0 || (cosine < FACING && !faces));
@@ -186,7 +187,7 @@ static PetscErrorCode ContactNormalFind_Private(const FacetPartner *partner, con
   } else if (partner->spec->obstacle.kind == OBSTACLE_PLANE) {
     for (PetscInt k = 0; k < dim; k++) n[k] = -other.normal[k]; // exact however far the node moves
   } else {
-    ContactDirection(dim, own, &other, n);
+    DirectionOfContact(dim, own, &other, n);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -205,8 +206,8 @@ static PetscErrorCode ContactNormalSetLocal_Private(Level *level, const FacetPar
   for (PetscInt f = 0; f < facets->num; f++) {
     PetscReal size;
 
-    FacetCoordinates(level, facets, f, X);
-    size = FacetSize(dim, facets->type[f], X);
+    ContactFacetCoordinates(level, facets, f, X);
+    size = ContactFacetSize(dim, facets->type[f], X);
     for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
       const PetscInt node = facets->nodes[f * F + i], corner = f * F + i;
       SurfacePoint   own = {.normal = {0}};
@@ -226,8 +227,8 @@ static PetscErrorCode ContactNormalSetLocal_Private(Level *level, const FacetPar
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ContactNormalsSet(Level *level, const FacetPartner *partner, const Facets *facets,
-                                 const SideShape *shape, Vec normals)
+PetscErrorCode ContactNormalSet(Level *level, const FacetPartner *partner, const Facets *facets, const SideShape *shape,
+                                Vec normals)
 {
   PetscBool    curved;
   PetscScalar *na;
@@ -241,6 +242,6 @@ PetscErrorCode ContactNormalsSet(Level *level, const FacetPartner *partner, cons
   PetscCall(ContactNormalSetLocal_Private(level, partner, facets, shape, na));
   PetscCall(VecRestoreArray(local, &na));
   PetscCall(VecGhostRestoreLocalForm(normals, &local));
-  PetscCall(NormalsShare(level, normals));
+  PetscCall(NodalNormalsShare(level, normals));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -16,7 +16,7 @@ typedef struct {
   PetscReal   *coords; /* [num][ELEMENT_MAX_FACET_NODES][dim] */
   PetscReal   *normals,
       *curvature; /* of their patches, zero where no shape was given [num][ELEMENT_MAX_FACET_NODES][dim], [..][dim][dim] */
-  PetscReal *rise; /* of sides that are taken for smooth, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */
+  PetscReal *bulges; /* of sides that are taken for smooth, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */
   BoxTree    tree;
 } MortarSurface;
 
@@ -34,13 +34,13 @@ PetscErrorCode MortarSurfaceQuery(const MortarSurface *surface, PetscInt dim, co
                                   PetscInt *num_hits, const PetscInt *hits[]);
 
 /* Coordinates of a facet's nodes, [num_nodes][dim]. Not collective. */
-void FacetCoordinates(const Level *level, const Facets *facets, PetscInt f, PetscReal X[]);
+void ContactFacetCoordinates(const Level *level, const Facets *facets, PetscInt f, PetscReal X[]);
 /* Points whose convex hull holds the facet, curved or not (those of Bezier), and a box that does. The same goes for any field
    that is interpolated in its nodes. [in] X - [num_nodes][dim]; [out] hull - [num_nodes][dim]; [out] box - lower, upper corner [2][dim] */
-void FacetHull(PetscInt dim, ElementType type, const PetscReal X[], PetscReal hull[]);
-void FacetBox(PetscInt dim, ElementType type, const PetscReal X[], PetscReal box[]);
+void ContactFacetHull(PetscInt dim, ElementType type, const PetscReal X[], PetscReal hull[]);
+void ContactFacetBox(PetscInt dim, ElementType type, const PetscReal X[], PetscReal box[]);
 /* Largest distance between neighbouring vertices, or (collective) that of all of a side over all ranks. */
-PetscReal      FacetSize(PetscInt dim, ElementType type, const PetscReal X[]);
-PetscErrorCode FacetsMaxSize(const Level *level, const Facets *facets, PetscReal *size);
+PetscReal      ContactFacetSize(PetscInt dim, ElementType type, const PetscReal X[]);
+PetscErrorCode ContactFacetMaxSize(const Level *level, const Facets *facets, PetscReal *size);
 
 #endif

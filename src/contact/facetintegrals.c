@@ -16,7 +16,7 @@ static const PetscReal NOTHING = 1e-9;
 
 enum { START_COLUMNS = 16 }; /* first size of the list of mortar nodes */
 
-ElementType CarrierType(const ScenePair *spec, ElementType facet)
+ElementType FacetIntegralCarrier(const ScenePair *spec, ElementType facet)
 {
   return spec->multipliers == MULTIPLIERS_VERTICES ? ElementLinear(facet) : facet;
 }
@@ -62,7 +62,7 @@ static PetscErrorCode FacetIntegralGapAt_Private(const FacetPartner *partner, Pe
 }
 
 /* What the weights of a facet's points become in this scene: those of the ring that a point stands for. */
-static void FacetIntegralWeighPoints_Private(const FacetPartner *partner, const ClipFacet *facet, PointList *list)
+static void FacetIntegralWeighPoints_Private(const FacetPartner *partner, const ClipFacet *facet, OverlapPoints *list)
 {
   PetscReal phi[ELEMENT_MAX_NODES], x[3];
 
@@ -103,11 +103,11 @@ static void FacetIntegralAddArm_Private(const FacetPartner *partner, const ClipF
                                         FacetIntegral *integral)
 {
   const PetscInt  squares = partner->dim * partner->dim;
-  const ClipFacet other   = OverlapMortar(partner, mortar);
+  const ClipFacet other   = OverlapPointsMortarFacet(partner, mortar);
   PetscReal       blocks[9 * ELEMENT_MAX_FACET_NODES];
 
-  if (!ArmAtPoint(partner->dim, facet, &other, point, integral->size, blocks)) return;
-  integral->apart = PETSC_TRUE;
+  if (!LeverArmAtPoint(partner->dim, facet, &other, point, integral->size, blocks)) return;
+  integral->has_arm = PETSC_TRUE;
   for (PetscInt j = 0; j < ElementNumNodes(other.type); j++) {
     for (PetscInt i = 0; i < integral->n; i++) {
       PetscReal *arm = &integral->arm[(columns[j] * ELEMENT_MAX_FACET_NODES + i) * squares];
@@ -119,7 +119,7 @@ static void FacetIntegralAddArm_Private(const FacetPartner *partner, const ClipF
 
 /* D, M, G and what couples with nodes that carry no multiplier, from the collected points. */
 static PetscErrorCode FacetIntegralSumPoints_Private(const FacetPartner *partner, const ClipFacet *facet,
-                                                     const PointList *list, FacetIntegral *integral)
+                                                     const OverlapPoints *list, FacetIntegral *integral)
 {
   const PetscInt num_nodes = ElementNumNodes(facet->type);
   PetscInt       columns[ELEMENT_MAX_FACET_NODES];
@@ -134,7 +134,7 @@ static PetscErrorCode FacetIntegralSumPoints_Private(const FacetPartner *partner
     w[p] = list->point[p].weight;
     integral->cover += w[p];
   }
-  regular = DualBasisCreate(CarrierType(partner->spec, facet->type), list->num, xi, w, &dual);
+  regular = DualBasisCreate(FacetIntegralCarrier(partner->spec, facet->type), list->num, xi, w, &dual);
   for (PetscInt p = 0; regular && p < list->num; p++) { // a sliver without measure is not covered
     const PetscInt f = list->facet[p];
     PetscReal      phi[ELEMENT_MAX_NODES], psi[ELEMENT_MAX_NODES], gap = list->point[p].gap;
@@ -145,10 +145,10 @@ static PetscErrorCode FacetIntegralSumPoints_Private(const FacetPartner *partner
     if (f >= 0) FacetIntegralAddPoint_Private(&list->point[p], partner->mortar->type[f], columns, psi, integral);
     if (f >= 0 && partner->spec->type == PAIR_TIED)
       FacetIntegralAddArm_Private(partner, facet, f, &list->point[p], columns, psi, integral);
-    integral->least = PetscMin(integral->least, gap);
+    integral->least_gap = PetscMin(integral->least_gap, gap);
     for (PetscInt i = 0; i < integral->n; i++) {
       integral->gap[i] += w[p] * psi[i] * gap;
-      for (PetscInt j = integral->n; j < num_nodes; j++) integral->chain[i][j] += w[p] * psi[i] * phi[j];
+      for (PetscInt j = integral->n; j < num_nodes; j++) integral->D_other[i][j] += w[p] * psi[i] * phi[j];
     }
   }
   if (regular) PetscCall(PetscArraycpy(integral->covered, dual.D, integral->n));
@@ -157,12 +157,12 @@ static PetscErrorCode FacetIntegralSumPoints_Private(const FacetPartner *partner
 }
 
 /* int phi~ over the whole facet, and its measure. */
-static void FacetIntegralAddUncovered_Private(const FacetPartner *partner, const ClipFacet *facet, ElementType carrier,
-                                              FacetIntegral *integral)
+static void FacetIntegralSumFull_Private(const FacetPartner *partner, const ClipFacet *facet, ElementType carrier,
+                                         FacetIntegral *integral)
 {
   const PetscInt dim = ElementDim(facet->type);
   PetscReal      xi[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_NODES], x[3];
-  const PetscInt num = ElementQuadrature(facet->type, PointsCurvedDegree(facet->type), xi, w);
+  const PetscInt num = QuadratureRule(facet->type, OverlapPointsCurvedDegree(facet->type), xi, w);
 
   for (PetscInt q = 0; q < num; q++) {
     PetscReal weight = w[q] * ElementSurface(facet->type, facet->X, &xi[dim * q], x, phi, NULL);
@@ -176,7 +176,7 @@ static void FacetIntegralAddUncovered_Private(const FacetPartner *partner, const
 
 /* Where the mortar facets of a list end within a facet that they cover in part. */
 static PetscErrorCode FacetIntegralFindEnds_Private(const FacetPartner *partner, const ClipFacet *facet,
-                                                    const PointList *list, FacetIntegral *integral)
+                                                    const OverlapPoints *list, FacetIntegral *integral)
 {
   const PetscInt dim = partner->dim;
   PetscReal     *xi;
@@ -189,14 +189,14 @@ static PetscErrorCode FacetIntegralFindEnds_Private(const FacetPartner *partner,
     PetscInt       num;
 
     if (p > 0 && f == list->facet[p - 1]) continue;
-    mortar = OverlapMortar(partner, f);
+    mortar = OverlapPointsMortarFacet(partner, f);
     num    = ClipCorners(facet, &mortar, xi);
-    PetscCall(PetscRealloc(sizeof(PairEnd) * (integral->num_ends + num), &integral->ends));
+    PetscCall(PetscRealloc(sizeof(OverlapBoundary) * (integral->num_boundary + num), &integral->boundary));
     for (PetscInt i = 0; i < num; i++) {
-      PairEnd  *end = &integral->ends[integral->num_ends++];
-      PetscReal phi[ELEMENT_MAX_NODES];
+      OverlapBoundary *end = &integral->boundary[integral->num_boundary++];
+      PetscReal        phi[ELEMENT_MAX_NODES];
 
-      *end = (PairEnd){.mortar = partner->mortar->nodes[f * ELEMENT_MAX_FACET_NODES]};
+      *end = (OverlapBoundary){.mortar = partner->mortar->nodes[f * ELEMENT_MAX_FACET_NODES]};
       ElementSurface(facet->type, facet->X, &xi[2 * i], end->x, phi, NULL);
       for (PetscInt j = 0; j < ElementNumNodes(facet->type); j++)
         for (PetscInt k = 0; k < dim; k++) end->normal[k] += phi[j] * facet->N[j * dim + k];
@@ -207,32 +207,33 @@ static PetscErrorCode FacetIntegralFindEnds_Private(const FacetPartner *partner,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *facet, const PetscReal rise[],
-                              PointList *list, FacetIntegral *integral)
+PetscErrorCode FacetIntegralCompute(const FacetPartner *partner, const ClipFacet *facet, const PetscReal bulges[],
+                                    OverlapPoints *list, FacetIntegral *integral)
 {
-  const ElementType carrier = CarrierType(partner->spec, facet->type);
+  const ElementType carrier = FacetIntegralCarrier(partner->spec, facet->type);
   PetscReal         curve;
 
   PetscFunctionBeginUser;
   integral->n           = ElementNumNodes(carrier);
   integral->num_columns = 0;
-  integral->apart       = PETSC_FALSE;
-  integral->size        = FacetSize(partner->dim, facet->type, facet->X);
+  integral->has_arm     = PETSC_FALSE;
+  integral->size        = ContactFacetSize(partner->dim, facet->type, facet->X);
   integral->measure = integral->cover = 0;
-  integral->least                     = PETSC_MAX_REAL;
+  integral->least_gap                 = PETSC_MAX_REAL;
   for (PetscInt i = 0; i < integral->n; i++) {
     integral->covered[i] = integral->full[i] = integral->gap[i] = 0;
-    PetscCall(PetscArrayzero(integral->chain[i], ELEMENT_MAX_FACET_NODES));
+    PetscCall(PetscArrayzero(integral->D_other[i], ELEMENT_MAX_FACET_NODES));
   }
-  FacetIntegralAddUncovered_Private(partner, facet, carrier, integral);
-  PetscCall(PointListCollect(partner, facet, list));
-  curve = GapsRise(partner, facet, rise, list);
+  FacetIntegralSumFull_Private(partner, facet, carrier, integral);
+  PetscCall(OverlapPointsCollect(partner, facet, list));
+  curve = SmoothGapApply(partner, facet, bulges, list);
   FacetIntegralWeighPoints_Private(partner, facet, list);
   PetscCall(FacetIntegralSumPoints_Private(partner, facet, list, integral));
-  integral->least -= curve;
-  integral->whole = (PetscBool)(integral->cover >= (1 - NOTHING) * integral->measure);
-  integral->cut   = (PetscBool)(partner->mortar && !integral->whole && integral->cover > NOTHING * integral->measure);
-  if (integral->cut) PetscCall(FacetIntegralFindEnds_Private(partner, facet, list, integral));
+  integral->least_gap -= curve;
+  integral->fully_covered = (PetscBool)(integral->cover >= (1 - NOTHING) * integral->measure);
+  integral->partly_covered =
+      (PetscBool)(partner->mortar && !integral->fully_covered && integral->cover > NOTHING * integral->measure);
+  if (integral->partly_covered) PetscCall(FacetIntegralFindEnds_Private(partner, facet, list, integral));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -240,7 +241,7 @@ PetscErrorCode FacetIntegralDestroy(FacetIntegral *integral)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree(integral->columns));
-  PetscCall(PetscFree(integral->ends));
+  PetscCall(PetscFree(integral->boundary));
   PetscCall(PetscFree(integral->M));
   PetscCall(PetscFree(integral->arm));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -7,31 +7,32 @@
 
 /* Contribution of one nonmortar facet, n of whose nodes carry multipliers, the first ones; arrays grow as needed. */
 typedef struct {
-  PetscInt   n;                                /* all nodes of the facet, or its vertices */
-  PetscReal  size;                             /* of the facet, a length */
-  PetscReal  measure, cover;                   /* of the facet, of its covered part */
-  PetscBool  whole, cut;                       /* covered altogether, by a mesh in part */
-  PetscReal  covered[ELEMENT_MAX_FACET_NODES]; /* D_ii: int_cov phi~_i = int psi_i */
-  PetscReal  full[ELEMENT_MAX_FACET_NODES];    /* int phi~_i over the whole facet */
-  PetscReal  gap[ELEMENT_MAX_FACET_NODES];     /* int psi_i g */
-  PetscReal  least; /* gap at any point, less what curves change it by; infinite where there is none */
-  PetscReal  chain[ELEMENT_MAX_FACET_NODES][ELEMENT_MAX_FACET_NODES]; /* int psi_i phi_j of nodes j >= n, else zero */
-  PetscInt   num_columns, max_columns;                                /* mortar nodes met */
-  PetscInt  *columns;                                                 /* global nodes [num_columns] */
-  PetscInt   num_ends;
-  PairEnd   *ends;  /* where the cover ends, of a facet that is covered in part; without their nodes [num_ends] */
-  PetscReal *M;     /* int psi_i phi^m_j(pi) [num_columns][ELEMENT_MAX_FACET_NODES] */
-  PetscBool  apart; /* whether a tie has an arm on this facet (arm.h) */
-  PetscReal *arm;   /* of a tie: int psi_i block_j [num_columns][ELEMENT_MAX_FACET_NODES][dim][dim] */
+  PetscInt  n;                                /* all nodes of the facet, or its vertices */
+  PetscReal size;                             /* of the facet, a length */
+  PetscReal measure, cover;                   /* of the facet, of its covered part */
+  PetscBool fully_covered, partly_covered;    /* covered altogether, by a mesh in part */
+  PetscReal covered[ELEMENT_MAX_FACET_NODES]; /* D_ii: int_cov phi~_i = int psi_i */
+  PetscReal full[ELEMENT_MAX_FACET_NODES];    /* int phi~_i over the whole facet */
+  PetscReal gap[ELEMENT_MAX_FACET_NODES];     /* int psi_i g */
+  PetscReal least_gap; /* gap at any point, less what curves change it by; infinite where there is none */
+  PetscReal D_other[ELEMENT_MAX_FACET_NODES][ELEMENT_MAX_FACET_NODES]; /* int psi_i phi_j of nodes j >= n, else zero */
+  PetscInt  num_columns, max_columns;                                  /* mortar nodes met */
+  PetscInt *columns;                                                   /* global nodes [num_columns] */
+  PetscInt  num_boundary;
+  OverlapBoundary
+      *boundary;      /* where the cover ends, of a facet that is covered in part; without their nodes [num_boundary] */
+  PetscReal *M;       /* int psi_i phi^m_j(pi) [num_columns][ELEMENT_MAX_FACET_NODES] */
+  PetscBool  has_arm; /* whether a tie has an arm on this facet (arm.h) */
+  PetscReal *arm;     /* of a tie: int psi_i block_j [num_columns][ELEMENT_MAX_FACET_NODES][dim][dim] */
 } FacetIntegral;
 
 /* The element whose shape functions multipliers of a facet are dual to: the facet's own, or the linear one (eq. 3.6). */
-ElementType CarrierType(const ScenePair *spec, ElementType facet);
+ElementType FacetIntegralCarrier(const ScenePair *spec, ElementType facet);
 
-/* Integrates one facet. covered = 0 where nothing is within reach. Not collective. [in] rise - of the facet, or NULL; [in,out] list -
+/* Integrates one facet. covered = 0 where nothing is within reach. Not collective. [in] bulges - of the facet, or NULL; [in,out] list -
    any, for the points */
-PetscErrorCode FacetIntegrate(const FacetPartner *partner, const ClipFacet *facet, const PetscReal rise[],
-                              PointList *list, FacetIntegral *integral);
+PetscErrorCode FacetIntegralCompute(const FacetPartner *partner, const ClipFacet *facet, const PetscReal bulges[],
+                                    OverlapPoints *list, FacetIntegral *integral);
 PetscErrorCode FacetIntegralDestroy(FacetIntegral *integral);
 
 #endif

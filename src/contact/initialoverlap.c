@@ -108,8 +108,8 @@ static PetscErrorCode InitialOverlapRemoveNear_Private(const Level *level, const
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(2 * dim * side->num, &boxes));
   for (PetscInt f = 0; f < side->num; f++) {
-    FacetCoordinates(level, side, f, X);
-    FacetBox(dim, side->type[f], X, &boxes[2 * dim * f]);
+    ContactFacetCoordinates(level, side, f, X);
+    ContactFacetBox(dim, side->type[f], X, &boxes[2 * dim * f]);
   }
   PetscCall(BoxTreeCreate(dim, side->num, boxes, &tree));
   for (PetscInt i = 0; i < suspects->num; i++) {
@@ -206,8 +206,8 @@ static PetscErrorCode InitialOverlapMeasureDepth_Private(const Level *level, con
   PetscCall(PetscMalloc1(suspects->num, &away));
   for (PetscInt i = 0; i < suspects->num; i++) away[i] = PETSC_MAX_REAL;
   for (PetscInt f = 0; f < side->num; f++) {
-    FacetCoordinates(level, side, f, X);
-    FacetBox(dim, side->type[f], X, box);
+    ContactFacetCoordinates(level, side, f, X);
+    ContactFacetBox(dim, side->type[f], X, box);
     for (PetscInt i = 0; i < suspects->num; i++) {
       PetscReal square = 0;
 
@@ -228,8 +228,8 @@ static PetscErrorCode InitialOverlapMeasureDepth_Private(const Level *level, con
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode DepthFind(const Level *level, const Facets *side, PetscInt body, const Facets *partner, PetscReal reach,
-                         PetscReal *depth, PetscReal at[])
+PetscErrorCode InitialOverlapFind(const Level *level, const Facets *side, PetscInt body, const Facets *partner,
+                                  PetscReal reach, PetscReal *depth, PetscReal at[])
 {
   const PetscReal margin = MARGIN * reach;
   PetscReal       box[6];

@@ -12,7 +12,7 @@ static PetscBool LeverArmSurfaceGradients_Private(PetscInt dim, const ClipFacet 
                                                   PetscReal g[])
 {
   const PetscInt  n = ElementNumNodes(facet->type), m = dim - 1;
-  const PetscReal size    = FacetSize(dim, facet->type, facet->X);
+  const PetscReal size    = ContactFacetSize(dim, facet->type, facet->X);
   PetscReal       t[2][3] = {{0}}, G[3] = {0, 0, 1}, det;
 
   for (PetscInt i = 0; i < n; i++)
@@ -37,8 +37,8 @@ static PetscBool LeverArmSurfaceGradients_Private(PetscInt dim, const ClipFacet 
   return PETSC_TRUE;
 }
 
-PetscBool ArmAtPoint(PetscInt dim, const ClipFacet *facet, const ClipFacet *mortar, const ClipPoint *point,
-                     PetscReal size, PetscReal blocks[])
+PetscBool LeverArmAtPoint(PetscInt dim, const ClipFacet *facet, const ClipFacet *mortar, const ClipPoint *point,
+                          PetscReal size, PetscReal blocks[])
 {
   PetscReal phi[ELEMENT_MAX_NODES], dphi[2 * ELEMENT_MAX_NODES], g[3 * ELEMENT_MAX_FACET_NODES], x[3], y[3], n[3], v[3];
   PetscReal square = 0, across = 0;

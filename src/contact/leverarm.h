@@ -8,7 +8,7 @@
      (v . grad) u - (v . n) grad (u . n) = sum_b block_b u_b,
    grad and n being those of the facet. Of a rigid motion that is its turn times v. Returns whether there is an arm at all; blocks are
    not set if not. [in] size - of the nonmortar facet; [out] blocks - of the mortar facet's nodes [num_nodes][dim][dim] */
-PetscBool ArmAtPoint(PetscInt dim, const ClipFacet *facet, const ClipFacet *mortar, const ClipPoint *point,
-                     PetscReal size, PetscReal blocks[]);
+PetscBool LeverArmAtPoint(PetscInt dim, const ClipFacet *facet, const ClipFacet *mortar, const ClipPoint *point,
+                          PetscReal size, PetscReal blocks[]);
 
 #endif

@@ -5,14 +5,15 @@
 #include "base/compat.h"
 #include "contact/mortarintegrals.h"
 
-PetscErrorCode FacetsCreateMat(Level *level, const Facets *facets, const PetscInt entries[], Mat *A)
+PetscErrorCode MortarIntegralsCreateMat(Level *level, const Facets *facets, const PetscInt entries[], Mat *A)
 {
   PetscFunctionBeginUser;
-  PetscCall(FacetsCreateBlockMat(level, facets, entries, 1, A));
+  PetscCall(MortarIntegralsCreateBlockMat(level, facets, entries, 1, A));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FacetsCreateBlockMat(Level *level, const Facets *facets, const PetscInt entries[], PetscInt bs, Mat *A)
+PetscErrorCode MortarIntegralsCreateBlockMat(Level *level, const Facets *facets, const PetscInt entries[], PetscInt bs,
+                                             Mat *A)
 {
   const PetscInt rows = bs * level->num_owned, all = bs * level->num_global;
 
@@ -48,7 +49,7 @@ PetscErrorCode FacetsCreateBlockMat(Level *level, const Facets *facets, const Pe
 
 /* Adds one facet's couplings to M and to the chain. */
 static PetscErrorCode MortarIntegralsAddCouplings_Private(const Level *level, const Facets *facets, PetscInt f,
-                                                          const FacetIntegral *integral, Integrals *sums)
+                                                          const FacetIntegral *integral, MortarIntegrals *sums)
 {
   const PetscInt n = integral->n, num_nodes = ElementNumNodes(facets->type[f]);
   PetscInt       nodes[ELEMENT_MAX_FACET_NODES];
@@ -61,7 +62,8 @@ static PetscErrorCode MortarIntegralsAddCouplings_Private(const Level *level, co
                            ADD_VALUES));
   }
   for (PetscInt i = 0; i < n && num_nodes > n; i++)
-    PetscCall(MatSetValues(sums->chain, 1, &nodes[i], num_nodes - n, &nodes[n], &integral->chain[i][n], ADD_VALUES));
+    PetscCall(
+        MatSetValues(sums->D_other, 1, &nodes[i], num_nodes - n, &nodes[n], &integral->D_other[i][n], ADD_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -72,7 +74,7 @@ static PetscErrorCode MortarIntegralsAddArm_Private(const Level *level, const Fa
   const PetscInt squares = level->dim * level->dim;
 
   PetscFunctionBeginUser;
-  for (PetscInt j = 0; integral->apart && j < integral->num_columns; j++) {
+  for (PetscInt j = 0; integral->has_arm && j < integral->num_columns; j++) {
     for (PetscInt i = 0; i < integral->n; i++) {
       const PetscInt row = level->node_global[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
 
@@ -85,9 +87,9 @@ static PetscErrorCode MortarIntegralsAddArm_Private(const Level *level, const Fa
 
 /* Where the cover ends, and which nodes that concerns. Collective. */
 static PetscErrorCode MortarIntegralsGatherBoundary_Private(const Facets *facets, const FacetIntegral integrals[],
-                                                            Integrals *sums)
+                                                            MortarIntegrals *sums)
 {
-  Vec          v[2] = {sums->whole, sums->cut}, local[2];
+  Vec          v[2] = {sums->fully_covered, sums->partly_covered}, local[2];
   PetscScalar *a[2];
 
   PetscFunctionBeginUser;
@@ -96,19 +98,19 @@ static PetscErrorCode MortarIntegralsGatherBoundary_Private(const Facets *facets
     PetscCall(VecZeroEntries(local[i]));
     PetscCall(VecGetArray(local[i], &a[i]));
   }
-  sums->num_ends = 0;
-  for (PetscInt f = 0; f < facets->num; f++) sums->num_ends += integrals[f].num_ends;
-  PetscCall(PetscMalloc1(sums->num_ends, &sums->ends));
+  sums->num_boundary = 0;
+  for (PetscInt f = 0; f < facets->num; f++) sums->num_boundary += integrals[f].num_boundary;
+  PetscCall(PetscMalloc1(sums->num_boundary, &sums->boundary));
   for (PetscInt f = 0, n = 0; f < facets->num; f++) {
     const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES];
 
     for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
-      if (integrals[f].whole) a[0][nodes[i]] = 1;
-      if (integrals[f].cut) a[1][nodes[i]] = 1;
+      if (integrals[f].fully_covered) a[0][nodes[i]] = 1;
+      if (integrals[f].partly_covered) a[1][nodes[i]] = 1;
     }
-    for (PetscInt i = 0; i < integrals[f].num_ends; i++, n++) {
-      sums->ends[n]      = integrals[f].ends[i];
-      sums->ends[n].node = nodes[0];
+    for (PetscInt i = 0; i < integrals[f].num_boundary; i++, n++) {
+      sums->boundary[n]      = integrals[f].boundary[i];
+      sums->boundary[n].node = nodes[0];
     }
   }
   for (PetscInt i = 0; i < 2; i++) {
@@ -134,7 +136,7 @@ static PetscErrorCode MortarIntegralsSetOverlap_Private(const Facets *facets, co
     for (PetscInt i = 0; i < integrals[f].n; i++) {
       PetscScalar *at = &a[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
 
-      *at = PetscMax(PetscRealPart(*at), -integrals[f].least);
+      *at = PetscMax(PetscRealPart(*at), -integrals[f].least_gap);
     }
   }
   PetscCall(VecRestoreArray(local, &a));
@@ -145,7 +147,7 @@ static PetscErrorCode MortarIntegralsSetOverlap_Private(const Facets *facets, co
 
 /* Sums what this rank's facets contribute; ghosts are not yet shared. */
 static PetscErrorCode MortarIntegralsSumFacets_Private(Level *level, const Facets *facets,
-                                                       const FacetIntegral integrals[], Integrals *sums)
+                                                       const FacetIntegral integrals[], MortarIntegrals *sums)
 {
   enum { NUM_SUMS = 5 };
   Vec          v[NUM_SUMS] = {sums->D, sums->full, sums->G, sums->measure, sums->cover}, local[NUM_SUMS];
@@ -190,7 +192,7 @@ static PetscErrorCode MortarIntegralsCreateM_Private(Level *level, const FacetPa
   if (!partner->mortar) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(facets->num, &entries));
   for (PetscInt f = 0; f < facets->num; f++) entries[f] = integrals[f].num_columns;
-  PetscCall(FacetsCreateMat(level, facets, entries, M));
+  PetscCall(MortarIntegralsCreateMat(level, facets, entries, M));
   PetscCall(PetscFree(entries));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -210,7 +212,7 @@ static PetscErrorCode MortarIntegralsCreateOffDiagonal_Private(Level *level, con
   PetscCall(PetscMalloc1(facets->num, &entries));
   for (PetscInt f = 0; f < facets->num; f++)
     entries[f] = ElementNumNodes(facets->type[f]) - ElementNumNodes(carrier[f]);
-  PetscCall(FacetsCreateMat(level, facets, entries, chain));
+  PetscCall(MortarIntegralsCreateMat(level, facets, entries, chain));
   PetscCall(PetscFree(entries));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -225,12 +227,12 @@ static PetscErrorCode MortarIntegralsCreateArm_Private(Level *level, const Facet
   PetscFunctionBeginUser;
   *arm = NULL;
   if (partner->spec->type != PAIR_TIED) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt f = 0; f < facets->num; f++) any = (PetscBool)(any || integrals[f].apart);
+  for (PetscInt f = 0; f < facets->num; f++) any = (PetscBool)(any || integrals[f].has_arm);
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, level->comm));
   if (!any) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(facets->num, &entries));
-  for (PetscInt f = 0; f < facets->num; f++) entries[f] = integrals[f].apart ? integrals[f].num_columns : 0;
-  PetscCall(FacetsCreateBlockMat(level, facets, entries, level->dim, arm));
+  for (PetscInt f = 0; f < facets->num; f++) entries[f] = integrals[f].has_arm ? integrals[f].num_columns : 0;
+  PetscCall(MortarIntegralsCreateBlockMat(level, facets, entries, level->dim, arm));
   PetscCall(PetscFree(entries));
   for (PetscInt f = 0; f < facets->num; f++)
     PetscCall(MortarIntegralsAddArm_Private(level, facets, f, &integrals[f], *arm));
@@ -247,59 +249,60 @@ static PetscErrorCode MortarIntegralsAssemble_Private(Mat A)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const Facets *facets, Vec normals,
-                               Integrals *sums)
+PetscErrorCode MortarIntegralsCreate(Level *level, const FacetPartner *partner, const Facets *facets, Vec normals,
+                                     MortarIntegrals *sums)
 {
   const PetscInt     dim = level->dim;
   PetscReal          X[3 * ELEMENT_MAX_FACET_NODES], N[3 * ELEMENT_MAX_FACET_NODES];
   const PetscScalar *na;
   FacetIntegral     *integrals;
-  PointList          list;
+  OverlapPoints      list;
   Vec                local;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(facets->num, &integrals));
-  PetscCall(PointListCreate(dim, &list));
+  PetscCall(OverlapPointsCreate(dim, &list));
   PetscCall(PetscMalloc2(facets->num, &sums->covered, facets->num, &sums->carrier));
   PetscCall(VecGhostGetLocalForm(normals, &local));
   PetscCall(VecGetArrayRead(local, &na));
   for (PetscInt f = 0; f < facets->num; f++) {
     const ClipFacet facet = {facets->type[f], X, N};
-    sums->carrier[f]      = CarrierType(partner->spec, facets->type[f]);
-    FacetCoordinates(level, facets, f, X);
+    sums->carrier[f]      = FacetIntegralCarrier(partner->spec, facets->type[f]);
+    ContactFacetCoordinates(level, facets, f, X);
     for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
       for (PetscInt k = 0; k < dim; k++)
         N[i * dim + k] = PetscRealPart(na[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i] * dim + k]);
     }
-    PetscCall(FacetIntegrate(partner, &facet, partner->rise ? &partner->rise[f * ELEMENT_MAX_FACET_NODES * dim] : NULL,
-                             &list, &integrals[f]));
+    PetscCall(FacetIntegralCompute(partner, &facet,
+                                   partner->bulges ? &partner->bulges[f * ELEMENT_MAX_FACET_NODES * dim] : NULL, &list,
+                                   &integrals[f]));
   }
   PetscCall(VecRestoreArrayRead(local, &na));
   PetscCall(VecGhostRestoreLocalForm(normals, &local));
-  PetscCall(PointListDestroy(&list));
+  PetscCall(OverlapPointsDestroy(&list));
   PetscCall(LevelCreateVec(level, 1, &sums->D));
   PetscCall(VecDuplicate(sums->D, &sums->full));
   PetscCall(VecDuplicate(sums->D, &sums->G));
   PetscCall(VecDuplicate(sums->D, &sums->overlap));
   PetscCall(VecDuplicate(sums->D, &sums->measure));
   PetscCall(VecDuplicate(sums->D, &sums->cover));
-  PetscCall(VecDuplicate(sums->D, &sums->whole));
-  PetscCall(VecDuplicate(sums->D, &sums->cut));
+  PetscCall(VecDuplicate(sums->D, &sums->fully_covered));
+  PetscCall(VecDuplicate(sums->D, &sums->partly_covered));
   PetscCall(MortarIntegralsCreateM_Private(level, partner, facets, integrals, &sums->M));
   PetscCall(MortarIntegralsCreateArm_Private(level, partner, facets, integrals, &sums->arm));
-  PetscCall(MortarIntegralsCreateOffDiagonal_Private(level, facets, sums->carrier, &sums->chain));
+  PetscCall(MortarIntegralsCreateOffDiagonal_Private(level, facets, sums->carrier, &sums->D_other));
   PetscCall(MortarIntegralsSumFacets_Private(level, facets, integrals, sums));
   PetscCall(MortarIntegralsSetOverlap_Private(facets, integrals, sums->overlap));
   PetscCall(MortarIntegralsGatherBoundary_Private(facets, integrals, sums));
   PetscCall(MortarIntegralsAssemble_Private(sums->M));
   PetscCall(MortarIntegralsAssemble_Private(sums->arm));
-  PetscCall(MortarIntegralsAssemble_Private(sums->chain));
+  PetscCall(MortarIntegralsAssemble_Private(sums->D_other));
   for (PetscInt f = 0; f < facets->num; f++) PetscCall(FacetIntegralDestroy(&integrals[f]));
   PetscCall(PetscFree(integrals));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode IntegralsDestroy(Integrals *sums)
+PetscErrorCode MortarIntegralsDestroy(MortarIntegrals *sums)
 {
   PetscFunctionBeginUser;
   PetscCall(VecDestroy(&sums->D));
@@ -308,11 +311,11 @@ PetscErrorCode IntegralsDestroy(Integrals *sums)
   PetscCall(VecDestroy(&sums->overlap));
   PetscCall(VecDestroy(&sums->measure));
   PetscCall(VecDestroy(&sums->cover));
-  PetscCall(VecDestroy(&sums->whole));
-  PetscCall(VecDestroy(&sums->cut));
-  PetscCall(PetscFree(sums->ends));
+  PetscCall(VecDestroy(&sums->fully_covered));
+  PetscCall(VecDestroy(&sums->partly_covered));
+  PetscCall(PetscFree(sums->boundary));
   PetscCall(MatDestroy(&sums->arm));
-  PetscCall(MatDestroy(&sums->chain));
+  PetscCall(MatDestroy(&sums->D_other));
   PetscCall(PetscFree2(sums->covered, sums->carrier));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

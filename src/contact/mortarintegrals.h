@@ -11,42 +11,44 @@ PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, const Side
 /* Directions of contact at the nodes of the nonmortar side, from its own normals: between these and the partner's, by the curvatures
    of both (eq. 4.3). A node that faces no partner within reach keeps its own normal. Collective. [in] shape - of the side;
    [in,out] normals - ghosted */
-PetscErrorCode ContactNormalsSet(Level *level, const FacetPartner *partner, const Facets *facets,
-                                 const SideShape *shape, Vec normals);
+PetscErrorCode ContactNormalSet(Level *level, const FacetPartner *partner, const Facets *facets, const SideShape *shape,
+                                Vec normals);
 
 /* Sums what ranks hold of normals at their nodes, and normalises; zero stays zero. Collective. [in,out] normals - ghosted */
-PetscErrorCode NormalsShare(Level *level, Vec normals);
+PetscErrorCode NodalNormalsShare(Level *level, Vec normals);
 
 /* Where facets meet at more than 45 degrees, takes the node's normal from those that see the other side. Collective.
    [in] sees - [facets->num]; [in,out] normals - ghosted, as created; [out] changed - whether there is such a node */
 PetscErrorCode NodalNormalsSharpen(Level *level, const Facets *facets, const PetscBool sees[], Vec normals,
                                    PetscBool *changed);
 
-/* Integrals of all facets, as sums at nodes. */
+/* MortarIntegrals of all facets, as sums at nodes. */
 typedef struct {
-  Vec          D, full, G;     /* ghosted, one per node */
-  Vec          overlap;        /* the largest -g at a point of the facets around a node: ghosted, one per node */
-  Vec          measure, cover; /* of the facets around a node, of their covered parts: ghosted, one per node */
-  Mat          M;              /* node x node, or NULL */
-  Mat          arm;            /* of a tie across a gap: unknown x unknown, block size dim, or NULL (arm.h) */
-  Mat          chain; /* int psi_a phi_c of nodes c that never carry a multiplier (node x node), or NULL (eq. 3.6) */
-  Vec          whole, cut; /* whether a facet around a node is covered altogether, in part: ghosted, one per node */
-  PetscInt     num_ends;
-  PairEnd     *ends;    /* of this rank's facets [num_ends] */
-  PetscBool   *covered; /* of this rank's facets */
-  ElementType *carrier; /* which of a facet's nodes may carry multipliers: the first ones, as of this type */
-} Integrals;
+  Vec D, full, G;     /* ghosted, one per node */
+  Vec overlap;        /* the largest -g at a point of the facets around a node: ghosted, one per node */
+  Vec measure, cover; /* of the facets around a node, of their covered parts: ghosted, one per node */
+  Mat M;              /* node x node, or NULL */
+  Mat arm;            /* of a tie across a gap: unknown x unknown, block size dim, or NULL (arm.h) */
+  Mat D_other;        /* int psi_a phi_c of nodes c that never carry a multiplier (node x node), or NULL (eq. 3.6) */
+  Vec fully_covered,
+      partly_covered; /* whether a facet around a node is covered altogether, in part: ghosted, one per node */
+  PetscInt         num_boundary;
+  OverlapBoundary *boundary; /* of this rank's facets [num_boundary] */
+  PetscBool       *covered;  /* of this rank's facets */
+  ElementType     *carrier;  /* which of a facet's nodes may carry multipliers: the first ones, as of this type */
+} MortarIntegrals;
 
 /* D, G and M of a pair, before any row is spread. Collective. [in] normals - ghosted; [out] sums - owned by the caller,
    but M, the arm and the ends pass to the pair */
-PetscErrorCode IntegralsCreate(Level *level, const FacetPartner *partner, const Facets *facets, Vec normals,
-                               Integrals *sums);
-PetscErrorCode IntegralsDestroy(Integrals *sums);
+PetscErrorCode MortarIntegralsCreate(Level *level, const FacetPartner *partner, const Facets *facets, Vec normals,
+                                     MortarIntegrals *sums);
+PetscErrorCode MortarIntegralsDestroy(MortarIntegrals *sums);
 
 /* An empty matrix, node x node, with room in the rows of each facet's nodes for what the facet brings to them. Collective.
    [in] entries - of each facet [facets->num] */
-PetscErrorCode FacetsCreateMat(Level *level, const Facets *facets, const PetscInt entries[], Mat *A);
+PetscErrorCode MortarIntegralsCreateMat(Level *level, const Facets *facets, const PetscInt entries[], Mat *A);
 /* The same with a block of size bs for each of a facet's entries, unknown x unknown. Collective. */
-PetscErrorCode FacetsCreateBlockMat(Level *level, const Facets *facets, const PetscInt entries[], PetscInt bs, Mat *A);
+PetscErrorCode MortarIntegralsCreateBlockMat(Level *level, const Facets *facets, const PetscInt entries[], PetscInt bs,
+                                             Mat *A);
 
 #endif

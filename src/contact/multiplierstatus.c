@@ -44,7 +44,7 @@ static PetscBool MultiplierStatusProjectNormal_Private(const Support *held, Pets
   return (PetscBool)(held->count[node] < dim && FrameNormalize(dim, n) >= HELD_NORMAL);
 }
 
-PetscErrorCode NormalsProject(const Level *level, const Support *held, Vec normals)
+PetscErrorCode MultiplierStatusProjectNormals(const Level *level, const Support *held, Vec normals)
 {
   PetscReal    n[3];
   PetscScalar *N;
@@ -62,7 +62,7 @@ PetscErrorCode NormalsProject(const Level *level, const Support *held, Vec norma
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The share that a node of the draft's nonmortar side needs. */
+/* The share that a node of the assembly's nonmortar side needs. */
 static PetscReal MultiplierStatusLeastShare_Private(const Level *level, const ScenePair *spec)
 {
   const PetscBool quadratic =
@@ -72,13 +72,13 @@ static PetscReal MultiplierStatusLeastShare_Private(const Level *level, const Sc
   return level->dim == 2 ? SLIVER_QUADRATIC_LINE : SLIVER_QUADRATIC;
 }
 
-/* What the fates of nodes are decided by, at local nodes. */
+/* What the statuses of nodes are decided by, at local nodes. */
 enum { SUM_D, SUM_FULL, SUM_MEASURE, SUM_COVER, SUM_COUNT };
 
 /* What coverage makes of a node. Where the shape function weighs next to nothing over whole facets, no share of it can be told
    and no pressure recovered: the facets themselves tell whether the node is covered, and its row keeps a weight, if only of
    roundoff, by which it can be spread. [in,out] a - local forms of the sums */
-static NodeFate MultiplierStatusOfCovered_Private(PetscScalar *const a[SUM_COUNT], PetscInt i, PetscReal least)
+static MultiplierStatus MultiplierStatusOfCovered_Private(PetscScalar *const a[SUM_COUNT], PetscInt i, PetscReal least)
 {
   const PetscReal D = PetscRealPart(a[SUM_D][i]), full = PetscRealPart(a[SUM_FULL][i]),
                   measure = PetscRealPart(a[SUM_MEASURE][i]), cover = PetscRealPart(a[SUM_COVER][i]);
@@ -92,11 +92,11 @@ static NodeFate MultiplierStatusOfCovered_Private(PetscScalar *const a[SUM_COUNT
   return NODE_REMOVED;
 }
 
-PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *draft)
+PetscErrorCode MultiplierStatusDecide(const Level *level, const Support *held, PairAssembly *assembly)
 {
   const PetscInt  dim          = level->dim;
-  const PetscReal least        = MultiplierStatusLeastShare_Private(level, draft->spec);
-  const Vec       v[SUM_COUNT] = {draft->sums.D, draft->sums.full, draft->sums.measure, draft->sums.cover};
+  const PetscReal least        = MultiplierStatusLeastShare_Private(level, assembly->spec);
+  const Vec       v[SUM_COUNT] = {assembly->sums.D, assembly->sums.full, assembly->sums.measure, assembly->sums.cover};
   PetscScalar    *a[SUM_COUNT], *N;
   Vec             local[SUM_COUNT], local_N;
 
@@ -105,17 +105,17 @@ PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *d
     PetscCall(VecGhostGetLocalForm(v[i], &local[i]));
     PetscCall(VecGetArray(local[i], &a[i]));
   }
-  PetscCall(VecGhostGetLocalForm(draft->normals, &local_N));
+  PetscCall(VecGhostGetLocalForm(assembly->normals, &local_N));
   PetscCall(VecGetArray(local_N, &N));
   for (PetscInt i = 0; i < level->num_nodes; i++) {
-    draft->fate[i] = MultiplierStatusOfCovered_Private(a, i, least);
-    if (draft->fate[i] == NODE_UNCOVERED) continue;
-    if (!MultiplierStatusProjectNormal_Private(held, i, &N[i * dim])) draft->fate[i] = NODE_REMOVED;
-    if (draft->spec->type == PAIR_TIED && held->count[i] > 0)
-      draft->fate[i] = NODE_REMOVED; // a tie needs all directions
+    assembly->status[i] = MultiplierStatusOfCovered_Private(a, i, least);
+    if (assembly->status[i] == NODE_UNCOVERED) continue;
+    if (!MultiplierStatusProjectNormal_Private(held, i, &N[i * dim])) assembly->status[i] = NODE_REMOVED;
+    if (assembly->spec->type == PAIR_TIED && held->count[i] > 0)
+      assembly->status[i] = NODE_REMOVED; // a tie needs all directions
   }
   PetscCall(VecRestoreArray(local_N, &N));
-  PetscCall(VecGhostRestoreLocalForm(draft->normals, &local_N));
+  PetscCall(VecGhostRestoreLocalForm(assembly->normals, &local_N));
   for (PetscInt i = 0; i < SUM_COUNT; i++) {
     PetscCall(VecRestoreArray(local[i], &a[i]));
     PetscCall(VecGhostRestoreLocalForm(v[i], &local[i]));
@@ -125,15 +125,16 @@ PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *d
 
 /* Whether earlier pairs serve a node of the pair num: one of the two is tied, or its normal is nearly a combination of theirs.
    [in] n - normals of the pairs at local nodes [num+1] */
-static PetscBool MultiplierStatusIsServed_Private(PetscInt dim, PetscInt num, const PairDraft drafts[],
+static PetscBool MultiplierStatusIsServed_Private(PetscInt dim, PetscInt num, const PairAssembly assemblies[],
                                                   PetscScalar *const n[], PetscInt node)
 {
   PetscReal span[4][3]; // orthonormal; the last one is what is left of the normal at hand
   PetscInt  rank = 0;
 
   for (PetscInt q = 0; q <= num; q++) {
-    if (drafts[q].fate[node] != NODE_KEPT) continue;
-    if (q < num && (drafts[q].spec->type == PAIR_TIED || drafts[num].spec->type == PAIR_TIED)) return PETSC_TRUE;
+    if (assemblies[q].status[node] != NODE_KEPT) continue;
+    if (q < num && (assemblies[q].spec->type == PAIR_TIED || assemblies[num].spec->type == PAIR_TIED))
+      return PETSC_TRUE;
     if (rank == dim) return PETSC_TRUE;
     for (PetscInt k = 0; k < dim; k++) span[rank][k] = PetscRealPart(n[q][node * dim + k]);
     for (PetscInt j = 0; j < rank; j++) {
@@ -177,17 +178,17 @@ static PetscBool MultiplierStatusIsBehind_Private(PetscInt dim, PetscScalar *con
 /* Two pairs on one side, one of which stands before the other here and behind it there, as two balls that press on a plate: a node
    meets the nearer one, and is to the other one as if it were not covered. A row that was spread instead would let its neighbours in by
    the difference of both gaps. */
-static PetscErrorCode MultiplierStatusHideNodes_Private(const Level *level, PairDraft *first, PairDraft *second)
+static PetscErrorCode MultiplierStatusHideNodes_Private(const Level *level, PairAssembly *first, PairAssembly *second)
 {
-  PairDraft   *draft[2] = {first, second};
-  PetscScalar *a[2][SEEN_COUNT];
-  Vec          local[2][SEEN_COUNT], v[2][SEEN_COUNT];
+  PairAssembly *assembly[2] = {first, second};
+  PetscScalar  *a[2][SEEN_COUNT];
+  Vec           local[2][SEEN_COUNT], v[2][SEEN_COUNT];
 
   PetscFunctionBeginUser;
   if (!MultiplierStatusMayHide_Private(first->spec, second->spec)) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt s = 0; s < 2; s++) {
-    const Integrals *sums            = &draft[s]->sums;
-    const Vec        all[SEEN_COUNT] = {sums->D, sums->G, sums->measure, sums->cover, draft[s]->normals};
+    const MortarIntegrals *sums            = &assembly[s]->sums;
+    const Vec              all[SEEN_COUNT] = {sums->D, sums->G, sums->measure, sums->cover, assembly[s]->normals};
 
     for (PetscInt k = 0; k < SEEN_COUNT; k++) {
       v[s][k] = all[k];
@@ -196,11 +197,11 @@ static PetscErrorCode MultiplierStatusHideNodes_Private(const Level *level, Pair
     }
   }
   for (PetscInt i = 0; i < level->num_nodes; i++) {
-    if (first->fate[i] != NODE_KEPT || second->fate[i] != NODE_KEPT) continue;
+    if (first->status[i] != NODE_KEPT || second->status[i] != NODE_KEPT) continue;
     if (MultiplierStatusIsBehind_Private(level->dim, a[0], a[1], i)) {
-      second->fate[i] = NODE_UNCOVERED;
+      second->status[i] = NODE_UNCOVERED;
     } else if (MultiplierStatusIsBehind_Private(level->dim, a[1], a[0], i)) {
-      first->fate[i] = NODE_UNCOVERED;
+      first->status[i] = NODE_UNCOVERED;
     }
   }
   for (PetscInt s = 0; s < 2; s++) {
@@ -213,59 +214,60 @@ static PetscErrorCode MultiplierStatusHideNodes_Private(const Level *level, Pair
 }
 
 /* Removes from the pair num the nodes that earlier ones serve. */
-static PetscErrorCode MultiplierStatusRemoveNodes_Private(const Level *level, PetscInt num, PairDraft drafts[])
+static PetscErrorCode MultiplierStatusRemoveNodes_Private(const Level *level, PetscInt num, PairAssembly assemblies[])
 {
-  PairDraft    *later = &drafts[num];
+  PairAssembly *later = &assemblies[num];
   PetscScalar **n;
   Vec          *local;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc2(num + 1, &n, num + 1, &local));
   for (PetscInt q = 0; q <= num; q++) {
-    PetscCall(VecGhostGetLocalForm(drafts[q].normals, &local[q]));
+    PetscCall(VecGhostGetLocalForm(assemblies[q].normals, &local[q]));
     PetscCall(VecGetArray(local[q], &n[q]));
   }
   for (PetscInt i = 0; i < level->num_nodes; i++) {
-    if (later->fate[i] == NODE_KEPT && MultiplierStatusIsServed_Private(level->dim, num, drafts, n, i))
-      later->fate[i] = NODE_REMOVED;
+    if (later->status[i] == NODE_KEPT && MultiplierStatusIsServed_Private(level->dim, num, assemblies, n, i))
+      later->status[i] = NODE_REMOVED;
   }
   for (PetscInt q = 0; q <= num; q++) {
     PetscCall(VecRestoreArray(local[q], &n[q]));
-    PetscCall(VecGhostRestoreLocalForm(drafts[q].normals, &local[q]));
+    PetscCall(VecGhostRestoreLocalForm(assemblies[q].normals, &local[q]));
   }
   PetscCall(PetscFree2(n, local));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Whether a pair keeps a node on any rank. Collective. */
-static PetscErrorCode MultiplierStatusKeepsAny_Private(const Level *level, const PairDraft *draft, PetscBool *any)
+static PetscErrorCode MultiplierStatusKeepsAny_Private(const Level *level, const PairAssembly *assembly, PetscBool *any)
 {
   PetscFunctionBeginUser;
   *any = PETSC_FALSE;
-  for (PetscInt i = 0; i < level->num_nodes; i++) *any = (PetscBool)(*any || draft->fate[i] == NODE_KEPT);
+  for (PetscInt i = 0; i < level->num_nodes; i++) *any = (PetscBool)(*any || assembly->status[i] == NODE_KEPT);
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FatesSettle(const Level *level, PetscInt num, PairDraft drafts[])
+PetscErrorCode MultiplierStatusResolve(const Level *level, PetscInt num, PairAssembly assemblies[])
 {
   PetscBool before, after;
 
   PetscFunctionBeginUser;
   for (PetscInt p = 0; p < num; p++) {
-    for (PetscInt q = 0; q < p; q++) PetscCall(MultiplierStatusHideNodes_Private(level, &drafts[q], &drafts[p]));
+    for (PetscInt q = 0; q < p; q++)
+      PetscCall(MultiplierStatusHideNodes_Private(level, &assemblies[q], &assemblies[p]));
   }
   for (PetscInt p = 1; p < num; p++) {
-    PetscCall(MultiplierStatusKeepsAny_Private(level, &drafts[p], &before));
-    PetscCall(MultiplierStatusRemoveNodes_Private(level, p, drafts));
-    PetscCall(MultiplierStatusKeepsAny_Private(level, &drafts[p], &after));
+    PetscCall(MultiplierStatusKeepsAny_Private(level, &assemblies[p], &before));
+    PetscCall(MultiplierStatusRemoveNodes_Private(level, p, assemblies));
+    PetscCall(MultiplierStatusKeepsAny_Private(level, &assemblies[p], &after));
     if (before && !after) {
       PetscCall(
           UserErrorRaise(level->comm,
                          "-pairs: every node that pair '%s' could use already serves an earlier or nearer pair, so "
                          "that it would have no "
                          "say; refine its nonmortar side '%s', or swap its sides",
-                         drafts[p].spec->name, drafts[p].spec->nonmortar.side));
+                         assemblies[p].spec->name, assemblies[p].spec->nonmortar.side));
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -9,7 +9,7 @@
 /* Facets of a smooth side deviate from the normal at their node by less than half of 45 degrees. */
 static const PetscReal SMOOTH = 0.92387953251128674;
 
-PetscErrorCode NormalsShare(Level *level, Vec normals)
+PetscErrorCode NodalNormalsShare(Level *level, Vec normals)
 {
   const PetscInt dim = level->dim;
   PetscScalar   *na;
@@ -41,7 +41,7 @@ static PetscErrorCode NodalNormalsSum_Private(Level *level, const Facets *facets
   for (PetscInt f = 0; f < facets->num; f++) {
     const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(facets->type[f]);
     if (counts && !counts[f]) continue;
-    FacetCoordinates(level, facets, f, X);
+    ContactFacetCoordinates(level, facets, f, X);
     PetscCall(PetscArrayzero(N, n * dim));
     FrameAddFacetNormal(dim, n, X, N);
     for (PetscInt i = 0; i < n; i++) {
@@ -50,7 +50,7 @@ static PetscErrorCode NodalNormalsSum_Private(Level *level, const Facets *facets
   }
   PetscCall(VecRestoreArray(local, &na));
   PetscCall(VecGhostRestoreLocalForm(normals, &local));
-  PetscCall(NormalsShare(level, normals));
+  PetscCall(NodalNormalsShare(level, normals));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -69,7 +69,7 @@ PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, const Side
   for (PetscInt f = 0; f < facets->num; f++) {
     const PetscInt n = ElementNumNodes(facets->type[f]), corner = f * ELEMENT_MAX_FACET_NODES;
 
-    FacetCoordinates(level, facets, f, X);
+    ContactFacetCoordinates(level, facets, f, X);
     PetscCall(PetscArrayzero(N, n * dim));
     FrameAddFacetNormal(dim, n, X, N);
     for (PetscInt i = 0; i < n; i++) { // at feature edges the patches' mean
@@ -80,7 +80,7 @@ PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, const Side
   }
   PetscCall(VecRestoreArray(local, &na));
   PetscCall(VecGhostRestoreLocalForm(*normals, &local));
-  PetscCall(NormalsShare(level, *normals));
+  PetscCall(NodalNormalsShare(level, *normals));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -102,7 +102,7 @@ static PetscErrorCode NodalNormalsFindSharp_Private(Level *level, const Facets *
   PetscCall(VecGetArray(local[1], &mark));
   for (PetscInt f = 0; f < facets->num; f++) {
     const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(facets->type[f]);
-    FacetCoordinates(level, facets, f, X);
+    ContactFacetCoordinates(level, facets, f, X);
     PetscCall(PetscArrayzero(N, n * dim));
     FrameAddFacetNormal(dim, n, X, N);
     for (PetscInt i = 0; i < n; i++) {

@@ -9,14 +9,14 @@ typedef struct {
   /* Points of the overlap with one mortar facet; returns their number. [out] points - [max_points] */
   PetscInt (*points)(const FacetPartner *partner, const ClipFacet *facet, const ClipFacet *mortar, ClipPoint points[]);
   /* Keeps, wherever two layers of the mortar side lie over a part of the facet, the one of smallest |gap|. */
-  PetscErrorCode (*keep_nearest)(const FacetPartner *partner, const ClipFacet *facet, PointList *list);
+  PetscErrorCode (*keep_nearest)(const FacetPartner *partner, const ClipFacet *facet, OverlapPoints *list);
 } Overlap;
 
 extern const Overlap OVERLAP_LINES, OVERLAP_POLYGONS;
 
 /* A facet of the mortar side. */
-ClipFacet OverlapMortar(const FacetPartner *partner, PetscInt f);
+ClipFacet OverlapPointsMortarFacet(const FacetPartner *partner, PetscInt f);
 /* Whether a gap is given that is no constant, or those of curves are measured. */
-PetscBool OverlapGapVaries(const FacetPartner *partner);
+PetscBool OverlapPointsGapVaries(const FacetPartner *partner);
 
 #endif

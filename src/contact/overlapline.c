@@ -10,7 +10,7 @@ static const PetscReal TURN_TOLERANCE = 1e-12;
 /* Whether x(xi) is linear. */
 static PetscBool OverlapLineIsStraight_Private(const ClipFacet *facet)
 {
-  const PetscReal size = FacetSize(2, facet->type, facet->X);
+  const PetscReal size = ContactFacetSize(2, facet->type, facet->X);
 
   for (PetscInt k = 0; k < 2 && facet->type == ELEMENT_LINE3; k++) {
     if (PetscAbsReal(facet->X[4 + k] - 0.5 * (facet->X[k] + facet->X[2 + k])) > TURN_TOLERANCE * size)
@@ -38,8 +38,8 @@ static PetscInt OverlapLinePointsPerPiece_Private(const FacetPartner *partner, c
   const ElementType type = ElementOrder(mortar->type) > ElementOrder(facet->type) ? mortar->type : facet->type;
 
   if (OverlapLineTurns_Private(facet) || !OverlapLineIsStraight_Private(facet) ||
-      !OverlapLineIsStraight_Private(mortar) || OverlapGapVaries(partner))
-    return (PointsCurvedDegree(type) + 1) / 2;
+      !OverlapLineIsStraight_Private(mortar) || OverlapPointsGapVaries(partner))
+    return (OverlapPointsCurvedDegree(type) + 1) / 2;
   return ElementOrder(type) + 1;
 }
 
@@ -81,7 +81,7 @@ static void OverlapLinePieceEnds_Private(PetscInt num, const ClipPoint points[],
 {
   PetscReal s[CLIP_MAX_GAUSS], w[CLIP_MAX_GAUSS], length;
 
-  GaussLine(num, s, w);
+  QuadratureLine(num, s, w);
   length  = (points[num - 1].xi[0] - points[0].xi[0]) / (s[num - 1] - s[0]);
   ends[0] = points[0].xi[0] - s[0] * length;
   ends[1] = ends[0] + length;
@@ -96,7 +96,7 @@ typedef struct {
 
 /* The pieces that a list's points were collected from. */
 static PetscErrorCode OverlapLinePieceListCreate_Private(const FacetPartner *partner, const ClipFacet *facet,
-                                                         const PointList *list, PieceList *pieces)
+                                                         const OverlapPoints *list, PieceList *pieces)
 {
   PetscInt num_gauss;
 
@@ -104,7 +104,7 @@ static PetscErrorCode OverlapLinePieceListCreate_Private(const FacetPartner *par
   pieces->num = 0;
   PetscCall(PetscMalloc2(list->num, &pieces->facet, 2 * list->num, &pieces->ends));
   for (PetscInt p = 0; p < list->num; p += num_gauss) {
-    const ClipFacet mortar = OverlapMortar(partner, list->facet[p]);
+    const ClipFacet mortar = OverlapPointsMortarFacet(partner, list->facet[p]);
     num_gauss              = OverlapLinePointsPerPiece_Private(partner, facet, &mortar);
     OverlapLinePieceEnds_Private(num_gauss, &list->point[p], &pieces->ends[2 * pieces->num]);
     pieces->facet[pieces->num++] = list->facet[p];
@@ -114,7 +114,7 @@ static PetscErrorCode OverlapLinePieceListCreate_Private(const FacetPartner *par
 
 /* Cuts the facet wherever a piece ends, and gives each part to the nearest mortar facet over it. */
 static PetscErrorCode OverlapLineKeepNearestPieces_Private(const FacetPartner *partner, const ClipFacet *facet,
-                                                           PointList *list)
+                                                           OverlapPoints *list)
 {
   ClipPoint points[CLIP_MAX_POINTS], best[CLIP_MAX_POINTS];
   PieceList pieces;
@@ -128,7 +128,7 @@ static PetscErrorCode OverlapLineKeepNearestPieces_Private(const FacetPartner *p
     PetscInt  num_best = 0, best_facet = -1;
     if (pieces.ends[e + 1] - pieces.ends[e] <= SAME_END) continue;
     for (PetscInt i = 0; i < pieces.num; i++) {
-      const ClipFacet mortar    = OverlapMortar(partner, pieces.facet[i]);
+      const ClipFacet mortar    = OverlapPointsMortarFacet(partner, pieces.facet[i]);
       const PetscInt  num_gauss = OverlapLinePointsPerPiece_Private(partner, facet, &mortar);
       const PetscInt  num       = OverlapLineClipPart_Private(facet, &pieces.ends[e], &mortar, num_gauss, points);
       PetscReal       gap       = 0;
@@ -139,7 +139,7 @@ static PetscErrorCode OverlapLineKeepNearestPieces_Private(const FacetPartner *p
       best_facet = pieces.facet[i];
       PetscCall(PetscArraycpy(best, points, num));
     }
-    for (PetscInt p = 0; p < num_best; p++) PetscCall(PointListAdd(list, &best[p], best_facet));
+    for (PetscInt p = 0; p < num_best; p++) PetscCall(OverlapPointsAdd(list, &best[p], best_facet));
   }
   PetscCall(PetscFree2(pieces.facet, pieces.ends));
   PetscFunctionReturn(PETSC_SUCCESS);

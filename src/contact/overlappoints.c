@@ -17,7 +17,7 @@ static const Overlap *OverlapPointsGetOverlap_Private(PetscInt dim)
   return dim == 2 ? &OVERLAP_LINES : &OVERLAP_POLYGONS;
 }
 
-PetscErrorCode PointListCreate(PetscInt dim, PointList *list)
+PetscErrorCode OverlapPointsCreate(PetscInt dim, OverlapPoints *list)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(list, sizeof(*list)));
@@ -25,7 +25,7 @@ PetscErrorCode PointListCreate(PetscInt dim, PointList *list)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PointListAdd(PointList *list, const ClipPoint *point, PetscInt facet)
+PetscErrorCode OverlapPointsAdd(OverlapPoints *list, const ClipPoint *point, PetscInt facet)
 {
   PetscFunctionBeginUser;
   if (list->num == list->max) {
@@ -38,7 +38,7 @@ PetscErrorCode PointListAdd(PointList *list, const ClipPoint *point, PetscInt fa
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PointListDestroy(PointList *list)
+PetscErrorCode OverlapPointsDestroy(OverlapPoints *list)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree(list->point));
@@ -48,23 +48,23 @@ PetscErrorCode PointListDestroy(PointList *list)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-ClipFacet OverlapMortar(const FacetPartner *partner, PetscInt f)
+ClipFacet OverlapPointsMortarFacet(const FacetPartner *partner, PetscInt f)
 {
   const MortarSurface *mortar = partner->mortar;
 
   return (ClipFacet){mortar->type[f], &mortar->coords[f * ELEMENT_MAX_FACET_NODES * partner->dim], NULL};
 }
 
-PetscBool OverlapGapVaries(const FacetPartner *partner)
+PetscBool OverlapPointsGapVaries(const FacetPartner *partner)
 {
   const ScenePair *spec = partner->spec;
 
-  if (partner->rise || (partner->mortar && partner->mortar->rise)) return PETSC_TRUE;
+  if (partner->bulges || (partner->mortar && partner->mortar->bulges)) return PETSC_TRUE;
   if (spec->gap && !ExpressionIsConstant(spec->gap)) return PETSC_TRUE;
   return (PetscBool)(spec->gap_offset && !ExpressionIsConstant(spec->gap_offset));
 }
 
-PetscInt PointsCurvedDegree(ElementType type)
+PetscInt OverlapPointsCurvedDegree(ElementType type)
 {
   return 3 + 4 * ElementOrder(type);
 }
@@ -114,7 +114,7 @@ static PetscBool OverlapPointsWithinReach_Private(PetscInt num, const ClipPoint 
 
 /* Collects the quadrature points of a facet against the mortar side. */
 static PetscErrorCode OverlapPointsCollectMortar_Private(const FacetPartner *partner, const ClipFacet *facet,
-                                                         PointList *list)
+                                                         OverlapPoints *list)
 {
   const Overlap  *overlap = OverlapPointsGetOverlap_Private(partner->dim);
   PetscReal       nu[3], covered = 0;
@@ -125,14 +125,14 @@ static PetscErrorCode OverlapPointsCollectMortar_Private(const FacetPartner *par
   OverlapPointsOutward_Private(partner->dim, facet, nu);
   PetscCall(MortarSurfaceQuery(partner->mortar, partner->dim, facet, partner->reach, &num_hits, &hits));
   for (PetscInt h = 0; h < num_hits; h++) {
-    const ClipFacet mortar = OverlapMortar(partner, hits[h]);
+    const ClipFacet mortar = OverlapPointsMortarFacet(partner, hits[h]);
     PetscInt        num;
     if (!OverlapPointsFaceEachOther_Private(partner->dim, nu, &mortar)) continue;
     num = overlap->points(partner, facet, &mortar, list->work);
     if (!OverlapPointsWithinReach_Private(num, list->work, partner->reach)) continue;
     for (PetscInt p = 0; p < num; p++) {
       covered += list->work[p].share;
-      PetscCall(PointListAdd(list, &list->work[p], hits[h]));
+      PetscCall(OverlapPointsAdd(list, &list->work[p], hits[h]));
     }
   }
   if (covered > 1 + OVERLAP_TOLERANCE) PetscCall(overlap->keep_nearest(partner, facet, list));
@@ -142,12 +142,12 @@ static PetscErrorCode OverlapPointsCollectMortar_Private(const FacetPartner *par
 /* Collects the points of a facet against an obstacle: the whole facet, if any of it is within reach along the facet's own
    normal. That of a node at a sharp edge may see what the facet turns its back on. */
 static PetscErrorCode OverlapPointsCollectObstacle_Private(const FacetPartner *partner, const ClipFacet *facet,
-                                                           PointList *list)
+                                                           OverlapPoints *list)
 {
   const PetscInt dim = partner->dim, dim_facet = ElementDim(facet->type);
   PetscReal      xi[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], x[3], nu[3], phi[ELEMENT_MAX_NODES], own;
   PetscBool      near = PETSC_FALSE, back = PETSC_FALSE;
-  const PetscInt num_rule = ElementQuadrature(facet->type, PointsCurvedDegree(facet->type), xi, w);
+  const PetscInt num_rule = QuadratureRule(facet->type, OverlapPointsCurvedDegree(facet->type), xi, w);
 
   PetscFunctionBeginUser;
   for (PetscInt q = 0; q < num_rule; q++) {
@@ -164,13 +164,13 @@ static PetscErrorCode OverlapPointsCollectObstacle_Private(const FacetPartner *p
     if (own <= partner->reach) near = PETSC_TRUE;
     if (PetscMax(own, point.gap) >= PETSC_INFINITY)
       back = PETSC_TRUE; // part of the facet turns its back on the obstacle
-    PetscCall(PointListAdd(list, &point, -1));
+    PetscCall(OverlapPointsAdd(list, &point, -1));
   }
   if (!near || back) list->num = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PointListCollect(const FacetPartner *partner, const ClipFacet *facet, PointList *list)
+PetscErrorCode OverlapPointsCollect(const FacetPartner *partner, const ClipFacet *facet, OverlapPoints *list)
 {
   PetscFunctionBeginUser;
   list->num = 0;

@@ -13,7 +13,7 @@ typedef struct {
   PetscInt             dim;
   PetscReal            reach;
   const PetscReal *
-      rise; /* of the nonmortar facets, where they are taken for smooth and bend, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */
+      bulges; /* of the nonmortar facets, where they are taken for smooth and bend, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */
 } FacetPartner;
 
 /* Point p lies on mortar facet facet[p] (-1: obstacle). Facets follow each other: all points of one, then those of the next.
@@ -23,18 +23,18 @@ typedef struct {
   ClipPoint *point;
   PetscInt  *facet;
   ClipPoint *work; /* points of one mortar facet */
-} PointList;
+} OverlapPoints;
 
 /* An empty list for facets of a dimension. Not collective. [out] list - owned by the caller */
-PetscErrorCode PointListCreate(PetscInt dim, PointList *list);
-PetscErrorCode PointListDestroy(PointList *list);
-PetscErrorCode PointListAdd(PointList *list, const ClipPoint *point, PetscInt facet);
+PetscErrorCode OverlapPointsCreate(PetscInt dim, OverlapPoints *list);
+PetscErrorCode OverlapPointsDestroy(OverlapPoints *list);
+PetscErrorCode OverlapPointsAdd(OverlapPoints *list, const ClipPoint *point, PetscInt facet);
 
 /* Collects the points over the covered part of a facet, each part of it once; none where nothing is within reach. Not
    collective. */
-PetscErrorCode PointListCollect(const FacetPartner *partner, const ClipFacet *facet, PointList *list);
+PetscErrorCode OverlapPointsCollect(const FacetPartner *partner, const ClipFacet *facet, OverlapPoints *list);
 
 /* The degree of quadrature for what is no polynomial on a facet: curved sides, turning normals, gaps given as expressions. */
-PetscInt PointsCurvedDegree(ElementType type);
+PetscInt OverlapPointsCurvedDegree(ElementType type);
 
 #endif

@@ -17,7 +17,7 @@ enum { CURVED_DEGREE = 5, GIVEN_GAP_DEGREE = 2 };
 static PetscBool OverlapPolygonIsStraight_Private(const ClipFacet *facet)
 {
   const ElementType linear = ElementLinear(facet->type);
-  const PetscReal   size   = FacetSize(3, facet->type, facet->X);
+  const PetscReal   size   = ContactFacetSize(3, facet->type, facet->X);
 
   for (PetscInt i = ElementNumNodes(linear); i < ElementNumNodes(facet->type); i++) {
     PetscReal phi[ELEMENT_MAX_NODES];
@@ -41,7 +41,7 @@ static PetscInt OverlapPolygonPoints_Private(const FacetPartner *partner, const 
   PetscInt degree = ClipDegree(facet->type, mortar->type);
 
   if (!OverlapPolygonIsStraight_Private(facet)) degree = PetscMin(degree, CURVED_DEGREE);
-  return ClipPolygons(facet, mortar, OverlapGapVaries(partner) ? degree + GIVEN_GAP_DEGREE : degree, points);
+  return ClipPolygons(facet, mortar, OverlapPointsGapVaries(partner) ? degree + GIVEN_GAP_DEGREE : degree, points);
 }
 
 /* Whether one of the mortar facets of a list lies nearer to a point than the one that gave it. */
@@ -50,7 +50,7 @@ static PetscBool OverlapPolygonIsHidden_Private(const FacetPartner *partner, con
                                                 PetscInt own)
 {
   for (PetscInt i = 0; i < num_facets; i++) {
-    const ClipFacet mortar = OverlapMortar(partner, facets[i]);
+    const ClipFacet mortar = OverlapPointsMortarFacet(partner, facets[i]);
     PetscReal       gap;
 
     if (facets[i] == own || !ClipSees(facet, &mortar, point->xi, &gap)) continue;
@@ -61,9 +61,9 @@ static PetscBool OverlapPolygonIsHidden_Private(const FacetPartner *partner, con
 
 /* Drops every point before which another mortar facet lies nearer. */
 static PetscErrorCode OverlapPolygonKeepNearestPoints_Private(const FacetPartner *partner, const ClipFacet *facet,
-                                                              PointList *list)
+                                                              OverlapPoints *list)
 {
-  const PetscReal size = FacetSize(3, facet->type, facet->X);
+  const PetscReal size = ContactFacetSize(3, facet->type, facet->X);
   PetscInt        kept = 0, num_facets = 0, *facets;
 
   PetscFunctionBeginUser;

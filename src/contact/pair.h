@@ -5,7 +5,7 @@
    (eq. 5.1), which is where D gets its few entries off the diagonal. Facets are integrated by the rank that holds them.
 
    Where only vertices of quadratic facets carry multipliers (MULTIPLIERS_VERTICES), psi is dual to the linear shape functions
-   and all this is written for the displacements u~ of u = u~ + shift u~ on the nonmortar side: a vertex keeps its
+   and all this is written for the displacements u~ of u = u~ + to_nodal u~ on the nonmortar side: a vertex keeps its
    displacement, the unknown at a middle node is what goes beyond the mean of the two ends (eq. 3.6). On tri6 psi is dual to phi~,
    and u~ is that of eq. 3.5, where nodes with multipliers are shifted as well. M applies to u. */
 #ifndef MORTISE_PAIR_H
@@ -18,7 +18,7 @@
 typedef struct {
   PetscReal x[3], normal[3]; /* of the nonmortar side */
   PetscInt  node, mortar;    /* a local node of the nonmortar facet, a global one of the mortar facet */
-} PairEnd;
+} OverlapBoundary;
 
 struct _n_Pair {
   const ScenePair *spec;  /* borrowed */
@@ -31,19 +31,20 @@ struct _n_Pair {
       *overlap; /* the largest -g at a point of the facets around a node, and what curves change g by there [num] */
   PetscReal *normal; /* unit, out of the nonmortar body [num][dim] */
   PetscReal *frame;  /* rows (n, t..) orthonormal; t along the held direction where there is one [num][dim][dim] */
-  PetscBool *cut;    /* whether a facet around the node is covered in part; then `ends` tell where [num] */
-  PetscBool *whole;  /* whether a facet around the node is covered altogether [num] */
-  PetscInt   num_ends;
-  PairEnd   *ends;           /* of facets of this rank [num_ends] */
-  Mat        chain;          /* D_ac, c without a multiplier (node x node), or NULL where there is none */
-  Mat        shift, unshift; /* u = u~ + shift u~, u~ = u + unshift u (node x node), or NULL where u~ = u */
-  Mat        M;              /* node x node, rows of multiplier nodes; NULL for an obstacle */
-  Mat        arm;            /* of a tie across a gap: what joins M, in blocks of size dim (eq. 5.4); else NULL */
-  PetscInt   num_facets_nonmortar, num_facets_mortar;     /* of all ranks */
-  PetscInt   num_multipliers, num_removed, num_uncovered; /* nodes of all ranks */
-  PetscReal  reach;                                       /* that was used */
-  PetscBool  smooth[2]; /* whether the nonmortar, the mortar side is smooth: gaps are those of curves (eq. 4.5) */
-  PetscReal left[2]; /* what gaps may be off by as each side bends between its nodes, at most; 0 where gaps are given */
+  PetscBool *partly_covered; /* whether a facet around the node is covered in part; then `boundary` tell where [num] */
+  PetscBool *fully_covered;  /* whether a facet around the node is covered altogether [num] */
+  PetscInt   num_boundary;
+  OverlapBoundary *boundary;      /* of facets of this rank [num_boundary] */
+  Mat              D_other;       /* D_ac, c without a multiplier (node x node), or NULL where there is none */
+  Mat       to_nodal, from_nodal; /* u = u~ + to_nodal u~, u~ = u + from_nodal u (node x node), or NULL where u~ = u */
+  Mat       M;                    /* node x node, rows of multiplier nodes; NULL for an obstacle */
+  Mat       arm;                  /* of a tie across a gap: what joins M, in blocks of size dim (eq. 5.4); else NULL */
+  PetscInt  num_facets_nonmortar, num_facets_mortar;     /* of all ranks */
+  PetscInt  num_multipliers, num_removed, num_uncovered; /* nodes of all ranks */
+  PetscReal reach;                                       /* that was used */
+  PetscBool smooth[2]; /* whether the nonmortar, the mortar side is smooth: gaps are those of curves (eq. 4.5) */
+  PetscReal curve_error
+      [2]; /* what gaps may be off by as each side bends between its nodes, at most; 0 where gaps are given */
 };
 typedef struct _n_Pair *Pair;
 

@@ -7,14 +7,14 @@
 #include "contact/redistribution.h"
 
 typedef struct {
-  const ScenePair *spec;      /* borrowed */
-  Facets           nonmortar; /* of this rank */
-  SideShape        shape;     /* of these facets */
-  PetscReal       *rise;      /* of these facets, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */
-  Vec              normals;   /* directions of contact: ghosted, dim per node */
-  Integrals        sums;
-  NodeFate        *fate; /* [num_nodes] */
-} PairDraft;
+  const ScenePair  *spec;      /* borrowed */
+  Facets            nonmortar; /* of this rank */
+  SideShape         shape;     /* of these facets */
+  PetscReal        *bulges;    /* of these facets, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */
+  Vec               normals;   /* directions of contact: ghosted, dim per node */
+  MortarIntegrals   sums;
+  MultiplierStatus *status; /* [num_nodes] */
+} PairAssembly;
 
 /* The farthest candidate: what the user said, or from the geometry. Collective. [in] mortar - NULL for an obstacle */
 PetscErrorCode ReachChoose(const ScenePair *spec, Level *level, const Support *held, const Facets *nonmortar,
@@ -28,20 +28,20 @@ PetscErrorCode ReachWiden(const ScenePair *spec, const Level *level, const Facet
 /* How far nodes of a side lie inside a body whose side they are to meet, where none of that is within reach: the largest distance from
    the partner's side. Collective. [in] side, partner - of this rank; [in] body - of the partner; [in,out] depth - grows if there are such
    nodes farther away; [in,out] at - where the farthest is [dim] */
-PetscErrorCode DepthFind(const Level *level, const Facets *side, PetscInt body, const Facets *partner, PetscReal reach,
-                         PetscReal *depth, PetscReal at[]);
+PetscErrorCode InitialOverlapFind(const Level *level, const Facets *side, PetscInt body, const Facets *partner,
+                                  PetscReal reach, PetscReal *depth, PetscReal at[]);
 
 /* Takes held directions out of the normals of nodes that are free enough, before rays are sent along them: a symmetry plane
    then cuts the side where the mirror image would go on. Not collective. [in,out] normals - ghosted */
-PetscErrorCode NormalsProject(const Level *level, const Support *held, Vec normals);
+PetscErrorCode MultiplierStatusProjectNormals(const Level *level, const Support *held, Vec normals);
 
 /* Decides by coverage and supports which nodes may keep a multiplier; takes held directions out of their normals. Not collective. */
-PetscErrorCode FatesDecide(const Level *level, const Support *held, PairDraft *draft);
+PetscErrorCode MultiplierStatusDecide(const Level *level, const Support *held, PairAssembly *assembly);
 
 /* Where several pairs would constrain nearly the same direction of a node, the first of them does, or the nearest if they stand
    one behind the other before the same facets; a tie constrains every
    direction. Rows then depend on those of earlier pairs only, never in a circle. A pair that is left without a node that it
-   could have had is a fault. Collective. [in,out] drafts - [num] */
-PetscErrorCode FatesSettle(const Level *level, PetscInt num, PairDraft drafts[]);
+   could have had is a fault. Collective. [in,out] assemblies - [num] */
+PetscErrorCode MultiplierStatusResolve(const Level *level, PetscInt num, PairAssembly assemblies[]);
 
 #endif

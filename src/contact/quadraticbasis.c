@@ -27,7 +27,7 @@ static PetscBool QuadraticBasisWeights_Private(ElementType type, ElementType car
 
 /* Enters S - I and S^-1 - I of one facet. */
 static PetscErrorCode QuadraticBasisAddFacet_Private(const Level *level, const Facets *facets, PetscInt f,
-                                                     ElementType carrier, Mat shift, Mat unshift)
+                                                     ElementType carrier, Mat to_nodal, Mat from_nodal)
 {
   const ElementType type         = facets->type[f];
   const PetscInt    num_vertices = ElementNumNodes(ElementLinear(type));
@@ -41,34 +41,35 @@ static PetscErrorCode QuadraticBasisAddFacet_Private(const Level *level, const F
     if (!QuadraticBasisWeights_Private(type, carrier, e, &d, w)) continue;
     for (PetscInt v = 0; v < num_vertices; v++) {
       if (w[v] == 0) continue;
-      PetscCall(MatSetValue(shift, nodes[e], nodes[v], w[v], INSERT_VALUES));
-      PetscCall(MatSetValue(unshift, nodes[e], nodes[v], -w[v] / d, INSERT_VALUES));
+      PetscCall(MatSetValue(to_nodal, nodes[e], nodes[v], w[v], INSERT_VALUES));
+      PetscCall(MatSetValue(from_nodal, nodes[e], nodes[v], -w[v] / d, INSERT_VALUES));
     }
     if (d == 1) continue;
-    PetscCall(MatSetValue(shift, nodes[e], nodes[e], d - 1, INSERT_VALUES));
-    PetscCall(MatSetValue(unshift, nodes[e], nodes[e], 1 / d - 1, INSERT_VALUES));
+    PetscCall(MatSetValue(to_nodal, nodes[e], nodes[e], d - 1, INSERT_VALUES));
+    PetscCall(MatSetValue(from_nodal, nodes[e], nodes[e], 1 / d - 1, INSERT_VALUES));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ShiftCreate(Level *level, const Facets *facets, const ElementType carrier[], Mat *shift, Mat *unshift)
+PetscErrorCode QuadraticBasisCreate(Level *level, const Facets *facets, const ElementType carrier[], Mat *to_nodal,
+                                    Mat *from_nodal)
 {
-  Mat      *mats[2] = {shift, unshift};
+  Mat      *mats[2] = {to_nodal, from_nodal};
   PetscBool any     = PETSC_FALSE;
   PetscInt *entries;
 
   PetscFunctionBeginUser;
-  *shift = *unshift = NULL;
+  *to_nodal = *from_nodal = NULL;
   for (PetscInt f = 0; f < facets->num; f++)
     any = (PetscBool)(any || carrier[f] != facets->type[f] || DualShare(carrier[f]) > 0);
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, level->comm));
   if (!any) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(facets->num, &entries));
   for (PetscInt f = 0; f < facets->num; f++) entries[f] = ElementNumNodes(ElementLinear(facets->type[f])) + 1;
-  for (PetscInt i = 0; i < 2; i++) PetscCall(FacetsCreateMat(level, facets, entries, mats[i]));
+  for (PetscInt i = 0; i < 2; i++) PetscCall(MortarIntegralsCreateMat(level, facets, entries, mats[i]));
   PetscCall(PetscFree(entries));
   for (PetscInt f = 0; f < facets->num; f++)
-    PetscCall(QuadraticBasisAddFacet_Private(level, facets, f, carrier[f], *shift, *unshift));
+    PetscCall(QuadraticBasisAddFacet_Private(level, facets, f, carrier[f], *to_nodal, *from_nodal));
   for (PetscInt i = 0; i < 2; i++) {
     PetscCall(MatAssemblyBegin(*mats[i], MAT_FINAL_ASSEMBLY));
     PetscCall(MatAssemblyEnd(*mats[i], MAT_FINAL_ASSEMBLY));

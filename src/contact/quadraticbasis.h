@@ -4,9 +4,10 @@
 
 #include "mesh/mesh.h"
 
-/* u = u~ + shift u~ and u~ = u + unshift u on the nonmortar side, node x node. Where only vertices carry multipliers, the unknown
+/* u = u~ + to_nodal u~ and u~ = u + from_nodal u on the nonmortar side, node x node. Where only vertices carry multipliers, the unknown
    of every other node is what goes beyond the linear shape functions there; where tri6 carry them, that of a middle node
    is the one of DualShape(). Both NULL where u~ = u. Collective. [in] carrier - of each facet [facets->num] */
-PetscErrorCode ShiftCreate(Level *level, const Facets *facets, const ElementType carrier[], Mat *shift, Mat *unshift);
+PetscErrorCode QuadraticBasisCreate(Level *level, const Facets *facets, const ElementType carrier[], Mat *to_nodal,
+                                    Mat *from_nodal);
 
 #endif

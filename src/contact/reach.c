@@ -47,7 +47,7 @@ PetscErrorCode ReachChoose(const ScenePair *spec, Level *level, const Support *h
   PetscFunctionBeginUser;
   *reach = spec->reach;
   if (spec->reach >= 0) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(FacetsMaxSize(level, nonmortar, &size));
+  PetscCall(ContactFacetMaxSize(level, nonmortar, &size));
   PetscCall(ReachSideExtent_Private(level, nonmortar, &extent));
   if (mortar) {
     PetscCall(ReachSideExtent_Private(level, mortar, &extent_m));
@@ -78,8 +78,8 @@ PetscErrorCode ReachWiden(const ScenePair *spec, const Level *level, const Facet
 
   PetscFunctionBeginUser;
   if (s == m) PetscFunctionReturn(PETSC_SUCCESS); // a body is always inside itself
-  PetscCall(DepthFind(level, nonmortar, m, mortar, *reach, &depth, at));
-  PetscCall(DepthFind(level, mortar, s, nonmortar, *reach, &depth, at));
+  PetscCall(InitialOverlapFind(level, nonmortar, m, mortar, *reach, &depth, at));
+  PetscCall(InitialOverlapFind(level, mortar, s, nonmortar, *reach, &depth, at));
   if (depth > *reach && spec->reach >= 0) {
     PetscCall(ReachPlaceText_Private(level->dim, at, place, sizeof(place)));
     PetscCall(

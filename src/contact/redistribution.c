@@ -26,7 +26,7 @@ static PetscBool RedistributionAreNeighbours_Private(ElementType type, PetscInt 
 
 /* Moves into ring k, on every rank, the nodes that wait beside ring k - 1. [in,out] ring - [num_nodes], -1 waits;
    [out] found - whether there was any */
-static PetscErrorCode RedistributionNextRing_Private(Level *level, const Facets *facets, const Integrals *sums,
+static PetscErrorCode RedistributionNextRing_Private(Level *level, const Facets *facets, const MortarIntegrals *sums,
                                                      PetscInt k, PetscInt ring[], PetscBool *found)
 {
   Vec          flags, local;
@@ -65,8 +65,9 @@ static PetscErrorCode RedistributionNextRing_Private(Level *level, const Facets 
 }
 
 /* N diag(1 / column sums), with N of ones: row a, column c for every node a of ring k - 1 beside a node c of ring k. */
-static PetscErrorCode RedistributionNeighbourMeans_Private(Level *level, const Facets *facets, const Integrals *sums,
-                                                           PetscInt k, const PetscInt ring[], Mat *N)
+static PetscErrorCode RedistributionNeighbourMeans_Private(Level *level, const Facets *facets,
+                                                           const MortarIntegrals *sums, PetscInt k,
+                                                           const PetscInt ring[], Mat *N)
 {
   Vec       ones, columns;
   PetscInt *entries;
@@ -74,7 +75,7 @@ static PetscErrorCode RedistributionNeighbourMeans_Private(Level *level, const F
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(facets->num, &entries));
   for (PetscInt f = 0; f < facets->num; f++) entries[f] = ElementNumNodes(sums->carrier[f]) - 1;
-  PetscCall(FacetsCreateMat(level, facets, entries, N));
+  PetscCall(MortarIntegralsCreateMat(level, facets, entries, N));
   PetscCall(PetscFree(entries));
   for (PetscInt f = 0; f < facets->num; f++) {
     const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(sums->carrier[f]);
@@ -100,8 +101,8 @@ static PetscErrorCode RedistributionNeighbourMeans_Private(Level *level, const F
 }
 
 /* W = sum_k W_k, or NULL where no row is to be spread. */
-static PetscErrorCode RedistributionWeights_Private(Level *level, const Facets *facets, const NodeFate fate[],
-                                                    const Integrals *sums, Mat *W)
+static PetscErrorCode RedistributionWeights_Private(Level *level, const Facets *facets, const MultiplierStatus status[],
+                                                    const MortarIntegrals *sums, Mat *W)
 {
   PetscInt *ring;
   PetscBool found;
@@ -111,7 +112,7 @@ static PetscErrorCode RedistributionWeights_Private(Level *level, const Facets *
   *W = NULL;
   PetscCall(PetscMalloc1(level->num_nodes, &ring));
   for (PetscInt i = 0; i < level->num_nodes; i++)
-    ring[i] = fate[i] == NODE_KEPT ? 0 : (fate[i] == NODE_REMOVED ? -1 : -2);
+    ring[i] = status[i] == NODE_KEPT ? 0 : (status[i] == NODE_REMOVED ? -1 : -2);
   PetscCall(RedistributionNextRing_Private(level, facets, sums, 1, ring, &found));
   for (PetscInt k = 1; found; k++) {
     PetscCall(RedistributionNeighbourMeans_Private(level, facets, sums, k, ring, &N));
@@ -160,7 +161,7 @@ static PetscErrorCode RedistributionAddBlockSpread_Private(Mat W, PetscInt dim, 
 }
 
 /* Empties the rows of nodes that are not kept. */
-static PetscErrorCode RedistributionKeepRows_Private(const Level *level, const NodeFate fate[], Mat A)
+static PetscErrorCode RedistributionKeepRows_Private(const Level *level, const MultiplierStatus status[], Mat A)
 {
   Vec          kept;
   PetscScalar *value;
@@ -168,7 +169,7 @@ static PetscErrorCode RedistributionKeepRows_Private(const Level *level, const N
   PetscFunctionBeginUser;
   PetscCall(MatCreateVecs(A, NULL, &kept));
   PetscCall(VecGetArray(kept, &value));
-  for (PetscInt i = 0; i < level->num_owned; i++) value[i] = fate[i] == NODE_KEPT ? 1 : 0;
+  for (PetscInt i = 0; i < level->num_owned; i++) value[i] = status[i] == NODE_KEPT ? 1 : 0;
   PetscCall(VecRestoreArray(kept, &value));
   PetscCall(MatDiagonalScale(A, kept, NULL));
   PetscCall(VecDestroy(&kept));
@@ -177,8 +178,8 @@ static PetscErrorCode RedistributionKeepRows_Private(const Level *level, const N
 
 /* Removes kept nodes to which too little is left of their own weight: the rows that they take over may be covered negatively.
    [in] W - NULL where no row is spread; [out] any - whether there was such a node */
-static PetscErrorCode RedistributionRemoveOverdrawn_Private(Mat W, const Integrals *sums, PetscInt num_nodes,
-                                                            NodeFate fate[], PetscBool *any)
+static PetscErrorCode RedistributionRemoveOverdrawn_Private(Mat W, const MortarIntegrals *sums, PetscInt num_nodes,
+                                                            MultiplierStatus status[], PetscBool *any)
 {
   Vec                total, local, local_D;
   const PetscScalar *D, *t;
@@ -195,9 +196,9 @@ static PetscErrorCode RedistributionRemoveOverdrawn_Private(Mat W, const Integra
   PetscCall(VecGetArrayRead(local, &t));
   PetscCall(VecGetArrayRead(local_D, &D));
   for (PetscInt i = 0; i < num_nodes; i++) {
-    if (fate[i] != NODE_KEPT || PetscRealPart(t[i]) >= LEFT_OVER * PetscRealPart(D[i])) continue;
-    fate[i] = NODE_REMOVED;
-    *any    = PETSC_TRUE;
+    if (status[i] != NODE_KEPT || PetscRealPart(t[i]) >= LEFT_OVER * PetscRealPart(D[i])) continue;
+    status[i] = NODE_REMOVED;
+    *any      = PETSC_TRUE;
   }
   PetscCall(VecRestoreArrayRead(local_D, &D));
   PetscCall(VecRestoreArrayRead(local, &t));
@@ -208,19 +209,20 @@ static PetscErrorCode RedistributionRemoveOverdrawn_Private(Mat W, const Integra
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, NodeFate fate[], Integrals *sums, Mat *chain)
+PetscErrorCode RedistributionApply(Level *level, const Facets *facets, MultiplierStatus status[], MortarIntegrals *sums,
+                                   Mat *D_other)
 {
   PetscBool any = PETSC_FALSE;
   Mat       W   = NULL;
   Vec       WG;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < level->num_nodes; i++) any = (PetscBool)(any || fate[i] == NODE_REMOVED);
+  for (PetscInt i = 0; i < level->num_nodes; i++) any = (PetscBool)(any || status[i] == NODE_REMOVED);
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, level->comm));
   while (any) {
     PetscCall(MatDestroy(&W));
-    PetscCall(RedistributionWeights_Private(level, facets, fate, sums, &W));
-    PetscCall(RedistributionRemoveOverdrawn_Private(W, sums, level->num_nodes, fate, &any));
+    PetscCall(RedistributionWeights_Private(level, facets, status, sums, &W));
+    PetscCall(RedistributionRemoveOverdrawn_Private(W, sums, level->num_nodes, status, &any));
   }
   if (W) {
     PetscCall(VecDuplicate(sums->G, &WG));
@@ -229,16 +231,16 @@ PetscErrorCode SpreadRemovedRows(Level *level, const Facets *facets, NodeFate fa
     PetscCall(VecDestroy(&WG));
     if (sums->M) PetscCall(RedistributionAddSpread_Private(W, &sums->M));
     if (sums->arm) PetscCall(RedistributionAddBlockSpread_Private(W, level->dim, &sums->arm));
-    if (sums->chain) PetscCall(RedistributionAddSpread_Private(W, &sums->chain));
+    if (sums->D_other) PetscCall(RedistributionAddSpread_Private(W, &sums->D_other));
     PetscCall(MatDiagonalScale(W, NULL, sums->D));
-    if (sums->chain) PetscCall(MatAXPY(sums->chain, 1.0, W, DIFFERENT_NONZERO_PATTERN));
+    if (sums->D_other) PetscCall(MatAXPY(sums->D_other, 1.0, W, DIFFERENT_NONZERO_PATTERN));
   }
-  if (sums->chain) {
-    PetscCall(RedistributionKeepRows_Private(level, fate, sums->chain));
+  if (sums->D_other) {
+    PetscCall(RedistributionKeepRows_Private(level, status, sums->D_other));
     PetscCall(MatDestroy(&W));
-    W = sums->chain;
+    W = sums->D_other;
   }
-  sums->chain = NULL;
-  *chain      = W;
+  sums->D_other = NULL;
+  *D_other      = W;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -34,7 +34,7 @@ static PetscReal SmoothGapPolygonError_Private(PetscInt dim, ElementType type, c
   return most;
 }
 
-/* What a facet may be off its curve by, at most: a parabola leaves an arc that turns by 2 gamma with the rise s by s gamma^2 / 16.
+/* What a facet may be off its curve by, at most: a parabola leaves an arc that turns by 2 gamma with the bulges s by s gamma^2 / 16.
    [in] bulge - of the facet of first order */
 static PetscReal SmoothGapCurveError_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal N[],
                                              const PetscReal bulge[])
@@ -43,38 +43,38 @@ static PetscReal SmoothGapCurveError_Private(PetscInt dim, ElementType type, con
   PetscReal      most = 0;
 
   for (PetscInt e = 0; e < ElementNumEdges(ElementLinear(type)); e++) {
-    const PetscInt *ends = ElementEdgeNodes(ElementLinear(type), e);
-    PetscReal       rise = 0, turn = 0;
+    const PetscInt *ends   = ElementEdgeNodes(ElementLinear(type), e);
+    PetscReal       bulges = 0, turn = 0;
 
     for (PetscInt k = 0; k < dim; k++) {
       const PetscReal b = bulge[(num + e) * dim + k], mean = 0.5 * (X[ends[0] * dim + k] + X[ends[1] * dim + k]);
 
-      rise += ElementOrder(type) > 1 ? PetscSqr(X[(num + e) * dim + k] - mean) : b * b;
+      bulges += ElementOrder(type) > 1 ? PetscSqr(X[(num + e) * dim + k] - mean) : b * b;
       turn += PetscSqr(N[ends[1] * dim + k] - N[ends[0] * dim + k]); // (2 sin gamma)^2
     }
-    most = PetscMax(most, PetscSqrtReal(rise) * turn / 64);
+    most = PetscMax(most, PetscSqrtReal(bulges) * turn / 64);
   }
   return most;
 }
 
-PetscErrorCode RiseCreate(Level *level, const ScenePair *spec, const Facets *facets, const SideShape *shape,
-                          PetscBool polygonal, PetscReal **rise, PetscReal *left)
+PetscErrorCode SmoothGapCreate(Level *level, const ScenePair *spec, const Facets *facets, const SideShape *shape,
+                               PetscBool polygonal, PetscReal **bulges, PetscReal *left)
 {
   const PetscInt dim = level->dim;
   PetscReal      X[3 * F], bulge[3 * F] = {0}, largest[2] = {0, 0};
 
   PetscFunctionBeginUser;
-  *rise = NULL;
-  *left = 0;
+  *bulges = NULL;
+  *left   = 0;
   if (spec->gap || spec->obstacle.kind == OBSTACLE_EXPRESSION) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(
-      PetscCalloc1(facets->num * F * dim + 1, rise)); // also a rank without facets tells whether any rank has a curve
+      PetscCalloc1(facets->num * F * dim + 1, bulges)); // also a rank without facets tells whether any rank has a curve
   for (PetscInt f = 0; f < facets->num; f++) {
     const ElementType type = facets->type[f];
     const PetscReal  *N    = &shape->normal[f * F * dim];
     PetscBool         any;
 
-    FacetCoordinates(level, facets, f, X);
+    ContactFacetCoordinates(level, facets, f, X);
     if (polygonal && ElementOrder(type) == 1)
       largest[0] = PetscMax(largest[0], SmoothGapPolygonError_Private(dim, type, X, N));
     if (polygonal && ElementOrder(type) == 1) continue;
@@ -82,22 +82,22 @@ PetscErrorCode RiseCreate(Level *level, const ScenePair *spec, const Facets *fac
     largest[0] = PetscMax(largest[0], SmoothGapCurveError_Private(dim, type, X, N, bulge));
     if (!any || ElementOrder(type) > 1) continue;
     largest[1] = 1;
-    PetscCall(PetscArraycpy(&(*rise)[f * F * dim], bulge, F * dim));
+    PetscCall(PetscArraycpy(&(*bulges)[f * F * dim], bulge, F * dim));
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 2, MPIU_REAL, MPIU_MAX, level->comm));
   *left = largest[0];
-  if (largest[1] == 0) PetscCall(PetscFree(*rise));
+  if (largest[1] == 0) PetscCall(PetscFree(*bulges));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode RiseCreateMortar(PetscInt dim, MortarSurface *mortar)
+PetscErrorCode SmoothGapCreateMortar(PetscInt dim, MortarSurface *mortar)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(mortar->num * F * dim, &mortar->rise));
+  PetscCall(PetscCalloc1(mortar->num * F * dim, &mortar->bulges));
   for (PetscInt f = 0; f < mortar->num; f++) {
     if (ElementOrder(mortar->type[f]) > 1) continue;
     (void)ArcBulge(mortar->type[f], &mortar->coords[f * F * dim], &mortar->normals[f * F * dim],
-                   &mortar->rise[f * F * dim]);
+                   &mortar->bulges[f * F * dim]);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -118,22 +118,23 @@ static void SmoothGapAlongRay_Private(const FacetPartner *partner, const ClipFac
   FrameNormalize(dim, n);
 }
 
-PetscReal GapsRise(const FacetPartner *partner, const ClipFacet *facet, const PetscReal rise[], PointList *list)
+PetscReal SmoothGapApply(const FacetPartner *partner, const ClipFacet *facet, const PetscReal bulges[],
+                         OverlapPoints *list)
 {
   const MortarSurface *mortar = partner->mortar;
-  const PetscReal     *rise_m = mortar ? mortar->rise : NULL;
+  const PetscReal     *rise_m = mortar ? mortar->bulges : NULL;
   PetscReal            most   = 0;
 
-  if (!rise && !rise_m) return 0;
+  if (!bulges && !rise_m) return 0;
   for (PetscInt p = 0; p < list->num; p++) {
     ClipPoint     *point = &list->point[p];
     const PetscInt f     = list->facet[p];
     PetscReal      n[3], off = 0;
 
     SmoothGapAlongRay_Private(partner, facet, point->xi, n);
-    if (rise && ElementOrder(facet->type) == 1) off -= ArcRise(facet->type, rise, point->xi, n);
+    if (bulges && ElementOrder(facet->type) == 1) off -= ArcHeight(facet->type, bulges, point->xi, n);
     if (rise_m && ElementOrder(mortar->type[f]) == 1)
-      off += ArcRise(mortar->type[f], &rise_m[f * F * partner->dim], point->eta, n);
+      off += ArcHeight(mortar->type[f], &rise_m[f * F * partner->dim], point->eta, n);
     point->gap += off;
     most = PetscMax(most, PetscAbsReal(off));
   }

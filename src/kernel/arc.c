@@ -57,7 +57,7 @@ PetscBool ArcBulge(ElementType type, const PetscReal X[], const PetscReal N[], P
   return any;
 }
 
-PetscReal ArcRise(ElementType type, const PetscReal bulge[], const PetscReal xi[], const PetscReal n[])
+PetscReal ArcHeight(ElementType type, const PetscReal bulge[], const PetscReal xi[], const PetscReal n[])
 {
   const ElementType curved = ElementOfOrder(type, 2);
   const PetscInt    dim = ElementDim(type) + 1, num = ElementNumNodes(type), num_all = ElementNumNodes(curved);

@@ -17,6 +17,6 @@ void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const P
 PetscBool ArcBulge(ElementType type, const PetscReal X[], const PetscReal N[], PetscReal bulge[]);
 
 /* That at xi, along a direction. [in] type - of first order; n - [dim] */
-PetscReal ArcRise(ElementType type, const PetscReal bulge[], const PetscReal xi[], const PetscReal n[]);
+PetscReal ArcHeight(ElementType type, const PetscReal bulge[], const PetscReal xi[], const PetscReal n[]);
 
 #endif

@@ -29,12 +29,12 @@ static const Part TETRAHEDRON_PARTS[8] = {{{0, 0, 0}, UNIT},     {{1, 0, 0}, UNI
                                           {{0, 0, 1}, UNIT},     {{1, 0, 0}, INNER[0]}, {{1, 0, 0}, INNER[1]},
                                           {{1, 0, 0}, INNER[2]}, {{1, 0, 0}, INNER[3]}};
 
-ElementPiece ElementPieceWhole(void)
+CellPiece CellPieceWhole(void)
 {
-  return (ElementPiece){{0., 0., 0.}, {{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}, 1., 1.};
+  return (CellPiece){{0., 0., 0.}, {{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}, 1., 1.};
 }
 
-void ElementPiecePoint(ElementType type, const ElementPiece *piece, const PetscReal inside[], PetscReal xi[])
+void CellPiecePoint(ElementType type, const CellPiece *piece, const PetscReal inside[], PetscReal xi[])
 {
   const PetscInt dim = REFERENCE[type].dim;
 
@@ -45,8 +45,7 @@ void ElementPiecePoint(ElementType type, const ElementPiece *piece, const PetscR
 }
 
 /* v = sum_k halves_k axes_k / 2 */
-static void CellPieceCombineAxes_Private(PetscInt dim, const PetscInt halves[3], const ElementPiece *piece,
-                                         PetscReal v[3])
+static void CellPieceCombineAxes_Private(PetscInt dim, const PetscInt halves[3], const CellPiece *piece, PetscReal v[3])
 {
   for (PetscInt j = 0; j < dim; j++) {
     v[j] = 0.;
@@ -54,13 +53,13 @@ static void CellPieceCombineAxes_Private(PetscInt dim, const PetscInt halves[3],
   }
 }
 
-PetscInt ElementPieceCut(ElementType type, const ElementPiece *piece, ElementPiece parts[])
+PetscInt CellPieceCut(ElementType type, const CellPiece *piece, CellPiece parts[])
 {
   const PetscInt dim = REFERENCE[type].dim, num = 1 << dim;
   const Part    *part = !REFERENCE[type].simplex ? BOX_PARTS : (dim == 2 ? TRIANGLE_PARTS : TETRAHEDRON_PARTS);
 
   for (PetscInt i = 0; i < num; i++) {
-    parts[i] = ElementPieceWhole(); /* for the axes that a plane cell does not have */
+    parts[i] = CellPieceWhole(); /* for the axes that a plane cell does not have */
     CellPieceCombineAxes_Private(dim, part[i].origin, piece, parts[i].origin);
     for (PetscInt j = 0; j < dim; j++) parts[i].origin[j] += piece->origin[j];
     for (PetscInt k = 0; k < dim; k++) CellPieceCombineAxes_Private(dim, part[i].axes[k], piece, parts[i].axes[k]);

@@ -27,12 +27,12 @@
 #include "kernel/roots.h"
 #include "kernel/vector.h"
 
-/* Pieces below this share of the facet are skipped: their ends differ by little more than roundoff. */
+/* Components below this share of the facet are skipped: their ends differ by little more than roundoff. */
 static const PetscReal SHORTEST_PIECE = 1e-12;
 
 enum { MAX_ORDER = 2, MAX_CUTS = 2 + 2 * 2 * MAX_ORDER }; /* two ends of the facet, the roots of two mortar ends */
 
-/* Shares of the nonmortar facet's size, and of its square: distances and areas of roundoff. */
+/* PartitionWeights of the nonmortar facet's size, and of its square: distances and areas of roundoff. */
 static const PetscReal SAME_POINT = 1e-13, NO_AREA = 1e-14;
 
 /* Share of the size by which a point lies inside of a polygon whatever roundoff says. */
@@ -122,7 +122,7 @@ static void ClipAddPiece_Private(const ClipFacet *nonmortar, const ClipFacet *mo
   const PetscInt num_nodes = ElementNumNodes(mortar->type);
   PetscReal      s[CLIP_MAX_GAUSS], w[CLIP_MAX_GAUSS];
 
-  GaussLine(num_gauss, s, w);
+  QuadratureLine(num_gauss, s, w);
   for (PetscInt q = 0; q < num_gauss; q++) {
     const PetscReal xi = (1. - s[q]) * cuts[0] + s[q] * cuts[1];
     PetscReal       x[2], y[2], n[2], f[ELEMENT_MAX_FACET_NODES], phi[ELEMENT_MAX_NODES];
@@ -247,7 +247,7 @@ static PetscReal ClipMapBilinear_Private(const PetscReal map[], const PetscReal 
 
 /* Pulls p back to the facet's reference cell by the map of a part, by Newton's method, which ends after one step where the map is
    affine; returns how much larger areas are there than in the plane, 0 where it fails. [out] xi - [2] */
-static PetscReal ClipPullBackPart_Private(const ShadowPart *part, const PetscReal p[], PetscReal xi[])
+static PetscReal ClipPullBackPart_Private(const FacetPart *part, const PetscReal p[], PetscReal xi[])
 {
   const PetscInt max_steps = part->affine ? 1 : NEWTON_MAX_STEPS;
   PetscReal      s[2] = {0.5, 0.5}, x[2], d[4], step = PETSC_MAX_REAL, area;
@@ -269,7 +269,7 @@ static PetscReal ClipPullBackPart_Private(const ShadowPart *part, const PetscRea
 
 /* Where the mortar facet lies before p: by the map of its part, then, where that is not the facet's own, on the true facet.
    Should this lead far away the part has the word. [out] eta - [2] */
-static PetscBool ClipPullBackMortar_Private(const Shadow *mortar, const ShadowPart *part, const PetscReal p[],
+static PetscBool ClipPullBackMortar_Private(const FacetPolygon *mortar, const FacetPart *part, const PetscReal p[],
                                             PetscReal eta[])
 {
   PetscReal true_eta[2];
@@ -285,8 +285,8 @@ static PetscBool ClipPullBackMortar_Private(const Shadow *mortar, const ShadowPa
 }
 
 /* The quadrature point at p, of the given area in the plane. Returns whether there is one. */
-static PetscBool ClipSetPoint_Private(const ShadowPlane *plane, const Shadow *nonmortar, const ShadowPart *own,
-                                      const Shadow *mortar, const ShadowPart *other, const PetscReal p[],
+static PetscBool ClipSetPoint_Private(const FacetPlane *plane, const FacetPolygon *nonmortar, const FacetPart *own,
+                                      const FacetPolygon *mortar, const FacetPart *other, const PetscReal p[],
                                       ClipPoint *point)
 {
   PetscReal       x[3], y[3], at[2], phi[ELEMENT_MAX_NODES];
@@ -294,7 +294,7 @@ static PetscBool ClipSetPoint_Private(const ShadowPlane *plane, const Shadow *no
 
   if (ratio == 0.) return PETSC_FALSE;
   point->weight = ratio * ElementSurface(nonmortar->facet->type, nonmortar->facet->X, point->xi, x, phi, NULL);
-  ShadowPlaneProject(plane, 1, x, at);
+  FacetPolygonProjectPoints(plane, 1, x, at);
   if (!ClipPullBackMortar_Private(mortar, other, at, point->eta)) return PETSC_FALSE;
   ElementSurface(mortar->facet->type, mortar->facet->X, point->eta, y, phi, NULL);
   point->gap = 0.;
@@ -325,20 +325,20 @@ static PetscInt ClipTriangulate_Private(PetscInt n, const PetscReal P[], PetscBo
 }
 
 /* The planes' parts of both facets; returns whether they may meet. */
-static PetscBool ClipProjectFacets_Private(const ClipFacet *nonmortar, const ClipFacet *mortar, ShadowPlane *plane,
-                                           Shadow *own, Shadow *other)
+static PetscBool ClipProjectFacets_Private(const ClipFacet *nonmortar, const ClipFacet *mortar, FacetPlane *plane,
+                                           FacetPolygon *own, FacetPolygon *other)
 {
-  ShadowPlaneSet(nonmortar, plane);
-  ShadowProject(plane, nonmortar, own);
-  ShadowProject(plane, mortar, other);
-  if (!ShadowsMeet(own, other)) return PETSC_FALSE;
-  ShadowCut(plane, own);
-  ShadowCut(plane, other);
+  FacetPolygonSetPlane(nonmortar, plane);
+  FacetPolygonProject(plane, nonmortar, own);
+  FacetPolygonProject(plane, mortar, other);
+  if (!FacetPolygonsMeet(own, other)) return PETSC_FALSE;
+  FacetPolygonSplit(plane, own);
+  FacetPolygonSplit(plane, other);
   return PETSC_TRUE;
 }
 
 /* The common part of two parts; returns the number of its vertices, 0 where it has no area. [out] P - [POLYGON_MAX_VERTICES][2] */
-static PetscInt ClipIntersectParts_Private(const ShadowPart *a, const ShadowPart *b, PetscReal size, PetscReal P[])
+static PetscInt ClipIntersectParts_Private(const FacetPart *a, const FacetPart *b, PetscReal size, PetscReal P[])
 {
   const PetscInt n =
       PolygonIntersect(ElementNumNodes(a->type), a->plane, ElementNumNodes(b->type), b->plane, SAME_POINT * size, P);
@@ -351,13 +351,13 @@ static PetscInt ClipPolygonCorners_Private(const ClipFacet *nonmortar, const Cli
   PetscReal       P[2 * POLYGON_MAX_VERTICES], X[3 * ELEMENT_MAX_FACET_NODES], Y[3 * ELEMENT_MAX_FACET_NODES];
   PetscInt        num  = 0;
   const ClipFacet near = ClipFacetFrom(3, nonmortar->X, nonmortar, X), far = ClipFacetFrom(3, nonmortar->X, mortar, Y);
-  ShadowPlane     plane;
-  Shadow          own, other;
+  FacetPlane      plane;
+  FacetPolygon    own, other;
 
   if (!ClipProjectFacets_Private(&near, &far, &plane, &own, &other)) return 0;
   for (PetscInt pair = 0; pair < own.num_parts * other.num_parts; pair++) {
-    const ShadowPart *a = &own.parts[pair / other.num_parts];
-    const PetscInt    n = ClipIntersectParts_Private(a, &other.parts[pair % other.num_parts], plane.size, P);
+    const FacetPart *a = &own.parts[pair / other.num_parts];
+    const PetscInt   n = ClipIntersectParts_Private(a, &other.parts[pair % other.num_parts], plane.size, P);
 
     for (PetscInt i = 0; i < n; i++) num += ClipPullBackPart_Private(a, &P[2 * i], &xi[2 * num]) > 0. ? 1 : 0;
   }
@@ -370,19 +370,19 @@ PetscInt ClipPolygons(const ClipFacet *nonmortar, const ClipFacet *mortar, Petsc
   PetscReal       X[3 * ELEMENT_MAX_FACET_NODES], Y[3 * ELEMENT_MAX_FACET_NODES];
   PetscInt        num_rule, num = 0;
   PetscBool       enough;
-  ShadowPlane     plane;
-  Shadow          own, other;
+  FacetPlane      plane;
+  FacetPolygon    own, other;
   const ClipFacet near = ClipFacetFrom(3, nonmortar->X, nonmortar, X), far = ClipFacetFrom(3, nonmortar->X, mortar, Y);
 
   if (!ClipProjectFacets_Private(&near, &far, &plane, &own, &other)) return 0;
-  num_rule = ElementQuadrature(ELEMENT_TRI3, degree, xi, w);
+  num_rule = QuadratureRule(ELEMENT_TRI3, degree, xi, w);
   enough = num_rule >= ElementNumNodes(nonmortar->type) ? PETSC_TRUE : PETSC_FALSE; /* to tell shape functions apart */
   for (PetscInt pair = 0; pair < own.num_parts * other.num_parts; pair++) {
-    const ShadowPart *a = &own.parts[pair / other.num_parts], *b = &other.parts[pair % other.num_parts];
-    const PetscInt    n = ClipIntersectParts_Private(a, b, plane.size, P);
-    PetscReal         triangles[6 * POLYGON_MAX_VERTICES];
-    PetscInt          num_triangles;
-    PetscBool         exact;
+    const FacetPart *a = &own.parts[pair / other.num_parts], *b = &other.parts[pair % other.num_parts];
+    const PetscInt   n = ClipIntersectParts_Private(a, b, plane.size, P);
+    PetscReal        triangles[6 * POLYGON_MAX_VERTICES];
+    PetscInt         num_triangles;
+    PetscBool        exact;
 
     if (!n) continue;
     exact         = a->affine && b->affine && enough ? PETSC_TRUE : PETSC_FALSE;
@@ -401,7 +401,7 @@ PetscInt ClipPolygons(const ClipFacet *nonmortar, const ClipFacet *mortar, Petsc
 }
 
 /* Whether p lies inside of a part. */
-static PetscBool ClipPartHolds_Private(const ShadowPart *part, const PetscReal p[], PetscReal size)
+static PetscBool ClipPartHolds_Private(const FacetPart *part, const PetscReal p[], PetscReal size)
 {
   const PetscInt n = ElementNumNodes(part->type);
 
@@ -418,15 +418,15 @@ PetscBool ClipSees(const ClipFacet *nonmortar, const ClipFacet *mortar, const Pe
 {
   PetscReal       x[3], y[3], at[2], eta[2], phi[ELEMENT_MAX_NODES];
   PetscReal       X[3 * ELEMENT_MAX_FACET_NODES], Y[3 * ELEMENT_MAX_FACET_NODES];
-  ShadowPlane     plane;
-  Shadow          other;
+  FacetPlane      plane;
+  FacetPolygon    other;
   const ClipFacet near = ClipFacetFrom(3, nonmortar->X, nonmortar, X), far = ClipFacetFrom(3, nonmortar->X, mortar, Y);
 
-  ShadowPlaneSet(&near, &plane);
-  ShadowProject(&plane, &far, &other);
-  ShadowCut(&plane, &other);
+  FacetPolygonSetPlane(&near, &plane);
+  FacetPolygonProject(&plane, &far, &other);
+  FacetPolygonSplit(&plane, &other);
   ElementSurface(near.type, near.X, xi, x, phi, NULL);
-  ShadowPlaneProject(&plane, 1, x, at);
+  FacetPolygonProjectPoints(&plane, 1, x, at);
   for (PetscInt i = 0; i < other.num_parts; i++) {
     if (!ClipPartHolds_Private(&other.parts[i], at, plane.size)) continue;
     if (!ClipPullBackMortar_Private(&other, &other.parts[i], at, eta)) continue;

@@ -46,7 +46,7 @@ ClipFacet ClipFacetFrom(PetscInt dim, const PetscReal origin[], const ClipFacet 
 
 /* Quadrature points of the overlap of two line facets, piece by piece along the nonmortar one, num_gauss on each;
    returns their number, 0 where the facets do not overlap. The pieces over a chain of mortar facets share their ends
-   exactly. Pieces shorter than 1e-12 of the facet are skipped. Mortar ends run opposite to the nonmortar ends on facing
+   exactly. Components shorter than 1e-12 of the facet are skipped. Mortar ends run opposite to the nonmortar ends on facing
    bodies; either order is accepted. [in] num_gauss - 1..CLIP_MAX_GAUSS; [out] points - [CLIP_MAX_POINTS] */
 PetscInt ClipLines(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscInt num_gauss, ClipPoint points[]);
 

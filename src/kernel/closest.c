@@ -85,7 +85,7 @@ static PetscBool ClosestPointFindFoot_Private(ElementType type, const PetscReal 
   return (PetscBool)(simplex ? eta[0] + eta[1] <= 1 + ON_EDGE : PetscMax(eta[0], eta[1]) <= 1 + ON_EDGE);
 }
 
-PetscReal FacetClosest(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal x[], PetscReal eta[])
+PetscReal ClosestPointOnFacet(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal x[], PetscReal eta[])
 {
   static const Segment line            = {{0}, {1}};
   static const Segment triangle[3]     = {{{0, 0}, {1, 0}}, {{1, 0}, {-1, 1}}, {{0, 1}, {0, -1}}};

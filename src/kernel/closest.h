@@ -6,6 +6,7 @@
 
 /* Nearest point of a facet, straight or curved, its edges included. Returns its squared distance.
    [in] X - nodes [num_nodes][dim]; [in] x - [dim]; [out] eta - on the reference cell [ElementDim] */
-PetscReal FacetClosest(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal x[], PetscReal eta[]);
+PetscReal ClosestPointOnFacet(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal x[],
+                              PetscReal eta[]);
 
 #endif

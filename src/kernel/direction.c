@@ -13,7 +13,7 @@ static const PetscReal NONE = 1e-8;
    is then multiplied by ten at most. */
 static const PetscReal COUPLED = 0.01;
 
-/* Shares of the two directions. */
+/* PartitionWeights of the two directions. */
 typedef struct {
   PetscInt  num;
   PetscReal s[4], sum[4]; /* S_s, S_s + S_m in the tangent plane [num][num] */
@@ -32,8 +32,8 @@ static void DirectionToPlane_Private(PetscInt dim, const PetscReal Q[], const Pe
   }
 }
 
-void CurvatureTransport(PetscInt dim, const PetscReal S[], const PetscReal from[], const PetscReal to[],
-                        PetscReal turned[])
+void DirectionTransportCurvature(PetscInt dim, const PetscReal S[], const PetscReal from[], const PetscReal to[],
+                                 PetscReal turned[])
 {
   PetscReal R[9], cosine = 0;
 
@@ -99,7 +99,7 @@ static PetscReal DirectionLargestEntry_Private(PetscInt num, const PetscReal A[]
   return most;
 }
 
-void ContactDirection(PetscInt dim, const SurfacePoint *nonmortar, const SurfacePoint *mortar, PetscReal n[])
+void DirectionOfContact(PetscInt dim, const SurfacePoint *nonmortar, const SurfacePoint *mortar, PetscReal n[])
 {
   Relative  r = {.num = dim - 1};
   PetscReal mean[3], Q[9], tilt[2] = {0, 0}, w[2], change[2], m[4], size, S[9], back[3];
@@ -113,10 +113,10 @@ void ContactDirection(PetscInt dim, const SurfacePoint *nonmortar, const Surface
   for (PetscInt k = 0; k < dim; ++k) mean[k] = nonmortar->normal[k] - mortar->normal[k];
   FrameNormalize(dim, mean);
   FrameFromNormal(dim, mean, Q);
-  CurvatureTransport(dim, nonmortar->curvature, nonmortar->normal, mean, S);
+  DirectionTransportCurvature(dim, nonmortar->curvature, nonmortar->normal, mean, S);
   DirectionToPlane_Private(dim, Q, S, r.s);
   for (PetscInt k = 0; k < dim; ++k) back[k] = -mean[k];
-  CurvatureTransport(dim, mortar->curvature, mortar->normal, back, S);
+  DirectionTransportCurvature(dim, mortar->curvature, mortar->normal, back, S);
   DirectionToPlane_Private(dim, Q, S, m);
   for (PetscInt a = 0; a < r.num * r.num; ++a) r.sum[a] = r.s[a] + m[a];
   DirectionSetPrincipal_Private(&r);

@@ -11,11 +11,11 @@ typedef struct {
 
 /* n = n_s - sum_i w_i (d_i . (n_s + n_m)) d_i,  w = S_s (S_s + S_m)^-1 between 0 and 1: the line of centres of two bodies that
    touch near these points, the normal of the flatter one where one lies in the other. Unit. The surfaces face each other. */
-void ContactDirection(PetscInt dim, const SurfacePoint *nonmortar, const SurfacePoint *mortar, PetscReal n[]);
+void DirectionOfContact(PetscInt dim, const SurfacePoint *nonmortar, const SurfacePoint *mortar, PetscReal n[]);
 
 /* The shape operator of a surface as seen in another tangent plane: turned with the normal, the shortest way, so that principal curvatures
    stay. [in] S - [dim][dim], across `from`; [in] from, to - unit, not opposite; [out] turned - across `to` [dim][dim] */
-void CurvatureTransport(PetscInt dim, const PetscReal S[], const PetscReal from[], const PetscReal to[],
-                        PetscReal turned[]);
+void DirectionTransportCurvature(PetscInt dim, const PetscReal S[], const PetscReal from[], const PetscReal to[],
+                                 PetscReal turned[]);
 
 #endif

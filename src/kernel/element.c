@@ -171,7 +171,7 @@ void ElementRuleSet(ElementType type, PetscInt degree, ElementRule *rule)
   PetscReal        xi[ELEMENT_MAX_POINTS * MAX_DIM];
 
   rule->type = type;
-  rule->num  = ElementQuadrature(type, degree, xi, rule->weight);
+  rule->num  = QuadratureRule(type, degree, xi, rule->weight);
   for (PetscInt q = 0; q < rule->num; q++)
     cell->shape(&xi[q * cell->dim], &rule->phi[q * n], &rule->dphi[q * n * cell->dim]);
 }

@@ -60,10 +60,10 @@ void ElementShape(ElementType type, const PetscReal xi[], PetscReal phi[], Petsc
 /* A rule on the reference cell that is exact for polynomials up to degree (tensor degree on quads and hexes).
    Highest degree: 15 on lines and quads, 14 on triangles, 11 on hexes, 10 on tets. Returns n, 0 beyond.
    [out] points - [n][ElementDim]; [out] weights - [n], summing to the reference measure */
-PetscInt ElementQuadrature(ElementType type, PetscInt degree, PetscReal points[], PetscReal weights[]);
+PetscInt QuadratureRule(ElementType type, PetscInt degree, PetscReal points[], PetscReal weights[]);
 
 /* n Gauss-Legendre points on [0,1], n = 1..8: exact to degree 2n-1. Returns n. */
-PetscInt GaussLine(PetscInt n, PetscReal points[], PetscReal weights[]);
+PetscInt QuadratureLine(PetscInt n, PetscReal points[], PetscReal weights[]);
 
 /* Geometry at xi of a cell with nodes at X: x and the gradients d phi_i / d x_k (either may be NULL); returns det J.
    [in] X - [num_nodes][dim], dim = ElementDim; [out] x - [dim]; [out] phi - [num_nodes];
@@ -82,18 +82,18 @@ typedef struct {
   PetscReal origin[3], axes[3][3];
   PetscReal size;    /* of the whole cell: 1, 1/2, 1/4, ... */
   PetscReal measure; /* of the whole cell's measure */
-} ElementPiece;
+} CellPiece;
 
 enum { ELEMENT_MAX_PIECES = 8 };
 
 /* The whole cell as a piece. */
-ElementPiece ElementPieceWhole(void);
+CellPiece CellPieceWhole(void);
 /* xi of a point xi' of the piece, [ElementDim] each. */
-void ElementPiecePoint(ElementType type, const ElementPiece *piece, const PetscReal inside[], PetscReal xi[]);
+void CellPiecePoint(ElementType type, const CellPiece *piece, const PetscReal inside[], PetscReal xi[]);
 /* Cuts a piece of a 2D or 3D cell through the middles of its edges into parts of equal measure; returns their number.
    Triangles and boxes fall into parts like themselves; of a tetrahedron its corners are cut off, and what is left is cut
    along a diagonal. [out] parts - [ELEMENT_MAX_PIECES] */
-PetscInt ElementPieceCut(ElementType type, const ElementPiece *piece, ElementPiece parts[]);
+PetscInt CellPieceCut(ElementType type, const CellPiece *piece, CellPiece parts[]);
 
 /* A rule on the reference cell with the shape functions at its points: what does not change from cell to cell. */
 typedef struct {
@@ -104,7 +104,7 @@ typedef struct {
   PetscReal   dphi[ELEMENT_MAX_POINTS * ELEMENT_MAX_NODES * 3]; /* [num][num_nodes][ElementDim] */
 } ElementRule;
 
-/* As ElementQuadrature(); num is 0 beyond the highest degree. */
+/* As QuadratureRule(); num is 0 beyond the highest degree. */
 void ElementRuleSet(ElementType type, PetscInt degree, ElementRule *rule);
 /* ElementMap() at point q; x and grad may be NULL. */
 PetscReal ElementRuleMap(const ElementRule *rule, PetscInt q, const PetscReal X[], PetscReal x[], PetscReal grad[]);

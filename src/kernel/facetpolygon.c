@@ -5,7 +5,7 @@
 #include "kernel/frame.h"
 #include "kernel/facetpolygon.h"
 
-/* Shares of the nonmortar facet's size, and of its square: distances and areas of roundoff. */
+/* PartitionWeights of the nonmortar facet's size, and of its square: distances and areas of roundoff. */
 static const PetscReal SAME_POINT = 1e-13, NO_AREA = 1e-14;
 /* A node that is off by less than this share is where a straight facet has it. */
 static const PetscReal STRAIGHT = 1e-12;
@@ -13,7 +13,7 @@ static const PetscReal STRAIGHT = 1e-12;
    corners as a share of the mean one. */
 static const PetscReal CONVEX_SHARE = 1e-2;
 
-void ShadowPlaneProject(const ShadowPlane *plane, PetscInt n, const PetscReal X[], PetscReal P[])
+void FacetPolygonProjectPoints(const FacetPlane *plane, PetscInt n, const PetscReal X[], PetscReal P[])
 {
   for (PetscInt i = 0; i < n; i++) {
     for (PetscInt t = 0; t < 2; t++) {
@@ -25,7 +25,7 @@ void ShadowPlaneProject(const ShadowPlane *plane, PetscInt n, const PetscReal X[
   }
 }
 
-void ShadowPlaneSet(const ClipFacet *nonmortar, ShadowPlane *plane)
+void FacetPolygonSetPlane(const ClipFacet *nonmortar, FacetPlane *plane)
 {
   const PetscInt n         = ElementNumNodes(nonmortar->type);
   PetscReal      normal[3] = {0.}, P[2 * ELEMENT_MAX_FACET_NODES];
@@ -39,7 +39,7 @@ void ShadowPlaneSet(const ClipFacet *nonmortar, ShadowPlane *plane)
   }
   FrameNormalize(3, normal);
   FrameFromNormal(3, normal, plane->Q);
-  ShadowPlaneProject(plane, n, nonmortar->X, P);
+  FacetPolygonProjectPoints(plane, n, nonmortar->X, P);
   plane->size = 0.;
   for (PetscInt i = 0; i < 2 * n; i++) plane->size = PetscMax(plane->size, 2. * PetscAbsReal(P[i]));
 }
@@ -67,10 +67,10 @@ static void FacetPolygonSetMap_Private(PetscInt num, const PetscReal P[], PetscR
 }
 
 /* Appends the part with the given nodes of the facet, turned anticlockwise; none where it has no area. */
-static void FacetPolygonAddPart_Private(PetscInt num, const PetscInt nodes[], PetscReal size, Shadow *shadow)
+static void FacetPolygonAddPart_Private(PetscInt num, const PetscInt nodes[], PetscReal size, FacetPolygon *shadow)
 {
-  ShadowPart *part = &shadow->parts[shadow->num_parts];
-  PetscReal   P[2 * POLYGON_MAX_CORNERS], area;
+  FacetPart *part = &shadow->parts[shadow->num_parts];
+  PetscReal  P[2 * POLYGON_MAX_CORNERS], area;
 
   for (PetscInt i = 0; i < 2 * num; i++) P[i] = shadow->plane[2 * nodes[i / 2] + i % 2];
   area = PolygonArea(num, P);
@@ -92,7 +92,7 @@ static void FacetPolygonAddPart_Private(PetscInt num, const PetscInt nodes[], Pe
 }
 
 /* Appends a quad, or two triangles that meet at its flattest corner, where it is not convex. [in] nodes - [4] */
-static void FacetPolygonAddQuad_Private(const PetscInt nodes[], PetscReal size, Shadow *shadow)
+static void FacetPolygonAddQuad_Private(const PetscInt nodes[], PetscReal size, FacetPolygon *shadow)
 {
   PetscReal corner[4], sum = 0., sense;
   PetscInt  flattest = 0;
@@ -124,7 +124,7 @@ static void FacetPolygonAddQuad_Private(const PetscInt nodes[], PetscReal size, 
 
 /* Whether the middle nodes are where a facet of first order with the same vertices has these places: then it has the same
    map from the reference cell into the plane, however the facet bulges out of the plane. */
-static PetscBool FacetPolygonIsStraight_Private(const Shadow *shadow, PetscReal size)
+static PetscBool FacetPolygonIsStraight_Private(const FacetPolygon *shadow, PetscReal size)
 {
   const ElementType type = shadow->facet->type, linear = ElementLinear(type);
 
@@ -143,7 +143,7 @@ static PetscBool FacetPolygonIsStraight_Private(const Shadow *shadow, PetscReal 
 }
 
 /* The parts of a facet whose nodes are in the plane. */
-void ShadowCut(const ShadowPlane *plane, Shadow *shadow)
+void FacetPolygonSplit(const FacetPlane *plane, FacetPolygon *shadow)
 {
   static const PetscInt tri6[4][3]  = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
   static const PetscInt quad9[4][4] = {{0, 4, 8, 7}, {4, 1, 5, 8}, {8, 5, 2, 6}, {7, 8, 6, 3}};
@@ -164,17 +164,17 @@ void ShadowCut(const ShadowPlane *plane, Shadow *shadow)
   }
 }
 
-void ShadowProject(const ShadowPlane *plane, const ClipFacet *facet, Shadow *shadow)
+void FacetPolygonProject(const FacetPlane *plane, const ClipFacet *facet, FacetPolygon *shadow)
 {
   shadow->facet = facet;
-  ShadowPlaneProject(plane, ElementNumNodes(facet->type), facet->X, shadow->plane);
+  FacetPolygonProjectPoints(plane, ElementNumNodes(facet->type), facet->X, shadow->plane);
 }
 
 /* Whether the boxes of the polygons of two shadows meet. */
-PetscBool ShadowsMeet(const Shadow *a, const Shadow *b)
+PetscBool FacetPolygonsMeet(const FacetPolygon *a, const FacetPolygon *b)
 {
-  const Shadow *shadow[2] = {a, b};
-  PetscReal     box[2][4];
+  const FacetPolygon *shadow[2] = {a, b};
+  PetscReal           box[2][4];
 
   for (PetscInt s = 0; s < 2; s++) {
     for (PetscInt k = 0; k < 2; k++) {

@@ -5,7 +5,7 @@
 
    References:
      [1] G. R. Cowper, Gaussian quadrature formulas for triangles, Int. J. Numer. Meth. Engng 7 (1973).
-     [2] A. H. Stroud, Approximate Calculation of Multiple Integrals (1971), T2:5-1.
+     [2] A. H. Stroud, Approximate Calculation of Multiple MortarIntegrals (1971), T2:5-1.
      [3] N. J. Walkington, Quadrature on simplices of arbitrary dimension (2000). */
 #include "kernel/element.h"
 
@@ -31,7 +31,7 @@ static const PetscReal GAUSS_WEIGHTS[GAUSS_MAX][GAUSS_HALF] = {
     {0.064742483084434846635, 0.13985269574463833395, 0.19091502525255947248, 0.20897959183673469388},
     {0.050614268145188129576, 0.11119051722668723527, 0.15685332293894364367, 0.18134189168918099148}};
 
-PetscInt GaussLine(PetscInt n, PetscReal points[], PetscReal weights[])
+PetscInt QuadratureLine(PetscInt n, PetscReal points[], PetscReal weights[])
 {
   for (PetscInt i = 0; i < (n + 1) / 2; i++) {
     points[n - 1 - i] = 1. - GAUSS_POINTS[n - 1][i];
@@ -58,7 +58,7 @@ static PetscInt QuadratureProductRule_Private(PetscInt dim, const PetscInt degre
   for (PetscInt k = 0; k < dim; k++) {
     n[k] = QuadratureNumGauss_Private(degree[k]);
     if (n[k] > GAUSS_MAX) return 0;
-    GaussLine(n[k], x[k], w[k]);
+    QuadratureLine(n[k], x[k], w[k]);
     num *= n[k];
   }
   if (num > ELEMENT_MAX_POINTS) return 0;
@@ -197,7 +197,7 @@ static PetscInt QuadratureTetrahedronRule_Private(PetscInt degree, PetscReal poi
   return QuadratureCollapsedRule_Private(3, degree, points, weights);
 }
 
-PetscInt ElementQuadrature(ElementType type, PetscInt degree, PetscReal points[], PetscReal weights[])
+PetscInt QuadratureRule(ElementType type, PetscInt degree, PetscReal points[], PetscReal weights[])
 {
   const PetscInt degrees[3] = {degree, degree, degree};
 

@@ -1,7 +1,7 @@
 /* shapefunction.c -- shape functions of the reference cells: Lagrange polynomials of their nodes. */
 #include "kernel/shapefunction.h"
 
-void ShapeLine2(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
+void ShapeFunctionLine2(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 {
   phi[0]  = 1. - xi[0];
   phi[1]  = xi[0];
@@ -10,7 +10,7 @@ void ShapeLine2(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 }
 
 /* Ends, then the middle. */
-void ShapeLine3(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
+void ShapeFunctionLine3(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 {
   const PetscReal s = xi[0];
 
@@ -22,7 +22,7 @@ void ShapeLine3(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
   dphi[2] = 4. - 8. * s;
 }
 
-void ShapeTri3(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
+void ShapeFunctionTri3(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 {
   phi[0]  = 1. - xi[0] - xi[1];
   phi[1]  = xi[0];
@@ -32,7 +32,7 @@ void ShapeTri3(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
   dphi[3] = dphi[4] = 0.;
 }
 
-void ShapeTet4(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
+void ShapeFunctionTet4(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 {
   phi[0] = 1. - xi[0] - xi[1] - xi[2];
   for (PetscInt k = 0; k < 3; k++) {
@@ -58,21 +58,21 @@ static void ShapeFunctionSimplex_Private(PetscInt dim, PetscInt num_edges, const
   }
 }
 
-void ShapeTri6(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
+void ShapeFunctionTri6(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 {
   static const PetscInt edge[3][2] = {{0, 1}, {1, 2}, {2, 0}};
   PetscReal             l[3], dl[6];
 
-  ShapeTri3(xi, l, dl);
+  ShapeFunctionTri3(xi, l, dl);
   ShapeFunctionSimplex_Private(2, 3, edge, l, dl, phi, dphi);
 }
 
-void ShapeTet10(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
+void ShapeFunctionTet10(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 {
   static const PetscInt edge[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
   PetscReal             l[4], dl[12];
 
-  ShapeTet4(xi, l, dl);
+  ShapeFunctionTet4(xi, l, dl);
   ShapeFunctionSimplex_Private(3, 6, edge, l, dl, phi, dphi);
 }
 
@@ -93,18 +93,18 @@ static void ShapeFunctionProduct_Private(ShapeFn *line, PetscInt num_nodes, cons
   }
 }
 
-void ShapeQuad4(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
+void ShapeFunctionQuad4(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 {
   static const PetscInt node[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
-  ShapeFunctionProduct_Private(ShapeLine2, 4, node, xi, phi, dphi);
+  ShapeFunctionProduct_Private(ShapeFunctionLine2, 4, node, xi, phi, dphi);
 }
 
-void ShapeQuad9(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
+void ShapeFunctionQuad9(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 {
   static const PetscInt node[9][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 0}, {1, 2}, {2, 1}, {0, 2}, {2, 2}};
 
-  ShapeFunctionProduct_Private(ShapeLine3, 9, node, xi, phi, dphi);
+  ShapeFunctionProduct_Private(ShapeFunctionLine3, 9, node, xi, phi, dphi);
 }
 
 /* Products phi_a(x) phi_b(y) phi_c(z) of the line's functions. [in] node - a, b, c of every node [num_nodes][3] */
@@ -126,21 +126,21 @@ static void ShapeFunctionProduct3_Private(ShapeFn *line, PetscInt num_nodes, con
   }
 }
 
-void ShapeHex8(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
+void ShapeFunctionHex8(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 {
   static const PetscInt node[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                                       {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
 
-  ShapeFunctionProduct3_Private(ShapeLine2, 8, node, xi, phi, dphi);
+  ShapeFunctionProduct3_Private(ShapeFunctionLine2, 8, node, xi, phi, dphi);
 }
 
 /* Vertices; edges of the lower and the upper facet, then upright ones; facets below, above, in front, right, back, left. */
-void ShapeHex27(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
+void ShapeFunctionHex27(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 {
   static const PetscInt node[27][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1},
                                        {0, 1, 1}, {2, 0, 0}, {1, 2, 0}, {2, 1, 0}, {0, 2, 0}, {2, 0, 1}, {1, 2, 1},
                                        {2, 1, 1}, {0, 2, 1}, {0, 0, 2}, {1, 0, 2}, {1, 1, 2}, {0, 1, 2}, {2, 2, 0},
                                        {2, 2, 1}, {2, 0, 2}, {1, 2, 2}, {2, 1, 2}, {0, 2, 2}, {2, 2, 2}};
 
-  ShapeFunctionProduct3_Private(ShapeLine3, 27, node, xi, phi, dphi);
+  ShapeFunctionProduct3_Private(ShapeFunctionLine3, 27, node, xi, phi, dphi);
 }

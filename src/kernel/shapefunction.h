@@ -7,7 +7,7 @@
 /* [in] xi - [dim]; [out] phi - [num_nodes]; [out] dphi - d phi_i / d xi_k, never NULL [num_nodes][dim] */
 typedef void ShapeFn(const PetscReal xi[], PetscReal phi[], PetscReal dphi[]);
 
-ShapeFn ShapeLine2, ShapeLine3, ShapeTri3, ShapeTri6, ShapeQuad4, ShapeQuad9, ShapeTet4, ShapeTet10, ShapeHex8,
-    ShapeHex27;
+ShapeFn ShapeFunctionLine2, ShapeFunctionLine3, ShapeFunctionTri3, ShapeFunctionTri6, ShapeFunctionQuad4,
+    ShapeFunctionQuad9, ShapeFunctionTet4, ShapeFunctionTet10, ShapeFunctionHex8, ShapeFunctionHex27;
 
 #endif

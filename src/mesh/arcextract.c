@@ -95,16 +95,16 @@ static PetscErrorCode GetFacets_Private(const Extract *x, const PetscBool chosen
 
 PetscErrorCode ExtractArcSides(Extract *x, Scene scene, PetscInt body, ArcSides *sides)
 {
-  char      *round, *held;
+  char      *round, *flat;
   PetscBool *chosen;
 
   PetscFunctionBeginUser;
   *sides = (ArcSides){.any = PETSC_FALSE};
   if (x->alone.order > 1 || x->body->polygonal) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(ArcSideNames(scene, body, &round, &held));
+  PetscCall(ArcSideNames(scene, body, &round, &flat));
   PetscCall(ChooseCells_Private(x, &chosen));
   PetscCall(GetFacets_Private(x, chosen, round, &sides->round));
-  PetscCall(GetFacets_Private(x, chosen, held, &sides->held));
+  PetscCall(GetFacets_Private(x, chosen, flat, &sides->flat));
   PetscCall(PetscFree(chosen));
   PetscCall(LevelHasArcs(&x->level, &sides->round, &sides->any));
   if (sides->any) PetscCall(LevelKeepUnmapped(&x->level));

@@ -125,7 +125,7 @@ static PetscErrorCode ArcsSum_Private(Arcs *arcs, const ArcSides *sides)
   PetscCall(VecZeroEntries(local));
   PetscCall(VecGetArray(local, &sums));
   PetscCall(ArcsAdd_Private(arcs, &sides->round, bulge, sums));
-  PetscCall(ArcsAdd_Private(arcs, &sides->held, NULL, sums));
+  PetscCall(ArcsAdd_Private(arcs, &sides->flat, NULL, sums));
   PetscCall(VecRestoreArray(local, &sums));
   PetscCall(VecGhostRestoreLocalForm(arcs->sums, &local));
   PetscCall(LevelShareVec(arcs->sums, ADD_VALUES));

@@ -78,7 +78,7 @@ static PetscErrorCode JoinNames_Private(SideNames *names, char **side)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ArcSideNames(Scene scene, PetscInt body, char **round, char **held)
+PetscErrorCode ArcSideNames(Scene scene, PetscInt body, char **round, char **flat)
 {
   const SceneBody *b       = &scene->bodies[body];
   SideNames        of_pair = {0, NULL}, normal = {0, NULL};
@@ -94,7 +94,7 @@ PetscErrorCode ArcSideNames(Scene scene, PetscInt body, char **round, char **hel
     if (b->boundaries[i].kind == BOUNDARY_NORMAL) PetscCall(SideNamesAdd(&normal, b->boundaries[i].side));
   }
   PetscCall(JoinNames_Private(&of_pair, round));
-  PetscCall(JoinNames_Private(&normal, held));
+  PetscCall(JoinNames_Private(&normal, flat));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -115,12 +115,12 @@ static PetscErrorCode AddFacets_Private(Level *level, PetscInt body, char **side
 /* Adds a body's facets. */
 static PetscErrorCode ArcSidesAdd_Private(Level *level, PetscInt body, ArcSides *sides)
 {
-  char *round, *held;
+  char *round, *flat;
 
   PetscFunctionBeginUser;
-  PetscCall(ArcSideNames(level->scene, body, &round, &held));
+  PetscCall(ArcSideNames(level->scene, body, &round, &flat));
   PetscCall(AddFacets_Private(level, body, &round, &sides->round));
-  PetscCall(AddFacets_Private(level, body, &held, &sides->held));
+  PetscCall(AddFacets_Private(level, body, &flat, &sides->flat));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -142,7 +142,7 @@ PetscErrorCode ArcSidesDestroy(ArcSides *sides)
 {
   PetscFunctionBeginUser;
   PetscCall(FacetsDestroy(&sides->round));
-  PetscCall(FacetsDestroy(&sides->held));
+  PetscCall(FacetsDestroy(&sides->flat));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -1,4 +1,4 @@
-/* components.c -- pieces of bodies: sets of nodes are united cell by cell on every rank, and then passed on from rank to rank by the
+/* components.c -- components of bodies: sets of nodes are united cell by cell on every rank, and then passed on from rank to rank by the
    nodes that several of them hold, until nothing changes. */
 #include "base/compat.h"
 #include "mesh/components.h"
@@ -27,7 +27,7 @@ static void ComponentsUnite_Private(const Level *level, PetscInt parent[])
   for (PetscInt i = 0; i < level->num_nodes; ++i) parent[i] = ComponentsFind_Private(parent, i);
 }
 
-/* The largest global node of the piece of each local node. [in] parent - of ComponentsUnite_Private(); [out] name - [num_nodes] */
+/* The largest global node of the component of each local node. [in] parent - of ComponentsUnite_Private(); [out] name - [num_nodes] */
 static PetscErrorCode ComponentsNumber_Private(Level *level, const PetscInt parent[], PetscInt name[])
 {
   PetscBool    changed = PETSC_TRUE;
@@ -62,8 +62,8 @@ static PetscErrorCode ComponentsNumber_Private(Level *level, const PetscInt pare
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The names and bodies of all pieces on all ranks: a piece is told by the rank that owns the node it is called by.
-   [in] name - [num_nodes]; [out] told - name and body of each piece, names ascending [*num][2], owned by the caller */
+/* The names and bodies of all components on all ranks: a component is told by the rank that owns the node it is called by.
+   [in] name - [num_nodes]; [out] told - name and body of each component, names ascending [*num][2], owned by the caller */
 static PetscErrorCode ComponentsGather_Private(const Level *level, const PetscInt name[], PetscInt *num,
                                                PetscInt **told)
 {
@@ -92,32 +92,32 @@ static PetscErrorCode ComponentsGather_Private(const Level *level, const PetscIn
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Boxes around the nodes of each piece. Collective. [out] box - [num][PIECE_BOX] */
+/* Boxes around the nodes of each component. Collective. [out] box - [num][COMPONENT_BOX] */
 static PetscErrorCode ComponentsSetBoxes_Private(const Level *level, PetscInt num, const PetscInt of_node[],
                                                  PetscReal box[])
 {
   const PetscInt dim = level->dim;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < num * PIECE_BOX; ++i) box[i] = i % 3 < dim ? PETSC_NINFINITY : 0;
+  for (PetscInt i = 0; i < num * COMPONENT_BOX; ++i) box[i] = i % 3 < dim ? PETSC_NINFINITY : 0;
   for (PetscInt a = 0; a < level->num_owned; ++a) {
-    PetscReal *b = &box[of_node[a] * PIECE_BOX];
+    PetscReal *b = &box[of_node[a] * COMPONENT_BOX];
 
     for (PetscInt k = 0; k < dim; ++k) {
       b[k]     = PetscMax(b[k], level->coords[a * dim + k]);
       b[3 + k] = PetscMax(b[3 + k], -level->coords[a * dim + k]);
     }
   }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, box, (PetscMPIInt)(num * PIECE_BOX), MPIU_REAL, MPI_MAX, level->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, box, (PetscMPIInt)(num * COMPONENT_BOX), MPIU_REAL, MPI_MAX, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether piece i comes before piece j: largest and smallest coordinates are the same numbers on any number of ranks. */
+/* Whether component i comes before component j: largest and smallest coordinates are the same numbers on any number of ranks. */
 static PetscBool ComponentsCompare_Private(const PetscInt told[], const PetscReal box[], PetscInt i, PetscInt j)
 {
   if (told[2 * i + 1] != told[2 * j + 1]) return (PetscBool)(told[2 * i + 1] < told[2 * j + 1]);
   for (PetscInt k = 0; k < 3; ++k) {
-    const PetscReal *a = &box[i * PIECE_BOX], *b = &box[j * PIECE_BOX],
+    const PetscReal *a = &box[i * COMPONENT_BOX], *b = &box[j * COMPONENT_BOX],
                     difference = (a[k] - a[3 + k]) - (b[k] - b[3 + k]);
 
     if (difference != 0) return (PetscBool)(difference < 0);
@@ -125,7 +125,7 @@ static PetscBool ComponentsCompare_Private(const PetscInt told[], const PetscRea
   return (PetscBool)(i < j);
 }
 
-/* Sorts pieces in place, by halves. [in,out] order - [num]; work - [num] */
+/* Sorts components in place, by halves. [in,out] order - [num]; work - [num] */
 static void ComponentsSort_Private(const PetscInt told[], const PetscReal box[], PetscInt num, PetscInt order[],
                                    PetscInt work[])
 {
@@ -139,49 +139,49 @@ static void ComponentsSort_Private(const PetscInt told[], const PetscReal box[],
     order[n] = j == num || (i < half && ComponentsCompare_Private(told, box, work[i], work[j])) ? work[i++] : work[j++];
 }
 
-PetscErrorCode PiecesCreate(Level *level, Pieces *pieces)
+PetscErrorCode ComponentsCreate(Level *level, Components *components)
 {
   PetscInt  *parent, *name, *told, *names, *order, *rank, num;
   PetscReal *box;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc2(level->num_nodes, &parent, level->num_nodes, &name));
-  PetscCall(PetscMalloc1(level->num_nodes, &pieces->of_node));
+  PetscCall(PetscMalloc1(level->num_nodes, &components->of_node));
   ComponentsUnite_Private(level, parent);
   PetscCall(ComponentsNumber_Private(level, parent, name));
   PetscCall(ComponentsGather_Private(level, name, &num, &told));
-  PetscCall(PetscMalloc4(num, &names, num, &order, num, &rank, num * PIECE_BOX, &box));
+  PetscCall(PetscMalloc4(num, &names, num, &order, num, &rank, num * COMPONENT_BOX, &box));
   for (PetscInt i = 0; i < num; ++i) {
     names[i] = told[2 * i];
     order[i] = i;
   }
-  for (PetscInt i = 0; i < level->num_nodes; ++i) PetscCall(PetscFindInt(name[i], num, names, &pieces->of_node[i]));
-  PetscCall(ComponentsSetBoxes_Private(level, num, pieces->of_node, box));
+  for (PetscInt i = 0; i < level->num_nodes; ++i) PetscCall(PetscFindInt(name[i], num, names, &components->of_node[i]));
+  PetscCall(ComponentsSetBoxes_Private(level, num, components->of_node, box));
   ComponentsSort_Private(told, box, num, order, rank);
   for (PetscInt n = 0; n < num; ++n) rank[order[n]] = n;
-  pieces->num = num;
-  PetscCall(PetscMalloc2(num, &pieces->body, num * PIECE_BOX, &pieces->box));
+  components->num = num;
+  PetscCall(PetscMalloc2(num, &components->body, num * COMPONENT_BOX, &components->box));
   for (PetscInt n = 0; n < num; ++n) {
-    pieces->body[n] = told[2 * order[n] + 1];
-    PetscCall(PetscArraycpy(&pieces->box[n * PIECE_BOX], &box[order[n] * PIECE_BOX], PIECE_BOX));
+    components->body[n] = told[2 * order[n] + 1];
+    PetscCall(PetscArraycpy(&components->box[n * COMPONENT_BOX], &box[order[n] * COMPONENT_BOX], COMPONENT_BOX));
   }
-  for (PetscInt i = 0; i < level->num_nodes; ++i) pieces->of_node[i] = rank[pieces->of_node[i]];
+  for (PetscInt i = 0; i < level->num_nodes; ++i) components->of_node[i] = rank[components->of_node[i]];
   PetscCall(PetscFree4(names, order, rank, box));
   PetscCall(PetscFree(told));
   PetscCall(PetscFree2(parent, name));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PiecesDestroy(Pieces *pieces)
+PetscErrorCode ComponentsDestroy(Components *components)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscFree(pieces->of_node));
-  PetscCall(PetscFree2(pieces->body, pieces->box));
+  PetscCall(PetscFree(components->of_node));
+  PetscCall(PetscFree2(components->body, components->box));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PiecesOfGlobalNodes(Level *level, const Pieces *pieces, PetscInt num, const PetscInt nodes[],
-                                   PetscInt piece[])
+PetscErrorCode ComponentsOfGlobalNodes(Level *level, const Components *components, PetscInt num, const PetscInt nodes[],
+                                       PetscInt component[])
 {
   PetscInt          *asked;
   PetscScalar       *values;
@@ -195,7 +195,7 @@ PetscErrorCode PiecesOfGlobalNodes(Level *level, const Pieces *pieces, PetscInt 
   for (PetscInt i = 0; i < num; ++i) asked[i] = PetscMax(nodes[i], 0);
   PetscCall(LevelCreateVec(level, 1, &all));
   PetscCall(VecGetArray(all, &values));
-  for (PetscInt a = 0; a < level->num_owned; ++a) values[a] = (PetscReal)pieces->of_node[a];
+  for (PetscInt a = 0; a < level->num_owned; ++a) values[a] = (PetscReal)components->of_node[a];
   PetscCall(VecRestoreArray(all, &values));
   PetscCall(VecCreateSeq(PETSC_COMM_SELF, num, &some));
   PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num, asked, PETSC_OWN_POINTER, &where));
@@ -203,7 +203,7 @@ PetscErrorCode PiecesOfGlobalNodes(Level *level, const Pieces *pieces, PetscInt 
   PetscCall(VecScatterBegin(scatter, all, some, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecScatterEnd(scatter, all, some, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecGetArrayRead(some, &found));
-  for (PetscInt i = 0; i < num; ++i) piece[i] = nodes[i] < 0 ? -1 : (PetscInt)PetscRealPart(found[i]);
+  for (PetscInt i = 0; i < num; ++i) component[i] = nodes[i] < 0 ? -1 : (PetscInt)PetscRealPart(found[i]);
   PetscCall(VecRestoreArrayRead(some, &found));
   PetscCall(VecScatterDestroy(&scatter));
   PetscCall(ISDestroy(&where));
@@ -212,10 +212,10 @@ PetscErrorCode PiecesOfGlobalNodes(Level *level, const Pieces *pieces, PetscInt 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscInt PiecesOfBody(const Pieces *pieces, PetscInt body)
+PetscInt ComponentsOfBody(const Components *components, PetscInt body)
 {
   PetscInt count = 0;
 
-  for (PetscInt n = 0; n < pieces->num; ++n) count += pieces->body[n] == body;
+  for (PetscInt n = 0; n < components->num; ++n) count += components->body[n] == body;
   return count;
 }

@@ -107,7 +107,7 @@ static PetscReal CellGetMeasure_Private(const BodyList *list, PetscInt cell, Pet
   const PetscInt   *nodes  = &list->cell_nodes[cell * ELEMENT_MAX_NODES];
   PetscReal         X[ELEMENT_MAX_NODES * 3], xi[ELEMENT_MAX_POINTS * 3], weight[ELEMENT_MAX_POINTS];
   PetscReal         phi[ELEMENT_MAX_NODES], measure = 0;
-  const PetscInt    num = ElementQuadrature(type, degree, xi, weight);
+  const PetscInt    num = QuadratureRule(type, degree, xi, weight);
 
   for (PetscInt i = 0; i < ElementNumNodes(type); ++i) {
     for (PetscInt d = 0; d < list->dim; ++d) X[i * list->dim + d] = list->coords[nodes[i] * list->dim + d];
@@ -190,7 +190,7 @@ PetscErrorCode BodyListCreateFile(Scene scene, PetscInt body, const SideNames *n
   ExtractCells_Private(&x, list);
   if (!sentence[0]) PetscCall(ExtractCheckFacets(&x, list, sentence));
   PetscCall(ExtractSides(&x, names, list, sentence));
-  PetscCall(ExtractHinges(&x, list));
+  PetscCall(NonManifoldFind(&x, list));
   PetscCall(PetscFree2(x.cell_at, x.node_at));
   PetscCall(LevelDestroy(&x.level));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -23,8 +23,8 @@ PetscErrorCode LabelGetPoints(DM dm, const char name[], PetscInt tag, PetscInt *
 PetscErrorCode ExtractFindOther(const Extract *x, PetscInt wanted, const char group[], const char **kind);
 /* Whether no two cells lie upon each other. [out] sentence - "" if so [MESH_SENTENCE] */
 PetscErrorCode ExtractCheckFacets(const Extract *x, const BodyList *list, char sentence[]);
-/* list->num_hinges and list->hinge. */
-PetscErrorCode ExtractHinges(const Extract *x, BodyList *list);
+/* list->num_nonmanifold and list->nonmanifold. */
+PetscErrorCode NonManifoldFind(const Extract *x, BodyList *list);
 /* All sides that the scene names. A facet counts once in each of them. [out] sentence - "" unless there is a mistake */
 PetscErrorCode ExtractSides(const Extract *x, const SideNames *names, BodyList *list, char sentence[]);
 /* Sides that are taken for smooth on the level as it is; positions before the map are kept where there are some. [out] sides - owned by

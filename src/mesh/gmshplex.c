@@ -39,9 +39,9 @@ static void GmshCheckDimension_Private(const GmshMesh *mesh, PetscInt dim, char 
     }
   }
   if (highest != dim)
-    FileDescribeDimension(highest, dim, reason);
+    MeshFileDescribeDimension(highest, dim, reason);
   else if (dim < 3)
-    FileCheckHeight(lower, upper, reason);
+    MeshFileCheckHeight(lower, upper, reason);
 }
 
 /* Whether all cells are of types that there are here. [out] reason - "" if so [MESH_SENTENCE] */
@@ -244,7 +244,7 @@ static PetscErrorCode GmshSetLabels_Private(const GmshMesh *mesh, const PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode GmshToPlex(const GmshMesh *mesh, PetscInt dim, DM *dm, Curves *curves, char reason[])
+PetscErrorCode GmshPlexCreate(const GmshMesh *mesh, PetscInt dim, DM *dm, Curves *curves, char reason[])
 {
   BodyList  list;
   Numbering numbering;

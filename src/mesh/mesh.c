@@ -69,10 +69,10 @@ static PetscErrorCode MeshCreateWhole_Private(Scene scene, PetscInt coarser, DM 
   PetscCall(MeshMakeBodies_Private(scene, coarser, names, lists));
   PetscCall(MeshMerge(scene, lists, names, dm, curves));
   for (PetscInt b = 0; b < scene->num_bodies; ++b) {
-    scene->bodies[b].straightened = lists[b].straightened;
-    scene->bodies[b].curved_file  = lists[b].curved_file;
-    scene->bodies[b].num_hinges   = lists[b].num_hinges;
-    PetscCall(PetscArraycpy(scene->bodies[b].hinge, lists[b].hinge, 3));
+    scene->bodies[b].straightened    = lists[b].straightened;
+    scene->bodies[b].curved_file     = lists[b].curved_file;
+    scene->bodies[b].num_nonmanifold = lists[b].num_nonmanifold;
+    PetscCall(PetscArraycpy(scene->bodies[b].nonmanifold, lists[b].nonmanifold, 3));
     PetscCallMPI(MPI_Bcast(&scene->bodies[b].straightened, 1, MPIU_BOOL, 0, scene->comm));
     PetscCallMPI(MPI_Bcast(&scene->bodies[b].curved_file, 1, MPIU_BOOL, 0, scene->comm));
     PetscCall(SideNamesDestroy(&names[b]));
@@ -114,7 +114,7 @@ static PetscErrorCode MeshBegin_Private(Mesh mesh, PetscInt coarser)
 
   PetscFunctionBeginUser;
   PetscCall(MeshCreateWhole_Private(scene, coarser, &dm, &curves));
-  PetscCall(MeshPartition(scene, coarser + scene->refine, &dm, &curves));
+  PetscCall(PartitionDistribute(scene, coarser + scene->refine, &dm, &curves));
   PetscCall(PetscMalloc1(1, &mesh->levels));
   PetscCall(LevelCreateTables(scene, dm, SceneMaxOrder(scene), &mesh->levels[0]));
   PetscCall(DMRemoveLabel(dm, "body", NULL)); // refinement would carry it on at a quarter of its costs
@@ -144,17 +144,18 @@ static PetscErrorCode MeshWarnNonManifold_Private(const SceneBody *body, PetscIn
       .code   = "hinged_parts",
       .body   = body->name,
       .dim    = dim,
-      .at     = {body->hinge[0], body->hinge[1], body->hinge[2]},
+      .at     = {body->nonmanifold[0], body->nonmanifold[1], body->nonmanifold[2]},
       .advice = "let them share facets, or tie them as bodies of their own",
   };
   char z[32] = "";
 
   PetscFunctionBeginUser;
-  if (dim == 3) PetscCall(PetscSNPrintf(z, sizeof(z), ", %g", (double)body->hinge[2]));
+  if (dim == 3) PetscCall(PetscSNPrintf(z, sizeof(z), ", %g", (double)body->nonmanifold[2]));
   PetscCall(WarningAdd(&hinged,
                        "parts of body %s hang together at vertices alone (%d), the first at (%g, %g%s), and turn about "
                        "them with no resistance",
-                       body->name, (int)body->num_hinges, (double)body->hinge[0], (double)body->hinge[1], z));
+                       body->name, (int)body->num_nonmanifold, (double)body->nonmanifold[0],
+                       (double)body->nonmanifold[1], z));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -184,9 +185,9 @@ PetscErrorCode MeshSetUp(Mesh mesh)
   PetscCall(LevelTurnCells(MeshFinest(mesh), NULL));
   for (PetscInt l = 0; l < scene->refine; ++l) PetscCall(MeshRefine(mesh));
   mesh->own = coarser + scene->refine;
-  PetscCall(MeshChooseRoles(mesh));
+  PetscCall(MortarChoiceMake(mesh));
   for (PetscInt b = 0; b < scene->num_bodies; ++b)
-    if (scene->bodies[b].num_hinges) PetscCall(MeshWarnNonManifold_Private(&scene->bodies[b], scene->dim));
+    if (scene->bodies[b].num_nonmanifold) PetscCall(MeshWarnNonManifold_Private(&scene->bodies[b], scene->dim));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

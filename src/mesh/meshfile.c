@@ -35,7 +35,7 @@ static PetscErrorCode FileReadPlex_Private(const char path[], DM *dm, char reaso
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-void FileDescribeDimension(PetscInt highest, PetscInt dim, char reason[])
+void MeshFileDescribeDimension(PetscInt highest, PetscInt dim, char reason[])
 {
   const char *hint = "";
 
@@ -47,7 +47,7 @@ void FileDescribeDimension(PetscInt highest, PetscInt dim, char reason[])
   snprintf(reason, MESH_SENTENCE, "its cells have dimension %d, the scene has %d%s", (int)highest, (int)dim, hint);
 }
 
-void FileCheckHeight(const PetscReal lower[], const PetscReal upper[], char reason[])
+void MeshFileCheckHeight(const PetscReal lower[], const PetscReal upper[], char reason[])
 {
   if (upper[2] - lower[2] > PlaneShare * PetscMax(upper[0] - lower[0], upper[1] - lower[1])) {
     snprintf(
@@ -90,7 +90,7 @@ static PetscErrorCode FileCheckPlex_Private(DM dm, PetscInt dim, char reason[])
   PetscFunctionBeginUser;
   PetscCall(DMGetDimension(dm, &mesh_dim));
   if (mesh_dim != dim) {
-    FileDescribeDimension(mesh_dim, dim, reason);
+    MeshFileDescribeDimension(mesh_dim, dim, reason);
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(DMPlexGetDepthStratum(dm, 0, &begin, &end));
@@ -112,7 +112,7 @@ static PetscErrorCode FileCheckPlex_Private(DM dm, PetscInt dim, char reason[])
     }
   }
   PetscCall(VecRestoreArrayRead(coords, &x));
-  if (space_dim > dim) FileCheckHeight(lower, upper, reason);
+  if (space_dim > dim) MeshFileCheckHeight(lower, upper, reason);
   if (!reason[0]) PetscCall(FileCheckTypes_Private(dm, reason));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -126,7 +126,7 @@ static PetscErrorCode FileRead_Private(MeshFile file, PetscInt dim, char reason[
   PetscFunctionBeginUser;
   if (extension && !strncmp(extension, ".msh", strlen(".msh"))) { // .msh2 and .msh4 are used as well
     PetscCall(GmshRead(file->path, &file->names, &mesh, reason, MESH_SENTENCE));
-    if (!reason[0]) PetscCall(GmshToPlex(&mesh, dim, &file->dm, &file->curves, reason));
+    if (!reason[0]) PetscCall(GmshPlexCreate(&mesh, dim, &file->dm, &file->curves, reason));
     PetscCall(GmshMeshDestroy(&mesh));
   } else {
     PetscCall(FileReadPlex_Private(file->path, &file->dm, reason));

@@ -21,16 +21,16 @@ typedef struct {
    that cells of order 2 have. */
 typedef struct {
   PetscInt   dim, num_cells, num_vertices, num_nodes, num_facets;
-  PetscInt  *cell_type;    /* ElementType [num_cells] */
-  PetscInt  *cell_nodes;   /* [num_cells][ELEMENT_MAX_NODES] */
-  PetscReal *coords;       /* before the map [num_nodes][dim] */
-  PetscInt  *facet_cell;   /* [num_facets] */
-  PetscInt  *facet;        /* number of the facet in its cell [num_facets] */
-  PetscInt  *facet_side;   /* index into the SideNames [num_facets] */
-  PetscBool  curved_file;  /* the file is of second order */
-  PetscBool  straightened; /* it is, and the body of order 1 */
-  PetscInt   num_hinges;   /* vertices by which alone some cells hang together */
-  PetscReal  hinge[3];     /* the first of them, before the map */
+  PetscInt  *cell_type;       /* ElementType [num_cells] */
+  PetscInt  *cell_nodes;      /* [num_cells][ELEMENT_MAX_NODES] */
+  PetscReal *coords;          /* before the map [num_nodes][dim] */
+  PetscInt  *facet_cell;      /* [num_facets] */
+  PetscInt  *facet;           /* number of the facet in its cell [num_facets] */
+  PetscInt  *facet_side;      /* index into the SideNames [num_facets] */
+  PetscBool  curved_file;     /* the file is of second order */
+  PetscBool  straightened;    /* it is, and the body of order 1 */
+  PetscInt   num_nonmanifold; /* vertices by which alone some cells hang together */
+  PetscReal  nonmanifold[3];  /* the first of them, before the map */
 } BodyList;
 
 /* All nodes are vertices to begin with. */
@@ -105,7 +105,7 @@ PetscErrorCode CurvesGetNodes(const Curves *curves, const Level *level, PetscRea
 
 /* A Gmsh file as a DM on this rank alone. [out] curves - owned by the caller; [out] reason - why it cannot be used, "" if
    it can [MESH_SENTENCE] */
-PetscErrorCode GmshToPlex(const GmshMesh *mesh, PetscInt dim, DM *dm, Curves *curves, char reason[]);
+PetscErrorCode GmshPlexCreate(const GmshMesh *mesh, PetscInt dim, DM *dm, Curves *curves, char reason[]);
 
 /* Meshes read so far, one per file, so that bodies that share a file share the reading. */
 typedef struct _n_MeshFile *MeshFile;
@@ -117,9 +117,9 @@ struct _n_MeshFile {
   MeshFile  next;
 };
 /* Says that the cells of a file have another dimension than the scene, and what to do. [out] reason - [MESH_SENTENCE] */
-void FileDescribeDimension(PetscInt highest, PetscInt dim, char reason[]);
+void MeshFileDescribeDimension(PetscInt highest, PetscInt dim, char reason[]);
 /* Whether a mesh within these bounds is plane. [in] lower, upper - [3]; [out] reason - untouched if so [MESH_SENTENCE] */
-void FileCheckHeight(const PetscReal lower[], const PetscReal upper[], char reason[]);
+void MeshFileCheckHeight(const PetscReal lower[], const PetscReal upper[], char reason[]);
 /* The mesh of a body's file as read now or for an earlier body. [in,out] files - list of what was read, NULL at first;
    [out] file - borrowed from the list; [out] sentence - [MESH_SENTENCE], "" unless the file cannot be used */
 PetscErrorCode MeshFileOpen(const SceneBody *body, PetscInt dim, MeshFile *files, MeshFile *file, char sentence[]);
@@ -183,12 +183,12 @@ PetscErrorCode LevelBeginArcs(Level *level);
 /* Sides that are taken for smooth, and those that must stay flat. Of files of first order, and seen from outside. */
 typedef struct {
   PetscBool any; /* the same on all ranks */
-  Facets    round, held;
+  Facets    round, flat;
 } ArcSides;
 
 /* The names of a body's sides that may be taken for smooth, and of those that only slide, joined. [out] each freed by the caller, NULL if
    there are none */
-PetscErrorCode ArcSideNames(Scene scene, PetscInt body, char **round, char **held);
+PetscErrorCode ArcSideNames(Scene scene, PetscInt body, char **round, char **flat);
 /* Decides which bodies have sides that are taken for smooth, and bent. Collective. [out] any - whether there are such bodies */
 PetscErrorCode LevelFindArcs(Level *level, PetscBool *any);
 /* Whether facets of first order bend as one patch, on any rank. Collective. */
@@ -225,27 +225,28 @@ PetscErrorCode MeshShapeRefine(Mesh mesh);
 PetscErrorCode MeshShapeDestroy(Mesh mesh);
 
 /* What is shared out among the parts of a mesh: the work of unknowns, and that of contact. */
-enum { SHARES_MAX = 2 };
+enum { PARTITION_MAX_WEIGHTS = 2 };
 typedef struct {
   PetscInt   num, num_parts; /* 1, unless enough facets may touch */
   PetscInt  *load;           /* what every cell has, nodes in twelfths [num_cells][num] */
   PetscReal *target;         /* which part of all each part is to have [num_parts][num] */
-} Shares;
+} PartitionWeights;
 
 /* The same for all. [in] contact - facets that may touch, by cell */
-PetscErrorCode SharesCreate(Scene scene, const Level *level, const PetscInt contact[], PetscInt num_parts,
-                            Shares *shares);
+PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const PetscInt contact[], PetscInt num_parts,
+                                      PartitionWeights *shares);
 /* Less where there are more nodes between. [in] refine - how often the mesh will be; part - a partition much like the one to come
    [num_cells] */
-PetscErrorCode SharesCorrect(Scene scene, const Level *level, PetscInt refine, const PetscInt part[], Shares *shares);
-PetscErrorCode SharesDestroy(Shares *shares);
+PetscErrorCode PartitionWeightsCorrect(Scene scene, const Level *level, PetscInt refine, const PetscInt part[],
+                                       PartitionWeights *shares);
+PetscErrorCode PartitionWeightsDestroy(PartitionWeights *shares);
 /* The rank of every cell of the whole mesh, which lies on the first rank; other ranks have none and ask the same. Not collective.
    [in] refine - how often it will be; contact_weight - of an edge across contact, 1 across a facet; 0: as if bodies did not touch;
    [out] part - [level->num_cells] */
 PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, PetscInt contact_weight, PetscInt num_parts,
                                 PetscInt part[]);
 /* Spreads the mesh over the ranks; the DM and its curves are replaced. Collective. [in] refine - how often it will be */
-PetscErrorCode MeshPartition(Scene scene, PetscInt refine, DM *dm, Curves *curves);
+PetscErrorCode PartitionDistribute(Scene scene, PetscInt refine, DM *dm, Curves *curves);
 
 /* Pairs of bodies with the side that each prefers to be nonmortar, its end 2 p, and the other one, its end 2 p + 1. */
 typedef struct {
@@ -253,16 +254,16 @@ typedef struct {
   PetscBool *fixed; /* the user said so [num] */
   PetscInt  *order; /* pairs, fixed ones first, then the ones with the strongest reasons [num] */
   PetscBool *touch; /* whether two ends have a node in common [2 num][2 num] */
-} RoleGraph;
+} MortarChoice;
 
 /* Turns pairs that are not fixed, as few as the order says, so that the fixed ones alone close circles. Not collective.
    [out] turned - [num], all false unless found; [out] found - false where there is no such choice, or a long search met none */
-PetscErrorCode RoleGraphOrient(const RoleGraph *graph, PetscBool turned[], PetscBool *found);
+PetscErrorCode MortarChoiceOrient(const MortarChoice *graph, PetscBool turned[], PetscBool *found);
 /* Whether some pair leads back to itself. Not collective. [in] turned - [num] */
-PetscErrorCode RoleGraphHasCircle(const RoleGraph *graph, const PetscBool turned[], PetscBool *circle);
+PetscErrorCode MortarChoiceHasCycle(const MortarChoice *graph, const PetscBool turned[], PetscBool *cycle);
 
 /* Decides the roles left open; notes given ones that are unfavourable. Faults: a side that meets itself, or another
    side twice. Collective. */
-PetscErrorCode MeshChooseRoles(Mesh mesh);
+PetscErrorCode MortarChoiceMake(Mesh mesh);
 
 #endif

@@ -1,14 +1,20 @@
 /* mortarchoice.c -- which side of a pair carries the multiplier.
 
    The softer body (behind the sides), else the finer mesh, else the smaller side (THEORY.md, section 7): a stiff
-   nonmortar side would put a stiff skin on a soft mortar side in the condensed matrix. Where such roles run in a circle, the
-   weakest reasons give way. All of it is judged on the coarsest level, where it is cheapest: sides that have a node in
-   common there have it on all levels. */
+   nonmortar side would put a stiff skin on a soft mortar side in the condensed matrix. All of it is judged on the coarsest level, where it is cheapest: sides that have a node in
+   common there have it on all levels.
+
+   Roles of all pairs together have no cycle where that can be. Pair p leads to pair q where the mortar side of p touches the
+   nonmortar side of q: there p's multipliers may depend on nodes that q's define. Pairs are decided one after the other, the
+   ones with the strongest reasons first, each as it prefers unless this closes a cycle with earlier decisions; where neither
+   choice is left, the last free decision is taken back. The answer depends on the order and on nothing else. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 #include "base/usererror.h"
 #include <string.h>
 
+/* Decisions that are tried, for each pair and at least. */
+enum { TRIES_PER_PAIR = 20, TRIES = 2000 };
 static const PetscReal StiffnessRatio = 3; /* of the contact moduli; below it the mesh decides */
 static const PetscReal SameSize = 1e-6;    /* relative; sizes this near are equal, so that round-off decides nothing */
 
@@ -206,7 +212,7 @@ static PetscErrorCode PairCheckRoles_Private(Scene scene, Level *level, PetscInt
 
 /* Fixed pairs, then the stronger reason, then the larger ratio, then the earlier pair. [in] prefer - of every pair of the
    graph */
-static void RoleGraphSort_Private(const Preference prefer[], RoleGraph *graph)
+static void MortarChoiceSort_Private(const Preference prefer[], MortarChoice *graph)
 {
   for (PetscInt i = 0; i < graph->num; ++i) {
     PetscInt at = i;
@@ -236,7 +242,7 @@ static const SceneSide *EndGetSide_Private(Scene scene, const PetscInt pairs[], 
 }
 
 /* Ends touch where they are of one body: more than is true, and known without a mesh. */
-static void RoleGraphTouchBodies_Private(Scene scene, const PetscInt pairs[], RoleGraph *graph)
+static void MortarChoiceTouchBodies_Private(Scene scene, const PetscInt pairs[], MortarChoice *graph)
 {
   const PetscInt num = 2 * graph->num;
 
@@ -297,7 +303,8 @@ static PetscBool ListsShare_Private(PetscInt num_a, const PetscInt a[], PetscInt
 }
 
 /* Ends touch where they have a node in common. Collective. */
-static PetscErrorCode RoleGraphTouchNodes_Private(Scene scene, Level *level, const PetscInt pairs[], RoleGraph *graph)
+static PetscErrorCode MortarChoiceTouchNodes_Private(Scene scene, Level *level, const PetscInt pairs[],
+                                                     MortarChoice *graph)
 {
   const PetscInt ends = 2 * graph->num;
   PetscInt      *num, **nodes;
@@ -320,36 +327,122 @@ static PetscErrorCode RoleGraphTouchNodes_Private(Scene scene, Level *level, con
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Looks at bodies first: most scenes have no circle of bodies. If nodes leave no choice, or too many to try, an order of
+typedef struct {
+  const MortarChoice *graph;
+  PetscBool          *decided; /* [num] */
+  PetscBool          *seen;    /* by the walk [num] */
+  PetscInt           *walk;    /* pairs to go on from [num] */
+  PetscBool          *turned;  /* [num] */
+  PetscInt            tries;   /* that are left */
+} Search;
+
+static PetscBool MortarChoiceHasPath_Private(const Search *search, PetscInt p, PetscInt q)
+{
+  const PetscInt mortar = 2 * p + !search->turned[p], nonmortar = 2 * q + search->turned[q];
+
+  return search->graph->touch[mortar * 2 * search->graph->num + nonmortar];
+}
+
+/* Whether decided pairs lead from one of them back to it. */
+static PetscBool MortarChoiceReturns_Private(Search *search, PetscInt start)
+{
+  const PetscInt num   = search->graph->num;
+  PetscInt       depth = 1;
+
+  for (PetscInt p = 0; p < num; ++p) search->seen[p] = PETSC_FALSE;
+  search->walk[0] = start;
+  while (depth > 0) {
+    const PetscInt p = search->walk[--depth];
+
+    for (PetscInt q = 0; q < num; ++q) {
+      if (q == p || !search->decided[q] || search->seen[q] || !MortarChoiceHasPath_Private(search, p, q)) continue;
+      if (q == start) return PETSC_TRUE;
+      search->seen[q]       = PETSC_TRUE;
+      search->walk[depth++] = q;
+    }
+  }
+  return PETSC_FALSE;
+}
+
+/* Decides the pairs of the order from place k on. */
+static PetscBool MortarChoiceDecide_Private(Search *search, PetscInt k)
+{
+  const MortarChoice *graph = search->graph;
+  PetscInt            p;
+
+  if (k == graph->num) return PETSC_TRUE;
+  p                  = graph->order[k];
+  search->decided[p] = PETSC_TRUE;
+  if (graph->fixed[p]) return MortarChoiceDecide_Private(search, k + 1);
+  for (PetscInt turn = 0; turn < 2 && search->tries > 0; ++turn) {
+    --search->tries;
+    search->turned[p] = turn ? PETSC_TRUE : PETSC_FALSE;
+    if (!MortarChoiceReturns_Private(search, p) && MortarChoiceDecide_Private(search, k + 1)) return PETSC_TRUE;
+  }
+  search->decided[p] = PETSC_FALSE;
+  search->turned[p]  = PETSC_FALSE;
+  return PETSC_FALSE;
+}
+
+PetscErrorCode MortarChoiceOrient(const MortarChoice *graph, PetscBool turned[], PetscBool *found)
+{
+  Search search = {.graph = graph, .turned = turned, .tries = TRIES + TRIES_PER_PAIR * graph->num};
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc3(graph->num, &search.decided, graph->num, &search.seen, graph->num, &search.walk));
+  PetscCall(PetscArrayzero(turned, graph->num));
+  *found = MortarChoiceDecide_Private(&search, 0);
+  PetscCall(PetscFree3(search.decided, search.seen, search.walk));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MortarChoiceHasCycle(const MortarChoice *graph, const PetscBool turned[], PetscBool *cycle)
+{
+  Search search = {.graph = graph};
+
+  PetscFunctionBeginUser;
+  *cycle = PETSC_FALSE;
+  PetscCall(PetscCalloc4(graph->num, &search.decided, graph->num, &search.seen, graph->num, &search.walk, graph->num,
+                         &search.turned));
+  for (PetscInt p = 0; p < graph->num; ++p) {
+    search.decided[p] = PETSC_TRUE;
+    search.turned[p]  = turned[p];
+  }
+  for (PetscInt p = 0; p < graph->num && !*cycle; ++p) *cycle = MortarChoiceReturns_Private(&search, p);
+  PetscCall(PetscFree4(search.decided, search.seen, search.walk, search.turned));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Looks at bodies first: most scenes have no cycle of bodies. If nodes leave no choice, or too many to try, an order of
    bodies is one; if there is none either, preferences stand, and what they come to is judged by the coupling. Collective.
    [out] turned - [graph->num] */
-static PetscErrorCode RoleGraphSolve_Private(Scene scene, Level *level, const PetscInt pairs[], RoleGraph *graph,
-                                             PetscBool turned[])
+static PetscErrorCode MortarChoiceSolve_Private(Scene scene, Level *level, const PetscInt pairs[], MortarChoice *graph,
+                                                PetscBool turned[])
 {
-  PetscBool circle, found;
+  PetscBool cycle, found;
 
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(turned, graph->num));
-  RoleGraphTouchBodies_Private(scene, pairs, graph);
-  PetscCall(RoleGraphHasCircle(graph, turned, &circle));
-  if (!circle) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(RoleGraphTouchNodes_Private(scene, level, pairs, graph));
-  PetscCall(RoleGraphOrient(graph, turned, &found));
+  MortarChoiceTouchBodies_Private(scene, pairs, graph);
+  PetscCall(MortarChoiceHasCycle(graph, turned, &cycle));
+  if (!cycle) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MortarChoiceTouchNodes_Private(scene, level, pairs, graph));
+  PetscCall(MortarChoiceOrient(graph, turned, &found));
   if (!found) {
-    RoleGraphTouchBodies_Private(scene, pairs, graph);
-    PetscCall(RoleGraphOrient(graph, turned, &found));
+    MortarChoiceTouchBodies_Private(scene, pairs, graph);
+    PetscCall(MortarChoiceOrient(graph, turned, &found));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode MeshChooseRoles(Mesh mesh)
+PetscErrorCode MortarChoiceMake(Mesh mesh)
 {
-  Scene       scene = mesh->scene;
-  Level      *level = &mesh->levels[0];
-  RoleGraph   graph = {.num = 0};
-  PetscInt   *pairs;
-  Preference *prefer;
-  PetscBool  *turned;
+  Scene        scene = mesh->scene;
+  Level       *level = &mesh->levels[0];
+  MortarChoice graph = {.num = 0};
+  PetscInt    *pairs;
+  Preference  *prefer;
+  PetscBool   *turned;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc3(scene->num_pairs, &pairs, scene->num_pairs, &prefer, scene->num_pairs, &turned));
@@ -364,14 +457,14 @@ PetscErrorCode MeshChooseRoles(Mesh mesh)
     pairs[graph.num++]     = p;
   }
   PetscCall(PetscMalloc1(4 * graph.num * graph.num, &graph.touch));
-  RoleGraphSort_Private(prefer, &graph);
-  PetscCall(RoleGraphSolve_Private(scene, level, pairs, &graph, turned));
+  MortarChoiceSort_Private(prefer, &graph);
+  PetscCall(MortarChoiceSolve_Private(scene, level, pairs, &graph, turned));
   for (PetscInt i = 0; i < graph.num; ++i) {
     ScenePair *pair = &scene->pairs[pairs[i]];
 
     if (!turned[i]) continue;
     PairSwap_Private(pair);
-    PetscCall(PetscInfo(level->dm, "Pair %s: nonmortar is %s:%s instead, or roles would run in a circle\n", pair->name,
+    PetscCall(PetscInfo(level->dm, "Pair %s: nonmortar is %s:%s instead, or roles would run in a cycle\n", pair->name,
                         scene->bodies[pair->nonmortar.body].name, pair->nonmortar.side));
   }
   PetscCall(PetscFree(graph.touch));

@@ -35,7 +35,7 @@ static PetscErrorCode NonManifoldCountBlocks_Private(const Extract *x, PetscInt 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ExtractHinges(const Extract *x, BodyList *list)
+PetscErrorCode NonManifoldFind(const Extract *x, BodyList *list)
 {
   const Level *level = &x->level;
   PetscInt    *block, *of_node; // the block that a vertex was first met in
@@ -53,7 +53,8 @@ PetscErrorCode ExtractHinges(const Extract *x, BodyList *list)
       if (*met == NOWHERE) *met = block[c];
       if (*met == block[c] || *met == HINGE) continue;
       *met = HINGE;
-      if (!list->num_hinges++) PetscCall(PetscArraycpy(list->hinge, &level->coords[nodes[i] * list->dim], list->dim));
+      if (!list->num_nonmanifold++)
+        PetscCall(PetscArraycpy(list->nonmanifold, &level->coords[nodes[i] * list->dim], list->dim));
     }
   }
   PetscCall(PetscFree2(block, of_node));

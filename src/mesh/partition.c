@@ -30,7 +30,7 @@ typedef struct {
 } Edges;
 
 /* How much more a part may have than its share. A mesh of few cells cannot share contact out evenly, and it is the smaller work. */
-static const real_t TOLERANCE[SHARES_MAX] = {1.02F, 1.1F};
+static const real_t TOLERANCE[PARTITION_MAX_WEIGHTS] = {1.02F, 1.1F};
 
 /* Appends an edge; an edge from a cell to itself, where a body touches itself in a corner, says nothing. */
 static PetscErrorCode EdgesAdd_Private(Edges *edges, PetscInt a, PetscInt b, PetscInt weight)
@@ -231,11 +231,12 @@ static PetscErrorCode EdgesToRows_Private(const Edges *edges, PetscInt num_cells
 }
 
 /* Hands the graph to METIS. */
-static PetscErrorCode EdgesCut_Private(const Edges *edges, PetscInt num_cells, const Shares *shares, PetscInt part[])
+static PetscErrorCode EdgesCut_Private(const Edges *edges, PetscInt num_cells, const PartitionWeights *shares,
+                                       PetscInt part[])
 {
   idx_t  n = (idx_t)num_cells, parts = (idx_t)shares->num_parts, constraints = (idx_t)shares->num, cut;
   idx_t *start, *adjacent, *weight, *load, *answer;
-  real_t tolerance[SHARES_MAX], *target;
+  real_t tolerance[PARTITION_MAX_WEIGHTS], *target;
   int    status;
 
   PetscFunctionBeginUser;
@@ -263,9 +264,9 @@ static PetscErrorCode EdgesCut_Private(const Edges *edges, PetscInt num_cells, c
 PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, PetscInt contact_weight, PetscInt num_parts,
                                 PetscInt part[])
 {
-  Edges     edges = {0, 0, NULL, NULL};
-  PetscInt *contact;
-  Shares    shares;
+  Edges            edges = {0, 0, NULL, NULL};
+  PetscInt        *contact;
+  PartitionWeights shares;
 
   PetscFunctionBeginUser;
   if (level->num_cells < MIN_CELLS_A_PART * num_parts) {
@@ -278,11 +279,11 @@ PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, Pets
     if (scene->pairs[p].mortar.body >= 0)
       PetscCall(EdgesAddPair_Private(scene, &scene->pairs[p], contact_weight, level, &edges, contact));
   }
-  PetscCall(SharesCreate(scene, level, contact, num_parts, &shares));
+  PetscCall(PartitionWeightsCreate(scene, level, contact, num_parts, &shares));
   PetscCall(EdgesCut_Private(&edges, level->num_cells, &shares, part));
-  PetscCall(SharesCorrect(scene, level, refine, part, &shares));
+  PetscCall(PartitionWeightsCorrect(scene, level, refine, part, &shares));
   PetscCall(EdgesCut_Private(&edges, level->num_cells, &shares, part));
-  PetscCall(SharesDestroy(&shares));
+  PetscCall(PartitionWeightsDestroy(&shares));
   PetscCall(PetscFree(contact));
   PetscCall(PetscFree(edges.end));
   PetscCall(PetscFree(edges.weight));
@@ -308,7 +309,7 @@ static PetscErrorCode PartitionerSet_Private(PetscInt num_cells, const PetscInt 
 
 /* The coarsest mesh is parted: all descendants of a cell stay with it, and METIS sees a small graph. Vertices are all it
    needs, so that meshes of every order are parted alike; cells are judged later, on every number of ranks. */
-PetscErrorCode MeshPartition(Scene scene, PetscInt refine, DM *dm, Curves *curves)
+PetscErrorCode PartitionDistribute(Scene scene, PetscInt refine, DM *dm, Curves *curves)
 {
   PetscPartitioner partitioner;
   PetscMPIInt      size;

@@ -26,14 +26,14 @@ static PetscInt PartitionWeightsOrderFactor_Private(Scene scene, PetscInt body)
   return scene->bodies[body].order / least;
 }
 
-PetscErrorCode SharesCreate(Scene scene, const Level *level, const PetscInt contact[], PetscInt num_parts,
-                            Shares *shares)
+PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const PetscInt contact[], PetscInt num_parts,
+                                      PartitionWeights *shares)
 {
   PetscInt touching = 0;
 
   PetscFunctionBeginUser;
   for (PetscInt c = 0; c < level->num_cells; ++c) touching += contact[c];
-  shares->num       = touching >= MIN_FACETS_A_PART * num_parts ? SHARES_MAX : 1;
+  shares->num       = touching >= MIN_FACETS_A_PART * num_parts ? PARTITION_MAX_WEIGHTS : 1;
   shares->num_parts = num_parts;
   PetscCall(PetscMalloc2(level->num_cells * shares->num, &shares->load, num_parts * shares->num, &shares->target));
   for (PetscInt i = 0; i < num_parts * shares->num; ++i) shares->target[i] = 1 / (PetscReal)num_parts;
@@ -74,7 +74,8 @@ static PetscErrorCode PartitionWeightsCountBetween_Private(Scene scene, const Le
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SharesCorrect(Scene scene, const Level *level, PetscInt refine, const PetscInt part[], Shares *shares)
+PetscErrorCode PartitionWeightsCorrect(Scene scene, const Level *level, PetscInt refine, const PetscInt part[],
+                                       PartitionWeights *shares)
 {
   const PetscInt num_parts = shares->num_parts;
   PetscReal     *between, all = 0, mean = 0, most = 0, factor;
@@ -92,7 +93,7 @@ PetscErrorCode SharesCorrect(Scene scene, const Level *level, PetscInt refine, c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SharesDestroy(Shares *shares)
+PetscErrorCode PartitionWeightsDestroy(PartitionWeights *shares)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree2(shares->load, shares->target));

@@ -1,20 +1,20 @@
-/* rigidmodes.c -- which rigid modes do supports leave to a piece of a body?
+/* rigidmodes.c -- which rigid modes do supports leave to a component of a body?
 
-   The rows (d, d.rotation(x)) of all held directions d at places x, rotations taken about the piece's centre and scaled by half
+   The rows (d, d.rotation(x)) of all held directions d at places x, rotations taken about the component's centre and scaled by half
    its size, span all rigid modes exactly if none is left. What they do not span is the kernel of their Gram matrix. */
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "mesh/rigidmodes.h"
 
 /* An eigenvalue counts as 0 below this part of the largest. It is the square of a ratio of lengths, (size of the
-   held part / size of the piece)^2 at worst, which stays above for a piece held at two neighbouring nodes. */
+   held part / size of the component)^2 at worst, which stays above for a component held at two neighbouring nodes. */
 static const PetscReal RANK_TOLERANCE = 1e-12;
 
-/* Centre and half size of every piece. [out] frames - [pieces->num][4] */
-static void Frames_Private(const Pieces *pieces, PetscReal frames[])
+/* Centre and half size of every component. [out] frames - [components->num][4] */
+static void Frames_Private(const Components *components, PetscReal frames[])
 {
-  for (PetscInt i = 0; i < pieces->num; ++i) {
-    const PetscReal *box    = &pieces->box[i * PIECE_BOX];
+  for (PetscInt i = 0; i < components->num; ++i) {
+    const PetscReal *box    = &components->box[i * COMPONENT_BOX];
     PetscReal        square = 0.0;
 
     for (PetscInt k = 0; k < 3; ++k) {
@@ -67,8 +67,8 @@ void RigidModesAt(PetscInt dim, const PetscReal frame[], const PetscReal mode[],
   }
 }
 
-/* The kernel of one piece's Gram matrix, appended to the list. [in,out] gram - [n][n] */
-static void AddMotions_Private(PetscInt piece, PetscInt n, const PetscInt components[], PetscReal gram[],
+/* The kernel of one component's Gram matrix, appended to the list. [in,out] gram - [n][n] */
+static void AddMotions_Private(PetscInt component, PetscInt n, const PetscInt components[], PetscReal gram[],
                                RigidModes *modes)
 {
   PetscReal values[RIGID_COMPONENTS], V[RIGID_COMPONENTS * RIGID_COMPONENTS], largest = 0;
@@ -78,9 +78,9 @@ static void AddMotions_Private(PetscInt piece, PetscInt n, const PetscInt compon
   for (PetscInt i = 0; i < n; ++i) {
     if (values[i] > RANK_TOLERANCE * largest) continue;
     for (PetscInt k = 0; k < n; ++k) modes->mode[modes->num * RIGID_COMPONENTS + components[k]] = V[k * n + i];
-    modes->piece[modes->num++]                 = piece;
-    modes->loose[piece]                        = PETSC_TRUE;
-    modes->floating[modes->pieces.body[piece]] = PETSC_TRUE;
+    modes->component[modes->num++]                     = component;
+    modes->loose[component]                            = PETSC_TRUE;
+    modes->floating[modes->components.body[component]] = PETSC_TRUE;
   }
 }
 
@@ -91,18 +91,18 @@ PetscErrorCode RigidModesCreate(Level *level, const Support *support, PetscInt n
   PetscReal     *gram;
 
   PetscFunctionBeginUser;
-  PetscCall(PiecesCreate(level, &modes->pieces));
+  PetscCall(ComponentsCreate(level, &modes->components));
   n                 = Components_Private(level->scene->model, components);
-  num               = modes->pieces.num;
+  num               = modes->components.num;
   block             = n * n;
   modes->num_bodies = num_bodies;
   modes->num        = 0;
   PetscCall(PetscCalloc5(4 * num, &modes->frames, num, &modes->loose, num_bodies, &modes->floating, n * num,
-                         &modes->piece, n * num * RIGID_COMPONENTS, &modes->mode));
+                         &modes->component, n * num * RIGID_COMPONENTS, &modes->mode));
   PetscCall(PetscCalloc1(block * num, &gram));
-  Frames_Private(&modes->pieces, modes->frames);
+  Frames_Private(&modes->components, modes->frames);
   for (PetscInt a = 0; a < level->num_owned; ++a) {
-    const PetscInt i = modes->pieces.of_node[a];
+    const PetscInt i = modes->components.of_node[a];
 
     for (PetscInt j = 0; j < support->count[a]; ++j) {
       PetscReal row[RIGID_COMPONENTS];
@@ -120,7 +120,7 @@ PetscErrorCode RigidModesCreate(Level *level, const Support *support, PetscInt n
 PetscErrorCode RigidModesDestroy(RigidModes *modes)
 {
   PetscFunctionBeginUser;
-  PetscCall(PiecesDestroy(&modes->pieces));
-  PetscCall(PetscFree5(modes->frames, modes->loose, modes->floating, modes->piece, modes->mode));
+  PetscCall(ComponentsDestroy(&modes->components));
+  PetscCall(PetscFree5(modes->frames, modes->loose, modes->floating, modes->component, modes->mode));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -92,7 +92,7 @@ PetscReal FacetGetMeasure(const Level *level, const Facets *facets, PetscInt f, 
 
     for (PetscInt d = 0; d < level->dim; ++d) X[i * level->dim + d] = level->coords[node * level->dim + d];
   }
-  (void)ElementQuadrature(type, 1, xi, weight); // the point in the middle
+  (void)QuadratureRule(type, 1, xi, weight); // the point in the middle
   return weight[0] * ElementSurface(type, X, xi, NULL, phi, normal);
 }
 

@@ -85,7 +85,7 @@ static PetscErrorCode TellMesh_Private(FieldWriter *writer, VI vi, PetscReal **t
   PetscCall(PetscMalloc2(size, &nodes, level->num_cells, &piece));
   for (PetscInt i = 0; i < size; ++i) nodes[i] = level->node_global[level->cell_nodes[i]];
   for (PetscInt c = 0; c < level->num_cells; ++c)
-    piece[c] = vi->rigid_modes.pieces.of_node[level->cell_nodes[level->cell_start[c]]];
+    piece[c] = vi->rigid_modes.components.of_node[level->cell_nodes[level->cell_start[c]]];
   PetscCall(FieldWriterMesh(writer,
                             &(FieldMesh){.dim        = level->dim,
                                          .num_points = level->num_owned,
@@ -102,9 +102,9 @@ static PetscErrorCode TellMesh_Private(FieldWriter *writer, VI vi, PetscReal **t
 /* The body of each cell, and where one is of several pieces the piece. */
 static PetscErrorCode TellCells_Private(FieldWriter *writer, VI vi, const PetscReal tags[])
 {
-  const Pieces  *pieces = &vi->rigid_modes.pieces;
-  const PetscInt num    = writer->rank == 0 ? writer->num_cells : 0;
-  PetscReal     *body;
+  const Components *pieces = &vi->rigid_modes.components;
+  const PetscInt    num    = writer->rank == 0 ? writer->num_cells : 0;
+  PetscReal        *body;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(num, &body));
@@ -143,7 +143,7 @@ PetscErrorCode BodyFieldsWriteMotion(FieldWriter *writer, VI vi, const SceneMoti
   PetscCall(PetscCalloc1(level->num_owned * level->dim, &u));
   for (PetscInt i = 0; i < motion->num; ++i) {
     for (PetscInt a = 0; a < level->num_owned; ++a)
-      if (vi->rigid_modes.pieces.of_node[a] == motion->bodies[i].piece)
+      if (vi->rigid_modes.components.of_node[a] == motion->bodies[i].piece)
         BodyMotionAt(&motion->bodies[i], level->dim, &level->coords[a * level->dim], &u[a * level->dim]);
   }
   PetscCall(FieldWriterPoints(writer, (Quantity){"motion", 3, PETSC_FALSE}, level->dim, u));

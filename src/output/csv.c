@@ -2,7 +2,7 @@
 
    A side is a set of facets. In 2D facets are directed (the body lies to the left), and so are the links from node to node
    that they consist of: one for order 1, two for order 2. Each connected piece is a chain of links: it starts at a node
-   where no link ends, or anywhere if it is closed. Pieces start at the end that comes first by coordinates, and come in
+   where no link ends, or anywhere if it is closed. Components start at the end that comes first by coordinates, and come in
    that order, so that the table does not depend on the partition. Arc length is that of the curved facets. */
 #include <string.h>
 #include "output/fieldwriter.h"
@@ -107,7 +107,7 @@ static PetscReal Length_Private(ElementType type, const PetscReal X[], PetscReal
 {
   PetscReal xi[LENGTH_POINTS], w[LENGTH_POINTS], phi[ELEMENT_MAX_FACET_NODES], length = 0.0;
 
-  GaussLine(LENGTH_POINTS, xi, w);
+  QuadratureLine(LENGTH_POINTS, xi, w);
   for (PetscInt q = 0; q < LENGTH_POINTS; ++q) {
     const PetscReal at = from + (to - from) * xi[q];
 

@@ -20,7 +20,7 @@ static PetscErrorCode ViewBodies_Private(VI vi)
   PetscCall(PetscPrintf(scene->comm, "  meshed: %" PetscInt_FMT " nodes, %" PetscInt_FMT " unknowns\n", nodes,
                         nodes * vi->level->dim));
   for (PetscInt b = 0; b < scene->num_bodies; ++b) {
-    const PetscInt num        = PiecesOfBody(&vi->rigid_modes.pieces, b);
+    const PetscInt num        = ComponentsOfBody(&vi->rigid_modes.components, b);
     char           pieces[64] = "";
 
     if (num > 1) PetscCall(PetscSNPrintf(pieces, sizeof(pieces), " in %" PetscInt_FMT " pieces", num));
@@ -84,7 +84,7 @@ static PetscErrorCode ViewSide_Private(Scene scene, const Pair pair, PetscInt wh
   const char      *how  = "taken for smooth, curved by its nodal normals";
 
   PetscFunctionBeginUser;
-  if (side->body < 0 || !(pair->left[which] > 0)) PetscFunctionReturn(PETSC_SUCCESS);
+  if (side->body < 0 || !(pair->curve_error[which] > 0)) PetscFunctionReturn(PETSC_SUCCESS);
   if (scene->bodies[side->body].polygonal)
     how = "polygonal";
   else if (!pair->smooth[which] && !scene->bodies[side->body].arcs)

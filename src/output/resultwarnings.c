@@ -63,9 +63,9 @@ static PetscErrorCode FindOverlap_Private(const SummaryInput *in, PetscInt p, Pe
 static PetscErrorCode WarnCurve_Private(const SummaryInput *in, PetscInt p)
 {
   const Pair       pair  = in->vi->pairs[p];
-  const PetscInt   which = pair->left[1] > pair->left[0] ? 1 : 0;
+  const PetscInt   which = pair->curve_error[1] > pair->curve_error[0] ? 1 : 0;
   const SceneSide *side  = which ? &pair->spec->mortar : &pair->spec->nonmortar;
-  const PetscReal  left  = pair->left[0] + pair->left[1];
+  const PetscReal  left  = pair->curve_error[0] + pair->curve_error[1];
   Warning          curve = {.code = "coarse_curve", .pair = pair->spec->name};
   PetscReal        size[2];
 

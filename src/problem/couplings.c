@@ -39,7 +39,7 @@ static PetscErrorCode UniteShifts_Private(VI vi, PetscBool inverse, Mat *shift)
   PetscFunctionBeginUser;
   *shift = NULL;
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
-    const Mat own = inverse ? vi->pairs[p]->unshift : vi->pairs[p]->shift;
+    const Mat own = inverse ? vi->pairs[p]->from_nodal : vi->pairs[p]->to_nodal;
     if (!own) continue;
     if (!*shift)
       PetscCall(MatCreateAIJ(vi->level->comm, n, n, PETSC_DETERMINE, PETSC_DETERMINE, ELEMENT_MAX_FACET_NODES, NULL,
@@ -94,14 +94,14 @@ static PetscErrorCode CreateRecord_Private(const Pair pair, Mat *record)
 
   PetscFunctionBeginUser;
   PetscCall(Add_Private(record, -1.0, pair->M));
-  PetscCall(Add_Private(record, 1.0, pair->chain));
-  PetscCall(AddProduct_Private(record, 1.0, pair->chain, pair->unshift));
-  if (!pair->unshift) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MatCreateVecs(pair->unshift, NULL, &D));
+  PetscCall(Add_Private(record, 1.0, pair->D_other));
+  PetscCall(AddProduct_Private(record, 1.0, pair->D_other, pair->from_nodal));
+  if (!pair->from_nodal) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatCreateVecs(pair->from_nodal, NULL, &D));
   PetscCall(VecGetArray(D, &value));
   for (PetscInt k = 0; k < pair->num; k++) value[pair->nodes[k]] = pair->D[k];
   PetscCall(VecRestoreArray(D, &value));
-  PetscCall(MatDuplicate(pair->unshift, MAT_COPY_VALUES, &moved));
+  PetscCall(MatDuplicate(pair->from_nodal, MAT_COPY_VALUES, &moved));
   PetscCall(MatDiagonalScale(moved, D, NULL));
   PetscCall(Add_Private(record, 1.0, moved));
   PetscCall(VecDestroy(&D));
@@ -117,10 +117,10 @@ static PetscErrorCode CreateBasis_Private(const Pair pair, Mat shift, Mat *basis
 
   PetscFunctionBeginUser;
   PetscCall(Add_Private(&other, -1.0, pair->M));
-  if (!pair->shift) PetscCall(Add_Private(&other, 1.0, pair->chain));
+  if (!pair->to_nodal) PetscCall(Add_Private(&other, 1.0, pair->D_other));
   PetscCall(Add_Private(basis, 1.0, other));
   PetscCall(AddProduct_Private(basis, 1.0, other, shift));
-  if (pair->shift) PetscCall(Add_Private(basis, 1.0, pair->chain));
+  if (pair->to_nodal) PetscCall(Add_Private(basis, 1.0, pair->D_other));
   PetscCall(MatDestroy(&other));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -144,11 +144,11 @@ static PetscErrorCode IsTorn_Private(const Pair pair, const Pair other, PetscBoo
 
   PetscFunctionBeginUser;
   *torn = PETSC_FALSE;
-  if (!other->shift) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!other->to_nodal) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt k = 0; k < pair->num; k++) {
     const PetscInt row = pair->level->node_begin + pair->nodes[k];
-    PetscCall(CountShift_Private(other->shift, row, &num));
-    PetscCall(CountShift_Private(pair->shift, row, &num_own));
+    PetscCall(CountShift_Private(other->to_nodal, row, &num));
+    PetscCall(CountShift_Private(pair->to_nodal, row, &num_own));
     *torn = (PetscBool)(*torn || (num > 0 && num != num_own));
   }
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -18,7 +18,7 @@ enum {
    plane few elements, where a curve touches a line of points, take more than 10000. */
 static const PetscInt SMALLEST_WORK[MAX_DIM + 1] = {0, 1000000, 1000000, 20000};
 
-/* Pieces along each coordinate of lines, facets in space or cells in the plane, and cells in space: of all; and of those where two
+/* Components along each coordinate of lines, facets in space or cells in the plane, and cells in space: of all; and of those where two
    rules differ, to begin with, and their neighbours. What is narrower is not seen. */
 static const PetscInt PIECES[MAX_DIM + 1] = {0, 8, 2, 1}, ROUGH_PIECES[MAX_DIM + 1] = {0, 8, 8, 2},
                                        NEIGHBOUR_PIECES[MAX_DIM + 1] = {0, 8, 8, 4};

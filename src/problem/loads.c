@@ -76,7 +76,7 @@ PetscErrorCode LoadElementIntegrate(const LoadElement *element, PetscReal fe[])
   else
     degree = (term->formula ? LoadDegree_Private(order) : ConstantDegree_Private(dim, order)) +
              SceneMeasureDegree(term->scene, order);
-  num = ElementQuadrature(element->type, degree, points, w);
+  num = QuadratureRule(element->type, degree, points, w);
   PetscCall(PetscArrayzero(fe, n));
   for (PetscInt q = 0; q < num; q++) {
     PetscCall(LoadElementValue(element, &points[q * inner], w[q], value));

@@ -118,7 +118,7 @@ static PetscErrorCode AddEnergy_Private(const Comparison *compare, PetscInt c, c
 }
 
 /* sum = the integrals over a piece of cell c, by one rule. */
-static PetscErrorCode Integrate_Private(const Comparison *compare, PetscInt c, const ElementPiece *piece,
+static PetscErrorCode Integrate_Private(const Comparison *compare, PetscInt c, const CellPiece *piece,
                                         ErrorSquares *sum)
 {
   const Level      *level = compare->level;
@@ -128,7 +128,7 @@ static PetscErrorCode Integrate_Private(const Comparison *compare, PetscInt c, c
   PetscReal         X[MAX_DIM * ELEMENT_MAX_NODES], points[MAX_DIM * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS];
   PetscReal         xi[MAX_DIM], x[MAX_DIM], phi[ELEMENT_MAX_NODES], grad[MAX_DIM * ELEMENT_MAX_NODES];
   PetscReal         strains[2][MAX_STRAINS], e[MAX_DIM], ge[MAX_DIM * MAX_DIM], v[MAX_DIM], gv[MAX_DIM * MAX_DIM];
-  const PetscInt    num_points = ElementQuadrature(type, ErrorDegree_Private(type), points, w);
+  const PetscInt    num_points = QuadratureRule(type, ErrorDegree_Private(type), points, w);
   const CellPoint   at         = {type, X, xi, grad, piece->size};
   Dilatation        pi;
 
@@ -140,7 +140,7 @@ static PetscErrorCode Integrate_Private(const Comparison *compare, PetscInt c, c
   for (PetscInt q = 0; q < num_points; ++q) {
     PetscReal dx;
 
-    ElementPiecePoint(type, piece, &points[q * dim], xi);
+    CellPiecePoint(type, piece, &points[q * dim], xi);
     dx = piece->measure * w[q] * ElementMap(type, X, xi, x, phi, grad);
     dx *= SceneMeasure(compare->scene, x);
     Interpolate_Private(level, c, compare->u, phi, grad, e, ge);
@@ -169,10 +169,10 @@ static PetscBool IsLarge_Private(const ErrorSquares *part, const ErrorSquares *t
 }
 
 /* Adds a piece of cell c whose integrals are known, or its parts where it is large. */
-static PetscErrorCode AddPiece_Private(const Comparison *compare, PetscInt c, const ElementPiece *piece, PetscInt depth,
+static PetscErrorCode AddPiece_Private(const Comparison *compare, PetscInt c, const CellPiece *piece, PetscInt depth,
                                        const ErrorSquares *known, const ErrorSquares *total, ErrorSquares *sum)
 {
-  ElementPiece parts[ELEMENT_MAX_PIECES];
+  CellPiece    parts[ELEMENT_MAX_PIECES];
   ErrorSquares part;
   PetscInt     num;
 
@@ -181,7 +181,7 @@ static PetscErrorCode AddPiece_Private(const Comparison *compare, PetscInt c, co
     AddSquares_Private(sum, known);
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  num = ElementPieceCut((ElementType)compare->level->cell_type[c], piece, parts);
+  num = CellPieceCut((ElementType)compare->level->cell_type[c], piece, parts);
   if (!num) AddSquares_Private(sum, known);
   for (PetscInt i = 0; i < num; ++i) {
     PetscCall(Integrate_Private(compare, c, &parts[i], &part));
@@ -214,10 +214,10 @@ static void IgnoreRounding_Private(PetscInt num, ErrorSquares totals[])
 /* Both rounds over the cells. */
 static PetscErrorCode AddCells_Private(const Comparison *compare, ErrorSquares squares[])
 {
-  const Level       *level = compare->level;
-  const Scene        scene = compare->scene;
-  const ElementPiece whole = ElementPieceWhole();
-  ErrorSquares      *cells, *totals;
+  const Level    *level = compare->level;
+  const Scene     scene = compare->scene;
+  const CellPiece whole = CellPieceWhole();
+  ErrorSquares   *cells, *totals;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc2(level->num_cells, &cells, scene->num_bodies, &totals));

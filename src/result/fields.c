@@ -70,14 +70,14 @@ static PetscErrorCode PairMoment_Private(Fields fields, PetscInt p, PetscInt mom
   PetscCall(VecGetArray(values, &value));
   for (PetscInt c = 0; c < vi->level->num_owned; ++c) value[c] = moment ? coords[c * dim + moment - 1] : 1.0;
   PetscCall(VecRestoreArray(values, &value));
-  if (pair->unshift) { /* D and the chain are written for u~ = u + unshift u */
+  if (pair->from_nodal) { /* D and the chain are written for u~ = u + from_nodal u */
     PetscCall(VecDuplicate(values, &moved));
-    PetscCall(MatMult(pair->unshift, values, moved));
+    PetscCall(MatMult(pair->from_nodal, values, moved));
     PetscCall(VecAXPY(values, 1.0, moved));
     PetscCall(VecDestroy(&moved));
   }
-  if (pair->chain) {
-    PetscCall(MatMult(pair->chain, values, sums));
+  if (pair->D_other) {
+    PetscCall(MatMult(pair->D_other, values, sums));
     PetscCall(VecGetArrayRead(sums, &taken));
   }
   PetscCall(VecGetArrayRead(values, &own));

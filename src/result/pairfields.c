@@ -12,14 +12,14 @@ static PetscErrorCode ExtendPressure_Private(const Pair pair, PairFields *nodal)
   PetscInt         n;
 
   PetscFunctionBeginUser;
-  PetscCall(MatCreateVecs(pair->chain, &sums[0], &rows));
+  PetscCall(MatCreateVecs(pair->D_other, &sums[0], &rows));
   PetscCall(VecDuplicate(sums[0], &sums[1]));
   for (PetscInt i = 0; i < 2; ++i) {
     PetscCall(VecZeroEntries(rows));
     PetscCall(VecGetArray(rows, &value));
     for (PetscInt a = 0; a < pair->num; ++a) value[pair->nodes[a]] = i == 0 ? nodal->pressure[pair->nodes[a]] : 1.0;
     PetscCall(VecRestoreArray(rows, &value));
-    PetscCall(MatMultTranspose(pair->chain, rows, sums[i]));
+    PetscCall(MatMultTranspose(pair->D_other, rows, sums[i]));
   }
   PetscCall(VecGetLocalSize(sums[0], &n));
   PetscCall(VecGetArrayRead(sums[0], &sum[0]));
@@ -47,20 +47,20 @@ static PetscErrorCode InterpolatePressure_Private(const Pair pair, PairFields *n
   const PetscReal *mean;
 
   PetscFunctionBeginUser;
-  PetscCall(MatCreateVecs(pair->shift, &ends, &middles));
+  PetscCall(MatCreateVecs(pair->to_nodal, &ends, &middles));
   for (PetscInt i = 0; i < 2; ++i) { /* the pressure, and whether there is any */
     PetscCall(VecGetArray(ends, &value));
     for (PetscInt a = 0; a < pair->level->num_owned; ++a) value[a] = i == 0 ? nodal->pressure[a] : nodal->covered[a];
     PetscCall(VecRestoreArray(ends, &value));
-    PetscCall(MatMult(pair->shift, ends, middles));
+    PetscCall(MatMult(pair->to_nodal, ends, middles));
     PetscCall(VecGetArrayRead(middles, &mean));
     for (PetscInt a = 0; a < pair->level->num_owned; ++a) {
       PetscInt num;
 
-      PetscCall(MatGetRow(pair->shift, begin + a, &num, NULL, NULL));
+      PetscCall(MatGetRow(pair->to_nodal, begin + a, &num, NULL, NULL));
       if (num && i == 0) nodal->pressure[a] = mean[a];
       if (num && i == 1) nodal->covered[a] = (PetscBool)(mean[a] > 0);
-      PetscCall(MatRestoreRow(pair->shift, begin + a, &num, NULL, NULL));
+      PetscCall(MatRestoreRow(pair->to_nodal, begin + a, &num, NULL, NULL));
     }
     PetscCall(VecRestoreArrayRead(middles, &mean));
   }
@@ -98,8 +98,8 @@ PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal)
   }
   PetscCall(VecRestoreArrayRead(fields->slack, &slack));
   PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
-  if (pair->chain) PetscCall(ExtendPressure_Private(pair, nodal));
-  if (pair->shift && pair->spec->multipliers == MULTIPLIERS_VERTICES)
+  if (pair->D_other) PetscCall(ExtendPressure_Private(pair, nodal));
+  if (pair->to_nodal && pair->spec->multipliers == MULTIPLIERS_VERTICES)
     PetscCall(InterpolatePressure_Private(pair, nodal));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

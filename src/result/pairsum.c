@@ -33,7 +33,7 @@ static void AddRow_Private(Fields fields, PetscInt r, PetscReal lambda, PetscRea
   if (lambda > 0) sums[ADD_AREA] += weight;
   sums[ADD_ACTIVE] += 1;
   largest[MAX_PRESSURE] = PetscMax(largest[MAX_PRESSURE], lambda);
-  if (!pair->cut[a]) largest[MAX_COVERED] = PetscMax(largest[MAX_COVERED], lambda);
+  if (!pair->partly_covered[a]) largest[MAX_COVERED] = PetscMax(largest[MAX_COVERED], lambda);
   for (PetscInt k = 0; k < dim; ++k) {
     largest[MAX_LOWER + k] = PetscMax(largest[MAX_LOWER + k], -x[k]);
     largest[MAX_UPPER + k] = PetscMax(largest[MAX_UPPER + k], x[k]);

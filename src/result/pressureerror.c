@@ -41,7 +41,7 @@ static PetscErrorCode AddFacet_Private(const Level *level, const Facets *facets,
   const PetscInt   *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(type), dim = level->dim;
   PetscReal         X[MAX_DIM * ELEMENT_MAX_FACET_NODES], xi[MAX_DIM * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS];
   PetscReal         phi[ELEMENT_MAX_NODES], x[MAX_DIM], p;
-  const PetscInt    num_points = ElementQuadrature(type, FACET_DEGREE, xi, w);
+  const PetscInt    num_points = QuadratureRule(type, FACET_DEGREE, xi, w);
 
   PetscFunctionBeginUser;
   for (PetscInt a = 0; a < n; ++a) {

@@ -30,7 +30,7 @@ static void RecoverySet_Private(ElementType type, const ElementRule *stiffness, 
   ElementRule      *rule   = &recovery->rule;
   PetscReal         middle[MAX_DIM], xi[MAX_DIM], measure;
 
-  ElementQuadrature(linear, 1, middle, &measure);
+  QuadratureRule(linear, 1, middle, &measure);
   recovery->stiffness = stiffness;
   rule->type          = type;
   rule->num           = ElementOrder(type) == 1 ? 1 : nv;

@@ -22,7 +22,7 @@ static void Row_Private(VI vi, const ContactPlace *place, const PetscReal n[], P
 }
 
 /* Ends of the cover of pairs that can only press, on this rank; counts where out is NULL. */
-static PetscInt Ends_Private(VI vi, const PairEnd *out[])
+static PetscInt Ends_Private(VI vi, const OverlapBoundary *out[])
 {
   PetscInt num = 0;
 
@@ -30,8 +30,8 @@ static PetscInt Ends_Private(VI vi, const PairEnd *out[])
     const Pair pair = vi->pairs[p];
 
     if (pair->spec->type == PAIR_TIED) continue;
-    for (PetscInt i = 0; i < pair->num_ends; i++, num++)
-      if (out) out[num] = &pair->ends[i];
+    for (PetscInt i = 0; i < pair->num_boundary; i++, num++)
+      if (out) out[num] = &pair->boundary[i];
   }
   return num;
 }
@@ -39,20 +39,20 @@ static PetscInt Ends_Private(VI vi, const PairEnd *out[])
 /* Appends the ends of what is covered. Collective. */
 static PetscErrorCode AddEnds_Private(VI vi, PetscInt num, ContactRows *cover)
 {
-  const PetscInt  m = vi->rigid_modes.num;
-  const PairEnd **ends;
-  PetscInt       *node, *piece;
+  const PetscInt          m = vi->rigid_modes.num;
+  const OverlapBoundary **ends;
+  PetscInt               *node, *piece;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc3(num, &ends, num, &node, num, &piece));
   Ends_Private(vi, ends);
   for (PetscInt i = 0; i < num; i++) node[i] = ends[i]->mortar;
-  PetscCall(PiecesOfGlobalNodes(vi->level, &vi->rigid_modes.pieces, num, node, piece));
+  PetscCall(ComponentsOfGlobalNodes(vi->level, &vi->rigid_modes.components, num, node, piece));
   for (PetscInt i = 0; i < num; i++, cover->num++) {
     ContactPlace *place = &cover->place[cover->num];
 
     PetscCall(PetscArraycpy(place->x, ends[i]->x, 3));
-    place->piece[0]         = vi->rigid_modes.pieces.of_node[ends[i]->node];
+    place->piece[0]         = vi->rigid_modes.components.of_node[ends[i]->node];
     place->piece[1]         = piece[i];
     cover->both[cover->num] = PETSC_FALSE;
     Row_Private(vi, place, ends[i]->normal, &cover->rows[cover->num * m]);
@@ -84,9 +84,9 @@ PetscErrorCode ContactRowsCreate(VI vi, Solvability s)
 
     cover->both[cover->num]  = s->both[r];
     cover->place[cover->num] = s->place[r];
-    if (s->both[r] || !pair->cut[a])
+    if (s->both[r] || !pair->partly_covered[a])
       PetscCall(PetscArraycpy(row, &s->C[r * m], m));
-    else if (pair->whole[a]) // without what it has taken over from a node beyond the end
+    else if (pair->fully_covered[a]) // without what it has taken over from a node beyond the end
       Row_Private(vi, &s->place[r], &pair->normal[a * vi->level->dim], row);
     else
       continue;

@@ -58,12 +58,12 @@ static void Cell_Private(VI vi, PetscInt c, const ElementRule *rule, const Petsc
 {
   const Level    *level = vi->level;
   const PetscInt  dim = level->dim, n = level->cell_start[c + 1] - level->cell_start[c], m = vi->rigid_modes.num;
-  const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]], piece = vi->rigid_modes.pieces.of_node[nodes[0]];
+  const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]], piece = vi->rigid_modes.components.of_node[nodes[0]];
   PetscReal       X[ELEMENT_MAX_NODES * MAX_DIM], x[MAX_DIM], value[MAX_DIM], z[RIGID_COMPONENTS * MAX_DIM];
   PetscInt        begin = 0, end;
 
-  while (vi->rigid_modes.piece[begin] < piece) begin++;
-  for (end = begin; end < m && vi->rigid_modes.piece[end] == piece;) end++;
+  while (vi->rigid_modes.component[begin] < piece) begin++;
+  for (end = begin; end < m && vi->rigid_modes.component[end] == piece;) end++;
   for (PetscInt i = 0; i < n * dim; i++) X[i] = level->coords[nodes[i / dim] * dim + i % dim];
   for (PetscInt q = 0; q < rule->num; q++) {
     const PetscReal weight = ElementRuleMap(rule, q, X, x, NULL) * rule->weight[q] * SceneMeasure(vi->scene, x);
@@ -103,7 +103,7 @@ static PetscErrorCode Mass_Private(VI vi, Vec u, PetscReal mass[], PetscReal wor
   PetscCall(VecGetArrayRead(local, &ul));
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const ElementType type  = (ElementType)level->cell_type[c];
-    const PetscInt    piece = vi->rigid_modes.pieces.of_node[level->cell_nodes[level->cell_start[c]]];
+    const PetscInt    piece = vi->rigid_modes.components.of_node[level->cell_nodes[level->cell_start[c]]];
 
     if (!vi->rigid_modes.loose[piece]) continue;
     if (!rule->num || rule->type != type) ElementRuleSet(type, 2 * ElementOrder(type), rule);

@@ -19,16 +19,16 @@ static const PetscReal CLOSED = 1e-9;
 static PetscErrorCode Candidates_Private(VI vi, PetscBool candidate[])
 {
   const Level   *level      = vi->level;
-  const PetscInt num_pieces = vi->rigid_modes.pieces.num;
+  const PetscInt num_pieces = vi->rigid_modes.components.num;
   PetscInt      *ordinary;
 
   PetscFunctionBeginUser;
   PetscCall(VIMarkCartesian(vi, candidate));
   PetscCall(PetscCalloc1(num_pieces, &ordinary));
-  for (PetscInt a = 0; a < level->num_owned; a++) ordinary[vi->rigid_modes.pieces.of_node[a]] += candidate[a] ? 1 : 0;
+  for (PetscInt a = 0; a < level->num_owned; a++) ordinary[vi->rigid_modes.components.of_node[a]] += candidate[a] ? 1 : 0;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, ordinary, (PetscMPIInt)num_pieces, MPIU_INT, MPI_SUM, level->comm));
   for (PetscInt a = 0; a < level->num_owned; a++) {
-    const PetscInt b = vi->rigid_modes.pieces.of_node[a];
+    const PetscInt b = vi->rigid_modes.components.of_node[a];
 
     candidate[a] = (PetscBool)(vi->rigid_modes.loose[b] && (candidate[a] || ordinary[b] <= level->dim));
   }
@@ -39,7 +39,7 @@ static PetscErrorCode Candidates_Private(VI vi, PetscBool candidate[])
 /* The candidate farthest from all that were taken before, in every piece of a body. [in,out] distance - of each node to these, -1 for
    others [num_owned]; [in,out] places - the last taken, [pieces->num][3]; [out] taken - local nodes, -1 where another rank has it
    [pieces->num] */
-static PetscErrorCode Farthest_Private(const Level *level, const Pieces *pieces, const PetscReal distance[],
+static PetscErrorCode Farthest_Private(const Level *level, const Components *pieces, const PetscReal distance[],
                                        PetscReal places[], PetscInt taken[])
 {
   PetscMPIInt rank;
@@ -118,13 +118,13 @@ static PetscErrorCode Stiffness_Private(VI vi, PetscReal weak[])
 /* Springs at dim + 1 nodes of each piece of a body that floats, at all unknowns of these that are not fixed. */
 static PetscErrorCode Place_Private(VI vi, Vec springs)
 {
-  const Level   *level  = vi->level;
-  const Pieces  *pieces = &vi->rigid_modes.pieces;
-  const PetscInt dim = level->dim, num = pieces->num;
-  PetscBool     *candidate;
-  PetscReal     *distance, *places, *weak;
-  PetscInt      *taken;
-  PetscScalar   *w;
+  const Level      *level  = vi->level;
+  const Components *pieces = &vi->rigid_modes.components;
+  const PetscInt    dim = level->dim, num = pieces->num;
+  PetscBool        *candidate;
+  PetscReal        *distance, *places, *weak;
+  PetscInt         *taken;
+  PetscScalar      *w;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc5(level->num_owned, &candidate, level->num_owned, &distance, 3 * num, &places,

@@ -23,7 +23,7 @@ static PetscReal Norm_Private(const PetscReal v[3])
 
 void SceneMotionAddSlipOfMode(VI vi, const ContactPlace *place, PetscInt k, PetscReal factor, PetscReal slip[])
 {
-  const PetscInt dim = vi->level->dim, piece = vi->rigid_modes.piece[k];
+  const PetscInt dim = vi->level->dim, piece = vi->rigid_modes.component[k];
   PetscReal      u[3];
 
   if (piece != place->piece[0] && piece != place->piece[1]) return;
@@ -41,7 +41,7 @@ static void Gather_Private(VI vi, const PetscReal q[], PetscInt piece, PetscReal
 {
   for (PetscInt i = 0; i < RIGID_COMPONENTS; i++) motion[i] = 0;
   for (PetscInt k = 0; k < vi->rigid_modes.num; k++) {
-    for (PetscInt i = 0; i < RIGID_COMPONENTS && vi->rigid_modes.piece[k] == piece; i++)
+    for (PetscInt i = 0; i < RIGID_COMPONENTS && vi->rigid_modes.component[k] == piece; i++)
       motion[i] += q[k] * vi->rigid_modes.mode[k * RIGID_COMPONENTS + i];
   }
   for (PetscInt i = 0; i < RIGID_COMPONENTS; i++)
@@ -75,7 +75,7 @@ static void Axis_Private(const PetscReal frame[], const PetscReal t[], const Pet
 /* What q does to the rows that a piece has a part in. Collective. [out] contacts - [pieces.num] */
 static PetscErrorCode Contacts_Private(VI vi, Solvability s, const PetscReal q[], PetscReal size, Contacts contacts[])
 {
-  const PetscInt num = vi->rigid_modes.pieces.num;
+  const PetscInt num = vi->rigid_modes.components.num;
   PetscInt      *flags;
 
   PetscFunctionBeginUser;
@@ -87,7 +87,7 @@ static PetscErrorCode Contacts_Private(VI vi, Solvability s, const PetscReal q[]
     for (PetscInt k = 0; k < s->m; k++) opening -= row[k] * q[k];
     SceneMotionAddSlip(vi, &s->cover.place[r], q, slip);
     for (PetscInt k = 0; k < s->m; k++) {
-      PetscInt *flag = &flags[FLAGS * vi->rigid_modes.piece[k]];
+      PetscInt *flag = &flags[FLAGS * vi->rigid_modes.component[k]];
 
       if (PetscAbsReal(row[k]) <= NEGLIGIBLE) continue;
       flag[0] = 1;
@@ -149,10 +149,10 @@ static void Going_Private(PetscInt dim, const BodyMotion *motion, const char ver
 /* What a piece of a body is called. */
 static void Name_Private(VI vi, PetscInt piece, BodyMotion *motion)
 {
-  const Pieces  *pieces = &vi->rigid_modes.pieces;
-  const PetscInt num    = PiecesOfBody(pieces, pieces->body[piece]);
-  PetscInt       first  = piece;
-  char           centre[96];
+  const Components *pieces = &vi->rigid_modes.components;
+  const PetscInt    num    = ComponentsOfBody(pieces, pieces->body[piece]);
+  PetscInt          first  = piece;
+  char              centre[96];
 
   while (first > 0 && pieces->body[first - 1] == pieces->body[piece]) first--;
   motion->body  = pieces->body[piece];
@@ -188,7 +188,7 @@ static PetscReal Scale_Private(VI vi, const PetscReal q[], PetscReal size, Petsc
 {
   PetscReal rotation = 0, translation = 0, motion[RIGID_COMPONENTS];
 
-  for (PetscInt b = 0; b < vi->rigid_modes.pieces.num; b++) {
+  for (PetscInt b = 0; b < vi->rigid_modes.components.num; b++) {
     Gather_Private(vi, q, b, size, motion);
     rotation    = PetscMax(rotation, Norm_Private(&motion[3]) / vi->rigid_modes.frames[4 * b + 3]);
     translation = PetscMax(translation, Norm_Private(motion));
@@ -208,11 +208,11 @@ PetscErrorCode SceneMotionCreate(VI vi, Solvability s, const PetscReal q[], Scen
   scale        = Scale_Private(vi, q, size, &motion->turns);
   motion->num  = 0;
   motion->work = 0;
-  PetscCall(PetscMalloc1(vi->rigid_modes.pieces.num, &motion->bodies));
-  PetscCall(PetscMalloc1(vi->rigid_modes.pieces.num, &contacts));
+  PetscCall(PetscMalloc1(vi->rigid_modes.components.num, &motion->bodies));
+  PetscCall(PetscMalloc1(vi->rigid_modes.components.num, &contacts));
   PetscCall(Contacts_Private(vi, s, q, size, contacts));
   motion->sentence[0] = '\0';
-  for (PetscInt b = 0; b < vi->rigid_modes.pieces.num; b++) {
+  for (PetscInt b = 0; b < vi->rigid_modes.components.num; b++) {
     BodyMotion *body = &motion->bodies[motion->num];
 
     Gather_Private(vi, q, b, size, components);
@@ -222,7 +222,7 @@ PetscErrorCode SceneMotionCreate(VI vi, Solvability s, const PetscReal q[], Scen
     body->work = 0;
     Axis_Private(&vi->rigid_modes.frames[4 * b], components, &components[3], body);
     for (PetscInt k = 0; k < s->m; k++)
-      if (vi->rigid_modes.piece[k] == b) body->work += scale * s->phi[k] * q[k];
+      if (vi->rigid_modes.component[k] == b) body->work += scale * s->phi[k] * q[k];
     motion->work += body->work;
     used +=
         (size_t)snprintf(motion->sentence + used, sizeof(motion->sentence) - used, "%s", motion->num ? "; " : "body ");

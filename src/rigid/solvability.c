@@ -31,7 +31,7 @@ static const PetscReal LEFT = 1e-11;
 static PetscErrorCode SetMotion_Private(VI vi, PetscInt k, Vec u)
 {
   const Level     *level = vi->level;
-  const PetscInt   dim = level->dim, piece = vi->rigid_modes.piece[k];
+  const PetscInt   dim = level->dim, piece = vi->rigid_modes.component[k];
   const PetscReal *motion = &vi->rigid_modes.mode[k * RIGID_COMPONENTS];
   PetscScalar     *ua;
 
@@ -39,7 +39,7 @@ static PetscErrorCode SetMotion_Private(VI vi, PetscInt k, Vec u)
   PetscCall(VecZeroEntries(u));
   PetscCall(VecGetArray(u, &ua));
   for (PetscInt i = 0; i < level->num_owned; i++) {
-    if (vi->rigid_modes.pieces.of_node[i] == piece)
+    if (vi->rigid_modes.components.of_node[i] == piece)
       RigidModesAt(dim, &vi->rigid_modes.frames[4 * piece], motion, &level->coords[i * dim], &ua[i * dim]);
   }
   PetscCall(VecRestoreArray(u, &ua));
@@ -68,7 +68,7 @@ static PetscErrorCode Matrices_Private(VI vi, Solvability s)
   PetscCall(VecDestroy(&u));
   PetscCall(VecGetArrayRead(vi->f, &f));
   for (PetscInt a = 0; a < level->num_owned; a++) {
-    if (!vi->rigid_modes.loose[vi->rigid_modes.pieces.of_node[a]]) continue;
+    if (!vi->rigid_modes.loose[vi->rigid_modes.components.of_node[a]]) continue;
     for (PetscInt k = 0; k < dim; k++) s->forces += PetscAbsReal(PetscRealPart(f[a * dim + k]));
   }
   PetscCall(VecRestoreArrayRead(vi->f, &f));
@@ -95,7 +95,7 @@ static PetscErrorCode Places_Private(VI vi, Solvability s)
     const PetscScalar *values;
     PetscReal          largest = 0;
 
-    s->place[r].piece[0] = vi->rigid_modes.pieces.of_node[a];
+    s->place[r].piece[0] = vi->rigid_modes.components.of_node[a];
     for (PetscInt k = 0; k < dim; k++) s->place[r].x[k] = level->coords[a * dim + k];
     node[r] = -1;
     if (!pair->M) continue;
@@ -107,7 +107,7 @@ static PetscErrorCode Places_Private(VI vi, Solvability s)
     }
     PetscCall(MatRestoreRow(pair->M, level->node_begin + a, &num, &columns, &values));
   }
-  PetscCall(PiecesOfGlobalNodes(level, &vi->rigid_modes.pieces, vi->num_rows, node, piece));
+  PetscCall(ComponentsOfGlobalNodes(level, &vi->rigid_modes.components, vi->num_rows, node, piece));
   for (PetscInt r = 0; r < vi->num_rows; r++) s->place[r].piece[1] = piece[r];
   PetscCall(PetscFree2(node, piece));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -228,7 +228,7 @@ static PetscErrorCode MovesLoads_Private(VI vi, const Cone *cone, const PetscRea
   for (PetscInt k = 0; k < cone->m; k++) {
     if (PetscAbsReal(q[k]) <= NUDGE * size) continue;
     for (PetscInt l = 0; l < cone->m; l++)
-      if (vi->rigid_modes.piece[l] == vi->rigid_modes.piece[k] && PetscAbsReal(phi[l]) > BALANCED) *loads = PETSC_TRUE;
+      if (vi->rigid_modes.component[l] == vi->rigid_modes.component[k] && PetscAbsReal(phi[l]) > BALANCED) *loads = PETSC_TRUE;
   }
   for (PetscInt r = 0; r < cone->num; r++) {
     PetscReal opening = 0;

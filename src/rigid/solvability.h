@@ -17,7 +17,7 @@ typedef enum {
 
 /* A point x of a body, or of a piece of it, moves by translation + rotation x (x - centre). */
 typedef struct {
-  PetscInt  body, piece;                 /* of vi->rigid_modes.pieces */
+  PetscInt  body, piece;                 /* of vi->rigid_modes.components */
   PetscBool whole;                       /* the body is of one piece */
   char      name[512];                   /* "lid", or "lid, piece 1 of 2 near (1.2, 0)" */
   PetscReal translation[3], rotation[3]; /* the translation is along the axis of the rotation where there is one */

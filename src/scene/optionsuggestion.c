@@ -47,7 +47,7 @@ static PetscErrorCode SuggestList_Private(Scene scene, const char misspelt[], Pe
   for (const OptionEntry *entry = table; entry < table + num_entries; entry++) {
     if (strchr(entry->name, '*')) continue;
     if (OptionEntryScope(entry) == SCOPE_PROGRAM) PetscCall(SuggestAdd_Private(entry->name, NULL, NULL, num, names));
-    for (PetscInt i = 0; (owner = NamesGet(scene, i, &scope)); i++) {
+    for (PetscInt i = 0; (owner = SceneNamesGet(scene, i, &scope)); i++) {
       if (scope == OptionEntryScope(entry))
         PetscCall(SuggestAddSides_Private(misspelt, entry->name, owner, num, names));
     }
@@ -55,7 +55,7 @@ static PetscErrorCode SuggestList_Private(Scene scene, const char misspelt[], Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SuggestOption(Scene scene, const char misspelt[], char near[OPTION_MAX])
+PetscErrorCode OptionSuggestionFind(Scene scene, const char misspelt[], char near[OPTION_MAX])
 {
   PetscInt    num;
   char      **names;

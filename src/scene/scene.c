@@ -150,16 +150,16 @@ PetscErrorCode SceneSetFromOptions(Scene scene)
   PetscFunctionBeginUser;
   PetscCall(OptionFind(scene, "-options_allow_unused", NULL, NULL, &allow));
   PetscCall(OptionGetBool(&allow, &scene->allow_unused));
-  PetscCall(NamesRead(scene));
+  PetscCall(SceneNamesRead(scene));
   if (!scene->allow_unused)
-    PetscCall(UnusedCheckUnknown(scene, PETSC_FALSE)); /* before the options that misspelt ones leave missing */
+    PetscCall(UnusedOptionsCheckUnknown(scene, PETSC_FALSE)); /* before the options that misspelt ones leave missing */
   PetscCall(SceneReadGlobal_Private(scene));
-  PetscCall(StudyRead(scene));
-  for (PetscInt i = 0; i < scene->num_bodies; i++) PetscCall(BodyRead(scene, &scene->bodies[i]));
-  PetscCall(StudySettleOrders(scene));
-  for (PetscInt i = 0; i < scene->num_pairs; i++) PetscCall(PairRead(scene, &scene->pairs[i]));
-  for (PetscInt i = 0; i < scene->num_probes; i++) PetscCall(ProbeRead(scene, &scene->probes[i]));
-  PetscCall(ResultsRead(scene));
+  PetscCall(SceneStudyRead(scene));
+  for (PetscInt i = 0; i < scene->num_bodies; i++) PetscCall(SceneBodyRead(scene, &scene->bodies[i]));
+  PetscCall(SceneStudySetOrders(scene));
+  for (PetscInt i = 0; i < scene->num_pairs; i++) PetscCall(ScenePairRead(scene, &scene->pairs[i]));
+  for (PetscInt i = 0; i < scene->num_probes; i++) PetscCall(SceneProbeRead(scene, &scene->probes[i]));
+  PetscCall(SceneResultsRead(scene));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -167,8 +167,8 @@ PetscErrorCode SceneDestroy(Scene *scene)
 {
   PetscFunctionBeginUser;
   if (!*scene) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt i = 0; i < (*scene)->num_bodies; i++) PetscCall(BodyDestroy(&(*scene)->bodies[i]));
-  for (PetscInt i = 0; i < (*scene)->num_pairs; i++) PetscCall(PairDescriptionDestroy(&(*scene)->pairs[i]));
+  for (PetscInt i = 0; i < (*scene)->num_bodies; i++) PetscCall(SceneBodyDestroy(&(*scene)->bodies[i]));
+  for (PetscInt i = 0; i < (*scene)->num_pairs; i++) PetscCall(ScenePairDestroy(&(*scene)->pairs[i]));
   for (PetscInt i = 0; i < (*scene)->num_probes; i++) PetscCall(PetscFree((*scene)->probes[i].name));
   PetscCall(PetscFree((*scene)->bodies));
   PetscCall(PetscFree((*scene)->pairs));

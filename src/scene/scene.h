@@ -32,13 +32,13 @@ typedef struct {
   PetscBool      curved_file;  /* found by the mesh: the file is of second order */
   PetscBool      straightened; /* likewise: it has curved sides, of which order 1 makes chords */
   PetscBool      arcs; /* likewise: it is of first order, and has sides of pairs that are taken for smooth and bend */
-  PetscInt       num_hinges;     /* likewise, on the first rank: vertices by which alone some cells hang together */
-  PetscReal      hinge[3];       /* the first of them, before the map */
-  Expression     young, poisson; /* of an isotropic body, else NULL */
-  Expression     stiffness;      /* upper triangle of the Hooke tensor, else NULL */
-  PetscReal      angle[3];       /* of the material axes, degrees */
-  Expression     body_force;     /* force per volume [dim], or NULL */
-  Expression     exact;          /* the exact displacement, where it is known [dim], or NULL */
+  PetscInt       num_nonmanifold; /* likewise, on the first rank: vertices by which alone some cells hang together */
+  PetscReal      nonmanifold[3];  /* the first of them, before the map */
+  Expression     young, poisson;  /* of an isotropic body, else NULL */
+  Expression     stiffness;       /* upper triangle of the Hooke tensor, else NULL */
+  PetscReal      angle[3];        /* of the material axes, degrees */
+  Expression     body_force;      /* force per volume [dim], or NULL */
+  Expression     exact;           /* the exact displacement, where it is known [dim], or NULL */
   PetscInt       num_boundaries;
   SceneBoundary *boundaries; /* in the order typed: displacement, normal, traction, pressure */
 } SceneBody;

@@ -185,16 +185,16 @@ static PetscErrorCode BodyReadMaterial_Private(Scene scene, SceneBody *body)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BodyRead(Scene scene, SceneBody *body)
+PetscErrorCode SceneBodyRead(Scene scene, SceneBody *body)
 {
   PetscFunctionBeginUser;
   PetscCall(BodyReadMesh_Private(scene, body));
   PetscCall(BodyReadMaterial_Private(scene, body));
-  PetscCall(BoundariesRead(scene, body));
+  PetscCall(SceneBoundariesRead(scene, body));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BodyDestroy(SceneBody *body)
+PetscErrorCode SceneBodyDestroy(SceneBody *body)
 {
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < body->num_boundaries; i++) {

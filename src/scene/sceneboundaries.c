@@ -67,11 +67,11 @@ static PetscErrorCode BoundaryReadKind_Private(Scene scene, SceneBody *body, Pet
     PetscCall(OptionNextItem(&list, &cursor, side));
     if (strlen(side) + strlen(list.name) + 2 > OPTION_MAX)
       PetscCall(OptionRaise(&list, "the name of a side is too long for an option"));
-    PetscCall(SideCheck(&list, body, side));
+    PetscCall(SceneSideCheck(&list, body, side));
     for (PetscInt j = first; j < body->num_boundaries; j++) {
       char common[OPTION_MAX];
 
-      if (SideOverlaps(side, body->boundaries[j].side, common))
+      if (SceneSideOverlaps(side, body->boundaries[j].side, common))
         PetscCall(OptionRaise(&list, "the side %s is listed twice", common));
     }
     boundary->kind = (BoundaryKind)kind;
@@ -84,7 +84,7 @@ static PetscErrorCode BoundaryReadKind_Private(Scene scene, SceneBody *body, Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscBool BoundaryHoldsAll(Scene scene, const SceneBoundary *boundary)
+PetscBool SceneBoundaryFixesAll(Scene scene, const SceneBoundary *boundary)
 {
   if (boundary->kind != BOUNDARY_DISPLACEMENT) return PETSC_FALSE;
   for (PetscInt c = 0; c < scene->dim; c++) {
@@ -101,8 +101,8 @@ static PetscErrorCode BoundaryCheckRoles_Private(Scene scene, const SceneBody *b
 
   PetscFunctionBeginUser;
   if (load->kind != BOUNDARY_TRACTION && load->kind != BOUNDARY_PRESSURE) PetscFunctionReturn(PETSC_SUCCESS);
-  if (!SideOverlaps(held->side, load->side, side)) PetscFunctionReturn(PETSC_SUCCESS);
-  if (BoundaryHoldsAll(scene, held)) {
+  if (!SceneSideOverlaps(held->side, load->side, side)) PetscFunctionReturn(PETSC_SUCCESS);
+  if (SceneBoundaryFixesAll(scene, held)) {
     PetscCall(UserErrorRaise(scene->comm,
                              "-%s_bc_%s: the side %s cannot be loaded, its displacement is given by "
                              "-%s_bc_displacement_%s; leave a component of "
@@ -118,7 +118,7 @@ static PetscErrorCode BoundaryCheckRoles_Private(Scene scene, const SceneBody *b
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BoundariesRead(Scene scene, SceneBody *body)
+PetscErrorCode SceneBoundariesRead(Scene scene, SceneBody *body)
 {
   Option   force, list;
   PetscInt num = 0;

@@ -12,7 +12,7 @@
 /* Longest name: together with a key it stays far below the length of an option. */
 enum { NAME_MAX_LENGTH = 64 };
 
-const char *NamesGet(Scene scene, PetscInt i, OptionScope *scope)
+const char *SceneNamesGet(Scene scene, PetscInt i, OptionScope *scope)
 {
   *scope = SCOPE_BODY;
   if (i < scene->num_bodies) return scene->bodies[i].name;
@@ -48,20 +48,20 @@ static PetscErrorCode NamesNext_Private(const Option *option, const char **curso
 static PetscErrorCode NamesCheckOne_Private(Scene scene, PetscInt i)
 {
   OptionScope scope, other_scope;
-  const char *name = NamesGet(scene, i, &scope), *other, *kind;
+  const char *name = SceneNamesGet(scene, i, &scope), *other, *kind;
   char        option[OPTION_MAX];
 
   PetscFunctionBeginUser;
   kind = scope == SCOPE_BODY ? "-bodies" : scope == SCOPE_PAIR ? "-pairs" : "-probes";
   for (PetscInt j = 0; j < i; j++) {
-    other = NamesGet(scene, j, &other_scope);
+    other = SceneNamesGet(scene, j, &other_scope);
     if (strcasecmp(name, other) != 0 || (scope == SCOPE_PROBE) != (other_scope == SCOPE_PROBE)) continue;
     PetscCall(UserErrorRaise(scene->comm,
                              "%s: the name %s is given twice%s; every body and every pair needs a name of its own",
                              kind, name, scope != other_scope ? " (to a body and to a pair)" : ""));
   }
   PetscCall(PetscSNPrintf(option, sizeof(option), "-%s_", name));
-  if (scope != SCOPE_PROBE && UnusedBeginsLikePETSc(option)) {
+  if (scope != SCOPE_PROBE && UnusedOptionsBeginsLikePETSc(option)) {
     PetscCall(UserErrorRaise(
         scene->comm, "%s: the name %s is taken, options that begin with %s belong to PETSc; choose another name", kind,
         name, option));
@@ -75,7 +75,7 @@ static PetscErrorCode NamesCheckClash_Private(Scene scene, PetscInt i, PetscInt 
   PetscInt           num;
   const OptionEntry *table = OptionTable(&num);
   OptionScope        scope, other_scope;
-  const char        *name = NamesGet(scene, i, &scope), *other = NamesGet(scene, j, &other_scope);
+  const char        *name = SceneNamesGet(scene, i, &scope), *other = SceneNamesGet(scene, j, &other_scope);
   const size_t       length = strlen(other);
   char               option[OPTION_MAX];
 
@@ -97,7 +97,7 @@ static PetscErrorCode NamesCheckClash_Private(Scene scene, PetscInt i, PetscInt 
 static PetscErrorCode NamesCheckNumbers_Private(Scene scene, PetscInt i)
 {
   OptionScope scope, other_scope;
-  const char *name = NamesGet(scene, i, &scope), *other;
+  const char *name = SceneNamesGet(scene, i, &scope), *other;
   char        shorter[NAME_MAX_LENGTH + 1];
 
   PetscFunctionBeginUser;
@@ -106,7 +106,7 @@ static PetscErrorCode NamesCheckNumbers_Private(Scene scene, PetscInt i)
 
     if (!digits || (c[1 + digits] != '_' && c[1 + digits] != '\0')) continue;
     PetscCall(PetscSNPrintf(shorter, sizeof(shorter), "%.*s%s", (int)(c - name), name, c + 1 + digits));
-    for (PetscInt j = 0; (other = NamesGet(scene, j, &other_scope)); j++) {
+    for (PetscInt j = 0; (other = SceneNamesGet(scene, j, &other_scope)); j++) {
       if (scope != other_scope || strcasecmp(shorter, other) != 0) continue;
       PetscCall(UserErrorRaise(
           scene->comm,
@@ -123,17 +123,17 @@ static PetscErrorCode NamesCheck_Private(Scene scene)
   OptionScope scope;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; NamesGet(scene, i, &scope); i++) {
+  for (PetscInt i = 0; SceneNamesGet(scene, i, &scope); i++) {
     PetscCall(NamesCheckOne_Private(scene, i));
     PetscCall(NamesCheckNumbers_Private(scene, i));
-    for (PetscInt j = 0; NamesGet(scene, j, &scope); j++) {
+    for (PetscInt j = 0; SceneNamesGet(scene, j, &scope); j++) {
       if (i != j && scope != SCOPE_PROBE) PetscCall(NamesCheckClash_Private(scene, i, j));
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode NamesRead(Scene scene)
+PetscErrorCode SceneNamesRead(Scene scene)
 {
   Option      bodies, pairs, probes;
   const char *cursor = NULL;
@@ -143,7 +143,7 @@ PetscErrorCode NamesRead(Scene scene)
   PetscCall(OptionFind(scene, "-bodies", NULL, NULL, &bodies));
   PetscCall(OptionFind(scene, "-pairs", NULL, NULL, &pairs));
   PetscCall(OptionFind(scene, "-probes", NULL, NULL, &probes));
-  if (!bodies.set && !scene->allow_unused) PetscCall(UnusedCheckUnknown(scene, PETSC_TRUE));
+  if (!bodies.set && !scene->allow_unused) PetscCall(UnusedOptionsCheckUnknown(scene, PETSC_TRUE));
   PetscCall(OptionRequire(&bodies, "a scene needs at least one body"));
   num = OptionCountItems(&bodies);
   PetscCall(PetscCalloc1(num, &scene->bodies));
@@ -161,7 +161,7 @@ PetscErrorCode NamesRead(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode NamesFindBody(Scene scene, const Option *option, const char name[], PetscInt *body)
+PetscErrorCode SceneNamesFindBody(Scene scene, const Option *option, const char name[], PetscInt *body)
 {
   const char **names, *near;
   char         list[OPTION_MAX];

@@ -70,7 +70,7 @@ static PetscErrorCode ObstacleReadPlace_Private(Scene scene, const ScenePair *pa
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ObstacleRead(Scene scene, ScenePair *pair, const Option *shape)
+PetscErrorCode SceneObstacleRead(Scene scene, ScenePair *pair, const Option *shape)
 {
   enum { CIRCLE = 2 };
   /* in the order of the table's words: a circle is the section of a ball */

@@ -89,7 +89,7 @@ PetscErrorCode OptionRequire(const Option *option, const char why[])
 
   PetscFunctionBeginUser;
   if (option->set) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(UnusedNearest(option, near));
+  PetscCall(UnusedOptionsNearest(option, near));
   if (near[0])
     PetscCall(UserErrorRaise(option->comm, "%s: there is no such option; did you mean %s, which is missing?", near,
                              option->name));

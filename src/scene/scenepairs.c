@@ -12,8 +12,8 @@ static PetscErrorCode PairParseSide_Private(Scene scene, const Option *option, c
   if (!colon || colon == text || !colon[1])
     PetscCall(OptionRaise(option, "'%s' does not name a side; write body:side", text));
   PetscCall(PetscSNPrintf(body, sizeof(body), "%.*s", (int)(colon - text), text));
-  PetscCall(NamesFindBody(scene, option, body, &side->body));
-  PetscCall(SideCheck(option, &scene->bodies[side->body], colon + 1));
+  PetscCall(SceneNamesFindBody(scene, option, body, &side->body));
+  PetscCall(SceneSideCheck(option, &scene->bodies[side->body], colon + 1));
   PetscCall(PetscStrallocpy(colon + 1, &side->side));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -74,7 +74,7 @@ static PetscErrorCode PairReadSides_Private(Scene scene, ScenePair *pair)
     PetscCall(OptionRaise(&obstacle, "the pair has a mortar side already (%s %s); give one of the two", mortar.name,
                           mortar.text));
   if (obstacle.set) {
-    PetscCall(ObstacleRead(scene, pair, &obstacle));
+    PetscCall(SceneObstacleRead(scene, pair, &obstacle));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(OptionRequire(&mortar, "a pair needs the side that is met, or an obstacle by -<pair>_obstacle"));
@@ -142,8 +142,8 @@ static const SceneBoundary *PairFindHeld_Private(Scene scene, const SceneSide *s
   for (PetscInt i = 0; i < body->num_boundaries; i++) {
     const SceneBoundary *boundary = &body->boundaries[i];
 
-    if (!SideOverlaps(boundary->side, side->side, NULL)) continue;
-    if (boundary->kind == BOUNDARY_NORMAL || BoundaryHoldsAll(scene, boundary)) return boundary;
+    if (!SceneSideOverlaps(boundary->side, side->side, NULL)) continue;
+    if (boundary->kind == BOUNDARY_NORMAL || SceneBoundaryFixesAll(scene, boundary)) return boundary;
   }
   return NULL;
 }
@@ -180,7 +180,7 @@ static PetscErrorCode PairCheckHeld_Private(Scene scene, ScenePair *pair)
 
 static PetscBool PairSameSide_Private(const SceneSide *a, const SceneSide *b)
 {
-  return (PetscBool)(a->body >= 0 && a->body == b->body && SideOverlaps(a->side, b->side, NULL));
+  return (PetscBool)(a->body >= 0 && a->body == b->body && SceneSideOverlaps(a->side, b->side, NULL));
 }
 
 /* Faults where a side meets itself, or where an earlier pair joins the same two sides in either order. */
@@ -210,7 +210,7 @@ static PetscErrorCode PairCheckTwice_Private(Scene scene, const ScenePair *pair)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PairRead(Scene scene, ScenePair *pair)
+PetscErrorCode ScenePairRead(Scene scene, ScenePair *pair)
 {
   PetscFunctionBeginUser;
   pair->mortar.body = -1;
@@ -222,7 +222,7 @@ PetscErrorCode PairRead(Scene scene, ScenePair *pair)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PairDescriptionDestroy(ScenePair *pair)
+PetscErrorCode ScenePairDestroy(ScenePair *pair)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree(pair->name));

@@ -7,48 +7,48 @@
 
 /* names.c: bodies, pairs and probes by name, before anything of theirs is read. Faults on names that are not legal,
    given twice, or that would make one option mean two things. Collective. */
-PetscErrorCode NamesRead(Scene scene);
+PetscErrorCode SceneNamesRead(Scene scene);
 /* The i-th of all names and what it names; NULL behind the last one. Not collective. */
-const char *NamesGet(Scene scene, PetscInt i, OptionScope *scope);
+const char *SceneNamesGet(Scene scene, PetscInt i, OptionScope *scope);
 /* Index of the body of that name; a fault that lists the bodies if there is none. Collective. */
-PetscErrorCode NamesFindBody(Scene scene, const Option *option, const char name[], PetscInt *body);
+PetscErrorCode SceneNamesFindBody(Scene scene, const Option *option, const char name[], PetscInt *body);
 
 /* unused.c: faults on an option that no row of the table documents; with only_near, only if one is near. Collective.
    */
-PetscErrorCode UnusedCheckUnknown(Scene scene, PetscBool only_near);
+PetscErrorCode UnusedOptionsCheckUnknown(Scene scene, PetscBool only_near);
 /* Whether an option (with its dash) begins as PETSc's own options do, so that no body or pair may. Not collective. */
-PetscBool UnusedBeginsLikePETSc(const char option[]);
+PetscBool UnusedOptionsBeginsLikePETSc(const char option[]);
 /* The unused option in the database that looks like a misspelling of this one, or like its datum for a side that is not
    listed; "" if there is none. Not collective. */
-PetscErrorCode UnusedNearest(const Option *option, char near[OPTION_MAX]);
+PetscErrorCode UnusedOptionsNearest(const Option *option, char near[OPTION_MAX]);
 
 /* suggest.c: the documented option nearest to a misspelt one, "" if none is near. Not collective. */
-PetscErrorCode SuggestOption(Scene scene, const char misspelt[], char near[OPTION_MAX]);
+PetscErrorCode OptionSuggestionFind(Scene scene, const char misspelt[], char near[OPTION_MAX]);
 
 /* study.c: before the bodies, whose meshes a study refines. Collective. */
-PetscErrorCode StudyRead(Scene scene);
+PetscErrorCode SceneStudyRead(Scene scene);
 /* The orders of a study that names none are those of the bodies; call when they are read. Not collective. */
-PetscErrorCode StudySettleOrders(Scene scene);
+PetscErrorCode SceneStudySetOrders(Scene scene);
 
 /* bodies.c: mesh and material of one body. boundaries.c: its supports and loads. Collective. */
-PetscErrorCode BodyRead(Scene scene, SceneBody *body);
-PetscErrorCode BodyDestroy(SceneBody *body);
-PetscErrorCode BoundariesRead(Scene scene, SceneBody *body);
+PetscErrorCode SceneBodyRead(Scene scene, SceneBody *body);
+PetscErrorCode SceneBodyDestroy(SceneBody *body);
+PetscErrorCode SceneBoundariesRead(Scene scene, SceneBody *body);
 /* Whether a side's displacement is given in all components. Not collective. */
-PetscBool BoundaryHoldsAll(Scene scene, const SceneBoundary *boundary);
+PetscBool SceneBoundaryFixesAll(Scene scene, const SceneBoundary *boundary);
 
 /* sides.c: faults on a side that cannot be: empty parts of a '+' list, or a name that a box does not have.
    Collective. */
-PetscErrorCode SideCheck(const Option *option, const SceneBody *body, const char side[]);
+PetscErrorCode SceneSideCheck(const Option *option, const SceneBody *body, const char side[]);
 /* Whether two sides, each joined with '+' of one or more, have one in common. Not collective.
    [out] common - the first one, array of shape [OPTION_MAX]; may be NULL */
-PetscBool SideOverlaps(const char a[], const char b[], char common[]);
+PetscBool SceneSideOverlaps(const char a[], const char b[], char common[]);
 
 /* pairs.c, obstacle.c, results.c. Collective. */
-PetscErrorCode PairRead(Scene scene, ScenePair *pair);
-PetscErrorCode PairDescriptionDestroy(ScenePair *pair);
-PetscErrorCode ObstacleRead(Scene scene, ScenePair *pair, const Option *shape);
-PetscErrorCode ProbeRead(Scene scene, SceneProbe *probe);
-PetscErrorCode ResultsRead(Scene scene);
+PetscErrorCode ScenePairRead(Scene scene, ScenePair *pair);
+PetscErrorCode ScenePairDestroy(ScenePair *pair);
+PetscErrorCode SceneObstacleRead(Scene scene, ScenePair *pair, const Option *shape);
+PetscErrorCode SceneProbeRead(Scene scene, SceneProbe *probe);
+PetscErrorCode SceneResultsRead(Scene scene);
 
 #endif

@@ -4,7 +4,7 @@
 
 enum { WARNINGS_TELL, WARNINGS_ERROR };
 
-PetscErrorCode ProbeRead(Scene scene, SceneProbe *probe)
+PetscErrorCode SceneProbeRead(Scene scene, SceneProbe *probe)
 {
   Option at, body;
 
@@ -15,7 +15,7 @@ PetscErrorCode ProbeRead(Scene scene, SceneProbe *probe)
   PetscCall(OptionGetReals(&at, scene->dim, probe->at));
   if (scene->num_bodies > 1)
     PetscCall(OptionRequire(&body, "with several bodies a probe needs to know which one it is in"));
-  if (body.set) PetscCall(NamesFindBody(scene, &body, body.text, &probe->body));
+  if (body.set) PetscCall(SceneNamesFindBody(scene, &body, body.text, &probe->body));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -46,7 +46,7 @@ static PetscErrorCode ResultsReadFiles_Private(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ResultsRead(Scene scene)
+PetscErrorCode SceneResultsRead(Scene scene)
 {
   Option   quiet, monitor, view, check, measure, type, warnings;
   PetscInt choice = 0;

@@ -14,7 +14,7 @@ static const char *SideNextPart_Private(const char *cursor, char part[OPTION_MAX
   return cursor[length] == '+' ? cursor + length + 1 : NULL;
 }
 
-PetscErrorCode SideCheck(const Option *option, const SceneBody *body, const char side[])
+PetscErrorCode SceneSideCheck(const Option *option, const SceneBody *body, const char side[])
 {
   static const char *const box_sides[] = {"left", "right", "bottom", "top", "front", "back"};
   const PetscInt           num         = 2 * option->scene->dim; /* the first four are those of a plane box */
@@ -26,7 +26,7 @@ PetscErrorCode SideCheck(const Option *option, const SceneBody *body, const char
 
     cursor = SideNextPart_Private(cursor, part);
     if (!part[0]) PetscCall(OptionRaise(option, "'%s' has an empty part; sides are joined as in left+top", side));
-    if (cursor && SideOverlaps(part, cursor, again))
+    if (cursor && SceneSideOverlaps(part, cursor, again))
       PetscCall(OptionRaise(option, "'%s' names the side %s twice", side, again));
     for (PetscInt i = 0; i < num; i++) found = (PetscBool)(found || !strcmp(part, box_sides[i]));
     if (!found) {
@@ -40,7 +40,7 @@ PetscErrorCode SideCheck(const Option *option, const SceneBody *body, const char
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscBool SideOverlaps(const char a[], const char b[], char common[])
+PetscBool SceneSideOverlaps(const char a[], const char b[], char common[])
 {
   char of_a[OPTION_MAX], of_b[OPTION_MAX];
 

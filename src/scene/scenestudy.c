@@ -33,7 +33,7 @@ static PetscErrorCode StudyReadOrders_Private(Scene scene, SceneStudy *study)
 }
 
 /* What belongs to a study is read only where there is one, so that it is told otherwise. */
-PetscErrorCode StudyRead(Scene scene)
+PetscErrorCode SceneStudyRead(Scene scene)
 {
   SceneStudy *study = &scene->study;
   Option      kind, levels, memory;
@@ -54,7 +54,7 @@ PetscErrorCode StudyRead(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode StudySettleOrders(Scene scene)
+PetscErrorCode SceneStudySetOrders(Scene scene)
 {
   SceneStudy *study = &scene->study;
 

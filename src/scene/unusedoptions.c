@@ -58,7 +58,7 @@ static PetscBool UnusedIsEnvironment_Private(const char option[])
   return UnusedBegins_Private(option, PETSC_STATIC_ARRAY_LENGTH(environment), environment);
 }
 
-PetscBool UnusedBeginsLikePETSc(const char option[])
+PetscBool UnusedOptionsBeginsLikePETSc(const char option[])
 {
   return (PetscBool)(UnusedIsEnvironment_Private(option) ||
                      UnusedBegins_Private(option, PETSC_STATIC_ARRAY_LENGTH(objects), objects));
@@ -76,7 +76,7 @@ static PetscErrorCode UnusedJudge_Private(Scene scene, const char name[], const 
   left->value = value ? value : "";
   left->owner = NULL;
   left->entry = OptionTableMatch(SCOPE_PROGRAM, "", left->name);
-  for (PetscInt i = 0; !left->entry && (owner = NamesGet(scene, i, &scope)); i++) {
+  for (PetscInt i = 0; !left->entry && (owner = SceneNamesGet(scene, i, &scope)); i++) {
     const size_t before = scope == SCOPE_PROBE ? strlen(probe) : 0, length = strlen(owner);
     const char  *begin = left->name + 1 + before;
 
@@ -107,10 +107,10 @@ static PetscBool UnusedMayBeRead_Private(const Leftover *left)
   for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(nested); i++) {
     if (strstr(left->name, nested[i])) return PETSC_TRUE;
   }
-  return UnusedBeginsLikePETSc(left->name);
+  return UnusedOptionsBeginsLikePETSc(left->name);
 }
 
-PetscErrorCode UnusedNearest(const Option *option, char near[OPTION_MAX])
+PetscErrorCode UnusedOptionsNearest(const Option *option, char near[OPTION_MAX])
 {
   const char *const wanted = option->name;
   PetscInt          num;
@@ -136,7 +136,7 @@ PetscErrorCode UnusedNearest(const Option *option, char near[OPTION_MAX])
 /* Whether a suggestion stays in the option's name space: what is meant by -ksp_x is not -snes_x. */
 static PetscBool UnusedIsOfSameSpace_Private(const char option[], const char near[])
 {
-  return (PetscBool)(!UnusedBeginsLikePETSc(option) || !strncasecmp(option, near, strcspn(option, "_") + 1));
+  return (PetscBool)(!UnusedOptionsBeginsLikePETSc(option) || !strncasecmp(option, near, strcspn(option, "_") + 1));
 }
 
 /* The sentence about one unused option; whether it could suggest another one. */
@@ -159,12 +159,12 @@ static PetscErrorCode UnusedExplain_Private(Scene scene, const Leftover *left, c
     PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE, "%s: nothing in this scene needs this option (%.*s)", shown,
                             (int)strlen(text) - 1, text));
   } else {
-    PetscCall(SuggestOption(scene, left->name, near));
+    PetscCall(OptionSuggestionFind(scene, left->name, near));
     if (!UnusedIsOfSameSpace_Private(left->name, near)) near[0] = '\0';
     *suggested = (PetscBool) !!near[0];
     if (near[0])
       PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE, "%s: there is no such option; did you mean %s?", shown, near));
-    else if (UnusedBeginsLikePETSc(left->name) || UnusedMayBeRead_Private(left))
+    else if (UnusedOptionsBeginsLikePETSc(left->name) || UnusedMayBeRead_Private(left))
       PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE,
                               "%s: nothing reads this option here: PETSc has none of this name, or the solvers of this "
                               "run do not ask for it; -help lists those that serve",
@@ -178,7 +178,7 @@ static PetscErrorCode UnusedExplain_Private(Scene scene, const Leftover *left, c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode UnusedCheckUnknown(Scene scene, PetscBool only_near)
+PetscErrorCode UnusedOptionsCheckUnknown(Scene scene, PetscBool only_near)
 {
   PetscInt  num;
   char    **names, **values, sentence[OPTION_SENTENCE], worst[OPTION_SENTENCE] = "";

@@ -15,7 +15,7 @@ PetscErrorCode ProgressWanted(Scene scene, PetscBool *wanted)
   PetscBool terminal;
 
   PetscFunctionBeginUser;
-  PetscCall(TerminalIsThere(scene->comm, &terminal));
+  PetscCall(TerminalIsPresent(scene->comm, &terminal));
   /* a study has lines of its own */
   *wanted = (PetscBool)(scene->monitor || (terminal && !scene->quiet && scene->study.kind == STUDY_NONE));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -204,7 +204,7 @@ PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
   PetscFunctionBeginUser;
   PetscCall(CheckNames_Private(scene));
   PetscCall(StudyCreate(scene, &study));
-  PetscCall(TerminalIsThere(scene->comm, &study->terminal));
+  PetscCall(TerminalIsPresent(scene->comm, &study->terminal));
   study->quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
   PetscCall(InterruptBegin());
   PetscCall(StudyWriteFiles(study));

@@ -41,7 +41,7 @@ static PetscErrorCode QueryAll(const Level *level, const Facets *facets, const P
     const ClipFacet facet = {facets->type[f], X, N};
     const PetscInt *found;
     PetscInt        num;
-    FacetCoordinates(level, facets, f, X);
+    ContactFacetCoordinates(level, facets, f, X);
     for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]) * dim; i++)
       N[i] = PetscRealPart(normals[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i / dim] * dim + i % dim]);
     PetscCall(MortarSurfaceQuery(surface, dim, &facet, reach, &num, &found));

@@ -83,7 +83,7 @@ static void ReadMesh_Private(Groups *groups)
 
     FuzzExpect(GmshRead(Path, &names, &mesh, reason, sizeof(reason)));
     if (!reason[0]) FindGroups_Private(&mesh, groups);
-    if (!reason[0]) FuzzExpect(GmshToPlex(&mesh, dim, &dm, &curves, reason));
+    if (!reason[0]) FuzzExpect(GmshPlexCreate(&mesh, dim, &dm, &curves, reason));
     FuzzExpect(GmshMeshDestroy(&mesh));
     FuzzExpect(GmshNamesDestroy(&names));
     FuzzExpect(CurvesDestroy(&curves));

@@ -28,7 +28,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         .sentence = sentence, .len = sizeof(sentence), .target = &arguments, .arguments = &arguments, .files = &files};
 
   if (!text) return 0;
-  ReaderReadText(&reader, "input", text);
+  OptionsReaderReadText(&reader, "input", text);
   if (!sentence[0] && arguments.num) ReadScene_Private(&arguments);
   TextListClear(&arguments);
   TextListClear(&files);

@@ -156,7 +156,7 @@ static inline PetscReal BodyArea(const Level *level, PetscInt body)
   for (PetscInt c = 0; c < level->num_cells; ++c) {
     const ElementType type = (ElementType)level->cell_type[c];
     PetscReal X[2 * ELEMENT_MAX_NODES], xi[2 * ELEMENT_MAX_POINTS], weight[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_NODES];
-    const PetscInt n = ElementQuadrature(type, ElementOrder(type) > 1 ? 3 : 1, xi, weight);
+    const PetscInt n = QuadratureRule(type, ElementOrder(type) > 1 ? 3 : 1, xi, weight);
 
     CellCoords(level, c, X);
     for (PetscInt q = 0; q < n && level->cell_body[c] == body; ++q)

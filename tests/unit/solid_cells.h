@@ -68,7 +68,7 @@ static inline void RandomCell(ElementType type, PetscReal decades, PetscReal X[]
 }
 
 /* Nodes of one facet. [out] Y - [num_nodes][3] */
-static inline void FacetCoordinates(ElementType type, PetscInt facet, const PetscReal X[], PetscReal Y[])
+static inline void ContactFacetCoordinates(ElementType type, PetscInt facet, const PetscReal X[], PetscReal Y[])
 {
   const PetscInt *nodes = ElementFacetNodes(type, facet);
 
@@ -80,12 +80,12 @@ static inline PetscReal Volume(ElementType type, const PetscReal X[])
 {
   const ElementType facet  = ElementFacetType(type);
   PetscReal         volume = 0., closed[DIM] = {0.}, points[2 * ELEMENT_MAX_POINTS], weights[ELEMENT_MAX_POINTS];
-  const PetscInt    num_points = ElementQuadrature(facet, 7, points, weights);
+  const PetscInt    num_points = QuadratureRule(facet, 7, points, weights);
 
   for (PetscInt f = 0; f < ElementNumFacets(type); f++) {
     PetscReal Y[DIM * ELEMENT_MAX_FACET_NODES];
 
-    FacetCoordinates(type, f, X, Y);
+    ContactFacetCoordinates(type, f, X, Y);
     for (PetscInt q = 0; q < num_points; q++) {
       PetscReal       x[DIM], n[DIM], phi[ELEMENT_MAX_NODES];
       const PetscReal ds = weights[q] * ElementSurface(facet, Y, &points[2 * q], x, phi, n);

@@ -52,7 +52,7 @@ static inline PetscReal SolidVolume(const Level *level, PetscInt body)
   return Total(volume);
 }
 
-/* Integrals over a side: 1, n, x . n. */
+/* MortarIntegrals over a side: 1, n, x . n. */
 typedef struct {
   PetscReal area, normal[3], flux;
 } SideSums;
@@ -65,7 +65,7 @@ static inline void SolidSumSide(TestScene *t, Level *level, PetscInt body, const
   CHECK(!LevelGetFacets(level, &t->scene, body, side, &facets));
   for (PetscInt f = 0; f < facets.num; ++f) {
     PetscReal      X[3 * ELEMENT_MAX_FACET_NODES], xi[2 * ELEMENT_MAX_POINTS], weight[ELEMENT_MAX_POINTS];
-    const PetscInt n = ElementQuadrature(facets.type[f], ElementOrder(facets.type[f]) > 1 ? 6 : 3, xi, weight);
+    const PetscInt n = QuadratureRule(facets.type[f], ElementOrder(facets.type[f]) > 1 ? 6 : 3, xi, weight);
 
     CHECK(level->cell_body[facets.cell[f]] == body);
     CHECK(facets.type[f] == ElementFacetType((ElementType)level->cell_type[facets.cell[f]]));

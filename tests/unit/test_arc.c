@@ -120,7 +120,7 @@ static void TestBulge(void)
       (void)ElementSurface(types[t], X, inside, x, phi, n);
       off = PetscSqrtReal(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
       for (PetscInt k = 0; k < 3; k++) n[k] = x[k] / off;
-      off = PetscAbsReal(off + ArcRise(types[t], bulge, inside, n) - 1);
+      off = PetscAbsReal(off + ArcHeight(types[t], bulge, inside, n) - 1);
       CHECK(level == 0 || off < before / 12);
       CHECK(off < h * h * h * h);
       before = off;

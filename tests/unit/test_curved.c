@@ -146,7 +146,7 @@ static void TestArcs(void)
 
     ArcChain(5, 1., 0., 1.6, &disc);
     ArcChain(7, radii[k], -0.2, 1.8, &around);
-    GaussLine(8, points, weights);
+    QuadratureLine(8, points, weights);
     for (PetscInt f = 0; f < 5; f++) {
       ChainFacet side;
       PetscReal  phi[3];

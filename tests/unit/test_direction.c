@@ -30,8 +30,8 @@ static void TestCircles(void)
     const SurfacePoint upper = Round(2, n_s, pairs[p][0]), lower = Round(2, n_m, pairs[p][1]);
     PetscReal          n[2], swapped[2];
 
-    ContactDirection(2, &upper, &lower, n);
-    ContactDirection(2, &lower, &upper, swapped);
+    DirectionOfContact(2, &upper, &lower, n);
+    DirectionOfContact(2, &lower, &upper, swapped);
     for (PetscInt k = 0; k < 2; ++k) CHECK_NEAR(n[k], -swapped[k], EXACT);
     if (pairs[p][0] > 0 && pairs[p][1] > 0) {
       CHECK_NEAR(n[0], 0, x * x * x * x);
@@ -49,9 +49,9 @@ static void TestFlat(void)
     const SurfacePoint round = Round(dim, n_s, 2), flat = Round(dim, n_m, 0);
     PetscReal          n[3];
 
-    ContactDirection(dim, &round, &flat, n);
+    DirectionOfContact(dim, &round, &flat, n);
     for (PetscInt k = 0; k < dim; ++k) CHECK(n[k] == -n_m[k]);
-    ContactDirection(dim, &flat, &round, n);
+    DirectionOfContact(dim, &flat, &round, n);
     for (PetscInt k = 0; k < dim; ++k) CHECK_NEAR(n[k], n_m[k], EXACT);
   }
 }
@@ -77,7 +77,7 @@ static void TestTurnedCylinders(void)
     }
     FrameNormalize(3, upper.normal);
     FrameNormalize(3, lower.normal);
-    ContactDirection(3, &upper, &lower, n);
+    DirectionOfContact(3, &upper, &lower, n);
     CHECK_NEAR(n[0], 0, 1e-6);
     CHECK_NEAR(n[1], 0, 1e-6);
   }
@@ -100,7 +100,7 @@ static void TestClosest(void)
       X[3 * i + 2]        = Uniform(-0.05, 0.05);
     }
     for (PetscInt k = 0; k < 3; ++k) x[k] = k < 2 ? Uniform(-0.5, 1.5) : Uniform(-0.5, 0.5);
-    square = FacetClosest(3, type, X, x, eta);
+    square = ClosestPointOnFacet(3, type, X, x, eta);
     CHECK(eta[0] > -1e-9 && eta[1] > -1e-9 && eta[0] < 1 + 1e-9 && eta[1] < 1 + 1e-9);
     for (PetscInt p = 0; p < (fine + 1) * (fine + 1); ++p) {
       const PetscReal at[2] = {(PetscReal)(p % (fine + 1)) / fine, (PetscReal)(p / (fine + 1)) / fine};

@@ -13,7 +13,7 @@ enum { MAX_POINTS = 64 };
 static PetscInt LinePoints(PetscReal a, PetscReal b, PetscReal xi[], PetscReal w[])
 {
   PetscReal      points[8];
-  const PetscInt n = GaussLine(3, points, w);
+  const PetscInt n = QuadratureLine(3, points, w);
 
   for (PetscInt q = 0; q < n; q++) {
     xi[2 * q]     = a + (b - a) * points[q];
@@ -42,7 +42,7 @@ static void TestFull(ElementType type, const PetscReal expected[], const PetscRe
   const PetscInt n = ElementNumNodes(type), dim = ElementDim(type);
   PetscReal      points[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], xi[2 * ELEMENT_MAX_POINTS] = {0.};
   PetscReal      A[DUAL_MAX * DUAL_MAX];
-  const PetscInt num_points = ElementQuadrature(type, 2 * ElementOrder(type), points, w);
+  const PetscInt num_points = QuadratureRule(type, 2 * ElementOrder(type), points, w);
   DualBasis      basis;
 
   for (PetscInt q = 0; q < num_points; q++) {
@@ -186,7 +186,7 @@ static void TestTransformed(void)
 {
   const PetscReal row[6] = {24. / 5., 4. / 5., 4. / 5., -11. / 5., 4. / 5., -11. / 5.}, a = DualShare(ELEMENT_TRI6);
   PetscReal       points[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], u[6], transformed[6];
-  const PetscInt  num_points = ElementQuadrature(ELEMENT_TRI6, 4, points, w);
+  const PetscInt  num_points = QuadratureRule(ELEMENT_TRI6, 4, points, w);
   DualBasis       basis;
 
   CHECK_NEAR(a, 0.2, 0.);

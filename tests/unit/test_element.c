@@ -52,7 +52,7 @@ static void TestFacets(ElementType type)
 
   for (PetscInt trial = 0; trial < NUM_TRIALS; trial++) {
     PetscReal X[MAX_DOFS], flux = 0., closed[2] = {0., 0.}, points[ELEMENT_MAX_POINTS], weights[ELEMENT_MAX_POINTS];
-    const PetscInt num_points = ElementQuadrature(facet, 4, points, weights);
+    const PetscInt num_points = QuadratureRule(facet, 4, points, weights);
 
     RandomCell(type, 0., X);
     for (PetscInt f = 0; f < ElementNumFacets(type); f++) {
@@ -84,7 +84,7 @@ static void TestParabola(void)
 {
   const PetscReal X[] = {0., 0., 1., 1., 0.5, 0.25};
   PetscReal       points[ELEMENT_MAX_POINTS], weights[ELEMENT_MAX_POINTS], length = 0.;
-  const PetscInt  n = ElementQuadrature(ELEMENT_LINE3, 15, points, weights);
+  const PetscInt  n = QuadratureRule(ELEMENT_LINE3, 15, points, weights);
 
   for (PetscInt q = 0; q < n; q++) {
     PetscReal phi[ELEMENT_MAX_NODES], normal[2];
@@ -143,7 +143,7 @@ static void TestQuadrature(ElementType type, PetscInt highest, PetscInt num_stif
   PetscReal      points[ELEMENT_MAX_POINTS * MAX_DIM], weights[ELEMENT_MAX_POINTS];
 
   for (PetscInt degree = 0; degree <= highest; degree++) {
-    const PetscInt n = ElementQuadrature(type, degree, points, weights);
+    const PetscInt n = QuadratureRule(type, degree, points, weights);
 
     CHECK(n > 0 && n <= ELEMENT_MAX_POINTS);
     for (PetscInt a = 0; a <= degree; a++) {
@@ -164,8 +164,8 @@ static void TestQuadrature(ElementType type, PetscInt highest, PetscInt num_stif
       }
     }
   }
-  CHECK(ElementQuadrature(type, highest + 1, points, weights) == 0);
-  CHECK(ElementQuadrature(type, ElementStiffnessDegree(type), points, weights) == num_stiffness);
+  CHECK(QuadratureRule(type, highest + 1, points, weights) == 0);
+  CHECK(QuadratureRule(type, ElementStiffnessDegree(type), points, weights) == num_stiffness);
 }
 
 static PetscErrorCode TestGauss(void)
@@ -174,7 +174,7 @@ static PetscErrorCode TestGauss(void)
 
   PetscFunctionBeginUser;
   for (PetscInt n = 1; n <= 8; n++) {
-    CHECK(GaussLine(n, points, weights) == n);
+    CHECK(QuadratureLine(n, points, weights) == n);
     PetscCall(PetscDTGaussQuadrature(n, 0., 1., petsc_points, petsc_weights));
     for (PetscInt i = 0; i < n; i++) {
       CHECK_NEAR(points[i], petsc_points[i], 1e-15);
@@ -192,7 +192,7 @@ static void TestMap(ElementType type)
 
   for (PetscInt trial = 0; trial < NUM_TRIALS; trial++) {
     PetscReal X[MAX_DOFS], points[2 * ELEMENT_MAX_POINTS], weights[ELEMENT_MAX_POINTS], area = 0.;
-    PetscInt  num_points = ElementQuadrature(type, 3, points, weights);
+    PetscInt  num_points = QuadratureRule(type, 3, points, weights);
 
     RandomCell(type, 0., X);
     for (PetscInt q = 0; q < num_points; q++) {

@@ -227,7 +227,7 @@ static void TestGroups(const char file[], const char region[], PetscReal area)
     CheckSide(&t, &mesh->levels[l], 0, "foot", area, 0, -area);
     CheckSide(&t, &mesh->levels[l], 0, "left foot", 1, 0, -1);
   }
-  CHECK(t.bodies[0].num_hinges == 0);
+  CHECK(t.bodies[0].num_nonmanifold == 0);
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
 }

@@ -5,15 +5,15 @@
 enum { MAX_PAIRS = 8, MAX_ENDS = 2 * MAX_PAIRS };
 
 typedef struct {
-  RoleGraph graph;
-  PetscBool fixed[MAX_PAIRS], touch[MAX_ENDS * MAX_ENDS];
-  PetscInt  order[MAX_PAIRS];
+  MortarChoice graph;
+  PetscBool    fixed[MAX_PAIRS], touch[MAX_ENDS * MAX_ENDS];
+  PetscInt     order[MAX_PAIRS];
 } Case;
 
 static void CaseInit(Case *c, PetscInt num)
 {
   memset(c, 0, sizeof(*c));
-  c->graph = (RoleGraph){.num = num, .fixed = c->fixed, .order = c->order, .touch = c->touch};
+  c->graph = (MortarChoice){.num = num, .fixed = c->fixed, .order = c->order, .touch = c->touch};
   for (PetscInt p = 0; p < num; ++p) c->order[p] = p;
 }
 
@@ -62,15 +62,15 @@ static PetscInt FindBest(const Case *c)
 static void CheckCase(const Case *c)
 {
   const PetscInt best = FindBest(c);
-  PetscBool      turned[MAX_PAIRS], found, circle;
+  PetscBool      turned[MAX_PAIRS], found, cycle;
   unsigned       bits = 0;
 
-  CHECK(!RoleGraphOrient(&c->graph, turned, &found));
+  CHECK(!MortarChoiceOrient(&c->graph, turned, &found));
   for (PetscInt p = 0; p < c->graph.num; ++p) bits |= (unsigned)turned[p] << p;
   CHECK(found == (PetscBool)(best >= 0));
   CHECK(bits == (best >= 0 ? (unsigned)best : 0));
-  CHECK(!RoleGraphHasCircle(&c->graph, turned, &circle));
-  CHECK(circle == HasCircle(c, bits, PETSC_FALSE));
+  CHECK(!MortarChoiceHasCycle(&c->graph, turned, &cycle));
+  CHECK(cycle == HasCircle(c, bits, PETSC_FALSE));
 }
 
 static PetscInt Random(PetscInt below)
@@ -180,7 +180,7 @@ int main(int argc, char **argv)
   CHECK(RingOfFour(0x4) == 0x2);
   CHECK(RingOfFour(0x6) == 0x8);
   CHECK(RingOfFour(0xe) == 0x1);
-  CHECK(RingOfFour(0xf) == 0x0); // a circle, as it was given
+  CHECK(RingOfFour(0xf) == 0x0); // a cycle, as it was given
   TestApart();
   CHECK(!PetscFinalize());
   return 0;

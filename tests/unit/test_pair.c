@@ -58,7 +58,7 @@ static PetscErrorCode CreatePower(Pair pair, PetscInt power, Vec *u, Vec *shifte
   for (PetscInt i = 0; i < pair->level->num_owned; i++) ua[i] = PetscPowRealInt(pair->level->coords[2 * i], power);
   PetscCall(VecRestoreArray(*u, &ua));
   PetscCall(VecZeroEntries(*shifted));
-  if (pair->shift) PetscCall(MatMult(pair->shift, *u, *shifted));
+  if (pair->to_nodal) PetscCall(MatMult(pair->to_nodal, *u, *shifted));
   PetscCall(VecAYPX(*shifted, -1.0, *u));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -77,7 +77,7 @@ static PetscErrorCode CheckReproduction(Pair pair, PetscInt degree, PetscReal to
     PetscCall(VecDuplicate(u, &Cu));
     PetscCall(VecSet(Cu, 0));
     PetscCall(MatMult(pair->M, u, Mu));
-    if (pair->chain) PetscCall(MatMult(pair->chain, shifted, Cu));
+    if (pair->D_other) PetscCall(MatMult(pair->D_other, shifted, Cu));
     PetscCall(VecGetArrayRead(Mu, &m));
     PetscCall(VecGetArrayRead(Cu, &c));
     for (PetscInt k = 0; k < pair->num; k++) {
@@ -114,8 +114,8 @@ static PetscErrorCode CheckConstantPressure(Pair pair, PetscReal from, PetscReal
   PetscCall(VecRestoreArray(p, &pa));
   PetscCall(MatMultTranspose(pair->M, p, load));
   PetscCall(VecSum(load, &sum_M));
-  if (pair->chain) {
-    PetscCall(MatMultTranspose(pair->chain, p, load));
+  if (pair->D_other) {
+    PetscCall(MatMultTranspose(pair->D_other, p, load));
     PetscCall(VecDot(load, shifted, &sum_C));
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &sum_D, 1, MPIU_REAL, MPI_SUM, PETSC_COMM_WORLD));
@@ -199,14 +199,14 @@ static PetscErrorCode CheckMiddle(Pair pair, PetscReal first, PetscReal last)
   }
   PetscCall(VecAssemblyBegin(middle));
   PetscCall(VecAssemblyEnd(middle));
-  PetscCall(MatMult(pair->chain, middle, row));
+  PetscCall(MatMult(pair->D_other, middle, row));
   PetscCall(VecGetArrayRead(row, &ra));
   for (PetscInt k = 0; k < pair->num; k++) {
     const PetscReal x = pair->level->coords[2 * pair->nodes[k]];
     CHECK_NEAR(ra[pair->nodes[k]], chain[x > 0.5 ? 1 : 0], 1e-15);
   }
   PetscCall(VecRestoreArrayRead(row, &ra));
-  PetscCall(MatMultTranspose(pair->shift, middle, row));
+  PetscCall(MatMultTranspose(pair->to_nodal, middle, row));
   PetscCall(VecGetArrayRead(row, &ra));
   for (PetscInt k = 0; k < pair->num; k++) CHECK_NEAR(ra[pair->nodes[k]], 0.5, 0.);
   PetscCall(VecRestoreArrayRead(row, &ra));
@@ -248,7 +248,7 @@ static PetscErrorCode TestExactNumbersQuadratic(PairMultipliers multipliers)
     bodies[0].order = bodies[1].order = 2;
     PetscCall(MakePair(&scene, &mesh, &support, &pair));
     CHECK(pair->num_multipliers == (vertices ? 2 : 3) && pair->num_removed == 0 && pair->num_uncovered == 0);
-    CHECK((pair->shift != NULL) == vertices && (pair->chain != NULL) == vertices);
+    CHECK((pair->to_nodal != NULL) == vertices && (pair->D_other != NULL) == vertices);
     for (PetscInt i = 0; i < 3; i++) {
       const PetscReal *expected = vertices ? (cut ? D_v_cut : D_v) : (cut ? D_cut : D);
       CHECK_NEAR(FindD(pair, x[i]), expected[i], 1e-15);

@@ -20,15 +20,15 @@ static PetscReal Polynomial(PetscInt dim, const PetscReal xi[])
 }
 
 /* int polynomial over a piece, and its measure, cut to a depth. */
-static void Integrate(ElementType type, const ElementPiece *piece, PetscInt depth, PetscReal *integral, PetscReal *size)
+static void Integrate(ElementType type, const CellPiece *piece, PetscInt depth, PetscReal *integral, PetscReal *size)
 {
   const PetscInt dim = ElementDim(type);
   PetscReal      points[MAX_DIM * ELEMENT_MAX_POINTS], weights[ELEMENT_MAX_POINTS], xi[MAX_DIM];
-  const PetscInt num = ElementQuadrature(type, DEGREE, points, weights);
-  ElementPiece   parts[ELEMENT_MAX_PIECES];
+  const PetscInt num = QuadratureRule(type, DEGREE, points, weights);
+  CellPiece      parts[ELEMENT_MAX_PIECES];
 
   if (depth) {
-    const PetscInt num_parts = ElementPieceCut(type, piece, parts);
+    const PetscInt num_parts = CellPieceCut(type, piece, parts);
 
     CHECK(num_parts == 1 << dim);
     for (PetscInt i = 0; i < num_parts; i++) Integrate(type, &parts[i], depth - 1, integral, size);
@@ -38,7 +38,7 @@ static void Integrate(ElementType type, const ElementPiece *piece, PetscInt dept
   for (PetscInt q = 0; q < num; q++) {
     PetscReal sum = 0.;
 
-    ElementPiecePoint(type, piece, &points[q * dim], xi);
+    CellPiecePoint(type, piece, &points[q * dim], xi);
     for (PetscInt k = 0; k < dim; k++) {
       CHECK(xi[k] > 0. && xi[k] < 1.);
       sum += xi[k];
@@ -52,7 +52,7 @@ static void Integrate(ElementType type, const ElementPiece *piece, PetscInt dept
 /* Parts that overlapped or left something out could not give the same integral. */
 int main(int argc, char **argv)
 {
-  const ElementPiece whole = ElementPieceWhole();
+  const CellPiece whole = CellPieceWhole();
 
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   for (size_t t = 0; t < PETSC_STATIC_ARRAY_LENGTH(TYPES); t++) {

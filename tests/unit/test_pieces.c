@@ -13,7 +13,7 @@ int main(int argc, char **argv)
   TestScene       t;
   Mesh            mesh;
   Level          *level;
-  Pieces          pieces;
+  Components      pieces;
 
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   TestSceneInit(&t);
@@ -21,24 +21,24 @@ int main(int argc, char **argv)
   TestSceneAddFile(&t, "lids", MESHES "/../../hard/pieces.msh", NULL);
   mesh  = TestSceneMesh(&t);
   level = MeshFinest(mesh);
-  CHECK(!PiecesCreate(level, &pieces));
+  CHECK(!ComponentsCreate(level, &pieces));
   CHECK(pieces.num == 3);
-  CHECK(PiecesOfBody(&pieces, 0) == 1 && PiecesOfBody(&pieces, 1) == 2);
+  CHECK(ComponentsOfBody(&pieces, 0) == 1 && ComponentsOfBody(&pieces, 1) == 2);
   for (PetscInt i = 0; i < 3; ++i) {
     CHECK(pieces.body[i] == body[i]);
     for (PetscInt k = 0; k < 2; ++k) {
-      CHECK_NEAR(pieces.box[i * PIECE_BOX + k], box[i][k], 1e-14);
-      CHECK_NEAR(pieces.box[i * PIECE_BOX + 3 + k], box[i][2 + k], 1e-14);
+      CHECK_NEAR(pieces.box[i * COMPONENT_BOX + k], box[i][k], 1e-14);
+      CHECK_NEAR(pieces.box[i * COMPONENT_BOX + 3 + k], box[i][2 + k], 1e-14);
     }
-    CHECK(pieces.box[i * PIECE_BOX + 2] == 0 && pieces.box[i * PIECE_BOX + 5] == 0);
+    CHECK(pieces.box[i * COMPONENT_BOX + 2] == 0 && pieces.box[i * COMPONENT_BOX + 5] == 0);
   }
   for (PetscInt i = 0; i < level->num_nodes; ++i)
     CHECK(pieces.of_node[i] == (level->node_body[i] == 0 ? 0 : level->coords[2 * i] < 1.5 ? 1 : 2));
   for (PetscInt a = 0; a < level->num_owned; ++a) ++count[pieces.of_node[a]];
   CHECK(Total((PetscReal)count[0]) == 61 * 3 && Total((PetscReal)count[1]) == 25 && Total((PetscReal)count[2]) == 25);
-  CHECK(!PiecesOfGlobalNodes(level, &pieces, 3, asked, found));
+  CHECK(!ComponentsOfGlobalNodes(level, &pieces, 3, asked, found));
   CHECK(found[0] == -1 && found[1] >= 0 && found[2] == -1);
-  CHECK(!PiecesDestroy(&pieces));
+  CHECK(!ComponentsDestroy(&pieces));
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
   PetscCall(PetscFinalize());

@@ -256,7 +256,7 @@ static void TestCurved(ElementType own, ElementType other)
     PetscReal       X[DIM * ELEMENT_MAX_FACET_NODES], N[DIM * ELEMENT_MAX_FACET_NODES], normal[DIM] = {0.};
     PetscReal       Y[DIM * ELEMENT_MAX_FACET_NODES], unused[DIM * ELEMENT_MAX_FACET_NODES], phi[ELEMENT_MAX_NODES];
     PetscReal       xi[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], integral[ELEMENT_MAX_NODES] = {0.};
-    const PetscInt  num_rule = ElementQuadrature(own, 14, xi, w);
+    const PetscInt  num_rule = QuadratureRule(own, 14, xi, w);
     const ClipFacet facet = {own, X, N}, mortar = {other, Y, NULL};
     const PetscReal scale = 6., tolerance = flat ? 1e-12 : 1e-7;
     PetscInt        num;

@@ -66,7 +66,7 @@ static void TestBoxes(PetscInt dim)
     PetscReal   X[3 * ELEMENT_MAX_FACET_NODES], box[6], x[3], phi[ELEMENT_MAX_NODES];
     ElementType type;
     RandomFacet(dim, 1, &type, X);
-    FacetBox(dim, type, X, box);
+    ContactFacetBox(dim, type, X, box);
     for (PetscInt i = 0; i <= LATTICE; i++) {
       for (PetscInt j = 0; j <= LATTICE; j++) {
         const PetscReal xi[2] = {(PetscReal)i / LATTICE, (PetscReal)j / LATTICE};
@@ -83,7 +83,7 @@ static void TestBoxes(PetscInt dim)
         for (PetscInt j = 0; j < ElementNumNodes(linear); j++) X[i * dim + k] += phi[j] * X[j * dim + k];
       }
     }
-    FacetBox(dim, type, X, box);
+    ContactFacetBox(dim, type, X, box);
     for (PetscInt k = 0; k < dim; k++) {
       PetscReal low = X[k], high = X[k];
       for (PetscInt i = 0; i < ElementNumNodes(ElementLinear(type)); i++) {
@@ -161,7 +161,7 @@ static void CheckQueries(PetscInt dim, const Side sides[2], PetscReal reach, con
     PetscInt        num_hits, expected = 0;
     const PetscInt *hits;
     if (sides[0].rank[f] != Rank()) continue;
-    FacetBox(dim, sides[0].type[f], sides[0].X[f], query);
+    ContactFacetBox(dim, sides[0].type[f], sides[0].X[f], query);
     for (PetscInt k = 0; k < dim; k++) {
       query[k] -= reach;
       query[dim + k] += reach;
@@ -169,7 +169,7 @@ static void CheckQueries(PetscInt dim, const Side sides[2], PetscReal reach, con
     CHECK(!BoxTreeQuery(surface->tree, query, &num_hits, &hits));
     for (PetscInt g = 0; g < sides[1].num; g++) {
       PetscBool meet = PETSC_TRUE, hit = PETSC_FALSE;
-      FacetBox(dim, sides[1].type[g], sides[1].X[g], box);
+      ContactFacetBox(dim, sides[1].type[g], sides[1].X[g], box);
       for (PetscInt k = 0; k < dim; k++)
         meet = (PetscBool)(meet && box[k] <= query[dim + k] && query[k] <= box[dim + k]);
       for (PetscInt h = 0; h < num_hits; h++) hit = (PetscBool)(hit || (place[g] >= 0 && hits[h] == place[g]));
@@ -230,7 +230,7 @@ static PetscErrorCode TestRays(PetscInt dim)
   Hold(dim, sides, &held);
   PetscCall(MortarSurfaceCreate(&held.level, &held.facets[0], &held.facets[1], NULL, 0.3, &surface));
   for (PetscInt g = 0; g < surface.num; g++)
-    FacetBox(dim, surface.type[g], &surface.coords[g * ELEMENT_MAX_FACET_NODES * dim], boxes[g]);
+    ContactFacetBox(dim, surface.type[g], &surface.coords[g * ELEMENT_MAX_FACET_NODES * dim], boxes[g]);
   for (PetscInt f = 0; f < NUM_NONMORTAR; f++) {
     const PetscReal turn = f % 3 ? Uniform(0, 0.3) : f % 2 ? 0 : 2;
     PetscReal       N[3 * ELEMENT_MAX_FACET_NODES], mean[3];

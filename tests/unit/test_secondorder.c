@@ -28,7 +28,7 @@ static PetscReal LargestRise(const Level *level)
 static PetscReal CurvedLength(TestScene *t, Level *level, const char side[], PetscReal radius, PetscReal normal[2])
 {
   PetscReal length = 0, points[8], weights[8];
-  PetscInt  n      = GaussLine(8, points, weights);
+  PetscInt  n      = QuadratureLine(8, points, weights);
   Facets    facets;
 
   normal[0] = normal[1] = 0;

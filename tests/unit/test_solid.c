@@ -130,7 +130,7 @@ static void TestQuadrature(ElementType type, PetscInt highest, PetscInt num_stif
   PetscReal points[ELEMENT_MAX_POINTS * DIM], weights[ELEMENT_MAX_POINTS];
 
   for (PetscInt degree = 0; degree <= highest; degree++) {
-    const PetscInt n = ElementQuadrature(type, degree, points, weights), side = degree + 1;
+    const PetscInt n = QuadratureRule(type, degree, points, weights), side = degree + 1;
 
     CHECK(n > 0 && n <= ELEMENT_MAX_POINTS);
     for (PetscInt q = 0; q < n; q++) {
@@ -149,8 +149,8 @@ static void TestQuadrature(ElementType type, PetscInt highest, PetscInt num_stif
       TestMonomial(type, power, n, points, weights);
     }
   }
-  CHECK(ElementQuadrature(type, highest + 1, points, weights) == 0);
-  CHECK(ElementQuadrature(type, ElementStiffnessDegree(type), points, weights) == num_stiffness);
+  CHECK(QuadratureRule(type, highest + 1, points, weights) == 0);
+  CHECK(QuadratureRule(type, ElementStiffnessDegree(type), points, weights) == num_stiffness);
 }
 
 /* A linear field on any cell: its value and its gradient come back; int det J = volume by the facets; facets are where the
@@ -163,7 +163,7 @@ static void TestMap(ElementType type)
 
   for (PetscInt trial = 0; trial < NUM_TRIALS; trial++) {
     PetscReal      X[MAX_DOFS], points[DIM * ELEMENT_MAX_POINTS], weights[ELEMENT_MAX_POINTS], volume = 0.;
-    const PetscInt num_points = ElementQuadrature(type, 5, points, weights), f = trial % ElementNumFacets(type);
+    const PetscInt num_points = QuadratureRule(type, 5, points, weights), f = trial % ElementNumFacets(type);
     PetscReal      Y[DIM * ELEMENT_MAX_FACET_NODES], x[DIM], y[DIM], phi[ELEMENT_MAX_NODES], grad[MAX_DOFS];
     PetscReal      at[2] = {Uniform(0., 0.5), Uniform(0., 0.5)}, xi[DIM] = {0.};
 
@@ -183,7 +183,7 @@ static void TestMap(ElementType type)
     }
     CHECK_NEAR(volume / Volume(type, X), 1., EXACT);
 
-    FacetCoordinates(type, f, X, Y);
+    ContactFacetCoordinates(type, f, X, Y);
     ElementSurface(facet, Y, at, x, phi, NULL);
     for (PetscInt i = 0; i < ElementNumNodes(facet); i++) {
       for (PetscInt k = 0; k < DIM; k++) xi[k] += phi[i] * ElementNode(type, ElementFacetNodes(type, f)[i])[k];
@@ -197,7 +197,7 @@ static void TestMap(ElementType type)
 static void TestSurface(void)
 {
   PetscReal      X[DIM * 9], points[2 * ELEMENT_MAX_POINTS], weights[ELEMENT_MAX_POINTS], area = 0.;
-  const PetscInt n = ElementQuadrature(ELEMENT_QUAD9, 15, points, weights);
+  const PetscInt n = QuadratureRule(ELEMENT_QUAD9, 15, points, weights);
 
   for (PetscInt i = 0; i < 9; i++) {
     X[DIM * i]     = ElementNode(ELEMENT_QUAD9, i)[0];
@@ -264,7 +264,7 @@ static void TestLocate(ElementType type)
     for (PetscInt k = 0; k < DIM; k++) CHECK_NEAR(found[k], ElementNode(type, node)[k], 1e-9);
 
     RandomCell(type, 0., X);
-    FacetCoordinates(type, trial % ElementNumFacets(type), X, Y);
+    ContactFacetCoordinates(type, trial % ElementNumFacets(type), X, Y);
     ElementSurface(facet, Y, at, x, phi, normal);
     for (PetscInt k = 0; k < DIM; k++) near[k] = x[k] - offset * normal[k];
     CHECK(ElementLocate(type, X, near, 1e-12, xi));
@@ -307,7 +307,7 @@ static void TestStiffness(ElementType type)
   const PetscInt    n     = ElementNumNodes(type);
   PetscReal         C[36], points[2 * ELEMENT_MAX_POINTS], weights[ELEMENT_MAX_POINTS];
   static PetscReal  K[MAX_DOFS * MAX_DOFS];
-  const PetscInt    num_points = ElementQuadrature(facet, 7, points, weights);
+  const PetscInt    num_points = QuadratureRule(facet, 7, points, weights);
 
   MaterialIsotropic(MODEL_SOLID, 2., 0.3, C);
   for (PetscInt trial = 0; trial < NUM_TRIALS / 4; trial++) {
@@ -329,7 +329,7 @@ static void TestStiffness(ElementType type)
     for (PetscInt f = 0; f < ElementNumFacets(type); f++) {
       PetscReal Y[DIM * ELEMENT_MAX_FACET_NODES];
 
-      FacetCoordinates(type, f, X, Y);
+      ContactFacetCoordinates(type, f, X, Y);
       for (PetscInt q = 0; q < num_points; q++) {
         PetscReal       normal[DIM], phi[ELEMENT_MAX_NODES];
         const PetscReal ds = weights[q] * ElementSurface(facet, Y, &points[2 * q], NULL, phi, normal);

@@ -21,7 +21,7 @@ static PetscErrorCode CreateLinear(Pair pair, PetscInt power, Vec *u, Vec *shift
   for (PetscInt i = 0; i < pair->level->num_owned; i++) ua[i] = power ? pair->level->coords[DIM * i + power - 1] : 1;
   PetscCall(VecRestoreArray(*u, &ua));
   PetscCall(VecCopy(*u, *shifted));
-  if (pair->unshift) PetscCall(MatMultAdd(pair->unshift, *u, *u, *shifted));
+  if (pair->from_nodal) PetscCall(MatMultAdd(pair->from_nodal, *u, *u, *shifted));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -41,8 +41,8 @@ static PetscErrorCode CheckReproduction(Pair pair, const PetscReal n[], PetscRea
     PetscCall(VecSet(Cu, 0));
     PetscCall(VecSet(C1, 0));
     PetscCall(MatMult(pair->M, u, Mu));
-    if (pair->chain) PetscCall(MatMult(pair->chain, shifted, Cu));
-    if (pair->chain) PetscCall(MatMult(pair->chain, one_shifted, C1));
+    if (pair->D_other) PetscCall(MatMult(pair->D_other, shifted, Cu));
+    if (pair->D_other) PetscCall(MatMult(pair->D_other, one_shifted, C1));
     PetscCall(VecGetArrayRead(Mu, &m));
     PetscCall(VecGetArrayRead(Cu, &c));
     PetscCall(VecGetArrayRead(C1, &c1));
@@ -89,8 +89,8 @@ static PetscErrorCode CheckConstantPressure(Pair pair, PetscReal area, PetscReal
   PetscCall(VecRestoreArray(p, &pa));
   PetscCall(MatMultTranspose(pair->M, p, load));
   PetscCall(VecSum(load, &sum_M));
-  if (pair->chain) {
-    PetscCall(MatMultTranspose(pair->chain, p, load));
+  if (pair->D_other) {
+    PetscCall(MatMultTranspose(pair->D_other, p, load));
     PetscCall(VecDot(load, shifted, &sum_C));
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &sum_D, 1, MPIU_REAL, MPI_SUM, PETSC_COMM_WORLD));

@@ -66,7 +66,7 @@ static void MakeCell(ElementType type, PetscReal h, PetscReal ratio, const Petsc
 static PetscReal GradientError(Expression e, FieldFn field, ElementType type, const PetscReal X[])
 {
   PetscReal      xi[DIM * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_NODES], worst = 0;
-  const PetscInt n = ElementQuadrature(type, 8, xi, w);
+  const PetscInt n = QuadratureRule(type, 8, xi, w);
 
   CHECK(n > 0);
   for (PetscInt q = 0; q < n; ++q) {

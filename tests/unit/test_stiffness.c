@@ -62,7 +62,7 @@ static void Stiffness(ElementType type, const PetscReal X[], const PetscReal C[]
 {
   const PetscInt n = 2 * ElementNumNodes(type);
   PetscReal      points[2 * ELEMENT_MAX_POINTS], weights[ELEMENT_MAX_POINTS];
-  const PetscInt num_points = ElementQuadrature(type, ElementStiffnessDegree(type), points, weights);
+  const PetscInt num_points = QuadratureRule(type, ElementStiffnessDegree(type), points, weights);
 
   for (PetscInt i = 0; i < n * n; i++) K[i] = 0.;
   for (PetscInt q = 0; q < num_points; q++) {

@@ -1,4 +1,4 @@
-/* search.c -- the mortar facets that this rank's nonmortar facets may meet, in a box tree.
+/* mortarsurface.c -- the mortar facets that this rank's nonmortar facets may meet, in a box tree.
 
    No rank holds a side. Every rank tells all others a few boxes around its nonmortar facets; a mortar facet goes to the
    ranks one of whose boxes it meets. Facets that stay come first, then those of other ranks in the order of ranks: sums
@@ -41,15 +41,15 @@ typedef struct {
 } Side;
 
 /* A tree over the boxes around all facets of a list. [in] coords - [num][ELEMENT_MAX_FACET_NODES][dim] */
-static PetscErrorCode SearchCreateTree_Private(PetscInt dim, PetscInt num, const ElementType type[],
-                                               const PetscReal coords[], BoxTree *tree)
+static PetscErrorCode MortarSurfaceCreateTree_Private(PetscInt dim, PetscInt num, const ElementType type[],
+                                                      const PetscReal coords[], BoxTree *tree)
 {
   PetscReal *boxes;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(2 * dim * num, &boxes));
   for (PetscInt f = 0; f < num; f++)
-    FacetBox(dim, type[f], &coords[f * ELEMENT_MAX_FACET_NODES * dim], &boxes[2 * f * dim]);
+    ContactFacetBox(dim, type[f], &coords[f * ELEMENT_MAX_FACET_NODES * dim], &boxes[2 * f * dim]);
   PetscCall(BoxTreeCreate(dim, num, boxes, tree));
   PetscCall(PetscFree(boxes));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -57,8 +57,8 @@ static PetscErrorCode SearchCreateTree_Private(PetscInt dim, PetscInt num, const
 
 /* A few boxes that hold this rank's facets and all within reach of them. Not collective.
    [out] boxes - [COVER_BOXES][2][dim], the first *num of them are set */
-static PetscErrorCode SearchCoverFacets_Private(const Level *level, const Facets *facets, PetscReal reach,
-                                                PetscInt *num, PetscReal boxes[])
+static PetscErrorCode MortarSurfaceCoverFacets_Private(const Level *level, const Facets *facets, PetscReal reach,
+                                                       PetscInt *num, PetscReal boxes[])
 {
   const PetscInt   dim = level->dim;
   PetscReal       *coords;
@@ -68,8 +68,8 @@ static PetscErrorCode SearchCoverFacets_Private(const Level *level, const Facets
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(facets->num * ELEMENT_MAX_FACET_NODES * dim, &coords));
   for (PetscInt f = 0; f < facets->num; f++)
-    FacetCoordinates(level, facets, f, &coords[f * ELEMENT_MAX_FACET_NODES * dim]);
-  PetscCall(SearchCreateTree_Private(dim, facets->num, facets->type, coords, &tree));
+    ContactFacetCoordinates(level, facets, f, &coords[f * ELEMENT_MAX_FACET_NODES * dim]);
+  PetscCall(MortarSurfaceCreateTree_Private(dim, facets->num, facets->type, coords, &tree));
   PetscCall(PetscFree(coords));
   PetscCall(BoxTreeGetCover(tree, COVER_BOXES, num, &cover));
   for (PetscInt b = 0; b < *num; b++) {
@@ -83,8 +83,8 @@ static PetscErrorCode SearchCoverFacets_Private(const Level *level, const Facets
 }
 
 /* Tells all ranks what each of them covers. Collective. */
-static PetscErrorCode SearchCoversCreate_Private(const Level *level, const Facets *facets, PetscReal reach,
-                                                 Covers *covers)
+static PetscErrorCode MortarSurfaceCoversCreate_Private(const Level *level, const Facets *facets, PetscReal reach,
+                                                        Covers *covers)
 {
   const PetscInt dim = level->dim, length = COVER_BOXES * 2 * dim;
   PetscReal     *mine, *all;
@@ -96,7 +96,7 @@ static PetscErrorCode SearchCoversCreate_Private(const Level *level, const Facet
   PetscCall(PetscMalloc3(size, &nums, length, &mine, size * length, &all));
   PetscCall(PetscMalloc1(size * COVER_BOXES, &covers->rank));
   PetscCall(PetscArrayzero(mine, length));
-  PetscCall(SearchCoverFacets_Private(level, facets, reach, &num, mine));
+  PetscCall(MortarSurfaceCoverFacets_Private(level, facets, reach, &num, mine));
   PetscCallMPI(MPI_Allgather(&num, 1, MPIU_INT, nums, 1, MPIU_INT, level->comm));
   PetscCallMPI(MPI_Allgather(mine, (PetscMPIInt)length, MPIU_REAL, all, (PetscMPIInt)length, MPIU_REAL, level->comm));
   covers->num = 0;
@@ -111,7 +111,7 @@ static PetscErrorCode SearchCoversCreate_Private(const Level *level, const Facet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode SearchCoversDestroy_Private(Covers *covers)
+static PetscErrorCode MortarSurfaceCoversDestroy_Private(Covers *covers)
 {
   PetscFunctionBeginUser;
   PetscCall(BoxTreeDestroy(&covers->tree));
@@ -120,15 +120,15 @@ static PetscErrorCode SearchCoversDestroy_Private(Covers *covers)
 }
 
 /* The ranks that may meet a mortar facet, each once. Not collective. [out] ranks - ascending [*num], room for all */
-static PetscErrorCode SearchFindRanks_Private(const Covers *covers, PetscInt dim, const FacetRecord *record,
-                                              PetscInt *num, PetscMPIInt ranks[])
+static PetscErrorCode MortarSurfaceFindRanks_Private(const Covers *covers, PetscInt dim, const FacetRecord *record,
+                                                     PetscInt *num, PetscMPIInt ranks[])
 {
   PetscReal       box[6];
   PetscInt        num_hits;
   const PetscInt *hits;
 
   PetscFunctionBeginUser;
-  FacetBox(dim, (ElementType)record->type, record->coords, box);
+  ContactFacetBox(dim, (ElementType)record->type, record->coords, box);
   PetscCall(BoxTreeQuery(covers->tree, box, &num_hits, &hits));
   *num = 0;
   for (PetscInt h = 0; h < num_hits; h++) {
@@ -137,7 +137,7 @@ static PetscErrorCode SearchFindRanks_Private(const Covers *covers, PetscInt dim
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static void SearchPackFacet_Private(const Side *side, PetscInt f, FacetRecord *record)
+static void MortarSurfacePackFacet_Private(const Side *side, PetscInt f, FacetRecord *record)
 {
   const Level   *level  = side->level;
   const Facets  *facets = side->facets;
@@ -146,7 +146,7 @@ static void SearchPackFacet_Private(const Side *side, PetscInt f, FacetRecord *r
   record->type = facets->type[f];
   for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
     record->nodes[i] = level->node_global[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
-  FacetCoordinates(level, facets, f, record->coords);
+  ContactFacetCoordinates(level, facets, f, record->coords);
   for (PetscInt i = 0; i < ELEMENT_MAX_FACET_NODES * dim && side->shape; i++)
     record->normals[i] = side->shape->normal[f * ELEMENT_MAX_FACET_NODES * dim + i];
   for (PetscInt i = 0; i < ELEMENT_MAX_FACET_NODES * dim * dim && side->shape; i++)
@@ -154,7 +154,7 @@ static void SearchPackFacet_Private(const Side *side, PetscInt f, FacetRecord *r
 }
 
 /* Appends a facet; the arrays have room for it. */
-static void SearchAddFacet_Private(PetscInt dim, const FacetRecord *record, MortarSurface *surface)
+static void MortarSurfaceAddFacet_Private(PetscInt dim, const FacetRecord *record, MortarSurface *surface)
 {
   const PetscInt f = surface->num++, n = ElementNumNodes((ElementType)record->type);
 
@@ -178,7 +178,7 @@ typedef struct {
 } Traffic;
 
 /* Counts who sends what to whom. Collective. */
-static PetscErrorCode SearchTrafficPlan_Private(const Side *side, const Covers *covers, Traffic *traffic)
+static PetscErrorCode MortarSurfaceTrafficPlan_Private(const Side *side, const Covers *covers, Traffic *traffic)
 {
   const Level *level  = side->level;
   FacetRecord  record = {0};
@@ -193,8 +193,8 @@ static PetscErrorCode SearchTrafficPlan_Private(const Side *side, const Covers *
   start                = traffic->start;
   traffic->num_staying = traffic->num_arriving = 0;
   for (PetscInt f = 0; f < side->facets->num; f++) {
-    SearchPackFacet_Private(side, f, &record);
-    PetscCall(SearchFindRanks_Private(covers, side->level->dim, &record, &num, ranks));
+    MortarSurfacePackFacet_Private(side, f, &record);
+    PetscCall(MortarSurfaceFindRanks_Private(covers, side->level->dim, &record, &num, ranks));
     for (PetscInt i = 0; i < num; i++) {
       if (ranks[i] == traffic->rank)
         traffic->num_staying++;
@@ -218,8 +218,8 @@ static PetscErrorCode SearchTrafficPlan_Private(const Side *side, const Covers *
 }
 
 /* Puts facets that stay into the surface and lines up those that leave. Not collective. */
-static PetscErrorCode SearchTrafficLoad_Private(const Side *side, const Covers *covers, Traffic *traffic,
-                                                MortarSurface *surface)
+static PetscErrorCode MortarSurfaceTrafficLoad_Private(const Side *side, const Covers *covers, Traffic *traffic,
+                                                       MortarSurface *surface)
 {
   PetscInt    *next, num;
   PetscMPIInt *ranks;
@@ -230,11 +230,11 @@ static PetscErrorCode SearchTrafficLoad_Private(const Side *side, const Covers *
   PetscCall(PetscArraycpy(next, traffic->start, traffic->size));
   PetscCall(PetscMalloc1(traffic->start[traffic->size], &traffic->leaving));
   for (PetscInt f = 0; f < side->facets->num; f++) {
-    SearchPackFacet_Private(side, f, &record);
-    PetscCall(SearchFindRanks_Private(covers, side->level->dim, &record, &num, ranks));
+    MortarSurfacePackFacet_Private(side, f, &record);
+    PetscCall(MortarSurfaceFindRanks_Private(covers, side->level->dim, &record, &num, ranks));
     for (PetscInt i = 0; i < num; i++) {
       if (ranks[i] == traffic->rank)
-        SearchAddFacet_Private(side->level->dim, &record, surface);
+        MortarSurfaceAddFacet_Private(side->level->dim, &record, surface);
       else
         traffic->leaving[next[ranks[i]]++] = record;
     }
@@ -244,7 +244,7 @@ static PetscErrorCode SearchTrafficLoad_Private(const Side *side, const Covers *
 }
 
 /* Sends and receives, and appends what arrives to the surface. Collective. */
-static PetscErrorCode SearchTrafficRun_Private(const Level *level, Traffic *traffic, MortarSurface *surface)
+static PetscErrorCode MortarSurfaceTrafficRun_Private(const Level *level, Traffic *traffic, MortarSurface *surface)
 {
   MPI_Comm     comm;
   MPI_Datatype type;
@@ -269,14 +269,14 @@ static PetscErrorCode SearchTrafficRun_Private(const Level *level, Traffic *traf
     }
   }
   PetscCallMPI(MPI_Waitall(num_requests, requests, MPI_STATUSES_IGNORE));
-  for (PetscInt f = 0; f < traffic->num_arriving; f++) SearchAddFacet_Private(level->dim, &arriving[f], surface);
+  for (PetscInt f = 0; f < traffic->num_arriving; f++) MortarSurfaceAddFacet_Private(level->dim, &arriving[f], surface);
   PetscCall(PetscFree2(arriving, requests));
   PetscCallMPI(MPI_Type_free(&type));
   PetscCall(PetscCommDestroy(&comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode SearchTrafficDestroy_Private(Traffic *traffic)
+static PetscErrorCode MortarSurfaceTrafficDestroy_Private(Traffic *traffic)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree(traffic->start));
@@ -296,19 +296,19 @@ PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const 
   PetscInt       max;
 
   PetscFunctionBeginUser;
-  PetscCall(SearchCoversCreate_Private(level, nonmortar, reach, &covers));
-  PetscCall(SearchTrafficPlan_Private(&side, &covers, &traffic));
-  max           = traffic.num_staying + traffic.num_arriving;
-  surface->num  = 0;
-  surface->rise = NULL;
+  PetscCall(MortarSurfaceCoversCreate_Private(level, nonmortar, reach, &covers));
+  PetscCall(MortarSurfaceTrafficPlan_Private(&side, &covers, &traffic));
+  max             = traffic.num_staying + traffic.num_arriving;
+  surface->num    = 0;
+  surface->bulges = NULL;
   PetscCall(PetscMalloc5(max, &surface->type, max * ELEMENT_MAX_FACET_NODES, &surface->nodes,
                          max * ELEMENT_MAX_FACET_NODES * dim, &surface->coords, max * ELEMENT_MAX_FACET_NODES * dim,
                          &surface->normals, max * ELEMENT_MAX_FACET_NODES * dim * dim, &surface->curvature));
-  PetscCall(SearchTrafficLoad_Private(&side, &covers, &traffic, surface));
-  PetscCall(SearchCoversDestroy_Private(&covers));
-  PetscCall(SearchTrafficRun_Private(level, &traffic, surface));
-  PetscCall(SearchTrafficDestroy_Private(&traffic));
-  PetscCall(SearchCreateTree_Private(dim, surface->num, surface->type, surface->coords, &surface->tree));
+  PetscCall(MortarSurfaceTrafficLoad_Private(&side, &covers, &traffic, surface));
+  PetscCall(MortarSurfaceCoversDestroy_Private(&covers));
+  PetscCall(MortarSurfaceTrafficRun_Private(level, &traffic, surface));
+  PetscCall(MortarSurfaceTrafficDestroy_Private(&traffic));
+  PetscCall(MortarSurfaceCreateTree_Private(dim, surface->num, surface->type, surface->coords, &surface->tree));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -316,7 +316,7 @@ PetscErrorCode MortarSurfaceDestroy(MortarSurface *surface)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree5(surface->type, surface->nodes, surface->coords, surface->normals, surface->curvature));
-  PetscCall(PetscFree(surface->rise));
+  PetscCall(PetscFree(surface->bulges));
   PetscCall(BoxTreeDestroy(&surface->tree));
   surface->num = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -328,7 +328,7 @@ typedef struct {
 } Cone;
 
 /* The cone of the normals: that of the Bezier points of their field, since what lies between two of them is in it, too. */
-static Cone SearchFindNormalCone_Private(PetscInt dim, ElementType type, const PetscReal N[])
+static Cone MortarSurfaceFindNormalCone_Private(PetscInt dim, ElementType type, const PetscReal N[])
 {
   const PetscInt n    = ElementNumNodes(type);
   Cone           cone = {{0, 0, 0}, 1};
@@ -336,7 +336,7 @@ static Cone SearchFindNormalCone_Private(PetscInt dim, ElementType type, const P
 
   for (PetscInt i = 0; i < n * dim; i++) cone.mean[i % dim] += N[i];
   FrameNormalize(dim, cone.mean);
-  FacetHull(dim, type, N, hull);
+  ContactFacetHull(dim, type, N, hull);
   for (PetscInt i = 0; i < n; i++) {
     FrameNormalize(dim, &hull[i * dim]);
     cone.cosine = PetscMax(0, PetscMin(cone.cosine, VectorDot(dim, cone.mean, &hull[i * dim])));
@@ -345,7 +345,7 @@ static Cone SearchFindNormalCone_Private(PetscInt dim, ElementType type, const P
 }
 
 /* The largest component of unit vectors of the cone along a direction whose own component along the mean is given. */
-static PetscReal SearchConeComponent_Private(const Cone *cone, PetscReal along)
+static PetscReal MortarSurfaceConeComponent_Private(const Cone *cone, PetscReal along)
 {
   const PetscReal a = PetscAbsReal(along), c = cone->cosine;
 
@@ -354,8 +354,8 @@ static PetscReal SearchConeComponent_Private(const Cone *cone, PetscReal along)
 }
 
 /* The range of direction . x over a facet, widened. [in] hull - [n][dim] */
-static BoxSlab SearchFindSlab_Private(PetscInt dim, PetscInt n, const PetscReal hull[], const PetscReal direction[],
-                                      PetscReal margin)
+static BoxSlab MortarSurfaceFindSlab_Private(PetscInt dim, PetscInt n, const PetscReal hull[],
+                                             const PetscReal direction[], PetscReal margin)
 {
   BoxSlab range = {.lower = PETSC_MAX_REAL, .upper = PETSC_MIN_REAL};
 
@@ -375,18 +375,18 @@ PetscErrorCode MortarSurfaceQuery(const MortarSurface *surface, PetscInt dim, co
                                   PetscInt *num_hits, const PetscInt *hits[])
 {
   const PetscInt  n         = ElementNumNodes(facet->type);
-  const Cone      cone      = SearchFindNormalCone_Private(dim, facet->type, facet->N);
-  const PetscReal slack     = QUERY_SLACK * (reach + FacetSize(dim, facet->type, facet->X));
+  const Cone      cone      = MortarSurfaceFindNormalCone_Private(dim, facet->type, facet->N);
+  const PetscReal slack     = QUERY_SLACK * (reach + ContactFacetSize(dim, facet->type, facet->X));
   PetscInt        num_slabs = 0;
   PetscReal       hull[3 * ELEMENT_MAX_FACET_NODES], Q[9], box[6];
   BoxSlab         slabs[3];
 
   PetscFunctionBeginUser;
-  FacetHull(dim, facet->type, facet->X, hull);
+  ContactFacetHull(dim, facet->type, facet->X, hull);
   for (PetscInt k = 0; k < dim; k++) {
     const PetscReal axis[3] = {k == 0, k == 1, k == 2};
-    const BoxSlab   range =
-        SearchFindSlab_Private(dim, n, hull, axis, SearchConeComponent_Private(&cone, cone.mean[k]) * reach + slack);
+    const BoxSlab   range   = MortarSurfaceFindSlab_Private(
+            dim, n, hull, axis, MortarSurfaceConeComponent_Private(&cone, cone.mean[k]) * reach + slack);
     box[k]       = range.lower;
     box[dim + k] = range.upper;
   }
@@ -394,8 +394,8 @@ PetscErrorCode MortarSurfaceQuery(const MortarSurface *surface, PetscInt dim, co
     FrameFromNormal(dim, cone.mean, Q);
     for (; num_slabs < dim; num_slabs++) {
       const PetscReal along = num_slabs == 0 ? 1 : 0;
-      slabs[num_slabs]      = SearchFindSlab_Private(dim, n, hull, &Q[num_slabs * dim],
-                                                     SearchConeComponent_Private(&cone, along) * reach + slack);
+      slabs[num_slabs]      = MortarSurfaceFindSlab_Private(
+               dim, n, hull, &Q[num_slabs * dim], MortarSurfaceConeComponent_Private(&cone, along) * reach + slack);
     }
   }
   PetscCall(BoxTreeQuerySlabs(surface->tree, box, num_slabs, slabs, num_hits, hits));
