@@ -10,7 +10,6 @@
 #include <unistd.h>
 #include "base/interrupt.h"
 #include "base/log.h"
-#include "base/memory.h"
 #include "output/htmlreport.h"
 
 enum {
@@ -37,7 +36,6 @@ void ProcessBegin(int *argc, char ***argv)
 {
   process.own   = PETSC_TRUE;
   process.start = LogWallClock();
-  MemoryLimitThreads(*argv);
   OpenStreams_Private();
   MPI_Init(argc, argv);
   MPI_Comm_dup(MPI_COMM_WORLD, &process.farewell);

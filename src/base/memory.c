@@ -1,9 +1,8 @@
-/* memory.c -- peak of the resident memory, by /proc where it exists, else by getrusage(); manners of libraries without memory.
+/* memory.c -- peak of the resident memory, by /proc where it exists, else by getrusage(); libraries that run out of memory.
 
    Linux keeps the peak as VmHWM in /proc/self/status and sets it back to the present value when a 5 is written to
    /proc/self/clear_refs (man 5 proc). getrusage() knows the peak since the process began, and cannot be set back. */
 #include <cjson/cJSON.h>
-#include <dlfcn.h>
 #include <math.h>
 #include "base/compat.h"
 #include "base/usererror.h"
@@ -12,7 +11,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/resource.h>
-#include <unistd.h>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -21,18 +19,8 @@
 enum { KILOBYTE = 1024, BYTE = 1 };
 
 /* Bytes that have to be left before BLAS is asked for the first time: OpenBLAS takes 128 MB of addresses, hardly any of it
-   memory, and asks again and again, without end, as long as it does not get them. */
+   memory, and repeats the request without end until it gets them. */
 static const size_t BLAS_BUFFER = (size_t)160 << 20;
-
-void MemoryLimitThreads(char **argv)
-{
-  static const char threads[] = "OPENBLAS_NUM_THREADS", other[] = "OMP_NUM_THREADS";
-  struct rlimit     limit;
-
-  if (getenv(threads) || getenv(other)) return;
-  if (getrlimit(RLIMIT_AS, &limit) || limit.rlim_cur == RLIM_INFINITY) return;
-  if (!setenv(threads, "1", 1)) (void)execv("/proc/self/exe", argv); // where it cannot be, all stays as it was
-}
 
 static void *MemoryAllocateFn(size_t size)
 {
@@ -57,12 +45,6 @@ static void MemoryPrepareBLAS_Private(void)
 
 void MemoryPrepare(void)
 {
-  /* std::set_new_handler() as the linker knows it; C++ comes with the libraries, or does not */
-  void *symbol = dlsym(RTLD_DEFAULT, "_ZSt15set_new_handlerPFvvE");
-  void (*(*set)(void (*)(void)))(void);
-
-  *(void **)&set = symbol;
-  if (symbol) (void)(*set)(UserErrorEndMemory);
   cJSON_InitHooks(&(cJSON_Hooks){.malloc_fn = MemoryAllocateFn, .free_fn = free});
   MemoryPrepareBLAS_Private();
 }

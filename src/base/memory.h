@@ -1,14 +1,11 @@
-/* memory.h -- the most memory that the processes held at a time, and what happens when there is none left. */
+/* memory.h -- the peak memory of the processes, and what happens without memory. */
 #ifndef MORTISE_MEMORY_H
 #define MORTISE_MEMORY_H
 
 #include <petscsys.h>
 
-/* Where memory is limited (ulimit -v), starts the program anew with one thread of OpenBLAS, unless the user chose their number:
-   each thread sets a large buffer aside, and waits for ever where it cannot have it. Call first of all in main(). */
-void MemoryLimitThreads(char **argv);
-/* Makes libraries that could not return an error, or would wait, end the program by UserErrorEndMemory(): C++ (muParser among
-   others), cJSON, and BLAS, whose buffer is taken now. Not collective; MPI is initialised. */
+/* Lets cJSON, which cannot return an error, and BLAS, which would wait for ever, end the program by UserErrorEndMemory(). The
+   buffer of BLAS is taken now. Not collective; MPI is initialised. */
 void MemoryPrepare(void);
 
 /* bytes = sum over the ranks of the largest resident memory so far, since the program began or since MemoryPeakReset().

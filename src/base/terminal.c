@@ -1,7 +1,8 @@
-/* terminal.c -- does somebody look on.
+/* terminal.c -- whether the output is a terminal.
 
-   Open MPI lets the ranks of this machine write to pseudo-terminals, also where its own output is a file. Its own output is that
-   of their parent. */
+   Under mpiexec isatty() is true on the first rank even if the output of mpiexec is a file: Open MPI gives the ranks of its own
+   machine pseudo-terminals. MPI has no call that tells. The output of mpiexec is that of the parent process, and Linux shows
+   it in /proc. Without this, the progress table of a parallel run would either fill log files or be missing on terminals. */
 #include "base/compat.h"
 #include "base/terminal.h"
 #include <fcntl.h>

@@ -1,11 +1,10 @@
-/* terminal.h -- does somebody look on. */
+/* terminal.h -- whether the output is a terminal. */
 #ifndef MORTISE_TERMINAL_H
 #define MORTISE_TERMINAL_H
 
 #include <petscsys.h>
 
-/* Whether what the first rank prints goes to a terminal. Under mpiexec, which gives its ranks terminals of its own making, that is
-   whether mpiexec's output does. Collective. */
+/* Whether the output of the first rank is a terminal; under mpiexec, whether that of mpiexec is. Collective. */
 PetscErrorCode TerminalIsPresent(MPI_Comm comm, PetscBool *there);
 
 #endif

@@ -58,9 +58,10 @@ static void Cell_Private(VI vi, PetscInt c, const ElementRule *rule, const Petsc
 {
   const Level    *level = vi->level;
   const PetscInt  dim = level->dim, n = level->cell_start[c + 1] - level->cell_start[c], m = vi->rigid_modes.num;
-  const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]], piece = vi->rigid_modes.components.of_node[nodes[0]];
-  PetscReal       X[ELEMENT_MAX_NODES * MAX_DIM], x[MAX_DIM], value[MAX_DIM], z[RIGID_COMPONENTS * MAX_DIM];
-  PetscInt        begin = 0, end;
+  const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]],
+                 piece  = vi->rigid_modes.components.of_node[nodes[0]];
+  PetscReal X[ELEMENT_MAX_NODES * MAX_DIM], x[MAX_DIM], value[MAX_DIM], z[RIGID_COMPONENTS * MAX_DIM];
+  PetscInt  begin = 0, end;
 
   while (vi->rigid_modes.component[begin] < piece) begin++;
   for (end = begin; end < m && vi->rigid_modes.component[end] == piece;) end++;

@@ -25,7 +25,8 @@ static PetscErrorCode Candidates_Private(VI vi, PetscBool candidate[])
   PetscFunctionBeginUser;
   PetscCall(VIMarkCartesian(vi, candidate));
   PetscCall(PetscCalloc1(num_pieces, &ordinary));
-  for (PetscInt a = 0; a < level->num_owned; a++) ordinary[vi->rigid_modes.components.of_node[a]] += candidate[a] ? 1 : 0;
+  for (PetscInt a = 0; a < level->num_owned; a++)
+    ordinary[vi->rigid_modes.components.of_node[a]] += candidate[a] ? 1 : 0;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, ordinary, (PetscMPIInt)num_pieces, MPIU_INT, MPI_SUM, level->comm));
   for (PetscInt a = 0; a < level->num_owned; a++) {
     const PetscInt b = vi->rigid_modes.components.of_node[a];

@@ -228,7 +228,8 @@ static PetscErrorCode MovesLoads_Private(VI vi, const Cone *cone, const PetscRea
   for (PetscInt k = 0; k < cone->m; k++) {
     if (PetscAbsReal(q[k]) <= NUDGE * size) continue;
     for (PetscInt l = 0; l < cone->m; l++)
-      if (vi->rigid_modes.component[l] == vi->rigid_modes.component[k] && PetscAbsReal(phi[l]) > BALANCED) *loads = PETSC_TRUE;
+      if (vi->rigid_modes.component[l] == vi->rigid_modes.component[k] && PetscAbsReal(phi[l]) > BALANCED)
+        *loads = PETSC_TRUE;
   }
   for (PetscInt r = 0; r < cone->num; r++) {
     PetscReal opening = 0;
