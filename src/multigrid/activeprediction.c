@@ -32,9 +32,9 @@ static PetscErrorCode Evaluate_Private(Iterate *it)
   PetscScalar by, ry;
 
   PetscFunctionBeginUser;
-  PetscCall(MatMult(it->grid->A, it->y, it->r));
-  PetscCall(VecAYPX(it->r, -1, it->grid->vi->b));
-  PetscCall(VecDot(it->y, it->grid->vi->b, &by));
+  PetscCall(MatMult(it->grid->op.A, it->y, it->r));
+  PetscCall(VecAYPX(it->r, -1, it->grid->op.b));
+  PetscCall(VecDot(it->y, it->grid->op.b, &by));
   PetscCall(VecDot(it->y, it->r, &ry));
   it->energy = -0.5 * PetscRealPart(by + ry);
   it->hierarchy->work += it->grid->share;
@@ -49,7 +49,7 @@ static PetscErrorCode Steps_Private(Iterate *it, PetscInt num)
   for (PetscInt k = 0; k < num; k++) {
     PetscCall(VecPointwiseDivide(it->step, it->r, grid->diag));
     PetscCall(VecAXPY(it->y, 2 * RELAXATION / grid->largest, it->step));
-    PetscCall(VecPointwiseMin(it->y, it->y, grid->vi->upper));
+    PetscCall(VecPointwiseMin(it->y, it->y, grid->op.upper));
     PetscCall(Evaluate_Private(it));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -65,7 +65,7 @@ static PetscErrorCode Press_Private(Iterate *it, PetscInt *changed)
   PetscFunctionBeginUser;
   *changed = 0;
   PetscCall(VecGetLocalSize(it->y, &n));
-  PetscCall(VecGetArrayRead(it->grid->vi->upper, &upper));
+  PetscCall(VecGetArrayRead(it->grid->op.upper, &upper));
   PetscCall(VecGetArrayRead(it->y, &y));
   PetscCall(VecGetArrayRead(it->r, &r));
   PetscCall(VecGetArray(it->active, &active));
@@ -78,7 +78,7 @@ static PetscErrorCode Press_Private(Iterate *it, PetscInt *changed)
   PetscCall(VecRestoreArray(it->active, &active));
   PetscCall(VecRestoreArrayRead(it->r, &r));
   PetscCall(VecRestoreArrayRead(it->y, &y));
-  PetscCall(VecRestoreArrayRead(it->grid->vi->upper, &upper));
+  PetscCall(VecRestoreArrayRead(it->grid->op.upper, &upper));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, changed, 1, MPIU_INT, MPI_SUM, PetscObjectComm((PetscObject)it->y)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -90,14 +90,14 @@ static PetscErrorCode Move_Private(Iterate *it, Vec c)
   PetscReal   a;
 
   PetscFunctionBeginUser;
-  PetscCall(MatMult(it->grid->A, c, it->product));
+  PetscCall(MatMult(it->grid->op.A, c, it->product));
   it->hierarchy->work += it->grid->share;
   PetscCall(VecDot(c, it->r, &work));
   PetscCall(VecDot(c, it->product, &energy));
   if (!(PetscRealPart(work) > 0)) PetscFunctionReturn(PETSC_SUCCESS);
   a = PetscRealPart(work) < PetscRealPart(energy) ? PetscRealPart(work / energy) : 1;
   PetscCall(VecAXPY(it->y, a, c));
-  PetscCall(VecPointwiseMin(it->y, it->y, it->grid->vi->upper)); // rounding
+  PetscCall(VecPointwiseMin(it->y, it->y, it->grid->op.upper)); // rounding
   PetscCall(VecAXPY(it->r, -a, it->product));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -105,7 +105,7 @@ static PetscErrorCode Move_Private(Iterate *it, Vec c)
 /* One cycle for the unknowns that are free now, cut off at the bounds of others. */
 static PetscErrorCode Cycle_Private(Iterate *it, PC pc)
 {
-  const Vec upper = it->grid->vi->upper, c = it->step;
+  const Vec upper = it->grid->op.upper, c = it->step;
 
   PetscFunctionBeginUser;
   PetscCall(VecSet(it->free, 1));
@@ -163,7 +163,7 @@ PetscErrorCode Forecast(Hierarchy hierarchy, const Grid *grid, PC pc, Vec y, Vec
   PetscFunctionBeginUser;
   *gained = 0;
   if (grid->S) PetscFunctionReturn(PETSC_SUCCESS); // where the diagonal does not smooth it does not see either
-  PetscCall(VecPointwiseMin(y, y, grid->vi->upper));
+  PetscCall(VecPointwiseMin(y, y, grid->op.upper));
   PetscCall(Begin_Private(&it));
   first = it.energy;
   PetscCall(Steps_Private(&it, STEPS));

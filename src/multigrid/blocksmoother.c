@@ -27,16 +27,16 @@ static const PetscReal MANY = 0.01, THICK = 0.2;
 
 /* One node's couplings. */
 typedef struct {
-  VI          vi;
-  PetscInt    dim;
-  const Halo *halo;
-  PetscReal  *x;     /* positions, by halo [n + num][dim] */
-  PetscReal  *scale; /* 1 / root of the diagonal, by halo [n + num] */
-  PetscReal  *cut;   /* strong from here on, by halo [n + num] */
-  PetscInt    num, max;
-  PetscInt   *node;     /* neighbours, by halo, and the node itself [num] */
-  PetscReal  *strength; /* less than 0 for the node itself [num] */
-  PetscBool  *chosen;   /* of these neighbours [num] */
+  const Operator *op;
+  PetscInt        dim;
+  const Halo     *halo;
+  PetscReal      *x;     /* positions, by halo [n + num][dim] */
+  PetscReal      *scale; /* 1 / root of the diagonal, by halo [n + num] */
+  PetscReal      *cut;   /* strong from here on, by halo [n + num] */
+  PetscInt        num, max;
+  PetscInt       *node;     /* neighbours, by halo, and the node itself [num] */
+  PetscReal      *strength; /* less than 0 for the node itself [num] */
+  PetscBool      *chosen;   /* of these neighbours [num] */
 } Star;
 
 static PetscErrorCode Scale_Private(Star *star, Halo *halo)
@@ -44,30 +44,30 @@ static PetscErrorCode Scale_Private(Star *star, Halo *halo)
   const PetscScalar *d;
 
   PetscFunctionBeginUser;
-  PetscCall(VecGetArrayRead(star->vi->diagonal, &d));
+  PetscCall(VecGetArrayRead(star->op->diagonal, &d));
   for (PetscInt i = 0; i < halo->n; i++) {
     PetscReal trace = 0;
 
     for (PetscInt k = 0; k < star->dim; k++) trace += PetscRealPart(d[i * star->dim + k]);
     star->scale[i] = 1 / PetscSqrtReal(trace);
   }
-  PetscCall(VecRestoreArrayRead(star->vi->diagonal, &d));
+  PetscCall(VecRestoreArrayRead(star->op->diagonal, &d));
   PetscCall(HaloShare(halo, star->scale));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode StarBegin_Private(VI vi, Halo *halo, Star *star)
+static PetscErrorCode StarBegin_Private(const Operator *op, Halo *halo, Star *star)
 {
-  const PetscInt dim = vi->level->dim, num = halo->n + halo->num;
+  const PetscInt dim = op->dim, num = halo->n + halo->num;
   PetscReal     *along;
 
   PetscFunctionBeginUser;
-  *star = (Star){.vi = vi, .dim = dim, .halo = halo};
+  *star = (Star){.op = op, .dim = dim, .halo = halo};
   PetscCall(PetscMalloc1(num, &along));
   PetscCall(PetscMalloc1(num * dim, &star->x));
   PetscCall(PetscMalloc2(num, &star->scale, num, &star->cut));
   for (PetscInt k = 0; k < dim; k++) {
-    for (PetscInt i = 0; i < halo->n; i++) along[i] = vi->level->coords[i * dim + k];
+    for (PetscInt i = 0; i < halo->n; i++) along[i] = op->coords[i * dim + k];
     PetscCall(HaloShare(halo, along));
     for (PetscInt i = 0; i < num; i++) star->x[i * dim + k] = along[i];
   }
@@ -98,7 +98,7 @@ static PetscErrorCode Gather_Private(Star *star, PetscInt node)
     const PetscInt    *columns;
     const PetscScalar *values;
 
-    PetscCall(MatGetRow(star->vi->K, dim * (star->halo->begin + node) + r, &num, &columns, &values));
+    PetscCall(MatGetRow(star->op->K, dim * (star->halo->begin + node) + r, &num, &columns, &values));
     if (num / dim > star->max) {
       star->max = 2 * (num / dim);
       PetscCall(PetscRealloc(star->max * sizeof(PetscInt), &star->node));
@@ -111,7 +111,7 @@ static PetscErrorCode Gather_Private(Star *star, PetscInt node)
       if (!r) star->strength[j] = 0;
       star->strength[j] -= PetscRealPart(values[j * dim + r]) * star->scale[node] * star->scale[star->node[j]];
     }
-    PetscCall(MatRestoreRow(star->vi->K, dim * (star->halo->begin + node) + r, &num, &columns, &values));
+    PetscCall(MatRestoreRow(star->op->K, dim * (star->halo->begin + node) + r, &num, &columns, &values));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -158,7 +158,7 @@ static PetscErrorCode Cut_Private(Star *star, Halo *halo, const PetscBool open[]
     if (IsFlatFrom_Private(star, i, STRONG_IF_LONG * strongest)) ++count[0];
   }
   PetscCall(HaloShare(halo, star->cut));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, count, 2, MPIU_REAL, MPI_SUM, PetscObjectComm((PetscObject)star->vi->K)));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, count, 2, MPIU_REAL, MPI_SUM, PetscObjectComm((PetscObject)star->op->K)));
   *many = (PetscBool)(count[0] > MANY * count[1]);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -189,7 +189,7 @@ static PetscErrorCode CreateGraph_Private(Star *star, Mat *graph)
   }
   PetscCall(PetscMalloc1(start[halo->n], &ones));
   for (PetscInt i = 0; i < start[halo->n]; i++) ones[i] = 1;
-  PetscCall(MatCreate(PetscObjectComm((PetscObject)star->vi->K), graph));
+  PetscCall(MatCreate(PetscObjectComm((PetscObject)star->op->K), graph));
   PetscCall(MatSetSizes(*graph, halo->n, halo->n, PETSC_DETERMINE, PETSC_DETERMINE));
   PetscCall(MatSetType(*graph, MATAIJ));
   PetscCall(MatSeqAIJSetPreallocationCSR(*graph, start, column, ones)); // one of the two does nothing
@@ -249,7 +249,7 @@ static PetscErrorCode Close_Private(Star *star, Halo *halo, const PetscReal part
     }
   }
   PetscCall(VecRestoreArrayRead(mine, &surplus));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, PetscObjectComm((PetscObject)star->vi->K)));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, PetscObjectComm((PetscObject)star->op->K)));
   PetscCall(VecScatterDestroy(&scatter));
   PetscCall(VecDestroy(&mine));
   PetscCall(ISDestroy(&is));
@@ -257,7 +257,7 @@ static PetscErrorCode Close_Private(Star *star, Halo *halo, const PetscReal part
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BundlesFind(VI vi, Halo *halo, PetscBool wanted, PetscReal label[], PetscBool *found)
+PetscErrorCode BundlesFind(const Operator *op, Halo *halo, PetscBool wanted, PetscReal label[], PetscBool *found)
 {
   Star       star;
   Mat        graph;
@@ -268,7 +268,7 @@ PetscErrorCode BundlesFind(VI vi, Halo *halo, PetscBool wanted, PetscReal label[
   PetscCall(PetscMalloc2(halo->n, &open, halo->n + halo->num, &part));
   for (PetscInt i = 0; i < halo->n; i++) open[i] = PETSC_TRUE;
   for (PetscInt i = 0; i < halo->n; i++) label[i] = (PetscReal)(halo->begin + i);
-  PetscCall(StarBegin_Private(vi, halo, &star));
+  PetscCall(StarBegin_Private(op, halo, &star));
   PetscCall(Cut_Private(&star, halo, open, STRONG, &many));
   *found = (PetscBool)(many || wanted);
   for (PetscReal strong = STRONG; *found && any && strong < STRONGEST; strong += STRONGER) {

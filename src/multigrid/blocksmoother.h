@@ -2,12 +2,12 @@
 #ifndef MORTISE_BLOCKSMOOTHER_H
 #define MORTISE_BLOCKSMOOTHER_H
 
-#include "problem/vi.h"
+#include "multigrid/operator.h"
 #include "multigrid/ghostexchange.h"
 
 /* Nodes of one bundle have one label; a node that is in none has its own. Collective.
-   [in] vi - with a level; [in] halo - nodes that K leads to; [in] wanted - whether bundles are asked for even where cells are not long; [out] label -
+   [in] op - with coords; [in] halo - nodes that K leads to; [in] wanted - whether bundles are asked for even where cells are not long; [out] label -
    by halo [halo->n + halo->num]; [out] found - false where cells are not long and bundles not asked for: label is nothing then */
-PetscErrorCode BundlesFind(VI vi, Halo *halo, PetscBool wanted, PetscReal label[], PetscBool *found);
+PetscErrorCode BundlesFind(const Operator *op, Halo *halo, PetscBool wanted, PetscReal label[], PetscBool *found);
 
 #endif

@@ -77,19 +77,21 @@ static PetscErrorCode Mult_Apart(Mat S, Vec r, Vec z)
 }
 
 /* D^-1, 0 where `alone`. */
-static PetscErrorCode SetWeights_Private(VI vi, Apart *apart)
+static PetscErrorCode SetWeights_Private(const Operator *op, Apart *apart)
 {
   PetscScalar *w;
+  PetscInt     n;
 
   PetscFunctionBeginUser;
-  PetscCall(VecCopy(vi->diagonal, apart->w));
+  PetscCall(VecCopy(op->diagonal, apart->w));
   PetscCall(VecReciprocal(apart->w));
-  PetscCall(VecScale(apart->w, vi->stiffness));
-  PetscCall(PetscCalloc1(vi->level->dim * vi->level->num_owned, &apart->alone));
-  PetscCall(VIMarkFixedDisplacements(vi, apart->alone));
+  PetscCall(VecScale(apart->w, op->stiffness));
+  PetscCall(VecGetLocalSize(apart->w, &n));
+  PetscCall(PetscCalloc1(n, &apart->alone));
+  PetscCall(OperatorMarkFixedDisplacements(op, apart->alone));
   PetscCall(VecGetArray(apart->w, &w));
-  for (PetscInt i = 0; i < vi->num_fixed; i++)
-    if (apart->alone[vi->fixed_local[i]]) w[vi->fixed_local[i]] = 0;
+  for (PetscInt i = 0; i < op->num_fixed; i++)
+    if (apart->alone[op->fixed[i]]) w[op->fixed[i]] = 0;
   PetscCall(VecRestoreArray(apart->w, &w));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -131,22 +133,25 @@ static PetscErrorCode CreateE_Private(Mat inverse, Mat *E)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ApartCreate(VI vi, Mat *inverse)
+PetscErrorCode ApartCreate(const Operator *op, Mat *inverse)
 {
-  const PetscInt n = vi->level->dim * vi->level->num_owned;
-  Apart         *apart;
+  PetscInt n;
+  Apart   *apart;
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&apart));
-  PetscCall(VICreateInverseBasis(vi, &apart->inverse));
+  PetscCall(PetscObjectReference((PetscObject)op->inverse));
+  apart->inverse = op->inverse;
   PetscCall(CreateE_Private(apart->inverse, &apart->E));
-  PetscCall(MatCreateVecs(vi->K, &apart->w, &apart->s));
+  PetscCall(MatCreateVecs(op->K, &apart->w, &apart->s));
   PetscCall(VecDuplicate(apart->w, &apart->t));
-  PetscCall(SetWeights_Private(vi, apart));
-  PetscCall(MatCreateShell(vi->level->comm, n, n, PETSC_DETERMINE, PETSC_DETERMINE, apart, inverse));
+  PetscCall(SetWeights_Private(op, apart));
+  PetscCall(VecGetLocalSize(apart->w, &n));
+  PetscCall(
+      MatCreateShell(PetscObjectComm((PetscObject)op->K), n, n, PETSC_DETERMINE, PETSC_DETERMINE, apart, inverse));
   PetscCall(MatShellSetOperation(*inverse, MATOP_MULT, (void (*)(void))Mult_Apart));
   PetscCall(MatShellSetOperation(*inverse, MATOP_DESTROY, (void (*)(void))Destroy_Apart));
-  PetscCall(ApartHold(*inverse, vi->num_fixed, vi->fixed_local));
+  PetscCall(ApartHold(*inverse, op->num_fixed, op->fixed));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

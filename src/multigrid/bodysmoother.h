@@ -2,11 +2,11 @@
 #ifndef MORTISE_BODYSMOOTHER_H
 #define MORTISE_BODYSMOOTHER_H
 
-#include "problem/vi.h"
+#include "multigrid/operator.h"
 
-/* S = T'D T, D = diag K, of a level with T, no unknown held but those that are eliminated. Collective.
+/* S = T'D T, D = diag K, of a level with T, no unknown held but fixed ones. Collective.
    [out] inverse - a shell that multiplies by S^-1, owned by the caller */
-PetscErrorCode ApartCreate(VI vi, Mat *inverse);
+PetscErrorCode ApartCreate(const Operator *op, Mat *inverse);
 /* Whether a matrix is such a shell. Not collective. */
 PetscErrorCode ApartIs(Mat S, PetscBool *apart);
 /* S of unknowns that are not held: its inverse is 0 at the others. Collective. [in] held - counted from this rank's first [num], eliminated

@@ -1,44 +1,54 @@
-/* hierarchy.h -- one inequality on all levels of its mesh, and what leads from one to the next; internal (eq. 13.3). */
+/* hierarchy.h -- one inequality on several levels, and the prolongations between them; internal (eq. 13.3). */
 #ifndef MORTISE_HIERARCHY_H
 #define MORTISE_HIERARCHY_H
 
-#include "problem/vi.h"
-#include "multigrid/iterationcost.h"
-#include "multigrid/smoother.h"
+#include <petscksp.h>
+#include "multigrid/nodecoarsening.h"
+#include "multigrid/operator.h"
 
 /* One level. */
 typedef struct {
-  VI  vi; /* owned but for the finest */
-  Mat A;  /* vi->A, borrowed */
-  Mat P; /* y of the next coarser level to y of this one, nothing from and to eliminated unknowns; NULL on the coarsest */
-  Vec lift;   /* what comes to this level from eliminated unknowns of the coarser one; NULL where they are 0 */
-  Vec weight; /* how much of this level each unknown of the next coarser one moves: squares of P's columns; NULL like P */
-  Vec       diag;    /* of A */
-  Mat       S;       /* the smoother's, or NULL where that is the diagonal */
+  Operator  op;
+  PetscBool nodes; /* made of nodes of a finer level (nodelevels.h) */
+  Mat P; /* y of the next coarser level to y of this one, nothing from and to fixed unknowns; NULL on the coarsest */
+  Vec weight;        /* sums of the squares of the columns of P; NULL like P */
+  Vec diag;          /* of A */
+  Mat S;             /* the smoother's, or NULL where that is the diagonal */
   PetscReal largest; /* eigenvalue of S^-1 A at least; 0 on the coarsest */
   PetscReal share;   /* entries of A by those of the finest: what a product costs */
-  Vec       springs; /* what is in A beside the bodies' stiffness, on its diagonal; borrowed, or NULL */
 } Grid;
 
-typedef struct {
+typedef struct _n_Hierarchy {
   PetscInt  num;
-  PetscInt  first; /* the coarsest level that has a mesh */
-  Grid     *grid;  /* coarse first */
-  PetscReal work;  /* products with A so far, in products with the finest one */
-  PetscReal
-      change; /* |u_2h - u_4h|_K^2, of the finest two levels below the finest, in the user's units; 0 where it is not known */
-  Patience patience;
+  PetscInt  first;                                       /* the coarsest level that was given */
+  Grid     *grid;                                        /* coarse first */
+  PetscReal work;                                        /* products with A so far, in products with the finest one */
+  PetscInt  num_systems;                                 /* of active sets so far, of all levels */
+  PetscErrorCode (*is_over)(void *ctx, PetscBool *over); /* of HierarchySetCostTest(), or NULL */
+  void *ctx;
 } * Hierarchy;
 
-/* Whether levels' matrices are nearly those of prolongation: not where volumes change by whole cells (eq. 9.1). Collective. */
-PetscErrorCode HierarchyIsNested(VI vi, PetscBool *nested);
-/* All levels of vi->mesh, and where the coarsest has many unknowns, or is the only one, levels below it (algebraic.h). The finest is vi
-   itself. Collective. [in] springs - on the diagonal of vi->A, or NULL */
-PetscErrorCode HierarchyCreate(VI vi, Vec springs, Hierarchy *hierarchy);
+/* The levels that are given, coarse first. */
+typedef struct {
+  PetscInt  num;
+  Operator *op; /* with A, b, upper and inverse, the finest of them last [num]; taken over */
+  Mat      *P;  /* NULL on the coarsest [num]; taken over */
+  PetscBool
+            below; /* whether levels of nodes are made below the coarsest one; if not it is factored, and has an AIJ matrix A and no S */
+  NodeTable table; /* of the coarsest one, for the first level below it; taken over */
+  PetscBool lines; /* whether cells may be long in whole lines or planes of nodes */
+} HierarchyInput;
+
+/* Whether a coarsest level of that many unknowns is not to be factored. Not collective. */
+PetscBool HierarchyIsLarge(PetscInt dim, PetscInt unknowns);
+/* Collective. [in,out] input; [out] hierarchy - owned by the caller */
+PetscErrorCode HierarchyCreate(HierarchyInput *input, Hierarchy *hierarchy);
 /* Whether there is one or not. Collective. */
 PetscErrorCode HierarchyDestroy(Hierarchy *hierarchy);
 
-/* Whether all that was done on the levels is too much beside a factorisation. Collective. */
+/* Who decides whether all that was done on the levels costs too much. Not collective. [in] is_over - collective, or NULL; [in] ctx - borrowed */
+PetscErrorCode HierarchySetCostTest(Hierarchy hierarchy, PetscErrorCode (*is_over)(void *, PetscBool *), void *ctx);
+/* The answer; false without a test. Collective. */
 PetscErrorCode HierarchyIsOver(Hierarchy hierarchy, PetscBool *over);
 
 #endif

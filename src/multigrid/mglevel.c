@@ -2,6 +2,7 @@
 #include "base/compat.h"
 #include "multigrid/eigenvalue.h"
 #include "multigrid/mglevel.h"
+#include "multigrid/smoother.h"
 #include "multigrid/truncationupdate.h"
 
 /* A coarse unknown is held if this part of what it moves, in squares, is free at most. */
@@ -50,8 +51,8 @@ static PetscErrorCode Mult_Rung(Mat A, Vec x, Vec y)
 
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(A, &rung));
-  PetscCall(MatMult(rung->grid->vi->S, x, y));
-  if (rung->grid->vi->Z) PetscCall(MatMultAdd(rung->grid->vi->Z, x, y, y));
+  PetscCall(MatMult(rung->grid->op.S, x, y));
+  if (rung->grid->op.Z) PetscCall(MatMultAdd(rung->grid->op.Z, x, y, y));
   if (rung->springs) PetscCall(AddSprings_Private(rung->springs, x, y));
   if (rung->change) PetscCall(MatMultAdd(rung->change, x, y, y));
   rung->hierarchy->work += rung->grid->share;
@@ -66,7 +67,7 @@ static PetscErrorCode Mult_Outer(Mat A, Vec x, Vec y)
 
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(A, &rung));
-  PetscCall(MatMult(rung->grid->A, x, y));
+  PetscCall(MatMult(rung->grid->op.A, x, y));
   rung->hierarchy->work += rung->grid->share;
   PetscCall(KeepDiagonal_Private(rung, x, y));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -171,7 +172,7 @@ static PetscErrorCode HoldCoarser_Private(const Rung *fine, Vec free)
 /* Lists what is held, and last what was eliminated before. */
 static PetscErrorCode List_Private(Rung *rung)
 {
-  const VI           vi = rung->grid->vi;
+  const Operator    *op = &rung->grid->op;
   const PetscScalar *f;
   PetscInt           n;
 
@@ -182,11 +183,11 @@ static PetscErrorCode List_Private(Rung *rung)
   for (PetscInt i = 0; i < n; i++) rung->num += f[i] == 0;
   rung->num_truncated = rung->num;
   PetscCall(PetscFree(rung->held));
-  PetscCall(PetscMalloc1(rung->num + vi->num_fixed, &rung->held));
+  PetscCall(PetscMalloc1(rung->num + op->num_fixed, &rung->held));
   rung->num = 0;
   for (PetscInt i = 0; i < n; i++)
     if (f[i] == 0) rung->held[rung->num++] = i;
-  for (PetscInt i = 0; i < vi->num_fixed; i++) rung->held[rung->num++] = vi->fixed_local[i];
+  for (PetscInt i = 0; i < op->num_fixed; i++) rung->held[rung->num++] = op->fixed[i];
   PetscCall(VecRestoreArrayRead(rung->free, &f));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -200,7 +201,7 @@ static PetscErrorCode SetLargest_Private(Rung *rung)
 
   PetscFunctionBeginUser;
   rung->largest = rung->grid->largest;
-  if (rung->grid->vi->level || !rung->change) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!rung->grid->nodes || !rung->change) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecDuplicate(rung->free, &seed));
   PetscCall(VecDuplicate(rung->free, &b));
   PetscCall(EigenvalueSeed(seed));
@@ -229,7 +230,7 @@ PetscErrorCode RungsHold(PetscInt num, Rung rungs[], Vec free)
 
     if (l)
       PetscCall(
-          StripCreate(rung->grid->vi, rung->change, dC, rung->free, is, rung->ready ? NULL : rung->springs, &strip));
+          StripCreate(&rung->grid->op, rung->change, dC, rung->free, is, rung->ready ? NULL : rung->springs, &strip));
     if (rung->change && dC) PetscCall(MatAXPY(rung->change, 1, dC, DIFFERENT_NONZERO_PATTERN));
     if (dC && !rung->change) PetscCall(PetscObjectReference((PetscObject)dC));
     if (dC && !rung->change) rung->change = dC;
@@ -271,14 +272,14 @@ PetscErrorCode RungAssemble(Rung *rung)
 
   PetscFunctionBeginUser;
   PetscCall(MatDestroy(&rung->A));
-  PetscCall(MatDuplicate(rung->grid->A, MAT_COPY_VALUES, &rung->A));
+  PetscCall(MatDuplicate(rung->grid->op.A, MAT_COPY_VALUES, &rung->A));
   if (rung->change) PetscCall(MatAXPY(rung->A, 1, rung->change, DIFFERENT_NONZERO_PATTERN));
   PetscCall(MatGetOwnershipRange(rung->A, &begin, NULL));
   PetscCall(PetscMalloc1(rung->num, &rows));
   for (PetscInt i = 0; i < rung->num_truncated; i++) rows[i] = begin + rung->held[i];
   PetscCall(MatZeroRowsColumns(rung->A, rung->num_truncated, rows, 1, NULL, NULL));
   PetscCall(PetscFree(rows));
-  if (!rung->grid->vi->level) PetscCall(Stiffen_Private(rung->A));
+  if (rung->grid->nodes) PetscCall(Stiffen_Private(rung->A));
   PetscCall(MatSetOption(rung->A, MAT_SPD, PETSC_TRUE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -286,7 +287,7 @@ PetscErrorCode RungAssemble(Rung *rung)
 /* Shells on a level above the coarsest. */
 static PetscErrorCode CreateShells_Private(Rung *rung)
 {
-  const MPI_Comm comm = PetscObjectComm((PetscObject)rung->grid->A);
+  const MPI_Comm comm = PetscObjectComm((PetscObject)rung->grid->op.A);
   PetscInt       n, coarse;
 
   PetscFunctionBeginUser;
@@ -306,9 +307,9 @@ PetscErrorCode RungCreateOuter(Rung *rung, Mat *A)
   PetscInt n;
 
   PetscFunctionBeginUser;
-  PetscCall(MatGetLocalSize(rung->grid->A, &n, NULL));
+  PetscCall(MatGetLocalSize(rung->grid->op.A, &n, NULL));
   PetscCall(
-      MatCreateShell(PetscObjectComm((PetscObject)rung->grid->A), n, n, PETSC_DETERMINE, PETSC_DETERMINE, rung, A));
+      MatCreateShell(PetscObjectComm((PetscObject)rung->grid->op.A), n, n, PETSC_DETERMINE, PETSC_DETERMINE, rung, A));
   PetscCall(MatShellSetOperation(*A, MATOP_MULT, (void (*)(void))Mult_Outer));
   PetscCall(MatShellSetOperation(*A, MATOP_GET_DIAGONAL, (void (*)(void))GetDiagonal_Rung));
   PetscCall(MatSetOption(*A, MAT_SPD, PETSC_TRUE));
@@ -321,7 +322,7 @@ PetscErrorCode RungCreate(Hierarchy hierarchy, PetscInt l, Rung *rung)
   rung->hierarchy = hierarchy;
   rung->grid      = &hierarchy->grid[l];
   rung->largest   = rung->grid->largest;
-  rung->springs   = rung->grid->springs;
+  rung->springs   = rung->grid->op.W;
   PetscCall(VecDuplicate(rung->grid->diag, &rung->diag));
   PetscCall(VecDuplicate(rung->grid->diag, &rung->free));
   PetscCall(VecSet(rung->free, 1));

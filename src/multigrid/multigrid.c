@@ -16,6 +16,7 @@
 #include "multigrid/submatrix.h"
 #include "multigrid/multigrid.h"
 #include "multigrid/mglevel.h"
+#include "multigrid/smoother.h"
 
 static const char CONTEXT[] = "MortiseMultigrid"; /* name under which the context is composed */
 
@@ -140,9 +141,9 @@ PetscErrorCode MultigridForces(PC pc, Vec y, PetscReal *size, PetscReal *energy)
   PetscFunctionBeginUser;
   PetscCall(Get_Private(pc, &multigrid));
   grid = multigrid->rung[multigrid->num - 1].grid;
-  PetscCall(MatMult(grid->vi->K, y, multigrid->r));
-  PetscCall(VecScale(multigrid->r, 1 / grid->vi->stiffness));
-  if (grid->vi->Z) PetscCall(MatMultAdd(grid->vi->Z, y, multigrid->r, multigrid->r));
+  PetscCall(MatMult(grid->op.K, y, multigrid->r));
+  PetscCall(VecScale(multigrid->r, 1 / grid->op.stiffness));
+  if (grid->op.Z) PetscCall(MatMultAdd(grid->op.Z, y, multigrid->r, multigrid->r));
   multigrid->hierarchy->work += grid->share;
   PetscCall(VecDot(multigrid->r, y, &work));
   PetscCall(VecPointwiseDivide(multigrid->z, multigrid->r, grid->diag));
@@ -264,7 +265,7 @@ static PetscErrorCode SetWhole_Private(Hierarchy hierarchy, const Grid *grid, SN
   Mat whole;
 
   PetscFunctionBeginUser;
-  PetscCall(ExcerptCreateWhole(grid->A, grid->share, &hierarchy->work, &whole));
+  PetscCall(ExcerptCreateWhole(grid->op.A, grid->share, &hierarchy->work, &whole));
   PetscCall(SNESSetJacobian(snes, whole, whole, NULL, NULL));
   PetscCall(MatDestroy(&whole));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -324,18 +325,18 @@ static PetscErrorCode SetUp_Multigrid(PC pc)
 /* z = cycle of r; eliminated unknowns, which couple to nothing, by themselves. [in] r - is spoilt */
 static PetscErrorCode Cycle_Private(Multigrid *multigrid, Vec r, Vec z)
 {
-  const VI     vi = multigrid->rung[multigrid->num - 1].grid->vi;
-  PetscScalar *ra, *za, *alone;
+  const Operator *op = &multigrid->rung[multigrid->num - 1].grid->op;
+  PetscScalar    *ra, *za, *alone;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(vi->num_fixed, &alone));
+  PetscCall(PetscMalloc1(op->num_fixed, &alone));
   PetscCall(VecGetArray(r, &ra));
-  for (PetscInt i = 0; i < vi->num_fixed; i++) alone[i] = ra[vi->fixed_local[i]];
-  for (PetscInt i = 0; i < vi->num_fixed; i++) ra[vi->fixed_local[i]] = 0;
+  for (PetscInt i = 0; i < op->num_fixed; i++) alone[i] = ra[op->fixed[i]];
+  for (PetscInt i = 0; i < op->num_fixed; i++) ra[op->fixed[i]] = 0;
   PetscCall(VecRestoreArray(r, &ra));
   PetscCall(PCApply(multigrid->mg, r, z));
   PetscCall(VecGetArray(z, &za));
-  for (PetscInt i = 0; i < vi->num_fixed; i++) za[vi->fixed_local[i]] = alone[i];
+  for (PetscInt i = 0; i < op->num_fixed; i++) za[op->fixed[i]] = alone[i];
   PetscCall(VecRestoreArray(z, &za));
   PetscCall(PetscFree(alone));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -8,12 +8,20 @@
 /* What a node may take from: the vertices of a cell, where nodes on edges and in the middle of cells take from these. */
 enum { POINTS_TERMS = 8 };
 
+/* What each node of a level takes from which others, itself alone where it is on the coarser level, by global numbers. Empty where this is to
+   be found out: count is NULL. */
+typedef struct {
+  PetscInt  *count;  /* [nodes of this rank] */
+  PetscInt  *from;   /* [nodes of this rank][POINTS_TERMS] */
+  PetscReal *weight; /* [nodes of this rank][POINTS_TERMS] */
+} NodeTable;
+
 typedef struct {
   Mat        A;    /* AIJ; borrowed */
   PetscInt   dim;  /* unknowns of a node, and coordinates */
   PetscReal *x;    /* places [nodes of this rank][dim] */
   PetscBool *held; /* unknowns that stay where they are [unknowns of this rank] */
-  /* what each node takes from which others, itself alone where it is chosen; NULL where this is to be found out */
+  /* as in NodeTable */
   PetscInt  *count;  /* [nodes of this rank] */
   PetscInt  *from;   /* nodes of all ranks [nodes of this rank][POINTS_TERMS] */
   PetscReal *weight; /* [nodes of this rank][POINTS_TERMS] */

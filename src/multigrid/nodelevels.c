@@ -5,57 +5,25 @@
        P = T^-1 P_0,   P'A P = P_0'K P_0,
    as on levels of a mesh; what is held, by supports, by ties or by contact, is truncated on top of that (rung.c), but for displacements
    that are held along axes to begin with. */
-#include "kernel/element.h"
+#include "base/compat.h"
 #include "multigrid/nodelevels.h"
 #include "multigrid/truncationupdate.h"
 
 /* A coarse unknown that is left with no more than this part of what it moves, in squares, is none. */
 static const PetscReal NEXT_TO_NOTHING = 1e-2;
 
-/* Of cells of second order the next coarser level has the vertices, in the middle between which other nodes move. Orders are known cell by cell. */
-static PetscErrorCode TakeFromVertices_Private(const Level *level, Points *points)
+PetscErrorCode AlgebraicBegin(const Operator *op, NodeTable *table, Points *points)
 {
-  static const PetscReal NO_WEIGHT = 1e-12;
-  const PetscInt         n         = level->num_owned;
+  PetscInt n;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc3(n, &points->count, n * POINTS_TERMS, &points->from, n * POINTS_TERMS, &points->weight));
-  for (PetscInt c = 0; c < level->num_cells; c++) {
-    const ElementType type = (ElementType)level->cell_type[c], linear = ElementLinear(type);
-    const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]];
-
-    for (PetscInt i = 0; i < level->cell_start[c + 1] - level->cell_start[c]; i++) {
-      const PetscInt node = nodes[i];
-      PetscReal      phi[ELEMENT_MAX_NODES];
-
-      if (node >= n || points->count[node]) continue;
-      ElementShape(linear, ElementNode(type, i), phi, NULL);
-      for (PetscInt v = 0; v < ElementNumNodes(linear); v++) {
-        if (phi[v] <= NO_WEIGHT) continue;
-        points->from[node * POINTS_TERMS + points->count[node]]     = level->node_global[nodes[v]];
-        points->weight[node * POINTS_TERMS + points->count[node]++] = phi[v];
-      }
-    }
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode AlgebraicBegin(VI vi, Points *points)
-{
-  const Level   *level  = vi->level;
-  const PetscInt n      = level->dim * level->num_owned;
-  PetscBool      higher = PETSC_FALSE;
-
-  PetscFunctionBeginUser;
-  *points = (Points){.A = vi->K, .dim = level->dim};
+  *points = (Points){.A = op->K, .dim = op->dim, .count = table->count, .from = table->from, .weight = table->weight};
+  *table  = (NodeTable){.count = NULL};
+  PetscCall(MatGetLocalSize(op->K, &n, NULL));
   PetscCall(PetscMalloc1(n, &points->x));
-  PetscCall(PetscArraycpy(points->x, level->coords, n));
+  PetscCall(PetscArraycpy(points->x, op->coords, n));
   PetscCall(PetscCalloc1(n, &points->held));
-  PetscCall(VIMarkFixedDisplacements(vi, points->held));
-  for (PetscInt c = 0; c < level->num_cells; c++)
-    if (ElementOrder((ElementType)level->cell_type[c]) > 1) higher = PETSC_TRUE;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &higher, 1, MPIU_BOOL, MPI_LOR, level->comm));
-  if (higher) PetscCall(TakeFromVertices_Private(level, points));
+  PetscCall(OperatorMarkFixedDisplacements(op, points->held));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -113,9 +81,23 @@ static PetscErrorCode Drop_Private(Mat P, Vec open, PetscBool held[], Vec *keep)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* P := T^-1 P */
+static PetscErrorCode MultiplyInverse_Private(const Operator *op, Mat *P)
+{
+  Mat product;
+
+  PetscFunctionBeginUser;
+  if (!op->inverse) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatMatMult(op->inverse, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
+  PetscCall(MatProductClear(product)); // it would keep its factors
+  PetscCall(MatDestroy(P));
+  *P = product;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* P := T^-1 P, emptied where unknowns are eliminated, and what that changes in P'A P. [in] was_held - displacements that P was empty for;
    [in,out] held - coarse unknowns; [in,out] P, Ac */
-static PetscErrorCode Truncate_Private(VI vi, const PetscBool was_held[], PetscBool held[], Mat *P, Mat Ac)
+static PetscErrorCode Truncate_Private(const Operator *op, const PetscBool was_held[], PetscBool held[], Mat *P, Mat Ac)
 {
   Mat          product, strip;
   Vec          was, is, keep;
@@ -123,8 +105,8 @@ static PetscErrorCode Truncate_Private(VI vi, const PetscBool was_held[], PetscB
   PetscInt     n;
 
   PetscFunctionBeginUser;
-  PetscCall(VIMultiplyInverseBasis(vi, P));
-  PetscCall(VICreateFreeMask(vi, &is));
+  PetscCall(MultiplyInverse_Private(op, P));
+  PetscCall(OperatorCreateFree(op, &is));
   PetscCall(Drop_Private(*P, is, held, &keep));
   PetscCall(MatDiagonalScale(*P, NULL, keep));
   PetscCall(MatDiagonalScale(Ac, keep, keep));
@@ -133,7 +115,7 @@ static PetscErrorCode Truncate_Private(VI vi, const PetscBool was_held[], PetscB
   PetscCall(VecGetArrayWrite(was, &a));
   for (PetscInt i = 0; i < n; i++) a[i] = was_held[i] ? 0 : 1;
   PetscCall(VecRestoreArrayWrite(was, &a));
-  PetscCall(StripCreate(vi, NULL, NULL, was, is, NULL, &strip));
+  PetscCall(StripCreate(op, NULL, NULL, was, is, NULL, &strip));
   PetscCall(StripRestrict(strip, *P, &product));
   PetscCall(MatAXPY(Ac, 1, product, DIFFERENT_NONZERO_PATTERN));
   PetscCall(MatDiagonalScale(*P, is, NULL));
@@ -158,7 +140,7 @@ static PetscErrorCode SetIdle_Private(Mat A, PetscInt num, const PetscInt idle[]
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode AlgebraicCoarsen(VI fine, Points *points, Mat *P, VI *coarse)
+PetscErrorCode AlgebraicCoarsen(const Operator *fine, Points *points, Mat *P, Operator *coarse)
 {
   Points   next;
   Mat      Ac;
@@ -169,16 +151,16 @@ PetscErrorCode AlgebraicCoarsen(VI fine, Points *points, Mat *P, VI *coarse)
   PetscCall(MatPtAP(points->A, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &Ac));
   PetscCall(MatProductClear(Ac)); // it would keep its factors
   PetscCall(MatScale(Ac, 1 / fine->stiffness));
-  if (fine->level) PetscCall(Truncate_Private(fine, points->held, next.held, P, Ac));
+  if (fine->coords) PetscCall(Truncate_Private(fine, points->held, next.held, P, Ac));
   PetscCall(MatGetLocalSize(Ac, &n, NULL));
   PetscCall(PetscMalloc1(n, &idle));
   for (PetscInt i = 0; i < n; i++)
     if (next.held[i]) idle[num++] = i;
   PetscCall(SetIdle_Private(Ac, num, idle));
-  PetscCall(VICreateOfMatrix(Ac, num, idle, coarse));
+  PetscCall(OperatorCreateOfMatrix(Ac, num, idle, coarse));
   PetscCall(MatDestroy(&Ac));
   PetscCall(PointsDestroy(points));
   *points   = next;
-  points->A = (*coarse)->K;
+  points->A = coarse->K;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

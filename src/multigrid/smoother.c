@@ -19,17 +19,17 @@ static const PetscReal STIFFER = 2;
 
 /* What S_u has of one row of K: couplings within the node's bundle, or the diagonal of a node that is in none.
    [in] label - of nodes, by halo; [out] num - entries; [out] column, value - NULL to count only */
-static PetscErrorCode TakeRow_Private(VI vi, const Halo *halo, const PetscReal label[], PetscInt row, PetscInt *num,
-                                      PetscInt column[], PetscScalar value[])
+static PetscErrorCode TakeRow_Private(const Operator *op, const Halo *halo, const PetscReal label[], PetscInt row,
+                                      PetscInt *num, PetscInt column[], PetscScalar value[])
 {
-  const PetscInt     dim = vi->level->dim, global = dim * halo->begin + row;
+  const PetscInt     dim = op->dim, global = dim * halo->begin + row;
   PetscInt           length, at, others = 0;
   const PetscInt    *columns;
   const PetscScalar *values;
 
   PetscFunctionBeginUser;
   *num = 0;
-  PetscCall(MatGetRow(vi->K, global, &length, &columns, &values));
+  PetscCall(MatGetRow(op->K, global, &length, &columns, &values));
   for (PetscInt pass = 0; pass < 2; pass++)
     for (PetscInt j = 0; j < length; j++) {
       PetscCall(HaloFind(halo, columns[j] / dim, &at));
@@ -37,17 +37,17 @@ static PetscErrorCode TakeRow_Private(VI vi, const Halo *halo, const PetscReal l
       if (!pass) others += at != row / dim;
       if (!pass || (!others && columns[j] != global)) continue;
       if (column) column[*num] = columns[j];
-      if (value) value[*num] = values[j] / vi->stiffness;
+      if (value) value[*num] = values[j] / op->stiffness;
       ++*num;
     }
-  PetscCall(MatRestoreRow(vi->K, global, &length, &columns, &values));
+  PetscCall(MatRestoreRow(op->K, global, &length, &columns, &values));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* S_u. [in] label - of nodes, by halo */
-static PetscErrorCode CreateBundled_Private(VI vi, const Halo *halo, const PetscReal label[], Mat *S)
+static PetscErrorCode CreateBundled_Private(const Operator *op, const Halo *halo, const PetscReal label[], Mat *S)
 {
-  const PetscInt n = vi->level->dim * halo->n;
+  const PetscInt n = op->dim * halo->n;
   PetscInt      *start, *column, num;
   PetscScalar   *value;
 
@@ -55,15 +55,15 @@ static PetscErrorCode CreateBundled_Private(VI vi, const Halo *halo, const Petsc
   PetscCall(PetscMalloc1(n + 1, &start));
   start[0] = 0;
   for (PetscInt i = 0; i < n; i++) {
-    PetscCall(TakeRow_Private(vi, halo, label, i, &num, NULL, NULL));
+    PetscCall(TakeRow_Private(op, halo, label, i, &num, NULL, NULL));
     start[i + 1] = start[i] + num;
   }
   PetscCall(PetscMalloc2(start[n], &column, start[n], &value));
   for (PetscInt i = 0; i < n; i++)
-    PetscCall(TakeRow_Private(vi, halo, label, i, &num, &column[start[i]], &value[start[i]]));
-  PetscCall(MatCreate(vi->level->comm, S));
+    PetscCall(TakeRow_Private(op, halo, label, i, &num, &column[start[i]], &value[start[i]]));
+  PetscCall(MatCreate(PetscObjectComm((PetscObject)op->K), S));
   PetscCall(MatSetSizes(*S, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
-  PetscCall(MatSetBlockSize(*S, vi->level->dim));
+  PetscCall(MatSetBlockSize(*S, op->dim));
   PetscCall(MatSetType(*S, MATAIJ));
   PetscCall(MatSeqAIJSetPreallocationCSR(*S, start, column, value)); // one of the two does nothing
   PetscCall(MatMPIAIJSetPreallocationCSR(*S, start, column, value));
@@ -73,40 +73,41 @@ static PetscErrorCode CreateBundled_Private(VI vi, const Halo *halo, const Petsc
 }
 
 /* Whether a nonmortar side of this rank weighs on a mortar side that is much softer. */
-static PetscErrorCode Weighs_Private(VI vi, PetscBool *weighs)
+static PetscErrorCode Weighs_Private(const Operator *op, PetscBool *weighs)
 {
-  const PetscInt     n = vi->level->dim * vi->level->num_owned, begin = vi->level->dim * vi->level->node_begin;
+  PetscInt           n;
   const PetscScalar *z, *k;
   PetscBool         *apart; /* unknowns that are not the mortar side's, or eliminated */
   Vec                diag;
 
   PetscFunctionBeginUser;
   *weighs = PETSC_FALSE;
-  if (!vi->Z) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!op->Z) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecGetLocalSize(op->diagonal, &n));
   PetscCall(PetscCalloc1(n, &apart));
-  for (PetscInt r = 0; r < vi->num_rows; r++) apart[vi->row_dof[r] - begin] = PETSC_TRUE;
-  for (PetscInt i = 0; i < vi->num_fixed; i++) apart[vi->fixed_local[i]] = PETSC_TRUE;
-  PetscCall(MatCreateVecs(vi->Z, &diag, NULL));
-  PetscCall(MatGetDiagonal(vi->Z, diag));
+  for (PetscInt i = 0; i < op->num_constrained; i++) apart[op->constrained[i]] = PETSC_TRUE;
+  for (PetscInt i = 0; i < op->num_fixed; i++) apart[op->fixed[i]] = PETSC_TRUE;
+  PetscCall(MatCreateVecs(op->Z, &diag, NULL));
+  PetscCall(MatGetDiagonal(op->Z, diag));
   PetscCall(VecGetArrayRead(diag, &z));
-  PetscCall(VecGetArrayRead(vi->diagonal, &k));
+  PetscCall(VecGetArrayRead(op->diagonal, &k));
   for (PetscInt i = 0; i < n; i++)
-    if (!apart[i] && PetscRealPart(z[i]) > STIFFER * PetscRealPart(k[i]) / vi->stiffness) *weighs = PETSC_TRUE;
+    if (!apart[i] && PetscRealPart(z[i]) > STIFFER * PetscRealPart(k[i]) / op->stiffness) *weighs = PETSC_TRUE;
   PetscCall(VecRestoreArrayRead(diag, &z));
-  PetscCall(VecRestoreArrayRead(vi->diagonal, &k));
+  PetscCall(VecRestoreArrayRead(op->diagonal, &k));
   PetscCall(VecDestroy(&diag));
   PetscCall(PetscFree(apart));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* S with what condensing adds to the diagonal. */
-static PetscErrorCode AddDiagonal_Private(VI vi, Mat S)
+static PetscErrorCode AddDiagonal_Private(const Operator *op, Mat S)
 {
   Vec more, zero;
 
   PetscFunctionBeginUser;
-  PetscCall(MatCreateVecs(vi->K, &more, &zero));
-  PetscCall(MatGetDiagonal(vi->Z, more));
+  PetscCall(MatCreateVecs(op->K, &more, &zero));
+  PetscCall(MatGetDiagonal(op->Z, more));
   PetscCall(VecZeroEntries(zero));
   PetscCall(VecPointwiseMax(more, more, zero));
   PetscCall(MatDiagonalSet(S, more, ADD_VALUES));
@@ -117,31 +118,36 @@ static PetscErrorCode AddDiagonal_Private(VI vi, Mat S)
 
 /* T'S T without eliminated unknowns; not where it would be a dense matrix, since few nodes of one side face very many of the other.
    [in,out] S */
-static PetscErrorCode Condense_Private(VI vi, Mat *S)
+static PetscErrorCode Condense_Private(const Operator *op, Mat *S)
 {
-  Mat     product;
-  MatInfo mine, whole;
+  Mat      product;
+  MatInfo  mine, whole;
+  PetscInt begin, *rows;
 
   PetscFunctionBeginUser;
-  if (vi->T) {
-    PetscCall(MatPtAP(*S, vi->T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
+  if (op->T) {
+    PetscCall(MatPtAP(*S, op->T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
     PetscCall(MatProductClear(product)); // it would keep its factors
     PetscCall(MatGetInfo(product, MAT_GLOBAL_SUM, &mine));
-    PetscCall(MatGetInfo(vi->K, MAT_GLOBAL_SUM, &whole));
+    PetscCall(MatGetInfo(op->K, MAT_GLOBAL_SUM, &whole));
     if (mine.nz_used > whole.nz_used) {
       PetscCall(MatDestroy(&product));
-      PetscCall(AddDiagonal_Private(vi, *S));
+      PetscCall(AddDiagonal_Private(op, *S));
     } else {
       PetscCall(MatDestroy(S));
       *S = product;
     }
   }
-  PetscCall(MatZeroRowsColumns(*S, vi->num_fixed, vi->fixed, 1, NULL, NULL));
+  PetscCall(MatGetOwnershipRange(*S, &begin, NULL));
+  PetscCall(PetscMalloc1(op->num_fixed, &rows));
+  for (PetscInt i = 0; i < op->num_fixed; i++) rows[i] = begin + op->fixed[i];
+  PetscCall(MatZeroRowsColumns(*S, op->num_fixed, rows, 1, NULL, NULL));
+  PetscCall(PetscFree(rows));
   PetscCall(MatSetOption(*S, MAT_SPD, PETSC_TRUE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SmootherCreate(VI vi, PetscBool finest, Mat *S)
+PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool single, Mat *S)
 {
   PetscReal *label;
   PetscBool  weighs, found;
@@ -149,16 +155,16 @@ PetscErrorCode SmootherCreate(VI vi, PetscBool finest, Mat *S)
 
   PetscFunctionBeginUser;
   *S = NULL;
-  PetscCall(Weighs_Private(vi, &weighs));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &weighs, 1, MPIU_BOOL, MPI_LOR, vi->level->comm));
-  PetscCall(HaloCreate(vi->K, vi->level->dim, &halo));
+  PetscCall(Weighs_Private(op, &weighs));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &weighs, 1, MPIU_BOOL, MPI_LOR, PetscObjectComm((PetscObject)op->K)));
+  PetscCall(HaloCreate(op->K, op->dim, &halo));
   PetscCall(PetscMalloc1(halo.n + halo.num, &label));
-  PetscCall(BundlesFind(vi, &halo, (PetscBool)(weighs && !finest), label, &found));
+  PetscCall(BundlesFind(op, &halo, (PetscBool)(weighs && !finest), label, &found));
   if (found) {
-    PetscCall(CreateBundled_Private(vi, &halo, label, S));
-    PetscCall(Condense_Private(vi, S));
-  } else if (finest && vi->T && (weighs || vi->mesh->num_levels == 1)) {
-    PetscCall(ApartCreate(vi, S));
+    PetscCall(CreateBundled_Private(op, &halo, label, S));
+    PetscCall(Condense_Private(op, S));
+  } else if (finest && op->T && (weighs || single)) {
+    PetscCall(ApartCreate(op, S));
   }
   PetscCall(PetscFree(label));
   PetscCall(HaloDestroy(&halo));

@@ -3,11 +3,11 @@
 #define MORTISE_SMOOTHER_H
 
 #include <petscksp.h>
-#include "problem/vi.h"
+#include "multigrid/operator.h"
 
-/* For a level with no unknown held. Collective. [in] finest - whether nothing but held unknowns will change A; [out] S - distributed like A, owned by
+/* For a level with no unknown held. Collective. [in] finest - whether nothing but held unknowns will change A; [in] single - whether no coarser mesh exists; [out] S - distributed like A, owned by
    the caller: a matrix, or the inverse of one (apart.h); NULL where the diagonal will do */
-PetscErrorCode SmootherCreate(VI vi, PetscBool finest, Mat *S);
+PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool single, Mat *S);
 /* S := factor S. Collective. */
 PetscErrorCode SmootherScale(Mat S, PetscReal factor);
 /* S where unknowns are held: S >= A by eigenvalues remains so. Collective. [in] from - with none held, or NULL; [in] change - of A, or NULL;

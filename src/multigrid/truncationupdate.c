@@ -161,20 +161,20 @@ static PetscErrorCode AddDiagonal_Private(Vec springs, Entries *entries)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode StripCreate(VI vi, Mat C, Mat dC, Vec was, Vec is, Vec springs, Mat *strip)
+PetscErrorCode StripCreate(const Operator *op, Mat C, Mat dC, Vec was, Vec is, Vec springs, Mat *strip)
 {
   Entries  entries = {.num = 0};
   PetscInt n, N;
 
   PetscFunctionBeginUser;
-  PetscCall(AddChanged_Private(vi->K, 1 / vi->stiffness, was, is, &entries));
-  if (vi->Z) PetscCall(AddChanged_Private(vi->Z, 1, was, is, &entries));
+  PetscCall(AddChanged_Private(op->K, 1 / op->stiffness, was, is, &entries));
+  if (op->Z) PetscCall(AddChanged_Private(op->Z, 1, was, is, &entries));
   if (C) PetscCall(AddChanged_Private(C, 1, was, is, &entries));
   if (dC) PetscCall(AddAll_Private(dC, is, &entries));
   if (springs) PetscCall(AddDiagonal_Private(springs, &entries));
-  PetscCall(MatGetLocalSize(vi->K, &n, NULL));
-  PetscCall(MatGetSize(vi->K, &N, NULL));
-  PetscCall(MatCreate(PetscObjectComm((PetscObject)vi->K), strip));
+  PetscCall(MatGetLocalSize(op->K, &n, NULL));
+  PetscCall(MatGetSize(op->K, &N, NULL));
+  PetscCall(MatCreate(PetscObjectComm((PetscObject)op->K), strip));
   PetscCall(MatSetSizes(*strip, n, n, N, N));
   PetscCall(MatSetType(*strip, MATAIJ));
   PetscCall(MatSetPreallocationCOO(*strip, entries.num, entries.row, entries.column));

@@ -2,12 +2,12 @@
 #ifndef MORTISE_TRUNCATIONUPDATE_H
 #define MORTISE_TRUNCATIONUPDATE_H
 
-#include "problem/vi.h"
+#include "multigrid/operator.h"
 
 /* M A M + M C M after a change of M and C, less the same before it: nonzero where M or C change, in rows and columns.
-   Collective. [in] vi - whose matrix A is; [in] C - before the change, or NULL; [in] dC - its change, or NULL; [in] was, is - diagonal of M, 1 or 0, before
+   Collective. [in] op - whose matrix A is; [in] C - before the change, or NULL; [in] dC - its change, or NULL; [in] was, is - diagonal of M, 1 or 0, before
    and after; [in] springs - on the diagonal, counted as a change as well, or NULL; [out] strip - owned by the caller */
-PetscErrorCode StripCreate(VI vi, Mat C, Mat dC, Vec was, Vec is, Vec springs, Mat *strip);
+PetscErrorCode StripCreate(const Operator *op, Mat C, Mat dC, Vec was, Vec is, Vec springs, Mat *strip);
 /* P' strip P. Collective. [out] product - owned by the caller */
 PetscErrorCode StripRestrict(Mat strip, Mat P, Mat *product);
 

@@ -205,7 +205,7 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
   if (t->shell) {
     PetscCall(MultigridAddWork(t->pc));
     PetscCall(MultigridGetHierarchy(t->pc, &hierarchy));
-    hierarchy->patience.sets++;
+    hierarchy->num_systems++;
   }
   for (PetscInt k = 0; k <= MAX_REFINEMENTS && first > 0 && !done; k++) {
     const PetscReal before = k ? solution->eta : PETSC_MAX_REAL;

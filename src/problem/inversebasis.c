@@ -129,18 +129,3 @@ PetscErrorCode VIApplyInverseBasis(VI vi, Vec u, Vec y)
   PetscCall(VecRestoreArray(y, &ya));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
-
-PetscErrorCode VIMultiplyInverseBasis(VI vi, Mat *P)
-{
-  Mat inverse, product;
-
-  PetscFunctionBeginUser;
-  PetscCall(VICreateInverseBasis(vi, &inverse));
-  if (!inverse) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MatMatMult(inverse, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
-  PetscCall(MatProductClear(product)); // it would keep its factors
-  PetscCall(MatDestroy(&inverse));
-  PetscCall(MatDestroy(P));
-  *P = product;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}

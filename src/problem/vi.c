@@ -109,36 +109,6 @@ PetscErrorCode VICreateRegularized(VI vi, Vec springs, Mat *A)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VICreateFreeMask(VI vi, Vec *open)
-{
-  PetscScalar *a;
-
-  PetscFunctionBeginUser;
-  PetscCall(VecDuplicate(vi->upper, open));
-  PetscCall(VecSet(*open, 1));
-  PetscCall(VecGetArray(*open, &a));
-  for (PetscInt i = 0; i < vi->num_fixed; i++) a[vi->fixed_local[i]] = 0;
-  PetscCall(VecRestoreArray(*open, &a));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode VIMarkFixedDisplacements(VI vi, PetscBool held[])
-{
-  PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < vi->num_fixed; i++) {
-    PetscInt        num = 1, own = vi->fixed[i];
-    const PetscInt *columns;
-
-    if (vi->T) {
-      PetscCall(MatGetRow(vi->T, vi->fixed[i], &num, &columns, NULL));
-      own = num == 1 ? columns[0] : -1;
-      PetscCall(MatRestoreRow(vi->T, vi->fixed[i], &num, &columns, NULL));
-    }
-    if (own == vi->fixed[i]) held[vi->fixed_local[i]] = PETSC_TRUE;
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* y_i <= nodal gap for contact rows. */
 static PetscErrorCode SetBounds_Private(VI vi)
 {
@@ -222,21 +192,6 @@ PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse)
   WarningMute(); // what is not well with a coarser level says nothing of the answer
   PetscCall(Create_Private(vi->scene, vi->mesh, &vi->mesh->levels[l], vi, K, coarse));
   WarningUnmute();
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode VICreateOfMatrix(Mat A, PetscInt num_fixed, PetscInt fixed[], VI *vi)
-{
-  PetscFunctionBeginUser;
-  PetscCall(PetscNew(vi));
-  for (PetscInt i = 0; i < 3; i++) PetscCall(PetscObjectReference((PetscObject)A));
-  (*vi)->A = (*vi)->K = (*vi)->S = A;
-  PetscCall(MatCreateVecs(A, &(*vi)->diagonal, NULL));
-  PetscCall(MatGetDiagonal(A, (*vi)->diagonal));
-  (*vi)->assembled = PETSC_TRUE;
-  (*vi)->length = (*vi)->stiffness = 1;
-  (*vi)->num_fixed                 = num_fixed;
-  (*vi)->fixed_local               = fixed;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

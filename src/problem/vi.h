@@ -14,10 +14,9 @@
 typedef struct _n_VIBasis *VIBasis; /* private to this module: the factors of T */
 
 struct _n_VI {
-  Scene scene; /* borrowed */
-  Mesh  mesh;  /* borrowed; NULL for a matrix alone */
-  Level *
-      level; /* borrowed: the finest of mesh, or a coarser one (VICreateCoarse()); NULL below these (VICreateOfMatrix()) */
+  Scene      scene; /* borrowed */
+  Mesh       mesh;  /* borrowed; NULL for a matrix alone */
+  Level     *level; /* borrowed: the finest of mesh, or a coarser one (VICreateCoarse()) */
   Support    support;
   RigidModes rigid_modes; /* that the supports leave to the bodies */
   PetscInt   num_pairs;
@@ -63,10 +62,6 @@ PetscErrorCode VIDestroy(VI *vi);
 /* The same scene on a coarser level of its mesh, with the scales of vi. Collective. [in] l - level of vi->mesh; [in] K - in place of the level's own, or NULL;
    [out] coarse - owned by the caller */
 PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse);
-/* A level without mesh: a matrix, its own products, and nothing else. Collective.
-   [in] A - AIJ, SPD; referenced; [in] fixed - unknowns with unit rows, counted from this rank's first [num_fixed], taken over; [out] vi - owned
-   by the caller */
-PetscErrorCode VICreateOfMatrix(Mat A, PetscInt num_fixed, PetscInt fixed[], VI *vi);
 /* Makes A a matrix: who factors it or takes it apart needs that, and memory for as much as K. Collective. */
 PetscErrorCode VIAssemble(VI vi);
 /* Makes S, which products with A take in place of K from then on: worth its memory, half of K's, to who iterates. Collective. */
@@ -79,15 +74,8 @@ PetscErrorCode VICreateRegularized(VI vi, Vec springs, Mat *A);
 PetscErrorCode VICreateInverseBasis(VI vi, Mat *inverse);
 /* y = T^-1 u, without that matrix. Collective. [in] u - ghosts are not needed */
 PetscErrorCode VIApplyInverseBasis(VI vi, Vec u, Vec y);
-/* P := T^-1 P: what led to displacements, over length, leads to y. Collective. [in,out] P - AIJ, replaced */
-PetscErrorCode VIMultiplyInverseBasis(VI vi, Mat *P);
-/* 1 where an unknown is left in A, 0 where it was eliminated. Collective. [out] open - like upper, owned by the caller */
-PetscErrorCode VICreateFreeMask(VI vi, Vec *open);
 /* Marks nodes whose unknowns are their Cartesian displacements. Not collective. [out] cartesian - [num_owned] */
 PetscErrorCode VIMarkCartesian(VI vi, PetscBool cartesian[]);
-/* Marks eliminated unknowns that are displacements: whose row of T is empty but for them. Not collective.
-   [in,out] held - true there, untouched elsewhere [unknowns of this rank] */
-PetscErrorCode VIMarkFixedDisplacements(VI vi, PetscBool held[]);
 
 /* u = length * T y. [in] y; [out] u - ghosted, created by LevelCreateVec(level, dim), ghosts updated. Collective. */
 PetscErrorCode VIRecoverDisplacement(VI vi, Vec y, Vec u);

@@ -7,10 +7,9 @@
    References: [1] Karlin, Manasse, Rudolph, Sleator, Competitive snoopy caching, 1988: rent until that has cost as much as to buy. */
 #include "base/compat.h"
 #include "base/memory.h"
-#include "contact/pair.h"
 #include "pdas/pdasimpl.h"
 #include "pdas/factorization.h"
-#include "multigrid/iterationcost.h"
+#include "solve/costmodel.h"
 
 /* Work that no scene reaches which multigrid is good for; the analysis of a factorisation takes some tenth of it. */
 static const PetscReal SUSPICIOUS = 300;
@@ -24,7 +23,7 @@ static const PetscReal FOUND = 2;
 /* Part of the unknowns with bounds that are free, for the dense factorisation of each set. */
 static const PetscReal FREE = 0.5;
 
-PetscErrorCode PatienceUnit(VI vi, PetscReal *operations)
+PetscErrorCode CostModelUnit(VI vi, PetscReal *operations)
 {
   MatInfo info;
 
@@ -34,19 +33,21 @@ PetscErrorCode PatienceUnit(VI vi, PetscReal *operations)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscReal PatienceSet(PetscInt num)
+PetscReal CostModelPerSet(PetscInt num)
 {
   return PetscPowRealInt(FREE * (PetscReal)num, 3) / 3;
 }
 
-PetscReal PatienceForetold(const Patience *patience)
+PetscReal CostModelPredicted(const CostModel *model)
 {
-  return patience->asked ? patience->once + (PetscReal)patience->sets * patience->set : 0;
+  return model->asked ? model->once + (PetscReal)model->hierarchy->num_systems * model->set : 0;
 }
 
 /* By the pattern of K: contact adds couplings of one side with the other, which few unknowns have. */
-static PetscErrorCode Ask_Private(Patience *patience, VI vi, PetscBool slow, PetscBool sprung)
+static PetscErrorCode Predict_Private(CostModel *model)
 {
+  const Grid    *finest = &model->hierarchy->grid[model->hierarchy->num - 1];
+  const VI       vi     = model->vi;
   ActiveSet      set;
   FactorForecast forecast;
   PetscReal      unit;
@@ -58,25 +59,39 @@ static PetscErrorCode Ask_Private(Patience *patience, VI vi, PetscBool slow, Pet
   one = (PetscBool)(set.N <= ACTIVE_MAX_REDUCED);
   if (one) PetscCall(ActiveSetAll(&set, &C));
   PetscCall(FactorForetell(vi->K, one ? set.N : 0, C, "", &forecast));
-  PetscCall(PatienceUnit(vi, &unit));
-  if (slow) unit *= SMOOTHING;
-  patience->once = one ? (sprung ? WITH_SPRINGS : 1) * forecast.operations / unit : 0;
-  patience->set  = (one ? PatienceSet(set.N) : forecast.operations) / unit;
+  PetscCall(CostModelUnit(vi, &unit));
+  if (finest->S) unit *= SMOOTHING;
+  model->once = one ? (finest->op.W ? WITH_SPRINGS : 1) * forecast.operations / unit : 0;
+  model->set  = (one ? CostModelPerSet(set.N) : forecast.operations) / unit;
   PetscCall(MemorySuffices(set.comm, forecast.bytes, &suffices));
-  patience->asked = PETSC_TRUE;
-  patience->on    = (PetscBool)(forecast.known && suffices);
-  PetscCall(PetscInfo(vi->K, "a factorisation takes %g products, and %g for each set; memory %s\n",
-                      (double)patience->once, (double)patience->set, suffices ? "suffices" : "does not suffice"));
+  model->asked = PETSC_TRUE;
+  model->on    = (PetscBool)(forecast.known && suffices);
+  PetscCall(PetscInfo(vi->K, "a factorisation takes %g products, and %g for each set; memory %s\n", (double)model->once,
+                      (double)model->set, suffices ? "suffices" : "does not suffice"));
   PetscCall(PetscFree(C));
   PetscCall(ActiveSetDestroy(&set));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PatienceCheck(Patience *patience, VI vi, PetscBool slow, PetscBool sprung, PetscReal work)
+/* Of HierarchySetCostTest(). */
+static PetscErrorCode IsOverFn(void *ctx, PetscBool *over)
+{
+  CostModel      *model = ctx;
+  const PetscReal work  = model->hierarchy->work;
+
+  PetscFunctionBeginUser;
+  if (model->on && work > SUSPICIOUS) {
+    if (!model->asked) PetscCall(Predict_Private(model));
+    model->over = (PetscBool)(model->on && work > (model->found ? FOUND : 1) * CostModelPredicted(model));
+  }
+  *over = model->over;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CostModelSet(CostModel *model, VI vi, Hierarchy hierarchy)
 {
   PetscFunctionBeginUser;
-  if (!patience->on || work <= SUSPICIOUS) PetscFunctionReturn(PETSC_SUCCESS);
-  if (!patience->asked) PetscCall(Ask_Private(patience, vi, slow, sprung));
-  patience->over = (PetscBool)(patience->on && work > (patience->found ? FOUND : 1) * PatienceForetold(patience));
+  *model = (CostModel){.vi = vi, .hierarchy = hierarchy};
+  PetscCall(HierarchySetCostTest(hierarchy, IsOverFn, model));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -164,12 +164,12 @@ PetscErrorCode SolverCrossCheck(Solver solver, Vec y, const SolveReport *report,
 
   PetscFunctionBeginUser;
   PetscCall(SolveChooseSecond(vi, report, PREFIX, &choice));
-  if (SolveFactors(choice.pc)) PetscCall(HierarchyDestroy(&solver->hierarchy));
+  if (SolveFactors(choice.pc)) PetscCall(MeshLevelsDestroy(&solver->levels));
   PetscCall(VecDuplicate(y, &second));
   PetscCall(SolveRun(solver, &choice, PETSC_FALSE, NULL, second, &check->other));
   PetscCall(SolveChooseAnother(&check->other, &choice, &again));
   if (again) PetscCall(SolveRun(solver, &choice, PETSC_FALSE, NULL, second, &check->other));
-  PetscCall(HierarchyDestroy(&solver->hierarchy));
+  PetscCall(MeshLevelsDestroy(&solver->levels));
   iterated = (PetscBool)(!SolveFactors(report->pc) || !SolveFactors(check->other.pc));
   PetscCall(AreNear_Private(vi, y, second, iterated, check, &size, &near));
   PetscCall(CompareSets_Private(vi, y, second, size.max, &check->active_difference));

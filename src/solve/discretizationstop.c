@@ -46,7 +46,7 @@ PetscReal StopPart(const Scene scene)
 
 PetscErrorCode StopSet(const Workbench *bench, PetscReal gained)
 {
-  const VI vi = bench->springs.vi;
+  const VI vi = bench->springs.solved.vi;
 
   PetscFunctionBeginUser;
   PetscCall(PDASSetEnough(bench->snes, StopPart(vi->scene), gained));
@@ -55,7 +55,7 @@ PetscErrorCode StopSet(const Workbench *bench, PetscReal gained)
 
 PetscErrorCode StopConfirm(Workbench *bench, Vec y, SolveReport *report)
 {
-  const VI        vi    = bench->springs.vi;
+  const VI        vi    = bench->springs.solved.vi;
   const PetscReal ratio = Ratio_Private(vi->scene);
   PetscReal       aim   = AIM, change;
   ActiveSolver    solver;
@@ -66,7 +66,7 @@ PetscErrorCode StopConfirm(Workbench *bench, Vec y, SolveReport *report)
   if (!solver) PetscFunctionReturn(PETSC_SUCCESS);
   change = solver->first * vi->stiffness * PetscSqr(vi->length);
   report->discretisation =
-      PetscSqrtReal(change / Observed_Private(vi->scene, change, bench->hierarchy ? bench->hierarchy->change : 0));
+      PetscSqrtReal(change / Observed_Private(vi->scene, change, bench->levels ? bench->levels->change : 0));
   for (PetscInt k = 0; k < MORE && report->converged && !(report->bound.value <= SHARE * report->discretisation); k++) {
     const PetscReal excess = report->bound.value / (SHARE * report->discretisation);
 
@@ -75,7 +75,7 @@ PetscErrorCode StopConfirm(Workbench *bench, Vec y, SolveReport *report)
     PetscCall(PDASGetActive(bench->snes, &active));
     PetscCall(PDASSetStart(bench->snes, active));
     PetscCall(SNESSolve(bench->snes, NULL, y));
-    PetscCall(SolveReportAdd(bench->snes, vi, y, report));
+    PetscCall(SolveReportAdd(bench->snes, &bench->springs.solved, y, report));
     PetscCall(BoundCompute(&bench->springs, bench->snes, y, &report->bound));
   }
   if (report->converged && !(report->bound.value <= SHARE * report->discretisation)) {

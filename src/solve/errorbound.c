@@ -254,7 +254,8 @@ static PetscErrorCode Bound_Private(ActiveSolver solver, PetscBool ready, Mat A,
 
 PetscErrorCode BoundCompute(const Springs *springs, SNES snes, Vec y, EnergyBound *bound)
 {
-  const VI            vi = springs->vi, original = springs->original;
+  const Inequality   *solved = &springs->solved;
+  const VI            vi     = solved->vi;
   SNESConvergedReason reason;
   ActiveSolver        solver;
   ActiveSet           set;
@@ -268,11 +269,11 @@ PetscErrorCode BoundCompute(const Springs *springs, SNES snes, Vec y, EnergyBoun
   if (reason == SNES_DIVERGED_LINEAR_SOLVE || PetscIsInfOrNanReal(size)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PDASGetSolver(snes, &solver));
   if (solver) {
-    PetscCall(Bound_Private(solver, PETSC_TRUE, original->A, original->b, y, bound));
+    PetscCall(Bound_Private(solver, PETSC_TRUE, vi->A, vi->b, y, bound));
   } else {
-    PetscCall(ActiveSetCreate(vi->upper, vi->A, &set));
-    PetscCall(PDASCreateSolver(snes, &set, vi->A, vi->b, LOOSE, &solver, &failure));
-    if (!failure) PetscCall(Bound_Private(solver, PETSC_FALSE, original->A, original->b, y, bound));
+    PetscCall(ActiveSetCreate(solved->upper, solved->A, &set));
+    PetscCall(PDASCreateSolver(snes, &set, solved->A, solved->b, LOOSE, &solver, &failure));
+    if (!failure) PetscCall(Bound_Private(solver, PETSC_FALSE, vi->A, vi->b, y, bound));
     PetscCall(ActiveSolverDestroy(&solver));
     PetscCall(ActiveSetDestroy(&set));
   }

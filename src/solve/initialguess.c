@@ -18,17 +18,18 @@ static const PetscReal START_RTOL = 1e-4;
 static const PetscReal ON_BOUND = 1e-9;
 
 /* y = min(0, upper): feasible, and zero where it may be. */
-static PetscErrorCode StartFeasible_Private(VI vi, Vec y)
+static PetscErrorCode StartFeasible_Private(const Inequality *solved, Vec y)
 {
   PetscFunctionBeginUser;
   PetscCall(VecZeroEntries(y));
-  PetscCall(VecPointwiseMin(y, y, vi->upper));
+  PetscCall(VecPointwiseMin(y, y, solved->upper));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The solution with those bounds reached that can balance the loads: a start without contact leads bodies far away. By one
    factorisation, or by multigrid where that solves what follows. */
-static PetscErrorCode StartTouching_Private(VI vi, Vec start, const SolveChoice *choice, SNES snes, Vec y)
+static PetscErrorCode StartTouching_Private(const Inequality *solved, Vec start, const SolveChoice *choice, SNES snes,
+                                            Vec y)
 {
   ActiveSet      set;
   ActiveSolver   solver;
@@ -37,11 +38,11 @@ static PetscErrorCode StartTouching_Private(VI vi, Vec start, const SolveChoice 
   PetscReal     *touching;
 
   PetscFunctionBeginUser;
-  PetscCall(ActiveSetCreate(vi->upper, vi->A, &set));
+  PetscCall(ActiveSetCreate(solved->upper, solved->A, &set));
   if (strcmp(choice->pc, PCTRUNCATEDMG))
-    PetscCall(ReducedCreate(&set, vi->A, vi->b, choice->prefix, 0, &solver, &failure));
+    PetscCall(ReducedCreate(&set, solved->A, solved->b, choice->prefix, 0, &solver, &failure));
   else
-    PetscCall(PDASCreateSolver(snes, &set, vi->A, vi->b, START_RTOL, &solver, &failure));
+    PetscCall(PDASCreateSolver(snes, &set, solved->A, solved->b, START_RTOL, &solver, &failure));
   if (!failure) {
     PetscCall(ActiveSolutionCreate(&set, &solution));
     PetscCall(PetscMalloc1(set.n, &touching));
@@ -87,7 +88,7 @@ static PetscErrorCode StartFrom_Private(VI vi, Vec guess, Vec y)
 
 /* y within its bounds, and on them where it nearly is: PETSc's types leave an unknown that lies within their zero tolerance of its
    bound where it is, and it would not count as touching. */
-static PetscErrorCode Settle_Private(VI vi, Vec y)
+static PetscErrorCode Settle_Private(const Inequality *solved, Vec y)
 {
   const PetscScalar *upper;
   PetscScalar       *values;
@@ -95,33 +96,34 @@ static PetscErrorCode Settle_Private(VI vi, Vec y)
   PetscInt           n;
 
   PetscFunctionBeginUser;
-  PetscCall(VecPointwiseMin(y, y, vi->upper));
+  PetscCall(VecPointwiseMin(y, y, solved->upper));
   PetscCall(VecNorm(y, NORM_INFINITY, &size));
   PetscCall(VecGetLocalSize(y, &n));
-  PetscCall(VecGetArrayRead(vi->upper, &upper));
+  PetscCall(VecGetArrayRead(solved->upper, &upper));
   PetscCall(VecGetArray(y, &values));
   for (PetscInt i = 0; i < n; i++) {
     if (PetscRealPart(values[i]) > PetscRealPart(upper[i]) - ON_BOUND * size) values[i] = upper[i];
   }
   PetscCall(VecRestoreArray(y, &values));
-  PetscCall(VecRestoreArrayRead(vi->upper, &upper));
+  PetscCall(VecRestoreArrayRead(solved->upper, &upper));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveStart(VI vi, Solvability solvability, const SolveChoice *choice, SNES snes, Vec guess, Vec y)
+PetscErrorCode SolveStart(const Inequality *solved, Solvability solvability, const SolveChoice *choice, SNES snes,
+                          Vec guess, Vec y)
 {
   const PetscBool pdas = (PetscBool)!strcmp(choice->snes, SNESPDAS);
 
   PetscFunctionBeginUser;
   if (guess) {
-    PetscCall(StartFrom_Private(vi, guess, y));
+    PetscCall(StartFrom_Private(solved->vi, guess, y));
     if (solvability) PetscCall(VecAXPY(y, -1, solvability->rest)); // from where bodies touch (springs.h)
-    if (!pdas) PetscCall(Settle_Private(vi, y)); // pdas takes an overlap for contact, others ask for none
+    if (!pdas) PetscCall(Settle_Private(solved, y)); // pdas takes an overlap for contact, others ask for none
   } else {
-    PetscCall(StartFeasible_Private(vi, y));
+    PetscCall(StartFeasible_Private(solved, y));
     if (!pdas && solvability) {
-      PetscCall(StartTouching_Private(vi, solvability->start, choice, snes, y));
-      PetscCall(Settle_Private(vi, y));
+      PetscCall(StartTouching_Private(solved, solvability->start, choice, snes, y));
+      PetscCall(Settle_Private(solved, y));
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);

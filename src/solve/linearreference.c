@@ -35,18 +35,18 @@ static PetscErrorCode Take_Private(VI vi, Vec y, ActiveSet *set)
 
 PetscErrorCode ReferenceSolve(const Springs *springs, SNES snes, Vec y, PetscInt *iterations, PetscBool *solved)
 {
-  const VI       vi = springs->vi;
-  ActiveSolver   solver;
-  ActiveSolution solution;
-  ActiveSet      set;
-  const char    *failure;
+  const Inequality *inequality = &springs->solved;
+  ActiveSolver      solver;
+  ActiveSolution    solution;
+  ActiveSet         set;
+  const char       *failure;
 
   PetscFunctionBeginUser;
   *iterations = 0;
   *solved     = PETSC_FALSE;
-  PetscCall(ActiveSetCreate(vi->upper, vi->A, &set));
-  PetscCall(Take_Private(springs->original, y, &set));
-  PetscCall(PDASCreateSolver(snes, &set, vi->A, vi->b, REFERENCE_RTOL, &solver, &failure));
+  PetscCall(ActiveSetCreate(inequality->upper, inequality->A, &set));
+  PetscCall(Take_Private(inequality->vi, y, &set));
+  PetscCall(PDASCreateSolver(snes, &set, inequality->A, inequality->b, REFERENCE_RTOL, &solver, &failure));
   if (!failure) {
     solver->rtol = 0; // it is not the end of an inequality, where more than the residual counts
     PetscCall(ActiveSolutionCreate(&set, &solution));

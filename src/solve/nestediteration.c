@@ -35,7 +35,7 @@ typedef struct {
 static PetscErrorCode StateCreate_Private(const Grid *grid, State *state)
 {
   PetscFunctionBeginUser;
-  PetscCall(VecDuplicate(grid->vi->b, &state->y));
+  PetscCall(VecDuplicate(grid->op.b, &state->y));
   PetscCall(VecDuplicate(state->y, &state->active));
   PetscCall(VecZeroEntries(state->y));
   PetscCall(VecZeroEntries(state->active));
@@ -51,23 +51,22 @@ static PetscErrorCode StateDestroy_Private(State *state)
 }
 
 /* Eliminated unknowns have their values. */
-static PetscErrorCode Eliminate_Private(VI vi, Vec y)
+static PetscErrorCode Eliminate_Private(const Operator *op, Vec y)
 {
-  const PetscInt     first = vi->level->dim * vi->level->node_begin;
   const PetscScalar *b;
   PetscScalar       *a;
 
   PetscFunctionBeginUser;
-  PetscCall(VecGetArrayRead(vi->b, &b));
+  PetscCall(VecGetArrayRead(op->b, &b));
   PetscCall(VecGetArray(y, &a));
-  for (PetscInt i = 0; i < vi->num_fixed; i++) a[vi->fixed[i] - first] = b[vi->fixed[i] - first];
+  for (PetscInt i = 0; i < op->num_fixed; i++) a[op->fixed[i]] = b[op->fixed[i]];
   PetscCall(VecRestoreArray(y, &a));
-  PetscCall(VecRestoreArrayRead(vi->b, &b));
+  PetscCall(VecRestoreArrayRead(op->b, &b));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* 1 where an unknown with a bound comes from active ones for the most part. [in,out] active */
-static PetscErrorCode Round_Private(VI vi, Vec active)
+static PetscErrorCode Round_Private(const Operator *op, Vec active)
 {
   const PetscScalar *upper;
   PetscScalar       *a;
@@ -75,12 +74,12 @@ static PetscErrorCode Round_Private(VI vi, Vec active)
 
   PetscFunctionBeginUser;
   PetscCall(VecGetLocalSize(active, &n));
-  PetscCall(VecGetArrayRead(vi->upper, &upper));
+  PetscCall(VecGetArrayRead(op->upper, &upper));
   PetscCall(VecGetArray(active, &a));
   for (PetscInt i = 0; i < n; i++)
     a[i] = PetscRealPart(upper[i]) < PETSC_INFINITY && PetscRealPart(a[i]) >= ACTIVE_SHARE ? 1 : 0;
   PetscCall(VecRestoreArray(active, &a));
-  PetscCall(VecRestoreArrayRead(vi->upper, &upper));
+  PetscCall(VecRestoreArrayRead(op->upper, &upper));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -129,36 +128,39 @@ static PetscErrorCode Find_Private(Hierarchy hierarchy, const Grid *grid, SNES s
 }
 
 /* How far the level's solution is from the next coarser one's, for whoever asks how fast that falls. */
-static PetscErrorCode Change_Private(const Grid *grid, SNES snes, PetscReal *change)
+static PetscErrorCode Change_Private(VI vi, SNES snes, PetscReal *change)
 {
   ActiveSolver solver;
 
   PetscFunctionBeginUser;
   PetscCall(PDASGetSolver(snes, &solver));
-  *change = solver ? solver->first * grid->vi->stiffness * PetscSqr(grid->vi->length) : 0;
+  *change = solver ? solver->first * vi->stiffness * PetscSqr(vi->length) : 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves on one level. [in] type - of the SNES; [in] gained - as of PDASSetEnough(); [in] begun - whether a coarser level says what to begin
-   with; [in,out] state */
-static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, Solvability solvability, const char type[],
+/* Solves on level m of the mesh. [in] springs - of it; [in] type - of the SNES; [in] gained - as of PDASSetEnough(); [in] begun - whether a coarser
+   level says what to begin with; [in,out] state */
+static PetscErrorCode SolveLevel_Private(MeshLevels levels, PetscInt m, const Springs *springs, const char type[],
                                          PetscReal gained, PetscBool begun, State *state)
 {
-  const VI        vi     = hierarchy->grid[l].vi;
-  const PetscBool pdas   = (PetscBool)!strcmp(type, SNESPDAS);
-  SolveChoice     choice = l ? (SolveChoice){.ksp = KSPCG, .pc = PCTRUNCATEDMG, .prefix = PREFIX}
-                             : (SolveChoice){.ksp = KSPPREONLY, .pc = PCCHOLESKY, .prefix = PREFIX};
-  PetscReal       norm;
-  SNES            snes;
-  KSP             ksp;
-  PC              pc;
-  Vec             scratch, before;
+  const Inequality *solved      = &springs->solved;
+  const Solvability solvability = springs->solvability;
+  const Hierarchy   hierarchy   = levels->hierarchy;
+  const PetscInt    l           = hierarchy->first + m;
+  const PetscBool   pdas        = (PetscBool)!strcmp(type, SNESPDAS);
+  SolveChoice       choice      = l ? (SolveChoice){.ksp = KSPCG, .pc = PCTRUNCATEDMG, .prefix = PREFIX}
+                                    : (SolveChoice){.ksp = KSPPREONLY, .pc = PCCHOLESKY, .prefix = PREFIX};
+  PetscReal         norm;
+  SNES              snes;
+  KSP               ksp;
+  PC                pc;
+  Vec               scratch, before;
 
   PetscFunctionBeginUser;
   PetscCall(PetscStrncpy(choice.snes, type, sizeof(choice.snes)));
-  PetscCall(VecDuplicate(vi->b, &scratch));
-  PetscCall(SolveConfigure(vi, &choice, scratch, &norm, &snes));
-  PetscCall(SetTolerances_Private(snes, pdas, StopPart(vi->scene), gained, begun));
+  PetscCall(VecDuplicate(solved->b, &scratch));
+  PetscCall(SolveConfigure(solved, &choice, scratch, &norm, &snes));
+  PetscCall(SetTolerances_Private(snes, pdas, StopPart(solved->vi->scene), gained, begun));
   PetscCall(SNESGetKSP(snes, &ksp));
   PetscCall(KSPGetPC(ksp, &pc));
   if (l) PetscCall(MultigridSetHierarchy(pc, hierarchy, l, pdas ? NULL : snes));
@@ -168,8 +170,8 @@ static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, Solvab
   PetscCall(VecCopy(state->y, before));
   if (pdas) PetscCall(PDASSetKeep(snes, PETSC_TRUE));
   PetscCall(SNESSolve(snes, NULL, state->y));
-  hierarchy->change = 0;
-  if (pdas && begun) PetscCall(Change_Private(&hierarchy->grid[l], snes, &hierarchy->change));
+  levels->change = 0;
+  if (pdas && begun) PetscCall(Change_Private(solved->vi, snes, &levels->change));
   PetscCall(Find_Private(hierarchy, &hierarchy->grid[l], snes, before, state));
   PetscCall(VecDestroy(&before));
   PetscCall(SNESDestroy(&snes));
@@ -178,75 +180,76 @@ static PetscErrorCode SolveLevel_Private(Hierarchy hierarchy, PetscInt l, Solvab
 }
 
 /* y where it is to begin: types other than pdas see contact only at bounds that are reached. */
-static PetscErrorCode Touch_Private(VI vi, Vec active, Vec y)
+static PetscErrorCode Touch_Private(const Operator *op, Vec active, Vec y)
 {
   const PetscScalar *upper, *a;
   PetscScalar       *values;
   PetscInt           n;
 
   PetscFunctionBeginUser;
-  PetscCall(VecPointwiseMin(y, y, vi->upper));
+  PetscCall(VecPointwiseMin(y, y, op->upper));
   PetscCall(VecGetLocalSize(y, &n));
-  PetscCall(VecGetArrayRead(vi->upper, &upper));
+  PetscCall(VecGetArrayRead(op->upper, &upper));
   PetscCall(VecGetArrayRead(active, &a));
   PetscCall(VecGetArray(y, &values));
   for (PetscInt i = 0; i < n; i++)
     if (PetscRealPart(a[i]) > 0) values[i] = upper[i];
   PetscCall(VecRestoreArray(y, &values));
   PetscCall(VecRestoreArrayRead(active, &a));
-  PetscCall(VecRestoreArrayRead(vi->upper, &upper));
+  PetscCall(VecRestoreArrayRead(op->upper, &upper));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The level as it is solved: with springs where contact alone holds bodies, which are in its A from now on. */
-static PetscErrorCode Begin_Private(Grid *grid, Solvability solvability, Springs *springs)
+/* A level of the mesh as it is solved: with springs where contact alone holds bodies, which are in its A from now on. */
+static PetscErrorCode Begin_Private(MeshLevels levels, PetscInt m, Solvability solvability, Springs *springs)
 {
   PetscFunctionBeginUser;
-  PetscCall(SpringsBegin(grid->vi, solvability, springs));
-  grid->vi = springs->vi;
-  grid->A  = springs->vi->A;
-  if (solvability) grid->springs = solvability->springs;
+  PetscCall(SpringsBegin(levels->vi[m], solvability, springs));
+  PetscCall(MeshLevelsSetInequality(levels, m, &springs->solved, solvability ? solvability->springs : NULL));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The level as it was, for what is solved on finer ones. [in,out] y - as of SpringsEnd() */
-static PetscErrorCode End_Private(Grid *grid, Springs *springs, Vec y)
+static PetscErrorCode End_Private(MeshLevels levels, PetscInt m, Springs *springs, Vec y)
 {
+  const VI         vi  = levels->vi[m];
+  const Inequality own = {.vi = vi, .A = vi->A, .b = vi->b, .upper = vi->upper};
+
   PetscFunctionBeginUser;
-  grid->vi      = springs->original;
-  grid->A       = springs->original->A;
-  grid->springs = NULL;
+  PetscCall(MeshLevelsSetInequality(levels, m, &own, NULL));
   PetscCall(SpringsEnd(springs, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The coarsest level from which on contact can hold what has to be held on every level. [out] solvability - of each level with a mesh but the
-   finest, owned by the caller [hierarchy->num] */
-static PetscErrorCode FindFirst_Private(Hierarchy hierarchy, Solvability solvability[], PetscInt *first)
+/* The coarsest level from which on contact can hold what has to be held on every level. [out] solvability - of each level but the finest, owned
+   by the caller [levels->num] */
+static PetscErrorCode FindFirst_Private(MeshLevels levels, Solvability solvability[], PetscInt *first)
 {
   PetscFunctionBeginUser;
-  *first = hierarchy->first;
-  for (PetscInt l = hierarchy->first; l + 1 < hierarchy->num; l++) {
-    PetscCall(SolvabilityCreate(hierarchy->grid[l].vi, &solvability[l]));
-    if (solvability[l] && solvability[l]->verdict == SOLVABLE_NOT) *first = l + 1;
+  *first = 0;
+  for (PetscInt m = 0; m + 1 < levels->num; m++) {
+    PetscCall(SolvabilityCreate(levels->vi[m], &solvability[m]));
+    if (solvability[m] && solvability[m]->verdict == SOLVABLE_NOT) *first = m + 1;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What the finer level begins with. [in] pc - of Forecast(); [in] from - of the coarser one; [in,out] springs - of the finer one;
+/* What level m of the mesh begins with. [in] pc - of Forecast(); [in] from - of the coarser one; [in,out] springs - of level m;
    [out] to; [out] gained - as of CascadeStart() */
-static PetscErrorCode GoUp_Private(Hierarchy hierarchy, const Grid *finer, PC pc, const State *from, Springs *springs,
-                                   State *to, PetscReal *gained)
+static PetscErrorCode GoUp_Private(MeshLevels levels, PetscInt m, PC pc, const State *from, Springs *springs, State *to,
+                                   PetscReal *gained)
 {
+  const Grid *grid = &levels->hierarchy->grid[levels->hierarchy->first + m];
+
   PetscFunctionBeginUser;
-  PetscCall(StateCreate_Private(finer, to));
-  PetscCall(MatMult(finer->P, from->y, to->y));
-  if (finer->lift) PetscCall(VecAXPY(to->y, 1, finer->lift));
-  PetscCall(Eliminate_Private(finer->vi, to->y));
+  PetscCall(StateCreate_Private(grid, to));
+  PetscCall(MatMult(grid->P, from->y, to->y));
+  if (levels->lift[m]) PetscCall(VecAXPY(to->y, 1, levels->lift[m]));
+  PetscCall(Eliminate_Private(&grid->op, to->y));
   PetscCall(SpringsFollow(springs, to->y));
-  PetscCall(MatMult(finer->P, from->active, to->active));
-  PetscCall(Round_Private(finer->vi, to->active));
-  PetscCall(Forecast(hierarchy, finer, pc, to->y, to->active, gained));
+  PetscCall(MatMult(grid->P, from->active, to->active));
+  PetscCall(Round_Private(&grid->op, to->active));
+  PetscCall(Forecast(levels->hierarchy, grid, pc, to->y, to->active, gained));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -266,10 +269,10 @@ static PetscErrorCode GetCycles_Private(SNES snes, VI vi, PC *pc)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CascadeStart(Hierarchy hierarchy, SNES snes, Springs *springs, Vec y, Vec active, PetscReal *gained,
+PetscErrorCode CascadeStart(MeshLevels levels, SNES snes, Springs *springs, Vec y, Vec active, PetscReal *gained,
                             PetscBool *found)
 {
-  const PetscInt finest = hierarchy->num - 1;
+  const PetscInt finest = levels->num - 1;
   SNESType       type;
   PC             pc;
   PetscInt       first;
@@ -279,24 +282,24 @@ PetscErrorCode CascadeStart(Hierarchy hierarchy, SNES snes, Springs *springs, Ve
 
   PetscFunctionBeginUser;
   *gained = 0;
-  PetscCall(PetscCalloc1(hierarchy->num, &solvability));
+  PetscCall(PetscCalloc1(levels->num, &solvability));
   PetscCall(SNESGetType(snes, &type));
-  PetscCall(GetCycles_Private(snes, springs->vi, &pc));
-  PetscCall(FindFirst_Private(hierarchy, solvability, &first));
+  PetscCall(GetCycles_Private(snes, springs->solved.vi, &pc));
+  PetscCall(FindFirst_Private(levels, solvability, &first));
   *found = (PetscBool)(first < finest);
   if (*found) {
-    PetscCall(Begin_Private(&hierarchy->grid[first], solvability[first], &own[first % 2]));
-    PetscCall(StateCreate_Private(&hierarchy->grid[first], &state));
+    PetscCall(Begin_Private(levels, first, solvability[first], &own[first % 2]));
+    PetscCall(StateCreate_Private(&levels->hierarchy->grid[levels->hierarchy->first + first], &state));
   }
-  for (PetscInt l = first; l < finest; l++) {
-    Grid    *finer = &hierarchy->grid[l + 1];
-    Springs *above = l + 1 < finest ? &own[(l + 1) % 2] : springs;
+  for (PetscInt m = first; m < finest; m++) {
+    Springs *above = m + 1 < finest ? &own[(m + 1) % 2] : springs;
 
-    PetscCall(SolveLevel_Private(hierarchy, l, solvability[l], type, *gained, (PetscBool)(l > first), &state));
-    PetscCall(End_Private(&hierarchy->grid[l], &own[l % 2], state.y));
-    if (l + 1 < finest) PetscCall(Begin_Private(finer, solvability[l + 1], above));
-    PetscCall(GoUp_Private(hierarchy, finer, l + 1 < finest ? NULL : pc, &state, above, &next, gained));
-    if (strcmp(type, SNESPDAS)) PetscCall(Touch_Private(finer->vi, next.active, next.y));
+    PetscCall(SolveLevel_Private(levels, m, &own[m % 2], type, *gained, (PetscBool)(m > first), &state));
+    PetscCall(End_Private(levels, m, &own[m % 2], state.y));
+    if (m + 1 < finest) PetscCall(Begin_Private(levels, m + 1, solvability[m + 1], above));
+    PetscCall(GoUp_Private(levels, m + 1, m + 1 < finest ? NULL : pc, &state, above, &next, gained));
+    if (strcmp(type, SNESPDAS))
+      PetscCall(Touch_Private(&levels->hierarchy->grid[levels->hierarchy->first + m + 1].op, next.active, next.y));
     PetscCall(StateDestroy_Private(&state));
     state = next;
   }
@@ -305,7 +308,7 @@ PetscErrorCode CascadeStart(Hierarchy hierarchy, SNES snes, Springs *springs, Ve
     PetscCall(VecCopy(state.active, active));
     PetscCall(StateDestroy_Private(&state));
   }
-  for (PetscInt l = hierarchy->first; l < finest; l++) PetscCall(SolvabilityDestroy(&solvability[l]));
+  for (PetscInt m = 0; m < finest; m++) PetscCall(SolvabilityDestroy(&solvability[m]));
   PetscCall(PetscFree(solvability));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -6,8 +6,8 @@
 #include "solve/solverimpl.h"
 
 typedef struct {
-  VI             vi; /* borrowed */
-  PetscLogDouble start;
+  const Inequality *solved; /* borrowed */
+  PetscLogDouble    start;
 } Progress;
 
 PetscErrorCode ProgressWanted(Scene scene, PetscBool *wanted)
@@ -43,7 +43,7 @@ static PetscErrorCode MonitorFn(SNES snes, PetscInt iteration, PetscReal norm, v
     Vec       y;
 
     PetscCall(SNESGetSolution(snes, &y));
-    PetscCall(SolveMeasure(progress->vi, y, &active, &residual));
+    PetscCall(SolveMeasure(progress->solved, y, &active, &residual));
     PetscCall(SNESGetLinearSolveIterations(snes, &linear));
   }
   PetscCall(PetscTime(&now));
@@ -60,13 +60,13 @@ static PetscErrorCode DestroyFn(void **ctx)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ProgressSet(SNES snes, VI vi)
+PetscErrorCode ProgressSet(SNES snes, const Inequality *solved)
 {
   Progress *progress;
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&progress));
-  progress->vi = vi;
+  progress->solved = solved;
   PetscCall(PetscTime(&progress->start));
   PetscCall(SNESMonitorSet(snes, MonitorFn, progress, DestroyFn));
   PetscFunctionReturn(PETSC_SUCCESS);

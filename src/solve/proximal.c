@@ -34,24 +34,22 @@ PetscErrorCode SpringsBegin(VI vi, Solvability solvability, Springs *springs)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(springs, sizeof(*springs)));
-  springs->vi = springs->original = vi;
-  springs->solvability            = solvability;
+  springs->solved      = (Inequality){.vi = vi, .A = vi->A, .b = vi->b, .upper = vi->upper};
+  springs->solvability = solvability;
   if (!solvability) PetscFunctionReturn(PETSC_SUCCESS);
-  springs->sprung = *vi;
-  springs->vi     = &springs->sprung;
   PetscCall(VecDuplicate(vi->upper, &springs->rest));
   PetscCall(VecDuplicate(vi->upper, &springs->pull));
   PetscCall(VecDuplicate(vi->upper, &springs->scale));
-  PetscCall(VecDuplicate(vi->b, &springs->sprung.b));
-  PetscCall(VecDuplicate(vi->upper, &springs->sprung.upper));
-  PetscCall(VecWAXPY(springs->sprung.upper, -1, solvability->rest, vi->upper));
-  PetscCall(VICreateRegularized(vi, solvability->springs, &springs->sprung.A));
+  PetscCall(VecDuplicate(vi->b, &springs->solved.b));
+  PetscCall(VecDuplicate(vi->upper, &springs->solved.upper));
+  PetscCall(VecWAXPY(springs->solved.upper, -1, solvability->rest, vi->upper));
+  PetscCall(VICreateRegularized(vi, solvability->springs, &springs->solved.A));
   PetscCall(MatGetDiagonal(vi->A, springs->scale));
   PetscCall(VecSqrtAbs(springs->scale));
   PetscCall(VecReciprocal(springs->scale));
   springs->last = 1;
   PetscCall(VecZeroEntries(springs->rest));
-  PetscCall(VecCopy(vi->b, springs->sprung.b));
+  PetscCall(VecCopy(vi->b, springs->solved.b));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -60,8 +58,8 @@ static PetscErrorCode RestAt_Private(Springs *springs, Vec y)
 {
   PetscFunctionBeginUser;
   PetscCall(VecCopy(y, springs->rest));
-  PetscCall(VecPointwiseMult(springs->sprung.b, springs->solvability->springs, y));
-  PetscCall(VecAXPY(springs->sprung.b, 1, springs->original->b));
+  PetscCall(VecPointwiseMult(springs->solved.b, springs->solvability->springs, y));
+  PetscCall(VecAXPY(springs->solved.b, 1, springs->solved.vi->b));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -119,7 +117,7 @@ static PetscErrorCode Size_Private(const Springs *springs, Vec v, PetscReal *siz
    of energy and in parts of the solution. */
 static PetscErrorCode Measure_Private(Springs *springs, Vec y, PetscReal *part, PetscReal *way)
 {
-  const Mat   A = springs->original->A;
+  const Mat   A = springs->solved.vi->A;
   Vec         d, forces;
   PetscReal   loads, stresses, pull, alone, forced;
   PetscScalar all, last;
@@ -127,7 +125,7 @@ static PetscErrorCode Measure_Private(Springs *springs, Vec y, PetscReal *part, 
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(y, &d));
   PetscCall(VecDuplicate(y, &forces));
-  PetscCall(Size_Private(springs, springs->original->b, &loads));
+  PetscCall(Size_Private(springs, springs->solved.vi->b, &loads));
   PetscCall(MatMult(A, y, forces));
   PetscCall(VecDot(y, forces, &all));
   PetscCall(Size_Private(springs, forces, &stresses));
@@ -157,11 +155,11 @@ static PetscErrorCode Weaken_Private(Springs *springs, SNES snes, PetscBool pdas
   PetscCall(VecCopy(w, springs->pull));
   PetscCall(VecScale(w, WEAKER));
   PetscCall(VecAYPX(springs->pull, -1, w));
-  if (springs->original->assembled) {
-    PetscCall(MatDiagonalSet(springs->sprung.A, springs->pull, ADD_VALUES));
+  if (springs->solved.vi->assembled) {
+    PetscCall(MatDiagonalSet(springs->solved.A, springs->pull, ADD_VALUES));
   } else { // products see w itself, and nobody else knows that it has changed
-    PetscCall(MatAssemblyBegin(springs->sprung.A, MAT_FINAL_ASSEMBLY));
-    PetscCall(MatAssemblyEnd(springs->sprung.A, MAT_FINAL_ASSEMBLY));
+    PetscCall(MatAssemblyBegin(springs->solved.A, MAT_FINAL_ASSEMBLY));
+    PetscCall(MatAssemblyEnd(springs->solved.A, MAT_FINAL_ASSEMBLY));
   }
   if (pdas) { // what it has factored
     PetscCall(PDASSetKeep(snes, PETSC_FALSE));
@@ -218,9 +216,9 @@ PetscErrorCode SpringsEnd(Springs *springs, Vec y)
   PetscFunctionBeginUser;
   if (!springs->solvability) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecAXPY(y, 1, springs->solvability->rest));
-  PetscCall(VecDestroy(&springs->sprung.upper));
-  PetscCall(MatDestroy(&springs->sprung.A));
-  PetscCall(VecDestroy(&springs->sprung.b));
+  PetscCall(VecDestroy(&springs->solved.upper));
+  PetscCall(MatDestroy(&springs->solved.A));
+  PetscCall(VecDestroy(&springs->solved.b));
   PetscCall(VecDestroy(&springs->rest));
   PetscCall(VecDestroy(&springs->pull));
   PetscCall(VecDestroy(&springs->scale));

@@ -3,20 +3,19 @@
 #define MORTISE_PROXIMAL_H
 
 #include "rigid/solvability.h"
+#include "solve/meshlevels.h"
 #include "solve/solver.h"
 
 /* The inequality that is solved instead: with springs W on the diagonal of A that rest at y_0, A + W and b + W y_0, for y counted from
    where bodies touch. Without bodies that need them it is the original one. */
 typedef struct {
-  VI           vi;          /* what to solve */
-  VI           original;    /* borrowed */
-  Solvability  solvability; /* borrowed; NULL where supports hold all bodies */
-  struct _n_VI sprung;      /* a copy of the original but for A, b and upper */
-  Vec          rest;        /* y_0 */
-  Vec          pull, scale; /* W (y - y_0); diag(A)^(-1/2) */
-  PetscReal    last;        /* pull that the last sweep left, in parts of the forces */
-  PetscReal    relaxed;     /* pull that does not matter */
-  PetscInt     weaker;      /* how often they were made weaker */
+  Inequality  solved;      /* what to solve; A, b and upper are owned where they are not those of vi */
+  Solvability solvability; /* borrowed; NULL where supports hold all bodies */
+  Vec         rest;        /* y_0 */
+  Vec         pull, scale; /* W (y - y_0); diag(A)^(-1/2) */
+  PetscReal   last;        /* pull that the last sweep left, in parts of the forces */
+  PetscReal   relaxed;     /* pull that does not matter */
+  PetscInt    weaker;      /* how often they were made weaker */
 } Springs;
 
 /* Makes what is to be solved, with springs at rest at 0. Collective. [out] springs - to be ended by SpringsEnd() */
@@ -24,12 +23,12 @@ PetscErrorCode SpringsBegin(VI vi, Solvability solvability, Springs *springs);
 /* Lets springs rest at a guess if there is one, and begins with contacts that balance the loads if not. Collective.
    [in] snes - that is to solve, with its tolerances */
 PetscErrorCode SpringsSet(Springs *springs, Vec guess, SNES snes, PetscBool pdas);
-/* Lets springs rest at y. Collective. [in,out] y - of the original; of what is solved */
+/* Lets springs rest at y. Collective. [in,out] y - of vi; of what is solved */
 PetscErrorCode SpringsFollow(Springs *springs, Vec y);
 /* Whether the pull of the springs is nothing beside the forces; if not, they rest at y from now on. Collective.
    [in,out] report - fails if there is no end to it; [out] done - also after a failure */
 PetscErrorCode SpringsRelax(Springs *springs, SNES snes, Vec y, SolveReport *report, PetscBool *done);
-/* [in,out] y - of what was solved; of the original. Collective. */
+/* [in,out] y - of what was solved; of vi. Collective. */
 PetscErrorCode SpringsEnd(Springs *springs, Vec y);
 
 #endif

@@ -28,11 +28,11 @@ static const PetscReal OTHER_ALIKE = 1e-12;
 /* F(y) = A y - b */
 static PetscErrorCode FunctionFn(SNES snes, Vec y, Vec f, void *ctx)
 {
-  VI vi = ctx;
+  const Inequality *solved = ctx;
 
   PetscFunctionBeginUser;
   (void)snes;
-  PetscCall(ActiveResidual(vi->A, vi->b, y, f));
+  PetscCall(ActiveResidual(solved->A, solved->b, y, f));
   PetscCall(VecScale(f, -1));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -45,10 +45,12 @@ static PetscErrorCode JacobianFn(SNES snes, Vec y, Mat A, Mat P, void *ctx)
 }
 
 /* |A|, or where that is not a matrix |K|, which next to contact alone is another one. */
-static PetscErrorCode Norm_Private(VI vi, PetscReal *norm)
+static PetscErrorCode Norm_Private(const Inequality *solved, PetscReal *norm)
 {
+  const VI vi = solved->vi;
+
   PetscFunctionBeginUser;
-  PetscCall(MatNorm(vi->assembled ? vi->A : vi->K, NORM_INFINITY, norm));
+  PetscCall(MatNorm(vi->assembled ? solved->A : vi->K, NORM_INFINITY, norm));
   if (!vi->assembled) *norm /= vi->stiffness;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -76,7 +78,7 @@ static PetscErrorCode PostCheckFn(SNESLineSearch search, Vec y, Vec step, Vec ne
   const PetscReal *norm = ctx;
   PetscReal        fnorm, ynorm;
   SNES             snes;
-  void            *vi;
+  void            *solved;
 
   PetscFunctionBeginUser;
   PetscCall(SNESLineSearchGetSNES(search, &snes));
@@ -85,9 +87,9 @@ static PetscErrorCode PostCheckFn(SNESLineSearch search, Vec y, Vec step, Vec ne
   *changed_step = PETSC_FALSE;
   *changed_next = (PetscBool)(fnorm <= OTHER_ALIKE * *norm * ynorm);
   if (!*changed_next) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(SNESGetFunction(snes, NULL, NULL, &vi));
+  PetscCall(SNESGetFunction(snes, NULL, NULL, &solved));
   PetscCall(VecWAXPY(next, -1, step, y));
-  PetscCall(VecPointwiseMin(next, next, ((VI)vi)->upper));
+  PetscCall(VecPointwiseMin(next, next, ((const Inequality *)solved)->upper));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -149,7 +151,7 @@ static PetscErrorCode ConfigureLinear_Private(const SolveChoice *choice, KSP ksp
 }
 
 /* Steps of PETSc's own types, and their end. [out] norm - for their test */
-static PetscErrorCode ConfigureOther_Private(VI vi, PetscInt max_it, PetscReal *norm, SNES snes)
+static PetscErrorCode ConfigureOther_Private(const Inequality *solved, PetscInt max_it, PetscReal *norm, SNES snes)
 {
   SNESLineSearch search;
 
@@ -159,32 +161,34 @@ static PetscErrorCode ConfigureOther_Private(VI vi, PetscInt max_it, PetscReal *
   PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHL2));
   PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, OTHER_RTOL, 0, max_it, PETSC_DEFAULT));
   PetscCall(SNESSetDivergenceTolerance(snes, -1)); // none: the first steps may go far before the set is right
-  PetscCall(Norm_Private(vi, norm));
+  PetscCall(Norm_Private(solved, norm));
   PetscCall(SNESSetConvergenceTest(snes, ConvergedFn, norm, NULL));
   PetscCall(SNESLineSearchSetPostCheck(search, PostCheckFn, norm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, Vec scratch, PetscReal *norm, SNES *snes)
+PetscErrorCode SolveConfigure(const Inequality *solved, const SolveChoice *choice, Vec scratch, PetscReal *norm,
+                              SNES *snes)
 {
   const PetscBool pdas   = (PetscBool)!strcmp(choice->snes, SNESPDAS);
   const PetscInt  max_it = PetscMax(choice->max_it, pdas ? PDAS_MAX_IT : OTHER_MAX_IT);
   KSP             ksp;
 
   PetscFunctionBeginUser;
-  PetscCall(SNESCreate(PetscObjectComm((PetscObject)vi->A), snes));
+  PetscCall(SNESCreate(PetscObjectComm((PetscObject)solved->A), snes));
   PetscCall(SNESSetOptionsPrefix(*snes, choice->prefix));
-  PetscCall(SNESSetFunction(*snes, scratch, FunctionFn, vi));
-  PetscCall(SNESSetJacobian(*snes, vi->A, vi->A, JacobianFn, vi));
+  PetscCall(SNESSetFunction(*snes, scratch, FunctionFn, (void *)solved));
+  PetscCall(SNESSetJacobian(*snes, solved->A, solved->A, JacobianFn, NULL));
   PetscCall(SNESGetKSP(*snes, &ksp));
   PetscCall(ConfigureLinear_Private(choice, ksp));
   PetscCall(SNESSetType(*snes, choice->snes));
   if (pdas)
     PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, max_it, PETSC_DEFAULT));
   else
-    PetscCall(ConfigureOther_Private(vi, max_it, norm, *snes));
+    PetscCall(ConfigureOther_Private(solved, max_it, norm, *snes));
   PetscCall(SNESSetFromOptions(*snes));
   PetscCall(CheckLimits_Private(*snes, choice->prefix));
-  PetscCall(SNESVISetVariableBounds(*snes, vi->lower, vi->upper)); /* pdas keeps them itself, so not before the type */
+  PetscCall(SNESVISetVariableBounds(*snes, solved->vi->lower,
+                                    solved->upper)); /* pdas keeps them itself, so not before the type */
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -24,10 +24,10 @@ static PetscErrorCode Sweep_Private(Workbench *bench, Vec y, SolveReport *report
       PetscCall(SNESSolve(bench->snes, NULL, y));
       PetscCall(FactorMoreRoom(bench->snes, &again));
     } while (again);
-    PetscCall(SolveReportAdd(bench->snes, bench->springs.vi, y, report));
+    PetscCall(SolveReportAdd(bench->snes, &bench->springs.solved, y, report));
     report->sweeps++;
     PetscCall(SpringsRelax(&bench->springs, bench->snes, y, report, &done));
-    if (bench->hierarchy) bench->hierarchy->patience.found = PETSC_TRUE;
+    if (bench->levels) bench->levels->cost.found = PETSC_TRUE;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -41,7 +41,7 @@ static PetscErrorCode Cascade_Private(Workbench *bench, Vec y, PetscReal *gained
   PetscFunctionBeginUser;
   PetscCall(PetscObjectTypeCompare((PetscObject)bench->snes, SNESPDAS, &pdas));
   PetscCall(VecDuplicate(y, &active));
-  PetscCall(CascadeStart(bench->hierarchy, bench->snes, &bench->springs, y, active, gained, &found));
+  PetscCall(CascadeStart(bench->levels, bench->snes, &bench->springs, y, active, gained, &found));
   if (pdas && found) PetscCall(PDASSetStart(bench->snes, active));
   PetscCall(VecDestroy(&active));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -60,7 +60,7 @@ PetscErrorCode SolverDestroy(Solver *solver)
 {
   PetscFunctionBeginUser;
   if (!*solver) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(HierarchyDestroy(&(*solver)->hierarchy));
+  PetscCall(MeshLevelsDestroy(&(*solver)->levels));
   PetscCall(PetscFree(*solver));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -78,22 +78,22 @@ PetscErrorCode SolveRun(Solver solver, const SolveChoice *choice, PetscBool prog
   PetscCall(PetscMemzero(report, sizeof(*report)));
   PetscCall(WorkbenchCreate(solver, choice, (PetscBool)(solvability || guess || nested), &bench));
   PetscCall(WorkbenchSetLevels(&bench, NULL));
-  if (progress) PetscCall(ProgressSet(bench.snes, bench.springs.vi));
-  PetscCall(SolveStart(bench.springs.vi, solvability, choice, bench.snes, guess, y));
+  if (progress) PetscCall(ProgressSet(bench.snes, &bench.springs.solved));
+  PetscCall(SolveStart(&bench.springs.solved, solvability, choice, bench.snes, guess, y));
   if (!pdas) PetscCall(WorkbenchSetLevels(&bench, bench.snes));
   PetscCall(SpringsSet(&bench.springs, guess ? y : NULL, bench.snes, pdas));
   if (pdas && (choice->bound || solvability)) PetscCall(PDASSetKeep(bench.snes, PETSC_TRUE));
-  if (bench.hierarchy) bench.hierarchy->patience.on = choice->yields;
-  if (bench.hierarchy && nested) PetscCall(Cascade_Private(&bench, y, &gained));
+  if (bench.levels) bench.levels->cost.on = choice->yields;
+  if (bench.levels && nested) PetscCall(Cascade_Private(&bench, y, &gained));
   if (choice->stop) PetscCall(StopSet(&bench, gained));
   PetscCall(Sweep_Private(&bench, y, report));
   report->bound.value = report->discretisation = NAN;
   if (choice->bound && !pdas) PetscCall(WorkbenchSetLevels(&bench, NULL));
   if (choice->bound) PetscCall(BoundCompute(&bench.springs, bench.snes, y, &report->bound));
   if (choice->stop) PetscCall(StopConfirm(&bench, y, report));
-  if (bench.hierarchy) {
-    report->work     = bench.hierarchy->work;
-    report->foretold = PatienceForetold(&bench.hierarchy->patience);
+  if (bench.levels) {
+    report->work     = bench.levels->hierarchy->work;
+    report->foretold = CostModelPredicted(&bench.levels->cost);
   }
   PetscCall(WorkbenchDestroy(&bench, y));
   PetscCall(MinimumNormApply(solver->vi, solvability, y));
@@ -139,7 +139,7 @@ PetscErrorCode SolverSolve(Solver solver, Vec guess, Vec y, SolveReport *report)
   PetscCall(ProgressWanted(scene, &progress));
   choice.keep = scene->cross_check;
   PetscCall(SolveRun(solver, &choice, progress, guess, y, report));
-  if (!report->converged) PetscCall(HierarchyDestroy(&solver->hierarchy));
+  if (!report->converged) PetscCall(MeshLevelsDestroy(&solver->levels));
   PetscCall(Otherwise_Private(solver, &choice, progress, guess, y, report));
   report->seconds = LogWallClock() - start;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &report->seconds, 1, MPIU_REAL, MPI_MAX, comm));
@@ -204,7 +204,7 @@ PetscErrorCode SolverSolveLinear(Solver solver, Vec y, SolveReport *report)
   reference->seconds = LogWallClock() - start;
   LogCount(PETSC_TRUE);
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &reference->seconds, 1, MPIU_REAL, MPI_MAX, comm));
-  reference->work = bench.hierarchy ? bench.hierarchy->work : 0;
+  reference->work = bench.levels ? bench.levels->hierarchy->work : 0;
   PetscCall(WorkbenchDestroy(&bench, own));
   PetscCall(VecDestroy(&own));
   PetscFunctionReturn(PETSC_SUCCESS);

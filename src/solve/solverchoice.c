@@ -6,9 +6,9 @@
 #include "base/warning.h"
 #include <string.h>
 #include "pdas/pdasimpl.h"
-#include "multigrid/hierarchy.h"
 #include "multigrid/multigrid.h"
-#include "multigrid/iterationcost.h"
+#include "solve/meshlevels.h"
+#include "solve/thinbodies.h"
 #include "solve/solverimpl.h"
 
 /* Unknowns up to which factorisations beat iterating where multigrid has no coarser meshes (2D: triangles from a file, 10 sets: 414000
@@ -139,7 +139,7 @@ static PetscErrorCode LargestDirect_Private(VI vi, const char snes[], PetscInt *
   *limit = DIRECT_2D;
   if (solid) *limit = pdas && reducible ? DIRECT_3D : DIRECT_3D_EACH;
   if (!vi->mesh || !Truncatable_Private(snes)) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(HierarchyIsNested(vi, &nested));
+  PetscCall(MeshLevelsAreNested(vi, &nested));
   if (nested && solid) *limit = PetscMin(*limit, MESH_LEVELS_3D);
   if (nested && !solid && vi->mesh->num_levels > 1) *limit = PetscMin(*limit, MESH_LEVELS_2D);
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -164,7 +164,7 @@ static PetscErrorCode Thin_Private(VI vi, PetscBool floating, const SolveChoice 
   *thin = PETSC_FALSE;
   if (!vi->mesh || strcmp(choice->pc, PCTRUNCATEDMG)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(Reducible_Private(vi, &num, &reducible));
-  PetscCall(ThinIsCheap(vi, floating, num, (PetscBool)(reducible && !strcmp(choice->snes, SNESPDAS)), thin));
+  PetscCall(ThinBodiesAreCheap(vi, floating, num, (PetscBool)(reducible && !strcmp(choice->snes, SNESPDAS)), thin));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -52,37 +52,36 @@ static PetscErrorCode Prepare_Private(VI vi, const SolveChoice *choice)
   PetscFunctionBeginUser;
   if (!multigrid) PetscCall(VIAssemble(vi));
   if (!multigrid && !SolveFactors(choice->pc)) PetscCall(NearNullSpaceAttach(vi));
-  if (multigrid) PetscCall(VIPrepareProducts(vi)); // here: of a copy with springs nobody would give them back
+  if (multigrid) PetscCall(VIPrepareProducts(vi));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The levels that the solve before has kept, if any: their finest one is what is solved now. */
-static void Take_Private(Workbench *bench)
+/* The levels that the last solve has kept, if any: their finest one is what is solved now. */
+static PetscErrorCode TakeLevels_Private(Workbench *bench, Vec W)
 {
-  Hierarchy hierarchy = bench->solver->hierarchy;
-
-  bench->solver->hierarchy = NULL;
-  bench->hierarchy         = hierarchy;
-  if (!hierarchy) return;
-  hierarchy->grid[hierarchy->num - 1].vi = bench->springs.vi;
-  hierarchy->grid[hierarchy->num - 1].A  = bench->springs.vi->A;
-  hierarchy->work                        = 0;
+  PetscFunctionBeginUser;
+  bench->levels         = bench->solver->levels;
+  bench->solver->levels = NULL;
+  if (!bench->levels) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MeshLevelsSetInequality(bench->levels, bench->levels->num - 1, &bench->springs.solved, W));
+  bench->levels->hierarchy->work = 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode WorkbenchSetLevels(Workbench *bench, SNES snes)
 {
-  const Springs *springs   = &bench->springs;
-  const VI       vi        = springs->vi;
-  Hierarchy     *hierarchy = &bench->hierarchy;
+  const Springs *springs = &bench->springs;
+  const Vec      W       = springs->solvability ? springs->solvability->springs : NULL;
+  Hierarchy      hierarchy;
   PetscBool      multigrid;
 
   PetscFunctionBeginUser;
   PetscCall(PetscObjectTypeCompare((PetscObject)bench->pc, PCTRUNCATEDMG, &multigrid));
-  if (!multigrid || !vi->mesh) PetscFunctionReturn(PETSC_SUCCESS);
-  if (!*hierarchy) Take_Private(bench);
-  if (!*hierarchy)
-    PetscCall(HierarchyCreate(vi, springs->solvability ? springs->solvability->springs : NULL, hierarchy));
-  PetscCall(MultigridSetHierarchy(bench->pc, *hierarchy, (*hierarchy)->num - 1, snes));
+  if (!multigrid || !springs->solved.vi->mesh) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!bench->levels) PetscCall(TakeLevels_Private(bench, W));
+  if (!bench->levels) PetscCall(MeshLevelsCreate(&springs->solved, W, &bench->levels));
+  hierarchy = bench->levels->hierarchy;
+  PetscCall(MultigridSetHierarchy(bench->pc, hierarchy, hierarchy->num - 1, snes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -101,7 +100,7 @@ PetscErrorCode WorkbenchCreate(Solver solver, const SolveChoice *choice, PetscBo
   PetscCall(VecDuplicate(vi->b, &bench->scratch));
   Defaults_Private(vi, choice, previous, bench->defaults);
   PetscCall(DefaultsApply_Private(bench, PETSC_TRUE));
-  PetscCall(SolveConfigure(bench->springs.vi, choice, bench->scratch, &bench->norm, &bench->snes));
+  PetscCall(SolveConfigure(&bench->springs.solved, choice, bench->scratch, &bench->norm, &bench->snes));
   PetscCall(SNESGetKSP(bench->snes, &ksp));
   PetscCall(KSPGetPC(ksp, &bench->pc));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -112,12 +111,12 @@ PetscErrorCode WorkbenchDestroy(Workbench *bench, Vec y)
   PetscFunctionBeginUser;
   PetscCall(DefaultsApply_Private(bench, PETSC_FALSE));
   PetscCall(SNESDestroy(&bench->snes));
-  if (bench->hierarchy && bench->keep) {
-    PetscCall(HierarchyDestroy(&bench->solver->hierarchy));
-    bench->solver->hierarchy = bench->hierarchy;
-    bench->hierarchy         = NULL;
+  if (bench->levels && bench->keep) {
+    PetscCall(MeshLevelsDestroy(&bench->solver->levels));
+    bench->solver->levels = bench->levels;
+    bench->levels         = NULL;
   }
-  PetscCall(HierarchyDestroy(&bench->hierarchy));
+  PetscCall(MeshLevelsDestroy(&bench->levels));
   PetscCall(VecDestroy(&bench->scratch));
   PetscCall(SpringsEnd(&bench->springs, y));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -3,7 +3,6 @@
 #define MORTISE_SOLVERCONTEXT_H
 
 #include <stdbool.h>
-#include "multigrid/hierarchy.h"
 #include "solve/solverimpl.h"
 #include "solve/proximal.h"
 
@@ -23,8 +22,8 @@ typedef struct {
   PetscBool   keep;   /* whether the solver keeps the levels afterwards */
   Springs     springs;
   SNES        snes;
-  PC          pc;        /* of its KSP */
-  Hierarchy   hierarchy; /* NULL where there are no levels, or nobody works on them */
+  PC          pc;     /* of its KSP */
+  MeshLevels  levels; /* NULL where there are no levels, or nobody works on them */
   Vec         scratch;
   PetscReal   norm;
   Default     defaults[WORKBENCH_DEFAULTS];

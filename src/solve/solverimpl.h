@@ -2,13 +2,13 @@
 #ifndef MORTISE_SOLVERIMPL_H
 #define MORTISE_SOLVERIMPL_H
 
-#include "multigrid/hierarchy.h"
+#include "solve/meshlevels.h"
 #include "solve/solver.h"
 
 struct _n_Solver {
   VI          vi;          /* borrowed */
   Solvability solvability; /* borrowed; NULL where supports hold all bodies */
-  Hierarchy   hierarchy;   /* kept from the last solve for the next one, or NULL */
+  MeshLevels  levels;      /* kept from the last solve for the next one, or NULL */
 };
 
 /* How an inequality is to be solved. */
@@ -43,8 +43,9 @@ PetscErrorCode SolveChooseSecond(VI vi, const SolveReport *first, const char pre
    [out] again - whether there is something else to try */
 PetscErrorCode SolveChooseAnother(const SolveReport *report, SolveChoice *choice, PetscBool *again);
 
-/* A SNES as the choice and the options want it. Collective. [in] scratch, norm - for its function and its test; must outlive it; [out] snes */
-PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, Vec scratch, PetscReal *norm, SNES *snes);
+/* A SNES as the choice and the options want it. Collective. [in] solved, scratch, norm - for its function and its test; must outlive it; [out] snes */
+PetscErrorCode SolveConfigure(const Inequality *solved, const SolveChoice *choice, Vec scratch, PetscReal *norm,
+                              SNES *snes);
 
 /* Solves with a SNES of its own. Collective.
    [in] progress - whether to print the table; [in] guess - displacement, or NULL; [out] y - created by the caller;
@@ -52,17 +53,18 @@ PetscErrorCode SolveConfigure(VI vi, const SolveChoice *choice, Vec scratch, Pet
 PetscErrorCode SolveRun(Solver solver, const SolveChoice *choice, PetscBool progress, Vec guess, Vec y,
                         SolveReport *report);
 /* Where SolveRun() begins. Collective. [in] snes - of the choice, multigrid not yet bound to it; [in] guess - displacement, or NULL; [out] y */
-PetscErrorCode SolveStart(VI vi, Solvability solvability, const SolveChoice *choice, SNES snes, Vec guess, Vec y);
+PetscErrorCode SolveStart(const Inequality *solved, Solvability solvability, const SolveChoice *choice, SNES snes,
+                          Vec guess, Vec y);
 
-/* Prints one line per iteration on the first rank, from now to SNESDestroy(). Collective. */
-PetscErrorCode ProgressSet(SNES snes, VI vi);
+/* Prints one line per iteration on the first rank, from now to SNESDestroy(). Collective. [in] solved - borrowed until then */
+PetscErrorCode ProgressSet(SNES snes, const Inequality *solved);
 /* Whether the scene and the terminal ask for that. Collective. */
 PetscErrorCode ProgressWanted(Scene scene, PetscBool *wanted);
 
-/* Adds what a SNES did to what it did before. Collective. [in] vi, y - its problem and solution; [in,out] report */
-PetscErrorCode SolveReportAdd(SNES snes, VI vi, Vec y, SolveReport *report);
+/* Adds what a SNES did to what it did before. Collective. [in] solved, y - its problem and solution; [in,out] report */
+PetscErrorCode SolveReportAdd(SNES snes, const Inequality *solved, Vec y, SolveReport *report);
 /* What of a solution touches its bounds. Collective. [out] active - unknowns at their bound with a force on them;
    [out] residual - of all others, relative as in active.h */
-PetscErrorCode SolveMeasure(VI vi, Vec y, PetscInt *active, PetscReal *residual);
+PetscErrorCode SolveMeasure(const Inequality *solved, Vec y, PetscInt *active, PetscReal *residual);
 
 #endif

@@ -5,7 +5,7 @@
 #include "pdas/factorization.h"
 #include "solve/solverimpl.h"
 
-PetscErrorCode SolveMeasure(VI vi, Vec y, PetscInt *active, PetscReal *residual)
+PetscErrorCode SolveMeasure(const Inequality *solved, Vec y, PetscInt *active, PetscReal *residual)
 {
   ActiveSet    set;
   ActiveSolver solver;
@@ -13,12 +13,12 @@ PetscErrorCode SolveMeasure(VI vi, Vec y, PetscInt *active, PetscReal *residual)
   PetscReal   *values, *forces, reference, size;
 
   PetscFunctionBeginUser;
-  PetscCall(ActiveSetCreate(vi->upper, vi->A, &set));
-  PetscCall(ActiveSolverCreate(&set, vi->A, vi->b, 0, &solver));
+  PetscCall(ActiveSetCreate(solved->upper, solved->A, &set));
+  PetscCall(ActiveSolverCreate(&set, solved->A, solved->b, 0, &solver));
   PetscCall(PetscMalloc2(set.n, &values, set.n, &forces));
-  PetscCall(VecDuplicate(vi->b, &v));
-  PetscCall(VecDuplicate(vi->b, &r));
-  PetscCall(VecDuplicate(vi->b, &f));
+  PetscCall(VecDuplicate(solved->b, &v));
+  PetscCall(VecDuplicate(solved->b, &r));
+  PetscCall(VecDuplicate(solved->b, &f));
   PetscCall(ActiveSolverResidual(solver, set.active, y, r, f, &size));
   PetscCall(ActiveSetGather(&set, y, values));
   PetscCall(ActiveSetGather(&set, r, forces));
@@ -121,7 +121,7 @@ static PetscErrorCode DescribeLinear_Private(SNES snes, PetscBool reduced, Solve
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveReportAdd(SNES snes, VI vi, Vec y, SolveReport *report)
+PetscErrorCode SolveReportAdd(SNES snes, const Inequality *solved, Vec y, SolveReport *report)
 {
   SNESConvergedReason reason;
   SNESType            type;
@@ -141,7 +141,7 @@ PetscErrorCode SolveReportAdd(SNES snes, VI vi, Vec y, SolveReport *report)
   } else {
     PetscCall(SNESGetLinearSolveIterations(snes, &linear));
     report->linear_iterations += linear;
-    PetscCall(SolveMeasure(vi, y, &report->active, &report->linear_residual));
+    PetscCall(SolveMeasure(solved, y, &report->active, &report->linear_residual));
     if (!report->converged) PetscCall(ReasonOther_Private(snes, reason, report));
   }
   PetscCall(DescribeLinear_Private(snes, reduced, report));

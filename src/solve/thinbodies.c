@@ -7,7 +7,8 @@
 
    References: [1] Irons, A frontal solution program for finite element analysis, 1970. */
 #include "base/compat.h"
-#include "multigrid/iterationcost.h"
+#include "solve/costmodel.h"
+#include "solve/thinbodies.h"
 
 /* Places along an axis that are told from one another. */
 enum { PLACES = 4096, SOLID = 3 };
@@ -83,7 +84,7 @@ static PetscErrorCode Walk_Private(const Level *level, const PetscScalar a[], Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ThinIsCheap(VI vi, PetscBool floating, PetscInt num, PetscBool one, PetscBool *cheap)
+PetscErrorCode ThinBodiesAreCheap(VI vi, PetscBool floating, PetscInt num, PetscBool one, PetscBool *cheap)
 {
   const PetscReal    bounded = (PetscReal)num;
   const PetscScalar *a;
@@ -91,7 +92,7 @@ PetscErrorCode ThinIsCheap(VI vi, PetscBool floating, PetscInt num, PetscBool on
   Vec                ends;
 
   PetscFunctionBeginUser;
-  PetscCall(PatienceUnit(vi, &unit));
+  PetscCall(CostModelUnit(vi, &unit));
   PetscCall(Ends_Private(vi->level, &ends));
   PetscCall(VecGetArrayRead(ends, &a));
   for (PetscInt axis = 0; axis < vi->level->dim; axis++) {
@@ -99,7 +100,7 @@ PetscErrorCode ThinIsCheap(VI vi, PetscBool floating, PetscInt num, PetscBool on
 
     PetscCall(Walk_Private(vi->level, a, axis, &operations, &front));
     /* unknowns with bounds that are left to the end meet half of all eliminations, a quarter of each half, and so on */
-    if (one) operations += 2 * front * PetscSqr(bounded) + SETS * PatienceSet(num);
+    if (one) operations += 2 * front * PetscSqr(bounded) + SETS * CostModelPerSet(num);
     if (!one) operations *= SETS;
     least = PetscMin(least, operations);
   }

@@ -1,8 +1,8 @@
 /* test_bundles.c -- connected components of graphs that ranks cut; lines and planes of nodes in a box of long cells. */
 #include "base/compat.h"
-#include "problem/vi.h"
 #include "multigrid/blocksmoother.h"
 #include "multigrid/graphcomponents.h"
+#include "solve/meshlevels.h"
 #include "mesh_scene.h"
 #include "solid_scene.h"
 
@@ -74,14 +74,16 @@ static void TestBox(PetscBool simplex, const PetscReal size[3], const PetscBool 
   Mesh            mesh;
   VI              vi;
   Halo            halo;
+  Operator        op;
 
   SolidSceneInit(&t);
   SolidSceneAddBox(&t, "box", faces, zero, upper)->simplex = simplex;
   TestSceneAddBoundary(&t.bodies[0], BOUNDARY_DISPLACEMENT, "bottom", "0, 0, 0");
   mesh = TestSceneMesh(&t);
   CHECK(!VICreate(&t.scene, mesh, &vi));
+  CHECK(!MeshLevelsCreateOperator(&(Inequality){.vi = vi, .A = vi->A, .b = vi->b, .upper = vi->upper}, NULL, &op));
   CHECK(!HaloCreate(vi->K, 3, &halo));
-  CHECK(!BundlesFind(vi, &halo, PETSC_FALSE, label, &found));
+  CHECK(!BundlesFind(&op, &halo, PETSC_FALSE, label, &found));
   CHECK(found == (PetscBool)(axes[0] || axes[1] || axes[2]));
   /* a bundle is what agrees in all positions but those along its axes */
   for (PetscInt i = 0; found && i < halo.n; ++i) {
@@ -99,6 +101,7 @@ static void TestBox(PetscBool simplex, const PetscReal size[3], const PetscBool 
     for (PetscInt other = 0; other < MAX_NODES; ++other) CHECK(other == at || first[other] != label[i]);
   }
   CHECK(!HaloDestroy(&halo));
+  CHECK(!OperatorDestroy(&op));
   CHECK(!VIDestroy(&vi));
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);

@@ -2,9 +2,9 @@
    apart, the matrix as a
    shell, the coarser levels' own matrices, and what held unknowns make of them, at once or one change after the other. */
 #include "base/compat.h"
-#include "problem/vi.h"
 #include "multigrid/bodysmoother.h"
 #include "multigrid/mglevel.h"
+#include "solve/meshlevels.h"
 #include "mesh_scene.h"
 #include "solid_scene.h"
 #include "uniform.h"
@@ -193,8 +193,10 @@ static void Empty(VI vi, Vec x)
 }
 
 /* P^' A_f P^ x = A_c x on levels of meshes that are nested. */
-static void TestNested(Hierarchy h)
+static void TestNested(MeshLevels levels)
 {
+  const Hierarchy h = levels->hierarchy;
+
   for (PetscInt l = 1; l < h->num; ++l) {
     Vec x, Px, APx, image, product;
 
@@ -203,11 +205,11 @@ static void TestNested(Hierarchy h)
     CHECK(!VecDuplicate(x, &product));
     CHECK(!VecDuplicate(Px, &APx));
     Fill(x);
-    Empty(h->grid[l - 1].vi, x);
+    Empty(levels->vi[l - 1], x);
     CHECK(!MatMult(h->grid[l].P, x, Px));
-    CHECK(!MatMult(h->grid[l].A, Px, APx));
+    CHECK(!MatMult(h->grid[l].op.A, Px, APx));
     CHECK(!MatMultTranspose(h->grid[l].P, APx, product));
-    CHECK(!MatMult(h->grid[l - 1].A, x, image));
+    CHECK(!MatMult(h->grid[l - 1].op.A, x, image));
     CHECK_NEAR(Difference(image, product), 0, ROUNDING);
     CHECK(!VecDestroy(&x));
     CHECK(!VecDestroy(&Px));
@@ -238,8 +240,11 @@ static void TestApart(VI vi)
   static const PetscReal shares[] = {0, 0.5, 1};
   Vec                    x, u, r, back, diag, free;
   Mat                    inverse;
+  Operator               op;
 
-  CHECK(!ApartCreate(vi, &inverse));
+  CHECK(!MeshLevelsCreateOperator(&(Inequality){.vi = vi, .A = vi->A, .b = vi->b, .upper = vi->upper}, NULL, &op));
+  CHECK(!ApartCreate(&op, &inverse));
+  CHECK(!OperatorDestroy(&op));
   CHECK(!MatCreateVecs(vi->K, &x, &u));
   CHECK(!VecDuplicate(x, &r));
   CHECK(!VecDuplicate(x, &back));
@@ -280,15 +285,16 @@ static void TestApart(VI vi)
 }
 
 /* A^ of every level by products of matrices, A_(l-1) + P'(M A^_l M - A_l)P; products with them against those of the rungs. */
-static void CompareRungs(Hierarchy h, Rung rungs[])
+static void CompareRungs(MeshLevels levels, Rung rungs[])
 {
-  Mat own, finer = NULL; // A of this level with what finer ones make of it
+  const Hierarchy h = levels->hierarchy;
+  Mat             own, finer = NULL; // A of this level with what finer ones make of it
 
   for (PetscInt l = h->num - 1; l >= 0; --l) {
     Vec x, image, expected;
 
-    CHECK(!VIAssemble(h->grid[l].vi));
-    CHECK(!MatDuplicate(h->grid[l].vi->A, MAT_COPY_VALUES, &own));
+    CHECK(!VIAssemble(levels->vi[l]));
+    CHECK(!MatDuplicate(levels->vi[l]->A, MAT_COPY_VALUES, &own));
     if (finer) {
       Mat restricted;
 
@@ -301,14 +307,14 @@ static void CompareRungs(Hierarchy h, Rung rungs[])
     CHECK(!VecDuplicate(x, &image));
     CHECK(!VecDuplicate(x, &expected));
     Fill(x);
-    Empty(h->grid[l].vi, x);
+    Empty(levels->vi[l], x);
     CHECK(!VecPointwiseMult(x, x, rungs[l].free));
     CHECK(!MatMult(own, x, expected));
     CHECK(!VecPointwiseMult(expected, expected, rungs[l].free));
     CHECK(!MatMult(rungs[l].A, x, image));
     CHECK_NEAR(Difference(image, expected), 0, ROUNDING);
     CHECK(!MatDiagonalScale(own, rungs[l].free, rungs[l].free));
-    CHECK(!MatAXPY(own, -1, h->grid[l].vi->A, DIFFERENT_NONZERO_PATTERN));
+    CHECK(!MatAXPY(own, -1, levels->vi[l]->A, DIFFERENT_NONZERO_PATTERN));
     finer = own;
     CHECK(!VecDestroy(&x));
     CHECK(!VecDestroy(&image));
@@ -318,8 +324,10 @@ static void CompareRungs(Hierarchy h, Rung rungs[])
 }
 
 /* Held sets one after the other: none, some, all, others, few, none again. */
-static void TestRungs(VI vi, Hierarchy h)
+static void TestRungs(MeshLevels levels)
 {
+  const Hierarchy        h        = levels->hierarchy;
+  const VI               vi       = levels->vi[levels->num - 1];
   static const PetscReal shares[] = {0, 0.3, 1, 0.7, 0.1, 0};
   Rung                  *rungs;
   Vec                    free;
@@ -331,31 +339,39 @@ static void TestRungs(VI vi, Hierarchy h)
     Choose(vi, shares[i], free);
     CHECK(!RungsHold(h->num, rungs, free));
     CHECK(!RungAssemble(&rungs[0]));
-    CompareRungs(h, rungs);
+    CompareRungs(levels, rungs);
   }
   for (PetscInt l = 0; l < h->num; ++l) CHECK(!RungDestroy(&rungs[l]));
   CHECK(!PetscFree(rungs));
   CHECK(!VecDestroy(&free));
 }
 
+static MeshLevels CreateLevels(VI vi)
+{
+  MeshLevels levels;
+
+  CHECK(!MeshLevelsCreate(&(Inequality){.vi = vi, .A = vi->A, .b = vi->b, .upper = vi->upper}, NULL, &levels));
+  return levels;
+}
+
 int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   for (PetscInt which = 0; which < CASE_COUNT; ++which) {
-    TestScene t;
-    Mesh      mesh;
-    Hierarchy h;
-    VI        vi = CreateVI(&t, (Case)which, which == CASE_QUADS || which == CASE_OBLIQUE ? 2 : 1, &mesh);
+    TestScene  t;
+    Mesh       mesh;
+    MeshLevels levels;
+    VI         vi = CreateVI(&t, (Case)which, which == CASE_QUADS || which == CASE_OBLIQUE ? 2 : 1, &mesh);
 
     TestInverse(vi);
     TestApart(vi);
-    CHECK(!HierarchyCreate(vi, NULL, &h));
-    if (which != CASE_TIED) TestNested(h);
-    CHECK(!HierarchyDestroy(&h));
+    levels = CreateLevels(vi);
+    if (which != CASE_TIED) TestNested(levels);
+    CHECK(!MeshLevelsDestroy(&levels));
     TestShell(vi);
-    CHECK(!HierarchyCreate(vi, NULL, &h));
-    TestRungs(vi, h);
-    CHECK(!HierarchyDestroy(&h));
+    levels = CreateLevels(vi);
+    TestRungs(levels);
+    CHECK(!MeshLevelsDestroy(&levels));
     DestroyVI(&t, &mesh, &vi);
   }
   PetscCall(PetscFinalize());

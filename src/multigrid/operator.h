@@ -1,0 +1,38 @@
+/* operator.h -- one level's inequality as multigrid sees it: matrices, masks and node positions, nothing of where they come from. */
+#ifndef MORTISE_OPERATOR_H
+#define MORTISE_OPERATOR_H
+
+#include <petscmat.h>
+
+/* min 1/2 y'A y - b'y, y <= upper, with A = M (T'K T / stiffness + W) M + 1 - M, M = 0 for fixed unknowns, 1 for free ones.
+   Objects are referenced; NULL where the comment says so. */
+typedef struct {
+  Mat       A;        /* SPD, a matrix or a shell */
+  Vec       b, upper; /* NULL on a level made of nodes */
+  Vec       W;        /* regularization: a diagonal, 0 where fixed; or NULL */
+  Mat       K;        /* AIJ, in blocks of dim: stiffness in displacements u = T y */
+  Vec       diagonal; /* of K */
+  PetscReal stiffness;
+  Mat       S;                            /* products with K / stiffness; NULL on a level that is factored */
+  Mat       T;                            /* NULL for the identity */
+  Mat       inverse;                      /* of T; NULL with T, and after HierarchyCreate() */
+  Mat       Z;                            /* (T'K T - K) / stiffness, few entries; NULL with T */
+  PetscInt  num_fixed, *fixed;            /* fixed unknowns, counted from this rank's first; owned [num_fixed] */
+  PetscInt num_constrained, *constrained; /* unknowns that are combinations of displacements; owned [num_constrained] */
+  PetscInt dim;                           /* unknowns of a node, and coordinates */
+  const PetscReal *coords; /* of this rank's nodes, then others'; borrowed [num][dim]; NULL on a level made of nodes */
+} Operator;
+
+/* Not collective. [in] A - AIJ, SPD: the matrix of a level made of nodes; referenced; [in] fixed - taken over [num_fixed];
+   [out] op - to be released by OperatorDestroy() */
+PetscErrorCode OperatorCreateOfMatrix(Mat A, PetscInt num_fixed, PetscInt fixed[], Operator *op);
+PetscErrorCode OperatorDestroy(Operator *op);
+/* What is solved from now on. Not collective. [in] A, b, upper, W - referenced; W or NULL */
+PetscErrorCode OperatorSetInequality(Operator *op, Mat A, Vec b, Vec upper, Vec W);
+/* M. Collective. [out] free - 1 for free unknowns, 0 for fixed ones; owned by the caller */
+PetscErrorCode OperatorCreateFree(const Operator *op, Vec *free);
+/* Marks fixed unknowns that are displacements: the row of T has no other entry. Not collective.
+   [in,out] marked - true there, untouched elsewhere [unknowns of this rank] */
+PetscErrorCode OperatorMarkFixedDisplacements(const Operator *op, PetscBool marked[]);
+
+#endif

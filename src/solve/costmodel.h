@@ -1,0 +1,30 @@
+/* costmodel.h -- when an iteration gives way to a factorization; internal (eq. 14.5). */
+#ifndef MORTISE_COSTMODEL_H
+#define MORTISE_COSTMODEL_H
+
+#include "multigrid/hierarchy.h"
+#include "problem/vi.h"
+
+/* All costs are in products with the finest matrix, as Hierarchy counts its work: the same on all ranks, and on any machine. */
+typedef struct {
+  VI        vi;        /* of the finest level, borrowed */
+  Hierarchy hierarchy; /* borrowed */
+  PetscBool on;        /* whether the iteration may give way at all */
+  PetscBool over;      /* whether it has to */
+  PetscBool found; /* whether the inequality has been solved once with a proximal term: then the contacts are found */
+  PetscBool asked; /* whether the next two are known */
+  PetscReal once, set; /* what a factorization takes once, and for each set */
+} CostModel;
+
+/* Makes hierarchy ask this cost model, which is to stay where it is, whether it is over: it predicts a factorization as soon as the iteration has
+   cost so much that the prediction is worth it, and compares from then on. Not collective. */
+PetscErrorCode CostModelSet(CostModel *model, VI vi, Hierarchy hierarchy);
+/* What a factorization takes for as many sets as there have been; 0 without a prediction. Not collective. */
+PetscReal CostModelPredicted(const CostModel *model);
+
+/* Products with the matrix in the time of so many operations of a factorization. Collective. */
+PetscErrorCode CostModelUnit(VI vi, PetscReal *operations);
+/* Operations for each set where one factorization serves num unknowns with bounds. Not collective. */
+PetscReal CostModelPerSet(PetscInt num);
+
+#endif

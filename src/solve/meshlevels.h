@@ -1,0 +1,40 @@
+/* meshlevels.h -- the inequalities of coarser meshes, and multigrid on them; internal (eq. 13.3). */
+#ifndef MORTISE_MESHLEVELS_H
+#define MORTISE_MESHLEVELS_H
+
+#include "multigrid/hierarchy.h"
+#include "problem/vi.h"
+#include "solve/costmodel.h"
+
+/* What is solved: the inequality of vi, or the same with a proximal term. All borrowed. */
+typedef struct {
+  VI  vi;
+  Mat A;
+  Vec b, upper;
+} Inequality;
+
+typedef struct _n_MeshLevels {
+  PetscInt num; /* levels of the mesh */
+  VI      *vi;  /* coarse first; the finest one borrowed [num] */
+  Vec *
+      lift; /* what fixed unknowns of the next coarser level give to free ones of this one; NULL where that is 0 [num] */
+  Hierarchy hierarchy; /* its level hierarchy->first is that of vi[0] */
+  CostModel cost;
+  PetscReal
+      change; /* |u_2h - u_4h|_K^2, of the finest two levels below the finest, in the user's units; 0 where it is not known */
+} * MeshLevels;
+
+/* Whether levels' matrices are nearly those of prolongation: not where volumes change by whole cells (eq. 9.1). Collective. */
+PetscErrorCode MeshLevelsAreNested(VI vi, PetscBool *nested);
+/* All levels of the mesh, and where the coarsest has many unknowns, or is the only one, levels of nodes below it. Collective.
+   [in] finest - with VIPrepareProducts(); [in] W - what A has on its diagonal beside that of vi, or NULL; [out] levels - owned by the caller */
+PetscErrorCode MeshLevelsCreate(const Inequality *finest, Vec W, MeshLevels *levels);
+/* Whether there are any or not. Collective. */
+PetscErrorCode MeshLevelsDestroy(MeshLevels *levels);
+/* What is solved on a level of the mesh from now on. Not collective. [in] l - of the mesh; [in] W - as of MeshLevelsCreate() */
+PetscErrorCode MeshLevelsSetInequality(MeshLevels levels, PetscInt l, const Inequality *inequality, Vec W);
+
+/* The matrices and masks of an inequality, with T^-1. Collective. [out] op - to be released by OperatorDestroy() */
+PetscErrorCode MeshLevelsCreateOperator(const Inequality *inequality, Vec W, Operator *op);
+
+#endif
