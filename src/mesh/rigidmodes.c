@@ -13,11 +13,11 @@ static const PetscReal RANK_TOLERANCE = 1e-12;
 /* Centre and half size of every component. [out] frames - [components->num][4] */
 static void Frames_Private(const Components *components, PetscReal frames[])
 {
-  for (PetscInt i = 0; i < components->num; ++i) {
+  for (PetscInt i = 0; i < components->num; i++) {
     const PetscReal *box    = &components->box[i * COMPONENT_BOX];
     PetscReal        square = 0.0;
 
-    for (PetscInt k = 0; k < 3; ++k) {
+    for (PetscInt k = 0; k < 3; k++) {
       frames[4 * i + k] = 0.5 * (box[k] - box[3 + k]);
       square += PetscSqr(0.5 * (box[k] + box[3 + k]));
     }
@@ -34,7 +34,7 @@ static PetscInt Components_Private(ModelKind model, PetscInt components[])
     components[0] = 1;
     return 1;
   }
-  for (PetscInt k = 0; k < RIGID_COMPONENTS; ++k) components[k] = model == MODEL_SOLID ? k : plane[k % 3];
+  for (PetscInt k = 0; k < RIGID_COMPONENTS; k++) components[k] = model == MODEL_SOLID ? k : plane[k % 3];
   return model == MODEL_SOLID ? RIGID_COMPONENTS : 3;
 }
 
@@ -44,11 +44,11 @@ static void Row_Private(PetscInt dim, const PetscReal frame[], const PetscReal x
 {
   PetscReal a[3] = {0, 0, 0}, D[3] = {0, 0, 0};
 
-  for (PetscInt k = 0; k < dim; ++k) {
+  for (PetscInt k = 0; k < dim; k++) {
     a[k] = (x[k] - frame[k]) / frame[3];
     D[k] = d[k];
   }
-  for (PetscInt k = 0; k < 3; ++k) {
+  for (PetscInt k = 0; k < 3; k++) {
     row[k]     = D[k];
     row[3 + k] = a[(k + 1) % 3] * D[(k + 2) % 3] - a[(k + 2) % 3] * D[(k + 1) % 3];
   }
@@ -59,8 +59,8 @@ void RigidModesAt(PetscInt dim, const PetscReal frame[], const PetscReal mode[],
   const PetscReal *r    = &mode[3];
   PetscReal        a[3] = {0, 0, 0};
 
-  for (PetscInt k = 0; k < dim; ++k) a[k] = (x[k] - frame[k]) / frame[3];
-  for (PetscInt k = 0; k < dim; ++k) {
+  for (PetscInt k = 0; k < dim; k++) a[k] = (x[k] - frame[k]) / frame[3];
+  for (PetscInt k = 0; k < dim; k++) {
     const PetscInt i = (k + 1) % 3, j = (k + 2) % 3;
 
     u[k] = mode[k] + r[i] * a[j] - r[j] * a[i];
@@ -74,10 +74,10 @@ static void AddMotions_Private(PetscInt component, PetscInt n, const PetscInt co
   PetscReal values[RIGID_COMPONENTS], V[RIGID_COMPONENTS * RIGID_COMPONENTS], largest = 0;
 
   DenseEigen(n, gram, values, V);
-  for (PetscInt i = 0; i < n; ++i) largest = PetscMax(largest, values[i]);
-  for (PetscInt i = 0; i < n; ++i) {
+  for (PetscInt i = 0; i < n; i++) largest = PetscMax(largest, values[i]);
+  for (PetscInt i = 0; i < n; i++) {
     if (values[i] > RANK_TOLERANCE * largest) continue;
-    for (PetscInt k = 0; k < n; ++k) modes->mode[modes->num * RIGID_COMPONENTS + components[k]] = V[k * n + i];
+    for (PetscInt k = 0; k < n; k++) modes->mode[modes->num * RIGID_COMPONENTS + components[k]] = V[k * n + i];
     modes->component[modes->num++]                     = component;
     modes->loose[component]                            = PETSC_TRUE;
     modes->floating[modes->components.body[component]] = PETSC_TRUE;
@@ -101,18 +101,18 @@ PetscErrorCode RigidModesCreate(Level *level, const Support *support, PetscInt n
                          &modes->component, n * num * RIGID_COMPONENTS, &modes->mode));
   PetscCall(PetscCalloc1(block * num, &gram));
   Frames_Private(&modes->components, modes->frames);
-  for (PetscInt a = 0; a < level->num_owned; ++a) {
+  for (PetscInt a = 0; a < level->num_owned; a++) {
     const PetscInt i = modes->components.of_node[a];
 
-    for (PetscInt j = 0; j < support->count[a]; ++j) {
+    for (PetscInt j = 0; j < support->count[a]; j++) {
       PetscReal row[RIGID_COMPONENTS];
 
       Row_Private(dim, &modes->frames[4 * i], &level->coords[a * dim], &support->directions[(a * dim + j) * dim], row);
-      for (PetscInt k = 0; k < block; ++k) gram[i * block + k] += row[components[k / n]] * row[components[k % n]];
+      for (PetscInt k = 0; k < block; k++) gram[i * block + k] += row[components[k / n]] * row[components[k % n]];
     }
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, gram, (PetscMPIInt)(block * num), MPIU_REAL, MPI_SUM, level->comm));
-  for (PetscInt i = 0; i < num; ++i) AddMotions_Private(i, n, components, &gram[i * block], modes);
+  for (PetscInt i = 0; i < num; i++) AddMotions_Private(i, n, components, &gram[i * block], modes);
   PetscCall(PetscFree(gram));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

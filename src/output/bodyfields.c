@@ -11,15 +11,15 @@ static PetscErrorCode TellContact_Private(FieldWriter *writer, Fields fields)
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc3(n, &merged[0], n, &merged[1], n, &merged[2]));
-  for (PetscInt a = 0; a < n; ++a) {
+  for (PetscInt a = 0; a < n; a++) {
     merged[1][a] = NAN;
     merged[2][a] = STATUS_NONE;
   }
-  for (PetscInt p = 0; p < fields->vi->num_pairs; ++p) {
+  for (PetscInt p = 0; p < fields->vi->num_pairs; p++) {
     PairFields nodal;
 
     PetscCall(PairFieldsCreate(fields, p, &nodal));
-    for (PetscInt a = 0; a < n; ++a) {
+    for (PetscInt a = 0; a < n; a++) {
       merged[0][a] += nodal.pressure[a];
       merged[1][a] = fmin(merged[1][a], nodal.gap[a]); /* the number where only one is */
       merged[2][a] = PetscMax(merged[2][a], (PetscReal)nodal.status[a]);
@@ -39,7 +39,7 @@ static void Tensor_Private(const PetscReal stress[6], PetscReal tensor[9])
 {
   static const PetscInt voigt[9] = {0, 5, 4, 5, 1, 3, 4, 3, 2}; /* xx,yy,zz,yz,xz,xy to rows of the tensor */
 
-  for (PetscInt k = 0; k < 9; ++k) tensor[k] = stress[voigt[k]];
+  for (PetscInt k = 0; k < 9; k++) tensor[k] = stress[voigt[k]];
 }
 
 static void VonMises_Private(const PetscReal stress[6], PetscReal mises[1])
@@ -61,12 +61,12 @@ static PetscErrorCode TellStress_Private(FieldWriter *writer, Fields fields)
 
   PetscFunctionBeginUser;
   PetscCall(VecGetArrayRead(fields->stress, &stress));
-  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(told); ++i) {
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(told); i++) {
     const PetscInt size = told[i].quantity.components;
     PetscReal     *values;
 
     PetscCall(PetscMalloc1(n * size, &values));
-    for (PetscInt a = 0; a < n; ++a) told[i].of(&stress[a * 6], &values[a * size]);
+    for (PetscInt a = 0; a < n; a++) told[i].of(&stress[a * 6], &values[a * size]);
     PetscCall(FieldWriterPoints(writer, told[i].quantity, size, values));
     PetscCall(PetscFree(values));
   }
@@ -83,8 +83,8 @@ static PetscErrorCode TellMesh_Private(FieldWriter *writer, VI vi, PetscReal **t
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc2(size, &nodes, level->num_cells, &piece));
-  for (PetscInt i = 0; i < size; ++i) nodes[i] = level->node_global[level->cell_nodes[i]];
-  for (PetscInt c = 0; c < level->num_cells; ++c)
+  for (PetscInt i = 0; i < size; i++) nodes[i] = level->node_global[level->cell_nodes[i]];
+  for (PetscInt c = 0; c < level->num_cells; c++)
     piece[c] = vi->rigid_modes.components.of_node[level->cell_nodes[level->cell_start[c]]];
   PetscCall(FieldWriterMesh(writer,
                             &(FieldMesh){.dim        = level->dim,
@@ -108,7 +108,7 @@ static PetscErrorCode TellCells_Private(FieldWriter *writer, VI vi, const PetscR
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(num, &body));
-  for (PetscInt c = 0; c < num; ++c) body[c] = (PetscReal)pieces->body[(PetscInt)tags[c]];
+  for (PetscInt c = 0; c < num; c++) body[c] = (PetscReal)pieces->body[(PetscInt)tags[c]];
   PetscCall(FieldWriterCells(writer, (Quantity){"body", 1, PETSC_TRUE}, body));
   PetscCall(PetscFree(body));
   if (pieces->num > vi->rigid_modes.num_bodies)
@@ -141,8 +141,8 @@ PetscErrorCode BodyFieldsWriteMotion(FieldWriter *writer, VI vi, const SceneMoti
   PetscFunctionBeginUser;
   PetscCall(TellMesh_Private(writer, vi, &tags));
   PetscCall(PetscCalloc1(level->num_owned * level->dim, &u));
-  for (PetscInt i = 0; i < motion->num; ++i) {
-    for (PetscInt a = 0; a < level->num_owned; ++a)
+  for (PetscInt i = 0; i < motion->num; i++) {
+    for (PetscInt a = 0; a < level->num_owned; a++)
       if (vi->rigid_modes.components.of_node[a] == motion->bodies[i].piece)
         BodyMotionAt(&motion->bodies[i], level->dim, &level->coords[a * level->dim], &u[a * level->dim]);
   }

@@ -47,7 +47,7 @@ static int ComparePlace_Private(const void *a, const void *b)
 {
   const SideNode *p = (const SideNode *)a, *q = (const SideNode *)b;
 
-  for (PetscInt k = 0; k < 3; ++k) {
+  for (PetscInt k = 0; k < 3; k++) {
     if (p->x[k] != q->x[k]) return (p->x[k] > q->x[k]) - (p->x[k] < q->x[k]);
   }
   return 0;
@@ -72,18 +72,18 @@ static PetscErrorCode GatherNodes_Private(Fields fields, PetscInt p, const Facet
   PetscCall(SideNodesCreate(level, facets, &n, &mine));
   PetscCall(PairFieldsCreate(fields, p, &nodal));
   PetscCall(PetscMalloc2(n, &ids, n * SIDE_REALS, &reals));
-  for (PetscInt i = 0; i < n; ++i) {
+  for (PetscInt i = 0; i < n; i++) {
     const PetscInt a   = mine[i];
     PetscReal     *row = &reals[i * SIDE_REALS];
 
-    for (PetscInt k = 0; k < 3; ++k) row[k] = k < dim ? level->coords[a * dim + k] : 0.0;
+    for (PetscInt k = 0; k < 3; k++) row[k] = k < dim ? level->coords[a * dim + k] : 0.0;
     row[3] = nodal.pressure[a], row[4] = nodal.gap[a], row[5] = nodal.status[a], row[6] = nodal.force[a];
     ids[i] = level->node_global[a];
   }
   PetscCall(GatherArraysInt(level->comm, n, ids, num, &all_ids));
   PetscCall(GatherArraysReal(level->comm, n * SIDE_REALS, reals, NULL, &all_reals));
   PetscCall(PetscMalloc1(*num, nodes));
-  for (PetscInt i = 0; i < *num; ++i) {
+  for (PetscInt i = 0; i < *num; i++) {
     const PetscReal *row = &all_reals[i * SIDE_REALS];
 
     (*nodes)[i] = (SideNode){all_ids[i], {row[0], row[1], row[2]}, row[3], row[4], row[5], row[6], 0.0};
@@ -108,7 +108,7 @@ static PetscReal Length_Private(ElementType type, const PetscReal X[], PetscReal
   PetscReal xi[LENGTH_POINTS], w[LENGTH_POINTS], phi[ELEMENT_MAX_FACET_NODES], length = 0.0;
 
   QuadratureLine(LENGTH_POINTS, xi, w);
-  for (PetscInt q = 0; q < LENGTH_POINTS; ++q) {
+  for (PetscInt q = 0; q < LENGTH_POINTS; q++) {
     const PetscReal at = from + (to - from) * xi[q];
 
     length += w[q] * (to - from) * ElementSurface(type, X, &at, NULL, phi, NULL);
@@ -126,13 +126,13 @@ static PetscErrorCode LinksCreate_Private(const Level *level, const Facets *face
   PetscFunctionBeginUser;
   PetscCall(
       PetscMalloc2(2 * ELEMENT_MAX_FACET_NODES * facets->num, &ends, ELEMENT_MAX_FACET_NODES * facets->num, &lengths));
-  for (PetscInt f = 0; f < facets->num; ++f) {
+  for (PetscInt f = 0; f < facets->num; f++) {
     const ElementType type = facets->type[f];
     const PetscInt   *node = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], nn = ElementNumNodes(type);
     PetscReal         X[2 * ELEMENT_MAX_FACET_NODES];
 
-    for (PetscInt i = 0; i < nn; ++i) PetscCall(PetscArraycpy(&X[2 * i], &level->coords[2 * node[i]], 2));
-    for (PetscInt k = 0; k + 1 < nn; ++k) {
+    for (PetscInt i = 0; i < nn; i++) PetscCall(PetscArraycpy(&X[2 * i], &level->coords[2 * node[i]], 2));
+    for (PetscInt k = 0; k + 1 < nn; k++) {
       const PetscInt a = NodeAlong_Private(nn, k), b = NodeAlong_Private(nn, k + 1);
 
       ends[2 * n]     = level->node_global[node[a]];
@@ -143,7 +143,7 @@ static PetscErrorCode LinksCreate_Private(const Level *level, const Facets *face
   PetscCall(GatherArraysInt(level->comm, 2 * n, ends, NULL, &links->ends));
   PetscCall(GatherArraysReal(level->comm, n, lengths, &links->num, &links->length));
   PetscCall(PetscFree2(ends, lengths));
-  for (PetscInt i = 0; i < 2 * links->num; ++i) {
+  for (PetscInt i = 0; i < 2 * links->num; i++) {
     const SideNode  key   = {.node = links->ends[i]};
     const SideNode *found = (const SideNode *)bsearch(&key, nodes, num_nodes, sizeof(key), CompareNode_Private);
 
@@ -194,13 +194,13 @@ static void AddPiece_Private(PetscInt start, PetscBool open, PetscInt next[], co
   PetscInt *const rows = &order[piece->begin], n = Walk_Private(start, next, rows);
   const PetscBool turn = (PetscBool)(open && ComparePlace_Private(&nodes[rows[n - 1]], &nodes[rows[0]]) < 0);
 
-  for (PetscInt a = 0, b = n - 1; turn && a < b; ++a, --b) {
+  for (PetscInt a = 0, b = n - 1; turn && a < b; a++, b--) {
     const PetscInt swap = rows[a];
 
     rows[a] = rows[b];
     rows[b] = swap;
   }
-  for (PetscInt r = 1; r < n; ++r) nodes[rows[r]].arc = nodes[rows[r - 1]].arc + step[rows[turn ? r : r - 1]];
+  for (PetscInt r = 1; r < n; r++) nodes[rows[r]].arc = nodes[rows[r - 1]].arc + step[rows[turn ? r : r - 1]];
   piece->end   = piece->begin + n;
   piece->first = &nodes[rows[0]];
 }
@@ -215,8 +215,8 @@ static PetscErrorCode OrderChains_Private(PetscInt num_nodes, SideNode nodes[], 
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc3(num_nodes, &next, num_nodes, &entered, num_nodes, &step));
-  for (PetscInt i = 0; i < num_nodes; ++i) next[i] = entered[i] = -1;
-  for (PetscInt l = 0; l < links->num; ++l) {
+  for (PetscInt i = 0; i < num_nodes; i++) next[i] = entered[i] = -1;
+  for (PetscInt l = 0; l < links->num; l++) {
     const PetscInt a = links->ends[2 * l], b = links->ends[2 * l + 1];
 
     if (next[a] >= 0 || entered[b] >= 0) continue; /* a side that touches itself: the chain is cut there */
@@ -224,12 +224,12 @@ static PetscErrorCode OrderChains_Private(PetscInt num_nodes, SideNode nodes[], 
     entered[b] = a;
     step[a]    = links->length[l];
   }
-  for (PetscInt i = 0; i < num_nodes; ++i) {
+  for (PetscInt i = 0; i < num_nodes; i++) {
     if (entered[i] >= 0) continue;
     pieces[n].begin = n ? pieces[n - 1].end : 0;
     AddPiece_Private(i, PETSC_TRUE, next, step, nodes, order, &pieces[n++]);
   }
-  for (PetscInt i = 0; i < num_nodes; ++i) { /* what is left are circles */
+  for (PetscInt i = 0; i < num_nodes; i++) { /* what is left are circles */
     if (next[i] < 0) continue;
     pieces[n].begin = n ? pieces[n - 1].end : 0;
     AddPiece_Private(FirstOfCircle_Private(i, next, nodes), PETSC_FALSE, next, step, nodes, order, &pieces[n++]);
@@ -242,7 +242,7 @@ static PetscErrorCode OrderChains_Private(PetscInt num_nodes, SideNode nodes[], 
 
 static void WriteRow_Private(FILE *out, PetscInt dim, const SideNode *node)
 {
-  for (PetscInt k = 0; k < dim; ++k) fprintf(out, "%.17g,", (double)node->x[k]);
+  for (PetscInt k = 0; k < dim; k++) fprintf(out, "%.17g,", (double)node->x[k]);
   fprintf(out, "%.17g,", (double)node->pressure);
   if (PetscIsNanReal(node->gap)) {
     fprintf(out, "nan,"); /* without the sign that printf may show */
@@ -257,8 +257,8 @@ static void WritePieces_Private(FILE *out, const SideNode nodes[], const PetscIn
                                 const SidePiece pieces[])
 {
   fprintf(out, "x,y,pressure,gap,status,force,arc_length\n");
-  for (PetscInt i = 0; i < num_pieces; ++i) {
-    for (PetscInt r = pieces[i].begin; r < pieces[i].end; ++r) {
+  for (PetscInt i = 0; i < num_pieces; i++) {
+    for (PetscInt r = pieces[i].begin; r < pieces[i].end; r++) {
       WriteRow_Private(out, 2, &nodes[order[r]]);
       fprintf(out, ",%.17g\n", (double)nodes[order[r]].arc);
     }
@@ -291,7 +291,7 @@ PetscErrorCode CSVWritePair(Fields fields, PetscInt p, FileSet *files, const cha
   } else if (out) { /* a surface has no natural order but that of its places */
     fprintf(out, "x,y,z,pressure,gap,status,force\n");
     qsort(nodes, num_nodes, sizeof(*nodes), ComparePlace_Private);
-    for (PetscInt i = 0; i < num_nodes; ++i) {
+    for (PetscInt i = 0; i < num_nodes; i++) {
       WriteRow_Private(out, 3, &nodes[i]);
       fprintf(out, "\n");
     }

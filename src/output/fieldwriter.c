@@ -37,10 +37,10 @@ static PetscErrorCode GatherPoints_Private(const FieldWriter *writer, PetscInt f
   PetscCallMPI(MPI_Comm_size(writer->comm, &ranks));
   if (writer->nodes || from != to) {
     PetscCall(PetscCalloc1(writer->num_mine * to, &padded));
-    for (PetscInt i = 0; i < writer->num_mine; ++i) {
+    for (PetscInt i = 0; i < writer->num_mine; i++) {
       const PetscInt node = writer->nodes ? writer->nodes[i] : i;
 
-      for (PetscInt k = 0; k < PetscMin(from, to); ++k) padded[i * to + k] = mine[node * from + k];
+      for (PetscInt k = 0; k < PetscMin(from, to); k++) padded[i * to + k] = mine[node * from + k];
     }
     mine = padded;
   }
@@ -81,7 +81,7 @@ static void ViewerOrder_Private(ElementType type, const PetscInt nodes[], PetscI
   static const PetscInt facet[6] = {5, 3, 2, 4, 0, 1};
   const PetscInt        size = ElementNumNodes(type), first = type == ELEMENT_HEX27 ? size - 7 : size;
 
-  for (PetscInt i = 0; i < size; ++i) ordered[i] = nodes[i >= first && i < size - 1 ? first + facet[i - first] : i];
+  for (PetscInt i = 0; i < size; i++) ordered[i] = nodes[i >= first && i < size - 1 ? first + facet[i - first] : i];
 }
 
 /* Gathers and sorts, by counting. [out] cells, tags - on the first rank, empty elsewhere; owned by the caller */
@@ -90,7 +90,7 @@ static PetscErrorCode GatherCells_Private(MPI_Comm comm, const FieldMesh *part, 
   PetscInt *all_nodes, *all_types, *all_tags, *starts, num_cells, num_entries, size = 0, n = 0;
 
   PetscFunctionBeginUser;
-  for (PetscInt c = 0; c < part->num_cells; ++c) size += ElementNumNodes((ElementType)part->cell_type[c]);
+  for (PetscInt c = 0; c < part->num_cells; c++) size += ElementNumNodes((ElementType)part->cell_type[c]);
   PetscCall(GatherArraysInt(comm, size, part->cell_nodes, &num_entries, &all_nodes));
   PetscCall(GatherArraysInt(comm, part->num_cells, part->cell_type, &num_cells, &all_types));
   PetscCall(GatherArraysInt(comm, part->num_cells, part->cell_tag, NULL, &all_tags));
@@ -99,9 +99,9 @@ static PetscErrorCode GatherCells_Private(MPI_Comm comm, const FieldMesh *part, 
   PetscCall(PetscMalloc1(num_cells, tags));
   PetscCall(PetscMalloc1(num_cells + 1, &starts));
   starts[0] = cells->start[0] = 0;
-  for (PetscInt c = 0; c < num_cells; ++c) starts[c + 1] = starts[c] + ElementNumNodes((ElementType)all_types[c]);
-  for (PetscInt type = 0; type < ELEMENT_COUNT; ++type) { /* stable */
-    for (PetscInt c = 0; c < num_cells; ++c) {
+  for (PetscInt c = 0; c < num_cells; c++) starts[c + 1] = starts[c] + ElementNumNodes((ElementType)all_types[c]);
+  for (PetscInt type = 0; type < ELEMENT_COUNT; type++) { /* stable */
+    for (PetscInt c = 0; c < num_cells; c++) {
       if (all_types[c] != type) continue;
       ViewerOrder_Private((ElementType)type, &all_nodes[starts[c]], &cells->nodes[cells->start[n]]);
       cells->start[n + 1] = cells->start[n] + starts[c + 1] - starts[c];
@@ -127,9 +127,9 @@ static PetscErrorCode NumberByPoints_Private(const FieldWriter *writer, const Fi
       MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPIU_BOOL, MPI_LOR, writer->comm)); // NULL as well on a rank without nodes
   if (!some) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(part->num_points, &ids));
-  for (PetscInt i = 0; i < part->num_points; ++i) ids[i] = part->global[part->nodes[i]];
+  for (PetscInt i = 0; i < part->num_points; i++) ids[i] = part->global[part->nodes[i]];
   PetscCall(GatherArraysInt(writer->comm, part->num_points, ids, &num, &all_ids));
-  for (PetscInt i = 0; i < cells->start[cells->num]; ++i)
+  for (PetscInt i = 0; i < cells->start[cells->num]; i++)
     PetscCall(PetscFindInt(cells->nodes[i], num, all_ids, &cells->nodes[i]));
   PetscCall(PetscFree(all_ids));
   PetscCall(PetscFree(ids));

@@ -22,7 +22,7 @@ static FileSet *unfinished; /* those that are being written, the latest first */
 static void CleanUpFn(void)
 {
   for (const FileSet *files = unfinished; files; files = files->next) {
-    for (PetscInt i = 0; i < files->num; ++i) {
+    for (PetscInt i = 0; i < files->num; i++) {
       if (files->temporary[i]) (void)unlink(files->temporary[i]);
     }
   }
@@ -150,7 +150,7 @@ static void LeftoversRemove_Private(const char final[])
 PetscErrorCode FileSetFail(FileSet *files, const char path[], int error)
 {
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < files->num; ++i) {
+  for (PetscInt i = 0; i < files->num; i++) {
     if (files->temporary[i] && strcmp(path, files->temporary[i]) == 0) path = files->final[i];
   }
   if (!files->failure[0]) {
@@ -259,7 +259,7 @@ static PetscErrorCode FilesRename_Private(FileSet *files)
   struct stat info;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < files->num; ++i) {
+  for (PetscInt i = 0; i < files->num; i++) {
     if (!files->temporary[i]) continue;
     if (stat(files->final[i], &info) == 0 && S_ISDIR(info.st_mode))
       PetscCall(FileSetFail(files, files->final[i], EISDIR));
@@ -267,7 +267,7 @@ static PetscErrorCode FilesRename_Private(FileSet *files)
     if (access(files->temporary[i], F_OK)) PetscCall(FileSetFail(files, files->temporary[i], errno));
   }
   if (files->num > 1 && !files->failure[0]) PetscCall(FileRemove_Private(files, files->final[files->num - 1]));
-  for (PetscInt i = 0; i < files->num && !files->failure[0]; ++i) {
+  for (PetscInt i = 0; i < files->num && !files->failure[0]; i++) {
     if (!files->temporary[i]) {
       if (stat(files->final[i], &info) || S_ISREG(info.st_mode)) // a folder of that name is no file of an earlier run
         PetscCall(FileRemove_Private(files, files->final[i]));
@@ -285,10 +285,10 @@ PetscErrorCode FileSetFinish(MPI_Comm comm, FileSet *files)
   InterruptHold();
   if (!files->failure[0]) PetscCall(FilesRename_Private(files));
   FilesEnd_Private(files);
-  for (PetscInt i = 0; i < files->num; ++i) {
+  for (PetscInt i = 0; i < files->num; i++) {
     if (files->failure[0] && files->temporary[i]) unlink(files->temporary[i]);
   }
-  for (PetscInt i = 0; i < files->num; ++i) {
+  for (PetscInt i = 0; i < files->num; i++) {
     if (files->failure[0]) FoldersRemove_Private(files->final[i], files->made[i]);
     PetscCall(PetscFree(files->final[i]));
     PetscCall(PetscFree(files->temporary[i]));

@@ -73,7 +73,7 @@ static const char *About_Private(const char name[])
       {"body", "index of the body, in the order of -bodies"},
       {"piece", "what hangs together: counted over all bodies"}};
 
-  for (size_t i = 0; i < sizeof(table) / sizeof(table[0]); ++i) {
+  for (size_t i = 0; i < sizeof(table) / sizeof(table[0]); i++) {
     if (strcmp(table[i][0], name) == 0) return table[i][1];
   }
   return "";

@@ -48,7 +48,7 @@ static void Listen_Private(int pipe_end, char said[], size_t len)
   while ((got = read(pipe_end, rest, sizeof(rest))) != 0) {
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) break;
-    for (ssize_t i = 0; i < got; ++i) {
+    for (ssize_t i = 0; i < got; i++) {
       if (kept + 1 == len) memmove(said, said + 1, --kept);
       said[kept++] = rest[i];
     }

@@ -19,7 +19,7 @@ static PetscErrorCode ViewBodies_Private(VI vi)
   PetscCall(BodyCountsCompute(vi->level, scene->num_bodies, counts));
   PetscCall(PetscPrintf(scene->comm, "  meshed: %" PetscInt_FMT " nodes, %" PetscInt_FMT " unknowns\n", nodes,
                         nodes * vi->level->dim));
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
     const PetscInt num        = ComponentsOfBody(&vi->rigid_modes.components, b);
     char           pieces[64] = "";
 
@@ -43,8 +43,8 @@ static PetscErrorCode ViewVolume_Private(VI vi)
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(scene->num_bodies, &counts));
   PetscCall(ElasticityDilatationCount(scene, vi->level, counts));
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
-    for (PetscInt kind = DILATATION_MEAN; kind < DILATATION_LOCKS; ++kind) {
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
+    for (PetscInt kind = DILATATION_MEAN; kind < DILATATION_LOCKS; kind++) {
       if (!counts[b].cells[kind]) continue;
       PetscCall(PetscPrintf(scene->comm,
                             "    body %s: %s dilatation in each of %" PetscInt_FMT
@@ -118,18 +118,18 @@ static PetscErrorCode FindBentEdges_Private(const Level *level, PetscInt num_bod
 
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(bent, num_bodies));
-  for (PetscInt c = 0; c < level->num_cells; ++c) {
+  for (PetscInt c = 0; c < level->num_cells; c++) {
     const ElementType type  = (ElementType)level->cell_type[c];
     const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]];
 
     if (ElementOrder(type) == 1) continue;
-    for (PetscInt e = 0; e < ElementNumEdges(type); ++e) {
+    for (PetscInt e = 0; e < ElementNumEdges(type); e++) {
       const PetscInt  *edge = ElementEdgeNodes(type, e);
       const PetscReal *a = &level->coords[nodes[edge[0]] * dim], *b = &level->coords[nodes[edge[1]] * dim],
                       *middle = &level->coords[nodes[ElementNumNodes(ElementLinear(type)) + e] * dim];
       PetscReal length = 0.0, rise = 0.0;
 
-      for (PetscInt k = 0; k < dim; ++k) {
+      for (PetscInt k = 0; k < dim; k++) {
         length += PetscSqr(b[k] - a[k]);
         rise += PetscSqr(middle[k] - 0.5 * (a[k] + b[k]));
       }
@@ -149,7 +149,7 @@ static PetscErrorCode ViewStraight_Private(VI vi)
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(scene->num_bodies, &bent));
   PetscCall(FindBentEdges_Private(vi->level, scene->num_bodies, bent));
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
     const SceneBody *body = &scene->bodies[b];
 
     if (body->order == 1 || !body->mesh_file || body->map || bent[b]) continue;
@@ -168,14 +168,14 @@ PetscErrorCode MeshViewPrint(VI vi, Solvability solvability)
   PetscFunctionBeginUser;
   PetscCall(ViewBodies_Private(vi));
   PetscCall(ViewVolume_Private(vi));
-  for (PetscInt p = 0; p < vi->num_pairs; ++p) {
+  for (PetscInt p = 0; p < vi->num_pairs; p++) {
     PetscCall(ViewPair_Private(vi, vi->pairs[p]));
-    for (PetscInt which = 0; which < 2; ++which) PetscCall(ViewSide_Private(scene, vi->pairs[p], which));
+    for (PetscInt which = 0; which < 2; which++) PetscCall(ViewSide_Private(scene, vi->pairs[p], which));
   }
   PetscCall(SceneViewLeftOut(scene));
   PetscCall(ViewStraight_Private(vi));
-  for (PetscInt p = 0; p < vi->num_pairs; ++p) PetscCall(ViewLeftNodes_Private(scene->comm, vi->pairs[p]));
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) num_held += vi->rigid_modes.floating[b] ? 0 : 1;
+  for (PetscInt p = 0; p < vi->num_pairs; p++) PetscCall(ViewLeftNodes_Private(scene->comm, vi->pairs[p]));
+  for (PetscInt b = 0; b < scene->num_bodies; b++) num_held += vi->rigid_modes.floating[b] ? 0 : 1;
   PetscCall(SolvabilityReportView(vi, solvability));
   if (num_held) {
     PetscCall(PetscPrintf(scene->comm,

@@ -7,7 +7,7 @@ PetscErrorCode NumberWordsVector(PetscInt dim, const PetscReal v[], char text[],
 {
   PetscFunctionBeginUser;
   PetscCall(PetscStrncpy(text, "(", len));
-  for (PetscInt k = 0; k < dim; ++k) {
+  for (PetscInt k = 0; k < dim; k++) {
     const size_t used = strlen(text);
 
     PetscCall(PetscSNPrintf(text + used, len - used, "%s%.6g%s", k ? ", " : "", (double)v[k], k == dim - 1 ? ")" : ""));

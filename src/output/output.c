@@ -38,8 +38,8 @@ PetscErrorCode OutputCheck(Scene scene)
                                "-output \"%s\" names no file; give the beginning of a name, such as %sresult",
                                scene->output, scene->output));
     }
-    for (PetscInt p = -1; p < scene->num_pairs; ++p) { /* the bodies have no table, a pair has no summary */
-      for (size_t i = p < 0 ? 0 : 1; i < (p < 0 ? num - 1 : num); ++i) {
+    for (PetscInt p = -1; p < scene->num_pairs; p++) { /* the bodies have no table, a pair has no summary */
+      for (size_t i = p < 0 ? 0 : 1; i < (p < 0 ? num - 1 : num); i++) {
         if (!files[i]) continue;
         PetscCall(OutputPath_Private(scene, p < 0 ? NULL : scene->pairs[p].name, files[i], path));
         PetscCall(FileSetCheck(scene->comm, "-output", path));
@@ -87,7 +87,7 @@ static PetscErrorCode AddPicture_Private(Output output, const Told *told, const 
   char        path[PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
-  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(formats); ++i) {
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(formats); i++) {
     if (scene->formats & formats[i].bit) {
       FieldWriter writer = {.base = path, .title = pair ? pair : scene->title, .first = first, .files = &output->files};
 
@@ -96,7 +96,7 @@ static PetscErrorCode AddPicture_Private(Output output, const Told *told, const 
       PetscCall(Tell_Private(told, &writer));
       PetscCall(FieldWriterClose(&writer));
     } else if (output->rank == 0) {
-      for (PetscInt k = 0; k < 2 && formats[i].files[k]; ++k) {
+      for (PetscInt k = 0; k < 2 && formats[i].files[k]; k++) {
         PetscCall(OutputPath_Private(scene, pair, formats[i].files[k], path));
         PetscCall(FileSetRemove(&output->files, path));
       }
@@ -123,7 +123,7 @@ PetscErrorCode OutputAddFields(Output output, Fields fields)
   PetscCall(AddPicture_Private(output, &(Told){.vi = vi, .fields = fields, .pair = -1},
                                "Vectors=\"displacement\" Tensors=\"stress\" Scalars=\"von_mises\""));
   if (output->rank == 0) PetscCall(StalePlotsRemove(&output->files, vi->scene->output));
-  for (PetscInt p = 0; p < vi->num_pairs; ++p) {
+  for (PetscInt p = 0; p < vi->num_pairs; p++) {
     PetscCall(OutputPath_Private(vi->scene, vi->pairs[p]->spec->name, ".csv", path));
     PetscCall(CSVWritePair(fields, p, &output->files, path));
     PetscCall(AddPicture_Private(output, &(Told){.vi = vi, .fields = fields, .pair = p},
@@ -140,8 +140,8 @@ static PetscErrorCode RemoveFields_Private(Output output, Scene scene)
 
   PetscFunctionBeginUser;
   if (output->rank) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt p = -1; p < scene->num_pairs; ++p) {
-    for (size_t i = p < 0; i < PETSC_STATIC_ARRAY_LENGTH(suffixes); ++i) {
+  for (PetscInt p = -1; p < scene->num_pairs; p++) {
+    for (size_t i = p < 0; i < PETSC_STATIC_ARRAY_LENGTH(suffixes); i++) {
       PetscCall(OutputPath_Private(scene, p < 0 ? NULL : scene->pairs[p].name, suffixes[i], path));
       PetscCall(FileSetRemove(&output->files, path));
     }
@@ -181,7 +181,7 @@ PetscErrorCode OutputFinish(Output *output)
 PetscErrorCode OutputPrintNames(Scene scene, PetscBool pairs)
 {
   PetscFunctionBeginUser;
-  for (PetscInt p = -1; p < (pairs ? scene->num_pairs : 0); ++p) { // -1: the bodies
+  for (PetscInt p = -1; p < (pairs ? scene->num_pairs : 0); p++) { // -1: the bodies
     if (p >= 0) PetscCall(PetscPrintf(scene->comm, ", _%s.csv", scene->pairs[p].name));
     if (scene->formats & OUTPUT_XDMF) PetscCall(PetscPrintf(scene->comm, ", .h5, .xdmf"));
     if (scene->formats & OUTPUT_VTU) PetscCall(PetscPrintf(scene->comm, ", .vtu"));

@@ -47,10 +47,10 @@ static PetscErrorCode FindOverlap_Private(const SummaryInput *in, PetscInt p, Pe
   PetscFunctionBeginUser;
   size[0] = size[1] = 0;
   PetscCall(VecGetArrayRead(in->fields->u, &u)); // of nodes that this rank owns, as those of the pair are
-  for (PetscInt a = 0; a < pair->num; ++a) {
+  for (PetscInt a = 0; a < pair->num; a++) {
     PetscReal un = 0;
 
-    for (PetscInt k = 0; k < dim; ++k) un += PetscRealPart(u[pair->nodes[a] * dim + k]) * pair->normal[a * dim + k];
+    for (PetscInt k = 0; k < dim; k++) un += PetscRealPart(u[pair->nodes[a] * dim + k]) * pair->normal[a * dim + k];
     size[0] = PetscMax(size[0], -pair->gap[a]);
     size[1] = PetscMax(size[1], PetscAbsReal(un));
   }
@@ -142,7 +142,7 @@ PetscErrorCode SummaryWarn(const SummaryInput *input)
 {
   PetscFunctionBeginUser;
   PetscCall(SolvabilityReportWarn(input->vi, input->solvability));
-  for (PetscInt p = 0; p < input->vi->num_pairs; ++p) {
+  for (PetscInt p = 0; p < input->vi->num_pairs; p++) {
     PetscCall(WarnEmpty_Private(input, p));
     if (input->fields) PetscCall(WarnBump_Private(input, p));
     if (input->fields) PetscCall(WarnCurve_Private(input, p));

@@ -78,7 +78,7 @@ void SolverSummaryAdd(const SummaryInput *in, cJSON *root)
   JSONAddInt(solver, "active", report->active);
   if (report->num_changed) {
     object = cJSON_AddArrayToObject(solver, "changed");
-    for (PetscInt i = 0; i < report->num_changed; ++i)
+    for (PetscInt i = 0; i < report->num_changed; i++)
       cJSON_AddItemToArray(object, cJSON_CreateNumber(report->changed[i]));
   } else {
     cJSON_AddNullToObject(solver, "changed");

@@ -19,7 +19,7 @@ static PetscBool FileNames_Private(const char path[], const char word[])
   if (!file) return PETSC_FALSE;
   num = fread(bytes, 1, sizeof(bytes), file);
   fclose(file);
-  for (size_t i = 0; i + len <= num && !found; ++i) found = memcmp(&bytes[i], word, len) ? PETSC_FALSE : PETSC_TRUE;
+  for (size_t i = 0; i + len <= num && !found; i++) found = memcmp(&bytes[i], word, len) ? PETSC_FALSE : PETSC_TRUE;
   return found;
 }
 
@@ -30,7 +30,7 @@ PetscErrorCode StalePlotsRemove(FileSet *files, const char output[])
   char path[PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
-  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(drawn); ++i) {
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(drawn); i++) {
     PetscCall(PetscSNPrintf(path, sizeof(path), "%s%s", output, drawn[i][0]));
     if (FileNames_Private(path, drawn[i][1])) PetscCall(FileSetRemove(files, path));
   }

@@ -44,7 +44,7 @@ static PetscErrorCode AddOptions_Private(cJSON *root)
 
   PetscFunctionBeginUser;
   PetscCall(OptionsGetGiven(&num, &given));
-  for (PetscInt i = 0; i < num; ++i) cJSON_AddStringToObject(object, given[i].name, given[i].value);
+  for (PetscInt i = 0; i < num; i++) cJSON_AddStringToObject(object, given[i].name, given[i].value);
   PetscCall(PetscFree(given));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -58,7 +58,7 @@ static PetscErrorCode AddBodies_Private(const SummaryInput *in, cJSON *scene)
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(in->scene->num_bodies, &counts));
   PetscCall(BodyCountsCompute(level, in->scene->num_bodies, counts));
-  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
+  for (PetscInt b = 0; b < in->scene->num_bodies; b++) {
     cJSON *body = cJSON_AddObjectToObject(bodies, in->scene->bodies[b].name);
 
     JSONAddInt(body, "cells", counts[b].cells);
@@ -97,7 +97,7 @@ static PetscErrorCode AddScene_Private(const SummaryInput *in, cJSON *root)
   JSONAddInt(scene, "dimension", in->scene->dim);
   PetscCall(AddBodies_Private(in, scene));
   pairs = cJSON_AddObjectToObject(scene, "pairs");
-  for (PetscInt p = 0; p < in->vi->num_pairs; ++p) {
+  for (PetscInt p = 0; p < in->vi->num_pairs; p++) {
     const ScenePair *spec = in->vi->pairs[p]->spec;
     cJSON           *pair = cJSON_AddObjectToObject(pairs, spec->name);
 
@@ -116,9 +116,9 @@ static PetscErrorCode AddEnergy_Private(const SummaryInput *in, cJSON *root)
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(in->scene->num_bodies, &bodies));
   potential = NAN;
-  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) bodies[b] = NAN;
+  for (PetscInt b = 0; b < in->scene->num_bodies; b++) bodies[b] = NAN;
   if (in->fields) PetscCall(FieldsEnergy(in->fields, bodies, &potential));
-  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) JSONAddReal(strain, in->scene->bodies[b].name, bodies[b]);
+  for (PetscInt b = 0; b < in->scene->num_bodies; b++) JSONAddReal(strain, in->scene->bodies[b].name, bodies[b]);
   JSONAddReal(energy, "potential", potential);
   PetscCall(PetscFree(bodies));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -130,7 +130,7 @@ static PetscErrorCode AddPairs_Private(const SummaryInput *in, cJSON *root)
   const PetscInt dim   = in->scene->dim;
 
   PetscFunctionBeginUser;
-  for (PetscInt p = 0; p < in->vi->num_pairs; ++p) {
+  for (PetscInt p = 0; p < in->vi->num_pairs; p++) {
     cJSON  *pair = cJSON_AddObjectToObject(pairs, in->vi->pairs[p]->spec->name), *extent;
     PairSum sum;
 
@@ -168,25 +168,25 @@ static PetscErrorCode AddReactions_Private(const SummaryInput *in, cJSON *root)
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(in->scene->num_bodies + 1, &start));
-  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
+  for (PetscInt b = 0; b < in->scene->num_bodies; b++) {
     start[b] = num;
     num += in->scene->bodies[b].num_boundaries;
   }
   PetscCall(PetscCalloc1(num * dim + 1, &sums));
-  for (PetscInt i = 0; i < num * dim && !in->fields; ++i) sums[i] = NAN;
+  for (PetscInt i = 0; i < num * dim && !in->fields; i++) sums[i] = NAN;
   if (in->fields) PetscCall(VecGetArrayRead(in->reactions, &values));
-  for (PetscInt a = 0; a < level->num_owned && in->fields; ++a) {
+  for (PetscInt a = 0; a < level->num_owned && in->fields; a++) {
     if (in->vi->support.side[a] < 0) continue;
-    for (PetscInt k = 0; k < dim; ++k) {
+    for (PetscInt k = 0; k < dim; k++) {
       sums[(start[level->node_body[a]] + in->vi->support.side[a]) * dim + k] += values[a * dim + k];
     }
   }
   if (in->fields) PetscCall(VecRestoreArrayRead(in->reactions, &values));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, (PetscMPIInt)(num * dim), MPIU_REAL, MPI_SUM, level->comm));
-  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
+  for (PetscInt b = 0; b < in->scene->num_bodies; b++) {
     const SceneBody *body = &in->scene->bodies[b];
 
-    for (PetscInt i = 0; i < body->num_boundaries; ++i) {
+    for (PetscInt i = 0; i < body->num_boundaries; i++) {
       const BoundaryKind kind = body->boundaries[i].kind;
       char               key[PETSC_MAX_PATH_LEN];
 
@@ -205,7 +205,7 @@ static PetscErrorCode AddProbes_Private(const SummaryInput *in, cJSON *root)
   cJSON *probes = cJSON_AddObjectToObject(root, "probes");
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < in->scene->num_probes; ++i) {
+  for (PetscInt i = 0; i < in->scene->num_probes; i++) {
     const SceneProbe *spec  = &in->scene->probes[i];
     cJSON            *probe = cJSON_AddObjectToObject(probes, spec->name);
     PetscReal         u[3] = {NAN, NAN, NAN}, stress[6] = {NAN, NAN, NAN, NAN, NAN, NAN}, principal[3];
@@ -236,11 +236,11 @@ static void AddErrors_Private(const SummaryInput *in, cJSON *root)
 
   if (!in->errors->any) return;
   errors = cJSON_AddObjectToObject(root, "errors");
-  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
+  for (PetscInt b = 0; b < in->scene->num_bodies; b++) {
     if (!in->scene->bodies[b].exact) continue;
     AddBodyError_Private(cJSON_AddObjectToObject(errors, in->scene->bodies[b].name), &in->errors->body[b]);
   }
-  for (PetscInt p = 0; p < in->vi->num_pairs; ++p) {
+  for (PetscInt p = 0; p < in->vi->num_pairs; p++) {
     const PressureError *error = &in->errors->pair[p];
     cJSON               *pair;
 
@@ -262,10 +262,10 @@ static PetscErrorCode AddCost_Private(const SummaryInput *in, cJSON *root)
   PetscReal seconds[STAGE_COUNT + 1], bytes, largest;
 
   PetscFunctionBeginUser;
-  for (int stage = 0; stage < STAGE_COUNT; ++stage) seconds[stage] = LogStageSeconds((LogStage)stage);
+  for (int stage = 0; stage < STAGE_COUNT; stage++) seconds[stage] = LogStageSeconds((LogStage)stage);
   seconds[STAGE_COUNT] = LogTotalSeconds();
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, seconds, STAGE_COUNT + 1, MPIU_REAL, MPI_MAX, in->scene->comm));
-  for (int stage = 0; stage < STAGE_COUNT; ++stage) JSONAddReal(timing, names[stage], seconds[stage]);
+  for (int stage = 0; stage < STAGE_COUNT; stage++) JSONAddReal(timing, names[stage], seconds[stage]);
   JSONAddReal(timing, "total", seconds[STAGE_COUNT]);
   JSONAddReal(timing, "linear_reference", in->report->reference.done ? in->report->reference.seconds : NAN);
   PetscCall(MemoryPeak(in->scene->comm, &bytes, &largest));

@@ -15,15 +15,15 @@ static PetscErrorCode FacetNormals_Private(Level *level, const Facets *facets, V
   PetscCall(VecGhostGetLocalForm(*normals, &local));
   PetscCall(VecSet(local, 0.0));
   PetscCall(VecGetArray(local, &sums));
-  for (PetscInt f = 0; f < facets->num; ++f) {
+  for (PetscInt f = 0; f < facets->num; f++) {
     const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(facets->type[f]);
     PetscReal       X[ELEMENT_MAX_FACET_NODES * 3], phi[ELEMENT_MAX_FACET_NODES], normal[3];
 
-    for (PetscInt i = 0; i < n; ++i) PetscCall(PetscArraycpy(&X[i * dim], &level->coords[nodes[i] * dim], dim));
-    for (PetscInt i = 0; i < n; ++i) {
+    for (PetscInt i = 0; i < n; i++) PetscCall(PetscArraycpy(&X[i * dim], &level->coords[nodes[i] * dim], dim));
+    for (PetscInt i = 0; i < n; i++) {
       const PetscReal size = ElementSurface(facets->type[f], X, ElementNode(facets->type[f], i), NULL, phi, normal);
 
-      for (PetscInt k = 0; k < dim; ++k) sums[nodes[i] * dim + k] += size * normal[k];
+      for (PetscInt k = 0; k < dim; k++) sums[nodes[i] * dim + k] += size * normal[k];
     }
   }
   PetscCall(VecRestoreArray(local, &sums));
@@ -44,16 +44,16 @@ static PetscErrorCode Normals_Private(const Pair pair, const Facets *facets, Pet
   PetscCall(FacetNormals_Private(pair->level, facets, &sums));
   PetscCall(PetscCalloc1(pair->level->num_owned * dim, normal));
   PetscCall(VecGetArrayRead(sums, &sum));
-  for (PetscInt a = 0; a < pair->level->num_owned; ++a) {
+  for (PetscInt a = 0; a < pair->level->num_owned; a++) {
     PetscReal square = 0.0;
 
-    for (PetscInt k = 0; k < dim; ++k) square += PetscSqr(sum[a * dim + k]);
-    for (PetscInt k = 0; k < dim && square > 0.0; ++k)
+    for (PetscInt k = 0; k < dim; k++) square += PetscSqr(sum[a * dim + k]);
+    for (PetscInt k = 0; k < dim && square > 0.0; k++)
       (*normal)[a * dim + k] = sum[a * dim + k] / PetscSqrtReal(square);
   }
   PetscCall(VecRestoreArrayRead(sums, &sum));
   PetscCall(VecDestroy(&sums));
-  for (PetscInt a = 0; a < pair->num; ++a)
+  for (PetscInt a = 0; a < pair->num; a++)
     PetscCall(PetscArraycpy(&(*normal)[pair->nodes[a] * dim], &pair->normal[a * dim], dim));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -66,10 +66,10 @@ static PetscErrorCode TellFacets_Private(FieldWriter *writer, const Level *level
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc3(facets->num, &types, facets->num, &bodies, facets->num * ELEMENT_MAX_FACET_NODES, &globals));
-  for (PetscInt f = 0; f < facets->num; ++f) {
+  for (PetscInt f = 0; f < facets->num; f++) {
     types[f]  = facets->type[f];
     bodies[f] = level->cell_body[facets->cell[f]];
-    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); ++i)
+    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
       globals[n++] = level->node_global[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
   }
   PetscCall(FieldWriterMesh(writer,
@@ -99,7 +99,7 @@ static PetscErrorCode TellQuantities_Private(FieldWriter *writer, Fields fields,
   PetscCall(PairFieldsCreate(fields, p, &nodal));
   PetscCall(Normals_Private(fields->vi->pairs[p], facets, &normal));
   PetscCall(PetscMalloc1(level->num_owned, &status));
-  for (PetscInt a = 0; a < level->num_owned; ++a) status[a] = (PetscReal)nodal.status[a];
+  for (PetscInt a = 0; a < level->num_owned; a++) status[a] = (PetscReal)nodal.status[a];
   PetscCall(VecGetArrayRead(fields->u, &u));
   PetscCall(FieldWriterPoints(writer, (Quantity){"displacement", 3, PETSC_FALSE}, level->dim, u));
   PetscCall(VecRestoreArrayRead(fields->u, &u));

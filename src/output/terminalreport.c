@@ -65,7 +65,7 @@ static PetscErrorCode PrintError_Private(MPI_Comm comm, const char what[], const
   PetscFunctionBeginUser;
   if (PetscIsNanReal(first_error[0])) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscPrintf(comm, "  error of %s:", what));
-  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(parts); ++i) {
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(parts); i++) {
     PetscCall(PetscPrintf(comm, "%s %s %.4e", i ? "," : "", parts[i].norm, (double)parts[i].error[0]));
     if (!PetscIsNanReal(parts[i].error[1]))
       PetscCall(PetscPrintf(comm, " (%.3g%%)", (double)(PERCENT * parts[i].error[1])));
@@ -82,13 +82,13 @@ static PetscErrorCode PrintErrors_Private(const SummaryInput *in)
 
   PetscFunctionBeginUser;
   if (!in->errors->any) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt b = 0; b < in->scene->num_bodies; ++b) {
+  for (PetscInt b = 0; b < in->scene->num_bodies; b++) {
     const BodyError *e        = &in->errors->body[b];
     const PetscReal  energy[] = {e->energy, e->energy_relative}, l2[] = {e->l2, e->l2_relative};
 
     PetscCall(PrintError_Private(comm, in->scene->bodies[b].name, "energy", energy, "L2", l2));
   }
-  for (PetscInt p = 0; p < in->vi->num_pairs; ++p) {
+  for (PetscInt p = 0; p < in->vi->num_pairs; p++) {
     const PressureError *e    = &in->errors->pair[p];
     const PetscReal      l2[] = {e->l2, e->l2_relative}, weighted[] = {e->weighted, e->weighted_relative};
 
@@ -130,7 +130,7 @@ static PetscErrorCode Print_Private(const SummaryInput *in)
                         in->solved ? "solved" : "NOT SOLVED", in->vi->level->num_global * in->vi->level->dim,
                         report->iterations, report->type, LogTotalSeconds()));
   PetscCall(PrintCost_Private(in));
-  for (PetscInt p = 0; p < in->vi->num_pairs; ++p) PetscCall(PrintPair_Private(in, p));
+  for (PetscInt p = 0; p < in->vi->num_pairs; p++) PetscCall(PrintPair_Private(in, p));
   PetscCall(SolvabilityReportPrint(in->vi, in->solvability));
   PetscCall(PrintErrors_Private(in));
   PetscCall(PetscPrintf(comm,

@@ -39,7 +39,7 @@ static PetscErrorCode WriteArray_Private(FILE *out, PetscInt rows, const Quantit
     int32_t *whole;
 
     PetscCall(PetscMalloc1(n, &whole));
-    for (PetscInt i = 0; i < n; ++i) whole[i] = (int32_t)values[i];
+    for (PetscInt i = 0; i < n; i++) whole[i] = (int32_t)values[i];
     PetscCall(WriteBlock_Private(out, "Int32", quantity->name, quantity->components, n * sizeof(int32_t), whole));
     PetscCall(PetscFree(whole));
   } else {
@@ -79,8 +79,8 @@ static PetscErrorCode VTUCells_Private(FieldWriter *writer, const SortedCells *c
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc3(num_entries, &nodes, cells->num, &ends, cells->num, &types));
-  for (PetscInt i = 0; i < num_entries; ++i) nodes[i] = cells->nodes[i];
-  for (PetscInt c = 0; c < cells->num; ++c) {
+  for (PetscInt i = 0; i < num_entries; i++) nodes[i] = cells->nodes[i];
+  for (PetscInt c = 0; c < cells->num; c++) {
     ends[c]  = cells->start[c + 1];
     types[c] = vtk_number[cells->type[c]];
   }

@@ -35,9 +35,9 @@ PetscErrorCode XDMFTopologyCreate(const SortedCells *cells, Topology *topology)
   topology->columns = mixed ? 1 : ElementNumNodes((ElementType)first);
   topology->rows    = mixed ? num_entries + num_cells : num_cells;
   PetscCall(PetscMalloc1(num_entries + num_cells, &topology->values));
-  for (PetscInt c = 0; c < num_cells; ++c) {
+  for (PetscInt c = 0; c < num_cells; c++) {
     if (mixed) topology->values[n++] = xdmf_number[cells->type[c]];
-    for (PetscInt i = cells->start[c]; i < cells->start[c + 1]; ++i) {
+    for (PetscInt i = cells->start[c]; i < cells->start[c + 1]; i++) {
       topology->values[n++] = (int)cells->nodes[i];
     }
   }
@@ -84,10 +84,10 @@ static void WriteGridItems_Private(FILE *out, const FieldWriter *writer, const T
       topology->name, topology->name == xdmf_name[ELEMENT_LINE2] ? " NodesPerElement=\"2\"" : "", writer->num_cells);
   WriteItem_Private(out, hdf5, "cells", topology->rows, topology->columns, PETSC_TRUE);
   fprintf(out, "      </Topology>\n");
-  for (PetscInt i = 0; i < writer->num_point_quantities; ++i) {
+  for (PetscInt i = 0; i < writer->num_point_quantities; i++) {
     WriteAttribute_Private(out, hdf5, &writer->point[i], writer->num_points, "Node");
   }
-  for (PetscInt i = 0; i < writer->num_cell_quantities; ++i) {
+  for (PetscInt i = 0; i < writer->num_cell_quantities; i++) {
     WriteAttribute_Private(out, hdf5, &writer->cell[i], writer->num_cells, "Cell");
   }
 }

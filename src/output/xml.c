@@ -7,7 +7,7 @@ void XMLWriteText(FILE *out, const char text[])
   static const char        reserved[] = "&<>\"'";
   static const char *const entity[]   = {"&amp;", "&lt;", "&gt;", "&quot;", "&apos;"};
 
-  for (; *text; ++text) {
+  for (; *text; text++) {
     const char *found = strchr(reserved, *text);
 
     if (found) {

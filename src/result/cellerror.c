@@ -51,14 +51,14 @@ static void Interpolate_Private(const Level *level, PetscInt c, const PetscScala
   const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]], dim = level->dim;
   const PetscInt  n = level->cell_start[c + 1] - level->cell_start[c];
 
-  for (PetscInt i = 0; i < dim; ++i) {
+  for (PetscInt i = 0; i < dim; i++) {
     value[i] = 0;
-    for (PetscInt k = 0; k < dim; ++k) g[k * dim + i] = 0;
-    for (PetscInt a = 0; a < n; ++a) {
+    for (PetscInt k = 0; k < dim; k++) g[k * dim + i] = 0;
+    for (PetscInt a = 0; a < n; a++) {
       const PetscReal ua = PetscRealPart(nodal[nodes[a] * dim + i]);
 
       value[i] += phi[a] * ua;
-      for (PetscInt k = 0; k < dim; ++k) g[k * dim + i] += ua * grad[a * dim + k];
+      for (PetscInt k = 0; k < dim; k++) g[k * dim + i] += ua * grad[a * dim + k];
     }
   }
 }
@@ -76,10 +76,10 @@ static void Strain_Private(Scene scene, const PetscReal x[], const PetscReal u[]
   PetscReal       B[MAX_STRAINS * (MAX_DIM + 1) * MAX_DIM];
 
   ElementStrainMatrix(dim, dim + 1, axes[dim], ring ? hoop : NULL, B);
-  for (PetscInt s = 0; s < num_strains; ++s) {
+  for (PetscInt s = 0; s < num_strains; s++) {
     strain[s] = 0;
-    for (PetscInt j = 0; j < dim; ++j) strain[s] += B[s * num + j] * u[j];
-    for (PetscInt j = 0; j < dim * dim; ++j) strain[s] += B[s * num + dim + j] * g[j];
+    for (PetscInt j = 0; j < dim; j++) strain[s] += B[s * num + j] * u[j];
+    for (PetscInt j = 0; j < dim * dim; j++) strain[s] += B[s * num + dim + j] * g[j];
   }
 }
 
@@ -88,8 +88,8 @@ static PetscReal EnergyDensity_Private(PetscInt num_strains, const PetscReal C[]
 {
   PetscReal density = 0;
 
-  for (PetscInt r = 0; r < num_strains; ++r)
-    for (PetscInt s = 0; s < num_strains; ++s) density += strain[r] * C[r * num_strains + s] * strain[s];
+  for (PetscInt r = 0; r < num_strains; r++)
+    for (PetscInt s = 0; s < num_strains; s++) density += strain[r] * C[r * num_strains + s] * strain[s];
   return density;
 }
 
@@ -110,7 +110,7 @@ static PetscErrorCode AddEnergy_Private(const Comparison *compare, PetscInt c, c
   sum->error_energy += dx * EnergyDensity_Private(num_strains, C, strains[0]);
   sum->size_energy += dx * EnergyDensity_Private(num_strains, C, strains[1]);
   if (!pi->num || compare->v) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt i = 0; i < pi->num_dofs; ++i) u[i] = PetscRealPart(compare->u[nodes[i / dim] * dim + i % dim]);
+  for (PetscInt i = 0; i < pi->num_dofs; i++) u[i] = PetscRealPart(compare->u[nodes[i / dim] * dim + i % dim]);
   change = MaterialDilatation(num_strains, strains[1]);
   sum->error_energy += dx * bulk * PetscSqr(DilatationEvaluate(pi, x, u) - change);
   sum->size_energy += dx * bulk * PetscSqr(change);
@@ -135,9 +135,9 @@ static PetscErrorCode Integrate_Private(const Comparison *compare, PetscInt c, c
   PetscFunctionBeginUser;
   PetscCall(ElasticityDilatation(compare->scene, level, c, &compare->stiffness[type], &pi));
   *sum = (ErrorSquares){0, 0, 0, 0};
-  for (PetscInt a = 0; a < ElementNumNodes(type); ++a)
+  for (PetscInt a = 0; a < ElementNumNodes(type); a++)
     PetscCall(PetscArraycpy(&X[a * dim], &level->coords[nodes[a] * dim], dim));
-  for (PetscInt q = 0; q < num_points; ++q) {
+  for (PetscInt q = 0; q < num_points; q++) {
     PetscReal dx;
 
     CellPiecePoint(type, piece, &points[q * dim], xi);
@@ -148,12 +148,12 @@ static PetscErrorCode Integrate_Private(const Comparison *compare, PetscInt c, c
       Interpolate_Private(level, c, compare->v, phi, grad, v, gv);
     else
       PetscCall(ExactEvaluate(compare->scene->bodies[body].exact, &at, v, gv));
-    for (PetscInt i = 0; i < dim; ++i) {
+    for (PetscInt i = 0; i < dim; i++) {
       e[i] -= v[i];
       sum->error_l2 += dx * PetscSqr(e[i]);
       sum->size_l2 += dx * PetscSqr(v[i]);
     }
-    for (PetscInt j = 0; j < dim * dim; ++j) ge[j] -= gv[j];
+    for (PetscInt j = 0; j < dim * dim; j++) ge[j] -= gv[j];
     Strain_Private(compare->scene, x, e, ge, strains[0]);
     Strain_Private(compare->scene, x, v, gv, strains[1]);
     PetscCall(AddEnergy_Private(compare, c, &pi, x, strains, dx, sum));
@@ -183,7 +183,7 @@ static PetscErrorCode AddPiece_Private(const Comparison *compare, PetscInt c, co
   }
   num = CellPieceCut((ElementType)compare->level->cell_type[c], piece, parts);
   if (!num) AddSquares_Private(sum, known);
-  for (PetscInt i = 0; i < num; ++i) {
+  for (PetscInt i = 0; i < num; i++) {
     PetscCall(Integrate_Private(compare, c, &parts[i], &part));
     PetscCall(AddPiece_Private(compare, c, &parts[i], depth + 1, &part, total, sum));
   }
@@ -205,7 +205,7 @@ static void IgnoreRounding_Private(PetscInt num, ErrorSquares totals[])
 {
   const PetscReal square = PetscSqr(ROUNDING);
 
-  for (PetscInt b = 0; b < num; ++b) {
+  for (PetscInt b = 0; b < num; b++) {
     if (totals[b].error_l2 <= square * totals[b].size_l2) totals[b].error_l2 = PETSC_INFINITY;
     if (totals[b].error_energy <= square * totals[b].size_energy) totals[b].error_energy = PETSC_INFINITY;
   }
@@ -221,7 +221,7 @@ static PetscErrorCode AddCells_Private(const Comparison *compare, ErrorSquares s
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc2(level->num_cells, &cells, scene->num_bodies, &totals));
-  for (PetscInt c = 0; c < level->num_cells; ++c) {
+  for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt body = level->cell_body[c];
 
     if (!compare->v && !scene->bodies[body].exact) continue;
@@ -230,7 +230,7 @@ static PetscErrorCode AddCells_Private(const Comparison *compare, ErrorSquares s
   }
   PetscCall(Reduce_Private(level, scene->num_bodies, totals));
   IgnoreRounding_Private(scene->num_bodies, totals);
-  for (PetscInt c = 0; c < level->num_cells; ++c) {
+  for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt body = level->cell_body[c];
 
     PetscCall(AddPiece_Private(compare, c, &whole, 0, &cells[c], &totals[body], &squares[body]));
@@ -262,7 +262,7 @@ PetscErrorCode CellErrorsIntegrate(Scene scene, Level *level, Vec u, Vec v, Erro
   }
   PetscCall(VecRestoreArrayRead(local_u, &compare.u));
   PetscCall(VecGhostRestoreLocalForm(u, &local_u));
-  for (PetscInt b = 0; b < scene->num_bodies && !v; ++b)
+  for (PetscInt b = 0; b < scene->num_bodies && !v; b++)
     PetscCall(ExpressionCheck(level->comm, scene->bodies[b].exact));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

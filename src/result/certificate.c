@@ -67,7 +67,7 @@ static PetscErrorCode Part_Private(Fields fields, PetscBool rigid, Vec lambda, V
   PetscFunctionBeginUser;
   PetscCall(VecCopy(fields->lambda, lambda));
   PetscCall(VecGetArray(lambda, &l));
-  for (PetscInt r = 0; r < vi->num_rows; ++r) {
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
     const ScenePair *spec = vi->pairs[vi->row_pair[r]]->spec;
 
     if (spec->type == PAIR_TIED || rigid != (PetscBool)(spec->obstacle.kind != OBSTACLE_NONE)) l[r] = 0.0;
@@ -86,9 +86,9 @@ static PetscErrorCode Noise_Private(Fields fields, Vec noise)
 
   PetscFunctionBeginUser;
   PetscCall(MatGetOwnershipRange(fields->vi->B, &begin, NULL));
-  for (PetscInt r = 0; r < fields->vi->num_rows; ++r) {
+  for (PetscInt r = 0; r < fields->vi->num_rows; r++) {
     PetscCall(MatGetRow(fields->vi->B, begin + r, &num, &columns, &values));
-    for (PetscInt c = 0; c < num; ++c)
+    for (PetscInt c = 0; c < num; c++)
       PetscCall(VecSetValue(noise, columns[c], PetscAbsScalar(values[c]) * fields->row_noise[r], ADD_VALUES));
     PetscCall(MatRestoreRow(fields->vi->B, begin + r, &num, &columns, &values));
   }
@@ -104,7 +104,7 @@ static PetscErrorCode ForcesCreate_Private(Fields fields, Vec forces[])
   Vec      lambda;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < FORCE_COUNT; ++i) {
+  for (PetscInt i = 0; i < FORCE_COUNT; i++) {
     PetscCall(VecDuplicate(fields->u, &forces[i]));
     PetscCall(VecZeroEntries(forces[i]));
   }
@@ -127,15 +127,15 @@ static void SplitResidual_Private(const Support *support, PetscInt a, PetscReal 
 {
   const PetscInt dim = support->dim;
 
-  for (PetscInt k = 0; k < dim; ++k) reaction[k] = 0.0;
-  for (PetscInt j = 0; j < support->count[a]; ++j) {
+  for (PetscInt k = 0; k < dim; k++) reaction[k] = 0.0;
+  for (PetscInt j = 0; j < support->count[a]; j++) {
     const PetscReal *d     = &support->directions[(a * dim + j) * dim];
     PetscReal        share = 0.0;
 
-    for (PetscInt k = 0; k < dim; ++k) share += d[k] * r[k];
-    for (PetscInt k = 0; k < dim; ++k) reaction[k] -= share * d[k];
+    for (PetscInt k = 0; k < dim; k++) share += d[k] * r[k];
+    for (PetscInt k = 0; k < dim; k++) reaction[k] -= share * d[k];
   }
-  for (PetscInt k = 0; k < dim; ++k) r[k] += reaction[k];
+  for (PetscInt k = 0; k < dim; k++) r[k] += reaction[k];
 }
 
 /* moment += x cross F, three components, absent ones 0. */
@@ -143,18 +143,18 @@ static void AddMoment_Private(PetscInt dim, const PetscReal x[], const PetscReal
 {
   PetscReal X[3] = {0, 0, 0}, Y[3] = {0, 0, 0};
 
-  for (PetscInt k = 0; k < dim; ++k) {
+  for (PetscInt k = 0; k < dim; k++) {
     X[k] = x[k];
     Y[k] = F[k];
   }
-  for (PetscInt k = 0; k < 3; ++k) moment[k] += X[(k + 1) % 3] * Y[(k + 2) % 3] - X[(k + 2) % 3] * Y[(k + 1) % 3];
+  for (PetscInt k = 0; k < 3; k++) moment[k] += X[(k + 1) % 3] * Y[(k + 2) % 3] - X[(k + 2) % 3] * Y[(k + 1) % 3];
 }
 
 static PetscReal Norm_Private(PetscInt n, const PetscReal v[])
 {
   PetscReal square = 0.0;
 
-  for (PetscInt k = 0; k < n; ++k) square += v[k] * v[k];
+  for (PetscInt k = 0; k < n; k++) square += v[k] * v[k];
   return PetscSqrtReal(square);
 }
 
@@ -164,14 +164,14 @@ static PetscErrorCode Centre_Private(const Level *level, PetscReal centre[3])
   PetscReal box[6] = {PETSC_MIN_REAL, PETSC_MIN_REAL, PETSC_MIN_REAL, PETSC_MIN_REAL, PETSC_MIN_REAL, PETSC_MIN_REAL};
 
   PetscFunctionBeginUser;
-  for (PetscInt a = 0; a < level->num_owned; ++a) {
-    for (PetscInt k = 0; k < level->dim; ++k) {
+  for (PetscInt a = 0; a < level->num_owned; a++) {
+    for (PetscInt k = 0; k < level->dim; k++) {
       box[k]     = PetscMax(box[k], level->coords[a * level->dim + k]);
       box[3 + k] = PetscMax(box[3 + k], -level->coords[a * level->dim + k]);
     }
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, box, 6, MPIU_REAL, MPI_MAX, level->comm));
-  for (PetscInt k = 0; k < 3; ++k) centre[k] = 0.5 * (box[k] - box[3 + k]);
+  for (PetscInt k = 0; k < 3; k++) centre[k] = 0.5 * (box[k] - box[3 + k]);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -185,7 +185,7 @@ static void AddNode_Private(ModelKind model, const PetscReal x[], const PetscRea
                   arm      = Norm_Private(dim, x);
   PetscReal outer[3], size, work = 0.0;
 
-  for (PetscInt k = 0; k < dim; ++k) {
+  for (PetscInt k = 0; k < dim; k++) {
     outer[k] = F[LOADS][k] + F[REACTION][k] - F[OBSTACLE][k];
     if (k > 0 || !ring) sums[SUM_FORCE + k] += outer[k];
     work += PetscAbsReal((F[LOADS][k] + F[REACTION][k]) * u[k]) + PetscAbsReal(F[INNER][k] * u[k]);
@@ -224,31 +224,31 @@ static PetscErrorCode JudgeNodes_Private(Fields fields, Vec reactions, PetscReal
   PetscFunctionBeginUser;
   PetscCall(Centre_Private(level, centre));
   PetscCall(ForcesCreate_Private(fields, forces));
-  for (PetscInt i = 0; i < FORCE_COUNT; ++i) PetscCall(VecGetArrayRead(forces[i], &force[i]));
+  for (PetscInt i = 0; i < FORCE_COUNT; i++) PetscCall(VecGetArrayRead(forces[i], &force[i]));
   PetscCall(VecGetArrayRead(fields->u, &u));
   PetscCall(VecGetArray(reactions, &reaction));
-  for (PetscInt a = 0; a < level->num_owned; ++a) {
+  for (PetscInt a = 0; a < level->num_owned; a++) {
     PetscReal F[FORCE_COUNT][3] = {{0}}, x[3];
 
-    for (PetscInt k = 0; k < dim; ++k) {
-      for (PetscInt i = 0; i < FORCE_COUNT; ++i) F[i][k] = force[i][a * dim + k];
+    for (PetscInt k = 0; k < dim; k++) {
+      for (PetscInt i = 0; i < FORCE_COUNT; i++) F[i][k] = force[i][a * dim + k];
       x[k] = level->coords[a * dim + k] - centre[k];
     }
     SplitResidual_Private(support, a, F[RESIDUAL], F[REACTION]);
     if (vi->scene->model == MODEL_AXISYMMETRIC) x[0] = 0;
-    for (PetscInt k = 0; k < dim; ++k) reaction[a * dim + k] = F[REACTION][k];
+    for (PetscInt k = 0; k < dim; k++) reaction[a * dim + k] = F[REACTION][k];
     AddNode_Private(vi->scene->model, x, F, fields->stiffness[a], fields->body_max[level->node_body[a]], &u[a * dim],
                     sums);
-    for (PetscInt j = 0; j < support->count[a]; ++j) {
+    for (PetscInt j = 0; j < support->count[a]; j++) {
       PetscReal miss = -support->values[a * dim + j];
 
-      for (PetscInt k = 0; k < dim; ++k) miss += support->directions[(a * dim + j) * dim + k] * u[a * dim + k];
+      for (PetscInt k = 0; k < dim; k++) miss += support->directions[(a * dim + j) * dim + k] * u[a * dim + k];
       largest[MAX_GAP] = PetscMax(largest[MAX_GAP], PetscAbsReal(miss));
     }
   }
   PetscCall(VecRestoreArray(reactions, &reaction));
   PetscCall(VecRestoreArrayRead(fields->u, &u));
-  for (PetscInt i = 0; i < FORCE_COUNT; ++i) {
+  for (PetscInt i = 0; i < FORCE_COUNT; i++) {
     PetscCall(VecRestoreArrayRead(forces[i], &force[i]));
     PetscCall(VecDestroy(&forces[i]));
   }
@@ -277,7 +277,7 @@ static PetscErrorCode JudgeRows_Private(Fields fields, PetscReal sums[], PetscRe
   PetscFunctionBeginUser;
   PetscCall(VecGetArrayRead(fields->lambda, &lambda));
   PetscCall(VecGetArrayRead(fields->slack, &slack));
-  for (PetscInt r = 0; r < vi->num_rows; ++r) {
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
     if (fields->row_status[r] == STATUS_TIED) {
       largest[MAX_GAP] = PetscMax(largest[MAX_GAP], PetscAbsReal(slack[r]));
       continue;
@@ -310,7 +310,7 @@ static void Judge_Private(Fields fields, const PetscReal sums[], const PetscReal
   c->energy_norm     = PetscSqrtReal(PetscMax(sums[SUM_ENERGY], 0.0));
   c->complementarity = Ratio_Private(sums[SUM_COMPLEMENTARITY], sums[SUM_WORK],
                                      sums[SUM_WORK_ROUNDOFF] + sums[SUM_COMPLEMENTARITY_ROUNDOFF]);
-  for (PetscInt k = 0; k < 3; ++k) rest[k] = sums[SUM_MOMENT + k] - sums[SUM_PAIRMOMENT + k];
+  for (PetscInt k = 0; k < 3; k++) rest[k] = sums[SUM_MOMENT + k] - sums[SUM_PAIRMOMENT + k];
   c->force       = Ratio_Private(Norm_Private(3, &sums[SUM_FORCE]), sums[SUM_SIZES], sums[SUM_SIZES + 2]);
   c->moment      = Ratio_Private(Norm_Private(3, rest), sums[SUM_SIZES + 1], sums[SUM_SIZES + 3]);
   c->pair_moment = Ratio_Private(Norm_Private(3, &sums[SUM_PAIRMOMENT]), sums[SUM_SIZES + 1], sums[SUM_SIZES + 3]);
@@ -340,7 +340,7 @@ static PetscErrorCode Verdict_Private(PetscBool stopped, Certificate *c)
   PetscFunctionBeginUser;
   c->holds      = PETSC_TRUE;
   c->failure[0] = '\0';
-  for (size_t i = 0; i < sizeof(tests) / sizeof(tests[0]) && c->holds; ++i) {
+  for (size_t i = 0; i < sizeof(tests) / sizeof(tests[0]) && c->holds; i++) {
     if (tests[i].value <= c->limit) continue;
     c->holds = PETSC_FALSE;
     PetscCall(PetscSNPrintf(c->failure, sizeof(c->failure),

@@ -22,12 +22,12 @@ static PetscErrorCode NodalExact_Private(VI vi, PetscReal exact[], PetscReal *la
 
   PetscFunctionBeginUser;
   *largest = 0;
-  for (PetscInt i = 0; i < level->num_owned; ++i) {
+  for (PetscInt i = 0; i < level->num_owned; i++) {
     const Expression e = vi->scene->bodies[level->node_body[i]].exact;
 
     if (!e) continue;
     PetscCall(ExpressionEvaluate(e, dim, &level->coords[i * dim], &exact[i * dim]));
-    for (PetscInt k = 0; k < dim; ++k) *largest = PetscMax(*largest, PetscAbsReal(exact[i * dim + k]));
+    for (PetscInt k = 0; k < dim; k++) *largest = PetscMax(*largest, PetscAbsReal(exact[i * dim + k]));
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 1, MPIU_REAL, MPI_MAX, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -44,12 +44,12 @@ static PetscErrorCode CheckNode_Private(VI vi, PetscInt i, const PetscReal exact
   const PetscInt   side  = vi->support.side[i];
 
   PetscFunctionBeginUser;
-  for (PetscInt j = 0; j < vi->support.count[i] && !sentence[0]; ++j) {
+  for (PetscInt j = 0; j < vi->support.count[i] && !sentence[0]; j++) {
     const PetscReal *d     = &vi->support.directions[(i * dim + j) * dim];
     const PetscReal  given = vi->support.values[i * dim + j];
     PetscReal        along = 0;
 
-    for (PetscInt k = 0; k < dim; ++k) along += d[k] * exact[k];
+    for (PetscInt k = 0; k < dim; k++) along += d[k] * exact[k];
     if (PetscAbsReal(along - given) <= tolerance) continue;
     snprintf(sentence, len,
              "%s: at (%g, %g) on %s:%s it is %.7g along (%g, %g), where the support gives %.7g; one of "
@@ -70,7 +70,7 @@ static PetscErrorCode CheckPressure_Private(const Pair pair)
 
   PetscFunctionBeginUser;
   if (!pair->spec->exact) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt a = 0; a < pair->num; ++a)
+  for (PetscInt a = 0; a < pair->num; a++)
     PetscCall(ExpressionEvaluate(pair->spec->exact, level->dim, &level->coords[pair->nodes[a] * level->dim], &p));
   PetscCall(ExpressionCheck(level->comm, pair->spec->exact));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -85,15 +85,15 @@ PetscErrorCode ErrorsCheck(VI vi)
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(vi->level->num_owned * dim, &exact));
   PetscCall(NodalExact_Private(vi, exact, &largest));
-  for (PetscInt i = 0; i < vi->level->num_owned; ++i) {
+  for (PetscInt i = 0; i < vi->level->num_owned; i++) {
     if (!vi->scene->bodies[vi->level->node_body[i]].exact) continue;
     PetscCall(CheckNode_Private(vi, i, &exact[i * dim], GIVEN_TOLERANCE * largest, sentence, sizeof(sentence)));
   }
   PetscCall(PetscFree(exact));
-  for (PetscInt b = 0; b < vi->scene->num_bodies; ++b)
+  for (PetscInt b = 0; b < vi->scene->num_bodies; b++)
     PetscCall(ExpressionCheck(vi->level->comm, vi->scene->bodies[b].exact));
   PetscCall(UserErrorCheck(vi->level->comm, sentence));
-  for (PetscInt p = 0; p < vi->num_pairs; ++p) PetscCall(CheckPressure_Private(vi->pairs[p]));
+  for (PetscInt p = 0; p < vi->num_pairs; p++) PetscCall(CheckPressure_Private(vi->pairs[p]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -111,7 +111,7 @@ static ErrorSquares Total_Private(PetscInt num_bodies, const ErrorSquares square
 {
   ErrorSquares total = {0, 0, 0, 0};
 
-  for (PetscInt b = 0; b < num_bodies; ++b) {
+  for (PetscInt b = 0; b < num_bodies; b++) {
     total.error_l2 += squares[b].error_l2;
     total.error_energy += squares[b].error_energy;
     total.size_l2 += squares[b].size_l2;
@@ -131,7 +131,7 @@ static PetscErrorCode BodyErrors_Private(Fields fields, Errors *errors)
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(scene->num_bodies, &squares));
   PetscCall(CellErrorsIntegrate(scene, fields->vi->level, fields->u, NULL, squares));
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
     errors->body[b] = scene->bodies[b].exact ? Norms_Private(&squares[b]) : unknown;
     all             = (PetscBool)(all && scene->bodies[b].exact);
   }
@@ -148,14 +148,14 @@ PetscErrorCode ErrorsCompute(Fields fields, Errors *errors)
 
   PetscFunctionBeginUser;
   *errors = (Errors){.any = PETSC_FALSE};
-  for (PetscInt b = 0; b < vi->scene->num_bodies; ++b)
+  for (PetscInt b = 0; b < vi->scene->num_bodies; b++)
     if (vi->scene->bodies[b].exact) errors->any = PETSC_TRUE;
-  for (PetscInt p = 0; p < vi->num_pairs; ++p)
+  for (PetscInt p = 0; p < vi->num_pairs; p++)
     if (vi->pairs[p]->spec->exact) errors->any = PETSC_TRUE;
   if (!errors->any) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc2(vi->scene->num_bodies, &errors->body, vi->num_pairs, &errors->pair));
   PetscCall(BodyErrors_Private(fields, errors));
-  for (PetscInt p = 0; p < vi->num_pairs; ++p) {
+  for (PetscInt p = 0; p < vi->num_pairs; p++) {
     errors->pair[p] = unknown;
     if (vi->pairs[p]->spec->exact) PetscCall(PressureErrorCompute(fields, p, &errors->pair[p]));
   }
@@ -177,7 +177,7 @@ PetscErrorCode ErrorsComputeDifference(Scene scene, Level *level, Vec u, Vec v, 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(scene->num_bodies, &squares));
   PetscCall(CellErrorsIntegrate(scene, level, u, v, squares));
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) body[b] = Norms_Private(&squares[b]);
+  for (PetscInt b = 0; b < scene->num_bodies; b++) body[b] = Norms_Private(&squares[b]);
   sum    = Total_Private(scene->num_bodies, squares);
   *total = Norms_Private(&sum);
   PetscCall(PetscFree(squares));

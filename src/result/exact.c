@@ -28,7 +28,7 @@ static PetscReal Way_Private(const CellPoint *at, PetscInt j)
   if (ElementNumNodes(ElementLinear(at->type)) > dim + 1)
     ahead -= at->xi[j];
   else
-    for (PetscInt k = 0; k < dim; ++k) ahead -= at->xi[k];
+    for (PetscInt k = 0; k < dim; k++) ahead -= at->xi[k];
   return PetscMin(ahead, at->xi[j]);
 }
 
@@ -40,8 +40,8 @@ static PetscErrorCode Value_Private(Expression exact, const CellPoint *at, const
 
   PetscFunctionBeginUser;
   ElementShape(at->type, xi, phi, NULL);
-  for (PetscInt a = 0; a < n; ++a)
-    for (PetscInt k = 0; k < dim; ++k) x[k] += phi[a] * at->X[a * dim + k];
+  for (PetscInt a = 0; a < n; a++)
+    for (PetscInt k = 0; k < dim; k++) x[k] += phi[a] * at->X[a * dim + k];
   PetscCall(ExpressionEvaluate(exact, dim, x, u));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -57,10 +57,10 @@ static PetscErrorCode Derivative_Private(Expression exact, const CellPoint *at, 
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(d, dim));
   PetscCall(PetscArraycpy(xi, at->xi, dim));
-  for (size_t s = 0; s < PETSC_STATIC_ARRAY_LENGTH(offset); ++s) {
+  for (size_t s = 0; s < PETSC_STATIC_ARRAY_LENGTH(offset); s++) {
     xi[j] = at->xi[j] + offset[s] * step;
     PetscCall(Value_Private(exact, at, xi, u));
-    for (PetscInt i = 0; i < dim; ++i) d[i] += weight[s] * u[i] / (12 * step);
+    for (PetscInt i = 0; i < dim; i++) d[i] += weight[s] * u[i] / (12 * step);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -74,14 +74,14 @@ PetscErrorCode ExactEvaluate(Expression exact, const CellPoint *at, PetscReal u[
   PetscCall(Value_Private(exact, at, at->xi, u));
   PetscCall(PetscArrayzero(g, dim * dim));
   if (ExpressionIsConstant(exact)) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt j = 0; j < dim; ++j) {
+  for (PetscInt j = 0; j < dim; j++) {
     PetscReal slope[3] = {0, 0, 0}; // d xi_j / d x_k: shape functions give back what is linear, xi_j itself among it
 
-    for (PetscInt a = 0; a < n; ++a)
-      for (PetscInt k = 0; k < dim; ++k) slope[k] += ElementNode(at->type, a)[j] * at->grad[a * dim + k];
+    for (PetscInt a = 0; a < n; a++)
+      for (PetscInt k = 0; k < dim; k++) slope[k] += ElementNode(at->type, a)[j] * at->grad[a * dim + k];
     PetscCall(Derivative_Private(exact, at, j, d));
-    for (PetscInt i = 0; i < dim; ++i)
-      for (PetscInt k = 0; k < dim; ++k) g[k * dim + i] += d[i] * slope[k];
+    for (PetscInt i = 0; i < dim; i++)
+      for (PetscInt k = 0; k < dim; k++) g[k * dim + i] += d[i] * slope[k];
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

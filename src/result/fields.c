@@ -18,8 +18,8 @@ static const PetscReal PRESSED_TOLERANCE = 1e-9;
    that a pair joins, directly or through others, share the largest displacement. */
 static void ShareLargest_Private(Scene scene, PetscReal body_max[])
 {
-  for (PetscInt round = 0; round < scene->num_pairs; ++round) {
-    for (PetscInt p = 0; p < scene->num_pairs; ++p) {
+  for (PetscInt round = 0; round < scene->num_pairs; round++) {
+    for (PetscInt p = 0; p < scene->num_pairs; p++) {
       const PetscInt a = scene->pairs[p].nonmortar.body, b = scene->pairs[p].mortar.body;
 
       if (b >= 0) body_max[a] = body_max[b] = PetscMax(body_max[a], body_max[b]);
@@ -38,10 +38,10 @@ static PetscErrorCode NodeScales_Private(Fields fields)
   PetscCall(PetscCalloc2(level->num_owned, &fields->stiffness, num_bodies, &fields->body_max));
   PetscCall(VecGetArrayRead(fields->vi->diagonal, &d));
   PetscCall(VecGetArrayRead(fields->u, &u));
-  for (PetscInt a = 0; a < level->num_owned; ++a) {
+  for (PetscInt a = 0; a < level->num_owned; a++) {
     PetscReal *largest = &fields->body_max[level->node_body[a]];
 
-    for (PetscInt k = 0; k < dim; ++k) {
+    for (PetscInt k = 0; k < dim; k++) {
       fields->stiffness[a] += d[a * dim + k] / dim;
       *largest = PetscMax(*largest, PetscAbsReal(u[a * dim + k]));
     }
@@ -68,7 +68,7 @@ static PetscErrorCode PairMoment_Private(Fields fields, PetscInt p, PetscInt mom
   PetscCall(LevelCreateVec(vi->level, 1, &values));
   PetscCall(VecDuplicate(values, &sums));
   PetscCall(VecGetArray(values, &value));
-  for (PetscInt c = 0; c < vi->level->num_owned; ++c) value[c] = moment ? coords[c * dim + moment - 1] : 1.0;
+  for (PetscInt c = 0; c < vi->level->num_owned; c++) value[c] = moment ? coords[c * dim + moment - 1] : 1.0;
   PetscCall(VecRestoreArray(values, &value));
   if (pair->from_nodal) { /* D and the chain are written for u~ = u + from_nodal u */
     PetscCall(VecDuplicate(values, &moved));
@@ -81,7 +81,7 @@ static PetscErrorCode PairMoment_Private(Fields fields, PetscInt p, PetscInt mom
     PetscCall(VecGetArrayRead(sums, &taken));
   }
   PetscCall(VecGetArrayRead(values, &own));
-  for (PetscInt r = 0; r < vi->num_rows; ++r) {
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
     const PetscInt a = vi->row_node[r];
     PetscReal      sum;
 
@@ -102,8 +102,8 @@ static PetscErrorCode PairMoment_Private(Fields fields, PetscInt p, PetscInt mom
 static PetscErrorCode RowMoments_Private(Fields fields)
 {
   PetscFunctionBeginUser;
-  for (PetscInt p = 0; p < fields->vi->num_pairs; ++p) {
-    for (PetscInt moment = 0; moment <= fields->vi->level->dim; ++moment) {
+  for (PetscInt p = 0; p < fields->vi->num_pairs; p++) {
+    for (PetscInt moment = 0; moment <= fields->vi->level->dim; moment++) {
       PetscCall(PairMoment_Private(fields, p, moment));
     }
   }
@@ -120,10 +120,10 @@ static PetscErrorCode ReferenceSizes_Private(Fields fields)
   PetscInt         n;
 
   PetscFunctionBeginUser;
-  for (PetscInt b = 0; b < vi->scene->num_bodies; ++b) sizes[0] = PetscMax(sizes[0], fields->body_max[b]);
+  for (PetscInt b = 0; b < vi->scene->num_bodies; b++) sizes[0] = PetscMax(sizes[0], fields->body_max[b]);
   PetscCall(VecGetLocalSize(vi->f, &n));
   PetscCall(VecGetArrayRead(vi->f, &f));
-  for (PetscInt i = 0; i < n; ++i) sums[0] += PetscAbsReal(f[i]);
+  for (PetscInt i = 0; i < n; i++) sums[0] += PetscAbsReal(f[i]);
   PetscCall(VecRestoreArrayRead(vi->f, &f));
   if (fields->lambda) {
     const PetscReal *lambda, *slack, *G;
@@ -131,7 +131,7 @@ static PetscErrorCode ReferenceSizes_Private(Fields fields)
     PetscCall(VecGetArrayRead(fields->lambda, &lambda));
     PetscCall(VecGetArrayRead(fields->slack, &slack));
     PetscCall(VecGetArrayRead(vi->G, &G));
-    for (PetscInt r = 0; r < vi->num_rows; ++r) {
+    for (PetscInt r = 0; r < vi->num_rows; r++) {
       const PetscReal gap = G[r] / vi->row_D[r];
 
       sums[1] += vi->row_D[r];
@@ -158,9 +158,9 @@ static PetscErrorCode ArmSize_Private(const Pair pair, PetscInt k, PetscReal *si
 
   PetscFunctionBeginUser;
   *size = 0;
-  for (PetscInt i = 0; pair->arm && i < dim; ++i) {
+  for (PetscInt i = 0; pair->arm && i < dim; i++) {
     PetscCall(MatGetRow(pair->arm, first + i, &num, NULL, &values));
-    for (PetscInt c = 0; c < num; ++c) *size += PetscAbsScalar(values[c]) / pair->D[k];
+    for (PetscInt c = 0; c < num; c++) *size += PetscAbsScalar(values[c]) / pair->D[k];
     PetscCall(MatRestoreRow(pair->arm, first + i, &num, NULL, &values));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -181,7 +181,7 @@ static PetscErrorCode RowStatus_Private(Fields fields, PetscReal slip, Vec y)
   PetscCall(VecGetArrayRead(fields->lambda, &lambda));
   PetscCall(VecGetArrayRead(y, &values));
   PetscCall(VecGetArrayRead(vi->upper, &upper));
-  for (PetscInt r = 0; r < vi->num_rows; ++r) {
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
     const Pair      pair = vi->pairs[vi->row_pair[r]];
     const PetscInt  node = pair->nodes[vi->row_node[r]], i = vi->row_dof[r] - begin;
     const PetscReal force = fields->stiffness[node] * fields->body_max[vi->level->node_body[node]];
@@ -223,7 +223,7 @@ PetscErrorCode FieldsCreate(VI vi, Solvability solvability, Vec y, Fields *field
     PetscCall(MatMult(vi->B, f->u, f->slack));
     PetscCall(VecAYPX(f->slack, -1.0, vi->G));
     PetscCall(VecGetArray(f->slack, &slack));
-    for (PetscInt r = 0; r < vi->num_rows; ++r) slack[r] /= vi->row_D[r];
+    for (PetscInt r = 0; r < vi->num_rows; r++) slack[r] /= vi->row_D[r];
     PetscCall(VecRestoreArray(f->slack, &slack));
     PetscCall(PetscCalloc4(vi->num_rows, &f->row_weight, vi->num_rows * vi->level->dim, &f->row_moment, vi->num_rows,
                            &f->row_noise, vi->num_rows, &f->row_status));
@@ -258,6 +258,6 @@ PetscErrorCode FieldsEnergy(Fields fields, PetscReal strain[], PetscReal *potent
   PetscCall(ElasticityBodyEnergy(vi->scene, vi->level, vi->K, fields->u, strain));
   PetscCall(VecDot(vi->f, fields->u, &work));
   *potential = -PetscRealPart(work);
-  for (PetscInt b = 0; b < vi->scene->num_bodies; ++b) *potential += strain[b];
+  for (PetscInt b = 0; b < vi->scene->num_bodies; b++) *potential += strain[b];
   PetscFunctionReturn(PETSC_SUCCESS);
 }

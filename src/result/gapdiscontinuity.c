@@ -39,15 +39,15 @@ static PetscErrorCode Sizes_Private(Fields fields, PetscInt p, PetscReal *larges
   PetscFunctionBeginUser;
   *largest = 0;
   *size    = PetscAbsReal(obstacle->radius);
-  for (PetscInt k = 0; k < dim; ++k) *size = PetscMax(*size, PetscAbsReal(obstacle->point[k]));
+  for (PetscInt k = 0; k < dim; k++) *size = PetscMax(*size, PetscAbsReal(obstacle->point[k]));
   PetscCall(VecGetArrayRead(fields->u, &u)); // of nodes that this rank owns, as those of the pair are
-  for (PetscInt a = 0; a < pair->num; ++a) {
+  for (PetscInt a = 0; a < pair->num; a++) {
     PetscReal un = 0;
 
-    for (PetscInt k = 0; k < dim; ++k) un += PetscRealPart(u[pair->nodes[a] * dim + k]) * pair->normal[a * dim + k];
+    for (PetscInt k = 0; k < dim; k++) un += PetscRealPart(u[pair->nodes[a] * dim + k]) * pair->normal[a * dim + k];
     *largest = PetscMax(*largest, PetscAbsReal(un));
     *size    = PetscMax(*size, PetscAbsReal(pair->gap[a]));
-    for (PetscInt k = 0; k < dim; ++k) *size = PetscMax(*size, PetscAbsReal(level->coords[pair->nodes[a] * dim + k]));
+    for (PetscInt k = 0; k < dim; k++) *size = PetscMax(*size, PetscAbsReal(level->coords[pair->nodes[a] * dim + k]));
   }
   PetscCall(VecRestoreArrayRead(fields->u, &u));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -60,16 +60,16 @@ static PetscErrorCode Place_Private(Fields fields, PetscInt p, PetscReal largest
   const PetscInt dim = vi->level->dim;
 
   PetscFunctionBeginUser;
-  for (PetscInt k = 0; k < dim; ++k) {
+  for (PetscInt k = 0; k < dim; k++) {
     PetscReal least = PETSC_INFINITY;
 
-    for (PetscInt r = 0; r < vi->num_rows; ++r) {
+    for (PetscInt r = 0; r < vi->num_rows; r++) {
       const PetscReal *x;
       PetscBool        first = PETSC_TRUE;
 
       if (Row_Private(fields, p, r) < (1 - SAME) * largest) continue; // also those of other pairs
       x = &vi->level->coords[vi->pairs[p]->nodes[vi->row_node[r]] * dim];
-      for (PetscInt j = 0; j < k; ++j) first = (PetscBool)(first && x[j] == at[j]);
+      for (PetscInt j = 0; j < k; j++) first = (PetscBool)(first && x[j] == at[j]);
       if (first) least = PetscMin(least, x[k]);
     }
     PetscCallMPI(MPI_Allreduce(&least, &at[k], 1, MPIU_REAL, MPI_MIN, vi->level->comm));
@@ -83,7 +83,7 @@ PetscErrorCode GapDiscontinuityFind(Fields fields, PetscInt p, PetscBool *shows,
   PetscReal largest[3] = {0, 0, 0}; /* overlap, displacement, numbers */
 
   PetscFunctionBeginUser;
-  for (PetscInt r = 0; r < vi->num_rows; ++r) {
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
     if (vi->row_pair[r] == p) largest[0] = PetscMax(largest[0], Row_Private(fields, p, r));
   }
   PetscCall(Sizes_Private(fields, p, &largest[1], &largest[2]));

@@ -16,7 +16,7 @@ static PetscErrorCode Gather_Private(MPI_Comm comm, MPI_Datatype type, size_t si
   *all = NULL;
   if (total) *total = 0;
   if (rank == 0) {
-    for (PetscMPIInt r = 0; r < ranks; ++r) starts[r + 1] = starts[r] + counts[r];
+    for (PetscMPIInt r = 0; r < ranks; r++) starts[r + 1] = starts[r] + counts[r];
     PetscCall(PetscMalloc(PetscMax((size_t)starts[ranks], 1) * size, all));
     if (total) *total = starts[ranks];
   }

@@ -14,17 +14,17 @@ static PetscErrorCode ExtendPressure_Private(const Pair pair, PairFields *nodal)
   PetscFunctionBeginUser;
   PetscCall(MatCreateVecs(pair->D_other, &sums[0], &rows));
   PetscCall(VecDuplicate(sums[0], &sums[1]));
-  for (PetscInt i = 0; i < 2; ++i) {
+  for (PetscInt i = 0; i < 2; i++) {
     PetscCall(VecZeroEntries(rows));
     PetscCall(VecGetArray(rows, &value));
-    for (PetscInt a = 0; a < pair->num; ++a) value[pair->nodes[a]] = i == 0 ? nodal->pressure[pair->nodes[a]] : 1.0;
+    for (PetscInt a = 0; a < pair->num; a++) value[pair->nodes[a]] = i == 0 ? nodal->pressure[pair->nodes[a]] : 1.0;
     PetscCall(VecRestoreArray(rows, &value));
     PetscCall(MatMultTranspose(pair->D_other, rows, sums[i]));
   }
   PetscCall(VecGetLocalSize(sums[0], &n));
   PetscCall(VecGetArrayRead(sums[0], &sum[0]));
   PetscCall(VecGetArrayRead(sums[1], &sum[1]));
-  for (PetscInt c = 0; c < n; ++c) {
+  for (PetscInt c = 0; c < n; c++) {
     if (sum[1][c] == 0) continue; /* int phi_c may be negative on a part of a quadratic facet */
     nodal->pressure[c] = sum[0][c] / sum[1][c];
     nodal->covered[c]  = PETSC_TRUE;
@@ -48,13 +48,13 @@ static PetscErrorCode InterpolatePressure_Private(const Pair pair, PairFields *n
 
   PetscFunctionBeginUser;
   PetscCall(MatCreateVecs(pair->to_nodal, &ends, &middles));
-  for (PetscInt i = 0; i < 2; ++i) { /* the pressure, and whether there is any */
+  for (PetscInt i = 0; i < 2; i++) { /* the pressure, and whether there is any */
     PetscCall(VecGetArray(ends, &value));
-    for (PetscInt a = 0; a < pair->level->num_owned; ++a) value[a] = i == 0 ? nodal->pressure[a] : nodal->covered[a];
+    for (PetscInt a = 0; a < pair->level->num_owned; a++) value[a] = i == 0 ? nodal->pressure[a] : nodal->covered[a];
     PetscCall(VecRestoreArray(ends, &value));
     PetscCall(MatMult(pair->to_nodal, ends, middles));
     PetscCall(VecGetArrayRead(middles, &mean));
-    for (PetscInt a = 0; a < pair->level->num_owned; ++a) {
+    for (PetscInt a = 0; a < pair->level->num_owned; a++) {
       PetscInt num;
 
       PetscCall(MatGetRow(pair->to_nodal, begin + a, &num, NULL, NULL));
@@ -78,14 +78,14 @@ PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal)
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc5(n, &nodal->pressure, n, &nodal->gap, n, &nodal->force, n, &nodal->status, n, &nodal->covered));
-  for (PetscInt a = 0; a < n; ++a) {
+  for (PetscInt a = 0; a < n; a++) {
     nodal->gap[a]    = NAN;
     nodal->status[a] = STATUS_NONE;
   }
   if (!fields->lambda) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecGetArrayRead(fields->lambda, &lambda));
   PetscCall(VecGetArrayRead(fields->slack, &slack));
-  for (PetscInt r = 0; r < vi->num_rows; ++r) {
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
     PetscInt node;
 
     if (vi->row_pair[r] != p || vi->row_direction[r] != 0) continue;

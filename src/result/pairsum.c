@@ -24,17 +24,17 @@ static void AddRow_Private(Fields fields, PetscInt r, PetscReal lambda, PetscRea
   const PetscReal *x      = &vi->level->coords[pair->nodes[a] * dim];
   const PetscReal  weight = fields->row_weight[r];
 
-  for (PetscInt k = 0; k < dim; ++k) sums[ADD_FORCE + k] -= lambda * weight * d[k];
+  for (PetscInt k = 0; k < dim; k++) sums[ADD_FORCE + k] -= lambda * weight * d[k];
   if (vi->row_direction[r] != 0) return;
   sums[ADD_NORMAL] += lambda * weight;
-  for (PetscInt k = 0; k < dim; ++k) sums[ADD_CENTRE + k] += lambda * fields->row_moment[r * dim + k];
+  for (PetscInt k = 0; k < dim; k++) sums[ADD_CENTRE + k] += lambda * fields->row_moment[r * dim + k];
   largest[MAX_CLOSED] = PetscMax(largest[MAX_CLOSED], -slack);
   if (fields->row_status[r] == STATUS_OPEN) return;
   if (lambda > 0) sums[ADD_AREA] += weight;
   sums[ADD_ACTIVE] += 1;
   largest[MAX_PRESSURE] = PetscMax(largest[MAX_PRESSURE], lambda);
   if (!pair->partly_covered[a]) largest[MAX_COVERED] = PetscMax(largest[MAX_COVERED], lambda);
-  for (PetscInt k = 0; k < dim; ++k) {
+  for (PetscInt k = 0; k < dim; k++) {
     largest[MAX_LOWER + k] = PetscMax(largest[MAX_LOWER + k], -x[k]);
     largest[MAX_UPPER + k] = PetscMax(largest[MAX_UPPER + k], x[k]);
   }
@@ -48,17 +48,17 @@ static PetscErrorCode PressurePlace_Private(Fields fields, PetscInt p, const Pet
   const PetscInt dim = vi->level->dim;
 
   PetscFunctionBeginUser;
-  for (PetscInt k = 0; k < dim; ++k) {
+  for (PetscInt k = 0; k < dim; k++) {
     PetscReal least = PETSC_INFINITY;
 
-    for (PetscInt r = 0; r < vi->num_rows; ++r) {
+    for (PetscInt r = 0; r < vi->num_rows; r++) {
       const PetscReal *x;
       PetscBool        tied_with_first = PETSC_TRUE;
 
       if (vi->row_pair[r] != p || vi->row_direction[r] != 0 || fields->row_status[r] == STATUS_OPEN) continue;
       if (lambda[r] < max * (1 - SAME_PRESSURE)) continue;
       x = &vi->level->coords[vi->pairs[p]->nodes[vi->row_node[r]] * dim];
-      for (PetscInt j = 0; j < k; ++j) tied_with_first = (PetscBool)(tied_with_first && x[j] == at[j]);
+      for (PetscInt j = 0; j < k; j++) tied_with_first = (PetscBool)(tied_with_first && x[j] == at[j]);
       if (tied_with_first) least = PetscMin(least, x[k]);
     }
     PetscCallMPI(MPI_Allreduce(&least, &at[k], 1, MPIU_REAL, MPI_MIN, vi->level->comm));
@@ -72,15 +72,15 @@ static PetscErrorCode Middle_Private(const Level *level, const PetscReal F[], Pe
   PetscReal sums[4] = {0, 0, 0, 0};
 
   PetscFunctionBeginUser;
-  for (PetscInt a = 0; a < level->num_owned; ++a) {
+  for (PetscInt a = 0; a < level->num_owned; a++) {
     PetscReal square = 0;
 
-    for (PetscInt k = 0; k < level->dim; ++k) square += PetscSqr(F[a * level->dim + k]);
-    for (PetscInt k = 0; k < level->dim; ++k) sums[k] += PetscSqrtReal(square) * level->coords[a * level->dim + k];
+    for (PetscInt k = 0; k < level->dim; k++) square += PetscSqr(F[a * level->dim + k]);
+    for (PetscInt k = 0; k < level->dim; k++) sums[k] += PetscSqrtReal(square) * level->coords[a * level->dim + k];
     sums[3] += PetscSqrtReal(square);
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 4, MPIU_REAL, MPI_SUM, level->comm));
-  for (PetscInt k = 0; k < 3; ++k) middle[k] = sums[3] > 0 ? sums[k] / sums[3] : 0;
+  for (PetscInt k = 0; k < 3; k++) middle[k] = sums[3] > 0 ? sums[k] / sums[3] : 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -102,7 +102,7 @@ static PetscErrorCode MomentImbalance_Private(Fields fields, PetscInt p, PairSum
   PetscCall(VecDuplicate(fields->u, &force));
   PetscCall(VecCopy(fields->lambda, lambda));
   PetscCall(VecGetArray(lambda, &l));
-  for (PetscInt r = 0; r < vi->num_rows; ++r) {
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
     if (vi->row_pair[r] != p) l[r] = 0.0;
   }
   PetscCall(VecRestoreArray(lambda, &l));
@@ -110,16 +110,16 @@ static PetscErrorCode MomentImbalance_Private(Fields fields, PetscInt p, PairSum
   PetscCall(VecGetArrayRead(force, &F));
   PetscCall(PetscArraycpy(centre, sum->centre, 3));
   if (vi->pairs[p]->spec->type == PAIR_TIED) PetscCall(Middle_Private(vi->level, F, centre));
-  for (PetscInt a = 0; a < vi->level->num_owned; ++a) {
+  for (PetscInt a = 0; a < vi->level->num_owned; a++) {
     PetscReal x[3] = {0, 0, 0}, f[3] = {0, 0, 0}, xx = 0, ff = 0;
 
-    for (PetscInt k = 0; k < dim; ++k) {
+    for (PetscInt k = 0; k < dim; k++) {
       x[k] = vi->level->coords[a * dim + k] - centre[k];
       f[k] = F[a * dim + k];
       xx += x[k] * x[k];
       ff += f[k] * f[k];
     }
-    for (PetscInt k = 0; k < 3; ++k) sums[k] += x[(k + 1) % 3] * f[(k + 2) % 3] - x[(k + 2) % 3] * f[(k + 1) % 3];
+    for (PetscInt k = 0; k < 3; k++) sums[k] += x[(k + 1) % 3] * f[(k + 2) % 3] - x[(k + 2) % 3] * f[(k + 1) % 3];
     sums[3] += PetscSqrtReal(xx * ff);
   }
   PetscCall(VecRestoreArrayRead(force, &F));
@@ -137,12 +137,12 @@ PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum)
   const PetscReal *lambda = NULL, *slack = NULL;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < MAX_COUNT; ++i) largest[i] = PETSC_NINFINITY;
+  for (PetscInt i = 0; i < MAX_COUNT; i++) largest[i] = PETSC_NINFINITY;
   if (fields->lambda) {
     PetscCall(VecGetArrayRead(fields->lambda, &lambda));
     PetscCall(VecGetArrayRead(fields->slack, &slack));
   }
-  for (PetscInt r = 0; r < vi->num_rows; ++r) {
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
     if (vi->row_pair[r] == p) AddRow_Private(fields, r, lambda[r], slack[r], sums, largest);
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, ADD_COUNT, MPIU_REAL, MPI_SUM, vi->level->comm));
@@ -153,7 +153,7 @@ PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum)
   sum->max_pressure = sum->active ? largest[MAX_PRESSURE] : 0.0;
   sum->max_covered  = PetscMax(largest[MAX_COVERED], 0);
   sum->min_gap      = -largest[MAX_CLOSED];
-  for (PetscInt k = 0; k < 3; ++k) {
+  for (PetscInt k = 0; k < 3; k++) {
     sum->force[k]           = sums[ADD_FORCE + k];
     sum->lower[k]           = sum->active ? -largest[MAX_LOWER + k] : NAN;
     sum->upper[k]           = sum->active ? largest[MAX_UPPER + k] : NAN;
@@ -182,7 +182,7 @@ PairSum PairSumUnknown(void)
                  .min_gap          = NAN,
                  .moment_imbalance = NAN};
 
-  for (PetscInt k = 0; k < 3; ++k)
+  for (PetscInt k = 0; k < 3; k++)
     sum.force[k] = sum.max_pressure_at[k] = sum.lower[k] = sum.upper[k] = sum.centre[k] = NAN;
   return sum;
 }

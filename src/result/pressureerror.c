@@ -22,7 +22,7 @@ static PetscErrorCode NodalValues_Private(Fields fields, PetscInt p, Vec *values
   PetscCall(PairFieldsCreate(fields, p, &nodal));
   PetscCall(LevelCreateVec(level, NODE_COUNT, values));
   PetscCall(VecGetArray(*values, &a));
-  for (PetscInt i = 0; i < level->num_owned; ++i) {
+  for (PetscInt i = 0; i < level->num_owned; i++) {
     a[i * NODE_COUNT + NODE_PRESSURE] = nodal.pressure[i];
     a[i * NODE_COUNT + NODE_COVERED]  = nodal.covered[i] ? 1 : 0;
   }
@@ -44,16 +44,16 @@ static PetscErrorCode AddFacet_Private(const Level *level, const Facets *facets,
   const PetscInt    num_points = QuadratureRule(type, FACET_DEGREE, xi, w);
 
   PetscFunctionBeginUser;
-  for (PetscInt a = 0; a < n; ++a) {
+  for (PetscInt a = 0; a < n; a++) {
     if (PetscRealPart(values[nodes[a] * NODE_COUNT + NODE_COVERED]) == 0) PetscFunctionReturn(PETSC_SUCCESS);
     PetscCall(PetscArraycpy(&X[a * dim], &level->coords[nodes[a] * dim], dim));
   }
-  for (PetscInt q = 0; q < num_points; ++q) {
+  for (PetscInt q = 0; q < num_points; q++) {
     PetscReal ds = w[q] * ElementSurface(type, X, &xi[q * ElementDim(type)], x, phi, NULL), ph = 0;
 
     ds *= SceneMeasure(level->scene, x);
     PetscCall(ExpressionEvaluate(exact, dim, x, &p));
-    for (PetscInt a = 0; a < n; ++a) ph += phi[a] * PetscRealPart(values[nodes[a] * NODE_COUNT + NODE_PRESSURE]);
+    for (PetscInt a = 0; a < n; a++) ph += phi[a] * PetscRealPart(values[nodes[a] * NODE_COUNT + NODE_PRESSURE]);
     squares[ERROR_L2] += ds * PetscSqr(ph - p);
     squares[SIZE_L2] += ds * PetscSqr(p);
   }
@@ -73,7 +73,7 @@ static PetscErrorCode AddFacets_Private(Fields fields, PetscInt p, PetscReal squ
   PetscCall(LevelGetFacets(level, fields->vi->scene, spec->nonmortar.body, spec->nonmortar.side, &facets));
   PetscCall(VecGhostGetLocalForm(nodal, &local));
   PetscCall(VecGetArrayRead(local, &values));
-  for (PetscInt f = 0; f < facets.num; ++f)
+  for (PetscInt f = 0; f < facets.num; f++)
     PetscCall(AddFacet_Private(level, &facets, f, spec->exact, values, squares));
   PetscCall(VecRestoreArrayRead(local, &values));
   PetscCall(VecGhostRestoreLocalForm(nodal, &local));
@@ -93,7 +93,7 @@ static PetscErrorCode AddRows_Private(Fields fields, PetscInt p, PetscReal squar
   PetscFunctionBeginUser;
   if (!fields->lambda) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecGetArrayRead(fields->lambda, &lambda));
-  for (PetscInt r = 0; r < vi->num_rows; ++r) {
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
     const PetscReal *x = &vi->level->coords[pair->nodes[vi->row_node[r]] * vi->level->dim];
 
     if (vi->row_pair[r] != p || vi->row_direction[r] != 0) continue;

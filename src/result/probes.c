@@ -10,16 +10,16 @@ static PetscErrorCode BodyBox_Private(const Level *level, PetscInt body, PetscRe
   PetscReal box[6];
 
   PetscFunctionBeginUser;
-  for (PetscInt k = 0; k < 6; ++k) box[k] = PETSC_NINFINITY;
-  for (PetscInt a = 0; a < level->num_owned; ++a) {
+  for (PetscInt k = 0; k < 6; k++) box[k] = PETSC_NINFINITY;
+  for (PetscInt a = 0; a < level->num_owned; a++) {
     if (level->node_body[a] != body) continue;
-    for (PetscInt k = 0; k < level->dim; ++k) {
+    for (PetscInt k = 0; k < level->dim; k++) {
       box[k]     = PetscMax(box[k], -level->coords[a * level->dim + k]);
       box[3 + k] = PetscMax(box[3 + k], level->coords[a * level->dim + k]);
     }
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, box, 6, MPIU_REAL, MPI_MAX, level->comm));
-  for (PetscInt k = 0; k < 3; ++k) {
+  for (PetscInt k = 0; k < 3; k++) {
     lower[k] = -box[k];
     upper[k] = box[3 + k];
   }
@@ -31,7 +31,7 @@ static PetscErrorCode PointText_Private(PetscInt dim, const PetscReal x[], char 
 {
   PetscFunctionBeginUser;
   text[0] = '\0';
-  for (PetscInt k = 0; k < dim; ++k) {
+  for (PetscInt k = 0; k < dim; k++) {
     const size_t used = strlen(text);
 
     PetscCall(PetscSNPrintf(text + used, len - used, "%s%.6g", k ? "," : "", (double)x[k]));
@@ -48,7 +48,7 @@ PetscErrorCode ProbesCheck(Scene scene, Mesh mesh)
   char      at[128], low[128], high[128];
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < scene->num_probes; ++i) {
+  for (PetscInt i = 0; i < scene->num_probes; i++) {
     const SceneProbe *probe = &scene->probes[i];
 
     PetscCall(LevelLocate(level, probe->body, probe->at, &cell, xi, &found));
@@ -80,16 +80,16 @@ PetscErrorCode ProbesEvaluate(Fields fields, const SceneProbe *probe, PetscReal 
   if (cell >= 0) {
     PetscCall(VecGhostGetLocalForm(fields->u, &local[0]));
     PetscCall(VecGhostGetLocalForm(fields->stress, &local[1]));
-    for (PetscInt i = 0; i < 2; ++i) PetscCall(VecGetArrayRead(local[i], &values[i]));
+    for (PetscInt i = 0; i < 2; i++) PetscCall(VecGetArrayRead(local[i], &values[i]));
     ElementShape((ElementType)level->cell_type[cell], xi, phi, NULL);
-    for (PetscInt i = level->cell_start[cell]; i < level->cell_start[cell + 1]; ++i) {
+    for (PetscInt i = level->cell_start[cell]; i < level->cell_start[cell + 1]; i++) {
       const PetscInt  node   = level->cell_nodes[i];
       const PetscReal weight = phi[i - level->cell_start[cell]];
 
-      for (PetscInt k = 0; k < dim; ++k) answer[k] += weight * values[0][node * dim + k];
-      for (PetscInt k = 0; k < 6; ++k) answer[3 + k] += weight * values[1][node * 6 + k];
+      for (PetscInt k = 0; k < dim; k++) answer[k] += weight * values[0][node * dim + k];
+      for (PetscInt k = 0; k < 6; k++) answer[3 + k] += weight * values[1][node * 6 + k];
     }
-    for (PetscInt i = 0; i < 2; ++i) PetscCall(VecRestoreArrayRead(local[i], &values[i]));
+    for (PetscInt i = 0; i < 2; i++) PetscCall(VecRestoreArrayRead(local[i], &values[i]));
     PetscCall(VecGhostRestoreLocalForm(fields->u, &local[0]));
     PetscCall(VecGhostRestoreLocalForm(fields->stress, &local[1]));
   }

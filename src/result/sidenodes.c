@@ -13,8 +13,8 @@ static PetscErrorCode MarkNodes_Private(Level *level, const Facets *facets, Vec 
   PetscCall(VecGhostGetLocalForm(*marks, &local));
   PetscCall(VecSet(local, 0.0));
   PetscCall(VecGetArray(local, &mark));
-  for (PetscInt f = 0; f < facets->num; ++f) {
-    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); ++i) {
+  for (PetscInt f = 0; f < facets->num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
       mark[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]] = 1.0;
     }
   }
@@ -33,10 +33,10 @@ PetscErrorCode SideNodesCreate(Level *level, const Facets *facets, PetscInt *num
   PetscFunctionBeginUser;
   PetscCall(MarkNodes_Private(level, facets, &marks));
   PetscCall(VecGetArrayRead(marks, &mark));
-  for (PetscInt a = 0; a < level->num_owned; ++a) n += mark[a] != 0.0;
+  for (PetscInt a = 0; a < level->num_owned; a++) n += mark[a] != 0.0;
   PetscCall(PetscMalloc1(n, nodes));
   *num = 0;
-  for (PetscInt a = 0; a < level->num_owned; ++a) {
+  for (PetscInt a = 0; a < level->num_owned; a++) {
     if (mark[a] != 0.0) (*nodes)[(*num)++] = a;
   }
   PetscCall(VecRestoreArrayRead(marks, &mark));

@@ -17,11 +17,11 @@ static PetscReal Cell_Private(const Level *level, PetscInt c, const PetscScalar 
   const PetscInt num     = ElementNumNodes(ElementLinear((ElementType)level->cell_type[c]));
   PetscReal      largest = 0;
 
-  for (PetscInt i = 0; i < num; ++i) {
-    for (PetscInt j = 0; j < i; ++j) {
+  for (PetscInt i = 0; i < num; i++) {
+    for (PetscInt j = 0; j < i; j++) {
       PetscReal way = 0, moved = 0;
 
-      for (PetscInt k = 0; k < dim; ++k) {
+      for (PetscInt k = 0; k < dim; k++) {
         way += PetscSqr(level->coords[nodes[i] * dim + k] - level->coords[nodes[j] * dim + k]);
         moved += PetscSqr(PetscRealPart(u[nodes[i] * dim + k] - u[nodes[j] * dim + k]));
       }
@@ -44,7 +44,7 @@ PetscErrorCode SmallStrainWarn(Fields fields)
   PetscCall(PetscCalloc1(scene->num_bodies, &squares));
   PetscCall(VecGhostGetLocalForm(fields->u, &local));
   PetscCall(VecGetArrayRead(local, &u));
-  for (PetscInt c = 0; c < level->num_cells; ++c) {
+  for (PetscInt c = 0; c < level->num_cells; c++) {
     PetscReal *square = &squares[level->cell_body[c]];
 
     *square = PetscMax(*square, Cell_Private(level, c, u));
@@ -52,7 +52,7 @@ PetscErrorCode SmallStrainWarn(Fields fields)
   PetscCall(VecRestoreArrayRead(local, &u));
   PetscCall(VecGhostRestoreLocalForm(fields->u, &local));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, squares, (PetscMPIInt)scene->num_bodies, MPIU_REAL, MPI_MAX, level->comm));
-  for (PetscInt b = 1; b < scene->num_bodies; ++b)
+  for (PetscInt b = 1; b < scene->num_bodies; b++)
     if (squares[b] > squares[worst]) worst = b;
   if (squares[worst] > PetscSqr(SMALL)) {
     const Warning large = {.code   = "model_limit",

@@ -10,7 +10,7 @@ static void AddMotion_Private(VI vi, const SceneMotion *motion, cJSON *object)
 {
   const PetscInt dim = vi->level->dim;
 
-  for (PetscInt i = 0; i < motion->num; ++i) {
+  for (PetscInt i = 0; i < motion->num; i++) {
     const BodyMotion *moves = &motion->bodies[i];
     cJSON            *body  = cJSON_AddObjectToObject(object, moves->name);
 
@@ -46,7 +46,7 @@ void SolvabilityReportAdd(VI vi, Solvability s, cJSON *root)
     cJSON_AddNullToObject(object, "sentence");
   }
   motions = cJSON_AddArrayToObject(object, "free_motions");
-  for (PetscInt i = 0; s && i < s->num_free; ++i) {
+  for (PetscInt i = 0; s && i < s->num_free; i++) {
     cJSON *one = cJSON_CreateObject();
 
     AddMotion_Private(vi, &s->free[i], one);
@@ -57,7 +57,7 @@ void SolvabilityReportAdd(VI vi, Solvability s, cJSON *root)
 PetscErrorCode SolvabilityReportPrint(VI vi, Solvability s)
 {
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; s && i < s->num_free; ++i)
+  for (PetscInt i = 0; s && i < s->num_free; i++)
     PetscCall(PetscPrintf(vi->level->comm, "  free motion: %s\n", s->free[i].sentence));
   if (s && s->num_free)
     PetscCall(PetscPrintf(vi->level->comm, "    of all positions the one of least motion is given\n"));

@@ -34,14 +34,14 @@ static void RecoverySet_Private(ElementType type, const ElementRule *stiffness, 
   recovery->stiffness = stiffness;
   rule->type          = type;
   rule->num           = ElementOrder(type) == 1 ? 1 : nv;
-  for (PetscInt q = 0; q < rule->num; ++q) {
-    for (PetscInt k = 0; k < dim; ++k)
+  for (PetscInt q = 0; q < rule->num; q++) {
+    for (PetscInt k = 0; k < dim; k++)
       xi[k] = rule->num == 1 ? middle[k] : middle[k] + shrink * (ElementNode(linear, q)[k] - middle[k]);
     rule->weight[q] = measure / rule->num;
     ElementShape(type, xi, &rule->phi[q * nn], &rule->dphi[q * nn * dim]);
   }
-  for (PetscInt i = 0; i < nn; ++i) {
-    for (PetscInt k = 0; k < dim; ++k) xi[k] = middle[k] + (ElementNode(type, i)[k] - middle[k]) / shrink;
+  for (PetscInt i = 0; i < nn; i++) {
+    for (PetscInt k = 0; k < dim; k++) xi[k] = middle[k] + (ElementNode(type, i)[k] - middle[k]) / shrink;
     if (rule->num == 1)
       recovery->spread[i] = 1;
     else
@@ -67,18 +67,18 @@ static PetscErrorCode PointStress_Private(Scene scene, const Cell *cell, const E
 
   PetscFunctionBeginUser;
   *det = ElementRuleMap(rule, q, cell->X, x, grad);
-  for (PetscInt i = 0; ring && i < n; ++i) hoop[i] = rule->phi[q * n + i] / x[0];
+  for (PetscInt i = 0; ring && i < n; i++) hoop[i] = rule->phi[q * n + i] / x[0];
   ElementStrainMatrix(dim, n, grad, ring ? hoop : NULL, B);
-  for (PetscInt s = 0; s < num_strains; ++s) {
+  for (PetscInt s = 0; s < num_strains; s++) {
     strain[s] = 0.0;
-    for (PetscInt i = 0; i < n * dim; ++i) strain[s] += B[s * n * dim + i] * cell->u[i];
+    for (PetscInt i = 0; i < n * dim; i++) strain[s] += B[s * n * dim + i] * cell->u[i];
   }
   PetscCall(ElasticityHooke(scene, cell->body, x, C, &poisson));
   MaterialStress(scene->model, C, poisson, strain, stress);
   if (!cell->pi.num) PetscFunctionReturn(PETSC_SUCCESS);
   change = DilatationEvaluate(&cell->pi, x, cell->u) - MaterialDilatation(num_strains, strain);
   change *= MaterialTakeBulk(num_strains, C);
-  for (PetscInt k = 0; k < 3; ++k) stress[k] += change; /* sigma = C eps + bulk (theta - div u) 1 */
+  for (PetscInt k = 0; k < 3; k++) stress[k] += change; /* sigma = C eps + bulk (theta - div u) 1 */
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -93,25 +93,25 @@ static PetscErrorCode AddCell_Private(Scene scene, const Level *level, PetscInt 
   Cell            cell = {.body = level->cell_body[c]};
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < n; ++i) {
-    for (PetscInt k = 0; k < dim; ++k) {
+  for (PetscInt i = 0; i < n; i++) {
+    for (PetscInt k = 0; k < dim; k++) {
       cell.X[i * dim + k] = level->coords[nodes[i] * dim + k];
       cell.u[i * dim + k] = u[nodes[i] * dim + k];
     }
   }
   PetscCall(ElasticityDilatation(scene, level, c, recovery->stiffness, &cell.pi));
-  for (PetscInt q = 0; q < num; ++q) {
+  for (PetscInt q = 0; q < num; q++) {
     PetscReal det;
 
     PetscCall(PointStress_Private(scene, &cell, &recovery->rule, q, stress[q], &det));
     volume += recovery->rule.weight[q] * det;
   }
-  for (PetscInt i = 0; i < n; ++i) {
+  for (PetscInt i = 0; i < n; i++) {
     volumes[nodes[i]] += volume;
-    for (PetscInt q = 0; q < num; ++q) {
+    for (PetscInt q = 0; q < num; q++) {
       const PetscReal share = volume * recovery->spread[i * num + q];
 
-      for (PetscInt k = 0; k < STRESSES; ++k) sums[nodes[i] * STRESSES + k] += share * stress[q][k];
+      for (PetscInt k = 0; k < STRESSES; k++) sums[nodes[i] * STRESSES + k] += share * stress[q][k];
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -129,14 +129,14 @@ static PetscErrorCode AddCells_Private(Scene scene, const Level *level, Vec u, V
   PetscFunctionBeginUser;
   PetscCall(ElasticityRulesCreate(scene, &rules));
   PetscCall(PetscMalloc1(ELEMENT_COUNT, &recoveries));
-  for (PetscInt t = 0; t < ELEMENT_COUNT; ++t) RecoverySet_Private((ElementType)t, &rules[t], &recoveries[t]);
+  for (PetscInt t = 0; t < ELEMENT_COUNT; t++) RecoverySet_Private((ElementType)t, &rules[t], &recoveries[t]);
   PetscCall(VecGhostGetLocalForm(u, &local[0]));
   PetscCall(VecGhostGetLocalForm(stress, &local[1]));
   PetscCall(VecGhostGetLocalForm(volume, &local[2]));
   PetscCall(VecGetArrayRead(local[0], &displacement));
   PetscCall(VecGetArray(local[1], &sums));
   PetscCall(VecGetArray(local[2], &volumes));
-  for (PetscInt c = 0; c < level->num_cells; ++c) {
+  for (PetscInt c = 0; c < level->num_cells; c++) {
     PetscCall(AddCell_Private(scene, level, c, &recoveries[level->cell_type[c]], displacement, sums, volumes));
   }
   PetscCall(VecRestoreArray(local[2], &volumes));
@@ -164,8 +164,8 @@ PetscErrorCode StressCreate(Scene scene, Level *level, Vec u, Vec *stress)
   PetscCall(LevelShareVec(volume, ADD_VALUES));
   PetscCall(VecGetArrayRead(volume, &volumes));
   PetscCall(VecGetArray(*stress, &sums));
-  for (PetscInt a = 0; a < level->num_owned; ++a) {
-    for (PetscInt k = 0; k < STRESSES; ++k) sums[a * STRESSES + k] /= volumes[a];
+  for (PetscInt a = 0; a < level->num_owned; a++) {
+    for (PetscInt k = 0; k < STRESSES; k++) sums[a * STRESSES + k] /= volumes[a];
   }
   PetscCall(VecRestoreArray(*stress, &sums));
   PetscCall(VecRestoreArrayRead(volume, &volumes));

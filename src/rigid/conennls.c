@@ -116,7 +116,7 @@ PetscErrorCode ConeKernel(const Cone *cone, const PetscBool take[], PetscInt *di
   for (PetscInt i = 0; i < m; i++) {
     if (values[i] > RANK_TOLERANCE * largest) continue;
     for (PetscInt k = 0; k < m; k++) kernel[*dim * m + k] = V[k * m + i];
-    ++*dim;
+    (*dim)++;
   }
   Reduce_Private(*dim, m, kernel);
   PetscCall(PetscFree3(gram, values, V));

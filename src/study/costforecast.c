@@ -27,7 +27,7 @@ PetscReal CostForecastMemory(Study study, PetscInt order, PetscInt unknowns)
   PetscInt      highest = 1, dim = study->scene->dim;
   PetscReal     bytes;
 
-  for (PetscInt b = 0; b < study->scene->num_bodies; ++b) highest = PetscMax(highest, study->scene->bodies[b].order);
+  for (PetscInt b = 0; b < study->scene->num_bodies; b++) highest = PetscMax(highest, study->scene->bodies[b].order);
   bytes = BYTES[dim - 2][PetscMin(highest, (PetscInt)PETSC_STATIC_ARRAY_LENGTH(BYTES[0])) - 1];
   if (!last) return bytes * Growth_Private(dim, unknowns);
   if (before) {

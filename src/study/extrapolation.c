@@ -8,7 +8,7 @@ static const PetscReal NEGLIGIBLE = 1e-9; /* part of its size that a quantity is
 /* The solved record of an order on a level, or NULL. */
 static const Record *Find_Private(Study study, PetscInt order, PetscInt level)
 {
-  for (PetscInt r = 0; r < study->num; ++r) {
+  for (PetscInt r = 0; r < study->num; r++) {
     const Record *record = &study->records[r];
 
     if (record->order == order && record->level == level && record->state == RECORD_SOLVED) return record;
@@ -21,7 +21,7 @@ PetscBool ExtrapolationOfQuantity(Study study, PetscInt quantity, PetscInt order
   const Record *finest = StudyFindCoarser(study, order, study->scene->study.levels);
   PetscReal     values[RICHARDSON_LEVELS];
 
-  for (PetscInt i = 0; i < RICHARDSON_LEVELS; ++i) {
+  for (PetscInt i = 0; i < RICHARDSON_LEVELS; i++) {
     const Record *record = finest ? Find_Private(study, order, finest->level - (RICHARDSON_LEVELS - 1) + i) : NULL;
 
     if (!record || !isfinite((double)record->values[quantity])) return PETSC_FALSE;
@@ -36,7 +36,7 @@ PetscInt ExtrapolationFindBest(Study study, PetscInt quantity)
   PetscReal smallest = PETSC_INFINITY;
   PetscInt  best     = -1;
 
-  for (PetscInt o = 0; o < study->num_orders; ++o) {
+  for (PetscInt o = 0; o < study->num_orders; o++) {
     const PetscInt order = study->scene->study.orders[o];
     Extrapolation  limit;
 
@@ -52,7 +52,7 @@ PetscBool ExtrapolationVanishes(Study study, PetscInt quantity, const Extrapolat
   const Record *finest = StudyFindCoarser(study, ExtrapolationFindBest(study, quantity), study->scene->study.levels);
   PetscReal     size   = 0;
 
-  for (PetscInt q = 0; q < study->num_quantities; ++q)
+  for (PetscInt q = 0; q < study->num_quantities; q++)
     if (study->quantities[q].size == study->quantities[quantity].size)
       size = PetscMax(size, PetscAbsReal(finest->values[q]));
   return (PetscBool)(PetscAbsReal(limit->value) + limit->bar <= NEGLIGIBLE * size);
@@ -64,7 +64,7 @@ PetscErrorCode ExtrapolationPrint(Study study)
   PetscBool      begun = PETSC_FALSE;
 
   PetscFunctionBeginUser;
-  for (PetscInt q = 0; q < study->num_quantities; ++q) {
+  for (PetscInt q = 0; q < study->num_quantities; q++) {
     const PetscInt best   = ExtrapolationFindBest(study, q);
     Record         sample = {.order = best};
     Extrapolation  limit;

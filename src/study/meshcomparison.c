@@ -24,7 +24,7 @@ PetscErrorCode MeshComparisonPromote(Mesh mesh, PetscInt from, PetscInt to, Vec 
   PetscFunctionBeginUser;
   PetscCall(PetscObjectReference((PetscObject)u));
   *v = u;
-  for (PetscInt l = from + 1; l <= to; ++l) {
+  for (PetscInt l = from + 1; l <= to; l++) {
     Level *level = &mesh->levels[l];
     Vec    fine;
 
@@ -40,7 +40,7 @@ static PetscInt OrderIndex_Private(Study study, PetscInt order)
 {
   PetscInt o = 0;
 
-  while (o + 1 < study->num_orders && study->scene->study.orders[o] != order) ++o;
+  while (o + 1 < study->num_orders && study->scene->study.orders[o] != order) o++;
   return o;
 }
 
@@ -49,7 +49,7 @@ static PetscInt FindReference_Private(Study study)
 {
   PetscInt found = -1;
 
-  for (PetscInt r = 0; r < study->num; ++r) {
+  for (PetscInt r = 0; r < study->num; r++) {
     const Record *record = &study->records[r], *best = found < 0 ? NULL : &study->records[found];
 
     if (record->state != RECORD_SOLVED) continue;
@@ -94,7 +94,7 @@ PetscErrorCode MeshComparisonRun(Study study)
   study->reference = FindReference_Private(study);
   if (study->reference < 0) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(scene->num_bodies, &bodies));
-  for (PetscInt r = 0; r < study->num; ++r) {
+  for (PetscInt r = 0; r < study->num; r++) {
     const Record *reference = &study->records[study->reference];
     const Mesh    mesh      = study->mesh[OrderIndex_Private(study, reference->order)];
     Record       *record    = &study->records[r];

@@ -22,12 +22,12 @@ static PetscErrorCode SideMotion_Private(Scene scene, Level *level, const SceneS
   *motion = 0;
   if (side->body < 0) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(LevelGetFacets(level, scene, side->body, side->side, &facets));
-  for (PetscInt f = 0; f < facets.num; ++f) {
-    for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); ++i) {
+  for (PetscInt f = 0; f < facets.num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); i++) {
       const PetscInt node   = facets.nodes[f * ELEMENT_MAX_FACET_NODES + i];
       PetscReal      square = 0;
 
-      for (PetscInt k = 0; k < dim; ++k) square += PetscSqr(PetscRealPart(u[node * dim + k]));
+      for (PetscInt k = 0; k < dim; k++) square += PetscSqr(PetscRealPart(u[node * dim + k]));
       *motion = PetscMax(*motion, PetscSqrtReal(square));
     }
   }
@@ -47,7 +47,7 @@ static PetscErrorCode Motions_Private(Run run, PetscReal motion[])
   PetscCall(PetscCalloc1(2 * vi->num_pairs, &sides));
   PetscCall(VecGhostGetLocalForm(run->fields->u, &local));
   PetscCall(VecGetArrayRead(local, &values));
-  for (PetscInt p = 0; p < vi->num_pairs; ++p) {
+  for (PetscInt p = 0; p < vi->num_pairs; p++) {
     const ScenePair *spec = vi->pairs[p]->spec;
 
     if (spec->type == PAIR_TIED) continue;
@@ -58,7 +58,7 @@ static PetscErrorCode Motions_Private(Run run, PetscReal motion[])
   PetscCall(VecGhostRestoreLocalForm(run->fields->u, &local));
   PetscCallMPI(
       MPI_Allreduce(MPI_IN_PLACE, sides, (PetscMPIInt)(2 * vi->num_pairs), MPIU_REAL, MPI_MAX, vi->level->comm));
-  for (PetscInt p = 0; p < vi->num_pairs; ++p) motion[p] = sides[2 * p] + sides[2 * p + 1];
+  for (PetscInt p = 0; p < vi->num_pairs; p++) motion[p] = sides[2 * p] + sides[2 * p + 1];
   PetscCall(PetscFree(sides));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -73,17 +73,17 @@ static PetscErrorCode Overlaps_Private(const Run run, const VI wide, PetscReal o
   Vec                e;
 
   PetscFunctionBeginUser;
-  for (PetscInt p = 0; p < vi->num_pairs; ++p) overlap[p] = 0;
+  for (PetscInt p = 0; p < vi->num_pairs; p++) overlap[p] = 0;
   if (!wide->B) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscCalloc1(vi->num_pairs * num, &known));
-  for (PetscInt p = 0; p < vi->num_pairs; ++p) {
-    for (PetscInt k = 0; k < vi->pairs[p]->num; ++k) known[p * num + vi->pairs[p]->nodes[k]] = PETSC_TRUE;
+  for (PetscInt p = 0; p < vi->num_pairs; p++) {
+    for (PetscInt k = 0; k < vi->pairs[p]->num; k++) known[p * num + vi->pairs[p]->nodes[k]] = PETSC_TRUE;
   }
   PetscCall(VecDuplicate(wide->G, &e));
   PetscCall(MatMult(wide->B, run->fields->u, e));
   PetscCall(VecAXPY(e, -1, wide->G));
   PetscCall(VecGetArrayRead(e, &excess));
-  for (PetscInt r = 0; r < wide->num_rows; ++r) {
+  for (PetscInt r = 0; r < wide->num_rows; r++) {
     const PetscInt p = wide->row_pair[r];
 
     if (wide->pairs[p]->spec->type == PAIR_TIED || known[p * num + wide->pairs[p]->nodes[wide->row_node[r]]]) continue;
@@ -118,7 +118,7 @@ static PetscErrorCode Look_Private(Run run, const PetscReal motion[], PetscBool 
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc2(run->scene->num_pairs, &given, run->scene->num_pairs, &overlap));
-  for (PetscInt p = 0; p < run->scene->num_pairs; ++p) {
+  for (PetscInt p = 0; p < run->scene->num_pairs; p++) {
     given[p] = specs[p].reach;
     if (motion[p] > run->vi->pairs[p]->reach) specs[p].reach = motion[p];
   }
@@ -127,7 +127,7 @@ static PetscErrorCode Look_Private(Run run, const PetscReal motion[], PetscBool 
   WarningUnmute();
   PetscCall(Overlaps_Private(run, wide, overlap));
   *again = PETSC_FALSE;
-  for (PetscInt p = 0; p < run->scene->num_pairs; ++p) {
+  for (PetscInt p = 0; p < run->scene->num_pairs; p++) {
     const PetscBool missed = (PetscBool)(overlap[p] > OVERLAP * motion[p]);
 
     if (given[p] >= 0 || !missed) specs[p].reach = given[p];
@@ -148,7 +148,7 @@ PetscErrorCode ReachCheckRun(Run run, PetscBool *again)
   *again = PETSC_FALSE;
   PetscCall(PetscMalloc1(run->vi->num_pairs, &motion));
   PetscCall(Motions_Private(run, motion));
-  for (PetscInt p = 0; p < run->vi->num_pairs; ++p) far = (PetscBool)(far || motion[p] > run->vi->pairs[p]->reach);
+  for (PetscInt p = 0; p < run->vi->num_pairs; p++) far = (PetscBool)(far || motion[p] > run->vi->pairs[p]->reach);
   if (far) PetscCall(Look_Private(run, motion, again));
   PetscCall(PetscFree(motion));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -87,7 +87,7 @@ PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run)
 
   PetscFunctionBeginUser;
   PetscCall(Try_Private(scene, mesh, guess, run, &again));
-  for (PetscInt tries = 1; again && tries < MAX_TRIES; ++tries) {
+  for (PetscInt tries = 1; again && tries < MAX_TRIES; tries++) {
     PetscCall(RunDestroy(run));
     PetscCall(Try_Private(scene, mesh, guess, run, &again));
   }

@@ -29,7 +29,7 @@ static void Bytes_Private(PetscReal bytes, char text[])
 /* All bodies of the scene take an order, which whatever is made of the scene from now on has. */
 static void SetOrder_Private(Study study, PetscInt order)
 {
-  for (PetscInt b = 0; b < study->scene->num_bodies; ++b)
+  for (PetscInt b = 0; b < study->scene->num_bodies; b++)
     study->scene->bodies[b].order = order == STUDY_OWN_ORDERS ? study->own_orders[b] : order;
 }
 
@@ -186,7 +186,7 @@ static PetscErrorCode WriteSummary_Private(Study study)
 static PetscErrorCode CheckNames_Private(Scene scene)
 {
   PetscFunctionBeginUser;
-  for (PetscInt p = 0; p < scene->num_pairs && scene->output; ++p) {
+  for (PetscInt p = 0; p < scene->num_pairs && scene->output; p++) {
     if (strcmp(scene->pairs[p].name, "study")) continue;
     PetscCall(UserErrorRaise(scene->comm,
                              "-pairs study: %s_study.csv is the table of the study itself; give the pair another name",
@@ -209,8 +209,8 @@ PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
   PetscCall(InterruptBegin());
   PetscCall(StudyWriteFiles(study));
   PetscCall(StudyTableBegin(study));
-  for (PetscInt level = 0; level < plan->levels; ++level) {
-    for (PetscInt o = 0; o < plan->num_orders; ++o) {
+  for (PetscInt level = 0; level < plan->levels; level++) {
+    for (PetscInt o = 0; o < plan->num_orders; o++) {
       PetscCall(Run_Private(study, o, level, &solved, &refused));
       none = (PetscBool)(none || refused);
       all  = (PetscBool)(all && solved);

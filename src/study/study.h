@@ -10,7 +10,7 @@
    coarser solution of its order. Prints a line for each run, and at the end what the last three levels of each order say
    of the exact values (Richardson).
 
-   Files, each rewritten as a whole after every run: <output>_study.csv, and those of OutputAddFields() and the
+   FileSet, each rewritten as a whole after every run: <output>_study.csv, and those of OutputAddFields() and the
    summary for the finest run of the highest order so far; the summary has the block "study" beside the usual ones. SIGINT and
    SIGTERM end the program by their usual effect, but not in the midst of writing, and with a sentence.
 

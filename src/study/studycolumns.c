@@ -35,7 +35,7 @@ static void Errors_Private(Study study, const Record *record, PetscBool named, c
 {
   const char *const against = named && !study->exact ? "_to_finest" : "";
 
-  for (PetscInt e = 0; e < study->num_errors; ++e) {
+  for (PetscInt e = 0; e < study->num_errors; e++) {
     char name[NAME_LENGTH + 16];
 
     snprintf(name, sizeof(name), "%s%s", study->errors[e].name, against);
@@ -50,7 +50,7 @@ static void Cost_Private(const Record *record, const Sink *sink)
   static const char *const stages[STAGE_COUNT] = {"seconds_setup",    "seconds_mortar", "seconds_assembly",
                                                   "seconds_condense", "seconds_solve",  "seconds_output"};
 
-  for (int s = 0; s < STAGE_COUNT; ++s) Real_Private(sink, stages[s], "", record->seconds[s]);
+  for (int s = 0; s < STAGE_COUNT; s++) Real_Private(sink, stages[s], "", record->seconds[s]);
   Real_Private(sink, "seconds_total", "", record->total);
   Real_Private(sink, "seconds_with_coarser", "", record->with_coarser);
   Real_Private(sink, "seconds_times_ranks", "", record->rank_seconds);
@@ -72,7 +72,7 @@ void StudyColumnsVisit(Study study, const Record *record, PetscBool errors_named
   Count_Private(&sink, "unknowns", record->unknowns);
   Real_Private(&sink, "h", "", record->h);
   Errors_Private(study, record, errors_named, &sink);
-  for (PetscInt q = 0; q < study->num_quantities; ++q)
+  for (PetscInt q = 0; q < study->num_quantities; q++)
     Real_Private(&sink, study->quantities[q].name, "", record->values[q]);
   Count_Private(&sink, "iterations", record->iterations);
   Count_Private(&sink, "linear_iterations", record->linear_iterations);

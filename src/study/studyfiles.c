@@ -27,7 +27,7 @@ static void WriteWord_Private(FILE *out, const char word[])
     return;
   }
   fputc('"', out);
-  for (; *word; ++word) {
+  for (; *word; word++) {
     if (*word == '"') fputc('"', out);
     fputc(*word, out);
   }
@@ -53,7 +53,7 @@ static void RowFn(void *ctx, const Column *column)
 
 static void WriteTable_Private(Study study, FILE *out)
 {
-  for (PetscInt r = -1; r < study->num; ++r) {
+  for (PetscInt r = -1; r < study->num; r++) {
     Row row = {.out = out, .names = (PetscBool)(r < 0)};
 
     StudyColumnsVisit(study, &study->records[PetscMax(r, 0)], PETSC_TRUE, RowFn, &row);
@@ -81,11 +81,11 @@ static void AddExtrapolated_Private(Study study, cJSON *root)
 {
   cJSON *quantities = cJSON_AddObjectToObject(root, "richardson");
 
-  for (PetscInt q = 0; q < study->num_quantities; ++q) {
+  for (PetscInt q = 0; q < study->num_quantities; q++) {
     cJSON         *quantity = NULL, *orders = NULL;
     const PetscInt best = ExtrapolationFindBest(study, q);
 
-    for (PetscInt o = 0; o < study->num_orders; ++o) {
+    for (PetscInt o = 0; o < study->num_orders; o++) {
       const PetscInt order = study->scene->study.orders[o];
       Extrapolation  limit;
       char           key[16];
@@ -125,7 +125,7 @@ static char *CreateBlock_Private(Study study)
   cJSON_AddStringToObject(root, "kind", "uniform");
   cJSON_AddItemToObject(root, "reference", reference[0] ? cJSON_CreateString(reference) : cJSON_CreateNull());
   runs = cJSON_AddArrayToObject(root, "runs");
-  for (PetscInt r = 0; r < study->num; ++r) {
+  for (PetscInt r = 0; r < study->num; r++) {
     cJSON *run = cJSON_CreateObject();
 
     StudyColumnsVisit(study, &study->records[r], PETSC_FALSE, ObjectFn, run);
@@ -187,7 +187,7 @@ static void Sentence_Private(Study study)
   char              text[PETSC_MAX_PATH_LEN + 256];
   PetscInt          done = 0;
 
-  for (PetscInt r = 0; r < study->num; ++r) done += study->records[r].state != RECORD_SKIPPED;
+  for (PetscInt r = 0; r < study->num; r++) done += study->records[r].state != RECORD_SKIPPED;
   if (scene->output && done) {
     snprintf(text, sizeof(text),
              "%smortise: interrupted; %s_study.csv and the other files hold the %" PetscInt_FMT " finished run%s\n",

@@ -36,18 +36,18 @@ static PetscErrorCode NameQuantities_Private(Study study)
   PetscCall(PetscCalloc1(1 + scene->num_bodies + scene->num_pairs * (1 + dim) + scene->num_probes * (dim + 1),
                          &study->quantities));
   AddQuantity_Private(study, "potential", "potential energy", "", "");
-  for (PetscInt b = 0; b < scene->num_bodies; ++b)
+  for (PetscInt b = 0; b < scene->num_bodies; b++)
     AddQuantity_Private(study, "strain_energy", "strain energy", scene->bodies[b].name, "");
-  for (PetscInt p = 0; p < scene->num_pairs; ++p) {
+  for (PetscInt p = 0; p < scene->num_pairs; p++) {
     const PetscInt normal = AddQuantity_Private(study, "normal_force", "normal force", scene->pairs[p].name, "")->size;
 
-    for (PetscInt k = 0; k < dim; ++k)
+    for (PetscInt k = 0; k < dim; k++)
       AddQuantity_Private(study, "force_", "force ", scene->pairs[p].name, axes[k])->size = normal;
   }
-  for (PetscInt i = 0; i < scene->num_probes; ++i) {
+  for (PetscInt i = 0; i < scene->num_probes; i++) {
     const PetscInt first = study->num_quantities;
 
-    for (PetscInt k = 0; k < dim; ++k)
+    for (PetscInt k = 0; k < dim; k++)
       AddQuantity_Private(study, "displacement_", "displacement ", scene->probes[i].name, axes[k])->size = first;
     AddQuantity_Private(study, "von_mises", "von Mises stress", scene->probes[i].name, "");
   }
@@ -58,7 +58,7 @@ static void AddErrors_Private(Study study, const char owner[], const char first[
 {
   const char *const kinds[] = {first, second};
 
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < 2; i++) {
     ErrorName *error = &study->errors[study->num_errors++];
 
     snprintf(error->name, sizeof(error->name), "%s%s%s", owner, owner[0] ? "_" : "", kinds[i]);
@@ -72,18 +72,18 @@ static PetscErrorCode NameErrors_Private(Study study)
   PetscInt    known = 0;
 
   PetscFunctionBeginUser;
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) known += scene->bodies[b].exact != NULL;
+  for (PetscInt b = 0; b < scene->num_bodies; b++) known += scene->bodies[b].exact != NULL;
   study->exact = (PetscBool)(known > 0);
-  for (PetscInt p = 0; p < scene->num_pairs; ++p) study->exact = (PetscBool)(study->exact || scene->pairs[p].exact);
+  for (PetscInt p = 0; p < scene->num_pairs; p++) study->exact = (PetscBool)(study->exact || scene->pairs[p].exact);
   PetscCall(PetscCalloc1(2 * (1 + known + scene->num_pairs), &study->errors));
   if (!study->exact || known == scene->num_bodies) {
     AddErrors_Private(study, "", "energy_error", "l2_error");
   } else {
-    for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+    for (PetscInt b = 0; b < scene->num_bodies; b++) {
       if (scene->bodies[b].exact) AddErrors_Private(study, scene->bodies[b].name, "energy_error", "l2_error");
     }
   }
-  for (PetscInt p = 0; p < scene->num_pairs; ++p) {
+  for (PetscInt p = 0; p < scene->num_pairs; p++) {
     if (scene->pairs[p].exact)
       AddErrors_Private(study, scene->pairs[p].name, "pressure_l2_error", "pressure_weighted_error");
   }
@@ -103,7 +103,7 @@ PetscErrorCode StudyCreate(Scene scene, Study *study_out)
   study->reference = study->best = -1;
   study->capacity                = scene->study.num_orders * scene->study.levels;
   PetscCall(PetscMalloc1(scene->num_bodies, &study->own_orders));
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) study->own_orders[b] = scene->bodies[b].order;
+  for (PetscInt b = 0; b < scene->num_bodies; b++) study->own_orders[b] = scene->bodies[b].order;
   PetscCall(PetscCalloc1(study->capacity, &study->records));
   PetscCall(NameQuantities_Private(study));
   PetscCall(NameErrors_Private(study));
@@ -115,11 +115,11 @@ PetscErrorCode StudyDestroy(Study *study)
 {
   PetscFunctionBeginUser;
   if (!*study) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt r = 0; r < (*study)->num; ++r) {
+  for (PetscInt r = 0; r < (*study)->num; r++) {
     PetscCall(PetscFree2((*study)->records[r].values, (*study)->records[r].errors));
     PetscCall(VecDestroy(&(*study)->records[r].u));
   }
-  for (PetscInt o = 0; o < STUDY_MAX_ORDERS; ++o) PetscCall(MeshDestroy(&(*study)->mesh[o]));
+  for (PetscInt o = 0; o < STUDY_MAX_ORDERS; o++) PetscCall(MeshDestroy(&(*study)->mesh[o]));
   PetscCall(PetscFree((*study)->own_orders));
   PetscCall(PetscFree((*study)->records));
   PetscCall(PetscFree((*study)->quantities));
@@ -138,10 +138,10 @@ PetscErrorCode StudyAddRecord(Study study, PetscInt order, PetscInt level, Recor
   *r = (Record){.order = order, .level = level, .state = RECORD_SKIPPED, .cells = -1, .iterations = -1};
   r->linear_iterations = r->active = -1;
   r->h = r->total = r->with_coarser = r->rank_seconds = r->processor = r->forecast = r->memory = r->own_memory = NAN;
-  for (int s = 0; s < STAGE_COUNT; ++s) r->seconds[s] = NAN;
+  for (int s = 0; s < STAGE_COUNT; s++) r->seconds[s] = NAN;
   PetscCall(PetscMalloc2(study->num_quantities, &r->values, study->num_errors, &r->errors));
-  for (PetscInt q = 0; q < study->num_quantities; ++q) r->values[q] = NAN;
-  for (PetscInt e = 0; e < study->num_errors; ++e) r->errors[e] = (RecordError){NAN, NAN, NAN};
+  for (PetscInt q = 0; q < study->num_quantities; q++) r->values[q] = NAN;
+  for (PetscInt e = 0; e < study->num_errors; e++) r->errors[e] = (RecordError){NAN, NAN, NAN};
   *record = r;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -150,7 +150,7 @@ Record *StudyFindCoarser(Study study, PetscInt order, PetscInt level)
 {
   Record *found = NULL;
 
-  for (PetscInt r = 0; r < study->num; ++r) {
+  for (PetscInt r = 0; r < study->num; r++) {
     Record *record = &study->records[r];
 
     if (record->order != order || record->level >= level || record->state != RECORD_SOLVED) continue;
@@ -167,14 +167,14 @@ PetscErrorCode RecordMesh(Record *record, Level *level)
   PetscInt  cells  = level->num_cells;
 
   PetscFunctionBeginUser;
-  for (PetscInt c = 0; c < level->num_cells; ++c) {
-    for (PetscInt i = level->cell_start[c]; i < level->cell_start[c + 1]; ++i) {
-      for (PetscInt j = level->cell_start[c]; j < i; ++j) {
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    for (PetscInt i = level->cell_start[c]; i < level->cell_start[c + 1]; i++) {
+      for (PetscInt j = level->cell_start[c]; j < i; j++) {
         const PetscReal *a = &level->coords[level->cell_nodes[i] * level->dim];
         const PetscReal *b = &level->coords[level->cell_nodes[j] * level->dim];
         PetscReal        d = 0;
 
-        for (PetscInt k = 0; k < level->dim; ++k) d += PetscSqr(a[k] - b[k]);
+        for (PetscInt k = 0; k < level->dim; k++) d += PetscSqr(a[k] - b[k]);
         square = PetscMax(square, d);
       }
     }
@@ -196,18 +196,18 @@ static PetscErrorCode RecordValues_Private(Study study, Run run, PetscReal value
   PetscFunctionBeginUser;
   PetscCall(FieldsEnergy(run->fields, &values[1], next));
   next += 1 + scene->num_bodies;
-  for (PetscInt p = 0; p < scene->num_pairs; ++p) {
+  for (PetscInt p = 0; p < scene->num_pairs; p++) {
     PairSum sum;
 
     PetscCall(PairSumCompute(run->fields, p, &sum));
     *next++ = sum.normal_force;
-    for (PetscInt k = 0; k < dim; ++k) *next++ = sum.force[k];
+    for (PetscInt k = 0; k < dim; k++) *next++ = sum.force[k];
   }
-  for (PetscInt i = 0; i < scene->num_probes; ++i) {
+  for (PetscInt i = 0; i < scene->num_probes; i++) {
     PetscReal u[3], stress[6];
 
     PetscCall(ProbesEvaluate(run->fields, &scene->probes[i], u, stress));
-    for (PetscInt k = 0; k < dim; ++k) *next++ = u[k];
+    for (PetscInt k = 0; k < dim; k++) *next++ = u[k];
     *next++ = MaterialVonMises(stress);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -224,8 +224,8 @@ static void RecordErrors_Private(Study study, const Errors *errors, RecordError 
   const Scene scene = study->scene;
   PetscInt    known = 0;
 
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) known += scene->bodies[b].exact != NULL;
-  for (PetscInt b = -1; b < scene->num_bodies; ++b) {
+  for (PetscInt b = 0; b < scene->num_bodies; b++) known += scene->bodies[b].exact != NULL;
+  for (PetscInt b = -1; b < scene->num_bodies; b++) {
     const PetscBool  all   = (PetscBool)(known == scene->num_bodies);
     const BodyError *error = b < 0 ? &errors->total : &errors->body[b];
 
@@ -233,7 +233,7 @@ static void RecordErrors_Private(Study study, const Errors *errors, RecordError 
     next = PutError_Private(next, error->energy, error->energy_relative);
     next = PutError_Private(next, error->l2, error->l2_relative);
   }
-  for (PetscInt p = 0; p < scene->num_pairs; ++p) {
+  for (PetscInt p = 0; p < scene->num_pairs; p++) {
     if (!scene->pairs[p].exact) continue;
     next = PutError_Private(next, errors->pair[p].l2, errors->pair[p].l2_relative);
     next = PutError_Private(next, errors->pair[p].weighted, errors->pair[p].weighted_relative);
@@ -250,12 +250,12 @@ static PetscErrorCode RecordCost_Private(Study study, Record *record)
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_size(comm, &ranks));
-  for (int s = 0; s < STAGE_COUNT; ++s) record->seconds[s] = LogStageSeconds((LogStage)s);
+  for (int s = 0; s < STAGE_COUNT; s++) record->seconds[s] = LogStageSeconds((LogStage)s);
   record->processor = LogProcessorSeconds();
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, record->seconds, STAGE_COUNT, MPIU_REAL, MPIU_MAX, comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &record->processor, 1, MPIU_REAL, MPIU_SUM, comm));
   record->total = 0;
-  for (int s = 0; s < STAGE_COUNT; ++s) record->total += record->seconds[s];
+  for (int s = 0; s < STAGE_COUNT; s++) record->total += record->seconds[s];
   if (coarser) before = coarser->with_coarser;
   record->with_coarser = before + record->total;
   record->rank_seconds = record->total * ranks;
@@ -290,11 +290,11 @@ PetscErrorCode RecordRun(Study study, Run run, Record *record)
 /* With h halved from level to level: e_coarse / e = 2^(rate (level - level_coarse)). */
 void StudyComputeRates(Study study)
 {
-  for (PetscInt r = 0; r < study->num; ++r) {
+  for (PetscInt r = 0; r < study->num; r++) {
     Record       *record  = &study->records[r];
     const Record *coarser = StudyFindCoarser(study, record->order, record->level);
 
-    for (PetscInt e = 0; e < study->num_errors; ++e) {
+    for (PetscInt e = 0; e < study->num_errors; e++) {
       RecordError *error = &record->errors[e];
 
       error->rate = NAN;

@@ -91,7 +91,7 @@ static PetscErrorCode PrintDifferences_Private(Study study)
                         "differences from %s, which stands for the exact solution\n"
                         "  order level  unknowns   energy norm   rate            L2   rate   seconds\n",
                         reference));
-  for (PetscInt r = 0; r < study->num; ++r) {
+  for (PetscInt r = 0; r < study->num; r++) {
     const Record *record = &study->records[r];
 
     if (PetscIsNanReal(record->errors[0].absolute)) continue;
