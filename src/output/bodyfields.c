@@ -144,7 +144,7 @@ PetscErrorCode BodyFieldsWriteMotion(FieldWriter *writer, VI vi, const SceneMoti
   for (PetscInt i = 0; i < motion->num; i++) {
     for (PetscInt a = 0; a < level->num_owned; a++)
       if (vi->rigid_modes.components.of_node[a] == motion->bodies[i].piece)
-        BodyMotionAt(&motion->bodies[i], level->dim, &level->coords[a * level->dim], &u[a * level->dim]);
+        SceneMotionAt(&motion->bodies[i], level->dim, &level->coords[a * level->dim], &u[a * level->dim]);
   }
   PetscCall(FieldWriterPoints(writer, (Quantity){"motion", 3, PETSC_FALSE}, level->dim, u));
   PetscCall(PetscFree(u));

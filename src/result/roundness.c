@@ -81,7 +81,7 @@ PetscErrorCode RoundnessCarriesLoads(VI vi, Solvability s, PetscBool *round)
   PetscBool all     = PETSC_TRUE;
 
   PetscFunctionBeginUser;
-  for (PetscInt r = 0; r < vi->num_rows; r++) largest = PetscMax(largest, s->y[r]);
+  for (PetscInt r = 0; r < vi->num_rows; r++) largest = PetscMax(largest, s->balance[r]);
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPIU_REAL, MPI_MAX, vi->level->comm));
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
     const Pair         pair = vi->pairs[p];
@@ -95,7 +95,7 @@ PetscErrorCode RoundnessCarriesLoads(VI vi, Solvability s, PetscBool *round)
     for (PetscInt r = 0; r < vi->num_rows; r++) {
       PetscReal angle;
 
-      if (vi->row_pair[r] != p || s->y[r] <= CARRIES * largest) continue;
+      if (vi->row_pair[r] != p || s->balance[r] <= CARRIES * largest) continue;
       angle = PetscRealPart(t[pair->nodes[vi->row_node[r]]]);
       if (angle < FLAT || angle > SMOOTH) all = PETSC_FALSE;
     }

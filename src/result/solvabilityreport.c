@@ -34,7 +34,7 @@ void SolvabilityReportAdd(VI vi, Solvability s, cJSON *root)
   static const char *const verdicts[] = {"solvable", "free_motion", "marginal", "no_solution"};
   cJSON                   *object     = cJSON_AddObjectToObject(root, "solvability"), *motions;
 
-  cJSON_AddStringToObject(object, "verdict", verdicts[s ? s->verdict : SOLVABLE]);
+  cJSON_AddStringToObject(object, "verdict", verdicts[s ? s->status : SOLVABLE]);
   cJSON_AddBoolToObject(object, "on_this_mesh", s && s->coarse);
   if (s && s->motion.num) {
     AddMotion_Private(vi, &s->motion, cJSON_AddObjectToObject(object, "motion"));
@@ -67,7 +67,7 @@ PetscErrorCode SolvabilityReportPrint(VI vi, Solvability s)
 PetscErrorCode SolvabilityReportRefuse(VI vi, Solvability s)
 {
   PetscFunctionBeginUser;
-  if (s && s->verdict == SOLVABLE_NOT) {
+  if (s && s->status == SOLVABLE_NOT) {
     PetscCall(PetscFPrintf(vi->level->comm, PETSC_STDERR,
                            "mortise: no solution%s: %s: the loads do %+.6g of work %s per %s and nothing resists%s\n",
                            s->coarse ? " on this mesh" : "", s->motion.sentence, (double)s->motion.work,
@@ -85,7 +85,7 @@ PetscErrorCode SolvabilityReportWarn(VI vi, Solvability s)
   PetscBool   round;
 
   PetscFunctionBeginUser;
-  if (!s || s->verdict != SOLVABLE_MARGINAL) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!s || s->status != SOLVABLE_MARGINAL) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(RoundnessCarriesLoads(vi, s, &round));
   if (round) then = "what it rests on is round, and it is free to roll";
   if (s->motion.turns && !round) then = "the pressure gathers at an edge and grows without bound on finer meshes";
@@ -106,6 +106,6 @@ PetscErrorCode SolvabilityReportView(VI vi, Solvability s)
   PetscFunctionBeginUser;
   if (!s) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscPrintf(vi->level->comm, "  rigid motions that supports leave: %" PetscInt_FMT "; %s\n", s->m,
-                        verdicts[s->verdict]));
+                        verdicts[s->status]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,14 +1,13 @@
-/* contactrows.c -- where contact can press, which decides what holds and what does not.
+/* contactrows.c -- the constraints of contact on rigid motions, at the places where bodies can touch.
 
-   A row of B acts at its node: psi reproduces linear functions, so that int psi n.u of a rigid motion is D_aa n.u(x_a), even where the
-   partner ends within a facet and x_a lies beyond (psi is then of both signs on what is covered). The bodies themselves touch up to the
-   partner's end. On facets that are covered in part the rows of their nodes are therefore replaced by n.[u] at the corners of the covered
-   part; in between it is a mean of these. */
+   A row of B acts at its node: psi reproduces linear functions, so int psi n.u of a rigid motion is D_aa n.u(x_a). This holds even where
+   the partner ends within a facet and x_a lies beyond its end; psi then changes sign on the covered part. The bodies themselves touch up
+   to the end of the partner. Rows of nodes of partly covered facets are therefore replaced by n.[u] at the corners of the covered part. */
 #include "base/compat.h"
 #include "rigid/rigidimpl.h"
 
-/* n.[u] of all rigid motions at a place. [out] row - [m] */
-static void Row_Private(VI vi, const ContactPlace *place, const PetscReal n[], PetscReal row[])
+/* n.[u] of all modes at a place. [out] row - [m] */
+static void ContactRowsSetRow_Private(VI vi, const ContactPlace *place, const PetscReal n[], PetscReal row[])
 {
   const PetscInt m = vi->rigid_modes.num, dim = vi->level->dim;
 
@@ -21,8 +20,8 @@ static void Row_Private(VI vi, const ContactPlace *place, const PetscReal n[], P
   }
 }
 
-/* Ends of the cover of pairs that can only press, on this rank; counts where out is NULL. */
-static PetscInt Ends_Private(VI vi, const OverlapBoundary *out[])
+/* Corners of the overlap boundary of all pairs but ties, on this rank. [out] out - the corners, NULL to count them */
+static PetscInt ContactRowsListCorners_Private(VI vi, const OverlapBoundary *out[])
 {
   PetscInt num = 0;
 
@@ -36,8 +35,8 @@ static PetscInt Ends_Private(VI vi, const OverlapBoundary *out[])
   return num;
 }
 
-/* Appends the ends of what is covered. Collective. */
-static PetscErrorCode AddEnds_Private(VI vi, PetscInt num, ContactRows *cover)
+/* Appends a row for each corner of the overlap boundary. Collective. [in] num - of corners on this rank */
+static PetscErrorCode ContactRowsAddCorners_Private(VI vi, PetscInt num, ContactRows *rows)
 {
   const PetscInt          m = vi->rigid_modes.num;
   const OverlapBoundary **ends;
@@ -45,17 +44,17 @@ static PetscErrorCode AddEnds_Private(VI vi, PetscInt num, ContactRows *cover)
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc3(num, &ends, num, &node, num, &piece));
-  Ends_Private(vi, ends);
+  ContactRowsListCorners_Private(vi, ends);
   for (PetscInt i = 0; i < num; i++) node[i] = ends[i]->mortar;
   PetscCall(ComponentsOfGlobalNodes(vi->level, &vi->rigid_modes.components, num, node, piece));
-  for (PetscInt i = 0; i < num; i++, cover->num++) {
-    ContactPlace *place = &cover->place[cover->num];
+  for (PetscInt i = 0; i < num; i++, rows->num++) {
+    ContactPlace *place = &rows->place[rows->num];
 
     PetscCall(PetscArraycpy(place->x, ends[i]->x, 3));
-    place->piece[0]         = vi->rigid_modes.components.of_node[ends[i]->node];
-    place->piece[1]         = piece[i];
-    cover->both[cover->num] = PETSC_FALSE;
-    Row_Private(vi, place, ends[i]->normal, &cover->rows[cover->num * m]);
+    place->piece[0]           = vi->rigid_modes.components.of_node[ends[i]->node];
+    place->piece[1]           = piece[i];
+    rows->equality[rows->num] = PETSC_FALSE;
+    ContactRowsSetRow_Private(vi, place, ends[i]->normal, &rows->rows[rows->num * m]);
   }
   PetscCall(PetscFree3(ends, node, piece));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -63,42 +62,47 @@ static PetscErrorCode AddEnds_Private(VI vi, PetscInt num, ContactRows *cover)
 
 PetscErrorCode ContactRowsCreate(VI vi, Solvability s)
 {
-  const PetscInt m = s->m, mine = Ends_Private(vi, NULL);
-  PetscInt       all   = mine;
-  ContactRows   *cover = &s->cover;
+  const PetscInt m = s->m, mine = ContactRowsListCorners_Private(vi, NULL);
+  PetscInt       all  = mine;
+  ContactRows   *rows = &s->overlap;
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPIU_INT, MPI_SUM, vi->level->comm));
   s->cut = (PetscBool)(all > 0);
   if (!s->cut) {
-    *cover = (ContactRows){vi->num_rows, s->C, s->both, s->place};
+    s->overlap = s->nodal;
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  PetscCall(PetscMalloc3((vi->num_rows + mine) * m, &cover->rows, vi->num_rows + mine, &cover->both,
-                         vi->num_rows + mine, &cover->place));
-  cover->num = 0;
+  PetscCall(PetscMalloc3((vi->num_rows + mine) * m, &rows->rows, vi->num_rows + mine, &rows->equality,
+                         vi->num_rows + mine, &rows->place));
+  rows->num = 0;
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     const Pair     pair = vi->pairs[vi->row_pair[r]];
     const PetscInt a    = vi->row_node[r];
-    PetscReal     *row  = &cover->rows[cover->num * m];
+    PetscReal     *row  = &rows->rows[rows->num * m];
 
-    cover->both[cover->num]  = s->both[r];
-    cover->place[cover->num] = s->place[r];
-    if (s->both[r] || !pair->partly_covered[a])
-      PetscCall(PetscArraycpy(row, &s->C[r * m], m));
-    else if (pair->fully_covered[a]) // without what it has taken over from a node beyond the end
-      Row_Private(vi, &s->place[r], &pair->normal[a * vi->level->dim], row);
+    rows->equality[rows->num] = s->nodal.equality[r];
+    rows->place[rows->num]    = s->nodal.place[r];
+    if (s->nodal.equality[r] || !pair->partly_covered[a])
+      PetscCall(PetscArraycpy(row, &s->nodal.rows[r * m], m));
+    else if (pair->fully_covered[a]) // without the share of a removed node beyond the overlap boundary
+      ContactRowsSetRow_Private(vi, &s->nodal.place[r], &pair->normal[a * vi->level->dim], row);
     else
       continue;
-    cover->num++;
+    rows->num++;
   }
-  PetscCall(AddEnds_Private(vi, mine, cover));
+  PetscCall(ContactRowsAddCorners_Private(vi, mine, rows));
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+Cone ContactRowsCone(VI vi, Solvability s, const ContactRows *rows)
+{
+  return (Cone){.comm = vi->level->comm, .num = rows->num, .m = s->m, .rows = rows->rows, .equality = rows->equality};
 }
 
 PetscErrorCode ContactRowsDestroy(Solvability s)
 {
   PetscFunctionBeginUser;
-  if (s->cut) PetscCall(PetscFree3(s->cover.rows, s->cover.both, s->cover.place));
+  if (s->cut) PetscCall(PetscFree3(s->overlap.rows, s->overlap.equality, s->overlap.place));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,28 +1,28 @@
-/* minimumnorm.c -- of all solutions, the one that moves least (eq. 12.7).
+/* minimumnorm.c -- the solution of least mean square displacement (eq. 12.7).
 
-   Strains and pressures of a solution are unique, displacements are so up to motions that keep the contacts that press closed and
-   no other from staying open. Among these the mean square displacement of the bodies that float has one minimum: a small
-   quadratic problem in as many unknowns as there are free motions, whose constraints are the gaps that are left. */
+   Strains and pressures of a solution are unique. Displacements are unique up to motions that keep pressed contacts closed and penetrate no
+   other contact. Over these motions the mean square displacement of floating bodies has one minimum. It is a quadratic problem with
+   as many unknowns as there are free motions; its constraints are the remaining gaps. */
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "rigid/rigidimpl.h"
 
-/* A contact presses if its pressure exceeds this part of the largest. */
+/* A contact is pressed if its pressure exceeds this part of the largest. */
 static const PetscReal PRESSED = 1e-9;
-/* What rounding leaves of a force, in parts of stiffness times displacement. */
-static const PetscReal ROUNDOFF = 64 * PETSC_MACHINE_EPSILON;
+/* Rounding of a force, in parts of stiffness times displacement. */
+static const PetscReal FORCE_ROUNDING = 64 * PETSC_MACHINE_EPSILON;
 
 enum { MAX_DIM = 3 };
 
-/* What decides how bodies move that are free to. */
+/* Data of the quadratic problem. */
 typedef struct {
-  PetscBool *take;        /* rows that press, or tie [num_rows] */
-  PetscReal *slack;       /* gaps that are left in the others [num_rows] */
+  PetscBool *pressed;     /* rows that are pressed, or ties [num_rows] */
+  PetscReal *slack;       /* remaining gaps of the others [num_rows] */
   PetscReal *mass, *work; /* int z_k.z_l [m][m], int z_k.u [m] */
-} Play;
+} MinimumNorm;
 
-/* Rows that press, or tie. [out] take - [num_rows] */
-static PetscErrorCode Pressing_Private(VI vi, Solvability s, Vec u, PetscBool take[])
+/* Finds rows that are pressed, or ties. [out] take - [num_rows] */
+static PetscErrorCode MinimumNormFindPressed_Private(VI vi, Solvability s, Vec u, PetscBool take[])
 {
   const PetscScalar *lambda;
   PetscReal          largest = 0, forces, weights = 0, u_max;
@@ -41,11 +41,11 @@ static PetscErrorCode Pressing_Private(VI vi, Solvability s, Vec u, PetscBool ta
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPIU_REAL, MPI_MAX, vi->level->comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &weights, 1, MPIU_REAL, MPI_SUM, vi->level->comm));
-  if (weights > 0) largest = PetscMax(largest, forces / weights); // all pressures may be rounding
+  if (weights > 0) largest = PetscMax(largest, forces / weights); // if all pressures are rounding
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    const PetscReal noise = ROUNDOFF * vi->stiffness * u_max / vi->row_D[r];
+    const PetscReal noise = FORCE_ROUNDING * vi->stiffness * u_max / vi->row_D[r];
 
-    take[r] = (PetscBool)(s->both[r] || PetscRealPart(lambda[r]) > PRESSED * largest + noise);
+    take[r] = (PetscBool)(s->nodal.equality[r] || PetscRealPart(lambda[r]) > PRESSED * largest + noise);
   }
   PetscCall(VecRestoreArrayRead(l, &lambda));
   PetscCall(VecDestroy(&l));
@@ -53,8 +53,8 @@ static PetscErrorCode Pressing_Private(VI vi, Solvability s, Vec u, PetscBool ta
 }
 
 /* int z_k.z_l and int z_k.u over one cell. [in,out] mass - [m][m]; [in,out] work - [m] */
-static void Cell_Private(VI vi, PetscInt c, const ElementRule *rule, const PetscScalar u[], PetscReal mass[],
-                         PetscReal work[])
+static void MinimumNormAddCell_Private(VI vi, PetscInt c, const ElementRule *rule, const PetscScalar u[],
+                                       PetscReal mass[], PetscReal work[])
 {
   const Level    *level = vi->level;
   const PetscInt  dim = level->dim, n = level->cell_start[c + 1] - level->cell_start[c], m = vi->rigid_modes.num;
@@ -86,8 +86,8 @@ static void Cell_Private(VI vi, PetscInt c, const ElementRule *rule, const Petsc
   }
 }
 
-/* The mean square displacement as a quadratic form of rigid motions. [out] mass - [m][m]; [out] work - [m] */
-static PetscErrorCode Mass_Private(VI vi, Vec u, PetscReal mass[], PetscReal work[])
+/* The mean square displacement as a quadratic form of the modes. [out] mass - [m][m]; [out] work - [m] */
+static PetscErrorCode MinimumNormGetMass_Private(VI vi, Vec u, PetscReal mass[], PetscReal work[])
 {
   const Level       *level = vi->level;
   const PetscInt     m     = vi->rigid_modes.num;
@@ -108,7 +108,7 @@ static PetscErrorCode Mass_Private(VI vi, Vec u, PetscReal mass[], PetscReal wor
 
     if (!vi->rigid_modes.loose[piece]) continue;
     if (!rule->num || rule->type != type) ElementRuleSet(type, 2 * ElementOrder(type), rule);
-    Cell_Private(vi, c, rule, ul, mass, work);
+    MinimumNormAddCell_Private(vi, c, rule, ul, mass, work);
   }
   PetscCall(VecRestoreArrayRead(local, &ul));
   PetscCall(VecGhostRestoreLocalForm(u, &local));
@@ -119,7 +119,7 @@ static PetscErrorCode Mass_Private(VI vi, Vec u, PetscReal mass[], PetscReal wor
 }
 
 /* b = L^-1 b, or b = L^-T b */
-static void Substitute_Private(PetscInt n, const PetscReal L[], PetscBool transposed, PetscReal b[])
+static void MinimumNormSubstitute_Private(PetscInt n, const PetscReal L[], PetscBool transposed, PetscReal b[])
 {
   for (PetscInt j = 0; j < n; j++) {
     const PetscInt i = transposed ? n - 1 - j : j;
@@ -130,10 +130,10 @@ static void Substitute_Private(PetscInt n, const PetscReal L[], PetscBool transp
   }
 }
 
-/* The free motion N's that brings u next to zero and opens no gap beyond its bound. In w = L's, with LL' = N M N' of the mass M,
-   it is the point of a polyhedron next to -L^-1 N work. [in] kernel - N [n][m]; [out] q - [m] */
-static PetscErrorCode Least_Private(const Cone *cone, const Play *play, PetscInt n, const PetscReal kernel[],
-                                    PetscReal q[])
+/* The free motion N's that brings u nearest to zero without penetration. In w = L's, with LL' = N M N' of the mass M, it is the
+   projection of -L^-1 N work onto a polyhedron. [in] kernel - N [n][m]; [out] q - [m] */
+static PetscErrorCode MinimumNormSolve_Private(const Cone *cone, const MinimumNorm *problem, PetscInt n,
+                                               const PetscReal kernel[], PetscReal q[])
 {
   const PetscInt m     = cone->m;
   Cone           small = {.comm = cone->comm, .m = n};
@@ -143,27 +143,28 @@ static PetscErrorCode Least_Private(const Cone *cone, const Play *play, PetscInt
   PetscCall(PetscCalloc5(n * n, &L, n, &target, n, &w, cone->num * n, &rows, cone->num, &bound));
   for (PetscInt i = 0; i < n; i++) {
     for (PetscInt k = 0; k < m; k++) {
-      target[i] -= kernel[i * m + k] * play->work[k];
+      target[i] -= kernel[i * m + k] * problem->work[k];
       for (PetscInt j = 0; j < n; j++)
-        for (PetscInt l = 0; l < m; l++) L[i * n + j] += kernel[i * m + k] * play->mass[k * m + l] * kernel[j * m + l];
+        for (PetscInt l = 0; l < m; l++)
+          L[i * n + j] += kernel[i * m + k] * problem->mass[k * m + l] * kernel[j * m + l];
     }
   }
   PetscCheck(DenseCholesky(n, L), cone->comm, PETSC_ERR_PLIB, "free motions are not independent");
-  Substitute_Private(n, L, PETSC_FALSE, target);
+  MinimumNormSubstitute_Private(n, L, PETSC_FALSE, target);
   for (PetscInt r = 0; r < cone->num; r++) {
     PetscReal *row = &rows[small.num * n];
 
-    if (play->take[r]) continue;
+    if (problem->pressed[r]) continue;
     for (PetscInt i = 0; i < n; i++) {
       row[i] = 0;
       for (PetscInt k = 0; k < m; k++) row[i] += cone->rows[r * m + k] * kernel[i * m + k];
     }
-    Substitute_Private(n, L, PETSC_FALSE, row); /* row.s = (L^-1 row).w */
-    bound[small.num++] = PetscMax(play->slack[r], 0);
+    MinimumNormSubstitute_Private(n, L, PETSC_FALSE, row); /* row.s = (L^-1 row).w */
+    bound[small.num++] = PetscMax(problem->slack[r], 0);
   }
   small.rows = rows;
   PetscCall(ConeProject(&small, bound, target, w));
-  Substitute_Private(n, L, PETSC_TRUE, w);
+  MinimumNormSubstitute_Private(n, L, PETSC_TRUE, w);
   for (PetscInt k = 0; k < m; k++) {
     q[k] = 0;
     for (PetscInt i = 0; i < n; i++) q[k] += kernel[i * m + k] * w[i];
@@ -172,9 +173,10 @@ static PetscErrorCode Least_Private(const Cone *cone, const Play *play, PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How far a motion takes apart, or pushes together, what presses: rounding, unless contact resists it next to nothing.
-   [in] take - rows that press [num]; [in] q - [m] */
-static PetscErrorCode Slip_Private(const Cone *cone, const PetscBool take[], const PetscReal q[], PetscReal *slip)
+/* The largest change of a closed gap by a motion: rounding, unless contact hardly resists the motion.
+   [in] take - pressed rows [num]; [in] q - [m] */
+static PetscErrorCode MinimumNormGetSlip_Private(const Cone *cone, const PetscBool take[], const PetscReal q[],
+                                                 PetscReal *slip)
 {
   PetscFunctionBeginUser;
   *slip = 0;
@@ -188,8 +190,8 @@ static PetscErrorCode Slip_Private(const Cone *cone, const PetscBool take[], con
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What is known of free motions once pressures are. */
-static PetscErrorCode Tell_Private(VI vi, Solvability s, PetscInt n, const PetscReal kernel[])
+/* Sets the free motions, which the pressures decide. */
+static PetscErrorCode MinimumNormSetFreeMotions_Private(VI vi, Solvability s, PetscInt n, const PetscReal kernel[])
 {
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < s->num_free; i++) PetscCall(SceneMotionDestroy(&s->free[i]));
@@ -197,7 +199,7 @@ static PetscErrorCode Tell_Private(VI vi, Solvability s, PetscInt n, const Petsc
   PetscCall(PetscCalloc1(n, &s->free));
   s->num_free = n;
   for (PetscInt i = 0; i < n; i++) PetscCall(SceneMotionCreate(vi, s, &kernel[i * s->m], &s->free[i]));
-  if (s->verdict == SOLVABLE || s->verdict == SOLVABLE_FREE) s->verdict = n ? SOLVABLE_FREE : SOLVABLE;
+  if (s->status == SOLVABLE || s->status == SOLVABLE_FREE) s->status = n ? SOLVABLE_FREE : SOLVABLE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -206,20 +208,20 @@ PetscErrorCode MinimumNormApply(VI vi, Solvability s, Vec y)
   const PetscInt first = vi->level->dim * vi->level->node_begin;
   Cone           cone;
   Vec            u;
-  Play           play;
+  MinimumNorm    problem;
   PetscReal     *kernel, *q;
   PetscInt       n;
 
   PetscFunctionBeginUser;
-  if (!s || s->verdict == SOLVABLE_NOT) PetscFunctionReturn(PETSC_SUCCESS);
-  cone = (Cone){.comm = vi->level->comm, .num = vi->num_rows, .m = s->m, .rows = s->C, .both = s->both};
-  PetscCall(PetscCalloc6(vi->num_rows, &play.take, vi->num_rows, &play.slack, s->m * s->m, &kernel, s->m * s->m,
-                         &play.mass, s->m, &play.work, s->m, &q));
+  if (!s || s->status == SOLVABLE_NOT) PetscFunctionReturn(PETSC_SUCCESS);
+  cone = ContactRowsCone(vi, s, &s->nodal);
+  PetscCall(PetscCalloc6(vi->num_rows, &problem.pressed, vi->num_rows, &problem.slack, s->m * s->m, &kernel,
+                         s->m * s->m, &problem.mass, s->m, &problem.work, s->m, &q));
   PetscCall(LevelCreateVec(vi->level, vi->level->dim, &u));
   PetscCall(VIRecoverDisplacement(vi, y, u));
-  PetscCall(Pressing_Private(vi, s, u, play.take));
-  PetscCall(ConeKernel(&cone, play.take, &n, kernel));
-  PetscCall(Tell_Private(vi, s, n, kernel));
+  PetscCall(MinimumNormFindPressed_Private(vi, s, u, problem.pressed));
+  PetscCall(ConeKernel(&cone, problem.pressed, &n, kernel));
+  PetscCall(MinimumNormSetFreeMotions_Private(vi, s, n, kernel));
   if (n) {
     const PetscScalar *ya, *upper;
 
@@ -228,16 +230,16 @@ PetscErrorCode MinimumNormApply(VI vi, Solvability s, Vec y)
     for (PetscInt r = 0; r < vi->num_rows; r++) {
       const PetscInt i = vi->row_dof[r] - first;
 
-      if (!s->both[r]) play.slack[r] = vi->length * PetscRealPart(upper[i] - ya[i]);
+      if (!s->nodal.equality[r]) problem.slack[r] = vi->length * PetscRealPart(upper[i] - ya[i]);
     }
     PetscCall(VecRestoreArrayRead(vi->upper, &upper));
     PetscCall(VecRestoreArrayRead(y, &ya));
-    PetscCall(Mass_Private(vi, u, play.mass, play.work));
-    PetscCall(Least_Private(&cone, &play, n, kernel, q));
-    PetscCall(Slip_Private(&cone, play.take, q, &s->slip));
+    PetscCall(MinimumNormGetMass_Private(vi, u, problem.mass, problem.work));
+    PetscCall(MinimumNormSolve_Private(&cone, &problem, n, kernel, q));
+    PetscCall(MinimumNormGetSlip_Private(&cone, problem.pressed, q, &s->slip));
     for (PetscInt k = 0; k < s->m; k++) PetscCall(VecAXPY(y, q[k] / vi->length, s->modes[k]));
   }
   PetscCall(VecDestroy(&u));
-  PetscCall(PetscFree6(play.take, play.slack, kernel, play.mass, play.work, q));
+  PetscCall(PetscFree6(problem.pressed, problem.slack, kernel, problem.mass, problem.work, q));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,22 +1,22 @@
-/* regularization.c -- what makes the matrix definite where contact alone holds bodies (eq. 12.6).
+/* regularization.c -- a diagonal that makes the matrix definite where contact alone holds bodies (eq. 12.6).
 
-   Weak springs at a few nodes of each piece of a body that floats, as far from each other as it allows: enough to resist every rigid
-   motion, and so few that each piece keeps its own stiffness. They are not part of the problem: they rest where the last solution
-   was, and the solution of the problem is where they have nothing left to do. */
+   Small stiffnesses are added at a few nodes of each component that floats. The nodes are as far from each other as possible: enough to
+   resist every rigid body mode, and so few that the component keeps its own stiffness. They are not part of the problem: the proximal
+   point iteration of solve removes their effect. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "rigid/rigidimpl.h"
 
-/* Stiffness of a spring by that of bodies: each solution is nearer to the next by this factor, and the matrix has
-   a condition number of its inverse at least. */
-static const PetscReal WEAK = 1e-6;
-/* Loads push bodies this many times farther than the largest gap before they are held: what then touches first, touches. */
-static const PetscReal FAR = 1e3;
-/* Gaps that are left then count as closed below this part of the largest one, or of the displacement to expect. */
-static const PetscReal CLOSED = 1e-9;
+/* Added stiffness relative to that of bodies: the error of each proximal step falls by this factor, and the condition number of the matrix
+   is its inverse at least. */
+static const PetscReal REGULARIZATION = 1e-6;
+/* Loads move bodies towards a target this many times farther than the largest gap, as far as contact permits. */
+static const PetscReal TARGET_DISTANCE = 1e3;
+/* Remaining gaps below this part of the largest gap, or of the expected displacement, count as closed. */
+static const PetscReal GAP_CLOSED = 1e-9;
 
-/* Which of this rank's nodes may carry springs: not those whose unknowns mean something else, if there are others. */
-static PetscErrorCode Candidates_Private(VI vi, PetscBool candidate[])
+/* Nodes of this rank that may carry regularization: those with Cartesian unknowns, unless a component has too few of them. */
+static PetscErrorCode RegularizationMarkCandidates_Private(VI vi, PetscBool candidate[])
 {
   const Level   *level      = vi->level;
   const PetscInt num_pieces = vi->rigid_modes.components.num;
@@ -37,11 +37,12 @@ static PetscErrorCode Candidates_Private(VI vi, PetscBool candidate[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The candidate farthest from all that were taken before, in every piece of a body. [in,out] distance - of each node to these, -1 for
-   others [num_owned]; [in,out] places - the last taken, [pieces->num][3]; [out] taken - local nodes, -1 where another rank has it
+/* The candidate farthest from all chosen nodes, in each component. [in] distance - of each candidate to them, -1 for other nodes
+   [num_owned]; [out] places - of the new nodes [pieces->num][3]; [out] taken - local numbers of the new nodes, -1 on other ranks
    [pieces->num] */
-static PetscErrorCode Farthest_Private(const Level *level, const Components *pieces, const PetscReal distance[],
-                                       PetscReal places[], PetscInt taken[])
+static PetscErrorCode RegularizationFindFarthest_Private(const Level *level, const Components *pieces,
+                                                         const PetscReal distance[], PetscReal places[],
+                                                         PetscInt taken[])
 {
   PetscMPIInt rank;
   struct {
@@ -76,10 +77,10 @@ static PetscErrorCode Farthest_Private(const Level *level, const Components *pie
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* WEAK times the mean diagonal of A over each body, or over a softer one that pairs lead to: what lies on it, or on others that do, is
-   held no firmer than that. Of a nearly incompressible body the diagonal tells the bulk modulus, but contact holds it by the shear
-   modulus: without their ratio, at 0.4999, springs take three times as many sweeps. [out] weak - [num_bodies] */
-static PetscErrorCode Stiffness_Private(VI vi, PetscReal weak[])
+/* REGULARIZATION times the mean diagonal of A over each body, or over the softest body that pairs connect to it: contact with that one
+   holds it no firmer. The diagonal of a nearly incompressible body shows the bulk modulus, but contact holds it by the shear modulus.
+   Without their ratio, at Poisson's ratio 0.4999, the iteration takes three times as many steps. [out] weak - [num_bodies] */
+static PetscErrorCode RegularizationGetStiffness_Private(VI vi, PetscReal weak[])
 {
   const Level       *level = vi->level;
   const PetscInt     dim = level->dim, num_bodies = vi->rigid_modes.num_bodies;
@@ -101,7 +102,7 @@ static PetscErrorCode Stiffness_Private(VI vi, PetscReal weak[])
   for (PetscInt b = 0; b < num_bodies; b++) {
     const PetscReal nu = counts[b].poisson; // 0 unless nearly incompressible
 
-    weak[b] = WEAK * sums[2 * b] / sums[2 * b + 1];
+    weak[b] = REGULARIZATION * sums[2 * b] / sums[2 * b + 1];
     if (nu > 0) weak[b] *= 1.5 * (1 - 2 * nu) / (1 + nu);
   }
   PetscCall(PetscFree(counts));
@@ -116,8 +117,8 @@ static PetscErrorCode Stiffness_Private(VI vi, PetscReal weak[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Springs at dim + 1 nodes of each piece of a body that floats, at all unknowns of these that are not fixed. */
-static PetscErrorCode Place_Private(VI vi, Vec springs)
+/* Regularization at dim + 1 nodes of each component that floats, at all their free unknowns. */
+static PetscErrorCode RegularizationSetDiagonal_Private(VI vi, Vec diagonal)
 {
   const Level      *level  = vi->level;
   const Components *pieces = &vi->rigid_modes.components;
@@ -130,59 +131,59 @@ static PetscErrorCode Place_Private(VI vi, Vec springs)
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc5(level->num_owned, &candidate, level->num_owned, &distance, 3 * num, &places,
                          vi->rigid_modes.num_bodies, &weak, num, &taken));
-  PetscCall(Candidates_Private(vi, candidate));
-  PetscCall(Stiffness_Private(vi, weak));
+  PetscCall(RegularizationMarkCandidates_Private(vi, candidate));
+  PetscCall(RegularizationGetStiffness_Private(vi, weak));
   for (PetscInt b = 0; b < num; b++)
     for (PetscInt k = 0; k < 3; k++) places[3 * b + k] = vi->rigid_modes.frames[4 * b + k];
-  PetscCall(VecZeroEntries(springs));
-  PetscCall(VecGetArray(springs, &w));
+  PetscCall(VecZeroEntries(diagonal));
+  PetscCall(VecGetArray(diagonal, &w));
   for (PetscInt round = 0; round <= dim; round++) {
     for (PetscInt a = 0; a < level->num_owned; a++) {
       const PetscInt b      = pieces->of_node[a];
       PetscReal      square = 0;
 
       for (PetscInt k = 0; k < dim; k++) square += PetscSqr(level->coords[a * dim + k] - places[3 * b + k]);
-      /* the first is far from the centre, which is no node and is forgotten */
+      /* the first node is the farthest from the centre, which then no longer counts */
       if (round < 2 || square < distance[a]) distance[a] = candidate[a] ? square : -1;
     }
-    PetscCall(Farthest_Private(level, pieces, distance, places, taken));
+    PetscCall(RegularizationFindFarthest_Private(level, pieces, distance, places, taken));
     for (PetscInt b = 0; b < num; b++)
       for (PetscInt k = 0; k < dim && taken[b] >= 0; k++) w[taken[b] * dim + k] = weak[pieces->body[b]];
   }
   for (PetscInt i = 0; i < vi->num_fixed; i++) w[vi->fixed_local[i]] = 0;
-  PetscCall(VecRestoreArray(springs, &w));
+  PetscCall(VecRestoreArray(diagonal, &w));
   PetscCall(PetscFree5(candidate, distance, places, weak, taken));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Bodies with gaps to cross are taken there rigidly, as far as loads push them: springs this weak would cross them slowly.
-   [out] left - gap that is left in each row, overlaps as they were [num_rows]; [out] largest - gap there was */
-static PetscErrorCode Rest_Private(VI vi, Solvability s, PetscReal left[], PetscReal *largest)
+/* Moves bodies rigidly until they touch, as far as the loads drive them: the iteration would close wide gaps slowly.
+   [out] left - remaining gap of each row, overlaps unchanged [num_rows]; [out] largest - initial gap */
+static PetscErrorCode RegularizationSetApproach_Private(VI vi, Solvability s, PetscReal left[], PetscReal *largest)
 {
-  const Cone cone = {.comm = vi->level->comm, .num = vi->num_rows, .m = s->m, .rows = s->C, .both = s->both};
+  const Cone cone = ContactRowsCone(vi, s, &s->nodal);
   PetscReal *bound, *q, size = 0;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc2(vi->num_rows, &bound, s->m, &q));
   *largest = 0;
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    left[r]  = s->both[r] ? 0 : vi->pairs[vi->row_pair[r]]->gap[vi->row_node[r]];
+    left[r]  = s->nodal.equality[r] ? 0 : vi->pairs[vi->row_pair[r]]->gap[vi->row_node[r]];
     bound[r] = PetscMax(left[r], 0);
     *largest = PetscMax(*largest, bound[r]);
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 1, MPIU_REAL, MPI_MAX, cone.comm));
-  for (PetscInt k = 0; k < s->m; k++) size = PetscMax(size, PetscAbsReal(s->phi[k]));
-  PetscCall(VecZeroEntries(s->rest));
+  for (PetscInt k = 0; k < s->m; k++) size = PetscMax(size, PetscAbsReal(s->work[k]));
+  PetscCall(VecZeroEntries(s->approach));
   if (*largest > 0 && size > 0) {
     PetscReal *target;
 
     PetscCall(PetscMalloc1(s->m, &target));
-    for (PetscInt k = 0; k < s->m; k++) target[k] = FAR * *largest * s->phi[k] / size;
+    for (PetscInt k = 0; k < s->m; k++) target[k] = TARGET_DISTANCE * *largest * s->work[k] / size;
     PetscCall(ConeProject(&cone, bound, target, q));
     PetscCall(PetscFree(target));
-    for (PetscInt k = 0; k < s->m; k++) PetscCall(VecAXPY(s->rest, q[k] / vi->length, s->modes[k]));
+    for (PetscInt k = 0; k < s->m; k++) PetscCall(VecAXPY(s->approach, q[k] / vi->length, s->modes[k]));
     for (PetscInt r = 0; r < vi->num_rows; r++)
-      for (PetscInt k = 0; k < s->m; k++) left[r] -= s->C[r * s->m + k] * q[k];
+      for (PetscInt k = 0; k < s->m; k++) left[r] -= s->nodal.rows[r * s->m + k] * q[k];
   }
   PetscCall(PetscFree2(bound, q));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -195,17 +196,17 @@ PetscErrorCode RegularizationCreate(VI vi, Solvability s)
   PetscScalar   *start;
 
   PetscFunctionBeginUser;
-  PetscCall(VecDuplicate(vi->upper, &s->springs));
-  PetscCall(VecDuplicate(vi->upper, &s->rest));
+  PetscCall(VecDuplicate(vi->upper, &s->regularization));
+  PetscCall(VecDuplicate(vi->upper, &s->approach));
   PetscCall(VecDuplicate(vi->upper, &s->start));
-  PetscCall(Place_Private(vi, s->springs));
+  PetscCall(RegularizationSetDiagonal_Private(vi, s->regularization));
   PetscCall(PetscMalloc1(vi->num_rows, &left));
-  PetscCall(Rest_Private(vi, s, left, &largest));
-  closed = CLOSED * PetscMax(largest, vi->length);
+  PetscCall(RegularizationSetApproach_Private(vi, s, left, &largest));
+  closed = GAP_CLOSED * PetscMax(largest, vi->length);
   PetscCall(VecZeroEntries(s->start));
   PetscCall(VecGetArray(s->start, &start));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    if (!s->both[r] && left[r] <= closed) start[vi->row_dof[r] - first] = 1;
+    if (!s->nodal.equality[r] && left[r] <= closed) start[vi->row_dof[r] - first] = 1;
   }
   PetscCall(VecRestoreArray(s->start, &start));
   PetscCall(PetscFree(left));

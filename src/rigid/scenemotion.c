@@ -1,25 +1,17 @@
-/* scenemotion.c -- rigid motions as people see them: where bodies go, about which points they turn, and what that is called. */
+/* scenemotion.c -- rigid motions as axes, angles and sentences. */
 #include <math.h>
 #include <string.h>
 #include "base/compat.h"
+#include "kernel/vector.h"
 #include "rigid/rigidimpl.h"
 
-/* Parts of a motion below this part of the largest are rounding, and are left out. */
-static const PetscReal NEGLIGIBLE = 1e-8;
-enum { FLAGS = 4 }; /* of Contacts, for a reduction */
+/* Components of a motion below this part of the largest are rounding, and are omitted. */
+static const PetscReal MOTION_ROUNDING = 1e-8;
+/* A motion opens a contact, or slides, if it does so by more than this part of its size; sizes that differ from 1 by less are not stated. */
+static const PetscReal MOTION_SMALL = 1e-6;
 
-/* A scaled motion is one by its size to this. */
-static const PetscReal UNIT = 1e-6;
-
-/* What a motion does to the contacts of a piece of a body. */
-typedef struct {
-  PetscBool touched, opens, keeps, slides; /* it has contacts; some of them open; some stay closed; and slide */
-} Contacts;
-
-static PetscReal Norm_Private(const PetscReal v[3])
-{
-  return PetscSqrtReal(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
+/* What a motion does to the contacts of a component. */
+enum { HAS_CONTACT = 1, OPENS = 2, STAYS_CLOSED = 4, SLIDES = 8 };
 
 void SceneMotionAddSlipOfMode(VI vi, const ContactPlace *place, PetscInt k, PetscReal factor, PetscReal slip[])
 {
@@ -36,8 +28,8 @@ void SceneMotionAddSlip(VI vi, const ContactPlace *place, const PetscReal q[], P
   for (PetscInt k = 0; k < vi->rigid_modes.num; k++) SceneMotionAddSlipOfMode(vi, place, k, q[k], slip);
 }
 
-/* (t, r) of a piece of a body, without rounding: parts that are nothing beside the motions of all. */
-static void Gather_Private(VI vi, const PetscReal q[], PetscInt piece, PetscReal size, PetscReal motion[])
+/* (t, r) of a component, without rounding. [in] size - of the motion of all */
+static void SceneMotionGetMode_Private(VI vi, const PetscReal q[], PetscInt piece, PetscReal size, PetscReal motion[])
 {
   for (PetscInt i = 0; i < RIGID_COMPONENTS; i++) motion[i] = 0;
   for (PetscInt k = 0; k < vi->rigid_modes.num; k++) {
@@ -45,13 +37,14 @@ static void Gather_Private(VI vi, const PetscReal q[], PetscInt piece, PetscReal
       motion[i] += q[k] * vi->rigid_modes.mode[k * RIGID_COMPONENTS + i];
   }
   for (PetscInt i = 0; i < RIGID_COMPONENTS; i++)
-    if (PetscAbsReal(motion[i]) <= NEGLIGIBLE * size) motion[i] = 0;
+    if (PetscAbsReal(motion[i]) <= MOTION_ROUNDING * size) motion[i] = 0;
 }
 
-/* From (t, r) about the centre of a piece to an axis and what goes along it. */
-static void Axis_Private(const PetscReal frame[], const PetscReal t[], const PetscReal r[], BodyMotion *motion)
+/* Converts (t, r) about the centre of a component to an axis and a translation along it. */
+static void SceneMotionSetAxis_Private(const PetscReal frame[], const PetscReal t[], const PetscReal r[],
+                                       BodyMotion *motion)
 {
-  const PetscReal angle = Norm_Private(r) / frame[3];
+  const PetscReal angle = VectorNorm(3, r) / frame[3];
   PetscReal       along = 0;
 
   for (PetscInt k = 0; k < 3; k++) {
@@ -67,87 +60,77 @@ static void Axis_Private(const PetscReal frame[], const PetscReal t[], const Pet
 
     motion->centre[k] += (motion->rotation[i] * t[j] - motion->rotation[j] * t[i]) / (angle * angle);
     motion->translation[k] = along * motion->rotation[k];
-    if (PetscAbsReal(motion->centre[k]) <= NEGLIGIBLE * frame[3]) motion->centre[k] = 0;
-    if (PetscAbsReal(motion->translation[k]) <= NEGLIGIBLE * angle * frame[3]) motion->translation[k] = 0;
+    if (PetscAbsReal(motion->centre[k]) <= MOTION_ROUNDING * frame[3]) motion->centre[k] = 0;
+    if (PetscAbsReal(motion->translation[k]) <= MOTION_ROUNDING * angle * frame[3]) motion->translation[k] = 0;
   }
 }
 
-/* What q does to the rows that a piece has a part in. Collective. [out] contacts - [pieces.num] */
-static PetscErrorCode Contacts_Private(VI vi, Solvability s, const PetscReal q[], PetscReal size, Contacts contacts[])
+/* What q does to the contacts of each component. Collective. [out] contacts - sums of HAS_CONTACT and so on [pieces.num] */
+static PetscErrorCode SceneMotionFindContacts_Private(VI vi, Solvability s, const PetscReal q[], PetscReal size,
+                                                      PetscInt contacts[])
 {
   const PetscInt num = vi->rigid_modes.components.num;
-  PetscInt      *flags;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(FLAGS * num, &flags));
-  for (PetscInt r = 0; r < s->cover.num; r++) {
-    const PetscReal *row     = &s->cover.rows[r * s->m];
-    PetscReal        opening = 0, slip[3] = {0, 0, 0};
+  PetscCall(PetscArrayzero(contacts, num));
+  for (PetscInt r = 0; r < s->overlap.num; r++) {
+    const PetscReal *row     = &s->overlap.rows[r * s->m];
+    const PetscReal  opening = -VectorDot(s->m, row, q);
+    PetscReal        slip[3] = {0, 0, 0};
+    PetscInt         does    = HAS_CONTACT | (opening > MOTION_SMALL * size ? OPENS : STAYS_CLOSED);
 
-    for (PetscInt k = 0; k < s->m; k++) opening -= row[k] * q[k];
-    SceneMotionAddSlip(vi, &s->cover.place[r], q, slip);
-    for (PetscInt k = 0; k < s->m; k++) {
-      PetscInt *flag = &flags[FLAGS * vi->rigid_modes.component[k]];
-
-      if (PetscAbsReal(row[k]) <= NEGLIGIBLE) continue;
-      flag[0] = 1;
-      if (opening > UNIT * size) flag[1] = 1;
-      if (opening <= UNIT * size) flag[2] = 1;
-      if (opening <= UNIT * size && Norm_Private(slip) > UNIT * size) flag[3] = 1;
-    }
+    SceneMotionAddSlip(vi, &s->overlap.place[r], q, slip);
+    if (!(does & OPENS) && VectorNorm(3, slip) > MOTION_SMALL * size) does |= SLIDES;
+    for (PetscInt k = 0; k < s->m; k++)
+      if (PetscAbsReal(row[k]) > MOTION_ROUNDING) contacts[vi->rigid_modes.component[k]] |= does;
   }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, flags, (PetscMPIInt)(FLAGS * num), MPIU_INT, MPI_MAX, vi->level->comm));
-  for (PetscInt b = 0; b < num; b++) {
-    contacts[b].touched = flags[FLAGS * b] ? PETSC_TRUE : PETSC_FALSE;
-    contacts[b].opens   = flags[FLAGS * b + 1] ? PETSC_TRUE : PETSC_FALSE;
-    contacts[b].keeps   = flags[FLAGS * b + 2] ? PETSC_TRUE : PETSC_FALSE;
-    contacts[b].slides  = flags[FLAGS * b + 3] ? PETSC_TRUE : PETSC_FALSE;
-  }
-  PetscCall(PetscFree(flags));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, contacts, (PetscMPIInt)num, MPIU_INT, MPI_BOR, vi->level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* "(1, -2)" */
-static void Vector_Private(PetscInt dim, const PetscReal v[], char text[], size_t len)
+static void SceneMotionPrintVector_Private(PetscInt dim, const PetscReal v[], char text[], size_t len)
 {
   snprintf(text, len, dim == 2 ? "(%.6g, %.6g)" : "(%.6g, %.6g, %.6g)", (double)v[0], (double)v[1], (double)v[2]);
 }
 
 /* "tips about (1.2, 0), turning clockwise by 0.5 rad" */
-static void Turning_Private(PetscInt dim, const BodyMotion *motion, const char verb[], char text[], size_t len)
+static void SceneMotionPrintRotation_Private(PetscInt dim, const BodyMotion *motion, const char verb[], char text[],
+                                             size_t len)
 {
-  const PetscReal angle = Norm_Private(motion->rotation);
+  const PetscReal angle = VectorNorm(3, motion->rotation);
   char            centre[96], by[48] = "", axis[96] = "", along[128] = "";
 
-  Vector_Private(dim, motion->centre, centre, sizeof(centre));
-  if (PetscAbsReal(angle - 1) > UNIT) snprintf(by, sizeof(by), " by %.6g rad", (double)angle);
-  if (Norm_Private(motion->translation) > 0) {
+  SceneMotionPrintVector_Private(dim, motion->centre, centre, sizeof(centre));
+  if (PetscAbsReal(angle - 1) > MOTION_SMALL) snprintf(by, sizeof(by), " by %.6g rad", (double)angle);
+  if (VectorNorm(3, motion->translation) > 0) {
     char t[96];
 
-    Vector_Private(dim, motion->translation, t, sizeof(t));
+    SceneMotionPrintVector_Private(dim, motion->translation, t, sizeof(t));
     snprintf(along, sizeof(along), " and moving by %s", t);
   }
   if (dim == 2) {
     snprintf(text, len, "%s about %s, turning %s%s", verb, centre,
              motion->rotation[2] > 0 ? "anticlockwise" : "clockwise", by);
   } else {
-    Vector_Private(dim, motion->rotation, axis, sizeof(axis));
+    SceneMotionPrintVector_Private(dim, motion->rotation, axis, sizeof(axis));
     snprintf(text, len, "%s about the axis through %s along %s%s%s", verb, centre, axis, by, along);
   }
 }
 
 /* "slides along (1, 0)" */
-static void Going_Private(PetscInt dim, const BodyMotion *motion, const char verb[], char text[], size_t len)
+static void SceneMotionPrintTranslation_Private(PetscInt dim, const BodyMotion *motion, const char verb[], char text[],
+                                                size_t len)
 {
-  const PetscReal length = Norm_Private(motion->translation);
+  const PetscReal length = VectorNorm(3, motion->translation);
   char            t[96];
 
-  Vector_Private(dim, motion->translation, t, sizeof(t));
-  snprintf(text, len, "%s %s %s", verb, PetscAbsReal(length - 1) > UNIT ? "by" : "along", t);
+  SceneMotionPrintVector_Private(dim, motion->translation, t, sizeof(t));
+  snprintf(text, len, "%s %s %s", verb, PetscAbsReal(length - 1) > MOTION_SMALL ? "by" : "along", t);
 }
 
-/* What a piece of a body is called. */
-static void Name_Private(VI vi, PetscInt piece, BodyMotion *motion)
+/* Sets the name of a component. */
+static void SceneMotionSetName_Private(VI vi, PetscInt piece, BodyMotion *motion)
 {
   const Components *pieces = &vi->rigid_modes.components;
   const PetscInt    num    = ComponentsOfBody(pieces, pieces->body[piece]);
@@ -158,7 +141,7 @@ static void Name_Private(VI vi, PetscInt piece, BodyMotion *motion)
   motion->body  = pieces->body[piece];
   motion->piece = piece;
   motion->whole = (PetscBool)(num == 1);
-  Vector_Private(vi->level->dim, &vi->rigid_modes.frames[4 * piece], centre, sizeof(centre));
+  SceneMotionPrintVector_Private(vi->level->dim, &vi->rigid_modes.frames[4 * piece], centre, sizeof(centre));
   snprintf(motion->name, sizeof(motion->name), "%s", vi->scene->bodies[motion->body].name);
   if (!motion->whole) {
     snprintf(motion->name, sizeof(motion->name), "%s, piece %d of %d near %s", vi->scene->bodies[motion->body].name,
@@ -166,32 +149,34 @@ static void Name_Private(VI vi, PetscInt piece, BodyMotion *motion)
   }
 }
 
-/* One body's part of the sentence. */
-static void Words_Private(VI vi, const BodyMotion *motion, const Contacts *contacts, char text[], size_t len)
+/* The part of the sentence for one component. [in] contacts - of SceneMotionFindContacts_Private() */
+static void SceneMotionPrintBody_Private(VI vi, const BodyMotion *motion, PetscInt contacts, char text[], size_t len)
 {
   const PetscInt dim = vi->level->dim;
   char           does[512];
 
-  if (Norm_Private(motion->rotation) > 0) {
-    Turning_Private(dim, motion, contacts->opens && contacts->keeps ? "tips" : "turns", does, sizeof(does));
-  } else if (contacts->opens) {
-    Going_Private(dim, motion, contacts->keeps ? "moves" : "lifts off", does, sizeof(does));
+  if (VectorNorm(3, motion->rotation) > 0) {
+    SceneMotionPrintRotation_Private(dim, motion, (contacts & OPENS) && (contacts & STAYS_CLOSED) ? "tips" : "turns",
+                                     does, sizeof(does));
+  } else if (contacts & OPENS) {
+    SceneMotionPrintTranslation_Private(dim, motion, contacts & STAYS_CLOSED ? "moves" : "lifts off", does,
+                                        sizeof(does));
   } else {
-    Going_Private(dim, motion, contacts->slides ? "slides" : "moves", does, sizeof(does));
+    SceneMotionPrintTranslation_Private(dim, motion, contacts & SLIDES ? "slides" : "moves", does, sizeof(does));
   }
-  snprintf(text, len, "%s%s%s %s", motion->name, !motion->whole || !contacts->touched ? "," : "",
-           contacts->touched ? "" : " which no contact touches,", does);
+  snprintf(text, len, "%s%s%s %s", motion->name, !motion->whole || !(contacts & HAS_CONTACT) ? "," : "",
+           contacts & HAS_CONTACT ? "" : " which no contact touches,", does);
 }
 
 /* The scale of q: 1 / the largest rotation, or 1 / the longest translation. */
-static PetscReal Scale_Private(VI vi, const PetscReal q[], PetscReal size, PetscBool *turns)
+static PetscReal SceneMotionGetScale_Private(VI vi, const PetscReal q[], PetscReal size, PetscBool *turns)
 {
   PetscReal rotation = 0, translation = 0, motion[RIGID_COMPONENTS];
 
   for (PetscInt b = 0; b < vi->rigid_modes.components.num; b++) {
-    Gather_Private(vi, q, b, size, motion);
-    rotation    = PetscMax(rotation, Norm_Private(&motion[3]) / vi->rigid_modes.frames[4 * b + 3]);
-    translation = PetscMax(translation, Norm_Private(motion));
+    SceneMotionGetMode_Private(vi, q, b, size, motion);
+    rotation    = PetscMax(rotation, VectorNorm(3, &motion[3]) / vi->rigid_modes.frames[4 * b + 3]);
+    translation = PetscMax(translation, VectorNorm(3, motion));
   }
   *turns = (PetscBool)(rotation > 0);
   return *turns ? 1 / rotation : (translation > 0 ? 1 / translation : 1);
@@ -200,34 +185,34 @@ static PetscReal Scale_Private(VI vi, const PetscReal q[], PetscReal size, Petsc
 PetscErrorCode SceneMotionCreate(VI vi, Solvability s, const PetscReal q[], SceneMotion *motion)
 {
   PetscReal size = 0, scale, components[RIGID_COMPONENTS];
-  Contacts *contacts;
+  PetscInt *contacts;
   size_t    used = 0;
 
   PetscFunctionBeginUser;
   for (PetscInt k = 0; k < s->m; k++) size = PetscMax(size, PetscAbsReal(q[k]));
-  scale        = Scale_Private(vi, q, size, &motion->turns);
+  scale        = SceneMotionGetScale_Private(vi, q, size, &motion->turns);
   motion->num  = 0;
   motion->work = 0;
   PetscCall(PetscMalloc1(vi->rigid_modes.components.num, &motion->bodies));
   PetscCall(PetscMalloc1(vi->rigid_modes.components.num, &contacts));
-  PetscCall(Contacts_Private(vi, s, q, size, contacts));
+  PetscCall(SceneMotionFindContacts_Private(vi, s, q, size, contacts));
   motion->sentence[0] = '\0';
   for (PetscInt b = 0; b < vi->rigid_modes.components.num; b++) {
     BodyMotion *body = &motion->bodies[motion->num];
 
-    Gather_Private(vi, q, b, size, components);
-    if (!(Norm_Private(components) + Norm_Private(&components[3]) > 0)) continue;
+    SceneMotionGetMode_Private(vi, q, b, size, components);
+    if (!(VectorNorm(3, components) + VectorNorm(3, &components[3]) > 0)) continue;
     for (PetscInt i = 0; i < RIGID_COMPONENTS; i++) components[i] *= scale;
-    Name_Private(vi, b, body);
+    SceneMotionSetName_Private(vi, b, body);
     body->work = 0;
-    Axis_Private(&vi->rigid_modes.frames[4 * b], components, &components[3], body);
+    SceneMotionSetAxis_Private(&vi->rigid_modes.frames[4 * b], components, &components[3], body);
     for (PetscInt k = 0; k < s->m; k++)
-      if (vi->rigid_modes.component[k] == b) body->work += scale * s->phi[k] * q[k];
+      if (vi->rigid_modes.component[k] == b) body->work += scale * s->work[k] * q[k];
     motion->work += body->work;
     used +=
         (size_t)snprintf(motion->sentence + used, sizeof(motion->sentence) - used, "%s", motion->num ? "; " : "body ");
     used = PetscMin(used, sizeof(motion->sentence) - 1);
-    Words_Private(vi, body, &contacts[b], motion->sentence + used, sizeof(motion->sentence) - used);
+    SceneMotionPrintBody_Private(vi, body, contacts[b], motion->sentence + used, sizeof(motion->sentence) - used);
     used = strlen(motion->sentence);
     motion->num++;
   }
@@ -235,7 +220,7 @@ PetscErrorCode SceneMotionCreate(VI vi, Solvability s, const PetscReal q[], Scen
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-void BodyMotionAt(const BodyMotion *motion, PetscInt dim, const PetscReal x[], PetscReal u[])
+void SceneMotionAt(const BodyMotion *motion, PetscInt dim, const PetscReal x[], PetscReal u[])
 {
   PetscReal a[3] = {0, 0, 0};
 

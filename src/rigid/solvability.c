@@ -1,9 +1,9 @@
-/* solvability.c -- do the loads do work on a rigid motion that nothing resists?
+/* solvability.c -- whether the loads do work on a rigid motion that nothing resists.
 
-   Existence is decided by the work of the loads on rigid motions [1, 2], here for the discrete problem, whose energy is quadratic:
-   a minimum exists exactly if the energy is bounded below [3], which it is if phi.q <= 0 wherever C q <= 0. Gaps play no part: they shift
-   the admissible motions, and do not change in which directions one may go for ever. The residual of the least squares problem
-   C'y = phi, y >= 0, is either zero, then y are contact forces that balance the loads, or the very motion that is asked for (nnls.h).
+   The work of the loads on rigid motions decides existence [1, 2]. The energy of the discrete problem is quadratic, so a minimum exists
+   exactly if the energy is bounded below [3]: if phi.q <= 0 wherever C q <= 0. Gaps do not matter: they shift the admissible motions,
+   but do not change their recession directions. Let rho be the residual of the least squares problem C'y = phi, y >= 0. If rho is zero, y
+   are contact forces that balance the loads; otherwise rho is a motion that nothing resists (nnls.h).
 
    References: [1] Lions, Stampacchia, Variational inequalities, 1967. [2] Fichera, Boundary value problems of elasticity with
                unilateral constraints, 1972. [3] Frank, Wolfe, An algorithm for quadratic programming, 1956. */
@@ -12,23 +12,23 @@
 #include "kernel/dense.h"
 #include "rigid/rigidimpl.h"
 
-/* Loads are in balance if what is left is below this part of the sum of their sizes. */
+/* Loads are in balance if the residual is below this part of the sum of forces. */
 static const PetscReal BALANCED = 1e-10;
-/* The same where two curved surfaces meet: meshes know their common normal to some digits only. Half of what the certificate allows. */
-static const PetscReal BALANCED_ROUND = 5e-7;
-/* Normals that differ by more are those of a curved surface. */
+/* The same where two curved surfaces meet: a mesh gives their common normal to a few digits only. Half of the certificate's limit. */
+static const PetscReal BALANCED_CURVED = 5e-7;
+/* Surfaces whose normals differ by more are curved. */
 static const PetscReal CURVED = 1e-6;
-/* A motion is told with free ones added as long as these cost nothing beside its own work. */
-static const PetscReal COSTS = 1e-3;
-/* What rounding leaves of a residual along a row that is in use. */
-static const PetscReal PRICE = 1e-13;
-/* The loads are moved away from the cone's inside by this part of them: they leave it if they are that near to its rim, ... */
-static const PetscReal NUDGE = 1e-6;
-/* ... by at least so much. */
-static const PetscReal LEFT = 1e-11;
+/* Free motions are added to a reported motion if they change its work by less than this part. */
+static const PetscReal WORK_CHANGE = 1e-3;
+/* Rounding of the residual along a row in use. */
+static const PetscReal RESIDUAL_ROUNDING = 1e-13;
+/* Marginal loads: moved out of the middle of the cone by this part of themselves, they leave the cone ... */
+static const PetscReal PERTURBATION = 1e-6;
+/* ... by at least this distance. */
+static const PetscReal OUTSIDE = 1e-11;
 
-/* u of one of vi->rigid_modes. [out] u - ghosted, ghosts not set. Not collective. */
-static PetscErrorCode SetMotion_Private(VI vi, PetscInt k, Vec u)
+/* u of mode k. Not collective. [out] u - ghosted, ghosts not set */
+static PetscErrorCode SolvabilityGetModeDisplacement_Private(VI vi, PetscInt k, Vec u)
 {
   const Level     *level = vi->level;
   const PetscInt   dim = level->dim, piece = vi->rigid_modes.component[k];
@@ -46,8 +46,8 @@ static PetscErrorCode SetMotion_Private(VI vi, PetscInt k, Vec u)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Modes, C, phi, and the size of the forces. */
-static PetscErrorCode Matrices_Private(VI vi, Solvability s)
+/* Sets modes, rows of C, work and forces. */
+static PetscErrorCode SolvabilitySetMatrices_Private(VI vi, Solvability s)
 {
   const Level       *level = vi->level;
   const PetscInt     dim = level->dim, first = dim * level->node_begin;
@@ -57,12 +57,12 @@ static PetscErrorCode Matrices_Private(VI vi, Solvability s)
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(vi->f, &u));
   for (PetscInt k = 0; k < s->m; k++) {
-    PetscCall(SetMotion_Private(vi, k, u));
-    PetscCall(VecDot(vi->f, u, &s->phi[k]));
+    PetscCall(SolvabilityGetModeDisplacement_Private(vi, k, u));
+    PetscCall(VecDot(vi->f, u, &s->work[k]));
     PetscCall(VecDuplicate(vi->upper, &s->modes[k]));
     PetscCall(VIApplyInverseBasis(vi, u, s->modes[k]));
     PetscCall(VecGetArrayRead(s->modes[k], &y));
-    for (PetscInt r = 0; r < vi->num_rows; r++) s->C[r * s->m + k] = PetscRealPart(y[vi->row_dof[r] - first]);
+    for (PetscInt r = 0; r < vi->num_rows; r++) s->nodal.rows[r * s->m + k] = PetscRealPart(y[vi->row_dof[r] - first]);
     PetscCall(VecRestoreArrayRead(s->modes[k], &y));
   }
   PetscCall(VecDestroy(&u));
@@ -74,12 +74,12 @@ static PetscErrorCode Matrices_Private(VI vi, Solvability s)
   PetscCall(VecRestoreArrayRead(vi->f, &f));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &s->forces, 1, MPIU_REAL, MPI_SUM, level->comm));
   for (PetscInt r = 0; r < vi->num_rows; r++)
-    s->both[r] = (PetscBool)(vi->pairs[vi->row_pair[r]]->spec->type == PAIR_TIED);
+    s->nodal.equality[r] = (PetscBool)(vi->pairs[vi->row_pair[r]]->spec->type == PAIR_TIED);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Where rows act: at their nodes, against the mortar facet that weighs most. */
-static PetscErrorCode Places_Private(VI vi, Solvability s)
+/* Sets the places of rows: their nodes, and the component of the mortar node with the largest entry of M. */
+static PetscErrorCode SolvabilitySetPlaces_Private(VI vi, Solvability s)
 {
   Level         *level = vi->level;
   const PetscInt dim   = level->dim;
@@ -95,8 +95,8 @@ static PetscErrorCode Places_Private(VI vi, Solvability s)
     const PetscScalar *values;
     PetscReal          largest = 0;
 
-    s->place[r].piece[0] = vi->rigid_modes.components.of_node[a];
-    for (PetscInt k = 0; k < dim; k++) s->place[r].x[k] = level->coords[a * dim + k];
+    s->nodal.place[r].piece[0] = vi->rigid_modes.components.of_node[a];
+    for (PetscInt k = 0; k < dim; k++) s->nodal.place[r].x[k] = level->coords[a * dim + k];
     node[r] = -1;
     if (!pair->M) continue;
     PetscCall(MatGetRow(pair->M, level->node_begin + a, &num, &columns, &values));
@@ -108,15 +108,15 @@ static PetscErrorCode Places_Private(VI vi, Solvability s)
     PetscCall(MatRestoreRow(pair->M, level->node_begin + a, &num, &columns, &values));
   }
   PetscCall(ComponentsOfGlobalNodes(level, &vi->rigid_modes.components, vi->num_rows, node, piece));
-  for (PetscInt r = 0; r < vi->num_rows; r++) s->place[r].piece[1] = piece[r];
+  for (PetscInt r = 0; r < vi->num_rows; r++) s->nodal.place[r].piece[1] = piece[r];
   PetscCall(PetscFree2(node, piece));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The residual of phi in the cone of the rows, in parts of the size of the forces; restricted to motions that are taken.
-   [in] take - NULL for all [m]; [out] rho - [m]; [out] weight - of the rows, or NULL; [out] norm - of rho */
-static PetscErrorCode Leaves_Private(const Cone *cone, const PetscReal phi[], const PetscBool take[], PetscReal rho[],
-                                     PetscReal weight[], PetscReal *norm)
+/* The residual of phi in the cone of the rows, restricted to chosen modes. [in] phi - work / forces; [in] take - chosen modes, NULL for
+   all [m]; [out] rho - [m]; [out] weight - of the rows, or NULL; [out] norm - of rho */
+static PetscErrorCode SolvabilityProjectLoads_Private(const Cone *cone, const PetscReal phi[], const PetscBool take[],
+                                                      PetscReal rho[], PetscReal weight[], PetscReal *norm)
 {
   Cone       part = *cone;
   PetscReal *rows, *target;
@@ -129,7 +129,7 @@ static PetscErrorCode Leaves_Private(const Cone *cone, const PetscReal phi[], co
   for (PetscInt k = 0; k < cone->m; k++) target[k] = !take || take[k] ? phi[k] : 0;
   part.rows = rows;
   PetscCall(NNLSCreate(cone->m, target, &nnls));
-  PetscCall(ConeSolve(&part, PRICE, &nnls, weight));
+  PetscCall(ConeSolve(&part, RESIDUAL_ROUNDING, &nnls, weight));
   *norm = 0;
   for (PetscInt k = 0; k < cone->m; k++) {
     rho[k] = nnls.residual[k];
@@ -141,9 +141,10 @@ static PetscErrorCode Leaves_Private(const Cone *cone, const PetscReal phi[], co
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Of all motions that differ from q by free ones, which cost nothing, the one that slides least where contacts stay closed: a body that
-   tips turns about its edge. The sum of squares of the slips is a quadratic form in the free part. [in,out] q - [m] */
-static PetscErrorCode Pin_Private(VI vi, const Cone *cone, const ContactPlace place[], PetscReal q[])
+/* Adds free motions to q so that closed contacts slide least: a body that tips turns about its edge. The sum of squares of the slips is a
+   quadratic form of the free part. [in,out] q - [m] */
+static PetscErrorCode SolvabilityMinimizeSlip_Private(VI vi, const Cone *cone, const ContactPlace place[],
+                                                      PetscReal q[])
 {
   const PetscInt m = cone->m;
   PetscReal     *kernel, *gram, *sums, *values, *V, *one, largest = 0, size = 0;
@@ -157,7 +158,7 @@ static PetscErrorCode Pin_Private(VI vi, const Cone *cone, const ContactPlace pl
     PetscReal opening = 0, slip[3] = {0, 0, 0};
 
     for (PetscInt k = 0; k < m; k++) opening -= cone->rows[r * m + k] * q[k];
-    if (opening > NUDGE * size) continue;
+    if (opening > PERTURBATION * size) continue;
     SceneMotionAddSlip(vi, &place[r], q, slip);
     PetscCall(PetscArrayzero(one, 3 * n));
     for (PetscInt i = 0; i < n; i++) SceneMotionAddSlip(vi, &place[r], &kernel[i * m], &one[3 * i]);
@@ -172,7 +173,7 @@ static PetscErrorCode Pin_Private(VI vi, const Cone *cone, const ContactPlace pl
   for (PetscInt i = 0; i < n; i++) sums[i] = gram[n * n + i];
   DenseEigen(n, gram, values, V);
   for (PetscInt i = 0; i < n; i++) largest = PetscMax(largest, values[i]);
-  for (PetscInt i = 0; i < n; i++) { // along each axis of the form that it knows of
+  for (PetscInt i = 0; i < n; i++) { // along each eigenvector that the form determines
     PetscReal part = 0;
 
     if (!(values[i] > BALANCED * largest)) continue;
@@ -184,9 +185,10 @@ static PetscErrorCode Pin_Private(VI vi, const Cone *cone, const ContactPlace pl
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A motion that shows that there is no solution, the simplest one: without rotations if there is one. */
-static PetscErrorCode Refuse_Private(VI vi, const Cone *cone, const ContactPlace place[], const PetscReal phi[],
-                                     const PetscReal rho[], PetscReal balanced, Solvability s)
+/* Sets the motion that shows SOLVABLE_NOT: the simplest one, without rotations if possible. */
+static PetscErrorCode SolvabilitySetUnresistedMotion_Private(VI vi, const Cone *cone, const ContactPlace place[],
+                                                             const PetscReal phi[], const PetscReal rho[],
+                                                             PetscReal balanced, Solvability s)
 {
   PetscBool *straight;
   PetscReal *q, norm;
@@ -198,27 +200,27 @@ static PetscErrorCode Refuse_Private(VI vi, const Cone *cone, const ContactPlace
 
     straight[k] = (PetscBool)(PetscSqr(r[0]) + PetscSqr(r[1]) + PetscSqr(r[2]) < PetscSqr(BALANCED));
   }
-  PetscCall(Leaves_Private(cone, phi, straight, q, NULL, &norm));
-  s->verdict = SOLVABLE_NOT;
+  PetscCall(SolvabilityProjectLoads_Private(cone, phi, straight, q, NULL, &norm));
+  s->status = SOLVABLE_NOT;
   if (!(norm > balanced)) {
-    PetscReal work = 0, pinned = 0;
+    PetscReal work = 0, changed = 0;
 
     PetscCall(PetscArraycpy(q, rho, s->m));
-    PetscCall(Pin_Private(vi, cone, place, q));
+    PetscCall(SolvabilityMinimizeSlip_Private(vi, cone, place, q));
     for (PetscInt k = 0; k < s->m; k++) {
       work += phi[k] * rho[k];
-      pinned += phi[k] * q[k];
+      changed += phi[k] * q[k];
     }
-    if (PetscAbsReal(pinned - work) > COSTS * work) PetscCall(PetscArraycpy(q, rho, s->m));
+    if (PetscAbsReal(changed - work) > WORK_CHANGE * work) PetscCall(PetscArraycpy(q, rho, s->m));
   }
   PetscCall(SceneMotionCreate(vi, s, q, &s->motion));
   PetscCall(PetscFree2(straight, q));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a motion moves a piece that carries loads; others open contacts that nobody presses. [out] opens - rows that it opens */
-static PetscErrorCode MovesLoads_Private(VI vi, const Cone *cone, const PetscReal phi[], const PetscReal q[],
-                                         PetscBool opens[], PetscBool *loads)
+/* Whether a motion moves a loaded component. [in,out] opens - set for rows that it opens [cone->num] */
+static PetscErrorCode SolvabilityMovesLoads_Private(VI vi, const Cone *cone, const PetscReal phi[], const PetscReal q[],
+                                                    PetscBool opens[], PetscBool *loads)
 {
   PetscReal size = 0;
 
@@ -226,7 +228,7 @@ static PetscErrorCode MovesLoads_Private(VI vi, const Cone *cone, const PetscRea
   *loads = PETSC_FALSE;
   for (PetscInt k = 0; k < cone->m; k++) size = PetscMax(size, PetscAbsReal(q[k]));
   for (PetscInt k = 0; k < cone->m; k++) {
-    if (PetscAbsReal(q[k]) <= NUDGE * size) continue;
+    if (PetscAbsReal(q[k]) <= PERTURBATION * size) continue;
     for (PetscInt l = 0; l < cone->m; l++)
       if (vi->rigid_modes.component[l] == vi->rigid_modes.component[k] && PetscAbsReal(phi[l]) > BALANCED)
         *loads = PETSC_TRUE;
@@ -235,25 +237,26 @@ static PetscErrorCode MovesLoads_Private(VI vi, const Cone *cone, const PetscRea
     PetscReal opening = 0;
 
     for (PetscInt k = 0; k < cone->m; k++) opening -= cone->rows[r * cone->m + k] * q[k];
-    if (opening > NUDGE * size) opens[r] = PETSC_TRUE;
+    if (opening > PERTURBATION * size) opens[r] = PETSC_TRUE;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether loads that are in balance are so on the rim of the cone only: pushed a little away from its middle they leave it, along a
-   motion that opens contacts and costs nothing. Bodies without loads may always be moved away, and are looked past. */
-static PetscErrorCode Marginal_Private(VI vi, const Cone *cone, const PetscReal phi[], Solvability s)
+/* Sets SOLVABLE_MARGINAL if balanced loads lie on the boundary of the cone. Then a small step away from the middle of the cone leaves it,
+   along a motion that opens contacts at no cost. Motions of bodies without loads do not count. */
+static PetscErrorCode SolvabilityFindMarginalMotion_Private(VI vi, const Cone *cone, const PetscReal phi[],
+                                                            Solvability s)
 {
   PetscBool *opens, loads = PETSC_FALSE;
   PetscReal *middle, *q, norm, size;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc2(s->m + 1, &middle, s->m, &q)); // the last is a sum of sizes
+  PetscCall(PetscMalloc2(s->m + 1, &middle, s->m, &q)); // the last entry is a sum of absolute values
   PetscCall(PetscCalloc1(cone->num, &opens));
   for (PetscInt round = 0; round <= vi->scene->num_bodies; round++) {
     PetscCall(PetscArrayzero(middle, s->m + 1));
     for (PetscInt r = 0; r < cone->num; r++) {
-      for (PetscInt k = 0; k < s->m && !opens[r] && !cone->both[r]; k++) {
+      for (PetscInt k = 0; k < s->m && !opens[r] && !cone->equality[r]; k++) {
         middle[k] += cone->rows[r * s->m + k];
         middle[s->m] += PetscAbsReal(cone->rows[r * s->m + k]);
       }
@@ -264,15 +267,15 @@ static PetscErrorCode Marginal_Private(VI vi, const Cone *cone, const PetscReal 
       size = PetscMax(size, PetscAbsReal(middle[k]));
       norm = PetscMax(norm, PetscAbsReal(phi[k]));
     }
-    /* rows that cancel, as around a pin in a hole, have no rim, and rounding for a sum */
+    /* rows that cancel, as around a pin in a hole: the cone has no boundary, and the sum is rounding */
     if (!(size > BALANCED * middle[s->m]) || !(norm > BALANCED)) break;
-    for (PetscInt k = 0; k < s->m; k++) middle[k] = phi[k] / norm - NUDGE * middle[k] / size;
-    PetscCall(Leaves_Private(cone, middle, NULL, q, NULL, &norm));
-    if (!(norm > LEFT)) break;
-    PetscCall(MovesLoads_Private(vi, cone, phi, q, opens, &loads));
+    for (PetscInt k = 0; k < s->m; k++) middle[k] = phi[k] / norm - PERTURBATION * middle[k] / size;
+    PetscCall(SolvabilityProjectLoads_Private(cone, middle, NULL, q, NULL, &norm));
+    if (!(norm > OUTSIDE)) break;
+    PetscCall(SolvabilityMovesLoads_Private(vi, cone, phi, q, opens, &loads));
     if (loads) {
-      s->verdict = SOLVABLE_MARGINAL;
-      PetscCall(Pin_Private(vi, cone, s->cover.place, q));
+      s->status = SOLVABLE_MARGINAL;
+      PetscCall(SolvabilityMinimizeSlip_Private(vi, cone, s->overlap.place, q));
       PetscCall(SceneMotionCreate(vi, s, q, &s->motion));
       break;
     }
@@ -282,9 +285,9 @@ static PetscErrorCode Marginal_Private(VI vi, const Cone *cone, const PetscReal 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Below which loads count as balanced: where both surfaces of a pair are curved, normals between them are not known to the last digit, and what
-   they leave of the loads along a motion that they hardly resist is not known either. Collective. */
-static PetscErrorCode ChooseBalanced_Private(VI vi, PetscReal *balanced)
+/* Residual below which loads count as balanced. Between two curved surfaces normals are known to a few digits only, and so is the residual
+   along a motion that they hardly resist. Collective. */
+static PetscErrorCode SolvabilityChooseTolerance_Private(VI vi, PetscReal *balanced)
 {
   const PetscInt dim = vi->level->dim;
 
@@ -292,7 +295,7 @@ static PetscErrorCode ChooseBalanced_Private(VI vi, PetscReal *balanced)
   *balanced = BALANCED;
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
     const Pair pair = vi->pairs[p];
-    PetscReal  most[6]; // of n and of -n
+    PetscReal  most[6]; // maxima of n and of -n
 
     if (pair->spec->obstacle.kind == OBSTACLE_PLANE) continue;
     for (PetscInt k = 0; k < 6; k++) most[k] = -1;
@@ -304,14 +307,15 @@ static PetscErrorCode ChooseBalanced_Private(VI vi, PetscReal *balanced)
     }
     PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, most, 6, MPIU_REAL, MPIU_MAX, vi->level->comm));
     for (PetscInt k = 0; k < dim; k++)
-      if (most[k] + most[3 + k] > CURVED) *balanced = BALANCED_ROUND;
+      if (most[k] + most[3 + k] > CURVED) *balanced = BALANCED_CURVED;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Takes from the loads what they leave of the cone, which is nothing to rounding but where surfaces are round: no solution could carry it, and
-   springs would pull at it for ever. It stays in the book of record, where the certificate finds it. [in] rho - of the loads [m] */
-static PetscErrorCode TakeUndecided_Private(VI vi, Solvability s, const PetscReal rho[])
+/* Subtracts from the loads their residual outside the cone, which is more than rounding only between curved surfaces. No solution could carry
+   it, and the proximal point iteration would not converge. It stays in the uncondensed KKT system, so the certificate sees it.
+   [in] rho - residual of the loads [m] */
+static PetscErrorCode SolvabilitySubtractResidual_Private(VI vi, Solvability s, const PetscReal rho[])
 {
   const PetscInt m = s->m;
   PetscReal     *gram, *values, *V, *part, largest = 0;
@@ -329,44 +333,45 @@ static PetscErrorCode TakeUndecided_Private(VI vi, Solvability s, const PetscRea
   }
   for (PetscInt k = 0; k < m; k++) {
     PetscCall(VecAXPY(vi->b, -part[k] / (vi->stiffness * vi->length), s->modes[k]));
-    s->phi[k] -= rho[k];
+    s->work[k] -= rho[k];
   }
   PetscCall(PetscFree4(gram, values, V, part));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The verdict, as far as it can be known before anything is solved, and forces that balance the loads: in the bodies, up to where they
-   end, and at the nodes. */
-static PetscErrorCode Judge_Private(VI vi, Solvability s)
+/* Sets the status as far as it is known before the solve, and the forces that balance the loads. Balance is needed at the nodes and at
+   the overlap boundary. */
+static PetscErrorCode SolvabilityDecide_Private(VI vi, Solvability s)
 {
-  const Cone cone  = {.comm = vi->level->comm, .num = vi->num_rows, .m = s->m, .rows = s->C, .both = s->both};
-  const Cone cover = {cone.comm, s->cover.num, s->m, s->cover.rows, s->cover.both};
-  PetscReal  scale = s->forces > 0 ? s->forces : 1, *phi, *rho, *rho_cover, *kernel, norm, norm_cover = 0, balanced;
+  const Cone cone    = ContactRowsCone(vi, s, &s->nodal);
+  const Cone overlap = ContactRowsCone(vi, s, &s->overlap);
+  PetscReal  scale = s->forces > 0 ? s->forces : 1, *phi, *rho, *rho_overlap, *kernel, norm, norm_overlap = 0, balanced;
   PetscInt   dim;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc4(s->m, &phi, s->m, &rho, s->m, &rho_cover, s->m * s->m, &kernel));
-  PetscCall(ChooseBalanced_Private(vi, &balanced));
+  PetscCall(PetscMalloc4(s->m, &phi, s->m, &rho, s->m, &rho_overlap, s->m * s->m, &kernel));
+  PetscCall(SolvabilityChooseTolerance_Private(vi, &balanced));
   s->undecided = balanced > BALANCED ? balanced : 0;
-  for (PetscInt k = 0; k < s->m; k++) phi[k] = s->phi[k] / scale;
-  PetscCall(Leaves_Private(&cone, phi, NULL, rho, s->y, &norm));
-  for (PetscInt r = 0; r < vi->num_rows; r++) s->y[r] *= scale;
+  for (PetscInt k = 0; k < s->m; k++) phi[k] = s->work[k] / scale;
+  PetscCall(SolvabilityProjectLoads_Private(&cone, phi, NULL, rho, s->balance, &norm));
+  for (PetscInt r = 0; r < vi->num_rows; r++) s->balance[r] *= scale;
   if (s->cut) {
-    PetscCall(Leaves_Private(&cover, phi, NULL, rho_cover, NULL, &norm_cover));
-    s->coarse = (PetscBool)(norm > balanced && !(norm_cover > balanced));
+    PetscCall(SolvabilityProjectLoads_Private(&overlap, phi, NULL, rho_overlap, NULL, &norm_overlap));
+    s->coarse = (PetscBool)(norm > balanced && !(norm_overlap > balanced));
   }
   if (s->coarse) {
-    PetscCall(Refuse_Private(vi, &cone, s->place, phi, rho, balanced, s));
-  } else if (norm > balanced || norm_cover > balanced) {
-    PetscCall(Refuse_Private(vi, &cover, s->cover.place, phi, s->cut ? rho_cover : rho, balanced, s));
+    PetscCall(SolvabilitySetUnresistedMotion_Private(vi, &cone, s->nodal.place, phi, rho, balanced, s));
+  } else if (norm > balanced || norm_overlap > balanced) {
+    PetscCall(SolvabilitySetUnresistedMotion_Private(vi, &overlap, s->overlap.place, phi, s->cut ? rho_overlap : rho,
+                                                     balanced, s));
   } else {
     for (PetscInt k = 0; k < s->m; k++) rho[k] *= scale;
-    if (norm > BALANCED) PetscCall(TakeUndecided_Private(vi, s, rho));
+    if (norm > BALANCED) PetscCall(SolvabilitySubtractResidual_Private(vi, s, rho));
     PetscCall(ConeKernel(&cone, NULL, &dim, kernel));
-    s->verdict = dim ? SOLVABLE_FREE : SOLVABLE;
-    PetscCall(Marginal_Private(vi, &cover, phi, s));
+    s->status = dim ? SOLVABLE_FREE : SOLVABLE;
+    PetscCall(SolvabilityFindMarginalMotion_Private(vi, &overlap, phi, s));
   }
-  PetscCall(PetscFree4(phi, rho, rho_cover, kernel));
+  PetscCall(PetscFree4(phi, rho, rho_overlap, kernel));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -379,14 +384,15 @@ PetscErrorCode SolvabilityCreate(VI vi, Solvability *solvability)
   if (!vi->rigid_modes.num) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(LogStageBegin(STAGE_CONDENSE));
   PetscCall(PetscNew(&s));
-  s->m = vi->rigid_modes.num;
-  PetscCall(PetscCalloc6(s->m, &s->modes, vi->num_rows * s->m, &s->C, vi->num_rows, &s->both, s->m, &s->phi,
-                         vi->num_rows, &s->y, vi->num_rows, &s->place));
-  PetscCall(Places_Private(vi, s));
-  PetscCall(Matrices_Private(vi, s));
+  s->m         = vi->rigid_modes.num;
+  s->nodal.num = vi->num_rows;
+  PetscCall(PetscCalloc6(s->m, &s->modes, vi->num_rows * s->m, &s->nodal.rows, vi->num_rows, &s->nodal.equality, s->m,
+                         &s->work, vi->num_rows, &s->balance, vi->num_rows, &s->nodal.place));
+  PetscCall(SolvabilitySetPlaces_Private(vi, s));
+  PetscCall(SolvabilitySetMatrices_Private(vi, s));
   PetscCall(ContactRowsCreate(vi, s));
-  PetscCall(Judge_Private(vi, s));
-  if (s->verdict != SOLVABLE_NOT) PetscCall(RegularizationCreate(vi, s));
+  PetscCall(SolvabilityDecide_Private(vi, s));
+  if (s->status != SOLVABLE_NOT) PetscCall(RegularizationCreate(vi, s));
   PetscCall(LogStageEnd(STAGE_CONDENSE));
   *solvability = s;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -400,13 +406,13 @@ PetscErrorCode SolvabilityDestroy(Solvability *solvability)
   if (!s) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt k = 0; k < s->m; k++) PetscCall(VecDestroy(&s->modes[k]));
   PetscCall(ContactRowsDestroy(s));
-  PetscCall(PetscFree6(s->modes, s->C, s->both, s->phi, s->y, s->place));
+  PetscCall(PetscFree6(s->modes, s->nodal.rows, s->nodal.equality, s->work, s->balance, s->nodal.place));
   PetscCall(SceneMotionDestroy(&s->motion));
   for (PetscInt i = 0; i < s->num_free; i++) PetscCall(SceneMotionDestroy(&s->free[i]));
   PetscCall(PetscFree(s->free));
   PetscCall(VecDestroy(&s->start));
-  PetscCall(VecDestroy(&s->springs));
-  PetscCall(VecDestroy(&s->rest));
+  PetscCall(VecDestroy(&s->regularization));
+  PetscCall(VecDestroy(&s->approach));
   PetscCall(PetscFree(*solvability));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

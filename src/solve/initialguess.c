@@ -117,7 +117,7 @@ PetscErrorCode SolveStart(const Inequality *solved, Solvability solvability, con
   PetscFunctionBeginUser;
   if (guess) {
     PetscCall(StartFrom_Private(solved->vi, guess, y));
-    if (solvability) PetscCall(VecAXPY(y, -1, solvability->rest)); // from where bodies touch (springs.h)
+    if (solvability) PetscCall(VecAXPY(y, -1, solvability->approach)); // from where bodies touch (springs.h)
     if (!pdas) PetscCall(Settle_Private(solved, y)); // pdas takes an overlap for contact, others ask for none
   } else {
     PetscCall(StartFeasible_Private(solved, y));

@@ -205,7 +205,7 @@ static PetscErrorCode Begin_Private(MeshLevels levels, PetscInt m, Solvability s
 {
   PetscFunctionBeginUser;
   PetscCall(SpringsBegin(levels->vi[m], solvability, springs));
-  PetscCall(MeshLevelsSetInequality(levels, m, &springs->solved, solvability ? solvability->springs : NULL));
+  PetscCall(MeshLevelsSetInequality(levels, m, &springs->solved, solvability ? solvability->regularization : NULL));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -42,8 +42,8 @@ PetscErrorCode SpringsBegin(VI vi, Solvability solvability, Springs *springs)
   PetscCall(VecDuplicate(vi->upper, &springs->scale));
   PetscCall(VecDuplicate(vi->b, &springs->solved.b));
   PetscCall(VecDuplicate(vi->upper, &springs->solved.upper));
-  PetscCall(VecWAXPY(springs->solved.upper, -1, solvability->rest, vi->upper));
-  PetscCall(VICreateRegularized(vi, solvability->springs, &springs->solved.A));
+  PetscCall(VecWAXPY(springs->solved.upper, -1, solvability->approach, vi->upper));
+  PetscCall(VICreateRegularized(vi, solvability->regularization, &springs->solved.A));
   PetscCall(MatGetDiagonal(vi->A, springs->scale));
   PetscCall(VecSqrtAbs(springs->scale));
   PetscCall(VecReciprocal(springs->scale));
@@ -58,7 +58,7 @@ static PetscErrorCode RestAt_Private(Springs *springs, Vec y)
 {
   PetscFunctionBeginUser;
   PetscCall(VecCopy(y, springs->rest));
-  PetscCall(VecPointwiseMult(springs->solved.b, springs->solvability->springs, y));
+  PetscCall(VecPointwiseMult(springs->solved.b, springs->solvability->regularization, y));
   PetscCall(VecAXPY(springs->solved.b, 1, springs->solved.vi->b));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -67,7 +67,7 @@ PetscErrorCode SpringsFollow(Springs *springs, Vec y)
 {
   PetscFunctionBeginUser;
   if (!springs->solvability) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(VecAXPY(y, -1, springs->solvability->rest));
+  PetscCall(VecAXPY(y, -1, springs->solvability->approach));
   PetscCall(RestAt_Private(springs, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -130,7 +130,7 @@ static PetscErrorCode Measure_Private(Springs *springs, Vec y, PetscReal *part, 
   PetscCall(VecDot(y, forces, &all));
   PetscCall(Size_Private(springs, forces, &stresses));
   PetscCall(VecWAXPY(d, -1, springs->rest, y));
-  PetscCall(VecPointwiseMult(springs->pull, d, springs->solvability->springs));
+  PetscCall(VecPointwiseMult(springs->pull, d, springs->solvability->regularization));
   PetscCall(Size_Private(springs, springs->pull, &pull));
   PetscCall(MatMult(A, d, forces));
   PetscCall(VecDot(d, forces, &last));
@@ -148,7 +148,7 @@ static PetscErrorCode Measure_Private(Springs *springs, Vec y, PetscReal *part, 
 /* What is solved from now on has weaker springs. */
 static PetscErrorCode Weaken_Private(Springs *springs, SNES snes, PetscBool pdas)
 {
-  const Vec w = springs->solvability->springs;
+  const Vec w = springs->solvability->regularization;
 
   PetscFunctionBeginUser;
   springs->weaker++;
@@ -215,7 +215,7 @@ PetscErrorCode SpringsEnd(Springs *springs, Vec y)
 {
   PetscFunctionBeginUser;
   if (!springs->solvability) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(VecAXPY(y, 1, springs->solvability->rest));
+  PetscCall(VecAXPY(y, 1, springs->solvability->approach));
   PetscCall(VecDestroy(&springs->solved.upper));
   PetscCall(MatDestroy(&springs->solved.A));
   PetscCall(VecDestroy(&springs->solved.b));

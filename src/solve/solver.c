@@ -152,7 +152,7 @@ static PetscErrorCode Unsettle_Private(Solvability solvability, Vec y, Vec *own)
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(y, own));
   PetscCall(VecCopy(y, *own));
-  if (solvability) PetscCall(VecAXPY(*own, -1, solvability->rest));
+  if (solvability) PetscCall(VecAXPY(*own, -1, solvability->approach));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

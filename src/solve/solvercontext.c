@@ -71,7 +71,7 @@ static PetscErrorCode TakeLevels_Private(Workbench *bench, Vec W)
 PetscErrorCode WorkbenchSetLevels(Workbench *bench, SNES snes)
 {
   const Springs *springs = &bench->springs;
-  const Vec      W       = springs->solvability ? springs->solvability->springs : NULL;
+  const Vec      W       = springs->solvability ? springs->solvability->regularization : NULL;
   Hierarchy      hierarchy;
   PetscBool      multigrid;
 

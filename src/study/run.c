@@ -71,7 +71,7 @@ static PetscErrorCode Try_Private(Scene scene, Mesh mesh, Vec guess, Run *run_ou
     PetscCall(SolverView(run->solver));
   }
   PetscCall(ErrorsCheck(run->vi));
-  run->refused = (PetscBool)(run->solvability && run->solvability->verdict == SOLVABLE_NOT);
+  run->refused = (PetscBool)(run->solvability && run->solvability->status == SOLVABLE_NOT);
   if (run->refused)
     PetscCall(Refuse_Private(run));
   else
