@@ -129,6 +129,41 @@ static PetscErrorCode CheckSetters(Mortise m)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A formula that names t: time is no load factor then. */
+static PetscErrorCode CheckTime(const char folder[])
+{
+  Mortise m;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscOptionsSetValue(NULL, "-timed_upper_bc_displacement_top", "free,-1.37875e-3*t^2"));
+  PetscCall(Read(folder, "patch2d.opts", "timed_", &m));
+  PetscCall(Expect(m, "joint", 0.5, 0, 0.25 * SQUEEZE));
+  PetscCall(Expect(m, "joint", 2, 0, 4 * SQUEEZE));
+  PetscCall(MortiseDestroy(&m));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Without a prefix the scene's options are those of PETSc's database, where what is there already wins. */
+static PetscErrorCode CheckDatabase(const char folder[])
+{
+  Mortise     m;
+  char        path[PETSC_MAX_PATH_LEN];
+  const char *json;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscSNPrintf(path, sizeof(path), "%s/patch2d.opts", folder));
+  PetscCall(PetscOptionsSetValue(NULL, "-upper_bc_displacement_top", "free,-2.7575e-3"));
+  PetscCall(MortiseCreate(PETSC_COMM_WORLD, &m));
+  PetscCall(MortiseInsertFile(m, path));
+  PetscCall(MortiseSetFromOptions(m));
+  PetscCall(Expect(m, "joint", 1, 0, 2 * SQUEEZE));
+  PetscCall(MortiseGetSummary(m, &json));
+  CHECK(strstr(json, "\"upper_bc_displacement_top\":\t\"free,-2.7575e-3\"") &&
+        strstr(json, "\"title\":\t\"Patch test\""));
+  PetscCall(MortiseDestroy(&m));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 static PetscErrorCode Run(const char folder[])
 {
   Mortise   squeezed, glued;
@@ -163,6 +198,9 @@ static PetscErrorCode Run(const char folder[])
   PetscCall(MortiseDestroy(&squeezed));
   PetscCall(MortiseDestroy(&squeezed));
   PetscCall(MortiseDestroy(&glued));
+  PetscCall(CheckTime(folder));
+  PetscCall(PetscOptionsClearValue(NULL, "-something_else"));
+  PetscCall(CheckDatabase(folder));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -59,6 +59,17 @@ static void CheckOptions(void)
   CHECK(!MortiseDestroy(&m));
 }
 
+/* A mesh is made once, and cannot depend on time. */
+static void CheckTime(void)
+{
+  Mortise m = Create("t_", squeezed);
+
+  CHECK(!PetscOptionsSetValue(NULL, "-t_upper_map", "x*t,y"));
+  CHECK(!MortiseSetFromOptions(m));
+  CHECK_MISTAKE(MortiseSetUp(m), "-upper_map", "time t");
+  CHECK(!MortiseDestroy(&m));
+}
+
 /* Mistakes that only the solver finds, some of them by PETSc. */
 static void CheckSolver(void)
 {
@@ -160,6 +171,7 @@ int main(int argc, char **argv)
   snprintf(pulled, sizeof(pulled), "%s/pulled.opts", argv[2]);
   CHECK_MISTAKE(PassOn(), "nowhere.opts", "no such file");
   CheckOptions();
+  CheckTime();
   CheckSolver();
   CheckCalls();
   CheckNoSolution();

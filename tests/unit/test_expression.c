@@ -182,6 +182,26 @@ static void TestNotFinite(void)
   CHECK(!ExpressionDestroy(&e));
 }
 
+/* t is one number for all formulas, 1 in the beginning; a factor is of one expression, and leaves what is free. */
+static void TestTime(void)
+{
+  Expression e = Read("x*t^2, 3, free", 3, PETSC_TRUE), other = Read("t", 1, PETSC_FALSE);
+  PetscReal  values[3];
+
+  CHECK(ExpressionNames(e, "t") && !ExpressionNames(e, "y") && !ExpressionIsConstant(other));
+  Evaluate(e, 2, 5, 0, 0, values);
+  CHECK(values[0] == 5 && values[1] == 3);
+  ExpressionSetTime(0.5);
+  ExpressionSetFactor(e, 4);
+  Evaluate(e, 2, 5, 0, 0, values);
+  CHECK(values[0] == 5 && values[1] == 12 && values[2] == 0 && ExpressionIsFree(e, 2));
+  Evaluate(other, 1, 0, 0, 0, values);
+  CHECK(values[0] == 0.5);
+  ExpressionSetTime(1);
+  CHECK(!ExpressionDestroy(&e));
+  CHECK(!ExpressionDestroy(&other));
+}
+
 int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
@@ -195,6 +215,7 @@ int main(int argc, char **argv)
   TestFaults();
   TestLong();
   TestNotFinite();
+  TestTime();
   PetscCall(PetscFinalize());
   return 0;
 }
