@@ -1,5 +1,4 @@
 # The public interface: programs that call the library of the build, and one that is built against an installed prefix.
-set(api_environment ${MORTISE_TEST_ENVIRONMENT})
 foreach(name calls mistakes)
   add_executable(api_${name} api/${name}.c)
   target_include_directories(api_${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
@@ -8,7 +7,7 @@ foreach(name calls mistakes)
     add_test(NAME api.${name}.np${ranks} COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} ${MPIEXEC_PREFLAGS}
       $<TARGET_FILE:api_${name}> ${PROJECT_SOURCE_DIR}/options ${CMAKE_CURRENT_LIST_DIR} -skip_petscrc -malloc_dump COMMAND_EXPAND_LISTS)
     set_tests_properties(api.${name}.np${ranks} PROPERTIES LABELS "api;sanitize" PROCESSORS ${ranks} TIMEOUT ${MORTISE_TEST_TIMEOUT}
-      ENVIRONMENT "${api_environment}")
+      ENVIRONMENT "${MORTISE_TEST_ENVIRONMENT}")
   endforeach()
 endforeach()
 # Nothing is left behind, and nothing is said about mistakes, which do leave memory behind.
@@ -23,6 +22,8 @@ foreach(what symbols files pkgconfig_c pkgconfig_cxx cmake_c cmake_cxx)
   add_test(NAME api.${what} COMMAND ${MORTISE_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/installed_library.py ${what} --prefix ${prefix}
     --libdir ${CMAKE_INSTALL_LIBDIR} --mpiexec ${MPIEXEC_EXECUTABLE} --cmake ${CMAKE_COMMAND} --source ${PROJECT_SOURCE_DIR}
     --program $<TARGET_FILE:mortise> --scratch ${CMAKE_CURRENT_BINARY_DIR}/scratch/api.${what})
-  set_tests_properties(api.${what} PROPERTIES LABELS api FIXTURES_REQUIRED prefix TIMEOUT ${MORTISE_TEST_TIMEOUT} ENVIRONMENT "${api_environment}"
-    DISABLED $<BOOL:${MORTISE_SANITIZE}>) # a program of others has no sanitizer
+  set_tests_properties(api.${what} PROPERTIES LABELS api FIXTURES_REQUIRED prefix TIMEOUT ${MORTISE_TEST_TIMEOUT} ENVIRONMENT "${MORTISE_TEST_ENVIRONMENT}")
+  if(MORTISE_SANITIZE) # a program of others has none
+    set_tests_properties(api.${what} PROPERTIES DISABLED TRUE)
+  endif()
 endforeach()
