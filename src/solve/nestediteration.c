@@ -229,7 +229,7 @@ static PetscErrorCode FindFirst_Private(MeshLevels levels, Solvability solvabili
   *first = 0;
   for (PetscInt m = 0; m + 1 < levels->num; m++) {
     PetscCall(SolvabilityCreate(levels->vi[m], &solvability[m]));
-    if (solvability[m] && solvability[m]->verdict == SOLVABLE_NOT) *first = m + 1;
+    if (solvability[m] && solvability[m]->status == SOLVABLE_NOT) *first = m + 1;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
