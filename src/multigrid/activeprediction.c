@@ -17,46 +17,46 @@ static const PetscReal RELAXATION = 0.9;
 
 /* An iterate, */
 typedef struct {
-  Hierarchy   hierarchy;
-  const Grid *grid;
-  Vec         y, r;   /* feasible; b - A y */
-  PetscReal   energy; /* 1/2 y'A y - b'y */
-  Vec         active; /* 1 or 0: at its bound with a force on it */
-  Vec         free;   /* 1 - active */
-  Vec         step, product;
+  Hierarchy             hierarchy;
+  const HierarchyLevel *level;
+  Vec                   y, r;   /* feasible; b - A y */
+  PetscReal             energy; /* 1/2 y'A y - b'y */
+  Vec                   active; /* 1 or 0: at its bound with a force on it */
+  Vec                   free;   /* 1 - active */
+  Vec                   step, product;
 } Iterate;
 
 /* r and the energy of y. */
-static PetscErrorCode Evaluate_Private(Iterate *it)
+static PetscErrorCode ActivePredictionEvaluate_Private(Iterate *it)
 {
   PetscScalar by, ry;
 
   PetscFunctionBeginUser;
-  PetscCall(MatMult(it->grid->op.A, it->y, it->r));
-  PetscCall(VecAYPX(it->r, -1, it->grid->op.b));
-  PetscCall(VecDot(it->y, it->grid->op.b, &by));
+  PetscCall(MatMult(it->level->op.A, it->y, it->r));
+  PetscCall(VecAYPX(it->r, -1, it->level->op.b));
+  PetscCall(VecDot(it->y, it->level->op.b, &by));
   PetscCall(VecDot(it->y, it->r, &ry));
   it->energy = -0.5 * PetscRealPart(by + ry);
-  it->hierarchy->work += it->grid->share;
+  it->hierarchy->work += it->level->share;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Steps_Private(Iterate *it, PetscInt num)
+static PetscErrorCode ActivePredictionSteps_Private(Iterate *it, PetscInt num)
 {
-  const Grid *grid = it->grid;
+  const HierarchyLevel *level = it->level;
 
   PetscFunctionBeginUser;
   for (PetscInt k = 0; k < num; k++) {
-    PetscCall(VecPointwiseDivide(it->step, it->r, grid->diag));
-    PetscCall(VecAXPY(it->y, 2 * RELAXATION / grid->largest, it->step));
-    PetscCall(VecPointwiseMin(it->y, it->y, grid->op.upper));
-    PetscCall(Evaluate_Private(it));
+    PetscCall(VecPointwiseDivide(it->step, it->r, level->diag));
+    PetscCall(VecAXPY(it->y, 2 * RELAXATION / level->largest, it->step));
+    PetscCall(VecPointwiseMin(it->y, it->y, level->op.upper));
+    PetscCall(ActivePredictionEvaluate_Private(it));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Tells active ones from others. [out] changed */
-static PetscErrorCode Press_Private(Iterate *it, PetscInt *changed)
+static PetscErrorCode ActivePredictionUpdateActive_Private(Iterate *it, PetscInt *changed)
 {
   const PetscScalar *upper, *y, *r;
   PetscScalar       *active;
@@ -65,7 +65,7 @@ static PetscErrorCode Press_Private(Iterate *it, PetscInt *changed)
   PetscFunctionBeginUser;
   *changed = 0;
   PetscCall(VecGetLocalSize(it->y, &n));
-  PetscCall(VecGetArrayRead(it->grid->op.upper, &upper));
+  PetscCall(VecGetArrayRead(it->level->op.upper, &upper));
   PetscCall(VecGetArrayRead(it->y, &y));
   PetscCall(VecGetArrayRead(it->r, &r));
   PetscCall(VecGetArray(it->active, &active));
@@ -78,34 +78,34 @@ static PetscErrorCode Press_Private(Iterate *it, PetscInt *changed)
   PetscCall(VecRestoreArray(it->active, &active));
   PetscCall(VecRestoreArrayRead(it->r, &r));
   PetscCall(VecRestoreArrayRead(it->y, &y));
-  PetscCall(VecRestoreArrayRead(it->grid->op.upper, &upper));
+  PetscCall(VecRestoreArrayRead(it->level->op.upper, &upper));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, changed, 1, MPIU_INT, MPI_SUM, PetscObjectComm((PetscObject)it->y)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* y := y + a c, a <= 1 where the energy is least. [in] c - y + c is feasible */
-static PetscErrorCode Move_Private(Iterate *it, Vec c)
+static PetscErrorCode ActivePredictionMove_Private(Iterate *it, Vec c)
 {
   PetscScalar work, energy;
   PetscReal   a;
 
   PetscFunctionBeginUser;
-  PetscCall(MatMult(it->grid->op.A, c, it->product));
-  it->hierarchy->work += it->grid->share;
+  PetscCall(MatMult(it->level->op.A, c, it->product));
+  it->hierarchy->work += it->level->share;
   PetscCall(VecDot(c, it->r, &work));
   PetscCall(VecDot(c, it->product, &energy));
   if (!(PetscRealPart(work) > 0)) PetscFunctionReturn(PETSC_SUCCESS);
   a = PetscRealPart(work) < PetscRealPart(energy) ? PetscRealPart(work / energy) : 1;
   PetscCall(VecAXPY(it->y, a, c));
-  PetscCall(VecPointwiseMin(it->y, it->y, it->grid->op.upper)); // rounding
+  PetscCall(VecPointwiseMin(it->y, it->y, it->level->op.upper)); // rounding
   PetscCall(VecAXPY(it->r, -a, it->product));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* One cycle for the unknowns that are free now, cut off at the bounds of others. */
-static PetscErrorCode Cycle_Private(Iterate *it, PC pc)
+static PetscErrorCode ActivePredictionCycle_Private(Iterate *it, PC pc)
 {
-  const Vec upper = it->grid->op.upper, c = it->step;
+  const Vec upper = it->level->op.upper, c = it->step;
 
   PetscFunctionBeginUser;
   PetscCall(VecSet(it->free, 1));
@@ -117,22 +117,22 @@ static PetscErrorCode Cycle_Private(Iterate *it, PC pc)
   PetscCall(VecAXPY(c, 1, it->y));
   PetscCall(VecPointwiseMin(c, c, upper));
   PetscCall(VecAXPY(c, -1, it->y));
-  PetscCall(Move_Private(it, c));
+  PetscCall(ActivePredictionMove_Private(it, c));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Begin_Private(Iterate *it)
+static PetscErrorCode ActivePredictionBegin_Private(Iterate *it)
 {
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(it->y, &it->r));
   PetscCall(VecDuplicate(it->y, &it->free));
   PetscCall(VecDuplicate(it->y, &it->step));
   PetscCall(VecDuplicate(it->y, &it->product));
-  PetscCall(Evaluate_Private(it));
+  PetscCall(ActivePredictionEvaluate_Private(it));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode End_Private(Iterate *it)
+static PetscErrorCode ActivePredictionEnd_Private(Iterate *it)
 {
   PetscFunctionBeginUser;
   PetscCall(VecDestroy(&it->product));
@@ -142,39 +142,40 @@ static PetscErrorCode End_Private(Iterate *it)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ForecastPressed(Hierarchy hierarchy, const Grid *grid, Vec y, Vec active)
+PetscErrorCode ActivePredictionGetActive(Hierarchy hierarchy, const HierarchyLevel *level, Vec y, Vec active)
 {
-  Iterate  it = {.hierarchy = hierarchy, .grid = grid, .y = y, .active = active};
+  Iterate  it = {.hierarchy = hierarchy, .level = level, .y = y, .active = active};
   PetscInt changed;
 
   PetscFunctionBeginUser;
-  PetscCall(Begin_Private(&it));
-  PetscCall(Press_Private(&it, &changed));
-  PetscCall(End_Private(&it));
+  PetscCall(ActivePredictionBegin_Private(&it));
+  PetscCall(ActivePredictionUpdateActive_Private(&it, &changed));
+  PetscCall(ActivePredictionEnd_Private(&it));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode Forecast(Hierarchy hierarchy, const Grid *grid, PC pc, Vec y, Vec active, PetscReal *gained)
+PetscErrorCode ActivePredictionApply(Hierarchy hierarchy, const HierarchyLevel *level, PC pc, Vec y, Vec active,
+                                     PetscReal *gained)
 {
-  Iterate   it = {.hierarchy = hierarchy, .grid = grid, .y = y, .active = active};
+  Iterate   it = {.hierarchy = hierarchy, .level = level, .y = y, .active = active};
   PetscReal first;
   PetscInt  changed = 0;
 
   PetscFunctionBeginUser;
   *gained = 0;
-  if (grid->S) PetscFunctionReturn(PETSC_SUCCESS); // where the diagonal does not smooth it does not see either
-  PetscCall(VecPointwiseMin(y, y, grid->op.upper));
-  PetscCall(Begin_Private(&it));
+  if (level->S) PetscFunctionReturn(PETSC_SUCCESS); // where the diagonal does not smooth it does not see either
+  PetscCall(VecPointwiseMin(y, y, level->op.upper));
+  PetscCall(ActivePredictionBegin_Private(&it));
   first = it.energy;
-  PetscCall(Steps_Private(&it, STEPS));
-  PetscCall(Press_Private(&it, &changed));
+  PetscCall(ActivePredictionSteps_Private(&it, STEPS));
+  PetscCall(ActivePredictionUpdateActive_Private(&it, &changed));
   for (PetscInt k = 0; k < MAX_CYCLES && pc && (!k || changed); k++) {
-    PetscCall(Cycle_Private(&it, pc));
-    PetscCall(Steps_Private(&it, STEPS_AFTER));
-    PetscCall(Press_Private(&it, &changed));
+    PetscCall(ActivePredictionCycle_Private(&it, pc));
+    PetscCall(ActivePredictionSteps_Private(&it, STEPS_AFTER));
+    PetscCall(ActivePredictionUpdateActive_Private(&it, &changed));
     PetscCall(PetscInfo(pc, "cycle %" PetscInt_FMT " ahead: %" PetscInt_FMT " changed\n", k + 1, changed));
   }
   *gained = 2 * PetscMax(first - it.energy, 0);
-  PetscCall(End_Private(&it));
+  PetscCall(ActivePredictionEnd_Private(&it));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -19,15 +19,15 @@ static const PetscReal MUCH = 2;
 
 typedef struct {
   PetscInt  rows, num;
-  PetscReal T[ROWS][AFFINE_MOST]; /* columns of positive weights; those of negative ones have the other sign */
-  PetscReal b[ROWS];              /* absolute values of the weights in the basis */
-  PetscReal cost[AFFINE_MOST];
+  PetscReal T[ROWS][BARYCENTRIC_MAX]; /* columns of positive weights; those of negative ones have the other sign */
+  PetscReal b[ROWS];                  /* absolute values of the weights in the basis */
+  PetscReal cost[BARYCENTRIC_MAX];
   PetscInt  column[ROWS]; /* in the basis, -1 for none yet */
   PetscReal sign[ROWS];   /* of these weights */
 } Tableau;
 
 /* False where all places are one. */
-static PetscBool Begin_Private(PetscInt dim, PetscInt num, const PetscReal d[], Tableau *tableau)
+static PetscBool BarycentricBegin_Private(PetscInt dim, PetscInt num, const PetscReal d[], Tableau *tableau)
 {
   PetscReal farthest = 0;
 
@@ -52,14 +52,14 @@ static PetscBool Begin_Private(PetscInt dim, PetscInt num, const PetscReal d[], 
   return PETSC_TRUE;
 }
 
-static PetscReal Price_Private(const Tableau *tableau, PetscInt r)
+static PetscReal BarycentricPrice_Private(const Tableau *tableau, PetscInt r)
 {
   if (tableau->column[r] < 0) return NEVER;
   return (tableau->sign[r] > 0 ? 1 : LOATH) * tableau->cost[tableau->column[r]];
 }
 
 /* The column that saves most, and the row whose weight is the first to vanish for it. Returns whether there are both. */
-static PetscBool Choose_Private(const Tableau *tableau, PetscInt *row, PetscInt *column, PetscReal *sign)
+static PetscBool BarycentricChoose_Private(const Tableau *tableau, PetscInt *row, PetscInt *column, PetscReal *sign)
 {
   PetscReal most = NOTHING, least = PETSC_MAX_REAL;
 
@@ -68,7 +68,7 @@ static PetscBool Choose_Private(const Tableau *tableau, PetscInt *row, PetscInt 
   for (PetscInt j = 0; j < tableau->num; j++) {
     PetscReal worth = 0;
 
-    for (PetscInt r = 0; r < tableau->rows; r++) worth += Price_Private(tableau, r) * tableau->T[r][j];
+    for (PetscInt r = 0; r < tableau->rows; r++) worth += BarycentricPrice_Private(tableau, r) * tableau->T[r][j];
     for (PetscInt k = 0; k < 2; k++) {
       const PetscReal saved = k ? -worth - LOATH * tableau->cost[j] : worth - tableau->cost[j];
 
@@ -89,7 +89,7 @@ static PetscBool Choose_Private(const Tableau *tableau, PetscInt *row, PetscInt 
   return (PetscBool)(*row >= 0);
 }
 
-static void Pivot_Private(Tableau *tableau, PetscInt row, PetscInt column, PetscReal sign)
+static void BarycentricPivot_Private(Tableau *tableau, PetscInt row, PetscInt column, PetscReal sign)
 {
   const PetscReal pivot = sign * tableau->T[row][column];
 
@@ -106,15 +106,15 @@ static void Pivot_Private(Tableau *tableau, PetscInt row, PetscInt column, Petsc
   tableau->sign[row]   = sign;
 }
 
-PetscBool AffineWeights(PetscInt dim, PetscInt num, const PetscReal d[], PetscReal weight[])
+PetscBool BarycentricWeights(PetscInt dim, PetscInt num, const PetscReal d[], PetscReal weight[])
 {
   Tableau   tableau;
   PetscInt  row, column;
   PetscReal sign, sum = 0;
 
-  if (!Begin_Private(dim, num, d, &tableau)) return PETSC_FALSE;
-  for (PetscInt k = 0; k < PIVOTS && Choose_Private(&tableau, &row, &column, &sign); k++)
-    Pivot_Private(&tableau, row, column, sign);
+  if (!BarycentricBegin_Private(dim, num, d, &tableau)) return PETSC_FALSE;
+  for (PetscInt k = 0; k < PIVOTS && BarycentricChoose_Private(&tableau, &row, &column, &sign); k++)
+    BarycentricPivot_Private(&tableau, row, column, sign);
   for (PetscInt j = 0; j < num; j++) weight[j] = 0;
   for (PetscInt r = 0; r < tableau.rows; r++) {
     if (tableau.column[r] < 0 && tableau.b[r] > LEFT) return PETSC_FALSE;

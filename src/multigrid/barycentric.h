@@ -4,7 +4,7 @@
 
 #include <petscsys.h>
 
-enum { AFFINE_MOST = 32 }; /* places to choose from */
+enum { BARYCENTRIC_MAX = 32 }; /* places to choose from */
 
 /* Weights w of at most dim + 1 of the places with
 
@@ -12,7 +12,7 @@ enum { AFFINE_MOST = 32 }; /* places to choose from */
 
    barycentric coordinates in the simplex of Delaunay's triangulation of these places that zero lies in, and outside of it in one that is near. False where
    there are none, or only such as make much of small differences. Not collective.
-   [in] num - <= AFFINE_MOST; [in] d - places, seen from where the function is wanted [num][dim]; [out] weight - [num] */
-PetscBool AffineWeights(PetscInt dim, PetscInt num, const PetscReal d[], PetscReal weight[]);
+   [in] num - <= BARYCENTRIC_MAX; [in] d - places, seen from where the function is wanted [num][dim]; [out] weight - [num] */
+PetscBool BarycentricWeights(PetscInt dim, PetscInt num, const PetscReal d[], PetscReal weight[]);
 
 #endif

@@ -27,70 +27,70 @@ static const PetscReal MANY = 0.01, THICK = 0.2;
 
 /* One node's couplings. */
 typedef struct {
-  const Operator *op;
-  PetscInt        dim;
-  const Halo     *halo;
-  PetscReal      *x;     /* positions, by halo [n + num][dim] */
-  PetscReal      *scale; /* 1 / root of the diagonal, by halo [n + num] */
-  PetscReal      *cut;   /* strong from here on, by halo [n + num] */
-  PetscInt        num, max;
-  PetscInt       *node;     /* neighbours, by halo, and the node itself [num] */
-  PetscReal      *strength; /* less than 0 for the node itself [num] */
-  PetscBool      *chosen;   /* of these neighbours [num] */
-} Star;
+  const Operator      *op;
+  PetscInt             dim;
+  const GhostExchange *ghosts;
+  PetscReal           *x;     /* positions, by halo [n + num][dim] */
+  PetscReal           *scale; /* 1 / root of the diagonal, by halo [n + num] */
+  PetscReal           *cut;   /* strong from here on, by halo [n + num] */
+  PetscInt             num, max;
+  PetscInt            *node;     /* neighbours, by halo, and the node itself [num] */
+  PetscReal           *strength; /* less than 0 for the node itself [num] */
+  PetscBool           *chosen;   /* of these neighbours [num] */
+} Stencil;
 
-static PetscErrorCode Scale_Private(Star *star, Halo *halo)
+static PetscErrorCode BlockSmootherScale_Private(Stencil *stencil, GhostExchange *ghosts)
 {
   const PetscScalar *d;
 
   PetscFunctionBeginUser;
-  PetscCall(VecGetArrayRead(star->op->diagonal, &d));
-  for (PetscInt i = 0; i < halo->n; i++) {
+  PetscCall(VecGetArrayRead(stencil->op->diagonal, &d));
+  for (PetscInt i = 0; i < ghosts->n; i++) {
     PetscReal trace = 0;
 
-    for (PetscInt k = 0; k < star->dim; k++) trace += PetscRealPart(d[i * star->dim + k]);
-    star->scale[i] = 1 / PetscSqrtReal(trace);
+    for (PetscInt k = 0; k < stencil->dim; k++) trace += PetscRealPart(d[i * stencil->dim + k]);
+    stencil->scale[i] = 1 / PetscSqrtReal(trace);
   }
-  PetscCall(VecRestoreArrayRead(star->op->diagonal, &d));
-  PetscCall(HaloShare(halo, star->scale));
+  PetscCall(VecRestoreArrayRead(stencil->op->diagonal, &d));
+  PetscCall(GhostExchangeUpdate(ghosts, stencil->scale));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode StarBegin_Private(const Operator *op, Halo *halo, Star *star)
+static PetscErrorCode BlockSmootherBeginStencil_Private(const Operator *op, GhostExchange *ghosts, Stencil *stencil)
 {
-  const PetscInt dim = op->dim, num = halo->n + halo->num;
+  const PetscInt dim = op->dim, num = ghosts->n + ghosts->num;
   PetscReal     *along;
 
   PetscFunctionBeginUser;
-  *star = (Star){.op = op, .dim = dim, .halo = halo};
+  *stencil = (Stencil){.op = op, .dim = dim, .ghosts = ghosts};
   PetscCall(PetscMalloc1(num, &along));
-  PetscCall(PetscMalloc1(num * dim, &star->x));
-  PetscCall(PetscMalloc2(num, &star->scale, num, &star->cut));
+  PetscCall(PetscMalloc1(num * dim, &stencil->x));
+  PetscCall(PetscMalloc2(num, &stencil->scale, num, &stencil->cut));
   for (PetscInt k = 0; k < dim; k++) {
-    for (PetscInt i = 0; i < halo->n; i++) along[i] = op->coords[i * dim + k];
-    PetscCall(HaloShare(halo, along));
-    for (PetscInt i = 0; i < num; i++) star->x[i * dim + k] = along[i];
+    for (PetscInt i = 0; i < ghosts->n; i++) along[i] = op->coords[i * dim + k];
+    PetscCall(GhostExchangeUpdate(ghosts, along));
+    for (PetscInt i = 0; i < num; i++) stencil->x[i * dim + k] = along[i];
   }
   PetscCall(PetscFree(along));
-  PetscCall(Scale_Private(star, halo));
+  PetscCall(BlockSmootherScale_Private(stencil, ghosts));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode StarEnd_Private(Star *star)
+static PetscErrorCode BlockSmootherEndStencil_Private(Stencil *stencil)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscFree(star->x));
-  PetscCall(PetscFree2(star->scale, star->cut));
-  PetscCall(PetscFree(star->node));
-  PetscCall(PetscFree(star->strength));
-  PetscCall(PetscFree(star->chosen));
+  PetscCall(PetscFree(stencil->x));
+  PetscCall(PetscFree2(stencil->scale, stencil->cut));
+  PetscCall(PetscFree(stencil->node));
+  PetscCall(PetscFree(stencil->strength));
+  PetscCall(PetscFree(stencil->chosen));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* K comes in whole blocks, so that all rows of a node have their neighbours in the same places. */
-static PetscErrorCode Gather_Private(Star *star, PetscInt node)
+static PetscErrorCode BlockSmootherGather_Private(Stencil *stencil, PetscInt node)
 {
-  const PetscInt dim = star->dim;
+  const PetscInt dim = stencil->dim;
 
   PetscFunctionBeginUser;
   for (PetscInt r = 0; r < dim; r++) {
@@ -98,35 +98,36 @@ static PetscErrorCode Gather_Private(Star *star, PetscInt node)
     const PetscInt    *columns;
     const PetscScalar *values;
 
-    PetscCall(MatGetRow(star->op->K, dim * (star->halo->begin + node) + r, &num, &columns, &values));
-    if (num / dim > star->max) {
-      star->max = 2 * (num / dim);
-      PetscCall(PetscRealloc(star->max * sizeof(PetscInt), &star->node));
-      PetscCall(PetscRealloc(star->max * sizeof(PetscReal), &star->strength));
-      PetscCall(PetscRealloc(star->max * sizeof(PetscBool), &star->chosen));
+    PetscCall(MatGetRow(stencil->op->K, dim * (stencil->ghosts->begin + node) + r, &num, &columns, &values));
+    if (num / dim > stencil->max) {
+      stencil->max = 2 * (num / dim);
+      PetscCall(PetscRealloc(stencil->max * sizeof(PetscInt), &stencil->node));
+      PetscCall(PetscRealloc(stencil->max * sizeof(PetscReal), &stencil->strength));
+      PetscCall(PetscRealloc(stencil->max * sizeof(PetscBool), &stencil->chosen));
     }
-    star->num = num / dim;
-    for (PetscInt j = 0; j < star->num; j++) {
-      if (!r) PetscCall(HaloFind(star->halo, columns[j * dim] / dim, &star->node[j]));
-      if (!r) star->strength[j] = 0;
-      star->strength[j] -= PetscRealPart(values[j * dim + r]) * star->scale[node] * star->scale[star->node[j]];
+    stencil->num = num / dim;
+    for (PetscInt j = 0; j < stencil->num; j++) {
+      if (!r) PetscCall(GhostExchangeFind(stencil->ghosts, columns[j * dim] / dim, &stencil->node[j]));
+      if (!r) stencil->strength[j] = 0;
+      stencil->strength[j] -=
+          PetscRealPart(values[j * dim + r]) * stencil->scale[node] * stencil->scale[stencil->node[j]];
     }
-    PetscCall(MatRestoreRow(star->op->K, dim * (star->halo->begin + node) + r, &num, &columns, &values));
+    PetscCall(MatRestoreRow(stencil->op->K, dim * (stencil->ghosts->begin + node) + r, &num, &columns, &values));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Whether the chosen couplings lead along fewer axes than all. */
-static PetscBool IsFlat_Private(const Star *star, PetscInt node)
+static PetscBool BlockSmootherIsFlat_Private(const Stencil *stencil, PetscInt node)
 {
-  const PetscInt dim                  = star->dim;
+  const PetscInt dim                  = stencil->dim;
   PetscReal      F[DIM_MAX * DIM_MAX] = {0};
 
-  for (PetscInt j = 0; j < star->num; j++) {
-    const PetscReal weight = (star->chosen[j] ? 1 : 0) - FLAT;
+  for (PetscInt j = 0; j < stencil->num; j++) {
+    const PetscReal weight = (stencil->chosen[j] ? 1 : 0) - FLAT;
     PetscReal       d[DIM_MAX];
 
-    for (PetscInt k = 0; k < dim; k++) d[k] = star->x[star->node[j] * dim + k] - star->x[node * dim + k];
+    for (PetscInt k = 0; k < dim; k++) d[k] = stencil->x[stencil->node[j] * dim + k] - stencil->x[node * dim + k];
     for (PetscInt r = 0; r < dim; r++)
       for (PetscInt c = 0; c < dim; c++) F[r * dim + c] += weight * d[r] * d[c];
   }
@@ -134,63 +135,64 @@ static PetscBool IsFlat_Private(const Star *star, PetscInt node)
 }
 
 /* The same of couplings of at least so much. */
-static PetscBool IsFlatFrom_Private(Star *star, PetscInt node, PetscReal strong)
+static PetscBool BlockSmootherIsFlatFrom_Private(Stencil *stencil, PetscInt node, PetscReal strong)
 {
-  for (PetscInt j = 0; j < star->num; j++) star->chosen[j] = (PetscBool)(star->strength[j] > strong);
-  return IsFlat_Private(star, node);
+  for (PetscInt j = 0; j < stencil->num; j++) stencil->chosen[j] = (PetscBool)(stencil->strength[j] > strong);
+  return BlockSmootherIsFlat_Private(stencil, node);
 }
 
 /* From where on couplings are strong at nodes that are open, in this part of the strongest; nowhere at others. [out] many - whether many cells are long */
-static PetscErrorCode Cut_Private(Star *star, Halo *halo, const PetscBool open[], PetscReal strong, PetscBool *many)
+static PetscErrorCode BlockSmootherSetThresholds_Private(Stencil *stencil, GhostExchange *ghosts,
+                                                         const PetscBool open[], PetscReal strong, PetscBool *many)
 {
-  PetscReal count[2] = {0, halo->n};
+  PetscReal count[2] = {0, ghosts->n};
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < halo->n; i++) {
+  for (PetscInt i = 0; i < ghosts->n; i++) {
     PetscReal strongest = 0;
 
-    star->cut[i] = PETSC_MAX_REAL;
+    stencil->cut[i] = PETSC_MAX_REAL;
     if (!open[i]) continue;
-    PetscCall(Gather_Private(star, i));
-    for (PetscInt j = 0; j < star->num; j++) strongest = PetscMax(strongest, star->strength[j]);
-    if (!IsFlatFrom_Private(star, i, strong * strongest)) continue;
-    star->cut[i] = strong * strongest;
-    if (IsFlatFrom_Private(star, i, STRONG_IF_LONG * strongest)) ++count[0];
+    PetscCall(BlockSmootherGather_Private(stencil, i));
+    for (PetscInt j = 0; j < stencil->num; j++) strongest = PetscMax(strongest, stencil->strength[j]);
+    if (!BlockSmootherIsFlatFrom_Private(stencil, i, strong * strongest)) continue;
+    stencil->cut[i] = strong * strongest;
+    if (BlockSmootherIsFlatFrom_Private(stencil, i, STRONG_IF_LONG * strongest)) ++count[0];
   }
-  PetscCall(HaloShare(halo, star->cut));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, count, 2, MPIU_REAL, MPI_SUM, PetscObjectComm((PetscObject)star->op->K)));
+  PetscCall(GhostExchangeUpdate(ghosts, stencil->cut));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, count, 2, MPIU_REAL, MPI_SUM, PetscObjectComm((PetscObject)stencil->op->K)));
   *many = (PetscBool)(count[0] > MANY * count[1]);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Nodes and their strong couplings. */
-static PetscErrorCode CreateGraph_Private(Star *star, Mat *graph)
+static PetscErrorCode BlockSmootherCreateGraph_Private(Stencil *stencil, Mat *graph)
 {
-  const Halo  *halo = star->halo;
-  PetscInt    *start, *column = NULL, max = 0;
-  PetscScalar *ones = NULL;
+  const GhostExchange *ghosts = stencil->ghosts;
+  PetscInt            *start, *column = NULL, max = 0;
+  PetscScalar         *ones = NULL;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(halo->n + 1, &start));
+  PetscCall(PetscMalloc1(ghosts->n + 1, &start));
   start[0] = 0;
-  for (PetscInt i = 0; i < halo->n; i++) {
-    PetscCall(Gather_Private(star, i));
-    if (start[i] + star->num > max) {
-      max = 2 * (start[i] + star->num);
+  for (PetscInt i = 0; i < ghosts->n; i++) {
+    PetscCall(BlockSmootherGather_Private(stencil, i));
+    if (start[i] + stencil->num > max) {
+      max = 2 * (start[i] + stencil->num);
       PetscCall(PetscRealloc(max * sizeof(PetscInt), &column));
     }
     start[i + 1] = start[i];
-    for (PetscInt j = 0; j < star->num; j++) {
-      const PetscInt at = star->node[j];
+    for (PetscInt j = 0; j < stencil->num; j++) {
+      const PetscInt at = stencil->node[j];
 
-      if (star->strength[j] > PetscMax(star->cut[i], star->cut[at]))
-        column[start[i + 1]++] = at < halo->n ? halo->begin + at : halo->ghost[at - halo->n];
+      if (stencil->strength[j] > PetscMax(stencil->cut[i], stencil->cut[at]))
+        column[start[i + 1]++] = at < ghosts->n ? ghosts->begin + at : ghosts->ghost[at - ghosts->n];
     }
   }
-  PetscCall(PetscMalloc1(start[halo->n], &ones));
-  for (PetscInt i = 0; i < start[halo->n]; i++) ones[i] = 1;
-  PetscCall(MatCreate(PetscObjectComm((PetscObject)star->op->K), graph));
-  PetscCall(MatSetSizes(*graph, halo->n, halo->n, PETSC_DETERMINE, PETSC_DETERMINE));
+  PetscCall(PetscMalloc1(start[ghosts->n], &ones));
+  for (PetscInt i = 0; i < start[ghosts->n]; i++) ones[i] = 1;
+  PetscCall(MatCreate(PetscObjectComm((PetscObject)stencil->op->K), graph));
+  PetscCall(MatSetSizes(*graph, ghosts->n, ghosts->n, PETSC_DETERMINE, PETSC_DETERMINE));
   PetscCall(MatSetType(*graph, MATAIJ));
   PetscCall(MatSeqAIJSetPreallocationCSR(*graph, start, column, ones)); // one of the two does nothing
   PetscCall(MatMPIAIJSetPreallocationCSR(*graph, start, column, ones));
@@ -202,14 +204,15 @@ static PetscErrorCode CreateGraph_Private(Star *star, Mat *graph)
 
 /* How many of the nodes of one label have neighbours of it along all axes, less THICK of all: summed up on the rank of the node
    that the label is the number of. [in] label - by halo */
-static PetscErrorCode SumThick_Private(Star *star, const PetscReal label[], Vec sum)
+static PetscErrorCode BlockSmootherSumThick_Private(Stencil *stencil, const PetscReal label[], Vec sum)
 {
   PetscFunctionBeginUser;
   PetscCall(VecZeroEntries(sum));
-  for (PetscInt i = 0; i < star->halo->n; i++) {
-    PetscCall(Gather_Private(star, i));
-    for (PetscInt j = 0; j < star->num; j++) star->chosen[j] = (PetscBool)(label[star->node[j]] == label[i]);
-    PetscCall(VecSetValue(sum, (PetscInt)label[i], (IsFlat_Private(star, i) ? 0 : 1) - THICK, ADD_VALUES));
+  for (PetscInt i = 0; i < stencil->ghosts->n; i++) {
+    PetscCall(BlockSmootherGather_Private(stencil, i));
+    for (PetscInt j = 0; j < stencil->num; j++) stencil->chosen[j] = (PetscBool)(label[stencil->node[j]] == label[i]);
+    PetscCall(
+        VecSetValue(sum, (PetscInt)label[i], (BlockSmootherIsFlat_Private(stencil, i) ? 0 : 1) - THICK, ADD_VALUES));
   }
   PetscCall(VecAssemblyBegin(sum));
   PetscCall(VecAssemblyEnd(sum));
@@ -218,8 +221,8 @@ static PetscErrorCode SumThick_Private(Star *star, const PetscReal label[], Vec 
 
 /* Gives nodes that are open the labels of bundles that are lines or planes, and closes them.
    [in] part - labels of what this time's strong couplings connect, by halo; [in,out] label, open - [n]; [out] any - whether nodes are left open */
-static PetscErrorCode Close_Private(Star *star, Halo *halo, const PetscReal part[], PetscReal label[], PetscBool open[],
-                                    PetscBool *any)
+static PetscErrorCode BlockSmootherAcceptBlocks_Private(Stencil *stencil, GhostExchange *ghosts, const PetscReal part[],
+                                                        PetscReal label[], PetscBool open[], PetscBool *any)
 {
   PetscInt          *which;
   const PetscScalar *surplus;
@@ -228,18 +231,18 @@ static PetscErrorCode Close_Private(Star *star, Halo *halo, const PetscReal part
   VecScatter         scatter;
 
   PetscFunctionBeginUser;
-  PetscCall(VecDuplicate(halo->own, &sum));
-  PetscCall(SumThick_Private(star, part, sum));
-  PetscCall(PetscMalloc1(halo->n, &which));
-  for (PetscInt i = 0; i < halo->n; i++) which[i] = (PetscInt)part[i];
-  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, halo->n, which, PETSC_OWN_POINTER, &is));
-  PetscCall(VecCreateSeq(PETSC_COMM_SELF, halo->n, &mine));
+  PetscCall(VecDuplicate(ghosts->own, &sum));
+  PetscCall(BlockSmootherSumThick_Private(stencil, part, sum));
+  PetscCall(PetscMalloc1(ghosts->n, &which));
+  for (PetscInt i = 0; i < ghosts->n; i++) which[i] = (PetscInt)part[i];
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, ghosts->n, which, PETSC_OWN_POINTER, &is));
+  PetscCall(VecCreateSeq(PETSC_COMM_SELF, ghosts->n, &mine));
   PetscCall(VecScatterCreate(sum, is, mine, NULL, &scatter));
   PetscCall(VecScatterBegin(scatter, sum, mine, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecScatterEnd(scatter, sum, mine, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecGetArrayRead(mine, &surplus));
   *any = PETSC_FALSE;
-  for (PetscInt i = 0; i < halo->n; i++) {
+  for (PetscInt i = 0; i < ghosts->n; i++) {
     if (!open[i]) continue;
     if (PetscRealPart(surplus[i]) <= 0) {
       label[i] = part[i];
@@ -249,7 +252,7 @@ static PetscErrorCode Close_Private(Star *star, Halo *halo, const PetscReal part
     }
   }
   PetscCall(VecRestoreArrayRead(mine, &surplus));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, PetscObjectComm((PetscObject)star->op->K)));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, PetscObjectComm((PetscObject)stencil->op->K)));
   PetscCall(VecScatterDestroy(&scatter));
   PetscCall(VecDestroy(&mine));
   PetscCall(ISDestroy(&is));
@@ -257,30 +260,31 @@ static PetscErrorCode Close_Private(Star *star, Halo *halo, const PetscReal part
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BundlesFind(const Operator *op, Halo *halo, PetscBool wanted, PetscReal label[], PetscBool *found)
+PetscErrorCode BlockSmootherLabel(const Operator *op, GhostExchange *ghosts, PetscBool wanted, PetscReal label[],
+                                  PetscBool *found)
 {
-  Star       star;
+  Stencil    stencil;
   Mat        graph;
   PetscReal *part;
   PetscBool *open, many = PETSC_FALSE, any = PETSC_TRUE;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc2(halo->n, &open, halo->n + halo->num, &part));
-  for (PetscInt i = 0; i < halo->n; i++) open[i] = PETSC_TRUE;
-  for (PetscInt i = 0; i < halo->n; i++) label[i] = (PetscReal)(halo->begin + i);
-  PetscCall(StarBegin_Private(op, halo, &star));
-  PetscCall(Cut_Private(&star, halo, open, STRONG, &many));
+  PetscCall(PetscMalloc2(ghosts->n, &open, ghosts->n + ghosts->num, &part));
+  for (PetscInt i = 0; i < ghosts->n; i++) open[i] = PETSC_TRUE;
+  for (PetscInt i = 0; i < ghosts->n; i++) label[i] = (PetscReal)(ghosts->begin + i);
+  PetscCall(BlockSmootherBeginStencil_Private(op, ghosts, &stencil));
+  PetscCall(BlockSmootherSetThresholds_Private(&stencil, ghosts, open, STRONG, &many));
   *found = (PetscBool)(many || wanted);
   for (PetscReal strong = STRONG; *found && any && strong < STRONGEST; strong += STRONGER) {
-    if (strong > STRONG) PetscCall(Cut_Private(&star, halo, open, strong, &many));
-    PetscCall(CreateGraph_Private(&star, &graph));
-    PetscCall(ComponentsLabel(graph, part));
+    if (strong > STRONG) PetscCall(BlockSmootherSetThresholds_Private(&stencil, ghosts, open, strong, &many));
+    PetscCall(BlockSmootherCreateGraph_Private(&stencil, &graph));
+    PetscCall(GraphComponentsLabel(graph, part));
     PetscCall(MatDestroy(&graph));
-    PetscCall(HaloShare(halo, part));
-    PetscCall(Close_Private(&star, halo, part, label, open, &any));
+    PetscCall(GhostExchangeUpdate(ghosts, part));
+    PetscCall(BlockSmootherAcceptBlocks_Private(&stencil, ghosts, part, label, open, &any));
   }
-  PetscCall(HaloShare(halo, label));
-  PetscCall(StarEnd_Private(&star));
+  PetscCall(GhostExchangeUpdate(ghosts, label));
+  PetscCall(BlockSmootherEndStencil_Private(&stencil));
   PetscCall(PetscFree2(open, part));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

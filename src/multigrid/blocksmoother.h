@@ -8,6 +8,7 @@
 /* Nodes of one bundle have one label; a node that is in none has its own. Collective.
    [in] op - with coords; [in] halo - nodes that K leads to; [in] wanted - whether bundles are asked for even where cells are not long; [out] label -
    by halo [halo->n + halo->num]; [out] found - false where cells are not long and bundles not asked for: label is nothing then */
-PetscErrorCode BundlesFind(const Operator *op, Halo *halo, PetscBool wanted, PetscReal label[], PetscBool *found);
+PetscErrorCode BlockSmootherLabel(const Operator *op, GhostExchange *ghosts, PetscBool wanted, PetscReal label[],
+                                  PetscBool *found);
 
 #endif

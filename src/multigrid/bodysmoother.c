@@ -12,92 +12,92 @@
 #include "multigrid/redundantsolve.h"
 
 typedef struct {
-  Mat        inverse; /* T^-1 */
-  Mat        E;       /* T^-1 - 1, without rows that are empty */
-  Vec        w;       /* D^-1, 0 where `alone` */
-  Vec        s, t;    /* displacements, forces */
-  PetscBool *alone;   /* eliminated, and a displacement [unknowns of this rank] */
+  Mat        inverse;    /* T^-1 */
+  Mat        E;          /* T^-1 - 1, without rows that are empty */
+  Vec        w;          /* D^-1, 0 where `alone` */
+  Vec        s, t;       /* displacements, forces */
+  PetscBool *eliminated; /* eliminated, and a displacement [unknowns of this rank] */
   PetscInt   num;
-  PetscInt  *held;   /* [num] */
+  PetscInt  *fixed;  /* [num] */
   Mat        X;      /* NULL where all that is held is alone */
   PC         factor; /* of G_hh */
   Vec        gap, force;
-} Apart;
+} BodySmoother;
 
-static PetscErrorCode Release_Private(Apart *apart)
+static PetscErrorCode BodySmootherRelease_Private(BodySmoother *body)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscFree(apart->held));
-  PetscCall(MatDestroy(&apart->X));
-  PetscCall(PCDestroy(&apart->factor));
-  PetscCall(VecDestroy(&apart->gap));
-  PetscCall(VecDestroy(&apart->force));
+  PetscCall(PetscFree(body->fixed));
+  PetscCall(MatDestroy(&body->X));
+  PetscCall(PCDestroy(&body->factor));
+  PetscCall(VecDestroy(&body->gap));
+  PetscCall(VecDestroy(&body->force));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Destroy_Apart(Mat S)
+static PetscErrorCode Destroy_BodySmoother(Mat S)
 {
-  Apart *apart;
+  BodySmoother *body;
 
   PetscFunctionBeginUser;
-  PetscCall(MatShellGetContext(S, &apart));
-  PetscCall(Release_Private(apart));
-  PetscCall(MatDestroy(&apart->inverse));
-  PetscCall(MatDestroy(&apart->E));
-  PetscCall(VecDestroy(&apart->w));
-  PetscCall(VecDestroy(&apart->s));
-  PetscCall(VecDestroy(&apart->t));
-  PetscCall(PetscFree(apart->alone));
-  PetscCall(PetscFree(apart));
+  PetscCall(MatShellGetContext(S, &body));
+  PetscCall(BodySmootherRelease_Private(body));
+  PetscCall(MatDestroy(&body->inverse));
+  PetscCall(MatDestroy(&body->E));
+  PetscCall(VecDestroy(&body->w));
+  PetscCall(VecDestroy(&body->s));
+  PetscCall(VecDestroy(&body->t));
+  PetscCall(PetscFree(body->eliminated));
+  PetscCall(PetscFree(body));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* z = S_ff^-1 r, for r that is 0 where held */
-static PetscErrorCode Mult_Apart(Mat S, Vec r, Vec z)
+static PetscErrorCode Mult_BodySmoother(Mat S, Vec r, Vec z)
 {
-  Apart       *apart;
-  PetscScalar *a;
+  BodySmoother *body;
+  PetscScalar  *a;
 
   PetscFunctionBeginUser;
-  PetscCall(MatShellGetContext(S, &apart));
-  PetscCall(MatMultTransposeAdd(apart->E, r, r, apart->t));
-  PetscCall(VecPointwiseMult(apart->s, apart->w, apart->t));
-  if (apart->X) {
-    PetscCall(MatMult(apart->X, apart->s, apart->gap));
-    PetscCall(PCApply(apart->factor, apart->gap, apart->force));
-    PetscCall(VecScale(apart->force, -1));
-    PetscCall(MatMultTransposeAdd(apart->X, apart->force, apart->t, apart->t));
-    PetscCall(VecPointwiseMult(apart->s, apart->w, apart->t));
+  PetscCall(MatShellGetContext(S, &body));
+  PetscCall(MatMultTransposeAdd(body->E, r, r, body->t));
+  PetscCall(VecPointwiseMult(body->s, body->w, body->t));
+  if (body->X) {
+    PetscCall(MatMult(body->X, body->s, body->gap));
+    PetscCall(PCApply(body->factor, body->gap, body->force));
+    PetscCall(VecScale(body->force, -1));
+    PetscCall(MatMultTransposeAdd(body->X, body->force, body->t, body->t));
+    PetscCall(VecPointwiseMult(body->s, body->w, body->t));
   }
-  PetscCall(MatMultAdd(apart->E, apart->s, apart->s, z));
+  PetscCall(MatMultAdd(body->E, body->s, body->s, z));
   PetscCall(VecGetArray(z, &a));
-  for (PetscInt i = 0; i < apart->num; i++) a[apart->held[i]] = 0;
+  for (PetscInt i = 0; i < body->num; i++) a[body->fixed[i]] = 0;
   PetscCall(VecRestoreArray(z, &a));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* D^-1, 0 where `alone`. */
-static PetscErrorCode SetWeights_Private(const Operator *op, Apart *apart)
+static PetscErrorCode BodySmootherSetWeights_Private(const Operator *op, BodySmoother *body)
 {
   PetscScalar *w;
   PetscInt     n;
 
   PetscFunctionBeginUser;
-  PetscCall(VecCopy(op->diagonal, apart->w));
-  PetscCall(VecReciprocal(apart->w));
-  PetscCall(VecScale(apart->w, op->stiffness));
-  PetscCall(VecGetLocalSize(apart->w, &n));
-  PetscCall(PetscCalloc1(n, &apart->alone));
-  PetscCall(OperatorMarkFixedDisplacements(op, apart->alone));
-  PetscCall(VecGetArray(apart->w, &w));
+  PetscCall(VecCopy(op->diagonal, body->w));
+  PetscCall(VecReciprocal(body->w));
+  PetscCall(VecScale(body->w, op->stiffness));
+  PetscCall(VecGetLocalSize(body->w, &n));
+  PetscCall(PetscCalloc1(n, &body->eliminated));
+  PetscCall(OperatorMarkFixedDisplacements(op, body->eliminated));
+  PetscCall(VecGetArray(body->w, &w));
   for (PetscInt i = 0; i < op->num_fixed; i++)
-    if (apart->alone[op->fixed[i]]) w[op->fixed[i]] = 0;
-  PetscCall(VecRestoreArray(apart->w, &w));
+    if (body->eliminated[op->fixed[i]]) w[op->fixed[i]] = 0;
+  PetscCall(VecRestoreArray(body->w, &w));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* T^-1 - 1: rows of nodes that face another body or lie obliquely, and nothing else. */
-static PetscErrorCode CreateE_Private(Mat inverse, Mat *E)
+static PetscErrorCode BodySmootherCreateE_Private(Mat inverse, Mat *E)
 {
   PetscInt begin, end, n, *own, *others;
 
@@ -133,37 +133,36 @@ static PetscErrorCode CreateE_Private(Mat inverse, Mat *E)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ApartCreate(const Operator *op, Mat *inverse)
+PetscErrorCode BodySmootherCreate(const Operator *op, Mat *inverse)
 {
-  PetscInt n;
-  Apart   *apart;
+  PetscInt      n;
+  BodySmoother *body;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscNew(&apart));
+  PetscCall(PetscNew(&body));
   PetscCall(PetscObjectReference((PetscObject)op->inverse));
-  apart->inverse = op->inverse;
-  PetscCall(CreateE_Private(apart->inverse, &apart->E));
-  PetscCall(MatCreateVecs(op->K, &apart->w, &apart->s));
-  PetscCall(VecDuplicate(apart->w, &apart->t));
-  PetscCall(SetWeights_Private(op, apart));
-  PetscCall(VecGetLocalSize(apart->w, &n));
-  PetscCall(
-      MatCreateShell(PetscObjectComm((PetscObject)op->K), n, n, PETSC_DETERMINE, PETSC_DETERMINE, apart, inverse));
-  PetscCall(MatShellSetOperation(*inverse, MATOP_MULT, (void (*)(void))Mult_Apart));
-  PetscCall(MatShellSetOperation(*inverse, MATOP_DESTROY, (void (*)(void))Destroy_Apart));
-  PetscCall(ApartHold(*inverse, op->num_fixed, op->fixed));
+  body->inverse = op->inverse;
+  PetscCall(BodySmootherCreateE_Private(body->inverse, &body->E));
+  PetscCall(MatCreateVecs(op->K, &body->w, &body->s));
+  PetscCall(VecDuplicate(body->w, &body->t));
+  PetscCall(BodySmootherSetWeights_Private(op, body));
+  PetscCall(VecGetLocalSize(body->w, &n));
+  PetscCall(MatCreateShell(PetscObjectComm((PetscObject)op->K), n, n, PETSC_DETERMINE, PETSC_DETERMINE, body, inverse));
+  PetscCall(MatShellSetOperation(*inverse, MATOP_MULT, (void (*)(void))Mult_BodySmoother));
+  PetscCall(MatShellSetOperation(*inverse, MATOP_DESTROY, (void (*)(void))Destroy_BodySmoother));
+  PetscCall(BodySmootherSetFixed(*inverse, op->num_fixed, op->fixed));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ApartIs(Mat S, PetscBool *apart)
+PetscErrorCode BodySmootherIs(Mat S, PetscBool *body)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscObjectTypeCompare((PetscObject)S, MATSHELL, apart));
+  PetscCall(PetscObjectTypeCompare((PetscObject)S, MATSHELL, body));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* X D^-1 X' */
-static PetscErrorCode CreateG_Private(Mat X, Vec w, Mat *G)
+static PetscErrorCode BodySmootherCreateG_Private(Mat X, Vec w, Mat *G)
 {
   Mat half, other;
   Vec root;
@@ -185,48 +184,48 @@ static PetscErrorCode CreateG_Private(Mat X, Vec w, Mat *G)
 }
 
 /* G_hh and its factors. */
-static PetscErrorCode Factor_Private(Apart *apart)
+static PetscErrorCode BodySmootherFactor_Private(BodySmoother *body)
 {
   Mat G;
 
   PetscFunctionBeginUser;
-  PetscCall(CreateG_Private(apart->X, apart->w, &G));
-  PetscCall(MatCreateVecs(G, &apart->force, &apart->gap));
-  PetscCall(PCCreate(PetscObjectComm((PetscObject)G), &apart->factor));
-  PetscCall(PCSetOptionsPrefix(apart->factor, "apart_"));
-  PetscCall(PCSetOperators(apart->factor, G, G));
-  PetscCall(EverywhereSetPC(apart->factor));
-  PetscCall(PCSetUp(apart->factor));
+  PetscCall(BodySmootherCreateG_Private(body->X, body->w, &G));
+  PetscCall(MatCreateVecs(G, &body->force, &body->gap));
+  PetscCall(PCCreate(PetscObjectComm((PetscObject)G), &body->factor));
+  PetscCall(PCSetOptionsPrefix(body->factor, "apart_"));
+  PetscCall(PCSetOperators(body->factor, G, G));
+  PetscCall(RedundantSolveSetPC(body->factor));
+  PetscCall(PCSetUp(body->factor));
   PetscCall(MatDestroy(&G));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ApartHold(Mat inverse, PetscInt num, const PetscInt held[])
+PetscErrorCode BodySmootherSetFixed(Mat inverse, PetscInt num, const PetscInt fixed[])
 {
   const MPI_Comm comm = PetscObjectComm((PetscObject)inverse);
-  Apart         *apart;
+  BodySmoother  *body;
   IS             rows, columns;
   PetscInt       begin, n, count = 0, total, *list;
 
   PetscFunctionBeginUser;
-  PetscCall(MatShellGetContext(inverse, &apart));
-  PetscCall(Release_Private(apart));
-  PetscCall(PetscMalloc1(num, &apart->held));
-  PetscCall(PetscArraycpy(apart->held, held, num));
-  apart->num = num;
-  PetscCall(MatGetOwnershipRange(apart->inverse, &begin, NULL));
-  PetscCall(MatGetLocalSize(apart->inverse, &n, NULL));
+  PetscCall(MatShellGetContext(inverse, &body));
+  PetscCall(BodySmootherRelease_Private(body));
+  PetscCall(PetscMalloc1(num, &body->fixed));
+  PetscCall(PetscArraycpy(body->fixed, fixed, num));
+  body->num = num;
+  PetscCall(MatGetOwnershipRange(body->inverse, &begin, NULL));
+  PetscCall(MatGetLocalSize(body->inverse, &n, NULL));
   PetscCall(PetscMalloc1(num, &list));
   for (PetscInt i = 0; i < num; i++)
-    if (!apart->alone[held[i]]) list[count++] = begin + held[i];
+    if (!body->eliminated[fixed[i]]) list[count++] = begin + fixed[i];
   PetscCall(PetscSortRemoveDupsInt(&count, list));
   PetscCallMPI(MPI_Allreduce(&count, &total, 1, MPIU_INT, MPI_SUM, comm));
   PetscCall(ISCreateGeneral(comm, count, list, PETSC_OWN_POINTER, &rows));
   if (total > 0) {
     PetscCall(ISCreateStride(comm, n, begin, 1, &columns));
-    PetscCall(MatCreateSubMatrix(apart->inverse, rows, columns, MAT_INITIAL_MATRIX, &apart->X));
+    PetscCall(MatCreateSubMatrix(body->inverse, rows, columns, MAT_INITIAL_MATRIX, &body->X));
     PetscCall(ISDestroy(&columns));
-    PetscCall(Factor_Private(apart));
+    PetscCall(BodySmootherFactor_Private(body));
   }
   PetscCall(ISDestroy(&rows));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -6,11 +6,11 @@
 
 /* S = T'D T, D = diag K, of a level with T, no unknown held but fixed ones. Collective.
    [out] inverse - a shell that multiplies by S^-1, owned by the caller */
-PetscErrorCode ApartCreate(const Operator *op, Mat *inverse);
+PetscErrorCode BodySmootherCreate(const Operator *op, Mat *inverse);
 /* Whether a matrix is such a shell. Not collective. */
-PetscErrorCode ApartIs(Mat S, PetscBool *apart);
+PetscErrorCode BodySmootherIs(Mat S, PetscBool *apart);
 /* S of unknowns that are not held: its inverse is 0 at the others. Collective. [in] held - counted from this rank's first [num], eliminated
    ones among them */
-PetscErrorCode ApartHold(Mat inverse, PetscInt num, const PetscInt held[]);
+PetscErrorCode BodySmootherSetFixed(Mat inverse, PetscInt num, const PetscInt fixed[]);
 
 #endif

@@ -21,7 +21,7 @@ PetscErrorCode EigenvalueSeed(Vec b)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode EigenvalueSeen(KSP ksp, PetscReal *largest, PetscReal *smallest, PetscBool *seen)
+PetscErrorCode EigenvalueGetRitz(KSP ksp, PetscReal *largest, PetscReal *smallest, PetscBool *seen)
 {
   KSPConvergedReason reason;
   PetscInt           its;
@@ -57,12 +57,12 @@ PetscErrorCode EigenvalueLargest(Mat A, Mat S, Vec b, PetscReal *largest)
   PetscCall(KSPSetTolerances(ksp, 0, 0, PETSC_DEFAULT, STEPS));
   PetscCall(KSPSetNormType(ksp, KSP_NORM_NONE));
   PetscCall(KSPSolve(ksp, seed, x));
-  PetscCall(EigenvalueSeen(ksp, largest, &smallest, &seen));
+  PetscCall(EigenvalueGetRitz(ksp, largest, &smallest, &seen));
   if (!seen) { /* nothing is left to see after so many steps, so one less sees all */
     PetscCall(KSPGetIterationNumber(ksp, &its));
     PetscCall(KSPSetTolerances(ksp, 0, 0, PETSC_DEFAULT, PetscMax(its - 1, 0)));
     PetscCall(KSPSolve(ksp, seed, x));
-    PetscCall(EigenvalueSeen(ksp, largest, &smallest, &seen));
+    PetscCall(EigenvalueGetRitz(ksp, largest, &smallest, &seen));
   }
   *largest = seen ? *largest * MARGIN : 0;
   PetscCall(KSPDestroy(&ksp));

@@ -4,7 +4,7 @@
 
 #include <petscksp.h>
 
-/* An upper bound, but for bad luck (see MultigridSmoothShorter()), of the eigenvalues of S^-1 A that b sees. Collective. [in] S - or NULL for the diagonal of A; [in] b - or NULL
+/* An upper bound, but for bad luck (see MultigridShortenSteps()), of the eigenvalues of S^-1 A that b sees. Collective. [in] S - or NULL for the diagonal of A; [in] b - or NULL
    for one that has some of everything; [out] largest */
 PetscErrorCode EigenvalueLargest(Mat A, Mat S, Vec b, PetscReal *largest);
 /* Something of everything, by the numbers of unknowns, and so another for another partition. Collective. [out] b */
@@ -12,6 +12,6 @@ PetscErrorCode EigenvalueSeed(Vec b);
 
 /* The extreme eigenvalues of B A, B the preconditioner, from inside, as far as CG has seen them: after its solve, or in its test of convergence.
    Collective. [out] seen - whether there are any: not after no step or one that broke down, nor where the residual was zero (KSP_CONVERGED_ATOL) */
-PetscErrorCode EigenvalueSeen(KSP ksp, PetscReal *largest, PetscReal *smallest, PetscBool *seen);
+PetscErrorCode EigenvalueGetRitz(KSP ksp, PetscReal *largest, PetscReal *smallest, PetscBool *seen);
 
 #endif

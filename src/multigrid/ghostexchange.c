@@ -2,63 +2,64 @@
 #include "base/compat.h"
 #include "multigrid/ghostexchange.h"
 
-PetscErrorCode HaloCreate(Mat A, PetscInt bs, Halo *halo)
+PetscErrorCode GhostExchangeCreate(Mat A, PetscInt bs, GhostExchange *ghosts)
 {
   PetscInt        end, num_columns;
   const PetscInt *columns;
   IS              which;
 
   PetscFunctionBeginUser;
-  PetscCall(MatGetOwnershipRange(A, &halo->begin, &end));
+  PetscCall(MatGetOwnershipRange(A, &ghosts->begin, &end));
   PetscCall(MatGetGhosts(A, &num_columns, &columns));
-  halo->begin /= bs;
-  halo->n   = end / bs - halo->begin;
-  halo->num = 0;
-  PetscCall(PetscMalloc1(num_columns, &halo->ghost));
+  ghosts->begin /= bs;
+  ghosts->n   = end / bs - ghosts->begin;
+  ghosts->num = 0;
+  PetscCall(PetscMalloc1(num_columns, &ghosts->ghost));
   for (PetscInt i = 0; i < num_columns; i++)
-    if (!halo->num || halo->ghost[halo->num - 1] != columns[i] / bs) halo->ghost[halo->num++] = columns[i] / bs;
-  PetscCall(VecCreateMPI(PetscObjectComm((PetscObject)A), halo->n, PETSC_DETERMINE, &halo->own));
-  PetscCall(VecCreateSeq(PETSC_COMM_SELF, halo->num, &halo->theirs));
-  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, halo->num, halo->ghost, PETSC_USE_POINTER, &which));
-  PetscCall(VecScatterCreate(halo->own, which, halo->theirs, NULL, &halo->scatter));
+    if (!ghosts->num || ghosts->ghost[ghosts->num - 1] != columns[i] / bs)
+      ghosts->ghost[ghosts->num++] = columns[i] / bs;
+  PetscCall(VecCreateMPI(PetscObjectComm((PetscObject)A), ghosts->n, PETSC_DETERMINE, &ghosts->own));
+  PetscCall(VecCreateSeq(PETSC_COMM_SELF, ghosts->num, &ghosts->theirs));
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, ghosts->num, ghosts->ghost, PETSC_USE_POINTER, &which));
+  PetscCall(VecScatterCreate(ghosts->own, which, ghosts->theirs, NULL, &ghosts->scatter));
   PetscCall(ISDestroy(&which));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode HaloDestroy(Halo *halo)
+PetscErrorCode GhostExchangeDestroy(GhostExchange *ghosts)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscFree(halo->ghost));
-  PetscCall(VecDestroy(&halo->own));
-  PetscCall(VecDestroy(&halo->theirs));
-  PetscCall(VecScatterDestroy(&halo->scatter));
+  PetscCall(PetscFree(ghosts->ghost));
+  PetscCall(VecDestroy(&ghosts->own));
+  PetscCall(VecDestroy(&ghosts->theirs));
+  PetscCall(VecScatterDestroy(&ghosts->scatter));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode HaloShare(Halo *halo, PetscReal values[])
+PetscErrorCode GhostExchangeUpdate(GhostExchange *ghosts, PetscReal values[])
 {
   PetscScalar       *own;
   const PetscScalar *theirs;
 
   PetscFunctionBeginUser;
-  PetscCall(VecGetArrayWrite(halo->own, &own));
-  for (PetscInt i = 0; i < halo->n; i++) own[i] = values[i];
-  PetscCall(VecRestoreArrayWrite(halo->own, &own));
-  PetscCall(VecScatterBegin(halo->scatter, halo->own, halo->theirs, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecScatterEnd(halo->scatter, halo->own, halo->theirs, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGetArrayRead(halo->theirs, &theirs));
-  for (PetscInt i = 0; i < halo->num; i++) values[halo->n + i] = PetscRealPart(theirs[i]);
-  PetscCall(VecRestoreArrayRead(halo->theirs, &theirs));
+  PetscCall(VecGetArrayWrite(ghosts->own, &own));
+  for (PetscInt i = 0; i < ghosts->n; i++) own[i] = values[i];
+  PetscCall(VecRestoreArrayWrite(ghosts->own, &own));
+  PetscCall(VecScatterBegin(ghosts->scatter, ghosts->own, ghosts->theirs, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecScatterEnd(ghosts->scatter, ghosts->own, ghosts->theirs, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGetArrayRead(ghosts->theirs, &theirs));
+  for (PetscInt i = 0; i < ghosts->num; i++) values[ghosts->n + i] = PetscRealPart(theirs[i]);
+  PetscCall(VecRestoreArrayRead(ghosts->theirs, &theirs));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode HaloFind(const Halo *halo, PetscInt row, PetscInt *at)
+PetscErrorCode GhostExchangeFind(const GhostExchange *ghosts, PetscInt row, PetscInt *at)
 {
   PetscFunctionBeginUser;
-  *at = row - halo->begin;
-  if (*at < 0 || *at >= halo->n) {
-    PetscCall(PetscFindInt(row, halo->num, halo->ghost, at));
-    *at += halo->n;
+  *at = row - ghosts->begin;
+  if (*at < 0 || *at >= ghosts->n) {
+    PetscCall(PetscFindInt(row, ghosts->num, ghosts->ghost, at));
+    *at += ghosts->n;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

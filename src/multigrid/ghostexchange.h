@@ -11,14 +11,14 @@ typedef struct {
   PetscInt  *ghost;       /* ascending [num] */
   Vec        own, theirs; /* one value for each */
   VecScatter scatter;
-} Halo;
+} GhostExchange;
 
 /* Collective. [in] bs - rows of A to a row here: columns of other ranks come in whole blocks or parts of them */
-PetscErrorCode HaloCreate(Mat A, PetscInt bs, Halo *halo);
-PetscErrorCode HaloDestroy(Halo *halo);
+PetscErrorCode GhostExchangeCreate(Mat A, PetscInt bs, GhostExchange *ghosts);
+PetscErrorCode GhostExchangeDestroy(GhostExchange *ghosts);
 /* Tells ghosts their owners' values. Collective. [in,out] values - [n + num] */
-PetscErrorCode HaloShare(Halo *halo, PetscReal values[]);
+PetscErrorCode GhostExchangeUpdate(GhostExchange *ghosts, PetscReal values[]);
 /* Position of a row among values. Not collective. [in] row - of this rank, or a ghost */
-PetscErrorCode HaloFind(const Halo *halo, PetscInt row, PetscInt *at);
+PetscErrorCode GhostExchangeFind(const GhostExchange *ghosts, PetscInt row, PetscInt *at);
 
 #endif

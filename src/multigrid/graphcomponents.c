@@ -12,13 +12,13 @@ typedef struct {
   PetscInt *near, *far;   /* row, ghost [num_cut] */
 } Forest;
 
-static PetscInt Root_Private(PetscInt parent[], PetscInt i)
+static PetscInt GraphComponentsRoot_Private(PetscInt parent[], PetscInt i)
 {
   while (parent[i] != i) i = parent[i] = parent[parent[i]];
   return i;
 }
 
-static PetscErrorCode AddCut_Private(Forest *forest, PetscInt near, PetscInt far)
+static PetscErrorCode GraphComponentsAddCut_Private(Forest *forest, PetscInt near, PetscInt far)
 {
   PetscFunctionBeginUser;
   if (forest->num_cut == forest->max) {
@@ -31,54 +31,54 @@ static PetscErrorCode AddCut_Private(Forest *forest, PetscInt near, PetscInt far
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Join_Private(Mat A, const Halo *halo, Forest *forest)
+static PetscErrorCode GraphComponentsJoin_Private(Mat A, const GhostExchange *ghosts, Forest *forest)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(halo->n, &forest->parent));
-  for (PetscInt i = 0; i < halo->n; i++) forest->parent[i] = i;
-  for (PetscInt i = 0; i < halo->n; i++) {
+  PetscCall(PetscMalloc1(ghosts->n, &forest->parent));
+  for (PetscInt i = 0; i < ghosts->n; i++) forest->parent[i] = i;
+  for (PetscInt i = 0; i < ghosts->n; i++) {
     PetscInt           num;
     const PetscInt    *columns;
     const PetscScalar *values;
 
-    PetscCall(MatGetRow(A, halo->begin + i, &num, &columns, &values));
+    PetscCall(MatGetRow(A, ghosts->begin + i, &num, &columns, &values));
     for (PetscInt c = 0; c < num; c++) {
       PetscInt at, roots[2];
 
       if (values[c] == 0) continue;
-      PetscCall(HaloFind(halo, columns[c], &at));
-      if (at < halo->n) {
-        roots[0]                                     = Root_Private(forest->parent, i);
-        roots[1]                                     = Root_Private(forest->parent, at);
+      PetscCall(GhostExchangeFind(ghosts, columns[c], &at));
+      if (at < ghosts->n) {
+        roots[0]                                     = GraphComponentsRoot_Private(forest->parent, i);
+        roots[1]                                     = GraphComponentsRoot_Private(forest->parent, at);
         forest->parent[PetscMax(roots[0], roots[1])] = PetscMin(roots[0], roots[1]);
       } else {
-        PetscCall(AddCut_Private(forest, i, at));
+        PetscCall(GraphComponentsAddCut_Private(forest, i, at));
       }
     }
-    PetscCall(MatRestoreRow(A, halo->begin + i, &num, &columns, &values));
+    PetscCall(MatRestoreRow(A, ghosts->begin + i, &num, &columns, &values));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ComponentsLabel(Mat A, PetscReal label[])
+PetscErrorCode GraphComponentsLabel(Mat A, PetscReal label[])
 {
   const MPI_Comm comm   = PetscObjectComm((PetscObject)A);
   Forest         forest = {.num_cut = 0};
   PetscReal     *first, *all; /* of the component that a root's tree belongs to; labels of all rows and ghosts */
   PetscBool      changed;
-  Halo           halo;
+  GhostExchange  ghosts;
 
   PetscFunctionBeginUser;
-  PetscCall(HaloCreate(A, 1, &halo));
-  PetscCall(Join_Private(A, &halo, &forest));
-  PetscCall(PetscMalloc2(halo.n, &first, halo.n + halo.num, &all));
-  for (PetscInt i = 0; i < halo.n; i++) first[i] = (PetscReal)(halo.begin + i);
+  PetscCall(GhostExchangeCreate(A, 1, &ghosts));
+  PetscCall(GraphComponentsJoin_Private(A, &ghosts, &forest));
+  PetscCall(PetscMalloc2(ghosts.n, &first, ghosts.n + ghosts.num, &all));
+  for (PetscInt i = 0; i < ghosts.n; i++) first[i] = (PetscReal)(ghosts.begin + i);
   do {
-    for (PetscInt i = 0; i < halo.n; i++) all[i] = first[Root_Private(forest.parent, i)];
-    PetscCall(HaloShare(&halo, all));
+    for (PetscInt i = 0; i < ghosts.n; i++) all[i] = first[GraphComponentsRoot_Private(forest.parent, i)];
+    PetscCall(GhostExchangeUpdate(&ghosts, all));
     changed = PETSC_FALSE;
     for (PetscInt c = 0; c < forest.num_cut; c++) {
-      const PetscInt root = Root_Private(forest.parent, forest.near[c]);
+      const PetscInt root = GraphComponentsRoot_Private(forest.parent, forest.near[c]);
 
       if (all[forest.far[c]] >= first[root]) continue;
       first[root] = all[forest.far[c]];
@@ -86,18 +86,18 @@ PetscErrorCode ComponentsLabel(Mat A, PetscReal label[])
     }
     PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &changed, 1, MPIU_BOOL, MPI_LOR, comm));
   } while (changed);
-  PetscCall(PetscArraycpy(label, all, halo.n));
+  PetscCall(PetscArraycpy(label, all, ghosts.n));
   PetscCall(PetscFree2(first, all));
   PetscCall(PetscFree(forest.parent));
   PetscCall(PetscFree(forest.near));
   PetscCall(PetscFree(forest.far));
-  PetscCall(HaloDestroy(&halo));
+  PetscCall(GhostExchangeDestroy(&ghosts));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Which rank has most of every component's rows, and the first of those that have as many.
    [in] label - [n]; [out] rank - [n] */
-static PetscErrorCode Elect_Private(Mat A, PetscInt n, const PetscReal label[], PetscInt rank[])
+static PetscErrorCode GraphComponentsElect_Private(Mat A, PetscInt n, const PetscReal label[], PetscInt rank[])
 {
   const MPI_Comm     comm = PetscObjectComm((PetscObject)A);
   PetscMPIInt        size, me;
@@ -146,7 +146,7 @@ static PetscErrorCode Elect_Private(Mat A, PetscInt n, const PetscReal label[], 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ComponentsGather(Mat A, IS *rows)
+PetscErrorCode GraphComponentsGather(Mat A, IS *rows)
 {
   PetscInt   n, *rank;
   PetscReal *label;
@@ -155,8 +155,8 @@ PetscErrorCode ComponentsGather(Mat A, IS *rows)
   PetscFunctionBeginUser;
   PetscCall(MatGetLocalSize(A, &n, NULL));
   PetscCall(PetscMalloc2(n, &label, n, &rank));
-  PetscCall(ComponentsLabel(A, label));
-  PetscCall(Elect_Private(A, n, label, rank));
+  PetscCall(GraphComponentsLabel(A, label));
+  PetscCall(GraphComponentsElect_Private(A, n, label, rank));
   PetscCall(ISCreateGeneral(PetscObjectComm((PetscObject)A), n, rank, PETSC_COPY_VALUES, &to));
   PetscCall(ISBuildTwoSided(to, NULL, rows));
   PetscCall(ISSort(*rows));

@@ -19,85 +19,87 @@ PetscBool HierarchyIsLarge(PetscInt dim, PetscInt unknowns)
 
 /* What level l of those that are given is smoothed with. Where cells are not long in whole lines, solving for lines costs several times what all
    else does. */
-static PetscErrorCode CreateSmoother_Private(const HierarchyInput *input, PetscInt l, const Operator *op, Mat *S)
+static PetscErrorCode HierarchyCreateSmoother_Private(const HierarchyInput *input, PetscInt l, const Operator *op,
+                                                      Mat *S)
 {
   PetscFunctionBeginUser;
   if (input->lines)
     PetscCall(SmootherCreate(op, (PetscBool)(l == input->num - 1), (PetscBool)(input->num == 1), S));
   else if (op->T)
-    PetscCall(ApartCreate(op, S));
+    PetscCall(BodySmootherCreate(op, S));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* A level and what belongs to it alone. [in] l - of those that are given, -1 for others; [in] coarsest - whether it is to be factored */
-static PetscErrorCode GridBegin_Private(const HierarchyInput *input, PetscInt l, PetscBool coarsest, Grid *grid)
+static PetscErrorCode HierarchyBeginLevel_Private(const HierarchyInput *input, PetscInt l, PetscBool coarsest,
+                                                  HierarchyLevel *level)
 {
-  const Mat A = grid->op.A;
+  const Mat A = level->op.A;
   MatInfo   info;
 
   PetscFunctionBeginUser;
-  PetscCall(MatCreateVecs(A, &grid->diag, NULL));
-  PetscCall(MatGetDiagonal(A, grid->diag));
-  PetscCall(MatGetInfo(grid->op.K, MAT_GLOBAL_SUM, &info));
-  grid->share = info.nz_used;
-  grid->nodes = (PetscBool)(l < 0);
+  PetscCall(MatCreateVecs(A, &level->diag, NULL));
+  PetscCall(MatGetDiagonal(A, level->diag));
+  PetscCall(MatGetInfo(level->op.K, MAT_GLOBAL_SUM, &info));
+  level->share = info.nz_used;
+  level->nodes = (PetscBool)(l < 0);
   if (coarsest) PetscFunctionReturn(PETSC_SUCCESS);
-  if (!grid->nodes) PetscCall(CreateSmoother_Private(input, l, &grid->op, &grid->S));
-  PetscCall(EigenvalueLargest(A, grid->S, NULL, &grid->largest));
-  if (!grid->S) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(SmootherScale(grid->S, grid->largest)); // so that S >= A, also after the same change of both
-  grid->largest = 1;
+  if (!level->nodes) PetscCall(HierarchyCreateSmoother_Private(input, l, &level->op, &level->S));
+  PetscCall(EigenvalueLargest(A, level->S, NULL, &level->largest));
+  if (!level->S) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SmootherScale(level->S, level->largest)); // so that S >= A, also after the same change of both
+  level->largest = 1;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Levels of nodes. [in,out] coarsest - of the levels that are given; before it there is room for MAX_BELOW; [out] num - below */
-static PetscErrorCode GoBelow_Private(HierarchyInput *input, Grid *coarsest, PetscInt *num)
+static PetscErrorCode HierarchyAddNodeLevels_Private(HierarchyInput *input, HierarchyLevel *coarsest, PetscInt *num)
 {
   PetscBool go = input->below;
-  Points    points;
+  NodeSet   points;
   PetscInt  size, coarser;
 
   PetscFunctionBeginUser;
   *num = 0;
   PetscCall(MatGetSize(coarsest->op.K, &size, NULL));
-  PetscCall(GridBegin_Private(input, 0, (PetscBool)!go, coarsest));
+  PetscCall(HierarchyBeginLevel_Private(input, 0, (PetscBool)!go, coarsest));
   if (!go) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(AlgebraicBegin(&coarsest->op, &input->table, &points));
-  for (Grid *grid = coarsest; go; grid--) {
-    PetscCall(AlgebraicCoarsen(&grid->op, &points, &grid->P, &grid[-1].op));
-    PetscCall(AlgebraicWeigh(grid->P, NULL, &grid->weight));
-    PetscCall(MatGetSize(grid[-1].op.K, &coarser, NULL));
+  PetscCall(NodeLevelsBegin(&coarsest->op, &input->table, &points));
+  for (HierarchyLevel *level = coarsest; go; level--) {
+    PetscCall(NodeLevelsCoarsen(&level->op, &points, &level->P, &level[-1].op));
+    PetscCall(NodeLevelsSumSquares(level->P, NULL, &level->weight));
+    PetscCall(MatGetSize(level[-1].op.K, &coarser, NULL));
     go = (PetscBool)(++*num < MAX_BELOW && coarser > COARSEST && coarser < SLOW * size);
-    PetscCall(GridBegin_Private(input, -1, (PetscBool)!go, &grid[-1]));
+    PetscCall(HierarchyBeginLevel_Private(input, -1, (PetscBool)!go, &level[-1]));
     size = coarser;
   }
-  PetscCall(PointsDestroy(&points));
+  PetscCall(NodeCoarseningDestroy(&points));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode HierarchyCreate(HierarchyInput *input, Hierarchy *hierarchy)
 {
-  Hierarchy h;
-  Grid     *given; // the levels that are
+  Hierarchy       h;
+  HierarchyLevel *given; // the levels that are
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&h));
-  PetscCall(PetscCalloc1(MAX_BELOW + input->num, &h->grid));
-  given = &h->grid[MAX_BELOW];
+  PetscCall(PetscCalloc1(MAX_BELOW + input->num, &h->level));
+  given = &h->level[MAX_BELOW];
   for (PetscInt l = 0; l < input->num; l++) {
     given[l].op = input->op[l];
     given[l].P  = input->P[l];
   }
-  PetscCall(GoBelow_Private(input, given, &h->first));
+  PetscCall(HierarchyAddNodeLevels_Private(input, given, &h->first));
   for (PetscInt l = 1; l < input->num; l++) {
-    PetscCall(GridBegin_Private(input, l, PETSC_FALSE, &given[l]));
-    PetscCall(AlgebraicWeigh(given[l].P, NULL, &given[l].weight));
+    PetscCall(HierarchyBeginLevel_Private(input, l, PETSC_FALSE, &given[l]));
+    PetscCall(NodeLevelsSumSquares(given[l].P, NULL, &given[l].weight));
   }
   for (PetscInt l = 0; l < input->num; l++)
     PetscCall(MatDestroy(&given[l].op.inverse)); // smoothers keep what they need
   h->num = h->first + input->num;
-  PetscCall(PetscArraymove(h->grid, given - h->first, h->num));
-  for (PetscInt l = 0; l < h->num; l++) h->grid[l].share /= h->grid[h->num - 1].share;
+  PetscCall(PetscArraymove(h->level, given - h->first, h->num));
+  for (PetscInt l = 0; l < h->num; l++) h->level[l].share /= h->level[h->num - 1].share;
   *hierarchy = h;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -122,15 +124,15 @@ PetscErrorCode HierarchyDestroy(Hierarchy *hierarchy)
   PetscFunctionBeginUser;
   if (!*hierarchy) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt l = 0; l < (*hierarchy)->num; l++) {
-    Grid *grid = &(*hierarchy)->grid[l];
+    HierarchyLevel *level = &(*hierarchy)->level[l];
 
-    PetscCall(OperatorDestroy(&grid->op));
-    PetscCall(MatDestroy(&grid->P));
-    PetscCall(VecDestroy(&grid->weight));
-    PetscCall(VecDestroy(&grid->diag));
-    PetscCall(MatDestroy(&grid->S));
+    PetscCall(OperatorDestroy(&level->op));
+    PetscCall(MatDestroy(&level->P));
+    PetscCall(VecDestroy(&level->weight));
+    PetscCall(VecDestroy(&level->diag));
+    PetscCall(MatDestroy(&level->S));
   }
-  PetscCall(PetscFree((*hierarchy)->grid));
+  PetscCall(PetscFree((*hierarchy)->level));
   PetscCall(PetscFree(*hierarchy));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

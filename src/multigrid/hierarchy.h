@@ -16,14 +16,14 @@ typedef struct {
   Mat S;             /* the smoother's, or NULL where that is the diagonal */
   PetscReal largest; /* eigenvalue of S^-1 A at least; 0 on the coarsest */
   PetscReal share;   /* entries of A by those of the finest: what a product costs */
-} Grid;
+} HierarchyLevel;
 
 typedef struct _n_Hierarchy {
-  PetscInt  num;
-  PetscInt  first;                                       /* the coarsest level that was given */
-  Grid     *grid;                                        /* coarse first */
-  PetscReal work;                                        /* products with A so far, in products with the finest one */
-  PetscInt  num_systems;                                 /* of active sets so far, of all levels */
+  PetscInt        num;
+  PetscInt        first;                                 /* the coarsest level that was given */
+  HierarchyLevel *level;                                 /* coarse first */
+  PetscReal       work;                                  /* products with A so far, in products with the finest one */
+  PetscInt        num_systems;                           /* of active sets so far, of all levels */
   PetscErrorCode (*is_over)(void *ctx, PetscBool *over); /* of HierarchySetCostTest(), or NULL */
   void *ctx;
 } * Hierarchy;

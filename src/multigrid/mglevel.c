@@ -9,7 +9,7 @@
 static const PetscReal NEXT_TO_NOTHING = 1e-2;
 
 /* y := y + W x; W is nonzero in a few places */
-static PetscErrorCode AddSprings_Private(Vec springs, Vec x, Vec y)
+static PetscErrorCode MGLevelAddRegularization_Private(Vec W, Vec x, Vec y)
 {
   const PetscScalar *w, *xa;
   PetscScalar       *ya;
@@ -17,145 +17,145 @@ static PetscErrorCode AddSprings_Private(Vec springs, Vec x, Vec y)
 
   PetscFunctionBeginUser;
   PetscCall(VecGetLocalSize(x, &n));
-  PetscCall(VecGetArrayRead(springs, &w));
+  PetscCall(VecGetArrayRead(W, &w));
   PetscCall(VecGetArrayRead(x, &xa));
   PetscCall(VecGetArray(y, &ya));
   for (PetscInt i = 0; i < n; i++) ya[i] += w[i] * xa[i];
   PetscCall(VecRestoreArray(y, &ya));
   PetscCall(VecRestoreArrayRead(x, &xa));
-  PetscCall(VecRestoreArrayRead(springs, &w));
+  PetscCall(VecRestoreArrayRead(W, &w));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* y = diag x where held */
-static PetscErrorCode KeepDiagonal_Private(const Rung *rung, Vec x, Vec y)
+static PetscErrorCode MGLevelMultFixed_Private(const MGLevel *level, Vec x, Vec y)
 {
   const PetscScalar *d, *xa;
   PetscScalar       *ya;
 
   PetscFunctionBeginUser;
-  PetscCall(VecGetArrayRead(rung->diag, &d));
+  PetscCall(VecGetArrayRead(level->diag, &d));
   PetscCall(VecGetArrayRead(x, &xa));
   PetscCall(VecGetArray(y, &ya));
-  for (PetscInt i = 0; i < rung->num; i++) ya[rung->held[i]] = d[rung->held[i]] * xa[rung->held[i]];
+  for (PetscInt i = 0; i < level->num; i++) ya[level->fixed[i]] = d[level->fixed[i]] * xa[level->fixed[i]];
   PetscCall(VecRestoreArray(y, &ya));
   PetscCall(VecRestoreArrayRead(x, &xa));
-  PetscCall(VecRestoreArrayRead(rung->diag, &d));
+  PetscCall(VecRestoreArrayRead(level->diag, &d));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* y = A^ x for x that is 0 where held, but for the diagonal there */
-static PetscErrorCode Mult_Rung(Mat A, Vec x, Vec y)
+static PetscErrorCode Mult_MGLevel(Mat A, Vec x, Vec y)
 {
-  Rung *rung;
+  MGLevel *level;
 
   PetscFunctionBeginUser;
-  PetscCall(MatShellGetContext(A, &rung));
-  PetscCall(MatMult(rung->grid->op.S, x, y));
-  if (rung->grid->op.Z) PetscCall(MatMultAdd(rung->grid->op.Z, x, y, y));
-  if (rung->springs) PetscCall(AddSprings_Private(rung->springs, x, y));
-  if (rung->change) PetscCall(MatMultAdd(rung->change, x, y, y));
-  rung->hierarchy->work += rung->grid->share;
-  PetscCall(KeepDiagonal_Private(rung, x, y));
+  PetscCall(MatShellGetContext(A, &level));
+  PetscCall(MatMult(level->base->op.S, x, y));
+  if (level->base->op.Z) PetscCall(MatMultAdd(level->base->op.Z, x, y, y));
+  if (level->W) PetscCall(MGLevelAddRegularization_Private(level->W, x, y));
+  if (level->change) PetscCall(MatMultAdd(level->change, x, y, y));
+  level->hierarchy->work += level->base->share;
+  PetscCall(MGLevelMultFixed_Private(level, x, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The same for an x that is 0 where active, whatever it is where unknowns were eliminated: to iterate with. */
-static PetscErrorCode Mult_Outer(Mat A, Vec x, Vec y)
+static PetscErrorCode MultOperator_MGLevel(Mat A, Vec x, Vec y)
 {
-  Rung *rung;
+  MGLevel *level;
 
   PetscFunctionBeginUser;
-  PetscCall(MatShellGetContext(A, &rung));
-  PetscCall(MatMult(rung->grid->op.A, x, y));
-  rung->hierarchy->work += rung->grid->share;
-  PetscCall(KeepDiagonal_Private(rung, x, y));
+  PetscCall(MatShellGetContext(A, &level));
+  PetscCall(MatMult(level->base->op.A, x, y));
+  level->hierarchy->work += level->base->share;
+  PetscCall(MGLevelMultFixed_Private(level, x, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode GetDiagonal_Rung(Mat A, Vec diag)
+static PetscErrorCode GetDiagonal_MGLevel(Mat A, Vec diag)
 {
-  Rung *rung;
+  MGLevel *level;
 
   PetscFunctionBeginUser;
-  PetscCall(MatShellGetContext(A, &rung));
-  PetscCall(VecCopy(rung->diag, diag));
+  PetscCall(MatShellGetContext(A, &level));
+  PetscCall(VecCopy(level->diag, diag));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* y = M P x */
-static PetscErrorCode Interpolate_Rung(Mat P, Vec x, Vec y)
+static PetscErrorCode Interpolate_MGLevel(Mat P, Vec x, Vec y)
 {
-  Rung        *rung;
+  MGLevel     *level;
   PetscScalar *ya;
 
   PetscFunctionBeginUser;
-  PetscCall(MatShellGetContext(P, &rung));
-  PetscCall(MatMult(rung->grid->P, x, y));
+  PetscCall(MatShellGetContext(P, &level));
+  PetscCall(MatMult(level->base->P, x, y));
   PetscCall(VecGetArray(y, &ya));
-  for (PetscInt i = 0; i < rung->num; i++) ya[rung->held[i]] = 0;
+  for (PetscInt i = 0; i < level->num; i++) ya[level->fixed[i]] = 0;
   PetscCall(VecRestoreArray(y, &ya));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* x = P'y for y that is 0 where held, as residuals of A^ are */
-static PetscErrorCode Restrict_Rung(Mat P, Vec y, Vec x)
+static PetscErrorCode Restrict_MGLevel(Mat P, Vec y, Vec x)
 {
-  Rung *rung;
+  MGLevel *level;
 
   PetscFunctionBeginUser;
-  PetscCall(MatShellGetContext(P, &rung));
-  PetscCall(MatMultTranspose(rung->grid->P, y, x));
+  PetscCall(MatShellGetContext(P, &level));
+  PetscCall(MatMultTranspose(level->base->P, y, x));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The diagonal that goes with change and held. */
-static PetscErrorCode SetDiagonal_Private(Rung *rung)
+static PetscErrorCode MGLevelSetDiagonal_Private(MGLevel *level)
 {
   const PetscScalar *own;
   PetscScalar       *diag;
 
   PetscFunctionBeginUser;
-  if (rung->change) {
-    PetscCall(MatGetDiagonal(rung->change, rung->diag));
-    PetscCall(VecAXPY(rung->diag, 1, rung->grid->diag));
+  if (level->change) {
+    PetscCall(MatGetDiagonal(level->change, level->diag));
+    PetscCall(VecAXPY(level->diag, 1, level->base->diag));
   } else {
-    PetscCall(VecCopy(rung->grid->diag, rung->diag));
+    PetscCall(VecCopy(level->base->diag, level->diag));
   }
-  PetscCall(VecGetArray(rung->diag, &diag));
-  PetscCall(VecGetArrayRead(rung->grid->diag, &own));
-  for (PetscInt i = 0; i < rung->num; i++) diag[rung->held[i]] = own[rung->held[i]];
-  PetscCall(VecRestoreArrayRead(rung->grid->diag, &own));
-  PetscCall(VecRestoreArray(rung->diag, &diag));
+  PetscCall(VecGetArray(level->diag, &diag));
+  PetscCall(VecGetArrayRead(level->base->diag, &own));
+  for (PetscInt i = 0; i < level->num; i++) diag[level->fixed[i]] = own[level->fixed[i]];
+  PetscCall(VecRestoreArrayRead(level->base->diag, &own));
+  PetscCall(VecRestoreArray(level->diag, &diag));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* M of the coarser level: what moves next to nothing that is free is held. [out] free - on the coarser level */
-static PetscErrorCode HoldCoarser_Private(const Rung *fine, Vec free)
+static PetscErrorCode MGLevelSetFreeCoarser_Private(const MGLevel *fine, Vec free)
 {
   const PetscScalar *all, *gone;
   PetscScalar       *f;
   PetscInt           begin, n;
-  Vec                held;
+  Vec                fixed;
 
   PetscFunctionBeginUser;
-  PetscCall(VecDuplicate(fine->grid->weight, &held));
-  PetscCall(VecZeroEntries(held));
-  PetscCall(MatGetOwnershipRange(fine->grid->P, &begin, NULL));
+  PetscCall(VecDuplicate(fine->base->weight, &fixed));
+  PetscCall(VecZeroEntries(fixed));
+  PetscCall(MatGetOwnershipRange(fine->base->P, &begin, NULL));
   for (PetscInt i = 0; i < fine->num_truncated; i++) {
     PetscInt           num;
     const PetscInt    *columns;
     const PetscScalar *values;
 
-    PetscCall(MatGetRow(fine->grid->P, begin + fine->held[i], &num, &columns, &values));
-    for (PetscInt j = 0; j < num; j++) PetscCall(VecSetValue(held, columns[j], values[j] * values[j], ADD_VALUES));
-    PetscCall(MatRestoreRow(fine->grid->P, begin + fine->held[i], &num, &columns, &values));
+    PetscCall(MatGetRow(fine->base->P, begin + fine->fixed[i], &num, &columns, &values));
+    for (PetscInt j = 0; j < num; j++) PetscCall(VecSetValue(fixed, columns[j], values[j] * values[j], ADD_VALUES));
+    PetscCall(MatRestoreRow(fine->base->P, begin + fine->fixed[i], &num, &columns, &values));
   }
-  PetscCall(VecAssemblyBegin(held));
-  PetscCall(VecAssemblyEnd(held));
-  PetscCall(VecGetLocalSize(held, &n));
-  PetscCall(VecGetArrayRead(fine->grid->weight, &all));
-  PetscCall(VecGetArrayRead(held, &gone));
+  PetscCall(VecAssemblyBegin(fixed));
+  PetscCall(VecAssemblyEnd(fixed));
+  PetscCall(VecGetLocalSize(fixed, &n));
+  PetscCall(VecGetArrayRead(fine->base->weight, &all));
+  PetscCall(VecGetArrayRead(fixed, &gone));
   PetscCall(VecGetArray(free, &f));
   for (PetscInt i = 0; i < n; i++) {
     const PetscReal left = PetscRealPart(all[i] - gone[i]);
@@ -163,96 +163,96 @@ static PetscErrorCode HoldCoarser_Private(const Rung *fine, Vec free)
     f[i] = PetscRealPart(gone[i]) > 0 && left <= NEXT_TO_NOTHING * PetscRealPart(all[i]) ? 0 : 1;
   }
   PetscCall(VecRestoreArray(free, &f));
-  PetscCall(VecRestoreArrayRead(held, &gone));
-  PetscCall(VecRestoreArrayRead(fine->grid->weight, &all));
-  PetscCall(VecDestroy(&held));
+  PetscCall(VecRestoreArrayRead(fixed, &gone));
+  PetscCall(VecRestoreArrayRead(fine->base->weight, &all));
+  PetscCall(VecDestroy(&fixed));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Lists what is held, and last what was eliminated before. */
-static PetscErrorCode List_Private(Rung *rung)
+static PetscErrorCode MGLevelListFixed_Private(MGLevel *level)
 {
-  const Operator    *op = &rung->grid->op;
+  const Operator    *op = &level->base->op;
   const PetscScalar *f;
   PetscInt           n;
 
   PetscFunctionBeginUser;
-  PetscCall(VecGetLocalSize(rung->free, &n));
-  PetscCall(VecGetArrayRead(rung->free, &f));
-  rung->num = 0;
-  for (PetscInt i = 0; i < n; i++) rung->num += f[i] == 0;
-  rung->num_truncated = rung->num;
-  PetscCall(PetscFree(rung->held));
-  PetscCall(PetscMalloc1(rung->num + op->num_fixed, &rung->held));
-  rung->num = 0;
+  PetscCall(VecGetLocalSize(level->free, &n));
+  PetscCall(VecGetArrayRead(level->free, &f));
+  level->num = 0;
+  for (PetscInt i = 0; i < n; i++) level->num += f[i] == 0;
+  level->num_truncated = level->num;
+  PetscCall(PetscFree(level->fixed));
+  PetscCall(PetscMalloc1(level->num + op->num_fixed, &level->fixed));
+  level->num = 0;
   for (PetscInt i = 0; i < n; i++)
-    if (f[i] == 0) rung->held[rung->num++] = i;
-  for (PetscInt i = 0; i < op->num_fixed; i++) rung->held[rung->num++] = op->fixed[i];
-  PetscCall(VecRestoreArrayRead(rung->free, &f));
+    if (f[i] == 0) level->fixed[level->num++] = i;
+  for (PetscInt i = 0; i < op->num_fixed; i++) level->fixed[level->num++] = op->fixed[i];
+  PetscCall(VecRestoreArrayRead(level->free, &f));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* On a mesh, A^ is near that of a body held there, and has no larger eigenvalues. Where there is none, a few unknowns that
    are cut off may double them, near those that are: so that is where one looks. */
-static PetscErrorCode SetLargest_Private(Rung *rung)
+static PetscErrorCode MGLevelSetLargest_Private(MGLevel *level)
 {
   PetscReal there;
   Vec       seed, b;
 
   PetscFunctionBeginUser;
-  rung->largest = rung->grid->largest;
-  if (!rung->grid->nodes || !rung->change) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(VecDuplicate(rung->free, &seed));
-  PetscCall(VecDuplicate(rung->free, &b));
+  level->largest = level->base->largest;
+  if (!level->base->nodes || !level->change) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecDuplicate(level->free, &seed));
+  PetscCall(VecDuplicate(level->free, &b));
   PetscCall(EigenvalueSeed(seed));
-  PetscCall(MatMult(rung->change, seed, b));
-  PetscCall(VecPointwiseMult(b, b, rung->free));
+  PetscCall(MatMult(level->change, seed, b));
+  PetscCall(VecPointwiseMult(b, b, level->free));
   PetscCall(VecNorm(b, NORM_INFINITY, &there));
   if (there > 0) {
-    PetscCall(EigenvalueLargest(rung->A, NULL, b, &there));
-    rung->largest = PetscMax(rung->largest, there);
+    PetscCall(EigenvalueLargest(level->A, NULL, b, &there));
+    level->largest = PetscMax(level->largest, there);
   }
   PetscCall(VecDestroy(&seed));
   PetscCall(VecDestroy(&b));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode RungsHold(PetscInt num, Rung rungs[], Vec free)
+PetscErrorCode MGLevelSetFree(PetscInt num, MGLevel levels[], Vec free)
 {
-  Mat dC = NULL, strip = NULL;
+  Mat dC = NULL, update = NULL;
   Vec is;
 
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(free, &is));
   PetscCall(VecCopy(free, is));
   for (PetscInt l = num - 1; l >= 0; l--) {
-    Rung *rung = &rungs[l];
+    MGLevel *level = &levels[l];
 
     if (l)
-      PetscCall(
-          StripCreate(&rung->grid->op, rung->change, dC, rung->free, is, rung->ready ? NULL : rung->springs, &strip));
-    if (rung->change && dC) PetscCall(MatAXPY(rung->change, 1, dC, DIFFERENT_NONZERO_PATTERN));
-    if (dC && !rung->change) PetscCall(PetscObjectReference((PetscObject)dC));
-    if (dC && !rung->change) rung->change = dC;
+      PetscCall(TruncationUpdateCreate(&level->base->op, level->change, dC, level->free, is,
+                                       level->ready ? NULL : level->W, &update));
+    if (level->change && dC) PetscCall(MatAXPY(level->change, 1, dC, DIFFERENT_NONZERO_PATTERN));
+    if (dC && !level->change) PetscCall(PetscObjectReference((PetscObject)dC));
+    if (dC && !level->change) level->change = dC;
     PetscCall(MatDestroy(&dC));
-    PetscCall(VecCopy(is, rung->free));
+    PetscCall(VecCopy(is, level->free));
     PetscCall(VecDestroy(&is));
-    PetscCall(List_Private(rung));
-    PetscCall(SetDiagonal_Private(rung));
-    PetscCall(SmootherHold(rung->grid->S, rung->change, rung->num, rung->held, &rung->S));
-    rung->ready = PETSC_TRUE;
+    PetscCall(MGLevelListFixed_Private(level));
+    PetscCall(MGLevelSetDiagonal_Private(level));
+    PetscCall(SmootherSetFixed(level->base->S, level->change, level->num, level->fixed, &level->S));
+    level->ready = PETSC_TRUE;
     if (!l) break;
-    PetscCall(SetLargest_Private(rung));
-    PetscCall(StripRestrict(strip, rung->grid->P, &dC));
-    PetscCall(MatDestroy(&strip));
-    PetscCall(VecDuplicate(rungs[l - 1].free, &is));
-    PetscCall(HoldCoarser_Private(rung, is));
+    PetscCall(MGLevelSetLargest_Private(level));
+    PetscCall(TruncationUpdateRestrict(update, level->base->P, &dC));
+    PetscCall(MatDestroy(&update));
+    PetscCall(VecDuplicate(levels[l - 1].free, &is));
+    PetscCall(MGLevelSetFreeCoarser_Private(level, is));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Without a mesh two displacements of a coarse node may move the same unknown after the other one was cut off: what tells them apart is any resistance. */
-static PetscErrorCode Stiffen_Private(Mat A)
+static PetscErrorCode MGLevelStiffen_Private(Mat A)
 {
   static const PetscReal A_LITTLE = 1e-10;
   Vec                    diag;
@@ -266,80 +266,80 @@ static PetscErrorCode Stiffen_Private(Mat A)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode RungAssemble(Rung *rung)
+PetscErrorCode MGLevelAssemble(MGLevel *level)
 {
   PetscInt *rows, begin;
 
   PetscFunctionBeginUser;
-  PetscCall(MatDestroy(&rung->A));
-  PetscCall(MatDuplicate(rung->grid->op.A, MAT_COPY_VALUES, &rung->A));
-  if (rung->change) PetscCall(MatAXPY(rung->A, 1, rung->change, DIFFERENT_NONZERO_PATTERN));
-  PetscCall(MatGetOwnershipRange(rung->A, &begin, NULL));
-  PetscCall(PetscMalloc1(rung->num, &rows));
-  for (PetscInt i = 0; i < rung->num_truncated; i++) rows[i] = begin + rung->held[i];
-  PetscCall(MatZeroRowsColumns(rung->A, rung->num_truncated, rows, 1, NULL, NULL));
+  PetscCall(MatDestroy(&level->A));
+  PetscCall(MatDuplicate(level->base->op.A, MAT_COPY_VALUES, &level->A));
+  if (level->change) PetscCall(MatAXPY(level->A, 1, level->change, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(MatGetOwnershipRange(level->A, &begin, NULL));
+  PetscCall(PetscMalloc1(level->num, &rows));
+  for (PetscInt i = 0; i < level->num_truncated; i++) rows[i] = begin + level->fixed[i];
+  PetscCall(MatZeroRowsColumns(level->A, level->num_truncated, rows, 1, NULL, NULL));
   PetscCall(PetscFree(rows));
-  if (rung->grid->nodes) PetscCall(Stiffen_Private(rung->A));
-  PetscCall(MatSetOption(rung->A, MAT_SPD, PETSC_TRUE));
+  if (level->base->nodes) PetscCall(MGLevelStiffen_Private(level->A));
+  PetscCall(MatSetOption(level->A, MAT_SPD, PETSC_TRUE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Shells on a level above the coarsest. */
-static PetscErrorCode CreateShells_Private(Rung *rung)
+static PetscErrorCode MGLevelCreateShells_Private(MGLevel *level)
 {
-  const MPI_Comm comm = PetscObjectComm((PetscObject)rung->grid->op.A);
+  const MPI_Comm comm = PetscObjectComm((PetscObject)level->base->op.A);
   PetscInt       n, coarse;
 
   PetscFunctionBeginUser;
-  PetscCall(MatGetLocalSize(rung->grid->P, &n, &coarse));
-  PetscCall(MatCreateShell(comm, n, n, PETSC_DETERMINE, PETSC_DETERMINE, rung, &rung->A));
-  PetscCall(MatShellSetOperation(rung->A, MATOP_MULT, (void (*)(void))Mult_Rung));
-  PetscCall(MatShellSetOperation(rung->A, MATOP_GET_DIAGONAL, (void (*)(void))GetDiagonal_Rung));
-  PetscCall(MatSetOption(rung->A, MAT_SPD, PETSC_TRUE));
-  PetscCall(MatCreateShell(comm, n, coarse, PETSC_DETERMINE, PETSC_DETERMINE, rung, &rung->P));
-  PetscCall(MatShellSetOperation(rung->P, MATOP_MULT, (void (*)(void))Interpolate_Rung));
-  PetscCall(MatShellSetOperation(rung->P, MATOP_MULT_TRANSPOSE, (void (*)(void))Restrict_Rung));
+  PetscCall(MatGetLocalSize(level->base->P, &n, &coarse));
+  PetscCall(MatCreateShell(comm, n, n, PETSC_DETERMINE, PETSC_DETERMINE, level, &level->A));
+  PetscCall(MatShellSetOperation(level->A, MATOP_MULT, (void (*)(void))Mult_MGLevel));
+  PetscCall(MatShellSetOperation(level->A, MATOP_GET_DIAGONAL, (void (*)(void))GetDiagonal_MGLevel));
+  PetscCall(MatSetOption(level->A, MAT_SPD, PETSC_TRUE));
+  PetscCall(MatCreateShell(comm, n, coarse, PETSC_DETERMINE, PETSC_DETERMINE, level, &level->P));
+  PetscCall(MatShellSetOperation(level->P, MATOP_MULT, (void (*)(void))Interpolate_MGLevel));
+  PetscCall(MatShellSetOperation(level->P, MATOP_MULT_TRANSPOSE, (void (*)(void))Restrict_MGLevel));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode RungCreateOuter(Rung *rung, Mat *A)
+PetscErrorCode MGLevelCreateOperator(MGLevel *level, Mat *A)
 {
   PetscInt n;
 
   PetscFunctionBeginUser;
-  PetscCall(MatGetLocalSize(rung->grid->op.A, &n, NULL));
-  PetscCall(
-      MatCreateShell(PetscObjectComm((PetscObject)rung->grid->op.A), n, n, PETSC_DETERMINE, PETSC_DETERMINE, rung, A));
-  PetscCall(MatShellSetOperation(*A, MATOP_MULT, (void (*)(void))Mult_Outer));
-  PetscCall(MatShellSetOperation(*A, MATOP_GET_DIAGONAL, (void (*)(void))GetDiagonal_Rung));
+  PetscCall(MatGetLocalSize(level->base->op.A, &n, NULL));
+  PetscCall(MatCreateShell(PetscObjectComm((PetscObject)level->base->op.A), n, n, PETSC_DETERMINE, PETSC_DETERMINE,
+                           level, A));
+  PetscCall(MatShellSetOperation(*A, MATOP_MULT, (void (*)(void))MultOperator_MGLevel));
+  PetscCall(MatShellSetOperation(*A, MATOP_GET_DIAGONAL, (void (*)(void))GetDiagonal_MGLevel));
   PetscCall(MatSetOption(*A, MAT_SPD, PETSC_TRUE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode RungCreate(Hierarchy hierarchy, PetscInt l, Rung *rung)
+PetscErrorCode MGLevelCreate(Hierarchy hierarchy, PetscInt l, MGLevel *level)
 {
   PetscFunctionBeginUser;
-  rung->hierarchy = hierarchy;
-  rung->grid      = &hierarchy->grid[l];
-  rung->largest   = rung->grid->largest;
-  rung->springs   = rung->grid->op.W;
-  PetscCall(VecDuplicate(rung->grid->diag, &rung->diag));
-  PetscCall(VecDuplicate(rung->grid->diag, &rung->free));
-  PetscCall(VecSet(rung->free, 1));
-  PetscCall(SmootherHold(rung->grid->S, NULL, 0, NULL, &rung->S));
-  if (l) PetscCall(CreateShells_Private(rung));
+  level->hierarchy = hierarchy;
+  level->base      = &hierarchy->level[l];
+  level->largest   = level->base->largest;
+  level->W         = level->base->op.W;
+  PetscCall(VecDuplicate(level->base->diag, &level->diag));
+  PetscCall(VecDuplicate(level->base->diag, &level->free));
+  PetscCall(VecSet(level->free, 1));
+  PetscCall(SmootherSetFixed(level->base->S, NULL, 0, NULL, &level->S));
+  if (l) PetscCall(MGLevelCreateShells_Private(level));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode RungDestroy(Rung *rung)
+PetscErrorCode MGLevelDestroy(MGLevel *level)
 {
   PetscFunctionBeginUser;
-  PetscCall(MatDestroy(&rung->change));
-  PetscCall(MatDestroy(&rung->A));
-  PetscCall(MatDestroy(&rung->P));
-  PetscCall(MatDestroy(&rung->S));
-  PetscCall(VecDestroy(&rung->diag));
-  PetscCall(VecDestroy(&rung->free));
-  PetscCall(PetscFree(rung->held));
+  PetscCall(MatDestroy(&level->change));
+  PetscCall(MatDestroy(&level->A));
+  PetscCall(MatDestroy(&level->P));
+  PetscCall(MatDestroy(&level->S));
+  PetscCall(VecDestroy(&level->diag));
+  PetscCall(VecDestroy(&level->free));
+  PetscCall(PetscFree(level->fixed));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

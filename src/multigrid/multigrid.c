@@ -31,17 +31,17 @@ static const PetscReal SHORTER = 1.25;
 typedef struct {
   Hierarchy  hierarchy; /* borrowed */
   PetscInt   num;       /* levels */
-  Rung      *rung;      /* coarse first */
+  MGLevel   *level;     /* coarse first */
   Mat        outer;     /* A^ of the finest level, for who iterates */
   PC         mg;
   SNES       snes; /* borrowed, or NULL */
   IS         left; /* unknowns that snes leaves, or NULL */
   VecScatter scatter;
   Vec        r, z;    /* on all unknowns */
-  PetscReal  seen[2]; /* r'z of the last two cycles since MultigridWatch() */
+  PetscReal  seen[2]; /* r'z of the last two cycles since MultigridResetError() */
 } Multigrid;
 
-static PetscErrorCode Get_Private(PC pc, Multigrid **multigrid)
+static PetscErrorCode MultigridGet_Private(PC pc, Multigrid **multigrid)
 {
   PetscContainer container;
 
@@ -53,33 +53,33 @@ static PetscErrorCode Get_Private(PC pc, Multigrid **multigrid)
 }
 
 /* What a smoother multiplies and solves with. */
-static PetscErrorCode SetOperators_Private(KSP ksp, const Rung *rung)
+static PetscErrorCode MultigridSetOperators_Private(KSP ksp, const MGLevel *level)
 {
   PetscFunctionBeginUser;
-  PetscCall(KSPSetOperators(ksp, rung->A, rung->S ? rung->S : rung->A));
-  PetscCall(KSPChebyshevSetEigenvalues(ksp, rung->largest, SMOOTHED_FROM * rung->largest)); // nothing for other types
+  PetscCall(KSPSetOperators(ksp, level->A, level->S ? level->S : level->A));
+  PetscCall(KSPChebyshevSetEigenvalues(ksp, level->largest, SMOOTHED_FROM * level->largest)); // nothing for other types
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Held unknowns of the finest level are those with 0; the rest follows. */
-static PetscErrorCode Hold_Private(Multigrid *multigrid, Vec free)
+static PetscErrorCode MultigridUpdate_Private(Multigrid *multigrid, Vec free)
 {
   KSP ksp;
   PC  pc;
 
   PetscFunctionBeginUser;
-  PetscCall(RungsHold(multigrid->num, multigrid->rung, free));
+  PetscCall(MGLevelSetFree(multigrid->num, multigrid->level, free));
   for (PetscInt l = 1; l < multigrid->num; l++) { // what smoothers keep of their matrix is out of date
-    PetscCall(MatAssemblyBegin(multigrid->rung[l].A, MAT_FINAL_ASSEMBLY));
-    PetscCall(MatAssemblyEnd(multigrid->rung[l].A, MAT_FINAL_ASSEMBLY));
+    PetscCall(MatAssemblyBegin(multigrid->level[l].A, MAT_FINAL_ASSEMBLY));
+    PetscCall(MatAssemblyEnd(multigrid->level[l].A, MAT_FINAL_ASSEMBLY));
     PetscCall(PCMGGetSmoother(multigrid->mg, l, &ksp));
-    PetscCall(SetOperators_Private(ksp, &multigrid->rung[l]));
+    PetscCall(MultigridSetOperators_Private(ksp, &multigrid->level[l]));
     PetscCall(KSPGetPC(ksp, &pc));
     PetscCall(SmootherRenew(pc));
   }
-  PetscCall(RungAssemble(&multigrid->rung[0]));
+  PetscCall(MGLevelAssemble(&multigrid->level[0]));
   PetscCall(PCMGGetCoarseSolve(multigrid->mg, &ksp));
-  PetscCall(KSPSetOperators(ksp, multigrid->rung[0].A, multigrid->rung[0].A));
+  PetscCall(KSPSetOperators(ksp, multigrid->level[0].A, multigrid->level[0].A));
   PetscCall(PCSetUp(multigrid->mg));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -89,25 +89,25 @@ PetscErrorCode MultigridSetFree(PC pc, Vec free)
   Multigrid *multigrid;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(pc, &multigrid));
-  if (multigrid) PetscCall(Hold_Private(multigrid, free));
+  PetscCall(MultigridGet_Private(pc, &multigrid));
+  if (multigrid) PetscCall(MultigridUpdate_Private(multigrid, free));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode MultigridSmoothShorter(PC pc)
+PetscErrorCode MultigridShortenSteps(PC pc)
 {
   Multigrid *multigrid;
   KSP        ksp;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(pc, &multigrid));
+  PetscCall(MultigridGet_Private(pc, &multigrid));
   for (PetscInt l = 1; l < multigrid->num; l++) {
-    Rung *rung = &multigrid->rung[l];
+    MGLevel *level = &multigrid->level[l];
 
-    rung->grid->largest *= SHORTER;
-    rung->largest *= SHORTER;
+    level->base->largest *= SHORTER;
+    level->largest *= SHORTER;
     PetscCall(PCMGGetSmoother(multigrid->mg, l, &ksp));
-    PetscCall(SetOperators_Private(ksp, rung));
+    PetscCall(MultigridSetOperators_Private(ksp, level));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -117,8 +117,8 @@ PetscErrorCode MultigridAddWork(PC pc)
   Multigrid *multigrid;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(pc, &multigrid));
-  multigrid->hierarchy->work += multigrid->rung[multigrid->num - 1].grid->share;
+  PetscCall(MultigridGet_Private(pc, &multigrid));
+  multigrid->hierarchy->work += multigrid->level[multigrid->num - 1].base->share;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -127,38 +127,38 @@ PetscErrorCode MultigridGetHierarchy(PC pc, Hierarchy *hierarchy)
   Multigrid *multigrid;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(pc, &multigrid));
+  PetscCall(MultigridGet_Private(pc, &multigrid));
   *hierarchy = multigrid->hierarchy;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode MultigridForces(PC pc, Vec y, PetscReal *size, PetscReal *energy)
+PetscErrorCode MultigridGetForces(PC pc, Vec y, PetscReal *size, PetscReal *energy)
 {
-  Multigrid  *multigrid;
-  const Grid *grid;
-  PetscScalar work, square;
+  Multigrid            *multigrid;
+  const HierarchyLevel *base;
+  PetscScalar           work, square;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(pc, &multigrid));
-  grid = multigrid->rung[multigrid->num - 1].grid;
-  PetscCall(MatMult(grid->op.K, y, multigrid->r));
-  PetscCall(VecScale(multigrid->r, 1 / grid->op.stiffness));
-  if (grid->op.Z) PetscCall(MatMultAdd(grid->op.Z, y, multigrid->r, multigrid->r));
-  multigrid->hierarchy->work += grid->share;
+  PetscCall(MultigridGet_Private(pc, &multigrid));
+  base = multigrid->level[multigrid->num - 1].base;
+  PetscCall(MatMult(base->op.K, y, multigrid->r));
+  PetscCall(VecScale(multigrid->r, 1 / base->op.stiffness));
+  if (base->op.Z) PetscCall(MatMultAdd(base->op.Z, y, multigrid->r, multigrid->r));
+  multigrid->hierarchy->work += base->share;
   PetscCall(VecDot(multigrid->r, y, &work));
-  PetscCall(VecPointwiseDivide(multigrid->z, multigrid->r, grid->diag));
+  PetscCall(VecPointwiseDivide(multigrid->z, multigrid->r, base->diag));
   PetscCall(VecDot(multigrid->z, multigrid->r, &square));
   *energy = PetscMax(PetscRealPart(work), 0);
   *size   = PetscSqrtReal(PetscRealPart(square));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode MultigridWatch(PC pc)
+PetscErrorCode MultigridResetError(PC pc)
 {
   Multigrid *multigrid;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(pc, &multigrid));
+  PetscCall(MultigridGet_Private(pc, &multigrid));
   multigrid->seen[0] = multigrid->seen[1] = PETSC_MAX_REAL;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -168,7 +168,7 @@ PetscErrorCode MultigridGetError(PC pc, PetscReal *square)
   Multigrid *multigrid;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(pc, &multigrid));
+  PetscCall(MultigridGet_Private(pc, &multigrid));
   *square = multigrid->seen[1] * PetscMin(multigrid->seen[1] / multigrid->seen[0], 1);
   if (multigrid->seen[0] == PETSC_MAX_REAL) *square = multigrid->seen[1];
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -179,13 +179,13 @@ PetscErrorCode MultigridGetOperator(PC pc, Mat *A)
   Multigrid *multigrid;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(pc, &multigrid));
+  PetscCall(MultigridGet_Private(pc, &multigrid));
   *A = multigrid->outer;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* What the user says of a smoother: how it iterates, but not with what, of which it knows the eigenvalues. */
-static PetscErrorCode SmootherFromOptions_Private(KSP ksp, PC pc)
+static PetscErrorCode MultigridSmootherFromOptions_Private(KSP ksp, PC pc)
 {
   PCType    type;
   char      own[64];
@@ -206,7 +206,7 @@ static PetscErrorCode SmootherFromOptions_Private(KSP ksp, PC pc)
 }
 
 /* Smoothers, transfers, the coarsest solver, and what the user says of them. */
-static PetscErrorCode Configure_Private(PC pc, Multigrid *multigrid)
+static PetscErrorCode MultigridConfigure_Private(PC pc, Multigrid *multigrid)
 {
   const char *prefix;
   KSP         ksp;
@@ -220,37 +220,37 @@ static PetscErrorCode Configure_Private(PC pc, Multigrid *multigrid)
   PetscCall(PCSetType(multigrid->mg, PCMG));
   PetscCall(PCMGSetLevels(multigrid->mg, multigrid->num, NULL));
   for (PetscInt l = 1; l < multigrid->num; l++) {
-    PetscCall(PCMGSetInterpolation(multigrid->mg, l, multigrid->rung[l].P));
-    PetscCall(MatCreateTranspose(multigrid->rung[l].P, &R)); // or PETSc takes P for P' where it is square
+    PetscCall(PCMGSetInterpolation(multigrid->mg, l, multigrid->level[l].P));
+    PetscCall(MatCreateTranspose(multigrid->level[l].P, &R)); // or PETSc takes P for P' where it is square
     PetscCall(PCMGSetRestriction(multigrid->mg, l, R));
     PetscCall(MatDestroy(&R));
     PetscCall(PCMGGetSmoother(multigrid->mg, l, &ksp));
     PetscCall(KSPSetType(ksp, KSPCHEBYSHEV));
-    PetscCall(SetOperators_Private(ksp, &multigrid->rung[l]));
+    PetscCall(MultigridSetOperators_Private(ksp, &multigrid->level[l]));
     PetscCall(KSPSetNormType(ksp, KSP_NORM_NONE));
     PetscCall(KSPSetTolerances(ksp, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT,
                                SMOOTHING_STEPS + PetscMax(multigrid->num - 2 - l, 0)));
     PetscCall(KSPGetPC(ksp, &inner));
-    PetscCall(SmootherSetPC(inner, multigrid->rung[l].S));
-    PetscCall(SmootherFromOptions_Private(ksp, inner));
+    PetscCall(SmootherSetPC(inner, multigrid->level[l].S));
+    PetscCall(MultigridSmootherFromOptions_Private(ksp, inner));
   }
   PetscCall(PCMGGetCoarseSolve(multigrid->mg, &ksp));
   PetscCall(KSPSetType(ksp, KSPPREONLY));
   PetscCall(KSPGetPC(ksp, &inner));
-  PetscCall(EverywhereSetPC(inner));
+  PetscCall(RedundantSolveSetPC(inner));
   PetscCall(KSPSetFromOptions(ksp));
   PetscCall(
-      PCSetOperators(multigrid->mg, multigrid->rung[multigrid->num - 1].A, multigrid->rung[multigrid->num - 1].A));
+      PCSetOperators(multigrid->mg, multigrid->level[multigrid->num - 1].A, multigrid->level[multigrid->num - 1].A));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Clear_Private(Multigrid *multigrid)
+static PetscErrorCode MultigridClear_Private(Multigrid *multigrid)
 {
   PetscFunctionBeginUser;
   PetscCall(PCDestroy(&multigrid->mg));
   PetscCall(MatDestroy(&multigrid->outer));
-  for (PetscInt l = 0; l < multigrid->num; l++) PetscCall(RungDestroy(&multigrid->rung[l]));
-  PetscCall(PetscFree(multigrid->rung));
+  for (PetscInt l = 0; l < multigrid->num; l++) PetscCall(MGLevelDestroy(&multigrid->level[l]));
+  PetscCall(PetscFree(multigrid->level));
   PetscCall(ISDestroy(&multigrid->left));
   PetscCall(VecScatterDestroy(&multigrid->scatter));
   PetscCall(VecDestroy(&multigrid->r));
@@ -260,12 +260,12 @@ static PetscErrorCode Clear_Private(Multigrid *multigrid)
 }
 
 /* The matrix that snes takes its free part from. */
-static PetscErrorCode SetWhole_Private(Hierarchy hierarchy, const Grid *grid, SNES snes)
+static PetscErrorCode MultigridSetJacobian_Private(Hierarchy hierarchy, const HierarchyLevel *base, SNES snes)
 {
   Mat whole;
 
   PetscFunctionBeginUser;
-  PetscCall(ExcerptCreateWhole(grid->op.A, grid->share, &hierarchy->work, &whole));
+  PetscCall(SubmatrixCreateWhole(base->op.A, base->share, &hierarchy->work, &whole));
   PetscCall(SNESSetJacobian(snes, whole, whole, NULL, NULL));
   PetscCall(MatDestroy(&whole));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -276,19 +276,19 @@ PetscErrorCode MultigridSetHierarchy(PC pc, Hierarchy hierarchy, PetscInt finest
   Multigrid *multigrid;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(pc, &multigrid));
+  PetscCall(MultigridGet_Private(pc, &multigrid));
   if (!multigrid) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(Clear_Private(multigrid));
+  PetscCall(MultigridClear_Private(multigrid));
   multigrid->hierarchy = hierarchy;
   multigrid->num       = finest + 1;
   multigrid->snes      = snes;
-  PetscCall(PetscCalloc1(multigrid->num, &multigrid->rung));
-  for (PetscInt l = 0; l < multigrid->num; l++) PetscCall(RungCreate(hierarchy, l, &multigrid->rung[l]));
-  PetscCall(VecDuplicate(multigrid->rung[finest].diag, &multigrid->r));
+  PetscCall(PetscCalloc1(multigrid->num, &multigrid->level));
+  for (PetscInt l = 0; l < multigrid->num; l++) PetscCall(MGLevelCreate(hierarchy, l, &multigrid->level[l]));
+  PetscCall(VecDuplicate(multigrid->level[finest].diag, &multigrid->r));
   PetscCall(VecDuplicate(multigrid->r, &multigrid->z));
-  PetscCall(RungCreateOuter(&multigrid->rung[finest], &multigrid->outer));
-  PetscCall(Configure_Private(pc, multigrid));
-  if (snes) PetscCall(SetWhole_Private(hierarchy, &hierarchy->grid[finest], snes));
+  PetscCall(MGLevelCreateOperator(&multigrid->level[finest], &multigrid->outer));
+  PetscCall(MultigridConfigure_Private(pc, multigrid));
+  if (snes) PetscCall(MultigridSetJacobian_Private(hierarchy, &hierarchy->level[finest], snes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -300,7 +300,7 @@ static PetscErrorCode SetUp_Multigrid(PC pc)
   Mat        A;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(pc, &multigrid));
+  PetscCall(MultigridGet_Private(pc, &multigrid));
   if (!multigrid->num) {
     PetscCall(UserErrorRaise(PetscObjectComm((PetscObject)pc),
                              "-pc_type %s: needs a mesh, which this inequality does not have", PCTRUNCATEDMG));
@@ -318,14 +318,14 @@ static PetscErrorCode SetUp_Multigrid(PC pc)
   PetscCall(VecScatterBegin(multigrid->scatter, reduced, multigrid->r, INSERT_VALUES, SCATTER_REVERSE));
   PetscCall(VecScatterEnd(multigrid->scatter, reduced, multigrid->r, INSERT_VALUES, SCATTER_REVERSE));
   PetscCall(VecDestroy(&reduced));
-  PetscCall(Hold_Private(multigrid, multigrid->r));
+  PetscCall(MultigridUpdate_Private(multigrid, multigrid->r));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* z = cycle of r; eliminated unknowns, which couple to nothing, by themselves. [in] r - is spoilt */
-static PetscErrorCode Cycle_Private(Multigrid *multigrid, Vec r, Vec z)
+static PetscErrorCode MultigridCycle_Private(Multigrid *multigrid, Vec r, Vec z)
 {
-  const Operator *op = &multigrid->rung[multigrid->num - 1].grid->op;
+  const Operator *op = &multigrid->level[multigrid->num - 1].base->op;
   PetscScalar    *ra, *za, *alone;
 
   PetscFunctionBeginUser;
@@ -348,10 +348,10 @@ static PetscErrorCode Apply_Multigrid(PC pc, Vec r, Vec z)
   PetscScalar work;
 
   PetscFunctionBeginUser;
-  PetscCall(Get_Private(pc, &multigrid));
+  PetscCall(MultigridGet_Private(pc, &multigrid));
   if (!multigrid->snes) {
     PetscCall(VecCopy(r, multigrid->r));
-    PetscCall(Cycle_Private(multigrid, multigrid->r, z));
+    PetscCall(MultigridCycle_Private(multigrid, multigrid->r, z));
     PetscCall(VecDot(r, z, &work));
     multigrid->seen[0] = multigrid->seen[1];
     multigrid->seen[1] = PetscRealPart(work);
@@ -360,16 +360,16 @@ static PetscErrorCode Apply_Multigrid(PC pc, Vec r, Vec z)
   PetscCall(VecZeroEntries(multigrid->r));
   PetscCall(VecScatterBegin(multigrid->scatter, r, multigrid->r, INSERT_VALUES, SCATTER_REVERSE));
   PetscCall(VecScatterEnd(multigrid->scatter, r, multigrid->r, INSERT_VALUES, SCATTER_REVERSE));
-  PetscCall(Cycle_Private(multigrid, multigrid->r, multigrid->z));
+  PetscCall(MultigridCycle_Private(multigrid, multigrid->r, multigrid->z));
   PetscCall(VecScatterBegin(multigrid->scatter, multigrid->z, z, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecScatterEnd(multigrid->scatter, multigrid->z, z, INSERT_VALUES, SCATTER_FORWARD));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Destroy_Private(void *ctx)
+static PetscErrorCode MultigridDestroy_Private(void *ctx)
 {
   PetscFunctionBeginUser;
-  PetscCall(Clear_Private(ctx));
+  PetscCall(MultigridClear_Private(ctx));
   PetscCall(PetscFree(ctx));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -387,7 +387,7 @@ static PetscErrorCode PCCreate_Multigrid(PC pc)
   PetscCall(PetscNew(&multigrid));
   PetscCall(PetscContainerCreate(PetscObjectComm((PetscObject)pc), &container));
   PetscCall(PetscContainerSetPointer(container, multigrid));
-  PetscCall(PetscContainerSetUserDestroy(container, Destroy_Private));
+  PetscCall(PetscContainerSetUserDestroy(container, MultigridDestroy_Private));
   PetscCall(PetscObjectCompose((PetscObject)pc, CONTEXT, (PetscObject)container));
   PetscCall(PetscContainerDestroy(&container));
   PetscFunctionReturn(PETSC_SUCCESS);

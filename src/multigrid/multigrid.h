@@ -17,7 +17,7 @@ PetscErrorCode MultigridSetHierarchy(PC pc, Hierarchy hierarchy, PetscInt finest
 PetscErrorCode MultigridSetFree(PC pc, Vec free);
 /* Takes shorter steps in smoothing on all levels, for who has found a cycle indefinite: estimates of the largest eigenvalues come from inside, and may
    be too small. Collective. */
-PetscErrorCode MultigridSmoothShorter(PC pc);
+PetscErrorCode MultigridShortenSteps(PC pc);
 /* A with the rows and columns of held unknowns emptied but for the diagonal, without a copy of it. Borrowed. Not collective. */
 PetscErrorCode MultigridGetOperator(PC pc, Mat *A);
 
@@ -26,9 +26,9 @@ PetscErrorCode MultigridAddWork(PC pc);
 /* What the PC works on. Borrowed. Not collective. */
 PetscErrorCode MultigridGetHierarchy(PC pc, Hierarchy *hierarchy);
 /* |T'K T y| in the norm of diag(A)^-1, supports' reactions and contact forces among them, and y'T'K T y. Collective. */
-PetscErrorCode MultigridForces(PC pc, Vec y, PetscReal *size, PetscReal *energy);
+PetscErrorCode MultigridGetForces(PC pc, Vec y, PetscReal *size, PetscReal *energy);
 /* What cycles tell of the iteration they precondition: forgets it, */
-PetscErrorCode MultigridWatch(PC pc);
+PetscErrorCode MultigridResetError(PC pc);
 /* and e'A e of the last iterate's error e, to the order of magnitude: r'B r of the one before, by the part that the step before that left;
    PETSC_MAX_REAL where no cycle was watched. Not collective. */
 PetscErrorCode MultigridGetError(PC pc, PetscReal *square);

@@ -11,7 +11,7 @@
 #include "multigrid/ghostexchange.h"
 #include "multigrid/nodecoarsening.h"
 
-enum { DIM_MAX = 3, TERMS = POINTS_TERMS };
+enum { DIM_MAX = 3, TERMS = NODE_TERMS };
 
 /* Couplings weaker than this part of the mean of both nodes' own stiffnesses are none. */
 static const PetscReal STRONGER = 0.02;
@@ -23,33 +23,33 @@ static const PetscReal NO_WEIGHT = 1e-8;
 
 /* What there is to choose from. Numbers are those of the halo: nodes of this rank, then others. */
 typedef struct {
-  PetscInt   dim;
-  Halo       halo;
-  PetscInt  *start, *node; /* strong couplings of nodes of this rank [n+1], [start[n]] */
-  PetscReal *x;            /* [n + num][dim] */
-  PetscReal *chosen;       /* 1 or 0, then by one more than the number on the coarser level [n + num] */
-  PetscInt  *seen;         /* by which node of this rank at last [n + num] */
+  PetscInt      dim;
+  GhostExchange ghosts;
+  PetscInt     *start, *node; /* strong couplings of nodes of this rank [n+1], [start[n]] */
+  PetscReal    *x;            /* [n + num][dim] */
+  PetscReal    *chosen;       /* 1 or 0, then by one more than the number on the coarser level [n + num] */
+  PetscInt     *seen;         /* by which node of this rank at last [n + num] */
 } Net;
 
-PetscErrorCode PointsDestroy(Points *points)
+PetscErrorCode NodeCoarseningDestroy(NodeSet *nodes)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscFree(points->x));
-  PetscCall(PetscFree(points->held));
-  PetscCall(PetscFree3(points->count, points->from, points->weight));
+  PetscCall(PetscFree(nodes->x));
+  PetscCall(PetscFree(nodes->fixed));
+  PetscCall(PetscFree3(nodes->count, nodes->from, nodes->weight));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Share_Private(Net *net, const PetscReal x[])
+static PetscErrorCode NodeCoarseningShare_Private(Net *net, const PetscReal x[])
 {
-  const PetscInt all = net->halo.n + net->halo.num;
+  const PetscInt all = net->ghosts.n + net->ghosts.num;
   PetscReal     *along;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(all, &along));
   for (PetscInt k = 0; k < net->dim; k++) {
-    for (PetscInt i = 0; i < net->halo.n; i++) along[i] = x[i * net->dim + k];
-    PetscCall(HaloShare(&net->halo, along));
+    for (PetscInt i = 0; i < net->ghosts.n; i++) along[i] = x[i * net->dim + k];
+    PetscCall(GhostExchangeUpdate(&net->ghosts, along));
     for (PetscInt i = 0; i < all; i++) net->x[i * net->dim + k] = along[i];
   }
   PetscCall(PetscFree(along));
@@ -58,10 +58,10 @@ static PetscErrorCode Share_Private(Net *net, const PetscReal x[])
 
 /* Squares of the blocks of a node's rows. [in,out] at - -1 for every node before and after; [out] node, square - of nodes
    that it is coupled to, itself among them [*num] */
-static PetscErrorCode Squares_Private(const Points *points, const Halo *halo, PetscInt i, PetscInt at[], PetscInt *num,
-                                      PetscInt node[], PetscReal square[])
+static PetscErrorCode NodeCoarseningSquares_Private(const NodeSet *nodes, const GhostExchange *ghosts, PetscInt i,
+                                                    PetscInt at[], PetscInt *num, PetscInt node[], PetscReal square[])
 {
-  const PetscInt dim = points->dim, first = dim * (halo->begin + i);
+  const PetscInt dim = nodes->dim, first = dim * (ghosts->begin + i);
 
   PetscFunctionBeginUser;
   *num = 0;
@@ -70,9 +70,9 @@ static PetscErrorCode Squares_Private(const Points *points, const Halo *halo, Pe
     const PetscInt    *columns;
     const PetscScalar *values;
 
-    PetscCall(MatGetRow(points->A, row, &length, &columns, &values));
+    PetscCall(MatGetRow(nodes->A, row, &length, &columns, &values));
     for (PetscInt c = 0; c < length; c++) {
-      PetscCall(HaloFind(halo, columns[c] / dim, &j));
+      PetscCall(GhostExchangeFind(ghosts, columns[c] / dim, &j));
       if (at[j] < 0) {
         at[j]         = (*num)++;
         node[at[j]]   = j;
@@ -80,24 +80,25 @@ static PetscErrorCode Squares_Private(const Points *points, const Halo *halo, Pe
       }
       square[at[j]] += PetscRealPart(values[c] * values[c]);
     }
-    PetscCall(MatRestoreRow(points->A, row, &length, &columns, &values));
+    PetscCall(MatRestoreRow(nodes->A, row, &length, &columns, &values));
   }
   for (PetscInt k = 0; k < *num; k++) at[node[k]] = -1;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The most entries that the rows of a node have together. */
-static PetscErrorCode Longest_Private(const Points *points, const Halo *halo, PetscInt *longest)
+static PetscErrorCode NodeCoarseningLongest_Private(const NodeSet *nodes, const GhostExchange *ghosts,
+                                                    PetscInt *longest)
 {
   PetscFunctionBeginUser;
   *longest = 0;
-  for (PetscInt i = 0; i < halo->n; i++) {
+  for (PetscInt i = 0; i < ghosts->n; i++) {
     PetscInt sum = 0, length;
 
-    for (PetscInt r = 0; r < points->dim; r++) {
-      PetscCall(MatGetRow(points->A, points->dim * (halo->begin + i) + r, &length, NULL, NULL));
+    for (PetscInt r = 0; r < nodes->dim; r++) {
+      PetscCall(MatGetRow(nodes->A, nodes->dim * (ghosts->begin + i) + r, &length, NULL, NULL));
       sum += length;
-      PetscCall(MatRestoreRow(points->A, points->dim * (halo->begin + i) + r, &length, NULL, NULL));
+      PetscCall(MatRestoreRow(nodes->A, nodes->dim * (ghosts->begin + i) + r, &length, NULL, NULL));
     }
     *longest = PetscMax(*longest, sum);
   }
@@ -105,30 +106,30 @@ static PetscErrorCode Longest_Private(const Points *points, const Halo *halo, Pe
 }
 
 /* Strong couplings. */
-static PetscErrorCode Connect_Private(const Points *points, Net *net)
+static PetscErrorCode NodeCoarseningConnect_Private(const NodeSet *nodes, Net *net)
 {
-  Halo          *halo = &net->halo;
-  const PetscInt all  = halo->n + halo->num;
+  GhostExchange *ghosts = &net->ghosts;
+  const PetscInt all    = ghosts->n + ghosts->num;
   PetscInt       longest, num, max = 0, *at, *node;
   PetscReal     *square, *own;
 
   PetscFunctionBeginUser;
-  PetscCall(Longest_Private(points, halo, &longest));
+  PetscCall(NodeCoarseningLongest_Private(nodes, ghosts, &longest));
   PetscCall(PetscMalloc4(longest, &node, longest, &square, all, &own, all, &at));
-  PetscCall(PetscMalloc1(halo->n + 1, &net->start));
+  PetscCall(PetscMalloc1(ghosts->n + 1, &net->start));
   for (PetscInt i = 0; i < all; i++) at[i] = -1;
-  for (PetscInt i = 0; i < halo->n; i++) {
+  for (PetscInt i = 0; i < ghosts->n; i++) {
     own[i] = 0;
-    PetscCall(Squares_Private(points, halo, i, at, &num, node, square));
+    PetscCall(NodeCoarseningSquares_Private(nodes, ghosts, i, at, &num, node, square));
     for (PetscInt j = 0; j < num; j++)
       if (node[j] == i) own[i] = PetscSqrtReal(square[j]);
   }
-  PetscCall(HaloShare(halo, own));
+  PetscCall(GhostExchangeUpdate(ghosts, own));
   net->start[0] = 0;
-  for (PetscInt i = 0; i < halo->n; i++) {
+  for (PetscInt i = 0; i < ghosts->n; i++) {
     PetscInt end = net->start[i];
 
-    PetscCall(Squares_Private(points, halo, i, at, &num, node, square));
+    PetscCall(NodeCoarseningSquares_Private(nodes, ghosts, i, at, &num, node, square));
     if (end + num > max) {
       max = 2 * (end + num);
       PetscCall(PetscRealloc(max * sizeof(PetscInt), &net->node));
@@ -142,7 +143,7 @@ static PetscErrorCode Connect_Private(const Points *points, Net *net)
 }
 
 /* 0 inside of a body, the largest number for nodes in corners and such as have no couplings. */
-static PetscInt Kind_Private(const Net *net, PetscInt i)
+static PetscInt NodeCoarseningGetKind_Private(const Net *net, PetscInt i)
 {
   const PetscInt dim = net->dim, num = net->start[i + 1] - net->start[i];
   PetscReal      sum[DIM_MAX] = {0}, size = 0;
@@ -164,16 +165,16 @@ static PetscInt Kind_Private(const Net *net, PetscInt i)
 }
 
 /* Nodes far from each other, whatever juts out first. */
-static PetscErrorCode Choose_Private(Net *net)
+static PetscErrorCode NodeCoarseningChoose_Private(Net *net)
 {
-  const PetscInt n = net->halo.n;
+  const PetscInt n = net->ghosts.n;
   PetscInt      *kind;
   PetscBool     *near;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(n, &kind));
   PetscCall(PetscCalloc1(n, &near));
-  for (PetscInt i = 0; i < n; i++) kind[i] = Kind_Private(net, i);
+  for (PetscInt i = 0; i < n; i++) kind[i] = NodeCoarseningGetKind_Private(net, i);
   for (PetscInt i = 0; i < n; i++) net->chosen[i] = 0;
   for (PetscInt k = KINDS - 1; k >= 0; k--)
     for (PetscInt i = 0; i < n; i++) {
@@ -184,12 +185,13 @@ static PetscErrorCode Choose_Private(Net *net)
     }
   PetscCall(PetscFree(kind));
   PetscCall(PetscFree(near));
-  PetscCall(HaloShare(&net->halo, net->chosen));
+  PetscCall(GhostExchangeUpdate(&net->ghosts, net->chosen));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* One more chosen node to take from, in place of the farthest if there are too many. [in,out] from, d, num */
-static void Take_Private(const Net *net, PetscInt i, PetscInt node, PetscInt *num, PetscInt from[], PetscReal d[])
+static void NodeCoarseningAddCandidate_Private(const Net *net, PetscInt i, PetscInt node, PetscInt *num,
+                                               PetscInt from[], PetscReal d[])
 {
   const PetscInt dim = net->dim;
   PetscInt       at  = *num;
@@ -199,7 +201,7 @@ static void Take_Private(const Net *net, PetscInt i, PetscInt node, PetscInt *nu
   net->seen[node] = i;
   if (net->chosen[node] == 0) return;
   for (PetscInt k = 0; k < dim; k++) own += PetscSqr(net->x[node * dim + k] - net->x[i * dim + k]);
-  for (PetscInt j = 0; j < *num && *num == AFFINE_MOST; j++) {
+  for (PetscInt j = 0; j < *num && *num == BARYCENTRIC_MAX; j++) {
     PetscReal square = 0;
 
     for (PetscInt k = 0; k < dim; k++) square += PetscSqr(d[j * dim + k]);
@@ -207,7 +209,7 @@ static void Take_Private(const Net *net, PetscInt i, PetscInt node, PetscInt *nu
     most = square;
     at   = j;
   }
-  if (at == AFFINE_MOST || (*num == AFFINE_MOST && own >= most)) return;
+  if (at == BARYCENTRIC_MAX || (*num == BARYCENTRIC_MAX && own >= most)) return;
   from[at] = node;
   for (PetscInt k = 0; k < dim; k++) d[at * dim + k] = net->x[node * dim + k] - net->x[i * dim + k];
   if (at == *num) ++*num;
@@ -215,22 +217,23 @@ static void Take_Private(const Net *net, PetscInt i, PetscInt node, PetscInt *nu
 
 /* What a node takes from chosen ones that it is coupled to, or that nodes of this rank are that it is coupled to; itself if this gives no
    linear function. [out] num, from, weight - [TERMS] */
-static void Weigh_Private(Net *net, PetscInt i, PetscInt *num, PetscInt from[], PetscReal weight[])
+static void NodeCoarseningWeigh_Private(Net *net, PetscInt i, PetscInt *num, PetscInt from[], PetscReal weight[])
 {
-  PetscInt  many = 0, near[AFFINE_MOST];
-  PetscReal d[AFFINE_MOST * DIM_MAX], w[AFFINE_MOST];
+  PetscInt  many = 0, near[BARYCENTRIC_MAX];
+  PetscReal d[BARYCENTRIC_MAX * DIM_MAX], w[BARYCENTRIC_MAX];
 
   *num = 0;
   if (net->chosen[i] == 0) {
     net->seen[i] = i;
-    for (PetscInt k = net->start[i]; k < net->start[i + 1]; k++) Take_Private(net, i, net->node[k], &many, near, d);
+    for (PetscInt k = net->start[i]; k < net->start[i + 1]; k++)
+      NodeCoarseningAddCandidate_Private(net, i, net->node[k], &many, near, d);
     for (PetscInt k = net->start[i]; k < net->start[i + 1]; k++) {
       const PetscInt j = net->node[k];
 
-      for (PetscInt q = j < net->halo.n ? net->start[j] : 0; j < net->halo.n && q < net->start[j + 1]; q++)
-        Take_Private(net, i, net->node[q], &many, near, d);
+      for (PetscInt q = j < net->ghosts.n ? net->start[j] : 0; j < net->ghosts.n && q < net->start[j + 1]; q++)
+        NodeCoarseningAddCandidate_Private(net, i, net->node[q], &many, near, d);
     }
-    if (AffineWeights(net->dim, many, d, w)) {
+    if (BarycentricWeights(net->dim, many, d, w)) {
       for (PetscInt j = 0; j < many; j++) {
         if (PetscAbsReal(w[j]) <= NO_WEIGHT) continue;
         from[*num]       = near[j];
@@ -246,78 +249,79 @@ static void Weigh_Private(Net *net, PetscInt i, PetscInt *num, PetscInt from[], 
 }
 
 /* What is known of who takes from whom. [out] count - [n]; [out] from, weight - [n][TERMS] */
-static PetscErrorCode Adopt_Private(const Points *points, Net *net, PetscInt count[], PetscInt from[],
-                                    PetscReal weight[])
+static PetscErrorCode NodeCoarseningAdopt_Private(const NodeSet *nodes, Net *net, PetscInt count[], PetscInt from[],
+                                                  PetscReal weight[])
 {
-  const PetscInt n = net->halo.n;
+  const PetscInt n = net->ghosts.n;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscArraycpy(count, points->count, n));
-  PetscCall(PetscArraycpy(weight, points->weight, n * TERMS));
+  PetscCall(PetscArraycpy(count, nodes->count, n));
+  PetscCall(PetscArraycpy(weight, nodes->weight, n * TERMS));
   for (PetscInt i = 0; i < n; i++) {
     for (PetscInt j = 0; j < count[i]; j++)
-      PetscCall(HaloFind(&net->halo, points->from[i * TERMS + j], &from[i * TERMS + j]));
+      PetscCall(GhostExchangeFind(&net->ghosts, nodes->from[i * TERMS + j], &from[i * TERMS + j]));
     net->chosen[i] = from[i * TERMS] == i ? 1 : 0;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Numbers of chosen nodes, and what they are. [out] coarse; [out] num - chosen on this rank */
-static PetscErrorCode Number_Private(const Points *points, Net *net, Points *coarse, PetscInt *num)
+static PetscErrorCode NodeCoarseningNumber_Private(const NodeSet *nodes, Net *net, NodeSet *coarse, PetscInt *num)
 {
   const PetscInt dim = net->dim;
   PetscInt       end;
 
   PetscFunctionBeginUser;
   *num = 0;
-  for (PetscInt i = 0; i < net->halo.n; i++) *num += net->chosen[i] != 0;
-  PetscCallMPI(MPI_Scan(num, &end, 1, MPIU_INT, MPI_SUM, PetscObjectComm((PetscObject)points->A)));
-  *coarse = (Points){.dim = dim};
+  for (PetscInt i = 0; i < net->ghosts.n; i++) *num += net->chosen[i] != 0;
+  PetscCallMPI(MPI_Scan(num, &end, 1, MPIU_INT, MPI_SUM, PetscObjectComm((PetscObject)nodes->A)));
+  *coarse = (NodeSet){.dim = dim};
   PetscCall(PetscMalloc1(*num * dim, &coarse->x));
-  PetscCall(PetscMalloc1(*num * dim, &coarse->held));
-  for (PetscInt i = 0, c = 0; i < net->halo.n; i++) {
+  PetscCall(PetscMalloc1(*num * dim, &coarse->fixed));
+  for (PetscInt i = 0, c = 0; i < net->ghosts.n; i++) {
     if (net->chosen[i] == 0) continue;
-    PetscCall(PetscArraycpy(&coarse->x[c * dim], &points->x[i * dim], dim));
-    PetscCall(PetscArraycpy(&coarse->held[c * dim], &points->held[i * dim], dim));
+    PetscCall(PetscArraycpy(&coarse->x[c * dim], &nodes->x[i * dim], dim));
+    PetscCall(PetscArraycpy(&coarse->fixed[c * dim], &nodes->fixed[i * dim], dim));
     net->chosen[i] = (PetscReal)(end - *num + ++c);
   }
-  PetscCall(HaloShare(&net->halo, net->chosen));
+  PetscCall(GhostExchangeUpdate(&net->ghosts, net->chosen));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Which components of nodes are held: bit by bit. [out] held - [n + num] */
-static PetscErrorCode ShareHeld_Private(const Points *points, Net *net, PetscReal held[])
+static PetscErrorCode NodeCoarseningShareHeld_Private(const NodeSet *nodes, Net *net, PetscReal fixed[])
 {
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < net->halo.n; i++) {
+  for (PetscInt i = 0; i < net->ghosts.n; i++) {
     PetscInt bits = 0;
 
-    for (PetscInt k = 0; k < net->dim; k++) bits |= points->held[i * net->dim + k] ? 1 << k : 0;
-    held[i] = (PetscReal)bits;
+    for (PetscInt k = 0; k < net->dim; k++) bits |= nodes->fixed[i * net->dim + k] ? 1 << k : 0;
+    fixed[i] = (PetscReal)bits;
   }
-  PetscCall(HaloShare(&net->halo, held));
+  PetscCall(GhostExchangeUpdate(&net->ghosts, fixed));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* P of what nodes take from each other. [in] count - [n]; [in] from, weight - [n][TERMS]; [in] num - chosen on this rank */
-static PetscErrorCode CreateP_Private(const Points *points, Net *net, const PetscInt count[], const PetscInt from[],
-                                      const PetscReal weight[], PetscInt num, Mat *P)
+static PetscErrorCode NodeCoarseningCreateP_Private(const NodeSet *nodes, Net *net, const PetscInt count[],
+                                                    const PetscInt from[], const PetscReal weight[], PetscInt num,
+                                                    Mat *P)
 {
-  const PetscInt dim = net->dim, n = net->halo.n;
+  const PetscInt dim = net->dim, n = net->ghosts.n;
   PetscInt      *start, *column, at = 0;
   PetscScalar   *value;
-  PetscReal     *held;
+  PetscReal     *fixed;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(n + net->halo.num, &held));
-  PetscCall(ShareHeld_Private(points, net, held));
+  PetscCall(PetscMalloc1(n + net->ghosts.num, &fixed));
+  PetscCall(NodeCoarseningShareHeld_Private(nodes, net, fixed));
   PetscCall(PetscMalloc3(dim * n + 1, &start, dim * n * TERMS, &column, dim * n * TERMS, &value));
   start[0] = 0;
   for (PetscInt i = 0; i < n; i++) {
     for (PetscInt k = 0; k < dim; k++) {
       for (PetscInt j = 0; j < count[i]; j++) { // zeros as well: there is to be a diagonal
         const PetscInt  other = from[i * TERMS + j];
-        const PetscBool stays = (PetscBool)(((PetscInt)held[i] | (PetscInt)held[other]) >> k & 1);
+        const PetscBool stays = (PetscBool)(((PetscInt)fixed[i] | (PetscInt)fixed[other]) >> k & 1);
 
         column[at]  = dim * ((PetscInt)net->chosen[other] - 1) + k;
         value[at++] = stays ? 0 : weight[i * TERMS + j];
@@ -325,43 +329,44 @@ static PetscErrorCode CreateP_Private(const Points *points, Net *net, const Pets
       start[dim * i + k + 1] = at;
     }
   }
-  PetscCall(MatCreate(PetscObjectComm((PetscObject)points->A), P));
+  PetscCall(MatCreate(PetscObjectComm((PetscObject)nodes->A), P));
   PetscCall(MatSetSizes(*P, dim * n, dim * num, PETSC_DETERMINE, PETSC_DETERMINE));
   PetscCall(MatSetType(*P, MATAIJ));
   PetscCall(MatSeqAIJSetPreallocationCSR(*P, start, column, value)); // one of the two does nothing
   PetscCall(MatMPIAIJSetPreallocationCSR(*P, start, column, value));
   PetscCall(PetscFree3(start, column, value));
-  PetscCall(PetscFree(held));
+  PetscCall(PetscFree(fixed));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PointsCoarsen(const Points *points, Mat *P, Points *coarse)
+PetscErrorCode NodeCoarseningApply(const NodeSet *nodes, Mat *P, NodeSet *coarse)
 {
-  Net        net = {.dim = points->dim};
+  Net        net = {.dim = nodes->dim};
   PetscInt   n, all, num, *count, *from;
   PetscReal *weight;
 
   PetscFunctionBeginUser;
-  PetscCall(HaloCreate(points->A, net.dim, &net.halo));
-  n   = net.halo.n;
-  all = n + net.halo.num;
+  PetscCall(GhostExchangeCreate(nodes->A, net.dim, &net.ghosts));
+  n   = net.ghosts.n;
+  all = n + net.ghosts.num;
   PetscCall(PetscMalloc3(all * net.dim, &net.x, all, &net.chosen, all, &net.seen));
   PetscCall(PetscMalloc3(n, &count, n * TERMS, &from, n * TERMS, &weight));
   for (PetscInt i = 0; i < all; i++) net.seen[i] = -1;
-  PetscCall(Share_Private(&net, points->x));
-  if (points->count) {
-    PetscCall(Adopt_Private(points, &net, count, from, weight));
+  PetscCall(NodeCoarseningShare_Private(&net, nodes->x));
+  if (nodes->count) {
+    PetscCall(NodeCoarseningAdopt_Private(nodes, &net, count, from, weight));
   } else {
-    PetscCall(Connect_Private(points, &net));
-    PetscCall(Choose_Private(&net));
-    for (PetscInt i = 0; i < n; i++) Weigh_Private(&net, i, &count[i], &from[i * TERMS], &weight[i * TERMS]);
+    PetscCall(NodeCoarseningConnect_Private(nodes, &net));
+    PetscCall(NodeCoarseningChoose_Private(&net));
+    for (PetscInt i = 0; i < n; i++)
+      NodeCoarseningWeigh_Private(&net, i, &count[i], &from[i * TERMS], &weight[i * TERMS]);
   }
-  PetscCall(Number_Private(points, &net, coarse, &num));
-  PetscCall(CreateP_Private(points, &net, count, from, weight, num, P));
+  PetscCall(NodeCoarseningNumber_Private(nodes, &net, coarse, &num));
+  PetscCall(NodeCoarseningCreateP_Private(nodes, &net, count, from, weight, num, P));
   PetscCall(PetscFree3(count, from, weight));
   PetscCall(PetscFree3(net.x, net.chosen, net.seen));
   PetscCall(PetscFree(net.start));
   PetscCall(PetscFree(net.node));
-  PetscCall(HaloDestroy(&net.halo));
+  PetscCall(GhostExchangeDestroy(&net.ghosts));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -12,22 +12,22 @@
 /* A coarse unknown that is left with no more than this part of what it moves, in squares, is none. */
 static const PetscReal NEXT_TO_NOTHING = 1e-2;
 
-PetscErrorCode AlgebraicBegin(const Operator *op, NodeTable *table, Points *points)
+PetscErrorCode NodeLevelsBegin(const Operator *op, NodeTable *table, NodeSet *nodes)
 {
   PetscInt n;
 
   PetscFunctionBeginUser;
-  *points = (Points){.A = op->K, .dim = op->dim, .count = table->count, .from = table->from, .weight = table->weight};
-  *table  = (NodeTable){.count = NULL};
+  *nodes = (NodeSet){.A = op->K, .dim = op->dim, .count = table->count, .from = table->from, .weight = table->weight};
+  *table = (NodeTable){.count = NULL};
   PetscCall(MatGetLocalSize(op->K, &n, NULL));
-  PetscCall(PetscMalloc1(n, &points->x));
-  PetscCall(PetscArraycpy(points->x, op->coords, n));
-  PetscCall(PetscCalloc1(n, &points->held));
-  PetscCall(OperatorMarkFixedDisplacements(op, points->held));
+  PetscCall(PetscMalloc1(n, &nodes->x));
+  PetscCall(PetscArraycpy(nodes->x, op->coords, n));
+  PetscCall(PetscCalloc1(n, &nodes->fixed));
+  PetscCall(OperatorMarkFixedDisplacements(op, nodes->fixed));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode AlgebraicWeigh(Mat P, Vec open, Vec *weight)
+PetscErrorCode NodeLevelsSumSquares(Mat P, Vec open, Vec *weight)
 {
   const PetscScalar *o = NULL;
   PetscInt           begin, end;
@@ -54,7 +54,7 @@ PetscErrorCode AlgebraicWeigh(Mat P, Vec open, Vec *weight)
 
 /* Coarse unknowns that move nothing, or next to nothing but what is eliminated. [in] P - whole; [in] open - 0 where eliminated; [in,out] held; [out] keep -
    1 for all that are left */
-static PetscErrorCode Drop_Private(Mat P, Vec open, PetscBool held[], Vec *keep)
+static PetscErrorCode NodeLevelsDrop_Private(Mat P, Vec open, PetscBool fixed[], Vec *keep)
 {
   const PetscScalar *w, *left;
   PetscScalar       *k;
@@ -62,16 +62,16 @@ static PetscErrorCode Drop_Private(Mat P, Vec open, PetscBool held[], Vec *keep)
   Vec                weight[2];
 
   PetscFunctionBeginUser;
-  PetscCall(AlgebraicWeigh(P, NULL, &weight[0]));
-  PetscCall(AlgebraicWeigh(P, open, &weight[1]));
+  PetscCall(NodeLevelsSumSquares(P, NULL, &weight[0]));
+  PetscCall(NodeLevelsSumSquares(P, open, &weight[1]));
   PetscCall(VecDuplicate(weight[0], keep));
   PetscCall(VecGetLocalSize(*keep, &n));
   PetscCall(VecGetArrayRead(weight[0], &w));
   PetscCall(VecGetArrayRead(weight[1], &left));
   PetscCall(VecGetArrayWrite(*keep, &k));
   for (PetscInt i = 0; i < n; i++) {
-    held[i] = (PetscBool)(held[i] || PetscRealPart(left[i]) <= NEXT_TO_NOTHING * PetscRealPart(w[i]));
-    k[i]    = held[i] ? 0 : 1;
+    fixed[i] = (PetscBool)(fixed[i] || PetscRealPart(left[i]) <= NEXT_TO_NOTHING * PetscRealPart(w[i]));
+    k[i]     = fixed[i] ? 0 : 1;
   }
   PetscCall(VecRestoreArrayWrite(*keep, &k));
   PetscCall(VecRestoreArrayRead(weight[1], &left));
@@ -82,7 +82,7 @@ static PetscErrorCode Drop_Private(Mat P, Vec open, PetscBool held[], Vec *keep)
 }
 
 /* P := T^-1 P */
-static PetscErrorCode MultiplyInverse_Private(const Operator *op, Mat *P)
+static PetscErrorCode NodeLevelsMultiplyInverse_Private(const Operator *op, Mat *P)
 {
   Mat product;
 
@@ -97,17 +97,18 @@ static PetscErrorCode MultiplyInverse_Private(const Operator *op, Mat *P)
 
 /* P := T^-1 P, emptied where unknowns are eliminated, and what that changes in P'A P. [in] was_held - displacements that P was empty for;
    [in,out] held - coarse unknowns; [in,out] P, Ac */
-static PetscErrorCode Truncate_Private(const Operator *op, const PetscBool was_held[], PetscBool held[], Mat *P, Mat Ac)
+static PetscErrorCode NodeLevelsTruncate_Private(const Operator *op, const PetscBool was_held[], PetscBool fixed[],
+                                                 Mat *P, Mat Ac)
 {
-  Mat          product, strip;
+  Mat          product, update;
   Vec          was, is, keep;
   PetscScalar *a;
   PetscInt     n;
 
   PetscFunctionBeginUser;
-  PetscCall(MultiplyInverse_Private(op, P));
+  PetscCall(NodeLevelsMultiplyInverse_Private(op, P));
   PetscCall(OperatorCreateFree(op, &is));
-  PetscCall(Drop_Private(*P, is, held, &keep));
+  PetscCall(NodeLevelsDrop_Private(*P, is, fixed, &keep));
   PetscCall(MatDiagonalScale(*P, NULL, keep));
   PetscCall(MatDiagonalScale(Ac, keep, keep));
   PetscCall(VecDuplicate(is, &was));
@@ -115,12 +116,12 @@ static PetscErrorCode Truncate_Private(const Operator *op, const PetscBool was_h
   PetscCall(VecGetArrayWrite(was, &a));
   for (PetscInt i = 0; i < n; i++) a[i] = was_held[i] ? 0 : 1;
   PetscCall(VecRestoreArrayWrite(was, &a));
-  PetscCall(StripCreate(op, NULL, NULL, was, is, NULL, &strip));
-  PetscCall(StripRestrict(strip, *P, &product));
+  PetscCall(TruncationUpdateCreate(op, NULL, NULL, was, is, NULL, &update));
+  PetscCall(TruncationUpdateRestrict(update, *P, &product));
   PetscCall(MatAXPY(Ac, 1, product, DIFFERENT_NONZERO_PATTERN));
   PetscCall(MatDiagonalScale(*P, is, NULL));
   PetscCall(MatDestroy(&product));
-  PetscCall(MatDestroy(&strip));
+  PetscCall(MatDestroy(&update));
   PetscCall(VecDestroy(&was));
   PetscCall(VecDestroy(&is));
   PetscCall(VecDestroy(&keep));
@@ -128,7 +129,7 @@ static PetscErrorCode Truncate_Private(const Operator *op, const PetscBool was_h
 }
 
 /* 1 on the diagonal of unknowns that do nothing. */
-static PetscErrorCode SetIdle_Private(Mat A, PetscInt num, const PetscInt idle[])
+static PetscErrorCode NodeLevelsSetIdle_Private(Mat A, PetscInt num, const PetscInt idle[])
 {
   PetscInt begin;
 
@@ -140,27 +141,27 @@ static PetscErrorCode SetIdle_Private(Mat A, PetscInt num, const PetscInt idle[]
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode AlgebraicCoarsen(const Operator *fine, Points *points, Mat *P, Operator *coarse)
+PetscErrorCode NodeLevelsCoarsen(const Operator *fine, NodeSet *nodes, Mat *P, Operator *coarse)
 {
-  Points   next;
+  NodeSet  next;
   Mat      Ac;
   PetscInt n, num = 0, *idle;
 
   PetscFunctionBeginUser;
-  PetscCall(PointsCoarsen(points, P, &next));
-  PetscCall(MatPtAP(points->A, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &Ac));
+  PetscCall(NodeCoarseningApply(nodes, P, &next));
+  PetscCall(MatPtAP(nodes->A, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &Ac));
   PetscCall(MatProductClear(Ac)); // it would keep its factors
   PetscCall(MatScale(Ac, 1 / fine->stiffness));
-  if (fine->coords) PetscCall(Truncate_Private(fine, points->held, next.held, P, Ac));
+  if (fine->coords) PetscCall(NodeLevelsTruncate_Private(fine, nodes->fixed, next.fixed, P, Ac));
   PetscCall(MatGetLocalSize(Ac, &n, NULL));
   PetscCall(PetscMalloc1(n, &idle));
   for (PetscInt i = 0; i < n; i++)
-    if (next.held[i]) idle[num++] = i;
-  PetscCall(SetIdle_Private(Ac, num, idle));
+    if (next.fixed[i]) idle[num++] = i;
+  PetscCall(NodeLevelsSetIdle_Private(Ac, num, idle));
   PetscCall(OperatorCreateOfMatrix(Ac, num, idle, coarse));
   PetscCall(MatDestroy(&Ac));
-  PetscCall(PointsDestroy(points));
-  *points   = next;
-  points->A = coarse->K;
+  PetscCall(NodeCoarseningDestroy(nodes));
+  *nodes   = next;
+  nodes->A = coarse->K;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

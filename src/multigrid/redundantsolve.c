@@ -10,80 +10,80 @@ typedef struct {
   PC         pc; /* of it */
   VecScatter all;
   Vec        b, x; /* whole */
-} Everywhere;
+} RedundantSolve;
 
-static PetscErrorCode Release_Private(Everywhere *everywhere)
+static PetscErrorCode RedundantSolveRelease_Private(RedundantSolve *redundant)
 {
   PetscFunctionBeginUser;
-  PetscCall(MatDestroy(&everywhere->whole));
-  PetscCall(VecScatterDestroy(&everywhere->all));
-  PetscCall(VecDestroy(&everywhere->b));
-  PetscCall(VecDestroy(&everywhere->x));
+  PetscCall(MatDestroy(&redundant->whole));
+  PetscCall(VecScatterDestroy(&redundant->all));
+  PetscCall(VecDestroy(&redundant->b));
+  PetscCall(VecDestroy(&redundant->x));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode SetUp_Everywhere(PC pc)
+static PetscErrorCode SetUp_RedundantSolve(PC pc)
 {
-  Everywhere    *everywhere;
-  PCFailedReason failed;
-  PetscMPIInt    size;
-  Mat            A;
-  Vec            x;
+  RedundantSolve *redundant;
+  PCFailedReason  failed;
+  PetscMPIInt     size;
+  Mat             A;
+  Vec             x;
 
   PetscFunctionBeginUser;
-  PetscCall(PCShellGetContext(pc, &everywhere));
-  PetscCall(Release_Private(everywhere));
+  PetscCall(PCShellGetContext(pc, &redundant));
+  PetscCall(RedundantSolveRelease_Private(redundant));
   PetscCall(PCGetOperators(pc, NULL, &A));
   PetscCallMPI(MPI_Comm_size(PetscObjectComm((PetscObject)A), &size));
-  PetscCall(MatCreateRedundantMatrix(A, size, PETSC_COMM_SELF, MAT_INITIAL_MATRIX, &everywhere->whole));
-  PetscCall(MatSetOption(everywhere->whole, MAT_SPD, PETSC_TRUE));
+  PetscCall(MatCreateRedundantMatrix(A, size, PETSC_COMM_SELF, MAT_INITIAL_MATRIX, &redundant->whole));
+  PetscCall(MatSetOption(redundant->whole, MAT_SPD, PETSC_TRUE));
   PetscCall(MatCreateVecs(A, &x, NULL));
-  PetscCall(VecScatterCreateToAll(x, &everywhere->all, &everywhere->b));
-  PetscCall(VecDuplicate(everywhere->b, &everywhere->x));
+  PetscCall(VecScatterCreateToAll(x, &redundant->all, &redundant->b));
+  PetscCall(VecDuplicate(redundant->b, &redundant->x));
   PetscCall(VecDestroy(&x));
-  PetscCall(PCSetOperators(everywhere->pc, everywhere->whole, everywhere->whole));
-  PetscCall(PCSetUp(everywhere->pc));
-  PetscCall(PCGetFailedReason(everywhere->pc, &failed));
+  PetscCall(PCSetOperators(redundant->pc, redundant->whole, redundant->whole));
+  PetscCall(PCSetUp(redundant->pc));
+  PetscCall(PCGetFailedReason(redundant->pc, &failed));
   PetscCall(PCSetFailedReason(pc, failed));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Apply_Everywhere(PC pc, Vec r, Vec z)
+static PetscErrorCode Apply_RedundantSolve(PC pc, Vec r, Vec z)
 {
-  Everywhere        *everywhere;
+  RedundantSolve    *redundant;
   PetscInt           begin, n;
   const PetscScalar *x;
   PetscScalar       *own;
 
   PetscFunctionBeginUser;
-  PetscCall(PCShellGetContext(pc, &everywhere));
-  PetscCall(VecScatterBegin(everywhere->all, r, everywhere->b, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecScatterEnd(everywhere->all, r, everywhere->b, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(PCApply(everywhere->pc, everywhere->b, everywhere->x));
+  PetscCall(PCShellGetContext(pc, &redundant));
+  PetscCall(VecScatterBegin(redundant->all, r, redundant->b, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecScatterEnd(redundant->all, r, redundant->b, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(PCApply(redundant->pc, redundant->b, redundant->x));
   PetscCall(VecGetOwnershipRange(z, &begin, NULL));
   PetscCall(VecGetLocalSize(z, &n));
-  PetscCall(VecGetArrayRead(everywhere->x, &x));
+  PetscCall(VecGetArrayRead(redundant->x, &x));
   PetscCall(VecGetArrayWrite(z, &own));
   PetscCall(PetscArraycpy(own, &x[begin], n));
   PetscCall(VecRestoreArrayWrite(z, &own));
-  PetscCall(VecRestoreArrayRead(everywhere->x, &x));
+  PetscCall(VecRestoreArrayRead(redundant->x, &x));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Destroy_Everywhere(PC pc)
+static PetscErrorCode Destroy_RedundantSolve(PC pc)
 {
-  Everywhere *everywhere;
+  RedundantSolve *redundant;
 
   PetscFunctionBeginUser;
-  PetscCall(PCShellGetContext(pc, &everywhere));
-  PetscCall(Release_Private(everywhere));
-  PetscCall(PCDestroy(&everywhere->pc));
-  PetscCall(PetscFree(everywhere));
+  PetscCall(PCShellGetContext(pc, &redundant));
+  PetscCall(RedundantSolveRelease_Private(redundant));
+  PetscCall(PCDestroy(&redundant->pc));
+  PetscCall(PetscFree(redundant));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The factorisation itself. */
-static PetscErrorCode SetFactor_Private(PC pc)
+static PetscErrorCode RedundantSolveSetFactor_Private(PC pc)
 {
   PetscFunctionBeginUser;
   PetscCall(PCSetType(pc, PCCHOLESKY));
@@ -91,28 +91,28 @@ static PetscErrorCode SetFactor_Private(PC pc)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode EverywhereSetPC(PC pc)
+PetscErrorCode RedundantSolveSetPC(PC pc)
 {
-  Everywhere *everywhere;
-  PetscMPIInt size;
-  const char *prefix;
+  RedundantSolve *redundant;
+  PetscMPIInt     size;
+  const char     *prefix;
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_size(PetscObjectComm((PetscObject)pc), &size));
   if (size == 1) {
-    PetscCall(SetFactor_Private(pc));
+    PetscCall(RedundantSolveSetFactor_Private(pc));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  PetscCall(PetscNew(&everywhere));
-  PetscCall(PCCreate(PETSC_COMM_SELF, &everywhere->pc));
+  PetscCall(PetscNew(&redundant));
+  PetscCall(PCCreate(PETSC_COMM_SELF, &redundant->pc));
   PetscCall(PCGetOptionsPrefix(pc, &prefix));
-  PetscCall(PCSetOptionsPrefix(everywhere->pc, prefix));
-  PetscCall(SetFactor_Private(everywhere->pc));
+  PetscCall(PCSetOptionsPrefix(redundant->pc, prefix));
+  PetscCall(RedundantSolveSetFactor_Private(redundant->pc));
   PetscCall(PCSetType(pc, PCSHELL));
   PetscCall(PCShellSetName(pc, "factors on every rank"));
-  PetscCall(PCShellSetContext(pc, everywhere));
-  PetscCall(PCShellSetSetUp(pc, SetUp_Everywhere));
-  PetscCall(PCShellSetApply(pc, Apply_Everywhere));
-  PetscCall(PCShellSetDestroy(pc, Destroy_Everywhere));
+  PetscCall(PCShellSetContext(pc, redundant));
+  PetscCall(PCShellSetSetUp(pc, SetUp_RedundantSolve));
+  PetscCall(PCShellSetApply(pc, Apply_RedundantSolve));
+  PetscCall(PCShellSetDestroy(pc, Destroy_RedundantSolve));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

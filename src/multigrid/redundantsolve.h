@@ -5,6 +5,6 @@
 #include <petscksp.h>
 
 /* Makes pc, whose matrix is SPD, a factorisation that every rank has by itself; its controls are PETSc's, behind the prefix of pc. Collective. */
-PetscErrorCode EverywhereSetPC(PC pc);
+PetscErrorCode RedundantSolveSetPC(PC pc);
 
 #endif

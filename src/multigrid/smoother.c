@@ -12,6 +12,7 @@
 #include "base/compat.h"
 #include "multigrid/bodysmoother.h"
 #include "multigrid/blocksmoother.h"
+#include "multigrid/graphcomponents.h"
 #include "multigrid/smoother.h"
 
 /* A nonmortar side is stiff where condensing adds so much to the diagonal of what was there; equal sides: 1. */
@@ -19,10 +20,10 @@ static const PetscReal STIFFER = 2;
 
 /* What S_u has of one row of K: couplings within the node's bundle, or the diagonal of a node that is in none.
    [in] label - of nodes, by halo; [out] num - entries; [out] column, value - NULL to count only */
-static PetscErrorCode TakeRow_Private(const Operator *op, const Halo *halo, const PetscReal label[], PetscInt row,
-                                      PetscInt *num, PetscInt column[], PetscScalar value[])
+static PetscErrorCode SmootherGetRow_Private(const Operator *op, const GhostExchange *ghosts, const PetscReal label[],
+                                             PetscInt row, PetscInt *num, PetscInt column[], PetscScalar value[])
 {
-  const PetscInt     dim = op->dim, global = dim * halo->begin + row;
+  const PetscInt     dim = op->dim, global = dim * ghosts->begin + row;
   PetscInt           length, at, others = 0;
   const PetscInt    *columns;
   const PetscScalar *values;
@@ -32,7 +33,7 @@ static PetscErrorCode TakeRow_Private(const Operator *op, const Halo *halo, cons
   PetscCall(MatGetRow(op->K, global, &length, &columns, &values));
   for (PetscInt pass = 0; pass < 2; pass++)
     for (PetscInt j = 0; j < length; j++) {
-      PetscCall(HaloFind(halo, columns[j] / dim, &at));
+      PetscCall(GhostExchangeFind(ghosts, columns[j] / dim, &at));
       if (label[at] != label[row / dim]) continue;
       if (!pass) others += at != row / dim;
       if (!pass || (!others && columns[j] != global)) continue;
@@ -45,9 +46,10 @@ static PetscErrorCode TakeRow_Private(const Operator *op, const Halo *halo, cons
 }
 
 /* S_u. [in] label - of nodes, by halo */
-static PetscErrorCode CreateBundled_Private(const Operator *op, const Halo *halo, const PetscReal label[], Mat *S)
+static PetscErrorCode SmootherCreateBlocks_Private(const Operator *op, const GhostExchange *ghosts,
+                                                   const PetscReal label[], Mat *S)
 {
-  const PetscInt n = op->dim * halo->n;
+  const PetscInt n = op->dim * ghosts->n;
   PetscInt      *start, *column, num;
   PetscScalar   *value;
 
@@ -55,12 +57,12 @@ static PetscErrorCode CreateBundled_Private(const Operator *op, const Halo *halo
   PetscCall(PetscMalloc1(n + 1, &start));
   start[0] = 0;
   for (PetscInt i = 0; i < n; i++) {
-    PetscCall(TakeRow_Private(op, halo, label, i, &num, NULL, NULL));
+    PetscCall(SmootherGetRow_Private(op, ghosts, label, i, &num, NULL, NULL));
     start[i + 1] = start[i] + num;
   }
   PetscCall(PetscMalloc2(start[n], &column, start[n], &value));
   for (PetscInt i = 0; i < n; i++)
-    PetscCall(TakeRow_Private(op, halo, label, i, &num, &column[start[i]], &value[start[i]]));
+    PetscCall(SmootherGetRow_Private(op, ghosts, label, i, &num, &column[start[i]], &value[start[i]]));
   PetscCall(MatCreate(PetscObjectComm((PetscObject)op->K), S));
   PetscCall(MatSetSizes(*S, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
   PetscCall(MatSetBlockSize(*S, op->dim));
@@ -73,7 +75,7 @@ static PetscErrorCode CreateBundled_Private(const Operator *op, const Halo *halo
 }
 
 /* Whether a nonmortar side of this rank weighs on a mortar side that is much softer. */
-static PetscErrorCode Weighs_Private(const Operator *op, PetscBool *weighs)
+static PetscErrorCode SmootherFindStiffSide_Private(const Operator *op, PetscBool *weighs)
 {
   PetscInt           n;
   const PetscScalar *z, *k;
@@ -101,7 +103,7 @@ static PetscErrorCode Weighs_Private(const Operator *op, PetscBool *weighs)
 }
 
 /* S with what condensing adds to the diagonal. */
-static PetscErrorCode AddDiagonal_Private(const Operator *op, Mat S)
+static PetscErrorCode SmootherAddDiagonal_Private(const Operator *op, Mat S)
 {
   Vec more, zero;
 
@@ -118,7 +120,7 @@ static PetscErrorCode AddDiagonal_Private(const Operator *op, Mat S)
 
 /* T'S T without eliminated unknowns; not where it would be a dense matrix, since few nodes of one side face very many of the other.
    [in,out] S */
-static PetscErrorCode Condense_Private(const Operator *op, Mat *S)
+static PetscErrorCode SmootherCondense_Private(const Operator *op, Mat *S)
 {
   Mat      product;
   MatInfo  mine, whole;
@@ -132,7 +134,7 @@ static PetscErrorCode Condense_Private(const Operator *op, Mat *S)
     PetscCall(MatGetInfo(op->K, MAT_GLOBAL_SUM, &whole));
     if (mine.nz_used > whole.nz_used) {
       PetscCall(MatDestroy(&product));
-      PetscCall(AddDiagonal_Private(op, *S));
+      PetscCall(SmootherAddDiagonal_Private(op, *S));
     } else {
       PetscCall(MatDestroy(S));
       *S = product;
@@ -149,24 +151,143 @@ static PetscErrorCode Condense_Private(const Operator *op, Mat *S)
 
 PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool single, Mat *S)
 {
-  PetscReal *label;
-  PetscBool  weighs, found;
-  Halo       halo;
+  PetscReal    *label;
+  PetscBool     weighs, found;
+  GhostExchange ghosts;
 
   PetscFunctionBeginUser;
   *S = NULL;
-  PetscCall(Weighs_Private(op, &weighs));
+  PetscCall(SmootherFindStiffSide_Private(op, &weighs));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &weighs, 1, MPIU_BOOL, MPI_LOR, PetscObjectComm((PetscObject)op->K)));
-  PetscCall(HaloCreate(op->K, op->dim, &halo));
-  PetscCall(PetscMalloc1(halo.n + halo.num, &label));
-  PetscCall(BundlesFind(op, &halo, (PetscBool)(weighs && !finest), label, &found));
+  PetscCall(GhostExchangeCreate(op->K, op->dim, &ghosts));
+  PetscCall(PetscMalloc1(ghosts.n + ghosts.num, &label));
+  PetscCall(BlockSmootherLabel(op, &ghosts, (PetscBool)(weighs && !finest), label, &found));
   if (found) {
-    PetscCall(CreateBundled_Private(op, &halo, label, S));
-    PetscCall(Condense_Private(op, S));
+    PetscCall(SmootherCreateBlocks_Private(op, &ghosts, label, S));
+    PetscCall(SmootherCondense_Private(op, S));
   } else if (finest && op->T && (weighs || single)) {
-    PetscCall(ApartCreate(op, S));
+    PetscCall(BodySmootherCreate(op, S));
   }
   PetscCall(PetscFree(label));
-  PetscCall(HaloDestroy(&halo));
+  PetscCall(GhostExchangeDestroy(&ghosts));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SmootherSetFixed(Mat from, Mat change, PetscInt num, const PetscInt fixed[], Mat *S)
+{
+  PetscInt  begin, *rows;
+  PetscBool apart;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatDestroy(S));
+  if (!from) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(BodySmootherIs(from, &apart));
+  if (apart) {
+    PetscCall(BodySmootherSetFixed(from, num, fixed));
+    PetscCall(PetscObjectReference((PetscObject)from));
+    *S = from;
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(MatDuplicate(from, MAT_COPY_VALUES, S));
+  if (change) PetscCall(MatAXPY(*S, 1, change, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(MatGetOwnershipRange(*S, &begin, NULL));
+  PetscCall(PetscMalloc1(num, &rows));
+  for (PetscInt i = 0; i < num; i++) rows[i] = begin + fixed[i];
+  PetscCall(MatZeroRowsColumns(*S, num, rows, 1, NULL, NULL));
+  PetscCall(PetscFree(rows));
+  PetscCall(MatSetOption(*S, MAT_SPD, PETSC_TRUE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SmootherScale(Mat S, PetscReal factor)
+{
+  PetscBool apart;
+
+  PetscFunctionBeginUser;
+  PetscCall(BodySmootherIs(S, &apart));
+  PetscCall(MatScale(S, apart ? 1 / factor : factor));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Bundles that ranks cut are solved for by one of them. */
+static PetscErrorCode SmootherSetSubdomains_Private(PC pc, Mat S)
+{
+  IS rows;
+
+  PetscFunctionBeginUser;
+  PetscCall(PCSetType(pc, PCASM));
+  PetscCall(PCASMSetType(pc, PC_ASM_BASIC));
+  PetscCall(PCASMSetOverlap(pc, 0));
+  PetscCall(GraphComponentsGather(S, &rows));
+  PetscCall(PCASMSetLocalSubdomains(pc, 1, &rows, &rows));
+  PetscCall(ISDestroy(&rows));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Factors of planes have dense parts, which is what CHOLMOD is fast with; those of lines are as sparse as themselves, and cost the same with
+   anything. To a rank without rows CHOLMOD would say that it is an error. */
+static PetscErrorCode SmootherConfigureFactor_Private(KSP ksp)
+{
+  PetscInt  n;
+  PetscBool available;
+  Mat       S;
+  PC        pc;
+
+  PetscFunctionBeginUser;
+  PetscCall(KSPGetOperators(ksp, NULL, &S));
+  PetscCall(KSPSetType(ksp, KSPPREONLY));
+  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(PCSetType(pc, PCNONE)); // forgets the package: where there were rows there may be none now
+  PetscCall(PCSetType(pc, PCCHOLESKY));
+  PetscCall(MatGetFactorAvailable(S, MATSOLVERCHOLMOD, MAT_FACTOR_CHOLESKY, &available));
+  PetscCall(MatGetSize(S, &n, NULL));
+  available = (PetscBool)(available && n > 0);
+  if (available) PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERCHOLMOD));
+  PetscCall(PCFactorSetMatOrderingType(pc, available ? MATORDERINGEXTERNAL : MATORDERINGQMD));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SmootherSetPC(PC pc, Mat S)
+{
+  PetscMPIInt size;
+  PetscBool   apart = PETSC_FALSE;
+  KSP        *own;
+
+  PetscFunctionBeginUser;
+  if (S) PetscCall(BodySmootherIs(S, &apart));
+  if (!S || apart) {
+    PetscCall(PCSetType(pc, apart ? PCMAT : PCJACOBI));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCallMPI(MPI_Comm_size(PetscObjectComm((PetscObject)S), &size));
+  if (size > 1) {
+    PetscCall(SmootherSetSubdomains_Private(pc, S));
+    PetscCall(PCSetUp(pc));
+    PetscCall(PCASMGetSubKSP(pc, NULL, NULL, &own));
+  } else {
+    PetscCall(PCSetType(pc, PCBJACOBI));
+    PetscCall(PCSetUp(pc));
+    PetscCall(PCBJacobiGetSubKSP(pc, NULL, NULL, &own));
+  }
+  PetscCall(SmootherConfigureFactor_Private(own[0]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SmootherRenew(PC pc)
+{
+  Mat       A, S;
+  PetscBool dealt;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCASM, &dealt));
+  if (!dealt) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PCGetOperators(pc, &A, &S));
+  PetscCall(PetscObjectReference((PetscObject)A));
+  PetscCall(PetscObjectReference((PetscObject)S));
+  PetscCall(PCReset(pc));
+  PetscCall(PCSetOperators(pc, A, S));
+  PetscCall(SmootherSetPC(pc, S));
+  PetscCall(MatDestroy(&A));
+  PetscCall(MatDestroy(&S));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -12,7 +12,7 @@ PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool si
 PetscErrorCode SmootherScale(Mat S, PetscReal factor);
 /* S where unknowns are held: S >= A by eigenvalues remains so. Collective. [in] from - with none held, or NULL; [in] change - of A, or NULL;
    [in] num, held - unknowns counted from this rank's first; [in,out] S - is replaced, owned by the caller; NULL like `from` */
-PetscErrorCode SmootherHold(Mat from, Mat change, PetscInt num, const PetscInt held[], Mat *S);
+PetscErrorCode SmootherSetFixed(Mat from, Mat change, PetscInt num, const PetscInt fixed[], Mat *S);
 /* Makes pc, whose second operator S is, its inverse, whole however ranks cut it; the point smoother for no S. Collective. [in] S - or NULL */
 PetscErrorCode SmootherSetPC(PC pc, Mat S);
 /* To be called when pc, made by SmootherSetPC(), has been given another S. Collective. */

@@ -9,66 +9,67 @@ typedef struct {
   PetscReal  share, *work;
   Vec        x, y;    /* on all unknowns */
   VecScatter scatter; /* from there to those of the part; NULL of the whole */
-} Excerpt;
+} Submatrix;
 
-static PetscErrorCode Mult_Excerpt(Mat M, Vec x, Vec y)
+static PetscErrorCode Mult_Submatrix(Mat M, Vec x, Vec y)
 {
-  Excerpt *excerpt;
+  Submatrix *sub;
 
   PetscFunctionBeginUser;
-  PetscCall(MatShellGetContext(M, &excerpt));
-  *excerpt->work += excerpt->share;
-  if (!excerpt->scatter) {
-    PetscCall(MatMult(excerpt->A, x, y));
+  PetscCall(MatShellGetContext(M, &sub));
+  *sub->work += sub->share;
+  if (!sub->scatter) {
+    PetscCall(MatMult(sub->A, x, y));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  PetscCall(VecZeroEntries(excerpt->x));
-  PetscCall(VecScatterBegin(excerpt->scatter, x, excerpt->x, INSERT_VALUES, SCATTER_REVERSE));
-  PetscCall(VecScatterEnd(excerpt->scatter, x, excerpt->x, INSERT_VALUES, SCATTER_REVERSE));
-  PetscCall(MatMult(excerpt->A, excerpt->x, excerpt->y));
-  PetscCall(VecScatterBegin(excerpt->scatter, excerpt->y, y, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecScatterEnd(excerpt->scatter, excerpt->y, y, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecZeroEntries(sub->x));
+  PetscCall(VecScatterBegin(sub->scatter, x, sub->x, INSERT_VALUES, SCATTER_REVERSE));
+  PetscCall(VecScatterEnd(sub->scatter, x, sub->x, INSERT_VALUES, SCATTER_REVERSE));
+  PetscCall(MatMult(sub->A, sub->x, sub->y));
+  PetscCall(VecScatterBegin(sub->scatter, sub->y, y, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecScatterEnd(sub->scatter, sub->y, y, INSERT_VALUES, SCATTER_FORWARD));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Destroy_Excerpt(Mat M)
+static PetscErrorCode Destroy_Submatrix(Mat M)
 {
-  Excerpt *excerpt;
+  Submatrix *sub;
 
   PetscFunctionBeginUser;
-  PetscCall(MatShellGetContext(M, &excerpt));
-  PetscCall(MatDestroy(&excerpt->A));
-  PetscCall(VecDestroy(&excerpt->x));
-  PetscCall(VecDestroy(&excerpt->y));
-  PetscCall(VecScatterDestroy(&excerpt->scatter));
-  PetscCall(PetscFree(excerpt));
+  PetscCall(MatShellGetContext(M, &sub));
+  PetscCall(MatDestroy(&sub->A));
+  PetscCall(VecDestroy(&sub->x));
+  PetscCall(VecDestroy(&sub->y));
+  PetscCall(VecScatterDestroy(&sub->scatter));
+  PetscCall(PetscFree(sub));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* [in] n - rows of this rank; [out] M - with a context of A, share and work */
-static PetscErrorCode Create_Private(Mat A, PetscReal share, PetscReal *work, PetscInt n, Excerpt **excerpt, Mat *M)
+static PetscErrorCode SubmatrixCreateShell_Private(Mat A, PetscReal share, PetscReal *work, PetscInt n, Submatrix **sub,
+                                                   Mat *M)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscNew(excerpt));
+  PetscCall(PetscNew(sub));
   PetscCall(PetscObjectReference((PetscObject)A));
-  (*excerpt)->A     = A;
-  (*excerpt)->share = share;
-  (*excerpt)->work  = work;
-  PetscCall(MatCreateShell(PetscObjectComm((PetscObject)A), n, n, PETSC_DETERMINE, PETSC_DETERMINE, *excerpt, M));
-  PetscCall(MatShellSetOperation(*M, MATOP_MULT, (void (*)(void))Mult_Excerpt));
-  PetscCall(MatShellSetOperation(*M, MATOP_MULT_TRANSPOSE, (void (*)(void))Mult_Excerpt));
-  PetscCall(MatShellSetOperation(*M, MATOP_DESTROY, (void (*)(void))Destroy_Excerpt));
+  (*sub)->A     = A;
+  (*sub)->share = share;
+  (*sub)->work  = work;
+  PetscCall(MatCreateShell(PetscObjectComm((PetscObject)A), n, n, PETSC_DETERMINE, PETSC_DETERMINE, *sub, M));
+  PetscCall(MatShellSetOperation(*M, MATOP_MULT, (void (*)(void))Mult_Submatrix));
+  PetscCall(MatShellSetOperation(*M, MATOP_MULT_TRANSPOSE, (void (*)(void))Mult_Submatrix));
+  PetscCall(MatShellSetOperation(*M, MATOP_DESTROY, (void (*)(void))Destroy_Submatrix));
   PetscCall(MatSetOption(*M, MAT_SPD, PETSC_TRUE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Answers MatCreateSubMatrix(). */
-static PetscErrorCode CreateSubMatrix_Excerpt(Mat whole, IS rows, IS columns, MatReuse reuse, Mat *part)
+static PetscErrorCode CreateSubMatrix_Submatrix(Mat whole, IS rows, IS columns, MatReuse reuse, Mat *part)
 {
-  Excerpt  *all, *excerpt;
-  PetscBool same;
-  PetscInt  n;
-  Vec       x;
+  Submatrix *all, *sub;
+  PetscBool  same;
+  PetscInt   n;
+  Vec        x;
 
   PetscFunctionBeginUser;
   PetscCall(ISEqual(rows, columns, &same));
@@ -76,22 +77,22 @@ static PetscErrorCode CreateSubMatrix_Excerpt(Mat whole, IS rows, IS columns, Ma
              "Only new parts with the same rows as columns");
   PetscCall(MatShellGetContext(whole, &all));
   PetscCall(ISGetLocalSize(rows, &n));
-  PetscCall(Create_Private(all->A, all->share, all->work, n, &excerpt, part));
-  PetscCall(MatCreateVecs(all->A, &excerpt->x, &excerpt->y));
+  PetscCall(SubmatrixCreateShell_Private(all->A, all->share, all->work, n, &sub, part));
+  PetscCall(MatCreateVecs(all->A, &sub->x, &sub->y));
   PetscCall(MatCreateVecs(*part, &x, NULL));
-  PetscCall(VecScatterCreate(excerpt->x, rows, x, NULL, &excerpt->scatter));
+  PetscCall(VecScatterCreate(sub->x, rows, x, NULL, &sub->scatter));
   PetscCall(VecDestroy(&x));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ExcerptCreateWhole(Mat A, PetscReal share, PetscReal *work, Mat *whole)
+PetscErrorCode SubmatrixCreateWhole(Mat A, PetscReal share, PetscReal *work, Mat *whole)
 {
-  Excerpt *excerpt;
-  PetscInt n;
+  Submatrix *sub;
+  PetscInt   n;
 
   PetscFunctionBeginUser;
   PetscCall(MatGetLocalSize(A, &n, NULL));
-  PetscCall(Create_Private(A, share, work, n, &excerpt, whole));
-  PetscCall(MatShellSetOperation(*whole, MATOP_CREATE_SUBMATRIX, (void (*)(void))CreateSubMatrix_Excerpt));
+  PetscCall(SubmatrixCreateShell_Private(A, share, work, n, &sub, whole));
+  PetscCall(MatShellSetOperation(*whole, MATOP_CREATE_SUBMATRIX, (void (*)(void))CreateSubMatrix_Submatrix));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

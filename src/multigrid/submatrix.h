@@ -7,6 +7,6 @@
 /* Products with A, counted, in a matrix whose MatCreateSubMatrix() copies nothing: its parts multiply with A, too. Collective.
    [in] A - symmetric; referenced; [in] share - added to *work with every product, of parts as well; [in] work - borrowed for as long as
    they live; [out] whole - owned by the caller */
-PetscErrorCode ExcerptCreateWhole(Mat A, PetscReal share, PetscReal *work, Mat *whole);
+PetscErrorCode SubmatrixCreateWhole(Mat A, PetscReal share, PetscReal *work, Mat *whole);
 
 #endif

@@ -17,7 +17,7 @@ typedef struct {
   PetscScalar       *ghost_state; /* was + 2 is [num_ghosts] */
 } States;
 
-static PetscErrorCode Add_Private(Entries *entries, PetscInt row, PetscInt column, PetscScalar value)
+static PetscErrorCode TruncationUpdateAdd_Private(Entries *entries, PetscInt row, PetscInt column, PetscScalar value)
 {
   PetscFunctionBeginUser;
   if (value == 0) PetscFunctionReturn(PETSC_SUCCESS);
@@ -34,7 +34,7 @@ static PetscErrorCode Add_Private(Entries *entries, PetscInt row, PetscInt colum
 }
 
 /* Collective. [in] X - whose columns are asked for */
-static PetscErrorCode StatesBegin_Private(Mat X, Vec was, Vec is, States *states)
+static PetscErrorCode TruncationUpdateBeginStates_Private(Mat X, Vec was, Vec is, States *states)
 {
   const PetscScalar *a;
   Vec                both, ghosts;
@@ -64,7 +64,7 @@ static PetscErrorCode StatesBegin_Private(Mat X, Vec was, Vec is, States *states
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode StatesEnd_Private(Vec was, Vec is, States *states)
+static PetscErrorCode TruncationUpdateEndStates_Private(Vec was, Vec is, States *states)
 {
   PetscFunctionBeginUser;
   PetscCall(VecRestoreArrayRead(was, &states->was));
@@ -74,7 +74,8 @@ static PetscErrorCode StatesEnd_Private(Vec was, Vec is, States *states)
 }
 
 /* M of one column before and after. */
-static PetscErrorCode StatesGet_Private(const States *states, PetscInt column, PetscBool *was, PetscBool *is)
+static PetscErrorCode TruncationUpdateGetState_Private(const States *states, PetscInt column, PetscBool *was,
+                                                       PetscBool *is)
 {
   PetscInt at, state;
 
@@ -92,12 +93,12 @@ static PetscErrorCode StatesGet_Private(const States *states, PetscInt column, P
 }
 
 /* Adds what a change of M makes of factor * X. */
-static PetscErrorCode AddChanged_Private(Mat X, PetscReal factor, Vec was, Vec is, Entries *entries)
+static PetscErrorCode TruncationUpdateAddChanged_Private(Mat X, PetscReal factor, Vec was, Vec is, Entries *entries)
 {
   States states;
 
   PetscFunctionBeginUser;
-  PetscCall(StatesBegin_Private(X, was, is, &states));
+  PetscCall(TruncationUpdateBeginStates_Private(X, was, is, &states));
   for (PetscInt row = states.begin; row < states.end; row++) {
     const PetscBool row_was = (PetscBool)(states.was[row - states.begin] != 0),
                     row_is  = (PetscBool)(states.is[row - states.begin] != 0);
@@ -111,24 +112,24 @@ static PetscErrorCode AddChanged_Private(Mat X, PetscReal factor, Vec was, Vec i
       PetscBool column_was, column_is;
       PetscReal change;
 
-      PetscCall(StatesGet_Private(&states, columns[j], &column_was, &column_is));
+      PetscCall(TruncationUpdateGetState_Private(&states, columns[j], &column_was, &column_is));
       change = factor * ((row_is && column_is ? 1 : 0) - (row_was && column_was ? 1 : 0));
-      PetscCall(Add_Private(entries, row, columns[j], change * values[j]));
-      if (column_was == column_is) PetscCall(Add_Private(entries, columns[j], row, change * values[j]));
+      PetscCall(TruncationUpdateAdd_Private(entries, row, columns[j], change * values[j]));
+      if (column_was == column_is) PetscCall(TruncationUpdateAdd_Private(entries, columns[j], row, change * values[j]));
     }
     PetscCall(MatRestoreRow(X, row, &num, &columns, &values));
   }
-  PetscCall(StatesEnd_Private(was, is, &states));
+  PetscCall(TruncationUpdateEndStates_Private(was, is, &states));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Adds M X M of a matrix that has little in it. */
-static PetscErrorCode AddAll_Private(Mat X, Vec is, Entries *entries)
+static PetscErrorCode TruncationUpdateAddAll_Private(Mat X, Vec is, Entries *entries)
 {
   States states;
 
   PetscFunctionBeginUser;
-  PetscCall(StatesBegin_Private(X, is, is, &states));
+  PetscCall(TruncationUpdateBeginStates_Private(X, is, is, &states));
   for (PetscInt row = states.begin; row < states.end; row++) {
     PetscInt           num;
     PetscBool          free;
@@ -138,72 +139,72 @@ static PetscErrorCode AddAll_Private(Mat X, Vec is, Entries *entries)
     if (states.is[row - states.begin] == 0) continue;
     PetscCall(MatGetRow(X, row, &num, &columns, &values));
     for (PetscInt j = 0; j < num; j++) {
-      PetscCall(StatesGet_Private(&states, columns[j], &free, &free));
-      if (free) PetscCall(Add_Private(entries, row, columns[j], values[j]));
+      PetscCall(TruncationUpdateGetState_Private(&states, columns[j], &free, &free));
+      if (free) PetscCall(TruncationUpdateAdd_Private(entries, row, columns[j], values[j]));
     }
     PetscCall(MatRestoreRow(X, row, &num, &columns, &values));
   }
-  PetscCall(StatesEnd_Private(is, is, &states));
+  PetscCall(TruncationUpdateEndStates_Private(is, is, &states));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Adds a diagonal. */
-static PetscErrorCode AddDiagonal_Private(Vec springs, Entries *entries)
+static PetscErrorCode TruncationUpdateAddDiagonal_Private(Vec W, Entries *entries)
 {
   const PetscScalar *w;
   PetscInt           begin, end;
 
   PetscFunctionBeginUser;
-  PetscCall(VecGetOwnershipRange(springs, &begin, &end));
-  PetscCall(VecGetArrayRead(springs, &w));
-  for (PetscInt i = begin; i < end; i++) PetscCall(Add_Private(entries, i, i, w[i - begin]));
-  PetscCall(VecRestoreArrayRead(springs, &w));
+  PetscCall(VecGetOwnershipRange(W, &begin, &end));
+  PetscCall(VecGetArrayRead(W, &w));
+  for (PetscInt i = begin; i < end; i++) PetscCall(TruncationUpdateAdd_Private(entries, i, i, w[i - begin]));
+  PetscCall(VecRestoreArrayRead(W, &w));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode StripCreate(const Operator *op, Mat C, Mat dC, Vec was, Vec is, Vec springs, Mat *strip)
+PetscErrorCode TruncationUpdateCreate(const Operator *op, Mat C, Mat dC, Vec was, Vec is, Vec W, Mat *update)
 {
   Entries  entries = {.num = 0};
   PetscInt n, N;
 
   PetscFunctionBeginUser;
-  PetscCall(AddChanged_Private(op->K, 1 / op->stiffness, was, is, &entries));
-  if (op->Z) PetscCall(AddChanged_Private(op->Z, 1, was, is, &entries));
-  if (C) PetscCall(AddChanged_Private(C, 1, was, is, &entries));
-  if (dC) PetscCall(AddAll_Private(dC, is, &entries));
-  if (springs) PetscCall(AddDiagonal_Private(springs, &entries));
+  PetscCall(TruncationUpdateAddChanged_Private(op->K, 1 / op->stiffness, was, is, &entries));
+  if (op->Z) PetscCall(TruncationUpdateAddChanged_Private(op->Z, 1, was, is, &entries));
+  if (C) PetscCall(TruncationUpdateAddChanged_Private(C, 1, was, is, &entries));
+  if (dC) PetscCall(TruncationUpdateAddAll_Private(dC, is, &entries));
+  if (W) PetscCall(TruncationUpdateAddDiagonal_Private(W, &entries));
   PetscCall(MatGetLocalSize(op->K, &n, NULL));
   PetscCall(MatGetSize(op->K, &N, NULL));
-  PetscCall(MatCreate(PetscObjectComm((PetscObject)op->K), strip));
-  PetscCall(MatSetSizes(*strip, n, n, N, N));
-  PetscCall(MatSetType(*strip, MATAIJ));
-  PetscCall(MatSetPreallocationCOO(*strip, entries.num, entries.row, entries.column));
-  PetscCall(MatSetValuesCOO(*strip, entries.value, ADD_VALUES));
+  PetscCall(MatCreate(PetscObjectComm((PetscObject)op->K), update));
+  PetscCall(MatSetSizes(*update, n, n, N, N));
+  PetscCall(MatSetType(*update, MATAIJ));
+  PetscCall(MatSetPreallocationCOO(*update, entries.num, entries.row, entries.column));
+  PetscCall(MatSetValuesCOO(*update, entries.value, ADD_VALUES));
   PetscCall(PetscFree(entries.row));
   PetscCall(PetscFree(entries.column));
   PetscCall(PetscFree(entries.value));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode StripRestrict(Mat strip, Mat P, Mat *product)
+PetscErrorCode TruncationUpdateRestrict(Mat update, Mat P, Mat *product)
 {
   PetscInt begin, end, num = 0, *rows;
   IS       is;
   Mat      small, few;
 
   PetscFunctionBeginUser; /* of mostly empty rows only the others, which are the columns as well */
-  PetscCall(MatGetOwnershipRange(strip, &begin, &end));
+  PetscCall(MatGetOwnershipRange(update, &begin, &end));
   PetscCall(PetscMalloc1(end - begin, &rows));
   for (PetscInt row = begin; row < end; row++) {
     PetscInt n;
 
-    PetscCall(MatGetRow(strip, row, &n, NULL, NULL));
+    PetscCall(MatGetRow(update, row, &n, NULL, NULL));
     if (n) rows[num++] = row;
-    PetscCall(MatRestoreRow(strip, row, &n, NULL, NULL));
+    PetscCall(MatRestoreRow(update, row, &n, NULL, NULL));
   }
-  PetscCall(ISCreateGeneral(PetscObjectComm((PetscObject)strip), num, rows, PETSC_COPY_VALUES, &is));
+  PetscCall(ISCreateGeneral(PetscObjectComm((PetscObject)update), num, rows, PETSC_COPY_VALUES, &is));
   PetscCall(PetscFree(rows));
-  PetscCall(MatCreateSubMatrix(strip, is, is, MAT_INITIAL_MATRIX, &small));
+  PetscCall(MatCreateSubMatrix(update, is, is, MAT_INITIAL_MATRIX, &small));
   PetscCall(MatCreateSubMatrix(P, is, NULL, MAT_INITIAL_MATRIX, &few));
   PetscCall(MatPtAP(small, few, MAT_INITIAL_MATRIX, PETSC_DEFAULT, product));
   PetscCall(MatDestroy(&small));

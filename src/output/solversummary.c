@@ -51,7 +51,7 @@ static void AddDiscretisation_Private(const SummaryInput *in, cJSON *solver)
 }
 
 /* One linear solve, for comparison; null without -measure_linear. */
-static void AddReference_Private(const SolveReport *report, cJSON *solver)
+static void AddReference_Private(const SolverReport *report, cJSON *solver)
 {
   const LinearReference *reference = &report->reference;
   cJSON                 *object;
@@ -68,9 +68,9 @@ static void AddReference_Private(const SolveReport *report, cJSON *solver)
 
 void SolverSummaryAdd(const SummaryInput *in, cJSON *root)
 {
-  const SolveReport *report = in->report;
-  const Certificate *c      = in->certificate;
-  cJSON             *solver = cJSON_AddObjectToObject(root, "solver"), *object;
+  const SolverReport *report = in->report;
+  const Certificate  *c      = in->certificate;
+  cJSON              *solver = cJSON_AddObjectToObject(root, "solver"), *object;
 
   cJSON_AddStringToObject(solver, "type", report->type);
   cJSON_AddStringToObject(solver, "linear", report->linear);
@@ -83,7 +83,7 @@ void SolverSummaryAdd(const SummaryInput *in, cJSON *root)
   } else {
     cJSON_AddNullToObject(solver, "changed");
   }
-  JSONAddInt(solver, "sweeps", report->sweeps);
+  JSONAddInt(solver, "sweeps", report->proximal_steps);
   JSONAddInt(solver, "linear_iterations", report->linear_iterations);
   JSONAddReal(solver, "linear_residual", report->linear_residual);
   JSONAddReal(solver, "work_units", report->work > 0 ? report->work : NAN);

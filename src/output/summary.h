@@ -9,17 +9,17 @@
 
 /* Everything the summary tells of; borrowed parts. */
 typedef struct {
-  Scene              scene;
-  Mesh               mesh;
-  VI                 vi;
-  Solvability        solvability; /* NULL where supports hold all bodies */
-  Fields             fields;      /* NULL where there is no solution */
-  const SolveReport *report;
-  const CrossCheck  *check;
-  const Certificate *certificate;
-  const Errors      *errors;
-  Vec                reactions;
-  PetscBool          solved; /* converged, certified, and not contradicted by a second solver */
+  Scene               scene;
+  Mesh                mesh;
+  VI                  vi;
+  Solvability         solvability; /* NULL where supports hold all bodies */
+  Fields              fields;      /* NULL where there is no solution */
+  const SolverReport *report;
+  const CrossCheck   *check;
+  const Certificate  *certificate;
+  const Errors       *errors;
+  Vec                 reactions;
+  PetscBool           solved; /* converged, certified, and not contradicted by a second solver */
 } SummaryInput;
 
 /* Adds to the warnings all that qualifies the answer, or the refusal. Collective; once for each run. */

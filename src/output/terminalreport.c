@@ -101,7 +101,7 @@ static PetscErrorCode PrintErrors_Private(const SummaryInput *in)
 /* Work of all levels, and what one linear solve costs beside it. */
 static PetscErrorCode PrintCost_Private(const SummaryInput *in)
 {
-  const SolveReport *report = in->report;
+  const SolverReport *report = in->report;
 
   PetscFunctionBeginUser;
   if (report->work > 0) {
@@ -120,9 +120,9 @@ static PetscErrorCode PrintCost_Private(const SummaryInput *in)
 
 static PetscErrorCode Print_Private(const SummaryInput *in)
 {
-  const MPI_Comm     comm   = in->scene->comm;
-  const SolveReport *report = in->report;
-  const Certificate *c      = in->certificate;
+  const MPI_Comm      comm   = in->scene->comm;
+  const SolverReport *report = in->report;
+  const Certificate  *c      = in->certificate;
 
   PetscFunctionBeginUser;
   if (in->scene->title[0]) PetscCall(PetscPrintf(comm, "%s\n", in->scene->title));

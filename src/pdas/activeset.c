@@ -96,7 +96,7 @@ PetscErrorCode ActiveSetReplace(ActiveSet *set, const PetscBool next[], PetscInt
 
 /* What "equal" means now: [0] for values, [1] for forces. Far bounds do not count: a wide gap somewhere must
    not blur the decisions where bodies touch; a negative bound does, since y has to get there. */
-static PetscErrorCode Tolerances_Private(const ActiveSet *set, const ActiveSolution *s, PetscReal tol[2])
+static PetscErrorCode ActiveSetTolerances_Private(const ActiveSet *set, const ActiveSolution *s, PetscReal tol[2])
 {
   const PetscReal tau = PetscMax(TIE, TIE_PER_RESIDUAL * s->eta);
 
@@ -113,9 +113,9 @@ static PetscErrorCode Tolerances_Private(const ActiveSet *set, const ActiveSolut
 }
 
 /* The decision of eq. 10.1 in units of force. One of the two terms is exactly zero, so the sign does not depend on c; the band around zero in which the state
-   stays as it is must scale with c in the same way, to keep that true. [in] tol - of Tolerances_Private() */
-static PetscBool Decide_Private(const ActiveSet *set, const ActiveSolution *s, PetscReal c, const PetscReal tol[2],
-                                PetscInt i)
+   stays as it is must scale with c in the same way, to keep that true. [in] tol - of ActiveSetTolerances_Private() */
+static PetscBool ActiveSetDecide_Private(const ActiveSet *set, const ActiveSolution *s, PetscReal c,
+                                         const PetscReal tol[2], PetscInt i)
 {
   const PetscReal stiffness = c * set->diag[i];
   const PetscReal test      = s->r[i] + stiffness * (s->y[i] - set->upper[i]);
@@ -129,10 +129,10 @@ PetscErrorCode ActiveSetHolds(const ActiveSet *set, const ActiveSolution *s, Pet
   PetscReal tol[2];
 
   PetscFunctionBeginUser;
-  PetscCall(Tolerances_Private(set, s, tol));
+  PetscCall(ActiveSetTolerances_Private(set, s, tol));
   *holds = PETSC_TRUE;
   for (PetscInt i = 0; i < set->n && *holds; i++)
-    *holds = (PetscBool)(Decide_Private(set, s, c, tol, i) == set->active[i]);
+    *holds = (PetscBool)(ActiveSetDecide_Private(set, s, c, tol, i) == set->active[i]);
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, holds, 1, MPIU_BOOL, MPI_LAND, set->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -144,12 +144,12 @@ PetscErrorCode ActiveSetUpdate(ActiveSet *set, const ActiveSolution *s, PetscRea
   PetscBool *next;
 
   PetscFunctionBeginUser;
-  PetscCall(Tolerances_Private(set, s, tol));
+  PetscCall(ActiveSetTolerances_Private(set, s, tol));
   PetscCall(PetscMalloc1(set->n, &next));
   for (PetscInt i = 0; i < set->n; i++) {
     const PetscReal wrong = set->active[i] ? -s->r[i] : set->diag[i] * (s->y[i] - set->upper[i]);
 
-    next[i] = Decide_Private(set, s, c, tol, i);
+    next[i] = ActiveSetDecide_Private(set, s, c, tol, i);
     if (wrong > 0) sum += PetscSqr(wrong);
   }
   PetscCallMPI(MPI_Allreduce(&sum, violation, 1, MPIU_REAL, MPI_SUM, set->comm));
@@ -164,7 +164,7 @@ PetscErrorCode ActiveSetUpdate(ActiveSet *set, const ActiveSolution *s, PetscRea
 }
 
 /* Scrambles 64 bits so that sums of scrambled numbers tell sets apart [2]. */
-static uint64_t Mix_Private(uint64_t z)
+static uint64_t ActiveSetMix_Private(uint64_t z)
 {
   z *= 0x9e3779b97f4a7c15;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
@@ -194,7 +194,7 @@ PetscErrorCode ActiveSetHash(const ActiveSet *set, uint64_t *hash)
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < set->n; i++) {
-    if (set->active[i]) sum += Mix_Private((uint64_t)(set->begin + i + 1));
+    if (set->active[i]) sum += ActiveSetMix_Private((uint64_t)(set->begin + i + 1));
   }
   PetscCallMPI(MPI_Allreduce(&sum, hash, 1, MPI_UINT64_T, MPI_SUM, set->comm));
   PetscFunctionReturn(PETSC_SUCCESS);

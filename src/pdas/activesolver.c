@@ -1,7 +1,7 @@
 /* activesolver.c -- what the two ways to solve for an active set have in common. */
 #include "pdas/pdasimpl.h"
 
-const char *ActiveFailureOfFactor(MatFactorError error)
+const char *ActiveSolverFailureOfFactor(MatFactorError error)
 {
   switch (error) {
   case MAT_FACTOR_NOERROR: return NULL;
@@ -41,7 +41,7 @@ PetscErrorCode ActiveSolverResidual(ActiveSolver solver, const PetscBool fixed[]
   PetscReal          sum = 0;
 
   PetscFunctionBeginUser;
-  PetscCall(ActiveResidual(solver->A, solver->b, y, r));
+  PetscCall(CompensatedResidual(solver->A, solver->b, y, r));
   PetscCall(VecCopy(r, f));
   PetscCall(VecGetLocalSize(f, &n));
   PetscCall(VecGetArray(f, &a));

@@ -12,7 +12,7 @@
 static const PetscReal SPLITTER = 134217729.;
 
 /* x = high + low, each with half the digits. */
-static void Split_Private(PetscReal x, PetscReal *high, PetscReal *low)
+static void CompensatedSplit_Private(PetscReal x, PetscReal *high, PetscReal *low)
 {
   const PetscReal c = SPLITTER * x;
 
@@ -21,13 +21,13 @@ static void Split_Private(PetscReal x, PetscReal *high, PetscReal *low)
 }
 
 /* (sum, rest) -= a y, in which rest gathers what sum cannot hold. */
-static void Subtract_Private(PetscReal a, PetscReal y, PetscReal *sum, PetscReal *rest)
+static void CompensatedSubtract_Private(PetscReal a, PetscReal y, PetscReal *sum, PetscReal *rest)
 {
   const PetscReal product = -a * y;
   PetscReal       ah, al, yh, yl, error, next, part;
 
-  Split_Private(-a, &ah, &al);
-  Split_Private(y, &yh, &yl);
+  CompensatedSplit_Private(-a, &ah, &al);
+  CompensatedSplit_Private(y, &yh, &yl);
   error = al * yl - (((product - ah * yh) - al * yh) - ah * yl);
   next  = *sum + product;
   part  = next - *sum;
@@ -36,7 +36,7 @@ static void Subtract_Private(PetscReal a, PetscReal y, PetscReal *sum, PetscReal
 }
 
 /* (sum, rest)_i -= (A y)_i for all rows of a matrix on one process. [in] y - a value for each column */
-static PetscErrorCode Rows_Private(Mat A, Vec y, PetscReal sum[], PetscReal rest[])
+static PetscErrorCode CompensatedRows_Private(Mat A, Vec y, PetscReal sum[], PetscReal rest[])
 {
   const PetscInt    *ia, *ja;
   const PetscScalar *values, *x;
@@ -50,7 +50,7 @@ static PetscErrorCode Rows_Private(Mat A, Vec y, PetscReal sum[], PetscReal rest
   PetscCall(VecGetArrayRead(y, &x));
   for (PetscInt i = 0; i < n; i++)
     for (PetscInt k = ia[i]; k < ia[i + 1]; k++)
-      Subtract_Private(PetscRealPart(values[k]), PetscRealPart(x[ja[k]]), &sum[i], &rest[i]);
+      CompensatedSubtract_Private(PetscRealPart(values[k]), PetscRealPart(x[ja[k]]), &sum[i], &rest[i]);
   PetscCall(VecRestoreArrayRead(y, &x));
   PetscCall(MatSeqAIJRestoreArrayRead(A, &values));
   PetscCall(MatRestoreRowIJ(A, 0, PETSC_FALSE, PETSC_FALSE, &n, &ia, &ja, &done));
@@ -58,7 +58,7 @@ static PetscErrorCode Rows_Private(Mat A, Vec y, PetscReal sum[], PetscReal rest
 }
 
 /* The entries of y that this process has not, and its rows need, in the order of Ao's columns. [out] others - owned by the caller */
-static PetscErrorCode Others_Private(Mat Ao, const PetscInt columns[], Vec y, Vec *others)
+static PetscErrorCode CompensatedOthers_Private(Mat Ao, const PetscInt columns[], Vec y, Vec *others)
 {
   PetscInt   n;
   IS         from;
@@ -76,7 +76,7 @@ static PetscErrorCode Others_Private(Mat Ao, const PetscInt columns[], Vec y, Ve
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ActiveResidual(Mat A, Vec b, Vec y, Vec r)
+PetscErrorCode CompensatedResidual(Mat A, Vec b, Vec y, Vec r)
 {
   Mat             Ad = A, Ao = NULL;
   const PetscInt *columns;
@@ -101,12 +101,12 @@ PetscErrorCode ActiveResidual(Mat A, Vec b, Vec y, Vec r)
   PetscCall(VecGetArray(r, &sum));
   PetscCall(MatCreateVecs(Ad, &own, NULL));
   PetscCall(VecGetLocalVectorRead(y, own));
-  PetscCall(Rows_Private(Ad, own, sum, rest));
+  PetscCall(CompensatedRows_Private(Ad, own, sum, rest));
   PetscCall(VecRestoreLocalVectorRead(y, own));
   PetscCall(VecDestroy(&own));
   if (Ao) {
-    PetscCall(Others_Private(Ao, columns, y, &others));
-    PetscCall(Rows_Private(Ao, others, sum, rest));
+    PetscCall(CompensatedOthers_Private(Ao, columns, y, &others));
+    PetscCall(CompensatedRows_Private(Ao, others, sum, rest));
     PetscCall(VecDestroy(&others));
   }
   for (PetscInt i = 0; i < n; i++) sum[i] += rest[i];

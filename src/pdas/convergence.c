@@ -17,23 +17,23 @@ static const PetscReal MUCH_SMALLER = 0.1, STALLED = 0.5;
 /* Of rtol, for the energy: what is said of it is an estimate. */
 static const PetscReal PART = 0.02;
 
-PetscErrorCode TruncatedRitz(Truncated *t)
+PetscErrorCode FullSolverUpdateRitz(FullSolver *t)
 {
   PetscReal largest, smallest;
   PetscBool seen;
 
   PetscFunctionBeginUser;
   if (t->direct) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(EigenvalueSeen(t->ksp, &largest, &smallest, &seen));
+  PetscCall(EigenvalueGetRitz(t->ksp, &largest, &smallest, &seen));
   if (seen && smallest > 0 && (t->ritz == 0 || smallest < t->ritz)) t->ritz = smallest;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Whether no free unknown with a bound has a force beside those of fixed ones, or rounding: it would count as pressure or tension. */
-static PetscErrorCode Forceless_Private(ActiveSolver solver, PetscBool *forceless)
+static PetscErrorCode ConvergenceTestForces_Private(ActiveSolver solver, PetscBool *forceless)
 {
   static const PetscReal NO_FORCE = 1e-8;
-  const Truncated       *t        = solver->data;
+  const FullSolver      *t        = solver->data;
   const ActiveSet       *set      = solver->set;
   const PetscScalar     *r;
   PetscReal largest, max[3] = {0, 0, 0}; /* forces of free ones, of fixed ones; the stiffest of free ones */
@@ -49,15 +49,15 @@ static PetscErrorCode Forceless_Private(ActiveSolver solver, PetscBool *forceles
   }
   PetscCall(VecRestoreArrayRead(t->r, &r));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, max, 3, MPIU_REAL, MPI_MAX, set->comm));
-  *forceless =
-      (PetscBool)(max[0] <= PetscMax(PetscMax(NO_FORCE, solver->rtol) * max[1], TRUNCATED_ROUNDING * max[2] * largest));
+  *forceless = (PetscBool)(max[0] <=
+                           PetscMax(PetscMax(NO_FORCE, solver->rtol) * max[1], FULLSOLVER_ROUNDING * max[2] * largest));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* y, its residual and what the bounded unknowns see of them. [in] x - iterate of the KSP */
-static PetscErrorCode Look_Private(ActiveSolver solver, Vec x)
+static PetscErrorCode ConvergenceEvaluate_Private(ActiveSolver solver, Vec x)
 {
-  Truncated       *t        = solver->data;
+  FullSolver      *t        = solver->data;
   ActiveSolution  *solution = t->solution;
   const ActiveSet *set      = solver->set;
   PetscReal        size;
@@ -79,90 +79,92 @@ static PetscErrorCode Look_Private(ActiveSolver solver, Vec x)
 /* What counts in the end. The residual is to be small beside the forces in the bodies: supports that move a body far make a large f of next to
    no force; and the error beside the solution in the norm of energy, since residuals say little of errors that are smooth. What rounding
    leaves is small in any case. */
-static PetscErrorCode Measure_Private(ActiveSolver solver)
+static PetscErrorCode ConvergenceMeasure_Private(ActiveSolver solver)
 {
-  Truncated  *t = solver->data;
+  FullSolver *t = solver->data;
   PetscReal   forces, energy, size = t->solution->eta * t->first;
   PetscScalar square;
 
   PetscFunctionBeginUser;
-  PetscCall(MultigridForces(t->pc, t->y, &forces, &energy));
+  PetscCall(MultigridGetForces(t->pc, t->y, &forces, &energy));
   PetscCall(VecPointwiseMult(t->rest, solver->diag, t->y));
   PetscCall(VecDot(t->rest, t->y, &square));
   t->reference =
-      PetscMax(PetscMin(t->first, forces), TRUNCATED_ROUNDING / solver->rtol * PetscSqrtReal(PetscRealPart(square)));
-  t->energy = PetscMax(energy * PetscSqr(PART * solver->rtol), PetscSqr(TRUNCATED_ROUNDING) * PetscRealPart(square));
+      PetscMax(PetscMin(t->first, forces), FULLSOLVER_ROUNDING / solver->rtol * PetscSqrtReal(PetscRealPart(square)));
+  t->energy = PetscMax(energy * PetscSqr(PART * solver->rtol), PetscSqr(FULLSOLVER_ROUNDING) * PetscRealPart(square));
   t->solution->eta = size / t->reference;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Whether the energy of the error is what it is to be in the end. */
-static PetscErrorCode Settled_Private(Truncated *t, PetscBool *settled)
+static PetscErrorCode ConvergenceTestEnergy_Private(FullSolver *t, PetscBool *settled)
 {
   PetscReal error;
 
   PetscFunctionBeginUser;
   PetscCall(MultigridGetError(t->pc, &error));
-  if (error < PETSC_MAX_REAL) PetscCall(TruncatedRitz(t));
+  if (error < PETSC_MAX_REAL) PetscCall(FullSolverUpdateRitz(t));
   if (t->ritz > 0) error /= t->ritz;
   *settled = (PetscBool)(error <= t->energy);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Whether an iterate is worth a look; where the mesh says when to stop each one is. [out] enough - whether it is to be the last one */
-static PetscErrorCode Due_Private(ActiveSolver solver, PetscInt it, PetscReal norm, PetscBool *due, PetscBool *enough)
+static PetscErrorCode ConvergenceIsDue_Private(ActiveSolver solver, PetscInt it, PetscReal norm, PetscBool *due,
+                                               PetscBool *error_reduction)
 {
-  Truncated      *t      = solver->data;
+  FullSolver     *t      = solver->data;
   const PetscBool last   = (PetscBool)(solver->target <= solver->rtol);
   PetscReal       square = 0;
 
   PetscFunctionBeginUser;
-  *enough = *due = (PetscBool)(norm == 0);
+  *error_reduction = *due = (PetscBool)(norm == 0);
   if (it == 0 || *due) PetscFunctionReturn(PETSC_SUCCESS);
-  if (solver->enough > 0) {
+  if (solver->error_reduction > 0) {
     PetscCall(MultigridGetError(t->pc, &square));
     if (solver->first > 0)
-      *enough = (PetscBool)(square <= solver->enough * solver->first);
+      *error_reduction = (PetscBool)(square <= solver->error_reduction * solver->first);
     else
-      solver->first = solver->gained + square; // all that a first cycle tells is what it began with
-    *due = (PetscBool)(*enough || !solver->patient);
+      solver->first = solver->energy_decrease + square; // all that a first cycle tells is what it began with
+    *due = (PetscBool)(*error_reduction || !solver->all_digits);
   } else {
     *due = (PetscBool)(norm <= t->limit);
-    if (*due && last && t->reference > 0) PetscCall(Settled_Private(t, due));
+    if (*due && last && t->reference > 0) PetscCall(ConvergenceTestEnergy_Private(t, due));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Whether an iterate that has been looked at may be the last one of all. */
-static PetscErrorCode Ends_Private(ActiveSolver solver, PetscBool *ends)
+static PetscErrorCode ConvergenceTestFinal_Private(ActiveSolver solver, PetscBool *ends)
 {
-  Truncated *t = solver->data;
+  FullSolver *t = solver->data;
 
   PetscFunctionBeginUser;
   *ends = PETSC_TRUE;
   if (t->reference == 0) { // later on it is due only where this is so
-    PetscCall(Measure_Private(solver));
-    PetscCall(Settled_Private(t, ends));
+    PetscCall(ConvergenceMeasure_Private(solver));
+    PetscCall(ConvergenceTestEnergy_Private(t, ends));
   }
   if (*ends) *ends = (PetscBool)(t->solution->eta <= solver->target);
-  if (*ends) PetscCall(Forceless_Private(solver, ends));
+  if (*ends) PetscCall(ConvergenceTestForces_Private(solver, ends));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Looks at an iterate. [in] enough - of Due_Private(); [out] stop */
-static PetscErrorCode Consider_Private(ActiveSolver solver, PetscReal norm, PetscBool enough, PetscBool *stop)
+/* Looks at an iterate. [in] enough - of ConvergenceIsDue_Private(); [out] stop */
+static PetscErrorCode ConvergenceTestIterate_Private(ActiveSolver solver, PetscReal norm, PetscBool error_reduction,
+                                                     PetscBool *stop)
 {
-  Truncated      *t        = solver->data;
+  FullSolver     *t        = solver->data;
   ActiveSolution *solution = t->solution;
   PetscBool       last = (PetscBool)(solver->target <= solver->rtol), holds = PETSC_FALSE, good = PETSC_FALSE;
   Vec             x;
 
   PetscFunctionBeginUser;
   PetscCall(KSPBuildSolution(t->ksp, NULL, &x));
-  PetscCall(Look_Private(solver, x));
-  if (solver->enough > 0) {
+  PetscCall(ConvergenceEvaluate_Private(solver, x));
+  if (solver->error_reduction > 0) {
     if (solver->holds) PetscCall((*solver->holds)(solver, solution, &holds));
-    *stop = t->done = (PetscBool)(enough || (solver->holds && !holds));
+    *stop = t->done = (PetscBool)(error_reduction || (solver->holds && !holds));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   if (!last) {
@@ -171,7 +173,7 @@ static PetscErrorCode Consider_Private(ActiveSolver solver, PetscReal norm, Pets
     last = (PetscBool)(holds &&
                        solver->target <= solver->rtol); // and it may be there already, with nothing but rounding left
   }
-  if (last) PetscCall(Ends_Private(solver, &good));
+  if (last) PetscCall(ConvergenceTestFinal_Private(solver, &good));
   *stop = t->done = (PetscBool)(good && (last || !holds));
   if (!good && norm <= MUCH_SMALLER * t->norm) {
     *stop     = (PetscBool)(solution->eta > STALLED * t->before);
@@ -183,13 +185,14 @@ static PetscErrorCode Consider_Private(ActiveSolver solver, PetscReal norm, Pets
 }
 
 /* The KSP's test. [in] ctx - ActiveSolver */
-static PetscErrorCode Test_Private(KSP ksp, PetscInt it, PetscReal norm, KSPConvergedReason *reason, void *ctx)
+static PetscErrorCode ConvergenceTest_Private(KSP ksp, PetscInt it, PetscReal norm, KSPConvergedReason *reason,
+                                              void *ctx)
 {
   ActiveSolver solver = ctx;
-  Truncated   *t      = solver->data;
+  FullSolver  *t      = solver->data;
   Hierarchy    hierarchy;
   PetscInt     max_it;
-  PetscBool    due, enough, stop = PETSC_FALSE;
+  PetscBool    due, error_reduction, stop = PETSC_FALSE;
 
   PetscFunctionBeginUser;
   *reason = KSP_CONVERGED_ITERATING;
@@ -198,8 +201,8 @@ static PetscErrorCode Test_Private(KSP ksp, PetscInt it, PetscReal norm, KSPConv
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(KSPGetTolerances(ksp, NULL, NULL, NULL, &max_it));
-  PetscCall(Due_Private(solver, it, norm, &due, &enough));
-  if (due) PetscCall(Consider_Private(solver, norm, enough, &stop));
+  PetscCall(ConvergenceIsDue_Private(solver, it, norm, &due, &error_reduction));
+  if (due) PetscCall(ConvergenceTestIterate_Private(solver, norm, error_reduction, &stop));
   if (stop || norm == 0) {
     *reason = KSP_CONVERGED_RTOL;
   } else {
@@ -210,16 +213,16 @@ static PetscErrorCode Test_Private(KSP ksp, PetscInt it, PetscReal norm, KSPConv
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode EndingSet(ActiveSolver solver)
+PetscErrorCode ConvergenceSetTest(ActiveSolver solver)
 {
-  Truncated *t = solver->data;
+  FullSolver *t = solver->data;
 
   PetscFunctionBeginUser;
-  PetscCall(KSPSetConvergenceTest(t->ksp, Test_Private, solver, NULL));
+  PetscCall(KSPSetConvergenceTest(t->ksp, ConvergenceTest_Private, solver, NULL));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode EndingUnset(Truncated *t)
+PetscErrorCode ConvergenceUnsetTest(FullSolver *t)
 {
   void *own;
 
@@ -229,13 +232,13 @@ PetscErrorCode EndingUnset(Truncated *t)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode EndingBegin(ActiveSolver solver, PetscReal first, ActiveSolution *solution)
+PetscErrorCode ConvergenceBegin(ActiveSolver solver, PetscReal first, ActiveSolution *solution)
 {
-  Truncated *t = solver->data;
-  PetscReal  norm;
+  FullSolver *t = solver->data;
+  PetscReal   norm;
 
   PetscFunctionBeginUser;
-  PetscCall(MultigridWatch(t->pc));
+  PetscCall(MultigridResetError(t->pc));
   PetscCall(VecNorm(t->f, NORM_2, &norm));
   if (!t->rest) PetscCall(VecDuplicate(t->f, &t->rest));
   t->first     = first;
@@ -248,21 +251,21 @@ PetscErrorCode EndingBegin(ActiveSolver solver, PetscReal first, ActiveSolution 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode EndingFinish(ActiveSolver solver)
+PetscErrorCode ConvergenceFinish(ActiveSolver solver)
 {
-  Truncated *t = solver->data;
+  FullSolver *t = solver->data;
 
   PetscFunctionBeginUser;
-  if (!t->done) PetscCall(Look_Private(solver, t->d));
+  if (!t->done) PetscCall(ConvergenceEvaluate_Private(solver, t->d));
   t->solution = NULL;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode EnoughSet(ActiveSolver solver, PetscReal enough, PetscReal gained)
+PetscErrorCode ConvergenceSetErrorReduction(ActiveSolver solver, PetscReal error_reduction, PetscReal energy_decrease)
 {
   PetscFunctionBeginUser;
-  solver->enough = enough;
-  solver->gained = gained;
-  solver->rtol   = 1;
+  solver->error_reduction = error_reduction;
+  solver->energy_decrease = energy_decrease;
+  solver->rtol            = 1;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -16,8 +16,8 @@ typedef struct {
 } Graph;
 
 /* Appends the blocks that a row leads to and that are not marked with its block yet. [in,out] mark - [blocks of all ranks] */
-static PetscErrorCode AddRow_Private(Mat A, PetscInt row, const PetscBT last, PetscInt mark[], Graph *graph,
-                                     PetscInt *max)
+static PetscErrorCode DissectionAddRow_Private(Mat A, PetscInt row, const PetscBT last, PetscInt mark[], Graph *graph,
+                                               PetscInt *max)
 {
   PetscInt           bs, num;
   const PetscInt    *columns;
@@ -42,7 +42,7 @@ static PetscErrorCode AddRow_Private(Mat A, PetscInt row, const PetscBT last, Pe
 }
 
 /* The rows of this rank. */
-static PetscErrorCode CreateGraph_Private(Mat A, const PetscBT last, Graph *graph)
+static PetscErrorCode DissectionCreateGraph_Private(Mat A, const PetscBT last, Graph *graph)
 {
   PetscInt begin, end, N, bs, max, *mark;
 
@@ -62,7 +62,7 @@ static PetscErrorCode CreateGraph_Private(Mat A, const PetscBT last, Graph *grap
     graph->start[graph->num] = graph->start[graph->num - 1];
     mark[block]              = block; /* METIS wants no edge from a block to itself */
     for (PetscInt row = block * bs; row < (block + 1) * bs; row++) {
-      if (!PetscBTLookup(last, row)) PetscCall(AddRow_Private(A, row, last, mark, graph, &max));
+      if (!PetscBTLookup(last, row)) PetscCall(DissectionAddRow_Private(A, row, last, mark, graph, &max));
     }
   }
   PetscCall(PetscFree(mark));
@@ -70,7 +70,7 @@ static PetscErrorCode CreateGraph_Private(Mat A, const PetscBT last, Graph *grap
 }
 
 /* Puts the ranks' rows together on the first one; its graph takes the place of own. */
-static PetscErrorCode GatherGraph_Private(MPI_Comm comm, Graph *own)
+static PetscErrorCode DissectionGatherGraph_Private(MPI_Comm comm, Graph *own)
 {
   PetscMPIInt  rank, size, counts[2] = {(PetscMPIInt)own->num, (PetscMPIInt)own->start[own->num]};
   PetscMPIInt *all, *num = NULL, *offsets = NULL;
@@ -110,8 +110,8 @@ static PetscErrorCode GatherGraph_Private(MPI_Comm comm, Graph *own)
 }
 
 /* [out] position - as of DissectionOrder() */
-static PetscErrorCode Dissect_Private(const Graph *graph, PetscInt bs, const PetscBT last, PetscInt num,
-                                      const PetscInt C[], PetscInt position[])
+static PetscErrorCode DissectionDissect_Private(const Graph *graph, PetscInt bs, const PetscBT last, PetscInt num,
+                                                const PetscInt C[], PetscInt position[])
 {
   idx_t    n     = (idx_t)graph->num, options[METIS_NOPTIONS], *start, *end, *old, *new;
   PetscInt place = 0;
@@ -148,10 +148,10 @@ PetscErrorCode DissectionOrder(Mat A, PetscInt num, const PetscInt C[], PetscInt
   PetscCall(MatGetBlockSize(A, &bs));
   PetscCall(PetscBTCreate(N, &last));
   for (PetscInt i = 0; i < num; i++) PetscCall(PetscBTSet(last, C[i]));
-  PetscCall(CreateGraph_Private(A, last, &graph));
-  PetscCall(GatherGraph_Private(comm, &graph));
+  PetscCall(DissectionCreateGraph_Private(A, last, &graph));
+  PetscCall(DissectionGatherGraph_Private(comm, &graph));
   PetscCallMPI(MPI_Comm_rank(comm, &rank));
-  if (!rank) PetscCall(Dissect_Private(&graph, bs, last, num, C, position));
+  if (!rank) PetscCall(DissectionDissect_Private(&graph, bs, last, num, C, position));
   PetscCall(PetscFree(graph.start));
   PetscCall(PetscFree(graph.end));
   PetscCall(PetscBTDestroy(&last));

@@ -32,13 +32,13 @@ struct _n_Factor {
   PetscMPIInt    rank, size;
   VecScatter     to_host; /* of right-hand sides and solutions */
   Vec            host;    /* all of them on the first rank, nothing elsewhere */
-  PetscInt
-      *position; /* of every unknown among the pivots, on the first rank; from Analyse_Private() to Forget_Private() */
+  PetscInt *
+      position; /* of every unknown among the pivots, on the first rank; from FactorizationAnalyse_Private() to FactorizationFreeMatrix_Private() */
 };
 
 /* The upper triangle of this rank's rows, counted from 1. Zeros, which fixed unknowns leave, do not count in a dissection; minimum
    degree has been seen to find orders of twice the cost without them. [out] id - its entries are owned by the caller */
-static PetscErrorCode CreateEntries_Private(Mat A, DMUMPS_STRUC_C *id)
+static PetscErrorCode FactorizationCreateEntries_Private(Mat A, DMUMPS_STRUC_C *id)
 {
   const PetscBool skip = (PetscBool)(id->icntl[ICNTL_ORDER - 1] == ORDER_GIVEN);
   PetscInt        begin, end;
@@ -72,7 +72,7 @@ static PetscErrorCode CreateEntries_Private(Mat A, DMUMPS_STRUC_C *id)
 }
 
 /* What PETSc's options say. MUMPS would take another order for one that it does not know. Collective. */
-static PetscErrorCode SetControls_Private(MPI_Comm comm, const char prefix[], DMUMPS_STRUC_C *id)
+static PetscErrorCode FactorizationSetControls_Private(MPI_Comm comm, const char prefix[], DMUMPS_STRUC_C *id)
 {
   char option[64];
 
@@ -96,7 +96,7 @@ static PetscErrorCode SetControls_Private(MPI_Comm comm, const char prefix[], DM
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FactorCheckInfo(MPI_Comm comm, PetscInt info)
+PetscErrorCode FactorizationCheckInfo(MPI_Comm comm, PetscInt info)
 {
   enum { REALS = -5, INTEGERS = -7, ALLOCATION = -13 };
 
@@ -105,7 +105,7 @@ PetscErrorCode FactorCheckInfo(MPI_Comm comm, PetscInt info)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscBool FactorIsShort(PetscInt info)
+PetscBool FactorizationIsShort(PetscInt info)
 {
   enum { INTEGERS = -8, REALS = -9, SEND_BUFFER = -17, RECEIVE_BUFFER = -20 };
 
@@ -113,7 +113,7 @@ PetscBool FactorIsShort(PetscInt info)
 }
 
 /* What INFOG(1) means. */
-static MatFactorError Error_Private(MUMPS_INT info)
+static MatFactorError FactorizationError_Private(MUMPS_INT info)
 {
   enum { STRUCTURE = -6, ZERO_PIVOT = -10, NEGATIVE_PIVOT = -40 };
   static const MUMPS_INT memory[] = {-5, -7, -8, -9, -11, -13, -14, -15, -17, -18, -19, -20};
@@ -128,7 +128,7 @@ static MatFactorError Error_Private(MUMPS_INT info)
 
 /* Factors. MUMPS takes as much workspace as the analysis foretells and ICNTL(14) percent more; where pivots or messages need more than
    that it says so, and is given twice as much again and again. What the system has not got is another matter. Collective. */
-static PetscErrorCode FactorWithRoom_Private(Factor factor)
+static PetscErrorCode FactorizationCompute_Private(Factorization factor)
 {
   DMUMPS_STRUC_C *id = &factor->id;
   PetscMPIInt     room;
@@ -137,7 +137,7 @@ static PetscErrorCode FactorWithRoom_Private(Factor factor)
   id->job = JOB_FACTOR;
   for (int k = 0; k <= MAX_DOUBLED; k++) {
     dmumps_c(id);
-    if (!FactorIsShort(id->infog[0])) break;
+    if (!FactorizationIsShort(id->infog[0])) break;
     room = id->icntl[ICNTL_ROOM - 1];
     PetscCallMPI(MPI_Bcast(&room, 1, MPI_INT, 0, factor->comm));
     id->icntl[ICNTL_ROOM - 1] = 2 * PetscMax(room, 0) + WHOLE;
@@ -146,7 +146,7 @@ static PetscErrorCode FactorWithRoom_Private(Factor factor)
 }
 
 /* The order of pivots and what it leads to. [in] C - [num] */
-static PetscErrorCode Analyse_Private(Factor factor, Mat A, PetscInt num, const PetscInt C[])
+static PetscErrorCode FactorizationAnalyse_Private(Factorization factor, Mat A, PetscInt num, const PetscInt C[])
 {
   DMUMPS_STRUC_C *id = &factor->id;
 
@@ -160,7 +160,7 @@ static PetscErrorCode Analyse_Private(Factor factor, Mat A, PetscInt num, const 
     for (PetscInt i = 0; i < id->n && !factor->rank; i++) id->perm_in[i] = (MUMPS_INT)factor->position[i];
   }
   id->size_schur = (MUMPS_INT)num;
-  PetscCall(CreateEntries_Private(A, id));
+  PetscCall(FactorizationCreateEntries_Private(A, id));
   if (factor->size == 1) { // distributed input would be collected, in a second copy
     id->nnz = id->nnz_loc;
     id->irn = id->irn_loc;
@@ -173,7 +173,7 @@ static PetscErrorCode Analyse_Private(Factor factor, Mat A, PetscInt num, const 
 }
 
 /* The matrix and its order, which solutions do not need. */
-static PetscErrorCode Forget_Private(Factor factor)
+static PetscErrorCode FactorizationFreeMatrix_Private(Factorization factor)
 {
   DMUMPS_STRUC_C *id = &factor->id;
 
@@ -185,10 +185,10 @@ static PetscErrorCode Forget_Private(Factor factor)
 }
 
 /* MUMPS with its controls. [in] schur - whether some unknowns are left to the end */
-static PetscErrorCode Begin_Private(Mat A, PetscBool schur, const char prefix[], Factor *factor_out)
+static PetscErrorCode FactorizationBegin_Private(Mat A, PetscBool schur, const char prefix[], Factorization *factor_out)
 {
   const PetscInt  solid = 3;
-  Factor          factor;
+  Factorization   factor;
   DMUMPS_STRUC_C *id;
   PetscInt        N, bs;
 
@@ -206,64 +206,65 @@ static PetscErrorCode Begin_Private(Mat A, PetscBool schur, const char prefix[],
   id->sym          = SYMMETRIC_DEFINITE;
   id->comm_fortran = (MUMPS_INT)MPI_Comm_c2f(factor->comm);
   dmumps_c(id);
-  PetscCall(FactorCheckInfo(factor->comm, id->infog[0]));
+  PetscCall(FactorizationCheckInfo(factor->comm, id->infog[0]));
   id->n                      = (MUMPS_INT)N;
   id->icntl[ICNTL_PRINT - 1] = 0;
   id->icntl[ICNTL_ORDER - 1] = bs < solid ? ORDER_MINIMUM_DEGREE : ORDER_GIVEN;
   id->icntl[ICNTL_INPUT - 1] = factor->size == 1 ? INPUT_CENTRAL : INPUT_DISTRIBUTED;
   id->icntl[ICNTL_SCHUR - 1] = schur ? SCHUR_ON_HOST : 0;
-  PetscCall(SetControls_Private(factor->comm, prefix, id));
+  PetscCall(FactorizationSetControls_Private(factor->comm, prefix, id));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FactorCreate(Mat A, PetscInt num, const PetscInt C[], const char prefix[], PetscScalar S[],
-                            Factor *factor_out, MatFactorError *error)
+PetscErrorCode FactorizationCreate(Mat A, PetscInt num, const PetscInt C[], const char prefix[], PetscScalar S[],
+                                   Factorization *factor_out, MatFactorError *error)
 {
-  Factor          factor;
+  Factorization   factor;
   DMUMPS_STRUC_C *id;
   Vec             v;
 
   PetscFunctionBeginUser;
-  PetscCall(Begin_Private(A, PETSC_TRUE, prefix, factor_out));
+  PetscCall(FactorizationBegin_Private(A, PETSC_TRUE, prefix, factor_out));
   factor = *factor_out;
   id     = &factor->id;
   PetscCall(MatCreateVecs(A, &v, NULL));
   PetscCall(VecScatterCreateToZero(v, &factor->to_host, &factor->host));
   PetscCall(VecDestroy(&v));
-  PetscCall(Analyse_Private(factor, A, num, C));
+  PetscCall(FactorizationAnalyse_Private(factor, A, num, C));
   id->schur = S;
-  if (id->infog[0] >= 0) PetscCall(FactorWithRoom_Private(factor));
+  if (id->infog[0] >= 0) PetscCall(FactorizationCompute_Private(factor));
   PetscCall(PetscInfo(A, "MUMPS: status %d (%d), order %d, %g operations, %d MB\n", (int)id->infog[0],
                       (int)id->infog[1], (int)id->infog[6], (double)id->rinfog[0], (int)id->infog[18]));
-  PetscCall(Forget_Private(factor));
-  PetscCall(FactorCheckInfo(factor->comm, id->infog[0]));
-  *error = Error_Private(id->infog[0]);
+  PetscCall(FactorizationFreeMatrix_Private(factor));
+  PetscCall(FactorizationCheckInfo(factor->comm, id->infog[0]));
+  *error = FactorizationError_Private(id->infog[0]);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FactorForetell(Mat A, PetscInt num, const PetscInt C[], const char prefix[], FactorForecast *forecast)
+PetscErrorCode FactorizationPredict(Mat A, PetscInt num, const PetscInt C[], const char prefix[],
+                                    FactorizationCost *forecast)
 {
   const PetscReal megabyte = 1e6;
-  Factor          factor;
+  Factorization   factor;
   DMUMPS_STRUC_C *id;
 
   PetscFunctionBeginUser;
-  PetscCall(Begin_Private(A, (PetscBool)(num > 0), prefix, &factor));
+  PetscCall(FactorizationBegin_Private(A, (PetscBool)(num > 0), prefix, &factor));
   id = &factor->id;
-  PetscCall(Analyse_Private(factor, A, num, C));
-  PetscCall(Forget_Private(factor));
-  PetscCall(FactorCheckInfo(factor->comm, id->infog[0]));
+  PetscCall(FactorizationAnalyse_Private(factor, A, num, C));
+  PetscCall(FactorizationFreeMatrix_Private(factor));
+  PetscCall(FactorizationCheckInfo(factor->comm, id->infog[0]));
   forecast->known      = (PetscBool)(id->infog[0] >= 0);
   forecast->operations = id->rinfog[0];
   forecast->bytes      = megabyte * (PetscReal)id->info[ANALYSED_SIZE - 1];
   if (!factor->rank) forecast->bytes += (PetscReal)num * (PetscReal)num * (PetscReal)sizeof(PetscScalar);
   PetscCall(PetscInfo(A, "MUMPS foretells: status %d, %g operations, %g bytes on this rank\n", (int)id->infog[0],
                       (double)forecast->operations, (double)forecast->bytes));
-  PetscCall(FactorDestroy(&factor));
+  PetscCall(FactorizationDestroy(&factor));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FactorSolve(Factor factor, Vec b, Vec x)
+PetscErrorCode FactorizationSolve(Factorization factor, Vec b, Vec x)
 {
   DMUMPS_STRUC_C *id = &factor->id;
 
@@ -275,7 +276,7 @@ PetscErrorCode FactorSolve(Factor factor, Vec b, Vec x)
   id->icntl[ICNTL_REDUCED - 1] = 0; /* the unknowns of S come out as 0 */
   dmumps_c(id);
   PetscCall(VecRestoreArray(factor->host, &id->rhs));
-  PetscCall(FactorCheckInfo(factor->comm, id->infog[0]));
+  PetscCall(FactorizationCheckInfo(factor->comm, id->infog[0]));
   PetscCheck(id->infog[0] >= 0, factor->comm, PETSC_ERR_LIB, "MUMPS could not solve: INFOG(1) = %d, INFOG(2) = %d",
              (int)id->infog[0], (int)id->infog[1]);
   PetscCall(VecScatterBegin(factor->to_host, factor->host, x, INSERT_VALUES, SCATTER_REVERSE));
@@ -283,7 +284,7 @@ PetscErrorCode FactorSolve(Factor factor, Vec b, Vec x)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FactorDestroy(Factor *factor)
+PetscErrorCode FactorizationDestroy(Factorization *factor)
 {
   PetscFunctionBeginUser;
   if (!*factor) PetscFunctionReturn(PETSC_SUCCESS);

@@ -19,10 +19,10 @@ enum { MAX_SHORTER = 3 };
 /* A solve that leaves more than this part of the residual is no progress. */
 static const PetscReal STALLED = 0.5;
 /* M, the last solution emptied where fixed as first guess d, and y = v. */
-static PetscErrorCode Prescribe_Private(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
-                                        ActiveSolution *solution)
+static PetscErrorCode FullSolverPrescribe_Private(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
+                                                  ActiveSolution *solution)
 {
-  Truncated       *t   = solver->data;
+  FullSolver      *t   = solver->data;
   const ActiveSet *set = solver->set;
   PetscScalar     *free, *y;
 
@@ -48,10 +48,10 @@ static PetscErrorCode Prescribe_Private(ActiveSolver solver, const PetscBool fix
 }
 
 /* A^ gets the near null space of A, emptied where fixed and made orthonormal again. */
-static PetscErrorCode NearNullSpace_Private(ActiveSolver solver)
+static PetscErrorCode FullSolverNearNullSpace_Private(ActiveSolver solver)
 {
   static const PetscReal DEPENDENT = 1e-8; /* shorter than this after projection: nothing of the motion is left */
-  Truncated             *t         = solver->data;
+  FullSolver            *t         = solver->data;
   MatNullSpace           space;
   const Vec             *vecs;
   Vec                   *own;
@@ -84,9 +84,9 @@ static PetscErrorCode NearNullSpace_Private(ActiveSolver solver)
 
 /* A^ for the present M. Scaling by M from both sides empties rows and columns without talking to other ranks about them
    and without touching the pattern; A itself is never written to. */
-static PetscErrorCode Copy_Private(ActiveSolver solver)
+static PetscErrorCode FullSolverSetMatrix_Private(ActiveSolver solver)
 {
-  Truncated *t = solver->data;
+  FullSolver *t = solver->data;
 
   PetscFunctionBeginUser;
   PetscCall(MatCopy(solver->A, t->A, SAME_NONZERO_PATTERN));
@@ -95,30 +95,30 @@ static PetscErrorCode Copy_Private(ActiveSolver solver)
   PetscCall(VecAYPX(t->f, -1, solver->diag));
   PetscCall(MatDiagonalSet(t->A, t->f, ADD_VALUES));
   PetscCall(MatSetOption(t->A, MAT_SPD, PETSC_TRUE));
-  PetscCall(NearNullSpace_Private(solver));
+  PetscCall(FullSolverNearNullSpace_Private(solver));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* A^ for the present M, by whatever makes it. */
-static PetscErrorCode Matrix_Private(ActiveSolver solver)
+static PetscErrorCode FullSolverUpdateMatrix_Private(ActiveSolver solver)
 {
-  Truncated *t = solver->data;
+  FullSolver *t = solver->data;
 
   PetscFunctionBeginUser;
   if (t->same) PetscFunctionReturn(PETSC_SUCCESS);
   if (t->shell)
     PetscCall(MultigridSetFree(t->pc, t->free));
   else
-    PetscCall(Copy_Private(solver));
+    PetscCall(FullSolverSetMatrix_Private(solver));
   PetscCall(KSPSetOperators(t->ksp, t->A, t->A));
   t->same = PETSC_TRUE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* d = A^^-1 f; iterative solvers may begin at d. */
-static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, ActiveSolution *solution)
+static PetscErrorCode FullSolverCorrect_Private(ActiveSolver solver, PetscBool guess, ActiveSolution *solution)
 {
-  Truncated         *t = solver->data;
+  FullSolver        *t = solver->data;
   KSPConvergedReason reason;
   PCFailedReason     failed;
   PetscInt           its;
@@ -132,29 +132,29 @@ static PetscErrorCode Correct_Private(ActiveSolver solver, PetscBool guess, Acti
     solution->iterations += its;
     PetscCall(KSPGetConvergedReason(t->ksp, &reason));
     if (reason != KSP_DIVERGED_INDEFINITE_PC || !t->asked || k == MAX_SHORTER) break;
-    PetscCall(MultigridSmoothShorter(t->pc));
-    PetscCall(MultigridWatch(t->pc));
+    PetscCall(MultigridShortenSteps(t->pc));
+    PetscCall(MultigridResetError(t->pc));
   }
-  PetscCall(TruncatedRitz(t));
+  PetscCall(FullSolverUpdateRitz(t));
   if (reason >= 0) PetscFunctionReturn(PETSC_SUCCESS);
   if (t->over) {
     solution->failure = FAILURE_COST;
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  PetscCall(FactorCheckMemory(t->ksp));
+  PetscCall(MumpsMemoryCheck(t->ksp));
   PetscCall(PCGetFailedReason(t->pc, &failed));
   error = (int)failed;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &error, 1, MPI_INT, MPI_MAX, solver->set->comm));
   /* the first members of PCFailedReason are those of MatFactorError */
-  solution->failure = error > 0 ? ActiveFailureOfFactor((MatFactorError)error) : FAILURE_ITERATIVE;
+  solution->failure = error > 0 ? ActiveSolverFailureOfFactor((MatFactorError)error) : FAILURE_ITERATIVE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* How far a KSP without multigrid goes: a little further than it has to, since it measures residuals in its own way. */
-static PetscErrorCode Tolerance_Private(ActiveSolver solver)
+static PetscErrorCode FullSolverTolerance_Private(ActiveSolver solver)
 {
   static const PetscReal FURTHER = 0.5;
-  Truncated             *t       = solver->data;
+  FullSolver            *t       = solver->data;
   const PetscReal        rtol    = solver->target > solver->rtol ? FURTHER * solver->target : t->rtol;
 
   PetscFunctionBeginUser;
@@ -164,18 +164,18 @@ static PetscErrorCode Tolerance_Private(ActiveSolver solver)
 
 /* One call of the KSP, and what it leaves of the residual. [in] k - calls before, for the same set; [in] first - |f|_D before all of them;
    [out] done - whether that is as little as it can be or has to be */
-static PetscErrorCode Call_Private(ActiveSolver solver, PetscInt k, PetscReal first, ActiveSolution *solution,
-                                   PetscBool *done)
+static PetscErrorCode FullSolverCallKSP_Private(ActiveSolver solver, PetscInt k, PetscReal first,
+                                                ActiveSolution *solution, PetscBool *done)
 {
-  Truncated *t = solver->data;
-  PetscReal  size;
+  FullSolver *t = solver->data;
+  PetscReal   size;
 
   PetscFunctionBeginUser;
-  PetscCall(t->asked ? EndingBegin(solver, first, solution) : Tolerance_Private(solver));
-  PetscCall(Correct_Private(solver, (PetscBool)(t->asked || (k == 0 && !t->direct)), solution));
+  PetscCall(t->asked ? ConvergenceBegin(solver, first, solution) : FullSolverTolerance_Private(solver));
+  PetscCall(FullSolverCorrect_Private(solver, (PetscBool)(t->asked || (k == 0 && !t->direct)), solution));
   if (solution->failure) PetscFunctionReturn(PETSC_SUCCESS);
   if (t->asked) {
-    PetscCall(EndingFinish(solver));
+    PetscCall(ConvergenceFinish(solver));
     *done = (PetscBool)(t->done && (k || solution->iterations <= MANY_ITERATIONS));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
@@ -188,19 +188,19 @@ static PetscErrorCode Call_Private(ActiveSolver solver, PetscInt k, PetscReal fi
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
-                                      ActiveSolution *solution)
+static PetscErrorCode Solve_FullSolver(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
+                                       ActiveSolution *solution)
 {
-  Truncated *t = solver->data;
-  Hierarchy  hierarchy;
-  PetscReal  first;
-  PetscBool  done = PETSC_FALSE, suffices;
+  FullSolver *t = solver->data;
+  Hierarchy   hierarchy;
+  PetscReal   first;
+  PetscBool   done = PETSC_FALSE, suffices;
 
   PetscFunctionBeginUser;
   solution->iterations = 0;
   solution->eta        = 0;
-  PetscCall(Prescribe_Private(solver, fixed, value, solution));
-  PetscCall(Matrix_Private(solver));
+  PetscCall(FullSolverPrescribe_Private(solver, fixed, value, solution));
+  PetscCall(FullSolverUpdateMatrix_Private(solver));
   PetscCall(ActiveSolverResidual(solver, fixed, t->y, t->r, t->f, &first));
   if (t->shell) {
     PetscCall(MultigridAddWork(t->pc));
@@ -210,7 +210,7 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
   for (PetscInt k = 0; k <= MAX_REFINEMENTS && first > 0 && !done; k++) {
     const PetscReal before = k ? solution->eta : PETSC_MAX_REAL;
 
-    PetscCall(Call_Private(solver, k, first, solution, &done));
+    PetscCall(FullSolverCallKSP_Private(solver, k, first, solution, &done));
     if (solution->failure) { // nothing of it is worth to begin with
       PetscCall(VecZeroEntries(t->y));
       t->ritz = 0;
@@ -226,9 +226,9 @@ static PetscErrorCode Solve_Truncated(ActiveSolver solver, const PetscBool fixed
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Correct_Truncated(ActiveSolver solver, Vec f, Vec d, PetscReal *alpha)
+static PetscErrorCode Correct_FullSolver(ActiveSolver solver, Vec f, Vec d, PetscReal *alpha)
 {
-  Truncated *t = solver->data;
+  FullSolver *t = solver->data;
 
   PetscFunctionBeginUser;
   PetscCall(KSPSetUp(t->ksp));
@@ -238,9 +238,9 @@ static PetscErrorCode Correct_Truncated(ActiveSolver solver, Vec f, Vec d, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Load_Truncated(ActiveSolver solver, Vec b, Vec y)
+static PetscErrorCode Load_FullSolver(ActiveSolver solver, Vec b, Vec y)
 {
-  Truncated *t = solver->data;
+  FullSolver *t = solver->data;
 
   PetscFunctionBeginUser;
   solver->b = b;
@@ -249,9 +249,9 @@ static PetscErrorCode Load_Truncated(ActiveSolver solver, Vec b, Vec y)
 }
 
 /* The last solve has it all. */
-static PetscErrorCode Finish_Truncated(ActiveSolver solver, ActiveSolution *solution, Vec y)
+static PetscErrorCode Finish_FullSolver(ActiveSolver solver, ActiveSolution *solution, Vec y)
 {
-  Truncated *t = solver->data;
+  FullSolver *t = solver->data;
 
   PetscFunctionBeginUser;
   (void)solution;
@@ -259,14 +259,14 @@ static PetscErrorCode Finish_Truncated(ActiveSolver solver, ActiveSolution *solu
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Destroy_Truncated(ActiveSolver solver)
+static PetscErrorCode Destroy_FullSolver(ActiveSolver solver)
 {
-  Truncated *t = solver->data;
+  FullSolver *t = solver->data;
 
   PetscFunctionBeginUser;
   PetscCall(KSPSetTolerances(t->ksp, t->rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
   PetscCall(KSPSetInitialGuessNonzero(t->ksp, PETSC_FALSE)); // others may use it afterwards
-  if (t->asked) PetscCall(EndingUnset(t));
+  if (t->asked) PetscCall(ConvergenceUnsetTest(t));
   PetscCall(KSPDestroy(&t->ksp));
   PetscCall(MatDestroy(&t->A));
   PetscCall(VecDestroy(&t->free));
@@ -279,9 +279,10 @@ static PetscErrorCode Destroy_Truncated(ActiveSolver solver)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ksp, PetscReal rtol, ActiveSolver *solver)
+PetscErrorCode FullSolverCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ksp, PetscReal rtol,
+                                ActiveSolver *solver)
 {
-  Truncated *t;
+  FullSolver *t;
 
   PetscFunctionBeginUser;
   PetscCall(ActiveSolverCreate(set, A, b, rtol, solver));
@@ -312,11 +313,11 @@ PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ks
   PetscCall(VecDuplicate(b, &t->f));
   PetscCall(VecDuplicate(b, &t->d));
   (*solver)->data = t;
-  if (t->asked) PetscCall(EndingSet(*solver));
-  (*solver)->solve   = Solve_Truncated;
-  (*solver)->load    = Load_Truncated;
-  (*solver)->finish  = Finish_Truncated;
-  (*solver)->correct = Correct_Truncated;
-  (*solver)->destroy = Destroy_Truncated;
+  if (t->asked) PetscCall(ConvergenceSetTest(*solver));
+  (*solver)->solve   = Solve_FullSolver;
+  (*solver)->load    = Load_FullSolver;
+  (*solver)->finish  = Finish_FullSolver;
+  (*solver)->correct = Correct_FullSolver;
+  (*solver)->destroy = Destroy_FullSolver;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -5,7 +5,7 @@
 #include "pdas/pdasimpl.h"
 
 /* What rounding leaves of the forces that displacements alone would need. */
-#define TRUNCATED_ROUNDING (16 * PETSC_MACHINE_EPSILON)
+#define FULLSOLVER_ROUNDING (16 * PETSC_MACHINE_EPSILON)
 
 typedef struct {
   KSP       ksp;    /* referenced: a SNES destroys its own before what was kept with it */
@@ -31,19 +31,19 @@ typedef struct {
   PetscReal       norm;      /* and its residual in the KSP's norm */
   PetscBool       done;      /* the last one was */
   PetscBool       over;      /* a factorisation would cost less */
-} Truncated;
+} FullSolver;
 
 /* The smallest eigenvalues of B A^: what iterations have seen of them, from above. Collective. [in] t - after an iteration of its KSP, or in it */
-PetscErrorCode TruncatedRitz(Truncated *t);
+PetscErrorCode FullSolverUpdateRitz(FullSolver *t);
 
 /* Hands the test of a KSP with multigrid over to what is below. Collective. */
-PetscErrorCode EndingSet(ActiveSolver solver);
+PetscErrorCode ConvergenceSetTest(ActiveSolver solver);
 /* Gives it its own test back. Collective. */
-PetscErrorCode EndingUnset(Truncated *t);
+PetscErrorCode ConvergenceUnsetTest(FullSolver *t);
 /* Before each call of that KSP. Collective. [in] first - |f|_D; [in] solution - borrowed until the KSP returns: fixed, and y there, are read, all
    else is that of the last iterate that was looked at */
-PetscErrorCode EndingBegin(ActiveSolver solver, PetscReal first, ActiveSolution *solution);
+PetscErrorCode ConvergenceBegin(ActiveSolver solver, PetscReal first, ActiveSolution *solution);
 /* After it: y and its residual are those of the last iterate, whether the test has seen it or not. Collective. */
-PetscErrorCode EndingFinish(ActiveSolver solver);
+PetscErrorCode ConvergenceFinish(ActiveSolver solver);
 
 #endif

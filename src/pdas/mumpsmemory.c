@@ -8,7 +8,7 @@
 static const PetscInt MOST = 5000;
 
 /* The factors of a PC whose MUMPS has failed for want of memory, and its INFOG(1); NULL where that is not what happened. */
-static PetscErrorCode GetFailed_Private(PC pc, Mat *F, PetscInt *info)
+static PetscErrorCode MumpsMemoryGetFailed_Private(PC pc, Mat *F, PetscInt *info)
 {
   PCFailedReason failed;
   MatSolverType  type  = NULL;
@@ -27,7 +27,7 @@ static PetscErrorCode GetFailed_Private(PC pc, Mat *F, PetscInt *info)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FactorCheckMemory(KSP ksp)
+PetscErrorCode MumpsMemoryCheck(KSP ksp)
 {
   PC       pc;
   Mat      F;
@@ -35,12 +35,12 @@ PetscErrorCode FactorCheckMemory(KSP ksp)
 
   PetscFunctionBeginUser;
   PetscCall(KSPGetPC(ksp, &pc));
-  PetscCall(GetFailed_Private(pc, &F, &info));
-  PetscCall(FactorCheckInfo(PetscObjectComm((PetscObject)ksp), info));
+  PetscCall(MumpsMemoryGetFailed_Private(pc, &F, &info));
+  PetscCall(FactorizationCheckInfo(PetscObjectComm((PetscObject)ksp), info));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FactorMoreRoom(SNES snes, PetscBool *again)
+PetscErrorCode MumpsMemoryIncrease(SNES snes, PetscBool *again)
 {
   enum { ICNTL_ROOM = 14 };
   static const PetscInt WHOLE = 100;
@@ -54,8 +54,8 @@ PetscErrorCode FactorMoreRoom(SNES snes, PetscBool *again)
   PetscFunctionBeginUser;
   PetscCall(SNESGetKSP(snes, &ksp));
   PetscCall(KSPGetPC(ksp, &pc));
-  PetscCall(GetFailed_Private(pc, &F, &info));
-  *again = FactorIsShort(info);
+  PetscCall(MumpsMemoryGetFailed_Private(pc, &F, &info));
+  *again = FactorizationIsShort(info);
   if (!*again) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MatMumpsGetIcntl(F, ICNTL_ROOM, &room));
   PetscCallMPI(MPI_Bcast(&room, 1, MPIU_INT, 0, PetscObjectComm((PetscObject)snes)));

@@ -87,7 +87,7 @@ PetscErrorCode PDASSetStart(SNES snes, Vec active)
 }
 
 /* Forgets what was kept for the next solve. */
-static PetscErrorCode Drop_Private(PDAS *pdas)
+static PetscErrorCode PDASDestroySolver_Private(PDAS *pdas)
 {
   PetscFunctionBeginUser;
   if (!pdas->solver) PetscFunctionReturn(PETSC_SUCCESS);
@@ -104,19 +104,19 @@ PetscErrorCode PDASSetKeep(SNES snes, PetscBool keep)
   PetscFunctionBeginUser;
   PetscCall(PDASGet(snes, &pdas));
   pdas->keep = keep;
-  if (!keep) PetscCall(Drop_Private(pdas));
+  if (!keep) PetscCall(PDASDestroySolver_Private(pdas));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PDASSetEnough(SNES snes, PetscReal enough, PetscReal gained)
+PetscErrorCode PDASSetErrorReduction(SNES snes, PetscReal error_reduction, PetscReal energy_decrease)
 {
   PDAS *pdas;
 
   PetscFunctionBeginUser;
   PetscCall(PDASGet(snes, &pdas));
-  pdas->enough = enough;
-  pdas->gained = gained;
-  if (pdas->solver) pdas->solver->enough = enough;
+  pdas->error_reduction = error_reduction;
+  pdas->energy_decrease = energy_decrease;
+  if (pdas->solver) pdas->solver->error_reduction = error_reduction;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -137,12 +137,12 @@ static PetscErrorCode SetVariableBounds_PDAS(SNES snes, Vec lower, Vec upper)
   PetscCall(VecDestroy(&pdas->upper));
   pdas->lower = lower;
   pdas->upper = upper;
-  PetscCall(Drop_Private(pdas));
+  PetscCall(PDASDestroySolver_Private(pdas));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Forgets the last solve. */
-static PetscErrorCode Clear_Private(PDAS *pdas)
+static PetscErrorCode PDASClear_Private(PDAS *pdas)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree2(pdas->changed, pdas->seen));
@@ -155,17 +155,17 @@ static PetscErrorCode Clear_Private(PDAS *pdas)
 }
 
 /* Forgets the last solve, and makes room for the next. */
-static PetscErrorCode Reset_Private(SNES snes, PDAS *pdas)
+static PetscErrorCode PDASReset_Private(SNES snes, PDAS *pdas)
 {
   PetscFunctionBeginUser;
-  PetscCall(Clear_Private(pdas));
+  PetscCall(PDASClear_Private(pdas));
   PetscCall(SNESGetTolerances(snes, NULL, NULL, NULL, &pdas->max_it, NULL));
   PetscCall(PetscMalloc2(pdas->max_it, &pdas->changed, pdas->max_it, &pdas->seen));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The matrix, b = -F(0), and r = b - A y = -F(y): function and Jacobian give everything. */
-static PetscErrorCode Problem_Private(SNES snes, Vec y, Mat *A, Vec *b, Vec *r)
+static PetscErrorCode PDASProblem_Private(SNES snes, Vec y, Mat *A, Vec *b, Vec *r)
 {
   Mat P;
 
@@ -183,7 +183,7 @@ static PetscErrorCode Problem_Private(SNES snes, Vec y, Mat *A, Vec *b, Vec *r)
 }
 
 /* The final set, for PDASGetActive(). */
-static PetscErrorCode End_Private(PDAS *pdas, const ActiveSet *set, Vec y)
+static PetscErrorCode PDASEnd_Private(PDAS *pdas, const ActiveSet *set, Vec y)
 {
   PetscReal *flags;
 
@@ -199,7 +199,7 @@ static PetscErrorCode End_Private(PDAS *pdas, const ActiveSet *set, Vec y)
 
 /* Gets set and solver ready; those of the last solve if they were kept. [in] b - taken over;
    [in] y - initial guess; [in] r - its forces */
-static PetscErrorCode Prepare_Private(SNES snes, PDAS *pdas, Mat A, Vec b, Vec y, Vec r)
+static PetscErrorCode PDASPrepare_Private(SNES snes, PDAS *pdas, Mat A, Vec b, Vec y, Vec r)
 {
   Vec upper;
 
@@ -228,22 +228,22 @@ static PetscErrorCode Solve_PDAS(SNES snes, Vec y)
 
   PetscFunctionBeginUser;
   PetscCall(PDASGet(snes, &pdas));
-  PetscCall(Reset_Private(snes, pdas));
-  PetscCall(Problem_Private(snes, y, &A, &b, &r));
-  PetscCall(Prepare_Private(snes, pdas, A, b, y, r));
+  PetscCall(PDASReset_Private(snes, pdas));
+  PetscCall(PDASProblem_Private(snes, y, &A, &b, &r));
+  PetscCall(PDASPrepare_Private(snes, pdas, A, b, y, r));
   if (!pdas->failure) PetscCall(PDASIterate(snes, pdas, &pdas->set, pdas->solver, y));
   if (pdas->converged)
     PetscCall(SNESSetConvergedReason(snes, SNES_CONVERGED_FNORM_RELATIVE));
   else
     PetscCall(SNESSetConvergedReason(snes, pdas->failure ? SNES_DIVERGED_LINEAR_SOLVE : SNES_DIVERGED_MAX_IT));
-  PetscCall(End_Private(pdas, &pdas->set, y));
-  if (!pdas->keep || !pdas->converged) PetscCall(Drop_Private(pdas));
+  PetscCall(PDASEnd_Private(pdas, &pdas->set, y));
+  if (!pdas->keep || !pdas->converged) PetscCall(PDASDestroySolver_Private(pdas));
   PetscCall(VecDestroy(&r));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Reads the type's own options; SNESSetFromOptions() calls it for every type. SNESSHELL takes no care of the KSP. */
-static PetscErrorCode SetFromOptions_Private(SNES snes)
+static PetscErrorCode PDASSetFromOptions_Private(SNES snes)
 {
   PDAS       *pdas;
   KSP         ksp;
@@ -267,7 +267,7 @@ static PetscErrorCode SetFromOptions_Private(SNES snes)
                              "pdas.h", pdas->reduce, &pdas->reduce, &pdas->reduce_set));
   PetscOptionsEnd();
   pdas->start = (PDASStart)start;
-  PetscCall(Drop_Private(pdas));
+  PetscCall(PDASDestroySolver_Private(pdas));
   if (!(pdas->c > 0)) {
     PetscCall(UserErrorRaise(PetscObjectComm((PetscObject)snes), "-snes_pdas_c %g: must be a positive number",
                              (double)pdas->c));
@@ -279,13 +279,13 @@ static PetscErrorCode SetFromOptions_Private(SNES snes)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Destroy_Private(void *ctx)
+static PetscErrorCode PDASDestroy_Private(void *ctx)
 {
   PDAS *pdas = ctx;
 
   PetscFunctionBeginUser;
-  PetscCall(Clear_Private(pdas));
-  PetscCall(Drop_Private(pdas));
+  PetscCall(PDASClear_Private(pdas));
+  PetscCall(PDASDestroySolver_Private(pdas));
   PetscCall(VecDestroy(&pdas->lower));
   PetscCall(VecDestroy(&pdas->upper));
   PetscCall(VecDestroy(&pdas->previous));
@@ -306,7 +306,7 @@ static PetscErrorCode SNESCreate_PDAS(SNES snes)
   pdas->c = 1;
   PetscCall(PetscContainerCreate(PetscObjectComm((PetscObject)snes), &container));
   PetscCall(PetscContainerSetPointer(container, pdas));
-  PetscCall(PetscContainerSetUserDestroy(container, Destroy_Private));
+  PetscCall(PetscContainerSetUserDestroy(container, PDASDestroy_Private));
   PetscCall(PetscObjectCompose((PetscObject)snes, CONTEXT, (PetscObject)container));
   PetscCall(PetscContainerDestroy(&container));
   PetscCall(PetscObjectComposeFunction((PetscObject)snes, "SNESVISetVariableBounds_C", SetVariableBounds_PDAS));
@@ -318,6 +318,6 @@ PetscErrorCode PDASRegister(void)
   PetscFunctionBeginUser;
   PetscCall(SNESRegister(SNESPDAS, SNESCreate_PDAS));
   PetscCall(MultigridRegister());
-  PetscCall(SNESAddOptionsChecker(SetFromOptions_Private));
+  PetscCall(SNESAddOptionsChecker(PDASSetFromOptions_Private));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -2,7 +2,7 @@
 
    Everything the iteration decides on lives on the bounded unknowns alone: their bounds, their values y, the forces
    r = b - A y that hold them there. How the other unknowns are eliminated is the business of an ActiveSolver, of which
-   there are two: TruncatedCreate() works with the full matrix, ReducedCreate() with a dense Schur complement. */
+   there are two: FullSolverCreate() works with the full matrix, SchurSolverCreate() with a dense Schur complement. */
 #ifndef MORTISE_PDASIMPL_H
 #define MORTISE_PDASIMPL_H
 
@@ -79,10 +79,10 @@ struct _n_ActiveSolver {
   PetscBool        inexact;  /* whether less accuracy costs less */
   PetscBool        factored; /* whether by a factorisation */
   /* where the error, not the residual, says when to stop: squares of |y - y*|_A */
-  PetscReal enough;  /* part of the first one that is small enough, or 0 */
-  PetscReal gained;  /* before the first solve */
-  PetscBool patient; /* no iterate is to be looked at before */
-  PetscReal first;   /* with that, of what the first solve began with; 0 before it */
+  PetscReal error_reduction; /* part of the first one that is small enough, or 0 */
+  PetscReal energy_decrease; /* before the first solve */
+  PetscBool all_digits;      /* no iterate is to be looked at before */
+  PetscReal first;           /* with that, of what the first solve began with; 0 before it */
   /* asked by an inexact solver that has reached its target, of an iterate: whether that set is still worth more digits. Then it lowers the target,
      and the solver goes on. NULL where nobody minds. [in] pdas - who asks it */
   PetscErrorCode (*holds)(ActiveSolver, const ActiveSolution *iterate, PetscBool *holds);
@@ -106,14 +106,14 @@ struct _n_ActiveSolver {
 };
 
 /* At full size, rows and columns of fixed unknowns emptied, by the user's KSP. [in] y - first guess */
-PetscErrorCode TruncatedCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ksp, PetscReal rtol,
-                               ActiveSolver *solver);
+PetscErrorCode FullSolverCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ksp, PetscReal rtol,
+                                ActiveSolver *solver);
 /* Bounded unknowns up to which a dense factorisation per set (9e9 operations, half a second, and 216 MB) beats a sparse one. */
-enum { ACTIVE_MAX_REDUCED = 3000 };
+enum { ACTIVE_MAX_SCHUR = 3000 };
 
 /* By one factorisation for all sets. [in] prefix - of MUMPS' options; [out] failure - why it cannot be, or NULL */
-PetscErrorCode ReducedCreate(const ActiveSet *set, Mat A, Vec b, const char prefix[], PetscReal rtol,
-                             ActiveSolver *solver, const char **failure);
+PetscErrorCode SchurSolverCreate(const ActiveSet *set, Mat A, Vec b, const char prefix[], PetscReal rtol,
+                                 ActiveSolver *solver, const char **failure);
 PetscErrorCode ActiveSolverDestroy(ActiveSolver *solver);
 
 /* For the two of them. Collective: the common part of the constructors. */
@@ -128,24 +128,25 @@ PetscErrorCode ActiveSolverSuffices(ActiveSolver solver, Vec y, PetscReal size, 
 /* What the bounded unknowns see of y, r and f. Collective. [in,out] solution - fixed, and y where fixed, are there */
 PetscErrorCode ActiveSolverRestrict(ActiveSolver solver, Vec y, Vec r, Vec f, ActiveSolution *solution);
 /* r = b - A y, as if computed in twice the precision and rounded once; see residual.c. Collective. */
-PetscErrorCode ActiveResidual(Mat A, Vec b, Vec y, Vec r);
+PetscErrorCode CompensatedResidual(Mat A, Vec b, Vec y, Vec r);
 /* What such an error of a factorisation means, NULL for none. Not collective. */
-const char *ActiveFailureOfFactor(MatFactorError error);
+const char *ActiveSolverFailureOfFactor(MatFactorError error);
 
 /* Projected Newton method with a line search on the energy; see safeguard.c. */
 typedef struct {
   PetscBool  on, settled; /* in charge; its set did not change, so that it may be the one */
   PetscReal *y, *r, *d;   /* feasible iterate, its forces, the step [n] */
   PetscBool *fixed, *all; /* the iterate's set; everything [n] */
-} Safeguard;
+} ProjectedNewton;
 
 /* Begins at the last solution, clipped. Collective. */
-PetscErrorCode SafeguardBegin(Safeguard *guard, const ActiveSet *set, ActiveSolver solver, ActiveSolution *solution);
+PetscErrorCode ProjectedNewtonBegin(ProjectedNewton *newton, const ActiveSet *set, ActiveSolver solver,
+                                    ActiveSolution *solution);
 /* One step. Collective.
    [out] changed - of all ranks; [out] violation - as of ActiveSetUpdate(); solution->failure may be set */
-PetscErrorCode SafeguardStep(Safeguard *guard, ActiveSet *set, ActiveSolver solver, ActiveSolution *solution,
-                             PetscInt *changed, PetscReal *violation);
-PetscErrorCode SafeguardEnd(Safeguard *guard);
+PetscErrorCode ProjectedNewtonStep(ProjectedNewton *newton, ActiveSet *set, ActiveSolver solver,
+                                   ActiveSolution *solution, PetscInt *changed, PetscReal *violation);
+PetscErrorCode ProjectedNewtonEnd(ProjectedNewton *newton);
 
 typedef enum { START_EMPTY, START_FULL, START_GAP, START_PREVIOUS, START_COUNT } PDASStart;
 
@@ -154,9 +155,9 @@ typedef struct {
   PetscReal c;
   PDASStart start;
   PetscBool start_set, reduce, reduce_set;
-  Vec       lower, upper;   /* NULL without bounds */
-  Vec       previous;       /* of PDASSetStart(), or NULL */
-  PetscReal enough, gained; /* of PDASSetEnough() */
+  Vec       lower, upper;                     /* NULL without bounds */
+  Vec       previous;                         /* of PDASSetStart(), or NULL */
+  PetscReal error_reduction, energy_decrease; /* of PDASSetErrorReduction() */
   /* and what happened */
   PetscInt    max_it, iterations, linear_iterations;
   PetscInt   *changed; /* [max_it] */
@@ -188,9 +189,9 @@ PetscErrorCode PDASChooseSolver(SNES snes, PDAS *pdas, Mat A, Vec b, Vec y);
 
 /* Systems are solved until the error is small beside that of the start: |y - y*|_A^2 <= enough (gained + |y_0 - y*|_A^2), with multigrid.
    Collective. [in] gained - of the square, before y_0 */
-PetscErrorCode PDASSetEnough(SNES snes, PetscReal enough, PetscReal gained);
+PetscErrorCode PDASSetErrorReduction(SNES snes, PetscReal error_reduction, PetscReal energy_decrease);
 /* The same of one solver, with multigrid. Not collective. */
-PetscErrorCode EnoughSet(ActiveSolver solver, PetscReal enough, PetscReal gained);
+PetscErrorCode ConvergenceSetErrorReduction(ActiveSolver solver, PetscReal error_reduction, PetscReal energy_decrease);
 
 /* What the last solve used, its last set being its own, if it was kept (PDASSetKeep()) and found the solution. Borrowed, NULL if
    there is none. Not collective. */

@@ -53,7 +53,7 @@ PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r)
 }
 
 /* Whether the present set was solved for before; remembers it. */
-static PetscErrorCode Seen_Private(PDAS *pdas, const ActiveSet *set, PetscBool *seen)
+static PetscErrorCode PDASIterationIsRepeated_Private(PDAS *pdas, const ActiveSet *set, PetscBool *seen)
 {
   uint64_t hash;
 
@@ -66,8 +66,8 @@ static PetscErrorCode Seen_Private(PDAS *pdas, const ActiveSet *set, PetscBool *
 }
 
 /* Writes one iteration down and tells the monitors. */
-static PetscErrorCode Record_Private(SNES snes, PDAS *pdas, const ActiveSet *set, const ActiveSolution *solution,
-                                     PetscInt changed, PetscReal violation)
+static PetscErrorCode PDASIterationRecord_Private(SNES snes, PDAS *pdas, const ActiveSet *set,
+                                                  const ActiveSolution *solution, PetscInt changed, PetscReal violation)
 {
   const PetscReal norm = PetscSqrtReal(PetscSqr(violation) + PetscSqr(solution->norm));
 
@@ -84,8 +84,8 @@ static PetscErrorCode Record_Private(SNES snes, PDAS *pdas, const ActiveSet *set
 }
 
 /* The present set's system, and the set that follows. [in,out] solution - iterations are added */
-static PetscErrorCode System_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solver, ActiveSolution *solution,
-                                     PetscInt *changed, PetscReal *violation)
+static PetscErrorCode PDASIterationSystem_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solver,
+                                                  ActiveSolution *solution, PetscInt *changed, PetscReal *violation)
 {
   const PetscInt before = solution->iterations;
 
@@ -97,7 +97,7 @@ static PetscErrorCode System_Private(PDAS *pdas, ActiveSet *set, ActiveSolver so
 }
 
 /* An inexact solver goes on for more digits as long as these say nothing against the set. */
-static PetscErrorCode Holds_Private(ActiveSolver solver, const ActiveSolution *iterate, PetscBool *holds)
+static PetscErrorCode PDASIterationHolds_Private(ActiveSolver solver, const ActiveSolution *iterate, PetscBool *holds)
 {
   PDAS *pdas = solver->pdas;
 
@@ -109,36 +109,37 @@ static PetscErrorCode Holds_Private(ActiveSolver solver, const ActiveSolution *i
 }
 
 /* Solves for the set, once more where the solver did not ask and the solution says nothing against the set. */
-static PetscErrorCode Follow_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solver, ActiveSolution *solution,
-                                     PetscInt *changed, PetscReal *violation)
+static PetscErrorCode PDASIterationSolveSet_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solver,
+                                                    ActiveSolution *solution, PetscInt *changed, PetscReal *violation)
 {
   PetscFunctionBeginUser;
-  solver->holds  = Holds_Private;
+  solver->holds  = PDASIterationHolds_Private;
   solver->pdas   = pdas;
   solver->target = pdas->target;
-  PetscCall(System_Private(pdas, set, solver, solution, changed, violation));
+  PetscCall(PDASIterationSystem_Private(pdas, set, solver, solution, changed, violation));
   while (solver->target > solver->rtol && !*changed && !solution->failure) {
     solver->target = PetscMax(solver->rtol, TIGHTER * solver->target);
-    PetscCall(System_Private(pdas, set, solver, solution, changed, violation));
+    PetscCall(PDASIterationSystem_Private(pdas, set, solver, solution, changed, violation));
   }
   solver->holds   = NULL;
   pdas->converged = (PetscBool)(!*changed && !solution->failure);
   if (pdas->iterations > 0 && (PetscReal)*changed > FEWER * (PetscReal)pdas->changed[pdas->iterations - 1]) {
-    pdas->target    = PetscMax(solver->rtol, TIGHTER * pdas->target);
-    solver->patient = PETSC_TRUE;
+    pdas->target       = PetscMax(solver->rtol, TIGHTER * pdas->target);
+    solver->all_digits = PETSC_TRUE;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Whether sets have been changed before all digits were there. */
-static PetscBool Hasty_Private(const PDAS *pdas, ActiveSolver solver)
+static PetscBool PDASIterationIsInexact_Private(const PDAS *pdas, ActiveSolver solver)
 {
-  return (PetscBool)(pdas->target > solver->rtol || (solver->enough > 0 && !solver->patient));
+  return (PetscBool)(pdas->target > solver->rtol || (solver->error_reduction > 0 && !solver->all_digits));
 }
 
 /* One step: the active set's, or one of the safeguard, which takes over where a set comes back. */
-static PetscErrorCode Step_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solver, Safeguard *guard,
-                                   ActiveSolution *solution, PetscInt *changed, PetscReal *violation)
+static PetscErrorCode PDASIterationStep_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solver,
+                                                ProjectedNewton *newton, ActiveSolution *solution, PetscInt *changed,
+                                                PetscReal *violation)
 {
   PetscBool seen = PETSC_FALSE;
 
@@ -146,33 +147,35 @@ static PetscErrorCode Step_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solv
   *changed             = 0;
   *violation           = 0;
   solution->iterations = 0;
-  if (!guard->on) {
-    PetscCall(Seen_Private(pdas, set, &seen));
-    if (seen && Hasty_Private(pdas, solver)) { // for want of digits it may be; no set was solved for to all of them
-      pdas->target    = solver->rtol;
-      solver->patient = PETSC_TRUE;
-      pdas->seen[0]   = pdas->seen[pdas->num_seen - 1];
-      pdas->num_seen  = 1;
-      seen            = PETSC_FALSE;
+  if (!newton->on) {
+    PetscCall(PDASIterationIsRepeated_Private(pdas, set, &seen));
+    if (seen && PDASIterationIsInexact_Private(
+                    pdas, solver)) { // for want of digits it may be; no set was solved for to all of them
+      pdas->target       = solver->rtol;
+      solver->all_digits = PETSC_TRUE;
+      pdas->seen[0]      = pdas->seen[pdas->num_seen - 1];
+      pdas->num_seen     = 1;
+      seen               = PETSC_FALSE;
     }
     if (seen || pdas->num_seen > MANY_STEPS) {
       pdas->safeguarded = PETSC_TRUE;
       pdas->target = solver->target = solver->rtol;
-      PetscCall(SafeguardBegin(guard, set, solver, solution));
+      PetscCall(ProjectedNewtonBegin(newton, set, solver, solution));
     }
   }
-  if (guard->on && !guard->settled) {
-    PetscCall(SafeguardStep(guard, set, solver, solution, changed, violation));
+  if (newton->on && !newton->settled) {
+    PetscCall(ProjectedNewtonStep(newton, set, solver, solution, changed, violation));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  guard->settled = PETSC_FALSE; /* if its set is not confirmed now, it goes on from where it was */
-  PetscCall(Follow_Private(pdas, set, solver, solution, changed, violation));
+  newton->settled = PETSC_FALSE; /* if its set is not confirmed now, it goes on from where it was */
+  PetscCall(PDASIterationSolveSet_Private(pdas, set, solver, solution, changed, violation));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* A first set that leaves a body to nothing has no solution, and all that is known then is that more has to be in contact.
    [out] changed - nothing where it was something else */
-static PetscErrorCode Rescue_Private(const PDAS *pdas, ActiveSet *set, ActiveSolution *solution, PetscInt *changed)
+static PetscErrorCode PDASIterationActivateAll_Private(const PDAS *pdas, ActiveSet *set, ActiveSolution *solution,
+                                                       PetscInt *changed)
 {
   PetscBool *all;
 
@@ -192,25 +195,25 @@ static PetscErrorCode Rescue_Private(const PDAS *pdas, ActiveSet *set, ActiveSol
 /* From set to set until none changes. [out] y */
 PetscErrorCode PDASIterate(SNES snes, PDAS *pdas, ActiveSet *set, ActiveSolver solver, Vec y)
 {
-  ActiveSolution solution;
-  Safeguard      guard = {.on = PETSC_FALSE};
-  PetscInt       changed;
-  PetscReal      violation;
+  ActiveSolution  solution;
+  ProjectedNewton newton = {.on = PETSC_FALSE};
+  PetscInt        changed;
+  PetscReal       violation;
 
   PetscFunctionBeginUser;
   PetscCall(ActiveSolutionCreate(set, &solution));
-  solver->patient = PETSC_FALSE;
-  pdas->target    = solver->inexact ? PetscMax(LOOSE, solver->rtol) : solver->rtol;
+  solver->all_digits = PETSC_FALSE;
+  pdas->target       = solver->inexact ? PetscMax(LOOSE, solver->rtol) : solver->rtol;
   while (!pdas->converged && !solution.failure && pdas->iterations < pdas->max_it) {
-    PetscCall(Step_Private(pdas, set, solver, &guard, &solution, &changed, &violation));
-    if (solution.failure) PetscCall(Rescue_Private(pdas, set, &solution, &changed));
+    PetscCall(PDASIterationStep_Private(pdas, set, solver, &newton, &solution, &changed, &violation));
+    if (solution.failure) PetscCall(PDASIterationActivateAll_Private(pdas, set, &solution, &changed));
     if (pdas->converged || (!solution.failure && pdas->iterations + 1 == pdas->max_it)) {
       PetscCall(solver->finish(solver, &solution, y));
       if (solution.failure) pdas->converged = PETSC_FALSE;
     }
-    PetscCall(Record_Private(snes, pdas, set, &solution, changed, violation));
+    PetscCall(PDASIterationRecord_Private(snes, pdas, set, &solution, changed, violation));
   }
-  if (guard.on) PetscCall(SafeguardEnd(&guard));
+  if (newton.on) PetscCall(ProjectedNewtonEnd(&newton));
   PetscCall(ActiveSolutionDestroy(&solution));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -18,69 +18,71 @@ static const PetscReal NEAR_BOUND = 1e-3;
 /* Down at t = 2^-30 only roundoff is left of any decrease. */
 static const PetscInt MAX_HALVINGS = 30;
 
-PetscErrorCode SafeguardBegin(Safeguard *guard, const ActiveSet *set, ActiveSolver solver, ActiveSolution *solution)
+PetscErrorCode ProjectedNewtonBegin(ProjectedNewton *newton, const ActiveSet *set, ActiveSolver solver,
+                                    ActiveSolution *solution)
 {
   PetscFunctionBeginUser;
-  guard->on      = PETSC_TRUE;
-  guard->settled = PETSC_FALSE;
-  PetscCall(PetscMalloc3(set->n, &guard->y, set->n, &guard->r, set->n, &guard->d));
-  PetscCall(PetscMalloc2(set->n, &guard->fixed, set->n, &guard->all));
+  newton->on      = PETSC_TRUE;
+  newton->settled = PETSC_FALSE;
+  PetscCall(PetscMalloc3(set->n, &newton->y, set->n, &newton->r, set->n, &newton->d));
+  PetscCall(PetscMalloc2(set->n, &newton->fixed, set->n, &newton->all));
   for (PetscInt i = 0; i < set->n; i++) {
-    guard->y[i]   = PetscMin(solution->y[i], set->upper[i]);
-    guard->all[i] = PETSC_TRUE;
+    newton->y[i]   = PetscMin(solution->y[i], set->upper[i]);
+    newton->all[i] = PETSC_TRUE;
   }
-  PetscCall(solver->solve(solver, guard->all, guard->y, solution));
-  PetscCall(PetscArraycpy(guard->r, solution->r, set->n));
+  PetscCall(solver->solve(solver, newton->all, newton->y, solution));
+  PetscCall(PetscArraycpy(newton->r, solution->r, set->n));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SafeguardEnd(Safeguard *guard)
+PetscErrorCode ProjectedNewtonEnd(ProjectedNewton *newton)
 {
   PetscFunctionBeginUser;
-  guard->on = PETSC_FALSE;
-  PetscCall(PetscFree3(guard->y, guard->r, guard->d));
-  PetscCall(PetscFree2(guard->fixed, guard->all));
+  newton->on = PETSC_FALSE;
+  PetscCall(PetscFree3(newton->y, newton->r, newton->d));
+  PetscCall(PetscFree2(newton->fixed, newton->all));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Splits into I (fixed) and F. The margin eps shrinks with the scaled, projected gradient, so that it does not matter
    in the end. */
-static PetscErrorCode Split_Private(Safeguard *guard, const ActiveSet *set)
+static PetscErrorCode ProjectedNewtonSplit_Private(ProjectedNewton *newton, const ActiveSet *set)
 {
   PetscReal max[2] = {0, 0}, eps;
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < set->n; i++) {
-    const PetscReal step = PetscMin(guard->y[i] + guard->r[i] / set->diag[i], set->upper[i]) - guard->y[i];
+    const PetscReal step = PetscMin(newton->y[i] + newton->r[i] / set->diag[i], set->upper[i]) - newton->y[i];
 
-    max[0] = PetscMax(max[0], PetscAbsReal(guard->y[i]));
+    max[0] = PetscMax(max[0], PetscAbsReal(newton->y[i]));
     max[1] = PetscMax(max[1], PetscAbsReal(step));
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, max, 2, MPIU_REAL, MPI_MAX, set->comm));
   eps = PetscMin(NEAR_BOUND * max[0], max[1]);
   for (PetscInt i = 0; i < set->n; i++) {
-    guard->fixed[i] = (PetscBool)(guard->y[i] >= set->upper[i] - eps && guard->r[i] > 0);
+    newton->fixed[i] = (PetscBool)(newton->y[i] >= set->upper[i] - eps && newton->r[i] > 0);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Solves at y(t) = min(y + t d, upper), and tells whether phi fell enough there:
    phi(y) - phi(y(t)) = (r + r(t)).(y(t) - y) / 2. */
-static PetscErrorCode Try_Private(Safeguard *guard, const ActiveSet *set, ActiveSolver solver, PetscReal t,
-                                  PetscReal y[], ActiveSolution *solution, PetscBool *accepted)
+static PetscErrorCode ProjectedNewtonTry_Private(ProjectedNewton *newton, const ActiveSet *set, ActiveSolver solver,
+                                                 PetscReal t, PetscReal y[], ActiveSolution *solution,
+                                                 PetscBool *accepted)
 {
   PetscReal sum[2] = {0, 0}; /* decrease; its prediction */
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < set->n; i++) {
-    y[i] = PetscMin(guard->y[i] + t * guard->d[i], set->upper[i]);
+    y[i] = PetscMin(newton->y[i] + t * newton->d[i], set->upper[i]);
   }
-  PetscCall(solver->solve(solver, guard->all, y, solution));
+  PetscCall(solver->solve(solver, newton->all, y, solution));
   for (PetscInt i = 0; i < set->n; i++) {
-    const PetscReal step = y[i] - guard->y[i];
+    const PetscReal step = y[i] - newton->y[i];
 
-    sum[0] += (guard->r[i] + solution->r[i]) * step / 2;
-    sum[1] += guard->r[i] * (guard->fixed[i] ? step : t * guard->d[i]);
+    sum[0] += (newton->r[i] + solution->r[i]) * step / 2;
+    sum[1] += newton->r[i] * (newton->fixed[i] ? step : t * newton->d[i]);
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 2, MPIU_REAL, MPI_SUM, set->comm));
   *accepted = (PetscBool)(sum[0] >= SUFFICIENT * sum[1]);
@@ -88,20 +90,21 @@ static PetscErrorCode Try_Private(Safeguard *guard, const ActiveSet *set, Active
 }
 
 /* What is left of the inequalities: the projected gradient, in units of force. */
-static PetscErrorCode Violation_Private(const Safeguard *guard, const ActiveSet *set, PetscReal *violation)
+static PetscErrorCode ProjectedNewtonViolation_Private(const ProjectedNewton *newton, const ActiveSet *set,
+                                                       PetscReal *violation)
 {
   PetscReal sum = 0;
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < set->n; i++)
-    sum += PetscSqr(PetscMin(guard->r[i], set->diag[i] * (set->upper[i] - guard->y[i])));
+    sum += PetscSqr(PetscMin(newton->r[i], set->diag[i] * (set->upper[i] - newton->y[i])));
   PetscCallMPI(MPI_Allreduce(&sum, violation, 1, MPIU_REAL, MPI_SUM, set->comm));
   *violation = PetscSqrtReal(*violation);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SafeguardStep(Safeguard *guard, ActiveSet *set, ActiveSolver solver, ActiveSolution *solution,
-                             PetscInt *changed, PetscReal *violation)
+PetscErrorCode ProjectedNewtonStep(ProjectedNewton *newton, ActiveSet *set, ActiveSolver solver,
+                                   ActiveSolution *solution, PetscInt *changed, PetscReal *violation)
 {
   PetscBool  accepted = PETSC_FALSE;
   PetscInt   halvings, iterations;
@@ -109,27 +112,28 @@ PetscErrorCode SafeguardStep(Safeguard *guard, ActiveSet *set, ActiveSolver solv
 
   PetscFunctionBeginUser;
   if (solution->failure) PetscFunctionReturn(PETSC_SUCCESS); /* at the beginning */
-  PetscCall(Split_Private(guard, set));
-  PetscCall(ActiveSetReplace(set, guard->fixed, changed));
-  PetscCall(solver->solve(solver, guard->fixed, guard->y, solution));
+  PetscCall(ProjectedNewtonSplit_Private(newton, set));
+  PetscCall(ActiveSetReplace(set, newton->fixed, changed));
+  PetscCall(solver->solve(solver, newton->fixed, newton->y, solution));
   for (PetscInt i = 0; i < set->n; i++) {
-    guard->d[i] = guard->fixed[i] ? guard->r[i] / set->diag[i] : solution->y[i] - guard->y[i];
+    newton->d[i] = newton->fixed[i] ? newton->r[i] / set->diag[i] : solution->y[i] - newton->y[i];
   }
   PetscCall(PetscMalloc1(set->n, &y));
   iterations = solution->iterations;
   for (halvings = 0; halvings < MAX_HALVINGS && !accepted && !solution->failure; halvings++) {
-    PetscCall(Try_Private(guard, set, solver, PetscPowReal(0.5, (PetscReal)halvings), y, solution, &accepted));
+    PetscCall(ProjectedNewtonTry_Private(newton, set, solver, PetscPowReal(0.5, (PetscReal)halvings), y, solution,
+                                         &accepted));
     iterations += solution->iterations;
   }
   solution->iterations = iterations;
-  PetscCall(PetscArraycpy(guard->y, y, set->n));
-  PetscCall(PetscArraycpy(guard->r, solution->r, set->n));
+  PetscCall(PetscArraycpy(newton->y, y, set->n));
+  PetscCall(PetscArraycpy(newton->r, solution->r, set->n));
   PetscCall(PetscFree(y));
-  PetscCall(Violation_Private(guard, set, violation));
+  PetscCall(ProjectedNewtonViolation_Private(newton, set, violation));
   PetscCall(PetscInfo(solver->A,
                       "projected Newton: %" PetscInt_FMT " held, %" PetscInt_FMT " changed, t = 2^-%" PetscInt_FMT
                       ", projected gradient %g\n",
                       set->num_active, *changed, halvings - 1, (double)*violation));
-  guard->settled = (PetscBool)(!*changed || !accepted);
+  newton->settled = (PetscBool)(!*changed || !accepted);
   PetscFunctionReturn(PETSC_SUCCESS);
 }

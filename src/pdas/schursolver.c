@@ -16,24 +16,24 @@ static const PetscReal SINGULAR = 8 * PETSC_MACHINE_EPSILON;
 static const PetscInt MAX_REFINEMENTS = 2;
 
 typedef struct {
-  Factor       F;       /* of A_II */
-  Vec          r, f, d; /* residual; without fixed rows; correction */
-  PetscReal    size;    /* max |A_II^-1 b_I|: how far the bodies move */
-  PetscMPIInt  rank;
-  PetscMPIInt *counts, *offsets; /* bounded unknowns of each rank; on the first rank only, as all that follows */
-  Mat          S, L;             /* dense; L with L L' = S_FF, NULL if F is empty */
-  Vec          g, y, r_C;        /* the small problem; values and forces of all bounded unknowns */
-  PetscReal   *diag;             /* of A [N] */
-  PetscBool   *fixed;            /* [N] */
-  IS           free;             /* F */
-} Reduced;
+  Factorization F;       /* of A_II */
+  Vec           r, f, d; /* residual; without fixed rows; correction */
+  PetscReal     size;    /* max |A_II^-1 b_I|: how far the bodies move */
+  PetscMPIInt   rank;
+  PetscMPIInt  *counts, *offsets; /* bounded unknowns of each rank; on the first rank only, as all that follows */
+  Mat           S, L;             /* dense; L with L L' = S_FF, NULL if F is empty */
+  Vec           g, y, r_C;        /* the small problem; values and forces of all bounded unknowns */
+  PetscReal    *diag;             /* of A [N] */
+  PetscBool    *fixed;            /* [N] */
+  IS            free;             /* F */
+} SchurSolver;
 
 /* Collects values of bounded unknowns on the first rank. [in] own - [n]; [out] all - NULL on other ranks */
-static PetscErrorCode ToFirst_Private(ActiveSolver solver, const PetscReal own[], Vec all)
+static PetscErrorCode SchurSolverToFirst_Private(ActiveSolver solver, const PetscReal own[], Vec all)
 {
-  const Reduced *t = solver->data;
-  PetscScalar   *a = NULL;
-  PetscMPIInt    n;
+  const SchurSolver *t = solver->data;
+  PetscScalar       *a = NULL;
+  PetscMPIInt        n;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMPIIntCast(solver->set->n, &n));
@@ -44,9 +44,9 @@ static PetscErrorCode ToFirst_Private(ActiveSolver solver, const PetscReal own[]
 }
 
 /* Sends them back to their owners. [in] all - NULL on other ranks; [out] own - [n] */
-static PetscErrorCode FromFirst_Private(ActiveSolver solver, Vec all, PetscReal own[])
+static PetscErrorCode SchurSolverFromFirst_Private(ActiveSolver solver, Vec all, PetscReal own[])
 {
-  const Reduced     *t = solver->data;
+  const SchurSolver *t = solver->data;
   const PetscScalar *a = NULL;
   PetscMPIInt        n;
 
@@ -59,7 +59,7 @@ static PetscErrorCode FromFirst_Private(ActiveSolver solver, Vec all, PetscReal 
 }
 
 /* F from t->fixed, and L. Whether S_FF is positive definite beyond roundoff. First rank only. */
-static PetscErrorCode DenseFactor_Private(Reduced *t, PetscInt N, PetscBool *definite)
+static PetscErrorCode SchurSolverDenseFactor_Private(SchurSolver *t, PetscInt N, PetscBool *definite)
 {
   const PetscScalar *l;
   PetscErrorCode     error;
@@ -93,7 +93,7 @@ static PetscErrorCode DenseFactor_Private(Reduced *t, PetscInt N, PetscBool *def
 }
 
 /* w_F = S_FF^-1 w_F, 0 elsewhere. First rank only. */
-static PetscErrorCode DenseSolve_Private(Reduced *t, Vec w)
+static PetscErrorCode SchurSolverDenseSolve_Private(SchurSolver *t, Vec w)
 {
   Vec from, to;
 
@@ -113,14 +113,14 @@ static PetscErrorCode DenseSolve_Private(Reduced *t, Vec w)
 }
 
 /* t->y_F and t->r_C from t->fixed and t->y, which is 0 on F. First rank only. */
-static PetscErrorCode DenseSystem_Private(Reduced *t, PetscInt N, PetscBool *definite, PetscReal *max)
+static PetscErrorCode SchurSolverDenseSystem_Private(SchurSolver *t, PetscInt N, PetscBool *definite, PetscReal *max)
 {
   PetscFunctionBeginUser;
-  PetscCall(DenseFactor_Private(t, N, definite));
+  PetscCall(SchurSolverDenseFactor_Private(t, N, definite));
   if (!*definite) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MatMult(t->S, t->y, t->r_C));
   PetscCall(VecAYPX(t->r_C, -1, t->g));
-  PetscCall(DenseSolve_Private(t, t->r_C));
+  PetscCall(SchurSolverDenseSolve_Private(t, t->r_C));
   PetscCall(VecAXPY(t->y, 1, t->r_C));
   PetscCall(MatMult(t->S, t->y, t->r_C));
   PetscCall(VecAYPX(t->r_C, -1, t->g));
@@ -129,10 +129,10 @@ static PetscErrorCode DenseSystem_Private(Reduced *t, PetscInt N, PetscBool *def
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Solve_Reduced(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
-                                    ActiveSolution *solution)
+static PetscErrorCode Solve_SchurSolver(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
+                                        ActiveSolution *solution)
 {
-  Reduced         *t        = solver->data;
+  SchurSolver     *t        = solver->data;
   const ActiveSet *set      = solver->set;
   PetscBool        definite = PETSC_TRUE;
   PetscReal        max      = 0;
@@ -144,13 +144,13 @@ static PetscErrorCode Solve_Reduced(ActiveSolver solver, const PetscBool fixed[]
     solution->y[i]     = fixed[i] ? value[i] : 0;
   }
   PetscCall(PetscMPIIntCast(set->n, &n));
-  PetscCall(ToFirst_Private(solver, solution->y, t->y));
+  PetscCall(SchurSolverToFirst_Private(solver, solution->y, t->y));
   PetscCallMPI(MPI_Gatherv(fixed, n, MPIU_BOOL, t->fixed, t->counts, t->offsets, MPIU_BOOL, 0, set->comm));
-  if (!t->rank) PetscCall(DenseSystem_Private(t, set->N, &definite, &max));
+  if (!t->rank) PetscCall(SchurSolverDenseSystem_Private(t, set->N, &definite, &max));
   PetscCallMPI(MPI_Bcast(&definite, 1, MPIU_BOOL, 0, set->comm));
   PetscCallMPI(MPI_Bcast(&max, 1, MPIU_REAL, 0, set->comm));
-  PetscCall(FromFirst_Private(solver, t->y, solution->y));
-  PetscCall(FromFirst_Private(solver, t->r_C, solution->r));
+  PetscCall(SchurSolverFromFirst_Private(solver, t->y, solution->y));
+  PetscCall(SchurSolverFromFirst_Private(solver, t->r_C, solution->r));
   solution->size       = PetscMax(t->size, max);
   solution->eta        = 0;
   solution->norm       = 0;
@@ -160,28 +160,28 @@ static PetscErrorCode Solve_Reduced(ActiveSolver solver, const PetscBool fixed[]
 }
 
 /* By blocks: I, then F by S, then I again; t->r is used up. */
-static PetscErrorCode Correct_Reduced(ActiveSolver solver, Vec f, Vec d, PetscReal *alpha)
+static PetscErrorCode Correct_SchurSolver(ActiveSolver solver, Vec f, Vec d, PetscReal *alpha)
 {
-  Reduced   *t = solver->data;
-  PetscReal *z;
-  Vec        y;
+  SchurSolver *t = solver->data;
+  PetscReal   *z;
+  Vec          y;
 
   PetscFunctionBeginUser;
   *alpha = 1;
   PetscCall(PetscMalloc1(solver->set->n, &z));
   PetscCall(VecDuplicate(d, &y));
   PetscCall(VecZeroEntries(y));
-  PetscCall(FactorSolve(t->F, f, d));
+  PetscCall(FactorizationSolve(t->F, f, d));
   PetscCall(MatMult(solver->A, d, t->r));
   PetscCall(VecAYPX(t->r, -1, f));
   PetscCall(ActiveSetGather(solver->set, t->r, z));
-  PetscCall(ToFirst_Private(solver, z, t->r_C));
-  if (!t->rank) PetscCall(DenseSolve_Private(t, t->r_C));
-  PetscCall(FromFirst_Private(solver, t->r_C, z));
+  PetscCall(SchurSolverToFirst_Private(solver, z, t->r_C));
+  if (!t->rank) PetscCall(SchurSolverDenseSolve_Private(t, t->r_C));
+  PetscCall(SchurSolverFromFirst_Private(solver, t->r_C, z));
   PetscCall(ActiveSetScatter(solver->set, z, y));
   PetscCall(MatMult(solver->A, y, t->r));
   PetscCall(VecAYPX(t->r, -1, f));
-  PetscCall(FactorSolve(t->F, t->r, d));
+  PetscCall(FactorizationSolve(t->F, t->r, d));
   PetscCall(VecAXPY(d, 1, y));
   PetscCall(VecDestroy(&y));
   PetscCall(PetscFree(z));
@@ -190,40 +190,40 @@ static PetscErrorCode Correct_Reduced(ActiveSolver solver, Vec f, Vec d, PetscRe
 
 /* Without d_I = A_II^-1 (f_I - A_IF z), z = S_FF^-1 w_F, w = f_C - A_CI A_II^-1 f_I:
    |d|_A^2 = f_I.A_II^-1 f_I + w_F.z,  A_CF d = S_CF z - w where f = 0. */
-static PetscErrorCode Measure_Reduced(ActiveSolver solver, Vec f, PetscReal *square, PetscReal felt[])
+static PetscErrorCode Measure_SchurSolver(ActiveSolver solver, Vec f, PetscReal *square, PetscReal felt[])
 {
-  Reduced    *t = solver->data;
-  PetscScalar inner, outer = 0;
-  Vec         z;
+  SchurSolver *t = solver->data;
+  PetscScalar  inner, outer = 0;
+  Vec          z;
 
   PetscFunctionBeginUser;
-  PetscCall(FactorSolve(t->F, f, t->d));
+  PetscCall(FactorizationSolve(t->F, f, t->d));
   PetscCall(VecDot(f, t->d, &inner));
   PetscCall(MatMult(solver->A, t->d, t->r));
   PetscCall(VecAYPX(t->r, -1, f));
   PetscCall(ActiveSetGather(solver->set, t->r, felt));
-  PetscCall(ToFirst_Private(solver, felt, t->r_C));
+  PetscCall(SchurSolverToFirst_Private(solver, felt, t->r_C));
   if (!t->rank) {
     PetscCall(VecDuplicate(t->r_C, &z));
     PetscCall(VecCopy(t->r_C, z));
-    PetscCall(DenseSolve_Private(t, z));
+    PetscCall(SchurSolverDenseSolve_Private(t, z));
     PetscCall(VecDot(t->r_C, z, &outer));
     PetscCall(MatMult(t->S, z, t->y));
     PetscCall(VecAYPX(t->r_C, -1, t->y));
     PetscCall(VecDestroy(&z));
   }
   PetscCallMPI(MPI_Bcast(&outer, 1, MPIU_SCALAR, 0, solver->set->comm));
-  PetscCall(FromFirst_Private(solver, t->r_C, felt));
+  PetscCall(SchurSolverFromFirst_Private(solver, t->r_C, felt));
   *square = PetscRealPart(inner + outer);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* y_I = A_II^-1 (b_I - A_IC y_C), then corrections down to roundoff with A itself, from which the forces come. */
-static PetscErrorCode Finish_Reduced(ActiveSolver solver, ActiveSolution *solution, Vec y)
+static PetscErrorCode Finish_SchurSolver(ActiveSolver solver, ActiveSolution *solution, Vec y)
 {
-  Reduced   *t = solver->data;
-  PetscReal *v, reference, size, alpha;
-  PetscBool  suffices;
+  SchurSolver *t = solver->data;
+  PetscReal   *v, reference, size, alpha;
+  PetscBool    suffices;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(solver->set->n, &v));
@@ -234,13 +234,13 @@ static PetscErrorCode Finish_Reduced(ActiveSolver solver, ActiveSolution *soluti
   PetscCall(ActiveSolverResidual(solver, solution->fixed, y, t->r, t->f, &reference));
   PetscCall(ActiveSetScatter(solver->set, solution->y, y));
   PetscCall(ActiveSolverResidual(solver, solution->fixed, y, t->r, t->f, &size));
-  PetscCall(FactorSolve(t->F, t->f, t->d));
+  PetscCall(FactorizationSolve(t->F, t->f, t->d));
   for (PetscInt k = 0;; k++) {
     PetscCall(VecAXPY(y, 1, t->d));
     PetscCall(ActiveSolverResidual(solver, solution->fixed, y, t->r, t->f, &size));
     solution->eta = reference > 0 ? size / reference : 0;
     if (k == MAX_REFINEMENTS || (k && solution->eta <= solver->rtol)) break;
-    PetscCall(Correct_Reduced(solver, t->f, t->d, &alpha));
+    PetscCall(Correct_SchurSolver(solver, t->f, t->d, &alpha));
   }
   PetscCall(ActiveSolverSuffices(solver, y, size, reference, &suffices));
   if (!suffices) solution->failure = FAILURE_RESIDUAL;
@@ -248,12 +248,12 @@ static PetscErrorCode Finish_Reduced(ActiveSolver solver, ActiveSolution *soluti
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Destroy_Reduced(ActiveSolver solver)
+static PetscErrorCode Destroy_SchurSolver(ActiveSolver solver)
 {
-  Reduced *t = solver->data;
+  SchurSolver *t = solver->data;
 
   PetscFunctionBeginUser;
-  PetscCall(FactorDestroy(&t->F));
+  PetscCall(FactorizationDestroy(&t->F));
   PetscCall(VecDestroy(&t->r));
   PetscCall(VecDestroy(&t->f));
   PetscCall(VecDestroy(&t->d));
@@ -270,9 +270,9 @@ static PetscErrorCode Destroy_Reduced(ActiveSolver solver)
 }
 
 /* Room on the first rank, and how many bounded unknowns come from each. */
-static PetscErrorCode Allocate_Private(ActiveSolver solver)
+static PetscErrorCode SchurSolverAllocate_Private(ActiveSolver solver)
 {
-  Reduced       *t = solver->data;
+  SchurSolver   *t = solver->data;
   const PetscInt N = solver->set->N;
   PetscMPIInt    size, n;
 
@@ -296,9 +296,9 @@ static PetscErrorCode Allocate_Private(ActiveSolver solver)
 }
 
 /* Factors A_II and takes S, of which MUMPS gives one triangle: the lower on one rank, the upper on several. */
-static PetscErrorCode Factor_Private(ActiveSolver solver, const char prefix[], MatFactorError *error)
+static PetscErrorCode SchurSolverFactor_Private(ActiveSolver solver, const char prefix[], MatFactorError *error)
 {
-  Reduced       *t = solver->data;
+  SchurSolver   *t = solver->data;
   const PetscInt N = solver->set->N;
   PetscInt      *C;
   PetscScalar   *S = NULL;
@@ -306,7 +306,7 @@ static PetscErrorCode Factor_Private(ActiveSolver solver, const char prefix[], M
   PetscFunctionBeginUser;
   PetscCall(ActiveSetAll(solver->set, &C));
   if (!t->rank) PetscCall(MatDenseGetArray(t->S, &S));
-  PetscCall(FactorCreate(solver->A, N, C, prefix, S, &t->F, error));
+  PetscCall(FactorizationCreate(solver->A, N, C, prefix, S, &t->F, error));
   for (PetscInt i = 0; i < N && !t->rank && !*error; i++) {
     for (PetscInt j = 0; j < i; j++) S[i * N + j] = S[j * N + i] = S[i * N + j] != 0 ? S[i * N + j] : S[j * N + i];
   }
@@ -316,29 +316,29 @@ static PetscErrorCode Factor_Private(ActiveSolver solver, const char prefix[], M
 }
 
 /* g = b_C - A_CI A_II^-1 b_I */
-static PetscErrorCode Load_Reduced(ActiveSolver solver, Vec b, Vec y)
+static PetscErrorCode Load_SchurSolver(ActiveSolver solver, Vec b, Vec y)
 {
-  Reduced   *t = solver->data;
-  PetscReal *g;
+  SchurSolver *t = solver->data;
+  PetscReal   *g;
 
   PetscFunctionBeginUser;
   (void)y;
   solver->b = b;
-  PetscCall(FactorSolve(t->F, b, t->d));
+  PetscCall(FactorizationSolve(t->F, b, t->d));
   PetscCall(VecNorm(t->d, NORM_INFINITY, &t->size));
   PetscCall(MatMult(solver->A, t->d, t->r));
   PetscCall(VecAYPX(t->r, -1, b));
   PetscCall(PetscMalloc1(solver->set->n, &g));
   PetscCall(ActiveSetGather(solver->set, t->r, g));
-  PetscCall(ToFirst_Private(solver, g, t->g));
+  PetscCall(SchurSolverToFirst_Private(solver, g, t->g));
   PetscCall(PetscFree(g));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ReducedCreate(const ActiveSet *set, Mat A, Vec b, const char prefix[], PetscReal rtol,
-                             ActiveSolver *solver, const char **failure)
+PetscErrorCode SchurSolverCreate(const ActiveSet *set, Mat A, Vec b, const char prefix[], PetscReal rtol,
+                                 ActiveSolver *solver, const char **failure)
 {
-  Reduced       *t;
+  SchurSolver   *t;
   PetscMPIInt    n;
   MatFactorError error;
 
@@ -347,18 +347,18 @@ PetscErrorCode ReducedCreate(const ActiveSet *set, Mat A, Vec b, const char pref
   PetscCall(PetscNew(&t));
   (*solver)->data     = t;
   (*solver)->factored = PETSC_TRUE;
-  (*solver)->solve    = Solve_Reduced;
-  (*solver)->load     = Load_Reduced;
-  (*solver)->finish   = Finish_Reduced;
-  (*solver)->correct  = Correct_Reduced;
-  (*solver)->measure  = Measure_Reduced;
-  (*solver)->destroy  = Destroy_Reduced;
-  PetscCall(Allocate_Private(*solver));
+  (*solver)->solve    = Solve_SchurSolver;
+  (*solver)->load     = Load_SchurSolver;
+  (*solver)->finish   = Finish_SchurSolver;
+  (*solver)->correct  = Correct_SchurSolver;
+  (*solver)->measure  = Measure_SchurSolver;
+  (*solver)->destroy  = Destroy_SchurSolver;
+  PetscCall(SchurSolverAllocate_Private(*solver));
   PetscCall(PetscMPIIntCast(set->n, &n));
   PetscCallMPI(MPI_Gatherv(set->diag, n, MPIU_REAL, t->diag, t->counts, t->offsets, MPIU_REAL, 0, set->comm));
-  PetscCall(Factor_Private(*solver, prefix, &error));
-  *failure = ActiveFailureOfFactor(error);
+  PetscCall(SchurSolverFactor_Private(*solver, prefix, &error));
+  *failure = ActiveSolverFailureOfFactor(error);
   if (*failure) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(Load_Reduced(*solver, b, NULL));
+  PetscCall(Load_SchurSolver(*solver, b, NULL));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

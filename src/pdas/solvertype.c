@@ -4,7 +4,8 @@
 #include "pdas/pdasimpl.h"
 
 /* Whether one factorisation is to serve all sets: by itself where the KSP is a MUMPS Cholesky solve alone. */
-static PetscErrorCode Reducible_Private(const PDAS *pdas, const ActiveSet *set, Vec y, KSP ksp, PetscBool *reduced)
+static PetscErrorCode SolverTypeReducible_Private(const PDAS *pdas, const ActiveSet *set, Vec y, KSP ksp,
+                                                  PetscBool *reduced)
 {
   PetscBool     direct, cholesky, mumps = PETSC_FALSE;
   MatSolverType type = NULL;
@@ -18,7 +19,7 @@ static PetscErrorCode Reducible_Private(const PDAS *pdas, const ActiveSet *set, 
   PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCCHOLESKY, &cholesky));
   if (cholesky) PetscCall(PCFactorGetMatSolverType(pc, &type));
   if (type) PetscCall(PetscStrcmp(type, MATSOLVERMUMPS, &mumps));
-  *reduced = (PetscBool)(direct && mumps && set->N <= ACTIVE_MAX_REDUCED);
+  *reduced = (PetscBool)(direct && mumps && set->N <= ACTIVE_MAX_SCHUR);
   if (pdas->reduce_set) *reduced = pdas->reduce;
   /* without bounds there is one system only; with nothing else there is nothing to eliminate */
   if (set->N == 0 || set->N == size) *reduced = PETSC_FALSE;
@@ -36,13 +37,14 @@ PetscErrorCode PDASChooseSolver(SNES snes, PDAS *pdas, Mat A, Vec b, Vec y)
   PetscFunctionBeginUser;
   PetscCall(SNESGetKSP(snes, &ksp));
   PetscCall(SNESGetTolerances(snes, NULL, &rtol, NULL, NULL, NULL));
-  PetscCall(Reducible_Private(pdas, set, y, ksp, &pdas->reduced));
+  PetscCall(SolverTypeReducible_Private(pdas, set, y, ksp, &pdas->reduced));
   if (pdas->reduced) {
     PetscCall(KSPGetOptionsPrefix(ksp, &prefix));
-    PetscCall(ReducedCreate(set, A, b, prefix, rtol, solver, &pdas->failure));
+    PetscCall(SchurSolverCreate(set, A, b, prefix, rtol, solver, &pdas->failure));
   } else {
-    PetscCall(TruncatedCreate(set, A, b, y, ksp, rtol, solver));
-    if (pdas->enough > 0) PetscCall(EnoughSet(*solver, pdas->enough, pdas->gained));
+    PetscCall(FullSolverCreate(set, A, b, y, ksp, rtol, solver));
+    if (pdas->error_reduction > 0)
+      PetscCall(ConvergenceSetErrorReduction(*solver, pdas->error_reduction, pdas->energy_decrease));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -77,16 +79,16 @@ PetscErrorCode PDASCreateSolver(SNES snes, const ActiveSet *set, Mat A, Vec b, P
   PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &is_pdas));
   if (is_pdas) {
     PetscCall(PDASGet(snes, &pdas));
-    PetscCall(Reducible_Private(pdas, set, y, ksp, &reduced));
+    PetscCall(SolverTypeReducible_Private(pdas, set, y, ksp, &reduced));
   }
   if (reduced) {
     const char *prefix;
 
     PetscCall(KSPGetOptionsPrefix(ksp, &prefix));
-    PetscCall(ReducedCreate(set, A, b, prefix, rtol, solver, failure));
+    PetscCall(SchurSolverCreate(set, A, b, prefix, rtol, solver, failure));
   } else {
     PetscCall(KSPReset(ksp)); /* it may have been used for a matrix of another size */
-    PetscCall(TruncatedCreate(set, A, b, y, ksp, rtol, solver));
+    PetscCall(FullSolverCreate(set, A, b, y, ksp, rtol, solver));
   }
   PetscCall(VecDestroy(&y));
   PetscFunctionReturn(PETSC_SUCCESS);

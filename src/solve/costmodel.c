@@ -44,28 +44,28 @@ PetscReal CostModelPredicted(const CostModel *model)
 }
 
 /* By the pattern of K: contact adds couplings of one side with the other, which few unknowns have. */
-static PetscErrorCode Predict_Private(CostModel *model)
+static PetscErrorCode CostModelPredict_Private(CostModel *model)
 {
-  const Grid    *finest = &model->hierarchy->grid[model->hierarchy->num - 1];
-  const VI       vi     = model->vi;
-  ActiveSet      set;
-  FactorForecast forecast;
-  PetscReal      unit;
-  PetscBool      one, suffices;
-  PetscInt      *C = NULL;
+  const HierarchyLevel *finest = &model->hierarchy->level[model->hierarchy->num - 1];
+  const VI              vi     = model->vi;
+  ActiveSet             set;
+  FactorizationCost     cost;
+  PetscReal             unit;
+  PetscBool             one, suffices;
+  PetscInt             *C = NULL;
 
   PetscFunctionBeginUser;
   PetscCall(ActiveSetCreate(vi->upper, vi->A, &set));
-  one = (PetscBool)(set.N <= ACTIVE_MAX_REDUCED);
+  one = (PetscBool)(set.N <= ACTIVE_MAX_SCHUR);
   if (one) PetscCall(ActiveSetAll(&set, &C));
-  PetscCall(FactorForetell(vi->K, one ? set.N : 0, C, "", &forecast));
+  PetscCall(FactorizationPredict(vi->K, one ? set.N : 0, C, "", &cost));
   PetscCall(CostModelUnit(vi, &unit));
   if (finest->S) unit *= SMOOTHING;
-  model->once = one ? (finest->op.W ? WITH_SPRINGS : 1) * forecast.operations / unit : 0;
-  model->set  = (one ? CostModelPerSet(set.N) : forecast.operations) / unit;
-  PetscCall(MemorySuffices(set.comm, forecast.bytes, &suffices));
+  model->once = one ? (finest->op.W ? WITH_SPRINGS : 1) * cost.operations / unit : 0;
+  model->set  = (one ? CostModelPerSet(set.N) : cost.operations) / unit;
+  PetscCall(MemorySuffices(set.comm, cost.bytes, &suffices));
   model->asked = PETSC_TRUE;
-  model->on    = (PetscBool)(forecast.known && suffices);
+  model->on    = (PetscBool)(cost.known && suffices);
   PetscCall(PetscInfo(vi->K, "a factorisation takes %g products, and %g for each set; memory %s\n", (double)model->once,
                       (double)model->set, suffices ? "suffices" : "does not suffice"));
   PetscCall(PetscFree(C));
@@ -81,7 +81,7 @@ static PetscErrorCode IsOverFn(void *ctx, PetscBool *over)
 
   PetscFunctionBeginUser;
   if (model->on && work > SUSPICIOUS) {
-    if (!model->asked) PetscCall(Predict_Private(model));
+    if (!model->asked) PetscCall(CostModelPredict_Private(model));
     model->over = (PetscBool)(model->on && work > (model->found ? FOUND : 1) * CostModelPredicted(model));
   }
   *over = model->over;

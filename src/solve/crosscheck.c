@@ -21,7 +21,8 @@ static const PetscReal ROUNDOFF = 64 * PETSC_MACHINE_EPSILON;
 static const char PREFIX[] = "cross_check_";
 
 /* Values and forces b - A y of all bounded unknowns. [out] y, r - [set->n] */
-static PetscErrorCode Take_Private(VI vi, const ActiveSet *set, Vec y, PetscReal values[], PetscReal forces[])
+static PetscErrorCode CrossCheckGetValues_Private(VI vi, const ActiveSet *set, Vec y, PetscReal values[],
+                                                  PetscReal forces[])
 {
   Vec r;
 
@@ -37,7 +38,7 @@ static PetscErrorCode Take_Private(VI vi, const ActiveSet *set, Vec y, PetscReal
 
 /* Counts unknowns that one solution holds at the bound with a force and the other clearly not. A bound that is just
    touched, with no force, belongs to either set. */
-static PetscErrorCode CompareSets_Private(VI vi, Vec first, Vec second, PetscReal scale, PetscInt *difference)
+static PetscErrorCode CrossCheckCompareSets_Private(VI vi, Vec first, Vec second, PetscReal scale, PetscInt *difference)
 {
   ActiveSet  set;
   PetscReal *y[2], *r[2], max = 0;
@@ -45,8 +46,8 @@ static PetscErrorCode CompareSets_Private(VI vi, Vec first, Vec second, PetscRea
   PetscFunctionBeginUser;
   PetscCall(ActiveSetCreate(vi->upper, vi->A, &set));
   PetscCall(PetscMalloc4(set.n, &y[0], set.n, &y[1], set.n, &r[0], set.n, &r[1]));
-  PetscCall(Take_Private(vi, &set, first, y[0], r[0]));
-  PetscCall(Take_Private(vi, &set, second, y[1], r[1]));
+  PetscCall(CrossCheckGetValues_Private(vi, &set, first, y[0], r[0]));
+  PetscCall(CrossCheckGetValues_Private(vi, &set, second, y[1], r[1]));
   for (PetscInt i = 0; i < set.n; i++) max = PetscMax(max, PetscMax(PetscAbsReal(r[0][i]), PetscAbsReal(r[1][i])));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &max, 1, MPIU_REAL, MPI_MAX, set.comm));
   *difference = 0;
@@ -68,7 +69,8 @@ static PetscErrorCode CompareSets_Private(VI vi, Vec first, Vec second, PetscRea
 /* Whether both solve the same equations up to roundoff: A (first - second), in the rows of what neither holds at its bound.
    A stiff body on a soft one, or a motion that next to nothing resists, multiplies the roundoff of forces by the condition
    of A, and no method with numbers of this length finds more digits of the displacements. */
-static PetscErrorCode Indistinct_Private(VI vi, Vec first, Vec second, PetscReal scale, PetscBool *indistinct)
+static PetscErrorCode CrossCheckAgreeToRoundoff_Private(VI vi, Vec first, Vec second, PetscReal scale,
+                                                        PetscBool *indistinct)
 {
   ActiveSet  set;
   Vec        d, r, diagonal;
@@ -108,7 +110,7 @@ typedef struct {
   PetscReal max, energy;
 } Size;
 
-static PetscErrorCode Measure_Private(VI vi, Vec y, Size *size)
+static PetscErrorCode CrossCheckMeasure_Private(VI vi, Vec y, Size *size)
 {
   const Mat   K = vi->K ? vi->K : vi->A;
   Vec         u, Ku;
@@ -132,8 +134,8 @@ static PetscErrorCode Measure_Private(VI vi, Vec y, Size *size)
 
 /* Whether two solutions are as near as their solvers promise (eq. 11.4). [in] iterated - whether one of them is an iteration's;
    [out] check - displacement_difference; [out] all - of the first one */
-static PetscErrorCode AreNear_Private(VI vi, Vec first, Vec second, PetscBool iterated, CrossCheck *check, Size *all,
-                                      PetscBool *near)
+static PetscErrorCode CrossCheckAreNear_Private(VI vi, Vec first, Vec second, PetscBool iterated, CrossCheck *check,
+                                                Size *all, PetscBool *near)
 {
   Vec  difference;
   Size d;
@@ -141,8 +143,8 @@ static PetscErrorCode AreNear_Private(VI vi, Vec first, Vec second, PetscBool it
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(first, &difference));
   PetscCall(VecWAXPY(difference, -1, second, first));
-  PetscCall(Measure_Private(vi, difference, &d));
-  PetscCall(Measure_Private(vi, first, all));
+  PetscCall(CrossCheckMeasure_Private(vi, difference, &d));
+  PetscCall(CrossCheckMeasure_Private(vi, first, all));
   PetscCall(VecDestroy(&difference));
   check->displacement_difference = all->max > 0 ? d.max / all->max : d.max;
   PetscCall(PetscInfo(vi->A, "displacements differ by %g in the energy norm, of %g\n", (double)d.energy,
@@ -150,29 +152,29 @@ static PetscErrorCode AreNear_Private(VI vi, Vec first, Vec second, PetscBool it
   *near = (PetscBool)(check->displacement_difference <= AGREE);
   if (*near || !(check->displacement_difference <= AGREE_ILL)) PetscFunctionReturn(PETSC_SUCCESS);
   *near = (PetscBool)(iterated && d.energy <= PROMISED * all->energy);
-  if (!*near) PetscCall(Indistinct_Private(vi, first, second, all->max, near));
+  if (!*near) PetscCall(CrossCheckAgreeToRoundoff_Private(vi, first, second, all->max, near));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolverCrossCheck(Solver solver, Vec y, const SolveReport *report, CrossCheck *check)
+PetscErrorCode SolverCrossCheck(Solver solver, Vec y, const SolverReport *report, CrossCheck *check)
 {
-  const VI    vi = solver->vi;
-  SolveChoice choice;
-  Vec         second;
-  Size        size;
-  PetscBool   near = PETSC_FALSE, again, iterated;
+  const VI     vi = solver->vi;
+  SolverChoice choice;
+  Vec          second;
+  Size         size;
+  PetscBool    near = PETSC_FALSE, again, iterated;
 
   PetscFunctionBeginUser;
-  PetscCall(SolveChooseSecond(vi, report, PREFIX, &choice));
-  if (SolveFactors(choice.pc)) PetscCall(MeshLevelsDestroy(&solver->levels));
+  PetscCall(SolverChoiceSetSecond(vi, report, PREFIX, &choice));
+  if (SolverChoiceFactors(choice.pc)) PetscCall(MeshLevelsDestroy(&solver->levels));
   PetscCall(VecDuplicate(y, &second));
-  PetscCall(SolveRun(solver, &choice, PETSC_FALSE, NULL, second, &check->other));
-  PetscCall(SolveChooseAnother(&check->other, &choice, &again));
-  if (again) PetscCall(SolveRun(solver, &choice, PETSC_FALSE, NULL, second, &check->other));
+  PetscCall(SolverRun(solver, &choice, PETSC_FALSE, NULL, second, &check->other));
+  PetscCall(SolverChoiceSetFallback(&check->other, &choice, &again));
+  if (again) PetscCall(SolverRun(solver, &choice, PETSC_FALSE, NULL, second, &check->other));
   PetscCall(MeshLevelsDestroy(&solver->levels));
-  iterated = (PetscBool)(!SolveFactors(report->pc) || !SolveFactors(check->other.pc));
-  PetscCall(AreNear_Private(vi, y, second, iterated, check, &size, &near));
-  PetscCall(CompareSets_Private(vi, y, second, size.max, &check->active_difference));
+  iterated = (PetscBool)(!SolverChoiceFactors(report->pc) || !SolverChoiceFactors(check->other.pc));
+  PetscCall(CrossCheckAreNear_Private(vi, y, second, iterated, check, &size, &near));
+  PetscCall(CrossCheckCompareSets_Private(vi, y, second, size.max, &check->active_difference));
   check->done  = PETSC_TRUE;
   check->agree = (PetscBool)(check->other.converged && near && !check->active_difference);
   PetscCall(VecDestroy(&second));

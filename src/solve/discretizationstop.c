@@ -23,7 +23,7 @@ enum { MORE = 4 };
 static const PetscReal SLOW = 2;
 
 /* |u_h - u_2h|^2 by |u - u_h|^2, at most */
-static PetscReal Ratio_Private(const Scene scene)
+static PetscReal DiscretizationStopRatio_Private(const Scene scene)
 {
   PetscInt order = 1;
 
@@ -32,51 +32,51 @@ static PetscReal Ratio_Private(const Scene scene)
 }
 
 /* The same by what the levels show. [in] change - |u_h - u_2h|^2, and of the level before, or 0 */
-static PetscReal Observed_Private(const Scene scene, PetscReal change, PetscReal before)
+static PetscReal DiscretizationStopObserved_Private(const Scene scene, PetscReal change, PetscReal before)
 {
   const PetscReal fall = change > 0 && before > 0 ? before / change : SLOW;
 
-  return PetscMin(PetscMax(fall, SLOW) - 1, Ratio_Private(scene));
+  return PetscMin(PetscMax(fall, SLOW) - 1, DiscretizationStopRatio_Private(scene));
 }
 
-PetscReal StopPart(const Scene scene)
+PetscReal DiscretizationStopPart(const Scene scene)
 {
-  return PetscSqr(AIM * SHARE) / Ratio_Private(scene);
+  return PetscSqr(AIM * SHARE) / DiscretizationStopRatio_Private(scene);
 }
 
-PetscErrorCode StopSet(const Workbench *bench, PetscReal gained)
+PetscErrorCode DiscretizationStopSet(const SolverContext *context, PetscReal energy_decrease)
 {
-  const VI vi = bench->springs.solved.vi;
+  const VI vi = context->proximal.solved.vi;
 
   PetscFunctionBeginUser;
-  PetscCall(PDASSetEnough(bench->snes, StopPart(vi->scene), gained));
+  PetscCall(PDASSetErrorReduction(context->snes, DiscretizationStopPart(vi->scene), energy_decrease));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode StopConfirm(Workbench *bench, Vec y, SolveReport *report)
+PetscErrorCode DiscretizationStopConfirm(SolverContext *context, Vec y, SolverReport *report)
 {
-  const VI        vi    = bench->springs.solved.vi;
-  const PetscReal ratio = Ratio_Private(vi->scene);
+  const VI        vi    = context->proximal.solved.vi;
+  const PetscReal ratio = DiscretizationStopRatio_Private(vi->scene);
   PetscReal       aim   = AIM, change;
   ActiveSolver    solver;
   Vec             active;
 
   PetscFunctionBeginUser;
-  PetscCall(PDASGetSolver(bench->snes, &solver));
+  PetscCall(PDASGetSolver(context->snes, &solver));
   if (!solver) PetscFunctionReturn(PETSC_SUCCESS);
-  change = solver->first * vi->stiffness * PetscSqr(vi->length);
-  report->discretisation =
-      PetscSqrtReal(change / Observed_Private(vi->scene, change, bench->levels ? bench->levels->change : 0));
+  change                 = solver->first * vi->stiffness * PetscSqr(vi->length);
+  report->discretisation = PetscSqrtReal(
+      change / DiscretizationStopObserved_Private(vi->scene, change, context->levels ? context->levels->change : 0));
   for (PetscInt k = 0; k < MORE && report->converged && !(report->bound.value <= SHARE * report->discretisation); k++) {
     const PetscReal excess = report->bound.value / (SHARE * report->discretisation);
 
     aim /= excess > 0 && excess < 1 / PETSC_SMALL ? 2 * excess : 2;
-    PetscCall(PDASSetEnough(bench->snes, PetscSqr(aim * SHARE) / ratio, 0));
-    PetscCall(PDASGetActive(bench->snes, &active));
-    PetscCall(PDASSetStart(bench->snes, active));
-    PetscCall(SNESSolve(bench->snes, NULL, y));
-    PetscCall(SolveReportAdd(bench->snes, &bench->springs.solved, y, report));
-    PetscCall(BoundCompute(&bench->springs, bench->snes, y, &report->bound));
+    PetscCall(PDASSetErrorReduction(context->snes, PetscSqr(aim * SHARE) / ratio, 0));
+    PetscCall(PDASGetActive(context->snes, &active));
+    PetscCall(PDASSetStart(context->snes, active));
+    PetscCall(SNESSolve(context->snes, NULL, y));
+    PetscCall(SolverReportAdd(context->snes, &context->proximal.solved, y, report));
+    PetscCall(ErrorBoundCompute(&context->proximal, context->snes, y, &report->bound));
   }
   if (report->converged && !(report->bound.value <= SHARE * report->discretisation)) {
     report->converged = PETSC_FALSE;

@@ -5,11 +5,11 @@
 #include "solve/solvercontext.h"
 
 /* What of |u_h - u_2h|_K^2 the square of the solver's error may be. Not collective. */
-PetscReal StopPart(const Scene scene);
-/* Before the solve, pdas with levels. Collective. [in] gained - as of CascadeStart() */
-PetscErrorCode StopSet(const Workbench *bench, PetscReal gained);
+PetscReal DiscretizationStopPart(const Scene scene);
+/* Before the solve, pdas with levels. Collective. [in] gained - as of NestedIterationStart() */
+PetscErrorCode DiscretizationStopSet(const SolverContext *context, PetscReal energy_decrease);
 /* After it, and after the bound of its error: goes on where that is not small enough. Collective.
    [in,out] y; [in,out] report - converged only if it is in the end */
-PetscErrorCode StopConfirm(Workbench *bench, Vec y, SolveReport *report);
+PetscErrorCode DiscretizationStopConfirm(SolverContext *context, Vec y, SolverReport *report);
 
 #endif

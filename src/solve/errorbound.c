@@ -37,7 +37,7 @@ typedef struct {
   PetscReal   *values, *forces; /* of bounded unknowns [n] */
 } Bound;
 
-static PetscErrorCode BoundCreate_Private(ActiveSolver solver, Mat A, Vec b, Bound *m)
+static PetscErrorCode ErrorBoundBoundCreate_Private(ActiveSolver solver, Mat A, Vec b, Bound *m)
 {
   const PetscInt n = solver->set->n;
 
@@ -50,7 +50,7 @@ static PetscErrorCode BoundCreate_Private(ActiveSolver solver, Mat A, Vec b, Bou
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode BoundDestroy_Private(Bound *m)
+static PetscErrorCode ErrorBoundBoundDestroy_Private(Bound *m)
 {
   PetscFunctionBeginUser;
   PetscCall(VecDestroyVecs(NUM_VECS, &m->vecs));
@@ -59,13 +59,13 @@ static PetscErrorCode BoundDestroy_Private(Bound *m)
 }
 
 /* y^, its set, and its residual. [out] moved - |y^ - y|_A */
-static PetscErrorCode Feasible_Private(Bound *m, Vec y, PetscReal *moved)
+static PetscErrorCode ErrorBoundFeasible_Private(Bound *m, Vec y, PetscReal *moved)
 {
   const ActiveSet *set = m->solver->set;
   PetscScalar      square;
 
   PetscFunctionBeginUser;
-  PetscCall(ActiveResidual(m->A, m->b, y, m->r));
+  PetscCall(CompensatedResidual(m->A, m->b, y, m->r));
   PetscCall(ActiveSetGather(set, y, m->values));
   PetscCall(ActiveSetGather(set, m->r, m->forces));
   for (PetscInt i = 0; i < set->n; i++) {
@@ -78,12 +78,12 @@ static PetscErrorCode Feasible_Private(Bound *m, Vec y, PetscReal *moved)
   PetscCall(MatMult(m->A, m->d, m->c));
   PetscCall(VecDot(m->c, m->d, &square));
   *moved = PetscSqrtReal(PetscMax(PetscRealPart(square), 0));
-  if (*moved > 0) PetscCall(ActiveResidual(m->A, m->b, m->y, m->r));
+  if (*moved > 0) PetscCall(CompensatedResidual(m->A, m->b, m->y, m->r));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* |v| in the norm of diag(A)^-1 */
-static PetscErrorCode Size_Private(Bound *m, Vec v, PetscReal *size)
+static PetscErrorCode ErrorBoundSize_Private(Bound *m, Vec v, PetscReal *size)
 {
   PetscScalar square;
 
@@ -95,7 +95,7 @@ static PetscErrorCode Size_Private(Bound *m, Vec v, PetscReal *size)
 }
 
 /* f: the residual without what pressures balance, all of it on the set or as far as it pushes. */
-static PetscErrorCode Unbalanced_Private(Bound *m, PetscBool all)
+static PetscErrorCode ErrorBoundUnbalanced_Private(Bound *m, PetscBool all)
 {
   const ActiveSet *set = m->solver->set;
 
@@ -110,7 +110,7 @@ static PetscErrorCode Unbalanced_Private(Bound *m, PetscBool all)
 }
 
 /* s = f - A d but for the set, m->forces = what the set feels of it. */
-static PetscErrorCode Rest_Private(Bound *m)
+static PetscErrorCode ErrorBoundRest_Private(Bound *m)
 {
   const ActiveSet *set = m->solver->set;
 
@@ -125,7 +125,7 @@ static PetscErrorCode Rest_Private(Bound *m)
 
 /* d with A d = f but for the set, up to forces along motions that nothing resists. [out] square - |d|_A^2, NAN if there is none;
    m->values = A d on the set */
-static PetscErrorCode Correct_Private(Bound *m, PetscReal *square)
+static PetscErrorCode ErrorBoundCorrect_Private(Bound *m, PetscReal *square)
 {
   PetscReal   size, left, change, alpha;
   PetscScalar work;
@@ -133,8 +133,8 @@ static PetscErrorCode Correct_Private(Bound *m, PetscReal *square)
   PetscFunctionBeginUser;
   *square = NAN;
   PetscCall(VecZeroEntries(m->d));
-  PetscCall(Rest_Private(m));
-  PetscCall(Size_Private(m, m->f, &size));
+  PetscCall(ErrorBoundRest_Private(m));
+  PetscCall(ErrorBoundSize_Private(m, m->f, &size));
   left = change = size;
   for (PetscInt k = 0; k < MAX_CORRECTIONS && PetscMin(left, change) > SETTLED * size; k++) {
     Vec before;
@@ -143,10 +143,10 @@ static PetscErrorCode Correct_Private(Bound *m, PetscReal *square)
     PetscCall(VecAXPY(m->d, 1, m->c));
     PetscCall(VecDuplicate(m->s, &before));
     PetscCall(VecCopy(m->s, before));
-    PetscCall(Rest_Private(m));
+    PetscCall(ErrorBoundRest_Private(m));
     PetscCall(VecAXPY(before, -1, m->s));
-    PetscCall(Size_Private(m, before, &change));
-    PetscCall(Size_Private(m, m->s, &left));
+    PetscCall(ErrorBoundSize_Private(m, before, &change));
+    PetscCall(ErrorBoundSize_Private(m, m->s, &left));
     PetscCall(VecDestroy(&before));
     PetscCall(PetscInfo(m->A, "unbalanced %g, changed by %g, of %g\n", (double)left, (double)change, (double)size));
   }
@@ -160,7 +160,7 @@ static PetscErrorCode Correct_Private(Bound *m, PetscReal *square)
 }
 
 /* Takes nodes that pull out of the set: b - A (y^ + d) < 0. [out] num - of all ranks */
-static PetscErrorCode Release_Private(Bound *m, PetscInt *num)
+static PetscErrorCode ErrorBoundRelease_Private(Bound *m, PetscInt *num)
 {
   const ActiveSet *set = m->solver->set;
 
@@ -177,7 +177,7 @@ static PetscErrorCode Release_Private(Bound *m, PetscInt *num)
 }
 
 /* Makes factors for the set. [out] done - whether there are any */
-static PetscErrorCode Factor_Private(Bound *m, PetscBool *done)
+static PetscErrorCode ErrorBoundFactor_Private(Bound *m, PetscBool *done)
 {
   const ActiveSet *set = m->solver->set;
   ActiveSolution   solution;
@@ -191,7 +191,7 @@ static PetscErrorCode Factor_Private(Bound *m, PetscBool *done)
 }
 
 /* The smallest |d|_A that can be had. [in] ready - whether the solver has factors for its own set */
-static PetscErrorCode Distance_Private(Bound *m, PetscBool ready, PetscReal *square)
+static PetscErrorCode ErrorBoundDistance_Private(Bound *m, PetscBool ready, PetscReal *square)
 {
   const ActiveSet *set     = m->solver->set;
   PetscInt         pulling = 1;
@@ -202,31 +202,31 @@ static PetscErrorCode Distance_Private(Bound *m, PetscBool ready, PetscReal *squ
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &ready, 1, MPIU_BOOL, MPI_LAND, set->comm));
   for (PetscInt k = 0; k < MAX_SETS && pulling; k++) {
     if (k == MAX_SETS - 1) PetscCall(PetscArrayzero(m->fixed, set->n));
-    if (!ready) PetscCall(Factor_Private(m, &ready));
+    if (!ready) PetscCall(ErrorBoundFactor_Private(m, &ready));
     if (!ready) PetscFunctionReturn(PETSC_SUCCESS);
-    PetscCall(Unbalanced_Private(m, PETSC_TRUE));
+    PetscCall(ErrorBoundUnbalanced_Private(m, PETSC_TRUE));
     if (m->solver->measure && m->solver->A == m->A)
       PetscCall((*m->solver->measure)(m->solver, m->f, square, m->values));
     else
-      PetscCall(Correct_Private(m, square));
+      PetscCall(ErrorBoundCorrect_Private(m, square));
     if (PetscIsNanReal(*square)) PetscFunctionReturn(PETSC_SUCCESS);
-    PetscCall(Release_Private(m, &pulling));
+    PetscCall(ErrorBoundRelease_Private(m, &pulling));
     ready = PETSC_FALSE;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The same by a preconditioner. */
-static PetscErrorCode Estimate_Private(Bound *m, PetscBool ready, PetscReal *square)
+static PetscErrorCode ErrorBoundEstimate_Private(Bound *m, PetscBool ready, PetscReal *square)
 {
   PetscScalar work;
   PetscReal   alpha;
 
   PetscFunctionBeginUser;
   *square = NAN;
-  if (!ready) PetscCall(Factor_Private(m, &ready));
+  if (!ready) PetscCall(ErrorBoundFactor_Private(m, &ready));
   if (!ready) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(Unbalanced_Private(m, PETSC_FALSE));
+  PetscCall(ErrorBoundUnbalanced_Private(m, PETSC_FALSE));
   PetscCall((*m->solver->correct)(m->solver, m->f, m->d, &alpha));
   PetscCall(VecDot(m->f, m->d, &work));
   if (alpha > 0 && PetscRealPart(work) >= 0) *square = PetscRealPart(work) / alpha;
@@ -234,27 +234,28 @@ static PetscErrorCode Estimate_Private(Bound *m, PetscBool ready, PetscReal *squ
 }
 
 /* Of a solver that is there. */
-static PetscErrorCode Bound_Private(ActiveSolver solver, PetscBool ready, Mat A, Vec b, Vec y, EnergyBound *bound)
+static PetscErrorCode ErrorBoundApply_Private(ActiveSolver solver, PetscBool ready, Mat A, Vec b, Vec y,
+                                              EnergyBound *bound)
 {
   Bound     m;
   PetscReal moved = 0, square = NAN;
 
   PetscFunctionBeginUser;
-  PetscCall(BoundCreate_Private(solver, A, b, &m));
-  PetscCall(Feasible_Private(&m, y, &moved));
+  PetscCall(ErrorBoundBoundCreate_Private(solver, A, b, &m));
+  PetscCall(ErrorBoundFeasible_Private(&m, y, &moved));
   bound->estimated = (PetscBool)!solver->factored;
   if (solver->factored)
-    PetscCall(Distance_Private(&m, ready, &square));
+    PetscCall(ErrorBoundDistance_Private(&m, ready, &square));
   else
-    PetscCall(Estimate_Private(&m, ready, &square));
+    PetscCall(ErrorBoundEstimate_Private(&m, ready, &square));
   bound->value = moved + PetscSqrtReal(square);
-  PetscCall(BoundDestroy_Private(&m));
+  PetscCall(ErrorBoundBoundDestroy_Private(&m));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BoundCompute(const Springs *springs, SNES snes, Vec y, EnergyBound *bound)
+PetscErrorCode ErrorBoundCompute(const Proximal *proximal, SNES snes, Vec y, EnergyBound *bound)
 {
-  const Inequality   *solved = &springs->solved;
+  const Inequality   *solved = &proximal->solved;
   const VI            vi     = solved->vi;
   SNESConvergedReason reason;
   ActiveSolver        solver;
@@ -269,11 +270,11 @@ PetscErrorCode BoundCompute(const Springs *springs, SNES snes, Vec y, EnergyBoun
   if (reason == SNES_DIVERGED_LINEAR_SOLVE || PetscIsInfOrNanReal(size)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PDASGetSolver(snes, &solver));
   if (solver) {
-    PetscCall(Bound_Private(solver, PETSC_TRUE, vi->A, vi->b, y, bound));
+    PetscCall(ErrorBoundApply_Private(solver, PETSC_TRUE, vi->A, vi->b, y, bound));
   } else {
     PetscCall(ActiveSetCreate(solved->upper, solved->A, &set));
     PetscCall(PDASCreateSolver(snes, &set, solved->A, solved->b, LOOSE, &solver, &failure));
-    if (!failure) PetscCall(Bound_Private(solver, PETSC_FALSE, vi->A, vi->b, y, bound));
+    if (!failure) PetscCall(ErrorBoundApply_Private(solver, PETSC_FALSE, vi->A, vi->b, y, bound));
     PetscCall(ActiveSolverDestroy(&solver));
     PetscCall(ActiveSetDestroy(&set));
   }

@@ -6,6 +6,6 @@
 
 /* Of any y, with the factors or the preconditioner that a SNES of type pdas kept, or with its KSP. Collective.
    [in] y - of what was solved, springs->solved; [out] bound - in the user's units */
-PetscErrorCode BoundCompute(const Springs *springs, SNES snes, Vec y, EnergyBound *bound);
+PetscErrorCode ErrorBoundCompute(const Proximal *proximal, SNES snes, Vec y, EnergyBound *bound);
 
 #endif

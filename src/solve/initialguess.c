@@ -18,7 +18,7 @@ static const PetscReal START_RTOL = 1e-4;
 static const PetscReal ON_BOUND = 1e-9;
 
 /* y = min(0, upper): feasible, and zero where it may be. */
-static PetscErrorCode StartFeasible_Private(const Inequality *solved, Vec y)
+static PetscErrorCode InitialGuessStartFeasible_Private(const Inequality *solved, Vec y)
 {
   PetscFunctionBeginUser;
   PetscCall(VecZeroEntries(y));
@@ -28,8 +28,8 @@ static PetscErrorCode StartFeasible_Private(const Inequality *solved, Vec y)
 
 /* The solution with those bounds reached that can balance the loads: a start without contact leads bodies far away. By one
    factorisation, or by multigrid where that solves what follows. */
-static PetscErrorCode StartTouching_Private(const Inequality *solved, Vec start, const SolveChoice *choice, SNES snes,
-                                            Vec y)
+static PetscErrorCode InitialGuessStartTouching_Private(const Inequality *solved, Vec start, const SolverChoice *choice,
+                                                        SNES snes, Vec y)
 {
   ActiveSet      set;
   ActiveSolver   solver;
@@ -40,7 +40,7 @@ static PetscErrorCode StartTouching_Private(const Inequality *solved, Vec start,
   PetscFunctionBeginUser;
   PetscCall(ActiveSetCreate(solved->upper, solved->A, &set));
   if (strcmp(choice->pc, PCTRUNCATEDMG))
-    PetscCall(ReducedCreate(&set, solved->A, solved->b, choice->prefix, 0, &solver, &failure));
+    PetscCall(SchurSolverCreate(&set, solved->A, solved->b, choice->prefix, 0, &solver, &failure));
   else
     PetscCall(PDASCreateSolver(snes, &set, solved->A, solved->b, START_RTOL, &solver, &failure));
   if (!failure) {
@@ -60,7 +60,7 @@ static PetscErrorCode StartTouching_Private(const Inequality *solved, Vec start,
 
 /* y of a displacement: T y = u / length. T is block diagonal (each node's frame) but for what nonmortar nodes take from others
    and these from yet others, a chain with an end: preconditioned by its blocks, GMRES needs as many steps as chains are long. */
-static PetscErrorCode StartFrom_Private(VI vi, Vec guess, Vec y)
+static PetscErrorCode InitialGuessStartFrom_Private(VI vi, Vec guess, Vec y)
 {
   KSP ksp;
   PC  pc;
@@ -88,7 +88,7 @@ static PetscErrorCode StartFrom_Private(VI vi, Vec guess, Vec y)
 
 /* y within its bounds, and on them where it nearly is: PETSc's types leave an unknown that lies within their zero tolerance of its
    bound where it is, and it would not count as touching. */
-static PetscErrorCode Settle_Private(const Inequality *solved, Vec y)
+static PetscErrorCode InitialGuessMoveToBounds_Private(const Inequality *solved, Vec y)
 {
   const PetscScalar *upper;
   PetscScalar       *values;
@@ -109,21 +109,22 @@ static PetscErrorCode Settle_Private(const Inequality *solved, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveStart(const Inequality *solved, Solvability solvability, const SolveChoice *choice, SNES snes,
-                          Vec guess, Vec y)
+PetscErrorCode InitialGuessSet(const Inequality *solved, Solvability solvability, const SolverChoice *choice, SNES snes,
+                               Vec guess, Vec y)
 {
   const PetscBool pdas = (PetscBool)!strcmp(choice->snes, SNESPDAS);
 
   PetscFunctionBeginUser;
   if (guess) {
-    PetscCall(StartFrom_Private(solved->vi, guess, y));
+    PetscCall(InitialGuessStartFrom_Private(solved->vi, guess, y));
     if (solvability) PetscCall(VecAXPY(y, -1, solvability->approach)); // from where bodies touch (springs.h)
-    if (!pdas) PetscCall(Settle_Private(solved, y)); // pdas takes an overlap for contact, others ask for none
+    if (!pdas)
+      PetscCall(InitialGuessMoveToBounds_Private(solved, y)); // pdas takes an overlap for contact, others ask for none
   } else {
-    PetscCall(StartFeasible_Private(solved, y));
+    PetscCall(InitialGuessStartFeasible_Private(solved, y));
     if (!pdas && solvability) {
-      PetscCall(StartTouching_Private(solved, solvability->start, choice, snes, y));
-      PetscCall(Settle_Private(solved, y));
+      PetscCall(InitialGuessStartTouching_Private(solved, solvability->start, choice, snes, y));
+      PetscCall(InitialGuessMoveToBounds_Private(solved, y));
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -11,7 +11,7 @@
 static const PetscReal REFERENCE_RTOL = 1e-8;
 
 /* Makes the set that y fulfils the conditions of contact with eq. 10.1 the active one. */
-static PetscErrorCode Take_Private(VI vi, Vec y, ActiveSet *set)
+static PetscErrorCode LinearReferenceTake_Private(VI vi, Vec y, ActiveSet *set)
 {
   PetscBool *next;
   PetscReal *values, *forces;
@@ -33,9 +33,9 @@ static PetscErrorCode Take_Private(VI vi, Vec y, ActiveSet *set)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ReferenceSolve(const Springs *springs, SNES snes, Vec y, PetscInt *iterations, PetscBool *solved)
+PetscErrorCode LinearReferenceSolve(const Proximal *proximal, SNES snes, Vec y, PetscInt *iterations, PetscBool *solved)
 {
-  const Inequality *inequality = &springs->solved;
+  const Inequality *inequality = &proximal->solved;
   ActiveSolver      solver;
   ActiveSolution    solution;
   ActiveSet         set;
@@ -45,7 +45,7 @@ PetscErrorCode ReferenceSolve(const Springs *springs, SNES snes, Vec y, PetscInt
   *iterations = 0;
   *solved     = PETSC_FALSE;
   PetscCall(ActiveSetCreate(inequality->upper, inequality->A, &set));
-  PetscCall(Take_Private(inequality->vi, y, &set));
+  PetscCall(LinearReferenceTake_Private(inequality->vi, y, &set));
   PetscCall(PDASCreateSolver(snes, &set, inequality->A, inequality->b, REFERENCE_RTOL, &solver, &failure));
   if (!failure) {
     solver->rtol = 0; // it is not the end of an inequality, where more than the residual counts

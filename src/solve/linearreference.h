@@ -6,6 +6,7 @@
 
 /* Solves the system of the active set of y from zero to a relative residual of 1e-8, with what SNES and KSP are configured to. Collective.
    [in] y - of springs->solved.vi; [out] iterations - of the KSP; [out] solved */
-PetscErrorCode ReferenceSolve(const Springs *springs, SNES snes, Vec y, PetscInt *iterations, PetscBool *solved);
+PetscErrorCode LinearReferenceSolve(const Proximal *proximal, SNES snes, Vec y, PetscInt *iterations,
+                                    PetscBool *solved);
 
 #endif

@@ -8,7 +8,7 @@
 #include "solve/meshlevels.h"
 
 /* P (x) 1: the same for every component. */
-static PetscErrorCode Blocks_Private(Mat P, PetscInt dim, Mat *blocks)
+static PetscErrorCode MeshLevelsBlocks_Private(Mat P, PetscInt dim, Mat *blocks)
 {
   PetscInt     begin, end, rows, columns, first, last, *start, *column, count = 0;
   PetscScalar *value;
@@ -54,7 +54,7 @@ static PetscErrorCode Blocks_Private(Mat P, PetscInt dim, Mat *blocks)
 
 /* What fixed unknowns of the coarser level, which have their values, give to free ones of this one. [in] P - of all unknowns; [in] free -
    1 for free unknowns, fine and coarse; [out] lift - NULL where the values are 0 */
-static PetscErrorCode CreateLift_Private(VI coarse, VI fine, Mat P, const Vec free[2], Vec *lift)
+static PetscErrorCode MeshLevelsCreateLift_Private(VI coarse, VI fine, Mat P, const Vec free[2], Vec *lift)
 {
   PetscReal size;
   Vec       given;
@@ -73,14 +73,14 @@ static PetscErrorCode CreateLift_Private(VI coarse, VI fine, Mat P, const Vec fr
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* T_f^-1 (P (x) 1) T_c, emptied where unknowns are fixed. [in] op - of both levels, coarse first; [out] lift - of CreateLift_Private() */
-static PetscErrorCode CreateProlongation_Private(VI coarse, VI fine, const Operator op[2], Mat *P, Vec *lift)
+/* T_f^-1 (P (x) 1) T_c, emptied where unknowns are fixed. [in] op - of both levels, coarse first; [out] lift - of MeshLevelsCreateLift_Private() */
+static PetscErrorCode MeshLevelsCreateProlongation_Private(VI coarse, VI fine, const Operator op[2], Mat *P, Vec *lift)
 {
   Mat blocks, product;
   Vec free[2];
 
   PetscFunctionBeginUser;
-  PetscCall(Blocks_Private(fine->level->prolongation, fine->level->dim, P));
+  PetscCall(MeshLevelsBlocks_Private(fine->level->prolongation, fine->level->dim, P));
   if (coarse->T) {
     blocks = *P;
     PetscCall(MatMatMult(blocks, coarse->T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, P));
@@ -95,7 +95,7 @@ static PetscErrorCode CreateProlongation_Private(VI coarse, VI fine, const Opera
   }
   PetscCall(OperatorCreateFree(&op[1], &free[0]));
   PetscCall(OperatorCreateFree(&op[0], &free[1]));
-  PetscCall(CreateLift_Private(coarse, fine, *P, free, lift));
+  PetscCall(MeshLevelsCreateLift_Private(coarse, fine, *P, free, lift));
   PetscCall(MatDiagonalScale(*P, free[0], free[1]));
   PetscCall(VecDestroy(&free[0]));
   PetscCall(VecDestroy(&free[1]));
@@ -117,7 +117,7 @@ PetscErrorCode MeshLevelsAreNested(VI vi, PetscBool *nested)
 }
 
 /* Whether the fine level's cells are parts of the coarse one's: not along curves. */
-static PetscErrorCode AreParts_Private(Level *coarse, Level *fine, PetscBool *parts)
+static PetscErrorCode MeshLevelsTestParts_Private(Level *coarse, Level *fine, PetscBool *parts)
 {
   static const PetscReal SAME   = 1e-9; /* relative to the scene */
   PetscReal              off[2] = {0, 0};
@@ -150,15 +150,15 @@ static PetscErrorCode AreParts_Private(Level *coarse, Level *fine, PetscBool *pa
 
 /* The inequality of level l, the next coarser one of fine's. Its K is P'K P of the fine one, by itself or made so. [in] same - whether
    energies are the same where cells are parts of cells */
-static PetscErrorCode CreateCoarse_Private(VI fine, PetscInt l, PetscBool same, VI *coarse)
+static PetscErrorCode MeshLevelsCreateCoarse_Private(VI fine, PetscInt l, PetscBool same, VI *coarse)
 {
   Mat       P, K = NULL;
   PetscBool nested = same;
 
   PetscFunctionBeginUser;
-  if (same) PetscCall(AreParts_Private(&fine->mesh->levels[l], fine->level, &nested));
+  if (same) PetscCall(MeshLevelsTestParts_Private(&fine->mesh->levels[l], fine->level, &nested));
   if (!nested) {
-    PetscCall(Blocks_Private(fine->level->prolongation, fine->level->dim, &P));
+    PetscCall(MeshLevelsBlocks_Private(fine->level->prolongation, fine->level->dim, &P));
     PetscCall(MatPtAP(fine->K, P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &K));
     PetscCall(MatProductClear(K)); // it would keep its factors
     PetscCall(MatDestroy(&P));
@@ -200,7 +200,8 @@ PetscErrorCode MeshLevelsCreateOperator(const Inequality *inequality, Vec W, Ope
 
 /* Whether some cell is of second order, or none is; and whether cells may be long in whole lines: tetrahedra as a mesh generator makes them are
    long here and there. */
-static PetscErrorCode LookAtCells_Private(const Level *level, PetscInt meshes, PetscBool *higher, PetscBool *lines)
+static PetscErrorCode MeshLevelsInspectCells_Private(const Level *level, PetscInt meshes, PetscBool *higher,
+                                                     PetscBool *lines)
 {
   PetscBool any[2] = {PETSC_FALSE, (PetscBool)(meshes > 1)};
 
@@ -218,13 +219,13 @@ static PetscErrorCode LookAtCells_Private(const Level *level, PetscInt meshes, P
 }
 
 /* Of cells of second order the first level of nodes has the vertices, in the middle between which other nodes move. Orders are known cell by cell. */
-static PetscErrorCode CreateTable_Private(const Level *level, NodeTable *table)
+static PetscErrorCode MeshLevelsCreateTable_Private(const Level *level, NodeTable *table)
 {
   static const PetscReal NO_WEIGHT = 1e-12;
   const PetscInt         n         = level->num_owned;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc3(n, &table->count, n * POINTS_TERMS, &table->from, n * POINTS_TERMS, &table->weight));
+  PetscCall(PetscCalloc3(n, &table->count, n * NODE_TERMS, &table->from, n * NODE_TERMS, &table->weight));
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const ElementType type = (ElementType)level->cell_type[c], linear = ElementLinear(type);
     const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]];
@@ -237,8 +238,8 @@ static PetscErrorCode CreateTable_Private(const Level *level, NodeTable *table)
       ElementShape(linear, ElementNode(type, i), phi, NULL);
       for (PetscInt v = 0; v < ElementNumNodes(linear); v++) {
         if (phi[v] <= NO_WEIGHT) continue;
-        table->from[node * POINTS_TERMS + table->count[node]]     = level->node_global[nodes[v]];
-        table->weight[node * POINTS_TERMS + table->count[node]++] = phi[v];
+        table->from[node * NODE_TERMS + table->count[node]]     = level->node_global[nodes[v]];
+        table->weight[node * NODE_TERMS + table->count[node]++] = phi[v];
       }
     }
   }
@@ -246,7 +247,7 @@ static PetscErrorCode CreateTable_Private(const Level *level, NodeTable *table)
 }
 
 /* The inequalities of all levels; matrices as multigrid needs them. [out] below - whether there are to be levels below the coarsest */
-static PetscErrorCode CreateVIs_Private(MeshLevels levels, PetscBool *below)
+static PetscErrorCode MeshLevelsCreateVIs_Private(MeshLevels levels, PetscBool *below)
 {
   const VI  finest = levels->vi[levels->num - 1];
   PetscInt  size;
@@ -257,7 +258,7 @@ static PetscErrorCode CreateVIs_Private(MeshLevels levels, PetscBool *below)
   if (finest->scene->model == MODEL_AXISYMMETRIC)
     same = PETSC_FALSE; // 1 / radius is integrated on each level in its own way
   for (PetscInt l = levels->num - 2; l >= 0; l--)
-    PetscCall(CreateCoarse_Private(levels->vi[l + 1], l, same, &levels->vi[l]));
+    PetscCall(MeshLevelsCreateCoarse_Private(levels->vi[l + 1], l, same, &levels->vi[l]));
   PetscCall(VecGetSize(levels->vi[0]->b, &size));
   *below = (PetscBool)(levels->num == 1 || HierarchyIsLarge(finest->level->dim, size));
   for (PetscInt l = 0; l < levels->num; l++)
@@ -278,17 +279,18 @@ PetscErrorCode MeshLevelsCreate(const Inequality *finest, Vec W, MeshLevels *lev
   PetscCall(PetscCalloc2(num, &levels->vi, num, &levels->lift));
   PetscCall(PetscCalloc2(num, &input.op, num, &input.P));
   levels->vi[num - 1] = finest->vi;
-  PetscCall(CreateVIs_Private(levels, &input.below));
+  PetscCall(MeshLevelsCreateVIs_Private(levels, &input.below));
   for (PetscInt l = 0; l < num; l++) {
     const VI         vi  = levels->vi[l];
     const Inequality own = {.vi = vi, .A = vi->A, .b = vi->b, .upper = vi->upper};
 
     PetscCall(MeshLevelsCreateOperator(l + 1 < num ? &own : finest, l + 1 < num ? NULL : W, &input.op[l]));
     if (!l) continue;
-    PetscCall(CreateProlongation_Private(levels->vi[l - 1], vi, &input.op[l - 1], &input.P[l], &levels->lift[l]));
+    PetscCall(
+        MeshLevelsCreateProlongation_Private(levels->vi[l - 1], vi, &input.op[l - 1], &input.P[l], &levels->lift[l]));
   }
-  PetscCall(LookAtCells_Private(levels->vi[0]->level, num, &higher, &input.lines));
-  if (input.below && higher) PetscCall(CreateTable_Private(levels->vi[0]->level, &input.table));
+  PetscCall(MeshLevelsInspectCells_Private(levels->vi[0]->level, num, &higher, &input.lines));
+  if (input.below && higher) PetscCall(MeshLevelsCreateTable_Private(levels->vi[0]->level, &input.table));
   PetscCall(HierarchyCreate(&input, &levels->hierarchy));
   PetscCall(PetscFree2(input.op, input.P));
   PetscCall(CostModelSet(&levels->cost, finest->vi, levels->hierarchy));
@@ -312,7 +314,7 @@ PetscErrorCode MeshLevelsDestroy(MeshLevels *levels)
 
 PetscErrorCode MeshLevelsSetInequality(MeshLevels levels, PetscInt l, const Inequality *inequality, Vec W)
 {
-  Operator *op = &levels->hierarchy->grid[levels->hierarchy->first + l].op;
+  Operator *op = &levels->hierarchy->level[levels->hierarchy->first + l].op;
 
   PetscFunctionBeginUser;
   PetscCall(OperatorSetInequality(op, inequality->A, inequality->b, inequality->upper, W));

@@ -31,18 +31,18 @@ typedef struct {
   Vec active; /* its set: 1 or 0 */
 } State;
 
-/* At rest, without contact. [out] state - to be destroyed by StateDestroy_Private() */
-static PetscErrorCode StateCreate_Private(const Grid *grid, State *state)
+/* At rest, without contact. [out] state - to be destroyed by NestedIterationStateDestroy_Private() */
+static PetscErrorCode NestedIterationStateCreate_Private(const HierarchyLevel *level, State *state)
 {
   PetscFunctionBeginUser;
-  PetscCall(VecDuplicate(grid->op.b, &state->y));
+  PetscCall(VecDuplicate(level->op.b, &state->y));
   PetscCall(VecDuplicate(state->y, &state->active));
   PetscCall(VecZeroEntries(state->y));
   PetscCall(VecZeroEntries(state->active));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode StateDestroy_Private(State *state)
+static PetscErrorCode NestedIterationStateDestroy_Private(State *state)
 {
   PetscFunctionBeginUser;
   PetscCall(VecDestroy(&state->y));
@@ -51,7 +51,7 @@ static PetscErrorCode StateDestroy_Private(State *state)
 }
 
 /* Eliminated unknowns have their values. */
-static PetscErrorCode Eliminate_Private(const Operator *op, Vec y)
+static PetscErrorCode NestedIterationSetFixed_Private(const Operator *op, Vec y)
 {
   const PetscScalar *b;
   PetscScalar       *a;
@@ -66,7 +66,7 @@ static PetscErrorCode Eliminate_Private(const Operator *op, Vec y)
 }
 
 /* 1 where an unknown with a bound comes from active ones for the most part. [in,out] active */
-static PetscErrorCode Round_Private(const Operator *op, Vec active)
+static PetscErrorCode NestedIterationRound_Private(const Operator *op, Vec active)
 {
   const PetscScalar *upper;
   PetscScalar       *a;
@@ -83,9 +83,9 @@ static PetscErrorCode Round_Private(const Operator *op, Vec active)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How exact a level's solution is to be. [in] gained, begun - of SolveLevel_Private() */
-static PetscErrorCode SetTolerances_Private(SNES snes, PetscBool pdas, PetscReal part, PetscReal gained,
-                                            PetscBool begun)
+/* How exact a level's solution is to be. [in] gained, begun - of NestedIterationSolveLevel_Private() */
+static PetscErrorCode NestedIterationSetTolerances_Private(SNES snes, PetscBool pdas, PetscReal part,
+                                                           PetscReal energy_decrease, PetscBool begun)
 {
   const PetscReal rtol = pdas || !begun ? COARSEST_RTOL : OTHER_RTOL;
   KSP             ksp;
@@ -93,7 +93,7 @@ static PetscErrorCode SetTolerances_Private(SNES snes, PetscBool pdas, PetscReal
   PetscFunctionBeginUser;
   if (pdas && begun) {
     PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, MAX_SETS, PETSC_DEFAULT));
-    PetscCall(PDASSetEnough(snes, part, gained));
+    PetscCall(PDASSetErrorReduction(snes, part, energy_decrease));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(SNESGetKSP(snes, &ksp));
@@ -104,7 +104,8 @@ static PetscErrorCode SetTolerances_Private(SNES snes, PetscBool pdas, PetscReal
 
 /* What a level has found, for the next one: nothing where a system could not be solved, the last set where they go on and on.
    [in] y - as it was before; [in,out] state */
-static PetscErrorCode Find_Private(Hierarchy hierarchy, const Grid *grid, SNES snes, Vec y, State *state)
+static PetscErrorCode NestedIterationGetState_Private(Hierarchy hierarchy, const HierarchyLevel *level, SNES snes,
+                                                      Vec y, State *state)
 {
   SNESConvergedReason reason;
   PetscBool           pdas;
@@ -122,13 +123,13 @@ static PetscErrorCode Find_Private(Hierarchy hierarchy, const Grid *grid, SNES s
     PetscCall(PDASGetActive(snes, &last));
     PetscCall(VecCopy(last, state->active));
   } else {
-    PetscCall(ForecastPressed(hierarchy, grid, state->y, state->active));
+    PetscCall(ActivePredictionGetActive(hierarchy, level, state->y, state->active));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* How far the level's solution is from the next coarser one's, for whoever asks how fast that falls. */
-static PetscErrorCode Change_Private(VI vi, SNES snes, PetscReal *change)
+static PetscErrorCode NestedIterationChange_Private(VI vi, SNES snes, PetscReal *change)
 {
   ActiveSolver solver;
 
@@ -138,18 +139,19 @@ static PetscErrorCode Change_Private(VI vi, SNES snes, PetscReal *change)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves on level m of the mesh. [in] springs - of it; [in] type - of the SNES; [in] gained - as of PDASSetEnough(); [in] begun - whether a coarser
+/* Solves on level m of the mesh. [in] springs - of it; [in] type - of the SNES; [in] gained - as of PDASSetErrorReduction(); [in] begun - whether a coarser
    level says what to begin with; [in,out] state */
-static PetscErrorCode SolveLevel_Private(MeshLevels levels, PetscInt m, const Springs *springs, const char type[],
-                                         PetscReal gained, PetscBool begun, State *state)
+static PetscErrorCode NestedIterationSolveLevel_Private(MeshLevels levels, PetscInt m, const Proximal *proximal,
+                                                        const char type[], PetscReal energy_decrease, PetscBool begun,
+                                                        State *state)
 {
-  const Inequality *solved      = &springs->solved;
-  const Solvability solvability = springs->solvability;
+  const Inequality *solved      = &proximal->solved;
+  const Solvability solvability = proximal->solvability;
   const Hierarchy   hierarchy   = levels->hierarchy;
   const PetscInt    l           = hierarchy->first + m;
   const PetscBool   pdas        = (PetscBool)!strcmp(type, SNESPDAS);
-  SolveChoice       choice      = l ? (SolveChoice){.ksp = KSPCG, .pc = PCTRUNCATEDMG, .prefix = PREFIX}
-                                    : (SolveChoice){.ksp = KSPPREONLY, .pc = PCCHOLESKY, .prefix = PREFIX};
+  SolverChoice      choice      = l ? (SolverChoice){.ksp = KSPCG, .pc = PCTRUNCATEDMG, .prefix = PREFIX}
+                                    : (SolverChoice){.ksp = KSPPREONLY, .pc = PCCHOLESKY, .prefix = PREFIX};
   PetscReal         norm;
   SNES              snes;
   KSP               ksp;
@@ -159,8 +161,9 @@ static PetscErrorCode SolveLevel_Private(MeshLevels levels, PetscInt m, const Sp
   PetscFunctionBeginUser;
   PetscCall(PetscStrncpy(choice.snes, type, sizeof(choice.snes)));
   PetscCall(VecDuplicate(solved->b, &scratch));
-  PetscCall(SolveConfigure(solved, &choice, scratch, &norm, &snes));
-  PetscCall(SetTolerances_Private(snes, pdas, StopPart(solved->vi->scene), gained, begun));
+  PetscCall(SNESSetupCreate(solved, &choice, scratch, &norm, &snes));
+  PetscCall(NestedIterationSetTolerances_Private(snes, pdas, DiscretizationStopPart(solved->vi->scene), energy_decrease,
+                                                 begun));
   PetscCall(SNESGetKSP(snes, &ksp));
   PetscCall(KSPGetPC(ksp, &pc));
   if (l) PetscCall(MultigridSetHierarchy(pc, hierarchy, l, pdas ? NULL : snes));
@@ -171,8 +174,8 @@ static PetscErrorCode SolveLevel_Private(MeshLevels levels, PetscInt m, const Sp
   if (pdas) PetscCall(PDASSetKeep(snes, PETSC_TRUE));
   PetscCall(SNESSolve(snes, NULL, state->y));
   levels->change = 0;
-  if (pdas && begun) PetscCall(Change_Private(solved->vi, snes, &levels->change));
-  PetscCall(Find_Private(hierarchy, &hierarchy->grid[l], snes, before, state));
+  if (pdas && begun) PetscCall(NestedIterationChange_Private(solved->vi, snes, &levels->change));
+  PetscCall(NestedIterationGetState_Private(hierarchy, &hierarchy->level[l], snes, before, state));
   PetscCall(VecDestroy(&before));
   PetscCall(SNESDestroy(&snes));
   PetscCall(VecDestroy(&scratch));
@@ -180,7 +183,7 @@ static PetscErrorCode SolveLevel_Private(MeshLevels levels, PetscInt m, const Sp
 }
 
 /* y where it is to begin: types other than pdas see contact only at bounds that are reached. */
-static PetscErrorCode Touch_Private(const Operator *op, Vec active, Vec y)
+static PetscErrorCode NestedIterationMoveToBounds_Private(const Operator *op, Vec active, Vec y)
 {
   const PetscScalar *upper, *a;
   PetscScalar       *values;
@@ -201,29 +204,30 @@ static PetscErrorCode Touch_Private(const Operator *op, Vec active, Vec y)
 }
 
 /* A level of the mesh as it is solved: with springs where contact alone holds bodies, which are in its A from now on. */
-static PetscErrorCode Begin_Private(MeshLevels levels, PetscInt m, Solvability solvability, Springs *springs)
+static PetscErrorCode NestedIterationBeginLevel_Private(MeshLevels levels, PetscInt m, Solvability solvability,
+                                                        Proximal *proximal)
 {
   PetscFunctionBeginUser;
-  PetscCall(SpringsBegin(levels->vi[m], solvability, springs));
-  PetscCall(MeshLevelsSetInequality(levels, m, &springs->solved, solvability ? solvability->regularization : NULL));
+  PetscCall(ProximalBegin(levels->vi[m], solvability, proximal));
+  PetscCall(MeshLevelsSetInequality(levels, m, &proximal->solved, solvability ? solvability->regularization : NULL));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The level as it was, for what is solved on finer ones. [in,out] y - as of SpringsEnd() */
-static PetscErrorCode End_Private(MeshLevels levels, PetscInt m, Springs *springs, Vec y)
+/* The level as it was, for what is solved on finer ones. [in,out] y - as of ProximalEnd() */
+static PetscErrorCode NestedIterationEndLevel_Private(MeshLevels levels, PetscInt m, Proximal *proximal, Vec y)
 {
   const VI         vi  = levels->vi[m];
   const Inequality own = {.vi = vi, .A = vi->A, .b = vi->b, .upper = vi->upper};
 
   PetscFunctionBeginUser;
   PetscCall(MeshLevelsSetInequality(levels, m, &own, NULL));
-  PetscCall(SpringsEnd(springs, y));
+  PetscCall(ProximalEnd(proximal, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The coarsest level from which on contact can hold what has to be held on every level. [out] solvability - of each level but the finest, owned
    by the caller [levels->num] */
-static PetscErrorCode FindFirst_Private(MeshLevels levels, Solvability solvability[], PetscInt *first)
+static PetscErrorCode NestedIterationFindFirst_Private(MeshLevels levels, Solvability solvability[], PetscInt *first)
 {
   PetscFunctionBeginUser;
   *first = 0;
@@ -235,27 +239,27 @@ static PetscErrorCode FindFirst_Private(MeshLevels levels, Solvability solvabili
 }
 
 /* What level m of the mesh begins with. [in] pc - of Forecast(); [in] from - of the coarser one; [in,out] springs - of level m;
-   [out] to; [out] gained - as of CascadeStart() */
-static PetscErrorCode GoUp_Private(MeshLevels levels, PetscInt m, PC pc, const State *from, Springs *springs, State *to,
-                                   PetscReal *gained)
+   [out] to; [out] gained - as of NestedIterationStart() */
+static PetscErrorCode NestedIterationProlong_Private(MeshLevels levels, PetscInt m, PC pc, const State *from,
+                                                     Proximal *proximal, State *to, PetscReal *energy_decrease)
 {
-  const Grid *grid = &levels->hierarchy->grid[levels->hierarchy->first + m];
+  const HierarchyLevel *level = &levels->hierarchy->level[levels->hierarchy->first + m];
 
   PetscFunctionBeginUser;
-  PetscCall(StateCreate_Private(grid, to));
-  PetscCall(MatMult(grid->P, from->y, to->y));
+  PetscCall(NestedIterationStateCreate_Private(level, to));
+  PetscCall(MatMult(level->P, from->y, to->y));
   if (levels->lift[m]) PetscCall(VecAXPY(to->y, 1, levels->lift[m]));
-  PetscCall(Eliminate_Private(&grid->op, to->y));
-  PetscCall(SpringsFollow(springs, to->y));
-  PetscCall(MatMult(grid->P, from->active, to->active));
-  PetscCall(Round_Private(&grid->op, to->active));
-  PetscCall(Forecast(levels->hierarchy, grid, pc, to->y, to->active, gained));
+  PetscCall(NestedIterationSetFixed_Private(&level->op, to->y));
+  PetscCall(ProximalSetCenter(proximal, to->y));
+  PetscCall(MatMult(level->P, from->active, to->active));
+  PetscCall(NestedIterationRound_Private(&level->op, to->active));
+  PetscCall(ActivePredictionApply(levels->hierarchy, level, pc, to->y, to->active, energy_decrease));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The preconditioner that cycles before the finest level's first system: not that of another type, which leaves it parts of vectors, nor where
    the mesh ends iterations so early that a cycle more is much of all. [out] pc - borrowed, or NULL */
-static PetscErrorCode GetCycles_Private(SNES snes, VI vi, PC *pc)
+static PetscErrorCode NestedIterationGetCycles_Private(SNES snes, VI vi, PC *pc)
 {
   PetscBool pdas;
   KSP       ksp;
@@ -269,44 +273,47 @@ static PetscErrorCode GetCycles_Private(SNES snes, VI vi, PC *pc)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CascadeStart(MeshLevels levels, SNES snes, Springs *springs, Vec y, Vec active, PetscReal *gained,
-                            PetscBool *found)
+PetscErrorCode NestedIterationStart(MeshLevels levels, SNES snes, Proximal *proximal, Vec y, Vec active,
+                                    PetscReal *energy_decrease, PetscBool *found)
 {
   const PetscInt finest = levels->num - 1;
   SNESType       type;
   PC             pc;
   PetscInt       first;
-  Springs        own[2]; // of this level and the next one, in turns: they are not to be moved
+  Proximal       own[2]; // of this level and the next one, in turns: they are not to be moved
   Solvability   *solvability;
   State          state = {NULL, NULL}, next;
 
   PetscFunctionBeginUser;
-  *gained = 0;
+  *energy_decrease = 0;
   PetscCall(PetscCalloc1(levels->num, &solvability));
   PetscCall(SNESGetType(snes, &type));
-  PetscCall(GetCycles_Private(snes, springs->solved.vi, &pc));
-  PetscCall(FindFirst_Private(levels, solvability, &first));
+  PetscCall(NestedIterationGetCycles_Private(snes, proximal->solved.vi, &pc));
+  PetscCall(NestedIterationFindFirst_Private(levels, solvability, &first));
   *found = (PetscBool)(first < finest);
   if (*found) {
-    PetscCall(Begin_Private(levels, first, solvability[first], &own[first % 2]));
-    PetscCall(StateCreate_Private(&levels->hierarchy->grid[levels->hierarchy->first + first], &state));
+    PetscCall(NestedIterationBeginLevel_Private(levels, first, solvability[first], &own[first % 2]));
+    PetscCall(NestedIterationStateCreate_Private(&levels->hierarchy->level[levels->hierarchy->first + first], &state));
   }
   for (PetscInt m = first; m < finest; m++) {
-    Springs *above = m + 1 < finest ? &own[(m + 1) % 2] : springs;
+    Proximal *above = m + 1 < finest ? &own[(m + 1) % 2] : proximal;
 
-    PetscCall(SolveLevel_Private(levels, m, &own[m % 2], type, *gained, (PetscBool)(m > first), &state));
-    PetscCall(End_Private(levels, m, &own[m % 2], state.y));
-    if (m + 1 < finest) PetscCall(Begin_Private(levels, m + 1, solvability[m + 1], above));
-    PetscCall(GoUp_Private(levels, m + 1, m + 1 < finest ? NULL : pc, &state, above, &next, gained));
+    PetscCall(NestedIterationSolveLevel_Private(levels, m, &own[m % 2], type, *energy_decrease, (PetscBool)(m > first),
+                                                &state));
+    PetscCall(NestedIterationEndLevel_Private(levels, m, &own[m % 2], state.y));
+    if (m + 1 < finest) PetscCall(NestedIterationBeginLevel_Private(levels, m + 1, solvability[m + 1], above));
+    PetscCall(NestedIterationProlong_Private(levels, m + 1, m + 1 < finest ? NULL : pc, &state, above, &next,
+                                             energy_decrease));
     if (strcmp(type, SNESPDAS))
-      PetscCall(Touch_Private(&levels->hierarchy->grid[levels->hierarchy->first + m + 1].op, next.active, next.y));
-    PetscCall(StateDestroy_Private(&state));
+      PetscCall(NestedIterationMoveToBounds_Private(&levels->hierarchy->level[levels->hierarchy->first + m + 1].op,
+                                                    next.active, next.y));
+    PetscCall(NestedIterationStateDestroy_Private(&state));
     state = next;
   }
   if (*found) {
     PetscCall(VecCopy(state.y, y));
     PetscCall(VecCopy(state.active, active));
-    PetscCall(StateDestroy_Private(&state));
+    PetscCall(NestedIterationStateDestroy_Private(&state));
   }
   for (PetscInt m = 0; m < finest; m++) PetscCall(SolvabilityDestroy(&solvability[m]));
   PetscCall(PetscFree(solvability));

@@ -43,7 +43,7 @@ static PetscErrorCode MonitorFn(SNES snes, PetscInt iteration, PetscReal norm, v
     Vec       y;
 
     PetscCall(SNESGetSolution(snes, &y));
-    PetscCall(SolveMeasure(progress->solved, y, &active, &residual));
+    PetscCall(SolverReportMeasure(progress->solved, y, &active, &residual));
     PetscCall(SNESGetLinearSolveIterations(snes, &linear));
   }
   PetscCall(PetscTime(&now));

@@ -30,50 +30,50 @@ enum { MAX_SWEEPS = 50 };
 static const PetscReal SLOW = 0.1, WEAKER = 1e-2;
 enum { SEARCHING = 3, MOST_WEAKER = 3 };
 
-PetscErrorCode SpringsBegin(VI vi, Solvability solvability, Springs *springs)
+PetscErrorCode ProximalBegin(VI vi, Solvability solvability, Proximal *proximal)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscMemzero(springs, sizeof(*springs)));
-  springs->solved      = (Inequality){.vi = vi, .A = vi->A, .b = vi->b, .upper = vi->upper};
-  springs->solvability = solvability;
+  PetscCall(PetscMemzero(proximal, sizeof(*proximal)));
+  proximal->solved      = (Inequality){.vi = vi, .A = vi->A, .b = vi->b, .upper = vi->upper};
+  proximal->solvability = solvability;
   if (!solvability) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(VecDuplicate(vi->upper, &springs->rest));
-  PetscCall(VecDuplicate(vi->upper, &springs->pull));
-  PetscCall(VecDuplicate(vi->upper, &springs->scale));
-  PetscCall(VecDuplicate(vi->b, &springs->solved.b));
-  PetscCall(VecDuplicate(vi->upper, &springs->solved.upper));
-  PetscCall(VecWAXPY(springs->solved.upper, -1, solvability->approach, vi->upper));
-  PetscCall(VICreateRegularized(vi, solvability->regularization, &springs->solved.A));
-  PetscCall(MatGetDiagonal(vi->A, springs->scale));
-  PetscCall(VecSqrtAbs(springs->scale));
-  PetscCall(VecReciprocal(springs->scale));
-  springs->last = 1;
-  PetscCall(VecZeroEntries(springs->rest));
-  PetscCall(VecCopy(vi->b, springs->solved.b));
+  PetscCall(VecDuplicate(vi->upper, &proximal->rest));
+  PetscCall(VecDuplicate(vi->upper, &proximal->pull));
+  PetscCall(VecDuplicate(vi->upper, &proximal->scale));
+  PetscCall(VecDuplicate(vi->b, &proximal->solved.b));
+  PetscCall(VecDuplicate(vi->upper, &proximal->solved.upper));
+  PetscCall(VecWAXPY(proximal->solved.upper, -1, solvability->approach, vi->upper));
+  PetscCall(VICreateRegularized(vi, solvability->regularization, &proximal->solved.A));
+  PetscCall(MatGetDiagonal(vi->A, proximal->scale));
+  PetscCall(VecSqrtAbs(proximal->scale));
+  PetscCall(VecReciprocal(proximal->scale));
+  proximal->last = 1;
+  PetscCall(VecZeroEntries(proximal->rest));
+  PetscCall(VecCopy(vi->b, proximal->solved.b));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Springs rest at y. */
-static PetscErrorCode RestAt_Private(Springs *springs, Vec y)
+static PetscErrorCode ProximalSetCenter_Private(Proximal *proximal, Vec y)
 {
   PetscFunctionBeginUser;
-  PetscCall(VecCopy(y, springs->rest));
-  PetscCall(VecPointwiseMult(springs->solved.b, springs->solvability->regularization, y));
-  PetscCall(VecAXPY(springs->solved.b, 1, springs->solved.vi->b));
+  PetscCall(VecCopy(y, proximal->rest));
+  PetscCall(VecPointwiseMult(proximal->solved.b, proximal->solvability->regularization, y));
+  PetscCall(VecAXPY(proximal->solved.b, 1, proximal->solved.vi->b));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SpringsFollow(Springs *springs, Vec y)
+PetscErrorCode ProximalSetCenter(Proximal *proximal, Vec y)
 {
   PetscFunctionBeginUser;
-  if (!springs->solvability) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(VecAXPY(y, -1, springs->solvability->approach));
-  PetscCall(RestAt_Private(springs, y));
+  if (!proximal->solvability) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecAXPY(y, -1, proximal->solvability->approach));
+  PetscCall(ProximalSetCenter_Private(proximal, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The pull that does not matter beside what the linear solver leaves. */
-static PetscErrorCode Relaxed_Private(SNES snes, PetscReal *relaxed)
+static PetscErrorCode ProximalSetTolerance_Private(SNES snes, PetscReal *relaxed)
 {
   KSP       ksp;
   PetscBool direct;
@@ -87,26 +87,26 @@ static PetscErrorCode Relaxed_Private(SNES snes, PetscReal *relaxed)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SpringsSet(Springs *springs, Vec guess, SNES snes, PetscBool pdas)
+PetscErrorCode ProximalSetStart(Proximal *proximal, Vec guess, SNES snes, PetscBool pdas)
 {
-  const Solvability s = springs->solvability;
+  const Solvability s = proximal->solvability;
 
   PetscFunctionBeginUser;
   if (!s) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(Relaxed_Private(snes, &springs->relaxed));
-  if (guess) PetscCall(RestAt_Private(springs, guess));
+  PetscCall(ProximalSetTolerance_Private(snes, &proximal->relaxed));
+  if (guess) PetscCall(ProximalSetCenter_Private(proximal, guess));
   if (pdas && !guess) PetscCall(PDASSetStart(snes, s->start));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* |v| in the norm of diag(A)^-1 */
-static PetscErrorCode Size_Private(const Springs *springs, Vec v, PetscReal *size)
+static PetscErrorCode ProximalSize_Private(const Proximal *proximal, Vec v, PetscReal *size)
 {
   Vec scaled;
 
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(v, &scaled));
-  PetscCall(VecPointwiseMult(scaled, v, springs->scale));
+  PetscCall(VecPointwiseMult(scaled, v, proximal->scale));
   PetscCall(VecNorm(scaled, NORM_2, size));
   PetscCall(VecDestroy(&scaled));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -115,9 +115,9 @@ static PetscErrorCode Size_Private(const Springs *springs, Vec v, PetscReal *siz
 /* What the springs pull, in parts of the forces: of the loads, or of the stresses where there are none, or so that rounding is tolerated where
    there is nothing else; and how far the sweep went, in the norm
    of energy and in parts of the solution. */
-static PetscErrorCode Measure_Private(Springs *springs, Vec y, PetscReal *part, PetscReal *way)
+static PetscErrorCode ProximalMeasure_Private(Proximal *proximal, Vec y, PetscReal *part, PetscReal *way)
 {
-  const Mat   A = springs->solved.vi->A;
+  const Mat   A = proximal->solved.vi->A;
   Vec         d, forces;
   PetscReal   loads, stresses, pull, alone, forced;
   PetscScalar all, last;
@@ -125,16 +125,16 @@ static PetscErrorCode Measure_Private(Springs *springs, Vec y, PetscReal *part, 
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(y, &d));
   PetscCall(VecDuplicate(y, &forces));
-  PetscCall(Size_Private(springs, springs->solved.vi->b, &loads));
+  PetscCall(ProximalSize_Private(proximal, proximal->solved.vi->b, &loads));
   PetscCall(MatMult(A, y, forces));
   PetscCall(VecDot(y, forces, &all));
-  PetscCall(Size_Private(springs, forces, &stresses));
-  PetscCall(VecWAXPY(d, -1, springs->rest, y));
-  PetscCall(VecPointwiseMult(springs->pull, d, springs->solvability->regularization));
-  PetscCall(Size_Private(springs, springs->pull, &pull));
+  PetscCall(ProximalSize_Private(proximal, forces, &stresses));
+  PetscCall(VecWAXPY(d, -1, proximal->rest, y));
+  PetscCall(VecPointwiseMult(proximal->pull, d, proximal->solvability->regularization));
+  PetscCall(ProximalSize_Private(proximal, proximal->pull, &pull));
   PetscCall(MatMult(A, d, forces));
   PetscCall(VecDot(d, forces, &last));
-  PetscCall(VecPointwiseDivide(forces, y, springs->scale)); // y in the norm of diag(A)
+  PetscCall(VecPointwiseDivide(forces, y, proximal->scale)); // y in the norm of diag(A)
   PetscCall(VecNorm(forces, NORM_2, &alone));
   forced = PetscMax(loads, stresses);
   *part  = pull > 0 ? pull / (forced > ROUNDING * alone ? forced : ROUNDING / TOLERATED * alone) : 0;
@@ -146,20 +146,20 @@ static PetscErrorCode Measure_Private(Springs *springs, Vec y, PetscReal *part, 
 }
 
 /* What is solved from now on has weaker springs. */
-static PetscErrorCode Weaken_Private(Springs *springs, SNES snes, PetscBool pdas)
+static PetscErrorCode ProximalReduceWeight_Private(Proximal *proximal, SNES snes, PetscBool pdas)
 {
-  const Vec w = springs->solvability->regularization;
+  const Vec w = proximal->solvability->regularization;
 
   PetscFunctionBeginUser;
-  springs->weaker++;
-  PetscCall(VecCopy(w, springs->pull));
+  proximal->weaker++;
+  PetscCall(VecCopy(w, proximal->pull));
   PetscCall(VecScale(w, WEAKER));
-  PetscCall(VecAYPX(springs->pull, -1, w));
-  if (springs->solved.vi->assembled) {
-    PetscCall(MatDiagonalSet(springs->solved.A, springs->pull, ADD_VALUES));
+  PetscCall(VecAYPX(proximal->pull, -1, w));
+  if (proximal->solved.vi->assembled) {
+    PetscCall(MatDiagonalSet(proximal->solved.A, proximal->pull, ADD_VALUES));
   } else { // products see w itself, and nobody else knows that it has changed
-    PetscCall(MatAssemblyBegin(springs->solved.A, MAT_FINAL_ASSEMBLY));
-    PetscCall(MatAssemblyEnd(springs->solved.A, MAT_FINAL_ASSEMBLY));
+    PetscCall(MatAssemblyBegin(proximal->solved.A, MAT_FINAL_ASSEMBLY));
+    PetscCall(MatAssemblyEnd(proximal->solved.A, MAT_FINAL_ASSEMBLY));
   }
   if (pdas) { // what it has factored
     PetscCall(PDASSetKeep(snes, PETSC_FALSE));
@@ -169,7 +169,7 @@ static PetscErrorCode Weaken_Private(Springs *springs, SNES snes, PetscBool pdas
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SpringsRelax(Springs *springs, SNES snes, Vec y, SolveReport *report, PetscBool *done)
+PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport *report, PetscBool *done)
 {
   PetscReal part = 0, way = 0, tolerated;
   PetscBool pdas;
@@ -177,20 +177,20 @@ PetscErrorCode SpringsRelax(Springs *springs, SNES snes, Vec y, SolveReport *rep
 
   PetscFunctionBeginUser;
   *done = PETSC_TRUE;
-  if (!springs->solvability || !report->converged) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(Measure_Private(springs, y, &part, &way));
+  if (!proximal->solvability || !report->converged) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ProximalMeasure_Private(proximal, y, &part, &way));
   PetscCall(PetscInfo(snes, "sweep %" PetscInt_FMT ": springs pull %g of the forces, and gave %g of the solution\n",
-                      report->sweeps, (double)part, (double)way));
+                      report->proximal_steps, (double)part, (double)way));
   /* what the next sweep would give is as much less as the springs pull less; a first one does not tell */
-  if (report->sweeps > 1) way *= part / springs->last;
-  if (part <= springs->relaxed && way <= KEPT) PetscFunctionReturn(PETSC_SUCCESS);
-  tolerated = PetscMax(TOLERATED, springs->solvability->undecided);
+  if (report->proximal_steps > 1) way *= part / proximal->last;
+  if (part <= proximal->relaxed && way <= KEPT) PetscFunctionReturn(PETSC_SUCCESS);
+  tolerated = PetscMax(TOLERATED, proximal->solvability->undecided);
   if (part <= tolerated &&
-      part > HALVED * springs->last) { // roundoff: the better one of the two last sweeps is as good as it gets
-    if (part > springs->last) PetscCall(VecCopy(springs->rest, y));
+      part > HALVED * proximal->last) { // roundoff: the better one of the two last sweeps is as good as it gets
+    if (part > proximal->last) PetscCall(VecCopy(proximal->rest, y));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  if (report->sweeps == MAX_SWEEPS) {
+  if (report->proximal_steps == MAX_SWEEPS) {
     report->converged = PETSC_FALSE;
     PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason),
                             "after %d sweeps the springs that hold bodies meanwhile still pull %.1e of the forces: is "
@@ -199,11 +199,12 @@ PetscErrorCode SpringsRelax(Springs *springs, SNES snes, Vec y, SolveReport *rep
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &pdas));
-  if (report->sweeps >= SEARCHING && part > PetscMax(SLOW * springs->last, tolerated) && springs->weaker < MOST_WEAKER)
-    PetscCall(Weaken_Private(springs, snes, pdas));
-  springs->last = part;
-  *done         = PETSC_FALSE;
-  PetscCall(RestAt_Private(springs, y));
+  if (report->proximal_steps >= SEARCHING && part > PetscMax(SLOW * proximal->last, tolerated) &&
+      proximal->weaker < MOST_WEAKER)
+    PetscCall(ProximalReduceWeight_Private(proximal, snes, pdas));
+  proximal->last = part;
+  *done          = PETSC_FALSE;
+  PetscCall(ProximalSetCenter_Private(proximal, y));
   if (pdas) {
     PetscCall(PDASGetActive(snes, &active));
     PetscCall(PDASSetStart(snes, active));
@@ -211,16 +212,16 @@ PetscErrorCode SpringsRelax(Springs *springs, SNES snes, Vec y, SolveReport *rep
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SpringsEnd(Springs *springs, Vec y)
+PetscErrorCode ProximalEnd(Proximal *proximal, Vec y)
 {
   PetscFunctionBeginUser;
-  if (!springs->solvability) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(VecAXPY(y, 1, springs->solvability->approach));
-  PetscCall(VecDestroy(&springs->solved.upper));
-  PetscCall(MatDestroy(&springs->solved.A));
-  PetscCall(VecDestroy(&springs->solved.b));
-  PetscCall(VecDestroy(&springs->rest));
-  PetscCall(VecDestroy(&springs->pull));
-  PetscCall(VecDestroy(&springs->scale));
+  if (!proximal->solvability) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecAXPY(y, 1, proximal->solvability->approach));
+  PetscCall(VecDestroy(&proximal->solved.upper));
+  PetscCall(MatDestroy(&proximal->solved.A));
+  PetscCall(VecDestroy(&proximal->solved.b));
+  PetscCall(VecDestroy(&proximal->rest));
+  PetscCall(VecDestroy(&proximal->pull));
+  PetscCall(VecDestroy(&proximal->scale));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

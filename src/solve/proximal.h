@@ -16,19 +16,19 @@ typedef struct {
   PetscReal   last;        /* pull that the last sweep left, in parts of the forces */
   PetscReal   relaxed;     /* pull that does not matter */
   PetscInt    weaker;      /* how often they were made weaker */
-} Springs;
+} Proximal;
 
-/* Makes what is to be solved, with springs at rest at 0. Collective. [out] springs - to be ended by SpringsEnd() */
-PetscErrorCode SpringsBegin(VI vi, Solvability solvability, Springs *springs);
+/* Makes what is to be solved, with springs at rest at 0. Collective. [out] springs - to be ended by ProximalEnd() */
+PetscErrorCode ProximalBegin(VI vi, Solvability solvability, Proximal *proximal);
 /* Lets springs rest at a guess if there is one, and begins with contacts that balance the loads if not. Collective.
    [in] snes - that is to solve, with its tolerances */
-PetscErrorCode SpringsSet(Springs *springs, Vec guess, SNES snes, PetscBool pdas);
+PetscErrorCode ProximalSetStart(Proximal *proximal, Vec guess, SNES snes, PetscBool pdas);
 /* Lets springs rest at y. Collective. [in,out] y - of vi; of what is solved */
-PetscErrorCode SpringsFollow(Springs *springs, Vec y);
+PetscErrorCode ProximalSetCenter(Proximal *proximal, Vec y);
 /* Whether the pull of the springs is nothing beside the forces; if not, they rest at y from now on. Collective.
    [in,out] report - fails if there is no end to it; [out] done - also after a failure */
-PetscErrorCode SpringsRelax(Springs *springs, SNES snes, Vec y, SolveReport *report, PetscBool *done);
+PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport *report, PetscBool *done);
 /* [in,out] y - of what was solved; of vi. Collective. */
-PetscErrorCode SpringsEnd(Springs *springs, Vec y);
+PetscErrorCode ProximalEnd(Proximal *proximal, Vec y);
 
 #endif

@@ -32,7 +32,7 @@ static PetscErrorCode FunctionFn(SNES snes, Vec y, Vec f, void *ctx)
 
   PetscFunctionBeginUser;
   (void)snes;
-  PetscCall(ActiveResidual(solved->A, solved->b, y, f));
+  PetscCall(CompensatedResidual(solved->A, solved->b, y, f));
   PetscCall(VecScale(f, -1));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -45,7 +45,7 @@ static PetscErrorCode JacobianFn(SNES snes, Vec y, Mat A, Mat P, void *ctx)
 }
 
 /* |A|, or where that is not a matrix |K|, which next to contact alone is another one. */
-static PetscErrorCode Norm_Private(const Inequality *solved, PetscReal *norm)
+static PetscErrorCode SNESSetupNorm_Private(const Inequality *solved, PetscReal *norm)
 {
   const VI vi = solved->vi;
 
@@ -94,7 +94,8 @@ static PetscErrorCode PostCheckFn(SNESLineSearch search, Vec y, Vec step, Vec ne
 }
 
 /* A part of what there was, below one; less than rounding asks for as little as there can be, and is rounding. [in] option - without prefix */
-static PetscErrorCode CheckPart_Private(MPI_Comm comm, const char prefix[], const char option[], PetscReal *part)
+static PetscErrorCode SNESSetupCheckPart_Private(MPI_Comm comm, const char prefix[], const char option[],
+                                                 PetscReal *part)
 {
   PetscFunctionBeginUser;
   if (!(*part >= 0 && *part < 1))
@@ -104,7 +105,7 @@ static PetscErrorCode CheckPart_Private(MPI_Comm comm, const char prefix[], cons
 }
 
 /* Neither method ends well after no iterations. */
-static PetscErrorCode CheckMost_Private(MPI_Comm comm, const char prefix[], const char option[], PetscInt most)
+static PetscErrorCode SNESSetupCheckMost_Private(MPI_Comm comm, const char prefix[], const char option[], PetscInt most)
 {
   PetscFunctionBeginUser;
   if (most < 1) PetscCall(UserErrorRaise(comm, "-%s%s %" PetscInt_FMT ": must be at least 1", prefix, option, most));
@@ -112,7 +113,7 @@ static PetscErrorCode CheckMost_Private(MPI_Comm comm, const char prefix[], cons
 }
 
 /* PETSc takes any number for where to end. */
-static PetscErrorCode CheckLimits_Private(SNES snes, const char prefix[])
+static PetscErrorCode SNESSetupCheckLimits_Private(SNES snes, const char prefix[])
 {
   const MPI_Comm comm = PetscObjectComm((PetscObject)snes);
   KSP            ksp;
@@ -121,18 +122,18 @@ static PetscErrorCode CheckLimits_Private(SNES snes, const char prefix[])
 
   PetscFunctionBeginUser;
   PetscCall(SNESGetTolerances(snes, NULL, &rtol, NULL, &max_it, NULL));
-  PetscCall(CheckMost_Private(comm, prefix, "snes_max_it", max_it));
-  PetscCall(CheckPart_Private(comm, prefix, "snes_rtol", &rtol));
+  PetscCall(SNESSetupCheckMost_Private(comm, prefix, "snes_max_it", max_it));
+  PetscCall(SNESSetupCheckPart_Private(comm, prefix, "snes_rtol", &rtol));
   PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
   PetscCall(SNESGetKSP(snes, &ksp));
   PetscCall(KSPGetTolerances(ksp, &rtol, NULL, NULL, &max_it));
-  PetscCall(CheckMost_Private(comm, prefix, "ksp_max_it", max_it));
-  PetscCall(CheckPart_Private(comm, prefix, "ksp_rtol", &rtol));
+  PetscCall(SNESSetupCheckMost_Private(comm, prefix, "ksp_max_it", max_it));
+  PetscCall(SNESSetupCheckPart_Private(comm, prefix, "ksp_rtol", &rtol));
   PetscCall(KSPSetTolerances(ksp, rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode ConfigureLinear_Private(const SolveChoice *choice, KSP ksp)
+static PetscErrorCode SNESSetupConfigureLinear_Private(const SolverChoice *choice, KSP ksp)
 {
   const PetscBool multigrid = (PetscBool)!strcmp(choice->pc, PCTRUNCATEDMG);
   PC              pc;
@@ -146,12 +147,13 @@ static PetscErrorCode ConfigureLinear_Private(const SolveChoice *choice, KSP ksp
     PetscCall(KSPSetTolerances(ksp, MULTIGRID_RTOL, PETSC_DEFAULT, MULTIGRID_DTOL, MULTIGRID_MAX_IT));
     if (!strcmp(choice->ksp, KSPCG)) PetscCall(KSPSetNormType(ksp, KSP_NORM_UNPRECONDITIONED)); // not all have it
   }
-  if (SolveFactors(choice->pc)) PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  if (SolverChoiceFactors(choice->pc)) PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Steps of PETSc's own types, and their end. [out] norm - for their test */
-static PetscErrorCode ConfigureOther_Private(const Inequality *solved, PetscInt max_it, PetscReal *norm, SNES snes)
+static PetscErrorCode SNESSetupConfigureOther_Private(const Inequality *solved, PetscInt max_it, PetscReal *norm,
+                                                      SNES snes)
 {
   SNESLineSearch search;
 
@@ -161,14 +163,14 @@ static PetscErrorCode ConfigureOther_Private(const Inequality *solved, PetscInt 
   PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHL2));
   PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, OTHER_RTOL, 0, max_it, PETSC_DEFAULT));
   PetscCall(SNESSetDivergenceTolerance(snes, -1)); // none: the first steps may go far before the set is right
-  PetscCall(Norm_Private(solved, norm));
+  PetscCall(SNESSetupNorm_Private(solved, norm));
   PetscCall(SNESSetConvergenceTest(snes, ConvergedFn, norm, NULL));
   PetscCall(SNESLineSearchSetPostCheck(search, PostCheckFn, norm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveConfigure(const Inequality *solved, const SolveChoice *choice, Vec scratch, PetscReal *norm,
-                              SNES *snes)
+PetscErrorCode SNESSetupCreate(const Inequality *solved, const SolverChoice *choice, Vec scratch, PetscReal *norm,
+                               SNES *snes)
 {
   const PetscBool pdas   = (PetscBool)!strcmp(choice->snes, SNESPDAS);
   const PetscInt  max_it = PetscMax(choice->max_it, pdas ? PDAS_MAX_IT : OTHER_MAX_IT);
@@ -180,14 +182,14 @@ PetscErrorCode SolveConfigure(const Inequality *solved, const SolveChoice *choic
   PetscCall(SNESSetFunction(*snes, scratch, FunctionFn, (void *)solved));
   PetscCall(SNESSetJacobian(*snes, solved->A, solved->A, JacobianFn, NULL));
   PetscCall(SNESGetKSP(*snes, &ksp));
-  PetscCall(ConfigureLinear_Private(choice, ksp));
+  PetscCall(SNESSetupConfigureLinear_Private(choice, ksp));
   PetscCall(SNESSetType(*snes, choice->snes));
   if (pdas)
     PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, max_it, PETSC_DEFAULT));
   else
-    PetscCall(ConfigureOther_Private(solved, max_it, norm, *snes));
+    PetscCall(SNESSetupConfigureOther_Private(solved, max_it, norm, *snes));
   PetscCall(SNESSetFromOptions(*snes));
-  PetscCall(CheckLimits_Private(*snes, choice->prefix));
+  PetscCall(SNESSetupCheckLimits_Private(*snes, choice->prefix));
   PetscCall(SNESVISetVariableBounds(*snes, solved->vi->lower,
                                     solved->upper)); /* pdas keeps them itself, so not before the type */
   PetscFunctionReturn(PETSC_SUCCESS);

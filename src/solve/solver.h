@@ -6,7 +6,7 @@
 #include "rigid/solvability.h"
 #include <petscsnes.h>
 
-enum { SOLVE_MAX_HISTORY = 512 };
+enum { SOLVER_MAX_HISTORY = 512 };
 
 /* |u - u*|_K of a displacement u is not larger, in the user's units (root of work); u* solves the inequality (eq. 11.2). */
 typedef struct {
@@ -18,7 +18,7 @@ typedef struct {
 typedef struct {
   PetscBool done;       /* whether it was asked for, and solved */
   PetscReal seconds;    /* of the slowest rank, on the wall */
-  PetscReal work;       /* as in SolveReport */
+  PetscReal work;       /* as in SolverReport */
   PetscInt  iterations; /* of an iterative solver */
 } LinearReference;
 
@@ -30,27 +30,27 @@ typedef struct {
   PetscBool   converged;
   char        reason[256]; /* why not, as a sentence; "" when converged */
   PetscInt    iterations, active, linear_iterations;
-  PetscInt    num_changed, changed[SOLVE_MAX_HISTORY]; /* per iteration; num_changed = 0 for types that do not tell */
+  PetscInt    num_changed, changed[SOLVER_MAX_HISTORY]; /* per iteration; num_changed = 0 for types that do not tell */
   PetscBool   safeguarded;
   PetscReal   linear_residual; /* relative, of the last system */
   PetscReal   work;            /* products with matrices of all levels, in products with the finest; 0 without levels */
-  PetscReal   foretold;        /* predicted cost of a factorisation, in the same unit; 0 without a prediction */
+  PetscReal   predicted_cost;  /* predicted cost of a factorisation, in the same unit; 0 without a prediction */
   PetscBool   gave_way;        /* whether this was a factorisation after an iteration that was given up */
-  PetscInt    sweeps;          /* solutions with springs that hold bodies (eq. 12.6); 1 without */
+  PetscInt    proximal_steps;  /* solutions with springs that hold bodies (eq. 12.6); 1 without */
   EnergyBound bound;
   PetscReal
       discretisation; /* |u - u_h|_K by what a coarser mesh says, like bound; NAN but where that was to stop the solver (eq. 14.7) */
 
   PetscReal       seconds;   /* of the slowest rank, on the wall, from the levels of multigrid to the bound */
   LinearReference reference; /* of SolverSolveLinear() */
-} SolveReport;
+} SolverReport;
 
 /* Comparison of two solutions of the same VI. */
 typedef struct {
-  PetscBool   done, agree;
-  SolveReport other;
-  PetscInt    active_difference;
-  PetscReal   displacement_difference; /* max |du| / max |u| */
+  PetscBool    done, agree;
+  SolverReport other;
+  PetscInt     active_difference;
+  PetscReal    displacement_difference; /* max |du| / max |u| */
 } CrossCheck;
 
 /* The solver of one inequality. It keeps multigrid levels from one solve to the next. */
@@ -64,15 +64,15 @@ PetscErrorCode SolverDestroy(Solver *solver);
    report says so. Collective.
    [in] guess - displacement to begin with (ghosted, dim per node), which changes the work and not the answer; or NULL
    [out] y - created by the caller in the layout of vi->b */
-PetscErrorCode SolverSolve(Solver solver, Vec guess, Vec y, SolveReport *report);
+PetscErrorCode SolverSolve(Solver solver, Vec guess, Vec y, SolverReport *report);
 /* How far any y, converged or not, feasible or not, can be from the solution; for the price of one factorisation or linear solve.
    SolverSolve() has it of its own y for a substitution. Collective. */
 PetscErrorCode SolverBoundError(Solver solver, Vec y, EnergyBound *bound);
 /* Solves once more with the active set of the solution y, by what solved the linear systems for it, from zero and with everything that
    needs made anew; the seconds belong to no stage. Collective. [in,out] report - of SolverSolve(); its reference is set */
-PetscErrorCode SolverSolveLinear(Solver solver, Vec y, SolveReport *report);
+PetscErrorCode SolverSolveLinear(Solver solver, Vec y, SolverReport *report);
 /* Solves by the other of pdas and vinewtonrsls and compares. Collective. */
-PetscErrorCode SolverCrossCheck(Solver solver, Vec y, const SolveReport *report, CrossCheck *check);
+PetscErrorCode SolverCrossCheck(Solver solver, Vec y, const SolverReport *report, CrossCheck *check);
 /* Prints what was chosen for the linear systems and why (part of -scene_view). Collective. */
 PetscErrorCode SolverView(Solver solver);
 

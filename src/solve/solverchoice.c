@@ -16,15 +16,15 @@
    one factorisation for each active set costs as much as the set's iterations much earlier than one for all. */
 static const PetscInt DIRECT_2D = 1000000, DIRECT_3D = 150000, DIRECT_3D_EACH = 40000;
 
-PetscBool SolveFactors(const char pc[])
+PetscBool SolverChoiceFactors(const char pc[])
 {
   return (PetscBool)(!strcmp(pc, PCCHOLESKY) || !strcmp(pc, PCLU));
 }
 
-PetscErrorCode SolveDescribe(const char ksp[], const char pc[], const char package[], char words[], size_t len)
+PetscErrorCode SolverChoiceDescribe(const char ksp[], const char pc[], const char package[], char words[], size_t len)
 {
   PetscFunctionBeginUser;
-  if (SolveFactors(pc) && !strcmp(ksp, KSPPREONLY)) {
+  if (SolverChoiceFactors(pc) && !strcmp(ksp, KSPPREONLY)) {
     PetscCall(PetscSNPrintf(words, len, "%s factorisation%s%s", strcmp(pc, PCLU) ? "Cholesky" : "LU",
                             package ? " by " : "", package ? package : ""));
   } else {
@@ -34,7 +34,8 @@ PetscErrorCode SolveDescribe(const char ksp[], const char pc[], const char packa
 }
 
 /* A type that PETSc does not know is a fault that names the nearest one. Collective. */
-static PetscErrorCode CheckName_Private(MPI_Comm comm, const char option[], const char type[], PetscFunctionList types)
+static PetscErrorCode SolverChoiceCheckName_Private(MPI_Comm comm, const char option[], const char type[],
+                                                    PetscFunctionList types)
 {
   const char **names, *nearest;
   int          num;
@@ -55,14 +56,14 @@ static PetscErrorCode CheckName_Private(MPI_Comm comm, const char option[], cons
 }
 
 /* Whether a SNES type keeps bounds: those that do answer SNESVISetVariableBounds() themselves. */
-static PetscErrorCode CheckBounds_Private(MPI_Comm comm, const char type[])
+static PetscErrorCode SolverChoiceCheckBounds_Private(MPI_Comm comm, const char type[])
 {
   void (*answer)(void);
   SNES snes;
 
   PetscFunctionBeginUser;
   PetscCall(SNESCreate(comm, &snes)); // with it PETSc has its types
-  PetscCall(CheckName_Private(comm, "-snes_type", type, SNESList));
+  PetscCall(SolverChoiceCheckName_Private(comm, "-snes_type", type, SNESList));
   PetscCall(SNESSetType(snes, type));
   PetscCall(PetscObjectQueryFunction((PetscObject)snes, "SNESVISetVariableBounds_C", &answer));
   PetscCall(SNESDestroy(&snes));
@@ -74,7 +75,7 @@ static PetscErrorCode CheckBounds_Private(MPI_Comm comm, const char type[])
 }
 
 /* Unknowns with bounds, and whether one factorisation would serve all active sets. */
-static PetscErrorCode Reducible_Private(VI vi, PetscInt *num_out, PetscBool *reducible)
+static PetscErrorCode SolverChoiceReducible_Private(VI vi, PetscInt *num_out, PetscBool *reducible)
 {
   const PetscScalar *upper;
   PetscInt           n, num = 0;
@@ -86,7 +87,7 @@ static PetscErrorCode Reducible_Private(VI vi, PetscInt *num_out, PetscBool *red
   PetscCall(VecRestoreArrayRead(vi->upper, &upper));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &num, 1, MPIU_INT, MPI_SUM, PetscObjectComm((PetscObject)vi->upper)));
   *num_out   = num;
-  *reducible = (PetscBool)(num <= ACTIVE_MAX_REDUCED);
+  *reducible = (PetscBool)(num <= ACTIVE_MAX_SCHUR);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -95,7 +96,7 @@ static PetscErrorCode Reducible_Private(VI vi, PetscInt *num_out, PetscBool *red
 static const PetscReal ITERABLE = 0.499;
 
 /* The largest Poisson's ratio of the cells that it makes nearly incompressible, or 0. */
-static PetscErrorCode LargestPoisson_Private(VI vi, PetscReal *poisson)
+static PetscErrorCode SolverChoiceLargestPoisson_Private(VI vi, PetscReal *poisson)
 {
   DilatationCount *counts;
 
@@ -109,36 +110,36 @@ static PetscErrorCode LargestPoisson_Private(VI vi, PetscReal *poisson)
 }
 
 /* Whether multigrid knows which unknowns a type leaves free. */
-static PetscBool Truncatable_Private(const char snes[])
+static PetscBool SolverChoiceTruncatable_Private(const char snes[])
 {
   return (PetscBool)(!strcmp(snes, SNESPDAS) || !strcmp(snes, SNESVINEWTONRSLS));
 }
 
 /* Whether pdas can tell where an iteration with multigrid is to end: by residuals and steps of conjugate gradients. */
-static PetscBool Tellable_Private(const char snes[], const char ksp[])
+static PetscBool SolverChoiceHasTest_Private(const char snes[], const char ksp[])
 {
   return (PetscBool)(strcmp(snes, SNESPDAS) || !strcmp(ksp, KSPCG));
 }
 
 /* What preconditions an iteration: levels of the mesh, or made of it. */
-static const char *Iterative_Private(VI vi, const char snes[], const char ksp[])
+static const char *SolverChoiceIterative_Private(VI vi, const char snes[], const char ksp[])
 {
-  if (vi->mesh && Truncatable_Private(snes) && Tellable_Private(snes, ksp)) return PCTRUNCATEDMG;
+  if (vi->mesh && SolverChoiceTruncatable_Private(snes) && SolverChoiceHasTest_Private(snes, ksp)) return PCTRUNCATEDMG;
   return strcmp(snes, SNESPDAS) ? PCHYPRE : PCGAMG; // GAMG needs matrices that keep their size
 }
 
 /* Unknowns up to which a factorisation is the choice. */
-static PetscErrorCode LargestDirect_Private(VI vi, const char snes[], PetscInt *limit)
+static PetscErrorCode SolverChoiceLargestDirect_Private(VI vi, const char snes[], PetscInt *limit)
 {
   const PetscBool solid = (PetscBool)(vi->level->dim == 3), pdas = (PetscBool)!strcmp(snes, SNESPDAS);
   PetscBool       reducible, nested;
   PetscInt        num;
 
   PetscFunctionBeginUser;
-  PetscCall(Reducible_Private(vi, &num, &reducible));
+  PetscCall(SolverChoiceReducible_Private(vi, &num, &reducible));
   *limit = DIRECT_2D;
   if (solid) *limit = pdas && reducible ? DIRECT_3D : DIRECT_3D_EACH;
-  if (!vi->mesh || !Truncatable_Private(snes)) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!vi->mesh || !SolverChoiceTruncatable_Private(snes)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MeshLevelsAreNested(vi, &nested));
   if (nested && solid) *limit = PetscMin(*limit, MESH_LEVELS_3D);
   if (nested && !solid && vi->mesh->num_levels > 1) *limit = PetscMin(*limit, MESH_LEVELS_2D);
@@ -146,7 +147,7 @@ static PetscErrorCode LargestDirect_Private(VI vi, const char snes[], PetscInt *
 }
 
 /* A factorisation in place of an iteration. */
-static PetscErrorCode Factor_Private(SolveChoice *choice)
+static PetscErrorCode SolverChoiceFactor_Private(SolverChoice *choice)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscStrncpy(choice->ksp, KSPPREONLY, sizeof(choice->ksp)));
@@ -155,7 +156,8 @@ static PetscErrorCode Factor_Private(SolveChoice *choice)
 }
 
 /* Whether bodies are so thin that size says nothing. */
-static PetscErrorCode Thin_Private(VI vi, PetscBool floating, const SolveChoice *choice, PetscBool *thin)
+static PetscErrorCode SolverChoiceTestThin_Private(VI vi, PetscBool floating, const SolverChoice *choice,
+                                                   PetscBool *thin)
 {
   PetscInt  num;
   PetscBool reducible;
@@ -163,36 +165,36 @@ static PetscErrorCode Thin_Private(VI vi, PetscBool floating, const SolveChoice 
   PetscFunctionBeginUser;
   *thin = PETSC_FALSE;
   if (!vi->mesh || strcmp(choice->pc, PCTRUNCATEDMG)) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(Reducible_Private(vi, &num, &reducible));
+  PetscCall(SolverChoiceReducible_Private(vi, &num, &reducible));
   PetscCall(ThinBodiesAreCheap(vi, floating, num, (PetscBool)(reducible && !strcmp(choice->snes, SNESPDAS)), thin));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The linear solver where the user says nothing: by size, unless iterations are hopeless, or bodies thin. */
-static PetscErrorCode ChooseBySize_Private(VI vi, PetscBool floating, SolveChoice *choice)
+static PetscErrorCode SolverChoiceChooseBySize_Private(VI vi, PetscBool floating, SolverChoice *choice)
 {
-  const char *iterative = Iterative_Private(vi, choice->snes, KSPCG);
+  const char *iterative = SolverChoiceIterative_Private(vi, choice->snes, KSPCG);
   PetscInt    size, limit = 0;
   PetscReal   poisson;
   PetscBool   thin;
 
   PetscFunctionBeginUser;
-  PetscCall(LargestDirect_Private(vi, choice->snes, &limit));
+  PetscCall(SolverChoiceLargestDirect_Private(vi, choice->snes, &limit));
   PetscCall(VecGetSize(vi->b, &size));
   PetscCall(PetscStrncpy(choice->ksp, size <= limit ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
   PetscCall(PetscStrncpy(choice->pc, size <= limit ? PCCHOLESKY : iterative, sizeof(choice->pc)));
   PetscCall(PetscSNPrintf(choice->why, sizeof(choice->why), "%" PetscInt_FMT " unknowns in %dD, %s than %" PetscInt_FMT,
                           size, (int)vi->level->dim, size <= limit ? "not more" : "more", limit));
-  PetscCall(LargestPoisson_Private(vi, &poisson));
+  PetscCall(SolverChoiceLargestPoisson_Private(vi, &poisson));
   choice->nearly = (PetscBool)(poisson > ITERABLE);
   if (choice->nearly && size > limit) {
-    PetscCall(Factor_Private(choice));
+    PetscCall(SolverChoiceFactor_Private(choice));
     PetscCall(PetscSNPrintf(choice->why, sizeof(choice->why), "a Poisson's ratio above %g, whatever the size",
                             (double)ITERABLE));
   }
-  PetscCall(Thin_Private(vi, floating, choice, &thin));
+  PetscCall(SolverChoiceTestThin_Private(vi, floating, choice, &thin));
   if (thin) {
-    PetscCall(Factor_Private(choice));
+    PetscCall(SolverChoiceFactor_Private(choice));
     PetscCall(PetscStrncpy(choice->why, "bodies so thin that a factorisation takes less than an iteration",
                            sizeof(choice->why)));
   }
@@ -200,7 +202,7 @@ static PetscErrorCode ChooseBySize_Private(VI vi, PetscBool floating, SolveChoic
 }
 
 /* To stop at the discretisation error takes the cascade, which begins with the next coarser level. */
-static PetscErrorCode ChooseStop_Private(VI vi, Solvability solvability, SolveChoice *choice)
+static PetscErrorCode SolverChoiceChooseStop_Private(VI vi, Solvability solvability, SolverChoice *choice)
 {
   const MPI_Comm comm = PetscObjectComm((PetscObject)vi->b);
 
@@ -231,19 +233,19 @@ static PetscErrorCode ChooseStop_Private(VI vi, Solvability solvability, SolveCh
 }
 
 /* Types that do not go with one another. */
-static PetscErrorCode CheckTogether_Private(MPI_Comm comm, const SolveChoice *choice)
+static PetscErrorCode SolverChoiceCheckTogether_Private(MPI_Comm comm, const SolverChoice *choice)
 {
   const PetscBool multigrid = (PetscBool)!strcmp(choice->pc, PCTRUNCATEDMG);
 
   PetscFunctionBeginUser;
-  if (multigrid && !Truncatable_Private(choice->snes)) {
+  if (multigrid && !SolverChoiceTruncatable_Private(choice->snes)) {
     PetscCall(UserErrorRaise(comm,
                              "-%spc_type " PCTRUNCATEDMG
                              ": does not work with -snes_type %s, which does not tell what it leaves "
                              "free; -snes_type " SNESPDAS ", -pc_type cholesky or -pc_type hypre do",
                              choice->prefix, choice->snes));
   }
-  if (multigrid && !Tellable_Private(choice->snes, choice->ksp)) {
+  if (multigrid && !SolverChoiceHasTest_Private(choice->snes, choice->ksp)) {
     PetscCall(UserErrorRaise(comm,
                              "-%sksp_type %s: does not work with -pc_type " PCTRUNCATEDMG
                              ", which ends by what conjugate gradients tell; -ksp_type " KSPCG " or -pc_type " PCGAMG
@@ -265,12 +267,12 @@ static PetscErrorCode CheckTogether_Private(MPI_Comm comm, const SolveChoice *ch
 }
 
 /* Whether there are coarser meshes to begin on, and levels for them. */
-static PetscBool Nested_Private(VI vi, const char pc[])
+static PetscBool SolverChoiceNested_Private(VI vi, const char pc[])
 {
   return (PetscBool)(!strcmp(pc, PCTRUNCATEDMG) && vi->mesh && vi->mesh->num_levels > 1);
 }
 
-PetscErrorCode SolveChoose(Solver solver, SolveChoice *choice)
+PetscErrorCode SolverChoiceSet(Solver solver, SolverChoice *choice)
 {
   const VI          vi          = solver->vi;
   const Solvability solvability = solver->solvability;
@@ -285,21 +287,21 @@ PetscErrorCode SolveChoose(Solver solver, SolveChoice *choice)
   choice->keep   = PETSC_FALSE;
   PetscCall(PetscStrncpy(choice->snes, SNESPDAS, sizeof(choice->snes)));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-snes_type", choice->snes, sizeof(choice->snes), NULL));
-  PetscCall(CheckBounds_Private(comm, choice->snes));
-  PetscCall(ChooseBySize_Private(vi, (PetscBool)(solvability != NULL), choice));
+  PetscCall(SolverChoiceCheckBounds_Private(comm, choice->snes));
+  PetscCall(SolverChoiceChooseBySize_Private(vi, (PetscBool)(solvability != NULL), choice));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-ksp_type", choice->ksp, sizeof(choice->ksp), &ksp));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-pc_type", choice->pc, sizeof(choice->pc), &pc));
   choice->own = (PetscBool)(!ksp && !pc);
   PetscCall(KSPInitializePackage()); // with them PETSc has its types
   PetscCall(PCInitializePackage());
-  PetscCall(CheckName_Private(comm, "-ksp_type", choice->ksp, KSPList));
-  PetscCall(CheckName_Private(comm, "-pc_type", choice->pc, PCList));
+  PetscCall(SolverChoiceCheckName_Private(comm, "-ksp_type", choice->ksp, KSPList));
+  PetscCall(SolverChoiceCheckName_Private(comm, "-pc_type", choice->pc, PCList));
   /* one of the two implies the other: a factorisation needs no iteration, anything else does */
   if (pc && !ksp) {
-    PetscCall(PetscStrncpy(choice->ksp, SolveFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
+    PetscCall(PetscStrncpy(choice->ksp, SolverChoiceFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
   }
   if (ksp && !pc) {
-    const char *iterative = Iterative_Private(vi, choice->snes, choice->ksp);
+    const char *iterative = SolverChoiceIterative_Private(vi, choice->snes, choice->ksp);
 
     PetscCall(PetscStrncpy(choice->pc, strcmp(choice->ksp, KSPPREONLY) ? iterative : PCCHOLESKY, sizeof(choice->pc)));
   }
@@ -307,12 +309,12 @@ PetscErrorCode SolveChoose(Solver solver, SolveChoice *choice)
     PetscCall(PetscStrncpy(choice->why, ksp ? (pc ? "-ksp_type and -pc_type" : "-ksp_type") : "-pc_type",
                            sizeof(choice->why)));
   }
-  PetscCall(ChooseStop_Private(vi, solvability, choice));
+  PetscCall(SolverChoiceChooseStop_Private(vi, solvability, choice));
   PetscCall(VecGetSize(vi->b, &size)); // beyond these sizes even to order pivots is too much
   choice->yields = (PetscBool)(choice->own && !choice->stop && !strcmp(choice->snes, SNESPDAS) &&
                                size <= (vi->level->dim == 3 ? DIRECT_3D : DIRECT_2D));
-  choice->nested = Nested_Private(vi, choice->pc);
-  PetscCall(CheckTogether_Private(comm, choice));
+  choice->nested = SolverChoiceNested_Private(vi, choice->pc);
+  PetscCall(SolverChoiceCheckTogether_Private(comm, choice));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -320,26 +322,26 @@ PetscErrorCode SolveChoose(Solver solver, SolveChoice *choice)
    cell on 2000: 174 steps of pdas, 161 of vinewtonrsls; on 4000, 366 and 317), and PETSc's would give up after 100. */
 enum { SECOND_MAX_IT = 500, SECOND_PER_FIRST = 2 };
 
-PetscErrorCode SolveChooseSecond(VI vi, const SolveReport *first, const char prefix[], SolveChoice *choice)
+PetscErrorCode SolverChoiceSetSecond(VI vi, const SolverReport *first, const char prefix[], SolverChoice *choice)
 {
   const PetscBool multigrid = (PetscBool)!strcmp(first->pc, PCTRUNCATEDMG),
                   pdas      = (PetscBool)!strcmp(first->type, SNESPDAS);
   PetscBool set;
 
   PetscFunctionBeginUser;
-  *choice = (SolveChoice){.prefix = prefix, .max_it = PetscMax(SECOND_MAX_IT, SECOND_PER_FIRST * first->iterations)};
+  *choice = (SolverChoice){.prefix = prefix, .max_it = PetscMax(SECOND_MAX_IT, SECOND_PER_FIRST * first->iterations)};
   PetscCall(PetscStrncpy(choice->snes, pdas ? SNESVINEWTONRSLS : SNESPDAS, sizeof(choice->snes)));
   PetscCall(PetscStrncpy(choice->pc, multigrid ? PCTRUNCATEDMG : PCCHOLESKY, sizeof(choice->pc)));
   PetscCall(PetscOptionsGetString(NULL, prefix, "-pc_type", choice->pc, sizeof(choice->pc), &set));
-  PetscCall(PetscStrncpy(choice->ksp, SolveFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
+  PetscCall(PetscStrncpy(choice->ksp, SolverChoiceFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
   PetscCall(PetscOptionsGetString(NULL, prefix, "-ksp_type", choice->ksp, sizeof(choice->ksp), NULL));
   choice->own    = (PetscBool)!set;
-  choice->nested = Nested_Private(vi, choice->pc);
-  PetscCall(CheckTogether_Private(PetscObjectComm((PetscObject)vi->b), choice));
+  choice->nested = SolverChoiceNested_Private(vi, choice->pc);
+  PetscCall(SolverChoiceCheckTogether_Private(PetscObjectComm((PetscObject)vi->b), choice));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveChooseAnother(const SolveReport *report, SolveChoice *choice, PetscBool *again)
+PetscErrorCode SolverChoiceSetFallback(const SolverReport *report, SolverChoice *choice, PetscBool *again)
 {
   const PetscBool costly = (PetscBool)!strcmp(report->reason, FAILURE_COST);
   char            words[128], why[160];
@@ -347,34 +349,34 @@ PetscErrorCode SolveChooseAnother(const SolveReport *report, SolveChoice *choice
   PetscFunctionBeginUser;
   *again = (PetscBool)(choice->own && !report->converged && (costly || !strcmp(report->reason, FAILURE_ITERATIVE)));
   if (!*again) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(SolveDescribe(choice->ksp, choice->pc, NULL, words, sizeof(words)));
+  PetscCall(SolverChoiceDescribe(choice->ksp, choice->pc, NULL, words, sizeof(words)));
   if (costly) {
     PetscCall(PetscSNPrintf(why, sizeof(why),
                             "has cost %.0f products with the matrix, and a factorisation costs some %.0f",
-                            (double)report->work, (double)report->foretold));
+                            (double)report->work, (double)report->predicted_cost));
   } else {
     PetscCall(PetscStrncpy(why, "has not converged", sizeof(why)));
   }
   PetscCall(WarningAdd(&(Warning){.code = "solver_replaced", .advice = "-pc_type cholesky does that at once"},
                        "%s %s; factorising instead", words, why));
   choice->nested = choice->stop = PETSC_FALSE; // a factorisation has no error to stop at
-  PetscCall(Factor_Private(choice));
+  PetscCall(SolverChoiceFactor_Private(choice));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode SolverView(Solver solver)
 {
-  SolveChoice choice;
-  MPI_Comm    comm;
-  char        words[128];
-  const char *levels = "";
+  SolverChoice choice;
+  MPI_Comm     comm;
+  char         words[128];
+  const char  *levels = "";
 
   PetscFunctionBeginUser;
   PetscCall(PetscObjectGetComm((PetscObject)solver->vi->A, &comm));
-  PetscCall(SolveChoose(solver, &choice));
+  PetscCall(SolverChoiceSet(solver, &choice));
   if (!strcmp(choice.pc, PCTRUNCATEDMG) && solver->vi->mesh->num_levels == 1)
     levels = "; on levels of some of its nodes, since the mesh has one level";
-  PetscCall(SolveDescribe(choice.ksp, choice.pc, NULL, words, sizeof(words)));
+  PetscCall(SolverChoiceDescribe(choice.ksp, choice.pc, NULL, words, sizeof(words)));
   PetscCall(PetscPrintf(comm, "  solver %s: linear systems by %s (%s%s)\n", choice.snes, words, choice.why, levels));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

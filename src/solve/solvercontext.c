@@ -7,16 +7,16 @@
 #include "multigrid/multigrid.h"
 
 /* Puts defaults into the options database where the user has put nothing, or takes them out again. */
-static PetscErrorCode DefaultsApply_Private(Workbench *bench, PetscBool apply)
+static PetscErrorCode SolverContextDefaultsApply_Private(SolverContext *context, PetscBool apply)
 {
-  Default *defaults = bench->defaults;
+  Default *defaults = context->defaults;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < WORKBENCH_DEFAULTS; i++) {
+  for (PetscInt i = 0; i < SOLVERCONTEXT_DEFAULTS; i++) {
     char      option[128];
     PetscBool there;
 
-    PetscCall(PetscSNPrintf(option, sizeof(option), "-%s%s", bench->prefix, defaults[i].name));
+    PetscCall(PetscSNPrintf(option, sizeof(option), "-%s%s", context->prefix, defaults[i].name));
     if (!defaults[i].needed) continue; /* not even looked up: an option that nothing reads is a mistake */
     if (apply) {
       PetscCall(PetscOptionsGetString(NULL, NULL, option, defaults[i].given, sizeof(defaults[i].given), &there));
@@ -34,9 +34,9 @@ static PetscErrorCode DefaultsApply_Private(Workbench *bench, PetscBool apply)
 /* MUMPS: spare memory, in percent; approximate minimum degree, which orders meshes in 2D in a fifth of the time of what MUMPS would
    choose, for factors of the same size. A tolerance in the unit of y, which is of order one. [in] previous - whether there is a set to
    begin with */
-static void Defaults_Private(VI vi, const SolveChoice *choice, PetscBool previous, Default defaults[])
+static void SolverContextDefaults_Private(VI vi, const SolverChoice *choice, PetscBool previous, Default defaults[])
 {
-  const PetscBool direct = SolveFactors(choice->pc), pdas = (PetscBool)!strcmp(choice->snes, SNESPDAS);
+  const PetscBool direct = SolverChoiceFactors(choice->pc), pdas = (PetscBool)!strcmp(choice->snes, SNESPDAS);
 
   defaults[0] = (Default){.name = "mat_mumps_icntl_14", .value = "50", .needed = direct};
   defaults[1] = (Default){.name = "mat_mumps_icntl_7", .value = "0", .needed = direct && vi->level->dim == 2};
@@ -45,79 +45,80 @@ static void Defaults_Private(VI vi, const SolveChoice *choice, PetscBool previou
 }
 
 /* A as the choice needs it: multigrid needs its products alone, AMG the motions of the bodies. */
-static PetscErrorCode Prepare_Private(VI vi, const SolveChoice *choice)
+static PetscErrorCode SolverContextPrepare_Private(VI vi, const SolverChoice *choice)
 {
   const PetscBool multigrid = (PetscBool)!strcmp(choice->pc, PCTRUNCATEDMG);
 
   PetscFunctionBeginUser;
   if (!multigrid) PetscCall(VIAssemble(vi));
-  if (!multigrid && !SolveFactors(choice->pc)) PetscCall(NearNullSpaceAttach(vi));
+  if (!multigrid && !SolverChoiceFactors(choice->pc)) PetscCall(NearNullSpaceAttach(vi));
   if (multigrid) PetscCall(VIPrepareProducts(vi));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The levels that the last solve has kept, if any: their finest one is what is solved now. */
-static PetscErrorCode TakeLevels_Private(Workbench *bench, Vec W)
+static PetscErrorCode SolverContextTakeLevels_Private(SolverContext *context, Vec W)
 {
   PetscFunctionBeginUser;
-  bench->levels         = bench->solver->levels;
-  bench->solver->levels = NULL;
-  if (!bench->levels) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MeshLevelsSetInequality(bench->levels, bench->levels->num - 1, &bench->springs.solved, W));
-  bench->levels->hierarchy->work = 0;
+  context->levels         = context->solver->levels;
+  context->solver->levels = NULL;
+  if (!context->levels) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MeshLevelsSetInequality(context->levels, context->levels->num - 1, &context->proximal.solved, W));
+  context->levels->hierarchy->work = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode WorkbenchSetLevels(Workbench *bench, SNES snes)
+PetscErrorCode SolverContextSetLevels(SolverContext *context, SNES snes)
 {
-  const Springs *springs = &bench->springs;
-  const Vec      W       = springs->solvability ? springs->solvability->regularization : NULL;
-  Hierarchy      hierarchy;
-  PetscBool      multigrid;
+  const Proximal *proximal = &context->proximal;
+  const Vec       W        = proximal->solvability ? proximal->solvability->regularization : NULL;
+  Hierarchy       hierarchy;
+  PetscBool       multigrid;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscObjectTypeCompare((PetscObject)bench->pc, PCTRUNCATEDMG, &multigrid));
-  if (!multigrid || !springs->solved.vi->mesh) PetscFunctionReturn(PETSC_SUCCESS);
-  if (!bench->levels) PetscCall(TakeLevels_Private(bench, W));
-  if (!bench->levels) PetscCall(MeshLevelsCreate(&springs->solved, W, &bench->levels));
-  hierarchy = bench->levels->hierarchy;
-  PetscCall(MultigridSetHierarchy(bench->pc, hierarchy, hierarchy->num - 1, snes));
+  PetscCall(PetscObjectTypeCompare((PetscObject)context->pc, PCTRUNCATEDMG, &multigrid));
+  if (!multigrid || !proximal->solved.vi->mesh) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!context->levels) PetscCall(SolverContextTakeLevels_Private(context, W));
+  if (!context->levels) PetscCall(MeshLevelsCreate(&proximal->solved, W, &context->levels));
+  hierarchy = context->levels->hierarchy;
+  PetscCall(MultigridSetHierarchy(context->pc, hierarchy, hierarchy->num - 1, snes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode WorkbenchCreate(Solver solver, const SolveChoice *choice, PetscBool previous, Workbench *bench)
+PetscErrorCode SolverContextCreate(Solver solver, const SolverChoice *choice, PetscBool previous,
+                                   SolverContext *context)
 {
   const VI vi = solver->vi;
   KSP      ksp;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMemzero(bench, sizeof(*bench)));
-  bench->solver = solver;
-  bench->prefix = choice->prefix;
-  bench->keep   = choice->keep;
-  PetscCall(Prepare_Private(vi, choice));
-  PetscCall(SpringsBegin(vi, solver->solvability, &bench->springs));
-  PetscCall(VecDuplicate(vi->b, &bench->scratch));
-  Defaults_Private(vi, choice, previous, bench->defaults);
-  PetscCall(DefaultsApply_Private(bench, PETSC_TRUE));
-  PetscCall(SolveConfigure(&bench->springs.solved, choice, bench->scratch, &bench->norm, &bench->snes));
-  PetscCall(SNESGetKSP(bench->snes, &ksp));
-  PetscCall(KSPGetPC(ksp, &bench->pc));
+  PetscCall(PetscMemzero(context, sizeof(*context)));
+  context->solver = solver;
+  context->prefix = choice->prefix;
+  context->keep   = choice->keep;
+  PetscCall(SolverContextPrepare_Private(vi, choice));
+  PetscCall(ProximalBegin(vi, solver->solvability, &context->proximal));
+  PetscCall(VecDuplicate(vi->b, &context->scratch));
+  SolverContextDefaults_Private(vi, choice, previous, context->defaults);
+  PetscCall(SolverContextDefaultsApply_Private(context, PETSC_TRUE));
+  PetscCall(SNESSetupCreate(&context->proximal.solved, choice, context->scratch, &context->norm, &context->snes));
+  PetscCall(SNESGetKSP(context->snes, &ksp));
+  PetscCall(KSPGetPC(ksp, &context->pc));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode WorkbenchDestroy(Workbench *bench, Vec y)
+PetscErrorCode SolverContextDestroy(SolverContext *context, Vec y)
 {
   PetscFunctionBeginUser;
-  PetscCall(DefaultsApply_Private(bench, PETSC_FALSE));
-  PetscCall(SNESDestroy(&bench->snes));
-  if (bench->levels && bench->keep) {
-    PetscCall(MeshLevelsDestroy(&bench->solver->levels));
-    bench->solver->levels = bench->levels;
-    bench->levels         = NULL;
+  PetscCall(SolverContextDefaultsApply_Private(context, PETSC_FALSE));
+  PetscCall(SNESDestroy(&context->snes));
+  if (context->levels && context->keep) {
+    PetscCall(MeshLevelsDestroy(&context->solver->levels));
+    context->solver->levels = context->levels;
+    context->levels         = NULL;
   }
-  PetscCall(MeshLevelsDestroy(&bench->levels));
-  PetscCall(VecDestroy(&bench->scratch));
-  PetscCall(SpringsEnd(&bench->springs, y));
+  PetscCall(MeshLevelsDestroy(&context->levels));
+  PetscCall(VecDestroy(&context->scratch));
+  PetscCall(ProximalEnd(&context->proximal, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -14,27 +14,28 @@ typedef struct {
   char        given[32]; /* by the user, so to be put back, whatever it has been in between */
 } Default;
 
-enum { WORKBENCH_DEFAULTS = 4 };
+enum { SOLVERCONTEXT_DEFAULTS = 4 };
 
 typedef struct {
   Solver      solver; /* borrowed */
   const char *prefix; /* of options; borrowed */
   PetscBool   keep;   /* whether the solver keeps the levels afterwards */
-  Springs     springs;
+  Proximal    proximal;
   SNES        snes;
   PC          pc;     /* of its KSP */
   MeshLevels  levels; /* NULL where there are no levels, or nobody works on them */
   Vec         scratch;
   PetscReal   norm;
-  Default     defaults[WORKBENCH_DEFAULTS];
-} Workbench;
+  Default     defaults[SOLVERCONTEXT_DEFAULTS];
+} SolverContext;
 
 /* Collective. [in] previous - whether there is a set to begin with; [out] bench - not to be moved: the SNES knows where it is */
-PetscErrorCode WorkbenchCreate(Solver solver, const SolveChoice *choice, PetscBool previous, Workbench *bench);
+PetscErrorCode SolverContextCreate(Solver solver, const SolverChoice *choice, PetscBool previous,
+                                   SolverContext *context);
 /* The levels that the preconditioner works on, if it does; those that the solve before has kept if there are any. Collective.
    [in] snes - that leaves it the free unknowns alone, or NULL */
-PetscErrorCode WorkbenchSetLevels(Workbench *bench, SNES snes);
-/* Collective. [in,out] y - what SpringsEnd() takes */
-PetscErrorCode WorkbenchDestroy(Workbench *bench, Vec y);
+PetscErrorCode SolverContextSetLevels(SolverContext *context, SNES snes);
+/* Collective. [in,out] y - what ProximalEnd() takes */
+PetscErrorCode SolverContextDestroy(SolverContext *context, Vec y);
 
 #endif

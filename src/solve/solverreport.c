@@ -5,7 +5,7 @@
 #include "pdas/factorization.h"
 #include "solve/solverimpl.h"
 
-PetscErrorCode SolveMeasure(const Inequality *solved, Vec y, PetscInt *active, PetscReal *residual)
+PetscErrorCode SolverReportMeasure(const Inequality *solved, Vec y, PetscInt *active, PetscReal *residual)
 {
   ActiveSet    set;
   ActiveSolver solver;
@@ -44,7 +44,7 @@ PetscErrorCode SolveMeasure(const Inequality *solved, Vec y, PetscInt *active, P
 }
 
 /* Why a type of PETSc's did not converge. */
-static PetscErrorCode ReasonOther_Private(SNES snes, SNESConvergedReason reason, SolveReport *report)
+static PetscErrorCode SolverReportReasonOther_Private(SNES snes, SNESConvergedReason reason, SolverReport *report)
 {
   const char *prefix;
 
@@ -56,10 +56,11 @@ static PetscErrorCode ReasonOther_Private(SNES snes, SNESConvergedReason reason,
     PCFailedReason failed;
 
     PetscCall(SNESGetKSP(snes, &ksp));
-    PetscCall(FactorCheckMemory(ksp));
+    PetscCall(MumpsMemoryCheck(ksp));
     PetscCall(KSPGetPC(ksp, &pc));
     PetscCall(PCGetFailedReason(pc, &failed));
-    PetscCall(PetscStrncpy(report->reason, failed ? ActiveFailureOfFactor((MatFactorError)failed) : FAILURE_ITERATIVE,
+    PetscCall(PetscStrncpy(report->reason,
+                           failed ? ActiveSolverFailureOfFactor((MatFactorError)failed) : FAILURE_ITERATIVE,
                            sizeof(report->reason)));
   } else if (reason == SNES_DIVERGED_MAX_IT) {
     PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason),
@@ -73,7 +74,8 @@ static PetscErrorCode ReasonOther_Private(SNES snes, SNESConvergedReason reason,
 }
 
 /* What pdas alone tells: its active sets. [in] iterations - of this solve; [out] reduced - whether by one factorisation for all sets */
-static PetscErrorCode AddSets_Private(SNES snes, PetscInt iterations, SolveReport *report, PetscBool *reduced)
+static PetscErrorCode SolverReportAddSets_Private(SNES snes, PetscInt iterations, SolverReport *report,
+                                                  PetscBool *reduced)
 {
   PetscBool       safeguarded;
   PetscInt        linear;
@@ -87,13 +89,13 @@ static PetscErrorCode AddSets_Private(SNES snes, PetscInt iterations, SolveRepor
   report->linear_iterations += linear;
   PetscCall(PDASGetFailure(snes, &failure));
   PetscCall(PetscStrncpy(report->reason, failure, sizeof(report->reason)));
-  for (PetscInt k = 0; k < iterations && report->num_changed < SOLVE_MAX_HISTORY; k++)
+  for (PetscInt k = 0; k < iterations && report->num_changed < SOLVER_MAX_HISTORY; k++)
     report->changed[report->num_changed++] = changed[k];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The linear solver in words. [in] reduced - as of AddSets_Private(): whatever the KSP is, it was not asked then */
-static PetscErrorCode DescribeLinear_Private(SNES snes, PetscBool reduced, SolveReport *report)
+/* The linear solver in words. [in] reduced - as of SolverReportAddSets_Private(): whatever the KSP is, it was not asked then */
+static PetscErrorCode SolverReportDescribeLinear_Private(SNES snes, PetscBool reduced, SolverReport *report)
 {
   KSPType       ksp_type;
   PCType        pc_type;
@@ -107,7 +109,7 @@ static PetscErrorCode DescribeLinear_Private(SNES snes, PetscBool reduced, Solve
   PetscCall(KSPGetPC(ksp, &pc));
   PetscCall(KSPGetType(ksp, &ksp_type));
   PetscCall(PCGetType(pc, &pc_type));
-  if (SolveFactors(pc_type)) PetscCall(PCFactorGetMatSolverType(pc, &package));
+  if (SolverChoiceFactors(pc_type)) PetscCall(PCFactorGetMatSolverType(pc, &package));
   if (reduced) {
     ksp_type = KSPPREONLY;
     pc_type  = PCCHOLESKY;
@@ -115,13 +117,13 @@ static PetscErrorCode DescribeLinear_Private(SNES snes, PetscBool reduced, Solve
   }
   PetscCall(PetscStrncpy(report->ksp, ksp_type, sizeof(report->ksp)));
   PetscCall(PetscStrncpy(report->pc, pc_type, sizeof(report->pc)));
-  PetscCall(SolveDescribe(ksp_type, pc_type, package, words, sizeof(words)));
+  PetscCall(SolverChoiceDescribe(ksp_type, pc_type, package, words, sizeof(words)));
   PetscCall(
       PetscSNPrintf(report->linear, sizeof(report->linear), "%s%s", words, reduced ? ", one for all active sets" : ""));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolveReportAdd(SNES snes, const Inequality *solved, Vec y, SolveReport *report)
+PetscErrorCode SolverReportAdd(SNES snes, const Inequality *solved, Vec y, SolverReport *report)
 {
   SNESConvergedReason reason;
   SNESType            type;
@@ -137,13 +139,13 @@ PetscErrorCode SolveReportAdd(SNES snes, const Inequality *solved, Vec y, SolveR
   report->iterations += iterations;
   report->converged = (PetscBool)(reason > 0);
   if (pdas) {
-    PetscCall(AddSets_Private(snes, iterations, report, &reduced));
+    PetscCall(SolverReportAddSets_Private(snes, iterations, report, &reduced));
   } else {
     PetscCall(SNESGetLinearSolveIterations(snes, &linear));
     report->linear_iterations += linear;
-    PetscCall(SolveMeasure(solved, y, &report->active, &report->linear_residual));
-    if (!report->converged) PetscCall(ReasonOther_Private(snes, reason, report));
+    PetscCall(SolverReportMeasure(solved, y, &report->active, &report->linear_residual));
+    if (!report->converged) PetscCall(SolverReportReasonOther_Private(snes, reason, report));
   }
-  PetscCall(DescribeLinear_Private(snes, reduced, report));
+  PetscCall(SolverReportDescribeLinear_Private(snes, reduced, report));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

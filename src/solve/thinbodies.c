@@ -18,7 +18,7 @@ static const PetscReal HELD = 100, FLOATS = 1000;
 static const PetscReal SETS = 10;
 
 /* Where nodes close and, negative, where they open, along each axis. [out] ends - to be destroyed by the caller, 2 dim for each node */
-static PetscErrorCode Ends_Private(Level *level, Vec *ends)
+static PetscErrorCode ThinBodiesEnds_Private(Level *level, Vec *ends)
 {
   const PetscInt dim = level->dim;
   Vec            local;
@@ -51,8 +51,8 @@ static PetscErrorCode Ends_Private(Level *level, Vec *ends)
 }
 
 /* Along one axis. [in] a - of the vector above; [out] operations; [out] front - unknowns of the largest one */
-static PetscErrorCode Walk_Private(const Level *level, const PetscScalar a[], PetscInt axis, PetscReal *operations,
-                                   PetscReal *front)
+static PetscErrorCode ThinBodiesWalk_Private(const Level *level, const PetscScalar a[], PetscInt axis,
+                                             PetscReal *operations, PetscReal *front)
 {
   const PetscInt dim    = level->dim;
   PetscReal      end[2] = {PETSC_NINFINITY, PETSC_NINFINITY}, scale, open = 0;
@@ -93,12 +93,12 @@ PetscErrorCode ThinBodiesAreCheap(VI vi, PetscBool floating, PetscInt num, Petsc
 
   PetscFunctionBeginUser;
   PetscCall(CostModelUnit(vi, &unit));
-  PetscCall(Ends_Private(vi->level, &ends));
+  PetscCall(ThinBodiesEnds_Private(vi->level, &ends));
   PetscCall(VecGetArrayRead(ends, &a));
   for (PetscInt axis = 0; axis < vi->level->dim; axis++) {
     PetscReal operations, front;
 
-    PetscCall(Walk_Private(vi->level, a, axis, &operations, &front));
+    PetscCall(ThinBodiesWalk_Private(vi->level, a, axis, &operations, &front));
     /* unknowns with bounds that are left to the end meet half of all eliminations, a quarter of each half, and so on */
     if (one) operations += 2 * front * PetscSqr(bounded) + SETS * CostModelPerSet(num);
     if (!one) operations *= SETS;

@@ -9,20 +9,20 @@
 #include "output/summary.h"
 
 struct _n_Run {
-  Scene       scene; /* borrowed */
-  Mesh        mesh;  /* borrowed */
-  VI          vi;
-  Solvability solvability; /* NULL where supports hold all bodies */
-  Solver      solver;
-  Vec         y;
-  SolveReport report;
-  CrossCheck  check;
-  Fields      fields;
-  Certificate certificate;
-  Vec         reactions;
-  Errors      errors;
-  PetscBool   refused; /* there is no solution: nothing was solved, and there are no fields */
-  PetscBool   solved;  /* converged, certified, and not contradicted by a second solver */
+  Scene        scene; /* borrowed */
+  Mesh         mesh;  /* borrowed */
+  VI           vi;
+  Solvability  solvability; /* NULL where supports hold all bodies */
+  Solver       solver;
+  Vec          y;
+  SolverReport report;
+  CrossCheck   check;
+  Fields       fields;
+  Certificate  certificate;
+  Vec          reactions;
+  Errors       errors;
+  PetscBool    refused; /* there is no solution: nothing was solved, and there are no fields */
+  PetscBool    solved;  /* converged, certified, and not contradicted by a second solver */
 };
 typedef struct _n_Run *Run;
 

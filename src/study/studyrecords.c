@@ -265,7 +265,7 @@ static PetscErrorCode RecordCost_Private(Study study, Record *record)
 
 PetscErrorCode RecordRun(Study study, Run run, Record *record)
 {
-  const SolveReport *report = &run->report;
+  const SolverReport *report = &run->report;
 
   PetscFunctionBeginUser;
   PetscCall(RecordCost_Private(study, record));

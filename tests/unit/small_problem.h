@@ -63,7 +63,7 @@ static PetscErrorCode Count(SNES snes, PetscInt it, PetscReal norm, void *ctx)
 }
 
 /* The entries of a small vector on all ranks. */
-static PetscErrorCode Everywhere(Vec v, PetscReal values[])
+static PetscErrorCode RedundantSolve(Vec v, PetscReal values[])
 {
   VecScatter         scatter;
   Vec                all;
@@ -163,13 +163,13 @@ static PetscErrorCode Solve(const Problem *p, Run *run)
   PetscCall(SNESMonitorSet(snes, Count, &run->monitored, NULL));
   PetscCall(SNESSolve(snes, NULL, y));
   PetscCall(SNESGetConvergedReason(snes, &run->reason));
-  PetscCall(Everywhere(y, run->y));
+  PetscCall(RedundantSolve(y, run->y));
   PetscCall(PetscStrcmp(run->type, SNESPDAS, &pdas));
   if (pdas) {
     PetscCall(PDASGetHistory(snes, &run->iterations, &run->num_active, &changed, &run->safeguarded));
     PetscCall(PDASGetLinear(snes, NULL, &run->residual, &run->reduced));
     PetscCall(PDASGetActive(snes, &active));
-    PetscCall(Everywhere(active, flags));
+    PetscCall(RedundantSolve(active, flags));
     for (PetscInt i = 0; i < p->n; i++) run->active[i] = (PetscBool)(flags[i] > 0.5);
     for (PetscInt i = 0; i < run->iterations; i++) run->changed[i] = changed[i];
   }

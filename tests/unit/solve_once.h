@@ -4,7 +4,7 @@
 
 #include "solve/solver.h"
 
-static PetscErrorCode SolveOnce(VI vi, Solvability solvability, Vec guess, Vec y, SolveReport *report)
+static PetscErrorCode SolveOnce(VI vi, Solvability solvability, Vec guess, Vec y, SolverReport *report)
 {
   PetscErrorCode error;
   Solver         solver;

@@ -28,7 +28,7 @@ static void TestNearest(void)
   const PetscReal d[] = {-1, -1, 1, -1, 1, 1, -1, 1, 0.2, 0.3};
   PetscReal       w[5];
 
-  CHECK(AffineWeights(2, 5, d, w));
+  CHECK(BarycentricWeights(2, 5, d, w));
   CHECK_NEAR(Judge(2, 5, d, w), 1, 1e-12);
   CHECK(w[4] > 0.5 && w[0] > 0 && w[2] == 0);
 }
@@ -39,7 +39,7 @@ static void TestMiddle(void)
   const PetscReal d[] = {-0.5, 0, 0, 0.5, 0, 0, 0, 2, 0, 0, -1, 2, 0, -1, -2};
   PetscReal       w[5];
 
-  CHECK(AffineWeights(3, 5, d, w));
+  CHECK(BarycentricWeights(3, 5, d, w));
   CHECK_NEAR(Judge(3, 5, d, w), 1, 1e-12);
   CHECK_NEAR(w[0], 0.5, 1e-12);
   CHECK_NEAR(w[1], 0.5, 1e-12);
@@ -51,18 +51,18 @@ static void TestOutside(void)
   const PetscReal flat[] = {0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1};
   PetscReal       d[]    = {0.1, 0, 0.1, 1, 0.6, 0.4}, w[4];
 
-  CHECK(AffineWeights(2, 3, d, w));
+  CHECK(BarycentricWeights(2, 3, d, w));
   CHECK(Judge(2, 3, d, w) > 1);
   for (PetscInt j = 0; j < 3; j++) d[2 * j] += 5;
-  CHECK(!AffineWeights(2, 3, d, w));
-  CHECK(!AffineWeights(3, 4, flat, w));
-  CHECK(!AffineWeights(2, 0, NULL, w));
+  CHECK(!BarycentricWeights(2, 3, d, w));
+  CHECK(!BarycentricWeights(3, 4, flat, w));
+  CHECK(!BarycentricWeights(2, 0, NULL, w));
 }
 
 /* Places all around, on a lattice, of which many are on one circle: rounding must not decide whether there is an end. */
 static void TestLattice(void)
 {
-  PetscReal d[AFFINE_MOST * 3], w[AFFINE_MOST];
+  PetscReal d[BARYCENTRIC_MAX * 3], w[BARYCENTRIC_MAX];
   PetscInt  num = 0;
 
   for (PetscInt i = 0; i < 27; i++) {
@@ -71,7 +71,7 @@ static void TestLattice(void)
     d[num * 3 + 2] = (PetscReal)(i / 9) - 0.5;
     num++;
   }
-  CHECK(AffineWeights(3, num, d, w));
+  CHECK(BarycentricWeights(3, num, d, w));
   CHECK_NEAR(Judge(3, num, d, w), 1, 1e-12);
   for (PetscInt j = 0; j < num; j++) CHECK(w[j] == 0 || (PetscAbsReal(d[j * 3]) < 1 && PetscAbsReal(d[j * 3 + 1]) < 1));
 }

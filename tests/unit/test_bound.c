@@ -113,10 +113,10 @@ static PetscErrorCode Sweep(VI vi, Solvability solvability, Vec y, const Way *wa
 /* Bounds of the solution, of what is far from it, and of what is near. [in] times - as many perturbations as is usual */
 static PetscErrorCode SweepAll(VI vi, Solvability solvability, PetscInt times)
 {
-  SolveReport report;
-  EnergyBound bound;
-  Vec         y, z;
-  PetscReal   size;
+  SolverReport report;
+  EnergyBound  bound;
+  Vec          y, z;
+  PetscReal    size;
 
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(vi->b, &y));

@@ -40,9 +40,9 @@ static void TestStrands(void)
   CreateStrands(&A);
   CHECK(!MatGetSize(A, &N, NULL));
   CHECK(!MatGetOwnershipRange(A, &begin, NULL));
-  CHECK(!ComponentsLabel(A, label));
+  CHECK(!GraphComponentsLabel(A, label));
   for (PetscInt i = 0; i < EACH; ++i) CHECK((PetscInt)label[i] == (begin + i) % STRANDS);
-  CHECK(!ComponentsGather(A, &rows));
+  CHECK(!GraphComponentsGather(A, &rows));
   CHECK(!ISGetLocalSize(rows, &num));
   CHECK(!ISGetIndices(rows, &row));
   for (PetscInt s = 0; s < STRANDS; ++s) {
@@ -73,7 +73,7 @@ static void TestBox(PetscBool simplex, const PetscReal size[3], const PetscBool 
   TestScene       t;
   Mesh            mesh;
   VI              vi;
-  Halo            halo;
+  GhostExchange   ghosts;
   Operator        op;
 
   SolidSceneInit(&t);
@@ -82,25 +82,25 @@ static void TestBox(PetscBool simplex, const PetscReal size[3], const PetscBool 
   mesh = TestSceneMesh(&t);
   CHECK(!VICreate(&t.scene, mesh, &vi));
   CHECK(!MeshLevelsCreateOperator(&(Inequality){.vi = vi, .A = vi->A, .b = vi->b, .upper = vi->upper}, NULL, &op));
-  CHECK(!HaloCreate(vi->K, 3, &halo));
-  CHECK(!BundlesFind(&op, &halo, PETSC_FALSE, label, &found));
+  CHECK(!GhostExchangeCreate(vi->K, 3, &ghosts));
+  CHECK(!BlockSmootherLabel(&op, &ghosts, PETSC_FALSE, label, &found));
   CHECK(found == (PetscBool)(axes[0] || axes[1] || axes[2]));
   /* a bundle is what agrees in all positions but those along its axes */
-  for (PetscInt i = 0; found && i < halo.n; ++i) {
+  for (PetscInt i = 0; found && i < ghosts.n; ++i) {
     code[i] = 0;
     for (PetscInt k = 0; k < 3; ++k)
       if (!axes[k]) code[i] = code[i] * (ALONG + 1) + PetscFloorReal(vi->level->coords[3 * i + k] / size[k] + 0.5);
   }
-  if (found) CHECK(!HaloShare(&halo, code));
+  if (found) CHECK(!GhostExchangeUpdate(&ghosts, code));
   for (PetscInt i = 0; i < MAX_NODES; ++i) first[i] = -1;
-  for (PetscInt i = 0; found && i < halo.n + halo.num; ++i) {
+  for (PetscInt i = 0; found && i < ghosts.n + ghosts.num; ++i) {
     const PetscInt at = (PetscInt)code[i];
 
     if (first[at] < 0) first[at] = label[i];
     CHECK(label[i] == first[at]);
     for (PetscInt other = 0; other < MAX_NODES; ++other) CHECK(other == at || first[other] != label[i]);
   }
-  CHECK(!HaloDestroy(&halo));
+  CHECK(!GhostExchangeDestroy(&ghosts));
   CHECK(!OperatorDestroy(&op));
   CHECK(!VIDestroy(&vi));
   CHECK(!MeshDestroy(&mesh));

@@ -25,7 +25,7 @@ typedef struct {
 static PetscErrorCode Solve(Case *c, PetscReal push)
 {
   const PetscReal down[2] = {0, -push}, held[2] = {0, 0};
-  SolveReport     report;
+  SolverReport    report;
 
   PetscFunctionBeginUser;
   PetscCall(SetTwoBoxes(&c->scene, c->bodies, &c->pair));

@@ -58,12 +58,12 @@ static void TestFactors(Mat A, PetscInt num, const PetscInt C[])
   PetscMPIInt    rank;
   MatFactorError error;
   VecScatter     scatter;
-  Factor         factor;
+  Factorization  factor;
   Vec            e, x, r, host;
 
   CHECK(!MPI_Comm_rank(PETSC_COMM_WORLD, &rank));
   CHECK(!PetscMalloc1(num * num, &S));
-  CHECK(!FactorCreate(A, num, C, NULL, rank ? NULL : S, &factor, &error));
+  CHECK(!FactorizationCreate(A, num, C, NULL, rank ? NULL : S, &factor, &error));
   CHECK(!error);
   CHECK(!MatCreateVecs(A, &e, &x));
   CHECK(!VecDuplicate(e, &r));
@@ -73,7 +73,7 @@ static void TestFactors(Mat A, PetscInt num, const PetscInt C[])
   CHECK(!VecAssemblyEnd(e));
   CHECK(!MatMult(A, e, r));
   CHECK(!VecScale(r, -1));
-  CHECK(!FactorSolve(factor, r, x));
+  CHECK(!FactorizationSolve(factor, r, x));
   CHECK(!VecAXPY(x, 1, e));
   CHECK(!MatMult(A, x, r)); // 0 on I, the second column of S on C
   CHECK(!VecScatterCreateToZero(r, &scatter, &host));
@@ -94,7 +94,7 @@ static void TestFactors(Mat A, PetscInt num, const PetscInt C[])
   CHECK(!VecDestroy(&r));
   CHECK(!VecDestroy(&x));
   CHECK(!VecDestroy(&e));
-  CHECK(!FactorDestroy(&factor));
+  CHECK(!FactorizationDestroy(&factor));
   CHECK(!PetscFree(S));
 }
 

@@ -91,7 +91,7 @@ static PetscErrorCode TestBroken(void)
   PetscCall(KSPSolve(ksp, b, x));
   PetscCall(KSPGetConvergedReason(ksp, &reason));
   CHECK(reason == KSP_DIVERGED_INDEFINITE_PC || reason == KSP_DIVERGED_INDEFINITE_MAT);
-  PetscCall(EigenvalueSeen(ksp, &largest, &smallest, &seen));
+  PetscCall(EigenvalueGetRitz(ksp, &largest, &smallest, &seen));
   CHECK(!seen && largest == -7 && smallest == -7);
   PetscCall(KSPDestroy(&ksp));
   PetscCall(VecDestroy(&b));

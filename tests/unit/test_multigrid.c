@@ -200,16 +200,16 @@ static void TestNested(MeshLevels levels)
   for (PetscInt l = 1; l < h->num; ++l) {
     Vec x, Px, APx, image, product;
 
-    CHECK(!MatCreateVecs(h->grid[l].P, &x, &Px));
+    CHECK(!MatCreateVecs(h->level[l].P, &x, &Px));
     CHECK(!VecDuplicate(x, &image));
     CHECK(!VecDuplicate(x, &product));
     CHECK(!VecDuplicate(Px, &APx));
     Fill(x);
     Empty(levels->vi[l - 1], x);
-    CHECK(!MatMult(h->grid[l].P, x, Px));
-    CHECK(!MatMult(h->grid[l].op.A, Px, APx));
-    CHECK(!MatMultTranspose(h->grid[l].P, APx, product));
-    CHECK(!MatMult(h->grid[l - 1].op.A, x, image));
+    CHECK(!MatMult(h->level[l].P, x, Px));
+    CHECK(!MatMult(h->level[l].op.A, Px, APx));
+    CHECK(!MatMultTranspose(h->level[l].P, APx, product));
+    CHECK(!MatMult(h->level[l - 1].op.A, x, image));
     CHECK_NEAR(Difference(image, product), 0, ROUNDING);
     CHECK(!VecDestroy(&x));
     CHECK(!VecDestroy(&Px));
@@ -243,7 +243,7 @@ static void TestApart(VI vi)
   Operator               op;
 
   CHECK(!MeshLevelsCreateOperator(&(Inequality){.vi = vi, .A = vi->A, .b = vi->b, .upper = vi->upper}, NULL, &op));
-  CHECK(!ApartCreate(&op, &inverse));
+  CHECK(!BodySmootherCreate(&op, &inverse));
   CHECK(!OperatorDestroy(&op));
   CHECK(!MatCreateVecs(vi->K, &x, &u));
   CHECK(!VecDuplicate(x, &r));
@@ -253,19 +253,19 @@ static void TestApart(VI vi)
   CHECK(!MatGetDiagonal(vi->K, diag));
   CHECK(!VecScale(diag, 1 / vi->stiffness));
   for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(shares); ++i) {
-    PetscInt           n, num = 0, *held;
+    PetscInt           n, num = 0, *fixed;
     const PetscScalar *f;
 
     Choose(vi, shares[i], free);
     Empty(vi, free);
     CHECK(!VecGetLocalSize(free, &n));
-    CHECK(!PetscMalloc1(n, &held));
+    CHECK(!PetscMalloc1(n, &fixed));
     CHECK(!VecGetArrayRead(free, &f));
     for (PetscInt k = 0; k < n; ++k)
-      if (f[k] == 0) held[num++] = k;
+      if (f[k] == 0) fixed[num++] = k;
     CHECK(!VecRestoreArrayRead(free, &f));
-    CHECK(!ApartHold(inverse, num, held));
-    CHECK(!PetscFree(held));
+    CHECK(!BodySmootherSetFixed(inverse, num, fixed));
+    CHECK(!PetscFree(fixed));
     Fill(x);
     CHECK(!VecPointwiseMult(x, x, free));
     CHECK(!MatMult(vi->T, x, u));
@@ -285,7 +285,7 @@ static void TestApart(VI vi)
 }
 
 /* A^ of every level by products of matrices, A_(l-1) + P'(M A^_l M - A_l)P; products with them against those of the rungs. */
-static void CompareRungs(MeshLevels levels, Rung rungs[])
+static void CompareRungs(MeshLevels levels, MGLevel mg[])
 {
   const Hierarchy h = levels->hierarchy;
   Mat             own, finer = NULL; // A of this level with what finer ones make of it
@@ -298,22 +298,22 @@ static void CompareRungs(MeshLevels levels, Rung rungs[])
     if (finer) {
       Mat restricted;
 
-      CHECK(!MatPtAP(finer, h->grid[l + 1].P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &restricted));
+      CHECK(!MatPtAP(finer, h->level[l + 1].P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &restricted));
       CHECK(!MatAXPY(own, 1, restricted, DIFFERENT_NONZERO_PATTERN));
       CHECK(!MatDestroy(&restricted));
       CHECK(!MatDestroy(&finer));
     }
-    CHECK(!VecDuplicate(rungs[l].free, &x));
+    CHECK(!VecDuplicate(mg[l].free, &x));
     CHECK(!VecDuplicate(x, &image));
     CHECK(!VecDuplicate(x, &expected));
     Fill(x);
     Empty(levels->vi[l], x);
-    CHECK(!VecPointwiseMult(x, x, rungs[l].free));
+    CHECK(!VecPointwiseMult(x, x, mg[l].free));
     CHECK(!MatMult(own, x, expected));
-    CHECK(!VecPointwiseMult(expected, expected, rungs[l].free));
-    CHECK(!MatMult(rungs[l].A, x, image));
+    CHECK(!VecPointwiseMult(expected, expected, mg[l].free));
+    CHECK(!MatMult(mg[l].A, x, image));
     CHECK_NEAR(Difference(image, expected), 0, ROUNDING);
-    CHECK(!MatDiagonalScale(own, rungs[l].free, rungs[l].free));
+    CHECK(!MatDiagonalScale(own, mg[l].free, mg[l].free));
     CHECK(!MatAXPY(own, -1, levels->vi[l]->A, DIFFERENT_NONZERO_PATTERN));
     finer = own;
     CHECK(!VecDestroy(&x));
@@ -329,20 +329,20 @@ static void TestRungs(MeshLevels levels)
   const Hierarchy        h        = levels->hierarchy;
   const VI               vi       = levels->vi[levels->num - 1];
   static const PetscReal shares[] = {0, 0.3, 1, 0.7, 0.1, 0};
-  Rung                  *rungs;
+  MGLevel               *mg;
   Vec                    free;
 
-  CHECK(!PetscCalloc1(h->num, &rungs));
-  for (PetscInt l = 0; l < h->num; ++l) CHECK(!RungCreate(h, l, &rungs[l]));
+  CHECK(!PetscCalloc1(h->num, &mg));
+  for (PetscInt l = 0; l < h->num; ++l) CHECK(!MGLevelCreate(h, l, &mg[l]));
   CHECK(!VecDuplicate(vi->upper, &free));
   for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(shares); ++i) {
     Choose(vi, shares[i], free);
-    CHECK(!RungsHold(h->num, rungs, free));
-    CHECK(!RungAssemble(&rungs[0]));
-    CompareRungs(levels, rungs);
+    CHECK(!MGLevelSetFree(h->num, mg, free));
+    CHECK(!MGLevelAssemble(&mg[0]));
+    CompareRungs(levels, mg);
   }
-  for (PetscInt l = 0; l < h->num; ++l) CHECK(!RungDestroy(&rungs[l]));
-  CHECK(!PetscFree(rungs));
+  for (PetscInt l = 0; l < h->num; ++l) CHECK(!MGLevelDestroy(&mg[l]));
+  CHECK(!PetscFree(mg));
   CHECK(!VecDestroy(&free));
 }
 

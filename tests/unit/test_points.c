@@ -42,7 +42,7 @@ static PetscReal Linear(const PetscReal x[], PetscInt k)
 /* [in] held - whether the first component of the nodes at the bottom is */
 static PetscErrorCode TestLattice(PetscBool held)
 {
-  Points       points = {.dim = DIM}, coarse;
+  NodeSet      points = {.dim = DIM}, coarse;
   PetscInt     begin, n, num;
   PetscScalar *a;
   Mat          P;
@@ -53,14 +53,14 @@ static PetscErrorCode TestLattice(PetscBool held)
   PetscCall(MatGetOwnershipRange(points.A, &begin, NULL));
   PetscCall(MatGetLocalSize(points.A, &n, NULL));
   PetscCall(PetscMalloc1(n, &points.x));
-  PetscCall(PetscCalloc1(n, &points.held));
+  PetscCall(PetscCalloc1(n, &points.fixed));
   for (PetscInt i = 0; i < n; i++) {
     const PetscInt node = (begin + i) / DIM;
 
-    points.x[i]    = (PetscReal)(i % DIM ? node / SIDE : node % SIDE);
-    points.held[i] = (PetscBool)(held && node < SIDE && i % DIM == 0);
+    points.x[i]     = (PetscReal)(i % DIM ? node / SIDE : node % SIDE);
+    points.fixed[i] = (PetscBool)(held && node < SIDE && i % DIM == 0);
   }
-  PetscCall(PointsCoarsen(&points, &P, &coarse));
+  PetscCall(NodeCoarseningApply(&points, &P, &coarse));
   PetscCall(MatGetLocalSize(P, NULL, &num));
   CHECK(num > 0 && num <= n / 2);
   PetscCall(MatCreateVecs(P, &x, &y));
@@ -68,7 +68,7 @@ static PetscErrorCode TestLattice(PetscBool held)
   for (PetscInt i = 0; i < num; i++) {
     const PetscReal *at = &coarse.x[i / DIM * DIM];
 
-    CHECK(coarse.held[i] == (PetscBool)(held && at[1] == 0 && i % DIM == 0));
+    CHECK(coarse.fixed[i] == (PetscBool)(held && at[1] == 0 && i % DIM == 0));
     a[i] = held ? at[1] : Linear(at, i % DIM);
   }
   PetscCall(VecRestoreArray(x, &a));
@@ -84,15 +84,15 @@ static PetscErrorCode TestLattice(PetscBool held)
   PetscCall(VecDestroy(&y));
   PetscCall(MatDestroy(&P));
   PetscCall(MatDestroy(&points.A));
-  PetscCall(PointsDestroy(&points));
-  PetscCall(PointsDestroy(&coarse));
+  PetscCall(NodeCoarseningDestroy(&points));
+  PetscCall(NodeCoarseningDestroy(&coarse));
   PetscFunctionReturn(0);
 }
 
 /* Where it is known what nodes take from which others, that is what they do: every other column of the lattice from both of its neighbours. */
 static PetscErrorCode TestKnown(void)
 {
-  Points       points = {.dim = DIM}, coarse;
+  NodeSet      points = {.dim = DIM}, coarse;
   PetscInt     begin, n, num, chosen = 0;
   PetscScalar *a;
   Mat          P;
@@ -103,9 +103,9 @@ static PetscErrorCode TestKnown(void)
   PetscCall(MatGetOwnershipRange(points.A, &begin, NULL));
   PetscCall(MatGetLocalSize(points.A, &n, NULL));
   PetscCall(PetscCalloc1(n, &points.x));
-  PetscCall(PetscCalloc1(n, &points.held));
+  PetscCall(PetscCalloc1(n, &points.fixed));
   n /= DIM;
-  PetscCall(PetscMalloc3(n, &points.count, n * POINTS_TERMS, &points.from, n * POINTS_TERMS, &points.weight));
+  PetscCall(PetscMalloc3(n, &points.count, n * NODE_TERMS, &points.from, n * NODE_TERMS, &points.weight));
   for (PetscInt i = 0; i < n; i++) {
     const PetscInt  node = begin / DIM + i, column = node % SIDE;
     const PetscBool own = (PetscBool)(column % 2 == 0 || column == SIDE - 1);
@@ -113,12 +113,12 @@ static PetscErrorCode TestKnown(void)
     chosen += own;
     points.count[i] = own ? 1 : 2;
     for (PetscInt j = 0; j < points.count[i]; j++) {
-      points.from[i * POINTS_TERMS + j]   = own ? node : node - 1 + 2 * j;
-      points.weight[i * POINTS_TERMS + j] = own ? 1 : 0.25 + 0.5 * j;
+      points.from[i * NODE_TERMS + j]   = own ? node : node - 1 + 2 * j;
+      points.weight[i * NODE_TERMS + j] = own ? 1 : 0.25 + 0.5 * j;
     }
     points.x[i * DIM] = column;
   }
-  PetscCall(PointsCoarsen(&points, &P, &coarse));
+  PetscCall(NodeCoarseningApply(&points, &P, &coarse));
   PetscCall(MatGetLocalSize(P, NULL, &num));
   CHECK(num == DIM * chosen && !coarse.count);
   PetscCall(MatCreateVecs(P, &x, &y));
@@ -134,8 +134,8 @@ static PetscErrorCode TestKnown(void)
   PetscCall(VecDestroy(&y));
   PetscCall(MatDestroy(&P));
   PetscCall(MatDestroy(&points.A));
-  PetscCall(PointsDestroy(&points));
-  PetscCall(PointsDestroy(&coarse));
+  PetscCall(NodeCoarseningDestroy(&points));
+  PetscCall(NodeCoarseningDestroy(&coarse));
   PetscFunctionReturn(0);
 }
 

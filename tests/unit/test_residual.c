@@ -30,7 +30,7 @@ int main(int argc, char **argv)
   PetscCall(VecDuplicate(b, &r));
   PetscCall(VecSet(y, 1 + small));
   PetscCall(VecSet(b, 1 + 2 * small));
-  PetscCall(ActiveResidual(A, b, y, r));
+  PetscCall(CompensatedResidual(A, b, y, r));
   PetscCall(VecGetArrayRead(r, &a));
   for (PetscInt i = 0; i < end - begin; i++) CHECK(a[i] == left);
   PetscCall(VecRestoreArrayRead(r, &a));

@@ -13,7 +13,7 @@ static PetscErrorCode TestPress(PetscReal height, PetscReal young, PetscInt most
   SceneBody       bodies[2];
   ScenePair       pair;
   SceneBoundary   boundaries[2];
-  SolveReport     report;
+  SolverReport    report;
   Mesh            mesh;
   VI              vi;
   Vec             y;

@@ -5,7 +5,7 @@
 #include "membrane.h"
 
 /* SolveOnce() with options that are there for this call only. */
-static PetscErrorCode SolveFrom(const char options[], VI vi, Vec guess, Vec y, SolveReport *report)
+static PetscErrorCode SolveFrom(const char options[], VI vi, Vec guess, Vec y, SolverReport *report)
 {
   PetscOptions own;
   char         before[16] = "", after[16] = "";
@@ -23,7 +23,7 @@ static PetscErrorCode SolveFrom(const char options[], VI vi, Vec guess, Vec y, S
   PetscFunctionReturn(0);
 }
 
-static PetscErrorCode SolveWith(const char options[], VI vi, Vec y, SolveReport *report)
+static PetscErrorCode SolveWith(const char options[], VI vi, Vec y, SolverReport *report)
 {
   return SolveFrom(options, vi, NULL, y, report);
 }
@@ -46,7 +46,7 @@ static PetscErrorCode TestWays(void)
                                      "-snes_pdas_start previous"};
   Membrane                 m;
   Vec                      y, other;
-  SolveReport              base, report;
+  SolverReport             base, report;
   PetscReal                max, difference;
 
   PetscFunctionBeginUser;
@@ -80,7 +80,7 @@ static PetscErrorCode TestUnits(void)
   static const PetscReal   stiffnesses[] = {1, 1e-6, 1e9, 1e9}, lengths[] = {1, 1e3, 1e-6, 1e3};
   static const char *const ways[] = {"-snes_pdas_c 1", "-snes_pdas_c 1e-10", "-snes_pdas_c 1e10", "-snes_pdas_reduce 0",
                                      "-snes_pdas_reduce 0 -snes_pdas_c 1e10"};
-  SolveReport              base   = {.converged = PETSC_FALSE}, report;
+  SolverReport             base   = {.converged = PETSC_FALSE}, report;
   PetscReal                max    = 0, own;
 
   PetscFunctionBeginUser;
@@ -112,7 +112,7 @@ static PetscErrorCode TestCrossCheck(void)
 {
   static const char *const ways[] = {"-snes_type pdas", "-snes_type vinewtonrsls", "-pc_type gamg -snes_rtol 1e-12"};
   Membrane                 m;
-  SolveReport              report;
+  SolverReport             report;
   CrossCheck               check;
   Solver                   solver;
   Vec                      y;
@@ -141,9 +141,9 @@ static PetscErrorCode TestCrossCheck(void)
 /* No bounds are one linear solve; too few iterations and a free membrane are told, not raised. */
 static PetscErrorCode TestEdges(void)
 {
-  Membrane    m;
-  SolveReport report;
-  Vec         y;
+  Membrane     m;
+  SolverReport report;
+  Vec          y;
 
   PetscFunctionBeginUser;
   PetscCall(MembraneCreate(1, 1, PETSC_FALSE, PETSC_TRUE, &m));
@@ -185,7 +185,7 @@ static PetscErrorCode TestGuess(void)
 {
   const PetscReal wrong[] = {1e6, -1e6, 1e-3};
   Membrane        m;
-  SolveReport     cold, report;
+  SolverReport    cold, report;
   Vec             y, guess, other;
   PetscReal       max, difference;
 

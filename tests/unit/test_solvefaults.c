@@ -16,7 +16,7 @@ static PetscErrorCode TestFaults(void)
                                             {"-pc_type gamm", "gamm"},
                                             {"-snes_max_it many", "many"}};
   Membrane                 m;
-  SolveReport              report;
+  SolverReport             report;
   Vec                      y;
 
   PetscFunctionBeginUser;
