@@ -82,8 +82,8 @@ char *OptionsReaderSlurp(Reader *reader, const char path[])
   else if (strlen(text) < size)
     OptionsReaderRefuse_Private(reader, "-options_file %s: this is not a text file, it has a zero byte", path);
   else if (size == MAX_SIZE)
-    OptionsReaderRefuse_Private(reader, "-options_file %s: longer than %d bytes, hardly an options file", path,
-                                MAX_SIZE);
+    OptionsReaderRefuse_Private(reader, "-options_file %s: the file is longer than %d bytes; is it an options file?",
+                                path, MAX_SIZE);
   fclose(file);
   if (!reader->sentence[0]) return text;
   free(text);
@@ -223,8 +223,7 @@ static void OptionsReaderReadFile_Private(Reader *reader, const char where[], co
     path = realpath(found, NULL);
   for (int i = 0; path && i < reader->depth; ++i)
     if (!strcmp(path, reader->open[i]))
-      OptionsReaderRefuse_Private(reader, "%s: -options_file %s: this file is being read already, it names itself",
-                                  where, name);
+      OptionsReaderRefuse_Private(reader, "%s: -options_file %s: the file names itself", where, name);
   text = path && !reader->sentence[0] ? OptionsReaderSlurp(reader, found) : NULL;
   if (text) {
     reader->open[reader->depth++] = path;

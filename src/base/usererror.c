@@ -154,9 +154,8 @@ static PetscErrorCode UserErrorHandlerFn(MPI_Comm comm, int line, const char *fu
   if (type == PETSC_ERROR_INITIAL && message && UserErrorIsOption_Private(function, code))
     return UserErrorFromPETSc_Private(message);
   if (UserErrorIsTable_Private(function, code, type)) {
-    UserErrorTell_Private(MPI_COMM_WORLD,
-                          "there are more options than PETSc has room for, which are some 500; sides that "
-                          "have the same data can be joined with '+', and defaults be left out");
+    UserErrorTell_Private(MPI_COMM_WORLD, "PETSc takes some 500 options, and there are more; join sides that have the "
+                                          "same data with '+', and omit defaults");
     return MORTISE_ERR_USER;
   }
   if (UserErrorIsMemory_Private(function, code, type)) {

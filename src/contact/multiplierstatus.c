@@ -262,12 +262,10 @@ PetscErrorCode MultiplierStatusResolve(const Level *level, PetscInt num, PairAss
     PetscCall(MultiplierStatusRemoveNodes_Private(level, p, assemblies));
     PetscCall(MultiplierStatusKeepsAny_Private(level, &assemblies[p], &after));
     if (before && !after) {
-      PetscCall(
-          UserErrorRaise(level->comm,
-                         "-pairs: every node that pair '%s' could use already serves an earlier or nearer pair, so "
-                         "that it would have no "
-                         "say; refine its nonmortar side '%s', or swap its sides",
-                         assemblies[p].spec->name, assemblies[p].spec->nonmortar.side));
+      PetscCall(UserErrorRaise(level->comm,
+                               "-pairs: every node of pair '%s' already serves an earlier or nearer pair; refine its "
+                               "nonmortar side '%s', or swap its sides",
+                               assemblies[p].spec->name, assemblies[p].spec->nonmortar.side));
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);

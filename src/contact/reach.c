@@ -82,12 +82,11 @@ PetscErrorCode ReachWiden(const ScenePair *spec, const Level *level, const Facet
   PetscCall(InitialOverlapFind(level, mortar, s, nonmortar, *reach, &depth, at));
   if (depth > *reach && spec->reach >= 0) {
     PetscCall(ReachPlaceText_Private(level->dim, at, place, sizeof(place)));
-    PetscCall(
-        UserErrorRaise(level->comm,
-                       "-%s_reach %.6g: bodies %s and %s overlap by %.3g at %s to begin with, farther than partners "
-                       "are looked for; leave it out, or give at least that",
-                       spec->name, (double)spec->reach, level->scene->bodies[s].name, level->scene->bodies[m].name,
-                       (double)depth, place));
+    PetscCall(UserErrorRaise(level->comm,
+                             "-%s_reach %.6g: bodies %s and %s overlap by %.3g at %s initially, which is more than the "
+                             "reach; omit the option, or give at least this overlap",
+                             spec->name, (double)spec->reach, level->scene->bodies[s].name,
+                             level->scene->bodies[m].name, (double)depth, place));
   }
   *reach = PetscMax(*reach, REACH_OVERLAP * depth);
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -60,7 +60,7 @@ static PetscInt64 GmshReadInt_Private(GmshReader *reader, size_t bytes)
     return bytes == sizeof(word) ? word : value;
   }
   if (fscanf(reader->file, "%lld", &value) == 1) return value;
-  GmshFail_Private(reader, feof(reader->file) ? "it ends too early" : "there is text where a whole number belongs");
+  GmshFail_Private(reader, feof(reader->file) ? "it ends too early" : "it has text instead of a whole number");
   return 0;
 }
 
@@ -83,7 +83,7 @@ static PetscInt GmshReadCount_Private(GmshReader *reader, const char what[])
     GmshFail_Private(reader, "the number of %s is missing", what);
   }
   if (value < 0 || value > reader->size || value > MAX_COUNT)
-    GmshFail_Private(reader, "the number of %s is %lld, which cannot be", what, value);
+    GmshFail_Private(reader, "the number of %s is %lld, which is invalid", what, value);
   return reader->reason[0] ? 0 : (PetscInt)value;
 }
 
@@ -95,7 +95,7 @@ static void GmshReadNumbers_Private(GmshReader *reader, PetscInt num, PetscReal 
 
     if (reader->binary ? fread(&value, sizeof(value), 1, reader->file) != 1
                        : fscanf(reader->file, "%lf", &value) != 1) {
-      GmshFail_Private(reader, feof(reader->file) ? "it ends too early" : "there is text where a coordinate belongs");
+      GmshFail_Private(reader, feof(reader->file) ? "it ends too early" : "it has text instead of a coordinate");
     }
     if (!isfinite(value)) GmshFail_Private(reader, "a coordinate is not finite");
     if (values) values[i] = (PetscReal)value;
@@ -129,7 +129,7 @@ static PetscErrorCode GmshAddGroup_Private(GmshReader *reader, PetscInt64 group)
 
   PetscFunctionBeginUser;
   if (group < -PETSC_MAX_INT || group > PETSC_MAX_INT)
-    GmshFail_Private(reader, "a physical group has the number %lld, which cannot be", (long long)group);
+    GmshFail_Private(reader, "a physical group has the number %lld, which is invalid", (long long)group);
   if (reader->reason[0] || group == 0) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(GmshGrowList_Private(mesh->num_groups + 1, &reader->max_groups, &mesh->group));
   mesh->group[mesh->num_groups++] = (PetscInt)(group < 0 ? -group : group);
@@ -151,7 +151,7 @@ static PetscErrorCode GmshReadEntities_Private(GmshReader *reader)
       const PetscInt64 tag = GmshReadTag_Private(reader);
 
       if (tag < -MAX_TAG || tag > MAX_TAG)
-        GmshFail_Private(reader, "an entity has the tag %lld, which cannot be", (long long)tag);
+        GmshFail_Private(reader, "an entity has the tag %lld, which is invalid", (long long)tag);
       reader->place[e]        = e;
       reader->entity[e]       = reader->reason[0] ? 0 : 4 * (PetscInt)tag + dim;
       reader->entity_first[e] = reader->mesh->num_groups;
@@ -366,7 +366,7 @@ static PetscErrorCode GmshReadBlocks_Private(GmshReader *reader)
     type = GmshReadType_Private(reader);
     num  = GmshReadCount_Private(reader, "elements of a block");
     if (!reader->reason[0] && type->dim != dim)
-      GmshFail_Private(reader, "%s stand under an entity of dimension %lld", type->name, (long long)dim);
+      GmshFail_Private(reader, "%s belong to an entity of dimension %lld", type->name, (long long)dim);
     if (num > total - seen) GmshFail_Private(reader, "its blocks hold more elements than the file declares");
     for (PetscInt e = 0; e < num && !reader->reason[0]; ++e) {
       const PetscInt64 element = GmshReadInt_Private(reader, (size_t)reader->data_size);
@@ -480,7 +480,7 @@ static void GmshReadFormat_Private(GmshReader *reader)
   } else if (reader->data_size != (int)sizeof(double)) {
     GmshFail_Private(reader, "its data size is %d; 8 is accepted", reader->data_size);
   } else if (binary && (fread(&one, sizeof(one), 1, reader->file) != 1 || one != 1)) {
-    GmshFail_Private(reader, "it was written on a machine of other byte order");
+    GmshFail_Private(reader, "its byte order is not that of this machine");
   }
 }
 
@@ -509,7 +509,7 @@ static PetscErrorCode GmshReadSections_Private(GmshReader *reader, GmshNames *na
     } else if (!strcmp(line, "$Entities") && !reader->entity) {
       PetscCall(GmshReadEntities_Private(reader));
     } else if (!strcmp(line, "$PartitionedEntities")) {
-      GmshFail_Private(reader, "it is cut into partitions; save the mesh whole: it is cut among processes here");
+      GmshFail_Private(reader, "it is partitioned; save the mesh without partitions, since Mortise makes its own");
     } else if (!strcmp(line, "$Nodes") && !reader->tag) {
       PetscCall(GmshReadNodes_Private(reader));
     } else if (!strcmp(line, "$Elements")) {

@@ -23,8 +23,8 @@ PetscErrorCode LevelSetAxis(Level *level)
     if (PetscAbsReal(x[0]) <= ROUNDOFF * largest) x[0] = 0;
     if (x[0] >= 0) continue;
     snprintf(sentence, sizeof(sentence),
-             "-model axisymmetric: body '%s' reaches beyond the axis of revolution, to r = %g at z = %g; bodies lie in "
-             "the half plane r >= 0, r being x and z being y",
+             "-model axisymmetric: body '%s' crosses the axis of revolution, to r = %g at z = %g; bodies lie in r >= "
+             "0, where r is x and z is y",
              level->scene->bodies[level->node_body[node]].name, (double)x[0], (double)x[1]);
   }
   PetscCall(UserErrorCheck(level->comm, sentence));

@@ -106,8 +106,8 @@ PetscErrorCode ExtractCheckFacets(const Extract *x, const BodyList *list, char s
     if (num[0] <= 1 && num[1] <= 1) continue;
     PetscCall(FacetDescribe_Private(x, list, f, place));
     snprintf(sentence, MESH_SENTENCE,
-             "body '%s': cells of %.400s lie upon each other at%.100s; where a part is in two physical groups "
-             "-%s_mesh_region can choose one",
+             "body '%s': cells of %.400s overlap at%.100s; if a part is in two physical groups, choose one with "
+             "-%s_mesh_region",
              x->body->name, x->body->mesh_file, place, x->body->name);
     break;
   }
@@ -183,8 +183,8 @@ static PetscErrorCode ExtractInside_Private(const Extract *x, const char side[],
   PetscFunctionBeginUser;
   PetscCall(FacetDescribe_Private(x, list, count->inside, place));
   snprintf(sentence, MESH_SENTENCE,
-           "side '%s' of body '%s' in %.300s has facets inside the body (%d), one of them at%.100s; sides are on the "
-           "boundary, and what lies between two regions is a side of a body that is one of them by -%s_mesh_region",
+           "side '%s' of body '%s' in %.300s has facets inside the body (%d), one of them at%.100s; a side is on the "
+           "boundary; for one between two regions choose a region with -%s_mesh_region",
            side, x->body->name, x->body->mesh_file, (int)count->num_inside, place, x->body->name);
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -63,7 +63,7 @@ static void GmshCheckTypes_Private(const GmshMesh *mesh, PetscInt dim, char reas
   if (others > num)
     used += (size_t)snprintf(reason + used, MESH_SENTENCE - used, " and %d others", (int)(others - num));
   snprintf(reason + used, MESH_SENTENCE - used,
-           ", the first with a corner at (%g, %g, %g), which are no cells here; tetrahedra and hexahedra are: in Gmsh "
+           ", the first with a corner at (%g, %g, %g), which are not accepted; tetrahedra and hexahedra are: in Gmsh "
            "extrude without Recombine for tetrahedra, recombine the surface too for hexahedra",
            (double)ElementGetPosition_Private(mesh, at, 0)[0], (double)ElementGetPosition_Private(mesh, at, 0)[1],
            (double)ElementGetPosition_Private(mesh, at, 0)[2]);

@@ -175,11 +175,10 @@ static PetscErrorCode BodyRaiseFold_Private(const Level *level, const SceneBody 
                              "-%s_map %.200s folds body '%s': it turns some of its cells inside out and others not",
                              body->name, ExpressionText(body->map), body->name));
   }
-  PetscCall(
-      UserErrorRaise(level->comm,
-                     "body '%s' has cells that are inside out as soon as they are refined along the curved sides of "
-                     "%.400s; -%s_order 2 tells which",
-                     body->name, body->mesh_file, body->name));
+  PetscCall(UserErrorRaise(
+      level->comm,
+      "body '%s': refinement along the curved sides of %.400s turns cells inside out; -%s_order 2 names one of them",
+      body->name, body->mesh_file, body->name));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -152,8 +152,8 @@ static PetscErrorCode MeshWarnNonManifold_Private(const SceneBody *body, PetscIn
   PetscFunctionBeginUser;
   if (dim == 3) PetscCall(PetscSNPrintf(z, sizeof(z), ", %g", (double)body->nonmanifold[2]));
   PetscCall(WarningAdd(&hinged,
-                       "parts of body %s hang together at vertices alone (%d), the first at (%g, %g%s), and turn about "
-                       "them with no resistance",
+                       "parts of body %s are connected by vertices alone (%d), the first at (%g, %g%s), and rotate "
+                       "about them without resistance",
                        body->name, (int)body->num_nonmanifold, (double)body->nonmanifold[0],
                        (double)body->nonmanifold[1], z));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -52,7 +52,7 @@ void MeshFileCheckHeight(const PetscReal lower[], const PetscReal upper[], char 
   if (upper[2] - lower[2] > PlaneShare * PetscMax(upper[0] - lower[0], upper[1] - lower[1])) {
     snprintf(
         reason, MESH_SENTENCE,
-        "its mesh is one of surfaces and not parallel to the x,y plane: z runs from %g to %g; gmsh -3 makes solids, "
+        "its cells are surfaces that are not parallel to the x,y plane: z runs from %g to %g; gmsh -3 makes solids, "
         "and writes those in a physical volume where there are physical groups",
         (double)lower[2], (double)upper[2]);
   }

@@ -131,7 +131,7 @@ static PetscErrorCode PairPreferRoles_Private(Scene scene, Level *level, ScenePa
     if (nonmortar.modulus > StiffnessRatio * mortar.modulus) {
       PetscCall(PetscInfo(level->dm,
                           "Pair %s: the nonmortar body is stiffer than the mortar body (contact moduli %g > %g * %g): "
-                          "swapping the sides helps the solver\n",
+                          "the solver is faster with swapped sides\n",
                           pair->name, (double)nonmortar.modulus, (double)StiffnessRatio, (double)mortar.modulus));
     }
     PetscFunctionReturn(PETSC_SUCCESS);
@@ -203,7 +203,7 @@ static PetscErrorCode PairCheckRoles_Private(Scene scene, Level *level, PetscInt
     if (share) PetscCall(SidesShare_Private(scene, level, &pair->mortar, &before->mortar, &share));
     if (share) {
       PetscCall(UserErrorRaise(level->comm,
-                               "pairs '%s' and '%s' join facets of %s:%s to the same facets of %s:%s: leave one out",
+                               "pairs '%s' and '%s' join facets of %s:%s to the same facets of %s:%s; omit one of them",
                                before->name, pair->name, nonmortar, pair->nonmortar.side, mortar, pair->mortar.side));
     }
   }
@@ -464,7 +464,7 @@ PetscErrorCode MortarChoiceMake(Mesh mesh)
 
     if (!turned[i]) continue;
     PairSwap_Private(pair);
-    PetscCall(PetscInfo(level->dm, "Pair %s: nonmortar is %s:%s instead, or roles would run in a cycle\n", pair->name,
+    PetscCall(PetscInfo(level->dm, "Pair %s: nonmortar is %s:%s instead, since roles would form a cycle\n", pair->name,
                         scene->bodies[pair->nonmortar.body].name, pair->nonmortar.side));
   }
   PetscCall(PetscFree(graph.touch));

@@ -164,7 +164,7 @@ static PetscErrorCode SideGetNormal_Private(Gather *gather, PetscInt body, const
     PetscCall(UserErrorRaise(
         level->comm,
         "-%s_bc_normal: side '%s' of body '%s' is not flat (it leaves its mean plane by %.3g over a length of %.3g); "
-        "normal displacement can only be held on flat sides",
+        "normal displacement can be fixed on flat sides only",
         name, side, name, (double)(range[0] + range[1]), (double)extent));
   }
   NormalTidy_Private(level->dim, n);

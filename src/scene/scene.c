@@ -131,9 +131,9 @@ static PetscErrorCode SceneReadGlobal_Private(Scene scene)
   PetscCall(PetscStrallocpy(title.set ? title.text : "", &scene->title));
   PetscCall(SceneReadModel_Private(scene));
   if (scene->model == MODEL_AXISYMMETRIC && thickness.set)
-    PetscCall(OptionRaise(&thickness, "an axisymmetric model is a whole ring, it has no thickness; leave this out"));
+    PetscCall(OptionRaise(&thickness, "an axisymmetric model is a whole ring and has no thickness; omit the option"));
   if (scene->model == MODEL_SOLID && thickness.set)
-    PetscCall(OptionRaise(&thickness, "a solid has three dimensions and no thickness beside them; leave this out"));
+    PetscCall(OptionRaise(&thickness, "a solid has no thickness; omit the option"));
   PetscCall(OptionGetReals(&thickness, 1, &scene->thickness));
   if (!(scene->thickness > 0)) PetscCall(OptionRaise(&thickness, "a thickness must be above 0"));
   PetscCall(OptionGetInts(&refine, 1, 0, &scene->refine));

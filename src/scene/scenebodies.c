@@ -122,11 +122,10 @@ static PetscErrorCode BodyCheckIsotropic_Private(Scene scene, const SceneBody *b
   if (ExpressionIsConstant(body->poisson)) {
     PetscCall(ExpressionEvaluate(body->poisson, scene->dim, origin, &nu));
     if (nu >= MATERIAL_POISSON_END && nu <= 0.5 && scene->model != MODEL_PLANE_STRESS) {
-      PetscCall(OptionRaise(
-          poisson,
-          "a body that keeps its volume would need a mixed method, which this program does not have; Poisson's ratio "
-          "must be above -1 and below %.7g",
-          MATERIAL_POISSON_END));
+      PetscCall(OptionRaise(poisson,
+                            "an incompressible body needs a mixed method, which Mortise does not have; Poisson's ratio "
+                            "must be above -1 and below %.7g",
+                            MATERIAL_POISSON_END));
     }
     if (!(nu > -1 && nu <= 0.5)) PetscCall(OptionRaise(poisson, "Poisson's ratio must be above -1 and below 0.5"));
   }
@@ -147,7 +146,7 @@ static PetscErrorCode BodyCheckStiffness_Private(Scene scene, const SceneBody *b
   if (!(MaterialDefiniteness(num_strains, C) > DEFINITE)) {
     PetscCall(OptionRaise(
         stiffness,
-        "the Hooke matrix is not positive definite: some strain would cost no energy, or give some back; check the "
+        "the Hooke matrix is not positive definite: some strain has no energy, or a negative one; check the "
         "order of its entries, %s",
         scene->model == MODEL_AXISYMMETRIC
             ? "xx-xx, xx-yy, xx-zz, xx-xy, yy-yy, yy-zz, yy-xy, zz-zz, zz-xy, xy-xy, zz being around the axis"

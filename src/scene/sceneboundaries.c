@@ -105,14 +105,13 @@ static PetscErrorCode BoundaryCheckRoles_Private(Scene scene, const SceneBody *b
   if (SceneBoundaryFixesAll(scene, held)) {
     PetscCall(UserErrorRaise(scene->comm,
                              "-%s_bc_%s: the side %s cannot be loaded, its displacement is given by "
-                             "-%s_bc_displacement_%s; leave a component of "
-                             "that `free`, or take one of the two away",
+                             "-%s_bc_displacement_%s; set a component of that to `free`, or omit one of the two",
                              body->name, kinds[load->kind], side, body->name, held->side));
   }
   if (held->kind == BOUNDARY_NORMAL && load->kind == BOUNDARY_PRESSURE) {
     PetscCall(UserErrorRaise(scene->comm,
-                             "-%s_bc_pressure: the side %s cannot be loaded along its normal, -%s_bc_normal holds it "
-                             "there; take one of the two away",
+                             "-%s_bc_pressure: the side %s cannot be loaded along its normal, -%s_bc_normal fixes it "
+                             "there; omit one of the two",
                              body->name, side, body->name));
   }
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -63,8 +63,8 @@ static PetscErrorCode NamesCheckOne_Private(Scene scene, PetscInt i)
   PetscCall(PetscSNPrintf(option, sizeof(option), "-%s_", name));
   if (scope != SCOPE_PROBE && UnusedOptionsBeginsLikePETSc(option)) {
     PetscCall(UserErrorRaise(
-        scene->comm, "%s: the name %s is taken, options that begin with %s belong to PETSc; choose another name", kind,
-        name, option));
+        scene->comm, "%s: the name %s is reserved, options that begin with %s belong to PETSc; choose another name",
+        kind, name, option));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -86,7 +86,7 @@ static PetscErrorCode NamesCheckClash_Private(Scene scene, PetscInt i, PetscInt 
     PetscCall(OptionExpand(table[k].name, name, "side", option));
     if (!OptionTableMatch(other_scope, other, option)) continue;
     PetscCall(UserErrorRaise(
-        scene->comm, "the names %s and %s cannot stand together: %s would be an option of both; rename one of them",
+        scene->comm, "the names %s and %s cannot be used together: %s would be an option of both; rename one of them",
         other, name, option));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -110,7 +110,7 @@ static PetscErrorCode NamesCheckNumbers_Private(Scene scene, PetscInt i)
       if (scope != other_scope || strcasecmp(shorter, other) != 0) continue;
       PetscCall(UserErrorRaise(
           scene->comm,
-          "the names %s and %s cannot stand together: PETSc takes options missing for %s from %s; rename one of them",
+          "the names %s and %s cannot be used together: PETSc takes options missing for %s from %s; rename one of them",
           other, name, name, other));
     }
   }

@@ -41,7 +41,7 @@ static PetscErrorCode ObstacleReadRing_Private(Scene scene, const ScenePair *pai
   PetscCall(OptionFind(scene, "-<pair>_obstacle_axis", pair->name, NULL, &axis));
   if (point.set || axis.set) {
     PetscCall(OptionRaise(point.set ? &point : &axis,
-                          "the cylinder of an axisymmetric scene has the scene's own axis; leave this out"));
+                          "the cylinder of an axisymmetric scene has the axis of the scene; omit the option"));
   }
   PetscCall(ObstacleReadRadius_Private(scene, pair, obstacle));
   obstacle->kind      = OBSTACLE_PLANE;

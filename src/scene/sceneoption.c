@@ -216,7 +216,7 @@ PetscErrorCode OptionGetReals(const Option *option, PetscInt n, PetscReal values
   if (constant) PetscCall(ExpressionEvaluate(e, 3, origin, values));
   PetscCall(ExpressionDestroy(&e));
   if (!constant)
-    PetscCall(OptionRaise(option, "this cannot vary in space; a number is wanted, or a formula without x, y, z, t"));
+    PetscCall(OptionRaise(option, "the value cannot vary in space; give a number, or a formula without x, y, z, t"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -309,9 +309,8 @@ static PetscErrorCode CheckSolid_Private(const Option *option, PetscBool allow_f
   PetscCall(ExpressionDestroy(&e));
   if (given == 3) {
     PetscCall(UserErrorRaise(option->comm,
-                             "%s: no cells are found in this file, and %s is of a solid; it is damaged, or not one of "
-                             "Gmsh's (2.2, 4.1), and then "
-                             "-model solid tells that it holds one",
+                             "%s: no cells are found in this file, and %s is of a solid; it is damaged, or not a Gmsh "
+                             "file (2.2, 4.1), which needs -model solid",
                              option->scene->unread, option->name));
   }
   PetscFunctionReturn(PETSC_SUCCESS);

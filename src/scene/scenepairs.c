@@ -95,13 +95,12 @@ static PetscErrorCode PairReadLaw_Private(Scene scene, ScenePair *pair)
   PetscCall(OptionGetChoice(&type, &choice));
   pair->type = (PairType)choice;
   if (pair->type == PAIR_TIED && (gap.set || offset.set)) {
-    PetscCall(OptionRaise(gap.set ? &gap : &offset,
-                          "tied sides move together whatever lies between them; a gap is for -%s_type contact",
-                          pair->name));
+    PetscCall(
+        OptionRaise(gap.set ? &gap : &offset, "tied sides have no gap; a gap is for -%s_type contact", pair->name));
   }
   if (pair->type == PAIR_TIED && pair->obstacle.kind != OBSTACLE_NONE) {
     PetscCall(OptionRaise(&type,
-                          "a side that is tied to a rigid obstacle does not move; hold it by -%s_bc_displacement",
+                          "a side that is tied to a rigid obstacle does not move; fix it with -%s_bc_displacement",
                           scene->bodies[pair->nonmortar.body].name));
   }
   PetscCall(OptionGetExpression(&gap, 1, PETSC_FALSE, &pair->gap));
@@ -125,9 +124,7 @@ static PetscErrorCode PairReadPressure_Private(Scene scene, ScenePair *pair)
   PetscCall(OptionGetChoice(&multipliers, &choice));
   pair->multipliers = (PairMultipliers)choice;
   if (exact.set && pair->type == PAIR_TIED) {
-    PetscCall(OptionRaise(&exact,
-                          "tied sides have no contact pressure, their traction may point anywhere; it is for "
-                          "-%s_type contact",
+    PetscCall(OptionRaise(&exact, "tied sides have no contact pressure; an exact pressure is for -%s_type contact",
                           pair->name));
   }
   PetscCall(OptionGetExpression(&exact, 1, PETSC_FALSE, &pair->exact));
@@ -169,7 +166,7 @@ static PetscErrorCode PairCheckHeld_Private(Scene scene, ScenePair *pair)
   }
   if (held) {
     PetscCall(UserErrorRaise(scene->comm,
-                             "-%s_%s: the side %s:%s cannot carry a contact pressure, -%s_bc_%s holds it at %s; %s",
+                             "-%s_%s: the side %s:%s cannot carry a contact pressure, -%s_bc_%s fixes it at %s; %s",
                              pair->name, pair->roles_open ? "sides" : "nonmortar", body, pair->nonmortar.side, body,
                              held->kind == BOUNDARY_NORMAL ? "normal" : "displacement", held->side,
                              other_free ? "exchange its nonmortar and its mortar side, or leave the side free"
@@ -203,8 +200,8 @@ static PetscErrorCode PairCheckTwice_Private(Scene scene, const ScenePair *pair)
     if ((PairSameSide_Private(s, so) && PairSameSide_Private(m, mo)) ||
         (PairSameSide_Private(s, mo) && PairSameSide_Private(m, so))) {
       PetscCall(UserErrorRaise(
-          scene->comm, "-pairs: %s and %s join the same two sides, %s:%s and %s:%s; one of the pairs must go",
-          other->name, pair->name, scene->bodies[s->body].name, s->side, scene->bodies[m->body].name, m->side));
+          scene->comm, "-pairs: %s and %s join the same two sides, %s:%s and %s:%s; omit one of the pairs", other->name,
+          pair->name, scene->bodies[s->body].name, s->side, scene->bodies[m->body].name, m->side));
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -13,8 +13,7 @@ PetscErrorCode SceneProbeRead(Scene scene, SceneProbe *probe)
   PetscCall(OptionFind(scene, "-probe_<probe>_body", probe->name, NULL, &body));
   PetscCall(OptionRequire(&at, "a probe needs a place"));
   PetscCall(OptionGetReals(&at, scene->dim, probe->at));
-  if (scene->num_bodies > 1)
-    PetscCall(OptionRequire(&body, "with several bodies a probe needs to know which one it is in"));
+  if (scene->num_bodies > 1) PetscCall(OptionRequire(&body, "with several bodies a probe needs the name of its body"));
   if (body.set) PetscCall(SceneNamesFindBody(scene, &body, body.text, &probe->body));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -69,7 +68,7 @@ PetscErrorCode SceneResultsRead(Scene scene)
   PetscCall(OptionGetBool(&check, &scene->cross_check));
   if (scene->cross_check && scene->stop == STOP_DISCRETISATION) {
     PetscCall(OptionRaise(
-        &check, "-stop discretisation leaves more of an error than two solvers may differ by; give one of the two"));
+        &check, "-stop discretisation leaves a larger error than two solvers may differ by; give one of the two"));
   }
   if (scene->quiet && scene->monitor)
     PetscCall(OptionRaise(&monitor, "-quiet asks for the opposite; give one of the two"));

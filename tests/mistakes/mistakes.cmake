@@ -103,7 +103,7 @@ mistake(mesh_mixed          SAYS volume.msh "same dimensions" "this one has 3" "
 mistake(mesh_cubic          ALONE SAYS cubic.msh "type 21" "first and second order" ARGS -bodies block -block_young 1 -block_poisson 0.3
   -block_body_force 0,0,1 -block_dm_plex_filename ${here}/cubic.msh)
 mistake(mesh_solid          SCENE mesh SAYS -block_bc_displacement_bottom "0,0" "2 components given, 3 wanted" ARGS -block_dm_plex_filename ${here}/volume.msh)
-mistake(mesh_partitioned    SCENE mesh SAYS parts.msh "cut into partitions" whole ARGS -block_dm_plex_filename ${here}/parts.msh)
+mistake(mesh_partitioned    SCENE mesh SAYS parts.msh "it is partitioned" "without partitions" ARGS -block_dm_plex_filename ${here}/parts.msh)
 mistake(mesh_merged         SCENE mesh SAYS merged.msh "quadrangles has one node at several of its corners" ARGS -block_dm_plex_filename
         ${here}/merged.msh)
 mistake(mesh_refined        SCENE mesh SAYS -block_dm_plex_filename "-dm_refine" "more than can be numbered" ARGS -dm_refine 30
@@ -189,7 +189,7 @@ mistake(pair_type           SAYS "-joint_type glued" "contact, tied" ARGS -joint
 mistake(pair_tied_gap       SAYS "-joint_gap 1e-3" tied ARGS -joint_type tied -joint_gap 1e-3)
 mistake(pair_gap_count      SAYS -joint_gap "1 wanted" ARGS -joint_gap 1,2)
 mistake(pair_reach          SAYS "-joint_reach -1" "above 0" ARGS -joint_reach -1)
-mistake(reach_overlap       SAYS "-joint_reach 0.01" "overlap by" "leave it out" ARGS -joint_reach 0.01 -upper_dm_plex_box_lower 0,-0.5)
+mistake(reach_overlap       SAYS "-joint_reach 0.01" "overlap by" "omit the option" ARGS -joint_reach 0.01 -upper_dm_plex_box_lower 0,-0.5)
 mistake(obstacle_and_mortar SAYS "-joint_obstacle plane" "-joint_mortar lower:top" ARGS -joint_obstacle plane)
 mistake(obstacle_misspelt   SAYS "-wall_obstacle plain" "did you mean plane?" ARGS -pairs joint,wall -wall_nonmortar upper:left -wall_obstacle plain)
 mistake(obstacle_normal     SAYS "-wall_obstacle_normal 0,0" zero

@@ -70,9 +70,9 @@ static void TestFiles(void)
   CheckFileFault(Square, "1\n1 2 2 1 1 1 2 9", NULL, "5",
                  (const char *[]){"-block_dm_plex_filename", FileName, "element 1 refers to node 9", NULL});
   CheckFileFault("3\n1 0 0 0\n2 1 0 0\n3 x 1 0", cells, NULL, "5",
-                 (const char *[]){FileName, "text where a coordinate belongs", NULL});
+                 (const char *[]){FileName, "text instead of a coordinate", NULL});
   CheckFileFault(Square, "2\n1 2 2 1 1 1 2 3", NULL, "5",
-                 (const char *[]){FileName, "text where a whole number belongs", NULL});
+                 (const char *[]){FileName, "text instead of a whole number", NULL});
   CheckFileFault(Square, "1\n1 1 2 5 1 1 2", NULL, "5", (const char *[]){FileName, "dimension 1", "gmsh -2", NULL});
   CheckFileFault(Square, "1\n1 4 2 1 1 1 2 3 4", NULL, "5",
                  (const char *[]){FileName, "dimension 3", "the scene has 2", "-model solid", NULL});
@@ -93,7 +93,7 @@ static void TestCells(void)
   CheckFileFault("3\n1 0 0 0\n2 1 0 0\n3 2 0 0", "2\n1 1 2 5 1 1 2\n2 2 2 1 1 1 2 3", NULL, "5",
                  (const char *[]){"degenerate", "(2, 0)", NULL});
   CheckFileFault(Square, "4\n1 1 2 5 1 1 2\n2 2 2 1 1 1 2 3\n3 2 2 1 1 1 3 4\n4 3 2 1 1 1 2 3 4", NULL, "5",
-                 (const char *[]){"lie upon each other", NULL});
+                 (const char *[]){"overlap at", NULL});
 }
 
 /* A triangle of second order whose curved side goes through the opposite vertex: its vertices alone are sound, those of what it

@@ -151,7 +151,7 @@ static const Mistake mistakes[] = {
      {"-joint_obstacle_axis 0,1", "nothing in this scene"}},
     {"-joint_mortar",
      {{"-model", "axisymmetric"}, {"-joint_obstacle", "cylinder"}, {"-joint_obstacle_axis", "0,1"}},
-     {"-joint_obstacle_axis 0,1", "the scene's own axis"}},
+     {"-joint_obstacle_axis 0,1", "axis of the scene"}},
     {"-joint_mortar",
      {{"-model", "axisymmetric"}, {"-joint_obstacle", "cylinder"}},
      {"-joint_obstacle_radius", "missing"}},

@@ -69,7 +69,7 @@ static void TestCells(void)
   CheckFault("2\n" FLOOR "\n2 5 2 1 1 1 2 3 4 5 6 8 7", NULL, "5", // two corners of the top change places
              (const char *[]){"'block'", "tangled", "(1, 1, 1)", NULL});
   CheckFault("3\n1 2 2 5 1 1 2 3\n2 4 2 1 1 1 2 3 6\n3 4 2 1 1 1 2 3 9", NULL, "5",
-             (const char *[]){"'block'", "lie upon each other", "-block_mesh_region", NULL});
+             (const char *[]){"'block'", "overlap at", "-block_mesh_region", NULL});
 }
 
 static void TestSides(void)
