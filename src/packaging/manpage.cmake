@@ -1,4 +1,5 @@
 # cmake -DPROGRAM=... -DTEMPLATE=... -DPAGE=... -DVERSION=... -P manpage.cmake: the page with all options that the program prints.
+set(ENV{ASAN_OPTIONS} detect_leaks=0)
 set(ENV{OMPI_ALLOW_RUN_AS_ROOT} 1)
 set(ENV{OMPI_ALLOW_RUN_AS_ROOT_CONFIRM} 1)
 execute_process(COMMAND ${PROGRAM} -help OUTPUT_VARIABLE options RESULT_VARIABLE failed)
