@@ -5,6 +5,7 @@
 #include <cjson/cJSON.h>
 #include <mortise.h>
 #include "base/usererror.h"
+#include "base/warning.h"
 #include "study/run.h"
 
 /* Values of one pair at the nodes of this rank, made when they are asked for. */
@@ -32,10 +33,11 @@ struct _p_Mortise {
   PairValues  *pairs;   /* [num_pairs] */
   char        *summary; /* malloc() */
   cJSON       *numbers; /* of it */
+  WarningLists warnings;
 };
 
-/* Surround the body of every public function: errors are told as in the program, options are those of the handle. ApiEnd() returns
-   error, and leaves stages that it has left open. Not collective. [in] m - or NULL */
+/* Surround the body of every public function: errors are told as in the program, options and warnings are those of the handle.
+   ApiEnd() returns error, and leaves stages that it has left open. Not collective. */
 PetscErrorCode ApiBegin(Mortise m);
 PetscErrorCode ApiEnd(Mortise m, PetscErrorCode error);
 /* Whether MortiseInitialize() was called, and MortiseFinalize() not yet. Not collective. */

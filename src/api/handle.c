@@ -76,6 +76,7 @@ static PetscErrorCode Clear_Private(Mortise m)
   if (m->mesh) PetscCall(MeshDestroy(&m->mesh));
   PetscCall(PetscFree(m->reach));
   PetscCall(SceneDestroy(&m->scene));
+  WarningClear();
   m->guess_given = m->solved_once = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -123,7 +124,6 @@ static PetscErrorCode ReadScene_Private(Mortise m)
   Scene scene;
 
   PetscFunctionBeginUser;
-  WarningClear();
   PetscCall(LogStageBegin(STAGE_SETUP));
   PetscCall(SceneCreate(m->comm, &scene));
   PetscCall(SceneSetTime(scene, m->time));

@@ -117,7 +117,8 @@ PetscErrorCode ApiBegin(Mortise m)
 {
   PetscFunctionBeginUser;
   PetscCall(UserErrorEnter());
-  if (m && m->options) PetscCall(PetscOptionsPush(m->options));
+  if (m->options) PetscCall(PetscOptionsPush(m->options));
+  WarningExchange(&m->warnings);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -125,7 +126,9 @@ PetscErrorCode ApiEnd(Mortise m, PetscErrorCode error)
 {
   PetscFunctionBeginUser;
   if (error) PetscCall(LogUnwind());
-  if (m && m->options) PetscCall(PetscOptionsPop());
+  if (error) WarningBreakRun();
+  WarningExchange(&m->warnings);
+  if (m->options) PetscCall(PetscOptionsPop());
   PetscCall(UserErrorLeave());
   PetscFunctionReturn(error);
 }

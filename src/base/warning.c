@@ -153,6 +153,23 @@ cJSON *WarningList(void)
   return all;
 }
 
+void WarningExchange(WarningLists *lists)
+{
+  const WarningLists mine = {book.common, book.run, book.ended, book.quiet};
+
+  book.common = lists->common;
+  book.run    = lists->run;
+  book.ended  = lists->ended;
+  book.quiet  = lists->quiet;
+  *lists      = mine;
+}
+
+void WarningBreakRun(void)
+{
+  WarningEndRun();
+  book.muted = 0;
+}
+
 void WarningClear(void)
 {
   WarningReset_Private(&book.common);

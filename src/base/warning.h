@@ -47,6 +47,16 @@ void WarningSetQuiet(PetscBool quiet);
 PetscErrorCode WarningNum(MPI_Comm comm, PetscInt *num);
 /* The array of the summary; empty on ranks that keep nothing. Not collective. Owned by the caller, or by what it is added to. */
 cJSON *WarningList(void);
+/* What one of several problems was warned of; zero in the beginning. */
+typedef struct {
+  cJSON    *common, *run;
+  int       ended;
+  PetscBool quiet;
+} WarningLists;
+/* Exchanges the lists for those of another problem. Not collective. */
+void WarningExchange(WarningLists *lists);
+/* An error has ended a run half way. Not collective. */
+void WarningBreakRun(void);
 /* Forgets everything, as at the beginning of the program. Not collective. */
 void WarningClear(void);
 

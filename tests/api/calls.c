@@ -143,6 +143,30 @@ static PetscErrorCode CheckTime(const char folder[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Each handle has its own warnings: bodies that are much too soft, beside the squeezed ones. */
+static PetscErrorCode CheckWarnings(const char folder[])
+{
+  Mortise     soft, plain;
+  const char *json;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscOptionsSetValue(NULL, "-soft_upper_young", "1e7"));
+  PetscCall(PetscOptionsSetValue(NULL, "-soft_upper_dm_plex_box_faces", "4,4"));
+  PetscCall(PetscOptionsSetValue(NULL, "-soft_lower_dm_plex_box_faces", "3,3"));
+  PetscCall(PetscOptionsSetValue(NULL, "-soft_quiet", NULL));
+  PetscCall(Read(folder, "two_plates.opts", "soft_", &soft));
+  PetscCall(Read(folder, "patch2d.opts", "plain_", &plain));
+  PetscCall(MortiseSolve(soft));
+  PetscCall(MortiseSolve(plain));
+  PetscCall(MortiseGetSummary(soft, &json));
+  CHECK(strstr(json, "\"model_limit\""));
+  PetscCall(MortiseGetSummary(plain, &json));
+  CHECK(!strstr(json, "\"model_limit\"") && strstr(json, "\"warnings\":\t[]"));
+  PetscCall(MortiseDestroy(&soft));
+  PetscCall(MortiseDestroy(&plain));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Without a prefix the scene's options are those of PETSc's database, where what is there already wins. */
 static PetscErrorCode CheckDatabase(const char folder[])
 {
@@ -199,6 +223,7 @@ static PetscErrorCode Run(const char folder[])
   PetscCall(MortiseDestroy(&squeezed));
   PetscCall(MortiseDestroy(&glued));
   PetscCall(CheckTime(folder));
+  PetscCall(CheckWarnings(folder));
   PetscCall(PetscOptionsClearValue(NULL, "-something_else"));
   PetscCall(CheckDatabase(folder));
   PetscFunctionReturn(PETSC_SUCCESS);
