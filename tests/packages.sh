@@ -48,6 +48,7 @@ quietly() {
 set_up_mpi() {
   [ "$(id -u)" = 0 ] && export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
+  export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe PRTE_MCA_hwloc_default_binding_policy=none # the same of Open MPI 5
 }
 
 # pyvista in build/pictures, where mortise-plot looks for it. It is not needed: without it solids are drawn point by point.

@@ -8,9 +8,54 @@
 #if PETSC_VERSION_LT(3, 18, 0)
 #error "Mortise needs PETSc 3.18 or later"
 #endif
+#if defined(PETSC_USE_COMPLEX)
+#error "Mortise needs a PETSc with real scalars: configure PETSc with --with-scalar-type=real"
+#endif
+#if !defined(PETSC_USE_REAL_DOUBLE)
+#error "Mortise needs a PETSc in double precision: configure PETSc with --with-precision=double"
+#endif
 
 #if PETSC_VERSION_LT(3, 19, 0)
 #define PETSC_SUCCESS 0
+#endif
+
+/* Argument of a destroy function: the address of the context. */
+#if PETSC_VERSION_LT(3, 25, 0)
+typedef void **PetscCtxRt;
+#endif
+
+/* Argument of the destroy function of a PetscContainer: the address of the context since 3.23, the context itself before. */
+#if PETSC_VERSION_LT(3, 23, 0)
+#define PetscContainerSetCtxDestroy PetscContainerSetUserDestroy
+typedef void *ContainerArgument;
+#define ContainerArgumentGet(argument) (argument)
+#else
+typedef PetscCtxRt ContainerArgument;
+#define ContainerArgumentGet(argument) (*(void **)(argument))
+#endif
+
+/* What MatRestrict() makes a restriction of, given the prolongation: since 3.21 it transposes a square matrix, before it did not. */
+#if PETSC_VERSION_LT(3, 21, 0)
+#define MatCreateRestriction(prolongation, restriction) MatCreateTranspose(prolongation, restriction)
+#else
+#define MatCreateRestriction(prolongation, restriction)                                                                \
+  (*(restriction) = (prolongation), PetscObjectReference((PetscObject)(prolongation)))
+#endif
+
+/* No limit: -1 means the default since 3.22. */
+#if PETSC_VERSION_LT(3, 22, 0)
+#define PETSC_UNLIMITED (-1)
+#endif
+
+/* PetscBool is C's bool since 3.24, where MPIU_BOOL is deprecated. */
+#if PETSC_VERSION_GE(3, 24, 0)
+#undef MPIU_BOOL
+#define MPIU_BOOL MPI_C_BOOL
+#endif
+
+/* The line search that minimises the residual has another name since 3.24. */
+#if PETSC_VERSION_LT(3, 24, 0)
+#define SNESLINESEARCHSECANT SNESLINESEARCHL2
 #endif
 
 #endif

@@ -67,7 +67,7 @@ void OptionsExpand(int argc, char **argv, int *argc_out, char ***argv_out, char 
     TextListAppend(&arguments, "-skip_petscrc"); // PETSc need not read again what is in the list
   }
   unsetenv("PETSC_OPTIONS");
-  MPI_Bcast(sentence, (int)len, MPI_CHAR, 0, MPI_COMM_WORLD);
+  (void)MPI_Bcast(sentence, (int)len, MPI_CHAR, 0, MPI_COMM_WORLD);
   TextListBroadcast(&arguments);
   TextListBroadcast(&files);
   *argc_out = arguments.num;

@@ -34,14 +34,14 @@ void TextListBroadcast(TextList *list)
   int rank, num = list->num;
 
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  MPI_Bcast(&num, 1, MPI_INT, 0, MPI_COMM_WORLD);
+  (void)MPI_Bcast(&num, 1, MPI_INT, 0, MPI_COMM_WORLD);
   for (int i = 0; i < num; ++i) {
     int   size = rank ? 0 : (int)strlen(list->items[i]) + 1;
     char *text;
 
-    MPI_Bcast(&size, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    (void)MPI_Bcast(&size, 1, MPI_INT, 0, MPI_COMM_WORLD);
     text = rank ? TextListAllocate(NULL, (size_t)size) : list->items[i];
-    MPI_Bcast(text, size, MPI_CHAR, 0, MPI_COMM_WORLD);
+    (void)MPI_Bcast(text, size, MPI_CHAR, 0, MPI_COMM_WORLD);
     if (!rank) continue;
     TextListAppend(list, text);
     free(text);

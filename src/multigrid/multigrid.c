@@ -221,7 +221,7 @@ static PetscErrorCode MultigridConfigure_Private(PC pc, Multigrid *multigrid)
   PetscCall(PCMGSetLevels(multigrid->mg, multigrid->num, NULL));
   for (PetscInt l = 1; l < multigrid->num; l++) {
     PetscCall(PCMGSetInterpolation(multigrid->mg, l, multigrid->level[l].P));
-    PetscCall(MatCreateTranspose(multigrid->level[l].P, &R)); // or PETSc takes P for P' where it is square
+    PetscCall(MatCreateRestriction(multigrid->level[l].P, &R));
     PetscCall(PCMGSetRestriction(multigrid->mg, l, R));
     PetscCall(MatDestroy(&R));
     PetscCall(PCMGGetSmoother(multigrid->mg, l, &ksp));
@@ -366,11 +366,13 @@ static PetscErrorCode Apply_Multigrid(PC pc, Vec r, Vec z)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode MultigridDestroy_Private(void *ctx)
+static PetscErrorCode MultigridDestroy_Private(ContainerArgument argument)
 {
+  Multigrid *multigrid = ContainerArgumentGet(argument);
+
   PetscFunctionBeginUser;
-  PetscCall(MultigridClear_Private(ctx));
-  PetscCall(PetscFree(ctx));
+  PetscCall(MultigridClear_Private(multigrid));
+  PetscCall(PetscFree(multigrid));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -387,7 +389,7 @@ static PetscErrorCode PCCreate_Multigrid(PC pc)
   PetscCall(PetscNew(&multigrid));
   PetscCall(PetscContainerCreate(PetscObjectComm((PetscObject)pc), &container));
   PetscCall(PetscContainerSetPointer(container, multigrid));
-  PetscCall(PetscContainerSetUserDestroy(container, MultigridDestroy_Private));
+  PetscCall(PetscContainerSetCtxDestroy(container, MultigridDestroy_Private));
   PetscCall(PetscObjectCompose((PetscObject)pc, CONTEXT, (PetscObject)container));
   PetscCall(PetscContainerDestroy(&container));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -4,6 +4,7 @@
    the first rank, where MUMPS wants the order. What only the unknowns at the end connect does not count.
 
    Reference: G. Karypis, V. Kumar, A fast and high quality multilevel scheme for partitioning irregular graphs, 1998. */
+#include "base/compat.h"
 #include <metis.h>
 #include <petscbt.h>
 #include "pdas/factorization.h"

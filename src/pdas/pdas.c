@@ -279,9 +279,9 @@ static PetscErrorCode PDASSetFromOptions_Private(SNES snes)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode PDASDestroy_Private(void *ctx)
+static PetscErrorCode PDASDestroy_Private(ContainerArgument argument)
 {
-  PDAS *pdas = ctx;
+  PDAS *pdas = ContainerArgumentGet(argument);
 
   PetscFunctionBeginUser;
   PetscCall(PDASClear_Private(pdas));
@@ -306,7 +306,7 @@ static PetscErrorCode SNESCreate_PDAS(SNES snes)
   pdas->c = 1;
   PetscCall(PetscContainerCreate(PetscObjectComm((PetscObject)snes), &container));
   PetscCall(PetscContainerSetPointer(container, pdas));
-  PetscCall(PetscContainerSetUserDestroy(container, PDASDestroy_Private));
+  PetscCall(PetscContainerSetCtxDestroy(container, PDASDestroy_Private));
   PetscCall(PetscObjectCompose((PetscObject)snes, CONTEXT, (PetscObject)container));
   PetscCall(PetscContainerDestroy(&container));
   PetscCall(PetscObjectComposeFunction((PetscObject)snes, "SNESVISetVariableBounds_C", SetVariableBounds_PDAS));

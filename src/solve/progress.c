@@ -53,10 +53,10 @@ static PetscErrorCode MonitorFn(SNES snes, PetscInt iteration, PetscReal norm, v
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode DestroyFn(void **ctx)
+static PetscErrorCode DestroyFn(PetscCtxRt ctx)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscFree(*ctx));
+  PetscCall(PetscFree(*(Progress **)ctx));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -1,4 +1,5 @@
 /* snessetup.c -- a SNES for an inequality. */
+#include <math.h>
 #include <string.h>
 #include "base/compat.h"
 #include "base/usererror.h"
@@ -93,42 +94,58 @@ static PetscErrorCode PostCheckFn(SNESLineSearch search, Vec y, Vec step, Vec ne
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A part of what there was, below one; less than rounding asks for as little as there can be, and is rounding. [in] option - without prefix */
-static PetscErrorCode SNESSetupCheckPart_Private(MPI_Comm comm, const char prefix[], const char option[],
-                                                 PetscReal *part)
+/* A part of what there was, below one. [in] option - without prefix */
+static PetscErrorCode SNESSetupCheckPart_Private(MPI_Comm comm, const char prefix[], const char option[])
 {
+  PetscReal part;
+  PetscBool given;
+
   PetscFunctionBeginUser;
-  if (!(*part >= 0 && *part < 1))
-    PetscCall(UserErrorRaise(comm, "-%s%s %g: must be at least 0 and less than 1", prefix, option, (double)*part));
-  *part = PetscMax(*part, PETSC_MACHINE_EPSILON);
+  PetscCall(PetscOptionsGetReal(NULL, prefix, option, &part, &given));
+  if (given && !(isgreaterequal(part, 0) && isless(part, 1))) {
+    PetscCall(UserErrorRaise(comm, "-%s%s %g: must be at least 0 and less than 1", prefix, option + 1, (double)part));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Neither method ends well after no iterations. */
-static PetscErrorCode SNESSetupCheckMost_Private(MPI_Comm comm, const char prefix[], const char option[], PetscInt most)
+static PetscErrorCode SNESSetupCheckMost_Private(MPI_Comm comm, const char prefix[], const char option[])
 {
+  PetscInt  most;
+  PetscBool given;
+
   PetscFunctionBeginUser;
-  if (most < 1) PetscCall(UserErrorRaise(comm, "-%s%s %" PetscInt_FMT ": must be at least 1", prefix, option, most));
+  PetscCall(PetscOptionsGetInt(NULL, prefix, option, &most, &given));
+  if (given && most < 1) {
+    PetscCall(UserErrorRaise(comm, "-%s%s %" PetscInt_FMT ": must be at least 1", prefix, option + 1, most));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* PETSc takes any number for where to end. */
-static PetscErrorCode SNESSetupCheckLimits_Private(SNES snes, const char prefix[])
+/* Before PETSc reads them: up to 3.21 it takes any number, and afterwards negative ones have other meanings. */
+static PetscErrorCode SNESSetupCheckLimits_Private(MPI_Comm comm, const char prefix[])
 {
-  const MPI_Comm comm = PetscObjectComm((PetscObject)snes);
-  KSP            ksp;
-  PetscInt       max_it;
-  PetscReal      rtol;
+  PetscFunctionBeginUser;
+  PetscCall(SNESSetupCheckMost_Private(comm, prefix, "-snes_max_it"));
+  PetscCall(SNESSetupCheckMost_Private(comm, prefix, "-ksp_max_it"));
+  PetscCall(SNESSetupCheckPart_Private(comm, prefix, "-snes_rtol"));
+  PetscCall(SNESSetupCheckPart_Private(comm, prefix, "-ksp_rtol"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A tolerance below rounding asks for as little as there can be, and is rounding. */
+static PetscErrorCode SNESSetupRaiseToRounding_Private(SNES snes)
+{
+  KSP       ksp;
+  PetscReal rtol;
 
   PetscFunctionBeginUser;
-  PetscCall(SNESGetTolerances(snes, NULL, &rtol, NULL, &max_it, NULL));
-  PetscCall(SNESSetupCheckMost_Private(comm, prefix, "snes_max_it", max_it));
-  PetscCall(SNESSetupCheckPart_Private(comm, prefix, "snes_rtol", &rtol));
+  PetscCall(SNESGetTolerances(snes, NULL, &rtol, NULL, NULL, NULL));
+  rtol = PetscMax(rtol, PETSC_MACHINE_EPSILON);
   PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
   PetscCall(SNESGetKSP(snes, &ksp));
-  PetscCall(KSPGetTolerances(ksp, &rtol, NULL, NULL, &max_it));
-  PetscCall(SNESSetupCheckMost_Private(comm, prefix, "ksp_max_it", max_it));
-  PetscCall(SNESSetupCheckPart_Private(comm, prefix, "ksp_rtol", &rtol));
+  PetscCall(KSPGetTolerances(ksp, &rtol, NULL, NULL, NULL));
+  rtol = PetscMax(rtol, PETSC_MACHINE_EPSILON);
   PetscCall(KSPSetTolerances(ksp, rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -160,9 +177,10 @@ static PetscErrorCode SNESSetupConfigureOther_Private(const Inequality *solved, 
   PetscFunctionBeginUser;
   /* whole steps can run in a circle; the minimum of the residual along a step has not been seen to */
   PetscCall(SNESGetLineSearch(snes, &search));
-  PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHL2));
+  PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHSECANT));
   PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, OTHER_RTOL, 0, max_it, PETSC_DEFAULT));
-  PetscCall(SNESSetDivergenceTolerance(snes, -1)); // none: the first steps may go far before the set is right
+  PetscCall(
+      SNESSetDivergenceTolerance(snes, PETSC_UNLIMITED)); // none: the first steps may go far before the set is right
   PetscCall(SNESSetupNorm_Private(solved, norm));
   PetscCall(SNESSetConvergenceTest(snes, ConvergedFn, norm, NULL));
   PetscCall(SNESLineSearchSetPostCheck(search, PostCheckFn, norm));
@@ -188,8 +206,9 @@ PetscErrorCode SNESSetupCreate(const Inequality *solved, const SolverChoice *cho
     PetscCall(SNESSetTolerances(*snes, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, max_it, PETSC_DEFAULT));
   else
     PetscCall(SNESSetupConfigureOther_Private(solved, max_it, norm, *snes));
+  PetscCall(SNESSetupCheckLimits_Private(PetscObjectComm((PetscObject)*snes), choice->prefix));
   PetscCall(SNESSetFromOptions(*snes));
-  PetscCall(SNESSetupCheckLimits_Private(*snes, choice->prefix));
+  PetscCall(SNESSetupRaiseToRounding_Private(*snes));
   PetscCall(SNESVISetVariableBounds(*snes, solved->vi->lower,
                                     solved->upper)); /* pdas keeps them itself, so not before the type */
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -121,11 +121,18 @@ static PetscBool SolverChoiceHasTest_Private(const char snes[], const char ksp[]
   return (PetscBool)(strcmp(snes, SNESPDAS) || !strcmp(ksp, KSPCG));
 }
 
+/* Preconditioner of matrices that change their size, which PETSc's GAMG does not take. */
+#if defined(PETSC_HAVE_HYPRE)
+static const char *const RESIZABLE = PCHYPRE;
+#else
+static const char *const RESIZABLE = PCCHOLESKY;
+#endif
+
 /* What preconditions an iteration: levels of the mesh, or made of it. */
 static const char *SolverChoiceIterative_Private(VI vi, const char snes[], const char ksp[])
 {
   if (vi->mesh && SolverChoiceTruncatable_Private(snes) && SolverChoiceHasTest_Private(snes, ksp)) return PCTRUNCATEDMG;
-  return strcmp(snes, SNESPDAS) ? PCHYPRE : PCGAMG; // GAMG needs matrices that keep their size
+  return strcmp(snes, SNESPDAS) ? RESIZABLE : PCGAMG;
 }
 
 /* Unknowns up to which a factorisation is the choice. */

@@ -11,7 +11,7 @@ static void ReadScene_Private(TextList *arguments)
   Scene  scene = NULL;
 
   FuzzExpect(PetscOptionsClear(NULL));
-  FuzzExpect(PetscOptionsInsertArgs(NULL, num, items));
+  FuzzExpect(PetscOptionsInsertArgs(NULL, num, (void *)items));
   FuzzExpect(SceneCreate(PETSC_COMM_SELF, &scene));
   if (SceneSetFromOptions(scene) == PETSC_SUCCESS) {
     FuzzExpect(SceneCheckUnused(scene, PETSC_TRUE));

@@ -18,7 +18,9 @@ static const Way ways[] = {
     {"-snes_pdas_reduce 0", PETSC_FALSE, 4, 1 - 1e-6, 2},
     {"-snes_type vinewtonrsls", PETSC_FALSE, 4, 1 - 1e-6, 2},
     {"-pc_type gamg", PETSC_TRUE, 4, 0.5, 10},
+#if defined(PETSC_HAVE_HYPRE)
     {"-snes_type vinewtonrsls -pc_type hypre", PETSC_TRUE, 4, 0.5, 10},
+#endif
 };
 
 /* Perturbations, in parts of the largest unknown. */

@@ -31,23 +31,27 @@ static PetscErrorCode SolveWith(const char options[], VI vi, Vec y, SolverReport
 /* All ways lead to the same solution; the two of pdas through the same sets. */
 static PetscErrorCode TestWays(void)
 {
-  static const char *const ways[] = {"-snes_pdas_reduce 0", /* first: must have the same history, too */
-                                     "-snes_type vinewtonrsls",
-                                     "-pc_type lu",
-                                     "-mat_mumps_icntl_14 -95", /* too little room, so that it has to ask for more */
-                                     "-mat_mumps_icntl_14 -95 -snes_pdas_reduce 0",
-                                     "-mat_mumps_icntl_14 -95 -snes_type vinewtonrsls",
-                                     "-ksp_type cg -pc_type gamg -snes_rtol 1e-12",
-                                     "-pc_type hypre -snes_rtol 1e-12",
-                                     "-pc_type jacobi -snes_rtol 1e-12",
-                                     "-snes_type vinewtonrsls -pc_type hypre -ksp_rtol 1e-12",
-                                     "-snes_pdas_start full",
-                                     "-snes_pdas_start gap",
-                                     "-snes_pdas_start previous"};
-  Membrane                 m;
-  Vec                      y, other;
-  SolverReport             base, report;
-  PetscReal                max, difference;
+  static const char *const ways[] = {
+    "-snes_pdas_reduce 0", /* first: must have the same history, too */
+    "-snes_type vinewtonrsls",
+    "-pc_type lu",
+    "-mat_mumps_icntl_14 -95", /* too little room, so that it has to ask for more */
+    "-mat_mumps_icntl_14 -95 -snes_pdas_reduce 0",
+    "-mat_mumps_icntl_14 -95 -snes_type vinewtonrsls",
+    "-ksp_type cg -pc_type gamg -snes_rtol 1e-12",
+#if defined(PETSC_HAVE_HYPRE)
+    "-pc_type hypre -snes_rtol 1e-12",
+    "-snes_type vinewtonrsls -pc_type hypre -ksp_rtol 1e-12",
+#endif
+    "-pc_type jacobi -snes_rtol 1e-12",
+    "-snes_pdas_start full",
+    "-snes_pdas_start gap",
+    "-snes_pdas_start previous"
+  };
+  Membrane     m;
+  Vec          y, other;
+  SolverReport base, report;
+  PetscReal    max, difference;
 
   PetscFunctionBeginUser;
   PetscCall(MembraneCreate(1, 1, PETSC_TRUE, PETSC_TRUE, &m));
