@@ -221,7 +221,9 @@ PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char t
     const size_t length = ExpressionComponentLength_Private(text);
 
     PetscCall(ExpressionCopyTrimmed_Private(text, length, &part));
+    PetscCall(PetscFPTrapPush(PETSC_FP_TRAP_OFF)); // muParser computes what is constant in a formula
     ExpressionReadComponent_Private(*e, part, allow_free, &(*e)->components[c], complaint, sizeof(complaint));
+    PetscCall(PetscFPTrapPop());
     PetscCall(PetscFree(part));
     if ((*e)->components[c].parser) (*e)->constant = PETSC_FALSE;
     text += length + 1;
@@ -332,6 +334,8 @@ PetscErrorCode ExpressionEvaluate(Expression e, PetscInt dim, const PetscReal x[
   if (!e->constant)
     for (PetscInt d = 0; d < 3; ++d) e->x[d] = d < dim ? x[d] : 0;
   if (e->meridian) e->x[2] = e->x[1];
+  if (!e->constant)
+    PetscCall(PetscFPTrapPush(PETSC_FP_TRAP_OFF)); // a formula may divide by zero: its caller judges the value
   for (PetscInt c = 0; c < e->num_components; ++c) {
     Component *component = &e->components[c];
 
@@ -342,6 +346,7 @@ PetscErrorCode ExpressionEvaluate(Expression e, PetscInt dim, const PetscReal x[
     e->failed_dim       = dim;
     PetscCall(PetscArraycpy(e->failed_x, e->x, 3));
   }
+  if (!e->constant) PetscCall(PetscFPTrapPop());
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

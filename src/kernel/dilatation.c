@@ -8,6 +8,7 @@
      [1] T. J. R. Hughes, Generalization of selective integration procedures to anisotropic and nonlinear media (1980).
      [2] D. Boffi, F. Brezzi, M. Fortin, Mixed Finite Element Methods and Applications (2013), sections 8.4 and 8.6.
      [3] D. Boffi, L. Gastaldi, On the quadrilateral Q2-P1 element for the Stokes problem (2002). */
+#include <math.h>
 #include "kernel/dense.h"
 #include "kernel/dilatation.h"
 
@@ -24,7 +25,7 @@ DilatationKind DilatationChoose(ElementType type, PetscReal poisson)
   const PetscInt  dim = ElementDim(type), order = ElementOrder(type);
   const PetscBool simplex = (PetscBool)(ElementNumNodes(ElementLinear(type)) == dim + 1);
 
-  if (!(poisson > DilatationThreshold(type))) return DILATATION_POINTWISE;
+  if (!isgreater(poisson, DilatationThreshold(type))) return DILATATION_POINTWISE;
   if (simplex) return order == 2 && dim == 2 ? DILATATION_MEAN : DILATATION_LOCKS;
   return order == 2 ? DILATATION_LINEAR : DILATATION_MEAN;
 }

@@ -43,11 +43,12 @@ void DualShape(ElementType type, PetscReal phi[])
 /* The box around the points, as wide as they are. Returns whether it has any width in every direction. */
 static PetscBool DualFindBox_Private(PetscInt dim, PetscInt num_points, const PetscReal xi[], DualBasis *basis)
 {
+  if (!num_points) return PETSC_FALSE;
   for (PetscInt k = 0; k < dim; k++) {
-    PetscReal upper = PETSC_MIN_REAL;
+    PetscReal upper = xi[k];
 
-    basis->lower[k] = PETSC_MAX_REAL;
-    for (PetscInt q = 0; q < num_points; q++) {
+    basis->lower[k] = xi[k];
+    for (PetscInt q = 1; q < num_points; q++) {
       basis->lower[k] = PetscMin(basis->lower[k], xi[2 * q + k]);
       upper           = PetscMax(upper, xi[2 * q + k]);
     }

@@ -61,7 +61,7 @@ static PetscReal BarycentricPrice_Private(const Tableau *tableau, PetscInt r)
 /* The column that saves most, and the row whose weight is the first to vanish for it. Returns whether there are both. */
 static PetscBool BarycentricChoose_Private(const Tableau *tableau, PetscInt *row, PetscInt *column, PetscReal *sign)
 {
-  PetscReal most = NOTHING, least = PETSC_MAX_REAL;
+  PetscReal most = NOTHING, least = 0;
 
   *row = *column = -1;
   *sign          = 1;
@@ -82,7 +82,7 @@ static PetscBool BarycentricChoose_Private(const Tableau *tableau, PetscInt *row
   for (PetscInt r = 0; r < tableau->rows; r++) {
     const PetscReal t = *sign * tableau->T[r][*column];
 
-    if (t <= NOTHING || tableau->b[r] >= least * t) continue;
+    if (t <= NOTHING || (*row >= 0 && tableau->b[r] >= least * t)) continue;
     least = tableau->b[r] / t;
     *row  = r;
   }

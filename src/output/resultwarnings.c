@@ -116,7 +116,7 @@ static PetscErrorCode WarnCoarse_Private(const SummaryInput *in)
   const PetscReal part   = CertificateRelative(in->certificate, in->report->discretisation);
 
   PetscFunctionBeginUser;
-  if (in->report->discretisation > 0 && part > COARSE) {
+  if (isgreater(in->report->discretisation, 0) && isgreater(part, COARSE)) {
     PetscCall(WarningAdd(&coarse,
                          "the solver stopped at a discretisation error of about %.1e of the solution; so much is not "
                          "to be relied on",

@@ -41,7 +41,7 @@ static void AddDiscretisation_Private(const SummaryInput *in, cJSON *solver)
   const PetscReal error = in->report->discretisation;
   cJSON          *object;
 
-  if (!(error > 0)) {
+  if (!isgreater(error, 0)) {
     cJSON_AddNullToObject(solver, "discretisation_error");
     return;
   }

@@ -143,7 +143,7 @@ static PetscErrorCode Print_Private(const SummaryInput *in)
                           (double)CertificateRelative(c, report->bound.value),
                           report->bound.estimated ? " (estimated)" : ""));
   }
-  if (report->discretisation > 0) {
+  if (isgreater(report->discretisation, 0)) {
     PetscCall(PetscPrintf(comm,
                           "  stopped at the discretisation error: about %.1e of the solution, in the energy norm, as "
                           "coarser meshes tell\n",

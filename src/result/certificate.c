@@ -391,5 +391,5 @@ PetscErrorCode CertificateCompute(Fields fields, Certificate *certificate, Vec *
 
 PetscReal CertificateRelative(const Certificate *certificate, PetscReal error)
 {
-  return certificate->energy_norm > 0 ? error / certificate->energy_norm : NAN;
+  return isgreater(certificate->energy_norm, 0) ? error / certificate->energy_norm : NAN;
 }
