@@ -34,6 +34,8 @@ check_memory() {
   echo "valgrind: multigrid"
   quietly $valgrind "$1/mortise" -skip_petscrc -options_file options/two_plates.opts -upper_dm_plex_box_faces 2,2 -lower_dm_plex_box_faces 1,1 \
     -dm_refine 1 -pc_type truncatedmg -quiet
+  echo "valgrind: the public interface"
+  quietly $valgrind "$1/tests/api_calls" options -skip_petscrc
 }
 
 build build/check -DCMAKE_BUILD_TYPE=Release -DMORTISE_TEST_LONG=$long

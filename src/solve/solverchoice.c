@@ -289,9 +289,7 @@ PetscErrorCode SolverChoiceSet(Solver solver, SolverChoice *choice)
 
   PetscFunctionBeginUser;
   PetscCall(PetscObjectGetComm((PetscObject)vi->A, &comm));
-  choice->bound  = PETSC_TRUE;
-  choice->prefix = "";
-  choice->keep   = PETSC_FALSE;
+  *choice = (SolverChoice){.prefix = "", .bound = PETSC_TRUE};
   PetscCall(PetscStrncpy(choice->snes, SNESPDAS, sizeof(choice->snes)));
   PetscCall(PetscOptionsGetString(NULL, NULL, "-snes_type", choice->snes, sizeof(choice->snes), NULL));
   PetscCall(SolverChoiceCheckBounds_Private(comm, choice->snes));
