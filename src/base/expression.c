@@ -97,7 +97,7 @@ static void ExpressionDescribeError_Private(muParserHandle_t parser, const char 
   } else {
     text   = mupGetErrorMsg(parser);
     length = (int)strlen(text);
-    while (length > 1 && (text[length - 1] == '.' || isspace((unsigned char)text[length - 1]))) --length;
+    while (length > 1 && (text[length - 1] == '.' || isspace((unsigned char)text[length - 1]))) length--;
     snprintf(words, len, "%c%.*s", tolower((unsigned char)text[0]), length - 1, text + 1);
   }
 }
@@ -107,7 +107,7 @@ static PetscBool ExpressionHasAssignment_Private(const char text[])
 {
   for (const char *t = strchr(text, '='); t; t = strchr(t + 1, '=')) {
     if (t[1] == '=')
-      ++t;
+      t++;
     else if (t == text || !strchr("<>!", t[-1]))
       return PETSC_TRUE;
   }
@@ -123,7 +123,7 @@ static void ExpressionCompileFormula_Private(Expression e, const char text[], Co
 
   component->parser = parser;
   mupDefineConst(parser, "pi", PETSC_PI);
-  for (size_t v = 0; v < PETSC_STATIC_ARRAY_LENGTH(variable_names); ++v)
+  for (size_t v = 0; v < PETSC_STATIC_ARRAY_LENGTH(variable_names); v++)
     mupDefineVar(parser, variable_names[v], &e->x[v % 3]);
   mupDefineVar(parser, "t", &time_value);
   mupSetExpr(parser, text);
@@ -163,7 +163,7 @@ static size_t ExpressionComponentLength_Private(const char text[])
   PetscInt depth = 0;
   size_t   n;
 
-  for (n = 0; text[n] && (depth > 0 || text[n] != ','); ++n) depth += (text[n] == '(') - (text[n] == ')');
+  for (n = 0; text[n] && (depth > 0 || text[n] != ','); n++) depth += (text[n] == '(') - (text[n] == ')');
   return n;
 }
 
@@ -172,8 +172,8 @@ static PetscInt ExpressionCountComponents_Private(const char text[])
   PetscInt count = 1;
 
   for (text += ExpressionComponentLength_Private(text); *text; text += ExpressionComponentLength_Private(text)) {
-    ++text;
-    ++count;
+    text++;
+    count++;
   }
   return count;
 }
@@ -182,8 +182,8 @@ static PetscInt ExpressionCountComponents_Private(const char text[])
 static PetscErrorCode ExpressionCopyTrimmed_Private(const char text[], size_t length, char **copy)
 {
   PetscFunctionBeginUser;
-  for (; length && isspace((unsigned char)text[0]); --length) ++text;
-  while (length && isspace((unsigned char)text[length - 1])) --length;
+  for (; length && isspace((unsigned char)text[0]); length--) text++;
+  while (length && isspace((unsigned char)text[length - 1])) length--;
   PetscCall(PetscMalloc1(length + 1, copy));
   PetscCall(PetscArraycpy(*copy, text, length));
   (*copy)[length] = '\0';
@@ -217,7 +217,7 @@ PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char t
         comm, "%s \"%s\": %" PetscInt_FMT " component%s given, %" PetscInt_FMT " wanted, separated by commas", option,
         ExpressionShortenText_Private(text, shown), count, count == 1 ? "" : "s", num_components));
   PetscCall(ExpressionAllocate_Private(option, text, count, e));
-  for (PetscInt c = 0; c < count && !complaint[0]; ++c) {
+  for (PetscInt c = 0; c < count && !complaint[0]; c++) {
     const size_t length = ExpressionComponentLength_Private(text);
 
     PetscCall(ExpressionCopyTrimmed_Private(text, length, &part));
@@ -247,10 +247,10 @@ PetscErrorCode ExpressionCreateConstant(const char option[], PetscInt num_compon
   size_t length                   = 0;
 
   PetscFunctionBeginUser;
-  for (PetscInt c = 0; c < num_components && length < sizeof(text); ++c)
+  for (PetscInt c = 0; c < num_components && length < sizeof(text); c++)
     length += (size_t)snprintf(text + length, sizeof(text) - length, "%s%.17g", c ? "," : "", (double)values[c]);
   PetscCall(ExpressionAllocate_Private(option, text, num_components, e));
-  for (PetscInt c = 0; c < num_components; ++c) (*e)->components[c].number = values[c];
+  for (PetscInt c = 0; c < num_components; c++) (*e)->components[c].number = values[c];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -258,7 +258,7 @@ PetscErrorCode ExpressionDestroy(Expression *e)
 {
   PetscFunctionBeginUser;
   if (!*e) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt c = 0; c < (*e)->num_components; ++c)
+  for (PetscInt c = 0; c < (*e)->num_components; c++)
     if ((*e)->components[c].parser) mupRelease((*e)->components[c].parser);
   PetscCall(PetscFree((*e)->components));
   PetscCall(PetscFree((*e)->option));
@@ -284,11 +284,11 @@ void ExpressionSetFactor(Expression e, PetscReal factor)
 
 PetscBool ExpressionNames(Expression e, const char name[])
 {
-  for (PetscInt c = 0; c < e->num_components; ++c) {
+  for (PetscInt c = 0; c < e->num_components; c++) {
     const muParserHandle_t parser = e->components[c].parser;
     const int              num    = parser ? mupGetExprVarNum(parser) : 0;
 
-    for (int v = 0; v < num; ++v) {
+    for (int v = 0; v < num; v++) {
       const muChar_t *used;
       muFloat_t      *bound;
 
@@ -332,11 +332,11 @@ PetscErrorCode ExpressionEvaluate(Expression e, PetscInt dim, const PetscReal x[
 {
   PetscFunctionBeginUser;
   if (!e->constant)
-    for (PetscInt d = 0; d < 3; ++d) e->x[d] = d < dim ? x[d] : 0;
+    for (PetscInt d = 0; d < 3; d++) e->x[d] = d < dim ? x[d] : 0;
   if (e->meridian) e->x[2] = e->x[1];
   if (!e->constant)
     PetscCall(PetscFPTrapPush(PETSC_FP_TRAP_OFF)); // a formula may divide by zero: its caller judges the value
-  for (PetscInt c = 0; c < e->num_components; ++c) {
+  for (PetscInt c = 0; c < e->num_components; c++) {
     Component *component = &e->components[c];
 
     values[c] = e->factor * (component->parser ? mupEval(component->parser) : component->number);
@@ -357,7 +357,7 @@ PetscErrorCode ExpressionTry(Expression e, PetscInt dim, const PetscReal x[], Pe
   PetscFunctionBeginUser;
   PetscCall(ExpressionEvaluate(e, dim, x, values));
   *finite = PETSC_TRUE;
-  for (PetscInt c = 0; c < e->num_components; ++c) *finite = (PetscBool)(*finite && !PetscIsInfOrNanReal(values[c]));
+  for (PetscInt c = 0; c < e->num_components; c++) *finite = (PetscBool)(*finite && !PetscIsInfOrNanReal(values[c]));
   e->failed = failed;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -61,7 +61,7 @@ PetscErrorCode InterruptBegin(void)
   action.sa_handler = InterruptSignalFn;
   action.sa_flags   = SA_NODEFER | SA_RESTART; // the signal is raised again by its own handler
   (void)sigemptyset(&action.sa_mask);
-  for (int s = 0; s < NUM_SIGNALS; ++s) {
+  for (int s = 0; s < NUM_SIGNALS; s++) {
     (void)sigaction(signals[s], NULL, &state.before[s]);
     if (state.before[s].sa_handler != SIG_IGN) (void)sigaction(signals[s], &action, NULL); // nohup stays nohup
   }
@@ -72,18 +72,18 @@ PetscErrorCode InterruptEnd(void)
 {
   PetscFunctionBeginUser;
   if (--state.depth) PetscFunctionReturn(PETSC_SUCCESS);
-  for (int s = 0; s < NUM_SIGNALS; ++s) (void)sigaction(signals[s], &state.before[s], NULL);
+  for (int s = 0; s < NUM_SIGNALS; s++) (void)sigaction(signals[s], &state.before[s], NULL);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 void InterruptHold(void)
 {
-  ++state.held;
+  state.held++;
 }
 
 void InterruptRelease(void)
 {
-  --state.held;
+  state.held--;
   if (!state.held && state.waiting) InterruptEndProcess_Private(state.waiting);
 }
 

@@ -10,7 +10,7 @@ static cJSON *JSONCreateReal_Private(PetscReal value)
   char text[40];
 
   if (PetscIsInfOrNanReal(value)) return cJSON_CreateNull();
-  for (int digits = DIGITS_MIN; digits <= DIGITS_MAX; ++digits) {
+  for (int digits = DIGITS_MIN; digits <= DIGITS_MAX; digits++) {
     snprintf(text, sizeof(text), "%.*g", digits, (double)value);
     if (strtod(text, NULL) == (double)value) break;
   }
@@ -34,5 +34,5 @@ void JSONAddReals(cJSON *object, const char name[], PetscInt n, const PetscReal 
 {
   cJSON *array = cJSON_AddArrayToObject(object, name);
 
-  for (PetscInt i = 0; i < n; ++i) cJSON_AddItemToArray(array, JSONCreateReal_Private(values[i]));
+  for (PetscInt i = 0; i < n; i++) cJSON_AddItemToArray(array, JSONCreateReal_Private(values[i]));
 }

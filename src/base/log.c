@@ -41,7 +41,7 @@ static double LogGetProcessorSeconds_Private(void)
 PetscErrorCode LogInitialize(double start)
 {
   PetscFunctionBeginUser;
-  for (int s = 0; s < STAGE_COUNT; ++s) {
+  for (int s = 0; s < STAGE_COUNT; s++) {
     PetscCall(PetscLogStageGetId(stage_names[s], &journal.handle[s]));
     if (journal.handle[s] < 0) PetscCall(PetscLogStageRegister(stage_names[s], &journal.handle[s]));
   }
@@ -55,7 +55,7 @@ PetscErrorCode LogReset(double start)
   PetscFunctionBeginUser;
   journal.start  = start;
   journal.worked = LogGetProcessorSeconds_Private();
-  for (int s = 0; s < STAGE_COUNT; ++s) journal.seconds[s] = 0;
+  for (int s = 0; s < STAGE_COUNT; s++) journal.seconds[s] = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -21,7 +21,7 @@ static void OptionsReadDefaults_Private(Reader *reader, int skip_files)
   char        paths[3][PETSC_MAX_PATH_LEN] = {"", ".petscrc", "petscrc"};
 
   if (home) snprintf(paths[0], sizeof(paths[0]), "%s/.petscrc", home);
-  for (int i = 0; i < 3 && !skip_files; ++i) {
+  for (int i = 0; i < 3 && !skip_files; i++) {
     char *text = OptionsReaderCanRead(paths[i]) ? OptionsReaderSlurp(reader, paths[i]) : NULL;
 
     if (text) OptionsReaderReadText(reader, paths[i], text);
@@ -41,10 +41,10 @@ static void OptionsReadCommandLine_Private(Reader *reader, int argc, char **argv
   Word    *words = TextListAllocate(NULL, (size_t)argc * sizeof(*words));
   TextList own   = {0, NULL};
 
-  for (int a = 1; a < argc; ++a) words[a - 1] = (Word){argv[a], 0};
+  for (int a = 1; a < argc; a++) words[a - 1] = (Word){argv[a], 0};
   reader->target = &own;
   OptionsReaderReadWords(reader, "command line", argc - 1, words);
-  for (int i = 0; i < own.num; ++i) TextListAppend(&arguments, own.items[i]);
+  for (int i = 0; i < own.num; i++) TextListAppend(&arguments, own.items[i]);
   TextListClear(&own);
   free(words);
 }
@@ -59,7 +59,7 @@ void OptionsExpand(int argc, char **argv, int *argc_out, char ***argv_out, char 
   TextListClear(&files);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (!rank) {
-    for (int a = 1; a < argc; ++a)
+    for (int a = 1; a < argc; a++)
       skip_files |= OptionsReaderIsName(argv[a]) && OptionsReaderIsWord(argv[a], "-skip_petscrc");
     TextListAppend(&arguments, argc ? argv[0] : "mortise");
     OptionsReadDefaults_Private(&reader, skip_files);
@@ -81,7 +81,7 @@ PetscErrorCode OptionsJoin(void)
 
   PetscFunctionBeginUser;
   PetscCall(PetscGetArgs(&num, &given));
-  for (int a = 1; a + 1 < num; ++a)
+  for (int a = 1; a + 1 < num; a++)
     if (OptionsReaderIsName(given[a]) && OptionsReaderIsWord(given[a], "-options_file"))
       TextListAppend(&files, given[a + 1]);
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -102,7 +102,7 @@ static PetscErrorCode ReadDatabase_Private(TextList *words)
     while (end && !OptionsReaderIsName(end + 1)) end = strstr(end + 1, " -");
     if (end) *end++ = '\0';
     if (*value) *value++ = '\0';
-    for (size_t n = strlen(value); n && value[n - 1] == ' '; --n) value[n - 1] = '\0';
+    for (size_t n = strlen(value); n && value[n - 1] == ' '; n--) value[n - 1] = '\0';
     TextListAppend(words, name);
     TextListAppend(words, value);
   }
@@ -130,7 +130,7 @@ PetscErrorCode OptionsInsertFile(const char name[])
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_rank(MPI_COMM_WORLD, &rank));
-  for (int i = 0; i < files.num; ++i) TextListAppend(&found, files.items[i]);
+  for (int i = 0; i < files.num; i++) TextListAppend(&found, files.items[i]);
   if (!rank) OptionsReaderReadWords(&reader, "options of the program", 2, words);
   free(copy);
   if (!rank) {
@@ -147,7 +147,7 @@ PetscErrorCode OptionsInsertFile(const char name[])
   PetscCall(error);
   PetscCall(ReadDatabase_Private(&present));
   num = present.num;
-  for (int i = 0; i < read.num; ++i) {
+  for (int i = 0; i < read.num; i++) {
     const int value = i + 1 < read.num && !OptionsReaderIsName(read.items[i + 1]);
 
     if (!HasName_Private(&present, num, read.items[i]))
@@ -188,7 +188,7 @@ PetscErrorCode OptionsListDatabase(void)
   PetscCall(ReadDatabase_Private(&words));
   TextListClear(&arguments);
   TextListAppend(&arguments, "mortise");
-  for (int i = 0; i < words.num; ++i)
+  for (int i = 0; i < words.num; i++)
     if (!(i % 2) || words.items[i][0]) TextListAppend(&arguments, words.items[i]);
   TextListAppend(&arguments, "-skip_petscrc"); // the last is this module's own
   TextListClear(&words);
@@ -216,7 +216,7 @@ static void OptionsPutGiven_Private(OptionGiven given[], PetscInt *num, OptionGi
 {
   PetscInt i = 0;
 
-  while (i < *num && OptionsCompareGiven_Private(&given[i], &option)) ++i;
+  while (i < *num && OptionsCompareGiven_Private(&given[i], &option)) i++;
   given[i] = option;
   if (i == *num) ++*num;
 }
@@ -228,12 +228,12 @@ PetscErrorCode OptionsGetGiven(PetscInt *num, OptionGiven **given)
   PetscFunctionBeginUser;
   *num = 0;
   PetscCall(PetscMalloc1(PetscMax(arguments.num, 1), given));
-  for (int a = 1; a < last; ++a) {
+  for (int a = 1; a < last; a++) {
     const char     *name  = arguments.items[a];
     const PetscBool value = a + 1 < last && !OptionsReaderIsName(arguments.items[a + 1]) ? PETSC_TRUE : PETSC_FALSE;
 
     name += strspn(name, "-");
-    if (value) ++a;
+    if (value) a++;
     OptionsPutGiven_Private(*given, num, (OptionGiven){name, value ? arguments.items[a] : ""});
   }
   qsort(*given, (size_t)*num, sizeof(**given), OptionsCompareGiven_Private);

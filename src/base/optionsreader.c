@@ -53,7 +53,7 @@ int OptionsReaderFindFile(const TextList *files, const char name[], char found[]
 {
   snprintf(found, len, "%s", name);
   if (OptionsReaderCanRead(name)) return 1;
-  for (int i = 0; name[0] != '/' && i < files->num; ++i) {
+  for (int i = 0; name[0] != '/' && i < files->num; i++) {
     const char *slash = strrchr(files->items[i], '/');
 
     if (!slash) continue; // in the working directory
@@ -221,7 +221,7 @@ static void OptionsReaderReadFile_Private(Reader *reader, const char where[], co
                                 READER_MAX_DEPTH);
   else
     path = realpath(found, NULL);
-  for (int i = 0; path && i < reader->depth; ++i)
+  for (int i = 0; path && i < reader->depth; i++)
     if (!strcmp(path, reader->open[i]))
       OptionsReaderRefuse_Private(reader, "%s: -options_file %s: the file names itself", where, name);
   text = path && !reader->sentence[0] ? OptionsReaderSlurp(reader, found) : NULL;
@@ -231,7 +231,7 @@ static void OptionsReaderReadFile_Private(Reader *reader, const char where[], co
     TextListAppend(reader->files, found);
     OptionsReaderReadText(reader, found, text);
     reader->target = target;
-    --reader->depth;
+    reader->depth--;
   }
   free(text);
   free(path);

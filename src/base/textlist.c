@@ -24,7 +24,7 @@ void TextListAppend(TextList *list, const char text[])
 
 void TextListClear(TextList *list)
 {
-  for (int i = 0; i < list->num; ++i) free(list->items[i]);
+  for (int i = 0; i < list->num; i++) free(list->items[i]);
   free(list->items);
   *list = (TextList){0, NULL};
 }
@@ -35,7 +35,7 @@ void TextListBroadcast(TextList *list)
 
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   (void)MPI_Bcast(&num, 1, MPI_INT, 0, MPI_COMM_WORLD);
-  for (int i = 0; i < num; ++i) {
+  for (int i = 0; i < num; i++) {
     int   size = rank ? 0 : (int)strlen(list->items[i]) + 1;
     char *text;
 

@@ -53,7 +53,7 @@ static PetscBool UserErrorQuotesText_Private(const char message[], const char te
 {
   static const char inside[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_+-.";
 
-  for (const char *m = message; length && *m; ++m) {
+  for (const char *m = message; length && *m; m++) {
     if (strncasecmp(m, text, length) || (m > message && strchr(inside, m[-1]))) continue;
     if (!m[length] || !strchr(inside, m[length]) || !m[length + 1] || m[length + 1] == ' ')
       return PETSC_TRUE; // or a full stop
@@ -75,7 +75,7 @@ static int UserErrorFindOption_Private(const char message[], int num, char *cons
 {
   int found = 0;
 
-  for (int a = 1; a < num; ++a) {
+  for (int a = 1; a < num; a++) {
     PetscBool name = PETSC_FALSE, next_name = PETSC_TRUE;
 
     (void)PetscOptionsValidKey(arguments[a], &name);
@@ -97,7 +97,7 @@ static PetscErrorCode UserErrorFromPETSc_Private(const char message[])
   char **arguments;
   int    num, option, length = (int)strcspn(message, "\n"); // the rest is PETSc's advice on installing packages
 
-  while (length && (isspace((unsigned char)message[length - 1]) || message[length - 1] == '.')) --length;
+  while (length && (isspace((unsigned char)message[length - 1]) || message[length - 1] == '.')) length--;
   option = PetscGetArgs(&num, &arguments) ? 0 : UserErrorFindOption_Private(message, num, arguments);
   if (option)
     snprintf(sentence, sizeof(sentence), "%s: PETSc says: %.*s", arguments[option], length, message);
@@ -320,12 +320,12 @@ static size_t UserErrorEditDistance_Private(const char a[], const char b[], size
 {
   const size_t length_a = strlen(a), length_b = strlen(b);
 
-  for (size_t j = 0; j <= length_b; ++j) distance[j] = j;
-  for (size_t i = 1; i <= length_a; ++i) {
+  for (size_t j = 0; j <= length_b; j++) distance[j] = j;
+  for (size_t i = 1; i <= length_a; i++) {
     size_t diagonal = distance[0];
 
     distance[0] = i;
-    for (size_t j = 1; j <= length_b; ++j) {
+    for (size_t j = 1; j <= length_b; j++) {
       const size_t above    = distance[j];
       const size_t exchange = diagonal + (tolower((unsigned char)a[i - 1]) != tolower((unsigned char)b[j - 1]));
 
@@ -341,12 +341,12 @@ const char *UserErrorNearest(const char misspelt[], PetscInt num_names, const ch
   const char *nearest = NULL;
   size_t      longest = 0, least, *workspace;
 
-  for (PetscInt n = 0; n < num_names; ++n) longest = PetscMax(longest, strlen(names[n]));
+  for (PetscInt n = 0; n < num_names; n++) longest = PetscMax(longest, strlen(names[n]));
   workspace = malloc((longest + 1) * sizeof(*workspace));
   if (!workspace) return NULL;
   least = PetscMin((strlen(misspelt) + 2) / 3 + 1,
                    strlen(misspelt)); // more than a third of the letters wrong is another word
-  for (PetscInt n = 0; n < num_names; ++n) {
+  for (PetscInt n = 0; n < num_names; n++) {
     const size_t distance = UserErrorEditDistance_Private(misspelt, names[n], workspace);
 
     if (distance >= least) continue;

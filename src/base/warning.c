@@ -120,12 +120,12 @@ void WarningSetLabel(const char label[])
 
 void WarningMute(void)
 {
-  ++book.muted;
+  book.muted++;
 }
 
 void WarningUnmute(void)
 {
-  --book.muted;
+  book.muted--;
 }
 
 void WarningSetQuiet(PetscBool quiet)

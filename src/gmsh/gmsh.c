@@ -90,7 +90,7 @@ static PetscInt GmshReadCount_Private(GmshReader *reader, const char what[])
 /* Finite numbers. [out] values - [num], or NULL where they do not matter */
 static void GmshReadNumbers_Private(GmshReader *reader, PetscInt num, PetscReal values[])
 {
-  for (PetscInt i = 0; i < num && !reader->reason[0]; ++i) {
+  for (PetscInt i = 0; i < num && !reader->reason[0]; i++) {
     double value = 0;
 
     if (reader->binary ? fread(&value, sizeof(value), 1, reader->file) != 1
@@ -142,11 +142,11 @@ static PetscErrorCode GmshReadEntities_Private(GmshReader *reader)
   PetscInt num[4], total = 0;
 
   PetscFunctionBeginUser;
-  for (PetscInt dim = 0; dim < 4; ++dim) total += num[dim] = GmshReadCount_Private(reader, "entities");
+  for (PetscInt dim = 0; dim < 4; dim++) total += num[dim] = GmshReadCount_Private(reader, "entities");
   PetscCall(PetscMalloc4(total, &reader->entity, total, &reader->place, total, &reader->entity_first, total,
                          &reader->entity_end));
-  for (PetscInt dim = 0; dim < 4; ++dim) {
-    for (PetscInt i = 0; i < num[dim] && !reader->reason[0]; ++i) {
+  for (PetscInt dim = 0; dim < 4; dim++) {
+    for (PetscInt i = 0; i < num[dim] && !reader->reason[0]; i++) {
       const PetscInt   e   = reader->num_entities++;
       const PetscInt64 tag = GmshReadTag_Private(reader);
 
@@ -156,11 +156,11 @@ static PetscErrorCode GmshReadEntities_Private(GmshReader *reader)
       reader->entity[e]       = reader->reason[0] ? 0 : 4 * (PetscInt)tag + dim;
       reader->entity_first[e] = reader->mesh->num_groups;
       GmshReadNumbers_Private(reader, dim ? 6 : 3, NULL); // a box, or a point
-      for (PetscInt n = GmshReadCount_Private(reader, "tags of an entity"); n > 0 && !reader->reason[0]; --n)
+      for (PetscInt n = GmshReadCount_Private(reader, "tags of an entity"); n > 0 && !reader->reason[0]; n--)
         PetscCall(GmshAddGroup_Private(reader, GmshReadTag_Private(reader)));
       reader->entity_end[e] = reader->mesh->num_groups;
       if (dim == 0) continue; // nothing bounds a point
-      for (PetscInt n = GmshReadCount_Private(reader, "tags of an entity"); n > 0 && !reader->reason[0]; --n)
+      for (PetscInt n = GmshReadCount_Private(reader, "tags of an entity"); n > 0 && !reader->reason[0]; n--)
         (void)GmshReadTag_Private(reader);
     }
   }
@@ -197,7 +197,7 @@ static PetscErrorCode GmshSortNodes_Private(GmshReader *reader)
 
   PetscFunctionBeginUser;
   PetscCall(PetscSortIntWithArray(num, reader->tag, reader->node));
-  for (PetscInt i = 1; i < num; ++i) {
+  for (PetscInt i = 1; i < num; i++) {
     if (tag[i] == tag[i - 1]) GmshFail_Private(reader, "node %d is defined twice", (int)tag[i]);
   }
   if (num && (tag[0] < 0 || tag[num - 1] > MAX_TAG)) {
@@ -218,7 +218,7 @@ static PetscErrorCode GmshReadNodes_Private(GmshReader *reader)
   if (blocks) GmshReadRange_Private(reader);
   PetscCall(PetscMalloc2(total, &reader->tag, total, &reader->node));
   PetscCall(PetscMalloc1(3 * total, &reader->mesh->coords));
-  for (PetscInt b = 0; b < num_blocks && !reader->reason[0]; ++b) {
+  for (PetscInt b = 0; b < num_blocks && !reader->reason[0]; b++) {
     PetscInt   num = total, first = reader->num_tags, entity;
     PetscInt64 dim;
 
@@ -229,7 +229,7 @@ static PetscErrorCode GmshReadNodes_Private(GmshReader *reader)
       num = GmshReadCount_Private(reader, "nodes of a block");
     }
     if (num > total - first) GmshFail_Private(reader, "its blocks hold more nodes than the file declares");
-    for (PetscInt i = first; i < first + num && !reader->reason[0]; ++i, ++reader->num_tags) {
+    for (PetscInt i = first; i < first + num && !reader->reason[0]; i++, reader->num_tags++) {
       reader->tag[i]  = (PetscInt)GmshReadInt_Private(reader, blocks ? (size_t)reader->data_size : sizeof(int));
       reader->node[i] = i;
       if (!blocks) GmshReadNumbers_Private(reader, 3, &reader->mesh->coords[3 * i]);
@@ -274,7 +274,7 @@ static PetscBool GmshRepeatsElement_Private(const GmshMesh *mesh, const GmshType
   const PetscInt e = mesh->num_elements, num = type->num_nodes;
 
   if (e == 0 || mesh->type[e - 1] != type) return PETSC_FALSE;
-  for (PetscInt i = 0; i < num; ++i) {
+  for (PetscInt i = 0; i < num; i++) {
     if (mesh->nodes[mesh->start[e] + i] != mesh->nodes[mesh->start[e - 1] + i]) return PETSC_FALSE;
   }
   return PETSC_TRUE;
@@ -290,7 +290,7 @@ static PetscErrorCode GmshReadElement_Private(GmshReader *reader, PetscInt64 ele
   PetscFunctionBeginUser;
   if (reader->reason[0]) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(GmshGrowList_Private(mesh->start[e] + type->num_nodes, &reader->max_nodes, &mesh->nodes));
-  for (PetscInt i = 0; i < type->num_nodes; ++i) {
+  for (PetscInt i = 0; i < type->num_nodes; i++) {
     const PetscInt64 node = GmshReadInt_Private(reader, bytes);
     PetscInt         at   = -1;
 
@@ -312,7 +312,7 @@ static PetscErrorCode GmshReadElement_Private(GmshReader *reader, PetscInt64 ele
   mesh->start[e + 1]   = mesh->start[e] + type->num_nodes;
   mesh->first_group[e] = first;
   mesh->end_group[e]   = end;
-  ++mesh->num_elements;
+  mesh->num_elements++;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -332,11 +332,11 @@ static PetscErrorCode GmshReadRuns_Private(GmshReader *reader)
     if (run < 1 || run > num - e || num_tags < 0 || num_tags > MAX_TAGS) {
       GmshFail_Private(reader, "element %d of %d cannot be read", (int)e + 1, (int)num);
     }
-    for (; run > 0 && !reader->reason[0]; --run, ++e) {
+    for (; run > 0 && !reader->reason[0]; run--, e++) {
       const PetscInt first = reader->mesh->num_groups;
 
       if (reader->binary) element = GmshReadTag_Private(reader);
-      for (PetscInt64 i = 0; i < num_tags; ++i) {
+      for (PetscInt64 i = 0; i < num_tags; i++) {
         const PetscInt64 tag = GmshReadTag_Private(reader);
 
         if (i == 0) PetscCall(GmshAddGroup_Private(reader, tag)); // the others are of the geometry
@@ -357,7 +357,7 @@ static PetscErrorCode GmshReadBlocks_Private(GmshReader *reader)
   PetscFunctionBeginUser;
   GmshReadRange_Private(reader);
   PetscCall(GmshAllocateElements_Private(reader->mesh, total));
-  for (PetscInt b = 0; b < num_blocks && !reader->reason[0]; ++b) {
+  for (PetscInt b = 0; b < num_blocks && !reader->reason[0]; b++) {
     const GmshType *type;
     PetscInt64      dim;
     PetscInt        num, entity;
@@ -368,7 +368,7 @@ static PetscErrorCode GmshReadBlocks_Private(GmshReader *reader)
     if (!reader->reason[0] && type->dim != dim)
       GmshFail_Private(reader, "%s belong to an entity of dimension %lld", type->name, (long long)dim);
     if (num > total - seen) GmshFail_Private(reader, "its blocks hold more elements than the file declares");
-    for (PetscInt e = 0; e < num && !reader->reason[0]; ++e) {
+    for (PetscInt e = 0; e < num && !reader->reason[0]; e++) {
       const PetscInt64 element = GmshReadInt_Private(reader, (size_t)reader->data_size);
 
       PetscCall(GmshReadElement_Private(reader, element, type, (size_t)reader->data_size, reader->entity_first[entity],
@@ -384,7 +384,7 @@ static PetscErrorCode GmshReadBlocks_Private(GmshReader *reader)
 static void GmshSkipElements_Private(GmshReader *reader, PetscInt64 num_lines, PetscInt64 num_bytes)
 {
   if (reader->binary && fseek(reader->file, (long)num_bytes, SEEK_CUR)) GmshFail_Private(reader, "it ends too early");
-  for (PetscInt64 n = 0; n <= num_lines && !reader->binary; ++n) {
+  for (PetscInt64 n = 0; n <= num_lines && !reader->binary; n++) {
     if (fscanf(reader->file, "%*[^\n]") == EOF || fgetc(reader->file) == EOF) break;
   }
 }
@@ -403,7 +403,7 @@ static PetscInt GmshProbeElements_Private(GmshReader *reader)
     const GmshType *type;
     PetscInt64      head[3], run;
 
-    for (int i = 0; i < 3; ++i) head[i] = GmshReadTag_Private(reader);
+    for (int i = 0; i < 3; i++) head[i] = GmshReadTag_Private(reader);
     run  = blocks ? GmshReadCount_Private(reader, "elements") : reader->binary ? head[1] : 1;
     type = GmshTypeGet(head[blocks ? 2 : reader->binary ? 0 : 1]);
     if (reader->reason[0] || (!type && reader->binary) ||
@@ -445,7 +445,7 @@ static PetscErrorCode GmshReadNames_Private(GmshReader *reader, GmshNames *names
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(PetscCalloc3(num, &names->dim, num, &names->tag, num, &names->name));
-  for (names->num = 0; names->num < num; ++names->num) {
+  for (names->num = 0; names->num < num; names->num++) {
     char *name = NULL;
     int   dim, tag;
 

@@ -8,7 +8,7 @@
 PetscErrorCode GmshNamesDestroy(GmshNames *names)
 {
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < names->num; ++i) PetscCall(PetscFree(names->name[i]));
+  for (PetscInt i = 0; i < names->num; i++) PetscCall(PetscFree(names->name[i]));
   PetscCall(PetscFree3(names->dim, names->tag, names->name));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -16,7 +16,7 @@ PetscErrorCode GmshNamesDestroy(GmshNames *names)
 /* Index of a name in the list, -1 if it is not there. */
 static PetscInt GmshNamesFind_Private(const GmshNames *names, PetscInt dim, const char name[])
 {
-  for (PetscInt i = 0; i < names->num; ++i) {
+  for (PetscInt i = 0; i < names->num; i++) {
     if (names->dim[i] == dim && !strcmp(names->name[i], name)) return i;
   }
   return -1;
@@ -46,7 +46,7 @@ void GmshNamesDescribe(const GmshNames *names, PetscInt dim, PetscInt tag, char 
   const size_t used = strlen(text);
   const char  *name = NULL;
 
-  for (PetscInt i = 0; i < names->num; ++i) {
+  for (PetscInt i = 0; i < names->num; i++) {
     if (names->dim[i] == dim && names->tag[i] == tag) name = names->name[i];
   }
   if (name) snprintf(text + used, len - used, "%s%s (%d)", used ? ", " : "", name, (int)tag);

@@ -22,12 +22,12 @@ static void ClosestPointOffset_Private(PetscInt dim, ElementType type, const Pet
   PetscReal      phi[ELEMENT_MAX_NODES], dphi[2 * ELEMENT_MAX_NODES];
 
   ElementShape(type, eta, phi, dphi);
-  for (PetscInt k = 0; k < dim; ++k) {
+  for (PetscInt k = 0; k < dim; k++) {
     r[k] = -x[k];
-    for (PetscInt a = 0; a < num; ++a) J[a * dim + k] = 0;
-    for (PetscInt i = 0; i < ElementNumNodes(type); ++i) {
+    for (PetscInt a = 0; a < num; a++) J[a * dim + k] = 0;
+    for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
       r[k] += phi[i] * X[i * dim + k];
-      for (PetscInt a = 0; a < num; ++a) J[a * dim + k] += dphi[i * num + a] * X[i * dim + k];
+      for (PetscInt a = 0; a < num; a++) J[a * dim + k] += dphi[i * num + a] * X[i * dim + k];
     }
   }
 }
@@ -39,14 +39,14 @@ static PetscReal ClosestPointOnSegment_Private(PetscInt dim, ElementType type, c
   const PetscInt num = ElementDim(type);
   PetscReal      s   = 0.5, r[3], J[6], t[3];
 
-  for (PetscInt step = 0; step <= MAX_STEPS; ++step) {
+  for (PetscInt step = 0; step <= MAX_STEPS; step++) {
     PetscReal next;
 
-    for (PetscInt a = 0; a < num; ++a) eta[a] = segment->from[a] + s * segment->along[a];
+    for (PetscInt a = 0; a < num; a++) eta[a] = segment->from[a] + s * segment->along[a];
     ClosestPointOffset_Private(dim, type, X, x, eta, r, J);
-    for (PetscInt k = 0; k < dim; ++k) {
+    for (PetscInt k = 0; k < dim; k++) {
       t[k] = 0;
-      for (PetscInt a = 0; a < num; ++a) t[k] += J[a * dim + k] * segment->along[a];
+      for (PetscInt a = 0; a < num; a++) t[k] += J[a * dim + k] * segment->along[a];
     }
     next = PetscMax(0, PetscMin(1, s - VectorDot(dim, r, t) / VectorDot(dim, t, t)));
     if (PetscAbsReal(next - s) <= SMALL_STEP) break;
@@ -63,7 +63,7 @@ static PetscBool ClosestPointFindFoot_Private(ElementType type, const PetscReal 
   PetscReal       r[3], J[6], step[2];
 
   eta[0] = eta[1] = simplex ? 1. / 3 : 0.5;
-  for (PetscInt n = 0; n <= MAX_STEPS; ++n) {
+  for (PetscInt n = 0; n <= MAX_STEPS; n++) {
     PetscReal a, b, c, d, e, det;
 
     ClosestPointOffset_Private(3, type, X, x, eta, r, J);
@@ -95,7 +95,7 @@ PetscReal ClosestPointOnFacet(PetscInt dim, ElementType type, const PetscReal X[
 
   if (dim == 2) return ClosestPointOnSegment_Private(dim, type, X, x, &line, eta);
   if (ClosestPointFindFoot_Private(type, X, x, eta, &square)) return square;
-  for (PetscInt e = 0; e < num_edges; ++e) {
+  for (PetscInt e = 0; e < num_edges; e++) {
     PetscReal at[2];
 
     square = ClosestPointOnSegment_Private(dim, type, X, x, num_edges == 3 ? &triangle[e] : &quad[e], at);

@@ -25,9 +25,9 @@ static void DirectionToPlane_Private(PetscInt dim, const PetscReal Q[], const Pe
 {
   const PetscInt num = dim - 1;
 
-  for (PetscInt a = 0; a < num * num; ++a) {
+  for (PetscInt a = 0; a < num * num; a++) {
     plane[a] = 0;
-    for (PetscInt k = 0; k < dim * dim; ++k)
+    for (PetscInt k = 0; k < dim * dim; k++)
       plane[a] += Q[(1 + a / num) * dim + k / dim] * Q[(1 + a % num) * dim + k % dim] * S[k];
   }
 }
@@ -37,14 +37,14 @@ void DirectionTransportCurvature(PetscInt dim, const PetscReal S[], const PetscR
 {
   PetscReal R[9], cosine = 0;
 
-  for (PetscInt k = 0; k < dim; ++k) cosine += from[k] * to[k];
-  for (PetscInt k = 0; k < dim * dim; ++k) { // of vectors across `from`
+  for (PetscInt k = 0; k < dim; k++) cosine += from[k] * to[k];
+  for (PetscInt k = 0; k < dim * dim; k++) { // of vectors across `from`
     const PetscInt i = k / dim, j = k % dim;
     R[k] = (i == j ? 1 : 0) - (from[i] + to[i]) * to[j] / (1 + cosine);
   }
-  for (PetscInt k = 0; k < dim * dim; ++k) {
+  for (PetscInt k = 0; k < dim * dim; k++) {
     turned[k] = 0;
-    for (PetscInt a = 0; a < dim * dim; ++a)
+    for (PetscInt a = 0; a < dim * dim; a++)
       turned[k] += R[k / dim * dim + a / dim] * S[a] * R[k % dim * dim + a % dim];
   }
 }
@@ -72,7 +72,7 @@ static PetscReal DirectionComponent_Private(const Relative *r, const PetscReal S
 {
   PetscReal sum = 0;
 
-  for (PetscInt a = 0; a < r->num * r->num; ++a)
+  for (PetscInt a = 0; a < r->num * r->num; a++)
     sum += r->d[i * r->num + a / r->num] * S[a] * r->d[j * r->num + a % r->num];
   return sum;
 }
@@ -95,7 +95,7 @@ static PetscReal DirectionLargestEntry_Private(PetscInt num, const PetscReal A[]
 {
   PetscReal most = 0;
 
-  for (PetscInt k = 0; k < num; ++k) most = PetscMax(most, PetscAbsReal(A[k]));
+  for (PetscInt k = 0; k < num; k++) most = PetscMax(most, PetscAbsReal(A[k]));
   return most;
 }
 
@@ -107,23 +107,23 @@ void DirectionOfContact(PetscInt dim, const SurfacePoint *nonmortar, const Surfa
 
   if (DirectionLargestEntry_Private(dim * dim, mortar->curvature) == 0 &&
       DirectionLargestEntry_Private(dim * dim, nonmortar->curvature) > 0) {
-    for (PetscInt k = 0; k < dim; ++k) n[k] = -mortar->normal[k]; // in all directions, to the last digit
+    for (PetscInt k = 0; k < dim; k++) n[k] = -mortar->normal[k]; // in all directions, to the last digit
     return;
   }
-  for (PetscInt k = 0; k < dim; ++k) mean[k] = nonmortar->normal[k] - mortar->normal[k];
+  for (PetscInt k = 0; k < dim; k++) mean[k] = nonmortar->normal[k] - mortar->normal[k];
   FrameNormalize(dim, mean);
   FrameFromNormal(dim, mean, Q);
   DirectionTransportCurvature(dim, nonmortar->curvature, nonmortar->normal, mean, S);
   DirectionToPlane_Private(dim, Q, S, r.s);
-  for (PetscInt k = 0; k < dim; ++k) back[k] = -mean[k];
+  for (PetscInt k = 0; k < dim; k++) back[k] = -mean[k];
   DirectionTransportCurvature(dim, mortar->curvature, mortar->normal, back, S);
   DirectionToPlane_Private(dim, Q, S, m);
-  for (PetscInt a = 0; a < r.num * r.num; ++a) r.sum[a] = r.s[a] + m[a];
+  for (PetscInt a = 0; a < r.num * r.num; a++) r.sum[a] = r.s[a] + m[a];
   DirectionSetPrincipal_Private(&r);
   size = DirectionLargestEntry_Private(r.num * r.num, r.s) + DirectionLargestEntry_Private(r.num * r.num, m);
-  for (PetscInt i = 0; i < r.num; ++i) {
-    for (PetscInt a = 0; a < r.num; ++a) {
-      for (PetscInt k = 0; k < dim; ++k)
+  for (PetscInt i = 0; i < r.num; i++) {
+    for (PetscInt a = 0; a < r.num; a++) {
+      for (PetscInt k = 0; k < dim; k++)
         tilt[i] += r.d[i * r.num + a] * Q[(1 + a) * dim + k] * (nonmortar->normal[k] + mortar->normal[k]);
     }
     w[i]      = DirectionWeight_Private(&r, i, size, &inside[i]);
@@ -133,10 +133,10 @@ void DirectionOfContact(PetscInt dim, const SurfacePoint *nonmortar, const Surfa
     change[0] += DirectionComponent_Private(&r, r.s, 0, 1) / r.k[1] * tilt[1];
     change[1] += DirectionComponent_Private(&r, r.s, 1, 0) / r.k[0] * tilt[0];
   }
-  for (PetscInt k = 0; k < dim; ++k) {
+  for (PetscInt k = 0; k < dim; k++) {
     n[k] = nonmortar->normal[k];
-    for (PetscInt i = 0; i < r.num; ++i) {
-      for (PetscInt a = 0; a < r.num; ++a) n[k] -= change[i] * r.d[i * r.num + a] * Q[(1 + a) * dim + k];
+    for (PetscInt i = 0; i < r.num; i++) {
+      for (PetscInt a = 0; a < r.num; a++) n[k] -= change[i] * r.d[i * r.num + a] * Q[(1 + a) * dim + k];
     }
   }
   FrameNormalize(dim, n);

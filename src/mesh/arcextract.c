@@ -10,11 +10,11 @@ static PetscErrorCode ChooseCells_Private(const Extract *x, PetscBool **chosen)
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(x->level.num_cells, chosen));
-  for (PetscInt c = 0; c < x->level.num_cells; ++c) (*chosen)[c] = region ? PETSC_FALSE : PETSC_TRUE;
+  for (PetscInt c = 0; c < x->level.num_cells; c++) (*chosen)[c] = region ? PETSC_FALSE : PETSC_TRUE;
   PetscCall(DMPlexGetHeightStratum(x->level.dm, 0, &begin, NULL));
   if (region && GmshNamesFindGroup(x->names, x->level.dim, region, &tag))
     PetscCall(LabelGetPoints(x->level.dm, "Cell Sets", tag, &num, &points));
-  for (PetscInt i = 0; i < num; ++i) {
+  for (PetscInt i = 0; i < num; i++) {
     if (points[i] >= begin && points[i] < begin + x->level.num_cells) (*chosen)[points[i] - begin] = PETSC_TRUE;
   }
   PetscCall(PetscFree(points));
@@ -32,10 +32,10 @@ static PetscErrorCode GetCell_Private(const Extract *x, const PetscBool chosen[]
   PetscCall(DMPlexGetHeightStratum(x->level.dm, 0, &begin, NULL));
   PetscCall(DMPlexGetSupportSize(x->level.dm, facet, &size));
   PetscCall(DMPlexGetSupport(x->level.dm, facet, &support));
-  for (PetscInt i = 0; i < size; ++i) {
+  for (PetscInt i = 0; i < size; i++) {
     if (!chosen[support[i] - begin]) continue;
     *cell = support[i] - begin;
-    ++num;
+    num++;
   }
   if (num != 1) *cell = -1;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -47,7 +47,7 @@ static PetscErrorCode GetPoints_Private(const Extract *x, const SideNames *names
   PetscFunctionBeginUser;
   *num    = 0;
   *points = NULL;
-  for (PetscInt s = 0; s < names->num; ++s) {
+  for (PetscInt s = 0; s < names->num; s++) {
     PetscInt tag, more, *labelled;
 
     if (!GmshNamesFindGroup(x->names, x->level.dim - 1, names->name[s], &tag) || tag <= 0) continue;
@@ -74,7 +74,7 @@ static PetscErrorCode GetFacets_Private(const Extract *x, const PetscBool chosen
   PetscCall(SideNamesDestroy(&names));
   PetscCall(DMPlexGetHeightStratum(x->level.dm, 1, &begin, &end));
   PetscCall(FacetsAllocate(num, facets));
-  for (PetscInt i = 0; i < num; ++i) {
+  for (PetscInt i = 0; i < num; i++) {
     PetscInt cell, corners, vertices[ELEMENT_MAX_NODES];
 
     if (points[i] < begin || points[i] >= end) continue; // refinement labels what is on a facet as well
@@ -83,9 +83,9 @@ static PetscErrorCode GetFacets_Private(const Extract *x, const PetscBool chosen
     PetscCall(PointGetVertices(x->level.dm, points[i], &corners, vertices));
     facets->cell[count] = cell;
     facets->type[count] = ElementFacetType(ElementLinear((ElementType)x->level.cell_type[cell]));
-    for (PetscInt v = 0; v < corners; ++v)
+    for (PetscInt v = 0; v < corners; v++)
       facets->nodes[count * ELEMENT_MAX_FACET_NODES + v] = PointGetNode(&x->level, vertices[v]);
-    ++count;
+    count++;
   }
   facets->num = count;
   FacetsTurnOut(&x->level, facets);

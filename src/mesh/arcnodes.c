@@ -38,8 +38,8 @@ static PetscErrorCode BulgesCreate_Private(Level *level, const Facets *facets, P
   *any = PETSC_FALSE;
   PetscCall(SideShapeCreate(level, facets, &shape));
   PetscCall(PetscCalloc1(facets->num * F * dim, bulge));
-  for (PetscInt f = 0; f < facets->num; ++f) {
-    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); ++i)
+  for (PetscInt f = 0; f < facets->num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
       PetscCall(PetscArraycpy(&X[i * dim], &level->coords[facets->nodes[f * F + i] * dim], dim));
     if (ArcBulge(facets->type[f], X, &shape.normal[f * F * dim], &(*bulge)[f * F * dim])) *any = PETSC_TRUE;
   }
@@ -64,7 +64,7 @@ static PetscErrorCode FacetGetEdges_Private(const Level *level, const PetscInt p
                                             PetscInt f, PetscInt edges[])
 {
   PetscFunctionBeginUser;
-  for (PetscInt e = 0; e < ElementNumEdges(facets->type[f]); ++e) {
+  for (PetscInt e = 0; e < ElementNumEdges(facets->type[f]); e++) {
     const PetscInt *local   = ElementEdgeNodes(facets->type[f], e);
     const PetscInt  ends[2] = {point[facets->nodes[f * F + local[0]]], point[facets->nodes[f * F + local[1]]]};
     const PetscInt *joined;
@@ -87,16 +87,16 @@ static PetscErrorCode ArcsAdd_Private(const Arcs *arcs, const Facets *facets, co
 
   PetscFunctionBeginUser;
   PetscCall(LevelGetNodePoints(arcs->from, &point));
-  for (PetscInt f = 0; f < facets->num; ++f) {
+  for (PetscInt f = 0; f < facets->num; f++) {
     const PetscInt num = ElementNumNodes(facets->type[f]);
     PetscReal      normal[3];
 
     PetscCall(FacetGetEdges_Private(arcs->from, point, facets, f, edges));
     if (!bulge) (void)FacetGetMeasure(arcs->from, facets, f, normal);
-    for (PetscInt e = 0; e < ElementNumEdges(facets->type[f]); ++e) {
+    for (PetscInt e = 0; e < ElementNumEdges(facets->type[f]); e++) {
       const PetscInt node = arcs->node[edges[e] - arcs->begin];
 
-      for (PetscInt k = 0; k < dim && node >= 0; ++k) {
+      for (PetscInt k = 0; k < dim && node >= 0; k++) {
         if (bulge) {
           sums[node * bs + k] += bulge[(f * F + num + e) * dim + k];
           sums[node * bs + dim] += PetscSqr(bulge[(f * F + num + e) * dim + k]);
@@ -141,16 +141,16 @@ static PetscBool SumsToOffset_Private(PetscInt dim, const PetscScalar sums[], Pe
   PetscReal       total = 0, normal[3], along = 0;
 
   if (!(squares > 0)) return PETSC_FALSE;
-  for (PetscInt k = 0; k < dim; ++k) {
+  for (PetscInt k = 0; k < dim; k++) {
     total += PetscSqr(PetscRealPart(sums[k]));
     normal[k] = PetscRealPart(sums[dim + 1 + k]);
   }
   FrameNormalize(dim, normal);
-  for (PetscInt k = 0; k < dim; ++k) {
+  for (PetscInt k = 0; k < dim; k++) {
     offset[k] = squares / PetscMax(total, squares) * PetscRealPart(sums[k]);
     along += offset[k] * normal[k];
   }
-  for (PetscInt k = 0; k < dim; ++k) offset[k] -= along * normal[k];
+  for (PetscInt k = 0; k < dim; k++) offset[k] -= along * normal[k];
   return PETSC_TRUE;
 }
 
@@ -167,13 +167,13 @@ static PetscErrorCode ArcsGetWays_Private(const Arcs *arcs, PetscReal way[])
   PetscCall(DMPlexGetDepthStratum(arcs->from->dm, 1, &begin, &end));
   PetscCall(VecGhostGetLocalForm(arcs->sums, &local));
   PetscCall(VecGetArrayRead(local, &sums));
-  for (PetscInt p = begin; p < end; ++p) {
+  for (PetscInt p = begin; p < end; p++) {
     const PetscInt node = arcs->node[p - arcs->begin];
     PetscReal      offset[3];
 
     if (node < 0 || !SumsToOffset_Private(dim, &sums[node * bs], offset)) continue;
     PetscCall(PointGetVertices(arcs->from->dm, p, &num, vertices));
-    for (PetscInt k = 0; k < dim; ++k) {
+    for (PetscInt k = 0; k < dim; k++) {
       const PetscReal a = X[PointGetNode(arcs->from, vertices[0]) * dim + k];
       const PetscReal b = X[PointGetNode(arcs->from, vertices[1]) * dim + k];
 
@@ -195,20 +195,20 @@ static PetscErrorCode ArcsMove_Private(const Arcs *arcs)
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1((arcs->end - arcs->begin) * dim, &way));
   PetscCall(ArcsGetWays_Private(arcs, way));
-  for (PetscInt depth = 1; depth <= dim; ++depth) {
+  for (PetscInt depth = 1; depth <= dim; depth++) {
     PetscInt begin, end, edge_begin, edge_end;
 
     PetscCall(DMPlexGetDepthStratum(arcs->from->dm, 1, &edge_begin, &edge_end));
     PetscCall(DMPlexGetDepthStratum(arcs->from->dm, depth, &begin, &end));
-    for (PetscInt p = begin; p < end; ++p) {
+    for (PetscInt p = begin; p < end; p++) {
       const PetscInt node = arcs->node[p - arcs->begin];
       PetscInt       num, *closure = NULL;
 
       if (node < 0) continue;
       PetscCall(DMPlexGetTransitiveClosure(arcs->from->dm, p, PETSC_TRUE, &num, &closure));
-      for (PetscInt i = 0; i < num; ++i) {
+      for (PetscInt i = 0; i < num; i++) {
         if (closure[2 * i] < edge_begin || closure[2 * i] >= edge_end) continue;
-        for (PetscInt k = 0; k < dim; ++k)
+        for (PetscInt k = 0; k < dim; k++)
           arcs->to->unmapped[node * dim + k] += share[depth] * way[(closure[2 * i] - arcs->begin) * dim + k];
       }
       PetscCall(DMPlexRestoreTransitiveClosure(arcs->from->dm, p, PETSC_TRUE, &num, &closure));
@@ -240,9 +240,9 @@ PetscErrorCode LevelArcVertices(Level *coarse, const ArcSides *sides, DMPlexTran
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetChart(coarse->dm, &arcs.begin, &arcs.end));
   PetscCall(PetscMalloc1(arcs.end - arcs.begin, &arcs.node));
-  for (PetscInt p = 0; p < arcs.end - arcs.begin; ++p) arcs.node[p] = -1;
+  for (PetscInt p = 0; p < arcs.end - arcs.begin; p++) arcs.node[p] = -1;
   PetscCall(DMPlexGetDepthStratum(fine->dm, 0, &begin, &end));
-  for (PetscInt v = begin; v < end; ++v) {
+  for (PetscInt v = begin; v < end; v++) {
     PetscCall(DMPlexTransformGetSourcePoint(transform, v, &source, &target, &point, &replica));
     if (source != DM_POLYTOPE_POINT) arcs.node[point - arcs.begin] = PointGetNode(fine, v);
   }
@@ -259,7 +259,7 @@ PetscErrorCode LevelArcMiddles(Level *level, const ArcSides *sides)
   PetscCall(DMPlexGetChart(level->dm, &arcs.begin, &arcs.end));
   PetscCall(PetscMalloc1(arcs.end - arcs.begin, &arcs.node));
   PetscCall(DMPlexGetDepthStratum(level->dm, 0, &begin, &end));
-  for (PetscInt p = arcs.begin; p < arcs.end; ++p)
+  for (PetscInt p = arcs.begin; p < arcs.end; p++)
     arcs.node[p - arcs.begin] =
         (p >= begin && p < end) || p < level->point_begin || p >= level->point_end ? -1 : PointGetNode(level, p);
   PetscCall(ArcsRun_Private(&arcs, sides));

@@ -16,8 +16,8 @@ static void FacetTurnOut_Private(const Level *mapped, Facets *facets, PetscInt f
   PetscReal       normal[3], inward = 0;
 
   (void)FacetGetMeasure(level, facets, f, normal);
-  for (PetscInt i = 0; i < n; ++i) {
-    for (PetscInt k = 0; k < dim; ++k)
+  for (PetscInt i = 0; i < n; i++) {
+    for (PetscInt k = 0; k < dim; k++)
       inward += normal[k] * (level->coords[cell[i] * dim + k] - level->coords[nodes[0] * dim + k]);
   }
   if (inward <= 0) return;
@@ -46,7 +46,7 @@ static PetscErrorCode FacetsAppend_Private(const Level *level, Facets *more, Fac
   PetscCall(PetscArraycpy(both.nodes, facets->nodes, facets->num * F));
   PetscCall(PetscArraycpy(&both.cell[facets->num], more->cell, more->num));
   PetscCall(PetscArraycpy(&both.nodes[facets->num * F], more->nodes, more->num * F));
-  for (PetscInt f = 0; f < more->num; ++f) {
+  for (PetscInt f = 0; f < more->num; f++) {
     both.type[facets->num + f] = ElementLinear(more->type[f]);
     FacetTurnOut_Private(level, &both, facets->num + f);
   }
@@ -58,7 +58,7 @@ static PetscErrorCode FacetsAppend_Private(const Level *level, Facets *more, Fac
 
 void FacetsTurnOut(const Level *level, Facets *facets)
 {
-  for (PetscInt f = 0; f < facets->num; ++f) FacetTurnOut_Private(level, facets, f);
+  for (PetscInt f = 0; f < facets->num; f++) FacetTurnOut_Private(level, facets, f);
 }
 
 /* "a+b+c". [out] side - freed by the caller, NULL for no names; the names are destroyed */
@@ -68,9 +68,9 @@ static PetscErrorCode JoinNames_Private(SideNames *names, char **side)
 
   PetscFunctionBeginUser;
   *side = NULL;
-  for (PetscInt i = 0; i < names->num; ++i) length += strlen(names->name[i]) + 1;
+  for (PetscInt i = 0; i < names->num; i++) length += strlen(names->name[i]) + 1;
   if (names->num) PetscCall(PetscCalloc1(length, side));
-  for (PetscInt i = 0; i < names->num; ++i) {
+  for (PetscInt i = 0; i < names->num; i++) {
     if (i) strcat(*side, "+");
     strcat(*side, names->name[i]);
   }
@@ -84,13 +84,13 @@ PetscErrorCode ArcSideNames(Scene scene, PetscInt body, char **round, char **fla
   SideNames        of_pair = {0, NULL}, normal = {0, NULL};
 
   PetscFunctionBeginUser;
-  for (PetscInt p = 0; p < scene->num_pairs; ++p) {
+  for (PetscInt p = 0; p < scene->num_pairs; p++) {
     const ScenePair *pair = &scene->pairs[p];
 
     if (pair->nonmortar.body == body) PetscCall(SideNamesAdd(&of_pair, pair->nonmortar.side));
     if (pair->mortar.body == body) PetscCall(SideNamesAdd(&of_pair, pair->mortar.side));
   }
-  for (PetscInt i = 0; i < b->num_boundaries; ++i) {
+  for (PetscInt i = 0; i < b->num_boundaries; i++) {
     if (b->boundaries[i].kind == BOUNDARY_NORMAL) PetscCall(SideNamesAdd(&normal, b->boundaries[i].side));
   }
   PetscCall(JoinNames_Private(&of_pair, round));
@@ -130,7 +130,7 @@ PetscErrorCode ArcSidesCreate(Level *level, PetscInt order, ArcSides *sides)
 
   PetscFunctionBeginUser;
   *sides = (ArcSides){.any = PETSC_FALSE};
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
     if (!scene->bodies[b].arcs || scene->bodies[b].order != order) continue;
     sides->any = PETSC_TRUE;
     PetscCall(ArcSidesAdd_Private(level, b, sides));
@@ -152,7 +152,7 @@ PetscErrorCode LevelFindArcs(Level *level, PetscBool *any)
 
   PetscFunctionBeginUser;
   *any = PETSC_FALSE;
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
     SceneBody *body  = &scene->bodies[b];
     ArcSides   sides = {.any = PETSC_FALSE};
 

@@ -14,10 +14,10 @@ PetscErrorCode LevelSetAxis(Level *level)
 
   PetscFunctionBeginUser;
   if (level->scene->model != MODEL_AXISYMMETRIC) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt node = 0; node < level->num_nodes; ++node)
+  for (PetscInt node = 0; node < level->num_nodes; node++)
     largest = PetscMax(largest, PetscAbsReal(level->coords[node * dim]));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPIU_REAL, MPI_MAX, level->comm));
-  for (PetscInt node = 0; node < level->num_nodes && !sentence[0]; ++node) {
+  for (PetscInt node = 0; node < level->num_nodes && !sentence[0]; node++) {
     PetscReal *x = &level->coords[node * dim];
 
     if (PetscAbsReal(x[0]) <= ROUNDOFF * largest) x[0] = 0;

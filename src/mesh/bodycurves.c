@@ -17,14 +17,14 @@ PetscErrorCode MeshShapeCreate(Mesh mesh, const Curves *curves)
   DM       dm;
 
   PetscFunctionBeginUser;
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) num += scene->bodies[b].straightened;
+  for (PetscInt b = 0; b < scene->num_bodies; b++) num += scene->bodies[b].straightened;
   if (!num) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscNew(&mesh->shape));
   own  = &mesh->shape->scene;
   *own = *scene;
   PetscCall(PetscMalloc1(scene->num_bodies, &own->bodies));
   PetscCall(PetscArraycpy(own->bodies, scene->bodies, scene->num_bodies));
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
     if (scene->bodies[b].straightened) own->bodies[b].order = 2;
   }
   PetscCall(DMClone(MeshFinest(mesh)->dm, &dm)); // a DM has one layout of nodes
@@ -50,7 +50,7 @@ PetscErrorCode MeshShapeRefine(Mesh mesh)
   PetscCall(ArcSidesDestroy(&sides));
   PetscCall(LevelDestroy(&coarse));
   PetscCall(MatDestroy(&mesh->shape->level.prolongation)); // has done its work
-  for (PetscInt p = fine->point_begin; p < fine->point_end; ++p) {
+  for (PetscInt p = fine->point_begin; p < fine->point_end; p++) {
     const PetscInt node = PointGetNode(fine, p), other = PointGetNode(&mesh->shape->level, p);
 
     if (node >= 0) PetscCall(PetscArraycpy(&fine->coords[node * dim], &mesh->shape->level.coords[other * dim], dim));

@@ -31,7 +31,7 @@ static PetscErrorCode SideNamesAddOne_Private(SideNames *names, const char name[
   PetscInt i;
 
   PetscFunctionBeginUser;
-  for (i = 0; i < names->num; ++i) {
+  for (i = 0; i < names->num; i++) {
     if (strlen(names->name[i]) == length && !strncmp(names->name[i], name, length)) PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(PetscRealloc((names->num + 1) * sizeof(char *), &names->name));
@@ -57,8 +57,8 @@ PetscErrorCode SideNamesOfBody(Scene scene, PetscInt body, SideNames *names)
   PetscFunctionBeginUser;
   *names = (SideNames){0, NULL};
   // sides that nothing uses are not looked for: a label costs time in every refinement
-  for (PetscInt i = 0; i < b->num_boundaries; ++i) PetscCall(SideNamesAdd(names, b->boundaries[i].side));
-  for (PetscInt i = 0; i < scene->num_pairs; ++i) {
+  for (PetscInt i = 0; i < b->num_boundaries; i++) PetscCall(SideNamesAdd(names, b->boundaries[i].side));
+  for (PetscInt i = 0; i < scene->num_pairs; i++) {
     const ScenePair *pair = &scene->pairs[i];
 
     // an obstacle has body -1 as mortar side
@@ -71,7 +71,7 @@ PetscErrorCode SideNamesOfBody(Scene scene, PetscInt body, SideNames *names)
 PetscErrorCode SideNamesDestroy(SideNames *names)
 {
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < names->num; ++i) PetscCall(PetscFree(names->name[i]));
+  for (PetscInt i = 0; i < names->num; i++) PetscCall(PetscFree(names->name[i]));
   PetscCall(PetscFree(names->name));
   names->num = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -82,12 +82,12 @@ PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt f
 {
   const PetscInt num_nodes = ElementNumNodes(ElementLinear(ElementFacetType(type)));
 
-  for (PetscInt f = 0; f < ElementNumFacets(type); ++f) {
+  for (PetscInt f = 0; f < ElementNumFacets(type); f++) {
     const PetscInt *nodes = ElementFacetNodes(type, f);
     PetscInt        found = 0;
 
-    for (PetscInt i = 0; i < num_nodes; ++i) {
-      for (PetscInt j = 0; j < num_nodes; ++j) found += cell[nodes[i]] == facet[j];
+    for (PetscInt i = 0; i < num_nodes; i++) {
+      for (PetscInt j = 0; j < num_nodes; j++) found += cell[nodes[i]] == facet[j];
     }
     if (found == num_nodes) return f;
   }

@@ -13,7 +13,7 @@ static PetscErrorCode FacetGetPoint_Private(const BodyList *list, const Numberin
   PetscInt          vertices[ELEMENT_MAX_FACET_NODES];
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < num; ++i)
+  for (PetscInt i = 0; i < num; i++)
     vertices[i] = numbering->first_vertex[body] + list->cell_nodes[cell * ELEMENT_MAX_NODES + nodes[i]];
   PetscCall(PointFindFacet(dm, numbering->point[body][cell], num, vertices, point));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -29,17 +29,17 @@ static PetscErrorCode MergeSetLabels_Private(Scene scene, const BodyList lists[]
   PetscFunctionBeginUser;
   PetscCall(DMCreateLabel(dm, "body"));
   PetscCall(DMGetLabel(dm, "body", &label));
-  for (PetscInt b = 0; b < numbering->num_bodies; ++b) {
-    for (PetscInt c = 0; c < lists[b].num_cells; ++c) PetscCall(DMLabelSetValue(label, numbering->point[b][c], b));
+  for (PetscInt b = 0; b < numbering->num_bodies; b++) {
+    for (PetscInt c = 0; c < lists[b].num_cells; c++) PetscCall(DMLabelSetValue(label, numbering->point[b][c], b));
   }
-  for (PetscInt b = 0; b < numbering->num_bodies; ++b) {
-    for (PetscInt s = 0; s < names[b].num; ++s) {
+  for (PetscInt b = 0; b < numbering->num_bodies; b++) {
+    for (PetscInt s = 0; s < names[b].num; s++) {
       char text[PETSC_MAX_PATH_LEN];
 
       PetscCall(PetscSNPrintf(text, sizeof(text), "%s:%s", scene->bodies[b].name, names[b].name[s]));
       PetscCall(DMCreateLabel(dm, text));
       PetscCall(DMGetLabel(dm, text, &label));
-      for (PetscInt f = 0; f < lists[b].num_facets; ++f) {
+      for (PetscInt f = 0; f < lists[b].num_facets; f++) {
         PetscInt point;
 
         if (lists[b].facet_side[f] != s) continue;

@@ -50,7 +50,7 @@ typedef struct {
 /* Splits a number into digits, the first one fastest. [in] base - [dim] */
 static void Digits_Private(PetscInt dim, const PetscInt base[], PetscInt number, PetscInt digit[])
 {
-  for (PetscInt d = 0; d < dim; ++d) {
+  for (PetscInt d = 0; d < dim; d++) {
     digit[d] = number % base[d];
     number /= base[d];
   }
@@ -60,7 +60,7 @@ static PetscInt Product_Private(PetscInt num, const PetscInt factor[])
 {
   PetscInt product = 1;
 
-  for (PetscInt i = 0; i < num; ++i) product *= factor[i];
+  for (PetscInt i = 0; i < num; i++) product *= factor[i];
   return product;
 }
 
@@ -69,20 +69,20 @@ static void BoxSetCells_Private(const Grid *grid, BodyList *list)
 {
   const Split *split = grid->split;
 
-  for (PetscInt brick = 0; brick < Product_Private(grid->dim, grid->n); ++brick) {
+  for (PetscInt brick = 0; brick < Product_Private(grid->dim, grid->n); brick++) {
     PetscInt at[3], node[MAX_CORNERS];
 
     Digits_Private(grid->dim, grid->n, brick, at);
-    for (PetscInt i = 0; i < ElementNumNodes(split->brick); ++i) {
+    for (PetscInt i = 0; i < ElementNumNodes(split->brick); i++) {
       node[i] = 0;
-      for (PetscInt d = grid->dim - 1; d >= 0; --d)
+      for (PetscInt d = grid->dim - 1; d >= 0; d--)
         node[i] = node[i] * (grid->n[d] + 1) + at[d] + (ElementNode(split->brick, i)[d] > 0);
     }
-    for (PetscInt p = 0; p < split->num_parts; ++p) {
+    for (PetscInt p = 0; p < split->num_parts; p++) {
       const PetscInt cell = brick * split->num_parts + p;
 
       list->cell_type[cell] = split->part;
-      for (PetscInt i = 0; i < ElementNumNodes(split->part); ++i)
+      for (PetscInt i = 0; i < ElementNumNodes(split->part); i++)
         list->cell_nodes[cell * ELEMENT_MAX_NODES + i] = node[split->corners[p][i]];
     }
   }
@@ -93,10 +93,10 @@ static void BoxSetCoords_Private(const SceneBody *body, const Grid *grid, BodyLi
 {
   PetscInt num[3], at[3];
 
-  for (PetscInt d = 0; d < grid->dim; ++d) num[d] = grid->n[d] + 1;
-  for (PetscInt node = 0; node < list->num_nodes; ++node) {
+  for (PetscInt d = 0; d < grid->dim; d++) num[d] = grid->n[d] + 1;
+  for (PetscInt node = 0; node < list->num_nodes; node++) {
     Digits_Private(grid->dim, num, node, at);
-    for (PetscInt d = 0; d < grid->dim; ++d) {
+    for (PetscInt d = 0; d < grid->dim; d++) {
       const PetscReal s = (PetscReal)at[d] / grid->n[d];
 
       list->coords[node * grid->dim + d] = (1 - s) * body->lower[d] + s * body->upper[d];
@@ -109,11 +109,11 @@ static PetscInt PartFindFacet_Private(const Split *split, PetscInt part, const S
 {
   const PetscInt num = ElementNumNodes(ElementFacetType(split->part));
 
-  for (PetscInt f = 0; f < ElementNumFacets(split->part); ++f) {
+  for (PetscInt f = 0; f < ElementNumFacets(split->part); f++) {
     const PetscInt *nodes = ElementFacetNodes(split->part, f);
     PetscInt        on    = 0;
 
-    for (PetscInt i = 0; i < num; ++i)
+    for (PetscInt i = 0; i < num; i++)
       on += ElementNode(split->brick, split->corners[part][nodes[i]])[side->axis] == (PetscReal)side->end;
     if (on == num) return f;
   }
@@ -125,12 +125,12 @@ static void BoxAddSide_Private(const Grid *grid, const Side *side, PetscInt inde
 {
   const Split *split = grid->split;
 
-  for (PetscInt brick = 0; brick < Product_Private(grid->dim, grid->n); ++brick) {
+  for (PetscInt brick = 0; brick < Product_Private(grid->dim, grid->n); brick++) {
     PetscInt at[3];
 
     Digits_Private(grid->dim, grid->n, brick, at);
     if (at[side->axis] != (side->end ? grid->n[side->axis] - 1 : 0)) continue;
-    for (PetscInt p = 0; p < split->num_parts; ++p) {
+    for (PetscInt p = 0; p < split->num_parts; p++) {
       const PetscInt facet = PartFindFacet_Private(split, p, side);
 
       if (facet < 0) continue;
@@ -151,19 +151,19 @@ PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const Side
   PetscInt nodes[3] = {0, 0, 0}, num_bricks, num_facets = 0;
 
   PetscFunctionBeginUser;
-  for (PetscInt d = 0; d < dim; ++d) {
+  for (PetscInt d = 0; d < dim; d++) {
     grid.n[d] = body->faces[d] << body->refine;
     nodes[d]  = grid.n[d] + 1;
   }
   num_bricks = Product_Private(dim, grid.n);
-  for (PetscInt d = 0; d < dim; ++d) num_facets += 2 * MAX_PARTS_ON_SIDE * (num_bricks / grid.n[d]);
+  for (PetscInt d = 0; d < dim; d++) num_facets += 2 * MAX_PARTS_ON_SIDE * (num_bricks / grid.n[d]);
   PetscCall(BodyListAllocate(dim, num_bricks * grid.split->num_parts, Product_Private(dim, nodes), num_facets, list));
   BoxSetCells_Private(&grid, list);
   BoxSetCoords_Private(body, &grid, list);
-  for (PetscInt i = 0; i < names->num; ++i) {
+  for (PetscInt i = 0; i < names->num; i++) {
     PetscInt side = 0;
 
-    while (side < 2 * dim && strcmp(Sides[dim][side].name, names->name[i])) ++side;
+    while (side < 2 * dim && strcmp(Sides[dim][side].name, names->name[i])) side++;
     if (side < 2 * dim)
       BoxAddSide_Private(&grid, &Sides[dim][side], i, list);
     else

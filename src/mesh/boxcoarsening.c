@@ -30,11 +30,11 @@ static Size SceneGetSize_Private(Scene scene, PetscInt times, PetscInt order)
 {
   Size size = {0, 0};
 
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
     const SceneBody *body  = &scene->bodies[b];
     PetscReal        cells = 1, nodes = 1;
 
-    for (PetscInt d = 0; d < scene->dim; ++d) {
+    for (PetscInt d = 0; d < scene->dim; d++) {
       const PetscReal faces = body->faces[d] * PetscPowReal(2, (PetscReal)(body->refine + times));
 
       cells *= faces;
@@ -52,7 +52,7 @@ static PetscBool SceneWantsLevels_Private(Scene scene)
   const SceneStudy *study = &scene->study;
   PetscInt          order = 1;
 
-  for (PetscInt i = 0; i < study->num_orders; ++i) order = PetscMax(order, study->orders[i]);
+  for (PetscInt i = 0; i < study->num_orders; i++) order = PetscMax(order, study->orders[i]);
   return MeshWantsLevels(scene,
                          SceneGetSize_Private(scene, scene->refine + PetscMax(study->levels - 1, 0), order).unknowns);
 }
@@ -64,8 +64,8 @@ static PetscInt BodyCountCoarser_Private(const SceneBody *body, PetscInt dim)
   PetscInt faces = 0, times = body->refine;
 
   if (body->mesh_file || (body->simplex && dim == 3)) return 0;
-  for (PetscInt d = 0; d < dim; ++d) faces |= body->faces[d]; // its lowest bit is the lowest of all
-  for (; faces % 2 == 0; faces /= 2) ++times;
+  for (PetscInt d = 0; d < dim; d++) faces |= body->faces[d]; // its lowest bit is the lowest of all
+  for (; faces % 2 == 0; faces /= 2) times++;
   return times;
 }
 
@@ -83,13 +83,13 @@ PetscInt SceneCountCoarser(Scene scene, PetscMPIInt num_ranks)
   PetscInt most = PETSC_MAX_INT, times;
 
   if (!SceneWantsLevels_Private(scene)) return 0;
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
     most = PetscMin(most, BodyCountCoarser_Private(&scene->bodies[b], scene->dim));
     // cells may tangle in one order and not in another, but in a study all orders have the same levels
     if (scene->bodies[b].map && scene->study.num_orders > 1) most = 0;
   }
   times = most;
-  while (times > 0 && SceneIsSmall_Private(scene, times, num_ranks)) --times;
+  while (times > 0 && SceneIsSmall_Private(scene, times, num_ranks)) times--;
   // who asks for levels gets one at least
   return !times && !scene->refine && scene->levels == LEVELS_USED ? PetscMin(most, 1) : times;
 }
@@ -99,5 +99,5 @@ void BodyCoarsen(SceneBody *body, PetscInt dim, PetscInt times)
   const PetscInt rest = PetscMax(times - body->refine, 0);
 
   body->refine -= times - rest;
-  for (PetscInt d = 0; d < dim; ++d) body->faces[d] >>= rest;
+  for (PetscInt d = 0; d < dim; d++) body->faces[d] >>= rest;
 }

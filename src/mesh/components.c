@@ -16,15 +16,15 @@ static PetscInt ComponentsFind_Private(PetscInt parent[], PetscInt node)
 /* Sets of local nodes that this rank's cells join. [out] parent - the node that stands for each one's set [num_nodes] */
 static void ComponentsUnite_Private(const Level *level, PetscInt parent[])
 {
-  for (PetscInt i = 0; i < level->num_nodes; ++i) parent[i] = i;
-  for (PetscInt c = 0; c < level->num_cells; ++c) {
+  for (PetscInt i = 0; i < level->num_nodes; i++) parent[i] = i;
+  for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt first = level->cell_start[c];
 
-    for (PetscInt i = first + 1; i < level->cell_start[c + 1]; ++i)
+    for (PetscInt i = first + 1; i < level->cell_start[c + 1]; i++)
       parent[ComponentsFind_Private(parent, level->cell_nodes[i])] =
           ComponentsFind_Private(parent, level->cell_nodes[first]);
   }
-  for (PetscInt i = 0; i < level->num_nodes; ++i) parent[i] = ComponentsFind_Private(parent, i);
+  for (PetscInt i = 0; i < level->num_nodes; i++) parent[i] = ComponentsFind_Private(parent, i);
 }
 
 /* The largest global node of the component of each local node. [in] parent - of ComponentsUnite_Private(); [out] name - [num_nodes] */
@@ -37,16 +37,16 @@ static PetscErrorCode ComponentsNumber_Private(Level *level, const PetscInt pare
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(level, 1, &names));
   PetscCall(VecGhostGetLocalForm(names, &local));
-  for (PetscInt i = 0; i < level->num_nodes; ++i) name[i] = 0;
-  for (PetscInt i = 0; i < level->num_nodes; ++i) name[parent[i]] = PetscMax(name[parent[i]], level->node_global[i]);
+  for (PetscInt i = 0; i < level->num_nodes; i++) name[i] = 0;
+  for (PetscInt i = 0; i < level->num_nodes; i++) name[parent[i]] = PetscMax(name[parent[i]], level->node_global[i]);
   while (changed) {
     PetscCall(VecGetArray(local, &n));
-    for (PetscInt i = 0; i < level->num_nodes; ++i) n[i] = (PetscReal)name[parent[i]]; // whole numbers below 2^53
+    for (PetscInt i = 0; i < level->num_nodes; i++) n[i] = (PetscReal)name[parent[i]]; // whole numbers below 2^53
     PetscCall(VecRestoreArray(local, &n));
     PetscCall(LevelShareVec(names, MAX_VALUES));
     changed = PETSC_FALSE;
     PetscCall(VecGetArray(local, &n));
-    for (PetscInt i = 0; i < level->num_nodes; ++i) {
+    for (PetscInt i = 0; i < level->num_nodes; i++) {
       const PetscInt told = (PetscInt)PetscRealPart(n[i]);
 
       if (told <= name[parent[i]]) continue;
@@ -56,7 +56,7 @@ static PetscErrorCode ComponentsNumber_Private(Level *level, const PetscInt pare
     PetscCall(VecRestoreArray(local, &n));
     PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &changed, 1, MPIU_BOOL, MPI_LOR, level->comm));
   }
-  for (PetscInt i = 0; i < level->num_nodes; ++i) name[i] = name[parent[i]];
+  for (PetscInt i = 0; i < level->num_nodes; i++) name[i] = name[parent[i]];
   PetscCall(VecGhostRestoreLocalForm(names, &local));
   PetscCall(VecDestroy(&names));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -73,17 +73,17 @@ static PetscErrorCode ComponentsGather_Private(const Level *level, const PetscIn
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_size(level->comm, &size));
   PetscCall(PetscMalloc2(size, &counts, size + 1, &starts));
-  for (PetscInt a = 0; a < level->num_owned; ++a) mine += name[a] == level->node_global[a] ? 2 : 0;
+  for (PetscInt a = 0; a < level->num_owned; a++) mine += name[a] == level->node_global[a] ? 2 : 0;
   PetscCall(PetscMalloc1(mine, &own));
   mine = 0;
-  for (PetscInt a = 0; a < level->num_owned; ++a) {
+  for (PetscInt a = 0; a < level->num_owned; a++) {
     if (name[a] != level->node_global[a]) continue;
     own[mine++] = name[a];
     own[mine++] = level->node_body[a];
   }
   PetscCallMPI(MPI_Allgather(&mine, 1, MPI_INT, counts, 1, MPI_INT, level->comm));
   starts[0] = 0;
-  for (PetscMPIInt r = 0; r < size; ++r) starts[r + 1] = starts[r] + counts[r];
+  for (PetscMPIInt r = 0; r < size; r++) starts[r + 1] = starts[r] + counts[r];
   *num = starts[size] / 2;
   PetscCall(PetscMalloc1(starts[size], told));
   PetscCallMPI(MPI_Allgatherv(own, mine, MPIU_INT, *told, counts, starts, MPIU_INT, level->comm));
@@ -99,11 +99,11 @@ static PetscErrorCode ComponentsSetBoxes_Private(const Level *level, PetscInt nu
   const PetscInt dim = level->dim;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < num * COMPONENT_BOX; ++i) box[i] = i % 3 < dim ? PETSC_NINFINITY : 0;
-  for (PetscInt a = 0; a < level->num_owned; ++a) {
+  for (PetscInt i = 0; i < num * COMPONENT_BOX; i++) box[i] = i % 3 < dim ? PETSC_NINFINITY : 0;
+  for (PetscInt a = 0; a < level->num_owned; a++) {
     PetscReal *b = &box[of_node[a] * COMPONENT_BOX];
 
-    for (PetscInt k = 0; k < dim; ++k) {
+    for (PetscInt k = 0; k < dim; k++) {
       b[k]     = PetscMax(b[k], level->coords[a * dim + k]);
       b[3 + k] = PetscMax(b[3 + k], -level->coords[a * dim + k]);
     }
@@ -116,7 +116,7 @@ static PetscErrorCode ComponentsSetBoxes_Private(const Level *level, PetscInt nu
 static PetscBool ComponentsCompare_Private(const PetscInt told[], const PetscReal box[], PetscInt i, PetscInt j)
 {
   if (told[2 * i + 1] != told[2 * j + 1]) return (PetscBool)(told[2 * i + 1] < told[2 * j + 1]);
-  for (PetscInt k = 0; k < 3; ++k) {
+  for (PetscInt k = 0; k < 3; k++) {
     const PetscReal *a = &box[i * COMPONENT_BOX], *b = &box[j * COMPONENT_BOX],
                     difference = (a[k] - a[3 + k]) - (b[k] - b[3 + k]);
 
@@ -134,8 +134,8 @@ static void ComponentsSort_Private(const PetscInt told[], const PetscReal box[],
   if (num < 2) return;
   ComponentsSort_Private(told, box, half, order, work);
   ComponentsSort_Private(told, box, num - half, order + half, work);
-  for (PetscInt i = 0; i < num; ++i) work[i] = order[i];
-  for (PetscInt n = 0, i = 0, j = half; n < num; ++n)
+  for (PetscInt i = 0; i < num; i++) work[i] = order[i];
+  for (PetscInt n = 0, i = 0, j = half; n < num; n++)
     order[n] = j == num || (i < half && ComponentsCompare_Private(told, box, work[i], work[j])) ? work[i++] : work[j++];
 }
 
@@ -151,21 +151,21 @@ PetscErrorCode ComponentsCreate(Level *level, Components *components)
   PetscCall(ComponentsNumber_Private(level, parent, name));
   PetscCall(ComponentsGather_Private(level, name, &num, &told));
   PetscCall(PetscMalloc4(num, &names, num, &order, num, &rank, num * COMPONENT_BOX, &box));
-  for (PetscInt i = 0; i < num; ++i) {
+  for (PetscInt i = 0; i < num; i++) {
     names[i] = told[2 * i];
     order[i] = i;
   }
-  for (PetscInt i = 0; i < level->num_nodes; ++i) PetscCall(PetscFindInt(name[i], num, names, &components->of_node[i]));
+  for (PetscInt i = 0; i < level->num_nodes; i++) PetscCall(PetscFindInt(name[i], num, names, &components->of_node[i]));
   PetscCall(ComponentsSetBoxes_Private(level, num, components->of_node, box));
   ComponentsSort_Private(told, box, num, order, rank);
-  for (PetscInt n = 0; n < num; ++n) rank[order[n]] = n;
+  for (PetscInt n = 0; n < num; n++) rank[order[n]] = n;
   components->num = num;
   PetscCall(PetscMalloc2(num, &components->body, num * COMPONENT_BOX, &components->box));
-  for (PetscInt n = 0; n < num; ++n) {
+  for (PetscInt n = 0; n < num; n++) {
     components->body[n] = told[2 * order[n] + 1];
     PetscCall(PetscArraycpy(&components->box[n * COMPONENT_BOX], &box[order[n] * COMPONENT_BOX], COMPONENT_BOX));
   }
-  for (PetscInt i = 0; i < level->num_nodes; ++i) components->of_node[i] = rank[components->of_node[i]];
+  for (PetscInt i = 0; i < level->num_nodes; i++) components->of_node[i] = rank[components->of_node[i]];
   PetscCall(PetscFree4(names, order, rank, box));
   PetscCall(PetscFree(told));
   PetscCall(PetscFree2(parent, name));
@@ -192,10 +192,10 @@ PetscErrorCode ComponentsOfGlobalNodes(Level *level, const Components *component
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(num, &asked));
-  for (PetscInt i = 0; i < num; ++i) asked[i] = PetscMax(nodes[i], 0);
+  for (PetscInt i = 0; i < num; i++) asked[i] = PetscMax(nodes[i], 0);
   PetscCall(LevelCreateVec(level, 1, &all));
   PetscCall(VecGetArray(all, &values));
-  for (PetscInt a = 0; a < level->num_owned; ++a) values[a] = (PetscReal)components->of_node[a];
+  for (PetscInt a = 0; a < level->num_owned; a++) values[a] = (PetscReal)components->of_node[a];
   PetscCall(VecRestoreArray(all, &values));
   PetscCall(VecCreateSeq(PETSC_COMM_SELF, num, &some));
   PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num, asked, PETSC_OWN_POINTER, &where));
@@ -203,7 +203,7 @@ PetscErrorCode ComponentsOfGlobalNodes(Level *level, const Components *component
   PetscCall(VecScatterBegin(scatter, all, some, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecScatterEnd(scatter, all, some, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecGetArrayRead(some, &found));
-  for (PetscInt i = 0; i < num; ++i) component[i] = nodes[i] < 0 ? -1 : (PetscInt)PetscRealPart(found[i]);
+  for (PetscInt i = 0; i < num; i++) component[i] = nodes[i] < 0 ? -1 : (PetscInt)PetscRealPart(found[i]);
   PetscCall(VecRestoreArrayRead(some, &found));
   PetscCall(VecScatterDestroy(&scatter));
   PetscCall(ISDestroy(&where));
@@ -216,6 +216,6 @@ PetscInt ComponentsOfBody(const Components *components, PetscInt body)
 {
   PetscInt count = 0;
 
-  for (PetscInt n = 0; n < components->num; ++n) count += components->body[n] == body;
+  for (PetscInt n = 0; n < components->num; n++) count += components->body[n] == body;
   return count;
 }

@@ -14,7 +14,7 @@ static PetscErrorCode CellGetMiddles_Private(DM dm, const BodyList *list, const 
   PetscFunctionBeginUser;
   *num = 0;
   if (ElementOrder(type) == 1) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt i = 0; i < ElementNumNodes(ElementLinear(type)); ++i)
+  for (PetscInt i = 0; i < ElementNumNodes(ElementLinear(type)); i++)
     vertices[i] = numbering->first_vertex[body] + list->cell_nodes[cell * ELEMENT_MAX_NODES + i];
   PetscCall(PointGetMiddles(dm, numbering->point[body][cell], vertices, num, points));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -29,10 +29,10 @@ static PetscErrorCode CurvesSetSection_Private(DM dm, const BodyList lists[], co
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetChart(dm, &begin, &end));
   PetscCall(PetscSectionSetChart(section, begin, end));
-  for (PetscInt b = 0; b < numbering->num_bodies; ++b) {
-    for (PetscInt c = 0; c < lists[b].num_cells; ++c) {
+  for (PetscInt b = 0; b < numbering->num_bodies; b++) {
+    for (PetscInt c = 0; c < lists[b].num_cells; c++) {
       PetscCall(CellGetMiddles_Private(dm, &lists[b], numbering, b, c, &num, points));
-      for (PetscInt i = 0; i < num; ++i) PetscCall(PetscSectionSetDof(section, points[i], lists[b].dim));
+      for (PetscInt i = 0; i < num; i++) PetscCall(PetscSectionSetDof(section, points[i], lists[b].dim));
     }
   }
   PetscCall(PetscSectionSetUp(section));
@@ -50,19 +50,19 @@ PetscErrorCode CurvesCreate(DM dm, const BodyList lists[], const Numbering *numb
   PetscCall(PetscSectionGetStorageSize(curves->section, &size));
   PetscCall(VecCreateSeq(PETSC_COMM_SELF, size, &curves->positions));
   PetscCall(VecGetArray(curves->positions, &x));
-  for (PetscInt b = 0; b < numbering->num_bodies; ++b) {
+  for (PetscInt b = 0; b < numbering->num_bodies; b++) {
     const BodyList *list = &lists[b];
 
-    for (PetscInt c = 0; c < list->num_cells; ++c) {
+    for (PetscInt c = 0; c < list->num_cells; c++) {
       const ElementType type   = (ElementType)list->cell_type[c];
       const PetscInt   *middle = &list->cell_nodes[c * ELEMENT_MAX_NODES] + ElementNumNodes(ElementLinear(type));
 
       PetscCall(CellGetMiddles_Private(dm, list, numbering, b, c, &num, points));
-      for (PetscInt i = 0; i < num; ++i) {
+      for (PetscInt i = 0; i < num; i++) {
         PetscInt offset;
 
         PetscCall(PetscSectionGetOffset(curves->section, points[i], &offset));
-        for (PetscInt d = 0; d < list->dim; ++d) x[offset + d] = list->coords[middle[i] * list->dim + d];
+        for (PetscInt d = 0; d < list->dim; d++) x[offset + d] = list->coords[middle[i] * list->dim + d];
       }
     }
   }
@@ -108,13 +108,13 @@ PetscErrorCode CurvesGetNodes(const Curves *curves, const Level *level, PetscRea
   if (!curves->section) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscSectionGetChart(curves->section, &begin, &end));
   PetscCall(VecGetArrayRead(curves->positions, &x));
-  for (PetscInt p = PetscMax(begin, level->point_begin); p < PetscMin(end, level->point_end); ++p) {
+  for (PetscInt p = PetscMax(begin, level->point_begin); p < PetscMin(end, level->point_end); p++) {
     const PetscInt node = PointGetNode(level, p);
     PetscInt       num, offset;
 
     PetscCall(PetscSectionGetDof(curves->section, p, &num));
     PetscCall(PetscSectionGetOffset(curves->section, p, &offset));
-    for (PetscInt d = 0; d < num && node >= 0; ++d) X[node * level->dim + d] = PetscRealPart(x[offset + d]);
+    for (PetscInt d = 0; d < num && node >= 0; d++) X[node * level->dim + d] = PetscRealPart(x[offset + d]);
   }
   PetscCall(VecRestoreArrayRead(curves->positions, &x));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -35,7 +35,7 @@ PetscErrorCode ExtractFindOther(const Extract *x, PetscInt wanted, const char gr
 
   PetscFunctionBeginUser;
   *kind = NULL;
-  for (PetscInt d = 0; d <= dim; ++d) {
+  for (PetscInt d = 0; d <= dim; d++) {
     PetscInt tag, size = 0;
 
     if (d == wanted || !GmshNamesFindGroup(x->names, d, group, &tag)) continue;
@@ -54,18 +54,18 @@ static PetscErrorCode ExtractSelect_Private(Extract *x, PetscInt dim, char sente
   char        text[MESH_SENTENCE / 2] = "";
 
   PetscFunctionBeginUser;
-  for (PetscInt c = 0; c < x->level.num_cells; ++c) x->cell_at[c] = region ? -1 : x->num_cells++;
+  for (PetscInt c = 0; c < x->level.num_cells; c++) x->cell_at[c] = region ? -1 : x->num_cells++;
   if (!region) PetscFunctionReturn(PETSC_SUCCESS);
   if (GmshNamesFindGroup(x->names, dim, region, &tag))
     PetscCall(LabelGetPoints(x->level.dm, "Cell Sets", tag, &num, &points));
-  for (PetscInt i = 0; i < num; ++i) { // refinement labels the cells' edges as well
+  for (PetscInt i = 0; i < num; i++) { // refinement labels the cells' edges as well
     if (points[i] >= x->cell_begin && points[i] < x->cell_begin + x->level.num_cells)
       x->cell_at[points[i] - x->cell_begin] = x->num_cells++;
   }
   PetscCall(PetscFree(points));
   if (x->num_cells) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(LabelGetPoints(x->level.dm, "Cell Sets", -1, &num, &points));
-  for (PetscInt i = 0; i < num; ++i) {
+  for (PetscInt i = 0; i < num; i++) {
     if (points[i]) GmshNamesDescribe(x->names, dim, points[i], text, sizeof(text)); // 0: in no group
   }
   PetscCall(PetscFree(points));
@@ -83,18 +83,18 @@ static void ExtractNumber_Private(Extract *x)
   enum { UNUSED = -1, VERTEX = -2, MIDDLE = -3 };
   const Level *level = &x->level;
 
-  for (PetscInt n = 0; n < level->num_nodes; ++n) x->node_at[n] = UNUSED;
-  for (PetscInt c = 0; c < level->num_cells; ++c) {
+  for (PetscInt n = 0; n < level->num_nodes; n++) x->node_at[n] = UNUSED;
+  for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
 
-    for (PetscInt i = 0; i < level->cell_start[c + 1] - level->cell_start[c] && x->cell_at[c] >= 0; ++i)
+    for (PetscInt i = 0; i < level->cell_start[c + 1] - level->cell_start[c] && x->cell_at[c] >= 0; i++)
       x->node_at[nodes[i]] = i < LevelNumVertices(level, c) ? VERTEX : MIDDLE;
   }
-  for (PetscInt n = 0; n < level->num_nodes; ++n) {
+  for (PetscInt n = 0; n < level->num_nodes; n++) {
     if (x->node_at[n] == VERTEX) x->node_at[n] = x->num_nodes++;
   }
   x->num_vertices = x->num_nodes;
-  for (PetscInt n = 0; n < level->num_nodes; ++n) {
+  for (PetscInt n = 0; n < level->num_nodes; n++) {
     if (x->node_at[n] == MIDDLE) x->node_at[n] = x->num_nodes++;
   }
 }
@@ -109,10 +109,10 @@ static PetscReal CellGetMeasure_Private(const BodyList *list, PetscInt cell, Pet
   PetscReal         phi[ELEMENT_MAX_NODES], measure = 0;
   const PetscInt    num = QuadratureRule(type, degree, xi, weight);
 
-  for (PetscInt i = 0; i < ElementNumNodes(type); ++i) {
-    for (PetscInt d = 0; d < list->dim; ++d) X[i * list->dim + d] = list->coords[nodes[i] * list->dim + d];
+  for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
+    for (PetscInt d = 0; d < list->dim; d++) X[i * list->dim + d] = list->coords[nodes[i] * list->dim + d];
   }
-  for (PetscInt q = 0; q < num; ++q) measure += weight[q] * ElementMap(type, X, &xi[q * list->dim], NULL, phi, NULL);
+  for (PetscInt q = 0; q < num; q++) measure += weight[q] * ElementMap(type, X, &xi[q * list->dim], NULL, phi, NULL);
   return measure;
 }
 
@@ -125,18 +125,18 @@ static void ExtractCells_Private(const Extract *x, BodyList *list)
   list->num_vertices = x->num_vertices;
   list->curved_file  = x->alone.order > 1 ? PETSC_TRUE : PETSC_FALSE;
   list->straightened = x->body->order < x->alone.order ? PETSC_TRUE : PETSC_FALSE;
-  for (PetscInt n = 0; n < level->num_nodes; ++n) {
-    for (PetscInt d = 0; d < list->dim && x->node_at[n] >= 0; ++d)
+  for (PetscInt n = 0; n < level->num_nodes; n++) {
+    for (PetscInt d = 0; d < list->dim && x->node_at[n] >= 0; d++)
       list->coords[x->node_at[n] * list->dim + d] = level->coords[n * list->dim + d];
   }
-  for (PetscInt c = 0; c < level->num_cells; ++c) {
+  for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt at = x->cell_at[c], num = level->cell_start[c + 1] - level->cell_start[c];
     PetscInt      *nodes;
 
     if (at < 0) continue;
     nodes               = &list->cell_nodes[at * ELEMENT_MAX_NODES];
     list->cell_type[at] = level->cell_type[c];
-    for (PetscInt i = 0; i < num; ++i) nodes[i] = x->node_at[level->cell_nodes[level->cell_start[c] + i]];
+    for (PetscInt i = 0; i < num; i++) nodes[i] = x->node_at[level->cell_nodes[level->cell_start[c] + i]];
     if (CellGetMeasure_Private(list, at, x->body->order) < 0) CellReverse((ElementType)list->cell_type[at], nodes);
   }
 }
@@ -155,7 +155,7 @@ static PetscErrorCode ExtractSetLevel_Private(Extract *x, Scene scene, PetscInt 
   x->scene       = (struct _n_Scene){.comm = PETSC_COMM_SELF, .dim = scene->dim, .num_bodies = 1, .bodies = &x->alone};
   PetscCall(LevelCreateTables(&x->scene, file->dm, x->alone.order, &x->level));
   PetscCall(LevelSetCoords(&x->level, &file->curves));
-  for (PetscInt i = 0; i < x->body->refine; ++i) {
+  for (PetscInt i = 0; i < x->body->refine; i++) {
     ArcSides sides;
     Level    coarse;
 

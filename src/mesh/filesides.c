@@ -19,7 +19,7 @@ static PetscErrorCode FacetGetCorners_Private(const Extract *x, PetscInt facet, 
 
   PetscFunctionBeginUser;
   PetscCall(PointGetVertices(x->level.dm, facet, &num, vertices));
-  for (PetscInt i = 0; i < num; ++i) corners[i] = x->node_at[PointGetNode(&x->level, vertices[i])];
+  for (PetscInt i = 0; i < num; i++) corners[i] = x->node_at[PointGetNode(&x->level, vertices[i])];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -34,7 +34,7 @@ static PetscErrorCode FacetGetCell_Private(const Extract *x, PetscInt facet, Pet
   *cell = -1;
   PetscCall(DMPlexGetSupportSize(x->level.dm, facet, &size));
   PetscCall(DMPlexGetSupport(x->level.dm, facet, &support));
-  for (PetscInt i = 0; i < size; ++i) {
+  for (PetscInt i = 0; i < size; i++) {
     if (x->cell_at[support[i] - x->cell_begin] < 0) continue;
     *cell = x->cell_at[support[i] - x->cell_begin];
     ++*num;
@@ -52,7 +52,7 @@ static PetscBool CellKeepsSense_Private(const BodyList *list, PetscInt cell, con
   const PetscInt   *local = ElementFacetNodes(type, CellFindFacet(type, nodes, corners));
   PetscInt          at    = 0;
 
-  while (nodes[local[at]] != corners[0]) ++at;
+  while (nodes[local[at]] != corners[0]) at++;
   if (num == 2) return at == 0 ? PETSC_TRUE : PETSC_FALSE; // the ends of a line follow each other either way round
   return nodes[local[(at + 1) % num]] == corners[1] ? PETSC_TRUE : PETSC_FALSE;
 }
@@ -68,10 +68,10 @@ static PetscErrorCode FacetCountSenses_Private(const Extract *x, const BodyList 
   PetscCall(FacetGetCorners_Private(x, facet, corners));
   PetscCall(DMPlexGetSupportSize(x->level.dm, facet, &size));
   PetscCall(DMPlexGetSupport(x->level.dm, facet, &support));
-  for (PetscInt i = 0; i < size; ++i) {
+  for (PetscInt i = 0; i < size; i++) {
     const PetscInt cell = x->cell_at[support[i] - x->cell_begin];
 
-    if (cell >= 0) ++num[!CellKeepsSense_Private(list, cell, corners)];
+    if (cell >= 0) num[!CellKeepsSense_Private(list, cell, corners)]++;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -83,7 +83,7 @@ static PetscErrorCode FacetDescribe_Private(const Extract *x, const BodyList *li
 
   PetscFunctionBeginUser;
   PetscCall(FacetGetCorners_Private(x, facet, corners));
-  for (PetscInt d = 0; d < list->dim; ++d) {
+  for (PetscInt d = 0; d < list->dim; d++) {
     const size_t used = strlen(text);
 
     snprintf(text + used, MESH_SENTENCE - used, "%s%g", d ? ", " : " (",
@@ -101,7 +101,7 @@ PetscErrorCode ExtractCheckFacets(const Extract *x, const BodyList *list, char s
 
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetHeightStratum(x->level.dm, 1, &begin, &end));
-  for (PetscInt f = begin; f < end; ++f) {
+  for (PetscInt f = begin; f < end; f++) {
     PetscCall(FacetCountSenses_Private(x, list, f, num));
     if (num[0] <= 1 && num[1] <= 1) continue;
     PetscCall(FacetDescribe_Private(x, list, f, place));
@@ -124,17 +124,17 @@ static PetscErrorCode ExtractSide_Private(const Extract *x, PetscInt tag, PetscI
   *count = (SideCount){.inside = -1};
   PetscCall(DMPlexGetHeightStratum(x->level.dm, 1, &begin, &end));
   PetscCall(LabelGetPoints(x->level.dm, "Face Sets", tag, &num, &points));
-  for (PetscInt i = 0; i < num; ++i) {
+  for (PetscInt i = 0; i < num; i++) {
     PetscInt cell, cells, corners[ELEMENT_MAX_NODES];
 
     if (points[i] < begin || points[i] >= end) continue; // refinement labels what is on a facet as well
     PetscCall(FacetGetCell_Private(x, points[i], &cell, &cells));
     if (cells > 1) {
       count->inside = points[i];
-      ++count->num_inside;
+      count->num_inside++;
     }
     if (cell < 0) continue;
-    ++count->num;
+    count->num++;
     if (index < 0) continue;
     PetscCall(FacetGetCorners_Private(x, points[i], corners));
     list->facet_cell[list->num_facets] = cell;
@@ -156,7 +156,7 @@ static PetscErrorCode ExtractNoSide_Private(const Extract *x, const char side[],
 
   PetscFunctionBeginUser;
   PetscCall(LabelGetPoints(x->level.dm, "Face Sets", -1, &num, &tags));
-  for (PetscInt i = 0; i < num; ++i) {
+  for (PetscInt i = 0; i < num; i++) {
     if (tags[i] <= 0) continue; // 0: in no group
     PetscCall(ExtractSide_Private(x, tags[i], -1, list, &count));
     if (count.num) GmshNamesDescribe(x->names, list->dim - 1, tags[i], text, sizeof(text));
@@ -192,7 +192,7 @@ static PetscErrorCode ExtractInside_Private(const Extract *x, const char side[],
 PetscErrorCode ExtractSides(const Extract *x, const SideNames *names, BodyList *list, char sentence[])
 {
   PetscFunctionBeginUser;
-  for (PetscInt s = 0; s < names->num && !sentence[0]; ++s) {
+  for (PetscInt s = 0; s < names->num && !sentence[0]; s++) {
     SideCount count = {0};
     PetscInt  tag;
 

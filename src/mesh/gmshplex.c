@@ -25,13 +25,13 @@ static void GmshCheckDimension_Private(const GmshMesh *mesh, PetscInt dim, char 
   PetscInt  highest = 0;
   PetscReal lower[3], upper[3];
 
-  for (PetscInt d = 0; d < 3; ++d) {
+  for (PetscInt d = 0; d < 3; d++) {
     lower[d] = PETSC_MAX_REAL;
     upper[d] = -PETSC_MAX_REAL;
   }
-  for (PetscInt e = 0; e < mesh->num_elements; ++e) {
+  for (PetscInt e = 0; e < mesh->num_elements; e++) {
     highest = PetscMax(highest, mesh->type[e]->dim);
-    for (PetscInt i = 0; i < 3 * mesh->type[e]->num_nodes && mesh->type[e]->dim == dim; ++i) {
+    for (PetscInt i = 0; i < 3 * mesh->type[e]->num_nodes && mesh->type[e]->dim == dim; i++) {
       const PetscReal x = ElementGetPosition_Private(mesh, e, i / 3)[i % 3];
 
       lower[i % 3] = PetscMin(lower[i % 3], x);
@@ -51,14 +51,14 @@ static void GmshCheckTypes_Private(const GmshMesh *mesh, PetscInt dim, char reas
   PetscInt        at = 0, num = 0, others = 0;
   size_t          used;
 
-  for (PetscInt e = mesh->num_elements - 1; e >= 0; --e) {
+  for (PetscInt e = mesh->num_elements - 1; e >= 0; e--) {
     if (mesh->type[e]->dim != dim || mesh->type[e]->cell != ELEMENT_COUNT) continue;
     first = mesh->type[e];
     at    = e;
-    ++others;
+    others++;
   }
   if (!first) return;
-  for (PetscInt e = 0; e < mesh->num_elements; ++e) num += !strcmp(mesh->type[e]->name, first->name);
+  for (PetscInt e = 0; e < mesh->num_elements; e++) num += !strcmp(mesh->type[e]->name, first->name);
   used = (size_t)snprintf(reason, MESH_SENTENCE, "it holds %d %s", (int)num, first->name);
   if (others > num)
     used += (size_t)snprintf(reason + used, MESH_SENTENCE - used, " and %d others", (int)(others - num));
@@ -72,8 +72,8 @@ static void GmshCheckTypes_Private(const GmshMesh *mesh, PetscInt dim, char reas
 /* Appends the corners of an element to a sentence: " (0, 0) (1, 0)". [in,out] text - [MESH_SENTENCE] */
 static void ElementDescribe_Private(const GmshMesh *mesh, PetscInt e, PetscInt dim, char text[])
 {
-  for (PetscInt i = 0; i < ElementGetNumCorners_Private(mesh, e); ++i) {
-    for (PetscInt d = 0; d < dim; ++d) {
+  for (PetscInt i = 0; i < ElementGetNumCorners_Private(mesh, e); i++) {
+    for (PetscInt d = 0; d < dim; d++) {
       const size_t used = strlen(text);
 
       snprintf(text + used, MESH_SENTENCE - used, "%s%g", d ? ", " : " (",
@@ -86,13 +86,13 @@ static void ElementDescribe_Private(const GmshMesh *mesh, PetscInt e, PetscInt d
 /* Whether all cells and facets have as many corners as their type says. [out] reason - "" if so [MESH_SENTENCE] */
 static void GmshCheckCorners_Private(const GmshMesh *mesh, PetscInt dim, char reason[])
 {
-  for (PetscInt e = 0; e < mesh->num_elements && !reason[0]; ++e) {
+  for (PetscInt e = 0; e < mesh->num_elements && !reason[0]; e++) {
     const PetscInt *nodes  = &mesh->nodes[mesh->start[e]];
     PetscBool       merged = PETSC_FALSE;
 
     if (mesh->type[e]->dim < dim - 1) continue;
-    for (PetscInt i = 1; i < ElementGetNumCorners_Private(mesh, e); ++i) {
-      for (PetscInt j = 0; j < i; ++j) merged = merged || nodes[i] == nodes[j] ? PETSC_TRUE : PETSC_FALSE;
+    for (PetscInt i = 1; i < ElementGetNumCorners_Private(mesh, e); i++) {
+      for (PetscInt j = 0; j < i; j++) merged = merged || nodes[i] == nodes[j] ? PETSC_TRUE : PETSC_FALSE;
     }
     if (!merged) continue;
     snprintf(reason, MESH_SENTENCE, "one of its %s has one node at several of its corners", mesh->type[e]->name);
@@ -109,10 +109,10 @@ static void MiddleSet_Private(ElementType type, const PetscInt local[], const Pe
   const PetscReal of_edge   = 2 / PetscPowRealInt(2, (int)ElementDim(type)); // value of an edge's function there
   const PetscReal of_corner = (1 - edges * of_edge) / corners;
 
-  for (PetscInt d = 0; d < dim; ++d) {
+  for (PetscInt d = 0; d < dim; d++) {
     PetscReal x = 0;
 
-    for (PetscInt i = 0; i < corners + edges; ++i)
+    for (PetscInt i = 0; i < corners + edges; i++)
       x += (i < corners ? of_corner : of_edge) * list->coords[nodes[local ? local[i] : i] * dim + d];
     list->coords[middle * dim + d] = x;
   }
@@ -125,8 +125,8 @@ static void CellSetMiddles_Private(PetscInt cell, PetscInt num, BodyList *list)
   const ElementType type  = (ElementType)list->cell_type[cell];
   PetscInt         *nodes = &list->cell_nodes[cell * ELEMENT_MAX_NODES];
 
-  for (PetscInt i = num; i < ElementNumNodes(type); ++i) nodes[i] = list->num_nodes++;
-  for (PetscInt f = 0; f < ElementNumFacets(type); ++f) {
+  for (PetscInt i = num; i < ElementNumNodes(type); i++) nodes[i] = list->num_nodes++;
+  for (PetscInt f = 0; f < ElementNumFacets(type); f++) {
     const PetscInt *local  = ElementFacetNodes(type, f);
     const PetscInt  middle = local[ElementNumNodes(ElementFacetType(type)) - 1];
 
@@ -139,12 +139,12 @@ static void CellSetMiddles_Private(PetscInt cell, PetscInt num, BodyList *list)
 static void CellSetNodes_Private(const GmshMesh *mesh, PetscInt e, PetscInt cell, PetscInt first, PetscInt end,
                                  PetscInt number[], BodyList *list)
 {
-  for (PetscInt i = first; i < end; ++i) {
+  for (PetscInt i = first; i < end; i++) {
     const PetscInt node = mesh->nodes[mesh->start[e] + i];
 
     if (number[node] < 0) {
       number[node] = list->num_nodes++;
-      for (PetscInt d = 0; d < list->dim; ++d) list->coords[number[node] * list->dim + d] = mesh->coords[3 * node + d];
+      for (PetscInt d = 0; d < list->dim; d++) list->coords[number[node] * list->dim + d] = mesh->coords[3 * node + d];
     }
     list->cell_nodes[cell * ELEMENT_MAX_NODES + i] = number[node];
   }
@@ -156,16 +156,16 @@ static PetscErrorCode GmshGetCells_Private(const GmshMesh *mesh, PetscInt dim, P
   PetscInt num_cells = 0, num_middles = 0;
 
   PetscFunctionBeginUser;
-  for (PetscInt e = 0; e < mesh->num_elements; ++e) {
+  for (PetscInt e = 0; e < mesh->num_elements; e++) {
     if (mesh->type[e]->dim != dim) continue;
-    ++num_cells;
+    num_cells++;
     num_middles += ElementNumNodes(mesh->type[e]->cell) - mesh->type[e]->num_nodes;
   }
   PetscCall(BodyListAllocate(dim, num_cells, mesh->num_nodes + num_middles, 0, list));
   list->num_nodes = 0;
-  for (PetscInt n = 0; n < mesh->num_nodes; ++n) number[n] = -1;
-  for (int middles = 0; middles < 2; ++middles) {
-    for (PetscInt e = 0, cell = 0; e < mesh->num_elements; ++e) {
+  for (PetscInt n = 0; n < mesh->num_nodes; n++) number[n] = -1;
+  for (int middles = 0; middles < 2; middles++) {
+    for (PetscInt e = 0, cell = 0; e < mesh->num_elements; e++) {
       const GmshType *type = mesh->type[e];
       PetscInt        corners;
 
@@ -174,7 +174,7 @@ static PetscErrorCode GmshGetCells_Private(const GmshMesh *mesh, PetscInt dim, P
       list->cell_type[cell] = type->cell;
       CellSetNodes_Private(mesh, e, cell, middles ? corners : 0, middles ? type->num_nodes : corners, number, list);
       if (middles) CellSetMiddles_Private(cell, type->num_nodes, list);
-      ++cell;
+      cell++;
     }
     if (!middles) list->num_vertices = list->num_nodes;
   }
@@ -192,12 +192,12 @@ static PetscErrorCode FacetGetPoint_Private(const GmshMesh *mesh, PetscInt e, co
   *point = -1;
   PetscCall(DMPlexGetDepthStratum(dm, 0, &first, &last));
   PetscCall(DMPlexGetHeightStratum(dm, 1, &begin, &end));
-  for (PetscInt i = 0; i < corners; ++i) {
+  for (PetscInt i = 0; i < corners; i++) {
     vertices[i] = first + number[nodes[i]];
     if (vertices[i] < first || vertices[i] >= last) PetscFunctionReturn(PETSC_SUCCESS); // no cell has a corner there
   }
   PetscCall(DMPlexGetFullJoin(dm, corners, vertices, &num, &join));
-  for (PetscInt i = 0; i < num; ++i) { // three corners of a quadrangle may be those of a triangle of another body
+  for (PetscInt i = 0; i < num; i++) { // three corners of a quadrangle may be those of a triangle of another body
     if (join[i] < begin || join[i] >= end) continue;
     PetscCall(DMPlexGetConeSize(dm, join[i], &size)); // a facet has as many sides as corners
     if (size == corners) *point = join[i];
@@ -227,7 +227,7 @@ static PetscErrorCode GmshSetLabels_Private(const GmshMesh *mesh, const PetscInt
   PetscCall(DMCreateLabel(dm, "Face Sets"));
   PetscCall(DMGetLabel(dm, "Cell Sets", &cells));
   PetscCall(DMGetLabel(dm, "Face Sets", &facets));
-  for (PetscInt e = 0; e < mesh->num_elements && !reason[0]; ++e) {
+  for (PetscInt e = 0; e < mesh->num_elements && !reason[0]; e++) {
     const PetscBool is_cell = mesh->type[e]->dim == dim ? PETSC_TRUE : PETSC_FALSE;
     PetscInt        at;
 
@@ -238,7 +238,7 @@ static PetscErrorCode GmshSetLabels_Private(const GmshMesh *mesh, const PetscInt
     else
       continue; // in no group, or the edge of a solid
     if (at < 0) GmshDescribeFacet_Private(mesh, e, dim, reason);
-    for (PetscInt g = mesh->first_group[e]; g < mesh->end_group[e] && at >= 0; ++g)
+    for (PetscInt g = mesh->first_group[e]; g < mesh->end_group[e] && at >= 0; g++)
       PetscCall(DMLabelSetValue(is_cell ? cells : facets, at, mesh->group[g]));
   }
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -38,8 +38,8 @@ static PetscErrorCode LevelGetOwners_Private(const Level *level, PetscMPIInt **o
   PetscCallMPI(MPI_Comm_rank(level->comm, &rank));
   PetscCall(PetscLayoutCreateFromSizes(level->comm, level->num_owned, PETSC_DETERMINE, 1, &layout));
   PetscCall(PetscMalloc1(level->num_nodes, owner));
-  for (PetscInt i = 0; i < level->num_owned; ++i) (*owner)[i] = rank;
-  for (PetscInt i = level->num_owned; i < level->num_nodes; ++i)
+  for (PetscInt i = 0; i < level->num_owned; i++) (*owner)[i] = rank;
+  for (PetscInt i = level->num_owned; i < level->num_nodes; i++)
     PetscCall(PetscLayoutFindOwner(layout, level->node_global[i], &(*owner)[i]));
   PetscCall(PetscLayoutDestroy(&layout));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -54,11 +54,11 @@ typedef struct {
 static PetscBool ShareFacet_Private(ElementType type, PetscInt a, PetscInt b)
 {
   if (ElementFacetType(type) == ELEMENT_COUNT) return PETSC_FALSE;
-  for (PetscInt f = 0; f < ElementNumFacets(type); ++f) {
+  for (PetscInt f = 0; f < ElementNumFacets(type); f++) {
     const PetscInt *nodes = ElementFacetNodes(type, f);
     PetscInt        found = 0;
 
-    for (PetscInt i = 0; i < ElementNumNodes(ElementFacetType(type)); ++i) found += nodes[i] == a || nodes[i] == b;
+    for (PetscInt i = 0; i < ElementNumNodes(ElementFacetType(type)); i++) found += nodes[i] == a || nodes[i] == b;
     if (found == 2) return PETSC_TRUE;
   }
   return PETSC_FALSE;
@@ -67,10 +67,10 @@ static PetscBool ShareFacet_Private(ElementType type, PetscInt a, PetscInt b)
 /* [out] pairs - of every type [ELEMENT_COUNT] */
 static void PairsSet_Private(Pairs pairs[])
 {
-  for (PetscInt t = 0; t < ELEMENT_COUNT; ++t) {
+  for (PetscInt t = 0; t < ELEMENT_COUNT; t++) {
     pairs[t].num = 0;
-    for (PetscInt b = 0; b < ElementNumNodes((ElementType)t); ++b) {
-      for (PetscInt a = 0; a < b; ++a) {
+    for (PetscInt b = 0; b < ElementNumNodes((ElementType)t); b++) {
+      for (PetscInt a = 0; a < b; a++) {
         if (ShareFacet_Private((ElementType)t, a, b)) continue;
         pairs[t].node[pairs[t].num][0]   = a;
         pairs[t].node[pairs[t].num++][1] = b;
@@ -101,24 +101,24 @@ static PetscErrorCode LevelCountPairs_Private(Level *level, PetscScalar count[])
   PetscFunctionBeginUser;
   PairsSet_Private(pairs);
   PetscCall(LevelGetOwners_Private(level, &owner));
-  for (PetscInt i = 0; i < level->num_owned; ++i) count[2 * i] += 1;
+  for (PetscInt i = 0; i < level->num_owned; i++) count[2 * i] += 1;
 
   PetscCall(DMPlexGetChart(level->dm, &first, &last));
   PetscCall(PetscBTCreate(last - first, &ghost));
   PetscCall(DMGetPointSF(level->dm, &sf));
   PetscCall(PetscSFGetGraph(sf, NULL, &num_leaves, &leaves, NULL));
-  for (PetscInt i = 0; i < num_leaves; ++i) PetscCall(PetscBTSet(ghost, (leaves ? leaves[i] : i) - first));
-  for (PetscInt depth = 1; depth <= level->dim; ++depth) {
+  for (PetscInt i = 0; i < num_leaves; i++) PetscCall(PetscBTSet(ghost, (leaves ? leaves[i] : i) - first));
+  for (PetscInt depth = 1; depth <= level->dim; depth++) {
     PetscInt begin, end;
 
     PetscCall(DMPlexGetDepthStratum(level->dm, depth, &begin, &end));
-    for (PetscInt p = begin; p < end; ++p) {
+    for (PetscInt p = begin; p < end; p++) {
       PetscInt    nodes[ELEMENT_MAX_NODES];
       ElementType type;
 
       if (PetscBTLookup(ghost, p - first)) continue;
       PetscCall(PointGetNodes(level, p, &type, nodes));
-      for (PetscInt i = 0; i < pairs[type].num; ++i)
+      for (PetscInt i = 0; i < pairs[type].num; i++)
         CountPair_Private(owner, nodes[pairs[type].node[i][0]], nodes[pairs[type].node[i][1]], count);
     }
   }
@@ -146,7 +146,7 @@ PetscErrorCode LevelCreateMat(Level *level, PetscInt bs, Mat *A)
 
   PetscCall(PetscMalloc2(level->num_owned, &same, level->num_owned, &other));
   PetscCall(VecGetArrayRead(v, &total));
-  for (PetscInt i = 0; i < level->num_owned; ++i) {
+  for (PetscInt i = 0; i < level->num_owned; i++) {
     same[i]  = (PetscInt)PetscRealPart(total[2 * i]);
     other[i] = (PetscInt)PetscRealPart(total[2 * i + 1]);
   }

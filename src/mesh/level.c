@@ -36,7 +36,7 @@ PetscInt SceneMaxOrder(Scene scene)
 {
   PetscInt max_order = 1;
 
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) max_order = PetscMax(max_order, scene->bodies[b].order);
+  for (PetscInt b = 0; b < scene->num_bodies; b++) max_order = PetscMax(max_order, scene->bodies[b].order);
   return max_order;
 }
 

@@ -18,7 +18,7 @@ PetscErrorCode LevelSetCellBodies(Level *level)
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetHeightStratum(level->dm, 0, &begin, NULL));
   PetscCall(DMGetLabel(level->dm, "body", &label));
-  for (PetscInt b = 0; b < level->scene->num_bodies && label; ++b) {
+  for (PetscInt b = 0; b < level->scene->num_bodies && label; b++) {
     const PetscInt *cells;
     PetscInt        num;
     IS              is;
@@ -27,7 +27,7 @@ PetscErrorCode LevelSetCellBodies(Level *level)
     if (!is) continue; // none of it on this rank
     PetscCall(ISGetLocalSize(is, &num));
     PetscCall(ISGetIndices(is, &cells));
-    for (PetscInt i = 0; i < num; ++i) level->cell_body[cells[i] - begin] = b;
+    for (PetscInt i = 0; i < num; i++) level->cell_body[cells[i] - begin] = b;
     PetscCall(ISRestoreIndices(is, &cells));
     PetscCall(ISDestroy(&is));
   }
@@ -42,7 +42,7 @@ PetscErrorCode LevelFollowCellBodies(const Level *coarse, DMPlexTransform transf
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetHeightStratum(coarse->dm, 0, &coarse_begin, NULL));
   PetscCall(DMPlexGetHeightStratum(fine->dm, 0, &begin, NULL));
-  for (PetscInt c = 0; c < fine->num_cells; ++c) {
+  for (PetscInt c = 0; c < fine->num_cells; c++) {
     PetscCall(DMPlexTransformGetSourcePoint(transform, begin + c, &source, &target, &cell, &replica));
     fine->cell_body[c] = coarse->cell_body[cell - coarse_begin];
   }
@@ -58,13 +58,13 @@ PetscErrorCode LevelSetCells(Level *level)
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetHeightStratum(level->dm, 0, &begin, NULL));
   level->cell_start[0] = 0;
-  for (PetscInt c = 0; c < level->num_cells; ++c) {
+  for (PetscInt c = 0; c < level->num_cells; c++) {
     PetscCall(PointGetNodes(level, begin + c, &type, nodes));
     level->cell_type[c]      = type;
     level->cell_start[c + 1] = level->cell_start[c] + ElementNumNodes(type);
   }
   PetscCall(PetscMalloc1(level->cell_start[level->num_cells], &level->cell_nodes));
-  for (PetscInt c = 0; c < level->num_cells; ++c)
+  for (PetscInt c = 0; c < level->num_cells; c++)
     PetscCall(PointGetNodes(level, begin + c, &type, &level->cell_nodes[level->cell_start[c]]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -77,14 +77,14 @@ static PetscReal LevelCellCoords_Private(const Level *level, PetscInt cell, Pets
   const ElementType type    = (ElementType)level->cell_type[cell];
   PetscReal         longest = 0;
 
-  for (PetscInt i = 0; i < num; ++i) {
-    for (PetscInt d = 0; d < level->dim; ++d) X[i * level->dim + d] = level->coords[nodes[i] * level->dim + d];
+  for (PetscInt i = 0; i < num; i++) {
+    for (PetscInt d = 0; d < level->dim; d++) X[i * level->dim + d] = level->coords[nodes[i] * level->dim + d];
   }
-  for (PetscInt e = 0; e < ElementNumEdges(type); ++e) {
+  for (PetscInt e = 0; e < ElementNumEdges(type); e++) {
     const PetscInt *ends   = ElementEdgeNodes(type, e);
     PetscReal       square = 0;
 
-    for (PetscInt d = 0; d < level->dim; ++d)
+    for (PetscInt d = 0; d < level->dim; d++)
       square += PetscSqr(X[ends[0] * level->dim + d] - X[ends[1] * level->dim + d]);
     longest = PetscMax(longest, square);
   }
@@ -97,11 +97,11 @@ static PetscInt NodeMirror_Private(ElementType type, PetscInt node)
   const PetscReal *xi = ElementNode(type, node);
   PetscInt         i  = 0;
 
-  for (; i < ElementNumNodes(type); ++i) {
+  for (; i < ElementNumNodes(type); i++) {
     const PetscReal *other = ElementNode(type, i);
     PetscBool        same  = other[0] == xi[1] && other[1] == xi[0] ? PETSC_TRUE : PETSC_FALSE;
 
-    for (PetscInt d = 2; d < ElementDim(type); ++d) same = same && other[d] == xi[d] ? PETSC_TRUE : PETSC_FALSE;
+    for (PetscInt d = 2; d < ElementDim(type); d++) same = same && other[d] == xi[d] ? PETSC_TRUE : PETSC_FALSE;
     if (same) break;
   }
   return i;
@@ -110,7 +110,7 @@ static PetscInt NodeMirror_Private(ElementType type, PetscInt node)
 /* The first vertex stays. */
 void CellReverse(ElementType type, PetscInt nodes[])
 {
-  for (PetscInt i = 0; i < ElementNumNodes(type); ++i) {
+  for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
     const PetscInt mirror = NodeMirror_Private(type, i), node = nodes[i];
 
     if (mirror <= i) continue; // on the plane, or changed already
@@ -145,10 +145,10 @@ static void LevelDescribeCell_Private(const Level *level, PetscInt cell, char se
 
   used = (size_t)snprintf(sentence, MESH_SENTENCE, "body '%s' has a degenerate or tangled cell%s%s with corners",
                           body->name, body->order > 1 ? " of order 2" : "", body->map ? " after its map" : "");
-  for (PetscInt i = 0; i < LevelNumVertices(level, cell); ++i) {
+  for (PetscInt i = 0; i < LevelNumVertices(level, cell); i++) {
     const PetscReal *x = &level->coords[nodes[i] * level->dim];
 
-    for (PetscInt d = 0; d < level->dim; ++d) {
+    for (PetscInt d = 0; d < level->dim; d++) {
       used += (size_t)snprintf(sentence + used, MESH_SENTENCE - used, "%s%g", d ? ", " : " (",
                                (double)(x[d] + 0)); // not -0
     }
@@ -194,8 +194,8 @@ PetscErrorCode LevelTurnCells(Level *level, PetscBool *sound)
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc2(num + 1, &seen, num, &first));
-  for (PetscInt i = 0; i < num; ++i) first[i] = -1;
-  for (PetscInt c = 0; c < level->num_cells; ++c) {
+  for (PetscInt i = 0; i < num; i++) first[i] = -1;
+  for (PetscInt c = 0; c < level->num_cells; c++) {
     PetscBool turned, good;
 
     LevelTurnCell_Private(level, c, &turned, &good);
@@ -206,7 +206,7 @@ PetscErrorCode LevelTurnCells(Level *level, PetscBool *sound)
   seen[num] = sentence[0] ? 1 : 0;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, seen, (int)(num + 1), MPIU_INT, MPI_SUM, level->comm));
   if (sound) *sound = seen[num] ? PETSC_FALSE : PETSC_TRUE;
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
     if (!seen[2 * b] || !seen[2 * b + 1]) continue;
     if (sound)
       *sound = PETSC_FALSE;

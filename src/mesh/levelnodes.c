@@ -12,17 +12,17 @@ static PetscErrorCode PointsSetBodies_Private(DM dm, PetscInt dim, PetscInt body
 
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetChart(dm, &first, NULL));
-  for (PetscInt height = 0; height < dim; ++height) {
+  for (PetscInt height = 0; height < dim; height++) {
     PetscInt begin, end;
 
     PetscCall(DMPlexGetHeightStratum(dm, height, &begin, &end));
-    for (PetscInt p = begin; p < end; ++p) {
+    for (PetscInt p = begin; p < end; p++) {
       const PetscInt *cone;
       PetscInt        size;
 
       PetscCall(DMPlexGetConeSize(dm, p, &size));
       PetscCall(DMPlexGetCone(dm, p, &cone));
-      for (PetscInt i = 0; i < size; ++i) body[cone[i] - first] = body[p - first];
+      for (PetscInt i = 0; i < size; i++) body[cone[i] - first] = body[p - first];
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -41,7 +41,7 @@ static PetscErrorCode LevelMarkNodes_Private(Level *level, PetscInt max_order, c
   level->point_end   = max_order > 1 ? end : vertex_end;
   level->num_nodes   = 0;
   PetscCall(PetscMalloc1(level->point_end - level->point_begin, &level->point_node));
-  for (PetscInt p = level->point_begin; p < level->point_end; ++p) {
+  for (PetscInt p = level->point_begin; p < level->point_end; p++) {
     PetscBool carries = p >= vertex_begin && p < vertex_end ? PETSC_TRUE : PETSC_FALSE;
 
     if (!carries && level->scene->bodies[body[p - first]].order > 1) PetscCall(PointHasMiddle(level->dm, p, &carries));
@@ -62,7 +62,7 @@ static PetscErrorCode LevelSetSection_Private(Level *level)
   PetscCall(PetscSectionSetFieldName(section, 0, "displacement"));
   PetscCall(PetscSectionSetFieldComponents(section, 0, level->dim));
   PetscCall(PetscSectionSetChart(section, level->point_begin, level->point_end));
-  for (PetscInt p = level->point_begin; p < level->point_end; ++p) {
+  for (PetscInt p = level->point_begin; p < level->point_end; p++) {
     if (PointGetNode(level, p) < 0) continue;
     PetscCall(PetscSectionSetDof(section, p, level->dim));
     PetscCall(PetscSectionSetFieldDof(section, p, 0, level->dim));
@@ -84,8 +84,8 @@ static PetscErrorCode LevelNumberNodes_Private(Level *level, const PetscInt body
   PetscCall(DMGetGlobalSection(level->dm, &section));
   PetscCall(PetscMalloc3(level->num_nodes, &level->node_global, level->num_nodes, &level->node_body,
                          level->num_nodes * level->dim, &level->coords));
-  for (PetscInt ghosts = 0; ghosts < 2; ++ghosts) { // first those that this rank owns
-    for (PetscInt p = level->point_begin; p < level->point_end; ++p) {
+  for (PetscInt ghosts = 0; ghosts < 2; ghosts++) { // first those that this rank owns
+    for (PetscInt p = level->point_begin; p < level->point_end; p++) {
       PetscInt offset;
 
       if (PointGetNode(level, p) < 0) continue;

@@ -13,21 +13,21 @@ static PetscErrorCode LevelSetMiddles_Private(const Level *level, PetscReal X[])
   const PetscInt dim = level->dim;
 
   PetscFunctionBeginUser;
-  for (PetscInt depth = 1; depth <= dim; ++depth) {
+  for (PetscInt depth = 1; depth <= dim; depth++) {
     PetscInt begin, end;
 
     PetscCall(DMPlexGetDepthStratum(level->dm, depth, &begin, &end));
     if (begin < level->point_begin || end > level->point_end) break; // nodes on vertices only
-    for (PetscInt p = begin; p < end; ++p) {
+    for (PetscInt p = begin; p < end; p++) {
       const PetscInt *cone;
       PetscInt        size;
 
       PetscCall(DMPlexGetConeSize(level->dm, p, &size));
       PetscCall(DMPlexGetCone(level->dm, p, &cone));
-      for (PetscInt d = 0; d < dim; ++d) {
+      for (PetscInt d = 0; d < dim; d++) {
         PetscReal sum = 0;
 
-        for (PetscInt i = 0; i < size; ++i) sum += X[(cone[i] - level->point_begin) * dim + d];
+        for (PetscInt i = 0; i < size; i++) sum += X[(cone[i] - level->point_begin) * dim + d];
         X[(p - level->point_begin) * dim + d] = sum / size;
       }
     }
@@ -50,13 +50,13 @@ static PetscErrorCode LevelGetStraight_Private(const Level *level, PetscReal X[]
   PetscCall(DMGetCoordinateDim(level->dm, &space_dim)); // a file's mesh may have heights
   PetscCall(DMGetCoordinatesLocal(level->dm, &coords));
   PetscCall(VecGetArrayRead(coords, &box));
-  for (PetscInt v = begin; v < end; ++v) { // the coordinate section has the vertices in order
-    for (PetscInt d = 0; d < dim; ++d)
+  for (PetscInt v = begin; v < end; v++) { // the coordinate section has the vertices in order
+    for (PetscInt d = 0; d < dim; d++)
       at[(v - level->point_begin) * dim + d] = PetscRealPart(box[(v - begin) * space_dim + d]);
   }
   PetscCall(VecRestoreArrayRead(coords, &box));
   PetscCall(LevelSetMiddles_Private(level, at));
-  for (PetscInt p = level->point_begin; p < level->point_end; ++p) {
+  for (PetscInt p = level->point_begin; p < level->point_end; p++) {
     const PetscInt node = PointGetNode(level, p);
 
     if (node >= 0) PetscCall(PetscArraycpy(&X[node * dim], &at[(p - level->point_begin) * dim], dim));
@@ -72,7 +72,7 @@ static PetscErrorCode LevelMapCoords_Private(Level *level, const PetscReal X[])
   const PetscInt dim   = level->dim;
 
   PetscFunctionBeginUser;
-  for (PetscInt node = 0; node < level->num_nodes; ++node) {
+  for (PetscInt node = 0; node < level->num_nodes; node++) {
     const Expression map = scene->bodies[level->node_body[node]].map;
 
     if (map)
@@ -80,7 +80,7 @@ static PetscErrorCode LevelMapCoords_Private(Level *level, const PetscReal X[])
     else
       PetscCall(PetscArraycpy(&level->coords[node * dim], &X[node * dim], dim));
   }
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) PetscCall(ExpressionCheck(level->comm, scene->bodies[b].map));
+  for (PetscInt b = 0; b < scene->num_bodies; b++) PetscCall(ExpressionCheck(level->comm, scene->bodies[b].map));
   PetscCall(LevelSetAxis(level));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -117,14 +117,14 @@ static PetscErrorCode LevelProlongCoord_Private(Level *coarse, Level *fine, Pets
   PetscCall(LevelCreateVec(coarse, 1, &from));
   PetscCall(LevelCreateVec(fine, 1, &to));
   PetscCall(VecGetArray(from, &x));
-  for (PetscInt i = 0; i < coarse->num_owned; ++i) x[i] = coarse->unmapped[i * coarse->dim + d];
+  for (PetscInt i = 0; i < coarse->num_owned; i++) x[i] = coarse->unmapped[i * coarse->dim + d];
   PetscCall(VecRestoreArray(from, &x));
   PetscCall(MatMult(fine->prolongation, from, to));
   PetscCall(VecGhostUpdateBegin(to, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecGhostUpdateEnd(to, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecGhostGetLocalForm(to, &local));
   PetscCall(VecGetArray(local, &x));
-  for (PetscInt i = 0; i < fine->num_nodes; ++i) fine->unmapped[i * fine->dim + d] = PetscRealPart(x[i]);
+  for (PetscInt i = 0; i < fine->num_nodes; i++) fine->unmapped[i * fine->dim + d] = PetscRealPart(x[i]);
   PetscCall(VecRestoreArray(local, &x));
   PetscCall(VecGhostRestoreLocalForm(to, &local));
   PetscCall(VecDestroy(&from));
@@ -176,7 +176,7 @@ PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, DMPlexTra
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(PetscMalloc1(fine->num_nodes * fine->dim + 1, &fine->unmapped));
-  for (PetscInt d = 0; d < fine->dim; ++d) PetscCall(LevelProlongCoord_Private(coarse, fine, d));
+  for (PetscInt d = 0; d < fine->dim; d++) PetscCall(LevelProlongCoord_Private(coarse, fine, d));
   if (sides->any) PetscCall(LevelArcVertices(coarse, sides, transform, fine));
   PetscCall(LevelCurveMiddles_Private(fine));
   PetscCall(LevelMapCoords_Private(fine, fine->unmapped));

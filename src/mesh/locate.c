@@ -24,9 +24,9 @@ static Span SpanOf_Private(PetscInt dim, PetscInt num, const PetscReal X[])
 {
   Span span;
 
-  for (PetscInt d = 0; d < dim; ++d) {
+  for (PetscInt d = 0; d < dim; d++) {
     span.low[d] = span.high[d] = X[d];
-    for (PetscInt i = 1; i < num; ++i) {
+    for (PetscInt i = 1; i < num; i++) {
       span.low[d]  = PetscMin(span.low[d], X[i * dim + d]);
       span.high[d] = PetscMax(span.high[d], X[i * dim + d]);
     }
@@ -43,12 +43,12 @@ static PetscBool LocateMeetsBox_Private(const Level *level, PetscInt cell, const
   PetscReal       size  = 0;
   Span            span;
 
-  for (PetscInt i = 0; i < num; ++i) {
-    for (PetscInt d = 0; d < level->dim; ++d) X[i * level->dim + d] = level->coords[nodes[i] * level->dim + d];
+  for (PetscInt i = 0; i < num; i++) {
+    for (PetscInt d = 0; d < level->dim; d++) X[i * level->dim + d] = level->coords[nodes[i] * level->dim + d];
   }
   span = SpanOf_Private(level->dim, num, X);
-  for (PetscInt d = 0; d < level->dim; ++d) size = PetscMax(size, span.high[d] - span.low[d]);
-  for (PetscInt d = 0; d < level->dim; ++d) {
+  for (PetscInt d = 0; d < level->dim; d++) size = PetscMax(size, span.high[d] - span.low[d]);
+  for (PetscInt d = 0; d < level->dim; d++) {
     if (x[d] < span.low[d] - margin * size || x[d] > span.high[d] + margin * size) return PETSC_FALSE;
   }
   return PETSC_TRUE;
@@ -65,7 +65,7 @@ static PetscErrorCode CellGetUnmapped_Private(const Level *level, PetscInt cell,
   PetscCall(DMPlexGetHeightStratum(level->dm, 0, &begin, NULL));
   if (level->unmapped) {
     PetscCall(PointGetNodes(level, begin + cell, type, points));
-    for (PetscInt i = 0; i < ElementNumNodes(*type); ++i)
+    for (PetscInt i = 0; i < ElementNumNodes(*type); i++)
       PetscCall(PetscArraycpy(&X[i * level->dim], &level->unmapped[points[i] * level->dim], level->dim));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
@@ -74,7 +74,7 @@ static PetscErrorCode CellGetUnmapped_Private(const Level *level, PetscInt cell,
   PetscCall(PointGetVertices(level->dm, begin + cell, &num, points));
   PetscCall(DMGetCoordinatesLocal(level->dm, &coords));
   PetscCall(VecGetArrayRead(coords, &box));
-  for (PetscInt i = 0; i < num * level->dim; ++i)
+  for (PetscInt i = 0; i < num * level->dim; i++)
     X[i] = PetscRealPart(box[(points[i / level->dim] - vertex_begin) * level->dim + i % level->dim]);
   PetscCall(VecRestoreArrayRead(coords, &box));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -91,7 +91,7 @@ static PetscErrorCode InverseStep_Private(Expression map, PetscInt dim, const Pe
   PetscFunctionBeginUser;
   /* the images of X and of points beside it span a simplex, in whose reference coordinates the step is known */
   PetscCall(ExpressionEvaluate(map, dim, X, at));
-  for (PetscInt i = 0; i < dim; ++i) {
+  for (PetscInt i = 0; i < dim; i++) {
     PetscReal beside[3];
 
     PetscCall(PetscArraycpy(beside, X, dim));
@@ -103,10 +103,10 @@ static PetscErrorCode InverseStep_Private(Expression map, PetscInt dim, const Pe
   *length = PETSC_INFINITY;
   if (ElementMap(simplex, at, ElementNode(simplex, 0), NULL, phi, grad) == 0) PetscFunctionReturn(PETSC_SUCCESS);
   *length = 0;
-  for (PetscInt i = 0; i < dim; ++i) {
+  for (PetscInt i = 0; i < dim; i++) {
     PetscReal step = 0;
 
-    for (PetscInt d = 0; d < dim; ++d) step += delta[i] * grad[(i + 1) * dim + d] * (x[d] - at[d]);
+    for (PetscInt d = 0; d < dim; d++) step += delta[i] * grad[(i + 1) * dim + d] * (x[d] - at[d]);
     X[i]    = PetscMin(PetscMax(X[i] + step, span->low[i]), span->high[i]);
     *length = PetscMax(*length, PetscAbsReal(step) / (span->high[i] - span->low[i]));
   }
@@ -125,8 +125,8 @@ static PetscErrorCode CellHoldsPoint_Private(const Level *level, Expression map,
   PetscFunctionBeginUser;
   PetscCall(CellGetUnmapped_Private(level, cell, &type, nodes));
   span = SpanOf_Private(level->dim, ElementNumNodes(type), nodes);
-  for (PetscInt d = 0; d < level->dim; ++d) X[d] = 0.5 * (span.low[d] + span.high[d]);
-  for (PetscInt i = 0; i < INVERSE_MAX_STEPS && length > LocateTolerance && length < PETSC_INFINITY; ++i)
+  for (PetscInt d = 0; d < level->dim; d++) X[d] = 0.5 * (span.low[d] + span.high[d]);
+  for (PetscInt i = 0; i < INVERSE_MAX_STEPS && length > LocateTolerance && length < PETSC_INFINITY; i++)
     PetscCall(InverseStep_Private(map, level->dim, x, &span, X, &length));
   *holds = length <= LocateTolerance && ElementLocate(type, nodes, X, LocateTolerance, xi) ? PETSC_TRUE : PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -140,7 +140,7 @@ static PetscErrorCode LocateLocally_Private(const Level *level, PetscInt body, E
 
   PetscFunctionBeginUser;
   *cell = -1;
-  for (PetscInt c = 0; c < level->num_cells && *cell < 0; ++c) {
+  for (PetscInt c = 0; c < level->num_cells && *cell < 0; c++) {
     const ElementType type   = (ElementType)level->cell_type[c];
     const PetscReal   margin = ElementOrder(type) > 1 ? OrderMargin : LocateTolerance;
     PetscBool         holds  = PETSC_TRUE;
@@ -161,7 +161,7 @@ PetscErrorCode LevelLocate(Level *level, PetscInt body, const PetscReal x[], Pet
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_rank(level->comm, &rank));
   PetscCallMPI(MPI_Comm_size(level->comm, &size));
-  for (int curves = 0; curves <= (map != NULL); ++curves) {
+  for (int curves = 0; curves <= (map != NULL); curves++) {
     PetscCall(LocateLocally_Private(level, body, curves ? map : NULL, x, cell, xi));
     winner = *cell >= 0 ? rank : size;
     PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &winner, 1, MPI_INT, MPI_MIN, level->comm));

@@ -41,7 +41,7 @@ static PetscErrorCode MeshMakeBodies_Private(Scene scene, PetscInt coarser, cons
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_rank(scene->comm, &rank));
-  for (PetscInt b = 0; b < scene->num_bodies && !rank && !sentence[0]; ++b) {
+  for (PetscInt b = 0; b < scene->num_bodies && !rank && !sentence[0]; b++) {
     SceneBody body = scene->bodies[b];
 
     // a later body is not made once there is a mistake to tell
@@ -65,10 +65,10 @@ static PetscErrorCode MeshCreateWhole_Private(Scene scene, PetscInt coarser, DM 
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc2(scene->num_bodies, &lists, scene->num_bodies, &names));
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) PetscCall(SideNamesOfBody(scene, b, &names[b]));
+  for (PetscInt b = 0; b < scene->num_bodies; b++) PetscCall(SideNamesOfBody(scene, b, &names[b]));
   PetscCall(MeshMakeBodies_Private(scene, coarser, names, lists));
   PetscCall(MeshMerge(scene, lists, names, dm, curves));
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
     scene->bodies[b].straightened    = lists[b].straightened;
     scene->bodies[b].curved_file     = lists[b].curved_file;
     scene->bodies[b].num_nonmanifold = lists[b].num_nonmanifold;
@@ -92,7 +92,7 @@ static PetscErrorCode MeshAppend_Private(Mesh mesh)
   PetscCall(ArcSidesCreate(MeshFinest(mesh), 1, &sides));
   PetscCall(LevelRefine(MeshFinest(mesh), &sides, &mesh->levels[mesh->num_levels]));
   PetscCall(ArcSidesDestroy(&sides));
-  ++mesh->num_levels;
+  mesh->num_levels++;
   PetscCall(MeshShapeRefine(mesh));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -130,7 +130,7 @@ static PetscErrorCode MeshBegin_Private(Mesh mesh, PetscInt coarser)
 static PetscErrorCode MeshClear_Private(Mesh mesh)
 {
   PetscFunctionBeginUser;
-  for (PetscInt l = 0; l < mesh->num_levels; ++l) PetscCall(LevelDestroy(&mesh->levels[l]));
+  for (PetscInt l = 0; l < mesh->num_levels; l++) PetscCall(LevelDestroy(&mesh->levels[l]));
   PetscCall(MeshShapeDestroy(mesh));
   PetscCall(PetscFree(mesh->levels));
   mesh->num_levels = 0;
@@ -183,10 +183,10 @@ PetscErrorCode MeshSetUp(Mesh mesh)
     }
   }
   PetscCall(LevelTurnCells(MeshFinest(mesh), NULL));
-  for (PetscInt l = 0; l < scene->refine; ++l) PetscCall(MeshRefine(mesh));
+  for (PetscInt l = 0; l < scene->refine; l++) PetscCall(MeshRefine(mesh));
   mesh->own = coarser + scene->refine;
   PetscCall(MortarChoiceMake(mesh));
-  for (PetscInt b = 0; b < scene->num_bodies; ++b)
+  for (PetscInt b = 0; b < scene->num_bodies; b++)
     if (scene->bodies[b].num_nonmanifold) PetscCall(MeshWarnNonManifold_Private(&scene->bodies[b], scene->dim));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -66,7 +66,7 @@ static PetscErrorCode FileCheckTypes_Private(DM dm, char reason[])
 
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetHeightStratum(dm, 0, &begin, &end));
-  for (PetscInt c = begin; c < end; ++c) {
+  for (PetscInt c = begin; c < end; c++) {
     PetscCall(DMPlexGetCellType(dm, c, &type));
     if (type == DM_POLYTOPE_TRIANGLE || type == DM_POLYTOPE_QUADRILATERAL || type == DM_POLYTOPE_TETRAHEDRON ||
         type == DM_POLYTOPE_HEXAHEDRON)
@@ -103,10 +103,10 @@ static PetscErrorCode FileCheckPlex_Private(DM dm, PetscInt dim, char reason[])
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(VecGetArrayRead(coords, &x));
-  for (PetscInt d = 0; d < space_dim; ++d) {
+  for (PetscInt d = 0; d < space_dim; d++) {
     lower[d] = PETSC_MAX_REAL;
     upper[d] = -PETSC_MAX_REAL;
-    for (PetscInt i = 0; i < end - begin; ++i) {
+    for (PetscInt i = 0; i < end - begin; i++) {
       lower[d] = PetscMin(lower[d], PetscRealPart(x[i * space_dim + d]));
       upper[d] = PetscMax(upper[d], PetscRealPart(x[i * space_dim + d]));
     }

@@ -32,8 +32,8 @@ static PetscErrorCode CellGetModulus_Private(Scene scene, const Level *level, Pe
   PetscReal        middle[3] = {0, 0, 0}, C[36], upper[21], young, poisson;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < num; ++i) {
-    for (PetscInt d = 0; d < level->dim; ++d) middle[d] += level->coords[nodes[i] * level->dim + d] / num;
+  for (PetscInt i = 0; i < num; i++) {
+    for (PetscInt d = 0; d < level->dim; d++) middle[d] += level->coords[nodes[i] * level->dim + d] / num;
   }
   if (body->stiffness) {
     PetscCall(ExpressionEvaluate(body->stiffness, level->dim, middle, upper));
@@ -56,7 +56,7 @@ static PetscErrorCode SideGetMeasure_Private(Scene scene, Level *level, const Sc
 
   PetscFunctionBeginUser;
   PetscCall(LevelGetFacets(level, scene, side->body, side->side, &facets));
-  for (PetscInt f = 0; f < facets.num; ++f) {
+  for (PetscInt f = 0; f < facets.num; f++) {
     PetscReal modulus = 0;
 
     PetscCall(CellGetModulus_Private(scene, level, facets.cell[f], &modulus));
@@ -195,7 +195,7 @@ static PetscErrorCode PairCheckRoles_Private(Scene scene, Level *level, PetscInt
                              "pair '%s': sides '%s' and '%s' of body '%s' share facets, which cannot touch themselves",
                              pair->name, pair->nonmortar.side, pair->mortar.side, mortar));
   }
-  for (PetscInt q = 0; q < p; ++q) {
+  for (PetscInt q = 0; q < p; q++) {
     const ScenePair *before = &scene->pairs[q];
 
     if (before->mortar.body < 0) continue; // obstacles are all different
@@ -214,10 +214,10 @@ static PetscErrorCode PairCheckRoles_Private(Scene scene, Level *level, PetscInt
    graph */
 static void MortarChoiceSort_Private(const Preference prefer[], MortarChoice *graph)
 {
-  for (PetscInt i = 0; i < graph->num; ++i) {
+  for (PetscInt i = 0; i < graph->num; i++) {
     PetscInt at = i;
 
-    for (; at > 0; --at) {
+    for (; at > 0; at--) {
       const PetscInt q = graph->order[at - 1];
 
       if (graph->fixed[q] || graph->fixed[i]) {
@@ -246,8 +246,8 @@ static void MortarChoiceTouchBodies_Private(Scene scene, const PetscInt pairs[],
 {
   const PetscInt num = 2 * graph->num;
 
-  for (PetscInt e = 0; e < num; ++e) {
-    for (PetscInt f = 0; f < num; ++f) {
+  for (PetscInt e = 0; e < num; e++) {
+    for (PetscInt f = 0; f < num; f++) {
       graph->touch[e * num + f] =
           (PetscBool)(EndGetSide_Private(scene, pairs, e)->body == EndGetSide_Private(scene, pairs, f)->body);
     }
@@ -268,8 +268,8 @@ static PetscErrorCode SideGetNodes_Private(Scene scene, Level *level, const Scen
   PetscCall(VecGhostGetLocalForm(marks, &local));
   PetscCall(VecZeroEntries(local));
   PetscCall(VecGetArray(local, &mark));
-  for (PetscInt f = 0; f < facets.num; ++f) {
-    for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); ++i)
+  for (PetscInt f = 0; f < facets.num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); i++)
       mark[facets.nodes[f * ELEMENT_MAX_FACET_NODES + i]] = 1;
   }
   PetscCall(VecRestoreArray(local, &mark));
@@ -278,10 +278,10 @@ static PetscErrorCode SideGetNodes_Private(Scene scene, Level *level, const Scen
   PetscCall(LevelShareVec(marks, MAX_VALUES));
   PetscCall(VecGetArray(marks, &mark));
   *num = 0;
-  for (PetscInt n = 0; n < level->num_owned; ++n) *num += PetscRealPart(mark[n]) > 0;
+  for (PetscInt n = 0; n < level->num_owned; n++) *num += PetscRealPart(mark[n]) > 0;
   PetscCall(PetscMalloc1(*num, nodes));
   *num = 0;
-  for (PetscInt n = 0; n < level->num_owned; ++n) {
+  for (PetscInt n = 0; n < level->num_owned; n++) {
     if (PetscRealPart(mark[n]) > 0) (*nodes)[(*num)++] = n;
   }
   PetscCall(VecRestoreArray(marks, &mark));
@@ -295,9 +295,9 @@ static PetscBool ListsShare_Private(PetscInt num_a, const PetscInt a[], PetscInt
 
   while (i < num_a && j < num_b && a[i] != b[j]) {
     if (a[i] < b[j])
-      ++i;
+      i++;
     else
-      ++j;
+      j++;
   }
   return i < num_a && j < num_b ? PETSC_TRUE : PETSC_FALSE;
 }
@@ -315,13 +315,13 @@ static PetscErrorCode MortarChoiceTouchNodes_Private(Scene scene, Level *level, 
   PetscCall(PetscMPIIntCast(ends * ends, &count));
   PetscCall(LevelCreateVec(level, 1, &marks));
   PetscCall(PetscMalloc2(ends, &num, ends, &nodes));
-  for (PetscInt e = 0; e < ends; ++e)
+  for (PetscInt e = 0; e < ends; e++)
     PetscCall(SideGetNodes_Private(scene, level, EndGetSide_Private(scene, pairs, e), marks, &num[e], &nodes[e]));
-  for (PetscInt e = 0; e < ends; ++e)
-    for (PetscInt f = 0; f < ends; ++f)
+  for (PetscInt e = 0; e < ends; e++)
+    for (PetscInt f = 0; f < ends; f++)
       graph->touch[e * ends + f] = ListsShare_Private(num[e], nodes[e], num[f], nodes[f]);
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, graph->touch, count, MPIU_BOOL, MPI_LOR, level->comm));
-  for (PetscInt e = 0; e < ends; ++e) PetscCall(PetscFree(nodes[e]));
+  for (PetscInt e = 0; e < ends; e++) PetscCall(PetscFree(nodes[e]));
   PetscCall(PetscFree2(num, nodes));
   PetscCall(VecDestroy(&marks));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -349,12 +349,12 @@ static PetscBool MortarChoiceReturns_Private(Search *search, PetscInt start)
   const PetscInt num   = search->graph->num;
   PetscInt       depth = 1;
 
-  for (PetscInt p = 0; p < num; ++p) search->seen[p] = PETSC_FALSE;
+  for (PetscInt p = 0; p < num; p++) search->seen[p] = PETSC_FALSE;
   search->walk[0] = start;
   while (depth > 0) {
     const PetscInt p = search->walk[--depth];
 
-    for (PetscInt q = 0; q < num; ++q) {
+    for (PetscInt q = 0; q < num; q++) {
       if (q == p || !search->decided[q] || search->seen[q] || !MortarChoiceHasPath_Private(search, p, q)) continue;
       if (q == start) return PETSC_TRUE;
       search->seen[q]       = PETSC_TRUE;
@@ -374,8 +374,8 @@ static PetscBool MortarChoiceDecide_Private(Search *search, PetscInt k)
   p                  = graph->order[k];
   search->decided[p] = PETSC_TRUE;
   if (graph->fixed[p]) return MortarChoiceDecide_Private(search, k + 1);
-  for (PetscInt turn = 0; turn < 2 && search->tries > 0; ++turn) {
-    --search->tries;
+  for (PetscInt turn = 0; turn < 2 && search->tries > 0; turn++) {
+    search->tries--;
     search->turned[p] = turn ? PETSC_TRUE : PETSC_FALSE;
     if (!MortarChoiceReturns_Private(search, p) && MortarChoiceDecide_Private(search, k + 1)) return PETSC_TRUE;
   }
@@ -404,11 +404,11 @@ PetscErrorCode MortarChoiceHasCycle(const MortarChoice *graph, const PetscBool t
   *cycle = PETSC_FALSE;
   PetscCall(PetscCalloc4(graph->num, &search.decided, graph->num, &search.seen, graph->num, &search.walk, graph->num,
                          &search.turned));
-  for (PetscInt p = 0; p < graph->num; ++p) {
+  for (PetscInt p = 0; p < graph->num; p++) {
     search.decided[p] = PETSC_TRUE;
     search.turned[p]  = turned[p];
   }
-  for (PetscInt p = 0; p < graph->num && !*cycle; ++p) *cycle = MortarChoiceReturns_Private(&search, p);
+  for (PetscInt p = 0; p < graph->num && !*cycle; p++) *cycle = MortarChoiceReturns_Private(&search, p);
   PetscCall(PetscFree4(search.decided, search.seen, search.walk, search.turned));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -447,7 +447,7 @@ PetscErrorCode MortarChoiceMake(Mesh mesh)
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc3(scene->num_pairs, &pairs, scene->num_pairs, &prefer, scene->num_pairs, &turned));
   PetscCall(PetscMalloc2(scene->num_pairs, &graph.fixed, scene->num_pairs, &graph.order));
-  for (PetscInt p = 0; p < scene->num_pairs; ++p) {
+  for (PetscInt p = 0; p < scene->num_pairs; p++) {
     ScenePair *pair = &scene->pairs[p];
 
     if (pair->mortar.body < 0) continue; // an obstacle
@@ -459,7 +459,7 @@ PetscErrorCode MortarChoiceMake(Mesh mesh)
   PetscCall(PetscMalloc1(4 * graph.num * graph.num, &graph.touch));
   MortarChoiceSort_Private(prefer, &graph);
   PetscCall(MortarChoiceSolve_Private(scene, level, pairs, &graph, turned));
-  for (PetscInt i = 0; i < graph.num; ++i) {
+  for (PetscInt i = 0; i < graph.num; i++) {
     ScenePair *pair = &scene->pairs[pairs[i]];
 
     if (!turned[i]) continue;

@@ -14,23 +14,23 @@ static PetscErrorCode NonManifoldCountBlocks_Private(const Extract *x, PetscInt 
   PetscInt begin, end;
 
   PetscFunctionBeginUser;
-  for (PetscInt c = 0; c < x->level.num_cells; ++c) block[c] = x->cell_at[c] < 0 ? -1 : c;
+  for (PetscInt c = 0; c < x->level.num_cells; c++) block[c] = x->cell_at[c] < 0 ? -1 : c;
   PetscCall(DMPlexGetHeightStratum(x->level.dm, 1, &begin, &end));
-  for (PetscInt f = begin; f < end; ++f) {
+  for (PetscInt f = begin; f < end; f++) {
     const PetscInt *support;
     PetscInt        num, root[2];
 
     PetscCall(DMPlexGetSupportSize(x->level.dm, f, &num));
     PetscCall(DMPlexGetSupport(x->level.dm, f, &support));
     if (num != 2) continue;
-    for (PetscInt i = 0; i < 2; ++i) root[i] = support[i] - x->cell_begin;
+    for (PetscInt i = 0; i < 2; i++) root[i] = support[i] - x->cell_begin;
     if (block[root[0]] < 0 || block[root[1]] < 0) continue;
-    for (PetscInt i = 0; i < 2; ++i) {
+    for (PetscInt i = 0; i < 2; i++) {
       while (block[root[i]] != root[i]) root[i] = block[root[i]] = block[block[root[i]]];
     }
     block[PetscMax(root[0], root[1])] = PetscMin(root[0], root[1]);
   }
-  for (PetscInt c = 0; c < x->level.num_cells; ++c) // a root comes before its cells
+  for (PetscInt c = 0; c < x->level.num_cells; c++) // a root comes before its cells
     if (block[c] >= 0) block[c] = block[block[c]];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -43,11 +43,11 @@ PetscErrorCode NonManifoldFind(const Extract *x, BodyList *list)
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc2(level->num_cells, &block, level->num_nodes, &of_node));
   PetscCall(NonManifoldCountBlocks_Private(x, block));
-  for (PetscInt a = 0; a < level->num_nodes; ++a) of_node[a] = NOWHERE;
-  for (PetscInt c = 0; c < level->num_cells; ++c) {
+  for (PetscInt a = 0; a < level->num_nodes; a++) of_node[a] = NOWHERE;
+  for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
 
-    for (PetscInt i = 0; i < LevelNumVertices(level, c) && block[c] >= 0; ++i) {
+    for (PetscInt i = 0; i < LevelNumVertices(level, c) && block[c] >= 0; i++) {
       PetscInt *met = &of_node[nodes[i]];
 
       if (*met == NOWHERE) *met = block[c];

@@ -52,13 +52,13 @@ static PetscReal CellsGetDistance_Private(const Level *level, const PetscInt cel
 {
   PetscReal square = 0;
 
-  for (PetscInt d = 0; d < level->dim; ++d) {
+  for (PetscInt d = 0; d < level->dim; d++) {
     PetscReal x[2] = {0, 0};
 
-    for (PetscInt k = 0; k < 2; ++k) {
+    for (PetscInt k = 0; k < 2; k++) {
       const PetscInt begin = level->cell_start[cells[k]], end = level->cell_start[cells[k] + 1];
 
-      for (PetscInt i = begin; i < end; ++i)
+      for (PetscInt i = begin; i < end; i++)
         x[k] += level->coords[level->cell_nodes[i] * level->dim + d] / (PetscReal)(end - begin);
     }
     square += PetscSqr(x[1] - x[0]);
@@ -75,8 +75,8 @@ static PetscErrorCode EdgesAddNeighbours_Private(const Level *level, Edges *edge
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(level->num_cells, &farthest));
   PetscCall(DMPlexGetHeightStratum(level->dm, 1, &begin, &end));
-  for (PetscInt pass = 0; pass < 2; ++pass) {
-    for (PetscInt f = begin; f < end; ++f) {
+  for (PetscInt pass = 0; pass < 2; pass++) {
+    for (PetscInt f = begin; f < end; f++) {
       const PetscInt *cells; // the first points
       PetscInt        num;
       PetscReal       distance, most;
@@ -86,7 +86,7 @@ static PetscErrorCode EdgesAddNeighbours_Private(const Level *level, Edges *edge
       if (num != 2) continue;
       distance = CellsGetDistance_Private(level, cells);
       most     = PetscMax(farthest[cells[0]], farthest[cells[1]]);
-      for (PetscInt k = 0; k < 2; ++k) farthest[cells[k]] = PetscMax(farthest[cells[k]], distance);
+      for (PetscInt k = 0; k < 2; k++) farthest[cells[k]] = PetscMax(farthest[cells[k]], distance);
       if (!pass) continue;
       PetscCall(EdgesAdd_Private(edges, cells[0], cells[1],
                                  most >= MAX_WEIGHT * distance ? MAX_WEIGHT : (PetscInt)(most / distance)));
@@ -103,10 +103,10 @@ static PetscReal FacetGetBox_Private(const Level *level, const Facets *facets, P
   const PetscInt num = ElementNumNodes(facets->type[f]), dim = level->dim;
   PetscReal      extent = 0;
 
-  for (PetscInt d = 0; d < dim; ++d) {
+  for (PetscInt d = 0; d < dim; d++) {
     box[d]       = PETSC_MAX_REAL;
     box[dim + d] = -PETSC_MAX_REAL;
-    for (PetscInt i = 0; i < num; ++i) {
+    for (PetscInt i = 0; i < num; i++) {
       const PetscReal x = level->coords[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i] * dim + d];
 
       X[i * dim + d] = x;
@@ -124,11 +124,11 @@ static BoxSlab SlabAround_Private(PetscInt dim, PetscInt num, const PetscReal X[
 {
   BoxSlab slab = {.lower = PETSC_MAX_REAL, .upper = -PETSC_MAX_REAL};
 
-  for (PetscInt d = 0; d < dim; ++d) slab.direction[d] = direction[d];
-  for (PetscInt i = 0; i < num; ++i) {
+  for (PetscInt d = 0; d < dim; d++) slab.direction[d] = direction[d];
+  for (PetscInt i = 0; i < num; i++) {
     PetscReal along = 0;
 
-    for (PetscInt d = 0; d < dim; ++d) along += direction[d] * X[i * dim + d];
+    for (PetscInt d = 0; d < dim; d++) along += direction[d] * X[i * dim + d];
     slab.lower = PetscMin(slab.lower, along);
     slab.upper = PetscMax(slab.upper, along);
   }
@@ -149,12 +149,12 @@ static PetscErrorCode FacetQuery_Private(const Level *level, const Facets *facet
   BoxSlab           slabs[3];
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < num_vertices; ++i) {
-    for (PetscInt k = 0; k < dim - 1; ++k) xi[k] += ElementNode(type, i)[k] / (PetscReal)num_vertices;
+  for (PetscInt i = 0; i < num_vertices; i++) {
+    for (PetscInt k = 0; k < dim - 1; k++) xi[k] += ElementNode(type, i)[k] / (PetscReal)num_vertices;
   }
   (void)ElementSurface(type, X, xi, NULL, phi, normal);
   FrameFromNormal(dim, normal, Q);
-  for (PetscInt k = 0; k < dim; ++k) {
+  for (PetscInt k = 0; k < dim; k++) {
     slabs[k] = SlabAround_Private(dim, num, X, &Q[k * dim], k == 0 ? widen : extent);
     box[k] -= PetscMax(widen, extent);
     box[dim + k] += PetscMax(widen, extent);
@@ -176,16 +176,16 @@ static PetscErrorCode EdgesAddPair_Private(Scene scene, const ScenePair *pair, P
   PetscCall(LevelGetFacets(level, scene, pair->nonmortar.body, pair->nonmortar.side, &nonmortar));
   PetscCall(LevelGetFacets(level, scene, pair->mortar.body, pair->mortar.side, &mortar));
   PetscCall(PetscMalloc1(mortar.num * 2 * level->dim, &boxes));
-  for (PetscInt f = 0; f < mortar.num; ++f) (void)FacetGetBox_Private(level, &mortar, f, X, &boxes[f * 2 * level->dim]);
+  for (PetscInt f = 0; f < mortar.num; f++) (void)FacetGetBox_Private(level, &mortar, f, X, &boxes[f * 2 * level->dim]);
   PetscCall(BoxTreeCreate(level->dim, mortar.num, boxes, &tree));
-  for (PetscInt f = 0; f < nonmortar.num; ++f) {
+  for (PetscInt f = 0; f < nonmortar.num; f++) {
     const PetscInt *hits;
     PetscInt        num_hits;
 
     PetscCall(FacetQuery_Private(level, &nonmortar, f, pair->reach, tree, &num_hits, &hits));
-    for (PetscInt h = 0; h < num_hits; ++h)
+    for (PetscInt h = 0; h < num_hits; h++)
       PetscCall(EdgesAdd_Private(edges, nonmortar.cell[f], mortar.cell[hits[h]], weight));
-    if (num_hits) ++contact[nonmortar.cell[f]];
+    if (num_hits) contact[nonmortar.cell[f]]++;
   }
   PetscCall(BoxTreeDestroy(&tree));
   PetscCall(PetscFree(boxes));
@@ -204,18 +204,18 @@ static PetscErrorCode EdgesToRows_Private(const Edges *edges, PetscInt num_cells
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc2(num_cells + 1, &begin, num_cells, &fill));
   PetscCall(PetscMalloc2(2 * edges->num, &other, 2 * edges->num, &share));
-  for (PetscInt i = 0; i < 2 * edges->num; ++i) ++begin[edges->end[i] + 1];
-  for (PetscInt c = 0; c < num_cells; ++c) begin[c + 1] += begin[c];
-  for (PetscInt i = 0; i < 2 * edges->num; ++i) { // end i faces end i ^ 1
+  for (PetscInt i = 0; i < 2 * edges->num; i++) begin[edges->end[i] + 1]++;
+  for (PetscInt c = 0; c < num_cells; c++) begin[c + 1] += begin[c];
+  for (PetscInt i = 0; i < 2 * edges->num; i++) { // end i faces end i ^ 1
     const PetscInt c = edges->end[i], at = begin[c] + fill[c]++;
 
     other[at] = edges->end[i ^ 1];
     share[at] = edges->weight[i / 2];
   }
-  for (PetscInt c = 0; c < num_cells; ++c) {
+  for (PetscInt c = 0; c < num_cells; c++) {
     start[c] = (idx_t)kept;
     PetscCall(PetscSortIntWithArray(fill[c], &other[begin[c]], &share[begin[c]])); // one facet may face thousands
-    for (PetscInt i = begin[c]; i < begin[c + 1]; ++i) {
+    for (PetscInt i = begin[c]; i < begin[c + 1]; i++) {
       if (kept > start[c] && adjacent[kept - 1] == other[i]) {
         weight[kept - 1] += (idx_t)share[i];
         continue;
@@ -243,9 +243,9 @@ static PetscErrorCode EdgesCut_Private(const Edges *edges, PetscInt num_cells, c
   PetscCall(PetscMalloc3(num_cells + 1, &start, 2 * edges->num, &adjacent, 2 * edges->num, &weight));
   PetscCall(PetscMalloc3(num_cells * shares->num, &load, shares->num_parts * shares->num, &target, num_cells, &answer));
   PetscCall(EdgesToRows_Private(edges, num_cells, start, adjacent, weight));
-  for (PetscInt i = 0; i < num_cells * shares->num; ++i) load[i] = (idx_t)shares->load[i];
-  for (PetscInt i = 0; i < shares->num_parts * shares->num; ++i) target[i] = (real_t)shares->target[i];
-  for (PetscInt i = 0; i < shares->num; ++i) tolerance[i] = TOLERANCE[i];
+  for (PetscInt i = 0; i < num_cells * shares->num; i++) load[i] = (idx_t)shares->load[i];
+  for (PetscInt i = 0; i < shares->num_parts * shares->num; i++) target[i] = (real_t)shares->target[i];
+  for (PetscInt i = 0; i < shares->num; i++) tolerance[i] = TOLERANCE[i];
   if (parts <= MAX_RECURSIVE) {
     status = METIS_PartGraphRecursive(&n, &constraints, start, adjacent, load, NULL, weight, &parts, target, tolerance,
                                       NULL, &cut, answer);
@@ -255,7 +255,7 @@ static PetscErrorCode EdgesCut_Private(const Edges *edges, PetscInt num_cells, c
   }
   PetscCheck(status != METIS_ERROR_MEMORY, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for METIS");
   PetscCheck(status == METIS_OK, PETSC_COMM_SELF, PETSC_ERR_LIB, "METIS gave up with status %d", status);
-  for (PetscInt c = 0; c < num_cells; ++c) part[c] = (PetscInt)answer[c];
+  for (PetscInt c = 0; c < num_cells; c++) part[c] = (PetscInt)answer[c];
   PetscCall(PetscFree3(load, target, answer));
   PetscCall(PetscFree3(start, adjacent, weight));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -270,12 +270,12 @@ PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, Pets
 
   PetscFunctionBeginUser;
   if (level->num_cells < MIN_CELLS_A_PART * num_parts) {
-    for (PetscInt c = 0; c < level->num_cells; ++c) part[c] = c * num_parts / level->num_cells;
+    for (PetscInt c = 0; c < level->num_cells; c++) part[c] = c * num_parts / level->num_cells;
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(PetscCalloc1(level->num_cells, &contact));
   PetscCall(EdgesAddNeighbours_Private(level, &edges));
-  for (PetscInt p = 0; p < scene->num_pairs && contact_weight; ++p) {
+  for (PetscInt p = 0; p < scene->num_pairs && contact_weight; p++) {
     if (scene->pairs[p].mortar.body >= 0)
       PetscCall(EdgesAddPair_Private(scene, &scene->pairs[p], contact_weight, level, &edges, contact));
   }
@@ -298,9 +298,9 @@ static PetscErrorCode PartitionerSet_Private(PetscInt num_cells, const PetscInt 
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc3(size, &sizes, num_cells, &points, size, &fill));
-  for (PetscInt c = 0; c < num_cells; ++c) ++sizes[part[c]];
-  for (PetscMPIInt r = 1; r < size; ++r) fill[r] = fill[r - 1] + sizes[r - 1];
-  for (PetscInt c = 0; c < num_cells; ++c) points[fill[part[c]]++] = c;
+  for (PetscInt c = 0; c < num_cells; c++) sizes[part[c]]++;
+  for (PetscMPIInt r = 1; r < size; r++) fill[r] = fill[r - 1] + sizes[r - 1];
+  for (PetscInt c = 0; c < num_cells; c++) points[fill[part[c]]++] = c;
   PetscCall(PetscPartitionerSetType(partitioner, PETSCPARTITIONERSHELL));
   PetscCall(PetscPartitionerShellSetPartition(partitioner, size, sizes, points));
   PetscCall(PetscFree3(sizes, points, fill));

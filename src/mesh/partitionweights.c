@@ -22,7 +22,7 @@ static PetscInt PartitionWeightsOrderFactor_Private(Scene scene, PetscInt body)
 {
   PetscInt least = PETSC_MAX_INT;
 
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) least = PetscMin(least, scene->bodies[b].order);
+  for (PetscInt b = 0; b < scene->num_bodies; b++) least = PetscMin(least, scene->bodies[b].order);
   return scene->bodies[body].order / least;
 }
 
@@ -32,16 +32,16 @@ PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const Pet
   PetscInt touching = 0;
 
   PetscFunctionBeginUser;
-  for (PetscInt c = 0; c < level->num_cells; ++c) touching += contact[c];
+  for (PetscInt c = 0; c < level->num_cells; c++) touching += contact[c];
   shares->num       = touching >= MIN_FACETS_A_PART * num_parts ? PARTITION_MAX_WEIGHTS : 1;
   shares->num_parts = num_parts;
   PetscCall(PetscMalloc2(level->num_cells * shares->num, &shares->load, num_parts * shares->num, &shares->target));
-  for (PetscInt i = 0; i < num_parts * shares->num; ++i) shares->target[i] = 1 / (PetscReal)num_parts;
-  for (PetscInt c = 0; c < level->num_cells; ++c) {
+  for (PetscInt i = 0; i < num_parts * shares->num; i++) shares->target[i] = 1 / (PetscReal)num_parts;
+  for (PetscInt c = 0; c < level->num_cells; c++) {
     PetscInt *own = &shares->load[c * shares->num];
 
     own[0] = Nodes[ElementLinear((ElementType)level->cell_type[c])];
-    for (PetscInt d = 0; d < level->dim; ++d) own[0] *= PartitionWeightsOrderFactor_Private(scene, level->cell_body[c]);
+    for (PetscInt d = 0; d < level->dim; d++) own[0] *= PartitionWeightsOrderFactor_Private(scene, level->cell_body[c]);
     if (shares->num > 1) own[1] = contact[c];
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -58,7 +58,7 @@ static PetscErrorCode PartitionWeightsCountBetween_Private(Scene scene, const Le
 
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetHeightStratum(level->dm, 1, &begin, &end));
-  for (PetscInt f = begin; f < end; ++f) {
+  for (PetscInt f = begin; f < end; f++) {
     const PetscInt *cells; // the first points
     PetscInt        num;
     PetscReal       own;
@@ -67,7 +67,7 @@ static PetscErrorCode PartitionWeightsCountBetween_Private(Scene scene, const Le
     PetscCall(DMPlexGetSupport(level->dm, f, &cells));
     if (num != 2 || part[cells[0]] == part[cells[1]]) continue;
     own = Nodes[ElementFacetType(ElementLinear((ElementType)level->cell_type[cells[0]]))] / along;
-    for (PetscInt d = 1; d < level->dim; ++d)
+    for (PetscInt d = 1; d < level->dim; d++)
       own *= PartitionWeightsOrderFactor_Private(scene, level->cell_body[cells[0]]);
     nodes[PetscMax(part[cells[0]], part[cells[1]])] += own;
   }
@@ -83,11 +83,11 @@ PetscErrorCode PartitionWeightsCorrect(Scene scene, const Level *level, PetscInt
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(num_parts, &between));
   PetscCall(PartitionWeightsCountBetween_Private(scene, level, refine, part, between));
-  for (PetscInt c = 0; c < level->num_cells; ++c) all += (PetscReal)shares->load[c * shares->num];
-  for (PetscInt p = 0; p < num_parts; ++p) mean += between[p] / (PetscReal)num_parts;
-  for (PetscInt p = 0; p < num_parts; ++p) most = PetscMax(most, PetscAbsReal(between[p] - mean));
+  for (PetscInt c = 0; c < level->num_cells; c++) all += (PetscReal)shares->load[c * shares->num];
+  for (PetscInt p = 0; p < num_parts; p++) mean += between[p] / (PetscReal)num_parts;
+  for (PetscInt p = 0; p < num_parts; p++) most = PetscMax(most, PetscAbsReal(between[p] - mean));
   factor = most > 0 ? PetscMin(BY_NODES, MOST * all / ((PetscReal)num_parts * most)) : 0;
-  for (PetscInt p = 0; p < num_parts; ++p)
+  for (PetscInt p = 0; p < num_parts; p++)
     shares->target[p * shares->num] = 1 / (PetscReal)num_parts - factor * (between[p] - mean) / all;
   PetscCall(PetscFree(between));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -20,16 +20,16 @@ PetscErrorCode NumberingCreate(PetscInt num_bodies, const BodyList lists[], Numb
   PetscFunctionBeginUser;
   *numbering = (Numbering){.num_bodies = num_bodies};
   PetscCall(PetscMalloc2(num_bodies, &numbering->point, num_bodies, &numbering->first_vertex));
-  for (PetscInt b = 0; b < num_bodies; ++b) PetscCall(PetscMalloc1(lists[b].num_cells, &numbering->point[b]));
-  for (PetscInt type = 0; type < ELEMENT_COUNT; ++type) {
-    for (PetscInt b = 0; b < num_bodies; ++b) {
-      for (PetscInt c = 0; c < lists[b].num_cells; ++c) {
+  for (PetscInt b = 0; b < num_bodies; b++) PetscCall(PetscMalloc1(lists[b].num_cells, &numbering->point[b]));
+  for (PetscInt type = 0; type < ELEMENT_COUNT; type++) {
+    for (PetscInt b = 0; b < num_bodies; b++) {
+      for (PetscInt c = 0; c < lists[b].num_cells; c++) {
         if (ElementLinear((ElementType)lists[b].cell_type[c]) == (ElementType)type) numbering->point[b][c] = point++;
       }
     }
   }
   numbering->num_cells = point;
-  for (PetscInt b = 0; b < num_bodies; ++b) {
+  for (PetscInt b = 0; b < num_bodies; b++) {
     numbering->first_vertex[b] = point;
     point += lists[b].num_vertices;
   }
@@ -40,7 +40,7 @@ PetscErrorCode NumberingCreate(PetscInt num_bodies, const BodyList lists[], Numb
 PetscErrorCode NumberingDestroy(Numbering *numbering)
 {
   PetscFunctionBeginUser;
-  for (PetscInt b = 0; b < numbering->num_bodies; ++b) PetscCall(PetscFree(numbering->point[b]));
+  for (PetscInt b = 0; b < numbering->num_bodies; b++) PetscCall(PetscFree(numbering->point[b]));
   PetscCall(PetscFree2(numbering->point, numbering->first_vertex));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -52,20 +52,20 @@ static PetscErrorCode ShapesOfCells_Private(const BodyList lists[], const Number
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc2(numbering->num_cells, &body, numbering->num_cells, &index));
-  for (PetscInt b = 0; b < numbering->num_bodies; ++b) {
-    for (PetscInt c = 0; c < lists[b].num_cells; ++c) {
+  for (PetscInt b = 0; b < numbering->num_bodies; b++) {
+    for (PetscInt c = 0; c < lists[b].num_cells; c++) {
       body[numbering->point[b][c]]  = b;
       index[numbering->point[b][c]] = c;
       num_corners += ElementNumNodes(ElementLinear((ElementType)lists[b].cell_type[c]));
     }
   }
   PetscCall(ShapesCreate(numbering->num_cells, num_corners, cells));
-  for (PetscInt p = 0; p < numbering->num_cells; ++p) {
+  for (PetscInt p = 0; p < numbering->num_cells; p++) {
     const BodyList   *list  = &lists[body[p]];
     const ElementType type  = ElementLinear((ElementType)list->cell_type[index[p]]);
     const PetscInt    first = numbering->first_vertex[body[p]] - numbering->num_cells;
 
-    for (PetscInt i = 0; i < ElementNumNodes(type); ++i)
+    for (PetscInt i = 0; i < ElementNumNodes(type); i++)
       vertices[i] = first + list->cell_nodes[index[p] * ELEMENT_MAX_NODES + ConeOrder[type][i]];
     ShapesAdd(cells, type, vertices);
   }
@@ -77,7 +77,7 @@ static PetscErrorCode ShapesOfCells_Private(const BodyList lists[], const Number
 static PetscErrorCode PlexSetSizes_Private(DM dm, const Shapes *shapes, PetscInt first)
 {
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < shapes->num; ++i) {
+  for (PetscInt i = 0; i < shapes->num; i++) {
     PetscCall(DMPlexSetConeSize(dm, first + i, ElementNumFacets((ElementType)shapes->type[i])));
     PetscCall(DMPlexSetCellType(dm, first + i, PlexPolytope[shapes->type[i]]));
   }
@@ -89,10 +89,10 @@ static PetscErrorCode PlexSetCones_Private(DM dm, const Shapes *shapes, PetscInt
   PetscInt cone[ELEMENT_MAX_NODES];
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < shapes->num; ++i) {
+  for (PetscInt i = 0; i < shapes->num; i++) {
     const PetscInt start = shapes->cone_start[i], num = shapes->cone_start[i + 1] - start;
 
-    for (PetscInt f = 0; f < num; ++f) cone[f] = below + shapes->cone[start + f];
+    for (PetscInt f = 0; f < num; f++) cone[f] = below + shapes->cone[start + f];
     PetscCall(DMPlexSetCone(dm, first + i, cone));
     PetscCall(DMPlexSetConeOrientation(dm, first + i, &shapes->orientation[start]));
   }
@@ -105,17 +105,17 @@ static PetscErrorCode PlexSetShapes_Private(DM dm, PetscInt dim, const Shapes sh
   PetscInt first[4] = {shapes[dim].num, 0, 0, 0}, end = shapes[dim].num + num_vertices;
 
   PetscFunctionBeginUser;
-  for (PetscInt d = dim - 1; d > 0; --d) {
+  for (PetscInt d = dim - 1; d > 0; d--) {
     first[d] = end;
     end += shapes[d].num;
   }
   PetscCall(DMPlexSetChart(dm, 0, end));
   PetscCall(DMCreateLabel(dm, "celltype")); // kept by hand: PETSc would look for the types in the cones
-  for (PetscInt d = dim; d > 0; --d) PetscCall(PlexSetSizes_Private(dm, &shapes[d], first[d]));
-  for (PetscInt v = 0; v < num_vertices; ++v) PetscCall(DMPlexSetCellType(dm, first[0] + v, DM_POLYTOPE_POINT));
+  for (PetscInt d = dim; d > 0; d--) PetscCall(PlexSetSizes_Private(dm, &shapes[d], first[d]));
+  for (PetscInt v = 0; v < num_vertices; v++) PetscCall(DMPlexSetCellType(dm, first[0] + v, DM_POLYTOPE_POINT));
   PetscCall(DMSetUp(dm));
-  for (PetscInt d = dim; d > 1; --d) PetscCall(PlexSetCones_Private(dm, &shapes[d], first[d], first[d - 1]));
-  for (PetscInt e = 0; e < shapes[1].num; ++e) {
+  for (PetscInt d = dim; d > 1; d--) PetscCall(PlexSetCones_Private(dm, &shapes[d], first[d], first[d - 1]));
+  for (PetscInt e = 0; e < shapes[1].num; e++) {
     const PetscInt *ends = &shapes[1].vertex[shapes[1].start[e]];
 
     PetscCall(DMPlexSetCone(dm, first[1] + e, (const PetscInt[]){first[0] + ends[0], first[0] + ends[1]}));
@@ -142,7 +142,7 @@ static PetscErrorCode PlexSetCoords_Private(const BodyList lists[], const Number
   PetscCall(PetscSectionSetNumFields(section, 1));
   PetscCall(PetscSectionSetFieldComponents(section, 0, dim));
   PetscCall(PetscSectionSetChart(section, first, end));
-  for (PetscInt v = first; v < end; ++v) {
+  for (PetscInt v = first; v < end; v++) {
     PetscCall(PetscSectionSetDof(section, v, dim));
     PetscCall(PetscSectionSetFieldDof(section, v, 0, dim));
   }
@@ -153,10 +153,10 @@ static PetscErrorCode PlexSetCoords_Private(const BodyList lists[], const Number
   PetscCall(VecSetBlockSize(coords, dim));
   PetscCall(VecSetType(coords, VECSTANDARD));
   PetscCall(VecGetArray(coords, &x));
-  for (PetscInt b = 0; b < numbering->num_bodies; ++b) {
+  for (PetscInt b = 0; b < numbering->num_bodies; b++) {
     const PetscInt offset = (numbering->first_vertex[b] - first) * dim;
 
-    for (PetscInt i = 0; i < lists[b].num_vertices * dim; ++i) x[offset + i] = lists[b].coords[i];
+    for (PetscInt i = 0; i < lists[b].num_vertices * dim; i++) x[offset + i] = lists[b].coords[i];
   }
   PetscCall(VecRestoreArray(coords, &x));
   PetscCall(DMSetCoordinatesLocal(dm, coords));
@@ -173,9 +173,9 @@ PetscErrorCode PlexCreate(MPI_Comm comm, PetscInt dim, const BodyList lists[], c
   PetscCall(DMSetType(*dm, DMPLEX));
   PetscCall(DMSetDimension(*dm, dim));
   PetscCall(ShapesOfCells_Private(lists, numbering, &shapes[dim]));
-  for (PetscInt d = dim; d > 1; --d) PetscCall(ShapesBound(&shapes[d], numbering->num_vertices, &shapes[d - 1]));
+  for (PetscInt d = dim; d > 1; d--) PetscCall(ShapesBound(&shapes[d], numbering->num_vertices, &shapes[d - 1]));
   PetscCall(PlexSetShapes_Private(*dm, dim, shapes, numbering->num_vertices));
-  for (PetscInt d = dim; d > 0; --d) PetscCall(ShapesDestroy(&shapes[d]));
+  for (PetscInt d = dim; d > 0; d--) PetscCall(ShapesDestroy(&shapes[d]));
   PetscCall(PlexSetCoords_Private(lists, numbering, dim, *dm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -32,7 +32,7 @@ static PetscErrorCode PolygonGetVertices_Private(DM dm, PetscInt point, PetscInt
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetCone(dm, point, &cone));
   PetscCall(DMPlexGetConeOrientation(dm, point, &orientation));
-  for (PetscInt i = 0; i < num; ++i) {
+  for (PetscInt i = 0; i < num; i++) {
     PetscCall(DMPlexGetCone(dm, cone[i], &ends));
     vertices[i] = ends[orientation[i] < 0];
   }
@@ -44,7 +44,7 @@ static PetscInt PointFindEqual_Private(PetscInt num, const PetscInt items[], Pet
 {
   PetscInt i = 0;
 
-  while (i < num && items[i] != item) ++i;
+  while (i < num && items[i] != item) i++;
   return i;
 }
 
@@ -61,10 +61,10 @@ static PetscErrorCode SolidGetVertices_Private(DM dm, PetscInt point, ElementTyp
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetConeOrientation(dm, point, &orientation));
   PetscCall(PolygonGetVertices_Private(dm, cone[0], num, polygon));
-  for (PetscInt i = 0; i < num; ++i) vertices[first[orientation[0] < 0 ? num - 1 - i : i]] = polygon[i];
-  for (PetscInt f = 1; f < ElementNumFacets(type); ++f) {
+  for (PetscInt i = 0; i < num; i++) vertices[first[orientation[0] < 0 ? num - 1 - i : i]] = polygon[i];
+  for (PetscInt f = 1; f < ElementNumFacets(type); f++) {
     PetscCall(PolygonGetVertices_Private(dm, cone[f], num, polygon));
-    for (PetscInt i = 0; i < num; ++i) {
+    for (PetscInt i = 0; i < num; i++) {
       const PetscInt a = polygon[i], b = polygon[(i + 1) % num];
       const PetscInt at_a = PointFindEqual_Private(num, vertices, a), at_b = PointFindEqual_Private(num, vertices, b);
 
@@ -124,9 +124,9 @@ static PetscErrorCode PointFindEdge_Private(DM dm, ElementType type, const Petsc
   const PetscInt *edges     = facets, *ends;
 
   PetscFunctionBeginUser;
-  for (PetscInt f = 0; f < num_lists; ++f) {
+  for (PetscInt f = 0; f < num_lists; f++) {
     if (ElementDim(type) > 2) PetscCall(DMPlexGetCone(dm, facets[f], &edges));
-    for (PetscInt i = 0; i < num; ++i) {
+    for (PetscInt i = 0; i < num; i++) {
       PetscCall(DMPlexGetCone(dm, edges[i], &ends));
       *edge = edges[i];
       if ((ends[0] == a && ends[1] == b) || (ends[0] == b && ends[1] == a)) PetscFunctionReturn(PETSC_SUCCESS);
@@ -143,12 +143,12 @@ PetscErrorCode PointFindFacet(DM dm, PetscInt point, PetscInt num, const PetscIn
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetConeSize(dm, point, &size));
   PetscCall(DMPlexGetCone(dm, point, &cone));
-  for (PetscInt f = 0; f < size; ++f) {
+  for (PetscInt f = 0; f < size; f++) {
     PetscInt num_found, found = 0;
 
     *facet = cone[f];
     PetscCall(PointGetVertices(dm, *facet, &num_found, polygon));
-    for (PetscInt i = 0; i < num; ++i) found += PointFindEqual_Private(num_found, polygon, vertices[i]) < num_found;
+    for (PetscInt i = 0; i < num; i++) found += PointFindEqual_Private(num_found, polygon, vertices[i]) < num_found;
     if (num_found == num && found == num) PetscFunctionReturn(PETSC_SUCCESS);
   }
   SETERRQ(PETSC_COMM_SELF, PETSC_ERR_PLIB, "Point %" PetscInt_FMT " has no such facet", point);
@@ -163,16 +163,16 @@ PetscErrorCode PointGetMiddles(DM dm, PetscInt point, const PetscInt vertices[],
   PetscFunctionBeginUser;
   PetscCall(PointGetLinear_Private(dm, point, &type, &cone));
   *num = 0;
-  for (PetscInt e = 0; e < ElementNumEdges(type) && ElementDim(type) > 1; ++e) { // a line is its own edge
+  for (PetscInt e = 0; e < ElementNumEdges(type) && ElementDim(type) > 1; e++) { // a line is its own edge
     const PetscInt *ends = ElementEdgeNodes(type, e);
 
     PetscCall(PointFindEdge_Private(dm, type, cone, vertices[ends[0]], vertices[ends[1]], &middles[(*num)++]));
   }
-  for (PetscInt f = 0; f < ElementNumFacets(type) && type == ELEMENT_HEX8; ++f) {
+  for (PetscInt f = 0; f < ElementNumFacets(type) && type == ELEMENT_HEX8; f++) {
     const PetscInt *nodes = ElementFacetNodes(type, f), corners = ElementNumNodes(ElementFacetType(type));
     PetscInt        polygon[ELEMENT_MAX_FACET_NODES];
 
-    for (PetscInt i = 0; i < corners; ++i) polygon[i] = vertices[nodes[i]];
+    for (PetscInt i = 0; i < corners; i++) polygon[i] = vertices[nodes[i]];
     PetscCall(PointFindFacet(dm, point, corners, polygon, &middles[(*num)++]));
   }
   PetscCall(PointHasMiddle(dm, point, &has));
@@ -197,7 +197,7 @@ PetscErrorCode PointGetNodes(const Level *level, PetscInt point, ElementType *ty
   PetscCall(PointGetVertices(level->dm, point, &num, points));
   if (point >= level->point_begin && point < level->point_end)
     PetscCall(PointGetMiddles(level->dm, point, points, &num_middles, points + num));
-  for (PetscInt i = 0; i < num + num_middles; ++i) {
+  for (PetscInt i = 0; i < num + num_middles; i++) {
     const PetscInt node = PointGetNode(level, points[i]);
 
     if (node >= 0) nodes[size++] = node;
@@ -210,7 +210,7 @@ PetscErrorCode LevelGetNodePoints(const Level *level, PetscInt **point)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(level->num_nodes, point));
-  for (PetscInt p = level->point_begin; p < level->point_end; ++p) {
+  for (PetscInt p = level->point_begin; p < level->point_end; p++) {
     const PetscInt node = PointGetNode(level, p);
 
     if (node >= 0) (*point)[node] = p;

@@ -30,7 +30,7 @@ static PetscErrorCode RowsSet_Private(Rows *rows, PetscInt i, const Level *from,
   PetscInt end = rows->start[i];
 
   PetscFunctionBeginUser;
-  for (PetscInt k = 0; k < num; ++k) {
+  for (PetscInt k = 0; k < num; k++) {
     if (weights[k] == 0) continue;
     rows->columns[end]  = from->node_global[nodes[k]];
     rows->values[end++] = weights[k];
@@ -65,11 +65,11 @@ static PetscErrorCode VertexAddPlace_Private(const Level *coarse, DMPlexTransfor
   PetscFunctionBeginUser;
   PetscCall(DMPlexTransformGetSourcePoint(transform, vertex, &source, &target, &point, &replica));
   PetscCall(PointGetVertices(coarse->dm, point, &num, vertices));
-  for (PetscInt i = 0; i < num; ++i) {
+  for (PetscInt i = 0; i < num; i++) {
     PetscInt k = 0;
 
-    while (nodes[k] != PointGetNode(coarse, vertices[i])) ++k;
-    for (PetscInt d = 0; d < ElementDim(type); ++d) xi[d] += share / num * ElementNode(type, k)[d];
+    while (nodes[k] != PointGetNode(coarse, vertices[i])) k++;
+    for (PetscInt d = 0; d < ElementDim(type); d++) xi[d] += share / num * ElementNode(type, k)[d];
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -93,7 +93,7 @@ static PetscErrorCode PointGetWeights_Private(const Level *coarse, DMPlexTransfo
   }
   PetscCall(PointGetNodes(coarse, from, &type, nodes));
   PetscCall(PointGetVertices(fine->dm, point, &num_vertices, vertices));
-  for (PetscInt i = 0; i < num_vertices; ++i)
+  for (PetscInt i = 0; i < num_vertices; i++)
     PetscCall(VertexAddPlace_Private(coarse, transform, vertices[i], type, nodes, (PetscReal)1 / num_vertices, xi));
   ElementShape(type, xi, weights, NULL);
   *num = ElementNumNodes(type);
@@ -108,7 +108,7 @@ PetscErrorCode LevelCreateProlongation(const Level *coarse, DMPlexTransform tran
   PetscFunctionBeginUser;
   PetscCall(LevelGetNodePoints(fine, &point));
   PetscCall(RowsCreate_Private(fine->num_owned, &rows));
-  for (PetscInt i = 0; i < fine->num_owned; ++i) {
+  for (PetscInt i = 0; i < fine->num_owned; i++) {
     PetscInt  num = 0, nodes[ELEMENT_MAX_NODES];
     PetscReal weights[ELEMENT_MAX_NODES];
 
@@ -129,7 +129,7 @@ PetscErrorCode LevelCreateEmbedding(const Level *low, const Level *high, Mat *E)
   PetscFunctionBeginUser;
   PetscCall(LevelGetNodePoints(high, &point));
   PetscCall(RowsCreate_Private(high->num_owned, &rows));
-  for (PetscInt i = 0; i < high->num_owned; ++i) {
+  for (PetscInt i = 0; i < high->num_owned; i++) {
     const PetscInt p = point[i];
     PetscInt       num, points[ELEMENT_MAX_NODES], nodes[ELEMENT_MAX_NODES];
     PetscReal      weights[ELEMENT_MAX_NODES];
@@ -140,7 +140,7 @@ PetscErrorCode LevelCreateEmbedding(const Level *low, const Level *high, Mat *E)
     } else {
       PetscCall(PointGetVertices(high->dm, p, &num, points));
     }
-    for (PetscInt k = 0; k < num; ++k) {
+    for (PetscInt k = 0; k < num; k++) {
       nodes[k]   = PointGetNode(low, points[k]);
       weights[k] = (PetscReal)1 / num;
     }

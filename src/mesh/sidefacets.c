@@ -17,7 +17,7 @@ static PetscErrorCode SideGetPoints_Private(DM dm, const char body[], const char
   PetscCall(DMPlexGetHeightStratum(dm, 1, &begin, &end));
   PetscCall(SideNamesAdd(&names, side));
   PetscCall(PetscMalloc1((end - begin) * names.num, &points));
-  for (PetscInt s = 0; s < names.num; ++s) {
+  for (PetscInt s = 0; s < names.num; s++) {
     const PetscInt *labelled;
     char            text[PETSC_MAX_PATH_LEN];
     PetscInt        size;
@@ -28,7 +28,7 @@ static PetscErrorCode SideGetPoints_Private(DM dm, const char body[], const char
     if (!stratum) continue; // none on this rank
     PetscCall(ISGetLocalSize(stratum, &size));
     PetscCall(ISGetIndices(stratum, &labelled));
-    for (PetscInt i = 0; i < size; ++i) { // refinement labels new vertices as well
+    for (PetscInt i = 0; i < size; i++) { // refinement labels new vertices as well
       if (labelled[i] >= begin && labelled[i] < end) points[num++] = labelled[i];
     }
     PetscCall(ISRestoreIndices(stratum, &labelled));
@@ -55,12 +55,12 @@ static PetscErrorCode FacetSet_Private(const Level *level, PetscInt point, Petsc
   facets->cell[f] = cells[0] - cell_begin;
   type            = (ElementType)level->cell_type[facets->cell[f]];
   nodes           = &level->cell_nodes[level->cell_start[facets->cell[f]]];
-  for (PetscInt i = 0; i < num; ++i) ends[i] = PointGetNode(level, ends[i]);
+  for (PetscInt i = 0; i < num; i++) ends[i] = PointGetNode(level, ends[i]);
   number = CellFindFacet(type, nodes, ends);
   PetscCheck(number >= 0, PETSC_COMM_SELF, PETSC_ERR_PLIB, "Facet %" PetscInt_FMT " is not one of its cell", point);
   facets->type[f] = ElementFacetType(type);
   order           = ElementFacetNodes(type, number);
-  for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); ++i)
+  for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
     facets->nodes[f * ELEMENT_MAX_FACET_NODES + i] = nodes[order[i]];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -76,7 +76,7 @@ PetscErrorCode LevelGetFacets(Level *level, Scene scene, PetscInt body, const ch
   PetscCall(ISGetIndices(is, &points));
   PetscCall(PetscMalloc3(facets->num, &facets->type, facets->num, &facets->cell, facets->num * ELEMENT_MAX_FACET_NODES,
                          &facets->nodes));
-  for (PetscInt f = 0; f < facets->num; ++f) PetscCall(FacetSet_Private(level, points[f], f, facets));
+  for (PetscInt f = 0; f < facets->num; f++) PetscCall(FacetSet_Private(level, points[f], f, facets));
   PetscCall(ISRestoreIndices(is, &points));
   PetscCall(ISDestroy(&is));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -87,10 +87,10 @@ PetscReal FacetGetMeasure(const Level *level, const Facets *facets, PetscInt f, 
   const ElementType type = ElementLinear(facets->type[f]);
   PetscReal         X[ELEMENT_MAX_FACET_NODES * 3], xi[3], weight[1], phi[ELEMENT_MAX_NODES];
 
-  for (PetscInt i = 0; i < ElementNumNodes(type); ++i) {
+  for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
     const PetscInt node = facets->nodes[f * ELEMENT_MAX_FACET_NODES + i];
 
-    for (PetscInt d = 0; d < level->dim; ++d) X[i * level->dim + d] = level->coords[node * level->dim + d];
+    for (PetscInt d = 0; d < level->dim; d++) X[i * level->dim + d] = level->coords[node * level->dim + d];
   }
   (void)QuadratureRule(type, 1, xi, weight); // the point in the middle
   return weight[0] * ElementSurface(type, X, xi, NULL, phi, normal);

@@ -46,7 +46,7 @@ static PetscReal SideShapeAngleShare_Private(PetscInt dim, ElementType type, Pet
 
   if (i >= num) return i < num + edges ? 0.5 : 1;
   if (dim == 2) return 0.5;
-  for (PetscInt k = 0; k < 3; ++k) {
+  for (PetscInt k = 0; k < 3; k++) {
     a[k] = X[3 * ((i + 1) % num) + k] - X[3 * i + k];
     b[k] = X[3 * ((i + num - 1) % num) + k] - X[3 * i + k];
   }
@@ -59,15 +59,15 @@ static void SideShapeSetCorners_Private(Side *side)
 {
   const PetscInt dim = side->level->dim;
 
-  for (PetscInt f = 0; f < side->facets->num; ++f) {
+  for (PetscInt f = 0; f < side->facets->num; f++) {
     const ElementType type = side->facets->type[f];
     PetscReal         X[3 * F];
 
-    for (PetscInt i = 0; i < ElementNumNodes(type); ++i) {
-      for (PetscInt k = 0; k < dim; ++k) X[i * dim + k] = SideShapePosition_Private(side, f, i)[k];
+    for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
+      for (PetscInt k = 0; k < dim; k++) X[i * dim + k] = SideShapePosition_Private(side, f, i)[k];
     }
     FrameAddFacetNormal(dim, ElementNumNodes(type), X, &side->weighted[f * F * dim]);
-    for (PetscInt i = 0; i < ElementNumNodes(type); ++i)
+    for (PetscInt i = 0; i < ElementNumNodes(type); i++)
       side->share[f * F + i] = SideShapeAngleShare_Private(dim, type, i, X);
   }
 }
@@ -82,17 +82,17 @@ static PetscErrorCode SideShapeSumAtNodes_Private(const Side *side, PetscInt bs,
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(side->level, bs, &sums));
-  for (PetscInt way = 0; way < 2; ++way) {
+  for (PetscInt way = 0; way < 2; way++) {
     PetscCall(VecGhostGetLocalForm(sums, &local));
     if (way == 0) PetscCall(VecZeroEntries(local));
     PetscCall(VecGetArray(local, &a));
-    for (PetscInt f = 0; f < side->facets->num; ++f) {
-      for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); ++i) {
+    for (PetscInt f = 0; f < side->facets->num; f++) {
+      for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); i++) {
         PetscScalar *at   = &a[side->facets->nodes[f * F + i] * bs];
         PetscReal   *mine = &values[(f * F + i) * bs];
 
         if (skip && skip[f * F + i] != 0) continue;
-        for (PetscInt k = 0; k < bs; ++k) {
+        for (PetscInt k = 0; k < bs; k++) {
           if (way == 0)
             at[k] += mine[k];
           else
@@ -114,8 +114,8 @@ static PetscErrorCode SideShapeFindSuspects_Private(const Side *side, PetscReal 
   const PetscInt dim = side->level->dim;
 
   PetscFunctionBeginUser;
-  for (PetscInt f = 0; f < side->facets->num; ++f) {
-    for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); ++i) {
+  for (PetscInt f = 0; f < side->facets->num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); i++) {
       PetscReal unit[3];
 
       PetscCall(PetscArraycpy(unit, &side->weighted[(f * F + i) * dim], dim));
@@ -133,9 +133,9 @@ static Corner SideShapeCornerOf_Private(const Side *side, PetscInt f, PetscInt i
   const PetscInt dim = side->level->dim, n = ElementNumNodes(ElementLinear(side->facets->type[f]));
   Corner corner = {.node = side->level->node_global[side->facets->nodes[f * F + i]], .share = side->share[f * F + i]};
 
-  for (PetscInt k = 0; k < dim; ++k) {
+  for (PetscInt k = 0; k < dim; k++) {
     corner.unit[k] = corner.weighted[k] = side->weighted[(f * F + i) * dim + k];
-    for (PetscInt v = 0; v < n; ++v)
+    for (PetscInt v = 0; v < n; v++)
       corner.outward[k] +=
           (SideShapePosition_Private(side, f, v)[k] - SideShapePosition_Private(side, f, i)[k]) / (PetscReal)n;
   }
@@ -161,15 +161,15 @@ static PetscErrorCode SideShapeGatherCorners_Private(const Side *side, const Pet
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_size(side->level->comm, &size));
   PetscCall(PetscMalloc3(side->facets->num * F, &corners, size, &counts, size + 1, &begin));
-  for (PetscInt f = 0; f < side->facets->num; ++f) {
-    for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); ++i) {
+  for (PetscInt f = 0; f < side->facets->num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); i++) {
       if (suspect[f * F + i] > 0) corners[mine++] = SideShapeCornerOf_Private(side, f, i);
     }
   }
   mine *= (PetscMPIInt)sizeof(Corner);
   PetscCallMPI(MPI_Allgather(&mine, 1, MPI_INT, counts, 1, MPI_INT, side->level->comm));
   begin[0] = 0;
-  for (PetscMPIInt r = 0; r < size; ++r) begin[r + 1] = begin[r] + counts[r];
+  for (PetscMPIInt r = 0; r < size; r++) begin[r + 1] = begin[r] + counts[r];
   *num = begin[size] / (PetscInt)sizeof(Corner);
   PetscCall(PetscMalloc1(*num, all));
   PetscCallMPI(MPI_Allgatherv(corners, mine, MPI_BYTE, *all, counts, begin, MPI_BYTE, side->level->comm));
@@ -186,18 +186,18 @@ static void SideShapeSetPatch_Private(Side *side, PetscInt f, PetscInt i, PetscI
   PetscReal      normal[3] = {0}, share = 0, ridge = 0;
   PetscBool      edge = PETSC_FALSE;
 
-  for (PetscInt c = 0; c < num; ++c) {
+  for (PetscInt c = 0; c < num; c++) {
     if (VectorDot(dim, own.unit, node[c].unit) < SMOOTH) {
       edge = PETSC_TRUE;
       ridge -= VectorDot(dim, own.unit, node[c].outward); // the others fall away behind a convex edge
       continue;
     }
     share += node[c].share;
-    for (PetscInt k = 0; k < dim; ++k) normal[k] += node[c].weighted[k];
+    for (PetscInt k = 0; k < dim; k++) normal[k] += node[c].weighted[k];
   }
   if (!edge) return;
   FrameNormalize(dim, normal);
-  for (PetscInt k = 0; k < dim; ++k) side->shape->normal[(f * F + i) * dim + k] = normal[k];
+  for (PetscInt k = 0; k < dim; k++) side->shape->normal[(f * F + i) * dim + k] = normal[k];
   side->share[f * F + i]        = share;
   side->shape->ridge[f * F + i] = ridge > 0 ? 1 : -1;
 }
@@ -213,8 +213,8 @@ static PetscErrorCode SideShapeSplitPatches_Private(Side *side)
   PetscCall(PetscCalloc1(side->facets->num * F, &suspect));
   PetscCall(SideShapeFindSuspects_Private(side, suspect));
   PetscCall(SideShapeGatherCorners_Private(side, suspect, &num, &corners));
-  for (PetscInt f = 0; f < side->facets->num && num; ++f) {
-    for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); ++i) {
+  for (PetscInt f = 0; f < side->facets->num && num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); i++) {
       const Corner key   = {.node = side->level->node_global[side->facets->nodes[f * F + i]]};
       Corner      *first = suspect[f * F + i] > 0
                                ? bsearch(&key, corners, (size_t)num, sizeof(Corner), SideShapeCompareCorners_Private)
@@ -222,8 +222,8 @@ static PetscErrorCode SideShapeSplitPatches_Private(Side *side)
       PetscInt     count = 0;
 
       if (!first) continue;
-      while (first > corners && first[-1].node == key.node) --first;
-      while (first + count < corners + num && first[count].node == key.node) ++count;
+      while (first > corners && first[-1].node == key.node) first--;
+      while (first + count < corners + num && first[count].node == key.node) count++;
       SideShapeSetPatch_Private(side, f, i, count, first);
     }
   }
@@ -239,19 +239,19 @@ static void SideShapeAddNeighbour_Private(const Side *side, PetscInt f, PetscInt
   const PetscReal *n = &side->shape->normal[(f * F + i) * dim], *m = &side->shape->normal[(f * F + j) * dim];
   PetscReal        dx[3], dn[3], along, across, square, most = 0;
 
-  for (PetscInt k = 0; k < dim; ++k) {
+  for (PetscInt k = 0; k < dim; k++) {
     dx[k] = SideShapePosition_Private(side, f, j)[k] - SideShapePosition_Private(side, f, i)[k];
     dn[k] = m[k] - n[k];
   }
   along  = VectorDot(dim, dx, n);
   across = VectorDot(dim, dn, n);
-  for (PetscInt k = 0; k < dim; ++k) {
+  for (PetscInt k = 0; k < dim; k++) {
     dx[k] -= along * n[k];
     dn[k] -= across * n[k];
     most = PetscMax(most, PetscAbsReal(dn[k]));
   }
   square = VectorDot(dim, dx, dx);
-  for (PetscInt k = 0; k < dim * dim && square > 0; ++k) {
+  for (PetscInt k = 0; k < dim * dim && square > 0; k++) {
     sums[k] += dx[k / dim] * dx[k % dim] / square;
     if (most > FLAT) sums[dim * dim + k] += dn[k / dim] * dx[k % dim] / square;
   }
@@ -276,9 +276,9 @@ static PetscBool SideShapeFitCurvature_Private(PetscInt dim, const PetscReal n[]
   PetscBool full = PETSC_TRUE;
 
   FrameFromNormal(dim, n, Q);
-  for (PetscInt a = 0; a < dim - 1; ++a) {
-    for (PetscInt b = 0; b < dim - 1; ++b) {
-      for (PetscInt k = 0; k < dim * dim; ++k) {
+  for (PetscInt a = 0; a < dim - 1; a++) {
+    for (PetscInt b = 0; b < dim - 1; b++) {
+      for (PetscInt k = 0; k < dim * dim; k++) {
         const PetscReal q = Q[(1 + a) * dim + k / dim] * Q[(1 + b) * dim + k % dim];
 
         X[2 * a + b] += q * sums[k];
@@ -293,7 +293,7 @@ static PetscBool SideShapeFitCurvature_Private(PetscInt dim, const PetscReal n[]
     const PetscReal size = X[0] + X[3], s[2] = {N[0] * d[0] + N[1] * d[1], N[2] * d[0] + N[3] * d[1]};
 
     full = PETSC_FALSE;
-    for (PetscInt k = 0; k < 4 && size > 0; ++k) T[k] = (s[0] * d[0] + s[1] * d[1]) / size * d[k / 2] * d[k % 2];
+    for (PetscInt k = 0; k < 4 && size > 0; k++) T[k] = (s[0] * d[0] + s[1] * d[1]) / size * d[k / 2] * d[k % 2];
   } else {
     const PetscReal det = X[0] * X[3] - X[1] * X[2];
 
@@ -301,9 +301,9 @@ static PetscBool SideShapeFitCurvature_Private(PetscInt dim, const PetscReal n[]
     T[3] = (N[3] * X[0] - N[2] * X[1]) / det;
     T[1] = T[2] = 0.5 * (N[1] * X[0] - N[0] * X[1] + N[2] * X[3] - N[3] * X[2]) / det;
   }
-  for (PetscInt k = 0; k < dim * dim; ++k) {
+  for (PetscInt k = 0; k < dim * dim; k++) {
     S[k] = 0;
-    for (PetscInt a = 0; a < (dim - 1) * (dim - 1); ++a)
+    for (PetscInt a = 0; a < (dim - 1) * (dim - 1); a++)
       S[k] += T[2 * (a / (dim - 1)) + a % (dim - 1)] * Q[(1 + a / (dim - 1)) * dim + k / dim] *
               Q[(1 + a % (dim - 1)) * dim + k % dim];
   }
@@ -319,19 +319,19 @@ static PetscErrorCode SideShapeSetCurvatures_Private(Side *side, PetscBool inner
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(side->facets->num * F * 2 * dim * dim, &sums));
-  for (PetscInt f = 0; f < side->facets->num; ++f) {
+  for (PetscInt f = 0; f < side->facets->num; f++) {
     const PetscInt n = ElementNumNodes(side->facets->type[f]);
 
-    for (PetscInt i = 0; i < n; ++i) {
-      for (PetscInt j = 0; j < n; ++j) {
+    for (PetscInt i = 0; i < n; i++) {
+      for (PetscInt j = 0; j < n; j++) {
         if (i == j || (inner && side->share[f * F + j] < INNER)) continue;
         SideShapeAddNeighbour_Private(side, f, i, j, &sums[(f * F + i) * 2 * dim * dim]);
       }
     }
   }
   PetscCall(SideShapeSumAtNodes_Private(side, 2 * dim * dim, side->shape->ridge, sums));
-  for (PetscInt f = 0; f < side->facets->num; ++f) {
-    for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); ++i) {
+  for (PetscInt f = 0; f < side->facets->num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); i++) {
       const PetscInt  c    = f * F + i;
       const PetscBool full = SideShapeFitCurvature_Private(dim, &side->shape->normal[c * dim], &sums[c * 2 * dim * dim],
                                                            &side->shape->curvature[c * dim * dim]);
@@ -352,12 +352,12 @@ static PetscBool SideShapeTurnNormal_Private(const Side *side, PetscInt f, Petsc
   const PetscReal *m = &side->shape->normal[(f * F + j) * dim], *S = &side->shape->curvature[(f * F + j) * dim * dim];
   PetscReal        dx[3] = {0}, t[3] = {0}, square, along;
 
-  for (PetscInt k = 0; k < dim; ++k)
+  for (PetscInt k = 0; k < dim; k++)
     dx[k] = SideShapePosition_Private(side, f, i)[k] - SideShapePosition_Private(side, f, j)[k];
-  for (PetscInt k = 0; k < dim * dim; ++k) t[k / dim] += S[k] * dx[k % dim];
+  for (PetscInt k = 0; k < dim * dim; k++) t[k / dim] += S[k] * dx[k % dim];
   square = VectorDot(dim, t, t);
   along  = VectorDot(dim, m, dx) / VectorDot(dim, dx, dx);
-  for (PetscInt k = 0; k < dim; ++k)
+  for (PetscInt k = 0; k < dim; k++)
     n[k] = known && square < 1 ? t[k] + PetscSqrtReal(1 - square) * m[k] : m[k] - 2 * along * dx[k];
   return (PetscBool)(PetscMax(square, PetscSqr(along) * VectorDot(dim, dx, dx)) > FLAT * FLAT);
 }
@@ -380,23 +380,23 @@ static PetscErrorCode SideShapeSetEnds_Private(Side *side, PetscReal least, Pets
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(side->facets->num * F * dim, &normals));
-  for (PetscInt f = 0; f < side->facets->num; ++f) {
+  for (PetscInt f = 0; f < side->facets->num; f++) {
     const PetscInt num = ElementNumNodes(side->facets->type[f]);
 
-    for (PetscInt i = 0; i < num; ++i) {
+    for (PetscInt i = 0; i < num; i++) {
       const PetscReal share = side->share[f * F + i];
 
       if (share < least || share >= most) continue;
-      for (PetscInt j = 0; j < num; ++j) {
+      for (PetscInt j = 0; j < num; j++) {
         if (side->share[f * F + j] < share + FULLER) continue;
         if (known[f * F + j] == 0 && !SideShapeOnOneLine_Private(side->facets->type[f], i, j)) continue;
         if (!SideShapeTurnNormal_Private(side, f, i, j, (PetscBool)(known[f * F + j] > 0), n)) continue;
-        for (PetscInt k = 0; k < dim; ++k) normals[(f * F + i) * dim + k] += n[k];
+        for (PetscInt k = 0; k < dim; k++) normals[(f * F + i) * dim + k] += n[k];
       }
     }
   }
   PetscCall(SideShapeSumAtNodes_Private(side, dim, side->shape->ridge, normals));
-  for (PetscInt c = 0; c < side->facets->num * F; ++c) {
+  for (PetscInt c = 0; c < side->facets->num * F; c++) {
     if (FrameNormalize(dim, &normals[c * dim]) > 0)
       PetscCall(PetscArraycpy(&side->shape->normal[c * dim], &normals[c * dim], dim));
   }
@@ -411,15 +411,15 @@ static PetscErrorCode SideShapeTurns_Private(const Side *side, PetscBool *turns)
 
   PetscFunctionBeginUser;
   *turns = PETSC_FALSE;
-  for (PetscInt f = 0; f < side->facets->num; ++f) {
-    for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); ++i) {
+  for (PetscInt f = 0; f < side->facets->num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); i++) {
       PetscReal unit[3], own[3];
 
       PetscCall(PetscArraycpy(unit, &side->weighted[(f * F + i) * dim], dim));
       PetscCall(PetscArraycpy(own, &side->weighted[f * F * dim], dim));
       FrameNormalize(dim, unit);
       FrameNormalize(dim, own);
-      for (PetscInt k = 0; k < dim; ++k) {
+      for (PetscInt k = 0; k < dim; k++) {
         const PetscReal normal = side->shape->normal[(f * F + i) * dim + k];
         if (PetscAbsReal(unit[k] - normal) > FLAT || PetscAbsReal(unit[k] - own[k]) > FLAT) *turns = PETSC_TRUE;
       }
@@ -443,7 +443,7 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, SideShape *sh
   SideShapeSetCorners_Private(&side);
   PetscCall(PetscArraycpy(shape->normal, side.weighted, num * dim));
   PetscCall(SideShapeSumAtNodes_Private(&side, dim, NULL, shape->normal));
-  for (PetscInt c = 0; c < num; ++c) FrameNormalize(dim, &shape->normal[c * dim]);
+  for (PetscInt c = 0; c < num; c++) FrameNormalize(dim, &shape->normal[c * dim]);
   PetscCall(SideShapeSplitPatches_Private(&side));
   PetscCall(SideShapeTurns_Private(&side, &turns));
   if (turns) {
@@ -471,7 +471,7 @@ PetscErrorCode SideShapeIsCurved(const Level *level, const Facets *facets, const
 
   PetscFunctionBeginUser;
   *curved = PETSC_FALSE;
-  for (PetscInt c = 0; c < facets->num * F * dim * dim; ++c) *curved = (PetscBool)(*curved || shape->curvature[c] != 0);
+  for (PetscInt c = 0; c < facets->num * F * dim * dim; c++) *curved = (PetscBool)(*curved || shape->curvature[c] != 0);
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, curved, 1, MPIU_BOOL, MPI_LOR, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -33,18 +33,18 @@ static PetscErrorCode PatternGet_Private(ElementType type, Pattern *pattern)
   PetscCall(DMPlexSetChart(cell, 0, num + 1));
   PetscCall(DMPlexSetConeSize(cell, 0, num));
   PetscCall(DMSetUp(cell));
-  for (PetscInt i = 0; i < num; ++i) cone[i] = i + 1;
+  for (PetscInt i = 0; i < num; i++) cone[i] = i + 1;
   PetscCall(DMPlexSetCone(cell, 0, cone));
   PetscCall(DMCreateLabel(cell, "celltype"));
   PetscCall(DMPlexSetCellType(cell, 0, PlexPolytope[type]));
-  for (PetscInt i = 0; i < num; ++i) PetscCall(DMPlexSetCellType(cell, i + 1, DM_POLYTOPE_POINT));
+  for (PetscInt i = 0; i < num; i++) PetscCall(DMPlexSetCellType(cell, i + 1, DM_POLYTOPE_POINT));
   PetscCall(DMPlexSymmetrize(cell));
   PetscCall(DMPlexStratify(cell));
   PetscCall(DMPlexInterpolate(cell, &whole));
   PetscCall(DMPlexGetCone(whole, 0, &facets));
-  for (PetscInt f = 0; f < ElementNumFacets(type); ++f) {
+  for (PetscInt f = 0; f < ElementNumFacets(type); f++) {
     PetscCall(PointGetVertices(whole, facets[f], &num_found, vertices));
-    for (PetscInt i = 0; i < num_found; ++i) pattern->vertex[f][i] = vertices[i] - 1;
+    for (PetscInt i = 0; i < num_found; i++) pattern->vertex[f][i] = vertices[i] - 1;
   }
   PetscCall(DMDestroy(&whole));
   PetscCall(DMDestroy(&cell));
@@ -72,7 +72,7 @@ void ShapesAdd(Shapes *shapes, ElementType type, const PetscInt vertices[])
 {
   const PetscInt num = ElementNumNodes(type), start = shapes->start[shapes->num];
 
-  for (PetscInt i = 0; i < num; ++i) shapes->vertex[start + i] = vertices[i];
+  for (PetscInt i = 0; i < num; i++) shapes->vertex[start + i] = vertices[i];
   shapes->type[shapes->num]    = type;
   shapes->start[++shapes->num] = start + num;
 }
@@ -84,11 +84,11 @@ static PetscBool ShapeIs_Private(const Shapes *shapes, PetscInt shape, PetscInt 
   const PetscInt *own = &shapes->vertex[shapes->start[shape]];
 
   if (shapes->start[shape + 1] - shapes->start[shape] != num) return PETSC_FALSE;
-  for (PetscInt begin = 0; begin < num; ++begin) {
+  for (PetscInt begin = 0; begin < num; begin++) {
     PetscInt forth = 0, back = 0;
 
-    while (forth < num && own[(begin + forth) % num] == vertices[forth]) ++forth;
-    while (back < num && own[(begin + num - back) % num] == vertices[back]) ++back;
+    while (forth < num && own[(begin + forth) % num] == vertices[forth]) forth++;
+    while (back < num && own[(begin + num - back) % num] == vertices[back]) back++;
     if (PetscMax(forth, back) == num) return PETSC_TRUE;
   }
   return PETSC_FALSE;
@@ -102,7 +102,7 @@ static PetscInt ShapesFind_Private(Shapes *shapes, ElementType type, const Petsc
   const PetscInt num    = ElementNumNodes(type);
   PetscInt       lowest = vertices[0];
 
-  for (PetscInt i = 1; i < num; ++i) lowest = PetscMin(lowest, vertices[i]);
+  for (PetscInt i = 1; i < num; i++) lowest = PetscMin(lowest, vertices[i]);
   for (PetscInt shape = head[lowest]; shape >= 0; shape = next[shape]) {
     if (ShapeIs_Private(shapes, shape, num, vertices)) return shape;
   }
@@ -119,10 +119,10 @@ static PetscErrorCode ShapeBound_Private(Shapes *upper, PetscInt shape, const Pa
   const PetscInt    num = ElementNumNodes(facet), first = upper->cone_start[shape];
 
   PetscFunctionBeginUser;
-  for (PetscInt f = 0; f < upper->cone_start[shape + 1] - first; ++f) {
+  for (PetscInt f = 0; f < upper->cone_start[shape + 1] - first; f++) {
     PetscInt vertices[MAX_CORNERS], found;
 
-    for (PetscInt i = 0; i < num; ++i) vertices[i] = upper->vertex[upper->start[shape] + pattern->vertex[f][i]];
+    for (PetscInt i = 0; i < num; i++) vertices[i] = upper->vertex[upper->start[shape] + pattern->vertex[f][i]];
     found                  = ShapesFind_Private(lower, facet, vertices, head, next);
     upper->cone[first + f] = found;
     PetscCall(DMPolytopeGetVertexOrientation(PlexPolytope[facet], &lower->vertex[lower->start[found]], vertices,
@@ -138,7 +138,7 @@ PetscErrorCode ShapesBound(Shapes *upper, PetscInt num_vertices, Shapes *lower)
   PetscInt *head, *next, num_facets = 0, num_corners = 0;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < upper->num; ++i) {
+  for (PetscInt i = 0; i < upper->num; i++) {
     const ElementType type = (ElementType)upper->type[i];
 
     num_facets += ElementNumFacets(type);
@@ -150,9 +150,9 @@ PetscErrorCode ShapesBound(Shapes *upper, PetscInt num_vertices, Shapes *lower)
   PetscCall(
       PetscMalloc3(upper->num + 1, &upper->cone_start, num_facets, &upper->cone, num_facets, &upper->orientation));
   PetscCall(PetscMalloc2(num_vertices, &head, num_facets, &next));
-  for (PetscInt v = 0; v < num_vertices; ++v) head[v] = -1;
+  for (PetscInt v = 0; v < num_vertices; v++) head[v] = -1;
   upper->cone_start[0] = 0;
-  for (PetscInt i = 0; i < upper->num; ++i) {
+  for (PetscInt i = 0; i < upper->num; i++) {
     upper->cone_start[i + 1] = upper->cone_start[i] + ElementNumFacets((ElementType)upper->type[i]);
     PetscCall(ShapeBound_Private(upper, i, &pattern[upper->type[i]], lower, head, next));
   }

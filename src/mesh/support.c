@@ -35,15 +35,15 @@ static void GatherHold_Private(Gather *gather, PetscInt node, PetscInt boundary,
             square = 0;
 
   support->max_value = PetscMax(support->max_value, PetscAbsReal(value));
-  for (PetscInt d = 0; d < dim; ++d) r[d] = direction[d];
-  for (PetscInt k = 0; k < support->count[node]; ++k) {
+  for (PetscInt d = 0; d < dim; d++) r[d] = direction[d];
+  for (PetscInt k = 0; k < support->count[node]; k++) {
     PetscReal dot = 0;
 
-    for (PetscInt d = 0; d < dim; ++d) dot += Q[k * dim + d] * direction[d];
-    for (PetscInt d = 0; d < dim; ++d) r[d] -= dot * Q[k * dim + d];
+    for (PetscInt d = 0; d < dim; d++) dot += Q[k * dim + d] * direction[d];
+    for (PetscInt d = 0; d < dim; d++) r[d] -= dot * Q[k * dim + d];
     rest -= dot * values[k];
   }
-  for (PetscInt d = 0; d < dim; ++d) square += r[d] * r[d];
+  for (PetscInt d = 0; d < dim; d++) square += r[d] * r[d];
   if (square <= PetscSqr(ParallelSine)) {
     if (PetscAbsReal(rest) > gather->mismatch) {
       gather->mismatch = PetscAbsReal(rest);
@@ -52,7 +52,7 @@ static void GatherHold_Private(Gather *gather, PetscInt node, PetscInt boundary,
     }
     return;
   }
-  for (PetscInt d = 0; d < dim; ++d) Q[support->count[node] * dim + d] = r[d] / PetscSqrtReal(square);
+  for (PetscInt d = 0; d < dim; d++) Q[support->count[node] * dim + d] = r[d] / PetscSqrtReal(square);
   values[support->count[node]++] = rest / PetscSqrtReal(square);
   if (support->side[node] == BOUNDARY_NONE) support->side[node] = boundary;
 }
@@ -69,8 +69,8 @@ static PetscErrorCode GatherFlagSide_Private(Gather *gather, PetscInt body, cons
   PetscCall(VecSet(*local, 0));
   PetscCall(LevelGetFacets(gather->level, gather->scene, body, side, &facets));
   PetscCall(VecGetArray(*local, &flag));
-  for (PetscInt f = 0; f < facets.num; ++f) {
-    for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); ++i)
+  for (PetscInt f = 0; f < facets.num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); i++)
       flag[facets.nodes[f * ELEMENT_MAX_FACET_NODES + i]] = 1;
   }
   PetscCall(VecRestoreArray(*local, &flag));
@@ -90,12 +90,12 @@ static PetscErrorCode GatherDisplacement_Private(Gather *gather, PetscInt body, 
   PetscFunctionBeginUser;
   PetscCall(GatherFlagSide_Private(gather, body, boundary->side, &local));
   PetscCall(VecGetArrayRead(local, &flag));
-  for (PetscInt node = 0; node < level->num_nodes; ++node) {
+  for (PetscInt node = 0; node < level->num_nodes; node++) {
     PetscReal value[3];
 
     if (PetscRealPart(flag[node]) == 0) continue;
     PetscCall(ExpressionEvaluate(boundary->value, level->dim, &level->coords[node * level->dim], value));
-    for (PetscInt d = 0; d < level->dim; ++d) {
+    for (PetscInt d = 0; d < level->dim; d++) {
       PetscReal axis[3] = {0, 0, 0};
 
       axis[d] = 1;
@@ -115,12 +115,12 @@ static void NormalTidy_Private(PetscInt dim, PetscReal n[])
   PetscReal square = 0;
   PetscInt  along = -1, num = 0;
 
-  for (PetscInt d = 0; d < dim; ++d) {
+  for (PetscInt d = 0; d < dim; d++) {
     if (PetscAbsReal(n[d]) < AxisCosine) n[d] = 0;
     square += n[d] * n[d];
     if (n[d] != 0) along = d, ++num;
   }
-  for (PetscInt d = 0; d < dim; ++d) n[d] /= PetscSqrtReal(square);
+  for (PetscInt d = 0; d < dim; d++) n[d] /= PetscSqrtReal(square);
   if (num == 1) n[along] = 1;
 }
 
@@ -134,23 +134,23 @@ static PetscErrorCode SideGetNormal_Private(Gather *gather, PetscInt body, const
 
   PetscFunctionBeginUser;
   PetscCall(LevelGetFacets(gather->level, gather->scene, body, side, &facets));
-  for (PetscInt f = 0; f < facets.num; ++f) {
+  for (PetscInt f = 0; f < facets.num; f++) {
     PetscReal       normal[3];
     const PetscReal area = FacetGetMeasure(level, &facets, f, normal);
 
-    for (PetscInt d = 0; d < level->dim; ++d) sum[d] += area * normal[d];
+    for (PetscInt d = 0; d < level->dim; d++) sum[d] += area * normal[d];
     sum[3] += area;
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 4, MPIU_REAL, MPIU_SUM, level->comm));
-  for (PetscInt d = 0; d < level->dim; ++d) size += PetscSqr(sum[d]);
+  for (PetscInt d = 0; d < level->dim; d++) size += PetscSqr(sum[d]);
   size   = PetscSqrtReal(size);
   extent = level->dim == 2 ? sum[3] : PetscSqrtReal(sum[3]);
-  for (PetscInt d = 0; d < level->dim; ++d) n[d] = size > 0 ? sum[d] / size : 0;
-  for (PetscInt f = 0; f < facets.num; ++f) {
-    for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); ++i) {
+  for (PetscInt d = 0; d < level->dim; d++) n[d] = size > 0 ? sum[d] / size : 0;
+  for (PetscInt f = 0; f < facets.num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); i++) {
       PetscReal height = 0;
 
-      for (PetscInt d = 0; d < level->dim; ++d)
+      for (PetscInt d = 0; d < level->dim; d++)
         height += n[d] * level->coords[facets.nodes[f * ELEMENT_MAX_FACET_NODES + i] * level->dim + d];
       range[0] = PetscMax(range[0], -height);
       range[1] = PetscMax(range[1], height);
@@ -178,7 +178,7 @@ static PetscErrorCode GatherNormal_Private(Gather *gather, PetscInt body, PetscI
 
   PetscFunctionBeginUser;
   PetscCall(SideNamesAdd(&names, gather->scene->bodies[body].boundaries[b].side));
-  for (PetscInt s = 0; s < names.num; ++s) {
+  for (PetscInt s = 0; s < names.num; s++) {
     const PetscScalar *flag;
     PetscReal          n[3];
     Vec                local;
@@ -186,7 +186,7 @@ static PetscErrorCode GatherNormal_Private(Gather *gather, PetscInt body, PetscI
     PetscCall(SideGetNormal_Private(gather, body, names.name[s], n));
     PetscCall(GatherFlagSide_Private(gather, body, names.name[s], &local));
     PetscCall(VecGetArrayRead(local, &flag));
-    for (PetscInt node = 0; node < gather->level->num_nodes; ++node) {
+    for (PetscInt node = 0; node < gather->level->num_nodes; node++) {
       if (PetscRealPart(flag[node]) != 0) GatherHold_Private(gather, node, b, n, 0);
     }
     PetscCall(VecRestoreArrayRead(local, &flag));
@@ -203,7 +203,7 @@ static void GatherAxis_Private(Gather *gather)
   const PetscReal radius[3] = {1, 0, 0};
 
   if (gather->scene->model != MODEL_AXISYMMETRIC) return;
-  for (PetscInt node = 0; node < gather->level->num_nodes; ++node) {
+  for (PetscInt node = 0; node < gather->level->num_nodes; node++) {
     if (gather->level->coords[node * dim] == 0) GatherHold_Private(gather, node, BOUNDARY_AXIS, radius, 0);
   }
 }
@@ -245,22 +245,22 @@ static PetscErrorCode GatherCheck_Private(Gather *gather)
 /* Adds the Cartesian axis that the directions so far span least, until they are a frame. */
 static void FrameComplete_Private(PetscInt dim, PetscInt count, PetscReal Q[])
 {
-  for (; count < dim; ++count) {
+  for (; count < dim; count++) {
     PetscReal best[3] = {0, 0, 0}, longest = 0;
 
-    for (PetscInt c = 0; c < dim; ++c) {
+    for (PetscInt c = 0; c < dim; c++) {
       PetscReal r[3] = {0, 0, 0}, square = 0;
 
       r[c] = 1;
-      for (PetscInt k = 0; k < count; ++k) {
-        for (PetscInt d = 0; d < dim; ++d) r[d] -= Q[k * dim + c] * Q[k * dim + d];
+      for (PetscInt k = 0; k < count; k++) {
+        for (PetscInt d = 0; d < dim; d++) r[d] -= Q[k * dim + c] * Q[k * dim + d];
       }
-      for (PetscInt d = 0; d < dim; ++d) square += r[d] * r[d];
+      for (PetscInt d = 0; d < dim; d++) square += r[d] * r[d];
       if (square <= longest) continue;
       longest = square;
-      for (PetscInt d = 0; d < dim; ++d) best[d] = r[d] / PetscSqrtReal(square);
+      for (PetscInt d = 0; d < dim; d++) best[d] = r[d] / PetscSqrtReal(square);
     }
-    for (PetscInt d = 0; d < dim; ++d) Q[count * dim + d] = best[d];
+    for (PetscInt d = 0; d < dim; d++) Q[count * dim + d] = best[d];
   }
 }
 
@@ -269,7 +269,7 @@ static void SupportFinish_Private(const Level *level, Support *support)
 {
   const PetscInt dim = support->dim;
 
-  for (PetscInt node = 0; node < level->num_nodes; ++node) {
+  for (PetscInt node = 0; node < level->num_nodes; node++) {
     PetscReal *Q = &support->directions[node * dim * dim], *values = &support->values[node * dim], u[3] = {0, 0, 0};
 
     if (!support->count[node]) continue;
@@ -277,12 +277,12 @@ static void SupportFinish_Private(const Level *level, Support *support)
       FrameComplete_Private(dim, support->count[node], Q);
       continue;
     }
-    for (PetscInt k = 0; k < dim; ++k) {
-      for (PetscInt d = 0; d < dim; ++d) u[d] += Q[k * dim + d] * values[k];
+    for (PetscInt k = 0; k < dim; k++) {
+      for (PetscInt d = 0; d < dim; d++) u[d] += Q[k * dim + d] * values[k];
     }
-    for (PetscInt k = 0; k < dim; ++k) {
+    for (PetscInt k = 0; k < dim; k++) {
       values[k] = u[k];
-      for (PetscInt d = 0; d < dim; ++d) Q[k * dim + d] = k == d;
+      for (PetscInt d = 0; d < dim; d++) Q[k * dim + d] = k == d;
     }
   }
 }
@@ -299,10 +299,10 @@ PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support)
   support->max_value = 0;
   PetscCall(PetscCalloc4(num, &support->count, num, &support->side, num * dim * dim, &support->directions, num * dim,
                          &support->values));
-  for (PetscInt i = 0; i < num; ++i) support->side[i] = BOUNDARY_NONE;
+  for (PetscInt i = 0; i < num; i++) support->side[i] = BOUNDARY_NONE;
   PetscCall(LevelCreateVec(level, 1, &gather.flags));
-  for (PetscInt body = 0; body < scene->num_bodies; ++body) {
-    for (PetscInt b = 0; b < scene->bodies[body].num_boundaries; ++b) {
+  for (PetscInt body = 0; body < scene->num_bodies; body++) {
+    for (PetscInt b = 0; b < scene->bodies[body].num_boundaries; b++) {
       const BoundaryKind kind = scene->bodies[body].boundaries[b].kind;
 
       if (kind == BOUNDARY_DISPLACEMENT) PetscCall(GatherDisplacement_Private(&gather, body, b));

@@ -17,9 +17,9 @@ static PetscErrorCode DataList_Private(Scene scene, PetscInt *num, Datum **data)
   PetscInt most = DATA_BODY * scene->num_bodies + DATA_PAIR * scene->num_pairs, n = 0;
 
   PetscFunctionBeginUser;
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) most += scene->bodies[b].num_boundaries;
+  for (PetscInt b = 0; b < scene->num_bodies; b++) most += scene->bodies[b].num_boundaries;
   PetscCall(PetscMalloc1(most, data));
-  for (PetscInt b = 0; b < scene->num_bodies; ++b) {
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
     SceneBody *body = &scene->bodies[b];
 
     (*data)[n++] = (Datum){&body->map, PETSC_FALSE, PETSC_FALSE, PETSC_TRUE};
@@ -28,10 +28,10 @@ static PetscErrorCode DataList_Private(Scene scene, PetscInt *num, Datum **data)
     (*data)[n++] = (Datum){&body->stiffness, PETSC_FALSE, PETSC_FALSE, PETSC_FALSE};
     (*data)[n++] = (Datum){&body->exact, PETSC_FALSE, PETSC_FALSE, PETSC_FALSE};
     (*data)[n++] = (Datum){&body->body_force, PETSC_TRUE, PETSC_TRUE, PETSC_FALSE};
-    for (PetscInt i = 0; i < body->num_boundaries; ++i)
+    for (PetscInt i = 0; i < body->num_boundaries; i++)
       (*data)[n++] = (Datum){&body->boundaries[i].value, PETSC_TRUE, PETSC_TRUE, PETSC_FALSE};
   }
-  for (PetscInt p = 0; p < scene->num_pairs; ++p) {
+  for (PetscInt p = 0; p < scene->num_pairs; p++) {
     ScenePair *pair = &scene->pairs[p];
 
     (*data)[n++] = (Datum){&pair->gap_offset, PETSC_TRUE, PETSC_TRUE, PETSC_FALSE};
@@ -40,7 +40,7 @@ static PetscErrorCode DataList_Private(Scene scene, PetscInt *num, Datum **data)
     (*data)[n++] = (Datum){&pair->exact, PETSC_FALSE, PETSC_FALSE, PETSC_FALSE};
   }
   *num = 0;
-  for (PetscInt i = 0; i < n; ++i)
+  for (PetscInt i = 0; i < n; i++)
     if (*(*data)[i].e) (*data)[(*num)++] = (*data)[i];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -54,13 +54,13 @@ PetscErrorCode SceneSetTime(Scene scene, PetscReal t)
 
   PetscFunctionBeginUser;
   PetscCall(DataList_Private(scene, &num, &data));
-  for (PetscInt i = 0; i < num; ++i) {
+  for (PetscInt i = 0; i < num; i++) {
     const PetscBool names = ExpressionNames(*data[i].e, "t");
 
     if (names && data[i].map) map = ExpressionOption(*data[i].e);
     named = (PetscBool)(named || names);
   }
-  for (PetscInt i = 0; i < num; ++i) ExpressionSetFactor(*data[i].e, named || !data[i].load ? 1 : t);
+  for (PetscInt i = 0; i < num; i++) ExpressionSetFactor(*data[i].e, named || !data[i].load ? 1 : t);
   ExpressionSetTime(t);
   PetscCall(PetscFree(data));
   if (map)
@@ -78,7 +78,7 @@ static PetscErrorCode DatumRaise_Private(Scene scene, const char option[], Petsc
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(num, &names));
-  for (PetscInt i = 0; i < num; ++i)
+  for (PetscInt i = 0; i < num; i++)
     if (data[i].variable) names[n++] = ExpressionOption(*data[i].e);
   near = UserErrorNearest(option, n, names);
   if (near) PetscCall(PetscSNPrintf(suggestion, sizeof(suggestion), "; did you mean %s?", near));
@@ -99,7 +99,7 @@ static PetscErrorCode DatumText_Private(Expression old, const PetscReal values[]
   PetscFunctionBeginUser;
   *free_any = PETSC_FALSE;
   PetscCall(PetscMalloc1(size, text));
-  for (PetscInt c = 0; c < num; ++c) {
+  for (PetscInt c = 0; c < num; c++) {
     const char *comma = c ? "," : "";
 
     if (ExpressionIsFree(old, c)) {
@@ -122,7 +122,7 @@ PetscErrorCode SceneSetDatum(Scene scene, const char option[], PetscInt num, con
 
   PetscFunctionBeginUser;
   PetscCall(DataList_Private(scene, &num_data, &data));
-  for (PetscInt i = 0; i < num_data; ++i)
+  for (PetscInt i = 0; i < num_data; i++)
     if (data[i].variable && !strcasecmp(ExpressionOption(*data[i].e), option)) place = data[i].e;
   if (!place) PetscCall(DatumRaise_Private(scene, option, num_data, data));
   PetscCall(PetscFree(data));
@@ -130,7 +130,7 @@ PetscErrorCode SceneSetDatum(Scene scene, const char option[], PetscInt num, con
     PetscCall(UserErrorRaise(scene->comm, "%s: %" PetscInt_FMT " numbers given, %" PetscInt_FMT " wanted", option, num,
                              ExpressionSize(*place)));
   }
-  for (PetscInt c = 0; c < num; ++c) {
+  for (PetscInt c = 0; c < num; c++) {
     if (!PetscIsInfOrNanReal(values[c]) || ExpressionIsFree(*place, c)) continue;
     PetscCall(UserErrorRaise(scene->comm, "%s: component %" PetscInt_FMT " is not a finite number", option, c + 1));
   }
