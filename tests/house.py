@@ -46,6 +46,25 @@ def find_cycle(graph):
     return next(filter(None, map(visit, graph)), None)
 
 
+def strip_comments(text):
+    """C without comments and strings."""
+    return re.sub(r'/\*.*?\*/|//[^\n]*|"(?:[^"\\\n]|\\.)*"', " ", text, flags=re.DOTALL)
+
+
+def check_calls(top, layer):
+    """No module uses a function that is defined in a higher layer, whoever declares it: else calls between modules could form a cycle."""
+    texts = {path: strip_comments(path.read_text()) for path in sorted(top.glob("src/*/*.c"))}
+    owner = {}
+    for path, text in texts.items():
+        for signature in re.findall(r"^(?!static\b)\w[^;{}()=#]*?\b(\w+)\([^;{}]*\)\s*\{$", text, re.MULTILINE):
+            owner[signature] = path.parent.name
+    for path, text in texts.items():
+        module = path.parent.name
+        for name in sorted(set(re.findall(r"\b[A-Z]\w+", text)) & set(owner)):
+            if layer.get(owner[name], 0) > layer.get(module, 0):
+                yield f"{path.relative_to(top)} uses {name}() of {owner[name]}, a higher layer"
+
+
 def check_layers(top):
     layer, interface = read_table(top)
     graph = read_includes(top)
@@ -69,6 +88,7 @@ def check_layers(top):
             elif owner != module and name not in interface.get(owner, ()):
                 yield f"src/{file} includes {other}, which is private to {owner}"
     yield from (f"{stem} is the name of files in {' and '.join(sorted(modules))}" for stem, modules in sorted(stems.items()) if len(modules) > 1)
+    yield from check_calls(top, layer)
     cycle = find_cycle(graph)
     if cycle:
         yield "these include each other in a cycle: " + " -> ".join(cycle + cycle[:1])
