@@ -199,8 +199,8 @@ static PetscErrorCode MultigridSmootherFromOptions_Private(KSP ksp, PC pc)
   PetscCall(PCGetType(pc, &type));
   if (!same) {
     PetscCall(UserErrorRaise(PetscObjectComm((PetscObject)ksp),
-                             "-mg_levels_pc_type %s: smoothing is with what the level asks for, here %s; leave it away",
-                             type, own));
+                             "-mg_levels_pc_type %s: the level determines its smoother, here %s; omit the option", type,
+                             own));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -303,7 +303,7 @@ static PetscErrorCode SetUp_Multigrid(PC pc)
   PetscCall(MultigridGet_Private(pc, &multigrid));
   if (!multigrid->num) {
     PetscCall(UserErrorRaise(PetscObjectComm((PetscObject)pc),
-                             "-pc_type %s: needs a mesh, which this inequality does not have", PCTRUNCATEDMG));
+                             "-pc_type %s: needs a mesh, and this inequality has none", PCTRUNCATEDMG));
   }
   if (!multigrid->snes) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ISDestroy(&multigrid->left));

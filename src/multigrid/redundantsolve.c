@@ -109,7 +109,7 @@ PetscErrorCode RedundantSolveSetPC(PC pc)
   PetscCall(PCSetOptionsPrefix(redundant->pc, prefix));
   PetscCall(RedundantSolveSetFactor_Private(redundant->pc));
   PetscCall(PCSetType(pc, PCSHELL));
-  PetscCall(PCShellSetName(pc, "factors on every rank"));
+  PetscCall(PCShellSetName(pc, "redundant factorization"));
   PetscCall(PCShellSetContext(pc, redundant));
   PetscCall(PCShellSetSetUp(pc, SetUp_RedundantSolve));
   PetscCall(PCShellSetApply(pc, Apply_RedundantSolve));

@@ -74,7 +74,7 @@ static PetscErrorCode CreateSubMatrix_Submatrix(Mat whole, IS rows, IS columns, 
   PetscFunctionBeginUser;
   PetscCall(ISEqual(rows, columns, &same));
   PetscCheck(same && reuse == MAT_INITIAL_MATRIX, PetscObjectComm((PetscObject)whole), PETSC_ERR_SUP,
-             "Only new parts with the same rows as columns");
+             "Only new submatrices with the same rows as columns");
   PetscCall(MatShellGetContext(whole, &all));
   PetscCall(ISGetLocalSize(rows, &n));
   PetscCall(SubmatrixCreateShell_Private(all->A, all->share, all->work, n, &sub, part));

@@ -84,7 +84,7 @@ static PetscErrorCode FactorizationSetControls_Private(MPI_Comm comm, const char
     PetscCall(PetscSNPrintf(option, sizeof(option), "-mat_mumps_icntl_%" PetscInt_FMT, i));
     PetscCall(PetscOptionsGetInt(NULL, prefix, option, &value, &set));
     if (set && i == ICNTL_ORDER && (value < 0 || value > LAST_ORDER)) {
-      PetscCall(UserErrorRaise(comm, "-%s%s %" PetscInt_FMT ": no order of pivots; must be 0 to %d",
+      PetscCall(UserErrorRaise(comm, "-%s%s %" PetscInt_FMT ": is not an ordering of MUMPS; must be 0 to %d",
                                prefix ? prefix : "", &option[1], value, LAST_ORDER));
     }
     if (set) id->icntl[i - 1] = (MUMPS_INT)value;
@@ -258,7 +258,7 @@ PetscErrorCode FactorizationPredict(Mat A, PetscInt num, const PetscInt C[], con
   forecast->operations = id->rinfog[0];
   forecast->bytes      = megabyte * (PetscReal)id->info[ANALYSED_SIZE - 1];
   if (!factor->rank) forecast->bytes += (PetscReal)num * (PetscReal)num * (PetscReal)sizeof(PetscScalar);
-  PetscCall(PetscInfo(A, "MUMPS foretells: status %d, %g operations, %g bytes on this rank\n", (int)id->infog[0],
+  PetscCall(PetscInfo(A, "MUMPS predicts: status %d, %g operations, %g bytes on this rank\n", (int)id->infog[0],
                       (double)forecast->operations, (double)forecast->bytes));
   PetscCall(FactorizationDestroy(&factor));
   PetscFunctionReturn(PETSC_SUCCESS);

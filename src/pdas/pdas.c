@@ -60,7 +60,7 @@ PetscErrorCode PDASGetFailure(SNES snes, const char *sentence[])
   if (pdas->failure)
     *sentence = pdas->failure;
   else if (!pdas->converged)
-    *sentence = "the active set had not settled after -snes_max_it iterations";
+    *sentence = "the active set still changed after -snes_max_it iterations";
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -130,7 +130,7 @@ static PetscErrorCode SetVariableBounds_PDAS(SNES snes, Vec lower, Vec upper)
   PetscCall(PDASGet(snes, &pdas));
   PetscCall(VecMax(lower, NULL, &max));
   PetscCheck(max <= PETSC_NINFINITY, PetscObjectComm((PetscObject)snes), PETSC_ERR_SUP,
-             SNESPDAS " knows upper bounds only");
+             SNESPDAS " accepts upper bounds only");
   PetscCall(PetscObjectReference((PetscObject)lower));
   PetscCall(PetscObjectReference((PetscObject)upper));
   PetscCall(VecDestroy(&pdas->lower));
@@ -259,11 +259,11 @@ static PetscErrorCode PDASSetFromOptions_Private(SNES snes)
   PetscCall(SNESGetOptionsPrefix(snes, &prefix));
   start = (PetscInt)pdas->start;
   PetscOptionsBegin(PetscObjectComm((PetscObject)snes), prefix, "Primal-dual active set options", "SNES");
-  PetscCall(PetscOptionsReal("-snes_pdas_c", "Constant of the active set test, times the local stiffness", "pdas.h",
-                             pdas->c, &pdas->c, NULL));
-  PetscCall(PetscOptionsEList("-snes_pdas_start", "Set to begin with", "pdas.h", PDASStarts, START_COUNT,
+  PetscCall(PetscOptionsReal("-snes_pdas_c", "Constant of the active set test, in units of the local stiffness",
+                             "pdas.h", pdas->c, &pdas->c, NULL));
+  PetscCall(PetscOptionsEList("-snes_pdas_start", "Initial active set", "pdas.h", PDASStarts, START_COUNT,
                               PDASStarts[start], &start, &pdas->start_set));
-  PetscCall(PetscOptionsBool("-snes_pdas_reduce", "One factorisation for all active sets; by default if that is cheap",
+  PetscCall(PetscOptionsBool("-snes_pdas_reduce", "One factorisation for all active sets; default: where it is cheap",
                              "pdas.h", pdas->reduce, &pdas->reduce, &pdas->reduce_set));
   PetscOptionsEnd();
   pdas->start = (PDASStart)start;

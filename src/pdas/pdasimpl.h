@@ -57,15 +57,14 @@ PetscErrorCode ActiveSetHolds(const ActiveSet *set, const ActiveSolution *soluti
 PetscErrorCode ActiveSetUpdate(ActiveSet *set, const ActiveSolution *solution, PetscReal c, PetscInt *changed,
                                PetscReal *violation);
 
-#define FAILURE_SINGULAR "the system is singular: is every body held, by displacements or by bodies that are?"
+#define FAILURE_SINGULAR "the system is singular: do supports or contact hold every body?"
 #define FAILURE_RESIDUAL                                                                                               \
-  "the direct solver leaves a residual above -snes_rtol: either that is too small, or the system is nearly singular: " \
-  "is every "                                                                                                          \
-  "body held?"
+  "the direct solver leaves a residual above -snes_rtol: is that too small, or is a body not held (nearly singular "   \
+  "system)?"
 #define FAILURE_MEMORY "the direct solver ran out of memory: try -mat_mumps_icntl_14 100, or -pc_type truncatedmg"
 #define FAILURE_ITERATIVE                                                                                              \
-  "the linear solver did not converge: try -pc_type cholesky, which does not iterate, or more -ksp_max_it"
-#define FAILURE_COST "the iteration has cost more than a factorisation would"
+  "the linear solver did not converge: try -pc_type cholesky, which does not iterate, or a larger -ksp_max_it"
+#define FAILURE_COST "the iteration cost more than a factorisation"
 
 /* One way to solve  y_i = value_i where fixed,  (A y - b)_i = 0 elsewhere.  All functions are collective. */
 typedef struct _n_ActiveSolver *ActiveSolver;

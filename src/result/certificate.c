@@ -319,7 +319,7 @@ static void Judge_Private(Fields fields, const PetscReal sums[], const PetscReal
 /* The first test that does not hold, as a sentence. A NAN holds nothing. [in] stopped - whether at the discretisation error */
 static PetscErrorCode Verdict_Private(PetscBool stopped, Certificate *c)
 {
-  static const char coarse[] = "the mesh is too coarse to stop at its error, leave -stop discretisation away";
+  static const char coarse[] = "the mesh is too coarse to stop at its error; omit -stop discretisation";
   static const char solver[] = "tighten -ksp_rtol, or leave -ksp_type and -pc_type to their defaults";
   static const char mesh[]   = "look at the cells of that side, or turn -<pair>_nonmortar and -<pair>_mortar round";
   static const char set[]    = "raise -snes_max_it, tighten -ksp_rtol, or see what -cross_check says";

@@ -80,10 +80,10 @@ PetscErrorCode DiscretizationStopConfirm(SolverContext *context, Vec y, SolverRe
   }
   if (report->converged && !(report->bound.value <= SHARE * report->discretisation)) {
     report->converged = PETSC_FALSE;
-    PetscCall(PetscStrncpy(report->reason,
-                           "the solver's error could not be brought below a tenth of the discretisation error; leave "
-                           "-stop discretisation away",
-                           sizeof(report->reason)));
+    PetscCall(PetscStrncpy(
+        report->reason,
+        "the error of the solver stays above a tenth of the discretisation error; omit -stop discretisation",
+        sizeof(report->reason)));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

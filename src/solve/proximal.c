@@ -165,7 +165,7 @@ static PetscErrorCode ProximalReduceWeight_Private(Proximal *proximal, SNES snes
     PetscCall(PDASSetKeep(snes, PETSC_FALSE));
     PetscCall(PDASSetKeep(snes, PETSC_TRUE));
   }
-  PetscCall(PetscInfo(snes, "springs are weaker by %g\n", (double)WEAKER));
+  PetscCall(PetscInfo(snes, "the proximal term is scaled by %g\n", (double)WEAKER));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -179,8 +179,9 @@ PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport 
   *done = PETSC_TRUE;
   if (!proximal->solvability || !report->converged) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ProximalMeasure_Private(proximal, y, &part, &way));
-  PetscCall(PetscInfo(snes, "sweep %" PetscInt_FMT ": springs pull %g of the forces, and gave %g of the solution\n",
-                      report->proximal_steps, (double)part, (double)way));
+  PetscCall(PetscInfo(
+      snes, "proximal point step %" PetscInt_FMT ": the term is %g of the forces, the step %g of the solution\n",
+      report->proximal_steps, (double)part, (double)way));
   /* what the next sweep would give is as much less as the springs pull less; a first one does not tell */
   if (report->proximal_steps > 1) way *= part / proximal->last;
   if (part <= proximal->relaxed && way <= KEPT) PetscFunctionReturn(PETSC_SUCCESS);
@@ -192,10 +193,11 @@ PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport 
   }
   if (report->proximal_steps == MAX_SWEEPS) {
     report->converged = PETSC_FALSE;
-    PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason),
-                            "after %d sweeps the springs that hold bodies meanwhile still pull %.1e of the forces: is "
-                            "contact near to letting a body go?",
-                            MAX_SWEEPS, (double)part));
+    PetscCall(
+        PetscSNPrintf(report->reason, sizeof(report->reason),
+                      "the proximal point iteration did not converge in %d steps: its term is %.1e of the forces; "
+                      "does contact hold every body?",
+                      MAX_SWEEPS, (double)part));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &pdas));

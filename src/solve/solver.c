@@ -114,8 +114,8 @@ static PetscErrorCode SolverFallBack_Private(Solver solver, const SolverChoice *
   PetscCall(SolverRun(solver, &other, progress, guess, y, report));
   report->gave_way = PETSC_TRUE;
   if (!slow || report->converged) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(WarningAdd(&(Warning){.code = "solver_replaced", .advice = "-pc_type truncatedmg does that at once"},
-                       "the factorisation that took the place of an iteration has failed; iterating to the end"));
+  PetscCall(WarningAdd(&(Warning){.code = "solver_replaced", .advice = "-pc_type truncatedmg avoids the factorisation"},
+                       "the factorisation that replaced the iteration failed; the iteration continues to its end"));
   other        = *choice;
   other.yields = PETSC_FALSE;
   PetscCall(SolverRun(solver, &other, progress, guess, y, report));
@@ -126,7 +126,7 @@ PetscErrorCode SolverSolve(Solver solver, Vec guess, Vec y, SolverReport *report
 {
   const Scene    scene = solver->vi->scene;
   const MPI_Comm comm  = PetscObjectComm((PetscObject)solver->vi->A);
-  const Warning  slow  = {.code = "slow_solver", .advice = "-pc_type cholesky takes none"};
+  const Warning  slow  = {.code = "slow_solver", .advice = "-pc_type cholesky needs no iterations"};
   const double   start = LogWallClock();
   SolverChoice   choice;
   PetscBool      progress;
@@ -134,8 +134,8 @@ PetscErrorCode SolverSolve(Solver solver, Vec guess, Vec y, SolverReport *report
   PetscFunctionBeginUser;
   PetscCall(SolverChoiceSet(solver, &choice));
   if (choice.nearly && !SolverChoiceFactors(choice.pc)) {
-    PetscCall(WarningAdd(
-        &slow, "-pc_type %s may take thousands of iterations for a body that is so nearly incompressible", choice.pc));
+    PetscCall(
+        WarningAdd(&slow, "-pc_type %s may need thousands of iterations for a nearly incompressible body", choice.pc));
   }
   PetscCall(ProgressWanted(scene, &progress));
   choice.keep = scene->cross_check;

@@ -68,8 +68,8 @@ static PetscErrorCode SolverChoiceCheckBounds_Private(MPI_Comm comm, const char 
   PetscCall(PetscObjectQueryFunction((PetscObject)snes, "SNESVISetVariableBounds_C", &answer));
   PetscCall(SNESDestroy(&snes));
   if (!answer) {
-    PetscCall(UserErrorRaise(comm, "-snes_type %s: cannot keep bodies apart, since it knows no bounds; use %s or %s",
-                             type, SNESPDAS, SNESVINEWTONRSLS));
+    PetscCall(UserErrorRaise(comm, "-snes_type %s: ignores bounds, so contact has no effect; use %s or %s", type,
+                             SNESPDAS, SNESVINEWTONRSLS));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -196,14 +196,14 @@ static PetscErrorCode SolverChoiceChooseBySize_Private(VI vi, PetscBool floating
   choice->nearly = (PetscBool)(poisson > ITERABLE);
   if (choice->nearly && size > limit) {
     PetscCall(SolverChoiceFactor_Private(choice));
-    PetscCall(PetscSNPrintf(choice->why, sizeof(choice->why), "a Poisson's ratio above %g, whatever the size",
-                            (double)ITERABLE));
+    PetscCall(
+        PetscSNPrintf(choice->why, sizeof(choice->why), "a Poisson's ratio above %g, for any size", (double)ITERABLE));
   }
   PetscCall(SolverChoiceTestThin_Private(vi, floating, choice, &thin));
   if (thin) {
     PetscCall(SolverChoiceFactor_Private(choice));
-    PetscCall(PetscStrncpy(choice->why, "bodies so thin that a factorisation takes less than an iteration",
-                           sizeof(choice->why)));
+    PetscCall(
+        PetscStrncpy(choice->why, "thin bodies: a factorisation costs less than an iteration", sizeof(choice->why)));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -219,7 +219,7 @@ static PetscErrorCode SolverChoiceChooseStop_Private(VI vi, Solvability solvabil
   if (solvability) {
     PetscCall(UserErrorRaise(
         comm,
-        "-stop discretisation: works where supports hold all bodies, and here contact holds some; leave it away"));
+        "-stop discretisation: supports must hold all bodies, and contact alone holds some here; omit the option"));
   }
   if (choice->own) {
     PetscCall(PetscStrncpy(choice->ksp, KSPCG, sizeof(choice->ksp)));
@@ -229,12 +229,13 @@ static PetscErrorCode SolverChoiceChooseStop_Private(VI vi, Solvability solvabil
   if (strcmp(choice->snes, SNESPDAS) || strcmp(choice->ksp, KSPCG) || strcmp(choice->pc, PCTRUNCATEDMG)) {
     PetscCall(UserErrorRaise(comm,
                              "-stop discretisation: needs -snes_type " SNESPDAS ", -ksp_type " KSPCG
-                             " and -pc_type " PCTRUNCATEDMG ", and gets %s, %s and %s; leave these away",
+                             " and -pc_type " PCTRUNCATEDMG ", not %s, %s and %s; omit these options",
                              choice->snes, choice->ksp, choice->pc));
   }
   if (!(vi->mesh && vi->mesh->num_levels > 1)) {
-    PetscCall(UserErrorRaise(comm, "-stop discretisation: needs a coarser level of the mesh, and there is one level; "
-                                   "refine with -dm_refine 1 or more"));
+    PetscCall(UserErrorRaise(comm,
+                             "-stop discretisation: needs a coarser level of the mesh, and the mesh has one level; "
+                             "refine with -dm_refine 1 or more"));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -247,28 +248,28 @@ static PetscErrorCode SolverChoiceCheckTogether_Private(MPI_Comm comm, const Sol
   PetscFunctionBeginUser;
   if (multigrid && !SolverChoiceTruncatable_Private(choice->snes)) {
     PetscCall(UserErrorRaise(comm,
-                             "-%spc_type " PCTRUNCATEDMG
-                             ": does not work with -snes_type %s, which does not tell what it leaves "
-                             "free; -snes_type " SNESPDAS ", -pc_type cholesky or -pc_type hypre do",
+                             "-%spc_type " PCTRUNCATEDMG ": does not work with -snes_type %s; use -snes_type " SNESPDAS
+                             ", -pc_type cholesky or -pc_type hypre",
                              choice->prefix, choice->snes));
   }
   if (multigrid && !SolverChoiceHasTest_Private(choice->snes, choice->ksp)) {
     PetscCall(UserErrorRaise(comm,
                              "-%sksp_type %s: does not work with -pc_type " PCTRUNCATEDMG
-                             ", which ends by what conjugate gradients tell; -ksp_type " KSPCG " or -pc_type " PCGAMG
-                             " do",
+                             ", whose convergence test needs conjugate gradients; use -ksp_type " KSPCG
+                             " or -pc_type " PCGAMG,
                              choice->prefix, choice->ksp));
   }
   if (strcmp(choice->snes, SNESPDAS) && !strcmp(choice->pc, PCGAMG)) {
     PetscCall(UserErrorRaise(
         comm,
-        "-%spc_type gamg: does not work with -snes_type %s, whose systems change their size; -snes_type pdas, "
-        "-pc_type cholesky or -pc_type hypre do",
+        "-%spc_type gamg: does not work with -snes_type %s, whose systems change their size; use -snes_type pdas, "
+        "-pc_type cholesky or -pc_type hypre",
         choice->prefix, choice->snes));
   }
   if (!strcmp(choice->ksp,
               KSPFCG)) // of 3.18: looks for eigenvalues in memory that is not there, and keeps vectors of another size
-    PetscCall(UserErrorRaise(comm, "-%sksp_type " KSPFCG ": PETSc's does not work here; -ksp_type " KSPCG " does",
+    PetscCall(UserErrorRaise(comm,
+                             "-%sksp_type " KSPFCG ": this type of PETSc fails on these systems; use -ksp_type " KSPCG,
                              choice->prefix));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -357,12 +358,12 @@ PetscErrorCode SolverChoiceSetFallback(const SolverReport *report, SolverChoice 
   PetscCall(SolverChoiceDescribe(choice->ksp, choice->pc, NULL, words, sizeof(words)));
   if (costly) {
     PetscCall(PetscSNPrintf(why, sizeof(why),
-                            "has cost %.0f products with the matrix, and a factorisation costs some %.0f",
+                            "has cost %.0f products with the matrix; a factorisation costs about %.0f",
                             (double)report->work, (double)report->predicted_cost));
   } else {
-    PetscCall(PetscStrncpy(why, "has not converged", sizeof(why)));
+    PetscCall(PetscStrncpy(why, "did not converge", sizeof(why)));
   }
-  PetscCall(WarningAdd(&(Warning){.code = "solver_replaced", .advice = "-pc_type cholesky does that at once"},
+  PetscCall(WarningAdd(&(Warning){.code = "solver_replaced", .advice = "-pc_type cholesky selects it at once"},
                        "%s %s; factorising instead", words, why));
   choice->nested = choice->stop = PETSC_FALSE; // a factorisation has no error to stop at
   PetscCall(SolverChoiceFactor_Private(choice));
@@ -380,7 +381,7 @@ PetscErrorCode SolverView(Solver solver)
   PetscCall(PetscObjectGetComm((PetscObject)solver->vi->A, &comm));
   PetscCall(SolverChoiceSet(solver, &choice));
   if (!strcmp(choice.pc, PCTRUNCATEDMG) && solver->vi->mesh->num_levels == 1)
-    levels = "; on levels of some of its nodes, since the mesh has one level";
+    levels = "; coarse levels consist of nodes, since the mesh has one level";
   PetscCall(SolverChoiceDescribe(choice.ksp, choice.pc, NULL, words, sizeof(words)));
   PetscCall(PetscPrintf(comm, "  solver %s: linear systems by %s (%s%s)\n", choice.snes, words, choice.why, levels));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -64,7 +64,7 @@ static PetscErrorCode SolverReportReasonOther_Private(SNES snes, SNESConvergedRe
                            sizeof(report->reason)));
   } else if (reason == SNES_DIVERGED_MAX_IT) {
     PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason),
-                            "%s had not converged after %" PetscInt_FMT " iterations (-%ssnes_max_it)", report->type,
+                            "%s did not converge in %" PetscInt_FMT " iterations (-%ssnes_max_it)", report->type,
                             report->iterations, prefix ? prefix : ""));
   } else {
     PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason), "%s stopped with PETSc's %s", report->type,

@@ -10,4 +10,4 @@ def judge(run):
     require(run.summary["solver"]["cross_check"]["iterations"] > USUAL, "no case for more iterations than usual")
     short = run.again("-cross_check_snes_max_it", str(USUAL), name="short", warns=["not_confirmed"])
     require(short.summary["status"] == "solved" and not short.summary["solver"]["cross_check"]["converged"], str(short.summary["solver"]))
-    require(f"after {USUAL} iterations (-cross_check_snes_max_it)" in short.stderr, short.stderr)
+    require(f"in {USUAL} iterations (-cross_check_snes_max_it)" in short.stderr, short.stderr)
