@@ -1,21 +1,24 @@
-/* activeprediction.c -- projected steps and truncated cycles, which see where contact ends before any system is solved.
+/* activeprediction.c -- projected steps and truncated cycles, which find the end of contact before any system
+   is solved.
 
-   Steps of a simple iteration, y := min( upper, y + omega D^-1 r ), see what is wrong nearby [1]. What is wrong because contact moved
-   elsewhere comes with a cycle of multigrid on the unknowns that these steps leave free, cut off at the bounds and as long as lowers the energy most [2]:
-   next to what it costs in the system of a set that is not the last one, it costs nothing.
+   Steps of a simple iteration, y := min( upper, y + omega D^-1 r ), correct the active set locally [1].
+   Errors from contact elsewhere need a multigrid cycle on the free unknowns, projected onto the bounds, with
+   the step length that minimizes the energy [2]. This costs little compared with a system of a set that is
+   not the last one.
 
-   References: [1] Kornhuber, Monotone multigrid methods for elliptic variational inequalities I, 1994. [2] Graeser, Kornhuber, Multigrid
-               methods for obstacle problems, 2009. */
+   References: [1] Kornhuber, Monotone multigrid methods for elliptic variational inequalities I, 1994. [2]
+   Graeser, Kornhuber, Multigrid methods for obstacle problems, 2009. */
 #include "base/compat.h"
 #include "multigrid/activeprediction.h"
 #include "multigrid/multigrid.h"
 
-/* Projected steps at first and after each cycle, and cycles at most: two or three until the set stays as it is. */
+/* Projected steps at the start and after each cycle, and the largest number of cycles: two or three until the
+   set does not change. */
 enum { STEPS = 4, STEPS_AFTER = 1, MAX_CYCLES = 3 };
-/* The length of steps by the largest one that is stable. */
+/* Step length relative to the largest stable one. */
 static const PetscReal RELAXATION = 0.9;
 
-/* An iterate, */
+/* The iterate. */
 typedef struct {
   Hierarchy             hierarchy;
   const HierarchyLevel *level;
@@ -26,7 +29,7 @@ typedef struct {
   Vec                   step, product;
 } Iterate;
 
-/* r and the energy of y. */
+/* Computes r and the energy of y. */
 static PetscErrorCode ActivePredictionEvaluate_Private(Iterate *it)
 {
   PetscScalar by, ry;
@@ -55,7 +58,7 @@ static PetscErrorCode ActivePredictionSteps_Private(Iterate *it, PetscInt num)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Tells active ones from others. [out] changed */
+/* Updates the active set. [out] changed */
 static PetscErrorCode ActivePredictionUpdateActive_Private(Iterate *it, PetscInt *changed)
 {
   const PetscScalar *upper, *y, *r;
@@ -102,7 +105,7 @@ static PetscErrorCode ActivePredictionMove_Private(Iterate *it, Vec c)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One cycle for the unknowns that are free now, cut off at the bounds of others. */
+/* One cycle for the free unknowns, projected onto the bounds. */
 static PetscErrorCode ActivePredictionCycle_Private(Iterate *it, PC pc)
 {
   const Vec upper = it->level->op.upper, c = it->step;
@@ -163,7 +166,7 @@ PetscErrorCode ActivePredictionApply(Hierarchy hierarchy, const HierarchyLevel *
 
   PetscFunctionBeginUser;
   *gained = 0;
-  if (level->S) PetscFunctionReturn(PETSC_SUCCESS); // where the diagonal does not smooth it does not see either
+  if (level->S) PetscFunctionReturn(PETSC_SUCCESS); // the diagonal is no smoother here, and its steps predict nothing
   PetscCall(VecPointwiseMin(y, y, level->op.upper));
   PetscCall(ActivePredictionBegin_Private(&it));
   first = it.energy;

@@ -1,32 +1,33 @@
-/* barycentric.c -- a linear function at one place by its values at others.
+/* barycentric.c -- interpolation of a linear function from scattered points.
 
-   Of all ways to do that with weights that are not negative, the one with the least sum w d^2 uses the corners of the simplex around that place whose
-   sphere has no other place in it: the function d^2, interpolated from the places, is the lower hull of a paraboloid [1]. That is a linear program in a few
-   rows, here by the simplex method. Negative weights are columns of their own, at a higher price, and begin at what there is none of at a price that
-   nobody pays.
+   The nonnegative weights with the least sum w d^2 belong to the simplex of the Delaunay triangulation around
+   the target: the interpolant of d^2 is the lower hull of a paraboloid [1]. This is a linear program with few
+   rows, solved by the simplex method. Negative weights are separate columns at a higher cost. The initial
+   basis consists of artificial columns at the cost NEVER.
 
    References: [1] Edelsbrunner, Algorithms in combinatorial geometry, 1987. */
 #include "multigrid/barycentric.h"
 
-enum { DIM_MAX = 3, ROWS = DIM_MAX + 1, PIVOTS = 60 }; // it is done after some ten
+enum { DIM_MAX = 3, ROWS = DIM_MAX + 1, PIVOTS = 60 }; // about ten are usual
 
-/* The price of a negative weight by that of a positive one, and of a row that no place serves by that of the farthest place. */
-static const PetscReal LOATH = 4, NEVER = 1e5;
-/* What is nothing beside 1 after some pivots. */
+/* Cost of a negative weight relative to a positive one; cost of an artificial column relative to the farthest
+   point. */
+static const PetscReal NEGATIVE_COST = 4, NEVER = 1e5;
+/* Tolerances for a zero of order 1: during the pivots, and for the weights of artificial columns. */
 static const PetscReal NOTHING = 1e-9, LEFT = 1e-7;
-/* Weights of more than this, absolute values summed up, make errors of the values larger than they were. */
+/* Limit for the sum of absolute weights: beyond it errors of the values are amplified. */
 static const PetscReal MUCH = 2;
 
 typedef struct {
   PetscInt  rows, num;
-  PetscReal T[ROWS][BARYCENTRIC_MAX]; /* columns of positive weights; those of negative ones have the other sign */
-  PetscReal b[ROWS];                  /* absolute values of the weights in the basis */
+  PetscReal T[ROWS][BARYCENTRIC_MAX]; /* columns of positive weights; negative ones have the opposite sign */
+  PetscReal b[ROWS];                  /* absolute weights of the basis */
   PetscReal cost[BARYCENTRIC_MAX];
-  PetscInt  column[ROWS]; /* in the basis, -1 for none yet */
-  PetscReal sign[ROWS];   /* of these weights */
+  PetscInt  column[ROWS]; /* of the basis, -1 for artificial ones */
+  PetscReal sign[ROWS];   /* of the weights */
 } Tableau;
 
-/* False where all places are one. */
+/* Returns false if all points coincide. */
 static PetscBool BarycentricBegin_Private(PetscInt dim, PetscInt num, const PetscReal d[], Tableau *tableau)
 {
   PetscReal farthest = 0;
@@ -55,10 +56,11 @@ static PetscBool BarycentricBegin_Private(PetscInt dim, PetscInt num, const Pets
 static PetscReal BarycentricPrice_Private(const Tableau *tableau, PetscInt r)
 {
   if (tableau->column[r] < 0) return NEVER;
-  return (tableau->sign[r] > 0 ? 1 : LOATH) * tableau->cost[tableau->column[r]];
+  return (tableau->sign[r] > 0 ? 1 : NEGATIVE_COST) * tableau->cost[tableau->column[r]];
 }
 
-/* The column that saves most, and the row whose weight is the first to vanish for it. Returns whether there are both. */
+/* Chooses the column that reduces the cost most and the row that leaves the basis. Returns whether both
+   exist. */
 static PetscBool BarycentricChoose_Private(const Tableau *tableau, PetscInt *row, PetscInt *column, PetscReal *sign)
 {
   PetscReal most = NOTHING, least = 0;
@@ -70,7 +72,7 @@ static PetscBool BarycentricChoose_Private(const Tableau *tableau, PetscInt *row
 
     for (PetscInt r = 0; r < tableau->rows; r++) worth += BarycentricPrice_Private(tableau, r) * tableau->T[r][j];
     for (PetscInt k = 0; k < 2; k++) {
-      const PetscReal saved = k ? -worth - LOATH * tableau->cost[j] : worth - tableau->cost[j];
+      const PetscReal saved = k ? -worth - NEGATIVE_COST * tableau->cost[j] : worth - tableau->cost[j];
 
       if (saved <= most) continue;
       most    = saved;

@@ -1,18 +1,18 @@
-/* barycentric.h -- a linear function at one place by its values at others; internal (eq. 13.6). */
+/* barycentric.h -- interpolation of a linear function from scattered points; internal (eq. 13.6). */
 #ifndef MORTISE_BARYCENTRIC_H
 #define MORTISE_BARYCENTRIC_H
 
 #include <petscsys.h>
 
-enum { BARYCENTRIC_MAX = 32 }; /* places to choose from */
+enum { BARYCENTRIC_MAX = 32 }; /* points to choose from */
 
-/* Weights w of at most dim + 1 of the places with
+/* Weights w of at most dim + 1 of the points, with
 
-     sum w = 1,   sum w d = 0,   sum (w if w > 0, else LOATH |w|) d^2 the least:
+        sum w = 1,   sum w d = 0,   sum (w if w > 0, else NEGATIVE_COST |w|) d^2 minimal:
 
-   barycentric coordinates in the simplex of Delaunay's triangulation of these places that zero lies in, and outside of it in one that is near. False where
-   there are none, or only such as make much of small differences. Not collective.
-   [in] num - <= BARYCENTRIC_MAX; [in] d - places, seen from where the function is wanted [num][dim]; [out] weight - [num] */
+   barycentric coordinates in the simplex of the Delaunay triangulation that contains the origin; outside of
+   it in a simplex nearby. Returns false if there are none, or if they amplify errors. Not collective.
+   [in] num - <= BARYCENTRIC_MAX; [in] d - points relative to the target [num][dim]; [out] weight - [num] */
 PetscBool BarycentricWeights(PetscInt dim, PetscInt num, const PetscReal d[], PetscReal weight[]);
 
 #endif

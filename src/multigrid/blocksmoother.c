@@ -1,14 +1,16 @@
-/* blocksmoother.c -- nodes that are coupled much more strongly to some neighbours than to others, all in one line or one plane.
+/* blocksmoother.c -- lines and planes of nodes that are coupled more strongly among themselves than with
+   other nodes.
 
-   Where cells are h wide along one axis and H along another, couplings across them go with 1/h^2 and 1/H^2. Of a node's strongest coupling those to
-   other lines or planes of nodes are a half where H is one and a half of h, and a third where it is two and a half, of bilinear cells, in the
-   plane and in space. Whether chosen couplings lead along all axes, and make no line or plane, is seen from
+   For cells of sizes h and H along two axes the couplings scale with 1/h^2 and 1/H^2. Relative to the
+   strongest coupling of a node, those to other lines or planes are a half for H = 1.5 h and a third for H =
+   2.5 h (bilinear cells, 2D and 3D). Whether chosen couplings lead along all axes follows from
 
        F = sum_chosen d d' - FLAT sum_all d d',   d = x_j - x_i:
 
-   they do where F is positive definite (eq. 13.4). Couplings of nodes are the traces of blocks of K, by the roots of those of both nodes' own blocks, which are
-   halves along free surfaces; and those count that are strong at both ends. What they connect is a bundle, if few of its nodes have neighbours along all axes in it:
-   else it has no factors that are nearly as sparse as itself, and is cut by what is stronger still. */
+   they do if F is positive definite (eq. 13.4). The coupling of two nodes is the trace of their block of K,
+   divided by the roots of the traces of both diagonal blocks, which halve along free surfaces. A coupling
+   counts if it is strong at both ends. The nodes it connects form a block if few of them have neighbours of
+   the block along all axes. Otherwise its factors would not be sparse, and it is split by a higher threshold. */
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "multigrid/blocksmoother.h"
@@ -16,27 +18,29 @@
 
 enum { DIM_MAX = 3 };
 
-/* A coupling is strong from this part of a node's strongest on, and from more where that makes no lines and planes. */
+/* Threshold of strong couplings relative to the strongest of the node, its increment where blocks are no
+   lines or planes, and its end. */
 static const PetscReal STRONG = 0.5, STRONGER = 0.1, STRONGEST = 0.85;
-/* Cells are long where one of this part would be as good. */
+/* Threshold at which couplings show that cells are long. */
 static const PetscReal STRONG_IF_LONG = 1. / 3;
-/* What chosen couplings lead along an axis, in squares, by what all do: if it is less than this they do not. */
+/* Limit of the chosen couplings' extent along an axis, in squares, relative to all couplings. */
 static const PetscReal FLAT = 0.05;
-/* Part of all nodes that must have long cells; part of a bundle's nodes that may have neighbours along all axes in it. */
+/* Least part of all nodes with long cells; largest part of a block's nodes with neighbours of the block along
+   all axes. */
 static const PetscReal MANY = 0.01, THICK = 0.2;
 
-/* One node's couplings. */
+/* The couplings of one node. */
 typedef struct {
   const Operator      *op;
   PetscInt             dim;
   const GhostExchange *ghosts;
-  PetscReal           *x;     /* positions, by halo [n + num][dim] */
-  PetscReal           *scale; /* 1 / root of the diagonal, by halo [n + num] */
-  PetscReal           *cut;   /* strong from here on, by halo [n + num] */
+  PetscReal           *x;     /* positions [n + num][dim] */
+  PetscReal           *scale; /* 1 / root of the diagonal [n + num] */
+  PetscReal           *cut;   /* threshold [n + num] */
   PetscInt             num, max;
-  PetscInt            *node;     /* neighbours, by halo, and the node itself [num] */
-  PetscReal           *strength; /* less than 0 for the node itself [num] */
-  PetscBool           *chosen;   /* of these neighbours [num] */
+  PetscInt            *node;     /* neighbours and the node itself [num] */
+  PetscReal           *strength; /* negative for the node itself [num] */
+  PetscBool           *chosen;   /* chosen ones [num] */
 } Stencil;
 
 static PetscErrorCode BlockSmootherScale_Private(Stencil *stencil, GhostExchange *ghosts)
@@ -87,7 +91,7 @@ static PetscErrorCode BlockSmootherEndStencil_Private(Stencil *stencil)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* K comes in whole blocks, so that all rows of a node have their neighbours in the same places. */
+/* K has full blocks: all rows of a node have the same columns. */
 static PetscErrorCode BlockSmootherGather_Private(Stencil *stencil, PetscInt node)
 {
   const PetscInt dim = stencil->dim;
@@ -134,14 +138,15 @@ static PetscBool BlockSmootherIsFlat_Private(const Stencil *stencil, PetscInt no
   return (PetscBool)!DenseCholesky(dim, F);
 }
 
-/* The same of couplings of at least so much. */
+/* The same for couplings above a threshold. */
 static PetscBool BlockSmootherIsFlatFrom_Private(Stencil *stencil, PetscInt node, PetscReal strong)
 {
   for (PetscInt j = 0; j < stencil->num; j++) stencil->chosen[j] = (PetscBool)(stencil->strength[j] > strong);
   return BlockSmootherIsFlat_Private(stencil, node);
 }
 
-/* From where on couplings are strong at nodes that are open, in this part of the strongest; nowhere at others. [out] many - whether many cells are long */
+/* Thresholds at nodes that are open, relative to their strongest coupling; none at others. [out] many -
+   whether many cells are long */
 static PetscErrorCode BlockSmootherSetThresholds_Private(Stencil *stencil, GhostExchange *ghosts,
                                                          const PetscBool open[], PetscReal strong, PetscBool *many)
 {
@@ -165,7 +170,7 @@ static PetscErrorCode BlockSmootherSetThresholds_Private(Stencil *stencil, Ghost
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Nodes and their strong couplings. */
+/* The graph of strong couplings. */
 static PetscErrorCode BlockSmootherCreateGraph_Private(Stencil *stencil, Mat *graph)
 {
   const GhostExchange *ghosts = stencil->ghosts;
@@ -202,8 +207,8 @@ static PetscErrorCode BlockSmootherCreateGraph_Private(Stencil *stencil, Mat *gr
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How many of the nodes of one label have neighbours of it along all axes, less THICK of all: summed up on the rank of the node
-   that the label is the number of. [in] label - by halo */
+/* Number of nodes of each label with neighbours of it along all axes, less THICK times all: on the rank of
+   the node whose number is the label. [in] label - own nodes, then ghosts */
 static PetscErrorCode BlockSmootherSumThick_Private(Stencil *stencil, const PetscReal label[], Vec sum)
 {
   PetscFunctionBeginUser;
@@ -219,8 +224,8 @@ static PetscErrorCode BlockSmootherSumThick_Private(Stencil *stencil, const Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Gives nodes that are open the labels of bundles that are lines or planes, and closes them.
-   [in] part - labels of what this time's strong couplings connect, by halo; [in,out] label, open - [n]; [out] any - whether nodes are left open */
+/* Accepts blocks that are lines or planes: labels their nodes and closes them. [in] part - components of the
+   graph, own nodes, then ghosts; [in,out] label, open - [n]; [out] any - whether open nodes remain */
 static PetscErrorCode BlockSmootherAcceptBlocks_Private(Stencil *stencil, GhostExchange *ghosts, const PetscReal part[],
                                                         PetscReal label[], PetscBool open[], PetscBool *any)
 {

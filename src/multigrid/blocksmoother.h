@@ -1,13 +1,14 @@
-/* blocksmoother.h -- lines and planes of nodes across long cells. */
+/* blocksmoother.h -- smoother blocks: lines and planes of nodes along short cell edges (eq. 13.4). */
 #ifndef MORTISE_BLOCKSMOOTHER_H
 #define MORTISE_BLOCKSMOOTHER_H
 
 #include "multigrid/operator.h"
 #include "multigrid/ghostexchange.h"
 
-/* Nodes of one bundle have one label; a node that is in none has its own. Collective.
-   [in] op - with coords; [in] halo - nodes that K leads to; [in] wanted - whether bundles are asked for even where cells are not long; [out] label -
-   by halo [halo->n + halo->num]; [out] found - false where cells are not long and bundles not asked for: label is nothing then */
+/* Labels nodes: those of one block share a label, a node without block has its own. Collective.
+   [in] op - with coords; [in] ghosts - nodes in the columns of K; [in] wanted - search for blocks even if
+   cells are not long; [out] label - own nodes, then ghosts [ghosts->n + ghosts->num]; [out] found - false: no
+   search, label is undefined */
 PetscErrorCode BlockSmootherLabel(const Operator *op, GhostExchange *ghosts, PetscBool wanted, PetscReal label[],
                                   PetscBool *found);
 

@@ -1,25 +1,31 @@
-/* bodysmoother.c -- a smoother that does not feel across contact.
+/* bodysmoother.c -- constrained smoother, body by body.
 
-   In y, u = T y, an unknown of the mortar side takes the nonmortar side along, and its entry of diag A is large where that one is stiff, although
-   next to nothing resists it as long as the sides may part. So bodies are smoothed in their displacements, by their own diagonals:
-       S = T'D T,   D = diag K,   S^-1 = T^-1 D^-1 T^-T =: G,
-   has with T'K T the eigenvalues that D has with K. Where unknowns h are held, those in contact among them, there is a correction of G on free ones f:
+   In y, u = T y, an unknown of the mortar side moves the nonmortar side as well. Its entry of diag A is large
+   if the nonmortar side is stiff, although hardly anything resists the motion while the sides may separate.
+   So each body is smoothed in its displacements, by its own diagonal:
+
+       S = T'D T,   D = diag K,   S^-1 = T^-1 D^-1 T^-T =: G.
+
+   The eigenvalues of S and T'K T are those of D and K. For fixed unknowns h, active ones among them, G is
+   corrected on free ones f:
+
        S_ff^-1 = G_ff - G_fh G_hh^-1 G_hf,   G_hh = X D^-1 X',
-   X the rows h of T^-1, so that G_hh is small and sparse and is factored. Displacements held along axes are no part of all this: D^-1
-   is 0 there. */
+
+   with X the rows h of T^-1. G_hh is small and sparse, and is factored. Displacements that are fixed along
+   axes are excluded: D^-1 is 0 there. */
 #include "base/compat.h"
 #include "multigrid/bodysmoother.h"
 #include "multigrid/redundantsolve.h"
 
 typedef struct {
   Mat        inverse;    /* T^-1 */
-  Mat        E;          /* T^-1 - 1, without rows that are empty */
+  Mat        E;          /* T^-1 - 1, without empty rows */
   Vec        w;          /* D^-1, 0 where `alone` */
   Vec        s, t;       /* displacements, forces */
-  PetscBool *eliminated; /* eliminated, and a displacement [unknowns of this rank] */
+  PetscBool *eliminated; /* fixed displacements [unknowns of this rank] */
   PetscInt   num;
   PetscInt  *fixed;  /* [num] */
-  Mat        X;      /* NULL where all that is held is alone */
+  Mat        X;      /* NULL if all fixed unknowns are displacements */
   PC         factor; /* of G_hh */
   Vec        gap, force;
 } BodySmoother;
@@ -52,7 +58,7 @@ static PetscErrorCode Destroy_BodySmoother(Mat S)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* z = S_ff^-1 r, for r that is 0 where held */
+/* z = S_ff^-1 r, for r that is 0 where fixed */
 static PetscErrorCode Mult_BodySmoother(Mat S, Vec r, Vec z)
 {
   BodySmoother *body;
@@ -96,7 +102,7 @@ static PetscErrorCode BodySmootherSetWeights_Private(const Operator *op, BodySmo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* T^-1 - 1: rows of nodes that face another body or lie obliquely, and nothing else. */
+/* T^-1 - 1: rows of nodes on contact sides or with oblique supports only. */
 static PetscErrorCode BodySmootherCreateE_Private(Mat inverse, Mat *E)
 {
   PetscInt begin, end, n, *own, *others;
@@ -183,7 +189,7 @@ static PetscErrorCode BodySmootherCreateG_Private(Mat X, Vec w, Mat *G)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* G_hh and its factors. */
+/* G_hh and its factorization. */
 static PetscErrorCode BodySmootherFactor_Private(BodySmoother *body)
 {
   Mat G;

@@ -1,16 +1,16 @@
-/* bodysmoother.h -- smoothing each body in its own displacements, whatever it leans on; internal (eq. 13.5). */
+/* bodysmoother.h -- constrained smoother, body by body in displacements; internal (eq. 13.5). */
 #ifndef MORTISE_BODYSMOOTHER_H
 #define MORTISE_BODYSMOOTHER_H
 
 #include "multigrid/operator.h"
 
-/* S = T'D T, D = diag K, of a level with T, no unknown held but fixed ones. Collective.
+/* S = T'D T, D = diag K, for a level with T. Only fixed unknowns of op are constrained. Collective.
    [out] inverse - a shell that multiplies by S^-1, owned by the caller */
 PetscErrorCode BodySmootherCreate(const Operator *op, Mat *inverse);
 /* Whether a matrix is such a shell. Not collective. */
-PetscErrorCode BodySmootherIs(Mat S, PetscBool *apart);
-/* S of unknowns that are not held: its inverse is 0 at the others. Collective. [in] held - counted from this rank's first [num], eliminated
-   ones among them */
+PetscErrorCode BodySmootherIs(Mat S, PetscBool *is);
+/* Constrains unknowns: S^-1 acts on the others and is 0 there. Collective.
+   [in] fixed - counted from this rank's first, fixed unknowns of the operator included [num] */
 PetscErrorCode BodySmootherSetFixed(Mat inverse, PetscInt num, const PetscInt fixed[]);
 
 #endif

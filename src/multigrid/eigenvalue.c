@@ -1,10 +1,10 @@
-/* eigenvalue.c -- eigenvalues as a few steps of CG see them. */
+/* eigenvalue.c -- eigenvalues from a few steps of CG. */
 #include "base/compat.h"
 #include <petscksp.h>
 #include "multigrid/eigenvalue.h"
 #include "multigrid/smoother.h"
 
-/* Steps of CG that find the largest eigenvalue well enough, and what is added for the rest of the way to it. */
+/* Steps of CG for the largest eigenvalue, and the margin for its remaining error. */
 enum { STEPS = 10 };
 static const PetscReal MARGIN = 1.1;
 
@@ -29,7 +29,7 @@ PetscErrorCode EigenvalueGetRitz(KSP ksp, PetscReal *largest, PetscReal *smalles
   PetscFunctionBeginUser;
   PetscCall(KSPGetIterationNumber(ksp, &its));
   PetscCall(KSPGetConvergedReason(ksp, &reason));
-  /* PETSc counts a step that broke down, reads of it what was never written, and never ends where it finds no number there */
+  /* PETSc counts a step that broke down, reads memory that was never written, and loops forever on NaN */
   *seen = (PetscBool)(its > 0 && (reason >= 0 || reason == KSP_DIVERGED_ITS) && reason != KSP_CONVERGED_ATOL);
   if (*seen) PetscCall(KSPComputeExtremeSingularValues(ksp, largest, smallest));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -58,7 +58,7 @@ PetscErrorCode EigenvalueLargest(Mat A, Mat S, Vec b, PetscReal *largest)
   PetscCall(KSPSetNormType(ksp, KSP_NORM_NONE));
   PetscCall(KSPSolve(ksp, seed, x));
   PetscCall(EigenvalueGetRitz(ksp, largest, &smallest, &seen));
-  if (!seen) { /* nothing is left to see after so many steps, so one less sees all */
+  if (!seen) { /* CG has converged; one step less gives all eigenvalues */
     PetscCall(KSPGetIterationNumber(ksp, &its));
     PetscCall(KSPSetTolerances(ksp, 0, 0, PETSC_DEFAULT, PetscMax(its - 1, 0)));
     PetscCall(KSPSolve(ksp, seed, x));

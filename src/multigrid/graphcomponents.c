@@ -1,11 +1,12 @@
-/* graphcomponents.c -- the connected components of a matrix' graph, however ranks cut it.
+/* graphcomponents.c -- the connected components of a matrix graph across ranks.
 
-   Each rank joins its own rows; then the smallest row numbers go from rank to rank along the couplings that were cut, until none of them changes. */
+   Each rank joins its own rows. Then the smallest row numbers pass from rank to rank along the cut couplings
+   until none changes. */
 #include "base/compat.h"
 #include "multigrid/graphcomponents.h"
 #include "multigrid/ghostexchange.h"
 
-/* The components of this rank's rows as trees, the first row of each its root. */
+/* The components of this rank's rows as trees; the root is the first row. */
 typedef struct {
   PetscInt *parent;       /* [n] */
   PetscInt  num_cut, max; /* couplings with other ranks' rows */
@@ -64,7 +65,7 @@ PetscErrorCode GraphComponentsLabel(Mat A, PetscReal label[])
 {
   const MPI_Comm comm   = PetscObjectComm((PetscObject)A);
   Forest         forest = {.num_cut = 0};
-  PetscReal     *first, *all; /* of the component that a root's tree belongs to; labels of all rows and ghosts */
+  PetscReal     *first, *all; /* of the component of a root's tree; labels of all rows and ghosts */
   PetscBool      changed;
   GhostExchange  ghosts;
 
@@ -95,8 +96,8 @@ PetscErrorCode GraphComponentsLabel(Mat A, PetscReal label[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Which rank has most of every component's rows, and the first of those that have as many.
-   [in] label - [n]; [out] rank - [n] */
+/* The rank that owns most rows of each component, the first one if several do. [in] label - [n]; [out] rank -
+   [n] */
 static PetscErrorCode GraphComponentsElect_Private(Mat A, PetscInt n, const PetscReal label[], PetscInt rank[])
 {
   const MPI_Comm     comm = PetscObjectComm((PetscObject)A);
@@ -104,7 +105,7 @@ static PetscErrorCode GraphComponentsElect_Private(Mat A, PetscInt n, const Pets
   PetscInt           num, *distinct, *count, at;
   PetscScalar       *vote;
   const PetscScalar *result;
-  Vec                ballot, votes; /* by label: rows, and the rank as digits behind them */
+  Vec                ballot, votes; /* by label: number of rows, combined with the rank in the lower digits */
   IS                 which;
   VecScatter         scatter;
 

@@ -1,4 +1,4 @@
-/* hierarchy.c -- levels: smoothers, eigenvalues, what prolongation moves, and levels of nodes below those that are given. */
+/* hierarchy.c -- smoothers, eigenvalues and column sums of the given levels, and levels of nodes below them. */
 #include "base/compat.h"
 #include "multigrid/nodelevels.h"
 #include "multigrid/bodysmoother.h"
@@ -6,10 +6,10 @@
 #include "multigrid/hierarchy.h"
 #include "multigrid/smoother.h"
 
-/* Unknowns from which on the coarsest mesh, in the plane and in space, is not factored but has levels below it, and to which these go
-   down. */
+/* Unknowns from which the coarsest mesh gets levels below it instead of a factorization, in 2D and 3D;
+   unknowns of the coarsest level. */
 enum { LARGE_2D = 20000, LARGE_3D = 10000, COARSEST = 2500, MAX_BELOW = 16 };
-/* A level of more than this part of the finer one's unknowns is the last one. */
+/* Coarsening stops at a level with more than this part of the finer one's unknowns. */
 static const PetscReal SLOW = 0.7;
 
 PetscBool HierarchyIsLarge(PetscInt dim, PetscInt unknowns)
@@ -17,8 +17,8 @@ PetscBool HierarchyIsLarge(PetscInt dim, PetscInt unknowns)
   return (PetscBool)(unknowns > (dim == 3 ? LARGE_3D : LARGE_2D));
 }
 
-/* What level l of those that are given is smoothed with. Where cells are not long in whole lines, solving for lines costs several times what all
-   else does. */
+/* The smoother of given level l. Without whole lines of long cells, blocks cost several times the rest and
+   gain little. */
 static PetscErrorCode HierarchyCreateSmoother_Private(const HierarchyInput *input, PetscInt l, const Operator *op,
                                                       Mat *S)
 {
@@ -30,7 +30,7 @@ static PetscErrorCode HierarchyCreateSmoother_Private(const HierarchyInput *inpu
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A level and what belongs to it alone. [in] l - of those that are given, -1 for others; [in] coarsest - whether it is to be factored */
+/* Sets up one level. [in] l - given level, -1 for a level of nodes; [in] coarsest - whether it is factored */
 static PetscErrorCode HierarchyBeginLevel_Private(const HierarchyInput *input, PetscInt l, PetscBool coarsest,
                                                   HierarchyLevel *level)
 {
@@ -47,12 +47,13 @@ static PetscErrorCode HierarchyBeginLevel_Private(const HierarchyInput *input, P
   if (!level->nodes) PetscCall(HierarchyCreateSmoother_Private(input, l, &level->op, &level->S));
   PetscCall(EigenvalueLargest(A, level->S, NULL, &level->largest));
   if (!level->S) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(SmootherScale(level->S, level->largest)); // so that S >= A, also after the same change of both
+  PetscCall(SmootherScale(level->S, level->largest)); // S >= A, also after the same change of both
   level->largest = 1;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Levels of nodes. [in,out] coarsest - of the levels that are given; before it there is room for MAX_BELOW; [out] num - below */
+/* Adds levels of nodes. [in,out] coarsest - of the given levels; before it there is room for MAX_BELOW; [out]
+   num - levels added */
 static PetscErrorCode HierarchyAddNodeLevels_Private(HierarchyInput *input, HierarchyLevel *coarsest, PetscInt *num)
 {
   PetscBool go = input->below;
@@ -80,7 +81,7 @@ static PetscErrorCode HierarchyAddNodeLevels_Private(HierarchyInput *input, Hier
 PetscErrorCode HierarchyCreate(HierarchyInput *input, Hierarchy *hierarchy)
 {
   Hierarchy       h;
-  HierarchyLevel *given; // the levels that are
+  HierarchyLevel *given; // the given levels
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&h));
@@ -96,7 +97,7 @@ PetscErrorCode HierarchyCreate(HierarchyInput *input, Hierarchy *hierarchy)
     PetscCall(NodeLevelsSumSquares(given[l].P, NULL, &given[l].weight));
   }
   for (PetscInt l = 0; l < input->num; l++)
-    PetscCall(MatDestroy(&given[l].op.inverse)); // smoothers keep what they need
+    PetscCall(MatDestroy(&given[l].op.inverse)); // smoothers hold a reference if they need it
   h->num = h->first + input->num;
   PetscCall(PetscArraymove(h->level, given - h->first, h->num));
   for (PetscInt l = 0; l < h->num; l++) h->level[l].share /= h->level[h->num - 1].share;

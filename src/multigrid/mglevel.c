@@ -1,11 +1,11 @@
-/* mglevel.c -- the operators of one level of truncated multigrid, and what held unknowns of finer levels make of them. */
+/* mglevel.c -- the operators of one level of truncated multigrid, with fixed unknowns of finer levels. */
 #include "base/compat.h"
 #include "multigrid/eigenvalue.h"
 #include "multigrid/mglevel.h"
 #include "multigrid/smoother.h"
 #include "multigrid/truncationupdate.h"
 
-/* A coarse unknown is held if this part of what it moves, in squares, is free at most. */
+/* A coarse unknown is fixed if at most this part of the squares of its prolongation is free. */
 static const PetscReal NEXT_TO_NOTHING = 1e-2;
 
 /* y := y + W x; W is nonzero in a few places */
@@ -27,7 +27,7 @@ static PetscErrorCode MGLevelAddRegularization_Private(Vec W, Vec x, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* y = diag x where held */
+/* y = diag x where fixed */
 static PetscErrorCode MGLevelMultFixed_Private(const MGLevel *level, Vec x, Vec y)
 {
   const PetscScalar *d, *xa;
@@ -44,7 +44,7 @@ static PetscErrorCode MGLevelMultFixed_Private(const MGLevel *level, Vec x, Vec 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* y = A^ x for x that is 0 where held, but for the diagonal there */
+/* y = A^ x for x that is 0 where fixed, but for the diagonal there */
 static PetscErrorCode Mult_MGLevel(Mat A, Vec x, Vec y)
 {
   MGLevel *level;
@@ -60,7 +60,7 @@ static PetscErrorCode Mult_MGLevel(Mat A, Vec x, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The same for an x that is 0 where active, whatever it is where unknowns were eliminated: to iterate with. */
+/* The same for an x that is 0 where active, and arbitrary where the operator fixes unknowns. */
 static PetscErrorCode MultOperator_MGLevel(Mat A, Vec x, Vec y)
 {
   MGLevel *level;
@@ -98,7 +98,7 @@ static PetscErrorCode Interpolate_MGLevel(Mat P, Vec x, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* x = P'y for y that is 0 where held, as residuals of A^ are */
+/* x = P'y for y that is 0 where fixed, as residuals of A^ are */
 static PetscErrorCode Restrict_MGLevel(Mat P, Vec y, Vec x)
 {
   MGLevel *level;
@@ -109,7 +109,7 @@ static PetscErrorCode Restrict_MGLevel(Mat P, Vec y, Vec x)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The diagonal that goes with change and held. */
+/* The diagonal of A^. */
 static PetscErrorCode MGLevelSetDiagonal_Private(MGLevel *level)
 {
   const PetscScalar *own;
@@ -130,7 +130,8 @@ static PetscErrorCode MGLevelSetDiagonal_Private(MGLevel *level)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* M of the coarser level: what moves next to nothing that is free is held. [out] free - on the coarser level */
+/* M of the coarser level: a coarse unknown whose prolongation is mostly fixed is fixed. [out] free - on the
+   coarser level */
 static PetscErrorCode MGLevelSetFreeCoarser_Private(const MGLevel *fine, Vec free)
 {
   const PetscScalar *all, *gone;
@@ -169,7 +170,7 @@ static PetscErrorCode MGLevelSetFreeCoarser_Private(const MGLevel *fine, Vec fre
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Lists what is held, and last what was eliminated before. */
+/* Lists fixed unknowns, those of the operator last. */
 static PetscErrorCode MGLevelListFixed_Private(MGLevel *level)
 {
   const Operator    *op = &level->base->op;
@@ -192,8 +193,8 @@ static PetscErrorCode MGLevelListFixed_Private(MGLevel *level)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* On a mesh, A^ is near that of a body held there, and has no larger eigenvalues. Where there is none, a few unknowns that
-   are cut off may double them, near those that are: so that is where one looks. */
+/* On a mesh, A^ is close to the matrix of a supported body and has no larger eigenvalues. On levels of nodes
+   truncation may double them near fixed unknowns: the estimate starts there. */
 static PetscErrorCode MGLevelSetLargest_Private(MGLevel *level)
 {
   PetscReal there;
@@ -251,7 +252,8 @@ PetscErrorCode MGLevelSetFree(PetscInt num, MGLevel levels[], Vec free)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Without a mesh two displacements of a coarse node may move the same unknown after the other one was cut off: what tells them apart is any resistance. */
+/* On levels of nodes two displacements of a coarse node may become dependent after truncation: a small
+   diagonal term keeps the matrix definite. */
 static PetscErrorCode MGLevelStiffen_Private(Mat A)
 {
   static const PetscReal A_LITTLE = 1e-10;
@@ -284,7 +286,7 @@ PetscErrorCode MGLevelAssemble(MGLevel *level)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Shells on a level above the coarsest. */
+/* Shells on levels above the coarsest. */
 static PetscErrorCode MGLevelCreateShells_Private(MGLevel *level)
 {
   const MPI_Comm comm = PetscObjectComm((PetscObject)level->base->op.A);

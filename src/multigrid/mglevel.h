@@ -4,35 +4,36 @@
 
 #include "multigrid/hierarchy.h"
 
-/* One level with some of its unknowns held. */
+/* A level with some unknowns fixed: active ones, and those that its operator fixes. */
 typedef struct {
   Hierarchy       hierarchy;     /* borrowed */
   HierarchyLevel *base;          /* borrowed */
   Mat             change;        /* what truncation on finer levels adds to A, or NULL */
-  Vec             free;          /* M: 1 where free, 0 where held */
+  Vec             free;          /* M: 1 where free, 0 where fixed */
   Vec             W;             /* on the diagonal of A, or NULL; borrowed */
-  PetscBool       ready;         /* whether MGLevelSetFree() was here before */
-  PetscInt        num;           /* held unknowns of this rank */
-  PetscInt        num_truncated; /* of these, not eliminated before */
+  PetscBool       ready;         /* whether MGLevelSetFree() was called */
+  PetscInt        num;           /* fixed unknowns of this rank */
+  PetscInt        num_truncated; /* of these, not fixed by the operator */
   PetscInt       *fixed;         /* counted from this rank's first [num] */
-  Vec             diag;          /* of A + change, of A where held */
+  Vec             diag;          /* of A + change, of A where fixed */
   Mat             A;             /* A^, a shell; on the coarsest level a matrix */
   Mat             P;             /* M P, a shell */
   Mat             S;             /* the smoother's, or NULL */
-  PetscReal       largest;       /* eigenvalue of S^-1 A^ at least */
+  PetscReal       largest;       /* upper bound on the eigenvalues of S^-1 A^ */
 } MGLevel;
 
 /* [in] hierarchy - borrowed; [in] l - level. Collective. */
 PetscErrorCode MGLevelCreate(Hierarchy hierarchy, PetscInt l, MGLevel *level);
 PetscErrorCode MGLevelDestroy(MGLevel *level);
 
-/* Which unknowns are held, on the finest level and from there on all coarser ones; only what has changed since the last time is worked
-   on. Collective. [in,out] rungs - coarse first [num]; [in] free - of the finest: 1 where free, 0 where held */
+/* Sets the free unknowns of the finest level, and from there of all coarser ones. Only changes since the last
+   call cost work. Collective.
+   [in,out] levels - coarse first [num]; [in] free - of the finest: 1 where free, 0 where fixed */
 PetscErrorCode MGLevelSetFree(PetscInt num, MGLevel levels[], Vec free);
 /* A^ of the coarsest level as a matrix. Collective. */
 PetscErrorCode MGLevelAssemble(MGLevel *level);
-/* A^ for vectors that are 0 where active, whatever they are where unknowns were eliminated before: to iterate with. Collective.
-   [out] A - owned by the caller, not to outlive the rung */
+/* A^ as the operator of an iteration: for vectors that are 0 where active and arbitrary where the operator
+   fixes unknowns. Collective. [out] A - owned by the caller, not to outlive the level */
 PetscErrorCode MGLevelCreateOperator(MGLevel *level, Mat *A);
 
 #endif

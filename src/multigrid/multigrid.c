@@ -1,15 +1,17 @@
 /* multigrid.c -- truncated multigrid for the systems of active sets.
 
-   Held unknowns, active ones and eliminated ones alike, are no part of a system:
-       A^ = M A M + (1 - M) diag(A),   M = 0 where held, 1 elsewhere.
-   A coarse correction that moved them would spoil them, so nothing is interpolated to them [1]: P^ = M P. The operator of the coarser level is
-   then P^' A P^ = A_c + P'(M A M - A) P with A_c its own matrix, P'A P (hierarchy.c), and what is added is nonzero near
-   held unknowns only. A coarse unknown that moves next to nothing but held ones is itself held.
-   PCMG cycles; here is what it works with. The type rides on PCSHELL, with public headers.
+   Fixed unknowns, active ones and those of the operator, are not part of a system:
 
-   References: [1] Kornhuber, Monotone multigrid methods for elliptic variational inequalities I, 1994; Graeser, Kornhuber,
-               Multigrid methods for obstacle problems, 2009. [2] Bramble, Pasciak, New convergence estimates for multigrid
-               algorithms, 1987: the variable V-cycle. */
+       A^ = M A M + (1 - M) diag(A),   M = 0 where fixed, 1 elsewhere.
+
+   Nothing is interpolated to fixed unknowns [1]: P^ = M P. The operator of the coarser level is P^' A P^ =
+   A_c + P'(M A M - A) P with its own matrix A_c = P'A P (meshlevels.c). The second term is nonzero only near
+   fixed unknowns. A coarse unknown whose prolongation is mostly fixed is fixed as well. PCMG does the cycles;
+   this file provides its operators. The type is built on PCSHELL, with public headers.
+
+   References: [1] Kornhuber, Monotone multigrid methods for elliptic variational inequalities I, 1994;
+   Graeser, Kornhuber, Multigrid methods for obstacle problems, 2009. [2] Bramble, Pasciak, New convergence
+   estimates for multigrid algorithms, 1987: the variable V-cycle. */
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "multigrid/redundantsolve.h"
@@ -20,22 +22,24 @@
 
 static const char CONTEXT[] = "MortiseMultigrid"; /* name under which the context is composed */
 
-/* Steps of the smoother on the two finest levels, and the part of the spectrum that it is for. Each coarser level has one step more than the one
-   above it: next to nothing beside the finest ones' steps, and iterations do not grow with the number of levels [2]. */
+/* Smoothing steps on the two finest levels, and the lower end of the smoothed spectrum relative to its upper
+   end. Each coarser level has one step more than the one above it [2]: their cost is small, and iterations do
+   not grow with the number of levels. */
 enum { SMOOTHING_STEPS = 3 };
 static const PetscReal SMOOTHED_FROM = 0.07;
-/* By so much steps get shorter where a cycle shows itself indefinite. Ten steps of CG have been seen to find 2.21 of 2.65 for the largest eigenvalue:
-   with a tenth more for the rest of the way three steps of Chebyshev's iteration let errors there grow, as they do beyond 1.07 of what they are for. */
+/* Factor that shortens steps after an indefinite cycle. Ten steps of CG have been seen to find 2.21 of 2.65
+   for the largest eigenvalue: with a margin of a tenth, three Chebyshev steps amplify errors there, as they
+   do beyond 1.07 times their upper end. */
 static const PetscReal SHORTER = 1.25;
 
 typedef struct {
   Hierarchy  hierarchy; /* borrowed */
   PetscInt   num;       /* levels */
   MGLevel   *level;     /* coarse first */
-  Mat        outer;     /* A^ of the finest level, for who iterates */
+  Mat        outer;     /* A^ of the finest level, to iterate with */
   PC         mg;
   SNES       snes; /* borrowed, or NULL */
-  IS         left; /* unknowns that snes leaves, or NULL */
+  IS         left; /* inactive unknowns of snes, or NULL */
   VecScatter scatter;
   Vec        r, z;    /* on all unknowns */
   PetscReal  seen[2]; /* r'z of the last two cycles since MultigridResetError() */
@@ -52,7 +56,7 @@ static PetscErrorCode MultigridGet_Private(PC pc, Multigrid **multigrid)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What a smoother multiplies and solves with. */
+/* Operators of a smoother. */
 static PetscErrorCode MultigridSetOperators_Private(KSP ksp, const MGLevel *level)
 {
   PetscFunctionBeginUser;
@@ -61,7 +65,7 @@ static PetscErrorCode MultigridSetOperators_Private(KSP ksp, const MGLevel *leve
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Held unknowns of the finest level are those with 0; the rest follows. */
+/* Updates all levels. [in] free - of the finest level */
 static PetscErrorCode MultigridUpdate_Private(Multigrid *multigrid, Vec free)
 {
   KSP ksp;
@@ -69,7 +73,7 @@ static PetscErrorCode MultigridUpdate_Private(Multigrid *multigrid, Vec free)
 
   PetscFunctionBeginUser;
   PetscCall(MGLevelSetFree(multigrid->num, multigrid->level, free));
-  for (PetscInt l = 1; l < multigrid->num; l++) { // what smoothers keep of their matrix is out of date
+  for (PetscInt l = 1; l < multigrid->num; l++) { // factors of smoothers are out of date
     PetscCall(MatAssemblyBegin(multigrid->level[l].A, MAT_FINAL_ASSEMBLY));
     PetscCall(MatAssemblyEnd(multigrid->level[l].A, MAT_FINAL_ASSEMBLY));
     PetscCall(PCMGGetSmoother(multigrid->mg, l, &ksp));
@@ -184,7 +188,7 @@ PetscErrorCode MultigridGetOperator(PC pc, Mat *A)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What the user says of a smoother: how it iterates, but not with what, of which it knows the eigenvalues. */
+/* Options of a smoother: its iteration, but not its preconditioner, whose eigenvalues are known. */
 static PetscErrorCode MultigridSmootherFromOptions_Private(KSP ksp, PC pc)
 {
   PCType    type;
@@ -205,7 +209,7 @@ static PetscErrorCode MultigridSmootherFromOptions_Private(KSP ksp, PC pc)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Smoothers, transfers, the coarsest solver, and what the user says of them. */
+/* Smoothers, transfers, the coarsest solver, and their options. */
 static PetscErrorCode MultigridConfigure_Private(PC pc, Multigrid *multigrid)
 {
   const char *prefix;
@@ -259,7 +263,7 @@ static PetscErrorCode MultigridClear_Private(Multigrid *multigrid)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The matrix that snes takes its free part from. */
+/* The matrix whose submatrix snes uses. */
 static PetscErrorCode MultigridSetJacobian_Private(Hierarchy hierarchy, const HierarchyLevel *base, SNES snes)
 {
   Mat whole;
@@ -292,7 +296,7 @@ PetscErrorCode MultigridSetHierarchy(PC pc, Hierarchy hierarchy, PetscInt finest
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* With `vinewtonrsls`: its matrix is that of the unknowns it leaves, so these are the free ones. */
+/* With `vinewtonrsls`: the matrix contains the inactive unknowns, which are the free ones. */
 static PetscErrorCode SetUp_Multigrid(PC pc)
 {
   Multigrid *multigrid;

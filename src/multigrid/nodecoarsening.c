@@ -1,10 +1,10 @@
-/* nodecoarsening.c -- a coarser level made of some nodes of a finer one.
+/* nodecoarsening.c -- node-based coarsening.
 
-   Chosen nodes are far from each other: none is coupled to another one. Corners are chosen first, then nodes on edges and on sides, since what lies outside
-   of all chosen ones has to be extrapolated [1]. Every other node takes its displacement from few chosen ones nearby, as a linear function of
-   their places would be (affine.c): the rigid motions and uniform strains of the coarser level are those of the finer one, as they are with
-   shape functions on a coarser mesh; and a node that this does not work for is itself chosen. Ranks choose each among its own nodes,
-   and take from those of others.
+   No two coarse nodes are coupled. Corners are chosen first, then nodes on edges and faces, since nodes
+   outside of all coarse ones need extrapolation [1]. Every other node interpolates its displacement from a
+   few coarse nodes nearby, exactly for linear functions (barycentric.c): the coarse level has the rigid body
+   modes and uniform strains of the finer one. A node without such an interpolation becomes a coarse node.
+   Each rank chooses among its own nodes, and interpolates from those of other ranks, too.
 
    References: [1] Adams, Demmel, Parallel multigrid solver for 3D unstructured finite element problems, 1999. */
 #include "multigrid/barycentric.h"
@@ -13,22 +13,23 @@
 
 enum { DIM_MAX = 3, TERMS = NODE_TERMS };
 
-/* Couplings weaker than this part of the mean of both nodes' own stiffnesses are none. */
+/* Couplings weaker than this part of the geometric mean of both nodes' diagonal blocks are ignored. */
 static const PetscReal STRONGER = 0.02;
-/* How far the mean of the directions of a node's couplings is from nothing: inside of a body, on a side, on an edge, in a corner. */
+/* Length of the mean direction of a node's couplings: above these limits the node is on a face, on an edge,
+   in a corner. */
 static const PetscReal ONE_SIDED[] = {0.3, 0.53, 0.65};
 enum { KINDS = 1 + PETSC_STATIC_ARRAY_LENGTH(ONE_SIDED) };
-/* A weight that is rounding. */
+/* Weights below this are roundoff. */
 static const PetscReal NO_WEIGHT = 1e-8;
 
-/* What there is to choose from. Numbers are those of the halo: nodes of this rank, then others. */
+/* The graph of nodes: those of this rank, then ghosts. */
 typedef struct {
   PetscInt      dim;
   GhostExchange ghosts;
   PetscInt     *start, *node; /* strong couplings of nodes of this rank [n+1], [start[n]] */
   PetscReal    *x;            /* [n + num][dim] */
-  PetscReal    *chosen;       /* 1 or 0, then by one more than the number on the coarser level [n + num] */
-  PetscInt     *seen;         /* by which node of this rank at last [n + num] */
+  PetscReal    *chosen;       /* 1 or 0; later 1 + the number on the coarser level [n + num] */
+  PetscInt     *seen;         /* the last node of this rank that visited it [n + num] */
 } Net;
 
 PetscErrorCode NodeCoarseningDestroy(NodeSet *nodes)
@@ -56,8 +57,8 @@ static PetscErrorCode NodeCoarseningShare_Private(Net *net, const PetscReal x[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Squares of the blocks of a node's rows. [in,out] at - -1 for every node before and after; [out] node, square - of nodes
-   that it is coupled to, itself among them [*num] */
+/* Squared norms of the blocks of a node's rows. [in,out] at - -1 for every node before and after; [out] node,
+   square - of coupled nodes, itself among them [*num] */
 static PetscErrorCode NodeCoarseningSquares_Private(const NodeSet *nodes, const GhostExchange *ghosts, PetscInt i,
                                                     PetscInt at[], PetscInt *num, PetscInt node[], PetscReal square[])
 {
@@ -86,7 +87,7 @@ static PetscErrorCode NodeCoarseningSquares_Private(const NodeSet *nodes, const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The most entries that the rows of a node have together. */
+/* The largest number of entries in the rows of one node. */
 static PetscErrorCode NodeCoarseningLongest_Private(const NodeSet *nodes, const GhostExchange *ghosts,
                                                     PetscInt *longest)
 {
@@ -142,7 +143,7 @@ static PetscErrorCode NodeCoarseningConnect_Private(const NodeSet *nodes, Net *n
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* 0 inside of a body, the largest number for nodes in corners and such as have no couplings. */
+/* 0 inside of a body, 1 on faces, 2 on edges, 3 in corners and for nodes without couplings. */
 static PetscInt NodeCoarseningGetKind_Private(const Net *net, PetscInt i)
 {
   const PetscInt dim = net->dim, num = net->start[i + 1] - net->start[i];
@@ -164,7 +165,7 @@ static PetscInt NodeCoarseningGetKind_Private(const Net *net, PetscInt i)
   return kind;
 }
 
-/* Nodes far from each other, whatever juts out first. */
+/* Chooses coarse nodes: corners first. */
 static PetscErrorCode NodeCoarseningChoose_Private(Net *net)
 {
   const PetscInt n = net->ghosts.n;
@@ -189,7 +190,7 @@ static PetscErrorCode NodeCoarseningChoose_Private(Net *net)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One more chosen node to take from, in place of the farthest if there are too many. [in,out] from, d, num */
+/* Adds a coarse node to the candidates, in place of the farthest if there are too many. [in,out] from, d, num */
 static void NodeCoarseningAddCandidate_Private(const Net *net, PetscInt i, PetscInt node, PetscInt *num,
                                                PetscInt from[], PetscReal d[])
 {
@@ -215,8 +216,8 @@ static void NodeCoarseningAddCandidate_Private(const Net *net, PetscInt i, Petsc
   if (at == *num) ++*num;
 }
 
-/* What a node takes from chosen ones that it is coupled to, or that nodes of this rank are that it is coupled to; itself if this gives no
-   linear function. [out] num, from, weight - [TERMS] */
+/* Interpolation of a node from coarse nodes that are coupled to it or to its neighbours of this rank; a
+   coarse node if there is none. [out] num, from, weight - [TERMS] */
 static void NodeCoarseningWeigh_Private(Net *net, PetscInt i, PetscInt *num, PetscInt from[], PetscReal weight[])
 {
   PetscInt  many = 0, near[BARYCENTRIC_MAX];
@@ -248,7 +249,7 @@ static void NodeCoarseningWeigh_Private(Net *net, PetscInt i, PetscInt *num, Pet
   weight[0]      = 1;
 }
 
-/* What is known of who takes from whom. [out] count - [n]; [out] from, weight - [n][TERMS] */
+/* The known interpolation. [out] count - [n]; [out] from, weight - [n][TERMS] */
 static PetscErrorCode NodeCoarseningAdopt_Private(const NodeSet *nodes, Net *net, PetscInt count[], PetscInt from[],
                                                   PetscReal weight[])
 {
@@ -265,7 +266,7 @@ static PetscErrorCode NodeCoarseningAdopt_Private(const NodeSet *nodes, Net *net
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Numbers of chosen nodes, and what they are. [out] coarse; [out] num - chosen on this rank */
+/* Numbers the coarse nodes and copies their data. [out] coarse; [out] num - coarse nodes of this rank */
 static PetscErrorCode NodeCoarseningNumber_Private(const NodeSet *nodes, Net *net, NodeSet *coarse, PetscInt *num)
 {
   const PetscInt dim = net->dim;
@@ -288,7 +289,7 @@ static PetscErrorCode NodeCoarseningNumber_Private(const NodeSet *nodes, Net *ne
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Which components of nodes are held: bit by bit. [out] held - [n + num] */
+/* Fixed components of nodes, as bits. [out] fixed - [n + num] */
 static PetscErrorCode NodeCoarseningShareHeld_Private(const NodeSet *nodes, Net *net, PetscReal fixed[])
 {
   PetscFunctionBeginUser;
@@ -302,7 +303,8 @@ static PetscErrorCode NodeCoarseningShareHeld_Private(const NodeSet *nodes, Net 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* P of what nodes take from each other. [in] count - [n]; [in] from, weight - [n][TERMS]; [in] num - chosen on this rank */
+/* P of the interpolation. [in] count - [n]; [in] from, weight - [n][TERMS]; [in] num - coarse nodes of this
+   rank */
 static PetscErrorCode NodeCoarseningCreateP_Private(const NodeSet *nodes, Net *net, const PetscInt count[],
                                                     const PetscInt from[], const PetscReal weight[], PetscInt num,
                                                     Mat *P)
@@ -319,7 +321,7 @@ static PetscErrorCode NodeCoarseningCreateP_Private(const NodeSet *nodes, Net *n
   start[0] = 0;
   for (PetscInt i = 0; i < n; i++) {
     for (PetscInt k = 0; k < dim; k++) {
-      for (PetscInt j = 0; j < count[i]; j++) { // zeros as well: there is to be a diagonal
+      for (PetscInt j = 0; j < count[i]; j++) { // zeros as well: the pattern needs a diagonal
         const PetscInt  other = from[i * TERMS + j];
         const PetscBool stays = (PetscBool)(((PetscInt)fixed[i] | (PetscInt)fixed[other]) >> k & 1);
 

@@ -1,15 +1,17 @@
-/* nodelevels.c -- levels where there is no coarser mesh: some of the nodes.
+/* nodelevels.c -- levels of nodes, where there is no coarser mesh.
 
-   They are made of the stiffness K of the bodies alone, in displacements u, where bodies do not couple: whatever touches, the levels stay as they
-   are. With P_0 from displacements of chosen nodes to u,
+   They are made from the stiffness K of the bodies alone, in displacements u, where bodies do not couple:
+   they do not depend on the active set. With P_0 from displacements of coarse nodes to u,
+
        P = T^-1 P_0,   P'A P = P_0'K P_0,
-   as on levels of a mesh; what is held, by supports, by ties or by contact, is truncated on top of that (rung.c), but for displacements
-   that are held along axes to begin with. */
+
+   as on levels of a mesh. Unknowns fixed by supports, ties or contact are truncated afterwards (mglevel.c),
+   except for displacements that are fixed along axes from the start. */
 #include "base/compat.h"
 #include "multigrid/nodelevels.h"
 #include "multigrid/truncationupdate.h"
 
-/* A coarse unknown that is left with no more than this part of what it moves, in squares, is none. */
+/* A coarse unknown is dropped if at most this part of the squares of its prolongation is free. */
 static const PetscReal NEXT_TO_NOTHING = 1e-2;
 
 PetscErrorCode NodeLevelsBegin(const Operator *op, NodeTable *table, NodeSet *nodes)
@@ -52,8 +54,8 @@ PetscErrorCode NodeLevelsSumSquares(Mat P, Vec open, Vec *weight)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Coarse unknowns that move nothing, or next to nothing but what is eliminated. [in] P - whole; [in] open - 0 where eliminated; [in,out] held; [out] keep -
-   1 for all that are left */
+/* Drops coarse unknowns whose prolongation is zero or mostly fixed. [in] P - before truncation; [in] open - 0
+   where fixed; [in,out] fixed; [out] keep - 1 for the others */
 static PetscErrorCode NodeLevelsDrop_Private(Mat P, Vec open, PetscBool fixed[], Vec *keep)
 {
   const PetscScalar *w, *left;
@@ -95,8 +97,8 @@ static PetscErrorCode NodeLevelsMultiplyInverse_Private(const Operator *op, Mat 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* P := T^-1 P, emptied where unknowns are eliminated, and what that changes in P'A P. [in] was_held - displacements that P was empty for;
-   [in,out] held - coarse unknowns; [in,out] P, Ac */
+/* P := T^-1 P, emptied where unknowns are fixed, and the change of P'A P. [in] was_held - displacements that
+   P was empty for; [in,out] fixed - coarse unknowns; [in,out] P, Ac */
 static PetscErrorCode NodeLevelsTruncate_Private(const Operator *op, const PetscBool was_held[], PetscBool fixed[],
                                                  Mat *P, Mat Ac)
 {
@@ -128,7 +130,7 @@ static PetscErrorCode NodeLevelsTruncate_Private(const Operator *op, const Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* 1 on the diagonal of unknowns that do nothing. */
+/* Sets the diagonal of dropped unknowns to 1. */
 static PetscErrorCode NodeLevelsSetIdle_Private(Mat A, PetscInt num, const PetscInt idle[])
 {
   PetscInt begin;

@@ -1,7 +1,8 @@
-/* redundantsolve.c -- a matrix of few unknowns, factored by every rank for itself.
+/* redundantsolve.c -- a small matrix, factored redundantly on every rank.
 
-   On several ranks such a factorisation would be messages and hardly any work. PETSc's own PCREDUNDANT does the same, but does not tell the factorisation that
-   the matrix is positive definite: it looks for pivots then, and finds some where one rank alone says that there are none. */
+   On several ranks a distributed factorization would be messages and hardly any work. PETSc's PCREDUNDANT
+   does not pass on that the matrix is positive definite: its factorization looks for pivots, and finds some
+   where one rank finds none. */
 #include "base/compat.h"
 #include "multigrid/redundantsolve.h"
 
@@ -82,7 +83,7 @@ static PetscErrorCode Destroy_RedundantSolve(PC pc)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The factorisation itself. */
+/* The factorization. */
 static PetscErrorCode RedundantSolveSetFactor_Private(PC pc)
 {
   PetscFunctionBeginUser;

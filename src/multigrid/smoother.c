@@ -1,12 +1,13 @@
-/* smoother.c -- couplings that smoothing must not cut.
+/* smoother.c -- the smoother: blocks of couplings, or the diagonal.
 
-   Where cells are much longer than wide, an error may vary slowly along the short way and be no smooth function on the coarser level,
-   which is as long and wide [1]: smoothing has to solve for the couplings along the short ways, lines and planes of nodes, bundles (bundles.c).
-   S_u is K without couplings between bundles: definite like K, and with sparse factors. Of nodes that are in no bundle it has the diagonal.
+   Where cells are much longer than wide, an error may vary slowly along the short edges and be no smooth
+   function on the coarser level [1]. Smoothing must then solve for the couplings along short edges, in lines
+   and planes of nodes (blocksmoother.c). S_u is K without couplings between blocks: definite like K, with
+   sparse factors. Nodes without block have their diagonal.
 
-   These are couplings of displacements u. What is solved for is y, u = T y, in which moving a mortar side's unknown moves the nonmortar side
-   as well: much stiffness in rows of the mortar side where the other one is stiff, and lines that go on across contact. S = T'S_u T has all of it,
-   and its eigenvalues with T'K T are those of S_u with K.
+   These are couplings of displacements u. The unknowns are y, u = T y, and an unknown of the mortar side
+   moves the nonmortar side as well. S = T'S_u T contains the stiffness of that side, and lines that continue
+   across contact. The eigenvalues of S and T'K T are those of S_u and K.
 
    References: [1] Trottenberg, Oosterlee, Schueller, Multigrid, 2001, section 5.1. */
 #include "base/compat.h"
@@ -15,11 +16,11 @@
 #include "multigrid/graphcomponents.h"
 #include "multigrid/smoother.h"
 
-/* A nonmortar side is stiff where condensing adds so much to the diagonal of what was there; equal sides: 1. */
+/* Limit of the diagonal that condensation adds, relative to the diagonal before it; equal sides: 1. */
 static const PetscReal STIFFER = 2;
 
-/* What S_u has of one row of K: couplings within the node's bundle, or the diagonal of a node that is in none.
-   [in] label - of nodes, by halo; [out] num - entries; [out] column, value - NULL to count only */
+/* Entries of S_u in one row of K: couplings within the block of the node, or its diagonal. [in] label - own
+   nodes, then ghosts; [out] num - entries; [out] column, value - NULL to count only */
 static PetscErrorCode SmootherGetRow_Private(const Operator *op, const GhostExchange *ghosts, const PetscReal label[],
                                              PetscInt row, PetscInt *num, PetscInt column[], PetscScalar value[])
 {
@@ -45,7 +46,7 @@ static PetscErrorCode SmootherGetRow_Private(const Operator *op, const GhostExch
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* S_u. [in] label - of nodes, by halo */
+/* S_u. [in] label - own nodes, then ghosts */
 static PetscErrorCode SmootherCreateBlocks_Private(const Operator *op, const GhostExchange *ghosts,
                                                    const PetscReal label[], Mat *S)
 {
@@ -74,12 +75,12 @@ static PetscErrorCode SmootherCreateBlocks_Private(const Operator *op, const Gho
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a nonmortar side of this rank weighs on a mortar side that is much softer. */
+/* Whether a nonmortar side is much stiffer than its mortar side. */
 static PetscErrorCode SmootherFindStiffSide_Private(const Operator *op, PetscBool *weighs)
 {
   PetscInt           n;
   const PetscScalar *z, *k;
-  PetscBool         *apart; /* unknowns that are not the mortar side's, or eliminated */
+  PetscBool         *apart; /* unknowns of the nonmortar side and fixed ones */
   Vec                diag;
 
   PetscFunctionBeginUser;
@@ -102,7 +103,7 @@ static PetscErrorCode SmootherFindStiffSide_Private(const Operator *op, PetscBoo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* S with what condensing adds to the diagonal. */
+/* Adds the diagonal of Z to S. */
 static PetscErrorCode SmootherAddDiagonal_Private(const Operator *op, Mat S)
 {
   Vec more, zero;
@@ -118,7 +119,7 @@ static PetscErrorCode SmootherAddDiagonal_Private(const Operator *op, Mat S)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* T'S T without eliminated unknowns; not where it would be a dense matrix, since few nodes of one side face very many of the other.
+/* T'S T without fixed unknowns; not if it would be dense, as few nodes of one side face many of the other.
    [in,out] S */
 static PetscErrorCode SmootherCondense_Private(const Operator *op, Mat *S)
 {
@@ -209,7 +210,7 @@ PetscErrorCode SmootherScale(Mat S, PetscReal factor)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Bundles that ranks cut are solved for by one of them. */
+/* One rank solves for each block that ranks cut. */
 static PetscErrorCode SmootherSetSubdomains_Private(PC pc, Mat S)
 {
   IS rows;
@@ -224,8 +225,8 @@ static PetscErrorCode SmootherSetSubdomains_Private(PC pc, Mat S)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Factors of planes have dense parts, which is what CHOLMOD is fast with; those of lines are as sparse as themselves, and cost the same with
-   anything. To a rank without rows CHOLMOD would say that it is an error. */
+/* CHOLMOD is fast for the dense parts of plane factors; line factors are sparse, and any package will do. For
+   a rank without rows CHOLMOD reports an error. */
 static PetscErrorCode SmootherConfigureFactor_Private(KSP ksp)
 {
   PetscInt  n;
@@ -237,7 +238,7 @@ static PetscErrorCode SmootherConfigureFactor_Private(KSP ksp)
   PetscCall(KSPGetOperators(ksp, NULL, &S));
   PetscCall(KSPSetType(ksp, KSPPREONLY));
   PetscCall(KSPGetPC(ksp, &pc));
-  PetscCall(PCSetType(pc, PCNONE)); // forgets the package: where there were rows there may be none now
+  PetscCall(PCSetType(pc, PCNONE)); // forgets the package: rows may have gone to another rank
   PetscCall(PCSetType(pc, PCCHOLESKY));
   PetscCall(MatGetFactorAvailable(S, MATSOLVERCHOLMOD, MAT_FACTOR_CHOLESKY, &available));
   PetscCall(MatGetSize(S, &n, NULL));

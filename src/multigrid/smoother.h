@@ -1,21 +1,25 @@
-/* smoother.h -- what smoothing on one level solves with: the diagonal, and couplings that must not be cut; internal (eq. 13.3). */
+/* smoother.h -- the smoother of one level: the diagonal, blocks, or body by body; internal (eq. 13.3). */
 #ifndef MORTISE_SMOOTHER_H
 #define MORTISE_SMOOTHER_H
 
 #include <petscksp.h>
 #include "multigrid/operator.h"
 
-/* For a level with no unknown held. Collective. [in] finest - whether nothing but held unknowns will change A; [in] single - whether no coarser mesh exists; [out] S - distributed like A, owned by
-   the caller: a matrix, or the inverse of one (apart.h); NULL where the diagonal will do */
+/* The matrix S of the smoother, with no active unknowns. Collective.
+   [in] finest - whether only active unknowns will change A; [in] single - whether there is no coarser mesh;
+   [out] S - distributed like A, owned by the caller: a matrix, or a shell of its inverse (bodysmoother.h);
+   NULL for the diagonal */
 PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool single, Mat *S);
 /* S := factor S. Collective. */
 PetscErrorCode SmootherScale(Mat S, PetscReal factor);
-/* S where unknowns are held: S >= A by eigenvalues remains so. Collective. [in] from - with none held, or NULL; [in] change - of A, or NULL;
-   [in] num, held - unknowns counted from this rank's first; [in,out] S - is replaced, owned by the caller; NULL like `from` */
+/* S with fixed unknowns; S >= A still holds. Collective.
+   [in] from - without fixed unknowns, or NULL; [in] change - of A, or NULL; [in] fixed - counted from this
+   rank's first [num]; [in,out] S - replaced, owned by the caller; NULL like `from` */
 PetscErrorCode SmootherSetFixed(Mat from, Mat change, PetscInt num, const PetscInt fixed[], Mat *S);
-/* Makes pc, whose second operator S is, its inverse, whole however ranks cut it; the point smoother for no S. Collective. [in] S - or NULL */
+/* Makes pc the inverse of S, its second operator; blocks are not cut by ranks. Collective. [in] S - or NULL
+   for the diagonal */
 PetscErrorCode SmootherSetPC(PC pc, Mat S);
-/* To be called when pc, made by SmootherSetPC(), has been given another S. Collective. */
+/* Must be called after pc of SmootherSetPC() got another S. Collective. */
 PetscErrorCode SmootherRenew(PC pc);
 
 #endif

@@ -1,6 +1,6 @@
-/* submatrix.c -- the free part of A, which `vinewtonrsls` takes out in each of its steps, without a copy.
+/* submatrix.c -- the free part of A, which `vinewtonrsls` extracts in each step, without a copy.
 
-   PETSc's own virtual submatrix keeps the block size, and the unknowns that are left do not come in blocks. */
+   PETSc's MATSUBMATRIX keeps the block size, but the free unknowns do not come in blocks. */
 #include "base/compat.h"
 #include "multigrid/submatrix.h"
 
@@ -8,7 +8,7 @@ typedef struct {
   Mat        A;
   PetscReal  share, *work;
   Vec        x, y;    /* on all unknowns */
-  VecScatter scatter; /* from there to those of the part; NULL of the whole */
+  VecScatter scatter; /* from there to the submatrix; NULL for the whole */
 } Submatrix;
 
 static PetscErrorCode Mult_Submatrix(Mat M, Vec x, Vec y)
@@ -45,7 +45,7 @@ static PetscErrorCode Destroy_Submatrix(Mat M)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* [in] n - rows of this rank; [out] M - with a context of A, share and work */
+/* Creates the shell. [in] n - rows of this rank; [out] M - with a context of A, share and work */
 static PetscErrorCode SubmatrixCreateShell_Private(Mat A, PetscReal share, PetscReal *work, PetscInt n, Submatrix **sub,
                                                    Mat *M)
 {
@@ -63,7 +63,7 @@ static PetscErrorCode SubmatrixCreateShell_Private(Mat A, PetscReal share, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Answers MatCreateSubMatrix(). */
+/* Implements MatCreateSubMatrix(). */
 static PetscErrorCode CreateSubMatrix_Submatrix(Mat whole, IS rows, IS columns, MatReuse reuse, Mat *part)
 {
   Submatrix *all, *sub;

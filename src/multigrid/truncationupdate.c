@@ -1,15 +1,15 @@
-/* truncationupdate.c -- changes of a matrix by a few held unknowns: entries in a list, few beside the matrix. */
+/* truncationupdate.c -- changes of a matrix by truncation: a list of entries, few compared with the matrix. */
 #include "base/compat.h"
 #include "multigrid/truncationupdate.h"
 
-/* Entries on their way into a matrix. */
+/* Entries of a matrix under assembly. */
 typedef struct {
   PetscInt     num, max;
   PetscInt    *row, *column;
   PetscScalar *value;
 } Entries;
 
-/* M before and after at columns of a matrix: those of this rank, and those of others. */
+/* M before and after at the columns of a matrix: those of this rank, and ghosts. */
 typedef struct {
   PetscInt           begin, end, num_ghosts;
   const PetscInt    *ghosts;      /* ascending [num_ghosts] */
@@ -33,7 +33,7 @@ static PetscErrorCode TruncationUpdateAdd_Private(Entries *entries, PetscInt row
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Collective. [in] X - whose columns are asked for */
+/* Collective. [in] X - whose columns are needed */
 static PetscErrorCode TruncationUpdateBeginStates_Private(Mat X, Vec was, Vec is, States *states)
 {
   const PetscScalar *a;
@@ -73,7 +73,7 @@ static PetscErrorCode TruncationUpdateEndStates_Private(Vec was, Vec is, States 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* M of one column before and after. */
+/* M of one column, before and after. */
 static PetscErrorCode TruncationUpdateGetState_Private(const States *states, PetscInt column, PetscBool *was,
                                                        PetscBool *is)
 {
@@ -92,7 +92,7 @@ static PetscErrorCode TruncationUpdateGetState_Private(const States *states, Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds what a change of M makes of factor * X. */
+/* Adds the change of M (factor X) M. */
 static PetscErrorCode TruncationUpdateAddChanged_Private(Mat X, PetscReal factor, Vec was, Vec is, Entries *entries)
 {
   States states;
@@ -123,7 +123,7 @@ static PetscErrorCode TruncationUpdateAddChanged_Private(Mat X, PetscReal factor
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds M X M of a matrix that has little in it. */
+/* Adds M X M of a matrix with few entries. */
 static PetscErrorCode TruncationUpdateAddAll_Private(Mat X, Vec is, Entries *entries)
 {
   States states;
@@ -192,7 +192,7 @@ PetscErrorCode TruncationUpdateRestrict(Mat update, Mat P, Mat *product)
   IS       is;
   Mat      small, few;
 
-  PetscFunctionBeginUser; /* of mostly empty rows only the others, which are the columns as well */
+  PetscFunctionBeginUser; /* most rows are empty: only the others, which are the columns as well */
   PetscCall(MatGetOwnershipRange(update, &begin, &end));
   PetscCall(PetscMalloc1(end - begin, &rows));
   for (PetscInt row = begin; row < end; row++) {

@@ -1,17 +1,17 @@
-/* activeset.c -- the bounded unknowns, the decisions about them, and what tells one set from another.
+/* activeset.c -- the bounded unknowns, the active set test, and hashes of sets.
 
    References: [1] Hueber, Wohlmuth, A primal-dual active set strategy for non-linear multibody contact, 2005.
-               [2] Steele, Lea, Flood, Fast splittable pseudorandom number generators, 2014 (the mixing function). */
+   [2] Steele, Lea, Flood, Fast splittable pseudorandom number generators, 2014 (the mixing function). */
 #include "pdas/pdasimpl.h"
 
-/* Two numbers that differ by less than this part of their scale are equal: a bound that is just touched, a force that
-   just vanishes. Without it exact ties cycle from roundoff alone. */
+/* Tolerance of ties relative to the scale of the values: a bound that is just touched, a force that just
+   vanishes. Without it exact ties cycle by roundoff. */
 static const PetscReal TIE = 1e-11;
-/* ... or by a part of the residual of an inexact solve. Not by all that this may hide: what is decided wrong is decided again with more digits,
-   what is left undecided costs a system of its own later. */
+/* Tolerance of ties relative to the residual of an inexact solve. Not all that the residual may hide: a wrong
+   decision is repeated with more accuracy, an undecided one costs another system later. */
 static const PetscReal TIE_PER_RESIDUAL = 0.1;
-/* What roundoff alone can do to a value, in units of the largest unknown: it grows with the condition of the Schur
-   complement, a few hundred on fine meshes; and to a force, in units of the diagonal times the largest unknown. */
+/* Roundoff of a value, in units of the largest unknown: it grows with the condition of the Schur complement,
+   a few hundred on fine meshes. Roundoff of a force, in units of the diagonal times the largest unknown. */
 static const PetscReal NOISE_VALUE = 1024 * PETSC_MACHINE_EPSILON;
 static const PetscReal NOISE_FORCE = 64 * PETSC_MACHINE_EPSILON;
 
@@ -94,8 +94,8 @@ PetscErrorCode ActiveSetReplace(ActiveSet *set, const PetscBool next[], PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What "equal" means now: [0] for values, [1] for forces. Far bounds do not count: a wide gap somewhere must
-   not blur the decisions where bodies touch; a negative bound does, since y has to get there. */
+/* Tolerances: [0] for values, [1] for forces. Distant bounds do not count: a wide gap elsewhere must not blur
+   the test where bodies touch. A negative bound counts, since y must reach it. */
 static PetscErrorCode ActiveSetTolerances_Private(const ActiveSet *set, const ActiveSolution *s, PetscReal tol[2])
 {
   const PetscReal tau = PetscMax(TIE, TIE_PER_RESIDUAL * s->eta);
@@ -112,8 +112,9 @@ static PetscErrorCode ActiveSetTolerances_Private(const ActiveSet *set, const Ac
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The decision of eq. 10.1 in units of force. One of the two terms is exactly zero, so the sign does not depend on c; the band around zero in which the state
-   stays as it is must scale with c in the same way, to keep that true. [in] tol - of ActiveSetTolerances_Private() */
+/* The active set test of eq. 10.1 in units of force. One of the two terms is exactly zero, so the sign does
+   not depend on c. The tolerance must scale with c in the same way. [in] tol - of
+   ActiveSetTolerances_Private() */
 static PetscBool ActiveSetDecide_Private(const ActiveSet *set, const ActiveSolution *s, PetscReal c,
                                          const PetscReal tol[2], PetscInt i)
 {
@@ -163,7 +164,7 @@ PetscErrorCode ActiveSetUpdate(ActiveSet *set, const ActiveSolution *s, PetscRea
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Scrambles 64 bits so that sums of scrambled numbers tell sets apart [2]. */
+/* Mixes 64 bits so that sums of mixed numbers distinguish sets [2]. */
 static uint64_t ActiveSetMix_Private(uint64_t z)
 {
   z *= 0x9e3779b97f4a7c15;

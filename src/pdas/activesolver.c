@@ -1,4 +1,4 @@
-/* activesolver.c -- what the two ways to solve for an active set have in common. */
+/* activesolver.c -- the common part of both solvers for an active set. */
 #include "pdas/pdasimpl.h"
 
 const char *ActiveSolverFailureOfFactor(MatFactorError error)
@@ -57,14 +57,14 @@ PetscErrorCode ActiveSolverResidual(ActiveSolver solver, const PetscBool fixed[]
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* With D = diag(A) and |e_j| <= epsilon |y_j| / 2 the digits that y is stored without,  |A e|_D^-1 <= m epsilon / 2 |y|_D, m the largest
-   eigenvalue of D^-1 A: two to four for most cells, some more in the basis of contact. Stiff bodies on soft ones move far for what they feel:
-   there it may be more than rtol. */
+/* With D = diag(A) and the roundoff |e_j| <= epsilon |y_j| / 2 of y,  |A e|_D^-1 <= m epsilon / 2 |y|_D, m
+   the largest eigenvalue of D^-1 A: two to four for most cells, more in the basis of contact. Stiff bodies on
+   soft ones move far at small stresses: there it may exceed rtol. */
 PetscErrorCode ActiveSolverSuffices(ActiveSolver solver, Vec y, PetscReal size, PetscReal reference,
                                     PetscBool *suffices)
 {
   static const PetscReal LAST_DIGIT = 4 * PETSC_MACHINE_EPSILON;
-  static const PetscReal MEANING    = 1e-6; /* rounding beyond this is that of a matrix that is next to singular */
+  static const PetscReal MEANING    = 1e-6; /* larger roundoff means a nearly singular matrix */
   Vec                    scaled;
   PetscScalar            square;
 

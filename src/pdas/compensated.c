@@ -1,8 +1,8 @@
-/* compensated.c -- b - A y as if it were computed in twice the precision.
+/* compensated.c -- the compensated residual b - A y, as if computed in twice the precision.
 
-   Near a solution b - A y is what the terms of a sum leave that cancel to the last digits: computed as usual it is rounding and nothing
-   else. With the rounding of every product and every sum carried along [1], corrections by a factorisation reach the solution itself
-   and not just a small residual, and what is said of the distance from it holds however small that is.
+   Near a solution the terms of b - A y cancel to the last digits: ordinary arithmetic leaves roundoff only.
+   With the roundoff of every product and sum carried along [1], corrections by a factorization converge to
+   the solution itself, not just to a small residual, and the error bound holds however small it is.
 
    References: [1] Ogita, Rump, Oishi, Accurate sum and dot product, 2005 (algorithm Dot2; Dekker's product). */
 #include "base/compat.h"
@@ -20,7 +20,7 @@ static void CompensatedSplit_Private(PetscReal x, PetscReal *high, PetscReal *lo
   *low  = x - *high;
 }
 
-/* (sum, rest) -= a y, in which rest gathers what sum cannot hold. */
+/* (sum, rest) -= a y; rest collects what sum cannot hold. */
 static void CompensatedSubtract_Private(PetscReal a, PetscReal y, PetscReal *sum, PetscReal *rest)
 {
   const PetscReal product = -a * y;
@@ -57,7 +57,8 @@ static PetscErrorCode CompensatedRows_Private(Mat A, Vec y, PetscReal sum[], Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The entries of y that this process has not, and its rows need, in the order of Ao's columns. [out] others - owned by the caller */
+/* The entries of y on other ranks that the rows need, in the order of the columns of Ao. [out] others - owned
+   by the caller */
 static PetscErrorCode CompensatedOthers_Private(Mat Ao, const PetscInt columns[], Vec y, Vec *others)
 {
   PetscInt   n;
@@ -88,7 +89,7 @@ PetscErrorCode CompensatedResidual(Mat A, Vec b, Vec y, Vec r)
 
   PetscFunctionBeginUser;
   PetscCall(PetscObjectTypeCompare((PetscObject)A, MATSHELL, &shell));
-  if (shell) { // of products alone; who iterates with these stops long before rounding matters
+  if (shell) { // products alone: an iteration with them stops long before roundoff matters
     PetscCall(MatMult(A, y, r));
     PetscCall(VecAYPX(r, -1, b));
     PetscFunctionReturn(PETSC_SUCCESS);

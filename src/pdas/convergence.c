@@ -1,20 +1,22 @@
-/* convergence.c -- when an iteration with multigrid has done enough.
+/* convergence.c -- the convergence test of iterations with multigrid.
 
-   Where its residual has become as small as it is to be by now the iterate is looked at, and as long as it says nothing against the active
-   set the same iteration goes on: nothing that conjugate gradients have found out is lost (eq. 14.3). In the end forces and energy are to be
-   right (eq. 14.4). Where the mesh says when to stop, the energy of the error does (eq. 14.7): cycles of multigrid see it in any iterate's residual,
-   |e|_A^2 ~ r'B r, a number that conjugate gradients compute anyway, and the first one is that of what a coarser mesh knows. */
+   At its target residual the iterate is evaluated. While it confirms the active set, the same iteration
+   continues, and conjugate gradients keep their search directions (eq. 14.3). In the end forces and energy
+   must be accurate (eq. 14.4). For stopping at the discretization error the energy of the error counts (eq.
+   14.7). Multigrid cycles estimate it from any residual, |e|_A^2 ~ r'B r, a number that conjugate gradients
+   compute anyway. The first one is the error of the coarser mesh. */
 #include "base/compat.h"
 #include "multigrid/eigenvalue.h"
 #include "multigrid/multigrid.h"
 #include "pdas/fullsolver.h"
 
-/* The first look comes a little late, since a KSP has its own way to measure residuals; later ones know how these compare. */
+/* The first evaluation is a little late, since a KSP measures residuals in its own norm; later ones know the
+   ratio. */
 static const PetscReal FURTHER = 0.5, A_LITTLE = 0.9;
-/* Where the KSP's residual has become so much smaller since the last look, and the true one has not even halved, recursions go on and digits do
-   not. */
+/* Stagnation: the residual of the KSP fell by the first factor since the last evaluation, the true one by
+   less than the second. */
 static const PetscReal MUCH_SMALLER = 0.1, STALLED = 0.5;
-/* Of rtol, for the energy: what is said of it is an estimate. */
+/* Part of rtol for the energy, which is an estimate. */
 static const PetscReal PART = 0.02;
 
 PetscErrorCode FullSolverUpdateRitz(FullSolver *t)
@@ -29,7 +31,8 @@ PetscErrorCode FullSolverUpdateRitz(FullSolver *t)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether no free unknown with a bound has a force beside those of fixed ones, or rounding: it would count as pressure or tension. */
+/* Whether all forces on free bounded unknowns are negligible beside those on fixed ones, or roundoff: they
+   would count as pressure or tension. */
 static PetscErrorCode ConvergenceTestForces_Private(ActiveSolver solver, PetscBool *forceless)
 {
   static const PetscReal NO_FORCE = 1e-8;
@@ -54,7 +57,7 @@ static PetscErrorCode ConvergenceTestForces_Private(ActiveSolver solver, PetscBo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* y, its residual and what the bounded unknowns see of them. [in] x - iterate of the KSP */
+/* Computes y, its residual and their restriction to the bounded unknowns. [in] x - iterate of the KSP */
 static PetscErrorCode ConvergenceEvaluate_Private(ActiveSolver solver, Vec x)
 {
   FullSolver      *t        = solver->data;
@@ -76,9 +79,9 @@ static PetscErrorCode ConvergenceEvaluate_Private(ActiveSolver solver, Vec x)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What counts in the end. The residual is to be small beside the forces in the bodies: supports that move a body far make a large f of next to
-   no force; and the error beside the solution in the norm of energy, since residuals say little of errors that are smooth. What rounding
-   leaves is small in any case. */
+/* References of the final test. The residual must be small beside the forces in the bodies: prescribed
+   displacements make a large f of small forces. The error must be small beside the solution in the energy
+   norm, since residuals say little about smooth errors. Roundoff passes both tests. */
 static PetscErrorCode ConvergenceMeasure_Private(ActiveSolver solver)
 {
   FullSolver *t = solver->data;
@@ -96,7 +99,7 @@ static PetscErrorCode ConvergenceMeasure_Private(ActiveSolver solver)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the energy of the error is what it is to be in the end. */
+/* Whether the energy of the error is small enough. */
 static PetscErrorCode ConvergenceTestEnergy_Private(FullSolver *t, PetscBool *settled)
 {
   PetscReal error;
@@ -109,7 +112,8 @@ static PetscErrorCode ConvergenceTestEnergy_Private(FullSolver *t, PetscBool *se
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether an iterate is worth a look; where the mesh says when to stop each one is. [out] enough - whether it is to be the last one */
+/* Whether to evaluate an iterate; for stopping at the discretization error always. [out] enough - whether it
+   is the last one */
 static PetscErrorCode ConvergenceIsDue_Private(ActiveSolver solver, PetscInt it, PetscReal norm, PetscBool *due,
                                                PetscBool *error_reduction)
 {
@@ -125,7 +129,7 @@ static PetscErrorCode ConvergenceIsDue_Private(ActiveSolver solver, PetscInt it,
     if (solver->first > 0)
       *error_reduction = (PetscBool)(square <= solver->error_reduction * solver->first);
     else
-      solver->first = solver->energy_decrease + square; // all that a first cycle tells is what it began with
+      solver->first = solver->energy_decrease + square; // the first cycle tells the initial error only
     *due = (PetscBool)(*error_reduction || !solver->all_digits);
   } else {
     *due = (PetscBool)(norm <= t->limit);
@@ -134,14 +138,14 @@ static PetscErrorCode ConvergenceIsDue_Private(ActiveSolver solver, PetscInt it,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether an iterate that has been looked at may be the last one of all. */
+/* Whether an evaluated iterate passes the final test. */
 static PetscErrorCode ConvergenceTestFinal_Private(ActiveSolver solver, PetscBool *ends)
 {
   FullSolver *t = solver->data;
 
   PetscFunctionBeginUser;
   *ends = PETSC_TRUE;
-  if (t->reference == 0) { // later on it is due only where this is so
+  if (t->reference == 0) { // later iterates are due only if this holds
     PetscCall(ConvergenceMeasure_Private(solver));
     PetscCall(ConvergenceTestEnergy_Private(t, ends));
   }
@@ -150,7 +154,7 @@ static PetscErrorCode ConvergenceTestFinal_Private(ActiveSolver solver, PetscBoo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Looks at an iterate. [in] enough - of ConvergenceIsDue_Private(); [out] stop */
+/* Evaluates an iterate. [in] enough - of ConvergenceIsDue_Private(); [out] stop */
 static PetscErrorCode ConvergenceTestIterate_Private(ActiveSolver solver, PetscReal norm, PetscBool error_reduction,
                                                      PetscBool *stop)
 {
@@ -170,8 +174,7 @@ static PetscErrorCode ConvergenceTestIterate_Private(ActiveSolver solver, PetscR
   if (!last) {
     good = (PetscBool)(solution->eta <= solver->target);
     if (good && solver->holds) PetscCall((*solver->holds)(solver, solution, &holds)); // lowers the target where it does
-    last = (PetscBool)(holds &&
-                       solver->target <= solver->rtol); // and it may be there already, with nothing but rounding left
+    last = (PetscBool)(holds && solver->target <= solver->rtol); // the target may be reached already, at roundoff
   }
   if (last) PetscCall(ConvergenceTestFinal_Private(solver, &good));
   *stop = t->done = (PetscBool)(good && (last || !holds));

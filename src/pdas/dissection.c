@@ -1,7 +1,7 @@
-/* dissection.c -- a pivot order by nested dissection, for a factorisation that leaves some unknowns to the end.
+/* dissection.c -- a pivot ordering by nested dissection, for a factorization with some unknowns last.
 
-   METIS dissects the graph of the matrix's blocks (nodes), which is smaller than that of unknowns by the square of their size, on
-   the first rank, where MUMPS wants the order. What only the unknowns at the end connect does not count.
+   METIS dissects the graph of the matrix's blocks (nodes) on the first rank, where MUMPS needs the ordering.
+   Couplings through the last unknowns do not count.
 
    Reference: G. Karypis, V. Kumar, A fast and high quality multilevel scheme for partitioning irregular graphs, 1998. */
 #include "base/compat.h"
@@ -16,7 +16,7 @@ typedef struct {
   PetscInt *end;   /* [start[num]] */
 } Graph;
 
-/* Appends the blocks that a row leads to and that are not marked with its block yet. [in,out] mark - [blocks of all ranks] */
+/* Appends the blocks of a row that are not marked with its block yet. [in,out] mark - [blocks of all ranks] */
 static PetscErrorCode DissectionAddRow_Private(Mat A, PetscInt row, const PetscBT last, PetscInt mark[], Graph *graph,
                                                PetscInt *max)
 {
@@ -70,7 +70,7 @@ static PetscErrorCode DissectionCreateGraph_Private(Mat A, const PetscBT last, G
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Puts the ranks' rows together on the first one; its graph takes the place of own. */
+/* Gathers the rows of all ranks on the first one; its graph replaces own. */
 static PetscErrorCode DissectionGatherGraph_Private(MPI_Comm comm, Graph *own)
 {
   PetscMPIInt  rank, size, counts[2] = {(PetscMPIInt)own->num, (PetscMPIInt)own->start[own->num]};

@@ -1,7 +1,7 @@
-/* factorization.c -- MUMPS, asked by itself rather than through PETSc.
+/* factorization.c -- MUMPS, called directly.
 
-   PETSc cannot hand an order of pivots to MUMPS' Cholesky factorisation, and with a Schur complement MUMPS itself knows none but
-   minimum degree, which in 3D costs twice the operations of nested dissection and a quarter more memory. */
+   PETSc cannot pass an ordering to MUMPS' Cholesky factorization. With a Schur complement MUMPS itself offers
+   minimum degree only, which in 3D costs twice the operations of nested dissection and a quarter more memory. */
 #include <dmumps_c.h>
 #include "base/usererror.h"
 #include "pdas/factorization.h"
@@ -17,12 +17,12 @@ enum {
   NUM_ICNTL     = 60
 };
 enum { NUM_CNTL = 15 };
-/* Their values: pivots in the order given, by minimum degree; entries where they are; S on the host. */
+/* Their values: a given ordering, minimum degree; central or distributed entries; S on the host. */
 enum { ORDER_GIVEN = 1, ORDER_MINIMUM_DEGREE = 0, INPUT_CENTRAL = 0, INPUT_DISTRIBUTED = 3, SCHUR_ON_HOST = 1 };
 enum { LAST_ORDER = 7 };
-/* How often workspace is doubled; all that was foretold, in percent. */
+/* Largest number of doublings of the workspace; 100 percent. */
 enum { MAX_DOUBLED = 5, WHOLE = 100 };
-/* Where INFO has the memory that the analysis foretells to a rank, in millions of bytes. */
+/* Index of INFO with the predicted memory of a rank, in millions of bytes. */
 enum { ANALYSED_SIZE = 15 };
 enum { JOB_BEGIN = -1, JOB_END = -2, JOB_ANALYSE = 1, JOB_FACTOR = 2, JOB_SOLVE = 3, SYMMETRIC_DEFINITE = 1 };
 
@@ -31,13 +31,14 @@ struct _n_Factor {
   MPI_Comm       comm;
   PetscMPIInt    rank, size;
   VecScatter     to_host; /* of right-hand sides and solutions */
-  Vec            host;    /* all of them on the first rank, nothing elsewhere */
+  Vec            host;    /* gathered vector on the first rank, empty elsewhere */
   PetscInt *
       position; /* of every unknown among the pivots, on the first rank; from FactorizationAnalyse_Private() to FactorizationFreeMatrix_Private() */
 };
 
-/* The upper triangle of this rank's rows, counted from 1. Zeros, which fixed unknowns leave, do not count in a dissection; minimum
-   degree has been seen to find orders of twice the cost without them. [out] id - its entries are owned by the caller */
+/* The upper triangle of this rank's rows, counted from 1. Zeros of fixed unknowns do not count in a
+   dissection; minimum degree has been seen to find orderings of twice the cost without them. [out] id - its
+   entries are owned by the caller */
 static PetscErrorCode FactorizationCreateEntries_Private(Mat A, DMUMPS_STRUC_C *id)
 {
   const PetscBool skip = (PetscBool)(id->icntl[ICNTL_ORDER - 1] == ORDER_GIVEN);
@@ -112,7 +113,7 @@ PetscBool FactorizationIsShort(PetscInt info)
   return (PetscBool)(info == INTEGERS || info == REALS || info == SEND_BUFFER || info == RECEIVE_BUFFER);
 }
 
-/* What INFOG(1) means. */
+/* The error that INFOG(1) means. */
 static MatFactorError FactorizationError_Private(MUMPS_INT info)
 {
   enum { STRUCTURE = -6, ZERO_PIVOT = -10, NEGATIVE_PIVOT = -40 };
@@ -126,8 +127,8 @@ static MatFactorError FactorizationError_Private(MUMPS_INT info)
   return info == ZERO_PIVOT || info == NEGATIVE_PIVOT ? MAT_FACTOR_NUMERIC_ZEROPIVOT : MAT_FACTOR_OTHER;
 }
 
-/* Factors. MUMPS takes as much workspace as the analysis foretells and ICNTL(14) percent more; where pivots or messages need more than
-   that it says so, and is given twice as much again and again. What the system has not got is another matter. Collective. */
+/* Factors. MUMPS allocates the workspace predicted by its analysis plus ICNTL(14) percent. If pivots or
+   messages need more, it is doubled repeatedly. Lack of system memory is a separate error. Collective. */
 static PetscErrorCode FactorizationCompute_Private(Factorization factor)
 {
   DMUMPS_STRUC_C *id = &factor->id;
@@ -145,7 +146,7 @@ static PetscErrorCode FactorizationCompute_Private(Factorization factor)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The order of pivots and what it leads to. [in] C - [num] */
+/* The ordering and the analysis. [in] C - [num] */
 static PetscErrorCode FactorizationAnalyse_Private(Factorization factor, Mat A, PetscInt num, const PetscInt C[])
 {
   DMUMPS_STRUC_C *id = &factor->id;
@@ -161,7 +162,7 @@ static PetscErrorCode FactorizationAnalyse_Private(Factorization factor, Mat A, 
   }
   id->size_schur = (MUMPS_INT)num;
   PetscCall(FactorizationCreateEntries_Private(A, id));
-  if (factor->size == 1) { // distributed input would be collected, in a second copy
+  if (factor->size == 1) { // MUMPS would collect distributed input in a second copy
     id->nnz = id->nnz_loc;
     id->irn = id->irn_loc;
     id->jcn = id->jcn_loc;
@@ -172,7 +173,7 @@ static PetscErrorCode FactorizationAnalyse_Private(Factorization factor, Mat A, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The matrix and its order, which solutions do not need. */
+/* Frees the matrix and its ordering, which solutions do not need. */
 static PetscErrorCode FactorizationFreeMatrix_Private(Factorization factor)
 {
   DMUMPS_STRUC_C *id = &factor->id;
@@ -184,7 +185,7 @@ static PetscErrorCode FactorizationFreeMatrix_Private(Factorization factor)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* MUMPS with its controls. [in] schur - whether some unknowns are left to the end */
+/* Starts MUMPS and sets its controls. [in] schur - whether some unknowns are last */
 static PetscErrorCode FactorizationBegin_Private(Mat A, PetscBool schur, const char prefix[], Factorization *factor_out)
 {
   const PetscInt  solid = 3;

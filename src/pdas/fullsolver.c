@@ -1,24 +1,26 @@
-/* fullsolver.c -- one linear system per active set, at full size, by whatever KSP the user chose.
+/* fullsolver.c -- one linear system per active set at full size, by the user's KSP.
 
-   The rows and columns of fixed unknowns are emptied and keep only their own diagonal A_ii (not 1: the spectrum stays
-   what it was), so size, layout and block structure never change and a preconditioner sees a matrix like A:
+   Rows and columns of fixed unknowns are emptied and keep their diagonal A_ii (not 1: the spectrum stays).
+   Size, layout and block structure never change, and a preconditioner sees a matrix like A:
+
        A^ d = f,   y = v + d,   A^ = M A M + (1 - M) diag(A),   f = M (b - A v),
-   with M = 0 on fixed unknowns, 1 elsewhere, and v the prescribed values, 0 elsewhere. Near null vectors are emptied at
-   fixed unknowns as well: what a preconditioner takes for a rigid motion must be one of A^. */
+
+   with M = 0 on fixed unknowns, 1 elsewhere, and v the prescribed values, 0 elsewhere. The near null space is
+   emptied at fixed unknowns as well: its vectors must be rigid body modes of A^. */
 #include "pdas/factorization.h"
 #include "multigrid/multigrid.h"
 #include "pdas/fullsolver.h"
 
-/* Solves on the residual after the first: each gains the digits of one solve; what does not get there in so many will
-   not. */
+/* Refinements after the first solve: each gains the digits of one solve. */
 static const PetscInt MAX_REFINEMENTS = 8;
-/* After so many what conjugate gradients take for the residual has come away from it: they begin again with the true one. */
+/* Iterations after which the recursive residual of conjugate gradients has drifted: they restart with the
+   true one. */
 static const PetscInt MANY_ITERATIONS = 50;
-/* So often cycles may show themselves indefinite in one system, and be made shorter. */
+/* Largest number of indefinite cycles in one system, after each of which steps are shortened. */
 enum { MAX_SHORTER = 3 };
-/* A solve that leaves more than this part of the residual is no progress. */
+/* Stagnation: a solve that leaves more than this part of the residual. */
 static const PetscReal STALLED = 0.5;
-/* M, the last solution emptied where fixed as first guess d, and y = v. */
+/* Sets M, y = v, and the last solution, emptied where fixed, as initial guess of d. */
 static PetscErrorCode FullSolverPrescribe_Private(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
                                                   ActiveSolution *solution)
 {
@@ -47,10 +49,10 @@ static PetscErrorCode FullSolverPrescribe_Private(ActiveSolver solver, const Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A^ gets the near null space of A, emptied where fixed and made orthonormal again. */
+/* Near null space of A^: that of A, emptied where fixed and orthonormalized. */
 static PetscErrorCode FullSolverNearNullSpace_Private(ActiveSolver solver)
 {
-  static const PetscReal DEPENDENT = 1e-8; /* shorter than this after projection: nothing of the motion is left */
+  static const PetscReal DEPENDENT = 1e-8; /* length after projection below which a mode is dependent */
   FullSolver            *t         = solver->data;
   MatNullSpace           space;
   const Vec             *vecs;
@@ -82,8 +84,8 @@ static PetscErrorCode FullSolverNearNullSpace_Private(ActiveSolver solver)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A^ for the present M. Scaling by M from both sides empties rows and columns without talking to other ranks about them
-   and without touching the pattern; A itself is never written to. */
+/* A^ for the present M. Scaling by M from both sides empties rows and columns without communication and
+   without changing the pattern; A is not written to. */
 static PetscErrorCode FullSolverSetMatrix_Private(ActiveSolver solver)
 {
   FullSolver *t = solver->data;
@@ -99,7 +101,7 @@ static PetscErrorCode FullSolverSetMatrix_Private(ActiveSolver solver)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A^ for the present M, by whatever makes it. */
+/* A^ for the present M, a copy or the operator of multigrid. */
 static PetscErrorCode FullSolverUpdateMatrix_Private(ActiveSolver solver)
 {
   FullSolver *t = solver->data;
@@ -150,7 +152,8 @@ static PetscErrorCode FullSolverCorrect_Private(ActiveSolver solver, PetscBool g
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How far a KSP without multigrid goes: a little further than it has to, since it measures residuals in its own way. */
+/* Tolerance of a KSP without multigrid: a little smaller than necessary, since it measures residuals in its
+   own norm. */
 static PetscErrorCode FullSolverTolerance_Private(ActiveSolver solver)
 {
   static const PetscReal FURTHER = 0.5;
@@ -162,8 +165,8 @@ static PetscErrorCode FullSolverTolerance_Private(ActiveSolver solver)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One call of the KSP, and what it leaves of the residual. [in] k - calls before, for the same set; [in] first - |f|_D before all of them;
-   [out] done - whether that is as little as it can be or has to be */
+/* One call of the KSP, and the residual after it. [in] k - calls before, for the same set; [in] first - |f|_D
+   before all of them; [out] done - whether the residual is small enough or minimal */
 static PetscErrorCode FullSolverCallKSP_Private(ActiveSolver solver, PetscInt k, PetscReal first,
                                                 ActiveSolution *solution, PetscBool *done)
 {
@@ -183,7 +186,7 @@ static PetscErrorCode FullSolverCallKSP_Private(ActiveSolver solver, PetscInt k,
   PetscCall(VecAXPY(t->y, 1, t->d));
   PetscCall(ActiveSolverResidual(solver, solution->fixed, t->y, t->r, t->f, &size));
   solution->eta = size / first;
-  /* a direct solver gets to roundoff, not just below a tolerance, for the price of one more substitution */
+  /* a direct solver reaches roundoff for one more substitution */
   *done = (PetscBool)(solution->eta <= solver->target && (!t->direct || k));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -211,7 +214,7 @@ static PetscErrorCode Solve_FullSolver(ActiveSolver solver, const PetscBool fixe
     const PetscReal before = k ? solution->eta : PETSC_MAX_REAL;
 
     PetscCall(FullSolverCallKSP_Private(solver, k, first, solution, &done));
-    if (solution->failure) { // nothing of it is worth to begin with
+    if (solution->failure) { // a failed solution is no initial guess
       PetscCall(VecZeroEntries(t->y));
       t->ritz = 0;
       PetscFunctionReturn(PETSC_SUCCESS);
@@ -248,7 +251,7 @@ static PetscErrorCode Load_FullSolver(ActiveSolver solver, Vec b, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The last solve has it all. */
+/* The last solve has computed y. */
 static PetscErrorCode Finish_FullSolver(ActiveSolver solver, ActiveSolution *solution, Vec y)
 {
   FullSolver *t = solver->data;
@@ -265,7 +268,7 @@ static PetscErrorCode Destroy_FullSolver(ActiveSolver solver)
 
   PetscFunctionBeginUser;
   PetscCall(KSPSetTolerances(t->ksp, t->rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
-  PetscCall(KSPSetInitialGuessNonzero(t->ksp, PETSC_FALSE)); // others may use it afterwards
+  PetscCall(KSPSetInitialGuessNonzero(t->ksp, PETSC_FALSE)); // the KSP may serve others afterwards
   if (t->asked) PetscCall(ConvergenceUnsetTest(t));
   PetscCall(KSPDestroy(&t->ksp));
   PetscCall(MatDestroy(&t->A));
@@ -290,7 +293,7 @@ PetscErrorCode FullSolverCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP k
   PetscCall(PetscObjectReference((PetscObject)ksp));
   t->ksp = ksp;
   PetscCall(PetscObjectTypeCompare((PetscObject)ksp, KSPPREONLY, &t->direct));
-  /* an interpolation made for another set is not a preconditioner for this one: it need not even be definite */
+  /* an interpolation for another set need not even be definite for this one */
   PetscCall(KSPGetPC(ksp, &t->pc));
   PetscCall(PetscObjectTypeCompareAny((PetscObject)t->pc, &(*solver)->factored, PCCHOLESKY, PCLU, ""));
   PetscCall(PCGAMGSetReuseInterpolation(t->pc, PETSC_FALSE));

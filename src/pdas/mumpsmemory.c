@@ -1,13 +1,14 @@
-/* mumpsmemory.c -- what becomes of a factorisation of MUMPS within a solver of PETSc that had too little memory.
+/* mumpsmemory.c -- a factorization of MUMPS within a solver of PETSc that ran out of workspace.
 
-   MUMPS takes what its analysis foretells and ICNTL(14) percent more. Where pivots need more than that it gives up, and PETSc's factors
-   stay given up: they have to be made anew, with another ICNTL(14), which PETSc reads from its options and nowhere else. */
+   MUMPS allocates what its analysis predicts plus ICNTL(14) percent. If pivots need more it gives up, and
+   PETSc's factors stay invalid. They must be created anew with another ICNTL(14), which PETSc reads only from
+   its options. */
 #include "pdas/factorization.h"
 
-/* Percent beyond which it is something else that is wrong. */
+/* Percentage beyond which the cause must be another one. */
 static const PetscInt MOST = 5000;
 
-/* The factors of a PC whose MUMPS has failed for want of memory, and its INFOG(1); NULL where that is not what happened. */
+/* The factors of a PC whose MUMPS ran out of memory, and its INFOG(1); NULL otherwise. */
 static PetscErrorCode MumpsMemoryGetFailed_Private(PC pc, Mat *F, PetscInt *info)
 {
   PCFailedReason failed;

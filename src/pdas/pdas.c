@@ -1,7 +1,7 @@
 /* pdas.c -- the SNES type `pdas`: primal-dual active set method for  min 1/2 y'A y - b'y,  y <= upper [1].
 
-   Only public headers: the type rides on SNESSHELL, and its context is composed with the SNES. Here are its options,
-   what it answers, and how it gets the problem out of a SNES; the iteration is in iterate.c.
+   Only public headers: the type is built on SNESSHELL, and its context is composed with the SNES. This file
+   has its options, its getters, and gets the problem from a SNES; the iteration is in pdasiteration.c.
 
    References: [1] Hueber, Wohlmuth, A primal-dual active set strategy for non-linear multibody contact, 2005. */
 #include "base/usererror.h"
@@ -86,7 +86,7 @@ PetscErrorCode PDASSetStart(SNES snes, Vec active)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Forgets what was kept for the next solve. */
+/* Destroys what was kept for the next solve. */
 static PetscErrorCode PDASDestroySolver_Private(PDAS *pdas)
 {
   PetscFunctionBeginUser;
@@ -120,7 +120,7 @@ PetscErrorCode PDASSetErrorReduction(SNES snes, PetscReal error_reduction, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Answers SNESVISetVariableBounds(). */
+/* Implements SNESVISetVariableBounds(). */
 static PetscErrorCode SetVariableBounds_PDAS(SNES snes, Vec lower, Vec upper)
 {
   PDAS     *pdas;
@@ -154,7 +154,7 @@ static PetscErrorCode PDASClear_Private(PDAS *pdas)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Forgets the last solve, and makes room for the next. */
+/* Clears the results of the last solve and allocates those of the next. */
 static PetscErrorCode PDASReset_Private(SNES snes, PDAS *pdas)
 {
   PetscFunctionBeginUser;
@@ -164,7 +164,7 @@ static PetscErrorCode PDASReset_Private(SNES snes, PDAS *pdas)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The matrix, b = -F(0), and r = b - A y = -F(y): function and Jacobian give everything. */
+/* The matrix, b = -F(0), and r = b - A y = -F(y), from function and Jacobian. */
 static PetscErrorCode PDASProblem_Private(SNES snes, Vec y, Mat *A, Vec *b, Vec *r)
 {
   Mat P;
@@ -197,8 +197,8 @@ static PetscErrorCode PDASEnd_Private(PDAS *pdas, const ActiveSet *set, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Gets set and solver ready; those of the last solve if they were kept. [in] b - taken over;
-   [in] y - initial guess; [in] r - its forces */
+/* Creates set and solver, or takes those of the last solve if they were kept. [in] b - taken over; [in] y -
+   initial guess; [in] r - its forces */
 static PetscErrorCode PDASPrepare_Private(SNES snes, PDAS *pdas, Mat A, Vec b, Vec y, Vec r)
 {
   Vec upper;
@@ -242,7 +242,8 @@ static PetscErrorCode Solve_PDAS(SNES snes, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Reads the type's own options; SNESSetFromOptions() calls it for every type. SNESSHELL takes no care of the KSP. */
+/* Reads the options of the type; SNESSetFromOptions() calls it for every type. SNESSHELL does not configure
+   the KSP. */
 static PetscErrorCode PDASSetFromOptions_Private(SNES snes)
 {
   PDAS       *pdas;

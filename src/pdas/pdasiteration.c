@@ -1,22 +1,23 @@
-/* pdasiteration.c -- the iteration of `pdas`: from the set to begin with to the one that solves the inequality.
+/* pdasiteration.c -- the iteration of `pdas`: from the initial active set to the solution of the inequality.
 
-   Each step fixes the active unknowns at their bounds, solves for all others, and moves those with a tensile force
-   out of the set and those beyond their bound into it (eq. 10.1); when none moves, all inequalities hold. It is a
-   semismooth Newton method [1] and takes few steps whatever the size. It may run in a circle [2]: then safeguard.c
-   takes over.
+   Each step fixes the active unknowns at their bounds and solves for the others. Then it removes those with a
+   tensile force from the set and adds those beyond their bound (eq. 10.1). If none moves, all inequalities
+   hold. It is a semismooth Newton method [1], and its number of steps hardly depends on the size. It may
+   cycle [2]: then the projected Newton globalization takes over (projectednewton.c).
 
-   References: [1] Hintermueller, Ito, Kunisch, The primal-dual active set strategy as a semismooth Newton method, 2002.
-               [2] Ben Gharbia, Gilbert, Nonconvergence of the plain Newton-min algorithm for LCPs, 2012. */
+   References: [1] Hintermueller, Ito, Kunisch, The primal-dual active set strategy as a semismooth Newton
+   method, 2002. [2] Ben Gharbia, Gilbert, Nonconvergence of the plain Newton-min algorithm for LCPs, 2012. */
 #include <string.h>
 #include "pdas/pdasimpl.h"
 
-/* Contact problems take up to some fifteen steps; one that takes so many is wandering. */
+/* Steps after which the globalization starts: contact problems take up to about fifteen. */
 static const PetscInt MANY_STEPS = 30;
-/* How exact the solution of an inexact solver is when it is first looked at, and how much more so each time that it says nothing against the set. */
+/* Residual at which an inexact solution is first evaluated, and its factor each time the solution confirms
+   the set. */
 static const PetscReal LOOSE = 1e-2, TIGHTER = 0.03;
-/* A step that changes more than this part of what the one before did may have been led astray by too inexact a system. */
+/* If a step changes more than this part of the changes before, the system was too inexact. */
 static const PetscReal FEWER = 0.7;
-/* A set as numbers has 1 and 0. */
+/* Threshold of a set in a vector, which has 1 and 0. */
 static const PetscReal BETWEEN = 0.5;
 
 PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r)
@@ -52,7 +53,7 @@ PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the present set was solved for before; remembers it. */
+/* Whether the present set was solved before; adds it to the list. */
 static PetscErrorCode PDASIterationIsRepeated_Private(PDAS *pdas, const ActiveSet *set, PetscBool *seen)
 {
   uint64_t hash;
@@ -65,7 +66,7 @@ static PetscErrorCode PDASIterationIsRepeated_Private(PDAS *pdas, const ActiveSe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Writes one iteration down and tells the monitors. */
+/* Records one iteration and calls the monitors. */
 static PetscErrorCode PDASIterationRecord_Private(SNES snes, PDAS *pdas, const ActiveSet *set,
                                                   const ActiveSolution *solution, PetscInt changed, PetscReal violation)
 {
@@ -83,7 +84,8 @@ static PetscErrorCode PDASIterationRecord_Private(SNES snes, PDAS *pdas, const A
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The present set's system, and the set that follows. [in,out] solution - iterations are added */
+/* Solves the system of the present set and applies the active set test. [in,out] solution - iterations are
+   added */
 static PetscErrorCode PDASIterationSystem_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solver,
                                                   ActiveSolution *solution, PetscInt *changed, PetscReal *violation)
 {
@@ -96,7 +98,7 @@ static PetscErrorCode PDASIterationSystem_Private(PDAS *pdas, ActiveSet *set, Ac
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* An inexact solver goes on for more digits as long as these say nothing against the set. */
+/* The callback of an inexact solver: lowers the target while the set holds. */
 static PetscErrorCode PDASIterationHolds_Private(ActiveSolver solver, const ActiveSolution *iterate, PetscBool *holds)
 {
   PDAS *pdas = solver->pdas;
@@ -108,7 +110,7 @@ static PetscErrorCode PDASIterationHolds_Private(ActiveSolver solver, const Acti
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves for the set, once more where the solver did not ask and the solution says nothing against the set. */
+/* Solves for the set, and again with a lower target if the solver did not call back and the set holds. */
 static PetscErrorCode PDASIterationSolveSet_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solver,
                                                     ActiveSolution *solution, PetscInt *changed, PetscReal *violation)
 {
@@ -130,13 +132,13 @@ static PetscErrorCode PDASIterationSolveSet_Private(PDAS *pdas, ActiveSet *set, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether sets have been changed before all digits were there. */
+/* Whether sets were changed by inexact solutions. */
 static PetscBool PDASIterationIsInexact_Private(const PDAS *pdas, ActiveSolver solver)
 {
   return (PetscBool)(pdas->target > solver->rtol || (solver->error_reduction > 0 && !solver->all_digits));
 }
 
-/* One step: the active set's, or one of the safeguard, which takes over where a set comes back. */
+/* One step of the active set method, or of the globalization after a set was repeated. */
 static PetscErrorCode PDASIterationStep_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solver,
                                                 ProjectedNewton *newton, ActiveSolution *solution, PetscInt *changed,
                                                 PetscReal *violation)
@@ -149,8 +151,8 @@ static PetscErrorCode PDASIterationStep_Private(PDAS *pdas, ActiveSet *set, Acti
   solution->iterations = 0;
   if (!newton->on) {
     PetscCall(PDASIterationIsRepeated_Private(pdas, set, &seen));
-    if (seen && PDASIterationIsInexact_Private(
-                    pdas, solver)) { // for want of digits it may be; no set was solved for to all of them
+    if (seen &&
+        PDASIterationIsInexact_Private(pdas, solver)) { // inexact solutions may be the cause; no set was solved exactly
       pdas->target       = solver->rtol;
       solver->all_digits = PETSC_TRUE;
       pdas->seen[0]      = pdas->seen[pdas->num_seen - 1];
@@ -167,13 +169,13 @@ static PetscErrorCode PDASIterationStep_Private(PDAS *pdas, ActiveSet *set, Acti
     PetscCall(ProjectedNewtonStep(newton, set, solver, solution, changed, violation));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  newton->settled = PETSC_FALSE; /* if its set is not confirmed now, it goes on from where it was */
+  newton->settled = PETSC_FALSE; /* if this set is not confirmed, the globalization continues */
   PetscCall(PDASIterationSolveSet_Private(pdas, set, solver, solution, changed, violation));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A first set that leaves a body to nothing has no solution, and all that is known then is that more has to be in contact.
-   [out] changed - nothing where it was something else */
+/* The first set may leave a body unsupported: then more contacts must be active. [out] changed - 0 for other
+   failures */
 static PetscErrorCode PDASIterationActivateAll_Private(const PDAS *pdas, ActiveSet *set, ActiveSolution *solution,
                                                        PetscInt *changed)
 {
@@ -192,7 +194,7 @@ static PetscErrorCode PDASIterationActivateAll_Private(const PDAS *pdas, ActiveS
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* From set to set until none changes. [out] y */
+/* Iterates until the set does not change. [out] y */
 PetscErrorCode PDASIterate(SNES snes, PDAS *pdas, ActiveSet *set, ActiveSolver solver, Vec y)
 {
   ActiveSolution  solution;

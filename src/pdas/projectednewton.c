@@ -1,21 +1,26 @@
-/* projectednewton.c -- two-metric projected Newton method, for the rare problems on which the active set iteration cycles.
+/* projectednewton.c -- two-metric projected Newton method, for problems on which the active set method
+   cycles.
 
-   On the bounded unknowns alone (all others eliminated) the problem is  phi(y) -> min,  y <= upper,  with gradient
-   -r(y). Each step splits the unknowns into those held at their bound, I = {y >= upper - eps, r > 0}, and the rest F;
-   it goes the Newton way on F, the scaled gradient way on I, and projects:
+   On the bounded unknowns alone (all others eliminated) the problem is  phi(y) -> min,  y <= upper,  with
+   gradient -r(y). Each step splits the unknowns into those at their bound, I = {y >= upper - eps, r > 0}, and
+   the rest F. It takes the Newton step on F and the scaled gradient step on I, and projects:
+
        d_F = -phi_FF^-1 grad_F,   d_I = r_I / diag,   y(t) = min(y + t d, upper),
-   with t halved until phi falls enough (eq. 10.2). The energy falls in every step, so no set can come back for ever; near
-   the solution I is the active set, t = 1, and one step more is exact [1, section 3]. The systems are those of any
-   active set, and the energy of a quadratic follows from the forces at both ends, so no matrix is needed here.
 
-   References: [1] Bertsekas, Projected Newton methods for optimization problems with simple constraints, 1982. */
+   with t halved until phi falls enough (eq. 10.2). The energy falls in every step, so no set returns for
+   ever. Near the solution I is the active set, t = 1, and one more step is exact [1, section 3]. The systems
+   are those of any active set. The energy of a quadratic follows from the forces at both ends, so no matrix
+   is needed here.
+
+   References: [1] Bertsekas, Projected Newton methods for optimization problems with simple constraints,
+   1982. */
 #include "pdas/pdasimpl.h"
 
 /* Part of the predicted decrease that a step must reach. */
 static const PetscReal SUFFICIENT = 1e-4;
-/* Unknowns nearer to their bound than this part of the largest one may count as held. */
+/* Distance from the bound, relative to the largest unknown, within which an unknown may be fixed. */
 static const PetscReal NEAR_BOUND = 1e-3;
-/* Down at t = 2^-30 only roundoff is left of any decrease. */
+/* At t = 2^-30 only roundoff is left of any decrease. */
 static const PetscInt MAX_HALVINGS = 30;
 
 PetscErrorCode ProjectedNewtonBegin(ProjectedNewton *newton, const ActiveSet *set, ActiveSolver solver,
@@ -44,8 +49,8 @@ PetscErrorCode ProjectedNewtonEnd(ProjectedNewton *newton)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Splits into I (fixed) and F. The margin eps shrinks with the scaled, projected gradient, so that it does not matter
-   in the end. */
+/* Splits into I (fixed) and F. The margin eps shrinks with the scaled, projected gradient, and vanishes at
+   the solution. */
 static PetscErrorCode ProjectedNewtonSplit_Private(ProjectedNewton *newton, const ActiveSet *set)
 {
   PetscReal max[2] = {0, 0}, eps;
@@ -65,8 +70,8 @@ static PetscErrorCode ProjectedNewtonSplit_Private(ProjectedNewton *newton, cons
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves at y(t) = min(y + t d, upper), and tells whether phi fell enough there:
-   phi(y) - phi(y(t)) = (r + r(t)).(y(t) - y) / 2. */
+/* Solves at y(t) = min(y + t d, upper), and tests whether phi fell enough: phi(y) - phi(y(t)) = (r +
+   r(t)).(y(t) - y) / 2. */
 static PetscErrorCode ProjectedNewtonTry_Private(ProjectedNewton *newton, const ActiveSet *set, ActiveSolver solver,
                                                  PetscReal t, PetscReal y[], ActiveSolution *solution,
                                                  PetscBool *accepted)
@@ -89,7 +94,7 @@ static PetscErrorCode ProjectedNewtonTry_Private(ProjectedNewton *newton, const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What is left of the inequalities: the projected gradient, in units of force. */
+/* The violation of the inequalities: the projected gradient, as forces. */
 static PetscErrorCode ProjectedNewtonViolation_Private(const ProjectedNewton *newton, const ActiveSet *set,
                                                        PetscReal *violation)
 {
@@ -111,7 +116,7 @@ PetscErrorCode ProjectedNewtonStep(ProjectedNewton *newton, ActiveSet *set, Acti
   PetscReal *y;
 
   PetscFunctionBeginUser;
-  if (solution->failure) PetscFunctionReturn(PETSC_SUCCESS); /* at the beginning */
+  if (solution->failure) PetscFunctionReturn(PETSC_SUCCESS); /* of ProjectedNewtonBegin() */
   PetscCall(ProjectedNewtonSplit_Private(newton, set));
   PetscCall(ActiveSetReplace(set, newton->fixed, changed));
   PetscCall(solver->solve(solver, newton->fixed, newton->y, solution));
@@ -131,7 +136,7 @@ PetscErrorCode ProjectedNewtonStep(ProjectedNewton *newton, ActiveSet *set, Acti
   PetscCall(PetscFree(y));
   PetscCall(ProjectedNewtonViolation_Private(newton, set, violation));
   PetscCall(PetscInfo(solver->A,
-                      "projected Newton: %" PetscInt_FMT " held, %" PetscInt_FMT " changed, t = 2^-%" PetscInt_FMT
+                      "projected Newton: %" PetscInt_FMT " fixed, %" PetscInt_FMT " changed, t = 2^-%" PetscInt_FMT
                       ", projected gradient %g\n",
                       set->num_active, *changed, halvings - 1, (double)*violation));
   newton->settled = (PetscBool)(!*changed || !accepted);

@@ -1,26 +1,28 @@
-/* schursolver.c -- all active sets by one factorisation.
+/* schursolver.c -- the Schur complement: all active sets by one factorization.
 
    With C the bounded unknowns and I the others, (A y - b)_I = 0 leaves
-       S y_C - g = -r_C,    S = A_CC - A_CI A_II^-1 A_IC,    g = b_C - A_CI A_II^-1 b_I,
-   a small dense problem that has the same solutions and forces for every set. MUMPS gives S while it factors A_II;
-   then each set costs a dense Cholesky factorisation of S_FF, F = C without the set, on the first rank, and the full
-   solution is recovered once, at the end, by substitutions with A_II: contact costs one factorisation.
 
-   S is wanted on the first rank alone; A_II is factored by all ranks (factor.h). */
+       S y_C - g = -r_C,    S = A_CC - A_CI A_II^-1 A_IC,    g = b_C - A_CI A_II^-1 b_I,
+
+   a small dense problem with the same solutions and forces for every set. MUMPS computes S while it factors
+   A_II. Each set then costs a dense Cholesky factorization of S_FF, F = C without the set, on the first rank.
+   The full solution is recovered once, at the end, by substitutions with A_II.
+
+   S is stored on the first rank alone; all ranks factor A_II (factorization.h). */
 #include "pdas/pdasimpl.h"
 #include "pdas/factorization.h"
 
-/* A pivot below this part of A's diagonal, times the number of unknowns, is roundoff of a pivot that is zero. */
+/* A pivot below this part of the diagonal of A, times the number of unknowns, is zero up to roundoff. */
 static const PetscReal SINGULAR = 8 * PETSC_MACHINE_EPSILON;
-/* Substitutions on the residual: one gets to roundoff; what two do not mend is no matter of roundoff. */
+/* Refinements: one reaches roundoff; two that do not mean another cause. */
 static const PetscInt MAX_REFINEMENTS = 2;
 
 typedef struct {
   Factorization F;       /* of A_II */
-  Vec           r, f, d; /* residual; without fixed rows; correction */
-  PetscReal     size;    /* max |A_II^-1 b_I|: how far the bodies move */
+  Vec           r, f, d; /* residual; the same without fixed rows; correction */
+  PetscReal     size;    /* max |A_II^-1 b_I|: size of the displacements */
   PetscMPIInt   rank;
-  PetscMPIInt  *counts, *offsets; /* bounded unknowns of each rank; on the first rank only, as all that follows */
+  PetscMPIInt  *counts, *offsets; /* bounded unknowns of each rank; on the first rank only, as all below */
   Mat           S, L;             /* dense; L with L L' = S_FF, NULL if F is empty */
   Vec           g, y, r_C;        /* the small problem; values and forces of all bounded unknowns */
   PetscReal    *diag;             /* of A [N] */
@@ -28,7 +30,7 @@ typedef struct {
   IS            free;             /* F */
 } SchurSolver;
 
-/* Collects values of bounded unknowns on the first rank. [in] own - [n]; [out] all - NULL on other ranks */
+/* Gathers values of bounded unknowns on the first rank. [in] own - [n]; [out] all - NULL on other ranks */
 static PetscErrorCode SchurSolverToFirst_Private(ActiveSolver solver, const PetscReal own[], Vec all)
 {
   const SchurSolver *t = solver->data;
@@ -43,7 +45,7 @@ static PetscErrorCode SchurSolverToFirst_Private(ActiveSolver solver, const Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sends them back to their owners. [in] all - NULL on other ranks; [out] own - [n] */
+/* Scatters them to their owners. [in] all - NULL on other ranks; [out] own - [n] */
 static PetscErrorCode SchurSolverFromFirst_Private(ActiveSolver solver, Vec all, PetscReal own[])
 {
   const SchurSolver *t = solver->data;
@@ -58,7 +60,8 @@ static PetscErrorCode SchurSolverFromFirst_Private(ActiveSolver solver, Vec all,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* F from t->fixed, and L. Whether S_FF is positive definite beyond roundoff. First rank only. */
+/* Sets F from t->fixed, and L. [out] definite - whether S_FF is positive definite beyond roundoff. First rank
+   only. */
 static PetscErrorCode SchurSolverDenseFactor_Private(SchurSolver *t, PetscInt N, PetscBool *definite)
 {
   const PetscScalar *l;
@@ -77,7 +80,7 @@ static PetscErrorCode SchurSolverDenseFactor_Private(SchurSolver *t, PetscInt N,
   if (n) {
     PetscCall(MatCreateSubMatrix(t->S, t->free, t->free, MAT_INITIAL_MATRIX, &t->L));
     PetscCall(MatSetOption(t->L, MAT_SPD, PETSC_TRUE));
-    /* a pivot that is not positive is an error to PETSc, but an answer here */
+    /* PETSc treats a pivot that is not positive as an error; here it is an answer */
     PetscCall(PetscPushErrorHandler(PetscReturnErrorHandler, NULL));
     error = MatCholeskyFactor(t->L, NULL, NULL);
     PetscCall(PetscPopErrorHandler());
@@ -159,7 +162,7 @@ static PetscErrorCode Solve_SchurSolver(ActiveSolver solver, const PetscBool fix
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* By blocks: I, then F by S, then I again; t->r is used up. */
+/* By blocks: I, then F by S, then I again; t->r is overwritten. */
 static PetscErrorCode Correct_SchurSolver(ActiveSolver solver, Vec f, Vec d, PetscReal *alpha)
 {
   SchurSolver *t = solver->data;
@@ -269,7 +272,7 @@ static PetscErrorCode Destroy_SchurSolver(ActiveSolver solver)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Room on the first rank, and how many bounded unknowns come from each. */
+/* Allocates on the first rank, and gathers the number of bounded unknowns of each rank. */
 static PetscErrorCode SchurSolverAllocate_Private(ActiveSolver solver)
 {
   SchurSolver   *t = solver->data;
@@ -295,7 +298,8 @@ static PetscErrorCode SchurSolverAllocate_Private(ActiveSolver solver)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Factors A_II and takes S, of which MUMPS gives one triangle: the lower on one rank, the upper on several. */
+/* Factors A_II and gets S, of which MUMPS gives one triangle: the lower one on one rank, the upper one on
+   several. */
 static PetscErrorCode SchurSolverFactor_Private(ActiveSolver solver, const char prefix[], MatFactorError *error)
 {
   SchurSolver   *t = solver->data;

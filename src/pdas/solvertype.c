@@ -1,9 +1,9 @@
-/* solvertype.c -- which of its two ways of solving for an active set `pdas` takes. */
+/* solvertype.c -- the choice of `pdas` between its two solvers. */
 #include "base/compat.h"
 #include "pdas/pdas.h"
 #include "pdas/pdasimpl.h"
 
-/* Whether one factorisation is to serve all sets: by itself where the KSP is a MUMPS Cholesky solve alone. */
+/* Whether one factorization serves all sets: by default if the KSP is a plain Cholesky solve by MUMPS. */
 static PetscErrorCode SolverTypeReducible_Private(const PDAS *pdas, const ActiveSet *set, Vec y, KSP ksp,
                                                   PetscBool *reduced)
 {
@@ -21,7 +21,7 @@ static PetscErrorCode SolverTypeReducible_Private(const PDAS *pdas, const Active
   if (type) PetscCall(PetscStrcmp(type, MATSOLVERMUMPS, &mumps));
   *reduced = (PetscBool)(direct && mumps && set->N <= ACTIVE_MAX_SCHUR);
   if (pdas->reduce_set) *reduced = pdas->reduce;
-  /* without bounds there is one system only; with nothing else there is nothing to eliminate */
+  /* without bounds there is one system only; with bounds alone nothing to eliminate */
   if (set->N == 0 || set->N == size) *reduced = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -87,7 +87,7 @@ PetscErrorCode PDASCreateSolver(SNES snes, const ActiveSet *set, Mat A, Vec b, P
     PetscCall(KSPGetOptionsPrefix(ksp, &prefix));
     PetscCall(SchurSolverCreate(set, A, b, prefix, rtol, solver, failure));
   } else {
-    PetscCall(KSPReset(ksp)); /* it may have been used for a matrix of another size */
+    PetscCall(KSPReset(ksp)); /* a matrix of another size may have been set */
     PetscCall(FullSolverCreate(set, A, b, y, ksp, rtol, solver));
   }
   PetscCall(VecDestroy(&y));

@@ -1,26 +1,30 @@
-/* costmodel.c -- when an iteration that drags gives way to a factorisation.
+/* costmodel.c -- when an iteration gives way to a factorization.
 
-   Soft structures take hundreds of active sets, and bodies that only contact holds many sweeps. Each costs an iteration what all of it
-   costs others, and a factorisation that serves all sets next to nothing. How many are to come nobody knows; as many as there have been is a guess
-   that is wrong by a factor of two at most when it counts [1]. Costs are counted, not measured: a clock would decide otherwise on another day.
+   Soft structures need hundreds of active sets, and bodies that contact alone holds need many proximal point
+   steps. Each costs an iteration the same; a factorization that serves all sets solves them at little cost.
+   The number of future sets is unknown. The rule assumes as many as so far, which is wrong by a factor of two
+   at most [1]. Costs are counted, not measured: times would vary between runs.
 
-   References: [1] Karlin, Manasse, Rudolph, Sleator, Competitive snoopy caching, 1988: rent until that has cost as much as to buy. */
+   References: [1] Karlin, Manasse, Rudolph, Sleator, Competitive snoopy caching, 1988: rent until the rent
+   has cost as much as the purchase. */
 #include "base/compat.h"
 #include "base/memory.h"
 #include "pdas/pdasimpl.h"
 #include "pdas/factorization.h"
 #include "solve/costmodel.h"
 
-/* Work that no scene reaches which multigrid is good for; the analysis of a factorisation takes some tenth of it. */
+/* Work (in products) after which a factorization is predicted: scenes suited to multigrid stay below it. The
+   analysis costs about a tenth of it. */
 static const PetscReal SUSPICIOUS = 300;
-/* Operations of a factorisation in the time of one of a product, and the part of a product's time that smoothing takes beside it where it solves
-   for lines and planes. Measured, on one core, with OpenBLAS: balls of 36,000 unknowns, order 2. */
+/* Operations of a factorization in the time of one operation of a product; time of block smoothing relative
+   to a product. Measured, on one core, with OpenBLAS: balls of 36,000 unknowns, order 2. */
 static const PetscReal FASTER = 1.5, SMOOTHING = 2;
-/* Factorisations where springs hold bodies, which get weaker once in a while. */
+/* Factorizations with a proximal term, whose weight may be reduced. */
 enum { WITH_SPRINGS = 2 };
-/* When contacts are found, an iteration may take so many times what a factorisation would: that begins with finding them. */
+/* Once contacts are found, an iteration may cost so many times a factorization, which would have to find them
+   again. */
 static const PetscReal FOUND = 2;
-/* Part of the unknowns with bounds that are free, for the dense factorisation of each set. */
+/* Part of the bounded unknowns that is free, for the dense factorization of each set. */
 static const PetscReal FREE = 0.5;
 
 PetscErrorCode CostModelUnit(VI vi, PetscReal *operations)
@@ -43,7 +47,7 @@ PetscReal CostModelPredicted(const CostModel *model)
   return model->asked ? model->once + (PetscReal)model->hierarchy->num_systems * model->set : 0;
 }
 
-/* By the pattern of K: contact adds couplings of one side with the other, which few unknowns have. */
+/* Predicts the cost by the pattern of K: contact adds couplings of few unknowns only. */
 static PetscErrorCode CostModelPredict_Private(CostModel *model)
 {
   const HierarchyLevel *finest = &model->hierarchy->level[model->hierarchy->num - 1];
@@ -73,7 +77,7 @@ static PetscErrorCode CostModelPredict_Private(CostModel *model)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Of HierarchySetCostTest(). */
+/* The callback of HierarchySetCostTest(). */
 static PetscErrorCode IsOverFn(void *ctx, PetscBool *over)
 {
   CostModel      *model = ctx;

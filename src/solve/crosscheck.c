@@ -1,26 +1,27 @@
 /* crosscheck.c -- the same inequality solved by the other method.
 
-   Sets and displacements are its own from the start. With a factorisation it shares A and b with the first one; where that used multigrid it
-   does so as well, on the same levels, and begins on the coarsest one. Levels decide how fast the residual falls and not what it is that
-   falls. */
+   Active sets and displacements are computed independently from the start. With a factorization both share A
+   and b. If the first solver used multigrid, the second does as well, on the same levels, starting from the
+   coarsest. Levels affect the speed of convergence, not the limit. */
 #include "base/compat.h"
 #include "pdas/pdas.h"
 #include "pdas/pdasimpl.h"
 #include "solve/solverimpl.h"
 
-/* Two solutions agree to this part of the largest displacement; forces and bounds to the same part of theirs. */
+/* Two solutions agree to this part of the largest displacement, force or bound. */
 static const PetscReal AGREE = 1e-9;
-/* Where roundoff, or what solvers promise of the energy of their errors, is all that they differ by, they may differ by as much as the
-   certificate allows. */
+/* Limit of agreement if the difference is roundoff or within the promised energy error: as in the
+   certificate. */
 static const PetscReal AGREE_ILL = 1e-6;
-/* Energy norm of the difference of two solutions, relative to that of one, each within half of it of the true one (eq. 14.4). */
+/* Energy norm of the difference of two solutions relative to one of them; each is within half of it of the
+   exact one (eq. 14.4). */
 static const PetscReal PROMISED = 1e-8;
 /* Roundoff of a row of A y, as a part of its diagonal times the largest displacement. */
 static const PetscReal ROUNDOFF = 64 * PETSC_MACHINE_EPSILON;
-/* Options of the second SNES, should anybody want to steer it. */
+/* Prefix of the options of the second SNES. */
 static const char PREFIX[] = "cross_check_";
 
-/* Values and forces b - A y of all bounded unknowns. [out] y, r - [set->n] */
+/* Gets values and forces b - A y of all bounded unknowns. [out] y, r - [set->n] */
 static PetscErrorCode CrossCheckGetValues_Private(VI vi, const ActiveSet *set, Vec y, PetscReal values[],
                                                   PetscReal forces[])
 {
@@ -36,8 +37,8 @@ static PetscErrorCode CrossCheckGetValues_Private(VI vi, const ActiveSet *set, V
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Counts unknowns that one solution holds at the bound with a force and the other clearly not. A bound that is just
-   touched, with no force, belongs to either set. */
+/* Counts unknowns that are at the bound with a force in one solution and clearly off it in the other. A bound
+   that is just touched, without force, belongs to either set. */
 static PetscErrorCode CrossCheckCompareSets_Private(VI vi, Vec first, Vec second, PetscReal scale, PetscInt *difference)
 {
   ActiveSet  set;
@@ -66,9 +67,9 @@ static PetscErrorCode CrossCheckCompareSets_Private(VI vi, Vec first, Vec second
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether both solve the same equations up to roundoff: A (first - second), in the rows of what neither holds at its bound.
-   A stiff body on a soft one, or a motion that next to nothing resists, multiplies the roundoff of forces by the condition
-   of A, and no method with numbers of this length finds more digits of the displacements. */
+/* Whether both satisfy the same equations up to roundoff: A (first - second), in the rows of unknowns free in
+   both. A stiff body on a soft one, or a motion with little resistance, multiplies the roundoff of forces by
+   the condition of A. No method in this precision determines more digits. */
 static PetscErrorCode CrossCheckAgreeToRoundoff_Private(VI vi, Vec first, Vec second, PetscReal scale,
                                                         PetscBool *indistinct)
 {
@@ -105,7 +106,7 @@ static PetscErrorCode CrossCheckAgreeToRoundoff_Private(VI vi, Vec first, Vec se
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A vector of unknowns as displacements, up to the scale of these: its largest component, and its norm of energy. */
+/* Norms of a vector as displacements, up to their scale: maximum and energy norm. */
 typedef struct {
   PetscReal max, energy;
 } Size;
@@ -126,14 +127,14 @@ static PetscErrorCode CrossCheckMeasure_Private(VI vi, Vec y, Size *size)
   PetscCall(MatMult(K, u, Ku));
   PetscCall(VecDot(u, Ku, &square));
   PetscCall(VecNorm(u, NORM_INFINITY, &size->max));
-  size->energy = PetscSqrtReal(PetscAbsScalar(square)); // below 0 it is rounding
+  size->energy = PetscSqrtReal(PetscAbsScalar(square)); // negative by roundoff only
   PetscCall(VecDestroy(&u));
   PetscCall(VecDestroy(&Ku));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether two solutions are as near as their solvers promise (eq. 11.4). [in] iterated - whether one of them is an iteration's;
-   [out] check - displacement_difference; [out] all - of the first one */
+/* Whether two solutions agree within the accuracy of their solvers (eq. 11.4). [in] iterated - whether one of
+   them was iterated; [out] check - displacement_difference; [out] all - of the first one */
 static PetscErrorCode CrossCheckAreNear_Private(VI vi, Vec first, Vec second, PetscBool iterated, CrossCheck *check,
                                                 Size *all, PetscBool *near)
 {

@@ -1,28 +1,29 @@
-/* discretizationstop.c -- stopping where the solver's error no longer counts beside that of the mesh (eq. 14.7).
+/* discretizationstop.c -- stopping when the error of the solver is small beside the discretization error (eq.
+   14.7).
 
-   What the solution differs by from that of the next coarser level tells the discretisation error: if the squares of such differences
-   fall by rho from level to level, |u - u_h|_K^2 is a (rho - 1)th of |u_h - u_2h|_K^2 [1]. Three levels show rho. The iteration has to
-   know before it ends, and is stopped as if elements of order p converged as they can, rho = 4^p: where they cannot, at corners and
-   at the ends of contact, that asks for too much rather than too little.
+   The difference from the solution of the next coarser level estimates the discretization error: if the
+   squares of these differences fall by rho per level, |u - u_h|_K^2 is 1/(rho - 1) times |u_h - u_2h|_K^2
+   [1]. Three levels determine rho. During the iteration rho = 4^p of smooth solutions is assumed for order p.
+   At corners and at the ends of contact this demands too much rather than too little.
 
-   References: [1] Bank, Weiser, Some a posteriori error estimators for elliptic partial differential equations, 1985; it is
-               Richardson's extrapolation of the energy. */
+   References: [1] Bank, Weiser, Some a posteriori error estimators for elliptic partial differential
+   equations, 1985; it is Richardson extrapolation of the energy. */
 #include "base/compat.h"
 #include "pdas/pdas.h"
 #include "pdas/pdasimpl.h"
 #include "solve/errorbound.h"
 #include "solve/discretizationstop.h"
 
-/* Part of the discretisation error that the solver's may be, and the part of that which it aims at, since what an iteration sees of its
-   error is an estimate. */
+/* Largest solver error relative to the discretization error, and the part of it that the iteration aims at,
+   since its own error estimate is inexact. */
 static const PetscReal SHARE = 0.1, AIM = 0.7;
-/* How often the solver goes on where the bound of its error says so. */
+/* Largest number of continued solves after the error bound. */
 enum { MORE = 4 };
 
-/* Of two levels that do not show rho, and the least that is believed of three: an order of 1/2, as beside the worst of corners. */
+/* Least rho: without a third level, and for three levels. Order 1/2, as at the worst corners. */
 static const PetscReal SLOW = 2;
 
-/* |u_h - u_2h|^2 by |u - u_h|^2, at most */
+/* Largest |u_h - u_2h|^2 / |u - u_h|^2. */
 static PetscReal DiscretizationStopRatio_Private(const Scene scene)
 {
   PetscInt order = 1;
@@ -31,7 +32,7 @@ static PetscReal DiscretizationStopRatio_Private(const Scene scene)
   return PetscPowReal(4, order) - 1;
 }
 
-/* The same by what the levels show. [in] change - |u_h - u_2h|^2, and of the level before, or 0 */
+/* The same as observed on the levels. [in] change - |u_h - u_2h|^2, and of the level before, or 0 */
 static PetscReal DiscretizationStopObserved_Private(const Scene scene, PetscReal change, PetscReal before)
 {
   const PetscReal fall = change > 0 && before > 0 ? before / change : SLOW;

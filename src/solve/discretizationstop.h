@@ -4,12 +4,13 @@
 
 #include "solve/solvercontext.h"
 
-/* What of |u_h - u_2h|_K^2 the square of the solver's error may be. Not collective. */
+/* The part of |u_h - u_2h|_K^2 that the square of the solver's error may be. Not collective. */
 PetscReal DiscretizationStopPart(const Scene scene);
-/* Before the solve, pdas with levels. Collective. [in] gained - as of NestedIterationStart() */
+/* Sets the error reduction, before a solve by pdas with levels. Collective. [in] energy_decrease - of
+   NestedIterationStart() */
 PetscErrorCode DiscretizationStopSet(const SolverContext *context, PetscReal energy_decrease);
-/* After it, and after the bound of its error: goes on where that is not small enough. Collective.
-   [in,out] y; [in,out] report - converged only if it is in the end */
+/* After the solve and its error bound: continues until the bound is small enough. Collective. [in,out] y;
+   [in,out] report - converged only if the bound is small enough */
 PetscErrorCode DiscretizationStopConfirm(SolverContext *context, Vec y, SolverReport *report);
 
 #endif

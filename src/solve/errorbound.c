@@ -1,38 +1,43 @@
-/* errorbound.c -- how far a displacement can be from the solution of the inequality, in the norm of the energy (eq. 11.2).
+/* errorbound.c -- bound on the distance of a displacement from the solution, in the energy norm (eq. 11.2).
 
-   y^ is y put on the bounds where eq. 10.1 wants it and below them elsewhere, A the set of the former, F all others. For any d that
-   vanishes on A, with pressures that do not pull on A and none on F that balance A (y^ + d),
-       b - A (y^ + d) = 0 on F,   >= 0 on A,
-   the solution is not farther from y^ than y^ + d is. The d of the set's own system is such one, unless a pressure pulls: then its
-   node leaves A. So the factors of the last step serve once more, as do its bounds; no norm of the inverse of A itself is needed.
+   y^ is y moved to the bounds where eq. 10.1 requires it, and below them elsewhere. A is the set of the
+   former, F all others. Let d vanish on A, with nonnegative pressures on A and none on F that balance A (y^ +
+   d):
 
-   With springs (springs.h) the factors are those of A + W, and d is the limit of corrections, each of what W pulled in the one before.
-   What does not get less is a force along motions that nothing resists, which the exact problem could not bear: it is rounding, and
-   set aside.
+       b - A (y^ + d) = 0 on F,   >= 0 on A.
 
-   An iterative solver has no d. Its preconditioner B, and the smallest Ritz value alpha of B A_FF that the method of conjugate
-   gradients has met, estimate |d|_A^2 by f.B f / alpha. */
+   Then the distance of the solution from y^ is at most that of y^ + d. The solution d of the set's own system
+   qualifies unless a pressure is negative; then its node leaves A. So the factors of the last step serve once
+   more. No norm of the inverse of A is needed.
+
+   With a proximal term the factors are those of A + W, and d is the limit of corrections, each for the term W
+   d of the one before. What remains is a force along motions that nothing resists. The exact problem would
+   have no solution with it: it is roundoff, and is ignored.
+
+   An iterative solver has no d. Its preconditioner B and the smallest Ritz value alpha of B A_FF from
+   conjugate gradients estimate |d|_A^2 by f.B f / alpha. */
 #include "base/compat.h"
 #include "pdas/pdas.h"
 #include "pdas/pdasimpl.h"
 #include "solve/errorbound.h"
 
-/* Sets until no pressure pulls; then the empty one, which has none. Corrections until springs do not matter. */
+/* Largest number of sets; the last one is empty, without negative pressures. Largest number of corrections
+   for a proximal term. */
 enum { MAX_SETS = 4, MAX_CORRECTIONS = 50 };
 enum { NUM_VECS = 6 };
-/* The bound is wanted to some digits, not to all: what corrections may leave, in parts of the residual. */
+/* Tolerance of the corrections relative to the residual: the bound needs few digits. */
 static const PetscReal SETTLED = 1e-6;
-/* Residual of a solve that only makes factors, or Ritz values. */
+/* Tolerance of a solve that only computes factors or Ritz values. */
 static const PetscReal LOOSE = 1e-3;
 
 typedef struct {
   ActiveSolver solver;
-  Mat          A; /* without springs */
+  Mat          A; /* without proximal term */
   Vec          b;
-  Vec         *vecs; /* owns those below */
+  Vec         *vecs; /* owns the vectors below */
   Vec          y, r; /* y^; b - A y^ */
-  Vec          f, d; /* what d has to balance, 0 on A; d */
-  Vec          s, c; /* what it does not balance yet; its next part, scratch */
+  Vec          f, d; /* right-hand side of d, 0 on A; d */
+  Vec          s, c; /* its residual; its next correction, scratch */
   PetscBool   *fixed;
   PetscReal   *values, *forces; /* of bounded unknowns [n] */
 } Bound;
@@ -58,7 +63,7 @@ static PetscErrorCode ErrorBoundBoundDestroy_Private(Bound *m)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* y^, its set, and its residual. [out] moved - |y^ - y|_A */
+/* Computes y^, its set and its residual. [out] moved - |y^ - y|_A */
 static PetscErrorCode ErrorBoundFeasible_Private(Bound *m, Vec y, PetscReal *moved)
 {
   const ActiveSet *set = m->solver->set;
@@ -94,7 +99,7 @@ static PetscErrorCode ErrorBoundSize_Private(Bound *m, Vec v, PetscReal *size)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* f: the residual without what pressures balance, all of it on the set or as far as it pushes. */
+/* f: the residual without the part that pressures balance: all of it on the set, or the nonnegative part. */
 static PetscErrorCode ErrorBoundUnbalanced_Private(Bound *m, PetscBool all)
 {
   const ActiveSet *set = m->solver->set;
@@ -109,7 +114,7 @@ static PetscErrorCode ErrorBoundUnbalanced_Private(Bound *m, PetscBool all)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* s = f - A d but for the set, m->forces = what the set feels of it. */
+/* s = f - A d but for the set; m->forces = its values on the set. */
 static PetscErrorCode ErrorBoundRest_Private(Bound *m)
 {
   const ActiveSet *set = m->solver->set;
@@ -123,8 +128,8 @@ static PetscErrorCode ErrorBoundRest_Private(Bound *m)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* d with A d = f but for the set, up to forces along motions that nothing resists. [out] square - |d|_A^2, NAN if there is none;
-   m->values = A d on the set */
+/* d with A d = f but for the set, up to forces along free motions. [out] square - |d|_A^2, NAN if there is
+   none; m->values = A d on the set */
 static PetscErrorCode ErrorBoundCorrect_Private(Bound *m, PetscReal *square)
 {
   PetscReal   size, left, change, alpha;
@@ -153,13 +158,13 @@ static PetscErrorCode ErrorBoundCorrect_Private(Bound *m, PetscReal *square)
   if (PetscMin(left, change) > SETTLED * size) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecWAXPY(m->c, -1, m->s, m->f));
   PetscCall(VecDot(m->c, m->d, &work));
-  *square = PetscAbsReal(PetscRealPart(work)); // below 0 it is rounding, and says how much of that there is
+  *square = PetscAbsReal(PetscRealPart(work)); // negative by roundoff, whose size it shows
   PetscCall(MatMult(m->A, m->d, m->c));
   PetscCall(ActiveSetGather(m->solver->set, m->c, m->values));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Takes nodes that pull out of the set: b - A (y^ + d) < 0. [out] num - of all ranks */
+/* Removes nodes with negative pressure from the set: b - A (y^ + d) < 0. [out] num - of all ranks */
 static PetscErrorCode ErrorBoundRelease_Private(Bound *m, PetscInt *num)
 {
   const ActiveSet *set = m->solver->set;
@@ -176,7 +181,7 @@ static PetscErrorCode ErrorBoundRelease_Private(Bound *m, PetscInt *num)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Makes factors for the set. [out] done - whether there are any */
+/* Computes factors for the set. [out] done - whether they exist */
 static PetscErrorCode ErrorBoundFactor_Private(Bound *m, PetscBool *done)
 {
   const ActiveSet *set = m->solver->set;
@@ -190,7 +195,7 @@ static PetscErrorCode ErrorBoundFactor_Private(Bound *m, PetscBool *done)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The smallest |d|_A that can be had. [in] ready - whether the solver has factors for its own set */
+/* The smallest |d|_A. [in] ready - whether the solver has factors for its own set */
 static PetscErrorCode ErrorBoundDistance_Private(Bound *m, PetscBool ready, PetscReal *square)
 {
   const ActiveSet *set     = m->solver->set;
@@ -216,7 +221,7 @@ static PetscErrorCode ErrorBoundDistance_Private(Bound *m, PetscBool ready, Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The same by a preconditioner. */
+/* The estimate by a preconditioner. */
 static PetscErrorCode ErrorBoundEstimate_Private(Bound *m, PetscBool ready, PetscReal *square)
 {
   PetscScalar work;
@@ -233,7 +238,7 @@ static PetscErrorCode ErrorBoundEstimate_Private(Bound *m, PetscBool ready, Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Of a solver that is there. */
+/* The bound with a given solver. */
 static PetscErrorCode ErrorBoundApply_Private(ActiveSolver solver, PetscBool ready, Mat A, Vec b, Vec y,
                                               EnergyBound *bound)
 {

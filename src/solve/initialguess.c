@@ -1,8 +1,8 @@
-/* initialguess.c -- where an iteration begins: at rest, with every contact closed, or at a displacement that somebody knows.
+/* initialguess.c -- the initial guess of an iteration: zero, closed contacts, or a given displacement.
 
-   A good displacement saves steps: its active set, by eq. 10.1, is nearly the right one, and a step of an iterative linear
-   solver begins near its end. A bad one costs steps and changes nothing else, since the solution of the inequality is unique.
-   Where contact alone holds a body and nothing is known, the iteration begins with contacts that can balance the loads. */
+   A good displacement saves steps: its active set by eq. 10.1 is nearly correct, and iterative linear solvers
+   start near their end. A bad one costs steps and changes nothing else, since the solution is unique. If
+   contact alone holds a body and nothing is known, the iteration starts with contacts that balance the loads. */
 #include <string.h>
 #include "base/compat.h"
 #include "pdas/pdas.h"
@@ -10,14 +10,15 @@
 #include "multigrid/multigrid.h"
 #include "solve/solverimpl.h"
 
-/* Of T y = u: good enough to tell which bounds are reached. */
+/* Tolerance of T y = u: enough to tell which bounds are reached. */
 static const PetscReal GUESS_RTOL = 1e-12;
-/* Of a system that is only to be begun with. */
+/* Tolerance of a system for the initial guess. */
 static const PetscReal START_RTOL = 1e-4;
-/* Distance from a bound, relative to the largest unknown, that a guess cannot mean: above the zero tolerance of PETSc's types. */
+/* Distance from a bound relative to the largest unknown within which a guess counts as on it: above the zero
+   tolerance of PETSc's types. */
 static const PetscReal ON_BOUND = 1e-9;
 
-/* y = min(0, upper): feasible, and zero where it may be. */
+/* y = min(0, upper): feasible. */
 static PetscErrorCode InitialGuessStartFeasible_Private(const Inequality *solved, Vec y)
 {
   PetscFunctionBeginUser;
@@ -26,8 +27,8 @@ static PetscErrorCode InitialGuessStartFeasible_Private(const Inequality *solved
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The solution with those bounds reached that can balance the loads: a start without contact leads bodies far away. By one
-   factorisation, or by multigrid where that solves what follows. */
+/* The solution with those bounds active that balance the loads: without contact bodies would move far away.
+   By one factorization, or by multigrid if that solves the system. */
 static PetscErrorCode InitialGuessStartTouching_Private(const Inequality *solved, Vec start, const SolverChoice *choice,
                                                         SNES snes, Vec y)
 {
@@ -58,8 +59,9 @@ static PetscErrorCode InitialGuessStartTouching_Private(const Inequality *solved
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* y of a displacement: T y = u / length. T is block diagonal (each node's frame) but for what nonmortar nodes take from others
-   and these from yet others, a chain with an end: preconditioned by its blocks, GMRES needs as many steps as chains are long. */
+/* y of a displacement: T y = u / length. T is block diagonal (frames of nodes) except for couplings of
+   nonmortar nodes with others, in chains of finite length. GMRES preconditioned by the blocks needs as many
+   steps as the longest chain. */
 static PetscErrorCode InitialGuessStartFrom_Private(VI vi, Vec guess, Vec y)
 {
   KSP ksp;
@@ -86,8 +88,8 @@ static PetscErrorCode InitialGuessStartFrom_Private(VI vi, Vec guess, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* y within its bounds, and on them where it nearly is: PETSc's types leave an unknown that lies within their zero tolerance of its
-   bound where it is, and it would not count as touching. */
+/* Moves y into its bounds, and onto them if it is close: PETSc's types leave an unknown within their zero
+   tolerance of its bound, and it would not count as touching. */
 static PetscErrorCode InitialGuessMoveToBounds_Private(const Inequality *solved, Vec y)
 {
   const PetscScalar *upper;
@@ -117,9 +119,9 @@ PetscErrorCode InitialGuessSet(const Inequality *solved, Solvability solvability
   PetscFunctionBeginUser;
   if (guess) {
     PetscCall(InitialGuessStartFrom_Private(solved->vi, guess, y));
-    if (solvability) PetscCall(VecAXPY(y, -1, solvability->approach)); // from where bodies touch (springs.h)
+    if (solvability) PetscCall(VecAXPY(y, -1, solvability->approach)); // y is counted from the approach (proximal.h)
     if (!pdas)
-      PetscCall(InitialGuessMoveToBounds_Private(solved, y)); // pdas takes an overlap for contact, others ask for none
+      PetscCall(InitialGuessMoveToBounds_Private(solved, y)); // pdas accepts an infeasible guess, others do not
   } else {
     PetscCall(InitialGuessStartFeasible_Private(solved, y));
     if (!pdas && solvability) {

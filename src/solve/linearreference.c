@@ -1,7 +1,8 @@
-/* linearreference.c -- one linear system, that of the final active set, for comparison with what finding the set cost.
+/* linearreference.c -- one linear system with the final active set, to compare with the cost of finding the
+   set.
 
-   The set is read from the solution, so it does not matter which method found it, and the system is begun at zero with nothing
-   kept from before: no factors, no levels, no first guess. */
+   The set is read from the solution, so it does not depend on the method. The system is solved from zero with
+   nothing kept: no factors, no levels, no initial guess. */
 #include "base/compat.h"
 #include "pdas/pdas.h"
 #include "pdas/pdasimpl.h"
@@ -10,7 +11,7 @@
 /* Relative residual of the system. */
 static const PetscReal REFERENCE_RTOL = 1e-8;
 
-/* Makes the set that y fulfils the conditions of contact with eq. 10.1 the active one. */
+/* Sets the active set of y by eq. 10.1. */
 static PetscErrorCode LinearReferenceTake_Private(VI vi, Vec y, ActiveSet *set)
 {
   PetscBool *next;
@@ -48,7 +49,7 @@ PetscErrorCode LinearReferenceSolve(const Proximal *proximal, SNES snes, Vec y, 
   PetscCall(LinearReferenceTake_Private(inequality->vi, y, &set));
   PetscCall(PDASCreateSolver(snes, &set, inequality->A, inequality->b, REFERENCE_RTOL, &solver, &failure));
   if (!failure) {
-    solver->rtol = 0; // it is not the end of an inequality, where more than the residual counts
+    solver->rtol = 0; // only the residual counts here, unlike at the end of an inequality
     PetscCall(ActiveSolutionCreate(&set, &solution));
     PetscCall((*solver->solve)(solver, set.active, set.upper, &solution));
     *iterations = solution.iterations;

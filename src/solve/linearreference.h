@@ -1,11 +1,11 @@
-/* linearreference.h -- what the last linear system costs by itself. */
+/* linearreference.h -- the cost of the last linear system alone. */
 #ifndef MORTISE_LINEARREFERENCE_H
 #define MORTISE_LINEARREFERENCE_H
 
 #include "solve/proximal.h"
 
-/* Solves the system of the active set of y from zero to a relative residual of 1e-8, with what SNES and KSP are configured to. Collective.
-   [in] y - of springs->solved.vi; [out] iterations - of the KSP; [out] solved */
+/* Solves the system of the active set of y from zero to a relative residual of 1e-8, with the configured KSP.
+   Collective. [in] y - of proximal->solved.vi; [out] iterations - of the KSP; [out] solved */
 PetscErrorCode LinearReferenceSolve(const Proximal *proximal, SNES snes, Vec y, PetscInt *iterations,
                                     PetscBool *solved);
 

@@ -24,7 +24,8 @@ typedef struct _n_MeshLevels {
       change; /* |u_2h - u_4h|_K^2, of the finest two levels below the finest, in the user's units; 0 where it is not known */
 } * MeshLevels;
 
-/* Whether levels' matrices are nearly those of prolongation: not where volumes change by whole cells (eq. 9.1). Collective. */
+/* Whether the matrix of each coarser level is the Galerkin product: not with mean dilatation over cells (eq.
+   9.1). Collective. */
 PetscErrorCode MeshLevelsAreNested(VI vi, PetscBool *nested);
 /* All levels of the mesh, and where the coarsest has many unknowns, or is the only one, levels of nodes below it. Collective.
    [in] finest - with VIPrepareProducts(); [in] W - what A has on its diagonal beside that of vi, or NULL; [out] levels - owned by the caller */

@@ -1,8 +1,9 @@
-/* nestediteration.c -- nested iteration: each level begins where the coarser one ended.
+/* nestediteration.c -- nested iteration: each level starts from the solution of the coarser one.
 
-   The coarser mesh knows the solution up to its own discretisation error, and where contact ends up to one of its facets. What is left
-   to do on the finer level is little, and on coarse levels everything is cheap; for the same reason no system there needs more digits
-   than that error has. Where contact ends on the finer mesh is a matter of the finer mesh (forecast.c). */
+   The coarser mesh has the solution up to its discretization error, and the ends of contact up to one of its
+   facets. The finer level needs few steps, and coarse levels are cheap. No system there needs more accuracy
+   than the discretization error. The ends of contact on the finer mesh are then predicted
+   (activeprediction.c). */
 #include <string.h>
 #include "base/compat.h"
 #include "pdas/pdas.h"
@@ -14,24 +15,25 @@
 #include "solve/solverimpl.h"
 #include "solve/discretizationstop.h"
 
-/* Linear residual that is enough where there is no coarser mesh that tells the discretisation error. */
+/* Tolerance on the coarsest level, without an estimate of the discretization error. */
 static const PetscReal COARSEST_RTOL = 1e-4;
-/* Of a type that does not tell errors: part of the residual that a level begins with, and of that of each of its systems. */
+/* Tolerances of SNES types without error estimate: relative to the initial residual of a level, and of each
+   system. */
 static const PetscReal OTHER_RTOL = 1e-3, OTHER_LINEAR_RTOL = 1e-2;
-/* An unknown begins as active where so much of what it comes from is active. */
+/* An unknown is initially active if this part of its prolongation is active. */
 static const PetscReal ACTIVE_SHARE = 0.5;
-/* Sets that a level is solved for at most where it is but a start for the next one, and a coarser one was its own. */
+/* Largest number of sets on a level that is only a start for the next one. */
 enum { MAX_SETS = 12 };
-/* Options of the solvers on coarser levels. */
+/* Prefix of the options on coarser levels. */
 static const char PREFIX[] = "nested_";
 
-/* Where a level begins or ends. */
+/* The state of a level before or after its solve. */
 typedef struct {
   Vec y;
   Vec active; /* its set: 1 or 0 */
 } State;
 
-/* At rest, without contact. [out] state - to be destroyed by NestedIterationStateDestroy_Private() */
+/* Zero, without contact. [out] state - to be destroyed by NestedIterationStateDestroy_Private() */
 static PetscErrorCode NestedIterationStateCreate_Private(const HierarchyLevel *level, State *state)
 {
   PetscFunctionBeginUser;
@@ -50,7 +52,7 @@ static PetscErrorCode NestedIterationStateDestroy_Private(State *state)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Eliminated unknowns have their values. */
+/* Sets fixed unknowns to their values. */
 static PetscErrorCode NestedIterationSetFixed_Private(const Operator *op, Vec y)
 {
   const PetscScalar *b;
@@ -65,7 +67,7 @@ static PetscErrorCode NestedIterationSetFixed_Private(const Operator *op, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* 1 where an unknown with a bound comes from active ones for the most part. [in,out] active */
+/* Rounds a prolonged set to 1 or 0. [in,out] active */
 static PetscErrorCode NestedIterationRound_Private(const Operator *op, Vec active)
 {
   const PetscScalar *upper;
@@ -83,7 +85,7 @@ static PetscErrorCode NestedIterationRound_Private(const Operator *op, Vec activ
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How exact a level's solution is to be. [in] gained, begun - of NestedIterationSolveLevel_Private() */
+/* Sets the accuracy of a level. [in] gained, begun - of NestedIterationSolveLevel_Private() */
 static PetscErrorCode NestedIterationSetTolerances_Private(SNES snes, PetscBool pdas, PetscReal part,
                                                            PetscReal energy_decrease, PetscBool begun)
 {
@@ -102,8 +104,8 @@ static PetscErrorCode NestedIterationSetTolerances_Private(SNES snes, PetscBool 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What a level has found, for the next one: nothing where a system could not be solved, the last set where they go on and on.
-   [in] y - as it was before; [in,out] state */
+/* Gets the state for the next level: unchanged if a system failed, the last set if sets did not settle. [in]
+   y - before the solve; [in,out] state */
 static PetscErrorCode NestedIterationGetState_Private(Hierarchy hierarchy, const HierarchyLevel *level, SNES snes,
                                                       Vec y, State *state)
 {
@@ -128,7 +130,7 @@ static PetscErrorCode NestedIterationGetState_Private(Hierarchy hierarchy, const
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How far the level's solution is from the next coarser one's, for whoever asks how fast that falls. */
+/* The difference of the level's solution from that of the next coarser one. */
 static PetscErrorCode NestedIterationChange_Private(VI vi, SNES snes, PetscReal *change)
 {
   ActiveSolver solver;
@@ -182,7 +184,7 @@ static PetscErrorCode NestedIterationSolveLevel_Private(MeshLevels levels, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* y where it is to begin: types other than pdas see contact only at bounds that are reached. */
+/* Moves y to the bounds of the initial set: types other than pdas see contact only at reached bounds. */
 static PetscErrorCode NestedIterationMoveToBounds_Private(const Operator *op, Vec active, Vec y)
 {
   const PetscScalar *upper, *a;
@@ -203,7 +205,7 @@ static PetscErrorCode NestedIterationMoveToBounds_Private(const Operator *op, Ve
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A level of the mesh as it is solved: with springs where contact alone holds bodies, which are in its A from now on. */
+/* Sets a level to what is solved on it, with a proximal term where contact alone holds bodies. */
 static PetscErrorCode NestedIterationBeginLevel_Private(MeshLevels levels, PetscInt m, Solvability solvability,
                                                         Proximal *proximal)
 {
@@ -213,7 +215,7 @@ static PetscErrorCode NestedIterationBeginLevel_Private(MeshLevels levels, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The level as it was, for what is solved on finer ones. [in,out] y - as of ProximalEnd() */
+/* Resets the level to its own inequality, for multigrid on finer levels. [in,out] y - of ProximalEnd() */
 static PetscErrorCode NestedIterationEndLevel_Private(MeshLevels levels, PetscInt m, Proximal *proximal, Vec y)
 {
   const VI         vi  = levels->vi[m];
@@ -225,8 +227,8 @@ static PetscErrorCode NestedIterationEndLevel_Private(MeshLevels levels, PetscIn
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The coarsest level from which on contact can hold what has to be held on every level. [out] solvability - of each level but the finest, owned
-   by the caller [levels->num] */
+/* Finds the coarsest level from which on all levels are solvable. [out] solvability - of each level but the
+   finest, owned by the caller [levels->num] */
 static PetscErrorCode NestedIterationFindFirst_Private(MeshLevels levels, Solvability solvability[], PetscInt *first)
 {
   PetscFunctionBeginUser;
@@ -238,8 +240,8 @@ static PetscErrorCode NestedIterationFindFirst_Private(MeshLevels levels, Solvab
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What level m of the mesh begins with. [in] pc - of Forecast(); [in] from - of the coarser one; [in,out] springs - of level m;
-   [out] to; [out] gained - as of NestedIterationStart() */
+/* The initial state of level m. [in] pc - of ActivePredictionApply(); [in] from - of the coarser level;
+   [in,out] proximal - of level m; [out] to; [out] energy_decrease - of NestedIterationStart() */
 static PetscErrorCode NestedIterationProlong_Private(MeshLevels levels, PetscInt m, PC pc, const State *from,
                                                      Proximal *proximal, State *to, PetscReal *energy_decrease)
 {
@@ -257,8 +259,9 @@ static PetscErrorCode NestedIterationProlong_Private(MeshLevels levels, PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The preconditioner that cycles before the finest level's first system: not that of another type, which leaves it parts of vectors, nor where
-   the mesh ends iterations so early that a cycle more is much of all. [out] pc - borrowed, or NULL */
+/* The preconditioner for cycles before the first system of the finest level: none for types that pass it
+   parts of vectors, nor when stopping at the discretization error, where one cycle more is a large part of
+   the cost. [out] pc - borrowed, or NULL */
 static PetscErrorCode NestedIterationGetCycles_Private(SNES snes, VI vi, PC *pc)
 {
   PetscBool pdas;
@@ -280,7 +283,7 @@ PetscErrorCode NestedIterationStart(MeshLevels levels, SNES snes, Proximal *prox
   SNESType       type;
   PC             pc;
   PetscInt       first;
-  Proximal       own[2]; // of this level and the next one, in turns: they are not to be moved
+  Proximal       own[2]; // of this level and the next one, alternating: they must not be moved
   Solvability   *solvability;
   State          state = {NULL, NULL}, next;
 

@@ -16,12 +16,13 @@ PetscErrorCode ProgressWanted(Scene scene, PetscBool *wanted)
 
   PetscFunctionBeginUser;
   PetscCall(TerminalIsPresent(scene->comm, &terminal));
-  /* a study has lines of its own */
+  /* a study prints its own lines */
   *wanted = (PetscBool)(scene->monitor || (terminal && !scene->quiet && scene->study.kind == STUDY_NONE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One line. Types other than pdas do not tell their set: it is counted, and what changed is left open. */
+/* Prints one line. Types other than pdas do not report their set: it is counted, and the number of changes is
+   omitted. */
 static PetscErrorCode MonitorFn(SNES snes, PetscInt iteration, PetscReal norm, void *ctx)
 {
   Progress       *progress = ctx;

@@ -1,32 +1,35 @@
-/* proximal.c -- weak springs that come to rest at the solution.
+/* proximal.c -- the proximal point iteration.
 
-   min 1/2 y'A y - b'y + 1/2 (y - y_j)'W (y - y_j),  y <= upper,   has one solution y_(j+1), which is nearer to those without the last
-   term [1]: where nothing but the springs resists a motion they have no work to do, since the loads do none on it, and everything else
-   is so much stiffer that one or two repetitions leave nothing of them. What they still pull is the residual of the original problem,
-   and ends the iteration: the distance of y_(j+1) from y_j does not, along a free motion it is rounding divided by W.
+   min 1/2 y'A y - b'y + 1/2 (y - y_j)'W (y - y_j),  y <= upper,  has one solution y_(j+1), which is closer to
+   those without the last term [1]. Along motions that only W resists the loads do no work. All else is so
+   much stiffer than W that one or two steps suffice. The remaining term W (y_(j+1) - y_j) is the residual of
+   the original problem and ends the iteration. The distance of y_(j+1) from y_j does not: along a free motion
+   it is roundoff divided by W.
 
-   Where gaps are wide, bodies cross them rigidly before anything is solved, and y is counted from there: what is solved for is of the
-   size of the strains, and not lost in the way bodies went.
+   For wide gaps a rigid motion first brings bodies together, and y is counted from there. Then y has the size
+   of the strains and is not lost in the digits of that motion.
 
    References: [1] Rockafellar, Monotone operators and the proximal point algorithm, 1976. */
 #include "base/compat.h"
 #include "pdas/pdas.h"
 #include "solve/proximal.h"
 
-/* The pull of springs that does not matter, in parts of the forces, and in parts of the residual that an iteration may leave. */
+/* Tolerance of the proximal term relative to the forces, and relative to the tolerance of an iterative
+   solver. */
 static const PetscReal RELAXED = 1e-13, BESIDE = 1e-2;
-/* In the norm of energy, the part of the solution that springs may keep from it. */
+/* Tolerance of the last step in the energy norm, relative to the solution. */
 static const PetscReal KEPT = 1e-9;
-/* What inexact solves leave may be as large, or what meshes of round surfaces do not decide about: a sweep that does not halve it will not
-   help. */
+/* Inexact solves, or undecided forces on meshes of round surfaces, may leave a term of this size. A step that
+   does not halve it will not reduce it further. */
 static const PetscReal TOLERATED = 1e-8, HALVED = 0.5;
-/* Forces that are nothing but rounding, in parts of those that would move every node alone as far as it moves: bodies that overlap are
-   pushed apart where nothing presses them together again. */
+/* Roundoff of forces relative to the diagonal times the displacements: bodies that overlap are pushed apart
+   with nothing to press them together again. */
 static const PetscReal ROUNDING = 1e-13;
-/* Sweeps after which something is wrong: two or three are usual. */
+/* Largest number of steps: two or three are usual. */
 enum { MAX_SWEEPS = 50 };
-/* A body that bends easily may resist a motion no more than springs do: where a sweep leaves more than this part of what they pull, and it was not
-   one of the first, which look for contacts, springs get weaker by that factor, so many times. */
+/* A body that bends easily may resist a motion no more than W. If a step leaves more than the first part of
+   the term, and it is not one of the first SEARCHING steps, which look for contacts, W is scaled by the
+   second factor, at most MOST_WEAKER times. */
 static const PetscReal SLOW = 0.1, WEAKER = 1e-2;
 enum { SEARCHING = 3, MOST_WEAKER = 3 };
 
@@ -53,7 +56,7 @@ PetscErrorCode ProximalBegin(VI vi, Solvability solvability, Proximal *proximal)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Springs rest at y. */
+/* Sets the centre to y. */
 static PetscErrorCode ProximalSetCenter_Private(Proximal *proximal, Vec y)
 {
   PetscFunctionBeginUser;
@@ -72,7 +75,7 @@ PetscErrorCode ProximalSetCenter(Proximal *proximal, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The pull that does not matter beside what the linear solver leaves. */
+/* Sets the tolerance of the proximal term by that of the linear solver. */
 static PetscErrorCode ProximalSetTolerance_Private(SNES snes, PetscReal *relaxed)
 {
   KSP       ksp;
@@ -112,9 +115,9 @@ static PetscErrorCode ProximalSize_Private(const Proximal *proximal, Vec v, Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What the springs pull, in parts of the forces: of the loads, or of the stresses where there are none, or so that rounding is tolerated where
-   there is nothing else; and how far the sweep went, in the norm
-   of energy and in parts of the solution. */
+/* Measures the proximal term relative to the forces: those of the loads, or of the stresses without loads, or
+   such that roundoff is tolerated without either. Measures the step in the energy norm relative to the
+   solution. */
 static PetscErrorCode ProximalMeasure_Private(Proximal *proximal, Vec y, PetscReal *part, PetscReal *way)
 {
   const Mat   A = proximal->solved.vi->A;
@@ -145,7 +148,7 @@ static PetscErrorCode ProximalMeasure_Private(Proximal *proximal, Vec y, PetscRe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What is solved from now on has weaker springs. */
+/* Scales W down. */
 static PetscErrorCode ProximalReduceWeight_Private(Proximal *proximal, SNES snes, PetscBool pdas)
 {
   const Vec w = proximal->solvability->regularization;
@@ -157,11 +160,11 @@ static PetscErrorCode ProximalReduceWeight_Private(Proximal *proximal, SNES snes
   PetscCall(VecAYPX(proximal->pull, -1, w));
   if (proximal->solved.vi->assembled) {
     PetscCall(MatDiagonalSet(proximal->solved.A, proximal->pull, ADD_VALUES));
-  } else { // products see w itself, and nobody else knows that it has changed
+  } else { // products use w itself, but the shell must be marked as changed
     PetscCall(MatAssemblyBegin(proximal->solved.A, MAT_FINAL_ASSEMBLY));
     PetscCall(MatAssemblyEnd(proximal->solved.A, MAT_FINAL_ASSEMBLY));
   }
-  if (pdas) { // what it has factored
+  if (pdas) { // destroys the factors
     PetscCall(PDASSetKeep(snes, PETSC_FALSE));
     PetscCall(PDASSetKeep(snes, PETSC_TRUE));
   }
@@ -182,12 +185,11 @@ PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport 
   PetscCall(PetscInfo(
       snes, "proximal point step %" PetscInt_FMT ": the term is %g of the forces, the step %g of the solution\n",
       report->proximal_steps, (double)part, (double)way));
-  /* what the next sweep would give is as much less as the springs pull less; a first one does not tell */
+  /* the next step is smaller by the same factor as the term; the first one does not tell */
   if (report->proximal_steps > 1) way *= part / proximal->last;
   if (part <= proximal->relaxed && way <= KEPT) PetscFunctionReturn(PETSC_SUCCESS);
   tolerated = PetscMax(TOLERATED, proximal->solvability->undecided);
-  if (part <= tolerated &&
-      part > HALVED * proximal->last) { // roundoff: the better one of the two last sweeps is as good as it gets
+  if (part <= tolerated && part > HALVED * proximal->last) { // roundoff: the better one of the last two steps is final
     if (part > proximal->last) PetscCall(VecCopy(proximal->rest, y));
     PetscFunctionReturn(PETSC_SUCCESS);
   }

@@ -6,27 +6,27 @@
 #include "solve/meshlevels.h"
 #include "solve/solver.h"
 
-/* The inequality that is solved instead: with springs W on the diagonal of A that rest at y_0, A + W and b + W y_0, for y counted from
-   where bodies touch. Without bodies that need them it is the original one. */
+/* The inequality with a proximal term: A + W and b + W y_0 with the centre y_0, for y counted from the
+   approach (the rigid motion until bodies touch). Without solvability it is the original one. */
 typedef struct {
-  Inequality  solved;      /* what to solve; A, b and upper are owned where they are not those of vi */
+  Inequality  solved;      /* what to solve; A, b and upper are owned if they differ from those of vi */
   Solvability solvability; /* borrowed; NULL where supports hold all bodies */
   Vec         rest;        /* y_0 */
   Vec         pull, scale; /* W (y - y_0); diag(A)^(-1/2) */
-  PetscReal   last;        /* pull that the last sweep left, in parts of the forces */
-  PetscReal   relaxed;     /* pull that does not matter */
-  PetscInt    weaker;      /* how often they were made weaker */
+  PetscReal   last;        /* size of the proximal term after the last step, relative to the forces */
+  PetscReal   relaxed;     /* tolerance for it */
+  PetscInt    weaker;      /* how often W was reduced */
 } Proximal;
 
-/* Makes what is to be solved, with springs at rest at 0. Collective. [out] springs - to be ended by ProximalEnd() */
+/* Creates what is to be solved, with the centre 0. Collective. [out] proximal - to be ended by ProximalEnd() */
 PetscErrorCode ProximalBegin(VI vi, Solvability solvability, Proximal *proximal);
-/* Lets springs rest at a guess if there is one, and begins with contacts that balance the loads if not. Collective.
-   [in] snes - that is to solve, with its tolerances */
+/* Sets the centre to a guess; without one sets the initial active set to contacts that balance the loads.
+   Collective. [in] snes - that solves, with its tolerances */
 PetscErrorCode ProximalSetStart(Proximal *proximal, Vec guess, SNES snes, PetscBool pdas);
-/* Lets springs rest at y. Collective. [in,out] y - of vi; of what is solved */
+/* Sets the centre to y. Collective. [in,out] y - of vi; of what is solved */
 PetscErrorCode ProximalSetCenter(Proximal *proximal, Vec y);
-/* Whether the pull of the springs is nothing beside the forces; if not, they rest at y from now on. Collective.
-   [in,out] report - fails if there is no end to it; [out] done - also after a failure */
+/* Tests whether the proximal term is negligible beside the forces; if not, y becomes the centre. Collective.
+   [in,out] report - fails after too many steps; [out] done - also after a failure */
 PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport *report, PetscBool *done);
 /* [in,out] y - of what was solved; of vi. Collective. */
 PetscErrorCode ProximalEnd(Proximal *proximal, Vec y);

@@ -8,22 +8,26 @@
 #include "multigrid/multigrid.h"
 #include "solve/solverimpl.h"
 
-/* Of an iterative linear solver, so that mostly one call of it reaches the tolerance of pdas. */
+/* Tolerance of an iterative linear solver, so that mostly one call reaches the tolerance of pdas. */
 static const PetscReal KSP_RTOL       = 1e-10;
 static const PetscReal MULTIGRID_RTOL = 5e-9;
-/* Some ten are usual: after so many a factorisation would long have been done, or there is no end to it. */
+/* About ten iterations are usual: after so many a factorization would have been cheaper, or the iteration
+   does not converge. */
 static const PetscInt MULTIGRID_MAX_IT = 500;
-/* A first guess may be this much worse than none: the solution of another set, which left a body to next to nothing. */
+/* Divergence tolerance: an initial guess may be this much worse than zero, the solution of a set that left a
+   body nearly free. */
 static const PetscReal MULTIGRID_DTOL = 1e16;
-/* PETSc's own solvers of inequalities: relative to the first residual; several times the steps they take. */
+/* Tolerances of PETSc's own types: relative to the first residual; several times the usual number of steps. */
 static const PetscReal OTHER_RTOL   = 1e-12;
 static const PetscInt  OTHER_MAX_IT = 100;
-/* Steps of pdas: with one factorisation for all sets they cost next to nothing, and soft structures take many. */
+/* Largest number of steps of pdas: with one factorization for all sets they are cheap, and soft structures
+   need many. */
 static const PetscInt PDAS_MAX_IT = 500;
-/* A residual below this part of |A| |y| is roundoff after a step, which makes it as small as it can be: a soft structure, or a start at
-   the solution, allows no other test. Before any step it may be a thousand times what a step leaves, where bodies differ in stiffness. */
+/* A residual below this part of |A| |y| after a step is roundoff: the only possible test for a soft
+   structure, or a start at the solution. Before any step the residual may be a thousand times larger for
+   bodies of different stiffness. */
 static const PetscReal OTHER_ROUNDOFF = 1e-14;
-/* Below this part of it the residuals of two steps differ by little but rounding where bodies differ in stiffness. */
+/* Below this part of |A| |y| the residuals of two steps differ by roundoff mostly. */
 static const PetscReal OTHER_ALIKE = 1e-12;
 
 /* F(y) = A y - b */
@@ -38,14 +42,14 @@ static PetscErrorCode FunctionFn(SNES snes, Vec y, Vec f, void *ctx)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* F'(y) = A, which is there already */
+/* F'(y) = A, which exists already */
 static PetscErrorCode JacobianFn(SNES snes, Vec y, Mat A, Mat P, void *ctx)
 {
   (void)snes, (void)y, (void)A, (void)P, (void)ctx;
   return PETSC_SUCCESS;
 }
 
-/* |A|, or where that is not a matrix |K|, which next to contact alone is another one. */
+/* |A|; for a shell |K| / stiffness, which differs next to contact only. */
 static PetscErrorCode SNESSetupNorm_Private(const Inequality *solved, PetscReal *norm)
 {
   const VI vi = solved->vi;
@@ -56,7 +60,7 @@ static PetscErrorCode SNESSetupNorm_Private(const Inequality *solved, PetscReal 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Convergence of PETSc's own types: by the first residual, or at roundoff. [in] ctx - |A| */
+/* Convergence test of PETSc's own types: relative to the first residual, or at roundoff. [in] ctx - |A| */
 static PetscErrorCode ConvergedFn(SNES snes, PetscInt it, PetscReal xnorm, PetscReal snorm, PetscReal fnorm,
                                   SNESConvergedReason *reason, void *ctx)
 {
@@ -72,7 +76,7 @@ static PetscErrorCode ConvergedFn(SNES snes, PetscInt it, PetscReal xnorm, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The whole step where residuals do not tell steps from each other. [in] ctx - |A| */
+/* Takes the full step where residuals cannot rank steps. [in] ctx - |A| */
 static PetscErrorCode PostCheckFn(SNESLineSearch search, Vec y, Vec step, Vec next, PetscBool *changed_step,
                                   PetscBool *changed_next, void *ctx)
 {
@@ -94,7 +98,7 @@ static PetscErrorCode PostCheckFn(SNESLineSearch search, Vec y, Vec step, Vec ne
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A part of what there was, below one. [in] option - without prefix */
+/* Checks a relative tolerance that the user has set. [in] option - without prefix */
 static PetscErrorCode SNESSetupCheckPart_Private(MPI_Comm comm, const char prefix[], const char option[])
 {
   PetscReal part;
@@ -108,7 +112,7 @@ static PetscErrorCode SNESSetupCheckPart_Private(MPI_Comm comm, const char prefi
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Neither method ends well after no iterations. */
+/* Checks a number of iterations that the user has set. */
 static PetscErrorCode SNESSetupCheckMost_Private(MPI_Comm comm, const char prefix[], const char option[])
 {
   PetscInt  most;
@@ -122,7 +126,8 @@ static PetscErrorCode SNESSetupCheckMost_Private(MPI_Comm comm, const char prefi
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Before PETSc reads them: up to 3.21 it takes any number, and afterwards negative ones have other meanings. */
+/* Checks limits before PETSc reads them: up to 3.21 it accepts any number, and later negative ones have other
+   meanings. */
 static PetscErrorCode SNESSetupCheckLimits_Private(MPI_Comm comm, const char prefix[])
 {
   PetscFunctionBeginUser;
@@ -133,7 +138,7 @@ static PetscErrorCode SNESSetupCheckLimits_Private(MPI_Comm comm, const char pre
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A tolerance below rounding asks for as little as there can be, and is rounding. */
+/* Raises tolerances below roundoff to roundoff. */
 static PetscErrorCode SNESSetupRaiseToRounding_Private(SNES snes)
 {
   KSP       ksp;
@@ -162,20 +167,21 @@ static PetscErrorCode SNESSetupConfigureLinear_Private(const SolverChoice *choic
   PetscCall(PCSetType(pc, choice->pc));
   if (multigrid) {
     PetscCall(KSPSetTolerances(ksp, MULTIGRID_RTOL, PETSC_DEFAULT, MULTIGRID_DTOL, MULTIGRID_MAX_IT));
-    if (!strcmp(choice->ksp, KSPCG)) PetscCall(KSPSetNormType(ksp, KSP_NORM_UNPRECONDITIONED)); // not all have it
+    if (!strcmp(choice->ksp, KSPCG))
+      PetscCall(KSPSetNormType(ksp, KSP_NORM_UNPRECONDITIONED)); // not all types support it
   }
   if (SolverChoiceFactors(choice->pc)) PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Steps of PETSc's own types, and their end. [out] norm - for their test */
+/* Configures PETSc's own types. [out] norm - for their test */
 static PetscErrorCode SNESSetupConfigureOther_Private(const Inequality *solved, PetscInt max_it, PetscReal *norm,
                                                       SNES snes)
 {
   SNESLineSearch search;
 
   PetscFunctionBeginUser;
-  /* whole steps can run in a circle; the minimum of the residual along a step has not been seen to */
+  /* full steps may cycle; minimizing the residual along a step has not been seen to */
   PetscCall(SNESGetLineSearch(snes, &search));
   PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHSECANT));
   PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, OTHER_RTOL, 0, max_it, PETSC_DEFAULT));

@@ -1,4 +1,4 @@
-/* solver.c -- an inequality solved, and what is asked of its solution afterwards. */
+/* solver.c -- the solve of an inequality, and what is asked of its solution. */
 #include <string.h>
 #include "base/compat.h"
 #include "base/log.h"
@@ -13,7 +13,7 @@
 #include "solve/linearreference.h"
 #include "solve/discretizationstop.h"
 
-/* Solves once, and where springs hold bodies again and again until they have nothing left to do. */
+/* Solves once; with a proximal term until that is negligible. */
 static PetscErrorCode SolverIterateProximal_Private(SolverContext *context, Vec y, SolverReport *report)
 {
   PetscBool done = PETSC_FALSE, again;
@@ -32,7 +32,7 @@ static PetscErrorCode SolverIterateProximal_Private(SolverContext *context, Vec 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Begins with what coarser levels find, by the same method. [out] gained - as of NestedIterationStart() */
+/* Starts from the solutions of coarser levels. [out] gained - of NestedIterationStart() */
 static PetscErrorCode SolverStartNested_Private(SolverContext *context, Vec y, PetscReal *energy_decrease)
 {
   PetscBool pdas, found;
@@ -101,7 +101,8 @@ PetscErrorCode SolverRun(Solver solver, const SolverChoice *choice, PetscBool pr
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A factorisation where an iteration has failed or cost too much; and if that fails, the iteration to its end where it was but slow. */
+/* Falls back to a factorization if an iteration failed or cost too much. If that fails and the iteration was
+   only slow, iterates to the end. */
 static PetscErrorCode SolverFallBack_Private(Solver solver, const SolverChoice *choice, PetscBool progress, Vec guess,
                                              Vec y, SolverReport *report)
 {
@@ -147,7 +148,7 @@ PetscErrorCode SolverSolve(Solver solver, Vec guess, Vec y, SolverReport *report
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* y without what SolverSolve() adds to the solution of the inequality. [out] own - to be destroyed by the caller */
+/* y without the rigid motion that SolverSolve() adds. [out] own - to be destroyed by the caller */
 static PetscErrorCode SolverSubtractRigid_Private(Solvability solvability, Vec y, Vec *own)
 {
   PetscFunctionBeginUser;
@@ -157,14 +158,14 @@ static PetscErrorCode SolverSubtractRigid_Private(Solvability solvability, Vec y
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* All that the solution took once more, for what is asked when it is known. [in] report - of it, or NULL if it is anybody's */
+/* A new context as for the solution. [in] report - of it, or NULL for any y */
 static PetscErrorCode SolverCreateContext_Private(Solver solver, const SolverReport *report, SolverContext *context)
 {
   SolverChoice choice;
 
   PetscFunctionBeginUser;
   PetscCall(SolverChoiceSet(solver, &choice));
-  if (report) { // what was chosen may have given way to something else
+  if (report) { // a fallback may have replaced the choice
     PetscCall(PetscStrncpy(choice.ksp, report->ksp, sizeof(choice.ksp)));
     PetscCall(PetscStrncpy(choice.pc, report->pc, sizeof(choice.pc)));
   }

@@ -8,15 +8,16 @@
 
 enum { SOLVER_MAX_HISTORY = 512 };
 
-/* |u - u*|_K of a displacement u is not larger, in the user's units (root of work); u* solves the inequality (eq. 11.2). */
+/* Bound on |u - u*|_K of a displacement u, in the user's units (root of work); u* solves the inequality (eq.
+   11.2). */
 typedef struct {
-  PetscReal value;     /* NAN where it is not known */
-  PetscBool estimated; /* by Ritz values of an iterative solver, instead of a factorisation */
+  PetscReal value;     /* NAN if not known */
+  PetscBool estimated; /* by Ritz values of an iterative solver, not by a factorization */
 } EnergyBound;
 
-/* What one linear solve with the final active set costs, from its preconditioner to its solution. */
+/* The cost of one linear solve with the final active set, from its preconditioner to its solution. */
 typedef struct {
-  PetscBool done;       /* whether it was asked for, and solved */
+  PetscBool done;       /* whether it was requested and solved */
   PetscReal seconds;    /* of the slowest rank, on the wall */
   PetscReal work;       /* as in SolverReport */
   PetscInt  iterations; /* of an iterative solver */
@@ -24,22 +25,23 @@ typedef struct {
 
 /* How one solve went; the same on all ranks. */
 typedef struct {
-  char        type[64];        /* SNES type */
-  char        linear[128];     /* what solved the linear systems, in words */
-  char        ksp[64], pc[64]; /* the same, types of PETSc */
-  PetscBool   converged;
-  char        reason[256]; /* why not, as a sentence; "" when converged */
-  PetscInt    iterations, active, linear_iterations;
-  PetscInt    num_changed, changed[SOLVER_MAX_HISTORY]; /* per iteration; num_changed = 0 for types that do not tell */
+  char      type[64];        /* SNES type */
+  char      linear[128];     /* what solved the linear systems, in words */
+  char      ksp[64], pc[64]; /* the same, types of PETSc */
+  PetscBool converged;
+  char      reason[256]; /* reason of a failure, as a sentence; "" when converged */
+  PetscInt  iterations, active, linear_iterations;
+  PetscInt  num_changed,
+      changed[SOLVER_MAX_HISTORY]; /* per iteration; num_changed = 0 for types without this information */
   PetscBool   safeguarded;
   PetscReal   linear_residual; /* relative, of the last system */
   PetscReal   work;            /* products with matrices of all levels, in products with the finest; 0 without levels */
-  PetscReal   predicted_cost;  /* predicted cost of a factorisation, in the same unit; 0 without a prediction */
-  PetscBool   gave_way;        /* whether this was a factorisation after an iteration that was given up */
-  PetscInt    proximal_steps;  /* solutions with springs that hold bodies (eq. 12.6); 1 without */
+  PetscReal   predicted_cost;  /* predicted cost of a factorization, in the same unit; 0 without a prediction */
+  PetscBool   gave_way;        /* whether a factorization replaced the iteration */
+  PetscInt    proximal_steps;  /* proximal point steps (eq. 12.6); 1 without a proximal term */
   EnergyBound bound;
   PetscReal
-      discretisation; /* |u - u_h|_K by what a coarser mesh says, like bound; NAN but where that was to stop the solver (eq. 14.7) */
+      discretisation; /* estimate of |u - u_h|_K from a coarser mesh, like bound; NAN unless it stops the solver (eq. 14.7) */
 
   PetscReal       seconds;   /* of the slowest rank, on the wall, from the levels of multigrid to the bound */
   LinearReference reference; /* of SolverSolveLinear() */
@@ -65,15 +67,15 @@ PetscErrorCode SolverDestroy(Solver *solver);
    [in] guess - displacement to begin with (ghosted, dim per node), which changes the work and not the answer; or NULL
    [out] y - created by the caller in the layout of vi->b */
 PetscErrorCode SolverSolve(Solver solver, Vec guess, Vec y, SolverReport *report);
-/* How far any y, converged or not, feasible or not, can be from the solution; for the price of one factorisation or linear solve.
-   SolverSolve() has it of its own y for a substitution. Collective. */
+/* Bound on the distance of any y, feasible or not, from the solution; costs one factorization or linear
+   solve. SolverSolve() computes it for its own y at the cost of a substitution. Collective. */
 PetscErrorCode SolverBoundError(Solver solver, Vec y, EnergyBound *bound);
-/* Solves once more with the active set of the solution y, by what solved the linear systems for it, from zero and with everything that
-   needs made anew; the seconds belong to no stage. Collective. [in,out] report - of SolverSolve(); its reference is set */
+/* Solves once more with the active set of the solution y, by the same linear solver, from zero with a new
+   setup; the seconds belong to no stage. Collective. [in,out] report - of SolverSolve(); its reference is set */
 PetscErrorCode SolverSolveLinear(Solver solver, Vec y, SolverReport *report);
 /* Solves by the other of pdas and vinewtonrsls and compares. Collective. */
 PetscErrorCode SolverCrossCheck(Solver solver, Vec y, const SolverReport *report, CrossCheck *check);
-/* Prints what was chosen for the linear systems and why (part of -scene_view). Collective. */
+/* Prints the choice of the linear solver and its reason (part of -scene_view). Collective. */
 PetscErrorCode SolverView(Solver solver);
 
 #endif

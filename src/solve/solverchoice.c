@@ -1,4 +1,4 @@
-/* solverchoice.c -- which solvers: what the user says, else by size and dimension. */
+/* solverchoice.c -- the choice of solvers: by the user, else by size and dimension. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "base/usererror.h"
@@ -11,9 +11,10 @@
 #include "solve/thinbodies.h"
 #include "solve/solverimpl.h"
 
-/* Unknowns up to which factorisations beat iterating where multigrid has no coarser meshes (2D: triangles from a file, 10 sets: 414000
-   unknowns 7.1 s and 1.0 GB by factorisation, 20 s and 0.8 GB by iterations) or takes many iterations, in 3D: nearly incompressible bodies, where
-   one factorisation for each active set costs as much as the set's iterations much earlier than one for all. */
+/* Unknowns up to which factorizations are faster than iterations if multigrid has no coarser meshes (2D:
+   triangles from a file, 10 sets: 414000 unknowns 7.1 s and 1.0 GB by factorization, 20 s and 0.8 GB by
+   iterations) or needs many iterations, in 3D: nearly incompressible bodies. There one factorization per
+   active set costs as much as its iterations much earlier than one for all sets. */
 static const PetscInt DIRECT_2D = 1000000, DIRECT_3D = 150000, DIRECT_3D_EACH = 40000;
 
 PetscBool SolverChoiceFactors(const char pc[])
@@ -33,7 +34,7 @@ PetscErrorCode SolverChoiceDescribe(const char ksp[], const char pc[], const cha
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A type that PETSc does not know is a fault that names the nearest one. Collective. */
+/* Checks the name of a type; an error suggests the nearest one. Collective. */
 static PetscErrorCode SolverChoiceCheckName_Private(MPI_Comm comm, const char option[], const char type[],
                                                     PetscFunctionList types)
 {
@@ -43,7 +44,7 @@ static PetscErrorCode SolverChoiceCheckName_Private(MPI_Comm comm, const char op
 
   PetscFunctionBeginUser;
   PetscCall(PetscFunctionListGet(types, &names, &num));
-  while (num && !names[num - 1]) num--; // PETSc counts the end of the list
+  while (num && !names[num - 1]) num--; // PETSc counts the terminator of the list
   for (int i = 0; i < num; i++) known = (PetscBool)(known || !strcmp(names[i], type));
   nearest = UserErrorNearest(type, num, names);
   if (!known && nearest) {
@@ -55,7 +56,7 @@ static PetscErrorCode SolverChoiceCheckName_Private(MPI_Comm comm, const char op
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a SNES type keeps bounds: those that do answer SNESVISetVariableBounds() themselves. */
+/* Checks that a SNES type accepts bounds: such types implement SNESVISetVariableBounds(). */
 static PetscErrorCode SolverChoiceCheckBounds_Private(MPI_Comm comm, const char type[])
 {
   void (*answer)(void);
@@ -74,7 +75,7 @@ static PetscErrorCode SolverChoiceCheckBounds_Private(MPI_Comm comm, const char 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Unknowns with bounds, and whether one factorisation would serve all active sets. */
+/* Counts bounded unknowns; whether one factorization serves all active sets. */
 static PetscErrorCode SolverChoiceReducible_Private(VI vi, PetscInt *num_out, PetscBool *reducible)
 {
   const PetscScalar *upper;
@@ -91,11 +92,11 @@ static PetscErrorCode SolverChoiceReducible_Private(VI vi, PetscInt *num_out, Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Iterations grow with the root of bulk over shear modulus: two plates take CG with GAMG 104 at a Poisson's ratio of 0.3, 890 at
-   0.49, 2369 at 0.499, 6344 at 0.4999. */
+/* Limit of Poisson's ratio for iterations, which grow with the root of bulk over shear modulus: two plates
+   take CG with GAMG 104 at 0.3, 890 at 0.49, 2369 at 0.499, 6344 at 0.4999. */
 static const PetscReal ITERABLE = 0.499;
 
-/* The largest Poisson's ratio of the cells that it makes nearly incompressible, or 0. */
+/* The largest Poisson's ratio of bodies with mean dilatation, or 0. */
 static PetscErrorCode SolverChoiceLargestPoisson_Private(VI vi, PetscReal *poisson)
 {
   DilatationCount *counts;
@@ -115,7 +116,8 @@ static PetscBool SolverChoiceTruncatable_Private(const char snes[])
   return (PetscBool)(!strcmp(snes, SNESPDAS) || !strcmp(snes, SNESVINEWTONRSLS));
 }
 
-/* Whether pdas can tell where an iteration with multigrid is to end: by residuals and steps of conjugate gradients. */
+/* Whether the convergence test of pdas with multigrid works: it needs residuals and steps of conjugate
+   gradients. */
 static PetscBool SolverChoiceHasTest_Private(const char snes[], const char ksp[])
 {
   return (PetscBool)(strcmp(snes, SNESPDAS) || !strcmp(ksp, KSPCG));
@@ -128,14 +130,14 @@ static const char *const RESIZABLE = PCHYPRE;
 static const char *const RESIZABLE = PCCHOLESKY;
 #endif
 
-/* What preconditions an iteration: levels of the mesh, or made of it. */
+/* The preconditioner of an iteration. */
 static const char *SolverChoiceIterative_Private(VI vi, const char snes[], const char ksp[])
 {
   if (vi->mesh && SolverChoiceTruncatable_Private(snes) && SolverChoiceHasTest_Private(snes, ksp)) return PCTRUNCATEDMG;
   return strcmp(snes, SNESPDAS) ? RESIZABLE : PCGAMG;
 }
 
-/* Unknowns up to which a factorisation is the choice. */
+/* Unknowns up to which a factorization is chosen. */
 static PetscErrorCode SolverChoiceLargestDirect_Private(VI vi, const char snes[], PetscInt *limit)
 {
   const PetscBool solid = (PetscBool)(vi->level->dim == 3), pdas = (PetscBool)!strcmp(snes, SNESPDAS);
@@ -153,7 +155,7 @@ static PetscErrorCode SolverChoiceLargestDirect_Private(VI vi, const char snes[]
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A factorisation in place of an iteration. */
+/* Chooses a factorization. */
 static PetscErrorCode SolverChoiceFactor_Private(SolverChoice *choice)
 {
   PetscFunctionBeginUser;
@@ -162,7 +164,7 @@ static PetscErrorCode SolverChoiceFactor_Private(SolverChoice *choice)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether bodies are so thin that size says nothing. */
+/* Whether bodies are so thin that the size is no criterion. */
 static PetscErrorCode SolverChoiceTestThin_Private(VI vi, PetscBool floating, const SolverChoice *choice,
                                                    PetscBool *thin)
 {
@@ -177,7 +179,7 @@ static PetscErrorCode SolverChoiceTestThin_Private(VI vi, PetscBool floating, co
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The linear solver where the user says nothing: by size, unless iterations are hopeless, or bodies thin. */
+/* The default linear solver: by size, except for nearly incompressible or thin bodies. */
 static PetscErrorCode SolverChoiceChooseBySize_Private(VI vi, PetscBool floating, SolverChoice *choice)
 {
   const char *iterative = SolverChoiceIterative_Private(vi, choice->snes, KSPCG);
@@ -208,7 +210,7 @@ static PetscErrorCode SolverChoiceChooseBySize_Private(VI vi, PetscBool floating
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* To stop at the discretisation error takes the cascade, which begins with the next coarser level. */
+/* Stopping at the discretization error needs nested iteration from a coarser level. */
 static PetscErrorCode SolverChoiceChooseStop_Private(VI vi, Solvability solvability, SolverChoice *choice)
 {
   const MPI_Comm comm = PetscObjectComm((PetscObject)vi->b);
@@ -240,7 +242,7 @@ static PetscErrorCode SolverChoiceChooseStop_Private(VI vi, Solvability solvabil
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Types that do not go with one another. */
+/* Checks combinations of types. */
 static PetscErrorCode SolverChoiceCheckTogether_Private(MPI_Comm comm, const SolverChoice *choice)
 {
   const PetscBool multigrid = (PetscBool)!strcmp(choice->pc, PCTRUNCATEDMG);
@@ -266,15 +268,16 @@ static PetscErrorCode SolverChoiceCheckTogether_Private(MPI_Comm comm, const Sol
         "-pc_type cholesky or -pc_type hypre",
         choice->prefix, choice->snes));
   }
-  if (!strcmp(choice->ksp,
-              KSPFCG)) // of 3.18: looks for eigenvalues in memory that is not there, and keeps vectors of another size
+  if (!strcmp(
+          choice->ksp,
+          KSPFCG)) // PETSc 3.18 reads eigenvalues from memory that was not allocated, and keeps vectors of another size
     PetscCall(UserErrorRaise(comm,
                              "-%sksp_type " KSPFCG ": this type of PETSc fails on these systems; use -ksp_type " KSPCG,
                              choice->prefix));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether there are coarser meshes to begin on, and levels for them. */
+/* Whether nested iteration is possible. */
 static PetscBool SolverChoiceNested_Private(VI vi, const char pc[])
 {
   return (PetscBool)(!strcmp(pc, PCTRUNCATEDMG) && vi->mesh && vi->mesh->num_levels > 1);
@@ -302,7 +305,7 @@ PetscErrorCode SolverChoiceSet(Solver solver, SolverChoice *choice)
   PetscCall(PCInitializePackage());
   PetscCall(SolverChoiceCheckName_Private(comm, "-ksp_type", choice->ksp, KSPList));
   PetscCall(SolverChoiceCheckName_Private(comm, "-pc_type", choice->pc, PCList));
-  /* one of the two implies the other: a factorisation needs no iteration, anything else does */
+  /* one of the two implies the other: a factorization needs no iteration, others do */
   if (pc && !ksp) {
     PetscCall(PetscStrncpy(choice->ksp, SolverChoiceFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
   }
@@ -316,7 +319,7 @@ PetscErrorCode SolverChoiceSet(Solver solver, SolverChoice *choice)
                            sizeof(choice->why)));
   }
   PetscCall(SolverChoiceChooseStop_Private(vi, solvability, choice));
-  PetscCall(VecGetSize(vi->b, &size)); // beyond these sizes even to order pivots is too much
+  PetscCall(VecGetSize(vi->b, &size)); // above these sizes even the ordering costs too much
   choice->yields = (PetscBool)(choice->own && !choice->stop && !strcmp(choice->snes, SNESPDAS) &&
                                size <= (vi->level->dim == 3 ? DIRECT_3D : DIRECT_2D));
   choice->nested = SolverChoiceNested_Private(vi, choice->pc);
@@ -324,8 +327,9 @@ PetscErrorCode SolverChoiceSet(Solver solver, SolverChoice *choice)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Iterations of the second solver: where contact travels along a side from node to node, either takes as many as there are nodes (one
-   cell on 2000: 174 steps of pdas, 161 of vinewtonrsls; on 4000, 366 and 317), and PETSc's would give up after 100. */
+/* Iterations of the second solver: where contact travels along a side from node to node, both take as many as
+   there are nodes (one cell on 2000: 174 steps of pdas, 161 of vinewtonrsls; on 4000, 366 and 317), and the
+   default of PETSc is 100. */
 enum { SECOND_MAX_IT = 500, SECOND_PER_FIRST = 2 };
 
 PetscErrorCode SolverChoiceSetSecond(VI vi, const SolverReport *first, const char prefix[], SolverChoice *choice)
@@ -365,7 +369,7 @@ PetscErrorCode SolverChoiceSetFallback(const SolverReport *report, SolverChoice 
   }
   PetscCall(WarningAdd(&(Warning){.code = "solver_replaced", .advice = "-pc_type cholesky selects it at once"},
                        "%s %s; factorising instead", words, why));
-  choice->nested = choice->stop = PETSC_FALSE; // a factorisation has no error to stop at
+  choice->nested = choice->stop = PETSC_FALSE; // a factorization has no error estimate to stop at
   PetscCall(SolverChoiceFactor_Private(choice));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,4 +1,4 @@
-/* solvercontext.c -- all that solving an inequality takes, laid out and cleared away. */
+/* solvercontext.c -- creation and destruction of all objects of one solve. */
 #include <string.h>
 #include "base/compat.h"
 #include "pdas/pdas.h"
@@ -6,7 +6,7 @@
 #include "solve/solvercontext.h"
 #include "multigrid/multigrid.h"
 
-/* Puts defaults into the options database where the user has put nothing, or takes them out again. */
+/* Sets defaults in the options database where the user has set nothing, or removes them. */
 static PetscErrorCode SolverContextDefaultsApply_Private(SolverContext *context, PetscBool apply)
 {
   Default *defaults = context->defaults;
@@ -17,7 +17,7 @@ static PetscErrorCode SolverContextDefaultsApply_Private(SolverContext *context,
     PetscBool there;
 
     PetscCall(PetscSNPrintf(option, sizeof(option), "-%s%s", context->prefix, defaults[i].name));
-    if (!defaults[i].needed) continue; /* not even looked up: an option that nothing reads is a mistake */
+    if (!defaults[i].needed) continue; /* not looked up: an option that nothing reads is an error */
     if (apply) {
       PetscCall(PetscOptionsGetString(NULL, NULL, option, defaults[i].given, sizeof(defaults[i].given), &there));
       defaults[i].set = (PetscBool)!there;
@@ -31,9 +31,9 @@ static PetscErrorCode SolverContextDefaultsApply_Private(SolverContext *context,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* MUMPS: spare memory, in percent; approximate minimum degree, which orders meshes in 2D in a fifth of the time of what MUMPS would
-   choose, for factors of the same size. A tolerance in the unit of y, which is of order one. [in] previous - whether there is a set to
-   begin with */
+/* MUMPS: workspace margin in percent; approximate minimum degree, which orders 2D meshes in a fifth of the
+   time of MUMPS' own choice, for factors of the same size. A tolerance in the unit of y, which is of order
+   one. [in] previous - whether there is an initial set */
 static void SolverContextDefaults_Private(VI vi, const SolverChoice *choice, PetscBool previous, Default defaults[])
 {
   const PetscBool direct = SolverChoiceFactors(choice->pc), pdas = (PetscBool)!strcmp(choice->snes, SNESPDAS);
@@ -44,7 +44,7 @@ static void SolverContextDefaults_Private(VI vi, const SolverChoice *choice, Pet
   defaults[3] = (Default){.name = "snes_pdas_start", .value = "previous", .needed = pdas && previous};
 }
 
-/* A as the choice needs it: multigrid needs its products alone, AMG the motions of the bodies. */
+/* Prepares A for the choice: products for multigrid, rigid body modes for AMG. */
 static PetscErrorCode SolverContextPrepare_Private(VI vi, const SolverChoice *choice)
 {
   const PetscBool multigrid = (PetscBool)!strcmp(choice->pc, PCTRUNCATEDMG);
@@ -56,7 +56,7 @@ static PetscErrorCode SolverContextPrepare_Private(VI vi, const SolverChoice *ch
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The levels that the last solve has kept, if any: their finest one is what is solved now. */
+/* Takes the levels kept by the last solve, if any, and sets their finest one. */
 static PetscErrorCode SolverContextTakeLevels_Private(SolverContext *context, Vec W)
 {
   PetscFunctionBeginUser;

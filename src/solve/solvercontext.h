@@ -1,4 +1,4 @@
-/* solvercontext.h -- all that solving an inequality takes. */
+/* solvercontext.h -- all objects of one solve. */
 #ifndef MORTISE_SOLVERCONTEXT_H
 #define MORTISE_SOLVERCONTEXT_H
 
@@ -6,12 +6,12 @@
 #include "solve/solverimpl.h"
 #include "solve/proximal.h"
 
-/* A control that can only be reached through the options database. */
+/* An option of PETSc that has no function. */
 typedef struct {
   const char *name, *value;
   bool        needed;
-  PetscBool   set;       /* by us, so to be cleared by us */
-  char        given[32]; /* by the user, so to be put back, whatever it has been in between */
+  PetscBool   set;       /* set here, to be cleared here */
+  char        given[32]; /* of the user, to be restored */
 } Default;
 
 enum { SOLVERCONTEXT_DEFAULTS = 4 };
@@ -23,17 +23,18 @@ typedef struct {
   Proximal    proximal;
   SNES        snes;
   PC          pc;     /* of its KSP */
-  MeshLevels  levels; /* NULL where there are no levels, or nobody works on them */
+  MeshLevels  levels; /* NULL without levels */
   Vec         scratch;
   PetscReal   norm;
   Default     defaults[SOLVERCONTEXT_DEFAULTS];
 } SolverContext;
 
-/* Collective. [in] previous - whether there is a set to begin with; [out] bench - not to be moved: the SNES knows where it is */
+/* Collective. [in] previous - whether there is an initial set; [out] context - must not be moved: the SNES
+   has its address */
 PetscErrorCode SolverContextCreate(Solver solver, const SolverChoice *choice, PetscBool previous,
                                    SolverContext *context);
-/* The levels that the preconditioner works on, if it does; those that the solve before has kept if there are any. Collective.
-   [in] snes - that leaves it the free unknowns alone, or NULL */
+/* Sets the levels of a multigrid preconditioner, those of the last solve if it kept them. Collective. [in]
+   snes - if it passes the inactive unknowns alone, or NULL */
 PetscErrorCode SolverContextSetLevels(SolverContext *context, SNES snes);
 /* Collective. [in,out] y - what ProximalEnd() takes */
 PetscErrorCode SolverContextDestroy(SolverContext *context, Vec y);

@@ -1,4 +1,4 @@
-/* solverreport.c -- what a SNES did, in numbers and in words. */
+/* solverreport.c -- the results of a SNES in numbers and words. */
 #include "base/compat.h"
 #include "pdas/pdas.h"
 #include "pdas/pdasimpl.h"
@@ -43,7 +43,7 @@ PetscErrorCode SolverReportMeasure(const Inequality *solved, Vec y, PetscInt *ac
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Why a type of PETSc's did not converge. */
+/* The reason why a type of PETSc did not converge. */
 static PetscErrorCode SolverReportReasonOther_Private(SNES snes, SNESConvergedReason reason, SolverReport *report)
 {
   const char *prefix;
@@ -73,7 +73,8 @@ static PetscErrorCode SolverReportReasonOther_Private(SNES snes, SNESConvergedRe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What pdas alone tells: its active sets. [in] iterations - of this solve; [out] reduced - whether by one factorisation for all sets */
+/* The active sets of pdas. [in] iterations - of this solve; [out] reduced - whether by one factorization for
+   all sets */
 static PetscErrorCode SolverReportAddSets_Private(SNES snes, PetscInt iterations, SolverReport *report,
                                                   PetscBool *reduced)
 {
@@ -94,7 +95,7 @@ static PetscErrorCode SolverReportAddSets_Private(SNES snes, PetscInt iterations
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The linear solver in words. [in] reduced - as of SolverReportAddSets_Private(): whatever the KSP is, it was not asked then */
+/* The linear solver in words. [in] reduced - of SolverReportAddSets_Private(): the KSP was not used then */
 static PetscErrorCode SolverReportDescribeLinear_Private(SNES snes, PetscBool reduced, SolverReport *report)
 {
   KSPType       ksp_type;

@@ -1,23 +1,25 @@
-/* thinbodies.c -- structures so thin that factoring them is cheaper than to iterate.
+/* thinbodies.c -- bodies so thin that a factorization is cheaper than an iteration.
 
-   Walk through the bodies along one axis. A node is open from where its first cell begins to where its last one ends, and an unknown that is
-   eliminated when it closes meets those of open nodes: a frontal factorisation [1], whose operations are the squares of the fronts' sizes. An order made by
-   dissection takes fewer where bodies are as thick as long, but not next to that of a sheet, a strip or a beam, and to find it takes the
-   time that such a one is solved in.
+   A front moves through the bodies along one axis. A node enters it where its first cell begins and leaves it
+   where its last cell ends. An unknown that is eliminated then couples with those in the front: a frontal
+   factorization [1]. Its operations are the squares of the front sizes. Nested dissection needs fewer for
+   bodies as thick as long, but not for a sheet, a strip or a beam, and its ordering alone takes the time of
+   such a solve.
 
    References: [1] Irons, A frontal solution program for finite element analysis, 1970. */
 #include "base/compat.h"
 #include "solve/costmodel.h"
 #include "solve/thinbodies.h"
 
-/* Places along an axis that are told from one another. */
+/* Intervals along an axis. */
 enum { PLACES = 4096, SOLID = 3 };
-/* Products that an iteration takes at least where supports hold all bodies, and where springs do. */
+/* Least number of products of an iteration: supported bodies, and with a proximal term. */
 static const PetscReal HELD = 100, FLOATS = 1000;
-/* Active sets to reckon with. */
+/* Assumed number of active sets. */
 static const PetscReal SETS = 10;
 
-/* Where nodes close and, negative, where they open, along each axis. [out] ends - to be destroyed by the caller, 2 dim for each node */
+/* End and, negative, begin of each node along each axis. [out] ends - to be destroyed by the caller, 2 dim
+   per node */
 static PetscErrorCode ThinBodiesEnds_Private(Level *level, Vec *ends)
 {
   const PetscInt dim = level->dim;
@@ -50,13 +52,13 @@ static PetscErrorCode ThinBodiesEnds_Private(Level *level, Vec *ends)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Along one axis. [in] a - of the vector above; [out] operations; [out] front - unknowns of the largest one */
+/* The cost along one axis. [in] a - of ends; [out] operations; [out] front - unknowns of the largest front */
 static PetscErrorCode ThinBodiesWalk_Private(const Level *level, const PetscScalar a[], PetscInt axis,
                                              PetscReal *operations, PetscReal *front)
 {
   const PetscInt dim    = level->dim;
   PetscReal      end[2] = {PETSC_NINFINITY, PETSC_NINFINITY}, scale, open = 0;
-  PetscInt      *num; // that close at each place, then that open there
+  PetscInt      *num; // nodes that leave in each interval, then nodes that enter
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < level->num_owned; i++)
@@ -99,7 +101,7 @@ PetscErrorCode ThinBodiesAreCheap(VI vi, PetscBool floating, PetscInt num, Petsc
     PetscReal operations, front;
 
     PetscCall(ThinBodiesWalk_Private(vi->level, a, axis, &operations, &front));
-    /* unknowns with bounds that are left to the end meet half of all eliminations, a quarter of each half, and so on */
+    /* bounded unknowns that come last couple with half of all eliminated ones, with a quarter of each half, and so on */
     if (one) operations += 2 * front * PetscSqr(bounded) + SETS * CostModelPerSet(num);
     if (!one) operations *= SETS;
     least = PetscMin(least, operations);
