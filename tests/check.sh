@@ -38,9 +38,21 @@ check_memory() {
   quietly $valgrind "$1/tests/api_calls" options -skip_petscrc
 }
 
+# What a BLAS computes differs in the last places from one processor to another: tests that compare two runs, with the kernels of each.
+check_kernels() {
+  local kernels="" kind
+  if grep -qw avx2 /proc/cpuinfo; then kernels=Haswell; fi
+  if grep -qw avx512vl /proc/cpuinfo; then kernels="$kernels SkylakeX"; fi
+  for kind in $kernels; do
+    echo "testing with OpenBLAS's kernels of $kind"
+    OPENBLAS_CORETYPE=$kind quietly ctest --test-dir "$1" -R '^(unwritten|study\.two_plates)\.' -j "$tests" --output-on-failure
+  done
+}
+
 build build/check -DCMAKE_BUILD_TYPE=Release -DMORTISE_TEST_LONG=$long
 build build/sanitize -DCMAKE_BUILD_TYPE=Debug -DMORTISE_SANITIZE=address,undefined
 echo "testing with sanitizers"
 quietly ctest --test-dir build/sanitize $sanitized -j "$tests" --output-on-failure
 if [ -z "${CI:-}" ] && command -v valgrind >/dev/null; then check_memory build/check; fi
+check_kernels build/check
 ctest --test-dir build/check -j "$tests" --output-on-failure
