@@ -18,7 +18,14 @@ set_tests_properties(api.mistakes.np1 api.mistakes.np3 PROPERTIES FAIL_REGULAR_E
 set(prefix ${CMAKE_CURRENT_BINARY_DIR}/prefix)
 add_test(NAME api.install COMMAND ${CMAKE_COMMAND} --install ${CMAKE_BINARY_DIR} --prefix ${prefix})
 set_tests_properties(api.install PROPERTIES LABELS api FIXTURES_SETUP prefix)
-foreach(what symbols files pkgconfig_c pkgconfig_cxx cmake_c cmake_cxx)
+set(checks symbols files pkgconfig_c pkgconfig_cxx cmake_c cmake_cxx)
+if(EXISTS ${PROJECT_SOURCE_DIR}/options/GUIDE.md)
+  file(STRINGS ${PROJECT_SOURCE_DIR}/options/GUIDE.md page REGEX "^// loads.c: ") # the program of its chapter on C
+  if(page)
+    list(APPEND checks guide)
+  endif()
+endif()
+foreach(what IN LISTS checks)
   add_test(NAME api.${what} COMMAND ${MORTISE_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/installed_library.py ${what} --prefix ${prefix}
     --libdir ${CMAKE_INSTALL_LIBDIR} --mpiexec ${MPIEXEC_EXECUTABLE} --cmake ${CMAKE_COMMAND} --source ${PROJECT_SOURCE_DIR}
     --program $<TARGET_FILE:mortise> --scratch ${CMAKE_CURRENT_BINARY_DIR}/scratch/api.${what})

@@ -96,6 +96,22 @@ def check_program(arguments, how, language):
     require(wrong.returncode == 1 and wrong.stderr.startswith("five_loads: -upper_yuong") and wrong.stderr.count("\n") == 1, f"a mistake: {wrong}")
 
 
+def check_guide(arguments):
+    """The program of the guide, built and run by the commands of its page, prints what the page says."""
+    page = (arguments.source / "options/GUIDE.md").read_text(encoding="utf-8")
+    chapter = page.split("\n## Calling Mortise from C\n")[1].split("\n## ")[0]
+    folder, libdir = arguments.scratch, arguments.prefix / arguments.libdir
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    (folder / "loads.c").write_text(re.search(r"^```c\n(// loads.c: .*?)^```$", chapter, re.MULTILINE | re.DOTALL).group(1))
+    (folder / "press.opts").write_text(re.search(r"^```\n(# press.opts: .*?)^```$", page, re.MULTILINE | re.DOTALL).group(1))
+    commands = re.search(r"^```bash\n(.*?)^```$", chapter, re.MULTILINE | re.DOTALL).group(1)
+    environment = dict(os.environ, PKG_CONFIG_PATH=f"{libdir}/pkgconfig:{os.environ.get('PKG_CONFIG_PATH', '')}", PETSC_OPTIONS="")
+    printed = run(["bash", "-e", "-c", commands], cwd=folder, env=environment).splitlines()
+    expected = re.findall(r"^    (.*)$", chapter.split("```bash")[1], re.MULTILINE)
+    require(printed == expected, f"printed: {printed}, the page says: {expected}")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("what")
@@ -108,6 +124,8 @@ def main():
         check_symbols(arguments)
     elif arguments.what == "files":
         check_files(arguments)
+    elif arguments.what == "guide":
+        check_guide(arguments)
     else:
         check_program(arguments, *arguments.what.split("_"))
 
