@@ -14,7 +14,7 @@
 
 /* Projected steps at the start and after each cycle, and the largest number of cycles: two or three until the
    set does not change. */
-enum { STEPS = 4, STEPS_AFTER = 1, MAX_CYCLES = 3 };
+enum { PROJECTED_STEPS = 4, STEPS_PER_CYCLE = 1, MAX_CYCLES = 3 };
 /* Step length relative to the largest stable one. */
 static const PetscReal RELAXATION = 0.9;
 
@@ -170,11 +170,11 @@ PetscErrorCode ActivePredictionApply(Hierarchy hierarchy, const HierarchyLevel *
   PetscCall(VecPointwiseMin(y, y, level->op.upper));
   PetscCall(ActivePredictionBegin_Private(&it));
   first = it.energy;
-  PetscCall(ActivePredictionSteps_Private(&it, STEPS));
+  PetscCall(ActivePredictionSteps_Private(&it, PROJECTED_STEPS));
   PetscCall(ActivePredictionUpdateActive_Private(&it, &changed));
   for (PetscInt k = 0; k < MAX_CYCLES && pc && (!k || changed); k++) {
     PetscCall(ActivePredictionCycle_Private(&it, pc));
-    PetscCall(ActivePredictionSteps_Private(&it, STEPS_AFTER));
+    PetscCall(ActivePredictionSteps_Private(&it, STEPS_PER_CYCLE));
     PetscCall(ActivePredictionUpdateActive_Private(&it, &changed));
     PetscCall(PetscInfo(pc, "cycle %" PetscInt_FMT " ahead: %" PetscInt_FMT " changed\n", k + 1, changed));
   }

@@ -3,20 +3,20 @@
    The nonnegative weights with the least sum w d^2 belong to the simplex of the Delaunay triangulation around
    the target: the interpolant of d^2 is the lower hull of a paraboloid [1]. This is a linear program with few
    rows, solved by the simplex method. Negative weights are separate columns at a higher cost. The initial
-   basis consists of artificial columns at the cost NEVER.
+   basis consists of artificial columns at the cost ARTIFICIAL_COST.
 
    References: [1] Edelsbrunner, Algorithms in combinatorial geometry, 1987. */
 #include "multigrid/barycentric.h"
 
-enum { DIM_MAX = 3, ROWS = DIM_MAX + 1, PIVOTS = 60 }; // about ten are usual
+enum { DIM_MAX = 3, ROWS = DIM_MAX + 1, MAX_PIVOTS = 60 }; // about ten are usual
 
 /* Cost of a negative weight relative to a positive one; cost of an artificial column relative to the farthest
    point. */
-static const PetscReal NEGATIVE_COST = 4, NEVER = 1e5;
+static const PetscReal NEGATIVE_COST = 4, ARTIFICIAL_COST = 1e5;
 /* Tolerances for a zero of order 1: during the pivots, and for the weights of artificial columns. */
-static const PetscReal NOTHING = 1e-9, LEFT = 1e-7;
+static const PetscReal PIVOT_ZERO = 1e-9, WEIGHT_ZERO = 1e-7;
 /* Limit for the sum of absolute weights: beyond it errors of the values are amplified. */
-static const PetscReal MUCH = 2;
+static const PetscReal MAX_WEIGHT_SUM = 2;
 
 typedef struct {
   PetscInt  rows, num;
@@ -55,7 +55,7 @@ static PetscBool BarycentricBegin_Private(PetscInt dim, PetscInt num, const Pets
 
 static PetscReal BarycentricPrice_Private(const Tableau *tableau, PetscInt r)
 {
-  if (tableau->column[r] < 0) return NEVER;
+  if (tableau->column[r] < 0) return ARTIFICIAL_COST;
   return (tableau->sign[r] > 0 ? 1 : NEGATIVE_COST) * tableau->cost[tableau->column[r]];
 }
 
@@ -63,7 +63,7 @@ static PetscReal BarycentricPrice_Private(const Tableau *tableau, PetscInt r)
    exist. */
 static PetscBool BarycentricChoose_Private(const Tableau *tableau, PetscInt *row, PetscInt *column, PetscReal *sign)
 {
-  PetscReal most = NOTHING, least = 0;
+  PetscReal most = PIVOT_ZERO, least = 0;
 
   *row = *column = -1;
   *sign          = 1;
@@ -84,7 +84,7 @@ static PetscBool BarycentricChoose_Private(const Tableau *tableau, PetscInt *row
   for (PetscInt r = 0; r < tableau->rows; r++) {
     const PetscReal t = *sign * tableau->T[r][*column];
 
-    if (t <= NOTHING || (*row >= 0 && tableau->b[r] >= least * t)) continue;
+    if (t <= PIVOT_ZERO || (*row >= 0 && tableau->b[r] >= least * t)) continue;
     least = tableau->b[r] / t;
     *row  = r;
   }
@@ -115,14 +115,14 @@ PetscBool BarycentricWeights(PetscInt dim, PetscInt num, const PetscReal d[], Pe
   PetscReal sign, sum = 0;
 
   if (!BarycentricBegin_Private(dim, num, d, &tableau)) return PETSC_FALSE;
-  for (PetscInt k = 0; k < PIVOTS && BarycentricChoose_Private(&tableau, &row, &column, &sign); k++)
+  for (PetscInt k = 0; k < MAX_PIVOTS && BarycentricChoose_Private(&tableau, &row, &column, &sign); k++)
     BarycentricPivot_Private(&tableau, row, column, sign);
   for (PetscInt j = 0; j < num; j++) weight[j] = 0;
   for (PetscInt r = 0; r < tableau.rows; r++) {
-    if (tableau.column[r] < 0 && tableau.b[r] > LEFT) return PETSC_FALSE;
+    if (tableau.column[r] < 0 && tableau.b[r] > WEIGHT_ZERO) return PETSC_FALSE;
     if (tableau.column[r] < 0) continue;
     weight[tableau.column[r]] += tableau.sign[r] * tableau.b[r];
     sum += tableau.b[r];
   }
-  return (PetscBool)(sum <= MUCH);
+  return (PetscBool)(sum <= MAX_WEIGHT_SUM);
 }

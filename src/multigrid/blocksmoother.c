@@ -5,7 +5,7 @@
    strongest coupling of a node, those to other lines or planes are a half for H = 1.5 h and a third for H =
    2.5 h (bilinear cells, 2D and 3D). Whether chosen couplings lead along all axes follows from
 
-       F = sum_chosen d d' - FLAT sum_all d d',   d = x_j - x_i:
+       F = sum_chosen d d' - FLAT_EXTENT sum_all d d',   d = x_j - x_i:
 
    they do if F is positive definite (eq. 13.4). The coupling of two nodes is the trace of their block of K,
    divided by the roots of the traces of both diagonal blocks, which halve along free surfaces. A coupling
@@ -20,14 +20,14 @@ enum { DIM_MAX = 3 };
 
 /* Threshold of strong couplings relative to the strongest of the node, its increment where blocks are no
    lines or planes, and its end. */
-static const PetscReal STRONG = 0.5, STRONGER = 0.1, STRONGEST = 0.85;
+static const PetscReal STRONG_FROM = 0.5, STRONG_STEP = 0.1, STRONG_END = 0.85;
 /* Threshold at which couplings show that cells are long. */
-static const PetscReal STRONG_IF_LONG = 1. / 3;
+static const PetscReal LONG_FROM = 1. / 3;
 /* Limit of the chosen couplings' extent along an axis, in squares, relative to all couplings. */
-static const PetscReal FLAT = 0.05;
+static const PetscReal FLAT_EXTENT = 0.05;
 /* Least part of all nodes with long cells; largest part of a block's nodes with neighbours of the block along
    all axes. */
-static const PetscReal MANY = 0.01, THICK = 0.2;
+static const PetscReal MIN_LONG_PART = 0.01, MAX_THICK_PART = 0.2;
 
 /* The couplings of one node. */
 typedef struct {
@@ -128,7 +128,7 @@ static PetscBool BlockSmootherIsFlat_Private(const Stencil *stencil, PetscInt no
   PetscReal      F[DIM_MAX * DIM_MAX] = {0};
 
   for (PetscInt j = 0; j < stencil->num; j++) {
-    const PetscReal weight = (stencil->chosen[j] ? 1 : 0) - FLAT;
+    const PetscReal weight = (stencil->chosen[j] ? 1 : 0) - FLAT_EXTENT;
     PetscReal       d[DIM_MAX];
 
     for (PetscInt k = 0; k < dim; k++) d[k] = stencil->x[stencil->node[j] * dim + k] - stencil->x[node * dim + k];
@@ -162,11 +162,11 @@ static PetscErrorCode BlockSmootherSetThresholds_Private(Stencil *stencil, Ghost
     for (PetscInt j = 0; j < stencil->num; j++) strongest = PetscMax(strongest, stencil->strength[j]);
     if (!BlockSmootherIsFlatFrom_Private(stencil, i, strong * strongest)) continue;
     stencil->cut[i] = strong * strongest;
-    if (BlockSmootherIsFlatFrom_Private(stencil, i, STRONG_IF_LONG * strongest)) ++count[0];
+    if (BlockSmootherIsFlatFrom_Private(stencil, i, LONG_FROM * strongest)) count[0]++;
   }
   PetscCall(GhostExchangeUpdate(ghosts, stencil->cut));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, count, 2, MPIU_REAL, MPI_SUM, PetscObjectComm((PetscObject)stencil->op->K)));
-  *many = (PetscBool)(count[0] > MANY * count[1]);
+  *many = (PetscBool)(count[0] > MIN_LONG_PART * count[1]);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -207,7 +207,7 @@ static PetscErrorCode BlockSmootherCreateGraph_Private(Stencil *stencil, Mat *gr
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Number of nodes of each label with neighbours of it along all axes, less THICK times all: on the rank of
+/* Number of nodes of each label with neighbours of it along all axes, less MAX_THICK_PART times all: on the rank of
    the node whose number is the label. [in] label - own nodes, then ghosts */
 static PetscErrorCode BlockSmootherSumThick_Private(Stencil *stencil, const PetscReal label[], Vec sum)
 {
@@ -216,8 +216,8 @@ static PetscErrorCode BlockSmootherSumThick_Private(Stencil *stencil, const Pets
   for (PetscInt i = 0; i < stencil->ghosts->n; i++) {
     PetscCall(BlockSmootherGather_Private(stencil, i));
     for (PetscInt j = 0; j < stencil->num; j++) stencil->chosen[j] = (PetscBool)(label[stencil->node[j]] == label[i]);
-    PetscCall(
-        VecSetValue(sum, (PetscInt)label[i], (BlockSmootherIsFlat_Private(stencil, i) ? 0 : 1) - THICK, ADD_VALUES));
+    PetscCall(VecSetValue(sum, (PetscInt)label[i], (BlockSmootherIsFlat_Private(stencil, i) ? 0 : 1) - MAX_THICK_PART,
+                          ADD_VALUES));
   }
   PetscCall(VecAssemblyBegin(sum));
   PetscCall(VecAssemblyEnd(sum));
@@ -278,10 +278,10 @@ PetscErrorCode BlockSmootherLabel(const Operator *op, GhostExchange *ghosts, Pet
   for (PetscInt i = 0; i < ghosts->n; i++) open[i] = PETSC_TRUE;
   for (PetscInt i = 0; i < ghosts->n; i++) label[i] = (PetscReal)(ghosts->begin + i);
   PetscCall(BlockSmootherBeginStencil_Private(op, ghosts, &stencil));
-  PetscCall(BlockSmootherSetThresholds_Private(&stencil, ghosts, open, STRONG, &many));
+  PetscCall(BlockSmootherSetThresholds_Private(&stencil, ghosts, open, STRONG_FROM, &many));
   *found = (PetscBool)(many || wanted);
-  for (PetscReal strong = STRONG; *found && any && strong < STRONGEST; strong += STRONGER) {
-    if (strong > STRONG) PetscCall(BlockSmootherSetThresholds_Private(&stencil, ghosts, open, strong, &many));
+  for (PetscReal strong = STRONG_FROM; *found && any && strong < STRONG_END; strong += STRONG_STEP) {
+    if (strong > STRONG_FROM) PetscCall(BlockSmootherSetThresholds_Private(&stencil, ghosts, open, strong, &many));
     PetscCall(BlockSmootherCreateGraph_Private(&stencil, &graph));
     PetscCall(GraphComponentsLabel(graph, part));
     PetscCall(MatDestroy(&graph));

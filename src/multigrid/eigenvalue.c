@@ -5,8 +5,8 @@
 #include "multigrid/smoother.h"
 
 /* Steps of CG for the largest eigenvalue, and the margin for its remaining error. */
-enum { STEPS = 10 };
-static const PetscReal MARGIN = 1.1;
+enum { LANCZOS_STEPS = 10 };
+static const PetscReal EIGENVALUE_MARGIN = 1.1;
 
 PetscErrorCode EigenvalueSeed(Vec b)
 {
@@ -54,7 +54,7 @@ PetscErrorCode EigenvalueLargest(Mat A, Mat S, Vec b, PetscReal *largest)
   PetscCall(KSPGetPC(ksp, &pc));
   PetscCall(SmootherSetPC(pc, S));
   PetscCall(KSPSetComputeSingularValues(ksp, PETSC_TRUE));
-  PetscCall(KSPSetTolerances(ksp, 0, 0, PETSC_DEFAULT, STEPS));
+  PetscCall(KSPSetTolerances(ksp, 0, 0, PETSC_DEFAULT, LANCZOS_STEPS));
   PetscCall(KSPSetNormType(ksp, KSP_NORM_NONE));
   PetscCall(KSPSolve(ksp, seed, x));
   PetscCall(EigenvalueGetRitz(ksp, largest, &smallest, &seen));
@@ -64,7 +64,7 @@ PetscErrorCode EigenvalueLargest(Mat A, Mat S, Vec b, PetscReal *largest)
     PetscCall(KSPSolve(ksp, seed, x));
     PetscCall(EigenvalueGetRitz(ksp, largest, &smallest, &seen));
   }
-  *largest = seen ? *largest * MARGIN : 0;
+  *largest = seen ? *largest * EIGENVALUE_MARGIN : 0;
   PetscCall(KSPDestroy(&ksp));
   PetscCall(VecDestroy(&seed));
   PetscCall(VecDestroy(&x));

@@ -119,7 +119,7 @@ static PetscErrorCode GraphComponentsElect_Private(Mat A, PetscInt n, const Pets
   PetscCall(PetscArrayzero(count, num));
   for (PetscInt i = 0; i < n; i++) {
     PetscCall(PetscFindInt((PetscInt)label[i], num, distinct, &at));
-    ++count[at];
+    count[at]++;
   }
   PetscCall(MatCreateVecs(A, NULL, &ballot));
   PetscCall(VecZeroEntries(ballot));

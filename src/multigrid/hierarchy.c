@@ -8,13 +8,13 @@
 
 /* Unknowns from which the coarsest mesh gets levels below it instead of a factorization, in 2D and 3D;
    unknowns of the coarsest level. */
-enum { LARGE_2D = 20000, LARGE_3D = 10000, COARSEST = 2500, MAX_BELOW = 16 };
+enum { MAX_COARSEST_2D = 20000, MAX_COARSEST_3D = 10000, COARSEST_UNKNOWNS = 2500, MAX_BELOW = 16 };
 /* Coarsening stops at a level with more than this part of the finer one's unknowns. */
-static const PetscReal SLOW = 0.7;
+static const PetscReal SLOW_COARSENING = 0.7;
 
 PetscBool HierarchyIsLarge(PetscInt dim, PetscInt unknowns)
 {
-  return (PetscBool)(unknowns > (dim == 3 ? LARGE_3D : LARGE_2D));
+  return (PetscBool)(unknowns > (dim == 3 ? MAX_COARSEST_3D : MAX_COARSEST_2D));
 }
 
 /* The smoother of given level l. Without whole lines of long cells, blocks cost several times the rest and
@@ -70,7 +70,7 @@ static PetscErrorCode HierarchyAddNodeLevels_Private(HierarchyInput *input, Hier
     PetscCall(NodeLevelsCoarsen(&level->op, &points, &level->P, &level[-1].op));
     PetscCall(NodeLevelsSumSquares(level->P, NULL, &level->weight));
     PetscCall(MatGetSize(level[-1].op.K, &coarser, NULL));
-    go = (PetscBool)(++*num < MAX_BELOW && coarser > COARSEST && coarser < SLOW * size);
+    go = (PetscBool)(++*num < MAX_BELOW && coarser > COARSEST_UNKNOWNS && coarser < SLOW_COARSENING * size);
     PetscCall(HierarchyBeginLevel_Private(input, -1, (PetscBool)!go, &level[-1]));
     size = coarser;
   }

@@ -5,9 +5,6 @@
 #include "multigrid/smoother.h"
 #include "multigrid/truncationupdate.h"
 
-/* A coarse unknown is fixed if at most this part of the squares of its prolongation is free. */
-static const PetscReal NEXT_TO_NOTHING = 1e-2;
-
 /* y := y + W x; W is nonzero in a few places */
 static PetscErrorCode MGLevelAddRegularization_Private(Vec W, Vec x, Vec y)
 {
@@ -161,7 +158,7 @@ static PetscErrorCode MGLevelSetFreeCoarser_Private(const MGLevel *fine, Vec fre
   for (PetscInt i = 0; i < n; i++) {
     const PetscReal left = PetscRealPart(all[i] - gone[i]);
 
-    f[i] = PetscRealPart(gone[i]) > 0 && left <= NEXT_TO_NOTHING * PetscRealPart(all[i]) ? 0 : 1;
+    f[i] = PetscRealPart(gone[i]) > 0 && left <= OPERATOR_MIN_FREE * PetscRealPart(all[i]) ? 0 : 1;
   }
   PetscCall(VecRestoreArray(free, &f));
   PetscCall(VecRestoreArrayRead(fixed, &gone));
@@ -256,13 +253,13 @@ PetscErrorCode MGLevelSetFree(PetscInt num, MGLevel levels[], Vec free)
    diagonal term keeps the matrix definite. */
 static PetscErrorCode MGLevelStiffen_Private(Mat A)
 {
-  static const PetscReal A_LITTLE = 1e-10;
+  static const PetscReal DIAGONAL_SHIFT = 1e-10;
   Vec                    diag;
 
   PetscFunctionBeginUser;
   PetscCall(MatCreateVecs(A, &diag, NULL));
   PetscCall(MatGetDiagonal(A, diag));
-  PetscCall(VecScale(diag, A_LITTLE));
+  PetscCall(VecScale(diag, DIAGONAL_SHIFT));
   PetscCall(MatDiagonalSet(A, diag, ADD_VALUES));
   PetscCall(VecDestroy(&diag));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -30,7 +30,7 @@ static const PetscReal SMOOTHED_FROM = 0.07;
 /* Factor that shortens steps after an indefinite cycle. Ten steps of CG have been seen to find 2.21 of 2.65
    for the largest eigenvalue: with a margin of a tenth, three Chebyshev steps amplify errors there, as they
    do beyond 1.07 times their upper end. */
-static const PetscReal SHORTER = 1.25;
+static const PetscReal STEP_REDUCTION = 1.25;
 
 typedef struct {
   Hierarchy  hierarchy; /* borrowed */
@@ -108,8 +108,8 @@ PetscErrorCode MultigridShortenSteps(PC pc)
   for (PetscInt l = 1; l < multigrid->num; l++) {
     MGLevel *level = &multigrid->level[l];
 
-    level->base->largest *= SHORTER;
-    level->largest *= SHORTER;
+    level->base->largest *= STEP_REDUCTION;
+    level->largest *= STEP_REDUCTION;
     PetscCall(PCMGGetSmoother(multigrid->mg, l, &ksp));
     PetscCall(MultigridSetOperators_Private(ksp, level));
   }

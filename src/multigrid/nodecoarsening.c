@@ -14,13 +14,13 @@
 enum { DIM_MAX = 3, TERMS = NODE_TERMS };
 
 /* Couplings weaker than this part of the geometric mean of both nodes' diagonal blocks are ignored. */
-static const PetscReal STRONGER = 0.02;
+static const PetscReal COUPLED_FROM = 0.02;
 /* Length of the mean direction of a node's couplings: above these limits the node is on a face, on an edge,
    in a corner. */
-static const PetscReal ONE_SIDED[] = {0.3, 0.53, 0.65};
-enum { KINDS = 1 + PETSC_STATIC_ARRAY_LENGTH(ONE_SIDED) };
+static const PetscReal BOUNDARY_FROM[] = {0.3, 0.53, 0.65};
+enum { KINDS = 1 + PETSC_STATIC_ARRAY_LENGTH(BOUNDARY_FROM) };
 /* Weights below this are roundoff. */
-static const PetscReal NO_WEIGHT = 1e-8;
+static const PetscReal WEIGHT_ROUNDOFF = 1e-8;
 
 /* The graph of nodes: those of this rank, then ghosts. */
 typedef struct {
@@ -136,7 +136,7 @@ static PetscErrorCode NodeCoarseningConnect_Private(const NodeSet *nodes, Net *n
       PetscCall(PetscRealloc(max * sizeof(PetscInt), &net->node));
     }
     for (PetscInt j = 0; j < num; j++)
-      if (node[j] != i && square[j] > PetscSqr(STRONGER) * own[i] * own[node[j]]) net->node[end++] = node[j];
+      if (node[j] != i && square[j] > PetscSqr(COUPLED_FROM) * own[i] * own[node[j]]) net->node[end++] = node[j];
     net->start[i + 1] = end;
   }
   PetscCall(PetscFree4(node, square, own, at));
@@ -161,7 +161,7 @@ static PetscInt NodeCoarseningGetKind_Private(const Net *net, PetscInt i)
   }
   for (PetscInt a = 0; a < dim; a++) size += sum[a] * sum[a];
   size = num ? PetscSqrtReal(size) / num : 1;
-  while (kind < KINDS - 1 && size > ONE_SIDED[kind]) kind++;
+  while (kind < KINDS - 1 && size > BOUNDARY_FROM[kind]) kind++;
   return kind;
 }
 
@@ -236,7 +236,7 @@ static void NodeCoarseningWeigh_Private(Net *net, PetscInt i, PetscInt *num, Pet
     }
     if (BarycentricWeights(net->dim, many, d, w)) {
       for (PetscInt j = 0; j < many; j++) {
-        if (PetscAbsReal(w[j]) <= NO_WEIGHT) continue;
+        if (PetscAbsReal(w[j]) <= WEIGHT_ROUNDOFF) continue;
         from[*num]       = near[j];
         weight[(*num)++] = w[j];
       }

@@ -11,9 +11,6 @@
 #include "multigrid/nodelevels.h"
 #include "multigrid/truncationupdate.h"
 
-/* A coarse unknown is dropped if at most this part of the squares of its prolongation is free. */
-static const PetscReal NEXT_TO_NOTHING = 1e-2;
-
 PetscErrorCode NodeLevelsBegin(const Operator *op, NodeTable *table, NodeSet *nodes)
 {
   PetscInt n;
@@ -72,7 +69,7 @@ static PetscErrorCode NodeLevelsDrop_Private(Mat P, Vec open, PetscBool fixed[],
   PetscCall(VecGetArrayRead(weight[1], &left));
   PetscCall(VecGetArrayWrite(*keep, &k));
   for (PetscInt i = 0; i < n; i++) {
-    fixed[i] = (PetscBool)(fixed[i] || PetscRealPart(left[i]) <= NEXT_TO_NOTHING * PetscRealPart(w[i]));
+    fixed[i] = (PetscBool)(fixed[i] || PetscRealPart(left[i]) <= OPERATOR_MIN_FREE * PetscRealPart(w[i]));
     k[i]     = fixed[i] ? 0 : 1;
   }
   PetscCall(VecRestoreArrayWrite(*keep, &k));

@@ -4,6 +4,9 @@
 
 #include <petscmat.h>
 
+/* A coarse unknown is fixed if at most this part of the squares of its prolongation is free. */
+#define OPERATOR_MIN_FREE 1e-2
+
 /* min 1/2 y'A y - b'y, y <= upper, with A = M (T'K T / stiffness + W) M + 1 - M, M = 0 for fixed unknowns, 1 for free ones.
    Objects are referenced; NULL where the comment says so. */
 typedef struct {

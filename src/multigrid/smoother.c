@@ -17,7 +17,7 @@
 #include "multigrid/smoother.h"
 
 /* Limit of the diagonal that condensation adds, relative to the diagonal before it; equal sides: 1. */
-static const PetscReal STIFFER = 2;
+static const PetscReal STIFF_SIDE = 2;
 
 /* Entries of S_u in one row of K: couplings within the block of the node, or its diagonal. [in] label - own
    nodes, then ghosts; [out] num - entries; [out] column, value - NULL to count only */
@@ -80,26 +80,26 @@ static PetscErrorCode SmootherFindStiffSide_Private(const Operator *op, PetscBoo
 {
   PetscInt           n;
   const PetscScalar *z, *k;
-  PetscBool         *apart; /* unknowns of the nonmortar side and fixed ones */
+  PetscBool         *excluded; /* unknowns of the nonmortar side and fixed ones */
   Vec                diag;
 
   PetscFunctionBeginUser;
   *weighs = PETSC_FALSE;
   if (!op->Z) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecGetLocalSize(op->diagonal, &n));
-  PetscCall(PetscCalloc1(n, &apart));
-  for (PetscInt i = 0; i < op->num_constrained; i++) apart[op->constrained[i]] = PETSC_TRUE;
-  for (PetscInt i = 0; i < op->num_fixed; i++) apart[op->fixed[i]] = PETSC_TRUE;
+  PetscCall(PetscCalloc1(n, &excluded));
+  for (PetscInt i = 0; i < op->num_constrained; i++) excluded[op->constrained[i]] = PETSC_TRUE;
+  for (PetscInt i = 0; i < op->num_fixed; i++) excluded[op->fixed[i]] = PETSC_TRUE;
   PetscCall(MatCreateVecs(op->Z, &diag, NULL));
   PetscCall(MatGetDiagonal(op->Z, diag));
   PetscCall(VecGetArrayRead(diag, &z));
   PetscCall(VecGetArrayRead(op->diagonal, &k));
   for (PetscInt i = 0; i < n; i++)
-    if (!apart[i] && PetscRealPart(z[i]) > STIFFER * PetscRealPart(k[i]) / op->stiffness) *weighs = PETSC_TRUE;
+    if (!excluded[i] && PetscRealPart(z[i]) > STIFF_SIDE * PetscRealPart(k[i]) / op->stiffness) *weighs = PETSC_TRUE;
   PetscCall(VecRestoreArrayRead(diag, &z));
   PetscCall(VecRestoreArrayRead(op->diagonal, &k));
   PetscCall(VecDestroy(&diag));
-  PetscCall(PetscFree(apart));
+  PetscCall(PetscFree(excluded));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -177,13 +177,13 @@ PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool si
 PetscErrorCode SmootherSetFixed(Mat from, Mat change, PetscInt num, const PetscInt fixed[], Mat *S)
 {
   PetscInt  begin, *rows;
-  PetscBool apart;
+  PetscBool by_body;
 
   PetscFunctionBeginUser;
   PetscCall(MatDestroy(S));
   if (!from) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(BodySmootherIs(from, &apart));
-  if (apart) {
+  PetscCall(BodySmootherIs(from, &by_body));
+  if (by_body) {
     PetscCall(BodySmootherSetFixed(from, num, fixed));
     PetscCall(PetscObjectReference((PetscObject)from));
     *S = from;
@@ -202,11 +202,11 @@ PetscErrorCode SmootherSetFixed(Mat from, Mat change, PetscInt num, const PetscI
 
 PetscErrorCode SmootherScale(Mat S, PetscReal factor)
 {
-  PetscBool apart;
+  PetscBool by_body;
 
   PetscFunctionBeginUser;
-  PetscCall(BodySmootherIs(S, &apart));
-  PetscCall(MatScale(S, apart ? 1 / factor : factor));
+  PetscCall(BodySmootherIs(S, &by_body));
+  PetscCall(MatScale(S, by_body ? 1 / factor : factor));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -251,13 +251,13 @@ static PetscErrorCode SmootherConfigureFactor_Private(KSP ksp)
 PetscErrorCode SmootherSetPC(PC pc, Mat S)
 {
   PetscMPIInt size;
-  PetscBool   apart = PETSC_FALSE;
+  PetscBool   by_body = PETSC_FALSE;
   KSP        *own;
 
   PetscFunctionBeginUser;
-  if (S) PetscCall(BodySmootherIs(S, &apart));
-  if (!S || apart) {
-    PetscCall(PCSetType(pc, apart ? PCMAT : PCJACOBI));
+  if (S) PetscCall(BodySmootherIs(S, &by_body));
+  if (!S || by_body) {
+    PetscCall(PCSetType(pc, by_body ? PCMAT : PCJACOBI));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCallMPI(MPI_Comm_size(PetscObjectComm((PetscObject)S), &size));

@@ -63,14 +63,14 @@ PetscErrorCode ActiveSolverResidual(ActiveSolver solver, const PetscBool fixed[]
 PetscErrorCode ActiveSolverSuffices(ActiveSolver solver, Vec y, PetscReal size, PetscReal reference,
                                     PetscBool *suffices)
 {
-  static const PetscReal LAST_DIGIT = 4 * PETSC_MACHINE_EPSILON;
-  static const PetscReal MEANING    = 1e-6; /* larger roundoff means a nearly singular matrix */
+  static const PetscReal LAST_DIGIT   = 4 * PETSC_MACHINE_EPSILON;
+  static const PetscReal MAX_ROUNDOFF = 1e-6; /* larger roundoff means a nearly singular matrix */
   Vec                    scaled;
   PetscScalar            square;
 
   PetscFunctionBeginUser;
   *suffices = (PetscBool)(size <= solver->rtol * reference);
-  if (*suffices || !(size <= MEANING * reference)) PetscFunctionReturn(PETSC_SUCCESS);
+  if (*suffices || !(size <= MAX_ROUNDOFF * reference)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecDuplicate(y, &scaled));
   PetscCall(VecPointwiseMult(scaled, solver->diag, y));
   PetscCall(VecDot(scaled, y, &square));

@@ -12,12 +12,12 @@
 
 /* The first evaluation is a little late, since a KSP measures residuals in its own norm; later ones know the
    ratio. */
-static const PetscReal FURTHER = 0.5, A_LITTLE = 0.9;
+static const PetscReal FIRST_EVALUATION = 0.5, NEXT_EVALUATION = 0.9;
 /* Stagnation: the residual of the KSP fell by the first factor since the last evaluation, the true one by
    less than the second. */
-static const PetscReal MUCH_SMALLER = 0.1, STALLED = 0.5;
+static const PetscReal RECURSIVE_REDUCTION = 0.1, TRUE_REDUCTION = 0.5;
 /* Part of rtol for the energy, which is an estimate. */
-static const PetscReal PART = 0.02;
+static const PetscReal ENERGY_PART = 0.02;
 
 PetscErrorCode FullSolverUpdateRitz(FullSolver *t)
 {
@@ -94,7 +94,8 @@ static PetscErrorCode ConvergenceMeasure_Private(ActiveSolver solver)
   PetscCall(VecDot(t->rest, t->y, &square));
   t->reference =
       PetscMax(PetscMin(t->first, forces), FULLSOLVER_ROUNDING / solver->rtol * PetscSqrtReal(PetscRealPart(square)));
-  t->energy = PetscMax(energy * PetscSqr(PART * solver->rtol), PetscSqr(FULLSOLVER_ROUNDING) * PetscRealPart(square));
+  t->energy =
+      PetscMax(energy * PetscSqr(ENERGY_PART * solver->rtol), PetscSqr(FULLSOLVER_ROUNDING) * PetscRealPart(square));
   t->solution->eta = size / t->reference;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -178,12 +179,12 @@ static PetscErrorCode ConvergenceTestIterate_Private(ActiveSolver solver, PetscR
   }
   if (last) PetscCall(ConvergenceTestFinal_Private(solver, &good));
   *stop = t->done = (PetscBool)(good && (last || !holds));
-  if (!good && norm <= MUCH_SMALLER * t->norm) {
-    *stop     = (PetscBool)(solution->eta > STALLED * t->before);
+  if (!good && norm <= RECURSIVE_REDUCTION * t->norm) {
+    *stop     = (PetscBool)(solution->eta > TRUE_REDUCTION * t->before);
     t->before = solution->eta;
     t->norm   = norm;
   }
-  t->limit = A_LITTLE * norm * PetscMin(1, solver->target / solution->eta);
+  t->limit = NEXT_EVALUATION * norm * PetscMin(1, solver->target / solution->eta);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -247,7 +248,7 @@ PetscErrorCode ConvergenceBegin(ActiveSolver solver, PetscReal first, ActiveSolu
   t->first     = first;
   t->reference = 0;
   t->solution  = solution;
-  t->limit     = FURTHER * solver->target * norm;
+  t->limit     = FIRST_EVALUATION * solver->target * norm;
   if (solver->target <= solver->rtol) t->limit = PetscMin(t->limit, t->rtol * norm);
   t->before = t->norm = PETSC_MAX_REAL;
   t->done             = PETSC_FALSE;

@@ -243,7 +243,7 @@ PetscErrorCode FactorizationCreate(Mat A, PetscInt num, const PetscInt C[], cons
 }
 
 PetscErrorCode FactorizationPredict(Mat A, PetscInt num, const PetscInt C[], const char prefix[],
-                                    FactorizationCost *forecast)
+                                    FactorizationCost *cost)
 {
   const PetscReal megabyte = 1e6;
   Factorization   factor;
@@ -255,12 +255,12 @@ PetscErrorCode FactorizationPredict(Mat A, PetscInt num, const PetscInt C[], con
   PetscCall(FactorizationAnalyse_Private(factor, A, num, C));
   PetscCall(FactorizationFreeMatrix_Private(factor));
   PetscCall(FactorizationCheckInfo(factor->comm, id->infog[0]));
-  forecast->known      = (PetscBool)(id->infog[0] >= 0);
-  forecast->operations = id->rinfog[0];
-  forecast->bytes      = megabyte * (PetscReal)id->info[ANALYSED_SIZE - 1];
-  if (!factor->rank) forecast->bytes += (PetscReal)num * (PetscReal)num * (PetscReal)sizeof(PetscScalar);
+  cost->known      = (PetscBool)(id->infog[0] >= 0);
+  cost->operations = id->rinfog[0];
+  cost->bytes      = megabyte * (PetscReal)id->info[ANALYSED_SIZE - 1];
+  if (!factor->rank) cost->bytes += (PetscReal)num * (PetscReal)num * (PetscReal)sizeof(PetscScalar);
   PetscCall(PetscInfo(A, "MUMPS predicts: status %d, %g operations, %g bytes on this rank\n", (int)id->infog[0],
-                      (double)forecast->operations, (double)forecast->bytes));
+                      (double)cost->operations, (double)cost->bytes));
   PetscCall(FactorizationDestroy(&factor));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

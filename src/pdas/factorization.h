@@ -25,7 +25,7 @@ typedef struct {
 /* Predicts the cost from the pattern, without values. Collective. [in] A - its pattern matters; [in] num - 0
    for a factorization of all of A */
 PetscErrorCode FactorizationPredict(Mat A, PetscInt num, const PetscInt C[], const char prefix[],
-                                    FactorizationCost *forecast);
+                                    FactorizationCost *cost);
 /* x_I = A_II^-1 b_I, 0 on C. Collective. */
 PetscErrorCode FactorizationSolve(Factorization factor, Vec b, Vec x);
 PetscErrorCode FactorizationDestroy(Factorization *factor);

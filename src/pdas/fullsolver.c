@@ -12,14 +12,14 @@
 #include "pdas/fullsolver.h"
 
 /* Refinements after the first solve: each gains the digits of one solve. */
-static const PetscInt MAX_REFINEMENTS = 8;
+static const PetscInt FULL_REFINEMENTS = 8;
 /* Iterations after which the recursive residual of conjugate gradients has drifted: they restart with the
    true one. */
-static const PetscInt MANY_ITERATIONS = 50;
+static const PetscInt RESTART_ITERATIONS = 50;
 /* Largest number of indefinite cycles in one system, after each of which steps are shortened. */
-enum { MAX_SHORTER = 3 };
+enum { MAX_STEP_REDUCTIONS = 3 };
 /* Stagnation: a solve that leaves more than this part of the residual. */
-static const PetscReal STALLED = 0.5;
+static const PetscReal STAGNATION = 0.5;
 /* Sets M, y = v, and the last solution, emptied where fixed, as initial guess of d. */
 static PetscErrorCode FullSolverPrescribe_Private(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
                                                   ActiveSolution *solution)
@@ -52,8 +52,8 @@ static PetscErrorCode FullSolverPrescribe_Private(ActiveSolver solver, const Pet
 /* Near null space of A^: that of A, emptied where fixed and orthonormalized. */
 static PetscErrorCode FullSolverNearNullSpace_Private(ActiveSolver solver)
 {
-  static const PetscReal DEPENDENT = 1e-8; /* length after projection below which a mode is dependent */
-  FullSolver            *t         = solver->data;
+  static const PetscReal DEPENDENT_MODE = 1e-8; /* length after projection below which a mode is dependent */
+  FullSolver            *t              = solver->data;
   MatNullSpace           space;
   const Vec             *vecs;
   Vec                   *own;
@@ -75,7 +75,7 @@ static PetscErrorCode FullSolverNearNullSpace_Private(ActiveSolver solver)
       PetscCall(VecAXPY(own[kept], -dot, own[j]));
     }
     PetscCall(VecNormalize(own[kept], &norm));
-    if (norm > DEPENDENT) kept++;
+    if (norm > DEPENDENT_MODE) kept++;
   }
   PetscCall(MatNullSpaceCreate(PetscObjectComm((PetscObject)solver->A), PETSC_FALSE, kept, own, &space));
   PetscCall(MatSetNearNullSpace(t->A, space));
@@ -133,7 +133,7 @@ static PetscErrorCode FullSolverCorrect_Private(ActiveSolver solver, PetscBool g
     PetscCall(KSPGetIterationNumber(t->ksp, &its));
     solution->iterations += its;
     PetscCall(KSPGetConvergedReason(t->ksp, &reason));
-    if (reason != KSP_DIVERGED_INDEFINITE_PC || !t->asked || k == MAX_SHORTER) break;
+    if (reason != KSP_DIVERGED_INDEFINITE_PC || !t->asked || k == MAX_STEP_REDUCTIONS) break;
     PetscCall(MultigridShortenSteps(t->pc));
     PetscCall(MultigridResetError(t->pc));
   }
@@ -156,9 +156,9 @@ static PetscErrorCode FullSolverCorrect_Private(ActiveSolver solver, PetscBool g
    own norm. */
 static PetscErrorCode FullSolverTolerance_Private(ActiveSolver solver)
 {
-  static const PetscReal FURTHER = 0.5;
-  FullSolver            *t       = solver->data;
-  const PetscReal        rtol    = solver->target > solver->rtol ? FURTHER * solver->target : t->rtol;
+  static const PetscReal KSP_MARGIN = 0.5;
+  FullSolver            *t          = solver->data;
+  const PetscReal        rtol       = solver->target > solver->rtol ? KSP_MARGIN * solver->target : t->rtol;
 
   PetscFunctionBeginUser;
   PetscCall(KSPSetTolerances(t->ksp, rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
@@ -179,7 +179,7 @@ static PetscErrorCode FullSolverCallKSP_Private(ActiveSolver solver, PetscInt k,
   if (solution->failure) PetscFunctionReturn(PETSC_SUCCESS);
   if (t->asked) {
     PetscCall(ConvergenceFinish(solver));
-    *done = (PetscBool)(t->done && (k || solution->iterations <= MANY_ITERATIONS));
+    *done = (PetscBool)(t->done && (k || solution->iterations <= RESTART_ITERATIONS));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(VecPointwiseMult(t->d, t->d, t->free)); /* a preconditioner may have leaked into fixed unknowns */
@@ -210,7 +210,7 @@ static PetscErrorCode Solve_FullSolver(ActiveSolver solver, const PetscBool fixe
     PetscCall(MultigridGetHierarchy(t->pc, &hierarchy));
     hierarchy->num_systems++;
   }
-  for (PetscInt k = 0; k <= MAX_REFINEMENTS && first > 0 && !done; k++) {
+  for (PetscInt k = 0; k <= FULL_REFINEMENTS && first > 0 && !done; k++) {
     const PetscReal before = k ? solution->eta : PETSC_MAX_REAL;
 
     PetscCall(FullSolverCallKSP_Private(solver, k, first, solution, &done));
@@ -219,7 +219,7 @@ static PetscErrorCode Solve_FullSolver(ActiveSolver solver, const PetscBool fixe
       t->ritz = 0;
       PetscFunctionReturn(PETSC_SUCCESS);
     }
-    if (!(solution->eta <= STALLED * before)) break;
+    if (!(solution->eta <= STAGNATION * before)) break;
   }
   if (!(solution->eta <= solver->target)) {
     PetscCall(ActiveSolverSuffices(solver, t->y, solution->eta * first, first, &suffices));

@@ -6,7 +6,7 @@
 #include "pdas/factorization.h"
 
 /* Percentage beyond which the cause must be another one. */
-static const PetscInt MOST = 5000;
+static const PetscInt MAX_ROOM = 5000;
 
 /* The factors of a PC whose MUMPS ran out of memory, and its INFOG(1); NULL otherwise. */
 static PetscErrorCode MumpsMemoryGetFailed_Private(PC pc, Mat *F, PetscInt *info)
@@ -60,7 +60,7 @@ PetscErrorCode MumpsMemoryIncrease(SNES snes, PetscBool *again)
   if (!*again) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MatMumpsGetIcntl(F, ICNTL_ROOM, &room));
   PetscCallMPI(MPI_Bcast(&room, 1, MPIU_INT, 0, PetscObjectComm((PetscObject)snes)));
-  *again = (PetscBool)(room < MOST);
+  *again = (PetscBool)(room < MAX_ROOM);
   if (!*again) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PCGetOptionsPrefix(pc, &prefix));
   PetscCall(PetscSNPrintf(option, sizeof(option), "-%smat_mumps_icntl_14", prefix ? prefix : ""));

@@ -11,14 +11,14 @@
 #include "pdas/pdasimpl.h"
 
 /* Steps after which the globalization starts: contact problems take up to about fifteen. */
-static const PetscInt MANY_STEPS = 30;
+static const PetscInt MAX_PLAIN_STEPS = 30;
 /* Residual at which an inexact solution is first evaluated, and its factor each time the solution confirms
    the set. */
-static const PetscReal LOOSE = 1e-2, TIGHTER = 0.03;
+static const PetscReal FIRST_RESIDUAL = 1e-2, RESIDUAL_FACTOR = 0.03;
 /* If a step changes more than this part of the changes before, the system was too inexact. */
-static const PetscReal FEWER = 0.7;
+static const PetscReal CHANGES_FACTOR = 0.7;
 /* Threshold of a set in a vector, which has 1 and 0. */
-static const PetscReal BETWEEN = 0.5;
+static const PetscReal ACTIVE_FROM = 0.5;
 
 PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r)
 {
@@ -36,7 +36,7 @@ PetscErrorCode PDASBegin(SNES snes, PDAS *pdas, ActiveSet *set, Vec y, Vec r)
     case START_GAP: next[i] = (PetscBool)(set->upper[i] <= 0); break;
     case START_PREVIOUS:
       if (pdas->previous)
-        next[i] = (PetscBool)(guess[i] > BETWEEN);
+        next[i] = (PetscBool)(guess[i] > ACTIVE_FROM);
       else
         next[i] = (PetscBool)(force[i] + pdas->c * set->diag[i] * (guess[i] - set->upper[i]) > 0); /* eq. 10.1 */
       break;
@@ -106,7 +106,7 @@ static PetscErrorCode PDASIterationHolds_Private(ActiveSolver solver, const Acti
   PetscFunctionBeginUser;
   PetscCall(ActiveSetHolds(solver->set, iterate, pdas->c, holds));
   while (*holds && solver->target > solver->rtol && iterate->eta <= solver->target)
-    solver->target = PetscMax(solver->rtol, TIGHTER * solver->target);
+    solver->target = PetscMax(solver->rtol, RESIDUAL_FACTOR * solver->target);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -120,13 +120,13 @@ static PetscErrorCode PDASIterationSolveSet_Private(PDAS *pdas, ActiveSet *set, 
   solver->target = pdas->target;
   PetscCall(PDASIterationSystem_Private(pdas, set, solver, solution, changed, violation));
   while (solver->target > solver->rtol && !*changed && !solution->failure) {
-    solver->target = PetscMax(solver->rtol, TIGHTER * solver->target);
+    solver->target = PetscMax(solver->rtol, RESIDUAL_FACTOR * solver->target);
     PetscCall(PDASIterationSystem_Private(pdas, set, solver, solution, changed, violation));
   }
   solver->holds   = NULL;
   pdas->converged = (PetscBool)(!*changed && !solution->failure);
-  if (pdas->iterations > 0 && (PetscReal)*changed > FEWER * (PetscReal)pdas->changed[pdas->iterations - 1]) {
-    pdas->target       = PetscMax(solver->rtol, TIGHTER * pdas->target);
+  if (pdas->iterations > 0 && (PetscReal)*changed > CHANGES_FACTOR * (PetscReal)pdas->changed[pdas->iterations - 1]) {
+    pdas->target       = PetscMax(solver->rtol, RESIDUAL_FACTOR * pdas->target);
     solver->all_digits = PETSC_TRUE;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -159,7 +159,7 @@ static PetscErrorCode PDASIterationStep_Private(PDAS *pdas, ActiveSet *set, Acti
       pdas->num_seen     = 1;
       seen               = PETSC_FALSE;
     }
-    if (seen || pdas->num_seen > MANY_STEPS) {
+    if (seen || pdas->num_seen > MAX_PLAIN_STEPS) {
       pdas->safeguarded = PETSC_TRUE;
       pdas->target = solver->target = solver->rtol;
       PetscCall(ProjectedNewtonBegin(newton, set, solver, solution));
@@ -205,7 +205,7 @@ PetscErrorCode PDASIterate(SNES snes, PDAS *pdas, ActiveSet *set, ActiveSolver s
   PetscFunctionBeginUser;
   PetscCall(ActiveSolutionCreate(set, &solution));
   solver->all_digits = PETSC_FALSE;
-  pdas->target       = solver->inexact ? PetscMax(LOOSE, solver->rtol) : solver->rtol;
+  pdas->target       = solver->inexact ? PetscMax(FIRST_RESIDUAL, solver->rtol) : solver->rtol;
   while (!pdas->converged && !solution.failure && pdas->iterations < pdas->max_it) {
     PetscCall(PDASIterationStep_Private(pdas, set, solver, &newton, &solution, &changed, &violation));
     if (solution.failure) PetscCall(PDASIterationActivateAll_Private(pdas, set, &solution, &changed));

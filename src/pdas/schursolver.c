@@ -15,7 +15,7 @@
 /* A pivot below this part of the diagonal of A, times the number of unknowns, is zero up to roundoff. */
 static const PetscReal SINGULAR = 8 * PETSC_MACHINE_EPSILON;
 /* Refinements: one reaches roundoff; two that do not mean another cause. */
-static const PetscInt MAX_REFINEMENTS = 2;
+static const PetscInt SCHUR_REFINEMENTS = 2;
 
 typedef struct {
   Factorization F;       /* of A_II */
@@ -242,7 +242,7 @@ static PetscErrorCode Finish_SchurSolver(ActiveSolver solver, ActiveSolution *so
     PetscCall(VecAXPY(y, 1, t->d));
     PetscCall(ActiveSolverResidual(solver, solution->fixed, y, t->r, t->f, &size));
     solution->eta = reference > 0 ? size / reference : 0;
-    if (k == MAX_REFINEMENTS || (k && solution->eta <= solver->rtol)) break;
+    if (k == SCHUR_REFINEMENTS || (k && solution->eta <= solver->rtol)) break;
     PetscCall(Correct_SchurSolver(solver, t->f, t->d, &alpha));
   }
   PetscCall(ActiveSolverSuffices(solver, y, size, reference, &suffices));

@@ -15,17 +15,17 @@
 
 /* Work (in products) after which a factorization is predicted: scenes suited to multigrid stay below it. The
    analysis costs about a tenth of it. */
-static const PetscReal SUSPICIOUS = 300;
+static const PetscReal PREDICT_FROM = 300;
 /* Operations of a factorization in the time of one operation of a product; time of block smoothing relative
    to a product. Measured, on one core, with OpenBLAS: balls of 36,000 unknowns, order 2. */
-static const PetscReal FASTER = 1.5, SMOOTHING = 2;
+static const PetscReal OPERATION_RATE = 1.5, SMOOTHING_COST = 2;
 /* Factorizations with a proximal term, whose weight may be reduced. */
-enum { WITH_SPRINGS = 2 };
+enum { PROXIMAL_FACTORIZATIONS = 2 };
 /* Once contacts are found, an iteration may cost so many times a factorization, which would have to find them
    again. */
-static const PetscReal FOUND = 2;
+static const PetscReal FOUND_FACTOR = 2;
 /* Part of the bounded unknowns that is free, for the dense factorization of each set. */
-static const PetscReal FREE = 0.5;
+static const PetscReal FREE_PART = 0.5;
 
 PetscErrorCode CostModelUnit(VI vi, PetscReal *operations)
 {
@@ -33,13 +33,13 @@ PetscErrorCode CostModelUnit(VI vi, PetscReal *operations)
 
   PetscFunctionBeginUser;
   PetscCall(MatGetInfo(vi->K, MAT_GLOBAL_SUM, &info));
-  *operations = FASTER * 2 * info.nz_used;
+  *operations = OPERATION_RATE * 2 * info.nz_used;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscReal CostModelPerSet(PetscInt num)
 {
-  return PetscPowRealInt(FREE * (PetscReal)num, 3) / 3;
+  return PetscPowRealInt(FREE_PART * (PetscReal)num, 3) / 3;
 }
 
 PetscReal CostModelPredicted(const CostModel *model)
@@ -64,8 +64,8 @@ static PetscErrorCode CostModelPredict_Private(CostModel *model)
   if (one) PetscCall(ActiveSetAll(&set, &C));
   PetscCall(FactorizationPredict(vi->K, one ? set.N : 0, C, "", &cost));
   PetscCall(CostModelUnit(vi, &unit));
-  if (finest->S) unit *= SMOOTHING;
-  model->once = one ? (finest->op.W ? WITH_SPRINGS : 1) * cost.operations / unit : 0;
+  if (finest->S) unit *= SMOOTHING_COST;
+  model->once = one ? (finest->op.W ? PROXIMAL_FACTORIZATIONS : 1) * cost.operations / unit : 0;
   model->set  = (one ? CostModelPerSet(set.N) : cost.operations) / unit;
   PetscCall(MemorySuffices(set.comm, cost.bytes, &suffices));
   model->asked = PETSC_TRUE;
@@ -84,9 +84,9 @@ static PetscErrorCode IsOverFn(void *ctx, PetscBool *over)
   const PetscReal work  = model->hierarchy->work;
 
   PetscFunctionBeginUser;
-  if (model->on && work > SUSPICIOUS) {
+  if (model->on && work > PREDICT_FROM) {
     if (!model->asked) PetscCall(CostModelPredict_Private(model));
-    model->over = (PetscBool)(model->on && work > (model->found ? FOUND : 1) * CostModelPredicted(model));
+    model->over = (PetscBool)(model->on && work > (model->found ? FOUND_FACTOR : 1) * CostModelPredicted(model));
   }
   *over = model->over;
   PetscFunctionReturn(PETSC_SUCCESS);

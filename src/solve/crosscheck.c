@@ -17,7 +17,7 @@ static const PetscReal AGREE_ILL = 1e-6;
    exact one (eq. 14.4). */
 static const PetscReal PROMISED = 1e-8;
 /* Roundoff of a row of A y, as a part of its diagonal times the largest displacement. */
-static const PetscReal ROUNDOFF = 64 * PETSC_MACHINE_EPSILON;
+static const PetscReal ROW_ROUNDOFF = 64 * PETSC_MACHINE_EPSILON;
 /* Prefix of the options of the second SNES. */
 static const char PREFIX[] = "cross_check_";
 
@@ -75,7 +75,7 @@ static PetscErrorCode CrossCheckAgreeToRoundoff_Private(VI vi, Vec first, Vec se
 {
   ActiveSet  set;
   Vec        d, r, diagonal;
-  PetscReal *y[2], *held, worst;
+  PetscReal *y[2], *residual, worst;
 
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(first, &d));
@@ -86,19 +86,19 @@ static PetscErrorCode CrossCheckAgreeToRoundoff_Private(VI vi, Vec first, Vec se
   PetscCall(MatGetDiagonal(vi->A, diagonal));
   PetscCall(VecPointwiseDivide(r, r, diagonal));
   PetscCall(ActiveSetCreate(vi->upper, vi->A, &set));
-  PetscCall(PetscMalloc3(set.n, &y[0], set.n, &y[1], set.n, &held));
+  PetscCall(PetscMalloc3(set.n, &y[0], set.n, &y[1], set.n, &residual));
   PetscCall(ActiveSetGather(&set, first, y[0]));
   PetscCall(ActiveSetGather(&set, second, y[1]));
-  PetscCall(ActiveSetGather(&set, r, held));
+  PetscCall(ActiveSetGather(&set, r, residual));
   for (PetscInt i = 0; i < set.n; i++) {
-    if (PetscMax(y[0][i], y[1][i]) >= set.upper[i] - AGREE * scale) held[i] = 0;
+    if (PetscMax(y[0][i], y[1][i]) >= set.upper[i] - AGREE * scale) residual[i] = 0;
   }
-  PetscCall(ActiveSetScatter(&set, held, r));
+  PetscCall(ActiveSetScatter(&set, residual, r));
   PetscCall(VecNorm(r, NORM_INFINITY, &worst));
-  *indistinct = (PetscBool)(worst <= ROUNDOFF * scale);
+  *indistinct = (PetscBool)(worst <= ROW_ROUNDOFF * scale);
   PetscCall(PetscInfo(vi->A, "forces on what is free differ by %g of the diagonal times the displacements\n",
                       (double)(worst / scale)));
-  PetscCall(PetscFree3(y[0], y[1], held));
+  PetscCall(PetscFree3(y[0], y[1], residual));
   PetscCall(ActiveSetDestroy(&set));
   PetscCall(VecDestroy(&diagonal));
   PetscCall(VecDestroy(&r));

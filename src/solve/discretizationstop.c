@@ -16,12 +16,12 @@
 
 /* Largest solver error relative to the discretization error, and the part of it that the iteration aims at,
    since its own error estimate is inexact. */
-static const PetscReal SHARE = 0.1, AIM = 0.7;
+static const PetscReal ERROR_SHARE = 0.1, AIM = 0.7;
 /* Largest number of continued solves after the error bound. */
-enum { MORE = 4 };
+enum { MAX_CONTINUED = 4 };
 
 /* Least rho: without a third level, and for three levels. Order 1/2, as at the worst corners. */
-static const PetscReal SLOW = 2;
+static const PetscReal MIN_RHO = 2;
 
 /* Largest |u_h - u_2h|^2 / |u - u_h|^2. */
 static PetscReal DiscretizationStopRatio_Private(const Scene scene)
@@ -35,14 +35,14 @@ static PetscReal DiscretizationStopRatio_Private(const Scene scene)
 /* The same as observed on the levels. [in] change - |u_h - u_2h|^2, and of the level before, or 0 */
 static PetscReal DiscretizationStopObserved_Private(const Scene scene, PetscReal change, PetscReal before)
 {
-  const PetscReal fall = change > 0 && before > 0 ? before / change : SLOW;
+  const PetscReal fall = change > 0 && before > 0 ? before / change : MIN_RHO;
 
-  return PetscMin(PetscMax(fall, SLOW) - 1, DiscretizationStopRatio_Private(scene));
+  return PetscMin(PetscMax(fall, MIN_RHO) - 1, DiscretizationStopRatio_Private(scene));
 }
 
 PetscReal DiscretizationStopPart(const Scene scene)
 {
-  return PetscSqr(AIM * SHARE) / DiscretizationStopRatio_Private(scene);
+  return PetscSqr(AIM * ERROR_SHARE) / DiscretizationStopRatio_Private(scene);
 }
 
 PetscErrorCode DiscretizationStopSet(const SolverContext *context, PetscReal energy_decrease)
@@ -68,18 +68,19 @@ PetscErrorCode DiscretizationStopConfirm(SolverContext *context, Vec y, SolverRe
   change                 = solver->first * vi->stiffness * PetscSqr(vi->length);
   report->discretisation = PetscSqrtReal(
       change / DiscretizationStopObserved_Private(vi->scene, change, context->levels ? context->levels->change : 0));
-  for (PetscInt k = 0; k < MORE && report->converged && !(report->bound.value <= SHARE * report->discretisation); k++) {
-    const PetscReal excess = report->bound.value / (SHARE * report->discretisation);
+  for (PetscInt k = 0;
+       k < MAX_CONTINUED && report->converged && !(report->bound.value <= ERROR_SHARE * report->discretisation); k++) {
+    const PetscReal excess = report->bound.value / (ERROR_SHARE * report->discretisation);
 
     aim /= excess > 0 && excess < 1 / PETSC_SMALL ? 2 * excess : 2;
-    PetscCall(PDASSetErrorReduction(context->snes, PetscSqr(aim * SHARE) / ratio, 0));
+    PetscCall(PDASSetErrorReduction(context->snes, PetscSqr(aim * ERROR_SHARE) / ratio, 0));
     PetscCall(PDASGetActive(context->snes, &active));
     PetscCall(PDASSetStart(context->snes, active));
     PetscCall(SNESSolve(context->snes, NULL, y));
     PetscCall(SolverReportAdd(context->snes, &context->proximal.solved, y, report));
     PetscCall(ErrorBoundCompute(&context->proximal, context->snes, y, &report->bound));
   }
-  if (report->converged && !(report->bound.value <= SHARE * report->discretisation)) {
+  if (report->converged && !(report->bound.value <= ERROR_SHARE * report->discretisation)) {
     report->converged = PETSC_FALSE;
     PetscCall(PetscStrncpy(
         report->reason,

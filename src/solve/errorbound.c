@@ -23,12 +23,12 @@
 
 /* Largest number of sets; the last one is empty, without negative pressures. Largest number of corrections
    for a proximal term. */
-enum { MAX_SETS = 4, MAX_CORRECTIONS = 50 };
+enum { BOUND_SETS = 4, MAX_CORRECTIONS = 50 };
 enum { NUM_VECS = 6 };
 /* Tolerance of the corrections relative to the residual: the bound needs few digits. */
-static const PetscReal SETTLED = 1e-6;
+static const PetscReal CORRECTION_RTOL = 1e-6;
 /* Tolerance of a solve that only computes factors or Ritz values. */
-static const PetscReal LOOSE = 1e-3;
+static const PetscReal FACTOR_RTOL = 1e-3;
 
 typedef struct {
   ActiveSolver solver;
@@ -141,7 +141,7 @@ static PetscErrorCode ErrorBoundCorrect_Private(Bound *m, PetscReal *square)
   PetscCall(ErrorBoundRest_Private(m));
   PetscCall(ErrorBoundSize_Private(m, m->f, &size));
   left = change = size;
-  for (PetscInt k = 0; k < MAX_CORRECTIONS && PetscMin(left, change) > SETTLED * size; k++) {
+  for (PetscInt k = 0; k < MAX_CORRECTIONS && PetscMin(left, change) > CORRECTION_RTOL * size; k++) {
     Vec before;
 
     PetscCall((*m->solver->correct)(m->solver, m->s, m->c, &alpha));
@@ -155,7 +155,7 @@ static PetscErrorCode ErrorBoundCorrect_Private(Bound *m, PetscReal *square)
     PetscCall(VecDestroy(&before));
     PetscCall(PetscInfo(m->A, "unbalanced %g, changed by %g, of %g\n", (double)left, (double)change, (double)size));
   }
-  if (PetscMin(left, change) > SETTLED * size) PetscFunctionReturn(PETSC_SUCCESS);
+  if (PetscMin(left, change) > CORRECTION_RTOL * size) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecWAXPY(m->c, -1, m->s, m->f));
   PetscCall(VecDot(m->c, m->d, &work));
   *square = PetscAbsReal(PetscRealPart(work)); // negative by roundoff, whose size it shows
@@ -205,8 +205,8 @@ static PetscErrorCode ErrorBoundDistance_Private(Bound *m, PetscBool ready, Pets
   *square = NAN;
   for (PetscInt i = 0; i < set->n; i++) ready = (PetscBool)(ready && m->fixed[i] == set->active[i]);
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &ready, 1, MPIU_BOOL, MPI_LAND, set->comm));
-  for (PetscInt k = 0; k < MAX_SETS && pulling; k++) {
-    if (k == MAX_SETS - 1) PetscCall(PetscArrayzero(m->fixed, set->n));
+  for (PetscInt k = 0; k < BOUND_SETS && pulling; k++) {
+    if (k == BOUND_SETS - 1) PetscCall(PetscArrayzero(m->fixed, set->n));
     if (!ready) PetscCall(ErrorBoundFactor_Private(m, &ready));
     if (!ready) PetscFunctionReturn(PETSC_SUCCESS);
     PetscCall(ErrorBoundUnbalanced_Private(m, PETSC_TRUE));
@@ -278,7 +278,7 @@ PetscErrorCode ErrorBoundCompute(const Proximal *proximal, SNES snes, Vec y, Ene
     PetscCall(ErrorBoundApply_Private(solver, PETSC_TRUE, vi->A, vi->b, y, bound));
   } else {
     PetscCall(ActiveSetCreate(solved->upper, solved->A, &set));
-    PetscCall(PDASCreateSolver(snes, &set, solved->A, solved->b, LOOSE, &solver, &failure));
+    PetscCall(PDASCreateSolver(snes, &set, solved->A, solved->b, FACTOR_RTOL, &solver, &failure));
     if (!failure) PetscCall(ErrorBoundApply_Private(solver, PETSC_FALSE, vi->A, vi->b, y, bound));
     PetscCall(ActiveSolverDestroy(&solver));
     PetscCall(ActiveSetDestroy(&set));

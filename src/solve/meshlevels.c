@@ -119,8 +119,8 @@ PetscErrorCode MeshLevelsAreNested(VI vi, PetscBool *nested)
 /* Whether the fine level's cells are parts of the coarse one's: not along curves. */
 static PetscErrorCode MeshLevelsTestParts_Private(Level *coarse, Level *fine, PetscBool *parts)
 {
-  static const PetscReal SAME   = 1e-9; /* relative to the scene */
-  PetscReal              off[2] = {0, 0};
+  static const PetscReal POSITION_TOLERANCE = 1e-9; /* relative to the scene */
+  PetscReal              off[2]             = {0, 0};
   PetscScalar           *x;
   Vec                    from, to;
 
@@ -144,7 +144,7 @@ static PetscErrorCode MeshLevelsTestParts_Private(Level *coarse, Level *fine, Pe
   PetscCall(VecDestroy(&from));
   PetscCall(VecDestroy(&to));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, off, 2, MPIU_REAL, MPI_MAX, fine->comm));
-  *parts = (PetscBool)(off[0] <= SAME * off[1]);
+  *parts = (PetscBool)(off[0] <= POSITION_TOLERANCE * off[1]);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -221,8 +221,8 @@ static PetscErrorCode MeshLevelsInspectCells_Private(const Level *level, PetscIn
 /* Of cells of second order the first level of nodes has the vertices, in the middle between which other nodes move. Orders are known cell by cell. */
 static PetscErrorCode MeshLevelsCreateTable_Private(const Level *level, NodeTable *table)
 {
-  static const PetscReal NO_WEIGHT = 1e-12;
-  const PetscInt         n         = level->num_owned;
+  static const PetscReal SHAPE_ROUNDOFF = 1e-12;
+  const PetscInt         n              = level->num_owned;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc3(n, &table->count, n * NODE_TERMS, &table->from, n * NODE_TERMS, &table->weight));
@@ -237,7 +237,7 @@ static PetscErrorCode MeshLevelsCreateTable_Private(const Level *level, NodeTabl
       if (node >= n || table->count[node]) continue;
       ElementShape(linear, ElementNode(type, i), phi, NULL);
       for (PetscInt v = 0; v < ElementNumNodes(linear); v++) {
-        if (phi[v] <= NO_WEIGHT) continue;
+        if (phi[v] <= SHAPE_ROUNDOFF) continue;
         table->from[node * NODE_TERMS + table->count[node]]     = level->node_global[nodes[v]];
         table->weight[node * NODE_TERMS + table->count[node]++] = phi[v];
       }

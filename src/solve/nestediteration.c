@@ -19,11 +19,11 @@
 static const PetscReal COARSEST_RTOL = 1e-4;
 /* Tolerances of SNES types without error estimate: relative to the initial residual of a level, and of each
    system. */
-static const PetscReal OTHER_RTOL = 1e-3, OTHER_LINEAR_RTOL = 1e-2;
+static const PetscReal NESTED_OTHER_RTOL = 1e-3, NESTED_OTHER_KSP_RTOL = 1e-2;
 /* An unknown is initially active if this part of its prolongation is active. */
 static const PetscReal ACTIVE_SHARE = 0.5;
 /* Largest number of sets on a level that is only a start for the next one. */
-enum { MAX_SETS = 12 };
+enum { NESTED_MAX_SETS = 12 };
 /* Prefix of the options on coarser levels. */
 static const char PREFIX[] = "nested_";
 
@@ -85,22 +85,23 @@ static PetscErrorCode NestedIterationRound_Private(const Operator *op, Vec activ
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets the accuracy of a level. [in] gained, begun - of NestedIterationSolveLevel_Private() */
+/* Sets the accuracy of a level. [in] energy_decrease, begun - of NestedIterationSolveLevel_Private() */
 static PetscErrorCode NestedIterationSetTolerances_Private(SNES snes, PetscBool pdas, PetscReal part,
                                                            PetscReal energy_decrease, PetscBool begun)
 {
-  const PetscReal rtol = pdas || !begun ? COARSEST_RTOL : OTHER_RTOL;
+  const PetscReal rtol = pdas || !begun ? COARSEST_RTOL : NESTED_OTHER_RTOL;
   KSP             ksp;
 
   PetscFunctionBeginUser;
   if (pdas && begun) {
-    PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, MAX_SETS, PETSC_DEFAULT));
+    PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, NESTED_MAX_SETS, PETSC_DEFAULT));
     PetscCall(PDASSetErrorReduction(snes, part, energy_decrease));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(SNESGetKSP(snes, &ksp));
   PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, rtol, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
-  PetscCall(KSPSetTolerances(ksp, pdas ? 0.5 * rtol : OTHER_LINEAR_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+  PetscCall(
+      KSPSetTolerances(ksp, pdas ? 0.5 * rtol : NESTED_OTHER_KSP_RTOL, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -141,7 +142,7 @@ static PetscErrorCode NestedIterationChange_Private(VI vi, SNES snes, PetscReal 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves on level m of the mesh. [in] springs - of it; [in] type - of the SNES; [in] gained - as of PDASSetErrorReduction(); [in] begun - whether a coarser
+/* Solves on level m of the mesh. [in] proximal - of it; [in] type - of the SNES; [in] energy_decrease - of PDASSetErrorReduction(); [in] begun - whether a coarser
    level says what to begin with; [in,out] state */
 static PetscErrorCode NestedIterationSolveLevel_Private(MeshLevels levels, PetscInt m, const Proximal *proximal,
                                                         const char type[], PetscReal energy_decrease, PetscBool begun,

@@ -16,22 +16,22 @@
 
 /* Tolerance of the proximal term relative to the forces, and relative to the tolerance of an iterative
    solver. */
-static const PetscReal RELAXED = 1e-13, BESIDE = 1e-2;
+static const PetscReal TERM_RTOL = 1e-13, TERM_PER_RTOL = 1e-2;
 /* Tolerance of the last step in the energy norm, relative to the solution. */
-static const PetscReal KEPT = 1e-9;
+static const PetscReal STEP_RTOL = 1e-9;
 /* Inexact solves, or undecided forces on meshes of round surfaces, may leave a term of this size. A step that
    does not halve it will not reduce it further. */
-static const PetscReal TOLERATED = 1e-8, HALVED = 0.5;
+static const PetscReal TERM_LIMIT = 1e-8, TERM_STAGNATION = 0.5;
 /* Roundoff of forces relative to the diagonal times the displacements: bodies that overlap are pushed apart
    with nothing to press them together again. */
-static const PetscReal ROUNDING = 1e-13;
+static const PetscReal FORCE_ROUNDOFF = 1e-13;
 /* Largest number of steps: two or three are usual. */
-enum { MAX_SWEEPS = 50 };
+enum { PROXIMAL_MAX_STEPS = 50 };
 /* A body that bends easily may resist a motion no more than W. If a step leaves more than the first part of
-   the term, and it is not one of the first SEARCHING steps, which look for contacts, W is scaled by the
-   second factor, at most MOST_WEAKER times. */
-static const PetscReal SLOW = 0.1, WEAKER = 1e-2;
-enum { SEARCHING = 3, MOST_WEAKER = 3 };
+   the term, and it is not one of the first SEARCH_STEPS steps, which look for contacts, W is scaled by the
+   second factor, at most MAX_REDUCTIONS times. */
+static const PetscReal SLOW_STEP = 0.1, WEIGHT_REDUCTION = 1e-2;
+enum { SEARCH_STEPS = 3, MAX_REDUCTIONS = 3 };
 
 PetscErrorCode ProximalBegin(VI vi, Solvability solvability, Proximal *proximal)
 {
@@ -76,7 +76,7 @@ PetscErrorCode ProximalSetCenter(Proximal *proximal, Vec y)
 }
 
 /* Sets the tolerance of the proximal term by that of the linear solver. */
-static PetscErrorCode ProximalSetTolerance_Private(SNES snes, PetscReal *relaxed)
+static PetscErrorCode ProximalSetTolerance_Private(SNES snes, PetscReal *tolerance)
 {
   KSP       ksp;
   PetscBool direct;
@@ -86,7 +86,7 @@ static PetscErrorCode ProximalSetTolerance_Private(SNES snes, PetscReal *relaxed
   PetscCall(SNESGetKSP(snes, &ksp));
   PetscCall(PetscObjectTypeCompare((PetscObject)ksp, KSPPREONLY, &direct));
   PetscCall(KSPGetTolerances(ksp, &rtol, NULL, NULL, NULL));
-  *relaxed = direct ? RELAXED : PetscMax(RELAXED, BESIDE * rtol);
+  *tolerance = direct ? TERM_RTOL : PetscMax(TERM_RTOL, TERM_PER_RTOL * rtol);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -96,7 +96,7 @@ PetscErrorCode ProximalSetStart(Proximal *proximal, Vec guess, SNES snes, PetscB
 
   PetscFunctionBeginUser;
   if (!s) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(ProximalSetTolerance_Private(snes, &proximal->relaxed));
+  PetscCall(ProximalSetTolerance_Private(snes, &proximal->tolerance));
   if (guess) PetscCall(ProximalSetCenter_Private(proximal, guess));
   if (pdas && !guess) PetscCall(PDASSetStart(snes, s->start));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -116,7 +116,7 @@ static PetscErrorCode ProximalSize_Private(const Proximal *proximal, Vec v, Pets
 }
 
 /* Measures the proximal term relative to the forces: those of the loads, or of the stresses without loads, or
-   such that roundoff is tolerated without either. Measures the step in the energy norm relative to the
+   such that roundoff is limit without either. Measures the step in the energy norm relative to the
    solution. */
 static PetscErrorCode ProximalMeasure_Private(Proximal *proximal, Vec y, PetscReal *part, PetscReal *way)
 {
@@ -140,7 +140,7 @@ static PetscErrorCode ProximalMeasure_Private(Proximal *proximal, Vec y, PetscRe
   PetscCall(VecPointwiseDivide(forces, y, proximal->scale)); // y in the norm of diag(A)
   PetscCall(VecNorm(forces, NORM_2, &alone));
   forced = PetscMax(loads, stresses);
-  *part  = pull > 0 ? pull / (forced > ROUNDING * alone ? forced : ROUNDING / TOLERATED * alone) : 0;
+  *part  = pull > 0 ? pull / (forced > FORCE_ROUNDOFF * alone ? forced : FORCE_ROUNDOFF / TERM_LIMIT * alone) : 0;
   *way =
       PetscRealPart(last) > 0 && PetscRealPart(all) > 0 ? PetscSqrtReal(PetscRealPart(last) / PetscRealPart(all)) : 0;
   PetscCall(VecDestroy(&d));
@@ -154,9 +154,9 @@ static PetscErrorCode ProximalReduceWeight_Private(Proximal *proximal, SNES snes
   const Vec w = proximal->solvability->regularization;
 
   PetscFunctionBeginUser;
-  proximal->weaker++;
+  proximal->num_reductions++;
   PetscCall(VecCopy(w, proximal->pull));
-  PetscCall(VecScale(w, WEAKER));
+  PetscCall(VecScale(w, WEIGHT_REDUCTION));
   PetscCall(VecAYPX(proximal->pull, -1, w));
   if (proximal->solved.vi->assembled) {
     PetscCall(MatDiagonalSet(proximal->solved.A, proximal->pull, ADD_VALUES));
@@ -168,13 +168,13 @@ static PetscErrorCode ProximalReduceWeight_Private(Proximal *proximal, SNES snes
     PetscCall(PDASSetKeep(snes, PETSC_FALSE));
     PetscCall(PDASSetKeep(snes, PETSC_TRUE));
   }
-  PetscCall(PetscInfo(snes, "the proximal term is scaled by %g\n", (double)WEAKER));
+  PetscCall(PetscInfo(snes, "the proximal term is scaled by %g\n", (double)WEIGHT_REDUCTION));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport *report, PetscBool *done)
 {
-  PetscReal part = 0, way = 0, tolerated;
+  PetscReal part = 0, way = 0, limit;
   PetscBool pdas;
   Vec       active;
 
@@ -187,24 +187,25 @@ PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport 
       report->proximal_steps, (double)part, (double)way));
   /* the next step is smaller by the same factor as the term; the first one does not tell */
   if (report->proximal_steps > 1) way *= part / proximal->last;
-  if (part <= proximal->relaxed && way <= KEPT) PetscFunctionReturn(PETSC_SUCCESS);
-  tolerated = PetscMax(TOLERATED, proximal->solvability->undecided);
-  if (part <= tolerated && part > HALVED * proximal->last) { // roundoff: the better one of the last two steps is final
+  if (part <= proximal->tolerance && way <= STEP_RTOL) PetscFunctionReturn(PETSC_SUCCESS);
+  limit = PetscMax(TERM_LIMIT, proximal->solvability->undecided);
+  if (part <= limit &&
+      part > TERM_STAGNATION * proximal->last) { // roundoff: the better one of the last two steps is final
     if (part > proximal->last) PetscCall(VecCopy(proximal->rest, y));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  if (report->proximal_steps == MAX_SWEEPS) {
+  if (report->proximal_steps == PROXIMAL_MAX_STEPS) {
     report->converged = PETSC_FALSE;
     PetscCall(
         PetscSNPrintf(report->reason, sizeof(report->reason),
                       "the proximal point iteration did not converge in %d steps: its term is %.1e of the forces; "
                       "does contact hold every body?",
-                      MAX_SWEEPS, (double)part));
+                      PROXIMAL_MAX_STEPS, (double)part));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &pdas));
-  if (report->proximal_steps >= SEARCHING && part > PetscMax(SLOW * proximal->last, tolerated) &&
-      proximal->weaker < MOST_WEAKER)
+  if (report->proximal_steps >= SEARCH_STEPS && part > PetscMax(SLOW_STEP * proximal->last, limit) &&
+      proximal->num_reductions < MAX_REDUCTIONS)
     PetscCall(ProximalReduceWeight_Private(proximal, snes, pdas));
   proximal->last = part;
   *done          = PETSC_FALSE;

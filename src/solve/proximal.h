@@ -9,13 +9,13 @@
 /* The inequality with a proximal term: A + W and b + W y_0 with the centre y_0, for y counted from the
    approach (the rigid motion until bodies touch). Without solvability it is the original one. */
 typedef struct {
-  Inequality  solved;      /* what to solve; A, b and upper are owned if they differ from those of vi */
-  Solvability solvability; /* borrowed; NULL where supports hold all bodies */
-  Vec         rest;        /* y_0 */
-  Vec         pull, scale; /* W (y - y_0); diag(A)^(-1/2) */
-  PetscReal   last;        /* size of the proximal term after the last step, relative to the forces */
-  PetscReal   relaxed;     /* tolerance for it */
-  PetscInt    weaker;      /* how often W was reduced */
+  Inequality  solved;         /* what to solve; A, b and upper are owned if they differ from those of vi */
+  Solvability solvability;    /* borrowed; NULL where supports hold all bodies */
+  Vec         rest;           /* y_0 */
+  Vec         pull, scale;    /* W (y - y_0); diag(A)^(-1/2) */
+  PetscReal   last;           /* size of the proximal term after the last step, relative to the forces */
+  PetscReal   tolerance;      /* tolerance for it */
+  PetscInt    num_reductions; /* how often W was reduced */
 } Proximal;
 
 /* Creates what is to be solved, with the centre 0. Collective. [out] proximal - to be ended by ProximalEnd() */

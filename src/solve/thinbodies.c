@@ -12,11 +12,11 @@
 #include "solve/thinbodies.h"
 
 /* Intervals along an axis. */
-enum { PLACES = 4096, SOLID = 3 };
+enum { INTERVALS = 4096, SOLID = 3 };
 /* Least number of products of an iteration: supported bodies, and with a proximal term. */
-static const PetscReal HELD = 100, FLOATS = 1000;
+static const PetscReal SUPPORTED_PRODUCTS = 100, FLOATING_PRODUCTS = 1000;
 /* Assumed number of active sets. */
-static const PetscReal SETS = 10;
+static const PetscReal ASSUMED_SETS = 10;
 
 /* End and, negative, begin of each node along each axis. [out] ends - to be destroyed by the caller, 2 dim
    per node */
@@ -64,18 +64,18 @@ static PetscErrorCode ThinBodiesWalk_Private(const Level *level, const PetscScal
   for (PetscInt i = 0; i < level->num_owned; i++)
     for (PetscInt k = 0; k < 2; k++) end[k] = PetscMax(end[k], PetscRealPart(a[(i * dim + axis) * 2 + k]));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, end, 2, MPIU_REAL, MPI_MAX, level->comm));
-  scale = PLACES * (1 - PETSC_SMALL) / PetscMax(end[0] + end[1], PETSC_SMALL);
-  PetscCall(PetscCalloc1(2 * PLACES, &num));
+  scale = INTERVALS * (1 - PETSC_SMALL) / PetscMax(end[0] + end[1], PETSC_SMALL);
+  PetscCall(PetscCalloc1(2 * INTERVALS, &num));
   for (PetscInt i = 0; i < level->num_owned; i++) {
     const PetscReal hi = PetscRealPart(a[(i * dim + axis) * 2]), lo = -PetscRealPart(a[(i * dim + axis) * 2 + 1]);
 
     num[(PetscInt)PetscFloorReal((hi + end[1]) * scale)]++;
-    num[PLACES + (PetscInt)PetscFloorReal((lo + end[1]) * scale)]++;
+    num[INTERVALS + (PetscInt)PetscFloorReal((lo + end[1]) * scale)]++;
   }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, num, 2 * PLACES, MPIU_INT, MPI_SUM, level->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, num, 2 * INTERVALS, MPIU_INT, MPI_SUM, level->comm));
   *operations = *front = 0;
-  for (PetscInt p = 0; p < PLACES; p++) {
-    const PetscReal closed = (PetscReal)num[p], opened = (PetscReal)num[PLACES + p];
+  for (PetscInt p = 0; p < INTERVALS; p++) {
+    const PetscReal closed = (PetscReal)num[p], opened = (PetscReal)num[INTERVALS + p];
     const PetscReal all = (PetscReal)dim * PetscMax(open, closed), left = all - (PetscReal)dim * closed;
 
     *operations += (PetscPowRealInt(all, 3) - PetscPowRealInt(left, 3)) / 3;
@@ -102,13 +102,13 @@ PetscErrorCode ThinBodiesAreCheap(VI vi, PetscBool floating, PetscInt num, Petsc
 
     PetscCall(ThinBodiesWalk_Private(vi->level, a, axis, &operations, &front));
     /* bounded unknowns that come last couple with half of all eliminated ones, with a quarter of each half, and so on */
-    if (one) operations += 2 * front * PetscSqr(bounded) + SETS * CostModelPerSet(num);
-    if (!one) operations *= SETS;
+    if (one) operations += 2 * front * PetscSqr(bounded) + ASSUMED_SETS * CostModelPerSet(num);
+    if (!one) operations *= ASSUMED_SETS;
     least = PetscMin(least, operations);
   }
   PetscCall(VecRestoreArrayRead(ends, &a));
   PetscCall(VecDestroy(&ends));
-  *cheap = (PetscBool)(least <= (floating ? FLOATS : HELD) * unit);
+  *cheap = (PetscBool)(least <= (floating ? FLOATING_PRODUCTS : SUPPORTED_PRODUCTS) * unit);
   PetscCall(PetscInfo(vi->K, "a frontal factorisation takes %g products\n", (double)(least / unit)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
