@@ -4,7 +4,7 @@
 
 /* Pressure, gap and status of all pairs at once, one after the other: a node in several pairs shows the sum of its pressures,
    the smallest gap, and the closest status. */
-static PetscErrorCode TellContact_Private(FieldWriter *writer, Fields fields)
+static PetscErrorCode BodyFieldsWriteContact_Private(FieldWriter *writer, Fields fields)
 {
   const PetscInt n = fields->vi->level->num_owned;
   PetscReal     *merged[3];
@@ -35,26 +35,26 @@ static PetscErrorCode TellContact_Private(FieldWriter *writer, Fields fields)
 
 /* Stress as a full 3 x 3 tensor: viewers name its nine components by themselves, while for six each has an order of
    its own. */
-static void Tensor_Private(const PetscReal stress[6], PetscReal tensor[9])
+static void BodyFieldsGetTensor_Private(const PetscReal stress[6], PetscReal tensor[9])
 {
   static const PetscInt voigt[9] = {0, 5, 4, 5, 1, 3, 4, 3, 2}; /* xx,yy,zz,yz,xz,xy to rows of the tensor */
 
   for (PetscInt k = 0; k < 9; k++) tensor[k] = stress[voigt[k]];
 }
 
-static void VonMises_Private(const PetscReal stress[6], PetscReal mises[1])
+static void BodyFieldsGetVonMises_Private(const PetscReal stress[6], PetscReal mises[1])
 {
   mises[0] = MaterialVonMises(stress);
 }
 
 /* The stress tensor, and what is computed from it. */
-static PetscErrorCode TellStress_Private(FieldWriter *writer, Fields fields)
+static PetscErrorCode BodyFieldsWriteStress_Private(FieldWriter *writer, Fields fields)
 {
   static const struct {
     Quantity quantity;
     void (*of)(const PetscReal stress[6], PetscReal values[]);
-  } told[]           = {{{"stress", 9, PETSC_FALSE}, Tensor_Private},
-                        {{"von_mises", 1, PETSC_FALSE}, VonMises_Private},
+  } told[]           = {{{"stress", 9, PETSC_FALSE}, BodyFieldsGetTensor_Private},
+                        {{"von_mises", 1, PETSC_FALSE}, BodyFieldsGetVonMises_Private},
                         {{"principal", 3, PETSC_FALSE}, MaterialPrincipal}};
   const PetscInt   n = fields->vi->level->num_owned;
   const PetscReal *stress;
@@ -75,7 +75,7 @@ static PetscErrorCode TellStress_Private(FieldWriter *writer, Fields fields)
 }
 
 /* The bodies as they are meshed. [out] tags - pieces of all cells, on the first rank; owned by the caller */
-static PetscErrorCode TellMesh_Private(FieldWriter *writer, VI vi, PetscReal **tags)
+static PetscErrorCode BodyFieldsWriteMesh_Private(FieldWriter *writer, VI vi, PetscReal **tags)
 {
   const Level   *level = vi->level;
   const PetscInt size  = level->cell_start[level->num_cells];
@@ -100,7 +100,7 @@ static PetscErrorCode TellMesh_Private(FieldWriter *writer, VI vi, PetscReal **t
 }
 
 /* The body of each cell, and where one is of several pieces the piece. */
-static PetscErrorCode TellCells_Private(FieldWriter *writer, VI vi, const PetscReal tags[])
+static PetscErrorCode BodyFieldsWriteCells_Private(FieldWriter *writer, VI vi, const PetscReal tags[])
 {
   const Components *pieces = &vi->rigid_modes.components;
   const PetscInt    num    = writer->rank == 0 ? writer->num_cells : 0;
@@ -122,13 +122,13 @@ PetscErrorCode BodyFieldsWrite(FieldWriter *writer, Fields fields)
   PetscReal       *tags;
 
   PetscFunctionBeginUser;
-  PetscCall(TellMesh_Private(writer, fields->vi, &tags));
+  PetscCall(BodyFieldsWriteMesh_Private(writer, fields->vi, &tags));
   PetscCall(VecGetArrayRead(fields->u, &u));
   PetscCall(FieldWriterPoints(writer, (Quantity){"displacement", 3, PETSC_FALSE}, fields->vi->level->dim, u));
   PetscCall(VecRestoreArrayRead(fields->u, &u));
-  PetscCall(TellStress_Private(writer, fields));
-  PetscCall(TellContact_Private(writer, fields));
-  PetscCall(TellCells_Private(writer, fields->vi, tags));
+  PetscCall(BodyFieldsWriteStress_Private(writer, fields));
+  PetscCall(BodyFieldsWriteContact_Private(writer, fields));
+  PetscCall(BodyFieldsWriteCells_Private(writer, fields->vi, tags));
   PetscCall(PetscFree(tags));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -139,7 +139,7 @@ PetscErrorCode BodyFieldsWriteMotion(FieldWriter *writer, VI vi, const SceneMoti
   PetscReal   *u, *tags;
 
   PetscFunctionBeginUser;
-  PetscCall(TellMesh_Private(writer, vi, &tags));
+  PetscCall(BodyFieldsWriteMesh_Private(writer, vi, &tags));
   PetscCall(PetscCalloc1(level->num_owned * level->dim, &u));
   for (PetscInt i = 0; i < motion->num; i++) {
     for (PetscInt a = 0; a < level->num_owned; a++)
@@ -148,7 +148,7 @@ PetscErrorCode BodyFieldsWriteMotion(FieldWriter *writer, VI vi, const SceneMoti
   }
   PetscCall(FieldWriterPoints(writer, (Quantity){"motion", 3, PETSC_FALSE}, level->dim, u));
   PetscCall(PetscFree(u));
-  PetscCall(TellCells_Private(writer, vi, tags));
+  PetscCall(BodyFieldsWriteCells_Private(writer, vi, tags));
   PetscCall(PetscFree(tags));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -36,14 +36,14 @@ typedef struct {
   const SideNode *first;
 } SidePiece;
 
-static int CompareNode_Private(const void *a, const void *b)
+static int CSVCompareNode_Private(const void *a, const void *b)
 {
   const SideNode *p = (const SideNode *)a, *q = (const SideNode *)b;
 
   return (p->node > q->node) - (p->node < q->node);
 }
 
-static int ComparePlace_Private(const void *a, const void *b)
+static int CSVComparePlace_Private(const void *a, const void *b)
 {
   const SideNode *p = (const SideNode *)a, *q = (const SideNode *)b;
 
@@ -53,14 +53,14 @@ static int ComparePlace_Private(const void *a, const void *b)
   return 0;
 }
 
-static int ComparePiece_Private(const void *a, const void *b)
+static int CSVCompareChain_Private(const void *a, const void *b)
 {
-  return ComparePlace_Private(((const SidePiece *)a)->first, ((const SidePiece *)b)->first);
+  return CSVComparePlace_Private(((const SidePiece *)a)->first, ((const SidePiece *)b)->first);
 }
 
 /* Gathers the nodes of the side on the first rank, sorted by global number. */
-static PetscErrorCode GatherNodes_Private(Fields fields, PetscInt p, const Facets *facets, PetscInt *num,
-                                          SideNode **nodes)
+static PetscErrorCode CSVGatherNodes_Private(Fields fields, PetscInt p, const Facets *facets, PetscInt *num,
+                                             SideNode **nodes)
 {
   Level         *level = fields->vi->level;
   const PetscInt dim   = level->dim;
@@ -97,13 +97,13 @@ static PetscErrorCode GatherNodes_Private(Fields fields, PetscInt p, const Facet
 }
 
 /* Local node k of a line facet in the order in which one walks along it: ends are numbered first. */
-static PetscInt NodeAlong_Private(PetscInt num_nodes, PetscInt k)
+static PetscInt CSVNextNode_Private(PetscInt num_nodes, PetscInt k)
 {
   return k == 0 ? 0 : (k == num_nodes - 1 ? 1 : k + 1);
 }
 
 /* Length of a line facet between two reference coordinates. [in] X - [num_nodes][2] */
-static PetscReal Length_Private(ElementType type, const PetscReal X[], PetscReal from, PetscReal to)
+static PetscReal CSVGetLength_Private(ElementType type, const PetscReal X[], PetscReal from, PetscReal to)
 {
   PetscReal xi[LENGTH_POINTS], w[LENGTH_POINTS], phi[ELEMENT_MAX_FACET_NODES], length = 0.0;
 
@@ -116,9 +116,9 @@ static PetscReal Length_Private(ElementType type, const PetscReal X[], PetscReal
   return length;
 }
 
-/* Links of all facets, on the first rank. [out] links - owned by the caller, LinksDestroy_Private() */
-static PetscErrorCode LinksCreate_Private(const Level *level, const Facets *facets, PetscInt num_nodes,
-                                          const SideNode nodes[], SideLinks *links)
+/* Links of all facets, on the first rank. [out] links - owned by the caller, CSVDestroyLinks_Private() */
+static PetscErrorCode CSVCreateLinks_Private(const Level *level, const Facets *facets, PetscInt num_nodes,
+                                             const SideNode nodes[], SideLinks *links)
 {
   PetscInt  *ends, n = 0;
   PetscReal *lengths;
@@ -133,11 +133,11 @@ static PetscErrorCode LinksCreate_Private(const Level *level, const Facets *face
 
     for (PetscInt i = 0; i < nn; i++) PetscCall(PetscArraycpy(&X[2 * i], &level->coords[2 * node[i]], 2));
     for (PetscInt k = 0; k + 1 < nn; k++) {
-      const PetscInt a = NodeAlong_Private(nn, k), b = NodeAlong_Private(nn, k + 1);
+      const PetscInt a = CSVNextNode_Private(nn, k), b = CSVNextNode_Private(nn, k + 1);
 
       ends[2 * n]     = level->node_global[node[a]];
       ends[2 * n + 1] = level->node_global[node[b]];
-      lengths[n++]    = Length_Private(type, X, ElementNode(type, a)[0], ElementNode(type, b)[0]);
+      lengths[n++]    = CSVGetLength_Private(type, X, ElementNode(type, a)[0], ElementNode(type, b)[0]);
     }
   }
   PetscCall(GatherArraysInt(level->comm, 2 * n, ends, NULL, &links->ends));
@@ -145,14 +145,14 @@ static PetscErrorCode LinksCreate_Private(const Level *level, const Facets *face
   PetscCall(PetscFree2(ends, lengths));
   for (PetscInt i = 0; i < 2 * links->num; i++) {
     const SideNode  key   = {.node = links->ends[i]};
-    const SideNode *found = (const SideNode *)bsearch(&key, nodes, num_nodes, sizeof(key), CompareNode_Private);
+    const SideNode *found = (const SideNode *)bsearch(&key, nodes, num_nodes, sizeof(key), CSVCompareNode_Private);
 
     links->ends[i] = (PetscInt)(found - nodes);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode LinksDestroy_Private(SideLinks *links)
+static PetscErrorCode CSVDestroyLinks_Private(SideLinks *links)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree(links->ends));
@@ -161,7 +161,7 @@ static PetscErrorCode LinksDestroy_Private(SideLinks *links)
 }
 
 /* Walks along next[] from `start` until the end, or until it is back; returns the number of nodes. */
-static PetscInt Walk_Private(PetscInt start, PetscInt next[], PetscInt order[])
+static PetscInt CSVFollowChain_Private(PetscInt start, PetscInt next[], PetscInt order[])
 {
   PetscInt n = 0, at = start;
 
@@ -176,23 +176,23 @@ static PetscInt Walk_Private(PetscInt start, PetscInt next[], PetscInt order[])
 }
 
 /* The node of a closed chain that comes first by its place, whichever node of it was found. */
-static PetscInt FirstOfCircle_Private(PetscInt start, const PetscInt next[], const SideNode nodes[])
+static PetscInt CSVFindFirstOfLoop_Private(PetscInt start, const PetscInt next[], const SideNode nodes[])
 {
   PetscInt first = start;
 
   for (PetscInt at = next[start]; at != start; at = next[at]) {
-    if (ComparePlace_Private(&nodes[at], &nodes[first]) < 0) first = at;
+    if (CSVComparePlace_Private(&nodes[at], &nodes[first]) < 0) first = at;
   }
   return first;
 }
 
 /* Enters the chain from `start` as a piece; an open one is turned so that it starts at the end that comes first.
    [in] step - length of the link that leaves each node [num_nodes] */
-static void AddPiece_Private(PetscInt start, PetscBool open, PetscInt next[], const PetscReal step[], SideNode nodes[],
-                             PetscInt order[], SidePiece *piece)
+static void CSVAddChain_Private(PetscInt start, PetscBool open, PetscInt next[], const PetscReal step[],
+                                SideNode nodes[], PetscInt order[], SidePiece *piece)
 {
-  PetscInt *const rows = &order[piece->begin], n = Walk_Private(start, next, rows);
-  const PetscBool turn = (PetscBool)(open && ComparePlace_Private(&nodes[rows[n - 1]], &nodes[rows[0]]) < 0);
+  PetscInt *const rows = &order[piece->begin], n = CSVFollowChain_Private(start, next, rows);
+  const PetscBool turn = (PetscBool)(open && CSVComparePlace_Private(&nodes[rows[n - 1]], &nodes[rows[0]]) < 0);
 
   for (PetscInt a = 0, b = n - 1; turn && a < b; a++, b--) {
     const PetscInt swap = rows[a];
@@ -207,8 +207,8 @@ static void AddPiece_Private(PetscInt start, PetscBool open, PetscInt next[], co
 
 /* Orders nodes by chains; every node is in exactly one. [in,out] nodes - their arc lengths are entered [num_nodes];
    [out] order - [num_nodes]; [out] pieces - [num_pieces] */
-static PetscErrorCode OrderChains_Private(PetscInt num_nodes, SideNode nodes[], const SideLinks *links,
-                                          PetscInt order[], PetscInt *num_pieces, SidePiece pieces[])
+static PetscErrorCode CSVOrderChains_Private(PetscInt num_nodes, SideNode nodes[], const SideLinks *links,
+                                             PetscInt order[], PetscInt *num_pieces, SidePiece pieces[])
 {
   PetscInt  *next, *entered, n = 0;
   PetscReal *step;
@@ -227,20 +227,21 @@ static PetscErrorCode OrderChains_Private(PetscInt num_nodes, SideNode nodes[], 
   for (PetscInt i = 0; i < num_nodes; i++) {
     if (entered[i] >= 0) continue;
     pieces[n].begin = n ? pieces[n - 1].end : 0;
-    AddPiece_Private(i, PETSC_TRUE, next, step, nodes, order, &pieces[n++]);
+    CSVAddChain_Private(i, PETSC_TRUE, next, step, nodes, order, &pieces[n++]);
   }
   for (PetscInt i = 0; i < num_nodes; i++) { /* what is left are circles */
     if (next[i] < 0) continue;
     pieces[n].begin = n ? pieces[n - 1].end : 0;
-    AddPiece_Private(FirstOfCircle_Private(i, next, nodes), PETSC_FALSE, next, step, nodes, order, &pieces[n++]);
+    CSVAddChain_Private(CSVFindFirstOfLoop_Private(i, next, nodes), PETSC_FALSE, next, step, nodes, order,
+                        &pieces[n++]);
   }
   *num_pieces = n;
-  if (n) qsort(pieces, n, sizeof(*pieces), ComparePiece_Private);
+  if (n) qsort(pieces, n, sizeof(*pieces), CSVCompareChain_Private);
   PetscCall(PetscFree3(next, entered, step));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static void WriteRow_Private(FILE *out, PetscInt dim, const SideNode *node)
+static void CSVWriteRow_Private(FILE *out, PetscInt dim, const SideNode *node)
 {
   for (PetscInt k = 0; k < dim; k++) fprintf(out, "%.17g,", (double)node->x[k]);
   fprintf(out, "%.17g,", (double)node->pressure);
@@ -253,13 +254,13 @@ static void WriteRow_Private(FILE *out, PetscInt dim, const SideNode *node)
 }
 
 /* Writes pieces one after the other, the arc length of each counted from 0. */
-static void WritePieces_Private(FILE *out, const SideNode nodes[], const PetscInt order[], PetscInt num_pieces,
-                                const SidePiece pieces[])
+static void CSVWriteChains_Private(FILE *out, const SideNode nodes[], const PetscInt order[], PetscInt num_pieces,
+                                   const SidePiece pieces[])
 {
   fprintf(out, "x,y,pressure,gap,status,force,arc_length\n");
   for (PetscInt i = 0; i < num_pieces; i++) {
     for (PetscInt r = pieces[i].begin; r < pieces[i].end; r++) {
-      WriteRow_Private(out, 2, &nodes[order[r]]);
+      CSVWriteRow_Private(out, 2, &nodes[order[r]]);
       fprintf(out, ",%.17g\n", (double)nodes[order[r]].arc);
     }
   }
@@ -280,25 +281,25 @@ PetscErrorCode CSVWritePair(Fields fields, PetscInt p, FileSet *files, const cha
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_rank(level->comm, &rank));
   PetscCall(LevelGetFacets(level, fields->vi->scene, side->body, side->side, &facets));
-  PetscCall(GatherNodes_Private(fields, p, &facets, &num_nodes, &nodes));
-  if (level->dim == 2) PetscCall(LinksCreate_Private(level, &facets, num_nodes, nodes, &links));
+  PetscCall(CSVGatherNodes_Private(fields, p, &facets, &num_nodes, &nodes));
+  if (level->dim == 2) PetscCall(CSVCreateLinks_Private(level, &facets, num_nodes, nodes, &links));
   if (rank == 0) PetscCall(FileSetOpen(files, final, &out));
   if (out && level->dim == 2) {
     PetscCall(PetscMalloc2(num_nodes, &order, num_nodes, &pieces));
-    PetscCall(OrderChains_Private(num_nodes, nodes, &links, order, &num_pieces, pieces));
-    WritePieces_Private(out, nodes, order, num_pieces, pieces);
+    PetscCall(CSVOrderChains_Private(num_nodes, nodes, &links, order, &num_pieces, pieces));
+    CSVWriteChains_Private(out, nodes, order, num_pieces, pieces);
     PetscCall(PetscFree2(order, pieces));
   } else if (out) { /* a surface has no natural order but that of its places */
     fprintf(out, "x,y,z,pressure,gap,status,force\n");
-    qsort(nodes, num_nodes, sizeof(*nodes), ComparePlace_Private);
+    qsort(nodes, num_nodes, sizeof(*nodes), CSVComparePlace_Private);
     for (PetscInt i = 0; i < num_nodes; i++) {
-      WriteRow_Private(out, 3, &nodes[i]);
+      CSVWriteRow_Private(out, 3, &nodes[i]);
       fprintf(out, "\n");
     }
   }
   PetscCall(FileSetClose(files, &out));
   PetscCall(PetscFree(nodes));
-  PetscCall(LinksDestroy_Private(&links));
+  PetscCall(CSVDestroyLinks_Private(&links));
   PetscCall(FacetsDestroy(&facets));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

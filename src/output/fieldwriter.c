@@ -27,8 +27,8 @@ PetscErrorCode FieldWriterClose(FieldWriter *writer)
 }
 
 /* Values of all points on the first rank, NULL elsewhere. [out] spare - what is to be freed */
-static PetscErrorCode GatherPoints_Private(const FieldWriter *writer, PetscInt from, PetscInt to,
-                                           const PetscReal mine[], const PetscReal **all, PetscReal **spare)
+static PetscErrorCode FieldWriterGatherPoints_Private(const FieldWriter *writer, PetscInt from, PetscInt to,
+                                                      const PetscReal mine[], const PetscReal **all, PetscReal **spare)
 {
   PetscReal  *padded = NULL, *gathered = NULL;
   PetscMPIInt ranks;
@@ -59,7 +59,7 @@ PetscErrorCode FieldWriterPoints(FieldWriter *writer, Quantity quantity, PetscIn
   PetscReal       *spare;
 
   PetscFunctionBeginUser;
-  PetscCall(GatherPoints_Private(writer, stride, quantity.components, mine, &all, &spare));
+  PetscCall(FieldWriterGatherPoints_Private(writer, stride, quantity.components, mine, &all, &spare));
   if (writer->out) PetscCall(writer->format->point(writer, &quantity, all));
   writer->point[writer->num_point_quantities++] = quantity;
   PetscCall(PetscFree(spare));
@@ -75,7 +75,7 @@ PetscErrorCode FieldWriterCells(FieldWriter *writer, Quantity quantity, const Pe
 }
 
 /* Nodes of one cell in the order of viewers: that of element.h, but for the middles of facets of hex27. */
-static void ViewerOrder_Private(ElementType type, const PetscInt nodes[], PetscInt ordered[])
+static void FieldWriterGetVTKOrder_Private(ElementType type, const PetscInt nodes[], PetscInt ordered[])
 {
   /* left, right, front, back, below, above among below, above, front, right, back, left */
   static const PetscInt facet[6] = {5, 3, 2, 4, 0, 1};
@@ -85,7 +85,8 @@ static void ViewerOrder_Private(ElementType type, const PetscInt nodes[], PetscI
 }
 
 /* Gathers and sorts, by counting. [out] cells, tags - on the first rank, empty elsewhere; owned by the caller */
-static PetscErrorCode GatherCells_Private(MPI_Comm comm, const FieldMesh *part, SortedCells *cells, PetscReal **tags)
+static PetscErrorCode FieldWriterGatherCells_Private(MPI_Comm comm, const FieldMesh *part, SortedCells *cells,
+                                                     PetscReal **tags)
 {
   PetscInt *all_nodes, *all_types, *all_tags, *starts, num_cells, num_entries, size = 0, n = 0;
 
@@ -103,7 +104,7 @@ static PetscErrorCode GatherCells_Private(MPI_Comm comm, const FieldMesh *part, 
   for (PetscInt type = 0; type < ELEMENT_COUNT; type++) { /* stable */
     for (PetscInt c = 0; c < num_cells; c++) {
       if (all_types[c] != type) continue;
-      ViewerOrder_Private((ElementType)type, &all_nodes[starts[c]], &cells->nodes[cells->start[n]]);
+      FieldWriterGetVTKOrder_Private((ElementType)type, &all_nodes[starts[c]], &cells->nodes[cells->start[n]]);
       cells->start[n + 1] = cells->start[n] + starts[c + 1] - starts[c];
       cells->type[n]      = type;
       (*tags)[n++]        = (PetscReal)all_tags[c];
@@ -117,7 +118,8 @@ static PetscErrorCode GatherCells_Private(MPI_Comm comm, const FieldMesh *part, 
 }
 
 /* Global nodes of cells become positions among the points, where some nodes are none. */
-static PetscErrorCode NumberByPoints_Private(const FieldWriter *writer, const FieldMesh *part, SortedCells *cells)
+static PetscErrorCode FieldWriterNumberByPoints_Private(const FieldWriter *writer, const FieldMesh *part,
+                                                        SortedCells *cells)
 {
   PetscInt *ids, *all_ids, num;
   PetscBool some = (PetscBool)(part->global != NULL);
@@ -150,11 +152,11 @@ PetscErrorCode FieldWriterMesh(FieldWriter *writer, const FieldMesh *part, Petsc
   writer->num_mine   = part->num_points;
   writer->nodes      = part->nodes;
   if (writer->out) PetscCall(writer->format->begin(writer));
-  PetscCall(GatherPoints_Private(writer, part->dim, 3, part->coords, &positions, &spare));
+  PetscCall(FieldWriterGatherPoints_Private(writer, part->dim, 3, part->coords, &positions, &spare));
   if (writer->out) PetscCall(writer->format->points(writer, positions));
   PetscCall(PetscFree(spare));
-  PetscCall(GatherCells_Private(writer->comm, part, &cells, tags));
-  PetscCall(NumberByPoints_Private(writer, part, &cells));
+  PetscCall(FieldWriterGatherCells_Private(writer->comm, part, &cells, tags));
+  PetscCall(FieldWriterNumberByPoints_Private(writer, part, &cells));
   if (writer->out) PetscCall(writer->format->cells(writer, &cells));
   PetscCall(PetscFree3(cells.start, cells.nodes, cells.type));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -19,7 +19,7 @@ static const char PART[] = ".part"; /* in the name of a temporary file, before t
 static FileSet *unfinished; /* those that are being written, the latest first */
 
 /* Removes all temporary files. Signal handlers may call it: signals wait while lists change. */
-static void CleanUpFn(void)
+static void FileSetCleanUpFn(void)
 {
   for (const FileSet *files = unfinished; files; files = files->next) {
     for (PetscInt i = 0; i < files->num; i++) {
@@ -29,15 +29,15 @@ static void CleanUpFn(void)
 }
 
 /* To the list of unfinished ones, or off it. Signals wait. */
-static void FilesBegin_Private(FileSet *files)
+static void FileSetBegin_Private(FileSet *files)
 {
   if (files->capacity) return;
   files->next = unfinished;
   unfinished  = files;
-  InterruptSetCleanUp(CleanUpFn);
+  InterruptSetCleanUp(FileSetCleanUpFn);
 }
 
-static void FilesEnd_Private(FileSet *files)
+static void FileSetEnd_Private(FileSet *files)
 {
   for (FileSet **place = &unfinished; *place; place = &(*place)->next) {
     if (*place != files) continue;
@@ -48,7 +48,7 @@ static void FilesEnd_Private(FileSet *files)
 
 /* Makes the folders above path that are missing. Returns 0 or errno; *first_made = length of the path of the topmost folder
    made, 0 if there was none. */
-static int FoldersCreate_Private(const char path[], size_t *first_made)
+static int FileSetCreateFolders_Private(const char path[], size_t *first_made)
 {
   char folder[PETSC_MAX_PATH_LEN];
 
@@ -67,8 +67,8 @@ static int FoldersCreate_Private(const char path[], size_t *first_made)
   return 0;
 }
 
-/* Removes the folders that FoldersCreate_Private() made for path, as long as they are empty. */
-static void FoldersRemove_Private(const char path[], size_t first_made)
+/* Removes the folders that FileSetCreateFolders_Private() made for path, as long as they are empty. */
+static void FileSetRemoveFolders_Private(const char path[], size_t first_made)
 {
   char folder[PETSC_MAX_PATH_LEN];
 
@@ -82,7 +82,7 @@ static void FoldersRemove_Private(const char path[], size_t first_made)
 }
 
 /* The name a file has while it is written: beside the final one, so that renaming never crosses a file system. */
-static PetscErrorCode TemporaryName_Private(const char final[], char **name)
+static PetscErrorCode FileSetGetTemporaryName_Private(const char final[], char **name)
 {
   const size_t len = strlen(final) + 32;
 
@@ -94,7 +94,7 @@ static PetscErrorCode TemporaryName_Private(const char final[], char **name)
 
 /* Whether a process is at work. One that was killed keeps its number until somebody has asked for its exit code, which may take a while: a
    system that tells the states of processes says 'Z' of it. */
-static PetscBool IsAtWork_Private(long process)
+static PetscBool FileSetProcessExists_Private(long process)
 {
   char        path[64], text[PETSC_MAX_PATH_LEN] = "";
   const char *state;
@@ -112,7 +112,7 @@ static PetscBool IsAtWork_Private(long process)
 }
 
 /* Whether a name is that of a temporary file of `base` whose process is no more. */
-static PetscBool IsLeftover_Private(const char name[], const char base[])
+static PetscBool FileSetIsLeftover_Private(const char name[], const char base[])
 {
   const size_t len = strlen(base);
   char        *end;
@@ -122,11 +122,11 @@ static PetscBool IsLeftover_Private(const char name[], const char base[])
   name += len + sizeof(PART) - 1;
   if (!isdigit((unsigned char)*name)) return PETSC_FALSE;
   process = strtol(name, &end, 10);
-  return (PetscBool)(!*end && process > 0 && !IsAtWork_Private(process));
+  return (PetscBool)(!*end && process > 0 && !FileSetProcessExists_Private(process));
 }
 
 /* Removes what killed processes have left of a file. */
-static void LeftoversRemove_Private(const char final[])
+static void FileSetRemoveLeftovers_Private(const char final[])
 {
   char  path[PETSC_MAX_PATH_LEN + NAME_MAX + 2];
   char *slash;
@@ -140,7 +140,7 @@ static void LeftoversRemove_Private(const char final[])
   for (const struct dirent *entry = readdir(folder); entry; entry = readdir(folder)) {
     const char *base = strrchr(final, '/');
 
-    if (!IsLeftover_Private(entry->d_name, base ? base + 1 : final)) continue;
+    if (!FileSetIsLeftover_Private(entry->d_name, base ? base + 1 : final)) continue;
     snprintf(path, sizeof(path), "%.*s%s", base ? (int)(base + 1 - final) : 0, final, entry->d_name);
     (void)unlink(path);
   }
@@ -160,10 +160,10 @@ PetscErrorCode FileSetFail(FileSet *files, const char path[], int error)
 }
 
 /* Appends a file, which has no temporary name yet. Signals wait. */
-static PetscErrorCode FilesAppend_Private(FileSet *files, const char final[], size_t made)
+static PetscErrorCode FileSetAppend_Private(FileSet *files, const char final[], size_t made)
 {
   PetscFunctionBeginUser;
-  FilesBegin_Private(files);
+  FileSetBegin_Private(files);
   if (files->num == files->capacity) {
     files->capacity = 2 * files->capacity + 4;
     PetscCall(PetscRealloc(files->capacity * sizeof(char *), &files->final));
@@ -184,15 +184,15 @@ PetscErrorCode FileSetAdd(FileSet *files, const char final[], const char **tempo
   PetscFunctionBeginUser;
   *temporary = NULL;
   if (files->failure[0]) PetscFunctionReturn(PETSC_SUCCESS);
-  error = FoldersCreate_Private(final, &made);
+  error = FileSetCreateFolders_Private(final, &made);
   if (error) {
     PetscCall(FileSetFail(files, final, error));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  LeftoversRemove_Private(final);
+  FileSetRemoveLeftovers_Private(final);
   InterruptHold();
-  PetscCall(FilesAppend_Private(files, final, made));
-  PetscCall(TemporaryName_Private(final, &files->temporary[files->num - 1]));
+  PetscCall(FileSetAppend_Private(files, final, made));
+  PetscCall(FileSetGetTemporaryName_Private(final, &files->temporary[files->num - 1]));
   InterruptRelease();
   *temporary = files->temporary[files->num - 1];
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -202,7 +202,7 @@ PetscErrorCode FileSetRemove(FileSet *files, const char final[])
 {
   PetscFunctionBeginUser;
   InterruptHold();
-  PetscCall(FilesAppend_Private(files, final, 0));
+  PetscCall(FileSetAppend_Private(files, final, 0));
   InterruptRelease();
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -234,7 +234,7 @@ PetscErrorCode FileSetClose(FileSet *files, FILE **file)
 }
 
 /* Removes the file of a name; that there is none is as good. Folders cannot be removed, and so not be replaced. */
-static PetscErrorCode FileRemove_Private(FileSet *files, const char path[])
+static PetscErrorCode FileSetRemoveFile_Private(FileSet *files, const char path[])
 {
   PetscFunctionBeginUser;
   if (unlink(path) && errno != ENOENT) PetscCall(FileSetFail(files, path, errno));
@@ -243,7 +243,7 @@ static PetscErrorCode FileRemove_Private(FileSet *files, const char path[])
 
 /* Whether a name is that of a device, a pipe or a socket, or leads to one, or to a stream of a process: a file that is renamed would take its
    place, and of /dev/null that of everybody's. */
-static PetscBool IsSpecial_Private(const char path[])
+static PetscBool FileSetIsSpecialFile_Private(const char path[])
 {
   static const char streams[] = "/proc/";
   struct stat       info;
@@ -254,7 +254,7 @@ static PetscBool IsSpecial_Private(const char path[])
 }
 
 /* Gives all files their names, the mark last. */
-static PetscErrorCode FilesRename_Private(FileSet *files)
+static PetscErrorCode FileSetRename_Private(FileSet *files)
 {
   struct stat info;
 
@@ -263,14 +263,14 @@ static PetscErrorCode FilesRename_Private(FileSet *files)
     if (!files->temporary[i]) continue;
     if (stat(files->final[i], &info) == 0 && S_ISDIR(info.st_mode))
       PetscCall(FileSetFail(files, files->final[i], EISDIR));
-    if (IsSpecial_Private(files->final[i])) PetscCall(FileSetFail(files, files->final[i], EEXIST));
+    if (FileSetIsSpecialFile_Private(files->final[i])) PetscCall(FileSetFail(files, files->final[i], EEXIST));
     if (access(files->temporary[i], F_OK)) PetscCall(FileSetFail(files, files->temporary[i], errno));
   }
-  if (files->num > 1 && !files->failure[0]) PetscCall(FileRemove_Private(files, files->final[files->num - 1]));
+  if (files->num > 1 && !files->failure[0]) PetscCall(FileSetRemoveFile_Private(files, files->final[files->num - 1]));
   for (PetscInt i = 0; i < files->num && !files->failure[0]; i++) {
     if (!files->temporary[i]) {
       if (stat(files->final[i], &info) || S_ISREG(info.st_mode)) // a folder of that name is no file of an earlier run
-        PetscCall(FileRemove_Private(files, files->final[i]));
+        PetscCall(FileSetRemoveFile_Private(files, files->final[i]));
     } else if (rename(files->temporary[i], files->final[i]))
       PetscCall(FileSetFail(files, files->temporary[i], errno));
   }
@@ -283,13 +283,13 @@ PetscErrorCode FileSetFinish(MPI_Comm comm, FileSet *files)
 
   PetscFunctionBeginUser;
   InterruptHold();
-  if (!files->failure[0]) PetscCall(FilesRename_Private(files));
-  FilesEnd_Private(files);
+  if (!files->failure[0]) PetscCall(FileSetRename_Private(files));
+  FileSetEnd_Private(files);
   for (PetscInt i = 0; i < files->num; i++) {
     if (files->failure[0] && files->temporary[i]) unlink(files->temporary[i]);
   }
   for (PetscInt i = 0; i < files->num; i++) {
-    if (files->failure[0]) FoldersRemove_Private(files->final[i], files->made[i]);
+    if (files->failure[0]) FileSetRemoveFolders_Private(files->final[i], files->made[i]);
     PetscCall(PetscFree(files->final[i]));
     PetscCall(PetscFree(files->temporary[i]));
   }
@@ -305,7 +305,7 @@ PetscErrorCode FileSetFinish(MPI_Comm comm, FileSet *files)
 }
 
 /* Tries to make a file beside path; returns 0 or errno, and leaves nothing behind. */
-static int TryWrite_Private(const char path[], const char temporary[])
+static int FileSetTryWrite_Private(const char path[], const char temporary[])
 {
   struct stat info;
   size_t      made;
@@ -314,7 +314,7 @@ static int TryWrite_Private(const char path[], const char temporary[])
 
   if (stat(path, &info) == 0 && S_ISDIR(info.st_mode)) return EISDIR;
   if (access(path, W_OK) && errno != ENOENT && errno != ENOTDIR) return errno; // who protects a file wants to keep it
-  error = FoldersCreate_Private(path, &made);
+  error = FileSetCreateFolders_Private(path, &made);
   if (!error) {
     file = fopen(temporary, "wb");
     if (file) {
@@ -324,7 +324,7 @@ static int TryWrite_Private(const char path[], const char temporary[])
       error = errno;
     }
   }
-  FoldersRemove_Private(path, made);
+  FileSetRemoveFolders_Private(path, made);
   return error;
 }
 
@@ -338,14 +338,14 @@ PetscErrorCode FileSetCheck(MPI_Comm comm, const char option[], const char path[
   if (rank == 0) {
     int error;
 
-    PetscCall(TemporaryName_Private(path, &temporary));
+    PetscCall(FileSetGetTemporaryName_Private(path, &temporary));
     InterruptHold(); // nothing of the attempt is left behind
-    error = TryWrite_Private(path, temporary);
+    error = FileSetTryWrite_Private(path, temporary);
     InterruptRelease();
-    if (!error && IsSpecial_Private(path)) {
+    if (!error && FileSetIsSpecialFile_Private(path)) {
       PetscCall(PetscSNPrintf(sentence, sizeof(sentence),
-                              "%s: %s is a device, a pipe or a stream, whose place the file would take; name a file%s",
-                              option, path, strcmp(option, "-summary") ? "" : ", or - to print the summary"));
+                              "%s: %s is a device, a pipe or a stream and cannot be replaced; name a file%s", option,
+                              path, strcmp(option, "-summary") ? "" : ", or - to print the summary"));
     }
     if (error) {
       PetscCall(PetscSNPrintf(sentence, sizeof(sentence),

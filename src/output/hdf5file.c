@@ -18,7 +18,7 @@ typedef struct {
 } Image;
 
 /* A text attribute, of variable length so that h5py gives a str; false on failure. */
-static PetscBool WriteAttribute_Private(hid_t where, const char name[], const char text[])
+static PetscBool HDF5FileWriteAttribute_Private(hid_t where, const char name[], const char text[])
 {
   const hid_t space = H5Screate(H5S_SCALAR), type = H5Tcopy(H5T_C_S1);
   hid_t       attribute;
@@ -42,7 +42,7 @@ typedef struct {
 } Dataset;
 
 /* False on failure. */
-static PetscBool WriteDataset_Private(hid_t file, const Dataset *data)
+static PetscBool HDF5FileWriteDataset_Private(hid_t file, const Dataset *data)
 {
   const hsize_t shape[2] = {(hsize_t)data->rows, (hsize_t)data->columns};
   const hid_t   space    = H5Screate_simple(data->columns == 1 ? 1 : 2, shape, NULL);
@@ -50,14 +50,14 @@ static PetscBool WriteDataset_Private(hid_t file, const Dataset *data)
   PetscBool     good     = (PetscBool)(set >= 0);
 
   if (good) good = (PetscBool)(H5Dwrite(set, data->memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data->values) >= 0);
-  if (good) good = WriteAttribute_Private(set, "about", data->about);
+  if (good) good = HDF5FileWriteAttribute_Private(set, "about", data->about);
   if (set >= 0 && H5Dclose(set) < 0) good = PETSC_FALSE;
   H5Sclose(space);
   return good;
 }
 
 /* What a reader has to know about a quantity. */
-static const char *About_Private(const char name[])
+static const char *HDF5FileGetUnit_Private(const char name[])
 {
   static const char *const table[][2] = {
       {"points", "positions before the motion: x, y, z"},
@@ -80,12 +80,13 @@ static const char *About_Private(const char name[])
 }
 
 /* rows of a quantity, unless something failed before. */
-static void WriteQuantity_Private(Image *image, PetscInt rows, const Quantity *quantity, const PetscReal values[])
+static void HDF5FileWriteQuantity_Private(Image *image, PetscInt rows, const Quantity *quantity,
+                                          const PetscReal values[])
 {
   image->good = (PetscBool)(image->good &&
-                            WriteDataset_Private(
+                            HDF5FileWriteDataset_Private(
                                 image->file, &(Dataset){.name    = quantity->name,
-                                                        .about   = About_Private(quantity->name),
+                                                        .about   = HDF5FileGetUnit_Private(quantity->name),
                                                         .rows    = rows,
                                                         .columns = quantity->components,
                                                         .memory  = H5T_NATIVE_DOUBLE,
@@ -93,7 +94,7 @@ static void WriteQuantity_Private(Image *image, PetscInt rows, const Quantity *q
                                                         .values  = values}));
 }
 
-static PetscErrorCode HDF5Begin_Private(FieldWriter *writer)
+static PetscErrorCode HDF5FileBegin_Private(FieldWriter *writer)
 {
   Image *image;
 
@@ -104,21 +105,22 @@ static PetscErrorCode HDF5Begin_Private(FieldWriter *writer)
   image->sink.file = fileno(writer->out);
   image->access    = HDF5DriverCreate(&image->sink);
   image->file      = image->access < 0 ? -1 : H5Fcreate(writer->base, H5F_ACC_TRUNC, H5P_DEFAULT, image->access);
-  image->good      = (PetscBool)(image->file >= 0 && WriteAttribute_Private(image->file, "title", writer->title) &&
-                            WriteAttribute_Private(image->file, "creator", "mortise " MORTISE_VERSION) &&
-                            WriteAttribute_Private(image->file, "units",
-                                                        "those of the scene: whatever consistent set it was given in"));
+  image->good = (PetscBool)(image->file >= 0 && HDF5FileWriteAttribute_Private(image->file, "title", writer->title) &&
+                            HDF5FileWriteAttribute_Private(image->file, "creator", "mortise " MORTISE_VERSION) &&
+                            HDF5FileWriteAttribute_Private(
+                                image->file, "units", "those of the scene: whatever consistent set it was given in"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode HDF5Points_Private(FieldWriter *writer, const PetscReal positions[])
+static PetscErrorCode HDF5FilePoints_Private(FieldWriter *writer, const PetscReal positions[])
 {
   PetscFunctionBeginUser;
-  WriteQuantity_Private((Image *)writer->data, writer->num_points, &(Quantity){"points", 3, PETSC_FALSE}, positions);
+  HDF5FileWriteQuantity_Private((Image *)writer->data, writer->num_points, &(Quantity){"points", 3, PETSC_FALSE},
+                                positions);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode HDF5Cells_Private(FieldWriter *writer, const SortedCells *cells)
+static PetscErrorCode HDF5FileCells_Private(FieldWriter *writer, const SortedCells *cells)
 {
   Image    *image    = (Image *)writer->data;
   Topology *topology = &image->topology;
@@ -126,35 +128,35 @@ static PetscErrorCode HDF5Cells_Private(FieldWriter *writer, const SortedCells *
   PetscFunctionBeginUser;
   PetscCall(XDMFTopologyCreate(cells, topology));
   image->good = (PetscBool)(image->good &&
-                            WriteDataset_Private(image->file,
-                                                 &(Dataset){.name    = "cells",
-                                                            .about   = topology->columns == 1
-                                                                           ? "per cell: XDMF type number, then its points"
-                                                                           : "points of each cell",
-                                                            .rows    = topology->rows,
-                                                            .columns = topology->columns,
-                                                            .memory  = H5T_NATIVE_INT,
-                                                            .stored  = H5T_STD_I32LE,
-                                                            .values  = topology->values}));
+                            HDF5FileWriteDataset_Private(
+                                image->file, &(Dataset){.name    = "cells",
+                                                        .about   = topology->columns == 1
+                                                                       ? "per cell: XDMF type number, then its points"
+                                                                       : "points of each cell",
+                                                        .rows    = topology->rows,
+                                                        .columns = topology->columns,
+                                                        .memory  = H5T_NATIVE_INT,
+                                                        .stored  = H5T_STD_I32LE,
+                                                        .values  = topology->values}));
   PetscCall(XDMFTopologyDestroy(topology));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode HDF5Point_Private(FieldWriter *writer, const Quantity *quantity, const PetscReal values[])
+static PetscErrorCode HDF5FilePoint_Private(FieldWriter *writer, const Quantity *quantity, const PetscReal values[])
 {
   PetscFunctionBeginUser;
-  WriteQuantity_Private((Image *)writer->data, writer->num_points, quantity, values);
+  HDF5FileWriteQuantity_Private((Image *)writer->data, writer->num_points, quantity, values);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode HDF5Cell_Private(FieldWriter *writer, const Quantity *quantity, const PetscReal values[])
+static PetscErrorCode HDF5FileCell_Private(FieldWriter *writer, const Quantity *quantity, const PetscReal values[])
 {
   PetscFunctionBeginUser;
-  WriteQuantity_Private((Image *)writer->data, writer->num_cells, quantity, values);
+  HDF5FileWriteQuantity_Private((Image *)writer->data, writer->num_cells, quantity, values);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode HDF5End_Private(FieldWriter *writer)
+static PetscErrorCode HDF5FileEnd_Private(FieldWriter *writer)
 {
   Image *image = (Image *)writer->data;
   char   path[PETSC_MAX_PATH_LEN];
@@ -174,9 +176,9 @@ static PetscErrorCode HDF5End_Private(FieldWriter *writer)
 }
 
 const FieldFormat field_format_hdf5 = {.suffix = ".h5",
-                                       .begin  = HDF5Begin_Private,
-                                       .points = HDF5Points_Private,
-                                       .cells  = HDF5Cells_Private,
-                                       .point  = HDF5Point_Private,
-                                       .cell   = HDF5Cell_Private,
-                                       .end    = HDF5End_Private};
+                                       .begin  = HDF5FileBegin_Private,
+                                       .points = HDF5FilePoints_Private,
+                                       .cells  = HDF5FileCells_Private,
+                                       .point  = HDF5FilePoint_Private,
+                                       .cell   = HDF5FileCell_Private,
+                                       .end    = HDF5FileEnd_Private};

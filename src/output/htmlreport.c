@@ -22,7 +22,7 @@ static char      page_prefix[PETSC_MAX_PATH_LEN];
 static PetscBool page_quiet;
 
 /* The companion beside this program, else its name alone, which is then looked for in PATH. */
-static void Find_Private(char path[], size_t len)
+static void HTMLReportFindCompanion_Private(char path[], size_t len)
 {
   const ssize_t length = readlink("/proc/self/exe", path, len);
   char         *slash;
@@ -39,7 +39,7 @@ static void Find_Private(char path[], size_t len)
 }
 
 /* Reads to the end of a pipe and keeps what comes last, where a trace has its reason, without the blanks at its end. */
-static void Listen_Private(int pipe_end, char said[], size_t len)
+static void HTMLReportReadPipe_Private(int pipe_end, char said[], size_t len)
 {
   char    rest[SAID_LENGTH];
   size_t  kept = 0;
@@ -59,7 +59,7 @@ static void Listen_Private(int pipe_end, char said[], size_t len)
 
 /* Runs the companion to its end on one argument. Returns 0 or errno of its start; [out] said - what it printed,
    [out] status - as of waitpid() */
-static int Run_Private(char argument[], char said[], size_t len, int *status)
+static int HTMLReportRunCompanion_Private(char argument[], char said[], size_t len, int *status)
 {
   char                       program[PETSC_MAX_PATH_LEN];
   char                      *arguments[] = {program, argument, NULL};
@@ -68,7 +68,7 @@ static int Run_Private(char argument[], char said[], size_t len, int *status)
   posix_spawn_file_actions_t actions;
 
   said[0] = '\0';
-  Find_Private(program, sizeof(program));
+  HTMLReportFindCompanion_Private(program, sizeof(program));
   if (pipe(ends)) return errno;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -80,7 +80,7 @@ static int Run_Private(char argument[], char said[], size_t len, int *status)
   posix_spawn_file_actions_destroy(&actions);
   close(ends[1]);
   if (!error) {
-    Listen_Private(ends[0], said, len);
+    HTMLReportReadPipe_Private(ends[0], said, len);
     while (waitpid(child, status, 0) < 0) {
       if (errno == EINTR) continue;
       error = errno;
@@ -92,15 +92,15 @@ static int Run_Private(char argument[], char said[], size_t len, int *status)
 }
 
 /* Runs the companion; [out] why - one sentence without a full stop if it fails, else "". */
-static void Ask_Private(char argument[], char why[], size_t len)
+static void HTMLReportCallCompanion_Private(char argument[], char why[], size_t len)
 {
   char        said[SAID_LENGTH];
   const char *last;
-  int         status = 0, error = Run_Private(argument, said, sizeof(said), &status);
+  int         status = 0, error = HTMLReportRunCompanion_Private(argument, said, sizeof(said), &status);
 
   why[0] = '\0';
   if (error) {
-    snprintf(why, len, "%s cannot be started (%s); it belongs beside this program or in PATH, and needs python3",
+    snprintf(why, len, "%s cannot be started (%s); put it beside this program or in PATH, and install python3",
              COMPANION, strerror(error));
   } else if (WIFSIGNALED(status)) {
     snprintf(why, len, "%s was ended by a signal (%s)", COMPANION, strsignal(WTERMSIG(status)));
@@ -110,7 +110,7 @@ static void Ask_Private(char argument[], char why[], size_t len)
     if (!strncmp(last, COMPANION, strlen(COMPANION))) {
       snprintf(why, len, "%s", last);
     } else {
-      snprintf(why, len, "%s failed: %s", COMPANION, last[0] ? last : "it did not say why");
+      snprintf(why, len, "%s failed: %s", COMPANION, last[0] ? last : "it gave no reason");
     }
   }
 }
@@ -126,7 +126,7 @@ PetscErrorCode HTMLReportCheck(Scene scene)
   if (!scene->report) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCallMPI(MPI_Comm_rank(scene->comm, &rank));
   if (rank == 0) {
-    Ask_Private(check, why, sizeof(why));
+    HTMLReportCallCompanion_Private(check, why, sizeof(why));
     if (why[0]) PetscCall(PetscSNPrintf(sentence, sizeof(sentence), "-report: %s", why));
     PetscCall(PetscSNPrintf(page_prefix, sizeof(page_prefix), "%s", scene->output));
     page_quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
@@ -139,7 +139,7 @@ PetscErrorCode HTMLReportCheck(Scene scene)
 
 void HTMLReportGiveUp(const char why[])
 {
-  if (page_prefix[0]) fprintf(stderr, "mortise: -report: there is no page: %s\n", why);
+  if (page_prefix[0]) fprintf(stderr, "mortise: -report: no report was written: %s\n", why);
   page_prefix[0] = '\0';
 }
 
@@ -148,7 +148,7 @@ PetscBool HTMLReportWrite(void)
   char why[SAID_LENGTH + PETSC_MAX_PATH_LEN];
 
   if (!page_prefix[0]) return PETSC_TRUE;
-  Ask_Private(page_prefix, why, sizeof(why));
+  HTMLReportCallCompanion_Private(page_prefix, why, sizeof(why));
   if (why[0]) {
     fprintf(stderr, "mortise: -report: %s; all other results are complete\n", why);
     return PETSC_FALSE;

@@ -8,7 +8,7 @@
 /* An edge is straight if its middle is off by no more than this part of its length: files have some ten digits. */
 static const PetscReal STRAIGHT = 1e-9;
 
-static PetscErrorCode ViewBodies_Private(VI vi)
+static PetscErrorCode MeshViewPrintBodies_Private(VI vi)
 {
   const Scene    scene = vi->scene;
   const PetscInt nodes = vi->level->num_global;
@@ -24,17 +24,17 @@ static PetscErrorCode ViewBodies_Private(VI vi)
     char           pieces[64] = "";
 
     if (num > 1) PetscCall(PetscSNPrintf(pieces, sizeof(pieces), " in %" PetscInt_FMT " pieces", num));
-    PetscCall(PetscPrintf(
-        scene->comm, "    body %s: %" PetscInt_FMT " cells, %" PetscInt_FMT " nodes%s%s\n", scene->bodies[b].name,
-        counts[b].cells, counts[b].nodes, pieces,
-        vi->rigid_modes.floating[b] ? "; floating: its supports leave it free to move, contact has to hold it" : ""));
+    PetscCall(PetscPrintf(scene->comm, "    body %s: %" PetscInt_FMT " cells, %" PetscInt_FMT " nodes%s%s\n",
+                          scene->bodies[b].name, counts[b].cells, counts[b].nodes, pieces,
+                          vi->rigid_modes.floating[b] ? "; floating: supports leave rigid motions, contact must hold it"
+                                                      : ""));
   }
   PetscCall(PetscFree(counts));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* How bodies take their changes of volume, and why. */
-static PetscErrorCode ViewVolume_Private(VI vi)
+static PetscErrorCode MeshViewPrintDilatation_Private(VI vi)
 {
   static const char *const words[DILATATION_LOCKS] = {[DILATATION_MEAN] = "mean", [DILATATION_LINEAR] = "linear"};
   const Scene              scene                   = vi->scene;
@@ -48,7 +48,7 @@ static PetscErrorCode ViewVolume_Private(VI vi)
       if (!counts[b].cells[kind]) continue;
       PetscCall(PetscPrintf(scene->comm,
                             "    body %s: %s dilatation in each of %" PetscInt_FMT
-                            " cells: at a Poisson's ratio of %g they would lock if volume counted at every point\n",
+                            " cells: at Poisson's ratio %g they would lock without it\n",
                             scene->bodies[b].name, words[kind], counts[b].cells[kind], (double)counts[b].poisson));
     }
   }
@@ -56,7 +56,7 @@ static PetscErrorCode ViewVolume_Private(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode ViewPair_Private(VI vi, const Pair pair)
+static PetscErrorCode MeshViewPrintPair_Private(VI vi, const Pair pair)
 {
   const Scene      scene = vi->scene;
   const ScenePair *spec  = pair->spec;
@@ -73,15 +73,15 @@ static PetscErrorCode ViewPair_Private(VI vi, const Pair pair)
                           m->side, pair->num_facets_mortar));
   }
   PetscCall(PetscPrintf(scene->comm, "), reach %.6g%s\n", (double)pair->reach,
-                        spec->roles_open ? "; roles chosen by stiffness and mesh" : ""));
+                        spec->roles_open ? "; mortar side chosen by stiffness and mesh" : ""));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Whether a side that bends has its gaps measured from curves. [in] which - 0 nonmortar, 1 mortar */
-static PetscErrorCode ViewSide_Private(Scene scene, const Pair pair, PetscInt which)
+static PetscErrorCode MeshViewPrintSide_Private(Scene scene, const Pair pair, PetscInt which)
 {
   const SceneSide *side = which ? &pair->spec->mortar : &pair->spec->nonmortar;
-  const char      *how  = "taken for smooth, curved by its nodal normals";
+  const char      *how  = "treated as smooth, curved by its nodal normals";
 
   PetscFunctionBeginUser;
   if (side->body < 0 || !(pair->curve_error[which] > 0)) PetscFunctionReturn(PETSC_SUCCESS);
@@ -95,7 +95,7 @@ static PetscErrorCode ViewSide_Private(Scene scene, const Pair pair, PetscInt wh
 }
 
 /* Nodes of nonmortar sides that have no multiplier. */
-static PetscErrorCode ViewLeftNodes_Private(MPI_Comm comm, const Pair pair)
+static PetscErrorCode MeshViewPrintRemovedNodes_Private(MPI_Comm comm, const Pair pair)
 {
   PetscFunctionBeginUser;
   if (pair->num_uncovered) {
@@ -104,15 +104,16 @@ static PetscErrorCode ViewLeftNodes_Private(MPI_Comm comm, const Pair pair)
   }
   if (pair->num_removed) {
     PetscCall(PetscPrintf(comm,
-                          "    multipliers of %s at %" PetscInt_FMT " nodes: held along their normal, covered on a "
-                          "sliver, at the axis, or served by another pair; neighbours take over\n",
+                          "    multipliers of %s at %" PetscInt_FMT
+                          " nodes: fixed along their normal, covered on a sliver, on the axis, or part of another "
+                          "pair; neighbours carry the pressure\n",
                           pair->spec->name, pair->num_removed));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Whether some edge of each body bends: its middle node stands beside the mean of its ends. [out] bent - [num_bodies] */
-static PetscErrorCode FindBentEdges_Private(const Level *level, PetscInt num_bodies, PetscBool bent[])
+static PetscErrorCode MeshViewFindCurvedEdges_Private(const Level *level, PetscInt num_bodies, PetscBool bent[])
 {
   const PetscInt dim = level->dim;
 
@@ -141,19 +142,19 @@ static PetscErrorCode FindBentEdges_Private(const Level *level, PetscInt num_bod
 }
 
 /* Bodies of order 2 that could follow curves, from files that have none: their sides are polygons. */
-static PetscErrorCode ViewStraight_Private(VI vi)
+static PetscErrorCode MeshViewPrintStraightBodies_Private(VI vi)
 {
   const Scene scene = vi->scene;
   PetscBool  *bent;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(scene->num_bodies, &bent));
-  PetscCall(FindBentEdges_Private(vi->level, scene->num_bodies, bent));
+  PetscCall(MeshViewFindCurvedEdges_Private(vi->level, scene->num_bodies, bent));
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     const SceneBody *body = &scene->bodies[b];
 
     if (body->order == 1 || !body->mesh_file || body->map || bent[b]) continue;
-    PetscCall(PetscPrintf(scene->comm, "    curved edges of %s: its mesh file has none, sides remain polygons\n",
+    PetscCall(PetscPrintf(scene->comm, "    curved edges of %s: its mesh file has none, so sides are polygons\n",
                           body->name));
   }
   PetscCall(PetscFree(bent));
@@ -166,15 +167,15 @@ PetscErrorCode MeshViewPrint(VI vi, Solvability solvability)
   PetscInt    num_held = 0;
 
   PetscFunctionBeginUser;
-  PetscCall(ViewBodies_Private(vi));
-  PetscCall(ViewVolume_Private(vi));
+  PetscCall(MeshViewPrintBodies_Private(vi));
+  PetscCall(MeshViewPrintDilatation_Private(vi));
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
-    PetscCall(ViewPair_Private(vi, vi->pairs[p]));
-    for (PetscInt which = 0; which < 2; which++) PetscCall(ViewSide_Private(scene, vi->pairs[p], which));
+    PetscCall(MeshViewPrintPair_Private(vi, vi->pairs[p]));
+    for (PetscInt which = 0; which < 2; which++) PetscCall(MeshViewPrintSide_Private(scene, vi->pairs[p], which));
   }
   PetscCall(SceneViewLeftOut(scene));
-  PetscCall(ViewStraight_Private(vi));
-  for (PetscInt p = 0; p < vi->num_pairs; p++) PetscCall(ViewLeftNodes_Private(scene->comm, vi->pairs[p]));
+  PetscCall(MeshViewPrintStraightBodies_Private(vi));
+  for (PetscInt p = 0; p < vi->num_pairs; p++) PetscCall(MeshViewPrintRemovedNodes_Private(scene->comm, vi->pairs[p]));
   for (PetscInt b = 0; b < scene->num_bodies; b++) num_held += vi->rigid_modes.floating[b] ? 0 : 1;
   PetscCall(SolvabilityReportView(vi, solvability));
   if (num_held) {

@@ -13,8 +13,8 @@ struct _n_Output {
 };
 
 /* Path of one file of the scene's output; pair may be NULL. */
-static PetscErrorCode OutputPath_Private(Scene scene, const char pair[], const char suffix[],
-                                         char path[PETSC_MAX_PATH_LEN])
+static PetscErrorCode OutputGetPath_Private(Scene scene, const char pair[], const char suffix[],
+                                            char path[PETSC_MAX_PATH_LEN])
 {
   PetscFunctionBeginUser;
   PetscCall(
@@ -41,7 +41,7 @@ PetscErrorCode OutputCheck(Scene scene)
     for (PetscInt p = -1; p < scene->num_pairs; p++) { /* the bodies have no table, a pair has no summary */
       for (size_t i = p < 0 ? 0 : 1; i < (p < 0 ? num - 1 : num); i++) {
         if (!files[i]) continue;
-        PetscCall(OutputPath_Private(scene, p < 0 ? NULL : scene->pairs[p].name, files[i], path));
+        PetscCall(OutputGetPath_Private(scene, p < 0 ? NULL : scene->pairs[p].name, files[i], path));
         PetscCall(FileSetCheck(scene->comm, "-output", path));
       }
     }
@@ -60,7 +60,7 @@ typedef struct {
   PetscInt           pair;
 } Told;
 
-static PetscErrorCode Tell_Private(const Told *told, FieldWriter *writer)
+static PetscErrorCode OutputWriteFields_Private(const Told *told, FieldWriter *writer)
 {
   PetscFunctionBeginUser;
   if (!told->fields) {
@@ -75,7 +75,7 @@ static PetscErrorCode Tell_Private(const Told *told, FieldWriter *writer)
 
 /* A picture in the formats the scene wants. Collective.
    [in] first - the quantities that a viewer is to take first, as attributes of VTK's PointData */
-static PetscErrorCode AddPicture_Private(Output output, const Told *told, const char first[])
+static PetscErrorCode OutputAddFormats_Private(Output output, const Told *told, const char first[])
 {
   static const struct {
     OutputFormat       bit;
@@ -91,13 +91,13 @@ static PetscErrorCode AddPicture_Private(Output output, const Told *told, const 
     if (scene->formats & formats[i].bit) {
       FieldWriter writer = {.base = path, .title = pair ? pair : scene->title, .first = first, .files = &output->files};
 
-      PetscCall(OutputPath_Private(scene, pair, "", path));
+      PetscCall(OutputGetPath_Private(scene, pair, "", path));
       PetscCall(FieldWriterOpen(output->comm, formats[i].format, &writer));
-      PetscCall(Tell_Private(told, &writer));
+      PetscCall(OutputWriteFields_Private(told, &writer));
       PetscCall(FieldWriterClose(&writer));
     } else if (output->rank == 0) {
       for (PetscInt k = 0; k < 2 && formats[i].files[k]; k++) {
-        PetscCall(OutputPath_Private(scene, pair, formats[i].files[k], path));
+        PetscCall(OutputGetPath_Private(scene, pair, formats[i].files[k], path));
         PetscCall(FileSetRemove(&output->files, path));
       }
     }
@@ -120,20 +120,20 @@ PetscErrorCode OutputAddFields(Output output, Fields fields)
   char     path[PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
-  PetscCall(AddPicture_Private(output, &(Told){.vi = vi, .fields = fields, .pair = -1},
-                               "Vectors=\"displacement\" Tensors=\"stress\" Scalars=\"von_mises\""));
+  PetscCall(OutputAddFormats_Private(output, &(Told){.vi = vi, .fields = fields, .pair = -1},
+                                     "Vectors=\"displacement\" Tensors=\"stress\" Scalars=\"von_mises\""));
   if (output->rank == 0) PetscCall(StalePlotsRemove(&output->files, vi->scene->output));
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
-    PetscCall(OutputPath_Private(vi->scene, vi->pairs[p]->spec->name, ".csv", path));
+    PetscCall(OutputGetPath_Private(vi->scene, vi->pairs[p]->spec->name, ".csv", path));
     PetscCall(CSVWritePair(fields, p, &output->files, path));
-    PetscCall(AddPicture_Private(output, &(Told){.vi = vi, .fields = fields, .pair = p},
-                                 "Vectors=\"displacement\" Scalars=\"pressure\" Normals=\"normal\""));
+    PetscCall(OutputAddFormats_Private(output, &(Told){.vi = vi, .fields = fields, .pair = p},
+                                       "Vectors=\"displacement\" Scalars=\"pressure\" Normals=\"normal\""));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* All files of fields that an earlier run of the scene may have left. */
-static PetscErrorCode RemoveFields_Private(Output output, Scene scene)
+static PetscErrorCode OutputRemoveFields_Private(Output output, Scene scene)
 {
   const char *const suffixes[] = {".csv", ".h5", ".xdmf", ".vtu"}; // the bodies have no table
   char              path[PETSC_MAX_PATH_LEN];
@@ -142,7 +142,7 @@ static PetscErrorCode RemoveFields_Private(Output output, Scene scene)
   if (output->rank) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt p = -1; p < scene->num_pairs; p++) {
     for (size_t i = p < 0; i < PETSC_STATIC_ARRAY_LENGTH(suffixes); i++) {
-      PetscCall(OutputPath_Private(scene, p < 0 ? NULL : scene->pairs[p].name, suffixes[i], path));
+      PetscCall(OutputGetPath_Private(scene, p < 0 ? NULL : scene->pairs[p].name, suffixes[i], path));
       PetscCall(FileSetRemove(&output->files, path));
     }
   }
@@ -152,8 +152,8 @@ static PetscErrorCode RemoveFields_Private(Output output, Scene scene)
 PetscErrorCode OutputAddMotion(Output output, VI vi, const SceneMotion *motion)
 {
   PetscFunctionBeginUser;
-  PetscCall(RemoveFields_Private(output, vi->scene));
-  PetscCall(AddPicture_Private(output, &(Told){.vi = vi, .motion = motion, .pair = -1}, "Vectors=\"motion\""));
+  PetscCall(OutputRemoveFields_Private(output, vi->scene));
+  PetscCall(OutputAddFormats_Private(output, &(Told){.vi = vi, .motion = motion, .pair = -1}, "Vectors=\"motion\""));
   if (output->rank == 0) PetscCall(StalePlotsRemove(&output->files, vi->scene->output));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

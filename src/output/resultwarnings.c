@@ -14,7 +14,7 @@ static const PetscReal COARSE = 0.1;
 static const PetscReal OVERLAP_SHOWS = 0.1, CURVE_SHOWS = 0.1;
 
 /* Where contact pushes as if bodies overlapped that do not; nothing where that does not show. */
-static PetscErrorCode WarnBump_Private(const SummaryInput *in, PetscInt p)
+static PetscErrorCode SummaryWarnGapDiscontinuity_Private(const SummaryInput *in, PetscInt p)
 {
   const ScenePair *spec = in->vi->pairs[p]->spec;
   PetscBool        shows;
@@ -25,20 +25,20 @@ static PetscErrorCode WarnBump_Private(const SummaryInput *in, PetscInt p)
   PetscFunctionBeginUser;
   PetscCall(GapDiscontinuityFind(in->fields, p, &shows, &overlap, jump.at));
   if (!shows) PetscFunctionReturn(PETSC_SUCCESS);
-  jump.advice = spec->mortar.body < 0 ? "let facets end there"
-                                      : "let facets end there, list in the pair only what is to meet, or let the other "
-                                        "side be nonmortar";
+  jump.advice = spec->mortar.body < 0
+                    ? "align facets with that place"
+                    : "align facets with that place, list only sides that meet, or exchange nonmortar and mortar side";
   PetscCall(NumberWordsVector(jump.dim, jump.at, text, sizeof(text)));
   PetscCall(WarningAdd(&jump,
-                       "%s is not to be trusted near %s: the gap has a step or a bend within a facet there, and its "
-                       "mean pushes as if bodies overlapped by %.3g more than they do",
+                       "the pressure of %s is unreliable near %s: the gap jumps or bends within a facet, and its mean "
+                       "acts as an additional overlap of %.3g",
                        spec->name, text, (double)overlap));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* What bodies overlap by to begin with where a pair's nodes are in contact, and the largest displacement of its nodes along their
    normals: of all ranks. */
-static PetscErrorCode FindOverlap_Private(const SummaryInput *in, PetscInt p, PetscReal size[2])
+static PetscErrorCode SummaryFindOverlap_Private(const SummaryInput *in, PetscInt p, PetscReal size[2])
 {
   const Pair         pair = in->vi->pairs[p];
   const PetscInt     dim  = in->scene->dim;
@@ -60,7 +60,7 @@ static PetscErrorCode FindOverlap_Private(const SummaryInput *in, PetscInt p, Pe
 }
 
 /* An interference of the order of what is left between facets and the curves that they stand for. */
-static PetscErrorCode WarnCurve_Private(const SummaryInput *in, PetscInt p)
+static PetscErrorCode SummaryWarnCoarseCurve_Private(const SummaryInput *in, PetscInt p)
 {
   const Pair       pair  = in->vi->pairs[p];
   const PetscInt   which = pair->curve_error[1] > pair->curve_error[0] ? 1 : 0;
@@ -71,11 +71,11 @@ static PetscErrorCode WarnCurve_Private(const SummaryInput *in, PetscInt p)
 
   PetscFunctionBeginUser;
   if (!(left > 0) || pair->spec->type == PAIR_TIED) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(FindOverlap_Private(in, p, size));
+  PetscCall(SummaryFindOverlap_Private(in, p, size));
   if (size[0] <= OVERLAP_SHOWS * size[1] || left <= CURVE_SHOWS * size[0]) PetscFunctionReturn(PETSC_SUCCESS);
   curve.advice = in->scene->bodies[side->body].polygonal ? "refine, or leave the sides smooth" : "refine";
   PetscCall(WarningAdd(&curve,
-                       "%s: bodies overlap by %.3g to begin with, and facets are off their curves by up to %.3g, most "
+                       "%s: bodies overlap by %.3g initially, and facets deviate from their curves by up to %.3g, most "
                        "on %s:%s",
                        pair->spec->name, (double)size[0], (double)left, in->scene->bodies[side->body].name,
                        side->side));
@@ -83,7 +83,7 @@ static PetscErrorCode WarnCurve_Private(const SummaryInput *in, PetscInt p)
 }
 
 /* A pair that has nothing to say. */
-static PetscErrorCode WarnEmpty_Private(const SummaryInput *in, PetscInt p)
+static PetscErrorCode SummaryWarnEmptyPair_Private(const SummaryInput *in, PetscInt p)
 {
   const Pair       pair = in->vi->pairs[p];
   const ScenePair *spec = pair->spec;
@@ -91,44 +91,44 @@ static PetscErrorCode WarnEmpty_Private(const SummaryInput *in, PetscInt p)
   const Warning    held = {.code = "nothing_to_decide", .pair = spec->name};
   const Warning    none = {.code   = "no_partner",
                            .pair   = spec->name,
-                           .advice = "is a side another one than was meant, or a body beyond its partner?"};
+                           .advice = "check the sides of the pair and the positions of the bodies"};
 
   PetscFunctionBeginUser;
   if (pair->num_multipliers) PetscFunctionReturn(PETSC_SUCCESS);
   if (pair->num_removed) {
     PetscCall(WarningAdd(&held,
-                         "%s: nothing for contact to decide: the nodes of %s:%s that face it are held along their "
-                         "normal, or served by another pair",
+                         "%s: no multipliers: the nodes of %s:%s that face the partner are fixed along their normal, "
+                         "or belong to another pair",
                          spec->name, body, spec->nonmortar.side));
   } else {
-    PetscCall(WarningAdd(&none,
-                         "%s: no part of %s:%s faces what it is to meet within the reach of %.6g (-%s_reach), be it "
-                         "across a gap or in an overlap",
-                         spec->name, body, spec->nonmortar.side, (double)pair->reach, spec->name));
+    PetscCall(WarningAdd(
+        &none,
+        "%s: no part of %s:%s faces its partner within the reach %.6g (-%s_reach), across a gap or in an overlap",
+        spec->name, body, spec->nonmortar.side, (double)pair->reach, spec->name));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* A solver that stops at a discretisation error that is no small part of the solution. */
-static PetscErrorCode WarnCoarse_Private(const SummaryInput *in)
+static PetscErrorCode SummaryWarnCoarseMesh_Private(const SummaryInput *in)
 {
-  const Warning   coarse = {.code = "coarse_mesh", .advice = "refine, or stop at the residual"};
+  const Warning   coarse = {.code = "coarse_mesh", .advice = "refine, or omit -stop discretisation"};
   const PetscReal part   = CertificateRelative(in->certificate, in->report->discretisation);
 
   PetscFunctionBeginUser;
   if (isgreater(in->report->discretisation, 0) && isgreater(part, COARSE)) {
-    PetscCall(WarningAdd(&coarse,
-                         "the solver stopped at a discretisation error of about %.1e of the solution; so much is not "
-                         "to be relied on",
-                         (double)part));
+    PetscCall(WarningAdd(
+        &coarse, "the solver stopped at a discretisation error of about %.1e of the solution, which is too large",
+        (double)part));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* A second solver that has found nothing. */
-static PetscErrorCode WarnUnconfirmed_Private(const SummaryInput *in)
+static PetscErrorCode SummaryWarnUnconfirmed_Private(const SummaryInput *in)
 {
-  const Warning alone = {.code = "not_confirmed", .advice = "give it more with options that begin with -cross_check_"};
+  const Warning alone = {.code   = "not_confirmed",
+                         .advice = "allow it more iterations by options that begin with -cross_check_"};
 
   PetscFunctionBeginUser;
   if (in->check->done && !in->check->other.converged) {
@@ -143,13 +143,13 @@ PetscErrorCode SummaryWarn(const SummaryInput *input)
   PetscFunctionBeginUser;
   PetscCall(SolvabilityReportWarn(input->vi, input->solvability));
   for (PetscInt p = 0; p < input->vi->num_pairs; p++) {
-    PetscCall(WarnEmpty_Private(input, p));
-    if (input->fields) PetscCall(WarnBump_Private(input, p));
-    if (input->fields) PetscCall(WarnCurve_Private(input, p));
+    PetscCall(SummaryWarnEmptyPair_Private(input, p));
+    if (input->fields) PetscCall(SummaryWarnGapDiscontinuity_Private(input, p));
+    if (input->fields) PetscCall(SummaryWarnCoarseCurve_Private(input, p));
   }
   if (!input->fields) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SmallStrainWarn(input->fields));
-  PetscCall(WarnCoarse_Private(input));
-  PetscCall(WarnUnconfirmed_Private(input));
+  PetscCall(SummaryWarnCoarseMesh_Private(input));
+  PetscCall(SummaryWarnUnconfirmed_Private(input));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -3,7 +3,7 @@
 #include "base/json.h"
 #include "output/solversummary.h"
 
-static void AddCrossCheck_Private(const CrossCheck *check, cJSON *solver)
+static void SolverSummaryAddCrossCheck_Private(const CrossCheck *check, cJSON *solver)
 {
   cJSON *object;
 
@@ -21,7 +21,7 @@ static void AddCrossCheck_Private(const CrossCheck *check, cJSON *solver)
 }
 
 /* Bound of the algebraic error: absolute, and relative to the displacement. */
-static void AddBound_Private(const SummaryInput *in, cJSON *solver)
+static void SolverSummaryAddBound_Private(const SummaryInput *in, cJSON *solver)
 {
   const EnergyBound *bound  = &in->report->bound;
   const PetscBool    known  = (PetscBool)!PetscIsInfOrNanReal(bound->value);
@@ -36,7 +36,7 @@ static void AddBound_Private(const SummaryInput *in, cJSON *solver)
 }
 
 /* What the solver stopped at; null where that is its own residual. */
-static void AddDiscretisation_Private(const SummaryInput *in, cJSON *solver)
+static void SolverSummaryAddDiscretisation_Private(const SummaryInput *in, cJSON *solver)
 {
   const PetscReal error = in->report->discretisation;
   cJSON          *object;
@@ -51,7 +51,7 @@ static void AddDiscretisation_Private(const SummaryInput *in, cJSON *solver)
 }
 
 /* One linear solve, for comparison; null without -measure_linear. */
-static void AddReference_Private(const SolverReport *report, cJSON *solver)
+static void SolverSummaryAddReference_Private(const SolverReport *report, cJSON *solver)
 {
   const LinearReference *reference = &report->reference;
   cJSON                 *object;
@@ -88,7 +88,7 @@ void SolverSummaryAdd(const SummaryInput *in, cJSON *root)
   JSONAddReal(solver, "linear_residual", report->linear_residual);
   JSONAddReal(solver, "work_units", report->work > 0 ? report->work : NAN);
   cJSON_AddBoolToObject(solver, "gave_way", report->gave_way);
-  AddReference_Private(report, solver);
+  SolverSummaryAddReference_Private(report, solver);
   cJSON_AddBoolToObject(solver, "converged", report->converged);
   cJSON_AddBoolToObject(solver, "safeguarded", report->safeguarded);
   cJSON_AddBoolToObject(solver, "certified", c->holds);
@@ -104,7 +104,7 @@ void SolverSummaryAdd(const SummaryInput *in, cJSON *root)
   JSONAddReal(object, "force", c->force);
   JSONAddReal(object, "moment", c->moment);
   JSONAddReal(object, "pair_moment", c->pair_moment);
-  AddBound_Private(in, solver);
-  AddDiscretisation_Private(in, solver);
-  AddCrossCheck_Private(in->check, solver);
+  SolverSummaryAddBound_Private(in, solver);
+  SolverSummaryAddDiscretisation_Private(in, solver);
+  SolverSummaryAddCrossCheck_Private(in->check, solver);
 }

@@ -8,7 +8,7 @@
 enum { BEGINNING = 4096 }; /* bytes, more than what stands before the name */
 
 /* Whether the word stands in the first bytes of a file, which may hold any bytes. */
-static PetscBool FileNames_Private(const char path[], const char word[])
+static PetscBool StalePlotsFileContains_Private(const char path[], const char word[])
 {
   char         bytes[BEGINNING];
   const size_t len  = strlen(word);
@@ -32,7 +32,7 @@ PetscErrorCode StalePlotsRemove(FileSet *files, const char output[])
   PetscFunctionBeginUser;
   for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(drawn); i++) {
     PetscCall(PetscSNPrintf(path, sizeof(path), "%s%s", output, drawn[i][0]));
-    if (FileNames_Private(path, drawn[i][1])) PetscCall(FileSetRemove(files, path));
+    if (StalePlotsFileContains_Private(path, drawn[i][1])) PetscCall(FileSetRemove(files, path));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -16,7 +16,7 @@
 
 enum { SCHEMA = 2 }; /* of the summary: what keys mean; new keys do not change it */
 
-static PetscErrorCode AddMortise_Private(const SummaryInput *in, cJSON *root)
+static PetscErrorCode SummaryAddMortise_Private(const SummaryInput *in, cJSON *root)
 {
   cJSON      *object = cJSON_AddObjectToObject(root, "mortise");
   const char *file   = OptionsFileName();
@@ -36,7 +36,7 @@ static PetscErrorCode AddMortise_Private(const SummaryInput *in, cJSON *root)
 }
 
 /* What the user asked for, option by option. */
-static PetscErrorCode AddOptions_Private(cJSON *root)
+static PetscErrorCode SummaryAddOptions_Private(cJSON *root)
 {
   cJSON       *object = cJSON_AddObjectToObject(root, "options");
   OptionGiven *given;
@@ -49,7 +49,7 @@ static PetscErrorCode AddOptions_Private(cJSON *root)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode AddBodies_Private(const SummaryInput *in, cJSON *scene)
+static PetscErrorCode SummaryAddBodies_Private(const SummaryInput *in, cJSON *scene)
 {
   cJSON       *bodies = cJSON_AddObjectToObject(scene, "bodies");
   const Level *level  = in->vi->level;
@@ -72,8 +72,8 @@ static PetscErrorCode AddBodies_Private(const SummaryInput *in, cJSON *scene)
 }
 
 /* "body:side", or the kind of obstacle. */
-static void AddSide_Private(const SummaryInput *in, cJSON *object, const char key[], const ScenePair *pair,
-                            const SceneSide *side)
+static void SummaryAddSide_Private(const SummaryInput *in, cJSON *object, const char key[], const ScenePair *pair,
+                                   const SceneSide *side)
 {
   static const char *const obstacles[] = {"", "plane", "ball", "cylinder", "parabola", "expression"};
   char                     text[PETSC_MAX_PATH_LEN];
@@ -86,7 +86,7 @@ static void AddSide_Private(const SummaryInput *in, cJSON *object, const char ke
   cJSON_AddStringToObject(object, key, text);
 }
 
-static PetscErrorCode AddScene_Private(const SummaryInput *in, cJSON *root)
+static PetscErrorCode SummaryAddScene_Private(const SummaryInput *in, cJSON *root)
 {
   static const char *const models[] = {"plane_strain", "plane_stress", "axisymmetric", "solid"};
   cJSON                   *scene    = cJSON_AddObjectToObject(root, "scene"), *pairs;
@@ -95,20 +95,20 @@ static PetscErrorCode AddScene_Private(const SummaryInput *in, cJSON *root)
   cJSON_AddStringToObject(scene, "title", in->scene->title);
   cJSON_AddStringToObject(scene, "model", models[in->scene->model]);
   JSONAddInt(scene, "dimension", in->scene->dim);
-  PetscCall(AddBodies_Private(in, scene));
+  PetscCall(SummaryAddBodies_Private(in, scene));
   pairs = cJSON_AddObjectToObject(scene, "pairs");
   for (PetscInt p = 0; p < in->vi->num_pairs; p++) {
     const ScenePair *spec = in->vi->pairs[p]->spec;
     cJSON           *pair = cJSON_AddObjectToObject(pairs, spec->name);
 
-    AddSide_Private(in, pair, "nonmortar", spec, &spec->nonmortar);
-    AddSide_Private(in, pair, "mortar", spec, &spec->mortar);
+    SummaryAddSide_Private(in, pair, "nonmortar", spec, &spec->nonmortar);
+    SummaryAddSide_Private(in, pair, "mortar", spec, &spec->mortar);
     JSONAddInt(pair, "candidates", in->vi->pairs[p]->num_multipliers);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode AddEnergy_Private(const SummaryInput *in, cJSON *root)
+static PetscErrorCode SummaryAddEnergy_Private(const SummaryInput *in, cJSON *root)
 {
   cJSON     *energy = cJSON_AddObjectToObject(root, "energy"), *strain = cJSON_AddObjectToObject(energy, "strain");
   PetscReal *bodies, potential;
@@ -124,7 +124,7 @@ static PetscErrorCode AddEnergy_Private(const SummaryInput *in, cJSON *root)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode AddPairs_Private(const SummaryInput *in, cJSON *root)
+static PetscErrorCode SummaryAddPairs_Private(const SummaryInput *in, cJSON *root)
 {
   cJSON         *pairs = cJSON_AddObjectToObject(root, "pairs");
   const PetscInt dim   = in->scene->dim;
@@ -157,7 +157,7 @@ static PetscErrorCode AddPairs_Private(const SummaryInput *in, cJSON *root)
 }
 
 /* Reactions by side. A node that two sides hold is counted with the first, so that sides add up to the whole. */
-static PetscErrorCode AddReactions_Private(const SummaryInput *in, cJSON *root)
+static PetscErrorCode SummaryAddReactions_Private(const SummaryInput *in, cJSON *root)
 {
   cJSON           *reactions = cJSON_AddObjectToObject(root, "reactions");
   const Level     *level     = in->vi->level;
@@ -200,7 +200,7 @@ static PetscErrorCode AddReactions_Private(const SummaryInput *in, cJSON *root)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode AddProbes_Private(const SummaryInput *in, cJSON *root)
+static PetscErrorCode SummaryAddProbes_Private(const SummaryInput *in, cJSON *root)
 {
   cJSON *probes = cJSON_AddObjectToObject(root, "probes");
 
@@ -221,7 +221,7 @@ static PetscErrorCode AddProbes_Private(const SummaryInput *in, cJSON *root)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static void AddBodyError_Private(cJSON *object, const BodyError *error)
+static void SummaryAddBodyError_Private(cJSON *object, const BodyError *error)
 {
   JSONAddReal(object, "l2", error->l2);
   JSONAddReal(object, "l2_relative", error->l2_relative);
@@ -230,7 +230,7 @@ static void AddBodyError_Private(cJSON *object, const BodyError *error)
 }
 
 /* Errors of what has an exact solution. */
-static void AddErrors_Private(const SummaryInput *in, cJSON *root)
+static void SummaryAddErrors_Private(const SummaryInput *in, cJSON *root)
 {
   cJSON *errors;
 
@@ -238,7 +238,7 @@ static void AddErrors_Private(const SummaryInput *in, cJSON *root)
   errors = cJSON_AddObjectToObject(root, "errors");
   for (PetscInt b = 0; b < in->scene->num_bodies; b++) {
     if (!in->scene->bodies[b].exact) continue;
-    AddBodyError_Private(cJSON_AddObjectToObject(errors, in->scene->bodies[b].name), &in->errors->body[b]);
+    SummaryAddBodyError_Private(cJSON_AddObjectToObject(errors, in->scene->bodies[b].name), &in->errors->body[b]);
   }
   for (PetscInt p = 0; p < in->vi->num_pairs; p++) {
     const PressureError *error = &in->errors->pair[p];
@@ -251,11 +251,11 @@ static void AddErrors_Private(const SummaryInput *in, cJSON *root)
     JSONAddReal(pair, "pressure_weighted", error->weighted);
     JSONAddReal(pair, "pressure_weighted_relative", error->weighted_relative);
   }
-  AddBodyError_Private(cJSON_AddObjectToObject(root, "errors_total"), &in->errors->total);
+  SummaryAddBodyError_Private(cJSON_AddObjectToObject(root, "errors_total"), &in->errors->total);
 }
 
 /* Seconds of the slowest rank in each stage; peak memory of all ranks together, and of the one that held most. */
-static PetscErrorCode AddCost_Private(const SummaryInput *in, cJSON *root)
+static PetscErrorCode SummaryAddCost_Private(const SummaryInput *in, cJSON *root)
 {
   static const char *const names[STAGE_COUNT] = {"setup", "mortar", "assembly", "condense", "solve", "output"};
   cJSON    *timing = cJSON_AddObjectToObject(root, "timing"), *memory = cJSON_AddObjectToObject(root, "memory");
@@ -281,18 +281,18 @@ PetscErrorCode SummaryCreate(const SummaryInput *input, char **text)
 
   PetscFunctionBeginUser;
   JSONAddInt(root, "schema", SCHEMA);
-  PetscCall(AddMortise_Private(input, root));
+  PetscCall(SummaryAddMortise_Private(input, root));
   cJSON_AddItemToObject(root, "warnings", WarningList());
-  PetscCall(AddOptions_Private(root));
-  PetscCall(AddScene_Private(input, root));
+  PetscCall(SummaryAddOptions_Private(root));
+  PetscCall(SummaryAddScene_Private(input, root));
   SolvabilityReportAdd(input->vi, input->solvability, root);
   SolverSummaryAdd(input, root);
-  PetscCall(AddEnergy_Private(input, root));
-  PetscCall(AddPairs_Private(input, root));
-  PetscCall(AddReactions_Private(input, root));
-  PetscCall(AddProbes_Private(input, root));
-  AddErrors_Private(input, root);
-  PetscCall(AddCost_Private(input, root));
+  PetscCall(SummaryAddEnergy_Private(input, root));
+  PetscCall(SummaryAddPairs_Private(input, root));
+  PetscCall(SummaryAddReactions_Private(input, root));
+  PetscCall(SummaryAddProbes_Private(input, root));
+  SummaryAddErrors_Private(input, root);
+  PetscCall(SummaryAddCost_Private(input, root));
   PetscCallMPI(MPI_Comm_rank(input->scene->comm, &rank));
   *text = rank == 0 ? cJSON_Print(root) : NULL;
   cJSON_Delete(root);

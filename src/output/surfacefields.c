@@ -4,7 +4,7 @@
 #include "result/sidenodes.h"
 
 /* Sum over a node's facets of their normals there, times their size. [out] normals - ghosted, owned by the caller */
-static PetscErrorCode FacetNormals_Private(Level *level, const Facets *facets, Vec *normals)
+static PetscErrorCode SurfaceFieldsGetFacetNormals_Private(Level *level, const Facets *facets, Vec *normals)
 {
   const PetscInt dim = level->dim;
   Vec            local;
@@ -34,14 +34,14 @@ static PetscErrorCode FacetNormals_Private(Level *level, const Facets *facets, V
 
 /* Unit normals of this rank's nodes: the direction of the constraint where there is one, else the mean of the facets'.
    [out] normal - [num_owned][dim], owned by the caller */
-static PetscErrorCode Normals_Private(const Pair pair, const Facets *facets, PetscReal **normal)
+static PetscErrorCode SurfaceFieldsGetNormals_Private(const Pair pair, const Facets *facets, PetscReal **normal)
 {
   const PetscInt   dim = pair->level->dim;
   Vec              sums;
   const PetscReal *sum;
 
   PetscFunctionBeginUser;
-  PetscCall(FacetNormals_Private(pair->level, facets, &sums));
+  PetscCall(SurfaceFieldsGetFacetNormals_Private(pair->level, facets, &sums));
   PetscCall(PetscCalloc1(pair->level->num_owned * dim, normal));
   PetscCall(VecGetArrayRead(sums, &sum));
   for (PetscInt a = 0; a < pair->level->num_owned; a++) {
@@ -59,8 +59,8 @@ static PetscErrorCode Normals_Private(const Pair pair, const Facets *facets, Pet
 }
 
 /* The side as points and cells. */
-static PetscErrorCode TellFacets_Private(FieldWriter *writer, const Level *level, const Facets *facets, PetscInt num,
-                                         const PetscInt nodes[], PetscReal **body)
+static PetscErrorCode SurfaceFieldsWriteFacets_Private(FieldWriter *writer, const Level *level, const Facets *facets,
+                                                       PetscInt num, const PetscInt nodes[], PetscReal **body)
 {
   PetscInt *types, *bodies, *globals, n = 0;
 
@@ -88,7 +88,8 @@ static PetscErrorCode TellFacets_Private(FieldWriter *writer, const Level *level
 }
 
 /* Displacement, pressure, gap, status and normal. */
-static PetscErrorCode TellQuantities_Private(FieldWriter *writer, Fields fields, PetscInt p, const Facets *facets)
+static PetscErrorCode SurfaceFieldsWriteQuantities_Private(FieldWriter *writer, Fields fields, PetscInt p,
+                                                           const Facets *facets)
 {
   const Level     *level = fields->vi->level;
   PairFields       nodal;
@@ -97,7 +98,7 @@ static PetscErrorCode TellQuantities_Private(FieldWriter *writer, Fields fields,
 
   PetscFunctionBeginUser;
   PetscCall(PairFieldsCreate(fields, p, &nodal));
-  PetscCall(Normals_Private(fields->vi->pairs[p], facets, &normal));
+  PetscCall(SurfaceFieldsGetNormals_Private(fields->vi->pairs[p], facets, &normal));
   PetscCall(PetscMalloc1(level->num_owned, &status));
   for (PetscInt a = 0; a < level->num_owned; a++) status[a] = (PetscReal)nodal.status[a];
   PetscCall(VecGetArrayRead(fields->u, &u));
@@ -124,8 +125,8 @@ PetscErrorCode SurfaceFieldsWrite(FieldWriter *writer, Fields fields, PetscInt p
   PetscFunctionBeginUser;
   PetscCall(LevelGetFacets(level, fields->vi->scene, spec->nonmortar.body, spec->nonmortar.side, &facets));
   PetscCall(SideNodesCreate(level, &facets, &num, &nodes));
-  PetscCall(TellFacets_Private(writer, level, &facets, num, nodes, &body));
-  PetscCall(TellQuantities_Private(writer, fields, p, &facets));
+  PetscCall(SurfaceFieldsWriteFacets_Private(writer, level, &facets, num, nodes, &body));
+  PetscCall(SurfaceFieldsWriteQuantities_Private(writer, fields, p, &facets));
   PetscCall(FieldWriterCells(writer, (Quantity){"body", 1, PETSC_TRUE}, body));
   PetscCall(PetscFree(body));
   PetscCall(PetscFree(nodes));

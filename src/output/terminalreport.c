@@ -12,7 +12,7 @@
 static const PetscReal PERCENT = 100;
 
 /* One pair, in one or two lines. */
-static PetscErrorCode PrintPair_Private(const SummaryInput *in, PetscInt p)
+static PetscErrorCode SummaryPrintPair_Private(const SummaryInput *in, PetscInt p)
 {
   const MPI_Comm   comm = in->scene->comm;
   const ScenePair *spec = in->vi->pairs[p]->spec;
@@ -37,7 +37,7 @@ static PetscErrorCode PrintPair_Private(const SummaryInput *in, PetscInt p)
 }
 
 /* Names of the files that were written. */
-static PetscErrorCode PrintFiles_Private(const SummaryInput *in)
+static PetscErrorCode SummaryPrintFiles_Private(const SummaryInput *in)
 {
   const MPI_Comm comm  = in->scene->comm;
   const Scene    scene = in->scene;
@@ -53,9 +53,9 @@ static PetscErrorCode PrintFiles_Private(const SummaryInput *in)
 }
 
 /* "  error of upper: energy 1.3e-03 (0.84%), L2 3.4e-06 (0.01%)"; nothing where nothing is known. */
-static PetscErrorCode PrintError_Private(MPI_Comm comm, const char what[], const char first[],
-                                         const PetscReal first_error[2], const char second[],
-                                         const PetscReal second_error[2])
+static PetscErrorCode SummaryPrintError_Private(MPI_Comm comm, const char what[], const char first[],
+                                                const PetscReal first_error[2], const char second[],
+                                                const PetscReal second_error[2])
 {
   const struct {
     const char      *norm;
@@ -75,7 +75,7 @@ static PetscErrorCode PrintError_Private(MPI_Comm comm, const char what[], const
 }
 
 /* One line for each body and each pair with an exact solution. */
-static PetscErrorCode PrintErrors_Private(const SummaryInput *in)
+static PetscErrorCode SummaryPrintErrors_Private(const SummaryInput *in)
 {
   const MPI_Comm comm = in->scene->comm;
   char           what[PETSC_MAX_PATH_LEN];
@@ -86,39 +86,39 @@ static PetscErrorCode PrintErrors_Private(const SummaryInput *in)
     const BodyError *e        = &in->errors->body[b];
     const PetscReal  energy[] = {e->energy, e->energy_relative}, l2[] = {e->l2, e->l2_relative};
 
-    PetscCall(PrintError_Private(comm, in->scene->bodies[b].name, "energy", energy, "L2", l2));
+    PetscCall(SummaryPrintError_Private(comm, in->scene->bodies[b].name, "energy", energy, "L2", l2));
   }
   for (PetscInt p = 0; p < in->vi->num_pairs; p++) {
     const PressureError *e    = &in->errors->pair[p];
     const PetscReal      l2[] = {e->l2, e->l2_relative}, weighted[] = {e->weighted, e->weighted_relative};
 
     PetscCall(PetscSNPrintf(what, sizeof(what), "the pressure of %s", in->vi->pairs[p]->spec->name));
-    PetscCall(PrintError_Private(comm, what, "L2", l2, "at nodes", weighted));
+    PetscCall(SummaryPrintError_Private(comm, what, "L2", l2, "at nodes", weighted));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Work of all levels, and what one linear solve costs beside it. */
-static PetscErrorCode PrintCost_Private(const SummaryInput *in)
+static PetscErrorCode SummaryPrintCost_Private(const SummaryInput *in)
 {
   const SolverReport *report = in->report;
 
   PetscFunctionBeginUser;
   if (report->work > 0) {
     PetscCall(PetscPrintf(in->scene->comm,
-                          "  cost: as much as %.0f products with the matrix, %" PetscInt_FMT " linear iterations\n",
+                          "  cost: %.0f products with the matrix, %" PetscInt_FMT " linear iterations\n",
                           (double)report->work, report->linear_iterations));
   }
   if (report->reference.done) {
     PetscCall(PetscPrintf(in->scene->comm,
-                          "  one linear solve with the final active set: %.3g s, %" PetscInt_FMT " iterations; all of "
-                          "the solve: %.3g s\n",
+                          "  one linear solve with the final active set: %.3g s, %" PetscInt_FMT
+                          " iterations; whole solve: %.3g s\n",
                           (double)report->reference.seconds, report->reference.iterations, report->seconds));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Print_Private(const SummaryInput *in)
+static PetscErrorCode SummaryPrintResults_Private(const SummaryInput *in)
 {
   const MPI_Comm      comm   = in->scene->comm;
   const SolverReport *report = in->report;
@@ -129,24 +129,24 @@ static PetscErrorCode Print_Private(const SummaryInput *in)
   PetscCall(PetscPrintf(comm, "  %s: %" PetscInt_FMT " unknowns, %" PetscInt_FMT " iterations of %s, %.3g s\n",
                         in->solved ? "solved" : "NOT SOLVED", in->vi->level->num_global * in->vi->level->dim,
                         report->iterations, report->type, LogTotalSeconds()));
-  PetscCall(PrintCost_Private(in));
-  for (PetscInt p = 0; p < in->vi->num_pairs; p++) PetscCall(PrintPair_Private(in, p));
+  PetscCall(SummaryPrintCost_Private(in));
+  for (PetscInt p = 0; p < in->vi->num_pairs; p++) PetscCall(SummaryPrintPair_Private(in, p));
   PetscCall(SolvabilityReportPrint(in->vi, in->solvability));
-  PetscCall(PrintErrors_Private(in));
+  PetscCall(SummaryPrintErrors_Private(in));
   PetscCall(PetscPrintf(comm,
                         "  certificate: equilibrium %.1e, gap %.1e, pressure %.1e, complementarity %.1e, forces %.1e, "
                         "moments %.1e\n",
                         (double)c->equilibrium, (double)c->gap, (double)c->pressure, (double)c->complementarity,
                         (double)c->force, (double)c->moment));
   if (!PetscIsInfOrNanReal(CertificateRelative(c, report->bound.value))) {
-    PetscCall(PetscPrintf(comm, "  error that the solver leaves: at most %.1e of the solution, in the energy norm%s\n",
+    PetscCall(PetscPrintf(comm, "  solver error: at most %.1e of the solution, in the energy norm%s\n",
                           (double)CertificateRelative(c, report->bound.value),
                           report->bound.estimated ? " (estimated)" : ""));
   }
   if (isgreater(report->discretisation, 0)) {
     PetscCall(PetscPrintf(comm,
-                          "  stopped at the discretisation error: about %.1e of the solution, in the energy norm, as "
-                          "coarser meshes tell\n",
+                          "  stopped at the discretisation error: about %.1e of the solution, in the energy norm, "
+                          "estimated from coarser meshes\n",
                           (double)CertificateRelative(c, report->discretisation)));
   }
   if (in->check->done && in->check->other.converged) {
@@ -159,7 +159,7 @@ static PetscErrorCode Print_Private(const SummaryInput *in)
 }
 
 /* Why it is not solved, on stderr: one sentence each. */
-static PetscErrorCode PrintFailures_Private(const SummaryInput *in)
+static PetscErrorCode SummaryPrintFailures_Private(const SummaryInput *in)
 {
   const MPI_Comm comm = in->scene->comm;
 
@@ -184,19 +184,19 @@ static PetscErrorCode PrintFailures_Private(const SummaryInput *in)
 }
 
 /* Why it is not solved, on stderr; nothing where it is. */
-static PetscErrorCode PrintVerdict_Private(const SummaryInput *in)
+static PetscErrorCode SummaryPrintRefusal_Private(const SummaryInput *in)
 {
   PetscFunctionBeginUser;
   PetscCall(SolvabilityReportRefuse(in->vi, in->solvability));
-  if (in->fields && !in->solved) PetscCall(PrintFailures_Private(in));
+  if (in->fields && !in->solved) PetscCall(SummaryPrintFailures_Private(in));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode SummaryPrint(const SummaryInput *input)
 {
   PetscFunctionBeginUser;
-  if (input->fields) PetscCall(Print_Private(input));
-  PetscCall(PrintVerdict_Private(input));
+  if (input->fields) PetscCall(SummaryPrintResults_Private(input));
+  PetscCall(SummaryPrintRefusal_Private(input));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -217,10 +217,10 @@ PetscErrorCode SummaryWrite(const SummaryInput *input, Output *output)
   if (stdout_wanted) {
     if (text) puts(text);
   } else if (!scene->quiet) { // not beside a summary on stdout: that is for programs to read
-    if (input->fields) PetscCall(Print_Private(input));
-    PetscCall(PrintFiles_Private(input));
+    if (input->fields) PetscCall(SummaryPrintResults_Private(input));
+    PetscCall(SummaryPrintFiles_Private(input));
   }
   free(text);
-  PetscCall(PrintVerdict_Private(input));
+  PetscCall(SummaryPrintRefusal_Private(input));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -11,8 +11,8 @@ static const uint8_t vtk_number[ELEMENT_COUNT] = {
     [ELEMENT_HEX8] = 12, [ELEMENT_TRI6] = 22,  [ELEMENT_QUAD9] = 28, [ELEMENT_TET10] = 24, [ELEMENT_HEX27] = 29};
 
 /* A block: its length in bytes, then the bytes, encoded as one unit. */
-static PetscErrorCode WriteBlock_Private(FILE *out, const char type[], const char name[], PetscInt components,
-                                         size_t size, const void *values)
+static PetscErrorCode VTUWriteBlock_Private(FILE *out, const char type[], const char name[], PetscInt components,
+                                            size_t size, const void *values)
 {
   const uint64_t length = size;
   char          *unit;
@@ -30,7 +30,8 @@ static PetscErrorCode WriteBlock_Private(FILE *out, const char type[], const cha
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode WriteArray_Private(FILE *out, PetscInt rows, const Quantity *quantity, const PetscReal values[])
+static PetscErrorCode VTUWriteArray_Private(FILE *out, PetscInt rows, const Quantity *quantity,
+                                            const PetscReal values[])
 {
   const PetscInt n = rows * quantity->components;
 
@@ -40,10 +41,10 @@ static PetscErrorCode WriteArray_Private(FILE *out, PetscInt rows, const Quantit
 
     PetscCall(PetscMalloc1(n, &whole));
     for (PetscInt i = 0; i < n; i++) whole[i] = (int32_t)values[i];
-    PetscCall(WriteBlock_Private(out, "Int32", quantity->name, quantity->components, n * sizeof(int32_t), whole));
+    PetscCall(VTUWriteBlock_Private(out, "Int32", quantity->name, quantity->components, n * sizeof(int32_t), whole));
     PetscCall(PetscFree(whole));
   } else {
-    PetscCall(WriteBlock_Private(out, "Float64", quantity->name, quantity->components, n * sizeof(double), values));
+    PetscCall(VTUWriteBlock_Private(out, "Float64", quantity->name, quantity->components, n * sizeof(double), values));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -66,7 +67,7 @@ static PetscErrorCode VTUPoints_Private(FieldWriter *writer, const PetscReal pos
   PetscFunctionBeginUser;
   fprintf(writer->out, "<Points>\n");
   PetscCall(
-      WriteBlock_Private(writer->out, "Float64", "points", 3, writer->num_points * 3 * sizeof(double), positions));
+      VTUWriteBlock_Private(writer->out, "Float64", "points", 3, writer->num_points * 3 * sizeof(double), positions));
   fprintf(writer->out, "</Points>\n");
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -85,9 +86,9 @@ static PetscErrorCode VTUCells_Private(FieldWriter *writer, const SortedCells *c
     types[c] = vtk_number[cells->type[c]];
   }
   fprintf(writer->out, "<Cells>\n");
-  PetscCall(WriteBlock_Private(writer->out, "Int64", "connectivity", 1, num_entries * sizeof(int64_t), nodes));
-  PetscCall(WriteBlock_Private(writer->out, "Int64", "offsets", 1, cells->num * sizeof(int64_t), ends));
-  PetscCall(WriteBlock_Private(writer->out, "UInt8", "types", 1, cells->num, types));
+  PetscCall(VTUWriteBlock_Private(writer->out, "Int64", "connectivity", 1, num_entries * sizeof(int64_t), nodes));
+  PetscCall(VTUWriteBlock_Private(writer->out, "Int64", "offsets", 1, cells->num * sizeof(int64_t), ends));
+  PetscCall(VTUWriteBlock_Private(writer->out, "UInt8", "types", 1, cells->num, types));
   fprintf(writer->out, "</Cells>\n");
   PetscCall(PetscFree3(nodes, ends, types));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -97,7 +98,7 @@ static PetscErrorCode VTUPoint_Private(FieldWriter *writer, const Quantity *quan
 {
   PetscFunctionBeginUser;
   if (writer->num_point_quantities == 0) fprintf(writer->out, "<PointData %s>\n", writer->first);
-  PetscCall(WriteArray_Private(writer->out, writer->num_points, quantity, values));
+  PetscCall(VTUWriteArray_Private(writer->out, writer->num_points, quantity, values));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -105,7 +106,7 @@ static PetscErrorCode VTUCell_Private(FieldWriter *writer, const Quantity *quant
 {
   PetscFunctionBeginUser;
   if (writer->num_cell_quantities == 0) fprintf(writer->out, "</PointData>\n<CellData Scalars=\"body\">\n");
-  PetscCall(WriteArray_Private(writer->out, writer->num_cells, quantity, values));
+  PetscCall(VTUWriteArray_Private(writer->out, writer->num_cells, quantity, values));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

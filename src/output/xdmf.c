@@ -52,8 +52,8 @@ PetscErrorCode XDMFTopologyDestroy(Topology *topology)
 }
 
 /* One dataset of the HDF5 file. */
-static void WriteItem_Private(FILE *out, const char hdf5[], const char name[], PetscInt rows, PetscInt columns,
-                              PetscBool integer)
+static void XDMFWriteItem_Private(FILE *out, const char hdf5[], const char name[], PetscInt rows, PetscInt columns,
+                                  PetscBool integer)
 {
   fprintf(out, "<DataItem Format=\"HDF\" NumberType=\"%s\" Precision=\"%d\" Dimensions=\"%" PetscInt_FMT,
           integer ? "Int" : "Float", integer ? 4 : 8, rows);
@@ -63,32 +63,33 @@ static void WriteItem_Private(FILE *out, const char hdf5[], const char name[], P
   fprintf(out, ":/%s</DataItem>\n", name);
 }
 
-static void WriteAttribute_Private(FILE *out, const char hdf5[], const Quantity *quantity, PetscInt rows,
-                                   const char centre[])
+static void XDMFWriteAttribute_Private(FILE *out, const char hdf5[], const Quantity *quantity, PetscInt rows,
+                                       const char centre[])
 {
   const char *type = quantity->components == 1 ? "Scalar" : quantity->components == 3 ? "Vector" : "Tensor";
 
   fprintf(out, "      <Attribute Name=\"%s\" AttributeType=\"%s\" Center=\"%s\">\n        ", quantity->name, type,
           centre);
-  WriteItem_Private(out, hdf5, quantity->name, rows, quantity->components, quantity->integer);
+  XDMFWriteItem_Private(out, hdf5, quantity->name, rows, quantity->components, quantity->integer);
   fprintf(out, "      </Attribute>\n");
 }
 
 /* What a grid consists of: points, cells, quantities. */
-static void WriteGridItems_Private(FILE *out, const FieldWriter *writer, const Topology *topology, const char hdf5[])
+static void XDMFWriteGridItems_Private(FILE *out, const FieldWriter *writer, const Topology *topology,
+                                       const char hdf5[])
 {
   fprintf(out, "      <Geometry GeometryType=\"XYZ\">\n        ");
-  WriteItem_Private(out, hdf5, "points", writer->num_points, 3, PETSC_FALSE);
+  XDMFWriteItem_Private(out, hdf5, "points", writer->num_points, 3, PETSC_FALSE);
   fprintf(
       out, "      </Geometry>\n      <Topology TopologyType=\"%s\"%s NumberOfElements=\"%" PetscInt_FMT "\">\n        ",
       topology->name, topology->name == xdmf_name[ELEMENT_LINE2] ? " NodesPerElement=\"2\"" : "", writer->num_cells);
-  WriteItem_Private(out, hdf5, "cells", topology->rows, topology->columns, PETSC_TRUE);
+  XDMFWriteItem_Private(out, hdf5, "cells", topology->rows, topology->columns, PETSC_TRUE);
   fprintf(out, "      </Topology>\n");
   for (PetscInt i = 0; i < writer->num_point_quantities; i++) {
-    WriteAttribute_Private(out, hdf5, &writer->point[i], writer->num_points, "Node");
+    XDMFWriteAttribute_Private(out, hdf5, &writer->point[i], writer->num_points, "Node");
   }
   for (PetscInt i = 0; i < writer->num_cell_quantities; i++) {
-    WriteAttribute_Private(out, hdf5, &writer->cell[i], writer->num_cells, "Cell");
+    XDMFWriteAttribute_Private(out, hdf5, &writer->cell[i], writer->num_cells, "Cell");
   }
 }
 
@@ -106,12 +107,12 @@ PetscErrorCode XDMFWrite(const FieldWriter *writer, const Topology *topology, co
   fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n    <Grid Name=\"");
   XMLWriteText(out, title);
   fprintf(out, "\" GridType=\"Uniform\" Reference=\"/Xdmf/Domain/Grid/Information/Grid\">\n");
-  WriteGridItems_Private(out, writer, topology, hdf5);
+  XDMFWriteGridItems_Private(out, writer, topology, hdf5);
   fprintf(out,
           "      <Information Name=\"steady\" Value=\"the same with a time\">&lt;steady/&gt;\n      <Grid Name=\"");
   XMLWriteText(out, title);
   fprintf(out, "\" GridType=\"Uniform\">\n      <Time Value=\"0\"/>\n");
-  WriteGridItems_Private(out, writer, topology, hdf5);
+  XDMFWriteGridItems_Private(out, writer, topology, hdf5);
   fprintf(out, "      </Grid>\n      </Information>\n    </Grid>\n  </Domain>\n</Xdmf>\n");
   PetscCall(FileSetClose(writer->files, &out));
   PetscFunctionReturn(PETSC_SUCCESS);

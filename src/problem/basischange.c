@@ -18,7 +18,7 @@ static const PetscReal NEGLIGIBLE = 1e-17;
 enum { REMOVED_POWERS = 128 };
 
 /* F^-1 of a 2 x 2 or 3 x 3 matrix by cofactors. [in] F - [dim][dim]; [out] Finv - [dim][dim] */
-static void Invert_Private(PetscInt dim, const PetscReal F[], PetscReal Finv[])
+static void BasisChangeInvertFrame_Private(PetscInt dim, const PetscReal F[], PetscReal Finv[])
 {
   if (dim == 2) {
     const PetscReal det = F[0] * F[3] - F[1] * F[2];
@@ -40,7 +40,7 @@ static void Invert_Private(PetscInt dim, const PetscReal F[], PetscReal Finv[])
 }
 
 /* The axis that a unit vector lies along, or -1. */
-static PetscInt AxisOf_Private(PetscInt dim, const PetscReal d[])
+static PetscInt BasisChangeFindAxis_Private(PetscInt dim, const PetscReal d[])
 {
   for (PetscInt k = 0; k < dim; k++) {
     if (PetscAbsReal(d[k]) > 1 - PARALLEL) return k;
@@ -49,25 +49,26 @@ static PetscInt AxisOf_Private(PetscInt dim, const PetscReal d[])
 }
 
 /* Whether some held direction of a node is not an axis. */
-static PetscBool HeldObliquely_Private(const Support *held, PetscInt node)
+static PetscBool BasisChangeIsObliquelyFixed_Private(const Support *held, PetscInt node)
 {
   const PetscInt dim = held->dim;
 
   for (PetscInt j = 0; j < held->count[node]; j++) {
-    if (AxisOf_Private(dim, &held->directions[(node * dim + j) * dim]) < 0) return PETSC_TRUE;
+    if (BasisChangeFindAxis_Private(dim, &held->directions[(node * dim + j) * dim]) < 0) return PETSC_TRUE;
   }
   return PETSC_FALSE;
 }
 
 /* Marks special nodes in of_node (0 special, -1 ordinary) and lists them. */
-static PetscErrorCode ListNodes_Private(VI vi, NodeBases *bases)
+static PetscErrorCode NodeBasesListNodes_Private(VI vi, NodeBases *bases)
 {
   const Level *level = vi->level;
   PetscInt     num   = 0;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(level->num_owned, &bases->of_node));
-  for (PetscInt i = 0; i < level->num_owned; i++) bases->of_node[i] = HeldObliquely_Private(&vi->support, i) ? 0 : -1;
+  for (PetscInt i = 0; i < level->num_owned; i++)
+    bases->of_node[i] = BasisChangeIsObliquelyFixed_Private(&vi->support, i) ? 0 : -1;
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
     for (PetscInt k = 0; k < vi->pairs[p]->num; k++) bases->of_node[vi->pairs[p]->nodes[k]] = 0;
   }
@@ -85,7 +86,7 @@ static PetscErrorCode ListNodes_Private(VI vi, NodeBases *bases)
 
 /* Enters one node of a pair: a row of B and of F per constrained direction.
    [in,out] used - rows of F already taken by constraints [bases->num] */
-static void EnterNode_Private(VI vi, NodeBases *bases, PetscInt p, PetscInt k, PetscInt used[], PetscInt *row)
+static void NodeBasesAddNode_Private(VI vi, NodeBases *bases, PetscInt p, PetscInt k, PetscInt used[], PetscInt *row)
 {
   const Pair      pair = vi->pairs[p];
   const PetscInt  dim = vi->level->dim, node = pair->nodes[k], s = bases->of_node[node];
@@ -108,7 +109,7 @@ static void EnterNode_Private(VI vi, NodeBases *bases, PetscInt p, PetscInt k, P
 }
 
 /* The last direction of a node in 3D with two constraints: across both normals. */
-static void CompleteFrame_Private(PetscInt dim, PetscInt used, PetscReal F[])
+static void NodeBasesCompleteFrame_Private(PetscInt dim, PetscInt used, PetscReal F[])
 {
   PetscReal norm = 0;
 
@@ -126,7 +127,7 @@ PetscErrorCode NodeBasesCreate(VI vi, NodeBases *bases)
   PetscInt      *used, row = 0;
 
   PetscFunctionBeginUser;
-  PetscCall(ListNodes_Private(vi, bases));
+  PetscCall(NodeBasesListNodes_Private(vi, bases));
   vi->num_rows = 0;
   for (PetscInt p = 0; p < vi->num_pairs; p++)
     vi->num_rows += vi->pairs[p]->num * (vi->pairs[p]->spec->type == PAIR_TIED ? dim : 1);
@@ -137,11 +138,11 @@ PetscErrorCode NodeBasesCreate(VI vi, NodeBases *bases)
     PetscCall(PetscArraycpy(&bases->F[s * dim * dim], &vi->support.directions[bases->node[s] * dim * dim], dim * dim));
   }
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
-    for (PetscInt k = 0; k < vi->pairs[p]->num; k++) EnterNode_Private(vi, bases, p, k, used, &row);
+    for (PetscInt k = 0; k < vi->pairs[p]->num; k++) NodeBasesAddNode_Private(vi, bases, p, k, used, &row);
   }
   for (PetscInt s = 0; s < bases->num; s++) {
-    CompleteFrame_Private(dim, used[s], &bases->F[s * dim * dim]);
-    Invert_Private(dim, &bases->F[s * dim * dim], &bases->Finv[s * dim * dim]);
+    NodeBasesCompleteFrame_Private(dim, used[s], &bases->F[s * dim * dim]);
+    BasisChangeInvertFrame_Private(dim, &bases->F[s * dim * dim], &bases->Finv[s * dim * dim]);
   }
   PetscCall(PetscFree(used));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -156,7 +157,7 @@ PetscErrorCode NodeBasesDestroy(NodeBases *bases)
 }
 
 /* Adds R: the identity, but F^-1 at special nodes. */
-static PetscErrorCode AddR_Private(VI vi, const NodeBases *bases, Mat R)
+static PetscErrorCode BasisChangeAddR_Private(VI vi, const NodeBases *bases, Mat R)
 {
   const PetscInt dim = vi->level->dim, first = vi->level->node_begin * dim;
 
@@ -174,7 +175,7 @@ static PetscErrorCode AddR_Private(VI vi, const NodeBases *bases, Mat R)
 }
 
 /* Adds -(1/D) F^-1_(.,i) (x) F_i for every entry of row `node` of a node x node matrix. */
-static PetscErrorCode AddCoupling_Private(VI vi, const NodeBases *bases, Mat C, PetscInt row, Mat E)
+static PetscErrorCode BasisChangeAddCoupling_Private(VI vi, const NodeBases *bases, Mat C, PetscInt row, Mat E)
 {
   const Pair         pair = vi->pairs[vi->row_pair[row]];
   const PetscInt     dim = vi->level->dim, k = vi->row_node[row], i = vi->row_dof[row] % dim;
@@ -199,7 +200,7 @@ static PetscErrorCode AddCoupling_Private(VI vi, const NodeBases *bases, Mat C, 
 }
 
 /* Entries of a node's rows of E, over all its constraints. [out] nnz - blocks per owned node [num_owned] */
-static PetscErrorCode CountE_Private(VI vi, const Couplings *couplings, PetscInt nnz[])
+static PetscErrorCode BasisChangeCountE_Private(VI vi, const Couplings *couplings, PetscInt nnz[])
 {
   const PetscInt dim = vi->level->dim;
   PetscInt       num;
@@ -220,15 +221,15 @@ static PetscErrorCode CountE_Private(VI vi, const Couplings *couplings, PetscInt
 }
 
 /* A sum of R, the identity but at special nodes, and E, what other displacements contribute to u~ there. */
-static PetscErrorCode CreateSum_Private(VI vi, const NodeBases *bases, const Couplings *couplings, PetscBool with_R,
-                                        PetscBool with_E, Mat *sum)
+static PetscErrorCode BasisChangeCreateSum_Private(VI vi, const NodeBases *bases, const Couplings *couplings,
+                                                   PetscBool with_R, PetscBool with_E, Mat *sum)
 {
   const PetscInt dim = vi->level->dim, n = vi->level->num_owned, rest = vi->level->num_global - n;
   PetscInt      *nnz, *d_nnz, *o_nnz;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc3(n, &nnz, n * dim, &d_nnz, n * dim, &o_nnz));
-  if (with_E) PetscCall(CountE_Private(vi, couplings, nnz));
+  if (with_E) PetscCall(BasisChangeCountE_Private(vi, couplings, nnz));
   for (PetscInt i = 0; i < n * dim; i++) {
     d_nnz[i] = dim * PetscMin(nnz[i / dim] + (with_R ? 1 : 0), n);
     o_nnz[i] = dim * PetscMin(nnz[i / dim], rest);
@@ -236,10 +237,10 @@ static PetscErrorCode CreateSum_Private(VI vi, const NodeBases *bases, const Cou
   PetscCall(MatCreateAIJ(vi->level->comm, n * dim, n * dim, PETSC_DETERMINE, PETSC_DETERMINE, 0, d_nnz, 0, o_nnz, sum));
   PetscCall(MatSetBlockSize(*sum, dim));
   PetscCall(PetscFree3(nnz, d_nnz, o_nnz));
-  if (with_R) PetscCall(AddR_Private(vi, bases, *sum));
+  if (with_R) PetscCall(BasisChangeAddR_Private(vi, bases, *sum));
   for (PetscInt r = 0; r < (with_E ? vi->num_rows : 0); r++) {
     const Mat C = couplings->basis[vi->row_pair[r]];
-    if (C) PetscCall(AddCoupling_Private(vi, bases, C, r, *sum));
+    if (C) PetscCall(BasisChangeAddCoupling_Private(vi, bases, C, r, *sum));
     PetscCall(PairArmsAddToE(vi, bases, couplings->arm[vi->row_pair[r]], r, *sum));
   }
   PetscCall(MatAssemblyBegin(*sum, MAT_FINAL_ASSEMBLY));
@@ -248,7 +249,8 @@ static PetscErrorCode CreateSum_Private(VI vi, const NodeBases *bases, const Cou
 }
 
 /* Whether what E adds comes from special nodes, too: if not, E has no powers and no R beside it but 1. */
-static PetscErrorCode IsChained_Private(VI vi, const NodeBases *bases, const Couplings *couplings, PetscBool *chained)
+static PetscErrorCode BasisChangeIsChained_Private(VI vi, const NodeBases *bases, const Couplings *couplings,
+                                                   PetscBool *chained)
 {
   const PetscScalar *reached;
   Vec                marks;
@@ -280,7 +282,7 @@ static PetscErrorCode IsChained_Private(VI vi, const NodeBases *bases, const Cou
 }
 
 /* T += (E + E E + ..) T */
-static PetscErrorCode AddPowers_Private(VI vi, Mat E, Mat T)
+static PetscErrorCode BasisChangeAddPowers_Private(VI vi, Mat E, Mat T)
 {
   Mat       V, next;
   PetscReal norm;
@@ -311,11 +313,11 @@ PetscErrorCode BasisChangeCreateT(VI vi, const NodeBases *bases, const Couplings
   *T = NULL;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &special, 1, MPIU_INT, MPI_SUM, vi->level->comm));
   if (special == 0 && !couplings->shift) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(IsChained_Private(vi, bases, couplings, &chained));
-  PetscCall(CreateSum_Private(vi, bases, couplings, PETSC_TRUE, (PetscBool)!chained, T));
+  PetscCall(BasisChangeIsChained_Private(vi, bases, couplings, &chained));
+  PetscCall(BasisChangeCreateSum_Private(vi, bases, couplings, PETSC_TRUE, (PetscBool)!chained, T));
   if (chained) {
-    PetscCall(CreateSum_Private(vi, bases, couplings, PETSC_FALSE, PETSC_TRUE, &E));
-    PetscCall(AddPowers_Private(vi, E, *T));
+    PetscCall(BasisChangeCreateSum_Private(vi, bases, couplings, PETSC_FALSE, PETSC_TRUE, &E));
+    PetscCall(BasisChangeAddPowers_Private(vi, E, *T));
     PetscCall(MatDestroy(&E));
   }
   if (couplings->shift) {
@@ -327,7 +329,7 @@ PetscErrorCode BasisChangeCreateT(VI vi, const NodeBases *bases, const Couplings
 }
 
 /* The unknown (0..dim-1) of a node that is +-d . u, and the sign; -1 if none is. */
-static PetscInt FindUnknown_Private(PetscInt dim, const PetscReal F[], const PetscReal d[], PetscReal *sign)
+static PetscInt BasisChangeFindUnknown_Private(PetscInt dim, const PetscReal F[], const PetscReal d[], PetscReal *sign)
 {
   for (PetscInt r = 0; r < dim; r++) {
     PetscReal dot = 0;
@@ -340,7 +342,7 @@ static PetscInt FindUnknown_Private(PetscInt dim, const PetscReal F[], const Pet
 
 /* unshift p with p = sum_j value_j d_j: what prescribed displacements are in u~ beyond what they are in u. The ends of a facet
    are held wherever its middle is, and in the same directions at least. [out] moved - NULL where nothing is shifted */
-static PetscErrorCode UnshiftPrescribed_Private(VI vi, const Couplings *couplings, Vec *moved)
+static PetscErrorCode BasisChangeTransformPrescribed_Private(VI vi, const Couplings *couplings, Vec *moved)
 {
   const PetscInt dim = vi->level->dim;
   PetscScalar   *value;
@@ -374,7 +376,7 @@ PetscErrorCode BasisChangeGetFixed(VI vi, const NodeBases *bases, const Coupling
   *num = 0;
   PetscCall(PetscMalloc1(vi->level->num_owned * dim, dofs));
   PetscCall(PetscMalloc1(vi->level->num_owned * dim, values));
-  PetscCall(UnshiftPrescribed_Private(vi, couplings, &unshifted));
+  PetscCall(BasisChangeTransformPrescribed_Private(vi, couplings, &unshifted));
   if (unshifted) PetscCall(VecGetArrayRead(unshifted, &moved));
   for (PetscInt i = 0; i < vi->level->num_owned; i++) {
     const PetscInt   s = bases->of_node[i];
@@ -382,7 +384,7 @@ PetscErrorCode BasisChangeGetFixed(VI vi, const NodeBases *bases, const Coupling
     for (PetscInt j = 0; j < vi->support.count[i]; j++) {
       const PetscReal *d     = &vi->support.directions[(i * dim + j) * dim];
       PetscReal        value = vi->support.values[i * dim + j], sign;
-      const PetscInt   r     = FindUnknown_Private(dim, F, d, &sign);
+      const PetscInt   r     = BasisChangeFindUnknown_Private(dim, F, d, &sign);
       PetscCheck(r >= 0, PETSC_COMM_SELF, PETSC_ERR_PLIB, "A held direction is not an unknown of its node");
       for (PetscInt k = 0; moved && k < dim; k++) value += d[k] * PetscRealPart(moved[i * dim + k]);
       (*dofs)[*num]       = dim * (vi->level->node_begin + i) + r;

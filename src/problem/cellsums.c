@@ -11,7 +11,7 @@ typedef struct {
   PetscInt *start, *cell; /* [num_nodes+1], [start[num_nodes]] */
 } Stars;
 
-static PetscErrorCode StarsCreate_Private(const Level *level, Stars *stars)
+static PetscErrorCode CellSumsListCellsOfNodes_Private(const Level *level, Stars *stars)
 {
   const PetscInt num = level->num_nodes;
   PetscInt      *start;
@@ -30,7 +30,7 @@ static PetscErrorCode StarsCreate_Private(const Level *level, Stars *stars)
 }
 
 /* Where a node is in an ascending list, or would be: lists are so short that comparing all is faster than to branch. */
-static inline PetscInt Find_Private(PetscInt num, const PetscInt list[], PetscInt node)
+static inline PetscInt CellSumsFindNeighbour_Private(PetscInt num, const PetscInt list[], PetscInt node)
 {
   PetscInt at = 0;
 
@@ -39,13 +39,13 @@ static inline PetscInt Find_Private(PetscInt num, const PetscInt list[], PetscIn
 }
 
 /* The nodes of some cells, ascending. [out] list - room for all of them, each as often as cells have it */
-static void ListNeighbours_Private(const Level *level, PetscInt num_cells, const PetscInt cells[], PetscInt *num,
-                                   PetscInt list[])
+static void CellSumsListNeighbours_Private(const Level *level, PetscInt num_cells, const PetscInt cells[],
+                                           PetscInt *num, PetscInt list[])
 {
   *num = 0;
   for (PetscInt c = 0; c < num_cells; c++) {
     for (PetscInt i = level->cell_start[cells[c]]; i < level->cell_start[cells[c] + 1]; i++) {
-      const PetscInt node = level->cell_nodes[i], at = Find_Private(*num, list, node);
+      const PetscInt node = level->cell_nodes[i], at = CellSumsFindNeighbour_Private(*num, list, node);
 
       if (at < *num && list[at] == node) continue;
       for (PetscInt k = (*num)++; k > at; k--) list[k] = list[k - 1];
@@ -62,15 +62,15 @@ PetscErrorCode CellSumsCreate(const Level *level, Gather *gather)
 
   PetscFunctionBeginUser;
   gather->level = level;
-  PetscCall(StarsCreate_Private(level, &stars));
+  PetscCall(CellSumsListCellsOfNodes_Private(level, &stars));
   for (PetscInt i = 0; i < stars.start[num]; i++)
     most += level->cell_start[stars.cell[i] + 1] - level->cell_start[stars.cell[i]];
   PetscCall(PetscMalloc1(num + 1, &gather->start));
   PetscCall(PetscMalloc1(most, &gather->node));
   gather->start[0] = 0;
   for (PetscInt i = 0; i < num; i++) {
-    ListNeighbours_Private(level, stars.start[i + 1] - stars.start[i], &stars.cell[stars.start[i]], &size,
-                           &gather->node[gather->start[i]]);
+    CellSumsListNeighbours_Private(level, stars.start[i + 1] - stars.start[i], &stars.cell[stars.start[i]], &size,
+                                   &gather->node[gather->start[i]]);
     gather->start[i + 1] = gather->start[i] + size;
   }
   PetscCall(PetscFree(stars.start));
@@ -80,7 +80,8 @@ PetscErrorCode CellSumsCreate(const Level *level, Gather *gather)
 }
 
 /* Adds one block of a cell's matrix to a node's rows. [in] Ke - the block, in rows of n */
-static inline void AddBlock_Private(PetscInt dim, PetscInt n, const PetscReal Ke[], PetscInt width, PetscReal rows[])
+static inline void CellSumsAddBlock_Private(PetscInt dim, PetscInt n, const PetscReal Ke[], PetscInt width,
+                                            PetscReal rows[])
 {
   for (PetscInt k = 0; k < dim; k++)
     for (PetscInt l = 0; l < dim; l++) rows[k * width + l] += Ke[k * n + l];
@@ -96,10 +97,10 @@ void CellSumsAdd(Gather *gather, PetscInt cell, const PetscReal Ke[])
     const PetscInt begin = gather->start[nodes[a]], size = gather->start[nodes[a] + 1] - begin;
 
     for (PetscInt b = 0; b < num; b++) {
-      const PetscInt at = Find_Private(size, &gather->node[begin], nodes[b]);
+      const PetscInt at = CellSumsFindNeighbour_Private(size, &gather->node[begin], nodes[b]);
 
-      AddBlock_Private(dim, n, &Ke[(dim * a) * n + dim * b], dim * size,
-                       &gather->value[(size_t)begin * dim * dim + dim * at]);
+      CellSumsAddBlock_Private(dim, n, &Ke[(dim * a) * n + dim * b], dim * size,
+                               &gather->value[(size_t)begin * dim * dim + dim * at]);
     }
   }
 }

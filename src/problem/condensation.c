@@ -6,7 +6,7 @@
 #include "problem/condensation.h"
 
 /* E = T - I without the zeros. [out] rows - of this rank, that are not empty; owned by the caller [num] */
-static PetscErrorCode CreateDifference_Private(Mat T, PetscInt *num, PetscInt **rows, Mat *E)
+static PetscErrorCode CondensationCreateDifference_Private(Mat T, PetscInt *num, PetscInt **rows, Mat *E)
 {
   PetscInt begin, end, N, bs, *d_nnz, *o_nnz;
 
@@ -52,7 +52,7 @@ static PetscErrorCode CreateDifference_Private(Mat T, PetscInt *num, PetscInt **
 }
 
 /* Some rows of one matrix, or of two in turn: a matrix with as many columns. [in] other - NULL; rows - of this rank [num] */
-static PetscErrorCode CreateRows_Private(PetscInt num, const PetscInt rows[], Mat one, Mat other, Mat *few)
+static PetscErrorCode CondensationCreateRows_Private(PetscInt num, const PetscInt rows[], Mat one, Mat other, Mat *few)
 {
   const Mat    from[2] = {one, other};
   const int    parts   = other ? 2 : 1;
@@ -96,17 +96,17 @@ PetscErrorCode CondensationCreate(Mat K, Mat T, Mat *Z)
   Mat       E, few, W, KE, left, right;
 
   PetscFunctionBeginUser;
-  PetscCall(CreateDifference_Private(T, &num, &rows, &E));
-  PetscCall(CreateRows_Private(num, rows, E, NULL, &few));
-  PetscCall(CreateRows_Private(num, rows, K, NULL, &W));
+  PetscCall(CondensationCreateDifference_Private(T, &num, &rows, &E));
+  PetscCall(CondensationCreateRows_Private(num, rows, E, NULL, &few));
+  PetscCall(CondensationCreateRows_Private(num, rows, K, NULL, &W));
   PetscCall(MatMatMult(W, E, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &KE));
   PetscCall(MatAXPY(W, 0.5, KE, DIFFERENT_NONZERO_PATTERN));
   PetscCall(MatDestroy(&KE));
   PetscCall(MatDestroy(&E));
   PetscCall(MatGetOwnershipRange(few, &begin, NULL));
   for (PetscInt i = 0; i < num; i++) rows[i] = begin + i;
-  PetscCall(CreateRows_Private(num, rows, few, W, &left));
-  PetscCall(CreateRows_Private(num, rows, W, few, &right));
+  PetscCall(CondensationCreateRows_Private(num, rows, few, W, &left));
+  PetscCall(CondensationCreateRows_Private(num, rows, W, few, &right));
   PetscCall(MatTransposeMatMult(left, right, MAT_INITIAL_MATRIX, PETSC_DEFAULT, Z)); // both terms at once
   PetscCall(MatProductClear(*Z));                                                    // it would keep its factors
   PetscCall(MatDestroy(&left));

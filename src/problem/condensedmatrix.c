@@ -12,7 +12,7 @@ typedef struct {
   Vec             diagonal, springs, work; /* diag K */
 } Condensed;
 
-static PetscErrorCode Mult_Condensed(Mat A, Vec x, Vec y)
+static PetscErrorCode MatMult_Condensed(Mat A, Vec x, Vec y)
 {
   Condensed         *c;
   const PetscScalar *xa;
@@ -39,7 +39,7 @@ static PetscErrorCode Mult_Condensed(Mat A, Vec x, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode GetDiagonal_Condensed(Mat A, Vec diagonal)
+static PetscErrorCode MatGetDiagonal_Condensed(Mat A, Vec diagonal)
 {
   Condensed   *c;
   PetscScalar *a;
@@ -57,7 +57,7 @@ static PetscErrorCode GetDiagonal_Condensed(Mat A, Vec diagonal)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Destroy_Condensed(Mat A)
+static PetscErrorCode MatDestroy_Condensed(Mat A)
 {
   Condensed *c;
 
@@ -88,10 +88,10 @@ PetscErrorCode CondensedMatrixCreateShell(VI vi, Vec springs, Mat *A)
   PetscCall(MatGetBlockSize(K, &bs));
   PetscCall(MatCreateShell(PetscObjectComm((PetscObject)K), n, n, PETSC_DETERMINE, PETSC_DETERMINE, c, A));
   PetscCall(MatSetBlockSize(*A, bs));
-  PetscCall(MatShellSetOperation(*A, MATOP_MULT, (void (*)(void))Mult_Condensed));
-  PetscCall(MatShellSetOperation(*A, MATOP_MULT_TRANSPOSE, (void (*)(void))Mult_Condensed));
-  PetscCall(MatShellSetOperation(*A, MATOP_GET_DIAGONAL, (void (*)(void))GetDiagonal_Condensed));
-  PetscCall(MatShellSetOperation(*A, MATOP_DESTROY, (void (*)(void))Destroy_Condensed));
+  PetscCall(MatShellSetOperation(*A, MATOP_MULT, (void (*)(void))MatMult_Condensed));
+  PetscCall(MatShellSetOperation(*A, MATOP_MULT_TRANSPOSE, (void (*)(void))MatMult_Condensed));
+  PetscCall(MatShellSetOperation(*A, MATOP_GET_DIAGONAL, (void (*)(void))MatGetDiagonal_Condensed));
+  PetscCall(MatShellSetOperation(*A, MATOP_DESTROY, (void (*)(void))MatDestroy_Condensed));
   PetscCall(MatSetOption(*A, MAT_SPD, PETSC_TRUE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -4,7 +4,7 @@
 #include "problem/couplings.h"
 
 /* A := A + a B, where NULL stands for 0. */
-static PetscErrorCode Add_Private(Mat *A, PetscReal a, Mat B)
+static PetscErrorCode CouplingsAddMatrix_Private(Mat *A, PetscReal a, Mat B)
 {
   PetscFunctionBeginUser;
   if (!B) PetscFunctionReturn(PETSC_SUCCESS);
@@ -18,21 +18,21 @@ static PetscErrorCode Add_Private(Mat *A, PetscReal a, Mat B)
 }
 
 /* A := A + a B C, where NULL stands for 0. */
-static PetscErrorCode AddProduct_Private(Mat *A, PetscReal a, Mat B, Mat C)
+static PetscErrorCode CouplingsAddProduct_Private(Mat *A, PetscReal a, Mat B, Mat C)
 {
   Mat BC;
 
   PetscFunctionBeginUser;
   if (!B || !C) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MatMatMult(B, C, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &BC));
-  PetscCall(Add_Private(A, a, BC));
+  PetscCall(CouplingsAddMatrix_Private(A, a, BC));
   PetscCall(MatDestroy(&BC));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The shifts of all pairs at once: a facet in several of them has the same in each. NULL where there is none.
    [in] inverse - the unshifts instead */
-static PetscErrorCode UniteShifts_Private(VI vi, PetscBool inverse, Mat *shift)
+static PetscErrorCode CouplingsUniteTransformations_Private(VI vi, PetscBool inverse, Mat *shift)
 {
   const PetscInt n = vi->level->num_owned, begin = vi->level->node_begin;
 
@@ -61,7 +61,7 @@ static PetscErrorCode UniteShifts_Private(VI vi, PetscBool inverse, Mat *shift)
 }
 
 /* The same for all components: entry times the identity. [in] shift - node x node */
-static PetscErrorCode Expand_Private(VI vi, Mat shift, Mat *expanded)
+static PetscErrorCode CouplingsExpand_Private(VI vi, Mat shift, Mat *expanded)
 {
   const PetscInt dim = vi->level->dim, n = dim * vi->level->num_owned, begin = vi->level->node_begin;
 
@@ -86,16 +86,16 @@ static PetscErrorCode Expand_Private(VI vi, Mat shift, Mat *expanded)
 }
 
 /* record = (D + chain) S^-1 - D - M. */
-static PetscErrorCode CreateRecord_Private(const Pair pair, Mat *record)
+static PetscErrorCode CouplingsCreateKKT_Private(const Pair pair, Mat *record)
 {
   Mat          moved;
   Vec          D;
   PetscScalar *value;
 
   PetscFunctionBeginUser;
-  PetscCall(Add_Private(record, -1.0, pair->M));
-  PetscCall(Add_Private(record, 1.0, pair->D_other));
-  PetscCall(AddProduct_Private(record, 1.0, pair->D_other, pair->from_nodal));
+  PetscCall(CouplingsAddMatrix_Private(record, -1.0, pair->M));
+  PetscCall(CouplingsAddMatrix_Private(record, 1.0, pair->D_other));
+  PetscCall(CouplingsAddProduct_Private(record, 1.0, pair->D_other, pair->from_nodal));
   if (!pair->from_nodal) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MatCreateVecs(pair->from_nodal, NULL, &D));
   PetscCall(VecGetArray(D, &value));
@@ -103,7 +103,7 @@ static PetscErrorCode CreateRecord_Private(const Pair pair, Mat *record)
   PetscCall(VecRestoreArray(D, &value));
   PetscCall(MatDuplicate(pair->from_nodal, MAT_COPY_VALUES, &moved));
   PetscCall(MatDiagonalScale(moved, D, NULL));
-  PetscCall(Add_Private(record, 1.0, moved));
+  PetscCall(CouplingsAddMatrix_Private(record, 1.0, moved));
   PetscCall(VecDestroy(&D));
   PetscCall(MatDestroy(&moved));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -111,22 +111,22 @@ static PetscErrorCode CreateRecord_Private(const Pair pair, Mat *record)
 
 /* basis = (D + record) S - D. On the pair's own side, if that is shifted, S^-1 S = I: there D and the chain stay what they are.
    Else the nodes with multipliers are not shifted, so that D S = D. */
-static PetscErrorCode CreateBasis_Private(const Pair pair, Mat shift, Mat *basis)
+static PetscErrorCode CouplingsCreateBasis_Private(const Pair pair, Mat shift, Mat *basis)
 {
   Mat other = NULL;
 
   PetscFunctionBeginUser;
-  PetscCall(Add_Private(&other, -1.0, pair->M));
-  if (!pair->to_nodal) PetscCall(Add_Private(&other, 1.0, pair->D_other));
-  PetscCall(Add_Private(basis, 1.0, other));
-  PetscCall(AddProduct_Private(basis, 1.0, other, shift));
-  if (pair->to_nodal) PetscCall(Add_Private(basis, 1.0, pair->D_other));
+  PetscCall(CouplingsAddMatrix_Private(&other, -1.0, pair->M));
+  if (!pair->to_nodal) PetscCall(CouplingsAddMatrix_Private(&other, 1.0, pair->D_other));
+  PetscCall(CouplingsAddMatrix_Private(basis, 1.0, other));
+  PetscCall(CouplingsAddProduct_Private(basis, 1.0, other, shift));
+  if (pair->to_nodal) PetscCall(CouplingsAddMatrix_Private(basis, 1.0, pair->D_other));
   PetscCall(MatDestroy(&other));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Entries of a row of a shift; none where it is NULL. */
-static PetscErrorCode CountShift_Private(Mat shift, PetscInt row, PetscInt *num)
+static PetscErrorCode CouplingsCountTransformation_Private(Mat shift, PetscInt row, PetscInt *num)
 {
   PetscFunctionBeginUser;
   *num = 0;
@@ -138,7 +138,7 @@ static PetscErrorCode CountShift_Private(Mat shift, PetscInt row, PetscInt *num)
 
 /* Whether a node that this rank owns carries a multiplier of one pair and is shifted by another in its own way, which the number
    of nodes that shift it tells: none, the two ends, or these and the node itself. */
-static PetscErrorCode IsTorn_Private(const Pair pair, const Pair other, PetscBool *torn)
+static PetscErrorCode CouplingsIsInconsistent_Private(const Pair pair, const Pair other, PetscBool *torn)
 {
   PetscInt num, num_own;
 
@@ -147,15 +147,15 @@ static PetscErrorCode IsTorn_Private(const Pair pair, const Pair other, PetscBoo
   if (!other->to_nodal) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt k = 0; k < pair->num; k++) {
     const PetscInt row = pair->level->node_begin + pair->nodes[k];
-    PetscCall(CountShift_Private(other->to_nodal, row, &num));
-    PetscCall(CountShift_Private(pair->to_nodal, row, &num_own));
+    PetscCall(CouplingsCountTransformation_Private(other->to_nodal, row, &num));
+    PetscCall(CouplingsCountTransformation_Private(pair->to_nodal, row, &num_own));
     *torn = (PetscBool)(*torn || (num > 0 && num != num_own));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Faults if two pairs on one side want the displacement in the middle of a facet to be an unknown in different ways. */
-static PetscErrorCode CheckTorn_Private(VI vi)
+static PetscErrorCode CouplingsCheckConsistent_Private(VI vi)
 {
   const PetscInt none  = vi->num_pairs * vi->num_pairs;
   PetscInt       first = none;
@@ -163,18 +163,17 @@ static PetscErrorCode CheckTorn_Private(VI vi)
   PetscFunctionBeginUser;
   for (PetscInt i = none - 1; i >= 0; i--) {
     PetscBool torn;
-    PetscCall(IsTorn_Private(vi->pairs[i / vi->num_pairs], vi->pairs[i % vi->num_pairs], &torn));
+    PetscCall(CouplingsIsInconsistent_Private(vi->pairs[i / vi->num_pairs], vi->pairs[i % vi->num_pairs], &torn));
     if (torn) first = i;
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPIU_INT, MPI_MIN, vi->level->comm));
   if (first < none) {
     const char *nodes    = vi->pairs[first / vi->num_pairs]->spec->name,
                *vertices = vi->pairs[first % vi->num_pairs]->spec->name;
-    PetscCall(
-        UserErrorRaise(vi->level->comm,
-                       "-%s_multipliers nodes and -%s_multipliers vertices do not go together on the side that both "
-                       "pairs share; give them the same",
-                       nodes, vertices));
+    PetscCall(UserErrorRaise(vi->level->comm,
+                             "-%s_multipliers nodes and -%s_multipliers vertices are incompatible on the side that "
+                             "both pairs share; use the same value",
+                             nodes, vertices));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -184,29 +183,29 @@ PetscErrorCode CouplingsCreate(VI vi, Couplings *couplings)
   Mat shift, unshift;
 
   PetscFunctionBeginUser;
-  PetscCall(CheckTorn_Private(vi));
+  PetscCall(CouplingsCheckConsistent_Private(vi));
   couplings->num   = vi->num_pairs;
   couplings->shift = couplings->unshift = NULL;
   PetscCall(PetscCalloc3(vi->num_pairs, &couplings->record, vi->num_pairs, &couplings->basis, vi->num_pairs,
                          &couplings->arm));
-  PetscCall(UniteShifts_Private(vi, PETSC_FALSE, &shift));
-  PetscCall(UniteShifts_Private(vi, PETSC_TRUE, &unshift));
+  PetscCall(CouplingsUniteTransformations_Private(vi, PETSC_FALSE, &shift));
+  PetscCall(CouplingsUniteTransformations_Private(vi, PETSC_TRUE, &unshift));
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
     const Pair pair   = vi->pairs[p];
     Mat       *record = &couplings->record[p];
-    PetscCall(CreateRecord_Private(pair, record));
+    PetscCall(CouplingsCreateKKT_Private(pair, record));
     if (shift) {
-      PetscCall(CreateBasis_Private(pair, shift, &couplings->basis[p]));
+      PetscCall(CouplingsCreateBasis_Private(pair, shift, &couplings->basis[p]));
     } else {
       if (*record) PetscCall(PetscObjectReference((PetscObject)*record));
       couplings->basis[p] = *record;
     }
   }
-  if (shift) PetscCall(Expand_Private(vi, shift, &couplings->shift));
-  if (unshift) PetscCall(Expand_Private(vi, unshift, &couplings->unshift));
+  if (shift) PetscCall(CouplingsExpand_Private(vi, shift, &couplings->shift));
+  if (unshift) PetscCall(CouplingsExpand_Private(vi, unshift, &couplings->unshift));
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
-    PetscCall(Add_Private(&couplings->arm[p], 1.0, vi->pairs[p]->arm));
-    PetscCall(AddProduct_Private(&couplings->arm[p], 1.0, vi->pairs[p]->arm, couplings->shift));
+    PetscCall(CouplingsAddMatrix_Private(&couplings->arm[p], 1.0, vi->pairs[p]->arm));
+    PetscCall(CouplingsAddProduct_Private(&couplings->arm[p], 1.0, vi->pairs[p]->arm, couplings->shift));
   }
   PetscCall(MatDestroy(&shift));
   PetscCall(MatDestroy(&unshift));

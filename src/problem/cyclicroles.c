@@ -11,7 +11,7 @@
 static const PetscReal ROUNDOFF = 1e-12;
 
 /* 1 at the nodes that carry a multiplier of a pair, 0 elsewhere. [in,out] marks - bs of each node */
-static PetscErrorCode MarkNodes_Private(const Pair pair, PetscInt bs, Vec marks)
+static PetscErrorCode CyclicRolesMarkNodes_Private(const Pair pair, PetscInt bs, Vec marks)
 {
   PetscScalar *mark;
 
@@ -24,7 +24,7 @@ static PetscErrorCode MarkNodes_Private(const Pair pair, PetscInt bs, Vec marks)
 }
 
 /* Whether rows of p hold nodes of q: |diag(marks of p) M diag(marks of q)| > 0. [in] M - that of p, or its arm: bs rows of each node */
-static PetscErrorCode Leads_Private(const Pair p, const Pair q, Mat M, PetscInt bs, PetscBool *leads)
+static PetscErrorCode CyclicRolesLeads_Private(const Pair p, const Pair q, Mat M, PetscInt bs, PetscBool *leads)
 {
   PetscReal all, common;
   Vec       rows, columns;
@@ -32,8 +32,8 @@ static PetscErrorCode Leads_Private(const Pair p, const Pair q, Mat M, PetscInt 
 
   PetscFunctionBeginUser;
   PetscCall(MatCreateVecs(M, &columns, &rows));
-  PetscCall(MarkNodes_Private(p, bs, rows));
-  PetscCall(MarkNodes_Private(q, bs, columns));
+  PetscCall(CyclicRolesMarkNodes_Private(p, bs, rows));
+  PetscCall(CyclicRolesMarkNodes_Private(q, bs, columns));
   PetscCall(MatDuplicate(M, MAT_COPY_VALUES, &part));
   PetscCall(MatDiagonalScale(part, rows, columns));
   PetscCall(MatNorm(M, NORM_FROBENIUS, &all));
@@ -46,7 +46,7 @@ static PetscErrorCode Leads_Private(const Pair p, const Pair q, Mat M, PetscInt 
 }
 
 /* Adds all ways over other pairs (Warshall). [in,out] leads - [n][n] */
-static void CloseWays_Private(PetscInt n, PetscBool leads[])
+static void CyclicRolesCloseTransitively_Private(PetscInt n, PetscBool leads[])
 {
   for (PetscInt over = 0; over < n; over++) {
     for (PetscInt from = 0; from < n; from++) {
@@ -58,7 +58,7 @@ static void CloseWays_Private(PetscInt n, PetscBool leads[])
 }
 
 /* Names the pairs that come back to themselves. */
-static PetscErrorCode Raise_Private(VI vi, const PetscBool leads[])
+static PetscErrorCode CyclicRolesRaise_Private(VI vi, const PetscBool leads[])
 {
   const PetscInt n          = vi->num_pairs;
   char           names[512] = "";
@@ -90,13 +90,13 @@ PetscErrorCode CyclicRolesCheck(VI vi)
       const Pair from = vi->pairs[p], to = vi->pairs[q];
 
       if (p == q || !from->M || !to->M) continue;
-      PetscCall(Leads_Private(from, to, from->M, 1, &leads[p * n + q]));
+      PetscCall(CyclicRolesLeads_Private(from, to, from->M, 1, &leads[p * n + q]));
       if (from->arm && !leads[p * n + q])
-        PetscCall(Leads_Private(from, to, from->arm, vi->level->dim, &leads[p * n + q]));
+        PetscCall(CyclicRolesLeads_Private(from, to, from->arm, vi->level->dim, &leads[p * n + q]));
     }
   }
-  CloseWays_Private(n, leads);
-  PetscCall(Raise_Private(vi, leads));
+  CyclicRolesCloseTransitively_Private(n, leads);
+  PetscCall(CyclicRolesRaise_Private(vi, leads));
   PetscCall(PetscFree(leads));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

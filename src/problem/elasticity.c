@@ -44,7 +44,7 @@ PetscErrorCode ElasticityHooke(Scene scene, PetscInt body, const PetscReal x[], 
 }
 
 /* Whether a body's Hooke tensor is the same everywhere. */
-static PetscBool HookeIsConstant_Private(const SceneBody *body)
+static PetscBool ElasticityHookeIsConstant_Private(const SceneBody *body)
 {
   if (body->stiffness) return ExpressionIsConstant(body->stiffness);
   return (PetscBool)(ExpressionIsConstant(body->young) && ExpressionIsConstant(body->poisson));
@@ -56,8 +56,8 @@ typedef struct {
 } Sentence;
 
 /* Writes a sentence if moduli that vary in space are not those of an elastic body at x. */
-static PetscErrorCode HookeCheck_Private(Scene scene, PetscInt body, const PetscReal x[], const PetscReal C[],
-                                         PetscReal poisson, Sentence *sentence)
+static PetscErrorCode ElasticityCheckHooke_Private(Scene scene, PetscInt body, const PetscReal x[], const PetscReal C[],
+                                                   PetscReal poisson, Sentence *sentence)
 {
   const SceneBody *b     = &scene->bodies[body];
   const PetscReal  end   = scene->model == MODEL_PLANE_STRESS ? 0.5 : MATERIAL_POISSON_END;
@@ -83,7 +83,7 @@ typedef struct {
 } Moduli;
 
 /* From C in Voigt's order: eps_ln counts twice among engineering shears, once for eps_nl. */
-static void ModuliSet_Private(ModelKind model, const PetscReal C[], Moduli *moduli)
+static void ElasticitySetModuli_Private(ModelKind model, const PetscReal C[], Moduli *moduli)
 {
   static const PetscInt plane[MAX_PLANE] = {0, 2, 2, 1}, ring[MAX_PLANE] = {0, 3, 3, 1};
   static const PetscInt solid[MAX_SQUARE] = {0, 5, 4, 5, 1, 3, 4, 3, 2};
@@ -108,25 +108,25 @@ typedef struct {
   PetscReal bulk, poisson; /* NAN where nothing restrains changes of volume */
 } Law;
 
-static PetscErrorCode LawSet_Private(Scene scene, PetscInt body, Law *law)
+static PetscErrorCode ElasticitySetLaw_Private(Scene scene, PetscInt body, Law *law)
 {
   const PetscReal origin[3] = {0, 0, 0};
   PetscReal       C[MAX_STRAINS * MAX_STRAINS];
 
   PetscFunctionBeginUser;
-  law->constant = HookeIsConstant_Private(&scene->bodies[body]);
+  law->constant = ElasticityHookeIsConstant_Private(&scene->bodies[body]);
   if (!law->constant) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ElasticityHooke(scene, body, origin, C, &law->poisson));
-  ModuliSet_Private(scene->model, C, &law->whole);
+  ElasticitySetModuli_Private(scene->model, C, &law->whole);
   if (scene->model == MODEL_PLANE_STRESS) law->poisson = NAN;
   law->bulk = MaterialTakeBulk(MaterialNumStrains(scene->model), C);
-  ModuliSet_Private(scene->model, C, &law->shear);
+  ElasticitySetModuli_Private(scene->model, C, &law->shear);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* G_im,jn = sum_q w d_m phi_i d_n phi_j for i <= j. [in] grad - [num][n]; [in] w - [num]; [out] G - [n][n] */
-static inline void Products_Private(PetscInt dim, PetscInt n, PetscInt num, const PetscReal *restrict grad,
-                                    const PetscReal w[], PetscReal *restrict G)
+static inline void ElasticityGetProducts_Private(PetscInt dim, PetscInt n, PetscInt num, const PetscReal *restrict grad,
+                                                 const PetscReal w[], PetscReal *restrict G)
 {
   for (PetscInt r = 0; r < n; r++) {
     PetscReal *restrict row = &G[r * n];
@@ -142,8 +142,8 @@ static inline void Products_Private(PetscInt dim, PetscInt n, PetscInt num, cons
 
 /* Ke_ik,jl += C_kmln G_im,jn for i <= j. To be inlined where dim is known, so that its loops are unrolled.
    [in] G - [n][n]; [in,out] Ke - [n][n] */
-static inline void Contract_Private(PetscInt dim, PetscInt n, const PetscReal *restrict tensor,
-                                    const PetscReal *restrict G, PetscReal *restrict Ke)
+static inline void ElasticityContract_Private(PetscInt dim, PetscInt n, const PetscReal *restrict tensor,
+                                              const PetscReal *restrict G, PetscReal *restrict Ke)
 {
   const PetscInt square = dim * dim;
 
@@ -161,24 +161,24 @@ static inline void Contract_Private(PetscInt dim, PetscInt n, const PetscReal *r
 }
 
 /* Ke += the stiffness of some points of a cell with the same moduli. [in] grad - [num][n]; [in] w - [num] */
-static void AddStiffness_Private(PetscInt dim, PetscInt n, PetscInt num, const Moduli *moduli, const PetscReal grad[],
-                                 const PetscReal w[], PetscReal Ke[])
+static void ElasticityAddStiffness_Private(PetscInt dim, PetscInt n, PetscInt num, const Moduli *moduli,
+                                           const PetscReal grad[], const PetscReal w[], PetscReal Ke[])
 {
   PetscReal G[MAX_CELL_DOFS * MAX_CELL_DOFS];
 
   if (dim == 2) {
-    Products_Private(2, n, num, grad, w, G);
-    Contract_Private(2, n, moduli->tensor, G, Ke);
+    ElasticityGetProducts_Private(2, n, num, grad, w, G);
+    ElasticityContract_Private(2, n, moduli->tensor, G, Ke);
   } else {
-    Products_Private(3, n, num, grad, w, G);
-    Contract_Private(3, n, moduli->tensor, G, Ke);
+    ElasticityGetProducts_Private(3, n, num, grad, w, G);
+    ElasticityContract_Private(3, n, moduli->tensor, G, Ke);
   }
 }
 
 /* Ke_ij^kl += w (h_i^k t_j^l + t_i^k h_j^l) for i <= j, where h_j^l is the hoop strain of a unit displacement and t_j^l its hoop
    stress, but half of what the hoop strain itself adds to that. [in] phi - [nn]; [in] grad - [nn][2] */
-static void AddHoop_Private(PetscInt nn, const Moduli *moduli, PetscReal r, const PetscReal phi[],
-                            const PetscReal grad[], PetscReal w, PetscReal Ke[])
+static void ElasticityAddHoop_Private(PetscInt nn, const Moduli *moduli, PetscReal r, const PetscReal phi[],
+                                      const PetscReal grad[], PetscReal w, PetscReal Ke[])
 {
   const PetscInt row = nn * 2;
   PetscReal      h[2 * ELEMENT_MAX_NODES], t[2 * ELEMENT_MAX_NODES];
@@ -208,8 +208,8 @@ typedef struct {
 } Work;
 
 /* Ke of one cell. */
-static PetscErrorCode CellStiffness_Private(Scene scene, Level *level, PetscInt c, const ElementRule *rule,
-                                            const Law *law, Work *work, PetscReal Ke[])
+static PetscErrorCode ElasticityGetCellStiffness_Private(Scene scene, Level *level, PetscInt c, const ElementRule *rule,
+                                                         const Law *law, Work *work, PetscReal Ke[])
 {
   const PetscInt  dim = level->dim, nn = ElementNumNodes(rule->type), n = nn * dim, body = level->cell_body[c];
   const PetscInt  num_strains = MaterialNumStrains(scene->model);
@@ -236,14 +236,14 @@ static PetscErrorCode CellStiffness_Private(Scene scene, Level *level, PetscInt 
     work->bulk[q] = work->w[q] * law->bulk;
     if (!law->constant) {
       PetscCall(ElasticityHooke(scene, body, x, C, &nu));
-      PetscCall(HookeCheck_Private(scene, body, x, C, nu, &work->sentence));
+      PetscCall(ElasticityCheckHooke_Private(scene, body, x, C, nu, &work->sentence));
       if (kind) work->bulk[q] = work->w[q] * MaterialTakeBulk(num_strains, C);
-      ModuliSet_Private(scene->model, C, &local);
-      AddStiffness_Private(dim, n, 1, &local, grad, &work->w[q], Ke);
+      ElasticitySetModuli_Private(scene->model, C, &local);
+      ElasticityAddStiffness_Private(dim, n, 1, &local, grad, &work->w[q], Ke);
     }
-    if (ring) AddHoop_Private(nn, moduli, x[0], &rule->phi[q * nn], grad, work->w[q], Ke);
+    if (ring) ElasticityAddHoop_Private(nn, moduli, x[0], &rule->phi[q * nn], grad, work->w[q], Ke);
   }
-  if (law->constant) AddStiffness_Private(dim, n, rule->num, moduli, work->grad, work->w, Ke);
+  if (law->constant) ElasticityAddStiffness_Private(dim, n, rule->num, moduli, work->grad, work->w, Ke);
   if (kind) {
     VolumeStrainDilatation(scene, kind, rule, work->x, work->w, work->grad, &work->pi);
     DilatationStiffness(&work->pi, rule->num, work->x, work->bulk, Ke);
@@ -255,7 +255,7 @@ static PetscErrorCode CellStiffness_Private(Scene scene, Level *level, PetscInt 
 }
 
 /* Adds every cell of this rank to K. */
-static PetscErrorCode AssembleCells_Private(Scene scene, Level *level, Mat K)
+static PetscErrorCode ElasticityAssembleCells_Private(Scene scene, Level *level, Mat K)
 {
   PetscReal    Ke[MAX_CELL_DOFS * MAX_CELL_DOFS];
   PetscInt     body = -1;
@@ -271,9 +271,9 @@ static PetscErrorCode AssembleCells_Private(Scene scene, Level *level, Mat K)
   for (PetscInt c = 0; c < level->num_cells; c++) {
     if (level->cell_body[c] != body) { // cells of a body follow one another
       body = level->cell_body[c];
-      PetscCall(LawSet_Private(scene, body, &law));
+      PetscCall(ElasticitySetLaw_Private(scene, body, &law));
     }
-    PetscCall(CellStiffness_Private(scene, level, c, &rules[level->cell_type[c]], &law, work, Ke));
+    PetscCall(ElasticityGetCellStiffness_Private(scene, level, c, &rules[level->cell_type[c]], &law, work, Ke));
     CellSumsAdd(&gather, c, Ke);
   }
   PetscCall(CellSumsFinish(&gather, K));
@@ -292,7 +292,7 @@ PetscErrorCode ElasticityAssemble(Scene scene, Level *level, Mat *K, Vec *f)
 {
   PetscFunctionBeginUser;
   PetscCall(LevelCreateMat(level, level->dim, K));
-  PetscCall(AssembleCells_Private(scene, level, *K));
+  PetscCall(ElasticityAssembleCells_Private(scene, level, *K));
   PetscCall(MatAssemblyBegin(*K, MAT_FINAL_ASSEMBLY));
   PetscCall(MatAssemblyEnd(*K, MAT_FINAL_ASSEMBLY));
   PetscCall(MatSetOption(*K, MAT_SYMMETRIC, PETSC_TRUE));
@@ -303,7 +303,7 @@ PetscErrorCode ElasticityAssemble(Scene scene, Level *level, Mat *K, Vec *f)
 
 /* v = u less the mean displacement of each body (an axisymmetric one moves along the axis alone): no energy is lost, and
    what a long way and a small strain have in common does not cancel. */
-static PetscErrorCode TakeTranslation_Private(Scene scene, const Level *level, Vec u, Vec v)
+static PetscErrorCode ElasticityRemoveTranslation_Private(Scene scene, const Level *level, Vec u, Vec v)
 {
   const PetscInt dim = level->dim, first = scene->model == MODEL_AXISYMMETRIC ? 1 : 0;
   PetscReal     *sums; /* per body: displacement, number of nodes */
@@ -339,7 +339,7 @@ PetscErrorCode ElasticityBodyEnergy(Scene scene, Level *level, Mat K, Vec u, Pet
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(u, &v));
   PetscCall(VecDuplicate(u, &Kv));
-  PetscCall(TakeTranslation_Private(scene, level, u, v));
+  PetscCall(ElasticityRemoveTranslation_Private(scene, level, u, v));
   PetscCall(MatMult(K, v, Kv));
   PetscCall(PetscArrayzero(energy, scene->num_bodies));
   PetscCall(VecGetArrayRead(v, &va));

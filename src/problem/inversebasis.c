@@ -13,8 +13,8 @@ typedef struct {
 } Source;
 
 /* Adds F_r (I + unshift) at one node, or sums up how many entries that has. [in] W - NULL to count */
-static PetscErrorCode AddFrame_Private(const Source *source, PetscInt node, PetscInt r, const PetscReal F[], Mat W,
-                                       PetscInt *count)
+static PetscErrorCode InverseBasisAddFrame_Private(const Source *source, PetscInt node, PetscInt r, const PetscReal F[],
+                                                   Mat W, PetscInt *count)
 {
   const PetscInt dim = source->vi->level->dim, first = dim * (source->vi->level->node_begin + node), row = first + r;
 
@@ -38,7 +38,8 @@ static PetscErrorCode AddFrame_Private(const Source *source, PetscInt node, Pets
 }
 
 /* Adds one row of T^-1, or counts its entries. */
-static PetscErrorCode AddRow_Private(const Source *source, PetscInt node, PetscInt r, Mat W, PetscInt *count)
+static PetscErrorCode InverseBasisAddRow_Private(const Source *source, PetscInt node, PetscInt r, Mat W,
+                                                 PetscInt *count)
 {
   const VI         vi    = source->vi;
   const NodeBases *bases = &vi->basis->bases;
@@ -50,7 +51,7 @@ static PetscErrorCode AddRow_Private(const Source *source, PetscInt node, PetscI
 
   PetscFunctionBeginUser;
   if (row < 0) {
-    PetscCall(AddFrame_Private(source, node, r, s < 0 ? NULL : &bases->F[s * dim * dim], W, count));
+    PetscCall(InverseBasisAddFrame_Private(source, node, r, s < 0 ? NULL : &bases->F[s * dim * dim], W, count));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(MatGetOwnershipRange(vi->B, &begin, NULL));
@@ -78,7 +79,7 @@ PetscErrorCode VICreateInverseBasis(VI vi, Mat *inverse)
   for (PetscInt i = 0; i < n; i++) {
     PetscInt count = 0;
 
-    PetscCall(AddRow_Private(&source, i / dim, i % dim, NULL, &count));
+    PetscCall(InverseBasisAddRow_Private(&source, i / dim, i % dim, NULL, &count));
     d_nnz[i] = PetscMin(count, n);
     o_nnz[i] = PetscMin(count, N - n);
   }
@@ -86,7 +87,7 @@ PetscErrorCode VICreateInverseBasis(VI vi, Mat *inverse)
   for (PetscInt i = 0; i < n; i++) {
     PetscInt count = 0;
 
-    PetscCall(AddRow_Private(&source, i / dim, i % dim, *inverse, &count));
+    PetscCall(InverseBasisAddRow_Private(&source, i / dim, i % dim, *inverse, &count));
   }
   PetscCall(MatAssemblyBegin(*inverse, MAT_FINAL_ASSEMBLY));
   PetscCall(MatAssemblyEnd(*inverse, MAT_FINAL_ASSEMBLY));

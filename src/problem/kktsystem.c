@@ -4,8 +4,8 @@
 #include "problem/kktsystem.h"
 
 /* Adds coefficient * (row of a node x node matrix) (x) F_i to row of B. */
-static PetscErrorCode AddRow_Private(VI vi, Mat C, PetscInt node, PetscReal coefficient, const PetscReal Fi[],
-                                     PetscInt row)
+static PetscErrorCode KKTSystemAddRow_Private(VI vi, Mat C, PetscInt node, PetscReal coefficient, const PetscReal Fi[],
+                                              PetscInt row)
 {
   const PetscInt     dim = vi->level->dim;
   PetscInt           num;
@@ -23,7 +23,7 @@ static PetscErrorCode AddRow_Private(VI vi, Mat C, PetscInt node, PetscReal coef
 }
 
 /* Number of entries of one row of B. */
-static PetscErrorCode CountRow_Private(VI vi, const Couplings *couplings, PetscInt row, PetscInt *nnz)
+static PetscErrorCode KKTSystemCountRow_Private(VI vi, const Couplings *couplings, PetscInt row, PetscInt *nnz)
 {
   const Pair     pair = vi->pairs[vi->row_pair[row]];
   const Mat      C    = couplings->record[vi->row_pair[row]];
@@ -44,7 +44,7 @@ static PetscErrorCode CountRow_Private(VI vi, const Couplings *couplings, PetscI
 }
 
 /* An empty B with room for its rows. */
-static PetscErrorCode AllocateB_Private(VI vi, const Couplings *couplings)
+static PetscErrorCode KKTSystemAllocateB_Private(VI vi, const Couplings *couplings)
 {
   const PetscInt columns = vi->level->num_owned * vi->level->dim,
                  rest    = vi->level->num_global * vi->level->dim - columns;
@@ -54,7 +54,7 @@ static PetscErrorCode AllocateB_Private(VI vi, const Couplings *couplings)
   PetscCall(PetscMalloc2(vi->num_rows, &d_nnz, vi->num_rows, &o_nnz));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     PetscInt nnz;
-    PetscCall(CountRow_Private(vi, couplings, r, &nnz));
+    PetscCall(KKTSystemCountRow_Private(vi, couplings, r, &nnz));
     d_nnz[r] = PetscMin(nnz, columns);
     o_nnz[r] = PetscMin(nnz, rest);
   }
@@ -74,7 +74,7 @@ PetscErrorCode KKTSystemCreate(VI vi, const NodeBases *bases, const Couplings *c
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &rows, 1, MPIU_INT, MPI_SUM, vi->level->comm));
   if (rows == 0) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(AllocateB_Private(vi, couplings));
+  PetscCall(KKTSystemAllocateB_Private(vi, couplings));
   PetscCall(MatGetOwnershipRange(vi->B, &first, NULL));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     const Pair     pair = vi->pairs[vi->row_pair[r]];
@@ -84,7 +84,7 @@ PetscErrorCode KKTSystemCreate(VI vi, const NodeBases *bases, const Couplings *c
     const PetscReal *Fi = &bases->F[(s * dim + vi->row_dof[r] % dim) * dim], thickness = vi->scene->thickness;
     for (PetscInt j = 0; j < dim; j++)
       PetscCall(MatSetValue(vi->B, first + r, dim * node + j, vi->row_D[r] * Fi[j], ADD_VALUES));
-    if (C) PetscCall(AddRow_Private(vi, C, node, thickness, Fi, first + r));
+    if (C) PetscCall(KKTSystemAddRow_Private(vi, C, node, thickness, Fi, first + r));
     PetscCall(PairArmsAddToB(vi, bases, r, first + r));
     PetscCall(
         VecSetValue(vi->G, first + r, pair->spec->type == PAIR_TIED ? 0 : vi->row_D[r] * pair->gap[k], INSERT_VALUES));

@@ -42,7 +42,7 @@ typedef struct {
   PetscReal num;            /* elements */
 } Measure;
 
-static PetscErrorCode Integrand_Private(void *ctx, const PetscReal xi[], PetscReal value[])
+static PetscErrorCode LoadRefineIntegrand_Private(void *ctx, const PetscReal xi[], PetscReal value[])
 {
   PetscFunctionBeginUser;
   PetscCall(LoadElementValue((const LoadElement *)ctx, xi, 1., value));
@@ -50,7 +50,7 @@ static PetscErrorCode Integrand_Private(void *ctx, const PetscReal xi[], PetscRe
 }
 
 /* A vertex is known to within the rounding of its coordinates; on which side of a jump that lies there is not. */
-static PetscReal Inset_Private(const LoadElement *element)
+static PetscReal LoadRefineInsetPoint_Private(const LoadElement *element)
 {
   const PetscInt dim = element->term->dim, num = ElementNumNodes(ElementLinear(element->type));
   PetscReal      largest = 0., shortest = PETSC_MAX_REAL;
@@ -68,18 +68,19 @@ static PetscReal Inset_Private(const LoadElement *element)
 }
 
 /* An element's cubature, without a tolerance. */
-static Cubature CubatureOf_Private(const LoadElement *element, PetscInt pieces)
+static Cubature LoadRefineGetCubature_Private(const LoadElement *element, PetscInt pieces)
 {
   return (Cubature){.type      = element->type,
                     .size      = element->num_nodes * element->term->dim,
-                    .integrand = Integrand_Private,
+                    .integrand = LoadRefineIntegrand_Private,
                     .ctx       = (void *)element,
-                    .inset     = Inset_Private(element),
+                    .inset     = LoadRefineInsetPoint_Private(element),
                     .pieces    = pieces};
 }
 
 /* Largest difference of two loads in each component. [in] n - [num_nodes][dim]; [out] miss - [dim] */
-static void Difference_Private(PetscInt n, PetscInt dim, const PetscReal a[], const PetscReal b[], PetscReal miss[])
+static void LoadRefineGetDifference_Private(PetscInt n, PetscInt dim, const PetscReal a[], const PetscReal b[],
+                                            PetscReal miss[])
 {
   for (PetscInt k = 0; k < dim; k++) miss[k] = 0.;
   for (PetscInt i = 0; i < n; i++) miss[i % dim] = PetscMax(miss[i % dim], PetscAbsReal(a[i] - b[i]));
@@ -89,7 +90,7 @@ PetscErrorCode LoadElementCheck(const LoadElement *element, PetscInt e, const Pe
 {
   const LoadTerm *term     = element->term;
   const PetscInt  dim      = term->dim;
-  Cubature        cubature = CubatureOf_Private(element, PIECES[ElementDim(element->type)]);
+  Cubature        cubature = LoadRefineGetCubature_Private(element, PIECES[ElementDim(element->type)]);
   PetscReal      *own = &term->own[e * dim], other[CUBATURE_MAX_SIZE], sums[2][MAX_DIM] = {{0.}};
 
   PetscFunctionBeginUser;
@@ -97,12 +98,13 @@ PetscErrorCode LoadElementCheck(const LoadElement *element, PetscInt e, const Pe
   LoadElementSums(element, fe, sums[0]);
   LoadElementSums(element, other, sums[1]);
   for (PetscInt k = 0; k < dim; k++) own[k] = PetscMax(sums[0][k], sums[1][k]);
-  Difference_Private(cubature.size, dim, fe, other, &term->miss[e * dim]);
+  LoadRefineGetDifference_Private(cubature.size, dim, fe, other, &term->miss[e * dim]);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Totals over all ranks. Components of a pressure have the scale of all of them. [out] measures - [num] */
-static PetscErrorCode MeasureTerms_Private(MPI_Comm comm, PetscInt num, const LoadTerm terms[], Measure measures[])
+static PetscErrorCode LoadRefineMeasureTerms_Private(MPI_Comm comm, PetscInt num, const LoadTerm terms[],
+                                                     Measure measures[])
 {
   enum { COLUMNS = MAX_DIM + 1 };
   PetscReal *sums, largest = 0.;
@@ -128,7 +130,7 @@ static PetscErrorCode MeasureTerms_Private(MPI_Comm comm, PetscInt num, const Lo
 }
 
 /* The load on an element in a component; on all of them of a pressure. */
-static PetscReal Own_Private(const LoadTerm *term, PetscInt e, PetscInt component)
+static PetscReal LoadRefineGetOwn_Private(const LoadTerm *term, PetscInt e, PetscInt component)
 {
   PetscReal sum = 0.;
 
@@ -138,15 +140,17 @@ static PetscReal Own_Private(const LoadTerm *term, PetscInt e, PetscInt componen
 }
 
 /* Whether two rules differ by more than loads may be wrong by. [in] miss - [dim] */
-static PetscBool Differs_Private(const LoadTerm *term, const Measure *measure, PetscInt e, const PetscReal miss[])
+static PetscBool LoadRefineDiffers_Private(const LoadTerm *term, const Measure *measure, PetscInt e,
+                                           const PetscReal miss[])
 {
   for (PetscInt k = 0; k < term->dim; k++) {
-    if (miss[k] > ACCURACY * PetscMax(Own_Private(term, e, k), measure->scale[k] / measure->num)) return PETSC_TRUE;
+    if (miss[k] > ACCURACY * PetscMax(LoadRefineGetOwn_Private(term, e, k), measure->scale[k] / measure->num))
+      return PETSC_TRUE;
   }
   return PETSC_FALSE;
 }
 
-static PetscReal Most_Private(PetscInt dim, const PetscReal miss[])
+static PetscReal LoadRefineGetLargest_Private(PetscInt dim, const PetscReal miss[])
 {
   PetscReal most = 0.;
 
@@ -156,8 +160,9 @@ static PetscReal Most_Private(PetscInt dim, const PetscReal miss[])
 
 /* Whether the errors of rules with ever more points fall as they do for smooth functions that are far from resolved: those of a jump or
    a kink do not. [in] other - the integrals by Lobatto's rule, whose points are elsewhere; [out] finest - those by the last rule */
-static PetscErrorCode Falls_Private(Cubature *cubature, const LoadTerm *term, const Measure *measure, PetscInt e,
-                                    const PetscReal other[], PetscReal finest[], PetscBool *falls)
+static PetscErrorCode LoadRefineFallsWithin_Private(Cubature *cubature, const LoadTerm *term, const Measure *measure,
+                                                    PetscInt e, const PetscReal other[], PetscReal finest[],
+                                                    PetscBool *falls)
 {
   static const PetscInt points[3] = {3, 5, 7};
   const PetscInt        dim       = term->dim;
@@ -165,17 +170,17 @@ static PetscErrorCode Falls_Private(Cubature *cubature, const LoadTerm *term, co
 
   PetscFunctionBeginUser;
   PetscCall(CubatureGauss(cubature, CUBATURE_MAX_GAUSS, finest));
-  Difference_Private(cubature->size, dim, other, finest, miss);
-  apart  = Differs_Private(term, measure, e, miss) ? Most_Private(dim, miss) : 0.;
+  LoadRefineGetDifference_Private(cubature->size, dim, other, finest, miss);
+  apart  = LoadRefineDiffers_Private(term, measure, e, miss) ? LoadRefineGetLargest_Private(dim, miss) : 0.;
   *falls = PETSC_TRUE;
   for (PetscInt i = 0; i < 3 && *falls; i++) {
     PetscReal most;
 
     PetscCall(CubatureGauss(cubature, points[i], value));
-    Difference_Private(cubature->size, dim, value, finest, miss);
-    most = Most_Private(dim, miss);
-    if (i == 0) *falls = (PetscBool)(apart <= most);     // of a lower degree than Lobatto's
-    if (!Differs_Private(term, measure, e, miss)) break; // all that are left are rounding
+    LoadRefineGetDifference_Private(cubature->size, dim, value, finest, miss);
+    most = LoadRefineGetLargest_Private(dim, miss);
+    if (i == 0) *falls = (PetscBool)(apart <= most);               // of a lower degree than Lobatto's
+    if (!LoadRefineDiffers_Private(term, measure, e, miss)) break; // all that are left are rounding
     *falls = (PetscBool)(*falls && most <= FALLING * before);
     before = most;
   }
@@ -184,8 +189,8 @@ static PetscErrorCode Falls_Private(Cubature *cubature, const LoadTerm *term, co
 
 /* Finds elements where the formula is not smooth; where it is but the rule for loads is too coarse, takes a finer one.
    [out] pieces - to begin with, 0 where nothing is left to do [term->num]; [in,out] fa */
-static PetscErrorCode FindRough_Private(const LoadTerm *term, const Measure *measure, PetscInt pieces[],
-                                        PetscScalar fa[])
+static PetscErrorCode LoadRefineFindRough_Private(const LoadTerm *term, const Measure *measure, PetscInt pieces[],
+                                                  PetscScalar fa[])
 {
   PetscReal   fe[CUBATURE_MAX_SIZE], other[CUBATURE_MAX_SIZE], finer[CUBATURE_MAX_SIZE], finest[CUBATURE_MAX_SIZE];
   PetscReal   miss[MAX_DIM];
@@ -195,16 +200,16 @@ static PetscErrorCode FindRough_Private(const LoadTerm *term, const Measure *mea
   PetscFunctionBeginUser;
   for (PetscInt e = 0; e < term->num; e++) {
     pieces[e] = 0;
-    if (!Differs_Private(term, measure, e, &term->miss[e * term->dim])) continue;
+    if (!LoadRefineDiffers_Private(term, measure, e, &term->miss[e * term->dim])) continue;
     LoadElementSet(term, e, &element);
-    cubature = CubatureOf_Private(&element, PIECES[ElementDim(element.type)]);
+    cubature = LoadRefineGetCubature_Private(&element, PIECES[ElementDim(element.type)]);
     PetscCall(CubatureLobatto(&cubature, other));
     PetscCall(CubatureGauss(&cubature, FINER_POINTS, finer));
-    Difference_Private(cubature.size, term->dim, other, finer, miss);
-    if (Differs_Private(term, measure, e, miss)) {
+    LoadRefineGetDifference_Private(cubature.size, term->dim, other, finer, miss);
+    if (LoadRefineDiffers_Private(term, measure, e, miss)) {
       PetscBool falls = PETSC_FALSE;
 
-      PetscCall(Falls_Private(&cubature, term, measure, e, other, finest, &falls));
+      PetscCall(LoadRefineFallsWithin_Private(&cubature, term, measure, e, other, finest, &falls));
       if (!falls) {
         pieces[e] = ROUGH_PIECES[ElementDim(element.type)];
         continue;
@@ -219,7 +224,7 @@ static PetscErrorCode FindRough_Private(const LoadTerm *term, const Measure *mea
 }
 
 /* Looks more closely at elements that share a node with one where two rules differ. Collective. [in,out] pieces - [term->num] */
-static PetscErrorCode FindNeighbours_Private(const LoadTerm *term, const Measure *measure, PetscInt pieces[])
+static PetscErrorCode LoadRefineFindNeighbours_Private(const LoadTerm *term, const Measure *measure, PetscInt pieces[])
 {
   PetscReal    fe[CUBATURE_MAX_SIZE], other[CUBATURE_MAX_SIZE], miss[MAX_DIM];
   LoadElement  element;
@@ -247,11 +252,11 @@ static PetscErrorCode FindNeighbours_Private(const LoadTerm *term, const Measure
       near = (PetscBool)(near || PetscRealPart(mark[term->nodes[e][i]]) > 0.);
     if (pieces[e] || !near) continue;
     LoadElementSet(term, e, &element);
-    cubature = CubatureOf_Private(&element, NEIGHBOUR_PIECES[ElementDim(element.type)]);
+    cubature = LoadRefineGetCubature_Private(&element, NEIGHBOUR_PIECES[ElementDim(element.type)]);
     PetscCall(LoadElementIntegrate(&element, fe));
     PetscCall(CubatureLobatto(&cubature, other));
-    Difference_Private(cubature.size, term->dim, fe, other, miss);
-    if (Differs_Private(term, measure, e, miss)) pieces[e] = cubature.pieces;
+    LoadRefineGetDifference_Private(cubature.size, term->dim, fe, other, miss);
+    if (LoadRefineDiffers_Private(term, measure, e, miss)) pieces[e] = cubature.pieces;
   }
   PetscCall(VecRestoreArray(local, &mark));
   PetscCall(VecGhostRestoreLocalForm(nodes, &local));
@@ -261,11 +266,11 @@ static PetscErrorCode FindNeighbours_Private(const LoadTerm *term, const Measure
 
 /* The integrals over one element, as accurate as its budget allows: to the tolerance at once, or, where that takes too long, to
    tolerances that fall. [in] tolerance - [dim]; [out] fe - [num_nodes][dim]; [out] miss - what they may be wrong by [dim] */
-static PetscErrorCode IntegrateRough_Private(const LoadElement *element, PetscInt pieces, PetscInt budget,
-                                             const PetscReal tolerance[], PetscReal fe[], PetscReal miss[])
+static PetscErrorCode LoadRefineIntegrateRough_Private(const LoadElement *element, PetscInt pieces, PetscInt budget,
+                                                       const PetscReal tolerance[], PetscReal fe[], PetscReal miss[])
 {
   const PetscInt dim      = element->term->dim;
-  Cubature       cubature = CubatureOf_Private(element, pieces);
+  Cubature       cubature = LoadRefineGetCubature_Private(element, pieces);
   PetscReal      scaled[CUBATURE_MAX_SIZE], next[CUBATURE_MAX_SIZE], error;
 
   PetscFunctionBeginUser;
@@ -278,7 +283,7 @@ static PetscErrorCode IntegrateRough_Private(const LoadElement *element, PetscIn
   for (PetscReal factor = COARSEST; factor > 1.; factor *= FINER) {
     for (PetscInt i = 0; i < cubature.size; i++) scaled[i] = factor * tolerance[i % dim];
     PetscCall(CubatureAdaptive(&cubature, next, &error));
-    if (factor < COARSEST) Difference_Private(cubature.size, dim, fe, next, miss);
+    if (factor < COARSEST) LoadRefineGetDifference_Private(cubature.size, dim, fe, next, miss);
     if (cubature.count > budget) break; /* the one before is the better one */
     PetscCall(PetscArraycpy(fe, next, cubature.size));
   }
@@ -293,8 +298,8 @@ typedef struct {
 } Shortfall;
 
 /* Integrates anew what is not smooth. [in] num_rough - elements on all ranks; [in,out] fa */
-static PetscErrorCode Refine_Private(const LoadTerm *term, const Measure *measure, const PetscInt pieces[],
-                                     PetscReal num_rough, PetscScalar fa[], Shortfall *shortfall)
+static PetscErrorCode LoadRefineIntegrate_Private(const LoadTerm *term, const Measure *measure, const PetscInt pieces[],
+                                                  PetscReal num_rough, PetscScalar fa[], Shortfall *shortfall)
 {
   const PetscInt  dim    = term->dim;
   const PetscReal least  = SMALLEST_WORK[term->on_facets ? dim - 1 : dim];
@@ -311,8 +316,8 @@ static PetscErrorCode Refine_Private(const LoadTerm *term, const Measure *measur
     PetscCall(LoadElementIntegrate(&element, fe));
     LoadElementAdd(&element, -1., fe, fa);
     for (PetscInt k = 0; k < dim; k++)
-      tolerance[k] = ACCURACY * PetscMax(Own_Private(term, e, k), 0.5 * measure->scale[k] / num_rough);
-    PetscCall(IntegrateRough_Private(&element, pieces[e], budget, tolerance, fe, miss));
+      tolerance[k] = ACCURACY * PetscMax(LoadRefineGetOwn_Private(term, e, k), 0.5 * measure->scale[k] / num_rough);
+    PetscCall(LoadRefineIntegrateRough_Private(&element, pieces[e], budget, tolerance, fe, miss));
     LoadElementAdd(&element, 1., fe, fa);
     for (PetscInt k = 0; k < dim; k++) {
       shortfall->miss[k] += miss[k];
@@ -329,7 +334,7 @@ static PetscErrorCode Refine_Private(const LoadTerm *term, const Measure *measur
 }
 
 /* Warns where a total is not known as promised. Collective. */
-static PetscErrorCode Warn_Private(const LoadTerm *term, const Measure *measure, Shortfall *shortfall)
+static PetscErrorCode LoadRefineWarn_Private(const LoadTerm *term, const Measure *measure, Shortfall *shortfall)
 {
   const MPI_Comm comm  = term->level->comm;
   PetscReal      worst = shortfall->worst, part = 0.;
@@ -337,7 +342,7 @@ static PetscErrorCode Warn_Private(const LoadTerm *term, const Measure *measure,
   Warning        rough = {.code   = "rough_load",
                           .body   = term->scene->bodies[term->body].name,
                           .dim    = term->dim,
-                          .advice = "let edges of the mesh follow it, or refine"};
+                          .advice = "align mesh edges with it, or refine"};
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_rank(comm, &rank));
@@ -355,7 +360,7 @@ static PetscErrorCode Warn_Private(const LoadTerm *term, const Measure *measure,
 }
 
 /* Elements of a term on all ranks that are to be integrated anew. Collective. */
-static PetscErrorCode CountRough_Private(const LoadTerm *term, const PetscInt pieces[], PetscReal *num)
+static PetscErrorCode LoadRefineCountRough_Private(const LoadTerm *term, const PetscInt pieces[], PetscReal *num)
 {
   PetscFunctionBeginUser;
   *num = 0.;
@@ -374,7 +379,7 @@ PetscErrorCode LoadTermsRefine(Level *level, PetscInt num, LoadTerm terms[], Pet
   for (PetscInt i = 0; i < num; i++) formulas = (PetscBool)(formulas || terms[i].formula);
   if (!formulas) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(num, &measures));
-  PetscCall(MeasureTerms_Private(level->comm, num, terms, measures));
+  PetscCall(LoadRefineMeasureTerms_Private(level->comm, num, terms, measures));
   for (PetscInt i = 0; i < num; i++) {
     const LoadTerm *term      = &terms[i];
     Shortfall       shortfall = {{0.}, 0., {0.}};
@@ -382,13 +387,13 @@ PetscErrorCode LoadTermsRefine(Level *level, PetscInt num, LoadTerm terms[], Pet
 
     if (!term->formula) continue;
     PetscCall(PetscMalloc1(term->num, &pieces));
-    PetscCall(FindRough_Private(term, &measures[i], pieces, fa));
-    PetscCall(CountRough_Private(term, pieces, &num_rough));
+    PetscCall(LoadRefineFindRough_Private(term, &measures[i], pieces, fa));
+    PetscCall(LoadRefineCountRough_Private(term, pieces, &num_rough));
     if (num_rough > 0.) {
-      if (term->dim > 2 || !term->on_facets) PetscCall(FindNeighbours_Private(term, &measures[i], pieces));
-      PetscCall(CountRough_Private(term, pieces, &num_rough));
-      PetscCall(Refine_Private(term, &measures[i], pieces, num_rough, fa, &shortfall));
-      PetscCall(Warn_Private(term, &measures[i], &shortfall));
+      if (term->dim > 2 || !term->on_facets) PetscCall(LoadRefineFindNeighbours_Private(term, &measures[i], pieces));
+      PetscCall(LoadRefineCountRough_Private(term, pieces, &num_rough));
+      PetscCall(LoadRefineIntegrate_Private(term, &measures[i], pieces, num_rough, fa, &shortfall));
+      PetscCall(LoadRefineWarn_Private(term, &measures[i], &shortfall));
     }
     PetscCall(PetscFree(pieces));
   }

@@ -1,6 +1,6 @@
 /* loads.c -- body forces, tractions and pressures as nodal loads.
 
-   Plain numbers are integrated exactly; expressions with LoadDegree_Private(), so that the error of a load is of higher
+   Plain numbers are integrated exactly; expressions with LoadGetDegree_Private(), so that the error of a load is of higher
    order than that of the discretisation, and anew where they have jumps or kinks (loadrefine.c). Sums over facets and cells
    are taken where they are held, then shared. */
 #include "base/compat.h"
@@ -8,20 +8,20 @@
 #include "problem/loadterm.h"
 
 /* The degree of a constant body force: shape functions of order p times det J of degree dim p - 1 in each coordinate. */
-static PetscInt ConstantDegree_Private(PetscInt dim, PetscInt order)
+static PetscInt LoadGetConstantDegree_Private(PetscInt dim, PetscInt order)
 {
   return (dim + 1) * order - 1;
 }
 
 /* Leaves an error of order h^6 in the work of a smooth load for order 1, h^8 for order 2. */
-static PetscInt LoadDegree_Private(PetscInt order)
+static PetscInt LoadGetDegree_Private(PetscInt order)
 {
   return 2 * order + 3;
 }
 
 /* On a facet, exact to degree 6 on flat ones. The measure of a curved one is not a polynomial, so that even constants are
    exact only to within (the angle it turns by)^12. */
-static PetscInt FacetDegree_Private(PetscInt order)
+static PetscInt LoadGetFacetDegree_Private(PetscInt order)
 {
   return 4 * order + 3;
 }
@@ -72,9 +72,9 @@ PetscErrorCode LoadElementIntegrate(const LoadElement *element, PetscReal fe[])
 
   PetscFunctionBeginUser;
   if (term->on_facets)
-    degree = FacetDegree_Private(order);
+    degree = LoadGetFacetDegree_Private(order);
   else
-    degree = (term->formula ? LoadDegree_Private(order) : ConstantDegree_Private(dim, order)) +
+    degree = (term->formula ? LoadGetDegree_Private(order) : LoadGetConstantDegree_Private(dim, order)) +
              SceneMeasureDegree(term->scene, order);
   num = QuadratureRule(element->type, degree, points, w);
   PetscCall(PetscArrayzero(fe, n));
@@ -144,7 +144,7 @@ static PetscErrorCode LoadTermDestroy_Private(LoadTerm *term)
 }
 
 /* All terms of a scene. [out] terms - owned by the caller, [num] */
-static PetscErrorCode CreateTerms_Private(Scene scene, Level *level, PetscInt *num, LoadTerm **terms)
+static PetscErrorCode LoadsCreateTerms_Private(Scene scene, Level *level, PetscInt *num, LoadTerm **terms)
 {
   PetscInt room = 0;
 
@@ -165,7 +165,7 @@ static PetscErrorCode CreateTerms_Private(Scene scene, Level *level, PetscInt *n
 }
 
 /* Adds a term by the rule for smooth loads. [in,out] fa - [num_nodes][dim] */
-static PetscErrorCode AddTerm_Private(LoadTerm *term, PetscScalar fa[])
+static PetscErrorCode LoadsAddTerm_Private(LoadTerm *term, PetscScalar fa[])
 {
   LoadElement element;
   PetscReal   fe[CUBATURE_MAX_SIZE];
@@ -192,11 +192,11 @@ PetscErrorCode LoadsAssemble(Scene scene, Level *level, Vec f)
   Vec          local;
 
   PetscFunctionBeginUser;
-  PetscCall(CreateTerms_Private(scene, level, &num, &terms));
+  PetscCall(LoadsCreateTerms_Private(scene, level, &num, &terms));
   PetscCall(VecGhostGetLocalForm(f, &local));
   PetscCall(VecZeroEntries(local));
   PetscCall(VecGetArray(local, &fa));
-  for (PetscInt i = 0; i < num; i++) PetscCall(AddTerm_Private(&terms[i], fa));
+  for (PetscInt i = 0; i < num; i++) PetscCall(LoadsAddTerm_Private(&terms[i], fa));
   PetscCall(LoadTermsRefine(level, num, terms, fa));
   PetscCall(VecRestoreArray(local, &fa));
   PetscCall(VecGhostRestoreLocalForm(f, &local));

@@ -26,8 +26,8 @@ PetscErrorCode PairArmsMark(Mat arm, PetscInt dim, PetscInt row, Vec marks)
 }
 
 /* Adds combinations of a node's rows of an arm to rows of A. [in] weight - of the node's rows in row first + l [num][dim] */
-static PetscErrorCode AddRows_Private(PetscInt dim, Mat arm, PetscInt node, PetscInt num, const PetscReal weight[],
-                                      PetscInt first, Mat A)
+static PetscErrorCode PairArmsAddRows_Private(PetscInt dim, Mat arm, PetscInt node, PetscInt num,
+                                              const PetscReal weight[], PetscInt first, Mat A)
 {
   PetscFunctionBeginUser;
   for (PetscInt j = 0; j < dim; j++) {
@@ -55,7 +55,7 @@ PetscErrorCode PairArmsAddToB(VI vi, const NodeBases *bases, PetscInt r, PetscIn
   if (!pair->arm) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt j = 0; j < dim; j++)
     weight[j] = -vi->scene->thickness * bases->F[(bases->of_node[node] * dim + i) * dim + j];
-  PetscCall(AddRows_Private(dim, pair->arm, vi->level->node_begin + node, 1, weight, row, vi->B));
+  PetscCall(PairArmsAddRows_Private(dim, pair->arm, vi->level->node_begin + node, 1, weight, row, vi->B));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -71,6 +71,6 @@ PetscErrorCode PairArmsAddToE(VI vi, const NodeBases *bases, Mat arm, PetscInt r
   if (!arm) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt l = 0; l < dim; l++)
     for (PetscInt j = 0; j < dim; j++) weight[l * dim + j] = Finv[l * dim + i] * F[i * dim + j] / pair->D[k];
-  PetscCall(AddRows_Private(dim, arm, node, dim, weight, dim * node, E));
+  PetscCall(PairArmsAddRows_Private(dim, arm, node, dim, weight, dim * node, E));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -26,8 +26,8 @@ typedef struct {
 } Products;
 
 /* y += V x for the symmetric V whose upper triangle these blocks are. To be inlined where bs is known, so that its loops are unrolled. */
-static inline void AddSymmetric_Private(const PetscInt bs, const Blocks *own, const PetscScalar *restrict x,
-                                        PetscScalar *restrict y)
+static inline void StiffnessProductsAddSymmetric_Private(const PetscInt bs, const Blocks *own,
+                                                         const PetscScalar *restrict x, PetscScalar *restrict y)
 {
   const PetscScalar *restrict v = own->value;
 
@@ -56,8 +56,8 @@ static inline void AddSymmetric_Private(const PetscInt bs, const Blocks *own, co
 }
 
 /* y += V x. The same. */
-static inline void AddOthers_Private(const PetscInt bs, const Blocks *others, const PetscScalar *restrict x,
-                                     PetscScalar *restrict y)
+static inline void StiffnessProductsAddOthers_Private(const PetscInt bs, const Blocks *others,
+                                                      const PetscScalar *restrict x, PetscScalar *restrict y)
 {
   const PetscScalar *restrict v = others->value;
 
@@ -74,7 +74,7 @@ static inline void AddOthers_Private(const PetscInt bs, const Blocks *others, co
   }
 }
 
-static PetscErrorCode Mult_Products(Mat S, Vec x, Vec y)
+static PetscErrorCode MatMult_StiffnessProducts(Mat S, Vec x, Vec y)
 {
   Products          *p;
   const PetscScalar *xa;
@@ -87,18 +87,18 @@ static PetscErrorCode Mult_Products(Mat S, Vec x, Vec y)
   PetscCall(VecGetArrayRead(x, &xa));
   PetscCall(VecGetArray(y, &ya));
   if (p->bs == 2)
-    AddSymmetric_Private(2, &p->own, xa, ya);
+    StiffnessProductsAddSymmetric_Private(2, &p->own, xa, ya);
   else
-    AddSymmetric_Private(3, &p->own, xa, ya);
+    StiffnessProductsAddSymmetric_Private(3, &p->own, xa, ya);
   PetscCall(VecRestoreArrayRead(x, &xa));
   PetscCall(PetscLogFlops(4.0 * p->own.start[p->own.num] * p->bs * p->bs));
   if (p->ghosts) {
     PetscCall(VecScatterEnd(p->scatter, x, p->ghosts, INSERT_VALUES, SCATTER_FORWARD));
     PetscCall(VecGetArrayRead(p->ghosts, &xa));
     if (p->bs == 2)
-      AddOthers_Private(2, &p->others, xa, ya);
+      StiffnessProductsAddOthers_Private(2, &p->others, xa, ya);
     else
-      AddOthers_Private(3, &p->others, xa, ya);
+      StiffnessProductsAddOthers_Private(3, &p->others, xa, ya);
     PetscCall(VecRestoreArrayRead(p->ghosts, &xa));
     PetscCall(PetscLogFlops(2.0 * p->others.start[p->others.num] * p->bs * p->bs));
   }
@@ -106,7 +106,7 @@ static PetscErrorCode Mult_Products(Mat S, Vec x, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode BlocksDestroy_Private(Blocks *blocks)
+static PetscErrorCode StiffnessProductsDestroyBlocks_Private(Blocks *blocks)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree(blocks->row));
@@ -115,14 +115,14 @@ static PetscErrorCode BlocksDestroy_Private(Blocks *blocks)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Destroy_Products(Mat S)
+static PetscErrorCode MatDestroy_StiffnessProducts(Mat S)
 {
   Products *products;
 
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(S, &products));
-  PetscCall(BlocksDestroy_Private(&products->own));
-  PetscCall(BlocksDestroy_Private(&products->others));
+  PetscCall(StiffnessProductsDestroyBlocks_Private(&products->own));
+  PetscCall(StiffnessProductsDestroyBlocks_Private(&products->others));
   PetscCall(VecDestroy(&products->ghosts));
   PetscCall(VecScatterDestroy(&products->scatter));
   PetscCall(PetscFree(products));
@@ -130,7 +130,7 @@ static PetscErrorCode Destroy_Products(Mat S)
 }
 
 /* The first entry of a row that is not left of its diagonal block. */
-static PetscInt FindDiagonal_Private(PetscInt num, const PetscInt columns[], PetscInt first)
+static PetscInt StiffnessProductsFindDiagonal_Private(PetscInt num, const PetscInt columns[], PetscInt first)
 {
   PetscInt lower = 0, upper = num;
 
@@ -146,7 +146,7 @@ static PetscInt FindDiagonal_Private(PetscInt num, const PetscInt columns[], Pet
 }
 
 /* Counts blocks, and lists the rows that have some where these are not all. [in] K - this rank's columns, or others' */
-static PetscErrorCode CountBlocks_Private(Mat K, PetscInt bs, PetscBool symmetric, Blocks *blocks)
+static PetscErrorCode StiffnessProductsCountBlocks_Private(Mat K, PetscInt bs, PetscBool symmetric, Blocks *blocks)
 {
   PetscInt rows, count = 0;
 
@@ -161,7 +161,7 @@ static PetscErrorCode CountBlocks_Private(Mat K, PetscInt bs, PetscBool symmetri
     PetscInt        num, size;
 
     PetscCall(MatGetRow(K, bs * i, &num, &columns, NULL));
-    size = (num - (symmetric ? FindDiagonal_Private(num, columns, bs * i) : 0)) / bs;
+    size = (num - (symmetric ? StiffnessProductsFindDiagonal_Private(num, columns, bs * i) : 0)) / bs;
     PetscCall(MatRestoreRow(K, bs * i, &num, &columns, NULL));
     if (!symmetric && !size) continue;
     if (!symmetric) blocks->row[blocks->num] = i;
@@ -172,10 +172,11 @@ static PetscErrorCode CountBlocks_Private(Mat K, PetscInt bs, PetscBool symmetri
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode CreateBlocks_Private(Mat K, PetscInt bs, PetscReal factor, PetscBool symmetric, Blocks *blocks)
+static PetscErrorCode StiffnessProductsCreateBlocks_Private(Mat K, PetscInt bs, PetscReal factor, PetscBool symmetric,
+                                                            Blocks *blocks)
 {
   PetscFunctionBeginUser;
-  PetscCall(CountBlocks_Private(K, bs, symmetric, blocks));
+  PetscCall(StiffnessProductsCountBlocks_Private(K, bs, symmetric, blocks));
   PetscCall(
       PetscMalloc2(blocks->start[blocks->num], &blocks->column, blocks->start[blocks->num] * bs * bs, &blocks->value));
   for (PetscInt r = 0; r < bs * blocks->num; r++) {
@@ -184,7 +185,7 @@ static PetscErrorCode CreateBlocks_Private(Mat K, PetscInt bs, PetscReal factor,
     const PetscScalar *values;
 
     PetscCall(MatGetRow(K, row, &num, &columns, &values));
-    first = symmetric ? FindDiagonal_Private(num, columns, row - k) : 0;
+    first = symmetric ? StiffnessProductsFindDiagonal_Private(num, columns, row - k) : 0;
     for (PetscInt j = first; j < num; j++) {
       const PetscInt block = blocks->start[i] + (j - first) / bs, l = (j - first) % bs;
 
@@ -197,7 +198,8 @@ static PetscErrorCode CreateBlocks_Private(Mat K, PetscInt bs, PetscReal factor,
 }
 
 /* What it takes to have the unknowns of other ranks that this rank's rows couple to. [in] columns - which these are */
-static PetscErrorCode CreateScatter_Private(Mat K, Mat others, const PetscInt columns[], Products *products)
+static PetscErrorCode StiffnessProductsCreateScatter_Private(Mat K, Mat others, const PetscInt columns[],
+                                                             Products *products)
 {
   IS       from;
   PetscInt n;
@@ -232,13 +234,13 @@ PetscErrorCode StiffnessProductsCreate(Mat K, PetscReal factor, Mat *S)
   PetscCall(PetscObjectTypeCompare((PetscObject)K, MATSEQAIJ, &sequential));
   if (!sequential) {
     PetscCall(MatMPIAIJGetSeqAIJ(K, &own, &others, &columns));
-    PetscCall(CreateScatter_Private(K, others, columns, products));
-    PetscCall(CreateBlocks_Private(others, bs, factor, PETSC_FALSE, &products->others));
+    PetscCall(StiffnessProductsCreateScatter_Private(K, others, columns, products));
+    PetscCall(StiffnessProductsCreateBlocks_Private(others, bs, factor, PETSC_FALSE, &products->others));
   }
-  PetscCall(CreateBlocks_Private(own, bs, factor, PETSC_TRUE, &products->own));
+  PetscCall(StiffnessProductsCreateBlocks_Private(own, bs, factor, PETSC_TRUE, &products->own));
   PetscCall(MatCreateShell(PetscObjectComm((PetscObject)K), n, n, PETSC_DETERMINE, PETSC_DETERMINE, products, S));
   PetscCall(MatSetBlockSize(*S, bs));
-  PetscCall(MatShellSetOperation(*S, MATOP_MULT, (void (*)(void))Mult_Products));
-  PetscCall(MatShellSetOperation(*S, MATOP_DESTROY, (void (*)(void))Destroy_Products));
+  PetscCall(MatShellSetOperation(*S, MATOP_MULT, (void (*)(void))MatMult_StiffnessProducts));
+  PetscCall(MatShellSetOperation(*S, MATOP_DESTROY, (void (*)(void))MatDestroy_StiffnessProducts));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

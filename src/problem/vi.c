@@ -13,7 +13,7 @@
 #include "problem/condensation.h"
 
 /* stiffness = mean diagonal of K; length = the displacement to expect: prescribed, by interference, or of the loads. */
-static PetscErrorCode ChooseScales_Private(VI vi)
+static PetscErrorCode VIChooseScales_Private(VI vi)
 {
   PetscScalar sum;
   PetscReal   force, interference = 0;
@@ -35,7 +35,7 @@ static PetscErrorCode ChooseScales_Private(VI vi)
 
 /* A = T'KT / stiffness and b = T'f / (stiffness length), without the fixed unknowns: unit rows, their values on the right-hand side.
    [in] values - [vi->num_fixed] */
-static PetscErrorCode Condense_Private(VI vi, const PetscReal values[])
+static PetscErrorCode VICondense_Private(VI vi, const PetscReal values[])
 {
   const PetscInt first = vi->level->dim * vi->level->node_begin;
   Vec            y, Ay;
@@ -110,7 +110,7 @@ PetscErrorCode VICreateRegularized(VI vi, Vec springs, Mat *A)
 }
 
 /* y_i <= nodal gap for contact rows. */
-static PetscErrorCode SetBounds_Private(VI vi)
+static PetscErrorCode VISetBounds_Private(VI vi)
 {
   PetscFunctionBeginUser;
   PetscCall(MatCreateVecs(vi->K, &vi->upper, &vi->lower));
@@ -128,7 +128,7 @@ static PetscErrorCode SetBounds_Private(VI vi)
 
 /* Supports, contact and the matrices of one level. [in] scales - an inequality whose scales it shares, or NULL;
    [in] K - in place of the level's own, or NULL */
-static PetscErrorCode Create_Private(Scene scene, Mesh mesh, Level *level, VI scales, Mat K, VI *vi_out)
+static PetscErrorCode VICreateOnLevel_Private(Scene scene, Mesh mesh, Level *level, VI scales, Mat K, VI *vi_out)
 {
   VI         vi;
   VIBasis    basis;
@@ -168,11 +168,11 @@ static PetscErrorCode Create_Private(Scene scene, Mesh mesh, Level *level, VI sc
     vi->length    = scales->length;
     vi->stiffness = scales->stiffness;
   } else {
-    PetscCall(ChooseScales_Private(vi));
+    PetscCall(VIChooseScales_Private(vi));
   }
-  PetscCall(SetBounds_Private(vi));
+  PetscCall(VISetBounds_Private(vi));
   PetscCall(BasisChangeGetFixed(vi, &basis->bases, &basis->couplings, &vi->num_fixed, &vi->fixed, &values));
-  PetscCall(Condense_Private(vi, values));
+  PetscCall(VICondense_Private(vi, values));
   PetscCall(PetscFree(values));
   PetscCall(LogStageEnd(STAGE_CONDENSE));
   *vi_out = vi;
@@ -182,7 +182,7 @@ static PetscErrorCode Create_Private(Scene scene, Mesh mesh, Level *level, VI sc
 PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi)
 {
   PetscFunctionBeginUser;
-  PetscCall(Create_Private(scene, mesh, MeshFinest(mesh), NULL, NULL, vi));
+  PetscCall(VICreateOnLevel_Private(scene, mesh, MeshFinest(mesh), NULL, NULL, vi));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -190,7 +190,7 @@ PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse)
 {
   PetscFunctionBeginUser;
   WarningMute(); // what is not well with a coarser level says nothing of the answer
-  PetscCall(Create_Private(vi->scene, vi->mesh, &vi->mesh->levels[l], vi, K, coarse));
+  PetscCall(VICreateOnLevel_Private(vi->scene, vi->mesh, &vi->mesh->levels[l], vi, K, coarse));
   WarningUnmute();
   PetscFunctionReturn(PETSC_SUCCESS);
 }

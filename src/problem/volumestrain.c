@@ -6,7 +6,7 @@
 #include "problem/volumestrain.h"
 
 /* Beside the measure, 1 / r makes the integrand of axisymmetric cells no polynomial: as much again. */
-static PetscInt StiffnessDegree_Private(Scene scene, ElementType type)
+static PetscInt VolumeStrainStiffnessDegree_Private(Scene scene, ElementType type)
 {
   return ElementStiffnessDegree(type) + 2 * SceneMeasureDegree(scene, ElementOrder(type));
 }
@@ -16,7 +16,7 @@ PetscErrorCode ElasticityRulesCreate(Scene scene, ElementRule **rules)
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(ELEMENT_COUNT, rules));
   for (PetscInt t = 0; t < ELEMENT_COUNT; t++)
-    ElementRuleSet((ElementType)t, StiffnessDegree_Private(scene, (ElementType)t), &(*rules)[t]);
+    ElementRuleSet((ElementType)t, VolumeStrainStiffnessDegree_Private(scene, (ElementType)t), &(*rules)[t]);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

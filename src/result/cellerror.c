@@ -30,12 +30,12 @@ typedef struct {
 
 /* In the plane four points in each direction for order 1, five for order 2: leaves four orders of h beyond the error of a smooth
    solution. In space one less, and two orders of h: every point costs thirteen evaluations of the exact solution. */
-static PetscInt ErrorDegree_Private(ElementType type)
+static PetscInt CellErrorDegree_Private(ElementType type)
 {
   return 2 * ElementOrder(type) + (ElementDim(type) < 3 ? 4 : 2);
 }
 
-static void AddSquares_Private(ErrorSquares *sum, const ErrorSquares *part)
+static void CellErrorAddSquares_Private(ErrorSquares *sum, const ErrorSquares *part)
 {
   sum->error_l2 += part->error_l2;
   sum->error_energy += part->error_energy;
@@ -45,8 +45,9 @@ static void AddSquares_Private(ErrorSquares *sum, const ErrorSquares *part)
 
 /* Value and gradient g[k][i] = d value_i / d x_k of nodal values at a point of cell c. [out] value - [dim];
    [out] g - [dim][dim] */
-static void Interpolate_Private(const Level *level, PetscInt c, const PetscScalar nodal[], const PetscReal phi[],
-                                const PetscReal grad[], PetscReal value[], PetscReal g[])
+static void CellErrorInterpolate_Private(const Level *level, PetscInt c, const PetscScalar nodal[],
+                                         const PetscReal phi[], const PetscReal grad[], PetscReal value[],
+                                         PetscReal g[])
 {
   const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]], dim = level->dim;
   const PetscInt  n = level->cell_start[c + 1] - level->cell_start[c];
@@ -65,8 +66,8 @@ static void Interpolate_Private(const Level *level, PetscInt c, const PetscScala
 
 /* Strain of a displacement u with gradient g at x. Near x it is u + sum_k dx_k g_k: one "node" for the value, whose
    shape function is 1, and one for each direction, whose shape functions are the coordinates from x. */
-static void Strain_Private(Scene scene, const PetscReal x[], const PetscReal u[], const PetscReal g[],
-                           PetscReal strain[])
+static void CellErrorGetStrain_Private(Scene scene, const PetscReal x[], const PetscReal u[], const PetscReal g[],
+                                       PetscReal strain[])
 {
   static const PetscReal axes[MAX_DIM + 1][(MAX_DIM + 1) * MAX_DIM] = {
       {0}, {0, 1}, {0, 0, 1, 0, 0, 1}, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}};
@@ -84,7 +85,7 @@ static void Strain_Private(Scene scene, const PetscReal x[], const PetscReal u[]
 }
 
 /* eps : C eps */
-static PetscReal EnergyDensity_Private(PetscInt num_strains, const PetscReal C[], const PetscReal strain[])
+static PetscReal CellErrorGetEnergyDensity_Private(PetscInt num_strains, const PetscReal C[], const PetscReal strain[])
 {
   PetscReal density = 0;
 
@@ -95,9 +96,9 @@ static PetscReal EnergyDensity_Private(PetscInt num_strains, const PetscReal C[]
 
 /* Adds the energies of e = u - v and of v, whose strains are given, at one point of cell c with weight dx. In cells with a Pi the change of volume of u is
    that of eq. 9.1. Between two nodal vectors it is left out there: that of a coarser mesh cannot be seen on the finer one. */
-static PetscErrorCode AddEnergy_Private(const Comparison *compare, PetscInt c, const Dilatation *pi,
-                                        const PetscReal x[], const PetscReal strains[2][MAX_STRAINS], PetscReal dx,
-                                        ErrorSquares *sum)
+static PetscErrorCode CellErrorAddEnergy_Private(const Comparison *compare, PetscInt c, const Dilatation *pi,
+                                                 const PetscReal x[], const PetscReal strains[2][MAX_STRAINS],
+                                                 PetscReal dx, ErrorSquares *sum)
 {
   const Level    *level = compare->level;
   const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]], dim = level->dim;
@@ -107,8 +108,8 @@ static PetscErrorCode AddEnergy_Private(const Comparison *compare, PetscInt c, c
   PetscFunctionBeginUser;
   PetscCall(ElasticityHooke(compare->scene, level->cell_body[c], x, C, &poisson));
   bulk = pi->num ? MaterialTakeBulk(num_strains, C) : 0;
-  sum->error_energy += dx * EnergyDensity_Private(num_strains, C, strains[0]);
-  sum->size_energy += dx * EnergyDensity_Private(num_strains, C, strains[1]);
+  sum->error_energy += dx * CellErrorGetEnergyDensity_Private(num_strains, C, strains[0]);
+  sum->size_energy += dx * CellErrorGetEnergyDensity_Private(num_strains, C, strains[1]);
   if (!pi->num || compare->v) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt i = 0; i < pi->num_dofs; i++) u[i] = PetscRealPart(compare->u[nodes[i / dim] * dim + i % dim]);
   change = MaterialDilatation(num_strains, strains[1]);
@@ -118,8 +119,8 @@ static PetscErrorCode AddEnergy_Private(const Comparison *compare, PetscInt c, c
 }
 
 /* sum = the integrals over a piece of cell c, by one rule. */
-static PetscErrorCode Integrate_Private(const Comparison *compare, PetscInt c, const CellPiece *piece,
-                                        ErrorSquares *sum)
+static PetscErrorCode CellErrorIntegrateCell_Private(const Comparison *compare, PetscInt c, const CellPiece *piece,
+                                                     ErrorSquares *sum)
 {
   const Level      *level = compare->level;
   const ElementType type  = (ElementType)level->cell_type[c];
@@ -128,7 +129,7 @@ static PetscErrorCode Integrate_Private(const Comparison *compare, PetscInt c, c
   PetscReal         X[MAX_DIM * ELEMENT_MAX_NODES], points[MAX_DIM * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS];
   PetscReal         xi[MAX_DIM], x[MAX_DIM], phi[ELEMENT_MAX_NODES], grad[MAX_DIM * ELEMENT_MAX_NODES];
   PetscReal         strains[2][MAX_STRAINS], e[MAX_DIM], ge[MAX_DIM * MAX_DIM], v[MAX_DIM], gv[MAX_DIM * MAX_DIM];
-  const PetscInt    num_points = QuadratureRule(type, ErrorDegree_Private(type), points, w);
+  const PetscInt    num_points = QuadratureRule(type, CellErrorDegree_Private(type), points, w);
   const CellPoint   at         = {type, X, xi, grad, piece->size};
   Dilatation        pi;
 
@@ -143,9 +144,9 @@ static PetscErrorCode Integrate_Private(const Comparison *compare, PetscInt c, c
     CellPiecePoint(type, piece, &points[q * dim], xi);
     dx = piece->measure * w[q] * ElementMap(type, X, xi, x, phi, grad);
     dx *= SceneMeasure(compare->scene, x);
-    Interpolate_Private(level, c, compare->u, phi, grad, e, ge);
+    CellErrorInterpolate_Private(level, c, compare->u, phi, grad, e, ge);
     if (compare->v)
-      Interpolate_Private(level, c, compare->v, phi, grad, v, gv);
+      CellErrorInterpolate_Private(level, c, compare->v, phi, grad, v, gv);
     else
       PetscCall(ExactEvaluate(compare->scene->bodies[body].exact, &at, v, gv));
     for (PetscInt i = 0; i < dim; i++) {
@@ -154,44 +155,45 @@ static PetscErrorCode Integrate_Private(const Comparison *compare, PetscInt c, c
       sum->size_l2 += dx * PetscSqr(v[i]);
     }
     for (PetscInt j = 0; j < dim * dim; j++) ge[j] -= gv[j];
-    Strain_Private(compare->scene, x, e, ge, strains[0]);
-    Strain_Private(compare->scene, x, v, gv, strains[1]);
-    PetscCall(AddEnergy_Private(compare, c, &pi, x, strains, dx, sum));
+    CellErrorGetStrain_Private(compare->scene, x, e, ge, strains[0]);
+    CellErrorGetStrain_Private(compare->scene, x, v, gv, strains[1]);
+    PetscCall(CellErrorAddEnergy_Private(compare, c, &pi, x, strains, dx, sum));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Whether a part holds more than its share of any of the integrals. */
-static PetscBool IsLarge_Private(const ErrorSquares *part, const ErrorSquares *total)
+static PetscBool CellErrorIsLarge_Private(const ErrorSquares *part, const ErrorSquares *total)
 {
   return (PetscBool)(part->error_l2 > SHARE * total->error_l2 || part->error_energy > SHARE * total->error_energy ||
                      part->size_l2 > SHARE * total->size_l2 || part->size_energy > SHARE * total->size_energy);
 }
 
 /* Adds a piece of cell c whose integrals are known, or its parts where it is large. */
-static PetscErrorCode AddPiece_Private(const Comparison *compare, PetscInt c, const CellPiece *piece, PetscInt depth,
-                                       const ErrorSquares *known, const ErrorSquares *total, ErrorSquares *sum)
+static PetscErrorCode CellErrorAddSubcell_Private(const Comparison *compare, PetscInt c, const CellPiece *piece,
+                                                  PetscInt depth, const ErrorSquares *known, const ErrorSquares *total,
+                                                  ErrorSquares *sum)
 {
   CellPiece    parts[ELEMENT_MAX_PIECES];
   ErrorSquares part;
   PetscInt     num;
 
   PetscFunctionBeginUser;
-  if (depth == MAX_DEPTH || !IsLarge_Private(known, total)) {
-    AddSquares_Private(sum, known);
+  if (depth == MAX_DEPTH || !CellErrorIsLarge_Private(known, total)) {
+    CellErrorAddSquares_Private(sum, known);
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   num = CellPieceCut((ElementType)compare->level->cell_type[c], piece, parts);
-  if (!num) AddSquares_Private(sum, known);
+  if (!num) CellErrorAddSquares_Private(sum, known);
   for (PetscInt i = 0; i < num; i++) {
-    PetscCall(Integrate_Private(compare, c, &parts[i], &part));
-    PetscCall(AddPiece_Private(compare, c, &parts[i], depth + 1, &part, total, sum));
+    PetscCall(CellErrorIntegrateCell_Private(compare, c, &parts[i], &part));
+    PetscCall(CellErrorAddSubcell_Private(compare, c, &parts[i], depth + 1, &part, total, sum));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Sums of all ranks. [in,out] squares - [num] */
-static PetscErrorCode Reduce_Private(const Level *level, PetscInt num, ErrorSquares squares[])
+static PetscErrorCode CellErrorReduce_Private(const Level *level, PetscInt num, ErrorSquares squares[])
 {
   const PetscMPIInt count = (PetscMPIInt)(num * (PetscInt)(sizeof(ErrorSquares) / sizeof(PetscReal)));
 
@@ -200,8 +202,8 @@ static PetscErrorCode Reduce_Private(const Level *level, PetscInt num, ErrorSqua
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Takes errors that are rounding out of what IsLarge_Private() looks at. [in,out] totals - [num] */
-static void IgnoreRounding_Private(PetscInt num, ErrorSquares totals[])
+/* Takes errors that are rounding out of what CellErrorIsLarge_Private() looks at. [in,out] totals - [num] */
+static void CellErrorIgnoreRounding_Private(PetscInt num, ErrorSquares totals[])
 {
   const PetscReal square = PetscSqr(ROUNDING);
 
@@ -212,7 +214,7 @@ static void IgnoreRounding_Private(PetscInt num, ErrorSquares totals[])
 }
 
 /* Both rounds over the cells. */
-static PetscErrorCode AddCells_Private(const Comparison *compare, ErrorSquares squares[])
+static PetscErrorCode CellErrorAddCells_Private(const Comparison *compare, ErrorSquares squares[])
 {
   const Level    *level = compare->level;
   const Scene     scene = compare->scene;
@@ -225,17 +227,17 @@ static PetscErrorCode AddCells_Private(const Comparison *compare, ErrorSquares s
     const PetscInt body = level->cell_body[c];
 
     if (!compare->v && !scene->bodies[body].exact) continue;
-    PetscCall(Integrate_Private(compare, c, &whole, &cells[c]));
-    AddSquares_Private(&totals[body], &cells[c]);
+    PetscCall(CellErrorIntegrateCell_Private(compare, c, &whole, &cells[c]));
+    CellErrorAddSquares_Private(&totals[body], &cells[c]);
   }
-  PetscCall(Reduce_Private(level, scene->num_bodies, totals));
-  IgnoreRounding_Private(scene->num_bodies, totals);
+  PetscCall(CellErrorReduce_Private(level, scene->num_bodies, totals));
+  CellErrorIgnoreRounding_Private(scene->num_bodies, totals);
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt body = level->cell_body[c];
 
-    PetscCall(AddPiece_Private(compare, c, &whole, 0, &cells[c], &totals[body], &squares[body]));
+    PetscCall(CellErrorAddSubcell_Private(compare, c, &whole, 0, &cells[c], &totals[body], &squares[body]));
   }
-  PetscCall(Reduce_Private(level, scene->num_bodies, squares));
+  PetscCall(CellErrorReduce_Private(level, scene->num_bodies, squares));
   PetscCall(PetscFree2(cells, totals));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -254,7 +256,7 @@ PetscErrorCode CellErrorsIntegrate(Scene scene, Level *level, Vec u, Vec v, Erro
     PetscCall(VecGetArrayRead(local_v, &compare.v));
   }
   PetscCall(ElasticityRulesCreate(scene, &compare.stiffness));
-  PetscCall(AddCells_Private(&compare, squares));
+  PetscCall(CellErrorAddCells_Private(&compare, squares));
   PetscCall(PetscFree(compare.stiffness));
   if (v) {
     PetscCall(VecRestoreArrayRead(local_v, &compare.v));

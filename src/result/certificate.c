@@ -13,6 +13,7 @@
    something about the mesh, not about whether the discrete problem was solved. Ties hand over force and moment, across a gap as well
    (eq. 5.4), so that theirs stays in the test. Forces on a ring add up to one along its axis:
    radial components and all moments are 0 by symmetry, and so are the tests of them. */
+#include "kernel/vector.h"
 #include "result/certificate.h"
 #include "base/compat.h"
 
@@ -53,13 +54,13 @@ enum { MAX_GAP, MAX_PRESSURE, MAX_COUNT };
 enum { LOADS, INNER, CONTACT, OBSTACLE, RESIDUAL, REACTION, NOISE, MESHES, FORCE_COUNT };
 
 /* The violation of a test as a part of what it may be compared with. */
-static PetscReal Ratio_Private(PetscReal violation, PetscReal size, PetscReal roundoff)
+static PetscReal CertificateRatio_Private(PetscReal violation, PetscReal size, PetscReal roundoff)
 {
   return violation == 0.0 ? 0.0 : violation / (size + roundoff / TOLERANCE);
 }
 
 /* The part of B'lambda with a rigid partner, or with another mesh that is in contact. [in] lambda - for work */
-static PetscErrorCode Part_Private(Fields fields, PetscBool rigid, Vec lambda, Vec part)
+static PetscErrorCode CertificateDirectionPart_Private(Fields fields, PetscBool rigid, Vec lambda, Vec part)
 {
   const VI   vi = fields->vi;
   PetscReal *l;
@@ -78,7 +79,7 @@ static PetscErrorCode Part_Private(Fields fields, PetscBool rigid, Vec lambda, V
 }
 
 /* |B|' times the roundoff of lambda, which does not cancel where arms of ties (eq. 5.4) do. [in,out] noise - zero */
-static PetscErrorCode Noise_Private(Fields fields, Vec noise)
+static PetscErrorCode CertificateNodeRounding_Private(Fields fields, Vec noise)
 {
   PetscInt           begin, num;
   const PetscInt    *columns;
@@ -98,7 +99,7 @@ static PetscErrorCode Noise_Private(Fields fields, Vec noise)
 }
 
 /* inner = K u, contact = B'lambda, obstacle and meshes are parts of it, residual = f - inner - contact. */
-static PetscErrorCode ForcesCreate_Private(Fields fields, Vec forces[])
+static PetscErrorCode CertificateCreateForces_Private(Fields fields, Vec forces[])
 {
   const VI vi = fields->vi;
   Vec      lambda;
@@ -115,15 +116,15 @@ static PetscErrorCode ForcesCreate_Private(Fields fields, Vec forces[])
   PetscCall(MatMultTranspose(vi->B, fields->lambda, forces[CONTACT]));
   PetscCall(VecAXPY(forces[RESIDUAL], -1.0, forces[CONTACT]));
   PetscCall(VecDuplicate(fields->lambda, &lambda));
-  PetscCall(Part_Private(fields, PETSC_TRUE, lambda, forces[OBSTACLE]));
-  PetscCall(Part_Private(fields, PETSC_FALSE, lambda, forces[MESHES]));
+  PetscCall(CertificateDirectionPart_Private(fields, PETSC_TRUE, lambda, forces[OBSTACLE]));
+  PetscCall(CertificateDirectionPart_Private(fields, PETSC_FALSE, lambda, forces[MESHES]));
   PetscCall(VecDestroy(&lambda));
-  PetscCall(Noise_Private(fields, forces[NOISE]));
+  PetscCall(CertificateNodeRounding_Private(fields, forces[NOISE]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Splits the residual of one node into held directions and the rest:  reaction = -sum_k (d_k.r) d_k,  r := r + reaction. */
-static void SplitResidual_Private(const Support *support, PetscInt a, PetscReal r[], PetscReal reaction[])
+static void CertificateSplitResidual_Private(const Support *support, PetscInt a, PetscReal r[], PetscReal reaction[])
 {
   const PetscInt dim = support->dim;
 
@@ -139,7 +140,7 @@ static void SplitResidual_Private(const Support *support, PetscInt a, PetscReal 
 }
 
 /* moment += x cross F, three components, absent ones 0. */
-static void AddMoment_Private(PetscInt dim, const PetscReal x[], const PetscReal F[], PetscReal moment[3])
+static void CertificateAddMoment_Private(PetscInt dim, const PetscReal x[], const PetscReal F[], PetscReal moment[3])
 {
   PetscReal X[3] = {0, 0, 0}, Y[3] = {0, 0, 0};
 
@@ -150,16 +151,8 @@ static void AddMoment_Private(PetscInt dim, const PetscReal x[], const PetscReal
   for (PetscInt k = 0; k < 3; k++) moment[k] += X[(k + 1) % 3] * Y[(k + 2) % 3] - X[(k + 2) % 3] * Y[(k + 1) % 3];
 }
 
-static PetscReal Norm_Private(PetscInt n, const PetscReal v[])
-{
-  PetscReal square = 0.0;
-
-  for (PetscInt k = 0; k < n; k++) square += v[k] * v[k];
-  return PetscSqrtReal(square);
-}
-
 /* Middle of the box around all nodes: moments about it do not depend on where the scene lies. */
-static PetscErrorCode Centre_Private(const Level *level, PetscReal centre[3])
+static PetscErrorCode CertificateGetCentre_Private(const Level *level, PetscReal centre[3])
 {
   PetscReal box[6] = {PETSC_MIN_REAL, PETSC_MIN_REAL, PETSC_MIN_REAL, PETSC_MIN_REAL, PETSC_MIN_REAL, PETSC_MIN_REAL};
 
@@ -176,14 +169,13 @@ static PetscErrorCode Centre_Private(const Level *level, PetscReal centre[3])
 }
 
 /* Adds one node's forces to the sums. [in] x - from the centre; F - [FORCE_COUNT][dim], the residual without the reaction. */
-static void AddNode_Private(ModelKind model, const PetscReal x[], const PetscReal F[FORCE_COUNT][3],
-                            PetscReal stiffness, PetscReal u_max, const PetscReal u[], PetscReal sums[])
+static void CertificateAddNode_Private(ModelKind model, const PetscReal x[], const PetscReal F[FORCE_COUNT][3],
+                                       PetscReal stiffness, PetscReal u_max, const PetscReal u[], PetscReal sums[])
 {
   const PetscInt  dim      = model == MODEL_SOLID ? 3 : 2;
   const PetscBool ring     = (PetscBool)(model == MODEL_AXISYMMETRIC);
-  const PetscReal roundoff = FIELDS_ROUNDOFF * stiffness * u_max + Norm_Private(dim, F[NOISE]),
-                  arm      = Norm_Private(dim, x);
-  PetscReal outer[3], size, work = 0.0;
+  const PetscReal roundoff = FIELDS_ROUNDOFF * stiffness * u_max + VectorNorm(dim, F[NOISE]), arm = VectorNorm(dim, x);
+  PetscReal       outer[3], size, work = 0.0;
 
   for (PetscInt k = 0; k < dim; k++) {
     outer[k] = F[LOADS][k] + F[REACTION][k] - F[OBSTACLE][k];
@@ -192,25 +184,25 @@ static void AddNode_Private(ModelKind model, const PetscReal x[], const PetscRea
     sums[SUM_ENERGY] += F[INNER][k] * u[k];
   }
   if (!ring) {
-    AddMoment_Private(dim, x, outer, &sums[SUM_MOMENT]);
-    AddMoment_Private(dim, x, F[MESHES], &sums[SUM_PAIRMOMENT]);
+    CertificateAddMoment_Private(dim, x, outer, &sums[SUM_MOMENT]);
+    CertificateAddMoment_Private(dim, x, F[MESHES], &sums[SUM_PAIRMOMENT]);
   }
-  size = Norm_Private(dim, F[LOADS]) + Norm_Private(dim, F[CONTACT]) + Norm_Private(dim, F[REACTION]);
+  size = VectorNorm(dim, F[LOADS]) + VectorNorm(dim, F[CONTACT]) + VectorNorm(dim, F[REACTION]);
   sums[SUM_SIZES] += size;
   sums[SUM_SIZES + 1] += arm * size;
   sums[SUM_SIZES + 2] += roundoff;
   sums[SUM_SIZES + 3] += arm * roundoff;
   sums[SUM_WORK] += work;
   sums[SUM_WORK_ROUNDOFF] += roundoff * u_max;
-  sums[SUM_FREE] += PetscSqr(Norm_Private(dim, F[RESIDUAL])) / stiffness;
-  sums[SUM_LOADS] += PetscSqr(Norm_Private(dim, F[LOADS])) / stiffness;
-  sums[SUM_INNER] += PetscSqr(Norm_Private(dim, F[INNER])) / stiffness;
-  sums[SUM_CONTACT] += PetscSqr(Norm_Private(dim, F[CONTACT])) / stiffness;
+  sums[SUM_FREE] += PetscSqr(VectorNorm(dim, F[RESIDUAL])) / stiffness;
+  sums[SUM_LOADS] += PetscSqr(VectorNorm(dim, F[LOADS])) / stiffness;
+  sums[SUM_INNER] += PetscSqr(VectorNorm(dim, F[INNER])) / stiffness;
+  sums[SUM_CONTACT] += PetscSqr(VectorNorm(dim, F[CONTACT])) / stiffness;
   sums[SUM_ROUNDOFF] += PetscSqr(roundoff) / stiffness;
 }
 
 /* Nodes: reactions, sums of forces, and how far the supports are from their data. */
-static PetscErrorCode JudgeNodes_Private(Fields fields, Vec reactions, PetscReal sums[], PetscReal largest[])
+static PetscErrorCode CertificateSumNodes_Private(Fields fields, Vec reactions, PetscReal sums[], PetscReal largest[])
 {
   const VI         vi      = fields->vi;
   const Level     *level   = vi->level;
@@ -222,8 +214,8 @@ static PetscErrorCode JudgeNodes_Private(Fields fields, Vec reactions, PetscReal
   Vec              forces[FORCE_COUNT];
 
   PetscFunctionBeginUser;
-  PetscCall(Centre_Private(level, centre));
-  PetscCall(ForcesCreate_Private(fields, forces));
+  PetscCall(CertificateGetCentre_Private(level, centre));
+  PetscCall(CertificateCreateForces_Private(fields, forces));
   for (PetscInt i = 0; i < FORCE_COUNT; i++) PetscCall(VecGetArrayRead(forces[i], &force[i]));
   PetscCall(VecGetArrayRead(fields->u, &u));
   PetscCall(VecGetArray(reactions, &reaction));
@@ -234,11 +226,11 @@ static PetscErrorCode JudgeNodes_Private(Fields fields, Vec reactions, PetscReal
       for (PetscInt i = 0; i < FORCE_COUNT; i++) F[i][k] = force[i][a * dim + k];
       x[k] = level->coords[a * dim + k] - centre[k];
     }
-    SplitResidual_Private(support, a, F[RESIDUAL], F[REACTION]);
+    CertificateSplitResidual_Private(support, a, F[RESIDUAL], F[REACTION]);
     if (vi->scene->model == MODEL_AXISYMMETRIC) x[0] = 0;
     for (PetscInt k = 0; k < dim; k++) reaction[a * dim + k] = F[REACTION][k];
-    AddNode_Private(vi->scene->model, x, F, fields->stiffness[a], fields->body_max[level->node_body[a]], &u[a * dim],
-                    sums);
+    CertificateAddNode_Private(vi->scene->model, x, F, fields->stiffness[a], fields->body_max[level->node_body[a]],
+                               &u[a * dim], sums);
     for (PetscInt j = 0; j < support->count[a]; j++) {
       PetscReal miss = -support->values[a * dim + j];
 
@@ -259,7 +251,7 @@ static PetscErrorCode JudgeNodes_Private(Fields fields, Vec reactions, PetscReal
 
 /* The force of a row of contact: a pressure on a weight below zero pulls. Where a row is open there is what the solver has left of the residual,
    and of that the test of tension tells: sides that do not meet have no forces to compare it with. */
-static void AddForce_Private(Fields fields, PetscInt r, PetscReal lambda, PetscReal sums[])
+static void CertificateAddForce_Private(Fields fields, PetscInt r, PetscReal lambda, PetscReal sums[])
 {
   const PetscReal weight = fields->row_weight[r], force = lambda * weight;
 
@@ -269,7 +261,7 @@ static void AddForce_Private(Fields fields, PetscInt r, PetscReal lambda, PetscR
 }
 
 /* Rows: penetration, tension, complementarity. Tied rows must vanish, whatever their multiplier is. */
-static PetscErrorCode JudgeRows_Private(Fields fields, PetscReal sums[], PetscReal largest[])
+static PetscErrorCode CertificateSumRows_Private(Fields fields, PetscReal sums[], PetscReal largest[])
 {
   const VI         vi = fields->vi;
   const PetscReal *lambda, *slack;
@@ -282,11 +274,12 @@ static PetscErrorCode JudgeRows_Private(Fields fields, PetscReal sums[], PetscRe
       largest[MAX_GAP] = PetscMax(largest[MAX_GAP], PetscAbsReal(slack[r]));
       continue;
     }
-    AddForce_Private(fields, r, lambda[r], sums);
+    CertificateAddForce_Private(fields, r, lambda[r], sums);
     largest[MAX_GAP] = PetscMax(largest[MAX_GAP], -slack[r]);
     /* Per row, because the roundoff of a row with little coverage is larger. */
     largest[MAX_PRESSURE] =
-        PetscMax(largest[MAX_PRESSURE], Ratio_Private(PetscMax(-lambda[r], 0.0), fields->p_ref, fields->row_noise[r]));
+        PetscMax(largest[MAX_PRESSURE],
+                 CertificateRatio_Private(PetscMax(-lambda[r], 0.0), fields->p_ref, fields->row_noise[r]));
     sums[SUM_COMPLEMENTARITY] += vi->row_D[r] * PetscAbsReal(lambda[r] * slack[r]);
     sums[SUM_COMPLEMENTARITY_ROUNDOFF] += vi->row_D[r] * fields->row_noise[r] * PetscAbsReal(slack[r]);
   }
@@ -296,43 +289,45 @@ static PetscErrorCode JudgeRows_Private(Fields fields, PetscReal sums[], PetscRe
 }
 
 /* Turns the sums of all ranks into the dimensionless tests. */
-static void Judge_Private(Fields fields, const PetscReal sums[], const PetscReal largest[], Certificate *c)
+static void CertificateSetRatios_Private(Fields fields, const PetscReal sums[], const PetscReal largest[],
+                                         Certificate *c)
 {
   const PetscReal size =
       PetscSqrtReal(sums[SUM_LOADS]) + PetscSqrtReal(sums[SUM_INNER]) + PetscSqrtReal(sums[SUM_CONTACT]);
   PetscReal rest[3];
 
-  c->equilibrium     = Ratio_Private(PetscSqrtReal(sums[SUM_FREE]), size, PetscSqrtReal(sums[SUM_ROUNDOFF]));
-  c->gap             = Ratio_Private(largest[MAX_GAP], fields->u_ref, 0.0);
+  c->equilibrium     = CertificateRatio_Private(PetscSqrtReal(sums[SUM_FREE]), size, PetscSqrtReal(sums[SUM_ROUNDOFF]));
+  c->gap             = CertificateRatio_Private(largest[MAX_GAP], fields->u_ref, 0.0);
   c->pressure        = largest[MAX_PRESSURE];
-  c->pull            = Ratio_Private(sums[SUM_PULL], sums[SUM_PRESS], 0.0);
+  c->pull            = CertificateRatio_Private(sums[SUM_PULL], sums[SUM_PRESS], 0.0);
   c->weightless      = (PetscInt)sums[SUM_WEIGHTLESS];
   c->energy_norm     = PetscSqrtReal(PetscMax(sums[SUM_ENERGY], 0.0));
-  c->complementarity = Ratio_Private(sums[SUM_COMPLEMENTARITY], sums[SUM_WORK],
-                                     sums[SUM_WORK_ROUNDOFF] + sums[SUM_COMPLEMENTARITY_ROUNDOFF]);
+  c->complementarity = CertificateRatio_Private(sums[SUM_COMPLEMENTARITY], sums[SUM_WORK],
+                                                sums[SUM_WORK_ROUNDOFF] + sums[SUM_COMPLEMENTARITY_ROUNDOFF]);
   for (PetscInt k = 0; k < 3; k++) rest[k] = sums[SUM_MOMENT + k] - sums[SUM_PAIRMOMENT + k];
-  c->force       = Ratio_Private(Norm_Private(3, &sums[SUM_FORCE]), sums[SUM_SIZES], sums[SUM_SIZES + 2]);
-  c->moment      = Ratio_Private(Norm_Private(3, rest), sums[SUM_SIZES + 1], sums[SUM_SIZES + 3]);
-  c->pair_moment = Ratio_Private(Norm_Private(3, &sums[SUM_PAIRMOMENT]), sums[SUM_SIZES + 1], sums[SUM_SIZES + 3]);
+  c->force  = CertificateRatio_Private(VectorNorm(3, &sums[SUM_FORCE]), sums[SUM_SIZES], sums[SUM_SIZES + 2]);
+  c->moment = CertificateRatio_Private(VectorNorm(3, rest), sums[SUM_SIZES + 1], sums[SUM_SIZES + 3]);
+  c->pair_moment =
+      CertificateRatio_Private(VectorNorm(3, &sums[SUM_PAIRMOMENT]), sums[SUM_SIZES + 1], sums[SUM_SIZES + 3]);
 }
 
 /* The first test that does not hold, as a sentence. A NAN holds nothing. [in] stopped - whether at the discretisation error */
-static PetscErrorCode Verdict_Private(PetscBool stopped, Certificate *c)
+static PetscErrorCode CertificateDecide_Private(PetscBool stopped, Certificate *c)
 {
   static const char coarse[] = "the mesh is too coarse to stop at its error; omit -stop discretisation";
-  static const char solver[] = "tighten -ksp_rtol, or leave -ksp_type and -pc_type to their defaults";
-  static const char mesh[]   = "look at the cells of that side, or turn -<pair>_nonmortar and -<pair>_mortar round";
-  static const char set[]    = "raise -snes_max_it, tighten -ksp_rtol, or see what -cross_check says";
+  static const char solver[] = "tighten -ksp_rtol, or omit -ksp_type and -pc_type";
+  static const char mesh[]   = "check the cells of that side, or exchange -<pair>_nonmortar and -<pair>_mortar";
+  static const char set[]    = "raise -snes_max_it, tighten -ksp_rtol, or try -cross_check";
   const struct {
     const char *name;
     PetscReal   value;
     const char *advice;
   } tests[] = {
       {"equilibrium of the nodal forces", c->equilibrium, solver},
-      {"penetration, or distance from given displacements,", c->gap, set},
+      {"penetration, or deviation from prescribed displacements,", c->gap, set},
       {"tension in a contact", c->pressure, set},
       {"complementarity of pressure and gap", c->complementarity, set},
-      {"the part of the contact forces that pulls", c->pull, mesh},
+      {"the tensile part of the contact forces", c->pull, mesh},
       {"balance of forces", c->force, solver},
       {"balance of moments", c->moment, solver},
   };
@@ -343,16 +338,15 @@ static PetscErrorCode Verdict_Private(PetscBool stopped, Certificate *c)
   for (size_t i = 0; i < sizeof(tests) / sizeof(tests[0]) && c->holds; i++) {
     if (tests[i].value <= c->limit) continue;
     c->holds = PETSC_FALSE;
-    PetscCall(PetscSNPrintf(c->failure, sizeof(c->failure),
-                            "the certificate fails: %s is off by %.2g, allowed %.0e; %s", tests[i].name,
-                            (double)tests[i].value, (double)c->limit, stopped ? coarse : tests[i].advice));
+    PetscCall(PetscSNPrintf(c->failure, sizeof(c->failure), "the certificate fails: %s is %.2g, limit %.0e; %s",
+                            tests[i].name, (double)tests[i].value, (double)c->limit,
+                            stopped ? coarse : tests[i].advice));
   }
   if (c->weightless && c->holds) {
     c->holds = PETSC_FALSE;
     PetscCall(PetscSNPrintf(c->failure, sizeof(c->failure),
                             "the certificate fails: %" PetscInt_FMT
-                            " nodes in a contact weigh nothing or less, so that "
-                            "their pressure tells no force; %s",
+                            " contact nodes have a weight of zero or less, so their pressure gives no force; %s",
                             c->weightless, mesh));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -376,16 +370,16 @@ PetscErrorCode CertificateCompute(Fields fields, Certificate *certificate, Vec *
     PetscCall(VecSet(*reactions, NAN));
     *certificate = (Certificate){NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, .energy_norm = NAN, .limit = limit};
     PetscCall(PetscSNPrintf(certificate->failure, sizeof(certificate->failure),
-                            "the solution holds numbers that are not finite; the linear systems may be singular: "
-                            "look for a body that nothing holds, or try -pc_type lu"));
+                            "the solution has numbers that are not finite; the linear systems may be singular: look "
+                            "for an unsupported body, or try -pc_type lu"));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  PetscCall(JudgeNodes_Private(fields, *reactions, sums, largest));
-  if (fields->lambda) PetscCall(JudgeRows_Private(fields, sums, largest));
+  PetscCall(CertificateSumNodes_Private(fields, *reactions, sums, largest));
+  if (fields->lambda) PetscCall(CertificateSumRows_Private(fields, sums, largest));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, SUM_COUNT, MPIU_REAL, MPI_SUM, comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, MAX_COUNT, MPIU_REAL, MPI_MAX, comm));
-  Judge_Private(fields, sums, largest, certificate);
-  PetscCall(Verdict_Private(stopped, certificate));
+  CertificateSetRatios_Private(fields, sums, largest, certificate);
+  PetscCall(CertificateDecide_Private(stopped, certificate));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -15,7 +15,7 @@ enum { MAX_DIM = 3 };
 
 /* Exact displacements of this rank's nodes, 0 where none is known, and the largest of all ranks.
    [out] exact - [num_owned][dim] */
-static PetscErrorCode NodalExact_Private(VI vi, PetscReal exact[], PetscReal *largest)
+static PetscErrorCode ErrorsGetNodalExact_Private(VI vi, PetscReal exact[], PetscReal *largest)
 {
   const Level   *level = vi->level;
   const PetscInt dim   = level->dim;
@@ -34,8 +34,8 @@ static PetscErrorCode NodalExact_Private(VI vi, PetscReal exact[], PetscReal *la
 }
 
 /* A sentence where a node's exact displacement is not the given one. */
-static PetscErrorCode CheckNode_Private(VI vi, PetscInt i, const PetscReal exact[], PetscReal tolerance,
-                                        char sentence[], size_t len)
+static PetscErrorCode ErrorsCheckNode_Private(VI vi, PetscInt i, const PetscReal exact[], PetscReal tolerance,
+                                              char sentence[], size_t len)
 {
   const Level     *level = vi->level;
   const PetscInt   dim   = level->dim;
@@ -63,7 +63,7 @@ static PetscErrorCode CheckNode_Private(VI vi, PetscInt i, const PetscReal exact
 }
 
 /* Faults where an exact pressure is not finite at a node that is to have it. */
-static PetscErrorCode CheckPressure_Private(const Pair pair)
+static PetscErrorCode ErrorsCheckPressure_Private(const Pair pair)
 {
   const Level *level = pair->level;
   PetscReal    p;
@@ -84,22 +84,22 @@ PetscErrorCode ErrorsCheck(VI vi)
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(vi->level->num_owned * dim, &exact));
-  PetscCall(NodalExact_Private(vi, exact, &largest));
+  PetscCall(ErrorsGetNodalExact_Private(vi, exact, &largest));
   for (PetscInt i = 0; i < vi->level->num_owned; i++) {
     if (!vi->scene->bodies[vi->level->node_body[i]].exact) continue;
-    PetscCall(CheckNode_Private(vi, i, &exact[i * dim], GIVEN_TOLERANCE * largest, sentence, sizeof(sentence)));
+    PetscCall(ErrorsCheckNode_Private(vi, i, &exact[i * dim], GIVEN_TOLERANCE * largest, sentence, sizeof(sentence)));
   }
   PetscCall(PetscFree(exact));
   for (PetscInt b = 0; b < vi->scene->num_bodies; b++)
     PetscCall(ExpressionCheck(vi->level->comm, vi->scene->bodies[b].exact));
   PetscCall(UserErrorCheck(vi->level->comm, sentence));
-  for (PetscInt p = 0; p < vi->num_pairs; p++) PetscCall(CheckPressure_Private(vi->pairs[p]));
+  for (PetscInt p = 0; p < vi->num_pairs; p++) PetscCall(ErrorsCheckPressure_Private(vi->pairs[p]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* --- norms -------------------------------------------------------------------------------------------------------- */
 
-static BodyError Norms_Private(const ErrorSquares *s)
+static BodyError ErrorsSetNorms_Private(const ErrorSquares *s)
 {
   return (BodyError){.l2              = PetscSqrtReal(s->error_l2),
                      .l2_relative     = s->size_l2 > 0 ? PetscSqrtReal(s->error_l2 / s->size_l2) : NAN,
@@ -107,7 +107,7 @@ static BodyError Norms_Private(const ErrorSquares *s)
                      .energy_relative = s->size_energy > 0 ? PetscSqrtReal(s->error_energy / s->size_energy) : NAN};
 }
 
-static ErrorSquares Total_Private(PetscInt num_bodies, const ErrorSquares squares[])
+static ErrorSquares ErrorsSetTotal_Private(PetscInt num_bodies, const ErrorSquares squares[])
 {
   ErrorSquares total = {0, 0, 0, 0};
 
@@ -121,7 +121,7 @@ static ErrorSquares Total_Private(PetscInt num_bodies, const ErrorSquares square
 }
 
 /* Fills in the bodies and their total. */
-static PetscErrorCode BodyErrors_Private(Fields fields, Errors *errors)
+static PetscErrorCode ErrorsComputeBodies_Private(Fields fields, Errors *errors)
 {
   const BodyError unknown = {NAN, NAN, NAN, NAN};
   const Scene     scene   = fields->vi->scene;
@@ -132,11 +132,11 @@ static PetscErrorCode BodyErrors_Private(Fields fields, Errors *errors)
   PetscCall(PetscMalloc1(scene->num_bodies, &squares));
   PetscCall(CellErrorsIntegrate(scene, fields->vi->level, fields->u, NULL, squares));
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
-    errors->body[b] = scene->bodies[b].exact ? Norms_Private(&squares[b]) : unknown;
+    errors->body[b] = scene->bodies[b].exact ? ErrorsSetNorms_Private(&squares[b]) : unknown;
     all             = (PetscBool)(all && scene->bodies[b].exact);
   }
-  total         = Total_Private(scene->num_bodies, squares);
-  errors->total = all ? Norms_Private(&total) : unknown;
+  total         = ErrorsSetTotal_Private(scene->num_bodies, squares);
+  errors->total = all ? ErrorsSetNorms_Private(&total) : unknown;
   PetscCall(PetscFree(squares));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -154,7 +154,7 @@ PetscErrorCode ErrorsCompute(Fields fields, Errors *errors)
     if (vi->pairs[p]->spec->exact) errors->any = PETSC_TRUE;
   if (!errors->any) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc2(vi->scene->num_bodies, &errors->body, vi->num_pairs, &errors->pair));
-  PetscCall(BodyErrors_Private(fields, errors));
+  PetscCall(ErrorsComputeBodies_Private(fields, errors));
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
     errors->pair[p] = unknown;
     if (vi->pairs[p]->spec->exact) PetscCall(PressureErrorCompute(fields, p, &errors->pair[p]));
@@ -177,9 +177,9 @@ PetscErrorCode ErrorsComputeDifference(Scene scene, Level *level, Vec u, Vec v, 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(scene->num_bodies, &squares));
   PetscCall(CellErrorsIntegrate(scene, level, u, v, squares));
-  for (PetscInt b = 0; b < scene->num_bodies; b++) body[b] = Norms_Private(&squares[b]);
-  sum    = Total_Private(scene->num_bodies, squares);
-  *total = Norms_Private(&sum);
+  for (PetscInt b = 0; b < scene->num_bodies; b++) body[b] = ErrorsSetNorms_Private(&squares[b]);
+  sum    = ErrorsSetTotal_Private(scene->num_bodies, squares);
+  *total = ErrorsSetNorms_Private(&sum);
   PetscCall(PetscFree(squares));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -20,7 +20,7 @@ static const PetscReal STEP = 5e-4;
 static const PetscReal SHARE_OF_WAY = 1. / 3;
 
 /* The way from a point to the boundary of the reference cell, there and back along axis j. */
-static PetscReal Way_Private(const CellPoint *at, PetscInt j)
+static PetscReal ExactGetPath_Private(const CellPoint *at, PetscInt j)
 {
   const PetscInt dim   = ElementDim(at->type);
   PetscReal      ahead = 1;
@@ -33,7 +33,7 @@ static PetscReal Way_Private(const CellPoint *at, PetscInt j)
 }
 
 /* u at another point of the cell, xi. */
-static PetscErrorCode Value_Private(Expression exact, const CellPoint *at, const PetscReal xi[], PetscReal u[])
+static PetscErrorCode ExactGetValue_Private(Expression exact, const CellPoint *at, const PetscReal xi[], PetscReal u[])
 {
   const PetscInt dim = ElementDim(at->type), n = ElementNumNodes(at->type);
   PetscReal      phi[ELEMENT_MAX_NODES], x[3]  = {0, 0, 0};
@@ -47,11 +47,11 @@ static PetscErrorCode Value_Private(Expression exact, const CellPoint *at, const
 }
 
 /* d[i] = d u_i / d xi_j */
-static PetscErrorCode Derivative_Private(Expression exact, const CellPoint *at, PetscInt j, PetscReal d[])
+static PetscErrorCode ExactGetDerivative_Private(Expression exact, const CellPoint *at, PetscInt j, PetscReal d[])
 {
   static const PetscReal offset[] = {-2, -1, 1, 2}, weight[] = {1, -8, 8, -1};
   const PetscInt         dim  = ElementDim(at->type);
-  const PetscReal        step = PetscMin(STEP * at->size, SHARE_OF_WAY * Way_Private(at, j));
+  const PetscReal        step = PetscMin(STEP * at->size, SHARE_OF_WAY * ExactGetPath_Private(at, j));
   PetscReal              xi[3], u[3];
 
   PetscFunctionBeginUser;
@@ -59,7 +59,7 @@ static PetscErrorCode Derivative_Private(Expression exact, const CellPoint *at, 
   PetscCall(PetscArraycpy(xi, at->xi, dim));
   for (size_t s = 0; s < PETSC_STATIC_ARRAY_LENGTH(offset); s++) {
     xi[j] = at->xi[j] + offset[s] * step;
-    PetscCall(Value_Private(exact, at, xi, u));
+    PetscCall(ExactGetValue_Private(exact, at, xi, u));
     for (PetscInt i = 0; i < dim; i++) d[i] += weight[s] * u[i] / (12 * step);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -71,7 +71,7 @@ PetscErrorCode ExactEvaluate(Expression exact, const CellPoint *at, PetscReal u[
   PetscReal      d[3];
 
   PetscFunctionBeginUser;
-  PetscCall(Value_Private(exact, at, at->xi, u));
+  PetscCall(ExactGetValue_Private(exact, at, at->xi, u));
   PetscCall(PetscArrayzero(g, dim * dim));
   if (ExpressionIsConstant(exact)) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt j = 0; j < dim; j++) {
@@ -79,7 +79,7 @@ PetscErrorCode ExactEvaluate(Expression exact, const CellPoint *at, PetscReal u[
 
     for (PetscInt a = 0; a < n; a++)
       for (PetscInt k = 0; k < dim; k++) slope[k] += ElementNode(at->type, a)[j] * at->grad[a * dim + k];
-    PetscCall(Derivative_Private(exact, at, j, d));
+    PetscCall(ExactGetDerivative_Private(exact, at, j, d));
     for (PetscInt i = 0; i < dim; i++)
       for (PetscInt k = 0; k < dim; k++) g[k * dim + i] += d[i] * slope[k];
   }

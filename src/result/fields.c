@@ -16,7 +16,7 @@ static const PetscReal PRESSED_TOLERANCE = 1e-9;
 
 /* A nonmortar side at rest may be the sum of two large motions, its own relative one and that of the mortar side: bodies
    that a pair joins, directly or through others, share the largest displacement. */
-static void ShareLargest_Private(Scene scene, PetscReal body_max[])
+static void FieldsShareLargest_Private(Scene scene, PetscReal body_max[])
 {
   for (PetscInt round = 0; round < scene->num_pairs; round++) {
     for (PetscInt p = 0; p < scene->num_pairs; p++) {
@@ -28,7 +28,7 @@ static void ShareLargest_Private(Scene scene, PetscReal body_max[])
 }
 
 /* Stiffness of the owned nodes and the largest displacement of each body. */
-static PetscErrorCode NodeScales_Private(Fields fields)
+static PetscErrorCode FieldsSetNodeScales_Private(Fields fields)
 {
   const Level     *level = fields->vi->level;
   const PetscInt   dim = level->dim, num_bodies = fields->vi->scene->num_bodies;
@@ -49,13 +49,13 @@ static PetscErrorCode NodeScales_Private(Fields fields)
   PetscCall(VecRestoreArrayRead(fields->u, &u));
   PetscCall(VecRestoreArrayRead(fields->vi->diagonal, &d));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, fields->body_max, (PetscMPIInt)num_bodies, MPIU_REAL, MPI_MAX, level->comm));
-  ShareLargest_Private(fields->vi->scene, fields->body_max);
+  FieldsShareLargest_Private(fields->vi->scene, fields->body_max);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Of all rows of one pair, by the ratio to D_aa, so that a thickness in row_D is kept. [in] moment - which moment: 0 for 1,
    k + 1 for x_k */
-static PetscErrorCode PairMoment_Private(Fields fields, PetscInt p, PetscInt moment)
+static PetscErrorCode FieldsAddPairMoment_Private(Fields fields, PetscInt p, PetscInt moment)
 {
   const VI         vi     = fields->vi;
   const Pair       pair   = vi->pairs[p];
@@ -99,12 +99,12 @@ static PetscErrorCode PairMoment_Private(Fields fields, PetscInt p, PetscInt mom
 
 /* int psi_a (1, x) = D_aa (1, x_a) + sum_c D_ac (1, x_c): the dual functions of removed nodes c were given to their
    neighbours, and with them their share of the side. */
-static PetscErrorCode RowMoments_Private(Fields fields)
+static PetscErrorCode FieldsSetRowMoments_Private(Fields fields)
 {
   PetscFunctionBeginUser;
   for (PetscInt p = 0; p < fields->vi->num_pairs; p++) {
     for (PetscInt moment = 0; moment <= fields->vi->level->dim; moment++) {
-      PetscCall(PairMoment_Private(fields, p, moment));
+      PetscCall(FieldsAddPairMoment_Private(fields, p, moment));
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -112,7 +112,7 @@ static PetscErrorCode RowMoments_Private(Fields fields)
 
 /* u_ref = max(|u|, |B u / D|, |gap|): with absolute displacements, since relative ones vanish in full contact and leave
    roundoff to be compared with roundoff.  p_ref = max(|p|, sum |f| / sum D): with the loads, since all p may be roundoff. */
-static PetscErrorCode ReferenceSizes_Private(Fields fields)
+static PetscErrorCode FieldsSetReferenceSizes_Private(Fields fields)
 {
   const VI         vi      = fields->vi;
   PetscReal        sums[2] = {0, 0}, sizes[2] = {0, 0};
@@ -150,7 +150,7 @@ static PetscErrorCode ReferenceSizes_Private(Fields fields)
 }
 
 /* How many times its own size the displacement of a node is the sum of others by the arm of a tie, and so its rounding (eq. 5.4). */
-static PetscErrorCode ArmSize_Private(const Pair pair, PetscInt k, PetscReal *size)
+static PetscErrorCode FieldsGetArmSize_Private(const Pair pair, PetscInt k, PetscReal *size)
 {
   const PetscInt     dim = pair->level->dim, first = dim * (pair->level->node_begin + pair->nodes[k]);
   PetscInt           num;
@@ -167,7 +167,7 @@ static PetscErrorCode ArmSize_Private(const Pair pair, PetscInt k, PetscReal *si
 }
 
 /* In contact is what lies on its bound, but for what bodies that are free to move have moved since, and presses by more than roundoff. */
-static PetscErrorCode RowStatus_Private(Fields fields, PetscReal slip, Vec y)
+static PetscErrorCode FieldsSetRowStatus_Private(Fields fields, PetscReal slip, Vec y)
 {
   const VI         vi = fields->vi;
   const PetscReal *lambda, *values, *upper;
@@ -186,7 +186,7 @@ static PetscErrorCode RowStatus_Private(Fields fields, PetscReal slip, Vec y)
     const PetscInt  node = pair->nodes[vi->row_node[r]], i = vi->row_dof[r] - begin;
     const PetscReal force = fields->stiffness[node] * fields->body_max[vi->level->node_body[node]];
 
-    PetscCall(ArmSize_Private(pair, vi->row_node[r], &arm));
+    PetscCall(FieldsGetArmSize_Private(pair, vi->row_node[r], &arm));
     fields->row_noise[r] = FIELDS_ROUNDOFF * (1 + arm) * force / vi->row_D[r];
     if (pair->spec->type == PAIR_TIED) {
       fields->row_status[r] = STATUS_TIED;
@@ -213,7 +213,7 @@ PetscErrorCode FieldsCreate(VI vi, Solvability solvability, Vec y, Fields *field
   PetscCall(LevelCreateVec(vi->level, vi->level->dim, &f->u));
   PetscCall(VIRecoverDisplacement(vi, y, f->u));
   PetscCall(StressCreate(vi->scene, vi->level, f->u, &f->stress));
-  PetscCall(NodeScales_Private(f));
+  PetscCall(FieldsSetNodeScales_Private(f));
   if (vi->B) {
     PetscReal *slack;
 
@@ -227,10 +227,10 @@ PetscErrorCode FieldsCreate(VI vi, Solvability solvability, Vec y, Fields *field
     PetscCall(VecRestoreArray(f->slack, &slack));
     PetscCall(PetscCalloc4(vi->num_rows, &f->row_weight, vi->num_rows * vi->level->dim, &f->row_moment, vi->num_rows,
                            &f->row_noise, vi->num_rows, &f->row_status));
-    PetscCall(RowMoments_Private(f));
+    PetscCall(FieldsSetRowMoments_Private(f));
   }
-  PetscCall(ReferenceSizes_Private(f));
-  if (vi->B) PetscCall(RowStatus_Private(f, solvability ? solvability->slip : 0, y));
+  PetscCall(FieldsSetReferenceSizes_Private(f));
+  if (vi->B) PetscCall(FieldsSetRowStatus_Private(f, solvability ? solvability->slip : 0, y));
   *fields = f;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

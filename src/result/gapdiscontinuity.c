@@ -17,7 +17,7 @@ static const PetscReal ROUNDING = 256 * PETSC_MACHINE_EPSILON;
 static const PetscReal SAME = 1e-9;
 
 /* How far the mean gap of a row in contact is below all gaps around its node, 0 of other rows. */
-static PetscReal Row_Private(Fields fields, PetscInt p, PetscInt r)
+static PetscReal GapDiscontinuityGetRow_Private(Fields fields, PetscInt p, PetscInt r)
 {
   const Pair     pair = fields->vi->pairs[p];
   const PetscInt a    = fields->vi->row_node[r];
@@ -28,7 +28,7 @@ static PetscReal Row_Private(Fields fields, PetscInt p, PetscInt r)
 }
 
 /* Of this rank, [out] largest - displacement of the pair's nodes along their normals, [out] size - number that a gap is made of. */
-static PetscErrorCode Sizes_Private(Fields fields, PetscInt p, PetscReal *largest, PetscReal *size)
+static PetscErrorCode GapDiscontinuityGetSizes_Private(Fields fields, PetscInt p, PetscReal *largest, PetscReal *size)
 {
   const Pair           pair     = fields->vi->pairs[p];
   const SceneObstacle *obstacle = &pair->spec->obstacle;
@@ -54,7 +54,7 @@ static PetscErrorCode Sizes_Private(Fields fields, PetscInt p, PetscReal *larges
 }
 
 /* The first place by coordinates where the overlap is the largest, found one coordinate after the other. */
-static PetscErrorCode Place_Private(Fields fields, PetscInt p, PetscReal largest, PetscReal at[])
+static PetscErrorCode GapDiscontinuityGetPlace_Private(Fields fields, PetscInt p, PetscReal largest, PetscReal at[])
 {
   const VI       vi  = fields->vi;
   const PetscInt dim = vi->level->dim;
@@ -67,7 +67,7 @@ static PetscErrorCode Place_Private(Fields fields, PetscInt p, PetscReal largest
       const PetscReal *x;
       PetscBool        first = PETSC_TRUE;
 
-      if (Row_Private(fields, p, r) < (1 - SAME) * largest) continue; // also those of other pairs
+      if (GapDiscontinuityGetRow_Private(fields, p, r) < (1 - SAME) * largest) continue; // also those of other pairs
       x = &vi->level->coords[vi->pairs[p]->nodes[vi->row_node[r]] * dim];
       for (PetscInt j = 0; j < k; j++) first = (PetscBool)(first && x[j] == at[j]);
       if (first) least = PetscMin(least, x[k]);
@@ -84,13 +84,13 @@ PetscErrorCode GapDiscontinuityFind(Fields fields, PetscInt p, PetscBool *shows,
 
   PetscFunctionBeginUser;
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    if (vi->row_pair[r] == p) largest[0] = PetscMax(largest[0], Row_Private(fields, p, r));
+    if (vi->row_pair[r] == p) largest[0] = PetscMax(largest[0], GapDiscontinuityGetRow_Private(fields, p, r));
   }
-  PetscCall(Sizes_Private(fields, p, &largest[1], &largest[2]));
+  PetscCall(GapDiscontinuityGetSizes_Private(fields, p, &largest[1], &largest[2]));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 3, MPIU_REAL, MPI_MAX, vi->level->comm));
   *overlap = largest[0] > ROUNDING * largest[2] ? largest[0] : 0;
   *shows   = (PetscBool)(*overlap > SHOWS * largest[1]);
-  if (*shows) PetscCall(Place_Private(fields, p, largest[0], at));
+  if (*shows) PetscCall(GapDiscontinuityGetPlace_Private(fields, p, largest[0], at));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -4,7 +4,7 @@
 
 /* Pressure of removed nodes. Their dual functions went to neighbours a with weights w_ac, D_ac = w_ac D_cc, which makes the
    discrete pressure there the weighted mean of the neighbours' pressures:  p_c = sum_a D_ac p_a / sum_a D_ac. */
-static PetscErrorCode ExtendPressure_Private(const Pair pair, PairFields *nodal)
+static PetscErrorCode PairFieldsExtendPressure_Private(const Pair pair, PairFields *nodal)
 {
   Vec              rows, sums[2];
   PetscReal       *value;
@@ -39,7 +39,7 @@ static PetscErrorCode ExtendPressure_Private(const Pair pair, PairFields *nodal)
 
 /* Where only vertices carry multipliers, the pressure that is given out is linear between them: in the middle of a facet
    the mean of its ends. */
-static PetscErrorCode InterpolatePressure_Private(const Pair pair, PairFields *nodal)
+static PetscErrorCode PairFieldsInterpolatePressure_Private(const Pair pair, PairFields *nodal)
 {
   const PetscInt   begin = pair->level->node_begin;
   Vec              ends, middles;
@@ -98,9 +98,9 @@ PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal)
   }
   PetscCall(VecRestoreArrayRead(fields->slack, &slack));
   PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
-  if (pair->D_other) PetscCall(ExtendPressure_Private(pair, nodal));
+  if (pair->D_other) PetscCall(PairFieldsExtendPressure_Private(pair, nodal));
   if (pair->to_nodal && pair->spec->multipliers == MULTIPLIERS_VERTICES)
-    PetscCall(InterpolatePressure_Private(pair, nodal));
+    PetscCall(PairFieldsInterpolatePressure_Private(pair, nodal));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

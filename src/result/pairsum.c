@@ -14,8 +14,8 @@ enum { MAX_PRESSURE, MAX_COVERED, MAX_CLOSED, MAX_LOWER, MAX_UPPER = MAX_LOWER +
 static const PetscReal SAME_PRESSURE = 1e-9;
 
 /* One row: tied tangential rows only have a force. */
-static void AddRow_Private(Fields fields, PetscInt r, PetscReal lambda, PetscReal slack, PetscReal sums[],
-                           PetscReal largest[])
+static void PairSumAddRow_Private(Fields fields, PetscInt r, PetscReal lambda, PetscReal slack, PetscReal sums[],
+                                  PetscReal largest[])
 {
   const VI         vi   = fields->vi;
   const Pair       pair = vi->pairs[vi->row_pair[r]];
@@ -41,8 +41,8 @@ static void AddRow_Private(Fields fields, PetscInt r, PetscReal lambda, PetscRea
 }
 
 /* The place of the largest pressure; of several the first by coordinates, found one coordinate after the other. */
-static PetscErrorCode PressurePlace_Private(Fields fields, PetscInt p, const PetscReal lambda[], PetscReal max,
-                                            PetscReal at[])
+static PetscErrorCode PairSumFindPressurePlace_Private(Fields fields, PetscInt p, const PetscReal lambda[],
+                                                       PetscReal max, PetscReal at[])
 {
   const VI       vi  = fields->vi;
   const PetscInt dim = vi->level->dim;
@@ -67,7 +67,7 @@ static PetscErrorCode PressurePlace_Private(Fields fields, PetscInt p, const Pet
 }
 
 /* The mean of the nodes with the weights |F|: what the forces of a tie act around, whose centre of pressure may be anywhere. */
-static PetscErrorCode Middle_Private(const Level *level, const PetscReal F[], PetscReal middle[3])
+static PetscErrorCode PairSumGetMiddle_Private(const Level *level, const PetscReal F[], PetscReal middle[3])
 {
   PetscReal sums[4] = {0, 0, 0, 0};
 
@@ -86,7 +86,7 @@ static PetscErrorCode Middle_Private(const Level *level, const PetscReal F[], Pe
 
 /* |sum x cross F| / sum |x||F| over the nodes of both sides, F = B'lambda of this pair alone, x from the centre of
    pressure, or from the middle of a tie: 0 on flat and on touching sides, where the points of both are the same, and of ties. */
-static PetscErrorCode MomentImbalance_Private(Fields fields, PetscInt p, PairSum *sum)
+static PetscErrorCode PairSumGetMomentImbalance_Private(Fields fields, PetscInt p, PairSum *sum)
 {
   const VI         vi  = fields->vi;
   const PetscInt   dim = vi->level->dim;
@@ -109,7 +109,7 @@ static PetscErrorCode MomentImbalance_Private(Fields fields, PetscInt p, PairSum
   PetscCall(MatMultTranspose(vi->B, lambda, force));
   PetscCall(VecGetArrayRead(force, &F));
   PetscCall(PetscArraycpy(centre, sum->centre, 3));
-  if (vi->pairs[p]->spec->type == PAIR_TIED) PetscCall(Middle_Private(vi->level, F, centre));
+  if (vi->pairs[p]->spec->type == PAIR_TIED) PetscCall(PairSumGetMiddle_Private(vi->level, F, centre));
   for (PetscInt a = 0; a < vi->level->num_owned; a++) {
     PetscReal x[3] = {0, 0, 0}, f[3] = {0, 0, 0}, xx = 0, ff = 0;
 
@@ -143,7 +143,7 @@ PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum)
     PetscCall(VecGetArrayRead(fields->slack, &slack));
   }
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    if (vi->row_pair[r] == p) AddRow_Private(fields, r, lambda[r], slack[r], sums, largest);
+    if (vi->row_pair[r] == p) PairSumAddRow_Private(fields, r, lambda[r], slack[r], sums, largest);
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, ADD_COUNT, MPIU_REAL, MPI_SUM, vi->level->comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, MAX_COUNT, MPIU_REAL, MPI_MAX, vi->level->comm));
@@ -164,8 +164,9 @@ PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum)
     sum->force[0] = 0;
     if (sum->active) sum->centre[0] = 0;
   }
-  if (sum->active) PetscCall(PressurePlace_Private(fields, p, lambda, sum->max_pressure, sum->max_pressure_at));
-  PetscCall(MomentImbalance_Private(fields, p, sum));
+  if (sum->active)
+    PetscCall(PairSumFindPressurePlace_Private(fields, p, lambda, sum->max_pressure, sum->max_pressure_at));
+  PetscCall(PairSumGetMomentImbalance_Private(fields, p, sum));
   if (fields->lambda) {
     PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
     PetscCall(VecRestoreArrayRead(fields->slack, &slack));

@@ -12,7 +12,7 @@ enum { NODE_PRESSURE, NODE_COVERED, NODE_COUNT };
 enum { ERROR_L2, SIZE_L2, ERROR_WEIGHTED, SIZE_WEIGHTED, SQUARES };
 
 /* Nodal values of a pair where facets can ask for them, also at ghosts. [out] values - owned by the caller */
-static PetscErrorCode NodalValues_Private(Fields fields, PetscInt p, Vec *values)
+static PetscErrorCode PressureErrorGetNodalValues_Private(Fields fields, PetscInt p, Vec *values)
 {
   Level       *level = fields->vi->level;
   PairFields   nodal;
@@ -34,8 +34,8 @@ static PetscErrorCode NodalValues_Private(Fields fields, PetscInt p, Vec *values
 }
 
 /* Adds one facet, unless a node of it has no pressure. [in] values - [num_nodes][NODE_COUNT] */
-static PetscErrorCode AddFacet_Private(const Level *level, const Facets *facets, PetscInt f, Expression exact,
-                                       const PetscScalar values[], PetscReal squares[])
+static PetscErrorCode PressureErrorAddFacet_Private(const Level *level, const Facets *facets, PetscInt f,
+                                                    Expression exact, const PetscScalar values[], PetscReal squares[])
 {
   const ElementType type  = facets->type[f];
   const PetscInt   *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(type), dim = level->dim;
@@ -60,7 +60,7 @@ static PetscErrorCode AddFacet_Private(const Level *level, const Facets *facets,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode AddFacets_Private(Fields fields, PetscInt p, PetscReal squares[])
+static PetscErrorCode PressureErrorAddFacets_Private(Fields fields, PetscInt p, PetscReal squares[])
 {
   const ScenePair   *spec  = fields->vi->pairs[p]->spec;
   Level             *level = fields->vi->level;
@@ -69,12 +69,12 @@ static PetscErrorCode AddFacets_Private(Fields fields, PetscInt p, PetscReal squ
   const PetscScalar *values;
 
   PetscFunctionBeginUser;
-  PetscCall(NodalValues_Private(fields, p, &nodal));
+  PetscCall(PressureErrorGetNodalValues_Private(fields, p, &nodal));
   PetscCall(LevelGetFacets(level, fields->vi->scene, spec->nonmortar.body, spec->nonmortar.side, &facets));
   PetscCall(VecGhostGetLocalForm(nodal, &local));
   PetscCall(VecGetArrayRead(local, &values));
   for (PetscInt f = 0; f < facets.num; f++)
-    PetscCall(AddFacet_Private(level, &facets, f, spec->exact, values, squares));
+    PetscCall(PressureErrorAddFacet_Private(level, &facets, f, spec->exact, values, squares));
   PetscCall(VecRestoreArrayRead(local, &values));
   PetscCall(VecGhostRestoreLocalForm(nodal, &local));
   PetscCall(FacetsDestroy(&facets));
@@ -83,7 +83,7 @@ static PetscErrorCode AddFacets_Private(Fields fields, PetscInt p, PetscReal squ
 }
 
 /* Rows have the measure in their D. */
-static PetscErrorCode AddRows_Private(Fields fields, PetscInt p, PetscReal squares[])
+static PetscErrorCode PressureErrorAddRows_Private(Fields fields, PetscInt p, PetscReal squares[])
 {
   const VI         vi   = fields->vi;
   const Pair       pair = vi->pairs[p];
@@ -110,8 +110,8 @@ PetscErrorCode PressureErrorCompute(Fields fields, PetscInt p, PressureError *er
   PetscReal squares[SQUARES] = {0};
 
   PetscFunctionBeginUser;
-  PetscCall(AddFacets_Private(fields, p, squares));
-  PetscCall(AddRows_Private(fields, p, squares));
+  PetscCall(PressureErrorAddFacets_Private(fields, p, squares));
+  PetscCall(PressureErrorAddRows_Private(fields, p, squares));
   PetscCall(ExpressionCheck(fields->vi->level->comm, fields->vi->pairs[p]->spec->exact));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, squares, SQUARES, MPIU_REAL, MPI_SUM, fields->vi->level->comm));
   error->l2          = PetscSqrtReal(squares[ERROR_L2]);

@@ -5,7 +5,8 @@
 #include "base/compat.h"
 
 /* Box around a body, for the sentence to a user whose probe lies outside. */
-static PetscErrorCode BodyBox_Private(const Level *level, PetscInt body, PetscReal lower[3], PetscReal upper[3])
+static PetscErrorCode ProbesGetBodyBox_Private(const Level *level, PetscInt body, PetscReal lower[3],
+                                               PetscReal upper[3])
 {
   PetscReal box[6];
 
@@ -27,7 +28,7 @@ static PetscErrorCode BodyBox_Private(const Level *level, PetscInt body, PetscRe
 }
 
 /* "1,2" */
-static PetscErrorCode PointText_Private(PetscInt dim, const PetscReal x[], char text[], size_t len)
+static PetscErrorCode ProbesPrintPoint_Private(PetscInt dim, const PetscReal x[], char text[], size_t len)
 {
   PetscFunctionBeginUser;
   text[0] = '\0';
@@ -53,10 +54,10 @@ PetscErrorCode ProbesCheck(Scene scene, Mesh mesh)
 
     PetscCall(LevelLocate(level, probe->body, probe->at, &cell, xi, &found));
     if (found) continue;
-    PetscCall(BodyBox_Private(level, probe->body, lower, upper));
-    PetscCall(PointText_Private(level->dim, probe->at, at, sizeof(at)));
-    PetscCall(PointText_Private(level->dim, lower, low, sizeof(low)));
-    PetscCall(PointText_Private(level->dim, upper, high, sizeof(high)));
+    PetscCall(ProbesGetBodyBox_Private(level, probe->body, lower, upper));
+    PetscCall(ProbesPrintPoint_Private(level->dim, probe->at, at, sizeof(at)));
+    PetscCall(ProbesPrintPoint_Private(level->dim, lower, low, sizeof(low)));
+    PetscCall(ProbesPrintPoint_Private(level->dim, upper, high, sizeof(high)));
     PetscCall(UserErrorRaise(scene->comm,
                              "-probe_%s_at %s lies outside body %s, whose cells fill a part of the box %s to %s",
                              probe->name, at, scene->bodies[probe->body].name, low, high));

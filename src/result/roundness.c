@@ -10,7 +10,7 @@ static const PetscReal SMOOTH = PETSC_PI / 12, FLAT = 1e-4;
 static const PetscReal CARRIES = 1e-6;
 
 /* The outward normal of the plane through a facet's vertices. [out] n - unit [3] */
-static void Normal_Private(const Level *level, const PetscInt nodes[], PetscReal n[])
+static void RoundnessGetNormal_Private(const Level *level, const PetscInt nodes[], PetscReal n[])
 {
   const PetscInt   dim = level->dim;
   const PetscReal *x[3];
@@ -27,7 +27,7 @@ static void Normal_Private(const Level *level, const PetscInt nodes[], PetscReal
 
 /* The largest angle between the mean normal of a node and those of the facets of a side around it, as a ghosted vector.
    [out] turn - owned by the caller */
-static PetscErrorCode Turns_Private(VI vi, const SceneSide *side, Vec *turn)
+static PetscErrorCode RoundnessGetAngles_Private(VI vi, const SceneSide *side, Vec *turn)
 {
   Level         *level = vi->level;
   const PetscInt dim   = level->dim;
@@ -50,7 +50,7 @@ static PetscErrorCode Turns_Private(VI vi, const SceneSide *side, Vec *turn)
       const PetscInt *nodes = &facets.nodes[f * ELEMENT_MAX_FACET_NODES];
       PetscReal       n[3];
 
-      Normal_Private(level, nodes, n);
+      RoundnessGetNormal_Private(level, nodes, n);
       for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); i++) {
         PetscReal product = 0, size = 0;
 
@@ -90,7 +90,7 @@ PetscErrorCode RoundnessCarriesLoads(VI vi, Solvability s, PetscBool *round)
     Vec                turn;
 
     if (kind == OBSTACLE_BALL || kind == OBSTACLE_CYLINDER || kind == OBSTACLE_PARABOLA) continue;
-    PetscCall(Turns_Private(vi, &pair->spec->nonmortar, &turn));
+    PetscCall(RoundnessGetAngles_Private(vi, &pair->spec->nonmortar, &turn));
     PetscCall(VecGetArrayRead(turn, &t)); // of nodes that this rank owns, as those of the pair are
     for (PetscInt r = 0; r < vi->num_rows; r++) {
       PetscReal angle;

@@ -3,7 +3,7 @@
 #include "result/sidenodes.h"
 
 /* 1 at the nodes of the facets of all ranks, 0 elsewhere. */
-static PetscErrorCode MarkNodes_Private(Level *level, const Facets *facets, Vec *marks)
+static PetscErrorCode SideNodesMark_Private(Level *level, const Facets *facets, Vec *marks)
 {
   Vec        local;
   PetscReal *mark;
@@ -31,7 +31,7 @@ PetscErrorCode SideNodesCreate(Level *level, const Facets *facets, PetscInt *num
   PetscInt         n = 0;
 
   PetscFunctionBeginUser;
-  PetscCall(MarkNodes_Private(level, facets, &marks));
+  PetscCall(SideNodesMark_Private(level, facets, &marks));
   PetscCall(VecGetArrayRead(marks, &mark));
   for (PetscInt a = 0; a < level->num_owned; a++) n += mark[a] != 0.0;
   PetscCall(PetscMalloc1(n, nodes));

@@ -11,7 +11,7 @@
 static const PetscReal SMALL = 0.1;
 
 /* The square of the largest gradient between corners of a cell. */
-static PetscReal Cell_Private(const Level *level, PetscInt c, const PetscScalar u[])
+static PetscReal SmallStrainGetCell_Private(const Level *level, PetscInt c, const PetscScalar u[])
 {
   const PetscInt dim = level->dim, *nodes = &level->cell_nodes[level->cell_start[c]];
   const PetscInt num     = ElementNumNodes(ElementLinear((ElementType)level->cell_type[c]));
@@ -47,7 +47,7 @@ PetscErrorCode SmallStrainWarn(Fields fields)
   for (PetscInt c = 0; c < level->num_cells; c++) {
     PetscReal *square = &squares[level->cell_body[c]];
 
-    *square = PetscMax(*square, Cell_Private(level, c, u));
+    *square = PetscMax(*square, SmallStrainGetCell_Private(level, c, u));
   }
   PetscCall(VecRestoreArrayRead(local, &u));
   PetscCall(VecGhostRestoreLocalForm(fields->u, &local));
@@ -57,9 +57,9 @@ PetscErrorCode SmallStrainWarn(Fields fields)
   if (squares[worst] > PetscSqr(SMALL)) {
     const Warning large = {.code   = "model_limit",
                            .body   = scene->bodies[worst].name,
-                           .advice = "do the units of loads, lengths and moduli fit together?"};
+                           .advice = "check the units of loads, lengths and moduli"};
 
-    PetscCall(WarningAdd(&large, "beyond small displacements: body %s is strained or turned by up to %.3g", large.body,
+    PetscCall(WarningAdd(&large, "small strains are exceeded: body %s is strained or rotated by up to %.3g", large.body,
                          (double)PetscSqrtReal(squares[worst])));
   }
   PetscCall(PetscFree(squares));

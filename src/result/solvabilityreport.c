@@ -6,7 +6,7 @@
 #include "result/solvabilityreport.h"
 
 /* Bodies that move together, body by body; where one is of several pieces, piece by piece. */
-static void AddMotion_Private(VI vi, const SceneMotion *motion, cJSON *object)
+static void SolvabilityReportAddMotion_Private(VI vi, const SceneMotion *motion, cJSON *object)
 {
   const PetscInt dim = vi->level->dim;
 
@@ -37,7 +37,7 @@ void SolvabilityReportAdd(VI vi, Solvability s, cJSON *root)
   cJSON_AddStringToObject(object, "verdict", verdicts[s ? s->status : SOLVABLE]);
   cJSON_AddBoolToObject(object, "on_this_mesh", s && s->coarse);
   if (s && s->motion.num) {
-    AddMotion_Private(vi, &s->motion, cJSON_AddObjectToObject(object, "motion"));
+    SolvabilityReportAddMotion_Private(vi, &s->motion, cJSON_AddObjectToObject(object, "motion"));
     JSONAddReal(object, "work", s->motion.work);
     cJSON_AddStringToObject(object, "sentence", s->motion.sentence);
   } else {
@@ -49,7 +49,7 @@ void SolvabilityReportAdd(VI vi, Solvability s, cJSON *root)
   for (PetscInt i = 0; s && i < s->num_free; i++) {
     cJSON *one = cJSON_CreateObject();
 
-    AddMotion_Private(vi, &s->free[i], one);
+    SolvabilityReportAddMotion_Private(vi, &s->free[i], one);
     cJSON_AddItemToArray(motions, one);
   }
 }
@@ -60,7 +60,7 @@ PetscErrorCode SolvabilityReportPrint(VI vi, Solvability s)
   for (PetscInt i = 0; s && i < s->num_free; i++)
     PetscCall(PetscPrintf(vi->level->comm, "  free motion: %s\n", s->free[i].sentence));
   if (s && s->num_free)
-    PetscCall(PetscPrintf(vi->level->comm, "    of all positions the one of least motion is given\n"));
+    PetscCall(PetscPrintf(vi->level->comm, "    the displacement is the one of least mean square\n"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -68,13 +68,13 @@ PetscErrorCode SolvabilityReportRefuse(VI vi, Solvability s)
 {
   PetscFunctionBeginUser;
   if (s && s->status == SOLVABLE_NOT) {
-    PetscCall(PetscFPrintf(vi->level->comm, PETSC_STDERR,
-                           "mortise: no solution%s: %s: the loads do %+.6g of work %s per %s and nothing resists%s\n",
-                           s->coarse ? " on this mesh" : "", s->motion.sentence, (double)s->motion.work,
-                           s->motion.num > 1 ? "together" : "on it", s->motion.turns ? "radian" : "unit of length",
-                           s->coarse ? "; the bodies reach farther than the last nodes that can press: refine, or let "
-                                       "facets end where the partner does"
-                                     : ""));
+    PetscCall(PetscFPrintf(
+        vi->level->comm, PETSC_STDERR,
+        "mortise: no solution%s: %s: the loads do %+.6g of work %s per %s and nothing resists%s\n",
+        s->coarse ? " on this mesh" : "", s->motion.sentence, (double)s->motion.work,
+        s->motion.num > 1 ? "together" : "on it", s->motion.turns ? "radian" : "unit of length",
+        s->coarse ? "; contact nodes end before the bodies do: refine, or align facets with the end of the partner"
+                  : ""));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -87,19 +87,19 @@ PetscErrorCode SolvabilityReportWarn(VI vi, Solvability s)
   PetscFunctionBeginUser;
   if (!s || s->status != SOLVABLE_MARGINAL) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(RoundnessCarriesLoads(vi, s, &round));
-  if (round) then = "what it rests on is round, and it is free to roll";
+  if (round) then = "its support is curved, and it can roll freely";
   if (s->motion.turns && !round) then = "the pressure gathers at an edge and grows without bound on finer meshes";
-  PetscCall(WarningAdd(&(Warning){.code = "marginal"}, "the loads are on the verge: %s at no cost; %s",
-                       s->motion.sentence, then));
+  PetscCall(WarningAdd(&(Warning){.code = "marginal"}, "the loads are marginal: %s at no cost; %s", s->motion.sentence,
+                       then));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode SolvabilityReportView(VI vi, Solvability s)
 {
   static const char *const verdicts[] = {
-      "contact can balance the loads, and resists every one of them",
-      "contact can balance the loads, some of them are free",
-      "contact can just balance the loads",
+      "contact can balance the loads and resists all of them",
+      "contact can balance the loads; some of them stay free",
+      "contact can balance the loads, but they are marginal",
       "contact cannot balance the loads",
   };
 

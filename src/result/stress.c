@@ -22,7 +22,7 @@ typedef struct {
 
 /* The points are the vertices, drawn towards the middle until they lie on the Gauss points of degree 2 (3 in quads). The
    functions of the linear cell, drawn in likewise, are 1 at one of them and 0 at the others. */
-static void RecoverySet_Private(ElementType type, const ElementRule *stiffness, Recovery *recovery)
+static void StressSetRecovery_Private(ElementType type, const ElementRule *stiffness, Recovery *recovery)
 {
   const ElementType linear = ElementLinear(type);
   const PetscInt    dim = ElementDim(type), nn = ElementNumNodes(type), nv = ElementNumNodes(linear);
@@ -57,8 +57,8 @@ typedef struct {
 } Cell;
 
 /* sigma at point q of a cell. [out] det - det J there */
-static PetscErrorCode PointStress_Private(Scene scene, const Cell *cell, const ElementRule *rule, PetscInt q,
-                                          PetscReal stress[STRESSES], PetscReal *det)
+static PetscErrorCode StressAtPoint_Private(Scene scene, const Cell *cell, const ElementRule *rule, PetscInt q,
+                                            PetscReal stress[STRESSES], PetscReal *det)
 {
   const PetscInt  dim = scene->dim, n = ElementNumNodes(rule->type), num_strains = MaterialNumStrains(scene->model);
   const PetscBool ring = (PetscBool)(scene->model == MODEL_AXISYMMETRIC);
@@ -84,8 +84,8 @@ static PetscErrorCode PointStress_Private(Scene scene, const Cell *cell, const E
 
 /* Adds a cell's volume, and its stresses times its volume, to its nodes. [in] u - [num_nodes][dim];
    [in,out] sums - [num_nodes][STRESSES]; [in,out] volumes - [num_nodes] */
-static PetscErrorCode AddCell_Private(Scene scene, const Level *level, PetscInt c, const Recovery *recovery,
-                                      const PetscReal u[], PetscReal sums[], PetscReal volumes[])
+static PetscErrorCode StressAddCell_Private(Scene scene, const Level *level, PetscInt c, const Recovery *recovery,
+                                            const PetscReal u[], PetscReal sums[], PetscReal volumes[])
 {
   const PetscInt  dim = level->dim, n = ElementNumNodes(recovery->rule.type), num = recovery->rule.num;
   const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
@@ -103,7 +103,7 @@ static PetscErrorCode AddCell_Private(Scene scene, const Level *level, PetscInt 
   for (PetscInt q = 0; q < num; q++) {
     PetscReal det;
 
-    PetscCall(PointStress_Private(scene, &cell, &recovery->rule, q, stress[q], &det));
+    PetscCall(StressAtPoint_Private(scene, &cell, &recovery->rule, q, stress[q], &det));
     volume += recovery->rule.weight[q] * det;
   }
   for (PetscInt i = 0; i < n; i++) {
@@ -118,7 +118,7 @@ static PetscErrorCode AddCell_Private(Scene scene, const Level *level, PetscInt 
 }
 
 /* Adds this rank's cells to the local forms of two ghosted vectors. */
-static PetscErrorCode AddCells_Private(Scene scene, const Level *level, Vec u, Vec stress, Vec volume)
+static PetscErrorCode StressAddCells_Private(Scene scene, const Level *level, Vec u, Vec stress, Vec volume)
 {
   Vec              local[3];
   const PetscReal *displacement;
@@ -129,7 +129,7 @@ static PetscErrorCode AddCells_Private(Scene scene, const Level *level, Vec u, V
   PetscFunctionBeginUser;
   PetscCall(ElasticityRulesCreate(scene, &rules));
   PetscCall(PetscMalloc1(ELEMENT_COUNT, &recoveries));
-  for (PetscInt t = 0; t < ELEMENT_COUNT; t++) RecoverySet_Private((ElementType)t, &rules[t], &recoveries[t]);
+  for (PetscInt t = 0; t < ELEMENT_COUNT; t++) StressSetRecovery_Private((ElementType)t, &rules[t], &recoveries[t]);
   PetscCall(VecGhostGetLocalForm(u, &local[0]));
   PetscCall(VecGhostGetLocalForm(stress, &local[1]));
   PetscCall(VecGhostGetLocalForm(volume, &local[2]));
@@ -137,7 +137,7 @@ static PetscErrorCode AddCells_Private(Scene scene, const Level *level, Vec u, V
   PetscCall(VecGetArray(local[1], &sums));
   PetscCall(VecGetArray(local[2], &volumes));
   for (PetscInt c = 0; c < level->num_cells; c++) {
-    PetscCall(AddCell_Private(scene, level, c, &recoveries[level->cell_type[c]], displacement, sums, volumes));
+    PetscCall(StressAddCell_Private(scene, level, c, &recoveries[level->cell_type[c]], displacement, sums, volumes));
   }
   PetscCall(VecRestoreArray(local[2], &volumes));
   PetscCall(VecRestoreArray(local[1], &sums));
@@ -159,7 +159,7 @@ PetscErrorCode StressCreate(Scene scene, Level *level, Vec u, Vec *stress)
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(level, STRESSES, stress));
   PetscCall(LevelCreateVec(level, 1, &volume));
-  PetscCall(AddCells_Private(scene, level, u, *stress, volume));
+  PetscCall(StressAddCells_Private(scene, level, u, *stress, volume));
   PetscCall(LevelShareVec(*stress, ADD_VALUES));
   PetscCall(LevelShareVec(volume, ADD_VALUES));
   PetscCall(VecGetArrayRead(volume, &volumes));

@@ -15,7 +15,7 @@ static const PetscReal BYTES[][2] = {{550, 700}, {6000, 12000}};
 static const PetscReal FACTOR = 3;
 
 /* N^q */
-static PetscReal Growth_Private(PetscInt dim, PetscInt unknowns)
+static PetscReal CostForecastGrowth_Private(PetscInt dim, PetscInt unknowns)
 {
   return PetscPowReal((PetscReal)unknowns, GROWTH[dim - 2]);
 }
@@ -29,14 +29,16 @@ PetscReal CostForecastMemory(Study study, PetscInt order, PetscInt unknowns)
 
   for (PetscInt b = 0; b < study->scene->num_bodies; b++) highest = PetscMax(highest, study->scene->bodies[b].order);
   bytes = BYTES[dim - 2][PetscMin(highest, (PetscInt)PETSC_STATIC_ARRAY_LENGTH(BYTES[0])) - 1];
-  if (!last) return bytes * Growth_Private(dim, unknowns);
+  if (!last) return bytes * CostForecastGrowth_Private(dim, unknowns);
   if (before) {
-    const PetscReal measured = (last->own_memory - before->own_memory) /
-                               (Growth_Private(dim, last->unknowns) - Growth_Private(dim, before->unknowns));
+    const PetscReal measured =
+        (last->own_memory - before->own_memory) /
+        (CostForecastGrowth_Private(dim, last->unknowns) - CostForecastGrowth_Private(dim, before->unknowns));
 
     bytes = PetscMin(PetscMax(measured, bytes / FACTOR), bytes * FACTOR);
   }
-  return last->own_memory + bytes * (Growth_Private(dim, unknowns) - Growth_Private(dim, last->unknowns));
+  return last->own_memory +
+         bytes * (CostForecastGrowth_Private(dim, unknowns) - CostForecastGrowth_Private(dim, last->unknowns));
 }
 
 /* Refinement makes 2^dim cells of one, and nodes of less than 2^dim times as many. */

@@ -6,7 +6,7 @@
 static const PetscReal NEGLIGIBLE = 1e-9; /* part of its size that a quantity is known to at best */
 
 /* The solved record of an order on a level, or NULL. */
-static const Record *Find_Private(Study study, PetscInt order, PetscInt level)
+static const Record *ExtrapolationFindRecords_Private(Study study, PetscInt order, PetscInt level)
 {
   for (PetscInt r = 0; r < study->num; r++) {
     const Record *record = &study->records[r];
@@ -22,7 +22,8 @@ PetscBool ExtrapolationOfQuantity(Study study, PetscInt quantity, PetscInt order
   PetscReal     values[RICHARDSON_LEVELS];
 
   for (PetscInt i = 0; i < RICHARDSON_LEVELS; i++) {
-    const Record *record = finest ? Find_Private(study, order, finest->level - (RICHARDSON_LEVELS - 1) + i) : NULL;
+    const Record *record =
+        finest ? ExtrapolationFindRecords_Private(study, order, finest->level - (RICHARDSON_LEVELS - 1) + i) : NULL;
 
     if (!record || !isfinite((double)record->values[quantity])) return PETSC_FALSE;
     values[i] = record->values[quantity];
@@ -77,7 +78,7 @@ PetscErrorCode ExtrapolationPrint(Study study)
     RichardsonText(&limit, text, sizeof(text));
     RecordOrderText(&sample, order);
     PetscCall(PetscPrintf(comm, "  %-32s %-28s (%s%s)\n", study->quantities[q].label, text, order,
-                          limit.monotone ? "" : "; not monotone, the spread of the three"));
+                          limit.monotone ? "" : "; not monotone: spread of the three values"));
   }
   if (!begun)
     PetscCall(PetscPrintf(comm, "no extrapolated values: Richardson's method needs three levels of one order\n"));

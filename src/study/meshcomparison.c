@@ -5,7 +5,7 @@
 #include "study/studyimpl.h"
 
 /* v = P u for each component, with ghosts. [in] P - node values to node values of `level`; [out] v - ghosted */
-static PetscErrorCode Apply_Private(Mat P, Level *level, Vec u, Vec *v)
+static PetscErrorCode MeshComparisonProlong_Private(Mat P, Level *level, Vec u, Vec *v)
 {
   Mat blocks;
 
@@ -28,7 +28,7 @@ PetscErrorCode MeshComparisonPromote(Mesh mesh, PetscInt from, PetscInt to, Vec 
     Level *level = &mesh->levels[l];
     Vec    fine;
 
-    PetscCall(Apply_Private(level->prolongation, level, *v, &fine));
+    PetscCall(MeshComparisonProlong_Private(level->prolongation, level, *v, &fine));
     PetscCall(VecDestroy(v));
     *v = fine;
   }
@@ -36,7 +36,7 @@ PetscErrorCode MeshComparisonPromote(Mesh mesh, PetscInt from, PetscInt to, Vec 
 }
 
 /* Position of an order in the study. */
-static PetscInt OrderIndex_Private(Study study, PetscInt order)
+static PetscInt MeshComparisonOrderIndex_Private(Study study, PetscInt order)
 {
   PetscInt o = 0;
 
@@ -45,7 +45,7 @@ static PetscInt OrderIndex_Private(Study study, PetscInt order)
 }
 
 /* The finest solved run of the highest order of those that have one. */
-static PetscInt FindReference_Private(Study study)
+static PetscInt MeshComparisonFindReference_Private(Study study)
 {
   PetscInt found = -1;
 
@@ -61,10 +61,11 @@ static PetscInt FindReference_Private(Study study)
 
 /* The displacement of a record on the mesh of the reference; NULL where it has none that can be brought there: not solved, or
    on a finer level. */
-static PetscErrorCode Bring_Private(Study study, const Record *record, const Record *reference, Vec *v)
+static PetscErrorCode MeshComparisonPromoteRecord_Private(Study study, const Record *record, const Record *reference,
+                                                          Vec *v)
 {
-  const Mesh     mesh  = study->mesh[OrderIndex_Private(study, record->order)];
-  const Mesh     goal  = study->mesh[OrderIndex_Private(study, reference->order)];
+  const Mesh     mesh  = study->mesh[MeshComparisonOrderIndex_Private(study, record->order)];
+  const Mesh     goal  = study->mesh[MeshComparisonOrderIndex_Private(study, reference->order)];
   const PetscInt first = goal->own, to = first + reference->level; // meshes of all orders have the same levels
   Vec            low;
   Mat            embedding;
@@ -77,7 +78,7 @@ static PetscErrorCode Bring_Private(Study study, const Record *record, const Rec
   if (mesh == goal) PetscFunctionReturn(PETSC_SUCCESS);
   low = *v;
   PetscCall(LevelCreateEmbedding(&mesh->levels[to], &goal->levels[to], &embedding));
-  PetscCall(Apply_Private(embedding, &goal->levels[to], low, v));
+  PetscCall(MeshComparisonProlong_Private(embedding, &goal->levels[to], low, v));
   PetscCall(MatDestroy(&embedding));
   PetscCall(VecDestroy(&low));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -91,18 +92,18 @@ PetscErrorCode MeshComparisonRun(Study study)
 
   PetscFunctionBeginUser;
   if (study->exact) PetscFunctionReturn(PETSC_SUCCESS);
-  study->reference = FindReference_Private(study);
+  study->reference = MeshComparisonFindReference_Private(study);
   if (study->reference < 0) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(scene->num_bodies, &bodies));
   for (PetscInt r = 0; r < study->num; r++) {
     const Record *reference = &study->records[study->reference];
-    const Mesh    mesh      = study->mesh[OrderIndex_Private(study, reference->order)];
+    const Mesh    mesh      = study->mesh[MeshComparisonOrderIndex_Private(study, reference->order)];
     Record       *record    = &study->records[r];
     Vec           v         = NULL;
 
     record->errors[0] = record->errors[1] = (RecordError){NAN, NAN, NAN};
     level                                 = &mesh->levels[mesh->own + reference->level];
-    if (record != reference) PetscCall(Bring_Private(study, record, reference, &v));
+    if (record != reference) PetscCall(MeshComparisonPromoteRecord_Private(study, record, reference, &v));
     if (!v) continue;
     PetscCall(ErrorsComputeDifference(scene, level, v, reference->u, bodies, &total));
     record->errors[0] = (RecordError){.absolute = total.energy, .relative = total.energy_relative, .rate = NAN};

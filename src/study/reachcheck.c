@@ -12,8 +12,8 @@
 static const PetscReal OVERLAP = 1e-6;
 
 /* max |u| on a side, of this rank. */
-static PetscErrorCode SideMotion_Private(Scene scene, Level *level, const SceneSide *side, const PetscScalar u[],
-                                         PetscReal *motion)
+static PetscErrorCode ReachCheckSideMotion_Private(Scene scene, Level *level, const SceneSide *side,
+                                                   const PetscScalar u[], PetscReal *motion)
 {
   const PetscInt dim = level->dim;
   Facets         facets;
@@ -36,7 +36,7 @@ static PetscErrorCode SideMotion_Private(Scene scene, Level *level, const SceneS
 }
 
 /* How far the sides of each pair have moved together, 0 where they are glued. Collective. [out] motion - [num_pairs] */
-static PetscErrorCode Motions_Private(Run run, PetscReal motion[])
+static PetscErrorCode ReachCheckGetMotions_Private(Run run, PetscReal motion[])
 {
   const VI           vi = run->vi;
   const PetscScalar *values;
@@ -51,8 +51,8 @@ static PetscErrorCode Motions_Private(Run run, PetscReal motion[])
     const ScenePair *spec = vi->pairs[p]->spec;
 
     if (spec->type == PAIR_TIED) continue;
-    PetscCall(SideMotion_Private(run->scene, vi->level, &spec->nonmortar, values, &sides[2 * p]));
-    PetscCall(SideMotion_Private(run->scene, vi->level, &spec->mortar, values, &sides[2 * p + 1]));
+    PetscCall(ReachCheckSideMotion_Private(run->scene, vi->level, &spec->nonmortar, values, &sides[2 * p]));
+    PetscCall(ReachCheckSideMotion_Private(run->scene, vi->level, &spec->mortar, values, &sides[2 * p + 1]));
   }
   PetscCall(VecRestoreArrayRead(local, &values));
   PetscCall(VecGhostRestoreLocalForm(run->fields->u, &local));
@@ -64,7 +64,7 @@ static PetscErrorCode Motions_Private(Run run, PetscReal motion[])
 }
 
 /* The largest overlap of each pair at nodes that have a multiplier in the wider inequality alone. Collective. */
-static PetscErrorCode Overlaps_Private(const Run run, const VI wide, PetscReal overlap[])
+static PetscErrorCode ReachCheckGetOverlaps_Private(const Run run, const VI wide, PetscReal overlap[])
 {
   const VI           vi = run->vi;
   const PetscScalar *excess;
@@ -97,20 +97,20 @@ static PetscErrorCode Overlaps_Private(const Run run, const VI wide, PetscReal o
 }
 
 /* Contact was missed by a reach that the user has chosen. */
-static PetscErrorCode Blame_Private(const ScenePair *spec, PetscReal overlap, PetscReal motion, Certificate *c)
+static PetscErrorCode ReachCheckFail_Private(const ScenePair *spec, PetscReal overlap, PetscReal motion, Certificate *c)
 {
   PetscFunctionBeginUser;
   if (!c->holds) PetscFunctionReturn(PETSC_SUCCESS);
   c->holds = PETSC_FALSE;
   PetscCall(PetscSNPrintf(c->failure, sizeof(c->failure),
                           "contact was missed: sides of %s overlap by %.3g where they were farther apart than "
-                          "-%s_reach %.6g; leave it out, or give at least %.3g",
+                          "-%s_reach %.6g; omit it, or give at least %.3g",
                           spec->name, (double)overlap, spec->name, (double)spec->reach, (double)motion));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Compares with an inequality whose pairs look as far as they have moved. */
-static PetscErrorCode Look_Private(Run run, const PetscReal motion[], PetscBool *again)
+static PetscErrorCode ReachCheckSearch_Private(Run run, const PetscReal motion[], PetscBool *again)
 {
   ScenePair *specs = run->scene->pairs;
   PetscReal *given, *overlap;
@@ -125,13 +125,13 @@ static PetscErrorCode Look_Private(Run run, const PetscReal motion[], PetscBool 
   WarningMute(); // if this one counts, it is made again
   PetscCall(VICreate(run->scene, run->mesh, &wide));
   WarningUnmute();
-  PetscCall(Overlaps_Private(run, wide, overlap));
+  PetscCall(ReachCheckGetOverlaps_Private(run, wide, overlap));
   *again = PETSC_FALSE;
   for (PetscInt p = 0; p < run->scene->num_pairs; p++) {
     const PetscBool missed = (PetscBool)(overlap[p] > OVERLAP * motion[p]);
 
     if (given[p] >= 0 || !missed) specs[p].reach = given[p];
-    if (given[p] >= 0 && missed) PetscCall(Blame_Private(&specs[p], overlap[p], motion[p], &run->certificate));
+    if (given[p] >= 0 && missed) PetscCall(ReachCheckFail_Private(&specs[p], overlap[p], motion[p], &run->certificate));
     if (given[p] < 0 && missed) *again = PETSC_TRUE;
   }
   PetscCall(VIDestroy(&wide));
@@ -147,9 +147,9 @@ PetscErrorCode ReachCheckRun(Run run, PetscBool *again)
   PetscFunctionBeginUser;
   *again = PETSC_FALSE;
   PetscCall(PetscMalloc1(run->vi->num_pairs, &motion));
-  PetscCall(Motions_Private(run, motion));
+  PetscCall(ReachCheckGetMotions_Private(run, motion));
   for (PetscInt p = 0; p < run->vi->num_pairs; p++) far = (PetscBool)(far || motion[p] > run->vi->pairs[p]->reach);
-  if (far) PetscCall(Look_Private(run, motion, again));
+  if (far) PetscCall(ReachCheckSearch_Private(run, motion, again));
   PetscCall(PetscFree(motion));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

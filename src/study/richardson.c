@@ -39,7 +39,7 @@ Extrapolation RichardsonExtrapolate(const PetscReal Q[RICHARDSON_LEVELS])
 }
 
 /* A number without the zeros and signs that printf puts into exponents. */
-static void Number_Private(char text[], size_t len, PetscReal value, PetscInt exponent, PetscInt digits)
+static void RichardsonPrintNumber_Private(char text[], size_t len, PetscReal value, PetscInt exponent, PetscInt digits)
 {
   static const PetscInt PLAIN_MIN = -4, PLAIN_MAX = 5; /* powers of ten that are written out */
 
@@ -71,8 +71,8 @@ void RichardsonText(const Extrapolation *limit, char text[], size_t len)
   if (shown == 0)
     snprintf(value, sizeof(value), "0");
   else
-    Number_Private(value, sizeof(value), shown, exponent, PetscMax(exponent - power, 0));
+    RichardsonPrintNumber_Private(value, sizeof(value), shown, exponent, PetscMax(exponent - power, 0));
   exponent = (PetscInt)floor(log10((double)rounded) + GUARD);
-  Number_Private(bar, sizeof(bar), rounded, exponent, PetscMax(exponent - power, 0));
+  RichardsonPrintNumber_Private(bar, sizeof(bar), rounded, exponent, PetscMax(exponent - power, 0));
   snprintf(text, len, "%s +- %s", value, bar);
 }

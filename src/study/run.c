@@ -10,7 +10,7 @@ enum {
 }; /* a wider reach has the bodies move less or somewhere else; four times somewhere else is not to be expected */
 
 /* Solves and judges. [out] again - whether a wider reach is needed */
-static PetscErrorCode Solve_Private(Run run, Vec guess, PetscBool *again)
+static PetscErrorCode RunSolve_Private(Run run, Vec guess, PetscBool *again)
 {
   const Scene scene = run->scene;
 
@@ -37,7 +37,7 @@ static PetscErrorCode Solve_Private(Run run, Vec guess, PetscBool *again)
 }
 
 /* Nothing is solved where there is no solution, and nothing is known. */
-static PetscErrorCode Refuse_Private(Run run)
+static PetscErrorCode RunRefuse_Private(Run run)
 {
   const Solvability s = run->solvability;
   Certificate      *c = &run->certificate;
@@ -52,7 +52,7 @@ static PetscErrorCode Refuse_Private(Run run)
 }
 
 /* One try, with pairs that reach as far as the scene says. */
-static PetscErrorCode Try_Private(Scene scene, Mesh mesh, Vec guess, Run *run_out, PetscBool *again)
+static PetscErrorCode RunCreateOnce_Private(Scene scene, Mesh mesh, Vec guess, Run *run_out, PetscBool *again)
 {
   Run run;
 
@@ -73,9 +73,9 @@ static PetscErrorCode Try_Private(Scene scene, Mesh mesh, Vec guess, Run *run_ou
   PetscCall(ErrorsCheck(run->vi));
   run->refused = (PetscBool)(run->solvability && run->solvability->status == SOLVABLE_NOT);
   if (run->refused)
-    PetscCall(Refuse_Private(run));
+    PetscCall(RunRefuse_Private(run));
   else
-    PetscCall(Solve_Private(run, guess, again));
+    PetscCall(RunSolve_Private(run, guess, again));
   *run_out = run;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -86,19 +86,18 @@ PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run)
   PetscBool    again;
 
   PetscFunctionBeginUser;
-  PetscCall(Try_Private(scene, mesh, guess, run, &again));
+  PetscCall(RunCreateOnce_Private(scene, mesh, guess, run, &again));
   for (PetscInt tries = 1; again && tries < MAX_TRIES; tries++) {
     PetscCall(RunDestroy(run));
-    PetscCall(Try_Private(scene, mesh, guess, run, &again));
+    PetscCall(RunCreateOnce_Private(scene, mesh, guess, run, &again));
   }
   if (again) {
     (*run)->solved            = PETSC_FALSE;
     (*run)->certificate.holds = PETSC_FALSE;
-    PetscCall(
-        PetscStrncpy((*run)->certificate.failure,
-                     "contact was missed: bodies move on and on beyond what was taken for partners; give the pairs a "
-                     "-<pair>_reach as long as the way they may go",
-                     sizeof((*run)->certificate.failure)));
+    PetscCall(PetscStrncpy((*run)->certificate.failure,
+                           "contact was missed: bodies moved farther than -<pair>_reach in each of 4 attempts; give "
+                           "the pairs a larger -<pair>_reach",
+                           sizeof((*run)->certificate.failure)));
   }
   known = RunSummary(*run);
   PetscCall(SummaryWarn(&known));

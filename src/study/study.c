@@ -18,7 +18,7 @@ enum { BYTES_TEXT = 24 };
 static const PetscReal MEGABYTE = 1048576, GIGABYTE = 1073741824;
 
 /* "4.2 GB". [out] text - [BYTES_TEXT] */
-static void Bytes_Private(PetscReal bytes, char text[])
+static void StudyPrintBytes_Private(PetscReal bytes, char text[])
 {
   if (bytes < GIGABYTE)
     snprintf(text, BYTES_TEXT, "%.0f MB", (double)(bytes / MEGABYTE));
@@ -27,14 +27,14 @@ static void Bytes_Private(PetscReal bytes, char text[])
 }
 
 /* All bodies of the scene take an order, which whatever is made of the scene from now on has. */
-static void SetOrder_Private(Study study, PetscInt order)
+static void StudySetOrder_Private(Study study, PetscInt order)
 {
   for (PetscInt b = 0; b < study->scene->num_bodies; b++)
     study->scene->bodies[b].order = order == STUDY_OWN_ORDERS ? study->own_orders[b] : order;
 }
 
 /* Whether a run with so many unknowns fits beside what is held now; if not, the record says so. */
-static PetscErrorCode Fits_Private(Study study, Record *record, PetscReal held, PetscBool *fits)
+static PetscErrorCode StudyFitsMemory_Private(Study study, Record *record, PetscReal held, PetscBool *fits)
 {
   const PetscReal allowed = study->scene->study.memory;
 
@@ -44,8 +44,8 @@ static PetscErrorCode Fits_Private(Study study, Record *record, PetscReal held, 
   if (!*fits) {
     char needed[BYTES_TEXT], limit[BYTES_TEXT];
 
-    Bytes_Private(record->forecast, needed);
-    Bytes_Private(allowed, limit);
+    StudyPrintBytes_Private(record->forecast, needed);
+    StudyPrintBytes_Private(allowed, limit);
     PetscCall(PetscSNPrintf(record->reason, sizeof(record->reason), "would need about %s (-study_memory allows %s)",
                             needed, limit));
   }
@@ -53,7 +53,7 @@ static PetscErrorCode Fits_Private(Study study, Record *record, PetscReal held, 
 }
 
 /* The mesh of an order on a level: made, or refined once more, unless memory speaks against it. */
-static PetscErrorCode Mesh_Private(Study study, PetscInt o, Record *record, PetscReal held, PetscBool *made)
+static PetscErrorCode StudyMakeMesh_Private(Study study, PetscInt o, Record *record, PetscReal held, PetscBool *made)
 {
   const Scene scene = study->scene;
 
@@ -63,7 +63,7 @@ static PetscErrorCode Mesh_Private(Study study, PetscInt o, Record *record, Pets
     const Record *before = &record[-study->num_orders];
 
     record->unknowns = CostForecastUnknowns(study, before);
-    PetscCall(Fits_Private(study, record, held, made));
+    PetscCall(StudyFitsMemory_Private(study, record, held, made));
     if (before->state == RECORD_SKIPPED) *made = PETSC_FALSE;
     if (!*made) PetscFunctionReturn(PETSC_SUCCESS);
   }
@@ -77,12 +77,12 @@ static PetscErrorCode Mesh_Private(Study study, PetscInt o, Record *record, Pets
   }
   PetscCall(LogStageEnd(STAGE_SETUP));
   PetscCall(RecordMesh(record, MeshFinest(study->mesh[o])));
-  PetscCall(Fits_Private(study, record, held, made));
+  PetscCall(StudyFitsMemory_Private(study, record, held, made));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The solution of the next coarser run, on this run's mesh; NULL if there is none. */
-static PetscErrorCode Guess_Private(Study study, PetscInt o, const Record *record, Vec *guess)
+static PetscErrorCode StudyGetGuess_Private(Study study, PetscInt o, const Record *record, Vec *guess)
 {
   const PetscInt first   = study->mesh[o]->own;
   const Record  *coarser = StudyFindCoarser(study, record->order, record->level);
@@ -95,7 +95,7 @@ static PetscErrorCode Guess_Private(Study study, PetscInt o, const Record *recor
 }
 
 /* Solves on the finest mesh of an order and writes down how it went. [out] refused - whether there is no solution */
-static PetscErrorCode Solve_Private(Study study, PetscInt o, Record *record, PetscBool *refused)
+static PetscErrorCode StudySolve_Private(Study study, PetscInt o, Record *record, PetscBool *refused)
 {
   Run     run;
   Vec     guess;
@@ -105,7 +105,7 @@ static PetscErrorCode Solve_Private(Study study, PetscInt o, Record *record, Pet
   PetscFunctionBeginUser;
   PetscCall(StudyTableAnnounce(study, record));
   PetscCall(LogStageBegin(STAGE_SOLVE));
-  PetscCall(Guess_Private(study, o, record, &guess));
+  PetscCall(StudyGetGuess_Private(study, o, record, &guess));
   PetscCall(LogStageEnd(STAGE_SOLVE));
   RecordOrderText(record, order);
   PetscCall(PetscSNPrintf(label, sizeof(label), "%s, level %" PetscInt_FMT, order, record->level));
@@ -130,7 +130,8 @@ static PetscErrorCode Solve_Private(Study study, PetscInt o, Record *record, Pet
 }
 
 /* One run from beginning to end. */
-static PetscErrorCode Run_Private(Study study, PetscInt o, PetscInt level, PetscBool *solved, PetscBool *refused)
+static PetscErrorCode StudyRunOne_Private(Study study, PetscInt o, PetscInt level, PetscBool *solved,
+                                          PetscBool *refused)
 {
   const MPI_Comm comm = study->scene->comm;
   Record        *record;
@@ -140,14 +141,14 @@ static PetscErrorCode Run_Private(Study study, PetscInt o, PetscInt level, Petsc
   PetscFunctionBeginUser;
   *solved  = PETSC_TRUE;
   *refused = PETSC_FALSE;
-  SetOrder_Private(study, study->scene->study.orders[o]);
+  StudySetOrder_Private(study, study->scene->study.orders[o]);
   PetscCall(StudyAddRecord(study, study->scene->study.orders[o], level, &record));
   PetscCall(LogReset(LogWallClock()));
   PetscCall(MemoryPeakReset(comm, &done));
   PetscCall(MemoryPeak(comm, &held, NULL));
-  PetscCall(Mesh_Private(study, o, record, held, &done));
+  PetscCall(StudyMakeMesh_Private(study, o, record, held, &done));
   if (done) {
-    PetscCall(Solve_Private(study, o, record, refused));
+    PetscCall(StudySolve_Private(study, o, record, refused));
     record->own_memory = record->memory - held;
     *solved            = (PetscBool)(record->state == RECORD_SOLVED);
   }
@@ -166,7 +167,7 @@ static PetscErrorCode Run_Private(Study study, PetscInt o, PetscInt level, Petsc
 }
 
 /* The summary where the scene wants it, beside <output>.json. */
-static PetscErrorCode WriteSummary_Private(Study study)
+static PetscErrorCode StudyWriteSummary_Private(Study study)
 {
   const Scene scene = study->scene;
   char       *text;
@@ -183,7 +184,7 @@ static PetscErrorCode WriteSummary_Private(Study study)
 }
 
 /* Faults on a pair whose table would have the name of the study's. */
-static PetscErrorCode CheckNames_Private(Scene scene)
+static PetscErrorCode StudyCheckNames_Private(Scene scene)
 {
   PetscFunctionBeginUser;
   for (PetscInt p = 0; p < scene->num_pairs && scene->output; p++) {
@@ -202,7 +203,7 @@ PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
   Study             study;
 
   PetscFunctionBeginUser;
-  PetscCall(CheckNames_Private(scene));
+  PetscCall(StudyCheckNames_Private(scene));
   PetscCall(StudyCreate(scene, &study));
   PetscCall(TerminalIsPresent(scene->comm, &study->terminal));
   study->quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
@@ -211,12 +212,12 @@ PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
   PetscCall(StudyTableBegin(study));
   for (PetscInt level = 0; level < plan->levels; level++) {
     for (PetscInt o = 0; o < plan->num_orders; o++) {
-      PetscCall(Run_Private(study, o, level, &solved, &refused));
+      PetscCall(StudyRunOne_Private(study, o, level, &solved, &refused));
       none = (PetscBool)(none || refused);
       all  = (PetscBool)(all && solved);
     }
   }
-  PetscCall(WriteSummary_Private(study));
+  PetscCall(StudyWriteSummary_Private(study));
   PetscCall(StudyTableEnd(study));
   if (study->best < 0 && all)
     PetscCall(PetscFPrintf(scene->comm, PETSC_STDERR, "mortise: no run fits into -study_memory\n"));
@@ -224,7 +225,7 @@ PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
   *verdict = all && study->best >= 0   ? MORTISE_SOLVED
              : none && study->best < 0 ? MORTISE_NO_SOLUTION
                                        : MORTISE_NOT_CONVERGED;
-  SetOrder_Private(study, STUDY_OWN_ORDERS);
+  StudySetOrder_Private(study, STUDY_OWN_ORDERS);
   InterruptSetSentence("");
   PetscCall(InterruptEnd());
   PetscCall(StudyDestroy(&study));

@@ -20,7 +20,7 @@ typedef struct {
 } Row;
 
 /* A word in quotes if it has to be. */
-static void WriteWord_Private(FILE *out, const char word[])
+static void StudyWriteWord_Private(FILE *out, const char word[])
 {
   if (!strpbrk(word, ",\"\n")) {
     fputs(word, out);
@@ -34,7 +34,7 @@ static void WriteWord_Private(FILE *out, const char word[])
   fputc('"', out);
 }
 
-static void RowFn(void *ctx, const Column *column)
+static void StudyRowFn(void *ctx, const Column *column)
 {
   Row *row = ctx;
 
@@ -42,7 +42,7 @@ static void RowFn(void *ctx, const Column *column)
   if (row->names)
     fputs(column->name, row->out);
   else if (column->kind == COLUMN_WORD)
-    WriteWord_Private(row->out, column->word);
+    StudyWriteWord_Private(row->out, column->word);
   else if (column->kind == COLUMN_COUNT && column->count >= 0)
     fprintf(row->out, "%" PetscInt_FMT, column->count);
   else if (column->kind == COLUMN_COUNT || PetscIsNanReal(column->real))
@@ -51,19 +51,19 @@ static void RowFn(void *ctx, const Column *column)
     fprintf(row->out, "%.17g", (double)column->real);
 }
 
-static void WriteTable_Private(Study study, FILE *out)
+static void StudyWriteTable_Private(Study study, FILE *out)
 {
   for (PetscInt r = -1; r < study->num; r++) {
     Row row = {.out = out, .names = (PetscBool)(r < 0)};
 
-    StudyColumnsVisit(study, &study->records[PetscMax(r, 0)], PETSC_TRUE, RowFn, &row);
+    StudyColumnsVisit(study, &study->records[PetscMax(r, 0)], PETSC_TRUE, StudyRowFn, &row);
     if (r < study->num - 1) fputc('\n', out);
   }
 }
 
 /* --- the block "study" of the summary -------------------------------------------------------------------------------- */
 
-static void ObjectFn(void *ctx, const Column *column)
+static void StudyObjectFn(void *ctx, const Column *column)
 {
   cJSON *object = ctx;
 
@@ -77,7 +77,7 @@ static void ObjectFn(void *ctx, const Column *column)
     cJSON_AddNullToObject(object, column->name);
 }
 
-static void AddExtrapolated_Private(Study study, cJSON *root)
+static void StudyAddExtrapolated_Private(Study study, cJSON *root)
 {
   cJSON *quantities = cJSON_AddObjectToObject(root, "richardson");
 
@@ -116,7 +116,7 @@ static void AddExtrapolated_Private(Study study, cJSON *root)
 }
 
 /* The block as text. [out] text - owned by the caller (free()) */
-static char *CreateBlock_Private(Study study)
+static char *StudyCreateBlock_Private(Study study)
 {
   cJSON *root = cJSON_CreateObject(), *runs;
   char   reference[ERROR_TEXT], *text;
@@ -128,10 +128,10 @@ static char *CreateBlock_Private(Study study)
   for (PetscInt r = 0; r < study->num; r++) {
     cJSON *run = cJSON_CreateObject();
 
-    StudyColumnsVisit(study, &study->records[r], PETSC_FALSE, ObjectFn, run);
+    StudyColumnsVisit(study, &study->records[r], PETSC_FALSE, StudyObjectFn, run);
     cJSON_AddItemToArray(runs, run);
   }
-  AddExtrapolated_Private(study, root);
+  StudyAddExtrapolated_Private(study, root);
   text = cJSON_Print(root);
   cJSON_Delete(root);
   return text;
@@ -145,7 +145,7 @@ PetscErrorCode StudySummary(Study study, char **text)
   PetscFunctionBeginUser;
   *text = NULL;
   if (!study->summary) PetscFunctionReturn(PETSC_SUCCESS);
-  block = CreateBlock_Private(study);
+  block = StudyCreateBlock_Private(study);
   len   = strlen(study->summary) + strlen(block) + 32;
   *text = malloc(len);
   PetscCheck(*text, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for the summary");
@@ -158,7 +158,7 @@ PetscErrorCode StudySummary(Study study, char **text)
 /* --- all of them ----------------------------------------------------------------------------------------------------- */
 
 /* Writes what `write` puts into a file of memory to a file on disk. Collective. */
-static PetscErrorCode Write_Private(Study study, const char suffix[], void (*write)(Study, FILE *))
+static PetscErrorCode StudyWriteFile_Private(Study study, const char suffix[], void (*write)(Study, FILE *))
 {
   char        path[PETSC_MAX_PATH_LEN], *text = NULL;
   size_t      size;
@@ -180,7 +180,7 @@ static PetscErrorCode Write_Private(Study study, const char suffix[], void (*wri
 }
 
 /* What is said if a signal comes now. */
-static void Sentence_Private(Study study)
+static void StudySetInterruptSentence_Private(Study study)
 {
   const Scene       scene = study->scene;
   const char *const line  = study->terminal ? "\n" : ""; // below the one that says what is being solved
@@ -194,7 +194,7 @@ static void Sentence_Private(Study study)
              line, scene->output, done, done == 1 ? "" : "s");
   } else {
     snprintf(text, sizeof(text), "%smortise: interrupted; %s\n", line,
-             done ? "nothing is kept, since there is no -output" : "no run was finished");
+             done ? "nothing is kept without -output" : "no run was finished");
   }
   InterruptSetSentence(text);
 }
@@ -206,7 +206,7 @@ PetscErrorCode StudyWriteFiles(Study study)
   PetscFunctionBeginUser;
   if (study->scene->output && study->num) {
     if (!study->output) PetscCall(OutputCreate(study->scene->comm, &study->output));
-    PetscCall(Write_Private(study, "_study.csv", WriteTable_Private));
+    PetscCall(StudyWriteFile_Private(study, "_study.csv", StudyWriteTable_Private));
     if (study->shown) {
       PetscCall(StudySummary(study, &text));
       PetscCall(PetscSNPrintf(path, sizeof(path), "%s.json", study->scene->output));
@@ -215,10 +215,10 @@ PetscErrorCode StudyWriteFiles(Study study)
     }
     InterruptHold();
     PetscCall(OutputFinish(&study->output));
-    Sentence_Private(study);
+    StudySetInterruptSentence_Private(study);
     InterruptRelease();
   } else {
-    Sentence_Private(study);
+    StudySetInterruptSentence_Private(study);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -14,8 +14,8 @@ static const char *const axes[] = {"x", "y", "z"};
 /* --- names ----------------------------------------------------------------------------------------------------------- */
 
 /* Appends a quantity that is measured by its own size. [in] owner, axis - may be "" */
-static Quantity *AddQuantity_Private(Study study, const char key[], const char label[], const char owner[],
-                                     const char axis[])
+static Quantity *StudyAddQuantity_Private(Study study, const char key[], const char label[], const char owner[],
+                                          const char axis[])
 {
   Quantity *quantity = &study->quantities[study->num_quantities];
 
@@ -27,7 +27,7 @@ static Quantity *AddQuantity_Private(Study study, const char key[], const char l
 }
 
 /* In the order in which RecordValues_Private() fills them. */
-static PetscErrorCode NameQuantities_Private(Study study)
+static PetscErrorCode StudyNameQuantities_Private(Study study)
 {
   const Scene    scene = study->scene;
   const PetscInt dim   = scene->dim;
@@ -35,26 +35,27 @@ static PetscErrorCode NameQuantities_Private(Study study)
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(1 + scene->num_bodies + scene->num_pairs * (1 + dim) + scene->num_probes * (dim + 1),
                          &study->quantities));
-  AddQuantity_Private(study, "potential", "potential energy", "", "");
+  StudyAddQuantity_Private(study, "potential", "potential energy", "", "");
   for (PetscInt b = 0; b < scene->num_bodies; b++)
-    AddQuantity_Private(study, "strain_energy", "strain energy", scene->bodies[b].name, "");
+    StudyAddQuantity_Private(study, "strain_energy", "strain energy", scene->bodies[b].name, "");
   for (PetscInt p = 0; p < scene->num_pairs; p++) {
-    const PetscInt normal = AddQuantity_Private(study, "normal_force", "normal force", scene->pairs[p].name, "")->size;
+    const PetscInt normal =
+        StudyAddQuantity_Private(study, "normal_force", "normal force", scene->pairs[p].name, "")->size;
 
     for (PetscInt k = 0; k < dim; k++)
-      AddQuantity_Private(study, "force_", "force ", scene->pairs[p].name, axes[k])->size = normal;
+      StudyAddQuantity_Private(study, "force_", "force ", scene->pairs[p].name, axes[k])->size = normal;
   }
   for (PetscInt i = 0; i < scene->num_probes; i++) {
     const PetscInt first = study->num_quantities;
 
     for (PetscInt k = 0; k < dim; k++)
-      AddQuantity_Private(study, "displacement_", "displacement ", scene->probes[i].name, axes[k])->size = first;
-    AddQuantity_Private(study, "von_mises", "von Mises stress", scene->probes[i].name, "");
+      StudyAddQuantity_Private(study, "displacement_", "displacement ", scene->probes[i].name, axes[k])->size = first;
+    StudyAddQuantity_Private(study, "von_mises", "von Mises stress", scene->probes[i].name, "");
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static void AddErrors_Private(Study study, const char owner[], const char first[], const char second[])
+static void StudyAddErrors_Private(Study study, const char owner[], const char first[], const char second[])
 {
   const char *const kinds[] = {first, second};
 
@@ -66,7 +67,7 @@ static void AddErrors_Private(Study study, const char owner[], const char first[
 }
 
 /* In the order in which RecordErrors_Private() fills them: of all bodies together, or of those whose solution is known. */
-static PetscErrorCode NameErrors_Private(Study study)
+static PetscErrorCode StudyNameErrors_Private(Study study)
 {
   const Scene scene = study->scene;
   PetscInt    known = 0;
@@ -77,15 +78,15 @@ static PetscErrorCode NameErrors_Private(Study study)
   for (PetscInt p = 0; p < scene->num_pairs; p++) study->exact = (PetscBool)(study->exact || scene->pairs[p].exact);
   PetscCall(PetscCalloc1(2 * (1 + known + scene->num_pairs), &study->errors));
   if (!study->exact || known == scene->num_bodies) {
-    AddErrors_Private(study, "", "energy_error", "l2_error");
+    StudyAddErrors_Private(study, "", "energy_error", "l2_error");
   } else {
     for (PetscInt b = 0; b < scene->num_bodies; b++) {
-      if (scene->bodies[b].exact) AddErrors_Private(study, scene->bodies[b].name, "energy_error", "l2_error");
+      if (scene->bodies[b].exact) StudyAddErrors_Private(study, scene->bodies[b].name, "energy_error", "l2_error");
     }
   }
   for (PetscInt p = 0; p < scene->num_pairs; p++) {
     if (scene->pairs[p].exact)
-      AddErrors_Private(study, scene->pairs[p].name, "pressure_l2_error", "pressure_weighted_error");
+      StudyAddErrors_Private(study, scene->pairs[p].name, "pressure_l2_error", "pressure_weighted_error");
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -105,8 +106,8 @@ PetscErrorCode StudyCreate(Scene scene, Study *study_out)
   PetscCall(PetscMalloc1(scene->num_bodies, &study->own_orders));
   for (PetscInt b = 0; b < scene->num_bodies; b++) study->own_orders[b] = scene->bodies[b].order;
   PetscCall(PetscCalloc1(study->capacity, &study->records));
-  PetscCall(NameQuantities_Private(study));
-  PetscCall(NameErrors_Private(study));
+  PetscCall(StudyNameQuantities_Private(study));
+  PetscCall(StudyNameErrors_Private(study));
   *study_out = study;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -213,7 +214,7 @@ static PetscErrorCode RecordValues_Private(Study study, Run run, PetscReal value
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static RecordError *PutError_Private(RecordError *next, PetscReal absolute, PetscReal relative)
+static RecordError *RecordSetError_Private(RecordError *next, PetscReal absolute, PetscReal relative)
 {
   *next = (RecordError){.absolute = absolute, .relative = relative, .rate = NAN};
   return next + 1;
@@ -230,13 +231,13 @@ static void RecordErrors_Private(Study study, const Errors *errors, RecordError 
     const BodyError *error = b < 0 ? &errors->total : &errors->body[b];
 
     if (b < 0 ? !all : all || !scene->bodies[b].exact) continue;
-    next = PutError_Private(next, error->energy, error->energy_relative);
-    next = PutError_Private(next, error->l2, error->l2_relative);
+    next = RecordSetError_Private(next, error->energy, error->energy_relative);
+    next = RecordSetError_Private(next, error->l2, error->l2_relative);
   }
   for (PetscInt p = 0; p < scene->num_pairs; p++) {
     if (!scene->pairs[p].exact) continue;
-    next = PutError_Private(next, errors->pair[p].l2, errors->pair[p].l2_relative);
-    next = PutError_Private(next, errors->pair[p].weighted, errors->pair[p].weighted_relative);
+    next = RecordSetError_Private(next, errors->pair[p].l2, errors->pair[p].l2_relative);
+    next = RecordSetError_Private(next, errors->pair[p].weighted, errors->pair[p].weighted_relative);
   }
 }
 

@@ -10,7 +10,7 @@ enum { CELL = 24, LINE = 100 }; /* longest text of a number, of a line that is o
 static const PetscReal MEGABYTE = 1048576;
 
 /* A number that may be unknown. */
-static const char *Cell_Private(const char format[], PetscReal value, char text[CELL])
+static const char *StudyTableCell_Private(const char format[], PetscReal value, char text[CELL])
 {
   if (PetscIsNanReal(value))
     snprintf(text, CELL, "-");
@@ -20,7 +20,7 @@ static const char *Cell_Private(const char format[], PetscReal value, char text[
 }
 
 /* The order of a run in one letter or two. */
-static const char *Order_Private(const Record *record, char text[CELL])
+static const char *StudyTableOrder_Private(const Record *record, char text[CELL])
 {
   if (record->order == STUDY_OWN_ORDERS)
     snprintf(text, CELL, "own");
@@ -61,26 +61,27 @@ PetscErrorCode StudyTableAdd(Study study, const Record *record)
   PetscFunctionBeginUser;
   if (study->quiet) PetscFunctionReturn(PETSC_SUCCESS);
   if (study->terminal && !study->scene->monitor) PetscCall(PetscPrintf(comm, "\r%*s\r", LINE, ""));
-  PetscCall(PetscPrintf(comm, "  %5s %5" PetscInt_FMT " %9" PetscInt_FMT, Order_Private(record, texts[0]),
+  PetscCall(PetscPrintf(comm, "  %5s %5" PetscInt_FMT " %9" PetscInt_FMT, StudyTableOrder_Private(record, texts[0]),
                         record->level, record->unknowns));
   if (record->state == RECORD_SKIPPED) {
     PetscCall(PetscPrintf(comm, "  skipped: %s\n", record->reason));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   if (study->exact)
-    snprintf(error, sizeof(error), "%10s %6s", Cell_Private("%.3e", record->errors[0].relative, texts[1]),
-             Cell_Private("%.2f", record->errors[0].rate, texts[2]));
+    snprintf(error, sizeof(error), "%10s %6s", StudyTableCell_Private("%.3e", record->errors[0].relative, texts[1]),
+             StudyTableCell_Private("%.2f", record->errors[0].rate, texts[2]));
   else
-    snprintf(error, sizeof(error), "%18s", Cell_Private("%.10g", record->values[0], texts[1]));
+    snprintf(error, sizeof(error), "%18s", StudyTableCell_Private("%.10g", record->values[0], texts[1]));
   PetscCall(PetscPrintf(comm, " %9.3e  %5" PetscInt_FMT "  %6" PetscInt_FMT "  %s %8s %9s%s\n", (double)record->h,
-                        record->iterations, record->active, error, Cell_Private("%.2f", record->total, texts[3]),
-                        Cell_Private("%.0f MB", record->memory / MEGABYTE, texts[4]),
+                        record->iterations, record->active, error,
+                        StudyTableCell_Private("%.2f", record->total, texts[3]),
+                        StudyTableCell_Private("%.0f MB", record->memory / MEGABYTE, texts[4]),
                         record->state == RECORD_SOLVED ? "" : "  NOT SOLVED"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Differences from the finest run: known at the end only. */
-static PetscErrorCode PrintDifferences_Private(Study study)
+static PetscErrorCode StudyTablePrintDifferences_Private(Study study)
 {
   const MPI_Comm comm = study->scene->comm;
   char           reference[ERROR_TEXT], texts[5][CELL];
@@ -96,17 +97,18 @@ static PetscErrorCode PrintDifferences_Private(Study study)
 
     if (PetscIsNanReal(record->errors[0].absolute)) continue;
     PetscCall(PetscPrintf(comm, "  %5s %5" PetscInt_FMT " %9" PetscInt_FMT "  %12s %6s  %12s %6s  %8.2f\n",
-                          Order_Private(record, texts[0]), record->level, record->unknowns,
-                          Cell_Private("%.3e", record->errors[0].relative, texts[1]),
-                          Cell_Private("%.2f", record->errors[0].rate, texts[2]),
-                          Cell_Private("%.3e", record->errors[1].relative, texts[3]),
-                          Cell_Private("%.2f", record->errors[1].rate, texts[4]), (double)record->with_coarser));
+                          StudyTableOrder_Private(record, texts[0]), record->level, record->unknowns,
+                          StudyTableCell_Private("%.3e", record->errors[0].relative, texts[1]),
+                          StudyTableCell_Private("%.2f", record->errors[0].rate, texts[2]),
+                          StudyTableCell_Private("%.3e", record->errors[1].relative, texts[3]),
+                          StudyTableCell_Private("%.2f", record->errors[1].rate, texts[4]),
+                          (double)record->with_coarser));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Whether some run can be compared with a finer one. */
-static PetscBool HasDifferences_Private(Study study)
+static PetscBool StudyTableHasDifferences_Private(Study study)
 {
   for (PetscInt r = 0; study->num_errors && r < study->num; r++)
     if (!PetscIsNanReal(study->records[r].errors[0].absolute)) return PETSC_TRUE;
@@ -114,7 +116,7 @@ static PetscBool HasDifferences_Private(Study study)
 }
 
 /* Names of the files that were written. */
-static PetscErrorCode PrintFiles_Private(Study study)
+static PetscErrorCode StudyTablePrintFiles_Private(Study study)
 {
   const MPI_Comm comm  = study->scene->comm;
   const Scene    scene = study->scene;
@@ -136,8 +138,8 @@ PetscErrorCode StudyTableEnd(Study study)
 {
   PetscFunctionBeginUser;
   if (study->quiet) PetscFunctionReturn(PETSC_SUCCESS);
-  if (!study->exact && HasDifferences_Private(study)) PetscCall(PrintDifferences_Private(study));
+  if (!study->exact && StudyTableHasDifferences_Private(study)) PetscCall(StudyTablePrintDifferences_Private(study));
   PetscCall(ExtrapolationPrint(study));
-  PetscCall(PrintFiles_Private(study));
+  PetscCall(StudyTablePrintFiles_Private(study));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

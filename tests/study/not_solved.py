@@ -9,7 +9,7 @@ def judge(run):
     same("exit code", other.exit, 3)
     nothing = Run(run.program, run.mpiexec, run.ranks, run.folder / "nothing", run.arguments + ["-study_levels", "1", "-study_orders", "1", "-snes_max_it", "1", "-report"])
     same("exit code", nothing.exit, 3)
-    require("-report: there is no page: no run is solved" in nothing.stderr and "mortise-report" not in nothing.stderr, nothing.stderr)
+    require("-report: no report was written: no run is solved" in nothing.stderr and "mortise-report" not in nothing.stderr, nothing.stderr)
     table = rows(other)
     same("rows", len(table), 4)
     require("not_solved" in [row["status"] for row in table], "with one step all runs are solved")
