@@ -3,10 +3,11 @@ for rounding. Not to the last bit: libraries add what other ranks send in the or
 memory is aligned."""
 import os
 
-from judge import Run, near, require, same, same_table
+from judge import LONG, Run, near, require, same, same_table
 
 TIMES = ("timing", "memory", "contact_ratio", "options")  # of the summary: those of each run, and the names of its files
-ROUNDING = 1e-9  # of pressures and energies, relative to the largest, between two runs
+# Between two runs, relative to the largest: measured are 3.1e-13 and 1.5e-15 with the kernels of SkylakeX; long tests ask hard cases, too.
+PRESSURE, POTENTIAL = (1e-9, 1e-9) if LONG else (1e-11, 1e-13)
 
 
 def with_fresh_memory(run):
@@ -40,10 +41,10 @@ def require_near(run, other):
     require(not differ and len(values) == len(expected), f"memory that nobody has written counts: {'; '.join(differ[:9])}")
     potential = run.summary["energy"]["potential"]
     if potential is not None:
-        near("potential", other.summary["energy"]["potential"], potential, relative=ROUNDING)
+        near("potential", other.summary["energy"]["potential"], potential, relative=POTENTIAL)
     for pair in run.summary["pairs"]:
         if (run.folder / f"result_{pair}.csv").exists():
-            same_table(other.table(pair), run.table(pair), {"pressure": (ROUNDING, 0), "status": (0, 0)})
+            same_table(other.table(pair), run.table(pair), {"pressure": (PRESSURE, 0), "status": (0, 0)})
 
 
 def judge(run):
