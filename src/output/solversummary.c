@@ -1,4 +1,4 @@
-/* solversummary.c -- what the summary tells of the solver: steps, residuals in the book of record, bounds, the second opinion. */
+/* solversummary.c -- what the summary tells of the solver: steps, residuals in the uncondensed KKT system, bounds, the cross-check. */
 #include "base/compat.h"
 #include "base/json.h"
 #include "output/solversummary.h"

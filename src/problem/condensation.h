@@ -8,8 +8,8 @@
 PetscErrorCode CondensationCreate(Mat K, Mat T, Mat *Z);
 
 /* A = M (K / stiffness + Z) M + 1 - M + W without forming it: a shell, where M is 0 for the fixed unknowns of vi. Collective.
-   [in] vi - its parts are borrowed for as long as A lives; [in] springs - diagonal of W, 0 where M is, or NULL; borrowed as well */
-PetscErrorCode CondensedMatrixCreateShell(VI vi, Vec springs, Mat *A);
+   [in] vi - its parts are borrowed for as long as A lives; [in] regularization - diagonal of W, 0 where M is, or NULL; borrowed as well */
+PetscErrorCode CondensedMatrixCreateShell(VI vi, Vec regularization, Mat *A);
 /* The same as a matrix. Collective. [in] fixed - global numbers [num] */
 PetscErrorCode CondensedMatrixAssemble(Mat K, PetscReal stiffness, Mat Z, PetscInt num, const PetscInt fixed[], Mat *A);
 /* Lets a shell take products with K / stiffness from S. Not collective. [in] S - StiffnessProductsCreate(), borrowed for as long as A lives */

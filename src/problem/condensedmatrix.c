@@ -9,7 +9,7 @@ typedef struct {
   PetscReal       stiffness;
   PetscInt        num;
   const PetscInt *fixed;
-  Vec             diagonal, springs, work; /* diag K */
+  Vec             diagonal, regularization, work; /* diag K */
 } Condensed;
 
 static PetscErrorCode MatMult_Condensed(Mat A, Vec x, Vec y)
@@ -27,8 +27,8 @@ static PetscErrorCode MatMult_Condensed(Mat A, Vec x, Vec y)
   PetscCall(MatMult(c->S ? c->S : c->K, c->work, y));
   if (!c->S) PetscCall(VecScale(y, 1 / c->stiffness));
   if (c->Z) PetscCall(MatMultAdd(c->Z, c->work, y, y));
-  if (c->springs) {
-    PetscCall(VecPointwiseMult(c->work, c->springs, c->work));
+  if (c->regularization) {
+    PetscCall(VecPointwiseMult(c->work, c->regularization, c->work));
     PetscCall(VecAXPY(y, 1, c->work));
   }
   PetscCall(VecGetArray(y, &a));
@@ -50,7 +50,7 @@ static PetscErrorCode MatGetDiagonal_Condensed(Mat A, Vec diagonal)
   PetscCall(VecScale(diagonal, 1 / c->stiffness));
   if (c->Z) PetscCall(MatGetDiagonal(c->Z, c->work));
   if (c->Z) PetscCall(VecAXPY(diagonal, 1, c->work));
-  if (c->springs) PetscCall(VecAXPY(diagonal, 1, c->springs));
+  if (c->regularization) PetscCall(VecAXPY(diagonal, 1, c->regularization));
   PetscCall(VecGetArray(diagonal, &a));
   for (PetscInt i = 0; i < c->num; i++) a[c->fixed[i]] = 1;
   PetscCall(VecRestoreArray(diagonal, &a));
@@ -68,7 +68,7 @@ static PetscErrorCode MatDestroy_Condensed(Mat A)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CondensedMatrixCreateShell(VI vi, Vec springs, Mat *A)
+PetscErrorCode CondensedMatrixCreateShell(VI vi, Vec regularization, Mat *A)
 {
   const Mat  K = vi->K;
   Condensed *c;
@@ -76,13 +76,13 @@ PetscErrorCode CondensedMatrixCreateShell(VI vi, Vec springs, Mat *A)
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&c));
-  *c = (Condensed){.K         = K,
-                   .Z         = vi->Z,
-                   .stiffness = vi->stiffness,
-                   .num       = vi->num_fixed,
-                   .fixed     = vi->fixed_local,
-                   .diagonal  = vi->diagonal,
-                   .springs   = springs};
+  *c = (Condensed){.K              = K,
+                   .Z              = vi->Z,
+                   .stiffness      = vi->stiffness,
+                   .num            = vi->num_fixed,
+                   .fixed          = vi->fixed_local,
+                   .diagonal       = vi->diagonal,
+                   .regularization = regularization};
   PetscCall(MatCreateVecs(K, &c->work, NULL));
   PetscCall(MatGetLocalSize(K, &n, NULL));
   PetscCall(MatGetBlockSize(K, &bs));

@@ -1,7 +1,7 @@
 /* couplings.h -- what the rows of the pairs hold beside the nodes' own displacements.
 
    Where only vertices of a quadratic side carry multipliers, and on tri6, the change of basis starts from the displacements u~
-   of u = S u~ (eqs. 3.6, 3.5). Rows are needed in both: in u for the book of record, in u~ for the change of basis. */
+   of u = S u~ (eqs. 3.6, 3.5). Rows are needed in both: in u for the uncondensed KKT system, in u~ for the change of basis. */
 #ifndef MORTISE_COUPLINGS_H
 #define MORTISE_COUPLINGS_H
 

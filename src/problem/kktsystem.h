@@ -1,4 +1,4 @@
-/* kktsystem.h -- the book of record [K B'; B 0]. */
+/* kktsystem.h -- the uncondensed KKT system [K B'; B 0]. */
 #ifndef MORTISE_KKTSYSTEM_H
 #define MORTISE_KKTSYSTEM_H
 

@@ -95,15 +95,15 @@ PetscErrorCode VIPrepareProducts(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VICreateRegularized(VI vi, Vec springs, Mat *A)
+PetscErrorCode VICreateRegularized(VI vi, Vec regularization, Mat *A)
 {
   PetscFunctionBeginUser;
   if (vi->assembled) {
     PetscCall(MatDuplicate(vi->A, MAT_COPY_VALUES, A));
-    PetscCall(MatDiagonalSet(*A, springs, ADD_VALUES));
+    PetscCall(MatDiagonalSet(*A, regularization, ADD_VALUES));
     PetscCall(MatSetOption(*A, MAT_SPD, PETSC_TRUE));
   } else {
-    PetscCall(CondensedMatrixCreateShell(vi, springs, A));
+    PetscCall(CondensedMatrixCreateShell(vi, regularization, A));
     PetscCall(CondensedMatrixSetProducts(*A, vi->S));
   }
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -1,6 +1,6 @@
 /* vi.h -- the condensed variational inequality and the way back (eqs. 3.1, 6.1, 6.2).
 
-   Book of record, in the user's units:  K u + B'lambda = f,  B u <= G,  lambda >= 0,  lambda.(B u - G) = 0, and the held
+   Uncondensed KKT system, in the user's units:  K u + B'lambda = f,  B u <= G,  lambda >= 0,  lambda.(B u - G) = 0, and the held
    directions of the supports. One change of basis u = T y makes the constrained combinations single unknowns:
        min 1/2 y'A y - b'y   subject to   y_i <= upper_i   where a row of contact has its unknown (row_dof),
    with A = T'KT and b = T'f after held and tied unknowns are eliminated (unit rows, scaled), so that only true
@@ -22,7 +22,7 @@ struct _n_VI {
   PetscInt   num_pairs;
   Pair      *pairs;
 
-  /* book of record */
+  /* uncondensed KKT system */
   Mat K;        /* N x N, AIJ, block size dim */
   Vec diagonal; /* of K */
   Vec f;        /* ghosted */
@@ -66,9 +66,9 @@ PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse);
 PetscErrorCode VIAssemble(VI vi);
 /* Makes S, which products with A take in place of K from then on: worth its memory, half of K's, to who iterates. Collective. */
 PetscErrorCode VIPrepareProducts(VI vi);
-/* A with springs on its diagonal, a matrix or a shell like A. Collective. [in] springs - borrowed for as long as the result lives;
+/* A plus a diagonal, a matrix or a shell like A. Collective. [in] regularization - borrowed for as long as the result lives;
    [out] A - owned by the caller */
-PetscErrorCode VICreateRegularized(VI vi, Vec springs, Mat *A);
+PetscErrorCode VICreateRegularized(VI vi, Vec regularization, Mat *A);
 /* T^-1, as sparse as B: its rows are those of B, and nodes' frames. Collective.
    [out] inverse - owned by the caller; NULL where T is the identity */
 PetscErrorCode VICreateInverseBasis(VI vi, Mat *inverse);
