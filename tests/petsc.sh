@@ -60,6 +60,8 @@ get_source
 build_petsc "$@"
 echo "building Mortise with PETSc $version"
 export PETSC_DIR=$folder/petsc
+# for programs that are linked with the installed library by pkg-config
+export PKG_CONFIG_PATH=$PETSC_DIR/lib/pkgconfig LD_LIBRARY_PATH=$PETSC_DIR/lib
 quietly cmake -S . -B "$folder/mortise" -DCMAKE_BUILD_TYPE=Release -DMORTISE_WERROR=ON
 quietly cmake --build "$folder/mortise" -j "$jobs"
 "$folder/mortise/mortise" -version
