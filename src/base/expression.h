@@ -11,7 +11,7 @@
 typedef struct _n_Expression *Expression;
 
 /* Reads text into an expression of one or more components.
-   Collective on comm: all ranks hold the same text. A text that cannot be read is a fault that names the option.
+   Collective on comm: all ranks hold the same text. A text that cannot be read is a user error that names the option.
    [in] option         - the option's name with its dash, kept for error messages
    [in] num_components - the number wanted, or 0 for as many as there are
    [in] allow_free     - whether `free` is a component
@@ -41,14 +41,14 @@ const char *ExpressionOption(Expression e);
 const char *ExpressionText(Expression e);
 
 /* values = e(x). Not collective. A value that is not finite is *not* an error here: it is remembered (the first point
-   and component) and becomes a fault at the next ExpressionCheck(). Free components give 0.
+   and component) and becomes a user error at the next ExpressionCheck(). Free components give 0.
    [in] x - point, array of shape [dim]; [in] dim - 1 to 3; [out] values - array of shape [ExpressionSize(e)] */
 PetscErrorCode ExpressionEvaluate(Expression e, PetscInt dim, const PetscReal x[], PetscReal values[]);
 
 /* The same where a value need not exist, such as beside the body: a value that is not finite is forgotten, and finite says so. */
 PetscErrorCode ExpressionTry(Expression e, PetscInt dim, const PetscReal x[], PetscReal values[], PetscBool *finite);
 
-/* Faults with option, text and point if any evaluation on any rank was not finite. Collective on comm; e may be NULL. */
+/* Raises a user error with option, text and point if any evaluation on any rank was not finite. Collective on comm; e may be NULL. */
 PetscErrorCode ExpressionCheck(MPI_Comm comm, Expression e);
 
 #endif

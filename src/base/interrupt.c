@@ -33,7 +33,7 @@ static void InterruptEndProcess_Private(int number)
 
   InterruptCleanUp();
   if (number != SIGPIPE) done = write(STDERR_FILENO, state.sentence, (size_t)state.length);
-  (void)done; // where stderr is closed there is nobody to tell
+  (void)done; // a closed stderr is no error
   (void)signal(number, SIG_DFL);
   (void)raise(number);
 }

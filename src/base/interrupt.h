@@ -1,6 +1,6 @@
 /* interrupt.h -- an end by Ctrl-C, by a time limit or by a closed terminal that leaves complete files behind.
 
-   SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU and SIGPIPE have their usual effect, so that whoever sent them sees that, but not
+   SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU and SIGPIPE have their usual effect, which their sender can see, but not
    in the midst of what is held together; before it what is only half done is cleaned up, and the first rank says a sentence
    if it was given one. */
 #ifndef MORTISE_INTERRUPT_H

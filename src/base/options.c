@@ -1,6 +1,6 @@
 /* options.c -- one argument list from the command line and the files that it names.
 
-   The first rank reads and checks everything (reader.c), then two lists are broadcast: the arguments, and the files that
+   The first rank reads and checks everything (optionsreader.c), then two lists are broadcast: the arguments, and the files that
    were read (their folders are where meshes are looked for). */
 #include "base/optionsreader.h"
 #include "base/compat.h"

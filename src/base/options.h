@@ -23,7 +23,7 @@ void OptionsExpand(int argc, char **argv, int *argc_out, char ***argv_out, char 
    Not collective; all ranks. */
 PetscErrorCode OptionsJoin(void);
 /* Reads an options file and gives PETSc's present database those of its options that are not there yet: what was said before wins.
-   Collective on MPI_COMM_WORLD; a file that is missing or malformed is a fault. */
+   Collective on MPI_COMM_WORLD; a file that is missing or malformed is a user error. */
 PetscErrorCode OptionsInsertFile(const char name[]);
 /* Copies the options of the present database that begin with a prefix, without it, to another one. They count as read. Not collective. */
 PetscErrorCode OptionsCopyPrefixed(const char prefix[], PetscOptions target);

@@ -2,7 +2,7 @@
 
    PETSc reports an error by calling the topmost handler once where it arises (PETSC_ERROR_INITIAL) and once more in each
    caller up to main() (PETSC_ERROR_REPEAT); what the handler returns is the code that travels on. So a handler can both
-   keep silent and change one code into another, which is how PETSc's complaints about options become faults. */
+   keep silent and change one code into another, which is how PETSc's complaints about options become user errors. */
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "base/interrupt.h"

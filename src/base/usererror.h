@@ -1,14 +1,14 @@
 /* usererror.h -- a user's mistake as one sentence and an exit code.
 
    A mistake of the user is not an internal error: it is told in one sentence on stderr by the first rank, without a
-   stack trace, and ends the program with exit code 1 on every number of ranks. A fault travels through PetscCall() as
+   stack trace, and ends the program with exit code 1 on every number of ranks. A user error travels through PetscCall() as
    the error code MORTISE_ERR_USER; the handler installed by UserErrorInitialize() keeps PETSc silent about it. */
 #ifndef MORTISE_USERERROR_H
 #define MORTISE_USERERROR_H
 
 #include <petscsys.h>
 
-/* The code that a fault travels under; outside the range of PETSc's own codes. */
+/* The code that a user error travels under; outside the range of PETSc's own codes. */
 #define MORTISE_ERR_USER ((PetscErrorCode)4711)
 
 /* Longest sentence, with its final zero: room for a few option names, a path and a list of choices. */
@@ -24,7 +24,7 @@ typedef enum {
 } MortiseExit;
 
 /* Installs the error handler. It is silent for MORTISE_ERR_USER; it turns PETSc's own complaints about an option's value
-   (a word where a number belongs, an unknown type) into faults; it says one sentence when memory runs out or a file cannot be
+   (a word where a number belongs, an unknown type) into user errors; it says one sentence when memory runs out or a file cannot be
    written; anything else gets PETSc's traceback. Not collective; call once, before PetscInitialize() to cover that as well, or after. */
 PetscErrorCode UserErrorInitialize(void);
 
@@ -35,7 +35,7 @@ PetscErrorCode UserErrorLeave(void);
    traceback where UserErrorInitialize() was called. Not collective; PETSc runs. */
 PetscErrorCode UserErrorSilence(void);
 PetscErrorCode UserErrorUnsilence(void);
-/* Whether sentences are kept from stderr: whoever called a library asks for them. Not collective. */
+/* Whether sentences are kept from stderr: the caller of the library asks for them. Not collective. */
 void UserErrorSetQuiet(PetscBool quiet);
 
 /* Lets a crash end all ranks with exit code MORTISE_FAILED and one sentence; takes signals that end the program in the hands
@@ -46,17 +46,17 @@ PetscErrorCode UserErrorCatchSignals(void);
    MPI is initialised. Does not return. */
 void UserErrorEndMemory(void);
 
-/* Raises a fault that all ranks know of: the first rank prints "mortise: <sentence>" on stderr.
+/* Raises a user error that all ranks know of: the first rank prints "mortise: <sentence>" on stderr.
    Collective on comm, the same arguments on all ranks. Returns MORTISE_ERR_USER: write PetscCall(UserErrorRaise(...)).
    [in] format - printf format of the sentence, without a final newline */
 PetscErrorCode UserErrorRaise(MPI_Comm comm, const char format[], ...) PETSC_ATTRIBUTE_FORMAT(2, 3);
 
-/* Raises a fault that only some ranks have found; returns 0 where no rank has one.
+/* Raises a user error that only some ranks have found; returns 0 where no rank has one.
    Collective on comm. Of several sentences the one of the lowest rank is printed.
    [in] sentence - what is wrong as this rank sees it; NULL or "" where nothing is */
 PetscErrorCode UserErrorCheck(MPI_Comm comm, const char sentence[]);
 
-/* The sentence of the last fault, "" before any; the same on all ranks of its communicator. Not collective. */
+/* The sentence of the last user error, "" before any; the same on all ranks of its communicator. Not collective. */
 const char *UserErrorSentence(void);
 
 /* The name in names[] that is nearest to the misspelt one (edit distance), or NULL if none is near. Not collective.

@@ -1,4 +1,4 @@
-/* facetintegrals.c -- the integrals of one nonmortar facet against everything it may touch.
+/* facetintegrals.c -- integrals of one nonmortar facet with all its partners.
 
    All quadrature points of a facet, from all mortar facets that cover it, are collected first. The dual basis is built
    from these very points (Cichosz & Bischoff 2011 on cut facets), then D, M and the weighted gap are summed over them:

@@ -1,4 +1,4 @@
-/* facetintegrals.h -- the integrals of one nonmortar facet against everything it may touch. */
+/* facetintegrals.h -- integrals of one nonmortar facet with all its partners. */
 #ifndef MORTISE_FACETINTEGRALS_H
 #define MORTISE_FACETINTEGRALS_H
 
@@ -22,7 +22,7 @@ typedef struct {
   OverlapBoundary
       *boundary;      /* where the cover ends, of a facet that is covered in part; without their nodes [num_boundary] */
   PetscReal *M;       /* int psi_i phi^m_j(pi) [num_columns][ELEMENT_MAX_FACET_NODES] */
-  PetscBool  has_arm; /* whether a tie has an arm on this facet (arm.h) */
+  PetscBool  has_arm; /* whether a tie has an arm on this facet (leverarm.h) */
   PetscReal *arm;     /* of a tie: int psi_i block_j [num_columns][ELEMENT_MAX_FACET_NODES][dim][dim] */
 } FacetIntegral;
 

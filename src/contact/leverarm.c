@@ -1,4 +1,4 @@
-/* leverarm.c -- what a tie hands over across a gap: how the point that a tied point is linked to turns. */
+/* leverarm.c -- lever arms of a tie across a gap: how the point that a tied point is linked to turns. */
 #include "base/compat.h"
 #include "contact/leverarm.h"
 

@@ -1,4 +1,4 @@
-/* leverarm.h -- what a tie hands over across a gap (eq. 5.4). */
+/* leverarm.h -- lever arms of a tie across a gap (eq. 5.4). */
 #ifndef MORTISE_LEVERARM_H
 #define MORTISE_LEVERARM_H
 

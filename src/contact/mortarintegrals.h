@@ -28,7 +28,7 @@ typedef struct {
   Vec overlap;        /* the largest -g at a point of the facets around a node: ghosted, one per node */
   Vec measure, cover; /* of the facets around a node, of their covered parts: ghosted, one per node */
   Mat M;              /* node x node, or NULL */
-  Mat arm;            /* of a tie across a gap: unknown x unknown, block size dim, or NULL (arm.h) */
+  Mat arm;            /* of a tie across a gap: unknown x unknown, block size dim, or NULL (leverarm.h) */
   Mat D_other;        /* int psi_a phi_c of nodes c that never carry a multiplier (node x node), or NULL (eq. 3.6) */
   Vec fully_covered,
       partly_covered; /* whether a facet around a node is covered altogether, in part: ghosted, one per node */
@@ -38,7 +38,7 @@ typedef struct {
   ElementType     *carrier;  /* which of a facet's nodes may carry multipliers: the first ones, as of this type */
 } MortarIntegrals;
 
-/* D, G and M of a pair, before any row is spread. Collective. [in] normals - ghosted; [out] sums - owned by the caller,
+/* D, G and M of a pair, before any row is redistributed. Collective. [in] normals - ghosted; [out] sums - owned by the caller,
    but M, the arm and the ends pass to the pair */
 PetscErrorCode MortarIntegralsCreate(Level *level, const FacetPartner *partner, const Facets *facets, Vec normals,
                                      MortarIntegrals *sums);

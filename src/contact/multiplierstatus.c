@@ -1,14 +1,14 @@
 /* multiplierstatus.c -- which nodes of the nonmortar sides carry a multiplier.
 
-   A node is uncovered, or removed (its row is spread over its neighbours), or kept. Removed are slivers of coverage, whose
-   pressure could not be recovered accurately, nodes whose normal direction is held, and nodes that another pair serves. */
+   A node is uncovered, or removed (its row is redistributed to its neighbours), or kept. Removed are slivers of coverage, whose
+   pressure could not be recovered accurately, nodes whose normal direction is fixed, and nodes that another pair serves. */
 #include <string.h>
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "kernel/frame.h"
 #include "contact/pairassembly.h"
 
-/* A normal whose free part is shorter than this is held: no multiplier. */
+/* A normal whose free part is shorter than this is fixed: no multiplier. */
 static const PetscReal HELD_NORMAL = 0.1;
 /* Covered share of a node's support below which its pressure could not be recovered accurately, on linear and on quadratic
    facets, whose share e covers e^2 / 2 of a far end or 3 e^2 of a middle node. The far end of a quadratic line is covered
@@ -30,21 +30,21 @@ static const PetscReal COVERED_TWICE = 1e-8;
 static const PetscReal AS_NEAR = 1e-9;
 
 /* n := Pi n / |Pi n| with Pi the projection onto the free directions of a node. Returns whether n is free at all. */
-static PetscBool MultiplierStatusProjectNormal_Private(const Support *held, PetscInt node, PetscReal n[])
+static PetscBool MultiplierStatusProjectNormal_Private(const Support *support, PetscInt node, PetscReal n[])
 {
-  const PetscInt dim = held->dim;
+  const PetscInt dim = support->dim;
 
-  for (PetscInt j = 0; j < held->count[node]; j++) {
-    const PetscReal *d   = &held->directions[(node * dim + j) * dim];
+  for (PetscInt j = 0; j < support->count[node]; j++) {
+    const PetscReal *d   = &support->directions[(node * dim + j) * dim];
     PetscReal        dot = 0;
     for (PetscInt k = 0; k < dim; k++) dot += d[k] * n[k];
     for (PetscInt k = 0; k < dim; k++) n[k] -= dot * d[k];
   }
-  if (held->count[node] == 0) return PETSC_TRUE;
-  return (PetscBool)(held->count[node] < dim && FrameNormalize(dim, n) >= HELD_NORMAL);
+  if (support->count[node] == 0) return PETSC_TRUE;
+  return (PetscBool)(support->count[node] < dim && FrameNormalize(dim, n) >= HELD_NORMAL);
 }
 
-PetscErrorCode MultiplierStatusProjectNormals(const Level *level, const Support *held, Vec normals)
+PetscErrorCode MultiplierStatusProjectNormals(const Level *level, const Support *support, Vec normals)
 {
   PetscReal    n[3];
   PetscScalar *N;
@@ -55,7 +55,8 @@ PetscErrorCode MultiplierStatusProjectNormals(const Level *level, const Support 
   PetscCall(VecGetArray(local, &N));
   for (PetscInt i = 0; i < level->num_nodes; i++) {
     PetscCall(PetscArraycpy(n, &N[i * level->dim], level->dim));
-    if (MultiplierStatusProjectNormal_Private(held, i, n)) PetscCall(PetscArraycpy(&N[i * level->dim], n, level->dim));
+    if (MultiplierStatusProjectNormal_Private(support, i, n))
+      PetscCall(PetscArraycpy(&N[i * level->dim], n, level->dim));
   }
   PetscCall(VecRestoreArray(local, &N));
   PetscCall(VecGhostRestoreLocalForm(normals, &local));
@@ -72,12 +73,12 @@ static PetscReal MultiplierStatusLeastShare_Private(const Level *level, const Sc
   return level->dim == 2 ? SLIVER_QUADRATIC_LINE : SLIVER_QUADRATIC;
 }
 
-/* What the statuses of nodes are decided by, at local nodes. */
+/* Sums that decide the status of nodes, at local nodes. */
 enum { SUM_D, SUM_FULL, SUM_MEASURE, SUM_COVER, SUM_COUNT };
 
 /* What coverage makes of a node. Where the shape function weighs next to nothing over whole facets, no share of it can be told
    and no pressure recovered: the facets themselves tell whether the node is covered, and its row keeps a weight, if only of
-   roundoff, by which it can be spread. [in,out] a - local forms of the sums */
+   roundoff, by which it can be redistributed. [in,out] a - local forms of the sums */
 static MultiplierStatus MultiplierStatusOfCovered_Private(PetscScalar *const a[SUM_COUNT], PetscInt i, PetscReal least)
 {
   const PetscReal D = PetscRealPart(a[SUM_D][i]), full = PetscRealPart(a[SUM_FULL][i]),
@@ -92,7 +93,7 @@ static MultiplierStatus MultiplierStatusOfCovered_Private(PetscScalar *const a[S
   return NODE_REMOVED;
 }
 
-PetscErrorCode MultiplierStatusDecide(const Level *level, const Support *held, PairAssembly *assembly)
+PetscErrorCode MultiplierStatusDecide(const Level *level, const Support *support, PairAssembly *assembly)
 {
   const PetscInt  dim          = level->dim;
   const PetscReal least        = MultiplierStatusLeastShare_Private(level, assembly->spec);
@@ -110,8 +111,8 @@ PetscErrorCode MultiplierStatusDecide(const Level *level, const Support *held, P
   for (PetscInt i = 0; i < level->num_nodes; i++) {
     assembly->status[i] = MultiplierStatusOfCovered_Private(a, i, least);
     if (assembly->status[i] == NODE_UNCOVERED) continue;
-    if (!MultiplierStatusProjectNormal_Private(held, i, &N[i * dim])) assembly->status[i] = NODE_REMOVED;
-    if (assembly->spec->type == PAIR_TIED && held->count[i] > 0)
+    if (!MultiplierStatusProjectNormal_Private(support, i, &N[i * dim])) assembly->status[i] = NODE_REMOVED;
+    if (assembly->spec->type == PAIR_TIED && support->count[i] > 0)
       assembly->status[i] = NODE_REMOVED; // a tie needs all directions
   }
   PetscCall(VecRestoreArray(local_N, &N));
@@ -128,7 +129,7 @@ PetscErrorCode MultiplierStatusDecide(const Level *level, const Support *held, P
 static PetscBool MultiplierStatusIsServed_Private(PetscInt dim, PetscInt num, const PairAssembly assemblies[],
                                                   PetscScalar *const n[], PetscInt node)
 {
-  PetscReal span[4][3]; // orthonormal; the last one is what is left of the normal at hand
+  PetscReal span[4][3]; // orthonormal; the last one is what is left of the present normal
   PetscInt  rank = 0;
 
   for (PetscInt q = 0; q <= num; q++) {
@@ -176,7 +177,7 @@ static PetscBool MultiplierStatusIsBehind_Private(PetscInt dim, PetscScalar *con
 }
 
 /* Two pairs on one side, one of which stands before the other here and behind it there, as two balls that press on a plate: a node
-   meets the nearer one, and is to the other one as if it were not covered. A row that was spread instead would let its neighbours in by
+   meets the nearer one, and is to the other one as if it were not covered. A redistributed row would let its neighbours in by
    the difference of both gaps. */
 static PetscErrorCode MultiplierStatusHideNodes_Private(const Level *level, PairAssembly *first, PairAssembly *second)
 {

@@ -1,4 +1,4 @@
-/* overlap.h -- what differs between the overlaps of lines and of facets in space. */
+/* overlap.h -- the operations that differ between overlaps of lines and of facets in space. */
 #ifndef MORTISE_OVERLAP_H
 #define MORTISE_OVERLAP_H
 

@@ -9,14 +9,14 @@
 #include "contact/smoothgap.h"
 #include "contact/quadraticbasis.h"
 
-/* Rows (n, t..): t is the held direction where there is one, so that held unknowns stay single. [out] Q - [dim][dim] */
-static void PairSetFrame_Private(const Support *held, PetscInt node, const PetscReal n[], PetscReal Q[])
+/* Rows (n, t..): t is the fixed direction where there is one, so that fixed unknowns stay single. [out] Q - [dim][dim] */
+static void PairSetFrame_Private(const Support *support, PetscInt node, const PetscReal n[], PetscReal Q[])
 {
-  const PetscInt   dim = held->dim;
-  const PetscReal *d   = &held->directions[node * dim * dim];
+  const PetscInt   dim = support->dim;
+  const PetscReal *d   = &support->directions[node * dim * dim];
 
   FrameFromNormal(dim, n, Q);
-  if (held->count[node] == 0) return;
+  if (support->count[node] == 0) return;
   for (PetscInt k = 0; k < dim; k++) Q[dim + k] = d[k];
   if (dim == 3) {
     for (PetscInt k = 0; k < 3; k++) Q[6 + k] = n[(k + 1) % 3] * d[(k + 2) % 3] - n[(k + 2) % 3] * d[(k + 1) % 3];
@@ -24,7 +24,7 @@ static void PairSetFrame_Private(const Support *held, PetscInt node, const Petsc
 }
 
 /* Fills the pair's plain arrays from the nodes that this rank owns. Collective. */
-static PetscErrorCode PairCollectNodes_Private(Level *level, const Support *held, const PairAssembly *assembly,
+static PetscErrorCode PairCollectNodes_Private(Level *level, const Support *support, const PairAssembly *assembly,
                                                Pair pair)
 {
   const PetscInt     dim      = level->dim;
@@ -55,7 +55,7 @@ static PetscErrorCode PairCollectNodes_Private(Level *level, const Support *held
     for (PetscInt j = 0; j < dim; j++) pair->normal[k * dim + j] = PetscRealPart(N[i * dim + j]);
     pair->fully_covered[k]  = (PetscBool)(PetscRealPart(fully_covered[i]) > 0);
     pair->partly_covered[k] = (PetscBool)(PetscRealPart(partly_covered[i]) > 0);
-    PairSetFrame_Private(held, i, &pair->normal[k * dim], &pair->frame[k * dim * dim]);
+    PairSetFrame_Private(support, i, &pair->normal[k * dim], &pair->frame[k * dim * dim]);
     k++;
   }
   PetscCall(VecRestoreArrayRead(assembly->sums.partly_covered, &partly_covered));
@@ -87,19 +87,19 @@ static PetscErrorCode PairCopyGhosts_Private(Vec from, Vec to)
 }
 
 /* D, M and G along the directions of contact that follow from the side's own normals. */
-static PetscErrorCode PairIntegrateFrom_Private(Level *level, const Support *held, const FacetPartner *partner, Vec own,
-                                                PairAssembly *assembly)
+static PetscErrorCode PairIntegrateFrom_Private(Level *level, const Support *support, const FacetPartner *partner,
+                                                Vec own, PairAssembly *assembly)
 {
   PetscFunctionBeginUser;
   PetscCall(PairCopyGhosts_Private(own, assembly->normals));
   PetscCall(ContactNormalSet(level, partner, &assembly->nonmortar, &assembly->shape, assembly->normals));
-  PetscCall(MultiplierStatusProjectNormals(level, held, assembly->normals));
+  PetscCall(MultiplierStatusProjectNormals(level, support, assembly->normals));
   PetscCall(MortarIntegralsCreate(level, partner, &assembly->nonmortar, assembly->normals, &assembly->sums));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Once more where sharp edges show only then which of their facets see a partner. */
-static PetscErrorCode PairIntegrateAlong_Private(Level *level, const Support *held, const FacetPartner *partner,
+static PetscErrorCode PairIntegrateAlong_Private(Level *level, const Support *support, const FacetPartner *partner,
                                                  PairAssembly *assembly)
 {
   PetscBool changed;
@@ -108,12 +108,12 @@ static PetscErrorCode PairIntegrateAlong_Private(Level *level, const Support *he
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(assembly->normals, &own));
   PetscCall(PairCopyGhosts_Private(assembly->normals, own));
-  PetscCall(PairIntegrateFrom_Private(level, held, partner, own, assembly));
+  PetscCall(PairIntegrateFrom_Private(level, support, partner, own, assembly));
   PetscCall(NodalNormalsSharpen(level, &assembly->nonmortar, assembly->sums.covered, own, &changed));
   if (changed) {
     PetscCall(MatDestroy(&assembly->sums.M));
     PetscCall(MortarIntegralsDestroy(&assembly->sums));
-    PetscCall(PairIntegrateFrom_Private(level, held, partner, own, assembly));
+    PetscCall(PairIntegrateFrom_Private(level, support, partner, own, assembly));
   }
   PetscCall(VecDestroy(&own));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -151,7 +151,7 @@ static PetscErrorCode PairCreateSurface_Private(Level *level, const Facets *mort
 }
 
 /* Searches and integrates one pair. Collective. */
-static PetscErrorCode PairIntegrate_Private(Scene scene, Level *level, const Support *held, Pair pair,
+static PetscErrorCode PairIntegrate_Private(Scene scene, Level *level, const Support *support, Pair pair,
                                             PairAssembly *assembly)
 {
   const ScenePair *spec   = pair->spec;
@@ -169,7 +169,7 @@ static PetscErrorCode PairIntegrate_Private(Scene scene, Level *level, const Sup
                             PairIsPolygonal_Private(level, &spec->nonmortar), &assembly->bulges,
                             &pair->curve_error[0]));
   if (spec->obstacle.kind == OBSTACLE_PLANE) PetscCall(PetscFree(assembly->bulges));
-  PetscCall(ReachChoose(spec, level, held, &assembly->nonmortar, meshed ? &mortar : NULL, &partner.reach));
+  PetscCall(ReachChoose(spec, level, support, &assembly->nonmortar, meshed ? &mortar : NULL, &partner.reach));
   if (meshed) PetscCall(ReachWiden(spec, level, &assembly->nonmortar, &mortar, &partner.reach));
   pair->reach = partner.reach;
   if (meshed) {
@@ -183,26 +183,26 @@ static PetscErrorCode PairIntegrate_Private(Scene scene, Level *level, const Sup
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &pair->num_facets_nonmortar, 1, MPIU_INT, MPI_SUM, level->comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &pair->num_facets_mortar, 1, MPIU_INT, MPI_SUM, level->comm));
   PetscCall(NodalNormalsCreate(level, &assembly->nonmortar, &assembly->shape, &assembly->normals));
-  PetscCall(PairIntegrateAlong_Private(level, held, &partner, assembly));
+  PetscCall(PairIntegrateAlong_Private(level, support, &partner, assembly));
   PetscCall(ExpressionCheck(level->comm, spec->gap));
   PetscCall(ExpressionCheck(level->comm, spec->gap_offset));
   PetscCall(ExpressionCheck(level->comm, spec->obstacle.gap));
   PetscCall(PetscMalloc1(level->num_nodes, &assembly->status));
-  PetscCall(MultiplierStatusDecide(level, held, assembly));
+  PetscCall(MultiplierStatusDecide(level, support, assembly));
   if (meshed) PetscCall(MortarSurfaceDestroy(&surface));
   PetscCall(FacetsDestroy(&mortar));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Spreads what is removed and collects what is kept. Collective. */
-static PetscErrorCode PairFinish_Private(Level *level, const Support *held, PairAssembly *assembly, Pair pair)
+/* Redistributes removed rows and collects kept ones. Collective. */
+static PetscErrorCode PairFinish_Private(Level *level, const Support *support, PairAssembly *assembly, Pair pair)
 {
   MortarIntegrals *sums = &assembly->sums;
 
   PetscFunctionBeginUser;
   PetscCall(QuadraticBasisCreate(level, &assembly->nonmortar, sums->carrier, &pair->to_nodal, &pair->from_nodal));
   PetscCall(RedistributionApply(level, &assembly->nonmortar, assembly->status, sums, &pair->D_other));
-  PetscCall(PairCollectNodes_Private(level, held, assembly, pair));
+  PetscCall(PairCollectNodes_Private(level, support, assembly, pair));
   pair->M            = sums->M;
   pair->arm          = sums->arm;
   sums->arm          = NULL;
@@ -218,7 +218,7 @@ static PetscErrorCode PairFinish_Private(Level *level, const Support *held, Pair
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PairsCreate(Scene scene, Level *level, const Support *held, Pair pairs[])
+PetscErrorCode PairsCreate(Scene scene, Level *level, const Support *support, Pair pairs[])
 {
   PairAssembly *assemblies;
 
@@ -228,10 +228,11 @@ PetscErrorCode PairsCreate(Scene scene, Level *level, const Support *held, Pair 
     PetscCall(PetscNew(&pairs[p]));
     pairs[p]->spec  = &scene->pairs[p];
     pairs[p]->level = level;
-    PetscCall(PairIntegrate_Private(scene, level, held, pairs[p], &assemblies[p]));
+    PetscCall(PairIntegrate_Private(scene, level, support, pairs[p], &assemblies[p]));
   }
   PetscCall(MultiplierStatusResolve(level, scene->num_pairs, assemblies));
-  for (PetscInt p = 0; p < scene->num_pairs; p++) PetscCall(PairFinish_Private(level, held, &assemblies[p], pairs[p]));
+  for (PetscInt p = 0; p < scene->num_pairs; p++)
+    PetscCall(PairFinish_Private(level, support, &assemblies[p], pairs[p]));
   PetscCall(PetscFree(assemblies));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,7 +1,7 @@
 /* pair.h -- D, M, weighted gap and normals of one contact pair on one level (eqs. 3.2-3.4).
 
    D_ab = int psi_a phi^s_b,  M_ab = int psi_a phi^m_b(pi(.)),  G_a = int psi_a g  over the covered part of the nonmortar
-   side. Rows of removed nodes (held in normal direction, or a sliver of coverage) are spread over their kept neighbours
+   side. Rows of removed nodes (fixed in normal direction, or hardly covered) are redistributed to their kept neighbours
    (eq. 5.1), which is where D gets its few entries off the diagonal. Facets are integrated by the rank that holds them.
 
    Where only vertices of quadratic facets carry multipliers (MULTIPLIERS_VERTICES), psi is dual to the linear shape functions
@@ -30,7 +30,7 @@ struct _n_Pair {
   PetscReal
       *overlap; /* the largest -g at a point of the facets around a node, and what curves change g by there [num] */
   PetscReal *normal; /* unit, out of the nonmortar body [num][dim] */
-  PetscReal *frame;  /* rows (n, t..) orthonormal; t along the held direction where there is one [num][dim][dim] */
+  PetscReal *frame;  /* rows (n, t..) orthonormal; t along the fixed direction where there is one [num][dim][dim] */
   PetscBool *partly_covered; /* whether a facet around the node is covered in part; then `boundary` tell where [num] */
   PetscBool *fully_covered;  /* whether a facet around the node is covered altogether [num] */
   PetscInt   num_boundary;
@@ -49,9 +49,9 @@ struct _n_Pair {
 typedef struct _n_Pair *Pair;
 
 /* Searches and integrates all pairs of the scene, and decides which nodes carry their multipliers: not where a node's normal
-   direction is held, nor where an earlier pair constrains nearly the same direction; those rows are spread.
+   direction is fixed, nor where an earlier pair constrains nearly the same direction; those rows are redistributed.
    Collective. [out] pairs - [scene->num_pairs], each owned by the caller */
-PetscErrorCode PairsCreate(Scene scene, Level *level, const Support *held, Pair pairs[]);
+PetscErrorCode PairsCreate(Scene scene, Level *level, const Support *support, Pair pairs[]);
 PetscErrorCode PairDestroy(Pair *pair);
 
 #endif

@@ -1,4 +1,4 @@
-/* pairassembly.h -- a pair on its way from integrals to multipliers. */
+/* pairassembly.h -- a pair under assembly, from integrals to multipliers. */
 #ifndef MORTISE_PAIRASSEMBLY_H
 #define MORTISE_PAIRASSEMBLY_H
 
@@ -17,10 +17,10 @@ typedef struct {
 } PairAssembly;
 
 /* The farthest candidate: what the user said, or from the geometry. Collective. [in] mortar - NULL for an obstacle */
-PetscErrorCode ReachChoose(const ScenePair *spec, Level *level, const Support *held, const Facets *nonmortar,
+PetscErrorCode ReachChoose(const ScenePair *spec, Level *level, const Support *support, const Facets *nonmortar,
                            const Facets *mortar, PetscReal *reach);
 
-/* A wider reach where bodies overlap by more than it to begin with. Fault: they do, and it was given. Collective.
+/* A wider reach where bodies overlap by more than it initially. User error: they do, and it was given. Collective.
    [in,out] reach - as it was chosen */
 PetscErrorCode ReachWiden(const ScenePair *spec, const Level *level, const Facets *nonmortar, const Facets *mortar,
                           PetscReal *reach);
@@ -31,17 +31,17 @@ PetscErrorCode ReachWiden(const ScenePair *spec, const Level *level, const Facet
 PetscErrorCode InitialOverlapFind(const Level *level, const Facets *side, PetscInt body, const Facets *partner,
                                   PetscReal reach, PetscReal *depth, PetscReal at[]);
 
-/* Takes held directions out of the normals of nodes that are free enough, before rays are sent along them: a symmetry plane
+/* Takes fixed directions out of the normals of nodes that are free enough, before rays are sent along them: a symmetry plane
    then cuts the side where the mirror image would go on. Not collective. [in,out] normals - ghosted */
-PetscErrorCode MultiplierStatusProjectNormals(const Level *level, const Support *held, Vec normals);
+PetscErrorCode MultiplierStatusProjectNormals(const Level *level, const Support *support, Vec normals);
 
-/* Decides by coverage and supports which nodes may keep a multiplier; takes held directions out of their normals. Not collective. */
-PetscErrorCode MultiplierStatusDecide(const Level *level, const Support *held, PairAssembly *assembly);
+/* Decides by coverage and supports which nodes may keep a multiplier; takes fixed directions out of their normals. Not collective. */
+PetscErrorCode MultiplierStatusDecide(const Level *level, const Support *support, PairAssembly *assembly);
 
 /* Where several pairs would constrain nearly the same direction of a node, the first of them does, or the nearest if they stand
    one behind the other before the same facets; a tie constrains every
    direction. Rows then depend on those of earlier pairs only, never in a circle. A pair that is left without a node that it
-   could have had is a fault. Collective. [in,out] assemblies - [num] */
+   could have had is a user error. Collective. [in,out] assemblies - [num] */
 PetscErrorCode MultiplierStatusResolve(const Level *level, PetscInt num, PairAssembly assemblies[]);
 
 #endif

@@ -1,4 +1,4 @@
-/* reach.c -- how far apart faces are still candidates.
+/* reach.c -- the search radius of a pair.
 
    A multiplier costs little and an unused one nothing but its row, while a missed contact is a wrong answer: the reach is
    generous, and wider where bodies overlap by more. What approaches from beyond it does not move little. */
@@ -38,7 +38,7 @@ static PetscErrorCode ReachSideExtent_Private(const Level *level, const Facets *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ReachChoose(const ScenePair *spec, Level *level, const Support *held, const Facets *nonmortar,
+PetscErrorCode ReachChoose(const ScenePair *spec, Level *level, const Support *support, const Facets *nonmortar,
                            const Facets *mortar, PetscReal *reach)
 {
   const PetscReal share = spec->type == PAIR_TIED ? REACH_TIED : REACH_SIDE;
@@ -53,7 +53,7 @@ PetscErrorCode ReachChoose(const ScenePair *spec, Level *level, const Support *h
     PetscCall(ReachSideExtent_Private(level, mortar, &extent_m));
     extent = PetscMin(extent, extent_m);
   }
-  *reach = PetscMax(REACH_FACETS * size, PetscMax(REACH_PRESCRIBED * held->max_value, share * extent));
+  *reach = PetscMax(REACH_FACETS * size, PetscMax(REACH_PRESCRIBED * support->max_value, share * extent));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

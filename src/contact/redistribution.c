@@ -100,7 +100,7 @@ static PetscErrorCode RedistributionNeighbourMeans_Private(Level *level, const F
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* W = sum_k W_k, or NULL where no row is to be spread. */
+/* W = sum_k W_k, or NULL where no row is to be redistributed. */
 static PetscErrorCode RedistributionWeights_Private(Level *level, const Facets *facets, const MultiplierStatus status[],
                                                     const MortarIntegrals *sums, Mat *W)
 {
@@ -177,7 +177,7 @@ static PetscErrorCode RedistributionKeepRows_Private(const Level *level, const M
 }
 
 /* Removes kept nodes to which too little is left of their own weight: the rows that they take over may be covered negatively.
-   [in] W - NULL where no row is spread; [out] any - whether there was such a node */
+   [in] W - NULL where no row is redistributed; [out] any - whether there was such a node */
 static PetscErrorCode RedistributionRemoveOverdrawn_Private(Mat W, const MortarIntegrals *sums, PetscInt num_nodes,
                                                             MultiplierStatus status[], PetscBool *any)
 {

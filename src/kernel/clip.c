@@ -268,7 +268,7 @@ static PetscReal ClipPullBackPart_Private(const FacetPart *part, const PetscReal
 }
 
 /* Where the mortar facet lies before p: by the map of its part, then, where that is not the facet's own, on the true facet.
-   Should this lead far away the part has the word. [out] eta - [2] */
+   The map of the part counts where this leads far away. [out] eta - [2] */
 static PetscBool ClipPullBackMortar_Private(const FacetPolygon *mortar, const FacetPart *part, const PetscReal p[],
                                             PetscReal eta[])
 {

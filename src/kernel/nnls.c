@@ -1,6 +1,6 @@
 /* nnls.c -- the active set method of Lawson and Hanson.
 
-   Weights of the columns at hand are those of the least squares problem without signs, by orthogonalisation; where that
+   Weights of the present columns are those of the least squares problem without signs, by orthogonalisation; where that
    asks for a weight below zero, the step towards it ends at the first column that loses its weight, which leaves.
 
    References: [1] Lawson, Hanson, Solving Least Squares Problems, 1974, algorithm NNLS (23.10). */
@@ -114,7 +114,7 @@ PetscBool NNLSEnter(NNLS *nnls, PetscInt name, const PetscReal column[])
   PetscReal     *z = nnls->work + 2 * m * m;
 
   if (nnls->num == m || ++nnls->steps > MAX_STEPS * m)
-    return PETSC_FALSE; // the columns at hand span everything: the residual is rounding
+    return PETSC_FALSE; // the present columns span everything: the residual is rounding
   nnls->name[nnls->num]   = name;
   nnls->weight[nnls->num] = 0;
   for (PetscInt i = 0; i < m; i++) nnls->column[nnls->num * m + i] = column[i];

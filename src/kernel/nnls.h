@@ -2,7 +2,7 @@
 
        min | target - sum_j y_j c_j |   over  y_j >= 0,      c_j in R^m, any number of them
 
-   At most m columns carry a weight, and only these are kept: the others are seen by whoever looks for the next one to enter,
+   At most m columns carry a weight, and only these are kept: the caller searches the others for the next one to enter,
    column by column or on many ranks at once. The residual r of the minimum is where the target leaves the cone of the columns:
    r.c_j <= 0 for all j and r.target = |r|^2, so that either the target is a combination of the columns (r = 0) or r proves that it
    is none. */
@@ -27,7 +27,7 @@ typedef struct {
 PetscErrorCode NNLSCreate(PetscInt m, const PetscReal target[], NNLS *nnls);
 PetscErrorCode NNLSDestroy(NNLS *nnls);
 
-/* Takes in a column with residual.column > 0 and finds the best weights of those at hand; columns that would have to push the
+/* Takes in a column with residual.column > 0 and finds the best weights of the present ones; columns that would have to push the
    other way leave. Returns whether it was taken; if not, what is left of the residual is rounding.
    [in] name - of the caller's choice; [in] column - [m], copied */
 PetscBool NNLSEnter(NNLS *nnls, PetscInt name, const PetscReal column[]);

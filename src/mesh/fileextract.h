@@ -1,4 +1,4 @@
-/* fileextract.h -- a body on its way from the mesh of its file to the lists. All of it is on the first rank, nothing is
+/* fileextract.h -- from the mesh of a file to the lists of a body. All of it is on the first rank, nothing is
    collective. */
 #ifndef MORTISE_FILEEXTRACT_H
 #define MORTISE_FILEEXTRACT_H

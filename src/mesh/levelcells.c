@@ -182,7 +182,7 @@ static PetscErrorCode BodyRaiseFold_Private(const Level *level, const SceneBody 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Before maps every body has one sense (box.c, extract.c), and refinement keeps it, but for curves that are no shape of a
+/* Before maps every body has one sense (box.c, fileextract.c), and refinement keeps it, but for curves that are no shape of a
    cell. So a map may turn a body inside out as a whole; one that turns only some of its cells has folded it. */
 PetscErrorCode LevelTurnCells(Level *level, PetscBool *sound)
 {

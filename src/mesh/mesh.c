@@ -159,7 +159,7 @@ static PetscErrorCode MeshWarnNonManifold_Private(const SceneBody *body, PetscIn
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Levels that nobody asked for must not fail: where a map bends so much that large cells tangle, there are fewer. */
+/* Levels that the user did not ask for must not fail: where a map bends so much that large cells tangle, there are fewer. */
 PetscErrorCode MeshSetUp(Mesh mesh)
 {
   Scene       scene = mesh->scene;

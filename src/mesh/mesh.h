@@ -66,12 +66,12 @@ PetscErrorCode MeshCreate(Scene scene, Mesh *mesh);
 /* Whether solvers want levels for a scene of so many unknowns. Not collective. */
 PetscBool MeshWantsLevels(Scene scene, PetscReal num_unknowns);
 /* Makes or reads all bodies, merges, partitions, refines, builds the tables. Where solvers want levels, boxes begin with fewer
-   cells and more refinements than the options say; the levels from there on are the same but for the numbering. Faults: a file that cannot be read, a
+   cells and more refinements than the options say; the levels from there on are the same but for the numbering. User errors: a file that cannot be read, a
    side or region that does not exist (names those that do), a degenerate or tangled cell (names its place), a side
    in two roles. Chooses roles of pairs left open, by THEORY.md, section 7 (writes nonmortar and mortar of the ScenePair).
    Collective. */
 PetscErrorCode MeshSetUp(Mesh mesh);
-/* Appends one more level, the finest one with every cell split; earlier pointers into mesh->levels are void then. Faults:
+/* Appends one more level, the finest one with every cell split; earlier pointers into mesh->levels are void then. User errors:
    a degenerate or tangled cell. Collective. */
 PetscErrorCode MeshRefine(Mesh mesh);
 Level         *MeshFinest(Mesh mesh);

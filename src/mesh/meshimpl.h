@@ -9,7 +9,7 @@
 #include <petscdmplextransform.h>
 #include "gmsh/gmsh.h"
 
-enum { MESH_SENTENCE = 1024 }; /* length of a fault's sentence */
+enum { MESH_SENTENCE = 1024 }; /* length of the sentence of a user error */
 
 /* Names of sides, each without '+'. */
 typedef struct {
@@ -29,7 +29,7 @@ typedef struct {
   PetscInt  *facet_side;      /* index into the SideNames [num_facets] */
   PetscBool  curved_file;     /* the file is of second order */
   PetscBool  straightened;    /* it is, and the body of order 1 */
-  PetscInt   num_nonmanifold; /* vertices by which alone some cells hang together */
+  PetscInt   num_nonmanifold; /* vertices that alone connect some cells */
   PetscReal  nonmanifold[3];  /* the first of them, before the map */
 } BodyList;
 
@@ -168,10 +168,10 @@ PetscErrorCode LevelFollowCellBodies(const Level *coarse, DMPlexTransform transf
 PetscErrorCode LevelSetNodes(Level *level, PetscInt max_order);
 /* cell_start, cell_type, cell_nodes. */
 PetscErrorCode LevelSetCells(Level *level);
-/* Puts nodes that are on the axis of an axisymmetric scene but for roundoff exactly there. Faults: a node beyond the axis.
+/* Puts nodes that are on the axis of an axisymmetric scene but for roundoff exactly there. User errors: a node beyond the axis.
    Collective. */
 PetscErrorCode LevelSetAxis(Level *level);
-/* Positions of nodes. Faults: a map that is not finite, a node beyond the axis. Collective. [in] curves - may be NULL */
+/* Positions of nodes. User errors: a map that is not finite, a node beyond the axis. Collective. [in] curves - may be NULL */
 PetscErrorCode LevelSetCoords(Level *level, const Curves *curves);
 /* Positions before maps of a level that none had to keep so far. */
 PetscErrorCode LevelKeepUnmapped(Level *level);
@@ -206,7 +206,7 @@ void           FacetsTurnOut(const Level *level, Facets *facets);
 
 /* The same for a refined level that has its prolongation. Collective. [in] sides - of bodies of order 1 whose new vertices go on curves */
 PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine);
-/* Lets all cells run anticlockwise, or the facets of solids seen from outside. Faults: a degenerate or tangled cell, a map
+/* Lets all cells run anticlockwise, or the facets of solids seen from outside. User errors: a degenerate or tangled cell, a map
    that folds a body; with sound none, but this tells. Collective. [out] sound - the same on all ranks; or NULL */
 PetscErrorCode LevelTurnCells(Level *level, PetscBool *sound);
 /* Reverses the sense of a cell whose nodes these are: its mirror image in the plane xi_0 = xi_1. */
@@ -256,13 +256,13 @@ typedef struct {
   PetscBool *touch; /* whether two ends have a node in common [2 num][2 num] */
 } MortarChoice;
 
-/* Turns pairs that are not fixed, as few as the order says, so that the fixed ones alone close circles. Not collective.
+/* Turns pairs that are not fixed, as few as the order says, so that the fixed ones alone close cycles. Not collective.
    [out] turned - [num], all false unless found; [out] found - false where there is no such choice, or a long search met none */
 PetscErrorCode MortarChoiceOrient(const MortarChoice *graph, PetscBool turned[], PetscBool *found);
 /* Whether some pair leads back to itself. Not collective. [in] turned - [num] */
 PetscErrorCode MortarChoiceHasCycle(const MortarChoice *graph, const PetscBool turned[], PetscBool *cycle);
 
-/* Decides the roles left open; notes given ones that are unfavourable. Faults: a side that meets itself, or another
+/* Decides the roles left open; notes given ones that are unfavourable. User errors: a side that meets itself, or another
    side twice. Collective. */
 PetscErrorCode MortarChoiceMake(Mesh mesh);
 

@@ -1,6 +1,6 @@
-/* nonmanifold.c -- vertices by which alone parts of a body hang together, that is, cells that are not joined facet by facet.
+/* nonmanifold.c -- vertices that alone connect parts of a body, that is, cells that are not joined facet by facet.
 
-   Parts turn about a single vertex, or in space about an edge, with no resistance, while pieces.h counts them as one. Meshes of
+   Parts turn about a single vertex, or in space about an edge, with no resistance, while components.h counts them as one. Meshes of
    parts that touch at a corner are made so by accident; as supports may hold them all, the user is told, and no more. */
 #include "mesh/fileextract.h"
 #include "base/compat.h"

@@ -1,7 +1,8 @@
-/* partitionweights.c -- what every rank is to have: unknowns and contact, and of both about as much as others.
+/* partitionweights.c -- weights of a partition: each rank gets about as many unknowns and as much contact as others. METIS and PETSc
+   partition by given weights; the weights themselves are those of this mesh and these pairs.
 
    Unknowns belong to nodes, and nodes between the parts of two ranks go to one of them. The parts themselves are made of cells of the
-   coarsest mesh, so who gets the nodes between is to get fewer cells. */
+   coarsest mesh, so a rank with nodes between parts gets fewer cells. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
@@ -9,7 +10,7 @@ enum { MIN_FACETS_A_PART = 3 }; /* that may touch, for parts that have equally m
 
 /* This part of the work goes by nodes, as solving does, the rest by cells, as mesh and assembly do. */
 static const PetscReal BY_NODES = 2.0 / 3;
-/* How much fewer cells a part may get for the nodes around it, by what it would have: where parts are all surface this leads nowhere. */
+/* How much fewer cells a part may get for the nodes around it, by what it would have: parts that are all surface gain nothing. */
 static const PetscReal MOST = 0.5;
 
 /* Nodes that a cell and a facet of first order have for themselves in a regular mesh, in twelfths: triangles cost half of what

@@ -120,7 +120,7 @@ static PetscErrorCode PlexSetShapes_Private(DM dm, PetscInt dim, const Shapes sh
 
     PetscCall(DMPlexSetCone(dm, first[1] + e, (const PetscInt[]){first[0] + ends[0], first[0] + ends[1]}));
   }
-  // nodes of two bodies that coincide are different points, so bodies hang together by nothing
+  // nodes of two bodies that coincide are different points, so nothing connects bodies
   PetscCall(DMPlexSymmetrize(dm));
   PetscCall(DMPlexStratify(dm));
   PetscFunctionReturn(PETSC_SUCCESS);

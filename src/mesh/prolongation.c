@@ -7,7 +7,7 @@
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
-/* A Mat whose rows are this rank's nodes, on its way. */
+/* A Mat under assembly whose rows are this rank's nodes. */
 typedef struct {
   PetscInt    *start, *columns; /* global nodes */
   PetscScalar *values;

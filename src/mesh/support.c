@@ -1,4 +1,4 @@
-/* support.c -- held directions of nodes, gathered from all boundaries of a body and made orthonormal.
+/* support.c -- fixed directions of nodes, gathered from all boundaries of a body and made orthonormal.
 
    Whether a node lies on a side is known to the ranks that hold one of the side's facets there, not to every rank
    that holds the node: flags travel through a ghosted Vec. All that follows depends on the node's position and on
@@ -20,7 +20,7 @@ typedef struct {
   Scene     scene;
   Level    *level;
   Support  *support;
-  Vec       flags;          /* 1 on nodes of the side at hand */
+  Vec       flags;          /* 1 on nodes of the present side */
   PetscReal mismatch;       /* largest contradiction on this rank ... */
   PetscInt  node, boundary; /* ... and where: the local node, and the boundary that came second */
 } Gather;
@@ -124,7 +124,7 @@ static void NormalTidy_Private(PetscInt dim, PetscReal n[])
   if (num == 1) n[along] = 1;
 }
 
-/* The normal of a side, or a fault if the side is not flat. [out] n - unit [dim] */
+/* The normal of a side, or a user error if the side is not flat. [out] n - unit [dim] */
 static PetscErrorCode SideGetNormal_Private(Gather *gather, PetscInt body, const char side[], PetscReal n[])
 {
   const Level *level  = gather->level;
@@ -217,7 +217,7 @@ static void BoundaryShow_Private(const SceneBody *body, PetscInt boundary, char 
     snprintf(shown, MESH_SENTENCE, "on side '%s'", body->boundaries[boundary].side);
 }
 
-/* Two boundaries that want different values in one direction are a fault. */
+/* Two boundaries that want different values in one direction are a user error. */
 static PetscErrorCode GatherCheck_Private(Gather *gather)
 {
   char     sentence[MESH_SENTENCE] = "", first[MESH_SENTENCE], second[MESH_SENTENCE];
@@ -264,7 +264,7 @@ static void FrameComplete_Private(PetscInt dim, PetscInt count, PetscReal Q[])
   }
 }
 
-/* Frames of all held nodes; where every direction is held the Cartesian axes serve best. */
+/* Frames of all fixed nodes; where every direction is fixed the Cartesian axes serve best. */
 static void SupportFinish_Private(const Level *level, Support *support)
 {
   const PetscInt dim = support->dim;

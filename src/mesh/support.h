@@ -1,8 +1,8 @@
-/* support.h -- which directions of each node are held, and at what value.
+/* support.h -- which directions of each node are fixed, and at what value.
 
    Displacement data hold Cartesian directions, normal data hold the side's normal. Both become orthonormal
-   directions per node: d_k . u = value_k, k < count. Data that contradict each other at a node are a fault. Nodes on the axis of an
-   axisymmetric scene are held along the radius without being told. */
+   directions per node: d_k . u = value_k, k < count. Data that contradict each other at a node are a user error. Nodes on the axis of an
+   axisymmetric scene are fixed along the radius without being told. */
 #ifndef MORTISE_SUPPORT_H
 #define MORTISE_SUPPORT_H
 
@@ -10,13 +10,13 @@
 
 enum {
   BOUNDARY_NONE = -1, /* free */
-  BOUNDARY_AXIS = -2  /* held by the axis of an axisymmetric scene alone: no radial displacement */
+  BOUNDARY_AXIS = -2  /* fixed by the axis of an axisymmetric scene alone: no radial displacement */
 };
 
 typedef struct {
   PetscInt   dim;
-  PetscInt  *count;      /* held directions of each local node, 0..dim [num_nodes] */
-  PetscReal *directions; /* orthonormal, held ones first, completed to a frame where count > 0 [num_nodes][dim][dim] */
+  PetscInt  *count;      /* fixed directions of each local node, 0..dim [num_nodes] */
+  PetscReal *directions; /* orthonormal, fixed ones first, completed to a frame where count > 0 [num_nodes][dim][dim] */
   PetscReal *values;     /* [num_nodes][dim] */
   PetscInt  *side; /* index of the boundary (within the body) that holds the node first, or one of these [num_nodes] */
   PetscReal  max_value; /* largest |value| of all ranks */

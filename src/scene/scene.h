@@ -32,7 +32,7 @@ typedef struct {
   PetscBool      curved_file;  /* found by the mesh: the file is of second order */
   PetscBool      straightened; /* likewise: it has curved sides, of which order 1 makes chords */
   PetscBool      arcs; /* likewise: it is of first order, and has sides of pairs that are taken for smooth and bend */
-  PetscInt       num_nonmanifold; /* likewise, on the first rank: vertices by which alone some cells hang together */
+  PetscInt       num_nonmanifold; /* likewise, on the first rank: vertices that alone connect some cells */
   PetscReal      nonmanifold[3];  /* the first of them, before the map */
   Expression     young, poisson;  /* of an isotropic body, else NULL */
   Expression     stiffness;       /* upper triangle of the Hooke tensor, else NULL */
@@ -155,18 +155,18 @@ static inline PetscInt SceneMeasureDegree(const struct _n_Scene *scene, PetscInt
 
 /* Creates an empty scene. Collective on comm. [out] scene - owned by the caller */
 PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene);
-/* Reads every option of the table that -help prints (src/scene/table.c); faults for anything that can be judged without a mesh.
+/* Reads every option of the table that -help prints (src/scene/optiontable.c); raises a user error for anything that can be judged without a mesh.
    Collective on the scene's comm. */
 PetscErrorCode SceneSetFromOptions(Scene scene);
-/* Faults on options that nothing has read. With before_solve only those outside PETSc's own name spaces (ksp_, pc_, mat_,
-   snes_, ...), since PETSc reads many of its options late; without it, any. -options_allow_unused turns the fault into a
+/* Raises a user error on options that nothing has read. With before_solve only those outside PETSc's own name spaces (ksp_, pc_, mat_,
+   snes_, ...), since PETSc reads many of its options late; without it, any. -options_allow_unused turns the user error into a
    warning. Collective. */
 PetscErrorCode SceneCheckUnused(Scene scene, PetscBool before_solve);
 /* t of all formulas from now on. Where no datum of the scene names t, it multiplies loads, given displacements and gap offsets.
-   Faults where a map names t: meshes stay as they are. Collective. */
+   Raises a user error where a map names t: meshes stay as they are. Collective. */
 PetscErrorCode SceneSetTime(Scene scene, PetscReal t);
 /* Replaces numbers or formulas of a datum that the scene has: a load, a given displacement, a gap or its offset. What is `free` stays
-   free. Faults on another option, another number of components. Collective.
+   free. Raises a user error on another option, another number of components. Collective.
    [in] option - with its dash, as in the scene; [in] values - [num] */
 PetscErrorCode SceneSetDatum(Scene scene, const char option[], PetscInt num, const PetscReal values[]);
 /* Prints every option, its unit and default, grouped. First rank of comm only. */

@@ -6,7 +6,7 @@
 /* A constant Hooke matrix counts as singular below this ratio of its eigenvalues: a thousand roundings. */
 static const PetscReal DEFINITE = 1000 * PETSC_MACHINE_EPSILON;
 
-/* Faults where a box would have more cells than the whole numbers of PETSc can count, on the finest mesh of a study. */
+/* Raises a user error where a box would have more cells than the whole numbers of PETSc can count, on the finest mesh of a study. */
 static PetscErrorCode BodyCheckSize_Private(Scene scene, const SceneBody *body, const Option *faces)
 {
   const PetscInt refine   = body->refine + scene->refine + (scene->study.kind ? scene->study.levels - 1 : 0);

@@ -1,6 +1,6 @@
 /* sceneboundaries.c -- supports and loads of one body: lists of sides, a datum for each, and what excludes what.
 
-   A direction of a side is either held or loaded. Data on one side that say both are a mistake, except where a
+   A direction of a side is either fixed or loaded. Data on one side that say both are a mistake, except where a
    component of the displacement is left free for the load. Traction and pressure on one side add up. */
 #include "scene/sceneparts.h"
 #include <string.h>
@@ -93,7 +93,7 @@ PetscBool SceneBoundaryFixesAll(Scene scene, const SceneBoundary *boundary)
   return PETSC_TRUE;
 }
 
-/* Faults where a side is held and loaded in the same direction. */
+/* Raises a user error where a side is fixed and loaded in the same direction. */
 static PetscErrorCode BoundaryCheckRoles_Private(Scene scene, const SceneBody *body, const SceneBoundary *held,
                                                  const SceneBoundary *load)
 {

@@ -44,7 +44,7 @@ static PetscErrorCode NamesNext_Private(const Option *option, const char **curso
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Faults if the i-th name is one of the earlier ones, or one of PETSc's. A probe may be called like a body. */
+/* Raises a user error if the i-th name is one of the earlier ones, or one of PETSc's. A probe may be called like a body. */
 static PetscErrorCode NamesCheckOne_Private(Scene scene, PetscInt i)
 {
   OptionScope scope, other_scope;
@@ -69,7 +69,7 @@ static PetscErrorCode NamesCheckOne_Private(Scene scene, PetscInt i)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Faults if an option of the i-th name can be read as one of the j-th, by which it then begins. */
+/* Raises a user error if an option of the i-th name can be read as one of the j-th, by which it then begins. */
 static PetscErrorCode NamesCheckClash_Private(Scene scene, PetscInt i, PetscInt j)
 {
   PetscInt           num;
@@ -92,7 +92,7 @@ static PetscErrorCode NamesCheckClash_Private(Scene scene, PetscInt i, PetscInt 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Faults if a name without one of its numbers is another name: what the first lacks, PETSc would take from the
+/* Raises a user error if a name without one of its numbers is another name: what the first lacks, PETSc would take from the
    second. */
 static PetscErrorCode NamesCheckNumbers_Private(Scene scene, PetscInt i)
 {

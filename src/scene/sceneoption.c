@@ -1,4 +1,4 @@
-/* sceneoption.c -- one option: found through the table, read from text, complained about in one sentence (see option.h). */
+/* sceneoption.c -- one option: found through the table, read from text, complained about in one sentence (see sceneoption.h). */
 #include "scene/sceneoption.h"
 #include "scene/sceneparts.h"
 #include <ctype.h>
@@ -164,7 +164,7 @@ PetscInt OptionCountItems(const Option *option)
   return n;
 }
 
-/* Faults unless the list has n items. */
+/* Raises a user error unless the list has n items. */
 static PetscErrorCode OptionCheckCount_Private(const Option *option, PetscInt n)
 {
   const PetscInt given = OptionCountItems(option);

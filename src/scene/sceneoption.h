@@ -2,8 +2,7 @@
 
    Nothing is read that the table does not document: OptionFind() takes a row's pattern and stops the program (an
    internal error) if there is no such row. Values are read as text and parsed here, because PETSc answers a word
-   where a number belongs with a stack trace, and a user deserves a sentence. No function here allocates, so that a
-   fault leaks nothing. */
+   where a number belongs with a stack trace, and a user deserves a sentence. No function here allocates, so that a user error leaks nothing. */
 #ifndef SCENE_OPTION_H
 #define SCENE_OPTION_H
 
@@ -14,7 +13,7 @@
 enum {
   OPTION_MAX      = 512, /* length of an option's name or of one item of a list, as in PETSc */
   OPTION_CHOICES  = 16,  /* words an option chooses from, at most */
-  OPTION_SENTENCE = 2048 /* length of a fault's sentence */
+  OPTION_SENTENCE = 2048 /* length of the sentence of a user error */
 };
 
 /* Chapters of the manual that -help prints. */
@@ -75,14 +74,14 @@ PetscErrorCode OptionExpand(const char pattern[], const char owner[], const char
 PetscErrorCode OptionFind(Scene scene, const char pattern[], const char owner[], const char side[], Option *option);
 /* An option as a sentence shows it: its name and its value, which may be cut. Not collective. */
 PetscErrorCode OptionShow(const char name[], const char value[], char shown[OPTION_MAX]);
-/* Raises the fault "<option> <value>: <sentence>". Collective. */
+/* Raises the user error "<option> <value>: <sentence>". Collective. */
 PetscErrorCode OptionRaise(const Option *option, const char format[], ...) PETSC_ATTRIBUTE_FORMAT(2, 3);
-/* Faults if the option is absent; a near misspelling that the user typed is named.
+/* Raises a user error if the option is absent; a near misspelling that the user typed is named.
    [in] why - what needs it, a clause; placeholders stand for the names of the option */
 PetscErrorCode OptionRequire(const Option *option, const char why[]);
 
 /* Values. An absent option gives the table's default, or leaves the value as it is where the table has none. A value
-   that cannot be read is a fault. Collective. */
+   that cannot be read is a user error. Collective. */
 PetscErrorCode OptionGetText(const Option *option, char **text); /* copied */
 PetscErrorCode OptionGetBool(const Option *option, PetscBool *value);
 PetscErrorCode OptionGetInts(const Option *option, PetscInt n, PetscInt smallest, PetscInt values[]);
@@ -94,10 +93,10 @@ PetscErrorCode OptionGetChoice(const Option *option, PetscInt *index);
 PetscErrorCode OptionGetExpression(const Option *option, PetscInt num_components, PetscBool allow_free, Expression *e);
 
 /* Walks the items of a comma-separated list: cursor is NULL before the first item and after the last one.
-   An empty item is a fault. [out] item - without blanks around it */
+   An empty item is a user error. [out] item - without blanks around it */
 PetscErrorCode OptionNextItem(const Option *option, const char **cursor, char item[OPTION_MAX]);
 PetscInt       OptionCountItems(const Option *option);
-/* Index of a word among the option's choices; a fault with the choices and the nearest one if it is not there.
+/* Index of a word among the option's choices; a user error with the choices and the nearest one if it is not there.
    [in] why - what the sentence says about the choices, in parentheses with a blank before, or "" */
 PetscErrorCode OptionMatchChoice(const Option *option, const char word[], const char why[], PetscInt *index);
 

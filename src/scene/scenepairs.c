@@ -145,7 +145,7 @@ static const SceneBoundary *PairFindHeld_Private(Scene scene, const SceneSide *s
   return NULL;
 }
 
-/* Faults where the nonmortar side is held; open roles are settled where only one side is free to carry the
+/* Raises a user error where the nonmortar side is fixed; open roles are settled where only one side is free to carry the
    multiplier. */
 static PetscErrorCode PairCheckHeld_Private(Scene scene, ScenePair *pair)
 {
@@ -180,7 +180,7 @@ static PetscBool PairSameSide_Private(const SceneSide *a, const SceneSide *b)
   return (PetscBool)(a->body >= 0 && a->body == b->body && SceneSideOverlaps(a->side, b->side, NULL));
 }
 
-/* Faults where a side meets itself, or where an earlier pair joins the same two sides in either order. */
+/* Raises a user error where a side meets itself, or where an earlier pair joins the same two sides in either order. */
 static PetscErrorCode PairCheckTwice_Private(Scene scene, const ScenePair *pair)
 {
   const SceneSide *s = &pair->nonmortar, *m = &pair->mortar;

@@ -5,15 +5,15 @@
 
 #include "scene/sceneoption.h"
 
-/* names.c: bodies, pairs and probes by name, before anything of theirs is read. Faults on names that are not legal,
+/* scenenames.c: bodies, pairs and probes by name, before anything of theirs is read. Raises a user error on names that are not legal,
    given twice, or that would make one option mean two things. Collective. */
 PetscErrorCode SceneNamesRead(Scene scene);
 /* The i-th of all names and what it names; NULL behind the last one. Not collective. */
 const char *SceneNamesGet(Scene scene, PetscInt i, OptionScope *scope);
-/* Index of the body of that name; a fault that lists the bodies if there is none. Collective. */
+/* Index of the body of that name; a user error that lists the bodies if there is none. Collective. */
 PetscErrorCode SceneNamesFindBody(Scene scene, const Option *option, const char name[], PetscInt *body);
 
-/* unused.c: faults on an option that no row of the table documents; with only_near, only if one is near. Collective.
+/* unusedoptions.c: raises a user error on an option that no row of the table documents; with only_near, only if one is near. Collective.
    */
 PetscErrorCode UnusedOptionsCheckUnknown(Scene scene, PetscBool only_near);
 /* Whether an option (with its dash) begins as PETSc's own options do, so that no body or pair may. Not collective. */
@@ -22,29 +22,29 @@ PetscBool UnusedOptionsBeginsLikePETSc(const char option[]);
    listed; "" if there is none. Not collective. */
 PetscErrorCode UnusedOptionsNearest(const Option *option, char near[OPTION_MAX]);
 
-/* suggest.c: the documented option nearest to a misspelt one, "" if none is near. Not collective. */
+/* optionsuggestion.c: the documented option nearest to a misspelt one, "" if none is near. Not collective. */
 PetscErrorCode OptionSuggestionFind(Scene scene, const char misspelt[], char near[OPTION_MAX]);
 
-/* study.c: before the bodies, whose meshes a study refines. Collective. */
+/* scenestudy.c: before the bodies, whose meshes a study refines. Collective. */
 PetscErrorCode SceneStudyRead(Scene scene);
 /* The orders of a study that names none are those of the bodies; call when they are read. Not collective. */
 PetscErrorCode SceneStudySetOrders(Scene scene);
 
-/* bodies.c: mesh and material of one body. boundaries.c: its supports and loads. Collective. */
+/* scenebodies.c: mesh and material of one body. sceneboundaries.c: its supports and loads. Collective. */
 PetscErrorCode SceneBodyRead(Scene scene, SceneBody *body);
 PetscErrorCode SceneBodyDestroy(SceneBody *body);
 PetscErrorCode SceneBoundariesRead(Scene scene, SceneBody *body);
 /* Whether a side's displacement is given in all components. Not collective. */
 PetscBool SceneBoundaryFixesAll(Scene scene, const SceneBoundary *boundary);
 
-/* sides.c: faults on a side that cannot be: empty parts of a '+' list, or a name that a box does not have.
+/* scenesides.c: raises a user error on a side that cannot be: empty parts of a '+' list, or a name that a box does not have.
    Collective. */
 PetscErrorCode SceneSideCheck(const Option *option, const SceneBody *body, const char side[]);
 /* Whether two sides, each joined with '+' of one or more, have one in common. Not collective.
    [out] common - the first one, array of shape [OPTION_MAX]; may be NULL */
 PetscBool SceneSideOverlaps(const char a[], const char b[], char common[]);
 
-/* pairs.c, obstacle.c, results.c. Collective. */
+/* scenepairs.c, sceneobstacle.c, sceneresults.c. Collective. */
 PetscErrorCode ScenePairRead(Scene scene, ScenePair *pair);
 PetscErrorCode ScenePairDestroy(ScenePair *pair);
 PetscErrorCode SceneObstacleRead(Scene scene, ScenePair *pair, const Option *shape);

@@ -69,7 +69,7 @@ PetscErrorCode SceneSetTime(Scene scene, PetscReal t)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Raises the fault of a datum that the scene does not have. [in] data - [num], freed */
+/* Raises the user error of a datum that the scene does not have. [in] data - [num], freed */
 static PetscErrorCode DatumRaise_Private(Scene scene, const char option[], PetscInt num, Datum *data)
 {
   const char **names, *near;

@@ -1,4 +1,4 @@
-/* sceneview.c -- -scene_view, as far as it is known without a mesh; src/result/view.c tells the rest. */
+/* sceneview.c -- -scene_view, as far as it is known without a mesh; src/output/meshview.c prints the rest. */
 #include "scene/sceneparts.h"
 #include <stdarg.h>
 #include <string.h>
