@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""house.py -- checks of the text: house.py <layers|sizes|options|warnings|theory> <top of the tree>. Prints what is wrong, or nothing."""
+"""house.py -- checks of the text: house.py <layers|sizes|options|warnings|theory|pages> <top of the tree>. Prints what is wrong, or nothing."""
 import pathlib
 import re
 import sys
 
 MAX_FILE, MAX_FUNCTION, MAX_ARGUMENTS = 600, 80, 7
+MAX_WORDS = 1000  # of the front page
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 PETSC_OWN = re.compile(r"-(skip_petscrc|options_file_yaml|dm_plex_gmsh_\w+)")  # set or passed on here, not ours to document
 ROW = re.compile(r"^\| (\d+) \| `(\w+)` \| ([^|]*) \|", re.MULTILINE)
@@ -149,11 +150,11 @@ def check_options(top):
 
 def check_warnings(top):
     """Codes of warnings are listed with what they mean, and all those that are listed exist."""
-    table = (top / "options/README.md").read_text().split("\n## Warnings\n")[1].split("\n## ")[0]
+    table = (top / "options/GUIDE.md").read_text().split("\n## Warnings\n")[1].split("\n## ")[0]
     listed = set(re.findall(r"^\| `(\w+)` \|", table, re.MULTILINE))
     used = {code: path.relative_to(top) for path in sources(top) for code in re.findall(r'\.code\s*=\s*"(\w+)"', path.read_text()) if path.name != "warning.h"}
-    yield from (f"{file} warns of {code}, which the table of options/README.md does not have" for code, file in sorted(used.items()) if code not in listed)
-    yield from (f"the table of options/README.md has {code}, which nothing warns of" for code in sorted(listed - set(used)))
+    yield from (f"{file} warns of {code}, which the table of options/GUIDE.md does not have" for code, file in sorted(used.items()) if code not in listed)
+    yield from (f"the table of options/GUIDE.md has {code}, which nothing warns of" for code in sorted(listed - set(used)))
     yield from (f"{code} is not in snake_case" for code in sorted(used) if not re.fullmatch(r"[a-z]+(_[a-z]+)*", code))
 
 
@@ -185,6 +186,46 @@ def check_theory(top):
 
 def main():
     checks = {"layers": check_layers, "sizes": check_sizes, "options": check_options, "warnings": check_warnings, "theory": check_theory}
+
+
+# --- pages ------------------------------------------------------------------------------------------------------------
+
+
+def read_page(path):
+    """A page without its blocks of code."""
+    text = re.sub(r"^```.*?^```$", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
+    return re.sub(r"^    .*$", "", text, flags=re.MULTILINE)
+
+
+def page_anchors(path):
+    """What a link to a heading of this page may name, as GitHub and GitLab form it."""
+    anchors = []
+    for heading in re.findall(r"^#+ +(.*?) *$", read_page(path), re.MULTILINE):
+        anchor = re.sub(r"[^\w\- ]", "", re.sub(r"\]\([^)]*\)", "", heading).lower()).replace(" ", "-")
+        anchors.append(f"{anchor}-{anchors.count(anchor)}" if anchor in anchors else anchor)
+    return anchors
+
+
+def check_pages(top):
+    """Links lead somewhere, and the front page is short."""
+    words = len((top / "README.md").read_text(encoding="utf-8").split())
+    if words > MAX_WORDS:
+        yield f"README.md has {words} words, more than {MAX_WORDS}"
+    pages = [path for path in sorted(top.glob("**/*.md")) if path.relative_to(top).parts[0] != "build"]
+    for page in pages:
+        for link in re.findall(r"\]\(([^)\s]+)\)", re.sub(r"`[^`]*`", "", read_page(page))):
+            if re.match(r"\w+:", link):
+                continue
+            file, _, anchor = link.partition("#")
+            target = page.parent / file if file else page
+            if not target.exists():
+                yield f"{page.relative_to(top)}: there is no {link}"
+            elif anchor and anchor not in page_anchors(target):
+                yield f"{page.relative_to(top)}: {link} is no heading of that page"
+
+
+def main():
+    checks = {"layers": check_layers, "sizes": check_sizes, "options": check_options, "warnings": check_warnings, "theory": check_theory, "pages": check_pages}
     wrong = list(checks[sys.argv[1]](pathlib.Path(sys.argv[2]).resolve()))
     print("\n".join(wrong))
     sys.exit(bool(wrong))

@@ -1,7 +1,7 @@
 /* warning.h -- what a user has to know of an answer that is given all the same.
 
    Every warning of the program goes through WarningAdd(): a line on stderr, and an entry of the summary's `warnings`. Codes are
-   stable, in snake_case, and stand in the table of options/README.md (test house.warnings).
+   stable, in snake_case, and stand in the table of options/GUIDE.md (test house.warnings).
 
    The first rank of MPI_COMM_WORLD keeps the list and prints; what other ranks add is dropped without a word. So WarningAdd() may be
    called by all ranks or by the first alone, and what only another rank knows is reduced before. Nothing here communicates but
