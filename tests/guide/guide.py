@@ -21,7 +21,7 @@ BEGIN, END = "<!-- options: written by tests/guide/guide.py -->\n", "<!-- option
 
 # --- options ----------------------------------------------------------------------------------------------------------
 
-OPTION, UNIT = slice(2, 58), slice(59, 72)  # columns of -help, see src/scene/help.c
+OPTION, UNIT = slice(2, 58), slice(59, 72)  # columns of -help, see src/scene/scenehelp.c
 STANDARD = 73
 
 
