@@ -22,8 +22,7 @@ static PetscErrorCode SolveScene(int *status)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A mistake leaves objects behind that nobody needs any more, so PETSc is not finalised after one: its lists of leaks would bury the
-   sentence. */
+/* A user error leaves objects behind. PETSc is not finalised then: its list of leaks would hide the sentence. */
 static PetscErrorCode RunArguments(int argc, char **argv, int *status)
 {
   PetscFunctionBeginUser;

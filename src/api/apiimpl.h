@@ -42,7 +42,7 @@ PetscErrorCode ApiBegin(Mortise m);
 PetscErrorCode ApiEnd(Mortise m, PetscErrorCode error);
 /* Whether MortiseInitialize() was called, and MortiseFinalize() not yet. Not collective. */
 PetscBool ApiReady(void);
-/* Whether PETSc was started by somebody else, and has read its options itself. Not collective. */
+/* Whether the caller started PETSc, which then has read its options. Not collective. */
 PetscBool ApiJoined(void);
 /* Faults before MortiseSetFromOptions(); before MortiseSolve(), or where that had no single answer. Collective. */
 PetscErrorCode ApiNeedScene(Mortise m, const char function[]);

@@ -22,7 +22,7 @@ static struct {
   MPI_Comm  farewell; // what other ranks wait in must not be taken for the last meeting
 } process;
 
-/* Streams that were closed by whoever started the program lead to nowhere: else files would be opened in their place. */
+/* Opens closed standard streams on /dev/null: otherwise result files would get their numbers. */
 static void OpenStreams_Private(void)
 {
   for (int stream = open("/dev/null", O_RDWR); stream >= 0; stream = dup(stream)) {

@@ -1,4 +1,4 @@
-/* initialoverlap.c -- bodies that overlap at the beginning by more than partners are looked for.
+/* initialoverlap.c -- bodies that initially overlap by more than the search radius.
 
    Rays that find no partner within the reach see a gap or nothing, and a node deep inside the other body would go free. It is
    told by the cells: a node that is inside the partner, and well away from the partner's side, has been carried past it. */

@@ -1,4 +1,4 @@
-/* mortarsurface.c -- the mortar facets that this rank's nonmortar facets may meet, in a box tree.
+/* mortarsurface.c -- candidates: the mortar facets near this rank's nonmortar facets, in a box tree.
 
    No rank holds a side. Every rank tells all others a few boxes around its nonmortar facets; a mortar facet goes to the
    ranks one of whose boxes it meets. Facets that stay come first, then those of other ranks in the order of ranks: sums

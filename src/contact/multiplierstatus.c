@@ -1,4 +1,4 @@
-/* multiplierstatus.c -- which nodes of the nonmortar sides carry a multiplier.
+/* multiplierstatus.c -- the nodes of the nonmortar sides that carry a multiplier.
 
    A node is uncovered, or removed (its row is redistributed to its neighbours), or kept. Removed are slivers of coverage, whose
    pressure could not be recovered accurately, nodes whose normal direction is fixed, and nodes that another pair serves. */

@@ -1,4 +1,4 @@
-/* pair.c -- contact pairs: from sides to multipliers.
+/* pair.c -- contact pairs, from sides to multipliers.
 
    Everything is computed once, in the reference configuration (the bodies move little). All pairs are integrated before
    any decides on its multipliers, since a node can serve several pairs but each of its directions only one. */

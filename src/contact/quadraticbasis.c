@@ -1,4 +1,4 @@
-/* quadraticbasis.c -- the displacements that the rows of a pair are written for.
+/* quadraticbasis.c -- the quadratic basis transformation, in which the rows of a pair are written.
 
    At a node e behind the vertices v of a facet, u_e = d u~_e + sum_v w_v u~_v, and u_v = u~_v: hence
    u~_e = (u_e - sum_v w_v u_v) / d. The weights depend on the edge (or the quad) alone, so that facets beside each other agree. */

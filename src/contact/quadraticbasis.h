@@ -1,4 +1,4 @@
-/* quadraticbasis.h -- the displacements that the rows of a pair are written for (eqs. 3.6, 3.5). */
+/* quadraticbasis.h -- the quadratic basis transformation, in which the rows of a pair are written (eqs. 3.6, 3.5). */
 #ifndef MORTISE_QUADRATICBASIS_H
 #define MORTISE_QUADRATICBASIS_H
 

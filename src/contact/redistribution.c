@@ -1,4 +1,4 @@
-/* redistribution.c -- the removed-node rule.
+/* redistribution.c -- redistribution of removed constraints.
 
    psi_a + sum_c w_ac psi_c keeps sum psi = 1 and stays diagonal on the kept nodes, so constant pressures still pass; in 2D
    this is the constant dual function of Wohlmuth (2000) at the ends of a side. Removed nodes lie in rings around the kept

@@ -1,4 +1,4 @@
-/* redistribution.h -- the removed-node rule (eq. 5.1). */
+/* redistribution.h -- redistribution of removed constraints (eq. 5.1). */
 #ifndef MORTISE_REDISTRIBUTION_H
 #define MORTISE_REDISTRIBUTION_H
 

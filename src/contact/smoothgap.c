@@ -1,4 +1,4 @@
-/* smoothgap.c -- gaps between sides that are taken for smooth.
+/* smoothgap.c -- gaps between smooth sides.
 
    Facets of first order cut the corners off a curved side, by an eighth of the square of their length over the radius: as much as an
    interference fit, or the approach of two bodies, on any mesh that is not very fine. Nodes alone are on the side, and the normals

@@ -1,4 +1,4 @@
-/* smoothgap.h -- gaps between sides that are taken for smooth (eq. 4.5). */
+/* smoothgap.h -- gaps between smooth sides (eq. 4.5). */
 #ifndef MORTISE_SMOOTHGAP_H
 #define MORTISE_SMOOTHGAP_H
 

@@ -1,4 +1,4 @@
-/* referencecell.h -- the table of reference cells (private to the room; element.h has the order of their nodes). */
+/* referencecell.h -- the table of reference cells (element.h has the order of their nodes). */
 #ifndef MORTISE_REFERENCECELL_H
 #define MORTISE_REFERENCECELL_H
 

@@ -1,4 +1,4 @@
-/* shapefunction.h -- shape functions of the reference cells (private to the room; element.h has the order of their nodes). */
+/* shapefunction.h -- shape functions of the reference cells (element.h has the order of their nodes). */
 #ifndef MORTISE_SHAPEFUNCTION_H
 #define MORTISE_SHAPEFUNCTION_H
 

@@ -1,4 +1,4 @@
-/* arcextract.c -- the sides of a body that are taken for smooth, while its file's mesh is refined for it alone (eq. 4.5). */
+/* arcextract.c -- smooth sides of a body while its file's mesh is refined (eq. 4.5). */
 #include "mesh/fileextract.h"
 #include "base/compat.h"
 

@@ -1,4 +1,4 @@
-/* arcnodes.c -- new nodes of sides that are taken for smooth: on the curves that nodal normals make of straight edges (eq. 4.5).
+/* arcnodes.c -- new nodes of smooth sides, on the curves of the nodal normals (eq. 4.5).
 
    A curve's middle belongs to the node in the middle of its edge, on this level or on the next finer one. Facets tell the nodes, all
    ranks sum, and what lies in the middle of a quadrilateral or hexahedron follows half or a quarter of the way of its edges

@@ -1,4 +1,4 @@
-/* arcsides.c -- which sides are taken for smooth: those of pairs, of bodies whose files have straight edges (eq. 4.5). */
+/* arcsides.c -- the smooth sides: sides of pairs whose files have straight edges (eq. 4.5). */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 #include <string.h>

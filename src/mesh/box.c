@@ -1,4 +1,4 @@
-/* box.c -- a body that is a box of quads or triangles, of hexahedra or tetrahedra.
+/* box.c -- a box of quadrilaterals, triangles, hexahedra or tetrahedra.
 
    PETSc makes one box at a time and cannot merge two, and its Debian build has no generator for simplices, so boxes are
    written here as cell lists: nodes run along x first, then along y, then along z. A quad is cut along the diagonal from its

@@ -1,4 +1,4 @@
-/* boxcoarsening.c -- levels that boxes begin with by themselves.
+/* boxcoarsening.c -- coarser levels of boxes.
 
    A box of 256 x 192 cells is one of 8 x 6 cells that is refined five times. Where solvers use coarser levels, scenes of boxes
    therefore need no -dm_refine to have them. So long as ranks are few their number plays no part, so that iterations do not
@@ -90,7 +90,7 @@ PetscInt SceneCountCoarser(Scene scene, PetscMPIInt num_ranks)
   }
   times = most;
   while (times > 0 && SceneIsSmall_Private(scene, times, num_ranks)) times--;
-  // who asks for levels gets one at least
+  // at least one level where levels are requested
   return !times && !scene->refine && scene->levels == LEVELS_USED ? PetscMin(most, 1) : times;
 }
 

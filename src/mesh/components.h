@@ -1,4 +1,4 @@
-/* components.h -- what hangs together in a body: cells that share nodes, directly or by way of others.
+/* components.h -- connected components of bodies: cells that share nodes.
 
    A mesh file may give a body of several components. Each moves as it likes: it is components, not bodies, that have rigid motions. */
 #ifndef MORTISE_COMPONENTS_H

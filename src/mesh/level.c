@@ -1,4 +1,4 @@
-/* level.c -- the tables of one DMPlex, made in the order in which they need each other, and those of the next finer. */
+/* level.c -- the tables of one DMPlex, and those of its refinement. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 

@@ -1,4 +1,4 @@
-/* levelcells.c -- the cells of a level: their bodies, their nodes, and whether they are sound.
+/* levelcells.c -- the cells of a level: bodies, nodes, and a check of their shape.
 
    Loops over elements want plain arrays: what a cell consists of is looked up in the DM once, here. */
 #include "mesh/meshimpl.h"

@@ -1,4 +1,4 @@
-/* levelnodes.c -- which points of the mesh carry a node, and its number.
+/* levelnodes.c -- the points of the mesh with a node, and node numbers.
 
    Ownership and global numbers come from PETSc's global section, so that Vecs of the DM and of the tables agree. */
 #include "mesh/meshimpl.h"

@@ -1,4 +1,4 @@
-/* levelpositions.c -- where the nodes of a level are.
+/* levelpositions.c -- positions of the nodes of a level.
 
    The DM keeps box coordinates of vertices. A node in the middle of an edge or a cell has the mean of its vertices there,
    unless a file of second order says otherwise; finer levels then follow the curves of the coarsest. The body's map puts

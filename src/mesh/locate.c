@@ -1,4 +1,4 @@
-/* locate.c -- which cell of a body holds a point. */
+/* locate.c -- the cell of a body that contains a point. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 

@@ -1,4 +1,4 @@
-/* mesh.c -- the life of a mesh: bodies as lists, merged, partitioned, refined level by level.
+/* mesh.c -- a mesh: lists of bodies, merged, partitioned, refined level by level.
 
    Input is the first rank's business until the mesh is whole, so that reading needs no thought of ranks. The
    coarsest mesh is spread, and every rank refines its own part: the work and the memory that grow with refinement

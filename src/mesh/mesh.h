@@ -57,7 +57,7 @@ struct _n_Mesh {
   PetscInt             num_levels; /* those that boxes begin with by themselves, 1, common refinements */
   PetscInt             own;    /* the level that is the scene's mesh with its -dm_refine; MeshRefine() adds others */
   Level               *levels; /* coarse first; the last one is the mesh that is solved on */
-  struct _n_MeshShape *shape; /* of the mesh room: curves of files under bodies of order 1; NULL where there are none */
+  struct _n_MeshShape *shape;  /* private: curved edges of files under bodies of order 1; NULL if none */
 };
 typedef struct _n_Mesh *Mesh;
 

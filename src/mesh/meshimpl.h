@@ -1,4 +1,4 @@
-/* meshimpl.h -- what the files of this room share.
+/* meshimpl.h -- declarations that the files of this module share.
 
    A body begins as plain lists on the first rank: boxes are written as such, files are turned into such, and all are
    merged into the one DMPlex. Levels are its tables. Nothing is collective but what says so. */

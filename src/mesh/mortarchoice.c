@@ -1,4 +1,4 @@
-/* mortarchoice.c -- which side of a pair carries the multiplier.
+/* mortarchoice.c -- the choice of the nonmortar side of each pair.
 
    The softer body (behind the sides), else the finer mesh, else the smaller side (THEORY.md, section 7): a stiff
    nonmortar side would put a stiff skin on a soft mortar side in the condensed matrix. All of it is judged on the coarsest level, where it is cheapest: sides that have a node in

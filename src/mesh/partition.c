@@ -1,4 +1,4 @@
-/* partition.c -- which rank gets which cell, so that bodies that touch meet on one rank.
+/* partition.c -- the partition: bodies that touch share ranks where they touch.
 
    METIS minimises the weight of cut edges in the graph of cells. Cells of two bodies share no facet, so a plain
    partition of two equal bodies gives one to each of two ranks and makes all contact remote. Cells whose facets may

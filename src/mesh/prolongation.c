@@ -1,4 +1,4 @@
-/* prolongation.c -- from the nodes of one level to those of the next finer one, and from order 1 to order 2.
+/* prolongation.c -- prolongation between levels, and from order 1 to order 2.
 
    A fine node takes the value that the coarse shape functions give at its place in the point (edge or cell) that the
    transform made it from. Fine vertices are middles of coarse points, other fine nodes are middles of fine vertices, so

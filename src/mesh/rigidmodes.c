@@ -1,4 +1,4 @@
-/* rigidmodes.c -- which rigid modes do supports leave to a component of a body?
+/* rigidmodes.c -- the rigid body modes that supports leave to a component of a body.
 
    The rows (d, d.rotation(x)) of all held directions d at places x, rotations taken about the component's centre and scaled by half
    its size, span all rigid modes exactly if none is left. What they do not span is the kernel of their Gram matrix. */

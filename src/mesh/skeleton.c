@@ -1,4 +1,4 @@
-/* skeleton.c -- what is between cells and vertices: the facets of cells, and the edges of facets in space.
+/* skeleton.c -- facets of cells, and edges of facets in space.
 
    Shapes are taken from the dimension above: each one lists its facets, and those that it has in common with another are
    found among the few that begin at the same lowest vertex. DMPlexInterpolate() gives the same, and took most of the time of

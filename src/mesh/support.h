@@ -1,4 +1,4 @@
-/* support.h -- which directions of each node are fixed, and at what value.
+/* support.h -- fixed directions of each node, and their values.
 
    Displacement data hold Cartesian directions, normal data hold the side's normal. Both become orthonormal
    directions per node: d_k . u = value_k, k < count. Data that contradict each other at a node are a user error. Nodes on the axis of an

@@ -1,4 +1,4 @@
-/* bodycounts.h -- how many cells and nodes each body has on all ranks together. */
+/* bodycounts.h -- numbers of cells and nodes of each body on all ranks. */
 #ifndef MORTISE_BODYCOUNTS_H
 #define MORTISE_BODYCOUNTS_H
 

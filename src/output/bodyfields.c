@@ -1,4 +1,4 @@
-/* bodyfields.c -- what a picture of the bodies tells. */
+/* bodyfields.c -- the fields of the bodies' file. */
 #include "output/fieldwriter.h"
 #include "base/compat.h"
 

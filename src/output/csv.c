@@ -1,4 +1,4 @@
-/* csv.c -- one nonmortar side as a table, in the order in which one walks along it.
+/* csv.c -- one nonmortar side as a table, ordered along the side.
 
    A side is a set of facets. In 2D facets are directed (the body lies to the left), and so are the links from node to node
    that they consist of: one for order 1, two for order 2. Each connected piece is a chain of links: it starts at a node

@@ -1,4 +1,4 @@
-/* fieldwriter.c -- brings points, cells and one quantity after the other to the first rank, which hands them on to a format.
+/* fieldwriter.c -- transfer of points, cells and one quantity at a time to the first rank, and from there to a format.
 
    One file of one writer is simple, portable and fast enough up to tens of millions of values; global nodes are numbered
    rank by rank, so gathering in the order of the ranks gives the global order. */

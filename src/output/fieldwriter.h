@@ -1,5 +1,4 @@
-/* fieldwriter.h -- the answer as a picture for viewers, written quantity by quantity: the first rank never holds more of it than
-   one of them (floor 7, private to this room).
+/* fieldwriter.h -- fields for viewers, written one quantity at a time: the first rank never holds more than one.
 
    FieldWriterOpen(); FieldWriterMesh(); FieldWriterPoints() and FieldWriterCells() for each quantity, those of points first; FieldWriterClose(). All
    are collective. What goes wrong with a file is noted in files, and nothing is written any more. */

@@ -1,4 +1,4 @@
-/* fileset.c -- temporary names, renaming, and missing folders. */
+/* fileset.c -- temporary names, renaming, and creation of folders. */
 #include <ctype.h>
 #include <dirent.h>
 #include <errno.h>
@@ -92,8 +92,7 @@ static PetscErrorCode FileSetGetTemporaryName_Private(const char final[], char *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a process is at work. One that was killed keeps its number until somebody has asked for its exit code, which may take a while: a
-   system that tells the states of processes says 'Z' of it. */
+/* Whether a process runs. A killed process keeps its number until its parent reads its exit code; its state is 'Z' until then. */
 static PetscBool FileSetProcessExists_Private(long process)
 {
   char        path[64], text[PETSC_MAX_PATH_LEN] = "";

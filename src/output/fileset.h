@@ -1,4 +1,4 @@
-/* fileset.h -- several files that appear together under their final names, or not at all.
+/* fileset.h -- files that appear together under their final names, or not at all.
 
    Everything is written to temporary names in the same folders by the first rank, then renamed. The file that was added last is
    the mark of completeness: its predecessor is removed before any other file is renamed, and it is renamed as the last one. So

@@ -1,4 +1,4 @@
-/* hdf5driver.c -- how HDF5 places bytes in a file, by HDF5's interface for drivers. */
+/* hdf5driver.c -- HDF5's write operations on an open file. */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* hdf5file.c -- the picture as plain contiguous datasets, written by the first rank alone, each as it comes.
+/* hdf5file.c -- fields as contiguous datasets, written by the first rank, one at a time.
 
    /points [N][3], /cells (see xdmf.c), one dataset per quantity under its own name; attributes of the file: title, version,
    units, and a word on every dataset's order. Readable by h5py, MATLAB, h5dump without any library of ours. */

@@ -1,4 +1,4 @@
-/* htmlreport.c -- starts mortise-report, listens to what it says, and passes that on. */
+/* htmlreport.c -- start of mortise-report, and its messages. */
 #include <errno.h>
 #include <fcntl.h>
 #include <spawn.h>

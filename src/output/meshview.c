@@ -1,4 +1,4 @@
-/* meshview.c -- the rest of -scene_view: what the meshes made of the scene, and what was left out of it, and why. */
+/* meshview.c -- the part of -scene_view that needs the meshes. */
 #include "output/summary.h"
 #include "base/compat.h"
 #include "problem/elasticity.h"

@@ -1,4 +1,4 @@
-/* output.c -- which files a run writes, and that they appear together. */
+/* output.c -- the result files of a run, which appear together. */
 #include <string.h>
 #include "output/output.h"
 #include "base/usererror.h"

@@ -1,4 +1,4 @@
-/* resultwarnings.c -- what qualifies an answer, as warnings. */
+/* resultwarnings.c -- warnings about a result. */
 #include <string.h>
 #include "base/compat.h"
 #include "output/summary.h"

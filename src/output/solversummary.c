@@ -1,4 +1,4 @@
-/* solversummary.c -- what the summary tells of the solver: steps, residuals in the uncondensed KKT system, bounds, the cross-check. */
+/* solversummary.c -- the block "solver" of the summary: steps, residuals of the uncondensed KKT system, bounds, cross-check. */
 #include "base/compat.h"
 #include "base/json.h"
 #include "output/solversummary.h"

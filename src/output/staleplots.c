@@ -1,4 +1,4 @@
-/* staleplots.c -- what the companions drew of an earlier run.
+/* staleplots.c -- removal of plots of an earlier run.
 
    They write their name near the beginning of a file, so that a picture of the same name that is not theirs is left alone. */
 #include <string.h>

@@ -1,4 +1,4 @@
-/* staleplots.h -- what the companions drew of an earlier run. */
+/* staleplots.h -- removal of plots of an earlier run. */
 #ifndef MORTISE_STALEPLOTS_H
 #define MORTISE_STALEPLOTS_H
 

@@ -1,4 +1,4 @@
-/* summary.h -- the JSON summary and the verdict. */
+/* summary.h -- the JSON summary. */
 #ifndef MORTISE_SUMMARY_H
 #define MORTISE_SUMMARY_H
 

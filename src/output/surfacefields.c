@@ -1,4 +1,4 @@
-/* surfacefields.c -- the nonmortar side of a pair as a surface of its own, with what happens on it at its nodes. */
+/* surfacefields.c -- the nonmortar side of a pair as a surface with nodal fields. */
 #include "base/compat.h"
 #include "output/fieldwriter.h"
 #include "result/sidenodes.h"

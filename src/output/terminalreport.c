@@ -1,4 +1,4 @@
-/* terminalreport.c -- the few lines a user reads on the terminal, and where the summary goes. */
+/* terminalreport.c -- the result on the terminal, and the destination of the summary. */
 #include <stdlib.h>
 #include <string.h>
 #include "output/summary.h"

@@ -1,4 +1,4 @@
-/* vtu.c -- the picture as one VTK unstructured grid file (XML, inline base64): self-contained, opens everywhere VTK does. */
+/* vtu.c -- fields as one VTK unstructured grid file (XML, inline base64). */
 #include <stdint.h>
 #include <string.h>
 #include "output/fieldwriter.h"

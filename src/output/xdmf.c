@@ -1,4 +1,4 @@
-/* xdmf.c -- the small XML file that tells viewers what lies in the HDF5 file.
+/* xdmf.c -- the XML file that describes the HDF5 file to viewers.
 
    Kept to what ParaView's, VTK's and meshio's readers share: one uniform grid, version 3, data items that are whole
    datasets, a relative file name so that the two files can be moved together. Reference: the XDMF model and format.

@@ -1,4 +1,4 @@
-/* xdmf.h -- cells as XDMF wants them. */
+/* xdmf.h -- cells in XDMF's numbering. */
 #ifndef MORTISE_XDMF_H
 #define MORTISE_XDMF_H
 

@@ -1,4 +1,4 @@
-/* xml.c -- the two encodings that XML files of ours need. */
+/* xml.c -- XML encodings of text and binary data. */
 #include <string.h>
 #include "output/xml.h"
 

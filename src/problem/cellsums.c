@@ -1,4 +1,4 @@
-/* cellsums.c -- matrices of cells, summed up before a Mat sees them.
+/* cellsums.c -- sums of cell matrices before they enter a Mat.
 
    A Mat looks for every entry by itself, and moves others out of its way. Here nodes are looked for, once for all entries of a block,
    and rows reach the Mat complete and in order; what belongs to rows of other ranks goes there once, in sums. These are made in the order

@@ -1,4 +1,4 @@
-/* cellsums.h -- matrices of cells, summed up before a Mat sees them. */
+/* cellsums.h -- sums of cell matrices before they enter a Mat. */
 #ifndef MORTISE_CELLSUMS_H
 #define MORTISE_CELLSUMS_H
 

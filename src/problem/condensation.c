@@ -1,4 +1,4 @@
-/* condensation.c -- T'KT, of which only what lies beside the contact differs from K.
+/* condensation.c -- T'KT, which differs from K next to the contact only.
 
    With T = I + E, T'KT = K + Z, Z = E'K + K E + E'K E = E'W + W'E, W = K (I + E / 2): E has rows at the nodes of the nonmortar sides alone,
    so that of W no others are needed, and Z is as small. All is done with these rows, of which every rank has its own. */

@@ -1,4 +1,4 @@
-/* condensedmatrix.c -- the matrix of the inequality, as a product or as a matrix.
+/* condensedmatrix.c -- the matrix A of the inequality, as a shell of products or as an AIJ matrix.
 
    Iterations need its products alone, and these K and the little that condensing changes give without a second matrix of K's size. */
 #include "base/compat.h"

@@ -1,4 +1,4 @@
-/* couplings.c -- rows of the pairs in the displacements u and in those of the changed basis, u~. */
+/* couplings.c -- rows of the pairs in the displacements u and in u~ of the quadratic basis transformation. */
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "problem/couplings.h"

@@ -1,4 +1,4 @@
-/* couplings.h -- what the rows of the pairs hold beside the nodes' own displacements.
+/* couplings.h -- entries of the pairs' rows beside the node's own displacement.
 
    Where only vertices of a quadratic side carry multipliers, and on tri6, the change of basis starts from the displacements u~
    of u = S u~ (eqs. 3.6, 3.5). Rows are needed in both: in u for the uncondensed KKT system, in u~ for the change of basis. */

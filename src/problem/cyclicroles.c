@@ -1,4 +1,4 @@
-/* cyclicroles.c -- roles that run in a circle, found in the graph of the pairs.
+/* cyclicroles.c -- cyclic dependencies of roles in the graph of the pairs.
 
    Pair p leads to pair q if a multiplier node of p meets, on its mortar side, a node that carries a multiplier of q. A node
    that leads back to its own pair would be defined by itself. Whether powers of the coupling fade says less: three bodies

@@ -1,4 +1,4 @@
-/* cyclicroles.h -- roles that run in a circle. */
+/* cyclicroles.h -- cyclic dependencies of roles. */
 #ifndef MORTISE_CYCLICROLES_H
 #define MORTISE_CYCLICROLES_H
 

@@ -1,4 +1,4 @@
-/* kktsystem.c -- the uncondensed KKT system [K B'; B 0]: the problem before any condensation, kept to judge the answer by. */
+/* kktsystem.c -- the uncondensed KKT system [K B'; B 0], by which the certificate judges. */
 #include "base/compat.h"
 #include "problem/pairarms.h"
 #include "problem/kktsystem.h"

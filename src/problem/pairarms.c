@@ -1,4 +1,4 @@
-/* pairarms.c -- what the arms of ties across a gap add to rows of B and of E. */
+/* pairarms.c -- contributions of ties' lever arms to rows of B and E. */
 #include "base/compat.h"
 #include "problem/pairarms.h"
 

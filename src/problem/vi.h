@@ -62,9 +62,9 @@ PetscErrorCode VIDestroy(VI *vi);
 /* The same scene on a coarser level of its mesh, with the scales of vi. Collective. [in] l - level of vi->mesh; [in] K - in place of the level's own, or NULL;
    [out] coarse - owned by the caller */
 PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse);
-/* Makes A a matrix: who factors it or takes it apart needs that, and memory for as much as K. Collective. */
+/* Makes A an AIJ matrix, as factorizations and submatrices need it. Takes as much memory as K. Collective. */
 PetscErrorCode VIAssemble(VI vi);
-/* Makes S, which products with A take in place of K from then on: worth its memory, half of K's, to who iterates. Collective. */
+/* Makes S, which products with A use in place of K from then on. Worth its memory, half of K's, for iterative solvers. Collective. */
 PetscErrorCode VIPrepareProducts(VI vi);
 /* A plus a diagonal, a matrix or a shell like A. Collective. [in] regularization - borrowed for as long as the result lives;
    [out] A - owned by the caller */

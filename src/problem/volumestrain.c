@@ -1,4 +1,4 @@
-/* volumestrain.c -- how the cells of a body take its changes of volume (eq. 9.1).
+/* volumestrain.c -- mean dilatation of the cells of a body (eq. 9.1).
 
    Every cell is judged by itself, so that a Poisson's ratio that varies costs nothing where it is low, and a mesh of
    triangles and quadrilaterals takes each as it needs. Nothing of this is kept: results ask again. */

@@ -1,4 +1,4 @@
-/* volumestrain.h -- changes of volume of one cell. */
+/* volumestrain.h -- mean dilatation of one cell. */
 #ifndef MORTISE_VOLUMESTRAIN_H
 #define MORTISE_VOLUMESTRAIN_H
 

@@ -1,4 +1,4 @@
-/* cellerror.h -- squares of the norms of an error and of what it is an error of. */
+/* cellerror.h -- squared norms of an error and of the exact field. */
 #ifndef MORTISE_CELLERROR_H
 #define MORTISE_CELLERROR_H
 

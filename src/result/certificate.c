@@ -1,4 +1,4 @@
-/* certificate.c -- is it the solution? Judged by the uncondensed KKT system  K u + B'lambda = f,  B u <= G,  lambda >= 0.
+/* certificate.c -- residuals of the uncondensed KKT system  K u + B'lambda = f,  B u <= G,  lambda >= 0.
 
    Every test is a violation over a size. A violation within the roundoff of the sums it came from means nothing, however
    small the size is (a body moved rigidly has no forces at all), so the size grows by roundoff / tolerance times the

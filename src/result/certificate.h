@@ -1,4 +1,4 @@
-/* certificate.h -- the answer judged in the original blocks, never in the system that was solved (eq. 11.1). */
+/* certificate.h -- residuals of the uncondensed KKT system, never of the condensed one (eq. 11.1). */
 #ifndef MORTISE_CERTIFICATE_H
 #define MORTISE_CERTIFICATE_H
 

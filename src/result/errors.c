@@ -1,4 +1,4 @@
-/* errors.c -- errors against exact solutions, body by body and pair by pair, and of all bodies together. */
+/* errors.c -- errors against exact solutions, by body, by pair and in total. */
 #include "base/compat.h"
 #include "result/errors.h"
 #include "base/usererror.h"

@@ -1,4 +1,4 @@
-/* errors.h -- how far an answer is from the exact one, where that is known.
+/* errors.h -- errors against exact solutions.
 
    With e = u_h - u over a body, integrated finely enough not to show, also where the exact solution is singular,
        l2^2 = int |e|^2,   energy^2 = int eps(e) : C eps(e),

@@ -1,4 +1,4 @@
-/* fields.c -- the way back: from the unknowns y of the inequality to what the user asked for.
+/* fields.c -- fields in the user's units from the unknowns y of the inequality.
 
    Pressures at open nodes are left as computed (roundoff, not 0): the certificate has to judge the numbers that are given
    out. Whether a node is in contact is therefore a decision with a tolerance, taken here once for all outputs. */

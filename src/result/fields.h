@@ -1,4 +1,4 @@
-/* fields.h -- displacement, stress, pressure, gap and status: the answer in the user's units. */
+/* fields.h -- displacement, stress, pressure, gap and status in the user's units. */
 #ifndef MORTISE_FIELDS_H
 #define MORTISE_FIELDS_H
 

@@ -1,4 +1,4 @@
-/* gapdiscontinuity.c -- where the mean gap of a node is less than the gap is anywhere around it.
+/* gapdiscontinuity.c -- nodes whose mean gap is less than every gap around them.
 
    G_a / D_aa is a mean with weights psi_a, which are negative in part: right for gaps that are linear on a facet, and too small
    by some h^2 / (12 R) where a curve comes nearest. Where the gap has a step or a sharp bend within a facet (a formula that

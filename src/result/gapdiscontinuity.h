@@ -1,4 +1,4 @@
-/* gapdiscontinuity.h -- where the mean gap of a node is less than the gap is anywhere around it. */
+/* gapdiscontinuity.h -- nodes whose mean gap is less than every gap around them. */
 #ifndef MORTISE_GAPDISCONTINUITY_H
 #define MORTISE_GAPDISCONTINUITY_H
 

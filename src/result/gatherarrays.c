@@ -1,4 +1,4 @@
-/* gatherarrays.c -- arrays of all ranks, one behind the other, on the first one. */
+/* gatherarrays.c -- arrays of all ranks, concatenated on the first rank. */
 #include "result/gatherarrays.h"
 #include "base/compat.h"
 

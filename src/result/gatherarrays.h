@@ -1,4 +1,4 @@
-/* gatherarrays.h -- arrays of all ranks on the first one. */
+/* gatherarrays.h -- arrays of all ranks, concatenated on the first rank. */
 #ifndef MORTISE_GATHERARRAYS_H
 #define MORTISE_GATHERARRAYS_H
 

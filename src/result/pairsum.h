@@ -1,4 +1,4 @@
-/* pairsum.h -- one contact pair in a few numbers. */
+/* pairsum.h -- force, area, extent and centre of pressure of one pair. */
 #ifndef MORTISE_PAIRSUM_H
 #define MORTISE_PAIRSUM_H
 

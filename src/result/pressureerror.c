@@ -1,4 +1,4 @@
-/* pressureerror.c -- the error of a pressure as the field that is written out, and row by row. */
+/* pressureerror.c -- error of a pressure, as the field in files and row by row. */
 #include "base/compat.h"
 #include "result/pressureerror.h"
 

@@ -1,4 +1,4 @@
-/* probes.c -- finds probes in their bodies and interpolates. Places are those before the motion. */
+/* probes.c -- location of probes in their bodies, and interpolation there. Places are undeformed. */
 #include <string.h>
 #include "result/probes.h"
 #include "base/usererror.h"

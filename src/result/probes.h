@@ -1,4 +1,4 @@
-/* probes.h -- the answer at points of the user's choice. */
+/* probes.h -- displacement and stress at probes. */
 #ifndef MORTISE_PROBES_H
 #define MORTISE_PROBES_H
 

@@ -1,4 +1,4 @@
-/* roundness.c -- whether what carries a body is round.
+/* roundness.c -- test for a round support of a body.
 
    At a node of a smooth curve the facets turn by a little; at an edge by much, or they end; on a flat side not at all. */
 #include "base/compat.h"

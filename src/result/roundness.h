@@ -1,4 +1,4 @@
-/* roundness.h -- whether what carries a body is round. */
+/* roundness.h -- test for a round support of a body. */
 #ifndef MORTISE_ROUNDNESS_H
 #define MORTISE_ROUNDNESS_H
 

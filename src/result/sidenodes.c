@@ -1,4 +1,4 @@
-/* sidenodes.c -- which rank tells of which node of a side. */
+/* sidenodes.c -- the rank that reports each node of a side. */
 #include "base/compat.h"
 #include "result/sidenodes.h"
 

@@ -1,4 +1,4 @@
-/* smallstrain.c -- whether a solution is one that small displacements allow.
+/* smallstrain.c -- test of the assumption of small displacements.
 
    Strains and rotations count as small as long as their squares do not show. Where |u_i - u_j| / |x_i - x_j| between two corners
    of a cell is more than that, one of them is not: loads that are meant to be so large need another program, and most of the

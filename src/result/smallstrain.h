@@ -1,4 +1,4 @@
-/* smallstrain.h -- whether a solution is one that small displacements allow. */
+/* smallstrain.h -- test of the assumption of small displacements. */
 #ifndef MORTISE_SMALLSTRAIN_H
 #define MORTISE_SMALLSTRAIN_H
 

@@ -1,4 +1,4 @@
-/* solvabilityreport.c -- whether contact holds what supports do not, for people and for programs. */
+/* solvabilityreport.c -- the solvability report, for the terminal and for the summary. */
 #include "base/compat.h"
 #include "base/json.h"
 #include "base/warning.h"

@@ -1,4 +1,4 @@
-/* solvabilityreport.h -- what is said about bodies that only contact can hold. */
+/* solvabilityreport.h -- the report on bodies that only contact can hold. */
 #ifndef MORTISE_SOLVABILITYREPORT_H
 #define MORTISE_SOLVABILITYREPORT_H
 

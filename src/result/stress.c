@@ -1,4 +1,4 @@
-/* stress.c -- stresses at nodes, recovered from where they are best known.
+/* stress.c -- stresses at nodes, recovered from the points of highest accuracy.
 
    Derivatives of a finite element solution are one order more accurate at certain points of a cell than elsewhere: in its
    middle for order 1, at the 2 x 2 Gauss points of quads of order 2, nearly so at three points within a triangle (Barlow

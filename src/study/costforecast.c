@@ -1,4 +1,4 @@
-/* costforecast.c -- what a run that was not made yet will need.
+/* costforecast.c -- predicted time and memory of the next run.
 
    Memory = what a program takes anyway + B N^q. The first part is in the latest run of the order; B comes from the latest two,
    where they tell it: in small runs it drowns in the rest. */

@@ -1,4 +1,4 @@
-/* extrapolation.c -- see the header. */
+/* extrapolation.c -- quantities of a study extrapolated to h = 0. */
 #include <math.h>
 #include "base/compat.h"
 #include "study/extrapolation.h"

@@ -1,4 +1,4 @@
-/* meshcomparison.c -- a solution brought up to a finer mesh: where the next run begins, and to be compared with the finest. */
+/* meshcomparison.c -- interpolation of a solution to a finer mesh: as initial guess, and for differences. */
 #include <math.h>
 #include "base/compat.h"
 #include "result/errors.h"

@@ -1,4 +1,4 @@
-/* reachcheck.c -- contact farther away than was looked for.
+/* reachcheck.c -- the search radius check.
 
    A pair looks for partners within its reach, which it chooses from meshes and given displacements, or which is given. How
    far loads move the bodies is only known afterwards. If the two sides of a pair have moved by no more than the reach

@@ -1,4 +1,4 @@
-/* reachcheck.h -- contact farther away than was looked for. */
+/* reachcheck.h -- the search radius check. */
 #ifndef MORTISE_REACHCHECK_H
 #define MORTISE_REACHCHECK_H
 

@@ -1,4 +1,4 @@
-/* run.c -- the life of one problem, from its mesh on. */
+/* run.c -- one problem from its mesh to its certificate. */
 #include "base/compat.h"
 #include "base/log.h"
 #include "study/run.h"
@@ -29,7 +29,7 @@ static PetscErrorCode RunSolve_Private(Run run, Vec guess, PetscBool *again)
   PetscCall(CertificateCompute(run->fields, &run->certificate, &run->reactions));
   PetscCall(LogStageEnd(STAGE_OUTPUT));
   if (run->certificate.holds) PetscCall(ReachCheckRun(run, again));
-  PetscCall(ErrorsCompute(run->fields, &run->errors)); // within no stage: nobody needs it who does not know the answer
+  PetscCall(ErrorsCompute(run->fields, &run->errors)); // in no stage: it is not part of a solution
   /* a second solver that finds nothing says nothing against the first, which has its certificate: that is a warning */
   run->solved = (PetscBool)(run->report.converged && run->certificate.holds &&
                             (!run->check.done || !run->check.other.converged || run->check.agree));

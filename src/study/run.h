@@ -1,4 +1,4 @@
-/* run.h -- one problem from its mesh to its judged answer. */
+/* run.h -- one problem from its mesh to its certificate. */
 #ifndef MORTISE_RUN_H
 #define MORTISE_RUN_H
 

@@ -1,4 +1,4 @@
-/* study.c -- which runs a study has, and how each of them comes about. */
+/* study.c -- the runs of a study. */
 #include <math.h>
 #include "base/compat.h"
 #include "base/usererror.h"

@@ -1,4 +1,4 @@
-/* study.h -- the same scene on several meshes and orders: how much error a second of computing buys. */
+/* study.h -- the same scene on several meshes and orders: error against time. */
 #ifndef MORTISE_STUDY_H
 #define MORTISE_STUDY_H
 

@@ -1,4 +1,4 @@
-/* studycolumns.c -- everything that files tell of a run, in one list: the table and the summary take the same columns. */
+/* studycolumns.c -- the columns of a study, for table and summary. */
 #include "study/studyimpl.h"
 
 /* Where the columns go. */

@@ -1,4 +1,4 @@
-/* studyfiles.c -- the table and the summary of a study, rewritten as wholes after every run. */
+/* studyfiles.c -- table and summary of a study, rewritten after every run. */
 #include <cjson/cJSON.h>
 #include <math.h>
 #include "base/compat.h"

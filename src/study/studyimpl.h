@@ -1,4 +1,4 @@
-/* studyimpl.h -- what the files of this room share.
+/* studyimpl.h -- declarations that the files of this module share.
 
    A study is a list of records, one per run. All ranks hold the same records; files and texts are the first rank's. */
 #ifndef MORTISE_STUDYIMPL_H

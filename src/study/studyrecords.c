@@ -1,4 +1,4 @@
-/* studyrecords.c -- what a study remembers of its runs, and under which names. */
+/* studyrecords.c -- records of the runs of a study. */
 #include <math.h>
 #include "base/compat.h"
 #include "result/errors.h"

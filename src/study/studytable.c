@@ -1,4 +1,4 @@
-/* studytable.c -- what a user sees of a study on the terminal. */
+/* studytable.c -- the table of a study on the terminal. */
 #include <math.h>
 #include "base/compat.h"
 #include <string.h>
