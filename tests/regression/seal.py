@@ -21,7 +21,7 @@ def judge(run):
     second = run.again("-order", "2", "-rubber_dm_plex_box_faces", "16,16", "-plate_dm_plex_box_faces", "12,3", name="second")
     near("force, order 2", second.pair("joint")["normal_force"], LIMIT["force"], relative=2e-3)
     viewed = run.again("-scene_view", name="view").stdout
-    require("body rubber: mean dilatation in each of 2304 cells: at a Poisson's ratio of 0.4999" in viewed, "-scene_view does not tell")
+    require("body rubber: mean dilatation in each of 2304 cells: at Poisson's ratio 0.4999" in viewed, "-scene_view does not state it")
     require("body plate: mean dilatation" not in viewed, "-scene_view tells of the plate what it does not do")
     iterated(run)
 
