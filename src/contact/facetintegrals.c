@@ -85,15 +85,21 @@ static PetscErrorCode FacetIntegralFindColumns_Private(const FacetPartner *partn
 }
 
 /* Adds one quadrature point to M. [in] columns - of the mortar facet's nodes; psi - [n] */
-static void FacetIntegralAddPoint_Private(const ClipPoint *point, ElementType mortar, const PetscInt columns[],
-                                          const PetscReal psi[], FacetIntegral *integral)
+static void FacetIntegralAddPoint_Private(const FacetPartner *partner, const ClipFacet *facet, PetscInt mortar,
+                                          const ClipPoint *point, const PetscInt columns[], const PetscReal psi[],
+                                          FacetIntegral *integral)
 {
-  PetscReal phi_m[ELEMENT_MAX_NODES];
+  const ClipFacet other = OverlapPointsMortarFacet(partner, mortar);
+  const PetscInt  num   = ElementNumNodes(other.type);
+  PetscReal       phi_m[ELEMENT_MAX_NODES], extra[ELEMENT_MAX_FACET_NODES * ELEMENT_MAX_FACET_NODES];
+  PetscBool       turns = integral->turns;
 
-  ElementShape(mortar, point->eta, phi_m, NULL);
-  for (PetscInt j = 0; j < ElementNumNodes(mortar); j++) {
+  ElementShape(other.type, point->eta, phi_m, NULL);
+  if (turns) turns = LeverArmAlongRows(partner->dim, integral->n, facet, &other, point, extra);
+  for (PetscInt j = 0; j < num; j++) {
     PetscReal *M = &integral->M[columns[j] * ELEMENT_MAX_FACET_NODES];
-    for (PetscInt i = 0; i < integral->n; i++) M[i] += point->weight * psi[i] * phi_m[j];
+    for (PetscInt i = 0; i < integral->n; i++)
+      M[i] += point->weight * psi[i] * (turns ? phi_m[j] + extra[i * num + j] : phi_m[j]);
   }
 }
 
@@ -142,7 +148,7 @@ static PetscErrorCode FacetIntegralSumPoints_Private(const FacetPartner *partner
     DualBasisEvaluate(&dual, &xi[2 * p], psi);
     PetscCall(FacetIntegralGapAt_Private(partner, num_nodes, facet->X, phi, &gap));
     if (p == 0 || f != list->facet[p - 1]) PetscCall(FacetIntegralFindColumns_Private(partner, f, integral, columns));
-    if (f >= 0) FacetIntegralAddPoint_Private(&list->point[p], partner->mortar->type[f], columns, psi, integral);
+    if (f >= 0) FacetIntegralAddPoint_Private(partner, facet, f, &list->point[p], columns, psi, integral);
     if (f >= 0 && partner->spec->type == PAIR_TIED)
       FacetIntegralAddArm_Private(partner, facet, f, &list->point[p], columns, psi, integral);
     integral->least_gap = PetscMin(integral->least_gap, gap);
@@ -217,7 +223,8 @@ PetscErrorCode FacetIntegralCompute(const FacetPartner *partner, const ClipFacet
   integral->n           = ElementNumNodes(carrier);
   integral->num_columns = 0;
   integral->has_arm     = PETSC_FALSE;
-  integral->size        = ContactFacetSize(partner->dim, facet->type, facet->X);
+  integral->turns   = (PetscBool)(partner->spec->type != PAIR_TIED && LeverArmDirectionsDiffer(partner->dim, facet));
+  integral->size    = ContactFacetSize(partner->dim, facet->type, facet->X);
   integral->measure = integral->cover = 0;
   integral->least_gap                 = PETSC_MAX_REAL;
   for (PetscInt i = 0; i < integral->n; i++) {

@@ -22,6 +22,7 @@ typedef struct {
   OverlapBoundary
       *boundary;      /* where the cover ends, of a facet that is covered in part; without their nodes [num_boundary] */
   PetscReal *M;       /* int psi_i phi^m_j(pi) [num_columns][ELEMENT_MAX_FACET_NODES] */
+  PetscBool  turns;   /* whether the contact directions at its nodes differ (eq. 4.6) */
   PetscBool  has_arm; /* whether a tie has an arm on this facet (leverarm.h) */
   PetscReal *arm;     /* of a tie: int psi_i block_j [num_columns][ELEMENT_MAX_FACET_NODES][dim][dim] */
 } FacetIntegral;

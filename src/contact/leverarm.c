@@ -1,4 +1,4 @@
-/* leverarm.c -- lever arms of a tie across a gap: how the point that a tied point is linked to turns. */
+/* leverarm.c -- constraint rows across a gap: how the point that a tied point is linked to turns, and the line of action of a contact row. */
 #include "base/compat.h"
 #include "contact/leverarm.h"
 
@@ -6,6 +6,10 @@
 static const PetscReal TOUCHING = 1e-10;
 /* A facet of a smaller measure than this share of its size squared, or in a plane of its size, has no tangent plane. */
 static const PetscReal DEGENERATE = 1e-12;
+/* A direction meets a facet that it faces: the cosine with the facet's normal is below this. */
+static const PetscReal FACING = -0.3;
+/* Unit vectors that differ by less are equal. */
+static const PetscReal TURN_TOLERANCE = 1e-12;
 
 /* Gradients along a facet of its shape functions, g_i = sum_ab dphi_ia G^-1_ab t_b. Returns whether it has any. [out] g - [num_nodes][dim] */
 static PetscBool LeverArmSurfaceGradients_Private(PetscInt dim, const ClipFacet *facet, const PetscReal dphi[],
@@ -60,6 +64,46 @@ PetscBool LeverArmAtPoint(PetscInt dim, const ClipFacet *facet, const ClipFacet 
     for (PetscInt k = 0; k < dim; k++)
       for (PetscInt l = 0; l < dim; l++)
         blocks[(i * dim + k) * dim + l] = (k == l ? along : 0) - across * g[i * dim + k] * n[l];
+  }
+  return PETSC_TRUE;
+}
+
+PetscBool LeverArmDirectionsDiffer(PetscInt dim, const ClipFacet *facet)
+{
+  for (PetscInt i = dim; i < ElementNumNodes(facet->type) * dim; i++)
+    if (PetscAbsReal(facet->N[i] - facet->N[i % dim]) > TURN_TOLERANCE) return PETSC_TRUE;
+  return PETSC_FALSE;
+}
+
+PetscBool LeverArmAlongRows(PetscInt dim, PetscInt num_rows, const ClipFacet *facet, const ClipFacet *mortar,
+                            const ClipPoint *point, PetscReal extra[])
+{
+  const PetscInt num = ElementNumNodes(mortar->type);
+  PetscReal      phi[ELEMENT_MAX_NODES], dphi[2 * ELEMENT_MAX_NODES], g[3 * ELEMENT_MAX_FACET_NODES], x[3], y[3], n[3];
+  PetscReal      across = 0, facing = 0;
+
+  ElementSurface(facet->type, facet->X, point->xi, x, phi, NULL);
+  ElementSurface(mortar->type, mortar->X, point->eta, y, phi, n);
+  ElementShape(mortar->type, point->eta, phi, dphi);
+  if (!LeverArmSurfaceGradients_Private(dim, mortar, dphi, g)) return PETSC_FALSE;
+  for (PetscInt k = 0; k < dim; k++) {
+    across += (y[k] - x[k]) * n[k];
+    facing += n[k] * facet->N[k];
+  }
+  if (facing > 0) { // the order of a facet's nodes may turn its normal inwards
+    across = -across;
+    for (PetscInt k = 0; k < dim; k++) n[k] = -n[k];
+  }
+  for (PetscInt i = 0; i < num_rows; i++) {
+    const PetscReal *na     = &facet->N[i * dim];
+    PetscReal        cosine = 0;
+
+    for (PetscInt k = 0; k < dim; k++) cosine += na[k] * n[k];
+    for (PetscInt j = 0; j < num; j++) {
+      extra[i * num + j] = 0;
+      for (PetscInt k = 0; k < dim && cosine < FACING; k++)
+        extra[i * num + j] += g[j * dim + k] * (x[k] + across / cosine * na[k] - y[k]);
+    }
   }
   return PETSC_TRUE;
 }

@@ -26,6 +26,9 @@ static const PetscReal RESIDUAL_ROUNDING = 1e-13;
 static const PetscReal PERTURBATION = 1e-6;
 /* ... by at least this distance. */
 static const PetscReal OUTSIDE = 1e-11;
+/* A motion that opens no contact by more than this part of its size is a free motion: on curved sides, rows that took over those of removed
+   nodes are not more exact. */
+static const PetscReal OPENS = 1e-3;
 
 /* u of mode k. Not collective. [out] u - ghosted, ghosts not set */
 static PetscErrorCode SolvabilityGetModeDisplacement_Private(VI vi, PetscInt k, Vec u)
@@ -218,11 +221,11 @@ static PetscErrorCode SolvabilitySetUnresistedMotion_Private(VI vi, const Cone *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a motion moves a loaded component. [in,out] opens - set for rows that it opens [cone->num] */
+/* Whether a motion opens contacts and moves a loaded component. Collective. [in,out] opens - set for rows that it opens [cone->num] */
 static PetscErrorCode SolvabilityMovesLoads_Private(VI vi, const Cone *cone, const PetscReal phi[], const PetscReal q[],
                                                     PetscBool opens[], PetscBool *loads)
 {
-  PetscReal size = 0;
+  PetscReal size = 0, widest = 0;
 
   PetscFunctionBeginUser;
   *loads = PETSC_FALSE;
@@ -238,7 +241,10 @@ static PetscErrorCode SolvabilityMovesLoads_Private(VI vi, const Cone *cone, con
 
     for (PetscInt k = 0; k < cone->m; k++) opening -= cone->rows[r * cone->m + k] * q[k];
     if (opening > PERTURBATION * size) opens[r] = PETSC_TRUE;
+    widest = PetscMax(widest, opening);
   }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &widest, 1, MPIU_REAL, MPIU_MAX, cone->comm));
+  if (!(widest > OPENS * size)) *loads = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -33,11 +33,18 @@ def turning(v, n, gradients):
     return {b: (v @ g) * np.eye(len(v)) - (v @ n) * np.outer(g, n) for b, g in gradients.items()}
 
 
+def beside(x, y, n, along, gradients):
+    """{node: what joins its shape function at y} of a row at x that meets the facet through y along its own direction (4.6)."""
+    to = x + (y - x) @ n / (along @ n) * along - y if along @ n < -0.3 else np.zeros(len(x))
+    return {b: to @ g for b, g in gradients.items()}
+
+
 class Pair:
     """Weights, couplings and gaps of eqs. 3.2 and 3.3, and from them the rows of B with one multiplier each.
 
     What is left open: set_normals() sums up normals at nodes; rays(facet) yields points of a facet: place on the reference
-    facet, weight, gap, {mortar node: shape function}, and of ties {mortar node: what it does to the link}; read_obstacle() reads one.
+    facet, weight, gap, {mortar node: shape function}, and of ties {mortar node: what it does to the link}, of contacts a function that turns a
+    row's direction into {mortar node: what joins the shape function}; read_obstacle() reads one.
     """
 
     def __init__(self, name, scene):
@@ -122,11 +129,11 @@ class Pair:
             for b, value in zip(facet, (psi[i] * w) @ phi.T):
                 row[b] = row.get(b, 0.0) + value
             self.G[node] = self.G.get(node, 0.0) + (w * psi[i]) @ gaps
-            for (_, _, _, mortar, arms), weight in zip(rays, w * psi[i]):
+            for (_, _, _, mortar, more), weight in zip(rays, w * psi[i]):
                 for b, shape in mortar.items():
                     row[b] = row.get(b, 0.0) - weight * shape
-                for b, block in arms.items():
-                    add_to(self.arms.setdefault(node, {}), b, -weight * block)
+                for b, value in more.items() if self.tied else more(self.normal[node]).items():
+                    add_to(self.arms.setdefault(node, {}) if self.tied else row, b, -weight * value)
 
     def keeps(self, node):
         """Whether a node carries its multiplier."""

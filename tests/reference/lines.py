@@ -9,7 +9,7 @@ import numpy as np
 from numpy.polynomial import polynomial as poly
 
 from bodies import MANY, gauss, numbers
-from contact import Pair, frame, turning, unit
+from contact import Pair, beside, frame, turning, unit
 
 LINES = {2: np.array([[1, -1], [0, 1]]), 3: np.array([[1, -3, 2], [0, -1, 2], [0, 4, -4]])}  # phi by powers of s
 PLACES = (0.0, 1.0, 0.5)  # of the nodes of a facet
@@ -221,14 +221,15 @@ class LinePair(Pair):
                 w *= math.hypot(*outward(x, s))
                 point, direction = ray(s)
                 if not self.mortar:
-                    yield (s,), w, self.distance(point, direction) - self.bulge(facet, s, direction), {}, {}
+                    yield (s,), w, self.distance(point, direction) - self.bulge(facet, s, direction), {}, {} if self.tied else lambda along: {}
                     continue
                 _, gap, eta, other = self.meet(point, direction, [seen[3]])
                 gap += self.bulge(other, eta, direction) - self.bulge(facet, s, direction)
-                yield (s,), w, gap, dict(zip(other, poly.polyval(eta, LINES[len(other)].T))), self.arms_at(point, other, eta) if self.tied else {}
+                yield (s,), w, gap, dict(zip(other, poly.polyval(eta, LINES[len(other)].T))), self.more_at(point, other, eta)
 
-    def arms_at(self, point, facet, s):
+    def more_at(self, point, facet, s):
         c = self.geometry(facet)
-        n, slopes = outward(c, s), poly.polyval(s, poly.polyder(LINES[len(facet)].T))
+        n, slopes, foot = outward(c, s), poly.polyval(s, poly.polyder(LINES[len(facet)].T)), poly.polyval(s, c)
         tangent = np.array([-n[1], n[0]]) / (n @ n)
-        return turning(point - poly.polyval(s, c), unit(n), {b: slope * tangent for b, slope in zip(facet, slopes)})
+        gradients = {b: slope * tangent for b, slope in zip(facet, slopes)}
+        return turning(point - foot, unit(n), gradients) if self.tied else lambda along: beside(point, foot, unit(n), along, gradients)

@@ -10,7 +10,7 @@ import itertools
 import numpy as np
 
 from bodies import CORNERS, gauss
-from contact import Pair, frame, turning, unit
+from contact import Pair, beside, frame, turning, unit
 
 EXACT = 7  # Gauss points in each direction: to degree 12 in the plane
 CLOSE = 1e-12  # of a facet's size
@@ -108,5 +108,8 @@ class SpacePair(Pair):
                     place, x = mine.at(p)
                     eta, y = theirs.at(p)
                     phi, slopes = theirs.shape.at(eta)
-                    arms = turning(x - y, unit(np.cross(*theirs.edges.T)), dict(zip(other, slopes @ theirs.gradient))) if self.tied else {}
-                    yield place, v * w * r * area * mine.measure, (y - x) @ n, dict(zip(other, phi)), arms
+                    yield place, v * w * r * area * mine.measure, (y - x) @ n, dict(zip(other, phi)), self.more_at(x, y, theirs, dict(zip(other, slopes @ theirs.gradient)))
+
+    def more_at(self, x, y, theirs, gradients):
+        n = unit(np.cross(*theirs.edges.T))
+        return turning(x - y, n, gradients) if self.tied else lambda along: beside(x, y, n, along, gradients)
