@@ -3,7 +3,6 @@ import math
 
 import numpy as np
 import roundmesh
-from judge import LONG
 from scenes import Findings, Scene, force, judge_force, require
 
 RIM = "bottom+left+right+top"
@@ -66,7 +65,6 @@ def judge(run):
             for turned in (0, 0.3):
                 with found.case():
                     judge_row(run, order, swapped, turned)
-            if LONG or not swapped:
-                with found.case():
-                    judge_bearing(run, order, not swapped)
+            with found.case():
+                judge_bearing(run, order, not swapped)
     found.end()
