@@ -10,6 +10,7 @@ from judge import near, require
 def judge(run):
     pair = run.pair("joint")
     near("force", -4 * pair["force"][2], 1529.2, relative=7e-3)
+    near("moment between the two forces of the pair, across a gap that is curved", pair["moment_imbalance"], 0, absolute=1e-12)
     table = run.table("joint")
     p = np.array(table["pressure"])
     near("pressure at the pole", p[np.argmin(np.hypot(table["x"], table["y"]))], 7.417, relative=7e-3)
