@@ -46,9 +46,9 @@ PetscErrorCode HierarchyCreate(HierarchyInput *input, Hierarchy *hierarchy);
 /* Whether there is one or not. Collective. */
 PetscErrorCode HierarchyDestroy(Hierarchy *hierarchy);
 
-/* Who decides whether all that was done on the levels costs too much. Not collective. [in] is_over - collective, or NULL; [in] ctx - borrowed */
+/* Sets the test that ends an iteration which costs too much. Not collective. [in] is_over - collective, or NULL; [in] ctx - borrowed */
 PetscErrorCode HierarchySetCostTest(Hierarchy hierarchy, PetscErrorCode (*is_over)(void *, PetscBool *), void *ctx);
-/* The answer; false without a test. Collective. */
+/* The result of that test; false without one. Collective. */
 PetscErrorCode HierarchyIsOver(Hierarchy hierarchy, PetscBool *over);
 
 #endif

@@ -206,7 +206,7 @@ static PetscErrorCode NestedIterationMoveToBounds_Private(const Operator *op, Ve
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets a level to what is solved on it, with a proximal term where contact alone holds bodies. */
+/* Prepares the system of a level, with a proximal term where only contact holds bodies. */
 static PetscErrorCode NestedIterationBeginLevel_Private(MeshLevels levels, PetscInt m, Solvability solvability,
                                                         Proximal *proximal)
 {
