@@ -90,8 +90,8 @@ typedef struct {
 -  -skip_petscrc        - leaves PETSc's own files of options alone
 
    Notes:
-   Where PETSc does not run, options files are read and checked here: a missing or malformed one, or a word that is no
-   option, is a mistake of the user, and PETSc is not started. A caller who has started PETSc gives no arguments.
+   If PETSc does not run, options files are read and checked here. A missing or malformed file, or a word that is no
+   option, is a user error; PETSc is not started then. If PETSc runs already, pass NULL for both arguments.
    MPI is started if it does not run. Call MortiseFinalize() in either case, also after a mistake.
 
    Level: beginner

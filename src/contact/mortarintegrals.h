@@ -44,7 +44,7 @@ PetscErrorCode MortarIntegralsCreate(Level *level, const FacetPartner *partner, 
                                      MortarIntegrals *sums);
 PetscErrorCode MortarIntegralsDestroy(MortarIntegrals *sums);
 
-/* An empty matrix, node x node, with room in the rows of each facet's nodes for what the facet brings to them. Collective.
+/* Creates an empty matrix, node x node, preallocated for the entries of each facet in the rows of its nodes. Collective.
    [in] entries - of each facet [facets->num] */
 PetscErrorCode MortarIntegralsCreateMat(Level *level, const Facets *facets, const PetscInt entries[], Mat *A);
 /* The same with a block of size bs for each of a facet's entries, unknown x unknown. Collective. */
