@@ -53,7 +53,7 @@ typedef PetscCtxRt ContainerArgument;
 #define MPIU_BOOL MPI_C_BOOL
 #endif
 
-/* The line search that minimises the residual has another name since 3.24. */
+/* The line search that minimizes the residual has another name since 3.24. */
 #if PETSC_VERSION_LT(3, 24, 0)
 #define SNESLINESEARCHSECANT SNESLINESEARCHL2
 #endif

@@ -5,7 +5,7 @@
 #include <petscsys.h>
 
 /* Lets cJSON, which cannot return an error, and BLAS, which would wait for ever, end the program by UserErrorEndMemory(). The
-   buffer of BLAS is taken now. Not collective; MPI is initialised. */
+   buffer of BLAS is taken now. Not collective; MPI is initialized. */
 void MemoryPrepare(void);
 
 /* bytes = sum over the ranks of the largest resident memory so far, since the program began or since MemoryPeakReset().

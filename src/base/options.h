@@ -13,7 +13,7 @@
 
 /* Expands ~/.petscrc, ./.petscrc and ./petscrc (unless -skip_petscrc), the variable PETSC_OPTIONS and every -options_file
    (also inside files) into one argument list for PetscInitialize(), which then has nothing left to read.
-   Collective on MPI_COMM_WORLD; MPI is initialised, PETSc is not. The first rank's command line counts.
+   Collective on MPI_COMM_WORLD; MPI is initialized, PETSc is not. The first rank's command line counts.
    [out] argc_out, argv_out - the expanded list, owned by the module until the next call
    [out] sentence           - one sentence if something is wrong (a missing or malformed file, a stray word), else ""
                               (array of shape [len], the same on all ranks) */

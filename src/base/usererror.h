@@ -43,7 +43,7 @@ void UserErrorSetQuiet(PetscBool quiet);
 PetscErrorCode UserErrorCatchSignals(void);
 
 /* Memory ran out where no error can be returned: says so and ends all ranks with exit code MORTISE_FAILED. Not collective;
-   MPI is initialised. Does not return. */
+   MPI is initialized. Does not return. */
 void UserErrorEndMemory(void);
 
 /* Raises a user error that all ranks know of: the first rank prints "mortise: <sentence>" on stderr.

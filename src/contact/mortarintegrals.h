@@ -14,7 +14,7 @@ PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, const Side
 PetscErrorCode ContactNormalSet(Level *level, const FacetPartner *partner, const Facets *facets, const SideShape *shape,
                                 Vec normals);
 
-/* Sums what ranks hold of normals at their nodes, and normalises; zero stays zero. Collective. [in,out] normals - ghosted */
+/* Sums what ranks hold of normals at their nodes, and normalizes; zero stays zero. Collective. [in,out] normals - ghosted */
 PetscErrorCode NodalNormalsShare(Level *level, Vec normals);
 
 /* Where facets meet at more than 45 degrees, takes the node's normal from those that see the other side. Collective.

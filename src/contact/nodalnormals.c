@@ -25,7 +25,7 @@ PetscErrorCode NodalNormalsShare(Level *level, Vec normals)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sums of the weighted normals of facets at their nodes, normalised; zero where there is none. Collective.
+/* Sums of the weighted normals of facets at their nodes, normalized; zero where there is none. Collective.
    [in] counts - which facets [facets->num], or NULL for all; [out] normals - ghosted */
 static PetscErrorCode NodalNormalsSum_Private(Level *level, const Facets *facets, const PetscBool counts[], Vec normals)
 {

@@ -50,7 +50,7 @@ static PetscInt OverlapLinePoints_Private(const FacetPartner *partner, const Cli
 }
 
 /* Points of the part [from, to] of a facet against one mortar facet, on the facet's own reference cell. The part is a
-   facet of the same type; its normals are those of the whole facet, not normalised, and send the same rays. */
+   facet of the same type; its normals are those of the whole facet, not normalized, and send the same rays. */
 static PetscInt OverlapLineClipPart_Private(const ClipFacet *facet, const PetscReal ends[], const ClipFacet *mortar,
                                             PetscInt num_gauss, ClipPoint points[])
 {

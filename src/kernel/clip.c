@@ -60,7 +60,7 @@ static PetscReal ClipRaySide_Private(const PetscReal x[], const PetscReal n[], c
   return VectorCrossPlane(r, n);
 }
 
-/* x, and n not normalised, at xi; returns |dx/dxi|. */
+/* x, and n not normalized, at xi; returns |dx/dxi|. */
 static PetscReal ClipRayAt_Private(const ClipFacet *facet, PetscReal xi, PetscReal x[], PetscReal n[])
 {
   PetscReal       phi[ELEMENT_MAX_NODES];

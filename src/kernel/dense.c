@@ -1,4 +1,4 @@
-/* dense.c -- Cholesky's factorisation and Jacobi's eigenvalue iteration on small symmetric matrices.
+/* dense.c -- Cholesky's factorization and Jacobi's eigenvalue iteration on small symmetric matrices.
 
    References:
      [1] G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed. (2013), sections 4.2 and 8.5. */

@@ -7,7 +7,7 @@
 #include "base/compat.h"
 
 enum {
-  COARSEST_UNKNOWNS = 800, /* with fewer there is one more level and hardly a cheaper factorisation */
+  COARSEST_UNKNOWNS = 800, /* with fewer there is one more level and hardly a cheaper factorization */
   CELLS_A_RANK      = 40   /* for parts that are even within some percent */
 };
 

@@ -1,6 +1,6 @@
 /* partition.c -- the partition: bodies that touch share ranks where they touch.
 
-   METIS minimises the weight of cut edges in the graph of cells. Cells of two bodies share no facet, so a plain
+   METIS minimizes the weight of cut edges in the graph of cells. Cells of two bodies share no facet, so a plain
    partition of two equal bodies gives one to each of two ranks and makes all contact remote. Cells whose facets may
    touch are therefore joined by extra, heavier edges. These alone would give all contact to one rank, if that has room for it:
    contact is work, and is shared out as the cells are [1]. Edges across which cells are short are heavier too: there K couples

@@ -264,7 +264,7 @@ static PetscErrorCode PDASSetFromOptions_Private(SNES snes)
                              "pdas.h", pdas->c, &pdas->c, NULL));
   PetscCall(PetscOptionsEList("-snes_pdas_start", "Initial active set", "pdas.h", PDASStarts, START_COUNT,
                               PDASStarts[start], &start, &pdas->start_set));
-  PetscCall(PetscOptionsBool("-snes_pdas_reduce", "One factorisation for all active sets; default: where it is cheap",
+  PetscCall(PetscOptionsBool("-snes_pdas_reduce", "One factorization for all active sets; default: where it is cheap",
                              "pdas.h", pdas->reduce, &pdas->reduce, &pdas->reduce_set));
   PetscOptionsEnd();
   pdas->start = (PDASStart)start;

@@ -12,7 +12,7 @@
 
 /* Registers the type; call once after PetscInitialize(). Not collective.
    Options: -snes_pdas_c <1>, -snes_pdas_start <empty> (empty|full|gap|previous), -snes_max_it, -snes_rtol (of the
-   linear residual), -snes_pdas_reduce <auto>: whether one factorisation serves all active sets (dense Schur
+   linear residual), -snes_pdas_reduce <auto>: whether one factorization serves all active sets (dense Schur
    complement of the bounded unknowns). By itself pdas reduces when the KSP is a plain MUMPS Cholesky solve and the
    bounded unknowns are few. */
 PetscErrorCode PDASRegister(void);

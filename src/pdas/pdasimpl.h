@@ -64,7 +64,7 @@ PetscErrorCode ActiveSetUpdate(ActiveSet *set, const ActiveSolution *solution, P
 #define FAILURE_MEMORY "the direct solver ran out of memory: try -mat_mumps_icntl_14 100, or -pc_type truncatedmg"
 #define FAILURE_ITERATIVE                                                                                              \
   "the linear solver did not converge: try -pc_type cholesky, which does not iterate, or a larger -ksp_max_it"
-#define FAILURE_COST "the iteration cost more than a factorisation"
+#define FAILURE_COST "the iteration cost more than a factorization"
 
 /* A solver of y_i = value_i where fixed, (A y - b)_i = 0 elsewhere. All functions are collective. */
 typedef struct _n_ActiveSolver *ActiveSolver;
@@ -94,7 +94,7 @@ struct _n_ActiveSolver {
   PetscErrorCode (*finish)(ActiveSolver, ActiveSolution *solution, Vec y);
   /* d = A_FF^-1 f for the last set, F the unknowns that were not fixed; of an iterative solver its preconditioner, B f.
      [in] f - 0 where fixed; [out] d - 0 where fixed; [out] alpha - the smallest Ritz value of B A_FF, 1 with a
-     factorisation, 0 where it is not known */
+     factorization, 0 where it is not known */
   PetscErrorCode (*correct)(ActiveSolver, Vec f, Vec d, PetscReal *alpha);
   /* Norm and reactions of d = A_FF^-1 f for half the cost; NULL if the solver cannot. [in] f - 0 where fixed; [out] square - |d|_A^2; [out] felt - A d where fixed [n] */
   PetscErrorCode (*measure)(ActiveSolver, Vec f, PetscReal *square, PetscReal felt[]);

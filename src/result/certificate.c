@@ -17,7 +17,7 @@
 #include "result/certificate.h"
 #include "base/compat.h"
 
-/* What a test allows. A factorisation leaves 1e-12; what has to pass as well is an iterative solver that stops at its default
+/* What a test allows. A factorization leaves 1e-12; what has to pass as well is an iterative solver that stops at its default
    relative residual of 1e-8. That is relative to a right-hand side in which given displacements count as forces, and these
    may be tens of times the forces that are left in the solution, in a norm of its own. */
 static const PetscReal TOLERANCE = 1e-6;

@@ -35,7 +35,7 @@ static PetscErrorCode SetMotion_Private(const Level *level, PetscInt body, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Orthonormalises against the vectors before; drops it where nothing is left (its body is fully held). */
+/* Orthonormalizes against the vectors before; drops it where nothing is left (its body is fully held). */
 static PetscErrorCode Orthonormalize_Private(PetscInt *num, Vec vectors[])
 {
   PetscReal   before, after;

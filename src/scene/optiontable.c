@@ -167,13 +167,13 @@ static const OptionEntry table[] = {
      "Initial active set: no node, every node, nodes that overlap, or that of the previous solve; full by default if "
      "contact alone supports a body."},
     {GROUP_SOLVER, "-snes_pdas_reduce", "0|1", "", "(if it is cheap)",
-     "One factorisation for all active sets, with a dense matrix for the nodes that may touch."},
+     "One factorization for all active sets, with a dense matrix for the nodes that may touch."},
     {GROUP_SOLVER, "-stop", "residual|discretisation", "", "residual",
      "Stopping criterion: -snes_rtol, or an error of the solver of a tenth of the discretisation error, in the energy "
      "norm. The coarser levels of the mesh give the latter."},
     {GROUP_SOLVER, "-cross_check", "0|1", "", "0",
      "Solves with pdas and with vinewtonrsls and compares; a difference gives exit code 3. The second solver uses "
-     "multigrid if the first does, else a factorisation (or -cross_check_pc_type). It has 500 iterations or twice "
+     "multigrid if the first does, else a factorization (or -cross_check_pc_type). It has 500 iterations or twice "
      "those of the first (or -cross_check_snes_max_it). A warning tells if it does not converge."},
     {GROUP_SOLVER, "-measure_linear", "0|1", "", "0",
      "After the solution, solves one linear system with its active set, from zero to 1e-8, with a new setup of the "
@@ -186,11 +186,11 @@ static const OptionEntry table[] = {
     {GROUP_PETSC, "-snes_monitor", "", "", "(off)", "PETSc's line for every nonlinear iteration."},
     {GROUP_PETSC, "-snes_converged_reason", "", "", "(off)", "Prints why the nonlinear solver ended."},
     {GROUP_PETSC, "-ksp_type", "name", "", "(by size)",
-     "Linear solver: preonly for a factorisation, cg with a preconditioner."},
+     "Linear solver: preonly for a factorization, cg with a preconditioner."},
     {GROUP_PETSC, "-ksp_rtol", "x", "", "1e-10",
-     "Relative tolerance of an iterative linear solver; a factorisation does not need it."},
+     "Relative tolerance of an iterative linear solver; a factorization does not need it."},
     {GROUP_PETSC, "-ksp_*", "", "", "",
-     "All other options of KSP: -ksp_monitor, -ksp_view, -ksp_max_it. They have no effect if one factorisation serves "
+     "All other options of KSP: -ksp_monitor, -ksp_view, -ksp_max_it. They have no effect if one factorization serves "
      "all active sets (-snes_pdas_reduce 0 prevents that)."},
     {GROUP_PETSC, "-pc_type", "name", "", "(by size)",
      "Preconditioner: cholesky, truncatedmg (multigrid), gamg, hypre, jacobi."},

@@ -70,7 +70,7 @@ static PetscErrorCode CostModelPredict_Private(CostModel *model)
   PetscCall(MemorySuffices(set.comm, cost.bytes, &suffices));
   model->asked = PETSC_TRUE;
   model->on    = (PetscBool)(cost.known && suffices);
-  PetscCall(PetscInfo(vi->K, "a factorisation takes %g products, and %g for each set; memory %s\n", (double)model->once,
+  PetscCall(PetscInfo(vi->K, "a factorization takes %g products, and %g for each set; memory %s\n", (double)model->once,
                       (double)model->set, suffices ? "suffices" : "does not suffice"));
   PetscCall(PetscFree(C));
   PetscCall(ActiveSetDestroy(&set));

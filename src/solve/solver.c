@@ -115,8 +115,8 @@ static PetscErrorCode SolverFallBack_Private(Solver solver, const SolverChoice *
   PetscCall(SolverRun(solver, &other, progress, guess, y, report));
   report->gave_way = PETSC_TRUE;
   if (!slow || report->converged) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(WarningAdd(&(Warning){.code = "solver_replaced", .advice = "-pc_type truncatedmg avoids the factorisation"},
-                       "the factorisation that replaced the iteration failed; the iteration continues to its end"));
+  PetscCall(WarningAdd(&(Warning){.code = "solver_replaced", .advice = "-pc_type truncatedmg avoids the factorization"},
+                       "the factorization that replaced the iteration failed; the iteration continues to its end"));
   other        = *choice;
   other.yields = PETSC_FALSE;
   PetscCall(SolverRun(solver, &other, progress, guess, y, report));

@@ -26,7 +26,7 @@ PetscErrorCode SolverChoiceDescribe(const char ksp[], const char pc[], const cha
 {
   PetscFunctionBeginUser;
   if (SolverChoiceFactors(pc) && !strcmp(ksp, KSPPREONLY)) {
-    PetscCall(PetscSNPrintf(words, len, "%s factorisation%s%s", strcmp(pc, PCLU) ? "Cholesky" : "LU",
+    PetscCall(PetscSNPrintf(words, len, "%s factorization%s%s", strcmp(pc, PCLU) ? "Cholesky" : "LU",
                             package ? " by " : "", package ? package : ""));
   } else {
     PetscCall(PetscSNPrintf(words, len, "%s with %s", ksp, pc));
@@ -205,7 +205,7 @@ static PetscErrorCode SolverChoiceChooseBySize_Private(VI vi, PetscBool floating
   if (thin) {
     PetscCall(SolverChoiceFactor_Private(choice));
     PetscCall(
-        PetscStrncpy(choice->why, "thin bodies: a factorisation costs less than an iteration", sizeof(choice->why)));
+        PetscStrncpy(choice->why, "thin bodies: a factorization costs less than an iteration", sizeof(choice->why)));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -362,13 +362,13 @@ PetscErrorCode SolverChoiceSetFallback(const SolverReport *report, SolverChoice 
   PetscCall(SolverChoiceDescribe(choice->ksp, choice->pc, NULL, words, sizeof(words)));
   if (costly) {
     PetscCall(PetscSNPrintf(why, sizeof(why),
-                            "has cost %.0f products with the matrix; a factorisation costs about %.0f",
+                            "has cost %.0f products with the matrix; a factorization costs about %.0f",
                             (double)report->work, (double)report->predicted_cost));
   } else {
     PetscCall(PetscStrncpy(why, "did not converge", sizeof(why)));
   }
   PetscCall(WarningAdd(&(Warning){.code = "solver_replaced", .advice = "-pc_type cholesky selects it at once"},
-                       "%s %s; factorising instead", words, why));
+                       "%s %s; factorizing instead", words, why));
   choice->nested = choice->stop = PETSC_FALSE; // a factorization has no error estimate to stop at
   PetscCall(SolverChoiceFactor_Private(choice));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -109,6 +109,6 @@ PetscErrorCode ThinBodiesAreCheap(VI vi, PetscBool floating, PetscInt num, Petsc
   PetscCall(VecRestoreArrayRead(ends, &a));
   PetscCall(VecDestroy(&ends));
   *cheap = (PetscBool)(least <= (floating ? FLOATING_PRODUCTS : SUPPORTED_PRODUCTS) * unit);
-  PetscCall(PetscInfo(vi->K, "a frontal factorisation takes %g products\n", (double)(least / unit)));
+  PetscCall(PetscInfo(vi->K, "a frontal factorization takes %g products\n", (double)(least / unit)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -67,7 +67,7 @@ EQUAL = [("plates", "72:56"), ("blocks", "20:16"), ("tets", "17:13"), ("hertz3d"
 # Where the second solver is asked, too.
 CROSS = [("plates", "288:224"), ("plates", "576:448"), ("squares", "512:512"), ("blocks", "20:16"), ("blocks", "40:32"), ("blocks", "60:48"),
          ("tets", "17:13"), ("hertz2d", "refined 3"), ("hertz3d", "refined 1")]
-# Tetrahedra as a mesh generator makes them: order and size of cells of ball.geo, unknowns (about), and whether factorising is bearable.
+# Tetrahedra as a mesh generator makes them: order and size of cells of ball.geo, unknowns (about), and whether factorizing is bearable.
 BALL = [(1, 0.53, 2e4, True), (1, 0.34, 6e4, True), (1, 0.22, 2e5, False), (2, 0.7, 7e4, True)]
 # A smooth exact solution, for error against cost.
 EXACT = (option("manufactured_full.opts"), boxes((4, 4), (6, 6), 0))

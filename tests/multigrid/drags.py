@@ -1,4 +1,4 @@
-"""An iteration that costs more than a factorisation would gives way to it, where nobody asked for it; where bodies are thin along an axis there is none
+"""An iteration that costs more than a factorization would gives way to it, where nobody asked for it; where bodies are thin along an axis there is none
 to begin with."""
 from judge import Run, near, require, same
 
@@ -16,7 +16,7 @@ def judge(run):
 
     both = Run(run.program, run.mpiexec, run.ranks, run.folder / "both", run.arguments + SHORT + ACROSS)
     both.require_clean()
-    require(both.exit == 0 and "factorising instead" in both.stderr and "products with the matrix" in both.stderr, f"exit {both.exit}, {both.stderr}")
+    require(both.exit == 0 and "factorizing instead" in both.stderr and "products with the matrix" in both.stderr, f"exit {both.exit}, {both.stderr}")
     solver = both.summary["solver"]
     require(solver["gave_way"] and solver["linear"].startswith("Cholesky"), f"solved by {solver['linear']}")
     near("force", both.summary["pairs"]["under"]["normal_force"], LENGTH * WEIGHT - LIFT, WITHIN)

@@ -1,7 +1,7 @@
-"""Multigrid that does not converge ends with advice where the user wanted it, and gives way to a factorisation where nobody did."""
+"""Multigrid that does not converge ends with advice where the user wanted it, and gives way to a factorization where nobody did."""
 from judge import Run, require
 
-LARGE = ("-upper_dm_plex_box_faces", "16,16,16", "-lower_dm_plex_box_faces", "12,12,12")  # more than factorisations are the default for
+LARGE = ("-upper_dm_plex_box_faces", "16,16,16", "-lower_dm_plex_box_faces", "12,12,12")  # more than factorizations are the default for
 
 
 def stopped(run, name, *arguments):
@@ -11,7 +11,7 @@ def stopped(run, name, *arguments):
     return other
 
 
-def require_factorised(run):
+def require_factorized(run):
     linear = run.summary["solver"]["linear"]
     require(run.exit == 0 and linear.startswith("Cholesky"), f"exit {run.exit}, solved by {linear}, {run.stderr}")
 
@@ -20,8 +20,8 @@ def judge(run):
     wanted = stopped(run, "wanted", "-pc_type", "truncatedmg", "-dm_refine", "1")
     require(wanted.exit == 3 and "try -pc_type cholesky" in wanted.stderr, f"exit {wanted.exit}, {wanted.stderr}")
     own = stopped(run, "own", *LARGE, "-measure_linear")
-    require("factorising instead" in own.stderr, own.stderr)
-    require_factorised(own)
-    reference = own.summary["solver"]["linear_reference"]  # of the factorisation: levels had nothing to do
+    require("factorizing instead" in own.stderr, own.stderr)
+    require_factorized(own)
+    reference = own.summary["solver"]["linear_reference"]  # of the factorization: levels had nothing to do
     require(reference["work_units"] is None and reference["contact_ratio"] > 1, f"one linear solve: {reference}")
-    require_factorised(stopped(run, "stop", "-stop", "discretisation", "-dm_refine", "2"))  # which then has nothing to stop
+    require_factorized(stopped(run, "stop", "-stop", "discretisation", "-dm_refine", "2"))  # which then has nothing to stop

@@ -1,5 +1,5 @@
 """All hard cases that have a solution, by multigrid whatever their size, with both solvers: right, or an end that says why not and what to
-try. Figures are compared by tests/hard, where factorisations solve; here it is the verdict of both solvers and of the certificate."""
+try. Figures are compared by tests/hard, where factorizations solve; here it is the verdict of both solvers and of the certificate."""
 import pathlib
 import sys
 

@@ -1,4 +1,4 @@
-# Scenes of all kinds with multigrid on the levels of their meshes, small enough for a factorisation to compare with.
+# Scenes of all kinds with multigrid on the levels of their meshes, small enough for a factorization to compare with.
 # mg(<name> [SCENE <scene>] [WARNS <code>] ARGS ...): of options/ or of this folder
 function(mg name)
   cmake_parse_arguments(arg "" "SCENE" "WARNS;ARGS" ${ARGN})

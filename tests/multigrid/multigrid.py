@@ -1,4 +1,4 @@
-"""Multigrid that keeps away from active unknowns finds what a factorisation finds: with both solvers, on any number of ranks, and each
+"""Multigrid that keeps away from active unknowns finds what a factorization finds: with both solvers, on any number of ranks, and each
 time in as many iterations."""
 import pathlib
 import sys

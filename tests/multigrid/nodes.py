@@ -1,4 +1,4 @@
-"""Multigrid on levels of some of the nodes, where the mesh has one level, finds what a factorisation finds: with both solvers, on any number of
+"""Multigrid on levels of some of the nodes, where the mesh has one level, finds what a factorization finds: with both solvers, on any number of
 ranks, in tens of iterations. Ranks choose nodes for themselves, so the numbers of iterations for a system differ a little, and sets on the way with them."""
 from judge import require
 from multigrid import RANKS, iterations_on_ranks

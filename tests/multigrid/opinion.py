@@ -39,7 +39,7 @@ def judge_agreement(run):
 def judge(run):
     judge_agreement(run)
     check = check_of(run.again("-cross_check_pc_type", "cholesky", name="factored"))
-    require(check["linear"].startswith("Cholesky") and check["displacement_difference"] <= AGREE, f"by factorisation: {check}")
+    require(check["linear"].startswith("Cholesky") and check["displacement_difference"] <= AGREE, f"by factorization: {check}")
 
     if not floats(run):
         wrong = ended(run, "wrong", 3, "-snes_rtol", "1e-3", "-ksp_rtol", "1e-3")
@@ -47,7 +47,7 @@ def judge(run):
 
     stopped = ("-cross_check_ksp_max_it", "1")
     own = ended(run, "gives_way", 0, *stopped)
-    require("factorising instead" in own.stderr and check_of(own)["linear"].startswith("Cholesky"), own.stderr)
+    require("factorizing instead" in own.stderr and check_of(own)["linear"].startswith("Cholesky"), own.stderr)
     wanted = ended(run, "not_confirmed", 0, *stopped, "-cross_check_pc_type", "truncatedmg")
     wanted.require_warned("not_confirmed")
     strict = ended(run, "strict", 3, *stopped, "-cross_check_pc_type", "truncatedmg", "-warnings", "error")

@@ -1,4 +1,4 @@
-"""CG with an algebraic multigrid in place of the factorisation: the rigid motions of every body reach the preconditioner."""
+"""CG with an algebraic multigrid in place of the factorization: the rigid motions of every body reach the preconditioner."""
 import os
 
 from judge import near, require, same

@@ -1,4 +1,4 @@
-"""Boxes begin with coarser levels by themselves where multigrid wants them: the answer is that of a factorisation on the mesh that the options
+"""Boxes begin with coarser levels by themselves where multigrid wants them: the answer is that of a factorization on the mesh that the options
 describe, as bricks and triangles, refined by body, by scene and by a study.
 """
 from judge import near, same

@@ -5,7 +5,7 @@
 #include "two_boxes.h"
 
 /* A way to solve systems: how many perturbed solutions it is tried on, and the least and the most that its bounds may be, in parts of
-   the error. A factorisation leaves six digits or more; how much larger bounds are was seen to be 1.3 and 4 on these meshes. */
+   the error. A factorization leaves six digits or more; how much larger bounds are was seen to be 1.3 and 4 on these meshes. */
 typedef struct {
   const char *options;
   PetscBool   estimated;

@@ -1,4 +1,4 @@
-/* test_dense.c -- small factorisations and eigenvalues against products and closed forms. */
+/* test_dense.c -- small factorizations and eigenvalues against products and closed forms. */
 #include "kernel/dense.h"
 #include <test.h>
 

@@ -207,7 +207,7 @@ int main(int argc, char **argv)
   PetscCall(TestCycle());
   PetscCall(TestTie());
   PetscCall(TestStart());
-  /* many small parallel factorisations take long: there, fewer of the same */
+  /* many small parallel factorizations take long: there, fewer of the same */
   PetscCall(TestConstant(size > 1 ? 2 : 10));
   PetscCall(TestCycling(size > 1 ? 4 : 21));
   PetscCall(TestRandom(size > 1 ? 20 : 120));
