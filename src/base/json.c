@@ -36,3 +36,11 @@ void JSONAddReals(cJSON *object, const char name[], PetscInt n, const PetscReal 
 
   for (PetscInt i = 0; i < n; i++) cJSON_AddItemToArray(array, JSONCreateReal_Private(values[i]));
 }
+
+void JSONAppendReals(cJSON *array, PetscInt n, const PetscReal values[])
+{
+  cJSON *inner = cJSON_CreateArray();
+
+  for (PetscInt i = 0; i < n; i++) cJSON_AddItemToArray(inner, JSONCreateReal_Private(values[i]));
+  cJSON_AddItemToArray(array, inner);
+}

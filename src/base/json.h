@@ -11,5 +11,7 @@ void JSONAddReal(cJSON *object, const char name[], PetscReal value);
 void JSONAddInt(cJSON *object, const char name[], PetscInt value);
 /* Adds an array; null in place of numbers that are not finite. */
 void JSONAddReals(cJSON *object, const char name[], PetscInt n, const PetscReal values[]);
+/* Appends such an array to an array. */
+void JSONAppendReals(cJSON *array, PetscInt n, const PetscReal values[]);
 
 #endif

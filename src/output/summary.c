@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/options.h"
+#include "output/patchsummary.h"
 #include "result/pairsum.h"
 #include "result/probes.h"
 #include "base/compat.h"
@@ -152,6 +153,7 @@ static PetscErrorCode SummaryAddPairs_Private(const SummaryInput *in, cJSON *roo
     JSONAddReals(pair, "centre_of_pressure", dim, sum.centre);
     JSONAddReal(pair, "moment_imbalance", sum.moment_imbalance);
     PetscCall(GapDiscontinuityAdd(in->fields, p, dim, pair));
+    PetscCall(PatchSummaryAdd(in->fields, p, pair));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

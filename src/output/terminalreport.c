@@ -5,6 +5,7 @@
 #include "output/output.h"
 #include "base/log.h"
 #include "base/compat.h"
+#include "output/patchsummary.h"
 #include "result/pairsum.h"
 #include "result/solvabilityreport.h"
 #include "output/numberwords.h"
@@ -32,6 +33,7 @@ static PetscErrorCode SummaryPrintPair_Private(const SummaryInput *in, PetscInt 
     if (sum.max_covered < sum.max_pressure)
       PetscCall(PetscPrintf(comm, "where the partner ends, %.6g elsewhere, ", (double)sum.max_covered));
     PetscCall(PetscPrintf(comm, "area %.6g\n", (double)sum.area));
+    PetscCall(PatchSummaryPrint(in->fields, p));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

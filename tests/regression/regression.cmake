@@ -63,3 +63,7 @@ mortise_scene_test(richardson_three SCENE three_bodies CHECK richardson.py
   ARGS -outer_dm_plex_box_faces 2,6 -middle_dm_plex_box_faces 2,5 -inner_dm_plex_box_faces 2,4 -study uniform -study_levels 4 -study_orders 1,2)
 mortise_scene_test(tied_column CHECK tied_column.py RANKS 1 3)
 mortise_scene_test(tied_discs CHECK tied_discs.py RANKS 1 3 ARGS -cross_check)
+
+# Connected patches of contact, in the plane and in space.
+mortise_scene_test(patches CHECK patches.py RANKS 1 3)
+mortise_scene_test(patches_space CHECK patches_space.py RANKS 1 3)
