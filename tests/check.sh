@@ -9,7 +9,7 @@ case "${1:-}" in
   *) echo "usage: check.sh [long]" >&2 && exit 2 ;;
 esac
 . tests/packages.sh
-install_missing $build_packages $python_packages
+install_missing $build_packages $python_packages $pip_packages
 set_up_mpi
 jobs=$(nproc)
 tests=$((2 * jobs)) # side by side: ranks wait for each other, and for mpiexec to start them

@@ -5,6 +5,9 @@ build_packages="build-essential cmake pkg-config petsc-dev openmpi-bin libmetis-
 # To read results and draw them.
 python_packages="python3 python3-numpy python3-h5py python3-matplotlib"
 
+# To install the Python package by pip, in a test.
+pip_packages="python3-pip python3-setuptools python3-venv python3-wheel"
+
 # To draw solids by pyvista, which Debian 12 does not have: a place to install it, and OpenGL without a display.
 picture_packages="python3-venv libegl1 libgl1 libgl1-mesa-dri libxrender1"
 

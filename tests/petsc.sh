@@ -10,7 +10,7 @@ mkdir -p "${2:-build/petsc-$version}"
 folder=$(realpath "${2:-build/petsc-$version}")
 shift $(($# < 2 ? $# : 2))
 . tests/packages.sh
-install_missing $build_packages $python_packages python3-pip python3-setuptools python3-wheel gfortran libscalapack-mpi-dev libhypre-dev
+install_missing $build_packages $python_packages $pip_packages gfortran libscalapack-mpi-dev libhypre-dev
 set_up_mpi
 jobs=$(nproc)
 unset PETSC_DIR PETSC_ARCH PETSC_OPTIONS

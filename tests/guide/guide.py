@@ -3,7 +3,8 @@
 
     guide.py options <mortise>             the chapter of options is what -help prints; with --write it is written anew
     guide.py summary <mortise> <folder>    every key of the summaries of some scenes is in the tables, and every key of the tables occurs
-    guide.py commands <mortise> <folder>   the files of the page are written into the folder, and all its commands run there
+    guide.py commands <mortise> <folder>   the files of the page are written into the folder, and all its commands run there; programs in
+                                           Python print what the page says
 
 Prints what is wrong, or nothing."""
 import json
@@ -13,6 +14,7 @@ import re
 import shutil
 import subprocess
 import sys
+import textwrap
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 GUIDE = TOP / "options/GUIDE.md"
@@ -139,10 +141,11 @@ FILE = re.compile(r'(?:# |// |""")(\w+\.\w+): ')  # the first line of a block th
 
 def check_commands(program, folder):
     """Without Gmsh a chapter ends where it is first called."""
-    environment = os.environ | {"PATH": f"{pathlib.Path(program).resolve().parent}{os.pathsep}{os.environ['PATH']}"}
+    environment = os.environ | {"PATH": f"{pathlib.Path(program).resolve().parent}{os.pathsep}{os.environ['PATH']}", "PYTHONPATH": str(TOP / "src/python"),
+                                "PYTHONDONTWRITEBYTECODE": "1"}
     (folder / "options").symlink_to(TOP / "options")
     for chapter in GUIDE.read_text().split("\n## "):
-        for language, block in re.findall(r"^```(\w*)\n(.*?)^```$", chapter, re.MULTILINE | re.DOTALL):
+        for language, block, said in re.findall(r"^```(\w*)\n(.*?)^```$\n*((?:^    [^\n]*\n)*)", chapter, re.MULTILINE | re.DOTALL):
             name = FILE.match(block)
             if language != "sh":
                 if name:
@@ -153,9 +156,12 @@ def check_commands(program, folder):
             for line in block.splitlines():
                 command, _, remark = line.partition("  # ")
                 wanted = int(remark.rpartition(" ")[2] or 0) if remark.startswith("exit code") else 0
-                done = subprocess.run(command, shell=True, cwd=folder, env=environment, capture_output=True, text=True, check=False)
+                called = re.sub("^python3 ", f"{sys.executable} ", command)  # that of the test has numpy
+                done = subprocess.run(called, shell=True, cwd=folder, env=environment, capture_output=True, text=True, check=False)
                 if done.returncode != wanted:
                     yield f"exit code {done.returncode}, not {wanted}: {command}\n{done.stdout}{done.stderr}"
+                elif command.startswith("python3 ") and done.stdout != textwrap.dedent(said):
+                    yield f"{command} prints\n{done.stdout}and not, as the page says,\n{said}"
 
 
 def main():
