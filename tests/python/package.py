@@ -8,6 +8,7 @@ import argparse
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -161,6 +162,24 @@ def test_failures(arguments):
     same("a program that fails", (broken.exit_code, broken.sentence), (4, "PETSC ERROR: out of memory"))
     os.environ["MORTISE"] = str(arguments.scratch / "no_such")
     require("no_such" in refused(mortise.ProgramError, mortise.find_program).sentence, "no program")
+
+
+def test_interrupt(arguments):
+    """Ctrl-C ends the runs of a sweep that are under way, and no other begins."""
+    program, script, begun = (arguments.scratch / name for name in ("program", "script.py", "begun"))
+    program.write_text(f"#!/bin/sh\necho $$ >> {begun}\nexec sleep 1000\n")
+    program.chmod(0o755)
+    script.write_text(f"import mortise\nmortise.sweep({{}}, [{{'order': 1}}] * 9, {{}}, workers=2, program={str(program)!r})\n")
+    with subprocess.Popen([sys.executable, "-B", script], env={**os.environ, "PYTHONPATH": str(TOP / "src/python")}, stderr=subprocess.PIPE, text=True) as loop:
+        while not begun.exists() or begun.read_text().count("\n") < 2:
+            require(loop.poll() is None, "the loop has ended by itself")
+            time.sleep(0.05)
+        loop.send_signal(signal.SIGINT)
+        require("KeyboardInterrupt" in loop.communicate(timeout=60)[1] and loop.returncode != 0, "the loop was not interrupted")
+    pids = list(map(int, begun.read_text().split()))
+    same("runs that began", len(pids), 2)
+    for pid in pids:
+        refused(ProcessLookupError, os.kill, pid, 0)
 
 
 def test_sweep(arguments):

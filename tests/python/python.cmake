@@ -1,7 +1,7 @@
 # The Python package: without the program; with it; and as it is installed by CMake and by pip.
 set(python_test ${MORTISE_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/package.py)
 set(python_arguments --program $<TARGET_FILE:mortise> --prefix ${CMAKE_CURRENT_BINARY_DIR}/prefix --version ${PROJECT_VERSION})
-foreach(what plain runs failures sweep installed pip)
+foreach(what plain runs failures interrupt sweep installed pip)
   add_test(NAME python.${what} COMMAND ${python_test} ${what} ${python_arguments} --scratch ${CMAKE_CURRENT_BINARY_DIR}/scratch/python.${what})
   set_tests_properties(python.${what} PROPERTIES LABELS python TIMEOUT ${MORTISE_TEST_TIMEOUT}
     ENVIRONMENT "${MORTISE_TEST_ENVIRONMENT};MPIEXEC=${MPIEXEC_EXECUTABLE};MORTISE=$<TARGET_FILE:mortise>")

@@ -12,6 +12,7 @@ import numpy as np
 
 from .errors import ResultError
 
+Array = np.ndarray[Any, np.dtype[Any]]
 NODES = {2: 2, 34: 3, 4: 3, 5: 4, 36: 6, 35: 9, 6: 4, 9: 8, 38: 10, 50: 27}  # XDMF's number of a cell: nodes
 ENDINGS = (".json", ".h5", ".xdmf", ".html", ".vtu")
 # Names of cells by dimension and number of nodes, those of meshio.
@@ -21,7 +22,7 @@ KINDS = {2: {3: "triangle", 6: "triangle6", 4: "quad", 9: "quad9"}, 3: {4: "tetr
 # --- summary ----------------------------------------------------------------------------------------------------------
 
 
-class Summary(dict):
+class Summary(dict[str, Any]):
     """The JSON summary, or an object in it: a dictionary whose keys are attributes, too.
 
     `summary.pairs.fit.normal_force` is `summary["pairs"]["fit"]["normal_force"]`. A key with other characters than those of a name, and one
@@ -40,18 +41,19 @@ class Summary(dict):
         """The value at a path, "pairs.fit.force.0": keys, and numbers of items of a list, with dots between them.
 
         Raises KeyError with the keys that exist."""
-        found, rest = self, path
+        found: Any = self
+        rest = path
         while rest:
             if isinstance(found, Mapping):
                 step = max((key for key in found if rest == key or rest.startswith(key + ".")), key=len, default=None)
             else:
                 step = rest.split(".")[0] if isinstance(found, list) else None
             try:
-                found = found[int(step)] if isinstance(found, list) else found[step]
+                found = found[int(str(step))] if isinstance(found, list) else found[step]
             except (KeyError, IndexError, TypeError, ValueError):
                 known = ", ".join(found) if isinstance(found, Mapping) else f"{len(found)} items" if isinstance(found, list) else "a single value"
                 raise KeyError(f"{path}: there is no {rest}; there is {known}") from None
-            rest = rest[len(step) + 1:]
+            rest = rest[len(str(step)) + 1:]
         return found
 
 
@@ -59,7 +61,8 @@ def read_summary(prefix: str) -> Summary:
     """The summary of the run whose -output was the prefix."""
     try:
         with open(f"{prefix}.json", encoding="utf-8") as file:
-            return json.load(file, object_hook=Summary)
+            summary: Summary = json.load(file, object_hook=Summary)
+            return summary
     except OSError as error:
         raise ResultError(f"cannot read {prefix}.json ({error.strerror}); give the -output prefix of a finished run") from None
     except ValueError:
@@ -69,7 +72,7 @@ def read_summary(prefix: str) -> Summary:
 # --- tables -----------------------------------------------------------------------------------------------------------
 
 
-def column_of(words: list[str]) -> np.ndarray:
+def column_of(words: list[str]) -> Array:
     """A column as numbers, an empty field as NaN; or, if not all are numbers, as text."""
     try:
         return np.array([float(word or "nan") for word in words], dtype=float)
@@ -77,7 +80,7 @@ def column_of(words: list[str]) -> np.ndarray:
         return np.array(words, dtype=str)
 
 
-def read_table(path: str) -> np.ndarray:
+def read_table(path: str) -> Array:
     """A CSV file as a structured array, one entry for each row: table["pressure"], table[0]["x"]. Columns are of float or of text."""
     try:
         with open(path, newline="", encoding="utf-8") as file:
@@ -87,20 +90,21 @@ def read_table(path: str) -> np.ndarray:
         raise ResultError(f"cannot read {path} ({error.strerror}); was the run finished?") from None
     except (ValueError, IndexError):
         raise ResultError(f"{path} is not a table of mortise") from None
-    table = np.zeros(len(rows), dtype=[(name.strip(), column.dtype if rows else float) for name, column in zip(names, columns)])
-    for name, column in zip(table.dtype.names, columns):
+    names = [name.strip() for name in names]
+    table = np.zeros(len(rows), dtype=[(name, column.dtype) for name, column in zip(names, columns)])
+    for name, column in zip(names, columns):
         table[name] = column
     return table
 
 
-def read_pair(prefix: str, pair: str) -> np.ndarray:
+def read_pair(prefix: str, pair: str) -> Array:
     """The nodes of the nonmortar side of a pair, <prefix>_<pair>.csv: x, y, (z,) pressure, gap, status (whole), force, (arc_length)."""
     table = read_table(f"{prefix}_{pair}.csv")
-    kinds = [(name, int if name == "status" else float) for name in table.dtype.names]
+    names = table.dtype.names or ()
     try:
-        if not {"x", "y", "pressure", "status"} <= set(table.dtype.names):
+        if not {"x", "y", "pressure", "status"} <= set(names):
             raise ValueError
-        return table.astype(kinds)
+        return table.astype([(name, int if name == "status" else float) for name in names])
     except ValueError:
         raise ResultError(f"{prefix}_{pair}.csv is not a table of mortise") from None
 
@@ -108,9 +112,9 @@ def read_pair(prefix: str, pair: str) -> np.ndarray:
 # --- fields -----------------------------------------------------------------------------------------------------------
 
 
-def read_datasets(prefix: str, needed: Iterable[str], optional: Iterable[str] = ()) -> dict[str, np.ndarray]:
+def read_datasets(prefix: str, needed: Iterable[str], optional: Iterable[str] = ()) -> dict[str, Array]:
     """Datasets of <prefix>.h5 by name; those that are optional only where they exist. options/GUIDE.md has their shapes."""
-    import h5py  # pylint: disable=import-outside-toplevel  # takes longer than all else
+    import h5py  # type: ignore[import-untyped]  # pylint: disable=import-outside-toplevel  # takes longer than all else
 
     name = f"{prefix}.h5"
     if not os.path.isfile(name):
@@ -122,7 +126,7 @@ def read_datasets(prefix: str, needed: Iterable[str], optional: Iterable[str] = 
         raise ResultError(f"{name} is not a result of mortise ({error})") from None
 
 
-def read_cells(data: np.ndarray) -> list[np.ndarray]:
+def read_cells(data: Array) -> list[Array]:
     """The dataset `cells` as blocks [cells][nodes] of one type each, in the order of the file."""
     if data.ndim == 2:
         return [data]
@@ -148,18 +152,18 @@ class BodyFields:
     motion [n][3]: only without a solution, the motion that nothing resists"""
 
     name: str
-    nodes: np.ndarray
-    points: np.ndarray
-    cells: dict[str, np.ndarray]
-    pieces: dict[str, np.ndarray] | None = None
-    displacement: np.ndarray | None = None
-    stress: np.ndarray | None = None
-    von_mises: np.ndarray | None = None
-    principal: np.ndarray | None = None
-    pressure: np.ndarray | None = None
-    gap: np.ndarray | None = None
-    status: np.ndarray | None = None
-    motion: np.ndarray | None = None
+    nodes: Array
+    points: Array
+    cells: dict[str, Array]
+    pieces: dict[str, Array] | None = None
+    displacement: Array | None = None
+    stress: Array | None = None
+    von_mises: Array | None = None
+    principal: Array | None = None
+    pressure: Array | None = None
+    gap: Array | None = None
+    status: Array | None = None
+    motion: Array | None = None
 
 
 NODAL = ("displacement", "stress", "von_mises", "principal", "pressure", "gap", "status", "motion")
@@ -220,7 +224,7 @@ class Results:
     @property
     def solved(self) -> bool:
         """Whether the answer holds."""
-        return bool(self._summary) and self._summary["status"] == "solved"
+        return self._summary is not None and self._summary["status"] == "solved"
 
     def files(self) -> str:
         """The prefix of the files. Raises ResultError where the run wrote none."""
@@ -228,15 +232,15 @@ class Results:
             raise ResultError("this run has written no files; give it an output")
         return self.prefix
 
-    def table(self, pair: str) -> np.ndarray:
+    def table(self, pair: str) -> Array:
         """The nodes of the nonmortar side of a pair as a structured array (options/GUIDE.md, Files)."""
         return read_pair(self.files(), pair)
 
-    def study(self) -> np.ndarray:
+    def study(self) -> Array:
         """The runs of a study as a structured array, one row for each order and level."""
         return read_table(f"{self.files()}_study.csv")
 
-    def steps(self) -> np.ndarray:
+    def steps(self) -> Array:
         """The load steps as a structured array, one row for each: `t`, `<pair>.normal_force`, ..."""
         return read_table(f"{self.files()}_steps.csv")
 

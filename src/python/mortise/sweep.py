@@ -13,18 +13,19 @@ import numpy as np
 
 from .errors import MortiseError
 from .program import Limits, Run, find_program, run_quietly
+from .results import Array
 from .scene import flatten
 
 Column = Union[str, Callable[[Run], Any]]
 COMMON = ("status", "exit_code", "seconds", "warnings", "message")  # columns that every row has
 
 
-class Rows(list):
+class Rows(list[dict[str, Any]]):
     """Rows of a sweep: dictionaries with the same keys. Those are the options that vary; the columns that were asked for, None where a run
     has none; `status` ("solved", "no_solution", "not_converged", "wrong", "failed"), `exit_code`, `seconds`, `warnings` (codes, with blanks
     between them) and `message` (the program's sentence, "" where it is solved)."""
 
-    def column(self, name: str) -> np.ndarray:
+    def column(self, name: str) -> Array:
         """A column as an array; None becomes NaN in a column of numbers."""
         values = [row[name] for row in self]
         if any(isinstance(value, float) or value is None for value in values) and all(isinstance(value, (int, float, type(None))) for value in values):
@@ -100,7 +101,8 @@ def sweep(scene: str | os.PathLike[str] | Mapping[str, Any], points: Iterable[Ma
         raise ValueError(f"these columns have two meanings: {', '.join(sorted(twice))}")
     processors = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     workers = workers or max(1, processors // ranks)
-    limits = Limits(timeout, threading.Event(), max(1, processors // (workers * ranks)))
+    stop = threading.Event()
+    limits = Limits(timeout, stop, max(1, processors // (workers * ranks)))
     program, digits = program or find_program(), len(str(len(todo)))
 
     def solve(number: int) -> dict[str, Any]:
@@ -111,7 +113,7 @@ def sweep(scene: str | os.PathLike[str] | Mapping[str, Any], points: Iterable[Ma
             return row_of(todo[number], columns, None, error.sentence)
         return row_of(todo[number], columns, run, run.sentence)
 
-    return Rows(in_parallel(solve, range(len(todo)), workers, limits.stop))
+    return Rows(in_parallel(solve, range(len(todo)), workers, stop))
 
 
 def in_parallel(solve: Callable[[int], dict[str, Any]], numbers: Sequence[int], workers: int, stop: threading.Event) -> list[dict[str, Any]]:
