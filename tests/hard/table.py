@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""table.py [<build folder>] -- the table of cases in README.md: checks that it lists them all in their own words, or, given the folder of a
-build whose hard.* tests have run, writes it anew with what was measured there."""
+"""table.py [<build folder>] -- the table of cases in README.md: checks that it lists all cases in the words of their files; or, given the
+folder of a build whose hard.* tests have run, writes it anew with their figures."""
 import json
 import pathlib
 import sys
@@ -11,22 +11,22 @@ sys.path.insert(0, str(HERE.parent))
 from cases import read_head, worst  # noqa: E402  pylint: disable=wrong-import-position
 
 BEGIN, END = "<!-- cases: written by table.py -->\n", "<!-- end of cases -->\n"
-TITLE = "| case | what is hard | what must come out | whence | steps | differ | certificate | verdict |\n|---|---|---|---|---|---|---|---|\n"
-ENDS = {"1": "a mistake", "3": "not solved, and why"}
-VERDICTS = {"solvable": "solved", "free_motion": "solved, free motion", "marginal": "solved, warning", "no_solution": "no solution"}
+TITLE = "| case | difficulty | required result (source) | found |\n|---|---|---|---|\n"
+ENDS = {"1": "exit code 1", "3": "exit code 3"}
+VERDICTS = {"solvable": "", "free_motion": "; free motion", "marginal": "; warning", "no_solution": "no solution"}
 
 
 def words(path):
     head = read_head(path)
-    return f"| `{path.stem}` | {head['hard']} | {head['must']} | {head['whence']} |"
+    return f"| `{path.stem}` | {head['hard']} | {head['must']} ({head['whence']}) |"
 
 
 def figures(path, build, old):
-    """Steps of both solvers, how far they differ, the certificate's worst, and the verdict, of the run on the fewest ranks; what stood
-    there before if it has not run in this build."""
+    """Steps of both solvers, their difference, the largest number of the certificate, and the verdict, of the run on the fewest ranks; the
+    previous entry if the case has not run in this build."""
     head = read_head(path)
     if head["exit"] in ENDS:
-        return f" - | - | - | {ENDS[head['exit']]} |"
+        return f" {ENDS[head['exit']]} |"
     ranks = head.get("ranks", "1").split()[0]
     result = build / f"tests/scratch/hard.{path.stem}.np{ranks}/{head.get('row', '.')}/result.json"
     if not result.exists():
@@ -34,9 +34,9 @@ def figures(path, build, old):
     summary = json.loads(result.read_text(encoding="utf-8"))
     verdict = VERDICTS[summary["solvability"]["verdict"]]
     if head["exit"] == "2":
-        return f" - | - | - | {verdict} |"
+        return f" {verdict} |"
     check = summary["solver"]["cross_check"]
-    return f" {summary['solver']['iterations']}, {check['iterations']} | {check['displacement_difference']:.0e} | {worst(summary):.0e} | {verdict} |"
+    return f" {summary['solver']['iterations']}, {check['iterations']}; {check['displacement_difference']:.0e}; {worst(summary):.0e}{verdict} |"
 
 
 def main():
