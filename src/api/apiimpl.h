@@ -22,12 +22,12 @@ struct _p_Mortise {
   PetscOptions options; /* with a prefix: those of the handle, without it; else NULL: PETSc's own */
   PetscReal    time;
   Scene        scene;
-  Mesh         mesh;  /* none for a study */
-  PetscReal   *reach; /* of the scene's pairs before a solve widens them [num_pairs] */
+  Mesh         mesh; /* none for a study */
   Vec          coordinates;
   Run          run;
   PetscBool    solved_once; /* whether there was a solve: verdict counts */
-  PetscBool    guess_given; /* whether guess counts instead of the last solution, NULL for zero */
+  PetscBool    guess_given; /* whether guess counts instead of the last solutions, NULL for zero */
+  PetscBool    several;     /* whether further solutions are to be expected: solvers keep their factors */
   Vec          guess;
   MortiseExit  verdict;
   PairValues  *pairs;   /* [num_pairs] */

@@ -9,6 +9,7 @@
 #include "base/warning.h"
 #include "output/htmlreport.h"
 #include "result/probes.h"
+#include "study/steps.h"
 #include "study/study.h"
 
 PetscErrorCode ApiNeedScene(Mortise m, const char function[])
@@ -74,7 +75,6 @@ static PetscErrorCode Clear_Private(Mortise m)
   PetscCall(VecDestroy(&m->coordinates));
   PetscCall(RunDestroy(&m->run));
   if (m->mesh) PetscCall(MeshDestroy(&m->mesh));
-  PetscCall(PetscFree(m->reach));
   PetscCall(SceneDestroy(&m->scene));
   WarningClear();
   m->guess_given = m->solved_once = PETSC_FALSE;
@@ -136,8 +136,6 @@ static PetscErrorCode ReadScene_Private(Mortise m)
   PetscCall(HTMLReportCheck(scene));
   PetscCall(LogStageEnd(STAGE_SETUP));
   if (!ProcessIsOwn() && !scene->monitor) scene->quiet = PETSC_TRUE; // a library prints what it is asked to
-  PetscCall(PetscMalloc1(scene->num_pairs, &m->reach));
-  for (PetscInt p = 0; p < scene->num_pairs; ++p) m->reach[p] = scene->pairs[p].reach;
   m->scene = scene;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -187,7 +185,8 @@ PetscErrorCode MortiseSetUp(Mortise m)
 PetscErrorCode MortiseSetTime(Mortise m, PetscReal t)
 {
   PetscFunctionBeginUser;
-  m->time = t;
+  m->time    = t;
+  m->several = PETSC_TRUE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -196,6 +195,7 @@ static PetscErrorCode SetDatum_Private(Mortise m, const char option[], PetscInt 
   PetscFunctionBeginUser;
   PetscCall(ApiNeedScene(m, "MortiseSetDatum"));
   PetscCall(SceneSetDatum(m->scene, option, num, values));
+  m->several = PETSC_TRUE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -254,19 +254,18 @@ static PetscErrorCode CountWarnings_Private(Mortise m)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Takes the displacement to begin with out of the handle, and the last run away. [out] guess - owned by the caller, or NULL */
-static PetscErrorCode TakeGuess_Private(Mortise m, Vec *guess)
+/* Takes the displacement to begin with out of the handle, and the last run. [out] guess - owned by the caller, or NULL: that of the last
+   solutions; [out] run - the same, or NULL: all is to be made anew */
+static PetscErrorCode TakeLast_Private(Mortise m, Vec *guess, Run *run)
 {
   PetscFunctionBeginUser;
-  *guess   = m->guess;
-  m->guess = NULL;
-  if (!m->guess_given && m->run && m->run->solved) {
-    *guess = m->run->fields->u;
-    PetscCall(PetscObjectReference((PetscObject)*guess));
-  }
+  if (m->guess_given && !m->guess) PetscCall(RunDestroy(&m->run)); // it would begin with what it has found
+  *guess         = m->guess;
+  *run           = m->run;
+  m->guess       = NULL;
+  m->run         = NULL; // where an error ends it half way, it is of no use
   m->guess_given = PETSC_FALSE;
   PetscCall(ApiDropResults(m));
-  PetscCall(RunDestroy(&m->run));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -280,11 +279,14 @@ static PetscErrorCode Solve_Private(Mortise m)
   if (m->solved_once) PetscCall(LogReset(LogWallClock()));
   PetscCall(SceneSetTime(m->scene, m->time));
   PetscCall(SetUp_Private(m));
-  PetscCall(TakeGuess_Private(m, &guess));
-  for (PetscInt p = 0; p < m->scene->num_pairs; ++p) m->scene->pairs[p].reach = m->reach[p];
+  PetscCall(TakeLast_Private(m, &guess, &run));
   m->solved_once = PETSC_FALSE;
+  m->scene->keep = (PetscBool)(m->several || m->scene->steps.num);
   if (m->mesh) {
-    PetscCall(RunCreate(m->scene, m->mesh, guess, &run));
+    if (m->scene->steps.num)
+      PetscCall(StepsRun(m->scene, m->mesh, guess, &run));
+    else
+      PetscCall(run ? RunAdvance(guess, &run) : RunCreate(m->scene, m->mesh, guess, &run));
     PetscCall(VecDestroy(&guess));
     m->run     = run;
     m->verdict = run->solved ? MORTISE_SOLVED : run->refused ? MORTISE_NO_SOLUTION : MORTISE_NOT_CONVERGED;

@@ -85,7 +85,8 @@ static PetscErrorCode Write_Private(Mortise m)
   SummaryInput input;
 
   PetscFunctionBeginUser;
-  if (!run && m->solved_once) PetscFunctionReturn(PETSC_SUCCESS); // a study has written its files
+  /* a study or load steps have written their files */
+  if (m->solved_once && (!run || m->scene->steps.num)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ApiNeedRun(m, "MortiseWrite"));
   PetscCall(ListOptions_Private(m));
   PetscCall(OutputCreate(m->comm, &output));

@@ -14,6 +14,7 @@ static struct {
   char      label[LABEL_LENGTH];
   PetscBool within, quiet; /* within a run */
   int       muted, ended;  /* how often; warnings of runs that have ended */
+  int       marked;        /* warnings of the run that are of all its solutions */
 } book;
 
 static void WarningReset_Private(cJSON **list)
@@ -105,11 +106,25 @@ void WarningBeginRun(void)
   WarningReset_Private(&book.run);
   book.within = PETSC_TRUE;
   book.muted  = 0;
+  book.marked = 0;
+}
+
+void WarningMark(void)
+{
+  book.marked = cJSON_GetArraySize(book.run);
+}
+
+void WarningBeginAgain(void)
+{
+  while (cJSON_GetArraySize(book.run) > book.marked)
+    cJSON_DeleteItemFromArray(book.run, cJSON_GetArraySize(book.run) - 1);
+  book.within = PETSC_TRUE;
+  book.muted  = 0;
 }
 
 void WarningEndRun(void)
 {
-  if (book.within) book.ended += cJSON_GetArraySize(book.run);
+  if (book.within) book.ended += cJSON_GetArraySize(book.run); // those of a mark once more each time
   book.within = PETSC_FALSE;
 }
 
@@ -155,11 +170,12 @@ cJSON *WarningList(void)
 
 void WarningExchange(WarningLists *lists)
 {
-  const WarningLists mine = {book.common, book.run, book.ended, book.quiet};
+  const WarningLists mine = {book.common, book.run, book.ended, book.marked, book.quiet};
 
   book.common = lists->common;
   book.run    = lists->run;
   book.ended  = lists->ended;
+  book.marked = lists->marked;
   book.quiet  = lists->quiet;
   *lists      = mine;
 }

@@ -32,6 +32,10 @@ PetscErrorCode WarningAdd(const Warning *about, const char format[], ...) PETSC_
 
 /* Forgets what the run before was warned of, or the try before of the same run. Not collective; all ranks. */
 void WarningBeginRun(void);
+/* What the run was warned of so far is of all solutions of its inequality, at whatever time. Not collective. */
+void WarningMark(void);
+/* Begins the run again at another time: forgets what came behind the mark. Not collective; all ranks. */
+void WarningBeginAgain(void);
 /* What is added from now on is of all runs; what the run was warned of stays until another one begins. Not collective. */
 void WarningEndRun(void);
 /* Said before the lines of runs from now on, one of several: "order 2, level 3"; "" for nothing. Not collective. */
@@ -50,7 +54,7 @@ cJSON *WarningList(void);
 /* What one of several problems was warned of; zero in the beginning. */
 typedef struct {
   cJSON    *common, *run;
-  int       ended;
+  int       ended, marked;
   PetscBool quiet;
 } WarningLists;
 /* Exchanges the lists for those of another problem. Not collective. */

@@ -237,6 +237,42 @@ PetscErrorCode PairsCreate(Scene scene, Level *level, const Support *support, Pa
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether two pairs have multipliers at the same nodes of this rank. */
+static PetscBool PairIsAlike_Private(const Pair a, const Pair b)
+{
+  if (a->num != b->num) return PETSC_FALSE;
+  for (PetscInt k = 0; k < a->num; k++)
+    if (a->nodes[k] != b->nodes[k]) return PETSC_FALSE;
+  return PETSC_TRUE;
+}
+
+PetscErrorCode PairsUpdateGaps(Scene scene, Level *level, const Support *support, Pair pairs[], PetscBool *same)
+{
+  PetscReal *reach;
+  Pair      *fresh;
+
+  PetscFunctionBeginUser;
+  *same = PETSC_TRUE;
+  PetscCall(PetscMalloc2(scene->num_pairs, &reach, scene->num_pairs, &fresh));
+  for (PetscInt p = 0; p < scene->num_pairs; p++) {
+    reach[p]              = scene->pairs[p].reach;
+    scene->pairs[p].reach = pairs[p]->reach;
+  }
+  PetscCall(PairsCreate(scene, level, support, fresh));
+  for (PetscInt p = 0; p < scene->num_pairs; p++) {
+    scene->pairs[p].reach = reach[p];
+    *same                 = (PetscBool)(*same && PairIsAlike_Private(pairs[p], fresh[p]));
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, same, 1, MPIU_BOOL, MPI_LAND, level->comm));
+  for (PetscInt p = 0; p < scene->num_pairs; p++) {
+    if (*same) PetscCall(PetscArraycpy(pairs[p]->gap, fresh[p]->gap, fresh[p]->num));
+    if (*same) PetscCall(PetscArraycpy(pairs[p]->overlap, fresh[p]->overlap, fresh[p]->num));
+    PetscCall(PairDestroy(&fresh[p]));
+  }
+  PetscCall(PetscFree2(reach, fresh));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode PairDestroy(Pair *pair)
 {
   PetscFunctionBeginUser;

@@ -52,6 +52,9 @@ typedef struct _n_Pair *Pair;
    direction is fixed, nor where an earlier pair constrains nearly the same direction; those rows are redistributed.
    Collective. [out] pairs - [scene->num_pairs], each owned by the caller */
 PetscErrorCode PairsCreate(Scene scene, Level *level, const Support *support, Pair pairs[]);
+/* Integrates gaps anew, with the reach that pairs have: formulas and offsets may have changed. Collective. [in,out] pairs - their gaps;
+   [out] same - false where other nodes would have multipliers: then pairs are as they were */
+PetscErrorCode PairsUpdateGaps(Scene scene, Level *level, const Support *support, Pair pairs[], PetscBool *same);
 PetscErrorCode PairDestroy(Pair *pair);
 
 #endif

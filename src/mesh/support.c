@@ -316,6 +316,14 @@ PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode SupportUpdate(Level *level, Scene scene, Support *support)
+{
+  PetscFunctionBeginUser;
+  PetscCall(SupportDestroy(support));
+  PetscCall(SupportCreate(level, scene, support));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SupportDestroy(Support *support)
 {
   PetscFunctionBeginUser;

@@ -24,6 +24,8 @@ typedef struct {
 
 /* Collective. Axis-aligned directions keep the Cartesian frame exactly. */
 PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support);
+/* The values of the present time, for the same directions. Collective. */
+PetscErrorCode SupportUpdate(Level *level, Scene scene, Support *support);
 PetscErrorCode SupportDestroy(Support *support);
 
 #endif

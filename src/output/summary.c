@@ -17,6 +17,11 @@
 
 enum { SCHEMA = 2 }; /* of the summary: what keys mean; new keys do not change it */
 
+static const char *SummaryStatus_Private(const SummaryInput *in)
+{
+  return in->solved ? "solved" : in->fields ? "not_converged" : "no_solution";
+}
+
 static PetscErrorCode SummaryAddMortise_Private(const SummaryInput *in, cJSON *root)
 {
   cJSON      *object = cJSON_AddObjectToObject(root, "mortise");
@@ -32,7 +37,7 @@ static PetscErrorCode SummaryAddMortise_Private(const SummaryInput *in, cJSON *r
   cJSON_AddStringToObject(object, "petsc", petsc);
   JSONAddInt(object, "ranks", ranks);
   cJSON_AddItemToObject(object, "options_file", file ? cJSON_CreateString(file) : cJSON_CreateNull());
-  cJSON_AddStringToObject(root, "status", in->solved ? "solved" : in->fields ? "not_converged" : "no_solution");
+  cJSON_AddStringToObject(root, "status", SummaryStatus_Private(in));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -276,6 +281,27 @@ static PetscErrorCode SummaryAddCost_Private(const SummaryInput *in, cJSON *root
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode SummaryCreateStep(const SummaryInput *input, cJSON **row)
+{
+  PetscReal seconds = LogTotalSeconds();
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPIU_REAL, MPI_MAX, input->scene->comm));
+  *row = cJSON_CreateObject();
+  JSONAddReal(*row, "t", input->scene->time);
+  cJSON_AddStringToObject(*row, "status", SummaryStatus_Private(input));
+  JSONAddInt(*row, "iterations", input->report->iterations);
+  JSONAddInt(*row, "linear_iterations", input->report->linear_iterations);
+  JSONAddReal(*row, "seconds", seconds);
+  PetscCall(SummaryAddEnergy_Private(input, *row));
+  PetscCall(SummaryAddPairs_Private(input, *row));
+  PetscCall(SummaryAddReactions_Private(input, *row));
+  PetscCall(SummaryAddProbes_Private(input, *row));
+  cJSON_AddBoolToObject(*row, "certificate", input->certificate->holds);
+  cJSON_AddItemToObject(*row, "warnings", WarningList());
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SummaryCreate(const SummaryInput *input, char **text)
 {
   cJSON      *root = cJSON_CreateObject();
@@ -295,6 +321,7 @@ PetscErrorCode SummaryCreate(const SummaryInput *input, char **text)
   PetscCall(SummaryAddProbes_Private(input, root));
   SummaryAddErrors_Private(input, root);
   PetscCall(SummaryAddCost_Private(input, root));
+  if (input->steps) cJSON_AddItemToObject(root, "steps", cJSON_Duplicate(input->steps, cJSON_True));
   PetscCallMPI(MPI_Comm_rank(input->scene->comm, &rank));
   *text = rank == 0 ? cJSON_Print(root) : NULL;
   cJSON_Delete(root);

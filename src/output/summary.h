@@ -5,6 +5,7 @@
 #include "result/certificate.h"
 #include "result/errors.h"
 #include "base/usererror.h"
+#include <cjson/cJSON.h>
 #include "output/output.h"
 
 /* Everything the summary tells of; borrowed parts. */
@@ -20,6 +21,7 @@ typedef struct {
   const Errors       *errors;
   Vec                 reactions;
   PetscBool           solved; /* converged, certified, and not contradicted by a second solver */
+  const cJSON        *steps;  /* an array of SummaryCreateStep(), or NULL without load steps */
 } SummaryInput;
 
 /* Adds to the warnings all that qualifies the answer, or the refusal. Collective; once for each run. */
@@ -27,9 +29,13 @@ PetscErrorCode SummaryWarn(const SummaryInput *input);
 /* The summary as JSON text, the same keys always; a number that could not be computed is null.
    Collective. [out] text - on the first rank owned by the caller (free()), NULL elsewhere */
 PetscErrorCode SummaryCreate(const SummaryInput *input, char **text);
+/* The row of the summary's `steps` for the time that the scene has. Collective. [out] row - on all ranks, owned by the caller */
+PetscErrorCode SummaryCreateStep(const SummaryInput *input, cJSON **row);
 /* Adds the summary to the output where the scene wants it (-summary, <output>.json), completes that, and prints the few lines a user reads on the
    terminal: verdict, forces, certificate, files; on failure the reason, on stderr. Collective; *output = NULL. */
 PetscErrorCode SummaryWrite(const SummaryInput *input, Output *output);
+/* Prints those lines, of a summary that is written already. Collective. [in] quiet - only why it is not solved */
+PetscErrorCode SummaryPrintEnd(const SummaryInput *input, PetscBool quiet);
 /* Prints those lines: why there is no solution, too, on stderr. Collective. */
 PetscErrorCode SummaryPrint(const SummaryInput *input);
 /* Prints what the meshes made of the scene, and what was left out of it: with SceneView() before and SolverView() behind,

@@ -202,6 +202,17 @@ PetscErrorCode SummaryPrint(const SummaryInput *input)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode SummaryPrintEnd(const SummaryInput *input, PetscBool quiet)
+{
+  PetscFunctionBeginUser;
+  if (!quiet) {
+    if (input->fields) PetscCall(SummaryPrintResults_Private(input));
+    PetscCall(SummaryPrintFiles_Private(input));
+  }
+  PetscCall(SummaryPrintRefusal_Private(input));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SummaryWrite(const SummaryInput *input, Output *output)
 {
   const Scene     scene         = input->scene;
@@ -216,13 +227,9 @@ PetscErrorCode SummaryWrite(const SummaryInput *input, Output *output)
     PetscCall(OutputAddText(*output, path, text)); // the last: where it is, the result is complete
   }
   PetscCall(OutputFinish(output));
-  if (stdout_wanted) {
-    if (text) puts(text);
-  } else if (!scene->quiet) { // not beside a summary on stdout: that is for programs to read
-    if (input->fields) PetscCall(SummaryPrintResults_Private(input));
-    PetscCall(SummaryPrintFiles_Private(input));
-  }
+  if (stdout_wanted && text) puts(text);
   free(text);
-  PetscCall(SummaryPrintRefusal_Private(input));
+  /* not beside a summary on stdout: that is for programs to read */
+  PetscCall(SummaryPrintEnd(input, (PetscBool)(scene->quiet || stdout_wanted)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

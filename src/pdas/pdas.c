@@ -108,6 +108,18 @@ PetscErrorCode PDASSetKeep(SNES snes, PetscBool keep)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode PDASRestart(SNES snes)
+{
+  PDAS *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  PetscCall(VecDestroy(&pdas->previous));
+  if (!pdas->start_set) pdas->start = START_PREVIOUS;
+  if (pdas->solver && pdas->upper) PetscCall(ActiveSetGather(&pdas->set, pdas->upper, pdas->set.upper));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode PDASSetErrorReduction(SNES snes, PetscReal error_reduction, PetscReal energy_decrease)
 {
   PDAS *pdas;

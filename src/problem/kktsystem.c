@@ -65,6 +65,24 @@ static PetscErrorCode KKTSystemAllocateB_Private(VI vi, const Couplings *couplin
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode KKTSystemSetGaps(VI vi)
+{
+  PetscInt first;
+
+  PetscFunctionBeginUser;
+  if (!vi->G) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecGetOwnershipRange(vi->G, &first, NULL));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const Pair      pair = vi->pairs[vi->row_pair[r]];
+    const PetscReal gap  = pair->gap[vi->row_node[r]];
+
+    PetscCall(VecSetValue(vi->G, first + r, pair->spec->type == PAIR_TIED ? 0 : vi->row_D[r] * gap, INSERT_VALUES));
+  }
+  PetscCall(VecAssemblyBegin(vi->G));
+  PetscCall(VecAssemblyEnd(vi->G));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode KKTSystemCreate(VI vi, const NodeBases *bases, const Couplings *couplings)
 {
   const PetscInt dim  = vi->level->dim;
@@ -86,13 +104,10 @@ PetscErrorCode KKTSystemCreate(VI vi, const NodeBases *bases, const Couplings *c
       PetscCall(MatSetValue(vi->B, first + r, dim * node + j, vi->row_D[r] * Fi[j], ADD_VALUES));
     if (C) PetscCall(KKTSystemAddRow_Private(vi, C, node, thickness, Fi, first + r));
     PetscCall(PairArmsAddToB(vi, bases, r, first + r));
-    PetscCall(
-        VecSetValue(vi->G, first + r, pair->spec->type == PAIR_TIED ? 0 : vi->row_D[r] * pair->gap[k], INSERT_VALUES));
   }
   PetscCall(MatAssemblyBegin(vi->B, MAT_FINAL_ASSEMBLY));
   PetscCall(MatAssemblyEnd(vi->B, MAT_FINAL_ASSEMBLY));
-  PetscCall(VecAssemblyBegin(vi->G));
-  PetscCall(VecAssemblyEnd(vi->G));
+  PetscCall(KKTSystemSetGaps(vi));
   PetscCall(MatCreateTranspose(vi->B, &transpose));
   entries[0] = vi->K;
   entries[1] = transpose;

@@ -11,18 +11,27 @@
 #include "problem/kktsystem.h"
 #include "problem/cyclicroles.h"
 #include "problem/condensation.h"
+#include "problem/loads.h"
 
-/* stiffness = mean diagonal of K; length = the displacement to expect: prescribed, by interference, or of the loads. */
-static PetscErrorCode VIChooseScales_Private(VI vi)
+/* The mean diagonal of K. */
+static PetscErrorCode VIChooseStiffness_Private(VI vi)
 {
   PetscScalar sum;
-  PetscReal   force, interference = 0;
   PetscInt    n;
 
   PetscFunctionBeginUser;
   PetscCall(VecSum(vi->diagonal, &sum));
   PetscCall(VecGetSize(vi->diagonal, &n));
   vi->stiffness = PetscRealPart(sum) / n;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The displacement to expect: prescribed, by interference, or of the loads. */
+static PetscErrorCode VIChooseLength_Private(VI vi)
+{
+  PetscReal force, interference = 0;
+
+  PetscFunctionBeginUser;
   PetscCall(VecNorm(vi->f, NORM_1, &force));
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
     for (PetscInt k = 0; k < vi->pairs[p]->num; k++) interference = PetscMax(interference, -vi->pairs[p]->gap[k]);
@@ -33,18 +42,14 @@ static PetscErrorCode VIChooseScales_Private(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A = T'KT / stiffness and b = T'f / (stiffness length), without the fixed unknowns: unit rows, their values on the right-hand side.
-   [in] values - [vi->num_fixed] */
-static PetscErrorCode VICondense_Private(VI vi, const PetscReal values[])
+/* b = T'f / (stiffness length) without the fixed unknowns, whose values are on the right-hand side. [in] values - [vi->num_fixed] */
+static PetscErrorCode VISetLoad_Private(VI vi, const PetscReal values[])
 {
   const PetscInt first = vi->level->dim * vi->level->node_begin;
   Vec            y, Ay;
   PetscScalar   *a;
 
   PetscFunctionBeginUser;
-  if (vi->T) PetscCall(CondensationCreate(vi->K, vi->T, &vi->Z));
-  if (vi->Z) PetscCall(MatScale(vi->Z, 1 / vi->stiffness));
-  PetscCall(VecDuplicate(vi->f, &vi->b));
   if (vi->T)
     PetscCall(MatMultTranspose(vi->T, vi->f, vi->b));
   else
@@ -66,6 +71,19 @@ static PetscErrorCode VICondense_Private(VI vi, const PetscReal values[])
   PetscCall(VecRestoreArray(vi->b, &a));
   PetscCall(VecDestroy(&y));
   PetscCall(VecDestroy(&Ay));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A = T'KT / stiffness with unit rows for the fixed unknowns, and b. [in] values - [vi->num_fixed] */
+static PetscErrorCode VICondense_Private(VI vi, const PetscReal values[])
+{
+  const PetscInt first = vi->level->dim * vi->level->node_begin;
+
+  PetscFunctionBeginUser;
+  if (vi->T) PetscCall(CondensationCreate(vi->K, vi->T, &vi->Z));
+  if (vi->Z) PetscCall(MatScale(vi->Z, 1 / vi->stiffness));
+  PetscCall(VecDuplicate(vi->f, &vi->b));
+  PetscCall(VISetLoad_Private(vi, values));
   PetscCall(PetscMalloc1(vi->num_fixed, &vi->fixed_local));
   for (PetscInt i = 0; i < vi->num_fixed; i++) vi->fixed_local[i] = vi->fixed[i] - first;
   PetscCall(CondensedMatrixCreateShell(vi, NULL, &vi->A));
@@ -113,8 +131,6 @@ PetscErrorCode VICreateRegularized(VI vi, Vec regularization, Mat *A)
 static PetscErrorCode VISetBounds_Private(VI vi)
 {
   PetscFunctionBeginUser;
-  PetscCall(MatCreateVecs(vi->K, &vi->upper, &vi->lower));
-  PetscCall(VecSet(vi->lower, PETSC_NINFINITY));
   PetscCall(VecSet(vi->upper, PETSC_INFINITY));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     const Pair pair = vi->pairs[vi->row_pair[r]];
@@ -168,8 +184,11 @@ static PetscErrorCode VICreateOnLevel_Private(Scene scene, Mesh mesh, Level *lev
     vi->length    = scales->length;
     vi->stiffness = scales->stiffness;
   } else {
-    PetscCall(VIChooseScales_Private(vi));
+    PetscCall(VIChooseStiffness_Private(vi));
+    PetscCall(VIChooseLength_Private(vi));
   }
+  PetscCall(MatCreateVecs(vi->K, &vi->upper, &vi->lower));
+  PetscCall(VecSet(vi->lower, PETSC_NINFINITY));
   PetscCall(VISetBounds_Private(vi));
   PetscCall(BasisChangeGetFixed(vi, &basis->bases, &basis->couplings, &vi->num_fixed, &vi->fixed, &values));
   PetscCall(VICondense_Private(vi, values));
@@ -183,6 +202,34 @@ PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi)
 {
   PetscFunctionBeginUser;
   PetscCall(VICreateOnLevel_Private(scene, mesh, MeshFinest(mesh), NULL, NULL, vi));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VIUpdate(VI vi, int changed, PetscBool *updated)
+{
+  PetscReal *values;
+  PetscInt   num_fixed, *fixed;
+
+  PetscFunctionBeginUser;
+  *updated = (PetscBool) !(changed & (DATUM_MATERIAL | DATUM_MESH));
+  if (!*updated) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(LogStageBegin(STAGE_MORTAR));
+  if (changed & DATUM_DISPLACEMENT) PetscCall(SupportUpdate(vi->level, vi->scene, &vi->support));
+  if (changed & DATUM_GAP) PetscCall(PairsUpdateGaps(vi->scene, vi->level, &vi->support, vi->pairs, updated));
+  PetscCall(LogStageEnd(STAGE_MORTAR));
+  if (!*updated) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(LogStageBegin(STAGE_ASSEMBLY));
+  if (changed & (DATUM_LOAD | DATUM_TEMPERATURE)) PetscCall(LoadsAssemble(vi->scene, vi->level, vi->f));
+  PetscCall(LogStageEnd(STAGE_ASSEMBLY));
+  PetscCall(LogStageBegin(STAGE_CONDENSE));
+  PetscCall(KKTSystemSetGaps(vi));
+  PetscCall(VIChooseLength_Private(vi));
+  PetscCall(VISetBounds_Private(vi));
+  PetscCall(BasisChangeGetFixed(vi, &vi->basis->bases, &vi->basis->couplings, &num_fixed, &fixed, &values));
+  PetscCall(VISetLoad_Private(vi, values));
+  PetscCall(PetscFree(fixed));
+  PetscCall(PetscFree(values));
+  PetscCall(LogStageEnd(STAGE_CONDENSE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

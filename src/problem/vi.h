@@ -59,6 +59,10 @@ typedef struct _n_VI *VI;
 /* Searches, integrates, assembles and condenses. Roles that run in a circle are a fault. Collective. [out] vi - owned by the caller */
 PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi);
 PetscErrorCode VIDestroy(VI *vi);
+/* Takes loads, given displacements and gaps anew from the scene, for the same matrices: f, G, b, upper and length change, in place.
+   Collective. [in] changed - DatumKind bits of what may differ; [out] updated - false where matrices would change: then vi is to be
+   created anew */
+PetscErrorCode VIUpdate(VI vi, int changed, PetscBool *updated);
 /* The same scene on a coarser level of its mesh, with the scales of vi. Collective. [in] l - level of vi->mesh; [in] K - in place of the level's own, or NULL;
    [out] coarse - owned by the caller */
 PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse);

@@ -191,15 +191,22 @@ static PetscErrorCode RegularizationSetApproach_Private(VI vi, Solvability s, Pe
 
 PetscErrorCode RegularizationCreate(VI vi, Solvability s)
 {
-  const PetscInt first = vi->level->dim * vi->level->node_begin;
-  PetscReal     *left, largest, closed;
-  PetscScalar   *start;
-
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(vi->upper, &s->regularization));
   PetscCall(VecDuplicate(vi->upper, &s->approach));
   PetscCall(VecDuplicate(vi->upper, &s->start));
   PetscCall(RegularizationSetDiagonal_Private(vi, s->regularization));
+  PetscCall(RegularizationUpdate(vi, s));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode RegularizationUpdate(VI vi, Solvability s)
+{
+  const PetscInt first = vi->level->dim * vi->level->node_begin;
+  PetscReal     *left, largest, closed;
+  PetscScalar   *start;
+
+  PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(vi->num_rows, &left));
   PetscCall(RegularizationSetApproach_Private(vi, s, left, &largest));
   closed = GAP_CLOSED * PetscMax(largest, vi->length);

@@ -13,6 +13,8 @@ Cone ContactRowsCone(VI vi, Solvability solvability, const ContactRows *rows);
 
 /* Sets regularization, approach and start. Collective. */
 PetscErrorCode RegularizationCreate(VI vi, Solvability solvability);
+/* Sets approach and start anew. Collective. */
+PetscErrorCode RegularizationUpdate(VI vi, Solvability solvability);
 
 /* Adds the relative displacement of the two sides at a place. Not collective. [in] q - [m]; [in,out] slip - [3] */
 void SceneMotionAddSlip(VI vi, const ContactPlace *place, const PetscReal q[], PetscReal slip[]);

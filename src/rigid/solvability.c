@@ -49,26 +49,22 @@ static PetscErrorCode SolvabilityGetModeDisplacement_Private(VI vi, PetscInt k, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets modes, rows of C, work and forces. */
-static PetscErrorCode SolvabilitySetMatrices_Private(VI vi, Solvability s)
+/* Sets work and forces. */
+static PetscErrorCode SolvabilitySetLoads_Private(VI vi, Solvability s)
 {
   const Level       *level = vi->level;
-  const PetscInt     dim = level->dim, first = dim * level->node_begin;
+  const PetscInt     dim   = level->dim;
   Vec                u;
-  const PetscScalar *f, *y;
+  const PetscScalar *f;
 
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(vi->f, &u));
   for (PetscInt k = 0; k < s->m; k++) {
     PetscCall(SolvabilityGetModeDisplacement_Private(vi, k, u));
     PetscCall(VecDot(vi->f, u, &s->work[k]));
-    PetscCall(VecDuplicate(vi->upper, &s->modes[k]));
-    PetscCall(VIApplyInverseBasis(vi, u, s->modes[k]));
-    PetscCall(VecGetArrayRead(s->modes[k], &y));
-    for (PetscInt r = 0; r < vi->num_rows; r++) s->nodal.rows[r * s->m + k] = PetscRealPart(y[vi->row_dof[r] - first]);
-    PetscCall(VecRestoreArrayRead(s->modes[k], &y));
   }
   PetscCall(VecDestroy(&u));
+  s->forces = 0;
   PetscCall(VecGetArrayRead(vi->f, &f));
   for (PetscInt a = 0; a < level->num_owned; a++) {
     if (!vi->rigid_modes.loose[vi->rigid_modes.components.of_node[a]]) continue;
@@ -76,6 +72,28 @@ static PetscErrorCode SolvabilitySetMatrices_Private(VI vi, Solvability s)
   }
   PetscCall(VecRestoreArrayRead(vi->f, &f));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &s->forces, 1, MPIU_REAL, MPI_SUM, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Sets modes and rows of C. */
+static PetscErrorCode SolvabilitySetMatrices_Private(VI vi, Solvability s)
+{
+  const Level       *level = vi->level;
+  const PetscInt     dim = level->dim, first = dim * level->node_begin;
+  Vec                u;
+  const PetscScalar *y;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(vi->f, &u));
+  for (PetscInt k = 0; k < s->m; k++) {
+    PetscCall(SolvabilityGetModeDisplacement_Private(vi, k, u));
+    PetscCall(VecDuplicate(vi->upper, &s->modes[k]));
+    PetscCall(VIApplyInverseBasis(vi, u, s->modes[k]));
+    PetscCall(VecGetArrayRead(s->modes[k], &y));
+    for (PetscInt r = 0; r < vi->num_rows; r++) s->nodal.rows[r * s->m + k] = PetscRealPart(y[vi->row_dof[r] - first]);
+    PetscCall(VecRestoreArrayRead(s->modes[k], &y));
+  }
+  PetscCall(VecDestroy(&u));
   for (PetscInt r = 0; r < vi->num_rows; r++)
     s->nodal.equality[r] = (PetscBool)(vi->pairs[vi->row_pair[r]]->spec->type == PAIR_TIED);
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -396,11 +414,40 @@ PetscErrorCode SolvabilityCreate(VI vi, Solvability *solvability)
                          &s->work, vi->num_rows, &s->balance, vi->num_rows, &s->nodal.place));
   PetscCall(SolvabilitySetPlaces_Private(vi, s));
   PetscCall(SolvabilitySetMatrices_Private(vi, s));
+  PetscCall(SolvabilitySetLoads_Private(vi, s));
   PetscCall(ContactRowsCreate(vi, s));
   PetscCall(SolvabilityDecide_Private(vi, s));
   if (s->status != SOLVABLE_NOT) PetscCall(RegularizationCreate(vi, s));
   PetscCall(LogStageEnd(STAGE_CONDENSE));
   *solvability = s;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Forgets the motions that were found. */
+static PetscErrorCode SolvabilityDestroyMotions_Private(Solvability s)
+{
+  PetscFunctionBeginUser;
+  PetscCall(SceneMotionDestroy(&s->motion));
+  for (PetscInt i = 0; i < s->num_free; i++) PetscCall(SceneMotionDestroy(&s->free[i]));
+  PetscCall(PetscFree(s->free));
+  s->num_free = 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolvabilityUpdate(VI vi, Solvability s)
+{
+  PetscFunctionBeginUser;
+  if (!s) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(LogStageBegin(STAGE_CONDENSE));
+  PetscCall(SolvabilityDestroyMotions_Private(s));
+  s->coarse = PETSC_FALSE;
+  s->slip   = 0;
+  PetscCall(PetscArrayzero(s->balance, vi->num_rows));
+  PetscCall(SolvabilitySetLoads_Private(vi, s));
+  PetscCall(SolvabilityDecide_Private(vi, s));
+  if (s->status != SOLVABLE_NOT)
+    PetscCall(s->regularization ? RegularizationUpdate(vi, s) : RegularizationCreate(vi, s));
+  PetscCall(LogStageEnd(STAGE_CONDENSE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -413,9 +460,7 @@ PetscErrorCode SolvabilityDestroy(Solvability *solvability)
   for (PetscInt k = 0; k < s->m; k++) PetscCall(VecDestroy(&s->modes[k]));
   PetscCall(ContactRowsDestroy(s));
   PetscCall(PetscFree6(s->modes, s->nodal.rows, s->nodal.equality, s->work, s->balance, s->nodal.place));
-  PetscCall(SceneMotionDestroy(&s->motion));
-  for (PetscInt i = 0; i < s->num_free; i++) PetscCall(SceneMotionDestroy(&s->free[i]));
-  PetscCall(PetscFree(s->free));
+  PetscCall(SolvabilityDestroyMotions_Private(s));
   PetscCall(VecDestroy(&s->start));
   PetscCall(VecDestroy(&s->regularization));
   PetscCall(VecDestroy(&s->approach));

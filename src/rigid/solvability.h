@@ -75,6 +75,8 @@ typedef struct _n_Solvability *Solvability;
    where supports leave no mode */
 PetscErrorCode SolvabilityCreate(VI vi, Solvability *solvability);
 PetscErrorCode SolvabilityDestroy(Solvability *solvability);
+/* Decides anew for other loads and gaps of the same vi; nothing where there is no solvability. Collective. */
+PetscErrorCode SolvabilityUpdate(VI vi, Solvability solvability);
 
 /* Replaces a solution by that of least mean square displacement, among all that differ from it by free motions (eq. 12.7). Sets the free
    motions. Does nothing if solvability is NULL. Collective. [in,out] y - a solution */

@@ -18,6 +18,7 @@ static const char *const titles[GROUP_COUNT] = {"Running",
                                                 "Probes",
                                                 "Results",
                                                 "Studies: the same scene on several meshes",
+                                                "Load steps: the same scene at several times",
                                                 "Solving",
                                                 "PETSc's own options that people ask for"};
 
@@ -158,6 +159,14 @@ static const OptionEntry table[] = {
      "With -study: polynomial orders of all bodies, each solved on every mesh, ascending."},
     {GROUP_STUDY, "-study_memory", "x[K|M|G|T]", "bytes", "(no limit)",
      "With -study: memory of all processes together; a mesh that is expected to need more is omitted."},
+
+    {GROUP_STEPS, "-load_steps", "n or t,t,...", "", "(one solution, t = 1)",
+     "Solves at several times t, each from the solution before: n equal steps up to 1, or a list of times. Every "
+     "formula "
+     "may name t."},
+    {GROUP_STEPS, "-load_steps_scale", "none|loads|displacements|gaps|temperatures", "",
+     "(all, where no datum names t; else none)",
+     "What t multiplies: one or several of these, separated by commas. Data that name t are not multiplied."},
 
     {GROUP_SOLVER, "-snes_type", "pdas|vinewtonrsls|vinewtonssls", "", "pdas",
      "Primal-dual active set method, or one of PETSc's solvers of inequalities on the same problem."},

@@ -10,6 +10,7 @@ PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene)
   PetscCall(PetscNew(scene));
   (*scene)->comm = comm;
   (*scene)->dim  = 2;
+  (*scene)->time = 1;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -155,6 +156,7 @@ PetscErrorCode SceneSetFromOptions(Scene scene)
     PetscCall(UnusedOptionsCheckUnknown(scene, PETSC_FALSE)); /* before the options that misspelt ones leave missing */
   PetscCall(SceneReadGlobal_Private(scene));
   PetscCall(SceneStudyRead(scene));
+  PetscCall(SceneStepsRead(scene));
   for (PetscInt i = 0; i < scene->num_bodies; i++) PetscCall(SceneBodyRead(scene, &scene->bodies[i]));
   PetscCall(SceneStudySetOrders(scene));
   for (PetscInt i = 0; i < scene->num_pairs; i++) PetscCall(ScenePairRead(scene, &scene->pairs[i]));
@@ -170,6 +172,7 @@ PetscErrorCode SceneDestroy(Scene *scene)
   for (PetscInt i = 0; i < (*scene)->num_bodies; i++) PetscCall(SceneBodyDestroy(&(*scene)->bodies[i]));
   for (PetscInt i = 0; i < (*scene)->num_pairs; i++) PetscCall(ScenePairDestroy(&(*scene)->pairs[i]));
   for (PetscInt i = 0; i < (*scene)->num_probes; i++) PetscCall(PetscFree((*scene)->probes[i].name));
+  PetscCall(PetscFree((*scene)->steps.t));
   PetscCall(PetscFree((*scene)->bodies));
   PetscCall(PetscFree((*scene)->pairs));
   PetscCall(PetscFree((*scene)->probes));

@@ -81,6 +81,7 @@ typedef struct {
   Expression      gap;        /* replaces the measured gap, or NULL [1] */
   Expression      gap_offset; /* is added to it, or NULL [1] */
   PetscReal       reach;      /* farthest candidate, or negative: from the geometry */
+  PetscBool       widened;    /* whether a solution that moved farther has set the reach, not the user */
   PairMultipliers multipliers;
   Expression      exact; /* the exact pressure, where it is known [1], or NULL */
 } ScenePair;
@@ -113,6 +114,26 @@ typedef struct {
   PetscReal memory; /* bytes that a run may take, of all ranks together; infinite where nothing was said */
 } SceneStudy;
 
+/* What a datum changes; bits. */
+typedef enum {
+  DATUM_LOAD         = 1,  /* forces */
+  DATUM_DISPLACEMENT = 2,  /* given displacements */
+  DATUM_GAP          = 4,  /* gaps and their offsets */
+  DATUM_TEMPERATURE  = 8,  /* temperatures and what else strains a body without a force */
+  DATUM_MATERIAL     = 16, /* the stiffness */
+  DATUM_MESH         = 32  /* the mesh, which is made once */
+} DatumKind;
+/* What time may multiply. */
+#define SCENE_STEPS_SCALABLE (DATUM_LOAD | DATUM_DISPLACEMENT | DATUM_GAP | DATUM_TEMPERATURE)
+
+/* The same scene at several times. */
+typedef struct {
+  PetscInt   num;       /* 0 for one solution at time 1 */
+  PetscReal *t;         /* [num] */
+  PetscBool  scale_set; /* whether the user said what time multiplies; */
+  int        scale;     /* DatumKind bits */
+} SceneSteps;
+
 struct _n_Scene {
   MPI_Comm comm;
   char    *title; /* "" where none was given */
@@ -130,6 +151,11 @@ struct _n_Scene {
   int         formats; /* OutputFormat bits */
   char       *summary; /* file for the summary alone, "-" for stdout, or NULL */
   SceneStudy  study;
+  SceneSteps  steps;
+  PetscReal   time;    /* of SceneSetTime(); 1 in the beginning */
+  int         changed; /* DatumKind bits of what has changed since who solves has last looked and cleared them */
+  PetscBool   scaled;  /* whether all that varies in time is proportional to it */
+  PetscBool   keep;    /* whether solvers keep their factors for further solutions of this scene */
   SceneStop   stop;
   PetscBool   cross_check, measure_linear, quiet, monitor, view, report, allow_unused, warnings_fail;
 };
@@ -162,8 +188,9 @@ PetscErrorCode SceneSetFromOptions(Scene scene);
    snes_, ...), since PETSc reads many of its options late; without it, any. -options_allow_unused turns the user error into a
    warning. Collective. */
 PetscErrorCode SceneCheckUnused(Scene scene, PetscBool before_solve);
-/* t of all formulas from now on. Where no datum of the scene names t, it multiplies loads, given displacements and gap offsets.
-   Raises a user error where a map names t: meshes stay as they are. Collective. */
+/* t of all formulas from now on. Where no datum of the scene names t, it multiplies loads, given displacements, gap offsets and
+   temperatures, or what -load_steps_scale says. What it changes is added to scene->changed. Raises a user error where a map names t:
+   meshes stay as they are. Collective. */
 PetscErrorCode SceneSetTime(Scene scene, PetscReal t);
 /* Replaces numbers or formulas of a datum that the scene has: a load, a given displacement, a gap or its offset. What is `free` stays
    free. Raises a user error on another option, another number of components. Collective.

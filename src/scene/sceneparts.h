@@ -30,6 +30,9 @@ PetscErrorCode SceneStudyRead(Scene scene);
 /* The orders of a study that names none are those of the bodies; call when they are read. Not collective. */
 PetscErrorCode SceneStudySetOrders(Scene scene);
 
+/* scenesteps.c: -load_steps and -load_steps_scale. Collective. */
+PetscErrorCode SceneStepsRead(Scene scene);
+
 /* scenebodies.c: mesh and material of one body. sceneboundaries.c: its supports and loads. Collective. */
 PetscErrorCode SceneBodyRead(Scene scene, SceneBody *body);
 PetscErrorCode SceneBodyDestroy(SceneBody *body);

@@ -3,10 +3,12 @@
 #include <string.h>
 #include <strings.h>
 
-/* A datum of the scene, where it stands; `load` if time may multiply it, `map` if meshes are made by it. */
+/* A datum of the scene, where it stands. */
 typedef struct {
   Expression *e;
-  PetscBool   load, variable, map;
+  int         kind;     /* DatumKind */
+  PetscBool   scaled;   /* whether time multiplies it where -load_steps_scale has its kind */
+  PetscBool   variable; /* whether a caller may replace it */
 } Datum;
 
 enum { DATA_BODY = 6, DATA_PAIR = 4 }; /* of a body beside its boundaries, of a pair */
@@ -22,22 +24,25 @@ static PetscErrorCode DataList_Private(Scene scene, PetscInt *num, Datum **data)
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     SceneBody *body = &scene->bodies[b];
 
-    (*data)[n++] = (Datum){&body->map, PETSC_FALSE, PETSC_FALSE, PETSC_TRUE};
-    (*data)[n++] = (Datum){&body->young, PETSC_FALSE, PETSC_FALSE, PETSC_FALSE};
-    (*data)[n++] = (Datum){&body->poisson, PETSC_FALSE, PETSC_FALSE, PETSC_FALSE};
-    (*data)[n++] = (Datum){&body->stiffness, PETSC_FALSE, PETSC_FALSE, PETSC_FALSE};
-    (*data)[n++] = (Datum){&body->exact, PETSC_FALSE, PETSC_FALSE, PETSC_FALSE};
-    (*data)[n++] = (Datum){&body->body_force, PETSC_TRUE, PETSC_TRUE, PETSC_FALSE};
-    for (PetscInt i = 0; i < body->num_boundaries; i++)
-      (*data)[n++] = (Datum){&body->boundaries[i].value, PETSC_TRUE, PETSC_TRUE, PETSC_FALSE};
+    (*data)[n++] = (Datum){&body->map, DATUM_MESH, PETSC_FALSE, PETSC_FALSE};
+    (*data)[n++] = (Datum){&body->young, DATUM_MATERIAL, PETSC_FALSE, PETSC_FALSE};
+    (*data)[n++] = (Datum){&body->poisson, DATUM_MATERIAL, PETSC_FALSE, PETSC_FALSE};
+    (*data)[n++] = (Datum){&body->stiffness, DATUM_MATERIAL, PETSC_FALSE, PETSC_FALSE};
+    (*data)[n++] = (Datum){&body->exact, 0, PETSC_FALSE, PETSC_FALSE};
+    (*data)[n++] = (Datum){&body->body_force, DATUM_LOAD, PETSC_TRUE, PETSC_TRUE};
+    for (PetscInt i = 0; i < body->num_boundaries; i++) {
+      const int kind = body->boundaries[i].kind == BOUNDARY_DISPLACEMENT ? DATUM_DISPLACEMENT : DATUM_LOAD;
+
+      (*data)[n++] = (Datum){&body->boundaries[i].value, kind, PETSC_TRUE, PETSC_TRUE};
+    }
   }
   for (PetscInt p = 0; p < scene->num_pairs; p++) {
     ScenePair *pair = &scene->pairs[p];
 
-    (*data)[n++] = (Datum){&pair->gap_offset, PETSC_TRUE, PETSC_TRUE, PETSC_FALSE};
-    (*data)[n++] = (Datum){&pair->gap, PETSC_FALSE, PETSC_TRUE, PETSC_FALSE};
-    (*data)[n++] = (Datum){&pair->obstacle.gap, PETSC_FALSE, PETSC_TRUE, PETSC_FALSE};
-    (*data)[n++] = (Datum){&pair->exact, PETSC_FALSE, PETSC_FALSE, PETSC_FALSE};
+    (*data)[n++] = (Datum){&pair->gap_offset, DATUM_GAP, PETSC_TRUE, PETSC_TRUE};
+    (*data)[n++] = (Datum){&pair->gap, DATUM_GAP, PETSC_FALSE, PETSC_TRUE};
+    (*data)[n++] = (Datum){&pair->obstacle.gap, DATUM_GAP, PETSC_FALSE, PETSC_TRUE};
+    (*data)[n++] = (Datum){&pair->exact, 0, PETSC_FALSE, PETSC_FALSE};
   }
   *num = 0;
   for (PetscInt i = 0; i < n; i++)
@@ -50,6 +55,7 @@ PetscErrorCode SceneSetTime(Scene scene, PetscReal t)
   PetscInt    num;
   PetscBool   named = PETSC_FALSE;
   const char *map   = NULL;
+  int         scaled, vary = 0;
   Datum      *data;
 
   PetscFunctionBeginUser;
@@ -57,10 +63,20 @@ PetscErrorCode SceneSetTime(Scene scene, PetscReal t)
   for (PetscInt i = 0; i < num; i++) {
     const PetscBool names = ExpressionNames(*data[i].e, "t");
 
-    if (names && data[i].map) map = ExpressionOption(*data[i].e);
+    if (names && data[i].kind == DATUM_MESH) map = ExpressionOption(*data[i].e);
     named = (PetscBool)(named || names);
   }
-  for (PetscInt i = 0; i < num; i++) ExpressionSetFactor(*data[i].e, named || !data[i].load ? 1 : t);
+  scaled = scene->steps.scale_set ? scene->steps.scale : named ? 0 : SCENE_STEPS_SCALABLE;
+  for (PetscInt i = 0; i < num; i++) {
+    const PetscBool names      = ExpressionNames(*data[i].e, "t");
+    const PetscBool multiplied = (PetscBool)(!names && data[i].scaled && (data[i].kind & scaled));
+
+    ExpressionSetFactor(*data[i].e, multiplied ? t : 1);
+    if (names || multiplied) vary |= data[i].kind;
+  }
+  if (t != scene->time) scene->changed |= vary;
+  scene->time   = t;
+  scene->scaled = (PetscBool)(scaled && !named);
   ExpressionSetTime(t);
   PetscCall(PetscFree(data));
   if (map)
@@ -115,6 +131,7 @@ static PetscErrorCode DatumText_Private(Expression old, const PetscReal values[]
 PetscErrorCode SceneSetDatum(Scene scene, const char option[], PetscInt num, const PetscReal values[])
 {
   Expression *place = NULL, fresh;
+  int         kind  = 0;
   PetscInt    num_data;
   PetscBool   free_any;
   char       *text;
@@ -122,8 +139,11 @@ PetscErrorCode SceneSetDatum(Scene scene, const char option[], PetscInt num, con
 
   PetscFunctionBeginUser;
   PetscCall(DataList_Private(scene, &num_data, &data));
-  for (PetscInt i = 0; i < num_data; i++)
-    if (data[i].variable && !strcasecmp(ExpressionOption(*data[i].e), option)) place = data[i].e;
+  for (PetscInt i = 0; i < num_data; i++) {
+    if (!data[i].variable || strcasecmp(ExpressionOption(*data[i].e), option)) continue;
+    place = data[i].e;
+    kind  = data[i].kind;
+  }
   if (!place) PetscCall(DatumRaise_Private(scene, option, num_data, data));
   PetscCall(PetscFree(data));
   if (num != ExpressionSize(*place)) {
@@ -139,5 +159,6 @@ PetscErrorCode SceneSetDatum(Scene scene, const char option[], PetscInt num, con
   PetscCall(PetscFree(text));
   PetscCall(ExpressionDestroy(place));
   *place = fresh;
+  scene->changed |= kind;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

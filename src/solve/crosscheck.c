@@ -167,12 +167,13 @@ PetscErrorCode SolverCrossCheck(Solver solver, Vec y, const SolverReport *report
 
   PetscFunctionBeginUser;
   PetscCall(SolverChoiceSetSecond(vi, report, PREFIX, &choice));
-  if (SolverChoiceFactors(choice.pc)) PetscCall(MeshLevelsDestroy(&solver->levels));
+  choice.keep = vi->scene && vi->scene->keep;
+  if (SolverChoiceFactors(choice.pc) && !choice.keep) PetscCall(MeshLevelsDestroy(&solver->levels));
   PetscCall(VecDuplicate(y, &second));
   PetscCall(SolverRun(solver, &choice, PETSC_FALSE, NULL, second, &check->other));
   PetscCall(SolverChoiceSetFallback(&check->other, &choice, &again));
   if (again) PetscCall(SolverRun(solver, &choice, PETSC_FALSE, NULL, second, &check->other));
-  PetscCall(MeshLevelsDestroy(&solver->levels));
+  if (!choice.keep) PetscCall(MeshLevelsDestroy(&solver->levels));
   iterated = (PetscBool)(!SolverChoiceFactors(report->pc) || !SolverChoiceFactors(check->other.pc));
   PetscCall(CrossCheckAreNear_Private(vi, y, second, iterated, check, &size, &near));
   PetscCall(CrossCheckCompareSets_Private(vi, y, second, size.max, &check->active_difference));

@@ -16,8 +16,9 @@ PetscErrorCode ProgressWanted(Scene scene, PetscBool *wanted)
 
   PetscFunctionBeginUser;
   PetscCall(TerminalIsPresent(scene->comm, &terminal));
-  /* a study prints its own lines */
-  *wanted = (PetscBool)(scene->monitor || (terminal && !scene->quiet && scene->study.kind == STUDY_NONE));
+  /* a study and load steps print their own lines */
+  *wanted = (PetscBool)(scene->monitor ||
+                        (terminal && !scene->quiet && scene->study.kind == STUDY_NONE && !scene->steps.num));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

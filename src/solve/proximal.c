@@ -45,11 +45,21 @@ PetscErrorCode ProximalBegin(VI vi, Solvability solvability, Proximal *proximal)
   PetscCall(VecDuplicate(vi->upper, &proximal->scale));
   PetscCall(VecDuplicate(vi->b, &proximal->solved.b));
   PetscCall(VecDuplicate(vi->upper, &proximal->solved.upper));
-  PetscCall(VecWAXPY(proximal->solved.upper, -1, solvability->approach, vi->upper));
   PetscCall(VICreateRegularized(vi, solvability->regularization, &proximal->solved.A));
   PetscCall(MatGetDiagonal(vi->A, proximal->scale));
   PetscCall(VecSqrtAbs(proximal->scale));
   PetscCall(VecReciprocal(proximal->scale));
+  PetscCall(ProximalUpdate(proximal));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ProximalUpdate(Proximal *proximal)
+{
+  const VI vi = proximal->solved.vi;
+
+  PetscFunctionBeginUser;
+  if (!proximal->solvability) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecWAXPY(proximal->solved.upper, -1, proximal->solvability->approach, vi->upper));
   proximal->last = 1;
   PetscCall(VecZeroEntries(proximal->rest));
   PetscCall(VecCopy(vi->b, proximal->solved.b));
@@ -217,11 +227,18 @@ PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode ProximalFinish(const Proximal *proximal, Vec y)
+{
+  PetscFunctionBeginUser;
+  if (proximal->solvability) PetscCall(VecAXPY(y, 1, proximal->solvability->approach));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ProximalEnd(Proximal *proximal, Vec y)
 {
   PetscFunctionBeginUser;
+  PetscCall(ProximalFinish(proximal, y));
   if (!proximal->solvability) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(VecAXPY(y, 1, proximal->solvability->approach));
   PetscCall(VecDestroy(&proximal->solved.upper));
   PetscCall(MatDestroy(&proximal->solved.A));
   PetscCall(VecDestroy(&proximal->solved.b));

@@ -28,7 +28,11 @@ PetscErrorCode ProximalSetCenter(Proximal *proximal, Vec y);
 /* Tests whether the proximal term is negligible beside the forces; if not, y becomes the centre. Collective.
    [in,out] report - fails after too many steps; [out] done - also after a failure */
 PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport *report, PetscBool *done);
+/* Takes bounds, loads and approach anew; the centre is 0 again. Collective. */
+PetscErrorCode ProximalUpdate(Proximal *proximal);
 /* [in,out] y - of what was solved; of vi. Collective. */
+PetscErrorCode ProximalFinish(const Proximal *proximal, Vec y);
+/* The same, and destroys what belongs to it. [in,out] y - of what was solved; of vi. Collective. */
 PetscErrorCode ProximalEnd(Proximal *proximal, Vec y);
 
 #endif

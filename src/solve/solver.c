@@ -61,8 +61,20 @@ PetscErrorCode SolverDestroy(Solver *solver)
 {
   PetscFunctionBeginUser;
   if (!*solver) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SolverContextForget(*solver));
   PetscCall(MeshLevelsDestroy(&(*solver)->levels));
   PetscCall(PetscFree(*solver));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolverUpdate(Solver solver)
+{
+  PetscFunctionBeginUser;
+  if (solver->vi->scene->stop == STOP_DISCRETISATION)
+    PetscCall(MeshLevelsDestroy(&solver->levels)); // coarser levels have loads of their own
+  if (!solver->context) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ProximalUpdate(&solver->context->proximal));
+  PetscCall(PDASRestart(solver->context->snes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -73,30 +85,31 @@ PetscErrorCode SolverRun(Solver solver, const SolverChoice *choice, PetscBool pr
   const PetscBool   pdas            = (PetscBool)!strcmp(choice->snes, SNESPDAS);
   const PetscBool   nested          = (PetscBool)(choice->nested && (!guess || choice->stop) && (!solvability || pdas));
   PetscReal         energy_decrease = 0;
-  SolverContext     context;
+  SolverContext    *context;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(report, sizeof(*report)));
-  PetscCall(SolverContextCreate(solver, choice, (PetscBool)(solvability || guess || nested), &context));
-  PetscCall(SolverContextSetLevels(&context, NULL));
-  if (progress) PetscCall(ProgressSet(context.snes, &context.proximal.solved));
-  PetscCall(InitialGuessSet(&context.proximal.solved, solvability, choice, context.snes, guess, y));
-  if (!pdas) PetscCall(SolverContextSetLevels(&context, context.snes));
-  PetscCall(ProximalSetStart(&context.proximal, guess ? y : NULL, context.snes, pdas));
-  if (pdas && (choice->bound || solvability)) PetscCall(PDASSetKeep(context.snes, PETSC_TRUE));
-  if (context.levels) context.levels->cost.on = choice->yields;
-  if (context.levels && nested) PetscCall(SolverStartNested_Private(&context, y, &energy_decrease));
-  if (choice->stop) PetscCall(DiscretizationStopSet(&context, energy_decrease));
-  PetscCall(SolverIterateProximal_Private(&context, y, report));
+  PetscCall(SolverContextTake(solver, choice, (PetscBool)(solvability || guess || nested), &context));
+  if (!context->levels) PetscCall(SolverContextSetLevels(context, NULL));
+  if (progress && !context->used) PetscCall(ProgressSet(context->snes, &context->proximal.solved));
+  context->used = PETSC_TRUE;
+  PetscCall(InitialGuessSet(&context->proximal.solved, solvability, choice, context->snes, guess, y));
+  if (!pdas) PetscCall(SolverContextSetLevels(context, context->snes));
+  PetscCall(ProximalSetStart(&context->proximal, guess ? y : NULL, context->snes, pdas));
+  if (pdas && (choice->bound || solvability || choice->again)) PetscCall(PDASSetKeep(context->snes, PETSC_TRUE));
+  if (context->levels) context->levels->cost.on = choice->yields;
+  if (context->levels && nested) PetscCall(SolverStartNested_Private(context, y, &energy_decrease));
+  if (choice->stop) PetscCall(DiscretizationStopSet(context, energy_decrease));
+  PetscCall(SolverIterateProximal_Private(context, y, report));
   report->bound.value = report->discretisation = NAN;
-  if (choice->bound && !pdas) PetscCall(SolverContextSetLevels(&context, NULL));
-  if (choice->bound) PetscCall(ErrorBoundCompute(&context.proximal, context.snes, y, &report->bound));
-  if (choice->stop) PetscCall(DiscretizationStopConfirm(&context, y, report));
-  if (context.levels) {
-    report->work           = context.levels->hierarchy->work;
-    report->predicted_cost = CostModelPredicted(&context.levels->cost);
+  if (choice->bound && !pdas) PetscCall(SolverContextSetLevels(context, NULL));
+  if (choice->bound) PetscCall(ErrorBoundCompute(&context->proximal, context->snes, y, &report->bound));
+  if (choice->stop) PetscCall(DiscretizationStopConfirm(context, y, report));
+  if (context->levels) {
+    report->work           = context->levels->hierarchy->work;
+    report->predicted_cost = CostModelPredicted(&context->levels->cost);
   }
-  PetscCall(SolverContextDestroy(&context, y));
+  PetscCall(SolverContextReturn(&context, (PetscBool)(choice->again && pdas && report->converged), y));
   PetscCall(MinimumNormApply(solver->vi, solvability, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -114,6 +127,7 @@ static PetscErrorCode SolverFallBack_Private(Solver solver, const SolverChoice *
   if (!again) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SolverRun(solver, &other, progress, guess, y, report));
   report->gave_way = PETSC_TRUE;
+  if (report->converged) solver->choice = other;
   if (!slow || report->converged) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(WarningAdd(&(Warning){.code = "solver_replaced", .advice = "-pc_type truncatedmg avoids the factorization"},
                        "the factorization that replaced the iteration failed; the iteration continues to its end"));
@@ -133,17 +147,22 @@ PetscErrorCode SolverSolve(Solver solver, Vec guess, Vec y, SolverReport *report
   PetscBool      progress;
 
   PetscFunctionBeginUser;
-  PetscCall(SolverChoiceSet(solver, &choice));
+  if (!solver->chosen) PetscCall(SolverChoiceSet(solver, &solver->choice));
+  choice = solver->choice;
   if (choice.nearly && !SolverChoiceFactors(choice.pc)) {
     PetscCall(
         WarningAdd(&slow, "-pc_type %s may need thousands of iterations for a nearly incompressible body", choice.pc));
   }
   PetscCall(ProgressWanted(scene, &progress));
-  choice.keep = scene->cross_check;
+  choice.keep  = (PetscBool)(scene->cross_check || (scene->keep && !choice.stop));
+  choice.again = (PetscBool)(scene->keep && !choice.stop && (!scene->cross_check || SolverChoiceFactors(choice.pc)));
   PetscCall(SolverRun(solver, &choice, progress, guess, y, report));
+  report->gave_way = solver->gave_way;
   if (!report->converged) PetscCall(MeshLevelsDestroy(&solver->levels));
   PetscCall(SolverFallBack_Private(solver, &choice, progress, guess, y, report));
-  report->seconds = LogWallClock() - start;
+  solver->chosen   = scene->keep;
+  solver->gave_way = report->gave_way;
+  report->seconds  = LogWallClock() - start;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &report->seconds, 1, MPIU_REAL, MPI_MAX, comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -56,6 +56,14 @@ static PetscErrorCode SolverContextPrepare_Private(VI vi, const SolverChoice *ch
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Work is counted for each solve. */
+static void SolverContextCountAnew_Private(MeshLevels levels)
+{
+  levels->hierarchy->work        = 0;
+  levels->hierarchy->num_systems = 0;
+  levels->cost.over = levels->cost.found = PETSC_FALSE;
+}
+
 /* Takes the levels kept by the last solve, if any, and sets their finest one. */
 static PetscErrorCode SolverContextTakeLevels_Private(SolverContext *context, Vec W)
 {
@@ -64,7 +72,7 @@ static PetscErrorCode SolverContextTakeLevels_Private(SolverContext *context, Ve
   context->solver->levels = NULL;
   if (!context->levels) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MeshLevelsSetInequality(context->levels, context->levels->num - 1, &context->proximal.solved, W));
-  context->levels->hierarchy->work = 0;
+  SolverContextCountAnew_Private(context->levels);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -94,6 +102,7 @@ PetscErrorCode SolverContextCreate(Solver solver, const SolverChoice *choice, Pe
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(context, sizeof(*context)));
   context->solver = solver;
+  context->choice = *choice;
   context->prefix = choice->prefix;
   context->keep   = choice->keep;
   PetscCall(SolverContextPrepare_Private(vi, choice));
@@ -120,5 +129,58 @@ PetscErrorCode SolverContextDestroy(SolverContext *context, Vec y)
   PetscCall(MeshLevelsDestroy(&context->levels));
   PetscCall(VecDestroy(&context->scratch));
   PetscCall(ProximalEnd(&context->proximal, y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolverContextForget(Solver solver)
+{
+  Vec y;
+
+  PetscFunctionBeginUser;
+  if (!solver->context) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecDuplicate(solver->vi->b, &y));
+  PetscCall(VecZeroEntries(y));
+  PetscCall(SolverContextDefaultsApply_Private(solver->context, PETSC_TRUE)); // which destroying takes back
+  PetscCall(SolverContextDestroy(solver->context, y));
+  PetscCall(PetscFree(solver->context));
+  PetscCall(VecDestroy(&y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolverContextTake(Solver solver, const SolverChoice *choice, PetscBool previous, SolverContext **context)
+{
+  const SolverContext *kept  = solver->context;
+  const SolverChoice  *other = kept ? &kept->choice : NULL;
+
+  PetscFunctionBeginUser;
+  if (kept && !strcmp(other->snes, choice->snes) && !strcmp(other->ksp, choice->ksp) &&
+      !strcmp(other->pc, choice->pc) && !strcmp(other->prefix, choice->prefix)) {
+    *context        = solver->context;
+    solver->context = NULL;
+    PetscCall(SolverContextDefaultsApply_Private(*context, PETSC_TRUE));
+    if ((*context)->levels) SolverContextCountAnew_Private((*context)->levels);
+    (*context)->keep = choice->keep;
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(PetscNew(context));
+  PetscCall(SolverContextCreate(solver, choice, previous, *context));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolverContextReturn(SolverContext **context, PetscBool keep, Vec y)
+{
+  PetscFunctionBeginUser;
+  if (keep) {
+    const Solver solver = (*context)->solver;
+
+    PetscCall(SolverContextForget(solver));
+    PetscCall(SolverContextDefaultsApply_Private(*context, PETSC_FALSE));
+    PetscCall(ProximalFinish(&(*context)->proximal, y));
+    solver->context = *context;
+    *context        = NULL;
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(SolverContextDestroy(*context, y));
+  PetscCall(PetscFree(*context));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

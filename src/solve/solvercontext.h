@@ -16,18 +16,21 @@ typedef struct {
 
 enum { SOLVERCONTEXT_DEFAULTS = 4 };
 
-typedef struct {
-  Solver      solver; /* borrowed */
-  const char *prefix; /* of options; borrowed */
-  PetscBool   keep;   /* whether the solver keeps the levels afterwards */
-  Proximal    proximal;
-  SNES        snes;
-  PC          pc;     /* of its KSP */
-  MeshLevels  levels; /* NULL without levels */
-  Vec         scratch;
-  PetscReal   norm;
-  Default     defaults[SOLVERCONTEXT_DEFAULTS];
-} SolverContext;
+struct _n_SolverContext {
+  Solver       solver; /* borrowed */
+  SolverChoice choice;
+  const char  *prefix; /* of options; borrowed */
+  PetscBool    keep;   /* whether the solver keeps the levels afterwards */
+  PetscBool    used;   /* whether it has solved */
+  Proximal     proximal;
+  SNES         snes;
+  PC           pc;     /* of its KSP */
+  MeshLevels   levels; /* NULL without levels */
+  Vec          scratch;
+  PetscReal    norm;
+  Default      defaults[SOLVERCONTEXT_DEFAULTS];
+};
+typedef struct _n_SolverContext SolverContext;
 
 /* Collective. [in] previous - whether there is an initial set; [out] context - must not be moved: the SNES
    has its address */
@@ -36,6 +39,15 @@ PetscErrorCode SolverContextCreate(Solver solver, const SolverChoice *choice, Pe
 /* Sets the levels of a multigrid preconditioner, those of the last solve if it kept them. Collective. [in]
    snes - if it passes the inactive unknowns alone, or NULL */
 PetscErrorCode SolverContextSetLevels(SolverContext *context, SNES snes);
+/* The context that the solver has kept, if it is of that choice, or a new one. Collective. [out] context - to be given back by
+   SolverContextReturn() */
+PetscErrorCode SolverContextTake(Solver solver, const SolverChoice *choice, PetscBool previous,
+                                 SolverContext **context);
+/* Lets the solver keep the context for its next solve, or destroys it. Collective. [in] keep - whether it has solved what it was for;
+   [in,out] y - what ProximalEnd() takes */
+PetscErrorCode SolverContextReturn(SolverContext **context, PetscBool keep, Vec y);
+/* Destroys what the solver has kept. Collective. */
+PetscErrorCode SolverContextForget(Solver solver);
 /* Collective. [in,out] y - what ProximalEnd() takes */
 PetscErrorCode SolverContextDestroy(SolverContext *context, Vec y);
 

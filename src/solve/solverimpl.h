@@ -5,12 +5,6 @@
 #include "solve/meshlevels.h"
 #include "solve/solver.h"
 
-struct _n_Solver {
-  VI          vi;          /* borrowed */
-  Solvability solvability; /* borrowed; NULL where supports hold all bodies */
-  MeshLevels  levels;      /* kept from the last solve for the next one, or NULL */
-};
-
 /* How to solve an inequality. */
 typedef struct {
   char        snes[64], ksp[64], pc[64]; /* types; what the options database says of ksp and pc still comes on top */
@@ -24,7 +18,18 @@ typedef struct {
   PetscInt    max_it;                    /* largest number of iterations, if larger than usual */
   PetscBool   yields;                    /* whether a cheaper factorization may replace it */
   PetscBool   keep;                      /* whether the solver keeps the multigrid levels for the next solve */
+  PetscBool   again;                     /* whether it keeps everything, for the same matrices at another time */
 } SolverChoice;
+
+struct _n_Solver {
+  VI                       vi;          /* borrowed */
+  Solvability              solvability; /* borrowed; NULL where supports hold all bodies */
+  MeshLevels               levels;      /* kept from the last solve for the next one, or NULL */
+  struct _n_SolverContext *context;     /* all of the last solve, kept for the next one, or NULL */
+  PetscBool                chosen;      /* whether the choice is that of all solves; */
+  PetscBool                gave_way;    /* and whether it has replaced another one */
+  SolverChoice             choice;
+};
 
 /* The linear solver in words. Not collective. [in] package - that factors, or NULL; [out] words - shape [len] */
 PetscErrorCode SolverChoiceDescribe(const char ksp[], const char pc[], const char package[], char words[], size_t len);

@@ -114,6 +114,7 @@ static PetscErrorCode ReachCheckSearch_Private(Run run, const PetscReal motion[]
 {
   ScenePair *specs = run->scene->pairs;
   PetscReal *given, *overlap;
+  PetscBool  open;
   VI         wide;
 
   PetscFunctionBeginUser;
@@ -130,9 +131,10 @@ static PetscErrorCode ReachCheckSearch_Private(Run run, const PetscReal motion[]
   for (PetscInt p = 0; p < run->scene->num_pairs; p++) {
     const PetscBool missed = (PetscBool)(overlap[p] > OVERLAP * motion[p]);
 
-    if (given[p] >= 0 || !missed) specs[p].reach = given[p];
-    if (given[p] >= 0 && missed) PetscCall(ReachCheckFail_Private(&specs[p], overlap[p], motion[p], &run->certificate));
-    if (given[p] < 0 && missed) *again = PETSC_TRUE;
+    open = (PetscBool)(given[p] < 0 || specs[p].widened);
+    if (!open || !missed) specs[p].reach = given[p];
+    if (!open && missed) PetscCall(ReachCheckFail_Private(&specs[p], overlap[p], motion[p], &run->certificate));
+    if (open && missed) *again = specs[p].widened = PETSC_TRUE;
   }
   PetscCall(VIDestroy(&wide));
   PetscCall(PetscFree2(given, overlap));

@@ -60,11 +60,13 @@ static PetscErrorCode RunCreateOnce_Private(Scene scene, Mesh mesh, Vec guess, R
   *again = PETSC_FALSE;
   WarningBeginRun();
   PetscCall(PetscNew(&run));
-  run->scene = scene;
-  run->mesh  = mesh;
+  run->scene     = scene;
+  run->mesh      = mesh;
+  scene->changed = 0;
   PetscCall(VICreate(scene, mesh, &run->vi));
   PetscCall(SolvabilityCreate(run->vi, &run->solvability));
   PetscCall(SolverCreate(run->vi, run->solvability, &run->solver));
+  WarningMark();
   if (scene->view) {
     PetscCall(SceneView(scene));
     PetscCall(MeshViewPrint(run->vi, run->solvability));
@@ -80,28 +82,150 @@ static PetscErrorCode RunCreateOnce_Private(Scene scene, Mesh mesh, Vec guess, R
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run)
+/* Contact was missed in the last try, too. */
+static PetscErrorCode RunGiveUp_Private(Run run)
+{
+  PetscFunctionBeginUser;
+  run->solved            = PETSC_FALSE;
+  run->certificate.holds = PETSC_FALSE;
+  PetscCall(PetscStrncpy(run->certificate.failure,
+                         "contact was missed: bodies moved farther than -<pair>_reach in each of 4 attempts; give "
+                         "the pairs a larger -<pair>_reach",
+                         sizeof(run->certificate.failure)));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Tries until no wider reach is needed. [in] tries - so far; [in,out] run - of the last try, or NULL; [in] again - of it */
+static PetscErrorCode RunTry_Private(Scene scene, Mesh mesh, Vec guess, PetscInt tries, PetscBool again, Run *run)
 {
   SummaryInput known;
-  PetscBool    again;
 
   PetscFunctionBeginUser;
-  PetscCall(RunCreateOnce_Private(scene, mesh, guess, run, &again));
-  for (PetscInt tries = 1; again && tries < MAX_TRIES; tries++) {
+  for (; again && tries < MAX_TRIES; tries++) {
     PetscCall(RunDestroy(run));
     PetscCall(RunCreateOnce_Private(scene, mesh, guess, run, &again));
   }
-  if (again) {
-    (*run)->solved            = PETSC_FALSE;
-    (*run)->certificate.holds = PETSC_FALSE;
-    PetscCall(PetscStrncpy((*run)->certificate.failure,
-                           "contact was missed: bodies moved farther than -<pair>_reach in each of 4 attempts; give "
-                           "the pairs a larger -<pair>_reach",
-                           sizeof((*run)->certificate.failure)));
-  }
+  if (again) PetscCall(RunGiveUp_Private(*run));
   known = RunSummary(*run);
   PetscCall(SummaryWarn(&known));
   WarningEndRun();
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Remembers a solution for the initial guess of the next one; u is referenced. */
+static PetscErrorCode RunRemember_Private(Run run)
+{
+  PetscFunctionBeginUser;
+  if (!run->solved) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecDestroy(&run->past[1].u));
+  run->past[1] = run->past[0];
+  PetscCall(PetscObjectReference((PetscObject)run->fields->u));
+  run->past[0].u = run->fields->u;
+  run->past[0].t = run->scene->time;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run)
+{
+  PetscFunctionBeginUser;
+  *run = NULL;
+  PetscCall(RunTry_Private(scene, mesh, guess, 0, PETSC_TRUE, run));
+  PetscCall(RunRemember_Private(*run));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* u at the present time from the last solutions: on the line through two, or proportional to t, or the last one. [out] guess - ghosted, to
+   be destroyed by the caller; NULL without any */
+static PetscErrorCode RunExtrapolate_Private(Run run, Vec *guess)
+{
+  const PetscReal t = run->scene->time, last = run->past[0].t, before = run->past[1].t;
+  Vec             local, other;
+
+  PetscFunctionBeginUser;
+  *guess = NULL;
+  if (!run->past[0].u) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecDuplicate(run->past[0].u, guess));
+  PetscCall(VecGhostGetLocalForm(*guess, &local));
+  PetscCall(VecGhostGetLocalForm(run->past[0].u, &other));
+  PetscCall(VecCopy(other, local));
+  PetscCall(VecGhostRestoreLocalForm(run->past[0].u, &other));
+  if (run->past[1].u && before != last) {
+    const PetscReal along = (t - last) / (last - before);
+
+    PetscCall(VecScale(local, 1 + along));
+    PetscCall(VecGhostGetLocalForm(run->past[1].u, &other));
+    PetscCall(VecAXPY(local, -along, other));
+    PetscCall(VecGhostRestoreLocalForm(run->past[1].u, &other));
+  } else if (run->scene->scaled && last != 0) {
+    PetscCall(VecScale(local, t / last));
+  }
+  PetscCall(VecGhostRestoreLocalForm(*guess, &local));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Drops what belongs to the last solution alone. */
+static PetscErrorCode RunForget_Private(Run run)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VecDestroy(&run->reactions));
+  PetscCall(VecDestroy(&run->y));
+  PetscCall(ErrorsDestroy(&run->errors));
+  PetscCall(FieldsDestroy(&run->fields));
+  PetscCall(PetscMemzero(&run->report, sizeof(run->report)));
+  PetscCall(PetscMemzero(&run->check, sizeof(run->check)));
+  PetscCall(PetscMemzero(&run->certificate, sizeof(run->certificate)));
+  run->refused = run->solved = PETSC_FALSE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Solves with what is there. [out] again - whether all is to be made anew */
+static PetscErrorCode RunAdvanceOnce_Private(Run run, Vec guess, PetscBool *again)
+{
+  const int changed = run->scene->changed;
+  PetscBool updated;
+
+  PetscFunctionBeginUser;
+  run->scene->changed = 0;
+  PetscCall(VIUpdate(run->vi, changed, &updated));
+  *again = (PetscBool)!updated;
+  if (*again) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SolvabilityUpdate(run->vi, run->solvability));
+  PetscCall(ErrorsCheck(run->vi));
+  run->refused = (PetscBool)(run->solvability && run->solvability->status == SOLVABLE_NOT);
+  if (run->refused) {
+    PetscCall(RunRefuse_Private(run));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(SolverUpdate(run->solver));
+  PetscCall(RunSolve_Private(run, guess, again));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode RunAdvance(Vec guess, Run *run)
+{
+  const Scene scene = (*run)->scene;
+  const Mesh  mesh  = (*run)->mesh;
+  Vec         past[2], own = NULL;
+  PetscReal   t[2];
+  PetscBool   again;
+
+  PetscFunctionBeginUser;
+  if (!guess) PetscCall(RunExtrapolate_Private(*run, &own));
+  WarningBeginAgain();
+  PetscCall(RunForget_Private(*run));
+  PetscCall(RunAdvanceOnce_Private(*run, guess ? guess : own, &again));
+  for (int i = 0; i < 2; i++) {
+    past[i]           = (*run)->past[i].u;
+    t[i]              = (*run)->past[i].t;
+    (*run)->past[i].u = NULL;
+  }
+  PetscCall(RunTry_Private(scene, mesh, guess ? guess : own, 0, again, run));
+  for (int i = 0; i < 2; i++) {
+    (*run)->past[i].u = past[i];
+    (*run)->past[i].t = t[i];
+  }
+  PetscCall(RunRemember_Private(*run));
+  PetscCall(VecDestroy(&own));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -109,10 +233,8 @@ PetscErrorCode RunDestroy(Run *run)
 {
   PetscFunctionBeginUser;
   if (!*run) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(VecDestroy(&(*run)->reactions));
-  PetscCall(VecDestroy(&(*run)->y));
-  PetscCall(ErrorsDestroy(&(*run)->errors));
-  PetscCall(FieldsDestroy(&(*run)->fields));
+  PetscCall(RunForget_Private(*run));
+  for (int i = 0; i < 2; i++) PetscCall(VecDestroy(&(*run)->past[i].u));
   PetscCall(SolverDestroy(&(*run)->solver));
   PetscCall(SolvabilityDestroy(&(*run)->solvability));
   PetscCall(VIDestroy(&(*run)->vi));

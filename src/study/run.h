@@ -9,12 +9,16 @@
 #include "output/summary.h"
 
 struct _n_Run {
-  Scene        scene; /* borrowed */
-  Mesh         mesh;  /* borrowed */
-  VI           vi;
-  Solvability  solvability; /* NULL where supports hold all bodies */
-  Solver       solver;
-  Vec          y;
+  Scene       scene; /* borrowed */
+  Mesh        mesh;  /* borrowed */
+  VI          vi;
+  Solvability solvability; /* NULL where supports hold all bodies */
+  Solver      solver;
+  Vec         y;
+  struct {
+    Vec       u; /* displacement, or NULL */
+    PetscReal t;
+  } past[2]; /* the last solutions, the latest first */
   SolverReport report;
   CrossCheck   check;
   Fields       fields;
@@ -31,6 +35,10 @@ typedef struct _n_Run *Run;
    [in] guess - displacement to begin with (ghosted, dim per node of that level), or NULL; [out] run - owned by the caller */
 PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run);
 PetscErrorCode RunDestroy(Run *run);
+/* Solves and judges once more, when the scene has another time or other data (SceneSetTime(), SceneSetDatum()): matrices, factors,
+   levels and contact stay as far as scene->changed allows. Where -<pair>_reach turns out too small, or the stiffness changes, it is
+   RunCreate(). Collective. [in] guess - displacement to begin with; NULL: extrapolated from the last solutions; [in,out] run */
+PetscErrorCode RunAdvance(Vec guess, Run *run);
 /* What the summary tells of; borrows from the run. Not collective. */
 SummaryInput RunSummary(Run run);
 

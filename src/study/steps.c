@@ -1,0 +1,200 @@
+/* steps.c -- the loop over load steps, and what is written after each. */
+#include "base/compat.h"
+#include "base/interrupt.h"
+#include "base/log.h"
+#include "base/usererror.h"
+#include "base/warning.h"
+#include "output/output.h"
+#include "study/steps.h"
+#include "study/stepscolumns.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PAIRS_SHOWN = 2, TEXT_LENGTH = PETSC_MAX_PATH_LEN + 256 };
+
+/* The loop. */
+typedef struct {
+  Scene     scene; /* borrowed */
+  cJSON    *rows;  /* of all steps so far, on all ranks */
+  PetscBool quiet; /* nothing is printed on stdout */
+  PetscBool any;   /* whether a step is solved: */
+  PetscReal last;  /* the last one */
+} Steps;
+
+/* Faults on a pair whose table would have the name of the steps'. */
+static PetscErrorCode StepsCheckNames_Private(Scene scene)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt p = 0; p < scene->num_pairs && scene->output; p++) {
+    if (strcmp(scene->pairs[p].name, "steps")) continue;
+    PetscCall(UserErrorRaise(scene->comm,
+                             "-pairs steps: %s_steps.csv is the table of the load steps; give the pair another name",
+                             scene->output));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What is said if a signal comes now. */
+static void StepsSetInterruptSentence_Private(const Steps *steps)
+{
+  const int done = cJSON_GetArraySize(steps->rows);
+  char      text[TEXT_LENGTH];
+
+  if (steps->scene->output && done) {
+    snprintf(text, sizeof(text), "mortise: interrupted; %s_steps.csv and the other files hold %d finished step%s\n",
+             steps->scene->output, done, done == 1 ? "" : "s");
+  } else {
+    snprintf(text, sizeof(text), "mortise: interrupted; %s\n",
+             done ? "nothing is kept without -output" : "no step was finished");
+  }
+  InterruptSetSentence(text);
+}
+
+/* A number of a row, NAN where it has none: numbers are kept as text, with all their digits. */
+static double StepsGetNumber_Private(const cJSON *object, const char key[])
+{
+  const cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
+
+  return cJSON_IsRaw(item) ? strtod(item->valuestring, NULL) : NAN;
+}
+
+/* "step 3 of 20, t = 0.15: solved, 4 iterations, 0.12 s; joint: force 1.2e3, area 0.31" */
+static PetscErrorCode StepsPrint_Private(const Steps *steps, PetscInt i, const Run run, const cJSON *row)
+{
+  const MPI_Comm comm  = steps->scene->comm;
+  const char    *state = run->solved ? "solved" : run->refused ? "no solution" : "NOT SOLVED";
+  const cJSON   *pair;
+  PetscInt       shown = 0;
+
+  PetscFunctionBeginUser;
+  if (steps->quiet) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscPrintf(comm, "step %" PetscInt_FMT " of %" PetscInt_FMT ", t = %g: %s", i + 1, steps->scene->steps.num,
+                        (double)steps->scene->time, state));
+  if (run->fields)
+    PetscCall(PetscPrintf(comm, ", %" PetscInt_FMT " iteration%s, %.2g s", run->report.iterations,
+                          run->report.iterations == 1 ? "" : "s", StepsGetNumber_Private(row, "seconds")));
+  cJSON_ArrayForEach(pair, cJSON_GetObjectItemCaseSensitive(row, "pairs"))
+  {
+    if (!run->fields || shown++ == PAIRS_SHOWN) break;
+    PetscCall(PetscPrintf(comm, "%s %s: force %.5g, area %.4g", shown == 1 ? ";" : ",", pair->string,
+                          StepsGetNumber_Private(pair, "normal_force"), StepsGetNumber_Private(pair, "area")));
+  }
+  PetscCall(PetscPrintf(comm, "\n"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The summary as a file or on stdout. [in] text - of the first rank */
+static PetscErrorCode StepsAddSummary_Private(const Steps *steps, Output output, const char text[])
+{
+  const Scene scene = steps->scene;
+  char        path[PETSC_MAX_PATH_LEN];
+
+  PetscFunctionBeginUser;
+  if (scene->summary && strcmp(scene->summary, "-")) PetscCall(OutputAddText(output, scene->summary, text));
+  if (!scene->output) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscSNPrintf(path, sizeof(path), "%s.json", scene->output));
+  PetscCall(OutputAddText(output, path, text)); // the last: where it is, the result is complete
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Completes all files. [out] text - the summary, of the first rank, owned by the caller (free()) */
+static PetscErrorCode StepsWrite_Private(Steps *steps, Run run, char **text)
+{
+  const Scene  scene = steps->scene;
+  SummaryInput input = RunSummary(run);
+  Output       output;
+
+  PetscFunctionBeginUser;
+  PetscCall(OutputCreate(scene->comm, &output));
+  if (scene->output) {
+    PetscCall(LogStageBegin(STAGE_OUTPUT));
+    if (!run->refused)
+      PetscCall(OutputAddFields(output, run->fields));
+    else if (!steps->any)
+      PetscCall(OutputAddMotion(output, run->vi, &run->solvability->motion));
+    PetscCall(StepsAddTable(output, scene, steps->rows));
+    PetscCall(LogStageEnd(STAGE_OUTPUT));
+  }
+  input.steps = steps->rows;
+  PetscCall(SummaryCreate(&input, text));
+  PetscCall(StepsAddSummary_Private(steps, output, *text));
+  InterruptHold();
+  PetscCall(OutputFinish(&output));
+  StepsSetInterruptSentence_Private(steps);
+  InterruptRelease();
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Solves at one time, and tells of it. [in] guess - for the first, or NULL; [out] text - as of StepsWrite_Private() */
+static PetscErrorCode StepsSolve_Private(Steps *steps, PetscInt i, Mesh mesh, Vec guess, Run *run, char **text)
+{
+  const Scene  scene = steps->scene;
+  char         label[TEXT_LENGTH];
+  SummaryInput input;
+  cJSON       *row;
+
+  PetscFunctionBeginUser;
+  if (i) PetscCall(LogReset(LogWallClock()));
+  PetscCall(SceneSetTime(scene, scene->steps.t[i]));
+  PetscCall(PetscSNPrintf(label, sizeof(label), "t = %g", (double)scene->time));
+  WarningSetLabel(label);
+  PetscCall(*run ? RunAdvance(guess, run) : RunCreate(scene, mesh, guess, run));
+  scene->view = PETSC_FALSE; // of the first step only
+  input       = RunSummary(*run);
+  PetscCall(SummaryCreateStep(&input, &row));
+  cJSON_AddItemToArray(steps->rows, row);
+  PetscCall(StepsPrint_Private(steps, i, *run, row));
+  PetscCall(StepsWrite_Private(steps, *run, text));
+  if ((*run)->solved) {
+    steps->any  = PETSC_TRUE;
+    steps->last = scene->time;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What is said in the end: the last step, as of a scene without steps, and where they end. */
+static PetscErrorCode StepsPrintEnd_Private(const Steps *steps, Run run, const char text[])
+{
+  const Scene    scene = steps->scene;
+  const PetscInt done  = cJSON_GetArraySize(steps->rows);
+  SummaryInput   input = RunSummary(run);
+
+  PetscFunctionBeginUser;
+  if (scene->summary && !strcmp(scene->summary, "-") && text) puts(text);
+  PetscCall(SummaryPrintEnd(&input, steps->quiet));
+  if (!steps->quiet && scene->output)
+    PetscCall(PetscPrintf(scene->comm, "  wrote %s_steps.csv: %" PetscInt_FMT " step%s\n", scene->output, done,
+                          done == 1 ? "" : "s"));
+  if (run->solved) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscFPrintf(scene->comm, PETSC_STDERR, "mortise: %s at t = %g; ",
+                         run->refused ? "there is no solution" : "not solved", (double)scene->time));
+  if (steps->any)
+    PetscCall(PetscFPrintf(scene->comm, PETSC_STDERR, "the last solution is that of t = %g\n", (double)steps->last));
+  else
+    PetscCall(PetscFPrintf(scene->comm, PETSC_STDERR, "this is the first load step\n"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode StepsRun(Scene scene, Mesh mesh, Vec guess, Run *run)
+{
+  Steps steps = {.scene = scene, .rows = cJSON_CreateArray()};
+  char *text  = NULL;
+
+  PetscFunctionBeginUser;
+  PetscCall(StepsCheckNames_Private(scene));
+  steps.quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
+  PetscCall(InterruptBegin());
+  StepsSetInterruptSentence_Private(&steps);
+  for (PetscInt i = 0; i < scene->steps.num && (!i || (*run)->solved); i++) {
+    free(text);
+    PetscCall(StepsSolve_Private(&steps, i, mesh, i ? NULL : guess, run, &text));
+  }
+  WarningSetLabel("");
+  PetscCall(StepsPrintEnd_Private(&steps, *run, text));
+  free(text);
+  cJSON_Delete(steps.rows);
+  InterruptSetSentence("");
+  PetscCall(InterruptEnd());
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

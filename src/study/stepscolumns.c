@@ -1,0 +1,107 @@
+/* stepscolumns.c -- <output>_steps.csv, from the rows of the summary: one list of numbers for both. */
+#include "base/compat.h"
+#include "study/stepscolumns.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { NAME_LENGTH = 512 };
+
+/* Writes names, or values. */
+typedef struct {
+  FILE     *out;
+  PetscBool names;
+  PetscInt  num;
+} Row;
+
+static const char *const axes[]     = {"_x", "_y", "_z"};
+static const char *const stresses[] = {"_xx", "_yy", "_zz", "_yz", "_xz", "_xy"};
+
+static void RowAdd_Private(Row *row, const char name[], const cJSON *value)
+{
+  if (row->num++) fputc(',', row->out);
+  if (row->names)
+    fprintf(row->out, strpbrk(name, ",\"") ? "\"%s\"" : "%s", name);
+  else if (cJSON_IsString(value) || cJSON_IsRaw(value)) // numbers are raw: with all their digits
+    fputs(value->valuestring, row->out);
+  else if (cJSON_IsBool(value))
+    fputs(cJSON_IsTrue(value) ? "1" : "0", row->out);
+  else
+    fputs("nan", row->out);
+}
+
+/* A number, or one column for each component. */
+static void RowAddNumbers_Private(Row *row, const char who[], const char what[], const cJSON *value)
+{
+  const int size = cJSON_IsArray(value) ? cJSON_GetArraySize(value) : 0;
+  char      name[NAME_LENGTH];
+
+  if (!size) {
+    snprintf(name, sizeof(name), "%s%s%s", who, who[0] ? "." : "", what);
+    RowAdd_Private(row, name, value);
+  }
+  for (int i = 0; i < size; i++) {
+    snprintf(name, sizeof(name), "%s.%s%s", who, what, size > 3 ? stresses[i] : axes[i]);
+    RowAdd_Private(row, name, cJSON_GetArrayItem(value, i));
+  }
+}
+
+/* All numbers of a step that have a name of their own. */
+static void RowWrite_Private(Row *row, const cJSON *step)
+{
+  static const char *const own[]    = {"t", "status", "certificate", "iterations", "linear_iterations", "seconds"};
+  static const char *const pairs[]  = {"normal_force", "area",         "max_pressure",       "min_gap",
+                                       "active_nodes", "force",        "max_pressure_at",    "max_pressure_covered",
+                                       "extent_lower", "extent_upper", "centre_of_pressure", "moment_imbalance"};
+  static const char *const probes[] = {"displacement", "stress", "von_mises"};
+  const cJSON             *energy   = cJSON_GetObjectItemCaseSensitive(step, "energy"), *item;
+
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(own); i++)
+    RowAddNumbers_Private(row, "", own[i], cJSON_GetObjectItemCaseSensitive(step, own[i]));
+  cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(step, "pairs"))
+  {
+    for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(pairs); i++) {
+      const cJSON *value = cJSON_GetObjectItemCaseSensitive(item, pairs[i]);
+
+      if (!strncmp(pairs[i], "extent_", strlen("extent_")))
+        value = cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(item, "extent"),
+                                                 pairs[i] + strlen("extent_"));
+      RowAddNumbers_Private(row, item->string, pairs[i], value);
+    }
+  }
+  cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(step, "reactions"))
+      RowAddNumbers_Private(row, item->string, "reaction", item);
+  cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(step, "probes"))
+  {
+    for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(probes); i++)
+      RowAddNumbers_Private(row, item->string, probes[i], cJSON_GetObjectItemCaseSensitive(item, probes[i]));
+  }
+  cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(energy, "strain"))
+      RowAddNumbers_Private(row, item->string, "strain_energy", item);
+  RowAddNumbers_Private(row, "", "potential", cJSON_GetObjectItemCaseSensitive(energy, "potential"));
+}
+
+PetscErrorCode StepsAddTable(Output output, Scene scene, const cJSON *rows)
+{
+  char         path[PETSC_MAX_PATH_LEN], *text = NULL;
+  size_t       size;
+  Row          row = {.names = PETSC_TRUE};
+  const cJSON *step;
+
+  PetscFunctionBeginUser;
+  row.out = open_memstream(&text, &size);
+  PetscCheck(row.out, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for the table of load steps");
+  RowWrite_Private(&row, cJSON_GetArrayItem(rows, 0));
+  cJSON_ArrayForEach(step, rows)
+  {
+    row = (Row){.out = row.out};
+    fputc('\n', row.out);
+    RowWrite_Private(&row, step);
+  }
+  PetscCheck(!fclose(row.out) && text, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for the table of load steps");
+  PetscCall(PetscSNPrintf(path, sizeof(path), "%s_steps.csv", scene->output));
+  PetscCall(OutputAddText(output, path, text));
+  free(text);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,23 @@
+# Load steps: each is the solution that a run at its time alone has (singly.py), in all dimensions and with all solvers.
+mortise_scene_test(plane SCENE two_plates CHECK singly.py RANKS 1 3 LABELS sanitize
+  ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6 -load_steps 0.2,0.5,0.4,1)
+mortise_scene_test(axisymmetric SCENE hertz_axisymmetric CHECK singly.py RANKS 1 ARGS -load_steps 0.3,0.7,1)
+mortise_scene_test(interference SCENE patch_interference CHECK singly.py RANKS 1 3 ARGS -load_steps 0.5,1)
+mortise_scene_test(floating SCENE overhang CHECK singly.py RANKS 1 3
+  ARGS -block_dm_plex_box_faces 8,8 -table_dm_plex_box_faces 8,8 -load_steps 0.2,0.6,1)
+mortise_scene_test(tied CHECK singly.py ARGS -load_steps 2)
+mortise_scene_test(solid SCENE stack3d CHECK singly.py ARGS -load_steps 0.4,1)
+mortise_scene_test(multigrid SCENE two_plates CHECK singly.py RANKS 1 3
+  ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6 -dm_refine 2 -pc_type truncatedmg -ksp_rtol 1e-12 -load_steps 0.2,0.5,1)
+mortise_scene_test(reduced_space SCENE two_plates CHECK singly.py
+  ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6 -snes_type vinewtonrsls -load_steps 0.5,1)
+mortise_scene_test(cross_check SCENE two_plates CHECK singly.py
+  ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6 -cross_check -load_steps 0.5,1)
+mortise_scene_test(factor_each_set SCENE two_plates CHECK singly.py
+  ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6 -snes_pdas_reduce 0 -load_steps 0.5,1)
+# Mistakes.
+mortise_mistake(with_study SCENE two_plates ARGS -load_steps 3 -study uniform SAYS "-load_steps 3: -study solves")
+mortise_mistake(no_steps SCENE two_plates RANKS 1 ARGS -load_steps 0 SAYS "-load_steps 0: must be a number of steps from 1 to")
+mortise_mistake(no_time SCENE two_plates RANKS 1 ARGS -load_steps 0.5,soon SAYS "-load_steps" "soon")
+mortise_mistake(no_kind SCENE two_plates RANKS 1 ARGS -load_steps 3 -load_steps_scale force SAYS "-load_steps_scale" "displacements")
+mortise_mistake(none_alone SCENE two_plates RANKS 1 ARGS -load_steps 3 -load_steps_scale none,loads SAYS "-load_steps_scale" "none stands alone")
