@@ -106,6 +106,27 @@ void MaterialAnisotropic(ModelKind model, const PetscReal upper[], const PetscRe
   }
 }
 
+/* eps = R diag(axial) R', engineering shear. */
+void MaterialAxialStrain(ModelKind model, const PetscReal axial[], const PetscReal angle[], PetscReal strain[6])
+{
+  PetscReal R[9];
+
+  MaterialRotationMatrix_Private(model == MODEL_SOLID ? 3 : 1, angle, R);
+  for (PetscInt s = 0; s < STRAINS_3D; s++) {
+    const PetscInt i = VOIGT[s][0], j = VOIGT[s][1];
+
+    strain[s] = 0.;
+    for (PetscInt k = 0; k < 3; k++) strain[s] += (i == j ? 1. : 2.) * R[i * 3 + k] * axial[k] * R[j * 3 + k];
+  }
+}
+
+void MaterialPickStrains(ModelKind model, const PetscReal all[6], PetscReal strain[])
+{
+  const PetscInt n = MaterialNumStrains(model);
+
+  for (PetscInt i = 0; i < n; i++) strain[i] = all[CARRIED[n][i]];
+}
+
 PetscReal MaterialDefiniteness(PetscInt num_strains, const PetscReal C[])
 {
   PetscReal smallest, largest;

@@ -23,6 +23,12 @@ void MaterialAnisotropic(ModelKind model, const PetscReal upper[], const PetscRe
 /* Smallest eigenvalue of C over the largest: <= 0 for an indefinite or singular Hooke tensor. */
 PetscReal MaterialDefiniteness(PetscInt num_strains, const PetscReal C[]);
 
+/* The strain along the material's axes with these three direct components (plane and axisymmetric: third across the plane), as six
+   components xx,yy,zz,yz,xz,xy, turned like MaterialAnisotropic(). [in] axial - [3] */
+void MaterialAxialStrain(ModelKind model, const PetscReal axial[], const PetscReal angle[], PetscReal strain[6]);
+/* Those of six components that a model carries. [out] strain - [num_strains] */
+void MaterialPickStrains(ModelKind model, const PetscReal all[6], PetscReal strain[]);
+
 /* sigma = C eps as six components xx,yy,zz,yz,xz,xy. zz in plane strain is nu (xx + yy) of an isotropic body (poisson),
    0 in plane stress; NAN where a plane Hooke tensor leaves it open (pass poisson = NAN). [in] strain - [num_strains] */
 void MaterialStress(ModelKind model, const PetscReal C[], PetscReal poisson, const PetscReal strain[],

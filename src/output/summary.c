@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/options.h"
 #include "output/patchsummary.h"
+#include "problem/loads.h"
 #include "result/pairsum.h"
 #include "result/probes.h"
 #include "base/compat.h"
@@ -207,6 +208,42 @@ static PetscErrorCode SummaryAddReactions_Private(const SummaryInput *in, cJSON 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* What the loads on sides add up to; several on one side add up in one entry. */
+static PetscErrorCode SummaryAddLoads_Private(const SummaryInput *in, cJSON *root)
+{
+  cJSON         *loads = cJSON_AddObjectToObject(root, "loads");
+  const PetscInt dim   = in->scene->dim;
+
+  PetscFunctionBeginUser;
+  for (PetscInt b = 0; b < in->scene->num_bodies; b++) {
+    const SceneBody *body = &in->scene->bodies[b];
+
+    for (PetscInt i = 0; i < body->num_boundaries; i++) {
+      PetscBool known = PETSC_FALSE;
+      LoadSum   sum;
+      cJSON    *load;
+      char      key[PETSC_MAX_PATH_LEN];
+
+      if (!SceneBoundaryIsLoad(&body->boundaries[i])) continue;
+      for (PetscInt j = 0; j < i; j++)
+        known = (PetscBool)(known || (SceneBoundaryIsLoad(&body->boundaries[j]) &&
+                                      !strcmp(body->boundaries[i].side, body->boundaries[j].side)));
+      if (known) continue;
+      PetscCall(LoadSumsCompute(in->scene, in->vi->level, b, body->boundaries[i].side, &sum));
+      PetscCall(PetscSNPrintf(key, sizeof(key), "%s:%s", body->name, body->boundaries[i].side));
+      load = cJSON_AddObjectToObject(loads, key);
+      JSONAddReals(load, "force", dim, sum.force);
+      if (dim == 3)
+        JSONAddReals(load, "moment", dim, sum.moment);
+      else
+        JSONAddReal(load, "moment", in->scene->model == MODEL_AXISYMMETRIC ? NAN : sum.moment[2]);
+      JSONAddReals(load, "centroid", dim, sum.centre);
+      JSONAddReal(load, "area", sum.area);
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 static PetscErrorCode SummaryAddProbes_Private(const SummaryInput *in, cJSON *root)
 {
   cJSON *probes = cJSON_AddObjectToObject(root, "probes");
@@ -318,6 +355,7 @@ PetscErrorCode SummaryCreate(const SummaryInput *input, char **text)
   PetscCall(SummaryAddEnergy_Private(input, root));
   PetscCall(SummaryAddPairs_Private(input, root));
   PetscCall(SummaryAddReactions_Private(input, root));
+  PetscCall(SummaryAddLoads_Private(input, root));
   PetscCall(SummaryAddProbes_Private(input, root));
   SummaryAddErrors_Private(input, root);
   PetscCall(SummaryAddCost_Private(input, root));

@@ -112,7 +112,7 @@ static PetscErrorCode LoadRefineMeasureTerms_Private(MPI_Comm comm, PetscInt num
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(num * COLUMNS, &sums));
   for (PetscInt i = 0; i < num; i++) {
-    for (PetscInt k = 0; k < terms[i].dim; k++) sums[i * COLUMNS + (terms[i].pressure ? 0 : k)] += terms[i].total[k];
+    for (PetscInt k = 0; k < terms[i].dim; k++) sums[i * COLUMNS + (terms[i].pressure ? 0 : k)] += terms[i].sums[k];
     sums[i * COLUMNS + MAX_DIM] = (PetscReal)terms[i].num;
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, (PetscMPIInt)(num * COLUMNS), MPIU_REAL, MPI_SUM, comm));

@@ -1,10 +1,13 @@
-/* loads.c -- body forces, tractions and pressures as nodal loads.
+/* loads.c -- body forces, tractions and pressures as nodal loads, and strains without stress.
 
    Plain numbers are integrated exactly; expressions with LoadGetDegree_Private(), so that the error of a load is of higher
    order than that of the discretisation, and anew where they have jumps or kinks (loadrefine.c). Sums over facets and cells
    are taken where they are held, then shared. */
 #include "base/compat.h"
+#include "base/warning.h"
+#include <string.h>
 #include "problem/loads.h"
+#include "problem/eigenstrain.h"
 #include "problem/loadterm.h"
 
 /* The degree of a constant body force: shape functions of order p times det J of degree dim p - 1 in each coordinate. */
@@ -21,7 +24,7 @@ static PetscInt LoadGetDegree_Private(PetscInt order)
 
 /* On a facet, exact to degree 6 on flat ones. The measure of a curved one is not a polynomial, so that even constants are
    exact only to within (the angle it turns by)^12. */
-static PetscInt LoadGetFacetDegree_Private(PetscInt order)
+PetscInt LoadElementFacetDegree(PetscInt order)
 {
   return 4 * order + 3;
 }
@@ -39,6 +42,16 @@ void LoadElementSet(const LoadTerm *term, PetscInt e, LoadElement *element)
   }
 }
 
+/* t = traction + spin x (x - centre) */
+static void LoadElementTotal_Private(const LoadTerm *term, const PetscReal x[], PetscReal t[])
+{
+  PetscReal arm[3] = {0, 0, 0};
+
+  for (PetscInt k = 0; k < term->dim; k++) arm[k] = x[k] - term->centre[k];
+  for (PetscInt k = 0; k < term->dim; k++)
+    t[k] = term->traction[k] + term->spin[(k + 1) % 3] * arm[(k + 2) % 3] - term->spin[(k + 2) % 3] * arm[(k + 1) % 3];
+}
+
 PetscErrorCode LoadElementValue(const LoadElement *element, const PetscReal xi[], PetscReal weight, PetscReal value[])
 {
   const LoadTerm *term = element->term;
@@ -51,7 +64,10 @@ PetscErrorCode LoadElementValue(const LoadElement *element, const PetscReal xi[]
   else
     dx = weight * ElementMap(element->type, element->X, xi, x, phi, NULL);
   dx *= SceneMeasure(term->scene, x);
-  PetscCall(ExpressionEvaluate(term->value, dim, x, t));
+  if (term->total)
+    LoadElementTotal_Private(term, x, t);
+  else
+    PetscCall(ExpressionEvaluate(term->value, dim, x, t));
   if (term->pressure) {
     const PetscReal p = t[0];
     for (PetscInt k = 0; k < dim; k++) t[k] = -p * nu[k];
@@ -72,7 +88,7 @@ PetscErrorCode LoadElementIntegrate(const LoadElement *element, PetscReal fe[])
 
   PetscFunctionBeginUser;
   if (term->on_facets)
-    degree = LoadGetFacetDegree_Private(order);
+    degree = LoadElementFacetDegree(order);
   else
     degree = (term->formula ? LoadGetDegree_Private(order) : LoadGetConstantDegree_Private(dim, order)) +
              SceneMeasureDegree(term->scene, order);
@@ -112,7 +128,8 @@ static PetscErrorCode LoadTermCreate_Private(Scene scene, Level *level, PetscInt
   term->value     = boundary ? boundary->value : scene->bodies[body].body_force;
   term->pressure  = (PetscBool)(boundary && boundary->kind == BOUNDARY_PRESSURE);
   term->on_facets = (PetscBool)(boundary != NULL);
-  term->formula   = (PetscBool)!ExpressionIsConstant(term->value);
+  term->total     = (PetscBool)(boundary && (boundary->kind == BOUNDARY_FORCE || boundary->kind == BOUNDARY_MOMENT));
+  term->formula   = (PetscBool) !(term->total || ExpressionIsConstant(term->value));
   term->body      = body;
   term->dim       = level->dim;
   if (boundary) {
@@ -131,6 +148,7 @@ static PetscErrorCode LoadTermCreate_Private(Scene scene, Level *level, PetscInt
     term->nodes[e++] = &level->cell_nodes[level->cell_start[c]];
   }
   if (term->formula) PetscCall(PetscCalloc2(term->num * term->dim, &term->own, term->num * term->dim, &term->miss));
+  if (term->total) PetscCall(LoadTermSpread(term, (PetscBool)(boundary->kind == BOUNDARY_MOMENT)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -156,8 +174,7 @@ static PetscErrorCode LoadsCreateTerms_Private(Scene scene, Level *level, PetscI
     const SceneBody *body = &scene->bodies[b];
     if (body->body_force) PetscCall(LoadTermCreate_Private(scene, level, b, NULL, &(*terms)[(*num)++]));
     for (PetscInt i = 0; i < body->num_boundaries; i++) {
-      const BoundaryKind kind = body->boundaries[i].kind;
-      if (kind != BOUNDARY_TRACTION && kind != BOUNDARY_PRESSURE) continue;
+      if (!SceneBoundaryIsLoad(&body->boundaries[i])) continue;
       PetscCall(LoadTermCreate_Private(scene, level, b, &body->boundaries[i], &(*terms)[(*num)++]));
     }
   }
@@ -178,9 +195,9 @@ static PetscErrorCode LoadsAddTerm_Private(LoadTerm *term, PetscScalar fa[])
     if (term->formula)
       PetscCall(LoadElementCheck(&element, e, fe));
     else
-      LoadElementSums(&element, fe, term->total);
+      LoadElementSums(&element, fe, term->sums);
   }
-  for (PetscInt i = 0; term->formula && i < term->num * term->dim; i++) term->total[i % term->dim] += term->own[i];
+  for (PetscInt i = 0; term->formula && i < term->num * term->dim; i++) term->sums[i % term->dim] += term->own[i];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -198,6 +215,7 @@ PetscErrorCode LoadsAssemble(Scene scene, Level *level, Vec f)
   PetscCall(VecGetArray(local, &fa));
   for (PetscInt i = 0; i < num; i++) PetscCall(LoadsAddTerm_Private(&terms[i], fa));
   PetscCall(LoadTermsRefine(level, num, terms, fa));
+  PetscCall(EigenstrainAddLoads(scene, level, fa));
   PetscCall(VecRestoreArray(local, &fa));
   PetscCall(VecGhostRestoreLocalForm(f, &local));
   PetscCall(LevelShareVec(f, ADD_VALUES));
@@ -206,5 +224,61 @@ PetscErrorCode LoadsAssemble(Scene scene, Level *level, Vec f)
     PetscCall(LoadTermDestroy_Private(&terms[i]));
   }
   PetscCall(PetscFree(terms));
+  PetscCall(EigenstrainCheck(scene, level));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Force, and moment about the centroid, of nodal loads; x of an element is that of its nodes, so that the moment of the nodal loads is
+   that of the load. [in] fa - [num_nodes][dim] */
+static PetscErrorCode LoadSumAdd_Private(const LoadTerm *term, const PetscScalar fa[], LoadSum *sum)
+{
+  const PetscInt dim         = term->dim;
+  PetscReal      total[2][3] = {{0}};
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < term->level->num_nodes; i++) {
+    PetscReal arm[3] = {0, 0, 0}, F[3] = {0, 0, 0};
+
+    for (PetscInt k = 0; k < dim; k++) {
+      arm[k] = term->level->coords[i * dim + k] - sum->centre[k];
+      F[k]   = PetscRealPart(fa[i * dim + k]);
+    }
+    for (PetscInt k = 0; k < 3; k++) {
+      total[0][k] += F[k];
+      total[1][k] += arm[(k + 1) % 3] * F[(k + 2) % 3] - arm[(k + 2) % 3] * F[(k + 1) % 3];
+    }
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, total, 6, MPIU_REAL, MPI_SUM, term->level->comm));
+  for (PetscInt k = 0; k < 3; k++) {
+    sum->force[k] += total[0][k];
+    sum->moment[k] += total[1][k];
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode LoadSumsCompute(Scene scene, Level *level, PetscInt body, const char side[], LoadSum *sum)
+{
+  const SceneBody *b     = &scene->bodies[body];
+  PetscScalar     *fa    = NULL;
+  PetscBool        first = PETSC_TRUE;
+  LoadTerm         term;
+
+  PetscFunctionBeginUser;
+  *sum = (LoadSum){.area = 0};
+  PetscCall(PetscMalloc1(level->num_nodes * level->dim, &fa));
+  for (PetscInt i = 0; i < b->num_boundaries; i++) {
+    if (!SceneBoundaryIsLoad(&b->boundaries[i]) || strcmp(b->boundaries[i].side, side) != 0) continue;
+    PetscCall(LoadTermCreate_Private(scene, level, body, &b->boundaries[i], &term));
+    if (first) PetscCall(LoadTermCentroid(&term, sum->centre, &sum->area));
+    first = PETSC_FALSE;
+    PetscCall(PetscArrayzero(fa, level->num_nodes * level->dim));
+    PetscCall(LoadsAddTerm_Private(&term, fa));
+    WarningMute(); // the assembly has told
+    PetscCall(LoadTermsRefine(level, 1, &term, fa));
+    WarningUnmute();
+    PetscCall(LoadSumAdd_Private(&term, fa, sum));
+    PetscCall(LoadTermDestroy_Private(&term));
+  }
+  PetscCall(PetscFree(fa));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -9,17 +9,19 @@ typedef struct {
   Scene            scene;
   Level           *level;
   Expression       value;
-  PetscBool        pressure;  /* else value is a force per volume or area */
-  PetscBool        on_facets; /* of a side; else on the cells of the body */
-  PetscBool        formula;   /* else plain numbers */
+  PetscBool        pressure; /* else value is a force per volume or area, */
+  PetscBool        total;    /* or a total of the side, spread as traction + spin x (x - centre) */
+  PetscReal        traction[3], spin[3], centre[3]; /* of a total */
+  PetscBool        on_facets;                       /* of a side; else on the cells of the body */
+  PetscBool        formula;                         /* else plain numbers */
   PetscInt         body, dim;
-  Facets           facets;   /* of a traction or pressure */
-  PetscInt         num;      /* elements: facets, or cells of the body */
-  ElementType     *type;     /* [num] */
-  const PetscInt **nodes;    /* local nodes of each [num] */
-  PetscReal       *own;      /* sum_i |int phi_i t| by the larger of two rules; formulas only [num][dim] */
-  PetscReal       *miss;     /* largest difference of two rules; formulas only [num][dim] */
-  PetscReal        total[3]; /* of own, on this rank */
+  Facets           facets;  /* of a traction or pressure */
+  PetscInt         num;     /* elements: facets, or cells of the body */
+  ElementType     *type;    /* [num] */
+  const PetscInt **nodes;   /* local nodes of each [num] */
+  PetscReal       *own;     /* sum_i |int phi_i t| by the larger of two rules; formulas only [num][dim] */
+  PetscReal       *miss;    /* largest difference of two rules; formulas only [num][dim] */
+  PetscReal        sums[3]; /* of own, on this rank */
 } LoadTerm;
 
 /* An element of a term with what its integrand needs. */
@@ -31,7 +33,14 @@ typedef struct {
   PetscReal       X[3 * ELEMENT_MAX_NODES]; /* [num_nodes][dim] */
 } LoadElement;
 
-void LoadElementSet(const LoadTerm *term, PetscInt e, LoadElement *element);
+/* Spreads the total force or moment of a side: sets traction, spin, centre. Collective. [in] moment - whether value is a moment */
+PetscErrorCode LoadTermSpread(LoadTerm *term, PetscBool moment);
+/* The centroid of a side. Collective. [out] centre - [3]; [out] area - with the measure */
+PetscErrorCode LoadTermCentroid(const LoadTerm *term, PetscReal centre[], PetscReal *area);
+
+/* Degree of the rule for facets of an order. */
+PetscInt LoadElementFacetDegree(PetscInt order);
+void     LoadElementSet(const LoadTerm *term, PetscInt e, LoadElement *element);
 /* value_i = weight phi_i t dx/dxi at xi, t the force per area or volume. Not collective. [out] value - [num_nodes][dim] */
 PetscErrorCode LoadElementValue(const LoadElement *element, const PetscReal xi[], PetscReal weight, PetscReal value[]);
 /* fe = the integrals over the element by the rule that loads have where they are smooth. Not collective. */

@@ -4,7 +4,7 @@
    out. Whether a node is in contact is therefore a decision with a tolerance, taken here once for all outputs. */
 #include "result/fields.h"
 #include "base/compat.h"
-#include "problem/elasticity.h"
+#include "problem/eigenstrain.h"
 #include "result/stress.h"
 
 /* A bound counts as reached within this part of the largest unknown: pdas reaches it exactly, vinewtonrsls to its zero
@@ -253,11 +253,14 @@ PetscErrorCode FieldsEnergy(Fields fields, PetscReal strain[], PetscReal *potent
 {
   const VI    vi = fields->vi;
   PetscScalar work;
+  PetscReal   constant;
 
   PetscFunctionBeginUser;
   PetscCall(ElasticityBodyEnergy(vi->scene, vi->level, vi->K, fields->u, strain));
   PetscCall(VecDot(vi->f, fields->u, &work));
   *potential = -PetscRealPart(work);
   for (PetscInt b = 0; b < vi->scene->num_bodies; b++) *potential += strain[b];
+  PetscCall(EigenstrainEnergy(vi->scene, vi->level, fields->u, strain, &constant)); // f has the work of eps_0
+  *potential += constant;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

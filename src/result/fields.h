@@ -32,7 +32,8 @@ typedef struct _n_Fields *Fields;
 /* Recovers everything from y. Collective. [in] solvability - of vi, or NULL; [out] fields - owned by the caller */
 PetscErrorCode FieldsCreate(VI vi, Solvability solvability, Vec y, Fields *fields);
 PetscErrorCode FieldsDestroy(Fields *fields);
-/* Collective. [out] strain - strain energy of each body [num_bodies]; [out] potential - 1/2 u'Ku - f'u */
+/* Collective. [out] strain - strain energy of each body, 1/2 int (eps - eps_0) : C (eps - eps_0) [num_bodies];
+   [out] potential - their sum less the work of the forces */
 PetscErrorCode FieldsEnergy(Fields fields, PetscReal strain[], PetscReal *potential);
 
 /* What one pair does at the nodes this rank owns; arrays of shape [level->num_owned]. */

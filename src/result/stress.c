@@ -7,7 +7,7 @@
    their volumes as weights. Nodes belong to one body, so nothing is averaged across an interface. Linear stresses are
    reproduced exactly on cells of order 2 with straight sides. */
 #include "base/compat.h"
-#include "problem/elasticity.h"
+#include "problem/eigenstrain.h"
 #include "result/stress.h"
 
 enum { STRESSES = 6, MAX_STRAINS = 6, MAX_DIM = 3 };
@@ -54,7 +54,22 @@ typedef struct {
   PetscInt   body;
   PetscReal  X[ELEMENT_MAX_NODES * MAX_DIM], u[ELEMENT_MAX_NODES * MAX_DIM];
   Dilatation pi;
+  PetscReal  parts[DILATATION_MAX_FUNCTIONS]; /* of the change of volume without stress */
 } Cell;
+
+/* sigma = C (eps - eps_0) + bulk (theta - theta_0 - tr (eps - eps_0)) 1. [in] strain - eps - eps_0; [in,out] C - loses its bulk modulus */
+static void StressAddPressure_Private(PetscInt num_strains, const Cell *cell, const PetscReal x[], PetscReal C[],
+                                      const PetscReal strain[], PetscReal stress[])
+{
+  PetscReal change, q[DILATATION_MAX_FUNCTIONS];
+
+  if (!cell->pi.num) return;
+  change = DilatationEvaluate(&cell->pi, x, cell->u) - MaterialDilatation(num_strains, strain);
+  DilatationShape(&cell->pi, x, q);
+  for (PetscInt a = 0; a < cell->pi.num; a++) change -= q[a] * cell->parts[a];
+  change *= MaterialTakeBulk(num_strains, C);
+  for (PetscInt k = 0; k < 3; k++) stress[k] += change;
+}
 
 /* sigma at point q of a cell. [out] det - det J there */
 static PetscErrorCode StressAtPoint_Private(Scene scene, const Cell *cell, const ElementRule *rule, PetscInt q,
@@ -63,7 +78,8 @@ static PetscErrorCode StressAtPoint_Private(Scene scene, const Cell *cell, const
   const PetscInt  dim = scene->dim, n = ElementNumNodes(rule->type), num_strains = MaterialNumStrains(scene->model);
   const PetscBool ring = (PetscBool)(scene->model == MODEL_AXISYMMETRIC);
   PetscReal       grad[ELEMENT_MAX_NODES * MAX_DIM], B[MAX_STRAINS * ELEMENT_MAX_NODES * MAX_DIM], x[MAX_DIM];
-  PetscReal       hoop[ELEMENT_MAX_NODES], C[MAX_STRAINS * MAX_STRAINS], strain[MAX_STRAINS], poisson, change;
+  PetscReal       hoop[ELEMENT_MAX_NODES], C[MAX_STRAINS * MAX_STRAINS], strain[MAX_STRAINS], poisson;
+  Eigenstrain     e;
 
   PetscFunctionBeginUser;
   *det = ElementRuleMap(rule, q, cell->X, x, grad);
@@ -74,11 +90,11 @@ static PetscErrorCode StressAtPoint_Private(Scene scene, const Cell *cell, const
     for (PetscInt i = 0; i < n * dim; i++) strain[s] += B[s * n * dim + i] * cell->u[i];
   }
   PetscCall(ElasticityHooke(scene, cell->body, x, C, &poisson));
+  PetscCall(EigenstrainEvaluate(scene, cell->body, x, C, poisson, &e));
+  for (PetscInt s = 0; s < num_strains; s++) strain[s] -= e.strain[s];
   MaterialStress(scene->model, C, poisson, strain, stress);
-  if (!cell->pi.num) PetscFunctionReturn(PETSC_SUCCESS);
-  change = DilatationEvaluate(&cell->pi, x, cell->u) - MaterialDilatation(num_strains, strain);
-  change *= MaterialTakeBulk(num_strains, C);
-  for (PetscInt k = 0; k < 3; k++) stress[k] += change; /* sigma = C eps + bulk (theta - div u) 1 */
+  stress[2] -= e.across;
+  StressAddPressure_Private(num_strains, cell, x, C, strain, stress);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -100,6 +116,7 @@ static PetscErrorCode StressAddCell_Private(Scene scene, const Level *level, Pet
     }
   }
   PetscCall(ElasticityDilatation(scene, level, c, recovery->stiffness, &cell.pi));
+  PetscCall(EigenstrainDilatation(scene, level, c, recovery->stiffness, &cell.pi, cell.parts));
   for (PetscInt q = 0; q < num; q++) {
     PetscReal det;
 

@@ -81,8 +81,11 @@ static const OptionEntry table[] = {
      "shear strains. Axisymmetric: ten numbers in the order xx (radius), yy (axis), zz (around), xy. Solids: 21 "
      "numbers in the order xx, yy, zz, yz, xz, xy."},
     {GROUP_MATERIAL, "-<body>_material_angle", "x[,y,z]", "degrees", "(0)",
-     "Rotation of the axes of -<body>_stiffness, anticlockwise; in solids three rotations, about z, the new x, the new "
-     "z."},
+     "Rotation of the axes of -<body>_stiffness and of three coefficients of thermal expansion, anticlockwise; in "
+     "solids three rotations, about z, the new x, the new z."},
+    {GROUP_MATERIAL, "-<body>_thermal_expansion", "e[,e,e]", "1/temperature", "(none)",
+     "Coefficient of thermal expansion; three numbers are those of the axes of the material: x, y, z, or radius, axis, "
+     "around. Wants -<body>_temperature."},
 
     {GROUP_LOADS, "-<body>_body_force", "e,e[,e]", "force/volume", "(none)", "Force per volume, such as weight."},
     {GROUP_LOADS, "-<body>_bc_displacement", "side,side,...", "", "(none)",
@@ -97,6 +100,23 @@ static const OptionEntry table[] = {
     {GROUP_LOADS, "-<body>_bc_pressure", "side,side,...", "", "(none)", "Sides with a given pressure."},
     {GROUP_LOADS, "-<body>_bc_pressure_<side>", "e", "stress", "(required)",
      "Pressure on a listed side; positive pushes into the body."},
+    {GROUP_LOADS, "-<body>_bc_force", "side,side,...", "", "(none)",
+     "Sides with a given total force, which is spread as a uniform force per area. The summary has the sums as loads."},
+    {GROUP_LOADS, "-<body>_bc_force_<side>", "e,e[,e]", "force", "(required)",
+     "Total force on a listed side, for the whole thickness; axisymmetric: sums of the radial and axial components "
+     "over "
+     "the whole ring. Numbers, or formulas of t."},
+    {GROUP_LOADS, "-<body>_bc_moment", "side,side,...", "", "(none)",
+     "Sides with a given total moment about their centroid, which is spread as a force per area that is linear in "
+     "position and has no resultant. Not axisymmetric."},
+    {GROUP_LOADS, "-<body>_bc_moment_<side>", "e[,e,e]", "force*length", "(required)",
+     "Total moment on a listed side: about z, anticlockwise, for the whole thickness; in solids three components. "
+     "Numbers, or formulas of t."},
+    {GROUP_LOADS, "-<body>_temperature", "e", "temperature", "(none)",
+     "Temperature above that of the body without stress. Wants -<body>_thermal_expansion."},
+    {GROUP_LOADS, "-<body>_initial_strain", "e,e,e,e[,e,e]", "", "(none)",
+     "Strain that the body has without stress: xx, yy, zz, xy; in solids xx, yy, zz, yz, xz, xy. Shear strains are "
+     "engineering shear strains. Axisymmetric: x is the radius, y the axis, z around."},
 
     {GROUP_PAIRS, "-<pair>_nonmortar", "body:side", "", "(-<pair>_sides)", "Side that carries the contact pressure."},
     {GROUP_PAIRS, "-<pair>_mortar", "body:side", "", "(-<pair>_sides)",

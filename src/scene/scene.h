@@ -8,7 +8,14 @@
 #include "base/expression.h"
 #include "kernel/material.h"
 
-typedef enum { BOUNDARY_DISPLACEMENT, BOUNDARY_NORMAL, BOUNDARY_TRACTION, BOUNDARY_PRESSURE } BoundaryKind;
+typedef enum {
+  BOUNDARY_DISPLACEMENT,
+  BOUNDARY_NORMAL,
+  BOUNDARY_TRACTION,
+  BOUNDARY_PRESSURE,
+  BOUNDARY_FORCE, /* total force, spread as a uniform traction [dim] */
+  BOUNDARY_MOMENT /* total moment about the centroid, spread as a linear traction [1, in space 3] */
+} BoundaryKind;
 
 /* Data on one side of a body. */
 typedef struct {
@@ -38,9 +45,12 @@ typedef struct {
   Expression     stiffness;       /* upper triangle of the Hooke tensor, else NULL */
   PetscReal      angle[3];        /* of the material axes, degrees */
   Expression     body_force;      /* force per volume [dim], or NULL */
+  Expression     temperature;     /* above that without stress [1], or NULL as expansion */
+  Expression     expansion;       /* thermal: of all directions [1], of the material axes [3] */
+  Expression     initial_strain;  /* without stress [4, in space 6], or NULL */
   Expression     exact;           /* the exact displacement, where it is known [dim], or NULL */
   PetscInt       num_boundaries;
-  SceneBoundary *boundaries; /* in the order typed: displacement, normal, traction, pressure */
+  SceneBoundary *boundaries; /* in the order typed: displacement, normal, traction, pressure, force, moment */
 } SceneBody;
 
 typedef enum { PAIR_CONTACT, PAIR_TIED } PairType;
@@ -177,6 +187,18 @@ static inline PetscReal SceneMeasure(const struct _n_Scene *scene, const PetscRe
 static inline PetscInt SceneMeasureDegree(const struct _n_Scene *scene, PetscInt order)
 {
   return scene->model == MODEL_AXISYMMETRIC ? order : 0;
+}
+
+/* Whether a boundary gives a load: what is no support. */
+static inline PetscBool SceneBoundaryIsLoad(const SceneBoundary *boundary)
+{
+  return (PetscBool)(boundary->kind >= BOUNDARY_TRACTION);
+}
+
+/* Whether a body has strains without stress. */
+static inline PetscBool SceneBodyHasEigenstrain(const SceneBody *body)
+{
+  return (PetscBool)(body->temperature || body->initial_strain);
 }
 
 /* Creates an empty scene. Collective on comm. [out] scene - owned by the caller */

@@ -155,9 +155,20 @@ static PetscErrorCode BodyCheckStiffness_Private(Scene scene, const SceneBody *b
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The axes of a material that has some. */
+static PetscErrorCode BodyReadAngle_Private(Scene scene, SceneBody *body)
+{
+  Option angle;
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionFind(scene, "-<body>_material_angle", body->name, NULL, &angle));
+  PetscCall(OptionGetReals(&angle, scene->dim == 2 ? 1 : 3, body->angle));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 static PetscErrorCode BodyReadMaterial_Private(Scene scene, SceneBody *body)
 {
-  Option         young, poisson, stiffness, angle;
+  Option         young, poisson, stiffness;
   const PetscInt num_strains = MaterialNumStrains(scene->model);
 
   PetscFunctionBeginUser;
@@ -169,9 +180,8 @@ static PetscErrorCode BodyReadMaterial_Private(Scene scene, SceneBody *body)
       PetscCall(OptionRaise(young.set ? &young : &poisson,
                             "the body has a Hooke matrix already (%s); give one of the two", stiffness.name));
     }
-    PetscCall(OptionFind(scene, "-<body>_material_angle", body->name, NULL, &angle));
-    PetscCall(OptionGetReals(&angle, scene->dim == 2 ? 1 : 3, body->angle));
     PetscCall(OptionGetExpression(&stiffness, num_strains * (num_strains + 1) / 2, PETSC_FALSE, &body->stiffness));
+    PetscCall(BodyReadAngle_Private(scene, body));
     PetscCall(BodyCheckStiffness_Private(scene, body, &stiffness));
   } else {
     PetscCall(OptionRequire(&young,
@@ -184,11 +194,61 @@ static PetscErrorCode BodyReadMaterial_Private(Scene scene, SceneBody *body)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Raises a user error where the six numbers of a plane Hooke matrix do not tell what a strain across the plane does.
+   [in] across - which component that is */
+static PetscErrorCode BodyCheckAcross_Private(Scene scene, const SceneBody *body, const Option *option, Expression e,
+                                              PetscInt across)
+{
+  const PetscReal origin[3] = {0, 0, 0};
+  PetscReal       values[6] = {0};
+
+  PetscFunctionBeginUser;
+  if (!e || !body->stiffness || scene->model != MODEL_PLANE_STRAIN) PetscFunctionReturn(PETSC_SUCCESS);
+  if (ExpressionSize(e) > across && ExpressionIsConstant(e)) {
+    PetscCall(ExpressionEvaluate(e, scene->dim, origin, values));
+    if (values[across] == 0) PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(OptionRaise(option,
+                        "in plane strain the six numbers of -%s_stiffness do not tell the stress of a strain across "
+                        "the plane; write 0 for its zz, with the strains in the plane that a body held along z has, or "
+                        "use -model plane_stress or solid",
+                        body->name));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Strains without stress: of temperature, and others. */
+static PetscErrorCode BodyReadEigenstrain_Private(Scene scene, SceneBody *body)
+{
+  Option   temperature, expansion, strain;
+  PetscInt num;
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionFind(scene, "-<body>_temperature", body->name, NULL, &temperature));
+  PetscCall(OptionFind(scene, "-<body>_thermal_expansion", body->name, NULL, &expansion));
+  PetscCall(OptionFind(scene, "-<body>_initial_strain", body->name, NULL, &strain));
+  if (temperature.set)
+    PetscCall(OptionRequire(&expansion, "-<body>_temperature strains a body by its coefficient of thermal expansion"));
+  if (expansion.set)
+    PetscCall(OptionRequire(&temperature, "-<body>_thermal_expansion has no effect without a temperature"));
+  PetscCall(OptionGetExpression(&temperature, 1, PETSC_FALSE, &body->temperature));
+  PetscCall(OptionGetExpression(&expansion, 0, PETSC_FALSE, &body->expansion));
+  num = body->expansion ? ExpressionSize(body->expansion) : 1;
+  if (num != 1 && num != 3)
+    PetscCall(OptionRaise(
+        &expansion, "%" PetscInt_FMT " numbers given; write one, or three, one for each axis of the material", num));
+  if (num == 3) PetscCall(BodyReadAngle_Private(scene, body));
+  PetscCall(BodyCheckAcross_Private(scene, body, &expansion, body->expansion, 2));
+  PetscCall(OptionGetExpression(&strain, scene->dim == 2 ? 4 : 6, PETSC_FALSE, &body->initial_strain));
+  PetscCall(BodyCheckAcross_Private(scene, body, &strain, body->initial_strain, 2));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SceneBodyRead(Scene scene, SceneBody *body)
 {
   PetscFunctionBeginUser;
   PetscCall(BodyReadMesh_Private(scene, body));
   PetscCall(BodyReadMaterial_Private(scene, body));
+  PetscCall(BodyReadEigenstrain_Private(scene, body));
   PetscCall(SceneBoundariesRead(scene, body));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -206,6 +266,9 @@ PetscErrorCode SceneBodyDestroy(SceneBody *body)
   PetscCall(ExpressionDestroy(&body->poisson));
   PetscCall(ExpressionDestroy(&body->stiffness));
   PetscCall(ExpressionDestroy(&body->body_force));
+  PetscCall(ExpressionDestroy(&body->temperature));
+  PetscCall(ExpressionDestroy(&body->expansion));
+  PetscCall(ExpressionDestroy(&body->initial_strain));
   PetscCall(ExpressionDestroy(&body->exact));
   PetscCall(PetscFree(body->name));
   PetscCall(PetscFree(body->mesh_file));

@@ -1,19 +1,19 @@
 /* sceneboundaries.c -- supports and loads of one body: lists of sides, a datum for each, and what excludes what.
 
    A direction of a side is either fixed or loaded. Data on one side that say both are a mistake, except where a
-   component of the displacement is left free for the load. Traction and pressure on one side add up. */
+   component of the displacement is left free for the load. Loads on one side add up. */
 #include "scene/sceneparts.h"
 #include <string.h>
 
 /* Names of the kinds in the options, in the order of BoundaryKind. */
-static const char *const kinds[] = {"displacement", "normal", "traction", "pressure"};
-enum { NUM_KINDS = 4 };
+static const char *const kinds[] = {"displacement", "normal", "traction", "pressure", "force", "moment"};
+enum { NUM_KINDS = 6 };
 
 /* The list of sides of one kind. */
 static PetscErrorCode BoundaryFindList_Private(Scene scene, const SceneBody *body, PetscInt kind, Option *list)
 {
   static const char *const patterns[NUM_KINDS] = {"-<body>_bc_displacement", "-<body>_bc_normal", "-<body>_bc_traction",
-                                                  "-<body>_bc_pressure"};
+                                                  "-<body>_bc_pressure",     "-<body>_bc_force",  "-<body>_bc_moment"};
 
   PetscFunctionBeginUser;
   PetscCall(OptionFind(scene, patterns[kind], body->name, NULL, list));
@@ -25,13 +25,36 @@ static PetscErrorCode BoundaryFindList_Private(Scene scene, const SceneBody *bod
 static PetscErrorCode BoundaryFindValue_Private(Scene scene, const SceneBody *body, const SceneBoundary *boundary,
                                                 Option *datum)
 {
-  static const char *const patterns[NUM_KINDS] = {"-<body>_bc_displacement_<side>", NULL, "-<body>_bc_traction_<side>",
-                                                  "-<body>_bc_pressure_<side>"};
+  static const char *const patterns[NUM_KINDS] = {"-<body>_bc_displacement_<side>", NULL,
+                                                  "-<body>_bc_traction_<side>",     "-<body>_bc_pressure_<side>",
+                                                  "-<body>_bc_force_<side>",        "-<body>_bc_moment_<side>"};
 
   PetscFunctionBeginUser;
   if (boundary->kind == BOUNDARY_NORMAL) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(OptionFind(scene, patterns[boundary->kind], body->name, boundary->side, datum));
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Raises a user error where a total names a coordinate, or where a ring is to carry a moment. */
+static PetscErrorCode BoundaryCheckTotal_Private(const Option *datum, const SceneBoundary *boundary)
+{
+  static const char *const coordinates[] = {"x", "y", "z", "r"};
+
+  PetscFunctionBeginUser;
+  if (boundary->kind != BOUNDARY_FORCE && boundary->kind != BOUNDARY_MOMENT) PetscFunctionReturn(PETSC_SUCCESS);
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(coordinates); i++) {
+    if (ExpressionNames(boundary->value, coordinates[i]))
+      PetscCall(OptionRaise(datum, "the total of a side cannot name %s; write numbers, or formulas of the time t",
+                            coordinates[i]));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Components of a datum. */
+static PetscInt BoundaryNumComponents_Private(Scene scene, BoundaryKind kind)
+{
+  if (kind == BOUNDARY_PRESSURE || (kind == BOUNDARY_MOMENT && scene->dim == 2)) return 1;
+  return scene->dim;
 }
 
 static PetscErrorCode BoundaryReadValue_Private(Scene scene, const SceneBody *body, SceneBoundary *boundary)
@@ -45,8 +68,9 @@ static PetscErrorCode BoundaryReadValue_Private(Scene scene, const SceneBody *bo
   PetscCall(BoundaryFindValue_Private(scene, body, boundary, &datum));
   PetscCall(PetscSNPrintf(why, sizeof(why), "the side is listed in -<body>_bc_%s", kinds[boundary->kind]));
   PetscCall(OptionRequire(&datum, why));
-  PetscCall(OptionGetExpression(&datum, boundary->kind == BOUNDARY_PRESSURE ? 1 : scene->dim, displacement,
+  PetscCall(OptionGetExpression(&datum, BoundaryNumComponents_Private(scene, boundary->kind), displacement,
                                 &boundary->value));
+  PetscCall(BoundaryCheckTotal_Private(&datum, boundary));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -61,6 +85,8 @@ static PetscErrorCode BoundaryReadKind_Private(Scene scene, SceneBody *body, Pet
   PetscFunctionBeginUser;
   PetscCall(BoundaryFindList_Private(scene, body, kind, &list));
   num = OptionCountItems(&list);
+  if (list.set && kind == BOUNDARY_MOMENT && scene->model == MODEL_AXISYMMETRIC)
+    PetscCall(OptionRaise(&list, "the forces on a ring have no moment, by symmetry; use -model solid"));
   for (PetscInt i = 0; i < num; i++) {
     SceneBoundary *boundary = &body->boundaries[body->num_boundaries];
 
@@ -100,7 +126,7 @@ static PetscErrorCode BoundaryCheckRoles_Private(Scene scene, const SceneBody *b
   char side[OPTION_MAX];
 
   PetscFunctionBeginUser;
-  if (load->kind != BOUNDARY_TRACTION && load->kind != BOUNDARY_PRESSURE) PetscFunctionReturn(PETSC_SUCCESS);
+  if (SceneBoundaryIsLoad(held) || !SceneBoundaryIsLoad(load)) PetscFunctionReturn(PETSC_SUCCESS);
   if (!SceneSideOverlaps(held->side, load->side, side)) PetscFunctionReturn(PETSC_SUCCESS);
   if (SceneBoundaryFixesAll(scene, held)) {
     PetscCall(UserErrorRaise(scene->comm,

@@ -11,7 +11,7 @@ typedef struct {
   PetscBool   variable; /* whether a caller may replace it */
 } Datum;
 
-enum { DATA_BODY = 6, DATA_PAIR = 4 }; /* of a body beside its boundaries, of a pair */
+enum { DATA_BODY = 9, DATA_PAIR = 4 }; /* of a body beside its boundaries, of a pair */
 
 /* All data that a scene has. [out] data - [num], owned by the caller */
 static PetscErrorCode DataList_Private(Scene scene, PetscInt *num, Datum **data)
@@ -30,6 +30,9 @@ static PetscErrorCode DataList_Private(Scene scene, PetscInt *num, Datum **data)
     (*data)[n++] = (Datum){&body->stiffness, DATUM_MATERIAL, PETSC_FALSE, PETSC_FALSE};
     (*data)[n++] = (Datum){&body->exact, 0, PETSC_FALSE, PETSC_FALSE};
     (*data)[n++] = (Datum){&body->body_force, DATUM_LOAD, PETSC_TRUE, PETSC_TRUE};
+    (*data)[n++] = (Datum){&body->temperature, DATUM_TEMPERATURE, PETSC_TRUE, PETSC_TRUE};
+    (*data)[n++] = (Datum){&body->initial_strain, DATUM_TEMPERATURE, PETSC_TRUE, PETSC_TRUE};
+    (*data)[n++] = (Datum){&body->expansion, DATUM_TEMPERATURE, PETSC_FALSE, PETSC_TRUE};
     for (PetscInt i = 0; i < body->num_boundaries; i++) {
       const int kind = body->boundaries[i].kind == BOUNDARY_DISPLACEMENT ? DATUM_DISPLACEMENT : DATUM_LOAD;
 
@@ -100,7 +103,8 @@ static PetscErrorCode DatumRaise_Private(Scene scene, const char option[], Petsc
   if (near) PetscCall(PetscSNPrintf(suggestion, sizeof(suggestion), "; did you mean %s?", near));
   PetscCall(PetscFree(names));
   PetscCall(PetscFree(data));
-  PetscCall(UserErrorRaise(scene->comm, "%s: the scene has no load, given displacement or gap of this name%s", option,
+  PetscCall(UserErrorRaise(scene->comm,
+                           "%s: the scene has no load, temperature, given displacement or gap of this name%s", option,
                            suggestion));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -33,7 +33,7 @@ static const char *ViewShorten_Private(Expression e, char shown[DATUM_SHOWN + 4]
 static PetscErrorCode ViewBoundaries_Private(Scene scene, const SceneBody *body)
 {
   static const char *const words[] = {"displacement", "normal displacement 0", "traction",
-                                      "pressure"}; /* BoundaryKind */
+                                      "pressure",     "total force",           "total moment"}; /* BoundaryKind */
   char                     shown[DATUM_SHOWN + 4];
 
   PetscFunctionBeginUser;
@@ -87,6 +87,14 @@ static PetscErrorCode ViewBody_Private(Scene scene, const SceneBody *body)
   if (body->body_force)
     PetscCall(ViewPrint_Private(scene, "    %-12s force per volume %s\n", "inside",
                                 ViewShorten_Private(body->body_force, shown)));
+  if (body->temperature) {
+    PetscCall(
+        ViewPrint_Private(scene, "    %-12s temperature %s", "inside", ViewShorten_Private(body->temperature, shown)));
+    PetscCall(ViewPrint_Private(scene, ", thermal expansion %s\n", ViewShorten_Private(body->expansion, shown)));
+  }
+  if (body->initial_strain)
+    PetscCall(ViewPrint_Private(scene, "    %-12s initial strain %s\n", "inside",
+                                ViewShorten_Private(body->initial_strain, shown)));
   PetscCall(ViewBoundaries_Private(scene, body));
   if (body->exact)
     PetscCall(ViewPrint_Private(scene, "    %-12s %s\n", "exact", ViewShorten_Private(body->exact, shown)));
@@ -133,7 +141,8 @@ PetscErrorCode SceneViewLeftOut(Scene scene)
 
   PetscFunctionBeginUser;
   for (const SceneBody *b = scene->bodies; b < scene->bodies + scene->num_bodies; b++) {
-    Expression data[] = {b->map, b->young, b->poisson, b->stiffness, b->body_force, b->exact};
+    Expression data[] = {b->map,         b->young,     b->poisson,        b->stiffness, b->body_force,
+                         b->temperature, b->expansion, b->initial_strain, b->exact};
 
     for (size_t i = 0; i < sizeof(data) / sizeof(data[0]); i++) ViewCount_Private(data[i], &num, &num_varying);
     for (PetscInt i = 0; i < b->num_boundaries; i++) ViewCount_Private(b->boundaries[i].value, &num, &num_varying);

@@ -1,0 +1,283 @@
+/* eigenstrain.c -- strains that a body has without stress: of temperature, and others (eq. 8.6).
+
+   All integrals have the rule of the stiffness. In cells with a Pi the change of volume without stress is projected like div u:
+   otherwise a temperature that varies in a nearly incompressible cell would leave a pressure that no displacement can take away. */
+#include "base/compat.h"
+#include "problem/eigenstrain.h"
+#include "problem/volumestrain.h"
+
+enum { MAX_STRAINS = 6, MAX_CELL_DOFS = 3 * ELEMENT_MAX_NODES };
+
+/* eps_0 as xx,yy,zz,yz,xz,xy. */
+static PetscErrorCode EigenstrainEvaluateAll_Private(Scene scene, PetscInt body, const PetscReal x[], PetscReal all[])
+{
+  const SceneBody *b = &scene->bodies[body];
+  PetscReal        temperature, expansion[3], given[MAX_STRAINS];
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscArrayzero(all, MAX_STRAINS));
+  if (b->temperature) {
+    PetscCall(ExpressionEvaluate(b->temperature, scene->dim, x, &temperature));
+    PetscCall(ExpressionEvaluate(b->expansion, scene->dim, x, expansion));
+    if (ExpressionSize(b->expansion) == 1) expansion[1] = expansion[2] = expansion[0];
+    for (PetscInt k = 0; k < 3; k++) expansion[k] *= temperature;
+    MaterialAxialStrain(scene->model, expansion, b->angle, all);
+  }
+  if (b->initial_strain) {
+    PetscCall(ExpressionEvaluate(b->initial_strain, scene->dim, x, given));
+    for (PetscInt s = 0; s < 3; s++) all[s] += given[s];
+    for (PetscInt s = 3; s < MAX_STRAINS && scene->dim == 3; s++) all[s] += given[s];
+    if (scene->dim == 2) all[5] += given[3];
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EigenstrainEvaluate(Scene scene, PetscInt body, const PetscReal x[], const PetscReal C[],
+                                   PetscReal poisson, Eigenstrain *e)
+{
+  PetscReal all[MAX_STRAINS];
+
+  PetscFunctionBeginUser;
+  *e = (Eigenstrain){.across = 0};
+  if (!SceneBodyHasEigenstrain(&scene->bodies[body])) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(EigenstrainEvaluateAll_Private(scene, body, x, all));
+  MaterialPickStrains(scene->model, all, e->strain);
+  /* sigma_zz = nu (sigma_xx + sigma_yy) - E eps_0,zz keeps eps_zz at 0; an anisotropic body has no eps_0,zz */
+  if (scene->model == MODEL_PLANE_STRAIN && all[2] != 0.) {
+    const PetscReal young = 2. * (1. + poisson) * C[8];
+
+    for (PetscInt s = 0; s < 2; s++) e->strain[s] += poisson * all[2];
+    e->across        = young * all[2];
+    e->across_energy = young * PetscSqr(all[2]);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A cell with its points and the strains without stress there. */
+typedef struct {
+  PetscInt           dim, nn, n, num_strains, num; /* nodes, displacements, strains, points */
+  const PetscInt    *nodes;
+  const ElementRule *rule;
+  PetscReal   x[ELEMENT_MAX_POINTS * 3], w[ELEMENT_MAX_POINTS]; /* [num][dim]; with det J and the measure [num] */
+  PetscReal   grad[ELEMENT_MAX_POINTS * MAX_CELL_DOFS];         /* [num][nn][dim] */
+  PetscReal   C[ELEMENT_MAX_POINTS][MAX_STRAINS * MAX_STRAINS]; /* without the bulk modulus where there is a Pi */
+  PetscReal   bulk[ELEMENT_MAX_POINTS];                         /* of cells with a Pi */
+  Eigenstrain e[ELEMENT_MAX_POINTS];
+  Dilatation  pi;
+  PetscReal   parts[DILATATION_MAX_FUNCTIONS]; /* of theta_0 */
+} Cell;
+
+/* parts_a = int q_a tr eps_0 */
+static void EigenstrainSetParts_Private(const Cell *cell, PetscReal parts[])
+{
+  PetscReal q_a[DILATATION_MAX_FUNCTIONS];
+
+  for (PetscInt a = 0; a < cell->pi.num; a++) parts[a] = 0;
+  for (PetscInt q = 0; q < cell->num && cell->pi.num; q++) {
+    DilatationShape(&cell->pi, &cell->x[q * cell->dim], q_a);
+    for (PetscInt a = 0; a < cell->pi.num; a++)
+      parts[a] += cell->w[q] * q_a[a] * MaterialDilatation(cell->num_strains, cell->e[q].strain);
+  }
+}
+
+static PetscErrorCode EigenstrainSetCell_Private(Scene scene, const Level *level, PetscInt c, const ElementRule *rule,
+                                                 Cell *cell)
+{
+  const PetscInt body = level->cell_body[c];
+  PetscReal      X[MAX_CELL_DOFS], poisson;
+
+  PetscFunctionBeginUser;
+  cell->dim         = level->dim;
+  cell->nn          = ElementNumNodes(rule->type);
+  cell->n           = cell->nn * cell->dim;
+  cell->num_strains = MaterialNumStrains(scene->model);
+  cell->num         = rule->num;
+  cell->nodes       = &level->cell_nodes[level->cell_start[c]];
+  cell->rule        = rule;
+  VolumeStrainCoordinates(level, c, X);
+  PetscCall(ElasticityDilatation(scene, level, c, rule, &cell->pi));
+  for (PetscInt q = 0; q < rule->num; q++) {
+    PetscReal *x = &cell->x[q * cell->dim];
+
+    cell->w[q] = rule->weight[q] * ElementRuleMap(rule, q, X, x, &cell->grad[q * cell->n]);
+    cell->w[q] *= SceneMeasure(scene, x);
+    PetscCall(ElasticityHooke(scene, body, x, cell->C[q], &poisson));
+    PetscCall(EigenstrainEvaluate(scene, body, x, cell->C[q], poisson, &cell->e[q]));
+    cell->bulk[q] = cell->pi.num ? MaterialTakeBulk(cell->num_strains, cell->C[q]) : 0;
+  }
+  EigenstrainSetParts_Private(cell, cell->parts);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EigenstrainDilatation(Scene scene, const Level *level, PetscInt c, const ElementRule *rule,
+                                     const Dilatation *pi, PetscReal parts[])
+{
+  Cell *cell;
+
+  PetscFunctionBeginUser;
+  for (PetscInt a = 0; a < pi->num; a++) parts[a] = 0;
+  if (!pi->num || !SceneBodyHasEigenstrain(&scene->bodies[level->cell_body[c]])) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscNew(&cell));
+  PetscCall(EigenstrainSetCell_Private(scene, level, c, rule, cell));
+  PetscCall(PetscArraycpy(parts, cell->parts, pi->num));
+  PetscCall(PetscFree(cell));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* B at point q. [out] B - [num_strains][n] */
+static void EigenstrainGetStrainMatrix_Private(const Cell *cell, PetscBool ring, PetscInt q, PetscReal B[])
+{
+  PetscReal hoop[ELEMENT_MAX_NODES];
+
+  for (PetscInt i = 0; ring && i < cell->nn; i++) hoop[i] = cell->rule->phi[q * cell->nn + i] / cell->x[q * cell->dim];
+  ElementStrainMatrix(cell->dim, cell->nn, &cell->grad[q * cell->n], ring ? hoop : NULL, B);
+}
+
+/* theta_0 at point q. [out] q_a - functions of Pi there */
+static PetscReal EigenstrainGetChange_Private(const Cell *cell, PetscInt q, PetscReal q_a[])
+{
+  PetscReal change = 0;
+
+  DilatationShape(&cell->pi, &cell->x[q * cell->dim], q_a);
+  for (PetscInt a = 0; a < cell->pi.num; a++) change += q_a[a] * cell->parts[a];
+  return change;
+}
+
+/* fe += the loads of one cell. */
+static void EigenstrainAddCell_Private(Scene scene, const Cell *cell, PetscScalar fa[])
+{
+  const PetscInt  n = cell->n, ns = cell->num_strains;
+  const PetscBool ring = (PetscBool)(scene->model == MODEL_AXISYMMETRIC);
+  PetscReal       B[MAX_STRAINS * MAX_CELL_DOFS], fe[MAX_CELL_DOFS] = {0}, q_a[DILATATION_MAX_FUNCTIONS];
+
+  for (PetscInt q = 0; q < cell->num; q++) {
+    EigenstrainGetStrainMatrix_Private(cell, ring, q, B);
+    for (PetscInt r = 0; r < ns; r++) {
+      PetscReal stress = 0;
+
+      for (PetscInt s = 0; s < ns; s++) stress += cell->C[q][r * ns + s] * cell->e[q].strain[s];
+      for (PetscInt i = 0; i < n; i++) fe[i] += cell->w[q] * B[r * n + i] * stress;
+    }
+    if (cell->pi.num) {
+      const PetscReal pressure = cell->w[q] * cell->bulk[q] * EigenstrainGetChange_Private(cell, q, q_a);
+
+      for (PetscInt a = 0; a < cell->pi.num; a++)
+        for (PetscInt i = 0; i < n; i++) fe[i] += pressure * q_a[a] * cell->pi.rows[a * n + i];
+    }
+  }
+  for (PetscInt i = 0; i < n; i++) fa[cell->nodes[i / cell->dim] * cell->dim + i % cell->dim] += fe[i];
+}
+
+/* Whether any body has such strains. */
+static PetscBool EigenstrainIsAny_Private(Scene scene)
+{
+  for (PetscInt b = 0; b < scene->num_bodies; b++)
+    if (SceneBodyHasEigenstrain(&scene->bodies[b])) return PETSC_TRUE;
+  return PETSC_FALSE;
+}
+
+PetscErrorCode EigenstrainAddLoads(Scene scene, Level *level, PetscScalar fa[])
+{
+  ElementRule *rules;
+  Cell        *cell;
+
+  PetscFunctionBeginUser;
+  if (!EigenstrainIsAny_Private(scene)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ElasticityRulesCreate(scene, &rules));
+  PetscCall(PetscNew(&cell));
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    if (!SceneBodyHasEigenstrain(&scene->bodies[level->cell_body[c]])) continue;
+    PetscCall(EigenstrainSetCell_Private(scene, level, c, &rules[level->cell_type[c]], cell));
+    EigenstrainAddCell_Private(scene, cell, fa);
+  }
+  PetscCall(PetscFree(cell));
+  PetscCall(PetscFree(rules));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EigenstrainCheck(Scene scene, Level *level)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
+    PetscCall(ExpressionCheck(level->comm, scene->bodies[b].temperature));
+    PetscCall(ExpressionCheck(level->comm, scene->bodies[b].expansion));
+    PetscCall(ExpressionCheck(level->comm, scene->bodies[b].initial_strain));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* eps : C eps */
+static PetscReal EigenstrainGetDensity_Private(PetscInt num_strains, const PetscReal C[], const PetscReal strain[])
+{
+  PetscReal density = 0;
+
+  for (PetscInt r = 0; r < num_strains; r++)
+    for (PetscInt s = 0; s < num_strains; s++) density += strain[r] * C[r * num_strains + s] * strain[s];
+  return density;
+}
+
+/* The energy of a cell with displacement u less eps_0, and that of eps_0 alone. [in] u - local form */
+static void EigenstrainAddEnergy_Private(Scene scene, const Cell *cell, const PetscScalar u[], PetscReal *energy,
+                                         PetscReal *constant)
+{
+  const PetscInt  n = cell->n, ns = cell->num_strains;
+  const PetscBool ring = (PetscBool)(scene->model == MODEL_AXISYMMETRIC);
+  PetscReal       B[MAX_STRAINS * MAX_CELL_DOFS], ue[MAX_CELL_DOFS], q_a[DILATATION_MAX_FUNCTIONS];
+
+  for (PetscInt i = 0; i < n; i++) ue[i] = PetscRealPart(u[cell->nodes[i / cell->dim] * cell->dim + i % cell->dim]);
+  for (PetscInt q = 0; q < cell->num; q++) {
+    PetscReal strain[MAX_STRAINS], change = 0, change_0 = 0;
+
+    EigenstrainGetStrainMatrix_Private(cell, ring, q, B);
+    for (PetscInt s = 0; s < ns; s++) {
+      strain[s] = -cell->e[q].strain[s];
+      for (PetscInt i = 0; i < n; i++) strain[s] += B[s * n + i] * ue[i];
+    }
+    if (cell->pi.num) {
+      change_0 = EigenstrainGetChange_Private(cell, q, q_a);
+      change   = DilatationEvaluate(&cell->pi, &cell->x[q * cell->dim], ue) - change_0;
+    }
+    *energy += 0.5 * cell->w[q] *
+               (EigenstrainGetDensity_Private(ns, cell->C[q], strain) + cell->bulk[q] * PetscSqr(change) +
+                cell->e[q].across_energy);
+    *constant += 0.5 * cell->w[q] *
+                 (EigenstrainGetDensity_Private(ns, cell->C[q], cell->e[q].strain) +
+                  cell->bulk[q] * PetscSqr(change_0) + cell->e[q].across_energy);
+  }
+}
+
+PetscErrorCode EigenstrainEnergy(Scene scene, Level *level, Vec u, PetscReal energy[], PetscReal *constant)
+{
+  PetscReal         *sums;
+  const PetscScalar *ua;
+  Vec                local;
+  ElementRule       *rules;
+  Cell              *cell;
+
+  PetscFunctionBeginUser;
+  *constant = 0;
+  if (!EigenstrainIsAny_Private(scene)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscCalloc1(scene->num_bodies + 1, &sums));
+  PetscCall(ElasticityRulesCreate(scene, &rules));
+  PetscCall(PetscNew(&cell));
+  PetscCall(VecGhostGetLocalForm(u, &local));
+  PetscCall(VecGetArrayRead(local, &ua));
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    const PetscInt body = level->cell_body[c];
+
+    if (!SceneBodyHasEigenstrain(&scene->bodies[body])) continue;
+    PetscCall(EigenstrainSetCell_Private(scene, level, c, &rules[level->cell_type[c]], cell));
+    EigenstrainAddEnergy_Private(scene, cell, ua, &sums[body], &sums[scene->num_bodies]);
+  }
+  PetscCall(VecRestoreArrayRead(local, &ua));
+  PetscCall(VecGhostRestoreLocalForm(u, &local));
+  PetscCall(PetscFree(cell));
+  PetscCall(PetscFree(rules));
+  PetscCallMPI(
+      MPI_Allreduce(MPI_IN_PLACE, sums, (PetscMPIInt)(scene->num_bodies + 1), MPIU_REAL, MPI_SUM, level->comm));
+  for (PetscInt b = 0; b < scene->num_bodies; b++)
+    if (SceneBodyHasEigenstrain(&scene->bodies[b])) energy[b] = sums[b];
+  *constant = sums[scene->num_bodies];
+  PetscCall(PetscFree(sums));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

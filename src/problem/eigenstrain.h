@@ -1,0 +1,34 @@
+/* eigenstrain.h -- strains that a body has without stress: of temperature, and others. */
+#ifndef MORTISE_EIGENSTRAIN_H
+#define MORTISE_EIGENSTRAIN_H
+
+#include "problem/elasticity.h"
+
+/* eps_0 at a point, so that sigma = C (eps - eps_0) with the C of the model (eq. 8.6). */
+typedef struct {
+  PetscReal
+      strain[6]; /* the components of the model; in plane strain with what eps_0,zz does in the plane [num_strains] */
+  PetscReal
+      across; /* in plane strain: E eps_0,zz, by which sigma_zz is less than nu (sigma_xx + sigma_yy); 0 in other models */
+  PetscReal across_energy; /* E eps_0,zz^2, energy per volume, twice, that no displacement changes */
+} Eigenstrain;
+
+/* Zero for bodies that have none. Not collective; expressions are checked by EigenstrainCheck(). [in] C, poisson - of ElasticityHooke() */
+PetscErrorCode EigenstrainEvaluate(Scene scene, PetscInt body, const PetscReal x[], const PetscReal C[],
+                                   PetscReal poisson, Eigenstrain *e);
+/* theta_0 = Pi tr eps_0 of cell c (eq. 9.1): its part along each function of Pi. Not collective. [in] rule - of the stiffness;
+   [out] parts - [pi->num] */
+PetscErrorCode EigenstrainDilatation(Scene scene, const Level *level, PetscInt c, const ElementRule *rule,
+                                     const Dilatation *pi, PetscReal parts[]);
+
+/* f += int B' C eps_0 over the cells of this rank, with the rule of the stiffness: where eps_0 is the strain of a displacement that the
+   mesh has, f is K times that. Not collective. [in,out] fa - [num_nodes][dim] */
+PetscErrorCode EigenstrainAddLoads(Scene scene, Level *level, PetscScalar fa[]);
+/* Raises a user error where a datum was not finite. Collective. */
+PetscErrorCode EigenstrainCheck(Scene scene, Level *level);
+
+/* Replaces the energies of bodies that have strains without stress by 1/2 int (eps - eps_0) : C (eps - eps_0). Collective.
+   [in] u - ghosted; [in,out] energy - 1/2 u'K u on entry [num_bodies]; [out] constant - sum of 1/2 int eps_0 : C eps_0 */
+PetscErrorCode EigenstrainEnergy(Scene scene, Level *level, Vec u, PetscReal energy[], PetscReal *constant);
+
+#endif
