@@ -93,6 +93,16 @@ static void SummaryAddSide_Private(const SummaryInput *in, cJSON *object, const 
   cJSON_AddStringToObject(object, key, text);
 }
 
+/* What the numbers are in, or null. */
+static void SummaryAddUnits_Private(Scene scene, cJSON *object)
+{
+  static const char *const names[] = {"length", "force", "stress"};
+  cJSON                   *units   = scene->units[0] ? cJSON_CreateObject() : cJSON_CreateNull();
+
+  for (PetscInt i = 0; i < 3 && scene->units[0]; i++) cJSON_AddStringToObject(units, names[i], scene->units[i]);
+  cJSON_AddItemToObject(object, "units", units);
+}
+
 static PetscErrorCode SummaryAddScene_Private(const SummaryInput *in, cJSON *root)
 {
   static const char *const models[] = {"plane_strain", "plane_stress", "axisymmetric", "solid"};
@@ -102,6 +112,7 @@ static PetscErrorCode SummaryAddScene_Private(const SummaryInput *in, cJSON *roo
   cJSON_AddStringToObject(scene, "title", in->scene->title);
   cJSON_AddStringToObject(scene, "model", models[in->scene->model]);
   JSONAddInt(scene, "dimension", in->scene->dim);
+  SummaryAddUnits_Private(in->scene, scene);
   PetscCall(SummaryAddBodies_Private(in, scene));
   pairs = cJSON_AddObjectToObject(scene, "pairs");
   for (PetscInt p = 0; p < in->vi->num_pairs; p++) {

@@ -130,6 +130,7 @@ static PetscErrorCode SceneReadGlobal_Private(Scene scene)
   PetscCall(OptionFind(scene, "-dm_refine", NULL, NULL, &refine));
   PetscCall(OptionFind(scene, "-order", NULL, NULL, &order));
   PetscCall(PetscStrallocpy(title.set ? title.text : "", &scene->title));
+  PetscCall(SceneUnitsRead(scene));
   PetscCall(SceneReadModel_Private(scene));
   if (scene->model == MODEL_AXISYMMETRIC && thickness.set)
     PetscCall(OptionRaise(&thickness, "an axisymmetric model is a whole ring and has no thickness; omit the option"));
@@ -177,6 +178,7 @@ PetscErrorCode SceneDestroy(Scene *scene)
   PetscCall(PetscFree((*scene)->pairs));
   PetscCall(PetscFree((*scene)->probes));
   PetscCall(PetscFree((*scene)->title));
+  for (PetscInt i = 0; i < 3; i++) PetscCall(PetscFree((*scene)->units[i]));
   PetscCall(PetscFree((*scene)->unread));
   PetscCall(PetscFree((*scene)->output));
   PetscCall(PetscFree((*scene)->summary));

@@ -146,7 +146,8 @@ typedef struct {
 
 struct _n_Scene {
   MPI_Comm comm;
-  char    *title; /* "" where none was given */
+  char    *title;    /* "" where none was given */
+  char    *units[3]; /* names of the units of length, force and stress, or NULL where none were given */
   PetscInt dim;
   char    *unread; /* "-<option> <file>" of a mesh file without cells where nothing else tells the dimension, or NULL */
   ModelKind   model;

@@ -25,6 +25,9 @@ PetscErrorCode UnusedOptionsNearest(const Option *option, char near[OPTION_MAX])
 /* optionsuggestion.c: the documented option nearest to a misspelt one, "" if none is near. Not collective. */
 PetscErrorCode OptionSuggestionFind(Scene scene, const char misspelt[], char near[OPTION_MAX]);
 
+/* sceneunits.c: names of units. Collective. */
+PetscErrorCode SceneUnitsRead(Scene scene);
+
 /* scenestudy.c: before the bodies, whose meshes a study refines. Collective. */
 PetscErrorCode SceneStudyRead(Scene scene);
 /* The orders of a study that names none are those of the bodies; call when they are read. Not collective. */

@@ -76,7 +76,7 @@ SCENES = {
                "-probe_p_at", "0.5,0.5"],
     "stopped": ["-options_file", "options/two_plates.opts", "-pc_type", "truncatedmg", "-dm_refine", "1", "-stop", "discretisation"],
     "refused": ["-options_file", "options/overhang.opts", "-block_bc_traction", "left", "-block_bc_traction_left", "0.1,0"],
-    "floating": ["-options_file", "options/stack.opts"],
+    "floating": ["-options_file", "options/stack.opts", "-units", "mm,N,MPa"],
     "pieces": ["-options_file", "tests/hard/pieces.opts"],
     "pulled": ["-options_file", "tests/hard/pieces.opts", "-lids_body_force", "0,1"],
     "jump": ["-options_file", "tests/hard/chamfer.opts"],

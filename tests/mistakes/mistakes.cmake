@@ -54,6 +54,10 @@ mistake(name_number         SAYS upper_2 "rename one" ARGS -bodies upper,lower,u
 mistake(name_empty          SAYS "-bodies upper,,lower" empty ARGS -bodies upper,,lower)
 
 # --- the scene as a whole ---
+mistake(units_count         SAYS "-units mm,N" "3 wanted" mm,N,MPa ARGS -units mm,N)
+mistake(units_empty         SAYS "-units mm,,MPa" "empty item" ARGS -units mm,,MPa)
+mistake(units_long          SAYS -units "'MPa of this joint'" "at most 15" ARGS -units "mm,N,MPa of this joint")
+mistake(units_disagree      SAYS "-units m,N,MPa" "1 N over 1 m^2 is 1e-06 MPa" mm,N,MPa ARGS -units m,N,MPa)
 mistake(model_misspelt      SAYS "-model plane_stran" plane_stress "did you mean plane_strain?" ARGS -model plane_stran)
 mistake(model_solid         SAYS "-upper_dm_plex_box_faces" "-model solid has three dimensions" ARGS -model solid)
 mistake(model_plane         SAYS "-upper_dm_plex_box_faces 4,4,4" "give two, or -model solid" ARGS -model plane_strain -upper_dm_plex_box_faces 4,4,4)
