@@ -1,0 +1,392 @@
+/* bisect.c -- conforming bisection.
+
+   A tetrahedron is (a0 a1 | a2 a3) with the refinement edge a0 a1. Both facets on that edge have it as their marked edge. Facet 0,
+   (a0 a2 a3), and facet 1, (a1 a2 a3), have marked edges of their own. Halved at w, the child that keeps a0 has the marked edge
+   of facet 0 as its refinement edge, and likewise for a1. The facets that are cut have the edge opposite w marked. The new facet,
+   (w a2 a3), has a2 a3 marked, except in a flat cell with the flag: one whose marked edges all bound one facet. */
+#include "kernel/bisect.h"
+#include "base/compat.h"
+
+/* Marks of a tetrahedron in one byte: for facet 0 and 1 which edge is marked, and the flag. */
+enum {
+  EDGE_OPPOSITE = 0, /* a2 a3 */
+  EDGE_TO_2     = 1, /* from the vertex of the refinement edge to a2 */
+  EDGE_TO_3     = 2,
+  EDGE_BITS     = 2,
+  EDGE_MASK     = 3,
+  FLAG          = 16
+};
+
+/* Lengths that differ by less are equal, so that symmetric meshes are refined symmetrically. */
+static const PetscReal LENGTH_STEPS = 1e10;
+
+/* Edges that were cut, by their ends: open addressing with linear steps. */
+typedef struct {
+  PetscInt room, num;  /* room is a power of 2 */
+  PetscInt (*edge)[3]; /* lower end or -1, upper end, middle [room] */
+  PetscBool *touched;  /* whether an edge of the vertex was cut [room_vertices of the mesh] */
+} Cuts;
+
+enum { CUTS_FIRST_ROOM = 1024 };
+
+static PetscInt *CutsFind_Private(const Cuts *cuts, PetscInt a, PetscInt b)
+{
+  const PetscInt low = PetscMin(a, b), high = PetscMax(a, b);
+  size_t         k = (size_t)low * 0x9E3779B97F4A7C15U ^ (size_t)high * 0xC2B2AE3D27D4EB4FU;
+
+  for (k ^= k >> 29;; k++) {
+    PetscInt *edge = cuts->edge[k & (size_t)(cuts->room - 1)];
+
+    if (edge[0] < 0 || (edge[0] == low && edge[1] == high)) return edge;
+  }
+}
+
+static PetscErrorCode CutsGrow_Private(Cuts *cuts)
+{
+  Cuts old = *cuts;
+
+  PetscFunctionBeginUser;
+  cuts->room = PetscMax(CUTS_FIRST_ROOM, 2 * old.room);
+  PetscCall(PetscMalloc1(cuts->room, &cuts->edge));
+  for (PetscInt k = 0; k < cuts->room; k++) cuts->edge[k][0] = -1;
+  for (PetscInt k = 0; k < old.room; k++) {
+    if (old.edge[k][0] >= 0)
+      PetscCall(PetscArraycpy(CutsFind_Private(cuts, old.edge[k][0], old.edge[k][1]), old.edge[k], 3));
+  }
+  PetscCall(PetscFree(old.edge));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Room for one more of each. */
+static PetscErrorCode BisectionGrow_Private(Bisection *mesh, Cuts *cuts)
+{
+  PetscFunctionBeginUser;
+  if (mesh->num_vertices == mesh->room_vertices) {
+    mesh->room_vertices = 2 * mesh->room_vertices;
+    PetscCall(PetscRealloc(mesh->room_vertices * sizeof(*mesh->ends), &mesh->ends));
+    PetscCall(PetscRealloc(mesh->room_vertices * sizeof(*cuts->touched), &cuts->touched));
+    PetscCall(PetscArrayzero(&cuts->touched[mesh->num_vertices], mesh->room_vertices - mesh->num_vertices));
+  }
+  if (mesh->num_cells == mesh->room_cells) {
+    mesh->room_cells = 2 * mesh->room_cells;
+    PetscCall(PetscRealloc(mesh->room_cells * sizeof(*mesh->vertex), &mesh->vertex));
+    PetscCall(PetscRealloc(mesh->room_cells * sizeof(*mesh->facet), &mesh->facet));
+    PetscCall(PetscRealloc(mesh->room_cells * sizeof(*mesh->generation), &mesh->generation));
+    PetscCall(PetscRealloc(mesh->room_cells * sizeof(*mesh->parent), &mesh->parent));
+    PetscCall(PetscRealloc(mesh->room_cells * sizeof(*mesh->place), &mesh->place));
+    PetscCall(PetscRealloc(mesh->room_cells * sizeof(*mesh->marks), &mesh->marks));
+    PetscCall(PetscRealloc(mesh->room_cells * sizeof(*mesh->goal), &mesh->goal));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The middle of an edge, made if it is new. */
+static PetscErrorCode BisectionGetMiddle_Private(Bisection *mesh, Cuts *cuts, PetscInt a, PetscInt b, PetscInt *middle)
+{
+  PetscInt *edge = CutsFind_Private(cuts, a, b);
+
+  PetscFunctionBeginUser;
+  if (edge[0] < 0) {
+    edge[0]                             = PetscMin(a, b);
+    edge[1]                             = PetscMax(a, b);
+    edge[2]                             = mesh->num_vertices;
+    mesh->ends[mesh->num_vertices][0]   = edge[0];
+    mesh->ends[mesh->num_vertices++][1] = edge[1];
+    cuts->touched[a] = cuts->touched[b] = PETSC_TRUE;
+    cuts->num++;
+  }
+  *middle = edge[2];
+  if (2 * cuts->num > cuts->room) PetscCall(CutsGrow_Private(cuts));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static unsigned char MarksJoin_Private(PetscInt facet0, PetscInt facet1, PetscBool flag)
+{
+  return (unsigned char)(facet0 | facet1 << EDGE_BITS | (flag ? FLAG : 0));
+}
+
+/* The order in which a child lists its parent's vertices, w in the place of the one that it does not keep; its marks.
+   [in] keep - 0 or 1, the end that it keeps; [out] order - [dim+1] */
+static unsigned char ChildOrder_Private(PetscInt dim, unsigned char marks, PetscInt keep, PetscInt order[])
+{
+  const PetscInt  w = 1 - keep, edge = marks >> (keep ? EDGE_BITS : 0) & EDGE_MASK;
+  const PetscInt  other = marks >> (keep ? 0 : EDGE_BITS) & EDGE_MASK;
+  const PetscBool flat = (PetscBool)(edge != EDGE_OPPOSITE && edge == other), flag = (PetscBool)((marks & FLAG) > 0);
+  const PetscBool child_flag = (PetscBool)(flat && !flag);
+
+  if (dim == 2) {
+    order[0] = keep;
+    order[1] = 2;
+    order[2] = w;
+    return 0;
+  }
+  order[3] = w;
+  if (edge == EDGE_OPPOSITE) { // (a2 a3 | keep w), whose facets 0 and 1 are cut ones
+    order[0] = 2;
+    order[1] = 3;
+    order[2] = keep;
+    return MarksJoin_Private(EDGE_TO_2, EDGE_TO_2, child_flag);
+  }
+  order[0] = keep; // (keep c | d w), whose facet 0 is cut and whose facet 1 is new
+  order[1] = edge == EDGE_TO_2 ? 2 : 3;
+  order[2] = edge == EDGE_TO_2 ? 3 : 2;
+  return MarksJoin_Private(EDGE_TO_2, flat && flag ? EDGE_TO_3 : EDGE_TO_2, child_flag);
+}
+
+/* Writes the child of a cell that keeps one end of the refinement edge. */
+static void BisectionSetChild_Private(Bisection *mesh, PetscInt cell, PetscInt keep, PetscInt middle, PetscInt child)
+{
+  const PetscInt num = mesh->dim + 1, w = 1 - keep;
+  PetscInt       order[BISECT_MAX_VERTICES], vertex[BISECT_MAX_VERTICES], facet[BISECT_MAX_VERTICES];
+  PetscReal      place[BISECT_MAX_VERTICES][BISECT_MAX_VERTICES];
+  unsigned char  marks = ChildOrder_Private(mesh->dim, mesh->marks[cell], keep, order);
+
+  for (PetscInt i = 0; i < num; i++) {
+    const PetscInt k = order[i];
+
+    vertex[i] = k == w ? middle : mesh->vertex[cell][k];
+    facet[i]  = k == keep ? -1 : mesh->facet[cell][k];
+    for (PetscInt j = 0; j < num; j++)
+      place[i][j] = k == w ? (mesh->place[cell][0][j] + mesh->place[cell][1][j]) / 2 : mesh->place[cell][k][j];
+  }
+  for (PetscInt i = 0; i < num; i++) {
+    mesh->vertex[child][i] = vertex[i];
+    mesh->facet[child][i]  = facet[i];
+    for (PetscInt j = 0; j < num; j++) mesh->place[child][i][j] = place[i][j];
+  }
+  mesh->generation[child] = mesh->generation[cell] + 1;
+  mesh->goal[child]       = mesh->goal[cell];
+  mesh->parent[child]     = mesh->parent[cell];
+  mesh->marks[child]      = marks;
+}
+
+/* One child takes the place of the cell, the other one comes last. */
+static PetscErrorCode BisectionCut_Private(Bisection *mesh, Cuts *cuts, PetscInt cell)
+{
+  PetscInt middle;
+
+  PetscFunctionBeginUser;
+  PetscCall(BisectionGrow_Private(mesh, cuts));
+  PetscCall(BisectionGetMiddle_Private(mesh, cuts, mesh->vertex[cell][0], mesh->vertex[cell][1], &middle));
+  BisectionSetChild_Private(mesh, cell, 1, middle, mesh->num_cells++);
+  BisectionSetChild_Private(mesh, cell, 0, middle, cell);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a cell is to be cut: it is asked for, or the middle of one of its edges is a vertex. */
+static PetscBool BisectionMustCut_Private(const Bisection *mesh, const Cuts *cuts, PetscInt cell)
+{
+  if (mesh->generation[cell] < mesh->goal[cell]) return PETSC_TRUE;
+  for (PetscInt i = 0; i <= mesh->dim; i++) {
+    const PetscInt a = mesh->vertex[cell][i];
+
+    for (PetscInt j = 0; j < i && cuts->touched[a]; j++) {
+      const PetscInt b = mesh->vertex[cell][j];
+
+      if (cuts->touched[b] && CutsFind_Private(cuts, a, b)[0] >= 0) return PETSC_TRUE;
+    }
+  }
+  return PETSC_FALSE;
+}
+
+/* Cuts until no cell must be: what a pass over the cells cuts may hang on cells that it has passed. */
+static PetscErrorCode BisectionClose_Private(Bisection *mesh, Cuts *cuts)
+{
+  PetscBool again = PETSC_TRUE;
+
+  PetscFunctionBeginUser;
+  while (again) {
+    again = PETSC_FALSE;
+    for (PetscInt c = 0; c < mesh->num_cells; c++) { // children that come last are met by the same pass
+      while (BisectionMustCut_Private(mesh, cuts, c)) {
+        again = PETSC_TRUE;
+        PetscCall(BisectionCut_Private(mesh, cuts, c));
+      }
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Moves values of cells to new places. [in] to - of every cell [num_cells] */
+#define PERMUTE(mesh, array, to)                                                                                       \
+  do {                                                                                                                 \
+    void *sorted;                                                                                                      \
+    PetscCall(PetscMalloc((mesh)->room_cells * sizeof(*(array)), &sorted));                                            \
+    for (PetscInt c = 0; c < (mesh)->num_cells; c++)                                                                   \
+      PetscCall(PetscMemcpy((char *)sorted + (size_t)(to)[c] * sizeof(*(array)), &(array)[c], sizeof(*(array))));      \
+    PetscCall(PetscFree(array));                                                                                       \
+    (array) = sorted;                                                                                                  \
+  } while (0)
+
+/* Cells in the order of their parents: neighbours stay near each other in memory. */
+static PetscErrorCode BisectionSort_Private(Bisection *mesh, PetscInt num_parents)
+{
+  PetscInt *begin, *to;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(num_parents + 1, &begin));
+  PetscCall(PetscMalloc1(mesh->num_cells, &to));
+  for (PetscInt c = 0; c < mesh->num_cells; c++) begin[mesh->parent[c] + 1]++;
+  for (PetscInt p = 0; p < num_parents; p++) begin[p + 1] += begin[p];
+  for (PetscInt c = 0; c < mesh->num_cells; c++) to[c] = begin[mesh->parent[c]]++;
+  PERMUTE(mesh, mesh->vertex, to);
+  PERMUTE(mesh, mesh->facet, to);
+  PERMUTE(mesh, mesh->generation, to);
+  PERMUTE(mesh, mesh->place, to);
+  PERMUTE(mesh, mesh->marks, to);
+  PERMUTE(mesh, mesh->parent, to);
+  PetscCall(PetscFree(begin));
+  PetscCall(PetscFree(to));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BisectionRefine(Bisection *mesh, const PetscBool marked[])
+{
+  const PetscInt num_parents = mesh->num_cells;
+  Cuts           cuts        = {0};
+
+  PetscFunctionBeginUser;
+  PetscCall(CutsGrow_Private(&cuts));
+  PetscCall(PetscCalloc1(mesh->room_vertices, &cuts.touched));
+  for (PetscInt c = 0; c < mesh->num_cells; c++) {
+    mesh->parent[c] = c;
+    mesh->goal[c]   = marked[c] ? mesh->generation[c] + mesh->dim : 0;
+    for (PetscInt i = 0; i <= mesh->dim; i++) {
+      for (PetscInt j = 0; j <= mesh->dim; j++) mesh->place[c][i][j] = i == j;
+    }
+  }
+  PetscCall(BisectionClose_Private(mesh, &cuts));
+  PetscCall(BisectionSort_Private(mesh, num_parents));
+  PetscCall(PetscFree(cuts.edge));
+  PetscCall(PetscFree(cuts.touched));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The order of edges: by length, then by their ends. Lengths are measured from the lower end, once for all cells. */
+typedef struct {
+  PetscInt64 length;
+  PetscInt   low, high;
+} EdgeRank;
+
+static PetscReal EdgeLength2_Private(PetscInt dim, const PetscReal coords[], PetscInt low, PetscInt high)
+{
+  PetscReal sum = 0;
+
+  for (PetscInt d = 0; d < dim; d++) sum += PetscSqr(coords[high * dim + d] - coords[low * dim + d]);
+  return sum;
+}
+
+static EdgeRank EdgeGetRank_Private(PetscInt dim, const PetscReal coords[], PetscReal unit, PetscInt a, PetscInt b)
+{
+  EdgeRank rank = {.low = PetscMin(a, b), .high = PetscMax(a, b)};
+
+  rank.length = (PetscInt64)(EdgeLength2_Private(dim, coords, rank.low, rank.high) / unit * LENGTH_STEPS + 0.5);
+  return rank;
+}
+
+static PetscBool EdgeIsLonger_Private(EdgeRank a, EdgeRank b)
+{
+  if (a.length != b.length) return (PetscBool)(a.length > b.length);
+  if (a.low != b.low) return (PetscBool)(a.low < b.low);
+  return (PetscBool)(a.high < b.high);
+}
+
+/* The longest edge among some vertices of a cell. [in] places - of those vertices in the cell [num]; [out] i, j - places of its
+   ends */
+static void CellFindLongest_Private(const Bisection *mesh, const PetscReal coords[], PetscReal unit, PetscInt cell,
+                                    PetscInt num, const PetscInt places[], PetscInt longest[2])
+{
+  EdgeRank best = {.length = -1};
+
+  for (PetscInt i = 0; i < num; i++) {
+    for (PetscInt j = 0; j < i; j++) {
+      const EdgeRank rank =
+          EdgeGetRank_Private(mesh->dim, coords, unit, mesh->vertex[cell][places[i]], mesh->vertex[cell][places[j]]);
+
+      if (!EdgeIsLonger_Private(rank, best)) continue;
+      best       = rank;
+      longest[0] = places[j];
+      longest[1] = places[i];
+    }
+  }
+}
+
+/* The marked edge of facet 0 or 1. */
+static PetscInt CellMarkFacet_Private(const Bisection *mesh, const PetscReal coords[], PetscReal unit, PetscInt cell,
+                                      PetscInt facet)
+{
+  const PetscInt places[] = {facet, 2, 3};
+  PetscInt       longest[2];
+
+  CellFindLongest_Private(mesh, coords, unit, cell, 3, places, longest);
+  if (longest[0] != facet) return EDGE_OPPOSITE;
+  return longest[1] == 2 ? EDGE_TO_2 : EDGE_TO_3;
+}
+
+/* Lists the longest edge of a cell first and marks its facets. */
+static void CellBegin_Private(Bisection *mesh, const PetscReal coords[], PetscReal unit, PetscInt cell)
+{
+  static const PetscInt all[] = {0, 1, 2, 3};
+  PetscInt              longest[2];
+
+  CellFindLongest_Private(mesh, coords, unit, cell, mesh->dim + 1, all, longest);
+  for (PetscInt end = 0; end < 2; end++) { // longest[0] < longest[1]: the first exchange does not move the second end
+    const PetscInt vertex = mesh->vertex[cell][end], facet = mesh->facet[cell][end];
+
+    mesh->vertex[cell][end]          = mesh->vertex[cell][longest[end]];
+    mesh->facet[cell][end]           = mesh->facet[cell][longest[end]];
+    mesh->vertex[cell][longest[end]] = vertex;
+    mesh->facet[cell][longest[end]]  = facet;
+  }
+  mesh->marks[cell] = 0;
+  if (mesh->dim == 3)
+    mesh->marks[cell] = MarksJoin_Private(CellMarkFacet_Private(mesh, coords, unit, cell, 0),
+                                          CellMarkFacet_Private(mesh, coords, unit, cell, 1), PETSC_FALSE);
+}
+
+PetscErrorCode BisectionCreate(PetscInt dim, PetscInt num_vertices, PetscInt num_cells, const PetscInt cells[],
+                               const PetscInt facets[], const PetscReal coords[], Bisection *mesh)
+{
+  const PetscInt num  = dim + 1;
+  PetscReal      unit = 0;
+
+  PetscFunctionBeginUser;
+  *mesh = (Bisection){.dim           = dim,
+                      .num_vertices  = num_vertices,
+                      .num_cells     = num_cells,
+                      .room_vertices = PetscMax(1, num_vertices),
+                      .room_cells    = PetscMax(1, num_cells)};
+  PetscCall(PetscMalloc1(mesh->room_vertices, &mesh->ends));
+  PetscCall(PetscMalloc1(mesh->room_cells, &mesh->vertex));
+  PetscCall(PetscMalloc1(mesh->room_cells, &mesh->facet));
+  PetscCall(PetscCalloc1(mesh->room_cells, &mesh->generation));
+  PetscCall(PetscMalloc1(mesh->room_cells, &mesh->parent));
+  PetscCall(PetscMalloc1(mesh->room_cells, &mesh->place));
+  PetscCall(PetscMalloc1(mesh->room_cells, &mesh->marks));
+  PetscCall(PetscMalloc1(mesh->room_cells, &mesh->goal));
+  for (PetscInt v = 0; v < num_vertices; v++) mesh->ends[v][0] = mesh->ends[v][1] = -1;
+  for (PetscInt c = 0; c < num_cells; c++) {
+    for (PetscInt i = 0; i < num; i++) {
+      mesh->vertex[c][i] = cells[c * num + i];
+      mesh->facet[c][i]  = facets[c * num + i];
+      for (PetscInt j = 0; j < i; j++)
+        unit = PetscMax(unit, EdgeLength2_Private(dim, coords, cells[c * num + i], cells[c * num + j]));
+    }
+  }
+  for (PetscInt c = 0; c < num_cells; c++) CellBegin_Private(mesh, coords, unit, c);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BisectionDestroy(Bisection *mesh)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(mesh->vertex));
+  PetscCall(PetscFree(mesh->facet));
+  PetscCall(PetscFree(mesh->generation));
+  PetscCall(PetscFree(mesh->ends));
+  PetscCall(PetscFree(mesh->parent));
+  PetscCall(PetscFree(mesh->place));
+  PetscCall(PetscFree(mesh->marks));
+  PetscCall(PetscFree(mesh->goal));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

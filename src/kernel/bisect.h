@@ -1,0 +1,52 @@
+/* bisect.h -- conforming bisection of triangles and tetrahedra.
+
+   A cell is halved through the middle of its refinement edge, the one between its first two vertices. In the plane the next
+   refinement edge is opposite the newest vertex [1]; in space marks on facets tell it [2]. Descendants of a cell have
+   a bounded number of shapes, and no decision after the first marks depends on rounding. The result of a refinement is the
+   coarsest conforming one that halves what was asked for: it depends on no numbering.
+
+   References:
+     [1] W. F. Mitchell, A comparison of adaptive refinement techniques for elliptic problems, ACM Trans. Math. Softw. 15
+         (1989) 326-347.
+     [2] D. N. Arnold, A. Mukherjee, L. Pouly, Locally adapted tetrahedral meshes using bisection, SIAM J. Sci. Comput. 22
+         (2000) 431-448. */
+#ifndef MORTISE_BISECT_H
+#define MORTISE_BISECT_H
+
+#include <petscsys.h>
+
+enum { BISECT_MAX_VERTICES = 4 };
+
+/* A mesh that can be refined. Owned by the caller, BisectionDestroy(). */
+typedef struct {
+  PetscInt dim, num_vertices, num_cells;
+  PetscInt room_vertices, room_cells; /* that the arrays have */
+
+  PetscInt (*vertex)[BISECT_MAX_VERTICES]; /* dim+1 of every cell [num_cells] */
+  PetscInt (*facet)
+      [BISECT_MAX_VERTICES]; /* the caller's number of the facet opposite each vertex, which its halves inherit; -1
+                                              between cells [num_cells] */
+  PetscInt *generation;      /* bisections since the beginning [num_cells] */
+  PetscInt (*ends)[2];       /* of the edge whose middle a vertex is; -1 for the first ones [num_vertices] */
+
+  /* Since the last BisectionRefine() began: the cell of then, and the barycentric coordinates of each vertex in it, with the vertices in
+     the order that cell had; all are dyadic, hence exact [num_cells] */
+  PetscInt *parent;
+  PetscReal (*place)[BISECT_MAX_VERTICES][BISECT_MAX_VERTICES];
+
+  unsigned char *marks; /* private: marked edges of facets, in space [num_cells] */
+  PetscInt      *goal;  /* private: generation that is asked for [num_cells] */
+} Bisection;
+
+/* Begins with a conforming mesh. The longest edge of a cell and of each facet is its refinement edge, by length, then by the vertices'
+   numbers; cells list it first, so their vertices are reordered. Not collective.
+   [in] cells - [num_cells][dim+1]; facets - [num_cells][dim+1]; coords - where lengths are measured [num_vertices][dim] */
+PetscErrorCode BisectionCreate(PetscInt dim, PetscInt num_vertices, PetscInt num_cells, const PetscInt cells[],
+                               const PetscInt facets[], const PetscReal coords[], Bisection *mesh);
+PetscErrorCode BisectionDestroy(Bisection *mesh);
+
+/* Bisects marked cells dim times, which halves their edges, and others as often as that makes them hang. Cells are in the order of
+   their parents. Vertices keep their numbers; new ones follow. Not collective. [in] marked - [num_cells] */
+PetscErrorCode BisectionRefine(Bisection *mesh, const PetscBool marked[]);
+
+#endif
