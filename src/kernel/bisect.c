@@ -7,14 +7,15 @@
 #include "kernel/bisect.h"
 #include "base/compat.h"
 
-/* Marks of a tetrahedron in one byte: for facet 0 and 1 which edge is marked, and the flag. */
+/* Marks of a cell in one byte: in space, which edge of facets 0 and 1 is marked, and the flag. */
 enum {
   EDGE_OPPOSITE = 0, /* a2 a3 */
   EDGE_TO_2     = 1, /* from the vertex of the refinement edge to a2 */
   EDGE_TO_3     = 2,
   EDGE_BITS     = 2,
   EDGE_MASK     = 3,
-  FLAG          = 16
+  FLAG          = 16,
+  TURNED        = 32 /* the vertices are an odd permutation of the sense that the first mesh had */
 };
 
 /* Lengths that differ by less are equal, so that symmetric meshes are refined symmetrically. */
@@ -100,6 +101,22 @@ static PetscErrorCode BisectionGetMiddle_Private(Bisection *mesh, Cuts *cuts, Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscBool BisectionIsTurned(const Bisection *mesh, PetscInt cell)
+{
+  return (PetscBool)((mesh->marks[cell] & TURNED) > 0);
+}
+
+/* Whether a permutation is odd. */
+static PetscBool IsOdd_Private(PetscInt num, const PetscInt order[])
+{
+  PetscInt inversions = 0;
+
+  for (PetscInt i = 0; i < num; i++) {
+    for (PetscInt j = 0; j < i; j++) inversions += order[j] > order[i];
+  }
+  return (PetscBool)(inversions % 2);
+}
+
 static unsigned char MarksJoin_Private(PetscInt facet0, PetscInt facet1, PetscBool flag)
 {
   return (unsigned char)(facet0 | facet1 << EDGE_BITS | (flag ? FLAG : 0));
@@ -139,8 +156,10 @@ static void BisectionSetChild_Private(Bisection *mesh, PetscInt cell, PetscInt k
   const PetscInt num = mesh->dim + 1, w = 1 - keep;
   PetscInt       order[BISECT_MAX_VERTICES], vertex[BISECT_MAX_VERTICES], facet[BISECT_MAX_VERTICES];
   PetscReal      place[BISECT_MAX_VERTICES][BISECT_MAX_VERTICES];
-  unsigned char  marks = ChildOrder_Private(mesh->dim, mesh->marks[cell], keep, order);
+  unsigned char  marks  = ChildOrder_Private(mesh->dim, mesh->marks[cell], keep, order);
+  unsigned char  turned = mesh->marks[cell] & TURNED; // w where the other end was is the same sense
 
+  if (IsOdd_Private(num, order)) turned ^= TURNED;
   for (PetscInt i = 0; i < num; i++) {
     const PetscInt k = order[i];
 
@@ -157,7 +176,7 @@ static void BisectionSetChild_Private(Bisection *mesh, PetscInt cell, PetscInt k
   mesh->generation[child] = mesh->generation[cell] + 1;
   mesh->goal[child]       = mesh->goal[cell];
   mesh->parent[child]     = mesh->parent[cell];
-  mesh->marks[child]      = marks;
+  mesh->marks[child]      = marks | turned;
 }
 
 /* One child takes the place of the cell, the other one comes last. */
@@ -328,6 +347,7 @@ static void CellBegin_Private(Bisection *mesh, const PetscReal coords[], PetscRe
 {
   static const PetscInt all[] = {0, 1, 2, 3};
   PetscInt              longest[2];
+  unsigned char         turned = 0;
 
   CellFindLongest_Private(mesh, coords, unit, cell, mesh->dim + 1, all, longest);
   for (PetscInt end = 0; end < 2; end++) { // longest[0] < longest[1]: the first exchange does not move the second end
@@ -337,11 +357,13 @@ static void CellBegin_Private(Bisection *mesh, const PetscReal coords[], PetscRe
     mesh->facet[cell][end]           = mesh->facet[cell][longest[end]];
     mesh->vertex[cell][longest[end]] = vertex;
     mesh->facet[cell][longest[end]]  = facet;
+    if (longest[end] != end) turned ^= TURNED;
   }
   mesh->marks[cell] = 0;
   if (mesh->dim == 3)
     mesh->marks[cell] = MarksJoin_Private(CellMarkFacet_Private(mesh, coords, unit, cell, 0),
                                           CellMarkFacet_Private(mesh, coords, unit, cell, 1), PETSC_FALSE);
+  mesh->marks[cell] |= turned;
 }
 
 PetscErrorCode BisectionCreate(PetscInt dim, PetscInt num_vertices, PetscInt num_cells, const PetscInt cells[],

@@ -44,6 +44,8 @@ typedef struct {
 PetscErrorCode BisectionCreate(PetscInt dim, PetscInt num_vertices, PetscInt num_cells, const PetscInt cells[],
                                const PetscInt facets[], const PetscReal coords[], Bisection *mesh);
 PetscErrorCode BisectionDestroy(Bisection *mesh);
+/* Whether a cell's vertices are in the other sense than those of the first mesh were. */
+PetscBool BisectionIsTurned(const Bisection *mesh, PetscInt cell);
 
 /* Bisects marked cells dim times, which halves their edges, and others as often as that makes them hang. Cells are in the order of
    their parents. Vertices keep their numbers; new ones follow. Not collective. [in] marked - [num_cells] */

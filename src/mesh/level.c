@@ -32,6 +32,15 @@ PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode LevelCreateFromPlex(Scene scene, DM dm, const Curves *curves, Level *level)
+{
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateTables(scene, dm, SceneMaxOrder(scene), level));
+  PetscCall(DMRemoveLabel(dm, "body", NULL)); // refinement would carry it on at a quarter of its costs
+  PetscCall(LevelSetCoords(level, curves));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscInt SceneMaxOrder(Scene scene)
 {
   PetscInt max_order = 1;

@@ -4,6 +4,7 @@
    coarsest mesh is spread, and every rank refines its own part: the work and the memory that grow with refinement
    are shared from the beginning. */
 #include "mesh/meshimpl.h"
+#include "mesh/forest.h"
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "base/warning.h"
@@ -57,17 +58,19 @@ static PetscErrorCode MeshMakeBodies_Private(Scene scene, PetscInt coarser, cons
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The merged mesh, whole on the first rank. [in] coarser - halvings that bodies are spared */
-static PetscErrorCode MeshCreateWhole_Private(Scene scene, PetscInt coarser, DM *dm, Curves *curves)
+/* The merged mesh, whole on the first rank, or the forest of its cells. [in] coarser - halvings that bodies are spared; [out] forest - NULL if
+   the mesh is not to be adapted; else dm and curves are not touched */
+static PetscErrorCode MeshCreateWhole_Private(Scene scene, PetscInt coarser, DM *dm, Curves *curves, MeshForest *forest)
 {
   BodyList  *lists;
   SideNames *names;
 
   PetscFunctionBeginUser;
+  *forest = NULL;
   PetscCall(PetscCalloc2(scene->num_bodies, &lists, scene->num_bodies, &names));
   for (PetscInt b = 0; b < scene->num_bodies; b++) PetscCall(SideNamesOfBody(scene, b, &names[b]));
   PetscCall(MeshMakeBodies_Private(scene, coarser, names, lists));
-  PetscCall(MeshMerge(scene, lists, names, dm, curves));
+  if (!scene->adapt.tolerance) PetscCall(MeshMerge(scene, lists, names, dm, curves));
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     scene->bodies[b].straightened    = lists[b].straightened;
     scene->bodies[b].curved_file     = lists[b].curved_file;
@@ -75,6 +78,9 @@ static PetscErrorCode MeshCreateWhole_Private(Scene scene, PetscInt coarser, DM 
     PetscCall(PetscArraycpy(scene->bodies[b].nonmanifold, lists[b].nonmanifold, 3));
     PetscCallMPI(MPI_Bcast(&scene->bodies[b].straightened, 1, MPIU_BOOL, 0, scene->comm));
     PetscCallMPI(MPI_Bcast(&scene->bodies[b].curved_file, 1, MPIU_BOOL, 0, scene->comm));
+  }
+  if (scene->adapt.tolerance) PetscCall(MeshForestCreate(scene, lists, names, forest)); // takes what is destroyed here
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
     PetscCall(SideNamesDestroy(&names[b]));
     PetscCall(BodyListDestroy(&lists[b]));
   }
@@ -108,21 +114,23 @@ PetscErrorCode MeshRefine(Mesh mesh)
 /* The coarsest level, its cells not judged yet: body by body on the first rank; together from there on. */
 static PetscErrorCode MeshBegin_Private(Mesh mesh, PetscInt coarser)
 {
-  Scene  scene = mesh->scene;
-  Curves curves;
-  DM     dm;
+  Scene     scene  = mesh->scene;
+  PetscInt *origin = NULL;
+  Curves    curves;
+  DM        dm;
 
   PetscFunctionBeginUser;
-  PetscCall(MeshCreateWhole_Private(scene, coarser, &dm, &curves));
-  PetscCall(PartitionDistribute(scene, coarser + scene->refine, &dm, &curves));
+  PetscCall(MeshCreateWhole_Private(scene, coarser, &dm, &curves, &mesh->forest));
   PetscCall(PetscMalloc1(1, &mesh->levels));
-  PetscCall(LevelCreateTables(scene, dm, SceneMaxOrder(scene), &mesh->levels[0]));
-  PetscCall(DMRemoveLabel(dm, "body", NULL)); // refinement would carry it on at a quarter of its costs
   mesh->num_levels = 1;
-  PetscCall(LevelSetCoords(&mesh->levels[0], &curves));
+  if (mesh->forest) PetscCall(MeshForestMerge(scene, mesh->forest, &dm, &curves));
+  PetscCall(PartitionDistribute(scene, coarser + scene->refine, &dm, &curves, mesh->forest ? &origin : NULL));
+  PetscCall(LevelCreateFromPlex(scene, dm, &curves, &mesh->levels[0]));
   PetscCall(LevelBeginArcs(&mesh->levels[0]));
+  if (mesh->forest) PetscCall(MeshForestGather(mesh->forest, &mesh->levels[0], origin));
   PetscCall(MeshShapeCreate(mesh, &curves));
   PetscCall(CurvesDestroy(&curves));
+  PetscCall(PetscFree(origin));
   PetscCall(DMDestroy(&dm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -130,6 +138,7 @@ static PetscErrorCode MeshBegin_Private(Mesh mesh, PetscInt coarser)
 static PetscErrorCode MeshClear_Private(Mesh mesh)
 {
   PetscFunctionBeginUser;
+  PetscCall(MeshForestDestroy(&mesh->forest));
   for (PetscInt l = 0; l < mesh->num_levels; l++) PetscCall(LevelDestroy(&mesh->levels[l]));
   PetscCall(MeshShapeDestroy(mesh));
   PetscCall(PetscFree(mesh->levels));
@@ -168,7 +177,7 @@ PetscErrorCode MeshSetUp(Mesh mesh)
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_size(scene->comm, &size));
-  coarser = SceneCountCoarser(scene, size);
+  coarser = scene->adapt.tolerance ? 0 : SceneCountCoarser(scene, size);
   PetscCall(MeshBegin_Private(mesh, coarser));
   while (mesh->num_levels <= coarser) {
     PetscBool sound;
@@ -183,7 +192,7 @@ PetscErrorCode MeshSetUp(Mesh mesh)
     }
   }
   PetscCall(LevelTurnCells(MeshFinest(mesh), NULL));
-  for (PetscInt l = 0; l < scene->refine; l++) PetscCall(MeshRefine(mesh));
+  for (PetscInt l = 0; l < scene->refine; l++) PetscCall(mesh->forest ? MeshAdaptAll(mesh) : MeshRefine(mesh));
   mesh->own = coarser + scene->refine;
   PetscCall(MortarChoiceMake(mesh));
   for (PetscInt b = 0; b < scene->num_bodies; b++)

@@ -53,11 +53,12 @@ typedef struct {
 enum { MESH_LEVELS_2D = 200000, MESH_LEVELS_3D = 20000 };
 
 struct _n_Mesh {
-  Scene                scene;      /* borrowed */
-  PetscInt             num_levels; /* those that boxes begin with by themselves, 1, common refinements */
-  PetscInt             own;    /* the level that is the scene's mesh with its -dm_refine; MeshRefine() adds others */
-  Level               *levels; /* coarse first; the last one is the mesh that is solved on */
-  struct _n_MeshShape *shape;  /* private: curved edges of files under bodies of order 1; NULL if none */
+  Scene                 scene;      /* borrowed */
+  PetscInt              num_levels; /* those that boxes begin with by themselves, 1, common refinements */
+  PetscInt              own;    /* the level that is the scene's mesh with its -dm_refine; MeshRefine() adds others */
+  Level                *levels; /* coarse first; the last one is the mesh that is solved on */
+  struct _n_MeshForest *forest; /* private: cells that can be bisected; NULL without -adapt */
+  struct _n_MeshShape  *shape;  /* private: curved edges of files under bodies of order 1; NULL if none */
 };
 typedef struct _n_Mesh *Mesh;
 
@@ -74,6 +75,12 @@ PetscErrorCode MeshSetUp(Mesh mesh);
 /* Appends one more level, the finest one with every cell split; earlier pointers into mesh->levels are void then. User errors:
    a degenerate or tangled cell. Collective. */
 PetscErrorCode MeshRefine(Mesh mesh);
+/* Appends one more level: marked cells of the finest one bisected dim times, others as often as that makes them hang. The same on any
+   number of ranks; parted anew. For meshes of scenes with -adapt. User errors: a degenerate or tangled cell. Collective.
+   [in] marked - cells of this rank [num_cells] */
+PetscErrorCode MeshAdapt(Mesh mesh, const PetscBool marked[]);
+/* The same with all cells marked. */
+PetscErrorCode MeshAdaptAll(Mesh mesh);
 Level         *MeshFinest(Mesh mesh);
 PetscErrorCode MeshDestroy(Mesh *mesh);
 

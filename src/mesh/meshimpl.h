@@ -204,6 +204,8 @@ PetscErrorCode LevelArcMiddles(Level *level, const ArcSides *sides);
 PetscErrorCode FacetsAllocate(PetscInt num, Facets *facets);
 void           FacetsTurnOut(const Level *level, Facets *facets);
 
+/* The tables and positions of a DM that is parted, cells not turned. Collective. */
+PetscErrorCode LevelCreateFromPlex(Scene scene, DM dm, const Curves *curves, Level *level);
 /* The same for a refined level that has its prolongation. Collective. [in] sides - of bodies of order 1 whose new vertices go on curves */
 PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine);
 /* Lets all cells run anticlockwise, or the facets of solids seen from outside. User errors: a degenerate or tangled cell, a map
@@ -245,8 +247,9 @@ PetscErrorCode PartitionWeightsDestroy(PartitionWeights *shares);
    [out] part - [level->num_cells] */
 PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, PetscInt contact_weight, PetscInt num_parts,
                                 PetscInt part[]);
-/* Spreads the mesh over the ranks; the DM and its curves are replaced. Collective. [in] refine - how often it will be */
-PetscErrorCode PartitionDistribute(Scene scene, PetscInt refine, DM *dm, Curves *curves);
+/* Spreads the mesh over the ranks; the DM and its curves are replaced. Collective. [in] refine - how often it will be; [out] origin -
+   the point of the whole DM that each of this rank was, freed by the caller; or NULL */
+PetscErrorCode PartitionDistribute(Scene scene, PetscInt refine, DM *dm, Curves *curves, PetscInt **origin);
 
 /* Pairs of bodies with the side that each prefers to be nonmortar, its end 2 p, and the other one, its end 2 p + 1. */
 typedef struct {

@@ -307,9 +307,26 @@ static PetscErrorCode PartitionerSet_Private(PetscInt num_cells, const PetscInt 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The point of the whole DM that each point of this rank was. [in] sf - what DMPlexDistribute() gave, NULL if nothing moved */
+static PetscErrorCode OriginCreate_Private(DM dm, PetscSF sf, PetscInt **origin)
+{
+  const PetscSFNode *remote;
+  const PetscInt    *local;
+  PetscInt           begin, end, num;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetChart(dm, &begin, &end));
+  PetscCall(PetscMalloc1(end - begin, origin));
+  for (PetscInt p = begin; p < end; p++) (*origin)[p - begin] = p;
+  if (!sf) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscSFGetGraph(sf, NULL, &num, &local, &remote));
+  for (PetscInt i = 0; i < num; i++) (*origin)[(local ? local[i] : i) - begin] = remote[i].index;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The coarsest mesh is parted: all descendants of a cell stay with it, and METIS sees a small graph. Vertices are all it
    needs, so that meshes of every order are parted alike; cells are judged later, on every number of ranks. */
-PetscErrorCode PartitionDistribute(Scene scene, PetscInt refine, DM *dm, Curves *curves)
+PetscErrorCode PartitionDistribute(Scene scene, PetscInt refine, DM *dm, Curves *curves, PetscInt **origin)
 {
   PetscPartitioner partitioner;
   PetscMPIInt      size;
@@ -320,7 +337,10 @@ PetscErrorCode PartitionDistribute(Scene scene, PetscInt refine, DM *dm, Curves 
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_size(scene->comm, &size));
-  if (size == 1) PetscFunctionReturn(PETSC_SUCCESS);
+  if (size == 1) {
+    if (origin) PetscCall(OriginCreate_Private(*dm, NULL, origin));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
   PetscCall(DMClone(*dm, &clone)); // the tables hang a section on their DM that must not travel
   PetscCall(LevelCreateTables(scene, clone, 1, &level));
   PetscCall(LevelSetCoords(&level, NULL));
@@ -333,6 +353,7 @@ PetscErrorCode PartitionDistribute(Scene scene, PetscInt refine, DM *dm, Curves 
   PetscCall(LevelDestroy(&level));
   PetscCall(DMPlexDistribute(*dm, 0, &sf, &spread));
   PetscCall(CurvesDistribute(*dm, sf, curves));
+  if (origin) PetscCall(OriginCreate_Private(spread, sf, origin));
   PetscCall(PetscSFDestroy(&sf));
   PetscCall(DMDestroy(dm));
   *dm = spread;

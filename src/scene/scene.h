@@ -144,6 +144,14 @@ typedef struct {
   int        scale;     /* DatumKind bits */
 } SceneSteps;
 
+/* Adaptive meshes. */
+typedef struct {
+  PetscReal tolerance; /* of the relative error in the energy norm; 0 without adaptive meshes */
+  PetscReal marking;   /* the share of the squared estimate that marked cells have */
+  PetscReal max_unknowns;
+  PetscInt  max_meshes;
+} SceneAdapt;
+
 struct _n_Scene {
   MPI_Comm comm;
   char    *title;    /* "" where none was given */
@@ -167,6 +175,8 @@ struct _n_Scene {
   int         changed; /* DatumKind bits of what has changed since who solves has last looked and cleared them */
   PetscBool   scaled;  /* whether all that varies in time is proportional to it */
   PetscBool   keep;    /* whether solvers keep their factors for further solutions of this scene */
+
+  SceneAdapt  adapt;
   SceneStop   stop;
   PetscBool   cross_check, measure_linear, quiet, monitor, view, report, allow_unused, warnings_fail;
 };

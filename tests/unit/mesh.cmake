@@ -2,7 +2,7 @@ foreach(module mesh level pieces secondorder curvedfiles support partition meshf
   mortise_unit(${module} LAYER mesh RANKS 1 3)
   target_compile_definitions(test_${module} PRIVATE MESHES="${CMAKE_CURRENT_SOURCE_DIR}/unit/meshes")
 endforeach()
-foreach(module meshsolid levelsolid supportsolid coarsen sideshape)
+foreach(module adapt meshsolid levelsolid supportsolid coarsen sideshape)
   mortise_unit(${module} LAYER mesh RANKS 1 3)
 endforeach()
 foreach(module solidfiles solidfaults)

@@ -1,0 +1,259 @@
+/* adapt.c -- one more level by bisection of marked cells.
+
+   Bisection is integer work on the first rank. The new lists take the way of the first ones: one DMPlex, parted anew, so that every level
+   is balanced and keeps contact together; tables. Only the prolongation needs more: the first rank knows each cell's
+   parent and place in it, and gathers which global nodes both have. */
+#include "mesh/forest.h"
+#include "base/compat.h"
+#include "base/usererror.h"
+
+/* Takes the lists as the roots of trees. */
+PetscErrorCode MeshForestCreate(Scene scene, BodyList lists[], SideNames names[], MeshForest *forest)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(forest));
+  (*forest)->num_bodies = scene->num_bodies;
+  PetscCall(PetscCalloc2(scene->num_bodies, &(*forest)->tree, scene->num_bodies, &(*forest)->names));
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
+    (*forest)->names[b] = names[b];
+    names[b]            = (SideNames){0};
+    PetscBool cut;
+
+    PetscCall(BodyListCut(&lists[b], &cut));
+    (*forest)->cut = (PetscBool)((*forest)->cut || cut);
+    PetscCall(TreeCreate(&lists[b], &(*forest)->tree[b]));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MeshForestDestroy(MeshForest *forest)
+{
+  PetscFunctionBeginUser;
+  if (!*forest) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt b = 0; b < (*forest)->num_bodies; b++) {
+    PetscCall(TreeDestroy(&(*forest)->tree[b]));
+    PetscCall(SideNamesDestroy(&(*forest)->names[b]));
+  }
+  PetscCall(PetscFree2((*forest)->tree, (*forest)->names));
+  PetscCall(PetscFree((*forest)->cell));
+  PetscCall(PetscFree((*forest)->gathered));
+  PetscCall(PetscFree2((*forest)->counts, (*forest)->begins));
+  PetscCall(PetscFree(*forest));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The DM of the forest's lists, on the first rank. */
+PetscErrorCode MeshForestMerge(Scene scene, MeshForest forest, DM *dm, Curves *curves)
+{
+  BodyList *lists;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(forest->num_bodies, &lists));
+  for (PetscInt b = 0; b < forest->num_bodies; b++) lists[b] = forest->tree[b].list;
+  PetscCall(MeshMerge(scene, lists, forest->names, dm, curves));
+  PetscCall(PetscFree(lists));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What this rank knows of its cells: cells and vertices by the points of the whole DM, whose cells come first. */
+static PetscErrorCode LevelDescribeCells_Private(const Level *level, const PetscInt origin[], PetscInt num_all,
+                                                 ForestCell cells[])
+{
+  PetscInt *point, begin, first;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetChart(level->dm, &first, NULL));
+  PetscCall(DMPlexGetHeightStratum(level->dm, 0, &begin, NULL));
+  PetscCall(LevelGetNodePoints(level, &point));
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
+
+    cells[c] = (ForestCell){.cell = origin[begin + c - first], .type = level->cell_type[c]};
+    for (PetscInt i = 0; i <= level->dim; i++) cells[c].vertex[i] = origin[point[nodes[i]] - first] - num_all;
+    for (PetscInt k = 0; k < ElementNumNodes((ElementType)level->cell_type[c]); k++)
+      cells[c].nodes[k] = level->node_global[nodes[k]];
+  }
+  PetscCall(PetscFree(point));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Vertices of all bodies become those of their own body. */
+static void ForestLocalize_Private(MeshForest forest)
+{
+  PetscInt cell = 0, vertex = 0;
+
+  for (PetscInt b = 0; b < forest->num_bodies; b++) {
+    const Bisection *mesh = &forest->tree[b].mesh;
+
+    for (PetscInt c = 0; c < mesh->num_cells; c++, cell++) {
+      for (PetscInt i = 0; i <= mesh->dim; i++) forest->cell[cell].vertex[i] -= vertex;
+    }
+    vertex += mesh->num_vertices;
+  }
+}
+
+/* The first rank learns the latest level. Collective. [in] origin - points of the whole DM, of this rank's */
+PetscErrorCode MeshForestGather(MeshForest forest, const Level *level, const PetscInt origin[])
+{
+  ForestCell  *own, *all = NULL;
+  PetscMPIInt  size, rank, num = (PetscMPIInt)level->num_cells, *counts, *begins;
+  PetscInt     num_all = level->num_cells;
+  MPI_Datatype type;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_size(level->comm, &size));
+  PetscCallMPI(MPI_Comm_rank(level->comm, &rank));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &num_all, 1, MPIU_INT, MPI_SUM, level->comm));
+  PetscCall(PetscMalloc1(level->num_cells, &own));
+  PetscCall(LevelDescribeCells_Private(level, origin, num_all, own));
+  PetscCall(PetscFree2(forest->counts, forest->begins));
+  PetscCall(PetscMalloc2(size, &forest->counts, size, &forest->begins));
+  counts = forest->counts;
+  begins = forest->begins;
+  PetscCallMPI(MPI_Gather(&num, 1, MPI_INT, counts, 1, MPI_INT, 0, level->comm));
+  PetscCall(PetscFree(forest->cell));
+  PetscCall(PetscFree(forest->gathered));
+  forest->num_cells = rank ? 0 : num_all;
+  if (!rank) {
+    begins[0] = 0;
+    for (PetscMPIInt r = 1; r < size; r++) begins[r] = begins[r - 1] + counts[r - 1];
+    PetscCall(PetscMalloc1(num_all, &all));
+  }
+  PetscCallMPI(MPI_Type_contiguous(sizeof(ForestCell) / sizeof(PetscInt), MPIU_INT, &type));
+  PetscCallMPI(MPI_Type_commit(&type));
+  PetscCallMPI(MPI_Gatherv(own, num, type, all, counts, begins, type, 0, level->comm));
+  PetscCallMPI(MPI_Type_free(&type));
+  PetscCall(PetscFree(own));
+  if (!rank) {
+    PetscCall(PetscMalloc1(num_all, &forest->cell));
+    PetscCall(PetscMalloc1(num_all, &forest->gathered));
+    for (PetscInt i = 0; i < num_all; i++) {
+      forest->gathered[i]       = all[i].cell;
+      forest->cell[all[i].cell] = all[i];
+    }
+    ForestLocalize_Private(forest);
+  }
+  PetscCall(PetscFree(all));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Marks of all ranks, by the numbers of the lists. Collective. [out] all - [num_cells], NULL on other ranks */
+static PetscErrorCode ForestGatherMarks_Private(MeshForest forest, const Level *level, const PetscBool marked[],
+                                                PetscBool **all)
+{
+  PetscBool *gathered = NULL;
+
+  PetscFunctionBeginUser;
+  *all = NULL;
+  if (forest->num_cells) PetscCall(PetscMalloc1(forest->num_cells, &gathered));
+  PetscCallMPI(MPI_Gatherv(marked, (PetscMPIInt)level->num_cells, MPIU_BOOL, gathered, forest->counts, forest->begins,
+                           MPIU_BOOL, 0, level->comm));
+  if (forest->num_cells) PetscCall(PetscMalloc1(forest->num_cells, all));
+  for (PetscInt i = 0; i < forest->num_cells; i++) (*all)[forest->gathered[i]] = gathered[i];
+  PetscCall(PetscFree(gathered));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Values of the rows of a child's nodes that have none yet. [in] coarse - cells of the level before; [in,out] done - by global node */
+static PetscErrorCode ProlongationSetCell_Private(const Tree *tree, PetscInt child, const ForestCell *fine,
+                                                  const ForestCell *coarse, PetscBool done[], Mat P)
+{
+  const PetscInt num = ElementNumNodes((ElementType)coarse->type);
+  PetscReal      weights[FOREST_MAX_NODES * FOREST_MAX_NODES];
+
+  PetscFunctionBeginUser;
+  TreeWeights(tree, child, fine, coarse, weights);
+  for (PetscInt k = 0; k < ElementNumNodes((ElementType)fine->type); k++) {
+    if (done[fine->nodes[k]]) continue;
+    done[fine->nodes[k]] = PETSC_TRUE;
+    for (PetscInt i = 0; i < num; i++) { // dyadic numbers: zeros are exact
+      if (weights[k * num + i] != 0)
+        PetscCall(MatSetValue(P, fine->nodes[k], coarse->nodes[i], weights[k * num + i], INSERT_VALUES));
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Node values of one level to those of the next. Collective. [in] before - cells of the coarse level on the first rank */
+static PetscErrorCode MeshForestProlong_Private(MeshForest forest, const ForestCell before[], const Level *coarse,
+                                                Level *fine)
+{
+  Mat P;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreate(fine->comm, &P));
+  PetscCall(MatSetSizes(P, fine->num_owned, coarse->num_owned, PETSC_DETERMINE, PETSC_DETERMINE));
+  PetscCall(MatSetType(P, MATAIJ));
+  PetscCall(MatSeqAIJSetPreallocation(P, FOREST_MAX_NODES, NULL)); // one of the two does nothing
+  PetscCall(MatMPIAIJSetPreallocation(P, FOREST_MAX_NODES, NULL, FOREST_MAX_NODES, NULL));
+  if (forest->num_cells) {
+    PetscBool *done;
+    PetscInt   first = 0, first_before = 0;
+
+    PetscCall(PetscCalloc1(fine->num_global, &done));
+    for (PetscInt b = 0; b < forest->num_bodies; b++) {
+      const Tree *tree = &forest->tree[b];
+
+      for (PetscInt c = 0; c < tree->mesh.num_cells; c++)
+        PetscCall(ProlongationSetCell_Private(tree, c, &forest->cell[first + c],
+                                              &before[first_before + tree->mesh.parent[c]], done, P));
+      first += tree->mesh.num_cells;
+      first_before += tree->num_before;
+    }
+    PetscCall(PetscFree(done));
+  }
+  PetscCall(MatAssemblyBegin(P, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatAssemblyEnd(P, MAT_FINAL_ASSEMBLY));
+  fine->prolongation = P;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MeshAdapt(Mesh mesh, const PetscBool marked[])
+{
+  MeshForest  forest = mesh->forest;
+  ForestCell *before;
+  PetscBool  *all;
+  PetscInt   *origin, cell = 0;
+  Curves      curves;
+  Level      *fine;
+  DM          dm;
+
+  PetscFunctionBeginUser;
+  PetscCall(ForestGatherMarks_Private(forest, MeshFinest(mesh), marked, &all));
+  for (PetscInt b = 0; b < forest->num_bodies && all; b++) {
+    const PetscInt num = forest->tree[b].mesh.num_cells;
+
+    PetscCall(TreeRefine(&forest->tree[b], &all[cell]));
+    cell += num;
+  }
+  PetscCall(PetscFree(all));
+  before       = forest->cell;
+  forest->cell = NULL;
+  PetscCall(PetscRealloc((size_t)(mesh->num_levels + 1) * sizeof(Level), &mesh->levels));
+  fine = &mesh->levels[mesh->num_levels];
+  PetscCall(MeshForestMerge(mesh->scene, forest, &dm, &curves));
+  PetscCall(PartitionDistribute(mesh->scene, 0, &dm, &curves, &origin));
+  PetscCall(LevelCreateFromPlex(mesh->scene, dm, &curves, fine));
+  PetscCall(MeshForestGather(forest, fine, origin));
+  PetscCall(MeshForestProlong_Private(forest, before, fine - 1, fine));
+  mesh->num_levels++;
+  PetscCall(LevelTurnCells(fine, NULL));
+  PetscCall(CurvesDestroy(&curves));
+  PetscCall(DMDestroy(&dm));
+  PetscCall(PetscFree(origin));
+  PetscCall(PetscFree(before));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MeshAdaptAll(Mesh mesh)
+{
+  const PetscInt num = MeshFinest(mesh)->num_cells;
+  PetscBool     *marked;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(num, &marked));
+  for (PetscInt c = 0; c < num; c++) marked[c] = PETSC_TRUE;
+  PetscCall(MeshAdapt(mesh, marked));
+  PetscCall(PetscFree(marked));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,214 @@
+/* forest.c -- a body's cells under bisection, and its lists. */
+#include "mesh/forest.h"
+#include "base/compat.h"
+
+/* The facet of a simplex that does not have this vertex. */
+static PetscInt FacetOpposite_Private(ElementType linear, PetscInt vertex)
+{
+  for (PetscInt f = 0; f < ElementNumFacets(linear); f++) {
+    const PetscInt *nodes = ElementFacetNodes(linear, f);
+    PetscBool       has   = PETSC_FALSE;
+
+    for (PetscInt i = 0; i < ElementNumNodes(ElementFacetType(linear)); i++)
+      has = (PetscBool)(has || nodes[i] == vertex);
+    if (!has) return f;
+  }
+  return -1;
+}
+
+/* Numbers the facets that have sides. [out] facets - of every cell, opposite each vertex [num_cells][dim+1] */
+static PetscErrorCode TreeNumberFacets_Private(Tree *tree, PetscInt facets[])
+{
+  const BodyList *list = &tree->list;
+  const PetscInt  num  = list->dim + 1;
+
+  PetscFunctionBeginUser;
+  tree->num_entries = list->num_facets;
+  PetscCall(PetscMalloc2(list->num_facets, &tree->side, list->num_facets, &tree->another));
+  for (PetscInt i = 0; i < list->num_cells * num; i++) facets[i] = -1;
+  for (PetscInt e = 0; e < list->num_facets; e++) {
+    const PetscInt    cell   = list->facet_cell[e];
+    const ElementType linear = ElementLinear((ElementType)list->cell_type[cell]);
+
+    for (PetscInt v = 0; v < num; v++) {
+      if (FacetOpposite_Private(linear, v) != list->facet[e]) continue;
+      tree->side[e]          = list->facet_side[e];
+      tree->another[e]       = facets[cell * num + v];
+      facets[cell * num + v] = e;
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The place of a vertex among those of a cell. */
+static PetscInt PlaceOf_Private(PetscInt num, const PetscInt vertices[], PetscInt vertex)
+{
+  PetscInt i = 0;
+
+  while (i < num && vertices[i] != vertex) i++;
+  return i;
+}
+
+/* The list's facets: halves of those of the first list. */
+static PetscErrorCode TreeListFacets_Private(const Tree *tree, BodyList *list)
+{
+  const Bisection *mesh = &tree->mesh;
+  PetscInt         num  = 0;
+
+  PetscFunctionBeginUser;
+  for (PetscInt pass = 0; pass < 2; pass++) {
+    if (pass) PetscCall(PetscMalloc3(num, &list->facet_cell, num, &list->facet, num, &list->facet_side));
+    num = 0;
+    for (PetscInt c = 0; c < mesh->num_cells; c++) {
+      for (PetscInt v = 0; v <= mesh->dim; v++) {
+        for (PetscInt e = mesh->facet[c][v]; e >= 0; e = tree->another[e], num++) {
+          PetscInt place;
+
+          if (!pass) continue;
+          place = PlaceOf_Private(mesh->dim + 1, &list->cell_nodes[c * ELEMENT_MAX_NODES], mesh->vertex[c][v]);
+          list->facet_cell[num] = c;
+          list->facet[num]      = FacetOpposite_Private(ElementLinear((ElementType)list->cell_type[c]), place);
+          list->facet_side[num] = tree->side[e];
+        }
+      }
+    }
+  }
+  list->num_facets = num;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode TreeCreate(BodyList *list, Tree *tree)
+{
+  const PetscInt num = list->dim + 1;
+  PetscInt      *cells, *facets;
+
+  PetscFunctionBeginUser;
+  *tree = (Tree){.list = *list};
+  *list = (BodyList){0};
+  PetscCall(PetscMalloc2(tree->list.num_cells * num, &cells, tree->list.num_cells * num, &facets));
+  for (PetscInt c = 0; c < tree->list.num_cells; c++) {
+    for (PetscInt i = 0; i < num; i++) cells[c * num + i] = tree->list.cell_nodes[c * ELEMENT_MAX_NODES + i];
+  }
+  PetscCall(TreeNumberFacets_Private(tree, facets));
+  PetscCall(BisectionCreate(tree->list.dim, tree->list.num_vertices, tree->list.num_cells, cells, facets,
+                            tree->list.coords, &tree->mesh));
+  PetscCall(PetscFree2(cells, facets));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode TreeDestroy(Tree *tree)
+{
+  PetscFunctionBeginUser;
+  PetscCall(BisectionDestroy(&tree->mesh));
+  PetscCall(BodyListDestroy(&tree->list));
+  PetscCall(PetscFree2(tree->side, tree->another));
+  PetscCall(PetscFree(tree->before));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Where a node of a child is in its parent's reference cell. [in] own, parents - vertices of both as their elements list them;
+   before - of the parent as the tree did; [out] xi - [dim] */
+static void ChildNodePlace_Private(const Bisection *mesh, PetscInt child, const PetscInt own[], const PetscInt before[],
+                                   const PetscInt parents[], ElementType type, PetscInt node, PetscReal xi[])
+{
+  const ElementType linear = ElementLinear(type);
+  const PetscInt    num    = mesh->dim + 1;
+  PetscReal         phi[ELEMENT_MAX_NODES];
+
+  ElementShape(linear, ElementNode(type, node), phi, NULL);
+  for (PetscInt d = 0; d < mesh->dim; d++) xi[d] = 0;
+  for (PetscInt i = 0; i < num; i++) {
+    const PetscReal share = phi[PlaceOf_Private(num, own, mesh->vertex[child][i])];
+
+    for (PetscInt j = 0; j < num; j++) {
+      const PetscReal *corner = ElementNode(linear, PlaceOf_Private(num, parents, before[j]));
+
+      for (PetscInt d = 0; d < mesh->dim; d++) xi[d] += share * mesh->place[child][i][j] * corner[d];
+    }
+  }
+}
+
+/* A node of a child on the polynomial of its parent, which is the same on all meshes. */
+static void TreeSetNode_Private(const Tree *tree, const BodyList *old, PetscInt child, PetscInt node, BodyList *list)
+{
+  const PetscInt    parent = tree->mesh.parent[child], dim = tree->mesh.dim;
+  const ElementType type  = (ElementType)old->cell_type[parent];
+  const PetscInt   *nodes = &old->cell_nodes[parent * ELEMENT_MAX_NODES],
+                 *own     = &list->cell_nodes[child * ELEMENT_MAX_NODES];
+  PetscReal  xi[3], phi[ELEMENT_MAX_NODES];
+  PetscReal *x = &list->coords[own[node] * dim];
+
+  ChildNodePlace_Private(&tree->mesh, child, own, tree->before[parent], nodes, type, node, xi);
+  ElementShape(type, xi, phi, NULL);
+  for (PetscInt d = 0; d < dim; d++) {
+    x[d] = 0;
+    for (PetscInt k = 0; k < ElementNumNodes(type); k++) x[d] += phi[k] * old->coords[nodes[k] * dim + d];
+  }
+}
+
+/* The list of the bisected mesh. Each cell of order 2 lists middle nodes of its own: the DM makes one of those that coincide. */
+static PetscErrorCode TreeList_Private(Tree *tree, const BodyList *old, BodyList *list)
+{
+  const Bisection *mesh = &tree->mesh;
+  const PetscInt   dim  = mesh->dim;
+  PetscInt         node = mesh->num_vertices;
+
+  PetscFunctionBeginUser;
+  for (PetscInt c = 0; c < mesh->num_cells; c++)
+    node += ElementNumNodes((ElementType)old->cell_type[mesh->parent[c]]) - (dim + 1);
+  *list              = *old;
+  list->num_cells    = mesh->num_cells;
+  list->num_vertices = mesh->num_vertices;
+  list->num_nodes    = node;
+  list->facet_cell = list->facet = list->facet_side = NULL;
+  PetscCall(PetscMalloc3(mesh->num_cells, &list->cell_type, mesh->num_cells * ELEMENT_MAX_NODES, &list->cell_nodes,
+                         node * dim, &list->coords));
+  PetscCall(PetscArraycpy(list->coords, old->coords, old->num_vertices * dim));
+  node = mesh->num_vertices;
+  for (PetscInt c = 0; c < mesh->num_cells; c++) {
+    const ElementType type = (ElementType)old->cell_type[mesh->parent[c]];
+
+    PetscInt *nodes = &list->cell_nodes[c * ELEMENT_MAX_NODES];
+
+    list->cell_type[c] = type;
+    for (PetscInt k = 0; k < ElementNumNodes(type); k++) nodes[k] = k <= dim ? mesh->vertex[c][k] : node++;
+    if (BisectionIsTurned(mesh, c)) { // all cells of a body have the same sense
+      nodes[dim - 1] = mesh->vertex[c][dim];
+      nodes[dim]     = mesh->vertex[c][dim - 1];
+    }
+    for (PetscInt k = 0; k < ElementNumNodes(type); k++)
+      if (nodes[k] >= old->num_vertices) TreeSetNode_Private(tree, old, c, k, list);
+  }
+  PetscCall(TreeListFacets_Private(tree, list));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode TreeRefine(Tree *tree, const PetscBool marked[])
+{
+  BodyList list;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(tree->before));
+  tree->num_before = tree->mesh.num_cells;
+  PetscCall(PetscMalloc1(tree->num_before, &tree->before));
+  PetscCall(PetscArraycpy(tree->before, tree->mesh.vertex, tree->num_before));
+  PetscCall(BisectionRefine(&tree->mesh, marked));
+  PetscCall(TreeList_Private(tree, &tree->list, &list));
+  PetscCall(BodyListDestroy(&tree->list));
+  tree->list = list;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void TreeWeights(const Tree *tree, PetscInt child, const ForestCell *fine, const ForestCell *coarse,
+                 PetscReal weights[])
+{
+  const ElementType type = (ElementType)fine->type, from = (ElementType)coarse->type;
+
+  for (PetscInt k = 0; k < ElementNumNodes(type); k++) {
+    PetscReal xi[3];
+
+    ChildNodePlace_Private(&tree->mesh, child, fine->vertex, tree->before[tree->mesh.parent[child]], coarse->vertex,
+                           type, k, xi);
+    ElementShape(from, xi, &weights[k * ElementNumNodes(from)], NULL);
+  }
+}

@@ -1,0 +1,143 @@
+/* test_adapt.c -- levels by bisection: sides, prolongation and numbers, on any number of ranks. */
+#include "mesh_scene.h"
+
+/* Two boxes, one with a map, of a dimension and an order. */
+static Mesh MakeMesh(TestScene *t, PetscInt dim, PetscInt order)
+{
+  TestSceneInit(t);
+  t->scene.dim             = dim;
+  t->scene.adapt.tolerance = 1;
+  for (PetscInt b = 0; b < 2; b++) {
+    SceneBody *body = TestSceneAddBox(t, b ? "lower" : "upper", 2 + b, 2, 0, -b, 1, 1 - b);
+
+    body->order    = order;
+    body->faces[2] = 1;
+    body->upper[2] = 1;
+    body->simplex  = (PetscBool)(b == 0); // the other one has quads or hexahedra, which are cut
+  }
+  TestSceneAddPair(t, "joint", 0, dim == 2 ? "bottom" : "front", 1, dim == 2 ? "top" : "back");
+  return TestSceneMesh(t);
+}
+
+/* A polynomial of the order of the mesh. */
+static PetscReal Polynomial(PetscInt dim, PetscInt order, const PetscReal x[])
+{
+  const PetscReal z = dim == 3 ? x[2] : 0, linear = 1 + 2 * x[0] - 3 * x[1] + z;
+
+  return order == 1 ? linear : linear + x[0] * x[0] - 2 * x[0] * x[1] + 3 * x[1] * z - z * z;
+}
+
+static Vec Interpolate(Level *level, PetscInt order)
+{
+  PetscScalar *x;
+  Vec          v;
+
+  CHECK(!LevelCreateVec(level, 1, &v));
+  CHECK(!VecGetArray(v, &x));
+  for (PetscInt i = 0; i < level->num_owned; i++) x[i] = Polynomial(level->dim, order, &level->coords[i * level->dim]);
+  CHECK(!VecRestoreArray(v, &x));
+  return v;
+}
+
+/* The prolongation has polynomials of the order of the mesh. */
+static void CheckProlongation(Level *coarse, Level *fine, PetscInt order)
+{
+  Vec       from = Interpolate(coarse, order), to = Interpolate(fine, order), v;
+  PetscReal error;
+
+  CHECK(!VecDuplicate(to, &v));
+  CHECK(!MatMult(fine->prolongation, from, v));
+  CHECK(!VecAXPY(v, -1, to));
+  CHECK(!VecNorm(v, NORM_INFINITY, &error));
+  CHECK_NEAR(error, 0, 1e-14);
+  CHECK(!VecDestroy(&from));
+  CHECK(!VecDestroy(&to));
+  CHECK(!VecDestroy(&v));
+}
+
+static PetscReal FacetsMeasure(const Level *level, const Facets *facets)
+{
+  PetscReal area = 0;
+
+  for (PetscInt f = 0; f < facets->num; f++) {
+    const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES];
+    PetscReal       a[3] = {0}, b[3] = {0};
+
+    for (PetscInt d = 0; d < level->dim; d++) {
+      a[d] = level->coords[nodes[1] * level->dim + d] - level->coords[nodes[0] * level->dim + d];
+      if (level->dim == 3) b[d] = level->coords[nodes[2] * 3 + d] - level->coords[nodes[0] * 3 + d];
+    }
+    area += level->dim == 2 ? PetscSqrtReal(a[0] * a[0] + a[1] * a[1])
+                            : PetscSqrtReal(PetscSqr(a[1] * b[2] - a[2] * b[1]) + PetscSqr(a[2] * b[0] - a[0] * b[2]) +
+                                            PetscSqr(a[0] * b[1] - a[1] * b[0])) /
+                                  2;
+  }
+  return area;
+}
+
+/* Sides keep their facets, all of them. [in] sides - of the pair, nonmortar first */
+static void CheckSides(Level *level, Scene scene)
+{
+  for (PetscInt b = 0; b < 2; b++) {
+    const ScenePair *pair = &scene->pairs[0];
+    Facets           facets;
+    PetscReal        area;
+
+    CHECK(!LevelGetFacets(level, scene, b, b ? pair->mortar.side : pair->nonmortar.side, &facets));
+    area = FacetsMeasure(level, &facets);
+    CHECK(!MPI_Allreduce(MPI_IN_PLACE, &area, 1, MPIU_REAL, MPI_SUM, level->comm));
+    CHECK_NEAR(area, 1, 1e-13);
+    CHECK(!FacetsDestroy(&facets));
+  }
+}
+
+/* Marks cells near a place. */
+static void Adapt(Mesh mesh, const PetscReal place[])
+{
+  const Level *level = MeshFinest(mesh);
+  PetscBool   *marked;
+
+  CHECK(!PetscMalloc1(level->num_cells, &marked));
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    PetscReal distance = 0;
+
+    for (PetscInt d = 0; d < level->dim; d++)
+      distance += PetscSqr(level->coords[level->cell_nodes[level->cell_start[c]] * level->dim + d] - place[d]);
+    marked[c] = (PetscBool)(distance < .1);
+  }
+  CHECK(!MeshAdapt(mesh, marked));
+  CHECK(!PetscFree(marked));
+}
+
+/* What was counted on one rank. [dim][order-1][nodes, cells] */
+static const PetscInt Expected[4][2][2] = {[2] = {{60, 88}, {206, 88}}, [3] = {{236, 862}, {1460, 862}}};
+
+static void TestMesh(PetscInt dim, PetscInt order)
+{
+  const PetscReal place[] = {0, 0, 0};
+  TestScene       t;
+  Mesh            mesh = MakeMesh(&t, dim, order);
+  PetscInt        cells;
+
+  for (PetscInt step = 0; step < 3; step++) {
+    Adapt(mesh, place);
+    CheckProlongation(MeshFinest(mesh) - 1, MeshFinest(mesh), order);
+    CheckSides(MeshFinest(mesh), &t.scene);
+  }
+  cells = MeshFinest(mesh)->num_cells;
+  CHECK(!MPI_Allreduce(MPI_IN_PLACE, &cells, 1, MPIU_INT, MPI_SUM, MPI_COMM_WORLD));
+  CHECK(MeshFinest(mesh)->num_global == Expected[dim][order - 1][0]);
+  CHECK(cells == Expected[dim][order - 1][1]);
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
+int main(int argc, char **argv)
+{
+  PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
+  for (PetscInt dim = 2; dim <= 3; dim++) {
+    for (PetscInt order = 1; order <= 2; order++) TestMesh(dim, order);
+  }
+  PetscCall(PetscFinalize());
+  return 0;
+}
