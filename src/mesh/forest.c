@@ -106,11 +106,17 @@ PetscErrorCode TreeDestroy(Tree *tree)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Where a node of a child is in its parent's reference cell. [in] own, parents - vertices of both as their elements list them;
-   before - of the parent as the tree did; [out] xi - [dim] */
-static void ChildNodePlace_Private(const Bisection *mesh, PetscInt child, const PetscInt own[], const PetscInt before[],
-                                   const PetscInt parents[], ElementType type, PetscInt node, PetscReal xi[])
+/* A cell in its parent: vertices of both as their elements list them, and those of the parent as the tree did. */
+typedef struct {
+  const Bisection *mesh;
+  PetscInt         cell;
+  const PetscInt  *own, *parent, *before;
+} Child;
+
+/* Where a node of a child is in its parent's reference cell. [out] xi - [dim] */
+static void ChildNodePlace_Private(const Child *child, ElementType type, PetscInt node, PetscReal xi[])
 {
+  const Bisection  *mesh   = child->mesh;
   const ElementType linear = ElementLinear(type);
   const PetscInt    num    = mesh->dim + 1;
   PetscReal         phi[ELEMENT_MAX_NODES];
@@ -118,12 +124,12 @@ static void ChildNodePlace_Private(const Bisection *mesh, PetscInt child, const 
   ElementShape(linear, ElementNode(type, node), phi, NULL);
   for (PetscInt d = 0; d < mesh->dim; d++) xi[d] = 0;
   for (PetscInt i = 0; i < num; i++) {
-    const PetscReal share = phi[PlaceOf_Private(num, own, mesh->vertex[child][i])];
+    const PetscReal share = phi[PlaceOf_Private(num, child->own, mesh->vertex[child->cell][i])];
 
     for (PetscInt j = 0; j < num; j++) {
-      const PetscReal *corner = ElementNode(linear, PlaceOf_Private(num, parents, before[j]));
+      const PetscReal *corner = ElementNode(linear, PlaceOf_Private(num, child->parent, child->before[j]));
 
-      for (PetscInt d = 0; d < mesh->dim; d++) xi[d] += share * mesh->place[child][i][j] * corner[d];
+      for (PetscInt d = 0; d < mesh->dim; d++) xi[d] += share * mesh->place[child->cell][i][j] * corner[d];
     }
   }
 }
@@ -138,7 +144,7 @@ static void TreeSetNode_Private(const Tree *tree, const BodyList *old, PetscInt 
   PetscReal  xi[3], phi[ELEMENT_MAX_NODES];
   PetscReal *x = &list->coords[own[node] * dim];
 
-  ChildNodePlace_Private(&tree->mesh, child, own, tree->before[parent], nodes, type, node, xi);
+  ChildNodePlace_Private(&(Child){&tree->mesh, child, own, nodes, tree->before[parent]}, type, node, xi);
   ElementShape(type, xi, phi, NULL);
   for (PetscInt d = 0; d < dim; d++) {
     x[d] = 0;
@@ -203,12 +209,12 @@ void TreeWeights(const Tree *tree, PetscInt child, const ForestCell *fine, const
                  PetscReal weights[])
 {
   const ElementType type = (ElementType)fine->type, from = (ElementType)coarse->type;
+  const Child       in = {&tree->mesh, child, fine->vertex, coarse->vertex, tree->before[tree->mesh.parent[child]]};
 
   for (PetscInt k = 0; k < ElementNumNodes(type); k++) {
     PetscReal xi[3];
 
-    ChildNodePlace_Private(&tree->mesh, child, fine->vertex, tree->before[tree->mesh.parent[child]], coarse->vertex,
-                           type, k, xi);
+    ChildNodePlace_Private(&in, type, k, xi);
     ElementShape(from, xi, &weights[k * ElementNumNodes(from)], NULL);
   }
 }

@@ -176,9 +176,9 @@ struct _n_Scene {
   PetscBool   scaled;  /* whether all that varies in time is proportional to it */
   PetscBool   keep;    /* whether solvers keep their factors for further solutions of this scene */
 
-  SceneAdapt  adapt;
-  SceneStop   stop;
-  PetscBool   cross_check, measure_linear, quiet, monitor, view, report, allow_unused, warnings_fail;
+  SceneAdapt adapt;
+  SceneStop  stop;
+  PetscBool  cross_check, measure_linear, quiet, monitor, view, report, allow_unused, warnings_fail;
 };
 typedef struct _n_Scene *Scene;
 
