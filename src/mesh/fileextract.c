@@ -179,6 +179,8 @@ PetscErrorCode BodyListCreateFile(Scene scene, PetscInt body, const SideNames *n
   PetscFunctionBeginUser;
   PetscCall(MeshFileOpen(x.body, dim, files, &file, sentence));
   if (sentence[0]) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SharedCellsCheck(scene, body, file, sentence));
+  if (sentence[0]) PetscFunctionReturn(PETSC_SUCCESS);
   x.names = &file->names;
   PetscCall(ExtractSetLevel_Private(&x, scene, body, file));
   PetscCall(DMPlexGetHeightStratum(x.level.dm, 0, &x.cell_begin, NULL));

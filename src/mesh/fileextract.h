@@ -23,6 +23,9 @@ PetscErrorCode LabelGetPoints(DM dm, const char name[], PetscInt tag, PetscInt *
 PetscErrorCode ExtractFindOther(const Extract *x, PetscInt wanted, const char group[], const char **kind);
 /* Whether no two cells lie upon each other. [out] sentence - "" if so [MESH_SENTENCE] */
 PetscErrorCode ExtractCheckFacets(const Extract *x, const BodyList *list, char sentence[]);
+/* Whether a body has no cell of its file in common with an earlier body in the same place. [out] sentence - untouched if so
+   [MESH_SENTENCE] */
+PetscErrorCode SharedCellsCheck(Scene scene, PetscInt body, const MeshFile file, char sentence[]);
 /* list->num_nonmanifold and list->nonmanifold. */
 PetscErrorCode NonManifoldFind(const Extract *x, BodyList *list);
 /* All sides that the scene names. A facet counts once in each of them. [out] sentence - "" unless there is a mistake */

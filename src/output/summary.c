@@ -72,6 +72,7 @@ static PetscErrorCode SummaryAddBodies_Private(const SummaryInput *in, cJSON *sc
     JSONAddInt(body, "nodes", counts[b].nodes);
     JSONAddInt(body, "dofs", counts[b].nodes * level->dim);
     JSONAddInt(body, "order", in->scene->bodies[b].order);
+    JSONAddInt(body, "pieces", ComponentsOfBody(&in->vi->rigid_modes.components, b));
     cJSON_AddBoolToObject(body, "floating", in->vi->rigid_modes.floating[b]);
   }
   PetscCall(PetscFree(counts));

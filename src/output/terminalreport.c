@@ -132,6 +132,12 @@ static PetscErrorCode SummaryPrintResults_Private(const SummaryInput *in)
                         in->solved ? "solved" : "NOT SOLVED", in->vi->level->num_global * in->vi->level->dim,
                         report->iterations, report->type, LogTotalSeconds()));
   PetscCall(SummaryPrintCost_Private(in));
+  for (PetscInt b = 0; b < in->scene->num_bodies; b++) {
+    const PetscInt pieces = ComponentsOfBody(&in->vi->rigid_modes.components, b);
+
+    if (pieces > 1)
+      PetscCall(PetscPrintf(comm, "  body %s is in %" PetscInt_FMT " pieces\n", in->scene->bodies[b].name, pieces));
+  }
   for (PetscInt p = 0; p < in->vi->num_pairs; p++) PetscCall(SummaryPrintPair_Private(in, p));
   PetscCall(SolvabilityReportPrint(in->vi, in->solvability));
   PetscCall(SummaryPrintErrors_Private(in));

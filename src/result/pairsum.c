@@ -152,7 +152,7 @@ PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum)
   sum->active       = (PetscInt)sums[ADD_ACTIVE];
   sum->max_pressure = sum->active ? largest[MAX_PRESSURE] : 0.0;
   sum->max_covered  = PetscMax(largest[MAX_COVERED], 0);
-  sum->min_gap      = -largest[MAX_CLOSED];
+  sum->min_gap      = largest[MAX_CLOSED] > PETSC_NINFINITY ? -largest[MAX_CLOSED] : NAN; // no node, no gap
   for (PetscInt k = 0; k < 3; k++) {
     sum->force[k]           = sums[ADD_FORCE + k];
     sum->lower[k]           = sum->active ? -largest[MAX_LOWER + k] : NAN;

@@ -135,6 +135,9 @@ static const OptionEntry table[] = {
     {GROUP_PAIRS, "-<pair>_reach", "x", "length", "(from the meshes)",
      "Largest distance between facets that may be partners, across a gap or in an overlap. One below an initial "
      "overlap is refused; one below an overlap that loads make gives exit code 3."},
+    {GROUP_PAIRS, "-<pair>_allow_empty", "0|1", "", "0",
+     "No part of the nonmortar side need face its partner: a warning takes the place of exit code 1. For sides that "
+     "meet under other loads only."},
     {GROUP_PAIRS, "-<pair>_multipliers", "nodes|vertices", "", "nodes",
      "On a nonmortar side of order 2: all nodes carry a pressure, or the vertices alone."},
     {GROUP_PAIRS, "-<pair>_exact_pressure", "e", "stress", "(not known)",

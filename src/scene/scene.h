@@ -86,12 +86,13 @@ typedef struct {
   PairType        type;
   PetscBool       roles_open; /* the user gave -<pair>_sides only: the mesh decides which side is nonmortar */
   SceneSide       nonmortar;
-  SceneSide       mortar;     /* body = -1 with an obstacle */
-  SceneObstacle   obstacle;   /* kind OBSTACLE_NONE with a meshed mortar side */
-  Expression      gap;        /* replaces the measured gap, or NULL [1] */
-  Expression      gap_offset; /* is added to it, or NULL [1] */
-  PetscReal       reach;      /* farthest candidate, or negative: from the geometry */
-  PetscBool       widened;    /* whether a solution that moved farther has set the reach, not the user */
+  SceneSide       mortar;      /* body = -1 with an obstacle */
+  SceneObstacle   obstacle;    /* kind OBSTACLE_NONE with a meshed mortar side */
+  Expression      gap;         /* replaces the measured gap, or NULL [1] */
+  Expression      gap_offset;  /* is added to it, or NULL [1] */
+  PetscReal       reach;       /* farthest candidate, or negative: from the geometry */
+  PetscBool       widened;     /* whether a solution that moved farther has set the reach, not the user */
+  PetscBool       allow_empty; /* it is no mistake if nothing of the nonmortar side faces the partner */
   PairMultipliers multipliers;
   Expression      exact; /* the exact pressure, where it is known [1], or NULL */
 } ScenePair;

@@ -82,10 +82,10 @@ static PetscErrorCode PairReadSides_Private(Scene scene, ScenePair *pair)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Type, gaps and reach. Sides that are glued have no gap to give. */
+/* Type, gaps, reach, and whether the pair may be empty. Sides that are glued have no gap to give. */
 static PetscErrorCode PairReadLaw_Private(Scene scene, ScenePair *pair)
 {
-  Option   type, gap, offset, reach;
+  Option   type, gap, offset, reach, empty;
   PetscInt choice = PAIR_CONTACT;
 
   PetscFunctionBeginUser;
@@ -109,6 +109,8 @@ static PetscErrorCode PairReadLaw_Private(Scene scene, ScenePair *pair)
   PetscCall(OptionFind(scene, "-<pair>_reach", pair->name, NULL, &reach));
   PetscCall(OptionGetReals(&reach, 1, &pair->reach));
   if (reach.set && !(pair->reach > 0)) PetscCall(OptionRaise(&reach, "a distance must be above 0"));
+  PetscCall(OptionFind(scene, "-<pair>_allow_empty", pair->name, NULL, &empty));
+  PetscCall(OptionGetBool(&empty, &pair->allow_empty));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

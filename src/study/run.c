@@ -2,6 +2,7 @@
 #include "base/compat.h"
 #include "base/log.h"
 #include "study/run.h"
+#include "base/usererror.h"
 #include "base/warning.h"
 #include "study/reachcheck.h"
 
@@ -82,6 +83,27 @@ static PetscErrorCode RunCreateOnce_Private(Scene scene, Mesh mesh, Vec guess, R
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Raises a user error for a pair none of whose nodes faces anything, once loads have had their say: where bodies moved farther than
+   their reach, pairs have looked farther. Load steps keep what they have, and a later one may close the gap: there it is a warning.
+   Collective. */
+static PetscErrorCode RunCheckEmptyPairs_Private(const Run run)
+{
+  for (PetscInt p = 0; p < run->vi->num_pairs && !run->scene->steps.num; p++) {
+    const Pair       pair = run->vi->pairs[p];
+    const ScenePair *spec = pair->spec;
+
+    if (pair->num_multipliers || pair->num_removed || spec->allow_empty) continue;
+    return UserErrorRaise(
+        run->scene->comm,
+        "the pair %s: no part of %s:%s faces its partner within the reach %.6g, across a gap or in an "
+        "overlap; check the sides of the pair and the positions of the bodies, give a larger "
+        "-%s_reach, or -%s_allow_empty if they need not meet",
+        spec->name, run->scene->bodies[spec->nonmortar.body].name, spec->nonmortar.side, (double)pair->reach,
+        spec->name, spec->name);
+  }
+  return PETSC_SUCCESS;
+}
+
 /* Contact was missed in the last try, too. */
 static PetscErrorCode RunGiveUp_Private(Run run)
 {
@@ -106,6 +128,7 @@ static PetscErrorCode RunTry_Private(Scene scene, Mesh mesh, Vec guess, PetscInt
     PetscCall(RunCreateOnce_Private(scene, mesh, guess, run, &again));
   }
   if (again) PetscCall(RunGiveUp_Private(*run));
+  PetscCall(RunCheckEmptyPairs_Private(*run));
   known = RunSummary(*run);
   PetscCall(SummaryWarn(&known));
   WarningEndRun();

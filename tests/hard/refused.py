@@ -10,7 +10,7 @@ CASES = {  # options, words, motions of bodies, work of the loads
     "tipped": (["-lower_dm_plex_box_upper", "0.375,0", "-upper_bc_traction_top", "0,0"], "body upper tips about (0.375, 0), turning clockwise",
                {"upper": ([0, 0], -1, [0.375, 0])}, 0.125),
     "turned": (["-upper_bc_traction_top", "0,30*x-15"], "body upper tips about (0, 0), turning anticlockwise", {"upper": ([0, 0], 1, [0, 0])}, 2.0),
-    "without_contact": (["-joint_nonmortar", "upper:right", "-joint_mortar", "lower:right", "-joint_reach", "0.01"],
+    "without_contact": (["-joint_nonmortar", "upper:right", "-joint_mortar", "lower:right", "-joint_reach", "0.01", "-joint_allow_empty"],
                         "body upper, which no contact touches, moves along (0, -1)", {"upper": ([0, -1], 0, [0.5, 0.5])}, 3.0),
     "both": (["-lower_bc_displacement_bottom", "0,free"], "body upper moves along (0, -1); lower moves along (0, -1)",
              {"upper": ([0, -1], 0, [0.5, 0.5]), "lower": ([0, -1], 0, [0.5, -0.5])}, 3.0),
