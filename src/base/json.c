@@ -10,7 +10,7 @@ static cJSON *JSONCreateReal_Private(PetscReal value)
   char text[40];
 
   // the infinity of PETSc is a number: what was never found, as the least gap of no node
-  if (PetscIsInfOrNanReal(value) || PetscAbsReal(value) >= PETSC_INFINITY) return cJSON_CreateNull();
+  if (PetscIsInfOrNanReal(value) || PetscAbsReal(value) == PETSC_INFINITY) return cJSON_CreateNull();
   for (int digits = DIGITS_MIN; digits <= DIGITS_MAX; digits++) {
     snprintf(text, sizeof(text), "%.*g", digits, (double)value);
     if (strtod(text, NULL) == (double)value) break;

@@ -193,6 +193,7 @@ PetscErrorCode BodyListCreateFile(Scene scene, PetscInt body, const SideNames *n
   if (!sentence[0]) PetscCall(ExtractCheckFacets(&x, list, sentence));
   PetscCall(ExtractSides(&x, names, list, sentence));
   PetscCall(NonManifoldFind(&x, list));
+  if (!sentence[0]) PetscCall(UnjoinedPiecesFind(&x, scene, body, names, list));
   PetscCall(PetscFree2(x.cell_at, x.node_at));
   PetscCall(LevelDestroy(&x.level));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -28,6 +28,8 @@ PetscErrorCode ExtractCheckFacets(const Extract *x, const BodyList *list, char s
 PetscErrorCode SharedCellsCheck(Scene scene, PetscInt body, const MeshFile file, char sentence[]);
 /* list->num_nonmanifold and list->nonmanifold. */
 PetscErrorCode NonManifoldFind(const Extract *x, BodyList *list);
+/* list->unjoined, after the sides: pieces that touch, but for those that a pair of the body with itself joins. */
+PetscErrorCode UnjoinedPiecesFind(const Extract *x, Scene scene, PetscInt body, const SideNames *names, BodyList *list);
 /* All sides that the scene names. A facet counts once in each of them. [out] sentence - "" unless there is a mistake */
 PetscErrorCode ExtractSides(const Extract *x, const SideNames *names, BodyList *list, char sentence[]);
 /* Sides that are taken for smooth on the level as it is; positions before the map are kept where there are some. [out] sides - owned by

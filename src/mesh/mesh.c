@@ -78,6 +78,7 @@ static PetscErrorCode MeshCreateWhole_Private(Scene scene, PetscInt coarser, DM 
     PetscCall(PetscArraycpy(scene->bodies[b].nonmanifold, lists[b].nonmanifold, 3));
     PetscCallMPI(MPI_Bcast(&scene->bodies[b].straightened, 1, MPIU_BOOL, 0, scene->comm));
     PetscCallMPI(MPI_Bcast(&scene->bodies[b].curved_file, 1, MPIU_BOOL, 0, scene->comm));
+    PetscCall(UnjoinedPiecesWarn(&scene->bodies[b], &lists[b]));
   }
   if (scene->adapt.tolerance) PetscCall(MeshForestCreate(scene, lists, names, forest)); // takes what is destroyed here
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
@@ -159,7 +160,7 @@ static PetscErrorCode MeshWarnNonManifold_Private(const SceneBody *body, PetscIn
   char z[32] = "";
 
   PetscFunctionBeginUser;
-  if (dim == 3) PetscCall(PetscSNPrintf(z, sizeof(z), ", %g", (double)body->nonmanifold[2]));
+  if (dim == 3) (void)snprintf(z, sizeof(z), ", %g", (double)body->nonmanifold[2]);
   PetscCall(WarningAdd(&hinged,
                        "parts of body %s are connected by vertices alone (%d), the first at (%g, %g%s), and rotate "
                        "about them without resistance",

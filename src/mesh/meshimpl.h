@@ -17,20 +17,28 @@ typedef struct {
   char   **name; /* [num] */
 } SideNames;
 
+/* What touches and is not joined. */
+typedef struct {
+  PetscInt  num_pieces; /* of the body: sets of cells that share nodes; 0 where nobody has counted, of a box */
+  PetscInt  num_nodes, num_facets; /* that coincide with a node of another piece, that lie on a facet of one */
+  PetscReal at[3];                 /* the first of them, before the map */
+} UnjoinedPieces;
+
 /* Cells, positions and the facets of those sides that the scene uses. Nodes are the vertices, followed by the others
    that cells of order 2 have. */
 typedef struct {
-  PetscInt   dim, num_cells, num_vertices, num_nodes, num_facets;
-  PetscInt  *cell_type;       /* ElementType [num_cells] */
-  PetscInt  *cell_nodes;      /* [num_cells][ELEMENT_MAX_NODES] */
-  PetscReal *coords;          /* before the map [num_nodes][dim] */
-  PetscInt  *facet_cell;      /* [num_facets] */
-  PetscInt  *facet;           /* number of the facet in its cell [num_facets] */
-  PetscInt  *facet_side;      /* index into the SideNames [num_facets] */
-  PetscBool  curved_file;     /* the file is of second order */
-  PetscBool  straightened;    /* it is, and the body of order 1 */
-  PetscInt   num_nonmanifold; /* vertices that alone connect some cells */
-  PetscReal  nonmanifold[3];  /* the first of them, before the map */
+  PetscInt       dim, num_cells, num_vertices, num_nodes, num_facets;
+  PetscInt      *cell_type;       /* ElementType [num_cells] */
+  PetscInt      *cell_nodes;      /* [num_cells][ELEMENT_MAX_NODES] */
+  PetscReal     *coords;          /* before the map [num_nodes][dim] */
+  PetscInt      *facet_cell;      /* [num_facets] */
+  PetscInt      *facet;           /* number of the facet in its cell [num_facets] */
+  PetscInt      *facet_side;      /* index into the SideNames [num_facets] */
+  PetscBool      curved_file;     /* the file is of second order */
+  PetscBool      straightened;    /* it is, and the body of order 1 */
+  PetscInt       num_nonmanifold; /* vertices that alone connect some cells */
+  PetscReal      nonmanifold[3];  /* the first of them, before the map */
+  UnjoinedPieces unjoined;
 } BodyList;
 
 /* All nodes are vertices to begin with. */
@@ -50,6 +58,9 @@ PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt f
 /* A box of quads or triangles, of hexahedra or tetrahedra. [out] sentence - [MESH_SENTENCE], "" unless the scene is wrong */
 PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const SideNames *names, BodyList *list,
                                  char sentence[]);
+
+/* Warns of pieces that touch and are not joined; for the first rank. Not collective. */
+PetscErrorCode UnjoinedPiecesWarn(const SceneBody *body, const BodyList *list);
 
 /* How many times all bodies can be made of cells twice as large, and should be, for the sake of solvers. [in] num_ranks - to
    share the coarsest mesh */
