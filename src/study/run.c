@@ -88,7 +88,9 @@ static PetscErrorCode RunCreateOnce_Private(Scene scene, Mesh mesh, Vec guess, R
    Collective. */
 static PetscErrorCode RunCheckEmptyPairs_Private(const Run run)
 {
-  for (PetscInt p = 0; p < run->vi->num_pairs && !run->scene->steps.num; p++) {
+  if (run->scene->steps.num || (!run->refused && !run->certificate.holds))
+    return PETSC_SUCCESS; // that has its own sentence
+  for (PetscInt p = 0; p < run->vi->num_pairs; p++) {
     const Pair       pair = run->vi->pairs[p];
     const ScenePair *spec = pair->spec;
 
