@@ -20,7 +20,7 @@ static const PetscReal ASIDE = 100;
 /* Parallel surfaces are taken up to this share of the way to a centre of curvature. */
 static const PetscReal LEAST_SCALE = 0.1;
 /* Places on a reference cell that differ by less are the same. */
-static const PetscReal SAME_POINT = 1e-13;
+static const PetscReal SAME_REFERENCE_PLACE = 1e-13;
 
 /* Steps along interpolated normals, at most: each leaves a share of the distance over the radius, down to rounding of eta. */
 enum { FOLLOW_STEPS = 40 };
@@ -73,7 +73,7 @@ static PetscReal ContactNormalFollowNormal_Private(const MortarSurface *mortar, 
     for (PetscInt i = 0; i < ElementNumNodes(type) * dim; i++) away[i % dim] += phi[i / dim] * X[i];
     along  = VectorDot(dim, away, at->normal);
     square = VectorDot(dim, away, away);
-    if (step == FOLLOW_STEPS || change <= SAME_POINT) break;
+    if (step == FOLLOW_STEPS || change <= SAME_REFERENCE_PLACE) break;
     for (PetscInt k = 0; k < dim; k++) y[k] = x[k] + along * at->normal[k];
     for (PetscInt k = 0; k < dim - 1; k++) before[k] = eta[k];
     (void)ClosestPointOnFacet(dim, type, X, y, eta);

@@ -16,7 +16,7 @@ static const PetscReal HELD_NORMAL = 0.1;
    product of two such shares, which is positive again and up to 1/16. */
 static const PetscReal SLIVER_LINEAR = 1e-3, SLIVER_QUADRATIC_LINE = 5e-2, SLIVER_QUADRATIC = 0.1;
 /* Covered share that is nothing but roundoff. */
-static const PetscReal NOTHING = 1e-13;
+static const PetscReal NO_COVER = 1e-13;
 /* Share of the facets around a node below which its shape function weighs next to nothing: at the axis of a quadratic
    axisymmetric side, where int phi r is 0 on a straight facet and of either sign on a curved one. Elsewhere it is 1/6 at least
    on even meshes. */
@@ -85,10 +85,10 @@ static MultiplierStatus MultiplierStatusOfCovered_Private(PetscScalar *const a[S
                   measure = PetscRealPart(a[SUM_MEASURE][i]), cover = PetscRealPart(a[SUM_COVER][i]);
 
   if (full > WEIGHTLESS * measure) {
-    if (PetscAbsReal(D / full) <= NOTHING) return NODE_UNCOVERED;
+    if (PetscAbsReal(D / full) <= NO_COVER) return NODE_UNCOVERED;
     return D / full >= least ? NODE_KEPT : NODE_REMOVED;
   }
-  if (!(cover > NOTHING * measure)) return NODE_UNCOVERED;
+  if (!(cover > NO_COVER * measure)) return NODE_UNCOVERED;
   if (PetscAbsReal(D) < PETSC_MACHINE_EPSILON * measure) a[SUM_D][i] = PETSC_MACHINE_EPSILON * measure;
   return NODE_REMOVED;
 }

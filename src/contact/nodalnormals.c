@@ -7,7 +7,7 @@
 #include "contact/mortarintegrals.h"
 
 /* Facets of a smooth side deviate from the normal at their node by less than half of 45 degrees. */
-static const PetscReal SMOOTH = 0.92387953251128674;
+static const PetscReal SMOOTH_NORMAL = 0.92387953251128674;
 
 PetscErrorCode NodalNormalsShare(Level *level, Vec normals)
 {
@@ -109,7 +109,7 @@ static PetscErrorCode NodalNormalsFindSharp_Private(Level *level, const Facets *
       PetscReal dot = 0;
       FrameNormalize(dim, &N[i * dim]);
       for (PetscInt k = 0; k < dim; k++) dot += N[i * dim + k] * na[nodes[i] * dim + k];
-      if (dot < SMOOTH) mark[nodes[i]] = 1;
+      if (dot < SMOOTH_NORMAL) mark[nodes[i]] = 1;
     }
   }
   PetscCall(VecRestoreArray(local[1], &mark));

@@ -7,7 +7,7 @@
 static const PetscReal LAYER_DISTANCE = 1e-3;
 
 /* A facet is straight whose middle nodes are off by less than this share. */
-static const PetscReal STRAIGHT = 1e-10;
+static const PetscReal STRAIGHT_FACET = 1e-10;
 
 /* Of rules where no rule is exact: on a curved facet, which is cut into parts. Products of two shape functions err by less
    than the facet's shape does. */
@@ -27,7 +27,7 @@ static PetscBool OverlapPolygonIsStraight_Private(const ClipFacet *facet)
       PetscReal off = -facet->X[3 * i + k];
 
       for (PetscInt v = 0; v < ElementNumNodes(linear); v++) off += phi[v] * facet->X[3 * v + k];
-      if (PetscAbsReal(off) > STRAIGHT * size) return PETSC_FALSE;
+      if (PetscAbsReal(off) > STRAIGHT_FACET * size) return PETSC_FALSE;
     }
   }
   return PETSC_TRUE;

@@ -12,7 +12,7 @@
 enum { F = ELEMENT_MAX_FACET_NODES };
 
 /* Normals that differ by less do not turn. */
-static const PetscReal ROUNDING = 1e-11;
+static const PetscReal TURN_ROUNDING = 1e-11;
 
 /* What a straight facet of a polygon may be off its curve by, at most: half of a polygon's edge may be straight at one end. */
 static PetscReal SmoothGapPolygonError_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal N[])
@@ -29,7 +29,7 @@ static PetscReal SmoothGapPolygonError_Private(PetscInt dim, ElementType type, c
       turn += d * (N[ends[1] * dim + k] - N[ends[0] * dim + k]);
       length += d * d;
     }
-    if (PetscAbsReal(turn) > ROUNDING * PetscSqrtReal(length)) most = PetscMax(most, PetscAbsReal(turn) / 8);
+    if (PetscAbsReal(turn) > TURN_ROUNDING * PetscSqrtReal(length)) most = PetscMax(most, PetscAbsReal(turn) / 8);
   }
   return most;
 }

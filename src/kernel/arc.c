@@ -9,9 +9,9 @@
 #include "base/compat.h"
 
 /* Edges that turn by less between their ends are straight: rounding of normals. */
-static const PetscReal STRAIGHT = 1e-11;
+static const PetscReal STRAIGHT_ARC = 1e-11;
 /* Edges that turn by 30 degrees and more are those of polygons: |n0 + n1| is 2 cos 15 degrees there. */
-static const PetscReal SMOOTH = 1.9318516525781366;
+static const PetscReal SMOOTH_ARC = 1.9318516525781366;
 
 void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const PetscReal x1[], const PetscReal n1[],
                PetscReal offset[])
@@ -27,8 +27,8 @@ void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const P
     dd += d[k] * d[k];
     nn += n[k] * n[k];
   }
-  if (a * b <= 0 || PetscMin(PetscAbsReal(a), PetscAbsReal(b)) <= STRAIGHT * PetscSqrtReal(dd)) return;
-  if (nn < PetscSqr(SMOOTH)) return;
+  if (a * b <= 0 || PetscMin(PetscAbsReal(a), PetscAbsReal(b)) <= STRAIGHT_ARC * PetscSqrtReal(dd)) return;
+  if (nn < PetscSqr(SMOOTH_ARC)) return;
   rise = 2 * a * b / (a + b) / (2 + PetscSqrtReal(nn));
   for (PetscInt k = 0; k < dim; k++) along += n[k] * d[k] / dd;
   for (PetscInt k = 0; k < dim; k++) n[k] -= along * d[k];

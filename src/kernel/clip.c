@@ -24,16 +24,14 @@
          deformations, Comput. Methods Appl. Mech. Engng 197 (2008). */
 #include "kernel/clip.h"
 #include "kernel/facetpolygon.h"
+#include "kernel/polygon.h"
 #include "kernel/roots.h"
 #include "kernel/vector.h"
 
-/* Components below this share of the facet are skipped: their ends differ by little more than roundoff. */
+/* Pieces below this share of the facet are skipped: their ends differ by little more than roundoff. */
 static const PetscReal SHORTEST_PIECE = 1e-12;
 
 enum { MAX_ORDER = 2, MAX_CUTS = 2 + 2 * 2 * MAX_ORDER }; /* two ends of the facet, the roots of two mortar ends */
-
-/* PartitionWeights of the nonmortar facet's size, and of its square: distances and areas of roundoff. */
-static const PetscReal SAME_POINT = 1e-13, NO_AREA = 1e-14;
 
 /* Share of the size by which a point lies inside of a polygon whatever roundoff says. */
 static const PetscReal INSIDE = 1e-10;
@@ -42,7 +40,7 @@ static const PetscReal INSIDE = 1e-10;
    ones are that polygons have. */
 static const PetscReal CURVED_EXCESS = 0.25;
 
-static const PetscReal NEWTON_STEP = 1e-12;
+static const PetscReal CLIP_NEWTON_STEP = 1e-12;
 
 enum { NEWTON_MAX_STEPS = 20 };
 
@@ -216,7 +214,7 @@ static PetscBool ClipPullBack_Private(ElementType type, const PetscReal P[], con
 {
   PetscReal step = PETSC_MAX_REAL;
 
-  for (PetscInt it = 0; it < NEWTON_MAX_STEPS && step > NEWTON_STEP; it++) {
+  for (PetscInt it = 0; it < NEWTON_MAX_STEPS && step > CLIP_NEWTON_STEP; it++) {
     PetscReal x[2], phi[ELEMENT_MAX_NODES], grad[2 * ELEMENT_MAX_NODES];
 
     if (ElementMap(type, P, xi, x, phi, grad) == 0.) return PETSC_FALSE;
@@ -252,7 +250,7 @@ static PetscReal ClipPullBackPart_Private(const FacetPart *part, const PetscReal
   const PetscInt max_steps = part->affine ? 1 : NEWTON_MAX_STEPS;
   PetscReal      s[2] = {0.5, 0.5}, x[2], d[4], step = PETSC_MAX_REAL, area;
 
-  for (PetscInt it = 0; it < max_steps && step > NEWTON_STEP; it++) {
+  for (PetscInt it = 0; it < max_steps && step > CLIP_NEWTON_STEP; it++) {
     PetscReal change[2], r[2];
 
     area = ClipMapBilinear_Private(part->to_plane, s, x, d);
@@ -340,10 +338,10 @@ static PetscBool ClipProjectFacets_Private(const ClipFacet *nonmortar, const Cli
 /* The common part of two parts; returns the number of its vertices, 0 where it has no area. [out] P - [POLYGON_MAX_VERTICES][2] */
 static PetscInt ClipIntersectParts_Private(const FacetPart *a, const FacetPart *b, PetscReal size, PetscReal P[])
 {
-  const PetscInt n =
-      PolygonIntersect(ElementNumNodes(a->type), a->plane, ElementNumNodes(b->type), b->plane, SAME_POINT * size, P);
+  const PetscInt n = PolygonIntersect(ElementNumNodes(a->type), a->plane, ElementNumNodes(b->type), b->plane,
+                                      POLYGON_SAME_POINT * size, P);
 
-  return !n || PolygonArea(n, P) < NO_AREA * size * size ? 0 : n;
+  return !n || PolygonArea(n, P) < POLYGON_NO_AREA * size * size ? 0 : n;
 }
 
 static PetscInt ClipPolygonCorners_Private(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscReal xi[])

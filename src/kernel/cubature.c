@@ -112,7 +112,7 @@ enum {
 };
 
 /* An inner integral is as much more accurate than the one around it, which must not take its errors for kinks. */
-static const PetscReal INNER = 1. / 32.;
+static const PetscReal INNER_TOLERANCE = 1. / 32.;
 /* In more than one dimension all is done with a tolerance this much larger before, for the hints. */
 static const PetscReal SURVEY = 1e4;
 /* Part of the tolerance that a piece may be wrong by, and what is left beside a jump or kink that has been found. */
@@ -120,7 +120,7 @@ static const PetscReal PIECE = 0.5, FOUND = 1. / 64.;
 /* A kink as near to the end of a piece, compared with its length, is at its end. */
 static const PetscReal NEAR = 1e-3;
 /* Points as near to each other are the same. */
-static const PetscReal SAME = 1e-9;
+static const PetscReal SAME_KINK = 1e-9;
 
 /* Where lines of one direction have found jumps and kinks. */
 typedef struct {
@@ -167,14 +167,14 @@ static PetscReal CubaturePiecePoint_Private(const Interval *piece, PetscReal p, 
    line's. */
 static PetscErrorCode CubatureEvaluateLine_Private(const Line *line, PetscReal s, PetscReal value[], PetscReal *error)
 {
-  const Line inner = {line->nest, line->level + 1, line->u, line->unit * INNER};
+  const Line inner = {line->nest, line->level + 1, line->u, line->unit * INNER_TOLERANCE};
 
   PetscFunctionBeginUser;
   line->u[line->level] = s;
   *error               = 0.;
   if (inner.level < REFERENCE[line->nest->cubature->type].dim) {
     PetscCall(CubatureIntegrateLine_Private(&inner, value, error));
-    *error *= INNER;
+    *error *= INNER_TOLERANCE;
   } else
     PetscCall(CubatureEvaluate_Private(line->nest->cubature, line->u, value));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -351,7 +351,7 @@ static void CubatureKeepHints_Private(Hints *found, Hints *hints)
   for (PetscInt i = 0; i <= found->num; i++) {
     const PetscReal next = i < found->num ? found->at[i] : 1.;
 
-    if (next - before > SAME && hints->num < MAX_HINTS) hints->at[hints->num++] = 0.5 * (before + next);
+    if (next - before > SAME_KINK && hints->num < MAX_HINTS) hints->at[hints->num++] = 0.5 * (before + next);
     before = next;
   }
 }
@@ -372,7 +372,7 @@ static PetscErrorCode CubatureCheckHints_Private(const Line *line, const Interva
     const PetscReal s = hints->at[h], x = (s - piece->a) / length;
     PetscReal       p = x;
 
-    if (!(x > SAME && x < 1. - SAME)) continue;
+    if (!(x > SAME_KINK && x < 1. - SAME_KINK)) continue;
     if (piece->root) p = piece->root < 0 ? PetscSqrtReal(x) : 1. - PetscSqrtReal(1. - x);
     for (PetscInt j = 0; j < POINTS; j++) {
       at[j] = v[j];

@@ -13,7 +13,7 @@ static const PetscReal NONE = 1e-8;
    is then multiplied by ten at most. */
 static const PetscReal COUPLED = 0.01;
 
-/* PartitionWeights of the two directions. */
+/* Shares of the two directions. */
 typedef struct {
   PetscInt  num;
   PetscReal s[4], sum[4]; /* S_s, S_s + S_m in the tangent plane [num][num] */

@@ -7,7 +7,8 @@
 
 enum { MAX_DIM = REFERENCE_MAX_DIM, NEWTON_MAX_STEPS = 25 };
 
-static const PetscReal NEWTON_STEP = 1e-10; /* convergence is quadratic: after such a step only roundoff is left */
+static const PetscReal ELEMENT_NEWTON_STEP =
+    1e-10; /* convergence is quadratic: after such a step only roundoff is left */
 
 const char *ElementName(ElementType type)
 {
@@ -271,14 +272,14 @@ static PetscBool ElementIsInside_Private(const Reference *cell, const PetscReal 
   return !cell->simplex || sum <= 1. + tolerance ? PETSC_TRUE : PETSC_FALSE;
 }
 
-/* Newton's method for x(xi) = x from a start, which xi holds. Whether it converged: after a step of NEWTON_STEP only
+/* Newton's method for x(xi) = x from a start, which xi holds. Whether it converged: after a step of ELEMENT_NEWTON_STEP only
    roundoff is left, which in needles of 1 : 1000 is more than the last digits: a smaller bound might never be met. */
 static PetscBool ElementNewton_Private(const Reference *cell, const PetscReal X[], const PetscReal x[], PetscReal xi[])
 {
   const PetscInt dim  = cell->dim;
   PetscReal      step = PETSC_MAX_REAL;
 
-  for (PetscInt it = 0; it < NEWTON_MAX_STEPS && step > NEWTON_STEP; it++) {
+  for (PetscInt it = 0; it < NEWTON_MAX_STEPS && step > ELEMENT_NEWTON_STEP; it++) {
     PetscReal dphi[ELEMENT_MAX_NODES * MAX_DIM], phi[ELEMENT_MAX_NODES], inverse[MAX_DIM * MAX_DIM], r[MAX_DIM];
 
     cell->shape(xi, phi, dphi);
@@ -296,7 +297,7 @@ static PetscBool ElementNewton_Private(const Reference *cell, const PetscReal X[
       step = PetscMax(step, PetscAbsReal(xi[k] - before));
     }
   }
-  return step <= NEWTON_STEP ? PETSC_TRUE : PETSC_FALSE;
+  return step <= ELEMENT_NEWTON_STEP ? PETSC_TRUE : PETSC_FALSE;
 }
 
 /* Newton takes one step in a simplex; from the middle of a convex quad it finds every point inside, and where it fails

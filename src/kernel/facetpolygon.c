@@ -4,11 +4,10 @@
    unless the nodes in the middle are where straight edges have them. */
 #include "kernel/frame.h"
 #include "kernel/facetpolygon.h"
+#include "kernel/polygon.h"
 
-/* PartitionWeights of the nonmortar facet's size, and of its square: distances and areas of roundoff. */
-static const PetscReal SAME_POINT = 1e-13, NO_AREA = 1e-14;
 /* A node that is off by less than this share is where a straight facet has it. */
-static const PetscReal STRAIGHT = 1e-12;
+static const PetscReal STRAIGHT_POLYGON = 1e-12;
 /* A quad whose angles are closer to straight than this is not one for Newton's method: the smallest of the triangles at its
    corners as a share of the mean one. */
 static const PetscReal CONVEX_SHARE = 1e-2;
@@ -48,7 +47,7 @@ void FacetPolygonSetPlane(const ClipFacet *nonmortar, FacetPlane *plane)
 static PetscBool FacetPolygonIsParallelogram_Private(const PetscReal P[], PetscReal size)
 {
   for (PetscInt k = 0; k < 2; k++) {
-    if (PetscAbsReal(P[k] - P[2 + k] + P[4 + k] - P[6 + k]) > SAME_POINT * size) return PETSC_FALSE;
+    if (PetscAbsReal(P[k] - P[2 + k] + P[4 + k] - P[6 + k]) > POLYGON_SAME_POINT * size) return PETSC_FALSE;
   }
   return PETSC_TRUE;
 }
@@ -74,7 +73,7 @@ static void FacetPolygonAddPart_Private(PetscInt num, const PetscInt nodes[], Pe
 
   for (PetscInt i = 0; i < 2 * num; i++) P[i] = shadow->plane[2 * nodes[i / 2] + i % 2];
   area = PolygonArea(num, P);
-  if (PetscAbsReal(area) <= NO_AREA * size * size) return;
+  if (PetscAbsReal(area) <= POLYGON_NO_AREA * size * size) return;
   part->type   = num == 3 ? ELEMENT_TRI3 : ELEMENT_QUAD4;
   part->affine = num == 3 ? PETSC_TRUE : FacetPolygonIsParallelogram_Private(P, size);
   for (PetscInt i = 0; i < num; i++) {
@@ -136,7 +135,7 @@ static PetscBool FacetPolygonIsStraight_Private(const FacetPolygon *shadow, Pets
       PetscReal off = -shadow->plane[2 * i + k];
 
       for (PetscInt v = 0; v < ElementNumNodes(linear); v++) off += phi[v] * shadow->plane[2 * v + k];
-      if (PetscAbsReal(off) > STRAIGHT * size) return PETSC_FALSE;
+      if (PetscAbsReal(off) > STRAIGHT_POLYGON * size) return PETSC_FALSE;
     }
   }
   return PETSC_TRUE;

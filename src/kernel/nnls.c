@@ -9,7 +9,7 @@
 #include "kernel/vector.h"
 
 /* What is left of a column behind the others' directions: below this part of it, it is one of their combinations. */
-static const PetscReal DEPENDENT = 1e-13;
+static const PetscReal DEPENDENT_COLUMN = 1e-13;
 /* Steps for each component, at the end of which only rounding can have led in a circle: two or three are usual. */
 enum { MAX_STEPS = 1000 };
 
@@ -53,7 +53,7 @@ static PetscBool NNLSLeastSquares_Private(const NNLS *nnls, PetscReal z[])
       }
     }
     R[j * m + j] = VectorNorm(m, q);
-    if (!(R[j * m + j] > DEPENDENT * before)) return PETSC_FALSE;
+    if (!(R[j * m + j] > DEPENDENT_COLUMN * before)) return PETSC_FALSE;
     for (PetscInt i = 0; i < m; i++) q[i] /= R[j * m + j];
   }
   for (PetscInt j = num - 1; j >= 0; j--) {

@@ -6,6 +6,10 @@
 
 enum { POLYGON_MAX_CORNERS = 4, POLYGON_MAX_VERTICES = 2 * POLYGON_MAX_CORNERS };
 
+/* Parts of the nonmortar facet's size, and of its square: distances and areas of roundoff. */
+#define POLYGON_SAME_POINT 1e-13
+#define POLYGON_NO_AREA    1e-14
+
 /* Twice the area would be the sum of the cross products; this is the area, positive for anticlockwise polygons.
    [in] P - [n][2] */
 PetscReal PolygonArea(PetscInt n, const PetscReal P[]);

@@ -4,7 +4,7 @@
 #include "base/usererror.h"
 
 /* Of the largest radius of the scene: what maps and files leave of a zero. */
-static const PetscReal ROUNDOFF = 1e-10;
+static const PetscReal AXIS_ROUNDOFF = 1e-10;
 
 PetscErrorCode LevelSetAxis(Level *level)
 {
@@ -20,7 +20,7 @@ PetscErrorCode LevelSetAxis(Level *level)
   for (PetscInt node = 0; node < level->num_nodes && !sentence[0]; node++) {
     PetscReal *x = &level->coords[node * dim];
 
-    if (PetscAbsReal(x[0]) <= ROUNDOFF * largest) x[0] = 0;
+    if (PetscAbsReal(x[0]) <= AXIS_ROUNDOFF * largest) x[0] = 0;
     if (x[0] >= 0) continue;
     snprintf(sentence, sizeof(sentence),
              "-model axisymmetric: body '%s' crosses the axis of revolution, to r = %g at z = %g; bodies lie in r >= "

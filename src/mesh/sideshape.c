@@ -8,11 +8,11 @@
 #include "kernel/vector.h"
 
 /* Facets of one patch meet at less than 45 degrees; half of that is what they leave their mean normal by at most. */
-static const PetscReal SMOOTH = 0.70710678118654752, SURELY_SMOOTH = 0.92387953251128674;
+static const PetscReal SMOOTH_SIDE = 0.70710678118654752, SURELY_SMOOTH = 0.92387953251128674;
 /* Share of a full turn that the facets of a patch fill around an inner node; an end of a line fills half, a corner less than a third. */
-static const PetscReal INNER = 0.8, END = 0.35, FULLER = 0.1;
+static const PetscReal INNER_TURN = 0.8, END_TURN = 0.35, FULLER = 0.1;
 /* Differences of unit normals below this are rounding: flat. */
-static const PetscReal FLAT = 1e-11;
+static const PetscReal FLAT_SIDE = 1e-11;
 /* Neighbours lie on a line whose second moment across it is below this share. */
 static const PetscReal ON_A_LINE = 1e-4;
 
@@ -187,7 +187,7 @@ static void SideShapeSetPatch_Private(Side *side, PetscInt f, PetscInt i, PetscI
   PetscBool      edge = PETSC_FALSE;
 
   for (PetscInt c = 0; c < num; c++) {
-    if (VectorDot(dim, own.unit, node[c].unit) < SMOOTH) {
+    if (VectorDot(dim, own.unit, node[c].unit) < SMOOTH_SIDE) {
       edge = PETSC_TRUE;
       ridge -= VectorDot(dim, own.unit, node[c].outward); // the others fall away behind a convex edge
       continue;
@@ -253,7 +253,7 @@ static void SideShapeAddNeighbour_Private(const Side *side, PetscInt f, PetscInt
   square = VectorDot(dim, dx, dx);
   for (PetscInt k = 0; k < dim * dim && square > 0; k++) {
     sums[k] += dx[k / dim] * dx[k % dim] / square;
-    if (most > FLAT) sums[dim * dim + k] += dn[k / dim] * dx[k % dim] / square;
+    if (most > FLAT_SIDE) sums[dim * dim + k] += dn[k / dim] * dx[k % dim] / square;
   }
 }
 
@@ -324,7 +324,7 @@ static PetscErrorCode SideShapeSetCurvatures_Private(Side *side, PetscBool inner
 
     for (PetscInt i = 0; i < n; i++) {
       for (PetscInt j = 0; j < n; j++) {
-        if (i == j || (inner && side->share[f * F + j] < INNER)) continue;
+        if (i == j || (inner && side->share[f * F + j] < INNER_TURN)) continue;
         SideShapeAddNeighbour_Private(side, f, i, j, &sums[(f * F + i) * 2 * dim * dim]);
       }
     }
@@ -336,7 +336,7 @@ static PetscErrorCode SideShapeSetCurvatures_Private(Side *side, PetscBool inner
       const PetscBool full = SideShapeFitCurvature_Private(dim, &side->shape->normal[c * dim], &sums[c * 2 * dim * dim],
                                                            &side->shape->curvature[c * dim * dim]);
 
-      if (known) known[c] = full && side->share[c] >= INNER ? 1 : 0;
+      if (known) known[c] = full && side->share[c] >= INNER_TURN ? 1 : 0;
     }
   }
   PetscCall(PetscFree(sums));
@@ -359,7 +359,7 @@ static PetscBool SideShapeTurnNormal_Private(const Side *side, PetscInt f, Petsc
   along  = VectorDot(dim, m, dx) / VectorDot(dim, dx, dx);
   for (PetscInt k = 0; k < dim; k++)
     n[k] = known && square < 1 ? t[k] + PetscSqrtReal(1 - square) * m[k] : m[k] - 2 * along * dx[k];
-  return (PetscBool)(PetscMax(square, PetscSqr(along) * VectorDot(dim, dx, dx)) > FLAT * FLAT);
+  return (PetscBool)(PetscMax(square, PetscSqr(along) * VectorDot(dim, dx, dx)) > FLAT_SIDE * FLAT_SIDE);
 }
 
 /* Whether two nodes of a facet lie on a line of its lattice: a mirror between others is not that of a cylinder. */
@@ -421,7 +421,8 @@ static PetscErrorCode SideShapeTurns_Private(const Side *side, PetscBool *turns)
       FrameNormalize(dim, own);
       for (PetscInt k = 0; k < dim; k++) {
         const PetscReal normal = side->shape->normal[(f * F + i) * dim + k];
-        if (PetscAbsReal(unit[k] - normal) > FLAT || PetscAbsReal(unit[k] - own[k]) > FLAT) *turns = PETSC_TRUE;
+        if (PetscAbsReal(unit[k] - normal) > FLAT_SIDE || PetscAbsReal(unit[k] - own[k]) > FLAT_SIDE)
+          *turns = PETSC_TRUE;
       }
     }
   }
@@ -449,8 +450,8 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, SideShape *sh
   if (turns) {
     PetscCall(SideShapeSumAtNodes_Private(&side, 1, shape->ridge, side.share));
     PetscCall(SideShapeSetCurvatures_Private(&side, PETSC_TRUE, known));
-    PetscCall(SideShapeSetEnds_Private(&side, END, INNER, known));
-    PetscCall(SideShapeSetEnds_Private(&side, 0, END, known));
+    PetscCall(SideShapeSetEnds_Private(&side, END_TURN, INNER_TURN, known));
+    PetscCall(SideShapeSetEnds_Private(&side, 0, END_TURN, known));
     PetscCall(SideShapeSetCurvatures_Private(&side, PETSC_FALSE, NULL));
   }
   PetscCall(PetscFree3(side.weighted, side.share, known));

@@ -6,7 +6,7 @@
 #include "result/solvabilityreport.h"
 
 /* An edge is straight if its middle is off by no more than this part of its length: files have some ten digits. */
-static const PetscReal STRAIGHT = 1e-9;
+static const PetscReal STRAIGHT_EDGE = 1e-9;
 
 static PetscErrorCode MeshViewPrintBodies_Private(VI vi)
 {
@@ -134,7 +134,7 @@ static PetscErrorCode MeshViewFindCurvedEdges_Private(const Level *level, PetscI
         length += PetscSqr(b[k] - a[k]);
         rise += PetscSqr(middle[k] - 0.5 * (a[k] + b[k]));
       }
-      if (rise > PetscSqr(STRAIGHT) * length) bent[level->cell_body[c]] = PETSC_TRUE;
+      if (rise > PetscSqr(STRAIGHT_EDGE) * length) bent[level->cell_body[c]] = PETSC_TRUE;
     }
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, bent, (PetscMPIInt)num_bodies, MPIU_BOOL, MPI_LOR, level->comm));

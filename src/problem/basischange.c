@@ -10,7 +10,7 @@
 /* A unit vector is along an axis, or two are parallel, to this. */
 static const PetscReal PARALLEL = 1e-12;
 /* Powers of E this small do not change T, whose entries are of order 1. */
-static const PetscReal NEGLIGIBLE = 1e-17;
+static const PetscReal NEGLIGIBLE_POWER = 1e-17;
 /* Powers beyond the longest chain of pairs: two pairs on one side may depend on each other through the row of a removed
    node. On straight facets that is a sliver's, whose weight is below a thousandth, and powers fall by as much; on quadratic
    ones a far end that is covered in part weighs more, and the powers fall by 0.7 at the worst place of a seam between the
@@ -290,7 +290,7 @@ static PetscErrorCode BasisChangeAddPowers_Private(VI vi, Mat E, Mat T)
   PetscFunctionBeginUser;
   PetscCall(MatMatMult(E, T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &V));
   PetscCall(MatNorm(V, NORM_FROBENIUS, &norm));
-  for (PetscInt power = 1; norm > NEGLIGIBLE; power++) {
+  for (PetscInt power = 1; norm > NEGLIGIBLE_POWER; power++) {
     PetscCheck(power <= vi->num_pairs + REMOVED_POWERS, vi->level->comm, PETSC_ERR_PLIB,
                "The coupling of the pairs does not fade");
     PetscCall(MatAXPY(T, 1.0, V, DIFFERENT_NONZERO_PATTERN));

@@ -8,7 +8,7 @@
 #include "problem/cyclicroles.h"
 
 /* Entries of M below this part of the whole are roundoff. */
-static const PetscReal ROUNDOFF = 1e-12;
+static const PetscReal ENTRY_ROUNDOFF = 1e-12;
 
 /* 1 at the nodes that carry a multiplier of a pair, 0 elsewhere. [in,out] marks - bs of each node */
 static PetscErrorCode CyclicRolesMarkNodes_Private(const Pair pair, PetscInt bs, Vec marks)
@@ -38,7 +38,7 @@ static PetscErrorCode CyclicRolesLeads_Private(const Pair p, const Pair q, Mat M
   PetscCall(MatDiagonalScale(part, rows, columns));
   PetscCall(MatNorm(M, NORM_FROBENIUS, &all));
   PetscCall(MatNorm(part, NORM_FROBENIUS, &common));
-  *leads = (PetscBool)(common > ROUNDOFF * all);
+  *leads = (PetscBool)(common > ENTRY_ROUNDOFF * all);
   PetscCall(MatDestroy(&part));
   PetscCall(VecDestroy(&rows));
   PetscCall(VecDestroy(&columns));

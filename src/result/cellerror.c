@@ -18,7 +18,7 @@ static const PetscReal SHARE = 1e-2;
 
 /* An error norm below this part of the solution's is rounding. That of a difference quotient grows as pieces shrink: cutting would
    never end. */
-static const PetscReal ROUNDING = 1e-9;
+static const PetscReal NORM_ROUNDING = 1e-9;
 
 /* What is compared with what: nodal values against nodal values, or against a formula for each body. */
 typedef struct {
@@ -205,7 +205,7 @@ static PetscErrorCode CellErrorReduce_Private(const Level *level, PetscInt num, 
 /* Takes errors that are rounding out of what CellErrorIsLarge_Private() looks at. [in,out] totals - [num] */
 static void CellErrorIgnoreRounding_Private(PetscInt num, ErrorSquares totals[])
 {
-  const PetscReal square = PetscSqr(ROUNDING);
+  const PetscReal square = PetscSqr(NORM_ROUNDING);
 
   for (PetscInt b = 0; b < num; b++) {
     if (totals[b].error_l2 <= square * totals[b].size_l2) totals[b].error_l2 = PETSC_INFINITY;

@@ -14,7 +14,7 @@ enum { SIZE_DEGREE = 2 }; /* of the quadrature of a facet's area, which weighs i
 /* Principal axes of areas whose two largest second moments differ by less than this part are not determined: those of a circle. */
 static const PetscReal ROUND = 0.01;
 /* Forces, or places, that differ by less than this part come in the same order on any number of ranks. */
-static const PetscReal SAME = 1e-9;
+static const PetscReal SAME_PATCH = 1e-9;
 
 /* What is added over the rows of a patch, and over the points that its nodes stand for. */
 enum { ROW_NODES, ROW_AREA, ROW_NORMAL, ROW_FORCE, ROW_CENTRE = ROW_FORCE + 3, ROW_SUMS = ROW_CENTRE + 3 };
@@ -333,7 +333,7 @@ static void PatchSetAxes_Private(PetscInt dim, const PetscReal sums[], ContactPa
     PetscInt largest = 0;
 
     for (PetscInt k = 1; k < dim; k++) {
-      if (PetscAbsReal(patch->axis[a][k]) > PetscAbsReal(patch->axis[a][largest]) + SAME) largest = k;
+      if (PetscAbsReal(patch->axis[a][k]) > PetscAbsReal(patch->axis[a][largest]) + SAME_PATCH) largest = k;
     }
     for (PetscInt k = 0; k < dim && patch->axis[a][largest] < 0; k++) patch->axis[a][k] *= -1;
   }
@@ -471,11 +471,11 @@ static PetscBool PatchComesFirst_Private(const ContactPatch *a, const ContactPat
   const PetscReal force = PetscMax(a->normal_force, b->normal_force);
   PetscReal       size  = 0;
 
-  if (PetscAbsReal(a->normal_force - b->normal_force) > SAME * force)
+  if (PetscAbsReal(a->normal_force - b->normal_force) > SAME_PATCH * force)
     return (PetscBool)(a->normal_force > b->normal_force);
   for (PetscInt k = 0; k < 3; k++) size = PetscMax(size, PetscAbsReal(a->centre[k] - b->centre[k]));
   for (PetscInt k = 0; k < 3; k++) {
-    if (PetscAbsReal(a->centre[k] - b->centre[k]) > SAME * size) return (PetscBool)(a->centre[k] < b->centre[k]);
+    if (PetscAbsReal(a->centre[k] - b->centre[k]) > SAME_PATCH * size) return (PetscBool)(a->centre[k] < b->centre[k]);
   }
   return PETSC_FALSE;
 }

@@ -7,14 +7,15 @@
 #include "base/compat.h"
 #include "base/json.h"
 #include "result/gapdiscontinuity.h"
+#include "result/pairsum.h"
 
 /* The part of the largest displacement along the normals that such an overlap may have before it is told. */
 static const PetscReal SHOWS = 0.1;
 /* The part of coordinates, gaps and radii, of which gaps are differences, below which an overlap is their rounding: a mean over some
    hundred points, with weights of either sign. */
-static const PetscReal ROUNDING = 256 * PETSC_MACHINE_EPSILON;
+static const PetscReal GAP_ROUNDING = 256 * PETSC_MACHINE_EPSILON;
 /* Those that differ by less than this part count as equal when the place is told, on any number of ranks. */
-static const PetscReal SAME = 1e-9;
+static const PetscReal SAME_OVERLAP = 1e-9;
 
 /* How far the mean gap of a row in contact is below all gaps around its node, 0 of other rows. */
 static PetscReal GapDiscontinuityGetRow_Private(Fields fields, PetscInt p, PetscInt r)
@@ -53,27 +54,18 @@ static PetscErrorCode GapDiscontinuityGetSizes_Private(Fields fields, PetscInt p
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The first place by coordinates where the overlap is the largest, found one coordinate after the other. */
+/* The first place by coordinates where the overlap is the largest. */
 static PetscErrorCode GapDiscontinuityGetPlace_Private(Fields fields, PetscInt p, PetscReal largest, PetscReal at[])
 {
-  const VI       vi  = fields->vi;
-  const PetscInt dim = vi->level->dim;
+  const VI   vi = fields->vi;
+  PetscBool *chosen;
 
   PetscFunctionBeginUser;
-  for (PetscInt k = 0; k < dim; k++) {
-    PetscReal least = PETSC_INFINITY;
-
-    for (PetscInt r = 0; r < vi->num_rows; r++) {
-      const PetscReal *x;
-      PetscBool        first = PETSC_TRUE;
-
-      if (GapDiscontinuityGetRow_Private(fields, p, r) < (1 - SAME) * largest) continue; // also those of other pairs
-      x = &vi->level->coords[vi->pairs[p]->nodes[vi->row_node[r]] * dim];
-      for (PetscInt j = 0; j < k; j++) first = (PetscBool)(first && x[j] == at[j]);
-      if (first) least = PetscMin(least, x[k]);
-    }
-    PetscCallMPI(MPI_Allreduce(&least, &at[k], 1, MPIU_REAL, MPI_MIN, vi->level->comm));
-  }
+  PetscCall(PetscMalloc1(vi->num_rows, &chosen));
+  for (PetscInt r = 0; r < vi->num_rows; r++) // none of other pairs: their overlap is 0
+    chosen[r] = (PetscBool) !(GapDiscontinuityGetRow_Private(fields, p, r) < (1 - SAME_OVERLAP) * largest);
+  PetscCall(PairSumFindFirstPlace(vi, chosen, at));
+  PetscCall(PetscFree(chosen));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -88,7 +80,7 @@ PetscErrorCode GapDiscontinuityFind(Fields fields, PetscInt p, PetscBool *shows,
   }
   PetscCall(GapDiscontinuityGetSizes_Private(fields, p, &largest[1], &largest[2]));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 3, MPIU_REAL, MPI_MAX, vi->level->comm));
-  *overlap = largest[0] > ROUNDING * largest[2] ? largest[0] : 0;
+  *overlap = largest[0] > GAP_ROUNDING * largest[2] ? largest[0] : 0;
   *shows   = (PetscBool)(*overlap > SHOWS * largest[1]);
   if (*shows) PetscCall(GapDiscontinuityGetPlace_Private(fields, p, largest[0], at));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -40,11 +40,8 @@ static void PairSumAddRow_Private(Fields fields, PetscInt r, PetscReal lambda, P
   }
 }
 
-/* The place of the largest pressure; of several the first by coordinates, found one coordinate after the other. */
-static PetscErrorCode PairSumFindPressurePlace_Private(Fields fields, PetscInt p, const PetscReal lambda[],
-                                                       PetscReal max, PetscReal at[])
+PetscErrorCode PairSumFindFirstPlace(VI vi, const PetscBool chosen[], PetscReal at[])
 {
-  const VI       vi  = fields->vi;
   const PetscInt dim = vi->level->dim;
 
   PetscFunctionBeginUser;
@@ -53,16 +50,35 @@ static PetscErrorCode PairSumFindPressurePlace_Private(Fields fields, PetscInt p
 
     for (PetscInt r = 0; r < vi->num_rows; r++) {
       const PetscReal *x;
-      PetscBool        tied_with_first = PETSC_TRUE;
+      PetscBool        first = PETSC_TRUE;
 
-      if (vi->row_pair[r] != p || vi->row_direction[r] != 0 || fields->row_status[r] == STATUS_OPEN) continue;
-      if (lambda[r] < max * (1 - SAME_PRESSURE)) continue;
-      x = &vi->level->coords[vi->pairs[p]->nodes[vi->row_node[r]] * dim];
-      for (PetscInt j = 0; j < k; j++) tied_with_first = (PetscBool)(tied_with_first && x[j] == at[j]);
-      if (tied_with_first) least = PetscMin(least, x[k]);
+      if (!chosen[r]) continue;
+      x = &vi->level->coords[vi->pairs[vi->row_pair[r]]->nodes[vi->row_node[r]] * dim];
+      for (PetscInt j = 0; j < k; j++) first = (PetscBool)(first && x[j] == at[j]);
+      if (first) least = PetscMin(least, x[k]);
     }
     PetscCallMPI(MPI_Allreduce(&least, &at[k], 1, MPIU_REAL, MPI_MIN, vi->level->comm));
   }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The place of the largest pressure; of several the first by coordinates. */
+static PetscErrorCode PairSumFindPressurePlace_Private(Fields fields, PetscInt p, const PetscReal lambda[],
+                                                       PetscReal max, PetscReal at[])
+{
+  const VI   vi = fields->vi;
+  PetscBool *chosen;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(vi->num_rows, &chosen));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const PetscBool closed =
+        (PetscBool)(vi->row_pair[r] == p && vi->row_direction[r] == 0 && fields->row_status[r] != STATUS_OPEN);
+
+    chosen[r] = (PetscBool)(closed && !(lambda[r] < max * (1 - SAME_PRESSURE)));
+  }
+  PetscCall(PairSumFindFirstPlace(vi, chosen, at));
+  PetscCall(PetscFree(chosen));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -5,7 +5,7 @@
 #include "result/roundness.h"
 
 /* Facets that meet at less than 30 degrees are taken for a smooth curve: each is half of that from the mean normal. Flat is less. */
-static const PetscReal SMOOTH = PETSC_PI / 12, FLAT = 1e-4;
+static const PetscReal SMOOTH_ANGLE = PETSC_PI / 12, FLAT_ANGLE = 1e-4;
 /* Forces below this part of the largest one carry nothing. */
 static const PetscReal CARRIES = 1e-6;
 
@@ -97,7 +97,7 @@ PetscErrorCode RoundnessCarriesLoads(VI vi, Solvability s, PetscBool *round)
 
       if (vi->row_pair[r] != p || s->balance[r] <= CARRIES * largest) continue;
       angle = PetscRealPart(t[pair->nodes[vi->row_node[r]]]);
-      if (angle < FLAT || angle > SMOOTH) all = PETSC_FALSE;
+      if (angle < FLAT_ANGLE || angle > SMOOTH_ANGLE) all = PETSC_FALSE;
     }
     PetscCall(VecRestoreArrayRead(turn, &t));
     PetscCall(VecDestroy(&turn));

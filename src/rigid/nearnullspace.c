@@ -8,7 +8,7 @@
 #include "rigid/nearnullspace.h"
 
 /* A vector shorter than this share of its first length is a combination of the ones before it. */
-static const PetscReal DEPENDENT = 1e-8;
+static const PetscReal DEPENDENT_MODE = 1e-8;
 
 /* u of one rigid motion of a body: translations first, then rotations about the origin of coordinates. Those of a plane serve
    axisymmetric bodies as well: away from the axis the hoop strain costs little. [in,out] u - ghosted */
@@ -48,7 +48,7 @@ static PetscErrorCode Orthonormalize_Private(PetscInt *num, Vec vectors[])
     PetscCall(VecAXPY(vectors[*num], -dot, vectors[j]));
   }
   PetscCall(VecNorm(vectors[*num], NORM_2, &after));
-  if (after > DEPENDENT * before && before > 0) {
+  if (after > DEPENDENT_MODE * before && before > 0) {
     PetscCall(VecScale(vectors[*num], 1 / after));
     (*num)++;
   }

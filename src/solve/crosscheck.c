@@ -15,7 +15,7 @@ static const PetscReal AGREE = 1e-9;
 static const PetscReal AGREE_ILL = 1e-6;
 /* Energy norm of the difference of two solutions relative to one of them; each is within half of it of the
    exact one (eq. 14.4). */
-static const PetscReal PROMISED = 1e-8;
+static const PetscReal PROMISED_DIFFERENCE = 1e-8;
 /* Roundoff of a row of A y, as a part of its diagonal times the largest displacement. */
 static const PetscReal ROW_ROUNDOFF = 64 * PETSC_MACHINE_EPSILON;
 /* Prefix of the options of the second SNES. */
@@ -152,7 +152,7 @@ static PetscErrorCode CrossCheckAreNear_Private(VI vi, Vec first, Vec second, Pe
                       (double)all->energy));
   *near = (PetscBool)(check->displacement_difference <= AGREE);
   if (*near || !(check->displacement_difference <= AGREE_ILL)) PetscFunctionReturn(PETSC_SUCCESS);
-  *near = (PetscBool)(iterated && d.energy <= PROMISED * all->energy);
+  *near = (PetscBool)(iterated && d.energy <= PROMISED_DIFFERENCE * all->energy);
   if (!*near) PetscCall(CrossCheckAgreeToRoundoff_Private(vi, first, second, all->max, near));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

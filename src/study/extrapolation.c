@@ -3,7 +3,7 @@
 #include "base/compat.h"
 #include "study/extrapolation.h"
 
-static const PetscReal NEGLIGIBLE = 1e-9; /* part of its size that a quantity is known to at best */
+static const PetscReal QUANTITY_ROUNDING = 1e-9; /* part of its size that a quantity is known to at best */
 
 /* The solved record of an order on a level, or NULL. */
 static const Record *ExtrapolationFindRecords_Private(Study study, PetscInt order, PetscInt level)
@@ -56,7 +56,7 @@ PetscBool ExtrapolationVanishes(Study study, PetscInt quantity, const Extrapolat
   for (PetscInt q = 0; q < study->num_quantities; q++)
     if (study->quantities[q].size == study->quantities[quantity].size)
       size = PetscMax(size, PetscAbsReal(finest->values[q]));
-  return (PetscBool)(PetscAbsReal(limit->value) + limit->bar <= NEGLIGIBLE * size);
+  return (PetscBool)(PetscAbsReal(limit->value) + limit->bar <= QUANTITY_ROUNDING * size);
 }
 
 PetscErrorCode ExtrapolationPrint(Study study)
