@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""house.py -- checks of the text: house.py <layers|sizes|options|warnings|theory|pages> <top of the tree>. Prints what is wrong, or nothing."""
+"""house.py -- checks of the text: house.py <layers|sizes|options|warnings|tunables|theory|pages> <top of the tree>. Prints what is wrong, or nothing."""
 import pathlib
 import re
 import sys
@@ -158,6 +158,73 @@ def check_warnings(top):
     yield from (f"{code} is not in snake_case" for code in sorted(used) if not re.fullmatch(r"[a-z]+(_[a-z]+)*", code))
 
 
+# --- tunables ---------------------------------------------------------------------------------------------------------
+
+SOLVERS = ("multigrid", "pdas", "rigid", "solve")  # modules whose constants src/TUNABLES.md lists
+CONSTANT = re.compile(r"(static const Petsc(?:Real|Int)|enum \{|#define)\s+(.*)")
+COUNTED = re.compile(r"MAX_|_MAX|STEPS|UNKNOWNS|SETS|PER_|INTERVALS|NODE_TERMS")  # other enums are codes and sizes of arrays
+SIZES = {"MAX_DIM", "DIM_MAX"}
+
+
+def read_constants(path):
+    """Named constants of a file, by declaration: (what declares them, [(name, value)], comment)."""
+    lines, comment, number = path.read_text().splitlines(), "", 0
+    while number < len(lines):
+        declared = CONSTANT.match(lines[number])
+        if lines[number].startswith("/*"):
+            first = number
+            while "*/" not in lines[number]:
+                number += 1
+            comment = " ".join(line.strip() for line in lines[first:number + 1]).strip("/* ")
+        elif declared:
+            kind, text = declared.groups()
+            while kind != "#define" and ";" not in text:
+                number += 1
+                text += " " + lines[number].strip()
+            own = re.search(r"(?:/\*|//)\s*(.*?)[\s*/]*$", text)
+            body = re.sub(r"^([A-Z_0-9]+)\s+", r"\1 = ", text.split("/*")[0]) if kind == "#define" else text.split(";")[0]
+            found = re.findall(r"\b([A-Z][A-Z_0-9]+)(?:\[\])?\s*=\s*(\{[^}]*\}|[^,{}]*[^,{}\s])", body)
+            yield kind, [(name, value) for name, value in found if re.match(r"[^\"]*(\d|EPSILON)", value)], own.group(1) if own else comment
+        elif lines[number]:
+            comment = ""
+        number += 1
+
+
+def render_tunables(top):
+    """The tables of src/TUNABLES.md."""
+    text = []
+    for module in SOLVERS:
+        rows = []
+        for path in sorted((top / "src" / module).glob("*.[ch]")):
+            for kind, found, comment in read_constants(path):
+                found = [one for one in found if one[0] not in SIZES and (kind != "enum {" or COUNTED.search(one[0]))]
+                shown = ", ".join(f"`{name}` {value}" for name, value in found)
+                if rows and rows[-1][1:] == [path.name, comment] and shown:
+                    rows[-1][0] += f", {shown}"
+                elif shown:
+                    rows.append([shown, path.name, comment])
+        text += [f"## {module}", "", "| constant | file | meaning and reason |", "|---|---|---|"]
+        text += ["| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in rows] + [""]
+    return "\n".join(text)
+
+
+def check_tunables(top):
+    """src/TUNABLES.md lists the constants of the solvers with their comments, each of which has one; no name has two values in the tree."""
+    page, wanted = top / "src/TUNABLES.md", render_tunables(top)
+    head, _, found = page.read_text().partition("\n\n## ")
+    if "--write" in sys.argv:
+        page.write_text(f"{head}\n\n{wanted}")
+    elif f"## {found}" != wanted:
+        yield "src/TUNABLES.md is not what the sources have; write it anew by: python3 tests/house.py tunables . --write"
+    yield from (f"src/TUNABLES.md: {line.split('|')[1].strip()} has no comment" for line in wanted.splitlines() if line.endswith("|  |"))
+    values = {}
+    for path in sources(top):
+        for kind, found, _ in read_constants(path):
+            for name, value in found if kind.startswith("static") else []:
+                values.setdefault(name, {}).setdefault(value, path.relative_to(top))
+    yield from (f"{name} has {len(of)} values: {', '.join(f'{value} in {path}' for value, path in of.items())}" for name, of in values.items() if len(of) > 1)
+
+
 # --- theory -----------------------------------------------------------------------------------------------------------
 
 
@@ -182,10 +249,6 @@ def check_theory(top):
             cited = re.findall(r"\d+\.\d+", " ".join(re.findall(r"\beqs?\. (\d+\.\d+(?:(?:, | and |-)\d+\.\d+)*)", line)))
             for number in [number for number in cited if number not in numbers] + re.findall(r"\(T\d+\)", line):
                 yield f"{path.relative_to(top)}:{lineno} cites {number}, which src/THEORY.md does not have"
-
-
-def main():
-    checks = {"layers": check_layers, "sizes": check_sizes, "options": check_options, "warnings": check_warnings, "theory": check_theory}
 
 
 # --- pages ------------------------------------------------------------------------------------------------------------
@@ -225,7 +288,8 @@ def check_pages(top):
 
 
 def main():
-    checks = {"layers": check_layers, "sizes": check_sizes, "options": check_options, "warnings": check_warnings, "theory": check_theory, "pages": check_pages}
+    checks = {"layers": check_layers, "sizes": check_sizes, "options": check_options, "warnings": check_warnings, "theory": check_theory, "tunables": check_tunables,
+              "pages": check_pages}
     wrong = list(checks[sys.argv[1]](pathlib.Path(sys.argv[2]).resolve()))
     print("\n".join(wrong))
     sys.exit(bool(wrong))

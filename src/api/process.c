@@ -13,7 +13,7 @@
 #include "output/htmlreport.h"
 
 enum {
-  PATIENCE = 5
+  EXIT_SECONDS = 5
 }; /* seconds that ranks which know of a mistake wait for the others: they all heard of it at once, or never */
 
 static struct {
@@ -54,7 +54,7 @@ double ProcessStart(void)
 /* Whether all ranks come to the end of the program within a few seconds. */
 static PetscBool EndTogether_Private(void)
 {
-  const double limit   = LogWallClock() + PATIENCE;
+  const double limit   = LogWallClock() + EXIT_SECONDS;
   int          arrived = 0;
   MPI_Request  request;
 

@@ -15,7 +15,7 @@
 #include <strings.h>
 #include <unistd.h>
 
-enum { PATIENCE = 5 }; /* seconds that MPI has to end the other ranks, in a process that may be damaged */
+enum { MPI_SECONDS = 5 }; /* limit for MPI to end the other ranks: this process may be damaged */
 
 static char      last_sentence[USER_ERROR_LENGTH];
 static PetscBool quiet, installed; /* whether stderr is left alone; whether the handler is below all others */
@@ -181,7 +181,7 @@ static void UserErrorEnd_Private(void)
   int size;
 
   (void)signal(SIGALRM, UserErrorAlarmFn);
-  (void)alarm(PATIENCE);
+  (void)alarm(MPI_SECONDS);
   InterruptCleanUp();
   MPI_Comm_size(MPI_COMM_WORLD, &size);
   if (size > 1) MPI_Abort(MPI_COMM_WORLD, MORTISE_FAILED);

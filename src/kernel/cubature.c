@@ -4,7 +4,7 @@
    a jump is a point, which k bisections find to 2^-k. So the reference cell is taken as the unit cube (simplices with the
    collapsed coordinates of [1], in which inner lines stay straight), and integrals are nested. What the inner integral gives
    is continuous where jumps are not along its line; its kinks, where a jump leaves the cell, are found by bisection as well, and
-   so is a jump of it where they are. Components of lines are judged by two rules whose points do not meet: Gauss-Legendre
+   so is a jump of it where they are. The error of a piece of a line is estimated by two rules without common points: Gauss-Legendre
    with 4 and Gauss-Lobatto with 5. Their errors have opposite signs and the ratio 4 : 5, so that the sum below is exact to
    degree 9.
 

@@ -8,7 +8,7 @@
    References: [1] Edelsbrunner, Algorithms in combinatorial geometry, 1987. */
 #include "multigrid/barycentric.h"
 
-enum { DIM_MAX = 3, ROWS = DIM_MAX + 1, MAX_PIVOTS = 60 }; // about ten are usual
+enum { DIM_MAX = 3, ROWS = DIM_MAX + 1, MAX_PIVOTS = 60 }; // about ten pivots are usual
 
 /* Cost of a negative weight relative to a positive one; cost of an artificial column relative to the farthest
    point. */

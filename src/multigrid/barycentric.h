@@ -4,7 +4,7 @@
 
 #include <petscsys.h>
 
-enum { BARYCENTRIC_MAX = 32 }; /* points to choose from */
+enum { BARYCENTRIC_MAX = 32 }; /* largest number of points to choose from */
 
 /* Weights w of at most dim + 1 of the points, with
 

@@ -5,7 +5,7 @@
    its options. */
 #include "pdas/factorization.h"
 
-/* Percentage beyond which the cause must be another one. */
+/* Largest extra memory that is tried, in percent: beyond it, a lack of memory has another cause. */
 static const PetscInt MAX_ROOM = 5000;
 
 /* The factors of a PC whose MUMPS ran out of memory, and its INFOG(1); NULL otherwise. */

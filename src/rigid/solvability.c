@@ -28,7 +28,7 @@ static const PetscReal PERTURBATION = 1e-6;
 static const PetscReal OUTSIDE = 1e-11;
 /* A motion that opens no contact by more than this part of its size is a free motion: on curved sides, rows that took over those of removed
    nodes are not more exact. */
-static const PetscReal OPENS = 1e-3;
+static const PetscReal OPENING = 1e-3;
 
 /* u of mode k. Not collective. [out] u - ghosted, ghosts not set */
 static PetscErrorCode SolvabilityGetModeDisplacement_Private(VI vi, PetscInt k, Vec u)
@@ -262,7 +262,7 @@ static PetscErrorCode SolvabilityMovesLoads_Private(VI vi, const Cone *cone, con
     widest = PetscMax(widest, opening);
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &widest, 1, MPIU_REAL, MPIU_MAX, cone->comm));
-  if (!(widest > OPENS * size)) *loads = PETSC_FALSE;
+  if (!(widest > OPENING * size)) *loads = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

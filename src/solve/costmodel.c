@@ -1,12 +1,11 @@
-/* costmodel.c -- when an iteration gives way to a factorization.
+/* costmodel.c -- when a factorization replaces an iteration.
 
    Soft structures need hundreds of active sets, and bodies that contact alone holds need many proximal point
    steps. Each costs an iteration the same; a factorization that serves all sets solves them at little cost.
    The number of future sets is unknown. The rule assumes as many as so far, which is wrong by a factor of two
    at most [1]. Costs are counted, not measured: times would vary between runs.
 
-   References: [1] Karlin, Manasse, Rudolph, Sleator, Competitive snoopy caching, 1988: rent until the rent
-   has cost as much as the purchase. */
+   References: [1] Karlin, Manasse, Rudolph, Sleator, Competitive snoopy caching, 1988. */
 #include "base/compat.h"
 #include "base/memory.h"
 #include "pdas/pdasimpl.h"

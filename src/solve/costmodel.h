@@ -1,4 +1,4 @@
-/* costmodel.h -- when an iteration gives way to a factorization; internal (eq. 14.5). */
+/* costmodel.h -- when a factorization replaces an iteration; internal (eq. 14.5). */
 #ifndef MORTISE_COSTMODEL_H
 #define MORTISE_COSTMODEL_H
 
@@ -9,8 +9,8 @@
 typedef struct {
   VI        vi;        /* of the finest level, borrowed */
   Hierarchy hierarchy; /* borrowed */
-  PetscBool on;        /* whether the iteration may give way at all */
-  PetscBool over;      /* whether it has to */
+  PetscBool on;        /* whether a factorization may replace the iteration */
+  PetscBool over;      /* whether it must */
   PetscBool found; /* whether the inequality has been solved once with a proximal term: then the contacts are found */
   PetscBool asked; /* whether the next two are known */
   PetscReal once, set; /* what a factorization takes once, and for each set */

@@ -6,7 +6,7 @@
 #include "rigid/solvability.h"
 #include <petscsnes.h>
 
-enum { SOLVER_MAX_HISTORY = 512 };
+enum { SOLVER_MAX_HISTORY = 512 }; /* largest number of iterations whose changes the report lists */
 
 /* Bound on |u - u*|_K of a displacement u, in the user's units (root of work); u* solves the inequality (eq.
    11.2). */

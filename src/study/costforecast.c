@@ -6,7 +6,7 @@
 #include "study/studyimpl.h"
 
 /* q, in the plane and in space. Factors of a plane matrix grow like N log N, which is this power over the sizes that occur;
-   in space they would grow faster, but from 20000 unknowns on they give way to multigrid. */
+   in space they would grow faster, but from 20000 unknowns on multigrid replaces them. */
 static const PetscReal GROWTH[] = {1.15, 1};
 /* B in bytes, by order 1 and 2. In the plane: measured with MUMPS on quadrilaterals, 2000 to 800000 unknowns. In space: between
    what factors take of hexahedra, up to 12000 and 15000 with 30000 unknowns, and multigrid, 2400 (order 1, 40000 to 300000). */

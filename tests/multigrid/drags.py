@@ -1,4 +1,4 @@
-"""An iteration that costs more than a factorization would gives way to it, where nobody asked for it; where bodies are thin along an axis there is none
+"""An iteration that costs more than a factorization would is replaced by one, unless the user asked for the iteration; where bodies are thin along an axis there is none
 to begin with."""
 from judge import Run, near, require, same
 

@@ -1,4 +1,4 @@
-"""Multigrid that does not converge ends with advice where the user wanted it, and gives way to a factorization where nobody did."""
+"""Multigrid that does not converge: advice if the user chose it, else a factorization replaces it."""
 from judge import Run, require
 
 LARGE = ("-upper_dm_plex_box_faces", "16,16,16", "-lower_dm_plex_box_faces", "12,12,12")  # more than factorizations are the default for

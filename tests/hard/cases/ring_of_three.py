@@ -1,4 +1,4 @@
-"""A pressure around three rhombi is the pressure of all their joints; the weakest reason gives way."""
+"""A pressure around three rhombi is the pressure of all their joints; the weakest reason yields."""
 from judge import near, require, same
 
 
