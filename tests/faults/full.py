@@ -1,5 +1,5 @@
-"""No room on the disk, a file that nobody may write, nobody who reads: exit code 4 (or 1, where it is known before) and one
-sentence, and the earlier result as it was."""
+"""A full disk, a file without write permission, a closed pipe: exit code 4, or 1 if found at the start; one sentence; the earlier
+result stays."""
 import os
 import pathlib
 import resource

@@ -1,5 +1,5 @@
-"""Signals at many moments, a rank that dies: no hang, no mixture of results, nothing half-written, no leftovers where the
-program could clean up; what kill -9 leaves is gone after the next run."""
+"""Signals at many moments, and a rank that dies: no hang, no mixture of results, no unfinished file. The next run removes what
+kill -9 leaves."""
 import os
 import random
 import signal

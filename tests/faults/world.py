@@ -1,4 +1,4 @@
-"""What the checks of this folder share: runs that come to an untimely end, and what they may leave."""
+"""Common parts of the checks of this folder: runs that end too early, and the files that they may leave."""
 import os
 import pathlib
 import signal

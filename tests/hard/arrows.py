@@ -1,4 +1,4 @@
-"""Rigid motions in files, pictures and pages: that for which there is no solution, and those that are free."""
+"""Rigid motions in files, pictures and pages: that of a scene without a solution, and free ones."""
 import importlib.machinery
 import importlib.util
 import pathlib

@@ -1,5 +1,5 @@
-"""An iteration that costs more than a factorization would is replaced by one, unless the user asked for the iteration; where bodies are thin along an axis there is none
-to begin with."""
+"""A factorization replaces an iteration that costs more, unless the user chose the iteration. Bodies that are thin along an axis are
+factored at once."""
 from judge import Run, near, require, same
 
 LENGTH, WEIGHT, LIFT = 240, 0.001, 0.04  # width and thickness are 1

@@ -1,5 +1,4 @@
-"""A body that contact alone holds begins on the coarsest mesh as others do: the finest one has the right set at once, and springs that rest where
-the coarser solution is need little relaxing."""
+"""Nested iteration for a body that contact alone holds: the finest level starts with the right set, and few proximal steps are needed."""
 from judge import require
 
 from multigrid import judge as agree

@@ -1,5 +1,5 @@
-"""All hard cases that have a solution, by multigrid whatever their size, with both solvers: right, or an end that says why not and what to
-try. Figures are compared by tests/hard, where factorizations solve; here it is the verdict of both solvers and of the certificate."""
+"""All hard cases with a solution, by multigrid at any size, with both solvers: the right answer, or a sentence with advice.
+Tests of tests/hard compare figures; this one asks for the verdicts of both solvers and for the certificate."""
 import pathlib
 import sys
 

@@ -1,5 +1,5 @@
-"""Cells that are short in two directions and long in the third cost no more iterations than cubes, on any number of ranks: planes of nodes are
-smoothed as a whole, also where ranks cut them."""
+"""Cells that are long along one axis cost no more iterations than cubes, on any number of ranks: planes of nodes are smoothed as one block,
+across ranks, too."""
 from judge import LONG, require
 
 MOST = 15  # iterations of CG for all active sets together; 50 with lines in place of planes

@@ -1,5 +1,4 @@
-"""Multigrid that keeps away from active unknowns finds what a factorization finds: with both solvers, on any number of ranks, and each
-time in as many iterations."""
+"""Truncated multigrid finds the solution of a factorization: with both solvers, on any number of ranks, in the same number of iterations."""
 import pathlib
 import sys
 

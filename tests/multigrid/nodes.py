@@ -1,5 +1,5 @@
-"""Multigrid on levels of some of the nodes, where the mesh has one level, finds what a factorization finds: with both solvers, on any number of
-ranks, in tens of iterations. Ranks choose nodes for themselves, so the numbers of iterations for a system differ a little, and sets on the way with them."""
+"""A mesh with one level: multigrid on levels of some of its nodes finds the solution of a factorization, in tens of iterations. Each rank
+chooses its own nodes, so that numbers of iterations, and intermediate sets, differ a little."""
 from judge import require
 from multigrid import RANKS, iterations_on_ranks
 

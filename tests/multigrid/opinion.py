@@ -1,5 +1,4 @@
-"""A second opinion at the price of multigrid: the other solver works on the levels of the first one, from the coarsest on, and says no where
-the first one is wrong."""
+"""The cross-check by multigrid: the second solver uses the levels of the first one, and finds an error of the first one."""
 from judge import Run, require, same
 
 AGREE = 1e-9  # of displacements, relative to the largest: a tenth of what solvers may differ by

@@ -1,5 +1,5 @@
-"""Meshes where the set that the next coarser one suggests is wrong at some ten nodes, and still wrong after one system that starts from it: what goes
-ahead of the first system has to find the set, or all but what one system mends."""
+"""Meshes whose active set differs from that of the next coarser one at some ten nodes, also after one system. The prediction before the
+first system must find the set, up to what one system corrects."""
 from judge import require
 
 SETS = 2

@@ -1,5 +1,5 @@
-"""Multigrid on levels of some of the nodes where a stiff body touches a soft one with few nodes: levels below the finest know of contact by
-truncation alone, which must not lead their smoothers astray."""
+"""A stiff body touches a soft one at few nodes; the mesh has one level. Coarser levels have contact by truncation alone, and their smoothers
+must converge."""
 from judge import require
 
 MOST = 40  # iterations of CG for all systems together

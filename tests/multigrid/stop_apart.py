@@ -1,4 +1,4 @@
-"""-stop discretisation where sides do not meet: what is left of the residual at open nodes pulls as much as it pushes, and is no contact force."""
+"""-stop discretisation where sides do not meet: the residual at open nodes has both signs, and is no contact force."""
 from math import sqrt
 
 from judge import require, same

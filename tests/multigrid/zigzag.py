@@ -1,5 +1,5 @@
-"""A stiff body that carries the multipliers of a soft one meets every other of its nodes: sets are far from what coarser meshes say, and systems are not
-to be solved to more digits than they deserve."""
+"""A stiff nonmortar body meets every other node of a soft one: sets differ much from those of coarser meshes, and early systems are solved to
+few digits."""
 from judge import require
 
 SETS, ITERATIONS = 11, 45  # with one CG and another some more or less

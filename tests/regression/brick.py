@@ -1,5 +1,4 @@
-"""A linear displacement in space: every number of every file is known, and cells are told in the order that VTK and XDMF
-publish, which is checked by where their points are."""
+"""A linear displacement in space: every number of every file is known. The order of nodes in cells is that of VTK and XDMF, by their places."""
 import xml.etree.ElementTree as xml
 
 import numpy as np

@@ -1,5 +1,5 @@
-"""X5 with cells of order 2, quadrilaterals around triangles: pressures, displacements and stresses at nodes against Lame's
-formulas, and what the picture makes of curved cells."""
+"""X5 with cells of order 2, quadrilaterals around triangles: pressures, displacements and stresses at nodes against Lame's formulas.
+The picture shows curved cells."""
 import importlib.machinery
 import importlib.util
 import math

@@ -1,5 +1,4 @@
-"""A run in another format than the one before: fields of the earlier one go with its summary, and a folder of such a name stays. So do picture
-and page that the companions made of it, and others of such names stay."""
+"""A run in another format than the one before removes the earlier fields, picture and page. Other files and folders of such names stay."""
 import pathlib
 import subprocess
 

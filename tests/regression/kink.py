@@ -1,5 +1,5 @@
 """M2 with order 2: its body forces have a kink at x = 0.55, within a column of cells of these meshes. Integrated by parts of these cells
-they leave the error in L2 its order; by one rule for a whole cell it is erratic, and several times larger.
+the error in L2 keeps its order. With one rule for a whole cell it is erratic, and several times larger.
 
 LISTED: what an independent prototype, with multipliers of another kind, has on the same meshes (n x n cells above, 3n/2 x 3n/2 below).
 """

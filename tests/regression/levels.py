@@ -1,5 +1,5 @@
-"""Boxes begin with coarser levels by themselves where multigrid wants them: the answer is that of a factorization on the mesh that the options
-describe, as bricks and triangles, refined by body, by scene and by a study.
+"""Boxes get coarser levels where multigrid needs them. The answer is that of a factorization on the same mesh: bricks and triangles, refined by
+body, by scene and by a study.
 """
 from judge import near, same
 

@@ -1,4 +1,4 @@
-"""Five discs in a row on a wall that the last one is drawn to, and the eight rollers of a bearing: forces pass through rollers unchanged, along lines of centres."""
+"""Five discs in a row, pulled to a wall, and the eight rollers of a bearing: forces pass through rollers unchanged, along lines of centres."""
 import math
 
 import numpy as np

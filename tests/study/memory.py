@@ -1,4 +1,4 @@
-"""A run that is expected to need too much is left out, with those above it, and the study is a good one all the same."""
+"""A run that is expected to need too much memory is omitted, and all larger ones. The study ends with exit code 0."""
 from judge import require, same
 from studies import block, rows
 

@@ -1,6 +1,5 @@
-"""The run once more with memory that is full of NaN where nobody has written (fresh.c): the same end, the same words, the same numbers but
-for rounding. Not to the last bit: libraries add what other ranks send in the order in which it arrives, and some BLAS kernels sum as
-memory is aligned."""
+"""A second run with fresh memory full of NaN (fresh.c): the same exit code, words and numbers, up to rounding. Sums of libraries depend on the
+order of messages and on the alignment of memory."""
 import os
 
 from judge import LONG, Run, near, require, same, same_table
