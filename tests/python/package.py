@@ -126,6 +126,9 @@ def test_runs(arguments):
     half = mortise.run(PATCH, {"upper_bc_displacement_top": ("free", -SHIFT / 2)})
     near("half the shift", half.summary.pairs.joint.normal_force, PRESSURE / 2, relative=TIGHT)
     require("no files" in str(refused(mortise.ResultError, half.table, "joint")), "a table without a file")
+    steps = mortise.run(PATCH, {"load_steps": (0.5, 1)}, output=prefix).steps()
+    near("force of load steps", steps["joint.normal_force"], PRESSURE * steps["t"], relative=TIGHT)
+    same("load steps", (steps["t"].tolist(), steps["status"].tolist()), ([0.5, 1], ["solved"] * 2))
     (arguments.scratch / "own.opts").write_text(f"{PATCH.read_text()}\n-output {prefix}_own\n")
     judge_patch(mortise.run(arguments.scratch / "own.opts"))
     with warnings.catch_warnings(record=True) as caught:
