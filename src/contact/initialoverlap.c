@@ -9,7 +9,7 @@
 
 /* A node counts where points about it, at this share of the reach, are inside as well: not what a polygon, or an interference
    fit, lets overlap beside the side in question. The reach is three facets at least. */
-static const PetscReal MARGIN = 1. / 3;
+static const PetscReal OVERLAP_MARGIN = 1. / 3;
 /* A point on a side belongs to the cell. */
 static const PetscReal ON_SIDE = 1e-8;
 
@@ -231,7 +231,7 @@ static PetscErrorCode InitialOverlapMeasureDepth_Private(const Level *level, con
 PetscErrorCode InitialOverlapFind(const Level *level, const Facets *side, PetscInt body, const Facets *partner,
                                   PetscReal reach, PetscReal *depth, PetscReal at[])
 {
-  const PetscReal margin = MARGIN * reach;
+  const PetscReal margin = OVERLAP_MARGIN * reach;
   PetscReal       box[6];
   PetscBool       any = PETSC_FALSE;
   Suspects        suspects;
