@@ -4,6 +4,7 @@
    rank by rank, so gathering in the order of the ranks gives the global order. */
 #include "output/fieldwriter.h"
 #include "base/compat.h"
+#include <errno.h>
 
 PetscErrorCode FieldWriterOpen(MPI_Comm comm, const FieldFormat *format, FieldWriter *writer)
 {
@@ -15,7 +16,12 @@ PetscErrorCode FieldWriterOpen(MPI_Comm comm, const FieldFormat *format, FieldWr
   PetscCallMPI(MPI_Comm_rank(comm, &writer->rank));
   if (writer->rank) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscSNPrintf(path, sizeof(path), "%s%s", writer->base, format->suffix));
-  PetscCall(FileSetOpen(writer->files, path, &writer->out));
+  if (!writer->series || writer->series->num == 1 || !format->grows) {
+    PetscCall(FileSetOpen(writer->files, path, &writer->out));
+  } else {
+    writer->out = fopen(path, "r+b");
+    if (!writer->out) PetscCall(FileSetFail(writer->files, path, errno));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

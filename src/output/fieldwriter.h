@@ -26,6 +26,12 @@ typedef struct {
   PetscInt *type;  /* ElementType [num] */
 } SortedCells;
 
+/* A picture at several times, from one writing to the next: those that its file holds. */
+typedef struct {
+  PetscInt   num, capacity;
+  PetscReal *t; /* [num] */
+} FieldSeries;
+
 /* What the first rank knows of a picture that is being written. */
 typedef struct FieldWriter FieldWriter;
 
@@ -33,6 +39,7 @@ typedef struct FieldWriter FieldWriter;
    end(), which may write other files that belong to it. */
 typedef struct {
   const char *suffix;
+  PetscBool   grows; /* whether a file takes further times of a series; else it has the last one */
   PetscErrorCode (*begin)(FieldWriter *writer); /* numbers of points and cells are known */
   PetscErrorCode (*points)(FieldWriter *writer, const PetscReal positions[]); /* [num_points][3] */
   PetscErrorCode (*cells)(FieldWriter *writer, const SortedCells *cells);
@@ -51,8 +58,9 @@ struct FieldWriter {
   const char        *title; /* may be "" */
   const char        *first; /* the quantities that a viewer is to take first, as attributes of VTK's PointData */
   FileSet           *files;
-  FILE              *out;  /* NULL on other ranks, and when no file can be written */
-  void              *data; /* of the format */
+  FieldSeries       *series; /* NULL for a picture at one time */
+  FILE              *out;    /* NULL on other ranks, and when no file can be written */
+  void              *data;   /* of the format */
   PetscInt           num_points, num_cells;
   PetscInt           num_mine;                                  /* points of this rank */
   const PetscInt    *nodes;                                     /* of FieldWriterMesh() */

@@ -266,12 +266,45 @@ static PetscErrorCode FileSetRename_Private(FileSet *files)
     if (access(files->temporary[i], F_OK)) PetscCall(FileSetFail(files, files->temporary[i], errno));
   }
   if (files->num > 1 && !files->failure[0]) PetscCall(FileSetRemoveFile_Private(files, files->final[files->num - 1]));
+  for (FileSetChange *change = files->changes; change && !files->failure[0]; change = change->next) {
+    const int error = (*change->commit)(change->ctx);
+
+    if (error) PetscCall(FileSetFail(files, change->path, error));
+  }
   for (PetscInt i = 0; i < files->num && !files->failure[0]; i++) {
     if (!files->temporary[i]) {
       if (stat(files->final[i], &info) || S_ISREG(info.st_mode)) // a folder of that name is no file of an earlier run
         PetscCall(FileSetRemoveFile_Private(files, files->final[i]));
     } else if (rename(files->temporary[i], files->final[i]))
       PetscCall(FileSetFail(files, files->temporary[i], errno));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FileSetChangeInPlace(FileSet *files, const char path[], int (*commit)(void *), void (*forget)(void *),
+                                    void *ctx)
+{
+  FileSetChange *change;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(&change));
+  *change = (FileSetChange){.next = files->changes, .commit = commit, .forget = forget, .ctx = ctx};
+  PetscCall(PetscStrallocpy(path, &change->path));
+  files->changes = change;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Those that were made, and those that were not. */
+static PetscErrorCode FileSetForgetChanges_Private(FileSet *files)
+{
+  PetscFunctionBeginUser;
+  while (files->changes) {
+    FileSetChange *change = files->changes;
+
+    files->changes = change->next;
+    (*change->forget)(change->ctx);
+    PetscCall(PetscFree(change->path));
+    PetscCall(PetscFree(change));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -284,6 +317,7 @@ PetscErrorCode FileSetFinish(MPI_Comm comm, FileSet *files)
   InterruptHold();
   if (!files->failure[0]) PetscCall(FileSetRename_Private(files));
   FileSetEnd_Private(files);
+  PetscCall(FileSetForgetChanges_Private(files));
   for (PetscInt i = 0; i < files->num; i++) {
     if (files->failure[0] && files->temporary[i]) unlink(files->temporary[i]);
   }

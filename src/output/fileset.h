@@ -13,12 +13,22 @@
 
 enum { FILE_SET_SENTENCE = PETSC_MAX_PATH_LEN + 256 };
 
+/* What changes a file that stays in its place. */
+typedef struct FileSetChange {
+  struct FileSetChange *next;
+  int (*commit)(void *ctx); /* returns 0 or errno */
+  void (*forget)(void *ctx);
+  void *ctx;
+  char *path;
+} FileSetChange;
+
 typedef struct FileSet {
   PetscInt        num, capacity;
   char          **final;                      /* [num] */
   char          **temporary;                  /* NULL where the file is to be removed [num] */
   size_t         *made;                       /* length of the topmost folder that was made for it, 0 for none [num] */
   char            failure[FILE_SET_SENTENCE]; /* the first thing that went wrong, as a sentence; "" while all is well */
+  FileSetChange  *changes;                    /* of files that stay */
   struct FileSet *next;                       /* of all that are being written */
 } FileSet;
 
@@ -27,6 +37,10 @@ typedef struct FileSet {
 PetscErrorCode FileSetAdd(FileSet *files, const char final[], const char **temporary);
 /* Will remove `final`, which an earlier run may have written, when the others appear. */
 PetscErrorCode FileSetRemove(FileSet *files, const char final[]);
+/* Will change a file in its place when the others appear: commit(ctx) is called then, unless something failed, and forget(ctx) in any
+   case. */
+PetscErrorCode FileSetChangeInPlace(FileSet *files, const char path[], int (*commit)(void *), void (*forget)(void *),
+                                    void *ctx);
 /* Notes that path cannot be written and why (errno), unless something failed before. path may be a temporary name. */
 PetscErrorCode FileSetFail(FileSet *files, const char path[], int error);
 /* Opens a temporary for text and closes it; a full disk shows at the latest when it is closed. NULL after a failure. */

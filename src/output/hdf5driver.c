@@ -21,6 +21,7 @@ static H5FD_t *SinkOpenFn(const char *name, unsigned flags, hid_t access, haddr_
 
   (void)name, (void)flags, (void)max;
   if (file) file->sink = *sink;
+  if (file) file->end = file->allocated = (*sink)->size;
   return (H5FD_t *)file;
 }
 
@@ -68,6 +69,44 @@ static herr_t SinkReadFn(H5FD_t *base, H5FD_mem_t type, hid_t transfer, haddr_t 
   memset(buffer, 0, size);
   for (size_t done = 0; done < size && n > 0; done += (size_t)(n > 0 ? n : 0))
     n = pread(file->sink->file, (char *)buffer + done, size - done, (off_t)(at + done));
+  for (const SinkChange *change = file->sink->changes; change; change = change->next) {
+    const haddr_t begin = change->at > at ? change->at : at;
+    const haddr_t end   = change->at + change->size < at + size ? change->at + change->size : at + size;
+
+    if (begin < end) memcpy((char *)buffer + (begin - at), change->bytes + (begin - change->at), end - begin);
+  }
+  return 0;
+}
+
+/* Notes a change of bytes that the file had. */
+static void SinkKeep_Private(Sink *sink, haddr_t at, size_t size, const void *buffer)
+{
+  SinkChange *change = malloc(sizeof(*change) + size);
+
+  if (!change) {
+    sink->error = ENOMEM;
+    return;
+  }
+  *change = (SinkChange){.at = at, .size = size};
+  memcpy(change->bytes, buffer, size);
+  if (sink->latest)
+    sink->latest->next = change;
+  else
+    sink->changes = change;
+  sink->latest = change;
+}
+
+/* Returns 0 or errno. */
+static int SinkWrite_Private(int file, haddr_t at, size_t size, const void *buffer)
+{
+  for (size_t done = 0; done < size;) {
+    const ssize_t n = pwrite(file, (const char *)buffer + done, size - done, (off_t)(at + done));
+
+    if (n > 0)
+      done += (size_t)n;
+    else if (n == 0 || errno != EINTR)
+      return n == 0 ? ENOSPC : errno;
+  }
   return 0;
 }
 
@@ -76,17 +115,13 @@ static herr_t SinkWriteFn(H5FD_t *base, H5FD_mem_t type, hid_t transfer, haddr_t
   SinkFile *file = (SinkFile *)base;
   Sink     *sink = file->sink;
 
+  const size_t old = at >= sink->size ? 0 : sink->size - at < size ? (size_t)(sink->size - at) : size;
+
   (void)type, (void)transfer;
   if (at + size > file->end) file->end = at + size;
-  for (size_t done = 0; done < size && !sink->error;) {
-    const ssize_t n = pwrite(sink->file, (const char *)buffer + done, size - done, (off_t)(at + done));
-
-    if (n > 0) {
-      done += (size_t)n;
-    } else if (n == 0 || errno != EINTR) {
-      sink->error = n == 0 ? ENOSPC : errno;
-    }
-  }
+  if (old && !sink->error) SinkKeep_Private(sink, at, old, buffer);
+  if (old < size && !sink->error)
+    sink->error = SinkWrite_Private(sink->file, at + old, size - old, (const char *)buffer + old);
   return 0;
 }
 
@@ -95,7 +130,8 @@ static herr_t SinkTruncateFn(H5FD_t *base, hid_t transfer, hbool_t closing)
   SinkFile *file = (SinkFile *)base;
 
   (void)transfer, (void)closing;
-  if (file->end != file->allocated && !file->sink->error && ftruncate(file->sink->file, (off_t)file->allocated))
+  if (file->end != file->allocated && file->allocated >= file->sink->size && !file->sink->error &&
+      ftruncate(file->sink->file, (off_t)file->allocated))
     file->sink->error = errno;
   file->end = file->allocated;
   return 0;
@@ -136,4 +172,22 @@ hid_t HDF5DriverCreate(Sink *sink)
 void HDF5DriverDestroy(Sink *sink)
 {
   if (sink->driver >= 0) H5FDunregister(sink->driver);
+}
+
+int HDF5DriverCommit(Sink *sink)
+{
+  for (const SinkChange *change = sink->changes; change && !sink->error; change = change->next)
+    sink->error = SinkWrite_Private(sink->file, change->at, change->size, change->bytes);
+  return sink->error;
+}
+
+void HDF5DriverForget(Sink *sink)
+{
+  while (sink->changes) {
+    SinkChange *next = sink->changes->next;
+
+    free(sink->changes);
+    sink->changes = next;
+  }
+  sink->latest = NULL;
 }

@@ -1,20 +1,38 @@
 /* hdf5driver.h -- an HDF5 driver for a file that is open already.
 
    After a failed write HDF5 1.10 can neither close its file nor survive MPI_Finalize(), so a full disk would end in a crash
-   instead of a sentence. This driver never fails: the first error is noted, and nothing is written from then on. */
+   instead of a sentence. This driver never fails: the first error is noted, and nothing is written from then on.
+
+   What is written to a file that has bytes already appears at once: new bytes go behind its end, where readers do not look, and changes
+   of old ones wait in memory for HDF5DriverCommit(). Until then the file is the one of before. */
 #ifndef MORTISE_HDF5DRIVER_H
 #define MORTISE_HDF5DRIVER_H
 
 #include <hdf5.h>
 
+/* Bytes that wait. */
+typedef struct SinkChange {
+  struct SinkChange *next;
+  haddr_t            at;
+  size_t             size;
+  char               bytes[];
+} SinkChange;
+
 typedef struct {
-  int   file;  /* descriptor, open for writing */
-  int   error; /* errno of the first write that failed, 0 while all is well */
-  hid_t driver;
+  int         file;  /* descriptor, open for writing */
+  int         error; /* errno of the first write that failed, 0 while all is well */
+  hid_t       driver;
+  haddr_t     size;    /* bytes that the file has already */
+  SinkChange *changes; /* of them, in the order of writing */
+  SinkChange *latest;
 } Sink;
 
-/* Access properties for H5Fcreate(), negative on failure; sink stays the caller's until the file is closed. */
+/* Access properties for H5Fcreate(), or H5Fopen() of a file that has bytes; negative on failure. sink stays the caller's until the file is
+   closed. */
 hid_t HDF5DriverCreate(Sink *sink);
 void  HDF5DriverDestroy(Sink *sink);
+/* Changes the bytes that the file had. May be called once the file is closed, within no signal. Returns 0 or errno. */
+int  HDF5DriverCommit(Sink *sink);
+void HDF5DriverForget(Sink *sink);
 
 #endif

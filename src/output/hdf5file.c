@@ -1,9 +1,14 @@
 /* hdf5file.c -- fields as contiguous datasets, written by the first rank, one at a time.
 
    /points [N][3], /cells (see xdmf.c), one dataset per quantity under its own name; attributes of the file: title, version,
-   units, and a word on every dataset's order. Readable by h5py, MATLAB, h5dump without any library of ours. */
+   units, and a word on every dataset's order. Readable by h5py, MATLAB, h5dump without any library of ours.
+
+   Of a series the quantities of points stand in groups, /steps/0001 and so on, each with its time as the attribute t; those of the last one
+   have their usual names as well. */
 #include <string.h>
+#include <errno.h>
 #include <hdf5.h>
+#include <sys/stat.h>
 #include "output/fieldwriter.h"
 #include "output/hdf5driver.h"
 #include "output/xdmf.h"
@@ -11,8 +16,9 @@
 
 /* The file that is being written. */
 typedef struct {
-  Sink      sink;
+  Sink     *sink; /* of a file that grows it is kept until its changes are made */
   hid_t     access, file;
+  PetscBool more; /* whether the file grows */
   PetscBool good; /* false where HDF5 failed, for which memory is the only reason: what files do is in sink */
   Topology  topology;
 } Image;
@@ -73,6 +79,7 @@ static const char *HDF5FileGetUnit_Private(const char name[])
       {"body", "index of the body, in the order of -bodies"},
       {"piece", "what hangs together: counted over all bodies"}};
 
+  if (strrchr(name, '/')) name = strrchr(name, '/') + 1; // of a step
   for (size_t i = 0; i < sizeof(table) / sizeof(table[0]); i++) {
     if (strcmp(table[i][0], name) == 0) return table[i][1];
   }
@@ -94,29 +101,69 @@ static void HDF5FileWriteQuantity_Private(Image *image, PetscInt rows, const Qua
                                                         .values  = values}));
 }
 
+static PetscBool HDF5FileWriteTime_Private(hid_t group, double t)
+{
+  const hid_t space     = H5Screate(H5S_SCALAR);
+  const hid_t attribute = H5Acreate2(group, "t", H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT);
+  PetscBool   good      = (PetscBool)(attribute >= 0 && H5Awrite(attribute, H5T_NATIVE_DOUBLE, &t) >= 0);
+
+  if (attribute >= 0) H5Aclose(attribute);
+  H5Sclose(space);
+  return good;
+}
+
+/* The group of the last step of a series. */
+static PetscBool HDF5FileWriteGroup_Private(hid_t file, const FieldSeries *series)
+{
+  const hid_t links = H5Pcreate(H5P_LINK_CREATE);
+  char        name[XDMF_STEP_NAME];
+  hid_t       group = -1;
+  PetscBool   good;
+
+  XDMFStepName(series, series->num - 1, name);
+  if (links >= 0 && H5Pset_create_intermediate_group(links, 1) >= 0)
+    group = H5Gcreate2(file, name, links, H5P_DEFAULT, H5P_DEFAULT);
+  good = (PetscBool)(group >= 0 && HDF5FileWriteTime_Private(group, (double)series->t[series->num - 1]));
+  if (group >= 0) H5Gclose(group);
+  if (links >= 0) H5Pclose(links);
+  return good;
+}
+
 static PetscErrorCode HDF5FileBegin_Private(FieldWriter *writer)
 {
-  Image *image;
+  Image      *image;
+  struct stat info;
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&image));
+  PetscCall(PetscNew(&image->sink));
   writer->data = image;
   H5Eset_auto2(H5E_DEFAULT, NULL, NULL); // its lists of functions; what can fail here is told by us
-  image->sink.file = fileno(writer->out);
-  image->access    = HDF5DriverCreate(&image->sink);
-  image->file      = image->access < 0 ? -1 : H5Fcreate(writer->base, H5F_ACC_TRUNC, H5P_DEFAULT, image->access);
-  image->good = (PetscBool)(image->file >= 0 && HDF5FileWriteAttribute_Private(image->file, "title", writer->title) &&
-                            HDF5FileWriteAttribute_Private(image->file, "creator", "mortise " MORTISE_VERSION) &&
-                            HDF5FileWriteAttribute_Private(
-                                image->file, "units", "those of the scene: whatever consistent set it was given in"));
+  image->sink->file = fileno(writer->out);
+  image->more       = (PetscBool)(writer->series && writer->series->num > 1);
+  if (image->more && !fstat(image->sink->file, &info)) image->sink->size = (haddr_t)info.st_size;
+  image->access = HDF5DriverCreate(image->sink);
+  if (image->more) {
+    image->file = image->access < 0 ? -1 : H5Fopen(writer->base, H5F_ACC_RDWR, image->access);
+    image->good = (PetscBool)(image->file >= 0);
+  } else {
+    image->file = image->access < 0 ? -1 : H5Fcreate(writer->base, H5F_ACC_TRUNC, H5P_DEFAULT, image->access);
+    image->good = (PetscBool)(image->file >= 0 && HDF5FileWriteAttribute_Private(image->file, "title", writer->title) &&
+                              HDF5FileWriteAttribute_Private(image->file, "creator", "mortise " MORTISE_VERSION) &&
+                              HDF5FileWriteAttribute_Private(
+                                  image->file, "units", "those of the scene: whatever consistent set it was given in"));
+  }
+  if (writer->series) image->good = (PetscBool)(image->good && HDF5FileWriteGroup_Private(image->file, writer->series));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 static PetscErrorCode HDF5FilePoints_Private(FieldWriter *writer, const PetscReal positions[])
 {
+  Image *image = (Image *)writer->data;
+
   PetscFunctionBeginUser;
-  HDF5FileWriteQuantity_Private((Image *)writer->data, writer->num_points, &(Quantity){"points", 3, PETSC_FALSE},
-                                positions);
+  if (!image->more)
+    HDF5FileWriteQuantity_Private(image, writer->num_points, &(Quantity){"points", 3, PETSC_FALSE}, positions);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -127,55 +174,103 @@ static PetscErrorCode HDF5FileCells_Private(FieldWriter *writer, const SortedCel
 
   PetscFunctionBeginUser;
   PetscCall(XDMFTopologyCreate(cells, topology));
-  image->good = (PetscBool)(image->good &&
-                            HDF5FileWriteDataset_Private(
-                                image->file, &(Dataset){.name    = "cells",
-                                                        .about   = topology->columns == 1
-                                                                       ? "per cell: XDMF type number, then its points"
-                                                                       : "points of each cell",
-                                                        .rows    = topology->rows,
-                                                        .columns = topology->columns,
-                                                        .memory  = H5T_NATIVE_INT,
-                                                        .stored  = H5T_STD_I32LE,
-                                                        .values  = topology->values}));
+  if (!image->more)
+    image->good = (PetscBool)(image->good &&
+                              HDF5FileWriteDataset_Private(
+                                  image->file, &(Dataset){.name    = "cells",
+                                                          .about   = topology->columns == 1
+                                                                         ? "per cell: XDMF type number, then its points"
+                                                                         : "points of each cell",
+                                                          .rows    = topology->rows,
+                                                          .columns = topology->columns,
+                                                          .memory  = H5T_NATIVE_INT,
+                                                          .stored  = H5T_STD_I32LE,
+                                                          .values  = topology->values}));
   PetscCall(XDMFTopologyDestroy(topology));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Of a series into the last group, and under its own name in place of the step before. */
 static PetscErrorCode HDF5FilePoint_Private(FieldWriter *writer, const Quantity *quantity, const PetscReal values[])
 {
+  Image   *image = (Image *)writer->data;
+  char     group[XDMF_STEP_NAME], name[XDMF_STEP_NAME + 32];
+  Quantity placed = *quantity;
+
   PetscFunctionBeginUser;
-  HDF5FileWriteQuantity_Private((Image *)writer->data, writer->num_points, quantity, values);
+  XDMFStepName(writer->series, writer->series ? writer->series->num - 1 : 0, group);
+  snprintf(name, sizeof(name), "%s%s", group, quantity->name);
+  placed.name = name;
+  HDF5FileWriteQuantity_Private(image, writer->num_points, &placed, values);
+  if (!writer->series || !image->good) PetscFunctionReturn(PETSC_SUCCESS);
+  if (image->more) image->good = (PetscBool)(H5Ldelete(image->file, quantity->name, H5P_DEFAULT) >= 0);
+  image->good = (PetscBool)(image->good && H5Lcreate_hard(image->file, name, image->file, quantity->name, H5P_DEFAULT,
+                                                          H5P_DEFAULT) >= 0);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 static PetscErrorCode HDF5FileCell_Private(FieldWriter *writer, const Quantity *quantity, const PetscReal values[])
 {
+  Image *image = (Image *)writer->data;
+
   PetscFunctionBeginUser;
-  HDF5FileWriteQuantity_Private((Image *)writer->data, writer->num_cells, quantity, values);
+  if (!image->more) HDF5FileWriteQuantity_Private(image, writer->num_cells, quantity, values);
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A file that has grown, until the change is made. */
+typedef struct {
+  Sink *sink;
+  FILE *out;
+} Growth;
+
+static int GrowthCommitFn(void *ctx)
+{
+  return HDF5DriverCommit(((Growth *)ctx)->sink);
+}
+
+static void GrowthForgetFn(void *ctx)
+{
+  Growth *growth = ctx;
+
+  if (growth->out) (void)fclose(growth->out);
+  HDF5DriverForget(growth->sink);
+  (void)PetscFree(growth->sink);
+  (void)PetscFree(growth);
 }
 
 static PetscErrorCode HDF5FileEnd_Private(FieldWriter *writer)
 {
-  Image *image = (Image *)writer->data;
-  char   path[PETSC_MAX_PATH_LEN];
+  Image  *image = (Image *)writer->data;
+  Growth *growth;
+  char    path[PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
   if (!writer->out) PetscFunctionReturn(PETSC_SUCCESS);
   if (image->file >= 0 && H5Fclose(image->file) < 0) image->good = PETSC_FALSE;
   if (image->access >= 0) H5Pclose(image->access);
-  HDF5DriverDestroy(&image->sink);
+  HDF5DriverDestroy(image->sink);
   PetscCall(PetscSNPrintf(path, sizeof(path), "%s%s", writer->base, writer->format->suffix));
-  if (image->sink.error) PetscCall(FileSetFail(writer->files, path, image->sink.error));
-  PetscCall(FileSetClose(writer->files, &writer->out));
-  PetscCheck(image->good || image->sink.error, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for the picture");
+  PetscCheck(image->good || image->sink->error || image->more, PETSC_COMM_SELF, PETSC_ERR_MEM,
+             "No memory for the picture");
+  if (!image->good && !image->sink->error) image->sink->error = EIO; // somebody else has changed the file
+  if (image->sink->error) PetscCall(FileSetFail(writer->files, path, image->sink->error));
+  if (image->more) {
+    PetscCall(PetscNew(&growth));
+    *growth     = (Growth){.sink = image->sink, .out = writer->out};
+    writer->out = NULL;
+    PetscCall(FileSetChangeInPlace(writer->files, path, GrowthCommitFn, GrowthForgetFn, growth));
+  } else {
+    PetscCall(FileSetClose(writer->files, &writer->out));
+    PetscCall(PetscFree(image->sink));
+  }
   PetscCall(XDMFWrite(writer, &image->topology, path));
   PetscCall(PetscFree(writer->data));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 const FieldFormat field_format_hdf5 = {.suffix = ".h5",
+                                       .grows  = PETSC_TRUE,
                                        .begin  = HDF5FileBegin_Private,
                                        .points = HDF5FilePoints_Private,
                                        .cells  = HDF5FileCells_Private,

@@ -12,6 +12,11 @@ struct _n_Output {
   FileSet     files; /* of the first rank */
 };
 
+struct _n_OutputSeries {
+  PetscInt     num;     /* pictures: of the bodies, of each pair */
+  FieldSeries *picture; /* [num] */
+};
+
 /* Path of one file of the scene's output; pair may be NULL. */
 static PetscErrorCode OutputGetPath_Private(Scene scene, const char pair[], const char suffix[],
                                             char path[PETSC_MAX_PATH_LEN])
@@ -58,6 +63,7 @@ typedef struct {
   Fields             fields;
   const SceneMotion *motion;
   PetscInt           pair;
+  OutputSeries       series; /* or NULL */
 } Told;
 
 static PetscErrorCode OutputWriteFields_Private(const Told *told, FieldWriter *writer)
@@ -91,6 +97,8 @@ static PetscErrorCode OutputAddFormats_Private(Output output, const Told *told, 
     if (scene->formats & formats[i].bit) {
       FieldWriter writer = {.base = path, .title = pair ? pair : scene->title, .first = first, .files = &output->files};
 
+      if (told->series) writer.series = &told->series->picture[told->pair + 1];
+
       PetscCall(OutputGetPath_Private(scene, pair, "", path));
       PetscCall(FieldWriterOpen(output->comm, formats[i].format, &writer));
       PetscCall(OutputWriteFields_Private(told, &writer));
@@ -114,21 +122,63 @@ PetscErrorCode OutputCreate(MPI_Comm comm, Output *output)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode OutputAddFields(Output output, Fields fields)
+/* [in] series - or NULL */
+static PetscErrorCode OutputAddFields_Private(Output output, OutputSeries series, Fields fields)
 {
   const VI vi = fields->vi;
   char     path[PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
-  PetscCall(OutputAddFormats_Private(output, &(Told){.vi = vi, .fields = fields, .pair = -1},
+  PetscCall(OutputAddFormats_Private(output, &(Told){.vi = vi, .fields = fields, .pair = -1, .series = series},
                                      "Vectors=\"displacement\" Tensors=\"stress\" Scalars=\"von_mises\""));
   if (output->rank == 0) PetscCall(StalePlotsRemove(&output->files, vi->scene->output));
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
     PetscCall(OutputGetPath_Private(vi->scene, vi->pairs[p]->spec->name, ".csv", path));
     PetscCall(CSVWritePair(fields, p, &output->files, path));
-    PetscCall(OutputAddFormats_Private(output, &(Told){.vi = vi, .fields = fields, .pair = p},
+    PetscCall(OutputAddFormats_Private(output, &(Told){.vi = vi, .fields = fields, .pair = p, .series = series},
                                        "Vectors=\"displacement\" Scalars=\"pressure\" Normals=\"normal\""));
   }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputAddFields(Output output, Fields fields)
+{
+  PetscFunctionBeginUser;
+  PetscCall(OutputAddFields_Private(output, NULL, fields));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputSeriesCreate(Scene scene, OutputSeries *series)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(series));
+  (*series)->num = 1 + scene->num_pairs;
+  PetscCall(PetscCalloc1((*series)->num, &(*series)->picture));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputSeriesDestroy(OutputSeries *series)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < (*series)->num; i++) PetscCall(PetscFree((*series)->picture[i].t));
+  PetscCall(PetscFree((*series)->picture));
+  PetscCall(PetscFree(*series));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputAddStep(Output output, OutputSeries series, Fields fields)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < series->num; i++) {
+    FieldSeries *picture = &series->picture[i];
+
+    if (picture->num == picture->capacity) {
+      picture->capacity = 2 * picture->capacity + 16;
+      PetscCall(PetscRealloc(picture->capacity * sizeof(*picture->t), &picture->t));
+    }
+    picture->t[picture->num++] = fields->vi->scene->time;
+  }
+  PetscCall(OutputAddFields_Private(output, series, fields));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

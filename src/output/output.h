@@ -14,6 +14,13 @@ PetscErrorCode OutputCreate(MPI_Comm comm, Output *output);
 /* Adds <output>.h5 + .xdmf and/or .vtu, for each pair the same of its nonmortar side, <output>_<pair>.h5 and so on, and
    <output>_<pair>.csv. Collective. */
 PetscErrorCode OutputAddFields(Output output, Fields fields);
+/* The pictures of a scene at several times, from the first file to the last. */
+typedef struct _n_OutputSeries *OutputSeries;
+PetscErrorCode                  OutputSeriesCreate(Scene scene, OutputSeries *series);
+PetscErrorCode                  OutputSeriesDestroy(OutputSeries *series);
+/* OutputAddFields() of a step: HDF5 files take the fields of scene->time beside those of the steps before, XDMF makes a series of them. Each
+   is followed by OutputFinish(). Other formats, and CSV, have the last step. Collective. */
+PetscErrorCode OutputAddStep(Output output, OutputSeries series, Fields fields);
 /* Where there is no solution: adds the bodies and, at their nodes, the motion that shows it, as `motion` of <output>.h5 + .xdmf
    and/or .vtu; other fields, of an earlier run, go when the new result appears. Collective. */
 PetscErrorCode OutputAddMotion(Output output, VI vi, const SceneMotion *motion);

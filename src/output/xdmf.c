@@ -63,20 +63,28 @@ static void XDMFWriteItem_Private(FILE *out, const char hdf5[], const char name[
   fprintf(out, ":/%s</DataItem>\n", name);
 }
 
-static void XDMFWriteAttribute_Private(FILE *out, const char hdf5[], const Quantity *quantity, PetscInt rows,
-                                       const char centre[])
+void XDMFStepName(const FieldSeries *series, PetscInt i, char name[XDMF_STEP_NAME])
+{
+  snprintf(name, XDMF_STEP_NAME, series ? "steps/%04" PetscInt_FMT "/" : "", i + 1);
+}
+
+/* [in] group - with its slash, or "" */
+static void XDMFWriteAttribute_Private(FILE *out, const char hdf5[], const char group[], const Quantity *quantity,
+                                       PetscInt rows, const char centre[])
 {
   const char *type = quantity->components == 1 ? "Scalar" : quantity->components == 3 ? "Vector" : "Tensor";
+  char        name[XDMF_STEP_NAME + 32];
 
+  snprintf(name, sizeof(name), "%s%s", group, quantity->name);
   fprintf(out, "      <Attribute Name=\"%s\" AttributeType=\"%s\" Center=\"%s\">\n        ", quantity->name, type,
           centre);
-  XDMFWriteItem_Private(out, hdf5, quantity->name, rows, quantity->components, quantity->integer);
+  XDMFWriteItem_Private(out, hdf5, name, rows, quantity->components, quantity->integer);
   fprintf(out, "      </Attribute>\n");
 }
 
-/* What a grid consists of: points, cells, quantities. */
+/* What a grid consists of: points, cells, quantities. [in] group - of the quantities of points */
 static void XDMFWriteGridItems_Private(FILE *out, const FieldWriter *writer, const Topology *topology,
-                                       const char hdf5[])
+                                       const char hdf5[], const char group[])
 {
   fprintf(out, "      <Geometry GeometryType=\"XYZ\">\n        ");
   XDMFWriteItem_Private(out, hdf5, "points", writer->num_points, 3, PETSC_FALSE);
@@ -86,11 +94,51 @@ static void XDMFWriteGridItems_Private(FILE *out, const FieldWriter *writer, con
   XDMFWriteItem_Private(out, hdf5, "cells", topology->rows, topology->columns, PETSC_TRUE);
   fprintf(out, "      </Topology>\n");
   for (PetscInt i = 0; i < writer->num_point_quantities; i++) {
-    XDMFWriteAttribute_Private(out, hdf5, &writer->point[i], writer->num_points, "Node");
+    XDMFWriteAttribute_Private(out, hdf5, group, &writer->point[i], writer->num_points, "Node");
   }
   for (PetscInt i = 0; i < writer->num_cell_quantities; i++) {
-    XDMFWriteAttribute_Private(out, hdf5, &writer->cell[i], writer->num_cells, "Cell");
+    XDMFWriteAttribute_Private(out, hdf5, "", &writer->cell[i], writer->num_cells, "Cell");
   }
+}
+
+/* The grid of a picture at one time, told twice. */
+static void XDMFWriteSteady_Private(FILE *out, const FieldWriter *writer, const Topology *topology, const char hdf5[],
+                                    const char title[])
+{
+  fprintf(out, "    <Grid Name=\"");
+  XMLWriteText(out, title);
+  fprintf(out, "\" GridType=\"Uniform\" Reference=\"/Xdmf/Domain/Grid/Information/Grid\">\n");
+  XDMFWriteGridItems_Private(out, writer, topology, hdf5, "");
+  fprintf(out,
+          "      <Information Name=\"steady\" Value=\"the same with a time\">&lt;steady/&gt;\n      <Grid Name=\"");
+  XMLWriteText(out, title);
+  fprintf(out, "\" GridType=\"Uniform\">\n      <Time Value=\"0\"/>\n");
+  XDMFWriteGridItems_Private(out, writer, topology, hdf5, "");
+  fprintf(out, "      </Grid>\n      </Information>\n    </Grid>\n");
+}
+
+/* One grid for each time. Viewers sort times: where these do not ascend, the number of the step stands for them. */
+static void XDMFWriteSeries_Private(FILE *out, const FieldWriter *writer, const Topology *topology, const char hdf5[],
+                                    const char title[])
+{
+  const FieldSeries *series = writer->series;
+  PetscBool          ascend = PETSC_TRUE;
+  char               group[XDMF_STEP_NAME];
+
+  for (PetscInt i = 1; i < series->num; i++) ascend = (PetscBool)(ascend && series->t[i] > series->t[i - 1]);
+  fprintf(out, "    <Grid Name=\"");
+  XMLWriteText(out, title);
+  fprintf(out, "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n");
+  for (PetscInt i = 0; i < series->num; i++) {
+    const double time = ascend ? (double)series->t[i] : (double)(i + 1);
+
+    fprintf(out, "    <Grid Name=\"t = %.9g\" GridType=\"Uniform\">\n      <Time Value=\"%.17g\"/>\n",
+            (double)series->t[i], time);
+    XDMFStepName(series, i, group);
+    XDMFWriteGridItems_Private(out, writer, topology, hdf5, group);
+    fprintf(out, "    </Grid>\n");
+  }
+  fprintf(out, "    </Grid>\n");
 }
 
 PetscErrorCode XDMFWrite(const FieldWriter *writer, const Topology *topology, const char hdf5[])
@@ -104,16 +152,12 @@ PetscErrorCode XDMFWrite(const FieldWriter *writer, const Topology *topology, co
   PetscCall(FileSetOpen(writer->files, path, &out));
   if (!out) PetscFunctionReturn(PETSC_SUCCESS);
   if (slash) hdf5 = slash + 1;
-  fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n    <Grid Name=\"");
-  XMLWriteText(out, title);
-  fprintf(out, "\" GridType=\"Uniform\" Reference=\"/Xdmf/Domain/Grid/Information/Grid\">\n");
-  XDMFWriteGridItems_Private(out, writer, topology, hdf5);
-  fprintf(out,
-          "      <Information Name=\"steady\" Value=\"the same with a time\">&lt;steady/&gt;\n      <Grid Name=\"");
-  XMLWriteText(out, title);
-  fprintf(out, "\" GridType=\"Uniform\">\n      <Time Value=\"0\"/>\n");
-  XDMFWriteGridItems_Private(out, writer, topology, hdf5);
-  fprintf(out, "      </Grid>\n      </Information>\n    </Grid>\n  </Domain>\n</Xdmf>\n");
+  fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n");
+  if (writer->series)
+    XDMFWriteSeries_Private(out, writer, topology, hdf5, title);
+  else
+    XDMFWriteSteady_Private(out, writer, topology, hdf5, title);
+  fprintf(out, "  </Domain>\n</Xdmf>\n");
   PetscCall(FileSetClose(writer->files, &out));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -15,6 +15,9 @@ typedef struct {
 PetscErrorCode XDMFTopologyCreate(const SortedCells *cells, Topology *topology);
 PetscErrorCode XDMFTopologyDestroy(Topology *topology);
 
+enum { XDMF_STEP_NAME = 32 };
+/* "steps/0003/", the place of what the HDF5 file has of step i (from 0) of a series; "" without a series. Not collective. */
+void XDMFStepName(const FieldSeries *series, PetscInt i, char name[XDMF_STEP_NAME]);
 /* The file that tells viewers what lies in the HDF5 file, beside which it will stand. First rank only, not collective.
    [in] topology - values are not needed */
 PetscErrorCode XDMFWrite(const FieldWriter *writer, const Topology *topology, const char hdf5[]);

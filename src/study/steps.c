@@ -11,15 +11,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PAIRS_SHOWN = 2, TEXT_LENGTH = PETSC_MAX_PATH_LEN + 256 };
+enum { PAIRS_SHOWN = 2, TEXT_LENGTH = PETSC_MAX_PATH_LEN + 256, TIME_TEXT = 32 };
 
 /* The loop. */
 typedef struct {
-  Scene     scene; /* borrowed */
-  cJSON    *rows;  /* of all steps so far, on all ranks */
-  PetscBool quiet; /* nothing is printed on stdout */
-  PetscBool any;   /* whether a step is solved: */
-  PetscReal last;  /* the last one */
+  Scene        scene;                           /* borrowed */
+  cJSON       *rows;                            /* of all steps so far, on all ranks */
+  PetscBool    quiet;                           /* nothing is printed on stdout */
+  PetscBool    any;                             /* whether a step is solved: */
+  char         now[TIME_TEXT], last[TIME_TEXT]; /* times of the present step, and of the last solved one */
+  OutputSeries series;
 } Steps;
 
 /* Faults on a pair whose table would have the name of the steps'. */
@@ -69,8 +70,8 @@ static PetscErrorCode StepsPrint_Private(const Steps *steps, PetscInt i, const R
 
   PetscFunctionBeginUser;
   if (steps->quiet) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscPrintf(comm, "step %" PetscInt_FMT " of %" PetscInt_FMT ", t = %g: %s", i + 1, steps->scene->steps.num,
-                        (double)steps->scene->time, state));
+  PetscCall(PetscPrintf(comm, "step %" PetscInt_FMT " of %" PetscInt_FMT ", t = %s: %s", i + 1, steps->scene->steps.num,
+                        steps->now, state));
   if (run->fields)
     PetscCall(PetscPrintf(comm, ", %" PetscInt_FMT " iteration%s, %.2g s", run->report.iterations,
                           run->report.iterations == 1 ? "" : "s", StepsGetNumber_Private(row, "seconds")));
@@ -110,7 +111,7 @@ static PetscErrorCode StepsWrite_Private(Steps *steps, Run run, char **text)
   if (scene->output) {
     PetscCall(LogStageBegin(STAGE_OUTPUT));
     if (!run->refused)
-      PetscCall(OutputAddFields(output, run->fields));
+      PetscCall(OutputAddStep(output, steps->series, run->fields));
     else if (!steps->any)
       PetscCall(OutputAddMotion(output, run->vi, &run->solvability->motion));
     PetscCall(StepsAddTable(output, scene, steps->rows));
@@ -137,7 +138,8 @@ static PetscErrorCode StepsSolve_Private(Steps *steps, PetscInt i, Mesh mesh, Ve
   PetscFunctionBeginUser;
   if (i) PetscCall(LogReset(LogWallClock()));
   PetscCall(SceneSetTime(scene, scene->steps.t[i]));
-  PetscCall(PetscSNPrintf(label, sizeof(label), "t = %g", (double)scene->time));
+  (void)snprintf(steps->now, sizeof(steps->now), "%.9g", (double)scene->time);
+  PetscCall(PetscSNPrintf(label, sizeof(label), "t = %s", steps->now));
   WarningSetLabel(label);
   PetscCall(*run ? RunAdvance(guess, run) : RunCreate(scene, mesh, guess, run));
   scene->view = PETSC_FALSE; // of the first step only
@@ -147,8 +149,8 @@ static PetscErrorCode StepsSolve_Private(Steps *steps, PetscInt i, Mesh mesh, Ve
   PetscCall(StepsPrint_Private(steps, i, *run, row));
   PetscCall(StepsWrite_Private(steps, *run, text));
   if ((*run)->solved) {
-    steps->any  = PETSC_TRUE;
-    steps->last = scene->time;
+    steps->any = PETSC_TRUE;
+    PetscCall(PetscStrncpy(steps->last, steps->now, sizeof(steps->last)));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -167,10 +169,10 @@ static PetscErrorCode StepsPrintEnd_Private(const Steps *steps, Run run, const c
     PetscCall(PetscPrintf(scene->comm, "  wrote %s_steps.csv: %" PetscInt_FMT " step%s\n", scene->output, done,
                           done == 1 ? "" : "s"));
   if (run->solved) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscFPrintf(scene->comm, PETSC_STDERR, "mortise: %s at t = %g; ",
-                         run->refused ? "there is no solution" : "not solved", (double)scene->time));
+  PetscCall(PetscFPrintf(scene->comm, PETSC_STDERR, "mortise: %s at t = %s; ",
+                         run->refused ? "there is no solution" : "not solved", steps->now));
   if (steps->any)
-    PetscCall(PetscFPrintf(scene->comm, PETSC_STDERR, "the last solution is that of t = %g\n", (double)steps->last));
+    PetscCall(PetscFPrintf(scene->comm, PETSC_STDERR, "the last solution is that of t = %s\n", steps->last));
   else
     PetscCall(PetscFPrintf(scene->comm, PETSC_STDERR, "this is the first load step\n"));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -186,6 +188,7 @@ PetscErrorCode StepsRun(Scene scene, Mesh mesh, Vec guess, Run *run)
   steps.quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
   PetscCall(InterruptBegin());
   StepsSetInterruptSentence_Private(&steps);
+  PetscCall(OutputSeriesCreate(scene, &steps.series));
   for (PetscInt i = 0; i < scene->steps.num && (!i || (*run)->solved); i++) {
     free(text);
     PetscCall(StepsSolve_Private(&steps, i, mesh, i ? NULL : guess, run, &text));
@@ -194,6 +197,7 @@ PetscErrorCode StepsRun(Scene scene, Mesh mesh, Vec guess, Run *run)
   PetscCall(StepsPrintEnd_Private(&steps, *run, text));
   free(text);
   cJSON_Delete(steps.rows);
+  PetscCall(OutputSeriesDestroy(&steps.series));
   InterruptSetSentence("");
   PetscCall(InterruptEnd());
   PetscFunctionReturn(PETSC_SUCCESS);
