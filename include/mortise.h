@@ -253,9 +253,9 @@ MORTISE_PUBLIC PetscErrorCode MortiseSetUp(Mortise m);
 -  t - 1 in the beginning
 
    Notes:
-   Formulas of the scene may name t. Where none does, t is a load factor: it multiplies body forces, tractions, pressures, given
-   displacements and gap offsets. A map of a mesh cannot name t. Every solve is static: nothing is remembered but where the solver
-   begins.
+   Formulas of the scene may name t. Where none does, t is a load factor: it multiplies loads, given displacements, gap offsets and
+   temperatures, or what -load_steps_scale says. A map of a mesh cannot name t. Every solve is static. From this call on, matrices
+   and factors are kept from one solve to the next: each costs a part of the first one.
 
    Level: beginner
 .seealso: MortiseSetDatum(), MortiseSolve()
@@ -293,8 +293,8 @@ MORTISE_PUBLIC PetscErrorCode MortiseSetDatum(Mortise m, const char option[], Pe
 -  u - displacement, in the layout of MortiseGetDisplacement(), copied; or NULL: from zero
 
    Notes:
-   Counts for one solve. Without it a solve begins at the last solution, and the first one at zero. This changes the time, and not
-   the answer.
+   Counts for one solve. Without it a solve begins where the last solutions lead, and the first one at zero. This changes the time,
+   and not the answer.
 
    Level: advanced
 .seealso: MortiseSolve(), MortiseGetDisplacement()
@@ -311,7 +311,7 @@ MORTISE_PUBLIC PetscErrorCode MortiseSetInitialGuess(Mortise m, Vec u);
 
    Notes:
    A scene without a solution and a solver that does not converge are no errors: ask MortiseGetStatus(). Nothing is printed but
-   warnings. With -study all its meshes are solved, and its table and files are written; there is no single answer to ask for then.
+   warnings. -load_steps and -study solve and write all that they ask for: answers are of the last step, of a study there are none.
 
    Level: beginner
 .seealso: MortiseGetStatus(), MortiseSetTime(), MortiseSetInitialGuess(), MortiseWrite()
