@@ -280,6 +280,7 @@ static PetscErrorCode Solve_Private(Mortise m)
   PetscCall(SceneSetTime(m->scene, m->time));
   PetscCall(SetUp_Private(m));
   PetscCall(TakeLast_Private(m, &guess, &run));
+  if (run && m->scene->check) PetscCall(RunDestroy(&run));
   m->solved_once = PETSC_FALSE;
   m->scene->keep = (PetscBool)(m->several || m->scene->steps.num);
   if (m->mesh) {
@@ -289,7 +290,9 @@ static PetscErrorCode Solve_Private(Mortise m)
       PetscCall(run ? RunAdvance(guess, &run) : RunCreate(m->scene, m->mesh, guess, &run));
     PetscCall(VecDestroy(&guess));
     m->run     = run;
-    m->verdict = run->solved ? MORTISE_SOLVED : run->refused ? MORTISE_NO_SOLUTION : MORTISE_NOT_CONVERGED;
+    m->verdict = run->solved || run->checked ? MORTISE_SOLVED
+                 : run->refused              ? MORTISE_NO_SOLUTION
+                                             : MORTISE_NOT_CONVERGED;
     PetscCall(PetscCalloc1(m->scene->num_pairs, &m->pairs));
   } else {
     PetscCall(StudyRun(m->scene, &m->verdict));

@@ -12,6 +12,7 @@ static PetscErrorCode NeedFields_Private(Mortise m, const char function[])
 {
   PetscFunctionBeginUser;
   PetscCall(ApiNeedRun(m, function));
+  if (m->run->checked) PetscCall(UserErrorRaise(m->comm, "%s(): %s; omit the option", function, m->run->report.reason));
   if (!m->run->fields)
     PetscCall(UserErrorRaise(m->comm, "%s(): the scene has no solution: %s", function, m->run->report.reason));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -92,8 +93,11 @@ static PetscErrorCode Write_Private(Mortise m)
   PetscCall(OutputCreate(m->comm, &output));
   if (m->scene->output) {
     PetscCall(LogStageBegin(STAGE_OUTPUT));
-    PetscCall(run->refused ? OutputAddMotion(output, run->vi, &run->solvability->motion)
-                           : OutputAddFields(output, run->fields));
+    if (run->checked)
+      PetscCall(OutputAddSetup(output, run->vi, &run->setup));
+    else
+      PetscCall(run->refused ? OutputAddMotion(output, run->vi, &run->solvability->motion)
+                             : OutputAddFields(output, run->fields));
     PetscCall(LogStageEnd(STAGE_OUTPUT));
   }
   input = RunSummary(run);

@@ -100,6 +100,20 @@ static int OptionsReaderIsFormula_Private(const Word *word)
   return OptionsReaderIsName(word->text) && (word->quoted || strpbrk(word->text, "()*/^, "));
 }
 
+/* Appends a file that PETSc reads by itself; its folder is one of those where meshes are looked for. */
+static void OptionsReaderAddYAML_Private(Reader *reader, const char where[], const char name[], const char value[])
+{
+  char found[PETSC_MAX_PATH_LEN];
+
+  if (!OptionsReaderFindFile(reader->files, value, found, sizeof(found))) {
+    OptionsReaderRefuse_Private(reader, "%s: %s %s: there is no such file", where, name, value);
+    return;
+  }
+  TextListAppend(reader->target, name);
+  TextListAppend(reader->target, found);
+  TextListAppend(reader->files, found);
+}
+
 /* Appends the option that stands at words[0], with its value if it has one. Returns the number of words taken. */
 static int OptionsReaderReadOption_Private(Reader *reader, const char where[], int num_words, const Word words[])
 {
@@ -118,8 +132,8 @@ static int OptionsReaderReadOption_Private(Reader *reader, const char where[], i
     OptionsReaderRefuse_Private(reader, "%s: %s: a value follows after a space, not after '='", where, name);
   else if ((is_file || is_yaml) && !value)
     OptionsReaderRefuse_Private(reader, "%s: %s needs the name of a file", where, name);
-  else if (is_yaml && !OptionsReaderCanRead(value))
-    OptionsReaderRefuse_Private(reader, "%s: %s %s: there is no such file", where, name, value);
+  else if (is_yaml)
+    OptionsReaderAddYAML_Private(reader, where, name, value);
   else if (is_file)
     OptionsReaderReadFile_Private(reader, where, value);
   else {

@@ -152,3 +152,17 @@ PetscErrorCode BodyFieldsWriteMotion(FieldWriter *writer, VI vi, const SceneMoti
   PetscCall(PetscFree(tags));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
+
+PetscErrorCode BodyFieldsWriteSetup(FieldWriter *writer, VI vi, const SetupCheck *check)
+{
+  PetscReal *bits, *tags;
+
+  PetscFunctionBeginUser;
+  PetscCall(BodyFieldsWriteMesh_Private(writer, vi, &tags));
+  PetscCall(SetupCheckMarkNodes(vi, check, &bits));
+  PetscCall(FieldWriterPoints(writer, (Quantity){"sides", 1, PETSC_TRUE}, 1, bits));
+  PetscCall(PetscFree(bits));
+  PetscCall(BodyFieldsWriteCells_Private(writer, vi, tags));
+  PetscCall(PetscFree(tags));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -6,6 +6,7 @@
 #define MORTISE_FIELDWRITER_H
 
 #include "result/fields.h"
+#include "result/setupcheck.h"
 #include "output/fileset.h"
 #include "result/gatherarrays.h"
 
@@ -98,6 +99,8 @@ PetscErrorCode FieldWriterCells(FieldWriter *writer, Quantity quantity, const Pe
 PetscErrorCode BodyFieldsWrite(FieldWriter *writer, Fields fields);
 /* The bodies where they are, with the motion for which there is no solution. */
 PetscErrorCode BodyFieldsWriteMotion(FieldWriter *writer, VI vi, const SceneMotion *motion);
+/* The bodies where they are, with the sides of a check. */
+PetscErrorCode BodyFieldsWriteSetup(FieldWriter *writer, VI vi, const SetupCheck *check);
 /* The nonmortar side of pair p with what happens on it, points in the order of global nodes. */
 PetscErrorCode SurfaceFieldsWrite(FieldWriter *writer, Fields fields, PetscInt p);
 

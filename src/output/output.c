@@ -57,11 +57,13 @@ PetscErrorCode OutputCheck(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What a picture tells: fields, of a pair or (pair < 0) of all bodies; without fields the motion of bodies. */
+/* What a picture tells: fields, of a pair or (pair < 0) of all bodies; without fields the motion of bodies, or their
+   sides. */
 typedef struct {
   VI                 vi;
   Fields             fields;
   const SceneMotion *motion;
+  const SetupCheck  *setup;
   PetscInt           pair;
   OutputSeries       series; /* or NULL */
 } Told;
@@ -69,7 +71,9 @@ typedef struct {
 static PetscErrorCode OutputWriteFields_Private(const Told *told, FieldWriter *writer)
 {
   PetscFunctionBeginUser;
-  if (!told->fields) {
+  if (told->setup) {
+    PetscCall(BodyFieldsWriteSetup(writer, told->vi, told->setup));
+  } else if (!told->fields) {
     PetscCall(BodyFieldsWriteMotion(writer, told->vi, told->motion));
   } else if (told->pair < 0) {
     PetscCall(BodyFieldsWrite(writer, told->fields));
@@ -204,6 +208,15 @@ PetscErrorCode OutputAddMotion(Output output, VI vi, const SceneMotion *motion)
   PetscFunctionBeginUser;
   PetscCall(OutputRemoveFields_Private(output, vi->scene));
   PetscCall(OutputAddFormats_Private(output, &(Told){.vi = vi, .motion = motion, .pair = -1}, "Vectors=\"motion\""));
+  if (output->rank == 0) PetscCall(StalePlotsRemove(&output->files, vi->scene->output));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OutputAddSetup(Output output, VI vi, const SetupCheck *check)
+{
+  PetscFunctionBeginUser;
+  PetscCall(OutputRemoveFields_Private(output, vi->scene));
+  PetscCall(OutputAddFormats_Private(output, &(Told){.vi = vi, .setup = check, .pair = -1}, "Scalars=\"sides\""));
   if (output->rank == 0) PetscCall(StalePlotsRemove(&output->files, vi->scene->output));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -3,6 +3,7 @@
 #define MORTISE_OUTPUT_H
 
 #include "result/fields.h"
+#include "result/setupcheck.h"
 
 /* Faults if the output folder cannot be made or written to; call before the solve so that nothing is lost. Collective. */
 PetscErrorCode OutputCheck(Scene scene);
@@ -24,6 +25,9 @@ PetscErrorCode OutputAddStep(Output output, OutputSeries series, Fields fields);
 /* Where there is no solution: adds the bodies and, at their nodes, the motion that shows it, as `motion` of <output>.h5 + .xdmf
    and/or .vtu; other fields, of an earlier run, go when the new result appears. Collective. */
 PetscErrorCode OutputAddMotion(Output output, VI vi, const SceneMotion *motion);
+/* With -check: adds the bodies where they are, with the sides that the scene names, as `sides` of <output>.h5 + .xdmf and/or .vtu: the
+   sum of 2^s over the first 30 sides of the check; other fields, of an earlier run, go when the new result appears. Collective. */
+PetscErrorCode OutputAddSetup(Output output, VI vi, const SetupCheck *check);
 /* Adds a file of text, which gets a final newline. Collective. [in] text - of the first rank */
 PetscErrorCode OutputAddText(Output output, const char path[], const char text[]);
 /* All appear, the one that was added last after all others: beside it there is never a file of another run. Or none does, and

@@ -138,6 +138,19 @@ static PetscErrorCode SummaryWarnUnconfirmed_Private(const SummaryInput *in)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* With -check: what a solve would end with. */
+static PetscErrorCode SummaryWarnUnbalanced_Private(const SummaryInput *in)
+{
+  const Solvability s = in->solvability;
+
+  PetscFunctionBeginUser;
+  if (!in->setup || !s || s->status != SOLVABLE_NOT) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(WarningAdd(&(Warning){.code = "unbalanced_loads", .advice = "support the body, or change the loads"},
+                       "there is no solution%s: %s: the loads do %+.6g of work and nothing resists",
+                       s->coarse ? " on this mesh" : "", s->motion.sentence, (double)s->motion.work));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SummaryWarn(const SummaryInput *input)
 {
   PetscFunctionBeginUser;
@@ -147,6 +160,7 @@ PetscErrorCode SummaryWarn(const SummaryInput *input)
     if (input->fields) PetscCall(SummaryWarnGapDiscontinuity_Private(input, p));
     if (input->fields) PetscCall(SummaryWarnCoarseCurve_Private(input, p));
   }
+  PetscCall(SummaryWarnUnbalanced_Private(input));
   if (!input->fields) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SmallStrainWarn(input->fields));
   PetscCall(SummaryWarnCoarseMesh_Private(input));

@@ -13,6 +13,7 @@
 #include "base/warning.h"
 #include "output/bodycounts.h"
 #include "result/gapdiscontinuity.h"
+#include "output/setupreport.h"
 #include "output/solversummary.h"
 #include "result/solvabilityreport.h"
 
@@ -20,7 +21,7 @@ enum { SCHEMA = 2 }; /* of the summary: what keys mean; new keys do not change i
 
 static const char *SummaryStatus_Private(const SummaryInput *in)
 {
-  return in->solved ? "solved" : in->fields ? "not_converged" : "no_solution";
+  return in->setup ? "checked" : in->solved ? "solved" : in->fields ? "not_converged" : "no_solution";
 }
 
 static PetscErrorCode SummaryAddMortise_Private(const SummaryInput *in, cJSON *root)
@@ -160,6 +161,7 @@ static PetscErrorCode SummaryAddPairs_Private(const SummaryInput *in, cJSON *roo
     JSONAddReals(pair, "force", dim, sum.force);
     JSONAddReal(pair, "normal_force", sum.normal_force);
     JSONAddReal(pair, "area", sum.area);
+    JSONAddReal(pair, "mean_pressure", sum.area > 0 ? sum.normal_force / sum.area : NAN);
     JSONAddReal(pair, "max_pressure", sum.max_pressure);
     JSONAddReals(pair, "max_pressure_at", dim, sum.max_pressure_at);
     JSONAddReal(pair, "max_pressure_covered", sum.max_covered);
@@ -370,6 +372,7 @@ PetscErrorCode SummaryCreate(const SummaryInput *input, char **text)
   PetscCall(SummaryAddLoads_Private(input, root));
   PetscCall(SummaryAddProbes_Private(input, root));
   SummaryAddErrors_Private(input, root);
+  if (input->setup) PetscCall(SetupReportAdd(input->vi, input->setup, root));
   PetscCall(SummaryAddCost_Private(input, root));
   if (input->steps) cJSON_AddItemToObject(root, "steps", cJSON_Duplicate(input->steps, cJSON_True));
   PetscCallMPI(MPI_Comm_rank(input->scene->comm, &rank));

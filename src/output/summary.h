@@ -4,6 +4,7 @@
 
 #include "result/certificate.h"
 #include "result/errors.h"
+#include "result/setupcheck.h"
 #include "base/usererror.h"
 #include <cjson/cJSON.h>
 #include "output/output.h"
@@ -14,6 +15,7 @@ typedef struct {
   Mesh                mesh;
   VI                  vi;
   Solvability         solvability; /* NULL where supports hold all bodies */
+  const SetupCheck   *setup;       /* NULL but with -check */
   Fields              fields;      /* NULL where there is no solution */
   const SolverReport *report;
   const CrossCheck   *check;

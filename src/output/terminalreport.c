@@ -3,6 +3,7 @@
 #include <string.h>
 #include "output/summary.h"
 #include "output/output.h"
+#include "output/setupreport.h"
 #include "base/log.h"
 #include "base/compat.h"
 #include "output/patchsummary.h"
@@ -11,6 +12,24 @@
 #include "output/numberwords.h"
 
 static const PetscReal PERCENT = 100;
+
+/* "force (1, -2)". Around a ring the radial parts of a force cancel, so that the normal force tells what the vector cannot. */
+static PetscErrorCode SummaryPrintForce_Private(const SummaryInput *in, const ScenePair *spec, const PairSum *sum,
+                                                char text[], size_t len)
+{
+  char force[128];
+
+  PetscFunctionBeginUser;
+  PetscCall(NumberWordsVector(in->scene->dim, sum->force, force, sizeof(force)));
+  if (in->scene->model == MODEL_AXISYMMETRIC && spec->type == PAIR_CONTACT) {
+    PetscCall(PetscSNPrintf(text, len, "normal force %.6g, mean pressure %.6g, axial force %.6g",
+                            (double)sum->normal_force, (double)(sum->area > 0 ? sum->normal_force / sum->area : 0),
+                            (double)sum->force[1]));
+  } else {
+    PetscCall(PetscSNPrintf(text, len, "force %s", force));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
 
 /* One pair, in one or two lines. */
 static PetscErrorCode SummaryPrintPair_Private(const SummaryInput *in, PetscInt p)
@@ -23,8 +42,8 @@ static PetscErrorCode SummaryPrintPair_Private(const SummaryInput *in, PetscInt 
   PetscFunctionBeginUser;
   if (!in->vi->pairs[p]->num_multipliers) PetscFunctionReturn(PETSC_SUCCESS); // a warning tells why
   PetscCall(PairSumCompute(in->fields, p, &sum));
-  PetscCall(NumberWordsVector(in->scene->dim, sum.force, force, sizeof(force)));
-  PetscCall(PetscPrintf(comm, "  %s: %" PetscInt_FMT " of %" PetscInt_FMT " nodes %s, force %s on %s\n", spec->name,
+  PetscCall(SummaryPrintForce_Private(in, spec, &sum, force, sizeof(force)));
+  PetscCall(PetscPrintf(comm, "  %s: %" PetscInt_FMT " of %" PetscInt_FMT " nodes %s, %s on %s\n", spec->name,
                         sum.active, in->vi->pairs[p]->num_multipliers, spec->type == PAIR_TIED ? "tied" : "in contact",
                         force, in->scene->bodies[spec->nonmortar.body].name));
   if (sum.active && spec->type == PAIR_CONTACT) {
@@ -195,6 +214,7 @@ static PetscErrorCode SummaryPrintFailures_Private(const SummaryInput *in)
 static PetscErrorCode SummaryPrintRefusal_Private(const SummaryInput *in)
 {
   PetscFunctionBeginUser;
+  if (in->setup) PetscFunctionReturn(PETSC_SUCCESS); // nothing was to be solved
   PetscCall(SolvabilityReportRefuse(in->vi, in->solvability));
   if (in->fields && !in->solved) PetscCall(SummaryPrintFailures_Private(in));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -204,6 +224,7 @@ PetscErrorCode SummaryPrint(const SummaryInput *input)
 {
   PetscFunctionBeginUser;
   if (input->fields) PetscCall(SummaryPrintResults_Private(input));
+  if (input->setup) PetscCall(SetupReportPrint(input->vi, input->solvability, input->setup));
   PetscCall(SummaryPrintRefusal_Private(input));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -213,6 +234,7 @@ PetscErrorCode SummaryPrintEnd(const SummaryInput *input, PetscBool quiet)
   PetscFunctionBeginUser;
   if (!quiet) {
     if (input->fields) PetscCall(SummaryPrintResults_Private(input));
+    if (input->setup) PetscCall(SetupReportPrint(input->vi, input->solvability, input->setup));
     PetscCall(SummaryPrintFiles_Private(input));
   }
   PetscCall(SummaryPrintRefusal_Private(input));

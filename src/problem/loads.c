@@ -117,9 +117,7 @@ void LoadElementSums(const LoadElement *element, const PetscReal fe[], PetscReal
   for (PetscInt i = 0; i < element->num_nodes * dim; i++) sums[i % dim] += PetscAbsReal(fe[i]);
 }
 
-/* The facets of a side, or where boundary is NULL the cells of a body. */
-static PetscErrorCode LoadTermCreate_Private(Scene scene, Level *level, PetscInt body, const SceneBoundary *boundary,
-                                             LoadTerm *term)
+PetscErrorCode LoadTermCreate(Scene scene, Level *level, PetscInt body, const SceneBoundary *boundary, LoadTerm *term)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(term, sizeof(*term)));
@@ -152,7 +150,7 @@ static PetscErrorCode LoadTermCreate_Private(Scene scene, Level *level, PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode LoadTermDestroy_Private(LoadTerm *term)
+PetscErrorCode LoadTermDestroy(LoadTerm *term)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree2(term->own, term->miss));
@@ -172,10 +170,10 @@ static PetscErrorCode LoadsCreateTerms_Private(Scene scene, Level *level, PetscI
   *num = 0;
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     const SceneBody *body = &scene->bodies[b];
-    if (body->body_force) PetscCall(LoadTermCreate_Private(scene, level, b, NULL, &(*terms)[(*num)++]));
+    if (body->body_force) PetscCall(LoadTermCreate(scene, level, b, NULL, &(*terms)[(*num)++]));
     for (PetscInt i = 0; i < body->num_boundaries; i++) {
       if (!SceneBoundaryIsLoad(&body->boundaries[i])) continue;
-      PetscCall(LoadTermCreate_Private(scene, level, b, &body->boundaries[i], &(*terms)[(*num)++]));
+      PetscCall(LoadTermCreate(scene, level, b, &body->boundaries[i], &(*terms)[(*num)++]));
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -221,7 +219,7 @@ PetscErrorCode LoadsAssemble(Scene scene, Level *level, Vec f)
   PetscCall(LevelShareVec(f, ADD_VALUES));
   for (PetscInt i = 0; i < num; i++) {
     PetscCall(ExpressionCheck(level->comm, terms[i].value));
-    PetscCall(LoadTermDestroy_Private(&terms[i]));
+    PetscCall(LoadTermDestroy(&terms[i]));
   }
   PetscCall(PetscFree(terms));
   PetscCall(EigenstrainCheck(scene, level));
@@ -268,7 +266,7 @@ PetscErrorCode LoadSumsCompute(Scene scene, Level *level, PetscInt body, const c
   PetscCall(PetscMalloc1(level->num_nodes * level->dim, &fa));
   for (PetscInt i = 0; i < b->num_boundaries; i++) {
     if (!SceneBoundaryIsLoad(&b->boundaries[i]) || strcmp(b->boundaries[i].side, side) != 0) continue;
-    PetscCall(LoadTermCreate_Private(scene, level, body, &b->boundaries[i], &term));
+    PetscCall(LoadTermCreate(scene, level, body, &b->boundaries[i], &term));
     if (first) PetscCall(LoadTermCentroid(&term, sum->centre, &sum->area));
     first = PETSC_FALSE;
     PetscCall(PetscArrayzero(fa, level->num_nodes * level->dim));
@@ -277,7 +275,7 @@ PetscErrorCode LoadSumsCompute(Scene scene, Level *level, PetscInt body, const c
     PetscCall(LoadTermsRefine(level, 1, &term, fa));
     WarningUnmute();
     PetscCall(LoadSumAdd_Private(&term, fa, sum));
-    PetscCall(LoadTermDestroy_Private(&term));
+    PetscCall(LoadTermDestroy(&term));
   }
   PetscCall(PetscFree(fa));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -79,12 +79,30 @@ PetscErrorCode SolvabilityReportRefuse(VI vi, Solvability s)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Motions that cost nothing: positions are one choice of many. */
+static PetscErrorCode SolvabilityReportWarnFree_Private(Solvability s)
+{
+  const Warning about    = {.code   = "free_motion",
+                            .advice = "support the body, or read nothing from displacements along this motion"};
+  char          more[96] = "";
+
+  PetscFunctionBeginUser;
+  if (!s->num_free) PetscFunctionReturn(PETSC_SUCCESS);
+  if (s->num_free > 1)
+    PetscCall(PetscSNPrintf(more, sizeof(more), ", and %" PetscInt_FMT " more motions", s->num_free - 1));
+  PetscCall(WarningAdd(&about,
+                       "the position is not unique, that of least mean square displacement is given: %s%s at no cost",
+                       s->free[0].sentence, more));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SolvabilityReportWarn(VI vi, Solvability s)
 {
   const char *then = "it is free to do so";
   PetscBool   round;
 
   PetscFunctionBeginUser;
+  if (s) PetscCall(SolvabilityReportWarnFree_Private(s));
   if (!s || s->status != SOLVABLE_MARGINAL) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(RoundnessCarriesLoads(vi, s, &round));
   if (round) then = "its support is curved, and it can roll freely";

@@ -65,14 +65,23 @@ static void SceneMotionSetAxis_Private(const PetscReal frame[], const PetscReal 
   }
 }
 
-/* What q does to the contacts of each component. Collective. [out] contacts - sums of HAS_CONTACT and so on [pieces.num] */
+/* What q does to the contacts of each component. Collective. [out] contacts - sums of HAS_CONTACT and so on [pieces.num];
+   [out] nodes - with a multiplier that act on the component [pieces.num] */
 static PetscErrorCode SceneMotionFindContacts_Private(VI vi, Solvability s, const PetscReal q[], PetscReal size,
-                                                      PetscInt contacts[])
+                                                      PetscInt contacts[], PetscInt nodes[])
 {
   const PetscInt num = vi->rigid_modes.components.num;
 
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(contacts, num));
+  PetscCall(PetscArrayzero(nodes, num));
+  for (PetscInt r = 0; r < s->nodal.num; r++) {
+    for (PetscInt side = 0; side < 2 && !vi->row_direction[r]; side++) {
+      const PetscInt piece = s->nodal.place[r].piece[side];
+
+      if (piece >= 0 && (!side || piece != s->nodal.place[r].piece[0])) nodes[piece]++;
+    }
+  }
   for (PetscInt r = 0; r < s->overlap.num; r++) {
     const PetscReal *row     = &s->overlap.rows[r * s->m];
     const PetscReal  opening = -VectorDot(s->m, row, q);
@@ -85,6 +94,7 @@ static PetscErrorCode SceneMotionFindContacts_Private(VI vi, Solvability s, cons
       if (PetscAbsReal(row[k]) > MOTION_ROUNDING) contacts[vi->rigid_modes.component[k]] |= does;
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, contacts, (PetscMPIInt)num, MPIU_INT, MPI_BOR, vi->level->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, nodes, (PetscMPIInt)num, MPIU_INT, MPI_SUM, vi->level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -149,12 +159,19 @@ static void SceneMotionSetName_Private(VI vi, PetscInt piece, BodyMotion *motion
   }
 }
 
-/* The part of the sentence for one component. [in] contacts - of SceneMotionFindContacts_Private() */
-static void SceneMotionPrintBody_Private(VI vi, const BodyMotion *motion, PetscInt contacts, char text[], size_t len)
+/* The part of the sentence for one component. Contact nodes that no part of the motion opens or closes slide, or stay where they are.
+   [in] contacts, nodes - of SceneMotionFindContacts_Private() */
+static void SceneMotionPrintBody_Private(VI vi, const BodyMotion *motion, PetscInt contacts, PetscInt nodes,
+                                         char text[], size_t len)
 {
   const PetscInt dim = vi->level->dim;
-  char           does[512];
+  char           does[512], idle[96] = "";
 
+  if (!(contacts & HAS_CONTACT) && nodes) {
+    snprintf(idle, sizeof(idle), ", which %s%d contact node%s resist%s", nodes > 1 ? "none of its " : "its ",
+             (int)nodes, nodes > 1 ? "s" : " does not", nodes > 1 ? "s" : "");
+    contacts |= HAS_CONTACT | SLIDES;
+  }
   if (VectorNorm(3, motion->rotation) > 0) {
     SceneMotionPrintRotation_Private(dim, motion, (contacts & OPENS) && (contacts & STAYS_CLOSED) ? "tips" : "turns",
                                      does, sizeof(does));
@@ -164,8 +181,8 @@ static void SceneMotionPrintBody_Private(VI vi, const BodyMotion *motion, PetscI
   } else {
     SceneMotionPrintTranslation_Private(dim, motion, contacts & SLIDES ? "slides" : "moves", does, sizeof(does));
   }
-  snprintf(text, len, "%s%s%s %s", motion->name, !motion->whole || !(contacts & HAS_CONTACT) ? "," : "",
-           contacts & HAS_CONTACT ? "" : " which no contact touches,", does);
+  snprintf(text, len, "%s%s%s %s%s", motion->name, !motion->whole || !(contacts & HAS_CONTACT) ? "," : "",
+           contacts & HAS_CONTACT ? "" : " which no contact touches,", does, idle);
 }
 
 /* The scale of q: 1 / the largest rotation, or 1 / the longest translation. */
@@ -185,7 +202,7 @@ static PetscReal SceneMotionGetScale_Private(VI vi, const PetscReal q[], PetscRe
 PetscErrorCode SceneMotionCreate(VI vi, Solvability s, const PetscReal q[], SceneMotion *motion)
 {
   PetscReal size = 0, scale, components[RIGID_COMPONENTS];
-  PetscInt *contacts;
+  PetscInt *contacts, *nodes;
   size_t    used = 0;
 
   PetscFunctionBeginUser;
@@ -194,8 +211,8 @@ PetscErrorCode SceneMotionCreate(VI vi, Solvability s, const PetscReal q[], Scen
   motion->num  = 0;
   motion->work = 0;
   PetscCall(PetscMalloc1(vi->rigid_modes.components.num, &motion->bodies));
-  PetscCall(PetscMalloc1(vi->rigid_modes.components.num, &contacts));
-  PetscCall(SceneMotionFindContacts_Private(vi, s, q, size, contacts));
+  PetscCall(PetscMalloc2(vi->rigid_modes.components.num, &contacts, vi->rigid_modes.components.num, &nodes));
+  PetscCall(SceneMotionFindContacts_Private(vi, s, q, size, contacts, nodes));
   motion->sentence[0] = '\0';
   for (PetscInt b = 0; b < vi->rigid_modes.components.num; b++) {
     BodyMotion *body = &motion->bodies[motion->num];
@@ -212,11 +229,12 @@ PetscErrorCode SceneMotionCreate(VI vi, Solvability s, const PetscReal q[], Scen
     used +=
         (size_t)snprintf(motion->sentence + used, sizeof(motion->sentence) - used, "%s", motion->num ? "; " : "body ");
     used = PetscMin(used, sizeof(motion->sentence) - 1);
-    SceneMotionPrintBody_Private(vi, body, contacts[b], motion->sentence + used, sizeof(motion->sentence) - used);
+    SceneMotionPrintBody_Private(vi, body, contacts[b], nodes[b], motion->sentence + used,
+                                 sizeof(motion->sentence) - used);
     used = strlen(motion->sentence);
     motion->num++;
   }
-  PetscCall(PetscFree(contacts));
+  PetscCall(PetscFree2(contacts, nodes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

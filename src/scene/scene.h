@@ -179,7 +179,7 @@ struct _n_Scene {
 
   SceneAdapt adapt;
   SceneStop  stop;
-  PetscBool  cross_check, measure_linear, quiet, monitor, view, report, allow_unused, warnings_fail;
+  PetscBool  check, cross_check, measure_linear, quiet, monitor, view, report, allow_unused, warnings_fail;
 };
 typedef struct _n_Scene *Scene;
 
@@ -212,6 +212,9 @@ static inline PetscBool SceneBodyHasEigenstrain(const SceneBody *body)
 {
   return (PetscBool)(body->temperature || body->initial_strain);
 }
+
+/* Whether two sides, each a name or several joined with '+', have a name in common. Not collective. */
+PetscBool SceneSidesShare(const char a[], const char b[]);
 
 /* Creates an empty scene. Collective on comm. [out] scene - owned by the caller */
 PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene);

@@ -1,7 +1,7 @@
-/* sceneboundaries.c -- supports and loads of one body: lists of sides, a datum for each, and what excludes what.
+/* sceneboundaries.c -- supports and loads of one body: lists of sides, and a datum for each.
 
-   A direction of a side is either fixed or loaded. Data on one side that say both are a mistake, except where a
-   component of the displacement is left free for the load. Loads on one side add up. */
+   A load along a direction that the same side fixes goes into the support: that is a warning, once the mesh tells how large it is
+   (problem/lostload.c). Loads on one side add up. */
 #include "scene/sceneparts.h"
 #include <string.h>
 
@@ -119,30 +119,6 @@ PetscBool SceneBoundaryFixesAll(Scene scene, const SceneBoundary *boundary)
   return PETSC_TRUE;
 }
 
-/* Raises a user error where a side is fixed and loaded in the same direction. */
-static PetscErrorCode BoundaryCheckRoles_Private(Scene scene, const SceneBody *body, const SceneBoundary *held,
-                                                 const SceneBoundary *load)
-{
-  char side[OPTION_MAX];
-
-  PetscFunctionBeginUser;
-  if (SceneBoundaryIsLoad(held) || !SceneBoundaryIsLoad(load)) PetscFunctionReturn(PETSC_SUCCESS);
-  if (!SceneSideOverlaps(held->side, load->side, side)) PetscFunctionReturn(PETSC_SUCCESS);
-  if (SceneBoundaryFixesAll(scene, held)) {
-    PetscCall(UserErrorRaise(scene->comm,
-                             "-%s_bc_%s: the side %s cannot be loaded, its displacement is given by "
-                             "-%s_bc_displacement_%s; set a component of that to `free`, or omit one of the two",
-                             body->name, kinds[load->kind], side, body->name, held->side));
-  }
-  if (held->kind == BOUNDARY_NORMAL && load->kind == BOUNDARY_PRESSURE) {
-    PetscCall(UserErrorRaise(scene->comm,
-                             "-%s_bc_pressure: the side %s cannot be loaded along its normal, -%s_bc_normal fixes it "
-                             "there; omit one of the two",
-                             body->name, side, body->name));
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode SceneBoundariesRead(Scene scene, SceneBody *body)
 {
   Option   force, list;
@@ -157,9 +133,5 @@ PetscErrorCode SceneBoundariesRead(Scene scene, SceneBody *body)
   }
   PetscCall(PetscCalloc1(num, &body->boundaries));
   for (PetscInt kind = 0; kind < NUM_KINDS; kind++) PetscCall(BoundaryReadKind_Private(scene, body, kind));
-  for (PetscInt i = 0; i < num; i++) {
-    for (PetscInt j = i + 1; j < num; j++)
-      PetscCall(BoundaryCheckRoles_Private(scene, body, &body->boundaries[i], &body->boundaries[j]));
-  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -28,6 +28,10 @@ PetscErrorCode OptionSuggestionFind(Scene scene, const char misspelt[], char nea
 /* sceneunits.c: names of units. Collective. */
 PetscErrorCode SceneUnitsRead(Scene scene);
 
+/* unmodelled.c: what is not modelled, and what to give instead, where an option is one that other programs have; else NULL. Not collective.
+   [in] name - of the option, without its dash and the name of its body or pair */
+const char *UnmodelledFind(const char name[]);
+
 /* scenestudy.c: before the bodies, whose meshes a study refines. Collective. */
 PetscErrorCode SceneStudyRead(Scene scene);
 /* The orders of a study that names none are those of the bodies; call when they are read. Not collective. */

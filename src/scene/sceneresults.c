@@ -45,6 +45,23 @@ static PetscErrorCode ResultsReadFiles_Private(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* -check, which solves nothing: a study is its first mesh, load steps are t = 1, and there is nothing for a report to tell. */
+static PetscErrorCode ResultsReadCheck_Private(Scene scene)
+{
+  Option only;
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionFind(scene, "-check", NULL, NULL, &only));
+  PetscCall(OptionGetBool(&only, &scene->check));
+  if (!scene->check) PetscFunctionReturn(PETSC_SUCCESS);
+  if (scene->report)
+    PetscCall(OptionRaise(&only, "nothing is solved, so that -report has nothing to tell; give one of the two"));
+  scene->study.kind  = STUDY_NONE;
+  scene->steps.num   = 0;
+  scene->cross_check = scene->measure_linear = PETSC_FALSE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SceneResultsRead(Scene scene)
 {
   Option   quiet, monitor, view, check, measure, type, warnings;
@@ -70,6 +87,7 @@ PetscErrorCode SceneResultsRead(Scene scene)
     PetscCall(OptionRaise(
         &check, "-stop discretisation leaves a larger error than two solvers may differ by; give one of the two"));
   }
+  PetscCall(ResultsReadCheck_Private(scene));
   if (scene->quiet && scene->monitor)
     PetscCall(OptionRaise(&monitor, "-quiet asks for the opposite; give one of the two"));
   PetscCall(OptionFind(scene, "-snes_type", NULL, NULL,

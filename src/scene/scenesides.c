@@ -55,3 +55,8 @@ PetscBool SceneSideOverlaps(const char a[], const char b[], char common[])
   }
   return PETSC_FALSE;
 }
+
+PetscBool SceneSidesShare(const char a[], const char b[])
+{
+  return SceneSideOverlaps(a, b, NULL);
+}

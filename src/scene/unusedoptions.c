@@ -143,7 +143,8 @@ static PetscBool UnusedIsOfSameSpace_Private(const char option[], const char nea
 static PetscErrorCode UnusedExplain_Private(Scene scene, const Leftover *left, char sentence[OPTION_SENTENCE],
                                             PetscBool *suggested)
 {
-  const char *side = left->entry ? strstr(left->entry->name, "_<side>") : NULL;
+  const char *side       = left->entry ? strstr(left->entry->name, "_<side>") : NULL;
+  const char *unmodelled = UnmodelledFind(left->name + 1 + (left->owner ? strlen(left->owner) + 1 : 0));
   char        near[OPTION_MAX], shown[OPTION_MAX], text[OPTION_MAX];
 
   PetscFunctionBeginUser;
@@ -158,6 +159,9 @@ static PetscErrorCode UnusedExplain_Private(Scene scene, const Leftover *left, c
     PetscCall(OptionExpand(left->entry->help, left->owner, NULL, text)); /* ends with a full stop */
     PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE, "%s: nothing in this scene needs this option (%.*s)", shown,
                             (int)strlen(text) - 1, text));
+  } else if (unmodelled) {
+    *suggested = PETSC_TRUE;
+    PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE, "%s: %s", shown, unmodelled));
   } else {
     PetscCall(OptionSuggestionFind(scene, left->name, near));
     if (!UnusedIsOfSameSpace_Private(left->name, near)) near[0] = '\0';

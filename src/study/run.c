@@ -4,6 +4,7 @@
 #include "study/run.h"
 #include "base/usererror.h"
 #include "base/warning.h"
+#include "problem/lostload.h"
 #include "study/reachcheck.h"
 
 enum {
@@ -37,8 +38,8 @@ static PetscErrorCode RunSolve_Private(Run run, Vec guess, PetscBool *again)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Nothing is solved where there is no solution, and nothing is known. */
-static PetscErrorCode RunRefuse_Private(Run run)
+/* Nothing is solved with -check or where there is no solution, and nothing is known. */
+static PetscErrorCode RunLeaveUnsolved_Private(Run run)
 {
   const Solvability s = run->solvability;
   Certificate      *c = &run->certificate;
@@ -47,6 +48,10 @@ static PetscErrorCode RunRefuse_Private(Run run)
   c->equilibrium = c->gap = c->pressure = c->complementarity = c->force = c->moment = c->pair_moment = c->pull =
       c->energy_norm = c->limit = NAN;
   run->report.linear_residual = run->report.bound.value = NAN;
+  if (run->checked) {
+    PetscCall(PetscStrncpy(run->report.reason, "-check: nothing was solved", sizeof(run->report.reason)));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
   PetscCall(PetscSNPrintf(run->report.reason, sizeof(run->report.reason), "there is no solution%s: %s",
                           s->coarse ? " on this mesh" : "", s->motion.sentence));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -66,17 +71,19 @@ static PetscErrorCode RunCreateOnce_Private(Scene scene, Mesh mesh, Vec guess, R
   scene->changed = 0;
   PetscCall(VICreate(scene, mesh, &run->vi));
   PetscCall(SolvabilityCreate(run->vi, &run->solvability));
-  PetscCall(SolverCreate(run->vi, run->solvability, &run->solver));
+  if (!scene->check) PetscCall(SolverCreate(run->vi, run->solvability, &run->solver));
   WarningMark();
   if (scene->view) {
     PetscCall(SceneView(scene));
     PetscCall(MeshViewPrint(run->vi, run->solvability));
-    PetscCall(SolverView(run->solver));
+    if (run->solver) PetscCall(SolverView(run->solver));
   }
   PetscCall(ErrorsCheck(run->vi));
-  run->refused = (PetscBool)(run->solvability && run->solvability->status == SOLVABLE_NOT);
-  if (run->refused)
-    PetscCall(RunRefuse_Private(run));
+  run->checked = scene->check;
+  run->refused = (PetscBool)(!run->checked && run->solvability && run->solvability->status == SOLVABLE_NOT);
+  if (run->checked) PetscCall(SetupCheckCompute(run->vi, &run->setup));
+  if (run->refused || run->checked)
+    PetscCall(RunLeaveUnsolved_Private(run));
   else
     PetscCall(RunSolve_Private(run, guess, again));
   *run_out = run;
@@ -131,6 +138,7 @@ static PetscErrorCode RunTry_Private(Scene scene, Mesh mesh, Vec guess, PetscInt
   }
   if (again) PetscCall(RunGiveUp_Private(*run));
   PetscCall(RunCheckEmptyPairs_Private(*run));
+  PetscCall(LostLoadsWarn(scene, (*run)->vi->level));
   known = RunSummary(*run);
   PetscCall(SummaryWarn(&known));
   WarningEndRun();
@@ -218,7 +226,7 @@ static PetscErrorCode RunAdvanceOnce_Private(Run run, Vec guess, PetscBool *agai
   PetscCall(ErrorsCheck(run->vi));
   run->refused = (PetscBool)(run->solvability && run->solvability->status == SOLVABLE_NOT);
   if (run->refused) {
-    PetscCall(RunRefuse_Private(run));
+    PetscCall(RunLeaveUnsolved_Private(run));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(SolverUpdate(run->solver));
@@ -260,7 +268,8 @@ PetscErrorCode RunDestroy(Run *run)
   if (!*run) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(RunForget_Private(*run));
   for (int i = 0; i < 2; i++) PetscCall(VecDestroy(&(*run)->past[i].u));
-  PetscCall(SolverDestroy(&(*run)->solver));
+  PetscCall(SetupCheckDestroy(&(*run)->setup));
+  if ((*run)->solver) PetscCall(SolverDestroy(&(*run)->solver));
   PetscCall(SolvabilityDestroy(&(*run)->solvability));
   PetscCall(VIDestroy(&(*run)->vi));
   PetscCall(PetscFree(*run));
@@ -273,6 +282,7 @@ SummaryInput RunSummary(Run run)
                         .mesh        = run->mesh,
                         .vi          = run->vi,
                         .solvability = run->solvability,
+                        .setup       = run->checked ? &run->setup : NULL,
                         .fields      = run->fields,
                         .report      = &run->report,
                         .check       = &run->check,

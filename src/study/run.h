@@ -5,6 +5,7 @@
 #include "result/certificate.h"
 #include "result/errors.h"
 #include "result/fields.h"
+#include "result/setupcheck.h"
 #include "solve/solver.h"
 #include "output/summary.h"
 
@@ -25,6 +26,8 @@ struct _n_Run {
   Certificate  certificate;
   Vec          reactions;
   Errors       errors;
+  SetupCheck   setup;   /* with -check */
+  PetscBool    checked; /* with -check: nothing was solved, and there are no fields */
   PetscBool    refused; /* there is no solution: nothing was solved, and there are no fields */
   PetscBool    solved;  /* converged, certified, and not contradicted by a second solver */
 };

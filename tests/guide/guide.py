@@ -77,6 +77,7 @@ SCENES = {
     "stopped": ["-options_file", "options/two_plates.opts", "-pc_type", "truncatedmg", "-dm_refine", "1", "-stop", "discretisation"],
     "refused": ["-options_file", "options/overhang.opts", "-block_bc_traction", "left", "-block_bc_traction_left", "0.1,0"],
     "floating": ["-options_file", "options/stack.opts", "-units", "mm,N,MPa"],
+    "checked": ["-options_file", "options/two_plates.opts", "-check"],
     "pieces": ["-options_file", "tests/hard/pieces.opts"],
     "pulled": ["-options_file", "tests/hard/pieces.opts", "-lids_body_force", "0,1"],
     "jump": ["-options_file", "tests/hard/chamfer.opts"],

@@ -86,7 +86,7 @@ def judge_verge(run):
     verge = Run(run.program, run.mpiexec, run.ranks, run.folder / "verge",
                 run.arguments + ["-lower_dm_plex_box_upper", "0.5,0", "-upper_bc_traction_top", "0,0"])
     same("exit code on the verge", verge.exit, 0)
-    require("warning" in verge.stderr and "tips about (0.5, 0)" in verge.stderr and verge.stderr.count("\n") == 1, "no warning on the verge")
+    require("warning" in verge.stderr and "tips about (0.5, 0)" in verge.stderr and verge.stderr.replace("warning: the position is not unique", "").count("warning: ") == 1, "no warning on the verge")
     judge_variant(verge, verdict="marginal", force=[0, 1])
     require("tips about (0.5, 0)" in verge.summary["solvability"]["sentence"], "the summary does not tell what the warning tells")
     verge.again("-quiet", name="quiet", warns=["marginal"])  # which is not said, but in the summary

@@ -1,0 +1,11 @@
+/* lostload.h -- loads along directions that supports fix. */
+#ifndef MORTISE_LOSTLOAD_H
+#define MORTISE_LOSTLOAD_H
+
+#include "mesh/mesh.h"
+
+/* Warns of each load on a side whose displacement is given in the direction of the load: that part of the load goes into the support and
+   moves nothing. Names side, direction and lost force. Costs nothing where no side is both fixed and loaded. Collective. */
+PetscErrorCode LostLoadsWarn(Scene scene, Level *level);
+
+#endif
