@@ -50,7 +50,7 @@ static void WarningPrint_Private(const Warning *about, const char text[])
   cJSON          *line;
 
   if (book.quiet) return;
-  (void)snprintf(key, sizeof(key), "%s %s %s", about->code, who, several ? "" : text);
+  (void)snprintf(key, sizeof(key), "%s %s %d %s", about->code, who, about->grave, several ? "" : text);
   line = cJSON_CreateString(key);
   if (WarningIsListed_Private(book.told, line)) {
     cJSON_Delete(line);

@@ -24,6 +24,7 @@ typedef struct {
   PetscInt    dim;         /* components of at, 0 where there is no place */
   PetscReal   at[3];
   const char *advice; /* what to do, as a clause that goes on behind a semicolon, or NULL */
+  PetscBool   grave;  /* the worse of two degrees: of several runs, the first of each degree prints its line */
 } Warning;
 
 /* Prints "mortise: warning: <text>; <advice>" and keeps it. Not collective.

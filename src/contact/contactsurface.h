@@ -26,6 +26,13 @@ typedef struct {
 PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const Facets *mortar, const SideShape *shape,
                                    PetscReal reach, MortarSurface *surface);
 PetscErrorCode MortarSurfaceDestroy(MortarSurface *surface);
+/* Makes the tree of its facets anew. Not collective. */
+PetscErrorCode MortarSurfaceUpdateTree(PetscInt dim, MortarSurface *surface);
+/* Carries facets with a displacement: places, normals, tree. Collective. [in] u - dim per node */
+PetscErrorCode MortarSurfaceMove(const Level *level, Vec u, MortarSurface *surface);
+/* Turns unit normals of a facet's patch as the facet itself turns. [in] before, after - nodes [n][dim]; [in,out] normals - [n][dim] */
+void MortarSurfaceTurnNormals(PetscInt dim, PetscInt n, const PetscReal before[], const PetscReal after[],
+                              PetscReal normals[]);
 /* The mortar facets that rays from a nonmortar facet may meet within the reach, in front or behind, and few others, so that
    all queries of a side take n log n however far they reach. The rays go along any normals between those at the nodes. Not
    collective. [in] reach - no more than that of the surface;

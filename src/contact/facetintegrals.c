@@ -147,9 +147,11 @@ static PetscErrorCode FacetIntegralSumPoints_Private(const FacetPartner *partner
     ElementShape(facet->type, &xi[2 * p], phi, NULL);
     DualBasisEvaluate(&dual, &xi[2 * p], psi);
     PetscCall(FacetIntegralGapAt_Private(partner, num_nodes, facet->X, phi, &gap));
-    if (p == 0 || f != list->facet[p - 1]) PetscCall(FacetIntegralFindColumns_Private(partner, f, integral, columns));
-    if (f >= 0) FacetIntegralAddPoint_Private(partner, facet, f, &list->point[p], columns, psi, integral);
-    if (f >= 0 && partner->spec->type == PAIR_TIED)
+    if (!partner->gap_only && (p == 0 || f != list->facet[p - 1]))
+      PetscCall(FacetIntegralFindColumns_Private(partner, f, integral, columns));
+    if (!partner->gap_only && f >= 0)
+      FacetIntegralAddPoint_Private(partner, facet, f, &list->point[p], columns, psi, integral);
+    if (!partner->gap_only && f >= 0 && partner->spec->type == PAIR_TIED)
       FacetIntegralAddArm_Private(partner, facet, f, &list->point[p], columns, psi, integral);
     integral->least_gap = PetscMin(integral->least_gap, gap);
     for (PetscInt i = 0; i < integral->n; i++) {
@@ -240,7 +242,8 @@ PetscErrorCode FacetIntegralCompute(const FacetPartner *partner, const ClipFacet
   integral->fully_covered = (PetscBool)(integral->cover >= (1 - NOTHING) * integral->measure);
   integral->partly_covered =
       (PetscBool)(partner->mortar && !integral->fully_covered && integral->cover > NOTHING * integral->measure);
-  if (integral->partly_covered) PetscCall(FacetIntegralFindEnds_Private(partner, facet, list, integral));
+  if (integral->partly_covered && !partner->gap_only)
+    PetscCall(FacetIntegralFindEnds_Private(partner, facet, list, integral));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -189,7 +189,7 @@ static PetscErrorCode MortarIntegralsCreateM_Private(Level *level, const FacetPa
 
   PetscFunctionBeginUser;
   *M = NULL;
-  if (!partner->mortar) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!partner->mortar || partner->gap_only) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(facets->num, &entries));
   for (PetscInt f = 0; f < facets->num; f++) entries[f] = integrals[f].num_columns;
   PetscCall(MortarIntegralsCreateMat(level, facets, entries, M));

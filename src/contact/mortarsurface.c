@@ -312,6 +312,14 @@ PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode MortarSurfaceUpdateTree(PetscInt dim, MortarSurface *surface)
+{
+  PetscFunctionBeginUser;
+  PetscCall(BoxTreeDestroy(&surface->tree));
+  PetscCall(MortarSurfaceCreateTree_Private(dim, surface->num, surface->type, surface->coords, &surface->tree));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode MortarSurfaceDestroy(MortarSurface *surface)
 {
   PetscFunctionBeginUser;

@@ -12,6 +12,7 @@ typedef struct {
   const MortarSurface *mortar; /* NULL for an obstacle */
   PetscInt             dim;
   PetscReal            reach;
+  PetscBool            gap_only; /* whether D and G are wanted, and no M */
   const PetscReal *
       bulges; /* of the nonmortar facets, where they are taken for smooth and bend, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */
 } FacetPartner;

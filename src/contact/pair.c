@@ -142,23 +142,23 @@ static PetscErrorCode PairCreateSurface_Private(Level *level, const Facets *mort
   PetscCall(SmoothGapCreate(level, pair->spec, mortar, &shape, PairIsPolygonal_Private(level, &pair->spec->mortar),
                             &bulges, &pair->curve_error[1]));
   pair->smooth[1] = bulges ? PETSC_TRUE : PETSC_FALSE;
-  PetscCall(
-      MortarSurfaceCreate(level, &assembly->nonmortar, mortar, curved || bulges ? &shape : NULL, pair->reach, surface));
+  PetscCall(MortarSurfaceCreate(level, &assembly->nonmortar, mortar, curved || bulges ? &shape : NULL,
+                                pair->reach + assembly->motion, surface));
   if (bulges) PetscCall(SmoothGapCreateMortar(level->dim, surface));
   PetscCall(PetscFree(bulges));
   PetscCall(SideShapeDestroy(&shape));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Searches and integrates one pair. Collective. */
-static PetscErrorCode PairIntegrate_Private(Scene scene, Level *level, const Support *support, Pair pair,
-                                            PairAssembly *assembly)
+PetscErrorCode PairAssemblyCreate(Scene scene, Level *level, const Support *support, Pair pair, PairAssembly *assembly)
 {
   const ScenePair *spec   = pair->spec;
   const PetscBool  meshed = (PetscBool)(spec->mortar.body >= 0);
   Facets           mortar = {0, NULL, NULL, NULL};
+  Level            moved, *at = assembly->displacement ? &moved : level;
   MortarSurface    surface;
-  FacetPartner     partner = {.scene = scene, .spec = spec, .mortar = NULL, .dim = level->dim};
+  FacetPartner     partner = {
+          .scene = scene, .spec = spec, .dim = level->dim, .reach = pair->reach, .gap_only = assembly->gap_only};
 
   PetscFunctionBeginUser;
   assembly->spec = spec;
@@ -169,9 +169,11 @@ static PetscErrorCode PairIntegrate_Private(Scene scene, Level *level, const Sup
                             PairIsPolygonal_Private(level, &spec->nonmortar), &assembly->bulges,
                             &pair->curve_error[0]));
   if (spec->obstacle.kind == OBSTACLE_PLANE) PetscCall(PetscFree(assembly->bulges));
-  PetscCall(ReachChoose(spec, level, support, &assembly->nonmortar, meshed ? &mortar : NULL, &partner.reach));
-  if (meshed) PetscCall(ReachWiden(spec, level, &assembly->nonmortar, &mortar, &partner.reach));
-  pair->reach = partner.reach;
+  if (!assembly->gap_only) {
+    PetscCall(ReachChoose(spec, level, support, &assembly->nonmortar, meshed ? &mortar : NULL, &partner.reach));
+    if (meshed) PetscCall(ReachWiden(spec, level, &assembly->nonmortar, &mortar, &partner.reach));
+    pair->reach = partner.reach;
+  }
   if (meshed) {
     PetscCall(PairCreateSurface_Private(level, &mortar, assembly, pair, &surface));
     partner.mortar = &surface;
@@ -182,15 +184,29 @@ static PetscErrorCode PairIntegrate_Private(Scene scene, Level *level, const Sup
   pair->num_facets_mortar    = mortar.num;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &pair->num_facets_nonmortar, 1, MPIU_INT, MPI_SUM, level->comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &pair->num_facets_mortar, 1, MPIU_INT, MPI_SUM, level->comm));
-  PetscCall(NodalNormalsCreate(level, &assembly->nonmortar, &assembly->shape, &assembly->normals));
-  PetscCall(PairIntegrateAlong_Private(level, support, &partner, assembly));
+  if (assembly->displacement) PetscCall(DeformedLevelCreate(level, assembly, meshed ? &surface : NULL, &moved));
+  PetscCall(NodalNormalsCreate(at, &assembly->nonmortar, &assembly->shape, &assembly->normals));
+  PetscCall(PairIntegrateAlong_Private(at, support, &partner, assembly));
   PetscCall(ExpressionCheck(level->comm, spec->gap));
   PetscCall(ExpressionCheck(level->comm, spec->gap_offset));
   PetscCall(ExpressionCheck(level->comm, spec->obstacle.gap));
   PetscCall(PetscMalloc1(level->num_nodes, &assembly->status));
   PetscCall(MultiplierStatusDecide(level, support, assembly));
+  if (assembly->displacement) PetscCall(DeformedLevelDestroy(&moved));
   if (meshed) PetscCall(MortarSurfaceDestroy(&surface));
   PetscCall(FacetsDestroy(&mortar));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PairAssemblyDestroy(PairAssembly *assembly)
+{
+  PetscFunctionBeginUser;
+  PetscCall(MortarIntegralsDestroy(&assembly->sums));
+  PetscCall(VecDestroy(&assembly->normals));
+  PetscCall(SideShapeDestroy(&assembly->shape));
+  PetscCall(PetscFree(assembly->bulges));
+  PetscCall(FacetsDestroy(&assembly->nonmortar));
+  PetscCall(PetscFree(assembly->status));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -209,12 +225,7 @@ static PetscErrorCode PairFinish_Private(Level *level, const Support *support, P
   pair->num_boundary = sums->num_boundary;
   pair->boundary     = sums->boundary;
   sums->boundary     = NULL;
-  PetscCall(MortarIntegralsDestroy(sums));
-  PetscCall(VecDestroy(&assembly->normals));
-  PetscCall(SideShapeDestroy(&assembly->shape));
-  PetscCall(PetscFree(assembly->bulges));
-  PetscCall(FacetsDestroy(&assembly->nonmortar));
-  PetscCall(PetscFree(assembly->status));
+  PetscCall(PairAssemblyDestroy(assembly));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -228,7 +239,7 @@ PetscErrorCode PairsCreate(Scene scene, Level *level, const Support *support, Pa
     PetscCall(PetscNew(&pairs[p]));
     pairs[p]->spec  = &scene->pairs[p];
     pairs[p]->level = level;
-    PetscCall(PairIntegrate_Private(scene, level, support, pairs[p], &assemblies[p]));
+    PetscCall(PairAssemblyCreate(scene, level, support, pairs[p], &assemblies[p]));
   }
   PetscCall(MultiplierStatusResolve(level, scene->num_pairs, assemblies));
   for (PetscInt p = 0; p < scene->num_pairs; p++)

@@ -14,7 +14,22 @@ typedef struct {
   Vec               normals;   /* directions of contact: ghosted, dim per node */
   MortarIntegrals   sums;
   MultiplierStatus *status; /* [num_nodes] */
+  PetscBool gap_only; /* whether gaps are measured alone, in any configuration: no M, and the pair knows its reach */
+  Vec       displacement; /* with gap_only: from where the mesh is to that configuration, ghosted, or NULL; borrowed */
+  PetscReal motion;       /* how far two points may have come nearer by it */
+  Vec own[2]; /* with a displacement: the side's own normals before and after it, ghosted, owned by who asked for it */
 } PairAssembly;
+
+/* Searches and integrates one pair. Collective. [in] assembly - zero but for gap_only and displacement; [in,out] pair - with its spec and level;
+   [out] assembly - all but what MultiplierStatusResolve() decides, PairAssemblyDestroy() */
+PetscErrorCode PairAssemblyCreate(Scene scene, Level *level, const Support *support, Pair pair, PairAssembly *assembly);
+/* Frees all but what the pair has taken. */
+PetscErrorCode PairAssemblyDestroy(PairAssembly *assembly);
+/* The level with the nodes of this rank where a displacement takes them; normals of the nonmortar side's shape, and places and normals of
+   mortar facets, follow. Curvatures and bulges stay: displacements are interpolated as the mesh is. Collective. [in,out] assembly - its shape
+   and own normals; [in,out] surface - or NULL; [out] moved - a copy of the level that borrows all but its coordinates, DeformedLevelDestroy() */
+PetscErrorCode DeformedLevelCreate(Level *level, PairAssembly *assembly, MortarSurface *surface, Level *moved);
+PetscErrorCode DeformedLevelDestroy(Level *moved);
 
 /* The farthest candidate: what the user said, or from the geometry. Collective. [in] mortar - NULL for an obstacle */
 PetscErrorCode ReachChoose(const ScenePair *spec, Level *level, const Support *support, const Facets *nonmortar,

@@ -4,8 +4,8 @@
 #include "output/summary.h"
 #include "base/warning.h"
 #include "result/gapdiscontinuity.h"
-#include "result/smallstrain.h"
 #include "result/solvabilityreport.h"
+#include "result/validity.h"
 #include "output/numberwords.h"
 
 /* The discretisation error, as a part of the solution, above which a solver that stops there leaves nothing to read off. */
@@ -162,7 +162,7 @@ PetscErrorCode SummaryWarn(const SummaryInput *input)
   }
   PetscCall(SummaryWarnUnbalanced_Private(input));
   if (!input->fields) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(SmallStrainWarn(input->fields));
+  PetscCall(ValidityWarn(input->fields));
   PetscCall(SummaryWarnCoarseMesh_Private(input));
   PetscCall(SummaryWarnUnconfirmed_Private(input));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -16,6 +16,7 @@
 #include "output/setupreport.h"
 #include "output/solversummary.h"
 #include "result/solvabilityreport.h"
+#include "result/validity.h"
 
 enum { SCHEMA = 2 }; /* of the summary: what keys mean; new keys do not change it */
 
@@ -348,6 +349,7 @@ PetscErrorCode SummaryCreateStep(const SummaryInput *input, cJSON **row)
   PetscCall(SummaryAddPairs_Private(input, *row));
   PetscCall(SummaryAddReactions_Private(input, *row));
   PetscCall(SummaryAddProbes_Private(input, *row));
+  PetscCall(ValidityAdd(input->fields, *row));
   cJSON_AddBoolToObject(*row, "certificate", input->certificate->holds);
   cJSON_AddItemToObject(*row, "warnings", WarningList());
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -373,6 +375,7 @@ PetscErrorCode SummaryCreate(const SummaryInput *input, char **text)
   PetscCall(SummaryAddProbes_Private(input, root));
   SummaryAddErrors_Private(input, root);
   if (input->setup) PetscCall(SetupReportAdd(input->vi, input->setup, root));
+  PetscCall(ValidityAdd(input->fields, root));
   PetscCall(SummaryAddCost_Private(input, root));
   if (input->steps) cJSON_AddItemToObject(root, "steps", cJSON_Duplicate(input->steps, cJSON_True));
   PetscCallMPI(MPI_Comm_rank(input->scene->comm, &rank));

@@ -244,6 +244,7 @@ PetscErrorCode FieldsDestroy(Fields *fields)
   PetscCall(VecDestroy(&(*fields)->slack));
   PetscCall(VecDestroy(&(*fields)->stress));
   PetscCall(PetscFree2((*fields)->stiffness, (*fields)->body_max));
+  PetscCall(PetscFree((*fields)->validity));
   PetscCall(PetscFree4((*fields)->row_weight, (*fields)->row_moment, (*fields)->row_noise, (*fields)->row_status));
   PetscCall(PetscFree(*fields));
   PetscFunctionReturn(PETSC_SUCCESS);

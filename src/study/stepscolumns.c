@@ -56,6 +56,7 @@ static void RowWrite_Private(Row *row, const cJSON *step)
                                        "extent_lower", "extent_upper", "centre_of_pressure", "moment_imbalance"};
   static const char *const probes[] = {"displacement", "stress", "von_mises"};
   const cJSON             *energy   = cJSON_GetObjectItemCaseSensitive(step, "energy"), *item;
+  const cJSON             *validity = cJSON_GetObjectItemCaseSensitive(step, "validity");
 
   for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(own); i++)
     RowAddNumbers_Private(row, "", own[i], cJSON_GetObjectItemCaseSensitive(step, own[i]));
@@ -80,6 +81,8 @@ static void RowWrite_Private(Row *row, const cJSON *step)
   cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(energy, "strain"))
       RowAddNumbers_Private(row, item->string, "strain_energy", item);
   RowAddNumbers_Private(row, "", "potential", cJSON_GetObjectItemCaseSensitive(energy, "potential"));
+  cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(validity, "indicators"))
+      RowAddNumbers_Private(row, "validity", item->string, cJSON_GetObjectItemCaseSensitive(item, "value"));
 }
 
 PetscErrorCode StepsAddTable(Output output, Scene scene, const cJSON *rows)

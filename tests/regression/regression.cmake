@@ -67,3 +67,4 @@ mortise_scene_test(tied_discs CHECK tied_discs.py RANKS 1 3 ARGS -cross_check)
 # Connected patches of contact, in the plane and in space.
 mortise_scene_test(patches CHECK patches.py RANKS 1 3)
 mortise_scene_test(patches_space CHECK patches_space.py RANKS 1 3)
+mortise_scene_test(validity CHECK validity.py RANKS 1 3)

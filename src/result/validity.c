@@ -1,0 +1,458 @@
+/* validity.c -- indicators of the small-displacement model.
+
+   One pass over the cells for strains and rotations, one contact search in the deformed configuration for gaps and normals, products
+   with D and M for slips. */
+#include <string.h>
+#include "base/compat.h"
+#include "base/json.h"
+#include "base/warning.h"
+#include "contact/deformedgap.h"
+#include "kernel/vector.h"
+#include "problem/elasticity.h"
+#include "result/contactpatches.h"
+#include "result/slip.h"
+#include "result/validity.h"
+
+/* An indicator is green below the first number and red above the second: errors of one and of some per cent; a slip of half a facet and of
+   two, where nodes face other facets than those that they are coupled with. */
+static const struct {
+  const char *name, *what;
+  PetscReal   green, red;
+} KINDS[VALIDITY_COUNT] = {
+    {"strain", "neglected share of the strain", 0.01, 0.05},
+    {"rotation", "rotation", 0.02, 0.1},
+    {"gap", "error of the gap", 0.01, 0.05},
+    {"slip_cell", "slip over facet", 0.5, 2},
+    {"slip_contact", "slip over width of the contact", 0.02, 0.1},
+    {"normal", "turn of normals", 0.02, 0.1},
+};
+static const char *const COLOURS[] = {"unknown", "green", "amber", "red"};
+
+/* Values that differ by less than this part have the same place told on any number of ranks: the first by coordinates. */
+static const PetscReal SAME_INDICATOR = 1e-9;
+/* A scale below this part of the displacements is rounding. */
+static const PetscReal SCALE_ROUNDING = 1e-6;
+/* Displacements are halved so many times to find the partner that a node has slid off. */
+enum { MAX_HALVES = 6 };
+
+/* The largest value found so far, its place, and the body or pair that it belongs to. */
+typedef struct {
+  PetscReal value, at[3], owner;
+} Largest;
+
+enum { LARGEST_REALS = sizeof(Largest) / sizeof(PetscReal) };
+
+static void LargestTake_Private(Largest *largest, PetscReal value, PetscInt dim, const PetscReal at[], PetscReal owner)
+{
+  PetscBool first = (PetscBool)(value > largest->value * (1 + SAME_INDICATOR));
+
+  if (!(value > largest->value * (1 - SAME_INDICATOR))) return;
+  for (PetscInt k = 0, equal = 1; k < dim && equal && !first; k++) {
+    first = (PetscBool)(at[k] < largest->at[k]);
+    equal = at[k] == largest->at[k];
+  }
+  if (!first) return;
+  *largest = (Largest){.value = value, .owner = owner};
+  for (PetscInt k = 0; k < dim; k++) largest->at[k] = at[k];
+}
+
+/* Of all ranks. Collective. */
+static PetscErrorCode LargestReduce_Private(MPI_Comm comm, PetscInt dim, Largest *largest)
+{
+  Largest    *all;
+  PetscMPIInt size;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_size(comm, &size));
+  PetscCall(PetscMalloc1(size, &all));
+  PetscCallMPI(MPI_Allgather(largest, LARGEST_REALS, MPIU_REAL, all, LARGEST_REALS, MPIU_REAL, comm));
+  *largest = all[0];
+  for (PetscMPIInt r = 1; r < size; r++) LargestTake_Private(largest, all[r].value, dim, all[r].at, all[r].owner);
+  PetscCall(PetscFree(all));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What is neglected of the strain, the strain and the rotation that a gradient stands for. [in] H - grad u, in place 9 the strain around the
+   axis; [out] sizes - Frobenius norms of 1/2 H'H and eps, the angle of the rotation */
+static void ValidityOfGradient_Private(PetscInt dim, const PetscReal H[10], PetscReal sizes[3])
+{
+  PetscReal product = PetscSqr(0.5 * H[9] * H[9]), strain = H[9] * H[9], turn = 0;
+
+  for (PetscInt i = 0; i < dim; i++) {
+    for (PetscInt j = 0; j < dim; j++) {
+      PetscReal sum = 0;
+
+      for (PetscInt k = 0; k < dim; k++) sum += H[k * dim + i] * H[k * dim + j];
+      product += PetscSqr(0.5 * sum);
+      strain += PetscSqr(0.5 * (H[i * dim + j] + H[j * dim + i]));
+      if (i < j) turn += PetscSqr(0.5 * (H[i * dim + j] - H[j * dim + i]));
+    }
+  }
+  sizes[0] = PetscSqrtReal(product);
+  sizes[1] = PetscSqrtReal(strain);
+  sizes[2] = PetscSqrtReal(turn);
+}
+
+/* Takes the largest of one cell. [in] u - at local nodes; [in,out] largest - of the three sizes */
+static void ValidityOfCell_Private(const Fields fields, PetscInt c, const ElementRule *rule, const PetscScalar u[],
+                                   Largest largest[3])
+{
+  const Level    *level = fields->vi->level;
+  const PetscInt  dim = level->dim, n = ElementNumNodes(rule->type), *nodes = &level->cell_nodes[level->cell_start[c]];
+  const PetscBool ring = (PetscBool)(level->scene->model == MODEL_AXISYMMETRIC);
+  PetscReal       X[ELEMENT_MAX_NODES * 3], grad[ELEMENT_MAX_NODES * 3], x[3], sizes[3];
+
+  for (PetscInt i = 0; i < n * dim; i++) X[i] = level->coords[nodes[i / dim] * dim + i % dim];
+  for (PetscInt q = 0; q < rule->num; q++) {
+    PetscReal H[10] = {0};
+
+    (void)ElementRuleMap(rule, q, X, x, grad);
+    for (PetscInt i = 0; i < n; i++) {
+      const PetscScalar *v = &u[nodes[i] * dim];
+
+      for (PetscInt k = 0; k < dim * dim; k++) H[k] += PetscRealPart(v[k / dim]) * grad[i * dim + k % dim];
+      if (ring) H[9] += rule->phi[q * n + i] * PetscRealPart(v[0]) / x[0];
+    }
+    ValidityOfGradient_Private(dim, H, sizes);
+    for (PetscInt k = 0; k < 3; k++) LargestTake_Private(&largest[k], sizes[k], dim, x, level->cell_body[c]);
+  }
+}
+
+/* Strains and rotations. Collective. [out] strain - the largest */
+static PetscErrorCode ValidityOfCells_Private(Fields fields, Largest largest[VALIDITY_COUNT], PetscReal *strain)
+{
+  const Level       *level    = fields->vi->level;
+  Largest            sizes[3] = {{0}};
+  ElementRule       *rule;
+  const PetscScalar *u;
+  PetscInt           type = -1;
+  Vec                local;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(&rule));
+  PetscCall(VecGhostGetLocalForm(fields->u, &local));
+  PetscCall(VecGetArrayRead(local, &u));
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    if (level->cell_type[c] != type) {
+      type = level->cell_type[c];
+      ElementRuleSet((ElementType)type, ElementStiffnessDegree((ElementType)type), rule);
+    }
+    ValidityOfCell_Private(fields, c, rule, u, sizes);
+  }
+  PetscCall(VecRestoreArrayRead(local, &u));
+  PetscCall(VecGhostRestoreLocalForm(fields->u, &local));
+  PetscCall(PetscFree(rule));
+  for (PetscInt k = 0; k < 3; k++) PetscCall(LargestReduce_Private(level->comm, level->dim, &sizes[k]));
+  largest[VALIDITY_STRAIN] = sizes[0];
+  *strain                  = sizes[1].value;
+  if (*strain > 0) largest[VALIDITY_STRAIN].value /= *strain;
+  largest[VALIDITY_ROTATION] = sizes[2];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What the nodes of a pair tell; not in contact are those of ties, too. */
+typedef struct {
+  PetscReal *relative, *tangential; /* displacements of the nonmortar side less those of the other one [num][dim] */
+  PetscReal *linear;                /* linearized gap [num] */
+  PetscReal *error;                 /* gap in the deformed configuration less that, NAN where it does not count [num] */
+  PetscReal *turn;                  /* of normals [num] */
+  PetscReal *size;                  /* of a facet [num] */
+  PetscReal *force;                 /* p W [num] */
+  PetscInt  *patch;                 /* of the node, -1 where it is not in contact [num] */
+  PetscReal  scale;                 /* what errors of gaps are compared with */
+} PairState;
+
+static PetscErrorCode PairStateCreate_Private(Fields fields, PetscInt p, const ContactPatches *patches,
+                                              PairState *state)
+{
+  const VI         vi   = fields->vi;
+  const Pair       pair = vi->pairs[p];
+  const PetscInt   num = pair->num, dim = vi->level->dim;
+  const PetscReal *lambda, *slack;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc5(num * dim, &state->relative, num * dim, &state->tangential, num, &state->linear, num,
+                         &state->error, num, &state->turn));
+  PetscCall(PetscMalloc3(num, &state->size, num, &state->patch, num, &state->force));
+  PetscCall(SlipComputeRelative(fields, p, state->relative));
+  SlipTakeTangential(pair, state->relative, state->tangential);
+  PetscCall(SlipFindFacetSizes(fields, p, state->size));
+  for (PetscInt a = 0; a < num; a++) {
+    state->patch[a]  = -1;
+    state->force[a]  = 0;
+    state->linear[a] = pair->gap[a] - VectorDot(dim, &pair->normal[a * dim], &state->relative[a * dim]);
+  }
+  PetscCall(VecGetArrayRead(fields->lambda, &lambda));
+  PetscCall(VecGetArrayRead(fields->slack, &slack));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const PetscInt a = vi->row_node[r];
+
+    if (vi->row_pair[r] != p || vi->row_direction[r] != 0 || pair->spec->type == PAIR_TIED) continue;
+    state->linear[a] = slack[r];
+    state->patch[a]  = patches->row_patch[r];
+    if (state->patch[a] >= 0) state->force[a] = lambda[r] * fields->row_weight[r];
+  }
+  PetscCall(VecRestoreArrayRead(fields->slack, &slack));
+  PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode PairStateDestroy_Private(PairState *state)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree5(state->relative, state->tangential, state->linear, state->error, state->turn));
+  PetscCall(PetscFree3(state->size, state->patch, state->force));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The largest of: normal displacements of the sides against each other, gaps that have closed, and the largest strain times the extent of
+   what touches, since an error of that size would be as much stress as there is. Collective. */
+static PetscErrorCode PairStateSetScale_Private(Fields fields, const Pair pair, PetscReal strain, PairState *state)
+{
+  const PetscInt dim = pair->level->dim;
+  PetscReal      largest[7], extent = 0; // displacement or gap, upper ends of x and of -x
+
+  PetscFunctionBeginUser;
+  largest[0] = 0;
+  for (PetscInt i = 1; i < 7; i++) largest[i] = -PETSC_MAX_REAL;
+  for (PetscInt a = 0; a < pair->num; a++) {
+    largest[0] = PetscMax(largest[0], PetscAbsReal(pair->gap[a] - state->linear[a]));
+    if (state->patch[a] < 0 && pair->spec->type != PAIR_TIED) continue;
+    largest[0] = PetscMax(largest[0], PetscAbsReal(pair->gap[a]));
+    for (PetscInt k = 0; k < dim; k++) {
+      const PetscReal x = pair->level->coords[pair->nodes[a] * dim + k];
+
+      largest[1 + k] = PetscMax(largest[1 + k], x);
+      largest[4 + k] = PetscMax(largest[4 + k], -x);
+    }
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 7, MPIU_REAL, MPIU_MAX, pair->level->comm));
+  for (PetscInt k = 0; k < dim && largest[1] > -PETSC_MAX_REAL; k++)
+    extent += PetscSqr(largest[1 + k] + largest[4 + k]);
+  state->scale = PetscMax(PetscMax(largest[0], strain * PetscSqrtReal(extent)), SCALE_ROUNDING * fields->u_ref);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Errors of the gap of nodes that touch, or were near enough to begin with. A node that has slid off its partner is measured on the way:
+   errors grow with the square of the displacement. Collective. */
+static PetscErrorCode PairStateMeasureGaps_Private(Fields fields, const Pair pair, PairState *state)
+{
+  const VI  vi    = fields->vi;
+  PetscReal share = 1, *gap;
+  PetscBool away  = PETSC_TRUE;
+  Vec       u;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(pair->num, &gap));
+  PetscCall(LevelCreateVec(vi->level, vi->level->dim, &u));
+  for (PetscInt a = 0; a < pair->num; a++) state->error[a] = NAN;
+  for (PetscInt half = 0; half <= MAX_HALVES && away; half++, share /= 2) {
+    PetscCall(VecAXPBY(u, share, 0.0, fields->u));
+    PetscCall(VecGhostUpdateBegin(u, INSERT_VALUES, SCATTER_FORWARD));
+    PetscCall(VecGhostUpdateEnd(u, INSERT_VALUES, SCATTER_FORWARD));
+    PetscCall(DeformedGapMeasure(vi->scene, &vi->support, pair, u, gap, half ? NULL : state->turn));
+    away = PETSC_FALSE;
+    for (PetscInt a = 0; a < pair->num; a++) {
+      const PetscReal linear = pair->gap[a] + share * (state->linear[a] - pair->gap[a]);
+
+      if (!PetscIsNanReal(state->error[a]) || PetscAbsReal(pair->gap[a]) > state->scale) continue;
+      if (PetscIsNanReal(gap[a])) away = PETSC_TRUE;
+      state->error[a] = (gap[a] - linear) / PetscSqr(share);
+    }
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &away, 1, MPIU_BOOL, MPI_LOR, vi->level->comm));
+  }
+  PetscCall(VecDestroy(&u));
+  PetscCall(PetscFree(gap));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Gaps, slips and normals of one pair. Collective. [in] strain - the largest; [in,out] largest - of all pairs, of this rank; [in,out] sliding -
+   sum of p W |slip| */
+static PetscErrorCode ValidityOfPair_Private(Fields fields, PetscInt p, PetscReal strain,
+                                             Largest largest[VALIDITY_COUNT], PetscReal *sliding)
+{
+  const Pair     pair = fields->vi->pairs[p];
+  const PetscInt dim  = pair->level->dim;
+  ContactPatches patches;
+  PairState      state;
+
+  PetscFunctionBeginUser;
+  PetscCall(ContactPatchesCreate(fields, p, &patches));
+  PetscCall(PairStateCreate_Private(fields, p, &patches, &state));
+  PetscCall(PairStateSetScale_Private(fields, pair, strain, &state));
+  PetscCall(PairStateMeasureGaps_Private(fields, pair, &state));
+  for (PetscInt a = 0; a < pair->num; a++) {
+    const PetscReal *x    = &pair->level->coords[pair->nodes[a] * dim];
+    const PetscReal  slip = VectorNorm(dim, &state.tangential[a * dim]);
+
+    LargestTake_Private(&largest[VALIDITY_NORMAL], state.turn[a], dim, x, p);
+    if (!PetscIsNanReal(state.error[a]) && state.scale > 0)
+      LargestTake_Private(&largest[VALIDITY_GAP], PetscAbsReal(state.error[a]) / state.scale, dim, x, p);
+    if (state.patch[a] < 0) continue;
+    LargestTake_Private(&largest[VALIDITY_SLIP_CELL], slip / state.size[a], dim, x, p);
+    LargestTake_Private(&largest[VALIDITY_SLIP_CONTACT], slip / patches.patch[state.patch[a]].extent[dim - 2], dim, x,
+                        p);
+    *sliding += state.force[a] * slip;
+  }
+  PetscCall(PairStateDestroy_Private(&state));
+  PetscCall(ContactPatchesDestroy(&patches));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Friction, as a share of twice the strain energy: of the work that loads in proportion do. Collective. */
+static PetscErrorCode ValiditySetFriction_Private(Fields fields, PetscReal sliding, Validity v)
+{
+  const PetscInt num_bodies = fields->vi->scene->num_bodies;
+  PetscReal     *strain, potential, work = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(num_bodies, &strain));
+  PetscCall(FieldsEnergy(fields, strain, &potential));
+  for (PetscInt b = 0; b < num_bodies; b++) work += 2 * strain[b];
+  PetscCall(PetscFree(strain));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &sliding, 1, MPIU_REAL, MPI_SUM, fields->vi->level->comm));
+  v->friction = v->indicator[VALIDITY_SLIP_CELL].colour != VALIDITY_UNKNOWN && work > 0 ? sliding / work : NAN;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Colours, and the factor of the loads at which the first indicator is red. */
+static void ValidityJudge_Private(PetscInt dim, const Largest largest[], Validity v)
+{
+  v->load_factor = PETSC_INFINITY;
+  v->worst       = VALIDITY_GREEN;
+  for (PetscInt k = 0; k < VALIDITY_COUNT; k++) {
+    ValidityIndicator *indicator = &v->indicator[k];
+    const PetscReal    value     = largest[k].value;
+    const PetscBool    cells     = (PetscBool)(k == VALIDITY_STRAIN || k == VALIDITY_ROTATION);
+
+    *indicator = (ValidityIndicator){.value = NAN, .at = {NAN, NAN, NAN}, .body = -1, .pair = -1};
+    if (!(value >= 0)) continue;
+    indicator->value = value;
+    for (PetscInt i = 0; i < dim; i++) indicator->at[i] = largest[k].at[i];
+    *(cells ? &indicator->body : &indicator->pair) = (PetscInt)largest[k].owner;
+    indicator->colour = value < KINDS[k].green ? VALIDITY_GREEN : value > KINDS[k].red ? VALIDITY_RED : VALIDITY_AMBER;
+    v->worst          = PetscMax(v->worst, indicator->colour);
+    if (value > 0) v->load_factor = PetscMin(v->load_factor, KINDS[k].red / value);
+  }
+  if (PetscIsInfReal(v->load_factor)) v->load_factor = NAN;
+}
+
+/* Whether all sides touch to begin with where they may meet. Collective. */
+static PetscErrorCode ValiditySetHomogeneous_Private(Fields fields, Validity v)
+{
+  const VI  vi  = fields->vi;
+  PetscReal gap = 0;
+
+  PetscFunctionBeginUser;
+  for (PetscInt p = 0; p < vi->num_pairs; p++) {
+    for (PetscInt a = 0; a < vi->pairs[p]->num; a++) gap = PetscMax(gap, PetscAbsReal(vi->pairs[p]->gap[a]));
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &gap, 1, MPIU_REAL, MPIU_MAX, vi->level->comm));
+  v->homogeneous = (PetscBool)(gap <= SAME_INDICATOR * fields->u_ref);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ValidityGet(Fields fields, Validity *validity)
+{
+  const VI  vi = fields->vi;
+  Largest   largest[VALIDITY_COUNT];
+  PetscReal sliding = 0, strain = 0;
+  Validity  v;
+
+  PetscFunctionBeginUser;
+  *validity = fields->validity;
+  if (*validity) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscNew(&v));
+  for (PetscInt k = 0; k < VALIDITY_COUNT; k++) largest[k] = (Largest){.value = -1};
+  PetscCall(ValidityOfCells_Private(fields, largest, &strain));
+  for (PetscInt p = 0; p < vi->num_pairs; p++) {
+    if (vi->pairs[p]->num_multipliers) PetscCall(ValidityOfPair_Private(fields, p, strain, largest, &sliding));
+  }
+  for (PetscInt k = VALIDITY_GAP; k < VALIDITY_COUNT; k++)
+    PetscCall(LargestReduce_Private(vi->level->comm, vi->level->dim, &largest[k]));
+  ValidityJudge_Private(vi->level->dim, largest, v);
+  PetscCall(ValiditySetFriction_Private(fields, sliding, v));
+  PetscCall(ValiditySetHomogeneous_Private(fields, v));
+  fields->validity = *validity = v;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* "rotation 0.182 at (1, 2)" */
+static PetscErrorCode ValidityDescribe_Private(PetscInt dim, const Validity v, PetscInt k, char text[], size_t len)
+{
+  const ValidityIndicator *indicator = &v->indicator[k];
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscSNPrintf(text, len, "%s %.3g at (%.4g, %.4g", KINDS[k].what, (double)indicator->value,
+                          (double)indicator->at[0], (double)indicator->at[1]));
+  if (dim == 3) {
+    const size_t end = strlen(text);
+
+    PetscCall(PetscSNPrintf(text + end, len - end, ", %.4g", (double)indicator->at[2]));
+  }
+  PetscCall(PetscStrlcat(text, ")", len));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ValidityWarn(Fields fields)
+{
+  const Scene              scene = fields->vi->scene;
+  const ValidityIndicator *first;
+  PetscInt                 leading = 0, others = 0;
+  char                     text[256];
+  Warning                  limit = {.code = "model_limit", .dim = scene->dim};
+  Validity                 v;
+
+  PetscFunctionBeginUser;
+  PetscCall(ValidityGet(fields, &v));
+  if (v->worst < VALIDITY_AMBER) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt k = 1; k < VALIDITY_COUNT; k++) {
+    if (v->indicator[k].colour == VALIDITY_UNKNOWN) continue;
+    if (v->indicator[k].value / KINDS[k].red > v->indicator[leading].value / KINDS[leading].red) leading = k;
+  }
+  for (PetscInt k = 0; k < VALIDITY_COUNT; k++) others += k != leading && v->indicator[k].colour >= VALIDITY_AMBER;
+  first = &v->indicator[leading];
+  if (first->body >= 0) limit.body = scene->bodies[first->body].name;
+  if (first->pair >= 0) limit.pair = scene->pairs[first->pair].name;
+  PetscCall(PetscArraycpy(limit.at, first->at, scene->dim));
+  limit.grave  = (PetscBool)(v->worst == VALIDITY_RED);
+  limit.advice = limit.grave ? "check the units of loads, lengths and moduli, or reduce the loads"
+                             : "expect errors of some per cent beside those of the mesh";
+  PetscCall(ValidityDescribe_Private(scene->dim, v, leading, text, sizeof(text)));
+  PetscCall(
+      WarningAdd(&limit, "small displacements %s: %s in %s, limit %.3g%s; the model holds up to %.3g times these loads",
+                 limit.grave ? "are exceeded" : "hold roughly", text, limit.body ? limit.body : limit.pair,
+                 (double)KINDS[leading].red, others ? " (and others, see validity)" : "", (double)v->load_factor));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ValidityAdd(Fields fields, cJSON *root)
+{
+  cJSON   *object = cJSON_AddObjectToObject(root, "validity"), *all = cJSON_AddObjectToObject(object, "indicators");
+  Validity v = NULL;
+
+  PetscFunctionBeginUser;
+  if (fields) PetscCall(ValidityGet(fields, &v));
+  for (PetscInt k = 0; k < VALIDITY_COUNT; k++) {
+    cJSON          *item  = cJSON_AddObjectToObject(all, KINDS[k].name);
+    const PetscBool known = (PetscBool)(v && v->indicator[k].colour != VALIDITY_UNKNOWN);
+
+    JSONAddReal(item, "value", known ? v->indicator[k].value : NAN);
+    if (known)
+      JSONAddReals(item, "at", fields->vi->level->dim, v->indicator[k].at);
+    else
+      cJSON_AddNullToObject(item, "at");
+    if (known)
+      cJSON_AddStringToObject(item, "colour", COLOURS[v->indicator[k].colour]);
+    else
+      cJSON_AddNullToObject(item, "colour");
+    JSONAddReal(item, "red", KINDS[k].red);
+  }
+  JSONAddReal(object, "load_factor", v ? v->load_factor : NAN);
+  if (v)
+    cJSON_AddBoolToObject(object, "homogeneous", v->homogeneous);
+  else
+    cJSON_AddNullToObject(object, "homogeneous");
+  JSONAddReal(object, "friction_neglected", v ? v->friction : NAN);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

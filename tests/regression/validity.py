@@ -1,0 +1,73 @@
+"""Validity of the two plates at 1, 10 and 100 times their loads: numbers of an independent prototype (numerics.md, section 10), which gives one
+or two digits: to 20 %. Each is then compared with its definition, evaluated anew here from the fields."""
+import math
+
+import numpy as np
+
+from judge import near, require, same
+
+EXPECTED = {
+    "strain": [0.0038, 0.038, 0.38],
+    "rotation": [0.0049, 0.049, 0.49],
+    "gap": [0.003, 0.031, 0.29],
+    "slip_cell": [0.07, 0.65, 6.5],
+    "normal": [0.002, 0.02, 0.2],
+}
+RED = {"strain": 0.05, "rotation": 0.1, "gap": 0.05, "slip_cell": 2, "slip_contact": 0.1, "normal": 0.1}
+GAUSS = 0.5 / math.sqrt(3)  # of the 2 x 2 points, from the middle of a cell of size 1
+
+
+def gradients(x, u):
+    """At 2 x 2 Gauss points of square cells whose corners are sorted from the lower left in rows: their place and grad u."""
+    for a in (-GAUSS, GAUSS):
+        for b in (-GAUSS, GAUSS):
+            s, t = 0.5 + a, 0.5 + b
+            h = x[:, 1, 0] - x[:, 0, 0]
+            ds = ((1 - t) * (u[:, 1] - u[:, 0]).T + t * (u[:, 3] - u[:, 2]).T) / h
+            dt = ((1 - s) * (u[:, 2] - u[:, 0]).T + s * (u[:, 3] - u[:, 1]).T) / h
+            yield np.stack([ds, dt], axis=-1).transpose(1, 0, 2)  # [cell][component][direction]
+
+
+def largest(run):
+    """max |1/2 H'H| / max |eps| and the largest rotation, from the nodal displacements of both bodies."""
+    with run.fields() as file:
+        points, moved, cells = (np.array(file[name]) for name in ("points", "displacement", "cells"))
+    order = np.lexsort((points[cells, 0].round(9), points[cells, 1].round(9)), axis=1)
+    corners = np.take_along_axis(cells, order, axis=1)
+    products, strains, turns = [], [], []
+    for H in gradients(points[corners, :2], moved[corners, :2]):
+        products.append(np.linalg.norm(0.5 * H.transpose(0, 2, 1) @ H, axis=(1, 2)).max())
+        strains.append(np.linalg.norm(0.5 * (H + H.transpose(0, 2, 1)), axis=(1, 2)).max())
+        turns.append(np.abs(0.5 * (H[:, 0, 1] - H[:, 1, 0])).max())
+    return max(products) / max(strains), max(turns)
+
+
+def judge(run):
+    steps = run.summary["steps"]
+    same("times", [step["t"] for step in steps], [1, 10, 100])
+    for name, values in EXPECTED.items():
+        for step, value in zip(steps, values):
+            near(f"{name} at t = {step['t']}", step["validity"]["indicators"][name]["value"], value, relative=0.2)
+    for step, worst in zip(steps, ("green", "amber", "red")):
+        found = step["validity"]["indicators"]
+        colours = [indicator["colour"] for indicator in found.values()]
+        require(worst in colours and not (worst == "green" and set(colours) != {"green"}), f"colours {colours} at t = {step['t']}")
+        near("load factor", step["validity"]["load_factor"], min(RED[name] / found[name]["value"] for name in RED), relative=1e-12)
+        same("homogeneous", step["validity"]["homogeneous"], True)
+        same("warned", [warning["code"] for warning in step["warnings"]], [] if worst == "green" else ["model_limit"])
+    same("red as documented", {name: found["red"] for name, found in run.summary["validity"]["indicators"].items()}, RED)
+    near("load factors are those of one theory", [100 * steps[2]["validity"]["load_factor"], 10 * steps[1]["validity"]["load_factor"]],
+         [steps[0]["validity"]["load_factor"]] * 2, relative=0.15)  # the gap alone is no quadratic polynomial of the load
+    once = run.again("-load_steps", "1", warns=[], name="once")
+    strain, turn = largest(once)
+    indicators = once.summary["validity"]["indicators"]
+    near("strain from the fields", indicators["strain"]["value"], strain, relative=1e-5)
+    near("rotation from the fields", indicators["rotation"]["value"], turn, relative=1e-5)
+    require(0 < once.summary["validity"]["friction_neglected"] < 1, "the share of friction")
+    fine = run.again("-load_steps", "1", "-order", "2", warns=[], name="order").summary["validity"]["indicators"]
+    near("slip over a cell, order 2", fine["slip_cell"]["value"], EXPECTED["slip_cell"][0], relative=0.2)
+    if run.ranks == 1:
+        other = run.again("-load_steps", "1", ranks=3, warns=[], name="ranks").summary["validity"]["indicators"]
+        for name, indicator in other.items():
+            near(f"{name} on three ranks", indicator["value"], indicators[name]["value"], relative=1e-8)
+            near(f"place of {name} on three ranks", indicator["at"], indicators[name]["at"], absolute=1e-9)
