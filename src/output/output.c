@@ -1,5 +1,6 @@
 /* output.c -- the result files of a run, which appear together. */
 #include <string.h>
+#include "output/pathtable.h"
 #include "output/output.h"
 #include "base/usererror.h"
 #include "base/compat.h"
@@ -142,6 +143,10 @@ static PetscErrorCode OutputAddFields_Private(Output output, OutputSeries series
     PetscCall(OutputAddFormats_Private(output, &(Told){.vi = vi, .fields = fields, .pair = p, .series = series},
                                        "Vectors=\"displacement\" Scalars=\"pressure\" Normals=\"normal\""));
   }
+  if (vi->scene->num_paths) {
+    PetscCall(OutputGetPath_Private(vi->scene, "paths", ".csv", path));
+    PetscCall(PathTableWrite(fields, &output->files, path));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -249,6 +254,7 @@ PetscErrorCode OutputPrintNames(Scene scene, PetscBool pairs)
     if (scene->formats & OUTPUT_XDMF) PetscCall(PetscPrintf(scene->comm, ", .h5, .xdmf"));
     if (scene->formats & OUTPUT_VTU) PetscCall(PetscPrintf(scene->comm, ", .vtu"));
   }
+  if (pairs && scene->num_paths) PetscCall(PetscPrintf(scene->comm, ", _paths.csv"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

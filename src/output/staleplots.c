@@ -25,9 +25,11 @@ static PetscBool StalePlotsFileContains_Private(const char path[], const char wo
 
 PetscErrorCode StalePlotsRemove(FileSet *files, const char output[])
 {
-  static const char *const drawn[][2] = {
-      {".png", "mortise-plot"}, {"_study.svg", "mortise-plot"}, {".html", "mortise-report"}};
-  char path[PETSC_MAX_PATH_LEN];
+  static const char *const drawn[][2] = {{".png", "mortise-plot"},
+                                         {"_study.svg", "mortise-plot"},
+                                         {"_paths.png", "mortise-plot"},
+                                         {".html", "mortise-report"}};
+  char                     path[PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
   for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(drawn); i++) {

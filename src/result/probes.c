@@ -40,6 +40,30 @@ static PetscErrorCode ProbesPrintPoint_Private(PetscInt dim, const PetscReal x[]
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Raises a user error if no point of a path lies in its body. */
+static PetscErrorCode ProbesCheckPath_Private(Scene scene, Level *level, const ScenePath *path)
+{
+  PetscReal at[3], xi[3], lower[3], upper[3];
+  PetscInt  cell;
+  PetscBool found = PETSC_FALSE;
+  char      low[128], high[128];
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < path->points && !found; i++) {
+    ScenePathGetPoint(path, i, at);
+    PetscCall(LevelLocate(level, path->body, at, &cell, xi, &found));
+  }
+  if (found) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ProbesGetBodyBox_Private(level, path->body, lower, upper));
+  PetscCall(ProbesPrintPoint_Private(level->dim, lower, low, sizeof(low)));
+  PetscCall(ProbesPrintPoint_Private(level->dim, upper, high, sizeof(high)));
+  PetscCall(UserErrorRaise(scene->comm,
+                           "-path_%s_from, -path_%s_to: no point of the path lies in body %s, whose cells fill a part "
+                           "of the box %s to %s",
+                           path->name, path->name, scene->bodies[path->body].name, low, high));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ProbesCheck(Scene scene, Mesh mesh)
 {
   Level    *level = MeshFinest(mesh);
@@ -62,10 +86,24 @@ PetscErrorCode ProbesCheck(Scene scene, Mesh mesh)
                              "-probe_%s_at %s lies outside body %s, whose cells fill a part of the box %s to %s",
                              probe->name, at, scene->bodies[probe->body].name, low, high));
   }
+  for (PetscInt i = 0; i < scene->num_paths; i++) {
+    PetscCall(ProbesCheckPath_Private(scene, level, &scene->paths[i]));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode ProbesEvaluate(Fields fields, const SceneProbe *probe, PetscReal u[3], PetscReal stress[6])
+{
+  PetscBool found;
+
+  PetscFunctionBeginUser;
+  PetscCall(ProbesTry(fields, probe->body, probe->at, u, stress, &found));
+  PetscCheck(found, fields->vi->level->comm, PETSC_ERR_PLIB, "probe %s was found before and is lost now", probe->name);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ProbesTry(Fields fields, PetscInt body, const PetscReal at[], PetscReal u[3], PetscReal stress[6],
+                         PetscBool *found)
 {
   Level           *level = fields->vi->level;
   const PetscInt   dim   = level->dim;
@@ -73,11 +111,9 @@ PetscErrorCode ProbesEvaluate(Fields fields, const SceneProbe *probe, PetscReal 
   const PetscReal *values[2];
   PetscReal        xi[3], answer[9] = {0}, phi[ELEMENT_MAX_NODES];
   PetscInt         cell;
-  PetscBool        found;
 
   PetscFunctionBeginUser;
-  PetscCall(LevelLocate(level, probe->body, probe->at, &cell, xi, &found));
-  PetscCheck(found, level->comm, PETSC_ERR_PLIB, "probe %s was found before and is lost now", probe->name);
+  PetscCall(LevelLocate(level, body, at, &cell, xi, found));
   if (cell >= 0) {
     PetscCall(VecGhostGetLocalForm(fields->u, &local[0]));
     PetscCall(VecGhostGetLocalForm(fields->stress, &local[1]));

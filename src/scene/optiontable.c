@@ -15,7 +15,7 @@ static const char *const titles[GROUP_COUNT] = {"Running",
                                                 "Supports and loads of a body",
                                                 "Pairs of sides that meet",
                                                 "Rigid obstacles instead of a mortar side",
-                                                "Probes",
+                                                "Probes and paths",
                                                 "Results",
                                                 "Studies: the same scene on several meshes",
                                                 "Load steps: the same scene at several times",
@@ -163,6 +163,13 @@ static const OptionEntry table[] = {
      "Points at which the summary has displacement and stress."},
     {GROUP_PROBES, "-probe_<probe>_at", "x,y[,z]", "length", "(required)", "Position of the probe."},
     {GROUP_PROBES, "-probe_<probe>_body", "name", "", "(the only body)", "Body of the probe."},
+    {GROUP_PROBES, "-paths", "name,name,...", "", "(none)",
+     "Straight lines along which <output>_paths.csv has displacement and stress; points outside the body have empty "
+     "cells."},
+    {GROUP_PROBES, "-path_<path>_from", "x,y[,z]", "length", "(required)", "Begin of the path."},
+    {GROUP_PROBES, "-path_<path>_to", "x,y[,z]", "length", "(required)", "End of the path."},
+    {GROUP_PROBES, "-path_<path>_points", "n", "", "51", "Number of points, ends included."},
+    {GROUP_PROBES, "-path_<path>_body", "name", "", "(the only body)", "Body of the path."},
 
     {GROUP_OUTPUT, "-output", "path", "", "(no files)",
      "Writes <path>.h5, <path>.xdmf, <path>.json, and <path>_<pair>.csv, .h5, .xdmf for every pair."},
@@ -255,6 +262,7 @@ OptionScope OptionEntryScope(const OptionEntry *entry)
   if (strstr(entry->name, "<body>")) return SCOPE_BODY;
   if (strstr(entry->name, "<pair>")) return SCOPE_PAIR;
   if (strstr(entry->name, "<probe>")) return SCOPE_PROBE;
+  if (strstr(entry->name, "<path>")) return SCOPE_PATH;
   return SCOPE_PROGRAM;
 }
 

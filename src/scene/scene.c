@@ -162,6 +162,7 @@ PetscErrorCode SceneSetFromOptions(Scene scene)
   PetscCall(SceneStudySetOrders(scene));
   for (PetscInt i = 0; i < scene->num_pairs; i++) PetscCall(ScenePairRead(scene, &scene->pairs[i]));
   for (PetscInt i = 0; i < scene->num_probes; i++) PetscCall(SceneProbeRead(scene, &scene->probes[i]));
+  for (PetscInt i = 0; i < scene->num_paths; i++) PetscCall(ScenePathRead(scene, &scene->paths[i]));
   PetscCall(SceneResultsRead(scene));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -173,10 +174,12 @@ PetscErrorCode SceneDestroy(Scene *scene)
   for (PetscInt i = 0; i < (*scene)->num_bodies; i++) PetscCall(SceneBodyDestroy(&(*scene)->bodies[i]));
   for (PetscInt i = 0; i < (*scene)->num_pairs; i++) PetscCall(ScenePairDestroy(&(*scene)->pairs[i]));
   for (PetscInt i = 0; i < (*scene)->num_probes; i++) PetscCall(PetscFree((*scene)->probes[i].name));
+  for (PetscInt i = 0; i < (*scene)->num_paths; i++) PetscCall(PetscFree((*scene)->paths[i].name));
   PetscCall(PetscFree((*scene)->steps.t));
   PetscCall(PetscFree((*scene)->bodies));
   PetscCall(PetscFree((*scene)->pairs));
   PetscCall(PetscFree((*scene)->probes));
+  PetscCall(PetscFree((*scene)->paths));
   PetscCall(PetscFree((*scene)->title));
   for (PetscInt i = 0; i < 3; i++) PetscCall(PetscFree((*scene)->units[i]));
   PetscCall(PetscFree((*scene)->unread));

@@ -103,6 +103,22 @@ typedef struct {
   PetscReal at[3];
 } SceneProbe;
 
+/* A straight line at whose points, evenly spaced, ends included, results are evaluated. */
+typedef struct {
+  char     *name;
+  PetscInt  body, points;
+  PetscReal from[3], to[3];
+} ScenePath;
+
+/* [out] at - [3]; the i-th point of a path */
+static inline void ScenePathGetPoint(const ScenePath *path, PetscInt i, PetscReal at[3])
+{
+  const PetscReal share = (PetscReal)i / (PetscReal)(path->points - 1);
+
+  for (PetscInt k = 0; k < 3; k++)
+    at[k] = i == path->points - 1 ? path->to[k] : path->from[k] + share * (path->to[k] - path->from[k]);
+}
+
 typedef enum { OUTPUT_XDMF = 1, OUTPUT_VTU = 2 } OutputFormat; /* bits */
 
 typedef enum { STUDY_NONE, STUDY_UNIFORM } StudyKind;
@@ -163,10 +179,11 @@ struct _n_Scene {
   PetscReal   thickness;
   PetscInt    refine; /* common refinements: the levels */
   SceneLevels levels; /* whether a solver may need more of them */
-  PetscInt    num_bodies, num_pairs, num_probes;
+  PetscInt    num_bodies, num_pairs, num_probes, num_paths;
   SceneBody  *bodies;
   ScenePair  *pairs;
   SceneProbe *probes;
+  ScenePath  *paths;
   char       *output;  /* path prefix, or NULL for no files */
   int         formats; /* OutputFormat bits */
   char       *summary; /* file for the summary alone, "-" for stdout, or NULL */

@@ -20,7 +20,8 @@ static const char intro[] =
     "blanks or in quotes; components and lists are separated by commas. 0|1 also takes no, yes, and nothing at all for "
     "yes.\n"
     "An expression that begins with a minus and a letter is written 0-sin(x). Any consistent set of units will do.\n"
-    "<body>, <pair> and <probe> are names that -bodies, -pairs and -probes list; <side> is a side of the body.\n";
+    "<body>, <pair>, <probe> and <path> are names that -bodies, -pairs, -probes and -paths list; <side> is a side of "
+    "the body.\n";
 
 /* Prints a sentence in lines that end before the page does. */
 static PetscErrorCode HelpPrintWrapped_Private(MPI_Comm comm, const char text[])

@@ -22,7 +22,16 @@ const char *SceneNamesGet(Scene scene, PetscInt i, OptionScope *scope)
   i -= scene->num_pairs;
   *scope = SCOPE_PROBE;
   if (i < scene->num_probes) return scene->probes[i].name;
+  i -= scene->num_probes;
+  *scope = SCOPE_PATH;
+  if (i < scene->num_paths) return scene->paths[i].name;
   return NULL;
+}
+
+/* Options of probes and paths begin with a word of their own, so that their names are free. */
+static OptionScope NamesClass_Private(OptionScope scope)
+{
+  return scope == SCOPE_PROBE || scope == SCOPE_PATH ? scope : SCOPE_BODY;
 }
 
 /* Reads the next name of a list and checks its letters. */
@@ -52,16 +61,16 @@ static PetscErrorCode NamesCheckOne_Private(Scene scene, PetscInt i)
   char        option[OPTION_MAX];
 
   PetscFunctionBeginUser;
-  kind = scope == SCOPE_BODY ? "-bodies" : scope == SCOPE_PAIR ? "-pairs" : "-probes";
+  kind = scope == SCOPE_BODY ? "-bodies" : scope == SCOPE_PAIR ? "-pairs" : scope == SCOPE_PROBE ? "-probes" : "-paths";
   for (PetscInt j = 0; j < i; j++) {
     other = SceneNamesGet(scene, j, &other_scope);
-    if (strcasecmp(name, other) != 0 || (scope == SCOPE_PROBE) != (other_scope == SCOPE_PROBE)) continue;
+    if (strcasecmp(name, other) != 0 || NamesClass_Private(scope) != NamesClass_Private(other_scope)) continue;
     PetscCall(UserErrorRaise(scene->comm,
                              "%s: the name %s is given twice%s; every body and every pair needs a name of its own",
                              kind, name, scope != other_scope ? " (to a body and to a pair)" : ""));
   }
   PetscCall(PetscSNPrintf(option, sizeof(option), "-%s_", name));
-  if (scope != SCOPE_PROBE && UnusedOptionsBeginsLikePETSc(option)) {
+  if (NamesClass_Private(scope) == SCOPE_BODY && UnusedOptionsBeginsLikePETSc(option)) {
     PetscCall(UserErrorRaise(
         scene->comm, "%s: the name %s is reserved, options that begin with %s belong to PETSc; choose another name",
         kind, name, option));
@@ -127,7 +136,7 @@ static PetscErrorCode NamesCheck_Private(Scene scene)
     PetscCall(NamesCheckOne_Private(scene, i));
     PetscCall(NamesCheckNumbers_Private(scene, i));
     for (PetscInt j = 0; SceneNamesGet(scene, j, &scope); j++) {
-      if (i != j && scope != SCOPE_PROBE) PetscCall(NamesCheckClash_Private(scene, i, j));
+      if (i != j && NamesClass_Private(scope) == SCOPE_BODY) PetscCall(NamesCheckClash_Private(scene, i, j));
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -135,7 +144,7 @@ static PetscErrorCode NamesCheck_Private(Scene scene)
 
 PetscErrorCode SceneNamesRead(Scene scene)
 {
-  Option      bodies, pairs, probes;
+  Option      bodies, pairs, probes, paths;
   const char *cursor = NULL;
   PetscInt    num;
 
@@ -143,6 +152,7 @@ PetscErrorCode SceneNamesRead(Scene scene)
   PetscCall(OptionFind(scene, "-bodies", NULL, NULL, &bodies));
   PetscCall(OptionFind(scene, "-pairs", NULL, NULL, &pairs));
   PetscCall(OptionFind(scene, "-probes", NULL, NULL, &probes));
+  PetscCall(OptionFind(scene, "-paths", NULL, NULL, &paths));
   if (!bodies.set && !scene->allow_unused) PetscCall(UnusedOptionsCheckUnknown(scene, PETSC_TRUE));
   PetscCall(OptionRequire(&bodies, "a scene needs at least one body"));
   num = OptionCountItems(&bodies);
@@ -157,6 +167,10 @@ PetscErrorCode SceneNamesRead(Scene scene)
   PetscCall(PetscCalloc1(num, &scene->probes));
   scene->num_probes = num;
   for (PetscInt i = 0; i < num; i++) PetscCall(NamesNext_Private(&probes, &cursor, &scene->probes[i].name));
+  num = OptionCountItems(&paths);
+  PetscCall(PetscCalloc1(num, &scene->paths));
+  scene->num_paths = num;
+  for (PetscInt i = 0; i < num; i++) PetscCall(NamesNext_Private(&paths, &cursor, &scene->paths[i].name));
   PetscCall(NamesCheck_Private(scene));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -35,12 +35,12 @@ typedef enum {
 } OptionGroup;
 
 /* What an option belongs to: the placeholder in its name. */
-typedef enum { SCOPE_PROGRAM, SCOPE_BODY, SCOPE_PAIR, SCOPE_PROBE } OptionScope;
+typedef enum { SCOPE_PROGRAM, SCOPE_BODY, SCOPE_PAIR, SCOPE_PROBE, SCOPE_PATH } OptionScope;
 
 /* One row of the table. */
 typedef struct {
   OptionGroup group;
-  const char *name;     /* with its dash; <body>, <pair>, <probe>, <side> stand for names of the scene */
+  const char *name;     /* with its dash; <body>, <pair>, <probe>, <path>, <side> stand for names of the scene */
   const char *argument; /* form of the value; where it holds '|', the words to choose from */
   const char *unit;     /* "" where there is none */
   const char *standard; /* the value when the option is absent; in parentheses: what happens then */

@@ -59,6 +59,7 @@ PetscErrorCode ScenePairRead(Scene scene, ScenePair *pair);
 PetscErrorCode ScenePairDestroy(ScenePair *pair);
 PetscErrorCode SceneObstacleRead(Scene scene, ScenePair *pair, const Option *shape);
 PetscErrorCode SceneProbeRead(Scene scene, SceneProbe *probe);
+PetscErrorCode ScenePathRead(Scene scene, ScenePath *path);
 PetscErrorCode SceneResultsRead(Scene scene);
 
 #endif

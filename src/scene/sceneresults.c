@@ -1,6 +1,8 @@
 /* sceneresults.c -- probes, files, progress, and the few options of the solver that can be wrong before it exists. */
 #include "scene/sceneparts.h"
+#include "base/usererror.h"
 #include "base/warning.h"
+#include <string.h>
 
 enum { WARNINGS_TELL, WARNINGS_ERROR };
 
@@ -18,10 +20,38 @@ PetscErrorCode SceneProbeRead(Scene scene, SceneProbe *probe)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode ScenePathRead(Scene scene, ScenePath *path)
+{
+  Option    from, to, points, body;
+  PetscReal longest = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionFind(scene, "-path_<path>_from", path->name, NULL, &from));
+  PetscCall(OptionFind(scene, "-path_<path>_to", path->name, NULL, &to));
+  PetscCall(OptionFind(scene, "-path_<path>_points", path->name, NULL, &points));
+  PetscCall(OptionFind(scene, "-path_<path>_body", path->name, NULL, &body));
+  PetscCall(OptionRequire(&from, "a path needs its two ends"));
+  PetscCall(OptionRequire(&to, "a path needs its two ends"));
+  PetscCall(OptionGetReals(&from, scene->dim, path->from));
+  PetscCall(OptionGetReals(&to, scene->dim, path->to));
+  PetscCall(OptionGetInts(&points, 1, 2, &path->points));
+  for (PetscInt k = 0; k < 3; k++) longest = PetscMax(longest, PetscAbsReal(path->to[k] - path->from[k]));
+  if (longest == 0) PetscCall(OptionRaise(&to, "the path ends where it begins; for one point give -probes"));
+  if (scene->num_bodies > 1) PetscCall(OptionRequire(&body, "with several bodies a path needs the name of its body"));
+  if (body.set) PetscCall(SceneNamesFindBody(scene, &body, body.text, &path->body));
+  for (PetscInt p = 0; p < scene->num_pairs; p++) {
+    if (strcmp(scene->pairs[p].name, "paths") == 0) {
+      PetscCall(UserErrorRaise(scene->comm, "-pairs: the name paths would give its table the name of that of -paths; "
+                                            "choose another name"));
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* FileSet: -output_format is read only where there are files to format, so that it is told otherwise. */
 static PetscErrorCode ResultsReadFiles_Private(Scene scene)
 {
-  Option      output, format, summary, report;
+  Option      output, format, summary, report, paths;
   const char *cursor = NULL;
   char        word[OPTION_MAX];
   PetscInt    choice = 0;
@@ -35,6 +65,9 @@ static PetscErrorCode ResultsReadFiles_Private(Scene scene)
   PetscCall(OptionGetBool(&report, &scene->report));
   if (scene->report && !scene->output)
     PetscCall(OptionRaise(&report, "the page stands beside the other files of -output; give -output as well"));
+  PetscCall(OptionFind(scene, "-paths", NULL, NULL, &paths));
+  if (scene->num_paths && !scene->output)
+    PetscCall(OptionRaise(&paths, "their table stands beside the other files of -output; give -output as well"));
   if (!scene->output) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(OptionFind(scene, "-output_format", NULL, NULL, &format));
   do {

@@ -67,9 +67,8 @@ PetscBool UnusedOptionsBeginsLikePETSc(const char option[])
 /* Finds owner and row of an option. Where several names begin it, the one counts that makes it a row of the table. */
 static PetscErrorCode UnusedJudge_Private(Scene scene, const char name[], const char value[], Leftover *left)
 {
-  static const char probe[] = "probe_"; /* stands before the names of probes */
-  const char       *owner;
-  OptionScope       scope;
+  const char *owner;
+  OptionScope scope;
 
   PetscFunctionBeginUser;
   PetscCall(PetscSNPrintf(left->name, sizeof(left->name), "-%s", name));
@@ -77,10 +76,11 @@ static PetscErrorCode UnusedJudge_Private(Scene scene, const char name[], const 
   left->owner = NULL;
   left->entry = OptionTableMatch(SCOPE_PROGRAM, "", left->name);
   for (PetscInt i = 0; !left->entry && (owner = SceneNamesGet(scene, i, &scope)); i++) {
-    const size_t before = scope == SCOPE_PROBE ? strlen(probe) : 0, length = strlen(owner);
+    const char  *prefix = scope == SCOPE_PROBE ? "probe_" : scope == SCOPE_PATH ? "path_" : "";
+    const size_t before = strlen(prefix), length = strlen(owner);
     const char  *begin = left->name + 1 + before;
 
-    if (strncasecmp(left->name + 1, probe, before) != 0) continue;
+    if (strncasecmp(left->name + 1, prefix, before) != 0) continue;
     if (strncasecmp(begin, owner, length) != 0 || begin[length] != '_') continue;
     left->owner = owner;
     left->entry = OptionTableMatch(scope, owner, left->name);
