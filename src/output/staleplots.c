@@ -28,6 +28,7 @@ PetscErrorCode StalePlotsRemove(FileSet *files, const char output[])
   static const char *const drawn[][2] = {{".png", "mortise-plot"},
                                          {"_study.svg", "mortise-plot"},
                                          {"_paths.png", "mortise-plot"},
+                                         {"_steps.png", "mortise-plot"},
                                          {".html", "mortise-report"}};
   char                     path[PETSC_MAX_PATH_LEN];
 

@@ -41,3 +41,5 @@ mortise_scene_test(not_solved SCENE two_plates CHECK not_solved.py
   ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6 -load_steps 1)
 mortise_scene_test(interrupted SCENE two_plates CHECK interrupted_steps.py RANKS 1 2
   ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6 -load_steps 2)
+mortise_scene_test(charts SCENE two_plates CHECK charts.py
+  ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6 -load_steps 0.5,1)
