@@ -1,6 +1,7 @@
 /* leverarm.c -- constraint rows across a gap: how the point that a tied point is linked to turns, and the line of action of a contact row. */
 #include "base/compat.h"
 #include "contact/leverarm.h"
+#include "kernel/vector.h"
 
 /* Sides that are closer than this share of a facet touch: what is left is rounding of coordinates. */
 static const PetscReal TOUCHING = 1e-10;
@@ -58,9 +59,8 @@ PetscBool LeverArmAtPoint(PetscInt dim, const ClipFacet *facet, const ClipFacet 
   ElementShape(mortar->type, point->eta, phi, dphi);
   if (!LeverArmSurfaceGradients_Private(dim, mortar, dphi, g)) return PETSC_FALSE;
   for (PetscInt i = 0; i < ElementNumNodes(mortar->type); i++) {
-    PetscReal along = 0;
+    const PetscReal along = VectorDot(dim, v, &g[i * dim]);
 
-    for (PetscInt k = 0; k < dim; k++) along += v[k] * g[i * dim + k];
     for (PetscInt k = 0; k < dim; k++)
       for (PetscInt l = 0; l < dim; l++)
         blocks[(i * dim + k) * dim + l] = (k == l ? along : 0) - across * g[i * dim + k] * n[l];
@@ -96,9 +96,8 @@ PetscBool LeverArmAlongRows(PetscInt dim, PetscInt num_rows, const ClipFacet *fa
   }
   for (PetscInt i = 0; i < num_rows; i++) {
     const PetscReal *na     = &facet->N[i * dim];
-    PetscReal        cosine = 0;
+    const PetscReal  cosine = VectorDot(dim, na, n);
 
-    for (PetscInt k = 0; k < dim; k++) cosine += na[k] * n[k];
     for (PetscInt j = 0; j < num; j++) {
       extra[i * num + j] = 0;
       for (PetscInt k = 0; k < dim && cosine < FACING; k++)

@@ -7,6 +7,7 @@
 #include "base/usererror.h"
 #include "kernel/frame.h"
 #include "contact/pairassembly.h"
+#include "kernel/vector.h"
 
 /* A normal whose free part is shorter than this is fixed: no multiplier. */
 static const PetscReal HELD_NORMAL = 0.1;
@@ -36,8 +37,8 @@ static PetscBool MultiplierStatusProjectNormal_Private(const Support *support, P
 
   for (PetscInt j = 0; j < support->count[node]; j++) {
     const PetscReal *d   = &support->directions[(node * dim + j) * dim];
-    PetscReal        dot = 0;
-    for (PetscInt k = 0; k < dim; k++) dot += d[k] * n[k];
+    const PetscReal  dot = VectorDot(dim, d, n);
+
     for (PetscInt k = 0; k < dim; k++) n[k] -= dot * d[k];
   }
   if (support->count[node] == 0) return PETSC_TRUE;

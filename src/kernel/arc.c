@@ -7,6 +7,7 @@
    normals errs by. It vanishes with either of them. */
 #include "kernel/arc.h"
 #include "base/compat.h"
+#include "kernel/vector.h"
 
 /* Edges that turn by less between their ends are straight: rounding of normals. */
 static const PetscReal STRAIGHT_ARC = 1e-11;
@@ -32,8 +33,7 @@ void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const P
   rise = 2 * a * b / (a + b) / (2 + PetscSqrtReal(nn));
   for (PetscInt k = 0; k < dim; k++) along += n[k] * d[k] / dd;
   for (PetscInt k = 0; k < dim; k++) n[k] -= along * d[k];
-  nn = 0;
-  for (PetscInt k = 0; k < dim; k++) nn += n[k] * n[k];
+  nn = VectorDot(dim, n, n);
   for (PetscInt k = 0; k < dim && nn > 0; k++) offset[k] = rise / PetscSqrtReal(nn) * n[k];
 }
 

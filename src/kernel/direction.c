@@ -5,6 +5,7 @@
    when the two change roles. */
 #include "kernel/direction.h"
 #include "kernel/frame.h"
+#include "kernel/vector.h"
 
 /* Curvatures below this share of the largest one are none; a relative curvature below it: one surface lies in the other, and t
    cannot be known. */
@@ -35,9 +36,9 @@ static void DirectionToPlane_Private(PetscInt dim, const PetscReal Q[], const Pe
 void DirectionTransportCurvature(PetscInt dim, const PetscReal S[], const PetscReal from[], const PetscReal to[],
                                  PetscReal turned[])
 {
-  PetscReal R[9], cosine = 0;
+  const PetscReal cosine = VectorDot(dim, from, to);
+  PetscReal       R[9];
 
-  for (PetscInt k = 0; k < dim; k++) cosine += from[k] * to[k];
   for (PetscInt k = 0; k < dim * dim; k++) { // of vectors across `from`
     const PetscInt i = k / dim, j = k % dim;
     R[k] = (i == j ? 1 : 0) - (from[i] + to[i]) * to[j] / (1 + cosine);

@@ -7,6 +7,7 @@
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "mesh/support.h"
+#include "kernel/vector.h"
 
 static const PetscReal FlatShare = 1e-6; /* a flat side stays this near its plane, over its length */
 static const PetscReal ParallelSine =
@@ -31,20 +32,17 @@ static void GatherHold_Private(Gather *gather, PetscInt node, PetscInt boundary,
 {
   Support       *support = gather->support;
   const PetscInt dim     = support->dim;
-  PetscReal     *Q = &support->directions[node * dim * dim], *values = &support->values[node * dim], r[3], rest = value,
-            square = 0;
+  PetscReal     *Q = &support->directions[node * dim * dim], *values = &support->values[node * dim], r[3], rest = value;
 
   support->max_value = PetscMax(support->max_value, PetscAbsReal(value));
   for (PetscInt d = 0; d < dim; d++) r[d] = direction[d];
   for (PetscInt k = 0; k < support->count[node]; k++) {
-    PetscReal dot = 0;
+    const PetscReal dot = VectorDot(dim, &Q[k * dim], direction);
 
-    for (PetscInt d = 0; d < dim; d++) dot += Q[k * dim + d] * direction[d];
     for (PetscInt d = 0; d < dim; d++) r[d] -= dot * Q[k * dim + d];
     rest -= dot * values[k];
   }
-  for (PetscInt d = 0; d < dim; d++) square += r[d] * r[d];
-  if (square <= PetscSqr(ParallelSine)) {
+  if (VectorDot(dim, r, r) <= PetscSqr(ParallelSine)) {
     if (PetscAbsReal(rest) > gather->mismatch) {
       gather->mismatch = PetscAbsReal(rest);
       gather->node     = node;
@@ -249,13 +247,13 @@ static void FrameComplete_Private(PetscInt dim, PetscInt count, PetscReal Q[])
     PetscReal best[3] = {0, 0, 0}, longest = 0;
 
     for (PetscInt c = 0; c < dim; c++) {
-      PetscReal r[3] = {0, 0, 0}, square = 0;
+      PetscReal r[3] = {0, 0, 0}, square;
 
       r[c] = 1;
       for (PetscInt k = 0; k < count; k++) {
         for (PetscInt d = 0; d < dim; d++) r[d] -= Q[k * dim + c] * Q[k * dim + d];
       }
-      for (PetscInt d = 0; d < dim; d++) square += r[d] * r[d];
+      square = VectorDot(dim, r, r);
       if (square <= longest) continue;
       longest = square;
       for (PetscInt d = 0; d < dim; d++) best[d] = r[d] / PetscSqrtReal(square);

@@ -10,6 +10,7 @@
 #include "multigrid/barycentric.h"
 #include "multigrid/ghostexchange.h"
 #include "multigrid/nodecoarsening.h"
+#include "kernel/vector.h"
 
 enum { DIM_MAX = 3, TERMS = NODE_TERMS };
 
@@ -147,8 +148,8 @@ static PetscErrorCode NodeCoarseningConnect_Private(const NodeSet *nodes, Net *n
 static PetscInt NodeCoarseningGetKind_Private(const Net *net, PetscInt i)
 {
   const PetscInt dim = net->dim, num = net->start[i + 1] - net->start[i];
-  PetscReal      sum[DIM_MAX] = {0}, size = 0;
-  PetscInt       kind = 0;
+  PetscReal      sum[DIM_MAX] = {0}, size;
+  PetscInt       kind         = 0;
 
   for (PetscInt k = net->start[i]; k < net->start[i + 1]; k++) {
     PetscReal d[DIM_MAX], length = 0;
@@ -159,8 +160,7 @@ static PetscInt NodeCoarseningGetKind_Private(const Net *net, PetscInt i)
     }
     for (PetscInt a = 0; a < dim && length > 0; a++) sum[a] += d[a] / PetscSqrtReal(length);
   }
-  for (PetscInt a = 0; a < dim; a++) size += sum[a] * sum[a];
-  size = num ? PetscSqrtReal(size) / num : 1;
+  size = num ? VectorNorm(dim, sum) / num : 1;
   while (kind < KINDS - 1 && size > BOUNDARY_FROM[kind]) kind++;
   return kind;
 }
@@ -203,9 +203,8 @@ static void NodeCoarseningAddCandidate_Private(const Net *net, PetscInt i, Petsc
   if (net->chosen[node] == 0) return;
   for (PetscInt k = 0; k < dim; k++) own += PetscSqr(net->x[node * dim + k] - net->x[i * dim + k]);
   for (PetscInt j = 0; j < *num && *num == BARYCENTRIC_MAX; j++) {
-    PetscReal square = 0;
+    const PetscReal square = VectorDot(dim, &d[j * dim], &d[j * dim]);
 
-    for (PetscInt k = 0; k < dim; k++) square += PetscSqr(d[j * dim + k]);
     if (square <= most) continue;
     most = square;
     at   = j;

@@ -4,6 +4,7 @@
 #include "base/usererror.h"
 #include "result/cellerror.h"
 #include "result/pressureerror.h"
+#include "kernel/vector.h"
 
 /* Exact and given displacements may differ by this part of the largest exact one: numbers that people write have fewer
    digits than those of the machine. */
@@ -47,9 +48,8 @@ static PetscErrorCode ErrorsCheckNode_Private(VI vi, PetscInt i, const PetscReal
   for (PetscInt j = 0; j < vi->support.count[i] && !sentence[0]; j++) {
     const PetscReal *d     = &vi->support.directions[(i * dim + j) * dim];
     const PetscReal  given = vi->support.values[i * dim + j];
-    PetscReal        along = 0;
+    const PetscReal  along = VectorDot(dim, d, exact);
 
-    for (PetscInt k = 0; k < dim; k++) along += d[k] * exact[k];
     if (PetscAbsReal(along - given) <= tolerance) continue;
     snprintf(sentence, len,
              "%s: at (%g, %g) on %s:%s it is %.7g along (%g, %g), where the support gives %.7g; one of "
