@@ -32,7 +32,8 @@ static void GatherHold_Private(Gather *gather, PetscInt node, PetscInt boundary,
 {
   Support       *support = gather->support;
   const PetscInt dim     = support->dim;
-  PetscReal     *Q = &support->directions[node * dim * dim], *values = &support->values[node * dim], r[3], rest = value;
+  PetscReal     *Q = &support->directions[node * dim * dim], *values = &support->values[node * dim], r[3], rest = value,
+            length;
 
   support->max_value = PetscMax(support->max_value, PetscAbsReal(value));
   for (PetscInt d = 0; d < dim; d++) r[d] = direction[d];
@@ -42,7 +43,8 @@ static void GatherHold_Private(Gather *gather, PetscInt node, PetscInt boundary,
     for (PetscInt d = 0; d < dim; d++) r[d] -= dot * Q[k * dim + d];
     rest -= dot * values[k];
   }
-  if (VectorDot(dim, r, r) <= PetscSqr(ParallelSine)) {
+  length = VectorNorm(dim, r);
+  if (length <= ParallelSine) {
     if (PetscAbsReal(rest) > gather->mismatch) {
       gather->mismatch = PetscAbsReal(rest);
       gather->node     = node;
@@ -50,8 +52,8 @@ static void GatherHold_Private(Gather *gather, PetscInt node, PetscInt boundary,
     }
     return;
   }
-  for (PetscInt d = 0; d < dim; d++) Q[support->count[node] * dim + d] = r[d] / PetscSqrtReal(square);
-  values[support->count[node]++] = rest / PetscSqrtReal(square);
+  for (PetscInt d = 0; d < dim; d++) Q[support->count[node] * dim + d] = r[d] / length;
+  values[support->count[node]++] = rest / length;
   if (support->side[node] == BOUNDARY_NONE) support->side[node] = boundary;
 }
 

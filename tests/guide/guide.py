@@ -3,10 +3,11 @@
 
     guide.py options <mortise>             the chapter of options is what -help prints; with --write it is written anew
     guide.py summary <mortise> <folder>    every key of the summaries of some scenes is in the tables, and every key of the tables occurs
-    guide.py commands <mortise> <folder>   the files of the page are written into the folder, and all its commands run there; programs in
-                                           Python print what the page says
+    guide.py commands <mortise> <folder>   the files of the page are written into the folder, and all its commands run there
+    guide.py python <mortise> <folder>     the same of the programs in Python, which print what the page says
 
 Prints what is wrong, or nothing."""
+import functools
 import json
 import os
 import pathlib
@@ -141,8 +142,8 @@ def check_summary(program, folder):
 FILE = re.compile(r'(?:# |// |""")(\w+\.\w+): ')  # the first line of a block that is a file
 
 
-def check_commands(program, folder):
-    """Without Gmsh a chapter ends where it is first called."""
+def check_commands(program, folder, python=False):
+    """Without Gmsh a chapter ends where it is first called. [in] python - run the programs in Python, else all others"""
     environment = os.environ | {"PATH": f"{pathlib.Path(program).resolve().parent}{os.pathsep}{os.environ['PATH']}", "PYTHONPATH": str(TOP / "src/python"),
                                 "PYTHONDONTWRITEBYTECODE": "1"}
     (folder / "options").symlink_to(TOP / "options")
@@ -157,12 +158,14 @@ def check_commands(program, folder):
                 break
             for line in block.splitlines():
                 command, _, remark = line.partition("  # ")
+                if command.startswith("python3 ") != python:
+                    continue
                 wanted = int(remark.rpartition(" ")[2] or 0) if remark.startswith("exit code") else 0
                 called = re.sub("^python3 ", f"{sys.executable} ", command)  # that of the test has numpy
                 done = subprocess.run(called, shell=True, cwd=folder, env=environment, capture_output=True, text=True, check=False)
                 if done.returncode != wanted:
                     yield f"exit code {done.returncode}, not {wanted}: {command}\n{done.stdout}{done.stderr}"
-                elif command.startswith("python3 ") and done.stdout != textwrap.dedent(said):
+                elif python and done.stdout != textwrap.dedent(said):
                     yield f"{command} prints\n{done.stdout}and not, as the page says,\n{said}"
 
 
@@ -174,7 +177,7 @@ def main():
         folder = pathlib.Path(sys.argv[3]).resolve()
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
-        wrong = list({"summary": check_summary, "commands": check_commands}[what](program, folder))
+        wrong = list({"summary": check_summary, "commands": check_commands, "python": functools.partial(check_commands, python=True)}[what](program, folder))
     print("\n".join(wrong))
     sys.exit(bool(wrong))
 
