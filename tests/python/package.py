@@ -129,6 +129,9 @@ def test_runs(arguments):
     steps = mortise.run(PATCH, {"load_steps": (0.5, 1)}, output=prefix).steps()
     near("force of load steps", steps["joint.normal_force"], PRESSURE * steps["t"], relative=TIGHT)
     same("load steps", (steps["t"].tolist(), steps["status"].tolist()), ([0.5, 1], ["solved"] * 2))
+    line = mortise.run(PATCH, {"paths": {"line": {"from": (0.5, 0.25), "to": (0.5, 2.25), "points": 5, "body": "upper"}}}, output=prefix).paths()
+    near("stress along a path", line["yy"][:2], [-PRESSURE] * 2, relative=TIGHT)
+    require(line["path"][0] == "line" and np.isnan(line["yy"][2:]).all(), f"the path {line}")
     (arguments.scratch / "own.opts").write_text(f"{PATCH.read_text()}\n-output {prefix}_own\n")
     judge_patch(mortise.run(arguments.scratch / "own.opts"))
     with warnings.catch_warnings(record=True) as caught:

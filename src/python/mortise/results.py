@@ -72,9 +72,11 @@ def read_summary(prefix: str) -> Summary:
 # --- tables -----------------------------------------------------------------------------------------------------------
 
 
-def column_of(words: list[str]) -> Array:
-    """A column as numbers, an empty field as NaN; or, if not all are numbers, as text."""
+def column_of(name: str, words: list[str]) -> Array:
+    """A column as numbers, an empty field as NaN; or, if not all are numbers, as text. Names of paths are text, whatever they are."""
     try:
+        if name == "path":
+            raise ValueError
         return np.array([float(word or "nan") for word in words], dtype=float)
     except ValueError:
         return np.array(words, dtype=str)
@@ -85,7 +87,7 @@ def read_table(path: str) -> Array:
     try:
         with open(path, newline="", encoding="utf-8") as file:
             names, *rows = csv.reader(line for line in file if not line.startswith("#"))
-        columns = [column_of([row[i] for row in rows]) for i in range(len(names))]
+        columns = [column_of(name, [row[i] for row in rows]) for i, name in enumerate(names)]
     except OSError as error:
         raise ResultError(f"cannot read {path} ({error.strerror}); was the run finished?") from None
     except (ValueError, IndexError):
@@ -243,6 +245,10 @@ class Results:
     def steps(self) -> Array:
         """The load steps as a structured array, one row for each: `t`, `<pair>.normal_force`, ..."""
         return read_table(f"{self.files()}_steps.csv")
+
+    def paths(self) -> Array:
+        """Displacement and stress at the points of all -paths, a column `path` with their names; NaN outside the body."""
+        return read_table(f"{self.files()}_paths.csv")
 
     def fields(self) -> dict[str, BodyFields]:
         """Fields by the name of the body."""

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 # Options that list names, and the prefix of the data of each name. Where it depends on the body, it begins with the option itself.
-LISTS = {"bodies": "", "pairs": "", "probes": "probe_"}
+LISTS = {"bodies": "", "pairs": "", "probes": "probe_", "paths": "path_"}
 SIDES = ("bc_displacement", "bc_normal", "bc_traction", "bc_pressure", "bc_force", "bc_moment")
 MATERIALS = "regions"
 
@@ -52,5 +52,5 @@ def arguments_of(scene: Mapping[str, Any]) -> list[str]:
     scene: options without their dash. A value is a text, a number, a sequence (a comma list) or a bool; None omits the option. A dictionary
     {"hub": {"young": 2e5}} is a prefix: -hub_young. Where the option lists names, a dictionary is the list and the data of each:
     {"bodies": {"hub": {"young": 2e5, "bc_traction": {"top": (0, -1)}}}} is -bodies hub -hub_young 2e5 -hub_bc_traction top
-    -hub_bc_traction_top 0,-1. Such options are bodies, pairs, probes, the bc_... of a body, and its regions."""
+    -hub_bc_traction_top 0,-1. Such options are bodies, pairs, probes, paths, the bc_... of a body, and its regions."""
     return [word for name, value in flatten(scene) for word in ("-" + name, value)]
