@@ -476,7 +476,8 @@ static void GmshReadFormat_Private(GmshReader *reader)
   reader->version = (int)lroundf(10 * version);
   reader->binary  = binary ? PETSC_TRUE : PETSC_FALSE;
   if (reader->version != 22 && reader->version != 41) {
-    GmshFail_Private(reader, "its format is %g; formats 2.2 and 4.1 are accepted", (double)version);
+    GmshFail_Private(reader, "its format is %g; formats 2.2 and 4.1 are accepted: gmsh -format msh41 writes it anew",
+                     (double)version);
   } else if (reader->data_size != (int)sizeof(double)) {
     GmshFail_Private(reader, "its data size is %d; 8 is accepted", reader->data_size);
   } else if (binary && (fread(&one, sizeof(one), 1, reader->file) != 1 || one != 1)) {
@@ -554,10 +555,9 @@ PetscErrorCode GmshRead(const char path[], GmshNames *names, GmshMesh *mesh, cha
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode GmshGetDimension(const char path[], PetscInt *dim)
+PetscErrorCode GmshGetDimension(const char path[], PetscInt *dim, char reason[], size_t len)
 {
-  char       reason[MAX_LINE];
-  GmshReader reader = {.reason = reason, .len = sizeof(reason)};
+  GmshReader reader = {.reason = reason, .len = len};
 
   PetscFunctionBeginUser;
   *dim = 0;

@@ -37,8 +37,8 @@ typedef struct {
 /* Reads formats 2.2 and 4.1. Not collective. [out] reason - why the file cannot be used, "" if it can [len] */
 PetscErrorCode GmshRead(const char path[], GmshNames *names, GmshMesh *mesh, char reason[], size_t len);
 /* Highest dimension of the elements, found by their heads alone, up to the first solid; 0 if the file cannot be read:
-   GmshRead() then tells the reason. Not collective. */
-PetscErrorCode GmshGetDimension(const char path[], PetscInt *dim);
+   GmshRead() then tells the reason, and so does this. Not collective. [out] reason - "" if it can be read [len] */
+PetscErrorCode GmshGetDimension(const char path[], PetscInt *dim, char reason[], size_t len);
 PetscErrorCode GmshMeshDestroy(GmshMesh *mesh);
 
 #endif

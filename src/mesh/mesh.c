@@ -198,6 +198,7 @@ PetscErrorCode MeshSetUp(Mesh mesh)
   PetscCall(MortarChoiceMake(mesh));
   for (PetscInt b = 0; b < scene->num_bodies; b++)
     if (scene->bodies[b].num_nonmanifold) PetscCall(MeshWarnNonManifold_Private(&scene->bodies[b], scene->dim));
+  PetscCall(BodyOverlapWarn(MeshFinest(mesh)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

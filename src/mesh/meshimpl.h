@@ -62,6 +62,9 @@ PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const Side
 /* Warns of pieces that touch and are not joined; for the first rank. Not collective. */
 PetscErrorCode UnjoinedPiecesWarn(const SceneBody *body, const BodyList *list);
 
+/* Warns of bodies that overlap by more than a pair between them explains; those that are tied may. Collective. */
+PetscErrorCode BodyOverlapWarn(const Level *level);
+
 /* How many times all bodies can be made of cells twice as large, and should be, for the sake of solvers. [in] num_ranks - to
    share the coarsest mesh */
 PetscInt SceneCountCoarser(Scene scene, PetscMPIInt num_ranks);

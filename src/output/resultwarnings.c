@@ -3,6 +3,7 @@
 #include "base/compat.h"
 #include "output/summary.h"
 #include "base/warning.h"
+#include "result/coarsecontact.h"
 #include "result/gapdiscontinuity.h"
 #include "result/solvabilityreport.h"
 #include "result/validity.h"
@@ -33,6 +34,35 @@ static PetscErrorCode SummaryWarnGapDiscontinuity_Private(const SummaryInput *in
                        "the pressure of %s is unreliable near %s: the gap jumps or bends within a facet, and its mean "
                        "acts as an additional overlap of %.3g",
                        spec->name, text, (double)overlap));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Contact a few facets wide: what it does to the pressure, and what would mend it. [out] shows - whether that was told */
+static PetscErrorCode SummaryWarnCoarseContact_Private(const SummaryInput *in, PetscInt p, PetscBool *shows)
+{
+  const char   *name   = in->vi->pairs[p]->spec->name;
+  Warning       coarse = {.code = "coarse_contact", .pair = name, .dim = in->scene->dim};
+  CoarseContact found;
+  char          text[128], advice[256];
+
+  PetscFunctionBeginUser;
+  PetscCall(CoarseContactFind(in->fields, p, &found));
+  *shows = found.shows;
+  if (!found.shows) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscArraycpy(coarse.at, found.at, 3));
+  PetscCall(NumberWordsVector(coarse.dim, coarse.at, text, sizeof(text)));
+  coarse.advice = advice;
+  if (found.edge) {
+    (void)snprintf(advice, sizeof(advice), "use the force alone, or round the edge and refine");
+    PetscCall(WarningAdd(&coarse,
+                         "the contact of %s is %.3g facets wide at an edge near %s, and the pressure at an edge grows "
+                         "with every refinement",
+                         name, (double)found.facets, text));
+  } else {
+    (void)snprintf(advice, sizeof(advice), "refine to cells of h <= %.2g near %s", (double)found.size, text);
+    PetscCall(WarningAdd(&coarse, "the contact of %s is %.3g facets wide, and its largest pressure is not resolved",
+                         name, (double)found.facets));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -153,11 +183,15 @@ static PetscErrorCode SummaryWarnUnbalanced_Private(const SummaryInput *in)
 
 PetscErrorCode SummaryWarn(const SummaryInput *input)
 {
+  PetscBool coarse = PETSC_FALSE;
+
   PetscFunctionBeginUser;
   PetscCall(SolvabilityReportWarn(input->vi, input->solvability));
   for (PetscInt p = 0; p < input->vi->num_pairs; p++) {
     PetscCall(SummaryWarnEmptyPair_Private(input, p));
-    if (input->fields) PetscCall(SummaryWarnGapDiscontinuity_Private(input, p));
+    if (input->fields) PetscCall(SummaryWarnCoarseContact_Private(input, p, &coarse));
+    if (input->fields && !coarse)
+      PetscCall(SummaryWarnGapDiscontinuity_Private(input, p)); // a gap bends within few facets
     if (input->fields) PetscCall(SummaryWarnCoarseCurve_Private(input, p));
   }
   PetscCall(SummaryWarnUnbalanced_Private(input));

@@ -14,8 +14,9 @@ PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Highest dimension of the elements in a Gmsh file; 0 if it is another file or cannot be read. The mesh tells the reason. */
-static PetscErrorCode SceneProbeFile_Private(const Option *file, PetscInt *dim)
+/* Highest dimension of the elements in a Gmsh file; 0 if it is another file or cannot be read. [out] reason - why it cannot, "" if nothing
+   is known [OPTION_MAX] */
+static PetscErrorCode SceneProbeFile_Private(const Option *file, PetscInt *dim, char reason[])
 {
   const char *extension = strrchr(file->text, '.');
   char        path[PETSC_MAX_PATH_LEN];
@@ -23,25 +24,28 @@ static PetscErrorCode SceneProbeFile_Private(const Option *file, PetscInt *dim)
   PetscMPIInt rank;
 
   PetscFunctionBeginUser;
-  *dim = 0;
+  *dim      = 0;
+  reason[0] = '\0';
   if (!extension || strncmp(extension, ".msh", strlen(".msh"))) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(OptionsFindFile(file->comm, file->text, path, sizeof(path), &exists));
   if (!exists) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCallMPI(MPI_Comm_rank(file->comm, &rank));
-  if (!rank) PetscCall(GmshGetDimension(path, dim));
+  if (!rank) PetscCall(GmshGetDimension(path, dim, reason, OPTION_MAX));
+  PetscCallMPI(MPI_Bcast(reason, OPTION_MAX, MPI_CHAR, 0, file->comm));
   PetscCallMPI(MPI_Bcast(dim, 1, MPIU_INT, 0, file->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The option that gives a body's mesh, and its dimension: 0 (unknown), 2 or 3. */
-static PetscErrorCode BodyGetDimension_Private(Scene scene, const SceneBody *body, Option *mesh, PetscInt *dim)
+/* The option that gives a body's mesh, and its dimension: 0 (unknown), 2 or 3. [out] reason - as of SceneProbeFile_Private() */
+static PetscErrorCode BodyGetDimension_Private(Scene scene, const SceneBody *body, Option *mesh, PetscInt *dim,
+                                               char reason[])
 {
   PetscFunctionBeginUser;
   PetscCall(OptionFind(scene, "-<body>_dm_plex_box_faces", body->name, NULL, mesh));
   *dim = OptionCountItems(mesh);
   if (!mesh->set) {
     PetscCall(OptionFind(scene, "-<body>_dm_plex_filename", body->name, NULL, mesh));
-    if (mesh->set) PetscCall(SceneProbeFile_Private(mesh, dim));
+    if (mesh->set) PetscCall(SceneProbeFile_Private(mesh, dim, reason));
   }
   if (*dim != 2 && *dim != 3) *dim = 0; /* a mistake, which is told with the body or its mesh */
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -64,20 +68,45 @@ static PetscErrorCode SceneRaiseModel_Private(const Option *model, const SceneBo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* What to say if data of a solid follow, where a mesh file made the scene a plane one: it could not be read, or has no solids. */
+static PetscErrorCode SceneSetUnread_Private(Scene scene, const Option *file, PetscInt dim, const char reason[])
+{
+  char text[2 * OPTION_MAX + PETSC_MAX_PATH_LEN];
+
+  PetscFunctionBeginUser;
+  if (!strstr(file->entry->name, "filename")) PetscFunctionReturn(PETSC_SUCCESS);
+  if (dim)
+    PetscCall(PetscSNPrintf(text, sizeof(text),
+                            "%s %s: this file has no solids; gmsh -3 makes them, and writes those in a physical volume "
+                            "where there are physical groups",
+                            file->name, file->text));
+  else
+    PetscCall(
+        PetscSNPrintf(text, sizeof(text),
+                      "%s %s: no cells are found in this file%s%s; one that is not of Gmsh (2.2, 4.1) needs -model "
+                      "solid",
+                      file->name, file->text, reason[0] ? ": " : "", reason));
+  PetscCall(PetscStrallocpy(text, &scene->unread));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The model says how many dimensions there are. Where it is not given, boxes and Gmsh files do; all of them must agree. */
 static PetscErrorCode SceneReadModel_Private(Scene scene)
 {
   Option   model, mesh, first = {.set = PETSC_FALSE}, unread = {.set = PETSC_FALSE};
   PetscInt choice = MODEL_PLANE_STRAIN, num, dim = 0;
-  char     text[OPTION_MAX + PETSC_MAX_PATH_LEN];
+  char     reason[OPTION_MAX] = "", why[OPTION_MAX] = "";
 
   PetscFunctionBeginUser;
   PetscCall(OptionFind(scene, "-model", NULL, NULL, &model));
   PetscCall(OptionGetChoice(&model, &choice));
   if (model.set) dim = choice == MODEL_SOLID ? 3 : 2;
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
-    PetscCall(BodyGetDimension_Private(scene, &scene->bodies[b], &mesh, &num));
-    if (!num && mesh.set && !unread.set) unread = mesh;
+    PetscCall(BodyGetDimension_Private(scene, &scene->bodies[b], &mesh, &num, reason));
+    if (!num && mesh.set && !unread.set) {
+      unread = mesh;
+      PetscCall(PetscStrncpy(why, reason, sizeof(why)));
+    }
     if (!num) continue;
     if (!dim) {
       dim   = num;
@@ -89,10 +118,8 @@ static PetscErrorCode SceneReadModel_Private(Scene scene)
         &mesh, "all bodies of a scene have the same dimensions, two or three; this one has %d, that of %s %s has %d",
         (int)num, first.name, first.text, (int)dim));
   }
-  if (!dim && unread.set && strstr(unread.entry->name, "filename")) {
-    PetscCall(PetscSNPrintf(text, sizeof(text), "%s %s", unread.name, unread.text));
-    PetscCall(PetscStrallocpy(text, &scene->unread));
-  }
+  if (!dim && unread.set) PetscCall(SceneSetUnread_Private(scene, &unread, 0, why));
+  if (dim == 2 && first.set) PetscCall(SceneSetUnread_Private(scene, &first, dim, ""));
   scene->dim   = dim == 3 ? 3 : 2;
   scene->model = dim == 3 ? MODEL_SOLID : (ModelKind)choice;
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -170,11 +170,11 @@ typedef struct {
 } SceneAdapt;
 
 struct _n_Scene {
-  MPI_Comm comm;
-  char    *title;    /* "" where none was given */
-  char    *units[3]; /* names of the units of length, force and stress, or NULL where none were given */
-  PetscInt dim;
-  char    *unread; /* "-<option> <file>" of a mesh file without cells where nothing else tells the dimension, or NULL */
+  MPI_Comm    comm;
+  char       *title;    /* "" where none was given */
+  char       *units[3]; /* names of the units of length, force and stress, or NULL where none were given */
+  PetscInt    dim;
+  char       *unread; /* what to say of data of a solid where a mesh file alone makes the scene a plane one, or NULL */
   ModelKind   model;
   PetscReal   thickness;
   PetscInt    refine; /* common refinements: the levels */

@@ -308,10 +308,7 @@ static PetscErrorCode CheckSolid_Private(const Option *option, PetscBool allow_f
   given = ExpressionSize(e);
   PetscCall(ExpressionDestroy(&e));
   if (given == 3) {
-    PetscCall(UserErrorRaise(option->comm,
-                             "%s: no cells are found in this file, and %s is of a solid; it is damaged, or not a Gmsh "
-                             "file (2.2, 4.1), which needs -model solid",
-                             option->scene->unread, option->name));
+    PetscCall(UserErrorRaise(option->comm, "%s; %s is of a solid", option->scene->unread, option->name));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,0 +1,417 @@
+/* bodyoverlap.c -- bodies that overlap in space by more than their contact explains.
+
+   A move that was forgotten, units of two kinds, or a body drawn within another solve without complaint: without a pair nothing sees
+   the overlap, and a pair takes it for an interference fit. Points of the boundary of one body, the middles of facets among them,
+   are looked for inside the other. Bodies whose boxes do not overlap cost nothing more. */
+#include <petscsf.h>
+#include "kernel/boxtree.h"
+#include "kernel/closest.h"
+#include "base/compat.h"
+#include "base/warning.h"
+#include "mesh/meshimpl.h"
+
+/* An interference above this part of the smallest extent of a body strains it by more than small strains allow. */
+static const PetscReal FIT = 0.1;
+/* Where no pair joins two bodies, what is left of curves and of digits is below this part. */
+static const PetscReal TOUCH = 1e-3;
+/* A point on a side belongs to the cell. */
+static const PetscReal ON_SIDE = 1e-8;
+
+/* A sum of coordinates that is different for different points of a mesh: the digits mean nothing. */
+static const PetscReal MIXED[3] = {1, 0.7548776662466927, 0.5698402909980532};
+
+enum { MAX_MEASURED = 256 }; /* points whose depth is measured */
+enum { F = ELEMENT_MAX_FACET_NODES, BOX = 6 };
+
+/* The boundary of all bodies, this rank's part. */
+typedef struct {
+  PetscInt     num;
+  PetscInt    *body, *nodes; /* [num], local nodes of the vertices [num][F] */
+  ElementType *type;         /* of order 1 [num] */
+} Boundary;
+
+/* Points of all ranks; the same on every rank. */
+typedef struct {
+  PetscInt   num;
+  PetscReal *x;      /* [num][dim] */
+  PetscBool *inside; /* [num] */
+} Points;
+
+/* Which points of the DM other ranks have as well: facets between ranks are no boundary. [out] shared - [end of the chart] */
+static PetscErrorCode BoundaryMarkShared_Private(DM dm, PetscBool **shared)
+{
+  PetscSF         sf;
+  PetscInt        begin, end, num_roots, num_leaves;
+  const PetscInt *leaves, *degree;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetChart(dm, &begin, &end));
+  PetscCall(PetscCalloc1(end, shared));
+  PetscCall(DMGetPointSF(dm, &sf));
+  PetscCall(PetscSFGetGraph(sf, &num_roots, &num_leaves, &leaves, NULL));
+  if (num_roots < 0) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt i = 0; i < num_leaves; i++) (*shared)[leaves ? leaves[i] : i] = PETSC_TRUE;
+  PetscCall(PetscSFComputeDegreeBegin(sf, &degree));
+  PetscCall(PetscSFComputeDegreeEnd(sf, &degree));
+  for (PetscInt i = 0; i < num_roots; i++)
+    if (degree[i]) (*shared)[i] = PETSC_TRUE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Collective. [out] b - owned by the caller */
+static PetscErrorCode BoundaryCreate_Private(const Level *level, Boundary *b)
+{
+  PetscInt   begin, end;
+  PetscBool *shared;
+
+  PetscFunctionBeginUser;
+  PetscCall(BoundaryMarkShared_Private(level->dm, &shared));
+  PetscCall(DMPlexGetHeightStratum(level->dm, 1, &begin, &end));
+  b->num = 0;
+  for (int pass = 0; pass < 2; pass++) {
+    if (pass) PetscCall(PetscMalloc3(b->num, &b->body, b->num * F, &b->nodes, b->num, &b->type));
+    b->num = 0;
+    for (PetscInt f = begin; f < end; f++) {
+      PetscInt size, num, vertices[ELEMENT_MAX_NODES];
+
+      PetscCall(DMPlexGetSupportSize(level->dm, f, &size));
+      if (size != 1 || shared[f]) continue;
+      if (pass) {
+        PetscCall(PointGetVertices(level->dm, f, &num, vertices));
+        for (PetscInt i = 0; i < num; i++) b->nodes[b->num * F + i] = PointGetNode(level, vertices[i]);
+        b->body[b->num] = level->node_body[b->nodes[b->num * F]];
+        b->type[b->num] = level->dim == 2 ? ELEMENT_LINE2 : num == 3 ? ELEMENT_TRI3 : ELEMENT_QUAD4;
+      }
+      b->num++;
+    }
+  }
+  PetscCall(PetscFree(shared));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Vertices of a facet. */
+static void BoundaryGetFacet_Private(const Level *level, const Boundary *b, PetscInt f, PetscReal X[])
+{
+  for (PetscInt i = 0; i < ElementNumNodes(b->type[f]) * level->dim; i++)
+    X[i] = level->coords[b->nodes[f * F + i / level->dim] * level->dim + i % level->dim];
+}
+
+/* Boxes around all bodies: lower, then upper corner. Collective. [out] box - [num_bodies][BOX] */
+static PetscErrorCode OverlapSetBoxes_Private(const Level *level, PetscInt num_bodies, PetscReal box[])
+{
+  const PetscInt dim = level->dim;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < num_bodies * BOX; i++) box[i] = PETSC_MAX_REAL;
+  for (PetscInt a = 0; a < level->num_nodes; a++) {
+    PetscReal *own = &box[level->node_body[a] * BOX];
+
+    for (PetscInt k = 0; k < dim; k++) {
+      own[k]     = PetscMin(own[k], level->coords[a * dim + k]);
+      own[3 + k] = PetscMin(own[3 + k], -level->coords[a * dim + k]);
+    }
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, box, (PetscMPIInt)(num_bodies * BOX), MPIU_REAL, MPIU_MIN, level->comm));
+  for (PetscInt i = 0; i < num_bodies * BOX; i++)
+    if (i % BOX >= 3) box[i] = -box[i];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The smallest extent of a body; of one that an axis turns round, its diameter along the radius. */
+static PetscReal OverlapGetExtent_Private(const struct _n_Scene *scene, const PetscReal box[])
+{
+  PetscReal extent = PETSC_MAX_REAL;
+
+  for (PetscInt k = 0; k < scene->dim; k++) {
+    const PetscBool radius = (PetscBool)(k == 0 && scene->model == MODEL_AXISYMMETRIC);
+
+    extent = PetscMin(extent, radius ? 2 * box[3] : box[3 + k] - box[k]);
+  }
+  return extent;
+}
+
+/* What the pairs between two bodies explain: infinite where they are tied. [out] pair - one of them, or NULL */
+static PetscReal OverlapGetLimit_Private(const struct _n_Scene *scene, PetscInt a, PetscInt b, const PetscReal box[],
+                                         const char **pair)
+{
+  const PetscReal extent =
+      PetscMin(OverlapGetExtent_Private(scene, &box[a * BOX]), OverlapGetExtent_Private(scene, &box[b * BOX]));
+
+  *pair = NULL;
+  for (PetscInt p = 0; p < scene->num_pairs; p++) {
+    const ScenePair *spec = &scene->pairs[p];
+    const PetscInt   s = spec->nonmortar.body, m = spec->mortar.body;
+
+    if (!((s == a && m == b) || (s == b && m == a))) continue;
+    if (spec->type == PAIR_TIED) return PETSC_INFINITY;
+    *pair = spec->name;
+  }
+  return (*pair ? FIT : TOUCH) * extent;
+}
+
+/* Points of the boundary of body a within a box, of all ranks. Collective. [in] box - [BOX]; [out] points - owned by the caller */
+static PetscErrorCode PointsGather_Private(const Level *level, const Boundary *b, PetscInt a, const PetscReal box[],
+                                           Points *points)
+{
+  const PetscInt dim = level->dim;
+  PetscInt       num = 0, total = 0;
+  PetscReal     *mine;
+  PetscMPIInt    size, count, *counts, *begin;
+
+  PetscFunctionBeginUser;
+  for (PetscInt f = 0; f < b->num; f++) total += b->body[f] == a ? (ElementNumNodes(b->type[f]) + 1) : 0;
+  PetscCallMPI(MPI_Comm_size(level->comm, &size));
+  PetscCall(PetscMalloc3(total * dim, &mine, size, &counts, size + 1, &begin));
+  for (PetscInt f = 0; f < b->num; f++) {
+    const PetscInt n = ElementNumNodes(b->type[f]);
+    PetscReal      X[(F + 1) * 3];
+
+    if (b->body[f] != a) continue;
+    BoundaryGetFacet_Private(level, b, f, X);
+    for (PetscInt k = 0; k < dim; k++) {
+      X[n * dim + k] = 0;
+      for (PetscInt i = 0; i < n; i++) X[n * dim + k] += X[i * dim + k] / n;
+    }
+    for (PetscInt i = 0; i <= n; i++) {
+      PetscBool within = PETSC_TRUE;
+
+      for (PetscInt k = 0; k < dim; k++)
+        within = (PetscBool)(within && box[k] < X[i * dim + k] && X[i * dim + k] < box[3 + k]);
+      if (within) PetscCall(PetscArraycpy(&mine[dim * num++], &X[i * dim], dim));
+    }
+  }
+  count = (PetscMPIInt)(num * dim);
+  PetscCallMPI(MPI_Allgather(&count, 1, MPI_INT, counts, 1, MPI_INT, level->comm));
+  begin[0] = 0;
+  for (PetscMPIInt r = 0; r < size; r++) begin[r + 1] = begin[r] + counts[r];
+  points->num = begin[size] / dim;
+  PetscCall(PetscMalloc2(begin[size], &points->x, points->num, &points->inside));
+  PetscCallMPI(MPI_Allgatherv(mine, count, MPIU_REAL, points->x, counts, begin, MPIU_REAL, level->comm));
+  PetscCall(PetscArrayzero(points->inside, points->num));
+  PetscCall(PetscFree3(mine, counts, begin));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Which points a body has inside. Collective. */
+static PetscErrorCode PointsFindInside_Private(const Level *level, PetscInt body, Points *points)
+{
+  const PetscInt  dim = level->dim;
+  PetscReal      *boxes, X[ELEMENT_MAX_NODES * 3], cell[BOX], xi[3];
+  const PetscInt *hits;
+  PetscInt        num_hits;
+  BoxTree         tree;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(2 * dim * points->num, &boxes));
+  for (PetscInt i = 0; i < 2 * dim * points->num; i++) boxes[i] = points->x[i / (2 * dim) * dim + i % dim];
+  PetscCall(BoxTreeCreate(dim, points->num, boxes, &tree));
+  PetscCall(PetscFree(boxes));
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    const ElementType type  = (ElementType)level->cell_type[c];
+    const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]];
+
+    if (level->cell_body[c] != body) continue;
+    for (PetscInt k = 0; k < dim; k++) {
+      cell[k]       = PETSC_MAX_REAL;
+      cell[dim + k] = -PETSC_MAX_REAL;
+    }
+    for (PetscInt i = 0; i < ElementNumNodes(type) * dim; i++) {
+      X[i]                = level->coords[nodes[i / dim] * dim + i % dim];
+      cell[i % dim]       = PetscMin(cell[i % dim], X[i]);
+      cell[dim + i % dim] = PetscMax(cell[dim + i % dim], X[i]);
+    }
+    PetscCall(BoxTreeQuery(tree, cell, &num_hits, &hits));
+    for (PetscInt h = 0; h < num_hits; h++) {
+      if (!points->inside[hits[h]])
+        points->inside[hits[h]] = ElementLocate(type, X, &points->x[hits[h] * dim], ON_SIDE, xi);
+    }
+  }
+  PetscCall(BoxTreeDestroy(&tree));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, points->inside, (PetscMPIInt)points->num, MPIU_BOOL, MPI_LOR, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Lets go of points that the boundary of the body is near. Collective. */
+static PetscErrorCode PointsRemoveNear_Private(const Level *level, const Boundary *b, PetscInt body, PetscReal limit,
+                                               Points *points)
+{
+  const PetscInt  dim = level->dim;
+  PetscReal      *boxes, X[F * 3], query[BOX], eta[2];
+  PetscInt       *facet, num = 0, num_hits;
+  const PetscInt *hits;
+  BoxTree         tree;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc2(2 * dim * b->num, &boxes, b->num, &facet));
+  for (PetscInt f = 0; f < b->num; f++) {
+    PetscReal *box = &boxes[2 * dim * num];
+
+    if (b->body[f] != body) continue;
+    BoundaryGetFacet_Private(level, b, f, X);
+    for (PetscInt k = 0; k < dim; k++) {
+      box[k] = box[dim + k] = X[k];
+      for (PetscInt i = 1; i < ElementNumNodes(b->type[f]); i++) {
+        box[k]       = PetscMin(box[k], X[i * dim + k]);
+        box[dim + k] = PetscMax(box[dim + k], X[i * dim + k]);
+      }
+    }
+    facet[num++] = f;
+  }
+  PetscCall(BoxTreeCreate(dim, num, boxes, &tree));
+  for (PetscInt i = 0; i < points->num; i++) {
+    const PetscReal *x = &points->x[i * dim];
+
+    if (!points->inside[i]) continue;
+    for (PetscInt k = 0; k < dim; k++) {
+      query[k]       = x[k] - limit;
+      query[dim + k] = x[k] + limit;
+    }
+    PetscCall(BoxTreeQuery(tree, query, &num_hits, &hits));
+    for (PetscInt h = 0; h < num_hits && points->inside[i]; h++) {
+      BoundaryGetFacet_Private(level, b, facet[hits[h]], X);
+      if (ClosestPointOnFacet(dim, b->type[facet[hits[h]]], X, x, eta) <= PetscSqr(limit))
+        points->inside[i] = PETSC_FALSE;
+    }
+  }
+  PetscCall(BoxTreeDestroy(&tree));
+  PetscCall(PetscFree2(boxes, facet));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, points->inside, (PetscMPIInt)points->num, MPIU_BOOL, MPI_LAND, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a point comes before another: along x, then y, then z. */
+static PetscBool PointsCompare_Private(PetscInt dim, const PetscReal x[], const PetscReal y[])
+{
+  for (PetscInt k = 0; k < dim; k++)
+    if (x[k] != y[k]) return (PetscBool)(x[k] < y[k]);
+  return PETSC_FALSE;
+}
+
+/* The deepest of the points that are left, the first by coordinates of those that are as deep; of many, some. Collective.
+   [in,out] depth - of what was found before; [in,out] at - [dim] */
+static PetscErrorCode PointsMeasure_Private(const Level *level, const Boundary *b, PetscInt body, const Points *points,
+                                            PetscReal *depth, PetscReal at[])
+{
+  const PetscInt dim  = level->dim;
+  PetscInt       left = 0, num = 0, stride, *chosen;
+  PetscReal     *away, *key, X[F * 3], eta[2];
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < points->num; i++) left += points->inside[i];
+  if (!left) PetscFunctionReturn(PETSC_SUCCESS);
+  stride = (left + MAX_MEASURED - 1) / MAX_MEASURED;
+  PetscCall(PetscMalloc3(left, &chosen, left, &away, left, &key));
+  for (PetscInt i = 0, n = 0; i < points->num; i++) {
+    if (!points->inside[i]) continue;
+    key[n] = 0;
+    for (PetscInt k = 0; k < dim; k++) key[n] += MIXED[k] * points->x[i * dim + k];
+    chosen[n++] = i;
+  }
+  PetscCall(PetscSortRealWithArrayInt(left, key, chosen)); // the same ones on any number of ranks
+  for (PetscInt i = 0; i < left; i += stride) chosen[num++] = chosen[i];
+  for (PetscInt i = 0; i < num; i++) {
+    away[i] = PETSC_MAX_REAL;
+    for (PetscInt f = 0; f < b->num; f++) {
+      if (b->body[f] != body) continue;
+      BoundaryGetFacet_Private(level, b, f, X);
+      away[i] = PetscMin(away[i], ClosestPointOnFacet(dim, b->type[f], X, &points->x[chosen[i] * dim], eta));
+    }
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, away, (PetscMPIInt)num, MPIU_REAL, MPIU_MIN, level->comm));
+  for (PetscInt i = 0; i < num; i++) {
+    const PetscReal *x = &points->x[chosen[i] * dim], d = PetscSqrtReal(away[i]);
+
+    if (d < *depth * (1 - ON_SIDE) || (d < *depth * (1 + ON_SIDE) && !PointsCompare_Private(dim, x, at))) continue;
+    *depth = d;
+    PetscCall(PetscArraycpy(at, x, dim));
+  }
+  PetscCall(PetscFree3(chosen, away, key));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Looks for the boundary of body a inside body b, deeper than a limit. Collective. [in,out] depth, at - as above */
+static PetscErrorCode OverlapFind_Private(const Level *level, const Boundary *boundary, PetscInt a, PetscInt b,
+                                          const PetscReal boxes[], PetscReal limit, PetscReal *depth, PetscReal at[])
+{
+  PetscReal box[BOX];
+  Points    points;
+
+  PetscFunctionBeginUser;
+  for (PetscInt k = 0; k < level->dim; k++) {
+    box[k]     = boxes[b * BOX + k] + limit;
+    box[3 + k] = boxes[b * BOX + 3 + k] - limit;
+    if (box[k] > boxes[a * BOX + 3 + k] || box[3 + k] < boxes[a * BOX + k] || box[k] >= box[3 + k])
+      PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(PointsGather_Private(level, boundary, a, box, &points));
+  if (points.num) {
+    PetscCall(PointsFindInside_Private(level, b, &points));
+    PetscCall(PointsRemoveNear_Private(level, boundary, b, limit, &points));
+    PetscCall(PointsMeasure_Private(level, boundary, b, &points, depth, at));
+  }
+  PetscCall(PetscFree2(points.x, points.inside));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Two bodies overlap. [in] pair - that joins them, or NULL */
+static PetscErrorCode OverlapWarn_Private(const Level *level, PetscInt a, PetscInt b, const char pair[],
+                                          PetscReal depth, const PetscReal at[])
+{
+  const char *first = level->scene->bodies[a].name, *second = level->scene->bodies[b].name;
+  Warning     overlap = {.code   = "overlapping_bodies",
+                         .body   = first,
+                         .pair   = pair,
+                         .dim    = level->dim,
+                         .at     = {at[0], at[1], level->dim == 3 ? at[2] : 0},
+                         .advice = "check the positions, units and maps of the bodies"};
+  char        z[32]   = "";
+
+  PetscFunctionBeginUser;
+  if (level->dim == 3) (void)snprintf(z, sizeof(z), ", %.4g", (double)at[2]);
+  if (pair)
+    PetscCall(
+        WarningAdd(&overlap,
+                   "bodies %s and %s overlap by %.3g at (%.4g, %.4g%s), more than the contact %s can close by small "
+                   "strains",
+                   first, second, (double)depth, (double)at[0], (double)at[1], z, pair));
+  else
+    PetscCall(WarningAdd(&overlap, "bodies %s and %s overlap by %.3g at (%.4g, %.4g%s), and no pair joins them", first,
+                         second, (double)depth, (double)at[0], (double)at[1], z));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BodyOverlapWarn(const Level *level)
+{
+  const struct _n_Scene *scene = level->scene;
+  const PetscInt         n     = scene->num_bodies;
+  PetscReal             *box;
+  Boundary               boundary = {0, NULL, NULL, NULL};
+  PetscBool              any      = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  if (n < 2) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(n * BOX, &box));
+  PetscCall(OverlapSetBoxes_Private(level, n, box));
+  for (PetscInt a = 0; a < n; a++) {
+    for (PetscInt b = a + 1; b < n; b++) {
+      const char     *pair;
+      const PetscReal limit = OverlapGetLimit_Private(scene, a, b, box, &pair);
+      PetscReal       depth = 0, at[3] = {0, 0, 0};
+      PetscBool       meet = PETSC_TRUE;
+
+      for (PetscInt k = 0; k < level->dim; k++)
+        meet = (PetscBool)(meet && PetscMin(box[a * BOX + 3 + k], box[b * BOX + 3 + k]) -
+                                           PetscMax(box[a * BOX + k], box[b * BOX + k]) >
+                                       limit);
+      if (!meet) continue;
+      if (!any) PetscCall(BoundaryCreate_Private(level, &boundary));
+      any = PETSC_TRUE;
+      PetscCall(OverlapFind_Private(level, &boundary, a, b, box, limit, &depth, at));
+      PetscCall(OverlapFind_Private(level, &boundary, b, a, box, limit, &depth, at));
+      if (depth > limit) PetscCall(OverlapWarn_Private(level, a, b, pair, depth, at));
+    }
+  }
+  if (any) PetscCall(PetscFree3(boundary.body, boundary.nodes, boundary.type));
+  PetscCall(PetscFree(box));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

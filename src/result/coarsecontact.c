@@ -1,0 +1,179 @@
+/* coarsecontact.c -- patches of contact that end inside a side after a few facets.
+
+   There the width is known to a facet, and so is the largest pressure, which at a given force is as 1 to the width; the mean gap of a
+   node may lie below every gap around it (gapdiscontinuity.h), for the same reason. A patch that ends with its side is another
+   matter: contact of a flat side is exact on one facet. At the edge of a punch the pressure has no limit, whatever the mesh. */
+#include "base/compat.h"
+#include "kernel/vector.h"
+#include "result/coarsecontact.h"
+#include "result/contactpatches.h"
+
+/* Patches of no more nodes across are coarse. */
+static const PetscReal FEW = 3.25;
+/* Facets across the half width a that are advised: a node stands for the mean of the pressure around it, which is h^2 / (12 a^2) below
+   the top of Hertz's ellipse, 0.1 % at eight; and a is known to h / 2, so that the pressure of a given force is right to 6 %. */
+static const PetscReal ADVISED = 8;
+/* Directions nearer than 45 degrees to the narrow axis of a patch are across it. */
+static const PetscReal ACROSS = 0.70710678118654752;
+/* The turn of the facets around a node that is none, as a part of their edges. */
+static const PetscReal CLOSED = 1e-6;
+
+enum { F = ELEMENT_MAX_FACET_NODES };
+enum { IS_INNER, IS_EDGE, IS_MIRRORED, NUM_ENDS }; /* how the patch ends, across its narrow axis */
+enum { NODE_IN = 1, NODE_OUT = -1 };               /* in the patch; open, with a multiplier */
+
+/* In the patch or open, of local nodes. Collective. [out] marks - ghosted */
+static PetscErrorCode CoarseContactMark_Private(Fields fields, PetscInt p, const ContactPatches *patches, PetscInt at,
+                                                Vec *marks)
+{
+  const VI     vi = fields->vi;
+  PetscScalar *mark;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(vi->level, 1, marks));
+  PetscCall(VecGetArray(*marks, &mark));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    if (vi->row_pair[r] != p || vi->row_direction[r] != 0) continue;
+    if (patches->row_patch[r] == at) mark[vi->pairs[p]->nodes[vi->row_node[r]]] = NODE_IN;
+    if (fields->row_status[r] == STATUS_OPEN) mark[vi->pairs[p]->nodes[vi->row_node[r]]] = NODE_OUT;
+  }
+  PetscCall(VecRestoreArray(*marks, &mark));
+  PetscCall(VecGhostUpdateBegin(*marks, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostUpdateEnd(*marks, INSERT_VALUES, SCATTER_FORWARD));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* At each vertex of a side the way from the first to the last of its neighbours round it, 0 where the facets close; in a plane the
+   sum of the ways to its neighbours by the sense of facets. Collective. [out] ways - ghosted, dim per node */
+static PetscErrorCode CoarseContactFindEnds_Private(Level *level, const Facets *facets, Vec *ways)
+{
+  const PetscInt dim = level->dim;
+  PetscScalar   *way;
+  Vec            local;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, dim, ways));
+  PetscCall(VecGhostGetLocalForm(*ways, &local));
+  PetscCall(VecGetArray(local, &way));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    const PetscInt *nodes = &facets->nodes[f * F], num = ElementNumNodes(ElementLinear(facets->type[f]));
+
+    for (PetscInt i = 0; i < num; i++) {
+      const PetscInt next = nodes[(i + 1) % num], before = nodes[(i + num - 1) % num];
+
+      if (dim == 2) way[nodes[i] * dim] += i ? 1 : -1;
+      for (PetscInt k = 0; k < dim && dim == 3; k++)
+        way[nodes[i] * dim + k] += level->coords[next * dim + k] - level->coords[before * dim + k];
+    }
+  }
+  PetscCall(VecRestoreArray(local, &way));
+  PetscCall(VecGhostRestoreLocalForm(*ways, &local));
+  PetscCall(LevelShareVec(*ways, ADD_VALUES));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* How a vertex of the patch ends it. [in] way - of CoarseContactFindEnds_Private(); size - of its facets; narrow - axis; [in,out] ends */
+static void CoarseContactAddVertex_Private(const Support *support, PetscInt node, const PetscScalar way[],
+                                           PetscReal size, const PetscReal narrow[], PetscReal ends[])
+{
+  const PetscInt dim    = support->dim;
+  PetscReal      length = 0, along = 0;
+  PetscBool      mirrored = PETSC_FALSE;
+
+  for (PetscInt k = 0; k < dim; k++) {
+    length += PetscSqr(PetscRealPart(way[k]));
+    along += PetscRealPart(way[k]) * narrow[k];
+  }
+  length = PetscSqrtReal(length);
+  if (length <= CLOSED * (dim == 2 ? 1 : size)) return;
+  if (dim == 3 && PetscAbsReal(along) > ACROSS * length) return; // the side goes on across the patch
+  for (PetscInt j = 0; j < support->count[node]; j++) {
+    const PetscReal *d = &support->directions[(node * dim + j) * dim];
+
+    mirrored = (PetscBool)(mirrored || PetscAbsReal(VectorDot(dim, d, narrow)) > ACROSS);
+  }
+  ends[mirrored ? IS_MIRRORED : IS_EDGE] = 1;
+}
+
+/* How the patch ends. Collective. [out] ends - 1 or 0 [NUM_ENDS] */
+static PetscErrorCode CoarseContactGetEnds_Private(Fields fields, PetscInt p, Vec marks, const ContactPatch *patch,
+                                                   PetscReal ends[])
+{
+  const VI           vi    = fields->vi;
+  const Pair         pair  = vi->pairs[p];
+  Level             *level = vi->level;
+  const PetscInt     dim   = level->dim;
+  const PetscReal   *axis  = patch->axis[dim - 2];
+  const PetscScalar *mark, *way;
+  Facets             facets;
+  Vec                ways, local[2];
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < NUM_ENDS; i++) ends[i] = 0;
+  PetscCall(LevelGetFacets(level, vi->scene, pair->spec->nonmortar.body, pair->spec->nonmortar.side, &facets));
+  PetscCall(CoarseContactFindEnds_Private(level, &facets, &ways));
+  PetscCall(VecGhostGetLocalForm(marks, &local[0]));
+  PetscCall(VecGhostGetLocalForm(ways, &local[1]));
+  PetscCall(VecGetArrayRead(local[0], &mark));
+  PetscCall(VecGetArrayRead(local[1], &way));
+  for (PetscInt f = 0; f < facets.num; f++) {
+    const PetscInt *nodes = &facets.nodes[f * F], num = ElementNumNodes(facets.type[f]);
+
+    for (PetscInt i = 0; i < num; i++) {
+      if (PetscRealPart(mark[nodes[i]]) != NODE_IN) continue;
+      if (i < ElementNumNodes(ElementLinear(facets.type[f])))
+        CoarseContactAddVertex_Private(&vi->support, nodes[i], &way[nodes[i] * dim], patch->facet_size, axis, ends);
+      for (PetscInt j = 0; j < num; j++) {
+        PetscReal to[3];
+
+        if (PetscRealPart(mark[nodes[j]]) != NODE_OUT) continue;
+        for (PetscInt k = 0; k < dim; k++)
+          to[k] = level->coords[nodes[j] * dim + k] - level->coords[nodes[i] * dim + k];
+        if (PetscAbsReal(VectorDot(dim, to, axis)) > ACROSS * PetscSqrtReal(VectorDot(dim, to, to))) ends[IS_INNER] = 1;
+      }
+    }
+  }
+  for (PetscInt a = 0; a < pair->num; a++)
+    if (pair->partly_covered[a] && PetscRealPart(mark[pair->nodes[a]]) == NODE_IN) ends[IS_EDGE] = 1;
+  PetscCall(VecRestoreArrayRead(local[1], &way));
+  PetscCall(VecRestoreArrayRead(local[0], &mark));
+  PetscCall(VecGhostRestoreLocalForm(ways, &local[1]));
+  PetscCall(VecGhostRestoreLocalForm(marks, &local[0]));
+  PetscCall(VecDestroy(&ways));
+  PetscCall(FacetsDestroy(&facets));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, ends, NUM_ENDS, MPIU_REAL, MPI_MAX, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CoarseContactFind(Fields fields, PetscInt p, CoarseContact *found)
+{
+  const PetscInt      dim    = fields->vi->level->dim;
+  const SceneBody    *body   = &fields->vi->scene->bodies[fields->vi->pairs[p]->spec->nonmortar.body];
+  const PetscInt      across = dim - 2, order = body->order;
+  PetscInt            at = 0;
+  ContactPatches      patches;
+  const ContactPatch *patch;
+
+  PetscFunctionBeginUser;
+  *found = (CoarseContact){.shows = PETSC_FALSE};
+  PetscCall(ContactPatchesCreate(fields, p, &patches));
+  for (PetscInt i = 1; i < patches.num; i++) // of equal ones the first, on any number of ranks
+    if (patches.patch[i].max_pressure > (1 + PETSC_SQRT_MACHINE_EPSILON) * patches.patch[at].max_pressure) at = i;
+  patch = patches.num ? &patches.patch[at] : NULL;
+  if (patch && patch->facets * order <= FEW && patch->normal_force > 0) {
+    PetscReal ends[NUM_ENDS], twice;
+    Vec       marks;
+
+    PetscCall(CoarseContactMark_Private(fields, p, &patches, at, &marks));
+    PetscCall(CoarseContactGetEnds_Private(fields, p, marks, patch, ends));
+    PetscCall(VecDestroy(&marks));
+    twice         = ends[IS_MIRRORED] > 0 ? 2 : 1;
+    found->facets = twice * patch->facets;
+    found->edge   = (PetscBool)(ends[IS_EDGE] > 0);
+    found->size   = twice * patch->extent[across] / (2 * ADVISED);
+    found->shows  = (PetscBool)(ends[IS_INNER] > 0 && found->facets * order <= FEW);
+    PetscCall(PetscArraycpy(found->at, patch->centre, 3));
+  }
+  PetscCall(ContactPatchesDestroy(&patches));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
