@@ -23,6 +23,11 @@ static const PetscReal MIXED[3] = {1, 0.7548776662466927, 0.5698402909980532};
 enum { MAX_MEASURED = 256 }; /* points whose depth is measured */
 enum { F = ELEMENT_MAX_FACET_NODES, BOX = 6 };
 
+/* The deepest point of two bodies so far. */
+typedef struct {
+  PetscReal depth, at[3];
+} Deepest;
+
 /* The boundary of all bodies, this rank's part. */
 typedef struct {
   PetscInt     num;
@@ -288,9 +293,9 @@ static PetscBool PointsCompare_Private(PetscInt dim, const PetscReal x[], const 
 }
 
 /* The deepest of the points that are left, the first by coordinates of those that are as deep; of many, some. Collective.
-   [in,out] depth - of what was found before; [in,out] at - [dim] */
+   [in,out] deepest - what was found before */
 static PetscErrorCode PointsMeasure_Private(const Level *level, const Boundary *b, PetscInt body, const Points *points,
-                                            PetscReal *depth, PetscReal at[])
+                                            Deepest *deepest)
 {
   const PetscInt dim  = level->dim;
   PetscInt       left = 0, num = 0, stride, *chosen;
@@ -321,17 +326,18 @@ static PetscErrorCode PointsMeasure_Private(const Level *level, const Boundary *
   for (PetscInt i = 0; i < num; i++) {
     const PetscReal *x = &points->x[chosen[i] * dim], d = PetscSqrtReal(away[i]);
 
-    if (d < *depth * (1 - ON_SIDE) || (d < *depth * (1 + ON_SIDE) && !PointsCompare_Private(dim, x, at))) continue;
-    *depth = d;
-    PetscCall(PetscArraycpy(at, x, dim));
+    if (d < deepest->depth * (1 - ON_SIDE)) continue;
+    if (d < deepest->depth * (1 + ON_SIDE) && !PointsCompare_Private(dim, x, deepest->at)) continue;
+    deepest->depth = d;
+    PetscCall(PetscArraycpy(deepest->at, x, dim));
   }
   PetscCall(PetscFree3(chosen, away, key));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Looks for the boundary of body a inside body b, deeper than a limit. Collective. [in,out] depth, at - as above */
+/* Looks for the boundary of body a inside body b, deeper than a limit. Collective. [in,out] deepest - as above */
 static PetscErrorCode OverlapFind_Private(const Level *level, const Boundary *boundary, PetscInt a, PetscInt b,
-                                          const PetscReal boxes[], PetscReal limit, PetscReal *depth, PetscReal at[])
+                                          const PetscReal boxes[], PetscReal limit, Deepest *deepest)
 {
   PetscReal box[BOX];
   Points    points;
@@ -347,7 +353,7 @@ static PetscErrorCode OverlapFind_Private(const Level *level, const Boundary *bo
   if (points.num) {
     PetscCall(PointsFindInside_Private(level, b, &points));
     PetscCall(PointsRemoveNear_Private(level, boundary, b, limit, &points));
-    PetscCall(PointsMeasure_Private(level, boundary, b, &points, depth, at));
+    PetscCall(PointsMeasure_Private(level, boundary, b, &points, deepest));
   }
   PetscCall(PetscFree2(points.x, points.inside));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -395,9 +401,9 @@ PetscErrorCode BodyOverlapWarn(const Level *level)
   for (PetscInt a = 0; a < n; a++) {
     for (PetscInt b = a + 1; b < n; b++) {
       const char     *pair;
-      const PetscReal limit = OverlapGetLimit_Private(scene, a, b, box, &pair);
-      PetscReal       depth = 0, at[3] = {0, 0, 0};
-      PetscBool       meet = PETSC_TRUE;
+      const PetscReal limit   = OverlapGetLimit_Private(scene, a, b, box, &pair);
+      Deepest         deepest = {0, {0, 0, 0}};
+      PetscBool       meet    = PETSC_TRUE;
 
       for (PetscInt k = 0; k < level->dim; k++)
         meet = (PetscBool)(meet && PetscMin(box[a * BOX + 3 + k], box[b * BOX + 3 + k]) -
@@ -406,9 +412,9 @@ PetscErrorCode BodyOverlapWarn(const Level *level)
       if (!meet) continue;
       if (!any) PetscCall(BoundaryCreate_Private(level, &boundary));
       any = PETSC_TRUE;
-      PetscCall(OverlapFind_Private(level, &boundary, a, b, box, limit, &depth, at));
-      PetscCall(OverlapFind_Private(level, &boundary, b, a, box, limit, &depth, at));
-      if (depth > limit) PetscCall(OverlapWarn_Private(level, a, b, pair, depth, at));
+      PetscCall(OverlapFind_Private(level, &boundary, a, b, box, limit, &deepest));
+      PetscCall(OverlapFind_Private(level, &boundary, b, a, box, limit, &deepest));
+      if (deepest.depth > limit) PetscCall(OverlapWarn_Private(level, a, b, pair, deepest.depth, deepest.at));
     }
   }
   if (any) PetscCall(PetscFree3(boundary.body, boundary.nodes, boundary.type));

@@ -37,17 +37,20 @@ static PetscErrorCode SummaryWarnGapDiscontinuity_Private(const SummaryInput *in
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Contact a few facets wide: what it does to the pressure, and what would mend it. [out] shows - whether that was told */
+/* Contact a few facets wide: what it does to the pressure, and what would mend it. [out] shows - whether that was told of sides
+   without corners, whose gaps cannot jump or bend but for the size of facets */
 static PetscErrorCode SummaryWarnCoarseContact_Private(const SummaryInput *in, PetscInt p, PetscBool *shows)
 {
-  const char   *name   = in->vi->pairs[p]->spec->name;
-  Warning       coarse = {.code = "coarse_contact", .pair = name, .dim = in->scene->dim};
-  CoarseContact found;
-  char          text[128], advice[256];
+  const char        *name     = in->vi->pairs[p]->spec->name;
+  const ObstacleKind obstacle = in->vi->pairs[p]->spec->obstacle.kind;
+  Warning            coarse   = {.code = "coarse_contact", .pair = name, .dim = in->scene->dim};
+  CoarseContact      found;
+  char               text[128], advice[256];
 
   PetscFunctionBeginUser;
   PetscCall(CoarseContactFind(in->fields, p, &found));
-  *shows = found.shows;
+  *shows = (PetscBool)(found.shows && (in->vi->pairs[p]->smooth[0] || in->vi->pairs[p]->smooth[1] ||
+                                       (obstacle != OBSTACLE_NONE && obstacle != OBSTACLE_EXPRESSION)));
   if (!found.shows) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscArraycpy(coarse.at, found.at, 3));
   PetscCall(NumberWordsVector(coarse.dim, coarse.at, text, sizeof(text)));

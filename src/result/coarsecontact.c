@@ -172,7 +172,9 @@ PetscErrorCode CoarseContactFind(Fields fields, PetscInt p, CoarseContact *found
     found->edge   = (PetscBool)(ends[IS_EDGE] > 0);
     found->size   = twice * patch->extent[across] / (2 * ADVISED);
     found->shows  = (PetscBool)(ends[IS_INNER] > 0 && found->facets * order <= FEW);
-    PetscCall(PetscArraycpy(found->at, patch->centre, 3));
+    for (PetscInt k = 0; k < 3; k++) // a zero that sums have left is told as one
+      found->at[k] =
+          PetscAbsReal(patch->centre[k]) > PETSC_SQRT_MACHINE_EPSILON * patch->extent[across] ? patch->centre[k] : 0;
   }
   PetscCall(ContactPatchesDestroy(&patches));
   PetscFunctionReturn(PETSC_SUCCESS);
