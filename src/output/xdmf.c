@@ -59,6 +59,7 @@ static void XDMFWriteItem_Private(FILE *out, const char hdf5[], const char name[
           integer ? "Int" : "Float", integer ? 4 : 8, rows);
   if (columns > 1) fprintf(out, " %" PetscInt_FMT, columns);
   fprintf(out, "\">");
+  if ((unsigned char)hdf5[0] > 127) fprintf(out, "./"); // VTK's reader loses a file name that begins outside ASCII
   XMLWriteText(out, hdf5);
   fprintf(out, ":/%s</DataItem>\n", name);
 }
