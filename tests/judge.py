@@ -74,7 +74,7 @@ class Run:
         other = Run(self.program, self.mpiexec, ranks or self.ranks, self.folder / name, self.arguments + list(arguments))
         try:
             known = {w["code"] for w in self.summary["warnings"]}
-            other.require_solved(*([w["code"] for w in other.summary["warnings"] if w["code"] in known - TOLERATED] if warns is None else warns))
+            other.require_solved(*([w["code"] for w in other.summary["warnings"] if w["code"] in known - set(TOLERATED)] if warns is None else warns))
         except Failure as failure:
             raise Failure(f"{failure}, when run again {other.describe()}") from None
         return other
