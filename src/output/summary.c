@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/options.h"
 #include "output/patchsummary.h"
+#include "problem/eigenstrain.h"
 #include "problem/loads.h"
 #include "result/pairsum.h"
 #include "result/probes.h"
@@ -259,6 +260,27 @@ static PetscErrorCode SummaryAddLoads_Private(const SummaryInput *in, cJSON *roo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* What bodies with pretension carry now, and the strain that they were tightened by. */
+static PetscErrorCode SummaryAddPretension_Private(const SummaryInput *in, cJSON *root)
+{
+  cJSON *all = NULL;
+
+  PetscFunctionBeginUser;
+  for (PetscInt b = 0; b < in->scene->num_bodies; b++) {
+    const SceneBody *body  = &in->scene->bodies[b];
+    PetscReal        force = NAN, stiffness;
+    cJSON           *object;
+
+    if (!body->pretension) continue;
+    if (!all) all = cJSON_AddObjectToObject(root, "pretension");
+    object = cJSON_AddObjectToObject(all, body->name);
+    if (in->fields) PetscCall(EigenstrainAxialForce(in->scene, in->vi->level, b, in->fields->u, &force, &stiffness));
+    JSONAddReal(object, "force", force);
+    JSONAddReal(object, "strain", in->fields ? body->tightening : NAN);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 static PetscErrorCode SummaryAddProbes_Private(const SummaryInput *in, cJSON *root)
 {
   cJSON *probes = cJSON_AddObjectToObject(root, "probes");
@@ -348,6 +370,7 @@ PetscErrorCode SummaryCreateStep(const SummaryInput *input, cJSON **row)
   PetscCall(SummaryAddEnergy_Private(input, *row));
   PetscCall(SummaryAddPairs_Private(input, *row));
   PetscCall(SummaryAddReactions_Private(input, *row));
+  PetscCall(SummaryAddPretension_Private(input, *row));
   PetscCall(SummaryAddProbes_Private(input, *row));
   PetscCall(ValidityAdd(input->fields, *row));
   cJSON_AddBoolToObject(*row, "certificate", input->certificate->holds);
@@ -372,6 +395,7 @@ PetscErrorCode SummaryCreate(const SummaryInput *input, char **text)
   PetscCall(SummaryAddPairs_Private(input, root));
   PetscCall(SummaryAddReactions_Private(input, root));
   PetscCall(SummaryAddLoads_Private(input, root));
+  PetscCall(SummaryAddPretension_Private(input, root));
   PetscCall(SummaryAddProbes_Private(input, root));
   SummaryAddErrors_Private(input, root);
   if (input->setup) PetscCall(SetupReportAdd(input->vi, input->setup, root));

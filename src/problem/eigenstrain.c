@@ -8,11 +8,22 @@
 
 enum { MAX_STRAINS = 6, MAX_CELL_DOFS = 3 * ELEMENT_MAX_NODES };
 
+/* a a' as a strain xx,yy,zz,yz,xz,xy. [out] axial - [MAX_STRAINS] */
+static void EigenstrainGetAxial_Private(const SceneBody *body, PetscReal axial[])
+{
+  const PetscReal *a = body->axis;
+
+  for (PetscInt s = 0; s < 3; s++) {
+    axial[s]     = a[s] * a[s];
+    axial[3 + s] = 2 * a[(s + 1) % 3] * a[(s + 2) % 3];
+  }
+}
+
 /* eps_0 as xx,yy,zz,yz,xz,xy. */
 static PetscErrorCode EigenstrainEvaluateAll_Private(Scene scene, PetscInt body, const PetscReal x[], PetscReal all[])
 {
   const SceneBody *b = &scene->bodies[body];
-  PetscReal        temperature, expansion[3], given[MAX_STRAINS];
+  PetscReal        temperature, expansion[3], given[MAX_STRAINS], axial[MAX_STRAINS];
 
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(all, MAX_STRAINS));
@@ -28,6 +39,10 @@ static PetscErrorCode EigenstrainEvaluateAll_Private(Scene scene, PetscInt body,
     for (PetscInt s = 0; s < 3; s++) all[s] += given[s];
     for (PetscInt s = 3; s < MAX_STRAINS && scene->dim == 3; s++) all[s] += given[s];
     if (scene->dim == 2) all[5] += given[3];
+  }
+  if (b->pretension) {
+    EigenstrainGetAxial_Private(b, axial);
+    for (PetscInt s = 0; s < MAX_STRAINS; s++) all[s] += b->tightening * axial[s];
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -279,5 +294,89 @@ PetscErrorCode EigenstrainEnergy(Scene scene, Level *level, Vec u, PetscReal ene
     if (SceneBodyHasEigenstrain(&scene->bodies[b])) energy[b] = sums[b];
   *constant = sums[scene->num_bodies];
   PetscCall(PetscFree(sums));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* int sigma : a a' and int a a' : C a a' over one cell. [in] u - local form; [in,out] sums - [2] */
+static void EigenstrainAddAxial_Private(Scene scene, const Cell *cell, const PetscReal axial[], const PetscScalar u[],
+                                        PetscReal sums[])
+{
+  const PetscInt  n = cell->n, ns = cell->num_strains;
+  const PetscBool ring  = (PetscBool)(scene->model == MODEL_AXISYMMETRIC);
+  const PetscReal trace = MaterialDilatation(ns, axial); // Pi keeps what is constant
+  PetscReal       B[MAX_STRAINS * MAX_CELL_DOFS], ue[MAX_CELL_DOFS], q_a[DILATATION_MAX_FUNCTIONS];
+
+  for (PetscInt i = 0; i < n; i++) ue[i] = PetscRealPart(u[cell->nodes[i / cell->dim] * cell->dim + i % cell->dim]);
+  for (PetscInt q = 0; q < cell->num; q++) {
+    PetscReal strain[MAX_STRAINS], change = 0;
+
+    EigenstrainGetStrainMatrix_Private(cell, ring, q, B);
+    for (PetscInt s = 0; s < ns; s++) {
+      strain[s] = -cell->e[q].strain[s];
+      for (PetscInt i = 0; i < n; i++) strain[s] += B[s * n + i] * ue[i];
+    }
+    if (cell->pi.num)
+      change = DilatationEvaluate(&cell->pi, &cell->x[q * cell->dim], ue) - EigenstrainGetChange_Private(cell, q, q_a);
+    for (PetscInt r = 0; r < ns; r++) {
+      for (PetscInt s = 0; s < ns; s++) {
+        sums[0] += cell->w[q] * axial[r] * cell->C[q][r * ns + s] * strain[s];
+        sums[1] += cell->w[q] * axial[r] * cell->C[q][r * ns + s] * axial[s];
+      }
+    }
+    sums[0] += cell->w[q] * cell->bulk[q] * trace * change;
+    sums[1] += cell->w[q] * cell->bulk[q] * PetscSqr(trace);
+  }
+}
+
+/* How long a body is along its axis. Collective. */
+static PetscErrorCode EigenstrainGetLength_Private(const Level *level, PetscInt body, const PetscReal axis[],
+                                                   PetscReal *length)
+{
+  PetscReal ends[2] = {-PETSC_MAX_REAL, -PETSC_MAX_REAL};
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < level->num_owned; i++) {
+    PetscReal along = 0;
+
+    if (level->node_body[i] != body) continue;
+    for (PetscInt k = 0; k < level->dim; k++) along += axis[k] * level->coords[i * level->dim + k];
+    ends[0] = PetscMax(ends[0], along);
+    ends[1] = PetscMax(ends[1], -along);
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, ends, 2, MPIU_REAL, MPIU_MAX, level->comm));
+  *length = ends[0] + ends[1];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EigenstrainAxialForce(Scene scene, Level *level, PetscInt body, Vec u, PetscReal *force,
+                                     PetscReal *stiffness)
+{
+  const SceneBody   *b       = &scene->bodies[body];
+  PetscReal          sums[2] = {0, 0}, all[MAX_STRAINS], axial[MAX_STRAINS], length = 1;
+  const PetscScalar *ua;
+  Vec                local;
+  ElementRule       *rules;
+  Cell              *cell;
+
+  PetscFunctionBeginUser;
+  EigenstrainGetAxial_Private(b, all);
+  MaterialPickStrains(scene->model, all, axial);
+  PetscCall(ElasticityRulesCreate(scene, &rules));
+  PetscCall(PetscNew(&cell));
+  PetscCall(VecGhostGetLocalForm(u, &local));
+  PetscCall(VecGetArrayRead(local, &ua));
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    if (level->cell_body[c] != body) continue;
+    PetscCall(EigenstrainSetCell_Private(scene, level, c, &rules[level->cell_type[c]], cell));
+    EigenstrainAddAxial_Private(scene, cell, axial, ua, sums);
+  }
+  PetscCall(VecRestoreArrayRead(local, &ua));
+  PetscCall(VecGhostRestoreLocalForm(u, &local));
+  PetscCall(PetscFree(cell));
+  PetscCall(PetscFree(rules));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPIU_REAL, MPI_SUM, level->comm));
+  PetscCall(EigenstrainGetLength_Private(level, body, b->axis, &length));
+  *force     = sums[0] / length;
+  *stiffness = sums[1] / length;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -31,4 +31,9 @@ PetscErrorCode EigenstrainCheck(Scene scene, Level *level);
    [in] u - ghosted; [in,out] energy - 1/2 u'K u on entry [num_bodies]; [out] constant - sum of 1/2 int eps_0 : C eps_0 */
 PetscErrorCode EigenstrainEnergy(Scene scene, Level *level, Vec u, PetscReal energy[], PetscReal *constant);
 
+/* The mean axial force of a body with pretension, (1/L) int sigma : a a' over it, L its extent along the axis a (eq. 8.7), and what it falls by per
+   strain along the axis while all displacements stay. Collective. [in] u - ghosted */
+PetscErrorCode EigenstrainAxialForce(Scene scene, Level *level, PetscInt body, Vec u, PetscReal *force,
+                                     PetscReal *stiffness);
+
 #endif

@@ -120,6 +120,12 @@ static const OptionEntry table[] = {
     {GROUP_LOADS, "-<body>_initial_strain", "e,e,e,e[,e,e]", "", "(none)",
      "Strain that the body has without stress: xx, yy, zz, xy; in solids xx, yy, zz, yz, xz, xy. Shear strains are "
      "engineering shear strains. Axisymmetric: x is the radius, y the axis, z around."},
+    {GROUP_LOADS, "-<body>_pretension", "e", "force", "(none)",
+     "Mean axial force in the sections of the body, above 0, as of a bolt that is tightened; found as a strain along "
+     "the "
+     "axis. With -load_steps the strain of the first step is kept, unless the force names t."},
+    {GROUP_LOADS, "-<body>_pretension_axis", "x,y[,z]", "", "(required)",
+     "With -<body>_pretension: direction of the axis, of any length. Axisymmetric: 0,1."},
 
     {GROUP_PAIRS, "-<pair>_nonmortar", "body:side", "", "(-<pair>_sides)", "Side that carries the contact pressure."},
     {GROUP_PAIRS, "-<pair>_mortar", "body:side", "", "(-<pair>_sides)",

@@ -48,6 +48,9 @@ typedef struct {
   Expression     temperature;     /* above that without stress [1], or NULL as expansion */
   Expression     expansion;       /* thermal: of all directions [1], of the material axes [3] */
   Expression     initial_strain;  /* without stress [4, in space 6], or NULL */
+  Expression     pretension;      /* mean axial force [1], or NULL */
+  PetscReal      axis[3];         /* of the pretension, unit */
+  PetscReal      tightening;      /* its strain along the axis, found by the solution */
   Expression     exact;           /* the exact displacement, where it is known [dim], or NULL */
   PetscInt       num_boundaries;
   SceneBoundary *boundaries; /* in the order typed: displacement, normal, traction, pressure, force, moment */
@@ -148,7 +151,8 @@ typedef enum {
   DATUM_GAP          = 4,  /* gaps and their offsets */
   DATUM_TEMPERATURE  = 8,  /* temperatures and what else strains a body without a force */
   DATUM_MATERIAL     = 16, /* the stiffness */
-  DATUM_MESH         = 32  /* the mesh, which is made once */
+  DATUM_MESH         = 32, /* the mesh, which is made once */
+  DATUM_PRETENSION   = 64  /* a mean axial force, and with it a strain without stress */
 } DatumKind;
 /* What time may multiply. */
 #define SCENE_STEPS_SCALABLE (DATUM_LOAD | DATUM_DISPLACEMENT | DATUM_GAP | DATUM_TEMPERATURE)
@@ -192,6 +196,7 @@ struct _n_Scene {
   PetscReal   time;    /* of SceneSetTime(); 1 in the beginning */
   int         changed; /* DatumKind bits of what has changed since who solves has last looked and cleared them */
   PetscBool   scaled;  /* whether all that varies in time is proportional to it */
+  PetscBool   tighten; /* whether the strains of pretensions are to be found, else they are kept */
   PetscBool   keep;    /* whether solvers keep their factors for further solutions of this scene */
 
   SceneAdapt adapt;
@@ -227,7 +232,7 @@ static inline PetscBool SceneBoundaryIsLoad(const SceneBoundary *boundary)
 /* Whether a body has strains without stress. */
 static inline PetscBool SceneBodyHasEigenstrain(const SceneBody *body)
 {
-  return (PetscBool)(body->temperature || body->initial_strain);
+  return (PetscBool)(body->temperature || body->initial_strain || body->pretension);
 }
 
 /* Whether two sides, each a name or several joined with '+', have a name in common. Not collective. */

@@ -243,12 +243,55 @@ static PetscErrorCode BodyReadEigenstrain_Private(Scene scene, SceneBody *body)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Reads the unit vector along a body with pretension. */
+static PetscErrorCode BodyReadAxis_Private(Scene scene, SceneBody *body)
+{
+  Option    axis;
+  PetscReal length = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionFind(scene, "-<body>_pretension_axis", body->name, NULL, &axis));
+  PetscCall(OptionRequire(&axis, "-<body>_pretension acts along an axis"));
+  PetscCall(OptionGetReals(&axis, scene->dim, body->axis));
+  for (PetscInt k = 0; k < scene->dim; k++) length += PetscSqr(body->axis[k]);
+  length = PetscSqrtReal(length);
+  if (!(length > 0)) PetscCall(OptionRaise(&axis, "an axis has a direction; one of its components is not 0"));
+  for (PetscInt k = 0; k < scene->dim; k++) body->axis[k] /= length;
+  if (scene->model == MODEL_AXISYMMETRIC && body->axis[0] != 0)
+    PetscCall(OptionRaise(&axis, "a ring has tension along the axis of the scene alone; write 0,1"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A mean axial force. */
+static PetscErrorCode BodyReadPretension_Private(Scene scene, SceneBody *body)
+{
+  const PetscReal origin[3] = {0, 0, 0};
+  PetscReal       force;
+  Option          pretension;
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionFind(scene, "-<body>_pretension", body->name, NULL, &pretension));
+  if (!pretension.set) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(OptionGetExpression(&pretension, 1, PETSC_FALSE, &body->pretension));
+  if (ExpressionNames(body->pretension, "x") || ExpressionNames(body->pretension, "y") ||
+      ExpressionNames(body->pretension, "z") || ExpressionNames(body->pretension, "r"))
+    PetscCall(
+        OptionRaise(&pretension, "the force of a body does not vary in space; write a number, or a formula of t"));
+  if (ExpressionIsConstant(body->pretension)) {
+    PetscCall(ExpressionEvaluate(body->pretension, scene->dim, origin, &force));
+    if (!(force > 0)) PetscCall(OptionRaise(&pretension, "a pretension is a tensile force above 0"));
+  }
+  PetscCall(BodyReadAxis_Private(scene, body));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SceneBodyRead(Scene scene, SceneBody *body)
 {
   PetscFunctionBeginUser;
   PetscCall(BodyReadMesh_Private(scene, body));
   PetscCall(BodyReadMaterial_Private(scene, body));
   PetscCall(BodyReadEigenstrain_Private(scene, body));
+  PetscCall(BodyReadPretension_Private(scene, body));
   PetscCall(SceneBoundariesRead(scene, body));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -269,6 +312,7 @@ PetscErrorCode SceneBodyDestroy(SceneBody *body)
   PetscCall(ExpressionDestroy(&body->temperature));
   PetscCall(ExpressionDestroy(&body->expansion));
   PetscCall(ExpressionDestroy(&body->initial_strain));
+  PetscCall(ExpressionDestroy(&body->pretension));
   PetscCall(ExpressionDestroy(&body->exact));
   PetscCall(PetscFree(body->name));
   PetscCall(PetscFree(body->mesh_file));

@@ -11,7 +11,7 @@ typedef struct {
   PetscBool   variable; /* whether a caller may replace it */
 } Datum;
 
-enum { DATA_BODY = 9, DATA_PAIR = 4 }; /* of a body beside its boundaries, of a pair */
+enum { DATA_BODY = 10, DATA_PAIR = 4 }; /* of a body beside its boundaries, of a pair */
 
 /* All data that a scene has. [out] data - [num], owned by the caller */
 static PetscErrorCode DataList_Private(Scene scene, PetscInt *num, Datum **data)
@@ -33,6 +33,7 @@ static PetscErrorCode DataList_Private(Scene scene, PetscInt *num, Datum **data)
     (*data)[n++] = (Datum){&body->temperature, DATUM_TEMPERATURE, PETSC_TRUE, PETSC_TRUE};
     (*data)[n++] = (Datum){&body->initial_strain, DATUM_TEMPERATURE, PETSC_TRUE, PETSC_TRUE};
     (*data)[n++] = (Datum){&body->expansion, DATUM_TEMPERATURE, PETSC_FALSE, PETSC_TRUE};
+    (*data)[n++] = (Datum){&body->pretension, DATUM_PRETENSION, PETSC_FALSE, PETSC_TRUE};
     for (PetscInt i = 0; i < body->num_boundaries; i++) {
       const int kind = body->boundaries[i].kind == BOUNDARY_DISPLACEMENT ? DATUM_DISPLACEMENT : DATUM_LOAD;
 

@@ -95,6 +95,13 @@ static PetscErrorCode ViewBody_Private(Scene scene, const SceneBody *body)
   if (body->initial_strain)
     PetscCall(ViewPrint_Private(scene, "    %-12s initial strain %s\n", "inside",
                                 ViewShorten_Private(body->initial_strain, shown)));
+  if (body->pretension) {
+    PetscCall(ViewPrint_Private(scene, "    %-12s pretension %s along", "inside",
+                                ViewShorten_Private(body->pretension, shown)));
+    for (PetscInt k = 0; k < scene->dim; k++)
+      PetscCall(ViewPrint_Private(scene, "%s%g", k ? ", " : " (", (double)body->axis[k]));
+    PetscCall(ViewPrint_Private(scene, ")\n"));
+  }
   PetscCall(ViewBoundaries_Private(scene, body));
   if (body->exact)
     PetscCall(ViewPrint_Private(scene, "    %-12s %s\n", "exact", ViewShorten_Private(body->exact, shown)));
@@ -141,8 +148,8 @@ PetscErrorCode SceneViewLeftOut(Scene scene)
 
   PetscFunctionBeginUser;
   for (const SceneBody *b = scene->bodies; b < scene->bodies + scene->num_bodies; b++) {
-    Expression data[] = {b->map,         b->young,     b->poisson,        b->stiffness, b->body_force,
-                         b->temperature, b->expansion, b->initial_strain, b->exact};
+    Expression data[] = {b->map,         b->young,     b->poisson,        b->stiffness,  b->body_force,
+                         b->temperature, b->expansion, b->initial_strain, b->pretension, b->exact};
 
     for (size_t i = 0; i < sizeof(data) / sizeof(data[0]); i++) ViewCount_Private(data[i], &num, &num_varying);
     for (PetscInt i = 0; i < b->num_boundaries; i++) ViewCount_Private(b->boundaries[i].value, &num, &num_varying);

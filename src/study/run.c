@@ -5,6 +5,7 @@
 #include "base/usererror.h"
 #include "base/warning.h"
 #include "problem/lostload.h"
+#include "study/pretension.h"
 #include "study/reachcheck.h"
 
 enum {
@@ -19,7 +20,7 @@ static PetscErrorCode RunSolve_Private(Run run, Vec guess, PetscBool *again)
   PetscFunctionBeginUser;
   PetscCall(LogStageBegin(STAGE_SOLVE));
   PetscCall(VecDuplicate(run->vi->b, &run->y));
-  PetscCall(SolverSolve(run->solver, guess, run->y, &run->report));
+  PetscCall(PretensionSolve(run->vi, run->solvability, run->solver, guess, run->y, &run->report));
   if (scene->cross_check && run->report.converged)
     PetscCall(SolverCrossCheck(run->solver, run->y, &run->report, &run->check));
   PetscCall(LogStageEnd(STAGE_SOLVE));
@@ -161,7 +162,8 @@ static PetscErrorCode RunRemember_Private(Run run)
 PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run)
 {
   PetscFunctionBeginUser;
-  *run = NULL;
+  *run           = NULL;
+  scene->tighten = PETSC_TRUE;
   PetscCall(RunTry_Private(scene, mesh, guess, 0, PETSC_TRUE, run));
   PetscCall(RunRemember_Private(*run));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -243,6 +245,7 @@ PetscErrorCode RunAdvance(Vec guess, Run *run)
   PetscBool   again;
 
   PetscFunctionBeginUser;
+  scene->tighten = (PetscBool)((scene->changed & DATUM_PRETENSION) != 0); // a nut is tightened once
   if (!guess) PetscCall(RunExtrapolate_Private(*run, &own));
   WarningBeginAgain();
   PetscCall(RunForget_Private(*run));

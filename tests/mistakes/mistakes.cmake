@@ -273,3 +273,8 @@ mistake(expansion_two       SAYS "-upper_thermal_expansion 1e-5,2e-5" "one, or t
 mistake(expansion_across    SCENE anisotropic_plate SAYS "-board_thermal_expansion 1e-5" "plane_stress" ARGS -model plane_strain -board_temperature 20 -board_thermal_expansion 1e-5)
 mistake(temperature_place   SAYS "-upper_temperature" "1/(x-x)" "not a finite number" ARGS -upper_temperature "1/(x-x)" -upper_thermal_expansion 1e-5)
 mistake(initial_strain_five SAYS "-upper_initial_strain" "4 wanted" ARGS -upper_initial_strain 1,2,3)
+mistake(pretension_axis     SAYS "-upper_pretension_axis is missing" ARGS -upper_pretension 100)
+mistake(pretension_zero     SAYS "-upper_pretension 0" "above 0" ARGS -upper_pretension 0 -upper_pretension_axis 0,1)
+mistake(pretension_nowhere  SAYS "-upper_pretension_axis 0,0" "direction" ARGS -upper_pretension 1 -upper_pretension_axis 0,0)
+mistake(pretension_radial   SAYS "-upper_pretension_axis 1,0" "0,1" ARGS -model axisymmetric -upper_pretension 1 -upper_pretension_axis 1,0)
+mistake(pretension_of_x     SAYS "-upper_pretension 3*x" "formula of t" ARGS -upper_pretension 3*x -upper_pretension_axis 0,1)

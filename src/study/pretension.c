@@ -1,0 +1,193 @@
+/* pretension.c -- bodies that are tightened to a given force.
+
+   The strains alpha along the axes are further unknowns of the energy, min over u and alpha of E(u, alpha) + sum F L alpha, which is convex.
+   For fixed alpha it is the problem of contact as it is, with the same matrices: factors are kept. The mean forces are the gradient
+   of a convex function of alpha, monotone, and linear as long as contact stays the same. They are solved for by Broyden's method
+   [1] with the stiffness of the bodies alone to begin with; one body makes it the secant method, exact after two steps of one
+   contact state.
+
+   Reference:
+     [1] C. G. Broyden, A class of methods for solving nonlinear simultaneous equations (1965). */
+#include <string.h>
+#include "base/compat.h"
+#include "problem/eigenstrain.h"
+#include "study/pretension.h"
+
+enum { MAX_SOLVES = 60, MAX_SLACK = 8 }; /* solutions; doublings of a step that changes no force */
+
+/* Forces are found to the first; what iterative solvers leave is accepted up to the second. */
+static const PetscReal WANTED = 1e-11, ACCEPTED = 1e-6;
+
+/* The bodies with pretension; [num] each but for the inverse tangent, [num][num]. */
+typedef struct {
+  PetscInt   num;
+  PetscInt  *body;
+  PetscReal *given, *force, *inverse; /* inverse: d alpha / d force */
+  PetscReal *step, *change;
+} Tightening;
+
+static PetscErrorCode PretensionCreate_Private(Scene scene, Tightening *t)
+{
+  const PetscReal origin[3] = {0, 0, 0};
+
+  PetscFunctionBeginUser;
+  t->num = 0;
+  for (PetscInt b = 0; b < scene->num_bodies; b++) t->num += scene->bodies[b].pretension ? 1 : 0;
+  PetscCall(PetscCalloc6(t->num, &t->body, t->num, &t->given, t->num, &t->force, t->num * t->num, &t->inverse, t->num,
+                         &t->step, t->num, &t->change));
+  for (PetscInt b = 0, i = 0; b < scene->num_bodies; b++) {
+    if (!scene->bodies[b].pretension) continue;
+    t->body[i] = b;
+    PetscCall(ExpressionEvaluate(scene->bodies[b].pretension, scene->dim, origin, &t->given[i++]));
+    PetscCall(ExpressionCheck(scene->comm, scene->bodies[b].pretension));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode PretensionDestroy_Private(Tightening *t)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree6(t->body, t->given, t->force, t->inverse, t->step, t->change));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Forces of a displacement; with first also the tangent of bodies whose ends do not move. */
+static PetscErrorCode PretensionMeasure_Private(VI vi, Vec u, PetscBool first, Tightening *t)
+{
+  PetscReal stiffness;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < t->num; i++) {
+    PetscCall(EigenstrainAxialForce(vi->scene, vi->level, t->body[i], u, &t->force[i], &stiffness));
+    if (first) t->inverse[i * t->num + i] = -1 / stiffness;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The largest difference to a given force over the largest of these. [out] worst - the body */
+static PetscReal PretensionError_Private(const Tightening *t, PetscInt *worst)
+{
+  PetscReal error = -1, size = 0;
+
+  for (PetscInt i = 0; i < t->num; i++) {
+    const PetscReal miss = PetscAbsReal(t->force[i] - t->given[i]);
+
+    size = PetscMax(size, PetscAbsReal(t->given[i]));
+    if (miss > error) *worst = i;
+    error = PetscMax(error, miss);
+  }
+  return size > 0 ? error / size : error;
+}
+
+/* alpha += H (given - force) */
+static void PretensionStep_Private(Scene scene, Tightening *t)
+{
+  for (PetscInt i = 0; i < t->num; i++) {
+    t->step[i] = 0;
+    for (PetscInt j = 0; j < t->num; j++) t->step[i] += t->inverse[i * t->num + j] * (t->given[j] - t->force[j]);
+    scene->bodies[t->body[i]].tightening += t->step[i];
+    t->change[i] = t->force[i]; // until the next forces are known
+  }
+}
+
+/* H += (s - H y) s'H / s'H y with the step s and the change y of the forces. A step after which bodies are slack changes nothing, and is
+   taken twice as long. Returns whether it has changed something. */
+static PetscBool PretensionUpdateTangent_Private(Tightening *t, PetscReal Hy[], PetscReal sH[])
+{
+  const PetscInt n     = t->num;
+  PetscReal      along = 0, size = 0;
+
+  for (PetscInt i = 0; i < n; i++) t->change[i] = t->force[i] - t->change[i];
+  for (PetscInt i = 0; i < n; i++) {
+    Hy[i] = sH[i] = 0;
+    for (PetscInt j = 0; j < n; j++) {
+      Hy[i] += t->inverse[i * n + j] * t->change[j];
+      sH[i] += t->step[j] * t->inverse[j * n + i];
+    }
+    along += t->step[i] * Hy[i];
+    size += PetscSqr(t->step[i]);
+  }
+  if (!(along > 0.01 * size)) {
+    for (PetscInt i = 0; i < n * n; i++) t->inverse[i] *= 2;
+    return PETSC_FALSE;
+  }
+  for (PetscInt i = 0; i < n; i++)
+    for (PetscInt j = 0; j < n; j++) t->inverse[i * n + j] += (t->step[i] - Hy[i]) * sH[j] / along;
+  return PETSC_TRUE;
+}
+
+/* Solves with the strains as they are. [in,out] u - displacement to begin with, and found; guess - whether it is one */
+static PetscErrorCode PretensionSolveOnce_Private(VI vi, Solvability solvability, Solver solver, PetscBool guess, Vec u,
+                                                  Vec y, SolverReport *report)
+{
+  PetscBool updated;
+
+  PetscFunctionBeginUser;
+  PetscCall(VIUpdate(vi, DATUM_TEMPERATURE, &updated));
+  PetscCall(SolvabilityUpdate(vi, solvability));
+  PetscCall(SolverUpdate(solver));
+  PetscCall(SolverSolve(solver, guess ? u : NULL, y, report));
+  PetscCall(VIRecoverDisplacement(vi, y, u));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Broyden's method. [in,out] u - displacement to begin with, where there is a guess; zero else */
+static PetscErrorCode PretensionFind_Private(VI vi, Solvability solvability, Solver solver, PetscBool guess, Vec u,
+                                             Vec y, SolverReport *report)
+{
+  PetscInt   worst = 0, slack = 0;
+  PetscReal *work, error = PETSC_INFINITY, before;
+  Tightening t;
+
+  PetscFunctionBeginUser;
+  PetscCall(PretensionCreate_Private(vi->scene, &t));
+  PetscCall(PetscMalloc1(2 * t.num, &work));
+  PetscCall(PretensionMeasure_Private(vi, u, PETSC_TRUE, &t));
+  for (PetscInt solves = 0; solves < MAX_SOLVES; solves++) {
+    PretensionStep_Private(vi->scene, &t);
+    PetscCall(PretensionSolveOnce_Private(vi, solvability, solver, (PetscBool)(guess || solves), u, y, report));
+    if (!report->converged) break;
+    PetscCall(PretensionMeasure_Private(vi, u, PETSC_FALSE, &t));
+    before = error;
+    error  = PretensionError_Private(&t, &worst);
+    if (error <= WANTED || (error <= ACCEPTED && error > 0.5 * before)) break;
+    slack = PretensionUpdateTangent_Private(&t, work, &work[t.num]) ? 0 : slack + 1;
+    if (slack == MAX_SLACK) break;
+  }
+  if (report->converged && !(error <= ACCEPTED)) {
+    report->converged = PETSC_FALSE;
+    PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason),
+                            "-%s_pretension: no strain along the axis gives the body this force, it carries %g; nothing "
+                            "clamps it, or the loads pull it harder",
+                            vi->scene->bodies[t.body[worst]].name, (double)t.force[worst]));
+  }
+  PetscCall(PetscFree(work));
+  PetscCall(PretensionDestroy_Private(&t));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PretensionSolve(VI vi, Solvability solvability, Solver solver, Vec guess, Vec y, SolverReport *report)
+{
+  const Scene     scene = vi->scene;
+  const PetscBool keep  = scene->keep;
+  PetscBool       any   = PETSC_FALSE;
+  Vec             u;
+
+  PetscFunctionBeginUser;
+  for (PetscInt b = 0; b < scene->num_bodies; b++) any = (PetscBool)(any || scene->bodies[b].pretension);
+  if (!any || !scene->tighten) {
+    PetscCall(SolverSolve(solver, guess, y, report));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(LevelCreateVec(vi->level, vi->level->dim, &u));
+  if (guess) {
+    PetscCall(VecCopy(guess, u));
+    PetscCall(VecGhostUpdateBegin(u, INSERT_VALUES, SCATTER_FORWARD));
+    PetscCall(VecGhostUpdateEnd(u, INSERT_VALUES, SCATTER_FORWARD));
+  }
+  scene->keep = PETSC_TRUE; // all these solves have the same matrices
+  PetscCall(PretensionFind_Private(vi, solvability, solver, (PetscBool)(guess != NULL), u, y, report));
+  scene->keep = keep;
+  PetscCall(VecDestroy(&u));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
