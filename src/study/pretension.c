@@ -136,16 +136,21 @@ static PetscErrorCode PretensionFind_Private(VI vi, Solvability solvability, Sol
                                              Vec y, SolverReport *report)
 {
   PetscInt   worst = 0, slack = 0;
+  PetscBool  tight = PETSC_FALSE;
   PetscReal *work, error = PETSC_INFINITY, before;
   Tightening t;
 
   PetscFunctionBeginUser;
   PetscCall(PretensionCreate_Private(vi->scene, &t));
   PetscCall(PetscMalloc1(2 * t.num, &work));
+  for (PetscInt i = 0; i < t.num; i++) tight = (PetscBool)(tight || vi->scene->bodies[t.body[i]].tightening != 0);
+  if (tight)
+    PetscCall(PretensionSolveOnce_Private(vi, solvability, solver, guess, u, y, report)); // the loads have changed
   PetscCall(PretensionMeasure_Private(vi, u, PETSC_TRUE, &t));
   for (PetscInt solves = 0; solves < MAX_SOLVES; solves++) {
     PretensionStep_Private(vi->scene, &t);
-    PetscCall(PretensionSolveOnce_Private(vi, solvability, solver, (PetscBool)(guess || solves), u, y, report));
+    PetscCall(
+        PretensionSolveOnce_Private(vi, solvability, solver, (PetscBool)(guess || tight || solves), u, y, report));
     if (!report->converged) break;
     PetscCall(PretensionMeasure_Private(vi, u, PETSC_FALSE, &t));
     before = error;
@@ -156,10 +161,11 @@ static PetscErrorCode PretensionFind_Private(VI vi, Solvability solvability, Sol
   }
   if (report->converged && !(error <= ACCEPTED)) {
     report->converged = PETSC_FALSE;
-    PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason),
-                            "-%s_pretension: no strain along the axis gives the body this force, it carries %g; nothing "
-                            "clamps it, or the loads pull it harder",
-                            vi->scene->bodies[t.body[worst]].name, (double)t.force[worst]));
+    PetscCall(
+        PetscSNPrintf(report->reason, sizeof(report->reason),
+                      "-%s_pretension: no strain along the axis gives the body this force, it carries %g; nothing "
+                      "clamps it, or the loads pull it harder",
+                      vi->scene->bodies[t.body[worst]].name, (double)t.force[worst]));
   }
   PetscCall(PetscFree(work));
   PetscCall(PretensionDestroy_Private(&t));
