@@ -263,7 +263,7 @@ MORTISE_PUBLIC PetscErrorCode MortiseSetUp(Mortise m);
 MORTISE_PUBLIC PetscErrorCode MortiseSetTime(Mortise m, PetscReal t);
 
 /*@
-   MortiseSetDatum - Replaces a load, a given displacement or a gap of the scene by numbers.
+   MortiseSetDatum - Replaces a load, a temperature, a given displacement or a gap of the scene by numbers.
 
    Collective
 
@@ -274,9 +274,9 @@ MORTISE_PUBLIC PetscErrorCode MortiseSetTime(Mortise m, PetscReal t);
 -  values - array of shape [num], in the unit of the option
 
    Notes:
-   The option is one of -<body>_body_force, -<body>_bc_displacement_<side>, -<body>_bc_traction_<side>, -<body>_bc_pressure_<side>,
-   -<pair>_gap, -<pair>_gap_offset, -<pair>_obstacle_gap, and the scene has it. A component that is `free` in the scene stays free,
-   whatever its value. If t is a load factor it multiplies these numbers, too.
+   The option is one of -<body>_body_force, -<body>_bc_displacement_<side>, other -<body>_bc_<load>_<side>, -<body>_temperature,
+   -<body>_initial_strain, -<body>_pretension, -<pair>_gap, -<pair>_gap_offset, -<pair>_obstacle_gap, and the scene has it. What is
+   `free` stays so. If t is a load factor it multiplies these numbers, too. A solve finds the strain of a new pretension, else keeps it.
 
    Level: intermediate
 .seealso: MortiseSetTime(), MortiseSolve()

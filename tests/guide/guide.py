@@ -80,6 +80,7 @@ SCENES = {
     "floating": ["-options_file", "options/stack.opts", "-units", "mm,N,MPa"],
     "checked": ["-options_file", "options/two_plates.opts", "-check"],
     "pieces": ["-options_file", "tests/hard/pieces.opts"],
+    "tightened": ["-options_file", "tests/regression/bolt_springs.opts"],
     "pulled": ["-options_file", "tests/hard/pieces.opts", "-lids_body_force", "0,1"],
     "jump": ["-options_file", "tests/hard/chamfer.opts"],
     "large": ["-options_file", "options/two_plates.opts", "-upper_young", "1e3", "-upper_dm_plex_box_faces", "4,4", "-lower_dm_plex_box_faces", "3,3"],
