@@ -5,6 +5,7 @@
 #include "base/warning.h"
 #include "result/coarsecontact.h"
 #include "result/gapdiscontinuity.h"
+#include "result/pairsum.h"
 #include "result/solvabilityreport.h"
 #include "result/validity.h"
 #include "output/numberwords.h"
@@ -184,6 +185,77 @@ static PetscErrorCode SummaryWarnUnbalanced_Private(const SummaryInput *in)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Loads on a side that takes part in contact: they act where the partner presses, too, which is rarely meant. */
+static PetscErrorCode SummaryWarnLoadedSide_Private(const SummaryInput *in, PetscInt p)
+{
+  const ScenePair *spec    = in->vi->pairs[p]->spec;
+  const SceneSide *sides[] = {&spec->nonmortar, &spec->mortar};
+  const Warning    about   = {.code = "loaded_contact", .pair = spec->name, .advice = "check the side of the load"};
+
+  PetscFunctionBeginUser;
+  for (PetscInt which = 0; which < 2 && spec->type == PAIR_CONTACT; which++) {
+    const SceneBody *body = sides[which]->body >= 0 ? &in->scene->bodies[sides[which]->body] : NULL;
+
+    for (PetscInt i = 0; body && i < body->num_boundaries; i++) {
+      const SceneBoundary *load = &body->boundaries[i];
+
+      if (!SceneBoundaryIsLoad(load) || !SceneSidesShare(load->side, sides[which]->side)) continue;
+      PetscCall(WarningAdd(&about, "%s loads the side %s:%s of %s, also where the partner touches it",
+                           ExpressionOption(load->value), body->name, sides[which]->side, spec->name));
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Gaps and overlaps below this part of the reach are rounding of positions. */
+static const PetscReal ROUNDING = 1e-12;
+
+/* Whether nothing moves anything: no load, no displacement, no overlap. Collective. */
+static PetscErrorCode SummaryIsAtRest_Private(const SummaryInput *in, PetscBool *rest)
+{
+  PetscReal force;
+  PetscBool overlap = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecNorm(in->vi->f, NORM_INFINITY, &force));
+  for (PetscInt p = 0; p < in->vi->num_pairs; p++) {
+    const Pair pair = in->vi->pairs[p];
+
+    for (PetscInt a = 0; a < pair->num; a++) overlap = (PetscBool)(overlap || pair->gap[a] < -ROUNDING * pair->reach);
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &overlap, 1, MPIU_BOOL, MPI_LOR, in->scene->comm));
+  *rest = (PetscBool)(!overlap && force == 0 && in->vi->support.max_value == 0);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A scene in which nothing happens, or a pair that never meets; load steps tell so at their end. Collective. */
+static PetscErrorCode SummaryWarnIdle_Private(const SummaryInput *in)
+{
+  const SceneSteps *steps = &in->scene->steps;
+  const Warning     still = {.code = "no_load", .advice = "give loads, displacements, or an interference"};
+  PetscBool         rest  = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  if (steps->num && in->scene->time != steps->t[steps->num - 1]) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SummaryIsAtRest_Private(in, &rest));
+  if (rest)
+    PetscCall(WarningAdd(&still, "nothing moves: all loads and given displacements are zero, and no bodies overlap"));
+  for (PetscInt p = 0; p < in->vi->num_pairs && in->fields && !rest; p++) {
+    const ScenePair *spec  = in->vi->pairs[p]->spec;
+    const Warning    apart = {.code   = "open_contact",
+                              .pair   = spec->name,
+                              .advice = "check the signs of loads and displacements, and on which side the partner lies"};
+    PairSum          sum;
+
+    if (spec->type != PAIR_CONTACT || !in->vi->pairs[p]->num_multipliers) continue;
+    PetscCall(PairSumCompute(in->fields, p, &sum));
+    if (!sum.active && sum.min_gap > ROUNDING * in->vi->pairs[p]->reach)
+      PetscCall(
+          WarningAdd(&apart, "%s: no node is in contact; the smallest gap is %.6g", spec->name, (double)sum.min_gap));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SummaryWarn(const SummaryInput *input)
 {
   PetscBool coarse = PETSC_FALSE;
@@ -192,12 +264,14 @@ PetscErrorCode SummaryWarn(const SummaryInput *input)
   PetscCall(SolvabilityReportWarn(input->vi, input->solvability));
   for (PetscInt p = 0; p < input->vi->num_pairs; p++) {
     PetscCall(SummaryWarnEmptyPair_Private(input, p));
+    PetscCall(SummaryWarnLoadedSide_Private(input, p));
     if (input->fields) PetscCall(SummaryWarnCoarseContact_Private(input, p, &coarse));
     if (input->fields && !coarse)
       PetscCall(SummaryWarnGapDiscontinuity_Private(input, p)); // a gap bends within few facets
     if (input->fields) PetscCall(SummaryWarnCoarseCurve_Private(input, p));
   }
   PetscCall(SummaryWarnUnbalanced_Private(input));
+  PetscCall(SummaryWarnIdle_Private(input));
   if (!input->fields) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ValidityWarn(input->fields));
   PetscCall(SummaryWarnCoarseMesh_Private(input));
