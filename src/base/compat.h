@@ -58,4 +58,9 @@ typedef PetscCtxRt ContainerArgument;
 #define SNESLINESEARCHSECANT SNESLINESEARCHL2
 #endif
 
+/* The function of a line search of one's own is set by another name since 3.21. */
+#if PETSC_VERSION_LT(3, 21, 0)
+#define SNESLineSearchShellSetApply SNESLineSearchShellSetUserFunc
+#endif
+
 #endif

@@ -179,11 +179,15 @@ static PetscErrorCode SNESSetupConfigureOther_Private(const Inequality *solved, 
                                                       SNES snes)
 {
   SNESLineSearch search;
+  PetscBool      reduced;
 
   PetscFunctionBeginUser;
-  /* full steps may cycle; minimizing the residual along a step has not been seen to */
+  /* full steps may cycle, and so may steps that minimize the residual; those that lower the energy cannot, but not all
+     types have such directions */
+  PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESVINEWTONRSLS, &reduced));
   PetscCall(SNESGetLineSearch(snes, &search));
-  PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHSECANT));
+  PetscCall(SNESLineSearchSetType(search, reduced ? SNESLINESEARCHSHELL : SNESLINESEARCHSECANT));
+  if (reduced) PetscCall(SNESLineSearchShellSetApply(search, EnergySearchApply, (void *)solved));
   PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, OTHER_RTOL, 0, max_it, PETSC_DEFAULT));
   PetscCall(
       SNESSetDivergenceTolerance(snes, PETSC_UNLIMITED)); // none: the first steps may go far before the set is right

@@ -54,6 +54,9 @@ PetscErrorCode SolverChoiceSetFallback(const SolverReport *report, SolverChoice 
 PetscErrorCode SNESSetupCreate(const Inequality *solved, const SolverChoice *choice, Vec scratch, PetscReal *norm,
                                SNES *snes);
 
+/* A line search that lowers the energy 1/2 y'A y - b'y along projected steps. Collective. [in] ctx - the Inequality */
+PetscErrorCode EnergySearchApply(SNESLineSearch search, void *ctx);
+
 /* Solves with a SNES of its own. Collective.
    [in] progress - whether to print the table; [in] guess - displacement, or NULL; [out] y - created by the caller;
    [out] report */
