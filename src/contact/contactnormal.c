@@ -166,7 +166,8 @@ static PetscErrorCode ContactNormalFindMortar_Private(const FacetPartner *partne
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The direction at one node. [in] own - normal and curvature there; [in] size - of a facet there; [out] n - [dim] */
+/* The direction at one node. [in] own - normal and curvature there; [in] size - of a facet there; [out] n - zero where there is no
+   partner [dim] */
 static PetscErrorCode ContactNormalFind_Private(const FacetPartner *partner, const PetscReal x[],
                                                 const SurfacePoint *own, PetscReal size, PetscReal n[])
 {
@@ -183,7 +184,7 @@ static PetscErrorCode ContactNormalFind_Private(const FacetPartner *partner, con
       found = (PetscBool)(VectorDot(dim, other.normal, own->normal) < BESIDE);
   }
   if (!found) {
-    PetscCall(PetscArraycpy(n, own->normal, dim));
+    PetscCall(PetscArrayzero(n, dim));
   } else if (partner->spec->obstacle.kind == OBSTACLE_PLANE) {
     for (PetscInt k = 0; k < dim; k++) n[k] = -other.normal[k]; // exact however far the node moves
   } else {
@@ -193,7 +194,7 @@ static PetscErrorCode ContactNormalFind_Private(const FacetPartner *partner, con
 }
 
 /* Directions at the nodes of this rank's facets, each once. [in,out] na - own normals at local nodes, then directions, zero at nodes
-   of no facet here */
+   of no facet here and at those without a partner */
 static PetscErrorCode ContactNormalSetLocal_Private(Level *level, const FacetPartner *partner, const Facets *facets,
                                                     const SideShape *shape, PetscScalar na[])
 {
@@ -227,21 +228,73 @@ static PetscErrorCode ContactNormalSetLocal_Private(Level *level, const FacetPar
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Directions at nodes that face no partner within reach: the mean of those at the other nodes of their facets, which must not twist
+   where the partner is in reach of a part of them; else their own normals. Collective. [in] own - ghosted;
+   [in,out] normals - directions, zero where there is none */
+static PetscErrorCode ContactNormalSetBeyond_Private(Level *level, const Facets *facets, Vec own, Vec normals)
+{
+  const PetscInt     dim = level->dim;
+  Vec                beside, local[3];
+  const PetscScalar *oa;
+  PetscScalar       *na, *ba;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(normals, &beside));
+  PetscCall(VecGhostGetLocalForm(own, &local[0]));
+  PetscCall(VecGhostGetLocalForm(normals, &local[1]));
+  PetscCall(VecGhostGetLocalForm(beside, &local[2]));
+  PetscCall(VecZeroEntries(local[2]));
+  PetscCall(VecGetArrayRead(local[0], &oa));
+  PetscCall(VecGetArray(local[1], &na));
+  PetscCall(VecGetArray(local[2], &ba));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    const PetscInt *nodes = &facets->nodes[f * F], num = ElementNumNodes(facets->type[f]);
+
+    for (PetscInt i = 0; i < num * num; i++) {
+      for (PetscInt k = 0; k < dim; k++) ba[nodes[i / num] * dim + k] += na[nodes[i % num] * dim + k];
+    }
+  }
+  PetscCall(VecRestoreArray(local[2], &ba));
+  PetscCall(NodalNormalsShare(level, beside));
+  PetscCall(VecGetArray(local[2], &ba));
+  for (PetscInt i = 0; i < level->num_nodes; i++) {
+    const PetscScalar *o = &oa[i * dim], *b = &ba[i * dim];
+    PetscScalar       *n = &na[i * dim];
+
+    if (VectorDot(dim, n, n) == 0)
+      PetscCall(PetscArraycpy(n, VectorDot(dim, b, b) > 0 && VectorDot(dim, b, o) > -BESIDE ? b : o, dim));
+  }
+  PetscCall(VecRestoreArray(local[2], &ba));
+  PetscCall(VecRestoreArray(local[1], &na));
+  PetscCall(VecRestoreArrayRead(local[0], &oa));
+  PetscCall(VecGhostRestoreLocalForm(beside, &local[2]));
+  PetscCall(VecGhostRestoreLocalForm(normals, &local[1]));
+  PetscCall(VecGhostRestoreLocalForm(own, &local[0]));
+  PetscCall(VecDestroy(&beside));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ContactNormalSet(Level *level, const FacetPartner *partner, const Facets *facets, const SideShape *shape,
                                 Vec normals)
 {
   PetscBool    curved;
   PetscScalar *na;
-  Vec          local;
+  Vec          local, own, own_local;
 
   PetscFunctionBeginUser;
   PetscCall(SideShapeIsCurved(level, facets, shape, &curved));
   if (!curved && partner->spec->obstacle.kind != OBSTACLE_PLANE) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecDuplicate(normals, &own));
   PetscCall(VecGhostGetLocalForm(normals, &local));
+  PetscCall(VecGhostGetLocalForm(own, &own_local));
+  PetscCall(VecCopy(local, own_local));
+  PetscCall(VecGhostRestoreLocalForm(own, &own_local));
   PetscCall(VecGetArray(local, &na));
   PetscCall(ContactNormalSetLocal_Private(level, partner, facets, shape, na));
   PetscCall(VecRestoreArray(local, &na));
   PetscCall(VecGhostRestoreLocalForm(normals, &local));
   PetscCall(NodalNormalsShare(level, normals));
+  PetscCall(ContactNormalSetBeyond_Private(level, facets, own, normals));
+  PetscCall(VecDestroy(&own));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

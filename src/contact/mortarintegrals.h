@@ -9,7 +9,8 @@
 PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, const SideShape *shape, Vec *normals);
 
 /* Directions of contact at the nodes of the nonmortar side, from its own normals: between these and the partner's, by the curvatures
-   of both (eq. 4.3). A node that faces no partner within reach keeps its own normal. Collective. [in] shape - of the side;
+   of both (eq. 4.3). A node that faces no partner within reach takes the direction of its facets' other nodes, or keeps its own
+   normal. Collective. [in] shape - of the side;
    [in,out] normals - ghosted */
 PetscErrorCode ContactNormalSet(Level *level, const FacetPartner *partner, const Facets *facets, const SideShape *shape,
                                 Vec normals);

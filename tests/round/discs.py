@@ -10,6 +10,7 @@ from judge import LONG
 from scenes import Findings, Scene, judge_force, require
 
 TURNS = (0, 0.3, 1.1, 2, 3.7, 6)
+BEYOND = ("disc nonmortar", 1, 4, 1.1)  # the floor is in reach of one node of a facet, and of the other not: it was marginal
 MESHES = ((4, 0.0), (6, 0.2), (9, 0.0))  # layers, unevenness
 
 
@@ -28,7 +29,7 @@ def judge(run):
     found = Findings()
     cases = list(itertools.product(("plane", "disc nonmortar", "floor nonmortar"), (1, 2), MESHES, TURNS))
     for number, (floor, order, (layers, spread), turned) in enumerate(cases):
-        if not LONG and number % 6 != number // 6 % 6:
+        if not LONG and number % 6 != number // 6 % 6 and (floor, order, layers, turned) != BEYOND:
             continue  # each floor, order and mesh, turned by another angle
         name = f"{floor}_{order}_{layers}_{turned}".replace(" ", "_")
         scene = disc_scene(run.folder / "meshes" / name, floor, order, layers, spread, turned)
