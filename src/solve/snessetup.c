@@ -17,9 +17,11 @@ static const PetscInt MULTIGRID_MAX_IT = 500;
 /* Divergence tolerance: an initial guess may be this much worse than zero, the solution of a set that left a
    body nearly free. */
 static const PetscReal MULTIGRID_DTOL = 1e16;
-/* Tolerances of PETSc's own types: relative to the first residual; several times the usual number of steps. */
+/* Tolerances of PETSc's own types: relative to the first residual; many times the usual number of steps. */
 static const PetscReal OTHER_RTOL   = 1e-12;
-static const PetscInt  OTHER_MAX_IT = 100;
+static const PetscInt  OTHER_MAX_IT = 500;
+/* After so many steps the sets of PETSc's own type probably cycle. */
+static const PetscInt CYCLING_IT = 30;
 /* Largest number of steps of pdas: with one factorization for all sets they are cheap, and soft structures
    need many. */
 static const PetscInt PDAS_MAX_IT = 500;
@@ -60,6 +62,24 @@ static PetscErrorCode SNESSetupNorm_Private(const Inequality *solved, PetscReal 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Lowers the energy from now on, which no cycle can, where steps of vinewtonrsls minimized the residual so far. */
+static PetscErrorCode SNESSetupLowerEnergy_Private(SNES snes)
+{
+  SNESLineSearch search;
+  PetscBool      reduced, secant;
+  void          *solved;
+
+  PetscFunctionBeginUser;
+  PetscCall(SNESGetLineSearch(snes, &search));
+  PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESVINEWTONRSLS, &reduced));
+  PetscCall(PetscObjectTypeCompare((PetscObject)search, SNESLINESEARCHSECANT, &secant));
+  if (!reduced || !secant) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SNESGetFunction(snes, NULL, NULL, &solved));
+  PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHSHELL));
+  PetscCall(SNESLineSearchShellSetApply(search, EnergySearchApply, solved));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Convergence test of PETSc's own types: relative to the first residual, or at roundoff. [in] ctx - |A| */
 static PetscErrorCode ConvergedFn(SNES snes, PetscInt it, PetscReal xnorm, PetscReal snorm, PetscReal fnorm,
                                   SNESConvergedReason *reason, void *ctx)
@@ -73,6 +93,7 @@ static PetscErrorCode ConvergedFn(SNES snes, PetscInt it, PetscReal xnorm, Petsc
   PetscCall(SNESGetSolution(snes, &y));
   PetscCall(VecNorm(y, NORM_2, &xnorm));
   if (fnorm <= (it ? OTHER_ROUNDOFF : 0) * *norm * xnorm) *reason = SNES_CONVERGED_FNORM_ABS;
+  if (!*reason && it == CYCLING_IT) PetscCall(SNESSetupLowerEnergy_Private(snes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -179,15 +200,11 @@ static PetscErrorCode SNESSetupConfigureOther_Private(const Inequality *solved, 
                                                       SNES snes)
 {
   SNESLineSearch search;
-  PetscBool      reduced;
 
   PetscFunctionBeginUser;
-  /* full steps may cycle, and so may steps that minimize the residual; those that lower the energy cannot, but not all
-     types have such directions */
-  PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESVINEWTONRSLS, &reduced));
+  /* full steps may cycle; minimizing the residual along a step rarely does */
   PetscCall(SNESGetLineSearch(snes, &search));
-  PetscCall(SNESLineSearchSetType(search, reduced ? SNESLINESEARCHSHELL : SNESLINESEARCHSECANT));
-  if (reduced) PetscCall(SNESLineSearchShellSetApply(search, EnergySearchApply, (void *)solved));
+  PetscCall(SNESLineSearchSetType(search, SNESLINESEARCHSECANT));
   PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, OTHER_RTOL, 0, max_it, PETSC_DEFAULT));
   PetscCall(
       SNESSetDivergenceTolerance(snes, PETSC_UNLIMITED)); // none: the first steps may go far before the set is right

@@ -1,6 +1,6 @@
 """Random scenes of random_scenes.py: right forces or a refusal where statics has none. 300 of them in `check.sh long`.
 
-In seed 139 a line search on the residual cycles, with vinewtonrsls."""
+In seed 139 vinewtonrsls cycles as long as it minimizes the residual."""
 from judge import LONG, require
 from random_scenes import survey
 
