@@ -359,6 +359,19 @@ static PetscErrorCode OverlapFind_Private(const Level *level, const Boundary *bo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether a pair refuses the overlap anyway: the user wants it to reach less far. */
+static PetscBool OverlapIsRefused_Private(const struct _n_Scene *scene, PetscInt a, PetscInt b, PetscReal depth)
+{
+  for (PetscInt p = 0; p < scene->num_pairs; p++) {
+    const ScenePair *spec = &scene->pairs[p];
+    const PetscInt   s = spec->nonmortar.body, m = spec->mortar.body;
+
+    if (!((s == a && m == b) || (s == b && m == a))) continue;
+    if (spec->reach >= 0 && !spec->widened && spec->reach < depth) return PETSC_TRUE;
+  }
+  return PETSC_FALSE;
+}
+
 /* Two bodies overlap. [in] pair - that joins them, or NULL */
 static PetscErrorCode OverlapWarn_Private(const Level *level, PetscInt a, PetscInt b, const char pair[],
                                           PetscReal depth, const PetscReal at[])
@@ -414,6 +427,7 @@ PetscErrorCode BodyOverlapWarn(const Level *level)
       any = PETSC_TRUE;
       PetscCall(OverlapFind_Private(level, &boundary, a, b, box, limit, &deepest));
       PetscCall(OverlapFind_Private(level, &boundary, b, a, box, limit, &deepest));
+      if (OverlapIsRefused_Private(scene, a, b, deepest.depth)) continue;
       if (deepest.depth > limit) PetscCall(OverlapWarn_Private(level, a, b, pair, deepest.depth, deepest.at));
     }
   }

@@ -185,7 +185,17 @@ static PetscErrorCode SummaryWarnUnbalanced_Private(const SummaryInput *in)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Loads on a side that takes part in contact: they act where the partner presses, too, which is rarely meant. */
+/* Whether a formula depends on the place: then it may vanish where bodies touch. */
+static PetscBool SummaryVariesInSpace_Private(Expression value)
+{
+  static const char *const coordinates[] = {"x", "y", "z", "r"};
+
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(coordinates); i++)
+    if (ExpressionNames(value, coordinates[i])) return PETSC_TRUE;
+  return PETSC_FALSE;
+}
+
+/* Uniform loads on a side that takes part in contact: they act where the partner presses, too, which is rarely meant. */
 static PetscErrorCode SummaryWarnLoadedSide_Private(const SummaryInput *in, PetscInt p)
 {
   const ScenePair *spec    = in->vi->pairs[p]->spec;
@@ -200,6 +210,7 @@ static PetscErrorCode SummaryWarnLoadedSide_Private(const SummaryInput *in, Pets
       const SceneBoundary *load = &body->boundaries[i];
 
       if (!SceneBoundaryIsLoad(load) || !SceneSidesShare(load->side, sides[which]->side)) continue;
+      if (SummaryVariesInSpace_Private(load->value)) continue;
       PetscCall(WarningAdd(&about, "%s loads the side %s:%s of %s, also where the partner touches it",
                            ExpressionOption(load->value), body->name, sides[which]->side, spec->name));
     }

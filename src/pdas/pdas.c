@@ -254,6 +254,24 @@ static PetscErrorCode Solve_PDAS(SNES snes, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether the user wants to see the linear solver at work. */
+static PetscErrorCode PDASAsksForKSP_Private(SNES snes, PetscBool *asks)
+{
+  static const char *const views[] = {"-ksp_monitor",          "-ksp_monitor_true_residual", "-ksp_monitor_short",
+                                      "-ksp_converged_reason", "-ksp_converged_rate",        "-ksp_view",
+                                      "-ksp_view_pre"};
+  PetscOptions             options;
+  const char              *prefix;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectGetOptions((PetscObject)snes, &options));
+  PetscCall(SNESGetOptionsPrefix(snes, &prefix));
+  *asks = PETSC_FALSE;
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(views) && !*asks; i++)
+    PetscCall(PetscOptionsHasName(options, prefix, views[i], asks));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Reads the options of the type; SNESSetFromOptions() calls it for every type. SNESSHELL does not configure
    the KSP. */
 static PetscErrorCode PDASSetFromOptions_Private(SNES snes)
@@ -279,6 +297,10 @@ static PetscErrorCode PDASSetFromOptions_Private(SNES snes)
   PetscCall(PetscOptionsBool("-snes_pdas_reduce", "One factorization for all active sets; default: where it is cheap",
                              "pdas.h", pdas->reduce, &pdas->reduce, &pdas->reduce_set));
   PetscOptionsEnd();
+  if (!pdas->reduce_set) {
+    PetscCall(PDASAsksForKSP_Private(snes, &pdas->reduce_set)); // the reduced solver has no KSP to answer
+    if (pdas->reduce_set) pdas->reduce = PETSC_FALSE;
+  }
   pdas->start = (PDASStart)start;
   PetscCall(PDASDestroySolver_Private(pdas));
   if (!(pdas->c > 0)) {

@@ -241,8 +241,9 @@ static const OptionEntry table[] = {
     {GROUP_PETSC, "-ksp_rtol", "x", "", "1e-10",
      "Relative tolerance of an iterative linear solver; a factorization does not need it."},
     {GROUP_PETSC, "-ksp_*", "", "", "",
-     "All other options of KSP: -ksp_monitor, -ksp_view, -ksp_max_it. They have no effect if one factorization serves "
-     "all active sets (-snes_pdas_reduce 0 prevents that)."},
+     "All other options of KSP: -ksp_monitor, -ksp_view, -ksp_converged_reason, -ksp_max_it. If one of those that "
+     "print is "
+     "given, every active set has its own factorization, as with -snes_pdas_reduce 0."},
     {GROUP_PETSC, "-pc_type", "name", "", "(by size)",
      "Preconditioner: cholesky, truncatedmg (multigrid), gamg, hypre, jacobi."},
     {GROUP_PETSC, "-pc_*", "", "", "", "All other options of PC: -pc_factor_mat_solver_type, -pc_gamg_threshold."},
