@@ -46,7 +46,7 @@ STEP = re.compile("(?<=^mortise: warning: )t = [-+0-9.e]+: ")  # what stands bef
 def is_tolerated(line, codes):
     """Whether a line of stderr is a warning that any run may have, and that none of the codes names."""
     words = "|".join(text for code, text in TOLERATED.items() if code not in codes)
-    return bool(words) and bool(re.match(rf"mortise: warning: (order [12], level [0-9]+: |t = [^:]*: )?({words})", line))
+    return bool(words) and bool(re.match(rf"mortise: warning: ((order [12]|own orders), level [0-9]+: |t = [^:]*: )?({words})", line))
 
 
 def require(condition, sentence):
