@@ -17,7 +17,7 @@ typedef struct {
   PetscBool gap_only; /* whether gaps are measured alone, in any configuration: no M, and the pair knows its reach */
   Vec       displacement; /* with gap_only: from where the mesh is to that configuration, ghosted, or NULL; borrowed */
   PetscReal motion;       /* how far two points may have come nearer by it */
-  Vec own[2]; /* with a displacement: the side's own normals before and after it, ghosted, owned by who asked for it */
+  Vec       own[2]; /* with a displacement: the side's own normals before and after it, ghosted, owned by the caller */
 } PairAssembly;
 
 /* Searches and integrates one pair. Collective. [in] assembly - zero but for gap_only and displacement; [in,out] pair - with its spec and level;

@@ -19,7 +19,7 @@ typedef struct {
 
 /* What touches and is not joined. */
 typedef struct {
-  PetscInt  num_pieces; /* of the body: sets of cells that share nodes; 0 where nobody has counted, of a box */
+  PetscInt  num_pieces;            /* of the body: connected sets of cells; 0 for a box, whose pieces are not counted */
   PetscInt  num_nodes, num_facets; /* that coincide with a node of another piece, that lie on a facet of one */
   PetscReal at[3];                 /* the first of them, before the map */
 } UnjoinedPieces;

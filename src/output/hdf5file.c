@@ -253,7 +253,7 @@ static PetscErrorCode HDF5FileEnd_Private(FieldWriter *writer)
   PetscCall(PetscSNPrintf(path, sizeof(path), "%s%s", writer->base, writer->format->suffix));
   PetscCheck(image->good || image->sink->error || image->more, PETSC_COMM_SELF, PETSC_ERR_MEM,
              "No memory for the picture");
-  if (!image->good && !image->sink->error) image->sink->error = EIO; // somebody else has changed the file
+  if (!image->good && !image->sink->error) image->sink->error = EIO; // another process has changed the file
   if (image->sink->error) PetscCall(FileSetFail(writer->files, path, image->sink->error));
   if (image->more) {
     PetscCall(PetscNew(&growth));

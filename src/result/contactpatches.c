@@ -381,7 +381,7 @@ static PetscReal PatchGetShare_Private(PetscInt num_nodes, PetscInt i)
   return num_nodes == 2 || i == 2 ? 0.5 : 0.25;
 }
 
-/* Adds one facet to what is known of a patch along its axes. [in,out] range - RANGES; sums - FACET_SUMS */
+/* Adds a facet to the ranges and sums of a patch along its axes. [in,out] range - RANGES; sums - FACET_SUMS */
 static void PatchMeasureFacet_Private(const PatchNodes *nodes, PetscInt f, PetscInt at, const ContactPatch *patch,
                                       PetscReal range[], PetscReal sums[])
 {

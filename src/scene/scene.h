@@ -194,7 +194,7 @@ struct _n_Scene {
   SceneStudy  study;
   SceneSteps  steps;
   PetscReal   time;    /* of SceneSetTime(); 1 in the beginning */
-  int         changed; /* DatumKind bits of what has changed since who solves has last looked and cleared them */
+  int         changed; /* DatumKind bits of the changes since the last solution, which clears them */
   PetscBool   scaled;  /* whether all that varies in time is proportional to it */
   PetscBool   tighten; /* whether the strains of pretensions are to be found, else they are kept */
   PetscBool   keep;    /* whether solvers keep their factors for further solutions of this scene */

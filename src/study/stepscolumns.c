@@ -32,17 +32,17 @@ static void RowAdd_Private(Row *row, const char name[], const cJSON *value)
 }
 
 /* A number, or one column for each component. */
-static void RowAddNumbers_Private(Row *row, const char who[], const char what[], const cJSON *value)
+static void RowAddNumbers_Private(Row *row, const char owner[], const char what[], const cJSON *value)
 {
   const int size = cJSON_IsArray(value) ? cJSON_GetArraySize(value) : 0;
   char      name[NAME_LENGTH];
 
   if (!size) {
-    snprintf(name, sizeof(name), "%s%s%s", who, who[0] ? "." : "", what);
+    snprintf(name, sizeof(name), "%s%s%s", owner, owner[0] ? "." : "", what);
     RowAdd_Private(row, name, value);
   }
   for (int i = 0; i < size; i++) {
-    snprintf(name, sizeof(name), "%s.%s%s", who, what, size > 3 ? stresses[i] : axes[i]);
+    snprintf(name, sizeof(name), "%s.%s%s", owner, what, size > 3 ? stresses[i] : axes[i]);
     RowAdd_Private(row, name, cJSON_GetArrayItem(value, i));
   }
 }
