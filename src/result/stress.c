@@ -7,10 +7,11 @@
    their volumes as weights. Nodes belong to one body, so nothing is averaged across an interface. Linear stresses are
    reproduced exactly on cells of order 2 with straight sides. */
 #include "base/compat.h"
-#include "problem/eigenstrain.h"
+#include "problem/elasticity.h"
+#include "result/cellstress.h"
 #include "result/stress.h"
 
-enum { STRESSES = 6, MAX_STRAINS = 6, MAX_DIM = 3 };
+enum { STRESSES = CELL_STRESSES, MAX_DIM = CELL_MAX_DIM };
 
 /* Where the stress of one type of cell is taken, and how it is continued to its nodes. */
 typedef struct {
@@ -49,78 +50,22 @@ static void StressSetRecovery_Private(ElementType type, const ElementRule *stiff
   }
 }
 
-/* What is known of one cell; at its nodes [num_nodes][dim] each. */
-typedef struct {
-  PetscInt   body;
-  PetscReal  X[ELEMENT_MAX_NODES * MAX_DIM], u[ELEMENT_MAX_NODES * MAX_DIM];
-  Dilatation pi;
-  PetscReal  parts[DILATATION_MAX_FUNCTIONS]; /* of the change of volume without stress */
-} Cell;
-
-/* sigma = C (eps - eps_0) + bulk (theta - theta_0 - tr (eps - eps_0)) 1. [in] strain - eps - eps_0; [in,out] C - loses its bulk modulus */
-static void StressAddPressure_Private(PetscInt num_strains, const Cell *cell, const PetscReal x[], PetscReal C[],
-                                      const PetscReal strain[], PetscReal stress[])
-{
-  PetscReal change, q[DILATATION_MAX_FUNCTIONS];
-
-  if (!cell->pi.num) return;
-  change = DilatationEvaluate(&cell->pi, x, cell->u) - MaterialDilatation(num_strains, strain);
-  DilatationShape(&cell->pi, x, q);
-  for (PetscInt a = 0; a < cell->pi.num; a++) change -= q[a] * cell->parts[a];
-  change *= MaterialTakeBulk(num_strains, C);
-  for (PetscInt k = 0; k < 3; k++) stress[k] += change;
-}
-
-/* sigma at point q of a cell. [out] det - det J there */
-static PetscErrorCode StressAtPoint_Private(Scene scene, const Cell *cell, const ElementRule *rule, PetscInt q,
-                                            PetscReal stress[STRESSES], PetscReal *det)
-{
-  const PetscInt  dim = scene->dim, n = ElementNumNodes(rule->type), num_strains = MaterialNumStrains(scene->model);
-  const PetscBool ring = (PetscBool)(scene->model == MODEL_AXISYMMETRIC);
-  PetscReal       grad[ELEMENT_MAX_NODES * MAX_DIM], B[MAX_STRAINS * ELEMENT_MAX_NODES * MAX_DIM], x[MAX_DIM];
-  PetscReal       hoop[ELEMENT_MAX_NODES], C[MAX_STRAINS * MAX_STRAINS], strain[MAX_STRAINS], poisson;
-  Eigenstrain     e;
-
-  PetscFunctionBeginUser;
-  *det = ElementRuleMap(rule, q, cell->X, x, grad);
-  for (PetscInt i = 0; ring && i < n; i++) hoop[i] = rule->phi[q * n + i] / x[0];
-  ElementStrainMatrix(dim, n, grad, ring ? hoop : NULL, B);
-  for (PetscInt s = 0; s < num_strains; s++) {
-    strain[s] = 0.0;
-    for (PetscInt i = 0; i < n * dim; i++) strain[s] += B[s * n * dim + i] * cell->u[i];
-  }
-  PetscCall(ElasticityHooke(scene, cell->body, x, C, &poisson));
-  PetscCall(EigenstrainEvaluate(scene, cell->body, x, C, poisson, &e));
-  for (PetscInt s = 0; s < num_strains; s++) strain[s] -= e.strain[s];
-  MaterialStress(scene->model, C, poisson, strain, stress);
-  stress[2] -= e.across;
-  StressAddPressure_Private(num_strains, cell, x, C, strain, stress);
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Adds a cell's volume, and its stresses times its volume, to its nodes. [in] u - [num_nodes][dim];
    [in,out] sums - [num_nodes][STRESSES]; [in,out] volumes - [num_nodes] */
 static PetscErrorCode StressAddCell_Private(Scene scene, const Level *level, PetscInt c, const Recovery *recovery,
-                                            const PetscReal u[], PetscReal sums[], PetscReal volumes[])
+                                            const PetscScalar u[], PetscReal sums[], PetscReal volumes[])
 {
-  const PetscInt  dim = level->dim, n = ElementNumNodes(recovery->rule.type), num = recovery->rule.num;
+  const PetscInt  n = ElementNumNodes(recovery->rule.type), num = recovery->rule.num;
   const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
   PetscReal       stress[ELEMENT_MAX_NODES][STRESSES], volume = 0.0;
-  Cell            cell = {.body = level->cell_body[c]};
+  CellStress      cell;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < n; i++) {
-    for (PetscInt k = 0; k < dim; k++) {
-      cell.X[i * dim + k] = level->coords[nodes[i] * dim + k];
-      cell.u[i * dim + k] = u[nodes[i] * dim + k];
-    }
-  }
-  PetscCall(ElasticityDilatation(scene, level, c, recovery->stiffness, &cell.pi));
-  PetscCall(EigenstrainDilatation(scene, level, c, recovery->stiffness, &cell.pi, cell.parts));
+  PetscCall(CellStressSet(scene, level, c, recovery->stiffness, u, &cell));
   for (PetscInt q = 0; q < num; q++) {
     PetscReal det;
 
-    PetscCall(StressAtPoint_Private(scene, &cell, &recovery->rule, q, stress[q], &det));
+    PetscCall(CellStressAtPoint(scene, &cell, &recovery->rule, q, stress[q], &det));
     volume += recovery->rule.weight[q] * det;
   }
   for (PetscInt i = 0; i < n; i++) {
@@ -137,11 +82,11 @@ static PetscErrorCode StressAddCell_Private(Scene scene, const Level *level, Pet
 /* Adds this rank's cells to the local forms of two ghosted vectors. */
 static PetscErrorCode StressAddCells_Private(Scene scene, const Level *level, Vec u, Vec stress, Vec volume)
 {
-  Vec              local[3];
-  const PetscReal *displacement;
-  PetscReal       *sums, *volumes;
-  Recovery        *recoveries;
-  ElementRule     *rules;
+  Vec                local[3];
+  const PetscScalar *displacement;
+  PetscReal         *sums, *volumes;
+  Recovery          *recoveries;
+  ElementRule       *rules;
 
   PetscFunctionBeginUser;
   PetscCall(ElasticityRulesCreate(scene, &rules));

@@ -1,0 +1,63 @@
+/* cellstress.c -- sigma = C (eps - eps_0) within a cell. */
+#include "base/compat.h"
+#include "problem/eigenstrain.h"
+#include "result/cellstress.h"
+
+enum { MAX_STRAINS = 6 };
+
+/* sigma = C (eps - eps_0) + bulk (theta - theta_0 - tr (eps - eps_0)) 1. [in] strain - eps - eps_0; [in,out] C - loses its bulk modulus */
+static void CellStressAddPressure_Private(PetscInt num_strains, const CellStress *cell, const PetscReal x[],
+                                          PetscReal C[], const PetscReal strain[], PetscReal stress[])
+{
+  PetscReal change, q[DILATATION_MAX_FUNCTIONS];
+
+  if (!cell->pi.num) return;
+  change = DilatationEvaluate(&cell->pi, x, cell->u) - MaterialDilatation(num_strains, strain);
+  DilatationShape(&cell->pi, x, q);
+  for (PetscInt a = 0; a < cell->pi.num; a++) change -= q[a] * cell->parts[a];
+  change *= MaterialTakeBulk(num_strains, C);
+  for (PetscInt k = 0; k < 3; k++) stress[k] += change;
+}
+
+PetscErrorCode CellStressSet(Scene scene, const Level *level, PetscInt c, const ElementRule *stiffness,
+                             const PetscScalar u[], CellStress *cell)
+{
+  const PetscInt  dim = level->dim, num = level->cell_start[c + 1] - level->cell_start[c];
+  const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
+
+  PetscFunctionBeginUser;
+  cell->body = level->cell_body[c];
+  for (PetscInt i = 0; i < num * dim; i++) {
+    cell->X[i] = level->coords[nodes[i / dim] * dim + i % dim];
+    cell->u[i] = PetscRealPart(u[nodes[i / dim] * dim + i % dim]);
+  }
+  PetscCall(ElasticityDilatation(scene, level, c, stiffness, &cell->pi));
+  PetscCall(EigenstrainDilatation(scene, level, c, stiffness, &cell->pi, cell->parts));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CellStressAtPoint(Scene scene, const CellStress *cell, const ElementRule *rule, PetscInt q,
+                                 PetscReal stress[CELL_STRESSES], PetscReal *det)
+{
+  const PetscInt  dim = scene->dim, n = ElementNumNodes(rule->type), num_strains = MaterialNumStrains(scene->model);
+  const PetscBool ring = (PetscBool)(scene->model == MODEL_AXISYMMETRIC);
+  PetscReal grad[ELEMENT_MAX_NODES * CELL_MAX_DIM], B[MAX_STRAINS * ELEMENT_MAX_NODES * CELL_MAX_DIM], x[CELL_MAX_DIM];
+  PetscReal hoop[ELEMENT_MAX_NODES], C[MAX_STRAINS * MAX_STRAINS], strain[MAX_STRAINS], poisson;
+  Eigenstrain e;
+
+  PetscFunctionBeginUser;
+  *det = ElementRuleMap(rule, q, cell->X, x, grad);
+  for (PetscInt i = 0; ring && i < n; i++) hoop[i] = rule->phi[q * n + i] / x[0];
+  ElementStrainMatrix(dim, n, grad, ring ? hoop : NULL, B);
+  for (PetscInt s = 0; s < num_strains; s++) {
+    strain[s] = 0.0;
+    for (PetscInt i = 0; i < n * dim; i++) strain[s] += B[s * n * dim + i] * cell->u[i];
+  }
+  PetscCall(ElasticityHooke(scene, cell->body, x, C, &poisson));
+  PetscCall(EigenstrainEvaluate(scene, cell->body, x, C, poisson, &e));
+  for (PetscInt s = 0; s < num_strains; s++) strain[s] -= e.strain[s];
+  MaterialStress(scene->model, C, poisson, strain, stress);
+  stress[2] -= e.across;
+  CellStressAddPressure_Private(num_strains, cell, x, C, strain, stress);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
