@@ -238,11 +238,12 @@ static PetscErrorCode BisectionClose_Private(Bisection *mesh, Cuts *cuts)
   } while (0)
 
 /* Cells in the order of their parents: neighbours stay near each other in memory. */
-static PetscErrorCode BisectionSort_Private(Bisection *mesh, PetscInt num_parents)
+static PetscErrorCode BisectionSort_Private(Bisection *mesh)
 {
-  PetscInt *begin, *to;
+  PetscInt *begin, *to, num_parents = 0;
 
   PetscFunctionBeginUser;
+  for (PetscInt c = 0; c < mesh->num_cells; c++) num_parents = PetscMax(num_parents, mesh->parent[c] + 1);
   PetscCall(PetscCalloc1(num_parents + 1, &begin));
   PetscCall(PetscMalloc1(mesh->num_cells, &to));
   for (PetscInt c = 0; c < mesh->num_cells; c++) begin[mesh->parent[c] + 1]++;
@@ -259,25 +260,31 @@ static PetscErrorCode BisectionSort_Private(Bisection *mesh, PetscInt num_parent
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BisectionRefine(Bisection *mesh, const PetscBool marked[])
+PetscErrorCode BisectionRefineMore(Bisection *mesh, const PetscBool marked[])
 {
-  const PetscInt num_parents = mesh->num_cells;
-  Cuts           cuts        = {0};
+  Cuts cuts = {0};
 
   PetscFunctionBeginUser;
   PetscCall(CutsGrow_Private(&cuts));
   PetscCall(PetscCalloc1(mesh->room_vertices, &cuts.touched));
+  for (PetscInt c = 0; c < mesh->num_cells; c++) mesh->goal[c] = marked[c] ? mesh->generation[c] + mesh->dim : 0;
+  PetscCall(BisectionClose_Private(mesh, &cuts));
+  PetscCall(BisectionSort_Private(mesh));
+  PetscCall(PetscFree(cuts.edge));
+  PetscCall(PetscFree(cuts.touched));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BisectionRefine(Bisection *mesh, const PetscBool marked[])
+{
+  PetscFunctionBeginUser;
   for (PetscInt c = 0; c < mesh->num_cells; c++) {
     mesh->parent[c] = c;
-    mesh->goal[c]   = marked[c] ? mesh->generation[c] + mesh->dim : 0;
     for (PetscInt i = 0; i <= mesh->dim; i++) {
       for (PetscInt j = 0; j <= mesh->dim; j++) mesh->place[c][i][j] = i == j;
     }
   }
-  PetscCall(BisectionClose_Private(mesh, &cuts));
-  PetscCall(BisectionSort_Private(mesh, num_parents));
-  PetscCall(PetscFree(cuts.edge));
-  PetscCall(PetscFree(cuts.touched));
+  PetscCall(BisectionRefineMore(mesh, marked));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -50,5 +50,7 @@ PetscBool BisectionIsTurned(const Bisection *mesh, PetscInt cell);
 /* Bisects marked cells dim times, which halves their edges, and others as often as that makes them hang. Cells are in the order of
    their parents. Vertices keep their numbers; new ones follow. Not collective. [in] marked - [num_cells] */
 PetscErrorCode BisectionRefine(Bisection *mesh, const PetscBool marked[]);
+/* The same with the cells of now: parents and places stay those of the last BisectionRefine(). */
+PetscErrorCode BisectionRefineMore(Bisection *mesh, const PetscBool marked[]);
 
 #endif

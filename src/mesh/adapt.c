@@ -13,16 +13,15 @@ PetscErrorCode MeshForestCreate(Scene scene, BodyList lists[], SideNames names[]
   PetscFunctionBeginUser;
   PetscCall(PetscNew(forest));
   (*forest)->num_bodies = scene->num_bodies;
-  PetscCall(PetscCalloc2(scene->num_bodies, &(*forest)->tree, scene->num_bodies, &(*forest)->names));
+  PetscCall(PetscCalloc3(scene->num_bodies, &(*forest)->tree, scene->num_bodies, &(*forest)->names, scene->num_bodies,
+                         &(*forest)->cut));
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     (*forest)->names[b] = names[b];
     names[b]            = (SideNames){0};
-    PetscBool cut;
-
-    PetscCall(BodyListCut(&lists[b], &cut));
-    (*forest)->cut = (PetscBool)((*forest)->cut || cut);
-    PetscCall(TreeCreate(&lists[b], &(*forest)->tree[b]));
+    PetscCall(BodyListCut(&lists[b], &(*forest)->cut[b]));
+    PetscCall(TreeCreate(scene, b, &(*forest)->names[b], &lists[b], &(*forest)->tree[b]));
   }
+  PetscCallMPI(MPI_Bcast((*forest)->cut, (PetscMPIInt)scene->num_bodies, MPIU_BOOL, 0, scene->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -34,7 +33,7 @@ PetscErrorCode MeshForestDestroy(MeshForest *forest)
     PetscCall(TreeDestroy(&(*forest)->tree[b]));
     PetscCall(SideNamesDestroy(&(*forest)->names[b]));
   }
-  PetscCall(PetscFree2((*forest)->tree, (*forest)->names));
+  PetscCall(PetscFree3((*forest)->tree, (*forest)->names, (*forest)->cut));
   PetscCall(PetscFree((*forest)->cell));
   PetscCall(PetscFree((*forest)->gathered));
   PetscCall(PetscFree2((*forest)->counts, (*forest)->begins));
@@ -223,7 +222,7 @@ PetscErrorCode MeshAdapt(Mesh mesh, const PetscBool marked[])
   for (PetscInt b = 0; b < forest->num_bodies && all; b++) {
     const PetscInt num = forest->tree[b].mesh.num_cells;
 
-    PetscCall(TreeRefine(&forest->tree[b], &all[cell]));
+    PetscCall(TreeRefine(&forest->tree[b], &mesh->scene->bodies[b], &all[cell]));
     cell += num;
   }
   PetscCall(PetscFree(all));
@@ -243,6 +242,11 @@ PetscErrorCode MeshAdapt(Mesh mesh, const PetscBool marked[])
   PetscCall(PetscFree(origin));
   PetscCall(PetscFree(before));
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscBool MeshIsCut(Mesh mesh, PetscInt body)
+{
+  return (PetscBool)(mesh->forest && mesh->forest->cut[body]);
 }
 
 PetscErrorCode MeshAdaptAll(Mesh mesh)

@@ -133,9 +133,7 @@ static PetscErrorCode ArcsSum_Private(Arcs *arcs, const ArcSides *sides)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The offset of an edge. Two facets of one patch tell the same, and half of the sum is meant; those of two patches tell what is across
-   each other, and the sum is. Sides that are held along their normal stay flat. Returns whether there is any. [out] offset - [dim] */
-static PetscBool SumsToOffset_Private(PetscInt dim, const PetscScalar sums[], PetscReal offset[])
+PetscBool ArcSumsToOffset(PetscInt dim, const PetscScalar sums[], PetscReal offset[])
 {
   const PetscReal squares = PetscRealPart(sums[dim]);
   PetscReal       total = 0, normal[3], along = 0;
@@ -171,7 +169,7 @@ static PetscErrorCode ArcsGetWays_Private(const Arcs *arcs, PetscReal way[])
     const PetscInt node = arcs->node[p - arcs->begin];
     PetscReal      offset[3];
 
-    if (node < 0 || !SumsToOffset_Private(dim, &sums[node * bs], offset)) continue;
+    if (node < 0 || !ArcSumsToOffset(dim, &sums[node * bs], offset)) continue;
     PetscCall(PointGetVertices(arcs->from->dm, p, &num, vertices));
     for (PetscInt k = 0; k < dim; k++) {
       const PetscReal a = X[PointGetNode(arcs->from, vertices[0]) * dim + k];

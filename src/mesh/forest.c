@@ -2,6 +2,9 @@
 #include "mesh/forest.h"
 #include "base/compat.h"
 
+/* Bisections of a cell that curves tangle; each one leaves a quarter of what it bends. */
+enum { UNTANGLE_TIMES = 3 };
+
 /* The facet of a simplex that does not have this vertex. */
 static PetscInt FacetOpposite_Private(ElementType linear, PetscInt vertex)
 {
@@ -77,22 +80,103 @@ static PetscErrorCode TreeListFacets_Private(const Tree *tree, BodyList *list)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode TreeCreate(BodyList *list, Tree *tree)
+/* Vertices of the first list after the map, where they exist there. [out] coords - [num_vertices][dim] */
+static PetscErrorCode TreeMapVertices_Private(const BodyList *list, const SceneBody *body, PetscReal coords[])
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscArraycpy(coords, list->coords, list->num_vertices * list->dim));
+  for (PetscInt v = 0; v < list->num_vertices && body->map; v++) {
+    PetscReal x[3];
+    PetscBool finite;
+
+    PetscCall(ExpressionTry(body->map, list->dim, &list->coords[v * list->dim], x, &finite));
+    if (finite) PetscCall(PetscArraycpy(&coords[v * list->dim], x, list->dim));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Positions after the map of the nodes that a cell has on a level; middles of straight edges are not in the list. [out] X -
+   [nodes of type][dim]; [out] finite - whether all are known */
+static PetscErrorCode CellMapNodes_Private(const BodyList *list, const SceneBody *body, PetscInt cell, ElementType type,
+                                           PetscReal X[], PetscBool *finite)
+{
+  const ElementType own   = (ElementType)list->cell_type[cell];
+  const PetscInt   *nodes = &list->cell_nodes[cell * ELEMENT_MAX_NODES], dim = list->dim;
+  PetscReal         phi[ELEMENT_MAX_NODES];
+
+  PetscFunctionBeginUser;
+  *finite = PETSC_TRUE;
+  for (PetscInt k = 0; k < ElementNumNodes(type) && *finite; k++) {
+    PetscReal x[3] = {0, 0, 0};
+
+    ElementShape(own, ElementNode(type, k), phi, NULL);
+    for (PetscInt i = 0; i < ElementNumNodes(own); i++) {
+      for (PetscInt d = 0; d < dim; d++) x[d] += phi[i] * list->coords[nodes[i] * dim + d];
+    }
+    if (body->map)
+      PetscCall(ExpressionTry(body->map, dim, x, &X[k * dim], finite));
+    else
+      PetscCall(PetscArraycpy(&X[k * dim], x, dim));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The smallest det J of a cell, in the sense of its body. */
+static PetscErrorCode CellMinJacobian_Private(const BodyList *list, const SceneBody *body, PetscInt cell,
+                                              PetscBool reversed, PetscReal *jacobian)
+{
+  const ElementType type = ElementOfOrder((ElementType)list->cell_type[cell], body->order);
+  PetscInt          order[ELEMENT_MAX_NODES];
+  PetscReal         X[3 * ELEMENT_MAX_NODES], Y[3 * ELEMENT_MAX_NODES];
+  PetscBool         finite;
+
+  PetscFunctionBeginUser;
+  PetscCall(CellMapNodes_Private(list, body, cell, type, X, &finite));
+  for (PetscInt k = 0; k < ElementNumNodes(type); k++) order[k] = k;
+  if (reversed) CellReverse(type, order);
+  for (PetscInt k = 0; k < ElementNumNodes(type); k++)
+    PetscCall(PetscArraycpy(&Y[k * list->dim], &X[order[k] * list->dim], list->dim));
+  *jacobian = finite ? ElementMinJacobian(type, Y) : 1; // the level tells of what is not finite
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether the map turns more cells inside out than not. */
+static PetscErrorCode TreeSetSense_Private(Tree *tree, const SceneBody *body)
+{
+  PetscInt num = 0;
+
+  PetscFunctionBeginUser;
+  for (PetscInt c = 0; c < tree->list.num_cells && body->map; c++) {
+    PetscReal jacobian;
+
+    PetscCall(CellMinJacobian_Private(&tree->list, body, c, PETSC_FALSE, &jacobian));
+    num += jacobian < 0 ? 1 : -1;
+  }
+  tree->reversed = (PetscBool)(num > 0);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode TreeCreate(Scene scene, PetscInt body, const SideNames *names, BodyList *list, Tree *tree)
 {
   const PetscInt num = list->dim + 1;
   PetscInt      *cells, *facets;
+  PetscReal     *coords;
 
   PetscFunctionBeginUser;
   *tree = (Tree){.list = *list};
   *list = (BodyList){0};
-  PetscCall(PetscMalloc2(tree->list.num_cells * num, &cells, tree->list.num_cells * num, &facets));
+  PetscCall(PetscMalloc3(tree->list.num_cells * num, &cells, tree->list.num_cells * num, &facets,
+                         tree->list.num_vertices * tree->list.dim, &coords));
   for (PetscInt c = 0; c < tree->list.num_cells; c++) {
     for (PetscInt i = 0; i < num; i++) cells[c * num + i] = tree->list.cell_nodes[c * ELEMENT_MAX_NODES + i];
   }
   PetscCall(TreeNumberFacets_Private(tree, facets));
-  PetscCall(BisectionCreate(tree->list.dim, tree->list.num_vertices, tree->list.num_cells, cells, facets,
-                            tree->list.coords, &tree->mesh));
-  PetscCall(PetscFree2(cells, facets));
+  PetscCall(TreeMapVertices_Private(&tree->list, &scene->bodies[body], coords));
+  PetscCall(BisectionCreate(tree->list.dim, tree->list.num_vertices, tree->list.num_cells, cells, facets, coords,
+                            &tree->mesh));
+  PetscCall(PetscFree3(cells, facets, coords));
+  PetscCall(TreeArcsCreate(scene, body, names, tree));
+  PetscCall(TreeSetSense_Private(tree, &scene->bodies[body]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -101,6 +185,7 @@ PetscErrorCode TreeDestroy(Tree *tree)
   PetscFunctionBeginUser;
   PetscCall(BisectionDestroy(&tree->mesh));
   PetscCall(BodyListDestroy(&tree->list));
+  PetscCall(TreeArcsDestroy(&tree->arcs));
   PetscCall(PetscFree2(tree->side, tree->another));
   PetscCall(PetscFree(tree->before));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -186,10 +271,52 @@ static PetscErrorCode TreeList_Private(Tree *tree, const BodyList *old, BodyList
       if (nodes[k] >= old->num_vertices) TreeSetNode_Private(tree, old, c, k, list);
   }
   PetscCall(TreeListFacets_Private(tree, list));
+  PetscCall(TreeArcsApply(tree, list));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode TreeRefine(Tree *tree, const PetscBool marked[])
+/* Marks new cells that curves tangle. [out] marked - [num_cells]; [out] any - whether there are such cells */
+static PetscErrorCode TreeMarkTangled_Private(const Tree *tree, const SceneBody *body, const BodyList *list,
+                                              PetscBool marked[], PetscBool *any)
+{
+  const Bisection *mesh = &tree->mesh;
+
+  PetscFunctionBeginUser;
+  *any = PETSC_FALSE;
+  for (PetscInt c = 0; c < mesh->num_cells; c++) {
+    PetscBool same;
+    PetscReal jacobian;
+
+    marked[c] = PETSC_FALSE;
+    PetscCall(PetscArraycmp(mesh->vertex[c], tree->before[mesh->parent[c]], mesh->dim + 1, &same));
+    if (same) continue;
+    PetscCall(CellMinJacobian_Private(list, body, c, tree->reversed, &jacobian));
+    marked[c] = (PetscBool)(jacobian <= 0);
+    *any      = (PetscBool)(*any || marked[c]);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A cell that is halved is nearer to a straight one. */
+static PetscErrorCode TreeUntangle_Private(Tree *tree, const SceneBody *body, BodyList *list)
+{
+  PetscBool any = PETSC_TRUE, *marked;
+
+  PetscFunctionBeginUser;
+  for (PetscInt times = 0; times < UNTANGLE_TIMES && any; times++) {
+    PetscCall(PetscMalloc1(tree->mesh.num_cells, &marked));
+    PetscCall(TreeMarkTangled_Private(tree, body, list, marked, &any));
+    if (any) {
+      PetscCall(BodyListDestroy(list));
+      PetscCall(BisectionRefineMore(&tree->mesh, marked));
+      PetscCall(TreeList_Private(tree, &tree->list, list));
+    }
+    PetscCall(PetscFree(marked));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode TreeRefine(Tree *tree, const SceneBody *body, const PetscBool marked[])
 {
   BodyList list;
 
@@ -200,6 +327,7 @@ PetscErrorCode TreeRefine(Tree *tree, const PetscBool marked[])
   PetscCall(PetscArraycpy(tree->before, tree->mesh.vertex, tree->num_before));
   PetscCall(BisectionRefine(&tree->mesh, marked));
   PetscCall(TreeList_Private(tree, &tree->list, &list));
+  if (body->map || list.curved_file || tree->arcs.any) PetscCall(TreeUntangle_Private(tree, body, &list));
   PetscCall(BodyListDestroy(&tree->list));
   tree->list = list;
   PetscFunctionReturn(PETSC_SUCCESS);

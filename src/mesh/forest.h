@@ -17,14 +17,33 @@ typedef struct {
   PetscInt type, nodes[FOREST_MAX_NODES]; /* global nodes of the level */
 } ForestCell;
 
+/* A vertex on a facet of the first list that belongs to a side taken for smooth, or to one held along its normal. */
+typedef struct {
+  PetscInt  facet;     /* of the first list, by its first entry */
+  PetscReal normal[3]; /* of the smooth side there */
+} SideCorner;
+
+/* Smooth sides of a body whose file has straight edges (eq. 4.5). The curve between two vertices is that of their normals, and so is the
+   normal in its middle: where a vertex is depends on no other refinement. */
+typedef struct {
+  PetscBool  any;
+  PetscBool *round, *flat; /* what facets are, by their first entries [num_entries] */
+  PetscReal (*plane)[3];   /* unit normals of flat ones [num_entries] */
+  PetscInt    num_vertices, room;
+  PetscInt   *start;  /* [num_vertices+1] */
+  SideCorner *corner; /* of each vertex [start[num_vertices]; room] */
+} TreeArcs;
+
 /* One body. */
 typedef struct {
   Bisection mesh;
   BodyList
       list; /* of the latest mesh; vertices and cells have the bisection's numbers, and the order in cells their sense */
-  PetscInt num_entries, *side,
-      *another; /* sides of facets: a facet's number is its first entry, which leads to another or to
-                                             -1 [num_entries] */
+  PetscInt  num_entries;
+  PetscInt *side,
+      *another; /* sides of facets: a facet's number is its first entry, which leads to another or to -1 [num_entries] */
+  TreeArcs  arcs;
+  PetscBool reversed;                      /* by the map */
   PetscInt (*before)[BISECT_MAX_VERTICES]; /* vertices of the mesh before, NULL for the first one */
   PetscInt num_before;                     /* its cells */
 } Tree;
@@ -33,7 +52,7 @@ struct _n_MeshForest {
   PetscInt     num_bodies;
   Tree        *tree;            /* [num_bodies]; cells and vertices on the first rank alone */
   SideNames   *names;           /* [num_bodies] */
-  PetscBool    cut;             /* whether there were other cells than simplices */
+  PetscBool   *cut;             /* whether a body had other cells than simplices, on all ranks [num_bodies] */
   PetscInt     num_cells;       /* on the first rank, of the latest level */
   ForestCell  *cell;            /* by their number in the lists [num_cells] */
   PetscInt    *gathered;        /* the list's number of each cell, rank after rank [num_cells] */
@@ -49,11 +68,17 @@ PetscErrorCode MeshForestMerge(Scene scene, MeshForest forest, DM *dm, Curves *c
 /* Lets the first rank know the level of the latest lists. Collective. [in] origin - of PartitionDistribute() */
 PetscErrorCode MeshForestGather(MeshForest forest, const Level *level, const PetscInt origin[]);
 
-/* A body's tree of simplices. [in] list - of triangles or tetrahedra, taken over */
-PetscErrorCode TreeCreate(BodyList *list, Tree *tree);
+/* A body's tree of simplices. [in] names - of the list's sides; [in,out] list - of triangles or tetrahedra, taken over, empty afterwards */
+PetscErrorCode TreeCreate(Scene scene, PetscInt body, const SideNames *names, BodyList *list, Tree *tree);
 PetscErrorCode TreeDestroy(Tree *tree);
-/* Bisects; the list becomes that of the new mesh. [in] marked - [num_cells] */
-PetscErrorCode TreeRefine(Tree *tree, const PetscBool marked[]);
+/* Bisects; the list becomes that of the new mesh. Cells that curves tangle are bisected again, three times at most. [in] body - of the tree;
+   [in] marked - [num_cells] */
+PetscErrorCode TreeRefine(Tree *tree, const SceneBody *body, const PetscBool marked[]);
+/* Sides of a tree's list that are taken for smooth; a body of order 2 gets middle nodes on them. */
+PetscErrorCode TreeArcsCreate(Scene scene, PetscInt body, const SideNames *names, Tree *tree);
+PetscErrorCode TreeArcsDestroy(TreeArcs *arcs);
+/* Puts new vertices and the middle nodes of a new list on them. [in,out] list - of the tree's mesh, its nodes in place elsewhere */
+PetscErrorCode TreeArcsApply(Tree *tree, BodyList *list);
 /* Weights of the nodes of a parent at the nodes of one of its children. [in] child - the tree's cell; fine, coarse - what is known of the
    child and of its parent, their vertices as the tree numbers them; [out] weights - [nodes of fine][nodes of coarse] */
 void TreeWeights(const Tree *tree, PetscInt child, const ForestCell *fine, const ForestCell *coarse,

@@ -129,7 +129,7 @@ static PetscErrorCode MeshBegin_Private(Mesh mesh, PetscInt coarser)
   PetscCall(LevelCreateFromPlex(scene, dm, &curves, &mesh->levels[0]));
   PetscCall(LevelBeginArcs(&mesh->levels[0]));
   if (mesh->forest) PetscCall(MeshForestGather(mesh->forest, &mesh->levels[0], origin));
-  PetscCall(MeshShapeCreate(mesh, &curves));
+  if (!mesh->forest) PetscCall(MeshShapeCreate(mesh, &curves));
   PetscCall(CurvesDestroy(&curves));
   PetscCall(PetscFree(origin));
   PetscCall(DMDestroy(&dm));

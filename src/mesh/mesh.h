@@ -76,11 +76,14 @@ PetscErrorCode MeshSetUp(Mesh mesh);
    a degenerate or tangled cell. Collective. */
 PetscErrorCode MeshRefine(Mesh mesh);
 /* Appends one more level: marked cells of the finest one bisected dim times, others as often as that makes them hang. The same on any
-   number of ranks; parted anew. For meshes of scenes with -adapt. User errors: a degenerate or tangled cell. Collective.
+   number of ranks; parted anew. Cells that a map or a curve tangles are bisected again, three times at most. For meshes of scenes with
+   -adapt. User errors: a degenerate or tangled cell. Collective.
    [in] marked - cells of this rank [num_cells] */
 PetscErrorCode MeshAdapt(Mesh mesh, const PetscBool marked[]);
 /* The same with all cells marked. */
 PetscErrorCode MeshAdaptAll(Mesh mesh);
+/* Whether the quads or hexahedra of a body were cut into simplices, which alone can be bisected. Not collective. */
+PetscBool      MeshIsCut(Mesh mesh, PetscInt body);
 Level         *MeshFinest(Mesh mesh);
 PetscErrorCode MeshDestroy(Mesh *mesh);
 

@@ -214,6 +214,10 @@ PetscErrorCode ArcSidesDestroy(ArcSides *sides);
    positions before maps, which both levels have. Collective. */
 PetscErrorCode LevelArcVertices(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine);
 PetscErrorCode LevelArcMiddles(Level *level, const ArcSides *sides);
+/* The offset of an edge from what facets say of it. Two facets of one patch tell the same, and half of the sum is meant; those of two patches
+   tell what is across each other, and the sum is. Sides that are held along their normal stay flat. Returns whether there is any.
+   [in] sums - of offsets [dim], of their squares, of normals that must not see them [dim]; [out] offset - [dim] */
+PetscBool ArcSumsToOffset(PetscInt dim, const PetscScalar sums[], PetscReal offset[]);
 /* Room for facets; all facets of first order seen from outside, whatever the sense of their cells. */
 PetscErrorCode FacetsAllocate(PetscInt num, Facets *facets);
 void           FacetsTurnOut(const Level *level, Facets *facets);

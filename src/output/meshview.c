@@ -161,6 +161,21 @@ static PetscErrorCode MeshViewPrintStraightBodies_Private(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Bodies whose cells are not as the options or the file give them. */
+static PetscErrorCode MeshViewPrintCutBodies_Private(VI vi)
+{
+  const Scene scene = vi->scene;
+
+  PetscFunctionBeginUser;
+  for (PetscInt b = 0; b < scene->num_bodies && vi->mesh; b++) {
+    if (MeshIsCut(vi->mesh, b))
+      PetscCall(
+          PetscPrintf(scene->comm, "    cells of %s: %s, which can be bisected\n", scene->bodies[b].name,
+                      scene->dim == 2 ? "quadrilaterals are cut into triangles" : "hexahedra are cut into tetrahedra"));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode MeshViewPrint(VI vi, Solvability solvability)
 {
   const Scene scene    = vi->scene;
@@ -168,6 +183,7 @@ PetscErrorCode MeshViewPrint(VI vi, Solvability solvability)
 
   PetscFunctionBeginUser;
   PetscCall(MeshViewPrintBodies_Private(vi));
+  PetscCall(MeshViewPrintCutBodies_Private(vi));
   PetscCall(MeshViewPrintDilatation_Private(vi));
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
     PetscCall(MeshViewPrintPair_Private(vi, vi->pairs[p]));

@@ -1,0 +1,357 @@
+/* treearcs.c -- smooth sides of bodies that are bisected, on the curves of their vertices' normals (eq. 4.5).
+
+   The first list has its normals from its facets. Where an edge is halved, the middle of its arc is the new vertex, and the normal of
+   the arc there is its normal: on circles, spheres and cylinders both are exact, however often edges are halved, and in whatever order.
+   What is flat stays flat, exactly. */
+#include "kernel/arc.h"
+#include "mesh/forest.h"
+#include "base/compat.h"
+#include "kernel/frame.h"
+#include "mesh/sideshape.h"
+#include <string.h>
+
+enum { F = ELEMENT_MAX_FACET_NODES };
+
+/* Marks facets of the first list that belong to some of its sides. [in] joined - names of sides, freed here; or NULL; [in,out] chosen - by the
+   first entry [num_entries]; [out] any - whether there are such facets; or NULL */
+static PetscErrorCode ChooseFacets_Private(const Tree *tree, const SideNames *names, char *joined, PetscBool chosen[],
+                                           PetscBool *any)
+{
+  SideNames wanted = {0, NULL};
+
+  PetscFunctionBeginUser;
+  if (any) *any = PETSC_FALSE;
+  if (joined) PetscCall(SideNamesAdd(&wanted, joined));
+  PetscCall(PetscFree(joined));
+  for (PetscInt c = 0; c < tree->mesh.num_cells; c++) {
+    for (PetscInt v = 0; v <= tree->mesh.dim; v++) {
+      const PetscInt first = tree->mesh.facet[c][v];
+
+      for (PetscInt e = first; e >= 0; e = tree->another[e]) {
+        for (PetscInt i = 0; i < wanted.num; i++) {
+          if (strcmp(wanted.name[i], names->name[tree->side[e]])) continue;
+          chosen[first] = PETSC_TRUE;
+          if (any) *any = PETSC_TRUE;
+        }
+      }
+    }
+  }
+  PetscCall(SideNamesDestroy(&wanted));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The first list as a level of its own, on this rank, before any map. [out] dm - to be destroyed with the level */
+static PetscErrorCode TreeCreateLevel_Private(const Tree *tree, Scene alone, Level *level)
+{
+  Numbering numbering;
+  DM        dm;
+
+  PetscFunctionBeginUser;
+  PetscCall(NumberingCreate(1, &tree->list, &numbering));
+  PetscCall(PlexCreate(PETSC_COMM_SELF, tree->list.dim, &tree->list, &numbering, &dm));
+  PetscCall(LevelCreateTables(alone, dm, 1, level));
+  PetscCall(LevelSetCoords(level, NULL));
+  PetscCall(NumberingDestroy(&numbering));
+  PetscCall(DMDestroy(&dm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Facets of the level of the first list, smooth ones first. [out] num_round - of these; [out] facets - owned by the caller; [out] entry - of
+   each, freed by the caller */
+static PetscErrorCode TreeGetFacets_Private(const Tree *tree, const Level *level, PetscInt *num_round, Facets *facets,
+                                            PetscInt **entry)
+{
+  const TreeArcs *arcs      = &tree->arcs;
+  const PetscInt  num_cells = tree->list.num_cells, dim = level->dim;
+
+  PetscFunctionBeginUser;
+  PetscCall(FacetsAllocate(tree->num_entries, facets));
+  PetscCall(PetscMalloc1(tree->num_entries, entry));
+  facets->num = 0;
+  for (PetscInt pass = 0; pass < 2; pass++) {
+    for (PetscInt c = 0; c < num_cells; c++) {
+      for (PetscInt v = 0; v <= dim; v++) {
+        const PetscInt e = tree->mesh.facet[c][v];
+        PetscInt       n = facets->num * F;
+
+        if (e < 0 || (pass ? arcs->round[e] || !arcs->flat[e] : !arcs->round[e])) continue;
+        facets->cell[facets->num] = c; // points of the DM: cells of one type, then vertices
+        facets->type[facets->num] = dim == 2 ? ELEMENT_LINE2 : ELEMENT_TRI3;
+        for (PetscInt i = 0; i <= dim; i++) {
+          if (i != v) facets->nodes[n++] = PointGetNode(level, num_cells + tree->mesh.vertex[c][i]);
+        }
+        (*entry)[facets->num++] = e;
+      }
+    }
+    if (!pass) *num_round = facets->num;
+  }
+  FacetsTurnOut(level, facets);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether some edge of facets with these normals bends. */
+static PetscBool FacetsBend_Private(const Level *level, const Facets *facets, const PetscReal normal[])
+{
+  const PetscInt dim = level->dim;
+  PetscBool      any = PETSC_FALSE;
+
+  for (PetscInt f = 0; f < facets->num && !any; f++) {
+    PetscReal X[3 * F], bulge[3 * F];
+
+    for (PetscInt i = 0; i < dim; i++) {
+      for (PetscInt d = 0; d < dim; d++) X[i * dim + d] = level->coords[facets->nodes[f * F + i] * dim + d];
+    }
+    any = ArcBulge(facets->type[f], X, &normal[f * F * dim], bulge);
+  }
+  return any;
+}
+
+/* Corners at the vertices of the first list, in their order. [in] num_round - facets that have normals [num_round][F][dim] */
+static PetscErrorCode TreeArcsBegin_Private(Tree *tree, const Level *level, const Facets *facets,
+                                            const PetscInt entry[], PetscInt num_round, const PetscReal normal[])
+{
+  const PetscInt dim = level->dim, first = tree->list.num_cells;
+  TreeArcs      *arcs = &tree->arcs;
+  PetscInt      *point;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelGetNodePoints(level, &point));
+  arcs->num_vertices = tree->list.num_vertices;
+  PetscCall(PetscCalloc1(arcs->num_vertices + 2, &arcs->start));
+  arcs->room = facets->num * dim;
+  PetscCall(PetscCalloc1(arcs->room, &arcs->corner));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    for (PetscInt i = 0; i < dim; i++) arcs->start[point[facets->nodes[f * F + i]] - first + 2]++;
+  }
+  for (PetscInt v = 0; v < arcs->num_vertices; v++) arcs->start[v + 2] += arcs->start[v + 1];
+  for (PetscInt f = 0; f < facets->num; f++) {
+    if (arcs->flat[entry[f]]) (void)FacetGetMeasure(level, facets, f, arcs->plane[entry[f]]);
+    for (PetscInt i = 0; i < dim; i++) {
+      SideCorner *corner = &arcs->corner[arcs->start[point[facets->nodes[f * F + i]] - first + 1]++];
+
+      corner->facet = entry[f];
+      if (f < num_round) PetscCall(PetscArraycpy(corner->normal, &normal[(f * F + i) * dim], dim));
+    }
+  }
+  PetscCall(PetscFree(point));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Straight cells of order 2 in the place of those of order 1. */
+static PetscErrorCode BodyListRaise_Private(BodyList *list)
+{
+  const ElementType type = list->dim == 2 ? ELEMENT_TRI6 : ELEMENT_TET10;
+  const PetscInt    dim = list->dim, more = ElementNumNodes(type) - (dim + 1);
+  PetscInt          node = list->num_vertices;
+  BodyList          high;
+
+  PetscFunctionBeginUser;
+  PetscCall(BodyListAllocate(dim, list->num_cells, node + list->num_cells * more, list->num_facets, &high));
+  high.num_vertices = list->num_vertices;
+  high.num_facets   = list->num_facets;
+  PetscCall(PetscArraycpy(high.coords, list->coords, list->num_vertices * dim));
+  PetscCall(PetscArraycpy(high.facet_cell, list->facet_cell, list->num_facets));
+  PetscCall(PetscArraycpy(high.facet, list->facet, list->num_facets));
+  PetscCall(PetscArraycpy(high.facet_side, list->facet_side, list->num_facets));
+  for (PetscInt c = 0; c < list->num_cells; c++) {
+    PetscInt *nodes = &high.cell_nodes[c * ELEMENT_MAX_NODES];
+
+    high.cell_type[c] = type;
+    PetscCall(PetscArraycpy(nodes, &list->cell_nodes[c * ELEMENT_MAX_NODES], dim + 1));
+    for (PetscInt e = 0; e < more; e++, node++) {
+      const PetscInt *ends = ElementEdgeNodes(type, e);
+
+      nodes[dim + 1 + e] = node;
+      for (PetscInt d = 0; d < dim; d++)
+        high.coords[node * dim + d] =
+            (list->coords[nodes[ends[0]] * dim + d] + list->coords[nodes[ends[1]] * dim + d]) / 2;
+    }
+  }
+  high.num_nonmanifold = list->num_nonmanifold;
+  PetscCall(PetscArraycpy(high.nonmanifold, list->nonmanifold, 3));
+  PetscCall(BodyListDestroy(list));
+  *list = high;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The curve of an edge whose ends are on facets in common. Returns whether it bends. [out] offset - of its middle [dim] */
+static PetscBool TreeArcsOffset_Private(const Tree *tree, const PetscReal coords[], PetscInt a, PetscInt b,
+                                        PetscReal offset[])
+{
+  const TreeArcs *arcs = &tree->arcs;
+  const PetscInt  dim = tree->list.dim, low = PetscMin(a, b), high = PetscMax(a, b);
+  PetscScalar     sums[2 * 3 + 1] = {0};
+
+  if (high >= arcs->num_vertices) return PETSC_FALSE;
+  for (PetscInt i = arcs->start[low]; i < arcs->start[low + 1]; i++) {
+    const SideCorner *mine = &arcs->corner[i];
+
+    for (PetscInt j = arcs->start[high]; j < arcs->start[high + 1]; j++) {
+      const SideCorner *other = &arcs->corner[j];
+
+      if (other->facet != mine->facet) continue;
+      for (PetscInt d = 0; d < dim && arcs->flat[mine->facet]; d++) sums[dim + 1 + d] += arcs->plane[mine->facet][d];
+      if (!arcs->round[mine->facet]) continue;
+      ArcOffset(dim, &coords[low * dim], mine->normal, &coords[high * dim], other->normal, offset);
+      for (PetscInt d = 0; d < dim; d++) {
+        sums[d] += offset[d];
+        sums[dim] += PetscSqr(offset[d]);
+      }
+    }
+  }
+  return ArcSumsToOffset(dim, sums, offset);
+}
+
+/* Puts middle nodes of cells of order 2 on the curves of their edges. */
+static void TreeArcsSetMiddles_Private(const Tree *tree, BodyList *list)
+{
+  const PetscInt dim = list->dim;
+
+  for (PetscInt c = 0; c < list->num_cells; c++) {
+    const ElementType type  = (ElementType)list->cell_type[c];
+    const PetscInt   *nodes = &list->cell_nodes[c * ELEMENT_MAX_NODES];
+
+    for (PetscInt e = 0; e < ElementNumNodes(type) - (dim + 1); e++) {
+      const PetscInt a = nodes[ElementEdgeNodes(type, e)[0]], b = nodes[ElementEdgeNodes(type, e)[1]];
+      PetscReal      offset[3];
+
+      if (!TreeArcsOffset_Private(tree, list->coords, a, b, offset)) continue;
+      for (PetscInt d = 0; d < dim; d++)
+        list->coords[nodes[dim + 1 + e] * dim + d] =
+            (list->coords[a * dim + d] + list->coords[b * dim + d]) / 2 + offset[d];
+    }
+  }
+}
+
+/* Normals of the first list, if its smooth sides bend. */
+static PetscErrorCode TreeArcsFind_Private(Tree *tree, Scene alone)
+{
+  TreeArcs *arcs = &tree->arcs;
+  PetscInt *entry, num_round = 0, num;
+  SideShape shape;
+  Facets    facets;
+  Level     level;
+
+  PetscFunctionBeginUser;
+  PetscCall(TreeCreateLevel_Private(tree, alone, &level));
+  PetscCall(TreeGetFacets_Private(tree, &level, &num_round, &facets, &entry));
+  num        = facets.num;
+  facets.num = num_round;
+  PetscCall(SideShapeCreate(&level, &facets, &shape));
+  arcs->any  = FacetsBend_Private(&level, &facets, shape.normal);
+  facets.num = num;
+  if (arcs->any) PetscCall(TreeArcsBegin_Private(tree, &level, &facets, entry, num_round, shape.normal));
+  PetscCall(SideShapeDestroy(&shape));
+  PetscCall(FacetsDestroy(&facets));
+  PetscCall(PetscFree(entry));
+  PetscCall(LevelDestroy(&level));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode TreeArcsCreate(Scene scene, PetscInt body, const SideNames *names, Tree *tree)
+{
+  const SceneBody *own   = &scene->bodies[body];
+  TreeArcs        *arcs  = &tree->arcs;
+  SceneBody        plain = {.name = own->name, .order = 1};
+  struct _n_Scene  alone = {.comm = PETSC_COMM_SELF, .dim = scene->dim, .num_bodies = 1, .bodies = &plain};
+  char            *round, *flat;
+  PetscBool        any;
+
+  PetscFunctionBeginUser;
+  if (!own->mesh_file || own->polygonal || tree->list.curved_file || !tree->list.num_cells)
+    PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(
+      PetscCalloc3(tree->num_entries, &arcs->round, tree->num_entries, &arcs->flat, tree->num_entries, &arcs->plane));
+  PetscCall(ArcSideNames(scene, body, &round, &flat));
+  PetscCall(ChooseFacets_Private(tree, names, round, arcs->round, &any));
+  PetscCall(ChooseFacets_Private(tree, names, flat, arcs->flat, NULL));
+  if (any) PetscCall(TreeArcsFind_Private(tree, &alone));
+  if (!arcs->any) {
+    PetscCall(TreeArcsDestroy(arcs));
+  } else if (own->order > 1) {
+    PetscCall(BodyListRaise_Private(&tree->list));
+    TreeArcsSetMiddles_Private(tree, &tree->list);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode TreeArcsDestroy(TreeArcs *arcs)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree3(arcs->round, arcs->flat, arcs->plane));
+  PetscCall(PetscFree(arcs->start));
+  PetscCall(PetscFree(arcs->corner));
+  *arcs = (TreeArcs){.any = PETSC_FALSE};
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The normal in the middle of an edge is across it. */
+static void SideCornerBetween_Private(PetscInt dim, const PetscReal x0[], const SideCorner *from, const PetscReal x1[],
+                                      const SideCorner *to, SideCorner *middle)
+{
+  PetscReal along = 0, square = 0;
+
+  middle->facet = from->facet;
+  for (PetscInt d = 0; d < dim; d++) {
+    middle->normal[d] = from->normal[d] + to->normal[d];
+    along += middle->normal[d] * (x1[d] - x0[d]);
+    square += PetscSqr(x1[d] - x0[d]);
+  }
+  for (PetscInt d = 0; d < dim; d++) middle->normal[d] -= along / square * (x1[d] - x0[d]);
+  FrameNormalize(dim, middle->normal);
+}
+
+/* Corners at a new vertex: those facets that both ends of its edge are on. [in] a, b - ends; [out] corner - as many as num says afterwards */
+static void TreeArcsAddVertex_Private(const TreeArcs *arcs, PetscInt dim, const PetscReal coords[], PetscInt a,
+                                      PetscInt b, PetscInt *num, SideCorner corner[])
+{
+  *num = 0;
+  for (PetscInt i = arcs->start[a]; i < arcs->start[a + 1]; i++) {
+    for (PetscInt j = arcs->start[b]; j < arcs->start[b + 1]; j++) {
+      if (arcs->corner[i].facet != arcs->corner[j].facet) continue;
+      SideCornerBetween_Private(dim, &coords[a * dim], &arcs->corner[i], &coords[b * dim], &arcs->corner[j],
+                                &corner[(*num)++]);
+    }
+  }
+}
+
+/* The corners of a new vertex. */
+static PetscErrorCode TreeArcsAppend_Private(TreeArcs *arcs, PetscInt dim, const PetscReal coords[],
+                                             const PetscInt ends[])
+{
+  const PetscInt v = arcs->num_vertices++, begin = arcs->start[v];
+  const PetscInt most =
+      PetscMin(arcs->start[ends[0] + 1] - arcs->start[ends[0]], arcs->start[ends[1] + 1] - arcs->start[ends[1]]);
+  PetscInt num = 0;
+
+  PetscFunctionBeginUser;
+  if (begin + most > arcs->room) {
+    arcs->room = 2 * (begin + most);
+    PetscCall(PetscRealloc((size_t)arcs->room * sizeof(SideCorner), &arcs->corner));
+  }
+  if (most) TreeArcsAddVertex_Private(arcs, dim, coords, ends[0], ends[1], &num, &arcs->corner[begin]);
+  arcs->start[v + 1] = begin + num;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode TreeArcsApply(Tree *tree, BodyList *list)
+{
+  TreeArcs      *arcs = &tree->arcs;
+  const PetscInt dim = list->dim, num = list->num_vertices;
+
+  PetscFunctionBeginUser;
+  if (!arcs->any) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscRealloc((size_t)(num + 1) * sizeof(PetscInt), &arcs->start));
+  arcs->num_vertices = tree->list.num_vertices; // those of a list that was tangled are forgotten
+  for (PetscInt v = arcs->num_vertices; v < num; v++) {
+    const PetscInt *ends = tree->mesh.ends[v];
+    PetscReal       offset[3];
+
+    PetscCall(TreeArcsAppend_Private(arcs, dim, list->coords, ends));
+    if (!TreeArcsOffset_Private(tree, list->coords, ends[0], ends[1], offset)) continue;
+    for (PetscInt d = 0; d < dim; d++)
+      list->coords[v * dim + d] = (list->coords[ends[0] * dim + d] + list->coords[ends[1] * dim + d]) / 2 + offset[d];
+  }
+  TreeArcsSetMiddles_Private(tree, list);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
