@@ -9,6 +9,7 @@
    ones with the strongest reasons first, each as it prefers unless this closes a cycle with earlier decisions; where neither
    choice is left, the last free decision is taken back. The answer depends on the order and on nothing else. */
 #include "mesh/meshimpl.h"
+#include "mesh/sidemeasure.h"
 #include "base/compat.h"
 #include "base/usererror.h"
 #include <string.h>
@@ -17,61 +18,6 @@
 enum { TRIES_PER_PAIR = 20, TRIES = 2000 };
 static const PetscReal StiffnessRatio = 3; /* of the contact moduli; below it the mesh decides */
 static const PetscReal SameSize = 1e-6;    /* relative; sizes this near are equal, so that round-off decides nothing */
-
-/* What speaks for one side as nonmortar. Sizes are lengths, of sides in space areas. */
-typedef struct {
-  PetscReal modulus, facet_size, size;
-} SideMeasure;
-
-/* The contact modulus of a body's material in the middle of a cell. */
-static PetscErrorCode CellGetModulus_Private(Scene scene, const Level *level, PetscInt cell, PetscReal *modulus)
-{
-  const SceneBody *body      = &scene->bodies[level->cell_body[cell]];
-  const PetscInt  *nodes     = &level->cell_nodes[level->cell_start[cell]];
-  const PetscInt   num       = LevelNumVertices(level, cell);
-  PetscReal        middle[3] = {0, 0, 0}, C[36], upper[21], young, poisson;
-
-  PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < num; i++) {
-    for (PetscInt d = 0; d < level->dim; d++) middle[d] += level->coords[nodes[i] * level->dim + d] / num;
-  }
-  if (body->stiffness) {
-    PetscCall(ExpressionEvaluate(body->stiffness, level->dim, middle, upper));
-    MaterialAnisotropic(scene->model, upper, body->angle, C);
-  } else {
-    PetscCall(ExpressionEvaluate(body->young, level->dim, middle, &young));
-    PetscCall(ExpressionEvaluate(body->poisson, level->dim, middle, &poisson));
-    MaterialIsotropic(scene->model, young, poisson, C);
-  }
-  *modulus = MaterialContactModulus(MaterialNumStrains(scene->model), C);
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Means over the facets of a side, and over the cells behind them. */
-static PetscErrorCode SideGetMeasure_Private(Scene scene, Level *level, const SceneSide *side, SideMeasure *measure)
-{
-  const SceneBody *body   = &scene->bodies[side->body];
-  PetscReal        sum[3] = {0, 0, 0}; /* of moduli, of sizes, of ones */
-  Facets           facets;
-
-  PetscFunctionBeginUser;
-  PetscCall(LevelGetFacets(level, scene, side->body, side->side, &facets));
-  for (PetscInt f = 0; f < facets.num; f++) {
-    PetscReal modulus = 0;
-
-    PetscCall(CellGetModulus_Private(scene, level, facets.cell[f], &modulus));
-    sum[0] += modulus;
-    sum[1] += FacetGetMeasure(level, &facets, f, NULL);
-    sum[2] += 1;
-  }
-  PetscCall(FacetsDestroy(&facets));
-  PetscCall(ExpressionCheck(level->comm, body->stiffness));
-  PetscCall(ExpressionCheck(level->comm, body->young));
-  PetscCall(ExpressionCheck(level->comm, body->poisson));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 3, MPIU_REAL, MPIU_SUM, level->comm));
-  *measure = (SideMeasure){.modulus = sum[0] / sum[2], .facet_size = sum[1] / sum[2], .size = sum[1]};
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
 
 /* What speaks for a choice, weak to strong. */
 typedef enum { REASON_NONE, REASON_SIZE, REASON_FACETS, REASON_MODULUS } Reason;
@@ -125,8 +71,8 @@ static PetscErrorCode PairPreferRoles_Private(Scene scene, Level *level, ScenePa
 
   PetscFunctionBeginUser;
   *prefer = (Preference){.reason = REASON_NONE};
-  PetscCall(SideGetMeasure_Private(scene, level, &pair->nonmortar, &nonmortar));
-  PetscCall(SideGetMeasure_Private(scene, level, &pair->mortar, &mortar));
+  PetscCall(SideMeasureCompute(scene, level, &pair->nonmortar, &nonmortar));
+  PetscCall(SideMeasureCompute(scene, level, &pair->mortar, &mortar));
   if (!pair->roles_open) {
     if (nonmortar.modulus > StiffnessRatio * mortar.modulus) {
       PetscCall(PetscInfo(level->dm,

@@ -146,6 +146,17 @@ static PetscErrorCode SummaryAddEnergy_Private(const SummaryInput *in, cJSON *ro
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The inf-sup number of a pair; nothing without -infsup. */
+static void SummaryAddInfSup_Private(const SummaryInput *in, PetscInt p, cJSON *pair)
+{
+  cJSON *object;
+
+  if (!in->inf_sup) return;
+  object = cJSON_AddObjectToObject(pair, "inf_sup");
+  JSONAddReal(object, "number", in->inf_sup[p].number);
+  JSONAddReal(object, "condition", in->inf_sup[p].condition);
+}
+
 static PetscErrorCode SummaryAddPairs_Private(const SummaryInput *in, cJSON *root)
 {
   cJSON         *pairs = cJSON_AddObjectToObject(root, "pairs");
@@ -174,6 +185,7 @@ static PetscErrorCode SummaryAddPairs_Private(const SummaryInput *in, cJSON *roo
     JSONAddReals(extent, "upper", dim, sum.upper);
     JSONAddReals(pair, "centre_of_pressure", dim, sum.centre);
     JSONAddReal(pair, "moment_imbalance", sum.moment_imbalance);
+    SummaryAddInfSup_Private(in, p, pair);
     PetscCall(GapDiscontinuityAdd(in->fields, p, dim, pair));
     PetscCall(PatchSummaryAdd(in->fields, p, pair));
   }

@@ -5,6 +5,7 @@
 #include "result/certificate.h"
 #include "result/errors.h"
 #include "result/setupcheck.h"
+#include "solve/infsup.h"
 #include "base/usererror.h"
 #include <cjson/cJSON.h>
 #include "output/output.h"
@@ -19,6 +20,7 @@ typedef struct {
   Fields              fields;      /* NULL where there is no solution */
   const SolverReport *report;
   const CrossCheck   *check;
+  const InfSup       *inf_sup; /* [vi->num_pairs], or NULL without -infsup */
   const Certificate  *certificate;
   const Errors       *errors;
   Vec                 reactions;

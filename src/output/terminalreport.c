@@ -54,6 +54,12 @@ static PetscErrorCode SummaryPrintPair_Private(const SummaryInput *in, PetscInt 
     PetscCall(PetscPrintf(comm, "area %.6g\n", (double)sum.area));
     PetscCall(PatchSummaryPrint(in->fields, p));
   }
+  if (in->inf_sup && !PetscIsNanReal(in->inf_sup[p].number)) {
+    PetscCall(PetscPrintf(comm, "    inf-sup number %.4g", (double)in->inf_sup[p].number));
+    if (!PetscIsNanReal(in->inf_sup[p].condition))
+      PetscCall(PetscPrintf(comm, ", condition of the Schur complement %.3g", (double)in->inf_sup[p].condition));
+    PetscCall(PetscPrintf(comm, "\n"));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

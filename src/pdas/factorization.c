@@ -242,6 +242,14 @@ PetscErrorCode FactorizationCreate(Mat A, PetscInt num, const PetscInt C[], cons
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+void FactorizationFillSchur(PetscInt num, PetscScalar S[])
+{
+  for (PetscInt i = 0; i < num; i++) {
+    for (PetscInt j = 0; j < i; j++)
+      S[i * num + j] = S[j * num + i] = S[i * num + j] != 0 ? S[i * num + j] : S[j * num + i];
+  }
+}
+
 PetscErrorCode FactorizationPredict(Mat A, PetscInt num, const PetscInt C[], const char prefix[],
                                     FactorizationCost *cost)
 {

@@ -15,6 +15,9 @@ typedef struct _n_Factor *Factorization;
    [out] error - the same on all ranks; but for MAT_FACTOR_NOERROR nothing but FactorizationDestroy() is allowed then */
 PetscErrorCode FactorizationCreate(Mat A, PetscInt num, const PetscInt C[], const char prefix[], PetscScalar S[],
                                    Factorization *factor, MatFactorError *error);
+/* Fills the other triangle of S, of which MUMPS gives one: the lower one on one rank, the upper one on several. Not collective.
+   [in,out] S - of FactorizationCreate(), which was zero before [num][num] */
+void FactorizationFillSchur(PetscInt num, PetscScalar S[]);
 /* The predicted cost of a factorization. */
 typedef struct {
   PetscBool known;      /* whether MUMPS could analyse the matrix */

@@ -298,8 +298,7 @@ static PetscErrorCode SchurSolverAllocate_Private(ActiveSolver solver)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Factors A_II and gets S, of which MUMPS gives one triangle: the lower one on one rank, the upper one on
-   several. */
+/* Factors A_II and gets S. */
 static PetscErrorCode SchurSolverFactor_Private(ActiveSolver solver, const char prefix[], MatFactorError *error)
 {
   SchurSolver   *t = solver->data;
@@ -311,9 +310,7 @@ static PetscErrorCode SchurSolverFactor_Private(ActiveSolver solver, const char 
   PetscCall(ActiveSetAll(solver->set, &C));
   if (!t->rank) PetscCall(MatDenseGetArray(t->S, &S));
   PetscCall(FactorizationCreate(solver->A, N, C, prefix, S, &t->F, error));
-  for (PetscInt i = 0; i < N && !t->rank && !*error; i++) {
-    for (PetscInt j = 0; j < i; j++) S[i * N + j] = S[j * N + i] = S[i * N + j] != 0 ? S[i * N + j] : S[j * N + i];
-  }
+  if (!t->rank && !*error) FactorizationFillSchur(N, S);
   if (!t->rank) PetscCall(MatDenseRestoreArray(t->S, &S));
   PetscCall(PetscFree(C));
   PetscFunctionReturn(PETSC_SUCCESS);

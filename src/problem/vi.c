@@ -127,6 +127,24 @@ PetscErrorCode VICreateRegularized(VI vi, Vec regularization, Mat *A)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode VICreateUntied(VI vi, PetscInt p, Vec regularization, Mat *A)
+{
+  PetscInt *fixed, num = vi->num_fixed;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(vi->num_fixed, &fixed));
+  for (PetscInt r = 0; r < vi->num_rows; r++) num -= vi->pairs[vi->row_pair[r]]->spec->type == PAIR_TIED ? 1 : 0;
+  PetscCall(PetscArraycpy(fixed, vi->fixed, num)); // supports come first, then tied rows
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    if (vi->row_pair[r] != p && vi->pairs[vi->row_pair[r]]->spec->type == PAIR_TIED) fixed[num++] = vi->row_dof[r];
+  }
+  PetscCall(CondensedMatrixAssemble(vi->K, vi->stiffness, vi->Z, num, fixed, A));
+  if (regularization) PetscCall(MatDiagonalSet(*A, regularization, ADD_VALUES));
+  PetscCall(MatSetOption(*A, MAT_SPD, PETSC_TRUE));
+  PetscCall(PetscFree(fixed));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* y_i <= nodal gap for contact rows. */
 static PetscErrorCode VISetBounds_Private(VI vi)
 {

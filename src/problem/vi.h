@@ -73,6 +73,9 @@ PetscErrorCode VIPrepareProducts(VI vi);
 /* A plus a diagonal, a matrix or a shell like A. Collective. [in] regularization - borrowed for as long as the result lives;
    [out] A - owned by the caller */
 PetscErrorCode VICreateRegularized(VI vi, Vec regularization, Mat *A);
+/* A as an AIJ matrix of its own, with the relative displacements of pair p as unknowns even if it is tied. Collective.
+   [in] regularization - diagonal to be added, or NULL; [out] A - owned by the caller */
+PetscErrorCode VICreateUntied(VI vi, PetscInt p, Vec regularization, Mat *A);
 /* T^-1, as sparse as B: its rows are those of B, and nodes' frames. Collective.
    [out] inverse - owned by the caller; NULL where T is the identity */
 PetscErrorCode VICreateInverseBasis(VI vi, Mat *inverse);

@@ -229,6 +229,11 @@ static const OptionEntry table[] = {
     {GROUP_SOLVER, "-measure_linear", "0|1", "", "0",
      "After the solution, solves one linear system with its active set, from zero to 1e-8, with a new setup of the "
      "linear solver. The summary has the seconds as timing.linear_reference."},
+    {GROUP_SOLVER, "-infsup", "0|1", "", "0",
+     "After the solution, computes the discrete inf-sup number of each pair and the condition number of its Schur "
+     "complement: pairs.<pair>.inf_sup. One factorization and a dense eigenvalue problem for each pair, of at most "
+     "3000 "
+     "multipliers."},
 
     {GROUP_PETSC, "-snes_max_it", "n", "", "500",
      "Largest number of active sets; with another -snes_type of iterations, 100 by default."},

@@ -201,7 +201,7 @@ struct _n_Scene {
 
   SceneAdapt adapt;
   SceneStop  stop;
-  PetscBool  check, cross_check, measure_linear, quiet, monitor, view, report, allow_unused, warnings_fail;
+  PetscBool  check, cross_check, measure_linear, infsup, quiet, monitor, view, report, allow_unused, warnings_fail;
 };
 typedef struct _n_Scene *Scene;
 

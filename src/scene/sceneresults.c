@@ -91,13 +91,13 @@ static PetscErrorCode ResultsReadCheck_Private(Scene scene)
     PetscCall(OptionRaise(&only, "nothing is solved, so that -report has nothing to tell; give one of the two"));
   scene->study.kind  = STUDY_NONE;
   scene->steps.num   = 0;
-  scene->cross_check = scene->measure_linear = PETSC_FALSE;
+  scene->cross_check = scene->measure_linear = scene->infsup = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode SceneResultsRead(Scene scene)
 {
-  Option   quiet, monitor, view, check, measure, type, warnings;
+  Option   quiet, monitor, view, check, measure, infsup, type, warnings;
   PetscInt choice = 0;
 
   PetscFunctionBeginUser;
@@ -108,6 +108,8 @@ PetscErrorCode SceneResultsRead(Scene scene)
   PetscCall(OptionFind(scene, "-cross_check", NULL, NULL, &check));
   PetscCall(OptionFind(scene, "-measure_linear", NULL, NULL, &measure));
   PetscCall(OptionGetBool(&measure, &scene->measure_linear));
+  PetscCall(OptionFind(scene, "-infsup", NULL, NULL, &infsup));
+  PetscCall(OptionGetBool(&infsup, &scene->infsup));
   PetscCall(OptionGetBool(&quiet, &scene->quiet));
   PetscCall(OptionFind(scene, "-warnings", NULL, NULL, &warnings));
   PetscCall(OptionGetChoice(&warnings, &choice));

@@ -25,6 +25,10 @@ static PetscErrorCode RunSolve_Private(Run run, Vec guess, PetscBool *again)
     PetscCall(SolverCrossCheck(run->solver, run->y, &run->report, &run->check));
   PetscCall(LogStageEnd(STAGE_SOLVE));
   if (scene->measure_linear && run->report.converged) PetscCall(SolverSolveLinear(run->solver, run->y, &run->report));
+  if (scene->infsup && !run->inf_sup) { // of the matrices alone, which load steps keep
+    PetscCall(PetscMalloc1(run->vi->num_pairs, &run->inf_sup));
+    PetscCall(InfSupCompute(run->vi, run->solvability, run->inf_sup));
+  }
   PetscCall(SceneCheckUnused(scene, PETSC_FALSE));
 
   PetscCall(LogStageBegin(STAGE_OUTPUT));
@@ -272,6 +276,7 @@ PetscErrorCode RunDestroy(Run *run)
   PetscCall(RunForget_Private(*run));
   for (int i = 0; i < 2; i++) PetscCall(VecDestroy(&(*run)->past[i].u));
   PetscCall(SetupCheckDestroy(&(*run)->setup));
+  PetscCall(PetscFree((*run)->inf_sup));
   if ((*run)->solver) PetscCall(SolverDestroy(&(*run)->solver));
   PetscCall(SolvabilityDestroy(&(*run)->solvability));
   PetscCall(VIDestroy(&(*run)->vi));
@@ -289,6 +294,7 @@ SummaryInput RunSummary(Run run)
                         .fields      = run->fields,
                         .report      = &run->report,
                         .check       = &run->check,
+                        .inf_sup     = run->inf_sup,
                         .certificate = &run->certificate,
                         .errors      = &run->errors,
                         .reactions   = run->reactions,

@@ -6,6 +6,7 @@
 #include "result/errors.h"
 #include "result/fields.h"
 #include "result/setupcheck.h"
+#include "solve/infsup.h"
 #include "solve/solver.h"
 #include "output/summary.h"
 
@@ -22,6 +23,7 @@ struct _n_Run {
   } past[2]; /* the last solutions, the latest first */
   SolverReport report;
   CrossCheck   check;
+  InfSup      *inf_sup; /* with -infsup [vi->num_pairs], else NULL */
   Fields       fields;
   Certificate  certificate;
   Vec          reactions;

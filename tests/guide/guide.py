@@ -75,7 +75,7 @@ def check_options(program, write):
 SCENES = {
     "solved": ["-options_file", "options/manufactured_full.opts", "-cross_check", "-measure_linear", "-probes", "p", "-probe_p_body", "upper",
                "-probe_p_at", "0.5,0.5"],
-    "stopped": ["-options_file", "options/two_plates.opts", "-pc_type", "truncatedmg", "-dm_refine", "1", "-stop", "discretisation"],
+    "stopped": ["-options_file", "options/two_plates.opts", "-pc_type", "truncatedmg", "-dm_refine", "1", "-stop", "discretisation", "-infsup"],
     "refused": ["-options_file", "options/overhang.opts", "-block_bc_traction", "left", "-block_bc_traction_left", "0.1,0"],
     "floating": ["-options_file", "options/stack.opts", "-units", "mm,N,MPa"],
     "checked": ["-options_file", "options/two_plates.opts", "-check"],

@@ -1,0 +1,12 @@
+"""Tetrahedra on hexahedra in space, 2:3 and with exchanged roles 3:2; tetrahedra alone; four meshes of order 1 and three of order 2."""
+from flatness import numbers, require_flat
+
+SWAPPED = ["-joint_nonmortar", "lower:top", "-joint_mortar", "upper:bottom"]
+TETRAHEDRA = ["-lower_dm_plex_simplex", "1"]
+
+
+def judge(run):
+    for arguments in ([], SWAPPED, TETRAHEDRA):
+        require_flat(f"order 1 {arguments}", numbers(run, "joint", 4, *arguments), 0.05)
+    for arguments in ([], SWAPPED):
+        require_flat(f"order 2 {arguments}", numbers(run, "joint", 2, *arguments, "-order", "2"), 0.05)
