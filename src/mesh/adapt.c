@@ -228,7 +228,8 @@ PetscErrorCode MeshAdapt(Mesh mesh, const PetscBool marked[])
   PetscCall(PetscFree(all));
   before       = forest->cell;
   forest->cell = NULL;
-  PetscCall(PetscRealloc((size_t)(mesh->num_levels + 1) * sizeof(Level), &mesh->levels));
+  PetscCheck(mesh->num_levels < MESH_MAX_ADAPTED, mesh->scene->comm, PETSC_ERR_SUP, "More than %d levels",
+             MESH_MAX_ADAPTED);
   fine = &mesh->levels[mesh->num_levels];
   PetscCall(MeshForestMerge(mesh->scene, forest, &dm, &curves));
   PetscCall(PartitionDistribute(mesh->scene, 0, &dm, &curves, &origin));

@@ -122,7 +122,7 @@ static PetscErrorCode MeshBegin_Private(Mesh mesh, PetscInt coarser)
 
   PetscFunctionBeginUser;
   PetscCall(MeshCreateWhole_Private(scene, coarser, &dm, &curves, &mesh->forest));
-  PetscCall(PetscMalloc1(1, &mesh->levels));
+  PetscCall(PetscMalloc1(mesh->forest ? MESH_MAX_ADAPTED : 1, &mesh->levels)); // inequalities point there
   mesh->num_levels = 1;
   if (mesh->forest) PetscCall(MeshForestMerge(scene, mesh->forest, &dm, &curves));
   PetscCall(PartitionDistribute(scene, coarser + scene->refine, &dm, &curves, mesh->forest ? &origin : NULL));

@@ -52,6 +52,9 @@ typedef struct {
    Beyond some 200000 in 2D multigrid takes two thirds of the memory for about the same time. */
 enum { MESH_LEVELS_2D = 200000, MESH_LEVELS_3D = 20000 };
 
+/* Levels of a mesh that is adapted, at most. */
+enum { MESH_MAX_ADAPTED = 128 };
+
 struct _n_Mesh {
   Scene                 scene;      /* borrowed */
   PetscInt              num_levels; /* those that boxes begin with by themselves, 1, common refinements */
@@ -75,7 +78,7 @@ PetscErrorCode MeshSetUp(Mesh mesh);
 /* Appends one more level, the finest one with every cell split; earlier pointers into mesh->levels are void then. User errors:
    a degenerate or tangled cell. Collective. */
 PetscErrorCode MeshRefine(Mesh mesh);
-/* Appends one more level: marked cells of the finest one bisected dim times, others as often as that makes them hang. The same on any
+/* Appends one more level, and pointers into mesh->levels stay: marked cells of the finest one bisected dim times, others as often as that makes them hang. The same on any
    number of ranks; parted anew. Cells that a map or a curve tangles are bisected again, three times at most. For meshes of scenes with
    -adapt. User errors: a degenerate or tangled cell. Collective.
    [in] marked - cells of this rank [num_cells] */

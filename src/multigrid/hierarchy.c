@@ -35,13 +35,10 @@ static PetscErrorCode HierarchyBeginLevel_Private(const HierarchyInput *input, P
                                                   HierarchyLevel *level)
 {
   const Mat A = level->op.A;
-  MatInfo   info;
 
   PetscFunctionBeginUser;
   PetscCall(MatCreateVecs(A, &level->diag, NULL));
   PetscCall(MatGetDiagonal(A, level->diag));
-  PetscCall(MatGetInfo(level->op.K, MAT_GLOBAL_SUM, &info));
-  level->share = info.nz_used;
   level->nodes = (PetscBool)(l < 0);
   if (coarsest) PetscFunctionReturn(PETSC_SUCCESS);
   if (!level->nodes) PetscCall(HierarchyCreateSmoother_Private(input, l, &level->op, &level->S));
@@ -78,6 +75,20 @@ static PetscErrorCode HierarchyAddNodeLevels_Private(HierarchyInput *input, Hier
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* What products cost. */
+static PetscErrorCode HierarchySetShares_Private(Hierarchy h)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt l = h->num - 1; l >= 0; l--) {
+    MatInfo info;
+
+    PetscCall(MatGetInfo(h->level[l].op.K, MAT_GLOBAL_SUM, &info));
+    h->level[l].share = info.nz_used;
+  }
+  for (PetscInt l = 0; l < h->num; l++) h->level[l].share /= h->level[h->num - 1].share;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode HierarchyCreate(HierarchyInput *input, Hierarchy *hierarchy)
 {
   Hierarchy       h;
@@ -100,8 +111,56 @@ PetscErrorCode HierarchyCreate(HierarchyInput *input, Hierarchy *hierarchy)
     PetscCall(MatDestroy(&given[l].op.inverse)); // smoothers hold a reference if they need it
   h->num = h->first + input->num;
   PetscCall(PetscArraymove(h->level, given - h->first, h->num));
-  for (PetscInt l = 0; l < h->num; l++) h->level[l].share /= h->level[h->num - 1].share;
+  PetscCall(HierarchySetShares_Private(h));
   *hierarchy = h;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode HierarchyLevelDestroy_Private(HierarchyLevel *level)
+{
+  PetscFunctionBeginUser;
+  PetscCall(OperatorDestroy(&level->op));
+  PetscCall(MatDestroy(&level->P));
+  PetscCall(VecDestroy(&level->weight));
+  PetscCall(VecDestroy(&level->diag));
+  PetscCall(MatDestroy(&level->S));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Another smoother for a level that is the finest one no more: a stiff side of contact weighs in its blocks then. */
+static PetscErrorCode HierarchyRenewLevel_Private(const HierarchyInput *input, HierarchyLevel *level)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VecDestroy(&level->diag));
+  PetscCall(MatDestroy(&level->S));
+  PetscCall(HierarchyBeginLevel_Private(input, 0, PETSC_FALSE, level));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode HierarchyExtend(Hierarchy h, PetscBool drop, PetscBool renew, const Operator *op, Mat P)
+{
+  const HierarchyInput input = {.num   = 2,
+                                .lines = PETSC_TRUE}; // the smoothers of level 0 are not those of a finest one
+  HierarchyLevel      *top   = &h->level[h->num - 1];
+  PetscBool            other = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  if (drop) {
+    PetscCall(HierarchyLevelDestroy_Private(top));
+    h->num--;
+  } else if (h->num > 1) {
+    PetscCall(SmootherDependsOnFinest(&top->op, &other));
+    if (other || renew) PetscCall(HierarchyRenewLevel_Private(&input, top));
+  }
+  PetscCall(PetscRealloc((size_t)(h->num + 1) * sizeof(HierarchyLevel), &h->level));
+  top  = &h->level[h->num++];
+  *top = (HierarchyLevel){.op = *op, .P = P};
+  PetscCall(HierarchyBeginLevel_Private(&input, 1, PETSC_FALSE, top));
+  PetscCall(NodeLevelsSumSquares(P, NULL, &top->weight));
+  PetscCall(MatDestroy(&top->op.inverse));
+  PetscCall(HierarchySetShares_Private(h));
+  h->work        = 0;
+  h->num_systems = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -124,15 +183,7 @@ PetscErrorCode HierarchyDestroy(Hierarchy *hierarchy)
 {
   PetscFunctionBeginUser;
   if (!*hierarchy) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt l = 0; l < (*hierarchy)->num; l++) {
-    HierarchyLevel *level = &(*hierarchy)->level[l];
-
-    PetscCall(OperatorDestroy(&level->op));
-    PetscCall(MatDestroy(&level->P));
-    PetscCall(VecDestroy(&level->weight));
-    PetscCall(VecDestroy(&level->diag));
-    PetscCall(MatDestroy(&level->S));
-  }
+  for (PetscInt l = 0; l < (*hierarchy)->num; l++) PetscCall(HierarchyLevelDestroy_Private(&(*hierarchy)->level[l]));
   PetscCall(PetscFree((*hierarchy)->level));
   PetscCall(PetscFree(*hierarchy));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -43,6 +43,9 @@ typedef struct {
 PetscBool HierarchyIsLarge(PetscInt dim, PetscInt unknowns);
 /* Collective. [in,out] input; [out] hierarchy - owned by the caller */
 PetscErrorCode HierarchyCreate(HierarchyInput *input, Hierarchy *hierarchy);
+/* Appends a level: the others keep matrices, smoothers, eigenvalues and transfer. For cells that may be long in whole lines. Collective. [in] drop - whether the finest level so far leaves;
+   [in] renew - whether its A has changed, so that it gets another smoother; [in] op, P - of the new level, from the one below it; taken over */
+PetscErrorCode HierarchyExtend(Hierarchy hierarchy, PetscBool drop, PetscBool renew, const Operator *op, Mat P);
 /* Whether there is one or not. Collective. */
 PetscErrorCode HierarchyDestroy(Hierarchy *hierarchy);
 

@@ -150,6 +150,14 @@ static PetscErrorCode SmootherCondense_Private(const Operator *op, Mat *S)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode SmootherDependsOnFinest(const Operator *op, PetscBool *depends)
+{
+  PetscFunctionBeginUser;
+  PetscCall(SmootherFindStiffSide_Private(op, depends));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, depends, 1, MPIU_BOOL, MPI_LOR, PetscObjectComm((PetscObject)op->K)));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool single, Mat *S)
 {
   PetscReal    *label;
@@ -158,8 +166,7 @@ PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool si
 
   PetscFunctionBeginUser;
   *S = NULL;
-  PetscCall(SmootherFindStiffSide_Private(op, &weighs));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &weighs, 1, MPIU_BOOL, MPI_LOR, PetscObjectComm((PetscObject)op->K)));
+  PetscCall(SmootherDependsOnFinest(op, &weighs));
   PetscCall(GhostExchangeCreate(op->K, op->dim, &ghosts));
   PetscCall(PetscMalloc1(ghosts.n + ghosts.num, &label));
   PetscCall(BlockSmootherLabel(op, &ghosts, (PetscBool)(weighs && !finest), label, &found));

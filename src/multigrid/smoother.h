@@ -10,6 +10,8 @@
    [out] S - distributed like A, owned by the caller: a matrix, or a shell of its inverse (bodysmoother.h);
    NULL for the diagonal */
 PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool single, Mat *S);
+/* Whether `finest` matters: a nonmortar side is much stiffer than its mortar side. Collective. */
+PetscErrorCode SmootherDependsOnFinest(const Operator *op, PetscBool *depends);
 /* S := factor S. Collective. */
 PetscErrorCode SmootherScale(Mat S, PetscReal factor);
 /* S with fixed unknowns; S >= A still holds. Collective.

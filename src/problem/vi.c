@@ -223,6 +223,38 @@ PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode VICreateFiner(VI vi, VI *fine)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VICreateOnLevel_Private(vi->scene, vi->mesh, MeshFinest(vi->mesh), vi, NULL, fine));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VIReplaceStiffness(VI vi, Mat K)
+{
+  PetscReal *values;
+
+  PetscFunctionBeginUser;
+  PetscCall(LogStageBegin(STAGE_CONDENSE));
+  PetscCall(PetscObjectReference((PetscObject)K));
+  PetscCall(MatDestroy(&vi->nest)); // would hold the old one
+  PetscCall(MatDestroy(&vi->K));
+  PetscCall(MatDestroy(&vi->A));
+  PetscCall(MatDestroy(&vi->S));
+  PetscCall(MatDestroy(&vi->Z));
+  PetscCall(VecDestroy(&vi->b));
+  PetscCall(PetscFree(vi->fixed_local));
+  PetscCall(PetscFree(vi->fixed));
+  vi->K         = K;
+  vi->assembled = PETSC_FALSE;
+  PetscCall(MatGetDiagonal(vi->K, vi->diagonal));
+  PetscCall(BasisChangeGetFixed(vi, &vi->basis->bases, &vi->basis->couplings, &vi->num_fixed, &vi->fixed, &values));
+  PetscCall(VICondense_Private(vi, values));
+  PetscCall(PetscFree(values));
+  PetscCall(LogStageEnd(STAGE_CONDENSE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode VIUpdate(VI vi, int changed, PetscBool *updated)
 {
   PetscReal *values;

@@ -59,6 +59,8 @@ typedef struct _n_VI *VI;
 /* Searches, integrates, assembles and condenses. Roles that run in a circle are a fault. Collective. [out] vi - owned by the caller */
 PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi);
 PetscErrorCode VIDestroy(VI *vi);
+/* The same scene on the finest level of its mesh, with the scales of a vi on a coarser one. Collective. [out] fine - owned by the caller */
+PetscErrorCode VICreateFiner(VI vi, VI *fine);
 /* Takes loads, given displacements and gaps anew from the scene, for the same matrices: f, G, b, upper and length change, in place.
    Collective. [in] changed - DatumKind bits of what may differ; [out] updated - false where matrices would change: then vi is to be
    created anew */
@@ -66,6 +68,9 @@ PetscErrorCode VIUpdate(VI vi, int changed, PetscBool *updated);
 /* The same scene on a coarser level of its mesh, with the scales of vi. Collective. [in] l - level of vi->mesh; [in] K - in place of the level's own, or NULL;
    [out] coarse - owned by the caller */
 PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse);
+/* Takes another K for the same contact and supports: A, b and what belongs to them are made anew, products and an assembled A are to be asked for
+   again; the uncondensed system is gone. Collective. [in] K - referenced */
+PetscErrorCode VIReplaceStiffness(VI vi, Mat K);
 /* Makes A an AIJ matrix, as factorizations and submatrices need it. Takes as much memory as K. Collective. */
 PetscErrorCode VIAssemble(VI vi);
 /* Makes S, which products with A use in place of K from then on. Worth its memory, half of K's, for iterative solvers. Collective. */

@@ -73,14 +73,16 @@ static PetscErrorCode MeshLevelsCreateLift_Private(VI coarse, VI fine, Mat P, co
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* T_f^-1 (P (x) 1) T_c, emptied where unknowns are fixed. [in] op - of both levels, coarse first; [out] lift - of MeshLevelsCreateLift_Private() */
-static PetscErrorCode MeshLevelsCreateProlongation_Private(VI coarse, VI fine, const Operator op[2], Mat *P, Vec *lift)
+/* T_f^-1 (P (x) 1) T_c, emptied where unknowns are fixed. [in] nodal - the P of node values; [in] op - of both levels, coarse first; [out] lift -
+   of MeshLevelsCreateLift_Private() */
+static PetscErrorCode MeshLevelsCreateProlongation_Private(VI coarse, VI fine, Mat nodal, const Operator op[2], Mat *P,
+                                                           Vec *lift)
 {
   Mat blocks, product;
   Vec free[2];
 
   PetscFunctionBeginUser;
-  PetscCall(MeshLevelsBlocks_Private(fine->level->prolongation, fine->level->dim, P));
+  PetscCall(MeshLevelsBlocks_Private(nodal, fine->level->dim, P));
   if (coarse->T) {
     blocks = *P;
     PetscCall(MatMatMult(blocks, coarse->T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, P));
@@ -102,6 +104,43 @@ static PetscErrorCode MeshLevelsCreateProlongation_Private(VI coarse, VI fine, c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Adapted meshes grow little by little, and cycles need less: a level is used if it has so many times the nodes of the one below. Two
+   plates, order 2, 15 meshes: 8 iterations with all of them, 13 at half the costs. */
+static const PetscReal LEVEL_GROWTH = 2;
+
+/* Which levels of the mesh are used. */
+static PetscErrorCode MeshLevelsSelect_Private(Mesh mesh, MeshLevels levels)
+{
+  PetscInt last = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(mesh->num_levels, &levels->of));
+  for (PetscInt l = 0; l < mesh->num_levels; l++) {
+    const PetscReal nodes = (PetscReal)mesh->levels[l].num_global, before = (PetscReal)mesh->levels[last].num_global;
+
+    if (mesh->forest && l && l + 1 < mesh->num_levels && nodes < LEVEL_GROWTH * before) continue;
+    levels->of[levels->num++] = last = l;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Prolongation from one level of the mesh to another. [out] P - owned by the caller */
+static PetscErrorCode MeshLevelsMultiply_Private(Mesh mesh, PetscInt from, PetscInt to, Mat *P)
+{
+  PetscFunctionBeginUser;
+  *P = mesh->levels[from + 1].prolongation;
+  PetscCall(PetscObjectReference((PetscObject)*P));
+  for (PetscInt l = from + 2; l <= to; l++) {
+    Mat product;
+
+    PetscCall(MatMatMult(mesh->levels[l].prolongation, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
+    PetscCall(MatProductClear(product)); // it would keep its factors
+    PetscCall(MatDestroy(P));
+    *P = product;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode MeshLevelsAreNested(VI vi, PetscBool *nested)
 {
   const Scene      scene = vi->scene;
@@ -116,8 +155,8 @@ PetscErrorCode MeshLevelsAreNested(VI vi, PetscBool *nested)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the fine level's cells are parts of the coarse one's: not along curves. */
-static PetscErrorCode MeshLevelsTestParts_Private(Level *coarse, Level *fine, PetscBool *parts)
+/* Whether the fine level's cells are parts of the coarse one's: not along curves. [in] P - of node values */
+static PetscErrorCode MeshLevelsTestParts_Private(Level *coarse, Level *fine, Mat P, PetscBool *parts)
 {
   static const PetscReal POSITION_TOLERANCE = 1e-9; /* relative to the scene */
   PetscReal              off[2]             = {0, 0};
@@ -131,7 +170,7 @@ static PetscErrorCode MeshLevelsTestParts_Private(Level *coarse, Level *fine, Pe
     PetscCall(VecGetArray(from, &x));
     for (PetscInt i = 0; i < coarse->num_owned; i++) x[i] = coarse->coords[i * coarse->dim + d];
     PetscCall(VecRestoreArray(from, &x));
-    PetscCall(MatMult(fine->prolongation, from, to));
+    PetscCall(MatMult(P, from, to));
     PetscCall(VecGetArray(to, &x));
     for (PetscInt i = 0; i < fine->num_owned; i++) {
       const PetscReal own = fine->coords[i * fine->dim + d];
@@ -148,22 +187,26 @@ static PetscErrorCode MeshLevelsTestParts_Private(Level *coarse, Level *fine, Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The inequality of level l, the next coarser one of fine's. Its K is P'K P of the fine one, by itself or made so. [in] same - whether
-   energies are the same where cells are parts of cells */
-static PetscErrorCode MeshLevelsCreateCoarse_Private(VI fine, PetscInt l, PetscBool same, VI *coarse)
+/* The inequality of level l, unless it is known. Its K is P'K P of the next finer one, by itself or made so. [in,out] nested - whether
+   energies are the same where cells are parts of cells, and K of the finer one is its own; whether it is so by itself */
+static PetscErrorCode MeshLevelsSetCoarse_Private(MeshLevels levels, PetscInt l, PetscBool *nested)
 {
-  Mat       P, K = NULL;
-  PetscBool nested = same;
+  const VI fine   = levels->vi[l + 1];
+  Level   *coarse = &fine->mesh->levels[levels->of[l]];
+  Mat      P, K = NULL;
 
   PetscFunctionBeginUser;
-  if (same) PetscCall(MeshLevelsTestParts_Private(&fine->mesh->levels[l], fine->level, &nested));
-  if (!nested) {
-    PetscCall(MeshLevelsBlocks_Private(fine->level->prolongation, fine->level->dim, &P));
+  if (*nested) PetscCall(MeshLevelsTestParts_Private(coarse, fine->level, levels->P[l + 1], nested));
+  if (!*nested) {
+    PetscCall(MeshLevelsBlocks_Private(levels->P[l + 1], fine->level->dim, &P));
     PetscCall(MatPtAP(fine->K, P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &K));
     PetscCall(MatProductClear(K)); // it would keep its factors
     PetscCall(MatDestroy(&P));
   }
-  PetscCall(VICreateCoarse(fine, l, K, coarse));
+  if (!levels->vi[l])
+    PetscCall(VICreateCoarse(fine, levels->of[l], K, &levels->vi[l]));
+  else if (K)
+    PetscCall(VIReplaceStiffness(levels->vi[l], K));
   PetscCall(MatDestroy(&K));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -246,19 +289,26 @@ static PetscErrorCode MeshLevelsCreateTable_Private(const Level *level, NodeTabl
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether energies are the same where cells are parts of cells. */
+static PetscErrorCode MeshLevelsTestSame_Private(VI finest, PetscBool *same)
+{
+  PetscFunctionBeginUser;
+  PetscCall(MeshLevelsAreNested(finest, same));
+  if (finest->scene->model == MODEL_AXISYMMETRIC)
+    *same = PETSC_FALSE; // 1 / radius is integrated on each level in its own way
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The inequalities of all levels; matrices as multigrid needs them. [out] below - whether there are to be levels below the coarsest */
-static PetscErrorCode MeshLevelsCreateVIs_Private(MeshLevels levels, PetscBool *below)
+static PetscErrorCode MeshLevelsSetVIs_Private(MeshLevels levels, PetscBool *below)
 {
   const VI  finest = levels->vi[levels->num - 1];
   PetscInt  size;
   PetscBool same;
 
   PetscFunctionBeginUser;
-  PetscCall(MeshLevelsAreNested(finest, &same));
-  if (finest->scene->model == MODEL_AXISYMMETRIC)
-    same = PETSC_FALSE; // 1 / radius is integrated on each level in its own way
-  for (PetscInt l = levels->num - 2; l >= 0; l--)
-    PetscCall(MeshLevelsCreateCoarse_Private(levels->vi[l + 1], l, same, &levels->vi[l]));
+  PetscCall(MeshLevelsTestSame_Private(finest, &same));
+  for (PetscInt l = levels->num - 2; l >= 0; l--) PetscCall(MeshLevelsSetCoarse_Private(levels, l, &same));
   PetscCall(VecGetSize(levels->vi[0]->b, &size));
   *below = (PetscBool)(levels->num == 1 || HierarchyIsLarge(finest->level->dim, size));
   for (PetscInt l = 0; l < levels->num; l++)
@@ -266,35 +316,125 @@ static PetscErrorCode MeshLevelsCreateVIs_Private(MeshLevels levels, PetscBool *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode MeshLevelsCreate(const Inequality *finest, Vec W, MeshLevels *levels_out)
+/* Multigrid on inequalities that are known but for the coarser levels that NULL stands for. */
+static PetscErrorCode MeshLevelsSetUp_Private(MeshLevels levels, const Inequality *finest, Vec W)
 {
-  const PetscInt num = finest->vi->mesh->num_levels;
-  MeshLevels     levels;
+  const PetscInt num    = levels->num;
   HierarchyInput input  = {.num = num};
   PetscBool      higher = PETSC_FALSE;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscNew(&levels));
-  levels->num = num;
-  PetscCall(PetscCalloc2(num, &levels->vi, num, &levels->lift));
   PetscCall(PetscCalloc2(num, &input.op, num, &input.P));
-  levels->vi[num - 1] = finest->vi;
-  PetscCall(MeshLevelsCreateVIs_Private(levels, &input.below));
+  PetscCall(MeshLevelsSetVIs_Private(levels, &input.below));
   for (PetscInt l = 0; l < num; l++) {
     const VI         vi  = levels->vi[l];
     const Inequality own = {.vi = vi, .A = vi->A, .b = vi->b, .upper = vi->upper};
 
     PetscCall(MeshLevelsCreateOperator(l + 1 < num ? &own : finest, l + 1 < num ? NULL : W, &input.op[l]));
     if (!l) continue;
-    PetscCall(
-        MeshLevelsCreateProlongation_Private(levels->vi[l - 1], vi, &input.op[l - 1], &input.P[l], &levels->lift[l]));
+    PetscCall(VecDestroy(&levels->lift[l]));
+    PetscCall(MeshLevelsCreateProlongation_Private(levels->vi[l - 1], vi, levels->P[l], &input.op[l - 1], &input.P[l],
+                                                   &levels->lift[l]));
   }
   PetscCall(MeshLevelsInspectCells_Private(levels->vi[0]->level, num, &higher, &input.lines));
   if (input.below && higher) PetscCall(MeshLevelsCreateTable_Private(levels->vi[0]->level, &input.table));
   PetscCall(HierarchyCreate(&input, &levels->hierarchy));
   PetscCall(PetscFree2(input.op, input.P));
-  PetscCall(CostModelSet(&levels->cost, finest->vi, levels->hierarchy));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Levels of a mesh. */
+static PetscErrorCode MeshLevelsBegin_Private(const Inequality *finest, Vec W, MeshLevels *levels_out)
+{
+  const Mesh mesh = finest->vi->mesh;
+  MeshLevels levels;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(&levels));
+  PetscCall(MeshLevelsSelect_Private(mesh, levels));
+  PetscCall(PetscCalloc1(levels->num, &levels->vi));
+  PetscCall(PetscCalloc1(levels->num, &levels->lift));
+  PetscCall(PetscCalloc1(levels->num, &levels->P));
+  levels->vi[levels->num - 1] = finest->vi;
+  for (PetscInt l = 1; l < levels->num; l++)
+    PetscCall(MeshLevelsMultiply_Private(mesh, levels->of[l - 1], levels->of[l], &levels->P[l]));
+  PetscCall(MeshLevelsSetUp_Private(levels, finest, W));
   *levels_out = levels;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Puts a level of the mesh on top, in the place of the finest one so far, or above it. [in] vi - of it */
+static PetscErrorCode MeshLevelsPush_Private(MeshLevels levels, VI vi, PetscBool drop)
+{
+  const PetscInt num = drop ? levels->num : levels->num + 1;
+
+  PetscFunctionBeginUser;
+  if (drop) {
+    PetscCall(VIDestroy(&levels->vi[num - 1]));
+    PetscCall(VecDestroy(&levels->lift[num - 1]));
+    PetscCall(MatDestroy(&levels->P[num - 1]));
+  }
+  PetscCall(PetscRealloc((size_t)num * sizeof(PetscInt), &levels->of));
+  PetscCall(PetscRealloc((size_t)num * sizeof(VI), &levels->vi));
+  PetscCall(PetscRealloc((size_t)num * sizeof(Vec), &levels->lift));
+  PetscCall(PetscRealloc((size_t)num * sizeof(Mat), &levels->P));
+  levels->num           = num;
+  levels->of[num - 1]   = vi->mesh->num_levels - 1;
+  levels->vi[num - 1]   = vi;
+  levels->lift[num - 1] = NULL;
+  levels->own_finest    = PETSC_FALSE;
+  PetscCall(MeshLevelsMultiply_Private(vi->mesh, levels->of[num - 2], levels->of[num - 1], &levels->P[num - 1]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds the new level of the mesh. Where K of coarser ones is not P'K P of it, all of it is made anew but for contact and supports. */
+static PetscErrorCode MeshLevelsExtend_Private(MeshLevels levels, const Inequality *finest, Vec W)
+{
+  const Mesh      mesh  = finest->vi->mesh;
+  const PetscInt  below = levels->num - 2; // at least
+  const PetscBool drop  = (PetscBool)((PetscReal)mesh->levels[levels->of[below + 1]].num_global <
+                                     LEVEL_GROWTH * (PetscReal)mesh->levels[levels->of[below]].num_global);
+  const PetscBool renew = (PetscBool)(levels->hierarchy->level[levels->hierarchy->num - 1].op.W != NULL);
+  Operator        op[2];
+  PetscBool       nested;
+  VI              next;
+  Mat             P;
+
+  PetscFunctionBeginUser;
+  PetscCall(MeshLevelsPush_Private(levels, finest->vi, drop));
+  PetscCall(MeshLevelsTestSame_Private(finest->vi, &nested));
+  next = levels->vi[levels->num - 2];
+  if (nested)
+    PetscCall(MeshLevelsTestParts_Private(next->level, finest->vi->level, levels->P[levels->num - 1], &nested));
+  if (!nested) {
+    PetscCall(HierarchyDestroy(&levels->hierarchy));
+    PetscCall(MeshLevelsSetUp_Private(levels, finest, W));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(VIPrepareProducts(finest->vi));
+  PetscCall(MeshLevelsSetInequality(levels, levels->num - 2,
+                                    &(Inequality){.vi = next, .A = next->A, .b = next->b, .upper = next->upper}, NULL));
+  op[0] = levels->hierarchy->level[levels->hierarchy->first + levels->num - 2].op;
+  PetscCall(MeshLevelsCreateOperator(finest, W, &op[1]));
+  PetscCall(MeshLevelsCreateProlongation_Private(next, finest->vi, levels->P[levels->num - 1], op, &P,
+                                                 &levels->lift[levels->num - 1]));
+  PetscCall(HierarchyExtend(levels->hierarchy, drop, renew, &op[1], P));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MeshLevelsCreate(const Inequality *finest, Vec W, MeshLevels *older, MeshLevels *levels)
+{
+  PetscFunctionBeginUser;
+  *levels = NULL;
+  if (older && *older && (*older)->num > 1 && (*older)->of[(*older)->num - 1] == finest->vi->mesh->num_levels - 2) {
+    *levels = *older;
+    *older  = NULL;
+    PetscCall(MeshLevelsExtend_Private(*levels, finest, W));
+  } else {
+    if (older) PetscCall(MeshLevelsDestroy(older));
+    PetscCall(MeshLevelsBegin_Private(finest, W, levels));
+  }
+  PetscCall(CostModelSet(&(*levels)->cost, finest->vi, (*levels)->hierarchy));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -305,9 +445,13 @@ PetscErrorCode MeshLevelsDestroy(MeshLevels *levels)
   PetscCall(HierarchyDestroy(&(*levels)->hierarchy));
   for (PetscInt l = 0; l < (*levels)->num; l++) {
     PetscCall(VecDestroy(&(*levels)->lift[l]));
-    if (l + 1 < (*levels)->num) PetscCall(VIDestroy(&(*levels)->vi[l]));
+    PetscCall(MatDestroy(&(*levels)->P[l]));
+    if (l + 1 < (*levels)->num || (*levels)->own_finest) PetscCall(VIDestroy(&(*levels)->vi[l]));
   }
-  PetscCall(PetscFree2((*levels)->vi, (*levels)->lift));
+  PetscCall(PetscFree((*levels)->of));
+  PetscCall(PetscFree((*levels)->vi));
+  PetscCall(PetscFree((*levels)->lift));
+  PetscCall(PetscFree((*levels)->P));
   PetscCall(PetscFree(*levels));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

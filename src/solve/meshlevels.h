@@ -14,8 +14,11 @@ typedef struct {
 } Inequality;
 
 typedef struct _n_MeshLevels {
-  PetscInt num; /* levels of the mesh */
-  VI      *vi;  /* coarse first; the finest one borrowed [num] */
+  PetscInt  num;        /* levels of the mesh that are used */
+  PetscInt *of;         /* which ones, the coarsest and the finest among them [num] */
+  VI       *vi;         /* coarse first; the finest one borrowed, unless it is owned [num] */
+  PetscBool own_finest; /* whether it is: between meshes */
+  Mat      *P;          /* node values of the next coarser one to those of this one; NULL on the coarsest [num] */
   Vec *
       lift; /* what fixed unknowns of the next coarser level give to free ones of this one; NULL where that is 0 [num] */
   Hierarchy hierarchy; /* its level hierarchy->first is that of vi[0] */
@@ -27,12 +30,12 @@ typedef struct _n_MeshLevels {
 /* Whether the matrix of each coarser level is the Galerkin product: not with mean dilatation over cells (eq.
    9.1). Collective. */
 PetscErrorCode MeshLevelsAreNested(VI vi, PetscBool *nested);
-/* All levels of the mesh, and where the coarsest has many unknowns, or is the only one, levels of nodes below it. Collective.
-   [in] finest - with VIPrepareProducts(); [in] W - what A has on its diagonal beside that of vi, or NULL; [out] levels - owned by the caller */
-PetscErrorCode MeshLevelsCreate(const Inequality *finest, Vec W, MeshLevels *levels);
+/* All levels of the mesh but for those of adapted meshes that have less than twice the nodes of the last one below that is used; and where the coarsest has many unknowns, or is the only one, levels of nodes below it. Collective.
+   [in] older - levels of the same mesh when it had one level less, which own their finest one; consumed; or NULL; [in] finest - with VIPrepareProducts(); [in] W - what A has on its diagonal beside that of vi, or NULL; [out] levels - owned by the caller */
+PetscErrorCode MeshLevelsCreate(const Inequality *finest, Vec W, MeshLevels *older, MeshLevels *levels);
 /* Whether there are any or not. Collective. */
 PetscErrorCode MeshLevelsDestroy(MeshLevels *levels);
-/* What is solved on a level of the mesh from now on. Not collective. [in] l - of the mesh; [in] W - as of MeshLevelsCreate() */
+/* What is solved on a level from now on. Not collective. [in] l - of these levels; [in] W - as of MeshLevelsCreate() */
 PetscErrorCode MeshLevelsSetInequality(MeshLevels levels, PetscInt l, const Inequality *inequality, Vec W);
 
 /* The matrices and masks of an inequality, with T^-1. Collective. [out] op - to be released by OperatorDestroy() */

@@ -63,7 +63,20 @@ PetscErrorCode SolverDestroy(Solver *solver)
   if (!*solver) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SolverContextForget(*solver));
   PetscCall(MeshLevelsDestroy(&(*solver)->levels));
+  PetscCall(MeshLevelsDestroy(&(*solver)->older));
   PetscCall(PetscFree(*solver));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolverExtend(Solver solver, Solver older, VI *vi)
+{
+  PetscFunctionBeginUser;
+  PetscCall(SolverContextForget(older)); // gives its levels back
+  solver->older = older->levels;
+  older->levels = NULL;
+  if (!solver->older) PetscFunctionReturn(PETSC_SUCCESS);
+  solver->older->own_finest = PETSC_TRUE;
+  *vi                       = NULL;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -154,7 +167,7 @@ PetscErrorCode SolverSolve(Solver solver, Vec guess, Vec y, SolverReport *report
         WarningAdd(&slow, "-pc_type %s may need thousands of iterations for a nearly incompressible body", choice.pc));
   }
   PetscCall(ProgressWanted(scene, &progress));
-  choice.keep  = (PetscBool)(scene->cross_check || (scene->keep && !choice.stop));
+  choice.keep  = (PetscBool)(scene->cross_check || (scene->keep && !choice.stop) || scene->adapt.tolerance > 0);
   choice.again = (PetscBool)(scene->keep && !choice.stop && (!scene->cross_check || SolverChoiceFactors(choice.pc)));
   PetscCall(SolverRun(solver, &choice, progress, guess, y, report));
   report->gave_way = solver->gave_way;

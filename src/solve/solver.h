@@ -62,6 +62,9 @@ typedef struct _n_Solver *Solver;
    [out] solver - owned by the caller */
 PetscErrorCode SolverCreate(VI vi, Solvability solvability, Solver *solver);
 PetscErrorCode SolverDestroy(Solver *solver);
+/* Lets a solver have the multigrid levels of another one on the same mesh when it had one level less. Collective. [in,out] older - without levels
+   afterwards; [in,out] vi - what it has solved; taken over with the levels, NULL then */
+PetscErrorCode SolverExtend(Solver solver, Solver older, VI *vi);
 /* The loads, given displacements and gaps of vi have changed, and its solvability: what was kept serves them. Collective.
    [in] solvability - of vi, borrowed; the one of before, but for its values */
 PetscErrorCode SolverUpdate(Solver solver);

@@ -87,7 +87,7 @@ PetscErrorCode SolverContextSetLevels(SolverContext *context, SNES snes)
   PetscCall(PetscObjectTypeCompare((PetscObject)context->pc, PCTRUNCATEDMG, &multigrid));
   if (!multigrid || !proximal->solved.vi->mesh) PetscFunctionReturn(PETSC_SUCCESS);
   if (!context->levels) PetscCall(SolverContextTakeLevels_Private(context, W));
-  if (!context->levels) PetscCall(MeshLevelsCreate(&proximal->solved, W, &context->levels));
+  if (!context->levels) PetscCall(MeshLevelsCreate(&proximal->solved, W, &context->solver->older, &context->levels));
   hierarchy = context->levels->hierarchy;
   PetscCall(MultigridSetHierarchy(context->pc, hierarchy, hierarchy->num - 1, snes));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -62,8 +62,21 @@ static PetscErrorCode RunLeaveUnsolved_Private(Run run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One try, with pairs that reach as far as the scene says. */
-static PetscErrorCode RunCreateOnce_Private(Scene scene, Mesh mesh, Vec guess, Run *run_out, PetscBool *again)
+/* The inequality and its solver, which may go on from those of a coarser level. [in,out] older - destroyed; or NULL for none */
+static PetscErrorCode RunSetUp_Private(Run run, Run *older)
+{
+  PetscFunctionBeginUser;
+  PetscCall(*older ? VICreateFiner((*older)->vi, &run->vi) : VICreate(run->scene, run->mesh, &run->vi));
+  PetscCall(SolvabilityCreate(run->vi, &run->solvability));
+  if (!run->scene->check) PetscCall(SolverCreate(run->vi, run->solvability, &run->solver));
+  if (*older && (*older)->solver && run->solver) PetscCall(SolverExtend(run->solver, (*older)->solver, &(*older)->vi));
+  PetscCall(RunDestroy(older));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* One try, with pairs that reach as far as the scene says. [in,out] older - of RunSetUp_Private() */
+static PetscErrorCode RunCreateOnce_Private(Scene scene, Mesh mesh, Run *older, Vec guess, Run *run_out,
+                                            PetscBool *again)
 {
   Run run;
 
@@ -74,9 +87,7 @@ static PetscErrorCode RunCreateOnce_Private(Scene scene, Mesh mesh, Vec guess, R
   run->scene     = scene;
   run->mesh      = mesh;
   scene->changed = 0;
-  PetscCall(VICreate(scene, mesh, &run->vi));
-  PetscCall(SolvabilityCreate(run->vi, &run->solvability));
-  if (!scene->check) PetscCall(SolverCreate(run->vi, run->solvability, &run->solver));
+  PetscCall(RunSetUp_Private(run, older));
   WarningMark();
   if (scene->view) {
     PetscCall(SceneView(scene));
@@ -131,15 +142,16 @@ static PetscErrorCode RunGiveUp_Private(Run run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Tries until no wider reach is needed. [in] tries - so far; [in,out] run - of the last try, or NULL; [in] again - of it */
-static PetscErrorCode RunTry_Private(Scene scene, Mesh mesh, Vec guess, PetscInt tries, PetscBool again, Run *run)
+/* Tries until no wider reach is needed. [in] again - whether to begin at all; [in,out] older - of RunSetUp_Private(); [in,out] run - of the last
+   try, or NULL */
+static PetscErrorCode RunTry_Private(Scene scene, Mesh mesh, Vec guess, PetscBool again, Run older, Run *run)
 {
   SummaryInput known;
 
   PetscFunctionBeginUser;
-  for (; again && tries < MAX_TRIES; tries++) {
+  for (PetscInt tries = 0; again && tries < MAX_TRIES; tries++) {
     PetscCall(RunDestroy(run));
-    PetscCall(RunCreateOnce_Private(scene, mesh, guess, run, &again));
+    PetscCall(RunCreateOnce_Private(scene, mesh, &older, guess, run, &again));
   }
   if (again) PetscCall(RunGiveUp_Private(*run));
   PetscCall(RunCheckEmptyPairs_Private(*run));
@@ -168,7 +180,7 @@ PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run)
   PetscFunctionBeginUser;
   *run           = NULL;
   scene->tighten = PETSC_TRUE;
-  PetscCall(RunTry_Private(scene, mesh, guess, 0, PETSC_TRUE, run));
+  PetscCall(RunTry_Private(scene, mesh, guess, PETSC_TRUE, NULL, run));
   PetscCall(RunRemember_Private(*run));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -259,13 +271,27 @@ PetscErrorCode RunAdvance(Vec guess, Run *run)
     t[i]              = (*run)->past[i].t;
     (*run)->past[i].u = NULL;
   }
-  PetscCall(RunTry_Private(scene, mesh, guess ? guess : own, 0, again, run));
+  PetscCall(RunTry_Private(scene, mesh, guess ? guess : own, again, NULL, run));
   for (int i = 0; i < 2; i++) {
     (*run)->past[i].u = past[i];
     (*run)->past[i].t = t[i];
   }
   PetscCall(RunRemember_Private(*run));
   PetscCall(VecDestroy(&own));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode RunExtend(Vec guess, Run *run)
+{
+  const Scene scene = (*run)->scene;
+  const Mesh  mesh  = (*run)->mesh;
+  Run         older = *run;
+
+  PetscFunctionBeginUser;
+  *run = NULL;
+  PetscCall(RunForget_Private(older));
+  PetscCall(RunTry_Private(scene, mesh, guess, PETSC_TRUE, older, run));
+  PetscCall(RunRemember_Private(*run));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -40,6 +40,9 @@ typedef struct _n_Run *Run;
    [in] guess - displacement to begin with (ghosted, dim per node of that level), or NULL; [out] run - owned by the caller */
 PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run);
 PetscErrorCode RunDestroy(Run *run);
+/* The run on the new finest level that MeshAdapt() has given the mesh: scales, coarser levels of multigrid with their matrices, smoothers and
+   transfer stay; what only the old level had goes. Collective. [in] guess - as of RunCreate(), not a Vec of the run; [in,out] run */
+PetscErrorCode RunExtend(Vec guess, Run *run);
 /* Solves and judges once more, when the scene has another time or other data (SceneSetTime(), SceneSetDatum()): matrices, factors,
    levels and contact stay as far as scene->changed allows. Where -<pair>_reach turns out too small, or the stiffness changes, it is
    RunCreate(). Collective. [in] guess - displacement to begin with; NULL: extrapolated from the last solutions; [in,out] run */

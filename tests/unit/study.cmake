@@ -1,1 +1,2 @@
 mortise_unit(richardson LAYER study)
+mortise_unit(extend LAYER study RANKS 1 3)

@@ -350,7 +350,7 @@ static MeshLevels CreateLevels(VI vi)
 {
   MeshLevels levels;
 
-  CHECK(!MeshLevelsCreate(&(Inequality){.vi = vi, .A = vi->A, .b = vi->b, .upper = vi->upper}, NULL, &levels));
+  CHECK(!MeshLevelsCreate(&(Inequality){.vi = vi, .A = vi->A, .b = vi->b, .upper = vi->upper}, NULL, NULL, &levels));
   return levels;
 }
 
