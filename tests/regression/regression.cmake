@@ -42,6 +42,11 @@ mortise_scene_test(indent_cone SCENE indent CHECK indent.py
   ARGS -joint_obstacle plane -joint_obstacle_point 0,-0.001 -joint_obstacle_normal 0.002,-1)
 mortise_scene_test(shaft CHECK shaft.py RANKS 1 3 ARGS -joint_nonmortar ring:left -joint_obstacle_radius 1.01)
 mortise_scene_test(tube SCENE shaft CHECK shaft.py ARGS -joint_nonmortar ring:right -joint_obstacle_radius -1.99)
+# Size and shape of the contact zone (options/CONTACT_ZONE.md).
+mortise_scene_test(contact_zone CHECK contact_zone.py)
+mortise_scene_test(contact_zone_steps CHECK contact_zone_steps.py RANKS 1 3)
+mortise_scene_test(contact_shapes CHECK contact_shapes.py)
+mortise_scene_test(contact_ring CHECK contact_ring.py RANKS 1 3)
 # Rigid shapes in space.
 mortise_scene_test(indentation CHECK indentation.py)
 mortise_scene_test(fixture CHECK fixture.py RANKS 1 3 ARGS -cross_check)
