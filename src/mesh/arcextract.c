@@ -2,25 +2,6 @@
 #include "mesh/fileextract.h"
 #include "base/compat.h"
 
-/* Marks the cells of the region, or all. [out] chosen - freed by the caller [num_cells] */
-static PetscErrorCode ChooseCells_Private(const Extract *x, PetscBool **chosen)
-{
-  const char *region = x->body->region;
-  PetscInt    begin, tag, num = 0, *points = NULL;
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(x->level.num_cells, chosen));
-  for (PetscInt c = 0; c < x->level.num_cells; c++) (*chosen)[c] = region ? PETSC_FALSE : PETSC_TRUE;
-  PetscCall(DMPlexGetHeightStratum(x->level.dm, 0, &begin, NULL));
-  if (region && GmshNamesFindGroup(x->names, x->level.dim, region, &tag))
-    PetscCall(LabelGetPoints(x->level.dm, "Cell Sets", tag, &num, &points));
-  for (PetscInt i = 0; i < num; i++) {
-    if (points[i] >= begin && points[i] < begin + x->level.num_cells) (*chosen)[points[i] - begin] = PETSC_TRUE;
-  }
-  PetscCall(PetscFree(points));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* The one chosen cell of a facet, -1 if there is none or if there are several. */
 static PetscErrorCode GetCell_Private(const Extract *x, const PetscBool chosen[], PetscInt facet, PetscInt *cell)
 {
@@ -102,7 +83,8 @@ PetscErrorCode ExtractArcSides(Extract *x, Scene scene, PetscInt body, ArcSides 
   *sides = (ArcSides){.any = PETSC_FALSE};
   if (x->alone.order > 1 || x->body->polygonal) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ArcSideNames(scene, body, &round, &flat));
-  PetscCall(ChooseCells_Private(x, &chosen));
+  PetscCall(PetscMalloc1(x->level.num_cells, &chosen));
+  PetscCall(RegionMark(x->level.dm, x->names, x->body->region, chosen, NULL));
   PetscCall(GetFacets_Private(x, chosen, round, &sides->round));
   PetscCall(GetFacets_Private(x, chosen, flat, &sides->flat));
   PetscCall(PetscFree(chosen));

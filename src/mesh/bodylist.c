@@ -21,6 +21,7 @@ PetscErrorCode BodyListDestroy(BodyList *list)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree3(list->cell_type, list->cell_nodes, list->coords));
+  PetscCall(PetscFree(list->cell_material));
   PetscCall(PetscFree3(list->facet_cell, list->facet, list->facet_side));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -19,7 +19,7 @@ static PetscErrorCode FacetGetPoint_Private(const BodyList *list, const Numberin
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* "body" on cells; "<body>:<side>" on facets, value 1. All ranks make the labels, the first one fills them;
+/* "material" on cells; "<body>:<side>" on facets, value 1. All ranks make the labels, the first one fills them;
    distribution and refinement carry them on. */
 static PetscErrorCode MergeSetLabels_Private(Scene scene, const BodyList lists[], const SideNames names[],
                                              const Numbering *numbering, DM dm)
@@ -27,10 +27,11 @@ static PetscErrorCode MergeSetLabels_Private(Scene scene, const BodyList lists[]
   DMLabel label;
 
   PetscFunctionBeginUser;
-  PetscCall(DMCreateLabel(dm, "body"));
-  PetscCall(DMGetLabel(dm, "body", &label));
+  PetscCall(DMCreateLabel(dm, "material"));
+  PetscCall(DMGetLabel(dm, "material", &label));
   for (PetscInt b = 0; b < numbering->num_bodies; b++) {
-    for (PetscInt c = 0; c < lists[b].num_cells; c++) PetscCall(DMLabelSetValue(label, numbering->point[b][c], b));
+    for (PetscInt c = 0; c < lists[b].num_cells; c++)
+      PetscCall(DMLabelSetValue(label, numbering->point[b][c], lists[b].cell_material ? lists[b].cell_material[c] : b));
   }
   for (PetscInt b = 0; b < numbering->num_bodies; b++) {
     for (PetscInt s = 0; s < names[b].num; s++) {

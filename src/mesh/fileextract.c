@@ -45,38 +45,6 @@ PetscErrorCode ExtractFindOther(const Extract *x, PetscInt wanted, const char gr
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Marks the cells of the region, or all. */
-static PetscErrorCode ExtractSelect_Private(Extract *x, PetscInt dim, char sentence[])
-{
-  const char *region = x->body->region;
-  const char *other;
-  PetscInt    tag, num = 0, *points = NULL;
-  char        text[MESH_SENTENCE / 2] = "";
-
-  PetscFunctionBeginUser;
-  for (PetscInt c = 0; c < x->level.num_cells; c++) x->cell_at[c] = region ? -1 : x->num_cells++;
-  if (!region) PetscFunctionReturn(PETSC_SUCCESS);
-  if (GmshNamesFindGroup(x->names, dim, region, &tag))
-    PetscCall(LabelGetPoints(x->level.dm, "Cell Sets", tag, &num, &points));
-  for (PetscInt i = 0; i < num; i++) { // refinement labels the cells' edges as well
-    if (points[i] >= x->cell_begin && points[i] < x->cell_begin + x->level.num_cells)
-      x->cell_at[points[i] - x->cell_begin] = x->num_cells++;
-  }
-  PetscCall(PetscFree(points));
-  if (x->num_cells) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(LabelGetPoints(x->level.dm, "Cell Sets", -1, &num, &points));
-  for (PetscInt i = 0; i < num; i++) {
-    if (points[i]) GmshNamesDescribe(x->names, dim, points[i], text, sizeof(text)); // 0: in no group
-  }
-  PetscCall(PetscFree(points));
-  PetscCall(ExtractFindOther(x, dim, region, &other));
-  snprintf(sentence, MESH_SENTENCE,
-           "-%s_mesh_region %s: the mesh has no cells in a physical group of this name or number%s%s; it has %s",
-           x->body->name, region, other ? ", which is a " : "", other ? other : "",
-           text[0] ? text : "no groups of cells");
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Numbers the nodes of the chosen cells, vertices first. */
 static void ExtractNumber_Private(Extract *x)
 {
@@ -186,10 +154,11 @@ PetscErrorCode BodyListCreateFile(Scene scene, PetscInt body, const SideNames *n
   PetscCall(DMPlexGetHeightStratum(x.level.dm, 0, &x.cell_begin, NULL));
   PetscCall(DMPlexGetHeightStratum(x.level.dm, 1, &begin, &end));
   PetscCall(PetscMalloc2(x.level.num_cells, &x.cell_at, x.level.num_nodes, &x.node_at));
-  PetscCall(ExtractSelect_Private(&x, dim, sentence));
+  PetscCall(ExtractSelect(&x, sentence));
   ExtractNumber_Private(&x);
   PetscCall(BodyListAllocate(dim, x.num_cells, x.num_nodes, (end - begin) * names->num, list));
   ExtractCells_Private(&x, list);
+  if (!sentence[0]) PetscCall(ExtractRegions(&x, scene, body, list, sentence));
   if (!sentence[0]) PetscCall(ExtractCheckFacets(&x, list, sentence));
   PetscCall(ExtractSides(&x, names, list, sentence));
   PetscCall(NonManifoldFind(&x, list));

@@ -21,6 +21,14 @@ PetscErrorCode LabelGetPoints(DM dm, const char name[], PetscInt tag, PetscInt *
 /* What a group of another dimension is that the user means by this name or number, NULL if there is none. [in] wanted - the
    dimension of those that would do */
 PetscErrorCode ExtractFindOther(const Extract *x, PetscInt wanted, const char group[], const char **kind);
+/* Marks the cells of physical groups (names or numbers joined with '+'), or with NULL all. [out] chosen - of all cells of the DM; [out]
+   lacking - the first group without any, "" if there is none [MESH_SENTENCE]; or NULL */
+PetscErrorCode RegionMark(DM dm, const GmshNames *names, const char groups[], PetscBool chosen[], char lacking[]);
+/* x->cell_at and x->num_cells: the cells of the body's -<body>_mesh_region. [out] sentence - untouched if there are some [MESH_SENTENCE] */
+PetscErrorCode ExtractSelect(Extract *x, char sentence[]);
+/* list->cell_material of a body that has regions: each of its cells is in one of them at most. [out] sentence - untouched if there is no
+   mistake [MESH_SENTENCE] */
+PetscErrorCode ExtractRegions(const Extract *x, Scene scene, PetscInt body, BodyList *list, char sentence[]);
 /* Whether no two cells lie upon each other. [out] sentence - "" if so [MESH_SENTENCE] */
 PetscErrorCode ExtractCheckFacets(const Extract *x, const BodyList *list, char sentence[]);
 /* Whether a body has no cell of its file in common with an earlier body in the same place. [out] sentence - untouched if so

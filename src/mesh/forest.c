@@ -251,10 +251,13 @@ static PetscErrorCode TreeList_Private(Tree *tree, const BodyList *old, BodyList
   list->num_cells    = mesh->num_cells;
   list->num_vertices = mesh->num_vertices;
   list->num_nodes    = node;
-  list->facet_cell = list->facet = list->facet_side = NULL;
+  list->facet_cell = list->facet = list->facet_side = list->cell_material = NULL;
   PetscCall(PetscMalloc3(mesh->num_cells, &list->cell_type, mesh->num_cells * ELEMENT_MAX_NODES, &list->cell_nodes,
                          node * dim, &list->coords));
   PetscCall(PetscArraycpy(list->coords, old->coords, old->num_vertices * dim));
+  if (old->cell_material) PetscCall(PetscMalloc1(mesh->num_cells, &list->cell_material));
+  for (PetscInt c = 0; c < mesh->num_cells && old->cell_material; c++)
+    list->cell_material[c] = old->cell_material[mesh->parent[c]];
   node = mesh->num_vertices;
   for (PetscInt c = 0; c < mesh->num_cells; c++) {
     const ElementType type = (ElementType)old->cell_type[mesh->parent[c]];

@@ -18,6 +18,8 @@ static PetscErrorCode LevelBegin_Private(Scene scene, DM dm, Level *level)
   level->num_cells = end - begin;
   PetscCall(PetscCalloc3(level->num_cells + 1, &level->cell_start, level->num_cells, &level->cell_type,
                          level->num_cells, &level->cell_body));
+  level->cell_material = level->cell_body;
+  if (scene->num_regions) PetscCall(PetscCalloc1(level->num_cells, &level->cell_material));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -26,7 +28,7 @@ PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *
 {
   PetscFunctionBeginUser;
   PetscCall(LevelBegin_Private(scene, dm, level));
-  PetscCall(LevelSetCellBodies(level));
+  PetscCall(LevelSetCellMaterials(level));
   PetscCall(LevelSetNodes(level, max_order));
   PetscCall(LevelSetCells(level));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -36,7 +38,7 @@ PetscErrorCode LevelCreateFromPlex(Scene scene, DM dm, const Curves *curves, Lev
 {
   PetscFunctionBeginUser;
   PetscCall(LevelCreateTables(scene, dm, SceneMaxOrder(scene), level));
-  PetscCall(DMRemoveLabel(dm, "body", NULL)); // refinement would carry it on at a quarter of its costs
+  PetscCall(DMRemoveLabel(dm, "material", NULL)); // refinement would carry it on at a quarter of its costs
   PetscCall(LevelSetCoords(level, curves));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -63,7 +65,7 @@ PetscErrorCode LevelRefine(Level *coarse, const ArcSides *sides, Level *fine)
   PetscCall(DMPlexTransformSetUp(transform));
   PetscCall(DMPlexTransformApply(transform, coarse->dm, &dm));
   PetscCall(LevelBegin_Private(coarse->scene, dm, fine));
-  PetscCall(LevelFollowCellBodies(coarse, transform, fine));
+  PetscCall(LevelFollowCellMaterials(coarse, transform, fine));
   PetscCall(LevelSetNodes(fine, SceneMaxOrder(coarse->scene)));
   PetscCall(LevelSetCells(fine));
   PetscCall(LevelCreateProlongation(coarse, transform, fine));
@@ -79,6 +81,7 @@ PetscErrorCode LevelDestroy(Level *level)
   PetscCall(PetscFree(level->point_node));
   PetscCall(PetscFree3(level->node_global, level->node_body, level->coords));
   PetscCall(PetscFree(level->unmapped));
+  if (level->cell_material != level->cell_body) PetscCall(PetscFree(level->cell_material));
   PetscCall(PetscFree3(level->cell_start, level->cell_type, level->cell_body));
   PetscCall(PetscFree(level->cell_nodes));
   PetscCall(MatDestroy(&level->prolongation));

@@ -1,4 +1,4 @@
-/* levelcells.c -- the cells of a level: bodies, nodes, and a check of their shape.
+/* levelcells.c -- the cells of a level: bodies, materials, nodes, and a check of their shape.
 
    Loops over elements want plain arrays: what a cell consists of is looked up in the DM once, here. */
 #include "mesh/meshimpl.h"
@@ -10,31 +10,32 @@
 static const PetscReal DegenerateShare = 1e-10;
 
 /* From the label that the merge has set; a mesh without is of one body. */
-PetscErrorCode LevelSetCellBodies(Level *level)
+PetscErrorCode LevelSetCellMaterials(Level *level)
 {
   DMLabel  label;
   PetscInt begin;
 
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetHeightStratum(level->dm, 0, &begin, NULL));
-  PetscCall(DMGetLabel(level->dm, "body", &label));
-  for (PetscInt b = 0; b < level->scene->num_bodies && label; b++) {
+  PetscCall(DMGetLabel(level->dm, "material", &label));
+  for (PetscInt m = 0; m < level->scene->num_bodies + level->scene->num_regions && label; m++) {
     const PetscInt *cells;
     PetscInt        num;
     IS              is;
 
-    PetscCall(DMLabelGetStratumIS(label, b, &is));
+    PetscCall(DMLabelGetStratumIS(label, m, &is));
     if (!is) continue; // none of it on this rank
     PetscCall(ISGetLocalSize(is, &num));
     PetscCall(ISGetIndices(is, &cells));
-    for (PetscInt i = 0; i < num; i++) level->cell_body[cells[i] - begin] = b;
+    for (PetscInt i = 0; i < num; i++) level->cell_material[cells[i] - begin] = m;
+    for (PetscInt i = 0; i < num; i++) level->cell_body[cells[i] - begin] = SceneMaterialBody(level->scene, m);
     PetscCall(ISRestoreIndices(is, &cells));
     PetscCall(ISDestroy(&is));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode LevelFollowCellBodies(const Level *coarse, DMPlexTransform transform, Level *fine)
+PetscErrorCode LevelFollowCellMaterials(const Level *coarse, DMPlexTransform transform, Level *fine)
 {
   DMPolytopeType source, target;
   PetscInt       begin, coarse_begin, cell, replica;
@@ -44,7 +45,8 @@ PetscErrorCode LevelFollowCellBodies(const Level *coarse, DMPlexTransform transf
   PetscCall(DMPlexGetHeightStratum(fine->dm, 0, &begin, NULL));
   for (PetscInt c = 0; c < fine->num_cells; c++) {
     PetscCall(DMPlexTransformGetSourcePoint(transform, begin + c, &source, &target, &cell, &replica));
-    fine->cell_body[c] = coarse->cell_body[cell - coarse_begin];
+    fine->cell_material[c] = coarse->cell_material[cell - coarse_begin];
+    fine->cell_body[c]     = coarse->cell_body[cell - coarse_begin];
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,7 +1,7 @@
 /* mesh.h -- the one DMPlex of all bodies, its levels and their tables.
 
    Every body is made or read on the first rank, refined by its own -<body>_dm_refine, and merged into one DMPlex whose
-   facets carry one label per named side that the scene uses; cells have a label "body" until the tables tell it. The DMPlex
+   facets carry one label per named side that the scene uses; cells have a label "material" until the tables tell it. The DMPlex
    keeps box coordinates; a body's map is applied to the node table of each level, so that nodes of curved sides stay on
    them exactly. Nodes sit on points of the DMPlex: on vertices, and in bodies of order 2 also on edges, in quads and in
    hexahedra. */
@@ -16,18 +16,20 @@
    which owns them. Local nodes: the owned ones first, in global order, then ghosts. Global dof = dim * global node +
    component. */
 typedef struct {
-  MPI_Comm   comm;
-  DM         dm;
-  PetscInt   dim;
-  PetscInt   num_cells, num_nodes, num_owned; /* local; num_nodes counts ghosts */
-  PetscInt   node_begin, num_global;          /* first owned global node; global number of nodes */
-  PetscInt  *cell_start;                      /* [num_cells+1] into cell_nodes */
-  PetscInt  *cell_nodes;                      /* local nodes in the order of element.h, never inside out */
-  PetscInt  *cell_type;                       /* ElementType [num_cells], of the order of the cell's body */
-  PetscInt  *cell_body;                       /* [num_cells] */
-  PetscReal *coords;                          /* positions after the map [num_nodes][dim] */
-  PetscInt  *node_global;                     /* [num_nodes] */
-  PetscInt  *node_body;                       /* [num_nodes] */
+  MPI_Comm  comm;
+  DM        dm;
+  PetscInt  dim;
+  PetscInt  num_cells, num_nodes, num_owned; /* local; num_nodes counts ghosts */
+  PetscInt  node_begin, num_global;          /* first owned global node; global number of nodes */
+  PetscInt *cell_start;                      /* [num_cells+1] into cell_nodes */
+  PetscInt *cell_nodes;                      /* local nodes in the order of element.h, never inside out */
+  PetscInt *cell_type;                       /* ElementType [num_cells], of the order of the cell's body */
+  PetscInt *cell_body;                       /* [num_cells] */
+  PetscInt *
+      cell_material; /* index of SceneGetMaterial(); the same array as cell_body where no body has regions [num_cells] */
+  PetscReal *coords;       /* positions after the map [num_nodes][dim] */
+  PetscInt  *node_global;  /* [num_nodes] */
+  PetscInt  *node_body;    /* [num_nodes] */
   Mat        prolongation; /* node values of the next coarser level to this one's (AIJ), NULL on the coarsest: its shape
                               functions at the nodes of this one */
   PetscReal *unmapped; /* positions before the map, kept where a file gives curved cells [num_nodes][dim]; else NULL */

@@ -30,6 +30,7 @@ typedef struct {
   PetscInt       dim, num_cells, num_vertices, num_nodes, num_facets;
   PetscInt      *cell_type;       /* ElementType [num_cells] */
   PetscInt      *cell_nodes;      /* [num_cells][ELEMENT_MAX_NODES] */
+  PetscInt      *cell_material;   /* index of SceneGetMaterial(); NULL for a body without regions [num_cells] */
   PetscReal     *coords;          /* before the map [num_nodes][dim] */
   PetscInt      *facet_cell;      /* [num_facets] */
   PetscInt      *facet;           /* number of the facet in its cell [num_facets] */
@@ -174,10 +175,10 @@ PetscReal FacetGetMeasure(const Level *level, const Facets *facets, PetscInt f, 
 PetscInt SceneMaxOrder(Scene scene);
 /* Tables of one DM as it has its cells, with nodes up to an order, without positions. Collective. */
 PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *level);
-/* Its steps: cell_body, from the label */
-PetscErrorCode LevelSetCellBodies(Level *level);
+/* Its steps: cell_material and cell_body, from the label */
+PetscErrorCode LevelSetCellMaterials(Level *level);
 /* or, for a refined level, from where its cells come from; [in] transform - from coarse to fine */
-PetscErrorCode LevelFollowCellBodies(const Level *coarse, DMPlexTransform transform, Level *fine);
+PetscErrorCode LevelFollowCellMaterials(const Level *coarse, DMPlexTransform transform, Level *fine);
 /* nodes: number, owner, body, local section of the DM; collective; */
 PetscErrorCode LevelSetNodes(Level *level, PetscInt max_order);
 /* cell_start, cell_type, cell_nodes. */

@@ -12,23 +12,6 @@ static PetscBool SharedCellsSameMap_Private(Expression a, Expression b)
   return (PetscBool)!strcmp(ExpressionText(a), ExpressionText(b));
 }
 
-/* Marks the cells of a region, or all. [out] chosen - [num_cells] */
-static PetscErrorCode SharedCellsMark_Private(const MeshFile file, const char region[], PetscInt dim, PetscInt begin,
-                                              PetscInt num_cells, PetscBool chosen[])
-{
-  PetscInt tag, num = 0, *points = NULL;
-
-  PetscFunctionBeginUser;
-  for (PetscInt c = 0; c < num_cells; c++) chosen[c] = region ? PETSC_FALSE : PETSC_TRUE;
-  if (!region || !GmshNamesFindGroup(&file->names, dim, region, &tag)) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(LabelGetPoints(file->dm, "Cell Sets", tag, &num, &points));
-  for (PetscInt i = 0; i < num; i++) {
-    if (points[i] >= begin && points[i] < begin + num_cells) chosen[points[i] - begin] = PETSC_TRUE;
-  }
-  PetscCall(PetscFree(points));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* "the file has the regions steel (1), wood (2)", or what to do where there are none. */
 static PetscErrorCode SharedCellsDescribe_Private(const MeshFile file, PetscInt dim, char text[], size_t len)
 {
@@ -62,8 +45,8 @@ PetscErrorCode SharedCellsCheck(Scene scene, PetscInt body, const MeshFile file,
     PetscInt num = 0;
 
     if (!a->mesh_file || strcmp(a->mesh_file, b->mesh_file) || !SharedCellsSameMap_Private(a->map, b->map)) continue;
-    PetscCall(SharedCellsMark_Private(file, a->region, scene->dim, begin, end - begin, of_a));
-    PetscCall(SharedCellsMark_Private(file, b->region, scene->dim, begin, end - begin, of_b));
+    PetscCall(RegionMark(file->dm, &file->names, a->region, of_a, NULL));
+    PetscCall(RegionMark(file->dm, &file->names, b->region, of_b, NULL));
     for (PetscInt c = 0; c < end - begin; c++) num += of_a[c] && of_b[c];
     if (!num) continue;
     PetscCall(SharedCellsDescribe_Private(file, scene->dim, regions, sizeof(regions)));

@@ -3,24 +3,24 @@
 #include "mesh/sidemeasure.h"
 #include "base/compat.h"
 
-/* The contact modulus of a body's material in the middle of a cell. */
+/* The contact modulus of the material of a cell, in its middle. */
 static PetscErrorCode CellGetModulus_Private(Scene scene, const Level *level, PetscInt cell, PetscReal *modulus)
 {
-  const SceneBody *body      = &scene->bodies[level->cell_body[cell]];
-  const PetscInt  *nodes     = &level->cell_nodes[level->cell_start[cell]];
-  const PetscInt   num       = LevelNumVertices(level, cell);
-  PetscReal        middle[3] = {0, 0, 0}, C[36], upper[21], young, poisson;
+  const SceneMaterial *m         = SceneGetMaterial(scene, level->cell_material[cell]);
+  const PetscInt      *nodes     = &level->cell_nodes[level->cell_start[cell]];
+  const PetscInt       num       = LevelNumVertices(level, cell);
+  PetscReal            middle[3] = {0, 0, 0}, C[36], upper[21], young, poisson;
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < num; i++) {
     for (PetscInt d = 0; d < level->dim; d++) middle[d] += level->coords[nodes[i] * level->dim + d] / num;
   }
-  if (body->stiffness) {
-    PetscCall(ExpressionEvaluate(body->stiffness, level->dim, middle, upper));
-    MaterialAnisotropic(scene->model, upper, body->angle, C);
+  if (m->stiffness) {
+    PetscCall(ExpressionEvaluate(m->stiffness, level->dim, middle, upper));
+    MaterialAnisotropic(scene->model, upper, m->angle, C);
   } else {
-    PetscCall(ExpressionEvaluate(body->young, level->dim, middle, &young));
-    PetscCall(ExpressionEvaluate(body->poisson, level->dim, middle, &poisson));
+    PetscCall(ExpressionEvaluate(m->young, level->dim, middle, &young));
+    PetscCall(ExpressionEvaluate(m->poisson, level->dim, middle, &poisson));
     MaterialIsotropic(scene->model, young, poisson, C);
   }
   *modulus = MaterialContactModulus(MaterialNumStrains(scene->model), C);
@@ -29,9 +29,8 @@ static PetscErrorCode CellGetModulus_Private(Scene scene, const Level *level, Pe
 
 PetscErrorCode SideMeasureCompute(Scene scene, Level *level, const SceneSide *side, SideMeasure *measure)
 {
-  const SceneBody *body   = &scene->bodies[side->body];
-  PetscReal        sum[3] = {0, 0, 0}; /* of moduli, of sizes, of ones */
-  Facets           facets;
+  PetscReal sum[3] = {0, 0, 0}; /* of moduli, of sizes, of ones */
+  Facets    facets;
 
   PetscFunctionBeginUser;
   PetscCall(LevelGetFacets(level, scene, side->body, side->side, &facets));
@@ -44,9 +43,14 @@ PetscErrorCode SideMeasureCompute(Scene scene, Level *level, const SceneSide *si
     sum[2] += 1;
   }
   PetscCall(FacetsDestroy(&facets));
-  PetscCall(ExpressionCheck(level->comm, body->stiffness));
-  PetscCall(ExpressionCheck(level->comm, body->young));
-  PetscCall(ExpressionCheck(level->comm, body->poisson));
+  for (PetscInt i = 0; i < scene->num_bodies + scene->num_regions; i++) {
+    const SceneMaterial *m = SceneGetMaterial(scene, i);
+
+    if (SceneMaterialBody(scene, i) != side->body) continue;
+    PetscCall(ExpressionCheck(level->comm, m->stiffness));
+    PetscCall(ExpressionCheck(level->comm, m->young));
+    PetscCall(ExpressionCheck(level->comm, m->poisson));
+  }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 3, MPIU_REAL, MPIU_SUM, level->comm));
   *measure = (SideMeasure){.modulus = sum[0] / sum[2], .facet_size = sum[1] / sum[2], .size = sum[1]};
   PetscFunctionReturn(PETSC_SUCCESS);

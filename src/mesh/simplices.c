@@ -116,6 +116,7 @@ static void ListAddParts_Private(const BodyList *old, PetscInt cell, BodyList *l
     const PetscInt new = list->num_cells++;
 
     list->cell_type[new] = simplex;
+    if (old->cell_material) list->cell_material[new] = old->cell_material[cell];
     for (PetscInt k = 0; k < ElementNumNodes(simplex); k++)
       list->cell_nodes[new *ELEMENT_MAX_NODES + k] =
           old->cell_nodes[cell * ELEMENT_MAX_NODES + PartFindNode_Private(type, parts[p], simplex, k)];
@@ -162,6 +163,7 @@ PetscErrorCode BodyListCut(BodyList *list, PetscBool *cut)
     PetscCall(BodyListAllocate(old.dim, num, old.num_nodes, 2 * old.num_facets, list));
     list->num_vertices = old.num_vertices;
     list->num_cells    = 0;
+    if (old.cell_material) PetscCall(PetscMalloc1(num, &list->cell_material));
     for (PetscInt c = 0; c < old.num_cells; c++) ListAddParts_Private(&old, c, list);
     ListAddFacets_Private(&old, first, list);
     list->curved_file     = old.curved_file;

@@ -1,4 +1,6 @@
-/* bodyfields.c -- the fields of the bodies' file. */
+/* bodyfields.c -- the fields of the bodies' file.
+
+   A node where regions of a body meet is a point for each of them, so that the stress may jump there. */
 #include "output/fieldwriter.h"
 #include "base/compat.h"
 
@@ -47,72 +49,180 @@ static void BodyFieldsGetVonMises_Private(const PetscReal stress[6], PetscReal m
   mises[0] = MaterialVonMises(stress);
 }
 
+/* Points of this rank, where a node is one for each material that meets there. */
+typedef struct {
+  PetscInt  num;
+  PetscInt *node;       /* NULL where each owned node is one point [num] */
+  PetscInt *cell_nodes; /* numbers of points, cell after cell */
+} Points;
+
+/* Numbers of the first point of every local node. Collective. [out] first - [num_nodes] */
+static PetscErrorCode PointsNumber_Private(Level *level, const NodeMaterials *at, PetscInt first[])
+{
+  const PetscScalar *value;
+  PetscScalar       *set;
+  PetscInt           begin = 0, num = at->start[level->num_owned];
+  Vec                numbers, local;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Exscan(&num, &begin, 1, MPIU_INT, MPI_SUM, level->comm));
+  PetscCall(LevelCreateVec(level, 1, &numbers));
+  PetscCall(VecGetArray(numbers, &set));
+  for (PetscInt a = 0; a < level->num_owned; a++) set[a] = (PetscReal)(begin + at->start[a]);
+  PetscCall(VecRestoreArray(numbers, &set));
+  PetscCall(VecGhostUpdateBegin(numbers, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostUpdateEnd(numbers, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostGetLocalForm(numbers, &local));
+  PetscCall(VecGetArrayRead(local, &value));
+  for (PetscInt n = 0; n < level->num_nodes; n++) first[n] = (PetscInt)PetscRealPart(value[n]);
+  PetscCall(VecRestoreArrayRead(local, &value));
+  PetscCall(VecGhostRestoreLocalForm(numbers, &local));
+  PetscCall(VecDestroy(&numbers));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Collective. [in] at - NULL where every node is one point; [out] points - to be freed by PointsDestroy_Private() */
+static PetscErrorCode PointsCreate_Private(Level *level, const NodeMaterials *at, Points *points)
+{
+  PetscInt *first;
+
+  PetscFunctionBeginUser;
+  *points = (Points){.num = level->num_owned};
+  PetscCall(PetscMalloc1(level->cell_start[level->num_cells], &points->cell_nodes));
+  if (!at || !at->start) {
+    for (PetscInt i = 0; i < level->cell_start[level->num_cells]; i++)
+      points->cell_nodes[i] = level->node_global[level->cell_nodes[i]];
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  points->num = at->start[level->num_owned];
+  PetscCall(PetscMalloc1(points->num, &points->node));
+  for (PetscInt a = 0; a < level->num_owned; a++)
+    for (PetscInt i = at->start[a]; i < at->start[a + 1]; i++) points->node[i] = a;
+  PetscCall(PetscMalloc1(level->num_nodes, &first));
+  PetscCall(PointsNumber_Private(level, at, first));
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    for (PetscInt i = level->cell_start[c]; i < level->cell_start[c + 1]; i++) {
+      const PetscInt node = level->cell_nodes[i];
+
+      points->cell_nodes[i] = first[node] + NodeMaterialsFind(at, node, level->cell_material[c]);
+    }
+  }
+  PetscCall(PetscFree(first));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode PointsDestroy_Private(Points *points)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(points->node));
+  PetscCall(PetscFree(points->cell_nodes));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Stresses of this rank's points. [out] stress - [num][6], owned by the caller */
+static PetscErrorCode PointsGetStress_Private(const Level *level, const NodalStress *nodal, PetscInt num,
+                                              PetscReal **stress)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(num * 6, stress));
+  for (PetscInt i = 0; i < nodal->at.most; i++) {
+    const PetscScalar *values;
+    PetscInt           point = 0;
+
+    PetscCall(VecGetArrayRead(nodal->value[i], &values));
+    for (PetscInt a = 0; a < level->num_owned; a++) {
+      const PetscInt count = NodeMaterialsCount(&nodal->at, a);
+
+      for (PetscInt k = 0; k < 6 && i < count; k++) (*stress)[(point + i) * 6 + k] = PetscRealPart(values[a * 6 + k]);
+      point += count;
+    }
+    PetscCall(VecRestoreArrayRead(nodal->value[i], &values));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The stress tensor, and what is computed from it. */
 static PetscErrorCode BodyFieldsWriteStress_Private(FieldWriter *writer, Fields fields)
 {
   static const struct {
     Quantity quantity;
     void (*of)(const PetscReal stress[6], PetscReal values[]);
-  } told[]           = {{{"stress", 9, PETSC_FALSE}, BodyFieldsGetTensor_Private},
-                        {{"von_mises", 1, PETSC_FALSE}, BodyFieldsGetVonMises_Private},
-                        {{"principal", 3, PETSC_FALSE}, MaterialPrincipal}};
-  const PetscInt   n = fields->vi->level->num_owned;
-  const PetscReal *stress;
+  } told[]         = {{{"stress", 9, PETSC_FALSE}, BodyFieldsGetTensor_Private},
+                      {{"von_mises", 1, PETSC_FALSE}, BodyFieldsGetVonMises_Private},
+                      {{"principal", 3, PETSC_FALSE}, MaterialPrincipal}};
+  const PetscInt n = writer->num_mine;
+  PetscReal     *stress;
 
   PetscFunctionBeginUser;
-  PetscCall(VecGetArrayRead(fields->stress, &stress));
+  PetscCall(PointsGetStress_Private(fields->vi->level, &fields->stress, n, &stress));
   for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(told); i++) {
     const PetscInt size = told[i].quantity.components;
     PetscReal     *values;
 
     PetscCall(PetscMalloc1(n * size, &values));
     for (PetscInt a = 0; a < n; a++) told[i].of(&stress[a * 6], &values[a * size]);
-    PetscCall(FieldWriterPoints(writer, told[i].quantity, size, values));
+    PetscCall(FieldWriterPointValues(writer, told[i].quantity, values));
     PetscCall(PetscFree(values));
   }
-  PetscCall(VecRestoreArrayRead(fields->stress, &stress));
+  PetscCall(PetscFree(stress));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The bodies as they are meshed. [out] tags - pieces of all cells, on the first rank; owned by the caller */
-static PetscErrorCode BodyFieldsWriteMesh_Private(FieldWriter *writer, VI vi, PetscReal **tags)
+/* The bodies as they are meshed. [in] points - borrowed while the picture is open; [out] tags - piece and material of all cells, on the first
+   rank; owned by the caller */
+static PetscErrorCode BodyFieldsWriteMesh_Private(FieldWriter *writer, VI vi, const Points *points, PetscReal **tags)
 {
-  const Level   *level = vi->level;
-  const PetscInt size  = level->cell_start[level->num_cells];
-  PetscInt      *nodes, *piece;
+  const Level      *level  = vi->level;
+  const Components *pieces = &vi->rigid_modes.components;
+  PetscInt         *tag;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc2(size, &nodes, level->num_cells, &piece));
-  for (PetscInt i = 0; i < size; i++) nodes[i] = level->node_global[level->cell_nodes[i]];
+  PetscCall(PetscMalloc1(level->num_cells, &tag));
   for (PetscInt c = 0; c < level->num_cells; c++)
-    piece[c] = vi->rigid_modes.components.of_node[level->cell_nodes[level->cell_start[c]]];
+    tag[c] = level->cell_material[c] * pieces->num + pieces->of_node[level->cell_nodes[level->cell_start[c]]];
   PetscCall(FieldWriterMesh(writer,
                             &(FieldMesh){.dim        = level->dim,
-                                         .num_points = level->num_owned,
+                                         .num_points = points->num,
+                                         .nodes      = points->node,
                                          .coords     = level->coords,
                                          .num_cells  = level->num_cells,
                                          .cell_type  = level->cell_type,
-                                         .cell_tag   = piece,
-                                         .cell_nodes = nodes},
+                                         .cell_tag   = tag,
+                                         .cell_nodes = points->cell_nodes},
                             tags));
-  PetscCall(PetscFree2(nodes, piece));
+  PetscCall(PetscFree(tag));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The body of each cell, and where one is of several pieces the piece. */
+/* 0 of cells in no region, else which of its body's. */
+static PetscInt MaterialGetRegion_Private(Scene scene, PetscInt material)
+{
+  if (material < scene->num_bodies) return 0;
+  return 1 + material - SceneBodyFirstRegion(scene, SceneMaterialBody(scene, material));
+}
+
+/* The body of each cell, where bodies have regions the region, and where one is of several pieces the piece. */
 static PetscErrorCode BodyFieldsWriteCells_Private(FieldWriter *writer, VI vi, const PetscReal tags[])
 {
   const Components *pieces = &vi->rigid_modes.components;
   const PetscInt    num    = writer->rank == 0 ? writer->num_cells : 0;
-  PetscReal        *body;
+  const Scene       scene  = vi->scene;
+  PetscReal        *value;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(num, &body));
-  for (PetscInt c = 0; c < num; c++) body[c] = (PetscReal)pieces->body[(PetscInt)tags[c]];
-  PetscCall(FieldWriterCells(writer, (Quantity){"body", 1, PETSC_TRUE}, body));
-  PetscCall(PetscFree(body));
-  if (pieces->num > vi->rigid_modes.num_bodies)
-    PetscCall(FieldWriterCells(writer, (Quantity){"piece", 1, PETSC_TRUE}, tags));
+  PetscCall(PetscMalloc1(num, &value));
+  for (PetscInt c = 0; c < num; c++) value[c] = (PetscReal)SceneMaterialBody(scene, (PetscInt)tags[c] / pieces->num);
+  PetscCall(FieldWriterCells(writer, (Quantity){"body", 1, PETSC_TRUE}, value));
+  if (scene->num_regions) {
+    for (PetscInt c = 0; c < num; c++)
+      value[c] = (PetscReal)MaterialGetRegion_Private(scene, (PetscInt)tags[c] / pieces->num);
+    PetscCall(FieldWriterCells(writer, (Quantity){"region", 1, PETSC_TRUE}, value));
+  }
+  if (pieces->num > vi->rigid_modes.num_bodies) {
+    for (PetscInt c = 0; c < num; c++) value[c] = (PetscReal)((PetscInt)tags[c] % pieces->num);
+    PetscCall(FieldWriterCells(writer, (Quantity){"piece", 1, PETSC_TRUE}, value));
+  }
+  PetscCall(PetscFree(value));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -120,9 +230,11 @@ PetscErrorCode BodyFieldsWrite(FieldWriter *writer, Fields fields)
 {
   const PetscReal *u;
   PetscReal       *tags;
+  Points           points;
 
   PetscFunctionBeginUser;
-  PetscCall(BodyFieldsWriteMesh_Private(writer, fields->vi, &tags));
+  PetscCall(PointsCreate_Private(fields->vi->level, &fields->stress.at, &points));
+  PetscCall(BodyFieldsWriteMesh_Private(writer, fields->vi, &points, &tags));
   PetscCall(VecGetArrayRead(fields->u, &u));
   PetscCall(FieldWriterPoints(writer, (Quantity){"displacement", 3, PETSC_FALSE}, fields->vi->level->dim, u));
   PetscCall(VecRestoreArrayRead(fields->u, &u));
@@ -130,16 +242,19 @@ PetscErrorCode BodyFieldsWrite(FieldWriter *writer, Fields fields)
   PetscCall(BodyFieldsWriteContact_Private(writer, fields));
   PetscCall(BodyFieldsWriteCells_Private(writer, fields->vi, tags));
   PetscCall(PetscFree(tags));
+  PetscCall(PointsDestroy_Private(&points));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode BodyFieldsWriteMotion(FieldWriter *writer, VI vi, const SceneMotion *motion)
 {
-  const Level *level = vi->level;
-  PetscReal   *u, *tags;
+  Level     *level = vi->level;
+  PetscReal *u, *tags;
+  Points     points;
 
   PetscFunctionBeginUser;
-  PetscCall(BodyFieldsWriteMesh_Private(writer, vi, &tags));
+  PetscCall(PointsCreate_Private(level, NULL, &points));
+  PetscCall(BodyFieldsWriteMesh_Private(writer, vi, &points, &tags));
   PetscCall(PetscCalloc1(level->num_owned * level->dim, &u));
   for (PetscInt i = 0; i < motion->num; i++) {
     for (PetscInt a = 0; a < level->num_owned; a++)
@@ -150,19 +265,23 @@ PetscErrorCode BodyFieldsWriteMotion(FieldWriter *writer, VI vi, const SceneMoti
   PetscCall(PetscFree(u));
   PetscCall(BodyFieldsWriteCells_Private(writer, vi, tags));
   PetscCall(PetscFree(tags));
+  PetscCall(PointsDestroy_Private(&points));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode BodyFieldsWriteSetup(FieldWriter *writer, VI vi, const SetupCheck *check)
 {
   PetscReal *bits, *tags;
+  Points     points;
 
   PetscFunctionBeginUser;
-  PetscCall(BodyFieldsWriteMesh_Private(writer, vi, &tags));
+  PetscCall(PointsCreate_Private(vi->level, NULL, &points));
+  PetscCall(BodyFieldsWriteMesh_Private(writer, vi, &points, &tags));
   PetscCall(SetupCheckMarkNodes(vi, check, &bits));
   PetscCall(FieldWriterPoints(writer, (Quantity){"sides", 1, PETSC_TRUE}, 1, bits));
   PetscCall(PetscFree(bits));
   PetscCall(BodyFieldsWriteCells_Private(writer, vi, tags));
   PetscCall(PetscFree(tags));
+  PetscCall(PointsDestroy_Private(&points));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -32,19 +32,20 @@ PetscErrorCode FieldWriterClose(FieldWriter *writer)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Values of all points on the first rank, NULL elsewhere. [out] spare - what is to be freed */
-static PetscErrorCode FieldWriterGatherPoints_Private(const FieldWriter *writer, PetscInt from, PetscInt to,
-                                                      const PetscReal mine[], const PetscReal **all, PetscReal **spare)
+/* Values of all points on the first rank, NULL elsewhere. [in] nodes - which of mine they have, or NULL; [out] spare - what is to be freed */
+static PetscErrorCode FieldWriterGatherPoints_Private(const FieldWriter *writer, const PetscInt nodes[], PetscInt from,
+                                                      PetscInt to, const PetscReal mine[], const PetscReal **all,
+                                                      PetscReal **spare)
 {
   PetscReal  *padded = NULL, *gathered = NULL;
   PetscMPIInt ranks;
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_size(writer->comm, &ranks));
-  if (writer->nodes || from != to) {
+  if (nodes || from != to) {
     PetscCall(PetscCalloc1(writer->num_mine * to, &padded));
     for (PetscInt i = 0; i < writer->num_mine; i++) {
-      const PetscInt node = writer->nodes ? writer->nodes[i] : i;
+      const PetscInt node = nodes ? nodes[i] : i;
 
       for (PetscInt k = 0; k < PetscMin(from, to); k++) padded[i * to + k] = mine[node * from + k];
     }
@@ -59,16 +60,31 @@ static PetscErrorCode FieldWriterGatherPoints_Private(const FieldWriter *writer,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FieldWriterPoints(FieldWriter *writer, Quantity quantity, PetscInt stride, const PetscReal mine[])
+static PetscErrorCode FieldWriterAdd_Private(FieldWriter *writer, Quantity quantity, const PetscInt nodes[],
+                                             PetscInt stride, const PetscReal mine[])
 {
   const PetscReal *all;
   PetscReal       *spare;
 
   PetscFunctionBeginUser;
-  PetscCall(FieldWriterGatherPoints_Private(writer, stride, quantity.components, mine, &all, &spare));
+  PetscCall(FieldWriterGatherPoints_Private(writer, nodes, stride, quantity.components, mine, &all, &spare));
   if (writer->out) PetscCall(writer->format->point(writer, &quantity, all));
   writer->point[writer->num_point_quantities++] = quantity;
   PetscCall(PetscFree(spare));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FieldWriterPoints(FieldWriter *writer, Quantity quantity, PetscInt stride, const PetscReal mine[])
+{
+  PetscFunctionBeginUser;
+  PetscCall(FieldWriterAdd_Private(writer, quantity, writer->nodes, stride, mine));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FieldWriterPointValues(FieldWriter *writer, Quantity quantity, const PetscReal mine[])
+{
+  PetscFunctionBeginUser;
+  PetscCall(FieldWriterAdd_Private(writer, quantity, NULL, quantity.components, mine));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -158,7 +174,7 @@ PetscErrorCode FieldWriterMesh(FieldWriter *writer, const FieldMesh *part, Petsc
   writer->num_mine   = part->num_points;
   writer->nodes      = part->nodes;
   if (writer->out) PetscCall(writer->format->begin(writer));
-  PetscCall(FieldWriterGatherPoints_Private(writer, part->dim, 3, part->coords, &positions, &spare));
+  PetscCall(FieldWriterGatherPoints_Private(writer, part->nodes, part->dim, 3, part->coords, &positions, &spare));
   if (writer->out) PetscCall(writer->format->points(writer, positions));
   PetscCall(PetscFree(spare));
   PetscCall(FieldWriterGatherCells_Private(writer->comm, part, &cells, tags));

@@ -17,7 +17,7 @@ typedef struct {
   PetscBool   integer; /* to be stored as whole numbers */
 } Quantity;
 
-enum { FIELD_WRITER_MAX_POINT_QUANTITIES = 7, FIELD_WRITER_MAX_CELL_QUANTITIES = 2 };
+enum { FIELD_WRITER_MAX_POINT_QUANTITIES = 7, FIELD_WRITER_MAX_CELL_QUANTITIES = 3 };
 
 /* Cells of all ranks, sorted by type, since readers of mixed meshes keep one block per type. */
 typedef struct {
@@ -76,14 +76,16 @@ PetscErrorCode FieldWriterClose(FieldWriter *writer);
 
 /* What this rank holds of the mesh. */
 typedef struct {
-  PetscInt         dim, num_points;
-  const PetscInt  *nodes;  /* which of its nodes are points, ascending over all ranks by their numbers [num_points] */
-  const PetscInt  *global; /* numbers of its nodes; where all nodes are points both are NULL, on all ranks */
+  PetscInt        dim, num_points;
+  const PetscInt *nodes; /* which of its nodes are points, ascending over all ranks by their numbers [num_points] */
+  const PetscInt              *
+      global; /* numbers of its nodes; NULL on all ranks where cell_nodes has those of points. Where all nodes are points once,
+                              both are NULL */
   const PetscReal *coords; /* of its nodes [][dim] */
   PetscInt         num_cells;
   const PetscInt  *cell_type;  /* ElementType [num_cells] */
   const PetscInt  *cell_tag;   /* a whole number for each [num_cells] */
-  const PetscInt  *cell_nodes; /* global, cell after cell, in the order of element.h */
+  const PetscInt  *cell_nodes; /* global nodes, or points, cell after cell, in the order of element.h */
 } FieldMesh;
 
 /* Points, in the order of the ranks, and cells. nodes stays the caller's while the picture is open.
@@ -92,6 +94,8 @@ PetscErrorCode FieldWriterMesh(FieldWriter *writer, const FieldMesh *part, Petsc
 
 /* A quantity of points, by this rank's nodes [][stride]; what a vector of the plane lacks is 0. */
 PetscErrorCode FieldWriterPoints(FieldWriter *writer, Quantity quantity, PetscInt stride, const PetscReal mine[]);
+/* A quantity of points, by points, where a node is several [num_points][components]. */
+PetscErrorCode FieldWriterPointValues(FieldWriter *writer, Quantity quantity, const PetscReal mine[]);
 /* A quantity of cells, on the first rank [num_cells]. */
 PetscErrorCode FieldWriterCells(FieldWriter *writer, Quantity quantity, const PetscReal all[]);
 

@@ -77,6 +77,7 @@ static const char *HDF5FileGetUnit_Private(const char name[])
       {"normal", "out of the nonmortar body, before the motion; where there is a constraint, its direction"},
       {"status", "0 open, 1 contact, 2 tied, -1 no constraint"},
       {"body", "index of the body, in the order of -bodies"},
+      {"region", "0 in no region of the body, else which of -<body>_regions, from 1 on"},
       {"piece", "what hangs together: counted over all bodies"}};
 
   if (strrchr(name, '/')) name = strrchr(name, '/') + 1; // of a step

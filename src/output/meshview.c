@@ -13,10 +13,13 @@ static PetscErrorCode MeshViewPrintBodies_Private(VI vi)
   const Scene    scene = vi->scene;
   const PetscInt nodes = vi->level->num_global;
   BodyCount     *counts;
+  RegionCount   *regions;
+  PetscInt       num_regions;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(scene->num_bodies, &counts));
   PetscCall(BodyCountsCompute(vi->level, scene->num_bodies, counts));
+  PetscCall(RegionCountsCompute(scene, vi->level, &num_regions, &regions));
   PetscCall(PetscPrintf(scene->comm, "  meshed: %" PetscInt_FMT " nodes, %" PetscInt_FMT " unknowns\n", nodes,
                         nodes * vi->level->dim));
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
@@ -28,7 +31,14 @@ static PetscErrorCode MeshViewPrintBodies_Private(VI vi)
                           scene->bodies[b].name, counts[b].cells, counts[b].nodes, pieces,
                           vi->rigid_modes.floating[b] ? "; floating: supports leave rigid motions, contact must hold it"
                                                       : ""));
+    for (PetscInt r = 0; r < num_regions; r++) {
+      if (regions[r].body == b)
+        PetscCall(PetscPrintf(scene->comm, "      %s%s: %" PetscInt_FMT " cells\n",
+                              regions[r].name ? "region " : "in no region", regions[r].name ? regions[r].name : "",
+                              regions[r].cells));
+    }
   }
+  PetscCall(PetscFree(regions));
   PetscCall(PetscFree(counts));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 #include "base/compat.h"
 #include "base/json.h"
+#include "output/bodycounts.h"
 #include "output/numberwords.h"
 #include "output/setupreport.h"
 #include "result/solvabilityreport.h"
@@ -107,6 +108,35 @@ static PetscErrorCode SetupReportPrintBodies_Private(VI vi, const SetupCheck *ch
     PetscCall(SetupReportExtreme_Private(dim, &body->aspect, cell[7]));
   }
   PetscCall(WordTablePrint_Private(vi->scene->comm, &table));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Regions, where bodies have some. */
+static PetscErrorCode SetupReportPrintRegions_Private(VI vi)
+{
+  static const char *const head[] = {"region", "cells", "volume", "Young's modulus", "Poisson's ratio"};
+  PetscInt                 num;
+  RegionCount             *counts;
+  WordTable                table;
+
+  PetscFunctionBeginUser;
+  PetscCall(RegionCountsCompute(vi->scene, vi->level, &num, &counts));
+  if (!num) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(WordTableCreate_Private(num, 5, head, &table));
+  for (PetscInt r = 0; r < num; r++) {
+    const SceneMaterial *m = counts[r].material;
+    char(*cell)[CELL]      = table.cell[r + 1];
+
+    (void)snprintf(cell[0], CELL, "%.70s:%.80s", vi->scene->bodies[counts[r].body].name,
+                   counts[r].name ? counts[r].name : "(no region)");
+    (void)snprintf(cell[1], CELL, "%d", (int)counts[r].cells);
+    (void)snprintf(cell[2], CELL, "%.6g", (double)counts[r].volume);
+    (void)snprintf(cell[3], CELL, "%.80s", m->young ? ExpressionText(m->young) : "Hooke matrix");
+    (void)snprintf(cell[4], CELL, "%.80s", m->poisson ? ExpressionText(m->poisson) : "-");
+  }
+  PetscCall(PetscPrintf(vi->scene->comm, "\n"));
+  PetscCall(WordTablePrint_Private(vi->scene->comm, &table));
+  PetscCall(PetscFree(counts));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -214,6 +244,7 @@ PetscErrorCode SetupReportPrint(VI vi, Solvability solvability, const SetupCheck
   PetscCall(PetscPrintf(comm, "  checked, nothing was solved: %" PetscInt_FMT " nodes, %" PetscInt_FMT " unknowns\n\n",
                         vi->level->num_global, vi->level->num_global * vi->level->dim));
   PetscCall(SetupReportPrintBodies_Private(vi, check));
+  PetscCall(SetupReportPrintRegions_Private(vi));
   if (check->num_sides) PetscCall(PetscPrintf(comm, "\n"));
   if (check->num_sides) PetscCall(SetupReportPrintSides_Private(vi, check));
   if (vi->num_pairs) PetscCall(PetscPrintf(comm, "\n"));

@@ -59,15 +59,50 @@ static PetscErrorCode SummaryAddOptions_Private(cJSON *root)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A modulus that is a plain number; null where there is none, or a formula. */
+static void SummaryAddModulus_Private(cJSON *object, const char key[], Scene scene, Expression e)
+{
+  const PetscReal origin[3] = {0, 0, 0};
+  PetscReal       value     = NAN;
+
+  if (e && ExpressionIsConstant(e) && ExpressionEvaluate(e, scene->dim, origin, &value)) value = NAN;
+  JSONAddReal(object, key, value);
+}
+
+/* Regions of a body that has some. */
+static void SummaryAddRegions_Private(const SummaryInput *in, PetscInt body, PetscInt num, const RegionCount counts[],
+                                      cJSON *object)
+{
+  cJSON *regions;
+
+  if (!in->scene->bodies[body].num_regions) return;
+  regions = cJSON_AddArrayToObject(object, "regions");
+  for (const RegionCount *count = counts; count < counts + num; count++) {
+    cJSON *one;
+
+    if (count->body != body) continue;
+    one = cJSON_CreateObject();
+    cJSON_AddItemToArray(regions, one);
+    cJSON_AddItemToObject(one, "name", count->name ? cJSON_CreateString(count->name) : cJSON_CreateNull());
+    JSONAddInt(one, "cells", count->cells);
+    JSONAddReal(one, "volume", count->volume);
+    SummaryAddModulus_Private(one, "young", in->scene, count->material->young);
+    SummaryAddModulus_Private(one, "poisson", in->scene, count->material->poisson);
+  }
+}
+
 static PetscErrorCode SummaryAddBodies_Private(const SummaryInput *in, cJSON *scene)
 {
   cJSON       *bodies = cJSON_AddObjectToObject(scene, "bodies");
   const Level *level  = in->vi->level;
   BodyCount   *counts;
+  RegionCount *regions;
+  PetscInt     num_regions;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(in->scene->num_bodies, &counts));
   PetscCall(BodyCountsCompute(level, in->scene->num_bodies, counts));
+  PetscCall(RegionCountsCompute(in->scene, level, &num_regions, &regions));
   for (PetscInt b = 0; b < in->scene->num_bodies; b++) {
     cJSON *body = cJSON_AddObjectToObject(bodies, in->scene->bodies[b].name);
 
@@ -77,7 +112,9 @@ static PetscErrorCode SummaryAddBodies_Private(const SummaryInput *in, cJSON *sc
     JSONAddInt(body, "order", in->scene->bodies[b].order);
     JSONAddInt(body, "pieces", ComponentsOfBody(&in->vi->rigid_modes.components, b));
     cJSON_AddBoolToObject(body, "floating", in->vi->rigid_modes.floating[b]);
+    SummaryAddRegions_Private(in, b, num_regions, regions, body);
   }
+  PetscCall(PetscFree(regions));
   PetscCall(PetscFree(counts));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

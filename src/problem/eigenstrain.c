@@ -20,22 +20,24 @@ static void EigenstrainGetAxial_Private(const SceneBody *body, PetscReal axial[]
 }
 
 /* eps_0 as xx,yy,zz,yz,xz,xy. */
-static PetscErrorCode EigenstrainEvaluateAll_Private(Scene scene, PetscInt body, const PetscReal x[], PetscReal all[])
+static PetscErrorCode EigenstrainEvaluateAll_Private(Scene scene, PetscInt material, const PetscReal x[],
+                                                     PetscReal all[])
 {
-  const SceneBody *b = &scene->bodies[body];
-  PetscReal        temperature, expansion[3], given[MAX_STRAINS], axial[MAX_STRAINS];
+  const SceneMaterial *m = SceneGetMaterial(scene, material);
+  const SceneBody     *b = &scene->bodies[SceneMaterialBody(scene, material)];
+  PetscReal            temperature, expansion[3], given[MAX_STRAINS], axial[MAX_STRAINS];
 
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(all, MAX_STRAINS));
-  if (b->temperature) {
-    PetscCall(ExpressionEvaluate(b->temperature, scene->dim, x, &temperature));
-    PetscCall(ExpressionEvaluate(b->expansion, scene->dim, x, expansion));
-    if (ExpressionSize(b->expansion) == 1) expansion[1] = expansion[2] = expansion[0];
+  if (m->temperature) {
+    PetscCall(ExpressionEvaluate(m->temperature, scene->dim, x, &temperature));
+    PetscCall(ExpressionEvaluate(m->expansion, scene->dim, x, expansion));
+    if (ExpressionSize(m->expansion) == 1) expansion[1] = expansion[2] = expansion[0];
     for (PetscInt k = 0; k < 3; k++) expansion[k] *= temperature;
-    MaterialAxialStrain(scene->model, expansion, b->angle, all);
+    MaterialAxialStrain(scene->model, expansion, m->angle, all);
   }
-  if (b->initial_strain) {
-    PetscCall(ExpressionEvaluate(b->initial_strain, scene->dim, x, given));
+  if (m->initial_strain) {
+    PetscCall(ExpressionEvaluate(m->initial_strain, scene->dim, x, given));
     for (PetscInt s = 0; s < 3; s++) all[s] += given[s];
     for (PetscInt s = 3; s < MAX_STRAINS && scene->dim == 3; s++) all[s] += given[s];
     if (scene->dim == 2) all[5] += given[3];
@@ -47,15 +49,15 @@ static PetscErrorCode EigenstrainEvaluateAll_Private(Scene scene, PetscInt body,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode EigenstrainEvaluate(Scene scene, PetscInt body, const PetscReal x[], const PetscReal C[],
+PetscErrorCode EigenstrainEvaluate(Scene scene, PetscInt material, const PetscReal x[], const PetscReal C[],
                                    PetscReal poisson, Eigenstrain *e)
 {
   PetscReal all[MAX_STRAINS];
 
   PetscFunctionBeginUser;
   *e = (Eigenstrain){.across = 0};
-  if (!SceneBodyHasEigenstrain(&scene->bodies[body])) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(EigenstrainEvaluateAll_Private(scene, body, x, all));
+  if (!SceneBodyHasEigenstrain(scene, SceneMaterialBody(scene, material))) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(EigenstrainEvaluateAll_Private(scene, material, x, all));
   MaterialPickStrains(scene->model, all, e->strain);
   /* sigma_zz = nu (sigma_xx + sigma_yy) - E eps_0,zz keeps eps_zz at 0; an anisotropic body has no eps_0,zz */
   if (scene->model == MODEL_PLANE_STRAIN && all[2] != 0.) {
@@ -98,7 +100,7 @@ static void EigenstrainSetParts_Private(const Cell *cell, PetscReal parts[])
 static PetscErrorCode EigenstrainSetCell_Private(Scene scene, const Level *level, PetscInt c, const ElementRule *rule,
                                                  Cell *cell)
 {
-  const PetscInt body = level->cell_body[c];
+  const PetscInt material = level->cell_material[c];
   PetscReal      X[MAX_CELL_DOFS], poisson;
 
   PetscFunctionBeginUser;
@@ -116,8 +118,8 @@ static PetscErrorCode EigenstrainSetCell_Private(Scene scene, const Level *level
 
     cell->w[q] = rule->weight[q] * ElementRuleMap(rule, q, X, x, &cell->grad[q * cell->n]);
     cell->w[q] *= SceneMeasure(scene, x);
-    PetscCall(ElasticityHooke(scene, body, x, cell->C[q], &poisson));
-    PetscCall(EigenstrainEvaluate(scene, body, x, cell->C[q], poisson, &cell->e[q]));
+    PetscCall(ElasticityHooke(scene, material, x, cell->C[q], &poisson));
+    PetscCall(EigenstrainEvaluate(scene, material, x, cell->C[q], poisson, &cell->e[q]));
     cell->bulk[q] = cell->pi.num ? MaterialTakeBulk(cell->num_strains, cell->C[q]) : 0;
   }
   EigenstrainSetParts_Private(cell, cell->parts);
@@ -131,7 +133,7 @@ PetscErrorCode EigenstrainDilatation(Scene scene, const Level *level, PetscInt c
 
   PetscFunctionBeginUser;
   for (PetscInt a = 0; a < pi->num; a++) parts[a] = 0;
-  if (!pi->num || !SceneBodyHasEigenstrain(&scene->bodies[level->cell_body[c]])) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!pi->num || !SceneBodyHasEigenstrain(scene, level->cell_body[c])) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscNew(&cell));
   PetscCall(EigenstrainSetCell_Private(scene, level, c, rule, cell));
   PetscCall(PetscArraycpy(parts, cell->parts, pi->num));
@@ -187,7 +189,7 @@ static void EigenstrainAddCell_Private(Scene scene, const Cell *cell, PetscScala
 static PetscBool EigenstrainIsAny_Private(Scene scene)
 {
   for (PetscInt b = 0; b < scene->num_bodies; b++)
-    if (SceneBodyHasEigenstrain(&scene->bodies[b])) return PETSC_TRUE;
+    if (SceneBodyHasEigenstrain(scene, b)) return PETSC_TRUE;
   return PETSC_FALSE;
 }
 
@@ -201,7 +203,7 @@ PetscErrorCode EigenstrainAddLoads(Scene scene, Level *level, PetscScalar fa[])
   PetscCall(ElasticityRulesCreate(scene, &rules));
   PetscCall(PetscNew(&cell));
   for (PetscInt c = 0; c < level->num_cells; c++) {
-    if (!SceneBodyHasEigenstrain(&scene->bodies[level->cell_body[c]])) continue;
+    if (!SceneBodyHasEigenstrain(scene, level->cell_body[c])) continue;
     PetscCall(EigenstrainSetCell_Private(scene, level, c, &rules[level->cell_type[c]], cell));
     EigenstrainAddCell_Private(scene, cell, fa);
   }
@@ -213,10 +215,10 @@ PetscErrorCode EigenstrainAddLoads(Scene scene, Level *level, PetscScalar fa[])
 PetscErrorCode EigenstrainCheck(Scene scene, Level *level)
 {
   PetscFunctionBeginUser;
-  for (PetscInt b = 0; b < scene->num_bodies; b++) {
-    PetscCall(ExpressionCheck(level->comm, scene->bodies[b].temperature));
-    PetscCall(ExpressionCheck(level->comm, scene->bodies[b].expansion));
-    PetscCall(ExpressionCheck(level->comm, scene->bodies[b].initial_strain));
+  for (PetscInt m = 0; m < scene->num_bodies + scene->num_regions; m++) {
+    PetscCall(ExpressionCheck(level->comm, SceneGetMaterial(scene, m)->temperature));
+    PetscCall(ExpressionCheck(level->comm, SceneGetMaterial(scene, m)->expansion));
+    PetscCall(ExpressionCheck(level->comm, SceneGetMaterial(scene, m)->initial_strain));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -280,7 +282,7 @@ PetscErrorCode EigenstrainEnergy(Scene scene, Level *level, Vec u, PetscReal ene
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt body = level->cell_body[c];
 
-    if (!SceneBodyHasEigenstrain(&scene->bodies[body])) continue;
+    if (!SceneBodyHasEigenstrain(scene, body)) continue;
     PetscCall(EigenstrainSetCell_Private(scene, level, c, &rules[level->cell_type[c]], cell));
     EigenstrainAddEnergy_Private(scene, cell, ua, &sums[body], &sums[scene->num_bodies]);
   }
@@ -291,7 +293,7 @@ PetscErrorCode EigenstrainEnergy(Scene scene, Level *level, Vec u, PetscReal ene
   PetscCallMPI(
       MPI_Allreduce(MPI_IN_PLACE, sums, (PetscMPIInt)(scene->num_bodies + 1), MPIU_REAL, MPI_SUM, level->comm));
   for (PetscInt b = 0; b < scene->num_bodies; b++)
-    if (SceneBodyHasEigenstrain(&scene->bodies[b])) energy[b] = sums[b];
+    if (SceneBodyHasEigenstrain(scene, b)) energy[b] = sums[b];
   *constant = sums[scene->num_bodies];
   PetscCall(PetscFree(sums));
   PetscFunctionReturn(PETSC_SUCCESS);

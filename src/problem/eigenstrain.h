@@ -13,8 +13,9 @@ typedef struct {
   PetscReal across_energy; /* E eps_0,zz^2, energy per volume, twice, that no displacement changes */
 } Eigenstrain;
 
-/* Zero for bodies that have none. Not collective; expressions are checked by EigenstrainCheck(). [in] C, poisson - of ElasticityHooke() */
-PetscErrorCode EigenstrainEvaluate(Scene scene, PetscInt body, const PetscReal x[], const PetscReal C[],
+/* Zero for materials that have none. Not collective; expressions are checked by EigenstrainCheck(). [in] material - index,
+   level->cell_material; [in] C, poisson - of ElasticityHooke() */
+PetscErrorCode EigenstrainEvaluate(Scene scene, PetscInt material, const PetscReal x[], const PetscReal C[],
                                    PetscReal poisson, Eigenstrain *e);
 /* theta_0 = Pi tr eps_0 of cell c (eq. 9.1): its part along each function of Pi. Not collective. [in] rule - of the stiffness;
    [out] parts - [pi->num] */

@@ -5,7 +5,7 @@
    derivatives are summed over the points first, and C is applied once. Axisymmetric cells add what the hoop strain
    phi_j / r u_j costs, by itself and with the others (eq. 8.4). Cells of nearly incompressible bodies have C without its bulk
    modulus there, and pay for what Pi leaves of their change of volume (eq. 9.1). Expressions are evaluated at quadrature points;
-   plain numbers once per body. */
+   plain numbers once per material. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "base/usererror.h"
@@ -25,29 +25,29 @@ enum {
 /* A Hooke tensor whose smallest eigenvalue is below this share of the largest is not positive definite in double precision. */
 static const PetscReal DEFINITE_TOLERANCE = 1e-14;
 
-PetscErrorCode ElasticityHooke(Scene scene, PetscInt body, const PetscReal x[], PetscReal C[], PetscReal *poisson)
+PetscErrorCode ElasticityHooke(Scene scene, PetscInt material, const PetscReal x[], PetscReal C[], PetscReal *poisson)
 {
-  const SceneBody *b = &scene->bodies[body];
-  PetscReal        young, upper[MAX_UPPER];
+  const SceneMaterial *m = SceneGetMaterial(scene, material);
+  PetscReal            young, upper[MAX_UPPER];
 
   PetscFunctionBeginUser;
-  if (b->stiffness) {
-    PetscCall(ExpressionEvaluate(b->stiffness, scene->dim, x, upper));
-    MaterialAnisotropic(scene->model, upper, b->angle, C);
+  if (m->stiffness) {
+    PetscCall(ExpressionEvaluate(m->stiffness, scene->dim, x, upper));
+    MaterialAnisotropic(scene->model, upper, m->angle, C);
     *poisson = NAN;
   } else {
-    PetscCall(ExpressionEvaluate(b->young, scene->dim, x, &young));
-    PetscCall(ExpressionEvaluate(b->poisson, scene->dim, x, poisson));
+    PetscCall(ExpressionEvaluate(m->young, scene->dim, x, &young));
+    PetscCall(ExpressionEvaluate(m->poisson, scene->dim, x, poisson));
     MaterialIsotropic(scene->model, young, *poisson, C);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a body's Hooke tensor is the same everywhere. */
-static PetscBool ElasticityHookeIsConstant_Private(const SceneBody *body)
+/* Whether a material's Hooke tensor is the same everywhere. */
+static PetscBool ElasticityHookeIsConstant_Private(const SceneMaterial *m)
 {
-  if (body->stiffness) return ExpressionIsConstant(body->stiffness);
-  return (PetscBool)(ExpressionIsConstant(body->young) && ExpressionIsConstant(body->poisson));
+  if (m->stiffness) return ExpressionIsConstant(m->stiffness);
+  return (PetscBool)(ExpressionIsConstant(m->young) && ExpressionIsConstant(m->poisson));
 }
 
 /* What is wrong with moduli, "" while nothing is. */
@@ -56,12 +56,12 @@ typedef struct {
 } Sentence;
 
 /* Writes a sentence if moduli that vary in space are not those of an elastic body at x. */
-static PetscErrorCode ElasticityCheckHooke_Private(Scene scene, PetscInt body, const PetscReal x[], const PetscReal C[],
-                                                   PetscReal poisson, Sentence *sentence)
+static PetscErrorCode ElasticityCheckHooke_Private(Scene scene, PetscInt material, const PetscReal x[],
+                                                   const PetscReal C[], PetscReal poisson, Sentence *sentence)
 {
-  const SceneBody *b     = &scene->bodies[body];
-  const PetscReal  end   = scene->model == MODEL_PLANE_STRESS ? 0.5 : MATERIAL_POISSON_END;
-  char             z[32] = "";
+  const SceneMaterial *m     = SceneGetMaterial(scene, material);
+  const PetscReal      end   = scene->model == MODEL_PLANE_STRESS ? 0.5 : MATERIAL_POISSON_END;
+  char                 z[32] = "";
 
   PetscFunctionBeginUser;
   if (sentence->text[0]) PetscFunctionReturn(PETSC_SUCCESS);
@@ -71,7 +71,7 @@ static PetscErrorCode ElasticityCheckHooke_Private(Scene scene, PetscInt body, c
   PetscCall(PetscSNPrintf(sentence->text, sizeof(sentence->text),
                           "%s gives moduli that are not positive definite at (%g, %g%s); an elastic body needs "
                           "E > 0 and -1 < nu < %.7g, or a positive definite Hooke tensor, at every point",
-                          ExpressionOption(b->stiffness ? b->stiffness : b->young), (double)x[0], (double)x[1], z,
+                          ExpressionOption(m->stiffness ? m->stiffness : m->young), (double)x[0], (double)x[1], z,
                           (double)end));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -101,22 +101,22 @@ static void ElasticitySetModuli_Private(ModelKind model, const PetscReal C[], Mo
   moduli->hoop_hoop = C[zz * ns + zz];
 }
 
-/* What is the same in all cells of a body whose moduli are. */
+/* What is the same in all cells of a material whose moduli are. */
 typedef struct {
   PetscBool constant;
   Moduli    whole, shear;  /* with and without the bulk modulus */
   PetscReal bulk, poisson; /* NAN where nothing restrains changes of volume */
 } Law;
 
-static PetscErrorCode ElasticitySetLaw_Private(Scene scene, PetscInt body, Law *law)
+static PetscErrorCode ElasticitySetLaw_Private(Scene scene, PetscInt material, Law *law)
 {
   const PetscReal origin[3] = {0, 0, 0};
   PetscReal       C[MAX_STRAINS * MAX_STRAINS];
 
   PetscFunctionBeginUser;
-  law->constant = ElasticityHookeIsConstant_Private(&scene->bodies[body]);
+  law->constant = ElasticityHookeIsConstant_Private(SceneGetMaterial(scene, material));
   if (!law->constant) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(ElasticityHooke(scene, body, origin, C, &law->poisson));
+  PetscCall(ElasticityHooke(scene, material, origin, C, &law->poisson));
   ElasticitySetModuli_Private(scene->model, C, &law->whole);
   if (scene->model == MODEL_PLANE_STRESS) law->poisson = NAN;
   law->bulk = MaterialTakeBulk(MaterialNumStrains(scene->model), C);
@@ -211,7 +211,7 @@ typedef struct {
 static PetscErrorCode ElasticityGetCellStiffness_Private(Scene scene, Level *level, PetscInt c, const ElementRule *rule,
                                                          const Law *law, Work *work, PetscReal Ke[])
 {
-  const PetscInt  dim = level->dim, nn = ElementNumNodes(rule->type), n = nn * dim, body = level->cell_body[c];
+  const PetscInt  dim = level->dim, nn = ElementNumNodes(rule->type), n = nn * dim, material = level->cell_material[c];
   const PetscInt  num_strains = MaterialNumStrains(scene->model);
   const PetscBool ring        = (PetscBool)(scene->model == MODEL_AXISYMMETRIC);
   PetscReal       X[MAX_CELL_DOFS], C[MAX_STRAINS * MAX_STRAINS], nu;
@@ -226,7 +226,7 @@ static PetscErrorCode ElasticityGetCellStiffness_Private(Scene scene, Level *lev
   kind = DilatationChoose(rule->type, nu);
   if (!law->constant) PetscCall(ElasticityDilatationKind(scene, level, c, rule, &kind, &nu));
   if (kind == DILATATION_LOCKS && !work->sentence.text[0])
-    VolumeStrainLockingText(scene, body, rule->type, nu, work->sentence.text, sizeof(work->sentence.text));
+    VolumeStrainLockingText(scene, material, rule->type, nu, work->sentence.text, sizeof(work->sentence.text));
   moduli = !law->constant ? &local : (kind ? &law->shear : &law->whole);
   for (PetscInt q = 0; q < rule->num; q++) {
     PetscReal *grad = &work->grad[q * n], *x = &work->x[q * dim];
@@ -235,8 +235,8 @@ static PetscErrorCode ElasticityGetCellStiffness_Private(Scene scene, Level *lev
     work->w[q] *= SceneMeasure(scene, x);
     work->bulk[q] = work->w[q] * law->bulk;
     if (!law->constant) {
-      PetscCall(ElasticityHooke(scene, body, x, C, &nu));
-      PetscCall(ElasticityCheckHooke_Private(scene, body, x, C, nu, &work->sentence));
+      PetscCall(ElasticityHooke(scene, material, x, C, &nu));
+      PetscCall(ElasticityCheckHooke_Private(scene, material, x, C, nu, &work->sentence));
       if (kind) work->bulk[q] = work->w[q] * MaterialTakeBulk(num_strains, C);
       ElasticitySetModuli_Private(scene->model, C, &local);
       ElasticityAddStiffness_Private(dim, n, 1, &local, grad, &work->w[q], Ke);
@@ -258,30 +258,33 @@ static PetscErrorCode ElasticityGetCellStiffness_Private(Scene scene, Level *lev
 static PetscErrorCode ElasticityAssembleCells_Private(Scene scene, Level *level, Mat K)
 {
   PetscReal    Ke[MAX_CELL_DOFS * MAX_CELL_DOFS];
-  PetscInt     body = -1;
+  PetscInt     num_materials = scene->num_bodies + scene->num_regions;
   ElementRule *rules;
   Work        *work;
-  Law          law;
+  Law         *laws; // cells of a material need not follow one another
   Gather       gather;
 
   PetscFunctionBeginUser;
   PetscCall(ElasticityRulesCreate(scene, &rules));
   PetscCall(CellSumsCreate(level, &gather));
   PetscCall(PetscNew(&work));
+  PetscCall(PetscMalloc1(num_materials, &laws));
+  for (PetscInt m = 0; m < num_materials; m++) {
+    if (m < scene->num_bodies && scene->bodies[m].missing) continue; // all of its cells are in regions
+    PetscCall(ElasticitySetLaw_Private(scene, m, &laws[m]));
+  }
   for (PetscInt c = 0; c < level->num_cells; c++) {
-    if (level->cell_body[c] != body) { // cells of a body follow one another
-      body = level->cell_body[c];
-      PetscCall(ElasticitySetLaw_Private(scene, body, &law));
-    }
-    PetscCall(ElasticityGetCellStiffness_Private(scene, level, c, &rules[level->cell_type[c]], &law, work, Ke));
+    PetscCall(ElasticityGetCellStiffness_Private(scene, level, c, &rules[level->cell_type[c]],
+                                                 &laws[level->cell_material[c]], work, Ke));
     CellSumsAdd(&gather, c, Ke);
   }
   PetscCall(CellSumsFinish(&gather, K));
   PetscCall(PetscFree(rules));
-  for (PetscInt b = 0; b < scene->num_bodies; b++) {
-    PetscCall(ExpressionCheck(level->comm, scene->bodies[b].young));
-    PetscCall(ExpressionCheck(level->comm, scene->bodies[b].poisson));
-    PetscCall(ExpressionCheck(level->comm, scene->bodies[b].stiffness));
+  PetscCall(PetscFree(laws));
+  for (PetscInt m = 0; m < num_materials; m++) {
+    PetscCall(ExpressionCheck(level->comm, SceneGetMaterial(scene, m)->young));
+    PetscCall(ExpressionCheck(level->comm, SceneGetMaterial(scene, m)->poisson));
+    PetscCall(ExpressionCheck(level->comm, SceneGetMaterial(scene, m)->stiffness));
   }
   PetscCall(UserErrorCheck(level->comm, work->sentence.text));
   PetscCall(PetscFree(work));

@@ -5,9 +5,9 @@
 #include "kernel/dilatation.h"
 #include "mesh/mesh.h"
 
-/* C at a point of a body (Hooke tensor, thickness not included) and Poisson's ratio (NAN where there is none).
-   Not collective; expressions are checked by ElasticityAssemble(). [out] C - [num_strains][num_strains] */
-PetscErrorCode ElasticityHooke(Scene scene, PetscInt body, const PetscReal x[], PetscReal C[], PetscReal *poisson);
+/* C at a point (Hooke tensor, thickness not included) and Poisson's ratio (NAN where there is none). Not collective; expressions are
+   checked by ElasticityAssemble(). [in] material - index, level->cell_material; [out] C - [num_strains][num_strains] */
+PetscErrorCode ElasticityHooke(Scene scene, PetscInt material, const PetscReal x[], PetscReal C[], PetscReal *poisson);
 
 /* The rules that the stiffness is integrated with. Not collective. [out] rules - of every type of cell [ELEMENT_COUNT]; PetscFree() it */
 PetscErrorCode ElasticityRulesCreate(Scene scene, ElementRule **rules);

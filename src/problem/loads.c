@@ -117,13 +117,16 @@ void LoadElementSums(const LoadElement *element, const PetscReal fe[], PetscReal
   for (PetscInt i = 0; i < element->num_nodes * dim; i++) sums[i % dim] += PetscAbsReal(fe[i]);
 }
 
-PetscErrorCode LoadTermCreate(Scene scene, Level *level, PetscInt body, const SceneBoundary *boundary, LoadTerm *term)
+PetscErrorCode LoadTermCreate(Scene scene, Level *level, PetscInt material, const SceneBoundary *boundary,
+                              LoadTerm *term)
 {
+  const PetscInt body = SceneMaterialBody(scene, material);
+
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(term, sizeof(*term)));
   term->scene     = scene;
   term->level     = level;
-  term->value     = boundary ? boundary->value : scene->bodies[body].body_force;
+  term->value     = boundary ? boundary->value : SceneGetMaterial(scene, material)->body_force;
   term->pressure  = (PetscBool)(boundary && boundary->kind == BOUNDARY_PRESSURE);
   term->on_facets = (PetscBool)(boundary != NULL);
   term->total     = (PetscBool)(boundary && (boundary->kind == BOUNDARY_FORCE || boundary->kind == BOUNDARY_MOMENT));
@@ -134,14 +137,14 @@ PetscErrorCode LoadTermCreate(Scene scene, Level *level, PetscInt body, const Sc
     PetscCall(LevelGetFacets(level, scene, body, boundary->side, &term->facets));
     term->num = term->facets.num;
   }
-  for (PetscInt c = 0; !boundary && c < level->num_cells; c++) term->num += level->cell_body[c] == body;
+  for (PetscInt c = 0; !boundary && c < level->num_cells; c++) term->num += level->cell_material[c] == material;
   PetscCall(PetscMalloc2(term->num, &term->type, term->num, &term->nodes));
   for (PetscInt f = 0; f < term->facets.num; f++) {
     term->type[f]  = term->facets.type[f];
     term->nodes[f] = &term->facets.nodes[f * ELEMENT_MAX_FACET_NODES];
   }
   for (PetscInt c = 0, e = 0; !boundary && c < level->num_cells; c++) {
-    if (level->cell_body[c] != body) continue;
+    if (level->cell_material[c] != material) continue;
     term->type[e]    = (ElementType)level->cell_type[c];
     term->nodes[e++] = &level->cell_nodes[level->cell_start[c]];
   }
@@ -165,12 +168,19 @@ static PetscErrorCode LoadsCreateTerms_Private(Scene scene, Level *level, PetscI
   PetscInt room = 0;
 
   PetscFunctionBeginUser;
-  for (PetscInt b = 0; b < scene->num_bodies; b++) room += 1 + scene->bodies[b].num_boundaries;
+  for (PetscInt b = 0; b < scene->num_bodies; b++)
+    room += 1 + scene->bodies[b].num_regions + scene->bodies[b].num_boundaries;
   PetscCall(PetscMalloc1(room, terms));
   *num = 0;
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     const SceneBody *body = &scene->bodies[b];
-    if (body->body_force) PetscCall(LoadTermCreate(scene, level, b, NULL, &(*terms)[(*num)++]));
+
+    for (PetscInt r = -1; r < body->num_regions; r++) {
+      const PetscInt material = r < 0 ? b : SceneBodyFirstRegion(scene, b) + r;
+
+      if (SceneGetMaterial(scene, material)->body_force)
+        PetscCall(LoadTermCreate(scene, level, material, NULL, &(*terms)[(*num)++]));
+    }
     for (PetscInt i = 0; i < body->num_boundaries; i++) {
       if (!SceneBoundaryIsLoad(&body->boundaries[i])) continue;
       PetscCall(LoadTermCreate(scene, level, b, &body->boundaries[i], &(*terms)[(*num)++]));

@@ -33,8 +33,10 @@ typedef struct {
   PetscReal       X[3 * ELEMENT_MAX_NODES]; /* [num_nodes][dim] */
 } LoadElement;
 
-/* A load on the facets of a side, or where boundary is NULL on the cells of a body. Collective. [out] term - to be freed by LoadTermDestroy() */
-PetscErrorCode LoadTermCreate(Scene scene, Level *level, PetscInt body, const SceneBoundary *boundary, LoadTerm *term);
+/* A load on the facets of a side of a body, or where boundary is NULL on the cells of a material. Collective. [in] material - or the
+   body; [out] term - to be freed by LoadTermDestroy() */
+PetscErrorCode LoadTermCreate(Scene scene, Level *level, PetscInt material, const SceneBoundary *boundary,
+                              LoadTerm *term);
 PetscErrorCode LoadTermDestroy(LoadTerm *term);
 /* Spreads the total force or moment of a side: sets traction, spin, centre. Collective. [in] moment - whether value is a moment */
 PetscErrorCode LoadTermSpread(LoadTerm *term, PetscBool moment);

@@ -33,20 +33,20 @@ void VolumeStrainCoordinates(const Level *level, PetscInt c, PetscReal X[])
 PetscErrorCode ElasticityDilatationKind(Scene scene, const Level *level, PetscInt c, const ElementRule *rule,
                                         DilatationKind *kind, PetscReal *poisson)
 {
-  const SceneBody *body = &scene->bodies[level->cell_body[c]];
+  const Expression ratio = SceneGetMaterial(scene, level->cell_material[c])->poisson;
   PetscReal        X[DILATATION_MAX_DOFS], x[3] = {0, 0, 0}, nu;
 
   PetscFunctionBeginUser;
   *kind    = DILATATION_POINTWISE;
   *poisson = NAN;
-  if (!body->poisson || scene->model == MODEL_PLANE_STRESS) PetscFunctionReturn(PETSC_SUCCESS);
-  if (ExpressionIsConstant(body->poisson)) {
-    PetscCall(ExpressionEvaluate(body->poisson, scene->dim, x, poisson));
+  if (!ratio || scene->model == MODEL_PLANE_STRESS) PetscFunctionReturn(PETSC_SUCCESS);
+  if (ExpressionIsConstant(ratio)) {
+    PetscCall(ExpressionEvaluate(ratio, scene->dim, x, poisson));
   } else {
     VolumeStrainCoordinates(level, c, X);
     for (PetscInt q = 0; q < rule->num; q++) {
       ElementRuleMap(rule, q, X, x, NULL);
-      PetscCall(ExpressionEvaluate(body->poisson, scene->dim, x, &nu));
+      PetscCall(ExpressionEvaluate(ratio, scene->dim, x, &nu));
       if (!(nu <= *poisson)) *poisson = nu;
     }
   }
@@ -111,10 +111,11 @@ PetscErrorCode ElasticityDilatationCount(Scene scene, const Level *level, Dilata
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-void VolumeStrainLockingText(Scene scene, PetscInt body, ElementType type, PetscReal poisson, char sentence[],
+void VolumeStrainLockingText(Scene scene, PetscInt material, ElementType type, PetscReal poisson, char sentence[],
                              size_t len)
 {
-  const SceneBody  *b      = &scene->bodies[body];
+  const Expression  ratio  = SceneGetMaterial(scene, material)->poisson;
+  const char *const name   = scene->bodies[SceneMaterialBody(scene, material)].name;
   const PetscBool   plane  = (PetscBool)(scene->dim == 2);
   const PetscInt    order  = ElementOrder(type);
   const PetscBool   higher = (PetscBool)(DilatationChoose(ElementOfOrder(type, 2), poisson) != DILATATION_LOCKS);
@@ -124,7 +125,6 @@ void VolumeStrainLockingText(Scene scene, PetscInt body, ElementType type, Petsc
   snprintf(
       sentence, len,
       "%s %s: %s of order %d lock above %g, since they can hardly move without changing their volume; use %s%s%s%s",
-      ExpressionOption(b->poisson), ExpressionText(b->poisson), simplices, (int)order,
-      (double)DilatationThreshold(type), boxes, higher ? ", or -" : "", higher ? b->name : "",
-      higher ? "_order 2" : "");
+      ExpressionOption(ratio), ExpressionText(ratio), simplices, (int)order, (double)DilatationThreshold(type), boxes,
+      higher ? ", or -" : "", higher ? name : "", higher ? "_order 2" : "");
 }

@@ -12,8 +12,8 @@ void VolumeStrainCoordinates(const Level *level, PetscInt c, PetscReal X[]);
 void VolumeStrainDilatation(Scene scene, DilatationKind kind, const ElementRule *rule, const PetscReal x[],
                             const PetscReal w[], PetscReal grad[], Dilatation *dilatation);
 
-/* What is to be said of cells that lock, and what would do instead. [out] sentence - [len] */
-void VolumeStrainLockingText(Scene scene, PetscInt body, ElementType type, PetscReal poisson, char sentence[],
+/* What is to be said of cells of a material that lock, and what would do instead. [out] sentence - [len] */
+void VolumeStrainLockingText(Scene scene, PetscInt material, ElementType type, PetscReal poisson, char sentence[],
                              size_t len);
 
 #endif

@@ -106,7 +106,7 @@ static PetscErrorCode CellErrorAddEnergy_Private(const Comparison *compare, Pets
   PetscReal       C[MAX_STRAINS * MAX_STRAINS], u[MAX_DIM * ELEMENT_MAX_NODES], poisson, bulk, change;
 
   PetscFunctionBeginUser;
-  PetscCall(ElasticityHooke(compare->scene, level->cell_body[c], x, C, &poisson));
+  PetscCall(ElasticityHooke(compare->scene, level->cell_material[c], x, C, &poisson));
   bulk = pi->num ? MaterialTakeBulk(num_strains, C) : 0;
   sum->error_energy += dx * CellErrorGetEnergyDensity_Private(num_strains, C, strains[0]);
   sum->size_energy += dx * CellErrorGetEnergyDensity_Private(num_strains, C, strains[1]);

@@ -26,7 +26,7 @@ PetscErrorCode CellStressSet(Scene scene, const Level *level, PetscInt c, const 
   const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
 
   PetscFunctionBeginUser;
-  cell->body = level->cell_body[c];
+  cell->material = level->cell_material[c];
   for (PetscInt i = 0; i < num * dim; i++) {
     cell->X[i] = level->coords[nodes[i / dim] * dim + i % dim];
     cell->u[i] = PetscRealPart(u[nodes[i / dim] * dim + i % dim]);
@@ -53,8 +53,8 @@ PetscErrorCode CellStressAtPoint(Scene scene, const CellStress *cell, const Elem
     strain[s] = 0.0;
     for (PetscInt i = 0; i < n * dim; i++) strain[s] += B[s * n * dim + i] * cell->u[i];
   }
-  PetscCall(ElasticityHooke(scene, cell->body, x, C, &poisson));
-  PetscCall(EigenstrainEvaluate(scene, cell->body, x, C, poisson, &e));
+  PetscCall(ElasticityHooke(scene, cell->material, x, C, &poisson));
+  PetscCall(EigenstrainEvaluate(scene, cell->material, x, C, poisson, &e));
   for (PetscInt s = 0; s < num_strains; s++) strain[s] -= e.strain[s];
   MaterialStress(scene->model, C, poisson, strain, stress);
   stress[2] -= e.across;

@@ -5,7 +5,6 @@
 #include "result/fields.h"
 #include "base/compat.h"
 #include "problem/eigenstrain.h"
-#include "result/stress.h"
 
 /* A bound counts as reached within this part of the largest unknown: pdas reaches it exactly, vinewtonrsls to its zero
    tolerance of 1e-12. */
@@ -242,7 +241,7 @@ PetscErrorCode FieldsDestroy(Fields *fields)
   PetscCall(VecDestroy(&(*fields)->u));
   PetscCall(VecDestroy(&(*fields)->lambda));
   PetscCall(VecDestroy(&(*fields)->slack));
-  PetscCall(VecDestroy(&(*fields)->stress));
+  PetscCall(NodalStressDestroy(&(*fields)->stress));
   PetscCall(PetscFree2((*fields)->stiffness, (*fields)->body_max));
   PetscCall(PetscFree((*fields)->validity));
   PetscCall(PetscFree4((*fields)->row_weight, (*fields)->row_moment, (*fields)->row_noise, (*fields)->row_status));

@@ -2,6 +2,7 @@
 #ifndef MORTISE_FIELDS_H
 #define MORTISE_FIELDS_H
 
+#include "result/stress.h"
 #include "solve/solver.h"
 
 /* Status of a node for contact. */
@@ -9,12 +10,12 @@ typedef enum { STATUS_NONE = -1, STATUS_OPEN = 0, STATUS_CONTACT = 1, STATUS_TIE
 
 /* lambda and slack are NULL where no pair has a multiplier. Arrays per row follow vi->row_pair and its companions. */
 struct _n_Fields {
-  VI         vi;         /* borrowed */
-  Vec        u;          /* ghosted, dim per node */
-  Vec        lambda;     /* per row of vi->B: pressure (contact) or traction (tied) */
-  Vec        slack;      /* per row: nodal gap left, G/D - (B u)/D */
-  Vec        stress;     /* ghosted, 6 per node: xx,yy,zz,yz,xz,xy; nodal average per body (eq. 8.2) */
-  PetscReal *stiffness;  /* mean of K's diagonal over the components of each owned node [level->num_owned] */
+  VI          vi;        /* borrowed */
+  Vec         u;         /* ghosted, dim per node */
+  Vec         lambda;    /* per row of vi->B: pressure (contact) or traction (tied) */
+  Vec         slack;     /* per row: nodal gap left, G/D - (B u)/D */
+  NodalStress stress;    /* nodal average per body, and per region (eq. 8.2) */
+  PetscReal  *stiffness; /* mean of K's diagonal over the components of each owned node [level->num_owned] */
   PetscReal *row_weight; /* integral of the row's dual function: D_aa and what removed neighbours gave [vi->num_rows] */
   PetscReal *row_moment; /* integral of the row's dual function times the position [vi->num_rows][dim] */
   PetscReal *row_noise;  /* roundoff of lambda in one row [vi->num_rows] */

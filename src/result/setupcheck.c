@@ -68,6 +68,26 @@ static PetscReal SetupCornerShape_Private(ElementType linear, const PetscReal X[
   return PetscAbsReal(det) / lengths;
 }
 
+PetscReal SetupCellVolume(Scene scene, const Level *level, PetscInt c)
+{
+  const PetscInt    dim   = level->dim;
+  const ElementType type  = (ElementType)level->cell_type[c];
+  const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]];
+  PetscReal         X[3 * ELEMENT_MAX_NODES], points[3 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], volume = 0;
+  const PetscInt    num =
+      QuadratureRule(type, dim * ElementOrder(type) + SceneMeasureDegree(scene, ElementOrder(type)), points, w);
+
+  for (PetscInt i = 0; i < ElementNumNodes(type); i++)
+    for (PetscInt k = 0; k < dim; k++) X[i * dim + k] = level->coords[nodes[i] * dim + k];
+  for (PetscInt q = 0; q < num; q++) {
+    PetscReal       x[3], phi[ELEMENT_MAX_NODES];
+    const PetscReal dx = w[q] * ElementMap(type, X, &points[q * dim], x, phi, NULL);
+
+    volume += dx * SceneMeasure(scene, x);
+  }
+  return volume;
+}
+
 /* Volume and shape of one cell. */
 static void SetupBodyAddCell_Private(VI vi, PetscInt c, SetupBody *body)
 {
@@ -76,19 +96,12 @@ static void SetupBodyAddCell_Private(VI vi, PetscInt c, SetupBody *body)
   const ElementType type   = (ElementType)level->cell_type[c];
   const ElementType linear = ElementLinear(type);
   const PetscInt   *nodes  = &level->cell_nodes[level->cell_start[c]];
-  PetscReal      X[3 * ELEMENT_MAX_NODES], points[3 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], middle[3] = {0, 0, 0};
-  PetscReal      shape = 1, shortest = PETSC_MAX_REAL, longest = 0;
-  const PetscInt num =
-      QuadratureRule(type, dim * ElementOrder(type) + SceneMeasureDegree(vi->scene, ElementOrder(type)), points, w);
+  PetscReal         X[3 * ELEMENT_MAX_NODES], middle[3] = {0, 0, 0};
+  PetscReal         shape = 1, shortest = PETSC_MAX_REAL, longest = 0;
 
-  for (PetscInt i = 0; i < ElementNumNodes(type); i++)
+  for (PetscInt i = 0; i < ElementNumNodes(linear); i++)
     for (PetscInt k = 0; k < dim; k++) X[i * dim + k] = level->coords[nodes[i] * dim + k];
-  for (PetscInt q = 0; q < num; q++) {
-    PetscReal       x[3], phi[ELEMENT_MAX_NODES];
-    const PetscReal dx = w[q] * ElementMap(type, X, &points[q * dim], x, phi, NULL);
-
-    body->volume += dx * SceneMeasure(vi->scene, x);
-  }
+  body->volume += SetupCellVolume(vi->scene, level, c);
   for (PetscInt i = 0; i < ElementNumNodes(linear); i++) {
     for (PetscInt k = 0; k < dim; k++) middle[k] += X[i * dim + k] / ElementNumNodes(linear);
     shape = PetscMin(shape, SetupCornerShape_Private(linear, X, dim, i));

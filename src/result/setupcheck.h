@@ -54,6 +54,8 @@ typedef struct {
   SetupPair *pairs;  /* [vi->num_pairs] */
 } SetupCheck;
 
+/* Volume of a cell as that of a body. Not collective. */
+PetscReal SetupCellVolume(Scene scene, const Level *level, PetscInt c);
 /* The same on all ranks. Collective. [out] check - to be freed by SetupCheckDestroy() */
 PetscErrorCode SetupCheckCompute(VI vi, SetupCheck *check);
 PetscErrorCode SetupCheckDestroy(SetupCheck *check);

@@ -4,8 +4,8 @@
    middle for order 1, at the 2 x 2 Gauss points of quads of order 2, nearly so at three points within a triangle (Barlow
    1976; Zienkiewicz & Zhu 1992). Stresses are taken there, continued to the cell's nodes by the polynomial through these
    points (a constant for order 1, linear or bilinear for order 2), and averaged over the cells that meet at a node, with
-   their volumes as weights. Nodes belong to one body, so nothing is averaged across an interface. Linear stresses are
-   reproduced exactly on cells of order 2 with straight sides. */
+   their volumes as weights. Nodes belong to one body, and cells of two materials at a node have a stress each, so nothing is averaged
+   across an interface. Linear stresses are reproduced exactly on cells of order 2 with straight sides. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "result/cellstress.h"
@@ -50,10 +50,16 @@ static void StressSetRecovery_Private(ElementType type, const ElementRule *stiff
   }
 }
 
-/* Adds a cell's volume, and its stresses times its volume, to its nodes. [in] u - [num_nodes][dim];
-   [in,out] sums - [num_nodes][STRESSES]; [in,out] volumes - [num_nodes] */
+/* Sums at the nodes of this rank, for each of the materials that meet there. */
+typedef struct {
+  const NodeMaterials *at;
+  PetscScalar        **stress; /* times volume [at->most][num_nodes][STRESSES] */
+  PetscScalar        **volume; /* [at->most][num_nodes] */
+} Sums;
+
+/* Adds a cell's volume, and its stresses times its volume, to its nodes. [in] u - [num_nodes][dim] */
 static PetscErrorCode StressAddCell_Private(Scene scene, const Level *level, PetscInt c, const Recovery *recovery,
-                                            const PetscScalar u[], PetscReal sums[], PetscReal volumes[])
+                                            const PetscScalar u[], Sums *sums)
 {
   const PetscInt  n = ElementNumNodes(recovery->rule.type), num = recovery->rule.num;
   const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
@@ -69,22 +75,47 @@ static PetscErrorCode StressAddCell_Private(Scene scene, const Level *level, Pet
     volume += recovery->rule.weight[q] * det;
   }
   for (PetscInt i = 0; i < n; i++) {
-    volumes[nodes[i]] += volume;
+    const PetscInt at  = NodeMaterialsFind(sums->at, nodes[i], level->cell_material[c]);
+    PetscScalar   *sum = &sums->stress[at][nodes[i] * STRESSES];
+
+    sums->volume[at][nodes[i]] += volume;
     for (PetscInt q = 0; q < num; q++) {
       const PetscReal share = volume * recovery->spread[i * num + q];
 
-      for (PetscInt k = 0; k < STRESSES; k++) sums[nodes[i] * STRESSES + k] += share * stress[q][k];
+      for (PetscInt k = 0; k < STRESSES; k++) sum[k] += share * stress[q][k];
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds this rank's cells to the local forms of two ghosted vectors. */
-static PetscErrorCode StressAddCells_Private(Scene scene, const Level *level, Vec u, Vec stress, Vec volume)
+/* Arrays of the local forms of ghosted vectors. [out] locals, arrays - [num] */
+static PetscErrorCode LocalsGet_Private(PetscInt num, const Vec vectors[], Vec locals[], PetscScalar *arrays[])
 {
-  Vec                local[3];
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < num; i++) {
+    PetscCall(VecGhostGetLocalForm(vectors[i], &locals[i]));
+    PetscCall(VecGetArray(locals[i], &arrays[i]));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode LocalsRestore_Private(PetscInt num, const Vec vectors[], Vec locals[], PetscScalar *arrays[])
+{
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < num; i++) {
+    PetscCall(VecRestoreArray(locals[i], &arrays[i]));
+    PetscCall(VecGhostRestoreLocalForm(vectors[i], &locals[i]));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds this rank's cells to the local forms of ghosted vectors. [in,out] volume - [stress->at.most] */
+static PetscErrorCode StressAddCells_Private(Scene scene, const Level *level, Vec u, NodalStress *stress, Vec volume[])
+{
+  const PetscInt     most = stress->at.most;
+  Vec                local, *locals;
   const PetscScalar *displacement;
-  PetscReal         *sums, *volumes;
+  Sums               sums = {.at = &stress->at};
   Recovery          *recoveries;
   ElementRule       *rules;
 
@@ -92,47 +123,70 @@ static PetscErrorCode StressAddCells_Private(Scene scene, const Level *level, Ve
   PetscCall(ElasticityRulesCreate(scene, &rules));
   PetscCall(PetscMalloc1(ELEMENT_COUNT, &recoveries));
   for (PetscInt t = 0; t < ELEMENT_COUNT; t++) StressSetRecovery_Private((ElementType)t, &rules[t], &recoveries[t]);
-  PetscCall(VecGhostGetLocalForm(u, &local[0]));
-  PetscCall(VecGhostGetLocalForm(stress, &local[1]));
-  PetscCall(VecGhostGetLocalForm(volume, &local[2]));
-  PetscCall(VecGetArrayRead(local[0], &displacement));
-  PetscCall(VecGetArray(local[1], &sums));
-  PetscCall(VecGetArray(local[2], &volumes));
-  for (PetscInt c = 0; c < level->num_cells; c++) {
-    PetscCall(StressAddCell_Private(scene, level, c, &recoveries[level->cell_type[c]], displacement, sums, volumes));
-  }
-  PetscCall(VecRestoreArray(local[2], &volumes));
-  PetscCall(VecRestoreArray(local[1], &sums));
-  PetscCall(VecRestoreArrayRead(local[0], &displacement));
-  PetscCall(VecGhostRestoreLocalForm(volume, &local[2]));
-  PetscCall(VecGhostRestoreLocalForm(stress, &local[1]));
-  PetscCall(VecGhostRestoreLocalForm(u, &local[0]));
+  PetscCall(PetscMalloc3(2 * most, &locals, most, &sums.stress, most, &sums.volume));
+  PetscCall(VecGhostGetLocalForm(u, &local));
+  PetscCall(VecGetArrayRead(local, &displacement));
+  PetscCall(LocalsGet_Private(most, stress->value, locals, sums.stress));
+  PetscCall(LocalsGet_Private(most, volume, &locals[most], sums.volume));
+  for (PetscInt c = 0; c < level->num_cells; c++)
+    PetscCall(StressAddCell_Private(scene, level, c, &recoveries[level->cell_type[c]], displacement, &sums));
+  PetscCall(LocalsRestore_Private(most, volume, &locals[most], sums.volume));
+  PetscCall(LocalsRestore_Private(most, stress->value, locals, sums.stress));
+  PetscCall(VecRestoreArrayRead(local, &displacement));
+  PetscCall(VecGhostRestoreLocalForm(u, &local));
+  PetscCall(PetscFree3(locals, sums.stress, sums.volume));
   PetscCall(PetscFree(recoveries));
   PetscCall(PetscFree(rules));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode StressCreate(Scene scene, Level *level, Vec u, Vec *stress)
+/* Sums over all ranks, divided by the volume where there is some. Collective. */
+static PetscErrorCode StressDivide_Private(const Level *level, Vec stress, Vec volume)
 {
-  Vec              volume;
   const PetscReal *volumes;
   PetscReal       *sums;
 
   PetscFunctionBeginUser;
-  PetscCall(LevelCreateVec(level, STRESSES, stress));
-  PetscCall(LevelCreateVec(level, 1, &volume));
-  PetscCall(StressAddCells_Private(scene, level, u, *stress, volume));
-  PetscCall(LevelShareVec(*stress, ADD_VALUES));
+  PetscCall(LevelShareVec(stress, ADD_VALUES));
   PetscCall(LevelShareVec(volume, ADD_VALUES));
   PetscCall(VecGetArrayRead(volume, &volumes));
-  PetscCall(VecGetArray(*stress, &sums));
+  PetscCall(VecGetArray(stress, &sums));
   for (PetscInt a = 0; a < level->num_owned; a++) {
-    for (PetscInt k = 0; k < STRESSES; k++) sums[a * STRESSES + k] /= volumes[a];
+    for (PetscInt k = 0; k < STRESSES && volumes[a] != 0; k++) sums[a * STRESSES + k] /= volumes[a];
   }
-  PetscCall(VecRestoreArray(*stress, &sums));
+  PetscCall(VecRestoreArray(stress, &sums));
   PetscCall(VecRestoreArrayRead(volume, &volumes));
-  PetscCall(VecGhostUpdateBegin(*stress, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(*stress, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecDestroy(&volume));
+  PetscCall(VecGhostUpdateBegin(stress, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostUpdateEnd(stress, INSERT_VALUES, SCATTER_FORWARD));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode StressCreate(Scene scene, Level *level, Vec u, NodalStress *stress)
+{
+  Vec *volume;
+
+  PetscFunctionBeginUser;
+  PetscCall(NodeMaterialsCreate(scene, level, &stress->at));
+  PetscCall(PetscMalloc1(stress->at.most, &stress->value));
+  PetscCall(PetscMalloc1(stress->at.most, &volume));
+  for (PetscInt i = 0; i < stress->at.most; i++) {
+    PetscCall(LevelCreateVec(level, STRESSES, &stress->value[i]));
+    PetscCall(LevelCreateVec(level, 1, &volume[i]));
+  }
+  PetscCall(StressAddCells_Private(scene, level, u, stress, volume));
+  for (PetscInt i = 0; i < stress->at.most; i++) {
+    PetscCall(StressDivide_Private(level, stress->value[i], volume[i]));
+    PetscCall(VecDestroy(&volume[i]));
+  }
+  PetscCall(PetscFree(volume));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode NodalStressDestroy(NodalStress *stress)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < stress->at.most && stress->value; i++) PetscCall(VecDestroy(&stress->value[i]));
+  PetscCall(PetscFree(stress->value));
+  PetscCall(NodeMaterialsDestroy(&stress->at));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -54,7 +54,8 @@ static const OptionEntry table[] = {
      "Mesh from Gmsh (2.2 or 4.1) or another format that DMPlex reads. The path is relative to the working directory, "
      "else to the folder of the options file."},
     {GROUP_MESH, "-<body>_mesh_region", "name", "", "(all cells)",
-     "Takes only the cells of this physical group, by name or number. Several bodies may share a file."},
+     "Takes only the cells of this physical group, by name or number; + joins several. Several bodies may share a "
+     "file."},
     {GROUP_MESH, "-<body>_dm_plex_box_faces", "n,n[,n]", "", "(a mesh file)",
      "Instead of a file: a box with this number of cells along x and y, and in solids along z. Its sides are left and "
      "right (x), bottom and top (y); in solids left and right (x), front and back (y), bottom and top (z)."},
@@ -89,6 +90,17 @@ static const OptionEntry table[] = {
     {GROUP_MATERIAL, "-<body>_thermal_expansion", "e[,e,e]", "1/temperature", "(none)",
      "Coefficient of thermal expansion; three numbers are those of the axes of the material: x, y, z, or radius, axis, "
      "around. Wants -<body>_temperature."},
+    {GROUP_MATERIAL, "-<body>_regions", "name,name,...", "", "(one material)",
+     "Physical groups of the mesh file, by name or number, with materials of their own. A region has the values of its "
+     "body where it gives none; so have cells in no region. A space in a name is an underscore in the options below."},
+    {GROUP_MATERIAL, "-<body>_<region>_young", "e", "stress", "(that of the body)", "Young's modulus of a region."},
+    {GROUP_MATERIAL, "-<body>_<region>_poisson", "e", "", "(that of the body)", "Poisson's ratio of a region."},
+    {GROUP_MATERIAL, "-<body>_<region>_stiffness", "e,e,e,e,e,e[,...]", "stress", "(that of the body)",
+     "Instead of the two: the Hooke matrix of a region, as of a body."},
+    {GROUP_MATERIAL, "-<body>_<region>_material_angle", "x[,y,z]", "degrees", "(that of the body)",
+     "Rotation of the axes of the material in a region, as of a body."},
+    {GROUP_MATERIAL, "-<body>_<region>_thermal_expansion", "e[,e,e]", "1/temperature", "(that of the body)",
+     "Coefficient of thermal expansion of a region, as of a body. Wants a temperature of the region or of its body."},
 
     {GROUP_LOADS, "-<body>_body_force", "e,e[,e]", "force/volume", "(none)", "Force per volume, such as weight."},
     {GROUP_LOADS, "-<body>_bc_displacement", "side,side,...", "", "(none)",
@@ -120,6 +132,12 @@ static const OptionEntry table[] = {
     {GROUP_LOADS, "-<body>_initial_strain", "e,e,e,e[,e,e]", "", "(none)",
      "Strain that the body has without stress: xx, yy, zz, xy; in solids xx, yy, zz, yz, xz, xy. Shear strains are "
      "engineering shear strains. Axisymmetric: x is the radius, y the axis, z around."},
+    {GROUP_LOADS, "-<body>_<region>_body_force", "e,e[,e]", "force/volume", "(that of the body)",
+     "Force per volume in a region, such as the weight of another density."},
+    {GROUP_LOADS, "-<body>_<region>_temperature", "e", "temperature", "(that of the body)",
+     "Temperature of a region above that without stress."},
+    {GROUP_LOADS, "-<body>_<region>_initial_strain", "e,e,e,e[,e,e]", "", "(that of the body)",
+     "Strain that a region has without stress, as of a body."},
     {GROUP_LOADS, "-<body>_pretension", "e", "force", "(none)",
      "Mean axial force in the sections of the body, above 0, as of a bolt that is tightened; found as a strain along "
      "the "
@@ -271,11 +289,20 @@ const char *OptionGroupTitle(OptionGroup group)
 
 OptionScope OptionEntryScope(const OptionEntry *entry)
 {
+  if (strstr(entry->name, "<region>")) return SCOPE_REGION;
   if (strstr(entry->name, "<body>")) return SCOPE_BODY;
   if (strstr(entry->name, "<pair>")) return SCOPE_PAIR;
   if (strstr(entry->name, "<probe>")) return SCOPE_PROBE;
   if (strstr(entry->name, "<path>")) return SCOPE_PATH;
   return SCOPE_PROGRAM;
+}
+
+const char *OptionPlaceholderEnd(const char pattern[])
+{
+  static const char region[] = "_<region>";
+  const char       *end      = strchr(pattern, '>') + 1;
+
+  return strncmp(end, region, strlen(region)) ? end : end + strlen(region);
 }
 
 /* Whether an option fits a pattern with this owner and anything for <side> or '*'. Like PETSc's database it does not
@@ -289,7 +316,7 @@ static PetscBool OptionFits_Private(const char pattern[], const char owner[], co
 
       if (strncasecmp(owner, option, length) != 0) return PETSC_FALSE;
       option += length;
-      pattern = strchr(pattern, '>') + 1;
+      pattern = OptionPlaceholderEnd(pattern);
     } else if (strncasecmp(pattern++, option++, 1) != 0)
       return PETSC_FALSE;
   }

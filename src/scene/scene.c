@@ -203,7 +203,13 @@ PetscErrorCode SceneDestroy(Scene *scene)
   for (PetscInt i = 0; i < (*scene)->num_probes; i++) PetscCall(PetscFree((*scene)->probes[i].name));
   for (PetscInt i = 0; i < (*scene)->num_paths; i++) PetscCall(PetscFree((*scene)->paths[i].name));
   PetscCall(PetscFree((*scene)->steps.t));
+  for (PetscInt i = 0; i < (*scene)->num_regions; i++) {
+    PetscCall(SceneMaterialDestroy(&(*scene)->regions[i].material));
+    PetscCall(PetscFree((*scene)->regions[i].group));
+    PetscCall(PetscFree((*scene)->regions[i].prefix));
+  }
   PetscCall(PetscFree((*scene)->bodies));
+  PetscCall(PetscFree((*scene)->regions));
   PetscCall(PetscFree((*scene)->pairs));
   PetscCall(PetscFree((*scene)->probes));
   PetscCall(PetscFree((*scene)->paths));

@@ -25,10 +25,29 @@ typedef struct {
       value; /* displacement [dim] with free components, traction [dim], pressure [1]; NULL for BOUNDARY_NORMAL */
 } SceneBoundary;
 
+/* What cells are made of, and what acts inside them. */
+typedef struct {
+  Expression young, poisson; /* isotropic, else NULL */
+  Expression stiffness;      /* upper triangle of the Hooke tensor, else NULL */
+  PetscReal  angle[3];       /* of the material axes, degrees */
+  Expression body_force;     /* force per volume [dim], or NULL */
+  Expression temperature;    /* above that without stress [1], or NULL as expansion */
+  Expression expansion;      /* thermal: of all directions [1], of the material axes [3] */
+  Expression initial_strain; /* without stress [4, in space 6], or NULL */
+} SceneMaterial;
+
+/* A part of a body with a material of its own. What its options do not give, it has from the body. */
+typedef struct {
+  PetscInt      body;
+  char         *group;  /* physical group of the mesh file: name or number */
+  char         *prefix; /* of its options, without the underscore: <body>_<region> */
+  SceneMaterial material;
+} SceneRegion;
+
 typedef struct {
   char          *name;      /* also the option prefix, without the underscore */
   char          *mesh_file; /* found path of a mesh, or NULL for a box */
-  char          *region;    /* physical group (name or number) of the cells, or NULL for all */
+  char          *region;    /* physical groups (name or number) of the cells, joined with '+', or NULL for all */
   PetscBool      simplex;   /* box of triangles (tetrahedra) instead of quads (hexes) */
   PetscInt       faces[3];  /* cells of the box along each axis */
   PetscReal      lower[3], upper[3];
@@ -39,19 +58,15 @@ typedef struct {
   PetscBool      curved_file;  /* found by the mesh: the file is of second order */
   PetscBool      straightened; /* likewise: it has curved sides, of which order 1 makes chords */
   PetscBool      arcs; /* likewise: it is of first order, and has sides of pairs that are taken for smooth and bend */
-  PetscInt       num_nonmanifold; /* likewise, on the first rank: vertices that alone connect some cells */
-  PetscReal      nonmanifold[3];  /* the first of them, before the map */
-  Expression     young, poisson;  /* of an isotropic body, else NULL */
-  Expression     stiffness;       /* upper triangle of the Hooke tensor, else NULL */
-  PetscReal      angle[3];        /* of the material axes, degrees */
-  Expression     body_force;      /* force per volume [dim], or NULL */
-  Expression     temperature;     /* above that without stress [1], or NULL as expansion */
-  Expression     expansion;       /* thermal: of all directions [1], of the material axes [3] */
-  Expression     initial_strain;  /* without stress [4, in space 6], or NULL */
-  Expression     pretension;      /* mean axial force [1], or NULL */
-  PetscReal      axis[3];         /* of the pretension, unit */
-  PetscReal      tightening;      /* its strain along the axis, found by the solution */
-  Expression     exact;           /* the exact displacement, where it is known [dim], or NULL */
+  PetscInt       num_nonmanifold;           /* likewise, on the first rank: vertices that alone connect some cells */
+  PetscReal      nonmanifold[3];            /* the first of them, before the map */
+  SceneMaterial  material;                  /* of the cells in no region */
+  PetscInt       first_region, num_regions; /* of scene->regions; 0 where all cells have the material above */
+  char          *missing;    /* with regions: an option without which cells in none of them have no material, or NULL */
+  Expression     pretension; /* mean axial force [1], or NULL */
+  PetscReal      axis[3];    /* of the pretension, unit */
+  PetscReal      tightening; /* its strain along the axis, found by the solution */
+  Expression     exact;      /* the exact displacement, where it is known [dim], or NULL */
   PetscInt       num_boundaries;
   SceneBoundary *boundaries; /* in the order typed: displacement, normal, traction, pressure, force, moment */
 } SceneBody;
@@ -174,30 +189,31 @@ typedef struct {
 } SceneAdapt;
 
 struct _n_Scene {
-  MPI_Comm    comm;
-  char       *title;    /* "" where none was given */
-  char       *units[3]; /* names of the units of length, force and stress, or NULL where none were given */
-  PetscInt    dim;
-  char       *unread; /* what to say of data of a solid where a mesh file alone makes the scene a plane one, or NULL */
-  ModelKind   model;
-  PetscReal   thickness;
-  PetscInt    refine; /* common refinements: the levels */
-  SceneLevels levels; /* whether a solver may need more of them */
-  PetscInt    num_bodies, num_pairs, num_probes, num_paths;
-  SceneBody  *bodies;
-  ScenePair  *pairs;
-  SceneProbe *probes;
-  ScenePath  *paths;
-  char       *output;  /* path prefix, or NULL for no files */
-  int         formats; /* OutputFormat bits */
-  char       *summary; /* file for the summary alone, "-" for stdout, or NULL */
-  SceneStudy  study;
-  SceneSteps  steps;
-  PetscReal   time;    /* of SceneSetTime(); 1 in the beginning */
-  int         changed; /* DatumKind bits of the changes since the last solution, which clears them */
-  PetscBool   scaled;  /* whether all that varies in time is proportional to it */
-  PetscBool   tighten; /* whether the strains of pretensions are to be found, else they are kept */
-  PetscBool   keep;    /* whether solvers keep their factors for further solutions of this scene */
+  MPI_Comm     comm;
+  char        *title;    /* "" where none was given */
+  char        *units[3]; /* names of the units of length, force and stress, or NULL where none were given */
+  PetscInt     dim;
+  char        *unread; /* what to say of data of a solid where a mesh file alone makes the scene a plane one, or NULL */
+  ModelKind    model;
+  PetscReal    thickness;
+  PetscInt     refine; /* common refinements: the levels */
+  SceneLevels  levels; /* whether a solver may need more of them */
+  PetscInt     num_bodies, num_regions, num_pairs, num_probes, num_paths;
+  SceneBody   *bodies;
+  SceneRegion *regions; /* body after body [num_regions] */
+  ScenePair   *pairs;
+  SceneProbe  *probes;
+  ScenePath   *paths;
+  char        *output;  /* path prefix, or NULL for no files */
+  int          formats; /* OutputFormat bits */
+  char        *summary; /* file for the summary alone, "-" for stdout, or NULL */
+  SceneStudy   study;
+  SceneSteps   steps;
+  PetscReal    time;    /* of SceneSetTime(); 1 in the beginning */
+  int          changed; /* DatumKind bits of the changes since the last solution, which clears them */
+  PetscBool    scaled;  /* whether all that varies in time is proportional to it */
+  PetscBool    tighten; /* whether the strains of pretensions are to be found, else they are kept */
+  PetscBool    keep;    /* whether solvers keep their factors for further solutions of this scene */
 
   SceneAdapt adapt;
   SceneStop  stop;
@@ -229,10 +245,37 @@ static inline PetscBool SceneBoundaryIsLoad(const SceneBoundary *boundary)
   return (PetscBool)(boundary->kind >= BOUNDARY_TRACTION);
 }
 
-/* Whether a body has strains without stress. */
-static inline PetscBool SceneBodyHasEigenstrain(const SceneBody *body)
+/* Materials have one index: those of the bodies [num_bodies], behind them those of the regions [num_regions]. */
+static inline const SceneMaterial *SceneGetMaterial(const struct _n_Scene *scene, PetscInt material)
 {
-  return (PetscBool)(body->temperature || body->initial_strain || body->pretension);
+  return material < scene->num_bodies ? &scene->bodies[material].material
+                                      : &scene->regions[material - scene->num_bodies].material;
+}
+
+/* The body that a material is of. */
+static inline PetscInt SceneMaterialBody(const struct _n_Scene *scene, PetscInt material)
+{
+  return material < scene->num_bodies ? material : scene->regions[material - scene->num_bodies].body;
+}
+
+/* The first material of a body's regions; the others follow. */
+static inline PetscInt SceneBodyFirstRegion(const struct _n_Scene *scene, PetscInt body)
+{
+  return scene->num_bodies + scene->bodies[body].first_region;
+}
+
+/* Whether a body has strains without stress, in any of its regions. */
+static inline PetscBool SceneBodyHasEigenstrain(const struct _n_Scene *scene, PetscInt body)
+{
+  const SceneBody *b = &scene->bodies[body];
+
+  if (b->material.temperature || b->material.initial_strain || b->pretension) return PETSC_TRUE;
+  for (PetscInt r = 0; r < b->num_regions; r++) {
+    const SceneMaterial *material = SceneGetMaterial(scene, SceneBodyFirstRegion(scene, body) + r);
+
+    if (material->temperature || material->initial_strain) return PETSC_TRUE;
+  }
+  return PETSC_FALSE;
 }
 
 /* Whether two sides, each a name or several joined with '+', have a name in common. Not collective. */

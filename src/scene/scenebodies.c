@@ -1,10 +1,6 @@
-/* scenebodies.c -- mesh and material of one body. */
+/* scenebodies.c -- one body: its mesh, and what is of the body as a whole. */
 #include "scene/sceneparts.h"
 #include "base/options.h"
-#include <math.h>
-
-/* A constant Hooke matrix counts as singular below this ratio of its eigenvalues: a thousand roundings. */
-static const PetscReal DEFINITE = 1000 * PETSC_MACHINE_EPSILON;
 
 /* Raises a user error where a box would have more cells than the whole numbers of PETSc can count, on the finest mesh of a study. */
 static PetscErrorCode BodyCheckSize_Private(Scene scene, const SceneBody *body, const Option *faces)
@@ -70,6 +66,21 @@ static PetscErrorCode BodyReadFile_Private(Scene scene, SceneBody *body, const O
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Cells of a box are in no physical group. */
+static PetscErrorCode BodyCheckNoRegions_Private(Scene scene, const SceneBody *body)
+{
+  Option regions;
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionFind(scene, "-<body>_regions", body->name, NULL, &regions));
+  if (!body->num_regions) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(OptionRaise(&regions,
+                        "a box has no regions, which are physical groups of a mesh file; moduli of a box vary by a "
+                        "formula, such as -%s_young \"x<0.5 ? 2e5 : 7e4\", with a boundary of cells at the jump",
+                        body->name));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 static PetscErrorCode BodyReadMesh_Private(Scene scene, SceneBody *body)
 {
   Option   file, faces, map, refine, polygonal, order, exact;
@@ -90,6 +101,7 @@ static PetscErrorCode BodyReadMesh_Private(Scene scene, SceneBody *body)
     PetscCall(BodyReadFile_Private(scene, body, &file));
   else {
     PetscCall(OptionRequire(&faces, "every body needs a mesh: a box, or a file named by -<body>_dm_plex_filename"));
+    PetscCall(BodyCheckNoRegions_Private(scene, body));
     PetscCall(BodyReadBox_Private(scene, body, &faces));
   }
   PetscCall(OptionGetBool(&polygonal, &body->polygonal));
@@ -102,144 +114,6 @@ static PetscErrorCode BodyReadMesh_Private(Scene scene, SceneBody *body)
     if (scene->study.num_orders)
       PetscCall(OptionRaise(&order, "-study_orders gives the order of all bodies; give one of the two"));
   }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Checks E and nu where they are plain numbers. Above nu = 1/2 a body would grow under pressure. Near nu = 1/2 it keeps
-   its volume: plane stress can still show that by its thickness, but in other models displacements alone cannot tell
-   the pressure. */
-static PetscErrorCode BodyCheckIsotropic_Private(Scene scene, const SceneBody *body, const Option *young,
-                                                 const Option *poisson)
-{
-  const PetscReal origin[3] = {0, 0, 0};
-  PetscReal       E, nu;
-
-  PetscFunctionBeginUser;
-  if (ExpressionIsConstant(body->young)) {
-    PetscCall(ExpressionEvaluate(body->young, scene->dim, origin, &E));
-    if (!(E > 0)) PetscCall(OptionRaise(young, "Young's modulus must be above 0"));
-  }
-  if (ExpressionIsConstant(body->poisson)) {
-    PetscCall(ExpressionEvaluate(body->poisson, scene->dim, origin, &nu));
-    if (nu >= MATERIAL_POISSON_END && nu <= 0.5 && scene->model != MODEL_PLANE_STRESS) {
-      PetscCall(OptionRaise(poisson,
-                            "an incompressible body needs a mixed method, which Mortise does not have; Poisson's ratio "
-                            "must be above -1 and below %.7g",
-                            MATERIAL_POISSON_END));
-    }
-    if (!(nu > -1 && nu <= 0.5)) PetscCall(OptionRaise(poisson, "Poisson's ratio must be above -1 and below 0.5"));
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Checks a Hooke matrix of plain numbers: turning it does not change its eigenvalues. */
-static PetscErrorCode BodyCheckStiffness_Private(Scene scene, const SceneBody *body, const Option *stiffness)
-{
-  const PetscReal origin[3] = {0, 0, 0};
-  PetscReal       upper[21], C[36];
-  const PetscInt  num_strains = MaterialNumStrains(scene->model);
-
-  PetscFunctionBeginUser;
-  if (!ExpressionIsConstant(body->stiffness)) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(ExpressionEvaluate(body->stiffness, scene->dim, origin, upper));
-  MaterialAnisotropic(scene->model, upper, body->angle, C);
-  if (!(MaterialDefiniteness(num_strains, C) > DEFINITE)) {
-    PetscCall(OptionRaise(
-        stiffness,
-        "the Hooke matrix is not positive definite: some strain has no energy, or a negative one; check the "
-        "order of its entries, %s",
-        scene->model == MODEL_AXISYMMETRIC
-            ? "xx-xx, xx-yy, xx-zz, xx-xy, yy-yy, yy-zz, yy-xy, zz-zz, zz-xy, xy-xy, zz being around the axis"
-            : "xx-xx, xx-yy, xx-xy, yy-yy, yy-xy, xy-xy"));
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* The axes of a material that has some. */
-static PetscErrorCode BodyReadAngle_Private(Scene scene, SceneBody *body)
-{
-  Option angle;
-
-  PetscFunctionBeginUser;
-  PetscCall(OptionFind(scene, "-<body>_material_angle", body->name, NULL, &angle));
-  PetscCall(OptionGetReals(&angle, scene->dim == 2 ? 1 : 3, body->angle));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-static PetscErrorCode BodyReadMaterial_Private(Scene scene, SceneBody *body)
-{
-  Option         young, poisson, stiffness;
-  const PetscInt num_strains = MaterialNumStrains(scene->model);
-
-  PetscFunctionBeginUser;
-  PetscCall(OptionFind(scene, "-<body>_young", body->name, NULL, &young));
-  PetscCall(OptionFind(scene, "-<body>_poisson", body->name, NULL, &poisson));
-  PetscCall(OptionFind(scene, "-<body>_stiffness", body->name, NULL, &stiffness));
-  if (stiffness.set) {
-    if (young.set || poisson.set) {
-      PetscCall(OptionRaise(young.set ? &young : &poisson,
-                            "the body has a Hooke matrix already (%s); give one of the two", stiffness.name));
-    }
-    PetscCall(OptionGetExpression(&stiffness, num_strains * (num_strains + 1) / 2, PETSC_FALSE, &body->stiffness));
-    PetscCall(BodyReadAngle_Private(scene, body));
-    PetscCall(BodyCheckStiffness_Private(scene, body, &stiffness));
-  } else {
-    PetscCall(OptionRequire(&young,
-                            "every body needs a material, Young's modulus and Poisson's ratio, or -<body>_stiffness"));
-    PetscCall(OptionRequire(&poisson, "an isotropic material needs Poisson's ratio as well"));
-    PetscCall(OptionGetExpression(&young, 1, PETSC_FALSE, &body->young));
-    PetscCall(OptionGetExpression(&poisson, 1, PETSC_FALSE, &body->poisson));
-    PetscCall(BodyCheckIsotropic_Private(scene, body, &young, &poisson));
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Raises a user error where the six numbers of a plane Hooke matrix do not tell what a strain across the plane does.
-   [in] across - which component that is */
-static PetscErrorCode BodyCheckAcross_Private(Scene scene, const SceneBody *body, const Option *option, Expression e,
-                                              PetscInt across)
-{
-  const PetscReal origin[3] = {0, 0, 0};
-  PetscReal       values[6] = {0};
-
-  PetscFunctionBeginUser;
-  if (!e || !body->stiffness || scene->model != MODEL_PLANE_STRAIN) PetscFunctionReturn(PETSC_SUCCESS);
-  if (ExpressionSize(e) > across && ExpressionIsConstant(e)) {
-    PetscCall(ExpressionEvaluate(e, scene->dim, origin, values));
-    if (values[across] == 0) PetscFunctionReturn(PETSC_SUCCESS);
-  }
-  PetscCall(OptionRaise(option,
-                        "in plane strain the six numbers of -%s_stiffness do not tell the stress of a strain across "
-                        "the plane; write 0 for its zz, with the strains in the plane that a body held along z has, or "
-                        "use -model plane_stress or solid",
-                        body->name));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Strains without stress: of temperature, and others. */
-static PetscErrorCode BodyReadEigenstrain_Private(Scene scene, SceneBody *body)
-{
-  Option   temperature, expansion, strain;
-  PetscInt num;
-
-  PetscFunctionBeginUser;
-  PetscCall(OptionFind(scene, "-<body>_temperature", body->name, NULL, &temperature));
-  PetscCall(OptionFind(scene, "-<body>_thermal_expansion", body->name, NULL, &expansion));
-  PetscCall(OptionFind(scene, "-<body>_initial_strain", body->name, NULL, &strain));
-  if (temperature.set)
-    PetscCall(OptionRequire(&expansion, "-<body>_temperature strains a body by its coefficient of thermal expansion"));
-  if (expansion.set)
-    PetscCall(OptionRequire(&temperature, "-<body>_thermal_expansion has no effect without a temperature"));
-  PetscCall(OptionGetExpression(&temperature, 1, PETSC_FALSE, &body->temperature));
-  PetscCall(OptionGetExpression(&expansion, 0, PETSC_FALSE, &body->expansion));
-  num = body->expansion ? ExpressionSize(body->expansion) : 1;
-  if (num != 1 && num != 3)
-    PetscCall(OptionRaise(
-        &expansion, "%" PetscInt_FMT " numbers given; write one, or three, one for each axis of the material", num));
-  if (num == 3) PetscCall(BodyReadAngle_Private(scene, body));
-  PetscCall(BodyCheckAcross_Private(scene, body, &expansion, body->expansion, 2));
-  PetscCall(OptionGetExpression(&strain, scene->dim == 2 ? 4 : 6, PETSC_FALSE, &body->initial_strain));
-  PetscCall(BodyCheckAcross_Private(scene, body, &strain, body->initial_strain, 2));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -289,8 +163,7 @@ PetscErrorCode SceneBodyRead(Scene scene, SceneBody *body)
 {
   PetscFunctionBeginUser;
   PetscCall(BodyReadMesh_Private(scene, body));
-  PetscCall(BodyReadMaterial_Private(scene, body));
-  PetscCall(BodyReadEigenstrain_Private(scene, body));
+  PetscCall(SceneMaterialsRead(scene, body));
   PetscCall(BodyReadPretension_Private(scene, body));
   PetscCall(SceneBoundariesRead(scene, body));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -304,18 +177,13 @@ PetscErrorCode SceneBodyDestroy(SceneBody *body)
     PetscCall(ExpressionDestroy(&body->boundaries[i].value));
   }
   PetscCall(PetscFree(body->boundaries));
+  PetscCall(SceneMaterialDestroy(&body->material));
   PetscCall(ExpressionDestroy(&body->map));
-  PetscCall(ExpressionDestroy(&body->young));
-  PetscCall(ExpressionDestroy(&body->poisson));
-  PetscCall(ExpressionDestroy(&body->stiffness));
-  PetscCall(ExpressionDestroy(&body->body_force));
-  PetscCall(ExpressionDestroy(&body->temperature));
-  PetscCall(ExpressionDestroy(&body->expansion));
-  PetscCall(ExpressionDestroy(&body->initial_strain));
   PetscCall(ExpressionDestroy(&body->pretension));
   PetscCall(ExpressionDestroy(&body->exact));
   PetscCall(PetscFree(body->name));
   PetscCall(PetscFree(body->mesh_file));
   PetscCall(PetscFree(body->region));
+  PetscCall(PetscFree(body->missing));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -121,12 +121,10 @@ PetscBool SceneBoundaryFixesAll(Scene scene, const SceneBoundary *boundary)
 
 PetscErrorCode SceneBoundariesRead(Scene scene, SceneBody *body)
 {
-  Option   force, list;
+  Option   list;
   PetscInt num = 0;
 
   PetscFunctionBeginUser;
-  PetscCall(OptionFind(scene, "-<body>_body_force", body->name, NULL, &force));
-  PetscCall(OptionGetExpression(&force, scene->dim, PETSC_FALSE, &body->body_force));
   for (PetscInt kind = 0; kind < NUM_KINDS; kind++) {
     PetscCall(BoundaryFindList_Private(scene, body, kind, &list));
     num += OptionCountItems(&list);

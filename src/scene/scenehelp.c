@@ -21,7 +21,8 @@ static const char intro[] =
     "yes.\n"
     "An expression that begins with a minus and a letter is written 0-sin(x). Any consistent set of units will do.\n"
     "<body>, <pair>, <probe> and <path> are names that -bodies, -pairs, -probes and -paths list; <side> is a side of "
-    "the body.\n";
+    "the body,\n"
+    "<region> a region that -<body>_regions lists.\n";
 
 /* Prints a sentence in lines that end before the page does. */
 static PetscErrorCode HelpPrintWrapped_Private(MPI_Comm comm, const char text[])

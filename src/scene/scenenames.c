@@ -1,4 +1,4 @@
-/* scenenames.c -- names of bodies, pairs and probes: they become prefixes of options, so no two may make one option.
+/* scenenames.c -- names of bodies, regions, pairs and probes: they become prefixes of options, so no two may make one option.
 
    PETSc finds an option by its whole name. Two readings of one option can therefore come only from names that run
    into the keys of others (body `a` with `-a_bc_traction_<side>` beside a body `a_bc_traction`), from names that
@@ -25,6 +25,9 @@ const char *SceneNamesGet(Scene scene, PetscInt i, OptionScope *scope)
   i -= scene->num_probes;
   *scope = SCOPE_PATH;
   if (i < scene->num_paths) return scene->paths[i].name;
+  i -= scene->num_paths;
+  *scope = SCOPE_REGION;
+  if (i < scene->num_regions) return scene->regions[i].prefix;
   return NULL;
 }
 
@@ -56,18 +59,25 @@ static PetscErrorCode NamesNext_Private(const Option *option, const char **curso
 /* Raises a user error if the i-th name is one of the earlier ones, or one of PETSc's. A probe may be called like a body. */
 static PetscErrorCode NamesCheckOne_Private(Scene scene, PetscInt i)
 {
-  OptionScope scope, other_scope;
-  const char *name = SceneNamesGet(scene, i, &scope), *other, *kind;
-  char        option[OPTION_MAX];
+  static const char *const kinds[] = {[SCOPE_BODY]   = "-bodies",
+                                      [SCOPE_PAIR]   = "-pairs",
+                                      [SCOPE_PROBE]  = "-probes",
+                                      [SCOPE_PATH]   = "-paths",
+                                      [SCOPE_REGION] = "-<body>_regions"};
+  OptionScope              scope, other_scope;
+  const char              *name = SceneNamesGet(scene, i, &scope), *other, *kind;
+  char                     option[OPTION_MAX];
 
   PetscFunctionBeginUser;
-  kind = scope == SCOPE_BODY ? "-bodies" : scope == SCOPE_PAIR ? "-pairs" : scope == SCOPE_PROBE ? "-probes" : "-paths";
+  kind = kinds[scope];
   for (PetscInt j = 0; j < i; j++) {
     other = SceneNamesGet(scene, j, &other_scope);
     if (strcasecmp(name, other) != 0 || NamesClass_Private(scope) != NamesClass_Private(other_scope)) continue;
-    PetscCall(UserErrorRaise(scene->comm,
-                             "%s: the name %s is given twice%s; every body and every pair needs a name of its own",
-                             kind, name, scope != other_scope ? " (to a body and to a pair)" : ""));
+    PetscCall(UserErrorRaise(
+        scene->comm, "%s: the name %s is given twice%s; every body and every pair needs a name of its own", kind, name,
+        scope == SCOPE_REGION  ? " (to a region, of whose name that of its body is a part)"
+        : scope != other_scope ? " (to a body and to a pair)"
+                               : ""));
   }
   PetscCall(PetscSNPrintf(option, sizeof(option), "-%s_", name));
   if (NamesClass_Private(scope) == SCOPE_BODY && UnusedOptionsBeginsLikePETSc(option)) {
@@ -126,6 +136,60 @@ static PetscErrorCode NamesCheckNumbers_Private(Scene scene, PetscInt i)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* "steel" of body plate: its options begin with plate_steel. */
+static PetscErrorCode RegionNext_Private(const Option *option, PetscInt body, const char **cursor, SceneRegion *region)
+{
+  char item[OPTION_MAX], prefix[OPTION_MAX];
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionNextItem(option, cursor, item));
+  PetscCall(OptionExpand("<body>_<side>", option->owner, item, prefix));
+  region->body = body;
+  PetscCall(PetscStrallocpy(item, &region->group));
+  PetscCall(PetscStrallocpy(prefix, &region->prefix));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Raises a user error if a region of a list is one of those before it. */
+static PetscErrorCode RegionCheckTwice_Private(const Option *option, const SceneRegion *first,
+                                               const SceneRegion *region)
+{
+  PetscFunctionBeginUser;
+  for (const SceneRegion *other = first; other < region; other++) {
+    if (!strcasecmp(other->prefix, region->prefix))
+      PetscCall(OptionRaise(option, "the region %s is named twice", region->group));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The regions of all bodies, whose names are known. */
+static PetscErrorCode RegionsRead_Private(Scene scene)
+{
+  PetscInt num = 0;
+
+  PetscFunctionBeginUser;
+  for (PetscInt pass = 0; pass < 2; pass++) {
+    for (PetscInt b = 0; b < scene->num_bodies; b++) {
+      SceneBody  *body   = &scene->bodies[b];
+      const char *cursor = NULL;
+      Option      option;
+
+      PetscCall(OptionFind(scene, "-<body>_regions", body->name, NULL, &option));
+      body->first_region = scene->num_regions;
+      body->num_regions  = OptionCountItems(&option);
+      if (!pass) num += body->num_regions;
+      for (PetscInt r = 0; pass && r < body->num_regions; r++) {
+        SceneRegion *region = &scene->regions[scene->num_regions++];
+
+        PetscCall(RegionNext_Private(&option, b, &cursor, region));
+        PetscCall(RegionCheckTwice_Private(&option, &scene->regions[body->first_region], region));
+      }
+    }
+    if (!pass) PetscCall(PetscCalloc1(num, &scene->regions));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* All checks of all names; quadratic in their number, but only in comparisons of short words. */
 static PetscErrorCode NamesCheck_Private(Scene scene)
 {
@@ -159,6 +223,7 @@ PetscErrorCode SceneNamesRead(Scene scene)
   PetscCall(PetscCalloc1(num, &scene->bodies));
   scene->num_bodies = num;
   for (PetscInt i = 0; i < num; i++) PetscCall(NamesNext_Private(&bodies, &cursor, &scene->bodies[i].name));
+  PetscCall(RegionsRead_Private(scene));
   num = OptionCountItems(&pairs);
   PetscCall(PetscCalloc1(num, &scene->pairs));
   scene->num_pairs = num;

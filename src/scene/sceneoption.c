@@ -27,7 +27,7 @@ PetscErrorCode OptionExpand(const char pattern[], const char owner[], const char
     for (char *c = begin; is_side && *c; c++) {
       if (isspace((unsigned char)*c)) *c = '_'; /* a blank would end the option */
     }
-    pattern = strchr(open, '>') + 1;
+    pattern = OptionPlaceholderEnd(open);
   }
   n += (size_t)snprintf(name + n, OPTION_MAX - n, "%s", pattern);
   PetscCheck(n < OPTION_MAX, PETSC_COMM_SELF, PETSC_ERR_PLIB, "Name of option %s too long", pattern);

@@ -35,12 +35,13 @@ typedef enum {
 } OptionGroup;
 
 /* What an option belongs to: the placeholder in its name. */
-typedef enum { SCOPE_PROGRAM, SCOPE_BODY, SCOPE_PAIR, SCOPE_PROBE, SCOPE_PATH } OptionScope;
+typedef enum { SCOPE_PROGRAM, SCOPE_BODY, SCOPE_PAIR, SCOPE_PROBE, SCOPE_PATH, SCOPE_REGION } OptionScope;
 
 /* One row of the table. */
 typedef struct {
   OptionGroup group;
-  const char *name;     /* with its dash; <body>, <pair>, <probe>, <path>, <side> stand for names of the scene */
+  const char *name;     /* with its dash; <body>, <pair>, <probe>, <path>, <side> and <body>_<region>, which is one
+                           placeholder, stand for names of the scene */
   const char *argument; /* form of the value; where it holds '|', the words to choose from */
   const char *unit;     /* "" where there is none */
   const char *standard; /* the value when the option is absent; in parentheses: what happens then */
@@ -52,7 +53,7 @@ typedef struct {
   Scene              scene; /* borrowed */
   MPI_Comm           comm;
   const OptionEntry *entry;
-  const char        *owner;            /* body, pair or probe it belongs to, or NULL */
+  const char        *owner;            /* body, pair, probe or prefix of the region it belongs to, or NULL */
   char               name[OPTION_MAX]; /* with the scene's names filled in */
   const char        *text;             /* the value as typed ("" for a bare option); when absent the default, or NULL */
   PetscBool          set;              /* whether the user gave it */
@@ -62,6 +63,8 @@ typedef struct {
 const OptionEntry *OptionTable(PetscInt *num_entries);
 const char        *OptionGroupTitle(OptionGroup group);
 OptionScope        OptionEntryScope(const OptionEntry *entry);
+/* Behind a placeholder, which a pattern begins with. */
+const char *OptionPlaceholderEnd(const char pattern[]);
 /* The first row whose pattern an option's name (with its dash) fits, with this owner and any side; NULL if there is
    none.
    [in] owner - name of the body, pair or probe; not looked at for SCOPE_PROGRAM */

@@ -40,9 +40,11 @@ PetscErrorCode SceneStudySetOrders(Scene scene);
 /* scenesteps.c: -load_steps and -load_steps_scale. Collective. */
 PetscErrorCode SceneStepsRead(Scene scene);
 
-/* scenebodies.c: mesh and material of one body. sceneboundaries.c: its supports and loads. Collective. */
+/* scenebodies.c: one body. scenematerials.c: its materials. sceneboundaries.c: its supports and loads. Collective. */
 PetscErrorCode SceneBodyRead(Scene scene, SceneBody *body);
 PetscErrorCode SceneBodyDestroy(SceneBody *body);
+PetscErrorCode SceneMaterialsRead(Scene scene, SceneBody *body);
+PetscErrorCode SceneMaterialDestroy(SceneMaterial *material);
 PetscErrorCode SceneBoundariesRead(Scene scene, SceneBody *body);
 /* Whether a side's displacement is given in all components. Not collective. */
 PetscBool SceneBoundaryFixesAll(Scene scene, const SceneBoundary *boundary);

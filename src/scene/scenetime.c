@@ -11,12 +11,32 @@ typedef struct {
   PetscBool   variable; /* whether a caller may replace it */
 } Datum;
 
-enum { DATA_BODY = 10, DATA_PAIR = 4 }; /* of a body beside its boundaries, of a pair */
+enum {
+  DATA_MATERIAL = 7,
+  DATA_BODY     = 3,
+  DATA_PAIR     = 4
+}; /* of a material, of a body beside its boundaries, of a pair */
+
+/* Those of a material. [in,out] data - [num] */
+static void DataAddMaterial_Private(SceneMaterial *material, PetscInt *num, Datum data[])
+{
+  const Datum those[DATA_MATERIAL] = {{&material->young, DATUM_MATERIAL, PETSC_FALSE, PETSC_FALSE},
+                                      {&material->poisson, DATUM_MATERIAL, PETSC_FALSE, PETSC_FALSE},
+                                      {&material->stiffness, DATUM_MATERIAL, PETSC_FALSE, PETSC_FALSE},
+                                      {&material->body_force, DATUM_LOAD, PETSC_TRUE, PETSC_TRUE},
+                                      {&material->temperature, DATUM_TEMPERATURE, PETSC_TRUE, PETSC_TRUE},
+                                      {&material->initial_strain, DATUM_TEMPERATURE, PETSC_TRUE, PETSC_TRUE},
+                                      {&material->expansion, DATUM_TEMPERATURE, PETSC_FALSE, PETSC_TRUE}};
+
+  for (PetscInt i = 0; i < DATA_MATERIAL; i++) data[(*num)++] = those[i];
+}
 
 /* All data that a scene has. [out] data - [num], owned by the caller */
 static PetscErrorCode DataList_Private(Scene scene, PetscInt *num, Datum **data)
 {
-  PetscInt most = DATA_BODY * scene->num_bodies + DATA_PAIR * scene->num_pairs, n = 0;
+  PetscInt most = DATA_MATERIAL * (scene->num_bodies + scene->num_regions) + DATA_BODY * scene->num_bodies +
+                  DATA_PAIR * scene->num_pairs,
+           n = 0;
 
   PetscFunctionBeginUser;
   for (PetscInt b = 0; b < scene->num_bodies; b++) most += scene->bodies[b].num_boundaries;
@@ -25,14 +45,8 @@ static PetscErrorCode DataList_Private(Scene scene, PetscInt *num, Datum **data)
     SceneBody *body = &scene->bodies[b];
 
     (*data)[n++] = (Datum){&body->map, DATUM_MESH, PETSC_FALSE, PETSC_FALSE};
-    (*data)[n++] = (Datum){&body->young, DATUM_MATERIAL, PETSC_FALSE, PETSC_FALSE};
-    (*data)[n++] = (Datum){&body->poisson, DATUM_MATERIAL, PETSC_FALSE, PETSC_FALSE};
-    (*data)[n++] = (Datum){&body->stiffness, DATUM_MATERIAL, PETSC_FALSE, PETSC_FALSE};
+    DataAddMaterial_Private(&body->material, &n, *data);
     (*data)[n++] = (Datum){&body->exact, 0, PETSC_FALSE, PETSC_FALSE};
-    (*data)[n++] = (Datum){&body->body_force, DATUM_LOAD, PETSC_TRUE, PETSC_TRUE};
-    (*data)[n++] = (Datum){&body->temperature, DATUM_TEMPERATURE, PETSC_TRUE, PETSC_TRUE};
-    (*data)[n++] = (Datum){&body->initial_strain, DATUM_TEMPERATURE, PETSC_TRUE, PETSC_TRUE};
-    (*data)[n++] = (Datum){&body->expansion, DATUM_TEMPERATURE, PETSC_FALSE, PETSC_TRUE};
     (*data)[n++] = (Datum){&body->pretension, DATUM_PRETENSION, PETSC_FALSE, PETSC_TRUE};
     for (PetscInt i = 0; i < body->num_boundaries; i++) {
       const int kind = body->boundaries[i].kind == BOUNDARY_DISPLACEMENT ? DATUM_DISPLACEMENT : DATUM_LOAD;
@@ -40,6 +54,7 @@ static PetscErrorCode DataList_Private(Scene scene, PetscInt *num, Datum **data)
       (*data)[n++] = (Datum){&body->boundaries[i].value, kind, PETSC_TRUE, PETSC_TRUE};
     }
   }
+  for (PetscInt r = 0; r < scene->num_regions; r++) DataAddMaterial_Private(&scene->regions[r].material, &n, *data);
   for (PetscInt p = 0; p < scene->num_pairs; p++) {
     ScenePair *pair = &scene->pairs[p];
 
@@ -133,37 +148,58 @@ static PetscErrorCode DatumText_Private(Expression old, const PetscReal values[]
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether values can take the place of an expression. */
+static PetscErrorCode DatumCheck_Private(Scene scene, Expression old, const char option[], PetscInt num,
+                                         const PetscReal values[])
+{
+  PetscFunctionBeginUser;
+  if (num != ExpressionSize(old)) {
+    PetscCall(UserErrorRaise(scene->comm, "%s: %" PetscInt_FMT " numbers given, %" PetscInt_FMT " wanted", option, num,
+                             ExpressionSize(old)));
+  }
+  for (PetscInt c = 0; c < num; c++) {
+    if (!PetscIsInfOrNanReal(values[c]) || ExpressionIsFree(old, c)) continue;
+    PetscCall(UserErrorRaise(scene->comm, "%s: component %" PetscInt_FMT " is not a finite number", option, c + 1));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Replaces one expression. */
+static PetscErrorCode DatumReplace_Private(Scene scene, const PetscReal values[], Expression *place)
+{
+  Expression fresh;
+  PetscBool  free_any;
+  char      *text;
+
+  PetscFunctionBeginUser;
+  PetscCall(DatumText_Private(*place, values, &free_any, &text));
+  PetscCall(ExpressionCreate(scene->comm, ExpressionOption(*place), text, ExpressionSize(*place), free_any, &fresh));
+  PetscCall(PetscFree(text));
+  PetscCall(ExpressionDestroy(place));
+  *place = fresh;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A datum of a body may be that of its regions, too. */
 PetscErrorCode SceneSetDatum(Scene scene, const char option[], PetscInt num, const PetscReal values[])
 {
-  Expression *place = NULL, fresh;
-  int         kind  = 0;
-  PetscInt    num_data;
-  PetscBool   free_any;
-  char       *text;
-  Datum      *data;
+  PetscInt   num_data, found = 0;
+  Expression first;
+  Datum     *data;
 
   PetscFunctionBeginUser;
   PetscCall(DataList_Private(scene, &num_data, &data));
   for (PetscInt i = 0; i < num_data; i++) {
     if (!data[i].variable || strcasecmp(ExpressionOption(*data[i].e), option)) continue;
-    place = data[i].e;
-    kind  = data[i].kind;
+    data[found++] = data[i];
   }
-  if (!place) PetscCall(DatumRaise_Private(scene, option, num_data, data));
+  if (!found) PetscCall(DatumRaise_Private(scene, option, num_data, data));
+  first = *data[0].e;
+  PetscCall(DatumCheck_Private(scene, first, option, num, values));
+  for (PetscInt i = 0; i < found; i++) {
+    PetscCall(DatumReplace_Private(scene, values, data[i].e));
+    scene->changed |= data[i].kind;
+  }
   PetscCall(PetscFree(data));
-  if (num != ExpressionSize(*place)) {
-    PetscCall(UserErrorRaise(scene->comm, "%s: %" PetscInt_FMT " numbers given, %" PetscInt_FMT " wanted", option, num,
-                             ExpressionSize(*place)));
-  }
-  for (PetscInt c = 0; c < num; c++) {
-    if (!PetscIsInfOrNanReal(values[c]) || ExpressionIsFree(*place, c)) continue;
-    PetscCall(UserErrorRaise(scene->comm, "%s: component %" PetscInt_FMT " is not a finite number", option, c + 1));
-  }
-  PetscCall(DatumText_Private(*place, values, &free_any, &text));
-  PetscCall(ExpressionCreate(scene->comm, ExpressionOption(*place), text, num, free_any, &fresh));
-  PetscCall(PetscFree(text));
-  PetscCall(ExpressionDestroy(place));
-  *place = fresh;
-  scene->changed |= kind;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -61,6 +61,52 @@ static PetscErrorCode ViewBox_Private(Scene scene, const SceneBody *body)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* What cells are made of; nothing of a body whose regions have all of it. */
+static PetscErrorCode ViewMaterial_Private(Scene scene, const SceneMaterial *material, const char inside[])
+{
+  char shown[DATUM_SHOWN + 4];
+
+  PetscFunctionBeginUser;
+  if (material->stiffness) {
+    PetscCall(ViewPrint_Private(scene, "Hooke matrix %s, turned by", ViewShorten_Private(material->stiffness, shown)));
+    for (PetscInt i = 0; i < (scene->dim == 2 ? 1 : 3); i++)
+      PetscCall(ViewPrint_Private(scene, "%s %g", i ? "," : "", (double)material->angle[i]));
+    PetscCall(ViewPrint_Private(scene, " degrees\n"));
+  } else {
+    PetscCall(ViewPrint_Private(scene, "isotropic, Young's modulus %s", ViewShorten_Private(material->young, shown)));
+    PetscCall(ViewPrint_Private(scene, ", Poisson's ratio %s\n", ViewShorten_Private(material->poisson, shown)));
+  }
+  if (material->body_force)
+    PetscCall(ViewPrint_Private(scene, "    %-12s force per volume %s\n", inside,
+                                ViewShorten_Private(material->body_force, shown)));
+  if (material->temperature) {
+    PetscCall(ViewPrint_Private(scene, "    %-12s temperature %s", inside,
+                                ViewShorten_Private(material->temperature, shown)));
+    PetscCall(ViewPrint_Private(scene, ", thermal expansion %s\n", ViewShorten_Private(material->expansion, shown)));
+  }
+  if (material->initial_strain)
+    PetscCall(ViewPrint_Private(scene, "    %-12s initial strain %s\n", inside,
+                                ViewShorten_Private(material->initial_strain, shown)));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The body's own material, and those of its regions. */
+static PetscErrorCode ViewMaterials_Private(Scene scene, const SceneBody *body)
+{
+  PetscFunctionBeginUser;
+  if (!body->missing) {
+    PetscCall(ViewPrint_Private(scene, "    "));
+    PetscCall(ViewMaterial_Private(scene, &body->material, "inside"));
+  }
+  for (PetscInt r = 0; r < body->num_regions; r++) {
+    const SceneRegion *region = &scene->regions[body->first_region + r];
+
+    PetscCall(ViewPrint_Private(scene, "    region %s: ", region->group));
+    PetscCall(ViewMaterial_Private(scene, &region->material, "  inside"));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 static PetscErrorCode ViewBody_Private(Scene scene, const SceneBody *body)
 {
   char shown[DATUM_SHOWN + 4];
@@ -75,26 +121,7 @@ static PetscErrorCode ViewBody_Private(Scene scene, const SceneBody *body)
   if (body->map) PetscCall(ViewPrint_Private(scene, ", mapped to %s", ViewShorten_Private(body->map, shown)));
   if (body->refine) PetscCall(ViewPrint_Private(scene, ", refined %" PetscInt_FMT " times", body->refine));
   PetscCall(ViewPrint_Private(scene, ", order %" PetscInt_FMT "\n", body->order));
-  if (body->stiffness) {
-    PetscCall(ViewPrint_Private(scene, "    Hooke matrix %s, turned by", ViewShorten_Private(body->stiffness, shown)));
-    for (PetscInt i = 0; i < (scene->dim == 2 ? 1 : 3); i++)
-      PetscCall(ViewPrint_Private(scene, "%s %g", i ? "," : "", (double)body->angle[i]));
-    PetscCall(ViewPrint_Private(scene, " degrees\n"));
-  } else {
-    PetscCall(ViewPrint_Private(scene, "    isotropic, Young's modulus %s", ViewShorten_Private(body->young, shown)));
-    PetscCall(ViewPrint_Private(scene, ", Poisson's ratio %s\n", ViewShorten_Private(body->poisson, shown)));
-  }
-  if (body->body_force)
-    PetscCall(ViewPrint_Private(scene, "    %-12s force per volume %s\n", "inside",
-                                ViewShorten_Private(body->body_force, shown)));
-  if (body->temperature) {
-    PetscCall(
-        ViewPrint_Private(scene, "    %-12s temperature %s", "inside", ViewShorten_Private(body->temperature, shown)));
-    PetscCall(ViewPrint_Private(scene, ", thermal expansion %s\n", ViewShorten_Private(body->expansion, shown)));
-  }
-  if (body->initial_strain)
-    PetscCall(ViewPrint_Private(scene, "    %-12s initial strain %s\n", "inside",
-                                ViewShorten_Private(body->initial_strain, shown)));
+  PetscCall(ViewMaterials_Private(scene, body));
   if (body->pretension) {
     PetscCall(ViewPrint_Private(scene, "    %-12s pretension %s along", "inside",
                                 ViewShorten_Private(body->pretension, shown)));
@@ -142,20 +169,33 @@ static void ViewCount_Private(Expression e, PetscInt *num, PetscInt *num_varying
   *num_varying += !ExpressionIsConstant(e);
 }
 
+/* The same of all data of a material. */
+static void ViewCountMaterial_Private(const SceneMaterial *m, PetscInt *num, PetscInt *num_varying)
+{
+  const Expression data[] = {m->young,       m->poisson,   m->stiffness,     m->body_force,
+                             m->temperature, m->expansion, m->initial_strain};
+
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(data); i++) ViewCount_Private(data[i], num, num_varying);
+}
+
 PetscErrorCode SceneViewLeftOut(Scene scene)
 {
   PetscInt num = 0, num_varying = 0, num_obstacles = 0, num_forces = 0, num_tied = 0, num_straightened = 0, highest = 1;
 
   PetscFunctionBeginUser;
   for (const SceneBody *b = scene->bodies; b < scene->bodies + scene->num_bodies; b++) {
-    Expression data[] = {b->map,         b->young,     b->poisson,        b->stiffness,  b->body_force,
-                         b->temperature, b->expansion, b->initial_strain, b->pretension, b->exact};
-
-    for (size_t i = 0; i < sizeof(data) / sizeof(data[0]); i++) ViewCount_Private(data[i], &num, &num_varying);
+    ViewCountMaterial_Private(&b->material, &num, &num_varying);
+    ViewCount_Private(b->map, &num, &num_varying);
+    ViewCount_Private(b->pretension, &num, &num_varying);
+    ViewCount_Private(b->exact, &num, &num_varying);
     for (PetscInt i = 0; i < b->num_boundaries; i++) ViewCount_Private(b->boundaries[i].value, &num, &num_varying);
-    num_forces += b->body_force ? 1 : 0;
+    num_forces += b->material.body_force ? 1 : 0;
     num_straightened += b->straightened ? 1 : 0;
     highest = PetscMax(highest, b->order);
+  }
+  for (const SceneRegion *r = scene->regions; r < scene->regions + scene->num_regions; r++) {
+    ViewCountMaterial_Private(&r->material, &num, &num_varying);
+    num_forces += r->material.body_force ? 1 : 0;
   }
   for (const ScenePair *p = scene->pairs; p < scene->pairs + scene->num_pairs; p++) {
     ViewCount_Private(p->gap, &num, &num_varying);

@@ -79,6 +79,7 @@ SCENES = {
     "refused": ["-options_file", "options/overhang.opts", "-block_bc_traction", "left", "-block_bc_traction_left", "0.1,0"],
     "floating": ["-options_file", "options/stack.opts", "-units", "mm,N,MPa"],
     "checked": ["-options_file", "options/two_plates.opts", "-check"],
+    "regions": ["-options_file", "options/lined_hub.opts"],
     "pieces": ["-options_file", "tests/hard/pieces.opts"],
     "tightened": ["-options_file", "tests/regression/bolt_springs.opts"],
     "pulled": ["-options_file", "tests/hard/pieces.opts", "-lids_body_force", "0,1"],

@@ -45,8 +45,8 @@ static inline SceneBody *TestSceneAddBox(TestScene *t, const char name[], PetscI
   body->upper[1]   = y1;
   body->order      = 1;
   body->boundaries = t->boundaries[b];
-  CHECK(!ExpressionCreateConstant("-young", 1, &young, &body->young));
-  CHECK(!ExpressionCreateConstant("-poisson", 1, &poisson, &body->poisson));
+  CHECK(!ExpressionCreateConstant("-young", 1, &young, &body->material.young));
+  CHECK(!ExpressionCreateConstant("-poisson", 1, &poisson, &body->material.poisson));
   return body;
 }
 
@@ -90,9 +90,9 @@ static inline void TestSceneSetMap(SceneBody *body, const char text[])
 static inline void TestSceneFree(TestScene *t)
 {
   for (PetscInt b = 0; b < t->scene.num_bodies; ++b) {
-    CHECK(!ExpressionDestroy(&t->bodies[b].young));
-    CHECK(!ExpressionDestroy(&t->bodies[b].poisson));
-    CHECK(!ExpressionDestroy(&t->bodies[b].stiffness));
+    CHECK(!ExpressionDestroy(&t->bodies[b].material.young));
+    CHECK(!ExpressionDestroy(&t->bodies[b].material.poisson));
+    CHECK(!ExpressionDestroy(&t->bodies[b].material.stiffness));
     CHECK(!ExpressionDestroy(&t->bodies[b].map));
     for (PetscInt i = 0; i < t->bodies[b].num_boundaries; ++i) CHECK(!ExpressionDestroy(&t->boundaries[b][i].value));
   }

@@ -172,7 +172,7 @@ static PetscErrorCode TestBoxes(PetscBool floating, PetscInt order)
     boundaries[b]            = (SceneBoundary){BOUNDARY_DISPLACEMENT, (char *)(b ? "bottom" : "top"), NULL};
     if (bodies[b].num_boundaries) PetscCall(ExpressionCreateConstant("-bc", 2, b ? held : down, &boundaries[b].value));
   }
-  if (floating) PetscCall(ExpressionCreateConstant("-force", 2, weight, &bodies[0].body_force));
+  if (floating) PetscCall(ExpressionCreateConstant("-force", 2, weight, &bodies[0].material.body_force));
   PetscCall(MeshCreate(&scene, &mesh));
   PetscCall(MeshSetUp(mesh));
   PetscCall(VICreate(&scene, mesh, &vi));
@@ -181,7 +181,7 @@ static PetscErrorCode TestBoxes(PetscBool floating, PetscInt order)
   PetscCall(SolvabilityDestroy(&solvability));
   PetscCall(VIDestroy(&vi));
   PetscCall(MeshDestroy(&mesh));
-  PetscCall(ExpressionDestroy(&bodies[0].body_force));
+  PetscCall(ExpressionDestroy(&bodies[0].material.body_force));
   PetscCall(DestroyTwoBoxes(bodies));
   PetscFunctionReturn(0);
 }

@@ -120,9 +120,9 @@ static void CheckCase(const Case *c)
   if (c->side)
     TestSceneAddBoundary(body, c->pressure ? BOUNDARY_PRESSURE : BOUNDARY_TRACTION, c->side, c->value);
   else
-    CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-force", c->value, c->dim, PETSC_FALSE, &body->body_force));
+    CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-force", c->value, c->dim, PETSC_FALSE, &body->material.body_force));
   CHECK_NEAR(TotalLoad(&t, c->component), c->total, PROMISED * PetscAbsReal(c->total));
-  CHECK(!ExpressionDestroy(&body->body_force));
+  CHECK(!ExpressionDestroy(&body->material.body_force));
   TestSceneFree(&t);
 }
 

@@ -245,7 +245,8 @@ static PetscErrorCode TestBase(void)
   CHECK(!strcmp(upper->name, "upper") && !upper->mesh_file && !upper->region && !upper->simplex && upper->order == 1);
   CHECK(upper->faces[0] == 4 && upper->faces[1] == 3 && upper->lower[0] == 0 && upper->upper[1] == 1);
   CHECK(lower->simplex && lower->lower[1] == -1 && lower->upper[1] == 0);
-  CHECK(upper->young && upper->poisson && !upper->stiffness && !upper->map && !upper->body_force);
+  CHECK(upper->material.young && upper->material.poisson && !upper->material.stiffness && !upper->map &&
+        !upper->material.body_force);
   CHECK(upper->num_boundaries == 3 && lower->num_boundaries == 2);
   CHECK(upper->boundaries[0].kind == BOUNDARY_DISPLACEMENT && ExpressionIsFree(upper->boundaries[0].value, 0));
   CHECK(upper->boundaries[1].kind == BOUNDARY_TRACTION && !strcmp(upper->boundaries[2].side, "right"));
@@ -412,8 +413,8 @@ static PetscErrorCode TestStiffness(void)
     PetscCall(SceneCreate(PETSC_COMM_WORLD, &scene));
     CHECK(SceneSetFromOptions(scene) == (i == 0 ? PETSC_SUCCESS : MORTISE_ERR_USER));
     if (i == 0)
-      CHECK(scene->bodies[0].angle[0] == 30 && !scene->bodies[0].young &&
-            ExpressionSize(scene->bodies[0].stiffness) == 6);
+      CHECK(scene->bodies[0].material.angle[0] == 30 && !scene->bodies[0].material.young &&
+            ExpressionSize(scene->bodies[0].material.stiffness) == 6);
     else
       CHECK(strstr(UserErrorSentence(), "-wood_stiffness") && strstr(UserErrorSentence(), "positive definite"));
     PetscCall(SceneDestroy(&scene));

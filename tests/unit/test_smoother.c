@@ -24,8 +24,8 @@ static PetscErrorCode TestPress(PetscReal height, PetscReal young, PetscInt most
   SetBox(&bodies[1], "lower", 9, 6, -0.3, -height, 1.3, 0);
   scene.quiet  = PETSC_TRUE;
   scene.refine = 2;
-  PetscCall(ExpressionDestroy(&bodies[0].young));
-  PetscCall(ExpressionCreateConstant("-young", 1, &young, &bodies[0].young));
+  PetscCall(ExpressionDestroy(&bodies[0].material.young));
+  PetscCall(ExpressionCreateConstant("-young", 1, &young, &bodies[0].material.young));
   for (PetscInt b = 0; b < 2; b++) {
     bodies[b].num_boundaries = 1;
     bodies[b].boundaries     = &boundaries[b];

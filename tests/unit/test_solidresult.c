@@ -178,11 +178,12 @@ static void TestLinearStress(PetscBool simplex, const char map[])
   TestScene             t;
   Mesh                  mesh  = MakeBody(&t, simplex, 2, faces, map);
   Level                *level = MeshFinest(mesh);
-  Vec                   u     = Interpolate(level, QuadraticFn), stress;
+  Vec                   u     = Interpolate(level, QuadraticFn);
+  NodalStress           stress;
   const PetscReal      *s;
 
   CHECK(!StressCreate(&t.scene, level, u, &stress));
-  CHECK(!VecGetArrayRead(stress, &s));
+  CHECK(!VecGetArrayRead(stress.value[0], &s));
   for (PetscInt i = 0; i < level->num_owned; ++i) {
     PetscReal v[DIM], g[9], expected[6];
 
@@ -190,8 +191,8 @@ static void TestLinearStress(PetscBool simplex, const char map[])
     Hooke(g, expected);
     for (PetscInt k = 0; k < 6; ++k) CHECK_NEAR(s[6 * i + k], expected[k], 1e-12);
   }
-  CHECK(!VecRestoreArrayRead(stress, &s));
-  CHECK(!VecDestroy(&stress));
+  CHECK(!VecRestoreArrayRead(stress.value[0], &s));
+  CHECK(!NodalStressDestroy(&stress));
   CHECK(!VecDestroy(&u));
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);

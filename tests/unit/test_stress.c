@@ -58,7 +58,8 @@ static void TestLinearStress(PetscBool simplex, const char map[])
   TestScene        t;
   Mesh             mesh;
   Level           *level;
-  Vec              u, stress;
+  Vec              u;
+  NodalStress      stress;
   const PetscReal *s;
   SceneBody       *body;
 
@@ -71,7 +72,7 @@ static void TestLinearStress(PetscBool simplex, const char map[])
   level = MeshFinest(mesh);
   u     = Interpolate(level, Ux, Uy);
   CHECK(!StressCreate(&t.scene, level, u, &stress));
-  CHECK(!VecGetArrayRead(stress, &s));
+  CHECK(!VecGetArrayRead(stress.value[0], &s));
   for (PetscInt i = 0; i < level->num_owned; ++i) {
     const PetscReal x = level->coords[2 * i], y = level->coords[2 * i + 1];
     const PetscReal xx = 0.6 * x - 0.7 * y, yy = 0.1 * x + 1.2 * y;
@@ -83,8 +84,8 @@ static void TestLinearStress(PetscBool simplex, const char map[])
     CHECK_NEAR(s[6 * i + 5], mu * xy, 1e-12);
     CHECK(s[6 * i + 3] == 0 && s[6 * i + 4] == 0);
   }
-  CHECK(!VecRestoreArrayRead(stress, &s));
-  CHECK(!VecDestroy(&stress));
+  CHECK(!VecRestoreArrayRead(stress.value[0], &s));
+  CHECK(!NodalStressDestroy(&stress));
   CHECK(!VecDestroy(&u));
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
@@ -122,9 +123,9 @@ static void TestPolynomialLoads(PetscBool simplex)
   mesh = TestSceneMesh(&t);
   CHECK_NEAR(Work(&t, MeshFinest(mesh), X2, Zero), 2. / 12, 1e-14);
   CHECK_NEAR(Work(&t, MeshFinest(mesh), Zero, X2), 2 * 5. / 3, 1e-14);
-  CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-force", "x^5, 0", 2, PETSC_FALSE, &body->body_force));
+  CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-force", "x^5, 0", 2, PETSC_FALSE, &body->material.body_force));
   CHECK_NEAR(Work(&t, MeshFinest(mesh), X2, Zero), 2. / 12 + 2. / 8, 1e-14);
-  CHECK(!ExpressionDestroy(&body->body_force));
+  CHECK(!ExpressionDestroy(&body->material.body_force));
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
 }
@@ -148,9 +149,9 @@ static void TestCurvedLoads(PetscBool simplex)
   mesh = TestSceneMesh(&t);
   CHECK_NEAR(Work(&t, MeshFinest(mesh), One, Zero), -3. * 2, 1e-13);
   CHECK_NEAR(Work(&t, MeshFinest(mesh), Zero, One), -3. * 2 + PETSC_PI / 2, 0.1 * angle4);
-  CHECK(!ExpressionCreateConstant("-force", 2, (PetscReal[]){1, 0}, &body->body_force));
+  CHECK(!ExpressionCreateConstant("-force", 2, (PetscReal[]){1, 0}, &body->material.body_force));
   CHECK_NEAR(Work(&t, MeshFinest(mesh), One, Zero), -3. * 2 + 0.75 * PETSC_PI, 0.1 * angle4);
-  CHECK(!ExpressionDestroy(&body->body_force));
+  CHECK(!ExpressionDestroy(&body->material.body_force));
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
 }

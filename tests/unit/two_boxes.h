@@ -43,8 +43,8 @@ static inline PetscErrorCode SetTwoBoxes(struct _n_Scene *scene, SceneBody bodie
   scene->pairs         = pair;
   for (PetscInt b = 0; b < 2; b++) {
     const PetscReal young = 1000, poisson = 0.3;
-    PetscCall(ExpressionCreateConstant("-young", 1, &young, &bodies[b].young));
-    PetscCall(ExpressionCreateConstant("-poisson", 1, &poisson, &bodies[b].poisson));
+    PetscCall(ExpressionCreateConstant("-young", 1, &young, &bodies[b].material.young));
+    PetscCall(ExpressionCreateConstant("-poisson", 1, &poisson, &bodies[b].material.poisson));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -53,8 +53,8 @@ static inline PetscErrorCode DestroyTwoBoxes(SceneBody bodies[2])
 {
   PetscFunctionBeginUser;
   for (PetscInt b = 0; b < 2; b++) {
-    PetscCall(ExpressionDestroy(&bodies[b].young));
-    PetscCall(ExpressionDestroy(&bodies[b].poisson));
+    PetscCall(ExpressionDestroy(&bodies[b].material.young));
+    PetscCall(ExpressionDestroy(&bodies[b].material.poisson));
     for (PetscInt i = 0; i < bodies[b].num_boundaries; i++)
       PetscCall(ExpressionDestroy(&bodies[b].boundaries[i].value));
   }

@@ -146,7 +146,8 @@ def read_cells(data: Array) -> list[Array]:
 class BodyFields:
     """Fields of one body at its n nodes; vectors have three components, in the plane the third is 0. None: the file does not have it.
 
-    nodes [n]: numbers of the nodes in the file; pieces: number of the piece of each cell, by kind as cells
+    nodes [n]: numbers of the points in the file, where a node between two regions is two points; pieces, regions: number of the piece and
+    of the region of each cell, by kind as cells
     points [n][3]: undeformed (length); cells: {"triangle" | "triangle6" | "quad" | "quad9" | "tetra" | "tetra10" | "hexahedron" |
     "hexahedron27": [cells][nodes]}, rows of this body's arrays
     displacement [n][3] (length); stress [n][3][3], von_mises [n], principal [n][3], the largest first (stress)
@@ -158,6 +159,7 @@ class BodyFields:
     points: Array
     cells: dict[str, Array]
     pieces: dict[str, Array] | None = None
+    regions: dict[str, Array] | None = None
     displacement: Array | None = None
     stress: Array | None = None
     von_mises: Array | None = None
@@ -173,7 +175,7 @@ NODAL = ("displacement", "stress", "von_mises", "principal", "pressure", "gap", 
 
 def read_fields(prefix: str, summary: Mapping[str, Any]) -> dict[str, BodyFields]:
     """Fields of all bodies by name, from <prefix>.h5."""
-    data = read_datasets(prefix, ("points", "cells", "body"), (*NODAL, "piece"))
+    data = read_datasets(prefix, ("points", "cells", "body"), (*NODAL, "piece", "region"))
     blocks, bodies = read_cells(data["cells"]), {}
     starts = np.cumsum([0, *map(len, blocks)])
     if "stress" in data:
@@ -186,9 +188,10 @@ def read_fields(prefix: str, summary: Mapping[str, Any]) -> dict[str, BodyFields
         local[nodes] = np.arange(len(nodes))
         kinds = [KINDS[summary["scene"]["dimension"]][block.shape[1]] for block, *_ in own]
         bodies[name] = BodyFields(name, nodes, data["points"][nodes], {kind: local[block] for kind, (block, *_) in zip(kinds, own)},
-                                  {kind: data["piece"][where][mine] for kind, (_, where, mine) in zip(kinds, own)} if "piece" in data else None,
+                                  *({kind: data[key][where][mine] for kind, (_, where, mine) in zip(kinds, own)} if key in data else None
+                                    for key in ("piece", "region")),
                                   **{key: data[key][nodes] for key in NODAL if key in data})
-        if len(nodes) != about["nodes"]:
+        if len(nodes) != about["nodes"] and not (about.get("regions") and len(nodes) > about["nodes"]):
             raise ResultError(f"{prefix}.h5 has {len(nodes)} nodes of {name}, the summary has {about['nodes']}: they are of different runs")
     return bodies
 
