@@ -91,7 +91,8 @@ static const OptionEntry table[] = {
      "Coefficient of thermal expansion; three numbers are those of the axes of the material: x, y, z, or radius, axis, "
      "around. Wants -<body>_temperature."},
     {GROUP_MATERIAL, "-<body>_regions", "name,name,...", "", "(one material)",
-     "Physical groups of the mesh file, by name or number, with materials of their own. A region has the values of its "
+     "Physical groups of the mesh file, by name or number, with materials of their own; + joins several. A region has "
+     "the values of its "
      "body where it gives none; so have cells in no region. A space in a name is an underscore in the options below."},
     {GROUP_MATERIAL, "-<body>_<region>_young", "e", "stress", "(that of the body)", "Young's modulus of a region."},
     {GROUP_MATERIAL, "-<body>_<region>_poisson", "e", "", "(that of the body)", "Poisson's ratio of a region."},

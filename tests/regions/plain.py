@@ -27,10 +27,13 @@ def judge(run):
         require("region" not in file, "the field region of a body without")
     before, num = by_place(run)
     size = max(np.abs(u).max() for u in before.values())
-    for name, arguments in (("named", NAMES), ("given", NAMES + GIVEN)):
+    joined = ["-block_regions", "soft+rest,stiff layer", "-block_soft+rest_young", "7"]
+    for name, arguments in (("named", NAMES), ("given", NAMES + GIVEN), ("joined", joined)):
         other = run.again(*arguments, name=name)
         after, num_points = by_place(other)
         same("places", set(after), set(before))
+        listed = [one["name"] for one in other.summary["scene"]["bodies"]["block"]["regions"]]
+        same("regions", listed, ["soft+rest", "stiff layer"] if name == "joined" else ["soft", "stiff layer", None])
         require(num_points > num, "no point twice between regions")
         require(max(np.abs(after[place] - u).max() for place, u in before.items()) <= 1e-12 * size, f"{name}: displacement")
         near("force", other.pair("floor")["force"], run.pair("floor")["force"], relative=1e-12)
