@@ -102,61 +102,45 @@ PetscErrorCode ProbesEvaluate(Fields fields, const SceneProbe *probe, PetscReal 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* sum += weight_i v_i over the nodes of a cell. [in] v - ghosted, size per node */
-static PetscErrorCode ProbesAdd_Private(const Level *level, Vec v, PetscInt size, PetscInt cell,
-                                        const PetscReal weight[], PetscReal sum[])
+/* Displacement and stress in a cell: the stress at its nodes is that of its own material. [out] answer - sums of both [3], [6] */
+static PetscErrorCode ProbesInterpolate_Private(Fields fields, PetscInt cell, const PetscReal xi[], PetscReal answer[])
 {
-  const PetscInt     begin = level->cell_start[cell];
-  const PetscScalar *values;
+  const Level       *level = fields->vi->level;
+  const PetscInt     begin = level->cell_start[cell], dim = level->dim;
+  const PetscScalar *u;
+  NodalStressArrays  stress;
+  PetscReal          phi[ELEMENT_MAX_NODES];
   Vec                local;
 
   PetscFunctionBeginUser;
-  PetscCall(VecGhostGetLocalForm(v, &local));
-  PetscCall(VecGetArrayRead(local, &values));
+  PetscCall(VecGhostGetLocalForm(fields->u, &local));
+  PetscCall(VecGetArrayRead(local, &u));
+  PetscCall(NodalStressGetArrays(&fields->stress, &stress));
+  ElementShape((ElementType)level->cell_type[cell], xi, phi, NULL);
   for (PetscInt i = begin; i < level->cell_start[cell + 1]; i++) {
-    for (PetscInt k = 0; k < size; k++)
-      sum[k] += weight[i - begin] * PetscRealPart(values[level->cell_nodes[i] * size + k]);
+    const PetscInt     node   = level->cell_nodes[i];
+    const PetscReal    weight = phi[i - begin];
+    const PetscScalar *sigma  = NodalStressAt(&stress, node, level->cell_material[cell]);
+
+    for (PetscInt k = 0; k < dim; k++) answer[k] += weight * PetscRealPart(u[node * dim + k]);
+    for (PetscInt k = 0; k < 6; k++) answer[3 + k] += weight * PetscRealPart(sigma[k]);
   }
-  PetscCall(VecRestoreArrayRead(local, &values));
-  PetscCall(VecGhostRestoreLocalForm(v, &local));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* sum += phi_i sigma_i, sigma_i being the stress at node i in the material of the cell. */
-static PetscErrorCode ProbesAddStress_Private(const Level *level, const NodalStress *stress, PetscInt cell,
-                                              const PetscReal phi[], PetscReal sum[])
-{
-  const PetscInt begin = level->cell_start[cell], num = level->cell_start[cell + 1] - begin;
-
-  PetscFunctionBeginUser;
-  for (PetscInt place = 0; place < stress->at.most; place++) {
-    PetscReal weight[ELEMENT_MAX_NODES];
-
-    for (PetscInt i = 0; i < num; i++) {
-      const PetscInt at = NodeMaterialsFind(&stress->at, level->cell_nodes[begin + i], level->cell_material[cell]);
-
-      weight[i] = at == place ? phi[i] : 0;
-    }
-    PetscCall(ProbesAdd_Private(level, stress->value[place], 6, cell, weight, sum));
-  }
+  PetscCall(NodalStressRestoreArrays(&fields->stress, &stress));
+  PetscCall(VecRestoreArrayRead(local, &u));
+  PetscCall(VecGhostRestoreLocalForm(fields->u, &local));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode ProbesTry(Fields fields, PetscInt body, const PetscReal at[], PetscReal u[3], PetscReal stress[6],
                          PetscBool *found)
 {
-  Level         *level = fields->vi->level;
-  const PetscInt dim   = level->dim;
-  PetscReal      xi[3], answer[9] = {0}, phi[ELEMENT_MAX_NODES];
-  PetscInt       cell;
+  Level    *level = fields->vi->level;
+  PetscReal xi[3], answer[9] = {0};
+  PetscInt  cell;
 
   PetscFunctionBeginUser;
   PetscCall(LevelLocate(level, body, at, &cell, xi, found));
-  if (cell >= 0) {
-    ElementShape((ElementType)level->cell_type[cell], xi, phi, NULL);
-    PetscCall(ProbesAdd_Private(level, fields->u, dim, cell, phi, answer));
-    PetscCall(ProbesAddStress_Private(level, &fields->stress, cell, phi, &answer[3]));
-  }
+  if (cell >= 0) PetscCall(ProbesInterpolate_Private(fields, cell, xi, answer));
   /* One rank holds the answer, the others add 0. */
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, answer, 9, MPIU_REAL, MPI_SUM, level->comm));
   memcpy(u, answer, 3 * sizeof(*u));

@@ -190,3 +190,26 @@ PetscErrorCode NodalStressDestroy(NodalStress *stress)
   PetscCall(NodeMaterialsDestroy(&stress->at));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
+
+PetscErrorCode NodalStressGetArrays(const NodalStress *stress, NodalStressArrays *arrays)
+{
+  PetscFunctionBeginUser;
+  arrays->at = &stress->at;
+  PetscCall(PetscMalloc2(stress->at.most, &arrays->local, stress->at.most, &arrays->value));
+  for (PetscInt i = 0; i < stress->at.most; i++) {
+    PetscCall(VecGhostGetLocalForm(stress->value[i], &arrays->local[i]));
+    PetscCall(VecGetArrayRead(arrays->local[i], &arrays->value[i]));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode NodalStressRestoreArrays(const NodalStress *stress, NodalStressArrays *arrays)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < stress->at.most; i++) {
+    PetscCall(VecRestoreArrayRead(arrays->local[i], &arrays->value[i]));
+    PetscCall(VecGhostRestoreLocalForm(stress->value[i], &arrays->local[i]));
+  }
+  PetscCall(PetscFree2(arrays->local, arrays->value));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -16,4 +16,21 @@ typedef struct {
 PetscErrorCode StressCreate(Scene scene, Level *level, Vec u, NodalStress *stress);
 PetscErrorCode NodalStressDestroy(NodalStress *stress);
 
+/* Stresses at local nodes while they are read. */
+typedef struct {
+  const NodeMaterials *at;
+  Vec                 *local;
+  const PetscScalar  **value; /* [at->most][num_nodes][6] */
+} NodalStressArrays;
+
+/* Not collective. [out] arrays - to be given back by NodalStressRestoreArrays() before the stress changes */
+PetscErrorCode NodalStressGetArrays(const NodalStress *stress, NodalStressArrays *arrays);
+PetscErrorCode NodalStressRestoreArrays(const NodalStress *stress, NodalStressArrays *arrays);
+
+/* The stress at a local node in the cells of a material, level->cell_material, that are there [6]. */
+static inline const PetscScalar *NodalStressAt(const NodalStressArrays *arrays, PetscInt node, PetscInt material)
+{
+  return &arrays->value[NodeMaterialsFind(arrays->at, node, material)][node * 6];
+}
+
 #endif
