@@ -1,28 +1,16 @@
 """A constant strain in a solid with 21 constants, all cells: stresses by an independent turn of the Hooke tensor."""
-import math
-
 import numpy
 
 from judge import near
+from material_axes import AXES
 
 UPPER = [120, 40, 35, 4, -3, 6, 150, 45, -5, 2, 7, 90, 3, 6, -4, 40, 2, -1, 35, 3, 50]
 GRADIENT = numpy.array([[1e-3, 2e-3, -4e-4], [6e-4, -8e-4, 1e-3], [3e-4, 5e-4, 9e-4]])
-ANGLES = [math.radians(angle) for angle in (25, -40, 70)]
 VOIGT = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)]
 
 
-def turn(axis, angle):
-    """The turn about one axis of coordinates that takes components of the turned axes to those of the fixed ones."""
-    j, k = (axis + 1) % 3, (axis + 2) % 3
-    matrix = numpy.eye(3)
-    matrix[j, j] = matrix[k, k] = math.cos(angle)
-    matrix[k, j] = math.sin(angle)
-    matrix[j, k] = -matrix[k, j]
-    return matrix
-
-
 def stress():
-    """sigma_ij = R_ia R_jb R_kc R_ld C_abcd eps_kl with R = R_z(a) R_x(b) R_z(c)."""
+    """sigma_ij = R_ia R_jb R_kc R_ld C_abcd eps_kl with R = AXES."""
     tensor = numpy.zeros((3, 3, 3, 3))
     numbers = iter(UPPER)
     for row in range(6):
@@ -31,8 +19,7 @@ def stress():
             for (i, j), (k, l) in ((VOIGT[row], VOIGT[column]), (VOIGT[column], VOIGT[row])):
                 for a, b, c, d in ((i, j, k, l), (j, i, k, l), (i, j, l, k), (j, i, l, k)):
                     tensor[a, b, c, d] = value
-    R = turn(2, ANGLES[0]) @ turn(0, ANGLES[1]) @ turn(2, ANGLES[2])
-    turned = numpy.einsum("ia,jb,kc,ld,abcd->ijkl", R, R, R, R, tensor)
+    turned = numpy.einsum("ia,jb,kc,ld,abcd->ijkl", AXES, AXES, AXES, AXES, tensor)
     sigma = numpy.einsum("ijkl,kl->ij", turned, (GRADIENT + GRADIENT.T) / 2)
     return [sigma[i, j] for i, j in VOIGT]
 

@@ -1,24 +1,12 @@
 """Bodies that are free take strains of temperature without stress; bodies that are held have the stresses of Hooke's law."""
-import math
-
 import numpy
 
 from judge import near
+from material_axes import AXES
 
-ANGLES = [math.radians(angle) for angle in (25, -40, 70)]
 EXPANSION = numpy.diag([1e-5, 3e-5, -2e-5])
 ONE, TWO = numpy.array([0.55, 0.45, 0.6]), numpy.array([0.25, 0.55, 0.35])
 STIFFNESS, STRAIN = 150, 3e-5 * 50  # largest of the scene: no stress is one far below their product
-
-
-def turn(axis, angle):
-    """The turn about one axis of coordinates."""
-    j, k = (axis + 1) % 3, (axis + 2) % 3
-    matrix = numpy.eye(3)
-    matrix[j, j] = matrix[k, k] = math.cos(angle)
-    matrix[k, j] = math.sin(angle)
-    matrix[j, k] = -matrix[k, j]
-    return matrix
 
 
 def unstressed(run, scale=STIFFNESS * STRAIN, tolerance=1e-12):
@@ -37,8 +25,7 @@ def stretched(run, strain):
 
 
 def judge(run):
-    R = turn(2, ANGLES[0]) @ turn(0, ANGLES[1]) @ turn(2, ANGLES[2])
-    strain = 50 * R @ EXPANSION @ R.T
+    strain = 50 * AXES @ EXPANSION @ AXES.T
     tetrahedra = ["-block_dm_plex_simplex", "1"]
     straight = ["-block_map", "x+0.2*y,y,1.3*z", "-order", "2", "-block_temperature", "20+3*x-5*y+2*z"]
     for name, words in (("first", []), ("tetrahedra", tetrahedra), ("second", ["-order", "2"]), ("both", ["-order", "2", *tetrahedra])):

@@ -1,4 +1,5 @@
-"""msh.py -- small Gmsh files of format 2.2 for cases: blocks of quadrilaterals or hexahedra, joined only where they are told to be."""
+"""msh.py -- small Gmsh files of format 2.2 for cases: blocks of quadrilaterals or hexahedra, joined only where they are told to be; and the
+scenes that several cases spoil."""
 import itertools
 
 FACETS = {  # of a block: axis, end, name
@@ -56,3 +57,51 @@ class Msh:
         lines += ["$EndNodes", "$Elements", str(len(self.elements))]
         lines += [f"{n + 1} {TYPES[dim]} 2 {group} {group} {' '.join(map(str, nodes))}" for n, (dim, group, nodes) in enumerate(self.elements)]
         path.write_text("\n".join([*lines, "$EndElements", ""]), encoding="ascii")
+
+
+# --- scenes that are right: options, and the mesh of their file -------------------------------------------------------
+
+HANGING = """
+-bodies {body}
+-{body}_dm_plex_filename {body}.msh
+-{body}_young 2e5
+-{body}_poisson 0.3
+-{body}_body_force {force}
+-{body}_bc_displacement {sides}
+"""
+PLATE = HANGING.format(body="plate", force="0,-1", sides="foot") + "-plate_bc_displacement_foot 0,0\n"
+BLOCK = HANGING.format(body="block", force="0,0,-1", sides="floor") + "-block_bc_displacement_floor 0,0,0\n"
+TWO = """
+-bodies upper,lower
+-upper_dm_plex_filename two.msh
+-upper_mesh_region steel
+-upper_young 2e5
+-upper_poisson 0.3
+-upper_bc_displacement top
+-upper_bc_displacement_top 0,-0.001
+-lower_dm_plex_filename two.msh
+-lower_mesh_region wood
+-lower_young 1e4
+-lower_poisson 0.3
+-lower_bc_displacement floor
+-lower_bc_displacement_floor 0,0
+-pairs joint
+-joint_nonmortar upper:foot
+-joint_mortar lower:seat
+"""
+
+
+def plate():
+    """The mesh of PLATE."""
+    return Msh(2).block((0, 0), (2, 1), (4, 2), "steel", {"bottom": "foot"})
+
+
+def block(sides):
+    """The mesh of BLOCK. [in] sides - its groups, {"bottom": "floor"} where nothing is wrong with them."""
+    return Msh(3).block((0, 0, 0), (1, 1, 1), (2, 2, 2), "steel", sides)
+
+
+def two():
+    """The mesh of TWO, both bodies in one file."""
+    upper = Msh(2).block((0, 0), (1, 1), (3, 4), "steel", {"top": "top", "bottom": "foot"})
+    return upper.block((0, -1), (1, 0), (4, 3), "wood", {"top": "seat", "bottom": "floor"})

@@ -1,20 +1,12 @@
 # wrong: two nodes of a cell in one place: a facet has no length
 # ends: 1
 # says: degenerate
-from msh import Msh
+from msh import PLATE, plate
 
-OPTIONS = """
--bodies plate
--plate_dm_plex_filename plate.msh
--plate_young 1
--plate_poisson 0.3
--plate_body_force 0,-1
--plate_bc_displacement foot
--plate_bc_displacement_foot 0,0
-"""
+OPTIONS = PLATE
 
 
 def make(folder):
-    mesh = Msh(2).block((0, 0), (2, 1), (4, 2), "steel", {"bottom": "foot"})
+    mesh = plate()
     mesh.nodes[0] = mesh.nodes[1]
     mesh.write(folder / "plate.msh")
