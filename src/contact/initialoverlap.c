@@ -4,23 +4,15 @@
    told by the cells: a node that is inside the partner, and well away from the partner's side, has been carried past it. */
 #include "kernel/boxtree.h"
 #include "base/compat.h"
+#include "mesh/insidebody.h"
 #include "contact/pairassembly.h"
 #include "contact/contactsurface.h"
 
 /* A node counts where points about it, at this share of the reach, are inside as well: not what a polygon, or an interference
    fit, lets overlap beside the side in question. The reach is three facets at least. */
 static const PetscReal OVERLAP_MARGIN = 1. / 3;
-/* A point on a side belongs to the cell. */
-static const PetscReal ON_SIDE = 1e-8;
 
 enum { MAX_PROBES = 7 }; /* about a node: itself, and before and behind it along each axis */
-
-/* Nodes of a side of all ranks; the same on every rank. */
-typedef struct {
-  PetscInt   num;
-  PetscReal *x;    /* [num][dim] */
-  PetscBool *deep; /* what is known of them so far [num] */
-} Suspects;
 
 /* The box around a body, over all ranks. [out] box - lower, upper corner [2][dim] */
 static PetscErrorCode InitialOverlapBodyBox_Private(const Level *level, PetscInt body, PetscReal box[])
@@ -73,31 +65,23 @@ static PetscErrorCode InitialOverlapCollectNodes_Private(const Level *level, con
 
 /* The nodes of a side in a box, on all ranks. Collective. */
 static PetscErrorCode InitialOverlapFindSuspects_Private(const Level *level, const Facets *facets,
-                                                         const PetscReal box[], Suspects *suspects)
+                                                         const PetscReal box[], GatheredPoints *suspects)
 {
-  PetscReal  *mine;
-  PetscInt    num = 0;
-  PetscMPIInt size, count, *counts, *begin;
+  PetscReal *mine;
+  PetscInt   num = 0;
 
   PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Comm_size(level->comm, &size));
-  PetscCall(PetscMalloc3(facets->num * ELEMENT_MAX_FACET_NODES * level->dim, &mine, size, &counts, size + 1, &begin));
+  PetscCall(PetscMalloc1(facets->num * ELEMENT_MAX_FACET_NODES * level->dim, &mine));
   PetscCall(InitialOverlapCollectNodes_Private(level, facets, box, &num, mine));
-  count = (PetscMPIInt)(num * level->dim);
-  PetscCallMPI(MPI_Allgather(&count, 1, MPI_INT, counts, 1, MPI_INT, level->comm));
-  begin[0] = 0;
-  for (PetscMPIInt r = 0; r < size; r++) begin[r + 1] = begin[r] + counts[r];
-  suspects->num = begin[size] / level->dim;
-  PetscCall(PetscMalloc2(begin[size], &suspects->x, suspects->num, &suspects->deep));
-  PetscCallMPI(MPI_Allgatherv(mine, count, MPIU_REAL, suspects->x, counts, begin, MPIU_REAL, level->comm));
-  for (PetscInt i = 0; i < suspects->num; i++) suspects->deep[i] = PETSC_TRUE;
-  PetscCall(PetscFree3(mine, counts, begin));
+  PetscCall(GatheredPointsCreate(level, num, mine, suspects));
+  PetscCall(PetscFree(mine));
+  for (PetscInt i = 0; i < suspects->num; i++) suspects->flag[i] = PETSC_TRUE; // deep, as far as is known
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Lets go of what a side of the other body has within reach. Collective. */
 static PetscErrorCode InitialOverlapRemoveNear_Private(const Level *level, const Facets *side, PetscReal reach,
-                                                       Suspects *suspects)
+                                                       GatheredPoints *suspects)
 {
   const PetscInt  dim = level->dim;
   PetscReal       X[ELEMENT_MAX_FACET_NODES * 3], query[6], *boxes;
@@ -118,59 +102,18 @@ static PetscErrorCode InitialOverlapRemoveNear_Private(const Level *level, const
       query[dim + k] = suspects->x[i * dim + k] + reach;
     }
     PetscCall(BoxTreeQuery(tree, query, &num, &hits));
-    if (num) suspects->deep[i] = PETSC_FALSE;
+    if (num) suspects->flag[i] = PETSC_FALSE;
   }
   PetscCall(BoxTreeDestroy(&tree));
   PetscCall(PetscFree(boxes));
   PetscCallMPI(
-      MPI_Allreduce(MPI_IN_PLACE, suspects->deep, (PetscMPIInt)suspects->num, MPIU_BOOL, MPI_LAND, level->comm));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Which of some points are inside a body, on any rank. Collective. [in] x - the same on all ranks [num][dim];
-   [out] inside - [num] */
-static PetscErrorCode InitialOverlapFindInside_Private(const Level *level, PetscInt body, PetscInt num,
-                                                       const PetscReal x[], PetscBool inside[])
-{
-  const PetscInt  dim = level->dim;
-  PetscReal      *boxes, X[ELEMENT_MAX_NODES * 3], cell[6], xi[3];
-  const PetscInt *hits;
-  PetscInt        num_hits;
-  BoxTree         tree;
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(2 * dim * num, &boxes));
-  for (PetscInt i = 0; i < 2 * dim * num; i++) boxes[i] = x[i / (2 * dim) * dim + i % dim];
-  PetscCall(BoxTreeCreate(dim, num, boxes, &tree));
-  PetscCall(PetscFree(boxes));
-  PetscCall(PetscArrayzero(inside, num));
-  for (PetscInt c = 0; c < level->num_cells; c++) {
-    const ElementType type  = (ElementType)level->cell_type[c];
-    const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]];
-
-    if (level->cell_body[c] != body) continue;
-    for (PetscInt k = 0; k < dim; k++) {
-      cell[k]       = PETSC_MAX_REAL;
-      cell[dim + k] = PETSC_MIN_REAL;
-    }
-    for (PetscInt i = 0; i < ElementNumNodes(type) * dim; i++) {
-      X[i]                = level->coords[nodes[i / dim] * dim + i % dim];
-      cell[i % dim]       = PetscMin(cell[i % dim], X[i]);
-      cell[dim + i % dim] = PetscMax(cell[dim + i % dim], X[i]);
-    }
-    PetscCall(BoxTreeQuery(tree, cell, &num_hits, &hits));
-    for (PetscInt h = 0; h < num_hits; h++) {
-      if (!inside[hits[h]]) inside[hits[h]] = ElementLocate(type, X, &x[hits[h] * dim], ON_SIDE, xi);
-    }
-  }
-  PetscCall(BoxTreeDestroy(&tree));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, inside, (PetscMPIInt)num, MPIU_BOOL, MPI_LOR, level->comm));
+      MPI_Allreduce(MPI_IN_PLACE, suspects->flag, (PetscMPIInt)suspects->num, MPIU_BOOL, MPI_LAND, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Keeps the suspects that are inside of a body with all that is about them. Collective. */
 static PetscErrorCode InitialOverlapKeepInside_Private(const Level *level, PetscInt body, PetscReal margin,
-                                                       Suspects *suspects)
+                                                       GatheredPoints *suspects)
 {
   const PetscInt dim = level->dim, num_probes = 2 * dim + 1;
   PetscInt       num = 0;
@@ -180,15 +123,15 @@ static PetscErrorCode InitialOverlapKeepInside_Private(const Level *level, Petsc
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc2(suspects->num * MAX_PROBES * dim, &x, suspects->num * MAX_PROBES, &inside));
   for (PetscInt i = 0; i < suspects->num; i++) {
-    for (PetscInt p = 0; p < num_probes && suspects->deep[i]; p++, num++) {
+    for (PetscInt p = 0; p < num_probes && suspects->flag[i]; p++, num++) {
       PetscCall(PetscArraycpy(&x[num * dim], &suspects->x[i * dim], dim));
       if (p) x[num * dim + (p - 1) / 2] += p % 2 ? margin : -margin;
     }
   }
-  PetscCall(InitialOverlapFindInside_Private(level, body, num, x, inside));
+  PetscCall(InsideBodyFind(level, body, num, x, inside));
   for (PetscInt i = 0, n = 0; i < suspects->num; i++) {
-    for (PetscInt p = 0, deep = suspects->deep[i]; p < num_probes && deep; p++, n++)
-      suspects->deep[i] = (PetscBool)(suspects->deep[i] && inside[n]);
+    for (PetscInt p = 0, deep = suspects->flag[i]; p < num_probes && deep; p++, n++)
+      suspects->flag[i] = (PetscBool)(suspects->flag[i] && inside[n]);
   }
   PetscCall(PetscFree2(x, inside));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -197,7 +140,8 @@ static PetscErrorCode InitialOverlapKeepInside_Private(const Level *level, Petsc
 /* The farthest of the suspects that are left, by the boxes around the facets of the side that they are away from. Collective.
    [in,out] depth - of what was found before; [in,out] at - [dim] */
 static PetscErrorCode InitialOverlapMeasureDepth_Private(const Level *level, const Facets *side,
-                                                         const Suspects *suspects, PetscReal *depth, PetscReal at[])
+                                                         const GatheredPoints *suspects, PetscReal *depth,
+                                                         PetscReal at[])
 {
   const PetscInt dim = level->dim;
   PetscReal     *away, X[ELEMENT_MAX_FACET_NODES * 3], box[6];
@@ -220,7 +164,7 @@ static PetscErrorCode InitialOverlapMeasureDepth_Private(const Level *level, con
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, away, (PetscMPIInt)suspects->num, MPIU_REAL, MPIU_MIN, level->comm));
   for (PetscInt i = 0; i < suspects->num; i++) {
-    if (!suspects->deep[i] || away[i] <= *depth) continue;
+    if (!suspects->flag[i] || away[i] <= *depth) continue;
     *depth = away[i];
     PetscCall(PetscArraycpy(at, &suspects->x[i * dim], dim));
   }
@@ -234,7 +178,7 @@ PetscErrorCode InitialOverlapFind(const Level *level, const Facets *side, PetscI
   const PetscReal margin = OVERLAP_MARGIN * reach;
   PetscReal       box[6];
   PetscBool       any = PETSC_FALSE;
-  Suspects        suspects;
+  GatheredPoints  suspects;
 
   PetscFunctionBeginUser;
   PetscCall(InitialOverlapBodyBox_Private(level, body, box));
@@ -244,11 +188,11 @@ PetscErrorCode InitialOverlapFind(const Level *level, const Facets *side, PetscI
   }
   PetscCall(InitialOverlapFindSuspects_Private(level, side, box, &suspects));
   if (suspects.num) PetscCall(InitialOverlapRemoveNear_Private(level, partner, reach, &suspects));
-  for (PetscInt i = 0; i < suspects.num; i++) any = (PetscBool)(any || suspects.deep[i]);
+  for (PetscInt i = 0; i < suspects.num; i++) any = (PetscBool)(any || suspects.flag[i]);
   if (any) {
     PetscCall(InitialOverlapKeepInside_Private(level, body, margin, &suspects));
     PetscCall(InitialOverlapMeasureDepth_Private(level, partner, &suspects, depth, at));
   }
-  PetscCall(PetscFree2(suspects.x, suspects.deep));
+  PetscCall(GatheredPointsDestroy(&suspects));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

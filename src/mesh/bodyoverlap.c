@@ -8,14 +8,15 @@
 #include "kernel/closest.h"
 #include "base/compat.h"
 #include "base/warning.h"
+#include "mesh/insidebody.h"
 #include "mesh/meshimpl.h"
 
 /* An interference above this part of the smallest extent of a body strains it by more than small strains allow. */
 static const PetscReal FIT = 0.1;
 /* Where no pair joins two bodies, what is left of curves and of digits is below this part. */
 static const PetscReal TOUCH = 1e-3;
-/* A point on a side belongs to the cell. */
-static const PetscReal ON_SIDE = 1e-8;
+/* Depths that differ by less are equal. */
+static const PetscReal SAME_DEPTH = 1e-8;
 
 /* A sum of coordinates that is different for different points of a mesh: the digits mean nothing. */
 static const PetscReal MIXED[3] = {1, 0.7548776662466927, 0.5698402909980532};
@@ -34,13 +35,6 @@ typedef struct {
   PetscInt    *body, *nodes; /* [num], local nodes of the vertices [num][F] */
   ElementType *type;         /* of order 1 [num] */
 } Boundary;
-
-/* Points of all ranks; the same on every rank. */
-typedef struct {
-  PetscInt   num;
-  PetscReal *x;      /* [num][dim] */
-  PetscBool *inside; /* [num] */
-} Points;
 
 /* Which points of the DM other ranks have as well: facets between ranks are no boundary. [out] shared - [end of the chart] */
 static PetscErrorCode BoundaryMarkShared_Private(DM dm, PetscBool **shared)
@@ -156,17 +150,15 @@ static PetscReal OverlapGetLimit_Private(const struct _n_Scene *scene, PetscInt 
 
 /* Points of the boundary of body a within a box, of all ranks. Collective. [in] box - [BOX]; [out] points - owned by the caller */
 static PetscErrorCode PointsGather_Private(const Level *level, const Boundary *b, PetscInt a, const PetscReal box[],
-                                           Points *points)
+                                           GatheredPoints *points)
 {
   const PetscInt dim = level->dim;
   PetscInt       num = 0, total = 0;
   PetscReal     *mine;
-  PetscMPIInt    size, count, *counts, *begin;
 
   PetscFunctionBeginUser;
   for (PetscInt f = 0; f < b->num; f++) total += b->body[f] == a ? (ElementNumNodes(b->type[f]) + 1) : 0;
-  PetscCallMPI(MPI_Comm_size(level->comm, &size));
-  PetscCall(PetscMalloc3(total * dim, &mine, size, &counts, size + 1, &begin));
+  PetscCall(PetscMalloc1(total * dim, &mine));
   for (PetscInt f = 0; f < b->num; f++) {
     const PetscInt n = ElementNumNodes(b->type[f]);
     PetscReal      X[(F + 1) * 3];
@@ -185,60 +177,14 @@ static PetscErrorCode PointsGather_Private(const Level *level, const Boundary *b
       if (within) PetscCall(PetscArraycpy(&mine[dim * num++], &X[i * dim], dim));
     }
   }
-  count = (PetscMPIInt)(num * dim);
-  PetscCallMPI(MPI_Allgather(&count, 1, MPI_INT, counts, 1, MPI_INT, level->comm));
-  begin[0] = 0;
-  for (PetscMPIInt r = 0; r < size; r++) begin[r + 1] = begin[r] + counts[r];
-  points->num = begin[size] / dim;
-  PetscCall(PetscMalloc2(begin[size], &points->x, points->num, &points->inside));
-  PetscCallMPI(MPI_Allgatherv(mine, count, MPIU_REAL, points->x, counts, begin, MPIU_REAL, level->comm));
-  PetscCall(PetscArrayzero(points->inside, points->num));
-  PetscCall(PetscFree3(mine, counts, begin));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Which points a body has inside. Collective. */
-static PetscErrorCode PointsFindInside_Private(const Level *level, PetscInt body, Points *points)
-{
-  const PetscInt  dim = level->dim;
-  PetscReal      *boxes, X[ELEMENT_MAX_NODES * 3], cell[BOX], xi[3];
-  const PetscInt *hits;
-  PetscInt        num_hits;
-  BoxTree         tree;
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(2 * dim * points->num, &boxes));
-  for (PetscInt i = 0; i < 2 * dim * points->num; i++) boxes[i] = points->x[i / (2 * dim) * dim + i % dim];
-  PetscCall(BoxTreeCreate(dim, points->num, boxes, &tree));
-  PetscCall(PetscFree(boxes));
-  for (PetscInt c = 0; c < level->num_cells; c++) {
-    const ElementType type  = (ElementType)level->cell_type[c];
-    const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]];
-
-    if (level->cell_body[c] != body) continue;
-    for (PetscInt k = 0; k < dim; k++) {
-      cell[k]       = PETSC_MAX_REAL;
-      cell[dim + k] = -PETSC_MAX_REAL;
-    }
-    for (PetscInt i = 0; i < ElementNumNodes(type) * dim; i++) {
-      X[i]                = level->coords[nodes[i / dim] * dim + i % dim];
-      cell[i % dim]       = PetscMin(cell[i % dim], X[i]);
-      cell[dim + i % dim] = PetscMax(cell[dim + i % dim], X[i]);
-    }
-    PetscCall(BoxTreeQuery(tree, cell, &num_hits, &hits));
-    for (PetscInt h = 0; h < num_hits; h++) {
-      if (!points->inside[hits[h]])
-        points->inside[hits[h]] = ElementLocate(type, X, &points->x[hits[h] * dim], ON_SIDE, xi);
-    }
-  }
-  PetscCall(BoxTreeDestroy(&tree));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, points->inside, (PetscMPIInt)points->num, MPIU_BOOL, MPI_LOR, level->comm));
+  PetscCall(GatheredPointsCreate(level, num, mine, points));
+  PetscCall(PetscFree(mine));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Lets go of points that the boundary of the body is near. Collective. */
 static PetscErrorCode PointsRemoveNear_Private(const Level *level, const Boundary *b, PetscInt body, PetscReal limit,
-                                               Points *points)
+                                               GatheredPoints *points)
 {
   const PetscInt  dim = level->dim;
   PetscReal      *boxes, X[F * 3], query[BOX], eta[2];
@@ -266,21 +212,21 @@ static PetscErrorCode PointsRemoveNear_Private(const Level *level, const Boundar
   for (PetscInt i = 0; i < points->num; i++) {
     const PetscReal *x = &points->x[i * dim];
 
-    if (!points->inside[i]) continue;
+    if (!points->flag[i]) continue;
     for (PetscInt k = 0; k < dim; k++) {
       query[k]       = x[k] - limit;
       query[dim + k] = x[k] + limit;
     }
     PetscCall(BoxTreeQuery(tree, query, &num_hits, &hits));
-    for (PetscInt h = 0; h < num_hits && points->inside[i]; h++) {
+    for (PetscInt h = 0; h < num_hits && points->flag[i]; h++) {
       BoundaryGetFacet_Private(level, b, facet[hits[h]], X);
       if (ClosestPointOnFacet(dim, b->type[facet[hits[h]]], X, x, eta) <= PetscSqr(limit))
-        points->inside[i] = PETSC_FALSE;
+        points->flag[i] = PETSC_FALSE;
     }
   }
   PetscCall(BoxTreeDestroy(&tree));
   PetscCall(PetscFree2(boxes, facet));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, points->inside, (PetscMPIInt)points->num, MPIU_BOOL, MPI_LAND, level->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, points->flag, (PetscMPIInt)points->num, MPIU_BOOL, MPI_LAND, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -294,20 +240,20 @@ static PetscBool PointsCompare_Private(PetscInt dim, const PetscReal x[], const 
 
 /* The deepest of the points that are left, the first by coordinates of those that are as deep; of many, some. Collective.
    [in,out] deepest - what was found before */
-static PetscErrorCode PointsMeasure_Private(const Level *level, const Boundary *b, PetscInt body, const Points *points,
-                                            Deepest *deepest)
+static PetscErrorCode PointsMeasure_Private(const Level *level, const Boundary *b, PetscInt body,
+                                            const GatheredPoints *points, Deepest *deepest)
 {
   const PetscInt dim  = level->dim;
   PetscInt       left = 0, num = 0, stride, *chosen;
   PetscReal     *away, *key, X[F * 3], eta[2];
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < points->num; i++) left += points->inside[i];
+  for (PetscInt i = 0; i < points->num; i++) left += points->flag[i];
   if (!left) PetscFunctionReturn(PETSC_SUCCESS);
   stride = (left + MAX_MEASURED - 1) / MAX_MEASURED;
   PetscCall(PetscMalloc3(left, &chosen, left, &away, left, &key));
   for (PetscInt i = 0, n = 0; i < points->num; i++) {
-    if (!points->inside[i]) continue;
+    if (!points->flag[i]) continue;
     key[n] = 0;
     for (PetscInt k = 0; k < dim; k++) key[n] += MIXED[k] * points->x[i * dim + k];
     chosen[n++] = i;
@@ -326,8 +272,8 @@ static PetscErrorCode PointsMeasure_Private(const Level *level, const Boundary *
   for (PetscInt i = 0; i < num; i++) {
     const PetscReal *x = &points->x[chosen[i] * dim], d = PetscSqrtReal(away[i]);
 
-    if (d < deepest->depth * (1 - ON_SIDE)) continue;
-    if (d < deepest->depth * (1 + ON_SIDE) && !PointsCompare_Private(dim, x, deepest->at)) continue;
+    if (d < deepest->depth * (1 - SAME_DEPTH)) continue;
+    if (d < deepest->depth * (1 + SAME_DEPTH) && !PointsCompare_Private(dim, x, deepest->at)) continue;
     deepest->depth = d;
     PetscCall(PetscArraycpy(deepest->at, x, dim));
   }
@@ -339,8 +285,8 @@ static PetscErrorCode PointsMeasure_Private(const Level *level, const Boundary *
 static PetscErrorCode OverlapFind_Private(const Level *level, const Boundary *boundary, PetscInt a, PetscInt b,
                                           const PetscReal boxes[], PetscReal limit, Deepest *deepest)
 {
-  PetscReal box[BOX];
-  Points    points;
+  PetscReal      box[BOX];
+  GatheredPoints points;
 
   PetscFunctionBeginUser;
   for (PetscInt k = 0; k < level->dim; k++) {
@@ -351,11 +297,11 @@ static PetscErrorCode OverlapFind_Private(const Level *level, const Boundary *bo
   }
   PetscCall(PointsGather_Private(level, boundary, a, box, &points));
   if (points.num) {
-    PetscCall(PointsFindInside_Private(level, b, &points));
+    PetscCall(InsideBodyFind(level, b, points.num, points.x, points.flag));
     PetscCall(PointsRemoveNear_Private(level, boundary, b, limit, &points));
     PetscCall(PointsMeasure_Private(level, boundary, b, &points, deepest));
   }
-  PetscCall(PetscFree2(points.x, points.inside));
+  PetscCall(GatheredPointsDestroy(&points));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
