@@ -95,6 +95,30 @@ static void BoundaryGetFacet_Private(const Level *level, const Boundary *b, Pets
     X[i] = level->coords[b->nodes[f * F + i / level->dim] * level->dim + i % level->dim];
 }
 
+/* The same, and the box around them. [out] box - lower, upper corner [2][dim] */
+static void BoundaryGetBox_Private(const Level *level, const Boundary *b, PetscInt f, PetscReal X[], PetscReal box[])
+{
+  const PetscInt dim = level->dim;
+
+  BoundaryGetFacet_Private(level, b, f, X);
+  for (PetscInt k = 0; k < dim; k++) {
+    box[k] = box[dim + k] = X[k];
+    for (PetscInt i = 1; i < ElementNumNodes(b->type[f]); i++) {
+      box[k]       = PetscMin(box[k], X[i * dim + k]);
+      box[dim + k] = PetscMax(box[dim + k], X[i * dim + k]);
+    }
+  }
+}
+
+/* The square of the distance of a point from a box. [in] box - [2][dim] */
+static PetscReal BoxDistance_Private(PetscInt dim, const PetscReal box[], const PetscReal x[])
+{
+  PetscReal square = 0;
+
+  for (PetscInt k = 0; k < dim; k++) square += PetscSqr(PetscMax(0, PetscMax(box[k] - x[k], x[k] - box[dim + k])));
+  return square;
+}
+
 /* Boxes around all bodies: lower, then upper corner. Collective. [out] box - [num_bodies][BOX] */
 static PetscErrorCode OverlapSetBoxes_Private(const Level *level, PetscInt num_bodies, PetscReal box[])
 {
@@ -195,17 +219,8 @@ static PetscErrorCode PointsRemoveNear_Private(const Level *level, const Boundar
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc2(2 * dim * b->num, &boxes, b->num, &facet));
   for (PetscInt f = 0; f < b->num; f++) {
-    PetscReal *box = &boxes[2 * dim * num];
-
     if (b->body[f] != body) continue;
-    BoundaryGetFacet_Private(level, b, f, X);
-    for (PetscInt k = 0; k < dim; k++) {
-      box[k] = box[dim + k] = X[k];
-      for (PetscInt i = 1; i < ElementNumNodes(b->type[f]); i++) {
-        box[k]       = PetscMin(box[k], X[i * dim + k]);
-        box[dim + k] = PetscMax(box[dim + k], X[i * dim + k]);
-      }
-    }
+    BoundaryGetBox_Private(level, b, f, X, &boxes[2 * dim * num]);
     facet[num++] = f;
   }
   PetscCall(BoxTreeCreate(dim, num, boxes, &tree));
@@ -245,7 +260,7 @@ static PetscErrorCode PointsMeasure_Private(const Level *level, const Boundary *
 {
   const PetscInt dim  = level->dim;
   PetscInt       left = 0, num = 0, stride, *chosen;
-  PetscReal     *away, *key, X[F * 3], eta[2];
+  PetscReal     *away, *key, X[F * 3], box[BOX], eta[2];
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < points->num; i++) left += points->flag[i];
@@ -260,12 +275,15 @@ static PetscErrorCode PointsMeasure_Private(const Level *level, const Boundary *
   }
   PetscCall(PetscSortRealWithArrayInt(left, key, chosen)); // the same ones on any number of ranks
   for (PetscInt i = 0; i < left; i += stride) chosen[num++] = chosen[i];
-  for (PetscInt i = 0; i < num; i++) {
-    away[i] = PETSC_MAX_REAL;
-    for (PetscInt f = 0; f < b->num; f++) {
-      if (b->body[f] != body) continue;
-      BoundaryGetFacet_Private(level, b, f, X);
-      away[i] = PetscMin(away[i], ClosestPointOnFacet(dim, b->type[f], X, &points->x[chosen[i] * dim], eta));
+  for (PetscInt i = 0; i < num; i++) away[i] = PETSC_MAX_REAL;
+  for (PetscInt f = 0; f < b->num; f++) {
+    if (b->body[f] != body) continue;
+    BoundaryGetBox_Private(level, b, f, X, box);
+    for (PetscInt i = 0; i < num; i++) {
+      const PetscReal *x = &points->x[chosen[i] * dim];
+
+      if (BoxDistance_Private(dim, box, x) < away[i]) // else the facet is farther
+        away[i] = PetscMin(away[i], ClosestPointOnFacet(dim, b->type[f], X, x, eta));
     }
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, away, (PetscMPIInt)num, MPIU_REAL, MPIU_MIN, level->comm));
