@@ -59,6 +59,7 @@ static PetscErrorCode Start_Private(int argc, char **argv)
   PetscCall(UserErrorInitialize());
   if (ProcessIsOwn()) MemoryPrepare();
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
+  PetscCall(OptionsListExpanded());
   library.started_petsc = PETSC_TRUE;
   if (ProcessIsOwn()) PetscCall(UserErrorCatchSignals());
   PetscFunctionReturn(PETSC_SUCCESS);

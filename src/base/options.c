@@ -12,6 +12,7 @@
 #include <strings.h>
 
 static TextList arguments; /* what PETSc gets */
+static TextList listed;    /* what OptionsGetGiven() tells, where that is not in the arguments */
 static TextList files;     /* options files as found, in the order of reading; the first as typed */
 
 /* What PETSc would read of itself: its files in the order of its own reader, then its variable. */
@@ -49,6 +50,35 @@ static void OptionsReadCommandLine_Private(Reader *reader, int argc, char **argv
   free(words);
 }
 
+/* Whether PETSc makes options of this argument and the next that are not in the list. */
+static int OptionsIsExpanded_Private(const char word[])
+{
+  static const char *const names[] = {"-options_file_yaml", "-options_string_yaml", "-prefix_push"};
+
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(names) && OptionsReaderIsName(word); i++)
+    if (OptionsReaderIsWord(word, names[i])) return 1;
+  return 0;
+}
+
+/* A prefix that is not taken back would stand before options of the program, too. */
+static void OptionsCheckPrefixes_Private(char sentence[], size_t len)
+{
+  const char *open  = NULL;
+  int         depth = 0;
+
+  for (int a = 1; a < arguments.num && !sentence[0]; a++) {
+    if (!OptionsReaderIsName(arguments.items[a])) continue;
+    if (OptionsReaderIsWord(arguments.items[a], "-prefix_push")) {
+      open = a + 1 < arguments.num && !OptionsReaderIsName(arguments.items[a + 1]) ? arguments.items[a + 1] : NULL;
+      depth++;
+      if (!open) snprintf(sentence, len, "-prefix_push needs a prefix, such as upper_");
+    } else if (OptionsReaderIsWord(arguments.items[a], "-prefix_pop") && depth-- == 0) {
+      snprintf(sentence, len, "-prefix_pop: no -prefix_push stands before it");
+    }
+  }
+  if (!sentence[0] && depth > 0) snprintf(sentence, len, "-prefix_push %s: no -prefix_pop follows", open);
+}
+
 void OptionsExpand(int argc, char **argv, int *argc_out, char ***argv_out, char sentence[], size_t len)
 {
   Reader reader = {.sentence = sentence, .len = len, .target = &arguments, .arguments = &arguments, .files = &files};
@@ -64,6 +94,7 @@ void OptionsExpand(int argc, char **argv, int *argc_out, char ***argv_out, char 
     TextListAppend(&arguments, argc ? argv[0] : "mortise");
     OptionsReadDefaults_Private(&reader, skip_files);
     OptionsReadCommandLine_Private(&reader, argc, argv);
+    OptionsCheckPrefixes_Private(sentence, len);
     TextListAppend(&arguments, "-skip_petscrc"); // PETSc need not read again what is in the list
   }
   unsetenv("PETSC_OPTIONS");
@@ -186,18 +217,30 @@ PetscErrorCode OptionsListDatabase(void)
 
   PetscFunctionBeginUser;
   PetscCall(ReadDatabase_Private(&words));
-  TextListClear(&arguments);
-  TextListAppend(&arguments, "mortise");
+  TextListClear(&listed);
+  TextListAppend(&listed, "mortise");
   for (int i = 0; i < words.num; i++)
-    if (!(i % 2) || words.items[i][0]) TextListAppend(&arguments, words.items[i]);
-  TextListAppend(&arguments, "-skip_petscrc"); // the last is this module's own
+    if (!(i % 2) || words.items[i][0]) TextListAppend(&listed, words.items[i]);
+  TextListAppend(&listed, "-skip_petscrc"); // the last is this module's own
   TextListClear(&words);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OptionsListExpanded(void)
+{
+  PetscBool expanded = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  for (int a = 1; a < arguments.num && !expanded; a++)
+    if (OptionsIsExpanded_Private(arguments.items[a])) expanded = PETSC_TRUE;
+  if (expanded) PetscCall(OptionsListDatabase());
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 void OptionsClear(void)
 {
   TextListClear(&arguments);
+  TextListClear(&listed);
   TextListClear(&files);
 }
 
@@ -223,18 +266,19 @@ static void OptionsPutGiven_Private(OptionGiven given[], PetscInt *num, OptionGi
 
 PetscErrorCode OptionsGetGiven(PetscInt *num, OptionGiven **given)
 {
-  const int last = arguments.num - 1; // which is this module's own
+  const TextList *told = listed.num ? &listed : &arguments;
+  const int       last = told->num - 1; // which is this module's own
 
   PetscFunctionBeginUser;
   *num = 0;
-  PetscCall(PetscMalloc1(PetscMax(arguments.num, 1), given));
+  PetscCall(PetscMalloc1(PetscMax(told->num, 1), given));
   for (int a = 1; a < last; a++) {
-    const char     *name  = arguments.items[a];
-    const PetscBool value = a + 1 < last && !OptionsReaderIsName(arguments.items[a + 1]) ? PETSC_TRUE : PETSC_FALSE;
+    const char     *name  = told->items[a];
+    const PetscBool value = a + 1 < last && !OptionsReaderIsName(told->items[a + 1]) ? PETSC_TRUE : PETSC_FALSE;
 
     name += strspn(name, "-");
     if (value) a++;
-    OptionsPutGiven_Private(*given, num, (OptionGiven){name, value ? arguments.items[a] : ""});
+    OptionsPutGiven_Private(*given, num, (OptionGiven){name, value ? told->items[a] : ""});
   }
   qsort(*given, (size_t)*num, sizeof(**given), OptionsCompareGiven_Private);
   PetscFunctionReturn(PETSC_SUCCESS);

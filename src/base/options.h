@@ -29,6 +29,8 @@ PetscErrorCode OptionsInsertFile(const char name[]);
 PetscErrorCode OptionsCopyPrefixed(const char prefix[], PetscOptions target);
 /* OptionsGetGiven() tells of the present database from now on. A value with " -letter" in it is cut there. Not collective. */
 PetscErrorCode OptionsListDatabase(void);
+/* The same where PETSc has made options of arguments: of YAML, and behind -prefix_push. Not collective. */
+PetscErrorCode OptionsListExpanded(void);
 /* Forgets all lists. Not collective. */
 void OptionsClear(void);
 

@@ -132,6 +132,8 @@ static int OptionsReaderReadOption_Private(Reader *reader, const char where[], i
     OptionsReaderRefuse_Private(reader, "%s: %s: a value follows after a space, not after '='", where, name);
   else if ((is_file || is_yaml) && !value)
     OptionsReaderRefuse_Private(reader, "%s: %s needs the name of a file", where, name);
+  else if (OptionsReaderIsWord(name, "-options_string_yaml") && !value)
+    OptionsReaderRefuse_Private(reader, "%s: %s needs a text", where, name);
   else if (is_yaml)
     OptionsReaderAddYAML_Private(reader, where, name, value);
   else if (is_file)

@@ -70,6 +70,13 @@ static PetscBool UserErrorQuotesItem_Private(const char message[], const char li
   }
 }
 
+/* Whether the message is of PETSc's reader of YAML, and the option gives it something to read. */
+static PetscBool UserErrorIsYAML_Private(const char message[], const char option[])
+{
+  return (PetscBool)(strstr(message, "YAML") &&
+                     (!strcasecmp(option, "-options_file_yaml") || !strcasecmp(option, "-options_string_yaml")));
+}
+
 /* The place in the argument list of the one option whose name or value the message quotes; 0 if none, or not one alone. */
 static int UserErrorFindOption_Private(const char message[], int num, char *const arguments[])
 {
@@ -81,7 +88,8 @@ static int UserErrorFindOption_Private(const char message[], int num, char *cons
     (void)PetscOptionsValidKey(arguments[a], &name);
     if (a + 1 < num) (void)PetscOptionsValidKey(arguments[a + 1], &next_name);
     if (!name) continue;
-    if (!UserErrorQuotesText_Private(message, arguments[a], strlen(arguments[a])) &&
+    if (!UserErrorIsYAML_Private(message, arguments[a]) &&
+        !UserErrorQuotesText_Private(message, arguments[a], strlen(arguments[a])) &&
         (next_name || !UserErrorQuotesItem_Private(message, arguments[a + 1])))
       continue;
     if (found) return 0;
@@ -93,14 +101,16 @@ static int UserErrorFindOption_Private(const char message[], int num, char *cons
 /* PETSc's complaint with the option that it is about, which PETSc itself does not always name. */
 static PetscErrorCode UserErrorFromPETSc_Private(const char message[])
 {
-  char   sentence[USER_ERROR_LENGTH];
+  char   sentence[USER_ERROR_LENGTH], value[USER_ERROR_LENGTH] = "";
   char **arguments;
   int    num, option, length = (int)strcspn(message, "\n"); // the rest is PETSc's advice on installing packages
 
   while (length && (isspace((unsigned char)message[length - 1]) || message[length - 1] == '.')) length--;
   option = PetscGetArgs(&num, &arguments) ? 0 : UserErrorFindOption_Private(message, num, arguments);
+  if (option && UserErrorIsYAML_Private(message, arguments[option]) && option + 1 < num)
+    snprintf(value, sizeof(value), " \"%.200s\"", arguments[option + 1]);
   if (option)
-    snprintf(sentence, sizeof(sentence), "%s: PETSc says: %.*s", arguments[option], length, message);
+    snprintf(sentence, sizeof(sentence), "%s%s: PETSc says: %.*s", arguments[option], value, length, message);
   else
     snprintf(sentence, sizeof(sentence), "an option has a value that PETSc cannot use: %.*s", length, message);
   UserErrorTell_Private(MPI_COMM_WORLD, sentence); // options are the same on all ranks

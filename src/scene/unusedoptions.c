@@ -23,7 +23,7 @@ typedef struct {
 static const char *const environment[] = {
     "checkstack", "citations", "debugger_", "device_", "display", "fp_trap", "get_total_flops", "help", "info",
     "info_", "log_", "malloc", "malloc_", "memory_view", "mpi_", "mpidump", "no_signal_handler", "nox",
-    "objects_dump", "on_error_", "options_", "petsc_", "python", "saws_", "shared_tmp_", "skip_petscrc",
+    "objects_dump", "on_error_", "options_file_yaml", "options_string_yaml", "options_left", "options_monitor", "options_monitor_cancel", "options_view", "petsc_", "python", "saws_", "shared_tmp_", "skip_petscrc",
     "start_in_debugger", "stop_for_debugger", "tmp", "use_gpu_aware_mpi", "version", "viewer_"};
 // clang-format on
 
