@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """house.py -- checks of the text: house.py <layers|sizes|options|warnings|tunables|theory|pages> <top of the tree>. Prints what is wrong, or nothing."""
+import fnmatch
 import pathlib
 import re
 import sys
@@ -158,6 +159,19 @@ def check_warnings(top):
     yield from (f"{code} is not in snake_case" for code in sorted(used) if not re.fullmatch(r"[a-z]+(_[a-z]+)*", code))
 
 
+def check_warns(top):
+    """The tables of expected warnings name codes and tests that exist."""
+    tests = pathlib.Path(sys.argv[3]).read_text().split(";")
+    known = set(re.findall(r"^\| `(\w+)` \|", (top / "options/GUIDE.md").read_text().split("\n## Warnings\n")[1], re.MULTILINE))
+    for table in sorted(top.glob("tests/*/warns.txt")):
+        names = [test.split(".", 1)[1] for test in tests if test.startswith(f"{table.parent.name}.")]
+        names += [name.rsplit(".np")[0] for name in names]
+        for code, *patterns in (line.split() for line in table.read_text().splitlines() if not line.startswith("#")):
+            if code.rstrip(":") not in known:
+                yield f"{table.relative_to(top)}: {code} is no code of options/GUIDE.md"
+            yield from (f"{table.relative_to(top)}: {pattern} is no test" for pattern in patterns if not fnmatch.filter(names, pattern))
+
+
 # --- tunables ---------------------------------------------------------------------------------------------------------
 
 SOLVERS = ("multigrid", "pdas", "rigid", "solve")  # modules whose constants src/TUNABLES.md lists
@@ -288,7 +302,7 @@ def check_pages(top):
 
 
 def main():
-    checks = {"layers": check_layers, "sizes": check_sizes, "options": check_options, "warnings": check_warnings, "theory": check_theory, "tunables": check_tunables,
+    checks = {"layers": check_layers, "sizes": check_sizes, "options": check_options, "warnings": check_warnings, "theory": check_theory, "tunables": check_tunables, "warns": check_warns,
               "pages": check_pages}
     wrong = list(checks[sys.argv[1]](pathlib.Path(sys.argv[2]).resolve()))
     print("\n".join(wrong))

@@ -12,6 +12,7 @@ which gets a finished, solved run. Comparisons print the figure that is off and 
 """
 import argparse
 import csv
+import fnmatch
 import importlib.util
 import itertools
 import json
@@ -36,17 +37,35 @@ class Failure(Exception):
     """What a test does not like, as a sentence."""
 
 
-# Loads of tests may be as large as they please, or none, their bodies may float and part, and their meshes be coarse: codes, and how lines begin.
-TOLERATED = {"model_limit": "small displacements (are exceeded|hold roughly)", "free_motion": "the position is not unique",
-             "coarse_contact": r"the contact of \S+ is \S+ facets wide", "no_load": "nothing moves",
-             "open_contact": r"\S+: no node is in contact"}
-STEP = re.compile("(?<=^mortise: warning: )t = [-+0-9.e]+: ")  # what stands before warnings of a load step
+# A line of stderr that warns: of which of several runs, words, code.
+WARNING = re.compile(r"mortise: warning: (?P<label>(?:order [12]|own orders), level \d+: |t = [-+0-9.e]+: )?(?P<words>.*) \[(?P<code>\w+)\]")
 
 
-def is_tolerated(line, codes):
-    """Whether a line of stderr is a warning that any run may have, and that none of the codes names."""
-    words = "|".join(text for code, text in TOLERATED.items() if code not in codes)
-    return bool(words) and bool(re.match(rf"mortise: warning: ((order [12]|own orders), level [0-9]+: |t = [^:]*: )?({words})", line))
+class Expected:
+    """The codes of warnings that the runs of this test have: all that warns.txt of its folder lists for it, each in one run at least."""
+
+    def __init__(self):
+        self.codes, self.seen = set(), set()
+
+    def read(self, test):
+        """[in] test - <folder>.<name>.np<ranks>; lines of the table are `<code>: <name> ...`, or <name>.np<ranks>, * for any letters"""
+        folder, name = test.split(".", 1)
+        names = [name, name.rsplit(".np")[0]]
+        table = pathlib.Path(__file__).resolve().parent / folder / "warns.txt"
+        lines = [line.split() for line in table.read_text().splitlines() if line and not line.startswith("#")] if table.is_file() else []
+        self.codes = {code.rstrip(":") for code, *patterns in lines if any(fnmatch.filter(names, pattern) for pattern in patterns)}
+
+    def judge(self, codes):
+        """Of one run."""
+        require(codes <= self.codes, f"warnings {sorted(codes)}; warns.txt lists {sorted(self.codes)}")
+        self.seen |= codes
+
+    def judge_end(self):
+        """Of the test."""
+        require(self.seen == self.codes, f"no run has the warnings {sorted(self.codes - self.seen)} that warns.txt lists")
+
+
+EXPECTED = Expected()
 
 
 def require(condition, sentence):
@@ -70,35 +89,48 @@ class Run:
         self.exit, self.stdout, self.stderr = done.returncode, done.stdout, done.stderr
 
     def again(self, *arguments, ranks=None, name="again", warns=None):
-        """The same scene once more, with more arguments or on another number of ranks, solved, with warnings of these codes; or,
-        where nothing is said of them, none of other codes than this run has."""
+        """The same scene once more, with more arguments or on another number of ranks, solved, with warnings as require_solved() has them."""
         other = Run(self.program, self.mpiexec, ranks or self.ranks, self.folder / name, self.arguments + list(arguments))
         try:
-            known = {w["code"] for w in self.summary["warnings"]}
-            other.require_solved(*([w["code"] for w in other.summary["warnings"] if w["code"] in known - set(TOLERATED)] if warns is None else warns))
+            other.require_solved(warns)
         except Failure as failure:
             raise Failure(f"{failure}, when run again {other.describe()}") from None
         return other
 
-    def require_solved(self, *warns):
-        """Solved, with warnings of these codes and no others, and nothing else to say."""
+    def require_solved(self, warns=None):
+        """Solved, with warnings of the codes `warns`, or, without these, of none but those of the test's table; and nothing else to say."""
         require(self.exit == 0, f"exit code {self.exit} instead of 0")
-        self.require_warned(*warns)
+        self.require_warned(warns)
         self.require_clean()
 
-    def require_warned(self, *codes):
-        """Warnings of these codes: in the summary, and the same lines on stderr, with nothing beside them."""
-        found = [w for w in self.summary["warnings"] if w["code"] not in TOLERATED or w["code"] in codes]
-        told = [] if "-quiet" in self.arguments else sorted("mortise: warning: " + "; ".join(filter(None, (w["text"], w["advice"]))) for w in found)
-        require(sorted(w["code"] for w in found) == sorted(codes), f"warnings {found} instead of {codes}")
-        said = [STEP.sub("", line) for line in self.stderr.splitlines()]
-        lines = (line for line in said if not is_tolerated(line, codes))
-        require(sorted(lines) == told, f"stderr does not have the lines {told} alone")
+    def require_warned(self, warns=None):
+        """Warnings of these codes in the summary, and the same lines on stderr, with nothing beside them."""
+        warnings = self.summary["warnings"]
+        told = [WARNING.fullmatch(line) for line in self.stderr.splitlines()]
+        require(all(told), "stderr has lines that are no warnings")
+        codes = {w["code"] for w in warnings + [w for step in self.summary.get("steps", []) for w in step["warnings"]]} | {line["code"] for line in told}
+        if warns is None:
+            EXPECTED.judge(codes)
+        else:
+            require(codes == set(warns), f"warnings {sorted(codes)} instead of {sorted(warns)}")
+            EXPECTED.seen |= codes & EXPECTED.codes
+        if "-quiet" in self.arguments:
+            require(not told, "-quiet prints warnings")
+        elif any(line["label"] for line in told):  # of several runs, the first that warns of something prints it
+            require({w["code"] for w in warnings} <= {line["code"] for line in told}, "stderr does not have all warnings of the summary")
+        else:
+            same("lines of stderr", sorted(line["words"] for line in told), sorted("; ".join(filter(None, (w["text"], w["advice"]))) for w in warnings))
 
     def require_clean(self):
         leak = LEAK.search(self.stdout + self.stderr)
         require(not leak, f"memory was not freed: {leak and leak.group()}")
         require("runtime error:" not in self.stderr and "AddressSanitizer" not in self.stderr, "a sanitizer complains")
+
+    def some(self, variants):
+        """All of the variants on one rank, and in the long run; on several ranks, where each start takes long, the first and the last: what
+        the ranks do is the same in all of them."""
+        variants = list(variants)
+        return variants if self.ranks == 1 or LONG else variants[:1] + variants[-1:]
 
     @property
     def summary(self):
@@ -238,7 +270,6 @@ def main():
     parser.add_argument("--scratch", required=True, help="folder of the run, emptied before")
     parser.add_argument("--check", type=pathlib.Path, help="file with judge(run)")
     parser.add_argument("--says", action="append", help="the run is a mistake whose sentence has this text; may be repeated")
-    parser.add_argument("--warns", action="append", default=[], help="the code of a warning of the solved run; may be repeated")
     parser.add_argument("--any-end", action="store_true", help="the check judges the exit code, too")
     parser.add_argument("arguments", nargs=argparse.REMAINDER, help="after --: arguments of the program")
     options = parser.parse_args()
@@ -246,15 +277,17 @@ def main():
 
     sys.modules["judge"] = sys.modules["__main__"]  # so that a check's `from judge import near` meets this very module
     run = None
+    EXPECTED.read(pathlib.Path(options.scratch).name)
     try:
         run = Run(options.program, options.mpiexec, options.ranks, options.scratch, arguments)
         if options.says:
             judge_mistake(run, options.says)
         else:
             if not options.any_end:
-                run.require_solved(*options.warns)
+                run.require_solved()
             if options.check:
                 load(options.check)(run)
+            EXPECTED.judge_end()
     except (Failure, subprocess.TimeoutExpired) as failure:
         sys.exit(f"{failure}\n{run.describe() if run else ''}")
 

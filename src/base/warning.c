@@ -58,8 +58,8 @@ static void WarningPrint_Private(const Warning *about, const char text[])
   }
   WarningAppend_Private(&book.told, line);
   (void)fflush(stdout); // what was printed before stands before it
-  fprintf(stderr, "mortise: warning: %s%s%s%s%s\n", several ? book.label : "", several ? ": " : "", text,
-          about->advice ? "; " : "", about->advice ? about->advice : "");
+  fprintf(stderr, "mortise: warning: %s%s%s%s%s [%s]\n", several ? book.label : "", several ? ": " : "", text,
+          about->advice ? "; " : "", about->advice ? about->advice : "", about->code);
 }
 
 static cJSON *WarningCreate_Private(const Warning *about, const char text[])
@@ -166,6 +166,16 @@ cJSON *WarningList(void)
   cJSON_ArrayForEach(item, book.common) cJSON_AddItemToArray(all, cJSON_Duplicate(item, cJSON_True));
   cJSON_ArrayForEach(item, book.run) cJSON_AddItemToArray(all, cJSON_Duplicate(item, cJSON_True));
   return all;
+}
+
+void WarningListUpdate(cJSON *list)
+{
+  const cJSON *item;
+
+  cJSON_ArrayForEach(item, book.common)
+  {
+    if (!WarningIsListed_Private(list, item)) cJSON_AddItemToArray(list, cJSON_Duplicate(item, cJSON_True));
+  }
 }
 
 void WarningExchange(WarningLists *lists)

@@ -27,7 +27,7 @@ typedef struct {
   PetscBool   grave;  /* the worse of two degrees: of several runs, the first of each degree prints its line */
 } Warning;
 
-/* Prints "mortise: warning: <text>; <advice>" and keeps it. Not collective.
+/* Prints "mortise: warning: <text>; <advice> [<code>]" and keeps it. Not collective.
    [in] format - printf format of one plain sentence without a full stop, that names what it is about */
 PetscErrorCode WarningAdd(const Warning *about, const char format[], ...) PETSC_ATTRIBUTE_FORMAT(2, 3);
 
@@ -52,6 +52,8 @@ void WarningSetQuiet(PetscBool quiet);
 PetscErrorCode WarningNum(MPI_Comm comm, PetscInt *num);
 /* The array of the summary; empty on ranks that keep nothing. Not collective. Owned by the caller, or by what it is added to. */
 cJSON *WarningList(void);
+/* Appends to a WarningList() of before what has become known of all runs since. Not collective. */
+void WarningListUpdate(cJSON *list);
 /* What one of several problems was warned of; zero in the beginning. */
 typedef struct {
   cJSON    *common, *run;

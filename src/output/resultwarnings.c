@@ -14,6 +14,8 @@
 static const PetscReal COARSE = 0.1;
 /* An overlap is no accident above this part of the displacements, and what is left of a curve shows above this part of the overlap. */
 static const PetscReal OVERLAP_SHOWS = 0.1, CURVE_SHOWS = 0.1;
+/* The pressure where a partner ends is no outlier below this part of the largest elsewhere. */
+static const PetscReal EDGE_SHOWS = 0.1;
 
 /* Where contact pushes as if bodies overlapped that do not; nothing where that does not show. */
 static PetscErrorCode SummaryWarnGapDiscontinuity_Private(const SummaryInput *in, PetscInt p)
@@ -38,9 +40,36 @@ static PetscErrorCode SummaryWarnGapDiscontinuity_Private(const SummaryInput *in
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Contact a few facets wide: what it does to the pressure, and what would mend it. [out] shows - whether that was told of sides
+/* The largest pressure at a node around which the partner covers facets in part: there it may have no limit. */
+static PetscErrorCode SummaryWarnEdgePressure_Private(const SummaryInput *in, PetscInt p)
+{
+  const ScenePair *spec = in->vi->pairs[p]->spec;
+  Warning          edge = {.code   = "edge_pressure",
+                           .pair   = spec->name,
+                           .dim    = in->scene->dim,
+                           .advice = "use the force, or the pressure elsewhere; or round the edge of the partner"};
+  char             at[128], elsewhere[64] = "";
+  PairSum          sum;
+
+  PetscFunctionBeginUser;
+  if (spec->type != PAIR_CONTACT || !in->vi->pairs[p]->num_multipliers) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PairSumCompute(in->fields, p, &sum));
+  if (!sum.active || sum.max_pressure <= (1 + EDGE_SHOWS) * sum.max_covered) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscArraycpy(edge.at, sum.max_pressure_at, 3));
+  PetscCall(NumberWordsVector(edge.dim, edge.at, at, sizeof(at)));
+  if (sum.max_covered > 0)
+    (void)snprintf(elsewhere, sizeof(elsewhere), "; elsewhere it is %.4g", (double)sum.max_covered);
+  PetscCall(WarningAdd(&edge,
+                       "the largest pressure of %s, %.4g near %s, is where the partner ends, and may grow with every "
+                       "refinement%s",
+                       spec->name, (double)sum.max_pressure, at, elsewhere));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Contact a few facets wide: what it does to the pressure, and what would mend it. [out] told - whether it is; round - whether of sides
    without corners, whose gaps cannot jump or bend but for the size of facets */
-static PetscErrorCode SummaryWarnCoarseContact_Private(const SummaryInput *in, PetscInt p, PetscBool *shows)
+static PetscErrorCode SummaryWarnCoarseContact_Private(const SummaryInput *in, PetscInt p, PetscBool *told,
+                                                       PetscBool *round)
 {
   const char        *name     = in->vi->pairs[p]->spec->name;
   const ObstacleKind obstacle = in->vi->pairs[p]->spec->obstacle.kind;
@@ -50,7 +79,8 @@ static PetscErrorCode SummaryWarnCoarseContact_Private(const SummaryInput *in, P
 
   PetscFunctionBeginUser;
   PetscCall(CoarseContactFind(in->fields, p, &found));
-  *shows = (PetscBool)(found.shows && (in->vi->pairs[p]->smooth[0] || in->vi->pairs[p]->smooth[1] ||
+  *told  = found.shows;
+  *round = (PetscBool)(found.shows && (in->vi->pairs[p]->smooth[0] || in->vi->pairs[p]->smooth[1] ||
                                        (obstacle != OBSTACLE_NONE && obstacle != OBSTACLE_EXPRESSION)));
   if (!found.shows) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscArraycpy(coarse.at, found.at, 3));
@@ -269,15 +299,16 @@ static PetscErrorCode SummaryWarnIdle_Private(const SummaryInput *in)
 
 PetscErrorCode SummaryWarn(const SummaryInput *input)
 {
-  PetscBool coarse = PETSC_FALSE;
+  PetscBool coarse = PETSC_FALSE, round = PETSC_FALSE;
 
   PetscFunctionBeginUser;
   PetscCall(SolvabilityReportWarn(input->vi, input->solvability));
   for (PetscInt p = 0; p < input->vi->num_pairs; p++) {
     PetscCall(SummaryWarnEmptyPair_Private(input, p));
     PetscCall(SummaryWarnLoadedSide_Private(input, p));
-    if (input->fields) PetscCall(SummaryWarnCoarseContact_Private(input, p, &coarse));
-    if (input->fields && !coarse)
+    if (input->fields) PetscCall(SummaryWarnCoarseContact_Private(input, p, &coarse, &round));
+    if (input->fields && !coarse) PetscCall(SummaryWarnEdgePressure_Private(input, p)); // the same advice
+    if (input->fields && !round)
       PetscCall(SummaryWarnGapDiscontinuity_Private(input, p)); // a gap bends within few facets
     if (input->fields) PetscCall(SummaryWarnCoarseCurve_Private(input, p));
   }

@@ -427,10 +427,9 @@ PetscErrorCode SummaryCreateStep(const SummaryInput *input, cJSON **row)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SummaryCreate(const SummaryInput *input, char **text)
+PetscErrorCode SummaryCreateTree(const SummaryInput *input, cJSON **tree)
 {
-  cJSON      *root = cJSON_CreateObject();
-  PetscMPIInt rank;
+  cJSON *root = cJSON_CreateObject();
 
   PetscFunctionBeginUser;
   JSONAddInt(root, "schema", SCHEMA);
@@ -451,6 +450,17 @@ PetscErrorCode SummaryCreate(const SummaryInput *input, char **text)
   PetscCall(ValidityAdd(input->fields, root));
   PetscCall(SummaryAddCost_Private(input, root));
   if (input->steps) cJSON_AddItemToObject(root, "steps", cJSON_Duplicate(input->steps, cJSON_True));
+  *tree = root;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SummaryCreate(const SummaryInput *input, char **text)
+{
+  cJSON      *root;
+  PetscMPIInt rank;
+
+  PetscFunctionBeginUser;
+  PetscCall(SummaryCreateTree(input, &root));
   PetscCallMPI(MPI_Comm_rank(input->scene->comm, &rank));
   *text = rank == 0 ? cJSON_Print(root) : NULL;
   cJSON_Delete(root);

@@ -33,6 +33,8 @@ PetscErrorCode SummaryWarn(const SummaryInput *input);
 /* The summary as JSON text, the same keys always; a number that could not be computed is null.
    Collective. [out] text - on the first rank owned by the caller (free()), NULL elsewhere */
 PetscErrorCode SummaryCreate(const SummaryInput *input, char **text);
+/* The same before it is text. Collective. [out] tree - on all ranks, owned by the caller */
+PetscErrorCode SummaryCreateTree(const SummaryInput *input, cJSON **tree);
 /* The row of the summary's `steps` for the time that the scene has. Collective. [out] row - on all ranks, owned by the caller */
 PetscErrorCode SummaryCreateStep(const SummaryInput *input, cJSON **row);
 /* Adds the summary to the output where the scene wants it (-summary, <output>.json), completes that, and prints the few lines a user reads on the

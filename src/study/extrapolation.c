@@ -1,6 +1,7 @@
 /* extrapolation.c -- quantities of a study extrapolated to h = 0. */
 #include <math.h>
 #include "base/compat.h"
+#include "base/warning.h"
 #include "study/extrapolation.h"
 
 static const PetscReal QUANTITY_ROUNDING = 1e-9; /* part of its size that a quantity is known to at best */
@@ -59,6 +60,35 @@ PetscBool ExtrapolationVanishes(Study study, PetscInt quantity, const Extrapolat
   return (PetscBool)(PetscAbsReal(limit->value) + limit->bar <= QUANTITY_ROUNDING * size);
 }
 
+/* The best extrapolation of a quantity; whether there is one to tell of. [out] order - of it */
+static PetscBool ExtrapolationGetTold_Private(Study study, PetscInt q, PetscInt *order, Extrapolation *limit)
+{
+  *order = ExtrapolationFindBest(study, q);
+  if (*order < 0 || !ExtrapolationOfQuantity(study, q, *order, limit)) return PETSC_FALSE;
+  return (PetscBool)!ExtrapolationVanishes(study, q, limit);
+}
+
+PetscErrorCode ExtrapolationWarn(Study study)
+{
+  const char   *first = NULL;
+  PetscInt      num   = 0, order;
+  Extrapolation limit;
+  char          more[48] = "";
+
+  PetscFunctionBeginUser;
+  for (PetscInt q = 0; q < study->num_quantities; q++) {
+    if (!ExtrapolationGetTold_Private(study, q, &order, &limit) || limit.monotone) continue;
+    if (!num++) first = study->quantities[q].label;
+  }
+  if (!num) PetscFunctionReturn(PETSC_SUCCESS);
+  if (num > 1) PetscCall(PetscSNPrintf(more, sizeof(more), ", and %" PetscInt_FMT " more", num - 1));
+  PetscCall(WarningAdd(&(Warning){.code = "not_monotone", .advice = "ask for more levels, or begin with a finer mesh"},
+                       "extrapolated values of the study whose last three levels are not monotone: %s%s; their "
+                       "uncertainty is the spread of the three",
+                       first, more));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ExtrapolationPrint(Study study)
 {
   const MPI_Comm comm  = study->scene->comm;
@@ -66,13 +96,11 @@ PetscErrorCode ExtrapolationPrint(Study study)
 
   PetscFunctionBeginUser;
   for (PetscInt q = 0; q < study->num_quantities; q++) {
-    const PetscInt best   = ExtrapolationFindBest(study, q);
-    Record         sample = {.order = best};
-    Extrapolation  limit;
-    char           text[RICHARDSON_TEXT], order[ERROR_TEXT];
+    Record        sample = {0};
+    Extrapolation limit;
+    char          text[RICHARDSON_TEXT], order[ERROR_TEXT];
 
-    if (best < 0 || !ExtrapolationOfQuantity(study, q, best, &limit)) continue;
-    if (ExtrapolationVanishes(study, q, &limit)) continue;
+    if (!ExtrapolationGetTold_Private(study, q, &sample.order, &limit)) continue;
     if (!begun) PetscCall(PetscPrintf(comm, "extrapolated from the last three levels (Richardson)\n"));
     begun = PETSC_TRUE;
     RichardsonText(&limit, text, sizeof(text));

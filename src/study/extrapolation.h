@@ -13,6 +13,8 @@ PetscInt ExtrapolationFindBest(Study study, PetscInt quantity);
 /* Whether an extrapolated quantity is zero to all that can be told, beside the others of its vector: a component that the
    scene does not have. Not collective. */
 PetscBool ExtrapolationVanishes(Study study, PetscInt quantity, const Extrapolation *limit);
+/* Warns of those that do not approach a limit from one side. Not collective. */
+PetscErrorCode ExtrapolationWarn(Study study);
 /* Prints all that do not vanish. Collective. */
 PetscErrorCode ExtrapolationPrint(Study study);
 

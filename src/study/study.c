@@ -11,6 +11,7 @@
 #include "base/warning.h"
 #include <stdlib.h>
 #include <string.h>
+#include "study/extrapolation.h"
 #include "study/studyimpl.h"
 
 enum { BYTES_TEXT = 24 };
@@ -196,6 +197,36 @@ static PetscErrorCode StudyCheckNames_Private(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Runs that were omitted. */
+static PetscErrorCode StudyWarnSkipped_Private(Study study)
+{
+  const Record *first = NULL;
+  PetscInt      num   = 0;
+  char          order[ERROR_TEXT];
+
+  PetscFunctionBeginUser;
+  for (PetscInt r = 0; r < study->num; r++)
+    if (study->records[r].state == RECORD_SKIPPED && !num++) first = &study->records[r];
+  if (!num) PetscFunctionReturn(PETSC_SUCCESS);
+  RecordOrderText(first, order);
+  PetscCall(WarningAdd(&(Warning){.code = "skipped_run", .advice = "raise -study_memory, or ask for fewer levels"},
+                       "%" PetscInt_FMT " of %" PetscInt_FMT
+                       " runs of the study were skipped; the first, %s, level %" PetscInt_FMT ", %s",
+                       num, study->num, order, first->level, first->reason));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What is to be known of the study as a whole, once all runs have ended. Collective. */
+static PetscErrorCode StudyWarn_Private(Study study)
+{
+  PetscFunctionBeginUser;
+  if (study->best < 0) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(StudyWarnSkipped_Private(study));
+  PetscCall(ExtrapolationWarn(study));
+  PetscCall(StudyWriteFiles(study));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
 {
   const SceneStudy *plan = &scene->study;
@@ -217,6 +248,7 @@ PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
       all  = (PetscBool)(all && solved);
     }
   }
+  PetscCall(StudyWarn_Private(study));
   PetscCall(StudyWriteSummary_Private(study));
   PetscCall(StudyTableEnd(study));
   if (study->best < 0 && all)

@@ -4,6 +4,7 @@
 #include "base/compat.h"
 #include "base/interrupt.h"
 #include "base/json.h"
+#include "base/warning.h"
 #include "output/output.h"
 #include <stdlib.h>
 #include <string.h>
@@ -115,11 +116,11 @@ static void StudyAddExtrapolated_Private(Study study, cJSON *root)
   }
 }
 
-/* The block as text. [out] text - owned by the caller (free()) */
-static char *StudyCreateBlock_Private(Study study)
+/* The block. Owned by the caller. */
+static cJSON *StudyCreateBlock_Private(Study study)
 {
   cJSON *root = cJSON_CreateObject(), *runs;
-  char   reference[ERROR_TEXT], *text;
+  char   reference[ERROR_TEXT];
 
   MeshComparisonReferenceText(study, reference);
   cJSON_AddStringToObject(root, "kind", "uniform");
@@ -132,26 +133,24 @@ static char *StudyCreateBlock_Private(Study study)
     cJSON_AddItemToArray(runs, run);
   }
   StudyAddExtrapolated_Private(study, root);
-  text = cJSON_Print(root);
-  cJSON_Delete(root);
-  return text;
+  return root;
 }
 
 PetscErrorCode StudySummary(Study study, char **text)
 {
-  char  *block;
-  size_t len;
+  cJSON      *root;
+  PetscMPIInt rank;
 
   PetscFunctionBeginUser;
   *text = NULL;
-  if (!study->summary) PetscFunctionReturn(PETSC_SUCCESS);
-  block = StudyCreateBlock_Private(study);
-  len   = strlen(study->summary) + strlen(block) + 32;
-  *text = malloc(len);
+  PetscCallMPI(MPI_Comm_rank(study->scene->comm, &rank));
+  if (!study->summary || rank) PetscFunctionReturn(PETSC_SUCCESS);
+  root = cJSON_Duplicate(study->summary, cJSON_True);
+  WarningListUpdate(cJSON_GetObjectItemCaseSensitive(root, "warnings"));
+  cJSON_AddItemToObject(root, "study", StudyCreateBlock_Private(study));
+  *text = cJSON_Print(root);
+  cJSON_Delete(root);
   PetscCheck(*text, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for the summary");
-  snprintf(*text, len, "%.*s,\n\t\"study\":\t%s\n}", (int)(strrchr(study->summary, '}') - study->summary - 1),
-           study->summary, block);
-  free(block);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -228,8 +227,8 @@ PetscErrorCode StudyWriteBest(Study study, Run run)
   const SummaryInput input = RunSummary(run);
 
   PetscFunctionBeginUser;
-  free(study->summary);
-  PetscCall(SummaryCreate(&input, &study->summary));
+  cJSON_Delete(study->summary);
+  PetscCall(SummaryCreateTree(&input, &study->summary));
   if (study->scene->output) {
     PetscCall(OutputCreate(study->scene->comm, &study->output));
     PetscCall(run->refused ? OutputAddMotion(study->output, run->vi, &run->solvability->motion)

@@ -4,6 +4,7 @@
 #ifndef MORTISE_STUDYIMPL_H
 #define MORTISE_STUDYIMPL_H
 
+#include <cjson/cJSON.h>
 #include <stdio.h>
 #include "base/log.h"
 #include "output/output.h"
@@ -66,7 +67,7 @@ struct _n_Study {
   PetscInt   best;      /* position of the record whose fields are written out, -1 for none */
   PetscBool
          shown;   /* fields and summary are there: of that record, or, while there is none, of one without a solution */
-  char  *summary; /* of that record, without the study; first rank only, else NULL (free()) */
+  cJSON *summary; /* of that record, without the study, or NULL */
   Output output;  /* fields of that record which are not under their names yet, NULL if they are */
   PetscBool quiet;    /* nothing is printed on stdout */
   PetscBool terminal; /* where a line may be overwritten */

@@ -125,7 +125,7 @@ PetscErrorCode StudyDestroy(Study *study)
   PetscCall(PetscFree((*study)->records));
   PetscCall(PetscFree((*study)->quantities));
   PetscCall(PetscFree((*study)->errors));
-  free((*study)->summary);
+  cJSON_Delete((*study)->summary);
   PetscCall(PetscFree(*study));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -16,7 +16,7 @@ def judge(run):
     same("colours", {name: indicator["colour"] for name, indicator in found["indicators"].items() if name in ("strain", "rotation", "gap")},
          {"strain": "green", "rotation": "green", "gap": "green"})
     pressed = Run(run.program, run.mpiexec, run.ranks, run.folder / "pressed", run.arguments + ["-upper_bc_displacement_top", f"free,{200 * -1.37875e-3}"])
-    pressed.require_solved("model_limit")
+    pressed.require_solved(["model_limit"])
     strain = pressed.summary["validity"]["indicators"]["strain"]
     near("neglected strain, large", strain["value"], NEGLECTED, relative=1e-9)
     same("colour", strain["colour"], "red")

@@ -49,6 +49,6 @@ def judge(run):
     require(found[1][0] < found[0][0] / 8 and found[1][0] < 1e-3, f"order 2: the mean is off by {found[0][0]:.3g} and {found[1][0]:.3g}")
 
     # polygons stay what they are: new nodes lie in the middles of their sides
-    table = run.again("-dm_refine", "1", "-inner_polygonal", "1", "-outer_polygonal", "1", warns=["coarse_curve"]).table("fit")
+    table = run.again("-dm_refine", "1", "-inner_polygonal", "1", "-outer_polygonal", "1", warns=["coarse_contact", "coarse_curve", "model_limit"]).table("fit")
     radii = sorted(math.hypot(x, y) for x, y in zip(table["x"], table["y"]))
     near("radii of polygons", radii, [FIT * math.cos(math.pi / 16)] * 4 + [FIT] * 5, relative=1e-14)

@@ -17,5 +17,5 @@ mortise_scene_test(cut SCENE two_plates CHECK cut.py ARGS -infsup -upper_dm_plex
 # With load steps and multigrid; not at all where nobody asks; a contact that is too large.
 mortise_scene_test(steps SCENE two_plates CHECK steps.py RANKS 1 3 ARGS -infsup -load_steps 3
   -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6 -pc_type truncatedmg)
-mortise_scene_test(too_many SCENE two_plates CHECK too_many.py WARNS inf_sup_unknown
+mortise_scene_test(too_many SCENE two_plates CHECK too_many.py
   ARGS -infsup -upper_dm_plex_box_faces 3001,1 -lower_dm_plex_box_faces 8,1 -dm_refine 0)

@@ -10,5 +10,5 @@ GROWTH = 1.3  # times as many for one system on some ranks as on others
 def judge(run):
     for snes, most in MOST.items():
         iterations = iterations_on_ranks(run, snes)
-        require(max(iterations) <= most, f"{snes} takes {iterations} iterations on {RANKS} ranks")
-        require(snes == "pdas" or max(iterations) <= GROWTH * min(iterations), f"{snes} takes {iterations} iterations for a system on {RANKS} ranks")
+        require(max(iterations) <= most, f"{snes} takes {iterations} iterations on {RANKS[snes]} ranks")
+        require(snes == "pdas" or max(iterations) <= GROWTH * min(iterations), f"{snes} takes {iterations} iterations for a system on {RANKS[snes]} ranks")

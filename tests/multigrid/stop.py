@@ -32,5 +32,5 @@ def judge(run):
     require(solver["work_units"] < 0.5 * whole["solver"]["work_units"], "no less work than to the end")
     require("of the solution, in the energy norm, estimated from coarser meshes\n" in run.stdout, run.stdout)
     judge_order(run)
-    coarse = run.again("-upper_dm_plex_box_faces", "2,2", "-lower_dm_plex_box_faces", "2,2", "-dm_refine", "1", name="coarse", warns=["coarse_mesh"])
+    coarse = run.again("-upper_dm_plex_box_faces", "2,2", "-lower_dm_plex_box_faces", "2,2", "-dm_refine", "1", name="coarse", warns=["coarse_contact", "coarse_mesh"])
     require(coarse.summary["solver"]["discretisation_error"]["relative"] > 0.1, "a mesh of four cells along a side is not coarse")

@@ -3,14 +3,10 @@ file(GLOB references CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/reference/*/s
 foreach(path IN LISTS references)
   get_filename_component(folder ${path} DIRECTORY)
   get_filename_component(case ${folder} NAME)
-  set(warns_${case})
-  if(case MATCHES "^rubber") # the plate's end is above a facet
-    set(warns_${case} WARNS gap_jump)
-  endif()
-  mortise_scene_test(${case} SCENE ${case}/scene CHECK compare.py RANKS 1 3 LABELS regression ${warns_${case}})
+  mortise_scene_test(${case} SCENE ${case}/scene CHECK compare.py RANKS 1 3 LABELS regression)
 endforeach()
 foreach(case plates_mixed plates_mixed_21 plates_vertices_2 rings_2 rubber rubber_2 rubber_triangles_2) # FIELDS in tables.py
-  mortise_scene_test(fields_${case} SCENE ${case}/scene CHECK fields.py RANKS 1 3 LABELS regression ${warns_${case}})
+  mortise_scene_test(fields_${case} SCENE ${case}/scene CHECK fields.py RANKS 1 3 LABELS regression)
 endforeach()
 
 # Scenes put together at random, whose numbers begin at the last word of the title.

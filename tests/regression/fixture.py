@@ -2,6 +2,8 @@
 
 Nothing but contacts holds the workpiece: springs that fade away do so to 1e-10 of the loads.
 """
+import itertools
+
 import numpy as np
 
 from judge import near, same
@@ -35,14 +37,13 @@ def judge_run(run, turn):
 
 def judge(run):
     judge_run(run, np.eye(3))
-    for cells in ("0", "1"):
-        for order in ("1", "2"):
-            kind = ["-workpiece_dm_plex_simplex", cells, "-order", order, "-workpiece_dm_plex_box_faces", "3,2,2"]
-            judge_run(run.again(*kind, name=f"upright{cells}{order}"), np.eye(3))
-            turn = rotation()
-            lines = [" + ".join(f"({value!r})*{x}" for value, x in zip(map(float, row), "xyz")) for row in turn]
-            place = [f"-{name}_obstacle_normal={','.join(repr(float(v)) for v in turn[:, axis])}" for axis, name in enumerate(CLAMPS)]
-            options = [part for option in place for part in option.split("=")]
-            at = ",".join(repr(float(x)) for x in turn @ [0.7, 0.8, 0.6])
-            askew = run.again(*kind, *options, "-workpiece_map", ", ".join(lines), "-probe_inside_at", at, name=f"askew{cells}{order}")
-            judge_run(askew, turn)
+    for cells, order in run.some(itertools.product("01", "12")):
+        kind = ["-workpiece_dm_plex_simplex", cells, "-order", order, "-workpiece_dm_plex_box_faces", "3,2,2"]
+        judge_run(run.again(*kind, name=f"upright{cells}{order}"), np.eye(3))
+        turn = rotation()
+        lines = [" + ".join(f"({value!r})*{x}" for value, x in zip(map(float, row), "xyz")) for row in turn]
+        place = [f"-{name}_obstacle_normal={','.join(repr(float(v)) for v in turn[:, axis])}" for axis, name in enumerate(CLAMPS)]
+        options = [part for option in place for part in option.split("=")]
+        at = ",".join(repr(float(x)) for x in turn @ [0.7, 0.8, 0.6])
+        askew = run.again(*kind, *options, "-workpiece_map", ", ".join(lines), "-probe_inside_at", at, name=f"askew{cells}{order}")
+        judge_run(askew, turn)

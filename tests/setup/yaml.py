@@ -1,5 +1,5 @@
-"""A mesh is found beside the file of -options_file_yaml that names it."""
-from judge import Run, same
+"""A mesh is found beside the file of -options_file_yaml that names it; options of YAML and behind a prefix count, and the summary tells them."""
+from judge import Run, near, same
 
 MESH = """$MeshFormat
 2.2 0 8
@@ -40,3 +40,11 @@ def judge(run):
     case = Run(run.program, run.mpiexec, run.ranks, run.folder / "yaml", ["-options_file_yaml", str(folder / "scene.yaml")])
     case.require_solved()
     same("cells", case.summary["scene"]["bodies"]["block"]["cells"], 1)
+    same("option of the file", case.summary["options"]["block_young"], "1000")
+    stiff = {"text": ["-options_string_yaml", "{block_young: 2000, title: stiff}"], "prefix": ["-prefix_push", "block_", "-young", "2000", "-prefix_pop", "-title", "stiff"]}
+    for name, words in stiff.items():
+        other = Run(run.program, run.mpiexec, run.ranks, run.folder / name, case.arguments + words)
+        other.require_solved()
+        options = other.summary["options"]
+        same("options", (options["block_young"], options["title"], "young" in options, other.summary["scene"]["title"]), ("2000", "stiff", False, "stiff"))
+        near("half the energy", other.summary["energy"]["potential"], case.summary["energy"]["potential"] / 2, relative=1e-12)

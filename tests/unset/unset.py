@@ -7,7 +7,7 @@ A case is a file of options, cases/<case>.opts, or a program that makes its mesh
 and a function make(folder). Its head says
 
     # wrong: what was meant, and what is wrong
-    # ends: 1                         the exit code; with 0 the codes of all warnings that the run must have
+    # ends: 1                         the exit code; with 0 the codes of all warnings of the run
     # says: words of the sentence     one line for each part of what stderr must have
     # ranks: 1 3                      without this line, one
 """
@@ -56,7 +56,7 @@ def judge_end(run, head):
     if ends == "0":
         require(codes, "a case that ends with exit code 0 names the codes of its warnings")
         found = {warning["code"] for warning in run.summary["warnings"]}
-        require(set(codes) <= found, f"warnings {sorted(found)}, and not {codes}")
+        require(set(codes) == found, f"warnings {sorted(found)} instead of {codes}")
     require("mortise: " in run.stderr, "stderr says nothing")
     for words in says:
         require(words in run.stderr, f"nothing says '{words}'")
