@@ -9,6 +9,7 @@
 #include "base/warning.h"
 #include "output/htmlreport.h"
 #include "result/probes.h"
+#include "study/adaptive.h"
 #include "study/steps.h"
 #include "study/study.h"
 
@@ -286,6 +287,8 @@ static PetscErrorCode Solve_Private(Mortise m)
   if (m->mesh) {
     if (m->scene->steps.num)
       PetscCall(StepsRun(m->scene, m->mesh, guess, &run));
+    else if (m->scene->adapt.tolerance > 0)
+      PetscCall(AdaptiveRun(m->scene, m->mesh, guess, &run));
     else
       PetscCall(run ? RunAdvance(guess, &run) : RunCreate(m->scene, m->mesh, guess, &run));
     PetscCall(VecDestroy(&guess));

@@ -13,6 +13,8 @@ static struct {
   cJSON    *common, *run, *told; /* of all runs, of this one, all lines that were printed; NULL while empty */
   char      label[LABEL_LENGTH];
   PetscBool within, quiet; /* within a run */
+  PetscBool held;          /* lines wait for the last run */
+  int       before;        /* `ended` when they began to */
   int       muted, ended;  /* how often; warnings of runs that have ended */
   int       marked;        /* warnings of the run that are of all its solutions */
 } book;
@@ -49,7 +51,7 @@ static void WarningPrint_Private(const Warning *about, const char text[])
   char            key[TEXT_LENGTH + 256];
   cJSON          *line;
 
-  if (book.quiet) return;
+  if (book.quiet || book.held) return;
   (void)snprintf(key, sizeof(key), "%s %s %d %s", about->code, who, about->grave, several ? "" : text);
   line = cJSON_CreateString(key);
   if (WarningIsListed_Private(book.told, line)) {
@@ -143,6 +145,36 @@ void WarningUnmute(void)
   book.muted--;
 }
 
+void WarningHold(void)
+{
+  book.held   = PETSC_TRUE;
+  book.before = book.ended;
+}
+
+/* A list's lines, as far as they were not printed. */
+static void WarningPrintList_Private(const cJSON *list)
+{
+  const cJSON *item;
+
+  cJSON_ArrayForEach(item, list)
+  {
+    const Warning about = {.code   = cJSON_GetStringValue(cJSON_GetObjectItem(item, "code")),
+                           .body   = cJSON_GetStringValue(cJSON_GetObjectItem(item, "body")),
+                           .pair   = cJSON_GetStringValue(cJSON_GetObjectItem(item, "pair")),
+                           .advice = cJSON_GetStringValue(cJSON_GetObjectItem(item, "advice"))};
+
+    WarningPrint_Private(&about, cJSON_GetStringValue(cJSON_GetObjectItem(item, "text")));
+  }
+}
+
+void WarningRelease(void)
+{
+  book.held  = PETSC_FALSE;
+  book.ended = book.before + cJSON_GetArraySize(book.run);
+  WarningPrintList_Private(book.common);
+  WarningPrintList_Private(book.run);
+}
+
 void WarningSetQuiet(PetscBool quiet)
 {
   book.quiet = quiet;
@@ -194,6 +226,7 @@ void WarningBreakRun(void)
 {
   WarningEndRun();
   book.muted = 0;
+  book.held  = PETSC_FALSE;
 }
 
 void WarningClear(void)

@@ -45,6 +45,10 @@ void WarningSetLabel(const char label[]);
    nested. Not collective. */
 void WarningMute(void);
 void WarningUnmute(void);
+/* Between these two calls only the last run counts: its lines, with those of all runs, are printed by the second one. Runs on coarser
+   meshes are no answers. Not collective. */
+void WarningHold(void);
+void WarningRelease(void);
 /* Keeps lines from stderr, not from the list. Not collective. */
 void WarningSetQuiet(PetscBool quiet);
 

@@ -11,9 +11,10 @@
    partition; queries return ascending indices. */
 typedef struct {
   PetscInt     num;
-  ElementType *type;   /* [num] */
-  PetscInt    *nodes;  /* global nodes [num][ELEMENT_MAX_FACET_NODES] */
-  PetscReal   *coords; /* [num][ELEMENT_MAX_FACET_NODES][dim] */
+  ElementType *type;            /* [num] */
+  PetscInt    *nodes;           /* global nodes [num][ELEMENT_MAX_FACET_NODES] */
+  PetscInt    *cell, *material; /* cells that they belong to, counted over all ranks, and their materials [num] */
+  PetscReal   *coords;          /* [num][ELEMENT_MAX_FACET_NODES][dim] */
   PetscReal   *normals,
       *curvature; /* of their patches, zero where no shape was given [num][ELEMENT_MAX_FACET_NODES][dim], [..][dim][dim] */
   PetscReal *bulges; /* of sides that are taken for smooth, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */

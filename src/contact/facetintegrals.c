@@ -125,7 +125,7 @@ static void FacetIntegralAddArm_Private(const FacetPartner *partner, const ClipF
 
 /* D, M, G and what couples with nodes that carry no multiplier, from the collected points. */
 static PetscErrorCode FacetIntegralSumPoints_Private(const FacetPartner *partner, const ClipFacet *facet,
-                                                     const OverlapPoints *list, FacetIntegral *integral)
+                                                     OverlapPoints *list, FacetIntegral *integral)
 {
   const PetscInt num_nodes = ElementNumNodes(facet->type);
   PetscInt       columns[ELEMENT_MAX_FACET_NODES];
@@ -147,6 +147,7 @@ static PetscErrorCode FacetIntegralSumPoints_Private(const FacetPartner *partner
     ElementShape(facet->type, &xi[2 * p], phi, NULL);
     DualBasisEvaluate(&dual, &xi[2 * p], psi);
     PetscCall(FacetIntegralGapAt_Private(partner, num_nodes, facet->X, phi, &gap));
+    list->point[p].gap = gap;
     if (!partner->gap_only && (p == 0 || f != list->facet[p - 1]))
       PetscCall(FacetIntegralFindColumns_Private(partner, f, integral, columns));
     if (!partner->gap_only && f >= 0)

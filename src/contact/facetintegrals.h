@@ -31,7 +31,7 @@ typedef struct {
 ElementType FacetIntegralCarrier(const ScenePair *spec, ElementType facet);
 
 /* Integrates one facet. covered = 0 where nothing is within reach. Not collective. [in] bulges - of the facet, or NULL; [in,out] list -
-   any, for the points */
+   any; afterwards its points, with their gaps as they were integrated */
 PetscErrorCode FacetIntegralCompute(const FacetPartner *partner, const ClipFacet *facet, const PetscReal bulges[],
                                     OverlapPoints *list, FacetIntegral *integral);
 PetscErrorCode FacetIntegralDestroy(FacetIntegral *integral);

@@ -262,6 +262,8 @@ PetscErrorCode MortarIntegralsCreate(Level *level, const FacetPartner *partner, 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(facets->num, &integrals));
   PetscCall(OverlapPointsCreate(dim, &list));
+  sums->points = NULL;
+  if (!partner->gap_only) PetscCall(PairPointsCreate(&sums->points));
   PetscCall(PetscMalloc2(facets->num, &sums->covered, facets->num, &sums->carrier));
   PetscCall(VecGhostGetLocalForm(normals, &local));
   PetscCall(VecGetArrayRead(local, &na));
@@ -276,6 +278,7 @@ PetscErrorCode MortarIntegralsCreate(Level *level, const FacetPartner *partner, 
     PetscCall(FacetIntegralCompute(partner, &facet,
                                    partner->bulges ? &partner->bulges[f * ELEMENT_MAX_FACET_NODES * dim] : NULL, &list,
                                    &integrals[f]));
+    if (sums->points) PetscCall(PairPointsAdd(sums->points, f, &list));
   }
   PetscCall(VecRestoreArrayRead(local, &na));
   PetscCall(VecGhostRestoreLocalForm(normals, &local));
@@ -314,6 +317,7 @@ PetscErrorCode MortarIntegralsDestroy(MortarIntegrals *sums)
   PetscCall(VecDestroy(&sums->fully_covered));
   PetscCall(VecDestroy(&sums->partly_covered));
   PetscCall(PetscFree(sums->boundary));
+  PetscCall(PairPointsDestroy(&sums->points));
   PetscCall(MatDestroy(&sums->arm));
   PetscCall(MatDestroy(&sums->D_other));
   PetscCall(PetscFree2(sums->covered, sums->carrier));

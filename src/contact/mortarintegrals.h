@@ -3,6 +3,7 @@
 #define MORTISE_MORTARINTEGRALS_H
 
 #include "contact/facetintegrals.h"
+#include "contact/pairpoints.h"
 
 /* Unit normals of the nonmortar side at its nodes, zero elsewhere (eq. 4.1). Collective. [in] shape - of the side;
    [out] normals - ghosted, dim per node, owned by the caller */
@@ -36,11 +37,12 @@ typedef struct {
   PetscInt         num_boundary;
   OverlapBoundary *boundary; /* of this rank's facets [num_boundary] */
   PetscBool       *covered;  /* of this rank's facets */
+  PairPoints       points;   /* of this rank's facets, NULL where gaps are measured alone */
   ElementType     *carrier;  /* which of a facet's nodes may carry multipliers: the first ones, as of this type */
 } MortarIntegrals;
 
 /* D, G and M of a pair, before any row is redistributed. Collective. [in] normals - ghosted; [out] sums - owned by the caller,
-   but M, the arm and the ends pass to the pair */
+   but M, the arm, the ends and the points pass to the pair */
 PetscErrorCode MortarIntegralsCreate(Level *level, const FacetPartner *partner, const Facets *facets, Vec normals,
                                      MortarIntegrals *sums);
 PetscErrorCode MortarIntegralsDestroy(MortarIntegrals *sums);

@@ -28,7 +28,7 @@ typedef struct {
 
 /* One facet as it travels between ranks. */
 typedef struct {
-  PetscInt  type, nodes[ELEMENT_MAX_FACET_NODES]; /* global */
+  PetscInt  type, cell, material, nodes[ELEMENT_MAX_FACET_NODES]; /* global */
   PetscReal coords[3 * ELEMENT_MAX_FACET_NODES];
   PetscReal normals[3 * ELEMENT_MAX_FACET_NODES], curvature[9 * ELEMENT_MAX_FACET_NODES];
 } FacetRecord;
@@ -38,6 +38,7 @@ typedef struct {
   const Level     *level;
   const Facets    *facets;
   const SideShape *shape; /* may be NULL */
+  PetscInt         first; /* cell of this rank, counted over all ranks */
 } Side;
 
 /* A tree over the boxes around all facets of a list. [in] coords - [num][ELEMENT_MAX_FACET_NODES][dim] */
@@ -143,7 +144,9 @@ static void MortarSurfacePackFacet_Private(const Side *side, PetscInt f, FacetRe
   const Facets  *facets = side->facets;
   const PetscInt dim    = level->dim;
 
-  record->type = facets->type[f];
+  record->type     = facets->type[f];
+  record->cell     = side->first + facets->cell[f];
+  record->material = level->cell_material[facets->cell[f]];
   for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
     record->nodes[i] = level->node_global[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
   ContactFacetCoordinates(level, facets, f, record->coords);
@@ -158,7 +161,9 @@ static void MortarSurfaceAddFacet_Private(PetscInt dim, const FacetRecord *recor
 {
   const PetscInt f = surface->num++, n = ElementNumNodes((ElementType)record->type);
 
-  surface->type[f] = (ElementType)record->type;
+  surface->type[f]     = (ElementType)record->type;
+  surface->cell[f]     = record->cell;
+  surface->material[f] = record->material;
   for (PetscInt i = 0; i < n; i++) surface->nodes[f * ELEMENT_MAX_FACET_NODES + i] = record->nodes[i];
   for (PetscInt i = 0; i < n * dim; i++) surface->coords[f * ELEMENT_MAX_FACET_NODES * dim + i] = record->coords[i];
   for (PetscInt i = 0; i < n * dim; i++) surface->normals[f * ELEMENT_MAX_FACET_NODES * dim + i] = record->normals[i];
@@ -290,20 +295,23 @@ PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const 
                                    PetscReal reach, MortarSurface *surface)
 {
   const PetscInt dim  = level->dim;
-  const Side     side = {level, mortar, shape};
+  Side           side = {level, mortar, shape, 0};
   Covers         covers;
   Traffic        traffic;
   PetscInt       max;
 
   PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Scan(&level->num_cells, &side.first, 1, MPIU_INT, MPI_SUM, level->comm));
+  side.first -= level->num_cells;
   PetscCall(MortarSurfaceCoversCreate_Private(level, nonmortar, reach, &covers));
   PetscCall(MortarSurfaceTrafficPlan_Private(&side, &covers, &traffic));
   max             = traffic.num_staying + traffic.num_arriving;
   surface->num    = 0;
   surface->bulges = NULL;
-  PetscCall(PetscMalloc5(max, &surface->type, max * ELEMENT_MAX_FACET_NODES, &surface->nodes,
-                         max * ELEMENT_MAX_FACET_NODES * dim, &surface->coords, max * ELEMENT_MAX_FACET_NODES * dim,
-                         &surface->normals, max * ELEMENT_MAX_FACET_NODES * dim * dim, &surface->curvature));
+  PetscCall(PetscMalloc7(max, &surface->type, max, &surface->cell, max, &surface->material,
+                         max * ELEMENT_MAX_FACET_NODES, &surface->nodes, max * ELEMENT_MAX_FACET_NODES * dim,
+                         &surface->coords, max * ELEMENT_MAX_FACET_NODES * dim, &surface->normals,
+                         max * ELEMENT_MAX_FACET_NODES * dim * dim, &surface->curvature));
   PetscCall(MortarSurfaceTrafficLoad_Private(&side, &covers, &traffic, surface));
   PetscCall(MortarSurfaceCoversDestroy_Private(&covers));
   PetscCall(MortarSurfaceTrafficRun_Private(level, &traffic, surface));
@@ -323,7 +331,8 @@ PetscErrorCode MortarSurfaceUpdateTree(PetscInt dim, MortarSurface *surface)
 PetscErrorCode MortarSurfaceDestroy(MortarSurface *surface)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscFree5(surface->type, surface->nodes, surface->coords, surface->normals, surface->curvature));
+  PetscCall(PetscFree7(surface->type, surface->cell, surface->material, surface->nodes, surface->coords,
+                       surface->normals, surface->curvature));
   PetscCall(PetscFree(surface->bulges));
   PetscCall(BoxTreeDestroy(&surface->tree));
   surface->num = 0;

@@ -193,6 +193,7 @@ PetscErrorCode PairAssemblyCreate(Scene scene, Level *level, const Support *supp
   PetscCall(PetscMalloc1(level->num_nodes, &assembly->status));
   PetscCall(MultiplierStatusDecide(level, support, assembly));
   if (assembly->displacement) PetscCall(DeformedLevelDestroy(&moved));
+  if (meshed && assembly->sums.points) PetscCall(PairPointsSetMortar(assembly->sums.points, level->dim, &surface));
   if (meshed) PetscCall(MortarSurfaceDestroy(&surface));
   PetscCall(FacetsDestroy(&mortar));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -210,6 +211,17 @@ PetscErrorCode PairAssemblyDestroy(PairAssembly *assembly)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The points pass to the pair, with the side that they lie on. Not collective. */
+static void PairTakePoints_Private(PairAssembly *assembly, Pair pair)
+{
+  pair->points          = assembly->sums.points;
+  pair->points->facets  = assembly->nonmortar;
+  pair->points->normals = assembly->normals;
+  assembly->sums.points = NULL;
+  assembly->nonmortar   = (Facets){0};
+  assembly->normals     = NULL;
+}
+
 /* Redistributes removed rows and collects kept ones. Collective. */
 static PetscErrorCode PairFinish_Private(Level *level, const Support *support, PairAssembly *assembly, Pair pair)
 {
@@ -225,6 +237,7 @@ static PetscErrorCode PairFinish_Private(Level *level, const Support *support, P
   pair->num_boundary = sums->num_boundary;
   pair->boundary     = sums->boundary;
   sums->boundary     = NULL;
+  PairTakePoints_Private(assembly, pair);
   PetscCall(PairAssemblyDestroy(assembly));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -278,6 +291,12 @@ PetscErrorCode PairsUpdateGaps(Scene scene, Level *level, const Support *support
   for (PetscInt p = 0; p < scene->num_pairs; p++) {
     if (*same) PetscCall(PetscArraycpy(pairs[p]->gap, fresh[p]->gap, fresh[p]->num));
     if (*same) PetscCall(PetscArraycpy(pairs[p]->overlap, fresh[p]->overlap, fresh[p]->num));
+    if (*same) {
+      const PairPoints points = pairs[p]->points;
+
+      pairs[p]->points = fresh[p]->points;
+      fresh[p]->points = points;
+    }
     PetscCall(PairDestroy(&fresh[p]));
   }
   PetscCall(PetscFree2(reach, fresh));
@@ -288,6 +307,7 @@ PetscErrorCode PairDestroy(Pair *pair)
 {
   PetscFunctionBeginUser;
   if (!*pair) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PairPointsDestroy(&(*pair)->points));
   PetscCall(MatDestroy(&(*pair)->M));
   PetscCall(MatDestroy(&(*pair)->arm));
   PetscCall(MatDestroy(&(*pair)->D_other));

@@ -34,14 +34,15 @@ struct _n_Pair {
   PetscBool *partly_covered; /* whether a facet around the node is covered in part; then `boundary` tell where [num] */
   PetscBool *fully_covered;  /* whether a facet around the node is covered altogether [num] */
   PetscInt   num_boundary;
-  OverlapBoundary *boundary;      /* of facets of this rank [num_boundary] */
-  Mat              D_other;       /* D_ac, c without a multiplier (node x node), or NULL where there is none */
-  Mat       to_nodal, from_nodal; /* u = u~ + to_nodal u~, u~ = u + from_nodal u (node x node), or NULL where u~ = u */
-  Mat       M;                    /* node x node, rows of multiplier nodes; NULL for an obstacle */
-  Mat       arm;                  /* of a tie across a gap: what joins M, in blocks of size dim (eq. 5.4); else NULL */
-  PetscInt  num_facets_nonmortar, num_facets_mortar;     /* of all ranks */
-  PetscInt  num_multipliers, num_removed, num_uncovered; /* nodes of all ranks */
-  PetscReal reach;                                       /* that was used */
+  OverlapBoundary *boundary;    /* of facets of this rank [num_boundary] */
+  Mat              D_other;     /* D_ac, c without a multiplier (node x node), or NULL where there is none */
+  Mat to_nodal, from_nodal;     /* u = u~ + to_nodal u~, u~ = u + from_nodal u (node x node), or NULL where u~ = u */
+  Mat M;                        /* node x node, rows of multiplier nodes; NULL for an obstacle */
+  Mat arm;                      /* of a tie across a gap: what joins M, in blocks of size dim (eq. 5.4); else NULL */
+  struct _n_PairPoints *points; /* where the pair was integrated (pairpoints.h) */
+  PetscInt              num_facets_nonmortar, num_facets_mortar;     /* of all ranks */
+  PetscInt              num_multipliers, num_removed, num_uncovered; /* nodes of all ranks */
+  PetscReal             reach;                                       /* that was used */
   PetscBool smooth[2]; /* whether the nonmortar, the mortar side is smooth: gaps are those of curves (eq. 4.5) */
   PetscReal curve_error
       [2]; /* what gaps may be off by as each side bends between its nodes, at most; 0 where gaps are given */

@@ -3,6 +3,7 @@
    A node where regions of a body meet is a point for each of them, so that the stress may jump there. */
 #include "output/fieldwriter.h"
 #include "base/compat.h"
+#include "result/estimate.h"
 
 /* Pressure, gap and status of all pairs at once, one after the other: a node in several pairs shows the sum of its pressures,
    the smallest gap, and the closest status. */
@@ -168,6 +169,18 @@ static PetscErrorCode BodyFieldsWriteStress_Private(FieldWriter *writer, Fields 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Where the error is. */
+static PetscErrorCode BodyFieldsWriteEstimate_Private(FieldWriter *writer, Fields fields)
+{
+  PetscReal *density;
+
+  PetscFunctionBeginUser;
+  PetscCall(EstimateCreateDensity(fields, &density));
+  PetscCall(FieldWriterPoints(writer, (Quantity){"error_estimate", 1, PETSC_FALSE}, 1, density));
+  PetscCall(PetscFree(density));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The bodies as they are meshed. [in] points - borrowed while the picture is open; [out] tags - piece and material of all cells, on the first
    rank; owned by the caller */
 static PetscErrorCode BodyFieldsWriteMesh_Private(FieldWriter *writer, VI vi, const Points *points, PetscReal **tags)
@@ -240,6 +253,7 @@ PetscErrorCode BodyFieldsWrite(FieldWriter *writer, Fields fields)
   PetscCall(VecRestoreArrayRead(fields->u, &u));
   PetscCall(BodyFieldsWriteStress_Private(writer, fields));
   PetscCall(BodyFieldsWriteContact_Private(writer, fields));
+  PetscCall(BodyFieldsWriteEstimate_Private(writer, fields));
   PetscCall(BodyFieldsWriteCells_Private(writer, fields->vi, tags));
   PetscCall(PetscFree(tags));
   PetscCall(PointsDestroy_Private(&points));

@@ -17,7 +17,7 @@ typedef struct {
   PetscBool   integer; /* to be stored as whole numbers */
 } Quantity;
 
-enum { FIELD_WRITER_MAX_POINT_QUANTITIES = 7, FIELD_WRITER_MAX_CELL_QUANTITIES = 3 };
+enum { FIELD_WRITER_MAX_POINT_QUANTITIES = 8, FIELD_WRITER_MAX_CELL_QUANTITIES = 3 };
 
 /* Cells of all ranks, sorted by type, since readers of mixed meshes keep one block per type. */
 typedef struct {

@@ -15,6 +15,7 @@
 #include "output/bodycounts.h"
 #include "result/gapdiscontinuity.h"
 #include "output/setupreport.h"
+#include "output/errorreport.h"
 #include "output/solversummary.h"
 #include "result/solvabilityreport.h"
 #include "result/validity.h"
@@ -447,6 +448,7 @@ PetscErrorCode SummaryCreateTree(const SummaryInput *input, cJSON **tree)
   PetscCall(SummaryAddProbes_Private(input, root));
   SummaryAddErrors_Private(input, root);
   if (input->setup) PetscCall(SetupReportAdd(input->vi, input->setup, root));
+  PetscCall(ErrorReportAdd(input, root));
   PetscCall(ValidityAdd(input->fields, root));
   PetscCall(SummaryAddCost_Private(input, root));
   if (input->steps) cJSON_AddItemToObject(root, "steps", cJSON_Duplicate(input->steps, cJSON_True));

@@ -24,8 +24,10 @@ typedef struct {
   const Certificate  *certificate;
   const Errors       *errors;
   Vec                 reactions;
-  PetscBool           solved; /* converged, certified, and not contradicted by a second solver */
-  const cJSON        *steps;  /* an array of SummaryCreateStep(), or NULL without load steps */
+  PetscBool           solved;   /* converged, certified, and not contradicted by a second solver */
+  const cJSON        *estimate; /* the error and the meshes it was found on, or NULL where there was one mesh */
+  const cJSON        *bars;     /* half widths, by the keys of the numbers, or NULL */
+  const cJSON        *steps;    /* an array of SummaryCreateStep(), or NULL without load steps */
 } SummaryInput;
 
 /* Adds to the warnings all that qualifies the answer, or the refusal. Collective; once for each run. */

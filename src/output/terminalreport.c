@@ -9,6 +9,7 @@
 #include "output/patchsummary.h"
 #include "result/pairsum.h"
 #include "result/solvabilityreport.h"
+#include "output/errorreport.h"
 #include "output/numberwords.h"
 
 static const PetscReal PERCENT = 100;
@@ -37,21 +38,24 @@ static PetscErrorCode SummaryPrintPair_Private(const SummaryInput *in, PetscInt 
   const MPI_Comm   comm = in->scene->comm;
   const ScenePair *spec = in->vi->pairs[p]->spec;
   PairSum          sum;
-  char             force[128], at[128];
+  char             force[128], at[128], bar[3][32];
 
   PetscFunctionBeginUser;
   if (!in->vi->pairs[p]->num_multipliers) PetscFunctionReturn(PETSC_SUCCESS); // a warning tells why
+  ErrorReportPairBar(in, spec->name, "normal_force", bar[0], sizeof(bar[0]));
+  ErrorReportPairBar(in, spec->name, "max_pressure", bar[1], sizeof(bar[1]));
+  ErrorReportPairBar(in, spec->name, "area", bar[2], sizeof(bar[2]));
   PetscCall(PairSumCompute(in->fields, p, &sum));
   PetscCall(SummaryPrintForce_Private(in, spec, &sum, force, sizeof(force)));
-  PetscCall(PetscPrintf(comm, "  %s: %" PetscInt_FMT " of %" PetscInt_FMT " nodes %s, %s on %s\n", spec->name,
+  PetscCall(PetscPrintf(comm, "  %s: %" PetscInt_FMT " of %" PetscInt_FMT " nodes %s, %s%s on %s\n", spec->name,
                         sum.active, in->vi->pairs[p]->num_multipliers, spec->type == PAIR_TIED ? "tied" : "in contact",
-                        force, in->scene->bodies[spec->nonmortar.body].name));
+                        force, bar[0], in->scene->bodies[spec->nonmortar.body].name));
   if (sum.active && spec->type == PAIR_CONTACT) {
     PetscCall(NumberWordsVector(in->scene->dim, sum.max_pressure_at, at, sizeof(at)));
-    PetscCall(PetscPrintf(comm, "    largest pressure %.6g at %s, ", (double)sum.max_pressure, at));
+    PetscCall(PetscPrintf(comm, "    largest pressure %.6g%s at %s, ", (double)sum.max_pressure, bar[1], at));
     if (sum.max_covered < sum.max_pressure)
       PetscCall(PetscPrintf(comm, "where the partner ends, %.6g elsewhere, ", (double)sum.max_covered));
-    PetscCall(PetscPrintf(comm, "area %.6g\n", (double)sum.area));
+    PetscCall(PetscPrintf(comm, "area %.6g%s\n", (double)sum.area, bar[2]));
     PetscCall(PatchSummaryPrint(in->fields, p));
   }
   if (in->inf_sup && !PetscIsNanReal(in->inf_sup[p].number)) {
@@ -164,6 +168,7 @@ static PetscErrorCode SummaryPrintResults_Private(const SummaryInput *in)
       PetscCall(PetscPrintf(comm, "  body %s is in %" PetscInt_FMT " pieces\n", in->scene->bodies[b].name, pieces));
   }
   for (PetscInt p = 0; p < in->vi->num_pairs; p++) PetscCall(SummaryPrintPair_Private(in, p));
+  PetscCall(ErrorReportPrint(in));
   PetscCall(SolvabilityReportPrint(in->vi, in->solvability));
   PetscCall(SummaryPrintErrors_Private(in));
   PetscCall(PetscPrintf(comm,

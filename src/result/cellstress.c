@@ -61,3 +61,13 @@ PetscErrorCode CellStressAtPoint(Scene scene, const CellStress *cell, const Elem
   CellStressAddPressure_Private(num_strains, cell, x, C, strain, stress);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
+
+void CellStressTraction(PetscInt dim, const PetscScalar stress[], const PetscReal n[], PetscReal t[])
+{
+  static const PetscInt place[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
+
+  for (PetscInt i = 0; i < dim; i++) {
+    t[i] = 0;
+    for (PetscInt j = 0; j < dim; j++) t[i] += PetscRealPart(stress[place[i][j]]) * n[j];
+  }
+}

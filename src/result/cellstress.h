@@ -22,4 +22,7 @@ PetscErrorCode CellStressSet(Scene scene, const Level *level, PetscInt c, const 
 PetscErrorCode CellStressAtPoint(Scene scene, const CellStress *cell, const ElementRule *rule, PetscInt q,
                                  PetscReal stress[CELL_STRESSES], PetscReal *det);
 
+/* t = s n. Not collective. [in] stress - xx,yy,zz,yz,xz,xy; [in] n - [dim]; [out] t - [dim] */
+void CellStressTraction(PetscInt dim, const PetscScalar stress[], const PetscReal n[], PetscReal t[]);
+
 #endif

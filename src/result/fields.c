@@ -2,6 +2,7 @@
 
    Pressures at open nodes are left as computed (roundoff, not 0): the certificate has to judge the numbers that are given
    out. Whether a node is in contact is therefore a decision with a tolerance, taken here once for all outputs. */
+#include "result/estimate.h"
 #include "result/fields.h"
 #include "base/compat.h"
 #include "problem/eigenstrain.h"
@@ -244,6 +245,7 @@ PetscErrorCode FieldsDestroy(Fields *fields)
   PetscCall(NodalStressDestroy(&(*fields)->stress));
   PetscCall(PetscFree2((*fields)->stiffness, (*fields)->body_max));
   PetscCall(PetscFree((*fields)->validity));
+  PetscCall(EstimateDestroy(&(*fields)->estimate));
   PetscCall(PetscFree4((*fields)->row_weight, (*fields)->row_moment, (*fields)->row_noise, (*fields)->row_status));
   PetscCall(PetscFree(*fields));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -24,6 +24,7 @@ struct _n_Fields {
   PetscReal  u_ref;    /* size of the displacements and gaps, the same on all ranks */
   PetscReal  p_ref;    /* size of the pressures, the same on all ranks */
   struct _n_Validity *validity; /* NULL until ValidityGet() */
+  struct _n_Estimate *estimate; /* NULL until EstimateGet() */
 };
 typedef struct _n_Fields *Fields;
 
@@ -50,5 +51,8 @@ typedef struct {
 /* Nodal values of pair p. Collective. [out] nodal - owned by the caller, PairFieldsDestroy() */
 PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal);
 PetscErrorCode PairFieldsDestroy(PairFields *nodal);
+/* What the nonmortar side of pair p gives to its partner per area: lambda_a n_a of contact, the traction of a tie. Collective.
+   [out] traction - ghosted, dim per node, zero off that side; owned by the caller */
+PetscErrorCode PairTractionCreate(Fields fields, PetscInt p, Vec *traction);
 
 #endif

@@ -2,9 +2,10 @@
 #include "result/fields.h"
 #include "base/compat.h"
 
-/* Pressure of removed nodes. Their dual functions went to neighbours a with weights w_ac, D_ac = w_ac D_cc, which makes the
-   discrete pressure there the weighted mean of the neighbours' pressures:  p_c = sum_a D_ac p_a / sum_a D_ac. */
-static PetscErrorCode PairFieldsExtendPressure_Private(const Pair pair, PairFields *nodal)
+/* Values at removed nodes. Their dual functions went to neighbours a with weights w_ac, D_ac = w_ac D_cc, which makes the
+   discrete multiplier there the weighted mean of the neighbours':  p_c = sum_a D_ac p_a / sum_a D_ac. [in,out] nodal - [num_owned];
+   [in,out] covered - [num_owned] */
+static PetscErrorCode PairFieldsExtend_Private(const Pair pair, PetscReal nodal[], PetscBool covered[])
 {
   Vec              rows, sums[2];
   PetscReal       *value;
@@ -17,7 +18,7 @@ static PetscErrorCode PairFieldsExtendPressure_Private(const Pair pair, PairFiel
   for (PetscInt i = 0; i < 2; i++) {
     PetscCall(VecZeroEntries(rows));
     PetscCall(VecGetArray(rows, &value));
-    for (PetscInt a = 0; a < pair->num; a++) value[pair->nodes[a]] = i == 0 ? nodal->pressure[pair->nodes[a]] : 1.0;
+    for (PetscInt a = 0; a < pair->num; a++) value[pair->nodes[a]] = i == 0 ? nodal[pair->nodes[a]] : 1.0;
     PetscCall(VecRestoreArray(rows, &value));
     PetscCall(MatMultTranspose(pair->D_other, rows, sums[i]));
   }
@@ -26,8 +27,8 @@ static PetscErrorCode PairFieldsExtendPressure_Private(const Pair pair, PairFiel
   PetscCall(VecGetArrayRead(sums[1], &sum[1]));
   for (PetscInt c = 0; c < n; c++) {
     if (sum[1][c] == 0) continue; /* int phi_c may be negative on a part of a quadratic facet */
-    nodal->pressure[c] = sum[0][c] / sum[1][c];
-    nodal->covered[c]  = PETSC_TRUE;
+    nodal[c]   = sum[0][c] / sum[1][c];
+    covered[c] = PETSC_TRUE;
   }
   PetscCall(VecRestoreArrayRead(sums[0], &sum[0]));
   PetscCall(VecRestoreArrayRead(sums[1], &sum[1]));
@@ -37,9 +38,9 @@ static PetscErrorCode PairFieldsExtendPressure_Private(const Pair pair, PairFiel
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Where only vertices carry multipliers, the pressure that is given out is linear between them: in the middle of a facet
-   the mean of its ends. */
-static PetscErrorCode PairFieldsInterpolatePressure_Private(const Pair pair, PairFields *nodal)
+/* Where only vertices carry multipliers, what is given out is linear between them: in the middle of a facet
+   the mean of its ends. [in,out] nodal, covered - [num_owned] */
+static PetscErrorCode PairFieldsInterpolate_Private(const Pair pair, PetscReal nodal[], PetscBool covered[])
 {
   const PetscInt   begin = pair->level->node_begin;
   Vec              ends, middles;
@@ -48,9 +49,9 @@ static PetscErrorCode PairFieldsInterpolatePressure_Private(const Pair pair, Pai
 
   PetscFunctionBeginUser;
   PetscCall(MatCreateVecs(pair->to_nodal, &ends, &middles));
-  for (PetscInt i = 0; i < 2; i++) { /* the pressure, and whether there is any */
+  for (PetscInt i = 0; i < 2; i++) { /* the value, and whether there is any */
     PetscCall(VecGetArray(ends, &value));
-    for (PetscInt a = 0; a < pair->level->num_owned; a++) value[a] = i == 0 ? nodal->pressure[a] : nodal->covered[a];
+    for (PetscInt a = 0; a < pair->level->num_owned; a++) value[a] = i == 0 ? nodal[a] : covered[a];
     PetscCall(VecRestoreArray(ends, &value));
     PetscCall(MatMult(pair->to_nodal, ends, middles));
     PetscCall(VecGetArrayRead(middles, &mean));
@@ -58,14 +59,24 @@ static PetscErrorCode PairFieldsInterpolatePressure_Private(const Pair pair, Pai
       PetscInt num;
 
       PetscCall(MatGetRow(pair->to_nodal, begin + a, &num, NULL, NULL));
-      if (num && i == 0) nodal->pressure[a] = mean[a];
-      if (num && i == 1) nodal->covered[a] = (PetscBool)(mean[a] > 0);
+      if (num && i == 0) nodal[a] = mean[a];
+      if (num && i == 1) covered[a] = (PetscBool)(mean[a] > 0);
       PetscCall(MatRestoreRow(pair->to_nodal, begin + a, &num, NULL, NULL));
     }
     PetscCall(VecRestoreArrayRead(middles, &mean));
   }
   PetscCall(VecDestroy(&ends));
   PetscCall(VecDestroy(&middles));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* From the nodes with multipliers to all of the side. [in,out] nodal, covered - [num_owned] */
+static PetscErrorCode PairFieldsSpread_Private(const Pair pair, PetscReal nodal[], PetscBool covered[])
+{
+  PetscFunctionBeginUser;
+  if (pair->D_other) PetscCall(PairFieldsExtend_Private(pair, nodal, covered));
+  if (pair->to_nodal && pair->spec->multipliers == MULTIPLIERS_VERTICES)
+    PetscCall(PairFieldsInterpolate_Private(pair, nodal, covered));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -98,9 +109,7 @@ PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal)
   }
   PetscCall(VecRestoreArrayRead(fields->slack, &slack));
   PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
-  if (pair->D_other) PetscCall(PairFieldsExtendPressure_Private(pair, nodal));
-  if (pair->to_nodal && pair->spec->multipliers == MULTIPLIERS_VERTICES)
-    PetscCall(PairFieldsInterpolatePressure_Private(pair, nodal));
+  PetscCall(PairFieldsSpread_Private(pair, nodal->pressure, nodal->covered));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -108,5 +117,42 @@ PetscErrorCode PairFieldsDestroy(PairFields *nodal)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree5(nodal->pressure, nodal->gap, nodal->force, nodal->status, nodal->covered));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PairTractionCreate(Fields fields, PetscInt p, Vec *traction)
+{
+  const VI         vi   = fields->vi;
+  const Pair       pair = vi->pairs[p];
+  const PetscInt   n = vi->level->num_owned, dim = vi->level->dim;
+  PetscBool       *covered;
+  PetscReal       *component;
+  PetscScalar     *t;
+  const PetscReal *lambda;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(vi->level, dim, traction));
+  if (!fields->lambda) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc2(n, &component, n, &covered));
+  PetscCall(VecGetArray(*traction, &t));
+  PetscCall(VecGetArrayRead(fields->lambda, &lambda));
+  for (PetscInt k = 0; k < dim; k++) {
+    PetscCall(PetscArrayzero(component, n));
+    PetscCall(PetscArrayzero(covered, n));
+    for (PetscInt r = 0; r < vi->num_rows; r++) {
+      const PetscInt a = vi->row_node[r];
+
+      if (vi->row_pair[r] != p) continue;
+      component[pair->nodes[a]] += lambda[r] * pair->frame[(a * dim + vi->row_direction[r]) * dim + k];
+      covered[pair->nodes[a]] = PETSC_TRUE;
+    }
+    PetscCall(PairFieldsSpread_Private(pair, component, covered));
+    for (PetscInt a = 0; a < n; a++) t[a * dim + k] = component[a];
+  }
+  PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
+  PetscCall(VecRestoreArray(*traction, &t));
+  PetscCall(PetscFree2(component, covered));
+  PetscCall(VecGhostUpdateBegin(*traction, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostUpdateEnd(*traction, INSERT_VALUES, SCATTER_FORWARD));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -273,8 +273,10 @@ static PetscErrorCode ValidityOfPair_Private(Fields fields, PetscInt p, PetscRea
 {
   const Pair     pair = fields->vi->pairs[p];
   const PetscInt dim  = pair->level->dim;
-  ContactPatches patches;
-  PairState      state;
+  /* adaptive facets are as small as the error wants them, below any slip */
+  const PetscBool adaptive = (PetscBool)(fields->vi->scene->adapt.tolerance > 0);
+  ContactPatches  patches;
+  PairState       state;
 
   PetscFunctionBeginUser;
   PetscCall(ContactPatchesCreate(fields, p, &patches));
@@ -289,7 +291,7 @@ static PetscErrorCode ValidityOfPair_Private(Fields fields, PetscInt p, PetscRea
     if (!PetscIsNanReal(state.error[a]) && state.scale > 0)
       LargestTake_Private(&largest[VALIDITY_GAP], PetscAbsReal(state.error[a]) / state.scale, dim, x, p);
     if (state.patch[a] < 0) continue;
-    LargestTake_Private(&largest[VALIDITY_SLIP_CELL], slip / state.size[a], dim, x, p);
+    if (!adaptive) LargestTake_Private(&largest[VALIDITY_SLIP_CELL], slip / state.size[a], dim, x, p);
     LargestTake_Private(&largest[VALIDITY_SLIP_CONTACT], slip / patches.patch[state.patch[a]].extent[dim - 2], dim, x,
                         p);
     *sliding += state.force[a] * slip;

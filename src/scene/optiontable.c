@@ -17,6 +17,7 @@ static const char *const titles[GROUP_COUNT] = {"Running",
                                                 "Rigid obstacles instead of a mortar side",
                                                 "Probes and paths",
                                                 "Results",
+                                                "Adaptive meshes and error bars",
                                                 "Studies: the same scene on several meshes",
                                                 "Load steps: the same scene at several times",
                                                 "Solving",
@@ -216,6 +217,18 @@ static const OptionEntry table[] = {
      "summary, and with -output a picture of the undeformed bodies. Of a study, the first mesh; of load steps, t = 1."},
     {GROUP_OUTPUT, "-monitor", "0|1", "", "(on a terminal)", "Prints the progress table, also into a file."},
     {GROUP_OUTPUT, "-scene_view", "0|1", "", "0", "Prints the model, and what was omitted and why."},
+
+    {GROUP_ADAPT, "-adapt", "x", "", "(the mesh as it is)",
+     "Refines where the estimated error is large until it is at most this part of the solution in the energy norm, "
+     "such "
+     "as 1e-2 or 1e-3, and gives results with error bars. Bodies have -order 2 unless the scene says otherwise; "
+     "quadrilaterals and hexahedra are cut into triangles and tetrahedra."},
+    {GROUP_ADAPT, "-adapt_marking", "x", "", "0.5",
+     "With -adapt: cells with the largest errors are refined, as many as hold this part of the squared error."},
+    {GROUP_ADAPT, "-adapt_max_unknowns", "x", "", "1e6",
+     "With -adapt: no mesh with more unknowns is begun. Where that ends the search before the tolerance, results and "
+     "bars are written and the exit code is 3."},
+    {GROUP_ADAPT, "-adapt_max_meshes", "n", "", "40", "With -adapt: the largest number of meshes, with the same end."},
 
     {GROUP_STUDY, "-study", "uniform|adaptive", "", "(one mesh)",
      "Solves on several meshes and compares error, time and unknowns. This version has uniform: each mesh is refined "

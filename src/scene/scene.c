@@ -168,6 +168,7 @@ static PetscErrorCode SceneReadGlobal_Private(Scene scene)
   PetscCall(OptionGetInts(&refine, 1, 0, &scene->refine));
   PetscCall(SceneReadLevels_Private(scene));
   PetscCall(OptionGetChoice(&order, &number));
+  if (!order.set && scene->adapt.tolerance > 0) number = 1; // the same accuracy takes fewer unknowns
   for (PetscInt i = 0; i < scene->num_bodies; i++) scene->bodies[i].order = number + 1;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -182,6 +183,7 @@ PetscErrorCode SceneSetFromOptions(Scene scene)
   PetscCall(SceneNamesRead(scene));
   if (!scene->allow_unused)
     PetscCall(UnusedOptionsCheckUnknown(scene, PETSC_FALSE)); /* before the options that misspelt ones leave missing */
+  PetscCall(SceneAdaptRead(scene));
   PetscCall(SceneReadGlobal_Private(scene));
   PetscCall(SceneStudyRead(scene));
   PetscCall(SceneStepsRead(scene));

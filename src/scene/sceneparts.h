@@ -32,6 +32,8 @@ PetscErrorCode SceneUnitsRead(Scene scene);
    [in] name - of the option, without its dash and the name of its body or pair */
 const char *UnmodelledFind(const char name[]);
 
+/* sceneadapt.c: before the bodies, whose order it changes. Collective. */
+PetscErrorCode SceneAdaptRead(Scene scene);
 /* scenestudy.c: before the bodies, whose meshes a study refines. Collective. */
 PetscErrorCode SceneStudyRead(Scene scene);
 /* The orders of a study that names none are those of the bodies; call when they are read. Not collective. */

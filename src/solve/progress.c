@@ -16,9 +16,9 @@ PetscErrorCode ProgressWanted(Scene scene, PetscBool *wanted)
 
   PetscFunctionBeginUser;
   PetscCall(TerminalIsPresent(scene->comm, &terminal));
-  /* a study and load steps print their own lines */
-  *wanted = (PetscBool)(scene->monitor ||
-                        (terminal && !scene->quiet && scene->study.kind == STUDY_NONE && !scene->steps.num));
+  /* a study, load steps and adaptive meshes print their own lines */
+  *wanted = (PetscBool)(scene->monitor || (terminal && !scene->quiet && scene->study.kind == STUDY_NONE &&
+                                           !scene->steps.num && !(scene->adapt.tolerance > 0)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

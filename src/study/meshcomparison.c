@@ -2,38 +2,8 @@
 #include <math.h>
 #include "base/compat.h"
 #include "result/errors.h"
+#include "study/promotion.h"
 #include "study/studyimpl.h"
-
-/* v = P u for each component, with ghosts. [in] P - node values to node values of `level`; [out] v - ghosted */
-static PetscErrorCode MeshComparisonProlong_Private(Mat P, Level *level, Vec u, Vec *v)
-{
-  Mat blocks;
-
-  PetscFunctionBeginUser;
-  PetscCall(LevelCreateVec(level, level->dim, v));
-  PetscCall(MatCreateMAIJ(P, level->dim, &blocks));
-  PetscCall(MatMult(blocks, u, *v));
-  PetscCall(MatDestroy(&blocks));
-  PetscCall(VecGhostUpdateBegin(*v, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(*v, INSERT_VALUES, SCATTER_FORWARD));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode MeshComparisonPromote(Mesh mesh, PetscInt from, PetscInt to, Vec u, Vec *v)
-{
-  PetscFunctionBeginUser;
-  PetscCall(PetscObjectReference((PetscObject)u));
-  *v = u;
-  for (PetscInt l = from + 1; l <= to; l++) {
-    Level *level = &mesh->levels[l];
-    Vec    fine;
-
-    PetscCall(MeshComparisonProlong_Private(level->prolongation, level, *v, &fine));
-    PetscCall(VecDestroy(v));
-    *v = fine;
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
 
 /* Position of an order in the study. */
 static PetscInt MeshComparisonOrderIndex_Private(Study study, PetscInt order)
@@ -74,11 +44,11 @@ static PetscErrorCode MeshComparisonPromoteRecord_Private(Study study, const Rec
   *v = NULL;
   if (record->state != RECORD_SOLVED || record->level > reference->level || mesh->num_levels <= to)
     PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MeshComparisonPromote(mesh, first + record->level, to, record->u, v));
+  PetscCall(PromotionApply(mesh, first + record->level, to, record->u, v));
   if (mesh == goal) PetscFunctionReturn(PETSC_SUCCESS);
   low = *v;
   PetscCall(LevelCreateEmbedding(&mesh->levels[to], &goal->levels[to], &embedding));
-  PetscCall(MeshComparisonProlong_Private(embedding, &goal->levels[to], low, v));
+  PetscCall(PromotionProlong(embedding, &goal->levels[to], low, v));
   PetscCall(MatDestroy(&embedding));
   PetscCall(VecDestroy(&low));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -301,6 +301,8 @@ PetscErrorCode RunDestroy(Run *run)
   if (!*run) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(RunForget_Private(*run));
   for (int i = 0; i < 2; i++) PetscCall(VecDestroy(&(*run)->past[i].u));
+  cJSON_Delete((*run)->estimate);
+  cJSON_Delete((*run)->bars);
   PetscCall(SetupCheckDestroy(&(*run)->setup));
   PetscCall(PetscFree((*run)->inf_sup));
   if ((*run)->solver) PetscCall(SolverDestroy(&(*run)->solver));
@@ -324,5 +326,7 @@ SummaryInput RunSummary(Run run)
                         .certificate = &run->certificate,
                         .errors      = &run->errors,
                         .reactions   = run->reactions,
+                        .estimate    = run->estimate,
+                        .bars        = run->bars,
                         .solved      = run->solved};
 }

@@ -28,10 +28,11 @@ struct _n_Run {
   Certificate  certificate;
   Vec          reactions;
   Errors       errors;
-  SetupCheck   setup;   /* with -check */
-  PetscBool    checked; /* with -check: nothing was solved, and there are no fields */
-  PetscBool    refused; /* there is no solution: nothing was solved, and there are no fields */
-  PetscBool    solved;  /* converged, certified, and not contradicted by a second solver */
+  cJSON       *estimate, *bars; /* of the summary, with adaptive meshes, or NULL */
+  SetupCheck   setup;           /* with -check */
+  PetscBool    checked;         /* with -check: nothing was solved, and there are no fields */
+  PetscBool    refused;         /* there is no solution: nothing was solved, and there are no fields */
+  PetscBool    solved;          /* converged, certified, and not contradicted by a second solver */
 };
 typedef struct _n_Run *Run;
 

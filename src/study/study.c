@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "study/extrapolation.h"
+#include "study/promotion.h"
 #include "study/studyimpl.h"
 
 enum { BYTES_TEXT = 24 };
@@ -91,7 +92,7 @@ static PetscErrorCode StudyGetGuess_Private(Study study, PetscInt o, const Recor
   PetscFunctionBeginUser;
   *guess = NULL;
   if (coarser)
-    PetscCall(MeshComparisonPromote(study->mesh[o], first + coarser->level, first + record->level, coarser->u, guess));
+    PetscCall(PromotionApply(study->mesh[o], first + coarser->level, first + record->level, coarser->u, guess));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -94,8 +94,6 @@ void RecordOrderText(const Record *record, char text[]);
 
 /* --- compare.c: solutions on different meshes --- */
 
-/* Brings a displacement up by prolongations. Collective. [in] u - on level `from` of mesh; [out] v - ghosted, on level `to` */
-PetscErrorCode MeshComparisonPromote(Mesh mesh, PetscInt from, PetscInt to, Vec u, Vec *v);
 /* Chooses the reference and computes all differences from it, where there are no exact solutions. Collective. */
 PetscErrorCode MeshComparisonRun(Study study);
 /* "exact", "order 2, level 4", or "" where errors are not known. Not collective. [out] text - [ERROR_TEXT] */

@@ -18,14 +18,13 @@ def judge(run):
 def judge_same(step, alone):
     near("time", step["t"], alone["t"])
     near("potential", step["energy"]["potential"], alone["energy"]["potential"], relative=EXACT)
+    largest = max(abs(x) for force in [*alone["reactions"].values(), *(pair["force"] for pair in alone["pairs"].values()), [1e-300]] for x in force)
     for name, pair in alone["pairs"].items():
         mine = step["pairs"][name]
-        size = max(abs(x) for x in pair["force"]) or 1e-300
-        near(f"force of {name}", mine["force"], pair["force"], absolute=EXACT * size)
+        near(f"force of {name}", mine["force"], pair["force"], absolute=EXACT * largest)
         near(f"pressure of {name}", mine["max_pressure"], pair["max_pressure"], relative=EXACT)
         near(f"area of {name}", mine["area"], pair["area"], relative=EXACT)
         same(f"active nodes of {name}", mine["active_nodes"], pair["active_nodes"])
-    largest = max((abs(x) for force in alone["reactions"].values() for x in force), default=0)
     for name, force in alone["reactions"].items():
         near(f"reaction at {name}", step["reactions"][name], force, absolute=EXACT * largest)
     for name, probe in alone["probes"].items():

@@ -99,6 +99,8 @@ static void TestBoxes(PetscInt dim)
 /* Makes the tables of a level that holds nothing but this rank's facets. */
 static void Hold(PetscInt dim, const Side sides[2], Held *held)
 {
+  static PetscInt material[1]; // all facets belong to one cell
+
   Level   *level  = &held->level;
   PetscInt num[2] = {0, 0}, total;
 
@@ -106,14 +108,16 @@ static void Hold(PetscInt dim, const Side sides[2], Held *held)
   for (PetscInt s = 0; s < 2; s++) {
     for (PetscInt f = 0; f < sides[s].num; f++) num[s] += sides[s].rank[f] == Rank();
   }
-  total            = (num[0] + num[1]) * ELEMENT_MAX_FACET_NODES;
-  level->comm      = PETSC_COMM_WORLD;
-  level->dim       = dim;
-  level->num_nodes = 0;
+  total                = (num[0] + num[1]) * ELEMENT_MAX_FACET_NODES;
+  level->comm          = PETSC_COMM_WORLD;
+  level->dim           = dim;
+  level->num_nodes     = 0;
+  level->cell_material = material;
   CHECK(!PetscCalloc2(total * dim, &level->coords, total, &level->node_global));
   for (PetscInt s = 0; s < 2; s++) {
     Facets *facets = &held->facets[s];
-    CHECK(!PetscMalloc2(num[s], &facets->type, num[s] * ELEMENT_MAX_FACET_NODES, &facets->nodes));
+    CHECK(
+        !PetscCalloc3(num[s], &facets->type, num[s], &facets->cell, num[s] * ELEMENT_MAX_FACET_NODES, &facets->nodes));
     for (PetscInt f = 0; f < sides[s].num; f++) {
       if (sides[s].rank[f] != Rank()) continue;
       facets->type[facets->num] = sides[s].type[f];
@@ -130,7 +134,8 @@ static void Hold(PetscInt dim, const Side sides[2], Held *held)
 
 static void Release(Held *held)
 {
-  for (PetscInt s = 0; s < 2; s++) CHECK(!PetscFree2(held->facets[s].type, held->facets[s].nodes));
+  for (PetscInt s = 0; s < 2; s++)
+    CHECK(!PetscFree3(held->facets[s].type, held->facets[s].cell, held->facets[s].nodes));
   CHECK(!PetscFree2(held->level.coords, held->level.node_global));
 }
 

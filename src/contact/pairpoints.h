@@ -1,0 +1,43 @@
+/* pairpoints.h -- the quadrature points of a pair, for what is measured after the solution. */
+#ifndef MORTISE_PAIRPOINTS_H
+#define MORTISE_PAIRPOINTS_H
+
+#include "contact/overlappoints.h"
+
+/* One point of this rank's covered nonmortar facets. */
+typedef struct {
+  PetscInt  facet;  /* in `facets` */
+  PetscInt  mortar; /* among the mortar facets of this rank, -1 for an obstacle */
+  PetscReal xi[2];  /* on the nonmortar facet's reference cell */
+  PetscReal eta[2]; /* on the mortar facet's reference cell */
+  PetscReal weight; /* of integrals over the nonmortar side, with the ring of an axisymmetric scene */
+  PetscReal gap;    /* before any motion, with what is given or added; open > 0 */
+} PairPoint;
+
+struct _n_PairPoints {
+  Facets       facets;          /* the nonmortar side's, of this rank */
+  Vec          normals;         /* directions of contact at its nodes: ghosted, dim per node */
+  PetscInt     num, max;        /* points; room for them */
+  PairPoint   *point;           /* facet after facet */
+  PetscInt     num_mortar;      /* mortar facets that this rank has met, and others near them */
+  ElementType *type;            /* [num_mortar] */
+  PetscInt    *nodes;           /* global [num_mortar][ELEMENT_MAX_FACET_NODES] */
+  PetscInt    *cell, *material; /* their cells, counted over all ranks, and materials [num_mortar] */
+  PetscReal   *size;            /* largest edges [num_mortar] */
+};
+typedef struct _n_PairPoints *PairPoints;
+
+/* Creates an empty list. Not collective. */
+PetscErrorCode PairPointsCreate(PairPoints *points);
+/* Appends the points of a facet. Not collective. */
+PetscErrorCode PairPointsAdd(PairPoints points, PetscInt facet, const OverlapPoints *list);
+/* Copies what points tell of mortar facets. Not collective. */
+PetscErrorCode PairPointsSetMortar(PairPoints points, PetscInt dim, const MortarSurface *surface);
+/* Whether there are any or not. Collective. */
+PetscErrorCode PairPointsDestroy(PairPoints *points);
+
+/* Values of the nodes of mortar facets. Collective. [in] v - bs per node, as of LevelCreateVec();
+   [out] values - owned by the caller [num_mortar][ELEMENT_MAX_FACET_NODES][bs] */
+PetscErrorCode PairPointsFetch(PairPoints points, Vec v, PetscInt bs, PetscReal **values);
+
+#endif

@@ -1,0 +1,87 @@
+/* errorreport.c -- how far the answer is off, as far as meshes tell. */
+#include "output/errorreport.h"
+#include "base/compat.h"
+#include "base/json.h"
+#include "result/calibration.h"
+#include "result/estimate.h"
+#include <stdlib.h>
+#include <string.h>
+
+static const PetscReal PERCENT = 100;
+
+PetscErrorCode ErrorReportAdd(const SummaryInput *in, cJSON *root)
+{
+  cJSON    *object, *potential;
+  Estimate  estimate;
+  PetscReal theta, error, relative;
+
+  PetscFunctionBeginUser;
+  cJSON_AddItemToObject(root, "bars", in->bars ? cJSON_Duplicate(in->bars, cJSON_True) : cJSON_CreateNull());
+  if (in->estimate) {
+    cJSON_AddItemToObject(root, "estimate", cJSON_Duplicate(in->estimate, cJSON_True));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  theta = error = relative = (PetscReal)NAN;
+  if (in->fields) {
+    PetscCall(EstimateGet(in->fields, &estimate));
+    PetscCall(CalibrationGetStandard(in->vi->level, &theta));
+    error    = theta * PetscSqrtReal(estimate->squared);
+    relative = estimate->norm > 0 ? error / PetscSqrtReal(estimate->norm) : 0;
+  }
+  object = cJSON_AddObjectToObject(root, "estimate");
+  JSONAddReal(object, "energy_norm", error);
+  JSONAddReal(object, "energy_norm_relative", relative);
+  JSONAddReal(object, "calibration", theta);
+  potential = cJSON_AddObjectToObject(object, "potential");
+  JSONAddReal(potential, "value", (PetscReal)NAN);
+  JSONAddReal(potential, "bar", (PetscReal)NAN);
+  cJSON_AddArrayToObject(object, "meshes");
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A number that is kept as text. */
+static PetscReal ErrorReportRead_Private(const cJSON *object, const char key[])
+{
+  const cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
+
+  return cJSON_IsRaw(item) ? (PetscReal)strtod(item->valuestring, NULL) : (PetscReal)NAN;
+}
+
+PetscErrorCode ErrorReportPrint(const SummaryInput *in)
+{
+  const MPI_Comm comm = in->scene->comm;
+  PetscReal      relative, theta;
+  Estimate       estimate;
+
+  PetscFunctionBeginUser;
+  if (in->estimate) {
+    relative = ErrorReportRead_Private(in->estimate, "energy_norm_relative");
+    PetscCall(PetscPrintf(comm, "  estimated error: %.2g%% of the solution in the energy norm, %d meshes\n",
+                          (double)(PERCENT * relative),
+                          cJSON_GetArraySize(cJSON_GetObjectItemCaseSensitive(in->estimate, "meshes"))));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(EstimateGet(in->fields, &estimate));
+  PetscCall(CalibrationGetStandard(in->vi->level, &theta));
+  relative = estimate->norm > 0 ? theta * PetscSqrtReal(estimate->squared / estimate->norm) : 0;
+  PetscCall(PetscPrintf(
+      comm, "  estimated error: %.2g%% of the solution in the energy norm; one mesh gives no error bars, -adapt does\n",
+      (double)(PERCENT * relative)));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void ErrorReportPairBar(const SummaryInput *in, const char pair[], const char key[], char text[], size_t len)
+{
+  const cJSON    *pairs = cJSON_GetObjectItemCaseSensitive(in->bars, "pairs");
+  const PetscReal bar   = ErrorReportRead_Private(cJSON_GetObjectItemCaseSensitive(pairs, pair), key);
+
+  const cJSON *item, *unbounded = cJSON_GetObjectItemCaseSensitive(in->bars, "unbounded");
+
+  text[0] = '\0';
+  cJSON_ArrayForEach(item, unbounded)
+  {
+    if (!strcmp(item->valuestring, pair) && !strcmp(key, "max_pressure"))
+      (void)snprintf(text, len, ", growing without limit,");
+  }
+  if (!PetscIsNanReal(bar)) (void)snprintf(text, len, " +- %.2g", (double)bar);
+}

@@ -1,0 +1,26 @@
+/* barfloors.h -- how far numbers of one solution are off at least, from its own error estimate (eq. 15.5). */
+#ifndef MORTISE_BARFLOORS_H
+#define MORTISE_BARFLOORS_H
+
+#include "result/estimate.h"
+
+/* Of one pair. */
+typedef struct {
+  PetscReal pressure; /* 3 max |lambda_a + n.s* n| over the facets around the node of largest pressure */
+  PetscReal edge;     /* twice the largest facet that contact ends on */
+  PetscReal area;     /* half the area of those facets */
+} PairFloors;
+
+/* Relative floors are multiplied by the size of the number. */
+typedef struct {
+  PetscReal   whole;  /* 2 (eta / |u|)^2: forces, reactions */
+  PetscReal  *body;   /* 6 (eta_B / |u|_B)^2: displacements and energies of a body [num_bodies] */
+  PairFloors *pair;   /* [num_pairs] */
+  PetscReal  *stress; /* 3 max |s* - s| over the cell of each probe [num_probes] */
+} BarFloors;
+
+/* Collective. [out] floors - to be freed by BarFloorsDestroy() */
+PetscErrorCode BarFloorsCreate(Fields fields, BarFloors *floors);
+PetscErrorCode BarFloorsDestroy(BarFloors *floors);
+
+#endif

@@ -1,0 +1,47 @@
+/* calibration.c -- theta, from what refinement has gained. */
+#include "result/calibration.h"
+#include "base/compat.h"
+
+enum { NUM_RATIOS = 3 };
+
+static const PetscReal SMALLEST = 0.5, LARGEST = 4; /* of theta */
+static const PetscReal LEAST_FALL =
+    0.1; /* of eta^2, from one mesh to the next: below, the ratio of two differences is noise */
+
+/* Measured on scenes whose solutions are known. */
+static PetscReal CalibrationOfType_Private(ElementType type)
+{
+  if (ElementOrder(type) == 1) return 1.05;
+  return ElementDim(type) == 3 ? 1.25 : 1.35;
+}
+
+PetscErrorCode CalibrationGetStandard(const Level *level, PetscReal *theta)
+{
+  PetscFunctionBeginUser;
+  *theta = 0;
+  for (PetscInt c = 0; c < level->num_cells; c++)
+    *theta = PetscMax(*theta, CalibrationOfType_Private((ElementType)level->cell_type[c]));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, theta, 1, MPIU_REAL, MPIU_MAX, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscReal CalibrationFind(PetscInt num, const CalibrationMesh mesh[], PetscReal standard)
+{
+  PetscReal ratio[NUM_RATIOS];
+  PetscInt  found = 0;
+
+  if (num < 3) return standard;
+  for (PetscInt k = num - 1; k > 0 && found < NUM_RATIOS; k--) {
+    const PetscReal fall = mesh[k - 1].squared - mesh[k].squared;
+    PetscInt        i    = found;
+    PetscReal       theta;
+
+    if (!(fall >= LEAST_FALL * mesh[k].squared)) continue;
+    theta = PetscSqrtReal(PetscMax(0, (mesh[k - 1].energy - mesh[k].energy) / fall));
+    for (; i > 0 && ratio[i - 1] > theta; i--) ratio[i] = ratio[i - 1];
+    ratio[i] = theta;
+    found++;
+  }
+  if (!found) return standard;
+  return PetscMin(LARGEST, PetscMax(SMALLEST, found % 2 ? ratio[found / 2] : (ratio[0] + ratio[found - 1]) / 2));
+}

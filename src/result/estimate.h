@@ -1,0 +1,29 @@
+/* estimate.h -- how far a discrete solution is from the exact one, in energy. */
+#ifndef MORTISE_ESTIMATE_H
+#define MORTISE_ESTIMATE_H
+
+#include "result/fields.h"
+
+/* eta^2 = sum_T int_T (s* - s) : C^-1 : (s* - s)                       recovered stress s*, stress s of the displacement (eq. 15.3)
+         + (2/pi) h/E' int_e |s* n + lambda|^2                          both sides of each pair
+         + pi E* / h int_e d^2                                          d: what penetrates, or min(what is open, lambda h / (pi E*))
+   The squares of a pair belong to the cell behind the facet; those of the gap to the nonmortar one. */
+struct _n_Estimate {
+  PetscReal *cell;      /* eta^2 of this rank's cells [num_cells] */
+  PetscReal *volume;    /* of this rank's cells, with the thickness or the ring [num_cells] */
+  PetscReal *body;      /* sums over the cells of each body, the same on all ranks [num_bodies] */
+  PetscReal  squared;   /* their sum */
+  PetscReal  signs;     /* L = -2 int lambda . d: with the error e,  2 (J_h - J) = |e|^2 + L */
+  PetscReal  norm;      /* |u|_a^2: twice the strain energy */
+  PetscReal  potential; /* J_h */
+};
+typedef struct _n_Estimate *Estimate;
+
+/* Measured once for each solution. Collective. [out] estimate - borrowed from the fields */
+PetscErrorCode EstimateGet(Fields fields, Estimate *estimate);
+/* At nodes: the root of eta^2 per volume of the cells around. Collective. [out] density - owned by the caller [num_owned] */
+PetscErrorCode EstimateCreateDensity(Fields fields, PetscReal **density);
+/* Whether there is one or not. Not collective. */
+PetscErrorCode EstimateDestroy(Estimate *estimate);
+
+#endif

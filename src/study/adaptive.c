@@ -1,0 +1,285 @@
+/* adaptive.c -- solve, estimate, mark, refine. */
+#include "study/adaptive.h"
+#include "base/compat.h"
+#include "base/interrupt.h"
+#include "base/json.h"
+#include "base/log.h"
+#include "base/warning.h"
+#include "study/bars.h"
+#include "result/calibration.h"
+#include "study/marking.h"
+#include "study/promotion.h"
+#include <string.h>
+
+enum {
+  TEXT_LENGTH  = 160,
+  FIRST_MESHES = 3 /* as many as a bar needs at least, unless there is nothing to refine */
+};
+
+static const PetscReal EXACT   = 1e-9; /* a relative error that is rounding: the space holds the solution */
+static const PetscReal STALLED = 0.9;  /* of the error, while unknowns double */
+static const PetscReal PERCENT = 100;
+
+/* What is remembered of a mesh. */
+typedef struct {
+  PetscInt  cells, unknowns, iterations, active;
+  PetscReal eta, theta, norm, potential, signs, seconds;
+  cJSON    *row;
+} AdaptiveMesh;
+
+typedef struct {
+  Scene         scene; /* borrowed */
+  PetscInt      num;
+  AdaptiveMesh *mesh; /* [max_meshes] */
+  PetscBool     quiet;
+} Adaptive;
+
+static PetscReal AdaptiveGetError_Private(const AdaptiveMesh *mesh)
+{
+  return mesh->theta * mesh->eta / PetscSqrtReal(mesh->norm);
+}
+
+/* The order in unknowns in which errors fall: p / dim for the lowest order of the bodies. */
+static PetscReal AdaptiveGetRate_Private(const Scene scene)
+{
+  PetscInt order = scene->bodies[0].order;
+
+  for (PetscInt b = 1; b < scene->num_bodies; b++) order = PetscMin(order, scene->bodies[b].order);
+  return (PetscReal)order / scene->dim;
+}
+
+/* theta of the latest mesh. Collective. */
+static PetscErrorCode AdaptiveCalibrate_Private(Adaptive *adaptive, const Level *level)
+{
+  CalibrationMesh *meshes;
+  PetscReal        standard;
+
+  PetscFunctionBeginUser;
+  PetscCall(CalibrationGetStandard(level, &standard));
+  PetscCall(PetscMalloc1(adaptive->num, &meshes));
+  for (PetscInt k = 0; k < adaptive->num; k++) {
+    const AdaptiveMesh *mesh = &adaptive->mesh[k];
+
+    meshes[k] = (CalibrationMesh){.squared = PetscSqr(mesh->eta), .energy = 2 * mesh->potential - mesh->signs};
+  }
+  adaptive->mesh[adaptive->num - 1].theta = CalibrationFind(adaptive->num, meshes, standard);
+  PetscCall(PetscFree(meshes));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Remembers what a run tells of its mesh. Collective. */
+static PetscErrorCode AdaptiveAdd_Private(Adaptive *adaptive, Run run, PetscReal seconds)
+{
+  const Level  *level = run->vi->level;
+  AdaptiveMesh *mesh  = &adaptive->mesh[adaptive->num];
+  SummaryInput  input = RunSummary(run);
+  PetscInt      cells = level->num_cells;
+  Estimate      estimate;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &cells, 1, MPIU_INT, MPI_SUM, level->comm));
+  *mesh = (AdaptiveMesh){.cells      = cells,
+                         .unknowns   = level->num_global * level->dim,
+                         .iterations = run->report.iterations,
+                         .active     = run->report.active};
+  adaptive->num++;
+  PetscCall(EstimateGet(run->fields, &estimate));
+  mesh->eta       = PetscSqrtReal(estimate->squared);
+  mesh->norm      = estimate->norm;
+  mesh->potential = estimate->potential;
+  mesh->signs     = estimate->signs;
+  PetscCall(AdaptiveCalibrate_Private(adaptive, level));
+  PetscCall(SummaryCreateStep(&input, &mesh->row));
+  mesh->seconds = LogWallClock() - seconds;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Unknowns of a mesh with the error that is asked for, as errors fall. */
+static PetscReal AdaptiveForecast_Private(const Adaptive *adaptive)
+{
+  const AdaptiveMesh *mesh = &adaptive->mesh[adaptive->num - 1];
+
+  return mesh->unknowns * PetscPowReal(AdaptiveGetError_Private(mesh) / adaptive->scene->adapt.tolerance,
+                                       1 / AdaptiveGetRate_Private(adaptive->scene));
+}
+
+/* Unknowns of the next mesh, as they grew the last time. */
+static PetscReal AdaptiveNext_Private(const Adaptive *adaptive)
+{
+  const AdaptiveMesh *mesh = &adaptive->mesh[adaptive->num - 1];
+
+  return adaptive->num > 1 ? PetscSqr((PetscReal)mesh->unknowns) / mesh[-1].unknowns : mesh->unknowns;
+}
+
+static PetscErrorCode AdaptivePrint_Private(const Adaptive *adaptive)
+{
+  const MPI_Comm      comm  = adaptive->scene->comm;
+  const AdaptiveMesh *mesh  = &adaptive->mesh[adaptive->num - 1];
+  const PetscReal     error = AdaptiveGetError_Private(mesh);
+
+  PetscFunctionBeginUser;
+  if (adaptive->quiet) PetscFunctionReturn(PETSC_SUCCESS);
+  if (adaptive->num == 1)
+    PetscCall(
+        PetscPrintf(comm, "  mesh     cells  unknowns  sets  active  error in energy  potential energy  seconds\n"));
+  PetscCall(PetscPrintf(comm,
+                        "  %4" PetscInt_FMT " %9" PetscInt_FMT " %9" PetscInt_FMT " %5" PetscInt_FMT "  %6" PetscInt_FMT
+                        "  %14.3g%%  %16.10g  %7.2f",
+                        adaptive->num, mesh->cells, mesh->unknowns, mesh->iterations, mesh->active,
+                        (double)(PERCENT * error), (double)mesh->potential, (double)mesh->seconds));
+  if (error > adaptive->scene->adapt.tolerance)
+    PetscCall(PetscPrintf(comm, "  %.3g%% expected with %.2g unknowns",
+                          (double)(PERCENT * adaptive->scene->adapt.tolerance),
+                          (double)AdaptiveForecast_Private(adaptive)));
+  PetscCall(PetscPrintf(comm, "\n"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether the estimate has hardly fallen since there were half as many unknowns; the calibration of coarse meshes may leap. */
+static PetscBool AdaptiveIsStalled_Private(const Adaptive *adaptive)
+{
+  const AdaptiveMesh *mesh = &adaptive->mesh[adaptive->num - 1];
+  PetscInt            k    = adaptive->num - 1;
+
+  while (k > 0 && 2 * adaptive->mesh[k].unknowns > mesh->unknowns) k--;
+  return (PetscBool)(2 * adaptive->mesh[k].unknowns <= mesh->unknowns && mesh->eta > STALLED * adaptive->mesh[k].eta);
+}
+
+/* Whether this mesh is the last one. [out] why - "" where the error is small enough [TEXT_LENGTH] */
+static PetscBool AdaptiveIsOver_Private(const Adaptive *adaptive, char why[])
+{
+  const SceneAdapt   *plan  = &adaptive->scene->adapt;
+  const AdaptiveMesh *mesh  = &adaptive->mesh[adaptive->num - 1];
+  const PetscReal     error = AdaptiveGetError_Private(mesh), next = AdaptiveNext_Private(adaptive);
+
+  why[0] = '\0';
+  if (!(error > EXACT)) return PETSC_TRUE;
+  if (error <= plan->tolerance && adaptive->num >= FIRST_MESHES) return PETSC_TRUE;
+  if (adaptive->num >= plan->max_meshes)
+    (void)snprintf(why, TEXT_LENGTH, "-adapt_max_meshes %" PetscInt_FMT " ends the refinement", plan->max_meshes);
+  else if (next > plan->max_unknowns)
+    (void)snprintf(why, TEXT_LENGTH, "the next mesh would have about %.2g unknowns, -adapt_max_unknowns allows %.3g",
+                   (double)next, (double)plan->max_unknowns);
+  else if (AdaptiveIsStalled_Private(adaptive))
+    (void)snprintf(why, TEXT_LENGTH, "twice the unknowns have hardly lowered it");
+  if (why[0] && error <= plan->tolerance)
+    why[0] = '\0'; // few meshes, but what was asked for
+  else if (!why[0])
+    return PETSC_FALSE;
+  return PETSC_TRUE;
+}
+
+/* The summary's block "estimate". */
+static cJSON *AdaptiveCreateEstimate_Private(const Adaptive *adaptive)
+{
+  const AdaptiveMesh *last  = &adaptive->mesh[adaptive->num - 1];
+  const PetscReal     error = last->theta * last->eta;
+  cJSON              *root  = cJSON_CreateObject(), *potential, *meshes;
+
+  JSONAddReal(root, "energy_norm", error);
+  JSONAddReal(root, "energy_norm_relative", AdaptiveGetError_Private(last));
+  JSONAddReal(root, "calibration", last->theta);
+  potential = cJSON_AddObjectToObject(root, "potential");
+  JSONAddReal(potential, "value", last->potential - (PetscSqr(error) + last->signs) / 2);
+  JSONAddReal(potential, "bar", PetscSqr(error) / 3);
+  meshes = cJSON_AddArrayToObject(root, "meshes");
+  for (PetscInt k = 0; k < adaptive->num; k++) {
+    const AdaptiveMesh *mesh = &adaptive->mesh[k];
+    cJSON              *item = cJSON_CreateObject();
+
+    JSONAddInt(item, "cells", mesh->cells);
+    JSONAddInt(item, "unknowns", mesh->unknowns);
+    JSONAddReal(item, "estimate", mesh->theta * mesh->eta);
+    JSONAddReal(item, "energy_norm_relative", AdaptiveGetError_Private(mesh));
+    JSONAddReal(item, "potential", mesh->potential);
+    JSONAddInt(item, "iterations", mesh->iterations);
+    JSONAddInt(item, "active", mesh->active);
+    JSONAddReal(item, "seconds", mesh->seconds);
+    cJSON_AddItemToArray(meshes, item);
+  }
+  return root;
+}
+
+/* The blocks of the summary, from all meshes. Collective. */
+static PetscErrorCode AdaptiveFinish_Private(Adaptive *adaptive, Run run, const char why[])
+{
+  const AdaptiveMesh *last = &adaptive->mesh[adaptive->num - 1];
+  BarMesh            *meshes;
+  BarFloors           floors;
+  BarHistory          history = {.num    = adaptive->num,
+                                 .floors = &floors,
+                                 .scene  = adaptive->scene,
+                                 .error  = last->theta * last->eta,
+                                 .signs  = last->signs};
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(adaptive->num, &meshes));
+  for (PetscInt k = 0; k < adaptive->num; k++)
+    meshes[k] = (BarMesh){.row = adaptive->mesh[k].row, .eta = adaptive->mesh[k].eta};
+  history.mesh = meshes;
+  PetscCall(BarFloorsCreate(run->fields, &floors));
+  PetscCall(BarsCreate(&history, &run->bars));
+  PetscCall(BarFloorsDestroy(&floors));
+  PetscCall(PetscFree(meshes));
+  run->estimate = AdaptiveCreateEstimate_Private(adaptive);
+  if (!why[0]) PetscFunctionReturn(PETSC_SUCCESS);
+  run->solved           = PETSC_FALSE;
+  run->report.converged = PETSC_FALSE;
+  PetscCall(PetscSNPrintf(run->report.reason, sizeof(run->report.reason),
+                          "the error is about %.2g of the solution in the energy norm, -adapt asks for %g: %s",
+                          (double)AdaptiveGetError_Private(last), (double)adaptive->scene->adapt.tolerance, why));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The next mesh, and what was found on this one there. Collective. [in,out] run - NULL afterwards; [out] guess - owned by the caller */
+static PetscErrorCode AdaptiveRefine_Private(const Adaptive *adaptive, Mesh mesh, Run *run, Vec *guess)
+{
+  const PetscInt level = mesh->num_levels - 1;
+  PetscBool     *marked;
+  Estimate       estimate;
+  Vec            u = (*run)->fields->u;
+
+  PetscFunctionBeginUser;
+  PetscCall(EstimateGet((*run)->fields, &estimate));
+  PetscCall(MarkingCreate(&mesh->levels[level], estimate, adaptive->scene->adapt.marking, &marked));
+  PetscCall(PetscObjectReference((PetscObject)u));
+  PetscCall(RunDestroy(run));
+  PetscCall(LogStageBegin(STAGE_SETUP));
+  PetscCall(MeshAdapt(mesh, marked));
+  PetscCall(PromotionApply(mesh, level, level + 1, u, guess));
+  PetscCall(LogStageEnd(STAGE_SETUP));
+  PetscCall(VecDestroy(&u));
+  PetscCall(PetscFree(marked));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode AdaptiveRun(Scene scene, Mesh mesh, Vec guess, Run *run)
+{
+  Adaptive  adaptive = {.scene = scene};
+  PetscReal begin    = LogWallClock();
+  char      why[TEXT_LENGTH];
+  Vec       own = NULL;
+
+  PetscFunctionBeginUser;
+  adaptive.quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
+  PetscCall(PetscCalloc1(scene->adapt.max_meshes, &adaptive.mesh));
+  WarningHold();
+  while (PETSC_TRUE) {
+    PetscCall(RunCreate(scene, mesh, own ? own : guess, run));
+    scene->view = PETSC_FALSE; // of the first mesh only
+    PetscCall(VecDestroy(&own));
+    if (!(*run)->solved) break;
+    PetscCall(AdaptiveAdd_Private(&adaptive, *run, begin));
+    PetscCall(AdaptivePrint_Private(&adaptive));
+    begin = LogWallClock();
+    if (AdaptiveIsOver_Private(&adaptive, why)) {
+      PetscCall(AdaptiveFinish_Private(&adaptive, *run, why));
+      break;
+    }
+    PetscCall(AdaptiveRefine_Private(&adaptive, mesh, run, &own));
+  }
+  WarningRelease();
+  for (PetscInt k = 0; k < adaptive.num; k++) cJSON_Delete(adaptive.mesh[k].row);
+  PetscCall(PetscFree(adaptive.mesh));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,261 @@
+/* bars.c -- one walk through the numbers of the summary. */
+#include "base/compat.h"
+#include "base/json.h"
+#include "study/bars.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+  MAX_ITEMS   = 8, /* numbers of an array at most */
+  BAR_MESHES  = 4, /* differences that a bar is made of: agreement by chance does not last so long */
+  PEAK_MESHES = 3  /* increments of a largest pressure that are compared */
+};
+
+static const PetscReal BAR_MARGIN  = 1.25; /* on differences */
+static const PetscReal LEAST_GAIN  = 0.95; /* largest ratio of estimates: meshes that hardly differ say little */
+static const PetscReal STILL_GROWS = 0.8;  /* increments of a bounded pressure shrink faster than that */
+
+/* What the floor of a number is. */
+typedef enum {
+  FLOOR_WHOLE,  /* relative, of the whole solution */
+  FLOOR_BODY,   /* relative, of a body */
+  FLOOR_STRESS, /* of a probe's cell */
+  FLOOR_PRESSURE,
+  FLOOR_MEAN,
+  FLOOR_EDGE,
+  FLOOR_AREA
+} FloorKind;
+
+static const struct {
+  const char *key;
+  FloorKind   kind;
+} PAIR_NUMBERS[] =
+    {{"force", FLOOR_WHOLE},        {"normal_force", FLOOR_WHOLE},      {"area", FLOOR_AREA},
+     {"mean_pressure", FLOOR_MEAN}, {"max_pressure", FLOOR_PRESSURE},   {"max_pressure_covered", FLOOR_PRESSURE},
+     {"min_gap", FLOOR_WHOLE},      {"centre_of_pressure", FLOOR_WHOLE}},
+  PROBE_NUMBERS[] = {
+      {"displacement", FLOOR_BODY}, {"stress", FLOOR_STRESS}, {"von_mises", FLOOR_STRESS}, {"principal", FLOOR_STRESS}};
+
+/* A number of a mesh's row, or the numbers of an array. */
+typedef struct {
+  const char *section, *owner, *key, *end; /* end: of an extent, else NULL */
+} BarPath;
+
+/* Numbers are kept as text, with all their digits; NAN where there is none. */
+static PetscReal BarsReadNumber_Private(const cJSON *item)
+{
+  if (cJSON_IsRaw(item)) return (PetscReal)strtod(item->valuestring, NULL);
+  return cJSON_IsNumber(item) ? (PetscReal)item->valuedouble : (PetscReal)NAN;
+}
+
+/* Returns how many numbers there are, 0 where the path leads nowhere. [out] values - [MAX_ITEMS]; [out] list - whether it is an array */
+static PetscInt BarsRead_Private(const cJSON *row, const BarPath *path, PetscReal values[], PetscBool *list)
+{
+  const cJSON *item = cJSON_GetObjectItemCaseSensitive(row, path->section), *each;
+  PetscInt     num  = 0;
+
+  if (path->owner) item = cJSON_GetObjectItemCaseSensitive(item, path->owner);
+  if (path->key) item = cJSON_GetObjectItemCaseSensitive(item, path->key);
+  if (path->end) item = cJSON_GetObjectItemCaseSensitive(item, path->end);
+  *list = (PetscBool)cJSON_IsArray(item);
+  if (!item) return 0;
+  if (!*list) {
+    values[0] = BarsReadNumber_Private(item);
+    return 1;
+  }
+  cJSON_ArrayForEach(each, item)
+  {
+    if (num < MAX_ITEMS) values[num++] = BarsReadNumber_Private(each);
+  }
+  return num;
+}
+
+/* The part of a bar that the meshes tell. [in] Q - of all meshes, NAN where one has none [num] */
+static PetscReal BarsOfSequence_Private(const BarHistory *history, const PetscReal Q[])
+{
+  const PetscInt  last = history->num - 1;
+  const PetscReal eta  = history->mesh[last].eta;
+  PetscReal       bar  = 0;
+
+  if (!last) return (PetscReal)NAN;
+  for (PetscInt j = PetscMax(0, last - BAR_MESHES); j < last; j++) {
+    const PetscReal before = history->mesh[j].eta;
+    const PetscReal r      = before > 0 ? PetscMin(eta / before, LEAST_GAIN) : LEAST_GAIN;
+    const PetscReal factor = last < BAR_MESHES ? 1 : BAR_MARGIN * r / (1 - r);
+
+    if (PetscIsNanReal(Q[j])) return (PetscReal)NAN;
+    bar = PetscMax(bar, factor * PetscAbsReal(Q[last] - Q[j]));
+  }
+  return bar;
+}
+
+/* Whether a sequence grows by increments that do not shrink. */
+static PetscBool BarsGrows_Private(PetscInt num, const PetscReal Q[])
+{
+  if (num <= PEAK_MESHES) return PETSC_FALSE;
+  for (PetscInt j = num - PEAK_MESHES; j < num; j++) {
+    const PetscReal step = Q[j] - Q[j - 1];
+
+    if (!(step > 0)) return PETSC_FALSE;
+    if (j > num - PEAK_MESHES && !(step > STILL_GROWS * (Q[j - 1] - Q[j - 2]))) return PETSC_FALSE;
+  }
+  return PETSC_TRUE;
+}
+
+/* The least that numbers are off by. [in] owner - index of the body, pair or probe; [in] size - of the number, or of its vector */
+static PetscReal BarsGetFloor_Private(const BarHistory *history, FloorKind kind, PetscInt owner, PetscReal size,
+                                      PetscReal area)
+{
+  const BarFloors *floors = history->floors;
+
+  switch (kind) {
+  case FLOOR_BODY: return floors->body[owner] * size;
+  case FLOOR_STRESS: return floors->stress[owner];
+  case FLOOR_PRESSURE: return floors->pair[owner].pressure;
+  case FLOOR_EDGE: return floors->pair[owner].edge;
+  case FLOOR_AREA: return floors->pair[owner].area;
+  case FLOOR_MEAN: return size * (floors->whole + (area > 0 ? floors->pair[owner].area / area : 0));
+  default: return floors->whole * size;
+  }
+}
+
+/* Adds the bars of one key. [in] owner - of BarsGetFloor_Private(); [out] grows - whether it does so without limit, or NULL */
+static PetscErrorCode BarsAdd_Private(const BarHistory *history, const BarPath *path, FloorKind kind, PetscInt owner,
+                                      const char name[], cJSON *to, PetscBool *grows)
+{
+  const PetscInt last = history->num - 1;
+  const BarPath  area = {path->section, path->owner, "area", NULL};
+  PetscReal     *Q, values[MAX_ITEMS], bars[MAX_ITEMS], size = 0, covered[MAX_ITEMS];
+  PetscBool      list, other;
+  PetscInt       num;
+
+  PetscFunctionBeginUser;
+  num = BarsRead_Private(history->mesh[last].row, path, values, &list);
+  if (!num) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt i = 0; i < num; i++) size += PetscSqr(values[i]);
+  covered[0] = 0;
+  if (kind == FLOOR_MEAN) (void)BarsRead_Private(history->mesh[last].row, &area, covered, &other);
+  PetscCall(PetscMalloc1(history->num, &Q));
+  for (PetscInt i = 0; i < num; i++) {
+    const PetscReal floor = BarsGetFloor_Private(history, kind, owner, PetscSqrtReal(size), covered[0]);
+
+    for (PetscInt j = 0; j < history->num; j++) {
+      PetscReal row[MAX_ITEMS];
+
+      Q[j] = BarsRead_Private(history->mesh[j].row, path, row, &other) > i ? row[i] : (PetscReal)NAN;
+    }
+    bars[i] = BarsOfSequence_Private(history, Q);
+    if (!PetscIsNanReal(bars[i])) bars[i] = PetscMax(bars[i], floor);
+    if (grows) *grows = BarsGrows_Private(history->num, Q);
+    if (grows && *grows) bars[i] = (PetscReal)NAN;
+  }
+  PetscCall(PetscFree(Q));
+  if (list)
+    JSONAddReals(to, name, num, bars);
+  else
+    JSONAddReal(to, name, bars[0]);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The potential lies above its limit by (E^2 + L) / 2, to a third of E^2; while E is calibrated on few meshes these tell more. */
+static PetscErrorCode BarsAddEnergy_Private(const BarHistory *history, cJSON *bars)
+{
+  cJSON          *energy = cJSON_AddObjectToObject(bars, "energy"), *strain = cJSON_AddObjectToObject(energy, "strain");
+  const BarPath   potential = {"energy", "potential", NULL, NULL};
+  const PetscReal squared   = PetscSqr(history->error);
+  PetscReal      *J, values[MAX_ITEMS], bar;
+  PetscBool       list;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(history->num, &J));
+  for (PetscInt j = 0; j < history->num; j++) {
+    (void)BarsRead_Private(history->mesh[j].row, &potential, values, &list);
+    J[j] = values[0];
+  }
+  bar = BarsOfSequence_Private(history, J);
+  if (!PetscIsNanReal(bar)) bar = PetscMax(bar, PetscAbsReal(squared + history->signs) / 2 + squared / 3);
+  JSONAddReal(energy, "potential", bar);
+  PetscCall(PetscFree(J));
+  for (PetscInt b = 0; b < history->scene->num_bodies; b++) {
+    const char   *name = history->scene->bodies[b].name;
+    const BarPath path = {"energy", "strain", name, NULL};
+
+    PetscCall(BarsAdd_Private(history, &path, FLOOR_BODY, b, name, strain, NULL));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode BarsAddPairs_Private(const BarHistory *history, cJSON *bars)
+{
+  cJSON *pairs = cJSON_AddObjectToObject(bars, "pairs"), *unbounded = cJSON_CreateArray();
+
+  PetscFunctionBeginUser;
+  for (PetscInt p = 0; p < history->scene->num_pairs; p++) {
+    const char *name  = history->scene->pairs[p].name;
+    cJSON      *pair  = cJSON_AddObjectToObject(pairs, name), *extent;
+    PetscBool   grows = PETSC_FALSE, both = PETSC_FALSE;
+
+    for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(PAIR_NUMBERS); i++) {
+      const BarPath   path = {"pairs", name, PAIR_NUMBERS[i].key, NULL};
+      const PetscBool peak = (PetscBool)(PAIR_NUMBERS[i].kind == FLOOR_PRESSURE);
+
+      PetscCall(BarsAdd_Private(history, &path, PAIR_NUMBERS[i].kind, p, path.key, pair, peak ? &both : NULL));
+      grows = (PetscBool)(grows || both);
+    }
+    extent = cJSON_AddObjectToObject(pair, "extent");
+    for (int i = 0; i < 2; i++) {
+      const BarPath path = {"pairs", name, "extent", i ? "upper" : "lower"};
+
+      PetscCall(BarsAdd_Private(history, &path, FLOOR_EDGE, p, path.end, extent, NULL));
+    }
+    if (grows) cJSON_AddItemToArray(unbounded, cJSON_CreateString(name));
+  }
+  cJSON_AddItemToObject(bars, "unbounded", unbounded);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode BarsAddReactions_Private(const BarHistory *history, cJSON *bars)
+{
+  cJSON       *reactions = cJSON_AddObjectToObject(bars, "reactions");
+  const cJSON *item;
+
+  PetscFunctionBeginUser;
+  cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(history->mesh[history->num - 1].row, "reactions"))
+  {
+    const BarPath path = {"reactions", item->string, NULL, NULL};
+
+    PetscCall(BarsAdd_Private(history, &path, FLOOR_WHOLE, 0, item->string, reactions, NULL));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode BarsAddProbes_Private(const BarHistory *history, cJSON *bars)
+{
+  cJSON *probes = cJSON_AddObjectToObject(bars, "probes");
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < history->scene->num_probes; i++) {
+    const SceneProbe *spec  = &history->scene->probes[i];
+    cJSON            *probe = cJSON_AddObjectToObject(probes, spec->name);
+
+    for (size_t k = 0; k < PETSC_STATIC_ARRAY_LENGTH(PROBE_NUMBERS); k++) {
+      const BarPath path = {"probes", spec->name, PROBE_NUMBERS[k].key, NULL};
+
+      PetscCall(BarsAdd_Private(history, &path, PROBE_NUMBERS[k].kind,
+                                PROBE_NUMBERS[k].kind == FLOOR_BODY ? spec->body : i, path.key, probe, NULL));
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BarsCreate(const BarHistory *history, cJSON **bars)
+{
+  PetscFunctionBeginUser;
+  *bars = cJSON_CreateObject();
+  PetscCall(BarsAddEnergy_Private(history, *bars));
+  PetscCall(BarsAddPairs_Private(history, *bars));
+  PetscCall(BarsAddReactions_Private(history, *bars));
+  PetscCall(BarsAddProbes_Private(history, *bars));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+"""bars.py <mortise> [scene ...] -- how many error bars of -adapt hold, against the same scenes on much finer meshes.
+
+A scene is solved with 3, 4, ... meshes; each run has its own bars. The truth is its run with five meshes more in the plane, three more
+in space. Prints a table by kind of number: bars, share that hold the truth, median ratio of bar and error; and the effectivity
+of the estimate. One process at a time."""
+import json
+import math
+import os
+import pathlib
+import statistics
+import subprocess
+import sys
+import tempfile
+
+OPTIONS = pathlib.Path(__file__).resolve().parents[2] / "options"
+ROUNDING = 1e-9  # numbers that differ by less of their size have no error to speak of
+# scene -> options file, arguments, numbers of meshes that are judged
+SCENES = {
+    "two plates": ("two_plates", "-upper_dm_plex_box_faces 2,2 -lower_dm_plex_box_faces 2,2", range(3, 14)),
+    "two plates, order 1": ("two_plates", "-upper_dm_plex_box_faces 2,2 -lower_dm_plex_box_faces 2,2 -order 1", range(3, 11)),
+    "stiff above": ("two_plates", "-upper_dm_plex_box_faces 3,3 -lower_dm_plex_box_faces 2,2 -upper_young 8e12", range(3, 13)),
+    "stiff below": ("two_plates", "-upper_dm_plex_box_faces 3,3 -lower_dm_plex_box_faces 2,2 -lower_young 8e12", range(3, 13)),
+    "half space edge": ("edge2d", "-upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2", range(3, 11)),
+    "overhang": ("overhang", "-block_dm_plex_box_faces 4,4 -table_dm_plex_box_faces 5,3", range(3, 12)),
+    "rings": ("rings", "-outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4", range(3, 8)),
+    "anisotropic": ("anisotropic_plate", "", range(3, 9)),
+    "seal": ("seal", "", range(3, 8)),
+    "punch": ("punch", "", range(3, 9)),
+    "hertz2d": ("hertz2d", "", range(3, 8)),
+    "half discs": ("half_discs", "", range(3, 8)),
+    "roller": ("roller_in_groove", "", range(3, 8)),
+    "indentation": ("indentation", "", range(3, 8)),
+    "parabola": ("parabola", "", range(3, 9)),
+    "stack": ("stack", "", range(3, 8)),
+    "three bodies": ("three_bodies", "", range(3, 8)),
+    "tied": ("tied", "", range(3, 8)),
+    "bolted joint": ("bolted_joint", "", range(3, 7)),
+    "gears": ("gears", "", range(3, 8)),
+    "spherical gap": ("spherical_gap", "", range(3, 7)),
+    "hertz around an axis": ("hertz_axisymmetric", "-sphere_dm_plex_box_faces 6,5 -block_dm_plex_box_faces 8,6", range(3, 9)),
+    "stack in space": ("stack3d", "", range(3, 5)),
+    "shells in space": ("shells3d", "", range(3, 4)),
+}
+
+
+def solve(program, scene, meshes, folder):
+    name, arguments, _ = SCENES[scene]
+    file = folder / "result.json"
+    file.unlink(missing_ok=True)
+    done = subprocess.run([program, "-options_file", f"{name}.opts", *arguments.split(), "-adapt", "1e-7", "-adapt_max_meshes", str(meshes), "-quiet",
+                           "-adapt_max_unknowns", "4e5", "-summary", file], cwd=OPTIONS, capture_output=True, text=True, check=False)
+    if not file.is_file():
+        print(f"  {scene}, {meshes} meshes: {done.stderr.strip()}")
+        return None
+    summary = json.loads(file.read_text())
+    return summary if summary["bars"] else None
+
+
+def numbers(bars, summary, truth, path=()):
+    """Of each bar: its path, the number, the truth, the half width, the size of its vector."""
+    for key, bar in bars.items():
+        if key == "unbounded":
+            continue
+        value, true = summary.get(key), truth.get(key)
+        if isinstance(bar, dict):
+            yield from numbers(bar, value, true, (*path, key))
+            continue
+        lists = [x if isinstance(x, list) else [x] for x in (bar, value, true)]
+        size = math.sqrt(sum(x * x for x in lists[2] if x is not None))
+        for half, q, t in zip(*lists):
+            if None not in (half, q, t) and key != "min_gap":  # zero in contact
+                yield (*path, key), q, t, half, size
+
+
+def kind(path):
+    if path[0] == "energy":
+        return "energies"
+    if path[0] == "reactions" or path[-1] in ("force", "normal_force"):
+        return "forces"
+    if path[0] == "probes":
+        return "displacements" if path[-1] == "displacement" else "stresses"
+    return "pressures" if "pressure" in path[-1] and path[-1] != "centre_of_pressure" else "places and areas"
+
+
+def judge(program, scene, folder, found):
+    meshes = SCENES[scene][2]
+    space = any(word in scene for word in ("space",))
+    truth = solve(program, scene, meshes[-1] + (3 if space else 5), folder)
+    if not truth:
+        return
+    best = truth["estimate"]
+    effectivity, bad = [], []
+    for num in meshes:
+        summary = solve(program, scene, num, folder)
+        if not summary or len(summary["estimate"]["meshes"]) < num or num >= len(best["meshes"]):
+            continue
+        squared = 2 * (summary["energy"]["potential"] - best["potential"]["value"])
+        if squared > 0:
+            effectivity.append(summary["estimate"]["energy_norm"] / math.sqrt(squared))
+        for path, value, true, half, size in numbers(summary["bars"], summary, truth):
+            error = abs(value - true)
+            if error <= ROUNDING * size:
+                continue
+            found.setdefault(kind(path), []).append((error <= half, half / error))
+            if error > half:
+                bad.append(f"{num}:{'.'.join(path)} {value:.6g} +- {half:.2g}, true {true:.6g}")
+    print(f"{scene}: effectivity {', '.join(f'{e:.2f}' for e in effectivity)}; {best['meshes'][-1]['unknowns']} unknowns in the end")
+    for line in bad:
+        print("    " + line)
+    sys.stdout.flush()
+
+
+def main():
+    program, chosen = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2:] or list(SCENES)
+    found = {}
+    with tempfile.TemporaryDirectory() as folder:
+        for scene in chosen:
+            judge(program, scene, pathlib.Path(folder), found)
+    print("| kind | bars | hold | median bar / error |\n|---|---:|---:|---:|")
+    for name, bars in found.items():
+        print(f"| {name} | {len(bars)} | {100 * sum(ok for ok, _ in bars) / len(bars):.1f} % | {statistics.median(ratio for _, ratio in bars):.2g} |")
+    every = [bar for bars in found.values() for bar in bars]
+    print(f"| all | {len(every)} | {100 * sum(ok for ok, _ in every) / max(1, len(every)):.1f} % | {statistics.median(r for _, r in every):.2g} |")
+
+
+if __name__ == "__main__":
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    main()
