@@ -231,24 +231,20 @@ static PetscErrorCode AdaptiveFinish_Private(Adaptive *adaptive, Run run, const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The next mesh, and what was found on this one there. Collective. [in,out] run - NULL afterwards; [out] guess - owned by the caller */
-static PetscErrorCode AdaptiveRefine_Private(const Adaptive *adaptive, Mesh mesh, Run *run, Vec *guess)
+/* The next mesh, and what was found on this one there. Collective. [out] guess - owned by the caller */
+static PetscErrorCode AdaptiveRefine_Private(const Adaptive *adaptive, Mesh mesh, Run run, Vec *guess)
 {
   const PetscInt level = mesh->num_levels - 1;
   PetscBool     *marked;
   Estimate       estimate;
-  Vec            u = (*run)->fields->u;
 
   PetscFunctionBeginUser;
-  PetscCall(EstimateGet((*run)->fields, &estimate));
+  PetscCall(EstimateGet(run->fields, &estimate));
   PetscCall(MarkingCreate(&mesh->levels[level], estimate, adaptive->scene->adapt.marking, &marked));
-  PetscCall(PetscObjectReference((PetscObject)u));
-  PetscCall(RunDestroy(run));
   PetscCall(LogStageBegin(STAGE_SETUP));
   PetscCall(MeshAdapt(mesh, marked));
-  PetscCall(PromotionApply(mesh, level, level + 1, u, guess));
+  PetscCall(PromotionApply(mesh, level, level + 1, run->fields->u, guess));
   PetscCall(LogStageEnd(STAGE_SETUP));
-  PetscCall(VecDestroy(&u));
   PetscCall(PetscFree(marked));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -265,7 +261,7 @@ PetscErrorCode AdaptiveRun(Scene scene, Mesh mesh, Vec guess, Run *run)
   PetscCall(PetscCalloc1(scene->adapt.max_meshes, &adaptive.mesh));
   WarningHold();
   while (PETSC_TRUE) {
-    PetscCall(RunCreate(scene, mesh, own ? own : guess, run));
+    PetscCall(adaptive.num ? RunExtend(own, run) : RunCreate(scene, mesh, guess, run));
     scene->view = PETSC_FALSE; // of the first mesh only
     PetscCall(VecDestroy(&own));
     if (!(*run)->solved) break;
@@ -276,7 +272,7 @@ PetscErrorCode AdaptiveRun(Scene scene, Mesh mesh, Vec guess, Run *run)
       PetscCall(AdaptiveFinish_Private(&adaptive, *run, why));
       break;
     }
-    PetscCall(AdaptiveRefine_Private(&adaptive, mesh, run, &own));
+    PetscCall(AdaptiveRefine_Private(&adaptive, mesh, *run, &own));
   }
   WarningRelease();
   for (PetscInt k = 0; k < adaptive.num; k++) cJSON_Delete(adaptive.mesh[k].row);
