@@ -1,0 +1,26 @@
+# -adapt: estimated errors and error bars against known solutions, from coarse meshes (plates.py, exact.py, parabola.py, roles.py).
+set(plates -upper_dm_plex_box_faces 2,2 -lower_dm_plex_box_faces 2,2)
+mortise_scene_test(two_plates CHECK plates.py RANKS 1 3 WARNS model_limit ARGS ${plates} -adapt 1.2e-3)
+mortise_scene_test(two_plates_1 SCENE two_plates CHECK plates.py RANKS 1 ARGS ${plates} -order 1 -adapt 4e-2)
+mortise_scene_test(edge2d CHECK exact.py RANKS 1 3 LABELS sanitize ARGS -upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2 -adapt 2e-3)
+mortise_scene_test(parabola_fine SCENE r4b CHECK parabola.py RANKS 1 ARGS -adapt 2e-3)
+mortise_scene_test(roles SCENE two_plates CHECK roles.py RANKS 1 ARGS ${plates} -upper_young 8e15 -adapt 1e-2)
+# Where the mesh holds the solution there is nothing to refine.
+mortise_scene_test(patch2d CHECK nothing.py RANKS 1 3 ARGS -adapt 1e-3)
+mortise_scene_test(patch3d CHECK nothing.py RANKS 1 ARGS -adapt 1e-3)
+# Curves, the axis, space, ties, files: the known number lies within its bar.
+mortise_scene_test(rings CHECK lame.py RANKS 1 3 ARGS -outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4 -adapt 2e-3)
+mortise_scene_test(shells3d CHECK shells.py RANKS 1 ARGS -adapt 2e-2)
+# The same meshes and numbers on any number of ranks, with either solver, multigrid and a second opinion.
+mortise_scene_test(ranks SCENE two_plates CHECK ranks.py RANKS 3 ARGS ${plates} -adapt 2e-2)
+mortise_scene_test(solvers SCENE two_plates CHECK solvers.py RANKS 1 ARGS ${plates} -adapt 2e-2)
+# Limits end it with exit code 3 and everything written.
+mortise_scene_test(limits SCENE two_plates CHECK limits.py RANKS 1 ARGS ${plates} -adapt 2e-2)
+# Mistakes.
+mortise_mistake(too_large SCENE two_plates ARGS -adapt 1.5 SAYS "-adapt 1.5: give a number above 0 and below 1")
+mortise_mistake(no_number SCENE two_plates RANKS 1 ARGS -adapt fine SAYS "-adapt" "fine")
+mortise_mistake(with_study SCENE two_plates RANKS 1 ARGS -adapt 1e-2 -study uniform SAYS "-adapt 1e-2: a study has its own meshes")
+mortise_mistake(with_steps SCENE two_plates RANKS 1 ARGS -adapt 1e-2 -load_steps 3 SAYS "-adapt 1e-2: load steps keep one mesh")
+mortise_mistake(marking SCENE two_plates RANKS 1 ARGS -adapt 1e-2 -adapt_marking 1 SAYS "-adapt_marking 1: give a number above 0 and below 1")
+mortise_mistake(no_meshes SCENE two_plates RANKS 1 ARGS -adapt 1e-2 -adapt_max_meshes 0 SAYS "-adapt_max_meshes 0")
+mortise_mistake(limit_alone SCENE two_plates RANKS 1 ARGS -adapt_max_meshes 3 SAYS "-adapt_max_meshes")

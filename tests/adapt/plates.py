@@ -1,0 +1,29 @@
+"""Two plates (the thesis' test problem) from two cells each: potential and force of an independent high-order solution."""
+import math
+
+import numpy as np
+
+from judge import near, require, same
+
+POTENTIAL, FORCE = -5918.26337, 1836995.08  # uncertain by 9e-5 and 2e-2
+# order -> unknowns, relative error of the potential that they are to reach: what an independent prototype of the method has
+REACHED = {2: ((1500, 1.2e-3), (14000, 1.1e-5), (38000, 1.3e-6)), 1: ((11000, 1.4e-3),)}
+
+
+def judge(run):
+    summary = run.summary
+    meshes, order = summary["estimate"]["meshes"], summary["scene"]["bodies"]["upper"]["order"]
+    sizes = [math.log(mesh["unknowns"]) for mesh in meshes]
+    errors = [math.log((POTENTIAL - mesh["potential"]) / POTENTIAL) for mesh in meshes]
+    for unknowns, error in REACHED[order]:
+        found = math.exp(np.interp(math.log(unknowns), sizes, errors))
+        require(found <= error, f"order {order}: {unknowns} unknowns have a relative error of {found} in the potential, {error} is asked for")
+    for mesh in meshes:
+        if mesh["unknowns"] > 1000:
+            require(0.8 <= mesh["estimate"] / math.sqrt(2 * (mesh["potential"] - POTENTIAL)) <= 1.35, f"the estimate of {mesh} is off")
+    bars = summary["bars"]
+    near("potential", summary["energy"]["potential"], POTENTIAL, absolute=bars["energy"]["potential"])
+    near("force", summary["pairs"]["joint"]["normal_force"], FORCE, absolute=bars["pairs"]["joint"]["normal_force"])
+    near("limit of the potential", summary["estimate"]["potential"]["value"], POTENTIAL, absolute=summary["estimate"]["potential"]["bar"] + 1e-4)
+    near("end of contact", summary["pairs"]["joint"]["extent"]["upper"][0], 0.3115466, absolute=bars["pairs"]["joint"]["extent"]["upper"][0])
+    same("bars of what grows without limit", (bars["unbounded"], bars["pairs"]["joint"]["max_pressure"]), (["joint"], None))
