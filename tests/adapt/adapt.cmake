@@ -1,6 +1,6 @@
 # -adapt: estimated errors and error bars against known solutions, from coarse meshes (plates.py, exact.py, parabola.py, roles.py).
 set(plates -upper_dm_plex_box_faces 2,2 -lower_dm_plex_box_faces 2,2)
-mortise_scene_test(two_plates CHECK plates.py RANKS 1 3 WARNS model_limit ARGS ${plates} -adapt 1.2e-3)
+mortise_scene_test(two_plates CHECK plates.py RANKS 1 3 ARGS ${plates} -adapt 1.2e-3)
 mortise_scene_test(two_plates_1 SCENE two_plates CHECK plates.py RANKS 1 ARGS ${plates} -order 1 -adapt 4e-2)
 mortise_scene_test(edge2d CHECK exact.py RANKS 1 3 LABELS sanitize ARGS -upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2 -adapt 2e-3)
 mortise_scene_test(parabola_fine SCENE r4b CHECK parabola.py RANKS 1 ARGS -adapt 2e-3)
