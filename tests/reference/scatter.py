@@ -9,7 +9,7 @@ from compare import RELATIVE, same_tables
 from independent import Scene, Solution
 from judge import Run
 
-COUNT = 12  # scenes of one test; on several ranks the first and the last, but in the long run
+COUNT = 12  # scenes of one test
 CURVED = 1e-6  # where sides are curved or cells stretched, integrals are not exact: 6 Gauss points on a piece, 8 in independent.py
 QUARTER = "1.5707963267948966"
 
@@ -68,7 +68,7 @@ def tolerance_of(options):
 def judge(run, options_of=options_of, tolerance_of=tolerance_of):  # pylint: disable=redefined-outer-name
     """[in] options_of - number -> {option: text}; tolerance_of - of such a scene, relative"""
     first = int(run.arguments[run.arguments.index("-title") + 1].split()[-1])  # "Random scenes from 24"
-    for number in run.some(range(first, first + COUNT)):
+    for number in range(first, first + COUNT):
         options = options_of(number)
         path = run.folder / f"scene{number}.opts"
         path.write_text("".join(f'-{name} "{text}"\n' for name, text in options.items()))
