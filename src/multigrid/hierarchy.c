@@ -18,11 +18,19 @@ PetscBool HierarchyIsLarge(PetscInt dim, PetscInt unknowns)
 }
 
 /* The smoother of given level l. Without whole lines of long cells, blocks cost several times the rest and
-   gain little. */
+   gain little. Bisected cells couple in no lines, whatever their shape: two plates of cells 1 to 10 times as long as wide
+   take 1.3 times the iterations with the diagonal, each of a third to two thirds of the cost. */
 static PetscErrorCode HierarchyCreateSmoother_Private(const HierarchyInput *input, PetscInt l, const Operator *op,
                                                       Mat *S)
 {
+  PetscBool diagonal = PETSC_FALSE;
+
   PetscFunctionBeginUser;
+  if (input->bisected && input->num > 1) {
+    PetscCall(SmootherDependsOnFinest(op, &diagonal));
+    diagonal = (PetscBool)!diagonal;
+  }
+  if (diagonal) PetscFunctionReturn(PETSC_SUCCESS);
   if (input->lines)
     PetscCall(SmootherCreate(op, (PetscBool)(l == input->num - 1), (PetscBool)(input->num == 1), S));
   else if (op->T)
@@ -111,6 +119,7 @@ PetscErrorCode HierarchyCreate(HierarchyInput *input, Hierarchy *hierarchy)
     PetscCall(MatDestroy(&given[l].op.inverse)); // smoothers hold a reference if they need it
   h->num = h->first + input->num;
   PetscCall(PetscArraymove(h->level, given - h->first, h->num));
+  h->bisected = input->bisected;
   PetscCall(HierarchySetShares_Private(h));
   *hierarchy = h;
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -24,6 +24,7 @@ typedef struct _n_Hierarchy {
   HierarchyLevel *level;                                 /* coarse first */
   PetscReal       work;                                  /* products with A so far, in products with the finest one */
   PetscInt        num_systems;                           /* of active sets so far, of all levels */
+  PetscBool       bisected;                              /* as of HierarchyInput */
   PetscErrorCode (*is_over)(void *ctx, PetscBool *over); /* of HierarchySetCostTest(), or NULL */
   void *ctx;
 } * Hierarchy;
@@ -35,15 +36,16 @@ typedef struct {
   Mat      *P;  /* NULL on the coarsest [num]; taken over */
   PetscBool
             below; /* whether levels of nodes are made below the coarsest one; if not it is factored, and has an AIJ matrix A and no S */
-  NodeTable table; /* of the coarsest one, for the first level below it; taken over */
-  PetscBool lines; /* whether cells may be long in whole lines or planes of nodes */
+  NodeTable table;    /* of the coarsest one, for the first level below it; taken over */
+  PetscBool lines;    /* whether cells may be long in whole lines or planes of nodes */
+  PetscBool bisected; /* whether they are simplices that were bisected: then blocks pay beside stiff sides alone */
 } HierarchyInput;
 
 /* Whether a coarsest level of that many unknowns is not to be factored. Not collective. */
 PetscBool HierarchyIsLarge(PetscInt dim, PetscInt unknowns);
 /* Collective. [in,out] input; [out] hierarchy - owned by the caller */
 PetscErrorCode HierarchyCreate(HierarchyInput *input, Hierarchy *hierarchy);
-/* Appends a level: the others keep matrices, smoothers, eigenvalues and transfer. For cells that may be long in whole lines. Collective. [in] drop - whether the finest level so far leaves;
+/* Appends a level: the others keep matrices, smoothers, eigenvalues and transfer. For meshes of several levels. Collective. [in] drop - whether the finest level so far leaves;
    [in] renew - whether its A has changed, so that it gets another smoother; [in] op, P - of the new level, from the one below it; taken over */
 PetscErrorCode HierarchyExtend(Hierarchy hierarchy, PetscBool drop, PetscBool renew, const Operator *op, Mat P);
 /* Whether there is one or not. Collective. */

@@ -329,7 +329,7 @@ static PetscErrorCode MeshLevelsSetVIs_Private(MeshLevels levels, PetscBool *bel
 static PetscErrorCode MeshLevelsSetUp_Private(MeshLevels levels, const Inequality *finest, Vec W)
 {
   const PetscInt num    = levels->num;
-  HierarchyInput input  = {.num = num};
+  HierarchyInput input  = {.num = num, .bisected = (PetscBool)(levels->vi[num - 1]->mesh->forest != NULL)};
   PetscBool      higher = PETSC_FALSE;
 
   PetscFunctionBeginUser;
