@@ -139,6 +139,61 @@ static PetscBool UnusedIsOfSameSpace_Private(const char option[], const char nea
   return (PetscBool)(!UnusedOptionsBeginsLikePETSc(option) || !strncasecmp(option, near, strcspn(option, "_") + 1));
 }
 
+/* What stands between a body and a key of regions, as "soft" in -plate_soft_young. [out] body - NULL if it is no such option; [out] key -
+   with its underscore; [out] region - [OPTION_MAX] */
+static void UnusedSplitRegion_Private(Scene scene, const char option[], const SceneBody **body, const char **key,
+                                      char region[])
+{
+  PetscInt           num;
+  const OptionEntry *table = OptionTable(&num);
+
+  *body = NULL;
+  for (PetscInt b = 0; b < scene->num_bodies && !*body; b++) {
+    const char  *name = scene->bodies[b].name, *rest = option + 1 + strlen(name) + 1;
+    const size_t length = strlen(option);
+
+    if (strncasecmp(option + 1, name, strlen(name)) != 0 || option[1 + strlen(name)] != '_') continue;
+    for (PetscInt i = 0; i < num && !*body; i++) {
+      if (OptionEntryScope(&table[i]) != SCOPE_REGION) continue;
+      *key = OptionPlaceholderEnd(strchr(table[i].name, '<'));
+      if (strlen(rest) <= strlen(*key) || strcasecmp(option + length - strlen(*key), *key) != 0) continue;
+      *body = &scene->bodies[b];
+      (void)snprintf(region, OPTION_MAX, "%.*s", (int)(strlen(rest) - strlen(*key)), rest);
+    }
+  }
+}
+
+/* The sentence about a datum of a region that -<body>_regions does not list; untouched if the option is none. */
+static PetscErrorCode UnusedExplainRegion_Private(Scene scene, const Leftover *left, const char shown[],
+                                                  char sentence[OPTION_SENTENCE])
+{
+  const SceneBody *body;
+  const char      *key, **names, *near;
+  char             region[OPTION_MAX], list[OPTION_MAX] = "";
+  size_t           used = 0;
+
+  PetscFunctionBeginUser;
+  UnusedSplitRegion_Private(scene, left->name, &body, &key, region);
+  if (!body) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(body->num_regions, &names));
+  for (PetscInt r = 0; r < body->num_regions; r++) {
+    names[r] = scene->regions[body->first_region + r].prefix + strlen(body->name) + 1;
+    if (used < sizeof(list))
+      used += (size_t)snprintf(list + used, sizeof(list) - used, "%s%s", r ? "," : " ", names[r]);
+  }
+  near = UserErrorNearest(region, body->num_regions, names);
+  PetscCall(PetscFree(names));
+  (void)snprintf(sentence, OPTION_SENTENCE,
+                 "%s: body %s has no region %.100s; -%s_regions%.300s lists physical groups of its mesh file that have "
+                 "data of their own",
+                 shown, body->name, region, body->name, list);
+  if (near) {
+    used = strlen(sentence);
+    (void)snprintf(sentence + used, OPTION_SENTENCE - used, "; did you mean -%s_%s%s?", body->name, near, key);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The sentence about one unused option; whether it could suggest another one. */
 static PetscErrorCode UnusedExplain_Private(Scene scene, const Leftover *left, char sentence[OPTION_SENTENCE],
                                             PetscBool *suggested)
@@ -163,6 +218,10 @@ static PetscErrorCode UnusedExplain_Private(Scene scene, const Leftover *left, c
     *suggested = PETSC_TRUE;
     PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE, "%s: %s", shown, unmodelled));
   } else {
+    sentence[0] = '\0';
+    PetscCall(UnusedExplainRegion_Private(scene, left, shown, sentence));
+    *suggested = (PetscBool) !!sentence[0];
+    if (sentence[0]) PetscFunctionReturn(PETSC_SUCCESS);
     PetscCall(OptionSuggestionFind(scene, left->name, near));
     if (!UnusedIsOfSameSpace_Private(left->name, near)) near[0] = '\0';
     *suggested = (PetscBool) !!near[0];
