@@ -255,6 +255,7 @@ static PetscErrorCode PairStateMeasureGaps_Private(Fields fields, const Pair pai
     for (PetscInt a = 0; a < pair->num; a++) {
       const PetscReal linear = pair->gap[a] + share * (state->linear[a] - pair->gap[a]);
 
+      if (pair->spec->obstacle.kind == OBSTACLE_EXPRESSION) continue; // a gap that is given, not measured
       if (!PetscIsNanReal(state->error[a]) || PetscAbsReal(pair->gap[a]) > state->scale) continue;
       if (PetscIsNanReal(gap[a])) away = PETSC_TRUE;
       state->error[a] = (gap[a] - linear) / PetscSqr(share);
