@@ -8,6 +8,8 @@ mortise_scene_test(layers_newton SCENE layers CHECK layers.py ARGS -snes_type vi
 mortise_scene_test(blocks CHECK layers.py RANKS 1 3)
 mortise_scene_test(blocks_refined SCENE blocks CHECK layers.py RANKS 1 3 ARGS -dm_refine 1)
 mortise_scene_test(blocks_quadratic SCENE blocks CHECK layers.py RANKS 1 3 ARGS -order 2)
+mortise_scene_test(layers_adapted SCENE layers CHECK adapted.py RANKS 1 3 ARGS -adapt 0.01)
+mortise_scene_test(tube_adapted SCENE tube CHECK adapted.py RANKS 1 3 ARGS -order 1 -adapt 0.03)
 mortise_scene_test(laminate CHECK laminate.py RANKS 1 3)
 mortise_scene_test(laminate_quadratic SCENE laminate CHECK laminate.py ARGS -order 2)
 mortise_scene_test(by_number CHECK by_number.py RANKS 1 3)
