@@ -1,5 +1,7 @@
 /* test_adapt.c -- levels by bisection: sides, prolongation and numbers, on any number of ranks. */
 #include "mesh_scene.h"
+#include <math.h>
+#include <stdint.h>
 
 /* Two boxes, one with a map, of a dimension and an order. */
 static Mesh MakeMesh(TestScene *t, PetscInt dim, PetscInt order)
@@ -112,6 +114,69 @@ static void Adapt(Mesh mesh, const PetscReal place[])
 /* What was counted on one rank. [dim][order-1][nodes, cells] */
 static const PetscInt Expected[4][2][2] = {[2] = {{60, 88}, {206, 88}}, [3] = {{236, 862}, {1460, 862}}};
 
+static uint64_t Mix(uint64_t h)
+{
+  h = (h ^ h >> 33) * 0xFF51AFD7ED558CCDU;
+  h = (h ^ h >> 33) * 0xC4CEB9FE1A85EC53U;
+  return h ^ h >> 33;
+}
+
+/* A number of a cell that depends on the positions of its vertices alone. */
+static uint64_t CellNumber(const Level *level, PetscInt cell)
+{
+  uint64_t sum = 0;
+
+  for (PetscInt i = 0; i <= level->dim; i++) {
+    uint64_t vertex = 1;
+
+    for (PetscInt d = 0; d < level->dim; d++) {
+      const PetscReal x = level->coords[level->cell_nodes[level->cell_start[cell] + i] * level->dim + d];
+
+      vertex = Mix(vertex ^ (uint64_t)(int64_t)llround(x * 1e9));
+    }
+    sum += vertex;
+  }
+  return Mix(sum);
+}
+
+/* A number of the mesh that no order of its cells changes. */
+static uint64_t MeshNumber(const Level *level)
+{
+  uint64_t sum = 0;
+
+  for (PetscInt c = 0; c < level->num_cells; c++) sum += CellNumber(level, c);
+  CHECK(!MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UINT64_T, MPI_SUM, level->comm));
+  return sum;
+}
+
+enum { NUM_MARKINGS = 4 };
+
+/* Random markings: what they are depends on places alone, and so do the meshes, of both orders. [dim] */
+static const uint64_t Random[4] = {[2] = 0xAAABE1246C1CB5A7U, [3] = 0x2B6930710CE323E1U};
+
+static void TestRandom(PetscInt dim, PetscInt order)
+{
+  TestScene t;
+  Mesh      mesh   = MakeMesh(&t, dim, order);
+  uint64_t  number = 0;
+
+  for (PetscInt step = 0; step < NUM_MARKINGS; step++) {
+    const Level *level = MeshFinest(mesh);
+    PetscBool   *marked;
+
+    CHECK(!PetscMalloc1(level->num_cells, &marked));
+    for (PetscInt c = 0; c < level->num_cells; c++)
+      marked[c] = (PetscBool)(Mix(CellNumber(level, c) + (uint64_t)step) % 10 == 0);
+    CHECK(!MeshAdapt(mesh, marked));
+    CHECK(!PetscFree(marked));
+    CheckSides(MeshFinest(mesh), &t.scene);
+    number = Mix(number + MeshNumber(MeshFinest(mesh)));
+  }
+  CHECK(number == Random[dim]);
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
 static void TestMesh(PetscInt dim, PetscInt order)
 {
   const PetscReal place[] = {0, 0, 0};
@@ -136,7 +201,10 @@ int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   for (PetscInt dim = 2; dim <= 3; dim++) {
-    for (PetscInt order = 1; order <= 2; order++) TestMesh(dim, order);
+    for (PetscInt order = 1; order <= 2; order++) {
+      TestMesh(dim, order);
+      TestRandom(dim, order);
+    }
   }
   PetscCall(PetscFinalize());
   return 0;
