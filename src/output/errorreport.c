@@ -51,14 +51,15 @@ PetscErrorCode ErrorReportPrint(const SummaryInput *in)
 {
   const MPI_Comm comm = in->scene->comm;
   PetscReal      relative, theta;
+  int            meshes;
   Estimate       estimate;
 
   PetscFunctionBeginUser;
   if (in->estimate) {
     relative = ErrorReportRead_Private(in->estimate, "energy_norm_relative");
-    PetscCall(PetscPrintf(comm, "  estimated error: %.2g%% of the solution in the energy norm, %d meshes\n",
-                          (double)(PERCENT * relative),
-                          cJSON_GetArraySize(cJSON_GetObjectItemCaseSensitive(in->estimate, "meshes"))));
+    meshes   = cJSON_GetArraySize(cJSON_GetObjectItemCaseSensitive(in->estimate, "meshes"));
+    PetscCall(PetscPrintf(comm, "  estimated error: %.2g%% of the solution in the energy norm, %d mesh%s\n",
+                          (double)(PERCENT * relative), meshes, meshes == 1 ? ", which gives no error bars" : "es"));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(EstimateGet(in->fields, &estimate));

@@ -231,10 +231,11 @@ static const OptionEntry table[] = {
     {GROUP_ADAPT, "-adapt_max_meshes", "n", "", "40", "With -adapt: the largest number of meshes, with the same end."},
 
     {GROUP_STUDY, "-study", "uniform|adaptive", "", "(one mesh)",
-     "Solves on several meshes and compares error, time and unknowns. This version has uniform: each mesh is refined "
-     "once more than the one before."},
+     "Solves on several meshes and compares error, time and unknowns. Each mesh is refined once more than the one "
+     "before: "
+     "every cell (uniform), or where the estimated error is large, as with -adapt (adaptive, of one order)."},
     {GROUP_STUDY, "-study_levels", "n", "", "4",
-     "With -study: number of meshes; the first is that of the scene without a study."},
+     "With -study: number of meshes, adaptive 12 by default; the first is that of the scene without a study."},
     {GROUP_STUDY, "-study_orders", "1,2", "", "(-order)",
      "With -study: polynomial orders of all bodies, each solved on every mesh, ascending."},
     {GROUP_STUDY, "-study_memory", "x[K|M|G|T]", "bytes", "(no limit)",

@@ -139,7 +139,7 @@ static inline void ScenePathGetPoint(const ScenePath *path, PetscInt i, PetscRea
 
 typedef enum { OUTPUT_XDMF = 1, OUTPUT_VTU = 2 } OutputFormat; /* bits */
 
-typedef enum { STUDY_NONE, STUDY_UNIFORM } StudyKind;
+typedef enum { STUDY_NONE, STUDY_UNIFORM, STUDY_ADAPTIVE } StudyKind;
 enum {
   STUDY_MAX_ORDERS = 2,
   STUDY_OWN_ORDERS = 0 /* in place of an order: every body keeps its own, and they differ */
@@ -154,7 +154,8 @@ typedef enum { LEVELS_BY_SIZE, LEVELS_USED, LEVELS_UNUSED } SceneLevels;
 /* The same scene on several meshes. */
 typedef struct {
   StudyKind kind;
-  PetscInt  levels; /* meshes, each refined once more than the one before; the first is the scene's own */
+  PetscInt
+      levels; /* meshes, each refined once more than the one before, or where the error is; the first is the scene's own */
   PetscInt  num_orders, orders[STUDY_MAX_ORDERS]; /* of all bodies, ascending; STUDY_OWN_ORDERS only alone */
   PetscReal memory; /* bytes that a run may take, of all ranks together; infinite where nothing was said */
 } SceneStudy;

@@ -3,6 +3,10 @@
 #include <math.h>
 #include <string.h>
 
+enum { ADAPTIVE_LEVELS = 12 }; /* they grow by less than two */
+
+static const PetscReal ADAPTIVE_MARKING = 0.5; /* that of -adapt_marking */
+
 /* -study_orders: each a choice, ascending. */
 static PetscErrorCode StudyReadOrders_Private(Scene scene, SceneStudy *study)
 {
@@ -43,14 +47,20 @@ PetscErrorCode SceneStudyRead(Scene scene)
   PetscCall(OptionFind(scene, "-study", NULL, NULL, &kind));
   if (!kind.set) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(OptionGetChoice(&kind, &choice));
-  if (choice != 0) PetscCall(OptionRaise(&kind, "this version refines every cell; it has uniform only"));
-  study->kind   = STUDY_UNIFORM;
+  study->kind   = choice ? STUDY_ADAPTIVE : STUDY_UNIFORM;
   study->memory = (PetscReal)INFINITY;
   PetscCall(OptionFind(scene, "-study_levels", NULL, NULL, &levels));
   PetscCall(OptionFind(scene, "-study_memory", NULL, NULL, &memory));
   PetscCall(OptionGetInts(&levels, 1, 1, &study->levels));
   PetscCall(OptionGetBytes(&memory, &study->memory));
   PetscCall(StudyReadOrders_Private(scene, study));
+  if (study->kind == STUDY_ADAPTIVE) {
+    if (study->num_orders > 1)
+      PetscCall(OptionRaise(&kind, "each order has meshes of its own then; give one of -study_orders"));
+    if (!levels.set) study->levels = ADAPTIVE_LEVELS;
+    scene->adapt.tolerance = PETSC_SMALL; // the number of meshes ends it
+    scene->adapt.marking   = ADAPTIVE_MARKING;
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

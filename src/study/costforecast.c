@@ -41,8 +41,9 @@ PetscReal CostForecastMemory(Study study, PetscInt order, PetscInt unknowns)
          bytes * (CostForecastGrowth_Private(dim, unknowns) - CostForecastGrowth_Private(dim, last->unknowns));
 }
 
-/* Refinement makes 2^dim cells of one, and nodes of less than 2^dim times as many. */
+/* Refinement makes 2^dim cells of one, and nodes of less than 2^dim times as many; marked cells alone make less than twice of all. */
 PetscInt CostForecastUnknowns(Study study, const Record *record)
 {
+  if (study->scene->study.kind == STUDY_ADAPTIVE) return 2 * record->unknowns;
   return record->unknowns << study->scene->dim;
 }

@@ -22,6 +22,7 @@ PetscBool ExtrapolationOfQuantity(Study study, PetscInt quantity, PetscInt order
   const Record *finest = StudyFindCoarser(study, order, study->scene->study.levels);
   PetscReal     values[RICHARDSON_LEVELS];
 
+  if (study->scene->study.kind == STUDY_ADAPTIVE) return PETSC_FALSE; // h is not halved
   for (PetscInt i = 0; i < RICHARDSON_LEVELS; i++) {
     const Record *record =
         finest ? ExtrapolationFindRecords_Private(study, order, finest->level - (RICHARDSON_LEVELS - 1) + i) : NULL;
@@ -108,7 +109,7 @@ PetscErrorCode ExtrapolationPrint(Study study)
     PetscCall(PetscPrintf(comm, "  %-32s %-28s (%s%s)\n", study->quantities[q].label, text, order,
                           limit.monotone ? "" : "; not monotone: spread of the three values"));
   }
-  if (!begun)
+  if (!begun && study->scene->study.kind == STUDY_UNIFORM)
     PetscCall(PetscPrintf(comm, "no extrapolated values: Richardson's method needs three levels of one order\n"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "study/extrapolation.h"
+#include "study/marking.h"
 #include "study/promotion.h"
 #include "study/studyimpl.h"
 
@@ -71,7 +72,7 @@ static PetscErrorCode StudyMakeMesh_Private(Study study, PetscInt o, Record *rec
   }
   PetscCall(LogStageBegin(STAGE_SETUP));
   if (record->level) {
-    PetscCall(MeshRefine(study->mesh[o]));
+    PetscCall(study->marked[o] ? MeshAdapt(study->mesh[o], study->marked[o]) : MeshRefine(study->mesh[o]));
   } else {
     PetscCall(MeshCreate(scene, &study->mesh[o]));
     PetscCall(MeshSetUp(study->mesh[o]));
@@ -96,6 +97,24 @@ static PetscErrorCode StudyGetGuess_Private(Study study, PetscInt o, const Recor
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Marks the cells that the next mesh of an adaptive study refines; all where nothing is solved. */
+static PetscErrorCode StudyMark_Private(Study study, PetscInt o, Run run)
+{
+  const Level *level = MeshFinest(study->mesh[o]);
+  Estimate     estimate;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(study->marked[o]));
+  if (run->fields) {
+    PetscCall(EstimateGet(run->fields, &estimate));
+    PetscCall(MarkingCreate(level, estimate, study->scene->adapt.marking, &study->marked[o]));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(PetscMalloc1(level->num_cells, &study->marked[o]));
+  for (PetscInt c = 0; c < level->num_cells; c++) study->marked[o][c] = PETSC_TRUE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Solves on the finest mesh of an order and writes down how it went. [out] refused - whether there is no solution */
 static PetscErrorCode StudySolve_Private(Study study, PetscInt o, Record *record, PetscBool *refused)
 {
@@ -117,6 +136,7 @@ static PetscErrorCode StudySolve_Private(Study study, PetscInt o, Record *record
   PetscCall(VecDestroy(&guess));
   PetscCall(RecordRun(study, run, record));
   *refused = run->refused;
+  if (study->scene->study.kind == STUDY_ADAPTIVE) PetscCall(StudyMark_Private(study, o, run));
   if (run->refused && study->best < 0) PetscCall(StudyWriteBest(study, run));
   if (run->solved) {
     if (study->exact && coarser) PetscCall(VecDestroy(&coarser->u)); // else to be compared with what is yet to come

@@ -73,6 +73,7 @@ void StudyColumnsVisit(Study study, const Record *record, PetscBool errors_named
   StudyColumnsAddCount_Private(&visitor, "cells", record->cells);
   StudyColumnsAddCount_Private(&visitor, "unknowns", record->unknowns);
   StudyColumnsAddReal_Private(&visitor, "h", "", record->h);
+  StudyColumnsAddReal_Private(&visitor, "error_estimate", "", record->estimate);
   StudyColumnsAddErrors_Private(study, record, errors_named, &visitor);
   for (PetscInt q = 0; q < study->num_quantities; q++)
     StudyColumnsAddReal_Private(&visitor, study->quantities[q].name, "", record->values[q]);

@@ -123,7 +123,7 @@ static cJSON *StudyCreateBlock_Private(Study study)
   char   reference[ERROR_TEXT];
 
   MeshComparisonReferenceText(study, reference);
-  cJSON_AddStringToObject(root, "kind", "uniform");
+  cJSON_AddStringToObject(root, "kind", study->scene->study.kind == STUDY_ADAPTIVE ? "adaptive" : "uniform");
   cJSON_AddItemToObject(root, "reference", reference[0] ? cJSON_CreateString(reference) : cJSON_CreateNull());
   runs = cJSON_AddArrayToObject(root, "runs");
   for (PetscInt r = 0; r < study->num; r++) {

@@ -26,7 +26,8 @@ typedef struct {
   RecordState  state;
   char         reason[REASON_LENGTH]; /* why not solved, or skipped; else "" */
   PetscInt     cells, unknowns;
-  PetscReal    h; /* largest distance of two nodes of a cell */
+  PetscReal    h;        /* largest distance of two nodes of a cell */
+  PetscReal    estimate; /* of the error in the energy norm, by the standard calibration of one mesh */
   PetscInt     iterations, linear_iterations, active;
   PetscReal   *values;               /* [study->num_quantities] */
   RecordError *errors;               /* [study->num_errors] */
@@ -53,11 +54,13 @@ typedef struct {
 } ErrorName; /* key in the files */
 
 struct _n_Study {
-  Scene      scene; /* borrowed */
-  PetscInt   num_orders;
-  PetscInt  *own_orders; /* of the bodies, as the user gave them [scene->num_bodies] */
-  Mesh       mesh[STUDY_MAX_ORDERS];
-  PetscBool  exact; /* errors against exact solutions, else against the reference */
+  Scene     scene; /* borrowed */
+  PetscInt  num_orders;
+  PetscInt *own_orders; /* of the bodies, as the user gave them [scene->num_bodies] */
+  Mesh      mesh[STUDY_MAX_ORDERS];
+  PetscBool exact; /* errors against exact solutions, else against the reference */
+  PetscBool
+      *marked[STUDY_MAX_ORDERS]; /* cells of the latest mesh that the next one refines, of an adaptive study, or NULL */
   PetscInt   num_quantities, num_errors;
   Quantity  *quantities;
   ErrorName *errors;

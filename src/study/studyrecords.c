@@ -1,7 +1,9 @@
 /* studyrecords.c -- records of the runs of a study. */
 #include <math.h>
 #include "base/compat.h"
+#include "result/calibration.h"
 #include "result/errors.h"
+#include "result/estimate.h"
 #include "base/memory.h"
 #include "result/pairsum.h"
 #include "result/probes.h"
@@ -120,7 +122,10 @@ PetscErrorCode StudyDestroy(Study *study)
     PetscCall(PetscFree2((*study)->records[r].values, (*study)->records[r].errors));
     PetscCall(VecDestroy(&(*study)->records[r].u));
   }
-  for (PetscInt o = 0; o < STUDY_MAX_ORDERS; o++) PetscCall(MeshDestroy(&(*study)->mesh[o]));
+  for (PetscInt o = 0; o < STUDY_MAX_ORDERS; o++) {
+    PetscCall(MeshDestroy(&(*study)->mesh[o]));
+    PetscCall(PetscFree((*study)->marked[o]));
+  }
   PetscCall(PetscFree((*study)->own_orders));
   PetscCall(PetscFree((*study)->records));
   PetscCall(PetscFree((*study)->quantities));
@@ -138,7 +143,8 @@ PetscErrorCode StudyAddRecord(Study study, PetscInt order, PetscInt level, Recor
   PetscCheck(study->num <= study->capacity, PETSC_COMM_SELF, PETSC_ERR_PLIB, "More runs than levels times orders");
   *r = (Record){.order = order, .level = level, .state = RECORD_SKIPPED, .cells = -1, .iterations = -1};
   r->linear_iterations = r->active = -1;
-  r->h = r->total = r->with_coarser = r->rank_seconds = r->processor = r->forecast = r->memory = r->own_memory = NAN;
+  r->h = r->estimate = r->total = r->with_coarser = r->rank_seconds = r->processor = r->forecast = r->memory =
+      r->own_memory                                                                              = NAN;
   for (int s = 0; s < STAGE_COUNT; s++) r->seconds[s] = NAN;
   PetscCall(PetscMalloc2(study->num_quantities, &r->values, study->num_errors, &r->errors));
   for (PetscInt q = 0; q < study->num_quantities; q++) r->values[q] = NAN;
@@ -281,14 +287,28 @@ PetscErrorCode RecordRun(Study study, Run run, Record *record)
 
     PetscCall(PetscStrncpy(record->reason, reason, sizeof(record->reason)));
   }
-  if (!run->refused) PetscCall(RecordValues_Private(study, run, record->values));
+  if (!run->refused) {
+    Estimate estimate;
+
+    PetscCall(RecordValues_Private(study, run, record->values));
+    PetscCall(EstimateGet(run->fields, &estimate));
+    PetscCall(CalibrationGetStandard(run->vi->level, &record->estimate));
+    record->estimate *= PetscSqrtReal(estimate->squared);
+  }
   if (run->errors.any) RecordErrors_Private(study, &run->errors, record->errors);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* --- orders of convergence ------------------------------------------------------------------------------------------- */
 
-/* With h halved from level to level: e_coarse / e = 2^(rate (level - level_coarse)). */
+/* How often h was halved between two meshes: known of uniform ones, of adaptive ones what uniform ones with as many unknowns had. */
+static PetscReal RecordHalvings_Private(Study study, const Record *coarser, const Record *record)
+{
+  if (study->scene->study.kind == STUDY_UNIFORM) return record->level - coarser->level;
+  return PetscLog2Real((PetscReal)record->unknowns / coarser->unknowns) / study->scene->dim;
+}
+
+/* e_coarse / e = 2^(rate halvings). */
 void StudyComputeRates(Study study)
 {
   for (PetscInt r = 0; r < study->num; r++) {
@@ -300,7 +320,8 @@ void StudyComputeRates(Study study)
 
       error->rate = NAN;
       if (!coarser || !(error->absolute > 0) || !(coarser->errors[e].absolute > 0)) continue;
-      error->rate = PetscLog2Real(coarser->errors[e].absolute / error->absolute) / (record->level - coarser->level);
+      error->rate =
+          PetscLog2Real(coarser->errors[e].absolute / error->absolute) / RecordHalvings_Private(study, coarser, record);
     }
   }
 }

@@ -250,7 +250,6 @@ mistake(exact_contradicts   SAYS "-lower_exact_displacement: at (" "lower:bottom
 mistake(exact_pressure_infinite SAYS -joint_exact_pressure "not a finite number" ARGS -joint_exact_pressure "sqrt(x-0.5)")
 mistake(multipliers         SAYS "-joint_multipliers edges" "nodes, vertices" ARGS -joint_multipliers edges)
 mistake(study_misspelt      SAYS "-study unifrom" "did you mean uniform?" ARGS -study unifrom)
-mistake(study_adaptive      SAYS "-study adaptive" "uniform only" ARGS -study adaptive)
 mistake(study_none          SAYS "-study_levels 3" "With -study" ARGS -study_levels 3)
 mistake(study_levels        SAYS "-study_levels 0" "smallest value is 1" ARGS -study uniform -study_levels 0)
 mistake(study_beyond        SAYS -upper_dm_plex_box_faces "-study_levels" "more than can be numbered" ARGS -study uniform -study_levels 20)
