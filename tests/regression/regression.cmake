@@ -32,6 +32,8 @@ mortise_scene_test(tubes CHECK tubes.py)
 mortise_scene_test(hertz_axisymmetric CHECK hertz_axisymmetric.py)
 mortise_scene_test(wheel_on_rail CHECK wheel_on_rail.py RANKS 1 3)
 mortise_scene_test(crossed_cylinders CHECK crossed_cylinders.py)
+mortise_scene_test(cam CHECK cam.py RANKS 1 3)
+mortise_scene_test(bolt_quarter CHECK bolt_quarter.py RANKS 1 3)
 mortise_scene_test(ball_in_socket CHECK ball_in_socket.py)
 mortise_scene_test(stack3d CHECK stack3d.py RANKS 1 3)
 # Rigid shapes about the axis of revolution.

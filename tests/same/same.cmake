@@ -1,5 +1,7 @@
 # Every scene that is shipped, coarser where it takes more than seconds.
 set(small_ball_in_socket -head_dm_plex_box_faces 4,4,2 -cup_dm_plex_box_faces 6,6,2)
+set(small_cam -cam_dm_plex_box_faces 22,1,4 -follower_dm_plex_box_faces 20,1,4)
+set(small_bolt_quarter -load_steps 1 -upper_dm_plex_box_faces 8,3,2 -lower_dm_plex_box_faces 8,2,2)
 set(small_crossed_cylinders -upper_dm_plex_box_faces 5,5,3 -lower_dm_plex_box_faces 4,4,3)
 set(small_hertz3d -sphere_dm_plex_box_faces 5,5,3 -block_dm_plex_box_faces 6,6,3)
 set(small_spherical_gap -upper_dm_plex_box_faces 5,5,2 -lower_dm_plex_box_faces 4,4,2)
