@@ -9,16 +9,17 @@
 #include "result/calibration.h"
 #include "study/marking.h"
 #include "study/promotion.h"
-#include <string.h>
+#include <stdlib.h>
 
 enum {
   TEXT_LENGTH  = 160,
   FIRST_MESHES = 3 /* as many as a bar needs at least, unless there is nothing to refine */
 };
 
-static const PetscReal EXACT   = 1e-9; /* a relative error that is rounding: the space holds the solution */
-static const PetscReal STALLED = 0.9;  /* of the error, while unknowns double */
-static const PetscReal PERCENT = 100;
+static const PetscReal EXACT        = 1e-9; /* a relative error that is rounding: the space holds the solution */
+static const PetscReal STALLED      = 0.9;  /* of the error, while unknowns double */
+static const PetscReal KEEP_SECONDS = 5; /* of work that an interruption may lose, and the mesh that is solved then */
+static const PetscReal PERCENT      = 100;
 
 /* What is remembered of a mesh. */
 typedef struct {
@@ -32,6 +33,7 @@ typedef struct {
   PetscInt      num;
   AdaptiveMesh *mesh; /* [max_meshes] */
   PetscBool     quiet;
+  PetscReal     kept; /* when files were written last */
 } Adaptive;
 
 static PetscReal AdaptiveGetError_Private(const AdaptiveMesh *mesh)
@@ -201,7 +203,7 @@ static cJSON *AdaptiveCreateEstimate_Private(const Adaptive *adaptive)
 }
 
 /* The blocks of the summary, from all meshes. Collective. */
-static PetscErrorCode AdaptiveFinish_Private(Adaptive *adaptive, Run run, const char why[])
+static PetscErrorCode AdaptiveDescribe_Private(Adaptive *adaptive, Run run)
 {
   const AdaptiveMesh *last = &adaptive->mesh[adaptive->num - 1];
   BarMesh            *meshes;
@@ -222,12 +224,71 @@ static PetscErrorCode AdaptiveFinish_Private(Adaptive *adaptive, Run run, const 
   PetscCall(BarFloorsDestroy(&floors));
   PetscCall(PetscFree(meshes));
   run->estimate = AdaptiveCreateEstimate_Private(adaptive);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Says why the error that is asked for is not reached. [in] why - "" where it is */
+static PetscErrorCode AdaptiveSetVerdict_Private(const Adaptive *adaptive, Run run, const char why[])
+{
+  PetscFunctionBeginUser;
   if (!why[0]) PetscFunctionReturn(PETSC_SUCCESS);
   run->solved           = PETSC_FALSE;
   run->report.converged = PETSC_FALSE;
   PetscCall(PetscSNPrintf(run->report.reason, sizeof(run->report.reason),
                           "the error is about %.2g of the solution in the energy norm, -adapt asks for %g: %s",
-                          (double)AdaptiveGetError_Private(last), (double)adaptive->scene->adapt.tolerance, why));
+                          (double)AdaptiveGetError_Private(&adaptive->mesh[adaptive->num - 1]),
+                          (double)adaptive->scene->adapt.tolerance, why));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What is said if a signal comes now. [in] kept - whether files hold the latest mesh */
+static void AdaptiveSetInterruptSentence_Private(const Adaptive *adaptive, PetscBool kept)
+{
+  const Scene scene = adaptive->scene;
+  char        text[PETSC_MAX_PATH_LEN + TEXT_LENGTH];
+
+  if (kept) {
+    (void)snprintf(text, sizeof(text), "mortise: interrupted; %s.json and the other files hold mesh %d, error %.3g%%\n",
+                   scene->output, (int)adaptive->num,
+                   (double)(PERCENT * AdaptiveGetError_Private(&adaptive->mesh[adaptive->num - 1])));
+  } else {
+    (void)snprintf(text, sizeof(text), "mortise: interrupted; nothing was written yet\n");
+  }
+  InterruptSetSentence(text);
+}
+
+/* Writes the files of a mesh that is not the last one, unless that was done a few seconds ago. Collective. */
+static PetscErrorCode AdaptiveKeep_Private(Adaptive *adaptive, Run run)
+{
+  const Scene        scene  = adaptive->scene;
+  const SolverReport report = run->report;
+  PetscBool          wanted = (PetscBool)(scene->output && LogWallClock() - adaptive->kept >= KEEP_SECONDS);
+  SummaryInput       input;
+  Output             output;
+  char               path[PETSC_MAX_PATH_LEN], *text;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Bcast(&wanted, 1, MPIU_BOOL, 0, scene->comm));
+  if (!wanted) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(AdaptiveDescribe_Private(adaptive, run));
+  PetscCall(AdaptiveSetVerdict_Private(adaptive, run, "interrupted"));
+  input = RunSummary(run);
+  PetscCall(OutputCreate(scene->comm, &output));
+  PetscCall(OutputAddFields(output, run->fields));
+  PetscCall(SummaryCreate(&input, &text));
+  PetscCall(PetscSNPrintf(path, sizeof(path), "%s.json", scene->output));
+  PetscCall(OutputAddText(output, path, text)); // the last: where it is, the result is complete
+  free(text);
+  InterruptHold();
+  PetscCall(OutputFinish(&output));
+  AdaptiveSetInterruptSentence_Private(adaptive, PETSC_TRUE);
+  InterruptRelease();
+  cJSON_Delete(run->estimate);
+  cJSON_Delete(run->bars);
+  run->estimate = run->bars = NULL;
+  run->solved               = PETSC_TRUE;
+  run->report               = report;
+  adaptive->kept            = LogWallClock();
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -251,7 +312,7 @@ static PetscErrorCode AdaptiveRefine_Private(const Adaptive *adaptive, Mesh mesh
 
 PetscErrorCode AdaptiveRun(Scene scene, Mesh mesh, Vec guess, Run *run)
 {
-  Adaptive  adaptive = {.scene = scene};
+  Adaptive  adaptive = {.scene = scene, .kept = LogWallClock()};
   PetscReal begin    = LogWallClock();
   char      why[TEXT_LENGTH];
   Vec       own = NULL;
@@ -259,6 +320,8 @@ PetscErrorCode AdaptiveRun(Scene scene, Mesh mesh, Vec guess, Run *run)
   PetscFunctionBeginUser;
   adaptive.quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
   PetscCall(PetscCalloc1(scene->adapt.max_meshes, &adaptive.mesh));
+  PetscCall(InterruptBegin());
+  AdaptiveSetInterruptSentence_Private(&adaptive, PETSC_FALSE);
   WarningHold();
   while (PETSC_TRUE) {
     PetscCall(adaptive.num ? RunExtend(own, run) : RunCreate(scene, mesh, guess, run));
@@ -269,12 +332,16 @@ PetscErrorCode AdaptiveRun(Scene scene, Mesh mesh, Vec guess, Run *run)
     PetscCall(AdaptivePrint_Private(&adaptive));
     begin = LogWallClock();
     if (AdaptiveIsOver_Private(&adaptive, why)) {
-      PetscCall(AdaptiveFinish_Private(&adaptive, *run, why));
+      PetscCall(AdaptiveDescribe_Private(&adaptive, *run));
+      PetscCall(AdaptiveSetVerdict_Private(&adaptive, *run, why));
       break;
     }
+    PetscCall(AdaptiveKeep_Private(&adaptive, *run));
     PetscCall(AdaptiveRefine_Private(&adaptive, mesh, *run, &own));
   }
   WarningRelease();
+  InterruptSetSentence("");
+  PetscCall(InterruptEnd());
   for (PetscInt k = 0; k < adaptive.num; k++) cJSON_Delete(adaptive.mesh[k].row);
   PetscCall(PetscFree(adaptive.mesh));
   PetscFunctionReturn(PETSC_SUCCESS);

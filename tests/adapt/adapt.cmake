@@ -19,6 +19,8 @@ mortise_scene_test(study SCENE two_plates CHECK study.py RANKS 1 3 ARGS ${plates
 mortise_mistake(two_orders SCENE two_plates RANKS 1 ARGS -study adaptive -study_orders 1,2 SAYS "-study adaptive: each order has meshes of its own")
 # Limits end it with exit code 3 and everything written.
 mortise_scene_test(limits SCENE two_plates CHECK limits.py RANKS 1 ARGS ${plates} -adapt 2e-2)
+# Interrupted, it leaves the files of a mesh and a sentence.
+mortise_scene_test(interrupted SCENE two_plates CHECK interrupted_meshes.py RANKS 1 2 ONLY_RANKS "those of a signal" ARGS ${plates} -adapt 2e-2)
 # Mistakes.
 mortise_mistake(too_large SCENE two_plates ARGS -adapt 1.5 SAYS "-adapt 1.5: give a number above 0 and below 1")
 mortise_mistake(no_number SCENE two_plates RANKS 1 ARGS -adapt fine SAYS "-adapt" "fine")
