@@ -3,7 +3,7 @@
 #include "base/compat.h"
 
 /* Bisections of a cell that curves tangle; each one leaves a quarter of what it bends. */
-enum { UNTANGLE_TIMES = 3 };
+enum { UNTANGLE_TIMES = 12 }; /* a bisected cell is flatter by four: long thin cells along a circle take about six */
 
 /* The facet of a simplex that does not have this vertex. */
 static PetscInt FacetOpposite_Private(ElementType linear, PetscInt vertex)
@@ -80,8 +80,7 @@ static PetscErrorCode TreeListFacets_Private(const Tree *tree, BodyList *list)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Vertices of the first list after the map, where they exist there. [out] coords - [num_vertices][dim] */
-static PetscErrorCode TreeMapVertices_Private(const BodyList *list, const SceneBody *body, PetscReal coords[])
+PetscErrorCode BodyListMapVertices(const BodyList *list, const SceneBody *body, PetscReal coords[])
 {
   PetscFunctionBeginUser;
   PetscCall(PetscArraycpy(coords, list->coords, list->num_vertices * list->dim));
@@ -171,7 +170,7 @@ PetscErrorCode TreeCreate(Scene scene, PetscInt body, const SideNames *names, Bo
     for (PetscInt i = 0; i < num; i++) cells[c * num + i] = tree->list.cell_nodes[c * ELEMENT_MAX_NODES + i];
   }
   PetscCall(TreeNumberFacets_Private(tree, facets));
-  PetscCall(TreeMapVertices_Private(&tree->list, &scene->bodies[body], coords));
+  PetscCall(BodyListMapVertices(&tree->list, &scene->bodies[body], coords));
   PetscCall(BisectionCreate(tree->list.dim, tree->list.num_vertices, tree->list.num_cells, cells, facets, coords,
                             &tree->mesh));
   PetscCall(PetscFree3(cells, facets, coords));

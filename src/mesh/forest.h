@@ -86,6 +86,8 @@ void TreeWeights(const Tree *tree, PetscInt child, const ForestCell *fine, const
 
 /* Quads and hexahedra cut into simplices: a quad at its shorter diagonal, faces of a hexahedron at their lowest vertex, so that
    neighbours match. [in,out] list; [out] cut - whether there were such cells */
-PetscErrorCode BodyListCut(BodyList *list, PetscBool *cut);
+PetscErrorCode BodyListCut(const SceneBody *body, BodyList *list, PetscBool *cut);
+/* Vertices after the map, where they exist there. [out] coords - [num_vertices][dim] */
+PetscErrorCode BodyListMapVertices(const BodyList *list, const SceneBody *body, PetscReal coords[]);
 
 #endif

@@ -16,7 +16,7 @@ static PetscReal Distance2_Private(const BodyList *list, PetscInt a, PetscInt b)
   return sum;
 }
 
-/* Two triangles at the shorter diagonal, of two alike at that of the lowest vertex. [out] parts - places of vertices in the cell */
+/* Two triangles at the shorter diagonal after the map, of two alike at that of the lowest vertex. [out] parts - places of vertices in the cell */
 static PetscInt QuadCut_Private(const BodyList *list, const PetscInt nodes[], PetscInt parts[][BISECT_MAX_VERTICES])
 {
   static const PetscReal Alike  = 1e-10;
@@ -145,13 +145,16 @@ static void ListAddFacets_Private(const BodyList *old, const PetscInt first[], B
   }
 }
 
-PetscErrorCode BodyListCut(BodyList *list, PetscBool *cut)
+PetscErrorCode BodyListCut(const SceneBody *body, BodyList *list, PetscBool *cut)
 {
-  BodyList  old = *list;
-  PetscInt *first, num = 0;
+  BodyList   old    = *list;
+  PetscReal *coords = old.coords; // the file's or the box's
+  PetscInt  *first, num = 0;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(old.num_cells, &first));
+  PetscCall(PetscMalloc1(old.num_vertices * old.dim, &old.coords)); // diagonals are compared where the map takes them
+  PetscCall(BodyListMapVertices(list, body, old.coords));
   for (PetscInt c = 0; c < old.num_cells; c++) {
     PetscInt parts[MAX_PARTS][BISECT_MAX_VERTICES];
 
@@ -170,9 +173,11 @@ PetscErrorCode BodyListCut(BodyList *list, PetscBool *cut)
     list->straightened    = old.straightened;
     list->num_nonmanifold = old.num_nonmanifold;
     PetscCall(PetscArraycpy(list->nonmanifold, old.nonmanifold, 3));
-    PetscCall(PetscArraycpy(list->coords, old.coords, old.num_nodes * old.dim));
-    PetscCall(BodyListDestroy(&old));
+    PetscCall(PetscArraycpy(list->coords, coords, old.num_nodes * old.dim));
   }
+  PetscCall(PetscFree(old.coords));
+  old.coords = coords;
+  if (*cut) PetscCall(BodyListDestroy(&old));
   PetscCall(PetscFree(first));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

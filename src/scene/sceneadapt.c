@@ -1,6 +1,8 @@
 /* sceneadapt.c -- adaptive meshes: the error that is asked for, and what ends the search for it. */
 #include "scene/sceneparts.h"
 
+enum { MOST_MESHES = 100 }; /* as many levels as a mesh has room for */
+
 /* A number that must lie between two others, ends excluded. */
 static PetscErrorCode AdaptReadBetween_Private(const Option *option, PetscReal lower, PetscReal upper, PetscReal *value)
 {
@@ -32,5 +34,6 @@ PetscErrorCode SceneAdaptRead(Scene scene)
   PetscCall(OptionGetReals(&unknowns, 1, &adapt->max_unknowns));
   if (!(adapt->max_unknowns >= 1)) PetscCall(OptionRaise(&unknowns, "give a number of at least 1"));
   PetscCall(OptionGetInts(&meshes, 1, 1, &adapt->max_meshes));
+  if (adapt->max_meshes > MOST_MESHES) PetscCall(OptionRaise(&meshes, "give a number of at most %d", (int)MOST_MESHES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -113,6 +113,24 @@ static PetscReal AdaptiveNext_Private(const Adaptive *adaptive)
   return adaptive->num > 1 ? PetscSqr((PetscReal)mesh->unknowns) / mesh[-1].unknowns : mesh->unknowns;
 }
 
+/* The head of the table, behind a line for bodies whose cells were cut. Collective. */
+static PetscErrorCode AdaptivePrintHead_Private(const Adaptive *adaptive, Mesh mesh)
+{
+  const Scene scene = adaptive->scene;
+
+  PetscFunctionBeginUser;
+  if (adaptive->quiet) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
+    if (MeshIsCut(mesh, b))
+      PetscCall(PetscPrintf(scene->comm, "  %s: its %s were cut into %s\n", scene->bodies[b].name,
+                            scene->dim == 2 ? "quadrilaterals" : "hexahedra",
+                            scene->dim == 2 ? "triangles" : "tetrahedra"));
+  }
+  PetscCall(PetscPrintf(scene->comm,
+                        "  mesh     cells  unknowns  sets  active  error in energy  potential energy  seconds\n"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 static PetscErrorCode AdaptivePrint_Private(const Adaptive *adaptive)
 {
   const MPI_Comm      comm  = adaptive->scene->comm;
@@ -121,9 +139,6 @@ static PetscErrorCode AdaptivePrint_Private(const Adaptive *adaptive)
 
   PetscFunctionBeginUser;
   if (adaptive->quiet) PetscFunctionReturn(PETSC_SUCCESS);
-  if (adaptive->num == 1)
-    PetscCall(
-        PetscPrintf(comm, "  mesh     cells  unknowns  sets  active  error in energy  potential energy  seconds\n"));
   PetscCall(PetscPrintf(comm,
                         "  %4" PetscInt_FMT " %9" PetscInt_FMT " %9" PetscInt_FMT " %5" PetscInt_FMT "  %6" PetscInt_FMT
                         "  %14.3g%%  %16.10g  %7.2f",
@@ -323,6 +338,7 @@ PetscErrorCode AdaptiveRun(Scene scene, Mesh mesh, Vec guess, Run *run)
   PetscCall(InterruptBegin());
   AdaptiveSetInterruptSentence_Private(&adaptive, PETSC_FALSE);
   WarningHold();
+  PetscCall(AdaptivePrintHead_Private(&adaptive, mesh));
   while (PETSC_TRUE) {
     PetscCall(adaptive.num ? RunExtend(own, run) : RunCreate(scene, mesh, guess, run));
     scene->view = PETSC_FALSE; // of the first mesh only
