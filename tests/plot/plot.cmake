@@ -13,6 +13,7 @@ mortise_scene_test(paths_solid SCENE patch3d CHECK paths.py RANKS 1 2
 mortise_scene_test(colours SCENE patch2d CHECK colours.py)
 mortise_scene_test(view SCENE below CHECK view.py)
 mortise_scene_test(tidy_bolt SCENE bolt_quarter CHECK tidy.py)
+mortise_scene_test(tidy_fixture SCENE fixture CHECK tidy.py)
 mortise_scene_test(tidy_cam SCENE cam CHECK tidy.py)
 mortise_scene_test(clipped SCENE patch3d CHECK clipped.py)
 mortise_scene_test(abroad SCENE patch2d CHECK abroad.py)
