@@ -3,7 +3,7 @@
 #include "base/compat.h"
 
 /* Bisections of a cell that curves tangle; each one leaves a quarter of what it bends. */
-enum { UNTANGLE_TIMES = 12 }; /* a bisected cell is flatter by four: long thin cells along a circle take about six */
+enum { UNTANGLE_TIMES = 12 }; /* long thin cells along a circle take more than three */
 
 /* The facet of a simplex that does not have this vertex. */
 static PetscInt FacetOpposite_Private(ElementType linear, PetscInt vertex)
