@@ -21,7 +21,8 @@ PetscErrorCode MeshCreate(Scene scene, Mesh *mesh)
 static void MeshCheckSize_Private(const struct _n_Scene *scene, const SceneBody *body, const BodyList *list,
                                   char sentence[])
 {
-  const PetscInt  refine   = body->refine + scene->refine + (scene->study.kind ? scene->study.levels - 1 : 0);
+  const PetscInt refine =
+      body->refine + scene->refine + (scene->study.kind == STUDY_UNIFORM ? scene->study.levels - 1 : 0);
   const PetscInt  unknowns = scene->dim == 2 ? 2 * 4 : 3 * 8; // of a cell of order 2 that shares its nodes
   const PetscReal cells    = PetscPowReal(2, (PetscReal)(scene->dim * refine)) * (PetscReal)list->num_cells;
 
@@ -29,8 +30,8 @@ static void MeshCheckSize_Private(const struct _n_Scene *scene, const SceneBody 
   snprintf(sentence, MESH_SENTENCE,
            "-%s_dm_plex_filename %.400s: refined %d times (-%s_dm_refine and -dm_refine%s) this mesh of %d cells has "
            "%.3g, more than can be numbered",
-           body->name, body->mesh_file, (int)refine, body->name, scene->study.kind ? ", then -study_levels" : "",
-           (int)list->num_cells, (double)cells);
+           body->name, body->mesh_file, (int)refine, body->name,
+           scene->study.kind == STUDY_UNIFORM ? ", then -study_levels" : "", (int)list->num_cells, (double)cells);
 }
 
 /* Makes or reads every body; the first rank alone does, and stops at the first mistake. */

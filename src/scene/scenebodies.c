@@ -5,7 +5,8 @@
 /* Raises a user error where a box would have more cells than the whole numbers of PETSc can count, on the finest mesh of a study. */
 static PetscErrorCode BodyCheckSize_Private(Scene scene, const SceneBody *body, const Option *faces)
 {
-  const PetscInt refine   = body->refine + scene->refine + (scene->study.kind ? scene->study.levels - 1 : 0);
+  const PetscInt refine =
+      body->refine + scene->refine + (scene->study.kind == STUDY_UNIFORM ? scene->study.levels - 1 : 0);
   const PetscInt unknowns = scene->dim == 2 ? 2 * 4 : 3 * 8; /* of a cell of order 2 that shares its nodes */
   PetscReal      cells    = !body->simplex ? 1 : scene->dim == 2 ? 2 : 6; /* of every brick */
 
@@ -15,7 +16,8 @@ static PetscErrorCode BodyCheckSize_Private(Scene scene, const SceneBody *body, 
     PetscCall(OptionRaise(faces,
                           "refined %" PetscInt_FMT
                           " times (-%s_dm_refine and -dm_refine%s) this box has %.3g cells, more than can be numbered",
-                          refine, body->name, scene->study.kind ? ", then -study_levels" : "", (double)cells));
+                          refine, body->name, scene->study.kind == STUDY_UNIFORM ? ", then -study_levels" : "",
+                          (double)cells));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

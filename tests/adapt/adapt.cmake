@@ -18,6 +18,7 @@ mortise_scene_test(ranks SCENE two_plates CHECK ranks.py RANKS 3 ARGS ${plates} 
 mortise_scene_test(solvers SCENE two_plates CHECK solvers.py RANKS 1 ARGS ${plates} -adapt 2e-2)
 # A study with its chart beside the uniform one.
 mortise_scene_test(study SCENE two_plates CHECK study.py RANKS 1 3 ARGS ${plates} -order 2 -study adaptive)
+mortise_scene_test(long_study SCENE two_plates CHECK long.py RANKS 1 ARGS ${plates} -order 2 -study adaptive -study_levels 14)
 mortise_mistake(two_orders SCENE two_plates RANKS 1 ARGS -study adaptive -study_orders 1,2 SAYS "-study adaptive: each order has meshes of its own")
 # Limits end it with exit code 3 and everything written.
 mortise_scene_test(limits SCENE two_plates CHECK limits.py RANKS 1 ARGS ${plates} -adapt 2e-2)
