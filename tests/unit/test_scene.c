@@ -161,7 +161,6 @@ static const Mistake mistakes[] = {
     /* studies */
     {NULL, {{"-study", NULL}}, {"-study", "no value"}},
     {NULL, {{"-study", "unifrom"}}, {"-study unifrom", "did you mean uniform"}},
-    {NULL, {{"-study", "adaptive"}}, {"-study adaptive", "uniform only"}},
     {NULL, {{"-study_levels", "3"}}, {"-study_levels 3", "nothing in this scene", "With -study"}},
     {NULL, {{"-study_orders", "1"}}, {"-study_orders 1", "nothing in this scene", "With -study"}},
     {NULL, {{"-study", "uniform"}, {"-study_levels", "0"}}, {"-study_levels 0", "smallest value is 1"}},
