@@ -15,7 +15,8 @@
 #include <strings.h>
 #include <unistd.h>
 
-enum { MPI_SECONDS = 5 }; /* limit for MPI to end the other ranks: this process may be damaged */
+enum { VALUE_LENGTH = 256 }; /* what is shown of a value */
+enum { MPI_SECONDS = 5 };    /* limit for MPI to end the other ranks: this process may be damaged */
 
 static char      last_sentence[USER_ERROR_LENGTH];
 static PetscBool quiet, installed; /* whether stderr is left alone; whether the handler is below all others */
@@ -101,7 +102,7 @@ static int UserErrorFindOption_Private(const char message[], int num, char *cons
 /* PETSc's complaint with the option that it is about, which PETSc itself does not always name. */
 static PetscErrorCode UserErrorFromPETSc_Private(const char message[])
 {
-  char   sentence[USER_ERROR_LENGTH], value[USER_ERROR_LENGTH] = "";
+  char   sentence[USER_ERROR_LENGTH], value[VALUE_LENGTH] = "";
   char **arguments;
   int    num, option, length = (int)strcspn(message, "\n"); // the rest is PETSc's advice on installing packages
 
