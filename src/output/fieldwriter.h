@@ -55,9 +55,10 @@ struct FieldWriter {
   MPI_Comm           comm;
   PetscMPIInt        rank;
   const FieldFormat *format;
-  const char        *base;  /* of all names of files, without a suffix */
-  const char        *title; /* may be "" */
-  const char        *first; /* the quantities that a viewer is to take first, as attributes of VTK's PointData */
+  const char        *base;   /* of all names of files, without a suffix */
+  const char        *title;  /* may be "" */
+  const char        *bodies; /* names, separated by commas, in the order of the cells' `body` */
+  const char        *first;  /* the quantities that a viewer is to take first, as attributes of VTK's PointData */
   FileSet           *files;
   FieldSeries       *series; /* NULL for a picture at one time */
   FILE              *out;    /* NULL on other ranks, and when no file can be written */
@@ -70,7 +71,7 @@ struct FieldWriter {
   Quantity           cell[FIELD_WRITER_MAX_CELL_QUANTITIES];
 };
 
-/* [in] picture - base, title, first and files, which stay the caller's while it is open */
+/* [in] picture - base, title, bodies, first and files, which stay the caller's while it is open */
 PetscErrorCode FieldWriterOpen(MPI_Comm comm, const FieldFormat *format, FieldWriter *writer);
 PetscErrorCode FieldWriterClose(FieldWriter *writer);
 

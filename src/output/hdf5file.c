@@ -1,7 +1,7 @@
 /* hdf5file.c -- fields as contiguous datasets, written by the first rank, one at a time.
 
-   /points [N][3], /cells (see xdmf.c), one dataset per quantity under its own name; attributes of the file: title, version,
-   units, and a word on every dataset's order. Readable by h5py, MATLAB, h5dump without any library of ours.
+   /points [N][3], /cells (see xdmf.c), one dataset per quantity under its own name; attributes of the file: title, names of
+   bodies in the order of `body`, version, units, and a word on every dataset's order. Readable by h5py, MATLAB, h5dump without any library of ours.
 
    Of a series the quantities of points stand in groups, /steps/0001 and so on, each with its time as the attribute t; those of the last one
    have their usual names as well. */
@@ -150,6 +150,7 @@ static PetscErrorCode HDF5FileBegin_Private(FieldWriter *writer)
   } else {
     image->file = image->access < 0 ? -1 : H5Fcreate(writer->base, H5F_ACC_TRUNC, H5P_DEFAULT, image->access);
     image->good = (PetscBool)(image->file >= 0 && HDF5FileWriteAttribute_Private(image->file, "title", writer->title) &&
+                              HDF5FileWriteAttribute_Private(image->file, "bodies", writer->bodies) &&
                               HDF5FileWriteAttribute_Private(image->file, "creator", "mortise " MORTISE_VERSION) &&
                               HDF5FileWriteAttribute_Private(
                                   image->file, "units", "those of the scene: whatever consistent set it was given in"));

@@ -84,6 +84,24 @@ static PetscErrorCode OutputWriteFields_Private(const Told *told, FieldWriter *w
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* "upper,lower". [out] names - owned by the caller */
+static PetscErrorCode OutputJoinBodies_Private(Scene scene, char **names)
+{
+  size_t length = 1, one;
+
+  PetscFunctionBeginUser;
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
+    PetscCall(PetscStrlen(scene->bodies[b].name, &one));
+    length += one + 1;
+  }
+  PetscCall(PetscCalloc1(length, names));
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
+    if (b) PetscCall(PetscStrlcat(*names, ",", length));
+    PetscCall(PetscStrlcat(*names, scene->bodies[b].name, length));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* A picture in the formats the scene wants. Collective.
    [in] first - the quantities that a viewer is to take first, as attributes of VTK's PointData */
 static PetscErrorCode OutputAddFormats_Private(Output output, const Told *told, const char first[])
@@ -95,12 +113,14 @@ static PetscErrorCode OutputAddFormats_Private(Output output, const Told *told, 
   } formats[] = {{OUTPUT_XDMF, &field_format_hdf5, {".h5", ".xdmf"}}, {OUTPUT_VTU, &field_format_vtu, {".vtu", NULL}}};
   const Scene scene = told->vi->scene;
   const char *pair  = told->pair < 0 ? NULL : told->vi->pairs[told->pair]->spec->name;
-  char        path[PETSC_MAX_PATH_LEN];
+  char        path[PETSC_MAX_PATH_LEN], *bodies;
 
   PetscFunctionBeginUser;
+  PetscCall(OutputJoinBodies_Private(scene, &bodies));
   for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(formats); i++) {
     if (scene->formats & formats[i].bit) {
-      FieldWriter writer = {.base = path, .title = pair ? pair : scene->title, .first = first, .files = &output->files};
+      FieldWriter writer = {
+          .base = path, .title = pair ? pair : scene->title, .bodies = bodies, .first = first, .files = &output->files};
 
       if (told->series) writer.series = &told->series->picture[told->pair + 1];
 
@@ -115,6 +135,7 @@ static PetscErrorCode OutputAddFormats_Private(Output output, const Told *told, 
       }
     }
   }
+  PetscCall(PetscFree(bodies));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

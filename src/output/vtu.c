@@ -49,6 +49,18 @@ static PetscErrorCode VTUWriteArray_Private(FILE *out, PetscInt rows, const Quan
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Names of bodies in the order of `body`: VTK has texts as the codes of their characters, each ended by 0. */
+static void VTUWriteBodies_Private(const FieldWriter *writer)
+{
+  int num = 1;
+
+  for (const char *c = writer->bodies; *c; c++) num += *c == ',';
+  fprintf(writer->out,
+          "<FieldData>\n<DataArray type=\"String\" Name=\"bodies\" NumberOfTuples=\"%d\" format=\"ascii\">\n", num);
+  for (const char *c = writer->bodies; *c; c++) fprintf(writer->out, "%d ", *c == ',' ? 0 : (int)*c);
+  fprintf(writer->out, "0\n</DataArray>\n</FieldData>\n");
+}
+
 static PetscErrorCode VTUBegin_Private(FieldWriter *writer)
 {
   const uint16_t order = 1; /* its first byte tells the machine's byte order */
@@ -56,9 +68,11 @@ static PetscErrorCode VTUBegin_Private(FieldWriter *writer)
   PetscFunctionBeginUser;
   fprintf(writer->out,
           "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"%s\" "
-          "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"%" PetscInt_FMT
-          "\" NumberOfCells=\"%" PetscInt_FMT "\">\n",
-          *(const unsigned char *)&order ? "LittleEndian" : "BigEndian", writer->num_points, writer->num_cells);
+          "header_type=\"UInt64\">\n<UnstructuredGrid>\n",
+          *(const unsigned char *)&order ? "LittleEndian" : "BigEndian");
+  VTUWriteBodies_Private(writer);
+  fprintf(writer->out, "<Piece NumberOfPoints=\"%" PetscInt_FMT "\" NumberOfCells=\"%" PetscInt_FMT "\">\n",
+          writer->num_points, writer->num_cells);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -17,6 +17,10 @@ def array(text, name):
 def judge(run):
     layers.judge(run)
     text = (run.folder / "result.vtu").read_text()
+    codes = re.search(r'Name="bodies"[^>]*>([^<]*)<', text).group(1).split()
+    names = list(run.summary["scene"]["bodies"])
+    require(bytes(map(int, codes)).decode() == "".join(f"{name}\0" for name in names), f"the VTU file names bodies {codes}")
     with run.fields() as file:
+        require(file.attrs["bodies"] in (",".join(names), ",".join(names).encode()), f"the HDF5 file names bodies {file.attrs['bodies']}")
         for name in ("region", "stress", "body"):
             require((array(text, name) == file[name][()].ravel()).all(), f"{name} differs")
