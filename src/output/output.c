@@ -87,18 +87,13 @@ static PetscErrorCode OutputWriteFields_Private(const Told *told, FieldWriter *w
 /* "upper,lower". [out] names - owned by the caller */
 static PetscErrorCode OutputJoinBodies_Private(Scene scene, char **names)
 {
-  size_t length = 1, one;
+  size_t length = 1, at = 0;
 
   PetscFunctionBeginUser;
-  for (PetscInt b = 0; b < scene->num_bodies; b++) {
-    PetscCall(PetscStrlen(scene->bodies[b].name, &one));
-    length += one + 1;
-  }
+  for (PetscInt b = 0; b < scene->num_bodies; b++) length += strlen(scene->bodies[b].name) + 1;
   PetscCall(PetscCalloc1(length, names));
-  for (PetscInt b = 0; b < scene->num_bodies; b++) {
-    if (b) PetscCall(PetscStrlcat(*names, ",", length));
-    PetscCall(PetscStrlcat(*names, scene->bodies[b].name, length));
-  }
+  for (PetscInt b = 0; b < scene->num_bodies; b++)
+    at += (size_t)snprintf(*names + at, length - at, "%s%s", b ? "," : "", scene->bodies[b].name);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
