@@ -29,7 +29,7 @@ SCENE_PAIR = ["nonmortar", "mortar", "candidates"]
 PAIR = ["force", "normal_force", "area", "max_pressure", "max_pressure_at", "min_gap", "active_nodes", "extent", "centre_of_pressure"]
 PROBE = ["at", "displacement", "stress", "von_mises", "principal"]
 COLUMNS = ["x", "y", "pressure", "gap", "status", "force", "arc_length"]
-POINT_SHAPES = {"displacement": 3, "stress": 9, "von_mises": 1, "principal": 3, "pressure": 1, "gap": 1, "status": 1}
+POINT_SHAPES = {"displacement": 3, "stress": 9, "von_mises": 1, "principal": 3, "pressure": 1, "gap": 1, "status": 1, "error_estimate": 1}
 ROUNDING = 1e-11
 
 
@@ -181,10 +181,10 @@ def judge_xdmf(run, fields):
 
 
 def vtu_arrays(path):
-    """The arrays of a VTU file by their names."""
+    """The arrays of a VTU file by their names, but for the names of bodies."""
     formats = {"Float64": "<f8", "Int32": "<i4", "Int64": "<i8", "UInt8": "u1"}
     arrays = {}
-    for item in xml.parse(path).getroot().iter("DataArray"):
+    for item in xml.parse(path).getroot().findall(".//Piece//DataArray"):
         data = base64.b64decode(item.text)
         same(f"bytes of {item.get('Name')}", struct.unpack("<Q", data[:8])[0], len(data) - 8)
         arrays[item.get("Name")] = np.frombuffer(data[8:], dtype=formats[item.get("type")])
