@@ -100,9 +100,12 @@ static PetscErrorCode WritePicture(MPI_Comm comm, const FieldFormat *format, con
                                    const char base[])
 {
   const PetscInt n       = part->num_points + 1; /* nodes, at most */
-  FieldWriter    picture = {
-         .base = base, .title = "a <mixed> & small one", .first = "Vectors=\"displacement\"", .files = files};
-  PetscReal *values, *body;
+  FieldWriter    picture = {.base   = base,
+                            .title  = "a <mixed> & small one",
+                            .bodies = "one,other",
+                            .first  = "Vectors=\"displacement\"",
+                            .files  = files};
+  PetscReal     *values, *body;
 
   PetscFunctionBeginUser;
   PetscCall(FieldWriterOpen(comm, format, &picture));
