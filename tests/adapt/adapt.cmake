@@ -11,6 +11,7 @@ mortise_scene_test(patch3d CHECK nothing.py RANKS 1 ARGS -adapt 1e-3)
 # Curves, the axis, space, ties, files: the known number lies within its bar.
 mortise_scene_test(rings CHECK lame.py RANKS 1 3 ARGS -outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4 -adapt 2e-3)
 mortise_scene_test(shells3d CHECK shells.py RANKS 1 ARGS -adapt 2e-2)
+mortise_scene_test(half_discs CHECK swapped.py RANKS 1 ARGS -adapt 1e-2)
 mortise_scene_test(hertz2d_graded CHECK hertz.py RANKS 1 ARGS -adapt 1e-2)
 mortise_scene_test(hertz_axisymmetric CHECK hertz.py RANKS 1 ARGS -adapt 1e-2)
 # The same meshes and numbers on any number of ranks, with either solver, multigrid and a second opinion.
