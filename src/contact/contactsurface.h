@@ -29,6 +29,8 @@ PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const 
 PetscErrorCode MortarSurfaceDestroy(MortarSurface *surface);
 /* Makes the tree of its facets anew. Not collective. */
 PetscErrorCode MortarSurfaceUpdateTree(PetscInt dim, MortarSurface *surface);
+/* Values at nodes of any rank. Collective. [in] u - dim per node; nodes - global [num]; [out] values - [num][dim] */
+PetscErrorCode MortarSurfaceFetch(Vec u, PetscInt dim, PetscInt num, const PetscInt nodes[], PetscReal values[]);
 /* Carries facets with a displacement: places, normals, tree. Collective. [in] u - dim per node */
 PetscErrorCode MortarSurfaceMove(const Level *level, Vec u, MortarSurface *surface);
 /* Turns unit normals of a facet's patch as the facet itself turns. [in] before, after - nodes [n][dim]; [in,out] normals - [n][dim] */

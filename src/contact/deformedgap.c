@@ -26,9 +26,7 @@ void MortarSurfaceTurnNormals(PetscInt dim, PetscInt n, const PetscReal before[]
   }
 }
 
-/* u at global nodes. Collective. [out] values - [num][dim] */
-static PetscErrorCode DeformedGapFetch_Private(Vec u, PetscInt dim, PetscInt num, const PetscInt nodes[],
-                                               PetscReal values[])
+PetscErrorCode MortarSurfaceFetch(Vec u, PetscInt dim, PetscInt num, const PetscInt nodes[], PetscReal values[])
 {
   IS                 from;
   Vec                here;
@@ -61,7 +59,7 @@ PetscErrorCode MortarSurfaceMove(const Level *level, Vec u, MortarSurface *surfa
   for (PetscInt f = 0; f < surface->num; f++) {
     for (PetscInt i = 0; i < ElementNumNodes(surface->type[f]); i++) nodes[num++] = surface->nodes[f * F + i];
   }
-  PetscCall(DeformedGapFetch_Private(u, dim, num, nodes, moves));
+  PetscCall(MortarSurfaceFetch(u, dim, num, nodes, moves));
   num = 0;
   for (PetscInt f = 0; f < surface->num; f++) {
     const PetscInt n = ElementNumNodes(surface->type[f]);

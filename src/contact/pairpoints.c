@@ -60,31 +60,23 @@ PetscErrorCode PairPointsDestroy(PairPoints *points)
 
 PetscErrorCode PairPointsFetch(PairPoints points, Vec v, PetscInt bs, PetscReal **values)
 {
-  PetscInt          *nodes, num = 0;
-  IS                 from;
-  Vec                here;
-  VecScatter         scatter;
-  const PetscScalar *value;
+  PetscInt  *nodes, num = 0;
+  PetscReal *fetched;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(points->num_mortar * F, &nodes));
+  PetscCall(PetscMalloc2(points->num_mortar * F, &nodes, points->num_mortar * F * bs, &fetched));
   PetscCall(PetscCalloc1(points->num_mortar * F * bs, values));
   for (PetscInt f = 0; f < points->num_mortar; f++) {
     for (PetscInt i = 0; i < ElementNumNodes(points->type[f]); i++) nodes[num++] = points->nodes[f * F + i];
   }
-  PetscCall(ISCreateBlock(PETSC_COMM_SELF, bs, num, nodes, PETSC_OWN_POINTER, &from));
-  PetscCall(VecCreateSeq(PETSC_COMM_SELF, num * bs, &here));
-  PetscCall(VecScatterCreate(v, from, here, NULL, &scatter));
-  PetscCall(VecScatterBegin(scatter, v, here, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecScatterEnd(scatter, v, here, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGetArrayRead(here, &value));
-  for (PetscInt f = 0, k = 0; f < points->num_mortar; f++) {
-    for (PetscInt i = 0; i < ElementNumNodes(points->type[f]) * bs; i++)
-      (*values)[f * F * bs + i] = PetscRealPart(value[k++]);
+  PetscCall(MortarSurfaceFetch(v, bs, num, nodes, fetched));
+  num = 0;
+  for (PetscInt f = 0; f < points->num_mortar; f++) {
+    const PetscInt n = ElementNumNodes(points->type[f]) * bs;
+
+    PetscCall(PetscArraycpy(&(*values)[f * F * bs], &fetched[num], n));
+    num += n;
   }
-  PetscCall(VecRestoreArrayRead(here, &value));
-  PetscCall(VecScatterDestroy(&scatter));
-  PetscCall(VecDestroy(&here));
-  PetscCall(ISDestroy(&from));
+  PetscCall(PetscFree2(nodes, fetched));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

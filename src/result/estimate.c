@@ -15,7 +15,7 @@
 
 enum { MAX_STRAINS = 6, F = ELEMENT_MAX_FACET_NODES };
 
-/* Compliance of a material at a point as a factor. Collective over nobody. [out] L - of DenseCholesky() [num_strains][num_strains] */
+/* The Cholesky factor of C of a material at a point. Not collective. [out] L - of DenseCholesky() [num_strains][num_strains] */
 static PetscErrorCode EstimateFactorHooke_Private(Scene scene, PetscInt material, const PetscReal x[], PetscReal L[])
 {
   PetscReal poisson;
