@@ -1,4 +1,4 @@
-/* pairpoints.h -- the quadrature points of a pair, for what is measured after the solution. */
+/* pairpoints.h -- the quadrature points of a pair, kept for the error estimate. */
 #ifndef MORTISE_PAIRPOINTS_H
 #define MORTISE_PAIRPOINTS_H
 
