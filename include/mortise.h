@@ -128,7 +128,7 @@ MORTISE_PUBLIC PetscErrorCode MortiseGetError(const char **sentence);
 /*@
    MortiseGetVersions - The versions of Mortise and of the libraries under it, one to a line.
 
-   Not Collective; MPI runs, PETSc need not
+   Not Collective; neither MPI nor PETSc need run
 
    Output Parameter:
 .  text - borrowed, until the next call

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "api/process.h"
+#include "scene/scene.h"
 
 static const char usage[] =
     "mortise: no scene given; write mortise -options_file <scene.opts>, or mortise -help for every option\n";
@@ -32,20 +33,6 @@ static PetscErrorCode RunArguments(int argc, char **argv, int *status)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Prints every option; the user's own options play no part in it. */
-static PetscErrorCode PrintHelp(char *program)
-{
-  char  skip[]      = "-skip_petscrc";
-  char *arguments[] = {program, skip, NULL}, **argv = arguments;
-  int   argc = 2;
-
-  PetscFunctionBeginUser;
-  PetscCall(MortiseInitialize(&argc, &argv));
-  PetscCall(MortisePrintHelp(PETSC_COMM_WORLD));
-  PetscCall(MortiseFinalize());
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Whether the command line has an option, with one dash or two. */
 static PetscBool HasOption(int argc, char **argv, const char option[])
 {
@@ -54,32 +41,46 @@ static PetscBool HasOption(int argc, char **argv, const char option[])
   return PETSC_FALSE;
 }
 
-/* The exit code of a command line. */
-static int Dispatch(int argc, char **argv)
+/* Whether the command line has an option that asks for words alone, or nothing at all: none of this needs MPI. */
+static PetscBool AsksForWords(int argc, char **argv)
 {
-  PetscErrorCode error;
-  const char    *versions;
-  int            rank, status = MORTISE_FAILED;
+  return (PetscBool)(argc < 2 || HasOption(argc, argv, "-version") || HasOption(argc, argv, "-help") ||
+                     HasOption(argc, argv, "-h"));
+}
 
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (HasOption(argc, argv, "-version")) {
-    MortiseGetVersions(&versions);
-    if (!rank) fputs(versions, stdout);
-    return MORTISE_SOLVED;
-  }
-  if (HasOption(argc, argv, "-help") || HasOption(argc, argv, "-h"))
-    return PrintHelp(argv[0]) ? MORTISE_FAILED : MORTISE_SOLVED;
+/* Prints these words, on the first rank. The user's other options play no part in it. Returns the exit code */
+static MortiseExit PrintWords(int argc, char **argv)
+{
+  const char *versions;
+
   if (argc < 2) {
-    if (!rank) fputs(usage, stderr);
+    if (ProcessIsFirst()) fputs(usage, stderr);
     return MORTISE_USER_ERROR;
   }
-  error = RunArguments(argc, argv, &status);
+  if (!ProcessIsFirst()) return MORTISE_SOLVED;
+  if (HasOption(argc, argv, "-version")) {
+    MortiseGetVersions(&versions);
+    fputs(versions, stdout);
+  } else {
+    SceneHelp(stdout);
+  }
+  return MORTISE_SOLVED;
+}
+
+/* Solves the scene. Returns the exit code */
+static MortiseExit Solve(int argc, char **argv)
+{
+  int                  status = MORTISE_FAILED;
+  const PetscErrorCode error  = RunArguments(argc, argv, &status);
+
   if (error == MORTISE_ERR_USER) return MORTISE_USER_ERROR;
-  return error ? MORTISE_FAILED : status;
+  return error ? MORTISE_FAILED : (MortiseExit)status;
 }
 
 int main(int argc, char **argv)
 {
-  ProcessBegin(&argc, &argv);
-  return ProcessEnd((MortiseExit)Dispatch(argc, argv));
+  const PetscBool words = AsksForWords(argc, argv);
+
+  ProcessBegin(&argc, &argv, (PetscBool)!words);
+  return ProcessEnd(words ? PrintWords(argc, argv) : Solve(argc, argv));
 }

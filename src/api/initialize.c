@@ -172,7 +172,10 @@ PetscErrorCode MortiseGetVersions(const char **text)
 
 PetscErrorCode MortisePrintHelp(MPI_Comm comm)
 {
+  int rank;
+
   PetscFunctionBeginUser;
-  PetscCall(SceneHelp(comm));
+  MPI_Comm_rank(comm, &rank);
+  if (!rank) SceneHelp(PETSC_STDOUT);
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
+#include "api/launch.h"
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "output/htmlreport.h"
@@ -17,7 +18,7 @@ enum {
 }; /* seconds that ranks which know of a mistake wait for the others: they all heard of it at once, or never */
 
 static struct {
-  PetscBool own;
+  PetscBool own, alone; // alone: there is no MPI
   double    start;
   MPI_Comm  farewell; // what other ranks wait in must not be taken for the last meeting
 } process;
@@ -32,13 +33,23 @@ static void OpenStreams_Private(void)
   }
 }
 
-void ProcessBegin(int *argc, char ***argv)
+void ProcessBegin(int *argc, char ***argv, PetscBool solves)
 {
   process.own   = PETSC_TRUE;
   process.start = LogWallClock();
   OpenStreams_Private();
-  MPI_Init(argc, argv);
+  process.alone = (PetscBool)(!solves && !LaunchedByLauncher());
+  if (process.alone) return;
+  LaunchMPI(argc, argv);
   MPI_Comm_dup(MPI_COMM_WORLD, &process.farewell);
+}
+
+PetscBool ProcessIsFirst(void)
+{
+  int rank = 0;
+
+  if (!process.alone) MPI_Comm_rank(process.farewell, &rank);
+  return (PetscBool)!rank;
 }
 
 PetscBool ProcessIsOwn(void)
@@ -78,6 +89,7 @@ int ProcessEnd(MortiseExit verdict)
 {
   int rank, size;
 
+  if (process.alone) return EndPrinting_Private() ? verdict : MORTISE_FAILED;
   MPI_Comm_rank(process.farewell, &rank);
   MPI_Comm_size(process.farewell, &size);
   InterruptCleanUp();

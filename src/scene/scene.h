@@ -5,6 +5,7 @@
 #define MORTISE_SCENE_H
 
 #include <petscsys.h>
+#include <stdio.h>
 #include "base/expression.h"
 #include "kernel/material.h"
 
@@ -299,8 +300,8 @@ PetscErrorCode SceneSetTime(Scene scene, PetscReal t);
    free. Raises a user error on another option, another number of components. Collective.
    [in] option - with its dash, as in the scene; [in] values - [num] */
 PetscErrorCode SceneSetDatum(Scene scene, const char option[], PetscInt num, const PetscReal values[]);
-/* Prints every option, its unit and default, grouped. First rank of comm only. */
-PetscErrorCode SceneHelp(MPI_Comm comm);
+/* Prints every option, its unit and default, grouped. Not collective; needs neither PETSc nor MPI. */
+void SceneHelp(FILE *file);
 /* Prints what was modelled, as far as the scene knows (bodies, materials, loads, pairs). Collective. */
 PetscErrorCode SceneView(Scene scene);
 /* Begins the list of what was left out and why: "left out:" and a line each. Collective. */

@@ -1,5 +1,6 @@
 /* scenehelp.c -- -help: the table as a manual, chapter by chapter. */
 #include "scene/sceneoption.h"
+#include <stdio.h>
 #include <string.h>
 
 /* Columns of a page: the option with its argument, the unit, what holds without it; the sentence stands below,
@@ -25,9 +26,8 @@ static const char intro[] =
     "<region> a region that -<body>_regions lists.\n";
 
 /* Prints a sentence in lines that end before the page does. */
-static PetscErrorCode HelpPrintWrapped_Private(MPI_Comm comm, const char text[])
+static void HelpPrintWrapped_Private(FILE *file, const char text[])
 {
-  PetscFunctionBeginUser;
   while (*text) {
     size_t length = strlen(text);
 
@@ -35,47 +35,40 @@ static PetscErrorCode HelpPrintWrapped_Private(MPI_Comm comm, const char text[])
       length = PAGE_WIDTH - INDENT;
       while (length > 1 && text[length] != ' ') length--;
     }
-    PetscCall(PetscPrintf(comm, "%*s%.*s\n", INDENT, "", (int)length, text));
+    fprintf(file, "%*s%.*s\n", INDENT, "", (int)length, text);
     text += length;
     while (*text == ' ') text++;
   }
-  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Prints one row; an option too long for its column has a line of its own. */
-static PetscErrorCode HelpPrintEntry_Private(MPI_Comm comm, const OptionEntry *entry)
+static void HelpPrintEntry_Private(FILE *file, const OptionEntry *entry)
 {
   char left[OPTION_MAX];
 
-  PetscFunctionBeginUser;
-  PetscCall(PetscSNPrintf(left, sizeof(left), "%s %s", entry->name, entry->argument));
+  (void)snprintf(left, sizeof(left), "%s %s", entry->name, entry->argument);
   if (strlen(left) > OPTION_WIDTH) {
-    PetscCall(PetscPrintf(comm, "  %s\n", left));
+    fprintf(file, "  %s\n", left);
     left[0] = '\0';
   }
   if (entry->standard[0])
-    PetscCall(PetscPrintf(comm, "  %-*s %-*s %s\n", OPTION_WIDTH, left, UNIT_WIDTH, entry->unit, entry->standard));
+    fprintf(file, "  %-*s %-*s %s\n", OPTION_WIDTH, left, UNIT_WIDTH, entry->unit, entry->standard);
   else
-    PetscCall(PetscPrintf(comm, "  %s\n", left));
-  PetscCall(HelpPrintWrapped_Private(comm, entry->help));
-  PetscFunctionReturn(PETSC_SUCCESS);
+    fprintf(file, "  %s\n", left);
+  HelpPrintWrapped_Private(file, entry->help);
 }
 
-PetscErrorCode SceneHelp(MPI_Comm comm)
+void SceneHelp(FILE *file)
 {
   static const char  line[] = "--------------------------------------------------"; /* longer than any title */
   PetscInt           num;
   const OptionEntry *table = OptionTable(&num);
 
-  PetscFunctionBeginUser;
-  PetscCall(PetscPrintf(comm, "%s", intro));
+  fputs(intro, file);
   for (PetscInt i = 0; i < num; i++) {
     const char *title = OptionGroupTitle(table[i].group);
 
-    if (i == 0 || table[i].group != table[i - 1].group) {
-      PetscCall(PetscPrintf(comm, "\n%s\n%.*s\n", title, (int)strlen(title), line));
-    }
-    PetscCall(HelpPrintEntry_Private(comm, &table[i]));
+    if (i == 0 || table[i].group != table[i - 1].group) fprintf(file, "\n%s\n%.*s\n", title, (int)strlen(title), line);
+    HelpPrintEntry_Private(file, &table[i]);
   }
-  PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -432,7 +432,7 @@ int main(int argc, char **argv)
   PetscCall(TestLate());
   PetscCall(TestRoles());
   PetscCall(TestStiffness());
-  PetscCall(SceneHelp(PETSC_COMM_WORLD));
+  SceneHelp(stdout);
   PetscCall(PetscFinalize());
   return 0;
 }
