@@ -402,6 +402,7 @@ static PetscErrorCode GetPair_Private(Mortise m, const char function[], const ch
   if ((*values)->known) PetscFunctionReturn(PETSC_SUCCESS);
   level = m->run->vi->level;
   PetscCall(PairFieldsCreate(m->run->fields, p, &(*values)->nodal));
+  PairFieldsOmitBeyond(m->run->vi->pairs[p], &(*values)->nodal);
   PetscCall(CreateNodal_Private(level, 1, (*values)->nodal.pressure, &(*values)->pressure));
   PetscCall(CreateNodal_Private(level, 1, (*values)->nodal.gap, &(*values)->gap));
   (*values)->known = PETSC_TRUE;

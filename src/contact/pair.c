@@ -9,6 +9,9 @@
 #include "contact/smoothgap.h"
 #include "contact/quadraticbasis.h"
 
+/* A removed node that has less than this part of its facets covered lies beyond its partner's end: at that end it has half of them. */
+static const PetscReal BEYOND = 0.45;
+
 /* Rows (n, t..): t is the fixed direction where there is one, so that fixed unknowns stay single. [out] Q - [dim][dim] */
 static void PairSetFrame_Private(const Support *support, PetscInt node, const PetscReal n[], PetscReal Q[])
 {
@@ -29,12 +32,13 @@ static PetscErrorCode PairCollectNodes_Private(Level *level, const Support *supp
 {
   const PetscInt     dim      = level->dim;
   PetscInt           count[3] = {0, 0, 0};
-  const PetscScalar *D, *G, *measure, *overlap, *N, *fully_covered, *partly_covered;
+  const PetscScalar *D, *G, *measure, *cover, *overlap, *N, *fully_covered, *partly_covered;
 
   PetscFunctionBeginUser;
   PetscCall(VecGetArrayRead(assembly->sums.D, &D));
   PetscCall(VecGetArrayRead(assembly->sums.G, &G));
   PetscCall(VecGetArrayRead(assembly->sums.measure, &measure));
+  PetscCall(VecGetArrayRead(assembly->sums.cover, &cover));
   PetscCall(VecGetArrayRead(assembly->sums.overlap, &overlap));
   PetscCall(VecGetArrayRead(assembly->normals, &N));
   PetscCall(VecGetArrayRead(assembly->sums.fully_covered, &fully_covered));
@@ -45,13 +49,18 @@ static PetscErrorCode PairCollectNodes_Private(Level *level, const Support *supp
   pair->num = count[NODE_KEPT];
   PetscCall(PetscMalloc5(pair->num, &pair->nodes, pair->num, &pair->D, pair->num, &pair->gap, pair->num * dim,
                          &pair->normal, pair->num * dim * dim, &pair->frame));
-  PetscCall(PetscMalloc3(pair->num, &pair->partly_covered, pair->num, &pair->fully_covered, pair->num, &pair->overlap));
+  PetscCall(PetscMalloc4(pair->num, &pair->partly_covered, pair->num, &pair->fully_covered, pair->num, &pair->overlap,
+                         pair->num, &pair->cover));
+  PetscCall(PetscMalloc1(count[NODE_REMOVED], &pair->beyond));
   for (PetscInt i = 0, k = 0; i < level->num_owned; i++) {
+    if (assembly->status[i] == NODE_REMOVED && PetscRealPart(cover[i]) < BEYOND * PetscRealPart(measure[i]))
+      pair->beyond[pair->num_beyond++] = i;
     if (assembly->status[i] != NODE_KEPT) continue;
     pair->nodes[k]   = i;
     pair->D[k]       = PetscRealPart(D[i]);
     pair->gap[k]     = PetscRealPart(G[i]) / pair->D[k];
     pair->overlap[k] = PetscRealPart(overlap[i]);
+    pair->cover[k]   = PetscRealPart(cover[i] / measure[i]);
     for (PetscInt j = 0; j < dim; j++) pair->normal[k * dim + j] = PetscRealPart(N[i * dim + j]);
     pair->fully_covered[k]  = (PetscBool)(PetscRealPart(fully_covered[i]) > 0);
     pair->partly_covered[k] = (PetscBool)(PetscRealPart(partly_covered[i]) > 0);
@@ -62,6 +71,7 @@ static PetscErrorCode PairCollectNodes_Private(Level *level, const Support *supp
   PetscCall(VecRestoreArrayRead(assembly->sums.fully_covered, &fully_covered));
   PetscCall(VecRestoreArrayRead(assembly->normals, &N));
   PetscCall(VecRestoreArrayRead(assembly->sums.overlap, &overlap));
+  PetscCall(VecRestoreArrayRead(assembly->sums.cover, &cover));
   PetscCall(VecRestoreArrayRead(assembly->sums.measure, &measure));
   PetscCall(VecRestoreArrayRead(assembly->sums.G, &G));
   PetscCall(VecRestoreArrayRead(assembly->sums.D, &D));
@@ -313,7 +323,8 @@ PetscErrorCode PairDestroy(Pair *pair)
   PetscCall(MatDestroy(&(*pair)->D_other));
   PetscCall(MatDestroy(&(*pair)->to_nodal));
   PetscCall(MatDestroy(&(*pair)->from_nodal));
-  PetscCall(PetscFree3((*pair)->partly_covered, (*pair)->fully_covered, (*pair)->overlap));
+  PetscCall(PetscFree4((*pair)->partly_covered, (*pair)->fully_covered, (*pair)->overlap, (*pair)->cover));
+  PetscCall(PetscFree((*pair)->beyond));
   PetscCall(PetscFree((*pair)->boundary));
   PetscCall(PetscFree5((*pair)->nodes, (*pair)->D, (*pair)->gap, (*pair)->normal, (*pair)->frame));
   PetscCall(PetscFree(*pair));

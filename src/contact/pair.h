@@ -33,7 +33,11 @@ struct _n_Pair {
   PetscReal *frame;  /* rows (n, t..) orthonormal; t along the fixed direction where there is one [num][dim][dim] */
   PetscBool *partly_covered; /* whether a facet around the node is covered in part; then `boundary` tell where [num] */
   PetscBool *fully_covered;  /* whether a facet around the node is covered altogether [num] */
-  PetscInt   num_boundary;
+  PetscReal *cover;          /* the part of the facets around the node that is covered, 0..1 [num] */
+  PetscInt   num_beyond;
+  PetscInt              *
+      beyond; /* local nodes without a multiplier of which the partner covers next to nothing: they lie beyond it [num_beyond] */
+  PetscInt         num_boundary;
   OverlapBoundary *boundary;    /* of facets of this rank [num_boundary] */
   Mat              D_other;     /* D_ac, c without a multiplier (node x node), or NULL where there is none */
   Mat to_nodal, from_nodal;     /* u = u~ + to_nodal u~, u~ = u + from_nodal u (node x node), or NULL where u~ = u */

@@ -7,6 +7,7 @@
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "mesh/support.h"
+#include "kernel/dense.h"
 #include "kernel/vector.h"
 
 static const PetscReal FlatShare = 1e-6; /* a flat side stays this near its plane, over its length */
@@ -18,12 +19,14 @@ static const PetscReal Contradiction =
 
 /* What is gathered while boundary after boundary is read. */
 typedef struct {
-  Scene     scene;
-  Level    *level;
-  Support  *support;
-  Vec       flags;          /* 1 on nodes of the present side */
-  PetscReal mismatch;       /* largest contradiction on this rank ... */
-  PetscInt  node, boundary; /* ... and where: the local node, and the boundary that came second */
+  Scene      scene;
+  Level     *level;
+  Support   *support;
+  PetscInt  *sides;          /* the boundary of each direction [num_nodes][dim] */
+  PetscReal *given;          /* the directions as boundaries give them [num_nodes][dim][dim] */
+  Vec        flags;          /* 1 on nodes of the present side */
+  PetscReal  mismatch;       /* largest contradiction on this rank ... */
+  PetscInt   node, boundary; /* ... and where: the local node, and the boundary that came second */
 } Gather;
 
 /* Adds the condition direction . u = value at a node by Gram-Schmidt; one that is implied already is only compared. */
@@ -52,6 +55,8 @@ static void GatherHold_Private(Gather *gather, PetscInt node, PetscInt boundary,
     }
     return;
   }
+  gather->sides[node * dim + support->count[node]] = boundary;
+  for (PetscInt d = 0; d < dim; d++) gather->given[(node * dim + support->count[node]) * dim + d] = direction[d];
   for (PetscInt d = 0; d < dim; d++) Q[support->count[node] * dim + d] = r[d] / length;
   values[support->count[node]++] = rest / length;
   if (support->side[node] == BOUNDARY_NONE) support->side[node] = boundary;
@@ -287,6 +292,52 @@ static void SupportFinish_Private(const Level *level, Support *support)
   }
 }
 
+/* Whether more than one boundary fixes a node. */
+static PetscBool GatherIsShared_Private(const Gather *gather, PetscInt node)
+{
+  const PetscInt *sides = &gather->sides[node * gather->support->dim];
+
+  for (PetscInt k = 1; k < gather->support->count[node]; k++)
+    if (sides[k] != sides[0]) return PETSC_TRUE;
+  return PETSC_FALSE;
+}
+
+/* Keeps the directions of nodes that several boundaries fix. */
+static PetscErrorCode GatherShared_Private(const Gather *gather)
+{
+  Support       *support = gather->support;
+  const PetscInt dim = support->dim, num = gather->level->num_nodes;
+
+  PetscFunctionBeginUser;
+  support->num_shared = 0;
+  for (PetscInt node = 0; node < num; node++) support->num_shared += GatherIsShared_Private(gather, node);
+  PetscCall(PetscCalloc1(support->num_shared, &support->shared));
+  for (PetscInt node = 0, i = 0; node < num; node++) {
+    SharedNode *shared = &support->shared[i];
+
+    if (!GatherIsShared_Private(gather, node)) continue;
+    shared->node = node;
+    i++;
+    for (PetscInt k = 0; k < support->count[node]; k++) {
+      shared->side[k] = gather->sides[node * dim + k];
+      PetscCall(PetscArraycpy(shared->direction[k], &gather->given[(node * dim + k) * dim], dim));
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void SupportSplitForce(const Support *support, const SharedNode *shared, const PetscReal force[], PetscReal parts[])
+{
+  const PetscInt dim = support->dim, count = support->count[shared->node];
+  PetscReal      G[9]; // independent by more than ParallelSine, so it has its digits
+
+  for (PetscInt i = 0; i < count; i++) {
+    parts[i] = VectorDot(dim, shared->direction[i], force);
+    for (PetscInt j = 0; j < count; j++) G[i * count + j] = VectorDot(dim, shared->direction[i], shared->direction[j]);
+  }
+  if (DenseCholesky(count, G)) DenseCholeskySolve(count, G, parts);
+}
+
 /* Boundary by boundary in the order typed, so that `side` names the first; contradictions are judged when the
    largest value of the scene is known. */
 PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support)
@@ -299,6 +350,7 @@ PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support)
   support->max_value = 0;
   PetscCall(PetscCalloc4(num, &support->count, num, &support->side, num * dim * dim, &support->directions, num * dim,
                          &support->values));
+  PetscCall(PetscMalloc2(num * dim, &gather.sides, num * dim * dim, &gather.given));
   for (PetscInt i = 0; i < num; i++) support->side[i] = BOUNDARY_NONE;
   PetscCall(LevelCreateVec(level, 1, &gather.flags));
   for (PetscInt body = 0; body < scene->num_bodies; body++) {
@@ -312,6 +364,8 @@ PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support)
   GatherAxis_Private(&gather);
   PetscCall(VecDestroy(&gather.flags));
   PetscCall(GatherCheck_Private(&gather));
+  PetscCall(GatherShared_Private(&gather));
+  PetscCall(PetscFree2(gather.sides, gather.given));
   SupportFinish_Private(level, support);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -327,6 +381,7 @@ PetscErrorCode SupportUpdate(Level *level, Scene scene, Support *support)
 PetscErrorCode SupportDestroy(Support *support)
 {
   PetscFunctionBeginUser;
+  PetscCall(PetscFree(support->shared));
   PetscCall(PetscFree4(support->count, support->side, support->directions, support->values));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -22,6 +22,7 @@ static PetscErrorCode BodyFieldsWriteContact_Private(FieldWriter *writer, Fields
     PairFields nodal;
 
     PetscCall(PairFieldsCreate(fields, p, &nodal));
+    PairFieldsOmitBeyond(fields->vi->pairs[p], &nodal);
     for (PetscInt a = 0; a < n; a++) {
       merged[0][a] += nodal.pressure[a];
       merged[1][a] = fmin(merged[1][a], nodal.gap[a]); /* the number where only one is */

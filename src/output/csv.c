@@ -71,6 +71,7 @@ static PetscErrorCode CSVGatherNodes_Private(Fields fields, PetscInt p, const Fa
   PetscFunctionBeginUser;
   PetscCall(SideNodesCreate(level, facets, &n, &mine));
   PetscCall(PairFieldsCreate(fields, p, &nodal));
+  PairFieldsOmitBeyond(fields->vi->pairs[p], &nodal);
   PetscCall(PetscMalloc2(n, &ids, n * SIDE_REALS, &reals));
   for (PetscInt i = 0; i < n; i++) {
     const PetscInt a   = mine[i];

@@ -98,6 +98,7 @@ static PetscErrorCode SurfaceFieldsWriteQuantities_Private(FieldWriter *writer, 
 
   PetscFunctionBeginUser;
   PetscCall(PairFieldsCreate(fields, p, &nodal));
+  PairFieldsOmitBeyond(fields->vi->pairs[p], &nodal);
   PetscCall(SurfaceFieldsGetNormals_Private(fields->vi->pairs[p], facets, &normal));
   PetscCall(PetscMalloc1(level->num_owned, &status));
   for (PetscInt a = 0; a < level->num_owned; a++) status[a] = (PetscReal)nodal.status[a];

@@ -7,6 +7,7 @@
 #include "kernel/vector.h"
 #include "result/coarsecontact.h"
 #include "result/contactpatches.h"
+#include "result/pairsum.h"
 
 /* Patches of no more nodes across are coarse. */
 static const PetscReal FEW = 3.25;
@@ -134,7 +135,7 @@ static PetscErrorCode CoarseContactGetEnds_Private(Fields fields, PetscInt p, Ve
     }
   }
   for (PetscInt a = 0; a < pair->num; a++)
-    if (pair->partly_covered[a] && PetscRealPart(mark[pair->nodes[a]]) == NODE_IN) ends[IS_EDGE] = 1;
+    if (PairSumEndsPartner(pair, a) && PetscRealPart(mark[pair->nodes[a]]) == NODE_IN) ends[IS_EDGE] = 1;
   PetscCall(VecRestoreArrayRead(local[1], &way));
   PetscCall(VecRestoreArrayRead(local[0], &mark));
   PetscCall(VecGhostRestoreLocalForm(ways, &local[1]));

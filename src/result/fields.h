@@ -50,6 +50,9 @@ typedef struct {
 
 /* Nodal values of pair p. Collective. [out] nodal - owned by the caller, PairFieldsDestroy() */
 PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal);
+/* Takes the pressure from nodes beyond the partner's end, for files and pictures: it is that of the covered sliver of a facet, which
+   ends before the node. Not collective. */
+void           PairFieldsOmitBeyond(const Pair pair, PairFields *nodal);
 PetscErrorCode PairFieldsDestroy(PairFields *nodal);
 /* What the nonmortar side of pair p gives to its partner per area: lambda_a n_a of contact, the traction of a tie. Collective.
    [out] traction - ghosted, dim per node, zero off that side; owned by the caller */

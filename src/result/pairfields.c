@@ -113,6 +113,14 @@ PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+void PairFieldsOmitBeyond(const Pair pair, PairFields *nodal)
+{
+  for (PetscInt i = 0; i < pair->num_beyond; i++) {
+    nodal->pressure[pair->beyond[i]] = 0;
+    nodal->covered[pair->beyond[i]]  = PETSC_FALSE;
+  }
+}
+
 PetscErrorCode PairFieldsDestroy(PairFields *nodal)
 {
   PetscFunctionBeginUser;

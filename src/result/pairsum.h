@@ -11,8 +11,8 @@ typedef struct {
   PetscReal area;         /* where the pressure is positive */
   PetscReal max_pressure, max_pressure_at[3];
   PetscReal
-      max_covered; /* the largest at nodes around which the partner covers all facets or none: beside its end pressures are
-                         continued from the covered part of a facet */
+            max_covered; /* the largest at nodes where PairSumEndsPartner() is false: beside its end pressures are continued from the
+                         covered part of a facet */
   PetscReal min_gap;
   PetscReal lower[3], upper[3]; /* box around the active nodes */
   PetscReal centre[3];          /* of pressure */
@@ -26,6 +26,8 @@ PairSum PairSumUnknown(void);
 /* Of the nodes of chosen rows the first by coordinates, found one coordinate after the other. Collective. [in] chosen - [vi->num_rows];
    [out] at - [dim], PETSC_INFINITY if no row is chosen on any rank */
 PetscErrorCode PairSumFindFirstPlace(VI vi, const PetscBool chosen[], PetscReal at[]);
+/* Whether the partner ends within a facet around multiplier node a, and not where its own side does. */
+PetscBool      PairSumEndsPartner(const Pair pair, PetscInt a);
 PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum);
 
 #endif

@@ -9,6 +9,7 @@ from refined import solve_refined
 
 # A node with less cover (in that dimension, of facets of that order) or freedom has no multiplier.
 SLIVER, NOTHING, HELD = {(2, 1): 1e-3, (2, 2): 5e-2, (3, 1): 1e-3, (3, 2): 0.1}, 1e-13, 0.1
+BEYOND = 0.45  # covered part of the facets around a node
 LEFT_OVER = 0.1  # of its own weight, beside the rows that a node takes over
 SHARE = 0.2  # of a middle node of a quadratic triangle that its corners take over, whose shape functions integrate to zero
 
@@ -100,10 +101,13 @@ class Pair:
         """Per multiplier: its weight D_aa, its weight were all covered, G, and {node: int psi phi, of the mortar side with a
         minus}; psi from the biorthogonality (eq. 3.4) on what is covered, to phi or, with one multiplier per vertex, to hats."""
         self.D, self.full, self.G, self.row, self.beside, self.arms = {}, {}, {}, {}, {}, {}
+        self.size, self.cover = {}, {}  # of the facets around a node, of their covered parts
         for facet in self.facets:
             points = self.scene.points[list(facet)]
             for at, w in product_rule(self.kind, MANY):
                 measure = np.linalg.norm(normal_of(points.T @ self.shape.at(at)[1]))
+                for node in facet:
+                    self.size[node] = self.size.get(node, 0.0) + w * measure
                 for node, value in zip(facet, self.hat(at)):
                     self.full[node] = self.full.get(node, 0.0) + w * measure * value
             rays = list(self.rays(facet))
@@ -119,6 +123,8 @@ class Pair:
         hat, phi = (np.column_stack([shape(ray[0]) for ray in rays]) for shape in (self.hat, lambda at: self.shape.at(at)[0]))
         exact = hat.astype(np.longdouble)  # of a sliver: its matrix is nearly singular
         psi = np.diag(hat @ w) @ solve_refined((exact * w) @ exact.T, hat)
+        for node in facet:
+            self.cover[node] = self.cover.get(node, 0.0) + w.sum()
         gaps = [self.gap_at(x, ray[2]) for x, ray in zip(phi.T @ points, rays)]
         for i, j in itertools.permutations(range(len(hat)), 2):
             if self.beside_each_other(self.hats, i, j):
@@ -140,6 +146,10 @@ class Pair:
         dim = self.scene.dim
         held = any(dim * node + k in self.scene.held for k in range(dim))
         return self.D[node] >= SLIVER[dim, self.order] * self.full[node] and self.free[node] >= HELD and not (self.tied and held)
+
+    def is_beyond(self, node):
+        """Whether a node without a multiplier lies beyond the end of the other side; at that end half of its facets are covered."""
+        return self.cover[node] < BEYOND * self.size[node]
 
     def shares(self, kept, removed):
         """{removed node: {kept node: weight}}: the mean over neighbours along the side, in rings around the kept nodes."""

@@ -202,7 +202,8 @@ class Solution:
         return {name: [value.item() for value in values[order]] for name, values in columns.items()}
 
     def contact(self, pair):
-        """{node: (pressure, gap, status, force)} of a nonmortar side; without a multiplier the gap is nan, the status -1."""
+        """{node: (pressure, gap, status, force)} of a nonmortar side; without a multiplier the gap is nan, the status -1. Nodes beyond the end of
+        the other side have no pressure."""
         found = {node: (0.0, math.nan, NONE, 0.0) for node in pair.nodes}
         for r in reversed(range(len(self.rows))):  # the first row of a tied node is the normal one
             owner, node, *_ = self.rows[r]
@@ -214,6 +215,7 @@ class Solution:
             hats = [pair.hats.at(place)[0] for place in pair.shape.nodes]
             for node, hat in list(zip(facet, hats))[len(pair.hats.nodes):]:
                 found[node] = (hat @ [found[corner][0] for corner in facet[:len(hat)]], math.nan, NONE, 0.0)
+        found.update({c: (0.0, math.nan, NONE, 0.0) for c in pair.share if pair.is_beyond(c)})
         return found
 
     def side(self, pair):
