@@ -65,9 +65,10 @@ PetscErrorCode ErrorReportPrint(const SummaryInput *in)
   PetscCall(EstimateGet(in->fields, &estimate));
   PetscCall(CalibrationGetStandard(in->vi->level, &theta));
   relative = estimate->norm > 0 ? theta * PetscSqrtReal(estimate->squared / estimate->norm) : 0;
-  PetscCall(PetscPrintf(
-      comm, "  estimated error: %.2g%% of the solution in the energy norm; one mesh gives no error bars, -adapt does\n",
-      (double)(PERCENT * relative)));
+  PetscCall(PetscPrintf(comm,
+                        "  estimated error: %.2g%% of the solution in the energy norm; one mesh gives no error bars, "
+                        "-adapt and -study do\n",
+                        (double)(PERCENT * relative)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -2,12 +2,10 @@
 #include "study/adaptive.h"
 #include "base/compat.h"
 #include "base/interrupt.h"
-#include "base/json.h"
 #include "base/log.h"
 #include "base/warning.h"
-#include "study/bars.h"
-#include "result/calibration.h"
 #include "study/marking.h"
+#include "study/meshhistory.h"
 #include "study/promotion.h"
 #include <stdlib.h>
 
@@ -21,24 +19,16 @@ static const PetscReal STALLED      = 0.9;  /* of the error, while unknowns doub
 static const PetscReal KEEP_SECONDS = 5; /* of work that an interruption may lose, and the mesh that is solved then */
 static const PetscReal PERCENT      = 100;
 
-/* What is remembered of a mesh. */
 typedef struct {
-  PetscInt  cells, unknowns, iterations, active;
-  PetscReal eta, theta, norm, potential, signs, seconds;
-  cJSON    *row;
-} AdaptiveMesh;
-
-typedef struct {
-  Scene         scene; /* borrowed */
-  PetscInt      num;
-  AdaptiveMesh *mesh; /* [max_meshes] */
-  PetscBool     quiet;
-  PetscReal     kept; /* when files were written last */
+  Scene       scene; /* borrowed */
+  MeshHistory history;
+  PetscBool   quiet;
+  PetscReal   kept; /* when files were written last */
 } Adaptive;
 
-static PetscReal AdaptiveGetError_Private(const AdaptiveMesh *mesh)
+static const SolvedMesh *AdaptiveGetLast_Private(const Adaptive *adaptive)
 {
-  return mesh->theta * mesh->eta / PetscSqrtReal(mesh->norm);
+  return &adaptive->history.mesh[adaptive->history.num - 1];
 }
 
 /* The order in unknowns in which errors fall: p / dim for the lowest order of the bodies. */
@@ -50,67 +40,21 @@ static PetscReal AdaptiveGetRate_Private(const Scene scene)
   return (PetscReal)order / scene->dim;
 }
 
-/* theta of the latest mesh. Collective. */
-static PetscErrorCode AdaptiveCalibrate_Private(Adaptive *adaptive, const Level *level)
-{
-  CalibrationMesh *meshes;
-  PetscReal        standard;
-
-  PetscFunctionBeginUser;
-  PetscCall(CalibrationGetStandard(level, &standard));
-  PetscCall(PetscMalloc1(adaptive->num, &meshes));
-  for (PetscInt k = 0; k < adaptive->num; k++) {
-    const AdaptiveMesh *mesh = &adaptive->mesh[k];
-
-    meshes[k] = (CalibrationMesh){.squared = PetscSqr(mesh->eta), .energy = 2 * mesh->potential - mesh->signs};
-  }
-  adaptive->mesh[adaptive->num - 1].theta = CalibrationFind(adaptive->num, meshes, standard);
-  PetscCall(PetscFree(meshes));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Remembers what a run tells of its mesh. Collective. */
-static PetscErrorCode AdaptiveAdd_Private(Adaptive *adaptive, Run run, PetscReal seconds)
-{
-  const Level  *level = run->vi->level;
-  AdaptiveMesh *mesh  = &adaptive->mesh[adaptive->num];
-  SummaryInput  input = RunSummary(run);
-  PetscInt      cells = level->num_cells;
-  Estimate      estimate;
-
-  PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &cells, 1, MPIU_INT, MPI_SUM, level->comm));
-  *mesh = (AdaptiveMesh){.cells      = cells,
-                         .unknowns   = level->num_global * level->dim,
-                         .iterations = run->report.iterations,
-                         .active     = run->report.active};
-  adaptive->num++;
-  PetscCall(EstimateGet(run->fields, &estimate));
-  mesh->eta       = PetscSqrtReal(estimate->squared);
-  mesh->norm      = estimate->norm;
-  mesh->potential = estimate->potential;
-  mesh->signs     = estimate->signs;
-  PetscCall(AdaptiveCalibrate_Private(adaptive, level));
-  PetscCall(SummaryCreateStep(&input, &mesh->row));
-  mesh->seconds = LogWallClock() - seconds;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Unknowns of a mesh with the error that is asked for, as errors fall. */
 static PetscReal AdaptiveForecast_Private(const Adaptive *adaptive)
 {
-  const AdaptiveMesh *mesh = &adaptive->mesh[adaptive->num - 1];
+  const SolvedMesh *mesh = AdaptiveGetLast_Private(adaptive);
 
-  return mesh->unknowns * PetscPowReal(AdaptiveGetError_Private(mesh) / adaptive->scene->adapt.tolerance,
+  return mesh->unknowns * PetscPowReal(SolvedMeshGetError(mesh) / adaptive->scene->adapt.tolerance,
                                        1 / AdaptiveGetRate_Private(adaptive->scene));
 }
 
 /* Unknowns of the next mesh, as they grew the last time. */
 static PetscReal AdaptiveNext_Private(const Adaptive *adaptive)
 {
-  const AdaptiveMesh *mesh = &adaptive->mesh[adaptive->num - 1];
+  const SolvedMesh *mesh = AdaptiveGetLast_Private(adaptive);
 
-  return adaptive->num > 1 ? PetscSqr((PetscReal)mesh->unknowns) / mesh[-1].unknowns : mesh->unknowns;
+  return adaptive->history.num > 1 ? PetscSqr((PetscReal)mesh->unknowns) / mesh[-1].unknowns : mesh->unknowns;
 }
 
 /* The head of the table, behind a line for bodies whose cells were cut. Collective. */
@@ -133,16 +77,16 @@ static PetscErrorCode AdaptivePrintHead_Private(const Adaptive *adaptive, Mesh m
 
 static PetscErrorCode AdaptivePrint_Private(const Adaptive *adaptive)
 {
-  const MPI_Comm      comm  = adaptive->scene->comm;
-  const AdaptiveMesh *mesh  = &adaptive->mesh[adaptive->num - 1];
-  const PetscReal     error = AdaptiveGetError_Private(mesh);
+  const MPI_Comm    comm  = adaptive->scene->comm;
+  const SolvedMesh *mesh  = AdaptiveGetLast_Private(adaptive);
+  const PetscReal   error = SolvedMeshGetError(mesh);
 
   PetscFunctionBeginUser;
   if (adaptive->quiet) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscPrintf(comm,
                         "  %4" PetscInt_FMT " %9" PetscInt_FMT " %9" PetscInt_FMT " %5" PetscInt_FMT "  %6" PetscInt_FMT
                         "  %14.3g%%  %16.10g  %7.2f",
-                        adaptive->num, mesh->cells, mesh->unknowns, mesh->iterations, mesh->active,
+                        adaptive->history.num, mesh->cells, mesh->unknowns, mesh->iterations, mesh->active,
                         (double)(PERCENT * error), (double)mesh->potential, (double)mesh->seconds));
   if (error > adaptive->scene->adapt.tolerance)
     PetscCall(PetscPrintf(comm, "  %.3g%% expected with %.2g unknowns",
@@ -155,24 +99,25 @@ static PetscErrorCode AdaptivePrint_Private(const Adaptive *adaptive)
 /* Whether the estimate has hardly fallen since there were half as many unknowns; the calibration of coarse meshes may leap. */
 static PetscBool AdaptiveIsStalled_Private(const Adaptive *adaptive)
 {
-  const AdaptiveMesh *mesh = &adaptive->mesh[adaptive->num - 1];
-  PetscInt            k    = adaptive->num - 1;
+  const SolvedMesh *mesh = AdaptiveGetLast_Private(adaptive);
+  PetscInt          k    = adaptive->history.num - 1;
 
-  while (k > 0 && 2 * adaptive->mesh[k].unknowns > mesh->unknowns) k--;
-  return (PetscBool)(2 * adaptive->mesh[k].unknowns <= mesh->unknowns && mesh->eta > STALLED * adaptive->mesh[k].eta);
+  while (k > 0 && 2 * adaptive->history.mesh[k].unknowns > mesh->unknowns) k--;
+  return (PetscBool)(2 * adaptive->history.mesh[k].unknowns <= mesh->unknowns &&
+                     mesh->eta > STALLED * adaptive->history.mesh[k].eta);
 }
 
 /* Whether this mesh is the last one. [out] why - "" where the error is small enough [TEXT_LENGTH] */
 static PetscBool AdaptiveIsOver_Private(const Adaptive *adaptive, char why[])
 {
-  const SceneAdapt   *plan  = &adaptive->scene->adapt;
-  const AdaptiveMesh *mesh  = &adaptive->mesh[adaptive->num - 1];
-  const PetscReal     error = AdaptiveGetError_Private(mesh), next = AdaptiveNext_Private(adaptive);
+  const SceneAdapt *plan  = &adaptive->scene->adapt;
+  const SolvedMesh *mesh  = AdaptiveGetLast_Private(adaptive);
+  const PetscReal   error = SolvedMeshGetError(mesh), next = AdaptiveNext_Private(adaptive);
 
   why[0] = '\0';
   if (!(error > EXACT)) return PETSC_TRUE;
-  if (error <= plan->tolerance && adaptive->num >= FIRST_MESHES) return PETSC_TRUE;
-  if (adaptive->num >= plan->max_meshes)
+  if (error <= plan->tolerance && adaptive->history.num >= FIRST_MESHES) return PETSC_TRUE;
+  if (adaptive->history.num >= plan->max_meshes)
     (void)snprintf(why, TEXT_LENGTH, "-adapt_max_meshes %" PetscInt_FMT " ends the refinement", plan->max_meshes);
   else if (next > plan->max_unknowns)
     (void)snprintf(why, TEXT_LENGTH, "the next mesh would have about %.2g unknowns, -adapt_max_unknowns allows %.3g",
@@ -186,62 +131,6 @@ static PetscBool AdaptiveIsOver_Private(const Adaptive *adaptive, char why[])
   return PETSC_TRUE;
 }
 
-/* The summary's block "estimate". */
-static cJSON *AdaptiveCreateEstimate_Private(const Adaptive *adaptive)
-{
-  const AdaptiveMesh *last  = &adaptive->mesh[adaptive->num - 1];
-  const PetscReal     error = last->theta * last->eta;
-  cJSON              *root  = cJSON_CreateObject(), *potential, *meshes;
-
-  JSONAddReal(root, "energy_norm", error);
-  JSONAddReal(root, "energy_norm_relative", AdaptiveGetError_Private(last));
-  JSONAddReal(root, "calibration", last->theta);
-  potential = cJSON_AddObjectToObject(root, "potential");
-  JSONAddReal(potential, "value", last->potential - (PetscSqr(error) + last->signs) / 2);
-  JSONAddReal(potential, "bar", PetscSqr(error) / 3);
-  meshes = cJSON_AddArrayToObject(root, "meshes");
-  for (PetscInt k = 0; k < adaptive->num; k++) {
-    const AdaptiveMesh *mesh = &adaptive->mesh[k];
-    cJSON              *item = cJSON_CreateObject();
-
-    JSONAddInt(item, "cells", mesh->cells);
-    JSONAddInt(item, "unknowns", mesh->unknowns);
-    JSONAddReal(item, "estimate", mesh->theta * mesh->eta);
-    JSONAddReal(item, "energy_norm_relative", AdaptiveGetError_Private(mesh));
-    JSONAddReal(item, "potential", mesh->potential);
-    JSONAddInt(item, "iterations", mesh->iterations);
-    JSONAddInt(item, "active", mesh->active);
-    JSONAddReal(item, "seconds", mesh->seconds);
-    cJSON_AddItemToArray(meshes, item);
-  }
-  return root;
-}
-
-/* The blocks of the summary, from all meshes. Collective. */
-static PetscErrorCode AdaptiveDescribe_Private(Adaptive *adaptive, Run run)
-{
-  const AdaptiveMesh *last = &adaptive->mesh[adaptive->num - 1];
-  BarMesh            *meshes;
-  BarFloors           floors;
-  BarHistory          history = {.num    = adaptive->num,
-                                 .floors = &floors,
-                                 .scene  = adaptive->scene,
-                                 .error  = last->theta * last->eta,
-                                 .signs  = last->signs};
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(adaptive->num, &meshes));
-  for (PetscInt k = 0; k < adaptive->num; k++)
-    meshes[k] = (BarMesh){.row = adaptive->mesh[k].row, .eta = adaptive->mesh[k].eta};
-  history.mesh = meshes;
-  PetscCall(BarFloorsCreate(run->fields, &floors));
-  PetscCall(BarsCreate(&history, &run->bars));
-  PetscCall(BarFloorsDestroy(&floors));
-  PetscCall(PetscFree(meshes));
-  run->estimate = AdaptiveCreateEstimate_Private(adaptive);
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Says why the error that is asked for is not reached. [in] why - "" where it is */
 static PetscErrorCode AdaptiveSetVerdict_Private(const Adaptive *adaptive, Run run, const char why[])
 {
@@ -251,7 +140,7 @@ static PetscErrorCode AdaptiveSetVerdict_Private(const Adaptive *adaptive, Run r
   run->report.converged = PETSC_FALSE;
   PetscCall(PetscSNPrintf(run->report.reason, sizeof(run->report.reason),
                           "the error is about %.2g of the solution in the energy norm, -adapt asks for %g: %s",
-                          (double)AdaptiveGetError_Private(&adaptive->mesh[adaptive->num - 1]),
+                          (double)SolvedMeshGetError(AdaptiveGetLast_Private(adaptive)),
                           (double)adaptive->scene->adapt.tolerance, why));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -264,8 +153,8 @@ static void AdaptiveSetInterruptSentence_Private(const Adaptive *adaptive, Petsc
 
   if (kept) {
     (void)snprintf(text, sizeof(text), "mortise: interrupted; %s.json and the other files hold mesh %d, error %.3g%%\n",
-                   scene->output, (int)adaptive->num,
-                   (double)(PERCENT * AdaptiveGetError_Private(&adaptive->mesh[adaptive->num - 1])));
+                   scene->output, (int)adaptive->history.num,
+                   (double)(PERCENT * SolvedMeshGetError(AdaptiveGetLast_Private(adaptive))));
   } else {
     (void)snprintf(text, sizeof(text), "mortise: interrupted; nothing was written yet\n");
   }
@@ -285,7 +174,7 @@ static PetscErrorCode AdaptiveKeep_Private(Adaptive *adaptive, Run run)
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Bcast(&wanted, 1, MPIU_BOOL, 0, scene->comm));
   if (!wanted) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(AdaptiveDescribe_Private(adaptive, run));
+  PetscCall(MeshHistoryDescribe(&adaptive->history, run));
   PetscCall(AdaptiveSetVerdict_Private(adaptive, run, "interrupted"));
   input = RunSummary(run);
   PetscCall(OutputCreate(scene->comm, &output));
@@ -334,21 +223,20 @@ PetscErrorCode AdaptiveRun(Scene scene, Mesh mesh, Vec guess, Run *run)
 
   PetscFunctionBeginUser;
   adaptive.quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
-  PetscCall(PetscCalloc1(scene->adapt.max_meshes, &adaptive.mesh));
   PetscCall(InterruptBegin());
   AdaptiveSetInterruptSentence_Private(&adaptive, PETSC_FALSE);
   WarningHold();
   PetscCall(AdaptivePrintHead_Private(&adaptive, mesh));
   while (PETSC_TRUE) {
-    PetscCall(adaptive.num ? RunExtend(own, run) : RunCreate(scene, mesh, guess, run));
+    PetscCall(adaptive.history.num ? RunExtend(own, run) : RunCreate(scene, mesh, guess, run));
     scene->view = PETSC_FALSE; // of the first mesh only
     PetscCall(VecDestroy(&own));
     if (!(*run)->solved) break;
-    PetscCall(AdaptiveAdd_Private(&adaptive, *run, begin));
+    PetscCall(MeshHistoryAdd(&adaptive.history, *run, LogWallClock() - begin));
     PetscCall(AdaptivePrint_Private(&adaptive));
     begin = LogWallClock();
     if (AdaptiveIsOver_Private(&adaptive, why)) {
-      PetscCall(AdaptiveDescribe_Private(&adaptive, *run));
+      PetscCall(MeshHistoryDescribe(&adaptive.history, *run));
       PetscCall(AdaptiveSetVerdict_Private(&adaptive, *run, why));
       break;
     }
@@ -358,7 +246,6 @@ PetscErrorCode AdaptiveRun(Scene scene, Mesh mesh, Vec guess, Run *run)
   WarningRelease();
   InterruptSetSentence("");
   PetscCall(InterruptEnd());
-  for (PetscInt k = 0; k < adaptive.num; k++) cJSON_Delete(adaptive.mesh[k].row);
-  PetscCall(PetscFree(adaptive.mesh));
+  PetscCall(MeshHistoryDestroy(&adaptive.history));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

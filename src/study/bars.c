@@ -14,6 +14,7 @@ enum {
 
 static const PetscReal BAR_MARGIN  = 1.25; /* on differences */
 static const PetscReal LEAST_GAIN  = 0.95; /* largest ratio of estimates: meshes that hardly differ say little */
+static const PetscReal FALLEN      = 0.25; /* of the first estimate: fewer meshes are enough then */
 static const PetscReal STILL_GROWS = 0.8;  /* increments of a bounded pressure shrink faster than that */
 
 /* What the floor of a number is. */
@@ -76,13 +77,14 @@ static PetscReal BarsOfSequence_Private(const BarHistory *history, const PetscRe
 {
   const PetscInt  last = history->num - 1;
   const PetscReal eta  = history->mesh[last].eta;
+  const PetscBool few  = (PetscBool)(last < BAR_MESHES && eta > FALLEN * history->mesh[0].eta);
   PetscReal       bar  = 0;
 
   if (!last) return (PetscReal)NAN;
   for (PetscInt j = PetscMax(0, last - BAR_MESHES); j < last; j++) {
     const PetscReal before = history->mesh[j].eta;
     const PetscReal r      = before > 0 ? PetscMin(eta / before, LEAST_GAIN) : LEAST_GAIN;
-    const PetscReal factor = last < BAR_MESHES ? 1 : BAR_MARGIN * r / (1 - r);
+    const PetscReal factor = few ? 1 : BAR_MARGIN * r / (1 - r);
 
     if (PetscIsNanReal(Q[j])) return (PetscReal)NAN;
     bar = PetscMax(bar, factor * PetscAbsReal(Q[last] - Q[j]));

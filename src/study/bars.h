@@ -22,7 +22,8 @@ typedef struct {
 } BarHistory;
 
 /* The half widths of the intervals around the finest mesh's numbers (eq. 15.5), with r_j = min(eta_k / eta_j, .95):
-       b = max(1.25 max_{j = k-4..k-1} |Q_k - Q_j| r_j / (1 - r_j), floor),   the largest difference where there are fewer meshes.
+       b = max(1.25 max_{j = k-4..k-1} |Q_k - Q_j| r_j / (1 - r_j), floor),
+   with the largest difference in place of the first part where there are fewer meshes and eta_k is above a quarter of the first one's.
    Not collective. [out] bars - an object with the keys of the summary: energy, pairs, reactions, probes; null where a number grows
    without limit, whose pairs are listed in "unbounded". Owned by the caller */
 PetscErrorCode BarsCreate(const BarHistory *history, cJSON **bars);

@@ -16,7 +16,10 @@
 #include "study/promotion.h"
 #include "study/studyimpl.h"
 
-enum { BYTES_TEXT = 24 };
+enum {
+  BYTES_TEXT = 24,
+  BAR_LEVELS = 3 /* solved ones that error bars need */
+};
 
 static const PetscReal MEGABYTE = 1048576, GIGABYTE = 1073741824;
 
@@ -142,8 +145,10 @@ static PetscErrorCode StudySolve_Private(Study study, PetscInt o, Record *record
     if (study->exact && coarser) PetscCall(VecDestroy(&coarser->u)); // else to be compared with what is yet to come
     PetscCall(PetscObjectReference((PetscObject)run->fields->u));
     record->u = run->fields->u;
+    PetscCall(MeshHistoryAdd(&study->history[o], run, record->total));
     if (study->best < 0 || record->order >= study->records[study->best].order) {
       study->best = (PetscInt)(record - study->records);
+      if (study->history[o].num >= BAR_LEVELS) PetscCall(MeshHistoryDescribe(&study->history[o], run));
       PetscCall(StudyWriteBest(study, run));
     }
   }

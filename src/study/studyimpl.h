@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include "base/log.h"
 #include "output/output.h"
-#include "study/run.h"
+#include "study/meshhistory.h"
 #include "study/study.h"
 
 enum { NAME_LENGTH = 128, REASON_LENGTH = 256, ERROR_TEXT = 64 };
@@ -54,11 +54,12 @@ typedef struct {
 } ErrorName; /* key in the files */
 
 struct _n_Study {
-  Scene     scene; /* borrowed */
-  PetscInt  num_orders;
-  PetscInt *own_orders; /* of the bodies, as the user gave them [scene->num_bodies] */
-  Mesh      mesh[STUDY_MAX_ORDERS];
-  PetscBool exact; /* errors against exact solutions, else against the reference */
+  Scene       scene; /* borrowed */
+  PetscInt    num_orders;
+  PetscInt   *own_orders; /* of the bodies, as the user gave them [scene->num_bodies] */
+  Mesh        mesh[STUDY_MAX_ORDERS];
+  MeshHistory history[STUDY_MAX_ORDERS]; /* solved meshes of each order */
+  PetscBool   exact;                     /* errors against exact solutions, else against the reference */
   PetscBool
       *marked[STUDY_MAX_ORDERS]; /* cells of the latest mesh that the next one refines, of an adaptive study, or NULL */
   PetscInt   num_quantities, num_errors;

@@ -125,6 +125,7 @@ PetscErrorCode StudyDestroy(Study *study)
   for (PetscInt o = 0; o < STUDY_MAX_ORDERS; o++) {
     PetscCall(MeshDestroy(&(*study)->mesh[o]));
     PetscCall(PetscFree((*study)->marked[o]));
+    PetscCall(MeshHistoryDestroy(&(*study)->history[o]));
   }
   PetscCall(PetscFree((*study)->own_orders));
   PetscCall(PetscFree((*study)->records));

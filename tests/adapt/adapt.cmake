@@ -21,6 +21,9 @@ mortise_scene_test(solvers SCENE two_plates CHECK solvers.py RANKS 1 ARGS ${plat
 mortise_scene_test(study SCENE two_plates CHECK study.py RANKS 1 3 ARGS ${plates} -order 2 -study adaptive)
 mortise_scene_test(long_study SCENE two_plates CHECK long.py RANKS 1 ARGS ${plates} -order 2 -study adaptive -study_levels 14)
 mortise_mistake(two_orders SCENE two_plates RANKS 1 ARGS -study adaptive -study_orders 1,2 SAYS "-study adaptive: each order has meshes of its own")
+# Levels of a study give the same bars.
+mortise_scene_test(uniform SCENE two_plates CHECK uniform.py RANKS 1 3 ARGS ${plates} -order 2 -dm_refine 0 -study uniform -study_levels 5)
+mortise_scene_test(uniform_axis SCENE rings CHECK lame.py RANKS 1 ARGS -outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4 -dm_refine 0 -study uniform -study_levels 4)
 # Limits end it with exit code 3 and everything written.
 mortise_scene_test(limits SCENE two_plates CHECK limits.py RANKS 1 ARGS ${plates} -adapt 2e-2)
 # Interrupted, it leaves the files of a mesh and a sentence.

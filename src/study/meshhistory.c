@@ -1,0 +1,128 @@
+/* meshhistory.c -- rows of the summary, and estimates, mesh after mesh. */
+#include "study/meshhistory.h"
+#include "base/compat.h"
+#include "base/json.h"
+#include "base/log.h"
+#include "result/calibration.h"
+#include "study/bars.h"
+
+enum { FIRST_ROOM = 8 };
+
+PetscReal SolvedMeshGetError(const SolvedMesh *mesh)
+{
+  return mesh->norm > 0 ? mesh->theta * mesh->eta / PetscSqrtReal(mesh->norm) : 0;
+}
+
+/* theta of the latest mesh. Collective. */
+static PetscErrorCode MeshHistoryCalibrate_Private(MeshHistory *history, const Level *level)
+{
+  CalibrationMesh *meshes;
+  PetscReal        standard;
+
+  PetscFunctionBeginUser;
+  PetscCall(CalibrationGetStandard(level, &standard));
+  PetscCall(PetscMalloc1(history->num, &meshes));
+  for (PetscInt k = 0; k < history->num; k++) {
+    const SolvedMesh *mesh = &history->mesh[k];
+
+    meshes[k] = (CalibrationMesh){.squared = PetscSqr(mesh->eta), .energy = 2 * mesh->potential - mesh->signs};
+  }
+  history->mesh[history->num - 1].theta = CalibrationFind(history->num, meshes, standard);
+  PetscCall(PetscFree(meshes));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MeshHistoryAdd(MeshHistory *history, Run run, PetscReal seconds)
+{
+  const PetscReal begin = LogWallClock();
+  const Level    *level = run->vi->level;
+  SummaryInput    input = RunSummary(run);
+  PetscInt        cells = level->num_cells;
+  SolvedMesh     *mesh;
+  Estimate        estimate;
+
+  PetscFunctionBeginUser;
+  if (history->num == history->max) {
+    history->max = PetscMax(FIRST_ROOM, 2 * history->max);
+    PetscCall(PetscRealloc(sizeof(SolvedMesh) * (size_t)history->max, &history->mesh));
+  }
+  mesh = &history->mesh[history->num++];
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &cells, 1, MPIU_INT, MPI_SUM, level->comm));
+  PetscCall(EstimateGet(run->fields, &estimate));
+  *mesh = (SolvedMesh){.cells      = cells,
+                       .unknowns   = level->num_global * level->dim,
+                       .iterations = run->report.iterations,
+                       .active     = run->report.active,
+                       .eta        = PetscSqrtReal(estimate->squared),
+                       .norm       = estimate->norm,
+                       .potential  = estimate->potential,
+                       .signs      = estimate->signs};
+  PetscCall(MeshHistoryCalibrate_Private(history, level));
+  PetscCall(SummaryCreateStep(&input, &mesh->row));
+  mesh->seconds = seconds + LogWallClock() - begin;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MeshHistoryDestroy(MeshHistory *history)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt k = 0; k < history->num; k++) cJSON_Delete(history->mesh[k].row);
+  PetscCall(PetscFree(history->mesh));
+  history->num = history->max = 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The summary's block "estimate". */
+static cJSON *MeshHistoryCreateEstimate_Private(const MeshHistory *history)
+{
+  const SolvedMesh *last  = &history->mesh[history->num - 1];
+  const PetscReal   error = last->theta * last->eta;
+  cJSON            *root  = cJSON_CreateObject(), *potential, *meshes;
+
+  JSONAddReal(root, "energy_norm", error);
+  JSONAddReal(root, "energy_norm_relative", SolvedMeshGetError(last));
+  JSONAddReal(root, "calibration", last->theta);
+  potential = cJSON_AddObjectToObject(root, "potential");
+  JSONAddReal(potential, "value", last->potential - (PetscSqr(error) + last->signs) / 2);
+  JSONAddReal(potential, "bar", PetscSqr(error) / 3);
+  meshes = cJSON_AddArrayToObject(root, "meshes");
+  for (PetscInt k = 0; k < history->num; k++) {
+    const SolvedMesh *mesh = &history->mesh[k];
+    cJSON            *item = cJSON_CreateObject();
+
+    JSONAddInt(item, "cells", mesh->cells);
+    JSONAddInt(item, "unknowns", mesh->unknowns);
+    JSONAddReal(item, "estimate", mesh->theta * mesh->eta);
+    JSONAddReal(item, "energy_norm_relative", SolvedMeshGetError(mesh));
+    JSONAddReal(item, "potential", mesh->potential);
+    JSONAddInt(item, "iterations", mesh->iterations);
+    JSONAddInt(item, "active", mesh->active);
+    JSONAddReal(item, "seconds", mesh->seconds);
+    cJSON_AddItemToArray(meshes, item);
+  }
+  return root;
+}
+
+PetscErrorCode MeshHistoryDescribe(const MeshHistory *history, Run run)
+{
+  const SolvedMesh *last = &history->mesh[history->num - 1];
+  BarMesh          *meshes;
+  BarFloors         floors;
+  BarHistory        sequence = {.num    = history->num,
+                                .floors = &floors,
+                                .scene  = run->scene,
+                                .error  = last->theta * last->eta,
+                                .signs  = last->signs};
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(history->num, &meshes));
+  for (PetscInt k = 0; k < history->num; k++)
+    meshes[k] = (BarMesh){.row = history->mesh[k].row, .eta = history->mesh[k].eta};
+  sequence.mesh = meshes;
+  PetscCall(BarFloorsCreate(run->fields, &floors));
+  PetscCall(BarsCreate(&sequence, &run->bars));
+  PetscCall(BarFloorsDestroy(&floors));
+  PetscCall(PetscFree(meshes));
+  run->estimate = MeshHistoryCreateEstimate_Private(history);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

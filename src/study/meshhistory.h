@@ -1,0 +1,28 @@
+/* meshhistory.h -- what is remembered of the meshes that a scene was solved on, and the error bars that follow from it. */
+#ifndef MORTISE_MESHHISTORY_H
+#define MORTISE_MESHHISTORY_H
+
+#include "study/run.h"
+
+/* One mesh. */
+typedef struct {
+  PetscInt  cells, unknowns, iterations, active;
+  PetscReal eta, theta, norm, potential, signs, seconds; /* estimate, calibration, |u|_a^2, J_h, L (eqs. 15.3, 15.4) */
+  cJSON    *row;                                         /* of SummaryCreateStep() */
+} SolvedMesh;
+
+/* All of them, coarse first; empty where it is zero. */
+typedef struct {
+  PetscInt    num, max;
+  SolvedMesh *mesh; /* [max] */
+} MeshHistory;
+
+/* Remembers what a solved run tells of its mesh. Collective. [in] seconds - that the mesh took so far */
+PetscErrorCode MeshHistoryAdd(MeshHistory *history, Run run, PetscReal seconds);
+PetscErrorCode MeshHistoryDestroy(MeshHistory *history);
+/* The calibrated estimate of the error in the energy norm, over the norm of the solution; 0 where there is none. Not collective. */
+PetscReal SolvedMeshGetError(const SolvedMesh *mesh);
+/* Gives a run the blocks "estimate" and "bars" of its summary. Collective. [in,out] run - that of the latest mesh */
+PetscErrorCode MeshHistoryDescribe(const MeshHistory *history, Run run);
+
+#endif
