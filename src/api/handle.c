@@ -287,7 +287,7 @@ static PetscErrorCode Solve_Private(Mortise m)
   if (m->mesh) {
     if (m->scene->steps.num)
       PetscCall(StepsRun(m->scene, m->mesh, guess, &run));
-    else if (m->scene->adapt.tolerance > 0)
+    else if (m->scene->adapt.on)
       PetscCall(AdaptiveRun(m->scene, m->mesh, guess, &run));
     else
       PetscCall(run ? RunAdvance(guess, &run) : RunCreate(m->scene, m->mesh, guess, &run));

@@ -71,7 +71,7 @@ static PetscErrorCode MeshCreateWhole_Private(Scene scene, PetscInt coarser, DM 
   PetscCall(PetscCalloc2(scene->num_bodies, &lists, scene->num_bodies, &names));
   for (PetscInt b = 0; b < scene->num_bodies; b++) PetscCall(SideNamesOfBody(scene, b, &names[b]));
   PetscCall(MeshMakeBodies_Private(scene, coarser, names, lists));
-  if (!scene->adapt.tolerance) PetscCall(MeshMerge(scene, lists, names, dm, curves));
+  if (!scene->adapt.on) PetscCall(MeshMerge(scene, lists, names, dm, curves));
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     scene->bodies[b].straightened    = lists[b].straightened;
     scene->bodies[b].curved_file     = lists[b].curved_file;
@@ -81,7 +81,7 @@ static PetscErrorCode MeshCreateWhole_Private(Scene scene, PetscInt coarser, DM 
     PetscCallMPI(MPI_Bcast(&scene->bodies[b].curved_file, 1, MPIU_BOOL, 0, scene->comm));
     PetscCall(UnjoinedPiecesWarn(&scene->bodies[b], &lists[b]));
   }
-  if (scene->adapt.tolerance) PetscCall(MeshForestCreate(scene, lists, names, forest)); // takes what is destroyed here
+  if (scene->adapt.on) PetscCall(MeshForestCreate(scene, lists, names, forest)); // takes what is destroyed here
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     PetscCall(SideNamesDestroy(&names[b]));
     PetscCall(BodyListDestroy(&lists[b]));
@@ -179,7 +179,7 @@ PetscErrorCode MeshSetUp(Mesh mesh)
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_size(scene->comm, &size));
-  coarser = scene->adapt.tolerance ? 0 : SceneCountCoarser(scene, size);
+  coarser = scene->adapt.on ? 0 : SceneCountCoarser(scene, size);
   PetscCall(MeshBegin_Private(mesh, coarser));
   while (mesh->num_levels <= coarser) {
     PetscBool sound;

@@ -116,6 +116,7 @@ static PetscErrorCode EstimateAddCells_Private(Fields fields, Estimate estimate)
 /* One side's values at nodes: displacements and recovered stresses. */
 typedef struct {
   const PetscScalar *u, *traction, *normal; /* local forms of the nonmortar side */
+  const PetscScalar *closed;                /* with a frozen set: 1 at nodes in contact, else NULL */
   NodalStressArrays  stress;
   PetscReal *u_m, *stress_m; /* of PairPointsFetch(); where regions meet on the mortar side the stress of the first */
 } PairValues;
@@ -123,6 +124,7 @@ typedef struct {
 /* What is there at a point of a pair. */
 typedef struct {
   PetscReal x[3], normal[3], jump[3], traction[3], stress[2][CELL_STRESSES];
+  PetscBool closed; /* with a frozen set: whether all vertices of the facet are in contact */
 } PointState;
 
 static void PointStateSet_Private(const Level *level, PairPoints points, const PairPoint *point,
@@ -133,7 +135,9 @@ static void PointStateSet_Private(const Level *level, PairPoints points, const P
   const PetscInt    material = level->cell_material[points->facets.cell[point->facet]];
   PetscReal         phi[ELEMENT_MAX_NODES];
 
-  *state = (PointState){{0}, {0}, {0}, {0}, {{0}}};
+  *state = (PointState){.closed = PETSC_TRUE};
+  for (PetscInt i = 0; values->closed && i < ElementNumNodes(ElementLinear(type)); i++)
+    state->closed = (PetscBool)(state->closed && PetscRealPart(values->closed[nodes[i]]) != 0);
   ElementShape(type, point->xi, phi, NULL);
   for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
     for (PetscInt k = 0; k < dim; k++) {
@@ -185,10 +189,35 @@ static PetscErrorCode EstimateGetModulus_Private(Scene scene, PetscInt material,
 
 /* Where the parts of pairs go. */
 typedef struct {
-  PetscInt  first;   /* cell of this rank, counted over all ranks */
-  Vec       squares; /* eta_T^2 of all cells */
-  PetscReal signs;   /* L of this rank */
+  PetscInt              first;   /* cell of this rank, counted over all ranks */
+  Vec                   squares; /* eta_T^2 of all cells */
+  PetscReal             signs;   /* L of this rank */
+  const EstimateFrozen *frozen;  /* or NULL */
 } PairSums;
+
+/* d^2 at a point. [in] resistance - pi E* / h */
+static PetscReal EstimateGetGap_Private(const Fields fields, PetscInt p, const PairPoint *point,
+                                        const PointState *state, PetscReal resistance, PairSums *sums)
+{
+  const PetscInt        dim      = fields->vi->level->dim;
+  const Pair            pair     = fields->vi->pairs[p];
+  const EstimateFrozen *frozen   = sums->frozen;
+  const PetscReal       weight   = point->weight * fields->vi->scene->thickness;
+  const PetscReal       pressure = VectorDot(dim, state->normal, state->traction);
+  const PetscReal       motion   = frozen ? (*frozen->motion)(frozen->ctx, p, state->x) : 0;
+  const PetscReal       depth    = VectorDot(dim, state->normal, state->jump) - (frozen ? motion : point->gap);
+  PetscReal             squared  = 0;
+
+  if (pair->spec->type == PAIR_TIED) {
+    if (pair->arm) return 0; // an arm is a part of the jump
+    for (PetscInt k = 0; k < dim; k++) squared += PetscSqr(state->jump[k] - motion * state->normal[k]);
+    sums->signs -= 2 * weight * VectorDot(dim, state->jump, state->traction);
+    return squared;
+  }
+  sums->signs -= 2 * weight * pressure * depth;
+  if (frozen) return state->closed ? depth * depth : 0;
+  return depth < 0 ? PetscSqr(PetscMin(-depth, PetscMax(0, pressure) / resistance)) : depth * depth;
+}
 
 /* Adds one point. [in] size - of its nonmortar facet */
 static PetscErrorCode EstimateAddPoint_Private(Fields fields, PetscInt p, const PairPoint *point, PetscReal size,
@@ -196,18 +225,15 @@ static PetscErrorCode EstimateAddPoint_Private(Fields fields, PetscInt p, const 
 {
   const Level    *level  = fields->vi->level;
   const Pair      pair   = fields->vi->pairs[p];
-  const PetscBool meshed = (PetscBool)(point->mortar >= 0), tied = (PetscBool)(pair->spec->type == PAIR_TIED);
-  const PetscReal weight   = point->weight * level->scene->thickness;
-  const PetscReal pressure = VectorDot(level->dim, state->normal, state->traction);
-  PetscReal       depth    = VectorDot(level->dim, state->normal, state->jump) - point->gap;
-  PetscReal       E[2], squared, gap2 = depth * depth, work = pressure * depth;
+  const PetscReal weight = point->weight * level->scene->thickness;
+  PetscReal       E[2], squared;
 
   PetscFunctionBeginUser;
   PetscCall(EstimateGetModulus_Private(level->scene, level->cell_material[pair->points->facets.cell[point->facet]],
                                        state->x, state->normal, &E[0]));
   squared = weight * 2 / PETSC_PI * size / E[0] *
             EstimateGetTractionError_Private(level->dim, state->stress[0], state->normal, state->traction);
-  if (meshed) {
+  if (point->mortar >= 0) {
     const PairPoints points = pair->points;
 
     PetscCall(
@@ -219,14 +245,27 @@ static PetscErrorCode EstimateAddPoint_Private(Fields fields, PetscInt p, const 
                     ADD_VALUES));
     E[0] = 1 / (1 / E[0] + 1 / E[1]);
   }
-  if (tied) {
-    gap2 = pair->arm ? 0 : VectorDot(level->dim, state->jump, state->jump); // an arm is a part of the jump
-    work = pair->arm ? 0 : VectorDot(level->dim, state->jump, state->traction);
-  }
-  if (!tied && depth < 0) gap2 = PetscSqr(PetscMin(-depth, PetscMax(0, pressure) * size / (PETSC_PI * E[0])));
-  squared += weight * PETSC_PI * E[0] / size * gap2;
-  sums->signs -= 2 * weight * work;
+  E[0] *= PETSC_PI / size;
+  squared += weight * E[0] * EstimateGetGap_Private(fields, p, point, state, E[0], sums);
   PetscCall(VecSetValue(sums->squares, sums->first + pair->points->facets.cell[point->facet], squared, ADD_VALUES));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Marks the nodes of a pair that are in contact. Collective. [in] fields - of the solution; [out] closed - ghosted, owned by the caller */
+static PetscErrorCode EstimateMarkClosed_Private(Fields fields, PetscInt p, Vec *closed)
+{
+  PairFields   nodal;
+  PetscScalar *a;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(fields->vi->level, 1, closed));
+  PetscCall(PairFieldsCreate(fields, p, &nodal));
+  PetscCall(VecGetArray(*closed, &a));
+  for (PetscInt i = 0; i < fields->vi->level->num_owned; i++) a[i] = nodal.status[i] == STATUS_CONTACT;
+  PetscCall(VecRestoreArray(*closed, &a));
+  PetscCall(PairFieldsDestroy(&nodal));
+  PetscCall(VecGhostUpdateBegin(*closed, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostUpdateEnd(*closed, INSERT_VALUES, SCATTER_FORWARD));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -237,16 +276,18 @@ static PetscErrorCode EstimateAddPair_Private(Fields fields, PetscInt p, PairSum
   const PairPoints    points = fields->vi->pairs[p]->points;
   PairValues          values = {NULL};
   PointState          state;
-  Vec                 v[3]     = {fields->u, NULL, points->normals}, local[3];
-  const PetscScalar **array[3] = {&values.u, &values.traction, &values.normal};
+  Vec                 v[4]     = {fields->u, NULL, points->normals, NULL}, local[4];
+  const PetscScalar **array[4] = {&values.u, &values.traction, &values.normal, &values.closed};
+  const PetscInt      num      = sums->frozen ? 4 : 3;
   PetscReal           X[3 * F];
 
   PetscFunctionBeginUser;
   PetscCall(PairTractionCreate(fields, p, &v[1]));
+  if (sums->frozen) PetscCall(EstimateMarkClosed_Private(sums->frozen->solution, p, &v[3]));
   PetscCall(PairPointsFetch(points, fields->u, level->dim, &values.u_m));
   PetscCall(PairPointsFetch(points, fields->stress.value[0], CELL_STRESSES, &values.stress_m));
   PetscCall(NodalStressGetArrays(&fields->stress, &values.stress));
-  for (PetscInt i = 0; i < 3; i++) {
+  for (PetscInt i = 0; i < num; i++) {
     PetscCall(VecGhostGetLocalForm(v[i], &local[i]));
     PetscCall(VecGetArrayRead(local[i], array[i]));
   }
@@ -258,7 +299,7 @@ static PetscErrorCode EstimateAddPair_Private(Fields fields, PetscInt p, PairSum
     PetscCall(EstimateAddPoint_Private(
         fields, p, point, ContactFacetSize(level->dim, points->facets.type[point->facet], X), &state, sums));
   }
-  for (PetscInt i = 0; i < 3; i++) {
+  for (PetscInt i = 0; i < num; i++) {
     PetscCall(VecRestoreArrayRead(local[i], array[i]));
     PetscCall(VecGhostRestoreLocalForm(v[i], &local[i]));
   }
@@ -266,14 +307,15 @@ static PetscErrorCode EstimateAddPair_Private(Fields fields, PetscInt p, PairSum
   PetscCall(PetscFree(values.stress_m));
   PetscCall(PetscFree(values.u_m));
   PetscCall(VecDestroy(&v[1]));
+  PetscCall(VecDestroy(&v[3]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Adds all pairs. Collective. */
-static PetscErrorCode EstimateAddPairs_Private(Fields fields, Estimate estimate)
+static PetscErrorCode EstimateAddPairs_Private(Fields fields, const EstimateFrozen *frozen, Estimate estimate)
 {
   const Level       *level = fields->vi->level;
-  PairSums           sums  = {0};
+  PairSums           sums  = {.frozen = frozen};
   const PetscScalar *square;
 
   PetscFunctionBeginUser;
@@ -290,29 +332,45 @@ static PetscErrorCode EstimateAddPairs_Private(Fields fields, Estimate estimate)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode EstimateGet(Fields fields, Estimate *estimate)
+/* All but norm and potential. [in] frozen - or NULL */
+static PetscErrorCode EstimateCreate_Private(Fields fields, const EstimateFrozen *frozen, Estimate *estimate)
 {
   const Level   *level = fields->vi->level;
   const PetscInt num   = level->scene->num_bodies;
   Estimate       e;
 
   PetscFunctionBeginUser;
-  *estimate = fields->estimate;
-  if (*estimate) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscNew(&e));
   PetscCall(PetscCalloc3(level->num_cells, &e->cell, level->num_cells, &e->volume, num, &e->body));
-  PetscCall(FieldsEnergy(fields, e->body, &e->potential));
-  for (PetscInt b = 0; b < num; b++) {
-    e->norm += 2 * e->body[b];
-    e->body[b] = 0;
-  }
   PetscCall(EstimateAddCells_Private(fields, e));
-  PetscCall(EstimateAddPairs_Private(fields, e));
+  PetscCall(EstimateAddPairs_Private(fields, frozen, e));
   for (PetscInt c = 0; c < level->num_cells; c++) e->body[level->cell_body[c]] += e->cell[c];
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, e->body, (PetscMPIInt)num, MPIU_REAL, MPI_SUM, level->comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &e->signs, 1, MPIU_REAL, MPI_SUM, level->comm));
   for (PetscInt b = 0; b < num; b++) e->squared += e->body[b];
-  fields->estimate = *estimate = e;
+  *estimate = e;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EstimateCreateFrozen(Fields fields, const EstimateFrozen *frozen, Estimate *estimate)
+{
+  return EstimateCreate_Private(fields, frozen, estimate);
+}
+
+PetscErrorCode EstimateGet(Fields fields, Estimate *estimate)
+{
+  const PetscInt num = fields->vi->scene->num_bodies;
+  PetscReal     *energy;
+
+  PetscFunctionBeginUser;
+  *estimate = fields->estimate;
+  if (*estimate) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(EstimateCreate_Private(fields, NULL, estimate));
+  PetscCall(PetscMalloc1(num, &energy));
+  PetscCall(FieldsEnergy(fields, energy, &(*estimate)->potential));
+  for (PetscInt b = 0; b < num; b++) (*estimate)->norm += 2 * energy[b];
+  PetscCall(PetscFree(energy));
+  fields->estimate = *estimate;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -21,6 +21,16 @@ typedef struct _n_Estimate *Estimate;
 
 /* Measured once for each solution. Collective. [out] estimate - borrowed from the fields */
 PetscErrorCode EstimateGet(Fields fields, Estimate *estimate);
+/* A linear problem with the active set of a solution: active nodes are moved by given amounts. */
+typedef struct {
+  Fields solution;                                                 /* whose active nodes they are */
+  PetscReal (*motion)(void *ctx, PetscInt p, const PetscReal x[]); /* along the normal of pair p at x [dim] */
+  void *ctx;
+} EstimateFrozen;
+
+/* The same of the solution of such a problem: d is what sides in contact miss the given motion by; L, |u|_a and J are not set. Collective.
+   [in] fields - vi, u, stress and lambda are used; [out] estimate - to be freed by EstimateDestroy() */
+PetscErrorCode EstimateCreateFrozen(Fields fields, const EstimateFrozen *frozen, Estimate *estimate);
 /* At nodes: the root of eta^2 per volume of the cells around. Collective. [out] density - owned by the caller [num_owned] */
 PetscErrorCode EstimateCreateDensity(Fields fields, PetscReal **density);
 /* Whether there is one or not. Not collective. */

@@ -275,7 +275,7 @@ static PetscErrorCode ValidityOfPair_Private(Fields fields, PetscInt p, PetscRea
   const Pair     pair = fields->vi->pairs[p];
   const PetscInt dim  = pair->level->dim;
   /* adaptive facets are as small as the error wants them, below any slip */
-  const PetscBool adaptive = (PetscBool)(fields->vi->scene->adapt.tolerance > 0);
+  const PetscBool adaptive = fields->vi->scene->adapt.on;
   ContactPatches  patches;
   PairState       state;
 

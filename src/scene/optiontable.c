@@ -223,12 +223,20 @@ static const OptionEntry table[] = {
      "such "
      "as 1e-2 or 1e-3, and gives results with error bars. Bodies have -order 2 unless the scene says otherwise; "
      "quadrilaterals and hexahedra are cut into triangles and tetrahedra."},
+    {GROUP_ADAPT, "-adapt_goal", "force:<pair>|probe:<name>|pressure:<pair>, ...", "", "(the energy norm)",
+     "Refines for these numbers, with or without -adapt: the normal force of a pair, von Mises' stress at a probe, the "
+     "largest pressure of a pair. Refinement ends when their error bars are small enough."},
+    {GROUP_ADAPT, "-adapt_goal_tolerance", "x", "", "1e-2",
+     "With -adapt_goal: the error bar that is asked for, as a part of the number."},
     {GROUP_ADAPT, "-adapt_marking", "x", "", "0.5",
-     "With -adapt: cells with the largest errors are refined, as many as hold this part of the squared error."},
+     "With -adapt or -adapt_goal: cells with the largest errors are refined, as many as hold this part of the squared "
+     "error."},
     {GROUP_ADAPT, "-adapt_max_unknowns", "x", "", "1e6",
-     "With -adapt: no mesh with more unknowns is begun. Where that ends the search before the tolerance, results and "
+     "With -adapt or -adapt_goal: no mesh with more unknowns is begun. Where that ends the search before the "
+     "tolerance, results and "
      "bars are written and the exit code is 3."},
-    {GROUP_ADAPT, "-adapt_max_meshes", "n", "", "40", "With -adapt: the largest number of meshes, with the same end."},
+    {GROUP_ADAPT, "-adapt_max_meshes", "n", "", "40",
+     "With -adapt or -adapt_goal: the largest number of meshes, with the same end."},
 
     {GROUP_STUDY, "-study", "uniform|adaptive", "", "(one mesh)",
      "Solves on several meshes and compares error, time and unknowns. Each mesh is refined once more than the one "

@@ -168,7 +168,7 @@ static PetscErrorCode SceneReadGlobal_Private(Scene scene)
   PetscCall(OptionGetInts(&refine, 1, 0, &scene->refine));
   PetscCall(SceneReadLevels_Private(scene));
   PetscCall(OptionGetChoice(&order, &number));
-  if (!order.set && scene->adapt.tolerance > 0) number = 1; // the same accuracy takes fewer unknowns
+  if (!order.set && scene->adapt.on) number = 1; // the same accuracy takes fewer unknowns
   for (PetscInt i = 0; i < scene->num_bodies; i++) scene->bodies[i].order = number + 1;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -205,6 +205,7 @@ PetscErrorCode SceneDestroy(Scene *scene)
   for (PetscInt i = 0; i < (*scene)->num_probes; i++) PetscCall(PetscFree((*scene)->probes[i].name));
   for (PetscInt i = 0; i < (*scene)->num_paths; i++) PetscCall(PetscFree((*scene)->paths[i].name));
   PetscCall(PetscFree((*scene)->steps.t));
+  PetscCall(SceneAdaptDestroy(&(*scene)->adapt));
   for (PetscInt i = 0; i < (*scene)->num_regions; i++) {
     PetscCall(SceneMaterialDestroy(&(*scene)->regions[i].material));
     PetscCall(PetscFree((*scene)->regions[i].group));

@@ -182,12 +182,29 @@ typedef struct {
   int        scale;     /* DatumKind bits */
 } SceneSteps;
 
+/* A number that adaptive meshes are made for. */
+typedef enum {
+  GOAL_FORCE,    /* the normal force of a pair */
+  GOAL_PROBE,    /* von Mises' stress at a probe */
+  GOAL_PRESSURE, /* the largest pressure of a pair */
+  GOAL_COUNT
+} GoalKind;
+
+typedef struct {
+  GoalKind kind;
+  PetscInt owner; /* index of the pair or the probe */
+  char    *text;  /* as typed, force:joint */
+} SceneGoal;
+
 /* Adaptive meshes. */
 typedef struct {
-  PetscReal tolerance; /* of the relative error in the energy norm; 0 without adaptive meshes */
-  PetscReal marking;   /* the share of the squared estimate that marked cells have */
-  PetscReal max_unknowns;
-  PetscInt  max_meshes;
+  PetscBool  on;
+  PetscReal  tolerance; /* of the relative error in the energy norm; 0 where goals alone are asked for */
+  PetscReal  marking;   /* the share of the squared estimate that marked cells have */
+  PetscReal  max_unknowns;
+  PetscInt   max_meshes, num_goals;
+  SceneGoal *goals;          /* [num_goals] */
+  PetscReal  goal_tolerance; /* of their bars, relative to their values */
 } SceneAdapt;
 
 struct _n_Scene {
@@ -211,11 +228,12 @@ struct _n_Scene {
   char        *summary; /* file for the summary alone, "-" for stdout, or NULL */
   SceneStudy   study;
   SceneSteps   steps;
-  PetscReal    time;    /* of SceneSetTime(); 1 in the beginning */
-  int          changed; /* DatumKind bits of the changes since the last solution, which clears them */
-  PetscBool    scaled;  /* whether all that varies in time is proportional to it */
-  PetscBool    tighten; /* whether the strains of pretensions are to be found, else they are kept */
-  PetscBool    keep;    /* whether solvers keep their factors for further solutions of this scene */
+  PetscReal    time;       /* of SceneSetTime(); 1 in the beginning */
+  int          changed;    /* DatumKind bits of the changes since the last solution, which clears them */
+  PetscBool    scaled;     /* whether all that varies in time is proportional to it */
+  PetscBool    tighten;    /* whether the strains of pretensions are to be found, else they are kept */
+  PetscBool    keep;       /* whether solvers keep their factors for further solutions of this scene */
+  PetscBool    unstrained; /* whether strains without stress count as none now: for solutions of other loads */
 
   SceneAdapt adapt;
   SceneStop  stop;
@@ -271,6 +289,7 @@ static inline PetscBool SceneBodyHasEigenstrain(const struct _n_Scene *scene, Pe
 {
   const SceneBody *b = &scene->bodies[body];
 
+  if (scene->unstrained) return PETSC_FALSE;
   if (b->material.temperature || b->material.initial_strain || b->pretension) return PETSC_TRUE;
   for (PetscInt r = 0; r < b->num_regions; r++) {
     const SceneMaterial *material = SceneGetMaterial(scene, SceneBodyFirstRegion(scene, body) + r);

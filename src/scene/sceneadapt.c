@@ -1,5 +1,6 @@
 /* sceneadapt.c -- adaptive meshes: the error that is asked for, and what ends the search for it. */
 #include "scene/sceneparts.h"
+#include <string.h>
 
 enum { MOST_MESHES = 100 }; /* as many levels as a mesh has room for */
 
@@ -13,20 +14,109 @@ static PetscErrorCode AdaptReadBetween_Private(const Option *option, PetscReal l
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Splits "force:joint". [out] kind - index of the word; [out] name - what is behind it, within item */
+static PetscErrorCode AdaptSplitGoal_Private(const Option *option, char item[], PetscInt *kind, const char **name)
+{
+  static const char *const words[GOAL_COUNT] = {
+      [GOAL_FORCE] = "force", [GOAL_PROBE] = "probe", [GOAL_PRESSURE] = "pressure"};
+  char       *colon = strchr(item, ':');
+  const char *near;
+
+  PetscFunctionBeginUser;
+  if (!colon)
+    PetscCall(OptionRaise(option, "'%s' is not a goal; write force:<pair>, probe:<name> or pressure:<pair>", item));
+  *colon = '\0';
+  *name  = colon + 1;
+  for (*kind = 0; *kind < GOAL_COUNT && strcmp(item, words[*kind]) != 0; (*kind)++) {}
+  if (*kind < GOAL_COUNT) PetscFunctionReturn(PETSC_SUCCESS);
+  near = UserErrorNearest(item, GOAL_COUNT, words);
+  PetscCall(OptionRaise(option, "'%s' is not one of force, probe, pressure%s%s%s", item, near ? "; did you mean " : "",
+                        near ? near : "", near ? "?" : ""));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Finds the pair or the probe of a goal. */
+static PetscErrorCode AdaptFindOwner_Private(const Option *option, const char name[], SceneGoal *goal)
+{
+  const Scene     scene = option->scene;
+  const PetscBool probe = (PetscBool)(goal->kind == GOAL_PROBE);
+  const PetscInt  num   = probe ? scene->num_probes : scene->num_pairs;
+  const char    **names, *near;
+  char            list[OPTION_MAX];
+  size_t          length = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(num, &names));
+  goal->owner = -1;
+  list[0]     = '\0';
+  for (PetscInt i = 0; i < num; i++) {
+    names[i] = probe ? scene->probes[i].name : scene->pairs[i].name;
+    if (!strcmp(names[i], name)) goal->owner = i;
+    if (length < sizeof(list))
+      length += (size_t)snprintf(list + length, sizeof(list) - length, "%s%s", i ? ", " : "", names[i]);
+  }
+  near = UserErrorNearest(name, num, names);
+  PetscCall(PetscFree(names));
+  if (goal->owner >= 0) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!num) PetscCall(OptionRaise(option, "there is no %s '%s'; the scene has none", probe ? "probe" : "pair", name));
+  PetscCall(OptionRaise(option, "there is no %s '%s'; the %s %s%s%s%s", probe ? "probe" : "pair", name,
+                        probe ? "probes are" : "pairs are", list, near ? "; did you mean " : "", near ? near : "",
+                        near ? "?" : ""));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode AdaptReadGoals_Private(const Option *option, SceneAdapt *adapt)
+{
+  const char *cursor = NULL, *name = NULL;
+  char        item[OPTION_MAX];
+  PetscInt    kind = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(OptionCountItems(option), &adapt->goals));
+  do {
+    SceneGoal *goal = &adapt->goals[adapt->num_goals++];
+
+    PetscCall(OptionNextItem(option, &cursor, item));
+    PetscCall(PetscStrallocpy(item, &goal->text));
+    PetscCall(AdaptSplitGoal_Private(option, item, &kind, &name));
+    goal->kind = (GoalKind)kind;
+    PetscCall(AdaptFindOwner_Private(option, name, goal));
+  } while (cursor);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* -adapt, -adapt_goal and its tolerance. [out] option - of the two the one that is there */
+static PetscErrorCode AdaptReadTolerances_Private(Scene scene, Option *option)
+{
+  SceneAdapt *adapt = &scene->adapt;
+  Option      goals, tolerance;
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionFind(scene, "-adapt", NULL, NULL, option));
+  PetscCall(OptionFind(scene, "-adapt_goal", NULL, NULL, &goals));
+  adapt->on = (PetscBool)(option->set || goals.set);
+  if (option->set) PetscCall(AdaptReadBetween_Private(option, 0, 1, &adapt->tolerance));
+  if (!goals.set) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(OptionFind(scene, "-adapt_goal_tolerance", NULL, NULL, &tolerance));
+  PetscCall(AdaptReadBetween_Private(&tolerance, 0, 1, &adapt->goal_tolerance));
+  PetscCall(AdaptReadGoals_Private(&goals, adapt));
+  if (!option->set) *option = goals;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* What belongs to adaptive meshes is read only where there are some, so that it is told otherwise. */
 PetscErrorCode SceneAdaptRead(Scene scene)
 {
   SceneAdapt *adapt = &scene->adapt;
-  Option      tolerance, marking, unknowns, meshes, study, steps;
+  Option      option, marking, unknowns, meshes, study, steps;
 
   PetscFunctionBeginUser;
-  PetscCall(OptionFind(scene, "-adapt", NULL, NULL, &tolerance));
-  if (!tolerance.set) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(AdaptReadTolerances_Private(scene, &option));
+  if (!adapt->on) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(OptionFind(scene, "-study", NULL, NULL, &study));
-  if (study.set) PetscCall(OptionRaise(&tolerance, "a study has its own meshes; omit -study or -adapt"));
+  if (study.set) PetscCall(OptionRaise(&option, "a study has its own meshes; omit -study or %s", option.name));
   PetscCall(OptionFind(scene, "-load_steps", NULL, NULL, &steps));
-  if (steps.set) PetscCall(OptionRaise(&tolerance, "load steps keep one mesh; omit -load_steps or -adapt"));
-  PetscCall(AdaptReadBetween_Private(&tolerance, 0, 1, &adapt->tolerance));
+  if (steps.set) PetscCall(OptionRaise(&option, "load steps keep one mesh; omit -load_steps or %s", option.name));
   PetscCall(OptionFind(scene, "-adapt_marking", NULL, NULL, &marking));
   PetscCall(OptionFind(scene, "-adapt_max_unknowns", NULL, NULL, &unknowns));
   PetscCall(OptionFind(scene, "-adapt_max_meshes", NULL, NULL, &meshes));
@@ -35,5 +125,13 @@ PetscErrorCode SceneAdaptRead(Scene scene)
   if (!(adapt->max_unknowns >= 1)) PetscCall(OptionRaise(&unknowns, "give a number of at least 1"));
   PetscCall(OptionGetInts(&meshes, 1, 1, &adapt->max_meshes));
   if (adapt->max_meshes > MOST_MESHES) PetscCall(OptionRaise(&meshes, "give a number of at most %d", (int)MOST_MESHES));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SceneAdaptDestroy(SceneAdapt *adapt)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt g = 0; g < adapt->num_goals; g++) PetscCall(PetscFree(adapt->goals[g].text));
+  PetscCall(PetscFree(adapt->goals));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

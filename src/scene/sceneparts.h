@@ -34,6 +34,7 @@ const char *UnmodelledFind(const char name[]);
 
 /* sceneadapt.c: before the bodies, whose order it changes. Collective. */
 PetscErrorCode SceneAdaptRead(Scene scene);
+PetscErrorCode SceneAdaptDestroy(SceneAdapt *adapt);
 /* scenestudy.c: before the bodies, whose meshes a study refines. Collective. */
 PetscErrorCode SceneStudyRead(Scene scene);
 /* The orders of a study that names none are those of the bodies; call when they are read. Not collective. */

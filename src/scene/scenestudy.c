@@ -58,8 +58,8 @@ PetscErrorCode SceneStudyRead(Scene scene)
     if (study->num_orders > 1)
       PetscCall(OptionRaise(&kind, "each order has meshes of its own then; give one of -study_orders"));
     if (!levels.set) study->levels = ADAPTIVE_LEVELS;
-    scene->adapt.tolerance = PETSC_SMALL; // the number of meshes ends it
-    scene->adapt.marking   = ADAPTIVE_MARKING;
+    scene->adapt.on      = PETSC_TRUE;
+    scene->adapt.marking = ADAPTIVE_MARKING;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -11,8 +11,7 @@
 /* Relative residual of the system. */
 static const PetscReal REFERENCE_RTOL = 1e-8;
 
-/* Sets the active set of y by eq. 10.1. */
-static PetscErrorCode LinearReferenceTake_Private(VI vi, Vec y, ActiveSet *set)
+PetscErrorCode LinearReferenceSetActive(VI vi, Vec y, ActiveSet *set)
 {
   PetscBool *next;
   PetscReal *values, *forces;
@@ -46,7 +45,7 @@ PetscErrorCode LinearReferenceSolve(const Proximal *proximal, SNES snes, Vec y, 
   *iterations = 0;
   *solved     = PETSC_FALSE;
   PetscCall(ActiveSetCreate(inequality->upper, inequality->A, &set));
-  PetscCall(LinearReferenceTake_Private(inequality->vi, y, &set));
+  PetscCall(LinearReferenceSetActive(inequality->vi, y, &set));
   PetscCall(PDASCreateSolver(snes, &set, inequality->A, inequality->b, REFERENCE_RTOL, &solver, &failure));
   if (!failure) {
     solver->rtol = 0; // only the residual counts here, unlike at the end of an inequality

@@ -18,7 +18,7 @@ PetscErrorCode ProgressWanted(Scene scene, PetscBool *wanted)
   PetscCall(TerminalIsPresent(scene->comm, &terminal));
   /* a study, load steps and adaptive meshes print their own lines */
   *wanted = (PetscBool)(scene->monitor || (terminal && !scene->quiet && scene->study.kind == STUDY_NONE &&
-                                           !scene->steps.num && !(scene->adapt.tolerance > 0)));
+                                           !scene->steps.num && !scene->adapt.on));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

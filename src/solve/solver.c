@@ -167,8 +167,9 @@ PetscErrorCode SolverSolve(Solver solver, Vec guess, Vec y, SolverReport *report
         WarningAdd(&slow, "-pc_type %s may need thousands of iterations for a nearly incompressible body", choice.pc));
   }
   PetscCall(ProgressWanted(scene, &progress));
-  choice.keep  = (PetscBool)(scene->cross_check || (scene->keep && !choice.stop) || scene->adapt.tolerance > 0);
-  choice.again = (PetscBool)(scene->keep && !choice.stop && (!scene->cross_check || SolverChoiceFactors(choice.pc)));
+  choice.keep  = (PetscBool)(scene->cross_check || (scene->keep && !choice.stop) || scene->adapt.on);
+  choice.again = (PetscBool)(((scene->keep && !choice.stop) || scene->adapt.num_goals) &&
+                             (!scene->cross_check || SolverChoiceFactors(choice.pc)));
   PetscCall(SolverRun(solver, &choice, progress, guess, y, report));
   report->gave_way = solver->gave_way;
   if (!report->converged) PetscCall(MeshLevelsDestroy(&solver->levels));
@@ -180,8 +181,7 @@ PetscErrorCode SolverSolve(Solver solver, Vec guess, Vec y, SolverReport *report
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* y without the rigid motion that SolverSolve() adds. [out] own - to be destroyed by the caller */
-static PetscErrorCode SolverSubtractRigid_Private(Solvability solvability, Vec y, Vec *own)
+PetscErrorCode SolverSubtractRigid(Solvability solvability, Vec y, Vec *own)
 {
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(y, own));
@@ -190,8 +190,7 @@ static PetscErrorCode SolverSubtractRigid_Private(Solvability solvability, Vec y
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A new context as for the solution. [in] report - of it, or NULL for any y */
-static PetscErrorCode SolverCreateContext_Private(Solver solver, const SolverReport *report, SolverContext *context)
+PetscErrorCode SolverCreateContext(Solver solver, const SolverReport *report, SolverContext *context)
 {
   SolverChoice choice;
 
@@ -212,8 +211,8 @@ PetscErrorCode SolverBoundError(Solver solver, Vec y, EnergyBound *bound)
   Vec           own;
 
   PetscFunctionBeginUser;
-  PetscCall(SolverSubtractRigid_Private(solver->solvability, y, &own));
-  PetscCall(SolverCreateContext_Private(solver, NULL, &context));
+  PetscCall(SolverSubtractRigid(solver->solvability, y, &own));
+  PetscCall(SolverCreateContext(solver, NULL, &context));
   PetscCall(ErrorBoundCompute(&context.proximal, context.snes, own, bound));
   PetscCall(SolverContextDestroy(&context, own));
   PetscCall(VecDestroy(&own));
@@ -229,11 +228,11 @@ PetscErrorCode SolverSolveLinear(Solver solver, Vec y, SolverReport *report)
   double           start;
 
   PetscFunctionBeginUser;
-  PetscCall(SolverSubtractRigid_Private(solver->solvability, y, &own));
+  PetscCall(SolverSubtractRigid(solver->solvability, y, &own));
   PetscCallMPI(MPI_Barrier(comm));
   LogCount(PETSC_FALSE);
   start = LogWallClock();
-  PetscCall(SolverCreateContext_Private(solver, report, &context));
+  PetscCall(SolverCreateContext(solver, report, &context));
   PetscCall(LinearReferenceSolve(&context.proximal, context.snes, own, &reference->iterations, &reference->done));
   reference->seconds = LogWallClock() - start;
   LogCount(PETSC_TRUE);

@@ -10,25 +10,41 @@
 #include <stdlib.h>
 
 enum {
-  TEXT_LENGTH  = 160,
+  TEXT_LENGTH  = 320,
   FIRST_MESHES = 3 /* as many as a bar needs at least, unless there is nothing to refine */
 };
 
-static const PetscReal EXACT        = 1e-9; /* a relative error that is rounding: the space holds the solution */
-static const PetscReal STALLED      = 0.9;  /* of the error, while unknowns double */
-static const PetscReal KEEP_SECONDS = 5; /* of work that an interruption may lose, and the mesh that is solved then */
+static const PetscReal STALLED      = 0.9; /* of the error, while unknowns double */
+static const PetscReal KEEP_SECONDS = 5;   /* of work that an interruption may lose, and the mesh that is solved then */
 static const PetscReal PERCENT      = 100;
 
 typedef struct {
   Scene       scene; /* borrowed */
   MeshHistory history;
   PetscBool   quiet;
-  PetscReal   kept; /* when files were written last */
+  PetscReal   kept;       /* when files were written last */
+  PetscReal  *indicators; /* of goals on the latest mesh, GoalsSolve() */
+  PetscBool   dual;       /* whether their dual problems are solved */
 } Adaptive;
 
 static const SolvedMesh *AdaptiveGetLast_Private(const Adaptive *adaptive)
 {
   return &adaptive->history.mesh[adaptive->history.num - 1];
+}
+
+/* Whether the energy norm is known as well as is asked for. */
+static PetscBool AdaptiveEnergyIsMet_Private(const Adaptive *adaptive)
+{
+  const PetscReal tolerance = adaptive->scene->adapt.tolerance;
+
+  return (PetscBool)(tolerance == 0 || SolvedMeshGetError(AdaptiveGetLast_Private(adaptive)) <= tolerance);
+}
+
+/* Whether all is known as well as is asked for. */
+static PetscBool AdaptiveIsMet_Private(const Adaptive *adaptive)
+{
+  return (PetscBool)(AdaptiveEnergyIsMet_Private(adaptive) &&
+                     GoalsAreMet(adaptive->scene, AdaptiveGetLast_Private(adaptive)->goals));
 }
 
 /* The order in unknowns in which errors fall: p / dim for the lowest order of the bodies. */
@@ -40,13 +56,20 @@ static PetscReal AdaptiveGetRate_Private(const Scene scene)
   return (PetscReal)order / scene->dim;
 }
 
-/* Unknowns of a mesh with the error that is asked for, as errors fall. */
+/* Unknowns of a mesh with the errors that are asked for, as they fall: bars of goals like the square of the energy norm. */
 static PetscReal AdaptiveForecast_Private(const Adaptive *adaptive)
 {
-  const SolvedMesh *mesh = AdaptiveGetLast_Private(adaptive);
+  const SolvedMesh *mesh  = AdaptiveGetLast_Private(adaptive);
+  const SceneAdapt *plan  = &adaptive->scene->adapt;
+  PetscReal         ratio = plan->tolerance > 0 ? SolvedMeshGetError(mesh) / plan->tolerance : 0;
 
-  return mesh->unknowns * PetscPowReal(SolvedMeshGetError(mesh) / adaptive->scene->adapt.tolerance,
-                                       1 / AdaptiveGetRate_Private(adaptive->scene));
+  for (PetscInt g = 0; g < plan->num_goals; g++) {
+    const GoalState *goal = &mesh->goals[g];
+
+    if (goal->value != 0 && !PetscIsNanReal(goal->bar))
+      ratio = PetscMax(ratio, PetscSqrtReal(goal->bar / PetscAbsReal(goal->value) / plan->goal_tolerance));
+  }
+  return mesh->unknowns * PetscPowReal(ratio, 1 / AdaptiveGetRate_Private(adaptive->scene));
 }
 
 /* Unknowns of the next mesh, as they grew the last time. */
@@ -70,16 +93,19 @@ static PetscErrorCode AdaptivePrintHead_Private(const Adaptive *adaptive, Mesh m
                             scene->dim == 2 ? "quadrilaterals" : "hexahedra",
                             scene->dim == 2 ? "triangles" : "tetrahedra"));
   }
-  PetscCall(PetscPrintf(scene->comm,
-                        "  mesh     cells  unknowns  sets  active  error in energy  potential energy  seconds\n"));
+  PetscCall(
+      PetscPrintf(scene->comm, "  mesh     cells  unknowns  sets  active  error in energy  potential energy  seconds"));
+  for (PetscInt g = 0; g < scene->adapt.num_goals; g++)
+    PetscCall(PetscPrintf(scene->comm, "  %24s", scene->adapt.goals[g].text));
+  PetscCall(PetscPrintf(scene->comm, "\n"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 static PetscErrorCode AdaptivePrint_Private(const Adaptive *adaptive)
 {
-  const MPI_Comm    comm  = adaptive->scene->comm;
-  const SolvedMesh *mesh  = AdaptiveGetLast_Private(adaptive);
-  const PetscReal   error = SolvedMeshGetError(mesh);
+  const MPI_Comm    comm     = adaptive->scene->comm;
+  const SolvedMesh *mesh     = AdaptiveGetLast_Private(adaptive);
+  const PetscReal   expected = AdaptiveForecast_Private(adaptive);
 
   PetscFunctionBeginUser;
   if (adaptive->quiet) PetscFunctionReturn(PETSC_SUCCESS);
@@ -87,44 +113,50 @@ static PetscErrorCode AdaptivePrint_Private(const Adaptive *adaptive)
                         "  %4" PetscInt_FMT " %9" PetscInt_FMT " %9" PetscInt_FMT " %5" PetscInt_FMT "  %6" PetscInt_FMT
                         "  %14.3g%%  %16.10g  %7.2f",
                         adaptive->history.num, mesh->cells, mesh->unknowns, mesh->iterations, mesh->active,
-                        (double)(PERCENT * error), (double)mesh->potential, (double)mesh->seconds));
-  if (error > adaptive->scene->adapt.tolerance)
-    PetscCall(PetscPrintf(comm, "  %.3g%% expected with %.2g unknowns",
-                          (double)(PERCENT * adaptive->scene->adapt.tolerance),
-                          (double)AdaptiveForecast_Private(adaptive)));
+                        (double)(PERCENT * SolvedMeshGetError(mesh)), (double)mesh->potential, (double)mesh->seconds));
+  for (PetscInt g = 0; g < adaptive->scene->adapt.num_goals; g++)
+    PetscCall(PetscPrintf(comm, "  %12.6g +- %7.2g%%", (double)mesh->goals[g].value,
+                          (double)(PERCENT * mesh->goals[g].bar / PetscAbsReal(mesh->goals[g].value))));
+  if (!AdaptiveIsMet_Private(adaptive) && expected > mesh->unknowns)
+    PetscCall(PetscPrintf(comm, "  %.2g unknowns expected to be enough", (double)expected));
   PetscCall(PetscPrintf(comm, "\n"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the estimate has hardly fallen since there were half as many unknowns; the calibration of coarse meshes may leap. */
+/* Whether the estimates have hardly fallen since there were half as many unknowns; the calibration of coarse meshes may leap. */
 static PetscBool AdaptiveIsStalled_Private(const Adaptive *adaptive)
 {
-  const SolvedMesh *mesh = AdaptiveGetLast_Private(adaptive);
+  const SolvedMesh *mesh = AdaptiveGetLast_Private(adaptive), *before;
   PetscInt          k    = adaptive->history.num - 1;
 
   while (k > 0 && 2 * adaptive->history.mesh[k].unknowns > mesh->unknowns) k--;
-  return (PetscBool)(2 * adaptive->history.mesh[k].unknowns <= mesh->unknowns &&
-                     mesh->eta > STALLED * adaptive->history.mesh[k].eta);
+  before = &adaptive->history.mesh[k];
+  if (2 * before->unknowns > mesh->unknowns || mesh->eta <= STALLED * before->eta) return PETSC_FALSE;
+  for (PetscInt g = 0; g < adaptive->scene->adapt.num_goals; g++) {
+    if (mesh->goals[g].product <= STALLED * before->goals[g].product) return PETSC_FALSE;
+  }
+  return PETSC_TRUE;
 }
 
 /* Whether this mesh is the last one. [out] why - "" where the error is small enough [TEXT_LENGTH] */
 static PetscBool AdaptiveIsOver_Private(const Adaptive *adaptive, char why[])
 {
-  const SceneAdapt *plan  = &adaptive->scene->adapt;
-  const SolvedMesh *mesh  = AdaptiveGetLast_Private(adaptive);
-  const PetscReal   error = SolvedMeshGetError(mesh), next = AdaptiveNext_Private(adaptive);
+  const SceneAdapt *plan = &adaptive->scene->adapt;
+  const PetscReal   next = AdaptiveNext_Private(adaptive);
 
   why[0] = '\0';
-  if (!(error > EXACT)) return PETSC_TRUE;
-  if (error <= plan->tolerance && adaptive->history.num >= FIRST_MESHES) return PETSC_TRUE;
-  if (adaptive->history.num >= plan->max_meshes)
+  if (SolvedMeshIsExact(AdaptiveGetLast_Private(adaptive))) return PETSC_TRUE;
+  if (AdaptiveIsMet_Private(adaptive) && adaptive->history.num >= FIRST_MESHES) return PETSC_TRUE;
+  if (!adaptive->dual)
+    (void)snprintf(why, TEXT_LENGTH, "a dual problem was not solved");
+  else if (adaptive->history.num >= plan->max_meshes)
     (void)snprintf(why, TEXT_LENGTH, "-adapt_max_meshes %" PetscInt_FMT " ends the refinement", plan->max_meshes);
   else if (next > plan->max_unknowns)
     (void)snprintf(why, TEXT_LENGTH, "the next mesh would have about %.2g unknowns, -adapt_max_unknowns allows %.3g",
                    (double)next, (double)plan->max_unknowns);
   else if (AdaptiveIsStalled_Private(adaptive))
     (void)snprintf(why, TEXT_LENGTH, "twice the unknowns have hardly lowered it");
-  if (why[0] && error <= plan->tolerance)
+  if (why[0] && AdaptiveIsMet_Private(adaptive))
     why[0] = '\0'; // few meshes, but what was asked for
   else if (!why[0])
     return PETSC_FALSE;
@@ -134,14 +166,34 @@ static PetscBool AdaptiveIsOver_Private(const Adaptive *adaptive, char why[])
 /* Says why the error that is asked for is not reached. [in] why - "" where it is */
 static PetscErrorCode AdaptiveSetVerdict_Private(const Adaptive *adaptive, Run run, const char why[])
 {
+  const Scene       scene = adaptive->scene;
+  const SolvedMesh *mesh  = AdaptiveGetLast_Private(adaptive);
+  const size_t      room  = sizeof(run->report.reason);
+  PetscInt          g     = 0;
+
   PetscFunctionBeginUser;
   if (!why[0]) PetscFunctionReturn(PETSC_SUCCESS);
   run->solved           = PETSC_FALSE;
   run->report.converged = PETSC_FALSE;
-  PetscCall(PetscSNPrintf(run->report.reason, sizeof(run->report.reason),
-                          "the error is about %.2g of the solution in the energy norm, -adapt asks for %g: %s",
-                          (double)SolvedMeshGetError(AdaptiveGetLast_Private(adaptive)),
-                          (double)adaptive->scene->adapt.tolerance, why));
+  if (!AdaptiveEnergyIsMet_Private(adaptive)) {
+    PetscCall(PetscSNPrintf(run->report.reason, room,
+                            "the error is about %.2g of the solution in the energy norm, -adapt asks for %g: %s",
+                            (double)SolvedMeshGetError(mesh), (double)scene->adapt.tolerance, why));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  while (g < scene->adapt.num_goals && GoalIsMet(scene, &mesh->goals[g])) g++;
+  if (g == scene->adapt.num_goals) {
+    PetscCall(PetscSNPrintf(run->report.reason, room, "%s", why));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  if (PetscIsNanReal(mesh->goals[g].bar))
+    PetscCall(PetscSNPrintf(run->report.reason, room, "%s has no error bar%s: %s", scene->adapt.goals[g].text,
+                            scene->adapt.goals[g].kind == GOAL_PRESSURE ? ", it may grow without limit" : "", why));
+  else
+    PetscCall(PetscSNPrintf(
+        run->report.reason, room, "%s = %.6g is known to about %.2g of itself, -adapt_goal_tolerance asks for %g: %s",
+        scene->adapt.goals[g].text, (double)mesh->goals[g].value,
+        (double)(mesh->goals[g].bar / PetscAbsReal(mesh->goals[g].value)), (double)scene->adapt.goal_tolerance, why));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -187,12 +239,10 @@ static PetscErrorCode AdaptiveKeep_Private(Adaptive *adaptive, Run run)
   PetscCall(OutputFinish(&output));
   AdaptiveSetInterruptSentence_Private(adaptive, PETSC_TRUE);
   InterruptRelease();
-  cJSON_Delete(run->estimate);
-  cJSON_Delete(run->bars);
-  run->estimate = run->bars = NULL;
-  run->solved               = PETSC_TRUE;
-  run->report               = report;
-  adaptive->kept            = LogWallClock();
+  RunForgetBlocks(run);
+  run->solved    = PETSC_TRUE;
+  run->report    = report;
+  adaptive->kept = LogWallClock();
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -204,8 +254,14 @@ static PetscErrorCode AdaptiveRefine_Private(const Adaptive *adaptive, Mesh mesh
   Estimate       estimate;
 
   PetscFunctionBeginUser;
-  PetscCall(EstimateGet(run->fields, &estimate));
-  PetscCall(MarkingCreate(&mesh->levels[level], estimate, adaptive->scene->adapt.marking, &marked));
+  if (adaptive->scene->adapt.num_goals) {
+    const PetscBool energy = (PetscBool)!AdaptiveEnergyIsMet_Private(adaptive);
+
+    PetscCall(GoalsMark(run, energy, AdaptiveGetLast_Private(adaptive)->goals, adaptive->indicators, &marked));
+  } else {
+    PetscCall(EstimateGet(run->fields, &estimate));
+    PetscCall(MarkingCreate(&mesh->levels[level], estimate, adaptive->scene->adapt.marking, &marked));
+  }
   PetscCall(LogStageBegin(STAGE_SETUP));
   PetscCall(MeshAdapt(mesh, marked));
   PetscCall(PromotionApply(mesh, level, level + 1, run->fields->u, guess));
@@ -214,9 +270,26 @@ static PetscErrorCode AdaptiveRefine_Private(const Adaptive *adaptive, Mesh mesh
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Remembers what a run tells of its mesh. Collective. [in] begin - of the work on that mesh */
+static PetscErrorCode AdaptiveAdd_Private(Adaptive *adaptive, Run run, PetscReal begin)
+{
+  SolvedMesh *mesh;
+
+  PetscFunctionBeginUser;
+  PetscCall(MeshHistoryAdd(&adaptive->history, run, LogWallClock() - begin));
+  if (!adaptive->scene->adapt.num_goals) PetscFunctionReturn(PETSC_SUCCESS);
+  mesh = &adaptive->history.mesh[adaptive->history.num - 1];
+  PetscCall(PetscFree(adaptive->indicators));
+  PetscCall(PetscMalloc1(adaptive->scene->adapt.num_goals, &mesh->goals));
+  PetscCall(GoalsSolve(run, mesh->goals, &adaptive->indicators, &adaptive->dual));
+  PetscCall(MeshHistoryDescribe(&adaptive->history, run)); // the bars of goals decide
+  mesh->seconds = LogWallClock() - begin;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode AdaptiveRun(Scene scene, Mesh mesh, Vec guess, Run *run)
 {
-  Adaptive  adaptive = {.scene = scene, .kept = LogWallClock()};
+  Adaptive  adaptive = {.scene = scene, .kept = LogWallClock(), .dual = PETSC_TRUE};
   PetscReal begin    = LogWallClock();
   char      why[TEXT_LENGTH];
   Vec       own = NULL;
@@ -232,7 +305,7 @@ PetscErrorCode AdaptiveRun(Scene scene, Mesh mesh, Vec guess, Run *run)
     scene->view = PETSC_FALSE; // of the first mesh only
     PetscCall(VecDestroy(&own));
     if (!(*run)->solved) break;
-    PetscCall(MeshHistoryAdd(&adaptive.history, *run, LogWallClock() - begin));
+    PetscCall(AdaptiveAdd_Private(&adaptive, *run, begin));
     PetscCall(AdaptivePrint_Private(&adaptive));
     begin = LogWallClock();
     if (AdaptiveIsOver_Private(&adaptive, why)) {
@@ -246,6 +319,7 @@ PetscErrorCode AdaptiveRun(Scene scene, Mesh mesh, Vec guess, Run *run)
   WarningRelease();
   InterruptSetSentence("");
   PetscCall(InterruptEnd());
+  PetscCall(PetscFree(adaptive.indicators));
   PetscCall(MeshHistoryDestroy(&adaptive.history));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

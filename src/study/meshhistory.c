@@ -8,6 +8,8 @@
 
 enum { FIRST_ROOM = 8 };
 
+static const PetscReal EXACT = 1e-9; /* a relative error that is rounding: the space holds the solution */
+
 PetscReal SolvedMeshGetError(const SolvedMesh *mesh)
 {
   return mesh->norm > 0 ? mesh->theta * mesh->eta / PetscSqrtReal(mesh->norm) : 0;
@@ -66,14 +68,41 @@ PetscErrorCode MeshHistoryAdd(MeshHistory *history, Run run, PetscReal seconds)
 PetscErrorCode MeshHistoryDestroy(MeshHistory *history)
 {
   PetscFunctionBeginUser;
-  for (PetscInt k = 0; k < history->num; k++) cJSON_Delete(history->mesh[k].row);
+  for (PetscInt k = 0; k < history->num; k++) {
+    cJSON_Delete(history->mesh[k].row);
+    PetscCall(PetscFree(history->mesh[k].goals));
+  }
   PetscCall(PetscFree(history->mesh));
   history->num = history->max = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscBool SolvedMeshIsExact(const SolvedMesh *mesh)
+{
+  return (PetscBool) !(SolvedMeshGetError(mesh) > EXACT);
+}
+
+/* "goals": what each of them is on a mesh. [in] named - whether with the text of the option, and whether it is met */
+static void MeshHistoryAddGoals_Private(const Scene scene, const SolvedMesh *mesh, PetscBool named, cJSON *to)
+{
+  cJSON *goals;
+
+  if (!mesh->goals) return;
+  goals = cJSON_AddArrayToObject(to, "goals");
+  for (PetscInt g = 0; g < scene->adapt.num_goals; g++) {
+    cJSON *item = cJSON_CreateObject();
+
+    if (named) cJSON_AddStringToObject(item, "goal", scene->adapt.goals[g].text);
+    JSONAddReal(item, "value", mesh->goals[g].value);
+    JSONAddReal(item, "bar", mesh->goals[g].bar);
+    JSONAddReal(item, "dual_estimate", mesh->goals[g].product);
+    if (named) cJSON_AddBoolToObject(item, "met", SolvedMeshIsExact(mesh) || GoalIsMet(scene, &mesh->goals[g]));
+    cJSON_AddItemToArray(goals, item);
+  }
+}
+
 /* The summary's block "estimate". */
-static cJSON *MeshHistoryCreateEstimate_Private(const MeshHistory *history)
+static cJSON *MeshHistoryCreateEstimate_Private(const MeshHistory *history, const Scene scene)
 {
   const SolvedMesh *last  = &history->mesh[history->num - 1];
   const PetscReal   error = last->theta * last->eta;
@@ -85,6 +114,7 @@ static cJSON *MeshHistoryCreateEstimate_Private(const MeshHistory *history)
   potential = cJSON_AddObjectToObject(root, "potential");
   JSONAddReal(potential, "value", last->potential - (PetscSqr(error) + last->signs) / 2);
   JSONAddReal(potential, "bar", PetscSqr(error) / 3);
+  MeshHistoryAddGoals_Private(scene, last, PETSC_TRUE, root);
   meshes = cJSON_AddArrayToObject(root, "meshes");
   for (PetscInt k = 0; k < history->num; k++) {
     const SolvedMesh *mesh = &history->mesh[k];
@@ -98,6 +128,7 @@ static cJSON *MeshHistoryCreateEstimate_Private(const MeshHistory *history)
     JSONAddInt(item, "iterations", mesh->iterations);
     JSONAddInt(item, "active", mesh->active);
     JSONAddReal(item, "seconds", mesh->seconds);
+    MeshHistoryAddGoals_Private(scene, mesh, PETSC_FALSE, item);
     cJSON_AddItemToArray(meshes, item);
   }
   return root;
@@ -120,9 +151,11 @@ PetscErrorCode MeshHistoryDescribe(const MeshHistory *history, Run run)
     meshes[k] = (BarMesh){.row = history->mesh[k].row, .eta = history->mesh[k].eta};
   sequence.mesh = meshes;
   PetscCall(BarFloorsCreate(run->fields, &floors));
+  RunForgetBlocks(run);
   PetscCall(BarsCreate(&sequence, &run->bars));
+  if (last->goals) PetscCall(GoalsRaiseBars(run->scene, last->row, run->bars, last->goals));
   PetscCall(BarFloorsDestroy(&floors));
   PetscCall(PetscFree(meshes));
-  run->estimate = MeshHistoryCreateEstimate_Private(history);
+  run->estimate = MeshHistoryCreateEstimate_Private(history, run->scene);
   PetscFunctionReturn(PETSC_SUCCESS);
 }

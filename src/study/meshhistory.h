@@ -2,13 +2,14 @@
 #ifndef MORTISE_MESHHISTORY_H
 #define MORTISE_MESHHISTORY_H
 
-#include "study/run.h"
+#include "study/goals.h"
 
 /* One mesh. */
 typedef struct {
-  PetscInt  cells, unknowns, iterations, active;
-  PetscReal eta, theta, norm, potential, signs, seconds; /* estimate, calibration, |u|_a^2, J_h, L (eqs. 15.3, 15.4) */
-  cJSON    *row;                                         /* of SummaryCreateStep() */
+  PetscInt   cells, unknowns, iterations, active;
+  PetscReal  eta, theta, norm, potential, signs, seconds; /* estimate, calibration, |u|_a^2, J_h, L (eqs. 15.3, 15.4) */
+  cJSON     *row;                                         /* of SummaryCreateStep() */
+  GoalState *goals;                                       /* [scene->adapt.num_goals], or NULL */
 } SolvedMesh;
 
 /* All of them, coarse first; empty where it is zero. */
@@ -22,7 +23,10 @@ PetscErrorCode MeshHistoryAdd(MeshHistory *history, Run run, PetscReal seconds);
 PetscErrorCode MeshHistoryDestroy(MeshHistory *history);
 /* The calibrated estimate of the error in the energy norm, over the norm of the solution; 0 where there is none. Not collective. */
 PetscReal SolvedMeshGetError(const SolvedMesh *mesh);
-/* Gives a run the blocks "estimate" and "bars" of its summary. Collective. [in,out] run - that of the latest mesh */
+/* Whether that is rounding: the space holds the solution. Not collective. */
+PetscBool SolvedMeshIsExact(const SolvedMesh *mesh);
+/* Gives a run the blocks "estimate" and "bars" of its summary, in place of those that it has, and the goals of the latest mesh their bars. Collective.
+   [in,out] run - that of the latest mesh */
 PetscErrorCode MeshHistoryDescribe(const MeshHistory *history, Run run);
 
 #endif

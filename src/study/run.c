@@ -295,14 +295,20 @@ PetscErrorCode RunExtend(Vec guess, Run *run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+void RunForgetBlocks(Run run)
+{
+  cJSON_Delete(run->estimate);
+  cJSON_Delete(run->bars);
+  run->estimate = run->bars = NULL;
+}
+
 PetscErrorCode RunDestroy(Run *run)
 {
   PetscFunctionBeginUser;
   if (!*run) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(RunForget_Private(*run));
   for (int i = 0; i < 2; i++) PetscCall(VecDestroy(&(*run)->past[i].u));
-  cJSON_Delete((*run)->estimate);
-  cJSON_Delete((*run)->bars);
+  RunForgetBlocks(*run);
   PetscCall(SetupCheckDestroy(&(*run)->setup));
   PetscCall(PetscFree((*run)->inf_sup));
   if ((*run)->solver) PetscCall(SolverDestroy(&(*run)->solver));

@@ -48,6 +48,8 @@ PetscErrorCode RunExtend(Vec guess, Run *run);
    levels and contact stay as far as scene->changed allows. Where -<pair>_reach turns out too small, or the stiffness changes, it is
    RunCreate(). Collective. [in] guess - displacement to begin with; NULL: extrapolated from the last solutions; [in,out] run */
 PetscErrorCode RunAdvance(Vec guess, Run *run);
+/* Drops the blocks "estimate" and "bars". Not collective. */
+void RunForgetBlocks(Run run);
 /* What the summary tells of; borrows from the run. Not collective. */
 SummaryInput RunSummary(Run run);
 

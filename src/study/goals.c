@@ -1,0 +1,142 @@
+/* goals.c -- dual solutions, and marking for them [1].
+
+   [1] Becker, Estecahandy, Trujillo, Weighted marking for goal-oriented adaptive finite element methods, 2011. */
+#include "study/goals.h"
+#include "base/compat.h"
+#include "base/json.h"
+#include "result/goal.h"
+#include "solve/dualsolve.h"
+#include "study/marking.h"
+#include <math.h>
+#include <stdlib.h>
+
+/* Right-hand sides of all goals, solved together. [out] goal - to be freed by GoalDestroy() [num]; [out] z - VecDestroyVecs() */
+static PetscErrorCode GoalsSolveDual_Private(Run run, Goal goal[], Vec **z, PetscBool *solved)
+{
+  const Scene    scene = run->scene;
+  const PetscInt num   = scene->adapt.num_goals;
+  Vec           *b;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicateVecs(run->y, num, &b));
+  PetscCall(VecDuplicateVecs(run->y, num, z));
+  for (PetscInt g = 0; g < num; g++) {
+    PetscCall(GoalCreate(run->fields, &scene->adapt.goals[g], &goal[g]));
+    PetscCall(GoalLoad(&goal[g], b[g]));
+  }
+  PetscCall(DualSolve(run->solver, &run->report, run->y, num, b, *z, solved));
+  PetscCall(VecDestroyVecs(num, &b));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode GoalsSolve(Run run, GoalState states[], PetscReal **indicators, PetscBool *solved)
+{
+  const PetscInt num = run->scene->adapt.num_goals, cells = run->vi->level->num_cells;
+  Estimate       primal, dual;
+  Goal          *goal;
+  Vec           *z;
+
+  PetscFunctionBeginUser;
+  PetscCall(EstimateGet(run->fields, &primal));
+  PetscCall(PetscMalloc1(num, &goal));
+  PetscCall(PetscMalloc1(num * cells, indicators));
+  PetscCall(GoalsSolveDual_Private(run, goal, &z, solved));
+  for (PetscInt g = 0; g < num; g++) {
+    PetscReal *own = &(*indicators)[g * cells];
+
+    PetscCall(GoalEstimate(&goal[g], z[g], &dual));
+    states[g] = (GoalState){.bar = NAN, .value = NAN, .body = goal[g].body};
+    PetscCall(PetscArraycpy(states[g].at, goal[g].at, 3));
+    for (PetscInt c = 0; c < cells; c++) {
+      states[g].product += PetscSqrtReal(primal->cell[c] * dual->cell[c]);
+      own[c] = (primal->squared > 0 ? primal->cell[c] / primal->squared : 0) +
+               (dual->squared > 0 ? dual->cell[c] / dual->squared : 0);
+    }
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &states[g].product, 1, MPIU_REAL, MPI_SUM, run->scene->comm));
+    PetscCall(EstimateDestroy(&dual));
+    PetscCall(GoalDestroy(&goal[g]));
+  }
+  PetscCall(VecDestroyVecs(num, &z));
+  PetscCall(PetscFree(goal));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Where the number of a goal stands in a block of the summary. [out] section - its object, or NULL; [out] key */
+static cJSON *GoalsFind_Private(const Scene scene, const SceneGoal *goal, const cJSON *block, const char **key)
+{
+  const PetscBool probe = (PetscBool)(goal->kind == GOAL_PROBE);
+  const char     *name  = probe ? scene->probes[goal->owner].name : scene->pairs[goal->owner].name;
+
+  *key = probe ? "von_mises" : goal->kind == GOAL_FORCE ? "normal_force" : "max_pressure";
+  return cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(block, probe ? "probes" : "pairs"), name);
+}
+
+/* Numbers are kept as text; NAN where there is none. */
+static PetscReal GoalsRead_Private(const cJSON *object, const char key[])
+{
+  const cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
+
+  return cJSON_IsRaw(item) ? (PetscReal)strtod(item->valuestring, NULL) : (PetscReal)NAN;
+}
+
+PetscErrorCode GoalsRaiseBars(Scene scene, const cJSON *row, cJSON *bars, GoalState states[])
+{
+  PetscFunctionBeginUser;
+  for (PetscInt g = 0; g < scene->adapt.num_goals; g++) {
+    const SceneGoal *goal = &scene->adapt.goals[g];
+    const char      *key;
+    cJSON           *object = GoalsFind_Private(scene, goal, bars, &key);
+    const PetscReal  bar    = GoalsRead_Private(object, key);
+
+    states[g].value = GoalsRead_Private(GoalsFind_Private(scene, goal, row, &key), key);
+    states[g].bar   = PetscIsNanReal(bar) ? bar : PetscMax(bar, states[g].product);
+    cJSON_DeleteItemFromObjectCaseSensitive(object, key);
+    JSONAddReal(object, key, states[g].bar);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscBool GoalIsMet(Scene scene, const GoalState *state)
+{
+  return (PetscBool)(state->bar <= scene->adapt.goal_tolerance * PetscAbsReal(state->value));
+}
+
+PetscBool GoalsAreMet(Scene scene, const GoalState states[])
+{
+  for (PetscInt g = 0; g < scene->adapt.num_goals; g++) {
+    if (!GoalIsMet(scene, &states[g])) return PETSC_FALSE;
+  }
+  return PETSC_TRUE;
+}
+
+PetscErrorCode GoalsMark(Run run, PetscBool energy, const GoalState states[], const PetscReal indicators[],
+                         PetscBool **marked)
+{
+  const Scene        scene = run->scene;
+  const PetscInt     cells = run->vi->level->num_cells;
+  const PetscBool    all   = (PetscBool)(!energy && GoalsAreMet(scene, states));
+  struct _n_Estimate sum   = {.squared = 0};
+  Estimate           primal;
+
+  PetscFunctionBeginUser;
+  PetscCall(EstimateGet(run->fields, &primal));
+  PetscCall(PetscCalloc1(cells, &sum.cell));
+  for (PetscInt c = 0; c < cells; c++) {
+    if (energy) sum.cell[c] = primal->cell[c] / primal->squared;
+    for (PetscInt g = 0; g < scene->adapt.num_goals; g++) {
+      if (all || !GoalIsMet(scene, &states[g])) sum.cell[c] += indicators[g * cells + c];
+    }
+    sum.squared += sum.cell[c];
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &sum.squared, 1, MPIU_REAL, MPI_SUM, scene->comm));
+  PetscCall(MarkingCreate(run->vi->level, &sum, scene->adapt.marking, marked));
+  PetscCall(PetscFree(sum.cell));
+  for (PetscInt g = 0; g < scene->adapt.num_goals; g++) {
+    const GoalState *state = &states[g];
+    const PetscReal  limit = scene->adapt.goal_tolerance * PetscAbsReal(state->value);
+
+    if (state->body >= 0 && state->product <= limit && state->bar > limit)
+      PetscCall(GoalMarkPlace(run->vi->level, state->body, state->at, *marked));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
