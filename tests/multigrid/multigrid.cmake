@@ -55,7 +55,7 @@ mortise_scene_test(stop SCENE two_plates CHECK stop.py RANKS 1 3 LABELS mpi ARGS
 mortise_scene_test(stop_apart SCENE two_plates CHECK stop_apart.py LABELS mpi ARGS ${plane_coarse} -dm_refine 2 -joint_gap 0.1 -stop discretisation)
 
 # --- the second opinion ---
-mortise_scene_test(opinion       SCENE two_plates CHECK opinion.py RANKS 1 3 LABELS mpi ARGS ${plane_coarse} -pc_type truncatedmg -cross_check -dm_refine 2)
+mortise_scene_test(opinion       SCENE two_plates CHECK opinion.py ARGS ${plane_coarse} -pc_type truncatedmg -cross_check -dm_refine 2)
 mortise_scene_test(opinion_solid SCENE blocks CHECK opinion.py LABELS mpi ARGS ${solid_coarse} -pc_type truncatedmg -cross_check)
 mortise_scene_test(opinion_long  SCENE parabola CHECK opinion.py LABELS mpi ARGS -block_dm_plex_box_faces 16,8 -dm_refine 1 -pc_type truncatedmg -cross_check)
 mortise_scene_test(opinion_free  SCENE stack CHECK opinion.py LABELS mpi ARGS -dm_refine 1 -pc_type truncatedmg -cross_check)
@@ -69,7 +69,7 @@ mortise_scene_test(growth       SCENE two_plates CHECK growth.py ARGS -upper_dm_
 mortise_scene_test(growth_solid SCENE blocks CHECK growth.py)
 mortise_scene_test(afar         CHECK afar.py ARGS -pc_type truncatedmg)
 mortise_scene_test(afar_quadratic SCENE afar CHECK afar.py ARGS -pc_type truncatedmg -order 2)
-mortise_scene_test(sets         SCENE blocks CHECK sets.py RANKS 1 3 LABELS mpi)
+mortise_scene_test(sets         SCENE blocks CHECK sets.py)
 mortise_scene_test(wander       CHECK wander.py ARGS -pc_type truncatedmg)
 mortise_scene_test(zigzag       SCENE blocks CHECK zigzag.py ARGS -dm_refine 2 -upper_young 2e12 -pc_type truncatedmg)
 mortise_scene_test(dealt        CHECK dealt.py ONLY_RANKS "it is with five ranks that one loses its bundles" RANKS 5 LABELS mpi ARGS -pc_type cholesky -dm_refine 3)

@@ -7,7 +7,7 @@ import random
 
 from compare import RELATIVE, same_tables
 from independent import Scene, Solution
-from judge import Run
+from judge import LONG, Run
 
 COUNT = 12  # scenes of one test
 CURVED = 1e-6  # where sides are curved or cells stretched, integrals are not exact: 6 Gauss points on a piece, 8 in independent.py
@@ -65,10 +65,11 @@ def tolerance_of(options):
     return CURVED if any(name.endswith("_map") and text != "x, y" for name, text in options.items()) else RELATIVE
 
 
-def judge(run, options_of=options_of, tolerance_of=tolerance_of):  # pylint: disable=redefined-outer-name
-    """[in] options_of - number -> {option: text}; tolerance_of - of such a scene, relative"""
+def judge(run, options_of=options_of, tolerance_of=tolerance_of, every=1):  # pylint: disable=redefined-outer-name
+    """[in] options_of - number -> {option: text}; tolerance_of - of such a scene, relative; every - so many of them, one is taken on several
+    ranks, but for the long run"""
     first = int(run.arguments[run.arguments.index("-title") + 1].split()[-1])  # "Random scenes from 24"
-    for number in range(first, first + COUNT):
+    for number in range(first, first + COUNT, 1 if LONG or run.ranks == 1 else every):
         options = options_of(number)
         path = run.folder / f"scene{number}.opts"
         path.write_text("".join(f'-{name} "{text}"\n' for name, text in options.items()))
