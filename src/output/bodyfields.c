@@ -170,6 +170,35 @@ static PetscErrorCode BodyFieldsWriteStress_Private(FieldWriter *writer, Fields 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Temperatures at this rank's points, where a body has any; others are as they are without stress. */
+static PetscErrorCode BodyFieldsWriteTemperature_Private(FieldWriter *writer, Fields fields)
+{
+  const Scene          scene = fields->vi->scene;
+  const Level         *level = fields->vi->level;
+  const NodeMaterials *at    = &fields->stress.at;
+  const PetscInt       num   = scene->num_bodies + scene->num_regions;
+  PetscBool            any   = PETSC_FALSE;
+  PetscReal           *value;
+
+  PetscFunctionBeginUser;
+  for (PetscInt m = 0; m < num; m++) any = (PetscBool)(any || SceneGetMaterial(scene, m)->temperature);
+  if (!any) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(writer->num_mine, &value));
+  for (PetscInt a = 0, point = 0; a < level->num_owned; a++) {
+    for (PetscInt i = 0; i < NodeMaterialsCount(at, a); i++, point++) {
+      const Expression temperature =
+          SceneGetMaterial(scene, at->start ? at->material[at->start[a] + i] : level->node_body[a])->temperature;
+
+      value[point] = 0;
+      if (temperature)
+        PetscCall(ExpressionEvaluate(temperature, level->dim, &level->coords[a * level->dim], &value[point]));
+    }
+  }
+  PetscCall(FieldWriterPointValues(writer, (Quantity){"temperature", 1, PETSC_FALSE}, value));
+  PetscCall(PetscFree(value));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Where the error is. */
 static PetscErrorCode BodyFieldsWriteEstimate_Private(FieldWriter *writer, Fields fields)
 {
@@ -254,6 +283,7 @@ PetscErrorCode BodyFieldsWrite(FieldWriter *writer, Fields fields)
   PetscCall(VecRestoreArrayRead(fields->u, &u));
   PetscCall(BodyFieldsWriteStress_Private(writer, fields));
   PetscCall(BodyFieldsWriteContact_Private(writer, fields));
+  PetscCall(BodyFieldsWriteTemperature_Private(writer, fields));
   PetscCall(BodyFieldsWriteEstimate_Private(writer, fields));
   PetscCall(BodyFieldsWriteCells_Private(writer, fields->vi, tags));
   PetscCall(PetscFree(tags));

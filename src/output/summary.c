@@ -138,10 +138,10 @@ static void SummaryAddSide_Private(const SummaryInput *in, cJSON *object, const 
 /* What the numbers are in, or null. */
 static void SummaryAddUnits_Private(Scene scene, cJSON *object)
 {
-  static const char *const names[] = {"length", "force", "stress"};
+  static const char *const names[] = {"length", "force", "stress", "temperature"};
   cJSON                   *units   = scene->units[0] ? cJSON_CreateObject() : cJSON_CreateNull();
 
-  for (PetscInt i = 0; i < 3 && scene->units[0]; i++) cJSON_AddStringToObject(units, names[i], scene->units[i]);
+  for (PetscInt i = 0; i < 4 && scene->units[i]; i++) cJSON_AddStringToObject(units, names[i], scene->units[i]);
   cJSON_AddItemToObject(object, "units", units);
 }
 

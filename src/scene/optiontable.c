@@ -39,8 +39,9 @@ static const OptionEntry table[] = {
      "Options that nothing reads give a warning instead of ending the run."},
 
     {GROUP_SCENE, "-title", "text", "", "(empty)", "Free text that goes into every result."},
-    {GROUP_SCENE, "-units", "length,force,stress", "", "(no units)",
-     "Names of the units in which the numbers are, such as mm,N,MPa: they label pictures and pages. Nothing is "
+    {GROUP_SCENE, "-units", "length,force,stress,temperature", "", "(no units)",
+     "Names of the units in which the numbers are, such as mm,N,MPa or mm,N,MPa,K: they label pictures and pages. "
+     "Nothing is "
      "converted."},
     {GROUP_SCENE, "-model", "plane_strain|plane_stress|axisymmetric|solid", "",
      "(plane_strain, or solid where bodies have three dimensions)",

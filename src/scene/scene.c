@@ -217,7 +217,7 @@ PetscErrorCode SceneDestroy(Scene *scene)
   PetscCall(PetscFree((*scene)->probes));
   PetscCall(PetscFree((*scene)->paths));
   PetscCall(PetscFree((*scene)->title));
-  for (PetscInt i = 0; i < 3; i++) PetscCall(PetscFree((*scene)->units[i]));
+  for (PetscInt i = 0; i < 4; i++) PetscCall(PetscFree((*scene)->units[i]));
   PetscCall(PetscFree((*scene)->unread));
   PetscCall(PetscFree((*scene)->output));
   PetscCall(PetscFree((*scene)->summary));

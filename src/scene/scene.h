@@ -208,17 +208,17 @@ typedef struct {
 } SceneAdapt;
 
 struct _n_Scene {
-  MPI_Comm     comm;
-  char        *title;    /* "" where none was given */
-  char        *units[3]; /* names of the units of length, force and stress, or NULL where none were given */
-  PetscInt     dim;
-  char        *unread; /* what to say of data of a solid where a mesh file alone makes the scene a plane one, or NULL */
-  ModelKind    model;
-  PetscReal    thickness;
-  PetscInt     refine; /* common refinements: the levels */
-  SceneLevels  levels; /* whether a solver may need more of them */
-  PetscInt     num_bodies, num_regions, num_pairs, num_probes, num_paths;
-  SceneBody   *bodies;
+  MPI_Comm    comm;
+  char       *title;    /* "" where none was given */
+  char       *units[4]; /* names of the units of length, force, stress and temperature, or NULL where none were given */
+  PetscInt    dim;
+  char       *unread; /* what to say of data of a solid where a mesh file alone makes the scene a plane one, or NULL */
+  ModelKind   model;
+  PetscReal   thickness;
+  PetscInt    refine; /* common refinements: the levels */
+  SceneLevels levels; /* whether a solver may need more of them */
+  PetscInt    num_bodies, num_regions, num_pairs, num_probes, num_paths;
+  SceneBody  *bodies;
   SceneRegion *regions; /* body after body [num_regions] */
   ScenePair   *pairs;
   SceneProbe  *probes;

@@ -1,9 +1,13 @@
-/* sceneunits.c -- names of the units of length, force and stress, which label results. Numbers are never converted. */
+/* sceneunits.c -- names of the units of length, force, stress and temperature, which label results. Numbers are never converted. */
 #include "scene/sceneparts.h"
 #include <math.h>
 #include <string.h>
 
-enum { UNITS_COUNT = 3, UNITS_LONGEST = 15 }; /* names; bytes of one */
+enum {
+  UNITS_NEEDED  = 3,
+  UNITS_MOST    = 4,
+  UNITS_LONGEST = 15
+}; /* names: without and with that of temperature; bytes of one */
 
 static const PetscReal UNITS_AGREE =
     1e-3; /* relative: names of units that fit differ by rounding, others by a factor */
@@ -73,13 +77,13 @@ PetscErrorCode SceneUnitsRead(Scene scene)
   PetscCall(OptionFind(scene, "-units", NULL, NULL, &units));
   if (!units.set) PetscFunctionReturn(PETSC_SUCCESS);
   num = OptionCountItems(&units);
-  if (num != UNITS_COUNT) {
+  if (num < UNITS_NEEDED || num > UNITS_MOST) {
     PetscCall(OptionRaise(&units,
                           "%" PetscInt_FMT " %s given, 3 wanted: the units of length, force and stress, such as "
-                          "mm,N,MPa",
+                          "mm,N,MPa; and that of temperature where there is one, such as mm,N,MPa,K",
                           num, num == 1 ? "name" : "names"));
   }
-  for (PetscInt i = 0; i < UNITS_COUNT; i++) {
+  for (PetscInt i = 0; i < num; i++) {
     PetscCall(OptionNextItem(&units, &cursor, name));
     if (strlen(name) > UNITS_LONGEST) {
       PetscCall(OptionRaise(&units, "'%.40s' is no name of a unit; names of units have at most %d bytes", name,

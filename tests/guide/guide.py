@@ -77,7 +77,7 @@ SCENES = {
                "-probe_p_at", "0.5,0.5"],
     "stopped": ["-options_file", "options/two_plates.opts", "-pc_type", "truncatedmg", "-dm_refine", "1", "-stop", "discretisation", "-infsup"],
     "refused": ["-options_file", "options/overhang.opts", "-block_bc_traction", "left", "-block_bc_traction_left", "0.1,0"],
-    "floating": ["-options_file", "options/stack.opts", "-units", "mm,N,MPa"],
+    "floating": ["-options_file", "options/stack.opts", "-units", "mm,N,MPa,K"],
     "checked": ["-options_file", "options/two_plates.opts", "-check"],
     "regions": ["-options_file", "options/lined_hub.opts"],
     "pieces": ["-options_file", "tests/hard/pieces.opts"],

@@ -58,3 +58,5 @@ def judge(run):
         judge_mistakes(run)
     plain = run.again("-units", "a,b,c", name="plain")  # names that nobody knows are taken as they are
     same("unknown units", plain.summary["scene"]["units"], {"length": "a", "force": "b", "stress": "c"})
+    fourth = run.again("-units", "a,b,c,K", name="fourth")
+    same("unit of temperature", fourth.summary["scene"]["units"], {"length": "a", "force": "b", "stress": "c", "temperature": "K"})

@@ -11,6 +11,7 @@ mortise_scene_test(paths_solid SCENE patch3d CHECK paths.py RANKS 1 2
   ARGS -paths line -path_line_from 0.2,0.3,-0.1 -path_line_to 0.6,0.5,0.7 -path_line_points 9 -path_line_body upper)
 
 mortise_scene_test(colours SCENE patch2d CHECK colours.py)
+mortise_scene_test(temperature SCENE thermal_fit CHECK temperature.py)
 mortise_scene_test(view SCENE below CHECK view.py)
 mortise_scene_test(tidy_bolt SCENE bolt_quarter CHECK tidy.py)
 mortise_scene_test(tidy_fixture SCENE fixture CHECK tidy.py)
