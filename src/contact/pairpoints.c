@@ -1,6 +1,8 @@
 /* pairpoints.c -- a list of points that grows facet by facet. */
 #include "base/compat.h"
+#include "contact/leverarm.h"
 #include "contact/pairpoints.h"
+#include "kernel/vector.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES, START_POINTS = 64 };
 
@@ -79,4 +81,21 @@ PetscErrorCode PairPointsFetch(PairPoints points, Vec v, PetscInt bs, PetscReal 
   }
   PetscCall(PetscFree2(nodes, fetched));
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void PairPointTakeArm(PairPoints points, const Level *level, const PairPoint *point, const PetscReal X[],
+                      const PetscReal u[], PetscReal jump[])
+{
+  const PetscInt    dim  = level->dim;
+  const ElementType type = points->facets.type[point->facet], other = points->type[point->mortar];
+  const ClipPoint   at = {.xi = {point->xi[0], point->xi[1]}, .eta = {point->eta[0], point->eta[1]}};
+  PetscReal         own[3 * F], blocks[3 * 3 * F];
+  const ClipFacet   facet = {.type = type, .X = own}, mortar = {.type = other, .X = &X[point->mortar * F * dim]};
+
+  ContactFacetCoordinates(level, &points->facets, point->facet, own);
+  if (!LeverArmAtPoint(dim, &facet, &mortar, &at, ContactFacetSize(dim, type, own), blocks)) return;
+  for (PetscInt i = 0; i < ElementNumNodes(other); i++) {
+    for (PetscInt k = 0; k < dim; k++)
+      jump[k] -= VectorDot(dim, &blocks[(i * dim + k) * dim], &u[(point->mortar * F + i) * dim]);
+  }
 }

@@ -39,5 +39,9 @@ PetscErrorCode PairPointsDestroy(PairPoints *points);
 /* Values of the nodes of mortar facets. Collective. [in] v - bs per node, as of LevelCreateVec();
    [out] values - owned by the caller [num_mortar][ELEMENT_MAX_FACET_NODES][bs] */
 PetscErrorCode PairPointsFetch(PairPoints points, Vec v, PetscInt bs, PetscReal **values);
+/* Takes from a jump what the arm of a tie adds to it (eq. 5.4). Not collective. [in] X, u - places and displacements of PairPointsFetch();
+   [in,out] jump - [dim] */
+void PairPointTakeArm(PairPoints points, const Level *level, const PairPoint *point, const PetscReal X[],
+                      const PetscReal u[], PetscReal jump[]);
 
 #endif

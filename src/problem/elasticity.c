@@ -43,9 +43,10 @@ PetscErrorCode ElasticityHooke(Scene scene, PetscInt material, const PetscReal x
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a material's Hooke tensor is the same everywhere. */
-static PetscBool ElasticityHookeIsConstant_Private(const SceneMaterial *m)
+PetscBool ElasticityHookeIsConstant(Scene scene, PetscInt material)
 {
+  const SceneMaterial *m = SceneGetMaterial(scene, material);
+
   if (m->stiffness) return ExpressionIsConstant(m->stiffness);
   return (PetscBool)(ExpressionIsConstant(m->young) && ExpressionIsConstant(m->poisson));
 }
@@ -114,7 +115,7 @@ static PetscErrorCode ElasticitySetLaw_Private(Scene scene, PetscInt material, L
   PetscReal       C[MAX_STRAINS * MAX_STRAINS];
 
   PetscFunctionBeginUser;
-  law->constant = ElasticityHookeIsConstant_Private(SceneGetMaterial(scene, material));
+  law->constant = ElasticityHookeIsConstant(scene, material);
   if (!law->constant) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ElasticityHooke(scene, material, origin, C, &law->poisson));
   ElasticitySetModuli_Private(scene->model, C, &law->whole);

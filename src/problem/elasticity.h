@@ -9,6 +9,9 @@
    checked by ElasticityAssemble(). [in] material - index, level->cell_material; [out] C - [num_strains][num_strains] */
 PetscErrorCode ElasticityHooke(Scene scene, PetscInt material, const PetscReal x[], PetscReal C[], PetscReal *poisson);
 
+/* Whether a material's C is the same everywhere. Not collective. */
+PetscBool ElasticityHookeIsConstant(Scene scene, PetscInt material);
+
 /* The rules that the stiffness is integrated with. Not collective. [out] rules - of every type of cell [ELEMENT_COUNT]; PetscFree() it */
 PetscErrorCode ElasticityRulesCreate(Scene scene, ElementRule **rules);
 

@@ -23,33 +23,23 @@ static PetscReal BarFloorsGetRelative_Private(PetscReal squared, PetscReal norm)
   return norm > 0 ? squared / norm : 0;
 }
 
-/* At the nodes of a side: pressure, what it differs by from the recovered stress, and whether there is contact. Collective.
-   [out] nodal - ghosted, three per node */
+/* At the nodes of a side: pressure, and whether there is contact. Collective. [out] nodal - ghosted, two per node */
 static PetscErrorCode BarFloorsCreateNodal_Private(Fields fields, PetscInt p, Vec *nodal)
 {
-  const Level       *level = fields->vi->level;
-  const Pair         pair  = fields->vi->pairs[p];
-  const PetscInt     dim   = level->dim;
-  PairFields         values;
-  PetscScalar       *a;
-  const PetscScalar *stress;
+  const Pair   pair = fields->vi->pairs[p];
+  PairFields   values;
+  PetscScalar *a;
 
   PetscFunctionBeginUser;
-  PetscCall(LevelCreateVec(fields->vi->level, 3, nodal));
+  PetscCall(LevelCreateVec(fields->vi->level, 2, nodal));
   PetscCall(PairFieldsCreate(fields, p, &values));
   PetscCall(VecGetArray(*nodal, &a));
-  PetscCall(VecGetArrayRead(fields->stress.value[0], &stress));
   for (PetscInt k = 0; k < pair->num; k++) {
-    const PetscInt   i = pair->nodes[k];
-    const PetscReal *n = &pair->normal[k * dim];
-    PetscReal        t[CELL_MAX_DIM];
+    const PetscInt i = pair->nodes[k];
 
-    CellStressTraction(dim, &stress[CELL_STRESSES * i], n, t);
-    a[3 * i]     = values.pressure[i];
-    a[3 * i + 1] = PetscAbsReal(values.pressure[i] + VectorDot(dim, n, t));
-    a[3 * i + 2] = values.status[i] == STATUS_CONTACT;
+    a[2 * i]     = values.pressure[i];
+    a[2 * i + 1] = values.status[i] == STATUS_CONTACT;
   }
-  PetscCall(VecRestoreArrayRead(fields->stress.value[0], &stress));
   PetscCall(VecRestoreArray(*nodal, &a));
   PetscCall(PairFieldsDestroy(&values));
   PetscCall(VecGhostUpdateBegin(*nodal, INSERT_VALUES, SCATTER_FORWARD));
@@ -71,21 +61,31 @@ static PetscReal BarFloorsGetArea_Private(const Scene scene, ElementType type, c
   return area;
 }
 
+/* What is read at local nodes. */
+typedef struct {
+  const PetscScalar *nodal, *normal; /* of BarFloorsCreateNodal_Private(); directions of contact [dim] */
+  NodalStressArrays  stress;
+} SideValues;
+
 /* Takes one facet. [in] largest - pressure of the pair; [in,out] floors */
-static void BarFloorsAddFacet_Private(const Level *level, const Facets *facets, PetscInt f, const PetscScalar nodal[],
+static void BarFloorsAddFacet_Private(const Level *level, const Facets *facets, PetscInt f, const SideValues *values,
                                       PetscReal largest, PairFloors *floors)
 {
+  const PetscInt dim = level->dim, material = level->cell_material[facets->cell[f]];
   const PetscInt n = ElementNumNodes(facets->type[f]), *nodes = &facets->nodes[f * F];
   PetscReal      X[3 * F], difference                         = 0;
   PetscBool      peak = PETSC_FALSE, open = PETSC_FALSE, closed = PETSC_FALSE;
 
   for (PetscInt i = 0; i < n; i++) {
-    const PetscScalar *at = &nodal[3 * nodes[i]];
+    const PetscScalar *at     = &values->nodal[2 * nodes[i]];
+    const PetscReal   *normal = &values->normal[dim * nodes[i]];
+    PetscReal          t[CELL_MAX_DIM];
 
-    peak       = (PetscBool)(peak || PetscRealPart(at[0]) >= largest);
-    open       = (PetscBool)(open || at[2] == 0);
-    closed     = (PetscBool)(closed || at[2] != 0);
-    difference = PetscMax(difference, PetscRealPart(at[1]));
+    peak   = (PetscBool)(peak || PetscRealPart(at[0]) >= largest);
+    open   = (PetscBool)(open || at[1] == 0);
+    closed = (PetscBool)(closed || at[1] != 0);
+    CellStressTraction(dim, NodalStressAt(&values->stress, nodes[i], material), normal, t);
+    difference = PetscMax(difference, PetscAbsReal(PetscRealPart(at[0]) + VectorDot(dim, normal, t)));
   }
   if (peak) floors->pressure = PetscMax(floors->pressure, LOCAL_FACTOR * difference);
   if (!open || !closed) return;
@@ -96,21 +96,28 @@ static void BarFloorsAddFacet_Private(const Level *level, const Facets *facets, 
 
 static PetscErrorCode BarFloorsOfPair_Private(Fields fields, PetscInt p, PairFloors *floors)
 {
-  const Level       *level  = fields->vi->level;
-  const Facets      *facets = &fields->vi->pairs[p]->points->facets;
-  Vec                nodal, local;
-  const PetscScalar *a;
-  PetscReal          largest[2];
-  PairSum            sum;
+  const Level     *level  = fields->vi->level;
+  const PairPoints points = fields->vi->pairs[p]->points;
+  Vec              nodal, local[2];
+  SideValues       values;
+  PetscReal        largest[2];
+  PairSum          sum;
 
   PetscFunctionBeginUser;
   PetscCall(PairSumCompute(fields, p, &sum));
   PetscCall(BarFloorsCreateNodal_Private(fields, p, &nodal));
-  PetscCall(VecGhostGetLocalForm(nodal, &local));
-  PetscCall(VecGetArrayRead(local, &a));
-  for (PetscInt f = 0; f < facets->num; f++) BarFloorsAddFacet_Private(level, facets, f, a, sum.max_pressure, floors);
-  PetscCall(VecRestoreArrayRead(local, &a));
-  PetscCall(VecGhostRestoreLocalForm(nodal, &local));
+  PetscCall(VecGhostGetLocalForm(nodal, &local[0]));
+  PetscCall(VecGhostGetLocalForm(points->normals, &local[1]));
+  PetscCall(VecGetArrayRead(local[0], &values.nodal));
+  PetscCall(VecGetArrayRead(local[1], &values.normal));
+  PetscCall(NodalStressGetArrays(&fields->stress, &values.stress));
+  for (PetscInt f = 0; f < points->facets.num; f++)
+    BarFloorsAddFacet_Private(level, &points->facets, f, &values, sum.max_pressure, floors);
+  PetscCall(NodalStressRestoreArrays(&fields->stress, &values.stress));
+  PetscCall(VecRestoreArrayRead(local[1], &values.normal));
+  PetscCall(VecRestoreArrayRead(local[0], &values.nodal));
+  PetscCall(VecGhostRestoreLocalForm(points->normals, &local[1]));
+  PetscCall(VecGhostRestoreLocalForm(nodal, &local[0]));
   PetscCall(VecDestroy(&nodal));
   largest[0] = floors->pressure;
   largest[1] = floors->edge;

@@ -23,10 +23,13 @@ PetscErrorCode CellStressSet(Scene scene, const Level *level, PetscInt c, const 
                              const PetscScalar u[], CellStress *cell)
 {
   const PetscInt  dim = level->dim, num = level->cell_start[c + 1] - level->cell_start[c];
-  const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
+  const PetscInt *nodes     = &level->cell_nodes[level->cell_start[c]];
+  const PetscReal origin[3] = {0, 0, 0};
 
   PetscFunctionBeginUser;
   cell->material = level->cell_material[c];
+  cell->constant = ElasticityHookeIsConstant(scene, cell->material);
+  if (cell->constant) PetscCall(ElasticityHooke(scene, cell->material, origin, cell->C, &cell->poisson));
   for (PetscInt i = 0; i < num * dim; i++) {
     cell->X[i] = level->coords[nodes[i / dim] * dim + i % dim];
     cell->u[i] = PetscRealPart(u[nodes[i / dim] * dim + i % dim]);
@@ -53,7 +56,11 @@ PetscErrorCode CellStressAtPoint(Scene scene, const CellStress *cell, const Elem
     strain[s] = 0.0;
     for (PetscInt i = 0; i < n * dim; i++) strain[s] += B[s * n * dim + i] * cell->u[i];
   }
-  PetscCall(ElasticityHooke(scene, cell->material, x, C, &poisson));
+  poisson = cell->poisson;
+  if (cell->constant)
+    PetscCall(PetscArraycpy(C, cell->C, num_strains * num_strains));
+  else
+    PetscCall(ElasticityHooke(scene, cell->material, x, C, &poisson));
   PetscCall(EigenstrainEvaluate(scene, cell->material, x, C, poisson, &e));
   for (PetscInt s = 0; s < num_strains; s++) strain[s] -= e.strain[s];
   MaterialStress(scene->model, C, poisson, strain, stress);

@@ -10,6 +10,8 @@ enum { CELL_STRESSES = 6, CELL_MAX_DIM = 3 };
 /* What is known of one cell; at its nodes [num_nodes][dim] each. */
 typedef struct {
   PetscInt   material;
+  PetscBool  constant;                                  /* whether C is the same everywhere */
+  PetscReal  C[CELL_STRESSES * CELL_STRESSES], poisson; /* then of ElasticityHooke() */
   PetscReal  X[ELEMENT_MAX_NODES * CELL_MAX_DIM], u[ELEMENT_MAX_NODES * CELL_MAX_DIM];
   Dilatation pi;
   PetscReal  parts[DILATATION_MAX_FUNCTIONS]; /* of the change of volume without stress */

@@ -14,6 +14,7 @@ def judge(run):
         near(f"strain energy of {body}", energy, 0, absolute=1e3 * 1e-20)  # Young's modulus, strains of 1e-10
     for name, pair in run.summary["pairs"].items():
         near(f"force of {name}", pair["force"], [0] * len(pair["force"]), absolute=1e-10)
+    near("estimated error", run.summary["estimate"]["energy_norm"], 0, absolute=1e-9)  # 1e-2 without the arm's part of the jump
     judge_loaded(run)
 
 

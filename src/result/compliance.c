@@ -1,0 +1,68 @@
+/* compliance.c -- factors of Hooke tensors. */
+#include "result/compliance.h"
+#include "base/compat.h"
+#include "kernel/dense.h"
+#include "problem/elasticity.h"
+
+PetscErrorCode ComplianceCreate(Scene scene, Compliance *compliance)
+{
+  const PetscInt num = MaterialNumStrains(scene->model), materials = scene->num_bodies + scene->num_regions;
+
+  PetscFunctionBeginUser;
+  compliance->scene = scene;
+  compliance->num   = num;
+  PetscCall(PetscMalloc1((materials + 1) * num * num, &compliance->L));
+  PetscCall(PetscCalloc1(materials, &compliance->known));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ComplianceDestroy(Compliance *compliance)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(compliance->L));
+  PetscCall(PetscFree(compliance->known));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ComplianceGet(Compliance *compliance, PetscInt material, const PetscReal x[], const PetscReal **L)
+{
+  const Scene     scene    = compliance->scene;
+  const PetscBool constant = ElasticityHookeIsConstant(scene, material);
+  const PetscInt  place    = constant ? material : scene->num_bodies + scene->num_regions;
+  PetscReal      *factor   = &compliance->L[place * compliance->num * compliance->num], poisson;
+
+  PetscFunctionBeginUser;
+  *L = factor;
+  if (constant && compliance->known[material]) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ElasticityHooke(scene, material, x, factor, &poisson));
+  (void)DenseCholesky(compliance->num, factor); // C was found positive definite
+  if (constant) compliance->known[material] = PETSC_TRUE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscReal ComplianceEnergy(const Compliance *compliance, const PetscReal L[], const PetscReal stress[CELL_STRESSES])
+{
+  const PetscInt num = compliance->num;
+  PetscReal      s[COMPLIANCE_MAX_STRAINS], sum = 0;
+
+  MaterialPickStrains(compliance->scene->model, stress, s);
+  for (PetscInt i = 0; i < num; i++) { // |L^-1 s|^2
+    for (PetscInt k = 0; k < i; k++) s[i] -= L[i * num + k] * s[k];
+    s[i] /= L[i * num + i];
+    sum += s[i] * s[i];
+  }
+  return sum;
+}
+
+PetscErrorCode ComplianceModulus(Compliance *compliance, PetscInt material, const PetscReal x[], const PetscReal n[],
+                                 PetscReal *modulus)
+{
+  const PetscReal  z                 = compliance->scene->dim == 3 ? n[2] : 0;
+  const PetscReal  nn[CELL_STRESSES] = {n[0] * n[0], n[1] * n[1], z * z, n[1] * z, n[0] * z, n[0] * n[1]};
+  const PetscReal *L;
+
+  PetscFunctionBeginUser;
+  PetscCall(ComplianceGet(compliance, material, x, &L));
+  *modulus = 1 / ComplianceEnergy(compliance, L, nn);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

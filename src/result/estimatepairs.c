@@ -1,0 +1,295 @@
+/* estimatepairs.c -- what contact adds to the error estimate.
+
+   Recovery does not see that two sides do not fit each other: a stiff nonmortar body has no stress to speak of while its coarse side
+   lets the partner through. What the sides' tractions and gaps leave is taken as a half space takes a wave of the facet's size: it resists
+   a displacement of wave number k with E' k / 2, k = pi / h. */
+#include "base/compat.h"
+#include "contact/pairpoints.h"
+#include "kernel/frame.h"
+#include "kernel/vector.h"
+#include "result/estimatepairs.h"
+
+enum { F = ELEMENT_MAX_FACET_NODES };
+
+/* Both sides' values at nodes. */
+typedef struct {
+  const PetscScalar *u, *traction, *normal; /* local forms of the nonmortar side */
+  const PetscScalar *closed;                /* with a frozen set: 1 at nodes in contact, else NULL */
+  NodalStressArrays  stress;
+  PetscReal         *u_m;        /* of PairPointsFetch(), like the following */
+  PetscReal        **stress_m;   /* [most] */
+  PetscReal         *material_m; /* those that meet at a node, NULL where no body has regions [num_mortar][F][most] */
+  PetscReal         *X_m;        /* places, NULL without a lever arm */
+  PetscInt           most;       /* materials that meet at a node */
+} PairValues;
+
+/* The materials of owned nodes, as they are stored. Collective. [out] v - [most] per node, -1 behind the last */
+static PetscErrorCode PairValuesCreateMaterials_Private(Fields fields, Vec *v)
+{
+  const NodeMaterials *at    = &fields->stress.at;
+  Level               *level = fields->vi->level;
+  PetscScalar         *a;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, at->most, v));
+  PetscCall(VecGetArray(*v, &a));
+  for (PetscInt i = 0; i < level->num_owned; i++) {
+    const PetscInt num = NodeMaterialsCount(at, i);
+
+    for (PetscInt k = 0; k < at->most; k++) a[i * at->most + k] = k < num ? at->material[at->start[i] + k] : -1;
+  }
+  PetscCall(VecRestoreArray(*v, &a));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The places of owned nodes. Collective. */
+static PetscErrorCode PairValuesCreatePlaces_Private(Level *level, Vec *v)
+{
+  PetscScalar *a;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, level->dim, v));
+  PetscCall(VecGetArray(*v, &a));
+  for (PetscInt i = 0; i < level->num_owned * level->dim; i++) a[i] = level->coords[i];
+  PetscCall(VecRestoreArray(*v, &a));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What there is at mortar nodes. Collective. [out] values - to be given back by PairValuesRestoreMortar_Private() */
+static PetscErrorCode PairValuesFetchMortar_Private(Fields fields, const Pair pair, PairValues *values)
+{
+  Level *level = fields->vi->level;
+  Vec    v;
+
+  PetscFunctionBeginUser;
+  values->most = fields->stress.at.most;
+  PetscCall(PairPointsFetch(pair->points, fields->u, level->dim, &values->u_m));
+  PetscCall(PetscMalloc1(values->most, &values->stress_m));
+  for (PetscInt i = 0; i < values->most; i++)
+    PetscCall(PairPointsFetch(pair->points, fields->stress.value[i], CELL_STRESSES, &values->stress_m[i]));
+  if (fields->stress.at.start) {
+    PetscCall(PairValuesCreateMaterials_Private(fields, &v));
+    PetscCall(PairPointsFetch(pair->points, v, values->most, &values->material_m));
+    PetscCall(VecDestroy(&v));
+  }
+  if (pair->arm) {
+    PetscCall(PairValuesCreatePlaces_Private(level, &v));
+    PetscCall(PairPointsFetch(pair->points, v, level->dim, &values->X_m));
+    PetscCall(VecDestroy(&v));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode PairValuesRestoreMortar_Private(PairValues *values)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < values->most; i++) PetscCall(PetscFree(values->stress_m[i]));
+  PetscCall(PetscFree(values->stress_m));
+  PetscCall(PetscFree(values->u_m));
+  PetscCall(PetscFree(values->material_m));
+  PetscCall(PetscFree(values->X_m));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The recovered stress at a mortar node, in cells of a material. [in] at - facet and node */
+static const PetscReal *PairValuesStress_Private(const PairValues *values, PetscInt at, PetscInt material)
+{
+  PetscInt i = 0;
+
+  while (values->material_m && values->material_m[at * values->most + i] != material) i++;
+  return &values->stress_m[i][at * CELL_STRESSES];
+}
+
+/* What is there at a point of a pair. */
+typedef struct {
+  PetscReal x[3], normal[3], jump[3], traction[3], stress[2][CELL_STRESSES];
+  PetscBool closed; /* with a frozen set: whether all vertices of the facet are in contact */
+} PointState;
+
+static void PointStateSet_Private(const Level *level, PairPoints points, const PairPoint *point,
+                                  const PairValues *values, PointState *state)
+{
+  const PetscInt    dim = level->dim, *nodes = &points->facets.nodes[point->facet * F];
+  const ElementType type     = points->facets.type[point->facet];
+  const PetscInt    material = level->cell_material[points->facets.cell[point->facet]];
+  PetscReal         phi[ELEMENT_MAX_NODES];
+
+  *state = (PointState){.closed = PETSC_TRUE};
+  for (PetscInt i = 0; values->closed && i < ElementNumNodes(ElementLinear(type)); i++)
+    state->closed = (PetscBool)(state->closed && PetscRealPart(values->closed[nodes[i]]) != 0);
+  ElementShape(type, point->xi, phi, NULL);
+  for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
+    for (PetscInt k = 0; k < dim; k++) {
+      state->x[k] += phi[i] * level->coords[nodes[i] * dim + k];
+      state->normal[k] += phi[i] * PetscRealPart(values->normal[nodes[i] * dim + k]);
+      state->jump[k] += phi[i] * PetscRealPart(values->u[nodes[i] * dim + k]);
+      state->traction[k] += phi[i] * PetscRealPart(values->traction[nodes[i] * dim + k]);
+    }
+    for (PetscInt k = 0; k < CELL_STRESSES; k++)
+      state->stress[0][k] += phi[i] * PetscRealPart(NodalStressAt(&values->stress, nodes[i], material)[k]);
+  }
+  FrameNormalize(dim, state->normal);
+  if (point->mortar < 0) return;
+  ElementShape(points->type[point->mortar], point->eta, phi, NULL);
+  for (PetscInt i = 0; i < ElementNumNodes(points->type[point->mortar]); i++) {
+    const PetscInt   at     = point->mortar * F + i;
+    const PetscReal *stress = PairValuesStress_Private(values, at, points->material[point->mortar]);
+
+    for (PetscInt k = 0; k < dim; k++) state->jump[k] -= phi[i] * values->u_m[at * dim + k];
+    for (PetscInt k = 0; k < CELL_STRESSES; k++) state->stress[1][k] += phi[i] * stress[k];
+  }
+  if (values->X_m) PairPointTakeArm(points, level, point, values->X_m, values->u_m, state->jump);
+}
+
+/* |s n + traction|^2. */
+static PetscReal EstimateGetTractionError_Private(PetscInt dim, const PetscReal stress[CELL_STRESSES],
+                                                  const PetscReal n[], const PetscReal traction[])
+{
+  PetscReal t[CELL_MAX_DIM], sum = 0;
+
+  CellStressTraction(dim, stress, n, t);
+  for (PetscInt i = 0; i < dim; i++) sum += PetscSqr(t[i] + traction[i]);
+  return sum;
+}
+
+/* Where the parts of pairs go. */
+typedef struct {
+  Compliance           *compliance; /* borrowed */
+  PetscInt              first;      /* cell of this rank, counted over all ranks */
+  Vec                   squares;    /* eta_T^2 of all cells */
+  PetscReal             signs;      /* L of this rank */
+  const EstimateFrozen *frozen;     /* or NULL */
+} PairSums;
+
+/* d^2 at a point. [in] resistance - pi E* / h */
+static PetscReal EstimateGetGap_Private(const Fields fields, PetscInt p, const PairPoint *point,
+                                        const PointState *state, PetscReal resistance, PairSums *sums)
+{
+  const PetscInt        dim      = fields->vi->level->dim;
+  const Pair            pair     = fields->vi->pairs[p];
+  const EstimateFrozen *frozen   = sums->frozen;
+  const PetscReal       weight   = point->weight * fields->vi->scene->thickness;
+  const PetscReal       pressure = VectorDot(dim, state->normal, state->traction);
+  const PetscReal       motion   = frozen ? (*frozen->motion)(frozen->ctx, p, state->x) : 0;
+  const PetscReal       depth    = VectorDot(dim, state->normal, state->jump) - (frozen ? motion : point->gap);
+  PetscReal             squared  = 0;
+
+  if (pair->spec->type == PAIR_TIED) {
+    for (PetscInt k = 0; k < dim; k++) squared += PetscSqr(state->jump[k] - motion * state->normal[k]);
+    sums->signs -= 2 * weight * VectorDot(dim, state->jump, state->traction);
+    return squared;
+  }
+  sums->signs -= 2 * weight * pressure * depth;
+  if (frozen) return state->closed ? depth * depth : 0;
+  return depth < 0 ? PetscSqr(PetscMin(-depth, PetscMax(0, pressure) / resistance)) : depth * depth;
+}
+
+/* Adds one point. [in] size - of its nonmortar facet */
+static PetscErrorCode EstimateAddPoint_Private(Fields fields, PetscInt p, const PairPoint *point, PetscReal size,
+                                               const PointState *state, PairSums *sums)
+{
+  const Level    *level  = fields->vi->level;
+  const Pair      pair   = fields->vi->pairs[p];
+  const PetscReal weight = point->weight * level->scene->thickness;
+  PetscReal       E[2], squared;
+
+  PetscFunctionBeginUser;
+  PetscCall(ComplianceModulus(sums->compliance, level->cell_material[pair->points->facets.cell[point->facet]], state->x,
+                              state->normal, &E[0]));
+  squared = weight * 2 / PETSC_PI * size / E[0] *
+            EstimateGetTractionError_Private(level->dim, state->stress[0], state->normal, state->traction);
+  if (point->mortar >= 0) {
+    const PairPoints points = pair->points;
+
+    PetscCall(ComplianceModulus(sums->compliance, points->material[point->mortar], state->x, state->normal, &E[1]));
+    PetscCall(
+        VecSetValue(sums->squares, points->cell[point->mortar],
+                    weight * 2 / PETSC_PI * points->size[point->mortar] / E[1] *
+                        EstimateGetTractionError_Private(level->dim, state->stress[1], state->normal, state->traction),
+                    ADD_VALUES));
+    E[0] = 1 / (1 / E[0] + 1 / E[1]);
+  }
+  E[0] *= PETSC_PI / size;
+  squared += weight * E[0] * EstimateGetGap_Private(fields, p, point, state, E[0], sums);
+  PetscCall(VecSetValue(sums->squares, sums->first + pair->points->facets.cell[point->facet], squared, ADD_VALUES));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Marks the nodes of a pair that are in contact. Collective. [in] fields - of the solution; [out] closed - ghosted, owned by the caller */
+static PetscErrorCode EstimateMarkClosed_Private(Fields fields, PetscInt p, Vec *closed)
+{
+  PairFields   nodal;
+  PetscScalar *a;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(fields->vi->level, 1, closed));
+  PetscCall(PairFieldsCreate(fields, p, &nodal));
+  PetscCall(VecGetArray(*closed, &a));
+  for (PetscInt i = 0; i < fields->vi->level->num_owned; i++) a[i] = nodal.status[i] == STATUS_CONTACT;
+  PetscCall(VecRestoreArray(*closed, &a));
+  PetscCall(PairFieldsDestroy(&nodal));
+  PetscCall(VecGhostUpdateBegin(*closed, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostUpdateEnd(*closed, INSERT_VALUES, SCATTER_FORWARD));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds the points of one pair. Collective. */
+static PetscErrorCode EstimateAddPair_Private(Fields fields, PetscInt p, PairSums *sums)
+{
+  const Level        *level  = fields->vi->level;
+  const PairPoints    points = fields->vi->pairs[p]->points;
+  PairValues          values = {NULL};
+  PointState          state;
+  Vec                 v[4]     = {fields->u, NULL, points->normals, NULL}, local[4];
+  const PetscScalar **array[4] = {&values.u, &values.traction, &values.normal, &values.closed};
+  const PetscInt      num      = sums->frozen ? 4 : 3;
+  PetscReal           X[3 * F];
+
+  PetscFunctionBeginUser;
+  PetscCall(PairTractionCreate(fields, p, &v[1]));
+  if (sums->frozen) PetscCall(EstimateMarkClosed_Private(sums->frozen->solution, p, &v[3]));
+  PetscCall(PairValuesFetchMortar_Private(fields, fields->vi->pairs[p], &values));
+  PetscCall(NodalStressGetArrays(&fields->stress, &values.stress));
+  for (PetscInt i = 0; i < num; i++) {
+    PetscCall(VecGhostGetLocalForm(v[i], &local[i]));
+    PetscCall(VecGetArrayRead(local[i], array[i]));
+  }
+  for (PetscInt q = 0; q < points->num; q++) {
+    const PairPoint *point = &points->point[q];
+
+    ContactFacetCoordinates(level, &points->facets, point->facet, X);
+    PointStateSet_Private(level, points, point, &values, &state);
+    PetscCall(EstimateAddPoint_Private(
+        fields, p, point, ContactFacetSize(level->dim, points->facets.type[point->facet], X), &state, sums));
+  }
+  for (PetscInt i = 0; i < num; i++) {
+    PetscCall(VecRestoreArrayRead(local[i], array[i]));
+    PetscCall(VecGhostRestoreLocalForm(v[i], &local[i]));
+  }
+  PetscCall(NodalStressRestoreArrays(&fields->stress, &values.stress));
+  PetscCall(PairValuesRestoreMortar_Private(&values));
+  PetscCall(VecDestroy(&v[1]));
+  PetscCall(VecDestroy(&v[3]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EstimatePairsAdd(Fields fields, const EstimateFrozen *frozen, Compliance *compliance, PetscReal cell[],
+                                PetscReal *signs)
+{
+  const Level       *level = fields->vi->level;
+  PairSums           sums  = {.compliance = compliance, .frozen = frozen};
+  const PetscScalar *square;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecCreateMPI(level->comm, level->num_cells, PETSC_DETERMINE, &sums.squares));
+  PetscCall(VecGetOwnershipRange(sums.squares, &sums.first, NULL));
+  for (PetscInt p = 0; p < fields->vi->num_pairs; p++) PetscCall(EstimateAddPair_Private(fields, p, &sums));
+  PetscCall(VecAssemblyBegin(sums.squares));
+  PetscCall(VecAssemblyEnd(sums.squares));
+  PetscCall(VecGetArrayRead(sums.squares, &square));
+  for (PetscInt c = 0; c < level->num_cells; c++) cell[c] += PetscRealPart(square[c]);
+  PetscCall(VecRestoreArrayRead(sums.squares, &square));
+  PetscCall(VecDestroy(&sums.squares));
+  *signs = sums.signs;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
