@@ -12,6 +12,7 @@ mortise_scene_test(paths_solid SCENE patch3d CHECK paths.py RANKS 1 2
 
 mortise_scene_test(colours SCENE patch2d CHECK colours.py)
 mortise_scene_test(temperature SCENE thermal_fit CHECK temperature.py)
+mortise_scene_test(detail SCENE hertz2d CHECK detail.py)
 mortise_scene_test(view SCENE below CHECK view.py)
 mortise_scene_test(tidy_bolt SCENE bolt_quarter CHECK tidy.py)
 mortise_scene_test(tidy_fixture SCENE fixture CHECK tidy.py)
