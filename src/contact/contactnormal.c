@@ -12,9 +12,9 @@
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
-/* Surfaces face each other when the cosine of their normals is below the first number. A node up to the second one takes part: the facet
-   beside it may be covered, and must not twist. */
-static const PetscReal FACING = -0.3, BESIDE = 0.5;
+/* A node whose normal has a cosine up to this with the facet takes part, although it does not face it: the facet beside it may be covered,
+   and must not twist. */
+static const PetscReal BESIDE = 0.5;
 /* Distances from the normal of a facet's end count so many times. */
 static const PetscReal ASIDE = 100;
 /* Parallel surfaces are taken up to this share of the way to a centre of curvature. */

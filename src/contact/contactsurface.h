@@ -7,6 +7,9 @@
 #include "mesh/mesh.h"
 #include "mesh/sideshape.h"
 
+/* Surfaces face each other, and a direction meets a facet, when the cosine with the facet's normal is below this: beyond 107 degrees. */
+static const PetscReal FACING = -0.3;
+
 /* The mortar facets of all ranks that may meet this rank's nonmortar facets, with a box tree. Their order depends on the
    partition; queries return ascending indices. */
 typedef struct {

@@ -7,8 +7,6 @@
 static const PetscReal TOUCHING = 1e-10;
 /* A facet of a smaller measure than this share of its size squared, or in a plane of its size, has no tangent plane. */
 static const PetscReal DEGENERATE = 1e-12;
-/* A direction meets a facet that it faces: the cosine with the facet's normal is below this. */
-static const PetscReal FACING = -0.3;
 /* Unit vectors that differ by less are equal. */
 static const PetscReal TURN_TOLERANCE = 1e-12;
 

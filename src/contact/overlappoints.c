@@ -4,8 +4,6 @@
 #include "contact/obstacle.h"
 #include "contact/overlap.h"
 
-/* Sides face each other when the cosine of their normals is below this. */
-static const PetscReal FACING = -0.3;
 /* Two layers of the mortar side are seen when the overlaps sum to more than the facet by this share. */
 static const PetscReal OVERLAP_TOLERANCE = 1e-8;
 
