@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
-"""installed_library.py -- what a prefix holds: names that the library shows, links of pages, and a user's program built against it by
-pkg-config or by CMake, in C or in C++, whose forces are those of statics and those that the program prints."""
+"""installed_library.py -- what a prefix holds: names that the library shows, links of pages, and a user's program.
+
+The program is built against the prefix by pkg-config or by CMake, in C or in C++. Its forces are those of statics and those that mortise
+prints."""
 import argparse
 import json
 import os

@@ -3,7 +3,7 @@
 
 For each scene one run of ten steps gives the seconds of every step, from its beginning to its certificate. The first step is a whole solve.
 `of all` is the median of the later steps over the first step; `of a solve` is the same over the first step without the start of the
-program and the mesh, which a later step never needs (a run of the first step alone tells their part). Medians of the runs. Both should be below 0.5."""
+program and the mesh, which later steps never need. A run of the first step alone tells their part. Medians of the runs. Both should be below 0.5."""
 import argparse
 import json
 import os

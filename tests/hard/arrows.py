@@ -41,7 +41,7 @@ def require_picture(case):
 
 
 def judge_file(case):
-    """The motion at every node is a turn of the upper block about the end of the lower one by one radian, and nothing else is told."""
+    """The motion at every node is a turn of the upper block by one radian about the end of the lower one. Nothing else is told."""
     with case.fields() as file:
         same("fields", sorted(file), ["body", "cells", "motion", "points"])
         points, motion, cells, body = (file[key][()] for key in ("points", "motion", "cells", "body"))

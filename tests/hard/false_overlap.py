@@ -5,7 +5,7 @@ FACET, SLOPE, BEND = 0.2, 0.5, 1 / 3  # the bend is a third into the facet from 
 
 
 def antiderivative(t):
-    """Of psi (t - BEND), psi = 2 - 3 t the dual function of the node at t = 0, which has int psi = 1/2 on each of its two facets."""
+    """Of psi (t - BEND). psi = 2 - 3 t is the dual function of the node at t = 0; int psi = 1/2 on each of its two facets."""
     return -(t**3) + (2 + 3 * BEND) / 2 * t**2 - 2 * BEND * t
 
 

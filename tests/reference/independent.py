@@ -4,12 +4,12 @@
     python3 independent.py [case ...]            writes <case>/nodes.csv, <case>/<pair>.csv, <case>/ORIGIN (all cases by default)
     python3 independent.py --check [case ...]    computes the same and compares with what is there
 
-What it shares with the program is the mathematics (src/THEORY.md), not the way: Hooke's law stays a tensor of fourth rank; a
-nonmortar facet is cut at all places from which some mortar vertex is seen, and every piece looks for the facet that its
-middle ray meets; nothing is condensed, the saddle point system (eq. 3.1) is solved as it stands; and the contact set is found by
-Murty's least index method on the dual problem, which changes one node at a time and provably ends.
-It knows boxes of order 1 or 2 in the plane and in space (bodies.py), maps, pairs (contact.py, space.py), and what the scenes
-here need of the options; anything else is an error.
+What it shares with the program is the mathematics (src/THEORY.md), not the way: Hooke's law stays a tensor of fourth rank. A
+nonmortar facet is cut at all places from which some mortar vertex is seen. Every piece looks for the facet that its middle ray
+meets. Nothing is condensed: the saddle point system (eq. 3.1) is solved as it stands. The contact set is found by Murty's least
+index method on the dual problem, which changes one node at a time and provably ends.
+It knows boxes of order 1 or 2 in the plane and in space (bodies.py), maps and pairs (contact.py, space.py). Of the options it
+knows what the scenes here need; anything else is an error.
 
 Reference: K. G. Murty, Note on a Bard-type scheme for solving the complementarity problem, Opsearch 11 (1974).
 """

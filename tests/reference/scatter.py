@@ -1,7 +1,7 @@
 """Scenes put together at random: every number against the independent solver, which computes them on the spot.
 
-Flat and curved sides, triangles and quads, orders 1 and 2 and mixed, cover in part, multipliers at nodes and at vertices, contact
-and ties, either side nonmortar. Numbers of the generator are fixed: each test is the same scene at every run.
+Sides are flat or curved, wholly or partly covered. Cells are triangles and quads of order 1, 2 and mixed. Multipliers are at nodes or at
+vertices of either side; pairs are contacts and ties. Numbers of the generator are fixed: each test is the same scene at every run.
 """
 import random
 

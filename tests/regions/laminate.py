@@ -1,5 +1,5 @@
-"""A laminate with the strain eps = 5e-3 along its layers and none across: sigma_xx = E_i (eps - eps_0i) in each layer, where eps_0 is
-alpha T = 1e-3 in the first, an initial strain of 2e-3 in the second, 0 in the third. The strain energy is the sum over the layers."""
+"""A laminate with the strain eps = 5e-3 along its layers and none across: sigma_xx = E_i (eps - eps_0i) in each layer. eps_0 is alpha T = 1e-3
+in the first, an initial strain of 2e-3 in the second, 0 in the third. The strain energy is the sum over the layers."""
 from judge import near
 
 STRAIN = 5e-3

@@ -1,5 +1,5 @@
-"""Layers of one body in series, held at their ends: uniaxial strain eps_i = p / M_i in each, M = E (1-nu) / ((1+nu) (1-2 nu)), so the
-displacement is piecewise linear and each order of cells has it exactly. The stress along the layers, nu / (1-nu) p, jumps between them."""
+"""Layers of one body in series, held at their ends: uniaxial strain eps_i = p / M_i in each, M = E (1-nu) / ((1+nu) (1-2 nu)). The
+displacement is piecewise linear, and each order of cells has it exactly. The stress along the layers, nu / (1-nu) p, jumps between them."""
 import numpy as np
 
 from judge import near, require, same

@@ -1,7 +1,7 @@
 """Against the axisymmetric model of the same head and cup, whose rims are circles and not those of a quarter of a cube.
 
-The axisymmetric force lies between 1523.9 and 1534.5 and the pressure at the pole between 7.410 and 7.424 where the rim of the head is
-at 1.15 .. 1.35 rad from the pole (24 by 8 cells on 32 by 10 of order 2, refined once)."""
+With the rim of the head at 1.15 to 1.35 rad from the pole, the axisymmetric force is 1523.9 to 1534.5. The pressure at the pole is 7.410
+to 7.424 (24 by 8 cells on 32 by 10 of order 2, refined once)."""
 import numpy as np
 
 from judge import near, require

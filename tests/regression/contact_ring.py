@@ -1,5 +1,5 @@
-"""The claims of options/CONTACT_ZONE.md on rings: a thin round rim has the pressure of a line contact; a flat ring with a hole of half its radius
-carries 98.1 % of what the disc carries, by an independent collocation of the half space (closedforms.py)."""
+"""The claims of options/CONTACT_ZONE.md on rings: a thin round rim has the pressure of a line contact. A flat ring with a hole of half its radius
+carries 98.1 % of what the disc carries. That is by an independent collocation of the half space (closedforms.py)."""
 import math
 import pathlib
 import sys

@@ -1,8 +1,13 @@
 """Exact solutions at nu = 0.4999: rings and shells (Lame) and the edge of contact (13.W), orders of displacement, stress and pressure.
 
-A ring (n = 2) or spherical shell (n = 3) a < r < b under p at a and q at b: with V = b^n - a^n, A = (p a^n - q b^n) / V and
-B = (p - q) (a b)^n / ((n - 1) V), the stress is A - (n - 1) B / r^n along the radius and A + B / r^n around it, and
-u = (1 + nu) / E ((1 - 2 nu) A r + B / r) of the ring in plane strain, u = ((1 - 2 nu) A r + (1 + nu) B / r^2) / E of the shell.
+A ring (n = 2) or spherical shell (n = 3) a < r < b has the pressures p at a and q at b. With V = b^n - a^n,
+
+    A = (p a^n - q b^n) / V,   B = (p - q) (a b)^n / ((n - 1) V)
+
+the stress is A - (n - 1) B / r^n along the radius and A + B / r^n around it. The displacement is
+
+    u = (1 + nu) / E ((1 - 2 nu) A r + B / r)         of the ring, in plane strain
+    u = ((1 - 2 nu) A r + (1 + nu) B / r^2) / E       of the shell
 """
 import math
 import pathlib

@@ -1,7 +1,7 @@
 """M3: observed orders of convergence in space; in the long run, tetrahedra and finer meshes, too.
 
-Kuhn's tetrahedra are stretched and get to their orders later: with order 1, energy and L2 fall with h^0.84 and h^1.45 between 4 and
-8 cells along an edge, with h^0.93 and h^1.76 between 8 and 16, with h^0.97 and h^1.88 between 16 and 20.
+Kuhn's tetrahedra are stretched and get to their orders later. With order 1, energy and L2 fall with h^0.84 and h^1.45 between 4 and
+8 cells along an edge. Between 8 and 16 they fall with h^0.93 and h^1.76, between 16 and 20 with h^0.97 and h^1.88.
 """
 import math
 

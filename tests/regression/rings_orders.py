@@ -1,7 +1,8 @@
 """X5 with cells of order 2 that follow the circles: orders of displacement, pressure and force against Lame's solution.
 
-A ring a < r < b under the pressures p at a and q at b, in plane strain, moves by
-u_r = (1 + nu) / (E (b^2 - a^2)) ( (1 - 2 nu) (p a^2 - q b^2) r + (p - q) a^2 b^2 / r ).
+A ring a < r < b in plane strain under the pressures p at a and q at b moves by
+
+    u_r = (1 + nu) / (E (b^2 - a^2)) ( (1 - 2 nu) (p a^2 - q b^2) r + (p - q) a^2 b^2 / r ).
 """
 import math
 

@@ -1,6 +1,8 @@
 """A ring of orthotropic stiffness (r, z, hoop) without strain along its axis, whose inner or outer surface is moved by a rigid cylinder.
 
-Equilibrium d(r s_r)/dr = s_hoop with u = A r^k + B r^-k gives k^2 = c33/c11 and s_r = sum (k c11 + c13) A r^(k-1) over both signs of k.
+Equilibrium is d(r s_r)/dr = s_hoop. With u = A r^k + B r^-k it gives k^2 = c33/c11 and
+
+    s_r = sum (k c11 + c13) A r^(k-1)   over both signs of k
 """
 import math
 

@@ -1,8 +1,8 @@
 """Balls in space: one on a plane, and four as a pyramid in a tray of planes, with the forces of statics.
 
 The pyramid: three balls on the floor, each against its wall, and one on top of them. Centres are the corners of a tetrahedron of edge
-2 R, so that lines of centres are inclined by cos = sqrt(2/3) against the vertical: each carries W / (3 sqrt(2/3)) = W / sqrt(6), each
-wall the horizontal part W / sqrt(18) of it, and each lower ball stands on 4 W / 3.
+2 R, so that lines of centres are inclined by cos = sqrt(2/3) against the vertical. Each carries W / (3 sqrt(2/3)) = W / sqrt(6). Each
+wall carries the horizontal part of it, W / sqrt(18). Each lower ball stands on 4 W / 3.
 """
 import math
 

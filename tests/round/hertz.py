@@ -9,8 +9,8 @@ largest pressure of a Hertz contact with the force that was found is
 
 with 1/R = 1/R1 + 1/R2. It is exact for half spaces, so that the error of the bodies' shape is left: O((a/R)^2) in the plane, but
 O(a/R) for balls, whose surface gives way otherwise than a half space's to that order. So the table has the largest pressure of two
-elastic balls, too, by Legendre series (Lur'e, Three-dimensional problems of the theory of elasticity, 1964, chapter 6), and the order
-of the difference from it; in the plane both are Hertz'.
+elastic balls, too, and the order of the difference from it; in the plane both are Hertz'. That pressure is by Legendre series (Lur'e,
+Three-dimensional problems of the theory of elasticity, 1964, chapter 6).
 """
 import math
 import pathlib

@@ -3,8 +3,8 @@
 
     unset.py <program> <mpiexec> <ranks> <folder> <case>
 
-A case is a file of options, cases/<case>.opts, or a program that makes its meshes, cases/<case>.py, with options as the text OPTIONS
-and a function make(folder). Its head says
+A case is a file of options, cases/<case>.opts. Or it is a program that makes its meshes, cases/<case>.py, with options as the text
+OPTIONS and a function make(folder). Its head says
 
     # wrong: what was meant, and what is wrong
     # ends: 1                         the exit code; with 0 the codes of all warnings of the run
