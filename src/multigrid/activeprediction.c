@@ -15,6 +15,10 @@
 /* Projected steps at the start and after each cycle, and the largest number of cycles: two or three until the
    set does not change. */
 enum { PROJECTED_STEPS = 4, STEPS_PER_CYCLE = 1, MAX_CYCLES = 3 };
+/* Cycles without a coarser mesh to start from: a set that is too large loses one ring of nodes in each. */
+enum { MAX_FIRST_CYCLES = 12 };
+/* The systems of the last few changes cost less than cycles: they stop where this part of the set changes. */
+static const PetscReal FEW_CHANGES = 0.02;
 /* Step length relative to the largest stable one. */
 static const PetscReal RELAXATION = 0.9;
 
@@ -105,11 +109,9 @@ static PetscErrorCode ActivePredictionMove_Private(Iterate *it, Vec c)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One cycle for the free unknowns, projected onto the bounds. */
-static PetscErrorCode ActivePredictionCycle_Private(Iterate *it, PC pc)
+/* c = B M r, a cycle for the free unknowns. */
+static PetscErrorCode ActivePredictionCorrect_Private(Iterate *it, PC pc, Vec c)
 {
-  const Vec upper = it->level->op.upper, c = it->step;
-
   PetscFunctionBeginUser;
   PetscCall(VecSet(it->free, 1));
   PetscCall(VecAXPY(it->free, -1, it->active));
@@ -117,10 +119,39 @@ static PetscErrorCode ActivePredictionCycle_Private(Iterate *it, PC pc)
   PetscCall(VecPointwiseMult(it->product, it->r, it->free));
   PetscCall(PCApply(pc, it->product, c));
   PetscCall(VecPointwiseMult(c, c, it->free));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* One cycle for the free unknowns, projected onto the bounds. */
+static PetscErrorCode ActivePredictionCycle_Private(Iterate *it, PC pc)
+{
+  const Vec upper = it->level->op.upper, c = it->step;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActivePredictionCorrect_Private(it, pc, c));
   PetscCall(VecAXPY(c, 1, it->y));
   PetscCall(VecPointwiseMin(c, c, upper));
   PetscCall(VecAXPY(c, -1, it->y));
   PetscCall(ActivePredictionMove_Private(it, c));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* One cycle beyond the bounds, and back onto them: what would penetrate touches. From a start without contact a
+   step that keeps within the bounds would be short. */
+static PetscErrorCode ActivePredictionJump_Private(Iterate *it, PC pc)
+{
+  const Vec   c = it->step;
+  PetscScalar work, energy;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActivePredictionCorrect_Private(it, pc, c));
+  PetscCall(MatMult(it->level->op.A, c, it->product));
+  it->hierarchy->work += it->level->share;
+  PetscCall(VecDot(c, it->r, &work));
+  PetscCall(VecDot(c, it->product, &energy));
+  if (PetscRealPart(energy) > 0) PetscCall(VecAXPY(it->y, work / energy, c));
+  PetscCall(VecPointwiseMin(it->y, it->y, it->level->op.upper));
+  PetscCall(ActivePredictionEvaluate_Private(it));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -179,6 +210,27 @@ PetscErrorCode ActivePredictionApply(Hierarchy hierarchy, const HierarchyLevel *
     PetscCall(PetscInfo(pc, "cycle %" PetscInt_FMT " ahead: %" PetscInt_FMT " changed\n", k + 1, changed));
   }
   *gained = 2 * PetscMax(first - it.energy, 0);
+  PetscCall(ActivePredictionEnd_Private(&it));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ActivePredictionStart(Hierarchy hierarchy, const HierarchyLevel *level, PC pc, Vec y, Vec active)
+{
+  Iterate   it      = {.hierarchy = hierarchy, .level = level, .y = y, .active = active};
+  PetscInt  changed = 0;
+  PetscReal size;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActivePredictionBegin_Private(&it));
+  PetscCall(ActivePredictionJump_Private(&it, pc));
+  PetscCall(ActivePredictionUpdateActive_Private(&it, &changed));
+  PetscCall(VecNorm(active, NORM_1, &size));
+  for (PetscInt k = 0; k < MAX_FIRST_CYCLES && (PetscReal)changed > FEW_CHANGES * size; k++) {
+    PetscCall(ActivePredictionCycle_Private(&it, pc));
+    PetscCall(ActivePredictionUpdateActive_Private(&it, &changed));
+    PetscCall(VecNorm(active, NORM_1, &size));
+    PetscCall(PetscInfo(pc, "cycle %" PetscInt_FMT " ahead: %" PetscInt_FMT " changed\n", k + 1, changed));
+  }
   PetscCall(ActivePredictionEnd_Private(&it));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

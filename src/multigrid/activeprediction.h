@@ -11,6 +11,9 @@
    [out] energy_decrease - twice the decrease of the energy */
 PetscErrorCode ActivePredictionApply(Hierarchy hierarchy, const HierarchyLevel *level, PC pc, Vec y, Vec active,
                                      PetscReal *energy_decrease);
+/* The same without a coarser mesh: one cycle for the initial set goes beyond the bounds and back onto them, others follow until the set
+   does not change. Collective. [in] pc - multigrid on the level; [in,out] y - feasible; fixed unknowns have their values; [in,out] active - 1 or 0 */
+PetscErrorCode ActivePredictionStart(Hierarchy hierarchy, const HierarchyLevel *level, PC pc, Vec y, Vec active);
 /* The set of y: 1 where an unknown is at its bound with a force on it, else 0. Collective. [out] active */
 PetscErrorCode ActivePredictionGetActive(Hierarchy hierarchy, const HierarchyLevel *level, Vec y, Vec active);
 

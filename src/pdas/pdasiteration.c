@@ -15,8 +15,9 @@ static const PetscInt MAX_PLAIN_STEPS = 30;
 /* Residual at which an inexact solution is first evaluated, and its factor each time the solution confirms
    the set. */
 static const PetscReal FIRST_RESIDUAL = 1e-2, RESIDUAL_FACTOR = 0.03;
-/* If a step changes more than this part of the changes before, the system was too inexact. */
-static const PetscReal CHANGES_FACTOR = 0.7;
+/* If a step changes more than the first part of the changes before, and more than the second part of its changes enter the set, the
+   system was too inexact. A set that only shrinks loses one ring of nodes in each step, however exact the system. */
+static const PetscReal CHANGES_FACTOR = 0.7, ENTERING_PART = 0.25;
 /* Threshold of a set in a vector, which has 1 and 0. */
 static const PetscReal ACTIVE_FROM = 0.5;
 
@@ -110,10 +111,22 @@ static PetscErrorCode PDASIterationHolds_Private(ActiveSolver solver, const Acti
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether the last system was too inexact to tell which unknowns to change. [in] before - size of the set before */
+static PetscBool PDASIterationIsNoisy_Private(const PDAS *pdas, const ActiveSet *set, PetscInt before, PetscInt changed)
+{
+  const PetscReal entering = 0.5 * (PetscReal)(changed + set->num_active - before);
+
+  return (PetscBool)(pdas->iterations > 0 &&
+                     (PetscReal)changed > CHANGES_FACTOR * (PetscReal)pdas->changed[pdas->iterations - 1] &&
+                     entering > ENTERING_PART * (PetscReal)changed);
+}
+
 /* Solves for the set, and again with a lower target if the solver did not call back and the set holds. */
 static PetscErrorCode PDASIterationSolveSet_Private(PDAS *pdas, ActiveSet *set, ActiveSolver solver,
                                                     ActiveSolution *solution, PetscInt *changed, PetscReal *violation)
 {
+  const PetscInt before = set->num_active;
+
   PetscFunctionBeginUser;
   solver->holds  = PDASIterationHolds_Private;
   solver->pdas   = pdas;
@@ -125,7 +138,7 @@ static PetscErrorCode PDASIterationSolveSet_Private(PDAS *pdas, ActiveSet *set, 
   }
   solver->holds   = NULL;
   pdas->converged = (PetscBool)(!*changed && !solution->failure);
-  if (pdas->iterations > 0 && (PetscReal)*changed > CHANGES_FACTOR * (PetscReal)pdas->changed[pdas->iterations - 1]) {
+  if (PDASIterationIsNoisy_Private(pdas, set, before, *changed)) {
     pdas->target       = PetscMax(solver->rtol, RESIDUAL_FACTOR * pdas->target);
     solver->all_digits = PETSC_TRUE;
   }
@@ -153,7 +166,7 @@ static PetscErrorCode PDASIterationStep_Private(PDAS *pdas, ActiveSet *set, Acti
     PetscCall(PDASIterationIsRepeated_Private(pdas, set, &seen));
     if (seen &&
         PDASIterationIsInexact_Private(pdas, solver)) { // inexact solutions may be the cause; no set was solved exactly
-      pdas->target       = solver->rtol;
+      pdas->target       = PetscMax(solver->rtol, RESIDUAL_FACTOR * pdas->target);
       solver->all_digits = PETSC_TRUE;
       pdas->seen[0]      = pdas->seen[pdas->num_seen - 1];
       pdas->num_seen     = 1;

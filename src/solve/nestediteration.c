@@ -277,6 +277,28 @@ static PetscErrorCode NestedIterationGetCycles_Private(SNES snes, VI vi, PC *pc)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Without coarser meshes: predicts contact on this one, from the contacts that balance the loads or from none. [in] pc - or NULL; [out]
+   found - false where there is nothing to predict */
+static PetscErrorCode NestedIterationPredict_Private(MeshLevels levels, PC pc, Proximal *proximal, Vec y, Vec active,
+                                                     PetscBool *found)
+{
+  const Hierarchy       hierarchy = levels->hierarchy;
+  const HierarchyLevel *level     = &hierarchy->level[hierarchy->num - 1];
+  PetscReal             least;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecMin(level->op.upper, NULL, &least));
+  *found = (PetscBool)(pc && least < PETSC_INFINITY);
+  if (!*found) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecZeroEntries(active));
+  if (proximal->solvability) PetscCall(VecCopy(proximal->solvability->start, active));
+  PetscCall(ActivePredictionStart(hierarchy, level, pc, y, active));
+  if (!proximal->solvability) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ProximalFinish(proximal, y)); // y of the scene
+  PetscCall(ProximalSetCenter(proximal, y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode NestedIterationStart(MeshLevels levels, SNES snes, Proximal *proximal, Vec y, Vec active,
                                     PetscReal *energy_decrease, PetscBool *found)
 {
@@ -295,7 +317,8 @@ PetscErrorCode NestedIterationStart(MeshLevels levels, SNES snes, Proximal *prox
   PetscCall(NestedIterationGetCycles_Private(snes, proximal->solved.vi, &pc));
   PetscCall(NestedIterationFindFirst_Private(levels, solvability, &first));
   *found = (PetscBool)(first < finest);
-  if (*found) {
+  if (!*found) PetscCall(NestedIterationPredict_Private(levels, pc, proximal, y, active, found));
+  if (first < finest) {
     PetscCall(NestedIterationBeginLevel_Private(levels, first, solvability[first], &own[first % 2]));
     PetscCall(NestedIterationStateCreate_Private(&levels->hierarchy->level[levels->hierarchy->first + first], &state));
   }
@@ -314,7 +337,7 @@ PetscErrorCode NestedIterationStart(MeshLevels levels, SNES snes, Proximal *prox
     PetscCall(NestedIterationStateDestroy_Private(&state));
     state = next;
   }
-  if (*found) {
+  if (first < finest) {
     PetscCall(VecCopy(state.y, y));
     PetscCall(VecCopy(state.active, active));
     PetscCall(NestedIterationStateDestroy_Private(&state));

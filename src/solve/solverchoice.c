@@ -278,10 +278,10 @@ static PetscErrorCode SolverChoiceCheckTogether_Private(MPI_Comm comm, const Sol
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether nested iteration is possible. */
-static PetscBool SolverChoiceNested_Private(VI vi, const char pc[])
+/* Whether nested iteration is possible, or contact can be predicted on the only mesh. */
+static PetscBool SolverChoiceNested_Private(VI vi, const char snes[], const char pc[])
 {
-  return (PetscBool)(!strcmp(pc, PCTRUNCATEDMG) && vi->mesh && vi->mesh->num_levels > 1);
+  return (PetscBool)(!strcmp(pc, PCTRUNCATEDMG) && vi->mesh && (vi->mesh->num_levels > 1 || !strcmp(snes, SNESPDAS)));
 }
 
 PetscErrorCode SolverChoiceSet(Solver solver, SolverChoice *choice)
@@ -323,7 +323,7 @@ PetscErrorCode SolverChoiceSet(Solver solver, SolverChoice *choice)
   PetscCall(VecGetSize(vi->b, &size)); // above these sizes even the ordering costs too much
   choice->yields = (PetscBool)(choice->own && !choice->stop && !strcmp(choice->snes, SNESPDAS) &&
                                size <= (vi->level->dim == 3 ? DIRECT_3D : DIRECT_2D));
-  choice->nested = SolverChoiceNested_Private(vi, choice->pc);
+  choice->nested = SolverChoiceNested_Private(vi, choice->snes, choice->pc);
   PetscCall(SolverChoiceCheckTogether_Private(comm, choice));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -347,7 +347,7 @@ PetscErrorCode SolverChoiceSetSecond(VI vi, const SolverReport *first, const cha
   PetscCall(PetscStrncpy(choice->ksp, SolverChoiceFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
   PetscCall(PetscOptionsGetString(NULL, prefix, "-ksp_type", choice->ksp, sizeof(choice->ksp), NULL));
   choice->own    = (PetscBool)!set;
-  choice->nested = SolverChoiceNested_Private(vi, choice->pc);
+  choice->nested = SolverChoiceNested_Private(vi, choice->snes, choice->pc);
   PetscCall(SolverChoiceCheckTogether_Private(PetscObjectComm((PetscObject)vi->b), choice));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
