@@ -125,7 +125,13 @@ PetscErrorCode MultiplierStatusDecide(const Level *level, const Support *support
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether earlier pairs serve a node of the pair num: one of the two is tied, or its normal is nearly a combination of theirs.
+/* Whether all directions of a node belong to its pair: it is tied, or has friction. */
+static PetscBool MultiplierStatusTakesAll_Private(const ScenePair *spec)
+{
+  return (PetscBool)(spec->type == PAIR_TIED || ScenePairHasFriction(spec));
+}
+
+/* Whether earlier pairs serve a node of the pair num: one of the two is tied or has friction, or its normal is nearly a combination of theirs.
    [in] n - normals of the pairs at local nodes [num+1] */
 static PetscBool MultiplierStatusIsServed_Private(PetscInt dim, PetscInt num, const PairAssembly assemblies[],
                                                   PetscScalar *const n[], PetscInt node)
@@ -135,7 +141,8 @@ static PetscBool MultiplierStatusIsServed_Private(PetscInt dim, PetscInt num, co
 
   for (PetscInt q = 0; q <= num; q++) {
     if (assemblies[q].status[node] != NODE_KEPT) continue;
-    if (q < num && (assemblies[q].spec->type == PAIR_TIED || assemblies[num].spec->type == PAIR_TIED))
+    if (q < num && (MultiplierStatusTakesAll_Private(assemblies[q].spec) ||
+                    MultiplierStatusTakesAll_Private(assemblies[num].spec)))
       return PETSC_TRUE;
     if (rank == dim) return PETSC_TRUE;
     for (PetscInt k = 0; k < dim; k++) span[rank][k] = PetscRealPart(n[q][node * dim + k]);

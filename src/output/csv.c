@@ -6,6 +6,7 @@
    that order, so that the table does not depend on the partition. Arc length is that of the curved facets. */
 #include <string.h>
 #include "output/fieldwriter.h"
+#include "result/frictionfields.h"
 #include "result/sidenodes.h"
 #include "base/compat.h"
 
@@ -13,11 +14,12 @@
 typedef struct {
   PetscInt  node; /* global */
   PetscReal x[3], pressure, gap, status, force;
-  PetscReal arc; /* along its piece */
+  PetscReal traction[3], slip[3]; /* with friction */
+  PetscReal arc;                  /* along its piece */
 } SideNode;
 
-/* Reals that are gathered per node: x, pressure, gap, status, force. */
-enum { SIDE_REALS = 7 };
+/* Reals that are gathered per node: x, pressure, gap, status, force, and with friction traction and slip. */
+enum { SIDE_TRACTION = 7, SIDE_SLIP = SIDE_TRACTION + 3, SIDE_REALS = SIDE_SLIP + 3 };
 
 /* Links between neighbouring nodes, as positions in the sorted nodes, and their lengths. */
 typedef struct {
@@ -65,13 +67,15 @@ static PetscErrorCode CSVGatherNodes_Private(Fields fields, PetscInt p, const Fa
   Level         *level = fields->vi->level;
   const PetscInt dim   = level->dim;
   PetscInt       n, *mine, *ids, *all_ids;
-  PetscReal     *reals, *all_reals;
+  PetscReal     *reals, *all_reals, *traction, *slip;
   PairFields     nodal;
 
   PetscFunctionBeginUser;
   PetscCall(SideNodesCreate(level, facets, &n, &mine));
   PetscCall(PairFieldsCreate(fields, p, &nodal));
   PairFieldsOmitBeyond(fields->vi->pairs[p], &nodal);
+  PetscCall(PetscMalloc2(level->num_owned * dim, &traction, level->num_owned * dim, &slip));
+  PetscCall(FrictionFieldsGet(fields, p, traction, slip));
   PetscCall(PetscMalloc2(n, &ids, n * SIDE_REALS, &reals));
   for (PetscInt i = 0; i < n; i++) {
     const PetscInt a   = mine[i];
@@ -79,6 +83,10 @@ static PetscErrorCode CSVGatherNodes_Private(Fields fields, PetscInt p, const Fa
 
     for (PetscInt k = 0; k < 3; k++) row[k] = k < dim ? level->coords[a * dim + k] : 0.0;
     row[3] = nodal.pressure[a], row[4] = nodal.gap[a], row[5] = nodal.status[a], row[6] = nodal.force[a];
+    for (PetscInt k = 0; k < 3; k++) {
+      row[SIDE_TRACTION + k] = k < dim ? traction[a * dim + k] : 0;
+      row[SIDE_SLIP + k]     = k < dim ? slip[a * dim + k] : 0;
+    }
     ids[i] = level->node_global[a];
   }
   PetscCall(GatherArraysInt(level->comm, n, ids, num, &all_ids));
@@ -87,8 +95,18 @@ static PetscErrorCode CSVGatherNodes_Private(Fields fields, PetscInt p, const Fa
   for (PetscInt i = 0; i < *num; i++) {
     const PetscReal *row = &all_reals[i * SIDE_REALS];
 
-    (*nodes)[i] = (SideNode){all_ids[i], {row[0], row[1], row[2]}, row[3], row[4], row[5], row[6], 0.0};
+    (*nodes)[i] = (SideNode){.node     = all_ids[i],
+                             .x        = {row[0], row[1], row[2]},
+                             .pressure = row[3],
+                             .gap      = row[4],
+                             .status   = row[5],
+                             .force    = row[6]};
+    for (PetscInt k = 0; k < 3; k++) {
+      (*nodes)[i].traction[k] = row[SIDE_TRACTION + k];
+      (*nodes)[i].slip[k]     = row[SIDE_SLIP + k];
+    }
   }
+  PetscCall(PetscFree2(traction, slip));
   PetscCall(PetscFree(all_ids));
   PetscCall(PetscFree(all_reals));
   PetscCall(PetscFree(mine));
@@ -254,23 +272,41 @@ static void CSVWriteRow_Private(FILE *out, PetscInt dim, const SideNode *node)
   fprintf(out, "%d,%.17g", (int)node->status, (double)node->force);
 }
 
+/* What friction adds to a row. */
+static void CSVWriteFriction_Private(FILE *out, PetscInt dim, const SideNode *node)
+{
+  for (PetscInt k = 0; k < dim; k++) fprintf(out, ",%.17g", (double)node->traction[k]);
+  for (PetscInt k = 0; k < dim; k++) fprintf(out, ",%.17g", (double)node->slip[k]);
+}
+
+/* The names of the columns. */
+static void CSVWriteHead_Private(FILE *out, PetscInt dim, PetscBool friction)
+{
+  fprintf(out, dim == 2 ? "x,y,pressure,gap,status,force,arc_length" : "x,y,z,pressure,gap,status,force");
+  for (PetscInt k = 0; friction && k < dim; k++) fprintf(out, ",tangential_traction_%c", "xyz"[k]);
+  for (PetscInt k = 0; friction && k < dim; k++) fprintf(out, ",slip_%c", "xyz"[k]);
+  fprintf(out, "\n");
+}
+
 /* Writes pieces one after the other, the arc length of each counted from 0. */
 static void CSVWriteChains_Private(FILE *out, const SideNode nodes[], const PetscInt order[], PetscInt num_pieces,
-                                   const SidePiece pieces[])
+                                   const SidePiece pieces[], PetscBool friction)
 {
-  fprintf(out, "x,y,pressure,gap,status,force,arc_length\n");
   for (PetscInt i = 0; i < num_pieces; i++) {
     for (PetscInt r = pieces[i].begin; r < pieces[i].end; r++) {
       CSVWriteRow_Private(out, 2, &nodes[order[r]]);
-      fprintf(out, ",%.17g\n", (double)nodes[order[r]].arc);
+      fprintf(out, ",%.17g", (double)nodes[order[r]].arc);
+      if (friction) CSVWriteFriction_Private(out, 2, &nodes[order[r]]);
+      fprintf(out, "\n");
     }
   }
 }
 
 PetscErrorCode CSVWritePair(Fields fields, PetscInt p, FileSet *files, const char final[])
 {
-  Level           *level = fields->vi->level;
-  const SceneSide *side  = &fields->vi->pairs[p]->spec->nonmortar;
+  Level           *level    = fields->vi->level;
+  const SceneSide *side     = &fields->vi->pairs[p]->spec->nonmortar;
+  const PetscBool  friction = ScenePairHasFriction(fields->vi->pairs[p]->spec);
   PetscInt         num_nodes, num_pieces, *order;
   SideLinks        links = {0, NULL, NULL};
   SideNode        *nodes;
@@ -285,16 +321,17 @@ PetscErrorCode CSVWritePair(Fields fields, PetscInt p, FileSet *files, const cha
   PetscCall(CSVGatherNodes_Private(fields, p, &facets, &num_nodes, &nodes));
   if (level->dim == 2) PetscCall(CSVCreateLinks_Private(level, &facets, num_nodes, nodes, &links));
   if (rank == 0) PetscCall(FileSetOpen(files, final, &out));
+  if (out) CSVWriteHead_Private(out, level->dim, friction);
   if (out && level->dim == 2) {
     PetscCall(PetscMalloc2(num_nodes, &order, num_nodes, &pieces));
     PetscCall(CSVOrderChains_Private(num_nodes, nodes, &links, order, &num_pieces, pieces));
-    CSVWriteChains_Private(out, nodes, order, num_pieces, pieces);
+    CSVWriteChains_Private(out, nodes, order, num_pieces, pieces, friction);
     PetscCall(PetscFree2(order, pieces));
   } else if (out) { /* a surface has no natural order but that of its places */
-    fprintf(out, "x,y,z,pressure,gap,status,force\n");
     qsort(nodes, num_nodes, sizeof(*nodes), CSVComparePlace_Private);
     for (PetscInt i = 0; i < num_nodes; i++) {
       CSVWriteRow_Private(out, 3, &nodes[i]);
+      if (friction) CSVWriteFriction_Private(out, 3, &nodes[i]);
       fprintf(out, "\n");
     }
   }

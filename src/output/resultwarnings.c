@@ -202,6 +202,21 @@ static PetscErrorCode SummaryWarnUnconfirmed_Private(const SummaryInput *in)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Friction so large that another solution may be near. */
+static PetscErrorCode SummaryWarnNotUnique_Private(const SummaryInput *in)
+{
+  const PetscReal rho = in->report->friction.rho;
+
+  PetscFunctionBeginUser;
+  if (!in->vi->friction || !in->report->converged || rho < 1) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(WarningAdd(
+      &(Warning){.code = "not_unique", .advice = "compare with smaller load steps, and with a smaller coefficient"},
+      "with this friction the solution may not be the only one: rho is %.3g, and below 1 there is no "
+      "other one near it",
+      (double)rho));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* With -check: what a solve would end with. */
 static PetscErrorCode SummaryWarnUnbalanced_Private(const SummaryInput *in)
 {
@@ -210,8 +225,9 @@ static PetscErrorCode SummaryWarnUnbalanced_Private(const SummaryInput *in)
   PetscFunctionBeginUser;
   if (!in->setup || !s || s->status != SOLVABLE_NOT) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(WarningAdd(&(Warning){.code = "unbalanced_loads", .advice = "support the body, or change the loads"},
-                       "there is no solution%s: %s: the loads do %+.6g of work and nothing resists",
-                       s->coarse ? " on this mesh" : "", s->motion.sentence, (double)s->motion.work));
+                       "there is no solution%s: %s: the loads do %+.6g of work and %s",
+                       s->coarse ? " on this mesh" : "", s->motion.sentence, (double)s->motion.work,
+                       s->slides ? "friction is too small to resist" : "nothing resists"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -313,6 +329,7 @@ PetscErrorCode SummaryWarn(const SummaryInput *input)
     if (input->fields) PetscCall(SummaryWarnCoarseCurve_Private(input, p));
   }
   PetscCall(SummaryWarnUnbalanced_Private(input));
+  PetscCall(SummaryWarnNotUnique_Private(input));
   PetscCall(SummaryWarnIdle_Private(input));
   if (!input->fields) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ValidityWarn(input->fields));

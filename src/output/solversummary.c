@@ -66,6 +66,28 @@ static void SolverSummaryAddReference_Private(const SolverReport *report, cJSON 
   JSONAddReal(object, "contact_ratio", reference->seconds > 0 ? report->seconds / reference->seconds : NAN);
 }
 
+/* Friction: uniqueness, and what is left of its law; null without it. */
+static void SolverSummaryAddFriction_Private(const SummaryInput *in, cJSON *solver)
+{
+  const FrictionReport   *report   = &in->report->friction;
+  const FrictionResidual *residual = &in->certificate->friction;
+  cJSON                  *object;
+
+  if (!in->vi->friction || !in->fields) {
+    cJSON_AddNullToObject(solver, "friction");
+    return;
+  }
+  object = cJSON_AddObjectToObject(solver, "friction");
+  JSONAddReal(object, "rho", report->rho);
+  cJSON_AddBoolToObject(object, "unique", report->rho < 1);
+  JSONAddInt(object, "slipping", report->slipping);
+  JSONAddInt(object, "sticking", report->sticking);
+  JSONAddInt(object, "relaxations", report->sweeps);
+  JSONAddReal(object, "cone", residual->cone);
+  JSONAddReal(object, "slip", residual->slip);
+  JSONAddReal(object, "dissipation", residual->dissipation);
+}
+
 void SolverSummaryAdd(const SummaryInput *in, cJSON *root)
 {
   const SolverReport *report = in->report;
@@ -106,5 +128,6 @@ void SolverSummaryAdd(const SummaryInput *in, cJSON *root)
   JSONAddReal(object, "pair_moment", c->pair_moment);
   SolverSummaryAddBound_Private(in, solver);
   SolverSummaryAddDiscretisation_Private(in, solver);
+  SolverSummaryAddFriction_Private(in, solver);
   SolverSummaryAddCrossCheck_Private(in->check, solver);
 }

@@ -8,6 +8,7 @@
 #include "output/patchsummary.h"
 #include "problem/eigenstrain.h"
 #include "problem/loads.h"
+#include "result/frictionfields.h"
 #include "result/pairsum.h"
 #include "result/probes.h"
 #include "base/compat.h"
@@ -184,6 +185,22 @@ static PetscErrorCode SummaryAddEnergy_Private(const SummaryInput *in, cJSON *ro
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Friction of a pair; null without it. */
+static PetscErrorCode SummaryAddFriction_Private(const SummaryInput *in, PetscInt p, cJSON *pair)
+{
+  FrictionSum sum = {.slip_share = NAN, .max_slip = NAN, .dissipation = NAN};
+
+  PetscFunctionBeginUser;
+  for (PetscInt k = 0; k < 3; k++) sum.force[k] = NAN;
+  if (in->fields && in->fields->lambda && ScenePairHasFriction(in->vi->pairs[p]->spec))
+    PetscCall(FrictionSumCompute(in->fields, p, &sum));
+  JSONAddReals(pair, "tangential_force", in->scene->dim, sum.force);
+  JSONAddReal(pair, "slip_share", sum.slip_share);
+  JSONAddReal(pair, "max_slip", sum.max_slip);
+  JSONAddReal(pair, "dissipation", sum.dissipation);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The inf-sup number of a pair; nothing without -infsup. */
 static void SummaryAddInfSup_Private(const SummaryInput *in, PetscInt p, cJSON *pair)
 {
@@ -223,6 +240,7 @@ static PetscErrorCode SummaryAddPairs_Private(const SummaryInput *in, cJSON *roo
     JSONAddReals(extent, "upper", dim, sum.upper);
     JSONAddReals(pair, "centre_of_pressure", dim, sum.centre);
     JSONAddReal(pair, "moment_imbalance", sum.moment_imbalance);
+    PetscCall(SummaryAddFriction_Private(in, p, pair));
     SummaryAddInfSup_Private(in, p, pair);
     PetscCall(GapDiscontinuityAdd(in->fields, p, dim, pair));
     PetscCall(PatchSummaryAdd(in->fields, p, pair));

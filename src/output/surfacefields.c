@@ -1,4 +1,5 @@
 /* surfacefields.c -- the nonmortar side of a pair as a surface with nodal fields. */
+#include "result/frictionfields.h"
 #include "base/compat.h"
 #include "output/fieldwriter.h"
 #include "result/sidenodes.h"
@@ -87,7 +88,23 @@ static PetscErrorCode SurfaceFieldsWriteFacets_Private(FieldWriter *writer, cons
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Displacement, pressure, gap, status and normal. */
+/* Tangential traction and slip of a pair with friction. */
+static PetscErrorCode SurfaceFieldsWriteFriction_Private(FieldWriter *writer, Fields fields, PetscInt p)
+{
+  const Level *level = fields->vi->level;
+  PetscReal   *traction, *slip;
+
+  PetscFunctionBeginUser;
+  if (!ScenePairHasFriction(fields->vi->pairs[p]->spec)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc2(level->num_owned * level->dim, &traction, level->num_owned * level->dim, &slip));
+  PetscCall(FrictionFieldsGet(fields, p, traction, slip));
+  PetscCall(FieldWriterPoints(writer, (Quantity){"tangential_traction", 3, PETSC_FALSE}, level->dim, traction));
+  PetscCall(FieldWriterPoints(writer, (Quantity){"slip", 3, PETSC_FALSE}, level->dim, slip));
+  PetscCall(PetscFree2(traction, slip));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Displacement, pressure, gap, status and normal; with friction traction and slip. */
 static PetscErrorCode SurfaceFieldsWriteQuantities_Private(FieldWriter *writer, Fields fields, PetscInt p,
                                                            const Facets *facets)
 {
@@ -109,6 +126,7 @@ static PetscErrorCode SurfaceFieldsWriteQuantities_Private(FieldWriter *writer, 
   PetscCall(FieldWriterPoints(writer, (Quantity){"gap", 1, PETSC_FALSE}, 1, nodal.gap));
   PetscCall(FieldWriterPoints(writer, (Quantity){"status", 1, PETSC_TRUE}, 1, status));
   PetscCall(FieldWriterPoints(writer, (Quantity){"normal", 3, PETSC_FALSE}, level->dim, normal));
+  PetscCall(SurfaceFieldsWriteFriction_Private(writer, fields, p));
   PetscCall(PetscFree(status));
   PetscCall(PetscFree(normal));
   PetscCall(PairFieldsDestroy(&nodal));

@@ -7,6 +7,7 @@
 #include "base/log.h"
 #include "base/compat.h"
 #include "output/patchsummary.h"
+#include "result/frictionfields.h"
 #include "result/pairsum.h"
 #include "result/solvabilityreport.h"
 #include "output/errorreport.h"
@@ -29,6 +30,25 @@ static PetscErrorCode SummaryPrintForce_Private(const SummaryInput *in, const Sc
   } else {
     PetscCall(PetscSNPrintf(text, len, "force %s", force));
   }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* "friction (0, 20), 40 % of the area slips by up to 1e-5" */
+static PetscErrorCode SummaryPrintFriction_Private(const SummaryInput *in, PetscInt p)
+{
+  FrictionSum sum;
+  char        force[128];
+
+  PetscFunctionBeginUser;
+  if (!ScenePairHasFriction(in->vi->pairs[p]->spec)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(FrictionSumCompute(in->fields, p, &sum));
+  PetscCall(NumberWordsVector(in->scene->dim, sum.force, force, sizeof(force)));
+  PetscCall(PetscPrintf(in->scene->comm, "    friction %s, ", force));
+  if (sum.slip_share > 0)
+    PetscCall(PetscPrintf(in->scene->comm, "%.3g%% of the area slips, by at most %.4g\n", 100 * (double)sum.slip_share,
+                          (double)sum.max_slip));
+  else
+    PetscCall(PetscPrintf(in->scene->comm, "all nodes in contact stick\n"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -56,6 +76,7 @@ static PetscErrorCode SummaryPrintPair_Private(const SummaryInput *in, PetscInt 
     if (sum.max_covered < sum.max_pressure)
       PetscCall(PetscPrintf(comm, "where the partner ends, %.6g elsewhere, ", (double)sum.max_covered));
     PetscCall(PetscPrintf(comm, "area %.6g%s\n", (double)sum.area, bar[2]));
+    PetscCall(SummaryPrintFriction_Private(in, p));
     PetscCall(PatchSummaryPrint(in->fields, p));
   }
   if (in->inf_sup && !PetscIsNanReal(in->inf_sup[p].number)) {

@@ -15,11 +15,28 @@ static const PetscReal TIE_PER_RESIDUAL = 0.1;
 static const PetscReal NOISE_VALUE = 1024 * PETSC_MACHINE_EPSILON;
 static const PetscReal NOISE_FORCE = 64 * PETSC_MACHINE_EPSILON;
 
+/* Marks the tangents of this rank. [out] tangent - [size], owned by the caller */
+static PetscErrorCode ActiveSetMarkTangents_Private(const FrictionLaw *law, PetscInt begin, PetscInt size,
+                                                    PetscBool **tangent)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(size, tangent));
+  for (PetscInt i = 0; law && i < FRICTION_TANGENTS * law->n; i++)
+    if (law->tangent[i] >= 0) (*tangent)[law->tangent[i] - begin] = PETSC_TRUE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ActiveSetCreate(Vec upper, Mat A, ActiveSet *set)
+{
+  return ActiveSetCreateWithTangents(upper, A, NULL, set);
+}
+
+PetscErrorCode ActiveSetCreateWithTangents(Vec upper, Mat A, const FrictionLaw *law, ActiveSet *set)
 {
   const PetscScalar *u, *d;
   Vec                diag;
   PetscInt           size, i;
+  PetscBool         *tangent;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(set, sizeof(*set)));
@@ -30,11 +47,12 @@ PetscErrorCode ActiveSetCreate(Vec upper, Mat A, ActiveSet *set)
   PetscCall(VecGetOwnershipRange(upper, &set->dof_begin, NULL));
   PetscCall(VecGetArrayRead(upper, &u));
   PetscCall(VecGetArrayRead(diag, &d));
-  for (i = 0; i < size; i++) set->n += u[i] < PETSC_INFINITY;
+  PetscCall(ActiveSetMarkTangents_Private(law, set->dof_begin, size, &tangent));
+  for (i = 0; i < size; i++) set->n += u[i] < PETSC_INFINITY || tangent[i];
   PetscCall(PetscMalloc3(set->n, &set->dof, set->n, &set->upper, set->n, &set->diag));
   PetscCall(PetscCalloc1(set->n, &set->active));
   for (i = 0, set->n = 0; i < size; i++) {
-    if (u[i] >= PETSC_INFINITY) continue;
+    if (u[i] >= PETSC_INFINITY && !tangent[i]) continue;
     set->dof[set->n]    = set->dof_begin + i;
     set->upper[set->n]  = u[i];
     set->diag[set->n++] = d[i];
@@ -42,6 +60,7 @@ PetscErrorCode ActiveSetCreate(Vec upper, Mat A, ActiveSet *set)
   PetscCall(VecRestoreArrayRead(diag, &d));
   PetscCall(VecRestoreArrayRead(upper, &u));
   PetscCall(VecDestroy(&diag));
+  PetscCall(PetscFree(tangent));
   PetscCallMPI(MPI_Scan(&set->n, &set->begin, 1, MPIU_INT, MPI_SUM, set->comm));
   set->begin -= set->n;
   PetscCallMPI(MPI_Allreduce(&set->n, &set->N, 1, MPIU_INT, MPI_SUM, set->comm));

@@ -244,10 +244,16 @@ PetscErrorCode FactorizationCreate(Mat A, PetscInt num, const PetscInt C[], cons
 
 void FactorizationFillSchur(PetscInt num, PetscScalar S[])
 {
+  PetscInt lower = 0, upper = 0;
+
   for (PetscInt i = 0; i < num; i++) {
-    for (PetscInt j = 0; j < i; j++)
-      S[i * num + j] = S[j * num + i] = S[i * num + j] != 0 ? S[i * num + j] : S[j * num + i];
+    for (PetscInt j = 0; j < i; j++) {
+      lower += S[i * num + j] != 0;
+      upper += S[j * num + i] != 0;
+    }
   }
+  for (PetscInt i = 0; i < num; i++)
+    for (PetscInt j = 0; j < i; j++) S[i * num + j] = S[j * num + i] = lower >= upper ? S[i * num + j] : S[j * num + i];
 }
 
 PetscErrorCode FactorizationPredict(Mat A, PetscInt num, const PetscInt C[], const char prefix[],

@@ -15,7 +15,8 @@ typedef struct _n_Factor *Factorization;
    [out] error - the same on all ranks; but for MAT_FACTOR_NOERROR nothing but FactorizationDestroy() is allowed then */
 PetscErrorCode FactorizationCreate(Mat A, PetscInt num, const PetscInt C[], const char prefix[], PetscScalar S[],
                                    Factorization *factor, MatFactorError *error);
-/* Fills the other triangle of S, of which MUMPS gives one: the lower one on one rank, the upper one on several. Not collective.
+/* Fills the other triangle of S, of which MUMPS gives one: the lower one on one rank, the upper one on several. Next to the diagonal the other one
+   has parts of sums, so that the fuller triangle is taken as a whole. Not collective.
    [in,out] S - of FactorizationCreate(), which was zero before [num][num] */
 void FactorizationFillSchur(PetscInt num, PetscScalar S[]);
 /* The predicted cost of a factorization. */

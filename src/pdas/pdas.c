@@ -6,6 +6,7 @@
    References: [1] Hueber, Wohlmuth, A primal-dual active set strategy for non-linear multibody contact, 2005. */
 #include "base/usererror.h"
 #include "pdas/pdas.h"
+#include "pdas/frictionimpl.h"
 #include "pdas/pdasimpl.h"
 #include "multigrid/multigrid.h"
 
@@ -61,6 +62,36 @@ PetscErrorCode PDASGetFailure(SNES snes, const char *sentence[])
     *sentence = pdas->failure;
   else if (!pdas->converged)
     *sentence = "the active set still changed after -snes_max_it iterations";
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PDASSetFriction(SNES snes, const FrictionLaw *law)
+{
+  PDAS *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  pdas->law = law;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PDASSetFrictionFixedPoint(SNES snes, PetscBool fixed_point)
+{
+  PDAS *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  pdas->fixed_point = fixed_point;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PDASGetFriction(SNES snes, FrictionReport *report)
+{
+  PDAS *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  *report = pdas->friction_report;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -223,7 +254,7 @@ static PetscErrorCode PDASPrepare_Private(SNES snes, PDAS *pdas, Mat A, Vec b, V
   } else {
     PetscCall(VecDuplicate(y, &upper));
     PetscCall(VecSet(upper, PETSC_INFINITY));
-    PetscCall(ActiveSetCreate(pdas->upper ? pdas->upper : upper, A, &pdas->set));
+    PetscCall(ActiveSetCreateWithTangents(pdas->upper ? pdas->upper : upper, A, pdas->law, &pdas->set));
     PetscCall(VecDestroy(&upper));
     PetscCall(PDASBegin(snes, pdas, &pdas->set, y, r));
     PetscCall(PDASChooseSolver(snes, pdas, A, b, y));
@@ -243,7 +274,10 @@ static PetscErrorCode Solve_PDAS(SNES snes, Vec y)
   PetscCall(PDASReset_Private(snes, pdas));
   PetscCall(PDASProblem_Private(snes, y, &A, &b, &r));
   PetscCall(PDASPrepare_Private(snes, pdas, A, b, y, r));
-  if (!pdas->failure) PetscCall(PDASIterate(snes, pdas, &pdas->set, pdas->solver, y));
+  if (!pdas->failure && pdas->law)
+    PetscCall(FrictionIterate(snes, pdas, pdas->solver, y));
+  else if (!pdas->failure)
+    PetscCall(PDASIterate(snes, pdas, &pdas->set, pdas->solver, y));
   if (pdas->converged)
     PetscCall(SNESSetConvergedReason(snes, SNES_CONVERGED_FNORM_RELATIVE));
   else

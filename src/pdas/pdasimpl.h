@@ -9,6 +9,7 @@
 #include <stdint.h>
 #include <petscsnes.h>
 #include "base/compat.h"
+#include "pdas/friction.h"
 
 /* The bounded unknowns and which of them are active (fixed at their bound). Distributed like y. */
 typedef struct {
@@ -25,6 +26,8 @@ typedef struct {
 
 /* Finds the bounded unknowns (upper < infinity); nothing active. Collective. */
 PetscErrorCode ActiveSetCreate(Vec upper, Mat A, ActiveSet *set);
+/* The same with the tangents of a law of friction, whose bounds are infinite. Collective. */
+PetscErrorCode ActiveSetCreateWithTangents(Vec upper, Mat A, const FrictionLaw *law, ActiveSet *set);
 PetscErrorCode ActiveSetDestroy(ActiveSet *set);
 /* Gets values of bounded unknowns from a vector, or sets them. Not collective. [in or out] values - [n] */
 PetscErrorCode ActiveSetGather(const ActiveSet *set, Vec v, PetscReal values[]);
@@ -113,6 +116,11 @@ enum { ACTIVE_MAX_SCHUR = 3000 };
    NULL */
 PetscErrorCode SchurSolverCreate(const ActiveSet *set, Mat A, Vec b, const char prefix[], PetscReal rtol,
                                  ActiveSolver *solver, const char **failure);
+/* Of such a solver: S and g of the reduced problem, and values of its unknowns to and from the first rank. Collective.
+   [out] S, g - borrowed, of the first rank, NULL on others; [in,out] all - of the first rank, else NULL; own - [set->n] */
+PetscErrorCode SchurSolverGetReduced(ActiveSolver solver, PetscScalar **S, PetscReal **g);
+PetscErrorCode SchurSolverGather(ActiveSolver solver, const PetscReal own[], PetscReal all[]);
+PetscErrorCode SchurSolverScatter(ActiveSolver solver, const PetscReal all[], PetscReal own[]);
 PetscErrorCode ActiveSolverDestroy(ActiveSolver *solver);
 
 /* The common part of the constructors. Collective. */
@@ -169,6 +177,10 @@ typedef struct {
   const char *failure;    /* reason of a failed system, or NULL */
   PetscInt    num_active; /* of the present set */
   Vec         active;     /* 0/1, the final set */
+  /* friction, */
+  const FrictionLaw *law; /* borrowed, or NULL */
+  FrictionReport     friction_report;
+  PetscBool          fixed_point; /* over Tresca problems, instead of Newton's method */
   /* and what is kept for the next solve, if matrix and bounds stay the same */
   PetscBool    keep;
   ActiveSet    set;

@@ -251,6 +251,41 @@ static PetscErrorCode Finish_SchurSolver(ActiveSolver solver, ActiveSolution *so
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode SchurSolverGetReduced(ActiveSolver solver, PetscScalar **S, PetscReal **g)
+{
+  SchurSolver *t = solver->data;
+
+  PetscFunctionBeginUser;
+  if (t->rank) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatDenseGetArray(t->S, S)); // stays where it is as long as the solver lives
+  PetscCall(MatDenseRestoreArray(t->S, NULL));
+  PetscCall(VecGetArray(t->g, g));
+  PetscCall(VecRestoreArray(t->g, NULL));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SchurSolverGather(ActiveSolver solver, const PetscReal own[], PetscReal all[])
+{
+  const SchurSolver *t = solver->data;
+  PetscMPIInt        n;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMPIIntCast(solver->set->n, &n));
+  PetscCallMPI(MPI_Gatherv(own, n, MPIU_REAL, all, t->counts, t->offsets, MPIU_REAL, 0, solver->set->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SchurSolverScatter(ActiveSolver solver, const PetscReal all[], PetscReal own[])
+{
+  const SchurSolver *t = solver->data;
+  PetscMPIInt        n;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMPIIntCast(solver->set->n, &n));
+  PetscCallMPI(MPI_Scatterv(all, t->counts, t->offsets, MPIU_REAL, own, n, MPIU_REAL, 0, solver->set->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 static PetscErrorCode Destroy_SchurSolver(ActiveSolver solver)
 {
   SchurSolver *t = solver->data;

@@ -21,6 +21,7 @@ static PetscErrorCode SolverTypeReducible_Private(const PDAS *pdas, const Active
   if (type) PetscCall(PetscStrcmp(type, MATSOLVERMUMPS, &mumps));
   *reduced = (PetscBool)(direct && mumps && set->N <= ACTIVE_MAX_SCHUR);
   if (pdas->reduce_set) *reduced = pdas->reduce;
+  if (pdas->law) *reduced = PETSC_TRUE; // with friction there is no other
   /* without bounds there is one system only; with bounds alone nothing to eliminate */
   if (set->N == 0 || set->N == size) *reduced = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);

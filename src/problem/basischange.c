@@ -84,13 +84,28 @@ static PetscErrorCode NodeBasesListNodes_Private(VI vi, NodeBases *bases)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether a support holds a node along a tangent: there it cannot slide, and the support takes what friction would. */
+static PetscBool BasisChangeIsHeld_Private(const Support *held, PetscInt node, const PetscReal tangent[])
+{
+  const PetscInt dim = held->dim;
+
+  for (PetscInt j = 0; j < held->count[node]; j++) {
+    PetscReal dot = 0;
+
+    for (PetscInt k = 0; k < dim; k++) dot += held->directions[(node * dim + j) * dim + k] * tangent[k];
+    if (PetscAbsReal(dot) > 1 - PARALLEL) return PETSC_TRUE;
+  }
+  return PETSC_FALSE;
+}
+
 /* Enters one node of a pair: a row of B and of F per constrained direction.
    [in,out] used - rows of F already taken by constraints [bases->num] */
 static void NodeBasesAddNode_Private(VI vi, NodeBases *bases, PetscInt p, PetscInt k, PetscInt used[], PetscInt *row)
 {
   const Pair      pair = vi->pairs[p];
   const PetscInt  dim = vi->level->dim, node = pair->nodes[k], s = bases->of_node[node];
-  const PetscInt  num    = pair->spec->type == PAIR_TIED ? dim : 1;
+  const PetscBool slides = ScenePairHasFriction(pair->spec);
+  const PetscInt  num    = pair->spec->type == PAIR_TIED || slides ? dim : 1;
   PetscReal      *F      = &bases->F[s * dim * dim];
   const PetscReal weight = pair->D[k] * vi->scene->thickness;
 
@@ -100,10 +115,13 @@ static void NodeBasesAddNode_Private(VI vi, NodeBases *bases, PetscInt p, PetscI
     for (PetscInt i = 0; i < dim; i++) F[used[s] * dim + i] = pair->normal[k * dim + i];
   }
   for (PetscInt i = 0; i < num; i++) {
+    const PetscInt unknown = used[s]++;
+
+    if (slides && i && BasisChangeIsHeld_Private(&vi->support, node, &F[unknown * dim])) continue;
     vi->row_pair[*row]      = p;
     vi->row_node[*row]      = k;
     vi->row_direction[*row] = i;
-    vi->row_dof[*row]       = dim * (vi->level->node_begin + node) + used[s]++;
+    vi->row_dof[*row]       = dim * (vi->level->node_begin + node) + unknown;
     vi->row_D[(*row)++]     = weight;
   }
 }
@@ -124,15 +142,17 @@ static void NodeBasesCompleteFrame_Private(PetscInt dim, PetscInt used, PetscRea
 PetscErrorCode NodeBasesCreate(VI vi, NodeBases *bases)
 {
   const PetscInt dim = vi->level->dim;
-  PetscInt      *used, row = 0;
+  PetscInt      *used, row = 0, most = 0;
 
   PetscFunctionBeginUser;
   PetscCall(NodeBasesListNodes_Private(vi, bases));
-  vi->num_rows = 0;
-  for (PetscInt p = 0; p < vi->num_pairs; p++)
-    vi->num_rows += vi->pairs[p]->num * (vi->pairs[p]->spec->type == PAIR_TIED ? dim : 1);
-  PetscCall(PetscMalloc5(vi->num_rows, &vi->row_pair, vi->num_rows, &vi->row_node, vi->num_rows, &vi->row_direction,
-                         vi->num_rows, &vi->row_dof, vi->num_rows, &vi->row_D));
+  for (PetscInt p = 0; p < vi->num_pairs; p++) {
+    const ScenePair *spec = vi->pairs[p]->spec;
+
+    most += vi->pairs[p]->num * (spec->type == PAIR_TIED || ScenePairHasFriction(spec) ? dim : 1);
+  }
+  PetscCall(PetscMalloc5(most, &vi->row_pair, most, &vi->row_node, most, &vi->row_direction, most, &vi->row_dof, most,
+                         &vi->row_D));
   PetscCall(PetscCalloc1(bases->num, &used));
   for (PetscInt s = 0; s < bases->num; s++) { // oblique supports; pairs overwrite theirs
     PetscCall(PetscArraycpy(&bases->F[s * dim * dim], &vi->support.directions[bases->node[s] * dim * dim], dim * dim));
@@ -140,6 +160,7 @@ PetscErrorCode NodeBasesCreate(VI vi, NodeBases *bases)
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
     for (PetscInt k = 0; k < vi->pairs[p]->num; k++) NodeBasesAddNode_Private(vi, bases, p, k, used, &row);
   }
+  vi->num_rows = row;
   for (PetscInt s = 0; s < bases->num; s++) {
     NodeBasesCompleteFrame_Private(dim, used[s], &bases->F[s * dim * dim]);
     BasisChangeInvertFrame_Private(dim, &bases->F[s * dim * dim], &bases->Finv[s * dim * dim]);

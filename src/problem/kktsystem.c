@@ -73,10 +73,14 @@ PetscErrorCode KKTSystemSetGaps(VI vi)
   if (!vi->G) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecGetOwnershipRange(vi->G, &first, NULL));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    const Pair      pair = vi->pairs[vi->row_pair[r]];
-    const PetscReal gap  = pair->gap[vi->row_node[r]];
+    const Pair pair = vi->pairs[vi->row_pair[r]];
+    PetscReal  gap  = 0; // of ties, and of tangents from where slip counts
 
-    PetscCall(VecSetValue(vi->G, first + r, pair->spec->type == PAIR_TIED ? 0 : vi->row_D[r] * gap, INSERT_VALUES));
+    if (pair->spec->type != PAIR_TIED) {
+      if (!vi->row_direction[r]) gap = pair->gap[vi->row_node[r]];
+      if (vi->row_direction[r] && vi->slip_origin) gap = vi->slip_origin[r];
+    }
+    PetscCall(VecSetValue(vi->G, first + r, vi->row_D[r] * gap, INSERT_VALUES));
   }
   PetscCall(VecAssemblyBegin(vi->G));
   PetscCall(VecAssemblyEnd(vi->G));

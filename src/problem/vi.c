@@ -12,6 +12,7 @@
 #include "problem/cyclicroles.h"
 #include "problem/condensation.h"
 #include "problem/loads.h"
+#include "problem/frictionlaw.h"
 
 /* The mean diagonal of K. */
 static PetscErrorCode VIChooseStiffness_Private(VI vi)
@@ -152,7 +153,7 @@ static PetscErrorCode VISetBounds_Private(VI vi)
   PetscCall(VecSet(vi->upper, PETSC_INFINITY));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     const Pair pair = vi->pairs[vi->row_pair[r]];
-    if (pair->spec->type == PAIR_TIED) continue;
+    if (pair->spec->type == PAIR_TIED || vi->row_direction[r]) continue;
     PetscCall(VecSetValue(vi->upper, vi->row_dof[r], pair->gap[vi->row_node[r]] / vi->length, INSERT_VALUES));
   }
   PetscCall(VecAssemblyBegin(vi->upper));
@@ -208,6 +209,7 @@ static PetscErrorCode VICreateOnLevel_Private(Scene scene, Mesh mesh, Level *lev
   PetscCall(MatCreateVecs(vi->K, &vi->upper, &vi->lower));
   PetscCall(VecSet(vi->lower, PETSC_NINFINITY));
   PetscCall(VISetBounds_Private(vi));
+  PetscCall(FrictionLawCreate(vi));
   PetscCall(BasisChangeGetFixed(vi, &basis->bases, &basis->couplings, &vi->num_fixed, &vi->fixed, &values));
   PetscCall(VICondense_Private(vi, values));
   PetscCall(PetscFree(values));
@@ -275,11 +277,32 @@ PetscErrorCode VIUpdate(VI vi, int changed, PetscBool *updated)
   PetscCall(KKTSystemSetGaps(vi));
   PetscCall(VIChooseLength_Private(vi));
   PetscCall(VISetBounds_Private(vi));
+  PetscCall(FrictionLawUpdate(vi));
   PetscCall(BasisChangeGetFixed(vi, &vi->basis->bases, &vi->basis->couplings, &num_fixed, &fixed, &values));
   PetscCall(VISetLoad_Private(vi, values));
   PetscCall(PetscFree(fixed));
   PetscCall(PetscFree(values));
   PetscCall(LogStageEnd(STAGE_CONDENSE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VISetSlipOrigin(VI vi, Vec u)
+{
+  const PetscScalar *moved;
+  Vec                relative;
+
+  PetscFunctionBeginUser;
+  if (!vi->friction || !vi->B) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatCreateVecs(vi->B, NULL, &relative));
+  PetscCall(MatMult(vi->B, u, relative));
+  if (!vi->slip_origin) PetscCall(PetscCalloc1(vi->num_rows, &vi->slip_origin));
+  PetscCall(VecGetArrayRead(relative, &moved));
+  for (PetscInt r = 0; r < vi->num_rows; r++)
+    vi->slip_origin[r] = vi->row_direction[r] ? PetscRealPart(moved[r]) / vi->row_D[r] : 0;
+  PetscCall(VecRestoreArrayRead(relative, &moved));
+  PetscCall(VecDestroy(&relative));
+  PetscCall(FrictionLawUpdate(vi));
+  PetscCall(KKTSystemSetGaps(vi));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -309,6 +332,8 @@ PetscErrorCode VIDestroy(VI *vi_in)
   PetscCall(PetscFree(vi->fixed_local));
   PetscCall(SupportDestroy(&vi->support));
   PetscCall(RigidModesDestroy(&vi->rigid_modes));
+  PetscCall(FrictionLawDestroy(&vi->friction));
+  PetscCall(PetscFree(vi->slip_origin));
   PetscCall(PetscFree5(vi->row_pair, vi->row_node, vi->row_direction, vi->row_dof, vi->row_D));
   PetscCall(MatDestroy(&vi->nest));
   PetscCall(MatDestroy(&vi->B));

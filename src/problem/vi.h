@@ -10,6 +10,7 @@
 
 #include "contact/pair.h"
 #include "mesh/rigidmodes.h"
+#include "pdas/friction.h"
 
 typedef struct _n_VIBasis *VIBasis; /* private to this module: the factors of T */
 
@@ -31,22 +32,26 @@ struct _n_VI {
   Mat nest;     /* [K B'; B 0], borrows K and B; NULL like B */
 
   /* rows of B: this rank's multipliers, by pair, then by node, then (tied) by direction */
-  PetscInt   num_rows;      /* owned by this rank */
-  PetscInt  *row_pair;      /* [num_rows] */
-  PetscInt  *row_node;      /* position in the pair's nodes [num_rows] */
-  PetscInt  *row_direction; /* 0 normal, 1.. tangents (tied pairs only) [num_rows] */
-  PetscInt  *row_dof;       /* the global unknown y_i that is (B u)_row / D_row [num_rows] */
-  PetscReal *row_D;         /* D_aa [num_rows] */
+  PetscInt  num_rows; /* owned by this rank */
+  PetscInt *row_pair; /* [num_rows] */
+  PetscInt *row_node; /* position in the pair's nodes [num_rows] */
+  PetscInt        *
+      row_direction; /* 0 normal, 1.. tangents (tied pairs, and pairs with friction where supports leave them free) [num_rows] */
+  PetscInt  *row_dof; /* the global unknown y_i that is (B u)_row / D_row [num_rows] */
+  PetscReal *row_D;   /* D_aa [num_rows] */
+  PetscReal
+      *slip_origin; /* relative displacement from which slip counts, in tangential rows [num_rows]; NULL for none */
 
   /* the inequality */
-  Mat       T;                 /* u = length * T y; NULL when it is the identity */
-  Mat       Z;                 /* (T'KT - K) / stiffness: nonzero beside contact only; NULL with T */
-  Mat       S;                 /* K / stiffness for fast products, NULL until VIPrepareProducts() */
-  Mat       A;                 /* SPD, block size dim; a shell that knows products and diagonal, until VIAssemble() */
-  Vec       b;                 /* ghosted */
-  Vec       upper;             /* nodal gaps / length on contact unknowns, +infinity elsewhere */
-  Vec       lower;             /* -infinity */
-  PetscReal length, stiffness; /* scales */
+  Mat          T;        /* u = length * T y; NULL when it is the identity */
+  Mat          Z;        /* (T'KT - K) / stiffness: nonzero beside contact only; NULL with T */
+  Mat          S;        /* K / stiffness for fast products, NULL until VIPrepareProducts() */
+  Mat          A;        /* SPD, block size dim; a shell that knows products and diagonal, until VIAssemble() */
+  Vec          b;        /* ghosted */
+  Vec          upper;    /* nodal gaps / length on contact unknowns, +infinity elsewhere */
+  Vec          lower;    /* -infinity */
+  FrictionLaw *friction; /* of the contact unknowns; NULL where no pair has friction */
+  PetscReal    length, stiffness; /* scales */
 
   PetscInt  num_fixed;   /* unknowns of this rank that are eliminated from A */
   PetscInt *fixed;       /* global numbers [num_fixed] */
@@ -65,6 +70,8 @@ PetscErrorCode VICreateFiner(VI vi, VI *fine);
    Collective. [in] changed - DatumKind bits of what may differ; [out] updated - false where matrices would change: then vi is to be
    created anew */
 PetscErrorCode VIUpdate(VI vi, int changed, PetscBool *updated);
+/* Slip counts from this displacement on, as that of the last load step. Without friction nothing happens. Collective. [in] u - ghosted */
+PetscErrorCode VISetSlipOrigin(VI vi, Vec u);
 /* The same scene on a coarser level of its mesh, with the scales of vi. Collective. [in] l - level of vi->mesh; [in] K - in place of the level's own, or NULL;
    [out] coarse - owned by the caller */
 PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse);

@@ -38,7 +38,7 @@ static PetscErrorCode BarFloorsCreateNodal_Private(Fields fields, PetscInt p, Ve
     const PetscInt i = pair->nodes[k];
 
     a[2 * i]     = values.pressure[i];
-    a[2 * i + 1] = values.status[i] == STATUS_CONTACT;
+    a[2 * i + 1] = StatusIsContact(values.status[i]);
   }
   PetscCall(VecRestoreArray(*nodal, &a));
   PetscCall(PairFieldsDestroy(&values));

@@ -255,7 +255,7 @@ static void CertificateAddForce_Private(Fields fields, PetscInt r, PetscReal lam
 {
   const PetscReal weight = fields->row_weight[r], force = lambda * weight;
 
-  if (fields->row_status[r] == STATUS_CONTACT) sums[SUM_PULL] += PetscMax(-force, 0.0);
+  if (StatusIsContact(fields->row_status[r])) sums[SUM_PULL] += PetscMax(-force, 0.0);
   sums[SUM_PRESS] += PetscAbsReal(force) + fields->row_noise[r] * PetscAbsReal(weight) / TOLERANCE;
   sums[SUM_WEIGHTLESS] += fields->vi->row_D[r] > 0 && weight > 0 ? 0 : 1;
 }
@@ -274,6 +274,7 @@ static PetscErrorCode CertificateSumRows_Private(Fields fields, PetscReal sums[]
       largest[MAX_GAP] = PetscMax(largest[MAX_GAP], PetscAbsReal(slack[r]));
       continue;
     }
+    if (vi->row_direction[r]) continue; // friction has a law of its own
     CertificateAddForce_Private(fields, r, lambda[r], sums);
     largest[MAX_GAP] = PetscMax(largest[MAX_GAP], -slack[r]);
     /* Per row, because the roundoff of a row with little coverage is larger. */
@@ -328,6 +329,9 @@ static PetscErrorCode CertificateDecide_Private(PetscBool stopped, Certificate *
       {"tension in a contact", c->pressure, set},
       {"complementarity of pressure and gap", c->complementarity, set},
       {"the tensile part of the contact forces", c->pull, mesh},
+      {"a tangential traction beyond the limit of friction", c->friction.cone, set},
+      {"slip against the law of friction", c->friction.slip, set},
+      {"work that friction returns", c->friction.dissipation, set},
       {"balance of forces", c->force, solver},
       {"balance of moments", c->moment, solver},
   };
@@ -379,6 +383,7 @@ PetscErrorCode CertificateCompute(Fields fields, Certificate *certificate, Vec *
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, SUM_COUNT, MPIU_REAL, MPI_SUM, comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, MAX_COUNT, MPIU_REAL, MPI_MAX, comm));
   CertificateSetRatios_Private(fields, sums, largest, certificate);
+  PetscCall(FrictionResidualCompute(fields, TOLERANCE, &certificate->friction));
   PetscCall(CertificateDecide_Private(stopped, certificate));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -3,6 +3,7 @@
 #define MORTISE_CERTIFICATE_H
 
 #include "result/fields.h"
+#include "result/frictionfields.h"
 #include "solve/solver.h"
 
 /* All dimensionless; the same on all ranks. NAN where the answer holds numbers that are not finite. */
@@ -14,9 +15,10 @@ typedef struct {
   PetscReal force,
       moment; /* balance of loads, reactions and obstacles of the whole scene, over the sum of their sizes */
   PetscReal
-            pair_moment; /* part of moment that forces between two meshes in contact (ties hand theirs over) leave on curved sides with a gap */
-  PetscReal pull;       /* sum of contact forces (pressure times the row's weight) that pull, over the sum of all */
-  PetscInt  weightless; /* rows of contact that weigh nothing or less: there must be none */
+                   pair_moment; /* part of moment that forces between two meshes in contact (ties hand theirs over) leave on curved sides with a gap */
+  PetscReal        pull; /* sum of contact forces (pressure times the row's weight) that pull, over the sum of all */
+  FrictionResidual friction;   /* 0 without friction */
+  PetscInt         weightless; /* rows of contact that weigh nothing or less: there must be none */
   PetscReal
       energy_norm; /* |u|_K = (u'Ku)^(1/2), in the user's units: what the bound of the error is compared with; no test */
   PetscReal limit; /* what none of those above but pair_moment may exceed */

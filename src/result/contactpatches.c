@@ -69,7 +69,7 @@ static PetscErrorCode PatchSetLabels_Private(Fields fields, PetscInt p, Vec labe
   for (PetscInt i = 0; i < level->num_owned; i++) {
     const PetscBool joins = (PetscBool)(nodal.status[i] == STATUS_NONE && nodal.covered[i] && nodal.pressure[i] > 0);
 
-    label[i] = joins || nodal.status[i] == STATUS_CONTACT ? (PetscReal)level->node_global[i] : -1;
+    label[i] = joins || StatusIsContact(nodal.status[i]) ? (PetscReal)level->node_global[i] : -1;
   }
   PetscCall(VecRestoreArray(labels, &label));
   PetscCall(PairFieldsDestroy(&nodal));
@@ -139,7 +139,7 @@ static PetscErrorCode PatchGatherLabels_Private(MPI_Comm comm, PetscInt n, Petsc
 static PetscBool PatchIsRow_Private(Fields fields, PetscInt p, PetscInt r)
 {
   return (PetscBool)(fields->vi->row_pair[r] == p && fields->vi->row_direction[r] == 0 &&
-                     fields->row_status[r] == STATUS_CONTACT);
+                     StatusIsContact(fields->row_status[r]));
 }
 
 /* Numbers the patches that have a row, in the order of their labels. Collective. [out] nodes - patch of each local node */

@@ -4,6 +4,7 @@
    out. Whether a node is in contact is therefore a decision with a tolerance, taken here once for all outputs. */
 #include "result/estimate.h"
 #include "result/fields.h"
+#include "result/frictionfields.h"
 #include "base/compat.h"
 #include "problem/eigenstrain.h"
 
@@ -231,6 +232,7 @@ PetscErrorCode FieldsCreate(VI vi, Solvability solvability, Vec y, Fields *field
   }
   PetscCall(FieldsSetReferenceSizes_Private(f));
   if (vi->B) PetscCall(FieldsSetRowStatus_Private(f, solvability ? solvability->slip : 0, y));
+  PetscCall(FrictionFieldsSetStatus(f));
   *fields = f;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -6,7 +6,20 @@
 #include "solve/solver.h"
 
 /* Status of a node for contact. */
-typedef enum { STATUS_NONE = -1, STATUS_OPEN = 0, STATUS_CONTACT = 1, STATUS_TIED = 2 } ContactStatus;
+typedef enum {
+  STATUS_NONE    = -1,
+  STATUS_OPEN    = 0,
+  STATUS_CONTACT = 1, /* without friction, or where a support holds the node along the side */
+  STATUS_TIED    = 2,
+  STATUS_SLIP    = 3,
+  STATUS_STICK   = 4
+} ContactStatus;
+
+/* Whether sides press on each other there, with or without friction. */
+static inline PetscBool StatusIsContact(PetscInt status)
+{
+  return (PetscBool)(status == STATUS_CONTACT || status == STATUS_SLIP || status == STATUS_STICK);
+}
 
 /* lambda and slack are NULL where no pair has a multiplier. Arrays per row follow vi->row_pair and its companions. */
 struct _n_Fields {

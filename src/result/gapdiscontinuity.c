@@ -24,7 +24,7 @@ static PetscReal GapDiscontinuityGetRow_Private(Fields fields, PetscInt p, Petsc
   const PetscInt a    = fields->vi->row_node[r];
 
   if (fields->vi->row_pair[r] != p || fields->vi->row_direction[r] != 0) return 0;
-  if (fields->row_status[r] != STATUS_CONTACT) return 0;
+  if (!StatusIsContact(fields->row_status[r])) return 0;
   return PetscMax(-pair->gap[a] - pair->overlap[a], 0);
 }
 

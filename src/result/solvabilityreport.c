@@ -69,10 +69,10 @@ PetscErrorCode SolvabilityReportRefuse(VI vi, Solvability s)
   PetscFunctionBeginUser;
   if (s && s->status == SOLVABLE_NOT) {
     PetscCall(PetscFPrintf(
-        vi->level->comm, PETSC_STDERR,
-        "mortise: no solution%s: %s: the loads do %+.6g of work %s per %s and nothing resists%s\n",
+        vi->level->comm, PETSC_STDERR, "mortise: no solution%s: %s: the loads do %+.6g of work %s per %s and %s%s\n",
         s->coarse ? " on this mesh" : "", s->motion.sentence, (double)s->motion.work,
         s->motion.num > 1 ? "together" : "on it", s->motion.turns ? "radian" : "unit of length",
+        s->slides ? "friction is too small to resist" : "nothing resists",
         s->coarse ? "; contact nodes end before the bodies do: refine, or align facets with the end of the partner"
                   : ""));
   }
@@ -104,6 +104,11 @@ PetscErrorCode SolvabilityReportWarn(VI vi, Solvability s)
   PetscFunctionBeginUser;
   if (s) PetscCall(SolvabilityReportWarnFree_Private(s));
   if (!s || s->status != SOLVABLE_MARGINAL) PetscFunctionReturn(PETSC_SUCCESS);
+  if (s->slides) {
+    PetscCall(WarningAdd(&(Warning){.code = "marginal"}, "the loads are at the limit of what friction can hold: %s",
+                         s->motion.sentence));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
   PetscCall(RoundnessCarriesLoads(vi, s, &round));
   if (round) then = "its support is curved, and it can roll freely";
   if (s->motion.turns && !round) then = "the pressure gathers at an edge and grows without bound on finer meshes";

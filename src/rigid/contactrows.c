@@ -68,7 +68,7 @@ PetscErrorCode ContactRowsCreate(VI vi, Solvability s)
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPIU_INT, MPI_SUM, vi->level->comm));
-  s->cut = (PetscBool)(all > 0);
+  s->cut = (PetscBool)(all > 0 && !vi->friction);
   if (!s->cut) {
     s->overlap = s->nodal;
     PetscFunctionReturn(PETSC_SUCCESS);

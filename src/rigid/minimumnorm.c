@@ -209,7 +209,7 @@ PetscErrorCode MinimumNormApply(VI vi, Solvability s, Vec y)
   Cone           cone;
   Vec            u;
   MinimumNorm    problem;
-  PetscReal     *kernel, *q;
+  PetscReal     *kernel, *q, *rows = NULL;
   PetscInt       n;
 
   PetscFunctionBeginUser;
@@ -220,6 +220,11 @@ PetscErrorCode MinimumNormApply(VI vi, Solvability s, Vec y)
   PetscCall(LevelCreateVec(vi->level, vi->level->dim, &u));
   PetscCall(VIRecoverDisplacement(vi, y, u));
   PetscCall(MinimumNormFindPressed_Private(vi, s, u, problem.pressed));
+  if (vi->friction) {
+    PetscCall(PetscMalloc1(vi->num_rows * s->m, &rows));
+    PetscCall(FrictionRowsTakePressed(vi, s, problem.pressed, rows));
+    cone.rows = rows;
+  }
   PetscCall(ConeKernel(&cone, problem.pressed, &n, kernel));
   PetscCall(MinimumNormSetFreeMotions_Private(vi, s, n, kernel));
   if (n) {
@@ -230,6 +235,7 @@ PetscErrorCode MinimumNormApply(VI vi, Solvability s, Vec y)
     for (PetscInt r = 0; r < vi->num_rows; r++) {
       const PetscInt i = vi->row_dof[r] - first;
 
+      if (s->tangent && s->tangent[r]) continue;
       if (!s->nodal.equality[r]) problem.slack[r] = vi->length * PetscRealPart(upper[i] - ya[i]);
     }
     PetscCall(VecRestoreArrayRead(vi->upper, &upper));
@@ -240,6 +246,7 @@ PetscErrorCode MinimumNormApply(VI vi, Solvability s, Vec y)
     for (PetscInt k = 0; k < s->m; k++) PetscCall(VecAXPY(y, q[k] / vi->length, s->modes[k]));
   }
   PetscCall(VecDestroy(&u));
+  PetscCall(PetscFree(rows));
   PetscCall(PetscFree6(problem.pressed, problem.slack, kernel, problem.mass, problem.work, q));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

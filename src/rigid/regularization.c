@@ -167,7 +167,8 @@ static PetscErrorCode RegularizationSetApproach_Private(VI vi, Solvability s, Pe
   PetscCall(PetscCalloc2(vi->num_rows, &bound, s->m, &q));
   *largest = 0;
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    left[r]  = s->nodal.equality[r] ? 0 : vi->pairs[vi->row_pair[r]]->gap[vi->row_node[r]];
+    left[r] =
+        s->nodal.equality[r] || (s->tangent && s->tangent[r]) ? 0 : vi->pairs[vi->row_pair[r]]->gap[vi->row_node[r]];
     bound[r] = PetscMax(left[r], 0);
     *largest = PetscMax(*largest, bound[r]);
   }
@@ -213,7 +214,7 @@ PetscErrorCode RegularizationUpdate(VI vi, Solvability s)
   PetscCall(VecZeroEntries(s->start));
   PetscCall(VecGetArray(s->start, &start));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    if (!s->nodal.equality[r] && left[r] <= closed) start[vi->row_dof[r] - first] = 1;
+    if (!s->nodal.equality[r] && !(s->tangent && s->tangent[r]) && left[r] <= closed) start[vi->row_dof[r] - first] = 1;
   }
   PetscCall(VecRestoreArray(s->start, &start));
   PetscCall(PetscFree(left));

@@ -11,6 +11,14 @@ PetscErrorCode ContactRowsDestroy(Solvability solvability);
 /* Borrows the rows. */
 Cone ContactRowsCone(VI vi, Solvability solvability, const ContactRows *rows);
 
+/* Sets what friction adds to solvability; nothing without friction. Not collective. */
+PetscErrorCode FrictionRowsCreate(VI vi, Solvability solvability);
+/* The same for other coefficients. */
+PetscErrorCode FrictionRowsUpdate(VI vi, Solvability solvability);
+/* Rows that resist rigid motions where contacts are pressed: tangents beside normals. [in,out] pressed - [num_rows]; [out] rows - [num_rows][m] */
+PetscErrorCode FrictionRowsTakePressed(VI vi, Solvability solvability, PetscBool pressed[], PetscReal rows[]);
+PetscErrorCode FrictionRowsDestroy(Solvability solvability);
+
 /* Sets regularization, approach and start. Collective. */
 PetscErrorCode RegularizationCreate(VI vi, Solvability solvability);
 /* Sets approach and start anew. Collective. */

@@ -299,7 +299,7 @@ static PetscErrorCode SolvabilityFindMarginalMotion_Private(VI vi, const Cone *c
     PetscCall(SolvabilityMovesLoads_Private(vi, cone, phi, q, opens, &loads));
     if (loads) {
       s->status = SOLVABLE_MARGINAL;
-      PetscCall(SolvabilityMinimizeSlip_Private(vi, cone, s->overlap.place, q));
+      PetscCall(SolvabilityMinimizeSlip_Private(vi, cone, (vi->friction ? &s->friction : &s->overlap)->place, q));
       PetscCall(SceneMotionCreate(vi, s, q, &s->motion));
       break;
     }
@@ -363,30 +363,58 @@ static PetscErrorCode SolvabilitySubtractResidual_Private(VI vi, Solvability s, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* With friction: the motion that would follow without it, which friction is too small to resist, or resists just so. A motion that no force of
+   the cones works against would lift off, as none does. [in] phi - work / forces; [in] balanced - as of SolvabilityChooseTolerance_Private() */
+static PetscErrorCode SolvabilitySetSlidingMotion_Private(VI vi, const PetscReal phi[], PetscReal balanced,
+                                                          Solvability s)
+{
+  const Cone              cone   = ContactRowsCone(vi, s, &s->nodal);
+  const SolvabilityStatus status = s->status;
+  PetscReal              *rho, norm;
+
+  PetscFunctionBeginUser;
+  if (!vi->friction || (status != SOLVABLE_NOT && status != SOLVABLE_MARGINAL)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(s->m, &rho));
+  PetscCall(SolvabilityProjectLoads_Private(&cone, phi, NULL, rho, NULL, &norm));
+  s->slides = (PetscBool)(norm > balanced);
+  if (s->slides) {
+    PetscCall(SceneMotionDestroy(&s->motion));
+    PetscCall(SolvabilitySetUnresistedMotion_Private(vi, &cone, s->nodal.place, phi, rho, balanced, s));
+  }
+  s->status = status;
+  PetscCall(PetscFree(rho));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Sets the status as far as it is known before the solve, and the forces that balance the loads. Balance is needed at the nodes and at
    the overlap boundary. */
 static PetscErrorCode SolvabilityDecide_Private(VI vi, Solvability s)
 {
-  const Cone cone    = ContactRowsCone(vi, s, &s->nodal);
-  const Cone overlap = ContactRowsCone(vi, s, &s->overlap);
-  PetscReal  scale = s->forces > 0 ? s->forces : 1, *phi, *rho, *rho_overlap, *kernel, norm, norm_overlap = 0, balanced;
-  PetscInt   dim;
+  const ContactRows *rows = vi->friction ? &s->friction : &s->nodal, *ends = vi->friction ? &s->friction : &s->overlap;
+  const Cone         cone = ContactRowsCone(vi, s, rows), overlap = ContactRowsCone(vi, s, ends);
+  PetscReal scale = s->forces > 0 ? s->forces : 1, *phi, *rho, *rho_overlap, *kernel, *weight, norm, norm_overlap = 0,
+            balanced;
+  PetscInt dim;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc4(s->m, &phi, s->m, &rho, s->m, &rho_overlap, s->m * s->m, &kernel));
   PetscCall(SolvabilityChooseTolerance_Private(vi, &balanced));
   s->undecided = balanced > BALANCED ? balanced : 0;
   for (PetscInt k = 0; k < s->m; k++) phi[k] = s->work[k] / scale;
-  PetscCall(SolvabilityProjectLoads_Private(&cone, phi, NULL, rho, s->balance, &norm));
-  for (PetscInt r = 0; r < vi->num_rows; r++) s->balance[r] *= scale;
+  PetscCall(PetscCalloc1(cone.num, &weight));
+  PetscCall(SolvabilityProjectLoads_Private(&cone, phi, NULL, rho, weight, &norm));
+  for (PetscInt i = 0; i < cone.num; i++) {
+    if (!vi->friction || !cone.equality[i]) s->balance[vi->friction ? s->friction_row[i] : i] += scale * weight[i];
+  }
+  PetscCall(PetscFree(weight));
   if (s->cut) {
     PetscCall(SolvabilityProjectLoads_Private(&overlap, phi, NULL, rho_overlap, NULL, &norm_overlap));
     s->coarse = (PetscBool)(norm > balanced && !(norm_overlap > balanced));
   }
   if (s->coarse) {
-    PetscCall(SolvabilitySetUnresistedMotion_Private(vi, &cone, s->nodal.place, phi, rho, balanced, s));
+    PetscCall(SolvabilitySetUnresistedMotion_Private(vi, &cone, rows->place, phi, rho, balanced, s));
   } else if (norm > balanced || norm_overlap > balanced) {
-    PetscCall(SolvabilitySetUnresistedMotion_Private(vi, &overlap, s->overlap.place, phi, s->cut ? rho_overlap : rho,
+    PetscCall(SolvabilitySetUnresistedMotion_Private(vi, &overlap, ends->place, phi, s->cut ? rho_overlap : rho,
                                                      balanced, s));
   } else {
     for (PetscInt k = 0; k < s->m; k++) rho[k] *= scale;
@@ -395,6 +423,7 @@ static PetscErrorCode SolvabilityDecide_Private(VI vi, Solvability s)
     s->status = dim ? SOLVABLE_FREE : SOLVABLE;
     PetscCall(SolvabilityFindMarginalMotion_Private(vi, &overlap, phi, s));
   }
+  PetscCall(SolvabilitySetSlidingMotion_Private(vi, phi, balanced, s));
   PetscCall(PetscFree4(phi, rho, rho_overlap, kernel));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -415,6 +444,7 @@ PetscErrorCode SolvabilityCreate(VI vi, Solvability *solvability)
   PetscCall(SolvabilitySetPlaces_Private(vi, s));
   PetscCall(SolvabilitySetMatrices_Private(vi, s));
   PetscCall(SolvabilitySetLoads_Private(vi, s));
+  PetscCall(FrictionRowsCreate(vi, s));
   PetscCall(ContactRowsCreate(vi, s));
   PetscCall(SolvabilityDecide_Private(vi, s));
   if (s->status != SOLVABLE_NOT) PetscCall(RegularizationCreate(vi, s));
@@ -444,6 +474,7 @@ PetscErrorCode SolvabilityUpdate(VI vi, Solvability s)
   s->slip   = 0;
   PetscCall(PetscArrayzero(s->balance, vi->num_rows));
   PetscCall(SolvabilitySetLoads_Private(vi, s));
+  PetscCall(FrictionRowsUpdate(vi, s));
   PetscCall(SolvabilityDecide_Private(vi, s));
   if (s->status != SOLVABLE_NOT)
     PetscCall(s->regularization ? RegularizationUpdate(vi, s) : RegularizationCreate(vi, s));
@@ -459,6 +490,7 @@ PetscErrorCode SolvabilityDestroy(Solvability *solvability)
   if (!s) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt k = 0; k < s->m; k++) PetscCall(VecDestroy(&s->modes[k]));
   PetscCall(ContactRowsDestroy(s));
+  PetscCall(FrictionRowsDestroy(s));
   PetscCall(PetscFree6(s->modes, s->nodal.rows, s->nodal.equality, s->work, s->balance, s->nodal.place));
   PetscCall(SolvabilityDestroyMotions_Private(s));
   PetscCall(VecDestroy(&s->start));

@@ -55,14 +55,20 @@ struct _n_Solvability {
   ContactRows       nodal; /* C: rows of B, acting at their nodes; num = vi->num_rows */
   ContactRows
       overlap; /* the same, but at the overlap boundary instead of nodes beyond it; the very same without such nodes */
-  PetscBool   cut;    /* some facet is covered in part: overlap differs from nodal */
-  PetscBool   coarse; /* only nodes that end before the overlap boundary prevent balance: a finer mesh has a solution */
-  PetscReal  *work;   /* phi: of the loads on the modes, in the user's units [m] */
-  PetscReal   forces; /* sum of |f|, to which work is compared */
-  PetscReal   undecided; /* part of the forces that meshes of curved surfaces cannot decide; 0 for flat contact */
-  PetscReal  *balance;   /* y: contact forces that balance the loads, nonzero in at most m rows [vi->num_rows] */
-  SceneMotion motion;    /* that shows SOLVABLE_NOT or SOLVABLE_MARGINAL; num = 0 otherwise */
-  PetscInt    num_free;
+  PetscBool cut;    /* some facet is covered in part: overlap differs from nodal */
+  PetscBool coarse; /* only nodes that end before the overlap boundary prevent balance: a finer mesh has a solution */
+  /* with friction, else NULL: */
+  PetscReal   *slide;        /* rows of tangents, which are zero in nodal [vi->num_rows] */
+  PetscBool   *tangent;      /* rows of tangents [vi->num_rows] */
+  ContactRows  friction;     /* generators of the cones of forces, which stand for the rows of nodal */
+  PetscInt    *friction_row; /* of nodal, for each generator [friction.num] */
+  PetscReal   *work;         /* phi: of the loads on the modes, in the user's units [m] */
+  PetscReal    forces;       /* sum of |f|, to which work is compared */
+  PetscReal    undecided;    /* part of the forces that meshes of curved surfaces cannot decide; 0 for flat contact */
+  PetscReal   *balance;      /* y: contact forces that balance the loads, nonzero in at most m rows [vi->num_rows] */
+  PetscBool    slides;       /* motion is one that friction resists, too little or just enough */
+  SceneMotion  motion;       /* that shows SOLVABLE_NOT or SOLVABLE_MARGINAL; num = 0 otherwise */
+  PetscInt     num_free;
   SceneMotion *free;           /* basis of the free motions, after MinimumNormApply() [num_free] */
   PetscReal    slip;           /* largest change of a closed gap by MinimumNormApply() */
   Vec          start;          /* initial active set: 0 or 1 per unknown */

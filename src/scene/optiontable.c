@@ -160,11 +160,17 @@ static const OptionEntry table[] = {
     {GROUP_PAIRS, "-<pair>_sides", "body:side,body:side", "", "(none)",
      "Instead of the two: both sides; stiffness and mesh decide which is nonmortar."},
     {GROUP_PAIRS, "-<pair>_type", "contact|tied", "", "contact",
-     "Contact: sides push but never pull, without friction. Tied: sides are glued together, across a gap as by rigid "
+     "Contact: sides push but never pull. Tied: sides are glued together, across a gap as by rigid "
      "links."},
     {GROUP_PAIRS, "-<pair>_gap", "e", "length", "(measured)",
      "Gap between the sides, instead of the one measured from the meshes."},
     {GROUP_PAIRS, "-<pair>_gap_offset", "e", "length", "(none)", "Added to the gap; negative for an interference fit."},
+    {GROUP_PAIRS, "-<pair>_friction", "e", "", "0",
+     "Coulomb's coefficient of friction: the tangential traction is at most this times the pressure, and opposes the "
+     "slip of the load step. 0 is contact without friction."},
+    {GROUP_PAIRS, "-<pair>_friction_bound", "e", "stress", "0",
+     "Instead of it, Tresca's friction: the greatest tangential traction, whatever the pressure, also where the sides "
+     "are apart."},
     {GROUP_PAIRS, "-<pair>_reach", "x", "length", "(from the meshes)",
      "Largest distance between facets that may be partners, across a gap or in an overlap. One below an initial "
      "overlap is refused; one below an overlap that loads make gives exit code 3."},

@@ -190,6 +190,10 @@ PetscErrorCode SceneSetFromOptions(Scene scene)
   for (PetscInt i = 0; i < scene->num_bodies; i++) PetscCall(SceneBodyRead(scene, &scene->bodies[i]));
   PetscCall(SceneStudySetOrders(scene));
   for (PetscInt i = 0; i < scene->num_pairs; i++) PetscCall(ScenePairRead(scene, &scene->pairs[i]));
+  if (scene->adapt.tolerance > 0 && SceneHasFriction(scene))
+    PetscCall(UserErrorRaise(scene->comm,
+                             "-adapt: with friction there is no energy by which meshes are judged; omit it, "
+                             "or give -<pair>_friction 0"));
   for (PetscInt i = 0; i < scene->num_probes; i++) PetscCall(SceneProbeRead(scene, &scene->probes[i]));
   for (PetscInt i = 0; i < scene->num_paths; i++) PetscCall(ScenePathRead(scene, &scene->paths[i]));
   PetscCall(SceneResultsRead(scene));

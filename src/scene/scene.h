@@ -109,6 +109,8 @@ typedef struct {
   SceneObstacle   obstacle;    /* kind OBSTACLE_NONE with a meshed mortar side */
   Expression      gap;         /* replaces the measured gap, or NULL [1] */
   Expression      gap_offset;  /* is added to it, or NULL [1] */
+  Expression      friction;    /* Coulomb's coefficient, or NULL without friction [1] */
+  Expression      bound;       /* greatest tangential traction that does not depend on the pressure, or NULL [1] */
   PetscReal       reach;       /* farthest candidate, or negative: from the geometry */
   PetscBool       widened;     /* whether a solution that moved farther has set the reach, not the user */
   PetscBool       allow_empty; /* it is no mistake if nothing of the nonmortar side faces the partner */
@@ -296,6 +298,20 @@ static inline PetscBool SceneBodyHasEigenstrain(const struct _n_Scene *scene, Pe
 
     if (material->temperature || material->initial_strain) return PETSC_TRUE;
   }
+  return PETSC_FALSE;
+}
+
+/* Whether sides of a pair resist sliding. */
+static inline PetscBool ScenePairHasFriction(const ScenePair *pair)
+{
+  return (PetscBool)(pair->friction || pair->bound);
+}
+
+/* Whether those of any pair do. */
+static inline PetscBool SceneHasFriction(const struct _n_Scene *scene)
+{
+  for (PetscInt p = 0; p < scene->num_pairs; p++)
+    if (ScenePairHasFriction(&scene->pairs[p])) return PETSC_TRUE;
   return PETSC_FALSE;
 }
 

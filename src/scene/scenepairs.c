@@ -114,6 +114,37 @@ static PetscErrorCode PairReadLaw_Private(Scene scene, ScenePair *pair)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Coulomb's friction, or Tresca's. Zero is no friction, and costs nothing. */
+static PetscErrorCode PairReadFriction_Private(Scene scene, ScenePair *pair)
+{
+  Option          friction, bound;
+  const PetscReal origin[3] = {0, 0, 0};
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionFind(scene, "-<pair>_friction", pair->name, NULL, &friction));
+  PetscCall(OptionFind(scene, "-<pair>_friction_bound", pair->name, NULL, &bound));
+  if (pair->type == PAIR_TIED && (friction.set || bound.set)) {
+    PetscCall(OptionRaise(friction.set ? &friction : &bound,
+                          "tied sides cannot slide; friction is for -%s_type contact", pair->name));
+  }
+  PetscCall(OptionGetExpression(&friction, 1, PETSC_FALSE, &pair->friction));
+  PetscCall(OptionGetExpression(&bound, 1, PETSC_FALSE, &pair->bound));
+  for (int i = 0; i < 2; i++) {
+    Expression   *e      = i ? &pair->bound : &pair->friction;
+    const Option *option = i ? &bound : &friction;
+    PetscReal     value;
+
+    if (!*e || !ExpressionIsConstant(*e)) continue;
+    PetscCall(ExpressionEvaluate(*e, 3, origin, &value));
+    if (!(value >= 0)) PetscCall(OptionRaise(option, "must not be negative"));
+    if (value == 0) PetscCall(ExpressionDestroy(e));
+  }
+  if (pair->friction && pair->bound)
+    PetscCall(OptionRaise(&bound, "the pair has Coulomb's friction already (%s %s); give one of the two", friction.name,
+                          friction.text));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Which nodes carry multipliers, and the pressure that they should come to. */
 static PetscErrorCode PairReadPressure_Private(Scene scene, ScenePair *pair)
 {
@@ -216,6 +247,7 @@ PetscErrorCode ScenePairRead(Scene scene, ScenePair *pair)
   PetscCall(PairReadSides_Private(scene, pair));
   PetscCall(PairCheckTwice_Private(scene, pair));
   PetscCall(PairReadLaw_Private(scene, pair));
+  PetscCall(PairReadFriction_Private(scene, pair));
   PetscCall(PairReadPressure_Private(scene, pair));
   PetscCall(PairCheckHeld_Private(scene, pair));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -230,6 +262,8 @@ PetscErrorCode ScenePairDestroy(ScenePair *pair)
   PetscCall(ExpressionDestroy(&pair->obstacle.gap));
   PetscCall(ExpressionDestroy(&pair->gap));
   PetscCall(ExpressionDestroy(&pair->gap_offset));
+  PetscCall(ExpressionDestroy(&pair->friction));
+  PetscCall(ExpressionDestroy(&pair->bound));
   PetscCall(ExpressionDestroy(&pair->exact));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -14,7 +14,7 @@ typedef struct {
 enum {
   DATA_MATERIAL = 7,
   DATA_BODY     = 3,
-  DATA_PAIR     = 4
+  DATA_PAIR     = 6
 }; /* of a material, of a body beside its boundaries, of a pair */
 
 /* Those of a material. [in,out] data - [num] */
@@ -62,6 +62,8 @@ static PetscErrorCode DataList_Private(Scene scene, PetscInt *num, Datum **data)
     (*data)[n++] = (Datum){&pair->gap, DATUM_GAP, PETSC_FALSE, PETSC_TRUE};
     (*data)[n++] = (Datum){&pair->obstacle.gap, DATUM_GAP, PETSC_FALSE, PETSC_TRUE};
     (*data)[n++] = (Datum){&pair->exact, 0, PETSC_FALSE, PETSC_FALSE};
+    (*data)[n++] = (Datum){&pair->friction, 0, PETSC_FALSE, PETSC_TRUE};
+    (*data)[n++] = (Datum){&pair->bound, 0, PETSC_FALSE, PETSC_TRUE};
   }
   *num = 0;
   for (PetscInt i = 0; i < n; i++)

@@ -144,7 +144,9 @@ static PetscErrorCode ViewPair_Private(Scene scene, const ScenePair *pair)
 
   PetscFunctionBeginUser;
   PetscCall(ViewPrint_Private(scene, "  pair %s: %s, %s:%s %s ", pair->name,
-                              pair->type == PAIR_TIED ? "tied" : "contact without friction",
+                              pair->type == PAIR_TIED      ? "tied"
+                              : ScenePairHasFriction(pair) ? "contact with friction"
+                                                           : "contact without friction",
                               scene->bodies[s->body].name, s->side, pair->roles_open ? "and" : "(nonmortar) on"));
   if (m->body >= 0)
     PetscCall(ViewPrint_Private(scene, "%s:%s%s", scene->bodies[m->body].name, m->side,
@@ -154,6 +156,10 @@ static PetscErrorCode ViewPair_Private(Scene scene, const ScenePair *pair)
   if (pair->type == PAIR_CONTACT)
     PetscCall(ViewPrint_Private(scene, "; gap %s", pair->gap ? ViewShorten_Private(pair->gap, shown) : "measured"));
   if (pair->gap_offset) PetscCall(ViewPrint_Private(scene, " plus %s", ViewShorten_Private(pair->gap_offset, shown)));
+  if (pair->friction)
+    PetscCall(ViewPrint_Private(scene, "; coefficient of friction %s", ViewShorten_Private(pair->friction, shown)));
+  if (pair->bound)
+    PetscCall(ViewPrint_Private(scene, "; tangential traction of at most %s", ViewShorten_Private(pair->bound, shown)));
   if (scene->bodies[s->body].order > 1 && pair->multipliers == MULTIPLIERS_VERTICES)
     PetscCall(ViewPrint_Private(scene, "; multipliers at vertices"));
   if (pair->exact) PetscCall(ViewPrint_Private(scene, "; exact pressure %s", ViewShorten_Private(pair->exact, shown)));
@@ -202,6 +208,8 @@ PetscErrorCode SceneViewLeftOut(Scene scene)
     ViewCount_Private(p->gap_offset, &num, &num_varying);
     ViewCount_Private(p->obstacle.gap, &num, &num_varying);
     ViewCount_Private(p->exact, &num, &num_varying);
+    ViewCount_Private(p->friction, &num, &num_varying);
+    ViewCount_Private(p->bound, &num, &num_varying);
     num_obstacles += p->obstacle.kind != OBSTACLE_NONE;
     num_tied += p->type == PAIR_TIED;
   }

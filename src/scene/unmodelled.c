@@ -12,8 +12,8 @@ typedef struct {
 } Unmodelled;
 
 static const Unmodelled unmodelled[] = {
-    {{"friction", "mu", "frictional", "tresca", "coulomb", "stick"},
-     "friction is not modelled, sides slide freely; tie sides that stick (-<pair>_type tied), or support the body"},
+    {{"mu", "frictional", "tresca", "coulomb", "stick", "friction_coefficient", "friction_angle"},
+     "there is no such option; friction of a pair is its coefficient, -<pair>_friction, or -<pair>_friction_bound"},
     {{"gravity", "weight", "acceleration", "g"},
      "there is no such option; the weight of a body is its force per volume, -<body>_body_force, density times "
      "gravity"},

@@ -174,6 +174,8 @@ PetscErrorCode SolverCrossCheck(Solver solver, Vec y, const SolverReport *report
   PetscCall(SolverChoiceSetFallback(&check->other, &choice, &again));
   if (again) PetscCall(SolverRun(solver, &choice, PETSC_FALSE, NULL, second, &check->other));
   if (!choice.keep) PetscCall(MeshLevelsDestroy(&solver->levels));
+  if (choice.fixed_point)
+    PetscCall(PetscStrncpy(check->other.type, "fixed point over Tresca", sizeof(check->other.type)));
   iterated = (PetscBool)(!SolverChoiceFactors(report->pc) || !SolverChoiceFactors(check->other.pc));
   PetscCall(CrossCheckAreNear_Private(vi, y, second, iterated, check, &size, &near));
   PetscCall(CrossCheckCompareSets_Private(vi, y, second, size.max, &check->active_difference));

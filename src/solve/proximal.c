@@ -12,6 +12,7 @@
    References: [1] Rockafellar, Monotone operators and the proximal point algorithm, 1976. */
 #include "base/compat.h"
 #include "pdas/pdas.h"
+#include "problem/frictionlaw.h"
 #include "solve/proximal.h"
 
 /* Tolerance of the proximal term relative to the forces, and relative to the tolerance of an iterative
@@ -60,6 +61,7 @@ PetscErrorCode ProximalUpdate(Proximal *proximal)
   PetscFunctionBeginUser;
   if (!proximal->solvability) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecWAXPY(proximal->solved.upper, -1, proximal->solvability->approach, vi->upper));
+  PetscCall(FrictionLawSetApproach(vi, proximal->solvability->approach));
   proximal->last = 1;
   PetscCall(VecZeroEntries(proximal->rest));
   PetscCall(VecCopy(vi->b, proximal->solved.b));

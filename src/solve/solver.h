@@ -33,13 +33,14 @@ typedef struct {
   PetscInt  iterations, active, linear_iterations;
   PetscInt  num_changed,
       changed[SOLVER_MAX_HISTORY]; /* per iteration; num_changed = 0 for types without this information */
-  PetscBool   safeguarded;
-  PetscReal   linear_residual; /* relative, of the last system */
-  PetscReal   work;            /* products with matrices of all levels, in products with the finest; 0 without levels */
-  PetscReal   predicted_cost;  /* predicted cost of a factorization, in the same unit; 0 without a prediction */
-  PetscBool   gave_way;        /* whether a factorization replaced the iteration */
-  PetscInt    proximal_steps;  /* proximal point steps (eq. 12.6); 1 without a proximal term */
-  EnergyBound bound;
+  PetscBool      safeguarded;
+  FrictionReport friction;        /* zero without friction */
+  PetscReal      linear_residual; /* relative, of the last system */
+  PetscReal      work; /* products with matrices of all levels, in products with the finest; 0 without levels */
+  PetscReal      predicted_cost; /* predicted cost of a factorization, in the same unit; 0 without a prediction */
+  PetscBool      gave_way;       /* whether a factorization replaced the iteration */
+  PetscInt       proximal_steps; /* proximal point steps (eq. 12.6); 1 without a proximal term */
+  EnergyBound    bound;
   PetscReal
       discretisation; /* estimate of |u - u_h|_K from a coarser mesh, like bound; NAN unless it stops the solver (eq. 14.7) */
 

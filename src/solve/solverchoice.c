@@ -284,6 +284,41 @@ static PetscBool SolverChoiceNested_Private(VI vi, const char snes[], const char
   return (PetscBool)(!strcmp(pc, PCTRUNCATEDMG) && vi->mesh && (vi->mesh->num_levels > 1 || !strcmp(snes, SNESPDAS)));
 }
 
+/* Unknowns with bounds and tangents up to which the dense system of friction is solved: one takes 0.5 GB. */
+enum { MAX_FRICTION = 8000 };
+
+/* Friction is solved on the Schur complement of its unknowns alone. */
+static PetscErrorCode SolverChoiceChooseFriction_Private(VI vi, SolverChoice *choice)
+{
+  const MPI_Comm comm = PetscObjectComm((PetscObject)vi->b);
+  PetscInt       num, tangents = 0;
+  PetscBool      reducible;
+
+  PetscFunctionBeginUser;
+  if (!vi->friction) PetscFunctionReturn(PETSC_SUCCESS);
+  if (choice->own) PetscCall(SolverChoiceFactor_Private(choice));
+  if (choice->own) PetscCall(PetscStrncpy(choice->why, "friction", sizeof(choice->why)));
+  if (strcmp(choice->snes, SNESPDAS) || strcmp(choice->ksp, KSPPREONLY) || strcmp(choice->pc, PCCHOLESKY)) {
+    PetscCall(UserErrorRaise(comm,
+                             "-<pair>_friction: needs -snes_type " SNESPDAS ", -ksp_type " KSPPREONLY
+                             " and -pc_type " PCCHOLESKY ", not %s, %s and %s; omit these options",
+                             choice->snes, choice->ksp, choice->pc));
+  }
+  if (choice->stop) PetscCall(UserErrorRaise(comm, "-stop discretisation: not with friction; omit the option"));
+  PetscCall(SolverChoiceReducible_Private(vi, &num, &reducible));
+  for (PetscInt i = 0; i < FRICTION_TANGENTS * vi->friction->n; i++) tangents += vi->friction->tangent[i] >= 0;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &tangents, 1, MPIU_INT, MPI_SUM, comm));
+  if (num + tangents > MAX_FRICTION) {
+    PetscCall(UserErrorRaise(comm,
+                             "-<pair>_friction: the sides have %" PetscInt_FMT
+                             " unknowns of contact and friction, and at most %d can be solved; refine less, or make "
+                             "the sides of the pairs smaller",
+                             num + tangents, (int)MAX_FRICTION));
+  }
+  choice->bound = PETSC_FALSE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SolverChoiceSet(Solver solver, SolverChoice *choice)
 {
   const VI          vi          = solver->vi;
@@ -320,6 +355,7 @@ PetscErrorCode SolverChoiceSet(Solver solver, SolverChoice *choice)
                            sizeof(choice->why)));
   }
   PetscCall(SolverChoiceChooseStop_Private(vi, solvability, choice));
+  PetscCall(SolverChoiceChooseFriction_Private(vi, choice));
   PetscCall(VecGetSize(vi->b, &size)); // above these sizes even the ordering costs too much
   choice->yields = (PetscBool)(choice->own && !choice->stop && !strcmp(choice->snes, SNESPDAS) &&
                                size <= (vi->level->dim == 3 ? DIRECT_3D : DIRECT_2D));
@@ -347,6 +383,10 @@ PetscErrorCode SolverChoiceSetSecond(VI vi, const SolverReport *first, const cha
   PetscCall(PetscStrncpy(choice->ksp, SolverChoiceFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
   PetscCall(PetscOptionsGetString(NULL, prefix, "-ksp_type", choice->ksp, sizeof(choice->ksp), NULL));
   choice->own    = (PetscBool)!set;
+  if (vi->friction) {
+    PetscCall(PetscStrncpy(choice->snes, SNESPDAS, sizeof(choice->snes)));
+    choice->fixed_point = PETSC_TRUE;
+  }
   choice->nested = SolverChoiceNested_Private(vi, choice->snes, choice->pc);
   PetscCall(SolverChoiceCheckTogether_Private(PetscObjectComm((PetscObject)vi->b), choice));
   PetscFunctionReturn(PETSC_SUCCESS);

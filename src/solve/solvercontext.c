@@ -111,6 +111,8 @@ PetscErrorCode SolverContextCreate(Solver solver, const SolverChoice *choice, Pe
   SolverContextDefaults_Private(vi, choice, previous, context->defaults);
   PetscCall(SolverContextDefaultsApply_Private(context, PETSC_TRUE));
   PetscCall(SNESSetupCreate(&context->proximal.solved, choice, context->scratch, &context->norm, &context->snes));
+  if (vi->friction) PetscCall(PDASSetFriction(context->snes, vi->friction));
+  if (choice->fixed_point) PetscCall(PDASSetFrictionFixedPoint(context->snes, PETSC_TRUE));
   PetscCall(SNESGetKSP(context->snes, &ksp));
   PetscCall(KSPGetPC(ksp, &context->pc));
   PetscFunctionReturn(PETSC_SUCCESS);

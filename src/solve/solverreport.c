@@ -88,6 +88,7 @@ static PetscErrorCode SolverReportAddSets_Private(SNES snes, PetscInt iterations
   PetscCall(PDASGetLinear(snes, &linear, &report->linear_residual, reduced));
   report->safeguarded = (PetscBool)(report->safeguarded || safeguarded);
   report->linear_iterations += linear;
+  PetscCall(PDASGetFriction(snes, &report->friction));
   PetscCall(PDASGetFailure(snes, &failure));
   PetscCall(PetscStrncpy(report->reason, failure, sizeof(report->reason)));
   for (PetscInt k = 0; k < iterations && report->num_changed < SOLVER_MAX_HISTORY; k++)

@@ -240,6 +240,7 @@ static PetscErrorCode RunAdvanceOnce_Private(Run run, Vec guess, PetscBool *agai
   PetscCall(VIUpdate(run->vi, changed, &updated));
   *again = (PetscBool)!updated;
   if (*again) PetscFunctionReturn(PETSC_SUCCESS);
+  if (run->past[0].u) PetscCall(VISetSlipOrigin(run->vi, run->past[0].u));
   PetscCall(SolvabilityUpdate(run->vi, run->solvability));
   PetscCall(ErrorsCheck(run->vi));
   run->refused = (PetscBool)(run->solvability && run->solvability->status == SOLVABLE_NOT);

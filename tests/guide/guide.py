@@ -82,6 +82,7 @@ SCENES = {
     "regions": ["-options_file", "options/lined_hub.opts"],
     "pieces": ["-options_file", "tests/hard/pieces.opts"],
     "tightened": ["-options_file", "tests/regression/bolt_springs.opts"],
+    "slipping": ["-options_file", "options/incline.opts"],
     "pulled": ["-options_file", "tests/hard/pieces.opts", "-lids_body_force", "0,1"],
     "jump": ["-options_file", "tests/hard/chamfer.opts"],
     "large": ["-options_file", "options/two_plates.opts", "-upper_young", "1e3", "-upper_dm_plex_box_faces", "4,4", "-lower_dm_plex_box_faces", "3,3"],

@@ -1,0 +1,135 @@
+/* frictionlaw.c -- friction of the pairs at their nodes.
+
+   Rows of B stand by pair, then by node, then by direction: a normal row of a pair with friction is followed by the tangents that supports leave
+   free. Where they leave none, the node cannot slide, and the normal row is like one without friction. */
+#include "base/compat.h"
+#include "base/usererror.h"
+#include "problem/frictionlaw.h"
+
+/* Tangents behind a normal row. */
+static PetscInt FrictionLawCountTangents_Private(VI vi, PetscInt row)
+{
+  PetscInt num = 0;
+
+  if (vi->row_direction[row] || !ScenePairHasFriction(vi->pairs[vi->row_pair[row]]->spec)) return 0;
+  while (row + num + 1 < vi->num_rows && vi->row_pair[row + num + 1] == vi->row_pair[row] &&
+         vi->row_node[row + num + 1] == vi->row_node[row])
+    num++;
+  return num;
+}
+
+/* A coefficient or a bound at a node. */
+static PetscErrorCode FrictionLawEvaluate_Private(VI vi, Expression e, PetscInt row, PetscReal *value,
+                                                  PetscBool *negative)
+{
+  const PetscInt   dim = vi->level->dim;
+  const PetscReal *x   = &vi->level->coords[vi->pairs[vi->row_pair[row]]->nodes[vi->row_node[row]] * dim];
+
+  PetscFunctionBeginUser;
+  *value = 0;
+  if (!e) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ExpressionEvaluate(e, dim, x, value));
+  if (!(*value >= 0)) *negative = PETSC_TRUE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Raises the user error of a pair whose coefficient or bound is negative somewhere. Collective. */
+static PetscErrorCode FrictionLawCheck_Private(VI vi, const PetscBool negative[])
+{
+  PetscFunctionBeginUser;
+  for (PetscInt p = 0; p < vi->num_pairs; p++) {
+    const ScenePair *spec = vi->pairs[p]->spec;
+    PetscBool        any  = negative[p];
+
+    PetscCall(ExpressionCheck(vi->level->comm, spec->friction));
+    PetscCall(ExpressionCheck(vi->level->comm, spec->bound));
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, vi->level->comm));
+    if (any)
+      PetscCall(UserErrorRaise(vi->level->comm, "%s: is negative, or no number, at a node of the side",
+                               ExpressionOption(spec->friction ? spec->friction : spec->bound)));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionLawUpdate(VI vi)
+{
+  FrictionLaw    *law   = vi->friction;
+  const PetscReal force = vi->stiffness * vi->length;
+  PetscInt        a     = 0;
+  PetscBool      *negative;
+
+  PetscFunctionBeginUser;
+  if (!law) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscCalloc1(vi->num_pairs, &negative));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const PetscInt   p = vi->row_pair[r], num = FrictionLawCountTangents_Private(vi, r);
+    const ScenePair *spec = vi->pairs[p]->spec;
+    PetscReal        bound;
+
+    if (!num) continue;
+    PetscCall(FrictionLawEvaluate_Private(vi, spec->friction, r, &law->coefficient[a], &negative[p]));
+    PetscCall(FrictionLawEvaluate_Private(vi, spec->bound, r, &bound, &negative[p]));
+    law->bound[a] = bound * vi->row_D[r] / force;
+    for (PetscInt i = 0; i < num; i++)
+      law->origin[FRICTION_TANGENTS * a + i] = vi->slip_origin ? vi->slip_origin[r + 1 + i] / vi->length : 0;
+    a++;
+  }
+  PetscCall(FrictionLawCheck_Private(vi, negative));
+  PetscCall(PetscFree(negative));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionLawSetApproach(VI vi, Vec approach)
+{
+  const PetscScalar *moved;
+  PetscInt           begin;
+
+  PetscFunctionBeginUser;
+  PetscCall(FrictionLawUpdate(vi));
+  if (!vi->friction || !approach) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecGetOwnershipRange(approach, &begin, NULL));
+  PetscCall(VecGetArrayRead(approach, &moved));
+  for (PetscInt i = 0; i < FRICTION_TANGENTS * vi->friction->n; i++) {
+    const PetscInt dof = vi->friction->tangent[i];
+
+    if (dof >= 0) vi->friction->origin[i] -= PetscRealPart(moved[dof - begin]);
+  }
+  PetscCall(VecRestoreArrayRead(approach, &moved));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionLawCreate(VI vi)
+{
+  FrictionLaw *law;
+  PetscInt     n = 0;
+
+  PetscFunctionBeginUser;
+  if (!SceneHasFriction(vi->scene)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscNew(&law));
+  for (PetscInt r = 0; r < vi->num_rows; r++) law->n += FrictionLawCountTangents_Private(vi, r) > 0;
+  PetscCall(PetscMalloc5(law->n, &law->normal, FRICTION_TANGENTS * law->n, &law->tangent, law->n, &law->coefficient,
+                         law->n, &law->bound, FRICTION_TANGENTS * law->n, &law->origin));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const PetscInt num = FrictionLawCountTangents_Private(vi, r);
+
+    if (!num) continue;
+    law->normal[n] = vi->row_dof[r];
+    for (PetscInt i = 0; i < FRICTION_TANGENTS; i++) {
+      law->tangent[FRICTION_TANGENTS * n + i] = i < num ? vi->row_dof[r + 1 + i] : -1;
+      law->origin[FRICTION_TANGENTS * n + i]  = 0;
+    }
+    n++;
+  }
+  vi->friction = law;
+  PetscCall(FrictionLawUpdate(vi));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionLawDestroy(FrictionLaw **law)
+{
+  PetscFunctionBeginUser;
+  if (!*law) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscFree5((*law)->normal, (*law)->tangent, (*law)->coefficient, (*law)->bound, (*law)->origin));
+  PetscCall(PetscFree(*law));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

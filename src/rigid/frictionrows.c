@@ -1,0 +1,104 @@
+/* frictionrows.c -- the forces of contact with friction on rigid motions (eq. 16.7).
+
+   A node with friction carries forces of the cone |r_t| <= coefficient r_n. In a plane its two edges generate it. In space a pyramid
+   around the cone does: what is outside of all pyramids is certainly no equilibrium, what is inside may be one. Tresca's limit bounds no cone: its tangents
+   carry any force here, as ties do, so that nothing is refused that has a solution. */
+#include "base/compat.h"
+#include "rigid/rigidimpl.h"
+
+/* Edges of the pyramid: it exceeds the cone by 2 percent. */
+enum { PYRAMID_EDGES = 16, MOST_GENERATORS = PYRAMID_EDGES + FRICTION_TANGENTS };
+
+/* Generators of one node, or a copy of a row without friction. [in] a - of the law, -1 without friction */
+static void FrictionRowsAddNode_Private(VI vi, Solvability s, PetscInt r, PetscInt a, ContactRows *rows, PetscInt of[])
+{
+  const PetscInt   m      = s->m;
+  const PetscReal *normal = &s->nodal.rows[r * m], *slide = &s->slide[(r + 1) * m];
+  const PetscInt   tangents = a < 0 ? 0 : vi->friction->tangent[FRICTION_TANGENTS * a + 1] < 0 ? 1 : 2;
+  const PetscReal  mu       = a < 0 ? 0 : vi->friction->coefficient[a];
+  const PetscInt   edges    = mu > 0 ? (tangents == 1 ? 2 : PYRAMID_EDGES) : 1;
+  const PetscReal  wide     = edges == PYRAMID_EDGES ? mu / PetscCosReal(PETSC_PI / PYRAMID_EDGES) : mu;
+
+  for (PetscInt e = 0; e < edges + (a >= 0 && vi->friction->bound[a] > 0 ? tangents : 0); e++) {
+    PetscReal      *row   = &rows->rows[rows->num * m];
+    const PetscReal angle = 2 * PETSC_PI * (PetscReal)e / (PetscReal)edges;
+
+    for (PetscInt k = 0; k < m; k++) {
+      if (e >= edges) {
+        row[k] = slide[(e - edges) * m + k];
+        continue;
+      }
+      row[k] = normal[k];
+      if (mu > 0) row[k] += wide * PetscCosReal(angle) * slide[k];
+      if (mu > 0 && tangents == 2) row[k] += wide * PetscSinReal(angle) * slide[m + k];
+    }
+    rows->equality[rows->num] = (PetscBool)(e >= edges || s->nodal.equality[r]);
+    rows->place[rows->num]    = s->nodal.place[r];
+    of[rows->num++]           = r;
+  }
+}
+
+PetscErrorCode FrictionRowsUpdate(VI vi, Solvability s)
+{
+  ContactRows *rows = &s->friction;
+  PetscInt     a    = 0;
+
+  PetscFunctionBeginUser;
+  if (!vi->friction) PetscFunctionReturn(PETSC_SUCCESS);
+  rows->num = 0;
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const PetscBool rubs = (PetscBool)(a < vi->friction->n && vi->friction->normal[a] == vi->row_dof[r]);
+
+    if (s->tangent[r]) continue; // comes with its normal row
+    FrictionRowsAddNode_Private(vi, s, r, rubs ? a++ : -1, rows, s->friction_row);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionRowsCreate(VI vi, Solvability s)
+{
+  const PetscInt m = s->m, n = vi->num_rows, most = n + (vi->friction ? MOST_GENERATORS * vi->friction->n : 0);
+
+  PetscFunctionBeginUser;
+  if (!vi->friction) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscCalloc2((n + 1 + FRICTION_TANGENTS) * m, &s->slide, n, &s->tangent));
+  PetscCall(PetscMalloc4(most * m, &s->friction.rows, most, &s->friction.equality, most, &s->friction.place, most,
+                         &s->friction_row));
+  for (PetscInt r = 0; r < n; r++) {
+    s->tangent[r] = (PetscBool)(vi->row_direction[r] && vi->pairs[vi->row_pair[r]]->spec->type != PAIR_TIED);
+    if (!s->tangent[r]) continue;
+    PetscCall(PetscArraycpy(&s->slide[r * m], &s->nodal.rows[r * m], m));
+    PetscCall(PetscArrayzero(&s->nodal.rows[r * m], m)); // what is left constrains nothing
+  }
+  PetscCall(FrictionRowsUpdate(vi, s));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionRowsTakePressed(VI vi, Solvability s, PetscBool pressed[], PetscReal rows[])
+{
+  PetscInt  a     = 0;
+  PetscBool holds = PETSC_FALSE; // friction the node of the present row
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscArraycpy(rows, s->nodal.rows, vi->num_rows * s->m));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    if (!s->tangent[r]) {
+      holds = PETSC_FALSE;
+      if (a == vi->friction->n || vi->friction->normal[a] != vi->row_dof[r]) continue;
+      holds = (PetscBool)(vi->friction->bound[a] > 0 || (pressed[r] && vi->friction->coefficient[a] > 0));
+      a++;
+      continue;
+    }
+    pressed[r] = holds;
+    if (holds) PetscCall(PetscArraycpy(&rows[r * s->m], &s->slide[r * s->m], s->m));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionRowsDestroy(Solvability s)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree2(s->slide, s->tangent));
+  PetscCall(PetscFree4(s->friction.rows, s->friction.equality, s->friction.place, s->friction_row));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

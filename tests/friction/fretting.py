@@ -1,0 +1,38 @@
+"""Equal discs sheared to and fro, against Cattaneo and Mindlin at every step: history is that of all steps before."""
+import math
+
+from judge import near, require
+
+MU, MODULUS, RADIUS = 0.2, 200 / (2 * (1 - 0.3**2)), 160
+
+
+def ellipse(x, a):
+    return math.sqrt(max(0, 1 - (x / a) ** 2))
+
+
+def shear(x, a, part):
+    """q / (mu p0) of a tangential force that is this part of mu P, sheared for the first time."""
+    c = a * math.sqrt(1 - part)
+    return ellipse(x, a) - c / a * ellipse(x, c) if c > 0 else ellipse(x, a)
+
+
+def judge(run):
+    steps = run.summary["steps"]
+    parts = []
+    for step in steps:
+        pair = step["pairs"]["joint"]
+        parts.append(-pair["tangential_force"][0] / (MU * pair["normal_force"]))
+        require(pair["dissipation"] > -1e-20, f"dissipation {pair['dissipation']} at t = {step['t']}")
+    near("sheared to and fro", [parts[2], parts[6], parts[10]], [parts[2], -parts[2], parts[2]], absolute=2e-3)
+    require(0.8 < parts[2] < 0.95, f"sheared by {parts[2]} of what slips everywhere")
+    force = run.pair("joint")["normal_force"]
+    a = math.sqrt(4 * force * RADIUS / (math.pi * MODULUS))
+    p0 = 2 * force / (math.pi * a)
+    table = run.table("joint")
+    stuck = max(abs(x) for x, status in zip(table["x"], table["status"]) if status == 4)
+    c = a * math.sqrt(1 - (parts[10] - parts[6]) / 2)  # loaded again from the other side: the whole turn counts by half
+    near("where it sticks", stuck, c, absolute=0.1 * a)
+    for x, q in zip(table["x"], table["tangential_traction_x"]):
+        exact = shear(x, a, -parts[6]) - 2 * shear(x, a, (parts[10] - parts[6]) / 2)  # of the nonmortar body: signs turn
+        if abs(x) < 0.8 * a:
+            near(f"q at x = {x:.3g}", q / (MU * p0), exact, absolute=0.05)
