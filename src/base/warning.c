@@ -8,6 +8,8 @@
 
 enum { TEXT_LENGTH = 2048, LABEL_LENGTH = 64 };
 
+static const char GRAVE[] = "grave"; /* key of a warning within this file alone */
+
 /* The first rank's alone, but for the flags. */
 static struct {
   cJSON    *common, *run, *told; /* of all runs, of this one, all lines that were printed; NULL while empty */
@@ -77,6 +79,16 @@ static cJSON *WarningCreate_Private(const Warning *about, const char text[])
   else
     cJSON_AddNullToObject(one, "at");
   cJSON_AddItemToObject(one, "advice", about->advice ? cJSON_CreateString(about->advice) : cJSON_CreateNull());
+  if (about->grave) cJSON_AddTrueToObject(one, GRAVE);
+  return one;
+}
+
+/* As the summary has it. */
+static cJSON *WarningDuplicate_Private(const cJSON *item)
+{
+  cJSON *one = cJSON_Duplicate(item, cJSON_True);
+
+  cJSON_DeleteItemFromObject(one, GRAVE);
   return one;
 }
 
@@ -161,7 +173,8 @@ static void WarningPrintList_Private(const cJSON *list)
     const Warning about = {.code   = cJSON_GetStringValue(cJSON_GetObjectItem(item, "code")),
                            .body   = cJSON_GetStringValue(cJSON_GetObjectItem(item, "body")),
                            .pair   = cJSON_GetStringValue(cJSON_GetObjectItem(item, "pair")),
-                           .advice = cJSON_GetStringValue(cJSON_GetObjectItem(item, "advice"))};
+                           .advice = cJSON_GetStringValue(cJSON_GetObjectItem(item, "advice")),
+                           .grave  = (PetscBool)cJSON_HasObjectItem(item, GRAVE)};
 
     WarningPrint_Private(&about, cJSON_GetStringValue(cJSON_GetObjectItem(item, "text")));
   }
@@ -172,7 +185,9 @@ void WarningRelease(void)
   book.held  = PETSC_FALSE;
   book.ended = book.before + cJSON_GetArraySize(book.run);
   WarningPrintList_Private(book.common);
+  book.within = PETSC_TRUE; // its lines have its label
   WarningPrintList_Private(book.run);
+  book.within = PETSC_FALSE;
 }
 
 void WarningSetQuiet(PetscBool quiet)
@@ -195,8 +210,8 @@ cJSON *WarningList(void)
   cJSON       *all = cJSON_CreateArray();
   const cJSON *item;
 
-  cJSON_ArrayForEach(item, book.common) cJSON_AddItemToArray(all, cJSON_Duplicate(item, cJSON_True));
-  cJSON_ArrayForEach(item, book.run) cJSON_AddItemToArray(all, cJSON_Duplicate(item, cJSON_True));
+  cJSON_ArrayForEach(item, book.common) cJSON_AddItemToArray(all, WarningDuplicate_Private(item));
+  cJSON_ArrayForEach(item, book.run) cJSON_AddItemToArray(all, WarningDuplicate_Private(item));
   return all;
 }
 
@@ -206,7 +221,12 @@ void WarningListUpdate(cJSON *list)
 
   cJSON_ArrayForEach(item, book.common)
   {
-    if (!WarningIsListed_Private(list, item)) cJSON_AddItemToArray(list, cJSON_Duplicate(item, cJSON_True));
+    cJSON *one = WarningDuplicate_Private(item);
+
+    if (WarningIsListed_Private(list, one))
+      cJSON_Delete(one);
+    else
+      cJSON_AddItemToArray(list, one);
   }
 }
 

@@ -27,10 +27,22 @@ typedef struct {
   PetscInt *type;  /* ElementType [num] */
 } SortedCells;
 
+/* The points and cells of one time. */
+typedef struct {
+  PetscInt    step;                  /* of the group that has them; -1 for the root */
+  PetscInt    num_points, num_cells; /* on the first rank, like the rest */
+  PetscInt    rows, columns;         /* of the list of cells */
+  const char *topology;              /* its TopologyType in XDMF; static */
+} FieldGrid;
+
 /* A picture at several times, from one writing to the next: those that its file holds. */
 typedef struct {
   PetscInt   num, capacity;
-  PetscReal *t; /* [num] */
+  PetscReal *t;    /* [num] */
+  FieldGrid *grid; /* [num] */
+  PetscBool
+      varies; /* whether meshes may differ: then each step where one is new has it in its group, else the root has the one */
+  PetscBool fresh; /* whether that of the last time is a new one */
 } FieldSeries;
 
 /* What the first rank knows of a picture that is being written. */

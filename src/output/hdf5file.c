@@ -15,6 +15,8 @@
 #include "base/compat.h"
 
 /* The file that is being written. */
+enum { PLACED = XDMF_STEP_NAME + 32 }; /* length of a dataset's name with its group */
+
 typedef struct {
   Sink     *sink; /* of a file that grows it is kept until its changes are made */
   hid_t     access, file;
@@ -161,27 +163,75 @@ static PetscErrorCode HDF5FileBegin_Private(FieldWriter *writer)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether the mesh is to be written: that of a series once, or where it is another one. */
+static PetscBool HDF5FileTakesMesh_Private(const FieldWriter *writer)
+{
+  const Image *image = (const Image *)writer->data;
+
+  return (PetscBool)(!image->more || (writer->series->varies && writer->series->fresh));
+}
+
+/* The name of a dataset in the group of the last step, or in the root. */
+static void HDF5FilePlace_Private(const FieldWriter *writer, PetscBool group, const char name[], char placed[PLACED])
+{
+  char step[XDMF_STEP_NAME] = "";
+
+  if (group) XDMFStepName(writer->series, writer->series->num - 1, step);
+  snprintf(placed, PLACED, "%s%s", step, name);
+}
+
+/* Lets a name in the root mean a dataset of the last step. */
+static void HDF5FileLink_Private(Image *image, const char placed[], const char name[])
+{
+  if (!image->good) return;
+  if (image->more) image->good = (PetscBool)(H5Ldelete(image->file, name, H5P_DEFAULT) >= 0);
+  image->good =
+      (PetscBool)(image->good && H5Lcreate_hard(image->file, placed, image->file, name, H5P_DEFAULT, H5P_DEFAULT) >= 0);
+}
+
+/* Of a series into the last group, and under its own name in place of the step before. [in] group - whether a series has it in groups */
+static void HDF5FileWritePlaced_Private(FieldWriter *writer, PetscBool group, PetscInt rows, const Quantity *quantity,
+                                        const PetscReal values[])
+{
+  Image   *image = (Image *)writer->data;
+  char     name[PLACED];
+  Quantity placed = *quantity;
+
+  HDF5FilePlace_Private(writer, group, quantity->name, name);
+  placed.name = name;
+  HDF5FileWriteQuantity_Private(image, rows, &placed, values);
+  if (group) HDF5FileLink_Private(image, name, quantity->name);
+}
+
+/* Whether points and cells stand in groups. */
+static PetscBool HDF5FileVaries_Private(const FieldWriter *writer)
+{
+  return (PetscBool)(writer->series && writer->series->varies);
+}
+
 static PetscErrorCode HDF5FilePoints_Private(FieldWriter *writer, const PetscReal positions[])
 {
-  Image *image = (Image *)writer->data;
-
   PetscFunctionBeginUser;
-  if (!image->more)
-    HDF5FileWriteQuantity_Private(image, writer->num_points, &(Quantity){"points", 3, PETSC_FALSE}, positions);
+  if (HDF5FileTakesMesh_Private(writer))
+    HDF5FileWritePlaced_Private(writer, HDF5FileVaries_Private(writer), writer->num_points,
+                                &(Quantity){"points", 3, PETSC_FALSE}, positions);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 static PetscErrorCode HDF5FileCells_Private(FieldWriter *writer, const SortedCells *cells)
 {
-  Image    *image    = (Image *)writer->data;
-  Topology *topology = &image->topology;
+  Image          *image    = (Image *)writer->data;
+  Topology       *topology = &image->topology;
+  const PetscBool group    = HDF5FileVaries_Private(writer);
+  char            name[PLACED];
 
   PetscFunctionBeginUser;
   PetscCall(XDMFTopologyCreate(cells, topology));
-  if (!image->more)
+  HDF5FilePlace_Private(writer, group, "cells", name);
+  if (HDF5FileTakesMesh_Private(writer)) {
     image->good = (PetscBool)(image->good &&
                               HDF5FileWriteDataset_Private(
-                                  image->file, &(Dataset){.name    = "cells",
+                                  image->file, &(Dataset){.name    = name,
                                                           .about   = topology->columns == 1
                                                                          ? "per cell: XDMF type number, then its points"
                                                                          : "points of each cell",
@@ -190,35 +240,24 @@ static PetscErrorCode HDF5FileCells_Private(FieldWriter *writer, const SortedCel
                                                           .memory  = H5T_NATIVE_INT,
                                                           .stored  = H5T_STD_I32LE,
                                                           .values  = topology->values}));
+    if (group) HDF5FileLink_Private(image, name, "cells");
+  }
   PetscCall(XDMFTopologyDestroy(topology));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Of a series into the last group, and under its own name in place of the step before. */
 static PetscErrorCode HDF5FilePoint_Private(FieldWriter *writer, const Quantity *quantity, const PetscReal values[])
 {
-  Image   *image = (Image *)writer->data;
-  char     group[XDMF_STEP_NAME], name[XDMF_STEP_NAME + 32];
-  Quantity placed = *quantity;
-
   PetscFunctionBeginUser;
-  XDMFStepName(writer->series, writer->series ? writer->series->num - 1 : 0, group);
-  snprintf(name, sizeof(name), "%s%s", group, quantity->name);
-  placed.name = name;
-  HDF5FileWriteQuantity_Private(image, writer->num_points, &placed, values);
-  if (!writer->series || !image->good) PetscFunctionReturn(PETSC_SUCCESS);
-  if (image->more) image->good = (PetscBool)(H5Ldelete(image->file, quantity->name, H5P_DEFAULT) >= 0);
-  image->good = (PetscBool)(image->good && H5Lcreate_hard(image->file, name, image->file, quantity->name, H5P_DEFAULT,
-                                                          H5P_DEFAULT) >= 0);
+  HDF5FileWritePlaced_Private(writer, (PetscBool)(writer->series != NULL), writer->num_points, quantity, values);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 static PetscErrorCode HDF5FileCell_Private(FieldWriter *writer, const Quantity *quantity, const PetscReal values[])
 {
-  Image *image = (Image *)writer->data;
-
   PetscFunctionBeginUser;
-  if (!image->more) HDF5FileWriteQuantity_Private(image, writer->num_cells, quantity, values);
+  if (HDF5FileTakesMesh_Private(writer))
+    HDF5FileWritePlaced_Private(writer, HDF5FileVaries_Private(writer), writer->num_cells, quantity, values);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

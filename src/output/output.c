@@ -16,6 +16,7 @@ struct _n_Output {
 struct _n_OutputSeries {
   PetscInt     num;     /* pictures: of the bodies, of each pair */
   FieldSeries *picture; /* [num] */
+  const Level *level;   /* of the last step; borrowed, to be compared */
 };
 
 /* Path of one file of the scene's output; pair may be NULL. */
@@ -185,7 +186,10 @@ PetscErrorCode OutputSeriesCreate(Scene scene, OutputSeries *series)
 PetscErrorCode OutputSeriesDestroy(OutputSeries *series)
 {
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < (*series)->num; i++) PetscCall(PetscFree((*series)->picture[i].t));
+  for (PetscInt i = 0; i < (*series)->num; i++) {
+    PetscCall(PetscFree((*series)->picture[i].t));
+    PetscCall(PetscFree((*series)->picture[i].grid));
+  }
   PetscCall(PetscFree((*series)->picture));
   PetscCall(PetscFree(*series));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -200,9 +204,16 @@ PetscErrorCode OutputAddStep(Output output, OutputSeries series, Fields fields)
     if (picture->num == picture->capacity) {
       picture->capacity = 2 * picture->capacity + 16;
       PetscCall(PetscRealloc(picture->capacity * sizeof(*picture->t), &picture->t));
+      PetscCall(PetscRealloc(picture->capacity * sizeof(*picture->grid), &picture->grid));
     }
-    picture->t[picture->num++] = fields->vi->scene->time;
+    picture->varies             = fields->vi->scene->adapt.on;
+    picture->fresh              = (PetscBool)(fields->vi->level != series->level);
+    picture->t[picture->num]    = fields->vi->scene->time;
+    picture->grid[picture->num] = picture->fresh ? (FieldGrid){0} : picture->grid[picture->num - 1];
+    if (picture->fresh) picture->grid[picture->num].step = picture->varies ? picture->num : -1;
+    picture->num++;
   }
+  series->level = fields->vi->level;
   PetscCall(OutputAddFields_Private(output, series, fields));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -461,6 +461,8 @@ PetscErrorCode SummaryCreateStep(const SummaryInput *input, cJSON **row)
   PetscCall(SummaryAddProbes_Private(input, *row));
   PetscCall(ValidityAdd(input->fields, *row));
   cJSON_AddBoolToObject(*row, "certificate", input->certificate->holds);
+  if (input->estimate) cJSON_AddItemToObject(*row, "estimate", cJSON_Duplicate(input->estimate, cJSON_True));
+  if (input->bars) cJSON_AddItemToObject(*row, "bars", cJSON_Duplicate(input->bars, cJSON_True));
   cJSON_AddItemToObject(*row, "warnings", WarningList());
   PetscFunctionReturn(PETSC_SUCCESS);
 }

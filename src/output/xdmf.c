@@ -84,43 +84,47 @@ static void XDMFWriteAttribute_Private(FILE *out, const char hdf5[], const char 
 }
 
 /* What a grid consists of: points, cells, quantities. [in] group - of the quantities of points */
-static void XDMFWriteGridItems_Private(FILE *out, const FieldWriter *writer, const Topology *topology,
-                                       const char hdf5[], const char group[])
+static void XDMFWriteGridItems_Private(FILE *out, const FieldWriter *writer, const FieldGrid *grid, const char hdf5[],
+                                       const char group[])
 {
+  char place[XDMF_STEP_NAME] = "", name[XDMF_STEP_NAME + 32];
+
+  if (grid->step >= 0) XDMFStepName(writer->series, grid->step, place);
   fprintf(out, "      <Geometry GeometryType=\"XYZ\">\n        ");
-  XDMFWriteItem_Private(out, hdf5, "points", writer->num_points, 3, PETSC_FALSE);
-  fprintf(
-      out, "      </Geometry>\n      <Topology TopologyType=\"%s\"%s NumberOfElements=\"%" PetscInt_FMT "\">\n        ",
-      topology->name, topology->name == xdmf_name[ELEMENT_LINE2] ? " NodesPerElement=\"2\"" : "", writer->num_cells);
-  XDMFWriteItem_Private(out, hdf5, "cells", topology->rows, topology->columns, PETSC_TRUE);
+  snprintf(name, sizeof(name), "%spoints", place);
+  XDMFWriteItem_Private(out, hdf5, name, grid->num_points, 3, PETSC_FALSE);
+  fprintf(out,
+          "      </Geometry>\n      <Topology TopologyType=\"%s\"%s NumberOfElements=\"%" PetscInt_FMT "\">\n        ",
+          grid->topology, grid->topology == xdmf_name[ELEMENT_LINE2] ? " NodesPerElement=\"2\"" : "", grid->num_cells);
+  snprintf(name, sizeof(name), "%scells", place);
+  XDMFWriteItem_Private(out, hdf5, name, grid->rows, grid->columns, PETSC_TRUE);
   fprintf(out, "      </Topology>\n");
   for (PetscInt i = 0; i < writer->num_point_quantities; i++) {
-    XDMFWriteAttribute_Private(out, hdf5, group, &writer->point[i], writer->num_points, "Node");
+    XDMFWriteAttribute_Private(out, hdf5, group, &writer->point[i], grid->num_points, "Node");
   }
   for (PetscInt i = 0; i < writer->num_cell_quantities; i++) {
-    XDMFWriteAttribute_Private(out, hdf5, "", &writer->cell[i], writer->num_cells, "Cell");
+    XDMFWriteAttribute_Private(out, hdf5, place, &writer->cell[i], grid->num_cells, "Cell");
   }
 }
 
 /* The grid of a picture at one time, told twice. */
-static void XDMFWriteSteady_Private(FILE *out, const FieldWriter *writer, const Topology *topology, const char hdf5[],
+static void XDMFWriteSteady_Private(FILE *out, const FieldWriter *writer, const FieldGrid *grid, const char hdf5[],
                                     const char title[])
 {
   fprintf(out, "    <Grid Name=\"");
   XMLWriteText(out, title);
   fprintf(out, "\" GridType=\"Uniform\" Reference=\"/Xdmf/Domain/Grid/Information/Grid\">\n");
-  XDMFWriteGridItems_Private(out, writer, topology, hdf5, "");
+  XDMFWriteGridItems_Private(out, writer, grid, hdf5, "");
   fprintf(out,
           "      <Information Name=\"steady\" Value=\"the same with a time\">&lt;steady/&gt;\n      <Grid Name=\"");
   XMLWriteText(out, title);
   fprintf(out, "\" GridType=\"Uniform\">\n      <Time Value=\"0\"/>\n");
-  XDMFWriteGridItems_Private(out, writer, topology, hdf5, "");
+  XDMFWriteGridItems_Private(out, writer, grid, hdf5, "");
   fprintf(out, "      </Grid>\n      </Information>\n    </Grid>\n");
 }
 
 /* One grid for each time. Viewers sort times: where these do not ascend, the number of the step stands for them. */
-static void XDMFWriteSeries_Private(FILE *out, const FieldWriter *writer, const Topology *topology, const char hdf5[],
-                                    const char title[])
+static void XDMFWriteSeries_Private(FILE *out, const FieldWriter *writer, const char hdf5[], const char title[])
 {
   const FieldSeries *series = writer->series;
   PetscBool          ascend = PETSC_TRUE;
@@ -136,7 +140,7 @@ static void XDMFWriteSeries_Private(FILE *out, const FieldWriter *writer, const 
     fprintf(out, "    <Grid Name=\"t = %.9g\" GridType=\"Uniform\">\n      <Time Value=\"%.17g\"/>\n",
             (double)series->t[i], time);
     XDMFStepName(series, i, group);
-    XDMFWriteGridItems_Private(out, writer, topology, hdf5, group);
+    XDMFWriteGridItems_Private(out, writer, &series->grid[i], hdf5, group);
     fprintf(out, "    </Grid>\n");
   }
   fprintf(out, "    </Grid>\n");
@@ -147,17 +151,27 @@ PetscErrorCode XDMFWrite(const FieldWriter *writer, const Topology *topology, co
   const char *slash = strrchr(hdf5, '/'), *title = writer->title[0] ? writer->title : "mortise";
   char        path[PETSC_MAX_PATH_LEN];
   FILE       *out;
+  FieldGrid   grid = {.step       = -1,
+                      .num_points = writer->num_points,
+                      .num_cells  = writer->num_cells,
+                      .rows       = topology->rows,
+                      .columns    = topology->columns,
+                      .topology   = topology->name};
 
   PetscFunctionBeginUser;
+  if (writer->series) { // all of its grids are told
+    grid.step                                     = writer->series->grid[writer->series->num - 1].step;
+    writer->series->grid[writer->series->num - 1] = grid;
+  }
   PetscCall(PetscSNPrintf(path, sizeof(path), "%s.xdmf", writer->base));
   PetscCall(FileSetOpen(writer->files, path, &out));
   if (!out) PetscFunctionReturn(PETSC_SUCCESS);
   if (slash) hdf5 = slash + 1;
   fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n");
   if (writer->series)
-    XDMFWriteSeries_Private(out, writer, topology, hdf5, title);
+    XDMFWriteSeries_Private(out, writer, hdf5, title);
   else
-    XDMFWriteSteady_Private(out, writer, topology, hdf5, title);
+    XDMFWriteSteady_Private(out, writer, &grid, hdf5, title);
   fprintf(out, "  </Domain>\n</Xdmf>\n");
   PetscCall(FileSetClose(writer->files, &out));
   PetscFunctionReturn(PETSC_SUCCESS);

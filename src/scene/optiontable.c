@@ -254,7 +254,8 @@ static const OptionEntry table[] = {
     {GROUP_STUDY, "-study_orders", "1,2", "", "(-order)",
      "With -study: polynomial orders of all bodies, each solved on every mesh, ascending."},
     {GROUP_STUDY, "-study_memory", "x[K|M|G|T]", "bytes", "(no limit)",
-     "With -study: memory of all processes together; a mesh that is expected to need more is omitted."},
+     "With -study, -adapt or -adapt_goal: memory of all processes together; a mesh that is expected to need more is "
+     "omitted."},
 
     {GROUP_STEPS, "-load_steps", "n or t,t,...", "", "(one solution, t = 1)",
      "Solves at several times t, each from the solution before: n equal steps up to 1, or a list of times. Every "

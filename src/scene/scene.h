@@ -206,6 +206,7 @@ typedef struct {
   PetscReal  max_unknowns;
   PetscInt   max_meshes, num_goals;
   SceneGoal *goals;          /* [num_goals] */
+  PetscReal  memory;         /* bytes that all ranks together may take; infinite where nothing was said */
   PetscReal  goal_tolerance; /* of their bars, relative to their values */
 } SceneAdapt;
 

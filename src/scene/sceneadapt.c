@@ -108,15 +108,16 @@ static PetscErrorCode AdaptReadTolerances_Private(Scene scene, Option *option)
 PetscErrorCode SceneAdaptRead(Scene scene)
 {
   SceneAdapt *adapt = &scene->adapt;
-  Option      option, marking, unknowns, meshes, study, steps;
+  Option      option, marking, unknowns, meshes, study, memory;
 
   PetscFunctionBeginUser;
   PetscCall(AdaptReadTolerances_Private(scene, &option));
   if (!adapt->on) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(OptionFind(scene, "-study", NULL, NULL, &study));
   if (study.set) PetscCall(OptionRaise(&option, "a study has its own meshes; omit -study or %s", option.name));
-  PetscCall(OptionFind(scene, "-load_steps", NULL, NULL, &steps));
-  if (steps.set) PetscCall(OptionRaise(&option, "load steps keep one mesh; omit -load_steps or %s", option.name));
+  adapt->memory = PETSC_INFINITY;
+  PetscCall(OptionFind(scene, "-study_memory", NULL, NULL, &memory));
+  PetscCall(OptionGetBytes(&memory, &adapt->memory));
   PetscCall(OptionFind(scene, "-adapt_marking", NULL, NULL, &marking));
   PetscCall(OptionFind(scene, "-adapt_max_unknowns", NULL, NULL, &unknowns));
   PetscCall(OptionFind(scene, "-adapt_max_meshes", NULL, NULL, &meshes));

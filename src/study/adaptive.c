@@ -3,7 +3,9 @@
 #include "base/compat.h"
 #include "base/interrupt.h"
 #include "base/log.h"
+#include "base/memory.h"
 #include "base/warning.h"
+#include "study/costforecast.h"
 #include "study/marking.h"
 #include "study/meshhistory.h"
 #include "study/promotion.h"
@@ -11,29 +13,41 @@
 
 enum {
   TEXT_LENGTH  = 320,
-  FIRST_MESHES = 3 /* as many as a bar needs at least, unless there is nothing to refine */
+  FIRST_MESHES = 3, /* as many as a bar needs at least, unless there is nothing to refine */
+  KEPT_RUNS    = 4  /* meshes that a load step is solved on beside the latest one: bars are made of five */
 };
 
 static const PetscReal STALLED      = 0.9; /* of the error, while unknowns double */
 static const PetscReal KEEP_SECONDS = 5;   /* of work that an interruption may lose, and the mesh that is solved then */
 static const PetscReal PERCENT      = 100;
 
+/* A run on an earlier mesh. */
 typedef struct {
+  Run      run;
+  PetscInt num_levels; /* of its mesh */
+} OlderRun;
+
+struct _n_Adaptive {
   Scene       scene; /* borrowed */
+  Mesh        mesh;  /* borrowed */
   MeshHistory history;
+  PetscInt    first; /* meshes before those of the history */
+  PetscInt    num_older;
+  OlderRun    older[KEPT_RUNS]; /* with load steps, coarse first */
+  CostPoint   cost[2];          /* of the latest two meshes, the latest first */
   PetscBool   quiet;
   PetscReal   kept;       /* when files were written last */
   PetscReal  *indicators; /* of goals on the latest mesh, GoalsSolve() */
   PetscBool   dual;       /* whether their dual problems are solved */
-} Adaptive;
+};
 
-static const SolvedMesh *AdaptiveGetLast_Private(const Adaptive *adaptive)
+static const SolvedMesh *AdaptiveGetLast_Private(const struct _n_Adaptive *adaptive)
 {
   return &adaptive->history.mesh[adaptive->history.num - 1];
 }
 
 /* Whether the energy norm is known as well as is asked for. */
-static PetscBool AdaptiveEnergyIsMet_Private(const Adaptive *adaptive)
+static PetscBool AdaptiveEnergyIsMet_Private(const struct _n_Adaptive *adaptive)
 {
   const PetscReal tolerance = adaptive->scene->adapt.tolerance;
 
@@ -41,7 +55,7 @@ static PetscBool AdaptiveEnergyIsMet_Private(const Adaptive *adaptive)
 }
 
 /* Whether all is known as well as is asked for. */
-static PetscBool AdaptiveIsMet_Private(const Adaptive *adaptive)
+static PetscBool AdaptiveIsMet_Private(const struct _n_Adaptive *adaptive)
 {
   return (PetscBool)(AdaptiveEnergyIsMet_Private(adaptive) &&
                      GoalsAreMet(adaptive->scene, AdaptiveGetLast_Private(adaptive)->goals));
@@ -57,7 +71,7 @@ static PetscReal AdaptiveGetRate_Private(const Scene scene)
 }
 
 /* Unknowns of a mesh with the errors that are asked for, as they fall: bars of goals like the square of the energy norm. */
-static PetscReal AdaptiveForecast_Private(const Adaptive *adaptive)
+static PetscReal AdaptiveForecast_Private(const struct _n_Adaptive *adaptive)
 {
   const SolvedMesh *mesh  = AdaptiveGetLast_Private(adaptive);
   const SceneAdapt *plan  = &adaptive->scene->adapt;
@@ -73,7 +87,7 @@ static PetscReal AdaptiveForecast_Private(const Adaptive *adaptive)
 }
 
 /* Unknowns of the next mesh, as they grew the last time. */
-static PetscReal AdaptiveNext_Private(const Adaptive *adaptive)
+static PetscReal AdaptiveNext_Private(const struct _n_Adaptive *adaptive)
 {
   const SolvedMesh *mesh = AdaptiveGetLast_Private(adaptive);
 
@@ -81,7 +95,7 @@ static PetscReal AdaptiveNext_Private(const Adaptive *adaptive)
 }
 
 /* The head of the table, behind a line for bodies whose cells were cut. Collective. */
-static PetscErrorCode AdaptivePrintHead_Private(const Adaptive *adaptive, Mesh mesh)
+static PetscErrorCode AdaptivePrintHead_Private(const struct _n_Adaptive *adaptive, Mesh mesh)
 {
   const Scene scene = adaptive->scene;
 
@@ -101,7 +115,7 @@ static PetscErrorCode AdaptivePrintHead_Private(const Adaptive *adaptive, Mesh m
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode AdaptivePrint_Private(const Adaptive *adaptive)
+static PetscErrorCode AdaptivePrint_Private(const struct _n_Adaptive *adaptive)
 {
   const MPI_Comm    comm     = adaptive->scene->comm;
   const SolvedMesh *mesh     = AdaptiveGetLast_Private(adaptive);
@@ -112,8 +126,9 @@ static PetscErrorCode AdaptivePrint_Private(const Adaptive *adaptive)
   PetscCall(PetscPrintf(comm,
                         "  %4" PetscInt_FMT " %9" PetscInt_FMT " %9" PetscInt_FMT " %5" PetscInt_FMT "  %6" PetscInt_FMT
                         "  %14.3g%%  %16.10g  %7.2f",
-                        adaptive->history.num, mesh->cells, mesh->unknowns, mesh->iterations, mesh->active,
-                        (double)(PERCENT * SolvedMeshGetError(mesh)), (double)mesh->potential, (double)mesh->seconds));
+                        adaptive->first + adaptive->history.num, mesh->cells, mesh->unknowns, mesh->iterations,
+                        mesh->active, (double)(PERCENT * SolvedMeshGetError(mesh)), (double)mesh->potential,
+                        (double)mesh->seconds));
   for (PetscInt g = 0; g < adaptive->scene->adapt.num_goals; g++)
     PetscCall(PetscPrintf(comm, "  %12.6g +- %7.2g%%", (double)mesh->goals[g].value,
                           (double)(PERCENT * mesh->goals[g].bar / PetscAbsReal(mesh->goals[g].value))));
@@ -124,7 +139,7 @@ static PetscErrorCode AdaptivePrint_Private(const Adaptive *adaptive)
 }
 
 /* Whether the estimates have hardly fallen since there were half as many unknowns; the calibration of coarse meshes may leap. */
-static PetscBool AdaptiveIsStalled_Private(const Adaptive *adaptive)
+static PetscBool AdaptiveIsStalled_Private(const struct _n_Adaptive *adaptive)
 {
   const SolvedMesh *mesh = AdaptiveGetLast_Private(adaptive), *before;
   PetscInt          k    = adaptive->history.num - 1;
@@ -138,8 +153,26 @@ static PetscBool AdaptiveIsStalled_Private(const Adaptive *adaptive)
   return PETSC_TRUE;
 }
 
+/* Memory of all processes with the next mesh; 0 without a limit. [in] next - its unknowns */
+static PetscReal AdaptiveGetForecastBytes_Private(const struct _n_Adaptive *adaptive, PetscReal next)
+{
+  if (!(adaptive->scene->adapt.memory < PETSC_INFINITY)) return 0;
+  return CostForecastNext(adaptive->scene, &adaptive->cost[0], adaptive->cost[1].unknowns ? &adaptive->cost[1] : NULL,
+                          next);
+}
+
+/* [out] why - [TEXT_LENGTH] */
+static void AdaptiveTellMemory_Private(const struct _n_Adaptive *adaptive, PetscReal next, char why[])
+{
+  char needed[BYTES_TEXT], limit[BYTES_TEXT];
+
+  CostForecastPrintBytes(AdaptiveGetForecastBytes_Private(adaptive, next), needed);
+  CostForecastPrintBytes(adaptive->scene->adapt.memory, limit);
+  (void)snprintf(why, TEXT_LENGTH, "the next mesh would need about %s, -study_memory allows %s", needed, limit);
+}
+
 /* Whether this mesh is the last one. [out] why - "" where the error is small enough [TEXT_LENGTH] */
-static PetscBool AdaptiveIsOver_Private(const Adaptive *adaptive, char why[])
+static PetscBool AdaptiveIsOver_Private(const struct _n_Adaptive *adaptive, char why[])
 {
   const SceneAdapt *plan = &adaptive->scene->adapt;
   const PetscReal   next = AdaptiveNext_Private(adaptive);
@@ -149,11 +182,13 @@ static PetscBool AdaptiveIsOver_Private(const Adaptive *adaptive, char why[])
   if (AdaptiveIsMet_Private(adaptive) && adaptive->history.num >= FIRST_MESHES) return PETSC_TRUE;
   if (!adaptive->dual)
     (void)snprintf(why, TEXT_LENGTH, "a dual problem was not solved");
-  else if (adaptive->history.num >= plan->max_meshes)
+  else if (adaptive->first + adaptive->history.num >= plan->max_meshes)
     (void)snprintf(why, TEXT_LENGTH, "-adapt_max_meshes %" PetscInt_FMT " ends the refinement", plan->max_meshes);
   else if (next > plan->max_unknowns)
     (void)snprintf(why, TEXT_LENGTH, "the next mesh would have about %.2g unknowns, -adapt_max_unknowns allows %.3g",
                    (double)next, (double)plan->max_unknowns);
+  else if (AdaptiveGetForecastBytes_Private(adaptive, next) > plan->memory)
+    AdaptiveTellMemory_Private(adaptive, next, why);
   else if (AdaptiveIsStalled_Private(adaptive))
     (void)snprintf(why, TEXT_LENGTH, "twice the unknowns have hardly lowered it");
   if (why[0] && AdaptiveIsMet_Private(adaptive))
@@ -164,7 +199,7 @@ static PetscBool AdaptiveIsOver_Private(const Adaptive *adaptive, char why[])
 }
 
 /* Says why the error that is asked for is not reached. [in] why - "" where it is */
-static PetscErrorCode AdaptiveSetVerdict_Private(const Adaptive *adaptive, Run run, const char why[])
+static PetscErrorCode AdaptiveSetVerdict_Private(const struct _n_Adaptive *adaptive, Run run, const char why[])
 {
   const Scene       scene = adaptive->scene;
   const SolvedMesh *mesh  = AdaptiveGetLast_Private(adaptive);
@@ -198,7 +233,7 @@ static PetscErrorCode AdaptiveSetVerdict_Private(const Adaptive *adaptive, Run r
 }
 
 /* What is said if a signal comes now. [in] kept - whether files hold the latest mesh */
-static void AdaptiveSetInterruptSentence_Private(const Adaptive *adaptive, PetscBool kept)
+static void AdaptiveSetInterruptSentence_Private(const struct _n_Adaptive *adaptive, PetscBool kept)
 {
   const Scene scene = adaptive->scene;
   char        text[PETSC_MAX_PATH_LEN + TEXT_LENGTH];
@@ -214,7 +249,7 @@ static void AdaptiveSetInterruptSentence_Private(const Adaptive *adaptive, Petsc
 }
 
 /* Writes the files of a mesh that is not the last one, unless that was done a few seconds ago. Collective. */
-static PetscErrorCode AdaptiveKeep_Private(Adaptive *adaptive, Run run)
+static PetscErrorCode AdaptiveKeep_Private(Adaptive adaptive, Run run)
 {
   const Scene        scene  = adaptive->scene;
   const SolverReport report = run->report;
@@ -247,7 +282,7 @@ static PetscErrorCode AdaptiveKeep_Private(Adaptive *adaptive, Run run)
 }
 
 /* The next mesh, and what was found on this one there. Collective. [out] guess - owned by the caller */
-static PetscErrorCode AdaptiveRefine_Private(const Adaptive *adaptive, Mesh mesh, Run run, Vec *guess)
+static PetscErrorCode AdaptiveRefine_Private(const struct _n_Adaptive *adaptive, Mesh mesh, Run run, Vec *guess)
 {
   const PetscInt level = mesh->num_levels - 1;
   PetscBool     *marked;
@@ -270,13 +305,28 @@ static PetscErrorCode AdaptiveRefine_Private(const Adaptive *adaptive, Mesh mesh
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* What the program has taken so far, where that is limited. Collective. */
+static PetscErrorCode AdaptiveMeasureMemory_Private(Adaptive adaptive)
+{
+  CostPoint latest = {.unknowns = AdaptiveGetLast_Private(adaptive)->unknowns};
+
+  PetscFunctionBeginUser;
+  if (!(adaptive->scene->adapt.memory < PETSC_INFINITY)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MemoryPeak(adaptive->scene->comm, &latest.bytes, NULL));
+  if (latest.unknowns < adaptive->cost[0].unknowns) PetscFunctionReturn(PETSC_SUCCESS);
+  if (latest.unknowns > adaptive->cost[0].unknowns) adaptive->cost[1] = adaptive->cost[0];
+  adaptive->cost[0] = latest;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Remembers what a run tells of its mesh. Collective. [in] begin - of the work on that mesh */
-static PetscErrorCode AdaptiveAdd_Private(Adaptive *adaptive, Run run, PetscReal begin)
+static PetscErrorCode AdaptiveAdd_Private(Adaptive adaptive, Run run, PetscReal begin)
 {
   SolvedMesh *mesh;
 
   PetscFunctionBeginUser;
   PetscCall(MeshHistoryAdd(&adaptive->history, run, LogWallClock() - begin));
+  PetscCall(AdaptiveMeasureMemory_Private(adaptive));
   if (!adaptive->scene->adapt.num_goals) PetscFunctionReturn(PETSC_SUCCESS);
   mesh = &adaptive->history.mesh[adaptive->history.num - 1];
   PetscCall(PetscFree(adaptive->indicators));
@@ -287,39 +337,126 @@ static PetscErrorCode AdaptiveAdd_Private(Adaptive *adaptive, Run run, PetscReal
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode AdaptiveRun(Scene scene, Mesh mesh, Vec guess, Run *run)
+/* The scene's new time on the meshes that are there. Collective. [in,out] run - of the latest mesh */
+static PetscErrorCode AdaptiveAdvance_Private(Adaptive adaptive, Vec guess, Run *run)
 {
-  Adaptive  adaptive = {.scene = scene, .kept = LogWallClock(), .dual = PETSC_TRUE};
-  PetscReal begin    = LogWallClock();
-  char      why[TEXT_LENGTH];
-  Vec       own = NULL;
+  const Scene    scene   = adaptive->scene;
+  const Mesh     mesh    = adaptive->mesh;
+  const int      changed = scene->changed;
+  const PetscInt all     = mesh->num_levels;
+  PetscInt       kept    = 0;
 
   PetscFunctionBeginUser;
-  adaptive.quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
-  PetscCall(InterruptBegin());
-  AdaptiveSetInterruptSentence_Private(&adaptive, PETSC_FALSE);
+  for (PetscInt i = 0; i < adaptive->num_older; i++) {
+    const PetscReal begin = LogWallClock();
+    OlderRun       *older = &adaptive->older[i];
+
+    scene->changed   = changed;
+    mesh->num_levels = older->num_levels; // what is made anew is made on the run's own mesh
+    PetscCall(RunAdvance(NULL, &older->run));
+    mesh->num_levels = all;
+    if (older->run->solved) {
+      PetscCall(AdaptiveAdd_Private(adaptive, older->run, begin));
+      adaptive->older[kept++] = *older;
+    } else {
+      PetscCall(RunDestroy(&older->run)); // the latest mesh decides
+    }
+  }
+  adaptive->num_older = kept;
+  adaptive->first     = all - 1 - kept;
+  scene->changed      = changed;
+  PetscCall(RunAdvance(guess, run));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A run on the mesh that was made of the one before, whose run load steps keep. Collective. [in] tighten - whether pretensions are applied
+   at this time */
+static PetscErrorCode AdaptiveExtend_Private(Adaptive adaptive, Vec guess, PetscBool tighten, Run *run)
+{
+  PetscFunctionBeginUser;
+  if (!adaptive->scene->steps.num) {
+    PetscCall(RunExtend(guess, run));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  if (adaptive->num_older == KEPT_RUNS) {
+    PetscCall(RunDestroy(&adaptive->older[0].run));
+    PetscCall(PetscArraymove(&adaptive->older[0], &adaptive->older[1], KEPT_RUNS - 1));
+    adaptive->num_older--;
+  }
+  adaptive->older[adaptive->num_older++] = (OlderRun){.run = *run, .num_levels = adaptive->mesh->num_levels - 1};
+  *run                                   = NULL;
+  PetscCall(tighten ? RunCreate(adaptive->scene, adaptive->mesh, guess, run)
+                    : RunCreateTightened(adaptive->scene, adaptive->mesh, guess, run));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode AdaptiveCreate(Scene scene, Mesh mesh, Adaptive *adaptive)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(adaptive));
+  (*adaptive)->scene = scene;
+  (*adaptive)->mesh  = mesh;
+  (*adaptive)->kept  = LogWallClock();
+  (*adaptive)->dual  = PETSC_TRUE;
+  (*adaptive)->quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
+  PetscCall(AdaptivePrintHead_Private(*adaptive, mesh));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode AdaptiveDestroy(Adaptive *adaptive)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < (*adaptive)->num_older; i++) PetscCall(RunDestroy(&(*adaptive)->older[i].run));
+  PetscCall(PetscFree((*adaptive)->indicators));
+  PetscCall(MeshHistoryDestroy(&(*adaptive)->history));
+  PetscCall(PetscFree(*adaptive));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode AdaptiveSolve(Adaptive adaptive, Vec guess, Run *run)
+{
+  const PetscBool tighten = (PetscBool) !*run;
+  PetscReal       begin   = LogWallClock();
+  char            why[TEXT_LENGTH];
+  Vec             own = NULL;
+
+  PetscFunctionBeginUser;
+  PetscCall(MeshHistoryDestroy(&adaptive->history));
   WarningHold();
-  PetscCall(AdaptivePrintHead_Private(&adaptive, mesh));
+  PetscCall(*run ? AdaptiveAdvance_Private(adaptive, guess, run)
+                 : RunCreate(adaptive->scene, adaptive->mesh, guess, run));
   while (PETSC_TRUE) {
-    PetscCall(adaptive.history.num ? RunExtend(own, run) : RunCreate(scene, mesh, guess, run));
-    scene->view = PETSC_FALSE; // of the first mesh only
+    adaptive->scene->view = PETSC_FALSE; // of the first mesh only
     PetscCall(VecDestroy(&own));
     if (!(*run)->solved) break;
-    PetscCall(AdaptiveAdd_Private(&adaptive, *run, begin));
-    PetscCall(AdaptivePrint_Private(&adaptive));
+    PetscCall(AdaptiveAdd_Private(adaptive, *run, begin));
+    PetscCall(AdaptivePrint_Private(adaptive));
     begin = LogWallClock();
-    if (AdaptiveIsOver_Private(&adaptive, why)) {
-      PetscCall(MeshHistoryDescribe(&adaptive.history, *run));
-      PetscCall(AdaptiveSetVerdict_Private(&adaptive, *run, why));
+    if (AdaptiveIsOver_Private(adaptive, why)) {
+      PetscCall(MeshHistoryDescribe(&adaptive->history, *run));
+      PetscCall(AdaptiveSetVerdict_Private(adaptive, *run, why));
       break;
     }
-    PetscCall(AdaptiveKeep_Private(&adaptive, *run));
-    PetscCall(AdaptiveRefine_Private(&adaptive, mesh, *run, &own));
+    if (!adaptive->scene->steps.num) PetscCall(AdaptiveKeep_Private(adaptive, *run));
+    PetscCall(AdaptiveRefine_Private(adaptive, adaptive->mesh, *run, &own));
+    PetscCall(AdaptiveExtend_Private(adaptive, own, tighten, run));
   }
   WarningRelease();
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode AdaptiveRun(Scene scene, Mesh mesh, Vec guess, Run *run)
+{
+  Adaptive adaptive;
+
+  PetscFunctionBeginUser;
+  PetscCall(RunDestroy(run));
+  PetscCall(InterruptBegin());
+  PetscCall(AdaptiveCreate(scene, mesh, &adaptive));
+  AdaptiveSetInterruptSentence_Private(adaptive, PETSC_FALSE);
+  PetscCall(AdaptiveSolve(adaptive, guess, run));
   InterruptSetSentence("");
   PetscCall(InterruptEnd());
-  PetscCall(PetscFree(adaptive.indicators));
-  PetscCall(MeshHistoryDestroy(&adaptive.history));
+  PetscCall(AdaptiveDestroy(&adaptive));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -8,7 +8,17 @@
    scene->adapt.tolerance of the solution in the energy norm, or a limit of scene->adapt comes first: then the run is not solved, and its
    report says why. Prints a line for each mesh. Collective.
    [in] mesh - set up, of a scene with -adapt; afterwards with more levels; [in] guess - displacement to begin with, or NULL;
-   [out] run - of the last mesh, with the summary's blocks "estimate" and "bars" */
+   [in,out] run - destroyed unless NULL; of the last mesh, with the summary's blocks "estimate" and "bars" */
 PetscErrorCode AdaptiveRun(Scene scene, Mesh mesh, Vec guess, Run *run);
+
+/* The same for a scene at several times. */
+typedef struct _n_Adaptive *Adaptive;
+/* Collective. [in] scene, mesh - borrowed; [out] adaptive - to be freed by AdaptiveDestroy() */
+PetscErrorCode AdaptiveCreate(Scene scene, Mesh mesh, Adaptive *adaptive);
+PetscErrorCode AdaptiveDestroy(Adaptive *adaptive);
+/* Solves at the scene's time. With load steps it begins on the last five meshes of the time before, whose factors are kept, so that there
+   are bars without a new mesh; refines from the latest where the error is too large now. No mesh becomes coarser. Collective.
+   [in] guess - displacement to begin with, or NULL; [in,out] run - NULL at the first time, else that of the last one; on the latest mesh */
+PetscErrorCode AdaptiveSolve(Adaptive adaptive, Vec guess, Run *run);
 
 #endif

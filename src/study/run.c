@@ -185,6 +185,16 @@ PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode RunCreateTightened(Scene scene, Mesh mesh, Vec guess, Run *run)
+{
+  PetscFunctionBeginUser;
+  *run           = NULL;
+  scene->tighten = PETSC_FALSE;
+  PetscCall(RunTry_Private(scene, mesh, guess, PETSC_TRUE, NULL, run));
+  PetscCall(RunRemember_Private(*run));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* u at the present time from the last solutions: on the line through two, or proportional to t, or the last one. [out] guess - ghosted, to
    be destroyed by the caller; NULL without any */
 static PetscErrorCode RunExtrapolate_Private(Run run, Vec *guess)
@@ -214,10 +224,18 @@ static PetscErrorCode RunExtrapolate_Private(Run run, Vec *guess)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+void RunForgetBlocks(Run run)
+{
+  cJSON_Delete(run->estimate);
+  cJSON_Delete(run->bars);
+  run->estimate = run->bars = NULL;
+}
+
 /* Drops what belongs to the last solution alone. */
 static PetscErrorCode RunForget_Private(Run run)
 {
   PetscFunctionBeginUser;
+  RunForgetBlocks(run);
   PetscCall(VecDestroy(&run->reactions));
   PetscCall(VecDestroy(&run->y));
   PetscCall(ErrorsDestroy(&run->errors));
@@ -296,20 +314,12 @@ PetscErrorCode RunExtend(Vec guess, Run *run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-void RunForgetBlocks(Run run)
-{
-  cJSON_Delete(run->estimate);
-  cJSON_Delete(run->bars);
-  run->estimate = run->bars = NULL;
-}
-
 PetscErrorCode RunDestroy(Run *run)
 {
   PetscFunctionBeginUser;
   if (!*run) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(RunForget_Private(*run));
   for (int i = 0; i < 2; i++) PetscCall(VecDestroy(&(*run)->past[i].u));
-  RunForgetBlocks(*run);
   PetscCall(SetupCheckDestroy(&(*run)->setup));
   PetscCall(PetscFree((*run)->inf_sup));
   if ((*run)->solver) PetscCall(SolverDestroy(&(*run)->solver));

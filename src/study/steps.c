@@ -5,6 +5,7 @@
 #include "base/usererror.h"
 #include "base/warning.h"
 #include "output/output.h"
+#include "study/adaptive.h"
 #include "study/steps.h"
 #include "study/stepscolumns.h"
 #include <math.h>
@@ -21,6 +22,7 @@ typedef struct {
   PetscBool    any;                             /* whether a step is solved: */
   char         now[TIME_TEXT], last[TIME_TEXT]; /* times of the present step, and of the last solved one */
   OutputSeries series;
+  Adaptive     adaptive; /* NULL on one mesh */
 } Steps;
 
 /* Faults on a pair whose table would have the name of the steps'. */
@@ -141,7 +143,10 @@ static PetscErrorCode StepsSolve_Private(Steps *steps, PetscInt i, Mesh mesh, Ve
   (void)snprintf(steps->now, sizeof(steps->now), "%.9g", (double)scene->time);
   PetscCall(PetscSNPrintf(label, sizeof(label), "t = %s", steps->now));
   WarningSetLabel(label);
-  PetscCall(*run ? RunAdvance(guess, run) : RunCreate(scene, mesh, guess, run));
+  if (steps->adaptive)
+    PetscCall(AdaptiveSolve(steps->adaptive, guess, run));
+  else
+    PetscCall(*run ? RunAdvance(guess, run) : RunCreate(scene, mesh, guess, run));
   scene->view = PETSC_FALSE; // of the first step only
   input       = RunSummary(*run);
   PetscCall(SummaryCreateStep(&input, &row));
@@ -189,6 +194,10 @@ PetscErrorCode StepsRun(Scene scene, Mesh mesh, Vec guess, Run *run)
   PetscCall(InterruptBegin());
   StepsSetInterruptSentence_Private(&steps);
   PetscCall(OutputSeriesCreate(scene, &steps.series));
+  if (scene->adapt.on) {
+    PetscCall(RunDestroy(run)); // the meshes that its bars were made of are gone
+    PetscCall(AdaptiveCreate(scene, mesh, &steps.adaptive));
+  }
   for (PetscInt i = 0; i < scene->steps.num && (!i || (*run)->solved); i++) {
     free(text);
     PetscCall(StepsSolve_Private(&steps, i, mesh, i ? NULL : guess, run, &text));
@@ -198,6 +207,7 @@ PetscErrorCode StepsRun(Scene scene, Mesh mesh, Vec guess, Run *run)
   free(text);
   cJSON_Delete(steps.rows);
   PetscCall(OutputSeriesDestroy(&steps.series));
+  if (steps.adaptive) PetscCall(AdaptiveDestroy(&steps.adaptive));
   InterruptSetSentence("");
   PetscCall(InterruptEnd());
   PetscFunctionReturn(PETSC_SUCCESS);

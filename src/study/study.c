@@ -4,6 +4,7 @@
 #include "base/usererror.h"
 #include "base/interrupt.h"
 #include "base/memory.h"
+#include "study/costforecast.h"
 #include "output/output.h"
 #include "output/htmlreport.h"
 #include "result/probes.h"
@@ -17,20 +18,8 @@
 #include "study/studyimpl.h"
 
 enum {
-  BYTES_TEXT = 24,
   BAR_LEVELS = 3 /* solved ones that error bars need */
 };
-
-static const PetscReal MEGABYTE = 1048576, GIGABYTE = 1073741824;
-
-/* "4.2 GB". [out] text - [BYTES_TEXT] */
-static void StudyPrintBytes_Private(PetscReal bytes, char text[])
-{
-  if (bytes < GIGABYTE)
-    snprintf(text, BYTES_TEXT, "%.0f MB", (double)(bytes / MEGABYTE));
-  else
-    snprintf(text, BYTES_TEXT, "%.1f GB", (double)(bytes / GIGABYTE));
-}
 
 /* All bodies of the scene take an order, which whatever is made of the scene from now on has. */
 static void StudySetOrder_Private(Study study, PetscInt order)
@@ -50,8 +39,8 @@ static PetscErrorCode StudyFitsMemory_Private(Study study, Record *record, Petsc
   if (!*fits) {
     char needed[BYTES_TEXT], limit[BYTES_TEXT];
 
-    StudyPrintBytes_Private(record->forecast, needed);
-    StudyPrintBytes_Private(allowed, limit);
+    CostForecastPrintBytes(record->forecast, needed);
+    CostForecastPrintBytes(allowed, limit);
     PetscCall(PetscSNPrintf(record->reason, sizeof(record->reason), "would need about %s (-study_memory allows %s)",
                             needed, limit));
   }

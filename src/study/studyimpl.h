@@ -132,7 +132,7 @@ PetscErrorCode StudyTableEnd(Study study);
 
 /* --- forecast.c: memory of runs that were not made yet --- */
 
-/* Bytes that a run will need beside what is held now; NAN where nothing can be said. Not collective. */
+/* Bytes that a run will need beside what is held now, from the runs of that order; NAN where nothing can be said. Not collective. */
 PetscReal CostForecastMemory(Study study, PetscInt order, PetscInt unknowns);
 /* Unknowns of a level that is not there yet. Not collective. [in] record - of the next coarser level of that order */
 PetscInt CostForecastUnknowns(Study study, const Record *record);

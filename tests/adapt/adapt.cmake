@@ -36,11 +36,17 @@ mortise_scene_test(uniform_axis SCENE rings CHECK lame.py RANKS 1 ARGS -outer_dm
 mortise_scene_test(limits SCENE two_plates CHECK limits.py RANKS 1 ARGS ${plates} -adapt 2e-2)
 # Interrupted, it leaves the files of a mesh and a sentence.
 mortise_scene_test(interrupted SCENE two_plates CHECK interrupted_meshes.py RANKS 1 2 ONLY_RANKS "those of a signal" ARGS ${plates} -adapt 2e-2)
+# Memory.
+mortise_scene_test(memory SCENE two_plates CHECK memory.py RANKS 1 ARGS ${plates} -adapt 2e-2)
+# Load steps.
+mortise_scene_test(steps CHECK steps.py RANKS 1 3 ARGS -adapt 2e-2 -load_steps 0.2,0.6,1)
+mortise_scene_test(steps_multigrid SCENE steps CHECK steps.py RANKS 1 ARGS -adapt 2e-2 -load_steps 0.2,1 -pc_type truncatedmg)
+mortise_scene_test(steps_limit SCENE steps CHECK steps_limit.py RANKS 1 ARGS -adapt 2e-2 -load_steps 0.2,1)
+mortise_scene_test(steps_interrupted SCENE two_plates CHECK ../steps/interrupted_steps.py RANKS 1 2 ARGS ${plates} -adapt 1e-1 -load_steps 2)
 # Mistakes.
 mortise_mistake(too_large SCENE two_plates ARGS -adapt 1.5 SAYS "-adapt 1.5: give a number above 0 and below 1")
 mortise_mistake(no_number SCENE two_plates RANKS 1 ARGS -adapt fine SAYS "-adapt" "fine")
 mortise_mistake(with_study SCENE two_plates RANKS 1 ARGS -adapt 1e-2 -study uniform SAYS "-adapt 1e-2: a study has its own meshes")
-mortise_mistake(with_steps SCENE two_plates RANKS 1 ARGS -adapt 1e-2 -load_steps 3 SAYS "-adapt 1e-2: load steps keep one mesh")
 mortise_mistake(no_goal_pair SCENE two_plates ARGS -adapt_goal force:joit SAYS "-adapt_goal force:joit: there is no pair 'joit'" "did you mean joint?")
 mortise_mistake(no_goal_probe SCENE two_plates RANKS 1 ARGS -adapt_goal force:joint,probe:midle SAYS "there is no probe 'midle'" "did you mean middle?")
 mortise_mistake(no_goal_word SCENE two_plates RANKS 1 ARGS -adapt_goal forc:joint SAYS "'forc' is not one of force, probe, pressure" "did you mean force?")

@@ -90,6 +90,8 @@ SCENES = {
               "-lower_dm_plex_box_faces", "3,3", "-probes", "p", "-probe_p_body", "upper", "-probe_p_at", "0.5,0.5"],
     "steps": ["-options_file", "options/two_plates.opts", "-upper_young", "1e3", "-upper_dm_plex_box_faces", "4,4", "-lower_dm_plex_box_faces", "3,3", "-load_steps", "2"],
     "adapted": ["-options_file", "options/two_plates.opts", "-upper_dm_plex_box_faces", "2,2", "-lower_dm_plex_box_faces", "2,2", "-adapt", "1e-2", "-adapt_goal", "force:joint"],
+    "adapted steps": ["-options_file", "options/two_plates.opts", "-upper_dm_plex_box_faces", "2,2", "-lower_dm_plex_box_faces", "2,2", "-adapt", "5e-2",
+                      "-adapt_goal", "force:joint", "-adapt_goal_tolerance", "5e-2", "-load_steps", "2"],
     "compared": ["-options_file", "options/rings.opts", "-study", "uniform", "-study_levels", "3", "-outer_dm_plex_box_faces", "3,5",
                  "-inner_dm_plex_box_faces", "2,4"],
 }
