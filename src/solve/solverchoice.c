@@ -382,7 +382,7 @@ PetscErrorCode SolverChoiceSetSecond(VI vi, const SolverReport *first, const cha
   PetscCall(PetscOptionsGetString(NULL, prefix, "-pc_type", choice->pc, sizeof(choice->pc), &set));
   PetscCall(PetscStrncpy(choice->ksp, SolverChoiceFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
   PetscCall(PetscOptionsGetString(NULL, prefix, "-ksp_type", choice->ksp, sizeof(choice->ksp), NULL));
-  choice->own    = (PetscBool)!set;
+  choice->own = (PetscBool)!set;
   if (vi->friction) {
     PetscCall(PetscStrncpy(choice->snes, SNESPDAS, sizeof(choice->snes)));
     choice->fixed_point = PETSC_TRUE;
