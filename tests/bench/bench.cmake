@@ -2,3 +2,4 @@
 mortise_objects(objects contact)
 add_executable(bench_search EXCLUDE_FROM_ALL bench/search.c ${objects})
 target_link_libraries(bench_search PRIVATE mortise_options)
+add_executable(bench_stream EXCLUDE_FROM_ALL bench/stream.c)
