@@ -190,7 +190,7 @@ PetscErrorCode SceneSetFromOptions(Scene scene)
   for (PetscInt i = 0; i < scene->num_bodies; i++) PetscCall(SceneBodyRead(scene, &scene->bodies[i]));
   PetscCall(SceneStudySetOrders(scene));
   for (PetscInt i = 0; i < scene->num_pairs; i++) PetscCall(ScenePairRead(scene, &scene->pairs[i]));
-  if (scene->adapt.tolerance > 0 && SceneHasFriction(scene))
+  if (scene->adapt.on && SceneHasFriction(scene))
     PetscCall(UserErrorRaise(scene->comm,
                              "-adapt: with friction there is no energy by which meshes are judged; omit it, "
                              "or give -<pair>_friction 0"));

@@ -52,6 +52,8 @@ mortise_mistake(no_goal_probe SCENE two_plates RANKS 1 ARGS -adapt_goal force:jo
 mortise_mistake(no_goal_word SCENE two_plates RANKS 1 ARGS -adapt_goal forc:joint SAYS "'forc' is not one of force, probe, pressure" "did you mean force?")
 mortise_mistake(no_goal_colon SCENE two_plates RANKS 1 ARGS -adapt_goal joint SAYS "'joint' is not a goal" "write force:<pair>")
 mortise_mistake(goal_tolerance SCENE two_plates RANKS 1 ARGS -adapt_goal force:joint -adapt_goal_tolerance 2 SAYS "-adapt_goal_tolerance 2: give a number above 0 and below 1")
+mortise_mistake(goal_friction SCENE two_plates RANKS 1 ARGS -adapt_goal force:joint -joint_friction 0.3 SAYS "-adapt: with friction there is no energy")
+mortise_mistake(study_friction SCENE two_plates RANKS 1 ARGS -study adaptive -joint_friction 0.3 SAYS "-adapt: with friction there is no energy")
 mortise_mistake(goal_alone SCENE two_plates RANKS 1 ARGS -adapt_goal_tolerance 1e-2 SAYS "-adapt_goal_tolerance")
 mortise_mistake(marking SCENE two_plates RANKS 1 ARGS -adapt 1e-2 -adapt_marking 1 SAYS "-adapt_marking 1: give a number above 0 and below 1")
 mortise_mistake(no_meshes SCENE two_plates RANKS 1 ARGS -adapt 1e-2 -adapt_max_meshes 0 SAYS "-adapt_max_meshes 0")
