@@ -18,6 +18,8 @@ enum { FIRST_SWEEPS = 20, MAX_SWEEPS = 5000, FRICTION_REFINEMENTS = 2 };
 
 #define FAILURE_FIXED_POINT                                                                                            \
   "the fixed point iteration over Tresca's friction does not converge, as for a large coefficient"
+/* Limits below this part of stiffness times displacement need not settle. */
+static const PetscReal LIMIT_NOISE = 1e-6;
 /* A limit that no force exceeds. */
 static const PetscReal ALL_STICKS = 1e30;
 /* Change of the limits at which it ends. */
@@ -113,16 +115,19 @@ static PetscErrorCode FrictionIterationNewton_Private(SNES snes, PDAS *pdas, Pet
 static void FrictionIterationFreeze_Private(FrictionProblem *problem, const PetscReal mu[], const PetscReal given[],
                                             PetscReal *change)
 {
-  PetscReal largest = 0, most = 0;
+  PetscReal largest = 0, most = 0, moved = 0, stiffest = 0;
 
+  for (PetscInt i = 0; i < problem->N; i++) moved = PetscMax(moved, PetscAbsReal(problem->y[i]));
   for (PetscInt a = 0; a < problem->num; a++) {
     FrictionUnit   *unit  = &problem->unit[a];
     const PetscReal limit = given[a] + mu[a] * PetscMax(problem->r[unit->normal], 0);
 
     most        = PetscMax(most, PetscAbsReal(limit - unit->bound));
     largest     = PetscMax(largest, limit);
+    stiffest    = PetscMax(stiffest, unit->stiffness);
     unit->bound = limit;
   }
+  largest = PetscMax(largest, LIMIT_NOISE * stiffest * moved); // sides that are apart have limits of roundoff
   *change = largest > 0 ? most / largest : 0;
 }
 

@@ -31,13 +31,16 @@ static PetscBool FrictionSystemIsClosed_Private(const FrictionUnit *unit, PetscR
 static UnitStatus FrictionSystemSlides_Private(FrictionUnit *unit, const PetscReal q[], PetscReal limit,
                                                const PetscReal tolerance[2])
 {
-  PetscReal size = 0;
+  PetscReal size = 0, along = 0;
 
   for (PetscInt i = 0; i < unit->num; i++) size += q[i] * q[i];
   size = PetscSqrtReal(size);
   if (limit <= tolerance[1]) return UNIT_FREE;
   if (unit->status == UNIT_SLIP ? size < limit - unit->resistance * tolerance[0] : size <= limit + tolerance[1])
     return UNIT_STICK;
+  for (PetscInt i = 0; i < unit->num; i++) along += unit->direction[i] * q[i];
+  if (unit->status == UNIT_SLIP && along < 0)
+    return UNIT_STICK; // it turns back: all units at once may do so to and fro
   for (PetscInt i = 0; i < unit->num; i++) unit->direction[i] = q[i] / size;
   const PetscReal w = PetscMin(limit / size, SLIP_BEGINS);
   unit->turning     = unit->resistance * w / (1 - w);

@@ -1,0 +1,78 @@
+"""Random blocks and discs with friction, held or not, on floors and on each other: both solutions agree, or the summary says that there may be another one;
+what is refused is refused by statics."""
+import pathlib
+import random
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from judge import LONG, Run, require  # noqa: E402 pylint: disable=wrong-import-position
+
+SCENES = 300 if LONG else 8
+
+
+def numbers(*values):
+    return ",".join(f"{value:.6g}" for value in values)
+
+
+def block(name, dim, lower, upper, faces, young):
+    return {f"{name}_dm_plex_box_faces": ",".join(map(str, faces[:dim])), f"{name}_dm_plex_box_lower": numbers(*lower[:dim]),
+            f"{name}_dm_plex_box_upper": numbers(*upper[:dim]), f"{name}_young": f"{young:.4g}", f"{name}_poisson": "0.3",
+            f"{name}_dm_plex_simplex": str(random.randrange(2))}
+
+
+def scene(seed):
+    """Options, and the slope of the load if a rigid floor alone holds the block, else None."""
+    random.seed(seed)
+    dim, order = random.choice((2, 2, 3)), random.choice((1, 2))
+    most = 9 if dim == 2 else 4
+    faces = [random.randint(2, most) for _ in range(3)]
+    young = 10 ** random.uniform(3, 6)
+    coefficient = 10 ** random.uniform(-2, 0.5)
+    options = {"model": random.choice(("plane_strain", "plane_stress")) if dim == 2 else "solid", "order": str(order), "pairs": "joint",
+               "joint_friction": f"{coefficient:.4g}"}
+    options |= block("top", dim, (0, 0, 0), (1, 1, 1), faces, young)
+    kind = random.choice(("floor", "floor", "base", "held"))
+    options["joint_nonmortar"] = "top:bottom"
+    slope = random.uniform(0, 1.5 * coefficient)
+    angle = [slope, 0, 0]
+    if dim == 3:
+        angle = [slope * 0.8, slope * 0.6, 0]
+    down = [angle[k] for k in range(dim - 1)] + [-1]
+    if kind == "held":
+        options |= {"bodies": "top", "joint_obstacle": "plane", "joint_obstacle_normal": numbers(*([0] * (dim - 1) + [1])), "top_bc_displacement": "top",
+                    "top_bc_displacement_top": numbers(*[random.uniform(-0.02, 0.02) for _ in range(dim - 1)], random.uniform(-0.02, 0.002))}
+        return options, None, coefficient
+    options["top_body_force"] = numbers(*down)
+    if kind == "floor":
+        options |= {"bodies": "top", "joint_obstacle": "plane", "joint_obstacle_normal": numbers(*([0] * (dim - 1) + [1]))}
+        return options, slope, coefficient
+    options |= {"bodies": "top,base", "joint_mortar": "base:top", "base_bc_displacement": "bottom", "base_bc_displacement_bottom": numbers(*[0] * dim)}
+    options |= block("base", dim, (-0.5, -0.5, -1) if dim == 3 else (-0.5, -1), (1.5, 1.5, 0) if dim == 3 else (1.5, 0), [random.randint(2, most) for _ in range(3)],
+                     young * 10 ** random.uniform(-2, 2))
+    return options, slope, coefficient
+
+
+def arguments(options):
+    return [word for name, value in options.items() for word in (f"-{name}", value)]
+
+
+def judge_scene(run, seed):
+    options, slope, coefficient = scene(seed)
+    done = Run(run.program, run.mpiexec, 3 if seed % 4 == 3 else 1, run.folder / f"scene{seed}", [*arguments(options), "-cross_check", "-quiet"])
+    told = f"seed {seed}: {done.stderr}"
+    if slope is not None and slope > 1.05 * coefficient:
+        require(done.exit == 2, f"{told}exit {done.exit}, slope {slope}, friction {coefficient}")
+        return "refused"
+    if done.exit == 2:  # it tips, or slides within the 2 percent of the pyramid
+        require(slope is not None and (slope > 0.95 * coefficient or slope > 0.9), f"{told}refused: slope {slope}, friction {coefficient}")
+        return "tips"
+    require(done.exit == 0, f"{told}exit {done.exit}")
+    solver = done.summary["solver"]
+    check = solver["cross_check"]
+    require(check["agree"] or not check["converged"] or solver["friction"]["rho"] > 0.8, f"{told}{check}, {solver['friction']}")
+    return "solved"
+
+
+def judge(run):
+    ends = [judge_scene(run, seed) for seed in range(SCENES)]
+    require(ends.count("solved") > SCENES // 2, f"{ends}")
