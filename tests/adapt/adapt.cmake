@@ -26,7 +26,7 @@ mortise_scene_test(goal_shells SCENE shells3d CHECK shells.py RANKS 1 ARGS -adap
 mortise_scene_test(goal_fit SCENE thermal_fit CHECK goal_fit.py RANKS 1 ARGS -adapt_goal probe:rim,pressure:fit -adapt_goal_tolerance 1e-2)
 mortise_scene_test(goal_hertz SCENE hertz_axisymmetric CHECK hertz.py RANKS 1 ARGS -adapt_goal pressure:joint -adapt_goal_tolerance 5e-3)
 # A study with its chart beside the uniform one.
-mortise_scene_test(study SCENE two_plates CHECK study.py RANKS 1 3 ARGS ${plates} -order 2 -study adaptive)
+mortise_scene_test(study SCENE two_plates CHECK study.py RANKS 1 ARGS ${plates} -order 2 -study adaptive)
 mortise_scene_test(long_study SCENE two_plates CHECK long.py RANKS 1 ARGS ${plates} -order 2 -study adaptive -study_levels 14)
 mortise_mistake(two_orders SCENE two_plates RANKS 1 ARGS -study adaptive -study_orders 1,2 SAYS "-study adaptive: each order has meshes of its own")
 # Levels of a study give the same bars.

@@ -30,7 +30,7 @@ mortise_scene_test(gap CHECK singly.py RANKS 1 3)
 mortise_scene_test(chosen SCENE two_plates CHECK chosen.py
   ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6 -load_steps 0.5,1 -load_steps_scale displacements)
 # Against Hertz.
-mortise_scene_test(hertz2d_steps CHECK hertz2d_steps.py RANKS 1 3)
+mortise_scene_test(hertz2d_steps CHECK hertz2d_steps.py)
 mortise_scene_test(sphere SCENE hertz_axisymmetric CHECK sphere.py ARGS -load_steps 10)
 # Files, and how a run ends.
 mortise_scene_test(series SCENE two_plates CHECK series.py RANKS 1 3
