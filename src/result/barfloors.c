@@ -23,7 +23,7 @@ static PetscReal BarFloorsGetRelative_Private(PetscReal squared, PetscReal norm)
   return norm > 0 ? squared / norm : 0;
 }
 
-/* At the nodes of a side: pressure, and whether there is contact. Collective. [out] nodal - ghosted, two per node */
+/* At the nodes of a side: pressure, and whether it counts for the area. Collective. [out] nodal - ghosted, two per node */
 static PetscErrorCode BarFloorsCreateNodal_Private(Fields fields, PetscInt p, Vec *nodal)
 {
   const Pair   pair = fields->vi->pairs[p];
@@ -38,7 +38,7 @@ static PetscErrorCode BarFloorsCreateNodal_Private(Fields fields, PetscInt p, Ve
     const PetscInt i = pair->nodes[k];
 
     a[2 * i]     = values.pressure[i];
-    a[2 * i + 1] = StatusIsContact(values.status[i]);
+    a[2 * i + 1] = StatusIsContact(values.status[i]) || (values.status[i] == STATUS_TIED && values.pressure[i] > 0);
   }
   PetscCall(VecRestoreArray(*nodal, &a));
   PetscCall(PairFieldsDestroy(&values));

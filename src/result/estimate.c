@@ -7,6 +7,7 @@
 #include "result/compliance.h"
 #include "result/estimate.h"
 #include "result/estimatepairs.h"
+#include "result/oscillation.h"
 
 /* Rules of the difference of stresses: of twice the order of the displacements. [out] rules - [ELEMENT_COUNT]; PetscFree() it */
 static PetscErrorCode EstimateRulesCreate_Private(const Level *level, ElementRule **rules)
@@ -105,6 +106,7 @@ static PetscErrorCode EstimateCreate_Private(Fields fields, const EstimateFrozen
   PetscCall(ComplianceCreate(level->scene, &compliance));
   PetscCall(EstimateAddCells_Private(fields, &compliance, e));
   PetscCall(EstimatePairsAdd(fields, frozen, &compliance, e->cell, &e->signs));
+  if (!frozen) PetscCall(OscillationAdd(fields, &compliance, e->cell));
   PetscCall(ComplianceDestroy(&compliance));
   for (PetscInt c = 0; c < level->num_cells; c++) e->body[level->cell_body[c]] += e->cell[c];
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, e->body, (PetscMPIInt)num, MPIU_REAL, MPI_SUM, level->comm));

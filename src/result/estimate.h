@@ -7,6 +7,7 @@
 /* eta^2 = sum_T int_T (s* - s) : C^-1 : (s* - s)                       recovered stress s*, stress s of the displacement (eq. 15.3)
          + (2/pi) h/E' int_e |s* n + lambda|^2                          both sides of each pair
          + pi E* / h int_e d^2                                          d: what penetrates, or min(what is open, lambda h / (pi E*))
+         + the oscillation of formulas in space (OscillationAdd())
    The squares of a pair belong to the cell behind the facet; those of the gap to the nonmortar one. */
 struct _n_Estimate {
   PetscReal *cell;      /* eta^2 of this rank's cells [num_cells] */

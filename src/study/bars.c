@@ -15,6 +15,7 @@ enum {
 static const PetscReal BAR_MARGIN  = 1.25; /* on differences */
 static const PetscReal LEAST_GAIN  = 0.95; /* largest ratio of estimates: meshes that hardly differ say little */
 static const PetscReal FALLEN      = 0.25; /* of the first estimate: fewer meshes are enough then */
+static const PetscReal GROWN       = 0.1;  /* of a stress, over as many meshes: it is far from a limit, if it has one */
 static const PetscReal STILL_GROWS = 0.8;  /* increments of a bounded pressure shrink faster than that */
 
 /* What the floor of a number is. */
@@ -105,6 +106,17 @@ static PetscBool BarsGrows_Private(PetscInt num, const PetscReal Q[])
   return PETSC_TRUE;
 }
 
+/* Whether the size of a stress has grown by as much over the last meshes as over those before, and that is a part of it: as at a corner,
+   where it has no limit. Cells around a probe are not bisected on every mesh, so that single increments tell less. */
+static PetscBool BarsStressGrows_Private(PetscInt num, const PetscReal Q[])
+{
+  const PetscReal last   = num > BAR_MESHES ? PetscAbsReal(Q[num - 1]) : 0;
+  const PetscReal middle = num > BAR_MESHES ? PetscAbsReal(Q[num - 1 - BAR_MESHES / 2]) : 0;
+  const PetscReal first  = num > BAR_MESHES ? PetscAbsReal(Q[num - 1 - BAR_MESHES]) : 0;
+
+  return (PetscBool)(last - first > GROWN * last && last - middle > STILL_GROWS * (middle - first) && middle > first);
+}
+
 /* The least that numbers are off by. [in] owner - index of the body, pair or probe; [in] size - of the number, or of its vector */
 static PetscReal BarsGetFloor_Private(const BarHistory *history, FloorKind kind, PetscInt owner, PetscReal size,
                                       PetscReal area)
@@ -149,6 +161,7 @@ static PetscErrorCode BarsAdd_Private(const BarHistory *history, const BarPath *
     }
     bars[i] = BarsOfSequence_Private(history, Q);
     if (!PetscIsNanReal(bars[i])) bars[i] = PetscMax(bars[i], floor);
+    if (kind == FLOOR_STRESS && BarsStressGrows_Private(history->num, Q)) bars[i] = (PetscReal)NAN;
     if (grows) *grows = BarsGrows_Private(history->num, Q);
     if (grows && *grows) bars[i] = (PetscReal)NAN;
   }

@@ -1,4 +1,4 @@
-# -adapt: estimated errors and error bars against known solutions, from coarse meshes (plates.py, exact.py, parabola.py, roles.py).
+# -adapt: estimated errors and error bars against known solutions, from coarse meshes (plates.py, exact.py, parabola.py, roles.py, effectivity.py).
 set(plates -upper_dm_plex_box_faces 2,2 -lower_dm_plex_box_faces 2,2)
 mortise_scene_test(two_plates CHECK plates.py RANKS 1 3 ARGS ${plates} -adapt 1.2e-3)
 mortise_scene_test(two_plates_1 SCENE two_plates CHECK plates.py RANKS 1 ARGS ${plates} -order 1 -adapt 4e-2)
@@ -29,6 +29,9 @@ mortise_scene_test(goal_hertz SCENE hertz_axisymmetric CHECK hertz.py RANKS 1 AR
 mortise_scene_test(study SCENE two_plates CHECK study.py RANKS 1 ARGS ${plates} -order 2 -study adaptive)
 mortise_scene_test(long_study SCENE two_plates CHECK long.py RANKS 1 ARGS ${plates} -order 2 -study adaptive -study_levels 14)
 mortise_mistake(two_orders SCENE two_plates RANKS 1 ARGS -study adaptive -study_orders 1,2 SAYS "-study adaptive: each order has meshes of its own")
+# Data between the nodes; stiffness ratios of 1e-6 and 1e6.
+mortise_scene_test(waves CHECK waves.py RANKS 1 3)
+mortise_scene_test(effectivity SCENE two_plates CHECK effectivity.py RANKS 1 ARGS -upper_dm_plex_box_faces 3,3 -lower_dm_plex_box_faces 2,2 -adapt 0.1)
 # Levels of a study give the same bars.
 mortise_scene_test(uniform SCENE two_plates CHECK uniform.py RANKS 1 3 ARGS ${plates} -order 2 -dm_refine 0 -study uniform -study_levels 5)
 mortise_scene_test(uniform_axis SCENE rings CHECK lame.py RANKS 1 ARGS -outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4 -dm_refine 0 -study uniform -study_levels 4)

@@ -27,22 +27,26 @@ SCENES = {
     "overhang": ("overhang", "-block_dm_plex_box_faces 4,4 -table_dm_plex_box_faces 5,3", range(3, 12)),
     "rings": ("rings", "-outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4", range(3, 8)),
     "anisotropic": ("anisotropic_plate", "", range(3, 9)),
-    "seal": ("seal", "", range(3, 8)),
+    "seal": ("seal", "-rubber_dm_plex_box_faces 12,12 -plate_dm_plex_box_faces 10,3", range(3, 8)),
     "punch": ("punch", "", range(3, 9)),
     "hertz2d": ("hertz2d", "", range(3, 8)),
     "half discs": ("half_discs", "", range(3, 8)),
     "roller": ("roller_in_groove", "", range(3, 8)),
-    "indentation": ("indentation", "", range(3, 8)),
+    "indentation in space": ("indentation", "", range(3, 6)),
     "parabola": ("parabola", "", range(3, 9)),
     "stack": ("stack", "", range(3, 8)),
     "three bodies": ("three_bodies", "", range(3, 8)),
-    "tied": ("tied", "", range(3, 8)),
-    "bolted joint": ("bolted_joint", "", range(3, 7)),
+    "tied plates": ("two_plates", "-upper_dm_plex_box_faces 3,3 -lower_dm_plex_box_faces 2,2 -joint_type tied", range(3, 10)),
+    "dent around an axis": ("contact_ring", "", range(3, 7)),
+    "lined hub": ("lined_hub", "", range(3, 7)),
+    "thermal fit": ("thermal_fit", "", range(3, 7)),
     "gears": ("gears", "", range(3, 8)),
-    "spherical gap": ("spherical_gap", "", range(3, 7)),
     "hertz around an axis": ("hertz_axisymmetric", "-sphere_dm_plex_box_faces 6,5 -block_dm_plex_box_faces 8,6", range(3, 9)),
-    "stack in space": ("stack3d", "", range(3, 5)),
-    "shells in space": ("shells3d", "", range(3, 4)),
+    "wheel on rail in space": ("wheel_on_rail", "", range(3, 4)),
+    "spherical gap in space": ("spherical_gap", "-upper_dm_plex_box_faces 3,3,2 -lower_dm_plex_box_faces 2,2,2", range(3, 6)),
+    "shells in space": ("shells3d", "-outer_dm_plex_box_faces 2,2,2 -inner_dm_plex_box_faces 2,2,2", range(3, 5)),
+    "tied in space": ("patch3d", "-upper_dm_plex_box_faces 2,2,2 -lower_dm_plex_box_faces 2,2,2 -upper_bc_displacement_top 0,0,-1.5e-3 -joint_type tied", range(3, 5)),
+    "hertz in space, order 1": ("hertz3d", "-sphere_dm_plex_box_faces 3,3,2 -block_dm_plex_box_faces 4,4,2 -order 1", range(3, 6)),
 }
 
 
@@ -52,7 +56,7 @@ def solve(program, scene, meshes, folder):
     if file.is_file():
         return json.loads(file.read_text())
     done = subprocess.run([program, "-options_file", f"{name}.opts", *arguments.split(), "-adapt", "1e-7", "-adapt_max_meshes", str(meshes), "-quiet",
-                           "-adapt_max_unknowns", "4e5", "-summary", file], cwd=OPTIONS, capture_output=True, text=True, check=False)
+                           "-adapt_max_unknowns", "1.5e5" if "in space" in scene else "4e5", "-summary", file], cwd=OPTIONS, capture_output=True, text=True, check=False)
     if not file.is_file():
         print(f"  {scene}, {meshes} meshes: {done.stderr.strip()}")
         return None
@@ -85,9 +89,9 @@ def kind(path):
     return "pressures" if "pressure" in path[-1] and path[-1] != "centre_of_pressure" else "places and areas"
 
 
-def judge(program, scene, folder, found):
+def judge(program, scene, folder, found, unclear):
     meshes = SCENES[scene][2]
-    space = any(word in scene for word in ("space",))
+    space = "in space" in scene
     truth = solve(program, scene, meshes[-1] + (2 if space else 5), folder)
     if not truth or not truth["bars"]:
         return
@@ -102,7 +106,10 @@ def judge(program, scene, folder, found):
             effectivity.append(summary["estimate"]["energy_norm"] / math.sqrt(squared))
         for path, value, true, half, limit, size in numbers(summary["bars"], summary, truth, truth["bars"]):
             error = abs(value - true)
-            if error <= ROUNDING * size or limit > half / 3 and error <= half + limit:
+            if error <= ROUNDING * size:
+                continue
+            if limit > half / 3 and error <= half + limit:
+                unclear.append(path)
                 continue
             found.setdefault(kind(path), []).append((error <= half, half / error))
             if error > half:
@@ -118,16 +125,17 @@ def main():
     parser.add_argument("program", type=pathlib.Path)
     parser.add_argument("scene", nargs="*")
     parser.add_argument("--keep", type=pathlib.Path)
-    options = parser.parse_args()
-    found = {}
+    options = parser.parse_intermixed_args()
+    found, unclear = {}, []
     with tempfile.TemporaryDirectory() as folder:
         for scene in options.scene or SCENES:
-            judge(options.program.resolve(), scene, options.keep or pathlib.Path(folder), found)
+            judge(options.program.resolve(), scene, options.keep or pathlib.Path(folder), found, unclear)
     print("| kind | bars | hold | median bar / error |\n|---|---:|---:|---:|")
     for name, bars in found.items():
         print(f"| {name} | {len(bars)} | {100 * sum(ok for ok, _ in bars) / len(bars):.1f} % | {statistics.median(ratio for _, ratio in bars):.2g} |")
     every = [bar for bars in found.values() for bar in bars]
     print(f"| all | {len(every)} | {100 * sum(ok for ok, _ in every) / max(1, len(every)):.1f} % | {statistics.median(r for _, r in every):.2g} |")
+    print(f"not judged, since the truth is not known well enough: {len(unclear)}")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,204 @@
+/* oscillation.c -- data between the points of a mesh.
+
+   A body force with as many waves as there are cells does no work on their shape functions: the displacement is zero, and so is its
+   recovered stress. The first omitted wave has the number k = pi / h, which a body resists with E' k^2 and a half space with E' k / 2. */
+#include "result/oscillation.h"
+#include "base/compat.h"
+#include "kernel/dense.h"
+#include "kernel/vector.h"
+
+enum {
+  F             = ELEMENT_MAX_FACET_NODES,
+  MAX_FUNCTIONS = 4, /* 1 and the reference coordinates */
+  MORE_DEGREES  = 5  /* of quadrature, above twice the order */
+};
+
+/* A vector at the points of a cell or facet. */
+typedef struct {
+  ElementType type;
+  PetscInt    dim, num;
+  PetscReal   xi[3 * ELEMENT_MAX_POINTS], weight[ELEMENT_MAX_POINTS], value[3 * ELEMENT_MAX_POINTS];
+  PetscReal   x[3], n[3]; /* a place, and there the normal of a facet */
+} Samples;
+
+/* The functions that values are projected to. Returns how many. */
+static PetscInt SamplesGetFunctions_Private(const Samples *samples, PetscInt q, PetscReal functions[])
+{
+  const PetscInt inner = ElementDim(samples->type);
+
+  functions[0] = 1;
+  if (ElementOrder(samples->type) == 1) return 1;
+  for (PetscInt k = 0; k < inner; k++) functions[k + 1] = samples->xi[q * inner + k];
+  return inner + 1;
+}
+
+/* int |v - P v|^2. [out] largest - the difference where it is largest [dim] */
+static PetscReal SamplesGetOscillation_Private(const Samples *samples, PetscReal largest[])
+{
+  PetscReal mass[MAX_FUNCTIONS * MAX_FUNCTIONS] = {0}, part[3][MAX_FUNCTIONS] = {{0}}, a[MAX_FUNCTIONS], sum = 0,
+                                 most = 0;
+  PetscInt n                          = 0;
+
+  for (PetscInt q = 0; q < samples->num; q++) {
+    n = SamplesGetFunctions_Private(samples, q, a);
+    for (PetscInt i = 0; i < n; i++) {
+      for (PetscInt j = 0; j < n; j++) mass[i * n + j] += samples->weight[q] * a[i] * a[j];
+      for (PetscInt k = 0; k < samples->dim; k++)
+        part[k][i] += samples->weight[q] * a[i] * samples->value[q * samples->dim + k];
+    }
+  }
+  if (!DenseCholesky(n, mass)) return 0;
+  for (PetscInt k = 0; k < samples->dim; k++) DenseCholeskySolve(n, mass, part[k]);
+  for (PetscInt q = 0; q < samples->num; q++) {
+    PetscReal v[3] = {0, 0, 0}, square = 0;
+
+    (void)SamplesGetFunctions_Private(samples, q, a);
+    for (PetscInt k = 0; k < samples->dim; k++) {
+      v[k] = samples->value[q * samples->dim + k] - VectorDot(n, part[k], a);
+      square += v[k] * v[k];
+    }
+    sum += samples->weight[q] * square;
+    if (square < most) continue;
+    most = square;
+    for (PetscInt k = 0; k < samples->dim; k++) largest[k] = v[k] / PetscMax(PetscSqrtReal(square), PETSC_SMALL);
+  }
+  return sum;
+}
+
+/* The largest distance of two vertices along an edge. */
+static PetscReal OscillationGetSize_Private(PetscInt dim, ElementType type, const PetscReal X[])
+{
+  PetscReal largest = 0;
+
+  for (PetscInt e = 0; e < ElementNumEdges(type); e++) {
+    const PetscInt *ends   = ElementEdgeNodes(type, e);
+    PetscReal       square = 0;
+
+    for (PetscInt k = 0; k < dim; k++) square += PetscSqr(X[ends[0] * dim + k] - X[ends[1] * dim + k]);
+    largest = PetscMax(largest, square);
+  }
+  return PetscSqrtReal(largest);
+}
+
+/* Body forces. */
+static PetscErrorCode OscillationAddCells_Private(const Level *level, Compliance *compliance, PetscReal cell[])
+{
+  const Scene    scene = level->scene;
+  const PetscInt dim   = level->dim;
+  Samples        samples;
+
+  PetscFunctionBeginUser;
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    const Expression  force = SceneGetMaterial(scene, level->cell_material[c])->body_force;
+    const ElementType type  = (ElementType)level->cell_type[c];
+    PetscReal         X[3 * ELEMENT_MAX_NODES], phi[ELEMENT_MAX_NODES], direction[3], modulus, squared;
+
+    if (!force || ExpressionIsConstant(force)) continue;
+    for (PetscInt i = 0; i < ElementNumNodes(type) * dim; i++)
+      X[i] = level->coords[level->cell_nodes[level->cell_start[c] + i / dim] * dim + i % dim];
+    samples.type = type;
+    samples.dim  = dim;
+    samples.num  = QuadratureRule(type, 2 * ElementOrder(type) + MORE_DEGREES, samples.xi, samples.weight);
+    for (PetscInt q = 0; q < samples.num; q++) {
+      samples.weight[q] *= ElementMap(type, X, &samples.xi[q * dim], samples.x, phi, NULL);
+      samples.weight[q] *= SceneMeasure(scene, samples.x);
+      PetscCall(ExpressionEvaluate(force, dim, samples.x, &samples.value[q * dim]));
+    }
+    squared = SamplesGetOscillation_Private(&samples, direction);
+    if (squared <= 0) continue;
+    PetscCall(ComplianceModulus(compliance, level->cell_material[c], samples.x, direction, &modulus));
+    cell[c] += PetscSqr(OscillationGetSize_Private(dim, type, X) / PETSC_PI) / modulus * squared;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Data of one boundary on a facet. [in] u - at local nodes [dim]; [out] samples - of a displacement its difference from u */
+static PetscErrorCode OscillationSampleFacet_Private(const Level *level, const SceneBoundary *boundary,
+                                                     const PetscInt nodes[], const PetscReal X[], const PetscScalar u[],
+                                                     Samples *samples)
+{
+  const PetscInt dim = level->dim, inner = dim - 1;
+  PetscReal      phi[ELEMENT_MAX_NODES];
+
+  PetscFunctionBeginUser;
+  samples->dim = dim;
+  samples->num =
+      QuadratureRule(samples->type, 2 * ElementOrder(samples->type) + MORE_DEGREES, samples->xi, samples->weight);
+  for (PetscInt q = 0; q < samples->num; q++) {
+    PetscReal *value = &samples->value[q * dim];
+
+    samples->weight[q] *= ElementSurface(samples->type, X, &samples->xi[q * inner], samples->x, phi, samples->n);
+    samples->weight[q] *= SceneMeasure(level->scene, samples->x);
+    PetscCall(ExpressionEvaluate(boundary->value, dim, samples->x, value));
+    if (boundary->kind == BOUNDARY_PRESSURE) {
+      const PetscReal p = value[0];
+
+      for (PetscInt k = 0; k < dim; k++) value[k] = p * samples->n[k];
+    }
+    for (PetscInt k = 0; boundary->kind == BOUNDARY_DISPLACEMENT && k < dim; k++) {
+      for (PetscInt i = 0; i < ElementNumNodes(samples->type); i++)
+        value[k] -= phi[i] * PetscRealPart(u[nodes[i] * dim + k]);
+      if (ExpressionIsFree(boundary->value, k)) value[k] = 0;
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* One boundary of a body. Collective. */
+static PetscErrorCode OscillationAddBoundary_Private(Level *level, PetscInt body, const SceneBoundary *boundary,
+                                                     const PetscScalar u[], Compliance *compliance, PetscReal cell[])
+{
+  const PetscBool given = (PetscBool)(boundary->kind == BOUNDARY_DISPLACEMENT);
+  Facets          facets;
+  Samples         samples;
+  PetscReal       X[3 * F], direction[3], modulus;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelGetFacets(level, level->scene, body, boundary->side, &facets));
+  for (PetscInt f = 0; f < facets.num; f++) {
+    const PetscInt *nodes = &facets.nodes[f * F], c = facets.cell[f];
+    PetscReal       squared = 0, size;
+
+    samples.type = facets.type[f];
+    for (PetscInt i = 0; i < ElementNumNodes(samples.type) * level->dim; i++)
+      X[i] = level->coords[nodes[i / level->dim] * level->dim + i % level->dim];
+    PetscCall(OscillationSampleFacet_Private(level, boundary, nodes, X, u, &samples));
+    PetscCall(ComplianceModulus(compliance, level->cell_material[c], samples.x, samples.n, &modulus));
+    size = OscillationGetSize_Private(level->dim, samples.type, X);
+    if (given) {
+      for (PetscInt i = 0; i < samples.num * level->dim; i++)
+        squared += samples.weight[i / level->dim] * PetscSqr(samples.value[i]);
+      cell[c] += PETSC_PI * modulus / size * squared;
+    } else {
+      cell[c] += 2 / PETSC_PI * size / modulus * SamplesGetOscillation_Private(&samples, direction);
+    }
+  }
+  PetscCall(FacetsDestroy(&facets));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode OscillationAdd(Fields fields, Compliance *compliance, PetscReal cell[])
+{
+  Level             *level = fields->vi->level;
+  const Scene        scene = level->scene;
+  Vec                local;
+  const PetscScalar *u;
+
+  PetscFunctionBeginUser;
+  PetscCall(OscillationAddCells_Private(level, compliance, cell));
+  PetscCall(VecGhostGetLocalForm(fields->u, &local));
+  PetscCall(VecGetArrayRead(local, &u));
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
+    for (PetscInt i = 0; i < scene->bodies[b].num_boundaries; i++) {
+      const SceneBoundary *boundary = &scene->bodies[b].boundaries[i];
+
+      if (boundary->kind == BOUNDARY_NORMAL || boundary->kind == BOUNDARY_FORCE || boundary->kind == BOUNDARY_MOMENT)
+        continue;
+      if (ExpressionIsConstant(boundary->value)) continue;
+      PetscCall(OscillationAddBoundary_Private(level, b, boundary, u, compliance, cell));
+    }
+  }
+  PetscCall(VecRestoreArrayRead(local, &u));
+  PetscCall(VecGhostRestoreLocalForm(fields->u, &local));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""effectivity.py <mortise> -- calibrated estimate over true error in the energy norm, on all adaptive meshes with more than 1000 unknowns.
+
+Two plates with ratios of stiffness from 1e-6 to 1e6 in both roles and orders, against the limit of the finest mesh; scenes with an exact
+displacement, against that. 2 (J_h - J) = |e|^2 + L gives the true error of a mesh from its potential energy; meshes count while their error is
+five times that of the finest one at least. Prints a table: range and number of meshes."""
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+OPTIONS = pathlib.Path(__file__).resolve().parents[2] / "options"
+PLATES = "-upper_dm_plex_box_faces 3,3 -lower_dm_plex_box_faces 2,2"
+SMALLEST, FARTHER = 1000, 5
+# scene -> options file, arguments, meshes
+EXACT = {
+    "edge2d": ("edge2d", "-upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2", 14),
+    "edge2d, order 1": ("edge2d", "-upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2 -order 1", 14),
+    "manufactured, full contact": ("manufactured_full", "-upper_dm_plex_box_faces 4,4 -lower_dm_plex_box_faces 3,3", 12),
+    "manufactured, partial contact": ("manufactured_partial", "-upper_dm_plex_box_faces 4,4 -lower_dm_plex_box_faces 3,3", 12),
+    "rings": ("rings", "-outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4", 12),
+    "spherical shells": ("shells3d", "-outer_dm_plex_box_faces 2,2,2 -inner_dm_plex_box_faces 2,2,2", 5),
+}
+
+
+def solve(program, name, arguments, meshes):
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "result.json"
+        subprocess.run([program, "-options_file", f"{name}.opts", *arguments.split(), "-adapt", "1e-7", "-adapt_max_meshes", str(meshes), "-quiet",
+                        "-adapt_max_unknowns", "1.5e5", "-summary", file], cwd=OPTIONS, capture_output=True, check=False)
+        return json.loads(file.read_text())
+
+
+def judge(summary):
+    """Estimate over error of each mesh that counts."""
+    limit, meshes = summary["estimate"]["potential"]["value"], summary["estimate"]["meshes"]
+    last = meshes[-1]["estimate"]
+    for mesh in meshes:
+        squared = 2 * (mesh["potential"] - limit)
+        if mesh["unknowns"] > SMALLEST and mesh["estimate"] > FARTHER * last and squared > 0:
+            yield mesh["estimate"] / math.sqrt(squared)
+
+
+def row(name, found):
+    found = list(found)
+    print(f"| {name} | {len(found)} | {min(found):.2f} to {max(found):.2f} |" if found else f"| {name} | 0 | |", flush=True)
+    return found
+
+
+def main():
+    program, every = pathlib.Path(sys.argv[1]).resolve(), []
+    print("| scene | meshes | effectivity |\n|---|---:|---:|")
+    for order in (2, 1):
+        for exponent in (-6, -3, 0, 3, 6):
+            for role in ("lower", "upper"):
+                other = "upper" if role == "lower" else "lower"
+                sides = f"-joint_nonmortar {role}:{'top' if role == 'lower' else 'bottom'} -joint_mortar {other}:{'bottom' if role == 'lower' else 'top'}"
+                summary = solve(program, "two_plates", f"{PLATES} -order {order} -upper_young 8e9*1e{exponent} {sides}", 18 if order == 2 else 15)
+                every += row(f"two plates, order {order}, upper 1e{exponent} times as stiff, {role} nonmortar", judge(summary))
+    for name, (file, arguments, meshes) in EXACT.items():
+        every += row(name, judge(solve(program, file, arguments, meshes)))
+    inside = sum(0.8 <= effectivity <= 1.35 for effectivity in every)
+    print(f"| all | {len(every)} | {100 * inside / len(every):.1f} % between .8 and 1.35 |")
+
+
+if __name__ == "__main__":
+    main()
