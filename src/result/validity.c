@@ -295,7 +295,7 @@ static PetscErrorCode ValidityOfPair_Private(Fields fields, PetscInt p, PetscRea
     if (!adaptive) LargestTake_Private(&largest[VALIDITY_SLIP_CELL], slip / state.size[a], dim, x, p);
     LargestTake_Private(&largest[VALIDITY_SLIP_CONTACT], slip / patches.patch[state.patch[a]].extent[dim - 2], dim, x,
                         p);
-    *sliding += state.force[a] * slip;
+    if (!ScenePairHasFriction(pair->spec)) *sliding += state.force[a] * slip;
   }
   PetscCall(PairStateDestroy_Private(&state));
   PetscCall(ContactPatchesDestroy(&patches));

@@ -74,8 +74,9 @@ static PetscErrorCode RunSetUp_Private(Run run, Run *older)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One try, with pairs that reach as far as the scene says. [in,out] older - of RunSetUp_Private() */
-static PetscErrorCode RunCreateOnce_Private(Scene scene, Mesh mesh, Run *older, Vec guess, Run *run_out,
+/* One try, with pairs that reach as far as the scene says. [in] history - displacement from which slip counts, or NULL; [in,out] older - of
+   RunSetUp_Private() */
+static PetscErrorCode RunCreateOnce_Private(Scene scene, Mesh mesh, Run *older, Vec guess, Vec history, Run *run_out,
                                             PetscBool *again)
 {
   Run run;
@@ -88,6 +89,7 @@ static PetscErrorCode RunCreateOnce_Private(Scene scene, Mesh mesh, Run *older, 
   run->mesh      = mesh;
   scene->changed = 0;
   PetscCall(RunSetUp_Private(run, older));
+  if (history) PetscCall(VISetSlipOrigin(run->vi, history));
   WarningMark();
   if (scene->view) {
     PetscCall(SceneView(scene));
@@ -142,16 +144,17 @@ static PetscErrorCode RunGiveUp_Private(Run run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Tries until no wider reach is needed. [in] again - whether to begin at all; [in,out] older - of RunSetUp_Private(); [in,out] run - of the last
+/* Tries until no wider reach is needed. [in] history - of RunCreateOnce_Private(); [in] again - whether to begin at all; [in,out] older - of RunSetUp_Private(); [in,out] run - of the last
    try, or NULL */
-static PetscErrorCode RunTry_Private(Scene scene, Mesh mesh, Vec guess, PetscBool again, Run older, Run *run)
+static PetscErrorCode RunTry_Private(Scene scene, Mesh mesh, Vec guess, Vec history, PetscBool again, Run older,
+                                     Run *run)
 {
   SummaryInput known;
 
   PetscFunctionBeginUser;
   for (PetscInt tries = 0; again && tries < MAX_TRIES; tries++) {
     PetscCall(RunDestroy(run));
-    PetscCall(RunCreateOnce_Private(scene, mesh, &older, guess, run, &again));
+    PetscCall(RunCreateOnce_Private(scene, mesh, &older, guess, history, run, &again));
   }
   if (again) PetscCall(RunGiveUp_Private(*run));
   PetscCall(RunCheckEmptyPairs_Private(*run));
@@ -180,7 +183,7 @@ PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run)
   PetscFunctionBeginUser;
   *run           = NULL;
   scene->tighten = PETSC_TRUE;
-  PetscCall(RunTry_Private(scene, mesh, guess, PETSC_TRUE, NULL, run));
+  PetscCall(RunTry_Private(scene, mesh, guess, NULL, PETSC_TRUE, NULL, run));
   PetscCall(RunRemember_Private(*run));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -190,7 +193,7 @@ PetscErrorCode RunCreateTightened(Scene scene, Mesh mesh, Vec guess, Run *run)
   PetscFunctionBeginUser;
   *run           = NULL;
   scene->tighten = PETSC_FALSE;
-  PetscCall(RunTry_Private(scene, mesh, guess, PETSC_TRUE, NULL, run));
+  PetscCall(RunTry_Private(scene, mesh, guess, NULL, PETSC_TRUE, NULL, run));
   PetscCall(RunRemember_Private(*run));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -290,7 +293,7 @@ PetscErrorCode RunAdvance(Vec guess, Run *run)
     t[i]              = (*run)->past[i].t;
     (*run)->past[i].u = NULL;
   }
-  PetscCall(RunTry_Private(scene, mesh, guess ? guess : own, again, NULL, run));
+  PetscCall(RunTry_Private(scene, mesh, guess ? guess : own, past[0], again, NULL, run));
   for (int i = 0; i < 2; i++) {
     (*run)->past[i].u = past[i];
     (*run)->past[i].t = t[i];
@@ -309,7 +312,7 @@ PetscErrorCode RunExtend(Vec guess, Run *run)
   PetscFunctionBeginUser;
   *run = NULL;
   PetscCall(RunForget_Private(older));
-  PetscCall(RunTry_Private(scene, mesh, guess, PETSC_TRUE, older, run));
+  PetscCall(RunTry_Private(scene, mesh, guess, NULL, PETSC_TRUE, older, run));
   PetscCall(RunRemember_Private(*run));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
