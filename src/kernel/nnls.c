@@ -127,18 +127,3 @@ PetscBool NNLSEnter(NNLS *nnls, PetscInt name, const PetscReal column[])
   NNLSSetResidual_Private(nnls);
   return PETSC_TRUE;
 }
-
-void NNLSSolve(NNLS *nnls, PetscInt n, const PetscReal columns[], PetscReal tolerance)
-{
-  for (;;) {
-    PetscInt  best  = -1;
-    PetscReal price = tolerance;
-
-    for (PetscInt j = 0; j < n; j++) {
-      const PetscReal own = NNLSPrice(nnls, &columns[j * nnls->m]);
-
-      if (own > price) price = own, best = j;
-    }
-    if (best < 0 || !NNLSEnter(nnls, best, &columns[best * nnls->m])) return;
-  }
-}

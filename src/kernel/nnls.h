@@ -35,8 +35,4 @@ PetscBool NNLSEnter(NNLS *nnls, PetscInt name, const PetscReal column[]);
 /* How promising a column is: the part of the residual along it. [in] column - [m] */
 PetscReal NNLSPrice(const NNLS *nnls, const PetscReal column[]);
 
-/* All at once, for columns on one rank: enters the most promising one until none has a price above tolerance.
-   [in] columns - [n][m]; [in] tolerance - in the unit of the target */
-void NNLSSolve(NNLS *nnls, PetscInt n, const PetscReal columns[], PetscReal tolerance);
-
 #endif

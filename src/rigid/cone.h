@@ -15,7 +15,7 @@ typedef struct {
   const PetscBool *equality; /* rows whose weight may have either sign; NULL for none [num] */
 } Cone;
 
-/* NNLSSolve() over the rows of all ranks. Collective; nnls is the same on all ranks before and after.
+/* Enters the most promising row of all ranks until none has a price above the tolerance. Collective; nnls is the same on all ranks before and after.
    [in] tolerance - in the unit of nnls' target; [out] weight - of each row of this rank, or NULL [num] */
 PetscErrorCode ConeSolve(const Cone *cone, PetscReal tolerance, NNLS *nnls, PetscReal weight[]);
 

@@ -6,6 +6,22 @@
 
 static const PetscReal EXACT = 1e-14;
 
+/* Enters the most promising column until none has a price above tolerance. [in] columns - [n][m] */
+static void Solve(NNLS *nnls, PetscInt n, const PetscReal columns[], PetscReal tolerance)
+{
+  for (;;) {
+    PetscInt  best  = -1;
+    PetscReal price = tolerance;
+
+    for (PetscInt j = 0; j < n; j++) {
+      const PetscReal own = NNLSPrice(nnls, &columns[j * nnls->m]);
+
+      if (own > price) price = own, best = j;
+    }
+    if (best < 0 || !NNLSEnter(nnls, best, &columns[best * nnls->m])) return;
+  }
+}
+
 /* Weight of a column, 0 where it carries none. */
 static PetscReal Weight(const NNLS *nnls, PetscInt name)
 {
@@ -23,24 +39,24 @@ static PetscErrorCode TestPlank(void)
 
   PetscFunctionBeginUser;
   PetscCall(NNLSCreate(2, inside, &nnls));
-  NNLSSolve(&nnls, 4, supports, EXACT);
+  Solve(&nnls, 4, supports, EXACT);
   CHECK(nnls.num <= 2);
   CHECK_NEAR(PetscAbsReal(nnls.residual[0]) + PetscAbsReal(nnls.residual[1]), 0, EXACT);
   PetscCall(NNLSDestroy(&nnls));
   PetscCall(NNLSCreate(2, edge, &nnls)); // all of it on the last support
-  NNLSSolve(&nnls, 4, supports, EXACT);
+  Solve(&nnls, 4, supports, EXACT);
   CHECK(nnls.num == 1);
   CHECK_NEAR(Weight(&nnls, 3), 2, EXACT);
   PetscCall(NNLSDestroy(&nnls));
   PetscCall(NNLSCreate(2, beyond, &nnls)); // it turns about the last support: (-3, 1) / 10 times the moment there, 1
-  NNLSSolve(&nnls, 4, supports, EXACT);
+  Solve(&nnls, 4, supports, EXACT);
   CHECK(nnls.num == 1);
   CHECK_NEAR(Weight(&nnls, 3), 1.3, EXACT);
   CHECK_NEAR(nnls.residual[0], -0.3, EXACT);
   CHECK_NEAR(nnls.residual[1], 0.1, EXACT);
   PetscCall(NNLSDestroy(&nnls));
   PetscCall(NNLSCreate(2, pulled, &nnls)); // nothing resists, everything is left
-  NNLSSolve(&nnls, 4, supports, EXACT);
+  Solve(&nnls, 4, supports, EXACT);
   CHECK(nnls.num == 0 && nnls.residual[0] == -1 && nnls.residual[1] == 0);
   PetscCall(NNLSDestroy(&nnls));
   PetscFunctionReturn(0);
@@ -84,7 +100,7 @@ static PetscErrorCode TestOptimality(void)
     for (PetscInt i = 0; i < m && n > 4; i++) columns[2 * m + i] = columns[i], columns[3 * m + i] = 3 * columns[m + i];
     for (PetscInt i = 0; i < m; i++) target[i] = Uniform(-1., 1.);
     PetscCall(NNLSCreate(m, target, &nnls));
-    NNLSSolve(&nnls, n, columns, EXACT);
+    Solve(&nnls, n, columns, EXACT);
     for (PetscInt j = 0; j < nnls.num; j++)
       rounding += EXACT * m * nnls.weight[j]; // of the sum that leaves the residual
     for (PetscInt j = 0; j < n; j++) CHECK(NNLSPrice(&nnls, &columns[j * m]) <= rounding);
