@@ -22,6 +22,8 @@ static const PetscReal COARSEST_RTOL = 1e-4;
 static const PetscReal NESTED_OTHER_RTOL = 1e-3, NESTED_OTHER_KSP_RTOL = 1e-2;
 /* An unknown is initially active if this part of its prolongation is active. */
 static const PetscReal ACTIVE_SHARE = 0.5;
+/* An unknown that is prolonged counts as on its bound within this part of the largest one: rounding. */
+static const PetscReal ON_BOUND = 1e-9;
 /* Largest number of sets on a level that is only a start for the next one. */
 enum { NESTED_MAX_SETS = 12 };
 /* Prefix of the options on coarser levels. */
@@ -344,5 +346,43 @@ PetscErrorCode NestedIterationStart(MeshLevels levels, SNES snes, Proximal *prox
   }
   for (PetscInt m = 0; m < finest; m++) PetscCall(SolvabilityDestroy(&solvability[m]));
   PetscCall(PetscFree(solvability));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Marks unknowns on their bounds or beyond. [out] active - 1 or 0 */
+static PetscErrorCode NestedIterationMarkBounds_Private(const Operator *op, Vec y, Vec active)
+{
+  const PetscScalar *upper, *values;
+  PetscScalar       *a;
+  PetscReal          size;
+  PetscInt           n;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecNorm(y, NORM_INFINITY, &size));
+  PetscCall(VecGetLocalSize(y, &n));
+  PetscCall(VecGetArrayRead(op->upper, &upper));
+  PetscCall(VecGetArrayRead(y, &values));
+  PetscCall(VecGetArray(active, &a));
+  for (PetscInt i = 0; i < n; i++) a[i] = PetscRealPart(values[i]) >= PetscRealPart(upper[i]) - ON_BOUND * size ? 1 : 0;
+  PetscCall(VecRestoreArray(active, &a));
+  PetscCall(VecRestoreArrayRead(y, &values));
+  PetscCall(VecRestoreArrayRead(op->upper, &upper));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode NestedIterationPredict(MeshLevels levels, SNES snes, VI vi, Vec y, Vec active, PetscBool *found)
+{
+  const Hierarchy       hierarchy = levels->hierarchy;
+  const HierarchyLevel *finest    = &hierarchy->level[hierarchy->num - 1];
+  PetscReal             energy_decrease;
+  PC                    pc;
+
+  PetscFunctionBeginUser;
+  *found = (PetscBool)!finest->S; // projected steps are those of the diagonal
+  if (!*found) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(NestedIterationGetCycles_Private(snes, vi, &pc));
+  PetscCall(NestedIterationMarkBounds_Private(&finest->op, y, active));
+  PetscCall(NestedIterationMoveToBounds_Private(&finest->op, active, y));
+  PetscCall(ActivePredictionApply(hierarchy, finest, pc, y, active, &energy_decrease));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

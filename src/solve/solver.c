@@ -48,6 +48,20 @@ static PetscErrorCode SolverStartNested_Private(SolverContext *context, Vec y, P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Starts from the solution of the mesh before this one was refined. */
+static PetscErrorCode SolverStartExtended_Private(SolverContext *context, Vec y)
+{
+  PetscBool found;
+  Vec       active;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(y, &active));
+  PetscCall(NestedIterationPredict(context->levels, context->snes, context->proximal.solved.vi, y, active, &found));
+  if (found) PetscCall(PDASSetStart(context->snes, active));
+  PetscCall(VecDestroy(&active));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SolverCreate(VI vi, Solvability solvability, Solver *solver)
 {
   PetscFunctionBeginUser;
@@ -72,8 +86,9 @@ PetscErrorCode SolverExtend(Solver solver, Solver older, VI *vi)
 {
   PetscFunctionBeginUser;
   PetscCall(SolverContextForget(older)); // gives its levels back
-  solver->older = older->levels;
-  older->levels = NULL;
+  solver->older    = older->levels;
+  older->levels    = NULL;
+  solver->extended = PETSC_TRUE;
   if (!solver->older) PetscFunctionReturn(PETSC_SUCCESS);
   solver->older->own_finest = PETSC_TRUE;
   *vi                       = NULL;
@@ -112,6 +127,9 @@ PetscErrorCode SolverRun(Solver solver, const SolverChoice *choice, PetscBool pr
   if (pdas && (choice->bound || solvability || choice->again)) PetscCall(PDASSetKeep(context->snes, PETSC_TRUE));
   if (context->levels) context->levels->cost.on = choice->yields;
   if (context->levels && nested) PetscCall(SolverStartNested_Private(context, y, &energy_decrease));
+  if (context->levels && !nested && guess && pdas && solver->extended)
+    PetscCall(SolverStartExtended_Private(context, y));
+  solver->extended = PETSC_FALSE;
   if (choice->stop) PetscCall(DiscretizationStopSet(context, energy_decrease));
   PetscCall(SolverIterateProximal_Private(context, y, report));
   report->bound.value = report->discretisation = NAN;

@@ -9,6 +9,8 @@
 enum { FIRST_ROOM = 8 };
 
 static const PetscReal EXACT = 1e-9; /* a relative error that is rounding: the space holds the solution */
+/* A solution with less than this part of its displacements as deformation is a rigid motion, and the rest rounding. */
+static const PetscReal RIGID = 1e-12;
 
 PetscReal SolvedMeshGetError(const SolvedMesh *mesh)
 {
@@ -40,6 +42,7 @@ PetscErrorCode MeshHistoryAdd(MeshHistory *history, Run run, PetscReal seconds)
   const Level    *level = run->vi->level;
   SummaryInput    input = RunSummary(run);
   PetscInt        cells = level->num_cells;
+  PetscReal       size;
   SolvedMesh     *mesh;
   Estimate        estimate;
 
@@ -59,6 +62,8 @@ PetscErrorCode MeshHistoryAdd(MeshHistory *history, Run run, PetscReal seconds)
                        .norm       = estimate->norm,
                        .potential  = estimate->potential,
                        .signs      = estimate->signs};
+  PetscCall(VecNorm(run->fields->u, NORM_INFINITY, &size));
+  if (mesh->norm <= PetscSqr(RIGID * size) * run->vi->stiffness) mesh->norm = 0;
   PetscCall(MeshHistoryCalibrate_Private(history, level));
   PetscCall(SummaryCreateStep(&input, &mesh->row));
   mesh->seconds = seconds + LogWallClock() - begin;

@@ -6,10 +6,11 @@
 
 /* One mesh. */
 typedef struct {
-  PetscInt   cells, unknowns, iterations, active;
-  PetscReal  eta, theta, norm, potential, signs, seconds; /* estimate, calibration, |u|_a^2, J_h, L (eqs. 15.3, 15.4) */
-  cJSON     *row;                                         /* of SummaryCreateStep() */
-  GoalState *goals;                                       /* [scene->adapt.num_goals], or NULL */
+  PetscInt  cells, unknowns, iterations, active;
+  PetscReal eta, theta, norm, potential, signs,
+      seconds;      /* estimate, calibration, |u|_a^2 (0: rounding), J_h, L (15.3, 15.4) */
+  cJSON     *row;   /* of SummaryCreateStep() */
+  GoalState *goals; /* [scene->adapt.num_goals], or NULL */
 } SolvedMesh;
 
 /* All of them, coarse first; empty where it is zero. */

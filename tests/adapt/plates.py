@@ -27,3 +27,6 @@ def judge(run):
     near("limit of the potential", summary["estimate"]["potential"]["value"], POTENTIAL, absolute=summary["estimate"]["potential"]["bar"] + 1e-4)
     near("end of contact", summary["pairs"]["joint"]["extent"]["upper"][0], 0.3115466, absolute=bars["pairs"]["joint"]["extent"]["upper"][0])
     same("bars of what grows without limit", (bars["unbounded"], bars["pairs"]["joint"]["max_pressure"]), (["joint"], None))
+    validity = summary["validity"]["indicators"]  # as on the coarse uniform meshes of regression.validity: corners do not count
+    near("strain", validity["strain"]["value"], 0.0038, relative=0.2)
+    near("rotation", validity["rotation"]["value"], 0.0049, relative=0.2)

@@ -7,8 +7,8 @@
 static Mesh MakeMesh(TestScene *t, PetscInt dim, PetscInt order)
 {
   TestSceneInit(t);
-  t->scene.dim             = dim;
-  t->scene.adapt.tolerance = 1;
+  t->scene.dim      = dim;
+  t->scene.adapt.on = PETSC_TRUE;
   for (PetscInt b = 0; b < 2; b++) {
     SceneBody *body = TestSceneAddBox(t, b ? "lower" : "upper", 2 + b, 2, 0, -b, 1, 1 - b);
 

@@ -106,15 +106,15 @@ static Mesh MakeMesh(TestScene *t, const char file[], PetscInt dim, PetscInt ord
   SceneBody *body;
 
   TestSceneInit(t);
-  t->scene.dim             = dim;
-  t->scene.adapt.tolerance = 1;
-  body                     = TestSceneAddFile(t, "round", file, NULL);
-  body->order              = order;
-  body                     = TestSceneAddBox(t, "box", 1, 1, -1, -2, 1, -1);
-  body->order              = order;
-  body->faces[2]           = 1;
-  body->lower[2]           = -1;
-  body->upper[2]           = 1;
+  t->scene.dim      = dim;
+  t->scene.adapt.on = PETSC_TRUE;
+  body              = TestSceneAddFile(t, "round", file, NULL);
+  body->order       = order;
+  body              = TestSceneAddBox(t, "box", 1, 1, -1, -2, 1, -1);
+  body->order       = order;
+  body->faces[2]    = 1;
+  body->lower[2]    = -1;
+  body->upper[2]    = 1;
   TestSceneAddPair(t, "joint", 0, "rim", 1, dim == 2 ? "top" : "back");
   return TestSceneMesh(t);
 }
@@ -220,9 +220,9 @@ static void TestRing(PetscInt order)
   PetscReal  error[4];
 
   TestSceneInit(&t);
-  t.scene.adapt.tolerance = 1;
-  body                    = TestSceneAddBox(&t, "ring", 2, 4, 1, 0, 2, 1);
-  body->order             = order;
+  t.scene.adapt.on = PETSC_TRUE;
+  body             = TestSceneAddBox(&t, "ring", 2, 4, 1, 0, 2, 1);
+  body->order      = order;
   TestSceneSetMap(body, "x*cos(1.5*y), x*sin(1.5*y)");
   TestSceneAddBox(&t, "box", 1, 1, 2, 0, 3, 1)->order = order;
   TestSceneAddPair(&t, "joint", 0, "right", 1, "left");
@@ -267,7 +267,7 @@ static void TestTangled(void)
   Mesh      mesh;
 
   TestSceneInit(&t);
-  t.scene.adapt.tolerance                                  = 1;
+  t.scene.adapt.on                                         = PETSC_TRUE;
   TestSceneAddBox(&t, "a", 2, 2, 0, 0, 1, 1)->order        = 2;
   TestSceneAddBox(&t, "box", 1, 1, 0, -1, 1, -.5)->simplex = PETSC_TRUE;
   TestSceneSetMap(t.bodies,

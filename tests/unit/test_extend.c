@@ -117,8 +117,8 @@ static void TestScene(const char *const options[])
   SetOptions(options);
   CHECK(!SceneCreate(PETSC_COMM_WORLD, &scene));
   CHECK(!SceneSetFromOptions(scene));
-  scene->adapt.tolerance = 1;
-  scene->measure_linear  = PETSC_TRUE;
+  scene->adapt.on       = PETSC_TRUE;
+  scene->measure_linear = PETSC_TRUE;
   CHECK(!MeshCreate(scene, &mesh));
   CHECK(!MeshSetUp(mesh));
   CHECK(!RunCreate(scene, mesh, NULL, &run));

@@ -102,8 +102,8 @@ static void TestBisected(const Layers *layers, PetscBool second, PetscInt order)
   Mesh        mesh;
 
   RegionSceneInit(&r, layers, second, order);
-  r.t.scene.adapt.tolerance = 1;
-  mesh                      = TestSceneMesh(&r.t);
+  r.t.scene.adapt.on = PETSC_TRUE;
+  mesh               = TestSceneMesh(&r.t);
   for (PetscInt step = 0; step < 3; step++) {
     const Level *level = MeshFinest(mesh);
     PetscBool   *marked;
