@@ -196,6 +196,7 @@ PetscErrorCode SceneSetFromOptions(Scene scene)
                              "or give -<pair>_friction 0"));
   for (PetscInt i = 0; i < scene->num_probes; i++) PetscCall(SceneProbeRead(scene, &scene->probes[i]));
   for (PetscInt i = 0; i < scene->num_paths; i++) PetscCall(ScenePathRead(scene, &scene->paths[i]));
+  PetscCall(SceneAdaptCheck(scene));
   PetscCall(SceneResultsRead(scene));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -129,6 +129,37 @@ PetscErrorCode SceneAdaptRead(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether a Hooke tensor of the plane leaves the stress across it open in some part of a body, and with it that of von Mises. */
+static PetscBool AdaptLacksMises_Private(Scene scene, PetscInt body)
+{
+  const SceneBody *b = &scene->bodies[body];
+
+  if (scene->model != MODEL_PLANE_STRAIN) return PETSC_FALSE;
+  if (b->material.stiffness) return PETSC_TRUE;
+  for (PetscInt r = 0; r < b->num_regions; r++) {
+    if (SceneGetMaterial(scene, SceneBodyFirstRegion(scene, body) + r)->stiffness) return PETSC_TRUE;
+  }
+  return PETSC_FALSE;
+}
+
+PetscErrorCode SceneAdaptCheck(Scene scene)
+{
+  const SceneAdapt *adapt = &scene->adapt;
+
+  PetscFunctionBeginUser;
+  for (PetscInt g = 0; g < adapt->num_goals; g++) {
+    const SceneGoal  *goal  = &adapt->goals[g];
+    const SceneProbe *probe = goal->kind == GOAL_PROBE ? &scene->probes[goal->owner] : NULL;
+
+    if (!probe || !AdaptLacksMises_Private(scene, probe->body)) continue;
+    PetscCall(UserErrorRaise(scene->comm,
+                             "-adapt_goal %s: von Mises' stress is not known in body %s, whose plane stiffness leaves "
+                             "the stress across the plane open; give -model plane_stress, or another goal",
+                             goal->text, scene->bodies[probe->body].name));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SceneAdaptDestroy(SceneAdapt *adapt)
 {
   PetscFunctionBeginUser;

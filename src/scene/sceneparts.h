@@ -34,6 +34,8 @@ const char *UnmodelledFind(const char name[]);
 
 /* sceneadapt.c: before the bodies, whose order it changes. Collective. */
 PetscErrorCode SceneAdaptRead(Scene scene);
+/* Raises a user error for a goal that has no number; call when bodies and probes are read. Collective. */
+PetscErrorCode SceneAdaptCheck(Scene scene);
 PetscErrorCode SceneAdaptDestroy(SceneAdapt *adapt);
 /* scenestudy.c: before the bodies, whose meshes a study refines. Collective. */
 PetscErrorCode SceneStudyRead(Scene scene);

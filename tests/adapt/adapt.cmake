@@ -57,6 +57,7 @@ mortise_mistake(no_goal_colon SCENE two_plates RANKS 1 ARGS -adapt_goal joint SA
 mortise_mistake(goal_tolerance SCENE two_plates RANKS 1 ARGS -adapt_goal force:joint -adapt_goal_tolerance 2 SAYS "-adapt_goal_tolerance 2: give a number above 0 and below 1")
 mortise_mistake(goal_friction SCENE two_plates RANKS 1 ARGS -adapt_goal force:joint -joint_friction 0.3 SAYS "-adapt: with friction there is no energy")
 mortise_mistake(study_friction SCENE two_plates RANKS 1 ARGS -study adaptive -joint_friction 0.3 SAYS "-adapt: with friction there is no energy")
+mortise_mistake(goal_mises SCENE anisotropic_plate RANKS 1 ARGS -model plane_strain -probes p -probe_p_body board -probe_p_at 0,-1 -adapt_goal probe:p SAYS "-adapt_goal probe:p: von Mises' stress is not known in body board")
 mortise_mistake(goal_alone SCENE two_plates RANKS 1 ARGS -adapt_goal_tolerance 1e-2 SAYS "-adapt_goal_tolerance")
 mortise_mistake(marking SCENE two_plates RANKS 1 ARGS -adapt 1e-2 -adapt_marking 1 SAYS "-adapt_marking 1: give a number above 0 and below 1")
 mortise_mistake(no_meshes SCENE two_plates RANKS 1 ARGS -adapt 1e-2 -adapt_max_meshes 0 SAYS "-adapt_max_meshes 0")
