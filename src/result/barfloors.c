@@ -23,7 +23,8 @@ static PetscReal BarFloorsGetRelative_Private(PetscReal squared, PetscReal norm)
   return norm > 0 ? squared / norm : 0;
 }
 
-/* At the nodes of a side: pressure, and whether it counts for the area. Collective. [out] nodal - ghosted, two per node */
+/* At the nodes of a side: pressure, whether it counts for the area, whether there is a multiplier. Collective. [out] nodal - ghosted, three per
+   node */
 static PetscErrorCode BarFloorsCreateNodal_Private(Fields fields, PetscInt p, Vec *nodal)
 {
   const Pair   pair = fields->vi->pairs[p];
@@ -31,14 +32,15 @@ static PetscErrorCode BarFloorsCreateNodal_Private(Fields fields, PetscInt p, Ve
   PetscScalar *a;
 
   PetscFunctionBeginUser;
-  PetscCall(LevelCreateVec(fields->vi->level, 2, nodal));
+  PetscCall(LevelCreateVec(fields->vi->level, 3, nodal));
   PetscCall(PairFieldsCreate(fields, p, &values));
   PetscCall(VecGetArray(*nodal, &a));
   for (PetscInt k = 0; k < pair->num; k++) {
     const PetscInt i = pair->nodes[k];
 
-    a[2 * i]     = values.pressure[i];
-    a[2 * i + 1] = StatusIsContact(values.status[i]) || (values.status[i] == STATUS_TIED && values.pressure[i] > 0);
+    a[3 * i]     = values.pressure[i];
+    a[3 * i + 2] = 1;
+    a[3 * i + 1] = StatusIsContact(values.status[i]) || (values.status[i] == STATUS_TIED && values.pressure[i] > 0);
   }
   PetscCall(VecRestoreArray(*nodal, &a));
   PetscCall(PairFieldsDestroy(&values));
@@ -77,13 +79,14 @@ static void BarFloorsAddFacet_Private(const Level *level, const Facets *facets, 
   PetscBool      peak = PETSC_FALSE, open = PETSC_FALSE, closed = PETSC_FALSE;
 
   for (PetscInt i = 0; i < n; i++) {
-    const PetscScalar *at     = &values->nodal[2 * nodes[i]];
+    const PetscScalar *at     = &values->nodal[3 * nodes[i]];
     const PetscReal   *normal = &values->normal[dim * nodes[i]];
     PetscReal          t[CELL_MAX_DIM];
 
     peak   = (PetscBool)(peak || PetscRealPart(at[0]) >= largest);
     open   = (PetscBool)(open || at[1] == 0);
     closed = (PetscBool)(closed || at[1] != 0);
+    if (at[2] == 0) continue; // others have no pressure to compare
     CellStressTraction(dim, NodalStressAt(&values->stress, nodes[i], material), normal, t);
     difference = PetscMax(difference, PetscAbsReal(PetscRealPart(at[0]) + VectorDot(dim, normal, t)));
   }
