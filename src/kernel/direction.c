@@ -37,17 +37,23 @@ void DirectionTransportCurvature(PetscInt dim, const PetscReal S[], const PetscR
                                  PetscReal turned[])
 {
   const PetscReal cosine = VectorDot(dim, from, to);
-  PetscReal       R[9];
+  PetscReal       R[9], RS[9];
 
-  for (PetscInt k = 0; k < dim * dim; k++) { // of vectors across `from`
-    const PetscInt i = k / dim, j = k % dim;
-    R[k] = (i == j ? 1 : 0) - (from[i] + to[i]) * to[j] / (1 + cosine);
+  for (PetscInt i = 0; i < dim; i++) { // of vectors across `from`
+    const PetscReal part = (from[i] + to[i]) / (1 + cosine);
+
+    for (PetscInt j = 0; j < dim; j++) R[i * dim + j] = (i == j ? 1 : 0) - part * to[j];
   }
-  for (PetscInt k = 0; k < dim * dim; k++) {
-    turned[k] = 0;
-    for (PetscInt a = 0; a < dim * dim; a++)
-      turned[k] += R[k / dim * dim + a / dim] * S[a] * R[k % dim * dim + a % dim];
-  }
+  for (PetscInt i = 0; i < dim; i++)
+    for (PetscInt j = 0; j < dim; j++) {
+      RS[i * dim + j] = 0;
+      for (PetscInt k = 0; k < dim; k++) RS[i * dim + j] += R[i * dim + k] * S[k * dim + j];
+    }
+  for (PetscInt i = 0; i < dim; i++)
+    for (PetscInt j = 0; j < dim; j++) {
+      turned[i * dim + j] = 0;
+      for (PetscInt k = 0; k < dim; k++) turned[i * dim + j] += RS[i * dim + k] * R[j * dim + k];
+    }
 }
 
 static void DirectionSetPrincipal_Private(Relative *r)
