@@ -42,7 +42,6 @@ SCENES = {
     "thermal fit": ("thermal_fit", "", range(3, 7)),
     "gears": ("gears", "", range(3, 8)),
     "hertz around an axis": ("hertz_axisymmetric", "-sphere_dm_plex_box_faces 6,5 -block_dm_plex_box_faces 8,6", range(3, 9)),
-    "wheel on rail in space": ("wheel_on_rail", "", range(3, 4)),
     "spherical gap in space": ("spherical_gap", "-upper_dm_plex_box_faces 3,3,2 -lower_dm_plex_box_faces 2,2,2", range(3, 6)),
     "shells in space": ("shells3d", "-outer_dm_plex_box_faces 2,2,2 -inner_dm_plex_box_faces 2,2,2", range(3, 5)),
     "tied in space": ("patch3d", "-upper_dm_plex_box_faces 2,2,2 -lower_dm_plex_box_faces 2,2,2 -upper_bc_displacement_top 0,0,-1.5e-3 -joint_type tied", range(3, 5)),
