@@ -98,7 +98,8 @@ def print_table(found):
 def print_loops(program):
     print("| scene | unknowns | meshes | sum of unknowns | sets | seconds | mesh % | estimate % | one solve, s | loop / one |\n" + "|---|" + 9 * "---:|")
     for title, (scene, *more) in LOOPS.items():
-        run = subprocess.run([program, "-options_file", scene, "-order", "2", "-adapt", "1e-6", *more, "-quiet"], check=True, capture_output=True, text=True)
+        command = [pathlib.Path(program).resolve(), "-options_file", scene, "-order", "2", "-adapt", "1e-6", *more, "-quiet"]
+        run = subprocess.run(command, check=True, capture_output=True, text=True, cwd=scene.parent)  # its paths of meshes are PETSc's
         lines = [dict(zip(line.split()[1::2], line.split()[2::2])) for line in run.stdout.splitlines() if line.startswith(("mesh ", "loop "))]
         *meshes, loop = lines
         sets = ",".join(mesh["sets"] for mesh in meshes)
