@@ -73,14 +73,14 @@ def draw(found, path):
     import matplotlib.pyplot as plt  # pylint: disable=import-outside-toplevel
 
     figure, panels = plt.subplots(2, 3, figsize=(12, 7))
-    panels = panels.flat
+    panels = list(panels.flat)
     for axes, (title, scene) in zip(panels, found.items()):
         for name, points in errors(scene).items():
             axes.loglog([point[1] for point in points], [point[2] for point in points], color="#0072b2" if name.endswith("1") else "#d55e00",
                         marker="o" if "adaptive" in name else "s", linestyle="-" if "adaptive" in name else "--", label=name, markersize=4)
         axes.set(title=title, xlabel="processor seconds, coarser meshes included", ylabel="relative error in the energy norm")
         axes.grid(True, which="major", alpha=0.3)
-    last = list(panels)[-1]
+    last = panels[-1]
     last.axis("off")
     last.legend(*figure.axes[0].get_legend_handles_labels(), loc="center")
     figure.tight_layout()
