@@ -1,7 +1,8 @@
 /* frictionlaw.c -- friction of the pairs at their nodes.
 
    Rows of B stand by pair, then by node, then by direction: a normal row of a pair with friction is followed by the tangents that supports leave
-   free. Where they leave none, the node cannot slide, and the normal row is like one without friction. */
+   free. Where they leave none, the node cannot slide, and the normal row is like one without friction. The law has its nodes in the order of
+   their unknowns, whatever the order of pairs. */
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "problem/frictionlaw.h"
@@ -51,11 +52,25 @@ static PetscErrorCode FrictionLawCheck_Private(VI vi, const PetscBool negative[]
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscInt FrictionLawFind(const FrictionLaw *law, PetscInt normal)
+{
+  PetscInt begin = 0, end = law->n;
+
+  while (begin < end) {
+    const PetscInt middle = (begin + end) / 2;
+
+    if (law->normal[middle] < normal)
+      begin = middle + 1;
+    else
+      end = middle;
+  }
+  return begin < law->n && law->normal[begin] == normal ? begin : -1;
+}
+
 PetscErrorCode FrictionLawUpdate(VI vi)
 {
   FrictionLaw    *law   = vi->friction;
   const PetscReal force = vi->stiffness * vi->length;
-  PetscInt        a     = 0;
   PetscBool      *negative;
 
   PetscFunctionBeginUser;
@@ -65,6 +80,7 @@ PetscErrorCode FrictionLawUpdate(VI vi)
     const PetscInt   p = vi->row_pair[r], num = FrictionLawCountTangents_Private(vi, r);
     const ScenePair *spec = vi->pairs[p]->spec;
     PetscReal        bound;
+    const PetscInt   a = num ? FrictionLawFind(law, vi->row_dof[r]) : -1;
 
     if (!num) continue;
     PetscCall(FrictionLawEvaluate_Private(vi, spec->friction, r, &law->coefficient[a], &negative[p]));
@@ -72,7 +88,6 @@ PetscErrorCode FrictionLawUpdate(VI vi)
     law->bound[a] = bound * vi->row_D[r] / force;
     for (PetscInt i = 0; i < num; i++)
       law->origin[FRICTION_TANGENTS * a + i] = vi->slip_origin ? vi->slip_origin[r + 1 + i] / vi->length : 0;
-    a++;
   }
   PetscCall(FrictionLawCheck_Private(vi, negative));
   PetscCall(PetscFree(negative));
@@ -109,16 +124,18 @@ PetscErrorCode FrictionLawCreate(VI vi)
   for (PetscInt r = 0; r < vi->num_rows; r++) law->n += FrictionLawCountTangents_Private(vi, r) > 0;
   PetscCall(PetscMalloc5(law->n, &law->normal, FRICTION_TANGENTS * law->n, &law->tangent, law->n, &law->coefficient,
                          law->n, &law->bound, FRICTION_TANGENTS * law->n, &law->origin));
+  for (PetscInt r = 0; r < vi->num_rows; r++)
+    if (FrictionLawCountTangents_Private(vi, r)) law->normal[n++] = vi->row_dof[r];
+  PetscCall(PetscSortInt(law->n, law->normal));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     const PetscInt num = FrictionLawCountTangents_Private(vi, r);
+    const PetscInt a   = FrictionLawFind(law, vi->row_dof[r]);
 
     if (!num) continue;
-    law->normal[n] = vi->row_dof[r];
     for (PetscInt i = 0; i < FRICTION_TANGENTS; i++) {
-      law->tangent[FRICTION_TANGENTS * n + i] = i < num ? vi->row_dof[r + 1 + i] : -1;
-      law->origin[FRICTION_TANGENTS * n + i]  = 0;
+      law->tangent[FRICTION_TANGENTS * a + i] = i < num ? vi->row_dof[r + 1 + i] : -1;
+      law->origin[FRICTION_TANGENTS * a + i]  = 0;
     }
-    n++;
   }
   vi->friction = law;
   PetscCall(FrictionLawUpdate(vi));

@@ -1,9 +1,10 @@
 /* frictionfields.c -- tangential tractions and slips of pairs with friction.
 
    lambda of a tangential row is what the nonmortar side gives to its partner per area, and its slack is minus the slip. The rows of a node stand one
-   behind the other, the normal one first; the nodes with tangents are those of vi->friction, in the same order. */
+   behind the other, the normal one first; the nodes with tangents are those of vi->friction. */
 #include "base/compat.h"
 #include "kernel/vector.h"
+#include "problem/frictionlaw.h"
 #include "result/frictionfields.h"
 
 /* Slips below this part of the largest one are roundoff. */
@@ -22,7 +23,7 @@ static PetscBool FrictionFieldsNext_Private(Fields fields, const PetscReal lambd
 {
   const VI        vi    = fields->vi;
   const PetscReal force = vi->stiffness * vi->length;
-  PetscInt        r     = *next;
+  PetscInt        r     = *next, at;
 
   if (!vi->friction || a == vi->friction->n) return PETSC_FALSE;
   while (r + 1 == vi->num_rows || vi->row_direction[r] || !vi->row_direction[r + 1] ||
@@ -36,7 +37,8 @@ static PetscBool FrictionFieldsNext_Private(Fields fields, const PetscReal lambd
                          .pressure = lambda[r],
                          .weight   = vi->row_D[r]};
   while (r + node->num + 1 < vi->num_rows && vi->row_direction[r + node->num + 1]) node->num++;
-  node->limit = vi->friction->bound[a] * force / node->weight + vi->friction->coefficient[a] * PetscMax(lambda[r], 0);
+  at          = FrictionLawFind(vi->friction, vi->row_dof[r]);
+  node->limit = vi->friction->bound[at] * force / node->weight + vi->friction->coefficient[at] * PetscMax(lambda[r], 0);
   *next       = r + node->num + 1;
   return PETSC_TRUE;
 }

@@ -4,6 +4,7 @@
    around the cone does: what is outside of all pyramids is certainly no equilibrium, what is inside may be one. Tresca's limit bounds no cone: its tangents
    carry any force here, as ties do, so that nothing is refused that has a solution. */
 #include "base/compat.h"
+#include "problem/frictionlaw.h"
 #include "rigid/rigidimpl.h"
 
 /* Edges of the pyramid: it exceeds the cone by 2 percent. */
@@ -41,16 +42,13 @@ static void FrictionRowsAddNode_Private(VI vi, Solvability s, PetscInt r, PetscI
 PetscErrorCode FrictionRowsUpdate(VI vi, Solvability s)
 {
   ContactRows *rows = &s->friction;
-  PetscInt     a    = 0;
 
   PetscFunctionBeginUser;
   if (!vi->friction) PetscFunctionReturn(PETSC_SUCCESS);
   rows->num = 0;
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    const PetscBool rubs = (PetscBool)(a < vi->friction->n && vi->friction->normal[a] == vi->row_dof[r]);
-
     if (s->tangent[r]) continue; // comes with its normal row
-    FrictionRowsAddNode_Private(vi, s, r, rubs ? a++ : -1, rows, s->friction_row);
+    FrictionRowsAddNode_Private(vi, s, r, FrictionLawFind(vi->friction, vi->row_dof[r]), rows, s->friction_row);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -76,17 +74,15 @@ PetscErrorCode FrictionRowsCreate(VI vi, Solvability s)
 
 PetscErrorCode FrictionRowsTakePressed(VI vi, Solvability s, PetscBool pressed[], PetscReal rows[])
 {
-  PetscInt  a     = 0;
   PetscBool holds = PETSC_FALSE; // friction the node of the present row
 
   PetscFunctionBeginUser;
   PetscCall(PetscArraycpy(rows, s->nodal.rows, vi->num_rows * s->m));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     if (!s->tangent[r]) {
-      holds = PETSC_FALSE;
-      if (a == vi->friction->n || vi->friction->normal[a] != vi->row_dof[r]) continue;
-      holds = (PetscBool)(vi->friction->bound[a] > 0 || (pressed[r] && vi->friction->coefficient[a] > 0));
-      a++;
+      const PetscInt a = FrictionLawFind(vi->friction, vi->row_dof[r]);
+
+      holds = (PetscBool)(a >= 0 && (vi->friction->bound[a] > 0 || (pressed[r] && vi->friction->coefficient[a] > 0)));
       continue;
     }
     pressed[r] = holds;
