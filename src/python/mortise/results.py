@@ -100,7 +100,8 @@ def read_table(path: str) -> Array:
 
 
 def read_pair(prefix: str, pair: str) -> Array:
-    """The nodes of the nonmortar side of a pair, <prefix>_<pair>.csv: x, y, (z,) pressure, gap, status (whole), force, (arc_length)."""
+    """The nodes of the nonmortar side of a pair, <prefix>_<pair>.csv: x, y, (z,) pressure, gap, status (whole), force, (arc_length), with
+    friction tangential_traction_x .., slip_x .."""
     table = read_table(f"{prefix}_{pair}.csv")
     names = table.dtype.names or ()
     try:
@@ -151,7 +152,7 @@ class BodyFields:
     points [n][3]: undeformed (length); cells: {"triangle" | "triangle6" | "quad" | "quad9" | "tetra" | "tetra10" | "hexahedron" |
     "hexahedron27": [cells][nodes]}, rows of this body's arrays
     displacement [n][3] (length); stress [n][3][3], von_mises [n], principal [n][3], the largest first (stress)
-    pressure [n] (stress), gap [n] (length), status [n] (1 contact, 0 open, 2 tied, -1 without a multiplier): 0, NaN, -1 off contact sides
+    pressure [n] (stress), gap [n] (length), status [n] (1 contact, 0 open, 2 tied, 3 slips, 4 sticks, -1 without a multiplier): 0, NaN, -1 off contact sides
     motion [n][3]: only without a solution, the motion that nothing resists"""
 
     name: str
@@ -200,9 +201,9 @@ SURFACE = ("points", "displacement", "pressure", "gap", "status", "normal", "cel
 
 
 def read_surface(prefix: str, pair: str) -> dict[str, Any]:
-    """The nonmortar side of a pair, <prefix>_<pair>.h5: points, displacement, normal [n][3], pressure, gap, status [n]; cells as read, and
-    `blocks`: the same as [facets][nodes] of one type each."""
-    surface: dict[str, Any] = read_datasets(f"{prefix}_{pair}", SURFACE)
+    """The nonmortar side of a pair, <prefix>_<pair>.h5: points, displacement, normal [n][3], pressure, gap, status [n]; with friction tangential_traction, slip
+    [n][3]; cells as read, and `blocks`: the same as [facets][nodes] of one type each."""
+    surface: dict[str, Any] = read_datasets(f"{prefix}_{pair}", SURFACE, ("tangential_traction", "slip"))
     surface["blocks"] = read_cells(surface["cells"])
     return surface
 
