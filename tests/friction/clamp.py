@@ -22,6 +22,8 @@ def judge_again(run):
     """By the second solver, with the pairs in the other order, and pushed too far."""
     checked = run.again("-cross_check", "-load_steps", "0,0.5,0.9", name="checked").summary["solver"]["cross_check"]
     require(checked["agree"], "the second solution differs")
+    tight = run.again("-load_steps", "0,0.5,0.9,0.99", name="tight").summary["pairs"]
+    near("at 99 percent", tight["tip"]["tangential_force"][0] - tight["table"]["tangential_force"][0], 0.99 * PUSH, absolute=1e-9 * PUSH)
     swapped = run.again("-pairs", "table,tip", name="swapped").summary
     for name in ("tip", "table"):
         near(f"{name}, pairs in the other order", swapped["pairs"][name]["tangential_force"], run.pair(name)["tangential_force"], absolute=1e-6 * PUSH)
