@@ -74,7 +74,7 @@ PetscErrorCode FrictionRowsCreate(VI vi, Solvability s)
 
 PetscErrorCode FrictionRowsTakePressed(VI vi, Solvability s, PetscBool pressed[], PetscReal rows[])
 {
-  PetscBool holds = PETSC_FALSE; // friction the node of the present row
+  PetscBool holds = PETSC_FALSE; // whether friction resists at the node of the present row
 
   PetscFunctionBeginUser;
   PetscCall(PetscArraycpy(rows, s->nodal.rows, vi->num_rows * s->m));
