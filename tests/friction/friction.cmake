@@ -5,6 +5,7 @@ mortise_scene_test(tresca SCENE incline CHECK tresca.py RANKS 1 3 ARGS -floor_fr
 mortise_scene_test(greco CHECK greco.py RANKS 1 3 ARGS -dm_refine 2 -cross_check)
 mortise_scene_test(fretting CHECK fretting.py RANKS 1 3)
 mortise_scene_test(pull_off CHECK pull_off.py RANKS 1 3)
+mortise_scene_test(keystone CHECK keystone.py RANKS 1 3)
 mortise_scene_test(mindlin CHECK mindlin.py RANKS 1 2)
 mortise_scene_test(clamp CHECK clamp.py RANKS 1 3)
 mortise_scene_test(patch CHECK patch.py RANKS 1 3 LABELS sanitize)
