@@ -4,6 +4,7 @@
 #include "output/summary.h"
 #include "base/warning.h"
 #include "result/coarsecontact.h"
+#include "result/frictionfields.h"
 #include "result/gapdiscontinuity.h"
 #include "result/pairsum.h"
 #include "result/solvabilityreport.h"
@@ -143,6 +144,29 @@ static PetscErrorCode SummaryWarnCoarseCurve_Private(const SummaryInput *in, Pet
                        "on %s:%s",
                        pair->spec->name, (double)size[0], (double)left, in->scene->bodies[side->body].name,
                        side->side));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Friction that is lost because a support holds the nonmortar side along a mortar side that may slide. */
+static PetscErrorCode SummaryWarnHeldFriction_Private(const SummaryInput *in, PetscInt p)
+{
+  const ScenePair *spec = in->vi->pairs[p]->spec;
+  Warning          held = {.code   = "held_friction",
+                           .pair   = spec->name,
+                           .dim    = in->scene->dim,
+                           .advice = "exchange nonmortar and mortar side, or hold the body elsewhere"};
+  PetscInt         num;
+  char             at[128];
+
+  PetscFunctionBeginUser;
+  PetscCall(FrictionFieldsFindHeld(in->fields, p, &num, held.at));
+  if (!num) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(NumberWordsVector(in->scene->dim, held.at, at, sizeof(at)));
+  PetscCall(WarningAdd(&held,
+                       "%s has no friction at %" PetscInt_FMT
+                       " node%s in contact, first at %s: supports hold the nonmortar side there along the mortar side, "
+                       "which is free to slide",
+                       spec->name, num, num == 1 ? "" : "s", at));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -327,6 +351,7 @@ PetscErrorCode SummaryWarn(const SummaryInput *input)
     if (input->fields && !round)
       PetscCall(SummaryWarnGapDiscontinuity_Private(input, p)); // a gap bends within few facets
     if (input->fields) PetscCall(SummaryWarnCoarseCurve_Private(input, p));
+    if (input->fields) PetscCall(SummaryWarnHeldFriction_Private(input, p));
   }
   PetscCall(SummaryWarnUnbalanced_Private(input));
   PetscCall(SummaryWarnNotUnique_Private(input));

@@ -6,6 +6,7 @@
 #include "kernel/vector.h"
 #include "problem/frictionlaw.h"
 #include "result/frictionfields.h"
+#include "result/pairsum.h"
 
 /* Slips below this part of the largest one are roundoff. */
 static const PetscReal STUCK = 1e-9;
@@ -107,6 +108,76 @@ PetscErrorCode FrictionFieldsGet(Fields fields, PetscInt p, PetscReal traction[]
   }
   PetscCall(VecRestoreArrayRead(fields->slack, &slack));
   PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* 1 - |e'd|^2 over the held directions d of each node: how free it is along an axis e. [out] free - node by node, owned by the caller */
+static PetscErrorCode FrictionFieldsCreateFree_Private(VI vi, PetscInt axis, Vec *free)
+{
+  const Support *held = &vi->support;
+  PetscScalar   *value;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(vi->level, 1, free));
+  PetscCall(VecGetArray(*free, &value));
+  for (PetscInt i = 0; i < vi->level->num_owned; i++) {
+    value[i] = 1;
+    for (PetscInt j = 0; j < held->count[i]; j++)
+      value[i] -= PetscSqr(held->directions[(i * held->dim + j) * held->dim + axis]);
+  }
+  PetscCall(VecRestoreArray(*free, &value));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Marks normal rows of pair p in contact whose node is held along an axis of its side, where mortar nodes are free along it.
+   [in] share - M (free along the axis) at owned nodes; [in,out] chosen - [num_rows] */
+static void FrictionFieldsMarkHeld_Private(Fields fields, PetscInt p, PetscInt axis, const PetscScalar share[],
+                                           PetscBool chosen[])
+{
+  const VI       vi   = fields->vi;
+  const Pair     pair = vi->pairs[p];
+  const PetscInt dim  = vi->level->dim;
+
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const PetscInt a = vi->row_node[r], i = pair->nodes[a];
+
+    if (vi->row_pair[r] != p || vi->row_direction[r] || !StatusIsContact(fields->row_status[r])) continue;
+    if (!(PetscRealPart(share[i]) > STUCK * pair->D[a])) continue;
+    for (PetscInt j = 0; j < vi->support.count[i]; j++) {
+      const PetscReal *d = &vi->support.directions[(i * dim + j) * dim];
+
+      if (PetscAbsReal(d[axis]) > 1 - STUCK) chosen[r] = PETSC_TRUE; // it is a tangent where there is a multiplier
+    }
+  }
+}
+
+PetscErrorCode FrictionFieldsFindHeld(Fields fields, PetscInt p, PetscInt *num, PetscReal at[])
+{
+  const VI   vi   = fields->vi;
+  const Pair pair = vi->pairs[p];
+  PetscBool *chosen;
+
+  PetscFunctionBeginUser;
+  *num = 0;
+  if (!ScenePairHasFriction(pair->spec) || !pair->M) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscCalloc1(vi->num_rows, &chosen));
+  for (PetscInt axis = 0; axis < vi->level->dim; axis++) {
+    Vec                free, share;
+    const PetscScalar *value;
+
+    PetscCall(FrictionFieldsCreateFree_Private(vi, axis, &free));
+    PetscCall(VecDuplicate(free, &share));
+    PetscCall(MatMult(pair->M, free, share));
+    PetscCall(VecGetArrayRead(share, &value));
+    FrictionFieldsMarkHeld_Private(fields, p, axis, value, chosen);
+    PetscCall(VecRestoreArrayRead(share, &value));
+    PetscCall(VecDestroy(&free));
+    PetscCall(VecDestroy(&share));
+  }
+  for (PetscInt r = 0; r < vi->num_rows; r++) *num += chosen[r] ? 1 : 0;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, num, 1, MPIU_INT, MPI_SUM, vi->level->comm));
+  if (*num) PetscCall(PairSumFindFirstPlace(vi, chosen, at));
+  PetscCall(PetscFree(chosen));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -24,6 +24,9 @@ PetscErrorCode FrictionFieldsSetStatus(Fields fields);
 /* Vectors at owned nodes of pair p, 0 off its nonmortar side. Not collective. [out] traction - exerted by the mortar side, slip - of the nonmortar
    side against it, in this load step [num_owned][dim] */
 PetscErrorCode FrictionFieldsGet(Fields fields, PetscInt p, PetscReal traction[], PetscReal slip[]);
+/* Nodes of pair p in contact that a support holds along the side while the mortar side there is free: friction on that is lost. Collective.
+   [out] num - of all ranks; at - the first of them by coordinates [dim] */
+PetscErrorCode FrictionFieldsFindHeld(Fields fields, PetscInt p, PetscInt *num, PetscReal at[]);
 /* Collective. */
 PetscErrorCode FrictionSumCompute(Fields fields, PetscInt p, FrictionSum *sum);
 /* Collective. [in] tolerance - that roundoff of forces and displacements may reach */

@@ -16,6 +16,7 @@ mortise_scene_test(patch_solid CHECK patch.py RANKS 1 3)
 mortise_scene_test(patch_solid_quadratic SCENE patch_solid CHECK patch.py ARGS -order 2)
 mortise_scene_test(patch_solid_tets SCENE patch_solid CHECK patch.py ARGS -upper_dm_plex_simplex 1 -lower_dm_plex_simplex 1)
 mortise_scene_test(random_scenes SCENE incline CHECK random_scenes.py ONLY_RANKS "the check itself takes several")
+mortise_scene_test(held CHECK held.py RANKS 1 3)
 mortise_scene_test(reach_slides CHECK reach_slides.py RANKS 1 3)
 mortise_scene_test(none SCENE two_plates CHECK none.py RANKS 1 3)
 

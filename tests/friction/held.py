@@ -1,0 +1,9 @@
+"""Friction that is lost at a held node is told, with its place; with the roles exchanged nothing is lost."""
+from judge import require, same
+
+
+def judge(run):
+    (warning,) = run.summary["warnings"]
+    same("warned of", [warning["code"], warning["pair"], warning["at"]], ["held_friction", "joint", [0, 0]])
+    require("at 1 node in" in warning["text"], warning["text"])
+    run.again("-joint_nonmortar", "lower:top", "-joint_mortar", "upper:bottom", name="exchanged", warns=set())
