@@ -47,8 +47,17 @@ static void RowAddNumbers_Private(Row *row, const char owner[], const char what[
   }
 }
 
+/* What friction adds. */
+static void RowAddFriction_Private(Row *row, const cJSON *pair)
+{
+  static const char *const friction[] = {"tangential_force", "slip_share", "max_slip", "dissipation"};
+
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(friction); i++)
+    RowAddNumbers_Private(row, pair->string, friction[i], cJSON_GetObjectItemCaseSensitive(pair, friction[i]));
+}
+
 /* All numbers of a step that have a name of their own. */
-static void RowWrite_Private(Row *row, const cJSON *step)
+static void RowWrite_Private(Row *row, Scene scene, const cJSON *step)
 {
   static const char *const own[]    = {"t", "status", "certificate", "iterations", "linear_iterations", "seconds"};
   static const char *const pairs[]  = {"normal_force", "area",         "max_pressure",       "min_gap",
@@ -57,6 +66,7 @@ static void RowWrite_Private(Row *row, const cJSON *step)
   static const char *const probes[] = {"displacement", "stress", "von_mises"};
   const cJSON             *energy   = cJSON_GetObjectItemCaseSensitive(step, "energy"), *item;
   const cJSON             *validity = cJSON_GetObjectItemCaseSensitive(step, "validity");
+  PetscInt                 p        = 0;
 
   for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(own); i++)
     RowAddNumbers_Private(row, "", own[i], cJSON_GetObjectItemCaseSensitive(step, own[i]));
@@ -70,6 +80,7 @@ static void RowWrite_Private(Row *row, const cJSON *step)
                                                  pairs[i] + strlen("extent_"));
       RowAddNumbers_Private(row, item->string, pairs[i], value);
     }
+    if (ScenePairHasFriction(&scene->pairs[p++])) RowAddFriction_Private(row, item);
   }
   cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(step, "reactions"))
       RowAddNumbers_Private(row, item->string, "reaction", item);
@@ -95,12 +106,12 @@ PetscErrorCode StepsAddTable(Output output, Scene scene, const cJSON *rows)
   PetscFunctionBeginUser;
   row.out = open_memstream(&text, &size);
   PetscCheck(row.out, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for the table of load steps");
-  RowWrite_Private(&row, cJSON_GetArrayItem(rows, 0));
+  RowWrite_Private(&row, scene, cJSON_GetArrayItem(rows, 0));
   cJSON_ArrayForEach(step, rows)
   {
     row = (Row){.out = row.out};
     fputc('\n', row.out);
-    RowWrite_Private(&row, step);
+    RowWrite_Private(&row, scene, step);
   }
   PetscCheck(!fclose(row.out) && text, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for the table of load steps");
   PetscCall(PetscSNPrintf(path, sizeof(path), "%s_steps.csv", scene->output));

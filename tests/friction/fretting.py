@@ -1,7 +1,7 @@
 """Equal discs sheared to and fro, against Cattaneo and Mindlin at every step: history is that of all steps before."""
 import math
 
-from judge import near, require
+from judge import near, read_table, require
 
 MU, MODULUS, RADIUS = 0.2, 200 / (2 * (1 - 0.3**2)), 160
 
@@ -25,6 +25,9 @@ def judge(run):
         require(pair["dissipation"] > -1e-20, f"dissipation {pair['dissipation']} at t = {step['t']}")
     near("sheared to and fro", [parts[2], parts[6], parts[10]], [parts[2], -parts[2], parts[2]], absolute=2e-3)
     require(0.8 < parts[2] < 0.95, f"sheared by {parts[2]} of what slips everywhere")
+    table = read_table(run.folder / "result_steps.csv")
+    for name, key in (("tangential_force_x", lambda pair: pair["tangential_force"][0]), ("dissipation", lambda pair: pair["dissipation"])):
+        near(f"column {name}", table[f"joint.{name}"], [key(step["pairs"]["joint"]) for step in steps], relative=1e-15)
     force = run.pair("joint")["normal_force"]
     a = math.sqrt(4 * force * RADIUS / (math.pi * MODULUS))
     p0 = 2 * force / (math.pi * a)
