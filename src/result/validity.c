@@ -283,13 +283,15 @@ static PetscErrorCode ValidityOfPair_Private(Fields fields, PetscInt p, PetscRea
   for (PetscInt a = 0; a < pair->num; a++) {
     const PetscReal *x    = &pair->level->coords[pair->nodes[a] * dim];
     const PetscReal  slip = VectorNorm(dim, &state.tangential[a * dim]);
+    PetscReal        width;
 
     LargestTake(&largest[VALIDITY_NORMAL], state.turn[a], dim, x, p);
     if (!PetscIsNanReal(state.error[a]) && state.scale > 0)
       LargestTake(&largest[VALIDITY_GAP], PetscAbsReal(state.error[a]) / state.scale, dim, x, p);
     if (state.patch[a] < 0) continue;
     if (!adaptive) LargestTake(&largest[VALIDITY_SLIP_CELL], slip / state.size[a], dim, x, p);
-    LargestTake(&largest[VALIDITY_SLIP_CONTACT], slip / patches.patch[state.patch[a]].extent[dim - 2], dim, x, p);
+    width = PetscMax(patches.patch[state.patch[a]].extent[dim - 2], state.size[a]); // a node alone has no extent
+    LargestTake(&largest[VALIDITY_SLIP_CONTACT], slip / width, dim, x, p);
     if (!ScenePairHasFriction(pair->spec)) *sliding += state.force[a] * slip;
   }
   PetscCall(PairStateDestroy_Private(&state));
