@@ -30,32 +30,47 @@ typedef struct {
   IS            free;             /* F */
 } SchurSolver;
 
-/* Gathers values of bounded unknowns on the first rank. [in] own - [n]; [out] all - NULL on other ranks */
-static PetscErrorCode SchurSolverToFirst_Private(ActiveSolver solver, const PetscReal own[], Vec all)
+PetscErrorCode SchurSolverGather(ActiveSolver solver, const PetscReal own[], PetscReal all[])
 {
   const SchurSolver *t = solver->data;
-  PetscScalar       *a = NULL;
   PetscMPIInt        n;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMPIIntCast(solver->set->n, &n));
+  PetscCallMPI(MPI_Gatherv(own, n, MPIU_REAL, all, t->counts, t->offsets, MPIU_REAL, 0, solver->set->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SchurSolverScatter(ActiveSolver solver, const PetscReal all[], PetscReal own[])
+{
+  const SchurSolver *t = solver->data;
+  PetscMPIInt        n;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMPIIntCast(solver->set->n, &n));
+  PetscCallMPI(MPI_Scatterv(all, t->counts, t->offsets, MPIU_REAL, own, n, MPIU_REAL, 0, solver->set->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The same with vectors of the first rank. [in] all - NULL on other ranks */
+static PetscErrorCode SchurSolverToFirst_Private(ActiveSolver solver, const PetscReal own[], Vec all)
+{
+  PetscScalar *a = NULL;
+
+  PetscFunctionBeginUser;
   if (all) PetscCall(VecGetArray(all, &a));
-  PetscCallMPI(MPI_Gatherv(own, n, MPIU_REAL, a, t->counts, t->offsets, MPIU_REAL, 0, solver->set->comm));
+  PetscCall(SchurSolverGather(solver, own, a));
   if (all) PetscCall(VecRestoreArray(all, &a));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Scatters them to their owners. [in] all - NULL on other ranks; [out] own - [n] */
 static PetscErrorCode SchurSolverFromFirst_Private(ActiveSolver solver, Vec all, PetscReal own[])
 {
-  const SchurSolver *t = solver->data;
   const PetscScalar *a = NULL;
-  PetscMPIInt        n;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMPIIntCast(solver->set->n, &n));
   if (all) PetscCall(VecGetArrayRead(all, &a));
-  PetscCallMPI(MPI_Scatterv(a, t->counts, t->offsets, MPIU_REAL, own, n, MPIU_REAL, 0, solver->set->comm));
+  PetscCall(SchurSolverScatter(solver, a, own));
   if (all) PetscCall(VecRestoreArrayRead(all, &a));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -261,28 +276,6 @@ PetscErrorCode SchurSolverGetReduced(ActiveSolver solver, PetscScalar **S, Petsc
   PetscCall(MatDenseRestoreArray(t->S, NULL));
   PetscCall(VecGetArray(t->g, g));
   PetscCall(VecRestoreArray(t->g, NULL));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode SchurSolverGather(ActiveSolver solver, const PetscReal own[], PetscReal all[])
-{
-  const SchurSolver *t = solver->data;
-  PetscMPIInt        n;
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscMPIIntCast(solver->set->n, &n));
-  PetscCallMPI(MPI_Gatherv(own, n, MPIU_REAL, all, t->counts, t->offsets, MPIU_REAL, 0, solver->set->comm));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode SchurSolverScatter(ActiveSolver solver, const PetscReal all[], PetscReal own[])
-{
-  const SchurSolver *t = solver->data;
-  PetscMPIInt        n;
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscMPIIntCast(solver->set->n, &n));
-  PetscCallMPI(MPI_Scatterv(all, t->counts, t->offsets, MPIU_REAL, own, n, MPIU_REAL, 0, solver->set->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -55,7 +55,7 @@ static PetscErrorCode PairValuesCreatePlaces_Private(Level *level, Vec *v)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What there is at mortar nodes. Collective. [out] values - to be given back by PairValuesRestoreMortar_Private() */
+/* Displacements, stresses and tractions at mortar nodes. Collective. [out] values - released by PairValuesRestoreMortar_Private() */
 static PetscErrorCode PairValuesFetchMortar_Private(Fields fields, const Pair pair, PairValues *values)
 {
   Level *level = fields->vi->level;

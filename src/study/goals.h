@@ -24,8 +24,8 @@ PetscErrorCode GoalsRaiseBars(Scene scene, const cJSON *row, cJSON *bars, GoalSt
 /* Whether a goal is known as well as is asked for. Not collective. */
 PetscBool GoalsAreMet(Scene scene, const GoalState states[]);
 PetscBool GoalIsMet(Scene scene, const GoalState *state);
-/* Marks cells for what is not known well enough: the goals that are not met, and the energy norm where that is asked for; where not the dual
-   estimate is too large but the bar of eq. 15.5, whose floor is local, the cells at the place as well. Collective.
+/* Marks cells for the goals that are not met, and for the energy norm where it counts. If only the bar of eq. 15.5 is too large, it also marks
+   the cells at the place of the goal: the floor of that bar is local. Collective.
    [in] energy - whether it counts as well; [in] indicators - of GoalsSolve(); [out] marked - owned by the caller [num_cells] */
 PetscErrorCode GoalsMark(Run run, PetscBool energy, const GoalState states[], const PetscReal indicators[],
                          PetscBool **marked);
