@@ -171,7 +171,8 @@ static PetscErrorCode SummaryAddScene_Private(const SummaryInput *in, cJSON *roo
 
 static PetscErrorCode SummaryAddEnergy_Private(const SummaryInput *in, cJSON *root)
 {
-  cJSON     *energy = cJSON_AddObjectToObject(root, "energy"), *strain = cJSON_AddObjectToObject(energy, "strain");
+  cJSON *energy = cJSON_AddObjectToObject(root, "energy"), *strain = cJSON_AddObjectToObject(energy, "strain"),
+        *balance;
   PetscReal *bodies, potential;
 
   PetscFunctionBeginUser;
@@ -182,6 +183,12 @@ static PetscErrorCode SummaryAddEnergy_Private(const SummaryInput *in, cJSON *ro
   for (PetscInt b = 0; b < in->scene->num_bodies; b++) JSONAddReal(strain, in->scene->bodies[b].name, bodies[b]);
   JSONAddReal(energy, "potential", potential);
   PetscCall(PetscFree(bodies));
+  if (!in->balance) PetscFunctionReturn(PETSC_SUCCESS);
+  balance = cJSON_AddObjectToObject(energy, "balance");
+  JSONAddReal(balance, "work", in->balance->work);
+  JSONAddReal(balance, "stored", in->balance->stored);
+  JSONAddReal(balance, "dissipation", in->balance->dissipation);
+  JSONAddReal(balance, "defect", in->balance->defect);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

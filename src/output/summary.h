@@ -3,6 +3,7 @@
 #define MORTISE_SUMMARY_H
 
 #include "result/certificate.h"
+#include "result/energybalance.h"
 #include "result/errors.h"
 #include "result/setupcheck.h"
 #include "solve/infsup.h"
@@ -12,22 +13,23 @@
 
 /* Everything the summary tells of; borrowed parts. */
 typedef struct {
-  Scene               scene;
-  Mesh                mesh;
-  VI                  vi;
-  Solvability         solvability; /* NULL where supports hold all bodies */
-  const SetupCheck   *setup;       /* NULL but with -check */
-  Fields              fields;      /* NULL where there is no solution */
-  const SolverReport *report;
-  const CrossCheck   *check;
-  const InfSup       *inf_sup; /* [vi->num_pairs], or NULL without -infsup */
-  const Certificate  *certificate;
-  const Errors       *errors;
-  Vec                 reactions;
-  PetscBool           solved;   /* converged, certified, and not contradicted by a second solver */
-  const cJSON        *estimate; /* the error and the meshes it was found on, or NULL where there was one mesh */
-  const cJSON        *bars;     /* half widths, by the keys of the numbers, or NULL */
-  const cJSON        *steps;    /* an array of SummaryCreateStep(), or NULL without load steps */
+  Scene                scene;
+  Mesh                 mesh;
+  VI                   vi;
+  Solvability          solvability; /* NULL where supports hold all bodies */
+  const SetupCheck    *setup;       /* NULL but with -check */
+  Fields               fields;      /* NULL where there is no solution */
+  const SolverReport  *report;
+  const CrossCheck    *check;
+  const InfSup        *inf_sup; /* [vi->num_pairs], or NULL without -infsup */
+  const Certificate   *certificate;
+  const Errors        *errors;
+  Vec                  reactions;
+  PetscBool            solved;   /* converged, certified, and not contradicted by a second solver */
+  const EnergyBalance *balance;  /* of a load step with friction, else NULL */
+  const cJSON         *estimate; /* the error and the meshes it was found on, or NULL where there was one mesh */
+  const cJSON         *bars;     /* half widths, by the keys of the numbers, or NULL */
+  const cJSON         *steps;    /* an array of SummaryCreateStep(), or NULL without load steps */
 } SummaryInput;
 
 /* Adds to the warnings all that qualifies the answer, or the refusal. Collective; once for each run. */

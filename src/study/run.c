@@ -165,11 +165,19 @@ static PetscErrorCode RunTry_Private(Scene scene, Mesh mesh, Vec guess, Vec hist
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Remembers a solution for the initial guess of the next one; u is referenced. */
+/* Whether the summary has the energy of load steps. */
+static PetscBool RunIsBalanced_Private(const Run run)
+{
+  return (PetscBool)(run->scene->steps.num && SceneHasFriction(run->scene));
+}
+
+/* Remembers a solution for the initial guess of the next one, and balances its energy; u is referenced. */
 static PetscErrorCode RunRemember_Private(Run run)
 {
   PetscFunctionBeginUser;
   if (!run->solved) PetscFunctionReturn(PETSC_SUCCESS);
+  if (RunIsBalanced_Private(run))
+    PetscCall(EnergyBalanceAdvance(run->fields, run->reactions, &run->energy, &run->balance));
   PetscCall(VecDestroy(&run->past[1].u));
   run->past[1] = run->past[0];
   PetscCall(PetscObjectReference((PetscObject)run->fields->u));
@@ -184,6 +192,7 @@ PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run)
   *run           = NULL;
   scene->tighten = PETSC_TRUE;
   PetscCall(RunTry_Private(scene, mesh, guess, NULL, PETSC_TRUE, NULL, run));
+  (*run)->energy.rest = PETSC_TRUE;
   PetscCall(RunRemember_Private(*run));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -194,6 +203,7 @@ PetscErrorCode RunCreateTightened(Scene scene, Mesh mesh, Vec guess, Run *run)
   *run           = NULL;
   scene->tighten = PETSC_FALSE;
   PetscCall(RunTry_Private(scene, mesh, guess, NULL, PETSC_TRUE, NULL, run));
+  (*run)->energy.rest = PETSC_TRUE;
   PetscCall(RunRemember_Private(*run));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -240,6 +250,7 @@ static PetscErrorCode RunForget_Private(Run run)
   PetscFunctionBeginUser;
   RunForgetBlocks(run);
   PetscCall(VecDestroy(&run->reactions));
+  run->balance = (EnergyBalance){NAN, NAN, NAN, NAN};
   PetscCall(VecDestroy(&run->y));
   PetscCall(ErrorsDestroy(&run->errors));
   PetscCall(FieldsDestroy(&run->fields));
@@ -308,11 +319,14 @@ PetscErrorCode RunExtend(Vec guess, Run *run)
   const Scene scene = (*run)->scene;
   const Mesh  mesh  = (*run)->mesh;
   Run         older = *run;
+  PetscBool   rest;
 
   PetscFunctionBeginUser;
   *run = NULL;
+  rest = (PetscBool)(!PetscIsInfOrNanReal(older->balance.work) && !older->past[1].u); // it is in its first step
   PetscCall(RunForget_Private(older));
   PetscCall(RunTry_Private(scene, mesh, guess, NULL, PETSC_TRUE, older, run));
+  (*run)->energy.rest = rest;
   PetscCall(RunRemember_Private(*run));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -323,6 +337,7 @@ PetscErrorCode RunDestroy(Run *run)
   if (!*run) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(RunForget_Private(*run));
   for (int i = 0; i < 2; i++) PetscCall(VecDestroy(&(*run)->past[i].u));
+  PetscCall(EnergyStateForget(&(*run)->energy));
   PetscCall(SetupCheckDestroy(&(*run)->setup));
   PetscCall(PetscFree((*run)->inf_sup));
   if ((*run)->solver) PetscCall(SolverDestroy(&(*run)->solver));
@@ -346,6 +361,7 @@ SummaryInput RunSummary(Run run)
                         .certificate = &run->certificate,
                         .errors      = &run->errors,
                         .reactions   = run->reactions,
+                        .balance     = RunIsBalanced_Private(run) ? &run->balance : NULL,
                         .estimate    = run->estimate,
                         .bars        = run->bars,
                         .solved      = run->solved};

@@ -3,6 +3,7 @@
 #define MORTISE_RUN_H
 
 #include "result/certificate.h"
+#include "result/energybalance.h"
 #include "result/errors.h"
 #include "result/fields.h"
 #include "result/setupcheck.h"
@@ -20,19 +21,21 @@ struct _n_Run {
   struct {
     Vec       u; /* displacement, or NULL */
     PetscReal t;
-  } past[2]; /* the last solutions, the latest first */
-  SolverReport report;
-  CrossCheck   check;
-  InfSup      *inf_sup; /* with -infsup [vi->num_pairs], else NULL */
-  Fields       fields;
-  Certificate  certificate;
-  Vec          reactions;
-  Errors       errors;
-  cJSON       *estimate, *bars; /* of the summary, with adaptive meshes, or NULL */
-  SetupCheck   setup;           /* with -check */
-  PetscBool    checked;         /* with -check: nothing was solved, and there are no fields */
-  PetscBool    refused;         /* there is no solution: nothing was solved, and there are no fields */
-  PetscBool    solved;          /* converged, certified, and not contradicted by a second solver */
+  } past[2];             /* the last solutions, the latest first */
+  EnergyState   energy;  /* with friction and load steps: the end of the last solved step */
+  EnergyBalance balance; /* of the present step */
+  SolverReport  report;
+  CrossCheck    check;
+  InfSup       *inf_sup; /* with -infsup [vi->num_pairs], else NULL */
+  Fields        fields;
+  Certificate   certificate;
+  Vec           reactions;
+  Errors        errors;
+  cJSON        *estimate, *bars; /* of the summary, with adaptive meshes, or NULL */
+  SetupCheck    setup;           /* with -check */
+  PetscBool     checked;         /* with -check: nothing was solved, and there are no fields */
+  PetscBool     refused;         /* there is no solution: nothing was solved, and there are no fields */
+  PetscBool     solved;          /* converged, certified, and not contradicted by a second solver */
 };
 typedef struct _n_Run *Run;
 

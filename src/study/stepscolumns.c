@@ -92,6 +92,8 @@ static void RowWrite_Private(Row *row, Scene scene, const cJSON *step)
   cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(energy, "strain"))
       RowAddNumbers_Private(row, item->string, "strain_energy", item);
   RowAddNumbers_Private(row, "", "potential", cJSON_GetObjectItemCaseSensitive(energy, "potential"));
+  cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(energy, "balance"))
+      RowAddNumbers_Private(row, "balance", item->string, item);
   cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(validity, "indicators"))
       RowAddNumbers_Private(row, "validity", item->string, cJSON_GetObjectItemCaseSensitive(item, "value"));
 }

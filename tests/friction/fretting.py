@@ -16,6 +16,11 @@ def shear(x, a, part):
     return ellipse(x, a) - c / a * ellipse(x, c) if c > 0 else ellipse(x, a)
 
 
+def top(t):
+    """Displacement of the upper side, as the scene gives it."""
+    return 0.00295 * (max(t - 1, 0) - 2 * max(t - 2, 0) + 2 * max(t - 4, 0)), -0.0105 * min(t, 1)
+
+
 def judge(run):
     steps = run.summary["steps"]
     parts = []
@@ -28,6 +33,14 @@ def judge(run):
     table = read_table(run.folder / "result_steps.csv")
     for name, key in (("tangential_force_x", lambda pair: pair["tangential_force"][0]), ("dissipation", lambda pair: pair["dissipation"])):
         near(f"column {name}", table[f"joint.{name}"], [key(step["pairs"]["joint"]) for step in steps], relative=1e-15)
+    for before, step in zip(steps, steps[1:]):
+        way = [after - old for after, old in zip(top(step["t"]), top(before["t"]))]
+        work = sum((old + new) / 2 * d for old, new, d in zip(before["reactions"]["upper:top"], step["reactions"]["upper:top"], way))
+        stored = sum(step["energy"]["strain"].values()) - sum(before["energy"]["strain"].values())
+        balance = step["energy"]["balance"]
+        near(f"work of the upper side until t = {step['t']}", [balance["work"], balance["stored"]], [work, stored], relative=1e-8)
+        taken = step["pairs"]["joint"]["dissipation"]
+        near("defect", balance["defect"], work - stored - taken, absolute=1e-8 * abs(work))
     force = run.pair("joint")["normal_force"]
     a = math.sqrt(4 * force * RADIUS / (math.pi * MODULUS))
     p0 = 2 * force / (math.pi * a)

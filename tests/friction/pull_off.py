@@ -24,6 +24,11 @@ def reciprocal(run, poisson):
 
 def judge(run):
     steps = run.summary["steps"]
+    pressed = steps[0]["energy"]["balance"]
+    near("work of the interference", pressed["work"], INTERFERENCE * steps[0]["pairs"]["fit"]["normal_force"] / 2, relative=1e-9)
+    for before, step in zip(steps, steps[1:]):
+        pulled = (before["reactions"]["shaft:top"][1] + step["reactions"]["shaft:top"][1]) / 2 * 0.002 * (step["t"] - before["t"])
+        near("work of the pull", step["energy"]["balance"]["work"], pulled, relative=1e-8)
     shares = [step["pairs"]["fit"]["slip_share"] for step in steps]
     require(all(share < 1 for share in shares[:4]), f"slips too early: {shares}")
     near("it slides in the end", shares[5:], [1, 1], relative=1e-12)

@@ -89,6 +89,7 @@ SCENES = {
     "study": ["-options_file", "options/manufactured_full.opts", "-study", "uniform", "-study_levels", "3", "-upper_dm_plex_box_faces", "4,4",
               "-lower_dm_plex_box_faces", "3,3", "-probes", "p", "-probe_p_body", "upper", "-probe_p_at", "0.5,0.5"],
     "steps": ["-options_file", "options/two_plates.opts", "-upper_young", "1e3", "-upper_dm_plex_box_faces", "4,4", "-lower_dm_plex_box_faces", "3,3", "-load_steps", "2"],
+    "slipping steps": ["-options_file", "options/incline.opts", "-load_steps", "2"],
     "adapted": ["-options_file", "options/two_plates.opts", "-upper_dm_plex_box_faces", "2,2", "-lower_dm_plex_box_faces", "2,2", "-adapt", "1e-2", "-adapt_goal", "force:joint"],
     "adapted steps": ["-options_file", "options/two_plates.opts", "-upper_dm_plex_box_faces", "2,2", "-lower_dm_plex_box_faces", "2,2", "-adapt", "5e-2",
                       "-adapt_goal", "force:joint", "-adapt_goal_tolerance", "5e-2", "-load_steps", "2"],
