@@ -42,7 +42,8 @@ typedef struct {
   FieldGrid *grid; /* [num] */
   PetscBool
       varies; /* whether meshes may differ: then each step where one is new has it in its group, else the root has the one */
-  PetscBool fresh; /* whether that of the last time is a new one */
+  PetscBool fresh;  /* whether that of the last time is a new one */
+  PetscBool solved; /* whether the last time is solved: a run can go on from there */
 } FieldSeries;
 
 /* What the first rank knows of a picture that is being written. */

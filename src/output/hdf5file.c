@@ -3,7 +3,7 @@
    /points [N][3], /cells (see xdmf.c), one dataset per quantity under its own name; attributes of the file: title, names of
    bodies in the order of `body`, version, units, and a word on every dataset's order. Readable by h5py, MATLAB, h5dump without any library of ours.
 
-   Of a series the quantities of points stand in groups, /steps/0001 and so on, each with its time as the attribute t; those of the last one
+   Of a series the quantities of points stand in groups, /steps/0001 and so on, each with the attributes t, its time, and solved, 1 or 0; those of the last one
    have their usual names as well. */
 #include <string.h>
 #include <errno.h>
@@ -106,11 +106,12 @@ static void HDF5FileWriteQuantity_Private(Image *image, PetscInt rows, const Qua
                                                         .values  = values}));
 }
 
-static PetscBool HDF5FileWriteTime_Private(hid_t group, double t)
+/* A number as an attribute; false on failure. */
+static PetscBool HDF5FileWriteNumber_Private(hid_t group, const char name[], hid_t type, double number)
 {
   const hid_t space     = H5Screate(H5S_SCALAR);
-  const hid_t attribute = H5Acreate2(group, "t", H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT);
-  PetscBool   good      = (PetscBool)(attribute >= 0 && H5Awrite(attribute, H5T_NATIVE_DOUBLE, &t) >= 0);
+  const hid_t attribute = H5Acreate2(group, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+  PetscBool   good      = (PetscBool)(attribute >= 0 && H5Awrite(attribute, H5T_NATIVE_DOUBLE, &number) >= 0);
 
   if (attribute >= 0) H5Aclose(attribute);
   H5Sclose(space);
@@ -128,7 +129,9 @@ static PetscBool HDF5FileWriteGroup_Private(hid_t file, const FieldSeries *serie
   XDMFStepName(series, series->num - 1, name);
   if (links >= 0 && H5Pset_create_intermediate_group(links, 1) >= 0)
     group = H5Gcreate2(file, name, links, H5P_DEFAULT, H5P_DEFAULT);
-  good = (PetscBool)(group >= 0 && HDF5FileWriteTime_Private(group, (double)series->t[series->num - 1]));
+  good = (PetscBool)(group >= 0 &&
+                     HDF5FileWriteNumber_Private(group, "t", H5T_IEEE_F64LE, (double)series->t[series->num - 1]) &&
+                     HDF5FileWriteNumber_Private(group, "solved", H5T_STD_I32LE, series->solved ? 1 : 0));
   if (group >= 0) H5Gclose(group);
   if (links >= 0) H5Pclose(links);
   return good;

@@ -195,7 +195,7 @@ PetscErrorCode OutputSeriesDestroy(OutputSeries *series)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode OutputAddStep(Output output, OutputSeries series, Fields fields)
+PetscErrorCode OutputAddStep(Output output, OutputSeries series, Fields fields, PetscBool solved)
 {
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < series->num; i++) {
@@ -206,6 +206,7 @@ PetscErrorCode OutputAddStep(Output output, OutputSeries series, Fields fields)
       PetscCall(PetscRealloc(picture->capacity * sizeof(*picture->t), &picture->t));
       PetscCall(PetscRealloc(picture->capacity * sizeof(*picture->grid), &picture->grid));
     }
+    picture->solved             = solved;
     picture->varies             = fields->vi->scene->adapt.on;
     picture->fresh              = (PetscBool)(fields->vi->level != series->level);
     picture->t[picture->num]    = fields->vi->scene->time;

@@ -20,8 +20,8 @@ typedef struct _n_OutputSeries *OutputSeries;
 PetscErrorCode                  OutputSeriesCreate(Scene scene, OutputSeries *series);
 PetscErrorCode                  OutputSeriesDestroy(OutputSeries *series);
 /* OutputAddFields() of a step: HDF5 files take the fields of scene->time beside those of the steps before, XDMF makes a series of them. Each
-   is followed by OutputFinish(). Other formats, and CSV, have the last step. Collective. */
-PetscErrorCode OutputAddStep(Output output, OutputSeries series, Fields fields);
+   is followed by OutputFinish(). Other formats, and CSV, have the last step. Collective. [in] solved - whether a later run may go on from it */
+PetscErrorCode OutputAddStep(Output output, OutputSeries series, Fields fields, PetscBool solved);
 /* Where there is no solution: adds the bodies and, at their nodes, the motion that shows it, as `motion` of <output>.h5 + .xdmf
    and/or .vtu; other fields, of an earlier run, go when the new result appears. Collective. */
 PetscErrorCode OutputAddMotion(Output output, VI vi, const SceneMotion *motion);

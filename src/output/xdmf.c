@@ -51,6 +51,13 @@ PetscErrorCode XDMFTopologyDestroy(Topology *topology)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscInt XDMFTopologyGetNumNodes(int number)
+{
+  for (PetscInt type = 0; type < ELEMENT_COUNT && number; type++)
+    if (xdmf_number[type] == number) return ElementNumNodes((ElementType)type);
+  return 0;
+}
+
 /* One dataset of the HDF5 file. */
 static void XDMFWriteItem_Private(FILE *out, const char hdf5[], const char name[], PetscInt rows, PetscInt columns,
                                   PetscBool integer)

@@ -14,6 +14,8 @@ typedef struct {
 /* Not collective. [out] topology - owned by the caller; its values end with XDMFTopologyDestroy(), the rest stays */
 PetscErrorCode XDMFTopologyCreate(const SortedCells *cells, Topology *topology);
 PetscErrorCode XDMFTopologyDestroy(Topology *topology);
+/* Nodes of a cell of a list of several types, 0 for a type that we do not write. Not collective. [in] number - its XDMF type */
+PetscInt XDMFTopologyGetNumNodes(int number);
 
 enum { XDMF_STEP_NAME = 32 };
 /* "steps/0003/", the place of what the HDF5 file has of step i (from 0) of a series; "" without a series. Not collective. */

@@ -261,6 +261,10 @@ static const OptionEntry table[] = {
      "Solves at several times t, each from the solution before: n equal steps up to 1, or a list of times. Every "
      "formula "
      "may name t."},
+    {GROUP_STEPS, "-restart", "file.h5", "", "(bodies without loads)",
+     "Goes on from the last solved step of an earlier run of the scene, which may have had another number of ranks: "
+     "friction remembers. Steps "
+     "of -load_steps up to that time, where it is among them, are omitted."},
     {GROUP_STEPS, "-load_steps_scale", "none|loads|displacements|gaps|temperatures", "",
      "(all, where no datum names t; else none)",
      "What t multiplies: one or several of these, separated by commas. Data that name t are not multiplied."},

@@ -198,6 +198,7 @@ PetscErrorCode SceneSetFromOptions(Scene scene)
   for (PetscInt i = 0; i < scene->num_paths; i++) PetscCall(ScenePathRead(scene, &scene->paths[i]));
   PetscCall(SceneAdaptCheck(scene));
   PetscCall(SceneResultsRead(scene));
+  PetscCall(SceneRestartRead(scene));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -210,6 +211,7 @@ PetscErrorCode SceneDestroy(Scene *scene)
   for (PetscInt i = 0; i < (*scene)->num_probes; i++) PetscCall(PetscFree((*scene)->probes[i].name));
   for (PetscInt i = 0; i < (*scene)->num_paths; i++) PetscCall(PetscFree((*scene)->paths[i].name));
   PetscCall(PetscFree((*scene)->steps.t));
+  PetscCall(PetscFree((*scene)->steps.restart));
   PetscCall(SceneAdaptDestroy(&(*scene)->adapt));
   for (PetscInt i = 0; i < (*scene)->num_regions; i++) {
     PetscCall(SceneMaterialDestroy(&(*scene)->regions[i].material));

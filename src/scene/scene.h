@@ -180,8 +180,10 @@ typedef enum {
 typedef struct {
   PetscInt   num;       /* 0 for one solution at time 1 */
   PetscReal *t;         /* [num] */
+  PetscBool  counted;   /* whether the user gave their number, not a list */
   PetscBool  scale_set; /* whether the user said what time multiplies; */
   int        scale;     /* DatumKind bits */
+  char      *restart;   /* file of the run that is gone on with, or NULL */
 } SceneSteps;
 
 /* A number that adaptive meshes are made for. */

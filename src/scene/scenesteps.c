@@ -26,6 +26,7 @@ static PetscErrorCode StepsReadTimes_Private(const Option *option, SceneSteps *s
   if (count < 0 || count > STEPS_MOST || steps->num > STEPS_MOST || (steps->num == 1 && !strcmp(option->text, "0")))
     PetscCall(OptionRaise(option, "must be a number of steps from 1 to %d, or a list of times such as 0.25,0.5,1",
                           (int)STEPS_MOST));
+  steps->counted = (PetscBool)(count > 0);
   if (count) {
     steps->num = count;
     PetscCall(PetscMalloc1(count, &steps->t));
@@ -69,5 +70,29 @@ PetscErrorCode SceneStepsRead(Scene scene)
   PetscCall(StepsReadScale_Private(&scale, &scene->steps));
   if (times.set && scene->study.kind != STUDY_NONE)
     PetscCall(OptionRaise(&times, "-study solves the scene on several meshes, at one time; give one of the two"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The file is read when there is a mesh. */
+PetscErrorCode SceneRestartRead(Scene scene)
+{
+  Option option;
+  char   own[PETSC_MAX_PATH_LEN];
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionFind(scene, "-restart", NULL, NULL, &option));
+  PetscCall(OptionGetText(&option, &scene->steps.restart));
+  if (!option.set) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!scene->steps.num) PetscCall(OptionRaise(&option, "only load steps go on from others; give -load_steps, too"));
+  if (scene->adapt.on)
+    PetscCall(OptionRaise(&option, "-adapt makes meshes that the file does not have; omit one of the two"));
+  for (PetscInt b = 0; b < scene->num_bodies; b++)
+    if (scene->bodies[b].pretension)
+      PetscCall(OptionRaise(&option, "the strain of -%s_pretension is not in the file; solve all load steps in one run",
+                            scene->bodies[b].name));
+  if (!scene->output) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscSNPrintf(own, sizeof(own), "%s.h5", scene->output));
+  if (!strcmp(own, scene->steps.restart))
+    PetscCall(OptionRaise(&option, "-output %s would replace this file; give another name", scene->output));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -197,13 +197,25 @@ PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode RunCreateAfter(Scene scene, Mesh mesh, Vec last, PetscReal t, Run *run)
+{
+  PetscFunctionBeginUser;
+  *run           = NULL;
+  scene->tighten = PETSC_TRUE;
+  PetscCall(RunTry_Private(scene, mesh, last, last, PETSC_TRUE, NULL, run));
+  PetscCall(PetscObjectReference((PetscObject)last));
+  (*run)->past[0].u = last;
+  (*run)->past[0].t = t;
+  PetscCall(RunRemember_Private(*run));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode RunCreateTightened(Scene scene, Mesh mesh, Vec guess, Run *run)
 {
   PetscFunctionBeginUser;
   *run           = NULL;
   scene->tighten = PETSC_FALSE;
   PetscCall(RunTry_Private(scene, mesh, guess, NULL, PETSC_TRUE, NULL, run));
-  (*run)->energy.rest = PETSC_TRUE;
   PetscCall(RunRemember_Private(*run));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -319,14 +331,11 @@ PetscErrorCode RunExtend(Vec guess, Run *run)
   const Scene scene = (*run)->scene;
   const Mesh  mesh  = (*run)->mesh;
   Run         older = *run;
-  PetscBool   rest;
 
   PetscFunctionBeginUser;
   *run = NULL;
-  rest = (PetscBool)(!PetscIsInfOrNanReal(older->balance.work) && !older->past[1].u); // it is in its first step
   PetscCall(RunForget_Private(older));
   PetscCall(RunTry_Private(scene, mesh, guess, NULL, PETSC_TRUE, older, run));
-  (*run)->energy.rest = rest;
   PetscCall(RunRemember_Private(*run));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -44,6 +44,8 @@ typedef struct _n_Run *Run;
    [in] guess - displacement to begin with (ghosted, dim per node of that level), or NULL; [out] run - owned by the caller */
 PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run);
 PetscErrorCode RunDestroy(Run *run);
+/* The same after a load step of another run, of the same mesh. Collective. [in] last - its displacement, ghosted; t - its time */
+PetscErrorCode RunCreateAfter(Scene scene, Mesh mesh, Vec last, PetscReal t, Run *run);
 /* The same with bolts as they are: pretensions keep the strains that earlier solutions have found. Collective. */
 PetscErrorCode RunCreateTightened(Scene scene, Mesh mesh, Vec guess, Run *run);
 /* The run on the new finest level that MeshAdapt() has given the mesh: scales, coarser levels of multigrid with their matrices, smoothers and

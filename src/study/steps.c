@@ -5,12 +5,16 @@
 #include "base/usererror.h"
 #include "base/warning.h"
 #include "output/output.h"
+#include "output/restartfile.h"
 #include "study/adaptive.h"
 #include "study/steps.h"
 #include "study/stepscolumns.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* Times nearer than this part of the larger one, or of 1, are the same. */
+static const PetscReal SAME_TIME = 1e-9;
 
 enum { PAIRS_SHOWN = 2, TEXT_LENGTH = PETSC_MAX_PATH_LEN + 256, TIME_TEXT = 32 };
 
@@ -23,6 +27,8 @@ typedef struct {
   char         now[TIME_TEXT], last[TIME_TEXT]; /* times of the present step, and of the last solved one */
   OutputSeries series;
   Adaptive     adaptive; /* NULL on one mesh */
+  Vec          begin;    /* displacement that -restart begins with, at begin_t; NULL without it */
+  PetscReal    begin_t;
 } Steps;
 
 /* Faults on a pair whose table would have the name of the steps'. */
@@ -113,7 +119,7 @@ static PetscErrorCode StepsWrite_Private(Steps *steps, Run run, char **text)
   if (scene->output) {
     PetscCall(LogStageBegin(STAGE_OUTPUT));
     if (!run->refused)
-      PetscCall(OutputAddStep(output, steps->series, run->fields));
+      PetscCall(OutputAddStep(output, steps->series, run->fields, run->solved));
     else if (!steps->any)
       PetscCall(OutputAddMotion(output, run->vi, &run->solvability->motion));
     PetscCall(StepsAddTable(output, scene, steps->rows));
@@ -145,6 +151,8 @@ static PetscErrorCode StepsSolve_Private(Steps *steps, PetscInt i, Mesh mesh, Ve
   WarningSetLabel(label);
   if (steps->adaptive)
     PetscCall(AdaptiveSolve(steps->adaptive, guess, run));
+  else if (steps->begin && !*run)
+    PetscCall(RunCreateAfter(scene, mesh, steps->begin, steps->begin_t, run));
   else
     PetscCall(*run ? RunAdvance(guess, run) : RunCreate(scene, mesh, guess, run));
   scene->view = PETSC_FALSE; // of the first step only
@@ -183,6 +191,48 @@ static PetscErrorCode StepsPrintEnd_Private(const Steps *steps, Run run, const c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Omits the steps that the file of -restart has behind it. */
+static PetscErrorCode StepsOmit_Private(Scene scene, PetscReal t)
+{
+  SceneSteps     *plan = &scene->steps;
+  const PetscReal near = SAME_TIME * PetscMax(PetscAbsReal(t), 1);
+  PetscInt        omit = 0, times = 0;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < plan->num; i++) {
+    const PetscBool same = (PetscBool)(PetscAbsReal(plan->t[i] - t) <= near);
+
+    if (same) times++;
+    if (same || (plan->counted && plan->t[i] < t)) omit = i + 1;
+  }
+  if (times > 1)
+    PetscCall(UserErrorRaise(scene->comm,
+                             "-restart %s: it ends at t = %.9g, which occurs %" PetscInt_FMT
+                             " times in -load_steps; give those that are to follow",
+                             plan->restart, (double)t, times));
+  if (omit == plan->num)
+    PetscCall(UserErrorRaise(scene->comm, "-restart %s: it ends at t = %.9g, and -load_steps has no step behind that",
+                             plan->restart, (double)t));
+  plan->num -= omit;
+  PetscCall(PetscArraymove(plan->t, plan->t + omit, plan->num));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Takes up the run of -restart. */
+static PetscErrorCode StepsRestart_Private(Steps *steps, Mesh mesh, Run *run)
+{
+  const Scene scene = steps->scene;
+
+  PetscFunctionBeginUser;
+  if (!scene->steps.restart) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(RunDestroy(run));
+  PetscCall(RestartFileRead(MeshFinest(mesh), scene->steps.restart, &steps->begin, &steps->begin_t));
+  PetscCall(StepsOmit_Private(scene, steps->begin_t));
+  if (!steps->quiet)
+    PetscCall(PetscPrintf(scene->comm, "goes on from t = %.9g of %s\n", (double)steps->begin_t, scene->steps.restart));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode StepsRun(Scene scene, Mesh mesh, Vec guess, Run *run)
 {
   Steps steps = {.scene = scene, .rows = cJSON_CreateArray()};
@@ -191,6 +241,7 @@ PetscErrorCode StepsRun(Scene scene, Mesh mesh, Vec guess, Run *run)
   PetscFunctionBeginUser;
   PetscCall(StepsCheckNames_Private(scene));
   steps.quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
+  PetscCall(StepsRestart_Private(&steps, mesh, run));
   PetscCall(InterruptBegin());
   StepsSetInterruptSentence_Private(&steps);
   PetscCall(OutputSeriesCreate(scene, &steps.series));
@@ -207,6 +258,7 @@ PetscErrorCode StepsRun(Scene scene, Mesh mesh, Vec guess, Run *run)
   free(text);
   cJSON_Delete(steps.rows);
   PetscCall(OutputSeriesDestroy(&steps.series));
+  PetscCall(VecDestroy(&steps.begin));
   if (steps.adaptive) PetscCall(AdaptiveDestroy(&steps.adaptive));
   InterruptSetSentence("");
   PetscCall(InterruptEnd());
