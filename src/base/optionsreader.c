@@ -114,6 +114,20 @@ static void OptionsReaderAddYAML_Private(Reader *reader, const char where[], con
   TextListAppend(reader->files, found);
 }
 
+/* Reads the text of -options_string, as the lines of a file, in its place. [in] text - or NULL */
+static void OptionsReaderReadString_Private(Reader *reader, const char where[], const char text[])
+{
+  char *own;
+
+  if (!text) {
+    OptionsReaderRefuse_Private(reader, "%s: -options_string needs a text, such as \"-order 2 -quiet\"", where);
+    return;
+  }
+  own = TextListAllocate(NULL, strlen(text) + 1);
+  OptionsReaderReadText(reader, "-options_string", strcpy(own, text));
+  free(own);
+}
+
 /* Appends the option that stands at words[0], with its value if it has one. Returns the number of words taken. */
 static int OptionsReaderReadOption_Private(Reader *reader, const char where[], int num_words, const Word words[])
 {
@@ -122,6 +136,10 @@ static int OptionsReaderReadOption_Private(Reader *reader, const char where[], i
   const int   is_file = OptionsReaderIsWord(name, "-options_file"),
             is_yaml   = OptionsReaderIsWord(name, "-options_file_yaml");
 
+  if (OptionsReaderIsWord(name, "-options_string")) { // its text may well begin with a minus
+    OptionsReaderReadString_Private(reader, where, next);
+    return next ? 2 : 1;
+  }
   if (next && OptionsReaderIsFormula_Private(&words[1]))
     OptionsReaderRefuse_Private(
         reader, "%s: %s %s: PETSc takes a value that begins with a minus and a letter for an option; write 0%s", where,

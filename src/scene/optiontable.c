@@ -27,6 +27,8 @@ static const OptionEntry table[] = {
     {GROUP_RUN, "-options_file", "file", "", "(none)",
      "Reads options from a file, one per line; # begins a comment. The command line overrides files."},
     {GROUP_RUN, "-options_file_yaml", "file", "", "(none)", "Reads options from a YAML file, by PETSc."},
+    {GROUP_RUN, "-options_string", "text", "", "(none)",
+     "Options in one text, \"-upper_young 3e5 -order 2\", as in an options file."},
     {GROUP_RUN, "-options_string_yaml", "text", "", "(none)",
      "Options as YAML in one text, \"{upper_young: 3e5, order: 2}\", by PETSc."},
     {GROUP_RUN, "-prefix_push", "prefix", "", "(none)",

@@ -41,7 +41,8 @@ def judge(run):
     case.require_solved()
     same("cells", case.summary["scene"]["bodies"]["block"]["cells"], 1)
     same("option of the file", case.summary["options"]["block_young"], "1000")
-    stiff = {"text": ["-options_string_yaml", "{block_young: 2000, title: stiff}"], "prefix": ["-prefix_push", "block_", "-young", "2000", "-prefix_pop", "-title", "stiff"]}
+    stiff = {"text": ["-options_string_yaml", "{block_young: 2000, title: stiff}"], "prefix": ["-prefix_push", "block_", "-young", "2000", "-prefix_pop", "-title", "stiff"],
+             "string": ["-options_string", '-block_young 2000 -title "stiff" # both']}
     for name, words in stiff.items():
         other = Run(run.program, run.mpiexec, run.ranks, run.folder / name, case.arguments + words)
         other.require_solved()
