@@ -2,7 +2,8 @@
 
    A row of B acts at its node: psi reproduces linear functions, so int psi n.u of a rigid motion is D_aa n.u(x_a). This holds even where
    the partner ends within a facet and x_a lies beyond its end; psi then changes sign on the covered part. The bodies themselves touch up
-   to the end of the partner. Rows of nodes of partly covered facets are therefore replaced by n.[u] at the corners of the covered part. */
+   to the end of the partner. Rows of nodes of partly covered facets are therefore replaced by n.[u] at the corners of the covered part. Pairs
+   with friction keep their nodes, where the cones of their forces are. */
 #include "base/compat.h"
 #include "rigid/rigidimpl.h"
 
@@ -20,7 +21,13 @@ static void ContactRowsSetRow_Private(VI vi, const ContactPlace *place, const Pe
   }
 }
 
-/* Corners of the overlap boundary of all pairs but ties, on this rank. [out] out - the corners, NULL to count them */
+/* Whether forces of a pair act at the overlap boundary: not those of ties, nor of friction. */
+static PetscBool ContactRowsHasCorners_Private(const Pair pair)
+{
+  return (PetscBool)(pair->spec->type != PAIR_TIED && !ScenePairHasFriction(pair->spec));
+}
+
+/* Corners of the overlap boundary of the pairs that have forces there, on this rank. [out] out - the corners, NULL to count them */
 static PetscInt ContactRowsListCorners_Private(VI vi, const OverlapBoundary *out[])
 {
   PetscInt num = 0;
@@ -28,7 +35,7 @@ static PetscInt ContactRowsListCorners_Private(VI vi, const OverlapBoundary *out
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
     const Pair pair = vi->pairs[p];
 
-    if (pair->spec->type == PAIR_TIED) continue;
+    if (!ContactRowsHasCorners_Private(pair)) continue;
     for (PetscInt i = 0; i < pair->num_boundary; i++, num++)
       if (out) out[num] = &pair->boundary[i];
   }
@@ -60,38 +67,67 @@ static PetscErrorCode ContactRowsAddCorners_Private(VI vi, PetscInt num, Contact
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ContactRowsCreate(VI vi, Solvability s)
+/* Rows at nodes, but at the overlap boundary instead of beyond it. Collective. [in] of - row of nodal for each row, or NULL: the same; [out]
+   rows - large enough */
+static PetscErrorCode ContactRowsMoveToCorners_Private(VI vi, const ContactRows *nodes, const PetscInt of[],
+                                                       ContactRows *rows)
 {
-  const PetscInt m = s->m, mine = ContactRowsListCorners_Private(vi, NULL);
-  PetscInt       all  = mine;
-  ContactRows   *rows = &s->overlap;
+  const PetscInt m = vi->rigid_modes.num;
 
   PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPIU_INT, MPI_SUM, vi->level->comm));
-  s->cut = (PetscBool)(all > 0 && !vi->friction);
-  if (!s->cut) {
-    s->overlap = s->nodal;
-    PetscFunctionReturn(PETSC_SUCCESS);
-  }
-  PetscCall(PetscMalloc3((vi->num_rows + mine) * m, &rows->rows, vi->num_rows + mine, &rows->equality,
-                         vi->num_rows + mine, &rows->place));
   rows->num = 0;
-  for (PetscInt r = 0; r < vi->num_rows; r++) {
+  for (PetscInt i = 0; i < nodes->num; i++) {
+    const PetscInt r = of ? of[i] : i, a = vi->row_node[r];
     const Pair     pair = vi->pairs[vi->row_pair[r]];
-    const PetscInt a    = vi->row_node[r];
     PetscReal     *row  = &rows->rows[rows->num * m];
 
-    rows->equality[rows->num] = s->nodal.equality[r];
-    rows->place[rows->num]    = s->nodal.place[r];
-    if (s->nodal.equality[r] || !pair->partly_covered[a])
-      PetscCall(PetscArraycpy(row, &s->nodal.rows[r * m], m));
+    rows->equality[rows->num] = nodes->equality[i];
+    rows->place[rows->num]    = nodes->place[i];
+    if (!ContactRowsHasCorners_Private(pair) || !pair->partly_covered[a])
+      PetscCall(PetscArraycpy(row, &nodes->rows[i * m], m));
     else if (pair->fully_covered[a]) // without the share of a removed node beyond the overlap boundary
-      ContactRowsSetRow_Private(vi, &s->nodal.place[r], &pair->normal[a * vi->level->dim], row);
+      ContactRowsSetRow_Private(vi, &nodes->place[i], &pair->normal[a * vi->level->dim], row);
     else
       continue;
     rows->num++;
   }
-  PetscCall(ContactRowsAddCorners_Private(vi, mine, rows));
+  PetscCall(ContactRowsAddCorners_Private(vi, ContactRowsListCorners_Private(vi, NULL), rows));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Room for the corners beside `most` rows. */
+static PetscErrorCode ContactRowsAllocate_Private(VI vi, PetscInt most, ContactRows *rows)
+{
+  most += ContactRowsListCorners_Private(vi, NULL);
+  return PetscMalloc3(most * vi->rigid_modes.num, &rows->rows, most, &rows->equality, most, &rows->place);
+}
+
+PetscErrorCode ContactRowsUpdate(VI vi, Solvability s)
+{
+  PetscFunctionBeginUser;
+  if (!vi->friction)
+    s->forces_at = s->overlap;
+  else if (!s->cut)
+    s->forces_at = s->friction;
+  else
+    PetscCall(ContactRowsMoveToCorners_Private(vi, &s->friction, s->friction_row, &s->forces_at));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ContactRowsCreate(VI vi, Solvability s)
+{
+  PetscInt all = ContactRowsListCorners_Private(vi, NULL);
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPIU_INT, MPI_SUM, vi->level->comm));
+  s->cut     = (PetscBool)(all > 0);
+  s->overlap = s->nodal;
+  if (s->cut) {
+    PetscCall(ContactRowsAllocate_Private(vi, vi->num_rows, &s->overlap));
+    PetscCall(ContactRowsMoveToCorners_Private(vi, &s->nodal, NULL, &s->overlap));
+    if (vi->friction) PetscCall(ContactRowsAllocate_Private(vi, FrictionRowsCountMost(vi), &s->forces_at));
+  }
+  PetscCall(ContactRowsUpdate(vi, s));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -103,6 +139,8 @@ Cone ContactRowsCone(VI vi, Solvability s, const ContactRows *rows)
 PetscErrorCode ContactRowsDestroy(Solvability s)
 {
   PetscFunctionBeginUser;
-  if (s->cut) PetscCall(PetscFree3(s->overlap.rows, s->overlap.equality, s->overlap.place));
+  if (!s->cut) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscFree3(s->overlap.rows, s->overlap.equality, s->overlap.place));
+  if (s->friction.rows) PetscCall(PetscFree3(s->forces_at.rows, s->forces_at.equality, s->forces_at.place));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

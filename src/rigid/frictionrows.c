@@ -53,9 +53,14 @@ PetscErrorCode FrictionRowsUpdate(VI vi, Solvability s)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscInt FrictionRowsCountMost(VI vi)
+{
+  return vi->num_rows + (vi->friction ? MOST_GENERATORS * vi->friction->n : 0);
+}
+
 PetscErrorCode FrictionRowsCreate(VI vi, Solvability s)
 {
-  const PetscInt m = s->m, n = vi->num_rows, most = n + (vi->friction ? MOST_GENERATORS * vi->friction->n : 0);
+  const PetscInt m = s->m, n = vi->num_rows, most = FrictionRowsCountMost(vi);
 
   PetscFunctionBeginUser;
   if (!vi->friction) PetscFunctionReturn(PETSC_SUCCESS);

@@ -5,8 +5,10 @@
 #include "rigid/cone.h"
 #include "rigid/solvability.h"
 
-/* Sets solvability->overlap from solvability->nodal. Collective. */
+/* Sets solvability->overlap and forces_at. Collective. */
 PetscErrorCode ContactRowsCreate(VI vi, Solvability solvability);
+/* Sets forces_at for other coefficients of friction. Collective. */
+PetscErrorCode ContactRowsUpdate(VI vi, Solvability solvability);
 PetscErrorCode ContactRowsDestroy(Solvability solvability);
 /* Borrows the rows. */
 Cone ContactRowsCone(VI vi, Solvability solvability, const ContactRows *rows);
@@ -17,6 +19,8 @@ PetscErrorCode FrictionRowsCreate(VI vi, Solvability solvability);
 PetscErrorCode FrictionRowsUpdate(VI vi, Solvability solvability);
 /* Rows that resist rigid motions where contacts are pressed: tangents beside normals. [in,out] pressed - [num_rows]; [out] rows - [num_rows][m] */
 PetscErrorCode FrictionRowsTakePressed(VI vi, Solvability solvability, PetscBool pressed[], PetscReal rows[]);
+/* Upper bound of friction.num; without friction the number of rows. Not collective. */
+PetscInt       FrictionRowsCountMost(VI vi);
 PetscErrorCode FrictionRowsDestroy(Solvability solvability);
 
 /* Sets regularization, approach and start. Collective. */

@@ -299,7 +299,7 @@ static PetscErrorCode SolvabilityFindMarginalMotion_Private(VI vi, const Cone *c
     PetscCall(SolvabilityMovesLoads_Private(vi, cone, phi, q, opens, &loads));
     if (loads) {
       s->status = SOLVABLE_MARGINAL;
-      PetscCall(SolvabilityMinimizeSlip_Private(vi, cone, (vi->friction ? &s->friction : &s->overlap)->place, q));
+      PetscCall(SolvabilityMinimizeSlip_Private(vi, cone, s->forces_at.place, q));
       PetscCall(SceneMotionCreate(vi, s, q, &s->motion));
       break;
     }
@@ -363,26 +363,51 @@ static PetscErrorCode SolvabilitySubtractResidual_Private(VI vi, Solvability s, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* With friction: the motion that would follow without it, which friction is too small to resist, or resists just so. A motion that no force of
-   the cones works against would lift off, as none does. [in] phi - work / forces; [in] balanced - as of SolvabilityChooseTolerance_Private() */
+/* Modes of the bodies that the motion moves. Collective. [out] take - [m]; [out] rubs - whether a tangent with friction moves with them */
+static PetscErrorCode SolvabilityTakeMoved_Private(VI vi, const struct _n_Solvability *s, PetscBool take[],
+                                                   PetscBool *rubs)
+{
+  PetscReal largest = 0;
+
+  PetscFunctionBeginUser;
+  *rubs = PETSC_FALSE;
+  for (PetscInt k = 0; k < s->m; k++) {
+    take[k] = PETSC_FALSE;
+    for (PetscInt b = 0; b < s->motion.num; b++)
+      if (s->motion.bodies[b].piece == vi->rigid_modes.component[k]) take[k] = PETSC_TRUE;
+  }
+  for (PetscInt i = 0; i < vi->num_rows * s->m; i++) largest = PetscMax(largest, PetscAbsReal(s->slide[i]));
+  for (PetscInt i = 0; i < vi->num_rows * s->m; i++)
+    if (take[i % s->m] && PetscAbsReal(s->slide[i]) > PERTURBATION * largest) *rubs = PETSC_TRUE;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, rubs, 1, MPIU_BOOL, MPI_LOR, vi->level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* With friction: the motion of the same bodies that would follow without it, which friction is too small to resist, or resists just so. A
+   motion that no force of the cones works against would lift off, as none does. [in] phi - work / forces; [in] balanced - as of
+   SolvabilityChooseTolerance_Private() */
 static PetscErrorCode SolvabilitySetSlidingMotion_Private(VI vi, const PetscReal phi[], PetscReal balanced,
                                                           Solvability s)
 {
-  const Cone              cone   = ContactRowsCone(vi, s, &s->nodal);
+  const Cone              cone   = ContactRowsCone(vi, s, &s->overlap);
   const SolvabilityStatus status = s->status;
-  PetscReal              *rho, norm;
+  PetscReal              *moved, *rho, norm;
+  PetscBool              *take;
 
   PetscFunctionBeginUser;
+  s->slides = PETSC_FALSE;
   if (!vi->friction || (status != SOLVABLE_NOT && status != SOLVABLE_MARGINAL)) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscMalloc1(s->m, &rho));
-  PetscCall(SolvabilityProjectLoads_Private(&cone, phi, NULL, rho, NULL, &norm));
-  s->slides = (PetscBool)(norm > balanced);
+  PetscCall(PetscMalloc3(s->m, &moved, s->m, &rho, s->m, &take));
+  PetscCall(SolvabilityTakeMoved_Private(vi, s, take, &s->slides));
+  for (PetscInt k = 0; k < s->m; k++) moved[k] = take[k] ? phi[k] : 0;
+  PetscCall(SolvabilityProjectLoads_Private(&cone, moved, take, rho, NULL, &norm));
+  s->slides = (PetscBool)(s->slides && norm > balanced);
   if (s->slides) {
     PetscCall(SceneMotionDestroy(&s->motion));
-    PetscCall(SolvabilitySetUnresistedMotion_Private(vi, &cone, s->nodal.place, phi, rho, balanced, s));
+    PetscCall(SolvabilitySetUnresistedMotion_Private(vi, &cone, s->overlap.place, moved, rho, balanced, s));
   }
   s->status = status;
-  PetscCall(PetscFree(rho));
+  PetscCall(PetscFree3(moved, rho, take));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -390,8 +415,8 @@ static PetscErrorCode SolvabilitySetSlidingMotion_Private(VI vi, const PetscReal
    the overlap boundary. */
 static PetscErrorCode SolvabilityDecide_Private(VI vi, Solvability s)
 {
-  const ContactRows *rows = vi->friction ? &s->friction : &s->nodal, *ends = vi->friction ? &s->friction : &s->overlap;
-  const Cone         cone = ContactRowsCone(vi, s, rows), overlap = ContactRowsCone(vi, s, ends);
+  const ContactRows *rows = vi->friction ? &s->friction : &s->nodal;
+  const Cone         cone = ContactRowsCone(vi, s, rows), overlap = ContactRowsCone(vi, s, &s->forces_at);
   PetscReal scale = s->forces > 0 ? s->forces : 1, *phi, *rho, *rho_overlap, *kernel, *weight, norm, norm_overlap = 0,
             balanced;
   PetscInt dim;
@@ -414,7 +439,7 @@ static PetscErrorCode SolvabilityDecide_Private(VI vi, Solvability s)
   if (s->coarse) {
     PetscCall(SolvabilitySetUnresistedMotion_Private(vi, &cone, rows->place, phi, rho, balanced, s));
   } else if (norm > balanced || norm_overlap > balanced) {
-    PetscCall(SolvabilitySetUnresistedMotion_Private(vi, &overlap, ends->place, phi, s->cut ? rho_overlap : rho,
+    PetscCall(SolvabilitySetUnresistedMotion_Private(vi, &overlap, s->forces_at.place, phi, s->cut ? rho_overlap : rho,
                                                      balanced, s));
   } else {
     for (PetscInt k = 0; k < s->m; k++) rho[k] *= scale;
@@ -475,6 +500,7 @@ PetscErrorCode SolvabilityUpdate(VI vi, Solvability s)
   PetscCall(PetscArrayzero(s->balance, vi->num_rows));
   PetscCall(SolvabilitySetLoads_Private(vi, s));
   PetscCall(FrictionRowsUpdate(vi, s));
+  if (vi->friction) PetscCall(ContactRowsUpdate(vi, s)); // its coefficients may have changed
   PetscCall(SolvabilityDecide_Private(vi, s));
   if (s->status != SOLVABLE_NOT)
     PetscCall(s->regularization ? RegularizationUpdate(vi, s) : RegularizationCreate(vi, s));

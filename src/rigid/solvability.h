@@ -55,7 +55,9 @@ struct _n_Solvability {
   ContactRows       nodal; /* C: rows of B, acting at their nodes; num = vi->num_rows */
   ContactRows
       overlap; /* the same, but at the overlap boundary instead of nodes beyond it; the very same without such nodes */
-  PetscBool cut;    /* some facet is covered in part: overlap differs from nodal */
+  ContactRows
+      forces_at;    /* generators of all contact forces: overlap; with friction its cones at the nodes of their pairs */
+  PetscBool cut;    /* some facet of a pair without friction is covered in part: overlap differs from nodal */
   PetscBool coarse; /* only nodes that end before the overlap boundary prevent balance: a finer mesh has a solution */
   /* with friction, else NULL: */
   PetscReal   *slide;        /* rows of tangents, which are zero in nodal [vi->num_rows] */

@@ -24,6 +24,7 @@ mortise_scene_test(patch_solid_tets SCENE patch_solid CHECK patch.py ARGS -upper
 mortise_scene_test(random_scenes SCENE incline CHECK random_scenes.py ONLY_RANKS "the check itself takes several")
 mortise_scene_test(held CHECK held.py RANKS 1 3)
 mortise_scene_test(reach_slides CHECK reach_slides.py RANKS 1 3)
+mortise_scene_test(partner_ends CHECK partner_ends.py RANKS 1 3)
 mortise_scene_test(none SCENE two_plates CHECK none.py RANKS 1 3)
 
 mortise_mistake(negative SCENE incline SAYS "-floor_friction -0.1" "must not be negative" ARGS -floor_friction -0.1)
