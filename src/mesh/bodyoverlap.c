@@ -3,7 +3,6 @@
    A move that was forgotten, units of two kinds, or a body drawn within another solve without complaint: without a pair nothing sees
    the overlap, and a pair takes it for an interference fit. Points of the boundary of one body, the middles of facets among them,
    are looked for inside the other. Bodies whose boxes do not overlap cost nothing more. */
-#include <petscsf.h>
 #include "kernel/boxtree.h"
 #include "kernel/closest.h"
 #include "base/compat.h"
@@ -36,27 +35,6 @@ typedef struct {
   ElementType *type;         /* of order 1 [num] */
 } Boundary;
 
-/* Which points of the DM other ranks have as well: facets between ranks are no boundary. [out] shared - [end of the chart] */
-static PetscErrorCode BoundaryMarkShared_Private(DM dm, PetscBool **shared)
-{
-  PetscSF         sf;
-  PetscInt        begin, end, num_roots, num_leaves;
-  const PetscInt *leaves, *degree;
-
-  PetscFunctionBeginUser;
-  PetscCall(DMPlexGetChart(dm, &begin, &end));
-  PetscCall(PetscCalloc1(end, shared));
-  PetscCall(DMGetPointSF(dm, &sf));
-  PetscCall(PetscSFGetGraph(sf, &num_roots, &num_leaves, &leaves, NULL));
-  if (num_roots < 0) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt i = 0; i < num_leaves; i++) (*shared)[leaves ? leaves[i] : i] = PETSC_TRUE;
-  PetscCall(PetscSFComputeDegreeBegin(sf, &degree));
-  PetscCall(PetscSFComputeDegreeEnd(sf, &degree));
-  for (PetscInt i = 0; i < num_roots; i++)
-    if (degree[i]) (*shared)[i] = PETSC_TRUE;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Collective. [out] b - owned by the caller */
 static PetscErrorCode BoundaryCreate_Private(const Level *level, Boundary *b)
 {
@@ -64,7 +42,7 @@ static PetscErrorCode BoundaryCreate_Private(const Level *level, Boundary *b)
   PetscBool *shared;
 
   PetscFunctionBeginUser;
-  PetscCall(BoundaryMarkShared_Private(level->dm, &shared));
+  PetscCall(PointsMarkShared(level->dm, &shared));
   PetscCall(DMPlexGetHeightStratum(level->dm, 1, &begin, &end));
   b->num = 0;
   for (int pass = 0; pass < 2; pass++) {

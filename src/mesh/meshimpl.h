@@ -164,9 +164,14 @@ PetscInt PointGetNode(const Level *level, PetscInt point);
 PetscErrorCode PointGetNodes(const Level *level, PetscInt point, ElementType *type, PetscInt nodes[]);
 /* The point of the mesh that each local node is on. [out] point - [num_nodes], freed by the caller */
 PetscErrorCode LevelGetNodePoints(const Level *level, PetscInt **point);
+/* Which points of the DM other ranks have as well: facets between ranks are no boundary. Collective. [out] shared - [end of the chart], freed
+   by the caller */
+PetscErrorCode PointsMarkShared(DM dm, PetscBool **shared);
 /* Vertices of a cell, which are the first of its nodes. */
 PetscInt LevelNumVertices(const Level *level, PetscInt cell);
 
+/* The facets of a body that no other cell has. Collective. [out] facets - owned by the caller */
+PetscErrorCode LevelGetBoundary(const Level *level, PetscInt body, Facets *facets);
 /* Length of a facet, or area, as its vertices span it: exact where it is flat. [out] normal - outward unit normal in its
    middle [dim], may be NULL */
 PetscReal FacetGetMeasure(const Level *level, const Facets *facets, PetscInt f, PetscReal normal[]);

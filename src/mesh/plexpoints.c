@@ -3,6 +3,7 @@
    What is linear in space is known from the vertices, what a finite element knows from the nodes. Both are listed in the
    order of element.h, beginning anywhere; that a cell is not inside out is seen only when there are positions. */
 #include "mesh/meshimpl.h"
+#include <petscsf.h>
 #include "base/compat.h"
 
 /* The cell of order 1 on a point that is not a vertex: the numbers of its facets and of the first facet's tell all of them
@@ -215,5 +216,25 @@ PetscErrorCode LevelGetNodePoints(const Level *level, PetscInt **point)
 
     if (node >= 0) (*point)[node] = p;
   }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PointsMarkShared(DM dm, PetscBool **shared)
+{
+  PetscSF         sf;
+  PetscInt        begin, end, num_roots, num_leaves;
+  const PetscInt *leaves, *degree;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetChart(dm, &begin, &end));
+  PetscCall(PetscCalloc1(end, shared));
+  PetscCall(DMGetPointSF(dm, &sf));
+  PetscCall(PetscSFGetGraph(sf, &num_roots, &num_leaves, &leaves, NULL));
+  if (num_roots < 0) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt i = 0; i < num_leaves; i++) (*shared)[leaves ? leaves[i] : i] = PETSC_TRUE;
+  PetscCall(PetscSFComputeDegreeBegin(sf, &degree));
+  PetscCall(PetscSFComputeDegreeEnd(sf, &degree));
+  for (PetscInt i = 0; i < num_roots; i++)
+    if (degree[i]) (*shared)[i] = PETSC_TRUE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

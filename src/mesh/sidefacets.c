@@ -82,6 +82,33 @@ PetscErrorCode LevelGetFacets(Level *level, Scene scene, PetscInt body, const ch
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode LevelGetBoundary(const Level *level, PetscInt body, Facets *facets)
+{
+  PetscInt   begin, end, first, num = 0;
+  PetscBool *shared;
+
+  PetscFunctionBeginUser;
+  PetscCall(PointsMarkShared(level->dm, &shared));
+  PetscCall(DMPlexGetHeightStratum(level->dm, 0, &first, NULL));
+  PetscCall(DMPlexGetHeightStratum(level->dm, 1, &begin, &end));
+  for (PetscInt pass = 0; pass < 2; pass++) {
+    if (pass) PetscCall(FacetsAllocate(num, facets));
+    num = 0;
+    for (PetscInt f = begin; f < end; f++) {
+      const PetscInt *cells;
+      PetscInt        size;
+
+      PetscCall(DMPlexGetSupportSize(level->dm, f, &size));
+      PetscCall(DMPlexGetSupport(level->dm, f, &cells));
+      if (size != 1 || shared[f] || level->cell_body[cells[0] - first] != body) continue;
+      if (pass) PetscCall(FacetSet_Private(level, f, num, facets));
+      num++;
+    }
+  }
+  PetscCall(PetscFree(shared));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscReal FacetGetMeasure(const Level *level, const Facets *facets, PetscInt f, PetscReal normal[])
 {
   const ElementType type = ElementLinear(facets->type[f]);

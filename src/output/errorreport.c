@@ -25,8 +25,8 @@ PetscErrorCode ErrorReportAdd(const SummaryInput *in, cJSON *root)
   if (in->fields) {
     PetscCall(EstimateGet(in->fields, &estimate));
     PetscCall(CalibrationGetStandard(in->vi->level, &theta));
-    error    = theta * PetscSqrtReal(estimate->squared);
-    relative = estimate->norm > 0 ? error / PetscSqrtReal(estimate->norm) : 0;
+    error    = EstimateGetError(estimate, theta);
+    relative = EstimateGetRelative(estimate, theta);
   }
   object = cJSON_AddObjectToObject(root, "estimate");
   JSONAddReal(object, "energy_norm", error);
@@ -58,15 +58,15 @@ PetscErrorCode ErrorReportPrint(const SummaryInput *in)
   if (in->estimate) {
     relative = ErrorReportRead_Private(in->estimate, "energy_norm_relative");
     meshes   = cJSON_GetArraySize(cJSON_GetObjectItemCaseSensitive(in->estimate, "meshes"));
-    PetscCall(PetscPrintf(comm, "  estimated error: %.2g%% of the solution in the energy norm, %d mesh%s\n",
+    PetscCall(PetscPrintf(comm, "  estimated error: %.3g%% of the solution in the energy norm, %d mesh%s\n",
                           (double)(PERCENT * relative), meshes, meshes == 1 ? ", which gives no error bars" : "es"));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(EstimateGet(in->fields, &estimate));
   PetscCall(CalibrationGetStandard(in->vi->level, &theta));
-  relative = estimate->norm > 0 ? theta * PetscSqrtReal(estimate->squared / estimate->norm) : 0;
+  relative = EstimateGetRelative(estimate, theta);
   PetscCall(PetscPrintf(comm,
-                        "  estimated error: %.2g%% of the solution in the energy norm; one mesh gives no error bars, "
+                        "  estimated error: %.3g%% of the solution in the energy norm; one mesh gives no error bars, "
                         "-adapt and -study do\n",
                         (double)(PERCENT * relative)));
   PetscFunctionReturn(PETSC_SUCCESS);

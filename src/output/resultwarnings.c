@@ -4,6 +4,7 @@
 #include "output/summary.h"
 #include "base/warning.h"
 #include "result/coarsecontact.h"
+#include "result/estimate.h"
 #include "result/frictionfields.h"
 #include "result/gapdiscontinuity.h"
 #include "result/pairsum.h"
@@ -309,15 +310,48 @@ static PetscErrorCode SummaryIsAtRest_Private(const SummaryInput *in, PetscBool 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A partner that enters a side between its nodes, none of which it touches. Collective. [out] hidden - whether there was one */
+static PetscErrorCode SummaryWarnHidden_Private(const SummaryInput *in, PetscBool *hidden)
+{
+  Estimate estimate;
+
+  PetscFunctionBeginUser;
+  *hidden = PETSC_FALSE;
+  if (!in->fields) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(EstimateGet(in->fields, &estimate));
+  for (PetscInt p = 0; p < in->vi->num_pairs; p++) {
+    const Pair pair    = in->vi->pairs[p];
+    Warning    between = {.code   = "hidden_contact",
+                          .pair   = pair->spec->name,
+                          .dim    = in->scene->dim,
+                          .advice = "refine there, or let -adapt do it"};
+    char       at[128];
+    PairSum    sum;
+
+    if (pair->spec->type != PAIR_CONTACT || !(estimate->hidden[p].depth > ROUNDING * pair->reach)) continue;
+    PetscCall(PairSumCompute(in->fields, p, &sum));
+    if (sum.active) continue;
+    *hidden = PETSC_TRUE;
+    PetscCall(PetscArraycpy(between.at, estimate->hidden[p].at, 3));
+    PetscCall(NumberWordsVector(between.dim, between.at, at, sizeof(at)));
+    PetscCall(WarningAdd(&between,
+                         "%s: no node is in contact, but the partner enters a facet by %.3g between nodes at %s",
+                         pair->spec->name, (double)estimate->hidden[p].depth, at));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* A scene in which nothing happens, or a pair that never meets; load steps tell so at their end. Collective. */
 static PetscErrorCode SummaryWarnIdle_Private(const SummaryInput *in)
 {
   const SceneSteps *steps = &in->scene->steps;
   const Warning     still = {.code = "no_load", .advice = "give loads, displacements, or an interference"};
-  PetscBool         rest  = PETSC_FALSE;
+  PetscBool         rest  = PETSC_FALSE, hidden;
 
   PetscFunctionBeginUser;
   if (steps->num && in->scene->time != steps->t[steps->num - 1]) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SummaryWarnHidden_Private(in, &hidden));
+  if (hidden) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SummaryIsAtRest_Private(in, &rest));
   if (rest)
     PetscCall(WarningAdd(&still, "nothing moves: all loads and given displacements are zero, and no bodies overlap"));

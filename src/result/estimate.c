@@ -7,6 +7,7 @@
 #include "result/compliance.h"
 #include "result/estimate.h"
 #include "result/estimatepairs.h"
+#include "result/geometry.h"
 #include "result/oscillation.h"
 
 /* Rules of the difference of stresses: of twice the order of the displacements. [out] rules - [ELEMENT_COUNT]; PetscFree() it */
@@ -92,25 +93,53 @@ static PetscErrorCode EstimateAddCells_Private(Fields fields, Compliance *compli
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The deepest places of all ranks. Collective. */
+static PetscErrorCode EstimateShareHidden_Private(MPI_Comm comm, PetscInt num, HiddenContact hidden[])
+{
+  PetscMPIInt rank;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_rank(comm, &rank));
+  for (PetscInt p = 0; p < num; p++) {
+    PetscReal   deepest;
+    PetscMPIInt owner;
+
+    PetscCallMPI(MPI_Allreduce(&hidden[p].depth, &deepest, 1, MPIU_REAL, MPIU_MAX, comm));
+    if (!(deepest > 0)) continue;
+    owner = hidden[p].depth == deepest ? rank : PETSC_MPI_INT_MAX;
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &owner, 1, MPI_INT, MPI_MIN, comm));
+    PetscCallMPI(MPI_Bcast(&hidden[p], 4, MPIU_REAL, owner, comm));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* All but norm and potential. [in] frozen - or NULL */
 static PetscErrorCode EstimateCreate_Private(Fields fields, const EstimateFrozen *frozen, Estimate *estimate)
 {
   const Level   *level = fields->vi->level;
   const PetscInt num   = level->scene->num_bodies;
+  PetscReal      sums[2];
   Compliance     compliance;
   Estimate       e;
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&e));
-  PetscCall(PetscCalloc3(level->num_cells, &e->cell, level->num_cells, &e->volume, num, &e->body));
+  PetscCall(PetscCalloc4(level->num_cells, &e->cell, level->num_cells, &e->volume, num, &e->body, fields->vi->num_pairs,
+                         &e->hidden));
   PetscCall(ComplianceCreate(level->scene, &compliance));
   PetscCall(EstimateAddCells_Private(fields, &compliance, e));
-  PetscCall(EstimatePairsAdd(fields, frozen, &compliance, e->cell, &e->signs));
+  PetscCall(EstimatePairsAdd(fields, frozen, &compliance, e->cell, &e->signs, e->hidden));
+  PetscCall(EstimateShareHidden_Private(level->comm, fields->vi->num_pairs, e->hidden));
   if (!frozen) PetscCall(OscillationAdd(fields, &compliance, e->cell));
+  if (!frozen) PetscCall(GeometryAdd(fields, &compliance, e->cell, &e->geometry, &e->signs));
   PetscCall(ComplianceDestroy(&compliance));
   for (PetscInt c = 0; c < level->num_cells; c++) e->body[level->cell_body[c]] += e->cell[c];
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, e->body, (PetscMPIInt)num, MPIU_REAL, MPI_SUM, level->comm));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &e->signs, 1, MPIU_REAL, MPI_SUM, level->comm));
+  sums[0] = e->signs;
+  sums[1] = e->geometry;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPIU_REAL, MPI_SUM, level->comm));
+  e->signs    = sums[0];
+  e->geometry = sums[1];
   for (PetscInt b = 0; b < num; b++) e->squared += e->body[b];
   *estimate = e;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -133,9 +162,22 @@ PetscErrorCode EstimateGet(Fields fields, Estimate *estimate)
   PetscCall(PetscMalloc1(num, &energy));
   PetscCall(FieldsEnergy(fields, energy, &(*estimate)->potential));
   for (PetscInt b = 0; b < num; b++) (*estimate)->norm += 2 * energy[b];
+  for (PetscInt p = 0; p < fields->vi->num_pairs && (*estimate)->norm == 0; p++)
+    (*estimate)->missed = (PetscBool)((*estimate)->missed || (*estimate)->hidden[p].depth > 0);
   PetscCall(PetscFree(energy));
   fields->estimate = *estimate;
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscReal EstimateGetError(const Estimate estimate, PetscReal theta)
+{
+  return PetscSqrtReal(PetscSqr(theta) * (estimate->squared - estimate->geometry) + estimate->geometry);
+}
+
+PetscReal EstimateGetRelative(const Estimate estimate, PetscReal theta)
+{
+  if (estimate->norm > 0) return EstimateGetError(estimate, theta) / PetscSqrtReal(estimate->norm);
+  return estimate->missed ? 1 : 0;
 }
 
 PetscErrorCode EstimateCreateDensity(Fields fields, PetscReal **density)
@@ -173,7 +215,7 @@ PetscErrorCode EstimateDestroy(Estimate *estimate)
 {
   PetscFunctionBeginUser;
   if (!*estimate) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscFree3((*estimate)->cell, (*estimate)->volume, (*estimate)->body));
+  PetscCall(PetscFree4((*estimate)->cell, (*estimate)->volume, (*estimate)->body, (*estimate)->hidden));
   PetscCall(PetscFree(*estimate));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

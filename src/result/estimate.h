@@ -4,19 +4,28 @@
 
 #include "result/fields.h"
 
+/* The deepest place that nodes do not see. */
+typedef struct {
+  PetscReal depth, at[3]; /* of what a partner enters facets without pressure by, 0 where nowhere */
+} HiddenContact;
+
 /* eta^2 = sum_T int_T (s* - s) : C^-1 : (s* - s)                       recovered stress s*, stress s of the displacement (eq. 15.3)
          + (2/pi) h/E' int_e |s* n + lambda|^2                          both sides of each pair
          + pi E* / h int_e d^2                                          d: what penetrates, or min(what is open, lambda h / (pi E*))
          + the oscillation of formulas in space (OscillationAdd())
+         + what facets leave of curves (GeometryAdd())
    The squares of a pair belong to the cell behind the facet; those of the gap to the nonmortar one. */
 struct _n_Estimate {
-  PetscReal *cell;      /* eta^2 of this rank's cells [num_cells] */
-  PetscReal *volume;    /* of this rank's cells, with the thickness or the ring [num_cells] */
-  PetscReal *body;      /* sums over the cells of each body, the same on all ranks [num_bodies] */
-  PetscReal  squared;   /* their sum */
-  PetscReal  signs;     /* L = -2 int lambda . d: with the error e,  2 (J_h - J) = |e|^2 + L */
-  PetscReal  norm;      /* |u|_a^2: twice the strain energy */
-  PetscReal  potential; /* J_h */
+  PetscReal     *cell;      /* eta^2 of this rank's cells [num_cells] */
+  PetscReal     *volume;    /* of this rank's cells, with the thickness or the ring [num_cells] */
+  PetscReal     *body;      /* sums over the cells of each body, the same on all ranks [num_bodies] */
+  PetscReal      squared;   /* their sum */
+  PetscReal      geometry;  /* the part of it that is not recovery's, and needs no calibration: of GeometryAdd() */
+  PetscReal      signs;     /* L = -2 int lambda . d - 2 int W s: with the error e,  2 (J_h - J) = |e|^2 + L */
+  PetscReal      norm;      /* |u|_a^2: twice the strain energy */
+  PetscReal      potential; /* J_h */
+  HiddenContact *hidden;    /* the same on all ranks [num_pairs] */
+  PetscBool      missed;    /* whether nothing moves while a pair has such a place: all of the solution is missing */
 };
 typedef struct _n_Estimate *Estimate;
 
@@ -32,6 +41,10 @@ typedef struct {
 /* The same of the solution of such a problem: d is what sides in contact miss the given motion by; L, |u|_a and J are not set. Collective.
    [in] fields - vi, u, stress and lambda are used; [out] estimate - to be freed by EstimateDestroy() */
 PetscErrorCode EstimateCreateFrozen(Fields fields, const EstimateFrozen *frozen, Estimate *estimate);
+/* The error in the energy norm with a calibration theta (eq. 15.4), and that over the norm of the solution: 1 where contact was missed and there
+   is none, 0 where there is none to be had. Not collective. */
+PetscReal EstimateGetError(const Estimate estimate, PetscReal theta);
+PetscReal EstimateGetRelative(const Estimate estimate, PetscReal theta);
 /* At nodes: the root of eta^2 per volume of the cells around. Collective. [out] density - owned by the caller [num_owned] */
 PetscErrorCode EstimateCreateDensity(Fields fields, PetscReal **density);
 /* Whether there is one or not. Not collective. */

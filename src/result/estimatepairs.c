@@ -8,8 +8,12 @@
 #include "kernel/frame.h"
 #include "kernel/vector.h"
 #include "result/estimatepairs.h"
+#include "result/hiddencontact.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
+
+/* Below this part of a facet's size, what an obstacle does between its points is rounding. */
+static const PetscReal HIDDEN_DEPTH = 1e-9;
 
 /* Both sides' values at nodes. */
 typedef struct {
@@ -104,6 +108,7 @@ static const PetscReal *PairValuesStress_Private(const PairValues *values, Petsc
 typedef struct {
   PetscReal x[3], normal[3], jump[3], traction[3], stress[2][CELL_STRESSES];
   PetscBool closed; /* with a frozen set: whether all vertices of the facet are in contact */
+  PetscBool pushed; /* whether there is a traction at any node of the facet */
 } PointState;
 
 static void PointStateSet_Private(const Level *level, PairPoints points, const PairPoint *point,
@@ -124,6 +129,7 @@ static void PointStateSet_Private(const Level *level, PairPoints points, const P
       state->normal[k] += phi[i] * PetscRealPart(values->normal[nodes[i] * dim + k]);
       state->jump[k] += phi[i] * PetscRealPart(values->u[nodes[i] * dim + k]);
       state->traction[k] += phi[i] * PetscRealPart(values->traction[nodes[i] * dim + k]);
+      if (values->traction[nodes[i] * dim + k] != 0) state->pushed = PETSC_TRUE;
     }
     for (PetscInt k = 0; k < CELL_STRESSES; k++)
       state->stress[0][k] += phi[i] * PetscRealPart(NodalStressAt(&values->stress, nodes[i], material)[k]);
@@ -159,7 +165,16 @@ typedef struct {
   Vec                   squares;    /* eta_T^2 of all cells */
   PetscReal             signs;      /* L of this rank */
   const EstimateFrozen *frozen;     /* or NULL */
+  HiddenContact        *hidden;     /* of each pair, on this rank; NULL with a frozen set [num_pairs] */
 } PairSums;
+
+/* Remembers the deepest place. */
+static void HiddenContactTake_Private(PetscInt dim, PetscReal depth, const PetscReal x[], HiddenContact *hidden)
+{
+  if (depth <= hidden->depth) return;
+  hidden->depth = depth;
+  for (PetscInt k = 0; k < dim; k++) hidden->at[k] = x[k];
+}
 
 /* d^2 at a point. [in] resistance - pi E* / h */
 static PetscReal EstimateGetGap_Private(const Fields fields, PetscInt p, const PairPoint *point,
@@ -181,6 +196,7 @@ static PetscReal EstimateGetGap_Private(const Fields fields, PetscInt p, const P
   }
   sums->signs -= 2 * weight * pressure * depth;
   if (frozen) return state->closed ? depth * depth : 0;
+  if (!state->pushed) HiddenContactTake_Private(dim, depth, state->x, &sums->hidden[p]);
   return depth < 0 ? PetscSqr(PetscMin(-depth, PetscMax(0, pressure) / resistance)) : depth * depth;
 }
 
@@ -233,17 +249,71 @@ static PetscErrorCode EstimateMarkClosed_Private(Fields fields, PetscInt p, Vec 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Adds what an obstacle does between the points of a facet without pressure. [in] X - of the facet */
+static PetscErrorCode EstimateAddHidden_Private(const Fields fields, PetscInt p, PetscInt f, const PetscReal X[],
+                                                const PairValues *values, PairSums *sums)
+{
+  const Level     *level  = fields->vi->level;
+  const PairPoints points = fields->vi->pairs[p]->points;
+  const PetscInt   dim = level->dim, *nodes = &points->facets.nodes[f * F], cell = points->facets.cell[f];
+  ObstacleFacet    facet = {.spec = fields->vi->pairs[p]->spec, .dim = dim, .type = points->facets.type[f]};
+  PetscReal        x[3], normal[3], depth, squared, width, modulus, xi[2] = {0, 0}, phi[ELEMENT_MAX_NODES];
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < ElementNumNodes(facet.type) * dim; i++) {
+    facet.X[i]      = X[i];
+    facet.u[i]      = PetscRealPart(values->u[nodes[i / dim] * dim + i % dim]);
+    facet.normal[i] = PetscRealPart(values->normal[nodes[i / dim] * dim + i % dim]);
+  }
+  PetscCall(HiddenContactFind(&facet, x, &depth, &squared, &width));
+  if (!(depth > HIDDEN_DEPTH * ContactFacetSize(dim, facet.type, X))) PetscFunctionReturn(PETSC_SUCCESS);
+  HiddenContactTake_Private(dim, depth, x, &sums->hidden[p]);
+  ElementSurface(facet.type, X, xi, NULL, phi, normal);
+  PetscCall(ComplianceModulus(sums->compliance, level->cell_material[cell], x, normal, &modulus));
+  PetscCall(VecSetValue(sums->squares, sums->first + cell,
+                        PETSC_PI * modulus / width * squared * SceneMeasure(level->scene, x), ADD_VALUES));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds the points of one facet. [in] begin, end - of its points */
+static PetscErrorCode EstimateAddFacet_Private(Fields fields, PetscInt p, PetscInt begin, PetscInt end,
+                                               const PairValues *values, PairSums *sums)
+{
+  const Level     *level  = fields->vi->level;
+  const Pair       pair   = fields->vi->pairs[p];
+  const PairPoints points = pair->points;
+  const PetscInt   f      = points->point[begin].facet;
+  const PetscBool  open   = (PetscBool)(pair->spec->type == PAIR_CONTACT && sums->hidden);
+  HiddenContact    before = {.depth = 0};
+  PointState       state;
+  PetscReal        X[3 * F], size;
+
+  PetscFunctionBeginUser;
+  if (open) {
+    before          = sums->hidden[p];
+    sums->hidden[p] = (HiddenContact){.depth = 0};
+  }
+  ContactFacetCoordinates(level, &points->facets, f, X);
+  size = ContactFacetSize(level->dim, points->facets.type[f], X);
+  for (PetscInt q = begin; q < end; q++) {
+    PointStateSet_Private(level, points, &points->point[q], values, &state);
+    PetscCall(EstimateAddPoint_Private(fields, p, &points->point[q], size, &state, sums));
+  }
+  if (!open) PetscFunctionReturn(PETSC_SUCCESS);
+  if (pair->spec->mortar.body < 0 && !state.pushed && sums->hidden[p].depth == 0)
+    PetscCall(EstimateAddHidden_Private(fields, p, f, X, values, sums));
+  HiddenContactTake_Private(level->dim, before.depth, before.at, &sums->hidden[p]);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Adds the points of one pair. Collective. */
 static PetscErrorCode EstimateAddPair_Private(Fields fields, PetscInt p, PairSums *sums)
 {
-  const Level        *level  = fields->vi->level;
-  const PairPoints    points = fields->vi->pairs[p]->points;
-  PairValues          values = {NULL};
-  PointState          state;
+  const PairPoints    points   = fields->vi->pairs[p]->points;
+  PairValues          values   = {NULL};
   Vec                 v[4]     = {fields->u, NULL, points->normals, NULL}, local[4];
   const PetscScalar **array[4] = {&values.u, &values.traction, &values.normal, &values.closed};
   const PetscInt      num      = sums->frozen ? 4 : 3;
-  PetscReal           X[3 * F];
 
   PetscFunctionBeginUser;
   PetscCall(PairTractionCreate(fields, p, &v[1]));
@@ -254,13 +324,9 @@ static PetscErrorCode EstimateAddPair_Private(Fields fields, PetscInt p, PairSum
     PetscCall(VecGhostGetLocalForm(v[i], &local[i]));
     PetscCall(VecGetArrayRead(local[i], array[i]));
   }
-  for (PetscInt q = 0; q < points->num; q++) {
-    const PairPoint *point = &points->point[q];
-
-    ContactFacetCoordinates(level, &points->facets, point->facet, X);
-    PointStateSet_Private(level, points, point, &values, &state);
-    PetscCall(EstimateAddPoint_Private(
-        fields, p, point, ContactFacetSize(level->dim, points->facets.type[point->facet], X), &state, sums));
+  for (PetscInt begin = 0, end; begin < points->num; begin = end) { // facet after facet
+    for (end = begin + 1; end < points->num && points->point[end].facet == points->point[begin].facet;) end++;
+    PetscCall(EstimateAddFacet_Private(fields, p, begin, end, &values, sums));
   }
   for (PetscInt i = 0; i < num; i++) {
     PetscCall(VecRestoreArrayRead(local[i], array[i]));
@@ -274,10 +340,10 @@ static PetscErrorCode EstimateAddPair_Private(Fields fields, PetscInt p, PairSum
 }
 
 PetscErrorCode EstimatePairsAdd(Fields fields, const EstimateFrozen *frozen, Compliance *compliance, PetscReal cell[],
-                                PetscReal *signs)
+                                PetscReal *signs, HiddenContact hidden[])
 {
   const Level       *level = fields->vi->level;
-  PairSums           sums  = {.compliance = compliance, .frozen = frozen};
+  PairSums           sums  = {.compliance = compliance, .frozen = frozen, .hidden = frozen ? NULL : hidden};
   const PetscScalar *square;
 
   PetscFunctionBeginUser;

@@ -146,6 +146,7 @@ static PetscBool AdaptiveIsStalled_Private(const struct _n_Adaptive *adaptive)
 
   while (k > 0 && 2 * adaptive->history.mesh[k].unknowns > mesh->unknowns) k--;
   before = &adaptive->history.mesh[k];
+  if (SolvedMeshGetError(before) >= 1) return PETSC_FALSE; // contact is not found yet, or hardly
   if (2 * before->unknowns > mesh->unknowns || mesh->eta <= STALLED * before->eta) return PETSC_FALSE;
   for (PetscInt g = 0; g < adaptive->scene->adapt.num_goals; g++) {
     if (mesh->goals[g].product <= STALLED * before->goals[g].product) return PETSC_FALSE;

@@ -14,7 +14,8 @@ static const PetscReal RIGID = 1e-12;
 
 PetscReal SolvedMeshGetError(const SolvedMesh *mesh)
 {
-  return mesh->norm > 0 ? mesh->theta * mesh->eta / PetscSqrtReal(mesh->norm) : 0;
+  if (mesh->norm > 0) return mesh->error / PetscSqrtReal(mesh->norm);
+  return mesh->missed ? 1 : 0;
 }
 
 /* theta of the latest mesh. Collective. */
@@ -29,7 +30,8 @@ static PetscErrorCode MeshHistoryCalibrate_Private(MeshHistory *history, const L
   for (PetscInt k = 0; k < history->num; k++) {
     const SolvedMesh *mesh = &history->mesh[k];
 
-    meshes[k] = (CalibrationMesh){.squared = PetscSqr(mesh->eta), .energy = 2 * mesh->potential - mesh->signs};
+    meshes[k] =
+        (CalibrationMesh){.squared = PetscSqr(mesh->eta) - mesh->geometry, .energy = 2 * mesh->potential - mesh->signs};
   }
   history->mesh[history->num - 1].theta = CalibrationFind(history->num, meshes, standard);
   PetscCall(PetscFree(meshes));
@@ -59,12 +61,15 @@ PetscErrorCode MeshHistoryAdd(MeshHistory *history, Run run, PetscReal seconds)
                        .iterations = run->report.iterations,
                        .active     = run->report.active,
                        .eta        = PetscSqrtReal(estimate->squared),
+                       .geometry   = estimate->geometry,
                        .norm       = estimate->norm,
+                       .missed     = estimate->missed,
                        .potential  = estimate->potential,
                        .signs      = estimate->signs};
   PetscCall(VecNorm(run->fields->u, NORM_INFINITY, &size));
   if (mesh->norm <= PetscSqr(RIGID * size) * run->vi->stiffness) mesh->norm = 0;
   PetscCall(MeshHistoryCalibrate_Private(history, level));
+  mesh->error = EstimateGetError(estimate, mesh->theta);
   PetscCall(SummaryCreateStep(&input, &mesh->row));
   mesh->seconds = seconds + LogWallClock() - begin;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -110,7 +115,7 @@ static void MeshHistoryAddGoals_Private(const Scene scene, const SolvedMesh *mes
 static cJSON *MeshHistoryCreateEstimate_Private(const MeshHistory *history, const Scene scene)
 {
   const SolvedMesh *last  = &history->mesh[history->num - 1];
-  const PetscReal   error = last->theta * last->eta;
+  const PetscReal   error = last->error;
   cJSON            *root  = cJSON_CreateObject(), *potential, *meshes;
 
   JSONAddReal(root, "energy_norm", error);
@@ -127,7 +132,7 @@ static cJSON *MeshHistoryCreateEstimate_Private(const MeshHistory *history, cons
 
     JSONAddInt(item, "cells", mesh->cells);
     JSONAddInt(item, "unknowns", mesh->unknowns);
-    JSONAddReal(item, "estimate", mesh->theta * mesh->eta);
+    JSONAddReal(item, "estimate", mesh->error);
     JSONAddReal(item, "energy_norm_relative", SolvedMeshGetError(mesh));
     JSONAddReal(item, "potential", mesh->potential);
     JSONAddInt(item, "iterations", mesh->iterations);
@@ -144,11 +149,8 @@ PetscErrorCode MeshHistoryDescribe(const MeshHistory *history, Run run)
   const SolvedMesh *last = &history->mesh[history->num - 1];
   BarMesh          *meshes;
   BarFloors         floors;
-  BarHistory        sequence = {.num    = history->num,
-                                .floors = &floors,
-                                .scene  = run->scene,
-                                .error  = last->theta * last->eta,
-                                .signs  = last->signs};
+  BarHistory        sequence = {
+             .num = history->num, .floors = &floors, .scene = run->scene, .error = last->error, .signs = last->signs};
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(history->num, &meshes));

@@ -6,11 +6,12 @@
 
 /* One mesh. */
 typedef struct {
-  PetscInt  cells, unknowns, iterations, active;
-  PetscReal eta, theta, norm, potential, signs,
-      seconds;      /* estimate, calibration, |u|_a^2 (0: rounding), J_h, L (15.3, 15.4) */
-  cJSON     *row;   /* of SummaryCreateStep() */
-  GoalState *goals; /* [scene->adapt.num_goals], or NULL */
+  PetscInt   cells, unknowns, iterations, active;
+  PetscReal  eta, geometry, theta, error; /* estimate, the part of its square of curves, calibration, E (15.3, 15.4) */
+  PetscReal  norm, potential, signs, seconds; /* |u|_a^2 (0: rounding), J_h, L */
+  PetscBool  missed;                          /* whether contact was missed and nothing moves */
+  cJSON     *row;                             /* of SummaryCreateStep() */
+  GoalState *goals;                           /* [scene->adapt.num_goals], or NULL */
 } SolvedMesh;
 
 /* All of them, coarse first; empty where it is zero. */

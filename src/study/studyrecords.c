@@ -294,7 +294,7 @@ PetscErrorCode RecordRun(Study study, Run run, Record *record)
     PetscCall(RecordValues_Private(study, run, record->values));
     PetscCall(EstimateGet(run->fields, &estimate));
     PetscCall(CalibrationGetStandard(run->vi->level, &record->estimate));
-    record->estimate *= PetscSqrtReal(estimate->squared);
+    record->estimate = EstimateGetError(estimate, record->estimate);
   }
   if (run->errors.any) RecordErrors_Private(study, &run->errors, record->errors);
   PetscFunctionReturn(PETSC_SUCCESS);
