@@ -3,7 +3,8 @@
    Soft structures need hundreds of active sets, and bodies that contact alone holds need many proximal point
    steps. Each costs an iteration the same; a factorization that serves all sets solves them at little cost.
    The number of future sets is unknown. The rule assumes as many as so far, which is wrong by a factor of two
-   at most [1]. Costs are counted, not measured: times would vary between runs.
+   at most [1]. Iterations that suit a scene end far below a factorization, others far above it: half of its cost
+   tells them apart. Costs are counted, not measured: times would vary between runs.
 
    References: [1] Karlin, Manasse, Rudolph, Sleator, Competitive snoopy caching, 1988. */
 #include "base/compat.h"
@@ -18,8 +19,9 @@ static const PetscReal PREDICT_FROM = 300;
 /* Operations of a factorization in the time of one operation of a product; time of block smoothing relative
    to a product. Measured, on one core, with OpenBLAS: balls of 36,000 unknowns, order 2. */
 static const PetscReal OPERATION_RATE = 1.5, SMOOTHING_COST = 2;
-/* Factorizations with a proximal term, whose weight may be reduced. */
-enum { PROXIMAL_FACTORIZATIONS = 2 };
+/* An iteration may cost so much of a factorization. In products, iteration and factorization: floating cubes of 46,875
+   unknowns 80 to 110 and 530, floating balls of 27,783 and 36,501, order 2, 27,000 and 681, 31,000 and 875. */
+static const PetscReal SEARCH_FACTOR = 0.5;
 /* Once contacts are found, an iteration may cost so many times a factorization, which would have to find them
    again. */
 static const PetscReal FOUND_FACTOR = 2;
@@ -64,7 +66,7 @@ static PetscErrorCode CostModelPredict_Private(CostModel *model)
   PetscCall(FactorizationPredict(vi->K, one ? set.N : 0, C, "", &cost));
   PetscCall(CostModelUnit(vi, &unit));
   if (finest->S) unit *= SMOOTHING_COST;
-  model->once = one ? (finest->op.W ? PROXIMAL_FACTORIZATIONS : 1) * cost.operations / unit : 0;
+  model->once = one ? cost.operations / unit : 0;
   model->set  = (one ? CostModelPerSet(set.N) : cost.operations) / unit;
   PetscCall(MemorySuffices(set.comm, cost.bytes, &suffices));
   model->asked = PETSC_TRUE;
@@ -85,7 +87,8 @@ static PetscErrorCode IsOverFn(void *ctx, PetscBool *over)
   PetscFunctionBeginUser;
   if (model->on && work > PREDICT_FROM) {
     if (!model->asked) PetscCall(CostModelPredict_Private(model));
-    model->over = (PetscBool)(model->on && work > (model->found ? FOUND_FACTOR : 1) * CostModelPredicted(model));
+    model->over =
+        (PetscBool)(model->on && work > (model->found ? FOUND_FACTOR : SEARCH_FACTOR) * CostModelPredicted(model));
   }
   *over = model->over;
   PetscFunctionReturn(PETSC_SUCCESS);
