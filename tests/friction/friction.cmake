@@ -27,6 +27,7 @@ mortise_scene_test(sliding_punch CHECK sliding_punch.py)
 mortise_scene_test(round_punch CHECK round_punch.py)
 mortise_scene_test(jaeger SCENE fretting CHECK jaeger.py ARGS -joint_gap "max(abs(x)-1,0)^2/320" -upper_dm_plex_box_faces 64,16
   -lower_dm_plex_box_faces 64,16 -load_steps 1,2)
+mortise_scene_test(arch SCENE incline CHECK arch.py RANKS 1 3)
 mortise_scene_test(one_node SCENE incline CHECK one_node.py)
 mortise_scene_test(held CHECK held.py RANKS 1 3)
 mortise_scene_test(reach_slides CHECK reach_slides.py RANKS 1 3)
