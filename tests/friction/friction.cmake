@@ -30,6 +30,8 @@ mortise_scene_test(jaeger SCENE fretting CHECK jaeger.py ARGS -joint_gap "max(ab
   -lower_dm_plex_box_faces 64,16 -load_steps 1,2)
 mortise_scene_test(arch SCENE incline CHECK arch.py RANKS 1 3)
 mortise_scene_test(hard SCENE incline CHECK hard.py RANKS 1 3)
+mortise_scene_test(third_solver CHECK third_solver.py)
+mortise_scene_test(third_solver_solid CHECK third_solver.py)
 mortise_scene_test(one_node SCENE incline CHECK one_node.py)
 mortise_scene_test(held CHECK held.py RANKS 1 3)
 mortise_scene_test(reach_slides CHECK reach_slides.py RANKS 1 3)
