@@ -2,7 +2,7 @@
 
    A node with friction carries forces of the cone |r_t| <= coefficient r_n. In a plane its two edges generate it. In space a pyramid
    around the cone does: what is outside of all pyramids is certainly no equilibrium, what is inside may be one. Tresca's limit bounds no cone: its tangents
-   carry any force here, as ties do, so that nothing is refused that has a solution. */
+   carry any force here, as ties do; boundedfriction.c asks whether their bounds hold. */
 #include "base/compat.h"
 #include "problem/frictionlaw.h"
 #include "rigid/rigidimpl.h"

@@ -23,6 +23,12 @@ PetscErrorCode FrictionRowsTakePressed(VI vi, Solvability solvability, PetscBool
 PetscInt       FrictionRowsCountMost(VI vi);
 PetscErrorCode FrictionRowsDestroy(Solvability solvability);
 
+/* Looks for a motion in chosen modes on which loads do more work than friction with given bounds takes, and which contact does not resist. It proves that there is no
+   equilibrium; where none is found, there may be one or not. Collective. [in] phi - work of the loads / their sum [m]; balanced - rounding of phi; take - [m];
+   [out] q - [m], if found */
+PetscErrorCode BoundedFrictionFindMotion(VI vi, Solvability solvability, const PetscReal phi[], PetscReal balanced,
+                                         const PetscBool take[], PetscReal q[], PetscBool *found);
+
 /* Sets regularization, approach and start. Collective. */
 PetscErrorCode RegularizationCreate(VI vi, Solvability solvability);
 /* Sets approach and start anew. Collective. */

@@ -206,6 +206,16 @@ static PetscErrorCode SolvabilityMinimizeSlip_Private(VI vi, const Cone *cone, c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Modes without rotation. [out] straight - [m] */
+static void SolvabilityMarkStraight_Private(VI vi, PetscBool straight[])
+{
+  for (PetscInt k = 0; k < vi->rigid_modes.num; k++) {
+    const PetscReal *r = &vi->rigid_modes.mode[k * RIGID_COMPONENTS + 3];
+
+    straight[k] = (PetscBool)(PetscSqr(r[0]) + PetscSqr(r[1]) + PetscSqr(r[2]) < PetscSqr(BALANCED));
+  }
+}
+
 /* Sets the motion that shows SOLVABLE_NOT: the simplest one, without rotations if possible. */
 static PetscErrorCode SolvabilitySetUnresistedMotion_Private(VI vi, const Cone *cone, const ContactPlace place[],
                                                              const PetscReal phi[], const PetscReal rho[],
@@ -216,11 +226,7 @@ static PetscErrorCode SolvabilitySetUnresistedMotion_Private(VI vi, const Cone *
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc2(s->m, &straight, s->m, &q));
-  for (PetscInt k = 0; k < s->m; k++) {
-    const PetscReal *r = &vi->rigid_modes.mode[k * RIGID_COMPONENTS + 3];
-
-    straight[k] = (PetscBool)(PetscSqr(r[0]) + PetscSqr(r[1]) + PetscSqr(r[2]) < PetscSqr(BALANCED));
-  }
+  SolvabilityMarkStraight_Private(vi, straight);
   PetscCall(SolvabilityProjectLoads_Private(cone, phi, straight, q, NULL, &norm));
   s->status = SOLVABLE_NOT;
   if (!(norm > balanced)) {
@@ -411,6 +417,29 @@ static PetscErrorCode SolvabilitySetSlidingMotion_Private(VI vi, const PetscReal
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Sets SOLVABLE_NOT where friction with given bounds, which cones take for ties, certainly cannot hold the loads. [in] phi - work / forces */
+static PetscErrorCode SolvabilityTryBounds_Private(VI vi, const PetscReal phi[], PetscReal balanced, Solvability s)
+{
+  PetscBool *take, found = PETSC_FALSE;
+  PetscReal *q;
+
+  PetscFunctionBeginUser;
+  if (!vi->friction) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc2(s->m, &take, s->m, &q));
+  for (PetscInt all = 0; all < 2 && !found; all++) { // without rotations if possible
+    SolvabilityMarkStraight_Private(vi, take);
+    for (PetscInt k = 0; k < s->m && all; k++) take[k] = PETSC_TRUE;
+    PetscCall(BoundedFrictionFindMotion(vi, s, phi, balanced, take, q, &found));
+  }
+  if (found) {
+    PetscCall(SceneMotionDestroy(&s->motion));
+    s->status = SOLVABLE_NOT;
+    PetscCall(SceneMotionCreate(vi, s, q, &s->motion));
+  }
+  PetscCall(PetscFree2(take, q));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Sets the status as far as it is known before the solve, and the forces that balance the loads. Balance is needed at the nodes and at
    the overlap boundary. */
 static PetscErrorCode SolvabilityDecide_Private(VI vi, Solvability s)
@@ -448,6 +477,7 @@ static PetscErrorCode SolvabilityDecide_Private(VI vi, Solvability s)
     s->status = dim ? SOLVABLE_FREE : SOLVABLE;
     PetscCall(SolvabilityFindMarginalMotion_Private(vi, &overlap, phi, s));
   }
+  if (s->status != SOLVABLE_NOT) PetscCall(SolvabilityTryBounds_Private(vi, phi, balanced, s));
   PetscCall(SolvabilitySetSlidingMotion_Private(vi, phi, balanced, s));
   PetscCall(PetscFree4(phi, rho, rho_overlap, kernel));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -2,6 +2,7 @@
 mortise_scene_test(incline CHECK incline.py RANKS 1 3 LABELS sanitize)
 mortise_scene_test(incline_solid CHECK incline.py RANKS 1 3)
 mortise_scene_test(tresca SCENE incline CHECK tresca.py RANKS 1 3 ARGS -floor_friction 0 -floor_friction_bound 2500)
+mortise_scene_test(tresca_held CHECK tresca_held.py RANKS 1 3)
 mortise_scene_test(greco CHECK greco.py RANKS 1 3 ARGS -dm_refine 2 -cross_check)
 mortise_scene_test(energy SCENE greco CHECK energy.py RANKS 1 3)
 mortise_scene_test(fretting CHECK fretting.py RANKS 1 3)
