@@ -270,9 +270,7 @@ PetscErrorCode MGLevelAssemble(MGLevel *level)
   PetscInt *rows, begin;
 
   PetscFunctionBeginUser;
-  PetscCall(MatDestroy(&level->A));
-  PetscCall(MatDuplicate(level->base->op.A, MAT_COPY_VALUES, &level->A));
-  if (level->change) PetscCall(MatAXPY(level->A, 1, level->change, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(TruncationUpdateSum(level->base->op.A, level->change, &level->A));
   PetscCall(MatGetOwnershipRange(level->A, &begin, NULL));
   PetscCall(PetscMalloc1(level->num, &rows));
   for (PetscInt i = 0; i < level->num_truncated; i++) rows[i] = begin + level->fixed[i];

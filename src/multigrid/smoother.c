@@ -15,6 +15,7 @@
 #include "multigrid/blocksmoother.h"
 #include "multigrid/graphcomponents.h"
 #include "multigrid/smoother.h"
+#include "multigrid/truncationupdate.h"
 
 /* Limit of the diagonal that condensation adds, relative to the diagonal before it; equal sides: 1. */
 static const PetscReal STIFF_SIDE = 2;
@@ -187,17 +188,16 @@ PetscErrorCode SmootherSetFixed(Mat from, Mat change, PetscInt num, const PetscI
   PetscBool by_body;
 
   PetscFunctionBeginUser;
-  PetscCall(MatDestroy(S));
   if (!from) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(BodySmootherIs(from, &by_body));
   if (by_body) {
     PetscCall(BodySmootherSetFixed(from, num, fixed));
+    PetscCall(MatDestroy(S));
     PetscCall(PetscObjectReference((PetscObject)from));
     *S = from;
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  PetscCall(MatDuplicate(from, MAT_COPY_VALUES, S));
-  if (change) PetscCall(MatAXPY(*S, 1, change, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(TruncationUpdateSum(from, change, S));
   PetscCall(MatGetOwnershipRange(*S, &begin, NULL));
   PetscCall(PetscMalloc1(num, &rows));
   for (PetscInt i = 0; i < num; i++) rows[i] = begin + fixed[i];

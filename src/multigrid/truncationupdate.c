@@ -212,3 +212,47 @@ PetscErrorCode TruncationUpdateRestrict(Mat update, Mat P, Mat *product)
   PetscCall(ISDestroy(&is));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
+
+/* Whether the nonzeros of a matrix are among those of another of the same layout; columns ascend. Collective. */
+static PetscErrorCode TruncationUpdateFits_Private(Mat few, Mat many, PetscBool *fits)
+{
+  PetscInt begin, end;
+
+  PetscFunctionBeginUser;
+  *fits = PETSC_TRUE;
+  PetscCall(MatGetOwnershipRange(few, &begin, &end));
+  for (PetscInt row = begin; row < end && *fits; row++) {
+    PetscInt        num, room, at = 0;
+    const PetscInt *columns, *among;
+
+    PetscCall(MatGetRow(few, row, &num, &columns, NULL));
+    PetscCall(MatGetRow(many, row, &room, &among, NULL));
+    for (PetscInt j = 0; j < num && *fits; j++) {
+      while (at < room && among[at] < columns[j]) at++;
+      *fits = (PetscBool)(at < room && among[at] == columns[j]);
+    }
+    PetscCall(MatRestoreRow(many, row, &room, &among, NULL));
+    PetscCall(MatRestoreRow(few, row, &num, &columns, NULL));
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, fits, 1, MPIU_BOOL, MPI_LAND, PetscObjectComm((PetscObject)few)));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode TruncationUpdateSum(Mat X, Mat change, Mat *sum)
+{
+  PetscBool fits = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  if (*sum) fits = PETSC_TRUE;
+  if (*sum && change) PetscCall(TruncationUpdateFits_Private(change, *sum, &fits));
+  if (fits) {
+    PetscCall(MatZeroEntries(*sum));
+    PetscCall(MatAXPY(*sum, 1, X, SUBSET_NONZERO_PATTERN));
+    if (change) PetscCall(MatAXPY(*sum, 1, change, SUBSET_NONZERO_PATTERN));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(MatDestroy(sum));
+  PetscCall(MatDuplicate(X, MAT_COPY_VALUES, sum));
+  if (change) PetscCall(MatAXPY(*sum, 1, change, DIFFERENT_NONZERO_PATTERN));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
