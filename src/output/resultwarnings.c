@@ -19,6 +19,42 @@ static const PetscReal OVERLAP_SHOWS = 0.1, CURVE_SHOWS = 0.1;
 /* The pressure where a partner ends is no outlier below this part of the largest elsewhere. */
 static const PetscReal EDGE_SHOWS = 0.1;
 
+/* A tie reaches across a gap as rigid links do: between shells, or where a body stands in the wrong place. Links longer than this part of the
+   tied side are told. */
+static const PetscReal TIED_FAR = 0.05;
+
+/* Tied sides that are apart, or overlap. Collective. */
+static PetscErrorCode SummaryWarnTiedGap_Private(const SummaryInput *in, PetscInt p)
+{
+  const Pair       pair = in->vi->pairs[p];
+  const ScenePair *spec = pair->spec;
+  const PetscInt   dim  = in->scene->dim;
+  PetscReal        most[7], extent = 0; // the longest link; upper ends of x and of -x
+  Warning          wide = {.code   = "tied_gap",
+                           .pair   = spec->name,
+                           .advice = "check the positions of the bodies, unless the links are meant"};
+
+  PetscFunctionBeginUser;
+  if (spec->type != PAIR_TIED || spec->gap || spec->gap_offset) PetscFunctionReturn(PETSC_SUCCESS);
+  most[0] = 0;
+  for (PetscInt i = 1; i < 7; i++) most[i] = -PETSC_MAX_REAL;
+  for (PetscInt a = 0; a < pair->num; a++) {
+    const PetscReal *x = &pair->level->coords[pair->nodes[a] * dim];
+
+    most[0] = PetscMax(most[0], PetscAbsReal(pair->gap[a]));
+    for (PetscInt k = 0; k < dim; k++) {
+      most[1 + k] = PetscMax(most[1 + k], x[k]);
+      most[4 + k] = PetscMax(most[4 + k], -x[k]);
+    }
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, most, 7, MPIU_REAL, MPIU_MAX, pair->level->comm));
+  for (PetscInt k = 0; k < dim && most[1] > -PETSC_MAX_REAL; k++) extent += PetscSqr(most[1 + k] + most[4 + k]);
+  if (most[0] <= TIED_FAR * PetscSqrtReal(extent)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(WarningAdd(&wide, "the tied sides of %s are up to %.3g apart, and are joined as by rigid links", spec->name,
+                       (double)most[0]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Where contact pushes as if bodies overlapped that do not; nothing where that does not show. */
 static PetscErrorCode SummaryWarnGapDiscontinuity_Private(const SummaryInput *in, PetscInt p)
 {
@@ -380,6 +416,7 @@ PetscErrorCode SummaryWarn(const SummaryInput *input)
   for (PetscInt p = 0; p < input->vi->num_pairs; p++) {
     PetscCall(SummaryWarnEmptyPair_Private(input, p));
     PetscCall(SummaryWarnLoadedSide_Private(input, p));
+    PetscCall(SummaryWarnTiedGap_Private(input, p));
     if (input->fields) PetscCall(SummaryWarnCoarseContact_Private(input, p, &coarse, &round));
     if (input->fields && !coarse) PetscCall(SummaryWarnEdgePressure_Private(input, p)); // the same advice
     if (input->fields && !round)

@@ -120,6 +120,7 @@ static PetscErrorCode LostLoadTell_Private(LostLoad *lost)
                             lost->at[2],   lost->size,    lost->all_size, lost->area};
   Warning        about   = {.code = "lost_traction", .body = lost->body->name, .dim = dim};
   char           force[128], direction[32] = "its normal", held[PETSC_MAX_PATH_LEN];
+  PetscBool      resultant;
 
   PetscFunctionBeginUser;
   PetscCallMPI(
@@ -141,9 +142,12 @@ static PetscErrorCode LostLoadTell_Private(LostLoad *lost)
     }
     PetscCall(PetscSNPrintf(held, sizeof(held), "%s", ExpressionOption(lost->held->value)));
   }
-  PetscCall(WarningAdd(&about,
-                       "%s acts along %s, which %s fixes: a force of %s goes into the support and loads nothing",
-                       ExpressionOption(lost->load->value), direction, held, force));
+  resultant = (PetscBool)(VectorNorm(dim, sums) > LOST_ROUNDING * sums[7]);
+  if (!resultant)
+    (void)snprintf(force, sizeof(force), "%.6g in all, without a resultant,", (double)sums[6]); // a moment
+  PetscCall(WarningAdd(&about, "%s acts along %s, which %s fixes: %s of %s %s into the support and %s nothing",
+                       ExpressionOption(lost->load->value), direction, held, resultant ? "a force" : "forces", force,
+                       resultant ? "goes" : "go", resultant ? "loads" : "load"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -81,11 +81,9 @@ static PetscErrorCode SceneSetUnread_Private(Scene scene, const Option *file, Pe
                             "where there are physical groups",
                             file->name, file->text));
   else
-    PetscCall(
-        PetscSNPrintf(text, sizeof(text),
-                      "%s %s: no cells are found in this file%s%s; one that is not of Gmsh (2.2, 4.1) needs -model "
-                      "solid",
-                      file->name, file->text, reason[0] ? ": " : "", reason));
+    PetscCall(PetscSNPrintf(text, sizeof(text), "%s %s: no cells are found in this file%s%s", file->name, file->text,
+                            reason[0] ? ": " : "",
+                            reason[0] ? reason : "; one that is not of Gmsh (2.2, 4.1) needs -model solid"));
   PetscCall(PetscStrallocpy(text, &scene->unread));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -103,6 +103,12 @@ PetscErrorCode SceneSetTime(Scene scene, PetscReal t)
   if (map)
     PetscCall(UserErrorRaise(scene->comm, "%s: a map cannot name the time t, the mesh is made only once; write x, y, z",
                              map));
+  if (scene->steps.num > 1 && !vary)
+    PetscCall(UserErrorRaise(scene->comm, "-load_steps: all steps are alike: no datum names t, and %s",
+                             scene->steps.scale_set
+                                 ? "-load_steps_scale names nothing that the scene has for t to multiply"
+                                 : "the scene has no load, given displacement, gap offset or temperature for t to "
+                                   "multiply"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
