@@ -2,11 +2,24 @@
 #include "base/compat.h"
 #include "multigrid/ghostexchange.h"
 
+/* The exchange of ghosts that are known. */
+static PetscErrorCode GhostExchangeConnect_Private(MPI_Comm comm, GhostExchange *ghosts)
+{
+  IS which;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecCreateMPI(comm, ghosts->n, PETSC_DETERMINE, &ghosts->own));
+  PetscCall(VecCreateSeq(PETSC_COMM_SELF, ghosts->num, &ghosts->theirs));
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, ghosts->num, ghosts->ghost, PETSC_USE_POINTER, &which));
+  PetscCall(VecScatterCreate(ghosts->own, which, ghosts->theirs, NULL, &ghosts->scatter));
+  PetscCall(ISDestroy(&which));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode GhostExchangeCreate(Mat A, PetscInt bs, GhostExchange *ghosts)
 {
   PetscInt        end, num_columns;
   const PetscInt *columns;
-  IS              which;
 
   PetscFunctionBeginUser;
   PetscCall(MatGetOwnershipRange(A, &ghosts->begin, &end));
@@ -18,11 +31,24 @@ PetscErrorCode GhostExchangeCreate(Mat A, PetscInt bs, GhostExchange *ghosts)
   for (PetscInt i = 0; i < num_columns; i++)
     if (!ghosts->num || ghosts->ghost[ghosts->num - 1] != columns[i] / bs)
       ghosts->ghost[ghosts->num++] = columns[i] / bs;
-  PetscCall(VecCreateMPI(PetscObjectComm((PetscObject)A), ghosts->n, PETSC_DETERMINE, &ghosts->own));
-  PetscCall(VecCreateSeq(PETSC_COMM_SELF, ghosts->num, &ghosts->theirs));
-  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, ghosts->num, ghosts->ghost, PETSC_USE_POINTER, &which));
-  PetscCall(VecScatterCreate(ghosts->own, which, ghosts->theirs, NULL, &ghosts->scatter));
-  PetscCall(ISDestroy(&which));
+  PetscCall(GhostExchangeConnect_Private(PetscObjectComm((PetscObject)A), ghosts));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode GhostExchangeCreateUnion(const GhostExchange *one, const GhostExchange *other, PetscInt bs,
+                                        GhostExchange *ghosts)
+{
+  PetscInt num = one->num + other->num;
+
+  PetscFunctionBeginUser;
+  *ghosts = (GhostExchange){.begin = bs * one->begin, .n = bs * one->n};
+  PetscCall(PetscMalloc1(bs * num, &ghosts->ghost));
+  PetscCall(PetscArraycpy(ghosts->ghost, one->ghost, one->num));
+  PetscCall(PetscArraycpy(&ghosts->ghost[one->num], other->ghost, other->num));
+  PetscCall(PetscSortRemoveDupsInt(&num, ghosts->ghost));
+  ghosts->num = bs * num;
+  for (PetscInt i = ghosts->num - 1; i >= 0; i--) ghosts->ghost[i] = bs * ghosts->ghost[i / bs] + i % bs;
+  PetscCall(GhostExchangeConnect_Private(PetscObjectComm((PetscObject)one->own), ghosts));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

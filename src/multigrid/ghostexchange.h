@@ -15,6 +15,9 @@ typedef struct {
 
 /* Collective. [in] bs - rows of A per row here; columns of other ranks need not come in whole blocks */
 PetscErrorCode GhostExchangeCreate(Mat A, PetscInt bs, GhostExchange *ghosts);
+/* The ghosts of two exchanges of the same rows, each row split in bs. Collective. */
+PetscErrorCode GhostExchangeCreateUnion(const GhostExchange *one, const GhostExchange *other, PetscInt bs,
+                                        GhostExchange *ghosts);
 PetscErrorCode GhostExchangeDestroy(GhostExchange *ghosts);
 /* Copies the owners' values to the ghosts. Collective. [in,out] values - [n + num] */
 PetscErrorCode GhostExchangeUpdate(GhostExchange *ghosts, PetscReal values[]);

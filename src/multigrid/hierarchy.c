@@ -4,6 +4,7 @@
 #include "multigrid/bodysmoother.h"
 #include "multigrid/eigenvalue.h"
 #include "multigrid/hierarchy.h"
+#include "multigrid/patchsmoother.h"
 #include "multigrid/smoother.h"
 
 /* Unknowns from which the coarsest mesh gets levels below it instead of a factorization, in 2D and 3D;
@@ -26,6 +27,10 @@ static PetscErrorCode HierarchyCreateSmoother_Private(const HierarchyInput *inpu
   PetscBool diagonal = PETSC_FALSE;
 
   PetscFunctionBeginUser;
+  if (op->tight && (input->bisected || !input->lines)) {
+    PetscCall(PatchSmootherCreate(op, S));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
   if (input->bisected && input->num > 1) {
     PetscCall(SmootherDependsOnFinest(op, &diagonal));
     diagonal = (PetscBool)!diagonal;

@@ -24,6 +24,7 @@ PetscErrorCode OperatorDestroy(Operator *op)
   PetscCall(MatDestroy(&op->Z));
   PetscCall(PetscFree(op->fixed));
   PetscCall(PetscFree(op->constrained));
+  PetscCall(PetscFree(op->tight));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -22,7 +22,8 @@ typedef struct {
   Mat       Z;                            /* (T'K T - K) / stiffness, few entries; NULL with T */
   PetscInt  num_fixed, *fixed;            /* fixed unknowns, counted from this rank's first; owned [num_fixed] */
   PetscInt num_constrained, *constrained; /* unknowns that are combinations of displacements; owned [num_constrained] */
-  PetscInt dim;                           /* unknowns of a node, and coordinates */
+  PetscBool       *tight;  /* nodes of cells that nearly keep their volume; NULL without; owned [nodes of this rank] */
+  PetscInt         dim;    /* unknowns of a node, and coordinates */
   const PetscReal *coords; /* of this rank's nodes, then others'; borrowed [num][dim]; NULL on a level made of nodes */
 } Operator;
 

@@ -14,6 +14,7 @@
 #include "multigrid/bodysmoother.h"
 #include "multigrid/blocksmoother.h"
 #include "multigrid/graphcomponents.h"
+#include "multigrid/patchsmoother.h"
 #include "multigrid/smoother.h"
 #include "multigrid/truncationupdate.h"
 
@@ -167,6 +168,10 @@ PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool si
 
   PetscFunctionBeginUser;
   *S = NULL;
+  if (op->tight) {
+    PetscCall(PatchSmootherCreate(op, S));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
   PetscCall(SmootherDependsOnFinest(op, &weighs));
   PetscCall(GhostExchangeCreate(op->K, op->dim, &ghosts));
   PetscCall(PetscMalloc1(ghosts.n + ghosts.num, &label));
@@ -185,10 +190,15 @@ PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool si
 PetscErrorCode SmootherSetFixed(Mat from, Mat change, PetscInt num, const PetscInt fixed[], Mat *S)
 {
   PetscInt  begin, *rows;
-  PetscBool by_body;
+  PetscBool by_body, patches;
 
   PetscFunctionBeginUser;
   if (!from) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PatchSmootherIs(from, &patches, NULL));
+  if (patches) {
+    PetscCall(PatchSmootherSetFixed(from, change, num, fixed, S));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
   PetscCall(BodySmootherIs(from, &by_body));
   if (by_body) {
     PetscCall(BodySmootherSetFixed(from, num, fixed));
@@ -209,9 +219,14 @@ PetscErrorCode SmootherSetFixed(Mat from, Mat change, PetscInt num, const PetscI
 
 PetscErrorCode SmootherScale(Mat S, PetscReal factor)
 {
-  PetscBool by_body;
+  PetscBool by_body, patches;
 
   PetscFunctionBeginUser;
+  PetscCall(PatchSmootherIs(S, &patches, NULL));
+  if (patches) {
+    PetscCall(PatchSmootherScale(S, factor));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
   PetscCall(BodySmootherIs(S, &by_body));
   PetscCall(MatScale(S, by_body ? 1 / factor : factor));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -92,7 +92,7 @@ static PetscErrorCode SolverChoiceReducible_Private(VI vi, PetscInt *num_out, Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Limit of Poisson's ratio for iterations, which grow with the root of bulk over shear modulus: two plates
+/* Limit of Poisson's ratio for iterations without coarser meshes, which grow with the root of bulk over shear modulus: two plates
    take CG with GAMG 104 at 0.3, 890 at 0.49, 2369 at 0.499, 6344 at 0.4999. */
 static const PetscReal ITERABLE = 0.499;
 
@@ -196,7 +196,7 @@ static PetscErrorCode SolverChoiceChooseBySize_Private(VI vi, PetscBool floating
   PetscCall(PetscSNPrintf(choice->why, sizeof(choice->why), "%" PetscInt_FMT " unknowns in %dD, %s than %" PetscInt_FMT,
                           size, (int)vi->level->dim, size <= limit ? "not more" : "more", limit));
   PetscCall(SolverChoiceLargestPoisson_Private(vi, &poisson));
-  choice->nearly = (PetscBool)(poisson > ITERABLE);
+  choice->nearly = (PetscBool)(poisson > ITERABLE && !(vi->mesh && vi->mesh->num_levels > 1 && !vi->mesh->forest));
   if (choice->nearly && size > limit) {
     PetscCall(SolverChoiceFactor_Private(choice));
     PetscCall(

@@ -35,6 +35,8 @@ mg(two_plates_uneven      SCENE two_plates ARGS ${plane_coarse} -upper_young 8e1
 mg(shells                 ARGS -dm_refine 1)
 mg(two_plates_apart       SCENE two_plates ARGS ${plane_coarse} -joint_gap 1 -dm_refine 2)
 mg(two_plates_nearly      SCENE two_plates ARGS ${plane_coarse} -upper_poisson 0.49 -dm_refine 1)
+mg(two_plates_tight       SCENE two_plates ARGS ${plane_coarse} -upper_poisson 0.4999 -order 2 -dm_refine 1)
+mg(blocks_tight           SCENE blocks ARGS ${solid_coarse} -upper_poisson 0.49)
 
 # --- meshes with one level, and levels made of some of its nodes below it ---
 function(nodes name)
@@ -65,6 +67,8 @@ mortise_scene_test(hard SCENE touching CHECK hard.py ONLY_RANKS "its scenes have
 
 # --- iterations ---
 mortise_scene_test(long_cells SCENE hertz3d CHECK long_cells.py LABELS mpi ARGS -order 1 -dm_refine 1 -pc_type truncatedmg)
+mortise_scene_test(tight        SCENE two_plates CHECK tight.py LABELS mpi ARGS -order 2 -pc_type truncatedmg -dm_refine 1
+  -upper_dm_plex_box_faces 16,16 -lower_dm_plex_box_faces 12,12)
 mortise_scene_test(growth       SCENE two_plates CHECK growth.py ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6)
 mortise_scene_test(growth_solid SCENE blocks CHECK growth.py)
 mortise_scene_test(afar         CHECK afar.py ARGS -pc_type truncatedmg)

@@ -1,0 +1,583 @@
+/* patchsmoother.c -- additive smoother over small patches of nodes.
+
+   Where a body keeps its volume, displacements without change of volume cost little energy, and others much. A smoother
+   must reduce errors of the first kind without making any of the second. Node by node it cannot: no displacement of one node keeps the
+   volume of all cells around it. Those of a patch can, and every displacement that keeps the volume is a sum of such ones [1].
+
+   Patches overlap, and (R_p A R_p')^-1 is kept as a matrix, half of it. With other active unknowns only the patches with a changed entry
+   are inverted again.
+
+   References: [1] Schoeberl, Multigrid methods for a parameter dependent problem in primal variables, 1999. */
+#include "base/compat.h"
+#include "multigrid/eigenvalue.h"
+#include "multigrid/graphpatches.h"
+#include "multigrid/patchsmoother.h"
+#include <petscblaslapack.h>
+
+/* What all shells of one level share. */
+typedef struct {
+  PetscInt      references;
+  PetscInt      dim;
+  PetscReal     stiffness, scale; /* of K; of S^-1 */
+  PetscReal     part[2];          /* factors of patches and of the inverse diagonal */
+  GhostExchange nodes, unknowns;
+  RankRows      K, Z;
+  GraphPatches  patches;
+  PetscReal    *W;    /* on the diagonal of A [own unknowns, then ghosts] */
+  PetscReal    *size; /* diagonal of A where no patch is, else 0 [own unknowns] */
+} Patches;
+
+typedef struct {
+  Patches    *shared;
+  Mat         from;  /* whose blocks are used but for those of this one; NULL for none */
+  PetscReal **block; /* inverses, the upper triangles by rows; NULL for that of `from` [patches] */
+  PetscReal  *diag;  /* inverse diagonal, 0 in patches [own unknowns] */
+  PetscInt    num, *fixed;
+  PetscReal  *r, *z; /* [own unknowns, then ghosts] */
+} PatchSmoother;
+
+static PetscInt PatchesRoom_Private(const Patches *shared)
+{
+  return shared->unknowns.n + shared->unknowns.num;
+}
+
+static PetscErrorCode PatchesDestroy_Private(Patches *shared)
+{
+  PetscFunctionBeginUser;
+  if (--shared->references) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(GhostExchangeDestroy(&shared->nodes));
+  PetscCall(GhostExchangeDestroy(&shared->unknowns));
+  PetscCall(RankRowsDestroy(&shared->K));
+  PetscCall(RankRowsDestroy(&shared->Z));
+  PetscCall(GraphPatchesDestroy(&shared->patches));
+  PetscCall(PetscFree(shared->W));
+  PetscCall(PetscFree(shared->size));
+  PetscCall(PetscFree(shared));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Destroy_PatchSmoother(Mat S)
+{
+  PatchSmoother *patch;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(S, &patch));
+  for (PetscInt p = 0; p < patch->shared->patches.num; p++) PetscCall(PetscFree(patch->block[p]));
+  PetscCall(PetscFree(patch->block));
+  PetscCall(PetscFree(patch->diag));
+  PetscCall(PetscFree(patch->fixed));
+  PetscCall(PetscFree2(patch->r, patch->z));
+  PetscCall(MatDestroy(&patch->from));
+  PetscCall(PatchesDestroy_Private(patch->shared));
+  PetscCall(PetscFree(patch));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Unknowns of a patch. [out] unknown - [return value] */
+static PetscInt PatchesGet_Private(const Patches *shared, PetscInt p, PetscInt unknown[])
+{
+  PetscInt num = 0;
+
+  for (PetscInt i = shared->patches.start[p]; i < shared->patches.start[p + 1]; i++)
+    for (PetscInt k = 0; k < shared->dim; k++) unknown[num++] = shared->dim * shared->patches.node[i] + k;
+  return num;
+}
+
+static PetscInt PatchesLargest_Private(const Patches *shared)
+{
+  PetscInt max = 0;
+
+  for (PetscInt p = 0; p < shared->patches.num; p++)
+    max = PetscMax(max, shared->dim * (shared->patches.start[p + 1] - shared->patches.start[p]));
+  return max;
+}
+
+/* z += block r on a patch. [in] unknown - [num]; work - [2 num] */
+static void PatchSmootherAdd_Private(PetscInt num, const PetscInt unknown[], const PetscReal block[], PetscReal factor,
+                                     const PetscReal r[], PetscReal z[], PetscReal work[])
+{
+  PetscReal *x = work, *y = &work[num];
+
+  for (PetscInt i = 0; i < num; i++) x[i] = factor * r[unknown[i]];
+  for (PetscInt i = 0; i < num; i++) y[i] = 0;
+  for (PetscInt i = 0; i < num; i++) { // the upper half, each entry for two rows
+    const PetscReal xi  = x[i];
+    PetscReal       sum = block[0] * xi;
+
+    for (PetscInt j = i + 1; j < num; j++) {
+      sum += block[j - i] * x[j];
+      y[j] += block[j - i] * xi;
+    }
+    y[i] += sum;
+    block += num - i;
+  }
+  for (PetscInt i = 0; i < num; i++) z[unknown[i]] += y[i];
+}
+
+/* Sums what ghosts have got into their owners. [in,out] z - own unknowns, then ghosts */
+static PetscErrorCode PatchSmootherShare_Private(GhostExchange *unknowns, PetscReal z[])
+{
+  PetscScalar *a;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetArrayWrite(unknowns->own, &a));
+  for (PetscInt i = 0; i < unknowns->n; i++) a[i] = z[i];
+  PetscCall(VecRestoreArrayWrite(unknowns->own, &a));
+  PetscCall(VecGetArrayWrite(unknowns->theirs, &a));
+  for (PetscInt i = 0; i < unknowns->num; i++) a[i] = z[unknowns->n + i];
+  PetscCall(VecRestoreArrayWrite(unknowns->theirs, &a));
+  PetscCall(VecScatterBegin(unknowns->scatter, unknowns->theirs, unknowns->own, ADD_VALUES, SCATTER_REVERSE));
+  PetscCall(VecScatterEnd(unknowns->scatter, unknowns->theirs, unknowns->own, ADD_VALUES, SCATTER_REVERSE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* z = S^-1 r, for r that is 0 where fixed */
+static PetscErrorCode Mult_PatchSmoother(Mat S, Vec r, Vec z)
+{
+  PatchSmoother     *patch, *from;
+  Patches           *shared;
+  PetscInt          *unknown, largest;
+  PetscReal         *work;
+  const PetscScalar *ra, *sum;
+  PetscScalar       *za;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(S, &patch));
+  shared = patch->shared;
+  from   = patch;
+  if (patch->from) PetscCall(MatShellGetContext(patch->from, &from));
+  largest = PatchesLargest_Private(shared);
+  PetscCall(PetscMalloc2(largest, &unknown, 2 * largest, &work));
+  PetscCall(VecGetArrayRead(r, &ra));
+  for (PetscInt i = 0; i < shared->unknowns.n; i++) patch->r[i] = PetscRealPart(ra[i]);
+  PetscCall(GhostExchangeUpdate(&shared->unknowns, patch->r));
+  PetscCall(PetscArrayzero(patch->z, PatchesRoom_Private(shared)));
+  for (PetscInt p = 0; p < shared->patches.num; p++) {
+    const PetscReal *block = patch->block[p] ? patch->block[p] : from->block[p];
+
+    PatchSmootherAdd_Private(PatchesGet_Private(shared, p, unknown), unknown, block, shared->part[0], patch->r,
+                             patch->z, work);
+  }
+  PetscCall(PatchSmootherShare_Private(&shared->unknowns, patch->z));
+  PetscCall(VecGetArrayRead(shared->unknowns.own, &sum));
+  PetscCall(VecGetArrayWrite(z, &za));
+  for (PetscInt i = 0; i < shared->unknowns.n; i++)
+    za[i] = shared->scale * (sum[i] + shared->part[1] * patch->diag[i] * ra[i]);
+  for (PetscInt i = 0; i < patch->num; i++) za[patch->fixed[i]] = 0;
+  PetscCall(VecRestoreArrayWrite(z, &za));
+  PetscCall(VecRestoreArrayRead(shared->unknowns.own, &sum));
+  PetscCall(VecRestoreArrayRead(r, &ra));
+  PetscCall(PetscFree2(unknown, work));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds factor times the entries of a matrix among unknowns. [in] at - place of each unknown in the patch, or -1; [in,out] a - [num][num] */
+static PetscErrorCode PatchesAddEntries_Private(RankRows *rows, PetscReal factor, PetscInt num,
+                                                const PetscInt unknown[], const PetscInt at[], PetscReal a[])
+{
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < num; i++) {
+    PetscInt           length;
+    const PetscInt    *column;
+    const PetscScalar *value;
+
+    PetscCall(RankRowsGet(rows, unknown[i], &length, &column, &value));
+    for (PetscInt j = 0; j < length; j++)
+      if (at[column[j]] >= 0) a[i * num + at[column[j]]] += factor * PetscRealPart(value[j]);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The upper triangle of the inverse by rows; where rounding has left a matrix that is not definite, that of its diagonal. [in,out] a - [num][num] */
+static PetscErrorCode PatchesInvert_Private(PetscInt num, PetscReal a[], const PetscReal diag[], PetscReal block[])
+{
+  PetscBLASInt n, info;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscBLASIntCast(num, &n));
+  PetscCallBLAS("LAPACKpotrf", LAPACKpotrf_("L", &n, a, &n, &info)); // by columns: the upper half of rows
+  if (!info) PetscCallBLAS("LAPACKpotri", LAPACKpotri_("L", &n, a, &n, &info));
+  for (PetscInt i = 0; i < num; i++)
+    for (PetscInt j = i; j < num; j++) *block++ = !info ? a[i * num + j] : i == j ? 1 / diag[i] : 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The block of one patch; rows of fixed unknowns are 0. [in] change - rows of what is added to A, or NULL; [in] gone - fixed unknowns; [in,out] at - -1
+   everywhere; work - room for 2 matrices and the diagonal */
+static PetscErrorCode PatchesSetBlock_Private(Patches *shared, RankRows *change, PetscInt p, const PetscReal gone[],
+                                              PetscInt at[], PetscReal work[], PetscReal **block)
+{
+  PetscInt  *unknown, num;
+  PetscReal *a = work, *diag, *b;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(shared->dim * (shared->patches.start[p + 1] - shared->patches.start[p]), &unknown));
+  num  = PatchesGet_Private(shared, p, unknown);
+  diag = &work[num * num];
+  PetscCall(PetscArrayzero(a, num * num));
+  for (PetscInt i = 0; i < num; i++) at[unknown[i]] = gone[unknown[i]] != 0 ? -1 : i;
+  PetscCall(PatchesAddEntries_Private(&shared->K, 1 / shared->stiffness, num, unknown, at, a));
+  PetscCall(PatchesAddEntries_Private(&shared->Z, 1, num, unknown, at, a));
+  if (change) PetscCall(PatchesAddEntries_Private(change, 1, num, unknown, at, a));
+  for (PetscInt i = 0; i < num; i++) {
+    const PetscBool out = (PetscBool)(at[unknown[i]] < 0);
+
+    for (PetscInt j = 0; j < num && out; j++) a[i * num + j] = a[j * num + i] = 0;
+    a[i * num + i] = out ? 1 : a[i * num + i] + shared->W[unknown[i]];
+    diag[i]        = a[i * num + i];
+  }
+  if (!*block) PetscCall(PetscMalloc1(num * (num + 1) / 2, block));
+  PetscCall(PatchesInvert_Private(num, a, diag, *block));
+  b = *block;
+  for (PetscInt i = 0; i < num; b += num - i++)
+    if (gone[unknown[i]] != 0) b[0] = 0;
+  for (PetscInt i = 0; i < num; i++) at[unknown[i]] = -1;
+  PetscCall(PetscFree(unknown));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Blocks of patches with a changed unknown. [in] changed - NULL for all */
+static PetscErrorCode PatchSmootherSetBlocks_Private(PatchSmoother *patch, RankRows *change, const PetscReal gone[],
+                                                     const PetscReal changed[])
+{
+  Patches       *shared  = patch->shared;
+  const PetscInt largest = PatchesLargest_Private(shared);
+  PetscInt      *at, *unknown;
+  PetscReal     *work;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc3(PatchesRoom_Private(shared), &at, largest * (largest + 1), &work, largest, &unknown));
+  for (PetscInt i = 0; i < PatchesRoom_Private(shared); i++) at[i] = -1;
+  for (PetscInt p = 0; p < shared->patches.num; p++) {
+    const PetscInt num = PatchesGet_Private(shared, p, unknown);
+    PetscBool      due = (PetscBool)!changed;
+
+    for (PetscInt i = 0; i < num && !due; i++) due = (PetscBool)(changed[unknown[i]] != 0);
+    if (due) PetscCall(PatchesSetBlock_Private(shared, change, p, gone, at, work, &patch->block[p]));
+  }
+  PetscCall(PetscFree3(at, work, unknown));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* An empty shell. [in] shared - one reference more */
+static PetscErrorCode PatchSmootherBegin_Private(Patches *shared, MPI_Comm comm, PatchSmoother **patch, Mat *inverse)
+{
+  const PetscInt n = shared->unknowns.n;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(patch));
+  shared->references++;
+  (*patch)->shared = shared;
+  PetscCall(PetscCalloc1(shared->patches.num, &(*patch)->block));
+  PetscCall(PetscCalloc1(n, &(*patch)->diag));
+  PetscCall(PetscMalloc2(PatchesRoom_Private(shared), &(*patch)->r, PatchesRoom_Private(shared), &(*patch)->z));
+  PetscCall(MatCreateShell(comm, n, n, PETSC_DETERMINE, PETSC_DETERMINE, *patch, inverse));
+  PetscCall(MatShellSetOperation(*inverse, MATOP_MULT, (void (*)(void))Mult_PatchSmoother));
+  PetscCall(MatShellSetOperation(*inverse, MATOP_DESTROY, (void (*)(void))Destroy_PatchSmoother));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The diagonal of A where no patch is, and W. [in] marked - as op->tight, own nodes, then ghosts */
+static PetscErrorCode PatchesSetDiagonal_Private(const Operator *op, Patches *shared)
+{
+  const PetscInt     n = shared->unknowns.n;
+  const PetscScalar *a;
+  PetscReal         *covered;
+  Vec                diag;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(PatchesRoom_Private(shared), &shared->W));
+  PetscCall(PetscCalloc1(n, &shared->size));
+  PetscCall(PetscCalloc1(PatchesRoom_Private(shared), &covered));
+  for (PetscInt i = 0; i < (shared->patches.num ? shared->patches.start[shared->patches.num] : 0); i++)
+    for (PetscInt k = 0; k < shared->dim; k++) covered[shared->dim * shared->patches.node[i] + k] = 1;
+  PetscCall(PatchSmootherShare_Private(&shared->unknowns, covered));
+  PetscCall(VecGetArrayRead(shared->unknowns.own, &a));
+  for (PetscInt i = 0; i < n; i++) covered[i] = PetscRealPart(a[i]);
+  PetscCall(VecRestoreArrayRead(shared->unknowns.own, &a));
+  PetscCall(MatCreateVecs(op->K, &diag, NULL));
+  PetscCall(MatGetDiagonal(op->A, diag));
+  PetscCall(VecGetArrayRead(diag, &a));
+  for (PetscInt i = 0; i < n; i++) shared->size[i] = covered[i] == 0 ? PetscRealPart(a[i]) : 0;
+  PetscCall(VecRestoreArrayRead(diag, &a));
+  PetscCall(VecDestroy(&diag));
+  PetscCall(PetscFree(covered));
+  if (!op->W) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecGetArrayRead(op->W, &a));
+  for (PetscInt i = 0; i < n; i++) shared->W[i] = PetscRealPart(a[i]);
+  PetscCall(VecRestoreArrayRead(op->W, &a));
+  PetscCall(GhostExchangeUpdate(&shared->unknowns, shared->W));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Fixed unknowns on own unknowns, then ghosts. */
+static PetscErrorCode PatchesMark_Private(Patches *shared, PetscInt num, const PetscInt fixed[], PetscReal gone[])
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscArrayzero(gone, PatchesRoom_Private(shared)));
+  for (PetscInt i = 0; i < num; i++) gone[fixed[i]] = 1;
+  PetscCall(GhostExchangeUpdate(&shared->unknowns, gone));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Inverse diagonal where no patch is. [in] more - added to it, or NULL */
+static PetscErrorCode PatchSmootherSetDiagonal_Private(PatchSmoother *patch, Mat more)
+{
+  const Patches     *shared = patch->shared;
+  const PetscScalar *a      = NULL;
+  Vec                diag   = NULL;
+
+  PetscFunctionBeginUser;
+  if (more) {
+    PetscCall(MatCreateVecs(more, &diag, NULL));
+    PetscCall(MatGetDiagonal(more, diag));
+    PetscCall(VecGetArrayRead(diag, &a));
+  }
+  for (PetscInt i = 0; i < shared->unknowns.n; i++)
+    if (shared->size[i] > 0) patch->diag[i] = 1 / (shared->size[i] + (a ? PetscRealPart(a[i]) : 0));
+  if (diag) PetscCall(VecRestoreArrayRead(diag, &a));
+  PetscCall(VecDestroy(&diag));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode PatchSmootherFix_Private(PatchSmoother *patch, PetscInt num, const PetscInt fixed[])
+{
+  PetscFunctionBeginUser;
+  patch->num = num;
+  PetscCall(PetscMalloc1(num, &patch->fixed));
+  PetscCall(PetscArraycpy(patch->fixed, fixed, num));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Patches amplify several times as much as a diagonal does, where they overlap. Beside nodes without patch both get the same largest eigenvalue. */
+static PetscErrorCode PatchSmootherBalance_Private(const Operator *op, Patches *shared, Mat inverse)
+{
+  PetscInt  alone = 0;
+  PetscReal largest[2];
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < shared->unknowns.n; i++) alone += shared->size[i] > 0;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &alone, 1, MPIU_INT, MPI_SUM, PetscObjectComm((PetscObject)inverse)));
+  if (!alone) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt k = 0; k < 2; k++) {
+    shared->part[k]     = 1;
+    shared->part[1 - k] = 0;
+    PetscCall(EigenvalueLargest(op->A, inverse, NULL, &largest[k]));
+  }
+  for (PetscInt k = 0; k < 2; k++) shared->part[k] = largest[k] > 0 ? 1 / largest[k] : 1;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Other nodes that own nodes depend on by T. [out] sources - row for row; AIJ, owned by the caller */
+static PetscErrorCode PatchesCreateSources_Private(const Operator *op, PetscInt n, Mat *sources)
+{
+  const PetscInt dim = op->dim;
+  PetscInt      *start, *column = NULL, begin, max = 0;
+  PetscScalar   *ones;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(n + 1, &start));
+  PetscCall(MatGetOwnershipRange(op->T, &begin, NULL));
+  start[0] = 0;
+  for (PetscInt i = 0; i < n; i++) {
+    start[i + 1] = start[i];
+    for (PetscInt k = 0; k < dim; k++) {
+      PetscInt        num;
+      const PetscInt *columns;
+
+      PetscCall(MatGetRow(op->T, begin + dim * i + k, &num, &columns, NULL));
+      if (start[i + 1] + num > max) {
+        max = 2 * (start[i + 1] + num);
+        PetscCall(PetscRealloc((size_t)max * sizeof(PetscInt), &column));
+      }
+      for (PetscInt j = 0; j < num; j++)
+        if (columns[j] / dim != begin / dim + i) column[start[i + 1]++] = columns[j] / dim;
+      PetscCall(MatRestoreRow(op->T, begin + dim * i + k, &num, &columns, NULL));
+    }
+    max = PetscMax(max, start[i + 1]);
+    start[i + 1] -= start[i];
+    if (start[i + 1]) PetscCall(PetscSortRemoveDupsInt(&start[i + 1], &column[start[i]]));
+    start[i + 1] += start[i];
+  }
+  PetscCall(PetscMalloc1(start[n], &ones));
+  for (PetscInt j = 0; j < start[n]; j++) ones[j] = 1;
+  PetscCall(MatCreate(PetscObjectComm((PetscObject)op->T), sources));
+  PetscCall(MatSetSizes(*sources, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
+  PetscCall(MatSetType(*sources, MATAIJ));
+  PetscCall(MatSeqAIJSetPreallocationCSR(*sources, start, column, ones)); // one of the two does nothing
+  PetscCall(MatMPIAIJSetPreallocationCSR(*sources, start, column, ones));
+  PetscCall(PetscFree(start));
+  PetscCall(PetscFree(column));
+  PetscCall(PetscFree(ones));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Marks nodes that have marked ones in their rows. [in,out] marked - own nodes, then ghosts */
+static PetscErrorCode PatchesSpreadMarks_Private(GhostExchange *nodes, RankRows *rows, PetscReal marked[])
+{
+  PetscReal *before;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(nodes->n + nodes->num, &before));
+  PetscCall(PetscArraycpy(before, marked, nodes->n + nodes->num));
+  for (PetscInt i = 0; i < nodes->n; i++) {
+    PetscInt           num;
+    const PetscInt    *column;
+    const PetscScalar *value;
+
+    PetscCall(RankRowsGet(rows, rows->bs * i, &num, &column, &value));
+    for (PetscInt j = 0; j < num; j++) marked[i] = PetscMax(marked[i], before[column[j] / rows->bs]);
+  }
+  PetscCall(PetscFree(before));
+  PetscCall(GhostExchangeUpdate(nodes, marked));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Patches of marked nodes, and of those around mortar nodes that carry such nodes. [in] links - nodes and what they carry; or NULL */
+static PetscErrorCode PatchesFindMarked_Private(const Operator *op, Patches *shared, RankRows *links)
+{
+  const PetscInt num = shared->nodes.n + shared->nodes.num;
+  PetscReal     *marked, *beside;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc2(num, &marked, num, &beside));
+  for (PetscInt i = 0; i < shared->nodes.n; i++) marked[i] = op->tight[i] ? 1 : 0;
+  PetscCall(GhostExchangeUpdate(&shared->nodes, marked));
+  if (links) {
+    PetscCall(PetscArraycpy(beside, marked, num));
+    PetscCall(PatchesSpreadMarks_Private(&shared->nodes, links, beside));
+    for (PetscInt i = 0; i < num; i++) beside[i] -= marked[i];
+    PetscCall(PatchesSpreadMarks_Private(&shared->nodes, &shared->K, beside));
+    for (PetscInt i = 0; i < num; i++) marked[i] = PetscMax(marked[i], beside[i]);
+  }
+  PetscCall(GraphPatchesCreate(&shared->K, op->dim, &shared->nodes, marked, &shared->patches));
+  if (links) PetscCall(GraphPatchesExtend(&shared->nodes, links, &shared->patches));
+  PetscCall(PetscFree2(marked, beside));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Patches, the nodes of both sides of contact among them. */
+static PetscErrorCode PatchesFind_Private(const Operator *op, Patches *shared)
+{
+  GhostExchange near, far;
+  Mat           sources, links = NULL;
+  RankRows      rows;
+
+  PetscFunctionBeginUser;
+  PetscCall(GhostExchangeCreate(op->K, op->dim, &near));
+  if (op->T) {
+    PetscCall(PatchesCreateSources_Private(op, near.n, &sources));
+    PetscCall(MatTranspose(sources, MAT_INITIAL_MATRIX, &links));
+    PetscCall(MatDestroy(&sources));
+    PetscCall(GhostExchangeCreate(links, 1, &far));
+  }
+  PetscCall(GhostExchangeCreateUnion(&near, op->T ? &far : &near, 1, &shared->nodes));
+  PetscCall(GhostExchangeCreateUnion(&near, op->T ? &far : &near, op->dim, &shared->unknowns));
+  PetscCall(RankRowsCreate(op->K, op->dim, &shared->nodes, &shared->K));
+  PetscCall(RankRowsCreate(op->Z, op->dim, &shared->nodes, &shared->Z));
+  PetscCall(RankRowsCreate(links, 1, &shared->nodes, &rows));
+  PetscCall(PatchesFindMarked_Private(op, shared, links ? &rows : NULL));
+  PetscCall(RankRowsDestroy(&rows));
+  if (op->T) PetscCall(GhostExchangeDestroy(&far));
+  PetscCall(MatDestroy(&links));
+  PetscCall(GhostExchangeDestroy(&near));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PatchSmootherCreate(const Operator *op, Mat *inverse)
+{
+  PetscReal     *gone;
+  Patches       *shared;
+  PatchSmoother *patch;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(&shared));
+  shared->dim       = op->dim;
+  shared->stiffness = op->stiffness;
+  shared->scale = shared->part[0] = shared->part[1] = 1;
+  PetscCall(PatchesFind_Private(op, shared));
+  PetscCall(PatchesSetDiagonal_Private(op, shared));
+  PetscCall(PatchSmootherBegin_Private(shared, PetscObjectComm((PetscObject)op->K), &patch, inverse));
+  PetscCall(PetscMalloc1(PatchesRoom_Private(shared), &gone));
+  PetscCall(PatchesMark_Private(shared, op->num_fixed, op->fixed, gone));
+  PetscCall(PatchSmootherSetBlocks_Private(patch, NULL, gone, NULL));
+  PetscCall(PetscFree(gone));
+  PetscCall(PatchSmootherSetDiagonal_Private(patch, NULL));
+  PetscCall(PatchSmootherFix_Private(patch, op->num_fixed, op->fixed));
+  PetscCall(PatchSmootherBalance_Private(op, shared, *inverse));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PatchSmootherIs(Mat S, PetscBool *is, PetscBool *cells)
+{
+  void (*mult)(void);
+  PatchSmoother *patch;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectTypeCompare((PetscObject)S, MATSHELL, is));
+  if (!*is) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatShellGetOperation(S, MATOP_MULT, &mult));
+  *is = (PetscBool)(mult == (void (*)(void))Mult_PatchSmoother);
+  if (!*is || !cells) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatShellGetContext(S, &patch));
+  *cells = patch->shared->patches.cells;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PatchSmootherScale(Mat inverse, PetscReal factor)
+{
+  PatchSmoother *patch;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(inverse, &patch));
+  patch->shared->scale /= factor;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Marks unknowns in whose rows a matrix has entries. */
+static PetscErrorCode PatchesMarkRows_Private(Patches *shared, RankRows *rows, PetscReal changed[])
+{
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < shared->unknowns.n; i++) {
+    PetscInt           length;
+    const PetscInt    *column;
+    const PetscScalar *value;
+
+    PetscCall(RankRowsGet(rows, i, &length, &column, &value));
+    if (length) changed[i] = 1;
+  }
+  PetscCall(GhostExchangeUpdate(&shared->unknowns, changed));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PatchSmootherSetFixed(Mat from, Mat change, PetscInt num, const PetscInt fixed[], Mat *inverse)
+{
+  PatchSmoother *base, *patch;
+  Patches       *shared;
+  RankRows       rows;
+  PetscReal     *gone, *changed;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(from, &base));
+  shared = base->shared;
+  PetscCall(PatchSmootherBegin_Private(shared, PetscObjectComm((PetscObject)from), &patch, inverse));
+  PetscCall(PetscObjectReference((PetscObject)from));
+  patch->from = from;
+  PetscCall(RankRowsCreate(change, shared->dim, &shared->nodes, &rows));
+  PetscCall(PetscMalloc2(PatchesRoom_Private(shared), &gone, PatchesRoom_Private(shared), &changed));
+  PetscCall(PatchesMark_Private(shared, base->num, base->fixed, changed));
+  PetscCall(PatchesMark_Private(shared, num, fixed, gone));
+  for (PetscInt i = 0; i < PatchesRoom_Private(shared); i++) {
+    const PetscBool new = (PetscBool)(gone[i] != changed[i]);
+
+    gone[i]    = PetscMax(gone[i], changed[i]);
+    changed[i] = new ? 1 : 0;
+  }
+  if (change) PetscCall(PatchesMarkRows_Private(shared, &rows, changed));
+  PetscCall(PatchSmootherSetBlocks_Private(patch, change ? &rows : NULL, gone, changed));
+  PetscCall(PetscFree2(gone, changed));
+  PetscCall(RankRowsDestroy(&rows));
+  PetscCall(PatchSmootherSetDiagonal_Private(patch, change));
+  PetscCall(PatchSmootherFix_Private(patch, num, fixed));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
