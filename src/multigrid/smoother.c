@@ -196,6 +196,7 @@ PetscErrorCode SmootherSetFixed(Mat from, Mat change, PetscInt num, const PetscI
   if (!from) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PatchSmootherIs(from, &patches, NULL));
   if (patches) {
+    PetscCall(MatDestroy(S));
     PetscCall(PatchSmootherSetFixed(from, change, num, fixed, S));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
