@@ -71,16 +71,13 @@ static PetscErrorCode SetupReportExtreme_Private(PetscInt dim, const SetupExtrem
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A vector without what is rounding beside a size. */
-static PetscErrorCode SetupReportVector_Private(PetscInt dim, const PetscReal v[], PetscReal size, char text[CELL])
+/* The largest extent of a body. */
+static PetscReal SetupReportExtent_Private(PetscInt dim, const SetupBody *body)
 {
-  static const PetscReal ROUNDING = 1e-12;
-  PetscReal              clean[3] = {0, 0, 0};
+  PetscReal extent = 0;
 
-  PetscFunctionBeginUser;
-  for (PetscInt k = 0; k < dim; k++) clean[k] = PetscAbsReal(v[k]) > ROUNDING * size ? v[k] : 0;
-  PetscCall(NumberWordsVector(dim, clean, text, CELL));
-  PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt k = 0; k < dim; k++) extent = PetscMax(extent, body->upper[k] - body->lower[k]);
+  return extent;
 }
 
 static PetscErrorCode SetupReportPrintBodies_Private(VI vi, const SetupCheck *check)
@@ -93,16 +90,17 @@ static PetscErrorCode SetupReportPrintBodies_Private(VI vi, const SetupCheck *ch
   PetscFunctionBeginUser;
   PetscCall(WordTableCreate_Private(vi->scene->num_bodies, 8, head, &table));
   for (PetscInt b = 0; b < vi->scene->num_bodies; b++) {
-    const SetupBody *body = &check->bodies[b];
-    char(*cell)[CELL]     = table.cell[b + 1], lower[64], upper[64];
+    const SetupBody *body   = &check->bodies[b];
+    const PetscReal  extent = SetupReportExtent_Private(dim, body);
+    char(*cell)[CELL]       = table.cell[b + 1], lower[64], upper[64];
 
     (void)snprintf(cell[0], CELL, "%s", vi->scene->bodies[b].name);
     (void)snprintf(cell[1], CELL, "%d", (int)body->cells);
     (void)snprintf(cell[2], CELL, "%d", (int)(body->nodes * dim));
     (void)snprintf(cell[3], CELL, "%d", (int)body->pieces);
     (void)snprintf(cell[4], CELL, "%.6g", (double)body->volume);
-    PetscCall(NumberWordsVector(dim, body->lower, lower, sizeof(lower)));
-    PetscCall(NumberWordsVector(dim, body->upper, upper, sizeof(upper)));
+    PetscCall(NumberWordsVectorBeside(dim, body->lower, extent, lower, sizeof(lower)));
+    PetscCall(NumberWordsVectorBeside(dim, body->upper, extent, upper, sizeof(upper)));
     (void)snprintf(cell[5], CELL, "%s to %s", lower, upper);
     PetscCall(SetupReportExtreme_Private(dim, &body->shape, cell[6]));
     PetscCall(SetupReportExtreme_Private(dim, &body->aspect, cell[7]));
@@ -161,14 +159,15 @@ static PetscErrorCode SetupReportPrintSides_Private(VI vi, const SetupCheck *che
   PetscFunctionBeginUser;
   PetscCall(WordTableCreate_Private(check->num_sides, 6, head, &table));
   for (PetscInt s = 0; s < check->num_sides; s++) {
-    const SetupSide *side = &check->sides[s];
-    char(*cell)[CELL]     = table.cell[s + 1];
+    const SetupSide *side   = &check->sides[s];
+    const PetscReal  extent = SetupReportExtent_Private(dim, &check->bodies[side->body]);
+    char(*cell)[CELL]       = table.cell[s + 1];
 
     (void)snprintf(cell[0], CELL, "%.70s:%.80s", vi->scene->bodies[side->body].name, side->side);
     (void)snprintf(cell[1], CELL, "%d", (int)side->facets);
     (void)snprintf(cell[2], CELL, "%.6g", (double)side->area);
-    PetscCall(SetupReportVector_Private(dim, side->normal, 1, cell[3]));
-    PetscCall(NumberWordsVector(dim, side->centre, cell[4], CELL));
+    PetscCall(NumberWordsVectorBeside(dim, side->normal, 1, cell[3], CELL));
+    PetscCall(NumberWordsVectorBeside(dim, side->centre, extent, cell[4], CELL));
     SetupReportRoles_Private(side->roles, cell[5]);
   }
   PetscCall(WordTablePrint_Private(vi->scene->comm, &table));
@@ -221,14 +220,14 @@ static PetscErrorCode SetupReportPrintLoads_Private(VI vi, const SetupCheck *che
     char(*cell)[CELL]     = table.cell[b + 1];
 
     (void)snprintf(cell[0], CELL, "%s", vi->scene->bodies[b].name);
-    PetscCall(SetupReportVector_Private(dim, body->force, size, cell[1]));
+    PetscCall(NumberWordsVectorBeside(dim, body->force, size, cell[1], CELL));
     if (ring)
       PetscCall(PetscStrncpy(cell[2], "-", CELL));
     else if (dim == 2)
       (void)snprintf(cell[2], CELL, "%.6g",
                      PetscAbsReal(body->moment[2]) > 1e-12 * size * arm ? (double)body->moment[2] : 0.);
     else
-      PetscCall(SetupReportVector_Private(dim, body->moment, size * arm, cell[2]));
+      PetscCall(NumberWordsVectorBeside(dim, body->moment, size * arm, cell[2], CELL));
     (void)snprintf(cell[3], CELL, "%d", (int)body->motions);
   }
   PetscCall(WordTablePrint_Private(vi->scene->comm, &table));

@@ -178,9 +178,9 @@ static PetscErrorCode SummaryPrintResults_Private(const SummaryInput *in)
 
   PetscFunctionBeginUser;
   if (in->scene->title[0]) PetscCall(PetscPrintf(comm, "%s\n", in->scene->title));
-  PetscCall(PetscPrintf(comm, "  %s: %" PetscInt_FMT " unknowns, %" PetscInt_FMT " iterations of %s, %.3g s\n",
+  PetscCall(PetscPrintf(comm, "  %s: %" PetscInt_FMT " unknowns, %" PetscInt_FMT " iteration%s of %s, %.3g s\n",
                         in->solved ? "solved" : "NOT SOLVED", in->vi->level->num_global * in->vi->level->dim,
-                        report->iterations, report->type, LogTotalSeconds()));
+                        report->iterations, report->iterations == 1 ? "" : "s", report->type, LogTotalSeconds()));
   PetscCall(SummaryPrintCost_Private(in));
   for (PetscInt b = 0; b < in->scene->num_bodies; b++) {
     const PetscInt pieces = ComponentsOfBody(&in->vi->rigid_modes.components, b);

@@ -115,9 +115,19 @@ def judge_patch(run):
     near("normals", surface["normal"].ravel(), [0, -1, 0] * len(surface["points"]), absolute=1e-14)
 
 
+def judge_without_h5py(run):
+    """A sentence, and no trace of an import."""
+    known, sys.modules["h5py"] = sys.modules.get("h5py"), None
+    try:
+        require("pip install h5py" in str(refused(mortise.ResultError, run.fields)), "the sentence")
+    finally:
+        sys.modules["h5py"] = known
+
+
 def test_runs(arguments):
     prefix = arguments.scratch / "folder/patch"
     judge_patch(mortise.run(PATCH, output=prefix))
+    judge_without_h5py(mortise.load(prefix))
     judge_patch(mortise.run(PATCH, output=prefix, ranks=2))
     same("read later", mortise.load(prefix).summary.mortise.ranks, 2)
     options = mortise.load(prefix).summary.options

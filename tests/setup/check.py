@@ -1,5 +1,6 @@
 """-check: tables of a scene without a solution. Volumes, areas, loads and moments by hand; the picture is drawn, and nothing is solved."""
 import math
+import re
 import subprocess
 
 from judge import Run, near, require, same
@@ -52,6 +53,8 @@ def judge(run):
         done = subprocess.run([f"{run.program.rsplit('/', 1)[0]}/mortise-plot", "result"], cwd=plates.folder, capture_output=True, text=True, check=False)
         same("mortise-plot", (done.returncode, done.stderr, (plates.folder / "result.png").is_file()), (0, "", True))
 
+    rings = checked(run, ["-options_file", f"{scenes}/thermal_fit.opts"], "rings").stdout  # cos(pi/2) is no zero
+    require(not re.search(r"e-1[4-9]", rings), f"rounding is printed:\n{rings}")
     overlap = checked(run, [*run.arguments, "-joint_gap_offset", "0-0.001"], "overlap").summary["check"]["pairs"]["joint"]
     near("overlap of a press fit", overlap["initial_overlap"], 0.001, relative=1e-9)
     stack = checked(run, ["-options_file", f"{scenes}/stack.opts"], "stack").summary

@@ -117,7 +117,10 @@ def read_pair(prefix: str, pair: str) -> Array:
 
 def read_datasets(prefix: str, needed: Iterable[str], optional: Iterable[str] = ()) -> dict[str, Array]:
     """Datasets of <prefix>.h5 by name; those that are optional only where they exist. options/GUIDE.md has their shapes."""
-    import h5py  # type: ignore[import-untyped]  # pylint: disable=import-outside-toplevel  # takes longer than all else
+    try:
+        import h5py  # type: ignore[import-untyped]  # pylint: disable=import-outside-toplevel  # takes longer than all else
+    except ImportError:
+        raise ResultError("fields are read by h5py, which this Python does not have: pip install h5py") from None
 
     name = f"{prefix}.h5"
     if not os.path.isfile(name):
