@@ -142,6 +142,16 @@ PetscErrorCode FrictionLawCreate(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode FrictionLawIsGiven(VI vi, PetscBool *given)
+{
+  PetscFunctionBeginUser;
+  *given = (PetscBool)(vi->friction != NULL);
+  for (PetscInt a = 0; vi->friction && a < vi->friction->n; a++)
+    if (vi->friction->coefficient[a] > 0) *given = PETSC_FALSE;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, given, 1, MPIU_BOOL, MPI_LAND, vi->level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode FrictionLawDestroy(FrictionLaw **law)
 {
   PetscFunctionBeginUser;

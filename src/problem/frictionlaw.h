@@ -10,7 +10,9 @@ PetscErrorCode FrictionLawCreate(VI vi);
 /* The same for other data, scales, or another origin. Collective. */
 PetscErrorCode FrictionLawUpdate(VI vi);
 /* Where a node stands in the law, -1 where it has no friction: not in the order of rows. Not collective. [in] normal - global unknown */
-PetscInt       FrictionLawFind(const FrictionLaw *law, PetscInt normal);
+PetscInt FrictionLawFind(const FrictionLaw *law, PetscInt normal);
+/* Whether limits are given at all nodes of all ranks (Tresca), and none follows a pressure: a convex problem. Collective. */
+PetscErrorCode FrictionLawIsGiven(VI vi, PetscBool *given);
 PetscErrorCode FrictionLawDestroy(FrictionLaw **law);
 /* The law for y counted from another vector. Collective. [in] approach - NULL for none */
 PetscErrorCode FrictionLawSetApproach(VI vi, Vec approach);

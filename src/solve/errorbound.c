@@ -14,44 +14,62 @@
    d of the one before. What remains is a force along motions that nothing resists. The exact problem would
    have no solution with it: it is roundoff, and is ignored.
 
+   With friction of given limits (Tresca), tangents that stick are fixed as well, and those that slip carry a load at the limit. A tangent beyond
+   its limit is released, with its force cut to the limit (eq. 16.9).
+
    An iterative solver has no d. Its preconditioner B and the smallest Ritz value alpha of B A_FF from
    conjugate gradients estimate |d|_A^2 by f.B f / alpha. */
 #include "base/compat.h"
+#include "kernel/vector.h"
 #include "pdas/pdas.h"
 #include "pdas/pdasimpl.h"
+#include "problem/frictionlaw.h"
 #include "solve/errorbound.h"
 
 /* Largest number of sets; the last one is empty, without negative pressures. Largest number of corrections
    for a proximal term. */
 enum { BOUND_SETS = 4, MAX_CORRECTIONS = 50 };
 enum { NUM_VECS = 6 };
+/* A traction counts as at its limit within this part of it: the tolerance of ties of the solver. */
+static const PetscReal AT_LIMIT = 1e-11;
 /* Tolerance of the corrections relative to the residual: the bound needs few digits. */
 static const PetscReal CORRECTION_RTOL = 1e-6;
 /* Tolerance of a solve that only computes factors or Ritz values. */
 static const PetscReal FACTOR_RTOL = 1e-3;
 
 typedef struct {
-  ActiveSolver solver;
-  Mat          A; /* without proximal term */
-  Vec          b;
-  Vec         *vecs; /* owns the vectors below */
-  Vec          y, r; /* y^; b - A y^ */
-  Vec          f, d; /* right-hand side of d, 0 on A; d */
-  Vec          s, c; /* its residual; its next correction, scratch */
-  PetscBool   *fixed;
-  PetscReal   *values, *forces; /* of bounded unknowns [n] */
+  ActiveSolver       solver;
+  Mat                A; /* without proximal term */
+  Vec                b;
+  Vec               *vecs;    /* owns the vectors below */
+  Vec                y, r;    /* y^; b - A y^ */
+  Vec                f, d;    /* right-hand side of d, 0 on A; d */
+  Vec                s, c;    /* its residual; its next correction, scratch */
+  const FrictionLaw *law;     /* of given limits, or NULL; borrowed */
+  PetscInt          *tangent; /* where its tangents stand among the unknowns of the set, -1 for none [law->n][2] */
+  PetscReal         *start;   /* values of fixed unknowns: upper, of tangents the origin [n] */
+  PetscBool         *fixed;
+  PetscReal         *values, *forces; /* of bounded unknowns [n] */
 } Bound;
 
-static PetscErrorCode ErrorBoundBoundCreate_Private(ActiveSolver solver, Mat A, Vec b, Bound *m)
+static PetscErrorCode ErrorBoundBoundCreate_Private(ActiveSolver solver, Mat A, Vec b, const FrictionLaw *law, Bound *m)
 {
   const PetscInt n = solver->set->n;
 
   PetscFunctionBeginUser;
-  *m = (Bound){.solver = solver, .A = A, .b = b};
+  *m = (Bound){.solver = solver, .A = A, .b = b, .law = law};
   PetscCall(VecDuplicateVecs(b, NUM_VECS, &m->vecs));
   m->y = m->vecs[0], m->r = m->vecs[1], m->f = m->vecs[2];
   m->d = m->vecs[3], m->s = m->vecs[4], m->c = m->vecs[5];
-  PetscCall(PetscMalloc3(n, &m->fixed, n, &m->values, n, &m->forces));
+  PetscCall(PetscMalloc4(n, &m->fixed, n, &m->values, n, &m->forces, n, &m->start));
+  PetscCall(PetscArraycpy(m->start, solver->set->upper, n));
+  if (!law) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(FRICTION_TANGENTS * law->n, &m->tangent));
+  for (PetscInt i = 0; i < FRICTION_TANGENTS * law->n; i++) {
+    m->tangent[i] = -1;
+    if (law->tangent[i] >= 0) PetscCall(PetscFindInt(law->tangent[i], n, solver->set->dof, &m->tangent[i]));
+    if (m->tangent[i] >= 0) m->start[m->tangent[i]] = law->origin[i];
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -59,7 +77,58 @@ static PetscErrorCode ErrorBoundBoundDestroy_Private(Bound *m)
 {
   PetscFunctionBeginUser;
   PetscCall(VecDestroyVecs(NUM_VECS, &m->vecs));
-  PetscCall(PetscFree3(m->fixed, m->values, m->forces));
+  PetscCall(PetscFree4(m->fixed, m->values, m->forces, m->start));
+  PetscCall(PetscFree(m->tangent));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A force of node a at its limit along a vector of its tangents, or none: what slips carries it as a load. [in] along - [2], [in,out] m->r, by r of the set [n] */
+static void ErrorBoundLoadNode_Private(Bound *m, PetscInt a, const PetscReal along[], PetscReal r[])
+{
+  const PetscInt *t    = &m->tangent[FRICTION_TANGENTS * a];
+  const PetscReal size = VectorNorm(t[1] < 0 ? 1 : FRICTION_TANGENTS, along);
+
+  for (PetscInt i = 0; i < FRICTION_TANGENTS && t[i] >= 0; i++) {
+    m->fixed[t[i]] = PETSC_FALSE;
+    if (size > 0) r[t[i]] -= m->law->bound[a] * along[i] / size;
+  }
+}
+
+/* Tangents that stick are fixed at their origin. [in,out] m->values, m->forces - of y [n]; [out] slips - whether a node slips [law->n] */
+static void ErrorBoundStick_Private(Bound *m, PetscBool slips[])
+{
+  for (PetscInt a = 0; m->law && a < m->law->n; a++) {
+    const PetscInt *t    = &m->tangent[FRICTION_TANGENTS * a];
+    const PetscInt  num  = t[1] < 0 ? 1 : FRICTION_TANGENTS;
+    PetscReal       q[2] = {0, 0};
+
+    for (PetscInt i = 0; i < num; i++)
+      q[i] = m->forces[t[i]] + m->solver->set->diag[t[i]] * (m->values[t[i]] - m->start[t[i]]);
+    slips[a] = (PetscBool)(VectorNorm(num, q) > m->law->bound[a]);
+    for (PetscInt i = 0; i < num; i++) {
+      m->fixed[t[i]] = (PetscBool)!slips[a];
+      if (!slips[a]) m->values[t[i]] = m->start[t[i]];
+    }
+  }
+}
+
+/* Loads of all that slips, along its slip: r is what is left of it. [in] slips - of ErrorBoundStick_Private() */
+static PetscErrorCode ErrorBoundLoad_Private(Bound *m, const PetscBool slips[])
+{
+  const ActiveSet *set = m->solver->set;
+
+  PetscFunctionBeginUser;
+  if (!m->law) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ActiveSetGather(set, m->y, m->values));
+  PetscCall(ActiveSetGather(set, m->r, m->forces));
+  for (PetscInt a = 0; a < m->law->n; a++) {
+    const PetscInt *t    = &m->tangent[FRICTION_TANGENTS * a];
+    PetscReal       s[2] = {0, 0};
+
+    for (PetscInt i = 0; i < FRICTION_TANGENTS && t[i] >= 0; i++) s[i] = m->values[t[i]] - m->start[t[i]];
+    if (slips[a]) ErrorBoundLoadNode_Private(m, a, s, m->forces);
+  }
+  PetscCall(ActiveSetScatter(set, m->forces, m->r));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -68,8 +137,10 @@ static PetscErrorCode ErrorBoundFeasible_Private(Bound *m, Vec y, PetscReal *mov
 {
   const ActiveSet *set = m->solver->set;
   PetscScalar      square;
+  PetscBool       *slips;
 
   PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(m->law ? m->law->n : 0, &slips));
   PetscCall(CompensatedResidual(m->A, m->b, y, m->r));
   PetscCall(ActiveSetGather(set, y, m->values));
   PetscCall(ActiveSetGather(set, m->r, m->forces));
@@ -77,6 +148,7 @@ static PetscErrorCode ErrorBoundFeasible_Private(Bound *m, Vec y, PetscReal *mov
     m->fixed[i]  = (PetscBool)(m->forces[i] + set->diag[i] * (m->values[i] - set->upper[i]) > 0);
     m->values[i] = m->fixed[i] ? set->upper[i] : PetscMin(m->values[i], set->upper[i]);
   }
+  ErrorBoundStick_Private(m, slips);
   PetscCall(VecCopy(y, m->y));
   PetscCall(ActiveSetScatter(set, m->values, m->y));
   PetscCall(VecWAXPY(m->d, -1, y, m->y));
@@ -84,6 +156,8 @@ static PetscErrorCode ErrorBoundFeasible_Private(Bound *m, Vec y, PetscReal *mov
   PetscCall(VecDot(m->c, m->d, &square));
   *moved = PetscSqrtReal(PetscMax(PetscRealPart(square), 0));
   if (*moved > 0) PetscCall(CompensatedResidual(m->A, m->b, m->y, m->r));
+  PetscCall(ErrorBoundLoad_Private(m, slips));
+  PetscCall(PetscFree(slips));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -164,6 +238,25 @@ static PetscErrorCode ErrorBoundCorrect_Private(Bound *m, PetscReal *square)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Releases what sticks by more than its limit; it carries the limit from then on. [in] m->forces, m->values - as in ErrorBoundRelease_Private(); [in,out] num */
+static PetscErrorCode ErrorBoundReleaseTangents_Private(Bound *m, PetscInt *num)
+{
+  PetscFunctionBeginUser;
+  if (!m->law) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt a = 0; a < m->law->n; a++) {
+    const PetscInt *t    = &m->tangent[FRICTION_TANGENTS * a];
+    PetscReal       q[2] = {0, 0};
+
+    if (!m->fixed[t[0]]) continue;
+    for (PetscInt i = 0; i < FRICTION_TANGENTS && t[i] >= 0; i++) q[i] = m->forces[t[i]] - m->values[t[i]];
+    if (VectorNorm(FRICTION_TANGENTS, q) <= m->law->bound[a] * (1 + AT_LIMIT)) continue;
+    ErrorBoundLoadNode_Private(m, a, q, m->forces);
+    ++*num;
+  }
+  PetscCall(ActiveSetScatter(m->solver->set, m->forces, m->r));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Removes nodes with negative pressure from the set: b - A (y^ + d) < 0. [out] num - of all ranks */
 static PetscErrorCode ErrorBoundRelease_Private(Bound *m, PetscInt *num)
 {
@@ -173,10 +266,11 @@ static PetscErrorCode ErrorBoundRelease_Private(Bound *m, PetscInt *num)
   PetscCall(ActiveSetGather(set, m->r, m->forces));
   *num = 0;
   for (PetscInt i = 0; i < set->n; i++) {
-    if (!m->fixed[i] || m->forces[i] >= m->values[i]) continue;
+    if (!m->fixed[i] || set->upper[i] == PETSC_INFINITY || m->forces[i] >= m->values[i]) continue;
     m->fixed[i] = PETSC_FALSE;
     ++*num;
   }
+  PetscCall(ErrorBoundReleaseTangents_Private(m, num));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, num, 1, MPIU_INT, MPI_SUM, set->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -189,7 +283,7 @@ static PetscErrorCode ErrorBoundFactor_Private(Bound *m, PetscBool *done)
 
   PetscFunctionBeginUser;
   PetscCall(ActiveSolutionCreate(set, &solution));
-  PetscCall((*m->solver->solve)(m->solver, m->fixed, set->upper, &solution));
+  PetscCall((*m->solver->solve)(m->solver, m->fixed, m->start, &solution));
   *done = (PetscBool)!solution.failure;
   PetscCall(ActiveSolutionDestroy(&solution));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -239,14 +333,14 @@ static PetscErrorCode ErrorBoundEstimate_Private(Bound *m, PetscBool ready, Pets
 }
 
 /* The bound with a given solver. */
-static PetscErrorCode ErrorBoundApply_Private(ActiveSolver solver, PetscBool ready, Mat A, Vec b, Vec y,
+static PetscErrorCode ErrorBoundApply_Private(ActiveSolver solver, PetscBool ready, const VI vi, Vec y,
                                               EnergyBound *bound)
 {
   Bound     m;
   PetscReal moved = 0, square = NAN;
 
   PetscFunctionBeginUser;
-  PetscCall(ErrorBoundBoundCreate_Private(solver, A, b, &m));
+  PetscCall(ErrorBoundBoundCreate_Private(solver, vi->A, vi->b, vi->friction, &m));
   PetscCall(ErrorBoundFeasible_Private(&m, y, &moved));
   bound->estimated = (PetscBool)!solver->factored;
   if (solver->factored)
@@ -267,19 +361,23 @@ PetscErrorCode ErrorBoundCompute(const Proximal *proximal, SNES snes, Vec y, Ene
   ActiveSet           set;
   PetscReal           size;
   const char         *failure;
+  PetscBool           given = PETSC_TRUE;
 
   PetscFunctionBeginUser;
   *bound = (EnergyBound){.value = NAN};
+  if (vi->friction) PetscCall(FrictionLawIsGiven(vi, &given));
+  if (!given) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SNESGetConvergedReason(snes, &reason));
   PetscCall(VecNorm(y, NORM_2, &size));
   if (reason == SNES_DIVERGED_LINEAR_SOLVE || PetscIsInfOrNanReal(size)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PDASGetSolver(snes, &solver));
   if (solver) {
-    PetscCall(ErrorBoundApply_Private(solver, PETSC_TRUE, vi->A, vi->b, y, bound));
+    PetscCall(ErrorBoundApply_Private(solver, (PetscBool)!vi->friction, vi, y, bound));
   } else {
-    PetscCall(ActiveSetCreate(solved->upper, solved->A, &set));
+    PetscCall(vi->friction ? ActiveSetCreateWithTangents(solved->upper, solved->A, vi->friction, &set)
+                           : ActiveSetCreate(solved->upper, solved->A, &set));
     PetscCall(PDASCreateSolver(snes, &set, solved->A, solved->b, FACTOR_RTOL, &solver, &failure));
-    if (!failure) PetscCall(ErrorBoundApply_Private(solver, PETSC_FALSE, vi->A, vi->b, y, bound));
+    if (!failure) PetscCall(ErrorBoundApply_Private(solver, PETSC_FALSE, vi, y, bound));
     PetscCall(ActiveSolverDestroy(&solver));
     PetscCall(ActiveSetDestroy(&set));
   }

@@ -1,6 +1,7 @@
 /* solverchoice.c -- the choice of solvers: by the user, else by size and dimension. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
+#include "problem/frictionlaw.h"
 #include "base/usererror.h"
 #include "pdas/pdas.h"
 #include "base/warning.h"
@@ -315,7 +316,7 @@ static PetscErrorCode SolverChoiceChooseFriction_Private(VI vi, SolverChoice *ch
                              "the sides of the pairs smaller",
                              num + tangents, (int)MAX_FRICTION));
   }
-  choice->bound = PETSC_FALSE;
+  PetscCall(FrictionLawIsGiven(vi, &choice->bound));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

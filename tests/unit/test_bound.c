@@ -186,6 +186,52 @@ static PetscErrorCode TestBoxes(PetscBool floating, PetscInt order)
   PetscFunctionReturn(0);
 }
 
+/* The upper box pressed down and sheared, with friction of a given limit; held by its top, or by the friction alone. */
+static PetscErrorCode TestFriction(PetscBool floating)
+{
+  static const Way way     = {"", PETSC_FALSE, 60, 1 - 1e-6, 3}; // 1.6 was seen
+  const PetscReal  load[2] = {0.2, -1}, down[2] = {3e-4, -1e-3}, held[2] = {0, 0}, limit = 0.25;
+  struct _n_Scene  scene;
+  SceneBody        bodies[2];
+  ScenePair        pair;
+  SceneBoundary    boundaries[2];
+  SolverReport     report;
+  Mesh             mesh;
+  VI               vi;
+  Solvability      solvability;
+  Vec              y;
+
+  PetscFunctionBeginUser;
+  PetscCall(SetTwoBoxes(&scene, bodies, &pair));
+  SetBox(&bodies[0], "upper", 4, 3, 0, 0, 1, 1);
+  SetBox(&bodies[1], "lower", 5, 3, -0.3, -1, 1.3, 0);
+  scene.quiet = PETSC_TRUE;
+  PetscCall(ExpressionCreateConstant("-limit", 1, &limit, &pair.bound));
+  for (PetscInt b = 0; b < 2; b++) {
+    bodies[b].num_boundaries = b || !floating;
+    bodies[b].boundaries     = &boundaries[b];
+    boundaries[b]            = (SceneBoundary){BOUNDARY_DISPLACEMENT, (char *)(b ? "bottom" : "top"), NULL};
+    if (bodies[b].num_boundaries) PetscCall(ExpressionCreateConstant("-bc", 2, b ? held : down, &boundaries[b].value));
+  }
+  if (floating) PetscCall(ExpressionCreateConstant("-force", 2, load, &bodies[0].material.body_force));
+  PetscCall(MeshCreate(&scene, &mesh));
+  PetscCall(MeshSetUp(mesh));
+  PetscCall(VICreate(&scene, mesh, &vi));
+  PetscCall(SolvabilityCreate(vi, &solvability));
+  PetscCall(VecDuplicate(vi->b, &y));
+  PetscCall(SolveOnce(vi, solvability, NULL, y, &report));
+  CHECK(report.converged && report.bound.value < 1e-12 && report.friction.slipping && report.friction.sticking);
+  PetscCall(Sweep(vi, solvability, y, &way, way.num, report.bound.value));
+  PetscCall(VecDestroy(&y));
+  PetscCall(SolvabilityDestroy(&solvability));
+  PetscCall(VIDestroy(&vi));
+  PetscCall(MeshDestroy(&mesh));
+  PetscCall(ExpressionDestroy(&bodies[0].material.body_force));
+  PetscCall(ExpressionDestroy(&pair.bound));
+  PetscCall(DestroyTwoBoxes(bodies));
+  PetscFunctionReturn(0);
+}
+
 int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
@@ -195,6 +241,8 @@ int main(int argc, char **argv)
   PetscCall(TestBoxes(PETSC_FALSE, 1));
   PetscCall(TestBoxes(PETSC_FALSE, 2));
   PetscCall(TestBoxes(PETSC_TRUE, 1));
+  PetscCall(TestFriction(PETSC_FALSE));
+  PetscCall(TestFriction(PETSC_TRUE));
   PetscCall(PetscFinalize());
   return 0;
 }
