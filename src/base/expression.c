@@ -240,20 +240,6 @@ PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char t
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ExpressionCreateConstant(const char option[], PetscInt num_components, const PetscReal values[],
-                                        Expression *e)
-{
-  char   text[PETSC_MAX_PATH_LEN] = "";
-  size_t length                   = 0;
-
-  PetscFunctionBeginUser;
-  for (PetscInt c = 0; c < num_components && length < sizeof(text); c++)
-    length += (size_t)snprintf(text + length, sizeof(text) - length, "%s%.17g", c ? "," : "", (double)values[c]);
-  PetscCall(ExpressionAllocate_Private(option, text, num_components, e));
-  for (PetscInt c = 0; c < num_components; c++) (*e)->components[c].number = values[c];
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode ExpressionDestroy(Expression *e)
 {
   PetscFunctionBeginUser;

@@ -18,9 +18,6 @@ typedef struct _n_Expression *Expression;
    [out] e             - owned by the caller */
 PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char text[], PetscInt num_components,
                                 PetscBool allow_free, Expression *e);
-/* An expression of plain numbers; values is an array of shape [num_components]. Not collective. */
-PetscErrorCode ExpressionCreateConstant(const char option[], PetscInt num_components, const PetscReal values[],
-                                        Expression *e);
 PetscErrorCode ExpressionDestroy(Expression *e);
 
 /* Makes z a name of the second coordinate, as r is one of the first: a point (r, z) of a meridian plane. Not collective. */

@@ -10,11 +10,6 @@ enum { MAX_DIM = REFERENCE_MAX_DIM, NEWTON_MAX_STEPS = 25 };
 static const PetscReal ELEMENT_NEWTON_STEP =
     1e-10; /* convergence is quadratic: after such a step only roundoff is left */
 
-const char *ElementName(ElementType type)
-{
-  return REFERENCE[type].name;
-}
-
 PetscInt ElementDim(ElementType type)
 {
   return REFERENCE[type].dim;

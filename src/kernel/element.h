@@ -31,8 +31,7 @@ enum {
   ELEMENT_MAX_POINTS      = 252 /* of a quadrature rule: 6 x 6 x 7 */
 };
 
-/* Name as users know it ("tri3"), reference dimension, nodes, facets, and the type of each facet. Not collective. */
-const char *ElementName(ElementType type);
+/* Reference dimension, nodes, facets, and the type of each facet. Not collective. */
 PetscInt    ElementDim(ElementType type);
 PetscInt    ElementNumNodes(ElementType type);
 PetscInt    ElementNumFacets(ElementType type);

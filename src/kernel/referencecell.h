@@ -8,7 +8,6 @@
 enum { REFERENCE_MAX_DIM = 3, REFERENCE_MAX_EDGES = 12, REFERENCE_MAX_FACETS = 6 };
 
 typedef struct {
-  const char *name;
   PetscInt    dim, order, num_nodes, num_edges, num_facets;
   ElementType linear;     /* the same cell with its vertices only */
   ElementType facet_type; /* ELEMENT_COUNT where the facets are points */

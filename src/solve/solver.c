@@ -223,20 +223,6 @@ PetscErrorCode SolverCreateContext(Solver solver, const SolverReport *report, So
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolverBoundError(Solver solver, Vec y, EnergyBound *bound)
-{
-  SolverContext context;
-  Vec           own;
-
-  PetscFunctionBeginUser;
-  PetscCall(SolverSubtractRigid(solver->solvability, y, &own));
-  PetscCall(SolverCreateContext(solver, NULL, &context));
-  PetscCall(ErrorBoundCompute(&context.proximal, context.snes, own, bound));
-  PetscCall(SolverContextDestroy(&context, own));
-  PetscCall(VecDestroy(&own));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode SolverSolveLinear(Solver solver, Vec y, SolverReport *report)
 {
   const MPI_Comm   comm      = PetscObjectComm((PetscObject)solver->vi->A);

@@ -74,9 +74,6 @@ PetscErrorCode SolverUpdate(Solver solver);
    [in] guess - displacement to begin with (ghosted, dim per node), which changes the work and not the answer; or NULL
    [out] y - created by the caller in the layout of vi->b */
 PetscErrorCode SolverSolve(Solver solver, Vec guess, Vec y, SolverReport *report);
-/* Bound on the distance of any y, feasible or not, from the solution; costs one factorization or linear
-   solve. SolverSolve() computes it for its own y at the cost of a substitution. Collective. */
-PetscErrorCode SolverBoundError(Solver solver, Vec y, EnergyBound *bound);
 /* Solves once more with the active set of the solution y, by the same linear solver, from zero with a new
    setup; the seconds belong to no stage. Collective. [in,out] report - of SolverSolve(); its reference is set */
 PetscErrorCode SolverSolveLinear(Solver solver, Vec y, SolverReport *report);

@@ -2,8 +2,8 @@
 """bars.py <mortise> [--keep folder] [scene ...] -- how many error bars hold, against the same scenes on much finer meshes.
 
 A scene is solved by -adapt with 3, 4, ... meshes; each run has its own bars. The truth is its run with five meshes more in the plane, two
-more in space. A bar is judged where the truth's own bar is at most a third of it, or where it misses the truth by more than that one's
-bar. Prints a table by kind of number: bars, share that hold the truth, median ratio of bar and error; and the effectivity of the estimate.
+more in space. A bar is judged where the truth's own bar is at most a third of it. It is also judged where it misses the truth by more than
+that one's bar. Prints a table by kind of number: bars, share that hold the truth, median ratio of bar and error; and the effectivity of the estimate.
 With --keep, summaries are kept there, and runs whose summary is there are not repeated. One process at a time."""
 import argparse
 import json

@@ -3,6 +3,7 @@
 #define MORTISE_MESH_SCENE_H
 
 #include "mesh/mesh.h"
+#include "constant.h"
 #include "base/usererror.h"
 #include <string.h>
 #include "test.h"
@@ -45,8 +46,8 @@ static inline SceneBody *TestSceneAddBox(TestScene *t, const char name[], PetscI
   body->upper[1]   = y1;
   body->order      = 1;
   body->boundaries = t->boundaries[b];
-  CHECK(!ExpressionCreateConstant("-young", 1, &young, &body->material.young));
-  CHECK(!ExpressionCreateConstant("-poisson", 1, &poisson, &body->material.poisson));
+  CHECK(!ConstantCreate("-young", 1, &young, &body->material.young));
+  CHECK(!ConstantCreate("-poisson", 1, &poisson, &body->material.poisson));
   return body;
 }
 

@@ -35,7 +35,7 @@ static PetscErrorCode Solve(Case *c, PetscReal push)
     c->boundaries[b]            = (SceneBoundary){BOUNDARY_DISPLACEMENT, (char *)(b ? "bottom" : "top"), NULL};
     c->bodies[b].num_boundaries = 1;
     c->bodies[b].boundaries     = &c->boundaries[b];
-    PetscCall(ExpressionCreateConstant("-bc", 2, b ? held : down, &c->boundaries[b].value));
+    PetscCall(ConstantCreate("-bc", 2, b ? held : down, &c->boundaries[b].value));
   }
   c->scene.quiet = PETSC_TRUE;
   PetscCall(MeshCreate(&c->scene, &c->mesh));

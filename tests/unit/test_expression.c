@@ -1,5 +1,6 @@
 /* test_expression.c -- numbers, formulas, `free`, and the sentences for what is none of them. */
 #include "base/compat.h"
+#include "constant.h"
 #include "base/expression.h"
 #include "base/usererror.h"
 #include <string.h>
@@ -96,7 +97,7 @@ static void TestConstant(void)
   Expression      e;
   PetscReal       values[2];
 
-  CHECK(!ExpressionCreateConstant("-datum", 2, given, &e));
+  CHECK(!ConstantCreate("-datum", 2, given, &e));
   CHECK(ExpressionIsConstant(e) && ExpressionSize(e) == 2);
   Evaluate(e, 2, 5, 6, 0, values);
   for (int c = 0; c < 2; ++c) CHECK_NEAR(values[c], given[c], 0);

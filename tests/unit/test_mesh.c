@@ -188,7 +188,7 @@ static PetscBool RolesSwapped(PetscReal young_0, PetscReal young_1, PetscInt n_0
   TestSceneAddBox(&t, "lower", n_1, 1, 0, -1, length_1, 0);
   for (PetscInt b = 0; b < 2; ++b) {
     CHECK(!ExpressionDestroy(&t.bodies[b].material.young));
-    CHECK(!ExpressionCreateConstant("-young", 1, b ? &young_1 : &young_0, &t.bodies[b].material.young));
+    CHECK(!ConstantCreate("-young", 1, b ? &young_1 : &young_0, &t.bodies[b].material.young));
   }
   TestSceneAddPair(&t, "joint", 0, "bottom", 1, "top")->roles_open = PETSC_TRUE;
   mesh                                                             = TestSceneMesh(&t);

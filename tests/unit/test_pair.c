@@ -322,7 +322,7 @@ static PetscErrorCode TestCrosspoints(PetscInt order, PairMultipliers multiplier
   SetBox(&bodies[0], "upper", 4, 2, 0, 0, 1, 1);
   SetBox(&bodies[1], "lower", 7, 2, 0, -1, 1, 0);
   bodies[0].order = bodies[1].order = order;
-  PetscCall(ExpressionCreateConstant("-upper_bc_displacement_left+right", 2, zero, &boundary.value));
+  PetscCall(ConstantCreate("-upper_bc_displacement_left+right", 2, zero, &boundary.value));
   bodies[0].num_boundaries = 1;
   bodies[0].boundaries     = &boundary;
   PetscCall(MakePair(&scene, &mesh, &support, &pair));

@@ -25,12 +25,12 @@ static PetscErrorCode TestPress(PetscReal height, PetscReal young, PetscInt most
   scene.quiet  = PETSC_TRUE;
   scene.refine = 2;
   PetscCall(ExpressionDestroy(&bodies[0].material.young));
-  PetscCall(ExpressionCreateConstant("-young", 1, &young, &bodies[0].material.young));
+  PetscCall(ConstantCreate("-young", 1, &young, &bodies[0].material.young));
   for (PetscInt b = 0; b < 2; b++) {
     bodies[b].num_boundaries = 1;
     bodies[b].boundaries     = &boundaries[b];
     boundaries[b]            = (SceneBoundary){BOUNDARY_DISPLACEMENT, (char *)(b ? "bottom" : "top"), NULL};
-    PetscCall(ExpressionCreateConstant("-bc", 2, b ? held : down, &boundaries[b].value));
+    PetscCall(ConstantCreate("-bc", 2, b ? held : down, &boundaries[b].value));
   }
   PetscCall(MeshCreate(&scene, &mesh));
   PetscCall(MeshSetUp(mesh));

@@ -289,7 +289,7 @@ static PetscErrorCode TestCrosspoints(ElementType cell, PairMultipliers multipli
   spec.multipliers = multipliers;
   SetSolid(&bodies[0], "upper", cell, 3, 3, 1, lower[0], upper[0]);
   SetSolid(&bodies[1], "lower", ELEMENT_HEX8, 4, 2, 1, lower[1], upper[1]);
-  PetscCall(ExpressionCreateConstant("-upper_bc_displacement", DIM, zero, &boundary.value));
+  PetscCall(ConstantCreate("-upper_bc_displacement", DIM, zero, &boundary.value));
   bodies[0].num_boundaries = 1;
   bodies[0].boundaries     = &boundary;
   PetscCall(MakePair(&scene, TURN, &mesh, &support, &pair));

@@ -149,7 +149,7 @@ static void TestCurvedLoads(PetscBool simplex)
   mesh = TestSceneMesh(&t);
   CHECK_NEAR(Work(&t, MeshFinest(mesh), One, Zero), -3. * 2, 1e-13);
   CHECK_NEAR(Work(&t, MeshFinest(mesh), Zero, One), -3. * 2 + PETSC_PI / 2, 0.1 * angle4);
-  CHECK(!ExpressionCreateConstant("-force", 2, (PetscReal[]){1, 0}, &body->material.body_force));
+  CHECK(!ConstantCreate("-force", 2, (PetscReal[]){1, 0}, &body->material.body_force));
   CHECK_NEAR(Work(&t, MeshFinest(mesh), One, Zero), -3. * 2 + 0.75 * PETSC_PI, 0.1 * angle4);
   CHECK(!ExpressionDestroy(&body->material.body_force));
   CHECK(!MeshDestroy(&mesh));

@@ -3,6 +3,7 @@
 #define TWO_BOXES_H
 
 #include "base/compat.h"
+#include "constant.h"
 #include "base/usererror.h"
 #include "problem/vi.h"
 
@@ -43,8 +44,8 @@ static inline PetscErrorCode SetTwoBoxes(struct _n_Scene *scene, SceneBody bodie
   scene->pairs         = pair;
   for (PetscInt b = 0; b < 2; b++) {
     const PetscReal young = 1000, poisson = 0.3;
-    PetscCall(ExpressionCreateConstant("-young", 1, &young, &bodies[b].material.young));
-    PetscCall(ExpressionCreateConstant("-poisson", 1, &poisson, &bodies[b].material.poisson));
+    PetscCall(ConstantCreate("-young", 1, &young, &bodies[b].material.young));
+    PetscCall(ConstantCreate("-poisson", 1, &poisson, &bodies[b].material.poisson));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
