@@ -223,14 +223,14 @@ static PetscErrorCode TestFriction(PetscBool floating)
   SetBox(&bodies[0], "upper", 4, 3, 0, 0, 1, 1);
   SetBox(&bodies[1], "lower", 5, 3, -0.3, -1, 1.3, 0);
   scene.quiet = PETSC_TRUE;
-  PetscCall(ExpressionCreateConstant("-limit", 1, &limit, &pair.bound));
+  PetscCall(ConstantCreate("-limit", 1, &limit, &pair.bound));
   for (PetscInt b = 0; b < 2; b++) {
     bodies[b].num_boundaries = b || !floating;
     bodies[b].boundaries     = &boundaries[b];
     boundaries[b]            = (SceneBoundary){BOUNDARY_DISPLACEMENT, (char *)(b ? "bottom" : "top"), NULL};
-    if (bodies[b].num_boundaries) PetscCall(ExpressionCreateConstant("-bc", 2, b ? held : down, &boundaries[b].value));
+    if (bodies[b].num_boundaries) PetscCall(ConstantCreate("-bc", 2, b ? held : down, &boundaries[b].value));
   }
-  if (floating) PetscCall(ExpressionCreateConstant("-force", 2, load, &bodies[0].material.body_force));
+  if (floating) PetscCall(ConstantCreate("-force", 2, load, &bodies[0].material.body_force));
   PetscCall(MeshCreate(&scene, &mesh));
   PetscCall(MeshSetUp(mesh));
   PetscCall(VICreate(&scene, mesh, &vi));
