@@ -214,6 +214,24 @@ PetscErrorCode ActivePredictionApply(Hierarchy hierarchy, const HierarchyLevel *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode ActivePredictionBeyond(Hierarchy hierarchy, const HierarchyLevel *level, PC pc, Vec y, Vec active)
+{
+  Iterate  it      = {.hierarchy = hierarchy, .level = level, .y = y, .active = active};
+  PetscInt changed = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecPointwiseMin(y, y, level->op.upper));
+  PetscCall(ActivePredictionBegin_Private(&it));
+  PetscCall(ActivePredictionUpdateActive_Private(&it, &changed));
+  for (PetscInt k = 0; k < MAX_CYCLES && (!k || changed); k++) {
+    PetscCall(ActivePredictionJump_Private(&it, pc));
+    PetscCall(ActivePredictionUpdateActive_Private(&it, &changed));
+    PetscCall(PetscInfo(pc, "cycle %" PetscInt_FMT " beyond: %" PetscInt_FMT " changed\n", k + 1, changed));
+  }
+  PetscCall(ActivePredictionEnd_Private(&it));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ActivePredictionStart(Hierarchy hierarchy, const HierarchyLevel *level, PC pc, Vec y, Vec active)
 {
   Iterate   it      = {.hierarchy = hierarchy, .level = level, .y = y, .active = active};

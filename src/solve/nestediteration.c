@@ -378,11 +378,14 @@ PetscErrorCode NestedIterationPredict(MeshLevels levels, SNES snes, VI vi, Vec y
   PC                    pc;
 
   PetscFunctionBeginUser;
-  *found = (PetscBool)!finest->S; // projected steps are those of the diagonal
-  if (!*found) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(NestedIterationGetCycles_Private(snes, vi, &pc));
+  *found = (PetscBool)(pc || !finest->S);
+  if (!*found) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(NestedIterationMarkBounds_Private(&finest->op, y, active));
   PetscCall(NestedIterationMoveToBounds_Private(&finest->op, active, y));
-  PetscCall(ActivePredictionApply(hierarchy, finest, pc, y, active, &energy_decrease));
+  if (finest->S)
+    PetscCall(ActivePredictionBeyond(hierarchy, finest, pc, y, active));
+  else
+    PetscCall(ActivePredictionApply(hierarchy, finest, pc, y, active, &energy_decrease));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -62,6 +62,28 @@ static PetscErrorCode SolverStartExtended_Private(SolverContext *context, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* What an iteration that cost too much knows of contact is the start of the factorization that replaces it. */
+static PetscErrorCode SolverLeaveSet_Private(Solver solver, const SolverContext *context, const SolverReport *report)
+{
+  Vec active;
+
+  PetscFunctionBeginUser;
+  if (report->converged || strcmp(report->reason, FAILURE_COST)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PDASGetActive(context->snes, &active));
+  PetscCall(VecDuplicate(active, &solver->left));
+  PetscCall(VecCopy(active, solver->left));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode SolverTakeSet_Private(Solver solver, const SolverContext *context)
+{
+  PetscFunctionBeginUser;
+  if (!solver->left) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PDASSetStart(context->snes, solver->left));
+  PetscCall(VecDestroy(&solver->left));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SolverCreate(VI vi, Solvability solvability, Solver *solver)
 {
   PetscFunctionBeginUser;
@@ -78,6 +100,7 @@ PetscErrorCode SolverDestroy(Solver *solver)
   PetscCall(SolverContextForget(*solver));
   PetscCall(MeshLevelsDestroy(&(*solver)->levels));
   PetscCall(MeshLevelsDestroy(&(*solver)->older));
+  PetscCall(VecDestroy(&(*solver)->left));
   PetscCall(PetscFree(*solver));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -130,8 +153,10 @@ PetscErrorCode SolverRun(Solver solver, const SolverChoice *choice, PetscBool pr
   if (context->levels && !nested && guess && pdas && solver->extended)
     PetscCall(SolverStartExtended_Private(context, y));
   solver->extended = PETSC_FALSE;
+  if (pdas) PetscCall(SolverTakeSet_Private(solver, context));
   if (choice->stop) PetscCall(DiscretizationStopSet(context, energy_decrease));
   PetscCall(SolverIterateProximal_Private(context, y, report));
+  if (pdas && !solvability) PetscCall(SolverLeaveSet_Private(solver, context, report));
   report->bound.value = report->discretisation = NAN;
   if (choice->bound && !pdas) PetscCall(SolverContextSetLevels(context, NULL));
   if (choice->bound) PetscCall(ErrorBoundCompute(&context->proximal, context->snes, y, &report->bound));

@@ -15,6 +15,7 @@ enum {
 static const PetscReal BAR_MARGIN  = 1.25; /* on differences */
 static const PetscReal LEAST_GAIN  = 0.95; /* largest ratio of estimates: meshes that hardly differ say little */
 static const PetscReal FALLEN      = 0.25; /* of the first estimate: fewer meshes are enough then */
+static const PetscReal SETTLES     = 0.5;  /* of each increment to the next: they tell a rate */
 static const PetscReal GROWN       = 0.1;  /* of a stress, over as many meshes: it is far from a limit, if it has one */
 static const PetscReal STILL_GROWS = 0.8;  /* increments of a bounded pressure shrink faster than that */
 
@@ -73,19 +74,32 @@ static PetscInt BarsRead_Private(const cJSON *row, const BarPath *path, PetscRea
   return num;
 }
 
-/* The part of a bar that the meshes tell. [in] Q - of all meshes, NAN where one has none [num] */
+/* Whether a sequence goes one way, by increments that become half as large each time. */
+static PetscBool BarsSettle_Private(PetscInt num, const PetscReal Q[])
+{
+  for (PetscInt j = 2; j < num; j++) {
+    const PetscReal step = Q[j] - Q[j - 1], before = Q[j - 1] - Q[j - 2];
+
+    if (!(step * before >= 0 && PetscAbsReal(step) <= SETTLES * PetscAbsReal(before))) return PETSC_FALSE;
+  }
+  return (PetscBool)(num > 2);
+}
+
+/* The part of a bar that the meshes tell. Few of them do not tell a rate: then it is their spread, times what they lack of enough.
+   [in] Q - of all meshes, NAN where one has none [num] */
 static PetscReal BarsOfSequence_Private(const BarHistory *history, const PetscReal Q[])
 {
   const PetscInt  last = history->num - 1;
   const PetscReal eta  = history->mesh[last].eta;
-  const PetscBool few  = (PetscBool)(last < BAR_MESHES && eta > FALLEN * history->mesh[0].eta);
-  PetscReal       bar  = 0;
+  const PetscBool few =
+      (PetscBool)(last < BAR_MESHES && (eta > FALLEN * history->mesh[0].eta || !BarsSettle_Private(history->num, Q)));
+  PetscReal bar = 0;
 
   if (!last) return (PetscReal)NAN;
   for (PetscInt j = PetscMax(0, last - BAR_MESHES); j < last; j++) {
     const PetscReal before = history->mesh[j].eta;
     const PetscReal r      = before > 0 ? PetscMin(eta / before, LEAST_GAIN) : LEAST_GAIN;
-    const PetscReal factor = few ? 1 : BAR_MARGIN * r / (1 - r);
+    const PetscReal factor = few ? (PetscReal)BAR_MESHES / last : BAR_MARGIN * r / (1 - r);
 
     if (PetscIsNanReal(Q[j])) return (PetscReal)NAN;
     bar = PetscMax(bar, factor * PetscAbsReal(Q[last] - Q[j]));
