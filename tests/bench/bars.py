@@ -45,6 +45,9 @@ SCENES = {
     "spherical gap in space": ("spherical_gap", "-upper_dm_plex_box_faces 3,3,2 -lower_dm_plex_box_faces 2,2,2", range(3, 6)),
     "shells in space": ("shells3d", "-outer_dm_plex_box_faces 2,2,2 -inner_dm_plex_box_faces 2,2,2", range(3, 5)),
     "tied in space": ("patch3d", "-upper_dm_plex_box_faces 2,2,2 -lower_dm_plex_box_faces 2,2,2 -upper_bc_displacement_top 0,0,-1.5e-3 -joint_type tied", range(3, 5)),
+    "spherical gap in space, order 1": ("spherical_gap", "-upper_dm_plex_box_faces 3,3,2 -lower_dm_plex_box_faces 2,2,2 -order 1", range(3, 7)),
+    "shells in space, order 1": ("shells3d", "-outer_dm_plex_box_faces 2,2,2 -inner_dm_plex_box_faces 2,2,2 -order 1", range(3, 6)),
+    "indentation in space, order 1": ("indentation", "-order 1", range(3, 6)),
     "hertz in space, order 1": ("hertz3d", "-sphere_dm_plex_box_faces 3,3,2 -block_dm_plex_box_faces 4,4,2 -order 1", range(3, 6)),
 }
 
