@@ -7,7 +7,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from judge import LONG, Run, require  # noqa: E402 pylint: disable=wrong-import-position
 
-SCENES = 300 if LONG else 8
+SCENES = 500 if LONG else 8
 
 
 def numbers(*values):
