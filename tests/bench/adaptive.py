@@ -26,9 +26,11 @@ SCENES = {
     "wheel on a rail, from a file": (OPTIONS / "wheel_on_rail.opts", [], (3, 2, 3), None),
 }
 LOOPS = {
-    "two plates": [OPTIONS / "two_plates.opts", *COARSE, "-adapt_max_unknowns", "2e5"],
-    "gears": [OPTIONS / "gears.opts", "-adapt_max_unknowns", "2e5"],
-    "Hertz in space": [HERE / "hertz_space.opts", "-adapt_max_unknowns", "1.5e5"],
+    "two plates": [OPTIONS / "two_plates.opts", *COARSE, "-adapt_max_unknowns", "8e4"],
+    "two plates, multigrid": [OPTIONS / "two_plates.opts", *COARSE, "-adapt_max_unknowns", "8e4", "-pc_type", "truncatedmg"],
+    "gears": [OPTIONS / "gears.opts", "-adapt_max_unknowns", "1e5"],
+    "hertz2d": [OPTIONS / "hertz2d.opts", "-adapt_max_unknowns", "1e5"],
+    "Hertz in space": [HERE / "hertz_space.opts", "-adapt_max_unknowns", "6e4"],
 }
 
 
