@@ -8,6 +8,10 @@
 #include "pdas/friction.h"
 #include "pdas/pdasimpl.h"
 
+#define FAILURE_FRICTION                                                                                               \
+  "contact with friction did not converge: take smaller -load_steps; the coefficient may be so large that there are "  \
+  "several solutions, or none"
+
 typedef enum { UNIT_FREE, UNIT_STICK, UNIT_SLIP } UnitStatus;
 
 typedef struct {
@@ -21,17 +25,24 @@ typedef struct {
   PetscReal  turning;                      /* force over slip across that direction */
 } FrictionUnit;
 
+/* Units with the values and forces of their unknowns: all of them on one rank, or of each rank its own. */
 typedef struct {
-  PetscInt      N, num; /* unknowns; units */
+  MPI_Comm      comm;   /* of the ranks that share them */
+  PetscInt      n, num; /* unknowns; units */
   FrictionUnit *unit;   /* [num] */
-  PetscScalar  *S;      /* borrowed [N][N] */
-  PetscReal    *g;      /* [N] */
-  PetscReal    *y, *r;  /* [N] */
-  PetscInt     *place;  /* of an unknown among the free ones, -1 where it is fixed [N] */
-  PetscInt      num_free;
-  PetscScalar  *M;     /* the system of the free unknowns, then its factors [N][N] */
-  PetscBLASInt *pivot; /* [N] */
-  PetscScalar  *x;     /* [N] */
+  PetscReal    *y, *r;  /* [n] */
+} FrictionUnits;
+
+/* The reduced problem, on the first rank. */
+typedef struct {
+  FrictionUnits *units; /* borrowed */
+  PetscScalar   *S;     /* borrowed [n][n] */
+  PetscReal     *g;     /* [n] */
+  PetscInt      *place; /* of an unknown among the free ones, -1 where it is fixed [n] */
+  PetscInt       num_free;
+  PetscScalar   *M;     /* the system of the free unknowns, then its factors [n][n] */
+  PetscBLASInt  *pivot; /* [n] */
+  PetscScalar   *x;     /* [n] */
 } FrictionProblem;
 
 /* |r_t| may be this much. */
@@ -40,19 +51,37 @@ static inline PetscReal FrictionUnitLimit(const FrictionUnit *unit, PetscReal pr
   return unit->bound + unit->coefficient * PetscMax(pressing, 0);
 }
 
-/* Gathers the units of all ranks on the first one, which gets memory for the rest. Collective. [in] S, N - of the first rank */
-PetscErrorCode FrictionProblemCreate(const ActiveSet *set, const FrictionLaw *law, PetscScalar S[],
-                                     FrictionProblem *problem);
+/* The units of this rank; positions count from its first unknown of the set. Values are not set. Not collective. [out] units - to be
+   destroyed by FrictionUnitsDestroy() */
+PetscErrorCode FrictionUnitsCreate(const ActiveSet *set, const FrictionLaw *law, FrictionUnits *units);
+/* The units of all ranks, on the first one. Collective. */
+PetscErrorCode FrictionUnitsGather(const ActiveSet *set, const FrictionLaw *law, FrictionUnits *units);
+PetscErrorCode FrictionUnitsDestroy(FrictionUnits *units);
+/* Decides from y and r what every unit does. Collective. [out] changed - units that do something else than before */
+PetscErrorCode FrictionUnitsDecide(FrictionUnits *units, PetscInt *changed);
+/* Sets y where the decisions fix it: y_n = upper where closed, s = 0 where it sticks. Not collective. */
+void FrictionUnitsPrescribe(FrictionUnits *units);
+/* Marks the unknowns that they fix. Not collective. [out] fixed - [n] */
+void FrictionUnitsMark(const FrictionUnits *units, PetscBool fixed[]);
+/* The residual of the law, in the norm of diag(A)^-1, and what it is compared with. Collective. [out] size - of the forces, with roundoff */
+PetscErrorCode FrictionUnitsResidual(const FrictionUnits *units, PetscReal *residual, PetscReal *size);
+/* Counts units. Collective. [out] report - slipping and sticking; [out] closed */
+PetscErrorCode FrictionUnitsCount(const FrictionUnits *units, FrictionReport *report, PetscInt *closed);
+
+/* Limits of Tresca's problems instead of those that follow the pressure. Collective. [out] mu, given - the coefficients and bounds, owned by the
+   caller [num] */
+PetscErrorCode FrictionUnitsBeginFixedPoint(FrictionUnits *units, PetscReal **mu, PetscReal **given);
+/* Gives every unit the limit that its present force makes. Collective. [out] settled - whether limits have stopped to change */
+PetscErrorCode FrictionUnitsFreeze(FrictionUnits *units, const PetscReal mu[], const PetscReal given[],
+                                   PetscBool *settled);
+
+/* Memory for the units of the first rank; of no others. Not collective. [in] units - borrowed; [in] S - borrowed */
+PetscErrorCode FrictionProblemCreate(FrictionUnits *units, PetscScalar S[], FrictionProblem *problem);
 PetscErrorCode FrictionProblemDestroy(FrictionProblem *problem);
 /* r = g - S y. First rank, as all below. */
 PetscErrorCode FrictionProblemSetForces(FrictionProblem *problem);
 /* g += S y. */
 PetscErrorCode FrictionProblemAddProduct(FrictionProblem *problem);
-/* The residual of the law, in the norm of diag(A)^-1, and what it is compared with. [out] size - of the forces, with roundoff */
-void FrictionProblemResidual(const FrictionProblem *problem, PetscReal *residual, PetscReal *size);
-
-/* Decides from y and r what every unit does. [out] changed - units that do something else than before */
-void FrictionSystemDecide(FrictionProblem *problem, PetscInt *changed);
 /* Factors the linear system of these decisions. [in] coupled - whether limits follow the pressure, as in Newton's method, or are given;
    [out] singular */
 PetscErrorCode FrictionSystemFactor(FrictionProblem *problem, PetscBool coupled, PetscBool *singular);
@@ -64,8 +93,36 @@ PetscErrorCode FrictionSystemGetRho(FrictionProblem *problem, PetscReal *rho);
 /* Sweeps of nonlinear Gauss-Seidel: each unit in turn minimizes with the limit that it has now, along its own gradient (eq. 16.4). */
 PetscErrorCode FrictionSweep(FrictionProblem *problem, PetscInt sweeps);
 
-/* Solves contact with friction by solver, a SchurSolver: sets pdas->converged or pdas->failure, and what PDASGetFriction() tells. Collective.
-   [in,out] y - initial guess, solution */
+/* Values that all ranks have of a Newton step. */
+typedef struct {
+  PetscReal residual,
+      size; /* of the law, and of the other unknowns where these are not eliminated; what it is compared with */
+  PetscInt  changed, closed, iterations, sweeps;
+  PetscBool done; /* the law holds */
+} FrictionStep;
+
+/* A way to make Newton steps. All functions are collective. */
+typedef struct _n_FrictionMethod *FrictionMethod;
+struct _n_FrictionMethod {
+  PDAS         *pdas;
+  ActiveSolver  solver; /* borrowed */
+  FrictionUnits units;  /* all on the first rank, or of each rank its own */
+  void         *data;
+  /* Forgets what steps before have told, for other limits. */
+  PetscErrorCode (*restart)(FrictionMethod);
+  PetscErrorCode (*step)(FrictionMethod, FrictionStep *step);
+  /* [out] y - all unknowns; pdas->friction_report, and pdas->set.active: what is closed and what sticks */
+  PetscErrorCode (*finish)(FrictionMethod, Vec y);
+  PetscErrorCode (*destroy)(FrictionMethod);
+};
+
+/* Steps on the Schur complement of the unknowns with bounds and tangents, of a SchurSolver. Collective. [in] y - initial guess */
+PetscErrorCode FrictionReducedCreate(FrictionMethod method, Vec y);
+/* Steps at full size by GMRES, preconditioned by the multigrid of a FullSolver. Collective. [in] y - initial guess */
+PetscErrorCode FrictionKrylovCreate(FrictionMethod method, Vec y);
+
+/* Solves contact with friction: sets pdas->converged or pdas->failure, and what PDASGetFriction() tells. Collective. [in,out] y - initial
+   guess, solution */
 PetscErrorCode FrictionIterate(SNES snes, PDAS *pdas, ActiveSolver solver, Vec y);
 
 #endif

@@ -14,16 +14,16 @@ static PetscErrorCode FrictionSweepMove_Private(FrictionProblem *problem, PetscI
 
   PetscFunctionBeginUser;
   if (step == 0) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscBLASIntCast(problem->N, &N));
-  problem->y[i] += step;
-  PetscCallBLAS("BLASaxpy", BLASaxpy_(&N, &minus, &problem->S[problem->N * i], &one, problem->r, &one));
+  PetscCall(PetscBLASIntCast(problem->units->n, &N));
+  problem->units->y[i] += step;
+  PetscCallBLAS("BLASaxpy", BLASaxpy_(&N, &minus, &problem->S[problem->units->n * i], &one, problem->units->r, &one));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The largest eigenvalue of the unit's tangential block. */
 static PetscReal FrictionSweepStiffness_Private(const FrictionProblem *problem, const FrictionUnit *unit)
 {
-  const PetscInt  N = problem->N, i = unit->tangent[0], j = unit->tangent[unit->num - 1];
+  const PetscInt  N = problem->units->n, i = unit->tangent[0], j = unit->tangent[unit->num - 1];
   const PetscReal a = problem->S[N * i + i], b = problem->S[N * j + j], c = problem->S[N * i + j];
 
   if (unit->num == 1) return a;
@@ -34,24 +34,24 @@ static PetscReal FrictionSweepStiffness_Private(const FrictionProblem *problem, 
 static PetscErrorCode FrictionSweepUnit_Private(FrictionProblem *problem, const FrictionUnit *unit)
 {
   const PetscInt  n = unit->normal;
-  const PetscReal k = problem->S[problem->N * n + n];
+  const PetscReal k = problem->S[problem->units->n * n + n];
   PetscReal       z[FRICTION_TANGENTS], size = 0, limit, kept, stiffness;
 
   PetscFunctionBeginUser;
-  PetscCall(
-      FrictionSweepMove_Private(problem, n, PetscMin(problem->y[n] + problem->r[n] / k, unit->upper) - problem->y[n]));
+  PetscCall(FrictionSweepMove_Private(
+      problem, n, PetscMin(problem->units->y[n] + problem->units->r[n] / k, unit->upper) - problem->units->y[n]));
   if (!unit->num) PetscFunctionReturn(PETSC_SUCCESS);
   stiffness = FrictionSweepStiffness_Private(problem, unit);
-  limit     = FrictionUnitLimit(unit, problem->r[n]);
+  limit     = FrictionUnitLimit(unit, problem->units->r[n]);
   for (PetscInt i = 0; i < unit->num; i++) {
-    z[i] = stiffness * (problem->y[unit->tangent[i]] - unit->origin[i]) + problem->r[unit->tangent[i]];
+    z[i] = stiffness * (problem->units->y[unit->tangent[i]] - unit->origin[i]) + problem->units->r[unit->tangent[i]];
     size += z[i] * z[i];
   }
   size = PetscSqrtReal(size);
   kept = size > limit ? (1 - limit / size) / stiffness : 0;
   for (PetscInt i = 0; i < unit->num; i++)
     PetscCall(FrictionSweepMove_Private(problem, unit->tangent[i],
-                                        unit->origin[i] + kept * z[i] - problem->y[unit->tangent[i]]));
+                                        unit->origin[i] + kept * z[i] - problem->units->y[unit->tangent[i]]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -59,7 +59,8 @@ PetscErrorCode FrictionSweep(FrictionProblem *problem, PetscInt sweeps)
 {
   PetscFunctionBeginUser;
   for (PetscInt s = 0; s < sweeps; s++)
-    for (PetscInt a = 0; a < problem->num; a++) PetscCall(FrictionSweepUnit_Private(problem, &problem->unit[a]));
+    for (PetscInt a = 0; a < problem->units->num; a++)
+      PetscCall(FrictionSweepUnit_Private(problem, &problem->units->unit[a]));
   PetscCall(FrictionProblemSetForces(problem)); // without the roundoff of all those steps
   PetscFunctionReturn(PETSC_SUCCESS);
 }

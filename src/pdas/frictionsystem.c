@@ -13,79 +13,22 @@
 #include "pdas/frictionimpl.h"
 #include <petscblaslapack.h>
 
-/* Tolerances of ties, relative to the largest value and force, as of frictionless contact. */
-static const PetscReal TIE_FRICTION = 1e-11;
-/* G / |q^| counts as at most this: the resistance to turning stays finite where slip begins. */
-static const PetscReal SLIP_BEGINS = 1 - 1e-8;
 /* Power iteration: steps before the growth is measured, and over which it is. */
 enum { RHO_FIRST = 30, RHO_STEPS = 60 };
-
-/* Whether the unit is closed: what is closed opens below -tolerance, what is open closes beyond it. */
-static PetscBool FrictionSystemIsClosed_Private(const FrictionUnit *unit, PetscReal test, const PetscReal tolerance[2])
-{
-  if (unit->closed) return (PetscBool)(test >= -tolerance[1]);
-  return (PetscBool)(test > unit->stiffness * tolerance[0]);
-}
-
-/* Stick or slip from q^. [in] limit - G^ */
-static UnitStatus FrictionSystemSlides_Private(FrictionUnit *unit, const PetscReal q[], PetscReal limit,
-                                               const PetscReal tolerance[2])
-{
-  PetscReal size = 0, along = 0;
-
-  for (PetscInt i = 0; i < unit->num; i++) size += q[i] * q[i];
-  size = PetscSqrtReal(size);
-  if (limit <= tolerance[1]) return UNIT_FREE;
-  if (unit->status == UNIT_SLIP ? size < limit - unit->resistance * tolerance[0] : size <= limit + tolerance[1])
-    return UNIT_STICK;
-  for (PetscInt i = 0; i < unit->num; i++) along += unit->direction[i] * q[i];
-  if (unit->status == UNIT_SLIP && along < 0)
-    return UNIT_STICK; // it turns back: all units at once may do so to and fro
-  for (PetscInt i = 0; i < unit->num; i++) unit->direction[i] = q[i] / size;
-  const PetscReal w = PetscMin(limit / size, SLIP_BEGINS);
-  unit->turning     = unit->resistance * w / (1 - w);
-  return UNIT_SLIP;
-}
-
-void FrictionSystemDecide(FrictionProblem *problem, PetscInt *changed)
-{
-  const PetscReal *y = problem->y, *r = problem->r;
-  PetscReal        tolerance[2] = {0, 0};
-
-  *changed = 0;
-  for (PetscInt i = 0; i < problem->N; i++) {
-    tolerance[0] = PetscMax(tolerance[0], TIE_FRICTION * PetscAbsReal(y[i]));
-    tolerance[1] = PetscMax(tolerance[1], TIE_FRICTION * PetscAbsReal(r[i]));
-  }
-  for (PetscInt a = 0; a < problem->num; a++) {
-    FrictionUnit    *unit   = &problem->unit[a];
-    const PetscReal  test   = r[unit->normal] + unit->stiffness * (y[unit->normal] - unit->upper);
-    const PetscBool  closed = FrictionSystemIsClosed_Private(unit, test, tolerance);
-    const UnitStatus before = unit->status;
-    PetscReal        q[FRICTION_TANGENTS];
-
-    for (PetscInt i = 0; i < unit->num; i++)
-      q[i] = r[unit->tangent[i]] + unit->resistance * (y[unit->tangent[i]] - unit->origin[i]);
-    if (unit->num)
-      unit->status = FrictionSystemSlides_Private(unit, q, FrictionUnitLimit(unit, closed ? test : 0), tolerance);
-    *changed += closed != unit->closed || before != unit->status ? 1 : 0;
-    unit->closed = closed;
-  }
-}
 
 /* Fixes what is fixed in y, and lists what is free. */
 static void FrictionSystemPrescribe_Private(FrictionProblem *problem)
 {
-  for (PetscInt i = 0; i < problem->N; i++) problem->place[i] = 0;
-  for (PetscInt a = 0; a < problem->num; a++) {
-    const FrictionUnit *unit = &problem->unit[a];
+  for (PetscInt i = 0; i < problem->units->n; i++) problem->place[i] = 0;
+  for (PetscInt a = 0; a < problem->units->num; a++) {
+    const FrictionUnit *unit = &problem->units->unit[a];
 
     if (unit->closed) problem->place[unit->normal] = -1;
     for (PetscInt i = 0; i < unit->num; i++)
       if (unit->status == UNIT_STICK) problem->place[unit->tangent[i]] = -1;
   }
   problem->num_free = 0;
-  for (PetscInt i = 0; i < problem->N; i++)
+  for (PetscInt i = 0; i < problem->units->n; i++)
     if (problem->place[i] == 0) problem->place[i] = problem->num_free++;
 }
 
@@ -93,7 +36,7 @@ static void FrictionSystemPrescribe_Private(FrictionProblem *problem)
    column of the symmetric S; [in,out] M - the system, column by column */
 static void FrictionSystemAddSlip_Private(FrictionProblem *problem, const FrictionUnit *unit, PetscBool coupled)
 {
-  const PetscInt     N = problem->N, n = problem->num_free;
+  const PetscInt     N = problem->units->n, n = problem->num_free;
   const PetscScalar *normal = &problem->S[N * unit->normal];
   const PetscReal    mu     = coupled && unit->closed ? unit->coefficient : 0;
 
@@ -110,7 +53,7 @@ static void FrictionSystemAddSlip_Private(FrictionProblem *problem, const Fricti
 
 PetscErrorCode FrictionSystemFactor(FrictionProblem *problem, PetscBool coupled, PetscBool *singular)
 {
-  const PetscInt N = problem->N;
+  const PetscInt N = problem->units->n;
   PetscInt       n;
   PetscBLASInt   size, info;
 
@@ -124,8 +67,9 @@ PetscErrorCode FrictionSystemFactor(FrictionProblem *problem, PetscBool coupled,
     for (PetscInt i = 0; i < N; i++)
       if (problem->place[i] >= 0) problem->M[n * problem->place[j] + problem->place[i]] = problem->S[N * j + i];
   }
-  for (PetscInt a = 0; a < problem->num; a++)
-    if (problem->unit[a].status == UNIT_SLIP) FrictionSystemAddSlip_Private(problem, &problem->unit[a], coupled);
+  for (PetscInt a = 0; a < problem->units->num; a++)
+    if (problem->units->unit[a].status == UNIT_SLIP)
+      FrictionSystemAddSlip_Private(problem, &problem->units->unit[a], coupled);
   PetscCall(PetscBLASIntCast(n, &size));
   PetscCallBLAS("LAPACKgetrf", LAPACKgetrf_(&size, &size, problem->M, &size, problem->pivot, &info));
   *singular = (PetscBool)(info != 0);
@@ -147,28 +91,22 @@ static PetscErrorCode FrictionSystemSubstitute_Private(FrictionProblem *problem)
 
 PetscErrorCode FrictionSystemSolve(FrictionProblem *problem, PetscBool *singular)
 {
-  PetscReal *y = problem->y;
+  PetscReal *y = problem->units->y;
 
   PetscFunctionBeginUser;
   PetscCall(FrictionSystemFactor(problem, PETSC_TRUE, singular));
   if (*singular) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt a = 0; a < problem->num; a++) {
-    const FrictionUnit *unit = &problem->unit[a];
-
-    if (unit->closed) y[unit->normal] = unit->upper;
-    for (PetscInt i = 0; i < unit->num; i++)
-      if (unit->status == UNIT_STICK) y[unit->tangent[i]] = unit->origin[i];
-  }
+  FrictionUnitsPrescribe(problem->units);
   /* a Newton step from y: M dy = r - (what the law wants of it), with the forces r of y after prescription */
   PetscCall(FrictionProblemSetForces(problem));
-  for (PetscInt i = 0; i < problem->N; i++)
-    if (problem->place[i] >= 0) problem->x[problem->place[i]] = problem->r[i];
-  for (PetscInt a = 0; a < problem->num; a++) {
-    const FrictionUnit *unit  = &problem->unit[a];
+  for (PetscInt i = 0; i < problem->units->n; i++)
+    if (problem->place[i] >= 0) problem->x[problem->place[i]] = problem->units->r[i];
+  for (PetscInt a = 0; a < problem->units->num; a++) {
+    const FrictionUnit *unit  = &problem->units->unit[a];
     PetscReal           along = 0, limit;
 
     if (unit->status != UNIT_SLIP) continue;
-    limit = unit->bound + (unit->closed ? unit->coefficient * problem->r[unit->normal] : 0);
+    limit = unit->bound + (unit->closed ? unit->coefficient * problem->units->r[unit->normal] : 0);
     for (PetscInt i = 0; i < unit->num; i++) along += unit->direction[i] * (y[unit->tangent[i]] - unit->origin[i]);
     for (PetscInt i = 0; i < unit->num; i++) {
       const PetscReal across = y[unit->tangent[i]] - unit->origin[i] - along * unit->direction[i];
@@ -177,7 +115,7 @@ PetscErrorCode FrictionSystemSolve(FrictionProblem *problem, PetscBool *singular
     }
   }
   PetscCall(FrictionSystemSubstitute_Private(problem));
-  for (PetscInt i = 0; i < problem->N; i++)
+  for (PetscInt i = 0; i < problem->units->n; i++)
     if (problem->place[i] >= 0) y[i] += problem->x[problem->place[i]];
   PetscCall(FrictionProblemSetForces(problem));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -186,21 +124,21 @@ PetscErrorCode FrictionSystemSolve(FrictionProblem *problem, PetscBool *singular
 /* v := coefficient d r_n / d G v at the units that slip, by the factors of given limits; scaled to 1. [in,out] v - [num]; [out] growth */
 static PetscErrorCode FrictionSystemGrow_Private(FrictionProblem *problem, PetscReal v[], PetscReal *growth)
 {
-  const PetscInt N      = problem->N;
+  const PetscInt N      = problem->units->n;
   PetscReal      before = 0, after = 0;
 
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(problem->x, problem->num_free));
-  for (PetscInt a = 0; a < problem->num; a++) {
-    const FrictionUnit *unit = &problem->unit[a];
+  for (PetscInt a = 0; a < problem->units->num; a++) {
+    const FrictionUnit *unit = &problem->units->unit[a];
 
     before += v[a] * v[a];
     for (PetscInt i = 0; unit->status == UNIT_SLIP && i < unit->num; i++)
       problem->x[problem->place[unit->tangent[i]]] = -unit->direction[i] * v[a];
   }
   PetscCall(FrictionSystemSubstitute_Private(problem));
-  for (PetscInt a = 0; a < problem->num; a++) {
-    const FrictionUnit *unit  = &problem->unit[a];
+  for (PetscInt a = 0; a < problem->units->num; a++) {
+    const FrictionUnit *unit  = &problem->units->unit[a];
     PetscReal           force = 0;
 
     if (unit->status != UNIT_SLIP || !unit->closed) continue;
@@ -210,7 +148,7 @@ static PetscErrorCode FrictionSystemGrow_Private(FrictionProblem *problem, Petsc
     after += v[a] * v[a];
   }
   *growth = before > 0 ? PetscSqrtReal(after / before) : 0;
-  for (PetscInt a = 0; a < problem->num && after > 0; a++) v[a] /= PetscSqrtReal(after);
+  for (PetscInt a = 0; a < problem->units->num && after > 0; a++) v[a] /= PetscSqrtReal(after);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -222,9 +160,9 @@ PetscErrorCode FrictionSystemGetRho(FrictionProblem *problem, PetscReal *rho)
 
   PetscFunctionBeginUser;
   *rho = 0;
-  PetscCall(PetscCalloc1(problem->num, &v));
-  for (PetscInt a = 0; a < problem->num; a++) {
-    const FrictionUnit *unit = &problem->unit[a];
+  PetscCall(PetscCalloc1(problem->units->num, &v));
+  for (PetscInt a = 0; a < problem->units->num; a++) {
+    const FrictionUnit *unit = &problem->units->unit[a];
 
     if (unit->status == UNIT_SLIP && unit->closed && unit->coefficient > 0)
       v[a] = 1 + 0.5 * PetscSinReal(a); // in no invariant subspace

@@ -20,13 +20,12 @@ static const PetscInt RESTART_ITERATIONS = 50;
 enum { MAX_STEP_REDUCTIONS = 3 };
 /* Stagnation: a solve that leaves more than this part of the residual. */
 static const PetscReal STAGNATION = 0.5;
-/* Sets M, y = v, and the last solution, emptied where fixed, as initial guess of d. */
-static PetscErrorCode FullSolverPrescribe_Private(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
-                                                  ActiveSolution *solution)
+/* Sets M. */
+static PetscErrorCode FullSolverSetFree_Private(ActiveSolver solver, const PetscBool fixed[])
 {
   FullSolver      *t   = solver->data;
   const ActiveSet *set = solver->set;
-  PetscScalar     *free, *y;
+  PetscScalar     *free;
 
   PetscFunctionBeginUser;
   PetscCall(VecGetArray(t->free, &free));
@@ -38,6 +37,19 @@ static PetscErrorCode FullSolverPrescribe_Private(ActiveSolver solver, const Pet
   }
   PetscCall(VecRestoreArray(t->free, &free));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &t->same, 1, MPIU_BOOL, MPI_LAND, set->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Sets M, y = v, and the last solution, emptied where fixed, as initial guess of d. */
+static PetscErrorCode FullSolverPrescribe_Private(ActiveSolver solver, const PetscBool fixed[], const PetscReal value[],
+                                                  ActiveSolution *solution)
+{
+  FullSolver      *t   = solver->data;
+  const ActiveSet *set = solver->set;
+  PetscScalar     *y;
+
+  PetscFunctionBeginUser;
+  PetscCall(FullSolverSetFree_Private(solver, fixed));
   PetscCall(VecPointwiseMult(t->d, t->y, t->free));
   PetscCall(VecSet(t->y, 0));
   PetscCall(VecGetArray(t->y, &y));
@@ -114,6 +126,14 @@ static PetscErrorCode FullSolverUpdateMatrix_Private(ActiveSolver solver)
     PetscCall(FullSolverSetMatrix_Private(solver));
   PetscCall(KSPSetOperators(t->ksp, t->A, t->A));
   t->same = PETSC_TRUE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FullSolverSetFixed(ActiveSolver solver, const PetscBool fixed[])
+{
+  PetscFunctionBeginUser;
+  PetscCall(FullSolverSetFree_Private(solver, fixed));
+  PetscCall(FullSolverUpdateMatrix_Private(solver));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -37,6 +37,9 @@ typedef struct {
    after an iteration of its KSP, or in it */
 PetscErrorCode FullSolverUpdateRitz(FullSolver *t);
 
+/* Sets M and A^, for corrections without a solve. Collective. [in] fixed - [n] */
+PetscErrorCode FullSolverSetFixed(ActiveSolver solver, const PetscBool fixed[]);
+
 /* Sets the convergence test of a KSP with multigrid. Collective. */
 PetscErrorCode ConvergenceSetTest(ActiveSolver solver);
 /* Restores the default test. Collective. */

@@ -2,12 +2,13 @@
 #include "base/compat.h"
 #include "pdas/pdas.h"
 #include "pdas/pdasimpl.h"
+#include "multigrid/multigrid.h"
 
 /* Whether one factorization serves all sets: by default if the KSP is a plain Cholesky solve by MUMPS. */
 static PetscErrorCode SolverTypeReducible_Private(const PDAS *pdas, const ActiveSet *set, Vec y, KSP ksp,
                                                   PetscBool *reduced)
 {
-  PetscBool     direct, cholesky, mumps = PETSC_FALSE;
+  PetscBool     direct, cholesky, multigrid, mumps = PETSC_FALSE;
   MatSolverType type = NULL;
   PetscInt      size;
   PC            pc;
@@ -21,7 +22,8 @@ static PetscErrorCode SolverTypeReducible_Private(const PDAS *pdas, const Active
   if (type) PetscCall(PetscStrcmp(type, MATSOLVERMUMPS, &mumps));
   *reduced = (PetscBool)(direct && mumps && set->N <= ACTIVE_MAX_SCHUR);
   if (pdas->reduce_set) *reduced = pdas->reduce;
-  if (pdas->law) *reduced = PETSC_TRUE; // with friction there is no other
+  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCTRUNCATEDMG, &multigrid));
+  if (pdas->law) *reduced = (PetscBool)!multigrid;
   /* without bounds there is one system only; with bounds alone nothing to eliminate */
   if (set->N == 0 || set->N == size) *reduced = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);

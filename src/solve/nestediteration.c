@@ -69,8 +69,8 @@ static PetscErrorCode NestedIterationSetFixed_Private(const Operator *op, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Rounds a prolonged set to 1 or 0. [in,out] active */
-static PetscErrorCode NestedIterationRound_Private(const Operator *op, Vec active)
+/* Rounds a prolonged set to 1 or 0. It has unknowns with bounds, and with friction tangents that stick. [in,out] active */
+static PetscErrorCode NestedIterationRound_Private(const Operator *op, PetscBool friction, Vec active)
 {
   const PetscScalar *upper;
   PetscScalar       *a;
@@ -81,21 +81,21 @@ static PetscErrorCode NestedIterationRound_Private(const Operator *op, Vec activ
   PetscCall(VecGetArrayRead(op->upper, &upper));
   PetscCall(VecGetArray(active, &a));
   for (PetscInt i = 0; i < n; i++)
-    a[i] = PetscRealPart(upper[i]) < PETSC_INFINITY && PetscRealPart(a[i]) >= ACTIVE_SHARE ? 1 : 0;
+    a[i] = (friction || PetscRealPart(upper[i]) < PETSC_INFINITY) && PetscRealPart(a[i]) >= ACTIVE_SHARE ? 1 : 0;
   PetscCall(VecRestoreArray(active, &a));
   PetscCall(VecRestoreArrayRead(op->upper, &upper));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Sets the accuracy of a level. [in] energy_decrease, begun - of NestedIterationSolveLevel_Private() */
-static PetscErrorCode NestedIterationSetTolerances_Private(SNES snes, PetscBool pdas, PetscReal part,
-                                                           PetscReal energy_decrease, PetscBool begun)
+static PetscErrorCode NestedIterationSetTolerances_Private(SNES snes, PetscBool pdas, PetscBool friction,
+                                                           PetscReal part, PetscReal energy_decrease, PetscBool begun)
 {
   const PetscReal rtol = pdas || !begun ? COARSEST_RTOL : NESTED_OTHER_RTOL;
   KSP             ksp;
 
   PetscFunctionBeginUser;
-  if (pdas && begun) {
+  if (pdas && begun && !friction) {
     PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, NESTED_MAX_SETS, PETSC_DEFAULT));
     PetscCall(PDASSetErrorReduction(snes, part, energy_decrease));
     PetscFunctionReturn(PETSC_SUCCESS);
@@ -167,8 +167,9 @@ static PetscErrorCode NestedIterationSolveLevel_Private(MeshLevels levels, Petsc
   PetscCall(PetscStrncpy(choice.snes, type, sizeof(choice.snes)));
   PetscCall(VecDuplicate(solved->b, &scratch));
   PetscCall(SNESSetupCreate(solved, &choice, scratch, &norm, &snes));
-  PetscCall(NestedIterationSetTolerances_Private(snes, pdas, DiscretizationStopPart(solved->vi->scene), energy_decrease,
-                                                 begun));
+  PetscCall(NestedIterationSetTolerances_Private(snes, pdas, (PetscBool)(solved->vi->friction != NULL),
+                                                 DiscretizationStopPart(solved->vi->scene), energy_decrease, begun));
+  if (solved->vi->friction) PetscCall(PDASSetFriction(snes, solved->vi->friction));
   PetscCall(SNESGetKSP(snes, &ksp));
   PetscCall(KSPGetPC(ksp, &pc));
   if (l) PetscCall(MultigridSetHierarchy(pc, hierarchy, l, pdas ? NULL : snes));
@@ -179,7 +180,8 @@ static PetscErrorCode NestedIterationSolveLevel_Private(MeshLevels levels, Petsc
   if (pdas) PetscCall(PDASSetKeep(snes, PETSC_TRUE));
   PetscCall(SNESSolve(snes, NULL, state->y));
   levels->change = 0;
-  if (pdas && begun) PetscCall(NestedIterationChange_Private(solved->vi, snes, &levels->change));
+  if (pdas && begun && !solved->vi->friction)
+    PetscCall(NestedIterationChange_Private(solved->vi, snes, &levels->change));
   PetscCall(NestedIterationGetState_Private(hierarchy, &hierarchy->level[l], snes, before, state));
   PetscCall(VecDestroy(&before));
   PetscCall(SNESDestroy(&snes));
@@ -249,6 +251,7 @@ static PetscErrorCode NestedIterationProlong_Private(MeshLevels levels, PetscInt
                                                      Proximal *proximal, State *to, PetscReal *energy_decrease)
 {
   const HierarchyLevel *level = &levels->hierarchy->level[levels->hierarchy->first + m];
+  const PetscBool friction    = (PetscBool)(levels->vi[m]->friction != NULL); // whose cycles would let everything slide
 
   PetscFunctionBeginUser;
   PetscCall(NestedIterationStateCreate_Private(level, to));
@@ -257,8 +260,8 @@ static PetscErrorCode NestedIterationProlong_Private(MeshLevels levels, PetscInt
   PetscCall(NestedIterationSetFixed_Private(&level->op, to->y));
   PetscCall(ProximalSetCenter(proximal, to->y));
   PetscCall(MatMult(level->P, from->active, to->active));
-  PetscCall(NestedIterationRound_Private(&level->op, to->active));
-  PetscCall(ActivePredictionApply(levels->hierarchy, level, pc, to->y, to->active, energy_decrease));
+  PetscCall(NestedIterationRound_Private(&level->op, friction, to->active));
+  if (!friction) PetscCall(ActivePredictionApply(levels->hierarchy, level, pc, to->y, to->active, energy_decrease));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -279,6 +282,21 @@ static PetscErrorCode NestedIterationGetCycles_Private(SNES snes, VI vi, PC *pc)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Adds the tangents of contacts to the set: they stick. */
+static PetscErrorCode NestedIterationStick_Private(const FrictionLaw *law, Vec active)
+{
+  PetscScalar *a;
+  PetscInt     begin;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetOwnershipRange(active, &begin, NULL));
+  PetscCall(VecGetArray(active, &a));
+  for (PetscInt i = 0; i < FRICTION_TANGENTS * law->n; i++)
+    if (law->tangent[i] >= 0) a[law->tangent[i] - begin] = a[law->normal[i / FRICTION_TANGENTS] - begin];
+  PetscCall(VecRestoreArray(active, &a));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Without coarser meshes: predicts contact on this one, from the contacts that balance the loads or from none. [in] pc - or NULL; [out]
    found - false where there is nothing to predict */
 static PetscErrorCode NestedIterationPredict_Private(MeshLevels levels, PC pc, Proximal *proximal, Vec y, Vec active,
@@ -295,6 +313,10 @@ static PetscErrorCode NestedIterationPredict_Private(MeshLevels levels, PC pc, P
   PetscCall(VecZeroEntries(active));
   if (proximal->solvability) PetscCall(VecCopy(proximal->solvability->start, active));
   PetscCall(ActivePredictionStart(hierarchy, level, pc, y, active));
+  if (levels->vi[levels->num - 1]->friction) {
+    PetscCall(NestedIterationStick_Private(levels->vi[levels->num - 1]->friction, active));
+    if (proximal->solvability) PetscCall(VecZeroEntries(y)); // without friction bodies may have slid far
+  }
   if (!proximal->solvability) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ProximalFinish(proximal, y)); // y of the scene
   PetscCall(ProximalSetCenter(proximal, y));

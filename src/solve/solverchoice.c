@@ -285,38 +285,63 @@ static PetscBool SolverChoiceNested_Private(VI vi, const char snes[], const char
   return (PetscBool)(!strcmp(pc, PCTRUNCATEDMG) && vi->mesh && (vi->mesh->num_levels > 1 || !strcmp(snes, SNESPDAS)));
 }
 
-/* Unknowns with bounds and tangents up to which the dense system of friction is solved: one takes 0.5 GB. */
-enum { MAX_FRICTION = 8000 };
+/* Unknowns with bounds and tangents up to which the dense system of friction can be solved: one takes 0.5 GB. Up to which it is where an
+   iteration is possible: a dozen systems take two seconds. */
+enum { MAX_FRICTION = 8000, DENSE_FRICTION = 1500 };
 
-/* Friction is solved on the Schur complement of its unknowns alone. */
+/* Unknowns with bounds and tangents. */
+static PetscErrorCode SolverChoiceCountFriction_Private(VI vi, PetscInt *num)
+{
+  PetscBool reducible;
+  PetscInt  tangents = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(SolverChoiceReducible_Private(vi, num, &reducible));
+  for (PetscInt i = 0; i < FRICTION_TANGENTS * vi->friction->n; i++) tangents += vi->friction->tangent[i] >= 0;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &tangents, 1, MPIU_INT, MPI_SUM, PetscObjectComm((PetscObject)vi->b)));
+  *num += tangents;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Friction is solved on the Schur complement of its unknowns, or at full size by multigrid. */
 static PetscErrorCode SolverChoiceChooseFriction_Private(VI vi, SolverChoice *choice)
 {
   const MPI_Comm comm = PetscObjectComm((PetscObject)vi->b);
-  PetscInt       num, tangents = 0;
-  PetscBool      reducible;
+  PetscBool      dense, multigrid, iterable;
+  PetscInt       num;
 
   PetscFunctionBeginUser;
   if (!vi->friction) PetscFunctionReturn(PETSC_SUCCESS);
-  if (choice->own) PetscCall(SolverChoiceFactor_Private(choice));
-  if (choice->own) PetscCall(PetscStrncpy(choice->why, "friction", sizeof(choice->why)));
-  if (strcmp(choice->snes, SNESPDAS) || strcmp(choice->ksp, KSPPREONLY) || strcmp(choice->pc, PCCHOLESKY)) {
+  PetscCall(SolverChoiceCountFriction_Private(vi, &num));
+  iterable = (PetscBool)(vi->mesh && !choice->nearly);
+  if (choice->own && num > DENSE_FRICTION && iterable) {
+    PetscCall(PetscStrncpy(choice->ksp, KSPCG, sizeof(choice->ksp)));
+    PetscCall(PetscStrncpy(choice->pc, PCTRUNCATEDMG, sizeof(choice->pc)));
+    PetscCall(PetscSNPrintf(choice->why, sizeof(choice->why), "friction at %" PetscInt_FMT " unknowns, more than %d",
+                            num, (int)DENSE_FRICTION));
+  } else if (choice->own && strcmp(choice->pc, PCTRUNCATEDMG)) {
+    PetscCall(SolverChoiceFactor_Private(choice));
+    PetscCall(PetscStrncpy(choice->why, "friction", sizeof(choice->why)));
+  }
+  dense     = (PetscBool)(!strcmp(choice->ksp, KSPPREONLY) && !strcmp(choice->pc, PCCHOLESKY));
+  multigrid = (PetscBool)(!strcmp(choice->ksp, KSPCG) && !strcmp(choice->pc, PCTRUNCATEDMG));
+  if (strcmp(choice->snes, SNESPDAS) || !(dense || multigrid)) {
     PetscCall(UserErrorRaise(comm,
-                             "-<pair>_friction: needs -snes_type " SNESPDAS ", -ksp_type " KSPPREONLY
-                             " and -pc_type " PCCHOLESKY ", not %s, %s and %s; omit these options",
+                             "-<pair>_friction: needs -snes_type " SNESPDAS " and -pc_type " PCCHOLESKY
+                             " or " PCTRUNCATEDMG ", not %s, %s and %s; omit these options",
                              choice->snes, choice->ksp, choice->pc));
   }
   if (choice->stop) PetscCall(UserErrorRaise(comm, "-stop discretisation: not with friction; omit the option"));
-  PetscCall(SolverChoiceReducible_Private(vi, &num, &reducible));
-  for (PetscInt i = 0; i < FRICTION_TANGENTS * vi->friction->n; i++) tangents += vi->friction->tangent[i] >= 0;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &tangents, 1, MPIU_INT, MPI_SUM, comm));
-  if (num + tangents > MAX_FRICTION) {
+  if (dense && num > MAX_FRICTION) {
     PetscCall(UserErrorRaise(comm,
                              "-<pair>_friction: the sides have %" PetscInt_FMT
-                             " unknowns of contact and friction, and at most %d can be solved; refine less, or make "
-                             "the sides of the pairs smaller",
-                             num + tangents, (int)MAX_FRICTION));
+                             " unknowns of contact and friction, and a factorization takes at most %d; %s",
+                             num, (int)MAX_FRICTION,
+                             iterable ? "use -pc_type " PCTRUNCATEDMG
+                                      : "refine less, or make the sides of the pairs smaller"));
   }
   PetscCall(FrictionLawIsGiven(vi, &choice->bound));
+  choice->reducible = (PetscBool)(multigrid && num <= MAX_FRICTION);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -399,7 +424,8 @@ PetscErrorCode SolverChoiceSetFallback(const SolverReport *report, SolverChoice 
   char            words[128], why[160];
 
   PetscFunctionBeginUser;
-  *again = (PetscBool)(choice->own && !report->converged && (costly || !strcmp(report->reason, FAILURE_ITERATIVE)));
+  *again = (PetscBool)(choice->own && !report->converged &&
+                       (costly || choice->reducible || !strcmp(report->reason, FAILURE_ITERATIVE)));
   if (!*again) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SolverChoiceDescribe(choice->ksp, choice->pc, NULL, words, sizeof(words)));
   if (costly) {
@@ -412,6 +438,7 @@ PetscErrorCode SolverChoiceSetFallback(const SolverReport *report, SolverChoice 
   PetscCall(WarningAdd(&(Warning){.code = "solver_replaced", .advice = "-pc_type cholesky selects it at once"},
                        "%s %s; factorizing instead", words, why));
   choice->nested = choice->stop = PETSC_FALSE; // a factorization has no error estimate to stop at
+  choice->reducible             = PETSC_FALSE;
   PetscCall(SolverChoiceFactor_Private(choice));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,0 +1,334 @@
+/* frictionunits.c -- units of contact with friction: their data, what they do next, and how far the law is from holding.
+
+   The same for the reduced problem, whose units are on one rank, and at full size, where each rank has its own. */
+#include "pdas/frictionimpl.h"
+
+/* Tolerances of ties, relative to the largest value and force, as of frictionless contact. */
+static const PetscReal TIE_FRICTION = 1e-11;
+/* G / |q^| counts as at most this: the resistance to turning stays finite where slip begins. */
+static const PetscReal SLIP_BEGINS = 1 - 1e-8;
+/* Roundoff of a value, in units of the largest: it grows with the condition of S. */
+static const PetscReal ROUNDOFF = 256 * PETSC_MACHINE_EPSILON;
+/* Limits below this part of stiffness times displacement need not settle. */
+static const PetscReal LIMIT_NOISE = 1e-6;
+/* A limit that no force exceeds. */
+static const PetscReal ALL_STICKS = 1e30;
+/* Change of the limits at which they have settled. */
+static const PetscReal FIXED_POINT_RTOL = 1e-11;
+
+/* What a rank sends of a unit. */
+enum {
+  SENT_NORMAL,
+  SENT_TANGENT,
+  SENT_UPPER = SENT_TANGENT + FRICTION_TANGENTS,
+  SENT_COEFFICIENT,
+  SENT_BOUND,
+  SENT_ORIGIN,
+  SENT_STIFFNESS = SENT_ORIGIN + FRICTION_TANGENTS,
+  SENT_RESISTANCE,
+  SENT_COUNT
+};
+
+/* The position of an unknown of this rank in the set. */
+static PetscInt FrictionUnitsFind_Private(const ActiveSet *set, PetscInt dof)
+{
+  PetscInt low = 0, high = set->n - 1;
+
+  while (low < high) {
+    const PetscInt middle = (low + high) / 2;
+
+    if (set->dof[middle] < dof)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+/* The units of this rank as numbers. [out] sent - [num][SENT_COUNT], owned by the caller */
+static PetscErrorCode FrictionUnitsPack_Private(const ActiveSet *set, const FrictionLaw *law, PetscInt *num,
+                                                PetscReal **sent)
+{
+  PetscInt a = 0;
+
+  PetscFunctionBeginUser;
+  *num = 0;
+  PetscCall(PetscCalloc1(SENT_COUNT * set->n, sent));
+  for (PetscInt i = 0; i < set->n; i++) {
+    PetscReal *s = &(*sent)[SENT_COUNT * *num];
+
+    if (set->upper[i] >= PETSC_INFINITY) continue;
+    s[SENT_NORMAL]    = (PetscReal)(set->begin + i);
+    s[SENT_UPPER]     = set->upper[i];
+    s[SENT_STIFFNESS] = set->diag[i];
+    for (PetscInt k = 0; k < FRICTION_TANGENTS; k++) s[SENT_TANGENT + k] = -1;
+    ++*num;
+    if (a == law->n || law->normal[a] != set->dof[i]) continue;
+    s[SENT_COEFFICIENT] = law->coefficient[a];
+    s[SENT_BOUND]       = law->bound[a];
+    for (PetscInt k = 0; k < FRICTION_TANGENTS && law->tangent[FRICTION_TANGENTS * a + k] >= 0; k++) {
+      const PetscInt at = FrictionUnitsFind_Private(set, law->tangent[FRICTION_TANGENTS * a + k]);
+
+      s[SENT_TANGENT + k] = (PetscReal)(set->begin + at);
+      s[SENT_ORIGIN + k]  = law->origin[FRICTION_TANGENTS * a + k];
+      s[SENT_RESISTANCE]  = PetscMax(s[SENT_RESISTANCE], set->diag[at]);
+    }
+    a++;
+  }
+  PetscCheck(a == law->n, PETSC_COMM_SELF, PETSC_ERR_PLIB, "A node with friction has no bound");
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static void FrictionUnitsUnpack_Private(PetscInt num, PetscInt begin, const PetscReal sent[], FrictionUnit unit[])
+{
+  for (PetscInt a = 0; a < num; a++) {
+    const PetscReal *s = &sent[SENT_COUNT * a];
+    FrictionUnit    *u = &unit[a];
+
+    *u = (FrictionUnit){.normal      = (PetscInt)s[SENT_NORMAL] - begin,
+                        .upper       = s[SENT_UPPER],
+                        .coefficient = s[SENT_COEFFICIENT],
+                        .bound       = s[SENT_BOUND],
+                        .stiffness   = s[SENT_STIFFNESS],
+                        .resistance  = s[SENT_RESISTANCE]};
+    for (PetscInt k = 0; k < FRICTION_TANGENTS && s[SENT_TANGENT + k] >= 0; k++) {
+      u->tangent[u->num]  = (PetscInt)s[SENT_TANGENT + k] - begin;
+      u->origin[u->num++] = s[SENT_ORIGIN + k];
+    }
+  }
+}
+
+PetscErrorCode FrictionUnitsCreate(const ActiveSet *set, const FrictionLaw *law, FrictionUnits *units)
+{
+  PetscReal *sent;
+
+  PetscFunctionBeginUser;
+  *units = (FrictionUnits){.comm = set->comm, .n = set->n};
+  PetscCall(FrictionUnitsPack_Private(set, law, &units->num, &sent));
+  PetscCall(PetscMalloc1(units->num, &units->unit));
+  FrictionUnitsUnpack_Private(units->num, set->begin, sent, units->unit);
+  PetscCall(PetscFree(sent));
+  PetscCall(PetscCalloc2(units->n, &units->y, units->n, &units->r));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionUnitsGather(const ActiveSet *set, const FrictionLaw *law, FrictionUnits *units)
+{
+  PetscMPIInt rank, size, length, *counts = NULL, *offsets = NULL;
+  PetscInt    num;
+  PetscReal  *sent, *all = NULL;
+
+  PetscFunctionBeginUser;
+  *units = (FrictionUnits){.comm = PETSC_COMM_SELF};
+  PetscCallMPI(MPI_Comm_rank(set->comm, &rank));
+  PetscCallMPI(MPI_Comm_size(set->comm, &size));
+  PetscCall(FrictionUnitsPack_Private(set, law, &num, &sent));
+  PetscCall(PetscMPIIntCast(SENT_COUNT * num, &length));
+  if (!rank) PetscCall(PetscMalloc2(size, &counts, size, &offsets));
+  PetscCallMPI(MPI_Gather(&length, 1, MPI_INT, counts, 1, MPI_INT, 0, set->comm));
+  if (!rank) {
+    PetscMPIInt sum = 0;
+
+    for (PetscMPIInt p = 0; p < size; sum += counts[p++]) offsets[p] = sum;
+    units->num = sum / SENT_COUNT;
+    PetscCall(PetscMalloc1(sum, &all));
+  }
+  PetscCallMPI(MPI_Gatherv(sent, length, MPIU_REAL, all, counts, offsets, MPIU_REAL, 0, set->comm));
+  if (!rank) {
+    units->n = set->N;
+    PetscCall(PetscMalloc1(units->num, &units->unit));
+    FrictionUnitsUnpack_Private(units->num, 0, all, units->unit);
+    PetscCall(PetscCalloc2(units->n, &units->y, units->n, &units->r));
+  }
+  PetscCall(PetscFree2(counts, offsets));
+  PetscCall(PetscFree(all));
+  PetscCall(PetscFree(sent));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionUnitsDestroy(FrictionUnits *units)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(units->unit));
+  PetscCall(PetscFree2(units->y, units->r));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether the unit is closed: what is closed opens below -tolerance, what is open closes beyond it. */
+static PetscBool FrictionUnitsIsClosed_Private(const FrictionUnit *unit, PetscReal test, const PetscReal tolerance[2])
+{
+  if (unit->closed) return (PetscBool)(test >= -tolerance[1]);
+  return (PetscBool)(test > unit->stiffness * tolerance[0]);
+}
+
+/* Stick or slip from q^. [in] limit - G^ */
+static UnitStatus FrictionUnitsSlides_Private(FrictionUnit *unit, const PetscReal q[], PetscReal limit,
+                                              const PetscReal tolerance[2])
+{
+  PetscReal size = 0, along = 0;
+
+  for (PetscInt i = 0; i < unit->num; i++) size += q[i] * q[i];
+  size = PetscSqrtReal(size);
+  if (limit <= tolerance[1]) return UNIT_FREE;
+  if (unit->status == UNIT_SLIP ? size < limit - unit->resistance * tolerance[0] : size <= limit + tolerance[1])
+    return UNIT_STICK;
+  for (PetscInt i = 0; i < unit->num; i++) along += unit->direction[i] * q[i];
+  if (unit->status == UNIT_SLIP && along < 0)
+    return UNIT_STICK; // it turns back: all units at once may do so to and fro
+  for (PetscInt i = 0; i < unit->num; i++) unit->direction[i] = q[i] / size;
+  const PetscReal w = PetscMin(limit / size, SLIP_BEGINS);
+  unit->turning     = unit->resistance * w / (1 - w);
+  return UNIT_SLIP;
+}
+
+PetscErrorCode FrictionUnitsDecide(FrictionUnits *units, PetscInt *changed)
+{
+  const PetscReal *y = units->y, *r = units->r;
+  PetscReal        tolerance[2] = {0, 0};
+
+  PetscFunctionBeginUser;
+  *changed = 0;
+  for (PetscInt i = 0; i < units->n; i++) {
+    tolerance[0] = PetscMax(tolerance[0], TIE_FRICTION * PetscAbsReal(y[i]));
+    tolerance[1] = PetscMax(tolerance[1], TIE_FRICTION * PetscAbsReal(r[i]));
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, tolerance, 2, MPIU_REAL, MPI_MAX, units->comm));
+  for (PetscInt a = 0; a < units->num; a++) {
+    FrictionUnit    *unit   = &units->unit[a];
+    const PetscReal  test   = r[unit->normal] + unit->stiffness * (y[unit->normal] - unit->upper);
+    const PetscBool  closed = FrictionUnitsIsClosed_Private(unit, test, tolerance);
+    const UnitStatus before = unit->status;
+    PetscReal        q[FRICTION_TANGENTS];
+
+    for (PetscInt i = 0; i < unit->num; i++)
+      q[i] = r[unit->tangent[i]] + unit->resistance * (y[unit->tangent[i]] - unit->origin[i]);
+    if (unit->num)
+      unit->status = FrictionUnitsSlides_Private(unit, q, FrictionUnitLimit(unit, closed ? test : 0), tolerance);
+    *changed += closed != unit->closed || before != unit->status ? 1 : 0;
+    unit->closed = closed;
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, changed, 1, MPIU_INT, MPI_SUM, units->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void FrictionUnitsPrescribe(FrictionUnits *units)
+{
+  for (PetscInt a = 0; a < units->num; a++) {
+    const FrictionUnit *unit = &units->unit[a];
+
+    if (unit->closed) units->y[unit->normal] = unit->upper;
+    for (PetscInt i = 0; i < unit->num && unit->status == UNIT_STICK; i++) units->y[unit->tangent[i]] = unit->origin[i];
+  }
+}
+
+void FrictionUnitsMark(const FrictionUnits *units, PetscBool fixed[])
+{
+  for (PetscInt i = 0; i < units->n; i++) fixed[i] = PETSC_FALSE;
+  for (PetscInt a = 0; a < units->num; a++) {
+    const FrictionUnit *unit = &units->unit[a];
+
+    fixed[unit->normal] = unit->closed;
+    for (PetscInt i = 0; i < unit->num; i++) fixed[unit->tangent[i]] = (PetscBool)(unit->status == UNIT_STICK);
+  }
+}
+
+/* Square of what a unit's law is off by, in the norm of diag(A)^-1: the distance to where one step along the forces, and back onto bound and
+   cone, would lead. */
+static PetscReal FrictionUnitsResidual_Private(const FrictionUnit *unit, const PetscReal y[], const PetscReal r[])
+{
+  const PetscReal k = unit->stiffness, pressing = r[unit->normal], limit = FrictionUnitLimit(unit, pressing);
+  const PetscReal miss = PetscMax(-pressing, k * (y[unit->normal] - unit->upper));
+  PetscReal       sum = miss * miss / k, z[FRICTION_TANGENTS], size = 0, kept;
+
+  if (!unit->num) return sum;
+  for (PetscInt i = 0; i < unit->num; i++) {
+    z[i] = unit->resistance * (y[unit->tangent[i]] - unit->origin[i]) + r[unit->tangent[i]];
+    size += z[i] * z[i];
+  }
+  size = PetscSqrtReal(size);
+  kept = size > limit ? 1 - limit / size : 0;
+  for (PetscInt i = 0; i < unit->num; i++) {
+    const PetscReal off = unit->resistance * (y[unit->tangent[i]] - unit->origin[i]) - kept * z[i];
+
+    sum += off * off / unit->resistance;
+  }
+  return sum;
+}
+
+PetscErrorCode FrictionUnitsResidual(const FrictionUnits *units, PetscReal *residual, PetscReal *size)
+{
+  PetscReal sum[3] = {0, 0, 0}, largest = 0;
+
+  PetscFunctionBeginUser;
+  for (PetscInt a = 0; a < units->num; a++) {
+    const FrictionUnit *unit = &units->unit[a];
+
+    sum[0] += FrictionUnitsResidual_Private(unit, units->y, units->r);
+    sum[1] += PetscSqr(units->r[unit->normal]) / unit->stiffness;
+    sum[2] += unit->stiffness;
+    for (PetscInt i = 0; i < unit->num; i++) sum[1] += PetscSqr(units->r[unit->tangent[i]]) / unit->resistance;
+  }
+  for (PetscInt i = 0; i < units->n; i++) largest = PetscMax(largest, PetscAbsReal(units->y[i]));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 3, MPIU_REAL, MPI_SUM, units->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPIU_REAL, MPI_MAX, units->comm));
+  *residual = PetscSqrtReal(sum[0]);
+  *size     = PetscSqrtReal(sum[1]) + ROUNDOFF / 1e-10 * PetscSqrtReal(sum[2]) * largest;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionUnitsCount(const FrictionUnits *units, FrictionReport *report, PetscInt *closed)
+{
+  PetscInt count[3] = {0, 0, 0};
+
+  PetscFunctionBeginUser;
+  for (PetscInt a = 0; a < units->num; a++) {
+    const FrictionUnit *unit = &units->unit[a];
+
+    count[0] += unit->num && unit->status == UNIT_SLIP ? 1 : 0;
+    count[1] += unit->num && unit->status == UNIT_STICK ? 1 : 0;
+    count[2] += unit->closed ? 1 : 0;
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, count, 3, MPIU_INT, MPI_SUM, units->comm));
+  report->slipping = count[0];
+  report->sticking = count[1];
+  *closed          = count[2];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionUnitsBeginFixedPoint(FrictionUnits *units, PetscReal **mu, PetscReal **given)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(units->num, mu));
+  PetscCall(PetscMalloc1(units->num, given));
+  for (PetscInt a = 0; a < units->num; a++) {
+    FrictionUnit *unit = &units->unit[a];
+
+    (*mu)[a]          = unit->coefficient;
+    (*given)[a]       = unit->bound;
+    unit->coefficient = 0;
+    if ((*mu)[a] > 0) unit->bound = ALL_STICKS; // friction alone may hold a body
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionUnitsFreeze(FrictionUnits *units, const PetscReal mu[], const PetscReal given[],
+                                   PetscBool *settled)
+{
+  PetscReal most[4] = {0, 0, 0, 0}; // change of a limit; limit, displacement, stiffness
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < units->n; i++) most[2] = PetscMax(most[2], PetscAbsReal(units->y[i]));
+  for (PetscInt a = 0; a < units->num; a++) {
+    FrictionUnit   *unit  = &units->unit[a];
+    const PetscReal limit = given[a] + mu[a] * PetscMax(units->r[unit->normal], 0);
+
+    most[0]     = PetscMax(most[0], PetscAbsReal(limit - unit->bound));
+    most[1]     = PetscMax(most[1], limit);
+    most[3]     = PetscMax(most[3], unit->stiffness);
+    unit->bound = limit;
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, most, 4, MPIU_REAL, MPI_MAX, units->comm));
+  most[1]  = PetscMax(most[1], LIMIT_NOISE * most[2] * most[3]); // sides that are apart have limits of roundoff
+  *settled = (PetscBool)(most[0] <= FIXED_POINT_RTOL * most[1]);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
