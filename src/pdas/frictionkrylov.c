@@ -21,11 +21,11 @@ enum { PATIENCE = 20 };
 static const PetscReal DESCENT = 0.9;
 enum { GMRES_RESTART = 30, GMRES_MAX_IT = 150 };
 /* Coarser levels, whose solution is only a start, need no rho: it costs as much as two steps. */
-static const PetscReal START_RTOL = 1e-5;
-/* Arnoldi's method for rho: least and largest number of steps, and the accuracy of their systems. It ends where rho is far from 1, or where a
-   step adds little. */
-enum { RHO_FIRST = 3, RHO_STEPS = 24 };
-static const PetscReal RHO_RTOL = 3e-2, RHO_SMALL = 0.25, RHO_SETTLES = 0.005;
+static const PetscReal LEVEL_RTOL = 1e-5;
+/* Arnoldi's method for rho: number of steps, and the accuracy of their systems. It ends after the first number where rho is tiny, after the second
+   where it is small or a step adds little, and after the third. */
+enum { RHO_FIRST = 3, RHO_FEW = 6, RHO_STEPS = 24 };
+static const PetscReal RHO_RTOL = 1e-2, RHO_TINY = 0.02, RHO_SMALL = 0.15, RHO_SETTLES = 0.005;
 
 typedef struct {
   KSP        ksp;          /* of Newton's systems; its matrix and preconditioner are shells */
@@ -347,7 +347,7 @@ static PetscErrorCode FrictionKrylovGetRho_Private(FrictionMethod method, PetscR
 
   PetscFunctionBeginUser;
   *rho = 0;
-  if (method->solver->rtol > START_RTOL) PetscFunctionReturn(PETSC_SUCCESS);
+  if (method->solver->rtol > LEVEL_RTOL) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscCalloc1((RHO_STEPS + 1) * num, &values));
   for (PetscInt j = 0; j <= RHO_STEPS; j++) basis[j] = &values[j * num];
   for (PetscInt a = 0; a < num; a++) {
@@ -364,7 +364,8 @@ static PetscErrorCode FrictionKrylovGetRho_Private(FrictionMethod method, PetscR
     for (PetscInt i = 0; i < PetscMin(k + 2, RHO_STEPS); i++) H[RHO_STEPS * k + i] = h[i];
     PetscCall(FrictionKrylovLargest_Private(k + 1, H, rho));
     PetscCall(PetscInfo(t->ksp, "rho %g\n", (double)*rho));
-    settled = (PetscBool)(k + 1 >= RHO_FIRST && (*rho < RHO_SMALL || PetscAbsReal(*rho - before) < RHO_SETTLES * *rho));
+    settled = (PetscBool)((k + 1 >= RHO_FIRST && *rho < RHO_TINY) || (k + 1 >= RHO_FEW && *rho < RHO_SMALL) ||
+                          (k + 1 >= RHO_FEW && PetscAbsReal(*rho - before) < RHO_SETTLES * *rho));
     before  = *rho;
   }
   PetscCall(PetscFree(values));

@@ -96,8 +96,10 @@ static PetscErrorCode SolverReportAddSets_Private(SNES snes, PetscInt iterations
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The linear solver in words. [in] reduced - of SolverReportAddSets_Private(): the KSP was not used then */
-static PetscErrorCode SolverReportDescribeLinear_Private(SNES snes, PetscBool reduced, SolverReport *report)
+/* The linear solver in words. [in] reduced - of SolverReportAddSets_Private(): the KSP was not used then; [in] friction - whether multigrid
+   preconditions systems that are not symmetric */
+static PetscErrorCode SolverReportDescribeLinear_Private(SNES snes, PetscBool reduced, PetscBool friction,
+                                                         SolverReport *report)
 {
   KSPType       ksp_type;
   PCType        pc_type;
@@ -119,6 +121,7 @@ static PetscErrorCode SolverReportDescribeLinear_Private(SNES snes, PetscBool re
   }
   PetscCall(PetscStrncpy(report->ksp, ksp_type, sizeof(report->ksp)));
   PetscCall(PetscStrncpy(report->pc, pc_type, sizeof(report->pc)));
+  if (friction && !reduced) ksp_type = KSPGMRES;
   PetscCall(SolverChoiceDescribe(ksp_type, pc_type, package, words, sizeof(words)));
   PetscCall(
       PetscSNPrintf(report->linear, sizeof(report->linear), "%s%s", words, reduced ? ", one for all active sets" : ""));
@@ -148,6 +151,6 @@ PetscErrorCode SolverReportAdd(SNES snes, const Inequality *solved, Vec y, Solve
     PetscCall(SolverReportMeasure(solved, y, &report->active, &report->linear_residual));
     if (!report->converged) PetscCall(SolverReportReasonOther_Private(snes, reason, report));
   }
-  PetscCall(SolverReportDescribeLinear_Private(snes, reduced, report));
+  PetscCall(SolverReportDescribeLinear_Private(snes, reduced, (PetscBool)(solved->vi->friction != NULL), report));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

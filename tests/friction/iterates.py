@@ -1,0 +1,23 @@
+"""Multigrid at full size, the default of large scenes, against the dense system: the same states, forces and tractions, to the tolerance of the iteration."""
+from judge import near, require, same
+
+PART = 1e-7
+
+
+def judge(run):
+    solver = run.summary["solver"]
+    require(solver["linear"] == "gmres with truncatedmg", f"{solver['linear']} is no multigrid")
+    dense = run.again("-pc_type", "cholesky", name="dense", warns=None)
+    for key in ("slipping", "sticking"):
+        same(key, solver["friction"][key], dense.summary["solver"]["friction"][key])
+    near("rho", solver["friction"]["rho"], dense.summary["solver"]["friction"]["rho"], relative=0.1, absolute=0.02)
+    for name, pair in run.summary["pairs"].items():
+        other = dense.pair(name)
+        force = max(abs(component) for component in other["force"])
+        near(f"{name}: force", pair["force"], other["force"], absolute=PART * force)
+        if other["tangential_force"] is not None:
+            near(f"{name}: friction", pair["tangential_force"], other["tangential_force"], absolute=PART * force)
+        table, reference = run.table(name), dense.table(name)
+        same(f"{name}: status", table["status"], reference["status"])
+        for column in [column for column in table if column.startswith(("pressure", "tangential_traction"))]:
+            near(f"{name}: {column}", table[column], reference[column], absolute=10 * PART * max(reference["pressure"]))
