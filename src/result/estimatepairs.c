@@ -200,6 +200,34 @@ static PetscReal EstimateGetGap_Private(const Fields fields, PetscInt p, const P
   return depth < 0 ? PetscSqr(PetscMin(-depth, PetscMax(0, pressure) / resistance)) : depth * depth;
 }
 
+/* What is left of the law of friction at a point, as a square of slip: |P(q + k s) - q|^2 / k^2, P onto |q| <= g. [in] resistance - k; [out]
+   squared - 0 in load steps, whose slip counts from the last one */
+static PetscErrorCode EstimateGetSlip_Private(const Fields fields, PetscInt p, const PointState *state,
+                                              PetscReal resistance, PetscReal *squared)
+{
+  const PetscInt   dim      = fields->vi->level->dim;
+  const ScenePair *spec     = fields->vi->pairs[p]->spec;
+  const PetscReal  pressure = VectorDot(dim, state->normal, state->traction),
+                  depth     = VectorDot(dim, state->normal, state->jump);
+  PetscReal limit = 0, size = 0, kept, q[3], z[3];
+
+  PetscFunctionBeginUser;
+  *squared = 0;
+  if (!ScenePairHasFriction(spec) || fields->vi->slip_origin) PetscFunctionReturn(PETSC_SUCCESS);
+  if (spec->friction) PetscCall(ExpressionEvaluate(spec->friction, dim, state->x, &limit));
+  limit *= PetscMax(pressure, 0);
+  if (spec->bound) PetscCall(ExpressionEvaluate(spec->bound, dim, state->x, &limit));
+  for (PetscInt k = 0; k < dim; k++) {
+    q[k] = state->traction[k] - pressure * state->normal[k];
+    z[k] = q[k] + resistance * (state->jump[k] - depth * state->normal[k]);
+    size += z[k] * z[k];
+  }
+  size = PetscSqrtReal(size);
+  kept = size > limit ? limit / size : 1;
+  for (PetscInt k = 0; k < dim; k++) *squared += PetscSqr((kept * z[k] - q[k]) / resistance);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Adds one point. [in] size - of its nonmortar facet */
 static PetscErrorCode EstimateAddPoint_Private(Fields fields, PetscInt p, const PairPoint *point, PetscReal size,
                                                const PointState *state, PairSums *sums)
@@ -207,7 +235,7 @@ static PetscErrorCode EstimateAddPoint_Private(Fields fields, PetscInt p, const 
   const Level    *level  = fields->vi->level;
   const Pair      pair   = fields->vi->pairs[p];
   const PetscReal weight = point->weight * level->scene->thickness;
-  PetscReal       E[2], squared;
+  PetscReal       E[2], squared, slip = 0;
 
   PetscFunctionBeginUser;
   PetscCall(ComplianceModulus(sums->compliance, level->cell_material[pair->points->facets.cell[point->facet]], state->x,
@@ -226,7 +254,8 @@ static PetscErrorCode EstimateAddPoint_Private(Fields fields, PetscInt p, const 
     E[0] = 1 / (1 / E[0] + 1 / E[1]);
   }
   E[0] *= PETSC_PI / size;
-  squared += weight * E[0] * EstimateGetGap_Private(fields, p, point, state, E[0], sums);
+  if (!sums->frozen) PetscCall(EstimateGetSlip_Private(fields, p, state, E[0], &slip));
+  squared += weight * E[0] * (slip + EstimateGetGap_Private(fields, p, point, state, E[0], sums));
   PetscCall(VecSetValue(sums->squares, sums->first + pair->points->facets.cell[point->facet], squared, ADD_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -171,6 +171,20 @@ static PetscErrorCode SceneReadGlobal_Private(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* What adaptive meshes with friction cannot do. */
+static PetscErrorCode SceneCheckAdaptiveFriction_Private(Scene scene)
+{
+  PetscFunctionBeginUser;
+  if (!scene->adapt.on || !SceneHasFriction(scene)) PetscFunctionReturn(PETSC_SUCCESS);
+  if (scene->steps.num)
+    PetscCall(UserErrorRaise(scene->comm, "-adapt: not for -load_steps with friction, whose slip would have to go from "
+                                          "mesh to mesh; omit one of the two, or give -<pair>_friction 0"));
+  if (scene->adapt.num_goals)
+    PetscCall(
+        UserErrorRaise(scene->comm, "-adapt_goal: not with friction; omit it, and -adapt refines for the energy norm"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SceneSetFromOptions(Scene scene)
 {
   Option allow;
@@ -188,10 +202,7 @@ PetscErrorCode SceneSetFromOptions(Scene scene)
   for (PetscInt i = 0; i < scene->num_bodies; i++) PetscCall(SceneBodyRead(scene, &scene->bodies[i]));
   PetscCall(SceneStudySetOrders(scene));
   for (PetscInt i = 0; i < scene->num_pairs; i++) PetscCall(ScenePairRead(scene, &scene->pairs[i]));
-  if (scene->adapt.on && SceneHasFriction(scene))
-    PetscCall(UserErrorRaise(scene->comm,
-                             "-adapt: with friction there is no energy by which meshes are judged; omit it, "
-                             "or give -<pair>_friction 0"));
+  PetscCall(SceneCheckAdaptiveFriction_Private(scene));
   for (PetscInt i = 0; i < scene->num_probes; i++) PetscCall(SceneProbeRead(scene, &scene->probes[i]));
   for (PetscInt i = 0; i < scene->num_paths; i++) PetscCall(ScenePathRead(scene, &scene->paths[i]));
   PetscCall(SceneAdaptCheck(scene));

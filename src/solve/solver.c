@@ -150,7 +150,7 @@ PetscErrorCode SolverRun(Solver solver, const SolverChoice *choice, PetscBool pr
   if (pdas && (choice->bound || solvability || choice->again)) PetscCall(PDASSetKeep(context->snes, PETSC_TRUE));
   if (context->levels) context->levels->cost.on = choice->yields;
   if (context->levels && nested) PetscCall(SolverStartNested_Private(context, y, &energy_decrease));
-  if (context->levels && !nested && guess && pdas && solver->extended)
+  if (context->levels && !nested && guess && pdas && solver->extended && !solver->vi->friction)
     PetscCall(SolverStartExtended_Private(context, y));
   solver->extended = PETSC_FALSE;
   if (pdas) PetscCall(SolverTakeSet_Private(solver, context));

@@ -18,7 +18,7 @@ PetscReal SolvedMeshGetError(const SolvedMesh *mesh)
   return mesh->missed ? 1 : 0;
 }
 
-/* theta of the latest mesh. Collective. */
+/* theta of the latest mesh: the standard with friction, where the potential is no energy that meshes lower. Collective. */
 static PetscErrorCode MeshHistoryCalibrate_Private(MeshHistory *history, const Level *level)
 {
   CalibrationMesh *meshes;
@@ -33,7 +33,8 @@ static PetscErrorCode MeshHistoryCalibrate_Private(MeshHistory *history, const L
     meshes[k] =
         (CalibrationMesh){.squared = PetscSqr(mesh->eta) - mesh->geometry, .energy = 2 * mesh->potential - mesh->signs};
   }
-  history->mesh[history->num - 1].theta = CalibrationFind(history->num, meshes, standard);
+  history->mesh[history->num - 1].theta =
+      SceneHasFriction(level->scene) ? standard : CalibrationFind(history->num, meshes, standard);
   PetscCall(PetscFree(meshes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -114,16 +115,17 @@ static void MeshHistoryAddGoals_Private(const Scene scene, const SolvedMesh *mes
 /* The summary's block "estimate". */
 static cJSON *MeshHistoryCreateEstimate_Private(const MeshHistory *history, const Scene scene)
 {
-  const SolvedMesh *last  = &history->mesh[history->num - 1];
-  const PetscReal   error = last->error;
-  cJSON            *root  = cJSON_CreateObject(), *potential, *meshes;
+  const SolvedMesh *last     = &history->mesh[history->num - 1];
+  const PetscReal   error    = last->error;
+  const PetscBool   friction = SceneHasFriction(scene);
+  cJSON            *root     = cJSON_CreateObject(), *potential, *meshes;
 
   JSONAddReal(root, "energy_norm", error);
   JSONAddReal(root, "energy_norm_relative", SolvedMeshGetError(last));
   JSONAddReal(root, "calibration", last->theta);
   potential = cJSON_AddObjectToObject(root, "potential");
-  JSONAddReal(potential, "value", last->potential - (PetscSqr(error) + last->signs) / 2);
-  JSONAddReal(potential, "bar", PetscSqr(error) / 3);
+  JSONAddReal(potential, "value", friction ? (PetscReal)NAN : last->potential - (PetscSqr(error) + last->signs) / 2);
+  JSONAddReal(potential, "bar", friction ? (PetscReal)NAN : PetscSqr(error) / 3);
   MeshHistoryAddGoals_Private(scene, last, PETSC_TRUE, root);
   meshes = cJSON_AddArrayToObject(root, "meshes");
   for (PetscInt k = 0; k < history->num; k++) {
