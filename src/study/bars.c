@@ -37,8 +37,9 @@ static const struct {
     {{"force", FLOOR_WHOLE},        {"normal_force", FLOOR_WHOLE},      {"area", FLOOR_AREA},
      {"mean_pressure", FLOOR_MEAN}, {"max_pressure", FLOOR_PRESSURE},   {"max_pressure_covered", FLOOR_PRESSURE},
      {"min_gap", FLOOR_WHOLE},      {"centre_of_pressure", FLOOR_WHOLE}},
-  PROBE_NUMBERS[] = {
-      {"displacement", FLOOR_BODY}, {"stress", FLOOR_STRESS}, {"von_mises", FLOOR_STRESS}, {"principal", FLOOR_STRESS}};
+  FRICTION_NUMBERS[] = {{"tangential_force", FLOOR_WHOLE}, {"max_slip", FLOOR_WHOLE}, {"dissipation", FLOOR_WHOLE}},
+  PROBE_NUMBERS[]    = {
+         {"displacement", FLOOR_BODY}, {"stress", FLOOR_STRESS}, {"von_mises", FLOOR_STRESS}, {"principal", FLOOR_STRESS}};
 
 /* A number of a mesh's row, or the numbers of an array. */
 typedef struct {
@@ -231,6 +232,12 @@ static PetscErrorCode BarsAddPairs_Private(const BarHistory *history, cJSON *bar
 
       PetscCall(BarsAdd_Private(history, &path, PAIR_NUMBERS[i].kind, p, path.key, pair, peak ? &both : NULL));
       grows = (PetscBool)(grows || both);
+    }
+    for (size_t i = 0;
+         ScenePairHasFriction(&history->scene->pairs[p]) && i < PETSC_STATIC_ARRAY_LENGTH(FRICTION_NUMBERS); i++) {
+      const BarPath path = {"pairs", name, FRICTION_NUMBERS[i].key, NULL};
+
+      PetscCall(BarsAdd_Private(history, &path, FRICTION_NUMBERS[i].kind, p, path.key, pair, NULL));
     }
     extent = cJSON_AddObjectToObject(pair, "extent");
     for (int i = 0; i < 2; i++) {

@@ -48,6 +48,13 @@ SCENES = {
     "spherical gap in space, order 1": ("spherical_gap", "-upper_dm_plex_box_faces 3,3,2 -lower_dm_plex_box_faces 2,2,2 -order 1", range(3, 7)),
     "shells in space, order 1": ("shells3d", "-outer_dm_plex_box_faces 2,2,2 -inner_dm_plex_box_faces 2,2,2 -order 1", range(3, 6)),
     "indentation in space, order 1": ("indentation", "-order 1", range(3, 6)),
+    "friction, block": ("greco", "-block_dm_plex_box_faces 8,8", range(3, 12)),
+    "friction, block, order 1": ("greco", "-block_dm_plex_box_faces 8,8 -order 1", range(3, 10)),
+    "friction, incline": ("incline", "", range(3, 9)),
+    "friction, keystone": ("keystone", "", range(3, 9)),
+    "friction, two plates": ("two_plates", "-upper_dm_plex_box_faces 3,3 -lower_dm_plex_box_faces 2,2 -joint_friction 0.3", range(3, 11)),
+    "friction, punch": ("punch", "-punch_friction 0.4", range(3, 9)),
+    "friction, dent in space": ("indentation", "-dent_friction 0.3", range(3, 6)),
     "hertz in space, order 1": ("hertz3d", "-sphere_dm_plex_box_faces 3,3,2 -block_dm_plex_box_faces 4,4,2 -order 1", range(3, 6)),
 }
 
@@ -103,8 +110,8 @@ def judge(program, scene, folder, found, unclear):
         summary = solve(program, scene, num, folder)
         if not summary or not summary["bars"] or len(summary["estimate"]["meshes"]) < num or num >= len(best["meshes"]):
             continue
-        squared = 2 * (summary["energy"]["potential"] - best["potential"]["value"])
-        if squared > 0:
+        squared = 2 * (summary["energy"]["potential"] - (best["potential"]["value"] or math.inf))
+        if squared > 0:  # with friction there is no energy to tell
             effectivity.append(summary["estimate"]["energy_norm"] / math.sqrt(squared))
         for path, value, true, half, limit, size in numbers(summary["bars"], summary, truth, truth["bars"]):
             error = abs(value - true)

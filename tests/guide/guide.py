@@ -91,6 +91,7 @@ SCENES = {
     "steps": ["-options_file", "options/two_plates.opts", "-upper_young", "1e3", "-upper_dm_plex_box_faces", "4,4", "-lower_dm_plex_box_faces", "3,3", "-load_steps", "2"],
     "slipping steps": ["-options_file", "options/incline.opts", "-load_steps", "2"],
     "adapted": ["-options_file", "options/two_plates.opts", "-upper_dm_plex_box_faces", "2,2", "-lower_dm_plex_box_faces", "2,2", "-adapt", "1e-2", "-adapt_goal", "force:joint"],
+    "adapted friction": ["-options_file", "options/incline.opts", "-adapt", "3e-2"],
     "adapted steps": ["-options_file", "options/two_plates.opts", "-upper_dm_plex_box_faces", "2,2", "-lower_dm_plex_box_faces", "2,2", "-adapt", "5e-2",
                       "-adapt_goal", "force:joint", "-adapt_goal_tolerance", "5e-2", "-load_steps", "2"],
     "compared": ["-options_file", "options/rings.opts", "-study", "uniform", "-study_levels", "3", "-outer_dm_plex_box_faces", "3,5",
