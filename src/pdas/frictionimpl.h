@@ -59,6 +59,10 @@ PetscErrorCode FrictionUnitsGather(const ActiveSet *set, const FrictionLaw *law,
 PetscErrorCode FrictionUnitsDestroy(FrictionUnits *units);
 /* Decides from y and r what every unit does. Collective. [out] changed - units that do something else than before */
 PetscErrorCode FrictionUnitsDecide(FrictionUnits *units, PetscInt *changed);
+/* Forgets which way units slip: the next decisions are the first ones. Not collective. */
+void FrictionUnitsForget(FrictionUnits *units);
+/* y without slip, and within the bounds. Not collective. */
+void FrictionUnitsReturn(FrictionUnits *units);
 /* Sets y where the decisions fix it: y_n = upper where closed, s = 0 where it sticks. Not collective. */
 void FrictionUnitsPrescribe(FrictionUnits *units);
 /* Marks the unknowns that they fix. Not collective. [out] fixed - [n] */

@@ -16,7 +16,7 @@ typedef struct {
   PetscMPIInt     rank;
   FrictionProblem problem;
   /* what decides on the next step; of the first rank */
-  PetscReal *best; /* y with the least residual so far [n] */
+  PetscReal *best; /* y with the least residual so far, or after the last sweeps [n] */
   PetscReal  least;
   PetscInt   waiting, sweeps, all_sweeps;
 } Reduced;
@@ -29,6 +29,8 @@ static PetscErrorCode FrictionReducedSweep_Private(Reduced *t)
 
   PetscFunctionBeginUser;
   PetscCall(PetscArraycpy(units->y, t->best, units->n));
+  if (!t->sweeps)
+    FrictionUnitsReturn(units); // where all slip, a body may have gone so far that no sweeps bring it back
   PetscCall(FrictionProblemSetForces(&t->problem));
   t->sweeps = t->sweeps ? PetscMin(2 * t->sweeps, MAX_SWEEPS) : FIRST_SWEEPS;
   t->all_sweeps += t->sweeps;
@@ -36,6 +38,7 @@ static PetscErrorCode FrictionReducedSweep_Private(Reduced *t)
   PetscCall(FrictionUnitsResidual(units, &t->least, &size));
   PetscCall(PetscArraycpy(t->best, units->y, units->n));
   t->waiting = 0;
+  FrictionUnitsForget(units); // what slips would seem to turn back from a direction of steps that were given up
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -56,7 +59,7 @@ static PetscErrorCode FrictionReducedStepFirst_Private(Reduced *t, FrictionStep 
     if (!singular && step->residual < DESCENT * t->least) {
       t->least   = step->residual;
       t->waiting = 0;
-      PetscCall(PetscArraycpy(t->best, units->y, units->n));
+      if (!t->sweeps) PetscCall(PetscArraycpy(t->best, units->y, units->n)); // sweeps go on from where they were
     } else if (singular || ++t->waiting >= PATIENCE) {
       PetscCall(FrictionReducedSweep_Private(t));
     }
