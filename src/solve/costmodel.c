@@ -3,8 +3,7 @@
    Soft structures need hundreds of active sets, and bodies that contact alone holds need many proximal point
    steps. Each costs an iteration the same; a factorization that serves all sets solves them at little cost.
    The number of future sets is unknown. The rule assumes as many as so far, which is wrong by a factor of two
-   at most [1]. Iterations that suit a scene end far below a factorization, others far above it: half of its cost
-   tells them apart. Costs are counted, not measured: times would vary between runs.
+   at most [1]. Costs are counted, not measured: times would vary between runs.
 
    References: [1] Karlin, Manasse, Rudolph, Sleator, Competitive snoopy caching, 1988. */
 #include "base/compat.h"
@@ -19,9 +18,10 @@ static const PetscReal PREDICT_FROM = 300;
 /* Operations of a factorization in the time of one operation of a product; time of block smoothing relative
    to a product. Measured, on one core, with OpenBLAS: balls of 36,000 unknowns, order 2. */
 static const PetscReal OPERATION_RATE = 1.5, SMOOTHING_COST = 2;
-/* An iteration may cost so much of a factorization. In products, iteration and factorization: floating cubes of 46,875
-   unknowns 80 to 110 and 530, floating balls of 27,783 and 36,501, order 2, 27,000 and 681, 31,000 and 875. */
-static const PetscReal SEARCH_FACTOR = 0.5;
+/* An iteration for bodies that contact alone holds may cost so much of a factorization. In products, iteration and factorization: cubes of 46,875
+   unknowns 80 to 110 and 530, balls of 27,783 and 36,501, order 2, 27,000 and 681, 31,000 and 875. Others end more often between half and one:
+   crossed cylinders of 31,278 unknowns 331 and 332. */
+static const PetscReal FLOATING_FACTOR = 0.5;
 /* Once contacts are found, an iteration may cost so many times a factorization, which would have to find them
    again. */
 static const PetscReal FOUND_FACTOR = 2;
@@ -78,6 +78,15 @@ static PetscErrorCode CostModelPredict_Private(CostModel *model)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* How many times a factorization an iteration may cost. */
+static PetscReal CostModelFactor_Private(const CostModel *model)
+{
+  const Hierarchy hierarchy = model->hierarchy;
+
+  if (model->found) return FOUND_FACTOR;
+  return hierarchy->level[hierarchy->num - 1].op.W ? FLOATING_FACTOR : 1;
+}
+
 /* The callback of HierarchySetCostTest(). */
 static PetscErrorCode IsOverFn(void *ctx, PetscBool *over)
 {
@@ -87,8 +96,7 @@ static PetscErrorCode IsOverFn(void *ctx, PetscBool *over)
   PetscFunctionBeginUser;
   if (model->on && work > PREDICT_FROM) {
     if (!model->asked) PetscCall(CostModelPredict_Private(model));
-    model->over =
-        (PetscBool)(model->on && work > (model->found ? FOUND_FACTOR : SEARCH_FACTOR) * CostModelPredicted(model));
+    model->over = (PetscBool)(model->on && work > CostModelFactor_Private(model) * CostModelPredicted(model));
   }
   *over = model->over;
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -150,7 +150,7 @@ mistake(mesh_too_thin       SCENE mesh SAYS "(2, 0)" tangled "-block_polygonal 1
 mistake(mesh_side           SCENE mesh SAYS botom bottom slope ARGS -block_dm_plex_filename ${here}/triangles.msh -block_bc_displacement botom
   -block_bc_displacement_botom 0,0 -options_allow_unused)
 mistake(mesh_region         SCENE mesh SAYS -block_mesh_region steel wood ARGS -block_dm_plex_filename ${here}/triangles.msh -block_mesh_region steel)
-mistake(solid_cut           ALONE SAYS -block_dm_plex_filename cut_solid.msh "no cells are found" "-model solid" ARGS -bodies block -block_young 1
+mistake(solid_cut           ALONE SAYS -block_dm_plex_filename cut_solid.msh "no cells are found" "is of a solid" ARGS -bodies block -block_young 1
   -block_poisson 0.3 -block_bc_displacement floor -block_bc_displacement_floor 0,0,0 -block_dm_plex_filename ${here}/cut_solid.msh)
 mistake(solid_plane         SCENE brick SAYS triangles.msh "dimension 2" "gmsh -3" ARGS -block_dm_plex_filename ${here}/triangles.msh)
 mistake(solid_wedge         SCENE brick SAYS roof.msh "1 wedges" "(0, 0, 1)" tetrahedra ARGS -block_dm_plex_filename ${here}/roof.msh)
