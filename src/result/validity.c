@@ -38,6 +38,7 @@ static const PetscReal STRAINLESS = 1e-12;
 /* Gaps below this part of the displacements are closed. */
 static const PetscReal NO_GAP = 1e-9;
 /* A scale below this part of the displacements is rounding. */
+static const PetscReal RIM_PART       = 0.5; /* of the way: a larger error is of the search */
 static const PetscReal SCALE_ROUNDING = 1e-6;
 /* Displacements are halved so many times to find the partner that a node has slid off. */
 enum { MAX_HALVES = 6 };
@@ -230,7 +231,8 @@ static PetscErrorCode PairStateSetScale_Private(Fields fields, const Pair pair, 
 }
 
 /* Errors of the gap of nodes that touch, or were near enough to begin with. A node that has slid off its partner is measured on the way:
-   errors grow with the square of the displacement. Collective. */
+   errors grow with the square of the displacement. What is off by as much as the way itself is no such error: at the rim of a partner another
+   part of a facet is met. Collective. */
 static PetscErrorCode PairStateMeasureGaps_Private(Fields fields, const Pair pair, PairState *state)
 {
   const VI  vi    = fields->vi;
@@ -255,6 +257,7 @@ static PetscErrorCode PairStateMeasureGaps_Private(Fields fields, const Pair pai
       if (!PetscIsNanReal(state->error[a]) || PetscAbsReal(pair->gap[a]) > state->scale) continue;
       if (PetscIsNanReal(gap[a])) away = PETSC_TRUE;
       state->error[a] = (gap[a] - linear) / PetscSqr(share);
+      if (half && PetscAbsReal(gap[a] - linear) > RIM_PART * share * state->scale) state->error[a] = 0;
     }
     PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &away, 1, MPIU_BOOL, MPI_LOR, vi->level->comm));
   }
