@@ -440,9 +440,10 @@ static PetscErrorCode FrictionKrylovBegin_Private(FrictionMethod method, Vec set
 /* GMRES with both shells. */
 static PetscErrorCode FrictionKrylovSetKSP_Private(FrictionMethod method)
 {
-  Krylov  *t = method->data;
-  PetscInt n, N;
-  PC       pc;
+  Krylov     *t = method->data;
+  PetscInt    n, N;
+  const char *prefix;
+  PC          pc;
 
   PetscFunctionBeginUser;
   PetscCall(VecGetLocalSize(t->y, &n));
@@ -450,6 +451,9 @@ static PetscErrorCode FrictionKrylovSetKSP_Private(FrictionMethod method)
   PetscCall(MatCreateShell(method->pdas->set.comm, n, n, N, N, method, &t->A));
   PetscCall(MatShellSetOperation(t->A, MATOP_MULT, (void (*)(void))Multiply_Krylov));
   PetscCall(KSPCreate(method->pdas->set.comm, &t->ksp));
+  PetscCall(KSPGetOptionsPrefix(((FullSolver *)method->solver->data)->ksp, &prefix));
+  PetscCall(KSPSetOptionsPrefix(t->ksp, prefix));
+  PetscCall(KSPSetFromOptions(t->ksp)); // monitors and views; types are set after it, since no other ones fit
   PetscCall(KSPSetType(t->ksp, KSPGMRES));
   PetscCall(KSPGMRESSetRestart(t->ksp, GMRES_RESTART));
   PetscCall(KSPSetOperators(t->ksp, t->A, t->A));

@@ -21,3 +21,4 @@ def judge(run):
         same(f"{name}: status", table["status"], reference["status"])
         for column in [column for column in table if column.startswith(("pressure", "tangential_traction"))]:
             near(f"{name}: {column}", table[column], reference[column], absolute=10 * PART * max(reference["pressure"]))
+    require("KSP Residual norm" in run.again("-ksp_monitor", name="monitored").stdout, "-ksp_monitor tells nothing")
