@@ -58,31 +58,6 @@ typedef struct {
   PetscInt *cell_nodes; /* numbers of points, cell after cell */
 } Points;
 
-/* Numbers of the first point of every local node. Collective. [out] first - [num_nodes] */
-static PetscErrorCode PointsNumber_Private(Level *level, const NodeMaterials *at, PetscInt first[])
-{
-  const PetscScalar *value;
-  PetscScalar       *set;
-  PetscInt           begin = 0, num = at->start[level->num_owned];
-  Vec                numbers, local;
-
-  PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Exscan(&num, &begin, 1, MPIU_INT, MPI_SUM, level->comm));
-  PetscCall(LevelCreateVec(level, 1, &numbers));
-  PetscCall(VecGetArray(numbers, &set));
-  for (PetscInt a = 0; a < level->num_owned; a++) set[a] = (PetscReal)(begin + at->start[a]);
-  PetscCall(VecRestoreArray(numbers, &set));
-  PetscCall(VecGhostUpdateBegin(numbers, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(numbers, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostGetLocalForm(numbers, &local));
-  PetscCall(VecGetArrayRead(local, &value));
-  for (PetscInt n = 0; n < level->num_nodes; n++) first[n] = (PetscInt)PetscRealPart(value[n]);
-  PetscCall(VecRestoreArrayRead(local, &value));
-  PetscCall(VecGhostRestoreLocalForm(numbers, &local));
-  PetscCall(VecDestroy(&numbers));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Collective. [in] at - NULL where every node is one point; [out] points - to be freed by PointsDestroy_Private() */
 static PetscErrorCode PointsCreate_Private(Level *level, const NodeMaterials *at, Points *points)
 {
@@ -101,7 +76,7 @@ static PetscErrorCode PointsCreate_Private(Level *level, const NodeMaterials *at
   for (PetscInt a = 0; a < level->num_owned; a++)
     for (PetscInt i = at->start[a]; i < at->start[a + 1]; i++) points->node[i] = a;
   PetscCall(PetscMalloc1(level->num_nodes, &first));
-  PetscCall(PointsNumber_Private(level, at, first));
+  PetscCall(FieldWriterNumberPoints(level, at->start, first));
   for (PetscInt c = 0; c < level->num_cells; c++) {
     for (PetscInt i = level->cell_start[c]; i < level->cell_start[c + 1]; i++) {
       const PetscInt node = level->cell_nodes[i];
@@ -152,7 +127,7 @@ static PetscErrorCode BodyFieldsWriteStress_Private(FieldWriter *writer, Fields 
   } told[]         = {{{"stress", 9, PETSC_FALSE}, BodyFieldsGetTensor_Private},
                       {{"von_mises", 1, PETSC_FALSE}, BodyFieldsGetVonMises_Private},
                       {{"principal", 3, PETSC_FALSE}, MaterialPrincipal}};
-  const PetscInt n = writer->num_mine;
+  const PetscInt n = writer->points.num_mine;
   PetscReal     *stress;
 
   PetscFunctionBeginUser;
@@ -183,7 +158,7 @@ static PetscErrorCode BodyFieldsWriteTemperature_Private(FieldWriter *writer, Fi
   PetscFunctionBeginUser;
   for (PetscInt m = 0; m < num; m++) any = (PetscBool)(any || SceneGetMaterial(scene, m)->temperature);
   if (!any) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscMalloc1(writer->num_mine, &value));
+  PetscCall(PetscMalloc1(writer->points.num_mine, &value));
   for (PetscInt a = 0, point = 0; a < level->num_owned; a++) {
     for (PetscInt i = 0; i < NodeMaterialsCount(at, a); i++, point++) {
       const Expression temperature =
@@ -211,29 +186,17 @@ static PetscErrorCode BodyFieldsWriteEstimate_Private(FieldWriter *writer, Field
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The bodies as they are meshed. [in] points - borrowed while the picture is open; [out] tags - piece and material of all cells, on the first
-   rank; owned by the caller */
-static PetscErrorCode BodyFieldsWriteMesh_Private(FieldWriter *writer, VI vi, const Points *points, PetscReal **tags)
+/* The bodies as they are meshed. [in] points - borrowed while the picture is open */
+static PetscErrorCode BodyFieldsWriteMesh_Private(FieldWriter *writer, const Level *level, const Points *points)
 {
-  const Level      *level  = vi->level;
-  const Components *pieces = &vi->rigid_modes.components;
-  PetscInt         *tag;
-
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(level->num_cells, &tag));
-  for (PetscInt c = 0; c < level->num_cells; c++)
-    tag[c] = level->cell_material[c] * pieces->num + pieces->of_node[level->cell_nodes[level->cell_start[c]]];
-  PetscCall(FieldWriterMesh(writer,
-                            &(FieldMesh){.dim        = level->dim,
-                                         .num_points = points->num,
-                                         .nodes      = points->node,
-                                         .coords     = level->coords,
-                                         .num_cells  = level->num_cells,
-                                         .cell_type  = level->cell_type,
-                                         .cell_tag   = tag,
-                                         .cell_nodes = points->cell_nodes},
-                            tags));
-  PetscCall(PetscFree(tag));
+  PetscCall(FieldWriterMesh(writer, &(FieldMesh){.dim        = level->dim,
+                                                 .num_points = points->num,
+                                                 .nodes      = points->node,
+                                                 .coords     = level->coords,
+                                                 .num_cells  = level->num_cells,
+                                                 .cell_type  = level->cell_type,
+                                                 .cell_nodes = points->cell_nodes}));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -245,24 +208,25 @@ static PetscInt MaterialGetRegion_Private(Scene scene, PetscInt material)
 }
 
 /* The body of each cell, where bodies have regions the region, and where one is of several pieces the piece. */
-static PetscErrorCode BodyFieldsWriteCells_Private(FieldWriter *writer, VI vi, const PetscReal tags[])
+static PetscErrorCode BodyFieldsWriteCells_Private(FieldWriter *writer, VI vi)
 {
   const Components *pieces = &vi->rigid_modes.components;
-  const PetscInt    num    = writer->rank == 0 ? writer->num_cells : 0;
+  const Level      *level  = vi->level;
   const Scene       scene  = vi->scene;
   PetscReal        *value;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(num, &value));
-  for (PetscInt c = 0; c < num; c++) value[c] = (PetscReal)SceneMaterialBody(scene, (PetscInt)tags[c] / pieces->num);
+  PetscCall(PetscMalloc1(level->num_cells, &value));
+  for (PetscInt c = 0; c < level->num_cells; c++) value[c] = (PetscReal)level->cell_body[c];
   PetscCall(FieldWriterCells(writer, (Quantity){"body", 1, PETSC_TRUE}, value));
   if (scene->num_regions) {
-    for (PetscInt c = 0; c < num; c++)
-      value[c] = (PetscReal)MaterialGetRegion_Private(scene, (PetscInt)tags[c] / pieces->num);
+    for (PetscInt c = 0; c < level->num_cells; c++)
+      value[c] = (PetscReal)MaterialGetRegion_Private(scene, level->cell_material[c]);
     PetscCall(FieldWriterCells(writer, (Quantity){"region", 1, PETSC_TRUE}, value));
   }
   if (pieces->num > vi->rigid_modes.num_bodies) {
-    for (PetscInt c = 0; c < num; c++) value[c] = (PetscReal)((PetscInt)tags[c] % pieces->num);
+    for (PetscInt c = 0; c < level->num_cells; c++)
+      value[c] = (PetscReal)pieces->of_node[level->cell_nodes[level->cell_start[c]]];
     PetscCall(FieldWriterCells(writer, (Quantity){"piece", 1, PETSC_TRUE}, value));
   }
   PetscCall(PetscFree(value));
@@ -272,12 +236,11 @@ static PetscErrorCode BodyFieldsWriteCells_Private(FieldWriter *writer, VI vi, c
 PetscErrorCode BodyFieldsWrite(FieldWriter *writer, Fields fields)
 {
   const PetscReal *u;
-  PetscReal       *tags;
   Points           points;
 
   PetscFunctionBeginUser;
   PetscCall(PointsCreate_Private(fields->vi->level, &fields->stress.at, &points));
-  PetscCall(BodyFieldsWriteMesh_Private(writer, fields->vi, &points, &tags));
+  PetscCall(BodyFieldsWriteMesh_Private(writer, fields->vi->level, &points));
   PetscCall(VecGetArrayRead(fields->u, &u));
   PetscCall(FieldWriterPoints(writer, (Quantity){"displacement", 3, PETSC_FALSE}, fields->vi->level->dim, u));
   PetscCall(VecRestoreArrayRead(fields->u, &u));
@@ -285,8 +248,7 @@ PetscErrorCode BodyFieldsWrite(FieldWriter *writer, Fields fields)
   PetscCall(BodyFieldsWriteContact_Private(writer, fields));
   PetscCall(BodyFieldsWriteTemperature_Private(writer, fields));
   PetscCall(BodyFieldsWriteEstimate_Private(writer, fields));
-  PetscCall(BodyFieldsWriteCells_Private(writer, fields->vi, tags));
-  PetscCall(PetscFree(tags));
+  PetscCall(BodyFieldsWriteCells_Private(writer, fields->vi));
   PetscCall(PointsDestroy_Private(&points));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -294,12 +256,12 @@ PetscErrorCode BodyFieldsWrite(FieldWriter *writer, Fields fields)
 PetscErrorCode BodyFieldsWriteMotion(FieldWriter *writer, VI vi, const SceneMotion *motion)
 {
   Level     *level = vi->level;
-  PetscReal *u, *tags;
+  PetscReal *u;
   Points     points;
 
   PetscFunctionBeginUser;
   PetscCall(PointsCreate_Private(level, NULL, &points));
-  PetscCall(BodyFieldsWriteMesh_Private(writer, vi, &points, &tags));
+  PetscCall(BodyFieldsWriteMesh_Private(writer, vi->level, &points));
   PetscCall(PetscCalloc1(level->num_owned * level->dim, &u));
   for (PetscInt i = 0; i < motion->num; i++) {
     for (PetscInt a = 0; a < level->num_owned; a++)
@@ -308,25 +270,23 @@ PetscErrorCode BodyFieldsWriteMotion(FieldWriter *writer, VI vi, const SceneMoti
   }
   PetscCall(FieldWriterPoints(writer, (Quantity){"motion", 3, PETSC_FALSE}, level->dim, u));
   PetscCall(PetscFree(u));
-  PetscCall(BodyFieldsWriteCells_Private(writer, vi, tags));
-  PetscCall(PetscFree(tags));
+  PetscCall(BodyFieldsWriteCells_Private(writer, vi));
   PetscCall(PointsDestroy_Private(&points));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode BodyFieldsWriteSetup(FieldWriter *writer, VI vi, const SetupCheck *check)
 {
-  PetscReal *bits, *tags;
+  PetscReal *bits;
   Points     points;
 
   PetscFunctionBeginUser;
   PetscCall(PointsCreate_Private(vi->level, NULL, &points));
-  PetscCall(BodyFieldsWriteMesh_Private(writer, vi, &points, &tags));
+  PetscCall(BodyFieldsWriteMesh_Private(writer, vi->level, &points));
   PetscCall(SetupCheckMarkNodes(vi, check, &bits));
   PetscCall(FieldWriterPoints(writer, (Quantity){"sides", 1, PETSC_TRUE}, 1, bits));
   PetscCall(PetscFree(bits));
-  PetscCall(BodyFieldsWriteCells_Private(writer, vi, tags));
-  PetscCall(PetscFree(tags));
+  PetscCall(BodyFieldsWriteCells_Private(writer, vi));
   PetscCall(PointsDestroy_Private(&points));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

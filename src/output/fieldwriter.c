@@ -1,7 +1,6 @@
-/* fieldwriter.c -- transfer of points, cells and one quantity at a time to the first rank, and from there to a format.
+/* fieldwriter.c -- points, cells and one quantity at a time, in the order of the file, to a format.
 
-   One file of one writer is simple, portable and fast enough up to tens of millions of values; global nodes are numbered
-   rank by rank, so gathering in the order of the ranks gives the global order. */
+   Global nodes are numbered rank by rank, so each rank has one contiguous piece of each quantity of points, and one of each type of cell. */
 #include "output/fieldwriter.h"
 #include "base/compat.h"
 #include <errno.h>
@@ -28,71 +27,77 @@ PetscErrorCode FieldWriterOpen(MPI_Comm comm, const FieldFormat *format, FieldWr
 PetscErrorCode FieldWriterClose(FieldWriter *writer)
 {
   PetscFunctionBeginUser;
-  if (writer->rank == 0) PetscCall(writer->format->end(writer));
+  PetscCall(writer->format->end(writer));
+  PetscCall(PetscFree(writer->order));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Values of all points on the first rank, NULL elsewhere. [in] nodes - which of mine they have, or NULL; [out] spare - what is to be freed */
-static PetscErrorCode FieldWriterGatherPoints_Private(const FieldWriter *writer, const PetscInt nodes[], PetscInt from,
-                                                      PetscInt to, const PetscReal mine[], const PetscReal **all,
-                                                      PetscReal **spare)
+/* Rows by type, of which each rank has so many. Collective. [in] mine - [ELEMENT_COUNT] */
+static PetscErrorCode FieldRowsCreate_Private(MPI_Comm comm, const PetscInt mine[], FieldRows *rows)
 {
-  PetscReal  *padded = NULL, *gathered = NULL;
-  PetscMPIInt ranks;
+  PetscInt before[ELEMENT_COUNT] = {0}, all[ELEMENT_COUNT];
 
   PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Comm_size(writer->comm, &ranks));
-  if (nodes || from != to) {
-    PetscCall(PetscCalloc1(writer->num_mine * to, &padded));
-    for (PetscInt i = 0; i < writer->num_mine; i++) {
-      const PetscInt node = nodes ? nodes[i] : i;
-
-      for (PetscInt k = 0; k < PetscMin(from, to); k++) padded[i * to + k] = mine[node * from + k];
-    }
-    mine = padded;
+  *rows = (FieldRows){.num = 0};
+  PetscCallMPI(MPI_Exscan(mine, before, ELEMENT_COUNT, MPIU_INT, MPI_SUM, comm));
+  PetscCallMPI(MPI_Allreduce(mine, all, ELEMENT_COUNT, MPIU_INT, MPI_SUM, comm));
+  for (PetscInt type = 0; type < ELEMENT_COUNT; type++) {
+    if (!all[type]) continue;
+    rows->block[rows->num].type    = (ElementType)type;
+    rows->block[rows->num].all     = all[type];
+    rows->block[rows->num].mine    = mine[type];
+    rows->block[rows->num++].begin = rows->total + before[type];
+    rows->total += all[type];
+    rows->num_mine += mine[type];
   }
-  if (ranks > 1) {
-    PetscCall(GatherArraysReal(writer->comm, writer->num_mine * to, mine, NULL, &gathered));
-    PetscCall(PetscFree(padded));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Values of this rank's points. [out] padded - to be freed, NULL where mine has them as they are */
+static PetscErrorCode FieldWriterPad_Private(const FieldWriter *writer, PetscInt from, PetscInt to,
+                                             const PetscReal mine[], PetscReal **padded)
+{
+  PetscFunctionBeginUser;
+  *padded = NULL;
+  if (!writer->nodes && from == to) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscCalloc1(writer->points.num_mine * to, padded));
+  for (PetscInt i = 0; i < writer->points.num_mine; i++) {
+    const PetscInt node = writer->nodes ? writer->nodes[i] : i;
+
+    for (PetscInt k = 0; k < PetscMin(from, to); k++) (*padded)[i * to + k] = mine[node * from + k];
   }
-  *all   = ranks > 1 ? gathered : mine;
-  *spare = ranks > 1 ? gathered : padded;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-static PetscErrorCode FieldWriterAdd_Private(FieldWriter *writer, Quantity quantity, const PetscInt nodes[],
-                                             PetscInt stride, const PetscReal mine[])
-{
-  const PetscReal *all;
-  PetscReal       *spare;
-
-  PetscFunctionBeginUser;
-  PetscCall(FieldWriterGatherPoints_Private(writer, nodes, stride, quantity.components, mine, &all, &spare));
-  if (writer->out) PetscCall(writer->format->point(writer, &quantity, all));
-  writer->point[writer->num_point_quantities++] = quantity;
-  PetscCall(PetscFree(spare));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode FieldWriterPoints(FieldWriter *writer, Quantity quantity, PetscInt stride, const PetscReal mine[])
-{
-  PetscFunctionBeginUser;
-  PetscCall(FieldWriterAdd_Private(writer, quantity, writer->nodes, stride, mine));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode FieldWriterPointValues(FieldWriter *writer, Quantity quantity, const PetscReal mine[])
 {
   PetscFunctionBeginUser;
-  PetscCall(FieldWriterAdd_Private(writer, quantity, NULL, quantity.components, mine));
+  PetscCall(writer->format->point(writer, &quantity, mine));
+  writer->point[writer->num_point_quantities++] = quantity;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FieldWriterCells(FieldWriter *writer, Quantity quantity, const PetscReal all[])
+PetscErrorCode FieldWriterPoints(FieldWriter *writer, Quantity quantity, PetscInt stride, const PetscReal mine[])
 {
+  PetscReal *padded;
+
   PetscFunctionBeginUser;
-  if (writer->out) PetscCall(writer->format->cell(writer, &quantity, all));
+  PetscCall(FieldWriterPad_Private(writer, stride, quantity.components, mine, &padded));
+  PetscCall(FieldWriterPointValues(writer, quantity, padded ? padded : mine));
+  PetscCall(PetscFree(padded));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FieldWriterCells(FieldWriter *writer, Quantity quantity, const PetscReal mine[])
+{
+  PetscReal *sorted;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(writer->cells.num_mine, &sorted));
+  for (PetscInt c = 0; c < writer->cells.num_mine; c++) sorted[c] = mine[writer->order[c]];
+  PetscCall(writer->format->cell(writer, &quantity, sorted));
   writer->cell[writer->num_cell_quantities++] = quantity;
+  PetscCall(PetscFree(sorted));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -106,80 +111,79 @@ static void FieldWriterGetVTKOrder_Private(ElementType type, const PetscInt node
   for (PetscInt i = 0; i < size; i++) ordered[i] = nodes[i >= first && i < size - 1 ? first + facet[i - first] : i];
 }
 
-/* Gathers and sorts, by counting. [out] cells, tags - on the first rank, empty elsewhere; owned by the caller */
-static PetscErrorCode FieldWriterGatherCells_Private(MPI_Comm comm, const FieldMesh *part, SortedCells *cells,
-                                                     PetscReal **tags)
+/* Sorts by counting. [out] cells, order - owned by the caller */
+static PetscErrorCode FieldWriterSortCells_Private(const FieldMesh *part, const FieldRows *rows, SortedCells *cells,
+                                                   PetscInt **order)
 {
-  PetscInt *all_nodes, *all_types, *all_tags, *starts, num_cells, num_entries, size = 0, n = 0;
+  PetscInt fill[ELEMENT_COUNT] = {0}, entries[ELEMENT_COUNT] = {0}, size = 0, at = 0;
 
   PetscFunctionBeginUser;
-  for (PetscInt c = 0; c < part->num_cells; c++) size += ElementNumNodes((ElementType)part->cell_type[c]);
-  PetscCall(GatherArraysInt(comm, size, part->cell_nodes, &num_entries, &all_nodes));
-  PetscCall(GatherArraysInt(comm, part->num_cells, part->cell_type, &num_cells, &all_types));
-  PetscCall(GatherArraysInt(comm, part->num_cells, part->cell_tag, NULL, &all_tags));
-  cells->num = num_cells;
-  PetscCall(PetscMalloc3(num_cells + 1, &cells->start, num_entries, &cells->nodes, num_cells, &cells->type));
-  PetscCall(PetscMalloc1(num_cells, tags));
-  PetscCall(PetscMalloc1(num_cells + 1, &starts));
-  starts[0] = cells->start[0] = 0;
-  for (PetscInt c = 0; c < num_cells; c++) starts[c + 1] = starts[c] + ElementNumNodes((ElementType)all_types[c]);
-  for (PetscInt type = 0; type < ELEMENT_COUNT; type++) { /* stable */
-    for (PetscInt c = 0; c < num_cells; c++) {
-      if (all_types[c] != type) continue;
-      FieldWriterGetVTKOrder_Private((ElementType)type, &all_nodes[starts[c]], &cells->nodes[cells->start[n]]);
-      cells->start[n + 1] = cells->start[n] + starts[c + 1] - starts[c];
-      cells->type[n]      = type;
-      (*tags)[n++]        = (PetscReal)all_tags[c];
-    }
+  for (PetscInt b = 0, row = 0; b < rows->num; b++) {
+    const ElementType type = rows->block[b].type;
+
+    fill[type]    = row;
+    entries[type] = size;
+    row += rows->block[b].mine;
+    size += rows->block[b].mine * ElementNumNodes(type);
   }
-  PetscCall(PetscFree(starts));
-  PetscCall(PetscFree(all_nodes));
-  PetscCall(PetscFree(all_types));
-  PetscCall(PetscFree(all_tags));
+  PetscCall(PetscMalloc2(part->num_cells + 1, &cells->start, size, &cells->nodes));
+  PetscCall(PetscMalloc1(part->num_cells, order));
+  for (PetscInt c = 0; c < part->num_cells; c++) {
+    const ElementType type = (ElementType)part->cell_type[c];
+    const PetscInt    row  = fill[type]++;
+
+    FieldWriterGetVTKOrder_Private(type, &part->cell_nodes[at], &cells->nodes[entries[type]]);
+    cells->start[row] = entries[type];
+    (*order)[row]     = c;
+    at += ElementNumNodes(type);
+    entries[type] += ElementNumNodes(type);
+  }
+  cells->start[part->num_cells] = size;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Global nodes of cells become positions among the points, where some nodes are none. */
-static PetscErrorCode FieldWriterNumberByPoints_Private(const FieldWriter *writer, const FieldMesh *part,
-                                                        SortedCells *cells)
+PetscErrorCode FieldWriterNumberPoints(Level *level, const PetscInt start[], PetscInt first[])
 {
-  PetscInt *ids, *all_ids, num;
-  PetscBool some = (PetscBool)(part->global != NULL);
+  const PetscScalar *value;
+  PetscScalar       *set;
+  PetscInt           begin = 0;
+  Vec                numbers, local;
 
   PetscFunctionBeginUser;
-  PetscCallMPI(
-      MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPIU_BOOL, MPI_LOR, writer->comm)); // NULL as well on a rank without nodes
-  if (!some) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscMalloc1(part->num_points, &ids));
-  for (PetscInt i = 0; i < part->num_points; i++) ids[i] = part->global[part->nodes[i]];
-  PetscCall(GatherArraysInt(writer->comm, part->num_points, ids, &num, &all_ids));
-  for (PetscInt i = 0; i < cells->start[cells->num]; i++)
-    PetscCall(PetscFindInt(cells->nodes[i], num, all_ids, &cells->nodes[i]));
-  PetscCall(PetscFree(all_ids));
-  PetscCall(PetscFree(ids));
+  PetscCallMPI(MPI_Exscan(&start[level->num_owned], &begin, 1, MPIU_INT, MPI_SUM, level->comm));
+  PetscCall(LevelCreateVec(level, 1, &numbers));
+  PetscCall(VecGetArray(numbers, &set));
+  for (PetscInt a = 0; a < level->num_owned; a++) set[a] = (PetscReal)(begin + start[a]);
+  PetscCall(VecRestoreArray(numbers, &set));
+  PetscCall(VecGhostUpdateBegin(numbers, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostUpdateEnd(numbers, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostGetLocalForm(numbers, &local));
+  PetscCall(VecGetArrayRead(local, &value));
+  for (PetscInt n = 0; n < level->num_nodes; n++) first[n] = (PetscInt)PetscRealPart(value[n]);
+  PetscCall(VecRestoreArrayRead(local, &value));
+  PetscCall(VecGhostRestoreLocalForm(numbers, &local));
+  PetscCall(VecDestroy(&numbers));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FieldWriterMesh(FieldWriter *writer, const FieldMesh *part, PetscReal **tags)
+PetscErrorCode FieldWriterMesh(FieldWriter *writer, const FieldMesh *part)
 {
-  PetscInt         sums[2] = {part->num_points, part->num_cells};
-  SortedCells      cells;
-  const PetscReal *positions;
-  PetscReal       *spare;
+  PetscInt    mine[ELEMENT_COUNT] = {part->num_points};
+  SortedCells cells;
+  PetscReal  *padded;
 
   PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPIU_INT, MPI_SUM, writer->comm));
-  writer->num_points = sums[0];
-  writer->num_cells  = sums[1];
-  writer->num_mine   = part->num_points;
-  writer->nodes      = part->nodes;
-  if (writer->out) PetscCall(writer->format->begin(writer));
-  PetscCall(FieldWriterGatherPoints_Private(writer, part->nodes, part->dim, 3, part->coords, &positions, &spare));
-  if (writer->out) PetscCall(writer->format->points(writer, positions));
-  PetscCall(PetscFree(spare));
-  PetscCall(FieldWriterGatherCells_Private(writer->comm, part, &cells, tags));
-  PetscCall(FieldWriterNumberByPoints_Private(writer, part, &cells));
-  if (writer->out) PetscCall(writer->format->cells(writer, &cells));
-  PetscCall(PetscFree3(cells.start, cells.nodes, cells.type));
+  PetscCall(FieldRowsCreate_Private(writer->comm, mine, &writer->points));
+  mine[0] = 0;
+  for (PetscInt c = 0; c < part->num_cells; c++) mine[part->cell_type[c]]++;
+  PetscCall(FieldRowsCreate_Private(writer->comm, mine, &writer->cells));
+  writer->nodes = part->nodes;
+  PetscCall(writer->format->begin(writer));
+  PetscCall(FieldWriterPad_Private(writer, part->dim, 3, part->coords, &padded));
+  PetscCall(writer->format->points(writer, padded ? padded : part->coords));
+  PetscCall(PetscFree(padded));
+  PetscCall(FieldWriterSortCells_Private(part, &writer->cells, &cells, &writer->order));
+  PetscCall(writer->format->cells(writer, &cells));
+  PetscCall(PetscFree2(cells.start, cells.nodes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

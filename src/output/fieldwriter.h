@@ -1,4 +1,4 @@
-/* fieldwriter.h -- fields for viewers, written one quantity at a time: the first rank never holds more than one.
+/* fieldwriter.h -- fields for viewers, written one quantity at a time, by every rank what it holds.
 
    FieldWriterOpen(); FieldWriterMesh(); FieldWriterPoints() and FieldWriterCells() for each quantity, those of points first; FieldWriterClose(). All
    are collective. What goes wrong with a file is noted in files, and nothing is written any more. */
@@ -19,18 +19,26 @@ typedef struct {
 
 enum { FIELD_WRITER_MAX_POINT_QUANTITIES = 8, FIELD_WRITER_MAX_CELL_QUANTITIES = 3 };
 
-/* Cells of all ranks, sorted by type, since readers of mixed meshes keep one block per type. */
+/* Rows of this rank among those of all, block by block. Points are one block; cells are one for each type, since readers of mixed meshes keep
+   cells of a type together. In a block the rows of a rank stand behind those of the ranks before it. */
 typedef struct {
-  PetscInt  num;
-  PetscInt *start; /* [num+1] */
-  PetscInt *nodes; /* in VTK's order [start[num]] */
-  PetscInt *type;  /* ElementType [num] */
+  PetscInt total, num_mine, num; /* rows of all ranks, of this one; blocks */
+  struct {
+    ElementType type;             /* of cells */
+    PetscInt    all, mine, begin; /* rows of all ranks, of this one; the first of these among all rows */
+  } block[ELEMENT_COUNT];         /* [num] */
+} FieldRows;
+
+/* Cells of this rank, block by block. */
+typedef struct {
+  PetscInt *start; /* [rows.num_mine + 1] */
+  PetscInt *nodes; /* numbers of points in VTK's order [start[rows.num_mine]] */
 } SortedCells;
 
 /* The points and cells of one time. */
 typedef struct {
   PetscInt    step;                  /* of the group that has them; -1 for the root */
-  PetscInt    num_points, num_cells; /* on the first rank, like the rest */
+  PetscInt    num_points, num_cells; /* on the first rank, like the rest; of all ranks */
   PetscInt    rows, columns;         /* of the list of cells */
   const char *topology;              /* its TopologyType in XDMF; static */
 } FieldGrid;
@@ -46,16 +54,16 @@ typedef struct {
   PetscBool solved; /* whether the last time is solved: a run can go on from there */
 } FieldSeries;
 
-/* What the first rank knows of a picture that is being written. */
+/* A picture that is being written. */
 typedef struct FieldWriter FieldWriter;
 
-/* A format: what it does with each part as it comes. First rank only, not collective; only while writer->out is open, but for
-   end(), which may write other files that belong to it. */
+/* A format: what it does with each part as it comes. All are collective, and have what this rank holds. end() may write other files that belong
+   to it. */
 typedef struct {
   const char *suffix;
   PetscBool   grows; /* whether a file takes further times of a series; else it has the last one */
   PetscErrorCode (*begin)(FieldWriter *writer); /* numbers of points and cells are known */
-  PetscErrorCode (*points)(FieldWriter *writer, const PetscReal positions[]); /* [num_points][3] */
+  PetscErrorCode (*points)(FieldWriter *writer, const PetscReal positions[]); /* [points.num_mine][3] */
   PetscErrorCode (*cells)(FieldWriter *writer, const SortedCells *cells);
   PetscErrorCode (*point)(FieldWriter *writer, const Quantity *quantity, const PetscReal values[]);
   PetscErrorCode (*cell)(FieldWriter *writer, const Quantity *quantity, const PetscReal values[]);
@@ -76,9 +84,9 @@ struct FieldWriter {
   FieldSeries       *series; /* NULL for a picture at one time */
   FILE              *out;    /* NULL on other ranks, and when no file can be written */
   void              *data;   /* of the format */
-  PetscInt           num_points, num_cells;
-  PetscInt           num_mine;                                  /* points of this rank */
-  const PetscInt    *nodes;                                     /* of FieldWriterMesh() */
+  FieldRows          points, cells;
+  PetscInt          *order; /* which of this rank's cells each sorted one is [cells.num_mine] */
+  const PetscInt    *nodes; /* of FieldWriterMesh() */
   PetscInt           num_point_quantities, num_cell_quantities; /* so far */
   Quantity           point[FIELD_WRITER_MAX_POINT_QUANTITIES];
   Quantity           cell[FIELD_WRITER_MAX_CELL_QUANTITIES];
@@ -90,28 +98,27 @@ PetscErrorCode FieldWriterClose(FieldWriter *writer);
 
 /* What this rank holds of the mesh. */
 typedef struct {
-  PetscInt        dim, num_points;
-  const PetscInt *nodes; /* which of its nodes are points, ascending over all ranks by their numbers [num_points] */
-  const PetscInt              *
-      global; /* numbers of its nodes; NULL on all ranks where cell_nodes has those of points. Where all nodes are points once,
-                              both are NULL */
+  PetscInt dim, num_points;
+  const PetscInt *
+      nodes; /* which of its nodes are points, ascending over all ranks by their numbers [num_points]; NULL: all owned ones */
   const PetscReal *coords; /* of its nodes [][dim] */
   PetscInt         num_cells;
   const PetscInt  *cell_type;  /* ElementType [num_cells] */
-  const PetscInt  *cell_tag;   /* a whole number for each [num_cells] */
-  const PetscInt  *cell_nodes; /* global nodes, or points, cell after cell, in the order of element.h */
+  const PetscInt  *cell_nodes; /* numbers of points, cell after cell, in the order of element.h */
 } FieldMesh;
 
-/* Points, in the order of the ranks, and cells. nodes stays the caller's while the picture is open.
-   [out] tags - of all cells as they are sorted, on the first rank; owned by the caller, PetscFree() */
-PetscErrorCode FieldWriterMesh(FieldWriter *writer, const FieldMesh *part, PetscReal **tags);
+/* Numbers among all points of the first one of each local node. Collective.
+   [in] start - points of owned nodes before each [num_owned+1]; [out] first - [num_nodes] */
+PetscErrorCode FieldWriterNumberPoints(Level *level, const PetscInt start[], PetscInt first[]);
+/* Points, in the order of the ranks, and cells. nodes stays the caller's while the picture is open. */
+PetscErrorCode FieldWriterMesh(FieldWriter *writer, const FieldMesh *part);
 
 /* A quantity of points, by this rank's nodes [][stride]; what a vector of the plane lacks is 0. */
 PetscErrorCode FieldWriterPoints(FieldWriter *writer, Quantity quantity, PetscInt stride, const PetscReal mine[]);
 /* A quantity of points, by points, where a node is several [num_points][components]. */
 PetscErrorCode FieldWriterPointValues(FieldWriter *writer, Quantity quantity, const PetscReal mine[]);
-/* A quantity of cells, on the first rank [num_cells]. */
-PetscErrorCode FieldWriterCells(FieldWriter *writer, Quantity quantity, const PetscReal all[]);
+/* A number of each cell, by this rank's cells [num_cells]. */
+PetscErrorCode FieldWriterCells(FieldWriter *writer, Quantity quantity, const PetscReal mine[]);
 
 /* The bodies with what happens to them, points in the order of global nodes. */
 PetscErrorCode BodyFieldsWrite(FieldWriter *writer, Fields fields);

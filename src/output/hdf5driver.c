@@ -96,11 +96,10 @@ static void SinkKeep_Private(Sink *sink, haddr_t at, size_t size, const void *bu
   sink->latest = change;
 }
 
-/* Returns 0 or errno. */
-static int SinkWrite_Private(int file, haddr_t at, size_t size, const void *buffer)
+int HDF5DriverWriteBytes(int file, haddr_t at, size_t size, const void *bytes)
 {
   for (size_t done = 0; done < size;) {
-    const ssize_t n = pwrite(file, (const char *)buffer + done, size - done, (off_t)(at + done));
+    const ssize_t n = pwrite(file, (const char *)bytes + done, size - done, (off_t)(at + done));
 
     if (n > 0)
       done += (size_t)n;
@@ -121,7 +120,7 @@ static herr_t SinkWriteFn(H5FD_t *base, H5FD_mem_t type, hid_t transfer, haddr_t
   if (at + size > file->end) file->end = at + size;
   if (old && !sink->error) SinkKeep_Private(sink, at, old, buffer);
   if (old < size && !sink->error)
-    sink->error = SinkWrite_Private(sink->file, at + old, size - old, (const char *)buffer + old);
+    sink->error = HDF5DriverWriteBytes(sink->file, at + old, size - old, (const char *)buffer + old);
   return 0;
 }
 
@@ -177,7 +176,7 @@ void HDF5DriverDestroy(Sink *sink)
 int HDF5DriverCommit(Sink *sink)
 {
   for (const SinkChange *change = sink->changes; change && !sink->error; change = change->next)
-    sink->error = SinkWrite_Private(sink->file, change->at, change->size, change->bytes);
+    sink->error = HDF5DriverWriteBytes(sink->file, change->at, change->size, change->bytes);
   return sink->error;
 }
 

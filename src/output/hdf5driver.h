@@ -31,6 +31,8 @@ typedef struct {
    closed. */
 hid_t HDF5DriverCreate(Sink *sink);
 void  HDF5DriverDestroy(Sink *sink);
+/* Writes bytes to a descriptor. Returns 0 or errno. */
+int HDF5DriverWriteBytes(int file, haddr_t at, size_t size, const void *bytes);
 /* Changes the bytes that the file had. May be called once the file is closed, within no signal. Returns 0 or errno. */
 int  HDF5DriverCommit(Sink *sink);
 void HDF5DriverForget(Sink *sink);

@@ -1,14 +1,19 @@
-/* hdf5file.c -- fields as contiguous datasets, written by the first rank, one at a time.
+/* hdf5file.c -- fields as contiguous datasets: the first rank makes them, and every rank writes its rows to their place in the file.
+
+   HDF5 1.10 survives no write that fails on a full disk, with MPI-IO as little as without, so its own parallel driver is not used. Rows of a rank are
+   one piece of a dataset, or one for each type of cell: collective buffers would have nothing to put together.
 
    /points [N][3], /cells (see xdmf.c), one dataset per quantity under its own name; attributes of the file: title, names of
    bodies in the order of `body`, version, units, and a word on every dataset's order. Readable by h5py, MATLAB, h5dump without any library of ours.
 
    Of a series the quantities of points stand in groups, /steps/0001 and so on, each with the attributes t, its time, and solved, 1 or 0; those of the last one
    have their usual names as well. */
-#include <string.h>
 #include <errno.h>
+#include <fcntl.h>
+#include <string.h>
 #include <hdf5.h>
 #include <sys/stat.h>
+#include <unistd.h>
 #include "output/fieldwriter.h"
 #include "output/hdf5driver.h"
 #include "output/xdmf.h"
@@ -18,10 +23,12 @@
 enum { PLACED = XDMF_STEP_NAME + 32 }; /* length of a dataset's name with its group */
 
 typedef struct {
-  Sink     *sink; /* of a file that grows it is kept until its changes are made */
+  Sink     *sink; /* of the first rank; of a file that grows it is kept until its changes are made */
   hid_t     access, file;
   PetscBool more; /* whether the file grows */
   PetscBool good; /* false where HDF5 failed, for which memory is the only reason: what files do is in sink */
+  char      path[PETSC_MAX_PATH_LEN + 64]; /* where the file is while it is written */
+  int       descriptor, error; /* of this rank: -1 before its first rows; errno of the first write that failed */
   Topology  topology;
 } Image;
 
@@ -41,27 +48,70 @@ static PetscBool HDF5FileWriteAttribute_Private(hid_t where, const char name[], 
   return (PetscBool)(bad >= 0);
 }
 
-/* An array of shape [rows][columns], [rows] where columns is 1; HDF5 converts from the type in memory to the stored one. */
+/* An array of shape [rows][columns], [rows] where columns is 1, of int or double. */
 typedef struct {
-  const char *name, *about;
-  PetscInt    rows, columns;
-  hid_t       memory, stored;
-  const void *values;
+  const char      *name, *about;
+  const FieldRows *rows;
+  PetscInt         columns;
+  PetscBool        integer;
+  const void      *values; /* of this rank */
 } Dataset;
 
-/* False on failure. */
-static PetscBool HDF5FileWriteDataset_Private(hid_t file, const Dataset *data)
+/* Makes a dataset that has its bytes in the file. Returns where, or HADDR_UNDEF on failure. */
+static haddr_t HDF5FileCreateDataset_Private(hid_t file, const Dataset *data)
 {
-  const hsize_t shape[2] = {(hsize_t)data->rows, (hsize_t)data->columns};
+  const hsize_t shape[2] = {(hsize_t)data->rows->total, (hsize_t)data->columns};
   const hid_t   space    = H5Screate_simple(data->columns == 1 ? 1 : 2, shape, NULL);
-  const hid_t   set      = H5Dcreate2(file, data->name, data->stored, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-  PetscBool     good     = (PetscBool)(set >= 0);
+  const hid_t   creation = H5Pcreate(H5P_DATASET_CREATE);
+  hid_t         set      = -1;
+  haddr_t       at       = HADDR_UNDEF;
 
-  if (good) good = (PetscBool)(H5Dwrite(set, data->memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data->values) >= 0);
-  if (good) good = HDF5FileWriteAttribute_Private(set, "about", data->about);
-  if (set >= 0 && H5Dclose(set) < 0) good = PETSC_FALSE;
+  if (H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY) >= 0 && H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER) >= 0)
+    set = H5Dcreate2(file, data->name, data->integer ? H5T_NATIVE_INT : H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, creation,
+                     H5P_DEFAULT);
+  if (set >= 0 && HDF5FileWriteAttribute_Private(set, "about", data->about))
+    at = data->rows->total ? H5Dget_offset(set) : 0;
+  if (set >= 0 && H5Dclose(set) < 0) at = HADDR_UNDEF;
+  H5Pclose(creation);
   H5Sclose(space);
-  return good;
+  return at;
+}
+
+/* Writes this rank's rows of a dataset. [in] at - where it begins in the file */
+static void HDF5FileWriteRows_Private(Image *image, const Dataset *data, haddr_t at)
+{
+  const size_t row    = (size_t)data->columns * (data->integer ? sizeof(int) : sizeof(double));
+  const char  *values = (const char *)data->values;
+
+  if (data->rows->num_mine && image->descriptor < 0 && !image->error) {
+    image->descriptor = open(image->path, O_WRONLY);
+    if (image->descriptor < 0) image->error = errno;
+  }
+  for (PetscInt b = 0; b < data->rows->num && !image->error; b++) {
+    const size_t size = (size_t)data->rows->block[b].mine * row;
+
+    if (size)
+      image->error =
+          HDF5DriverWriteBytes(image->descriptor, at + (haddr_t)data->rows->block[b].begin * row, size, values);
+    values += size;
+  }
+}
+
+/* Collective. */
+static PetscErrorCode HDF5FileWriteDataset_Private(FieldWriter *writer, const Dataset *data)
+{
+  Image             *image = (Image *)writer->data;
+  unsigned long long at    = HADDR_UNDEF;
+
+  PetscFunctionBeginUser;
+  if (image->good && image->file >= 0) {
+    at          = HDF5FileCreateDataset_Private(image->file, data);
+    image->good = (PetscBool)(at != HADDR_UNDEF && (!data->rows->total || at >= image->sink->size));
+    if (!image->good) at = HADDR_UNDEF;
+  }
+  PetscCallMPI(MPI_Bcast(&at, 1, MPI_UNSIGNED_LONG_LONG, 0, writer->comm));
+  if (at != HADDR_UNDEF) HDF5FileWriteRows_Private(image, data, at);
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* What a reader has to know about a quantity. */
@@ -91,19 +141,27 @@ static const char *HDF5FileGetUnit_Private(const char name[])
   return "";
 }
 
-/* rows of a quantity, unless something failed before. */
-static void HDF5FileWriteQuantity_Private(Image *image, PetscInt rows, const Quantity *quantity,
-                                          const PetscReal values[])
+/* This rank's rows of a quantity. Collective. */
+static PetscErrorCode HDF5FileWriteQuantity_Private(FieldWriter *writer, const FieldRows *rows,
+                                                    const Quantity *quantity, const PetscReal values[])
 {
-  image->good = (PetscBool)(image->good &&
-                            HDF5FileWriteDataset_Private(
-                                image->file, &(Dataset){.name    = quantity->name,
-                                                        .about   = HDF5FileGetUnit_Private(quantity->name),
-                                                        .rows    = rows,
-                                                        .columns = quantity->components,
-                                                        .memory  = H5T_NATIVE_DOUBLE,
-                                                        .stored  = quantity->integer ? H5T_STD_I32LE : H5T_IEEE_F64LE,
-                                                        .values  = values}));
+  Dataset data  = {.name    = quantity->name,
+                   .about   = HDF5FileGetUnit_Private(quantity->name),
+                   .rows    = rows,
+                   .columns = quantity->components,
+                   .integer = quantity->integer,
+                   .values  = values};
+  int    *whole = NULL;
+
+  PetscFunctionBeginUser;
+  if (quantity->integer) {
+    PetscCall(PetscMalloc1(rows->num_mine * quantity->components, &whole));
+    for (PetscInt i = 0; i < rows->num_mine * quantity->components; i++) whole[i] = (int)values[i];
+    data.values = whole;
+  }
+  PetscCall(HDF5FileWriteDataset_Private(writer, &data));
+  PetscCall(PetscFree(whole));
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* A number as an attribute; false on failure. */
@@ -137,18 +195,13 @@ static PetscBool HDF5FileWriteGroup_Private(hid_t file, const FieldSeries *serie
   return good;
 }
 
-static PetscErrorCode HDF5FileBegin_Private(FieldWriter *writer)
+/* Makes or opens the file. First rank only, not collective. */
+static void HDF5FileOpen_Private(const FieldWriter *writer, Image *image)
 {
-  Image      *image;
   struct stat info;
 
-  PetscFunctionBeginUser;
-  PetscCall(PetscNew(&image));
-  PetscCall(PetscNew(&image->sink));
-  writer->data = image;
   H5Eset_auto2(H5E_DEFAULT, NULL, NULL); // its lists of functions; what can fail here is told by us
   image->sink->file = fileno(writer->out);
-  image->more       = (PetscBool)(writer->series && writer->series->num > 1);
   if (image->more && !fstat(image->sink->file, &info)) image->sink->size = (haddr_t)info.st_size;
   image->access = HDF5DriverCreate(image->sink);
   if (image->more) {
@@ -163,6 +216,27 @@ static PetscErrorCode HDF5FileBegin_Private(FieldWriter *writer)
                                   image->file, "units", "those of the scene: whatever consistent set it was given in"));
   }
   if (writer->series) image->good = (PetscBool)(image->good && HDF5FileWriteGroup_Private(image->file, writer->series));
+}
+
+static PetscErrorCode HDF5FileBegin_Private(FieldWriter *writer)
+{
+  Image *image;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(&image));
+  writer->data      = image;
+  image->file       = -1;
+  image->descriptor = -1;
+  image->more       = (PetscBool)(writer->series && writer->series->num > 1);
+  if (writer->out) {
+    PetscCall(PetscNew(&image->sink));
+    HDF5FileOpen_Private(writer, image);
+    if (image->more)
+      snprintf(image->path, sizeof(image->path), "%s%s", writer->base, writer->format->suffix);
+    else
+      snprintf(image->path, sizeof(image->path), "%s", writer->files->temporary[writer->files->num - 1]);
+  }
+  PetscCallMPI(MPI_Bcast(image->path, sizeof(image->path), MPI_CHAR, 0, writer->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -186,24 +260,25 @@ static void HDF5FilePlace_Private(const FieldWriter *writer, PetscBool group, co
 /* Lets a name in the root mean a dataset of the last step. */
 static void HDF5FileLink_Private(Image *image, const char placed[], const char name[])
 {
-  if (!image->good) return;
+  if (!image->good || image->file < 0) return;
   if (image->more) image->good = (PetscBool)(H5Ldelete(image->file, name, H5P_DEFAULT) >= 0);
   image->good =
       (PetscBool)(image->good && H5Lcreate_hard(image->file, placed, image->file, name, H5P_DEFAULT, H5P_DEFAULT) >= 0);
 }
 
 /* Of a series into the last group, and under its own name in place of the step before. [in] group - whether a series has it in groups */
-static void HDF5FileWritePlaced_Private(FieldWriter *writer, PetscBool group, PetscInt rows, const Quantity *quantity,
-                                        const PetscReal values[])
+static PetscErrorCode HDF5FileWritePlaced_Private(FieldWriter *writer, PetscBool group, const FieldRows *rows,
+                                                  const Quantity *quantity, const PetscReal values[])
 {
-  Image   *image = (Image *)writer->data;
   char     name[PLACED];
   Quantity placed = *quantity;
 
+  PetscFunctionBeginUser;
   HDF5FilePlace_Private(writer, group, quantity->name, name);
   placed.name = name;
-  HDF5FileWriteQuantity_Private(image, rows, &placed, values);
-  if (group) HDF5FileLink_Private(image, name, quantity->name);
+  PetscCall(HDF5FileWriteQuantity_Private(writer, rows, &placed, values));
+  if (group) HDF5FileLink_Private((Image *)writer->data, name, quantity->name);
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Whether points and cells stand in groups. */
@@ -216,8 +291,8 @@ static PetscErrorCode HDF5FilePoints_Private(FieldWriter *writer, const PetscRea
 {
   PetscFunctionBeginUser;
   if (HDF5FileTakesMesh_Private(writer))
-    HDF5FileWritePlaced_Private(writer, HDF5FileVaries_Private(writer), writer->num_points,
-                                &(Quantity){"points", 3, PETSC_FALSE}, positions);
+    PetscCall(HDF5FileWritePlaced_Private(writer, HDF5FileVaries_Private(writer), &writer->points,
+                                          &(Quantity){"points", 3, PETSC_FALSE}, positions));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -229,20 +304,17 @@ static PetscErrorCode HDF5FileCells_Private(FieldWriter *writer, const SortedCel
   char            name[PLACED];
 
   PetscFunctionBeginUser;
-  PetscCall(XDMFTopologyCreate(cells, topology));
+  PetscCall(XDMFTopologyCreate(&writer->cells, cells, topology));
   HDF5FilePlace_Private(writer, group, "cells", name);
   if (HDF5FileTakesMesh_Private(writer)) {
-    image->good = (PetscBool)(image->good &&
-                              HDF5FileWriteDataset_Private(
-                                  image->file, &(Dataset){.name    = name,
-                                                          .about   = topology->columns == 1
-                                                                         ? "per cell: XDMF type number, then its points"
-                                                                         : "points of each cell",
-                                                          .rows    = topology->rows,
-                                                          .columns = topology->columns,
-                                                          .memory  = H5T_NATIVE_INT,
-                                                          .stored  = H5T_STD_I32LE,
-                                                          .values  = topology->values}));
+    PetscCall(HDF5FileWriteDataset_Private(
+        writer, &(Dataset){.name    = name,
+                           .about   = topology->columns == 1 ? "per cell: XDMF type number, then its points"
+                                                             : "points of each cell",
+                           .rows    = &topology->part,
+                           .columns = topology->columns,
+                           .integer = PETSC_TRUE,
+                           .values  = topology->values}));
     if (group) HDF5FileLink_Private(image, name, "cells");
   }
   PetscCall(XDMFTopologyDestroy(topology));
@@ -252,7 +324,8 @@ static PetscErrorCode HDF5FileCells_Private(FieldWriter *writer, const SortedCel
 static PetscErrorCode HDF5FilePoint_Private(FieldWriter *writer, const Quantity *quantity, const PetscReal values[])
 {
   PetscFunctionBeginUser;
-  HDF5FileWritePlaced_Private(writer, (PetscBool)(writer->series != NULL), writer->num_points, quantity, values);
+  PetscCall(
+      HDF5FileWritePlaced_Private(writer, (PetscBool)(writer->series != NULL), &writer->points, quantity, values));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -260,7 +333,7 @@ static PetscErrorCode HDF5FileCell_Private(FieldWriter *writer, const Quantity *
 {
   PetscFunctionBeginUser;
   if (HDF5FileTakesMesh_Private(writer))
-    HDF5FileWritePlaced_Private(writer, HDF5FileVaries_Private(writer), writer->num_cells, quantity, values);
+    PetscCall(HDF5FileWritePlaced_Private(writer, HDF5FileVaries_Private(writer), &writer->cells, quantity, values));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -285,18 +358,18 @@ static void GrowthForgetFn(void *ctx)
   (void)PetscFree(growth);
 }
 
-static PetscErrorCode HDF5FileEnd_Private(FieldWriter *writer)
+/* Closes the file, of which all ranks have written their rows. First rank only, not collective. */
+static PetscErrorCode HDF5FileClose_Private(FieldWriter *writer, Image *image)
 {
-  Image  *image = (Image *)writer->data;
   Growth *growth;
   char    path[PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
-  if (!writer->out) PetscFunctionReturn(PETSC_SUCCESS);
   if (image->file >= 0 && H5Fclose(image->file) < 0) image->good = PETSC_FALSE;
   if (image->access >= 0) H5Pclose(image->access);
   HDF5DriverDestroy(image->sink);
   PetscCall(PetscSNPrintf(path, sizeof(path), "%s%s", writer->base, writer->format->suffix));
+  if (!image->sink->error) image->sink->error = image->error;
   PetscCheck(image->good || image->sink->error || image->more, PETSC_COMM_SELF, PETSC_ERR_MEM,
              "No memory for the picture");
   if (!image->good && !image->sink->error) image->sink->error = EIO; // another process has changed the file
@@ -311,6 +384,17 @@ static PetscErrorCode HDF5FileEnd_Private(FieldWriter *writer)
     PetscCall(PetscFree(image->sink));
   }
   PetscCall(XDMFWrite(writer, &image->topology, path));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode HDF5FileEnd_Private(FieldWriter *writer)
+{
+  Image *image = (Image *)writer->data;
+
+  PetscFunctionBeginUser;
+  if (image->descriptor >= 0 && close(image->descriptor) && !image->error) image->error = errno;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &image->error, 1, MPI_INT, MPI_MAX, writer->comm));
+  if (writer->out) PetscCall(HDF5FileClose_Private(writer, image));
   PetscCall(PetscFree(writer->data));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -12,35 +12,55 @@
 /* Places nearer than this part of the extent of all bodies are the same: maps and refinements leave roundoff. */
 static const PetscReal SAME_POINT = 1e-10;
 
-enum { GROUP_NAME = 64, WHY_LENGTH = PETSC_MAX_PATH_LEN + 512 };
+enum { GROUP_NAME = 64, WHY_LENGTH = PETSC_MAX_PATH_LEN + 512, CHUNK = 1 << 15 };
 
-/* What the file holds; the same on all ranks. */
+/* What the file holds near the nodes of this rank. */
 typedef struct {
-  PetscInt   num;
+  PetscInt   all, num;       /* points of the file; those that are kept */
+  PetscInt  *number;         /* in the file, ascending [num] */
   PetscReal *points, *moved; /* [num][3] */
-  int       *body;           /* [num] */
+  int       *body;           /* -1 until a cell tells [num] */
   PetscReal  t;
 } Past;
 
-/* An array of a file. [out] rows, columns - its shape; [out] values - of size bytes each, owned by the caller; NULL where there is no such array */
-static PetscErrorCode PastReadArray_Private(hid_t file, const char name[], hid_t type, size_t size, PetscInt *rows,
-                                            PetscInt *columns, void **values)
-{
-  const hid_t set      = H5Dopen2(file, name, H5P_DEFAULT);
-  const hid_t space    = set < 0 ? -1 : H5Dget_space(set);
-  hsize_t     shape[2] = {0, 1};
+/* An open array, [rows][columns] or [rows]. */
+typedef struct {
+  hid_t   set, space; /* negative where there is no such array */
+  hsize_t shape[2];
+} Array;
 
-  PetscFunctionBeginUser;
-  *values = NULL;
-  if (space >= 0 && H5Sget_simple_extent_ndims(space) <= 2 && H5Sget_simple_extent_dims(space, shape, NULL) > 0) {
-    PetscCall(PetscMalloc((size_t)(shape[0] * shape[1]) * size, values));
-    if (H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, *values) < 0) PetscCall(PetscFree(*values));
+static Array ArrayOpen_Private(hid_t file, const char name[])
+{
+  Array array = {.set = H5Dopen2(file, name, H5P_DEFAULT), .space = -1, .shape = {0, 1}};
+
+  if (array.set >= 0) array.space = H5Dget_space(array.set);
+  if (array.space >= 0 &&
+      (H5Sget_simple_extent_ndims(array.space) > 2 || H5Sget_simple_extent_dims(array.space, array.shape, NULL) <= 0)) {
+    H5Sclose(array.space);
+    array.space = -1;
   }
-  if (space >= 0) H5Sclose(space);
-  if (set >= 0) H5Dclose(set);
-  *rows    = (PetscInt)shape[0];
-  *columns = (PetscInt)shape[1];
-  PetscFunctionReturn(PETSC_SUCCESS);
+  return array;
+}
+
+static void ArrayClose_Private(Array *array)
+{
+  if (array->space >= 0) H5Sclose(array->space);
+  if (array->set >= 0) H5Dclose(array->set);
+}
+
+/* Reads some rows; whether it could. */
+static PetscBool ArrayRead_Private(const Array *array, hid_t type, hsize_t begin, hsize_t rows, void *values)
+{
+  const hsize_t start[2] = {begin, 0}, count[2] = {rows, array->shape[1]};
+  hid_t         memory;
+  herr_t        bad;
+
+  if (array->space < 0 || begin + rows > array->shape[0]) return PETSC_FALSE;
+  memory = H5Screate_simple(H5Sget_simple_extent_ndims(array->space), count, NULL);
+  bad    = H5Sselect_hyperslab(array->space, H5S_SELECT_SET, start, NULL, count, NULL);
+  if (bad >= 0) bad = H5Dread(array->set, type, memory, array->space, H5P_DEFAULT, values);
+  H5Sclose(memory);
+  return (PetscBool)(bad >= 0);
 }
 
 /* An attribute of one number; whether there is one. */
@@ -80,42 +100,101 @@ static void PastFindStep_Private(hid_t file, char name[GROUP_NAME], PetscReal *t
   }
 }
 
-/* The body of each point, from those of the cells. [out] whether the file has all that */
-static PetscErrorCode PastSetBodies_Private(hid_t file, Past *past, PetscBool *good)
+/* Keeps points within a box, and what moved them. Returns whether the file has all that. [in] box - [2][3] */
+static PetscErrorCode PastReadPoints_Private(const Array *points, const Array *moved, const PetscReal box[], Past *past,
+                                             PetscBool *good)
 {
-  int     *cells, *bodies;
-  PetscInt rows, columns, num, one, at = 0;
+  PetscReal *chunk, *shift;
+  PetscInt   capacity = 0;
 
   PetscFunctionBeginUser;
-  PetscCall(PastReadArray_Private(file, "cells", H5T_NATIVE_INT, sizeof(int), &rows, &columns, (void **)&cells));
-  PetscCall(PastReadArray_Private(file, "body", H5T_NATIVE_INT, sizeof(int), &num, &one, (void **)&bodies));
-  PetscCall(PetscMalloc1(past->num, &past->body));
-  for (PetscInt i = 0; i < past->num; i++) past->body[i] = -1;
-  *good = (PetscBool)(cells && bodies && one == 1);
-  for (PetscInt c = 0; *good && c < num; c++) {
-    const PetscInt nodes = columns > 1 ? columns
-                           : at < rows ? XDMFTopologyGetNumNodes(cells[at++])
-                                       : 0; // several types: a list
+  PetscCall(PetscMalloc2(3 * CHUNK, &chunk, 3 * CHUNK, &shift));
+  past->all = (PetscInt)points->shape[0];
+  *good     = (PetscBool)(points->shape[1] == 3 && moved->shape[1] == 3 && points->shape[0] == moved->shape[0]);
+  for (PetscInt begin = 0; *good && begin < past->all; begin += CHUNK) {
+    const PetscInt rows = PetscMin(CHUNK, past->all - begin);
 
-    if (!nodes || at + nodes > rows * columns) *good = PETSC_FALSE;
-    for (PetscInt i = 0; *good && i < nodes; i++, at++) {
-      if (cells[at] < 0 || cells[at] >= past->num)
-        *good = PETSC_FALSE;
-      else
-        past->body[cells[at]] = bodies[c];
+    *good = (PetscBool)(ArrayRead_Private(points, H5T_NATIVE_DOUBLE, (hsize_t)begin, (hsize_t)rows, chunk) &&
+                        ArrayRead_Private(moved, H5T_NATIVE_DOUBLE, (hsize_t)begin, (hsize_t)rows, shift));
+    if (past->num + rows > capacity) {
+      capacity = 2 * capacity + rows;
+      PetscCall(PetscRealloc(capacity * sizeof(*past->number), &past->number));
+      PetscCall(PetscRealloc(3 * capacity * sizeof(PetscReal), &past->points));
+      PetscCall(PetscRealloc(3 * capacity * sizeof(PetscReal), &past->moved));
+    }
+    for (PetscInt i = 0; *good && i < rows; i++) {
+      PetscBool inside = PETSC_TRUE;
+
+      for (PetscInt k = 0; k < 3; k++)
+        inside = (PetscBool)(inside && chunk[3 * i + k] >= box[k] && chunk[3 * i + k] <= box[3 + k]);
+      if (!inside) continue;
+      PetscCall(PetscArraycpy(&past->points[3 * past->num], &chunk[3 * i], 3));
+      PetscCall(PetscArraycpy(&past->moved[3 * past->num], &shift[3 * i], 3));
+      past->number[past->num++] = begin + i;
     }
   }
-  PetscCall(PetscFree(cells));
-  PetscCall(PetscFree(bodies));
+  PetscCall(PetscFree2(chunk, shift));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The arrays of an open file. [out] why - what is wrong with it, or "" */
-static PetscErrorCode PastReadFile_Private(hid_t file, Past *past, char why[])
+/* The whole cells at the begin of some rows of the list. Points among them take their bodies; body NULL: counts only. Returns cells, -1 for a list that
+   is none; [out] used - rows */
+static PetscInt PastTakeCells_Private(const int list[], PetscInt rows, PetscInt columns, const int body[], Past *past,
+                                      PetscInt *used)
+{
+  PetscInt cells = 0, at = 0;
+
+  for (; at < rows * columns; cells++) {
+    const PetscInt head  = columns == 1,
+                   nodes = head ? XDMFTopologyGetNumNodes(list[at]) : columns; // several types: a list
+
+    if (!nodes) return -1;
+    if (at + head + nodes > rows * columns) break;
+    for (PetscInt i = 0; body && i < nodes; i++) {
+      PetscInt place;
+
+      if (list[at + head + i] < 0 || list[at + head + i] >= past->all) return -1;
+      if (PetscFindInt(list[at + head + i], past->num, past->number, &place)) return -1;
+      if (place >= 0) past->body[place] = body[cells];
+    }
+    at += head + nodes;
+  }
+  *used = at / columns;
+  return cells;
+}
+
+/* The body of each point, from those of the cells. [out] good - whether the file has all that */
+static PetscErrorCode PastReadBodies_Private(const Array *cells, const Array *bodies, Past *past, PetscBool *good)
+{
+  const PetscInt rows = (PetscInt)cells->shape[0], columns = PetscMin((PetscInt)cells->shape[1], ELEMENT_MAX_NODES);
+  int           *list, *body;
+  PetscInt       used = 0, cell = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc2(CHUNK * columns, &list, CHUNK, &body));
+  PetscCall(PetscMalloc1(past->num, &past->body));
+  for (PetscInt i = 0; i < past->num; i++) past->body[i] = -1;
+  *good = (PetscBool)(bodies->shape[1] == 1 && columns == (PetscInt)cells->shape[1]);
+  for (PetscInt at = 0; *good && at < rows; at += used) {
+    const PetscInt num = PetscMin(CHUNK, rows - at);
+    PetscInt       taken;
+
+    *good = ArrayRead_Private(cells, H5T_NATIVE_INT, (hsize_t)at, (hsize_t)num, list);
+    taken = *good ? PastTakeCells_Private(list, num, columns, NULL, past, &used) : 0;
+    *good = (PetscBool)(taken > 0 && ArrayRead_Private(bodies, H5T_NATIVE_INT, (hsize_t)cell, (hsize_t)taken, body) &&
+                        PastTakeCells_Private(list, num, columns, body, past, &used) == taken);
+    cell += taken;
+  }
+  PetscCall(PetscFree2(list, body));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The arrays of an open file. [in] box - of places that are kept [2][3]; [out] why - what is wrong with it, or "" */
+static PetscErrorCode PastReadFile_Private(hid_t file, const PetscReal box[], Past *past, char why[])
 {
   char      group[GROUP_NAME], name[2 * GROUP_NAME];
-  PetscInt  rows, columns, num;
-  PetscBool good;
+  PetscBool good = PETSC_FALSE;
+  Array     arrays[4];
 
   PetscFunctionBeginUser;
   PastFindStep_Private(file, group, &past->t);
@@ -124,12 +203,13 @@ static PetscErrorCode PastReadFile_Private(hid_t file, Past *past, char why[])
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   snprintf(name, sizeof(name), "%sdisplacement", group);
-  PetscCall(
-      PastReadArray_Private(file, name, H5T_NATIVE_DOUBLE, sizeof(PetscReal), &rows, &columns, (void **)&past->moved));
-  PetscCall(PastReadArray_Private(file, "points", H5T_NATIVE_DOUBLE, sizeof(PetscReal), &past->num, &num,
-                                  (void **)&past->points));
-  good = (PetscBool)(past->moved && past->points && rows == past->num && columns == 3 && num == 3);
-  if (good) PetscCall(PastSetBodies_Private(file, past, &good));
+  arrays[0] = ArrayOpen_Private(file, "points");
+  arrays[1] = ArrayOpen_Private(file, name);
+  arrays[2] = ArrayOpen_Private(file, "cells");
+  arrays[3] = ArrayOpen_Private(file, "body");
+  PetscCall(PastReadPoints_Private(&arrays[0], &arrays[1], box, past, &good));
+  if (good) PetscCall(PastReadBodies_Private(&arrays[2], &arrays[3], past, &good));
+  for (PetscInt i = 0; i < 4; i++) ArrayClose_Private(&arrays[i]);
   if (!good)
     PetscCall(PetscStrncpy(why,
                            "does not have points, cells and displacements of one mesh; runs with -adapt have "
@@ -138,70 +218,69 @@ static PetscErrorCode PastReadFile_Private(hid_t file, Past *past, char why[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Reads on the first rank and tells all. Raises user errors. */
-static PetscErrorCode PastCreate_Private(MPI_Comm comm, const char path[], Past *past)
+/* Each rank reads the file in chunks, and keeps what is near its nodes. Collective. Raises user errors. [in] box - [2][3] */
+static PetscErrorCode PastCreate_Private(MPI_Comm comm, const char path[], const PetscReal box[], Past *past)
 {
-  PetscMPIInt rank;
-  char        why[WHY_LENGTH] = "", sentence[2 * WHY_LENGTH] = "";
+  char  why[WHY_LENGTH] = "", sentence[2 * WHY_LENGTH] = "";
+  hid_t file;
 
   PetscFunctionBeginUser;
   *past = (Past){.num = 0};
-  PetscCallMPI(MPI_Comm_rank(comm, &rank));
-  if (rank == 0) {
-    hid_t file;
-
-    H5Eset_auto2(H5E_DEFAULT, NULL, NULL); // its lists of functions; what can fail here is told by us
-    file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
-    if (file < 0)
-      PetscCall(PetscStrncpy(why, "cannot be read as an HDF5 file", sizeof(why)));
-    else
-      PetscCall(PastReadFile_Private(file, past, why));
-    if (file >= 0) H5Fclose(file);
-    if (why[0]) snprintf(sentence, sizeof(sentence), "-restart %s: the file %s", path, why);
-  }
+  H5Eset_auto2(H5E_DEFAULT, NULL, NULL); // its lists of functions; what can fail here is told by us
+  file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (file < 0)
+    PetscCall(PetscStrncpy(why, "cannot be read as an HDF5 file", sizeof(why)));
+  else
+    PetscCall(PastReadFile_Private(file, box, past, why));
+  if (file >= 0) H5Fclose(file);
+  if (why[0]) snprintf(sentence, sizeof(sentence), "-restart %s: the file %s", path, why);
   PetscCall(UserErrorCheck(comm, sentence));
-  PetscCallMPI(MPI_Bcast(&past->num, 1, MPIU_INT, 0, comm));
-  PetscCallMPI(MPI_Bcast(&past->t, 1, MPIU_REAL, 0, comm));
-  if (rank) {
-    PetscCall(PetscMalloc1(3 * past->num, &past->points));
-    PetscCall(PetscMalloc1(3 * past->num, &past->moved));
-    PetscCall(PetscMalloc1(past->num, &past->body));
-  }
-  PetscCallMPI(MPI_Bcast(past->points, (PetscMPIInt)(3 * past->num), MPIU_REAL, 0, comm));
-  PetscCallMPI(MPI_Bcast(past->moved, (PetscMPIInt)(3 * past->num), MPIU_REAL, 0, comm));
-  PetscCallMPI(MPI_Bcast(past->body, (PetscMPIInt)past->num, MPI_INT, 0, comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 static PetscErrorCode PastDestroy_Private(Past *past)
 {
   PetscFunctionBeginUser;
+  PetscCall(PetscFree(past->number));
   PetscCall(PetscFree(past->points));
   PetscCall(PetscFree(past->moved));
   PetscCall(PetscFree(past->body));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A tree of the places of all points. [out] width - within which places are the same */
-static PetscErrorCode PastCreateTree_Private(const Past *past, BoxTree *tree, PetscReal *width)
+/* The box around the nodes of this rank. Collective. [out] box - [2][3]; width - within which places are the same */
+static PetscErrorCode PastGetBox_Private(const Level *level, PetscReal box[], PetscReal *width)
 {
-  PetscReal *boxes, lower[3], upper[3];
+  PetscReal all[6];
 
   PetscFunctionBeginUser;
-  *width = 0;
   for (PetscInt k = 0; k < 3; k++) {
-    lower[k] = PETSC_MAX_REAL;
-    upper[k] = PETSC_MIN_REAL;
-  }
-  PetscCall(PetscMalloc1(6 * past->num, &boxes));
-  for (PetscInt i = 0; i < past->num; i++) {
-    for (PetscInt k = 0; k < 3; k++) {
-      boxes[6 * i + k] = boxes[6 * i + 3 + k] = past->points[3 * i + k];
-      lower[k]                                = PetscMin(lower[k], past->points[3 * i + k]);
-      upper[k]                                = PetscMax(upper[k], past->points[3 * i + k]);
+    const PetscBool none = (PetscBool)(k >= level->dim && level->num_owned);
+
+    all[k]     = none ? 0 : PETSC_MAX_REAL; // the least of x and of -x
+    all[3 + k] = none ? 0 : PETSC_MAX_REAL;
+    for (PetscInt i = 0; i < level->num_owned && k < level->dim; i++) {
+      all[k]     = PetscMin(all[k], level->coords[i * level->dim + k]);
+      all[3 + k] = PetscMin(all[3 + k], -level->coords[i * level->dim + k]);
     }
   }
-  for (PetscInt k = 0; k < 3; k++) *width = PetscMax(*width, SAME_POINT * (upper[k] - lower[k]));
+  for (PetscInt k = 0; k < 6; k++) box[k] = k < 3 ? all[k] : -all[k];
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, all, 6, MPIU_REAL, MPI_MIN, level->comm));
+  *width = 0;
+  for (PetscInt k = 0; k < level->dim; k++) *width = PetscMax(*width, -SAME_POINT * (all[k] + all[3 + k]));
+  for (PetscInt k = 0; k < 6; k++) box[k] += k < 3 ? -*width : *width;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A tree of the places of all points. */
+static PetscErrorCode PastCreateTree_Private(const Past *past, BoxTree *tree)
+{
+  PetscReal *boxes;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(6 * past->num, &boxes));
+  for (PetscInt i = 0; i < past->num; i++)
+    for (PetscInt k = 0; k < 3; k++) boxes[6 * i + k] = boxes[6 * i + 3 + k] = past->points[3 * i + k];
   PetscCall(BoxTreeCreate(3, past->num, boxes, tree));
   PetscCall(PetscFree(boxes));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -259,13 +338,14 @@ PetscErrorCode RestartFileRead(Level *level, const char path[], Vec *u, PetscRea
 {
   Past         past;
   BoxTree      tree;
-  PetscReal    width;
+  PetscReal    box[6], width = 0;
   PetscScalar *value;
   PetscInt     wrong = -1, point = 0;
 
   PetscFunctionBeginUser;
-  PetscCall(PastCreate_Private(level->comm, path, &past));
-  PetscCall(PastCreateTree_Private(&past, &tree, &width));
+  PetscCall(PastGetBox_Private(level, box, &width));
+  PetscCall(PastCreate_Private(level->comm, path, box, &past));
+  PetscCall(PastCreateTree_Private(&past, &tree));
   PetscCall(LevelCreateVec(level, level->dim, u));
   PetscCall(VecGetArray(*u, &value));
   for (PetscInt i = 0; i < level->num_owned && wrong < 0; i++) {

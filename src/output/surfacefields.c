@@ -59,32 +59,33 @@ static PetscErrorCode SurfaceFieldsGetNormals_Private(const Pair pair, const Fac
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The side as points and cells. */
-static PetscErrorCode SurfaceFieldsWriteFacets_Private(FieldWriter *writer, const Level *level, const Facets *facets,
-                                                       PetscInt num, const PetscInt nodes[], PetscReal **body)
+/* The side as points and cells. [in] nodes - of this rank, ascending [num] */
+static PetscErrorCode SurfaceFieldsWriteFacets_Private(FieldWriter *writer, Level *level, const Facets *facets,
+                                                       PetscInt num, const PetscInt nodes[])
 {
-  PetscInt *types, *bodies, *globals, n = 0;
+  PetscInt *types, *points, *start, *first, n = 0;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc3(facets->num, &types, facets->num, &bodies, facets->num * ELEMENT_MAX_FACET_NODES, &globals));
-  for (PetscInt f = 0; f < facets->num; f++) {
-    types[f]  = facets->type[f];
-    bodies[f] = level->cell_body[facets->cell[f]];
-    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
-      globals[n++] = level->node_global[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
+  PetscCall(PetscMalloc4(facets->num, &types, facets->num * ELEMENT_MAX_FACET_NODES, &points, level->num_owned + 1,
+                         &start, level->num_nodes, &first));
+  for (PetscInt a = 0, i = 0; a <= level->num_owned; a++) {
+    start[a] = i;
+    if (i < num && nodes[i] == a) i++;
   }
-  PetscCall(FieldWriterMesh(writer,
-                            &(FieldMesh){.dim        = level->dim,
-                                         .num_points = num,
-                                         .nodes      = nodes,
-                                         .global     = level->node_global,
-                                         .coords     = level->coords,
-                                         .num_cells  = facets->num,
-                                         .cell_type  = types,
-                                         .cell_tag   = bodies,
-                                         .cell_nodes = globals},
-                            body));
-  PetscCall(PetscFree3(types, bodies, globals));
+  PetscCall(FieldWriterNumberPoints(level, start, first));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    types[f] = facets->type[f];
+    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
+      points[n++] = first[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]];
+  }
+  PetscCall(FieldWriterMesh(writer, &(FieldMesh){.dim        = level->dim,
+                                                 .num_points = num,
+                                                 .nodes      = nodes,
+                                                 .coords     = level->coords,
+                                                 .num_cells  = facets->num,
+                                                 .cell_type  = types,
+                                                 .cell_nodes = points}));
+  PetscCall(PetscFree4(types, points, start, first));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -144,8 +145,10 @@ PetscErrorCode SurfaceFieldsWrite(FieldWriter *writer, Fields fields, PetscInt p
   PetscFunctionBeginUser;
   PetscCall(LevelGetFacets(level, fields->vi->scene, spec->nonmortar.body, spec->nonmortar.side, &facets));
   PetscCall(SideNodesCreate(level, &facets, &num, &nodes));
-  PetscCall(SurfaceFieldsWriteFacets_Private(writer, level, &facets, num, nodes, &body));
+  PetscCall(SurfaceFieldsWriteFacets_Private(writer, level, &facets, num, nodes));
   PetscCall(SurfaceFieldsWriteQuantities_Private(writer, fields, p, &facets));
+  PetscCall(PetscMalloc1(facets.num, &body));
+  for (PetscInt f = 0; f < facets.num; f++) body[f] = (PetscReal)level->cell_body[facets.cell[f]];
   PetscCall(FieldWriterCells(writer, (Quantity){"body", 1, PETSC_TRUE}, body));
   PetscCall(PetscFree(body));
   PetscCall(PetscFree(nodes));

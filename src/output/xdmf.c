@@ -23,22 +23,43 @@ static const int xdmf_number[ELEMENT_COUNT] = {
     [ELEMENT_TRI3] = 4,   [ELEMENT_QUAD4] = 5, [ELEMENT_TET4] = 6,   [ELEMENT_HEX8] = 9,
     [ELEMENT_QUAD9] = 35, [ELEMENT_TRI6] = 36, [ELEMENT_TET10] = 38, [ELEMENT_HEX27] = 50};
 
-PetscErrorCode XDMFTopologyCreate(const SortedCells *cells, Topology *topology)
+/* Rows of cells as rows of a list of type numbers and nodes. */
+static void XDMFListRows_Private(const FieldRows *cells, FieldRows *list)
 {
-  const PetscInt  num_cells = cells->num, num_entries = cells->start[num_cells];
-  const PetscInt  first = num_cells ? cells->type[0] : ELEMENT_TRI3;
-  const PetscBool mixed = (PetscBool)(num_cells && cells->type[num_cells - 1] != first); /* they are sorted */
-  PetscInt        n     = 0;
+  PetscInt before = 0;
+
+  *list = (FieldRows){.num = cells->num};
+  for (PetscInt b = 0; b < cells->num; b++) {
+    const PetscInt length = 1 + ElementNumNodes(cells->block[b].type);
+
+    list->block[b] = cells->block[b];
+    list->block[b].all *= length;
+    list->block[b].mine *= length;
+    list->block[b].begin = list->total + (cells->block[b].begin - before) * length;
+    list->total += list->block[b].all;
+    list->num_mine += list->block[b].mine;
+    before += cells->block[b].all;
+  }
+}
+
+PetscErrorCode XDMFTopologyCreate(const FieldRows *rows, const SortedCells *cells, Topology *topology)
+{
+  const ElementType first = rows->num ? rows->block[0].type : ELEMENT_TRI3;
+  const PetscBool   mixed = (PetscBool)(rows->num > 1);
+  PetscInt          n = 0, cell = 0;
 
   PetscFunctionBeginUser;
   topology->name    = mixed ? "Mixed" : xdmf_name[first];
-  topology->columns = mixed ? 1 : ElementNumNodes((ElementType)first);
-  topology->rows    = mixed ? num_entries + num_cells : num_cells;
-  PetscCall(PetscMalloc1(num_entries + num_cells, &topology->values));
-  for (PetscInt c = 0; c < num_cells; c++) {
-    if (mixed) topology->values[n++] = xdmf_number[cells->type[c]];
-    for (PetscInt i = cells->start[c]; i < cells->start[c + 1]; i++) {
-      topology->values[n++] = (int)cells->nodes[i];
+  topology->columns = mixed ? 1 : ElementNumNodes(first);
+  topology->part    = *rows;
+  if (mixed) XDMFListRows_Private(rows, &topology->part);
+  topology->rows = topology->part.total;
+  PetscCall(PetscMalloc1(topology->part.num_mine * topology->columns, &topology->values));
+  for (PetscInt b = 0; b < rows->num; b++) {
+    for (PetscInt c = 0; c < rows->block[b].mine; c++, cell++) {
+      if (mixed) topology->values[n++] = xdmf_number[rows->block[b].type];
+      for (PetscInt i = cells->start[cell]; i < cells->start[cell + 1]; i++)
+        topology->values[n++] = (int)cells->nodes[i];
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -159,8 +180,8 @@ PetscErrorCode XDMFWrite(const FieldWriter *writer, const Topology *topology, co
   char        path[PETSC_MAX_PATH_LEN];
   FILE       *out;
   FieldGrid   grid = {.step       = -1,
-                      .num_points = writer->num_points,
-                      .num_cells  = writer->num_cells,
+                      .num_points = writer->points.total,
+                      .num_cells  = writer->cells.total,
                       .rows       = topology->rows,
                       .columns    = topology->columns,
                       .topology   = topology->name};

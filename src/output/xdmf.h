@@ -6,13 +6,14 @@
 
 /* One type of cell: [rows = cells][columns = nodes]. Several: one list of type number and nodes, cell after cell, columns = 1. */
 typedef struct {
-  const char *name; /* TopologyType */
-  PetscInt    rows, columns;
-  int        *values;
+  const char *name;          /* TopologyType */
+  PetscInt    rows, columns; /* of all ranks */
+  FieldRows   part;          /* of this rank */
+  int        *values;        /* [part.num_mine][columns] */
 } Topology;
 
-/* Not collective. [out] topology - owned by the caller; its values end with XDMFTopologyDestroy(), the rest stays */
-PetscErrorCode XDMFTopologyCreate(const SortedCells *cells, Topology *topology);
+/* Not collective. [in] rows - of cells; [out] topology - owned by the caller; its values end with XDMFTopologyDestroy(), the rest stays */
+PetscErrorCode XDMFTopologyCreate(const FieldRows *rows, const SortedCells *cells, Topology *topology);
 PetscErrorCode XDMFTopologyDestroy(Topology *topology);
 /* Nodes of a cell of a list of several types, 0 for a type that we do not write. Not collective. [in] number - its XDMF type */
 PetscInt XDMFTopologyGetNumNodes(int number);

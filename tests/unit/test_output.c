@@ -92,24 +92,23 @@ static const FieldMesh small_part = {.dim        = 2,
                                      .coords     = (const PetscReal[]){0, 0, 1, 0, 1, 1, 0, 1, 2, 0, 2, 1},
                                      .num_cells  = 3,
                                      .cell_type  = (const PetscInt[]){ELEMENT_QUAD4, ELEMENT_TRI3, ELEMENT_TRI3},
-                                     .cell_tag   = (const PetscInt[]){0, 1, 1},
                                      .cell_nodes = (const PetscInt[]){0, 1, 2, 3, 1, 4, 5, 1, 5, 2}};
 
 /* Quantities at the points of a part. */
 static PetscErrorCode WritePicture(MPI_Comm comm, const FieldFormat *format, const FieldMesh *part, FileSet *files,
                                    const char base[])
 {
-  const PetscInt n       = part->num_points + 1; /* nodes, at most */
+  const PetscInt n       = part->num_points + 3; /* nodes or cells, at most */
   FieldWriter    picture = {.base   = base,
                             .title  = "a <mixed> & small one",
                             .bodies = "one,other",
                             .first  = "Vectors=\"displacement\"",
                             .files  = files};
-  PetscReal     *values, *body;
+  PetscReal     *values;
 
   PetscFunctionBeginUser;
   PetscCall(FieldWriterOpen(comm, format, &picture));
-  PetscCall(FieldWriterMesh(&picture, part, &body));
+  PetscCall(FieldWriterMesh(&picture, part));
   PetscCall(PetscMalloc1(n * 9, &values));
   for (PetscInt i = 0; i < n * 9; ++i) values[i] = 0.5 * (PetscReal)i;
   PetscCall(FieldWriterPoints(&picture, (Quantity){"displacement", 3, PETSC_FALSE}, 2, values));
@@ -120,10 +119,10 @@ static PetscErrorCode WritePicture(MPI_Comm comm, const FieldFormat *format, con
   PetscCall(FieldWriterPoints(&picture, (Quantity){"gap", 1, PETSC_FALSE}, 1, values));
   for (PetscInt i = 0; i < n; ++i) values[i] = (PetscReal)(i % 4 - 1);
   PetscCall(FieldWriterPoints(&picture, (Quantity){"status", 1, PETSC_TRUE}, 1, values));
-  PetscCall(FieldWriterCells(&picture, (Quantity){"body", 1, PETSC_TRUE}, body));
+  for (PetscInt c = 0; c < part->num_cells; ++c) values[c] = part->cell_type[c] != ELEMENT_QUAD4;
+  PetscCall(FieldWriterCells(&picture, (Quantity){"body", 1, PETSC_TRUE}, values));
   PetscCall(FieldWriterClose(&picture));
   PetscCall(PetscFree(values));
-  PetscCall(PetscFree(body));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -182,21 +181,17 @@ static PetscErrorCode TestQuadraticCells(void)
 {
   static const int       expected[17] = {36, 0, 1, 2, 3, 4, 5, 35, 1, 6, 7, 2, 8, 9, 10, 4, 11};
   static PetscInt        start[3] = {0, 6, 15}, nodes[15] = {0, 1, 2, 3, 4, 5, 1, 6, 7, 2, 8, 9, 10, 4, 11};
-  static PetscInt        type[2]        = {ELEMENT_TRI6, ELEMENT_QUAD9};
+  static const PetscInt  type[2]        = {ELEMENT_TRI6, ELEMENT_QUAD9};
+  const FieldRows        rows           = {2, 2, 2, {{ELEMENT_TRI6, 1, 1, 0}, {ELEMENT_QUAD9, 1, 1, 1}}};
   static const PetscReal places[12 * 2] = {0};
-  const FieldMesh        part           = {.dim        = 2,
-                                           .num_points = 12,
-                                           .coords     = places,
-                                           .num_cells  = 2,
-                                           .cell_type  = type,
-                                           .cell_tag   = (const PetscInt[]){0, 1},
-                                           .cell_nodes = nodes};
-  Topology               topology;
-  FileSet                files = {0};
-  char                  *text;
+  const FieldMesh        part           = {
+                       .dim = 2, .num_points = 12, .coords = places, .num_cells = 2, .cell_type = type, .cell_nodes = nodes};
+  Topology topology;
+  FileSet  files = {0};
+  char    *text;
 
   PetscFunctionBeginUser;
-  PetscCall(XDMFTopologyCreate(&(SortedCells){2, start, nodes, type}, &topology));
+  PetscCall(XDMFTopologyCreate(&rows, &(SortedCells){start, nodes}, &topology));
   CHECK(strcmp(topology.name, "Mixed") == 0 && topology.rows == 17 && topology.columns == 1);
   CHECK(memcmp(topology.values, expected, sizeof(expected)) == 0);
   PetscCall(XDMFTopologyDestroy(&topology));
@@ -204,7 +199,8 @@ static PetscErrorCode TestQuadraticCells(void)
     static const char *const name[2]  = {"Triangle_6", "Quadrilateral_9"};
     PetscInt                 alone[2] = {0, first ? 9 : 6};
 
-    PetscCall(XDMFTopologyCreate(&(SortedCells){1, alone, nodes, &type[first]}, &topology));
+    PetscCall(XDMFTopologyCreate(&(FieldRows){1, 1, 1, {{(ElementType)type[first], 1, 1, 0}}},
+                                 &(SortedCells){alone, nodes}, &topology));
     CHECK(strcmp(topology.name, name[first]) == 0 && topology.rows == 1 && topology.columns == alone[1]);
     PetscCall(XDMFTopologyDestroy(&topology));
   }
@@ -217,45 +213,52 @@ static PetscErrorCode TestQuadraticCells(void)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Points that are some of the nodes: cells tell of nodes by their places among the points. Each rank but the second, which has
-   nothing, has a line between two of its three nodes. */
+/* Points that are some of the nodes; rank 1 has nothing, others have cells of two types: a triangle and, on rank 2 before it, a quad. */
 static PetscErrorCode TestSomeNodes(void)
 {
-  PetscMPIInt     rank, ranks;
-  const PetscReal coords[] = {0, 0, 1, 0, 2, 0};
-  const PetscInt  nodes[] = {0, 2}, type = ELEMENT_LINE2, tag = 0;
-  PetscInt        global[3], ends[2];
-  FileSet         files = {0};
+  static const int alone[3] = {0, 1, 2}, mixed[13] = {4, 0, 1, 2, 4, 3, 4, 5, 5, 3, 4, 5, 6};
+  PetscMPIInt      rank, ranks;
+  const PetscReal  coords[] = {0, 0, 1, 0, 2, 0, 3, 1, 4, 1};
+  const PetscInt   nodes[] = {0, 2, 3, 4}, types[] = {ELEMENT_QUAD4, ELEMENT_TRI3};
+  PetscInt         corners[7], first               = 0, num;
+  FileSet          files = {0};
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_rank(PETSC_COMM_WORLD, &rank));
   PetscCallMPI(MPI_Comm_size(PETSC_COMM_WORLD, &ranks));
-  for (PetscInt i = 0; i < 3; ++i) global[i] = 3 * rank + i;
-  for (PetscInt i = 0; i < 2; ++i) ends[i] = global[nodes[i]];
+  CHECK(ranks <= 3);
+  num   = rank == 1 ? 0 : rank ? 4 : 3;
+  first = rank ? 3 : 0;
+  for (PetscInt i = 0; i < 7; ++i) corners[i] = first + (i < 4 ? i : i - 4);
   PetscCall(WritePicture(PETSC_COMM_WORLD, &field_format_hdf5,
                          &(FieldMesh){.dim        = 2,
-                                      .num_points = rank == 1 ? 0 : 2,
-                                      .nodes      = rank == 1 ? NULL : nodes,
-                                      .global     = global,
+                                      .num_points = num,
+                                      .nodes      = num ? nodes : NULL,
                                       .coords     = coords,
-                                      .num_cells  = rank == 1 ? 0 : 1,
-                                      .cell_type  = &type,
-                                      .cell_tag   = &tag,
-                                      .cell_nodes = ends},
+                                      .num_cells  = num ? num - 2 : 0,
+                                      .cell_type  = rank ? types : &types[1],
+                                      .cell_nodes = rank ? corners : &corners[4]},
                          &files, "side"));
   PetscCall(FileSetFinish(PETSC_COMM_WORLD, &files));
   if (rank == 0) {
     const hid_t file    = H5Fopen("side.h5", H5F_ACC_RDONLY, H5P_DEFAULT);
-    const hid_t sets[2] = {H5Dopen2(file, "points", H5P_DEFAULT), H5Dopen2(file, "cells", H5P_DEFAULT)};
-    double      points[3 * 6];
-    int         cells[6];
+    const hid_t sets[4] = {H5Dopen2(file, "points", H5P_DEFAULT), H5Dopen2(file, "cells", H5P_DEFAULT),
+                           H5Dopen2(file, "displacement", H5P_DEFAULT), H5Dopen2(file, "body", H5P_DEFAULT)};
+    double      points[3 * 7], moved[3 * 7];
+    int         cells[14] = {0}, body[3] = {-1, -1, -1};
 
-    CHECK(ranks <= 3);
     CHECK(H5Dread(sets[0], H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, points) >= 0);
     CHECK(H5Dread(sets[1], H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, cells) >= 0);
-    CHECK(points[0] == 0 && points[3] == 2 && cells[0] == 0 && cells[1] == 1);
-    if (ranks > 2) CHECK(points[6] == 0 && points[9] == 2 && cells[2] == 2 && cells[3] == 3);
-    for (int i = 0; i < 2; ++i) H5Dclose(sets[i]);
+    CHECK(H5Dread(sets[2], H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, moved) >= 0);
+    CHECK(H5Dread(sets[3], H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, body) >= 0);
+    CHECK(points[0] == 0 && points[3] == 2 && points[6] == 3 && points[7] == 1);
+    if (ranks <= 2) CHECK(memcmp(cells, alone, sizeof(alone)) == 0 && body[0] == 1);
+    if (ranks > 2) {
+      CHECK(memcmp(cells, mixed, sizeof(mixed)) == 0);
+      CHECK(points[9] == 0 && points[12] == 2 && points[18] == 4 && moved[12] == 0.5 * 4 && moved[13] == 0.5 * 5);
+      CHECK(body[0] == 1 && body[1] == 1 && body[2] == 0);
+    }
+    for (int i = 0; i < 4; ++i) H5Dclose(sets[i]);
     H5Fclose(file);
     CHECK(unlink("side.h5") == 0 && unlink("side.xdmf") == 0);
   }
@@ -267,15 +270,11 @@ static PetscErrorCode TestMemory(void)
 {
 #if !defined(__SANITIZE_ADDRESS__) /* which keeps what is freed */
   enum { NUM = 400000 };
-  PetscReal    *coords;
-  PetscInt      nodes[3] = {0, 1, 2};
-  FieldMesh     part     = {.dim        = 2,
-                            .num_points = NUM,
-                            .num_cells  = 1,
-                            .cell_type  = (const PetscInt[]){ELEMENT_TRI3},
-                            .cell_tag   = (const PetscInt[]){0},
-                            .cell_nodes = nodes};
-  FileSet       files    = {0};
+  PetscReal *coords;
+  PetscInt   nodes[3] = {0, 1, 2};
+  FieldMesh  part     = {
+           .dim = 2, .num_points = NUM, .num_cells = 1, .cell_type = (const PetscInt[]){ELEMENT_TRI3}, .cell_nodes = nodes};
+  FileSet       files = {0};
   struct rusage before, after;
   struct stat   info;
 
@@ -294,6 +293,51 @@ static PetscErrorCode TestMemory(void)
 #else
   PetscFunctionBeginUser;
 #endif
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The first rank takes no part of what others write, and is told when one of them cannot. */
+static PetscErrorCode TestSpread(void)
+{
+  enum { NUM = 400000 };
+  PetscMPIInt    rank, ranks;
+  PetscReal     *coords;
+  const PetscInt nodes[3] = {0, 1, 2}, type = ELEMENT_TRI3;
+  FileSet        files = {0};
+  FieldMesh      part  = {.dim = 3, .cell_type = &type, .cell_nodes = nodes};
+  struct rusage  before, after;
+  struct rlimit  old;
+  PetscErrorCode error;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_rank(PETSC_COMM_WORLD, &rank));
+  PetscCallMPI(MPI_Comm_size(PETSC_COMM_WORLD, &ranks));
+  if (ranks == 1) PetscFunctionReturn(PETSC_SUCCESS);
+  if (rank == 1) part.num_points = NUM;
+  if (rank == 1) part.num_cells = 1;
+  PetscCall(PetscCalloc1(3 * part.num_points, &coords));
+  part.coords = coords;
+  CHECK(getrusage(RUSAGE_SELF, &before) == 0);
+  PetscCall(WritePicture(PETSC_COMM_WORLD, &field_format_hdf5, &part, &files, "large"));
+  CHECK(getrusage(RUSAGE_SELF, &after) == 0);
+#if !defined(__SANITIZE_ADDRESS__)
+  if (rank != 1) CHECK((after.ru_maxrss - before.ru_maxrss) * 1024 < NUM * 8);
+#endif
+  PetscCall(FileSetFinish(PETSC_COMM_WORLD, &files));
+  if (rank == 0) CHECK(unlink("large.h5") == 0 && unlink("large.xdmf") == 0);
+
+  CHECK(getrlimit(RLIMIT_FSIZE, &old) == 0);
+  signal(SIGXFSZ, SIG_IGN);
+  if (rank == 1) CHECK(setrlimit(RLIMIT_FSIZE, &(struct rlimit){1 << 16, old.rlim_max}) == 0);
+  files = (FileSet){0};
+  PetscCall(WritePicture(PETSC_COMM_WORLD, &field_format_hdf5, &part, &files, "large"));
+  CHECK(setrlimit(RLIMIT_FSIZE, &old) == 0);
+  if (rank == 0) CHECK(strstr(files.failure, "cannot write large.h5: "));
+  PetscCall(PetscPushErrorHandler(PetscReturnErrorHandler, NULL));
+  error = FileSetFinish(PETSC_COMM_WORLD, &files);
+  PetscCall(PetscPopErrorHandler());
+  CHECK(error == PETSC_ERR_FILE_WRITE && !Exists("large.h5") && !Exists("large.xdmf"));
+  PetscCall(PetscFree(coords));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -391,8 +435,11 @@ int main(int argc, char **argv)
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   PetscCallMPI(MPI_Comm_rank(PETSC_COMM_WORLD, &rank));
   PetscCall(TestGather());
-  if (rank == 0) CHECK(mkdtemp(folder) && chdir(folder) == 0);
+  if (rank == 0) CHECK(mkdtemp(folder));
+  PetscCallMPI(MPI_Bcast(folder, sizeof(folder), MPI_CHAR, 0, PETSC_COMM_WORLD));
+  CHECK(chdir(folder) == 0);
   PetscCall(TestSomeNodes());
+  PetscCall(TestSpread());
   if (rank == 0) {
     TestNumbers();
     TestXML();
