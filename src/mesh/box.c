@@ -41,10 +41,11 @@ static const Split Splits[][2] = {
             6,
             {{0, 2, 6, 1}, {0, 3, 6, 2}, {0, 7, 6, 3}, {0, 4, 6, 7}, {0, 5, 6, 4}, {0, 1, 6, 5}}}}};
 
-/* Bricks along the axes. */
+/* Bricks along the axes, and which of them are made. */
 typedef struct {
-  PetscInt     dim, n[3];
-  const Split *split;
+  PetscInt       dim, n[3];
+  const Split   *split;
+  const BoxPart *part; /* NULL: all */
 } Grid;
 
 /* Splits a number into digits, the first one fastest. [in] base - [dim] */
@@ -64,19 +65,32 @@ static PetscInt Product_Private(PetscInt num, const PetscInt factor[])
   return product;
 }
 
+static PetscInt GridNumBricks_Private(const Grid *grid)
+{
+  return grid->part ? grid->part->num_bricks : Product_Private(grid->dim, grid->n);
+}
+
+/* Where a brick that is made is among all. */
+static void GridFindBrick_Private(const Grid *grid, PetscInt brick, PetscInt at[])
+{
+  Digits_Private(grid->dim, grid->n, grid->part ? grid->part->brick[brick] : brick, at);
+}
+
 /* All bricks in turn, each in its parts. */
-static void BoxSetCells_Private(const Grid *grid, BodyList *list)
+static PetscErrorCode BoxSetCells_Private(const Grid *grid, BodyList *list)
 {
   const Split *split = grid->split;
 
-  for (PetscInt brick = 0; brick < Product_Private(grid->dim, grid->n); brick++) {
+  PetscFunctionBeginUser;
+  for (PetscInt brick = 0; brick < GridNumBricks_Private(grid); brick++) {
     PetscInt at[3], node[MAX_CORNERS];
 
-    Digits_Private(grid->dim, grid->n, brick, at);
+    GridFindBrick_Private(grid, brick, at);
     for (PetscInt i = 0; i < ElementNumNodes(split->brick); i++) {
       node[i] = 0;
       for (PetscInt d = grid->dim - 1; d >= 0; d--)
         node[i] = node[i] * (grid->n[d] + 1) + at[d] + (ElementNode(split->brick, i)[d] > 0);
+      if (grid->part) PetscCall(PetscFindInt(node[i], grid->part->num_nodes, grid->part->node, &node[i]));
     }
     for (PetscInt p = 0; p < split->num_parts; p++) {
       const PetscInt cell = brick * split->num_parts + p;
@@ -86,6 +100,7 @@ static void BoxSetCells_Private(const Grid *grid, BodyList *list)
         list->cell_nodes[cell * ELEMENT_MAX_NODES + i] = node[split->corners[p][i]];
     }
   }
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The weighted mean meets both ends exactly, unlike lower + s (upper - lower). */
@@ -95,7 +110,7 @@ static void BoxSetCoords_Private(const SceneBody *body, const Grid *grid, BodyLi
 
   for (PetscInt d = 0; d < grid->dim; d++) num[d] = grid->n[d] + 1;
   for (PetscInt node = 0; node < list->num_nodes; node++) {
-    Digits_Private(grid->dim, num, node, at);
+    Digits_Private(grid->dim, num, grid->part ? grid->part->node[node] : node, at);
     for (PetscInt d = 0; d < grid->dim; d++) {
       const PetscReal s = (PetscReal)at[d] / grid->n[d];
 
@@ -125,10 +140,10 @@ static void BoxAddSide_Private(const Grid *grid, const Side *side, PetscInt inde
 {
   const Split *split = grid->split;
 
-  for (PetscInt brick = 0; brick < Product_Private(grid->dim, grid->n); brick++) {
+  for (PetscInt brick = 0; brick < GridNumBricks_Private(grid); brick++) {
     PetscInt at[3];
 
-    Digits_Private(grid->dim, grid->n, brick, at);
+    GridFindBrick_Private(grid, brick, at);
     if (at[side->axis] != (side->end ? grid->n[side->axis] - 1 : 0)) continue;
     for (PetscInt p = 0; p < split->num_parts; p++) {
       const PetscInt facet = PartFindFacet_Private(split, p, side);
@@ -142,12 +157,12 @@ static void BoxAddSide_Private(const Grid *grid, const Side *side, PetscInt inde
 }
 
 /* Refining a box is the same as making it of more cells, and cheaper. */
-PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const SideNames *names, BodyList *list,
-                                 char sentence[])
+PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const SideNames *names, const BoxPart *part,
+                                 BodyList *list, char sentence[])
 {
   static const char *const all[] = {
       [2] = "left, right, bottom and top", [3] = "left, right, front, back, bottom and top"};
-  Grid     grid     = {.dim = dim, .split = &Splits[dim][body->simplex ? 1 : 0]};
+  Grid     grid     = {.dim = dim, .split = &Splits[dim][body->simplex ? 1 : 0], .part = part};
   PetscInt nodes[3] = {0, 0, 0}, num_bricks, num_facets = 0;
 
   PetscFunctionBeginUser;
@@ -155,10 +170,12 @@ PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const Side
     grid.n[d] = body->faces[d] << body->refine;
     nodes[d]  = grid.n[d] + 1;
   }
-  num_bricks = Product_Private(dim, grid.n);
-  for (PetscInt d = 0; d < dim; d++) num_facets += 2 * MAX_PARTS_ON_SIDE * (num_bricks / grid.n[d]);
-  PetscCall(BodyListAllocate(dim, num_bricks * grid.split->num_parts, Product_Private(dim, nodes), num_facets, list));
-  BoxSetCells_Private(&grid, list);
+  num_bricks = GridNumBricks_Private(&grid);
+  for (PetscInt d = 0; d < dim; d++)
+    num_facets += 2 * MAX_PARTS_ON_SIDE * PetscMin(num_bricks, Product_Private(dim, grid.n) / grid.n[d]);
+  PetscCall(BodyListAllocate(dim, num_bricks * grid.split->num_parts,
+                             part ? part->num_nodes : Product_Private(dim, nodes), num_facets, list));
+  PetscCall(BoxSetCells_Private(&grid, list));
   BoxSetCoords_Private(body, &grid, list);
   for (PetscInt i = 0; i < names->num; i++) {
     PetscInt side = 0;

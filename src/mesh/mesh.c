@@ -1,6 +1,6 @@
 /* mesh.c -- a mesh: lists of bodies, merged, partitioned, refined level by level.
 
-   Input is the first rank's business until the mesh is whole, so that reading needs no thought of ranks. The
+   Files are the first rank's business until the mesh is whole, so that reading needs no thought of ranks; boxes of many cells are made by all ranks. The
    coarsest mesh is spread, and every rank refines its own part: the work and the memory that grow with refinement
    are shared from the beginning. */
 #include "mesh/meshimpl.h"
@@ -52,7 +52,7 @@ static PetscErrorCode MeshMakeBodies_Private(Scene scene, PetscInt coarser, cons
       PetscCall(BodyListCreateFile(scene, b, &names[b], &files, &lists[b], sentence));
       if (!sentence[0]) MeshCheckSize_Private(scene, &body, &lists[b], sentence);
     } else
-      PetscCall(BodyListCreateBox(&body, scene->dim, &names[b], &lists[b], sentence));
+      PetscCall(BodyListCreateBox(&body, scene->dim, &names[b], NULL, &lists[b], sentence));
   }
   PetscCall(MeshFileDestroy(&files));
   PetscCall(UserErrorCheck(scene->comm, sentence));
@@ -113,20 +113,28 @@ PetscErrorCode MeshRefine(Mesh mesh)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The coarsest level, its cells not judged yet: body by body on the first rank; together from there on. */
+/* The coarsest level, its cells not judged yet: boxes of many cells by all ranks, others body by body on the first one; together from there on. */
 static PetscErrorCode MeshBegin_Private(Mesh mesh, PetscInt coarser)
 {
-  Scene     scene  = mesh->scene;
-  PetscInt *origin = NULL;
-  Curves    curves;
-  DM        dm;
+  Scene       scene  = mesh->scene;
+  PetscInt   *origin = NULL;
+  Curves      curves;
+  DM          dm;
+  PetscMPIInt size;
+  PetscBool   parts;
 
   PetscFunctionBeginUser;
-  PetscCall(MeshCreateWhole_Private(scene, coarser, &dm, &curves, &mesh->forest));
+  PetscCallMPI(MPI_Comm_size(scene->comm, &size));
+  parts = BoxPartsWanted(scene, coarser, size);
+  if (parts)
+    PetscCall(BoxPartsCreate(scene, coarser, &dm, &curves));
+  else
+    PetscCall(MeshCreateWhole_Private(scene, coarser, &dm, &curves, &mesh->forest));
   PetscCall(PetscMalloc1(mesh->forest ? MESH_MAX_ADAPTED : 1, &mesh->levels)); // inequalities point there
   mesh->num_levels = 1;
   if (mesh->forest) PetscCall(MeshForestMerge(scene, mesh->forest, &dm, &curves));
-  PetscCall(PartitionDistribute(scene, coarser + scene->refine, &dm, &curves, mesh->forest ? &origin : NULL));
+  if (!parts)
+    PetscCall(PartitionDistribute(scene, coarser + scene->refine, &dm, &curves, mesh->forest ? &origin : NULL));
   PetscCall(LevelCreateFromPlex(scene, dm, &curves, &mesh->levels[0]));
   PetscCall(LevelBeginArcs(&mesh->levels[0]));
   if (mesh->forest) PetscCall(MeshForestGather(mesh->forest, &mesh->levels[0], origin));

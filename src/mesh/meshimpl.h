@@ -56,9 +56,16 @@ PetscErrorCode SideNamesDestroy(SideNames *names);
 /* The number of the facet of a cell that has exactly these vertices, or -1. [in] cell, facet - node numbers */
 PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt facet[]);
 
-/* A box of quads or triangles, of hexahedra or tetrahedra. [out] sentence - [MESH_SENTENCE], "" unless the scene is wrong */
-PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const SideNames *names, BodyList *list,
-                                 char sentence[]);
+/* The bricks of a box that a rank makes, by their numbers in the box, x first. */
+typedef struct {
+  PetscInt  num_bricks, num_nodes;
+  PetscInt *brick, *node; /* ascending [num_bricks], [num_nodes] */
+} BoxPart;
+
+/* A box of quads or triangles, of hexahedra or tetrahedra, or a part of it. [in] part - or NULL; [out] sentence - [MESH_SENTENCE], "" unless the scene
+   is wrong */
+PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const SideNames *names, const BoxPart *part,
+                                 BodyList *list, char sentence[]);
 
 /* Warns of pieces that touch and are not joined; for the first rank. Not collective. */
 PetscErrorCode UnjoinedPiecesWarn(const SceneBody *body, const BodyList *list);
@@ -143,8 +150,13 @@ PetscErrorCode BodyListCreateFile(Scene scene, PetscInt body, const SideNames *n
                                   char sentence[]);
 PetscErrorCode MeshFileDestroy(MeshFile *files);
 
-/* The one DMPlex of all bodies, whole on the first rank. Collective. [in] lists - empty on other ranks */
+/* The one DMPlex of all bodies. Collective. [in] lists - whole on the first rank and empty on others, or parts; these know nothing of each other yet */
 PetscErrorCode MeshMerge(Scene scene, const BodyList lists[], const SideNames names[], DM *dm, Curves *curves);
+
+/* Whether each rank makes its own part of the mesh: boxes of many cells. [in] coarser - halvings that bodies are spared */
+PetscBool BoxPartsWanted(Scene scene, PetscInt coarser, PetscMPIInt num_ranks);
+/* The mesh of all boxes, made by parts. Collective. User errors: a side that does not exist. [out] curves - none */
+PetscErrorCode BoxPartsCreate(Scene scene, PetscInt coarser, DM *dm, Curves *curves);
 
 /* Vertices of a point of the mesh: a vertex itself, the ends of an edge, the corners of a facet or a cell. [out] vertices -
    [ELEMENT_MAX_NODES] */
@@ -254,13 +266,14 @@ PetscErrorCode MeshShapeDestroy(Mesh mesh);
 enum { PARTITION_MAX_WEIGHTS = 2 };
 typedef struct {
   PetscInt   num, num_parts; /* 1, unless enough facets may touch */
+  PetscReal  bricks;         /* which a cell stands for, in the mean */
   PetscInt  *load;           /* what every cell has, nodes in twelfths [num_cells][num] */
   PetscReal *target;         /* which part of all each part is to have [num_parts][num] */
 } PartitionWeights;
 
-/* The same for all. [in] contact - facets that may touch, by cell */
-PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const PetscInt contact[], PetscInt num_parts,
-                                      PartitionWeights *shares);
+/* The same for all. [in] contact - facets that may touch, by cell; bricks - which each cell stands for, NULL: one */
+PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const PetscInt contact[],
+                                      const PetscInt bricks[], PetscInt num_parts, PartitionWeights *shares);
 /* Less where there are more nodes between. [in] refine - how often the mesh will be; part - a partition much like the one to come
    [num_cells] */
 PetscErrorCode PartitionWeightsCorrect(Scene scene, const Level *level, PetscInt refine, const PetscInt part[],
@@ -268,9 +281,12 @@ PetscErrorCode PartitionWeightsCorrect(Scene scene, const Level *level, PetscInt
 PetscErrorCode PartitionWeightsDestroy(PartitionWeights *shares);
 /* The rank of every cell of the whole mesh, which lies on the first rank; other ranks have none and ask the same. Not collective.
    [in] refine - how often it will be; contact_weight - of an edge across contact, 1 across a facet; 0: as if bodies did not touch;
-   [out] part - [level->num_cells] */
-PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, PetscInt contact_weight, PetscInt num_parts,
-                                PetscInt part[]);
+   bricks - which each cell stands for, NULL: one; [out] part - [level->num_cells] */
+PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, PetscInt contact_weight,
+                                const PetscInt bricks[], PetscInt num_parts, PetscInt part[]);
+/* The same for a DM that is whole on the first rank, by its vertices. Collective. [out] part - freed by the caller */
+PetscErrorCode PartitionCreate(Scene scene, DM dm, PetscInt refine, const PetscInt bricks[], PetscInt *num_cells,
+                               PetscInt **part);
 /* Spreads the mesh over the ranks; the DM and its curves are replaced. Collective. [in] refine - how often it will be; [out] origin -
    the point of the whole DM that each of this rank was, freed by the caller; or NULL */
 PetscErrorCode PartitionDistribute(Scene scene, PetscInt refine, DM *dm, Curves *curves, PetscInt **origin);

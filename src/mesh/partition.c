@@ -261,8 +261,8 @@ static PetscErrorCode EdgesCut_Private(const Edges *edges, PetscInt num_cells, c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, PetscInt contact_weight, PetscInt num_parts,
-                                PetscInt part[])
+PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, PetscInt contact_weight,
+                                const PetscInt bricks[], PetscInt num_parts, PetscInt part[])
 {
   Edges            edges = {0, 0, NULL, NULL};
   PetscInt        *contact;
@@ -279,7 +279,7 @@ PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, Pets
     if (scene->pairs[p].mortar.body >= 0)
       PetscCall(EdgesAddPair_Private(scene, &scene->pairs[p], contact_weight, level, &edges, contact));
   }
-  PetscCall(PartitionWeightsCreate(scene, level, contact, num_parts, &shares));
+  PetscCall(PartitionWeightsCreate(scene, level, contact, bricks, num_parts, &shares));
   PetscCall(EdgesCut_Private(&edges, level->num_cells, &shares, part));
   PetscCall(PartitionWeightsCorrect(scene, level, refine, part, &shares));
   PetscCall(EdgesCut_Private(&edges, level->num_cells, &shares, part));
@@ -324,16 +324,35 @@ static PetscErrorCode OriginCreate_Private(DM dm, PetscSF sf, PetscInt **origin)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode PartitionCreate(Scene scene, DM dm, PetscInt refine, const PetscInt bricks[], PetscInt *num_cells,
+                               PetscInt **part)
+{
+  PetscMPIInt size;
+  Level       level;
+  DM          clone;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_size(scene->comm, &size));
+  PetscCall(DMClone(dm, &clone)); // the tables hang a section on their DM that must not travel
+  PetscCall(LevelCreateTables(scene, clone, 1, &level));
+  PetscCall(LevelSetCoords(&level, NULL));
+  PetscCall(DMDestroy(&clone));
+  *num_cells = level.num_cells;
+  PetscCall(PetscMalloc1(level.num_cells, part));
+  PetscCall(PartitionCompute(scene, &level, refine, CONTACT_WEIGHT, bricks, size, *part));
+  PetscCall(LevelDestroy(&level));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The coarsest mesh is parted: all descendants of a cell stay with it, and METIS sees a small graph. Vertices are all it
    needs, so that meshes of every order are parted alike; cells are judged later, on every number of ranks. */
 PetscErrorCode PartitionDistribute(Scene scene, PetscInt refine, DM *dm, Curves *curves, PetscInt **origin)
 {
   PetscPartitioner partitioner;
   PetscMPIInt      size;
-  PetscInt        *part;
-  Level            level;
+  PetscInt        *part, num_cells;
   PetscSF          sf;
-  DM               clone, spread;
+  DM               spread;
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_size(scene->comm, &size));
@@ -341,16 +360,10 @@ PetscErrorCode PartitionDistribute(Scene scene, PetscInt refine, DM *dm, Curves 
     if (origin) PetscCall(OriginCreate_Private(*dm, NULL, origin));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  PetscCall(DMClone(*dm, &clone)); // the tables hang a section on their DM that must not travel
-  PetscCall(LevelCreateTables(scene, clone, 1, &level));
-  PetscCall(LevelSetCoords(&level, NULL));
-  PetscCall(DMDestroy(&clone));
-  PetscCall(PetscMalloc1(level.num_cells, &part));
-  PetscCall(PartitionCompute(scene, &level, refine, CONTACT_WEIGHT, size, part));
+  PetscCall(PartitionCreate(scene, *dm, refine, NULL, &num_cells, &part));
   PetscCall(DMPlexGetPartitioner(*dm, &partitioner));
-  PetscCall(PartitionerSet_Private(level.num_cells, part, size, partitioner));
+  PetscCall(PartitionerSet_Private(num_cells, part, size, partitioner));
   PetscCall(PetscFree(part));
-  PetscCall(LevelDestroy(&level));
   PetscCall(DMPlexDistribute(*dm, 0, &sf, &spread));
   PetscCall(CurvesDistribute(*dm, sf, curves));
   if (origin) PetscCall(OriginCreate_Private(spread, sf, origin));

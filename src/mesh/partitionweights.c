@@ -27,21 +27,23 @@ static PetscInt PartitionWeightsOrderFactor_Private(Scene scene, PetscInt body)
   return scene->bodies[body].order / least;
 }
 
-PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const PetscInt contact[], PetscInt num_parts,
-                                      PartitionWeights *shares)
+PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const PetscInt contact[],
+                                      const PetscInt bricks[], PetscInt num_parts, PartitionWeights *shares)
 {
-  PetscInt touching = 0;
+  PetscInt touching = 0, all = 0;
 
   PetscFunctionBeginUser;
   for (PetscInt c = 0; c < level->num_cells; c++) touching += contact[c];
   shares->num       = touching >= MIN_FACETS_A_PART * num_parts ? PARTITION_MAX_WEIGHTS : 1;
   shares->num_parts = num_parts;
+  for (PetscInt c = 0; c < level->num_cells; c++) all += bricks ? bricks[c] : 1;
+  shares->bricks = (PetscReal)all / (PetscReal)PetscMax(level->num_cells, 1);
   PetscCall(PetscMalloc2(level->num_cells * shares->num, &shares->load, num_parts * shares->num, &shares->target));
   for (PetscInt i = 0; i < num_parts * shares->num; i++) shares->target[i] = 1 / (PetscReal)num_parts;
   for (PetscInt c = 0; c < level->num_cells; c++) {
     PetscInt *own = &shares->load[c * shares->num];
 
-    own[0] = Nodes[ElementLinear((ElementType)level->cell_type[c])];
+    own[0] = Nodes[ElementLinear((ElementType)level->cell_type[c])] * (bricks ? bricks[c] : 1);
     for (PetscInt d = 0; d < level->dim; d++) own[0] *= PartitionWeightsOrderFactor_Private(scene, level->cell_body[c]);
     if (shares->num > 1) own[1] = contact[c];
   }
@@ -52,9 +54,9 @@ PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const Pet
    cells along an edge. DMPlexDistribute() gives them to the highest rank. An order that all bodies have does not count, so that all
    orders are parted alike. [out] nodes - [num_parts] */
 static PetscErrorCode PartitionWeightsCountBetween_Private(Scene scene, const Level *level, PetscInt refine,
-                                                           const PetscInt part[], PetscReal nodes[])
+                                                           const PetscInt part[], PetscReal bricks, PetscReal nodes[])
 {
-  const PetscReal along = PetscPowRealInt(2, (int)refine);
+  const PetscReal along = PetscPowRealInt(2, (int)refine) * PetscPowReal(bricks, 1 / (PetscReal)level->dim) / bricks;
   PetscInt        begin, end;
 
   PetscFunctionBeginUser;
@@ -83,7 +85,7 @@ PetscErrorCode PartitionWeightsCorrect(Scene scene, const Level *level, PetscInt
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(num_parts, &between));
-  PetscCall(PartitionWeightsCountBetween_Private(scene, level, refine, part, between));
+  PetscCall(PartitionWeightsCountBetween_Private(scene, level, refine, part, shares->bricks, between));
   for (PetscInt c = 0; c < level->num_cells; c++) all += (PetscReal)shares->load[c * shares->num];
   for (PetscInt p = 0; p < num_parts; p++) mean += between[p] / (PetscReal)num_parts;
   for (PetscInt p = 0; p < num_parts; p++) most = PetscMax(most, PetscAbsReal(between[p] - mean));

@@ -1,5 +1,6 @@
 /* test_meshsolid.c -- bodies in space, on any number of ranks: volumes, sides, levels, maps. */
 #include "solid_scene.h"
+#include "mesh/meshimpl.h"
 
 /* A box of hexahedra above one of tetrahedra: every measure of both on every level. */
 static void TestBoxes(PetscInt refine, PetscInt order)
@@ -30,6 +31,53 @@ static void TestBoxes(PetscInt refine, PetscInt order)
     CHECK_NEAR(SolidVolume(level, 0), 6, 1e-12);
     CHECK_NEAR(SolidVolume(level, 1), 12, 1e-12);
     SolidCheckBoxSides(&t, level, 0, (PetscReal[]){0, 0, 0}, (PetscReal[]){1, 2, 3});
+    SolidCheckBoxSides(&t, level, 1, (PetscReal[]){-1, 0, -2}, (PetscReal[]){2, 2, 0});
+  }
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
+/* Boxes of many cells, which all ranks make: each has its share before anything is parted, and ranks agree on what they share, on all levels. */
+static void TestParts(PetscInt order, PetscBool simplex)
+{
+  const PetscInt n = 13;
+  PetscMPIInt    size;
+  TestScene      t;
+  Mesh           mesh;
+
+  CHECK(!MPI_Comm_size(PETSC_COMM_WORLD, &size));
+  SolidSceneInit(&t);
+  t.scene.refine = order == 1;
+  SolidSceneAddBox(&t, "upper", (PetscInt[]){17, 15, 9}, (PetscReal[]){0, 0, 0}, (PetscReal[]){1, 2, 3})->order = order;
+  SolidSceneAddBox(&t, "lower", (PetscInt[]){n, n, n}, (PetscReal[]){-1, 0, -2}, (PetscReal[]){2, 2, 0})->order = order;
+  t.bodies[1].simplex = simplex;
+  for (int s = 0; s < 6; ++s) TestSceneAddBoundary(&t.bodies[1], BOUNDARY_NORMAL, SolidSides[s], NULL);
+  TestSceneAddPair(&t, "joint", 0, "bottom", 1, "top");
+  CHECK(BoxPartsWanted(&t.scene, 0, size) == (size > 1));
+  if (size > 1) {
+    PetscInt begin, end;
+    Curves   none;
+    DM       dm;
+
+    CHECK(!BoxPartsCreate(&t.scene, 0, &dm, &none));
+    CHECK(!DMPlexGetHeightStratum(dm, 0, &begin, &end));
+    if (!simplex) CHECK(end - begin < 1.15 * (17 * 15 * 9 + n * n * n) / size);
+    CHECK(Total(end - begin) == 17 * 15 * 9 + n * n * n * (simplex ? 6 : 1));
+    CHECK(!DMPlexCheckSymmetry(dm));
+    CHECK(!DMPlexCheckFaces(dm, 0));
+    CHECK(!DMPlexCheckInterfaceCones(dm));
+    CHECK(!CurvesDestroy(&none));
+    CHECK(!DMDestroy(&dm));
+  }
+  mesh = TestSceneMesh(&t);
+  for (PetscInt l = 0; l < mesh->num_levels; ++l) {
+    Level         *level = &mesh->levels[l];
+    const PetscInt k = order << l, m = n * k + 1;
+
+    CHECK(level->num_global == (17 * k + 1) * (15 * k + 1) * (9 * k + 1) + m * m * m);
+    CHECK_NEAR(Total(level->num_owned), level->num_global, 0);
+    CHECK_NEAR(SolidVolume(level, 0), 6, 1e-9); // a sum of 100,000 cells
+    CHECK_NEAR(SolidVolume(level, 1), 12, 1e-9);
     SolidCheckBoxSides(&t, level, 1, (PetscReal[]){-1, 0, -2}, (PetscReal[]){2, 2, 0});
   }
   CHECK(!MeshDestroy(&mesh));
@@ -133,6 +181,8 @@ int main(int argc, char **argv)
     TestBoxes(1, order);
     for (int simplex = 0; simplex < 2; ++simplex) TestMaps(simplex ? PETSC_TRUE : PETSC_FALSE, order);
   }
+  TestParts(1, PETSC_TRUE);
+  TestParts(2, PETSC_FALSE);
   TestRoles();
   TestShapes();
   CHECK(!PetscFinalize());

@@ -69,9 +69,9 @@ static void TestContactEdges(PetscInt num_parts)
   TestSceneAddPair(&t, "joint", 0, "bottom", 1, "top");
   mesh  = TestSceneMesh(&t);
   level = MeshFinest(mesh);
-  CHECK(!PartitionCompute(&t.scene, level, 0, 0, num_parts, part));
+  CHECK(!PartitionCompute(&t.scene, level, 0, 0, NULL, num_parts, part));
   plain = CountSeparated(&t, level, part, &touching);
-  CHECK(!PartitionCompute(&t.scene, level, 0, 5, num_parts, part));
+  CHECK(!PartitionCompute(&t.scene, level, 0, 5, NULL, num_parts, part));
   joined = CountSeparated(&t, level, part, &touching);
   CHECK(touching == N + N - 3 - 1);
   CHECK(Imbalance(level, 1, num_parts, part) < (num_parts < 8 ? 1.06 : 1.25)); // of forty cells each;
@@ -127,10 +127,10 @@ static void TestSolidContactEdges(void)
   TestSceneAddPair(&t, "joint", 0, "bottom", 1, "top");
   mesh  = TestSceneMesh(&t);
   level = MeshFinest(mesh);
-  CHECK(!PartitionCompute(&t.scene, level, 0, 0, 2, part));
+  CHECK(!PartitionCompute(&t.scene, level, 0, 0, NULL, 2, part));
   plain = CountSolidSeparated(&t, level, part, &touching);
   CHECK(touching == (2 * n - 2) * (2 * n - 2));
-  CHECK(!PartitionCompute(&t.scene, level, 0, 5, 2, part));
+  CHECK(!PartitionCompute(&t.scene, level, 0, 5, NULL, 2, part));
   joined = CountSolidSeparated(&t, level, part, &touching);
   CHECK(Imbalance(level, 1, 2, part) < 1.05);
   CHECK(plain > joined);
@@ -150,7 +150,7 @@ static void TestTiny(void)
   t.scene.comm = PETSC_COMM_SELF;
   TestSceneAddBox(&t, "box", 3, 1, 0, 0, 1, 1);
   mesh = TestSceneMesh(&t);
-  CHECK(!PartitionCompute(&t.scene, MeshFinest(mesh), 0, 5, 5, part));
+  CHECK(!PartitionCompute(&t.scene, MeshFinest(mesh), 0, 5, NULL, 5, part));
   CHECK(part[0] >= 0 && part[0] < part[1] && part[1] < part[2] && part[2] < 5);
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
@@ -170,7 +170,7 @@ static void TestShared(void)
   SolidSceneAddBox(&t, "lower", (PetscInt[]){4, 4, 4}, (PetscReal[]){0, 0, -1}, (PetscReal[]){1, 1, 0});
   TestSceneAddPair(&t, "joint", 0, "bottom", 1, "top");
   mesh = TestSceneMesh(&t);
-  CHECK(!PartitionCompute(&t.scene, MeshFinest(mesh), 0, 5, 2, part));
+  CHECK(!PartitionCompute(&t.scene, MeshFinest(mesh), 0, 5, NULL, 2, part));
   CHECK(Imbalance(MeshFinest(mesh), 1, 2, part) < 1.1);
   CHECK(!LevelGetFacets(MeshFinest(mesh), &t.scene, 0, "bottom", &facets));
   for (PetscInt f = 0; f < facets.num; ++f) own += part[facets.cell[f]];
@@ -197,7 +197,7 @@ static void TestNodes(PetscInt order, PetscBool simplex)
   TestSceneAddBox(&t, "lower", N, N, 0, -1, 1, 0)->order  = order;
   mesh                                                    = TestSceneMesh(&t);
   level                                                   = MeshFinest(mesh);
-  CHECK(!PartitionCompute(&t.scene, level, 0, 5, 2, part));
+  CHECK(!PartitionCompute(&t.scene, level, 0, 5, NULL, 2, part));
   for (PetscInt c = 0; c < level->num_cells; ++c) {
     nodes += part[c] * (level->cell_body[c] ? a_cell : 1);
     total += level->cell_body[c] ? a_cell : 1;
@@ -221,7 +221,7 @@ static void TestBetween(PetscInt num_parts)
   t.scene.comm = PETSC_COMM_SELF;
   SolidSceneAddBox(&t, "box", (PetscInt[]){n, n, n}, (PetscReal[]){0, 0, 0}, (PetscReal[]){1, 1, 1});
   mesh = TestSceneMesh(&t);
-  CHECK(!PartitionCompute(&t.scene, MeshFinest(mesh), refine, 5, num_parts, part));
+  CHECK(!PartitionCompute(&t.scene, MeshFinest(mesh), refine, 5, NULL, num_parts, part));
   CHECK(Imbalance(MeshFinest(mesh), along, num_parts, part) < 1.03);
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
@@ -241,7 +241,7 @@ static void TestLines(void)
   TestSceneAddBox(&t, "box", 2 * N, N, 0, 0, 1, 2);
   mesh  = TestSceneMesh(&t);
   level = MeshFinest(mesh);
-  CHECK(!PartitionCompute(&t.scene, level, 0, 5, 2, part));
+  CHECK(!PartitionCompute(&t.scene, level, 0, 5, NULL, 2, part));
   CHECK(!DMPlexGetHeightStratum(level->dm, 1, &begin, &end));
   for (PetscInt f = begin; f < end; ++f) {
     const PetscInt *cells;
@@ -303,7 +303,7 @@ static void TestFarReach(void)
   TestSceneAddPair(&t, "joint", 0, "bottom", 1, "top")->reach = 1;
   mesh                                                        = TestSceneMesh(&t);
   CHECK(!PetscMallocGetMaximumUsage(&before));
-  CHECK(!PartitionCompute(&t.scene, MeshFinest(mesh), 0, 5, 2, part));
+  CHECK(!PartitionCompute(&t.scene, MeshFinest(mesh), 0, 5, NULL, 2, part));
   CHECK(!PetscMallocGetMaximumUsage(&after));
   CHECK(after - before < some * n * n);
   CHECK(!MeshDestroy(&mesh));

@@ -75,7 +75,7 @@ static void TestInterpolate(PetscInt dim)
 
   for (int k = 0; k < 2; ++k) {
     body.simplex = k ? PETSC_TRUE : PETSC_FALSE;
-    CHECK(!BodyListCreateBox(&body, dim, &none, &lists[k], sentence));
+    CHECK(!BodyListCreateBox(&body, dim, &none, NULL, &lists[k], sentence));
     Shuffle(&lists[k]);
   }
   CHECK(!NumberingCreate(2, lists, &numbering));
