@@ -260,14 +260,14 @@ static PetscErrorCode BisectionSort_Private(Bisection *mesh)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BisectionRefineMore(Bisection *mesh, const PetscBool marked[])
+PetscErrorCode BisectionRefineMore(Bisection *mesh, const PetscInt marked[])
 {
   Cuts cuts = {0};
 
   PetscFunctionBeginUser;
   PetscCall(CutsGrow_Private(&cuts));
   PetscCall(PetscCalloc1(mesh->room_vertices, &cuts.touched));
-  for (PetscInt c = 0; c < mesh->num_cells; c++) mesh->goal[c] = marked[c] ? mesh->generation[c] + mesh->dim : 0;
+  for (PetscInt c = 0; c < mesh->num_cells; c++) mesh->goal[c] = mesh->generation[c] + marked[c] * mesh->dim;
   PetscCall(BisectionClose_Private(mesh, &cuts));
   PetscCall(BisectionSort_Private(mesh));
   PetscCall(PetscFree(cuts.edge));
@@ -275,7 +275,7 @@ PetscErrorCode BisectionRefineMore(Bisection *mesh, const PetscBool marked[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BisectionRefine(Bisection *mesh, const PetscBool marked[])
+PetscErrorCode BisectionRefine(Bisection *mesh, const PetscInt marked[])
 {
   PetscFunctionBeginUser;
   for (PetscInt c = 0; c < mesh->num_cells; c++) {

@@ -47,10 +47,11 @@ PetscErrorCode BisectionDestroy(Bisection *mesh);
 /* Whether a cell's vertices are in the other sense than those of the first mesh were. */
 PetscBool BisectionIsTurned(const Bisection *mesh, PetscInt cell);
 
-/* Bisects marked cells dim times, which halves their edges, and others as often as that makes them hang. Cells are in the order of
-   their parents. Vertices keep their numbers; new ones follow. Not collective. [in] marked - [num_cells] */
-PetscErrorCode BisectionRefine(Bisection *mesh, const PetscBool marked[]);
+/* Bisects cells dim times for each mark, which halves their edges, and others as often as that makes them hang. Cells are in the order of
+   their parents. Vertices keep their numbers; new ones follow. Not collective.
+   [in] marked - how often edges are halved [num_cells] */
+PetscErrorCode BisectionRefine(Bisection *mesh, const PetscInt marked[]);
 /* The same with the cells of now: parents and places stay those of the last BisectionRefine(). */
-PetscErrorCode BisectionRefineMore(Bisection *mesh, const PetscBool marked[]);
+PetscErrorCode BisectionRefineMore(Bisection *mesh, const PetscInt marked[]);
 
 #endif

@@ -137,16 +137,16 @@ PetscErrorCode MeshForestGather(MeshForest forest, const Level *level, const Pet
 }
 
 /* Marks of all ranks, by the numbers of the lists. Collective. [out] all - [num_cells], NULL on other ranks */
-static PetscErrorCode ForestGatherMarks_Private(MeshForest forest, const Level *level, const PetscBool marked[],
-                                                PetscBool **all)
+static PetscErrorCode ForestGatherMarks_Private(MeshForest forest, const Level *level, const PetscInt marked[],
+                                                PetscInt **all)
 {
-  PetscBool *gathered = NULL;
+  PetscInt *gathered = NULL;
 
   PetscFunctionBeginUser;
   *all = NULL;
   if (forest->num_cells) PetscCall(PetscMalloc1(forest->num_cells, &gathered));
-  PetscCallMPI(MPI_Gatherv(marked, (PetscMPIInt)level->num_cells, MPIU_BOOL, gathered, forest->counts, forest->begins,
-                           MPIU_BOOL, 0, level->comm));
+  PetscCallMPI(MPI_Gatherv(marked, (PetscMPIInt)level->num_cells, MPIU_INT, gathered, forest->counts, forest->begins,
+                           MPIU_INT, 0, level->comm));
   if (forest->num_cells) PetscCall(PetscMalloc1(forest->num_cells, all));
   for (PetscInt i = 0; i < forest->num_cells; i++) (*all)[forest->gathered[i]] = gathered[i];
   PetscCall(PetscFree(gathered));
@@ -207,11 +207,11 @@ static PetscErrorCode MeshForestProlong_Private(MeshForest forest, const ForestC
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode MeshAdapt(Mesh mesh, const PetscBool marked[])
+PetscErrorCode MeshAdapt(Mesh mesh, const PetscInt marked[])
 {
   MeshForest  forest = mesh->forest;
   ForestCell *before;
-  PetscBool  *all;
+  PetscInt   *all;
   PetscInt   *origin, cell = 0;
   Curves      curves;
   Level      *fine;
@@ -253,11 +253,11 @@ PetscBool MeshIsCut(Mesh mesh, PetscInt body)
 PetscErrorCode MeshAdaptAll(Mesh mesh)
 {
   const PetscInt num = MeshFinest(mesh)->num_cells;
-  PetscBool     *marked;
+  PetscInt      *marked;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(num, &marked));
-  for (PetscInt c = 0; c < num; c++) marked[c] = PETSC_TRUE;
+  for (PetscInt c = 0; c < num; c++) marked[c] = 1;
   PetscCall(MeshAdapt(mesh, marked));
   PetscCall(PetscFree(marked));
   PetscFunctionReturn(PETSC_SUCCESS);

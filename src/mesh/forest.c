@@ -279,7 +279,7 @@ static PetscErrorCode TreeList_Private(Tree *tree, const BodyList *old, BodyList
 
 /* Marks new cells that curves tangle. [out] marked - [num_cells]; [out] any - whether there are such cells */
 static PetscErrorCode TreeMarkTangled_Private(const Tree *tree, const SceneBody *body, const BodyList *list,
-                                              PetscBool marked[], PetscBool *any)
+                                              PetscInt marked[], PetscBool *any)
 {
   const Bisection *mesh = &tree->mesh;
 
@@ -289,11 +289,11 @@ static PetscErrorCode TreeMarkTangled_Private(const Tree *tree, const SceneBody 
     PetscBool same;
     PetscReal jacobian;
 
-    marked[c] = PETSC_FALSE;
+    marked[c] = 0;
     PetscCall(PetscArraycmp(mesh->vertex[c], tree->before[mesh->parent[c]], mesh->dim + 1, &same));
     if (same) continue;
     PetscCall(CellMinJacobian_Private(list, body, c, tree->reversed, &jacobian));
-    marked[c] = (PetscBool)(jacobian <= 0);
+    marked[c] = jacobian <= 0;
     *any      = (PetscBool)(*any || marked[c]);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -302,7 +302,8 @@ static PetscErrorCode TreeMarkTangled_Private(const Tree *tree, const SceneBody 
 /* A cell that is halved is nearer to a straight one. */
 static PetscErrorCode TreeUntangle_Private(Tree *tree, const SceneBody *body, BodyList *list)
 {
-  PetscBool any = PETSC_TRUE, *marked;
+  PetscBool any = PETSC_TRUE;
+  PetscInt *marked;
 
   PetscFunctionBeginUser;
   for (PetscInt times = 0; times < UNTANGLE_TIMES && any; times++) {
@@ -318,7 +319,7 @@ static PetscErrorCode TreeUntangle_Private(Tree *tree, const SceneBody *body, Bo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode TreeRefine(Tree *tree, const SceneBody *body, const PetscBool marked[])
+PetscErrorCode TreeRefine(Tree *tree, const SceneBody *body, const PetscInt marked[])
 {
   BodyList list;
 

@@ -72,8 +72,8 @@ PetscErrorCode MeshForestGather(MeshForest forest, const Level *level, const Pet
 PetscErrorCode TreeCreate(Scene scene, PetscInt body, const SideNames *names, BodyList *list, Tree *tree);
 PetscErrorCode TreeDestroy(Tree *tree);
 /* Bisects; the list becomes that of the new mesh. Cells that curves tangle are bisected again, three times at most. [in] body - of the tree;
-   [in] marked - [num_cells] */
-PetscErrorCode TreeRefine(Tree *tree, const SceneBody *body, const PetscBool marked[]);
+   [in] marked - how often edges are halved [num_cells] */
+PetscErrorCode TreeRefine(Tree *tree, const SceneBody *body, const PetscInt marked[]);
 /* Sides of a tree's list that are taken for smooth; a body of order 2 gets middle nodes on them. */
 PetscErrorCode TreeArcsCreate(Scene scene, PetscInt body, const SideNames *names, Tree *tree);
 PetscErrorCode TreeArcsDestroy(TreeArcs *arcs);

@@ -81,11 +81,11 @@ PetscErrorCode MeshSetUp(Mesh mesh);
 /* Appends one more level, the finest one with every cell split; earlier pointers into mesh->levels are void then. User errors:
    a degenerate or tangled cell. Collective. */
 PetscErrorCode MeshRefine(Mesh mesh);
-/* Appends one more level, and pointers into mesh->levels stay: marked cells of the finest one bisected dim times, others as often as that makes them hang. The same on any
+/* Appends one more level, and pointers into mesh->levels stay: marked cells of the finest one bisected dim times for each mark, others as often as that makes them hang. The same on any
    number of ranks; parted anew. Cells that a map or a curve tangles are bisected again, three times at most. For meshes of scenes with
    -adapt. User errors: a degenerate or tangled cell. Collective.
-   [in] marked - cells of this rank [num_cells] */
-PetscErrorCode MeshAdapt(Mesh mesh, const PetscBool marked[]);
+   [in] marked - how often the edges of this rank's cells are halved [num_cells] */
+PetscErrorCode MeshAdapt(Mesh mesh, const PetscInt marked[]);
 /* The same with all cells marked. */
 PetscErrorCode MeshAdaptAll(Mesh mesh);
 /* Whether the quads or hexahedra of a body were cut into simplices, which alone can be bisected. Not collective. */

@@ -2,11 +2,11 @@
 #include "result/calibration.h"
 #include "base/compat.h"
 
-enum { NUM_RATIOS = 3 };
+enum { NUM_RATIOS = 3 }; /* the standard, and those of the latest two pairs of meshes */
 
 static const PetscReal SMALLEST = 0.5, LARGEST = 4; /* of theta */
 static const PetscReal LEAST_FALL =
-    0.1; /* of eta^2, from one mesh to the next: below, the ratio of two differences is noise */
+    0.4; /* of eta^2, from one mesh to the next: below, the ratio of two differences is noise */
 
 /* Measured on scenes whose solutions are known. */
 static PetscReal CalibrationOfType_Private(ElementType type)
@@ -27,8 +27,8 @@ PetscErrorCode CalibrationGetStandard(const Level *level, PetscReal *theta)
 
 PetscReal CalibrationFind(PetscInt num, const CalibrationMesh mesh[], PetscReal standard)
 {
-  PetscReal ratio[NUM_RATIOS];
-  PetscInt  found = 0;
+  PetscReal ratio[NUM_RATIOS] = {standard};
+  PetscInt  found             = 1;
 
   if (num < 3) return standard;
   for (PetscInt k = num - 1; k > 0 && found < NUM_RATIOS; k--) {
@@ -42,6 +42,5 @@ PetscReal CalibrationFind(PetscInt num, const CalibrationMesh mesh[], PetscReal 
     ratio[i] = theta;
     found++;
   }
-  if (!found) return standard;
   return PetscMin(LARGEST, PetscMax(SMALLEST, found % 2 ? ratio[found / 2] : (ratio[0] + ratio[found - 1]) / 2));
 }

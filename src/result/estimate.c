@@ -130,7 +130,7 @@ static PetscErrorCode EstimateCreate_Private(Fields fields, const EstimateFrozen
   PetscCall(EstimateAddCells_Private(fields, &compliance, e));
   PetscCall(EstimatePairsAdd(fields, frozen, &compliance, e->cell, &e->signs, e->hidden));
   PetscCall(EstimateShareHidden_Private(level->comm, fields->vi->num_pairs, e->hidden));
-  if (!frozen) PetscCall(OscillationAdd(fields, &compliance, e->cell));
+  if (!frozen) PetscCall(OscillationAdd(fields, &compliance, e->cell, &e->signs));
   if (!frozen) PetscCall(GeometryAdd(fields, &compliance, e->cell, &e->geometry, &e->signs));
   PetscCall(ComplianceDestroy(&compliance));
   for (PetscInt c = 0; c < level->num_cells; c++) e->body[level->cell_body[c]] += e->cell[c];

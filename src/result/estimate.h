@@ -16,12 +16,13 @@ typedef struct {
          + what facets leave of curves (GeometryAdd())
    The squares of a pair belong to the cell behind the facet; those of the gap to the nonmortar one. */
 struct _n_Estimate {
-  PetscReal     *cell;      /* eta^2 of this rank's cells [num_cells] */
-  PetscReal     *volume;    /* of this rank's cells, with the thickness or the ring [num_cells] */
-  PetscReal     *body;      /* sums over the cells of each body, the same on all ranks [num_bodies] */
-  PetscReal      squared;   /* their sum */
-  PetscReal      geometry;  /* the part of it that is not recovery's, and needs no calibration: of GeometryAdd() */
-  PetscReal      signs;     /* L = -2 int lambda . d - 2 int W s: with the error e,  2 (J_h - J) = |e|^2 + L */
+  PetscReal *cell;     /* eta^2 of this rank's cells [num_cells] */
+  PetscReal *volume;   /* of this rank's cells, with the thickness or the ring [num_cells] */
+  PetscReal *body;     /* sums over the cells of each body, the same on all ranks [num_bodies] */
+  PetscReal  squared;  /* their sum */
+  PetscReal  geometry; /* the part of it that is not recovery's, and needs no calibration: of GeometryAdd() */
+  PetscReal
+      signs; /* L = -2 int lambda . d - 2 int W s - 2 int s* n . (u_D - u): with the error e,  2 (J_h - J) = |e|^2 + L */
   PetscReal      norm;      /* |u|_a^2: twice the strain energy */
   PetscReal      potential; /* J_h */
   HiddenContact *hidden;    /* the same on all ranks [num_pairs] */

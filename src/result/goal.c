@@ -52,7 +52,7 @@ static PetscReal GoalGetCellSize_Private(const Level *level, PetscInt c)
 
 /* The cells of a body that hold a place, all of them where it lies on their sides: no number of ranks is to make a difference. Collective.
    [in,out] marked - [num_cells], or NULL; [out] size - the largest of theirs */
-static PetscErrorCode GoalFindCells_Private(Level *level, PetscInt body, const PetscReal at[], PetscBool marked[],
+static PetscErrorCode GoalFindCells_Private(Level *level, PetscInt body, const PetscReal at[], PetscInt marked[],
                                             PetscReal *size)
 {
   static const PetscReal SAME_PLACE = 1e-6; /* of a cell's size */
@@ -64,7 +64,7 @@ static PetscErrorCode GoalFindCells_Private(Level *level, PetscInt body, const P
   PetscFunctionBeginUser;
   PetscCall(LevelLocate(level, body, at, &cell, xi, &found)); // may lie outside of all, under a curve
   *size = cell >= 0 ? GoalGetCellSize_Private(level, cell) : 0;
-  if (marked && cell >= 0) marked[cell] = PETSC_TRUE;
+  if (marked && cell >= 0) marked[cell] = PetscMax(1, marked[cell]);
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt *nodes   = &level->cell_nodes[level->cell_start[c]];
     const PetscInt  num     = level->cell_start[c + 1] - level->cell_start[c];
@@ -76,7 +76,7 @@ static PetscErrorCode GoalFindCells_Private(Level *level, PetscInt body, const P
     for (PetscInt i = 0; i < num * dim; i++) X[i] = level->coords[nodes[i / dim] * dim + i % dim];
     if (!ElementLocate((ElementType)level->cell_type[c], X, at, SAME_PLACE, xi)) continue;
     *size = PetscMax(*size, reach);
-    if (marked) marked[c] = PETSC_TRUE;
+    if (marked) marked[c] = PetscMax(1, marked[c]);
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, size, 1, MPIU_REAL, MPIU_MAX, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -305,7 +305,7 @@ PetscErrorCode GoalDestroy(Goal *goal)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode GoalMarkPlace(Level *level, PetscInt body, const PetscReal at[], PetscBool marked[])
+PetscErrorCode GoalMarkPlace(Level *level, PetscInt body, const PetscReal at[], PetscInt marked[])
 {
   PetscReal size;
 

@@ -6,6 +6,7 @@
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "kernel/vector.h"
+#include "result/cellstress.h"
 
 enum {
   F             = ELEMENT_MAX_FACET_NODES,
@@ -112,11 +113,19 @@ static PetscErrorCode OscillationAddCells_Private(const Level *level, Compliance
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Data of one boundary on a facet. [in] u - at local nodes [dim]; [out] samples - of a displacement its difference from u */
-static PetscErrorCode OscillationSampleFacet_Private(const Level *level, const SceneBoundary *boundary,
-                                                     const PetscInt nodes[], const PetscReal X[], const PetscScalar u[],
-                                                     Samples *samples)
+/* The solution that data are compared with. */
+typedef struct {
+  Level             *level;
+  Compliance        *compliance;
+  const PetscScalar *u;      /* local form */
+  NodalStressArrays  stress; /* s* */
+} Solution;
+
+/* Data of one boundary on a facet. [out] samples - of a displacement its difference from u */
+static PetscErrorCode OscillationSampleFacet_Private(const Solution *solution, const SceneBoundary *boundary,
+                                                     const PetscInt nodes[], const PetscReal X[], Samples *samples)
 {
+  const Level   *level = solution->level;
   const PetscInt dim = level->dim, inner = dim - 1;
   PetscReal      phi[ELEMENT_MAX_NODES];
 
@@ -137,38 +146,60 @@ static PetscErrorCode OscillationSampleFacet_Private(const Level *level, const S
     }
     for (PetscInt k = 0; boundary->kind == BOUNDARY_DISPLACEMENT && k < dim; k++) {
       for (PetscInt i = 0; i < ElementNumNodes(samples->type); i++)
-        value[k] -= phi[i] * PetscRealPart(u[nodes[i] * dim + k]);
+        value[k] -= phi[i] * PetscRealPart(solution->u[nodes[i] * dim + k]);
       if (ExpressionIsFree(boundary->value, k)) value[k] = 0;
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One boundary of a body. Collective. */
-static PetscErrorCode OscillationAddBoundary_Private(Level *level, PetscInt body, const SceneBoundary *boundary,
-                                                     const PetscScalar u[], Compliance *compliance, PetscReal cell[])
+/* int_e (s* n).(u_D - u). [in] samples - of u_D - u; nodes, X - of the facet */
+static PetscReal OscillationGetWork_Private(const Solution *solution, const Samples *samples, PetscInt material,
+                                            const PetscInt nodes[], const PetscReal X[])
 {
-  const PetscBool given = (PetscBool)(boundary->kind == BOUNDARY_DISPLACEMENT);
-  Facets          facets;
-  Samples         samples;
-  PetscReal       X[3 * F], direction[3], modulus;
+  const PetscInt dim = samples->dim;
+  PetscReal      sum = 0, phi[ELEMENT_MAX_NODES], n[3], traction[3];
+
+  for (PetscInt q = 0; q < samples->num; q++) {
+    PetscScalar stress[CELL_STRESSES] = {0};
+
+    ElementSurface(samples->type, X, &samples->xi[q * (dim - 1)], NULL, phi, n);
+    for (PetscInt i = 0; i < ElementNumNodes(samples->type); i++) {
+      for (PetscInt k = 0; k < CELL_STRESSES; k++)
+        stress[k] += phi[i] * NodalStressAt(&solution->stress, nodes[i], material)[k];
+    }
+    CellStressTraction(dim, stress, n, traction);
+    sum += samples->weight[q] * VectorDot(dim, traction, &samples->value[q * dim]);
+  }
+  return sum;
+}
+
+/* One boundary of a body. Collective. */
+static PetscErrorCode OscillationAddBoundary_Private(const Solution *solution, PetscInt body,
+                                                     const SceneBoundary *boundary, PetscReal cell[], PetscReal *signs)
+{
+  Level    *level = solution->level;
+  Facets    facets;
+  Samples   samples;
+  PetscReal X[3 * F], direction[3], modulus;
 
   PetscFunctionBeginUser;
   PetscCall(LevelGetFacets(level, level->scene, body, boundary->side, &facets));
   for (PetscInt f = 0; f < facets.num; f++) {
-    const PetscInt *nodes = &facets.nodes[f * F], c = facets.cell[f];
+    const PetscInt *nodes = &facets.nodes[f * F], c = facets.cell[f], material = level->cell_material[c];
     PetscReal       squared = 0, size;
 
     samples.type = facets.type[f];
     for (PetscInt i = 0; i < ElementNumNodes(samples.type) * level->dim; i++)
       X[i] = level->coords[nodes[i / level->dim] * level->dim + i % level->dim];
-    PetscCall(OscillationSampleFacet_Private(level, boundary, nodes, X, u, &samples));
-    PetscCall(ComplianceModulus(compliance, level->cell_material[c], samples.x, samples.n, &modulus));
+    PetscCall(OscillationSampleFacet_Private(solution, boundary, nodes, X, &samples));
+    PetscCall(ComplianceModulus(solution->compliance, material, samples.x, samples.n, &modulus));
     size = OscillationGetSize_Private(level->dim, samples.type, X);
-    if (given) {
+    if (boundary->kind == BOUNDARY_DISPLACEMENT) {
       for (PetscInt i = 0; i < samples.num * level->dim; i++)
         squared += samples.weight[i / level->dim] * PetscSqr(samples.value[i]);
       cell[c] += PETSC_PI * modulus / size * squared;
+      *signs -= 2 * OscillationGetWork_Private(solution, &samples, material, nodes, X);
     } else {
       cell[c] += 2 / PETSC_PI * size / modulus * SamplesGetOscillation_Private(&samples, direction);
     }
@@ -177,17 +208,17 @@ static PetscErrorCode OscillationAddBoundary_Private(Level *level, PetscInt body
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode OscillationAdd(Fields fields, Compliance *compliance, PetscReal cell[])
+PetscErrorCode OscillationAdd(Fields fields, Compliance *compliance, PetscReal cell[], PetscReal *signs)
 {
-  Level             *level = fields->vi->level;
-  const Scene        scene = level->scene;
-  Vec                local;
-  const PetscScalar *u;
+  Solution    solution = {.level = fields->vi->level, .compliance = compliance};
+  const Scene scene    = solution.level->scene;
+  Vec         local;
 
   PetscFunctionBeginUser;
-  PetscCall(OscillationAddCells_Private(level, compliance, cell));
+  PetscCall(OscillationAddCells_Private(solution.level, compliance, cell));
   PetscCall(VecGhostGetLocalForm(fields->u, &local));
-  PetscCall(VecGetArrayRead(local, &u));
+  PetscCall(VecGetArrayRead(local, &solution.u));
+  PetscCall(NodalStressGetArrays(&fields->stress, &solution.stress));
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     for (PetscInt i = 0; i < scene->bodies[b].num_boundaries; i++) {
       const SceneBoundary *boundary = &scene->bodies[b].boundaries[i];
@@ -195,10 +226,11 @@ PetscErrorCode OscillationAdd(Fields fields, Compliance *compliance, PetscReal c
       if (boundary->kind == BOUNDARY_NORMAL || boundary->kind == BOUNDARY_FORCE || boundary->kind == BOUNDARY_MOMENT)
         continue;
       if (ExpressionIsConstant(boundary->value)) continue;
-      PetscCall(OscillationAddBoundary_Private(level, b, boundary, u, compliance, cell));
+      PetscCall(OscillationAddBoundary_Private(&solution, b, boundary, cell, signs));
     }
   }
-  PetscCall(VecRestoreArrayRead(local, &u));
+  PetscCall(NodalStressRestoreArrays(&fields->stress, &solution.stress));
+  PetscCall(VecRestoreArrayRead(local, &solution.u));
   PetscCall(VecGhostRestoreLocalForm(fields->u, &local));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

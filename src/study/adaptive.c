@@ -286,7 +286,7 @@ static PetscErrorCode AdaptiveKeep_Private(Adaptive adaptive, Run run)
 static PetscErrorCode AdaptiveRefine_Private(const struct _n_Adaptive *adaptive, Mesh mesh, Run run, Vec *guess)
 {
   const PetscInt level = mesh->num_levels - 1;
-  PetscBool     *marked;
+  PetscInt      *marked;
   Estimate       estimate;
 
   PetscFunctionBeginUser;

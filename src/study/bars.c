@@ -204,7 +204,7 @@ static PetscErrorCode BarsAddEnergy_Private(const BarHistory *history, cJSON *ba
     J[j] = values[0];
   }
   bar = BarsOfSequence_Private(history, J);
-  if (!PetscIsNanReal(bar)) bar = PetscMax(bar, PetscAbsReal(squared + history->signs) / 2 + squared / 3);
+  if (!PetscIsNanReal(bar)) bar = PetscMax(bar, PetscAbsReal(history->excess) / 2 + squared / 3);
   JSONAddReal(energy, "potential", bar);
   PetscCall(PetscFree(J));
   for (PetscInt b = 0; b < history->scene->num_bodies; b++) {

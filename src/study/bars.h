@@ -17,8 +17,8 @@ typedef struct {
   const BarMesh   *mesh; /* [num] */
   const BarFloors *floors;
   Scene            scene;
-  PetscReal        error; /* E: the calibrated estimate of the finest mesh */
-  PetscReal        signs; /* its L */
+  PetscReal        error;  /* E: the calibrated estimate of the finest mesh */
+  PetscReal        excess; /* its 2 (J_h - J), estimated */
 } BarHistory;
 
 /* The half widths of the intervals around the finest mesh's numbers (eq. 15.5), with r_j = min(eta_k / eta_j, .95):

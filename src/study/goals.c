@@ -110,7 +110,7 @@ PetscBool GoalsAreMet(Scene scene, const GoalState states[])
 }
 
 PetscErrorCode GoalsMark(Run run, PetscBool energy, const GoalState states[], const PetscReal indicators[],
-                         PetscBool **marked)
+                         PetscInt **marked)
 {
   const Scene        scene = run->scene;
   const PetscInt     cells = run->vi->level->num_cells;
@@ -120,6 +120,7 @@ PetscErrorCode GoalsMark(Run run, PetscBool energy, const GoalState states[], co
 
   PetscFunctionBeginUser;
   PetscCall(EstimateGet(run->fields, &primal));
+  sum.norm = primal->norm / primal->squared; // in the scale of the parts below
   PetscCall(PetscCalloc1(cells, &sum.cell));
   for (PetscInt c = 0; c < cells; c++) {
     if (energy) sum.cell[c] = primal->cell[c] / primal->squared;

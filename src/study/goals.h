@@ -28,6 +28,6 @@ PetscBool GoalIsMet(Scene scene, const GoalState *state);
    the cells at the place of the goal: the floor of that bar is local. Collective.
    [in] energy - whether it counts as well; [in] indicators - of GoalsSolve(); [out] marked - owned by the caller [num_cells] */
 PetscErrorCode GoalsMark(Run run, PetscBool energy, const GoalState states[], const PetscReal indicators[],
-                         PetscBool **marked);
+                         PetscInt **marked);
 
 #endif

@@ -18,6 +18,12 @@ PetscReal SolvedMeshGetError(const SolvedMesh *mesh)
   return mesh->missed ? 1 : 0;
 }
 
+/* 2 (J_h - J): what curves change of the potential stands in L, and not in |e|^2. */
+static PetscReal SolvedMeshGetExcess_Private(const SolvedMesh *mesh)
+{
+  return PetscSqr(mesh->error) - mesh->geometry + mesh->signs;
+}
+
 /* theta of the latest mesh: the standard with friction, where the potential is no energy that meshes lower. Collective. */
 static PetscErrorCode MeshHistoryCalibrate_Private(MeshHistory *history, const Level *level)
 {
@@ -124,7 +130,7 @@ static cJSON *MeshHistoryCreateEstimate_Private(const MeshHistory *history, cons
   JSONAddReal(root, "energy_norm_relative", SolvedMeshGetError(last));
   JSONAddReal(root, "calibration", last->theta);
   potential = cJSON_AddObjectToObject(root, "potential");
-  JSONAddReal(potential, "value", friction ? (PetscReal)NAN : last->potential - (PetscSqr(error) + last->signs) / 2);
+  JSONAddReal(potential, "value", friction ? (PetscReal)NAN : last->potential - SolvedMeshGetExcess_Private(last) / 2);
   JSONAddReal(potential, "bar", friction ? (PetscReal)NAN : PetscSqr(error) / 3);
   MeshHistoryAddGoals_Private(scene, last, PETSC_TRUE, root);
   meshes = cJSON_AddArrayToObject(root, "meshes");
@@ -151,8 +157,11 @@ PetscErrorCode MeshHistoryDescribe(const MeshHistory *history, Run run)
   const SolvedMesh *last = &history->mesh[history->num - 1];
   BarMesh          *meshes;
   BarFloors         floors;
-  BarHistory        sequence = {
-             .num = history->num, .floors = &floors, .scene = run->scene, .error = last->error, .signs = last->signs};
+  BarHistory        sequence = {.num    = history->num,
+                                .floors = &floors,
+                                .scene  = run->scene,
+                                .error  = last->error,
+                                .excess = SolvedMeshGetExcess_Private(last)};
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(history->num, &meshes));

@@ -103,7 +103,7 @@ static PetscErrorCode StudyMark_Private(Study study, PetscInt o, Run run)
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(PetscMalloc1(level->num_cells, &study->marked[o]));
-  for (PetscInt c = 0; c < level->num_cells; c++) study->marked[o][c] = PETSC_TRUE;
+  for (PetscInt c = 0; c < level->num_cells; c++) study->marked[o][c] = 1;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

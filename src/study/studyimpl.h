@@ -60,8 +60,8 @@ struct _n_Study {
   Mesh        mesh[STUDY_MAX_ORDERS];
   MeshHistory history[STUDY_MAX_ORDERS]; /* solved meshes of each order */
   PetscBool   exact;                     /* errors against exact solutions, else against the reference */
-  PetscBool
-      *marked[STUDY_MAX_ORDERS]; /* cells of the latest mesh that the next one refines, of an adaptive study, or NULL */
+  PetscInt   *marked
+      [STUDY_MAX_ORDERS]; /* of MarkingCreate() on the latest mesh, for the next one of an adaptive study, or NULL */
   PetscInt   num_quantities, num_errors;
   Quantity  *quantities;
   ErrorName *errors;

@@ -1,4 +1,4 @@
-# -adapt: estimated errors and error bars against known solutions, from coarse meshes (plates.py, exact.py, parabola.py, roles.py, effectivity.py).
+# -adapt: estimated errors and error bars against known solutions, from coarse meshes (plates.py, exact.py, parabola.py, roles.py, effectivity.py, true_error.py).
 set(plates -upper_dm_plex_box_faces 2,2 -lower_dm_plex_box_faces 2,2)
 mortise_scene_test(two_plates CHECK plates.py RANKS 1 3 ARGS ${plates} -adapt 1.2e-3)
 mortise_scene_test(two_plates_1 SCENE two_plates CHECK plates.py RANKS 1 ARGS ${plates} -order 1 -adapt 4e-2)
@@ -12,7 +12,6 @@ mortise_scene_test(patch2d CHECK nothing.py RANKS 1 3 ARGS -adapt 1e-3)
 mortise_scene_test(patch3d CHECK nothing.py RANKS 1 ARGS -adapt 1e-3)
 # Curves, the axis, space, ties, files: the known number lies within its bar.
 mortise_scene_test(rings CHECK lame.py RANKS 1 3 ARGS -outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4 -adapt 2e-3)
-mortise_scene_test(annulus CHECK annulus.py RANKS 1 3 ARGS -adapt 0.1)
 mortise_scene_test(shells3d CHECK shells.py RANKS 1 ARGS -adapt 2e-2)
 mortise_scene_test(half_discs CHECK swapped.py RANKS 1 ARGS -adapt 1e-2)
 mortise_scene_test(hertz2d_graded CHECK hertz.py RANKS 1 ARGS -adapt 1e-2)
@@ -33,6 +32,11 @@ mortise_scene_test(goal_hertz SCENE hertz_axisymmetric CHECK hertz.py RANKS 1 AR
 mortise_scene_test(study SCENE two_plates CHECK study.py RANKS 1 ARGS ${plates} -order 2 -study adaptive)
 mortise_scene_test(long_study SCENE two_plates CHECK long.py RANKS 1 ARGS ${plates} -order 2 -study adaptive -study_levels 14)
 mortise_mistake(two_orders SCENE two_plates RANKS 1 ARGS -study adaptive -study_orders 1,2 SAYS "-study adaptive: each order has meshes of its own")
+# The error itself is known: curves, and supports that move along a curve between the nodes.
+mortise_scene_test(annulus CHECK true_error.py RANKS 1 3 ARGS -order 2 -study adaptive -study_levels 11)
+mortise_scene_test(annulus_1 SCENE annulus CHECK true_error.py RANKS 1 ARGS -order 1 -study adaptive -study_levels 10)
+mortise_scene_test(edge_2 SCENE edge2d CHECK true_error.py RANKS 1 3 ARGS -upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2 -order 2 -study adaptive -study_levels 12)
+mortise_scene_test(edge_1 SCENE edge2d CHECK true_error.py RANKS 1 ARGS -upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2 -order 1 -study adaptive -study_levels 9)
 # Data between the nodes; stiffness ratios of 1e-6 and 1e6.
 mortise_scene_test(waves CHECK waves.py RANKS 1 3)
 mortise_scene_test(effectivity SCENE two_plates CHECK effectivity.py RANKS 1 ARGS -upper_dm_plex_box_faces 3,3 -lower_dm_plex_box_faces 2,2 -adapt 0.1)

@@ -45,7 +45,7 @@ static void Print(Loop *loop, const Run run)
 static PetscErrorCode Refine(Loop *loop, Mesh mesh, Run run, Vec *guess)
 {
   const PetscInt level = mesh->num_levels - 1;
-  PetscBool     *marked;
+  PetscInt      *marked;
   Estimate       estimate;
   clock_t        begin = clock();
 

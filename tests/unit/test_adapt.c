@@ -97,7 +97,7 @@ static void CheckSides(Level *level, Scene scene)
 static void Adapt(Mesh mesh, const PetscReal place[])
 {
   const Level *level = MeshFinest(mesh);
-  PetscBool   *marked;
+  PetscInt    *marked;
 
   CHECK(!PetscMalloc1(level->num_cells, &marked));
   for (PetscInt c = 0; c < level->num_cells; c++) {
@@ -162,7 +162,7 @@ static void TestRandom(PetscInt dim, PetscInt order)
 
   for (PetscInt step = 0; step < NUM_MARKINGS; step++) {
     const Level *level = MeshFinest(mesh);
-    PetscBool   *marked;
+    PetscInt    *marked;
 
     CHECK(!PetscMalloc1(level->num_cells, &marked));
     for (PetscInt c = 0; c < level->num_cells; c++)

@@ -123,7 +123,7 @@ static Mesh MakeMesh(TestScene *t, const char file[], PetscInt dim, PetscInt ord
 static void Adapt(Mesh mesh, PetscReal x, PetscReal y, PetscReal radius)
 {
   const Level *level = MeshFinest(mesh);
-  PetscBool   *marked;
+  PetscInt    *marked;
 
   CHECK(!PetscMalloc1(level->num_cells, &marked));
   for (PetscInt c = 0; c < level->num_cells; c++) {

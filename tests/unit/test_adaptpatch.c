@@ -74,7 +74,7 @@ static void Adapt(Mesh mesh)
 {
   const Level *level = MeshFinest(mesh);
   const int    dim   = (int)level->dim;
-  PetscBool   *marked;
+  PetscInt    *marked;
 
   CHECK(!PetscMalloc1(level->num_cells, &marked));
   for (PetscInt c = 0; c < level->num_cells; c++) {

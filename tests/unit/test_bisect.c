@@ -235,7 +235,7 @@ static void CheckShapes(const Bisection *mesh, const PetscReal x[], PetscReal sh
 
 /* Marks, by where cells are, so that no numbering matters: a place that moves, and sparse chance. */
 static void MarkCells(const Bisection *mesh, const PetscReal x[], const PetscReal centre[], PetscReal radius,
-                      PetscBool marked[])
+                      PetscInt marked[])
 {
   for (PetscInt c = 0; c < mesh->num_cells; c++) {
     PetscReal distance = 0;
@@ -314,7 +314,7 @@ static void Shuffle(Brick *brick)
 static PetscErrorCode Step(const Brick *brick, const PetscReal centre[], PetscReal radius, Bisection *mesh)
 {
   PetscReal *x = Positions(mesh, brick), *y;
-  PetscBool *marked;
+  PetscInt  *marked;
   PetscInt(*before)[BISECT_MAX_VERTICES];
 
   PetscFunctionBeginUser;
@@ -366,9 +366,9 @@ static PetscErrorCode TestMesh(PetscInt dim, PetscInt n, PetscReal shake)
 /* Marked cells are bisected dim times: edges are halved, and there are 2^dim children where neighbours ask for no more. */
 static PetscErrorCode TestUniform(PetscInt dim)
 {
-  Brick      brick = BrickCreate(dim, 2, 0);
-  Bisection  mesh;
-  PetscBool *marked;
+  Brick     brick = BrickCreate(dim, 2, 0);
+  Bisection mesh;
+  PetscInt *marked;
 
   PetscFunctionBeginUser;
   PetscCall(BisectionCreate(dim, brick.num_vertices, brick.num_cells, brick.cells, brick.facets, brick.coords, &mesh));

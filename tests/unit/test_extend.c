@@ -63,7 +63,7 @@ static void SetOptions(const char *const options[])
 static void Adapt(Mesh mesh)
 {
   const Level *level = MeshFinest(mesh);
-  PetscBool   *marked;
+  PetscInt    *marked;
 
   CHECK(!PetscMalloc1(level->num_cells, &marked));
   for (PetscInt c = 0; c < level->num_cells; c++) {

@@ -106,7 +106,7 @@ static void TestBisected(const Layers *layers, PetscBool second, PetscInt order)
   mesh               = TestSceneMesh(&r.t);
   for (PetscInt step = 0; step < 3; step++) {
     const Level *level = MeshFinest(mesh);
-    PetscBool   *marked;
+    PetscInt    *marked;
 
     CheckLevel(&r, layers, level);
     CHECK(!PetscMalloc1(level->num_cells, &marked));
