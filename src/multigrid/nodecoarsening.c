@@ -36,6 +36,7 @@ typedef struct {
 PetscErrorCode NodeCoarseningDestroy(NodeSet *nodes)
 {
   PetscFunctionBeginUser;
+  PetscCall(MatDestroy(&nodes->A));
   PetscCall(PetscFree(nodes->x));
   PetscCall(PetscFree(nodes->fixed));
   PetscCall(PetscFree3(nodes->count, nodes->from, nodes->weight));

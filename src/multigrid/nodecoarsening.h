@@ -18,7 +18,7 @@ typedef struct {
 } NodeTable;
 
 typedef struct {
-  Mat        A;     /* AIJ; borrowed */
+  Mat        A;     /* AIJ */
   PetscInt   dim;   /* unknowns of a node, and coordinates */
   PetscReal *x;     /* positions [nodes of this rank][dim] */
   PetscBool *fixed; /* fixed displacements [unknowns of this rank] */

@@ -16,8 +16,9 @@ PetscErrorCode NodeLevelsBegin(const Operator *op, NodeTable *table, NodeSet *no
   PetscInt n;
 
   PetscFunctionBeginUser;
-  *nodes = (NodeSet){.A = op->K, .dim = op->dim, .count = table->count, .from = table->from, .weight = table->weight};
+  *nodes = (NodeSet){.dim = op->dim, .count = table->count, .from = table->from, .weight = table->weight};
   *table = (NodeTable){.count = NULL};
+  PetscCall(MatConvert(op->K, MATAIJ, MAT_INITIAL_MATRIX, &nodes->A));
   PetscCall(MatGetLocalSize(op->K, &n, NULL));
   PetscCall(PetscMalloc1(n, &nodes->x));
   PetscCall(PetscArraycpy(nodes->x, op->coords, n));
@@ -162,5 +163,6 @@ PetscErrorCode NodeLevelsCoarsen(const Operator *fine, NodeSet *nodes, Mat *P, O
   PetscCall(NodeCoarseningDestroy(nodes));
   *nodes   = next;
   nodes->A = coarse->K;
+  PetscCall(PetscObjectReference((PetscObject)nodes->A));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

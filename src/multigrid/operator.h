@@ -13,10 +13,10 @@ typedef struct {
   Mat       A;        /* SPD, a matrix or a shell */
   Vec       b, upper; /* NULL on a level made of nodes */
   Vec       W;        /* regularization: a diagonal, 0 where fixed; or NULL */
-  Mat       K;        /* AIJ, in blocks of dim: stiffness in displacements u = T y */
+  Mat       K;        /* in blocks of dim: stiffness in displacements u = T y; rows, products, MatConvert() */
   Vec       diagonal; /* of K */
   PetscReal stiffness;
-  Mat       S;                            /* products with K / stiffness; NULL on a level that is factored */
+  Mat       S;                            /* products with K / stiffness */
   Mat       T;                            /* NULL for the identity */
   Mat       inverse;                      /* of T; NULL with T, and after HierarchyCreate() */
   Mat       Z;                            /* (T'K T - K) / stiffness, few entries; NULL with T */

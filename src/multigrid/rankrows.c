@@ -31,7 +31,7 @@ PetscErrorCode RankRowsCreate(Mat A, PetscInt bs, const GhostExchange *ghosts, R
   PetscMPIInt size;
   PetscInt   *global;
   IS          which, columns;
-  Mat        *theirs;
+  Mat        *theirs, whole;
 
   PetscFunctionBeginUser;
   *rows = (RankRows){.A = A, .bs = bs, .ghosts = ghosts};
@@ -43,7 +43,9 @@ PetscErrorCode RankRowsCreate(Mat A, PetscInt bs, const GhostExchange *ghosts, R
   for (PetscInt i = 0; i < bs * ghosts->num; i++) global[i] = bs * ghosts->ghost[i / bs] + i % bs;
   PetscCall(ISCreateGeneral(PETSC_COMM_SELF, bs * ghosts->num, global, PETSC_OWN_POINTER, &which));
   PetscCall(RankRowsColumns_Private(rows, &columns));
-  PetscCall(MatCreateSubMatrices(A, 1, &which, &columns, MAT_INITIAL_MATRIX, &theirs));
+  PetscCall(MatConvert(A, MATAIJ, MAT_INITIAL_MATRIX, &whole));
+  PetscCall(MatCreateSubMatrices(whole, 1, &which, &columns, MAT_INITIAL_MATRIX, &theirs));
+  PetscCall(MatDestroy(&whole));
   rows->theirs = theirs[0];
   PetscCall(PetscObjectReference((PetscObject)rows->theirs));
   PetscCall(MatDestroySubMatrices(1, &theirs));

@@ -1,8 +1,7 @@
-/* cellsums.c -- sums of cell matrices before they enter a Mat.
+/* cellsums.c -- K as a sum of cell matrices.
 
-   A Mat looks for every entry by itself, and moves others out of its way. Here nodes are looked for, once for all entries of a block,
-   and rows reach the Mat complete and in order; what belongs to rows of other ranks goes there once, in sums. These are made in the order
-   of the cells. */
+   A Mat looks for every entry by itself, and moves others out of its way. Here nodes are looked for, once for all entries of a block.
+   What belongs to rows of other ranks goes there once, in sums. These are made in the order of the cells. */
 #include "problem/cellsums.h"
 #include "base/compat.h"
 
@@ -54,71 +53,85 @@ static void CellSumsListNeighbours_Private(const Level *level, PetscInt num_cell
   }
 }
 
-PetscErrorCode CellSumsCreate(const Level *level, Gather *gather)
+PetscErrorCode CellSumsCreate(const Level *level, SymmetricBlocks *sums)
 {
   const PetscInt num  = level->num_nodes;
-  PetscInt       most = 0, size;
+  PetscInt       most = 0, size, *start, *column;
   Stars          stars;
 
   PetscFunctionBeginUser;
-  gather->level = level;
   PetscCall(CellSumsListCellsOfNodes_Private(level, &stars));
   for (PetscInt i = 0; i < stars.start[num]; i++)
     most += level->cell_start[stars.cell[i] + 1] - level->cell_start[stars.cell[i]];
-  PetscCall(PetscMalloc1(num + 1, &gather->start));
-  PetscCall(PetscMalloc1(most, &gather->node));
-  gather->start[0] = 0;
+  PetscCall(PetscMalloc1(num + 1, &start));
+  PetscCall(PetscMalloc1(most, &column));
+  start[0] = 0;
   for (PetscInt i = 0; i < num; i++) {
     CellSumsListNeighbours_Private(level, stars.start[i + 1] - stars.start[i], &stars.cell[stars.start[i]], &size,
-                                   &gather->node[gather->start[i]]);
-    gather->start[i + 1] = gather->start[i] + size;
+                                   &column[start[i]]);
+    start[i + 1] = start[i] + size;
   }
   PetscCall(PetscFree(stars.start));
   PetscCall(PetscFree(stars.cell));
-  PetscCall(PetscCalloc1((size_t)gather->start[num] * level->dim * level->dim, &gather->value));
+  PetscCall(SymmetricBlocksCreate(level->dim, num, start, column, sums));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds one block of a cell's matrix to a node's rows. [in] Ke - the block, in rows of n */
-static inline void CellSumsAddBlock_Private(PetscInt dim, PetscInt n, const PetscReal Ke[], PetscInt width,
-                                            PetscReal rows[])
+void CellSumsAdd(const Level *level, PetscInt cell, const PetscReal Ke[], SymmetricBlocks *sums)
 {
-  for (PetscInt k = 0; k < dim; k++)
-    for (PetscInt l = 0; l < dim; l++) rows[k * width + l] += Ke[k * n + l];
-}
-
-void CellSumsAdd(Gather *gather, PetscInt cell, const PetscReal Ke[])
-{
-  const Level    *level = gather->level;
   const PetscInt *nodes = &level->cell_nodes[level->cell_start[cell]], dim = level->dim;
   const PetscInt  num = level->cell_start[cell + 1] - level->cell_start[cell], n = dim * num;
 
   for (PetscInt a = 0; a < num; a++) {
-    const PetscInt begin = gather->start[nodes[a]], size = gather->start[nodes[a] + 1] - begin;
-
     for (PetscInt b = 0; b < num; b++) {
-      const PetscInt at = CellSumsFindNeighbour_Private(size, &gather->node[begin], nodes[b]);
+      PetscScalar *sum;
 
-      CellSumsAddBlock_Private(dim, n, &Ke[(dim * a) * n + dim * b], dim * size,
-                               &gather->value[(size_t)begin * dim * dim + dim * at]);
+      if (nodes[b] < nodes[a]) continue;
+      sum = SymmetricBlocksAt(sums, nodes[a], nodes[b]);
+      for (PetscInt k = 0; k < dim; k++)
+        for (PetscInt l = 0; l < dim; l++) sum[dim * k + l] += Ke[(dim * a + k) * n + dim * b + l];
     }
   }
 }
 
-PetscErrorCode CellSumsFinish(Gather *gather, Mat K)
+/* Sums over ranks. */
+static PetscErrorCode CellSumsGather_Private(Level *level, const SymmetricBlocks *sums, Mat *A)
 {
-  const Level *level = gather->level;
+  const PetscInt dim   = level->dim;
+  PetscInt       width = 0, *nodes;
+  PetscScalar   *rows;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < gather->start[level->num_nodes]; i++) gather->node[i] = level->node_global[gather->node[i]];
-  for (PetscInt i = 0; i < level->num_nodes; i++) {
-    const PetscInt begin = gather->start[i];
+  for (PetscInt i = 0; i < sums->num; i++) width = PetscMax(width, sums->start[i + 1] - sums->start[i]);
+  PetscCall(PetscMalloc2(width, &nodes, dim * dim * width, &rows));
+  PetscCall(LevelCreateMat(level, dim, A));
+  for (PetscInt i = 0; i < sums->num; i++) {
+    const PetscInt num = sums->start[i + 1] - sums->start[i];
 
-    PetscCall(MatSetValuesBlocked(K, 1, &level->node_global[i], gather->start[i + 1] - begin, &gather->node[begin],
-                                  &gather->value[(size_t)begin * level->dim * level->dim], ADD_VALUES));
+    for (PetscInt j = 0; j < num; j++) nodes[j] = level->node_global[sums->column[sums->start[i] + j]];
+    SymmetricBlocksGetRow(sums, i, dim * num, rows);
+    PetscCall(MatSetValuesBlocked(*A, 1, &level->node_global[i], num, nodes, rows, ADD_VALUES));
   }
-  PetscCall(PetscFree(gather->start));
-  PetscCall(PetscFree(gather->node));
-  PetscCall(PetscFree(gather->value));
+  PetscCall(PetscFree2(nodes, rows));
+  PetscCall(MatAssemblyBegin(*A, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatAssemblyEnd(*A, MAT_FINAL_ASSEMBLY));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CellSumsFinish(Level *level, SymmetricBlocks *sums, Mat *K)
+{
+  PetscMPIInt size;
+  Mat         A;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_size(level->comm, &size));
+  if (size == 1) { // nodes of this rank are all there are, in their order
+    PetscCall(StiffnessCreate(level->comm, sums, K));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(CellSumsGather_Private(level, sums, &A));
+  PetscCall(SymmetricBlocksDestroy(sums));
+  PetscCall(StiffnessCreateOfMatrix(A, K));
+  PetscCall(MatDestroy(&A));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -12,9 +12,5 @@ PetscErrorCode CondensationCreate(Mat K, Mat T, Mat *Z);
 PetscErrorCode CondensedMatrixCreateShell(VI vi, Vec regularization, Mat *A);
 /* The same as a matrix. Collective. [in] fixed - global numbers [num] */
 PetscErrorCode CondensedMatrixAssemble(Mat K, PetscReal stiffness, Mat Z, PetscInt num, const PetscInt fixed[], Mat *A);
-/* Lets a shell take products with K / stiffness from S. Not collective. [in] S - StiffnessProductsCreate(), borrowed for as long as A lives */
-PetscErrorCode CondensedMatrixSetProducts(Mat A, Mat S);
-/* factor K for products with vectors alone. Collective. [in] K - symmetric, AIJ, in full blocks; [out] S - a shell, owned by the caller */
-PetscErrorCode StiffnessProductsCreate(Mat K, PetscReal factor, Mat *S);
 
 #endif

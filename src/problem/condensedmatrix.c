@@ -5,7 +5,7 @@
 #include "problem/condensation.h"
 
 typedef struct {
-  Mat             K, Z, S; /* S is K / stiffness, or NULL */
+  Mat             Z, S; /* S is K / stiffness */
   PetscReal       stiffness;
   PetscInt        num;
   const PetscInt *fixed;
@@ -24,8 +24,7 @@ static PetscErrorCode MatMult_Condensed(Mat A, Vec x, Vec y)
   PetscCall(VecGetArray(c->work, &a));
   for (PetscInt i = 0; i < c->num; i++) a[c->fixed[i]] = 0;
   PetscCall(VecRestoreArray(c->work, &a));
-  PetscCall(MatMult(c->S ? c->S : c->K, c->work, y));
-  if (!c->S) PetscCall(VecScale(y, 1 / c->stiffness));
+  PetscCall(MatMult(c->S, c->work, y));
   if (c->Z) PetscCall(MatMultAdd(c->Z, c->work, y, y));
   if (c->regularization) {
     PetscCall(VecPointwiseMult(c->work, c->regularization, c->work));
@@ -76,8 +75,8 @@ PetscErrorCode CondensedMatrixCreateShell(VI vi, Vec regularization, Mat *A)
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&c));
-  *c = (Condensed){.K              = K,
-                   .Z              = vi->Z,
+  *c = (Condensed){.Z              = vi->Z,
+                   .S              = vi->S,
                    .stiffness      = vi->stiffness,
                    .num            = vi->num_fixed,
                    .fixed          = vi->fixed_local,
@@ -96,20 +95,10 @@ PetscErrorCode CondensedMatrixCreateShell(VI vi, Vec regularization, Mat *A)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CondensedMatrixSetProducts(Mat A, Mat S)
-{
-  Condensed *c;
-
-  PetscFunctionBeginUser;
-  PetscCall(MatShellGetContext(A, &c));
-  c->S = S;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode CondensedMatrixAssemble(Mat K, PetscReal stiffness, Mat Z, PetscInt num, const PetscInt fixed[], Mat *A)
 {
   PetscFunctionBeginUser;
-  PetscCall(MatDuplicate(K, MAT_COPY_VALUES, A));
+  PetscCall(MatConvert(K, MATAIJ, MAT_INITIAL_MATRIX, A));
   PetscCall(MatScale(*A, 1 / stiffness));
   if (Z) PetscCall(MatAXPY(*A, 1, Z, DIFFERENT_NONZERO_PATTERN));
   PetscCall(MatZeroRowsColumns(*A, num, fixed, 1, NULL, NULL));

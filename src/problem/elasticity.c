@@ -255,19 +255,19 @@ static PetscErrorCode ElasticityGetCellStiffness_Private(Scene scene, Level *lev
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds every cell of this rank to K. */
-static PetscErrorCode ElasticityAssembleCells_Private(Scene scene, Level *level, Mat K)
+/* K as the sum over all cells. */
+static PetscErrorCode ElasticityAssembleCells_Private(Scene scene, Level *level, Mat *K)
 {
-  PetscReal    Ke[MAX_CELL_DOFS * MAX_CELL_DOFS];
-  PetscInt     num_materials = scene->num_bodies + scene->num_regions;
-  ElementRule *rules;
-  Work        *work;
-  Law         *laws; // cells of a material need not follow one another
-  Gather       gather;
+  PetscReal       Ke[MAX_CELL_DOFS * MAX_CELL_DOFS];
+  PetscInt        num_materials = scene->num_bodies + scene->num_regions;
+  ElementRule    *rules;
+  Work           *work;
+  Law            *laws; // cells of a material need not follow one another
+  SymmetricBlocks sums;
 
   PetscFunctionBeginUser;
   PetscCall(ElasticityRulesCreate(scene, &rules));
-  PetscCall(CellSumsCreate(level, &gather));
+  PetscCall(CellSumsCreate(level, &sums));
   PetscCall(PetscNew(&work));
   PetscCall(PetscMalloc1(num_materials, &laws));
   for (PetscInt m = 0; m < num_materials; m++) {
@@ -277,9 +277,9 @@ static PetscErrorCode ElasticityAssembleCells_Private(Scene scene, Level *level,
   for (PetscInt c = 0; c < level->num_cells; c++) {
     PetscCall(ElasticityGetCellStiffness_Private(scene, level, c, &rules[level->cell_type[c]],
                                                  &laws[level->cell_material[c]], work, Ke));
-    CellSumsAdd(&gather, c, Ke);
+    CellSumsAdd(level, c, Ke, &sums);
   }
-  PetscCall(CellSumsFinish(&gather, K));
+  PetscCall(CellSumsFinish(level, &sums, K));
   PetscCall(PetscFree(rules));
   PetscCall(PetscFree(laws));
   for (PetscInt m = 0; m < num_materials; m++) {
@@ -295,11 +295,7 @@ static PetscErrorCode ElasticityAssembleCells_Private(Scene scene, Level *level,
 PetscErrorCode ElasticityAssemble(Scene scene, Level *level, Mat *K, Vec *f)
 {
   PetscFunctionBeginUser;
-  PetscCall(LevelCreateMat(level, level->dim, K));
-  PetscCall(ElasticityAssembleCells_Private(scene, level, *K));
-  PetscCall(MatAssemblyBegin(*K, MAT_FINAL_ASSEMBLY));
-  PetscCall(MatAssemblyEnd(*K, MAT_FINAL_ASSEMBLY));
-  PetscCall(MatSetOption(*K, MAT_SYMMETRIC, PETSC_TRUE));
+  if (K) PetscCall(ElasticityAssembleCells_Private(scene, level, K));
   PetscCall(LevelCreateVec(level, level->dim, f));
   PetscCall(LoadsAssemble(scene, level, *f));
   PetscFunctionReturn(PETSC_SUCCESS);

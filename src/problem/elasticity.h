@@ -35,7 +35,7 @@ PetscErrorCode ElasticityDilatationCount(Scene scene, const Level *level, Dilata
 
 /* K = int B'CB,  f = int phi b + int_side phi t, times the thickness; in cells with a Dilatation, K is the second derivative
    of the energy that has theta in place of div u. Faults on moduli that are not positive definite at some point, or that lock
-   the cells they are given. Collective. [out] K - AIJ of block size dim, owned by the caller; [out] f - ghosted Vec, owned by the caller */
+   the cells they are given. Collective. [out] K - StiffnessCreate(), owned by the caller; NULL for f alone; [out] f - ghosted Vec, owned by the caller */
 PetscErrorCode ElasticityAssemble(Scene scene, Level *level, Mat *K, Vec *f);
 
 /* energy_b = (1/2) u'K u over the nodes of body b (K does not couple bodies). Collective.

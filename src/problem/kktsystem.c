@@ -91,7 +91,6 @@ PetscErrorCode KKTSystemCreate(VI vi, const NodeBases *bases, const Couplings *c
 {
   const PetscInt dim  = vi->level->dim;
   PetscInt       rows = vi->num_rows, first;
-  Mat            transpose, entries[4];
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &rows, 1, MPIU_INT, MPI_SUM, vi->level->comm));
@@ -112,12 +111,5 @@ PetscErrorCode KKTSystemCreate(VI vi, const NodeBases *bases, const Couplings *c
   PetscCall(MatAssemblyBegin(vi->B, MAT_FINAL_ASSEMBLY));
   PetscCall(MatAssemblyEnd(vi->B, MAT_FINAL_ASSEMBLY));
   PetscCall(KKTSystemSetGaps(vi));
-  PetscCall(MatCreateTranspose(vi->B, &transpose));
-  entries[0] = vi->K;
-  entries[1] = transpose;
-  entries[2] = vi->B;
-  entries[3] = NULL;
-  PetscCall(MatCreateNest(vi->level->comm, 2, NULL, 2, NULL, entries, &vi->nest));
-  PetscCall(MatDestroy(&transpose));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -4,7 +4,7 @@
 
 #include "problem/basischange.h"
 
-/* Fills vi->B, vi->G, vi->nest from the pairs; row a, direction i of B is
+/* Fills vi->B and vi->G from the pairs; row a, direction i of B is
      thickness F_i . (D_aa u_a + (record u)_a)  with couplings->record = chain - M.  NULL where no pair has a multiplier. Collective. */
 PetscErrorCode KKTSystemCreate(VI vi, const NodeBases *bases, const Couplings *couplings);
 /* G by the gaps of the pairs. Collective. */

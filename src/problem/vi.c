@@ -9,6 +9,7 @@
 #include "base/warning.h"
 #include "problem/basischange.h"
 #include "problem/kktsystem.h"
+#include "problem/stiffness.h"
 #include "problem/cyclicroles.h"
 #include "problem/condensation.h"
 #include "problem/loads.h"
@@ -83,6 +84,7 @@ static PetscErrorCode VICondense_Private(VI vi, const PetscReal values[])
   PetscFunctionBeginUser;
   if (vi->T) PetscCall(CondensationCreate(vi->K, vi->T, &vi->Z));
   if (vi->Z) PetscCall(MatScale(vi->Z, 1 / vi->stiffness));
+  PetscCall(StiffnessCreateScaled(vi->K, 1 / vi->stiffness, &vi->S));
   PetscCall(VecDuplicate(vi->f, &vi->b));
   PetscCall(VISetLoad_Private(vi, values));
   PetscCall(PetscMalloc1(vi->num_fixed, &vi->fixed_local));
@@ -103,17 +105,6 @@ PetscErrorCode VIAssemble(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VIPrepareProducts(VI vi)
-{
-  PetscFunctionBeginUser;
-  if (vi->S) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(LogStageBegin(STAGE_CONDENSE));
-  PetscCall(StiffnessProductsCreate(vi->K, 1 / vi->stiffness, &vi->S));
-  if (!vi->assembled) PetscCall(CondensedMatrixSetProducts(vi->A, vi->S));
-  PetscCall(LogStageEnd(STAGE_CONDENSE));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode VICreateRegularized(VI vi, Vec regularization, Mat *A)
 {
   PetscFunctionBeginUser;
@@ -123,7 +114,6 @@ PetscErrorCode VICreateRegularized(VI vi, Vec regularization, Mat *A)
     PetscCall(MatSetOption(*A, MAT_SPD, PETSC_TRUE));
   } else {
     PetscCall(CondensedMatrixCreateShell(vi, regularization, A));
-    PetscCall(CondensedMatrixSetProducts(*A, vi->S));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -162,7 +152,7 @@ static PetscErrorCode VISetBounds_Private(VI vi)
 }
 
 /* Supports, contact and the matrices of one level. [in] scales - an inequality whose scales it shares, or NULL;
-   [in] K - in place of the level's own, or NULL */
+   [in] K - AIJ, in place of the level's own, or NULL */
 static PetscErrorCode VICreateOnLevel_Private(Scene scene, Mesh mesh, Level *level, VI scales, Mat K, VI *vi_out)
 {
   VI         vi;
@@ -184,12 +174,8 @@ static PetscErrorCode VICreateOnLevel_Private(Scene scene, Mesh mesh, Level *lev
   PetscCall(PairsCreate(scene, level, &vi->support, vi->pairs));
   PetscCall(LogStageEnd(STAGE_MORTAR));
   PetscCall(LogStageBegin(STAGE_ASSEMBLY));
-  PetscCall(ElasticityAssemble(scene, level, &vi->K, &vi->f));
-  if (K) {
-    PetscCall(PetscObjectReference((PetscObject)K));
-    PetscCall(MatDestroy(&vi->K));
-    vi->K = K;
-  }
+  PetscCall(ElasticityAssemble(scene, level, K ? NULL : &vi->K, &vi->f));
+  if (K) PetscCall(StiffnessCreateOfMatrix(K, &vi->K));
   PetscCall(MatCreateVecs(vi->K, &vi->diagonal, NULL));
   PetscCall(MatGetDiagonal(vi->K, vi->diagonal));
   PetscCall(LogStageEnd(STAGE_ASSEMBLY));
@@ -238,8 +224,6 @@ PetscErrorCode VIReplaceStiffness(VI vi, Mat K)
 
   PetscFunctionBeginUser;
   PetscCall(LogStageBegin(STAGE_CONDENSE));
-  PetscCall(PetscObjectReference((PetscObject)K));
-  PetscCall(MatDestroy(&vi->nest)); // would hold the old one
   PetscCall(MatDestroy(&vi->K));
   PetscCall(MatDestroy(&vi->A));
   PetscCall(MatDestroy(&vi->S));
@@ -247,7 +231,7 @@ PetscErrorCode VIReplaceStiffness(VI vi, Mat K)
   PetscCall(VecDestroy(&vi->b));
   PetscCall(PetscFree(vi->fixed_local));
   PetscCall(PetscFree(vi->fixed));
-  vi->K         = K;
+  PetscCall(StiffnessCreateOfMatrix(K, &vi->K));
   vi->assembled = PETSC_FALSE;
   PetscCall(MatGetDiagonal(vi->K, vi->diagonal));
   PetscCall(BasisChangeGetFixed(vi, &vi->basis->bases, &vi->basis->couplings, &vi->num_fixed, &vi->fixed, &values));
@@ -335,7 +319,6 @@ PetscErrorCode VIDestroy(VI *vi_in)
   PetscCall(FrictionLawDestroy(&vi->friction));
   PetscCall(PetscFree(vi->slip_origin));
   PetscCall(PetscFree5(vi->row_pair, vi->row_node, vi->row_direction, vi->row_dof, vi->row_D));
-  PetscCall(MatDestroy(&vi->nest));
   PetscCall(MatDestroy(&vi->B));
   PetscCall(MatDestroy(&vi->K));
   PetscCall(MatDestroy(&vi->T));

@@ -24,12 +24,11 @@ struct _n_VI {
   Pair      *pairs;
 
   /* uncondensed KKT system */
-  Mat K;        /* N x N, AIJ, block size dim */
+  Mat K;        /* N x N, block size dim: a shell (stiffness.h) */
   Vec diagonal; /* of K */
   Vec f;        /* ghosted */
   Mat B;        /* m x N, rows as below; NULL when no pair has a multiplier */
   Vec G;        /* m */
-  Mat nest;     /* [K B'; B 0], borrows K and B; NULL like B */
 
   /* rows of B: this rank's multipliers, by pair, then by node, then (tied) by direction */
   PetscInt  num_rows; /* owned by this rank */
@@ -45,7 +44,7 @@ struct _n_VI {
   /* the inequality */
   Mat          T;        /* u = length * T y; NULL when it is the identity */
   Mat          Z;        /* (T'KT - K) / stiffness: nonzero beside contact only; NULL with T */
-  Mat          S;        /* K / stiffness for fast products, NULL until VIPrepareProducts() */
+  Mat          S;        /* K / stiffness, for products */
   Mat          A;        /* SPD, block size dim; a shell that knows products and diagonal, until VIAssemble() */
   Vec          b;        /* ghosted */
   Vec          upper;    /* nodal gaps / length on contact unknowns, +infinity elsewhere */
@@ -78,10 +77,8 @@ PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse);
 /* Takes another K for the same contact and supports: A, b and what belongs to them are made anew, products and an assembled A are to be asked for
    again; the uncondensed system is gone. Collective. [in] K - referenced */
 PetscErrorCode VIReplaceStiffness(VI vi, Mat K);
-/* Makes A an AIJ matrix, as factorizations and submatrices need it. Takes as much memory as K. Collective. */
+/* Makes A an AIJ matrix, as factorizations and submatrices need it. Takes three times the memory of K. Collective. */
 PetscErrorCode VIAssemble(VI vi);
-/* Makes S, which products with A use in place of K from then on. Worth its memory, half of K's, for iterative solvers. Collective. */
-PetscErrorCode VIPrepareProducts(VI vi);
 /* A plus a diagonal, a matrix or a shell like A. Collective. [in] regularization - borrowed for as long as the result lives;
    [out] A - owned by the caller */
 PetscErrorCode VICreateRegularized(VI vi, Vec regularization, Mat *A);

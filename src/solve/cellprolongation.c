@@ -109,6 +109,7 @@ static PetscErrorCode InsidesGetRows_Private(const Insides *insides, Mat K, Mat 
   const PetscInt dim = fine->dim, num = dim * insides->start[insides->num];
   PetscInt      *list, n;
   IS             which, all;
+  Mat            whole;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(num, &list));
@@ -116,7 +117,9 @@ static PetscErrorCode InsidesGetRows_Private(const Insides *insides, Mat K, Mat 
   PetscCall(ISCreateGeneral(fine->comm, num, list, PETSC_OWN_POINTER, &which));
   PetscCall(MatGetLocalSize(K, &n, NULL));
   PetscCall(ISCreateStride(fine->comm, n, dim * fine->node_begin, 1, &all));
-  PetscCall(MatCreateSubMatrix(K, which, all, MAT_INITIAL_MATRIX, rows));
+  PetscCall(MatConvert(K, MATAIJ, MAT_INITIAL_MATRIX, &whole));
+  PetscCall(MatCreateSubMatrix(whole, which, all, MAT_INITIAL_MATRIX, rows));
+  PetscCall(MatDestroy(&whole));
   PetscCall(MatMatMult(*rows, P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, forces));
   PetscCall(ISDestroy(&all));
   PetscCall(ISDestroy(&which));

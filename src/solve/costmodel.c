@@ -57,13 +57,16 @@ static PetscErrorCode CostModelPredict_Private(CostModel *model)
   FactorizationCost     cost;
   PetscReal             unit;
   PetscBool             one, suffices;
+  Mat                   K;
   PetscInt             *C = NULL;
 
   PetscFunctionBeginUser;
   PetscCall(ActiveSetCreate(vi->upper, vi->A, &set));
   one = (PetscBool)(set.N <= ACTIVE_MAX_SCHUR);
   if (one) PetscCall(ActiveSetAll(&set, &C));
-  PetscCall(FactorizationPredict(vi->K, one ? set.N : 0, C, "", &cost));
+  PetscCall(MatConvert(vi->K, MATAIJ, MAT_INITIAL_MATRIX, &K));
+  PetscCall(FactorizationPredict(K, one ? set.N : 0, C, "", &cost));
+  PetscCall(MatDestroy(&K));
   PetscCall(CostModelUnit(vi, &unit));
   if (finest->S) unit *= SMOOTHING_COST;
   model->once = one ? cost.operations / unit : 0;

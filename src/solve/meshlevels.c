@@ -223,14 +223,16 @@ static PetscErrorCode MeshLevelsSetCoarse_Private(MeshLevels levels, PetscInt l,
 {
   const VI fine   = levels->vi[l + 1];
   Level   *coarse = &fine->mesh->levels[levels->of[l]];
-  Mat      K      = NULL;
+  Mat      K      = NULL, whole;
 
   PetscFunctionBeginUser;
   if (*nested) PetscCall(MeshLevelsTestParts_Private(coarse, fine->level, levels->P[l + 1], nested));
   if (!*nested) {
     PetscCall(MeshLevelsCreateDisplacements_Private(levels, l + 1, least, P));
-    PetscCall(MatPtAP(fine->K, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &K));
+    PetscCall(MatConvert(fine->K, MATAIJ, MAT_INITIAL_MATRIX, &whole));
+    PetscCall(MatPtAP(whole, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &K));
     PetscCall(MatProductClear(K)); // it would keep its factors
+    PetscCall(MatDestroy(&whole));
   }
   if (!levels->vi[l])
     PetscCall(VICreateCoarse(fine, levels->of[l], K, &levels->vi[l]));
@@ -375,8 +377,7 @@ static PetscErrorCode MeshLevelsSetVIs_Private(MeshLevels levels, PetscBool *bel
     PetscCall(MeshLevelsSetCoarse_Private(levels, l, (PetscBool)!pointwise, &same, &P[l + 1]));
   PetscCall(VecGetSize(levels->vi[0]->b, &size));
   *below = (PetscBool)(levels->num == 1 || HierarchyIsLarge(finest->level->dim, size));
-  for (PetscInt l = 0; l < levels->num; l++)
-    PetscCall(l || *below ? VIPrepareProducts(levels->vi[l]) : VIAssemble(levels->vi[l]));
+  if (!*below) PetscCall(VIAssemble(levels->vi[0]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -475,7 +476,6 @@ static PetscErrorCode MeshLevelsExtend_Private(MeshLevels levels, const Inequali
     PetscCall(MeshLevelsSetUp_Private(levels, finest, W));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  PetscCall(VIPrepareProducts(finest->vi));
   PetscCall(MeshLevelsSetInequality(levels, levels->num - 2,
                                     &(Inequality){.vi = next, .A = next->A, .b = next->b, .upper = next->upper}, NULL));
   op[0] = levels->hierarchy->level[levels->hierarchy->first + levels->num - 2].op;

@@ -31,7 +31,7 @@ typedef struct _n_MeshLevels {
    9.1). Collective. */
 PetscErrorCode MeshLevelsAreNested(VI vi, PetscBool *nested);
 /* All levels of the mesh, of adapted meshes some; and where the coarsest has many unknowns, or is the only one, levels of nodes below it.
-   Collective. [in] finest - with VIPrepareProducts(); [in] W - what A has on its diagonal beside that of vi, or NULL; [in,out] older - levels of
+   Collective. [in] W - what A has on its diagonal beside that of vi, or NULL; [in,out] older - levels of
    the same mesh when it had one less, which own their finest one: they are consumed; or NULL; [out] levels - owned by the caller */
 PetscErrorCode MeshLevelsCreate(const Inequality *finest, Vec W, MeshLevels *older, MeshLevels *levels);
 /* Whether there are any or not. Collective. */

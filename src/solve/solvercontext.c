@@ -44,7 +44,7 @@ static void SolverContextDefaults_Private(VI vi, const SolverChoice *choice, Pet
   defaults[3] = (Default){.name = "snes_pdas_start", .value = "previous", .needed = pdas && previous};
 }
 
-/* Prepares A for the choice: products for multigrid, rigid body modes for AMG. */
+/* Prepares A for the choice: as products for multigrid, as a matrix for others; rigid body modes for AMG. */
 static PetscErrorCode SolverContextPrepare_Private(VI vi, const SolverChoice *choice)
 {
   const PetscBool multigrid = (PetscBool)!strcmp(choice->pc, PCTRUNCATEDMG);
@@ -52,7 +52,6 @@ static PetscErrorCode SolverContextPrepare_Private(VI vi, const SolverChoice *ch
   PetscFunctionBeginUser;
   if (!multigrid) PetscCall(VIAssemble(vi));
   if (!multigrid && !SolverChoiceFactors(choice->pc)) PetscCall(NearNullSpaceAttach(vi));
-  if (multigrid) PetscCall(VIPrepareProducts(vi));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -1,0 +1,410 @@
+/* stiffness.c -- see the header.
+
+   K is the largest thing in memory. As an AIJ matrix it would take three times as much, and iterations would want this form beside it. Blocks
+   that couple to unknowns of other ranks follow by themselves, whole. */
+#include "problem/stiffness.h"
+#include "base/compat.h"
+
+typedef struct {
+  PetscInt        bs, begin; /* begin: this rank's first unknown */
+  SymmetricBlocks own;
+  PetscInt    *start, *column; /* blocks among ghosts, by rows [num+1], [start[num]]; NULL on one rank, as all below */
+  PetscScalar *value;          /* [start[num]][bs][bs] */
+  PetscInt     num_ghosts;
+  PetscInt    *ghost;  /* unknowns of other ranks, ascending [num_ghosts] */
+  Vec          ghosts; /* what they are */
+  VecScatter   scatter;
+  PetscInt     node, max, length; /* row that was asked for last, room, entries of each of its rows */
+  PetscInt    *columns;           /* [length] */
+  PetscScalar *rows;              /* [bs][length] */
+} Stiffness;
+
+typedef struct {
+  Mat       K;
+  PetscReal factor;
+} Scaled;
+
+/* y += factor V x for the blocks among ghosts. */
+static void StiffnessAddOthers_Private(const Stiffness *s, PetscReal factor, const PetscScalar x[], PetscScalar y[])
+{
+  const PetscInt     bs = s->bs;
+  const PetscScalar *v  = s->value;
+
+  for (PetscInt i = 0; i < s->own.num; i++) {
+    for (PetscInt j = s->start[i]; j < s->start[i + 1]; j++, v += bs * bs) {
+      for (PetscInt k = 0; k < bs; k++)
+        for (PetscInt l = 0; l < bs; l++) y[bs * i + k] += factor * v[bs * k + l] * x[bs * s->column[j] + l];
+    }
+  }
+}
+
+static PetscErrorCode StiffnessMult_Private(Mat K, PetscReal factor, Vec x, Vec y)
+{
+  Stiffness         *s;
+  const PetscScalar *xa;
+  PetscScalar       *ya;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(K, &s));
+  if (s->ghosts) PetscCall(VecScatterBegin(s->scatter, x, s->ghosts, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGetArrayRead(x, &xa));
+  PetscCall(VecGetArrayWrite(y, &ya));
+  SymmetricBlocksMult(&s->own, factor, xa, ya);
+  PetscCall(VecRestoreArrayRead(x, &xa));
+  PetscCall(PetscLogFlops(4.0 * s->own.first[s->own.num] * s->bs * s->bs));
+  if (s->ghosts) {
+    PetscCall(VecScatterEnd(s->scatter, x, s->ghosts, INSERT_VALUES, SCATTER_FORWARD));
+    PetscCall(VecGetArrayRead(s->ghosts, &xa));
+    StiffnessAddOthers_Private(s, factor, xa, ya);
+    PetscCall(VecRestoreArrayRead(s->ghosts, &xa));
+    PetscCall(PetscLogFlops(2.0 * s->start[s->own.num] * s->bs * s->bs));
+  }
+  PetscCall(VecRestoreArrayWrite(y, &ya));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode MatMult_Stiffness(Mat K, Vec x, Vec y)
+{
+  PetscFunctionBeginUser;
+  PetscCall(StiffnessMult_Private(K, 1, x, y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode MatMult_Scaled(Mat S, Vec x, Vec y)
+{
+  Scaled *scaled;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(S, &scaled));
+  PetscCall(StiffnessMult_Private(scaled->K, scaled->factor, x, y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Entries of the rows of a node, on all ranks' columns. */
+static PetscErrorCode StiffnessSetRows_Private(Stiffness *s, PetscInt node)
+{
+  const SymmetricBlocks *own = &s->own;
+  const PetscInt         bs = s->bs, mine = bs * (own->start[node + 1] - own->start[node]);
+  const PetscInt         begin = s->start ? s->start[node] : 0, end = s->start ? s->start[node + 1] : 0;
+  PetscInt               below = begin, at = 0;
+
+  PetscFunctionBeginUser;
+  s->node   = node;
+  s->length = mine + bs * (end - begin);
+  if (s->length > s->max) {
+    s->max = 2 * s->length;
+    PetscCall(PetscRealloc((size_t)s->max * sizeof(PetscInt), &s->columns));
+    PetscCall(PetscRealloc((size_t)s->max * bs * sizeof(PetscScalar), &s->rows));
+  }
+  while (below < end && s->ghost[bs * s->column[below]] < s->begin) below++;
+  for (PetscInt j = begin; j < end; j++) {
+    at = bs * (j - begin) + (j < below ? 0 : mine);
+    for (PetscInt l = 0; l < bs; l++) s->columns[at + l] = s->ghost[bs * s->column[j]] + l;
+    for (PetscInt kl = 0; kl < bs * bs; kl++)
+      s->rows[kl / bs * s->length + at + kl % bs] = s->value[(size_t)j * bs * bs + kl];
+  }
+  at = bs * (below - begin);
+  SymmetricBlocksGetRow(own, node, s->length, &s->rows[at]);
+  for (PetscInt j = own->start[node]; j < own->start[node + 1]; j++)
+    for (PetscInt l = 0; l < bs; l++) s->columns[at++] = s->begin + bs * own->column[j] + l;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode MatGetRow_Stiffness(Mat K, PetscInt row, PetscInt *num, PetscInt **columns, PetscScalar **values)
+{
+  Stiffness *s;
+  PetscInt   node;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(K, &s));
+  node = (row - s->begin) / s->bs;
+  if (node != s->node) PetscCall(StiffnessSetRows_Private(s, node));
+  if (num) *num = s->length;
+  if (columns) *columns = s->columns;
+  if (values) *values = &s->rows[(row - s->begin) % s->bs * s->length];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode MatGetGhosts_Stiffness(Mat K, PetscInt *num, const PetscInt *ghosts[])
+{
+  Stiffness *s;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(K, &s));
+  if (num) *num = s->num_ghosts;
+  if (ghosts) *ghosts = s->ghost;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode MatGetDiagonal_Stiffness(Mat K, Vec diagonal)
+{
+  Stiffness   *s;
+  PetscScalar *d;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(K, &s));
+  PetscCall(VecGetArrayWrite(diagonal, &d));
+  for (PetscInt i = 0; i < s->own.num; i++) {
+    for (PetscInt k = 0; k < s->bs; k++)
+      d[s->bs * i + k] = s->own.value[((size_t)s->own.first[i] * s->bs + k) * s->bs + k];
+  }
+  PetscCall(VecRestoreArrayWrite(diagonal, &d));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The infinity norm. */
+static PetscErrorCode MatNorm_Stiffness(Mat K, NormType type, PetscReal *norm)
+{
+  Stiffness *s;
+
+  PetscFunctionBeginUser;
+  PetscCheck(type == NORM_INFINITY, PetscObjectComm((PetscObject)K), PETSC_ERR_SUP, "Another norm of a stiffness");
+  PetscCall(MatShellGetContext(K, &s));
+  *norm = 0;
+  for (PetscInt i = 0; i < s->own.num; i++) {
+    PetscCall(StiffnessSetRows_Private(s, i));
+    for (PetscInt k = 0; k < s->bs; k++) {
+      PetscReal sum = 0;
+
+      for (PetscInt j = 0; j < s->length; j++) sum += PetscAbsScalar(s->rows[k * s->length + j]);
+      *norm = PetscMax(*norm, sum);
+    }
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, norm, 1, MPIU_REAL, MPIU_MAX, PetscObjectComm((PetscObject)K)));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Entries of both triangles on all ranks. */
+static PetscErrorCode MatGetInfo_Stiffness(Mat K, MatInfoType type, MatInfo *info)
+{
+  Stiffness *s;
+
+  PetscFunctionBeginUser;
+  (void)type;
+  PetscCall(MatShellGetContext(K, &s));
+  *info         = (MatInfo){.block_size = s->bs};
+  info->nz_used = (PetscLogDouble)(s->own.start[s->own.num] + (s->start ? s->start[s->own.num] : 0)) * s->bs * s->bs;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &info->nz_used, 1, MPI_DOUBLE, MPI_SUM, PetscObjectComm((PetscObject)K)));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* An AIJ matrix with room for it. */
+static PetscErrorCode StiffnessCreateMatrix_Private(Mat K, const Stiffness *s, Mat *A)
+{
+  const PetscInt n = s->own.num;
+  PetscInt      *same, *other;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc2(n, &same, n, &other));
+  for (PetscInt i = 0; i < n; i++) same[i] = s->own.start[i + 1] - s->own.start[i];
+  for (PetscInt i = 0; i < n && s->start; i++) other[i] = s->start[i + 1] - s->start[i];
+  PetscCall(MatCreate(PetscObjectComm((PetscObject)K), A));
+  PetscCall(MatSetSizes(*A, s->bs * n, s->bs * n, PETSC_DETERMINE, PETSC_DETERMINE));
+  PetscCall(MatSetBlockSize(*A, s->bs));
+  PetscCall(MatSetType(*A, MATAIJ));
+  PetscCall(MatXAIJSetPreallocation(*A, s->bs, same, other, NULL, NULL));
+  PetscCall(PetscFree2(same, other));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode MatConvert_Stiffness(Mat K, MatType type, MatReuse reuse, Mat *A)
+{
+  Stiffness *s;
+
+  PetscFunctionBeginUser;
+  (void)type;
+  PetscCheck(reuse == MAT_INITIAL_MATRIX, PetscObjectComm((PetscObject)K), PETSC_ERR_SUP, "A stiffness stays");
+  PetscCall(MatShellGetContext(K, &s));
+  PetscCall(StiffnessCreateMatrix_Private(K, s, A));
+  for (PetscInt i = 0; i < s->own.num; i++) {
+    PetscCall(StiffnessSetRows_Private(s, i));
+    for (PetscInt k = 0; k < s->bs; k++) {
+      const PetscInt row = s->begin + s->bs * i + k;
+
+      PetscCall(MatSetValues(*A, 1, &row, s->length, s->columns, &s->rows[k * s->length], INSERT_VALUES));
+    }
+  }
+  PetscCall(MatAssemblyBegin(*A, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatAssemblyEnd(*A, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatSetOption(*A, MAT_SYMMETRIC, PETSC_TRUE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode MatDestroy_Stiffness(Mat K)
+{
+  Stiffness *s;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(K, &s));
+  PetscCall(SymmetricBlocksDestroy(&s->own));
+  PetscCall(PetscFree(s->start));
+  PetscCall(PetscFree(s->column));
+  PetscCall(PetscFree(s->value));
+  PetscCall(PetscFree(s->ghost));
+  PetscCall(VecDestroy(&s->ghosts));
+  PetscCall(VecScatterDestroy(&s->scatter));
+  PetscCall(PetscFree(s->columns));
+  PetscCall(PetscFree(s->rows));
+  PetscCall(PetscFree(s));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode MatDestroy_Scaled(Mat S)
+{
+  Scaled *scaled;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(S, &scaled));
+  PetscCall(MatDestroy(&scaled->K));
+  PetscCall(PetscFree(scaled));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* [in] s - own.num and bs */
+static PetscErrorCode StiffnessCreateShell_Private(MPI_Comm comm, Stiffness *s, Mat *K)
+{
+  static const struct {
+    MatOperation operation;
+    void (*apply)(void);
+  } known[]                              = {{MATOP_MULT, (void (*)(void))MatMult_Stiffness},
+                                            {MATOP_MULT_TRANSPOSE, (void (*)(void))MatMult_Stiffness},
+                                            {MATOP_GET_ROW, (void (*)(void))MatGetRow_Stiffness},
+                                            {MATOP_GET_GHOSTS, (void (*)(void))MatGetGhosts_Stiffness},
+                                            {MATOP_GET_DIAGONAL, (void (*)(void))MatGetDiagonal_Stiffness},
+                                            {MATOP_NORM, (void (*)(void))MatNorm_Stiffness},
+                                            {MATOP_GETINFO, (void (*)(void))MatGetInfo_Stiffness},
+                                            {MATOP_DESTROY, (void (*)(void))MatDestroy_Stiffness}};
+  static const char *const conversions[] = {"MatConvert_shell_aij_C", "MatConvert_shell_seqaij_C",
+                                            "MatConvert_shell_mpiaij_C"};
+  const PetscInt           n             = s->bs * s->own.num;
+
+  PetscFunctionBeginUser;
+  s->node = -1;
+  PetscCall(MatCreateShell(comm, n, n, PETSC_DETERMINE, PETSC_DETERMINE, s, K));
+  PetscCall(MatSetBlockSize(*K, s->bs));
+  PetscCall(MatGetOwnershipRange(*K, &s->begin, NULL));
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(known); i++)
+    PetscCall(MatShellSetOperation(*K, known[i].operation, known[i].apply));
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(conversions); i++)
+    PetscCall(PetscObjectComposeFunction((PetscObject)*K, conversions[i], MatConvert_Stiffness));
+  PetscCall(MatSetOption(*K, MAT_SYMMETRIC, PETSC_TRUE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode StiffnessCreate(MPI_Comm comm, SymmetricBlocks *blocks, Mat *K)
+{
+  Stiffness *s;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(&s));
+  s->bs   = blocks->bs;
+  s->own  = *blocks;
+  *blocks = (SymmetricBlocks){.bs = 0};
+  PetscCall(StiffnessCreateShell_Private(comm, s, K));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Which blocks a matrix has. [out] start, column - by block rows; owned by the caller [num+1], [start[num]] */
+static PetscErrorCode StiffnessListBlocks_Private(Mat A, PetscInt bs, PetscInt num, PetscInt **start, PetscInt **column)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(num + 1, start));
+  (*start)[0] = 0;
+  for (int pass = 0; pass < 2; pass++) {
+    if (pass) PetscCall(PetscMalloc1((*start)[num], column));
+    for (PetscInt i = 0; i < num; i++) {
+      const PetscInt *columns;
+      PetscInt        size;
+
+      PetscCall(MatGetRow(A, bs * i, &size, &columns, NULL));
+      (*start)[i + 1] = (*start)[i] + size / bs;
+      for (PetscInt j = 0; j < size && pass; j += bs) (*column)[(*start)[i] + j / bs] = columns[j] / bs;
+      PetscCall(MatRestoreRow(A, bs * i, &size, &columns, NULL));
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Copies values of the blocks of each row from one of them on. [in] skip - entries of the row before; NULL for none [num] */
+static PetscErrorCode StiffnessCopyBlocks_Private(Mat A, PetscInt bs, PetscInt num, const PetscInt start[],
+                                                  const PetscInt diagonal[], PetscScalar value[])
+{
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < num; i++) {
+    const PetscInt skip = diagonal ? bs * (diagonal[i] - start[i]) : 0;
+    PetscInt       size = 0;
+
+    for (PetscInt k = 0; k < bs; k++) {
+      const PetscScalar *values;
+
+      PetscCall(MatGetRow(A, bs * i + k, &size, NULL, &values));
+      for (PetscInt j = 0; j < size - skip; j++) value[(j / bs * bs + k) * bs + j % bs] = values[skip + j];
+      PetscCall(MatRestoreRow(A, bs * i + k, NULL, NULL, &values));
+    }
+    value += bs * (size - skip);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What it takes to have the unknowns of other ranks that this rank's rows couple to. [in] ghost - which these are */
+static PetscErrorCode StiffnessSetGhosts_Private(Mat A, Mat others, const PetscInt ghost[], Stiffness *s)
+{
+  IS  from;
+  Vec x;
+
+  PetscFunctionBeginUser;
+  PetscCall(StiffnessListBlocks_Private(others, s->bs, s->own.num, &s->start, &s->column));
+  PetscCall(PetscMalloc1((size_t)s->start[s->own.num] * s->bs * s->bs, &s->value));
+  PetscCall(StiffnessCopyBlocks_Private(others, s->bs, s->own.num, s->start, NULL, s->value));
+  PetscCall(MatCreateVecs(A, &x, NULL));
+  PetscCall(MatCreateVecs(others, &s->ghosts, NULL));
+  PetscCall(VecGetSize(s->ghosts, &s->num_ghosts));
+  PetscCall(PetscMalloc1(s->num_ghosts, &s->ghost));
+  PetscCall(PetscArraycpy(s->ghost, ghost, s->num_ghosts));
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, s->num_ghosts, s->ghost, PETSC_USE_POINTER, &from));
+  PetscCall(VecScatterCreate(x, from, s->ghosts, NULL, &s->scatter));
+  PetscCall(ISDestroy(&from));
+  PetscCall(VecDestroy(&x));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode StiffnessCreateOfMatrix(Mat A, Mat *K)
+{
+  Stiffness      *s;
+  Mat             own = A, others;
+  PetscBool       sequential;
+  const PetscInt *ghost;
+  PetscInt        n, *start, *column;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(&s));
+  PetscCall(MatGetBlockSize(A, &s->bs));
+  PetscCall(MatGetLocalSize(A, &n, NULL));
+  n /= s->bs;
+  PetscCall(PetscObjectTypeCompare((PetscObject)A, MATSEQAIJ, &sequential));
+  if (!sequential) PetscCall(MatMPIAIJGetSeqAIJ(A, &own, &others, &ghost));
+  PetscCall(StiffnessListBlocks_Private(own, s->bs, n, &start, &column));
+  PetscCall(SymmetricBlocksCreate(s->bs, n, start, column, &s->own));
+  PetscCall(StiffnessCopyBlocks_Private(own, s->bs, n, start, s->own.diagonal, s->own.value));
+  if (!sequential) PetscCall(StiffnessSetGhosts_Private(A, others, ghost, s));
+  PetscCall(StiffnessCreateShell_Private(PetscObjectComm((PetscObject)A), s, K));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode StiffnessCreateScaled(Mat K, PetscReal factor, Mat *S)
+{
+  Scaled  *scaled;
+  PetscInt n, bs;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(&scaled));
+  PetscCall(PetscObjectReference((PetscObject)K));
+  *scaled = (Scaled){.K = K, .factor = factor};
+  PetscCall(MatGetLocalSize(K, &n, NULL));
+  PetscCall(MatGetBlockSize(K, &bs));
+  PetscCall(MatCreateShell(PetscObjectComm((PetscObject)K), n, n, PETSC_DETERMINE, PETSC_DETERMINE, scaled, S));
+  PetscCall(MatSetBlockSize(*S, bs));
+  PetscCall(MatShellSetOperation(*S, MATOP_MULT, (void (*)(void))MatMult_Scaled));
+  PetscCall(MatShellSetOperation(*S, MATOP_DESTROY, (void (*)(void))MatDestroy_Scaled));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
