@@ -222,19 +222,74 @@ static PetscErrorCode TruncationUpdateFits_Private(Mat few, Mat many, PetscBool 
   *fits = PETSC_TRUE;
   PetscCall(MatGetOwnershipRange(few, &begin, &end));
   for (PetscInt row = begin; row < end && *fits; row++) {
-    PetscInt        num, room, at = 0;
-    const PetscInt *columns, *among;
+    PetscInt        num, room = 0, at = 0;
+    const PetscInt *columns, *among = NULL;
 
     PetscCall(MatGetRow(few, row, &num, &columns, NULL));
-    PetscCall(MatGetRow(many, row, &room, &among, NULL));
+    if (num) PetscCall(MatGetRow(many, row, &room, &among, NULL));
     for (PetscInt j = 0; j < num && *fits; j++) {
       while (at < room && among[at] < columns[j]) at++;
       *fits = (PetscBool)(at < room && among[at] == columns[j]);
     }
-    PetscCall(MatRestoreRow(many, row, &room, &among, NULL));
+    if (num) PetscCall(MatRestoreRow(many, row, &room, &among, NULL));
     PetscCall(MatRestoreRow(few, row, &num, &columns, NULL));
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, fits, 1, MPIU_BOOL, MPI_LAND, PetscObjectComm((PetscObject)few)));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* sum := X, 0 where X has no entry; MatAXPY() would look up each entry. [in] X_columns, sum_columns - global columns of a block of ghosts, ascending,
+   or both NULL */
+static PetscErrorCode TruncationUpdateCopyBlock_Private(Mat X, const PetscInt X_columns[], Mat sum,
+                                                        const PetscInt sum_columns[])
+{
+  PetscInt           n;
+  const PetscInt    *start[2], *column[2];
+  PetscBool          done[2];
+  const PetscScalar *from;
+  PetscScalar       *to;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetRowIJ(X, 0, PETSC_FALSE, PETSC_FALSE, &n, &start[0], &column[0], &done[0]));
+  PetscCall(MatGetRowIJ(sum, 0, PETSC_FALSE, PETSC_FALSE, &n, &start[1], &column[1], &done[1]));
+  PetscCall(MatSeqAIJGetArrayRead(X, &from));
+  PetscCall(MatSeqAIJGetArray(sum, &to));
+  for (PetscInt row = 0; row < n; row++) {
+    PetscInt at = start[0][row];
+
+    for (PetscInt j = start[1][row]; j < start[1][row + 1]; j++) {
+      const PetscBool in  = (PetscBool)(at < start[0][row + 1]);
+      const PetscInt  one = !in ? -1 : X_columns ? X_columns[column[0][at]] : column[0][at];
+
+      to[j] = in && one == (sum_columns ? sum_columns[column[1][j]] : column[1][j]) ? from[at++] : 0;
+    }
+  }
+  PetscCall(MatSeqAIJRestoreArray(sum, &to));
+  PetscCall(MatSeqAIJRestoreArrayRead(X, &from));
+  PetscCall(MatRestoreRowIJ(sum, 0, PETSC_FALSE, PETSC_FALSE, &n, &start[1], &column[1], &done[1]));
+  PetscCall(MatRestoreRowIJ(X, 0, PETSC_FALSE, PETSC_FALSE, &n, &start[0], &column[0], &done[0]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* sum := X, whose nonzeros are among those of sum. Collective. */
+static PetscErrorCode TruncationUpdateCopy_Private(Mat X, Mat sum)
+{
+  PetscBool       parallel;
+  Mat             own[2], ghosts[2];
+  const PetscInt *columns[2];
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectTypeCompare((PetscObject)X, MATMPIAIJ, &parallel));
+  if (parallel) {
+    PetscCall(MatMPIAIJGetSeqAIJ(X, &own[0], &ghosts[0], &columns[0]));
+    PetscCall(MatMPIAIJGetSeqAIJ(sum, &own[1], &ghosts[1], &columns[1]));
+    PetscCall(TruncationUpdateCopyBlock_Private(own[0], NULL, own[1], NULL));
+    PetscCall(TruncationUpdateCopyBlock_Private(ghosts[0], columns[0], ghosts[1], columns[1]));
+    PetscCall(MatAssemblyBegin(sum, MAT_FINAL_ASSEMBLY)); // it has changed
+    PetscCall(MatAssemblyEnd(sum, MAT_FINAL_ASSEMBLY));
+  } else {
+    PetscCall(TruncationUpdateCopyBlock_Private(X, NULL, sum, NULL));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -246,13 +301,11 @@ PetscErrorCode TruncationUpdateSum(Mat X, Mat change, Mat *sum)
   if (*sum) fits = PETSC_TRUE;
   if (*sum && change) PetscCall(TruncationUpdateFits_Private(change, *sum, &fits));
   if (fits) {
-    PetscCall(MatZeroEntries(*sum));
-    PetscCall(MatAXPY(*sum, 1, X, SUBSET_NONZERO_PATTERN));
-    if (change) PetscCall(MatAXPY(*sum, 1, change, SUBSET_NONZERO_PATTERN));
-    PetscFunctionReturn(PETSC_SUCCESS);
+    PetscCall(TruncationUpdateCopy_Private(X, *sum));
+  } else {
+    PetscCall(MatDestroy(sum));
+    PetscCall(MatDuplicate(X, MAT_COPY_VALUES, sum));
   }
-  PetscCall(MatDestroy(sum));
-  PetscCall(MatDuplicate(X, MAT_COPY_VALUES, sum));
-  if (change) PetscCall(MatAXPY(*sum, 1, change, DIFFERENT_NONZERO_PATTERN));
+  if (change) PetscCall(MatAXPY(*sum, 1, change, fits ? SUBSET_NONZERO_PATTERN : DIFFERENT_NONZERO_PATTERN));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -48,7 +48,7 @@ static PetscErrorCode SolverStartNested_Private(SolverContext *context, Vec y, P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Starts from the solution of the mesh before this one was refined. */
+/* Starts from the solution of the mesh before this one was refined, or of the load step before. */
 static PetscErrorCode SolverStartExtended_Private(SolverContext *context, Vec y)
 {
   PetscBool found;
@@ -60,6 +60,13 @@ static PetscErrorCode SolverStartExtended_Private(SolverContext *context, Vec y)
   if (found) PetscCall(PDASSetStart(context->snes, active));
   PetscCall(VecDestroy(&active));
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether the finest level is smoothed by lines and planes: then the factors of each further set cost more than cycles that predict the set
+   of a load step. */
+static PetscBool SolverHasBlocks_Private(const MeshLevels levels)
+{
+  return (PetscBool)(levels && levels->hierarchy->level[levels->hierarchy->num - 1].S);
 }
 
 /* What an iteration that cost too much knows of contact is the start of the factorization that replaces it. */
@@ -136,12 +143,14 @@ PetscErrorCode SolverRun(Solver solver, const SolverChoice *choice, PetscBool pr
   const PetscBool   pdas            = (PetscBool)!strcmp(choice->snes, SNESPDAS);
   const PetscBool   nested          = (PetscBool)(choice->nested && (!guess || choice->stop) && (!solvability || pdas));
   PetscReal         energy_decrease = 0;
+  PetscBool         predict;
   SolverContext    *context;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(report, sizeof(*report)));
   PetscCall(SolverContextTake(solver, choice, (PetscBool)(solvability || guess || nested), &context));
   if (!context->levels) PetscCall(SolverContextSetLevels(context, NULL));
+  predict = (PetscBool)(solver->extended || (context->used && SolverHasBlocks_Private(context->levels)));
   if (progress && !context->used) PetscCall(ProgressSet(context->snes, &context->proximal.solved));
   context->used = PETSC_TRUE;
   PetscCall(InitialGuessSet(&context->proximal.solved, solvability, choice, context->snes, guess, y));
@@ -150,7 +159,7 @@ PetscErrorCode SolverRun(Solver solver, const SolverChoice *choice, PetscBool pr
   if (pdas && (choice->bound || solvability || choice->again)) PetscCall(PDASSetKeep(context->snes, PETSC_TRUE));
   if (context->levels) context->levels->cost.on = choice->yields;
   if (context->levels && nested) PetscCall(SolverStartNested_Private(context, y, &energy_decrease));
-  if (context->levels && !nested && guess && pdas && solver->extended && !solver->vi->friction)
+  if (context->levels && !nested && guess && pdas && predict && !solver->vi->friction)
     PetscCall(SolverStartExtended_Private(context, y));
   solver->extended = PETSC_FALSE;
   if (pdas) PetscCall(SolverTakeSet_Private(solver, context));
