@@ -22,6 +22,9 @@ static const PetscReal LEAST_SCALE = 0.1;
 /* Places on a reference cell that differ by less are the same. */
 static const PetscReal SAME_REFERENCE_PLACE = 1e-13;
 
+/* Cubes around a point grow by this factor. */
+static const PetscReal CUBE_GROWTH = 4;
+
 /* Steps along interpolated normals, at most: each leaves a share of the distance over the radius, down to rounding of eta. */
 enum { FOLLOW_STEPS = 40 };
 
@@ -122,47 +125,74 @@ static void ContactNormalToParallel_Private(PetscInt dim, PetscReal height, Surf
   }
 }
 
-/* The shape of the mortar side below a point, as that of the parallel surface through it: then centres of circles and balls are where they
-   are. Facets that face the point are preferred to those that hardly do. Not collective. [in] n - normal at the point;
-   [out] found - whether there are such facets within reach */
-static PetscErrorCode ContactNormalFindMortar_Private(const FacetPartner *partner, const PetscReal x[],
-                                                      const PetscReal n[], SurfacePoint *at, PetscBool *found)
+/* The shape of a facet below a point, among those whose boxes meet a cube around it. */
+typedef struct {
+  PetscInt     facet;   /* -1 where there is none */
+  PetscBool    faces;   /* whether it faces the point */
+  PetscReal    nearest; /* squared distance, enlarged */
+  PetscReal    eta[2];
+  SurfacePoint at;
+} FacetBelow;
+
+/* Facets that face the point are preferred to those that hardly do. Not collective. [in] n - normal at the point; [in] radius - of the cube */
+static PetscErrorCode ContactNormalSearchCube_Private(const FacetPartner *partner, const PetscReal x[],
+                                                      const PetscReal n[], PetscReal radius, FacetBelow *below)
 {
   const MortarSurface *mortar = partner->mortar;
   const PetscInt       dim    = partner->dim;
-  PetscReal            query[6], nearest = PetscSqr(partner->reach), best[2];
-  PetscInt             num, facet        = -1;
-  PetscBool            faces = PETSC_FALSE;
+  PetscReal            query[6];
+  PetscInt             num;
   const PetscInt      *hits;
 
   PetscFunctionBeginUser;
   for (PetscInt k = 0; k < dim; k++) {
-    query[k]       = x[k] - partner->reach;
-    query[dim + k] = x[k] + partner->reach;
+    query[k]       = x[k] - radius;
+    query[dim + k] = x[k] + radius;
   }
+  *below = (FacetBelow){.facet = -1, .nearest = PetscSqr(partner->reach)};
   PetscCall(BoxTreeQuery(mortar->tree, query, &num, &hits));
   for (PetscInt h = 0; h < num; h++) {
-    const PetscInt   f = hits[h];
-    const PetscReal *X = &mortar->coords[f * F * dim];
-    PetscReal        eta[2], square, cosine;
+    const PetscInt   f       = hits[h];
+    const PetscReal *X       = &mortar->coords[f * F * dim];
+    const PetscReal  nearest = below->nearest;
+    PetscReal        eta[2]  = {0}, square, cosine;
     SurfacePoint     here;
     PetscBool        better;
 
-    if (faces && ContactNormalBoxDistance_Private(dim, mortar->type[f], X, x) >= nearest) continue;
-    if (ClosestPointOnFacet(dim, mortar->type[f], X, x, eta) >= (faces ? nearest : PetscSqr(partner->reach))) continue;
+    if (below->faces && ContactNormalBoxDistance_Private(dim, mortar->type[f], X, x) >= nearest) continue;
+    if (ClosestPointOnFacet(dim, mortar->type[f], X, x, eta) >= (below->faces ? nearest : PetscSqr(partner->reach)))
+      continue;
     square = ContactNormalFollowNormal_Private(mortar, dim, f, x, eta, &here);
     cosine = VectorDot(dim, here.normal, n);
-    better = (PetscBool)(square < nearest || facet < 0 || (cosine < FACING && !faces));
-    if (cosine >= BESIDE || (cosine >= FACING && faces) || !better) continue;
-    nearest = square;
-    facet   = f;
-    faces   = (PetscBool)(cosine < FACING);
-    *at     = here;
-    for (PetscInt k = 0; k < dim - 1; k++) best[k] = eta[k];
+    better = (PetscBool)(square < nearest || below->facet < 0 || (cosine < FACING && !below->faces));
+    if (cosine >= BESIDE || (cosine >= FACING && below->faces) || !better) continue;
+    *below = (FacetBelow){f, (PetscBool)(cosine < FACING), square, {eta[0], eta[1]}, here};
   }
-  *found = (PetscBool)(facet >= 0);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The shape of the mortar side below a point, as that of the parallel surface through it: then centres of circles and balls are where they
+   are. Cubes grow until all that is nearer is within them. Not collective. [in] n - normal at the point; [in] size - of a facet there;
+   [out] found - whether there are facets within reach */
+static PetscErrorCode ContactNormalFindMortar_Private(const FacetPartner *partner, const PetscReal x[],
+                                                      const PetscReal n[], PetscReal size, SurfacePoint *at,
+                                                      PetscBool *found)
+{
+  const PetscInt dim    = partner->dim;
+  PetscReal      radius = PetscMin(size, partner->reach);
+  FacetBelow     below;
+
+  PetscFunctionBeginUser;
+  PetscCall(ContactNormalSearchCube_Private(partner, x, n, radius, &below));
+  while (radius < partner->reach && !(below.faces && below.nearest <= PetscSqr(radius))) {
+    radius = PetscMin(CUBE_GROWTH * radius, partner->reach);
+    PetscCall(ContactNormalSearchCube_Private(partner, x, n, radius, &below));
+  }
+  *found = (PetscBool)(below.facet >= 0);
+  *at    = below.at;
   if (*found)
-    ContactNormalToParallel_Private(dim, ContactNormalHeightOver_Private(mortar, dim, facet, x, best, at), at);
+    ContactNormalToParallel_Private(
+        dim, ContactNormalHeightOver_Private(partner->mortar, dim, below.facet, x, below.eta, at), at);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -177,7 +207,7 @@ static PetscErrorCode ContactNormalFind_Private(const FacetPartner *partner, con
 
   PetscFunctionBeginUser;
   if (partner->mortar) {
-    PetscCall(ContactNormalFindMortar_Private(partner, x, own->normal, &other, &found));
+    PetscCall(ContactNormalFindMortar_Private(partner, x, own->normal, size, &other, &found));
   } else {
     PetscCall(ObstacleShape(&partner->spec->obstacle, dim, x, size, &other, &found));
     if (found && partner->spec->obstacle.kind != OBSTACLE_PLANE) // which has one normal, for nodes beside it, too

@@ -113,7 +113,7 @@ static PetscErrorCode SummaryWarnCoarseContact_Private(const SummaryInput *in, P
   const ObstacleKind obstacle = in->vi->pairs[p]->spec->obstacle.kind;
   Warning            coarse   = {.code = "coarse_contact", .pair = name, .dim = in->scene->dim};
   CoarseContact      found;
-  char               text[128], advice[256];
+  char               text[128], advice[256], facets[32];
 
   PetscFunctionBeginUser;
   PetscCall(CoarseContactFind(in->fields, p, &found));
@@ -124,16 +124,18 @@ static PetscErrorCode SummaryWarnCoarseContact_Private(const SummaryInput *in, P
   PetscCall(PetscArraycpy(coarse.at, found.at, 3));
   PetscCall(NumberWordsVector(coarse.dim, coarse.at, text, sizeof(text)));
   coarse.advice = advice;
+  (void)snprintf(facets, sizeof(facets), "%.3g facet%s", (double)found.facets, found.facets == 1 ? "" : "s");
   if (found.edge) {
     (void)snprintf(advice, sizeof(advice), "use the force alone, or round the edge and refine");
-    PetscCall(WarningAdd(&coarse,
-                         "the contact of %s is %.3g facets wide at an edge near %s, and the pressure at an edge grows "
-                         "with every refinement",
-                         name, (double)found.facets, text));
+    PetscCall(
+        WarningAdd(&coarse,
+                   "the contact of %s is %s wide at an edge near %s, and the pressure at an edge grows with every "
+                   "refinement",
+                   name, facets, text));
   } else {
     (void)snprintf(advice, sizeof(advice), "refine to cells of h <= %.2g near %s", (double)found.size, text);
-    PetscCall(WarningAdd(&coarse, "the contact of %s is %.3g facets wide, and its largest pressure is not resolved",
-                         name, (double)found.facets));
+    PetscCall(
+        WarningAdd(&coarse, "the contact of %s is %s wide, and its largest pressure is not resolved", name, facets));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

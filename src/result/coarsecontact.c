@@ -1,13 +1,15 @@
 /* coarsecontact.c -- patches of contact that end inside a side after a few facets.
 
    There the width is known to a facet, and so is the largest pressure, which at a given force is as 1 to the width; the mean gap of a
-   node may lie below every gap around it (gapdiscontinuity.h), for the same reason. A patch that ends with its side is another
-   matter: contact of a flat side is exact on one facet. At the edge of a punch the pressure has no limit, whatever the mesh. */
+   node may lie below every gap around it (gapdiscontinuity.h), for the same reason. A patch that ends with both sides is another
+   matter: contact of a flat side is exact on one facet. At the edge of a punch, beyond which the partner goes on, the pressure has no limit,
+   whatever the mesh. */
 #include "base/compat.h"
 #include "kernel/vector.h"
 #include "result/coarsecontact.h"
 #include "result/contactpatches.h"
 #include "result/pairsum.h"
+#include "mesh/sidemeasure.h"
 
 /* Patches of no more nodes across are coarse. */
 static const PetscReal FEW = 3.25;
@@ -16,12 +18,14 @@ static const PetscReal FEW = 3.25;
 static const PetscReal ADVISED = 8;
 /* Directions nearer than 45 degrees to the narrow axis of a patch are across it. */
 static const PetscReal ACROSS = 0.70710678118654752;
+/* A side is larger by more than this part of a facet: curved sides that end together differ by less. */
+static const PetscReal BEYOND_PART = 0.1;
 /* The turn of the facets around a node that is none, as a part of their edges. */
 static const PetscReal CLOSED = 1e-6;
 
 enum { F = ELEMENT_MAX_FACET_NODES };
-enum { IS_INNER, IS_EDGE, IS_MIRRORED, NUM_ENDS }; /* how the patch ends, across its narrow axis */
-enum { NODE_IN = 1, NODE_OUT = -1 };               /* in the patch; open, with a multiplier */
+enum { IS_INNER, IS_EDGE, IS_PARTNERS, IS_MIRRORED, NUM_ENDS }; /* how the patch ends, across its narrow axis */
+enum { NODE_IN = 1, NODE_OUT = -1 };                            /* in the patch; open, with a multiplier */
 
 /* In the patch or open, of local nodes. Collective. [out] marks - ghosted */
 static PetscErrorCode CoarseContactMark_Private(Fields fields, PetscInt p, const ContactPatches *patches, PetscInt at,
@@ -135,7 +139,7 @@ static PetscErrorCode CoarseContactGetEnds_Private(Fields fields, PetscInt p, Ve
     }
   }
   for (PetscInt a = 0; a < pair->num; a++)
-    if (PairSumEndsPartner(pair, a) && PetscRealPart(mark[pair->nodes[a]]) == NODE_IN) ends[IS_EDGE] = 1;
+    if (PairSumEndsPartner(pair, a) && PetscRealPart(mark[pair->nodes[a]]) == NODE_IN) ends[IS_PARTNERS] = 1;
   PetscCall(VecRestoreArrayRead(local[1], &way));
   PetscCall(VecRestoreArrayRead(local[0], &mark));
   PetscCall(VecGhostRestoreLocalForm(ways, &local[1]));
@@ -143,6 +147,20 @@ static PetscErrorCode CoarseContactGetEnds_Private(Fields fields, PetscInt p, Ve
   PetscCall(VecDestroy(&ways));
   PetscCall(FacetsDestroy(&facets));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, ends, NUM_ENDS, MPIU_REAL, MPI_MAX, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether the mortar side is larger than the nonmortar side: then it goes on beyond an end of that. Collective. */
+static PetscErrorCode CoarseContactGoesOn_Private(const VI vi, const ScenePair *spec, PetscBool *goes_on)
+{
+  SideMeasure side[2];
+
+  PetscFunctionBeginUser;
+  *goes_on = PETSC_FALSE;
+  if (spec->mortar.body < 0) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SideMeasureCompute(vi->scene, vi->level, &spec->nonmortar, &side[0]));
+  PetscCall(SideMeasureCompute(vi->scene, vi->level, &spec->mortar, &side[1]));
+  *goes_on = (PetscBool)(side[1].size > side[0].size + BEYOND_PART * side[0].facet_size);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -163,6 +181,7 @@ PetscErrorCode CoarseContactFind(Fields fields, PetscInt p, CoarseContact *found
   patch = patches.num ? &patches.patch[at] : NULL;
   if (patch && patch->facets * order <= FEW && patch->normal_force > 0) {
     PetscReal ends[NUM_ENDS], twice;
+    PetscBool goes_on = PETSC_FALSE;
     Vec       marks;
 
     PetscCall(CoarseContactMark_Private(fields, p, &patches, at, &marks));
@@ -170,9 +189,11 @@ PetscErrorCode CoarseContactFind(Fields fields, PetscInt p, CoarseContact *found
     PetscCall(VecDestroy(&marks));
     twice         = ends[IS_MIRRORED] > 0 ? 2 : 1;
     found->facets = twice * patch->facets;
-    found->edge   = (PetscBool)(ends[IS_EDGE] > 0);
+    found->edge   = (PetscBool)(ends[IS_EDGE] > 0 || ends[IS_PARTNERS] > 0);
     found->size   = twice * patch->extent[across] / (2 * ADVISED);
-    found->shows  = (PetscBool)(ends[IS_INNER] > 0 && found->facets * order <= FEW);
+    if (ends[IS_EDGE] > 0 && !(ends[IS_PARTNERS] > 0))
+      PetscCall(CoarseContactGoesOn_Private(fields->vi, fields->vi->pairs[p]->spec, &goes_on));
+    found->shows = (PetscBool)((ends[IS_INNER] > 0 || goes_on) && found->facets * order <= FEW);
     for (PetscInt k = 0; k < 3; k++) // a zero that sums have left is told as one
       found->at[k] =
           PetscAbsReal(patch->centre[k]) > PETSC_SQRT_MACHINE_EPSILON * patch->extent[across] ? patch->centre[k] : 0;

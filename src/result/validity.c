@@ -37,6 +37,8 @@ static const PetscReal STRAIN_SHARE = 0.01, ROTATION_SHARE = 0.002;
 static const PetscReal STRAINLESS = 1e-12;
 /* Gaps below this part of the displacements are closed. */
 static const PetscReal NO_GAP = 1e-9;
+/* A value that exceeds a limit by no more than this part of it is the limit, as where a uniform strain is. */
+static const PetscReal LIMIT_ROUNDING = 1e-9;
 /* A scale below this part of the displacements is rounding. */
 static const PetscReal RIM_PART       = 0.5; /* of the way: a larger error is of the search */
 static const PetscReal SCALE_ROUNDING = 1e-6;
@@ -333,8 +335,10 @@ static void ValidityJudge_Private(PetscInt dim, const Largest largest[], Validit
     indicator->value = value;
     for (PetscInt i = 0; i < dim; i++) indicator->at[i] = largest[k].at[i];
     *(cells ? &indicator->body : &indicator->pair) = (PetscInt)largest[k].owner;
-    indicator->colour = value < KINDS[k].green ? VALIDITY_GREEN : value > KINDS[k].red ? VALIDITY_RED : VALIDITY_AMBER;
-    v->worst          = PetscMax(v->worst, indicator->colour);
+    indicator->colour                              = value <= (1 + LIMIT_ROUNDING) * KINDS[k].green ? VALIDITY_GREEN
+                                                     : value > KINDS[k].red                         ? VALIDITY_RED
+                                                                                                    : VALIDITY_AMBER;
+    v->worst                                       = PetscMax(v->worst, indicator->colour);
     if (value > 0) v->load_factor = PetscMin(v->load_factor, KINDS[k].red / value);
   }
   if (PetscIsInfReal(v->load_factor)) v->load_factor = NAN;
