@@ -207,9 +207,10 @@ PetscErrorCode SceneMotionCreate(VI vi, Solvability s, const PetscReal q[], Scen
 
   PetscFunctionBeginUser;
   for (PetscInt k = 0; k < s->m; k++) size = PetscMax(size, PetscAbsReal(q[k]));
-  scale        = SceneMotionGetScale_Private(vi, q, size, &motion->turns);
-  motion->num  = 0;
-  motion->work = 0;
+  scale          = SceneMotionGetScale_Private(vi, q, size, &motion->turns);
+  motion->num    = 0;
+  motion->work   = 0;
+  motion->slides = PETSC_FALSE;
   PetscCall(PetscMalloc1(vi->rigid_modes.components.num, &motion->bodies));
   PetscCall(PetscMalloc2(vi->rigid_modes.components.num, &contacts, vi->rigid_modes.components.num, &nodes));
   PetscCall(SceneMotionFindContacts_Private(vi, s, q, size, contacts, nodes));
@@ -219,6 +220,7 @@ PetscErrorCode SceneMotionCreate(VI vi, Solvability s, const PetscReal q[], Scen
 
     SceneMotionGetMode_Private(vi, q, b, size, components);
     if (!(VectorNorm(3, components) + VectorNorm(3, &components[3]) > 0)) continue;
+    if (contacts[b] & SLIDES) motion->slides = PETSC_TRUE;
     for (PetscInt i = 0; i < RIGID_COMPONENTS; i++) components[i] *= scale;
     SceneMotionSetName_Private(vi, b, body);
     body->work = 0;

@@ -411,6 +411,7 @@ static PetscErrorCode SolvabilitySetSlidingMotion_Private(VI vi, const PetscReal
   if (s->slides) {
     PetscCall(SceneMotionDestroy(&s->motion));
     PetscCall(SolvabilitySetUnresistedMotion_Private(vi, &cone, s->overlap.place, moved, rho, balanced, s));
+    s->slides = s->motion.slides; // friction resists none that opens all contacts
   }
   s->status = status;
   PetscCall(PetscFree3(moved, rho, take));

@@ -44,6 +44,7 @@ typedef struct {
   PetscInt    num;
   BodyMotion *bodies;         /* bodies or their components that move [num] */
   PetscBool   turns;          /* there is a rotation */
+  PetscBool   slides;         /* a contact neither opens nor stays where it is */
   PetscReal   work;           /* of the loads */
   char        sentence[2048]; /* "body lid tips about (1.2, 0), turning clockwise" */
 } SceneMotion;
