@@ -43,6 +43,10 @@ def judge(run):
         near("area of the section", np.linalg.norm(normals[section], axis=1).sum(), 0.7, relative=1e-5)  # 1 by 0.7
         cut = plot.draw_solved(prefix, summary, 1.0, "von_mises", {"view": "+-+", "cut": "x=0.4"})
         require(any("cut at x = 0.4" in text for text, _ in words_of(cut)), "the picture does not say that it is cut")
+    for value in ("-z", "-30,180"):  # of two words, though argparse takes the second one for an option
+        done = subprocess.run([sys.executable, PLOT / "mortise-plot", prefix, "--view", value, "-o", run.folder / "seen.png"],
+                              capture_output=True, text=True, check=False)
+        same(f"exit code of --view {value}: {done.stderr}", done.returncode, 0)
     for flag, value, says in (("view", "up", "an octant such as"), ("view", "100,0", "-90 to 90"), ("cut", "u=1", "x=0.5"), ("cut", "x=9", "from 0 to 1 along x")):
         done = subprocess.run([sys.executable, PLOT / "mortise-plot", prefix, f"--{flag}", value, "-o", run.folder / "none.png"],
                               capture_output=True, text=True, check=False)
