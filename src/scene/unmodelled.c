@@ -40,6 +40,10 @@ static const Unmodelled unmodelled[] = {
     {{"e", "nu", "modulus", "elastic_modulus", "youngs_modulus", "young_modulus", "poisson_ratio", "poissons_ratio",
       "shear_modulus", "bulk_modulus", "lambda", "lame"},
      "there is no such option; the material of a body is -<body>_young and -<body>_poisson, or -<body>_stiffness"},
+    {{"bc_normal"},
+     "there is no such option; -<body>_bc_normal lists sides that do not move along their normals, and takes no "
+     "values; "
+     "others are -<body>_bc_displacement_<side>, with `free` for components that are not given"},
     {{"bc_fixed", "fixed", "fix", "clamped", "bc_clamped", "encastre", "support", "bc_symmetry", "symmetry"},
      "there is no such option; supports are -<body>_bc_displacement, and -<body>_bc_normal for planes of symmetry"},
 };
