@@ -19,8 +19,8 @@ PetscBool HierarchyIsLarge(PetscInt dim, PetscInt unknowns)
 }
 
 /* The smoother of given level l. Without whole lines of long cells, blocks cost several times the rest and
-   gain little. Bisected cells couple in no lines, whatever their shape: two plates of cells 1 to 10 times as long as wide
-   take 1.3 times the iterations with the diagonal, each of a third to two thirds of the cost. */
+   gain little. Bisected cells couple in no lines, whatever their shape. Two plates of cells 1 to 10 times as long as wide take 1.3 times
+   the iterations with the diagonal, and each costs a third to two thirds. */
 static PetscErrorCode HierarchyCreateSmoother_Private(const HierarchyInput *input, PetscInt l, const Operator *op,
                                                       Mat *S)
 {

@@ -247,8 +247,7 @@ void FrictionUnitsMark(const FrictionUnits *units, PetscBool fixed[])
   }
 }
 
-/* Square of what a unit's law is off by, in the norm of diag(A)^-1: the distance to where one step along the forces, and back onto bound and
-   cone, would lead. */
+/* Squared residual of a unit's law in the norm of diag(A)^-1: the length of a step along the forces that is projected onto bound and cone. */
 static PetscReal FrictionUnitsResidual_Private(const FrictionUnit *unit, const PetscReal y[], const PetscReal r[])
 {
   const PetscReal k = unit->stiffness, pressing = r[unit->normal], limit = FrictionUnitLimit(unit, pressing);

@@ -38,8 +38,8 @@ PetscErrorCode PDASSetStart(SNES snes, Vec active);
 
 /* Whether matrix and bounds stay as they are from one solve to the next, so that factors serve again. Collective. */
 PetscErrorCode PDASSetKeep(SNES snes, PetscBool keep);
-/* Bounds have new values in their Vec, and the function a new right-hand side: the next solve begins with the set that eq. 10.1 makes
-   of its initial guess, unless -snes_pdas_start says otherwise. What was kept serves again. Collective. */
+/* Tells that bounds have new values in their Vec, and the function a new right-hand side. The next solve begins with the set of its
+   initial guess by eq. 10.1, unless -snes_pdas_start gives another. What was kept is used again. Collective. */
 PetscErrorCode PDASRestart(SNES snes);
 
 #endif

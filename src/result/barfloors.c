@@ -1,8 +1,8 @@
 /* barfloors.c -- floors of error bars.
 
-   Numbers may agree on several meshes by chance, and a stiff body's do so because it has no part in the error that is estimated. The
-   estimate itself says what is the least that they may be off by: squares of the relative error for numbers that converge like the
-   energy, the difference of two stresses or two pressures at the same place for those that are local. */
+   Numbers may agree on several meshes by chance. Those of a stiff body do, since it has no part in the estimated error. The estimate gives
+   their least error. Numbers that converge like the energy have the square of the relative error; local ones have the difference of two stresses or two
+   pressures at the same place. */
 #include "base/compat.h"
 #include "contact/pairpoints.h"
 #include "kernel/vector.h"

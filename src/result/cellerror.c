@@ -1,9 +1,8 @@
 /* cellerror.c -- integrals of an error over cells.
 
-   A rule that is fine enough for a smooth error goes over all cells first. What holds more than a small share of the whole
-   is then cut into halves along each axis, as long as that is so: pieces become small towards points where the exact solution
-   is singular, and nowhere else unless there are few cells. So their number is bounded, and what the rule gets wrong in the
-   pieces that are left is a small part of a small share. */
+   All cells are first integrated by a rule that is fine enough for a smooth error. A piece that holds more than a small share of the whole is
+   then cut into halves along each axis, repeatedly. Pieces become small near singular points of the exact solution, and nowhere else unless
+   there are few cells. So their number is bounded, and the error of the rule in the remaining pieces is a small part of a small share. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "result/cellerror.h"
@@ -11,9 +10,8 @@
 
 enum { MAX_STRAINS = 6, MAX_DIM = 3, MAX_DEPTH = 16 };
 
-/* Of the integral over a body: what a piece may hold without being cut. The rule is off by some hundredths in a piece at a
-   singular point, so that what it leaves is below 1e-3 of the integral; measured are 1e-7 of the norm beside stresses like
-   r^(1/2). */
+/* Largest part of the integral over a body in a piece that is not cut. The error of the rule is some hundredths in a piece at a
+   singular point, below 1e-3 of the integral. Measured beside stresses like r^(1/2): 1e-7 of the norm. */
 static const PetscReal SHARE = 1e-2;
 
 /* An error norm below this part of the solution's is rounding. That of a difference quotient grows as pieces shrink: cutting would

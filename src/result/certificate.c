@@ -17,13 +17,12 @@
 #include "result/certificate.h"
 #include "base/compat.h"
 
-/* What a test allows. A factorization leaves 1e-12; what has to pass as well is an iterative solver that stops at its default
-   relative residual of 1e-8. That is relative to a right-hand side in which given displacements count as forces, and these
-   may be tens of times the forces that are left in the solution, in a norm of its own. */
+/* Tolerance of a test. A factorization leaves 1e-12. An iterative solver that stops at its default relative residual of 1e-8 must
+   pass as well. Its right-hand side counts given displacements as forces, which may be tens of times the forces of the solution. */
 static const PetscReal TOLERANCE = 1e-6;
 
-/* The same where the solver stops at the discretisation error: what tells its error is the bound in the norm of energy (eq. 14.7), and all that
-   is left to these tests is to see a state that is not in balance at all. */
+/* The same where the solver stops at the discretisation error. The bound in the energy norm (eq. 14.7) then tells the error, and these tests
+   detect only states without balance. */
 static const PetscReal STOPPED_TOLERANCE = 5e-2;
 
 /* What is summed over nodes and rows of all ranks. */
@@ -249,8 +248,8 @@ static PetscErrorCode CertificateSumNodes_Private(Fields fields, Vec reactions, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The force of a row of contact: a pressure on a weight below zero pulls. Where a row is open there is what the solver has left of the residual,
-   and of that the test of tension tells: sides that do not meet have no forces to compare it with. */
+/* The force of a row of contact: a pressure on a weight below zero pulls. An open row has the remaining residual of the solver,
+   which the test of tension measures: sides that do not meet have no forces to compare it with. */
 static void CertificateAddForce_Private(Fields fields, PetscInt r, PetscReal lambda, PetscReal sums[])
 {
   const PetscReal weight = fields->row_weight[r], force = lambda * weight;

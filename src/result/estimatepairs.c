@@ -1,7 +1,6 @@
 /* estimatepairs.c -- what contact adds to the error estimate.
 
-   Recovery does not see that two sides do not fit each other: a stiff nonmortar body has no stress to speak of while its coarse side
-   lets the partner through. What the sides' tractions and gaps leave is taken as a half space takes a wave of the facet's size: it resists
+   Recovery does not detect that two sides do not fit: a stiff nonmortar body has hardly any stress while its partner penetrates its coarse side. What the sides' tractions and gaps leave is taken as a half space takes a wave of the facet's size: it resists
    a displacement of wave number k with E' k / 2, k = pi / h. */
 #include "base/compat.h"
 #include "contact/pairpoints.h"

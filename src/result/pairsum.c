@@ -9,8 +9,8 @@
 enum { ADD_FORCE = 0, ADD_NORMAL = 3, ADD_AREA, ADD_CENTRE, ADD_ACTIVE = ADD_CENTRE + 3, ADD_COUNT };
 enum { MAX_PRESSURE, MAX_COVERED, MAX_CLOSED, MAX_LOWER, MAX_UPPER = MAX_LOWER + 3, MAX_COUNT = MAX_UPPER + 3 };
 
-/* Pressures that differ by less than this part count as equal when the place of the largest is told, so that symmetric
-   scenes tell the same place on any number of ranks. */
+/* Pressures that differ by less than this part are equal. Then symmetric scenes have the same place of the largest one on any number of
+   ranks. */
 static const PetscReal SAME_PRESSURE = 1e-9;
 /* Where both sides end in the same place, their facets may cut corners of each other: at a round rim by the sagitta of an edge, on
    coarse meshes by a twelfth of a cell. Neither is then an edge that presses into the other. */

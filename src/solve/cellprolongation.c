@@ -1,8 +1,8 @@
 /* cellprolongation.c -- prolongation of least energy inside of coarse cells.
 
-   A coarse displacement may keep the volume of each coarse cell in the mean and yet, interpolated, change that of each of its parts: a
-   large energy that only the interpolation has made. Nodes inside of a coarse cell can move the volume from part to part. Those of
-   different cells do not couple, so that each cell is a small system of its own [1]. Displacements on boundaries of cells and of a coarse node inside
+   A coarse displacement may keep the volume of each coarse cell in the mean. Interpolated, it may still change the volume of each part:
+   a large energy that only interpolation makes. Nodes inside a coarse cell can move volume between its parts. Those of different cells do not
+   couple, so each cell is a small system of its own [1]. Displacements on boundaries of cells and of a coarse node inside
    stay those of the shape functions.
 
    References: [1] Schoeberl, Multigrid methods for a parameter dependent problem in primal variables, 1999. */
@@ -37,8 +37,7 @@ static PetscInt CellFindNode_Private(const Level *coarse, PetscInt c, PetscInt g
   return -1;
 }
 
-/* Whether a fine node is inside of a coarse cell and not one of its nodes: it has a part in the shape functions of several nodes that no single facet
-   has. */
+/* Whether a fine node is inside a coarse cell and not one of its nodes. Then it is interpolated from nodes that share no facet. */
 static PetscErrorCode CellHasInside_Private(const Level *coarse, PetscInt c, Mat nodal, PetscInt row, PetscBool *inside)
 {
   const ElementType type  = (ElementType)coarse->cell_type[c];

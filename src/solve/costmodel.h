@@ -16,8 +16,8 @@ typedef struct {
   PetscReal once, set; /* what a factorization takes once, and for each set */
 } CostModel;
 
-/* Makes hierarchy ask this cost model, which is to stay where it is, whether it is over: it predicts a factorization as soon as the iteration has
-   cost so much that the prediction is worth it, and compares from then on. Not collective. */
+/* Sets this cost model as the cost test of a hierarchy. It predicts the cost of a factorization once the iteration has cost enough to pay for that,
+   and compares afterwards. Not collective. [in] model - must not be moved */
 PetscErrorCode CostModelSet(CostModel *model, VI vi, Hierarchy hierarchy);
 /* What a factorization takes for as many sets as there have been; 0 without a prediction. Not collective. */
 PetscReal CostModelPredicted(const CostModel *model);

@@ -1,8 +1,8 @@
 /* meshlevels.c -- the inequalities of coarser meshes, and prolongation between their unknowns.
 
-   Displacements are prolonged by the shape functions of the coarser level; what solvers see are unknowns y of u = T y, so
-   P^ = T_f^-1 P T_c. Where meshes are nested, P^' A_f P^ = T_c' (P' K_f P) T_c is the coarser level's own A, and no such product is
-   formed; elsewhere P' K_f P takes the place of the coarser level's K: what truncation takes from a matrix has to be in it. */
+   Displacements are prolonged by the shape functions of the coarser level. Solvers have unknowns y of u = T y, so P^ = T_f^-1 P T_c. Where
+   meshes are nested, P^' A_f P^ = T_c' (P' K_f P) T_c is the coarser level's own A, and no such product is formed. Elsewhere P' K_f P
+   replaces the coarser level's K, since truncation subtracts parts of that product. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "solve/cellprolongation.h"
@@ -103,10 +103,10 @@ static PetscErrorCode MeshLevelsCreateProlongation_Private(VI coarse, VI fine, c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adapted meshes grow little by little, and cycles need less: a level is used if it has so many times the nodes of the last one that is, or if
-   it is so many levels away. Two plates, order 2, 2 x 2 quads in the beginning, 17 meshes: 8 to 9 iterations with all of them, 10 to 12 at three
-   quarters of the cost with these; uniform meshes 10. 8 x 8 quads in the beginning, which grow slower: 11 to 16 iterations if two levels in a row may be
-   dropped, 19 if three, 10 to 12 here. */
+/* Adapted meshes grow slowly, and cycles do not need all of them. A level is used if it has LEVEL_GROWTH times the nodes of the last used one,
+   or is LEVEL_LEAP levels above it. Two plates, order 2, 17 meshes from 2 x 2 quads: 8 to 9 iterations with all levels, 10 to 12 at three
+   quarters of the cost with these; uniform meshes 10. From 8 x 8 quads, which grow slower: 10 to 12 iterations; 11 to 16 if two levels in a
+   row may be omitted, 19 if three. */
 static const PetscReal LEVEL_GROWTH = 2;
 enum { LEVEL_LEAP = 2 };
 
@@ -304,8 +304,8 @@ PetscErrorCode MeshLevelsCreateOperator(const Inequality *inequality, Vec W, Ope
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether some cell is of second order, or none is; and whether cells may be long in whole lines: tetrahedra as a mesh generator makes them are
-   long here and there. */
+/* Whether some cell is of second order, and whether cells may be long in whole lines. Tetrahedra of a mesh generator are long in single places
+   only. */
 static PetscErrorCode MeshLevelsInspectCells_Private(const Level *level, PetscInt meshes, PetscBool *higher,
                                                      PetscBool *lines)
 {

@@ -265,9 +265,8 @@ static PetscErrorCode NestedIterationProlong_Private(MeshLevels levels, PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The preconditioner for cycles before the first system of the finest level: none for types that pass it
-   parts of vectors, nor when stopping at the discretization error, where one cycle more is a large part of
-   the cost. [out] pc - borrowed, or NULL */
+/* The preconditioner for cycles before the first system of the finest level. None for types that pass it parts of vectors. None
+   when stopping at the discretization error, where one more cycle is a large part of the cost. [out] pc - borrowed, or NULL */
 static PetscErrorCode NestedIterationGetCycles_Private(SNES snes, VI vi, PC *pc)
 {
   PetscBool pdas;

@@ -2,9 +2,8 @@
 
    A front moves through the bodies along one axis. A node enters it where its first cell begins and leaves it
    where its last cell ends. An unknown that is eliminated then couples with those in the front: a frontal
-   factorization [1]. Its operations are the squares of the front sizes. Nested dissection needs fewer for
-   bodies as thick as long, but not for a sheet, a strip or a beam, and its ordering alone takes the time of
-   such a solve.
+   factorization [1]. Its operations are the squares of the front sizes. Nested dissection needs fewer for bodies as thick as long, but
+   not for a sheet, a strip or a beam. Its ordering alone takes the time of such a solve.
 
    References: [1] Irons, A frontal solution program for finite element analysis, 1970. */
 #include "base/compat.h"
