@@ -12,6 +12,7 @@
    Numer. Anal. 19 (1982). */
 #include "base/compat.h"
 #include "kernel/cubature.h"
+#include "kernel/planecut.h"
 #include "kernel/referencecell.h"
 
 enum {
@@ -445,6 +446,25 @@ static PetscErrorCode CubatureIntegrateLine_Private(const Line *line, PetscReal 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode CubatureFindCut(Cubature *cubature, PetscReal *at, PetscBool *found)
+{
+  const Interval whole = {0., 1., 0, 0};
+  PetscReal      u[3], v[POINTS][CUBATURE_MAX_SIZE], error;
+  Nest           nest = {.cubature = cubature};
+  const Line     line = {&nest, 0, u, 1.};
+  Interval       cut  = whole;
+
+  PetscFunctionBeginUser;
+  *found = PETSC_FALSE;
+  for (PetscInt j = 0; j < POINTS; j++) PetscCall(CubatureEvaluateLine_Private(&line, CUBATURE_POINT[j], v[j], &error));
+  if (CubatureRuleDifference_Private(&line, CUBATURE_WEIGHT, v) > PIECE) {
+    PetscCall(CubatureFindJump_Private(&line, &whole, v, &cut, found));
+    if (!*found) PetscCall(CubatureFindKink_Private(&line, &whole, v, &cut, found));
+  }
+  *at = 0.5 * (cut.a + cut.b);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode CubatureAdaptive(Cubature *cubature, PetscReal value[], PetscReal *error)
 {
   PetscReal  u[3];
@@ -453,7 +473,12 @@ PetscErrorCode CubatureAdaptive(Cubature *cubature, PetscReal value[], PetscReal
 
   PetscFunctionBeginUser;
   cubature->count = 0;
-  if (REFERENCE[cubature->type].dim > 1) PetscCall(CubatureIntegrateLine_Private(&coarse, value, error));
+  if (REFERENCE[cubature->type].dim > 1) {
+    PetscCall(CubaturePlanes(cubature, value, error));
+    if (*error <= 1.) PetscFunctionReturn(PETSC_SUCCESS);
+    cubature->count = 0;
+    PetscCall(CubatureIntegrateLine_Private(&coarse, value, error));
+  }
   PetscCall(CubatureIntegrateLine_Private(&line, value, error));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

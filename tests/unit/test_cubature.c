@@ -95,6 +95,20 @@ static void CheckBudget(void)
   CHECK(PetscAbsReal(value[0] - PETSC_PI * R * R) <= error * tolerance[0]);
 }
 
+/* A plane is found by few points: nested lines take more than a million in space. */
+static void CheckPlane(ElementType type, PetscReal expected)
+{
+  const PetscReal tolerance[SIZE] = {1e-11, 1e-11, 1e-11};
+  Function        function        = HALF_SPACE;
+  Cubature        cubature        = Make(type, &function, tolerance);
+  PetscReal       value[SIZE], error;
+
+  CHECK(!CubatureAdaptive(&cubature, value, &error));
+  CHECK(error <= 1.);
+  CHECK(cubature.count < 30000);
+  CHECK_NEAR(value[0], expected, 1e-11);
+}
+
 int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
@@ -110,6 +124,8 @@ int main(int argc, char **argv)
   CheckIntegral(ELEMENT_HEX8, HALF_PLANE, 0.6);
   /* 1 - (1.3^3 - 0.3^3 - 0.6^3) / 6 / (2 0.7): the corner of the cube less what is beyond x = 1 and z = 1 */
   CheckIntegral(ELEMENT_HEX8, HALF_SPACE, 1. - (2.197 - 0.027 - 0.216) / 8.4);
+  CheckPlane(ELEMENT_HEX8, 1. - (2.197 - 0.027 - 0.216) / 8.4);
+  CheckPlane(ELEMENT_TET4, 0.35 * 0.7 * (0.7 / 1.3) / 6.); /* a corner, by the parts of its edges */
   CheckRules(ELEMENT_QUAD4, SMOOTH, 1. / 6., 1. / 6.);
   CheckRules(ELEMENT_TET4, SMOOTH, 1. / 336., 1. / 336.); /* 5! / 8! */
   CheckRules(ELEMENT_LINE2, LINE_JUMP, 0., 0.05 / 8.);
