@@ -115,7 +115,7 @@ static PetscErrorCode ActivePredictionCorrect_Private(Iterate *it, PC pc, Vec c)
   PetscFunctionBeginUser;
   PetscCall(VecSet(it->free, 1));
   PetscCall(VecAXPY(it->free, -1, it->active));
-  PetscCall(MultigridSetFree(pc, it->free));
+  PetscCall(MultigridSetFree(pc, it->free, NULL));
   PetscCall(VecPointwiseMult(it->product, it->r, it->free));
   PetscCall(PCApply(pc, it->product, c));
   PetscCall(VecPointwiseMult(c, c, it->free));

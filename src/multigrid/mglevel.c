@@ -215,12 +215,25 @@ static PetscErrorCode MGLevelSetLargest_Private(MGLevel *level)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode MGLevelSetFree(PetscInt num, MGLevel levels[], Vec free)
+/* dC = more - change on the finest level. [out] dC - NULL if that is 0; owned by the caller */
+static PetscErrorCode MGLevelChangeFinest_Private(const MGLevel *level, Mat more, Mat *dC)
+{
+  *dC = NULL;
+  PetscFunctionBeginUser;
+  if (!more && !level->change) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatDuplicate(more ? more : level->change, MAT_COPY_VALUES, dC));
+  if (!more) PetscCall(MatScale(*dC, -1));
+  if (more && level->change) PetscCall(MatAXPY(*dC, -1, level->change, DIFFERENT_NONZERO_PATTERN));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MGLevelSetFree(PetscInt num, MGLevel levels[], Vec free, Mat more)
 {
   Mat dC = NULL, update = NULL;
   Vec is;
 
   PetscFunctionBeginUser;
+  PetscCall(MGLevelChangeFinest_Private(&levels[num - 1], more, &dC));
   PetscCall(VecDuplicate(free, &is));
   PetscCall(VecCopy(free, is));
   for (PetscInt l = num - 1; l >= 0; l--) {
@@ -232,6 +245,7 @@ PetscErrorCode MGLevelSetFree(PetscInt num, MGLevel levels[], Vec free)
     if (level->change && dC) PetscCall(MatAXPY(level->change, 1, dC, DIFFERENT_NONZERO_PATTERN));
     if (dC && !level->change) PetscCall(PetscObjectReference((PetscObject)dC));
     if (dC && !level->change) level->change = dC;
+    if (l == num - 1 && !more) PetscCall(MatDestroy(&level->change)); // it is 0
     PetscCall(MatDestroy(&dC));
     PetscCall(VecCopy(is, level->free));
     PetscCall(VecDestroy(&is));

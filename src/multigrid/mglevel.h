@@ -8,7 +8,7 @@
 typedef struct {
   Hierarchy       hierarchy;     /* borrowed */
   HierarchyLevel *base;          /* borrowed */
-  Mat             change;        /* what truncation on finer levels adds to A, or NULL */
+  Mat             change;        /* what truncation on finer levels adds to A, on the finest the caller, or NULL */
   Vec             free;          /* M: 1 where free, 0 where fixed */
   Vec             W;             /* on the diagonal of A, or NULL; borrowed */
   PetscBool       ready;         /* whether MGLevelSetFree() was called */
@@ -28,8 +28,9 @@ PetscErrorCode MGLevelDestroy(MGLevel *level);
 
 /* Sets the free unknowns of the finest level, and from there of all coarser ones. Only changes since the last
    call cost work. Collective.
-   [in,out] levels - coarse first [num]; [in] free - of the finest: 1 where free, 0 where fixed */
-PetscErrorCode MGLevelSetFree(PetscInt num, MGLevel levels[], Vec free);
+   [in,out] levels - coarse first [num]; [in] free - of the finest: 1 where free, 0 where fixed; [in] more - what is added to A there, few entries,
+   or NULL */
+PetscErrorCode MGLevelSetFree(PetscInt num, MGLevel levels[], Vec free, Mat more);
 /* A^ of the coarsest level as a matrix. Collective. */
 PetscErrorCode MGLevelAssemble(MGLevel *level);
 /* A^ as the operator of an iteration: for vectors that are 0 where active and arbitrary where the operator

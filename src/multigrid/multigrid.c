@@ -16,6 +16,7 @@
 #include "base/usererror.h"
 #include "multigrid/redundantsolve.h"
 #include "multigrid/submatrix.h"
+#include "multigrid/bodysmoother.h"
 #include "multigrid/multigrid.h"
 #include "multigrid/mglevel.h"
 #include "multigrid/patchsmoother.h"
@@ -86,7 +87,7 @@ static PetscErrorCode MultigridSetOperators_Private(KSP ksp, const MGLevel *leve
 }
 
 /* Updates all levels. [in] free - of the finest level */
-static PetscErrorCode MultigridUpdate_Private(Multigrid *multigrid, Vec free)
+static PetscErrorCode MultigridUpdate_Private(Multigrid *multigrid, Vec free, Mat more)
 {
   const MGLevel *finest = &multigrid->level[multigrid->num - 1];
   PetscBool      same   = PETSC_FALSE;
@@ -94,9 +95,9 @@ static PetscErrorCode MultigridUpdate_Private(Multigrid *multigrid, Vec free)
   PC             pc;
 
   PetscFunctionBeginUser;
-  if (finest->ready) PetscCall(VecEqual(free, finest->free, &same));
+  if (finest->ready && !finest->change && !more) PetscCall(VecEqual(free, finest->free, &same));
   if (same) PetscFunctionReturn(PETSC_SUCCESS); // as where a prediction ends with the set of the first system
-  PetscCall(MGLevelSetFree(multigrid->num, multigrid->level, free));
+  PetscCall(MGLevelSetFree(multigrid->num, multigrid->level, free, more));
   for (PetscInt l = 1; l < multigrid->num; l++) { // factors of smoothers are out of date
     PetscCall(MatAssemblyBegin(multigrid->level[l].A, MAT_FINAL_ASSEMBLY));
     PetscCall(MatAssemblyEnd(multigrid->level[l].A, MAT_FINAL_ASSEMBLY));
@@ -112,13 +113,27 @@ static PetscErrorCode MultigridUpdate_Private(Multigrid *multigrid, Vec free)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode MultigridSetFree(PC pc, Vec free)
+PetscErrorCode MultigridSetFree(PC pc, Vec free, Mat more)
 {
   Multigrid *multigrid;
 
   PetscFunctionBeginUser;
   PetscCall(MultigridGet_Private(pc, &multigrid));
-  if (multigrid) PetscCall(MultigridUpdate_Private(multigrid, free));
+  if (multigrid) PetscCall(MultigridUpdate_Private(multigrid, free, more));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MultigridSmoothsMore(PC pc, PetscBool *smooths)
+{
+  Multigrid *multigrid;
+  PetscBool  by_body = PETSC_FALSE;
+  Mat        S;
+
+  PetscFunctionBeginUser;
+  PetscCall(MultigridGet_Private(pc, &multigrid));
+  S = multigrid->level[multigrid->num - 1].S;
+  if (S) PetscCall(BodySmootherIs(S, &by_body));
+  *smooths = (PetscBool)!by_body;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -349,7 +364,7 @@ static PetscErrorCode SetUp_Multigrid(PC pc)
   PetscCall(VecScatterBegin(multigrid->scatter, reduced, multigrid->r, INSERT_VALUES, SCATTER_REVERSE));
   PetscCall(VecScatterEnd(multigrid->scatter, reduced, multigrid->r, INSERT_VALUES, SCATTER_REVERSE));
   PetscCall(VecDestroy(&reduced));
-  PetscCall(MultigridUpdate_Private(multigrid, multigrid->r));
+  PetscCall(MultigridUpdate_Private(multigrid, multigrid->r, NULL));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -15,8 +15,10 @@ PetscErrorCode MultigridRegister(void);
    `vinewtonrsls`, where the PC acts on its inactive unknowns, else NULL. Its Jacobian is replaced by one
    whose submatrices are not copies */
 PetscErrorCode MultigridSetHierarchy(PC pc, Hierarchy hierarchy, PetscInt finest, SNES snes);
-/* Sets which unknowns are free (1) and which are fixed (0). Collective. */
-PetscErrorCode MultigridSetFree(PC pc, Vec free);
+/* Sets which unknowns are free (1) and which are fixed (0). Collective. [in] more - what is added to the finest matrix, few entries, or NULL */
+PetscErrorCode MultigridSetFree(PC pc, Vec free, Mat more);
+/* Whether the smoother of the finest level sees what is added there. Not collective. */
+PetscErrorCode MultigridSmoothsMore(PC pc, PetscBool *smooths);
 /* Shortens the smoothing steps on all levels: for a cycle that is indefinite, since estimates of largest
    eigenvalues may be too small. Collective. */
 PetscErrorCode MultigridShortenSteps(PC pc);

@@ -82,7 +82,7 @@ static void SolverSummaryAddFriction_Private(const SummaryInput *in, cJSON *solv
   cJSON_AddBoolToObject(object, "unique", report->rho < 1);
   JSONAddInt(object, "slipping", report->slipping);
   JSONAddInt(object, "sticking", report->sticking);
-  JSONAddInt(object, "relaxations", report->sweeps);
+  JSONAddInt(object, "relaxations", report->shortened);
   JSONAddReal(object, "cone", residual->cone);
   JSONAddReal(object, "slip", residual->slip);
   JSONAddReal(object, "dissipation", residual->dissipation);

@@ -26,7 +26,7 @@ typedef struct {
   PetscInt slipping, sticking; /* nodes */
   PetscReal
            rho; /* spectral radius of G -> coefficient r_n(G) at the nodes that slip: below 1 the solution is the only one near it (eq. 16.5) */
-  PetscInt sweeps; /* of the nonlinear Gauss-Seidel method, where Newton steps did not descend */
+  PetscInt shortened; /* Newton steps of which a part was taken */
 } FrictionReport;
 
 /* Gives a SNES of type pdas the law that its bounded unknowns obey, which it borrows. Its linear systems are dense: reduced to the unknowns with

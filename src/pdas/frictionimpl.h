@@ -59,10 +59,6 @@ PetscErrorCode FrictionUnitsGather(const ActiveSet *set, const FrictionLaw *law,
 PetscErrorCode FrictionUnitsDestroy(FrictionUnits *units);
 /* Decides from y and r what every unit does. Collective. [out] changed - units that do something else than before */
 PetscErrorCode FrictionUnitsDecide(FrictionUnits *units, PetscInt *changed);
-/* Forgets which way units slip: the next decisions are the first ones. Not collective. */
-void FrictionUnitsForget(FrictionUnits *units);
-/* y without slip, and within the bounds. Not collective. */
-void FrictionUnitsReturn(FrictionUnits *units);
 /* Sets y where the decisions fix it: y_n = upper where closed, s = 0 where it sticks. Not collective. */
 void FrictionUnitsPrescribe(FrictionUnits *units);
 /* Marks the unknowns that they fix. Not collective. [out] fixed - [n] */
@@ -71,6 +67,14 @@ void FrictionUnitsMark(const FrictionUnits *units, PetscBool fixed[]);
 PetscErrorCode FrictionUnitsResidual(const FrictionUnits *units, PetscReal *residual, PetscReal *size);
 /* Counts units. Collective. [out] report - slipping and sticking; [out] closed */
 PetscErrorCode FrictionUnitsCount(const FrictionUnits *units, FrictionReport *report, PetscInt *closed);
+
+/* y^, the proximal step of the decisions: onto bounds, back where it sticks, and along the slip (eq. 16.4). Not collective. [out] to - [n] */
+void FrictionUnitsProject(const FrictionUnits *units, PetscReal to[]);
+/* The part alpha of a step that minimizes the energy with the limits of its end: 1 but where slip turns round on the way, negative where the
+   step ascends. Collective. [in] from - where the step begins, y and r are those of its end [n]; [in] slope - of the energy without friction, at both
+   ends */
+PetscErrorCode FrictionUnitsSearch(const FrictionUnits *units, const PetscReal from[], const PetscReal slope[2],
+                                   PetscReal *alpha);
 
 /* Limits of Tresca's problems instead of those that follow the pressure. Collective. [out] mu, given - the coefficients and bounds, owned by the
    caller [num] */
@@ -86,23 +90,20 @@ PetscErrorCode FrictionProblemDestroy(FrictionProblem *problem);
 PetscErrorCode FrictionProblemSetForces(FrictionProblem *problem);
 /* g += S y. */
 PetscErrorCode FrictionProblemAddProduct(FrictionProblem *problem);
-/* Factors the linear system of these decisions. [in] coupled - whether limits follow the pressure, as in Newton's method, or are given;
-   [out] singular */
-PetscErrorCode FrictionSystemFactor(FrictionProblem *problem, PetscBool coupled, PetscBool *singular);
-/* One Newton step: y and r of the decisions. [out] singular - then they are as before */
-PetscErrorCode FrictionSystemSolve(FrictionProblem *problem, PetscBool *singular);
+/* Factors the linear system of these decisions. [in] coupled - whether limits follow the pressure, as in Newton's method, or are given */
+PetscErrorCode FrictionSystemFactor(FrictionProblem *problem, PetscBool coupled);
+/* One Newton step: y and r of the decisions. */
+PetscErrorCode FrictionSystemSolve(FrictionProblem *problem);
 /* rho of FrictionReport, by power iteration. */
 PetscErrorCode FrictionSystemGetRho(FrictionProblem *problem, PetscReal *rho);
-
-/* Sweeps of nonlinear Gauss-Seidel: each unit in turn minimizes with the limit that it has now, along its own gradient (eq. 16.4). */
-PetscErrorCode FrictionSweep(FrictionProblem *problem, PetscInt sweeps);
 
 /* Values that all ranks have of a Newton step. */
 typedef struct {
   PetscReal residual,
       size; /* of the law, and of the other unknowns where these are not eliminated; what it is compared with */
-  PetscInt  changed, closed, iterations, sweeps;
-  PetscBool done; /* the law holds */
+  PetscInt  changed, closed, iterations;
+  PetscBool shortened; /* a part of the step was taken */
+  PetscBool done;      /* the law holds */
 } FrictionStep;
 
 /* A way to make Newton steps. All functions are collective. */
@@ -119,6 +120,11 @@ struct _n_FrictionMethod {
   PetscErrorCode (*finish)(FrictionMethod, Vec y);
   PetscErrorCode (*destroy)(FrictionMethod);
 };
+
+/* w = M v at the units of this rank [num]; collective. */
+typedef PetscErrorCode (*FrictionMap)(FrictionMethod, const PetscReal v[], PetscReal w[]);
+/* rho = max |eigenvalue of M|, by Arnoldi's method. Collective. [in] seed - in no invariant subspace, 0 where M is 0 [num] */
+PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, const PetscReal seed[], PetscReal *rho);
 
 /* Steps on the Schur complement of the unknowns with bounds and tangents, of a SchurSolver. Collective. [in] y - initial guess */
 PetscErrorCode FrictionReducedCreate(FrictionMethod method, Vec y);

@@ -17,10 +17,10 @@ static PetscErrorCode FrictionIterationNewton_Private(SNES snes, PDAS *pdas, Fri
     pdas->converged                   = step.done;
     pdas->changed[pdas->iterations++] = step.changed;
     pdas->linear_iterations += step.iterations;
-    pdas->num_active             = step.closed;
-    pdas->safeguarded            = (PetscBool)(step.sweeps > 0);
-    pdas->friction_report.sweeps = step.sweeps;
-    pdas->residual               = step.size > 0 ? step.residual / step.size : 0;
+    pdas->num_active = step.closed;
+    pdas->friction_report.shortened += step.shortened ? 1 : 0;
+    pdas->safeguarded = (PetscBool)(pdas->friction_report.shortened > 0);
+    pdas->residual    = step.size > 0 ? step.residual / step.size : 0;
     PetscCall(SNESSetIterationNumber(snes, pdas->iterations));
     PetscCall(SNESSetFunctionNorm(snes, step.residual));
     PetscCall(SNESMonitor(snes, pdas->iterations, step.residual));

@@ -1,4 +1,4 @@
-/* frictionreduced.c -- Newton steps for contact with friction on the reduced problem, sweeps where they do not descend.
+/* frictionreduced.c -- Newton steps for contact with friction on the reduced problem.
 
    The reduced problem is solved on the first rank. Then the other unknowns follow from it, and the forces from A itself: what these leave of
    the law is corrected by the same factors, as iterative refinement. */
@@ -6,89 +6,98 @@
 
 /* Residual of the law, relative to the forces, that a solution may have. */
 static const PetscReal FRICTION_RTOL = 1e-10;
-/* Newton steps in a row that need not descend; a step that does leaves this part of the residual. */
-enum { PATIENCE = 6 };
+/* Steps in a row that leave more than this part of the residual, before the method gives up. */
+enum { PATIENCE = 40, FRICTION_REFINEMENTS = 2 };
 static const PetscReal DESCENT = 0.9;
-/* Sweeps at the first time, twice as many at the next. */
-enum { FIRST_SWEEPS = 20, MAX_SWEEPS = 5000, FRICTION_REFINEMENTS = 2 };
 
 typedef struct {
   PetscMPIInt     rank;
   FrictionProblem problem;
-  /* what decides on the next step; of the first rank */
-  PetscReal *best; /* y with the least residual so far, or after the last sweeps [n] */
-  PetscReal  least;
-  PetscInt   waiting, sweeps, all_sweeps;
+  PetscReal      *from, *to; /* where a step begins and ends; of the first rank [n] */
+  PetscReal       least;     /* residual so far */
+  PetscInt        waiting;   /* steps since then */
 } Reduced;
 
-/* Takes the best iterate, and improves it by sweeps. */
-static PetscErrorCode FrictionReducedSweep_Private(Reduced *t)
+/* Slope of the energy without friction between t->from and t->to, with the forces of y: -r (to - from), but what contact takes. */
+static PetscReal FrictionReducedSlope_Private(const Reduced *t)
+{
+  const FrictionUnits *units = t->problem.units;
+  PetscReal            slope = 0;
+
+  for (PetscInt i = 0; i < units->n; i++) slope -= units->r[i] * (t->to[i] - t->from[i]);
+  for (PetscInt a = 0; a < units->num; a++) {
+    const PetscInt n = units->unit[a].normal;
+
+    if (units->unit[a].closed) slope += units->r[n] * (t->to[n] - t->from[n]);
+  }
+  return slope;
+}
+
+/* Takes a part of the step from t->from, where the whole one goes too far. */
+static PetscErrorCode FrictionReducedSearch_Private(Reduced *t, PetscBool *shortened)
 {
   FrictionUnits *units = t->problem.units;
-  PetscReal      size;
+  PetscReal      slope[2], alpha;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscArraycpy(units->y, t->best, units->n));
-  if (!t->sweeps)
-    FrictionUnitsReturn(units); // where all slip, a body may have gone so far that no sweeps bring it back
+  PetscCall(PetscArraycpy(t->to, units->y, units->n));
+  PetscCall(PetscArraycpy(units->y, t->from, units->n));
   PetscCall(FrictionProblemSetForces(&t->problem));
-  t->sweeps = t->sweeps ? PetscMin(2 * t->sweeps, MAX_SWEEPS) : FIRST_SWEEPS;
-  t->all_sweeps += t->sweeps;
-  PetscCall(FrictionSweep(&t->problem, t->sweeps));
-  PetscCall(FrictionUnitsResidual(units, &t->least, &size));
-  PetscCall(PetscArraycpy(t->best, units->y, units->n));
-  t->waiting = 0;
-  FrictionUnitsForget(units); // what slips would seem to turn back from a direction of steps that were given up
+  slope[0] = FrictionReducedSlope_Private(t);
+  PetscCall(PetscArraycpy(units->y, t->to, units->n));
+  PetscCall(FrictionProblemSetForces(&t->problem));
+  slope[1] = FrictionReducedSlope_Private(t);
+  PetscCall(FrictionUnitsSearch(units, t->from, slope, &alpha));
+  *shortened = (PetscBool)(alpha != 1);
+  if (!*shortened) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt i = 0; i < units->n; i++) units->y[i] = t->from[i] + alpha * (t->to[i] - t->from[i]);
+  PetscCall(FrictionProblemSetForces(&t->problem));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One step on the first rank. */
-static PetscErrorCode FrictionReducedStepFirst_Private(Reduced *t, FrictionStep *step)
+/* One step on the first rank. [out] failed */
+static PetscErrorCode FrictionReducedStepFirst_Private(Reduced *t, FrictionStep *step, PetscBool *failed)
 {
   FrictionUnits *units = t->problem.units;
   FrictionReport count;
-  PetscBool      singular;
 
   PetscFunctionBeginUser;
   PetscCall(FrictionUnitsDecide(units, &step->changed));
-  PetscCall(FrictionSystemSolve(&t->problem, &singular));
+  FrictionUnitsProject(units, t->from);
+  PetscCall(FrictionSystemSolve(&t->problem));
   PetscCall(FrictionUnitsResidual(units, &step->residual, &step->size));
   PetscCall(FrictionUnitsCount(units, &count, &step->closed));
-  step->done = (PetscBool)(!singular && step->residual <= FRICTION_RTOL * step->size);
-  if (!step->done) {
-    if (!singular && step->residual < DESCENT * t->least) {
-      t->least   = step->residual;
-      t->waiting = 0;
-      if (!t->sweeps) PetscCall(PetscArraycpy(t->best, units->y, units->n)); // sweeps go on from where they were
-    } else if (singular || ++t->waiting >= PATIENCE) {
-      PetscCall(FrictionReducedSweep_Private(t));
-    }
-  }
+  step->done       = (PetscBool)(step->residual <= FRICTION_RTOL * step->size);
   step->iterations = 1;
-  step->sweeps     = t->all_sweeps;
+  if (step->done) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(FrictionReducedSearch_Private(t, &step->shortened));
+  if (step->shortened) PetscCall(FrictionUnitsResidual(units, &step->residual, &step->size));
+  t->waiting = step->residual < DESCENT * t->least ? 0 : t->waiting + 1;
+  t->least   = PetscMin(t->least, step->residual);
+  *failed    = (PetscBool)(t->waiting >= PATIENCE);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 static PetscErrorCode Step_Reduced(FrictionMethod method, FrictionStep *step)
 {
-  Reduced *t = method->data;
+  Reduced  *t      = method->data;
+  PetscBool failed = PETSC_FALSE;
 
   PetscFunctionBeginUser;
-  if (!t->rank) PetscCall(FrictionReducedStepFirst_Private(t, step));
+  if (!t->rank) PetscCall(FrictionReducedStepFirst_Private(t, step, &failed));
   PetscCallMPI(MPI_Bcast(step, sizeof(*step), MPI_BYTE, 0, method->pdas->set.comm));
+  PetscCallMPI(MPI_Bcast(&failed, 1, MPIU_BOOL, 0, method->pdas->set.comm));
+  if (failed) method->pdas->failure = FAILURE_FRICTION;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 static PetscErrorCode Restart_Reduced(FrictionMethod method)
 {
-  Reduced  *t = method->data;
-  PetscReal size;
+  Reduced *t = method->data;
 
   PetscFunctionBeginUser;
-  if (t->rank) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscArraycpy(t->best, method->units.y, method->units.n));
-  PetscCall(FrictionUnitsResidual(&method->units, &t->least, &size));
-  t->waiting = t->sweeps = t->all_sweeps = 0;
+  t->least   = PETSC_MAX_REAL;
+  t->waiting = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -115,7 +124,6 @@ static PetscErrorCode FrictionReducedRefine_Private(PDAS *pdas, ActiveSolver sol
                                                     FrictionProblem *problem, Vec y)
 {
   ActiveSolution solution;
-  PetscBool      singular;
 
   PetscFunctionBeginUser;
   PetscCall(ActiveSolutionCreate(&pdas->set, &solution));
@@ -126,7 +134,7 @@ static PetscErrorCode FrictionReducedRefine_Private(PDAS *pdas, ActiveSolver sol
     for (PetscInt i = 0; i < problem->units->n; i++)
       problem->g[i] = problem->units->r[i]; // g = r + S y with the r of A
     PetscCall(FrictionProblemAddProduct(problem));
-    PetscCall(FrictionSystemSolve(problem, &singular));
+    PetscCall(FrictionSystemSolve(problem));
   }
   if (solution.failure) {
     pdas->failure   = solution.failure;
@@ -179,7 +187,7 @@ static PetscErrorCode Destroy_Reduced(FrictionMethod method)
 
   PetscFunctionBeginUser;
   PetscCall(FrictionProblemDestroy(&t->problem));
-  PetscCall(PetscFree(t->best));
+  PetscCall(PetscFree2(t->from, t->to));
   PetscCall(PetscFree(t));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -203,7 +211,7 @@ PetscErrorCode FrictionReducedCreate(FrictionMethod method, Vec y)
   PetscCall(FrictionUnitsGather(set, method->pdas->law, &method->units));
   PetscCall(SchurSolverGetReduced(solver, &S, &g));
   PetscCall(FrictionProblemCreate(&method->units, S, &t->problem));
-  PetscCall(PetscMalloc1(method->units.n, &t->best));
+  PetscCall(PetscMalloc2(method->units.n, &t->from, method->units.n, &t->to));
   PetscCall(PetscMalloc1(set->n, &own));
   PetscCall(ActiveSetGather(set, y, own));
   PetscCall(SchurSolverGather(solver, own, t->rank ? NULL : method->units.y));

@@ -13,8 +13,10 @@
 #include "pdas/frictionimpl.h"
 #include <petscblaslapack.h>
 
+/* Part of the resistance that is added to a singular system. */
+static const PetscReal SINGULAR_SHIFT = 1e-10;
 /* Power iteration: steps before the growth is measured, and over which it is. */
-enum { RHO_FIRST = 30, RHO_STEPS = 60 };
+enum { POWER_FIRST = 30, POWER_STEPS = 60 };
 
 /* Fixes what is fixed in y, and lists what is free. */
 static void FrictionSystemPrescribe_Private(FrictionProblem *problem)
@@ -51,28 +53,40 @@ static void FrictionSystemAddSlip_Private(FrictionProblem *problem, const Fricti
   }
 }
 
-PetscErrorCode FrictionSystemFactor(FrictionProblem *problem, PetscBool coupled, PetscBool *singular)
+/* The system of the decisions. [in] shift - part of the resistance that is added where units slip */
+static void FrictionSystemAssemble_Private(FrictionProblem *problem, PetscBool coupled, PetscReal shift)
 {
-  const PetscInt N = problem->units->n;
-  PetscInt       n;
-  PetscBLASInt   size, info;
+  const PetscInt N = problem->units->n, n = problem->num_free;
 
-  PetscFunctionBeginUser;
-  FrictionSystemPrescribe_Private(problem);
-  n         = problem->num_free;
-  *singular = PETSC_FALSE;
-  if (!n) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt j = 0; j < N; j++) {
     if (problem->place[j] < 0) continue;
     for (PetscInt i = 0; i < N; i++)
       if (problem->place[i] >= 0) problem->M[n * problem->place[j] + problem->place[i]] = problem->S[N * j + i];
   }
-  for (PetscInt a = 0; a < problem->units->num; a++)
-    if (problem->units->unit[a].status == UNIT_SLIP)
-      FrictionSystemAddSlip_Private(problem, &problem->units->unit[a], coupled);
-  PetscCall(PetscBLASIntCast(n, &size));
-  PetscCallBLAS("LAPACKgetrf", LAPACKgetrf_(&size, &size, problem->M, &size, problem->pivot, &info));
-  *singular = (PetscBool)(info != 0);
+  for (PetscInt a = 0; a < problem->units->num; a++) {
+    const FrictionUnit *unit = &problem->units->unit[a];
+
+    if (unit->status != UNIT_SLIP) continue;
+    FrictionSystemAddSlip_Private(problem, unit, coupled);
+    for (PetscInt i = 0; i < unit->num; i++)
+      problem->M[(n + 1) * problem->place[unit->tangent[i]]] += shift * unit->resistance;
+  }
+}
+
+PetscErrorCode FrictionSystemFactor(FrictionProblem *problem, PetscBool coupled)
+{
+  PetscBLASInt size, info = 1;
+
+  PetscFunctionBeginUser;
+  FrictionSystemPrescribe_Private(problem);
+  if (!problem->num_free) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscBLASIntCast(problem->num_free, &size));
+  for (PetscInt k = 0; k < 2 && info;
+       k++) { // all may slip that holds a body: a step shows which way, a part of it is taken
+    FrictionSystemAssemble_Private(problem, coupled, k ? SINGULAR_SHIFT : 0);
+    PetscCallBLAS("LAPACKgetrf", LAPACKgetrf_(&size, &size, problem->M, &size, problem->pivot, &info));
+  }
+  PetscCheck(!info, PETSC_COMM_SELF, PETSC_ERR_MAT_LU_ZRPVT, "The system of a Newton step is singular");
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -89,13 +103,12 @@ static PetscErrorCode FrictionSystemSubstitute_Private(FrictionProblem *problem)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FrictionSystemSolve(FrictionProblem *problem, PetscBool *singular)
+PetscErrorCode FrictionSystemSolve(FrictionProblem *problem)
 {
   PetscReal *y = problem->units->y;
 
   PetscFunctionBeginUser;
-  PetscCall(FrictionSystemFactor(problem, PETSC_TRUE, singular));
-  if (*singular) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(FrictionSystemFactor(problem, PETSC_TRUE));
   FrictionUnitsPrescribe(problem->units);
   /* a Newton step from y: M dy = r - (what the law wants of it), with the forces r of y after prescription */
   PetscCall(FrictionProblemSetForces(problem));
@@ -156,7 +169,6 @@ PetscErrorCode FrictionSystemGetRho(FrictionProblem *problem, PetscReal *rho)
 {
   PetscReal *v, sum = 0, growth = 0;
   PetscInt   slipping = 0;
-  PetscBool  singular;
 
   PetscFunctionBeginUser;
   *rho = 0;
@@ -168,14 +180,14 @@ PetscErrorCode FrictionSystemGetRho(FrictionProblem *problem, PetscReal *rho)
       v[a] = 1 + 0.5 * PetscSinReal(a); // in no invariant subspace
     slipping += v[a] > 0 ? 1 : 0;
   }
-  PetscCall(FrictionSystemFactor(problem, PETSC_FALSE, &singular));
-  if (slipping && !singular) {
-    for (PetscInt k = 0; k < RHO_FIRST + RHO_STEPS; k++) {
+  PetscCall(FrictionSystemFactor(problem, PETSC_FALSE));
+  if (slipping) {
+    for (PetscInt k = 0; k < POWER_FIRST + POWER_STEPS; k++) {
       PetscCall(FrictionSystemGrow_Private(problem, v, &growth));
       if (growth == 0) break;
-      if (k >= RHO_FIRST) sum += PetscLogReal(growth);
+      if (k >= POWER_FIRST) sum += PetscLogReal(growth);
     }
-    *rho = growth > 0 ? PetscExpReal(sum / RHO_STEPS) : 0;
+    *rho = growth > 0 ? PetscExpReal(sum / POWER_STEPS) : 0;
   }
   PetscCall(PetscFree(v));
   PetscFunctionReturn(PETSC_SUCCESS);

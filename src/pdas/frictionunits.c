@@ -211,21 +211,6 @@ PetscErrorCode FrictionUnitsDecide(FrictionUnits *units, PetscInt *changed)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-void FrictionUnitsForget(FrictionUnits *units)
-{
-  for (PetscInt a = 0; a < units->num; a++) units->unit[a].status = UNIT_FREE;
-}
-
-void FrictionUnitsReturn(FrictionUnits *units)
-{
-  for (PetscInt a = 0; a < units->num; a++) {
-    const FrictionUnit *unit = &units->unit[a];
-
-    units->y[unit->normal] = PetscMin(units->y[unit->normal], unit->upper);
-    for (PetscInt i = 0; i < unit->num; i++) units->y[unit->tangent[i]] = unit->origin[i];
-  }
-}
-
 void FrictionUnitsPrescribe(FrictionUnits *units)
 {
   for (PetscInt a = 0; a < units->num; a++) {

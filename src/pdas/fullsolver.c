@@ -114,14 +114,14 @@ static PetscErrorCode FullSolverSetMatrix_Private(ActiveSolver solver)
 }
 
 /* A^ for the present M, a copy or the operator of multigrid. */
-static PetscErrorCode FullSolverUpdateMatrix_Private(ActiveSolver solver)
+static PetscErrorCode FullSolverUpdateMatrix_Private(ActiveSolver solver, Mat more)
 {
   FullSolver *t = solver->data;
 
   PetscFunctionBeginUser;
   if (t->same) PetscFunctionReturn(PETSC_SUCCESS);
   if (t->shell)
-    PetscCall(MultigridSetFree(t->pc, t->free));
+    PetscCall(MultigridSetFree(t->pc, t->free, more));
   else
     PetscCall(FullSolverSetMatrix_Private(solver));
   PetscCall(KSPSetOperators(t->ksp, t->A, t->A));
@@ -129,11 +129,14 @@ static PetscErrorCode FullSolverUpdateMatrix_Private(ActiveSolver solver)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FullSolverSetFixed(ActiveSolver solver, const PetscBool fixed[])
+PetscErrorCode FullSolverSetFixed(ActiveSolver solver, const PetscBool fixed[], Mat more)
 {
+  FullSolver *t = solver->data;
+
   PetscFunctionBeginUser;
   PetscCall(FullSolverSetFree_Private(solver, fixed));
-  PetscCall(FullSolverUpdateMatrix_Private(solver));
+  if (more) t->same = PETSC_FALSE;
+  PetscCall(FullSolverUpdateMatrix_Private(solver, more));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -223,7 +226,7 @@ static PetscErrorCode Solve_FullSolver(ActiveSolver solver, const PetscBool fixe
   solution->iterations = 0;
   solution->eta        = 0;
   PetscCall(FullSolverPrescribe_Private(solver, fixed, value, solution));
-  PetscCall(FullSolverUpdateMatrix_Private(solver));
+  PetscCall(FullSolverUpdateMatrix_Private(solver, NULL));
   PetscCall(ActiveSolverResidual(solver, fixed, t->y, t->r, t->f, &first));
   if (t->shell) {
     PetscCall(MultigridAddWork(t->pc));

@@ -37,8 +37,8 @@ typedef struct {
    after an iteration of its KSP, or in it */
 PetscErrorCode FullSolverUpdateRitz(FullSolver *t);
 
-/* Sets M and A^, for corrections without a solve. Collective. [in] fixed - [n] */
-PetscErrorCode FullSolverSetFixed(ActiveSolver solver, const PetscBool fixed[]);
+/* Sets M and A^, for corrections without a solve. Collective. [in] fixed - [n]; [in] more - what the cycle of multigrid adds to A, or NULL */
+PetscErrorCode FullSolverSetFixed(ActiveSolver solver, const PetscBool fixed[], Mat more);
 
 /* Sets the convergence test of a KSP with multigrid. Collective. */
 PetscErrorCode ConvergenceSetTest(ActiveSolver solver);

@@ -339,7 +339,7 @@ static void TestRungs(MeshLevels levels)
   CHECK(!VecDuplicate(vi->upper, &free));
   for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(shares); ++i) {
     Choose(vi, shares[i], free);
-    CHECK(!MGLevelSetFree(h->num, mg, free));
+    CHECK(!MGLevelSetFree(h->num, mg, free, NULL));
     CHECK(!MGLevelAssemble(&mg[0]));
     CompareRungs(levels, mg);
   }

@@ -1,0 +1,69 @@
+/* frictionarnoldi.c -- the spectral radius of a map of numbers at the units, by Arnoldi's method (eq. 16.5). */
+#include "pdas/frictionimpl.h"
+#include <petscblaslapack.h>
+
+/* Steps: the method ends after the first number where rho is tiny, after the second where it is small or a step adds little, and after the
+   third. */
+enum { RHO_FIRST = 3, RHO_FEW = 6, RHO_STEPS = 24 };
+static const PetscReal RHO_TINY = 0.02, RHO_SMALL = 0.15, RHO_SETTLES = 0.005;
+
+/* Removes the parts of v along older vectors, and scales it to 1. [out] h - those parts, then the length of the rest [k + 1] */
+static PetscErrorCode FrictionArnoldiOrthogonalize_Private(FrictionMethod method, PetscInt k, PetscReal *basis[],
+                                                           PetscReal v[], PetscReal h[])
+{
+  const PetscInt num = method->units.num;
+
+  PetscFunctionBeginUser;
+  for (PetscInt j = 0; j <= k; j++) {
+    h[j] = 0;
+    for (PetscInt a = 0; a < num; a++) h[j] += v[a] * (j < k ? basis[j][a] : v[a]);
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &h[j], 1, MPIU_REAL, MPI_SUM, method->units.comm));
+    for (PetscInt a = 0; a < num && j < k; a++) v[a] -= h[j] * basis[j][a];
+  }
+  h[k] = PetscSqrtReal(h[k]);
+  for (PetscInt a = 0; a < num && h[k] > 0; a++) v[a] /= h[k];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* rho = max |eigenvalue of H|. [in] H - column by column [size][RHO_STEPS] */
+static PetscErrorCode FrictionArnoldiLargest_Private(PetscInt size, const PetscScalar H[], PetscReal *rho)
+{
+  PetscScalar  copy[RHO_STEPS * RHO_STEPS], real[RHO_STEPS], imaginary[RHO_STEPS], work[8 * RHO_STEPS], none;
+  PetscBLASInt n = (PetscBLASInt)size, lead = RHO_STEPS, length = 8 * RHO_STEPS, one = 1, info;
+
+  PetscFunctionBeginUser;
+  *rho = 0;
+  PetscCall(PetscArraycpy(copy, H, size * RHO_STEPS));
+  PetscCallBLAS("LAPACKgeev", LAPACKgeev_("N", "N", &n, copy, &lead, real, imaginary, &none, &one, &none, &one, work,
+                                          &length, &info));
+  for (PetscInt i = 0; i < size && !info; i++)
+    *rho = PetscMax(*rho, PetscSqrtReal(PetscSqr(real[i]) + PetscSqr(imaginary[i])));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, const PetscReal seed[], PetscReal *rho)
+{
+  const PetscInt num                      = method->units.num;
+  PetscScalar    H[RHO_STEPS * RHO_STEPS] = {0};
+  PetscReal     *basis[RHO_STEPS + 1], *values, h[RHO_STEPS + 1];
+  PetscReal      before  = 0;
+  PetscBool      settled = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  *rho = 0;
+  PetscCall(PetscCalloc1((RHO_STEPS + 1) * num, &values));
+  for (PetscInt j = 0; j <= RHO_STEPS; j++) basis[j] = &values[j * num];
+  PetscCall(PetscArraycpy(basis[0], seed, num));
+  PetscCall(FrictionArnoldiOrthogonalize_Private(method, 0, basis, basis[0], h));
+  for (PetscInt k = 0; k < RHO_STEPS && h[k] > 0 && !settled; k++) {
+    PetscCall((*map)(method, basis[k], basis[k + 1]));
+    PetscCall(FrictionArnoldiOrthogonalize_Private(method, k + 1, basis, basis[k + 1], h));
+    for (PetscInt i = 0; i < PetscMin(k + 2, RHO_STEPS); i++) H[RHO_STEPS * k + i] = h[i];
+    PetscCall(FrictionArnoldiLargest_Private(k + 1, H, rho));
+    settled = (PetscBool)((k + 1 >= RHO_FIRST && *rho < RHO_TINY) || (k + 1 >= RHO_FEW && *rho < RHO_SMALL) ||
+                          (k + 1 >= RHO_FEW && PetscAbsReal(*rho - before) < RHO_SETTLES * *rho));
+    before  = *rho;
+  }
+  PetscCall(PetscFree(values));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,104 @@
+/* frictionsearch.c -- a part of a Newton step for contact with friction, where the whole one goes too far.
+
+   With the limits G of the present pressures the energy  J(y) = 1/2 y'A y - b'y + sum G |s|  is convex. The decisions of a step are those of a
+   proximal step y^ (eq. 16.4), at which J is smooth in all that is not fixed. From there Newton's step d descends, until slip turns round on the
+   way. Its part alpha minimizes J(y^ + alpha d): a unit whose slip ends there sticks in the next decisions. So all units of a body that friction
+   alone holds cannot slip to and fro for ever [1].
+
+   References: [1] Graeser, Kornhuber, Multigrid methods for obstacle problems, 2009: truncated nonsmooth Newton methods. */
+#include "pdas/frictionimpl.h"
+
+/* Rise of the energy at the end of a step, over its fall at the beginning, from which on a part of the step is better; bisections for that part. */
+static const PetscReal OVERSHOOT = 0.1;
+enum { BISECTIONS = 40 };
+
+/* The tangents of one unit after the proximal step. [in] limit - G of its pressure */
+static void FrictionSearchProject_Private(const FrictionUnits *units, const FrictionUnit *unit, PetscReal limit,
+                                          PetscReal to[])
+{
+  PetscReal moved[FRICTION_TANGENTS], size = 0, slip;
+
+  for (PetscInt i = 0; i < unit->num; i++) {
+    const PetscInt at = unit->tangent[i];
+
+    moved[i] = units->y[at] - unit->origin[i] + units->r[at] / unit->resistance;
+    size += moved[i] * moved[i];
+  }
+  slip = PetscMax(PetscSqrtReal(size) - limit / unit->resistance, 0);
+  for (PetscInt i = 0; i < unit->num; i++) {
+    to[unit->tangent[i]] = unit->origin[i];
+    if (unit->status == UNIT_SLIP) to[unit->tangent[i]] += slip * unit->direction[i];
+    if (unit->status == UNIT_FREE) to[unit->tangent[i]] += moved[i];
+  }
+}
+
+void FrictionUnitsProject(const FrictionUnits *units, PetscReal to[])
+{
+  for (PetscInt a = 0; a < units->num; a++) {
+    const FrictionUnit *unit  = &units->unit[a];
+    const PetscInt      n     = unit->normal;
+    const PetscReal     moved = units->y[n] + units->r[n] / unit->stiffness;
+
+    to[n] = unit->closed ? unit->upper : PetscMin(moved, unit->upper);
+    FrictionSearchProject_Private(
+        units, unit, FrictionUnitLimit(unit, unit->closed ? unit->stiffness * (moved - unit->upper) : 0), to);
+  }
+}
+
+/* sum G d|s| / d alpha of this rank. */
+static PetscReal FrictionSearchSlope_Private(const FrictionUnits *units, const PetscReal from[], PetscReal alpha)
+{
+  PetscReal slope = 0;
+
+  for (PetscInt a = 0; a < units->num; a++) {
+    const FrictionUnit *unit = &units->unit[a];
+    PetscReal           size = 0, along = 0;
+
+    for (PetscInt i = 0; i < unit->num; i++) {
+      const PetscInt  at = unit->tangent[i];
+      const PetscReal d = units->y[at] - from[at], s = from[at] + alpha * d - unit->origin[i];
+
+      size += s * s;
+      along += s * d;
+    }
+    if (size > 0) slope += FrictionUnitLimit(unit, units->r[unit->normal]) * along / PetscSqrtReal(size);
+  }
+  return slope;
+}
+
+/* d J / d alpha. Collective. */
+static PetscErrorCode FrictionSearchEnergy_Private(const FrictionUnits *units, const PetscReal from[],
+                                                   const PetscReal slope[2], PetscReal alpha, PetscReal *change)
+{
+  const PetscReal own = FrictionSearchSlope_Private(units, from, alpha);
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Allreduce(&own, change, 1, MPIU_REAL, MPI_SUM, units->comm));
+  *change += (1 - alpha) * slope[0] + alpha * slope[1];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionUnitsSearch(const FrictionUnits *units, const PetscReal from[], const PetscReal slope[2],
+                                   PetscReal *alpha)
+{
+  PetscReal begin, end, inner = 0, outer;
+
+  PetscFunctionBeginUser;
+  PetscCall(FrictionSearchEnergy_Private(units, from, slope, 0, &begin));
+  outer = begin > 0 ? -1 : 1; // roundoff decides where a nearly singular system leads
+  PetscCall(FrictionSearchEnergy_Private(units, from, slope, outer, &end));
+  *alpha = outer;
+  if (begin * end >= 0 || PetscAbsReal(end) <= OVERSHOOT * PetscAbsReal(begin)) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt k = 0; k < BISECTIONS; k++) {
+    const PetscReal middle = (inner + outer) / 2;
+    PetscReal       change;
+
+    PetscCall(FrictionSearchEnergy_Private(units, from, slope, middle, &change));
+    if (change * begin > 0)
+      inner = middle;
+    else
+      outer = middle;
+  }
+  *alpha = outer;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
