@@ -40,7 +40,7 @@ static const Unmodelled unmodelled[] = {
     {{"e", "nu", "modulus", "elastic_modulus", "youngs_modulus", "young_modulus", "poisson_ratio", "poissons_ratio",
       "shear_modulus", "bulk_modulus", "lambda", "lame"},
      "there is no such option; the material of a body is -<body>_young and -<body>_poisson, or -<body>_stiffness"},
-    {{"bc_normal"},
+    {{"bc_normal_"},
      "there is no such option; -<body>_bc_normal lists sides that do not move along their normals, and takes no "
      "values; "
      "others are -<body>_bc_displacement_<side>, with `free` for components that are not given"},
@@ -49,11 +49,12 @@ static const Unmodelled unmodelled[] = {
 };
 
 /* Whether the words of a name, joined by underscores, begin or end with these words, or are these; a single letter is too short for
-   parts of names. */
+   parts of names. Words that end with an underscore only begin names. */
 static PetscBool UnmodelledHas_Private(const char name[], const char words[])
 {
   const size_t num = strlen(name), length = strlen(words);
 
+  if (words[length - 1] == '_') return (PetscBool)!strncasecmp(name, words, length);
   if (num == length) return (PetscBool)!strcasecmp(name, words);
   if (num < length || length == 1) return PETSC_FALSE;
   if (!strncasecmp(name, words, length) && name[length] == '_') return PETSC_TRUE;

@@ -324,7 +324,10 @@ static PetscErrorCode SolverChoiceChooseFriction_Private(VI vi, SolverChoice *ch
     PetscCall(PetscStrncpy(choice->why, "friction", sizeof(choice->why)));
   }
   dense     = (PetscBool)(!strcmp(choice->ksp, KSPPREONLY) && !strcmp(choice->pc, PCCHOLESKY));
-  multigrid = (PetscBool)(!strcmp(choice->ksp, KSPCG) && !strcmp(choice->pc, PCTRUNCATEDMG));
+  multigrid = (PetscBool)((!strcmp(choice->ksp, KSPCG) || !strcmp(choice->ksp, KSPGMRES)) &&
+                          !strcmp(choice->pc, PCTRUNCATEDMG));
+  if (multigrid)
+    PetscCall(PetscStrncpy(choice->ksp, KSPCG, sizeof(choice->ksp))); // of levels; systems of friction take GMRES
   if (strcmp(choice->snes, SNESPDAS) || !(dense || multigrid)) {
     PetscCall(UserErrorRaise(comm,
                              "-<pair>_friction: needs -snes_type " SNESPDAS " and -pc_type " PCCHOLESKY

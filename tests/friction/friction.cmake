@@ -16,7 +16,7 @@ mortise_scene_test(keystone_iterates SCENE keystone CHECK iterates.py ARGS -pc_t
 mortise_scene_test(clamp_iterates SCENE clamp CHECK iterates.py ARGS -pc_type truncatedmg)
 mortise_scene_test(patch_solid_iterates SCENE patch_solid CHECK iterates.py RANKS 1 3 ARGS -pc_type truncatedmg)
 mortise_scene_test(floating SCENE incline CHECK floating.py ONLY_RANKS "the check itself takes several")
-mortise_scene_test(turning SCENE mindlin CHECK turning.py ARGS -pc_type truncatedmg)
+mortise_scene_test(turning SCENE mindlin CHECK turning.py ARGS -pc_type truncatedmg -ksp_type gmres)
 mortise_scene_test(fretting CHECK fretting.py RANKS 1 3)
 mortise_scene_test(restart SCENE fretting CHECK restart.py RANKS 1 3 ARGS -load_steps 1,1.5,2,3,4,5)
 mortise_scene_test(restart_ring SCENE pull_off CHECK restart.py RANKS 1 ARGS -load_steps 0,2,4,8,12)
