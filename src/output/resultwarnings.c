@@ -333,18 +333,21 @@ static const PetscReal ROUNDING = 1e-12;
 /* Whether nothing moves anything: no load, no displacement, no overlap. Collective. */
 static PetscErrorCode SummaryIsAtRest_Private(const SummaryInput *in, PetscBool *rest)
 {
-  PetscReal force;
-  PetscBool overlap = PETSC_FALSE;
+  const FrictionLaw *law = in->vi->friction;
+  PetscReal          force;
+  PetscBool          loaded = PETSC_FALSE;
 
   PetscFunctionBeginUser;
   PetscCall(VecNorm(in->vi->f, NORM_INFINITY, &force));
+  for (PetscInt i = 0; law && i < FRICTION_TANGENTS * law->n; i++)
+    loaded = (PetscBool)(loaded || law->origin[i] != 0); // friction holds what an earlier load step has pressed
   for (PetscInt p = 0; p < in->vi->num_pairs; p++) {
     const Pair pair = in->vi->pairs[p];
 
-    for (PetscInt a = 0; a < pair->num; a++) overlap = (PetscBool)(overlap || pair->gap[a] < -ROUNDING * pair->reach);
+    for (PetscInt a = 0; a < pair->num; a++) loaded = (PetscBool)(loaded || pair->gap[a] < -ROUNDING * pair->reach);
   }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &overlap, 1, MPIU_BOOL, MPI_LOR, in->scene->comm));
-  *rest = (PetscBool)(!overlap && force == 0 && in->vi->support.max_value == 0);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &loaded, 1, MPIU_BOOL, MPI_LOR, in->scene->comm));
+  *rest = (PetscBool)(!loaded && force == 0 && in->vi->support.max_value == 0);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

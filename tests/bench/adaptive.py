@@ -20,9 +20,9 @@ BOTH = {"uniform, order 1": ("uniform", 1), "uniform, order 2": ("uniform", 2), 
 # title -> options, meshes of each line, limit of the potential if known
 SCENES = {
     "two plates": (OPTIONS / "two_plates.opts", COARSE, (9, 8, 18), -5918.26337),
-    "Hertz in the plane, from a file": (OPTIONS / "hertz2d.opts", [], (4, 3, 12), None),
-    "gears, from a file": (OPTIONS / "gears.opts", [], (4, 3, 12), None),
-    "Hertz in space": (HERE / "hertz_space.opts", [], (3, 2, 8), None),
+    "Hertz in the plane, from a file": (OPTIONS / "hertz2d.opts", [], (4, 3, 7), None),
+    "gears, from a file": (OPTIONS / "gears.opts", [], (4, 3, 6), None),
+    "Hertz in space": (HERE / "hertz_space.opts", [], (3, 2, 6), None),
     "wheel on a rail, from a file": (OPTIONS / "wheel_on_rail.opts", [], (3, 2, 3), None),
 }
 LOOPS = {

@@ -42,6 +42,7 @@ mortise_scene_test(round_punch CHECK round_punch.py)
 mortise_scene_test(jaeger SCENE fretting CHECK jaeger.py ARGS -joint_gap "max(abs(x)-1,0)^2/320" -upper_dm_plex_box_faces 64,16
   -lower_dm_plex_box_faces 64,16 -load_steps 1,2)
 mortise_scene_test(arch SCENE incline CHECK arch.py RANKS 1 3)
+mortise_scene_test(locked CHECK locked.py RANKS 1 3)
 mortise_scene_test(hard SCENE incline CHECK hard.py RANKS 1 3)
 mortise_scene_test(third_solver CHECK third_solver.py)
 mortise_scene_test(third_solver_solid CHECK third_solver.py)
