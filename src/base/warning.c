@@ -8,11 +8,12 @@
 
 enum { TEXT_LENGTH = 2048, LABEL_LENGTH = 64 };
 
-static const char GRAVE[] = "grave"; /* key of a warning within this file alone */
+static const char GRAVE[] = "grave", LABEL[] = "label"; /* keys of a warning within this file alone */
 
 /* The first rank's alone, but for the flags. */
 static struct {
   cJSON    *common, *run, *told; /* of all runs, of this one, all lines that were printed; NULL while empty */
+  cJSON    *retained;            /* of runs before this one, while lines wait, each with its label */
   char      label[LABEL_LENGTH];
   PetscBool within, quiet; /* within a run */
   PetscBool held;          /* lines wait for the last run */
@@ -163,6 +164,24 @@ void WarningHold(void)
   book.before = book.ended;
 }
 
+void WarningRetain(void)
+{
+  const cJSON *item;
+
+  cJSON_ArrayForEach(item, book.run)
+  {
+    cJSON *one = cJSON_Duplicate(item, cJSON_True);
+
+    cJSON_AddStringToObject(one, LABEL, book.label);
+    WarningAppend_Private(&book.retained, one);
+  }
+}
+
+void WarningForgetRetained(void)
+{
+  WarningReset_Private(&book.retained);
+}
+
 /* A list's lines, as far as they were not printed. */
 static void WarningPrintList_Private(const cJSON *list)
 {
@@ -170,12 +189,14 @@ static void WarningPrintList_Private(const cJSON *list)
 
   cJSON_ArrayForEach(item, list)
   {
+    const char   *label = cJSON_GetStringValue(cJSON_GetObjectItem(item, LABEL));
     const Warning about = {.code   = cJSON_GetStringValue(cJSON_GetObjectItem(item, "code")),
                            .body   = cJSON_GetStringValue(cJSON_GetObjectItem(item, "body")),
                            .pair   = cJSON_GetStringValue(cJSON_GetObjectItem(item, "pair")),
                            .advice = cJSON_GetStringValue(cJSON_GetObjectItem(item, "advice")),
                            .grave  = (PetscBool)cJSON_HasObjectItem(item, GRAVE)};
 
+    if (label) WarningSetLabel(label);
     WarningPrint_Private(&about, cJSON_GetStringValue(cJSON_GetObjectItem(item, "text")));
   }
 }
@@ -183,10 +204,14 @@ static void WarningPrintList_Private(const cJSON *list)
 void WarningRelease(void)
 {
   book.held  = PETSC_FALSE;
-  book.ended = book.before + cJSON_GetArraySize(book.run);
+  book.ended = book.before + (book.retained ? cJSON_GetArraySize(book.retained) : cJSON_GetArraySize(book.run));
   WarningPrintList_Private(book.common);
   book.within = PETSC_TRUE; // its lines have its label
-  WarningPrintList_Private(book.run);
+  if (book.retained)
+    WarningPrintList_Private(book.retained);
+  else
+    WarningPrintList_Private(book.run);
+  WarningForgetRetained();
   book.within = PETSC_FALSE;
 }
 
@@ -245,6 +270,7 @@ void WarningExchange(WarningLists *lists)
 void WarningBreakRun(void)
 {
   WarningEndRun();
+  WarningForgetRetained();
   book.muted = 0;
   book.held  = PETSC_FALSE;
 }
@@ -254,5 +280,6 @@ void WarningClear(void)
   WarningReset_Private(&book.common);
   WarningReset_Private(&book.run);
   WarningReset_Private(&book.told);
+  WarningReset_Private(&book.retained);
   memset(&book, 0, sizeof(book));
 }

@@ -49,6 +49,9 @@ void WarningUnmute(void);
    meshes are no answers. Not collective. */
 void WarningHold(void);
 void WarningRelease(void);
+/* Between them, what a run was warned of that has ended counts as well, with its label; forgets all of these. Not collective. */
+void WarningRetain(void);
+void WarningForgetRetained(void);
 /* Keeps lines from stderr, not from the list. Not collective. */
 void WarningSetQuiet(PetscBool quiet);
 

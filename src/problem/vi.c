@@ -279,6 +279,9 @@ PetscErrorCode VISetSlipOrigin(VI vi, Vec u)
   if (!vi->friction || !vi->B) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MatCreateVecs(vi->B, NULL, &relative));
   PetscCall(MatMult(vi->B, u, relative));
+  PetscCall(PetscObjectReference((PetscObject)u));
+  PetscCall(VecDestroy(&vi->slip_from));
+  vi->slip_from = u;
   if (!vi->slip_origin) PetscCall(PetscCalloc1(vi->num_rows, &vi->slip_origin));
   PetscCall(VecGetArrayRead(relative, &moved));
   for (PetscInt r = 0; r < vi->num_rows; r++)
@@ -318,6 +321,7 @@ PetscErrorCode VIDestroy(VI *vi_in)
   PetscCall(RigidModesDestroy(&vi->rigid_modes));
   PetscCall(FrictionLawDestroy(&vi->friction));
   PetscCall(PetscFree(vi->slip_origin));
+  PetscCall(VecDestroy(&vi->slip_from));
   PetscCall(PetscFree5(vi->row_pair, vi->row_node, vi->row_direction, vi->row_dof, vi->row_D));
   PetscCall(MatDestroy(&vi->B));
   PetscCall(MatDestroy(&vi->K));

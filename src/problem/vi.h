@@ -40,6 +40,7 @@ struct _n_VI {
   PetscReal *row_D;   /* D_aa [num_rows] */
   PetscReal
       *slip_origin; /* relative displacement from which slip counts, in tangential rows [num_rows]; NULL for none */
+  Vec  slip_from;   /* the displacement that it is of, ghosted; NULL for none */
 
   /* the inequality */
   Mat          T;        /* u = length * T y; NULL when it is the identity */

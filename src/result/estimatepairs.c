@@ -18,8 +18,10 @@ static const PetscReal HIDDEN_DEPTH = 1e-9;
 typedef struct {
   const PetscScalar *u, *traction, *normal; /* local forms of the nonmortar side */
   const PetscScalar *closed;                /* with a frozen set: 1 at nodes in contact, else NULL */
+  const PetscScalar *before;                /* displacement from which slip counts, or NULL for none */
   NodalStressArrays  stress;
   PetscReal         *u_m;        /* of PairPointsFetch(), like the following */
+  PetscReal         *before_m;   /* NULL for none */
   PetscReal        **stress_m;   /* [most] */
   PetscReal         *material_m; /* those that meet at a node, NULL where no body has regions [num_mortar][F][most] */
   PetscReal         *X_m;        /* places, NULL without a lever arm */
@@ -67,6 +69,8 @@ static PetscErrorCode PairValuesFetchMortar_Private(Fields fields, const Pair pa
   PetscFunctionBeginUser;
   values->most = fields->stress.at.most;
   PetscCall(PairPointsFetch(pair->points, fields->u, level->dim, &values->u_m));
+  if (ScenePairHasFriction(pair->spec) && fields->vi->slip_from)
+    PetscCall(PairPointsFetch(pair->points, fields->vi->slip_from, level->dim, &values->before_m));
   PetscCall(PetscMalloc1(values->most, &values->stress_m));
   for (PetscInt i = 0; i < values->most; i++)
     PetscCall(PairPointsFetch(pair->points, fields->stress.value[i], CELL_STRESSES, &values->stress_m[i]));
@@ -89,6 +93,7 @@ static PetscErrorCode PairValuesRestoreMortar_Private(PairValues *values)
   for (PetscInt i = 0; i < values->most; i++) PetscCall(PetscFree(values->stress_m[i]));
   PetscCall(PetscFree(values->stress_m));
   PetscCall(PetscFree(values->u_m));
+  PetscCall(PetscFree(values->before_m));
   PetscCall(PetscFree(values->material_m));
   PetscCall(PetscFree(values->X_m));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -106,8 +111,9 @@ static const PetscReal *PairValuesStress_Private(const PairValues *values, Petsc
 /* What is there at a point of a pair. */
 typedef struct {
   PetscReal x[3], normal[3], jump[3], traction[3], stress[2][CELL_STRESSES];
-  PetscBool closed; /* with a frozen set: whether all vertices of the facet are in contact */
-  PetscBool pushed; /* whether there is a traction at any node of the facet */
+  PetscReal before[3]; /* the jump from which slip counts */
+  PetscBool closed;    /* with a frozen set: whether all vertices of the facet are in contact */
+  PetscBool pushed;    /* whether there is a traction at any node of the facet */
 } PointState;
 
 static void PointStateSet_Private(const Level *level, PairPoints points, const PairPoint *point,
@@ -127,6 +133,7 @@ static void PointStateSet_Private(const Level *level, PairPoints points, const P
       state->x[k] += phi[i] * level->coords[nodes[i] * dim + k];
       state->normal[k] += phi[i] * PetscRealPart(values->normal[nodes[i] * dim + k]);
       state->jump[k] += phi[i] * PetscRealPart(values->u[nodes[i] * dim + k]);
+      if (values->before) state->before[k] += phi[i] * PetscRealPart(values->before[nodes[i] * dim + k]);
       state->traction[k] += phi[i] * PetscRealPart(values->traction[nodes[i] * dim + k]);
       if (values->traction[nodes[i] * dim + k] != 0) state->pushed = PETSC_TRUE;
     }
@@ -141,6 +148,7 @@ static void PointStateSet_Private(const Level *level, PairPoints points, const P
     const PetscReal *stress = PairValuesStress_Private(values, at, points->material[point->mortar]);
 
     for (PetscInt k = 0; k < dim; k++) state->jump[k] -= phi[i] * values->u_m[at * dim + k];
+    for (PetscInt k = 0; k < dim && values->before_m; k++) state->before[k] -= phi[i] * values->before_m[at * dim + k];
     for (PetscInt k = 0; k < CELL_STRESSES; k++) state->stress[1][k] += phi[i] * stress[k];
   }
   if (values->X_m) PairPointTakeArm(points, level, point, values->X_m, values->u_m, state->jump);
@@ -199,26 +207,25 @@ static PetscReal EstimateGetGap_Private(const Fields fields, PetscInt p, const P
   return depth < 0 ? PetscSqr(PetscMin(-depth, PetscMax(0, pressure) / resistance)) : depth * depth;
 }
 
-/* What is left of the law of friction at a point, as a square of slip: |P(q + k s) - q|^2 / k^2, P onto |q| <= g. [in] resistance - k; [out]
-   squared - 0 in load steps, whose slip counts from the last one */
+/* What is left of the law of friction at a point, as a square of slip: |P(q + k s) - q|^2 / k^2, P onto |q| <= g. [in] resistance - k */
 static PetscErrorCode EstimateGetSlip_Private(const Fields fields, PetscInt p, const PointState *state,
                                               PetscReal resistance, PetscReal *squared)
 {
   const PetscInt   dim      = fields->vi->level->dim;
   const ScenePair *spec     = fields->vi->pairs[p]->spec;
   const PetscReal  pressure = VectorDot(dim, state->normal, state->traction),
-                  depth     = VectorDot(dim, state->normal, state->jump);
+                  depth     = VectorDot(dim, state->normal, state->jump) - VectorDot(dim, state->normal, state->before);
   PetscReal limit = 0, size = 0, kept, q[3], z[3];
 
   PetscFunctionBeginUser;
   *squared = 0;
-  if (!ScenePairHasFriction(spec) || fields->vi->slip_origin) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!ScenePairHasFriction(spec)) PetscFunctionReturn(PETSC_SUCCESS);
   if (spec->friction) PetscCall(ExpressionEvaluate(spec->friction, dim, state->x, &limit));
   limit *= PetscMax(pressure, 0);
   if (spec->bound) PetscCall(ExpressionEvaluate(spec->bound, dim, state->x, &limit));
   for (PetscInt k = 0; k < dim; k++) {
     q[k] = state->traction[k] - pressure * state->normal[k];
-    z[k] = q[k] + resistance * (state->jump[k] - depth * state->normal[k]);
+    z[k] = q[k] + resistance * (state->jump[k] - state->before[k] - depth * state->normal[k]);
     size += z[k] * z[k];
   }
   size = PetscSqrtReal(size);
@@ -337,11 +344,12 @@ static PetscErrorCode EstimateAddFacet_Private(Fields fields, PetscInt p, PetscI
 /* Adds the points of one pair. Collective. */
 static PetscErrorCode EstimateAddPair_Private(Fields fields, PetscInt p, PairSums *sums)
 {
-  const PairPoints    points   = fields->vi->pairs[p]->points;
-  PairValues          values   = {NULL};
-  Vec                 v[4]     = {fields->u, NULL, points->normals, NULL}, local[4];
-  const PetscScalar **array[4] = {&values.u, &values.traction, &values.normal, &values.closed};
-  const PetscInt      num      = sums->frozen ? 4 : 3;
+  const PairPoints    points = fields->vi->pairs[p]->points;
+  PairValues          values = {NULL};
+  const PetscBool     slips  = ScenePairHasFriction(fields->vi->pairs[p]->spec);
+  Vec                 v[]    = {fields->u, NULL, points->normals, NULL, slips ? fields->vi->slip_from : NULL}, local[5];
+  const PetscScalar **array[] = {&values.u, &values.traction, &values.normal, &values.closed, &values.before};
+  const PetscInt      num     = PETSC_STATIC_ARRAY_LENGTH(v);
 
   PetscFunctionBeginUser;
   PetscCall(PairTractionCreate(fields, p, &v[1]));
@@ -349,6 +357,7 @@ static PetscErrorCode EstimateAddPair_Private(Fields fields, PetscInt p, PairSum
   PetscCall(PairValuesFetchMortar_Private(fields, fields->vi->pairs[p], &values));
   PetscCall(NodalStressGetArrays(&fields->stress, &values.stress));
   for (PetscInt i = 0; i < num; i++) {
+    if (!v[i]) continue;
     PetscCall(VecGhostGetLocalForm(v[i], &local[i]));
     PetscCall(VecGetArrayRead(local[i], array[i]));
   }
@@ -357,6 +366,7 @@ static PetscErrorCode EstimateAddPair_Private(Fields fields, PetscInt p, PairSum
     PetscCall(EstimateAddFacet_Private(fields, p, begin, end, &values, sums));
   }
   for (PetscInt i = 0; i < num; i++) {
+    if (!v[i]) continue;
     PetscCall(VecRestoreArrayRead(local[i], array[i]));
     PetscCall(VecGhostRestoreLocalForm(v[i], &local[i]));
   }

@@ -176,9 +176,6 @@ static PetscErrorCode SceneCheckAdaptiveFriction_Private(Scene scene)
 {
   PetscFunctionBeginUser;
   if (!scene->adapt.on || !SceneHasFriction(scene)) PetscFunctionReturn(PETSC_SUCCESS);
-  if (scene->steps.num)
-    PetscCall(UserErrorRaise(scene->comm, "-adapt: not for -load_steps with friction, whose slip would have to go from "
-                                          "mesh to mesh; omit one of the two, or give -<pair>_friction 0"));
   if (scene->adapt.num_goals)
     PetscCall(
         UserErrorRaise(scene->comm, "-adapt_goal: not with friction; omit it, and -adapt refines for the energy norm"));

@@ -318,6 +318,12 @@ static inline PetscBool SceneHasFriction(const struct _n_Scene *scene)
   return PETSC_FALSE;
 }
 
+/* Whether adaptive meshes have all load steps solved on each of them: slip counts from the step before, on the same mesh. */
+static inline PetscBool SceneRepeatsSteps(const struct _n_Scene *scene)
+{
+  return (PetscBool)(scene->adapt.on && scene->steps.num && SceneHasFriction(scene));
+}
+
 /* Whether two sides, each a name or several joined with '+', have a name in common. Not collective. */
 PetscBool SceneSidesShare(const char a[], const char b[]);
 

@@ -6,13 +6,14 @@
 #include "base/memory.h"
 #include "base/warning.h"
 #include "study/costforecast.h"
+#include "study/envelope.h"
 #include "study/marking.h"
-#include "study/meshhistory.h"
 #include "study/promotion.h"
 #include <stdlib.h>
 
 enum {
   TEXT_LENGTH  = 320,
+  TIME_TEXT    = 40,
   FIRST_MESHES = 3, /* as many as a bar needs at least, unless there is nothing to refine */
   KEPT_RUNS    = 4  /* meshes that a load step is solved on beside the latest one: bars are made of five */
 };
@@ -28,22 +29,25 @@ typedef struct {
 } OlderRun;
 
 struct _n_Adaptive {
-  Scene       scene; /* borrowed */
-  Mesh        mesh;  /* borrowed */
-  MeshHistory history;
-  PetscInt    first; /* meshes before those of the history */
-  PetscInt    num_older;
-  OlderRun    older[KEPT_RUNS]; /* with load steps, coarse first */
-  CostPoint   cost[2];          /* of the latest two meshes, the latest first */
-  PetscBool   quiet;
-  PetscReal   kept;       /* when files were written last */
-  PetscReal  *indicators; /* of goals on the latest mesh, GoalsSolve() */
-  PetscBool   dual;       /* whether their dual problems are solved */
+  Scene        scene; /* borrowed */
+  Mesh         mesh;  /* borrowed */
+  MeshHistory  own;
+  Envelope     envelope; /* with load steps that are all solved on each mesh, else empty */
+  MeshHistory *history;  /* own, or that of the envelope's worst step */
+  PetscInt     first;    /* meshes before those of the history */
+  PetscInt     num_older;
+  OlderRun     older[KEPT_RUNS]; /* with load steps, coarse first */
+  CostPoint    cost[2];          /* of the latest two meshes, the latest first */
+  PetscBool    quiet;
+  PetscReal    end;        /* of the last step of the envelope, or of the work before */
+  PetscReal    kept;       /* when files were written last */
+  PetscReal   *indicators; /* of goals on the latest mesh, GoalsSolve() */
+  PetscBool    dual;       /* whether their dual problems are solved */
 };
 
 static const SolvedMesh *AdaptiveGetLast_Private(const struct _n_Adaptive *adaptive)
 {
-  return &adaptive->history.mesh[adaptive->history.num - 1];
+  return &adaptive->history->mesh[adaptive->history->num - 1];
 }
 
 /* Whether the energy norm is known as well as is asked for. */
@@ -91,7 +95,7 @@ static PetscReal AdaptiveNext_Private(const struct _n_Adaptive *adaptive)
 {
   const SolvedMesh *mesh = AdaptiveGetLast_Private(adaptive);
 
-  return adaptive->history.num > 1 ? PetscSqr((PetscReal)mesh->unknowns) / mesh[-1].unknowns : mesh->unknowns;
+  return adaptive->history->num > 1 ? PetscSqr((PetscReal)mesh->unknowns) / mesh[-1].unknowns : mesh->unknowns;
 }
 
 /* The head of the table, behind a line for bodies whose cells were cut. Collective. */
@@ -115,8 +119,10 @@ static PetscErrorCode AdaptivePrintHead_Private(const struct _n_Adaptive *adapti
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The line of the latest mesh. */
 static PetscErrorCode AdaptivePrint_Private(const struct _n_Adaptive *adaptive)
 {
+  const Envelope   *envelope = &adaptive->envelope;
   const MPI_Comm    comm     = adaptive->scene->comm;
   const SolvedMesh *mesh     = AdaptiveGetLast_Private(adaptive);
   const PetscReal   expected = AdaptiveForecast_Private(adaptive);
@@ -126,12 +132,14 @@ static PetscErrorCode AdaptivePrint_Private(const struct _n_Adaptive *adaptive)
   PetscCall(PetscPrintf(comm,
                         "  %4" PetscInt_FMT " %9" PetscInt_FMT " %9" PetscInt_FMT " %5" PetscInt_FMT "  %6" PetscInt_FMT
                         "  %14.3g%%  %16.10g  %7.2f",
-                        adaptive->first + adaptive->history.num, mesh->cells, mesh->unknowns, mesh->iterations,
+                        adaptive->first + adaptive->history->num, mesh->cells, mesh->unknowns, mesh->iterations,
                         mesh->active, (double)(PERCENT * SolvedMeshGetError(mesh)), (double)mesh->potential,
-                        (double)mesh->seconds));
+                        (double)(envelope->num ? EnvelopeGetSeconds(envelope) : mesh->seconds)));
   for (PetscInt g = 0; g < adaptive->scene->adapt.num_goals; g++)
     PetscCall(PetscPrintf(comm, "  %12.6g +- %7.2g%%", (double)mesh->goals[g].value,
                           (double)(PERCENT * mesh->goals[g].bar / PetscAbsReal(mesh->goals[g].value))));
+  if (envelope->num > 1)
+    PetscCall(PetscPrintf(comm, "  largest error at t = %.9g", (double)adaptive->scene->steps.t[envelope->worst]));
   if (!AdaptiveIsMet_Private(adaptive) && expected > mesh->unknowns)
     PetscCall(PetscPrintf(comm, "  %.2g unknowns expected to be enough", (double)expected));
   PetscCall(PetscPrintf(comm, "\n"));
@@ -142,10 +150,10 @@ static PetscErrorCode AdaptivePrint_Private(const struct _n_Adaptive *adaptive)
 static PetscBool AdaptiveIsStalled_Private(const struct _n_Adaptive *adaptive)
 {
   const SolvedMesh *mesh = AdaptiveGetLast_Private(adaptive), *before;
-  PetscInt          k    = adaptive->history.num - 1;
+  PetscInt          k    = adaptive->history->num - 1;
 
-  while (k > 0 && 2 * adaptive->history.mesh[k].unknowns > mesh->unknowns) k--;
-  before = &adaptive->history.mesh[k];
+  while (k > 0 && 2 * adaptive->history->mesh[k].unknowns > mesh->unknowns) k--;
+  before = &adaptive->history->mesh[k];
   if (SolvedMeshGetError(before) >= 1) return PETSC_FALSE; // contact is not found yet, or hardly
   if (2 * before->unknowns > mesh->unknowns || mesh->eta <= STALLED * before->eta) return PETSC_FALSE;
   for (PetscInt g = 0; g < adaptive->scene->adapt.num_goals; g++) {
@@ -180,10 +188,10 @@ static PetscBool AdaptiveIsOver_Private(const struct _n_Adaptive *adaptive, char
 
   why[0] = '\0';
   if (SolvedMeshIsExact(AdaptiveGetLast_Private(adaptive))) return PETSC_TRUE;
-  if (AdaptiveIsMet_Private(adaptive) && adaptive->history.num >= FIRST_MESHES) return PETSC_TRUE;
+  if (AdaptiveIsMet_Private(adaptive) && adaptive->history->num >= FIRST_MESHES) return PETSC_TRUE;
   if (!adaptive->dual)
     (void)snprintf(why, TEXT_LENGTH, "a dual problem was not solved");
-  else if (adaptive->first + adaptive->history.num >= plan->max_meshes)
+  else if (adaptive->first + adaptive->history->num >= plan->max_meshes)
     (void)snprintf(why, TEXT_LENGTH, "-adapt_max_meshes %" PetscInt_FMT " ends the refinement", plan->max_meshes);
   else if (next > plan->max_unknowns)
     (void)snprintf(why, TEXT_LENGTH, "the next mesh would have about %.2g unknowns, -adapt_max_unknowns allows %.3g",
@@ -202,19 +210,22 @@ static PetscBool AdaptiveIsOver_Private(const struct _n_Adaptive *adaptive, char
 /* Says why the error that is asked for is not reached. [in] why - "" where it is */
 static PetscErrorCode AdaptiveSetVerdict_Private(const struct _n_Adaptive *adaptive, Run run, const char why[])
 {
-  const Scene       scene = adaptive->scene;
-  const SolvedMesh *mesh  = AdaptiveGetLast_Private(adaptive);
-  const size_t      room  = sizeof(run->report.reason);
-  PetscInt          g     = 0;
+  const Scene       scene           = adaptive->scene;
+  const SolvedMesh *mesh            = AdaptiveGetLast_Private(adaptive);
+  const size_t      room            = sizeof(run->report.reason);
+  const Envelope   *envelope        = &adaptive->envelope;
+  char              when[TIME_TEXT] = "";
+  PetscInt          g               = 0;
 
   PetscFunctionBeginUser;
   if (!why[0]) PetscFunctionReturn(PETSC_SUCCESS);
   run->solved           = PETSC_FALSE;
   run->report.converged = PETSC_FALSE;
+  if (envelope->num > 1) (void)snprintf(when, sizeof(when), "at t = %.9g ", (double)scene->steps.t[envelope->worst]);
   if (!AdaptiveEnergyIsMet_Private(adaptive)) {
     PetscCall(PetscSNPrintf(run->report.reason, room,
-                            "the error is about %.2g of the solution in the energy norm, -adapt asks for %g: %s",
-                            (double)SolvedMeshGetError(mesh), (double)scene->adapt.tolerance, why));
+                            "%sthe error is about %.2g of the solution in the energy norm, -adapt asks for %g: %s",
+                            when, (double)SolvedMeshGetError(mesh), (double)scene->adapt.tolerance, why));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   while (g < scene->adapt.num_goals && GoalIsMet(scene, &mesh->goals[g])) g++;
@@ -241,7 +252,7 @@ static void AdaptiveSetInterruptSentence_Private(const struct _n_Adaptive *adapt
 
   if (kept) {
     (void)snprintf(text, sizeof(text), "mortise: interrupted; %s.json and the other files hold mesh %d, error %.3g%%\n",
-                   scene->output, (int)adaptive->history.num,
+                   scene->output, (int)adaptive->history->num,
                    (double)(PERCENT * SolvedMeshGetError(AdaptiveGetLast_Private(adaptive))));
   } else {
     (void)snprintf(text, sizeof(text), "mortise: interrupted; nothing was written yet\n");
@@ -262,7 +273,7 @@ static PetscErrorCode AdaptiveKeep_Private(Adaptive adaptive, Run run)
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Bcast(&wanted, 1, MPIU_BOOL, 0, scene->comm));
   if (!wanted) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MeshHistoryDescribe(&adaptive->history, run));
+  PetscCall(MeshHistoryDescribe(adaptive->history, run));
   PetscCall(AdaptiveSetVerdict_Private(adaptive, run, "interrupted"));
   input = RunSummary(run);
   PetscCall(OutputCreate(scene->comm, &output));
@@ -326,14 +337,14 @@ static PetscErrorCode AdaptiveAdd_Private(Adaptive adaptive, Run run, PetscReal 
   SolvedMesh *mesh;
 
   PetscFunctionBeginUser;
-  PetscCall(MeshHistoryAdd(&adaptive->history, run, LogWallClock() - begin));
+  PetscCall(MeshHistoryAdd(adaptive->history, run, LogWallClock() - begin));
   PetscCall(AdaptiveMeasureMemory_Private(adaptive));
   if (!adaptive->scene->adapt.num_goals) PetscFunctionReturn(PETSC_SUCCESS);
-  mesh = &adaptive->history.mesh[adaptive->history.num - 1];
+  mesh = &adaptive->history->mesh[adaptive->history->num - 1];
   PetscCall(PetscFree(adaptive->indicators));
   PetscCall(PetscMalloc1(adaptive->scene->adapt.num_goals, &mesh->goals));
   PetscCall(GoalsSolve(run, mesh->goals, &adaptive->indicators, &adaptive->dual));
-  PetscCall(MeshHistoryDescribe(&adaptive->history, run)); // the bars of goals decide
+  PetscCall(MeshHistoryDescribe(adaptive->history, run)); // the bars of goals decide
   mesh->seconds = LogWallClock() - begin;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -395,10 +406,13 @@ PetscErrorCode AdaptiveCreate(Scene scene, Mesh mesh, Adaptive *adaptive)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscNew(adaptive));
-  (*adaptive)->scene = scene;
-  (*adaptive)->mesh  = mesh;
-  (*adaptive)->kept  = LogWallClock();
-  (*adaptive)->dual  = PETSC_TRUE;
+  (*adaptive)->scene   = scene;
+  (*adaptive)->mesh    = mesh;
+  (*adaptive)->kept    = LogWallClock();
+  (*adaptive)->end     = (*adaptive)->kept;
+  (*adaptive)->dual    = PETSC_TRUE;
+  (*adaptive)->history = &(*adaptive)->own;
+  if (SceneRepeatsSteps(scene)) PetscCall(EnvelopeCreate(scene->steps.num, &(*adaptive)->envelope));
   (*adaptive)->quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
   PetscCall(AdaptivePrintHead_Private(*adaptive, mesh));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -409,7 +423,8 @@ PetscErrorCode AdaptiveDestroy(Adaptive *adaptive)
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < (*adaptive)->num_older; i++) PetscCall(RunDestroy(&(*adaptive)->older[i].run));
   PetscCall(PetscFree((*adaptive)->indicators));
-  PetscCall(MeshHistoryDestroy(&(*adaptive)->history));
+  PetscCall(MeshHistoryDestroy(&(*adaptive)->own));
+  PetscCall(EnvelopeDestroy(&(*adaptive)->envelope));
   PetscCall(PetscFree(*adaptive));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -422,7 +437,7 @@ PetscErrorCode AdaptiveSolve(Adaptive adaptive, Vec guess, Run *run)
   Vec             own = NULL;
 
   PetscFunctionBeginUser;
-  PetscCall(MeshHistoryDestroy(&adaptive->history));
+  PetscCall(MeshHistoryDestroy(&adaptive->own));
   WarningHold();
   PetscCall(*run ? AdaptiveAdvance_Private(adaptive, guess, run)
                  : RunCreate(adaptive->scene, adaptive->mesh, guess, run));
@@ -434,7 +449,7 @@ PetscErrorCode AdaptiveSolve(Adaptive adaptive, Vec guess, Run *run)
     PetscCall(AdaptivePrint_Private(adaptive));
     begin = LogWallClock();
     if (AdaptiveIsOver_Private(adaptive, why)) {
-      PetscCall(MeshHistoryDescribe(&adaptive->history, *run));
+      PetscCall(MeshHistoryDescribe(adaptive->history, *run));
       PetscCall(AdaptiveSetVerdict_Private(adaptive, *run, why));
       break;
     }
@@ -443,6 +458,47 @@ PetscErrorCode AdaptiveSolve(Adaptive adaptive, Vec guess, Run *run)
     PetscCall(AdaptiveExtend_Private(adaptive, own, tighten, run));
   }
   WarningRelease();
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode AdaptiveAddStep(Adaptive adaptive, PetscInt i, Run run)
+{
+  PetscFunctionBeginUser;
+  PetscCall(EnvelopeAdd(&adaptive->envelope, i, run, LogWallClock() - adaptive->end));
+  adaptive->end = LogWallClock();
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscBool AdaptiveStepIsMet(Adaptive adaptive, PetscInt i)
+{
+  return (PetscBool)(EnvelopeGetError(&adaptive->envelope, i) <= adaptive->scene->adapt.tolerance);
+}
+
+PetscErrorCode AdaptiveRefineSteps(Adaptive adaptive, Run *run, Vec *guess)
+{
+  const Mesh     mesh     = adaptive->mesh;
+  const PetscInt level    = mesh->num_levels - 1;
+  Envelope      *envelope = &adaptive->envelope;
+  PetscInt      *marked;
+  char           why[TEXT_LENGTH];
+
+  PetscFunctionBeginUser;
+  *guess            = NULL;
+  adaptive->history = &envelope->step[envelope->worst];
+  PetscCall(AdaptiveMeasureMemory_Private(adaptive));
+  PetscCall(AdaptivePrint_Private(adaptive));
+  if (AdaptiveIsOver_Private(adaptive, why)) {
+    PetscCall(AdaptiveSetVerdict_Private(adaptive, *run, why));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(RunDestroy(run));
+  PetscCall(LogReset(LogWallClock()));
+  PetscCall(LogStageBegin(STAGE_SETUP));
+  PetscCall(EnvelopeMark(envelope, &mesh->levels[level], adaptive->scene->adapt.marking, &marked));
+  PetscCall(MeshAdapt(mesh, marked));
+  PetscCall(PromotionApply(mesh, level, level + 1, envelope->first, guess));
+  PetscCall(LogStageEnd(STAGE_SETUP));
+  PetscCall(PetscFree(marked));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

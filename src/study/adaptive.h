@@ -21,4 +21,15 @@ PetscErrorCode AdaptiveDestroy(Adaptive *adaptive);
    [in] guess - displacement to begin with, or NULL; [in,out] run - NULL at the first time, else that of the last one; on the latest mesh */
 PetscErrorCode AdaptiveSolve(Adaptive adaptive, Vec guess, Run *run);
 
+/* With SceneRepeatsSteps(): all load steps are solved on each mesh, from the first to the last; the next mesh is refined where the error of any
+   of them is large. No slip goes from mesh to mesh. */
+/* Takes what a solved step tells, and gives its run the blocks "estimate" and "bars". Collective. [in] i - of the step */
+PetscErrorCode AdaptiveAddStep(Adaptive adaptive, PetscInt i, Run run);
+/* Behind the last step: prints the line of the mesh, and refines unless it is the last one, with a reason in the report of the run if errors
+   are larger than what was asked for. Collective.
+   [in,out] run - of the last step, destroyed where there is a new mesh; [out] guess - the first step on it, NULL otherwise */
+PetscErrorCode AdaptiveRefineSteps(Adaptive adaptive, Run *run, Vec *guess);
+/* Whether a step is known as well as is asked for. Not collective. */
+PetscBool AdaptiveStepIsMet(Adaptive adaptive, PetscInt i);
+
 #endif

@@ -20,10 +20,12 @@ enum { PAIRS_SHOWN = 2, TEXT_LENGTH = PETSC_MAX_PATH_LEN + 256, TIME_TEXT = 32 }
 
 /* The loop. */
 typedef struct {
-  Scene        scene;                           /* borrowed */
-  cJSON       *rows;                            /* of all steps so far, on all ranks */
-  PetscBool    quiet;                           /* nothing is printed on stdout */
-  PetscBool    any;                             /* whether a step is solved: */
+  Scene        scene;    /* borrowed */
+  cJSON       *rows;     /* of all steps so far, on all ranks */
+  PetscBool    quiet;    /* nothing is printed on stdout */
+  PetscBool    repeated; /* all steps are solved on each of the adaptive meshes */
+  PetscBool    coarse;   /* all steps are solved, but errors are larger than what was asked for */
+  PetscBool    any;      /* whether a step is solved: */
   char         now[TIME_TEXT], last[TIME_TEXT]; /* times of the present step, and of the last solved one */
   OutputSeries series;
   Adaptive     adaptive; /* NULL on one mesh */
@@ -68,26 +70,46 @@ static double StepsGetNumber_Private(const cJSON *object, const char key[])
   return cJSON_IsRaw(item) ? strtod(item->valuestring, NULL) : NAN;
 }
 
-/* "step 3 of 20, t = 0.15: solved, 4 iterations, 0.12 s; joint: force 1.2e3, area 0.31" */
-static PetscErrorCode StepsPrint_Private(const Steps *steps, PetscInt i, const Run run, const cJSON *row)
+/* " +- 2.1", or nothing. [in] bars - of a pair, or NULL */
+static PetscErrorCode StepsPrintBar_Private(const Steps *steps, const cJSON *bars, const char key[])
 {
-  const MPI_Comm comm  = steps->scene->comm;
-  const char    *state = run->solved ? "solved" : run->refused ? "no solution" : "NOT SOLVED";
-  const cJSON   *pair;
-  PetscInt       shown = 0;
+  const double bar = StepsGetNumber_Private(bars, key);
+
+  PetscFunctionBeginUser;
+  if (!isnan(bar)) PetscCall(PetscPrintf(steps->scene->comm, " +- %.2g", bar));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* "step 3 of 20, t = 0.15: solved, 4 iterations, 0.12 s; joint: force 1.2e3, area 0.31" */
+static PetscErrorCode StepsPrint_Private(const Steps *steps, PetscInt i, const cJSON *row)
+{
+  const MPI_Comm  comm       = steps->scene->comm;
+  const char     *status     = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(row, "status"));
+  const PetscBool refused    = (PetscBool)(strcmp(status, "no_solution") == 0);
+  const int       iterations = (int)StepsGetNumber_Private(row, "iterations");
+  const cJSON *bars  = cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(row, "bars"), "pairs"), *pair;
+  PetscInt     shown = 0;
 
   PetscFunctionBeginUser;
   if (steps->quiet) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscPrintf(comm, "step %" PetscInt_FMT " of %" PetscInt_FMT ", t = %s: %s", i + 1, steps->scene->steps.num,
-                        steps->now, state));
-  if (run->fields)
-    PetscCall(PetscPrintf(comm, ", %" PetscInt_FMT " iteration%s, %.2g s", run->report.iterations,
-                          run->report.iterations == 1 ? "" : "s", StepsGetNumber_Private(row, "seconds")));
+  PetscCall(PetscPrintf(comm, "step %" PetscInt_FMT " of %" PetscInt_FMT ", t = %.9g: %s", i + 1,
+                        steps->scene->steps.num, StepsGetNumber_Private(row, "t"),
+                        refused                         ? "no solution"
+                        : strcmp(status, "solved") == 0 ? "solved"
+                                                        : "NOT SOLVED"));
+  if (!refused)
+    PetscCall(PetscPrintf(comm, ", %d iteration%s, %.2g s", iterations, iterations == 1 ? "" : "s",
+                          StepsGetNumber_Private(row, "seconds")));
   cJSON_ArrayForEach(pair, cJSON_GetObjectItemCaseSensitive(row, "pairs"))
   {
-    if (!run->fields || shown++ == PAIRS_SHOWN) break;
-    PetscCall(PetscPrintf(comm, "%s %s: force %.5g, area %.4g", shown == 1 ? ";" : ",", pair->string,
-                          StepsGetNumber_Private(pair, "normal_force"), StepsGetNumber_Private(pair, "area")));
+    const cJSON *own = cJSON_GetObjectItemCaseSensitive(bars, pair->string);
+
+    if (refused || shown++ == PAIRS_SHOWN) break;
+    PetscCall(PetscPrintf(comm, "%s %s: force %.5g", shown == 1 ? ";" : ",", pair->string,
+                          StepsGetNumber_Private(pair, "normal_force")));
+    PetscCall(StepsPrintBar_Private(steps, own, "normal_force"));
+    PetscCall(PetscPrintf(comm, ", area %.4g", StepsGetNumber_Private(pair, "area")));
+    PetscCall(StepsPrintBar_Private(steps, own, "area"));
   }
   PetscCall(PetscPrintf(comm, "\n"));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -107,8 +129,9 @@ static PetscErrorCode StepsAddSummary_Private(const Steps *steps, Output output,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Completes all files. [out] text - the summary, of the first rank, owned by the caller (free()) */
-static PetscErrorCode StepsWrite_Private(Steps *steps, Run run, char **text)
+/* Completes all files. [in] fields - whether those of a new step are among them; [out] text - the summary, of the first rank, owned by the
+   caller (free()) */
+static PetscErrorCode StepsWrite_Private(Steps *steps, Run run, PetscBool fields, char **text)
 {
   const Scene  scene = steps->scene;
   SummaryInput input = RunSummary(run);
@@ -118,9 +141,9 @@ static PetscErrorCode StepsWrite_Private(Steps *steps, Run run, char **text)
   PetscCall(OutputCreate(scene->comm, &output));
   if (scene->output) {
     PetscCall(LogStageBegin(STAGE_OUTPUT));
-    if (!run->refused)
+    if (fields && !run->refused)
       PetscCall(OutputAddStep(output, steps->series, run->fields, run->solved));
-    else if (!steps->any)
+    else if (fields && !steps->any)
       PetscCall(OutputAddMotion(output, run->vi, &run->solvability->motion));
     PetscCall(StepsAddTable(output, scene, steps->rows));
     PetscCall(LogStageEnd(STAGE_OUTPUT));
@@ -149,18 +172,22 @@ static PetscErrorCode StepsSolve_Private(Steps *steps, PetscInt i, Mesh mesh, Ve
   (void)snprintf(steps->now, sizeof(steps->now), "%.9g", (double)scene->time);
   PetscCall(PetscSNPrintf(label, sizeof(label), "t = %s", steps->now));
   WarningSetLabel(label);
-  if (steps->adaptive)
+  if (steps->adaptive && !steps->repeated)
     PetscCall(AdaptiveSolve(steps->adaptive, guess, run));
   else if (steps->begin && !*run)
     PetscCall(RunCreateAfter(scene, mesh, steps->begin, steps->begin_t, run));
   else
     PetscCall(*run ? RunAdvance(guess, run) : RunCreate(scene, mesh, guess, run));
   scene->view = PETSC_FALSE; // of the first step only
-  input       = RunSummary(*run);
+  if (steps->repeated) {
+    WarningRetain();
+    if ((*run)->solved) PetscCall(AdaptiveAddStep(steps->adaptive, i, *run));
+  }
+  input = RunSummary(*run);
   PetscCall(SummaryCreateStep(&input, &row));
   cJSON_AddItemToArray(steps->rows, row);
-  PetscCall(StepsPrint_Private(steps, i, *run, row));
-  PetscCall(StepsWrite_Private(steps, *run, text));
+  if (!steps->repeated) PetscCall(StepsPrint_Private(steps, i, row));
+  PetscCall(StepsWrite_Private(steps, *run, PETSC_TRUE, text));
   if ((*run)->solved) {
     steps->any = PETSC_TRUE;
     PetscCall(PetscStrncpy(steps->last, steps->now, sizeof(steps->last)));
@@ -181,7 +208,7 @@ static PetscErrorCode StepsPrintEnd_Private(const Steps *steps, Run run, const c
   if (!steps->quiet && scene->output)
     PetscCall(PetscPrintf(scene->comm, "  wrote %s_steps.csv: %" PetscInt_FMT " step%s\n", scene->output, done,
                           done == 1 ? "" : "s"));
-  if (run->solved) PetscFunctionReturn(PETSC_SUCCESS);
+  if (run->solved || steps->coarse) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscFPrintf(scene->comm, PETSC_STDERR, "mortise: %s at t = %s; ",
                          run->refused ? "there is no solution" : "not solved", steps->now));
   if (steps->any)
@@ -233,6 +260,68 @@ static PetscErrorCode StepsRestart_Private(Steps *steps, Mesh mesh, Run *run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* All steps, until one is not solved. [in] guess - for the first, or NULL; [in,out] text - as of StepsWrite_Private() */
+static PetscErrorCode StepsSolveAll_Private(Steps *steps, Mesh mesh, Vec guess, Run *run, char **text)
+{
+  const SceneSteps *plan = &steps->scene->steps;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < plan->num && (!i || (*run)->solved); i++) {
+    free(*text);
+    *text = NULL;
+    PetscCall(StepsSolve_Private(steps, i, mesh, i ? NULL : guess, run, text));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Behind the last mesh: prints the steps, and says which of them have larger errors than what was asked for. [in] met - whether none has;
+   [in,out] text - as of StepsWrite_Private() */
+static PetscErrorCode StepsJudge_Private(Steps *steps, PetscBool met, Run run, char **text)
+{
+  cJSON   *row;
+  PetscInt i = 0;
+
+  PetscFunctionBeginUser;
+  cJSON_ArrayForEach(row, steps->rows)
+  {
+    if (!met && !AdaptiveStepIsMet(steps->adaptive, i))
+      cJSON_ReplaceItemInObjectCaseSensitive(row, "status", cJSON_CreateString("not_converged"));
+    PetscCall(StepsPrint_Private(steps, i++, row));
+  }
+  if (met) PetscFunctionReturn(PETSC_SUCCESS);
+  free(*text);
+  PetscCall(StepsWrite_Private(steps, run, PETSC_FALSE, text));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* All steps on one mesh after the other. Files have the steps of the latest mesh. [in] first - guess for the first, or NULL; [in,out] text -
+   as of StepsWrite_Private() */
+static PetscErrorCode StepsRepeat_Private(Steps *steps, Mesh mesh, Vec first, Run *run, char **text)
+{
+  Vec       guess = NULL;
+  PetscBool all; // steps are solved
+
+  PetscFunctionBeginUser;
+  WarningHold();
+  while (PETSC_TRUE) {
+    PetscCall(StepsSolveAll_Private(steps, mesh, guess ? guess : first, run, text));
+    PetscCall(VecDestroy(&guess));
+    all = (*run)->solved;
+    if (all) PetscCall(AdaptiveRefineSteps(steps->adaptive, run, &guess));
+    if (!guess) break;
+    WarningForgetRetained();
+    cJSON_Delete(steps->rows);
+    steps->rows = cJSON_CreateArray();
+    steps->any  = PETSC_FALSE;
+    PetscCall(OutputSeriesDestroy(&steps->series));
+    PetscCall(OutputSeriesCreate(steps->scene, &steps->series));
+  }
+  steps->coarse = (PetscBool)(all && !(*run)->solved);
+  PetscCall(StepsJudge_Private(steps, (PetscBool)!steps->coarse, *run, text));
+  WarningRelease();
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode StepsRun(Scene scene, Mesh mesh, Vec guess, Run *run)
 {
   Steps steps = {.scene = scene, .rows = cJSON_CreateArray()};
@@ -240,7 +329,8 @@ PetscErrorCode StepsRun(Scene scene, Mesh mesh, Vec guess, Run *run)
 
   PetscFunctionBeginUser;
   PetscCall(StepsCheckNames_Private(scene));
-  steps.quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
+  steps.repeated = SceneRepeatsSteps(scene);
+  steps.quiet    = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
   PetscCall(StepsRestart_Private(&steps, mesh, run));
   PetscCall(InterruptBegin());
   StepsSetInterruptSentence_Private(&steps);
@@ -249,10 +339,8 @@ PetscErrorCode StepsRun(Scene scene, Mesh mesh, Vec guess, Run *run)
     PetscCall(RunDestroy(run)); // the meshes that its bars were made of are gone
     PetscCall(AdaptiveCreate(scene, mesh, &steps.adaptive));
   }
-  for (PetscInt i = 0; i < scene->steps.num && (!i || (*run)->solved); i++) {
-    free(text);
-    PetscCall(StepsSolve_Private(&steps, i, mesh, i ? NULL : guess, run, &text));
-  }
+  PetscCall(steps.repeated ? StepsRepeat_Private(&steps, mesh, guess, run, &text)
+                           : StepsSolveAll_Private(&steps, mesh, guess, run, &text));
   WarningSetLabel("");
   PetscCall(StepsPrintEnd_Private(&steps, *run, text));
   free(text);

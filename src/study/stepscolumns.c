@@ -56,6 +56,27 @@ static void RowAddFriction_Private(Row *row, const cJSON *pair)
     RowAddNumbers_Private(row, pair->string, friction[i], cJSON_GetObjectItemCaseSensitive(pair, friction[i]));
 }
 
+/* With adaptive meshes: the estimated error, and the bars of each pair's numbers but places. */
+static void RowAddBars_Private(Row *row, const cJSON *step)
+{
+  static const char *const numbers[] = {"normal_force", "area",     "max_pressure", "max_pressure_covered", "min_gap",
+                                        "force",        "max_slip", "dissipation",  "tangential_force"};
+  const cJSON             *estimate  = cJSON_GetObjectItemCaseSensitive(step, "estimate"), *pair;
+  char                     name[NAME_LENGTH];
+
+  if (!estimate) return;
+  RowAddNumbers_Private(row, "", "error", cJSON_GetObjectItemCaseSensitive(estimate, "energy_norm_relative"));
+  cJSON_ArrayForEach(pair, cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(step, "bars"), "pairs"))
+  {
+    for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(numbers); i++) {
+      const cJSON *bar = cJSON_GetObjectItemCaseSensitive(pair, numbers[i]);
+
+      (void)snprintf(name, sizeof(name), "bar.%s", pair->string);
+      if (bar) RowAddNumbers_Private(row, name, numbers[i], bar);
+    }
+  }
+}
+
 /* All numbers of a step that have a name of their own. */
 static void RowWrite_Private(Row *row, Scene scene, const cJSON *step)
 {
@@ -96,6 +117,7 @@ static void RowWrite_Private(Row *row, Scene scene, const cJSON *step)
       RowAddNumbers_Private(row, "balance", item->string, item);
   cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(validity, "indicators"))
       RowAddNumbers_Private(row, "validity", item->string, cJSON_GetObjectItemCaseSensitive(item, "value"));
+  RowAddBars_Private(row, step);
 }
 
 PetscErrorCode StepsAddTable(Output output, Scene scene, const cJSON *rows)

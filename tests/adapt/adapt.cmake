@@ -54,6 +54,10 @@ mortise_scene_test(steps CHECK steps.py RANKS 1 3 ARGS -adapt 2e-2 -load_steps 0
 mortise_scene_test(steps_multigrid SCENE steps CHECK steps.py RANKS 1 ARGS -adapt 2e-2 -load_steps 0.2,1 -pc_type truncatedmg)
 mortise_scene_test(steps_limit SCENE steps CHECK steps_limit.py RANKS 1 ARGS -adapt 2e-2 -load_steps 0.2,1)
 mortise_scene_test(steps_interrupted SCENE two_plates CHECK ../steps/interrupted_steps.py RANKS 1 2 ARGS ${plates} -adapt 1e-1 -load_steps 2)
+# Load steps with friction: all of them on each mesh.
+set(fretting -upper_dm_plex_box_faces 12,5 -lower_dm_plex_box_faces 10,4)
+mortise_scene_test(friction_steps SCENE fretting CHECK friction_steps.py RANKS 1 3 ARGS ${fretting} -adapt 4e-2 -load_steps 1,2,4)
+mortise_scene_test(friction_steps_interrupted SCENE fretting CHECK ../steps/interrupted_steps.py RANKS 1 ARGS ${fretting} -adapt 1e-1)
 # Mistakes.
 mortise_mistake(too_large SCENE two_plates ARGS -adapt 1.5 SAYS "-adapt 1.5: give a number above 0 and below 1")
 mortise_mistake(no_number SCENE two_plates RANKS 1 ARGS -adapt fine SAYS "-adapt" "fine")

@@ -31,7 +31,10 @@ def judge(run):
     require(cells == sorted(cells) and cells[0] < cells[-1], f"meshes of {cells} cells")
     at = run.arguments.index("-adapt")
     fixed = Run(run.program, run.mpiexec, run.ranks, run.folder / "fixed", run.arguments[:at] + run.arguments[at + 2:])
-    same("columns", list(read_table(run.folder / "result_steps.csv")), list(read_table(fixed.folder / "result_steps.csv")))
+    table, plain = (read_table(folder / "result_steps.csv") for folder in (run.folder, fixed.folder))
+    same("columns", list(table)[:len(plain)], list(plain))
+    same("bars of the table", table["bar.joint.normal_force"], [step["bars"]["pairs"]["joint"]["normal_force"] for step in steps])
+    same("errors of the table", table["error"], [step["estimate"]["energy_norm_relative"] for step in steps])
     for name in ("result", "result_joint"):
         judge_series(run.folder, name, steps, cells if name == "result" else None)
 

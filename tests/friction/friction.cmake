@@ -57,7 +57,6 @@ mortise_mistake(negative_somewhere SCENE incline SAYS "-floor_friction" "negativ
 mortise_mistake(both_laws SCENE incline SAYS "-floor_friction_bound 1" "-floor_friction 0.3" "one of the two" ARGS -floor_friction_bound 1)
 mortise_mistake(tied_slides SCENE patch SAYS "-joint_friction 0.3" "tied" ARGS -joint_type tied)
 mortise_mistake(no_number SCENE incline SAYS "-floor_friction" "steel" ARGS -floor_friction steel)
-mortise_mistake(adaptive_steps SCENE incline SAYS "-adapt" "-load_steps" "friction" ARGS -adapt 0.1 -load_steps 2)
 mortise_mistake(adaptive_goal SCENE incline SAYS "-adapt_goal" "friction" ARGS -adapt 0.1 -adapt_goal force:floor)
 mortise_mistake(other_solver SCENE incline SAYS "-<pair>_friction" "pdas" "vinewtonrsls" ARGS -snes_type vinewtonrsls)
 mortise_mistake(by_amg SCENE incline SAYS "-<pair>_friction" "cholesky" "truncatedmg" "gamg" ARGS -pc_type gamg)

@@ -1,0 +1,85 @@
+/* envelope.c -- what load steps tell of a mesh that all of them are solved on. */
+#include "study/envelope.h"
+#include "base/compat.h"
+#include "study/marking.h"
+
+PetscErrorCode EnvelopeCreate(PetscInt num, Envelope *envelope)
+{
+  PetscFunctionBeginUser;
+  *envelope = (Envelope){.num = num};
+  PetscCall(PetscCalloc1(num, &envelope->step));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EnvelopeDestroy(Envelope *envelope)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < envelope->num; i++) PetscCall(MeshHistoryDestroy(&envelope->step[i]));
+  PetscCall(PetscFree(envelope->step));
+  PetscCall(PetscFree(envelope->cell));
+  PetscCall(VecDestroy(&envelope->first));
+  envelope->num = 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static const SolvedMesh *EnvelopeGetLast_Private(const Envelope *envelope, PetscInt i)
+{
+  return &envelope->step[i].mesh[envelope->step[i].num - 1];
+}
+
+PetscReal EnvelopeGetError(const Envelope *envelope, PetscInt i)
+{
+  return SolvedMeshGetError(EnvelopeGetLast_Private(envelope, i));
+}
+
+PetscReal EnvelopeGetSeconds(const Envelope *envelope)
+{
+  PetscReal sum = 0;
+
+  for (PetscInt i = 0; i < envelope->num; i++) sum += EnvelopeGetLast_Private(envelope, i)->seconds;
+  return sum;
+}
+
+/* Takes the relative errors of cells as far as they are the largest. A solution that is rounding has none, but where contact was missed. */
+static PetscErrorCode EnvelopeTakeCells_Private(Envelope *envelope, const SolvedMesh *mesh, Run run)
+{
+  const PetscInt cells = run->vi->level->num_cells;
+  Estimate       estimate;
+  PetscReal      whole;
+
+  PetscFunctionBeginUser;
+  PetscCall(EstimateGet(run->fields, &estimate));
+  whole = mesh->norm > 0 ? mesh->norm : mesh->missed ? estimate->squared : 0;
+  for (PetscInt c = 0; c < cells && whole > 0; c++)
+    envelope->cell[c] = PetscMax(envelope->cell[c], estimate->cell[c] / whole);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EnvelopeAdd(Envelope *envelope, PetscInt i, Run run, PetscReal seconds)
+{
+  PetscFunctionBeginUser;
+  if (!i) {
+    PetscCall(PetscFree(envelope->cell));
+    PetscCall(PetscCalloc1(run->vi->level->num_cells, &envelope->cell));
+    PetscCall(PetscObjectReference((PetscObject)run->fields->u));
+    PetscCall(VecDestroy(&envelope->first));
+    envelope->first = run->fields->u;
+    envelope->worst = 0;
+  }
+  PetscCall(MeshHistoryAdd(&envelope->step[i], run, seconds));
+  PetscCall(MeshHistoryDescribe(&envelope->step[i], run));
+  if (EnvelopeGetError(envelope, i) > EnvelopeGetError(envelope, envelope->worst)) envelope->worst = i;
+  PetscCall(EnvelopeTakeCells_Private(envelope, EnvelopeGetLast_Private(envelope, i), run));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EnvelopeMark(const Envelope *envelope, const Level *level, PetscReal share, PetscInt **marked)
+{
+  struct _n_Estimate sum = {.cell = envelope->cell, .norm = 1};
+
+  PetscFunctionBeginUser;
+  for (PetscInt c = 0; c < level->num_cells; c++) sum.squared += sum.cell[c];
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &sum.squared, 1, MPIU_REAL, MPI_SUM, level->comm));
+  PetscCall(MarkingCreate(level, &sum, share, marked));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,29 @@
+/* envelope.h -- what load steps tell of a mesh that all of them are solved on. */
+#ifndef MORTISE_ENVELOPE_H
+#define MORTISE_ENVELOPE_H
+
+#include "study/meshhistory.h"
+
+/* Empty where it is zero. */
+typedef struct {
+  PetscInt     num;   /* load steps */
+  MeshHistory *step;  /* the meshes of each [num], or NULL */
+  PetscInt     worst; /* step with the largest relative error on the latest mesh */
+  PetscReal   *cell;  /* eta_T^2 / |u|_a^2, the largest of all steps on the latest mesh [num_cells], or NULL */
+  Vec          first; /* displacement of the first step on the latest mesh, or NULL */
+} Envelope;
+
+/* Collective. [in] num - of load steps */
+PetscErrorCode EnvelopeCreate(PetscInt num, Envelope *envelope);
+PetscErrorCode EnvelopeDestroy(Envelope *envelope);
+/* Takes what a solved step tells of the latest mesh, and gives its run the blocks "estimate" and "bars". Collective.
+   [in] i - of the step; each mesh begins with step 0; [in] seconds - that the step took so far */
+PetscErrorCode EnvelopeAdd(Envelope *envelope, PetscInt i, Run run, PetscReal seconds);
+/* Relative error of a step on the latest mesh. Not collective. */
+PetscReal EnvelopeGetError(const Envelope *envelope, PetscInt i);
+/* Seconds of all steps on the latest mesh. Not collective. */
+PetscReal EnvelopeGetSeconds(const Envelope *envelope);
+/* Marks cells where the error of any step is large. Collective. [in] level - the latest mesh; [out] marked - as of MarkingCreate() */
+PetscErrorCode EnvelopeMark(const Envelope *envelope, const Level *level, PetscReal share, PetscInt **marked);
+
+#endif
