@@ -30,9 +30,13 @@ static PetscErrorCode SummaryWarnTiedGap_Private(const SummaryInput *in, PetscIn
   const ScenePair *spec = pair->spec;
   const PetscInt   dim  = in->scene->dim;
   PetscReal        most[7], extent = 0; // the longest link; upper ends of x and of -x
-  Warning          wide = {.code   = "tied_gap",
-                           .pair   = spec->name,
-                           .advice = "check the positions of the bodies, unless the links are meant"};
+  Warning          wide = {.code = "tied_gap",
+                           .pair = spec->name,
+                           .advice =
+                      in->scene->adapt.on
+                                   ? "check the positions of the bodies; if the links are meant, errors fall slowly, because "
+                                     "their couple ends at the ends of the tie as a concentrated force"
+                                   : "check the positions of the bodies, unless the links are meant"};
 
   PetscFunctionBeginUser;
   if (spec->type != PAIR_TIED || spec->gap || spec->gap_offset) PetscFunctionReturn(PETSC_SUCCESS);

@@ -55,6 +55,8 @@ SCENES = {
     "friction, two plates": ("two_plates", "-upper_dm_plex_box_faces 3,3 -lower_dm_plex_box_faces 2,2 -joint_friction 0.3", range(3, 11)),
     "friction, punch": ("punch", "-punch_friction 0.4", range(3, 9)),
     "friction, dent in space": ("indentation", "-dent_friction 0.3", range(3, 6)),
+    "friction, two discs": ("fretting", "-upper_dm_plex_box_faces 12,5 -lower_dm_plex_box_faces 10,4 -load_steps 1,2,4,5", range(3, 9)),
+    "friction, press fit": ("pull_off", "-hub_dm_plex_box_faces 4,6 -shaft_dm_plex_box_faces 3,5 -load_steps 0,4,8", range(3, 8)),
     "hertz in space, order 1": ("hertz3d", "-sphere_dm_plex_box_faces 3,3,2 -block_dm_plex_box_faces 4,4,2 -order 1", range(3, 6)),
 }
 
@@ -88,7 +90,14 @@ def numbers(bars, summary, truth, limits, path=()):
                 yield (*path, key), q, t, half, limit, size
 
 
+def numbers_of_steps(summary, truth):
+    """Of each load step, or of a scene without."""
+    for step, best in zip(summary.get("steps") or [summary], truth.get("steps") or [truth]):
+        yield from numbers(step["bars"], step, best, best["bars"], (f"t={step['t']}",) if "t" in step else ())
+
+
 def kind(path):
+    path = path[path[0].startswith("t="):]
     if path[0] == "energy":
         return "energies"
     if path[0] == "reactions" or path[-1] in ("force", "normal_force"):
@@ -113,7 +122,7 @@ def judge(program, scene, folder, found, unclear):
         squared = 2 * (summary["energy"]["potential"] - (best["potential"]["value"] or math.inf))
         if squared > 0:  # with friction there is no energy to tell
             effectivity.append(summary["estimate"]["energy_norm"] / math.sqrt(squared))
-        for path, value, true, half, limit, size in numbers(summary["bars"], summary, truth, truth["bars"]):
+        for path, value, true, half, limit, size in numbers_of_steps(summary, truth):
             error = abs(value - true)
             if error <= ROUNDING * size:
                 continue

@@ -23,8 +23,8 @@ EXCEPT = {
     "punch_axisymmetric": (1, "degenerate or tangled cell of order 2 after its map"),  # cells graded by a square and a cube
     "slab_punch": (3, "the active set still changed after -snes_max_it iterations"),  # multipliers of order 2 on a side 1e6 times stiffer
 }
-# The links of this tie turn with the facets that they end on, near a point where the rotation has no limit: errors rise and fall as facets become smaller.
-UNLIMITED, STALLED = ["tie_across_gap"], "twice the unknowns have hardly lowered it"
+# The couple of these links ends as a concentrated force at the ends of the tie (THEORY 5): the error stalls, and the warning says why.
+UNLIMITED, STALLED, WHY = ["tie_across_gap"], "twice the unknowns have hardly lowered it", "as a concentrated force"
 
 
 def run(program, folder, files, more):
@@ -46,6 +46,7 @@ def judge(program, folder, files):
     code, stderr, summary = run(program, folder, files, more)
     if code == 3 and head["exit"] == "0":
         require((STALLED if case in UNLIMITED else LIMIT) in stderr, f"not solved: {stderr}")
+        require((case in UNLIMITED) == (WHY in stderr), f"the reason: {stderr}")
     else:
         same("exit code", code, int(head["exit"]))
     if code != 1:
