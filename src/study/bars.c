@@ -27,7 +27,8 @@ typedef enum {
   FLOOR_PRESSURE,
   FLOOR_MEAN,
   FLOOR_EDGE,
-  FLOOR_AREA
+  FLOOR_AREA,
+  FLOOR_PLACE /* relative, of the whole solution, of the extent of contact: wherever the origin is */
 } FloorKind;
 
 static const struct {
@@ -36,7 +37,7 @@ static const struct {
 } PAIR_NUMBERS[] =
     {{"force", FLOOR_WHOLE},        {"normal_force", FLOOR_WHOLE},      {"area", FLOOR_AREA},
      {"mean_pressure", FLOOR_MEAN}, {"max_pressure", FLOOR_PRESSURE},   {"max_pressure_covered", FLOOR_PRESSURE},
-     {"min_gap", FLOOR_WHOLE},      {"centre_of_pressure", FLOOR_WHOLE}},
+     {"min_gap", FLOOR_WHOLE},      {"centre_of_pressure", FLOOR_PLACE}},
   FRICTION_NUMBERS[] = {{"tangential_force", FLOOR_WHOLE}, {"max_slip", FLOOR_WHOLE}, {"dissipation", FLOOR_WHOLE}},
   PROBE_NUMBERS[]    = {
          {"displacement", FLOOR_BODY}, {"stress", FLOOR_STRESS}, {"von_mises", FLOOR_STRESS}, {"principal", FLOOR_STRESS}};
@@ -149,25 +150,39 @@ static PetscReal BarsGetFloor_Private(const BarHistory *history, FloorKind kind,
   }
 }
 
+/* The size of a number, or of its vector; of a place that of the pair's contact. [in] values - of the path [num] */
+static PetscReal BarsGetSize_Private(const cJSON *row, const BarPath *path, FloorKind kind, PetscInt num,
+                                     const PetscReal values[])
+{
+  const BarPath ends[]            = {{path->section, path->owner, "extent", "lower"},
+                                     {path->section, path->owner, "extent", "upper"}};
+  PetscReal     end[2][MAX_ITEMS] = {{0}}, sum = 0;
+  PetscBool     list;
+
+  for (int i = 0; i < 2 && kind == FLOOR_PLACE; i++) (void)BarsRead_Private(row, &ends[i], end[i], &list);
+  for (PetscInt i = 0; i < num; i++) sum += PetscSqr(kind == FLOOR_PLACE ? end[1][i] - end[0][i] : values[i]);
+  return PetscSqrtReal(sum);
+}
+
 /* Adds the bars of one key. [in] owner - of BarsGetFloor_Private(); [out] grows - whether it does so without limit, or NULL */
 static PetscErrorCode BarsAdd_Private(const BarHistory *history, const BarPath *path, FloorKind kind, PetscInt owner,
                                       const char name[], cJSON *to, PetscBool *grows)
 {
   const PetscInt last = history->num - 1;
   const BarPath  area = {path->section, path->owner, "area", NULL};
-  PetscReal     *Q, values[MAX_ITEMS], bars[MAX_ITEMS], size = 0, covered[MAX_ITEMS];
+  PetscReal     *Q, values[MAX_ITEMS], bars[MAX_ITEMS], size, covered[MAX_ITEMS];
   PetscBool      list, other;
   PetscInt       num;
 
   PetscFunctionBeginUser;
   num = BarsRead_Private(history->mesh[last].row, path, values, &list);
   if (!num) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt i = 0; i < num; i++) size += PetscSqr(values[i]);
+  size       = BarsGetSize_Private(history->mesh[last].row, path, kind, num, values);
   covered[0] = 0;
   if (kind == FLOOR_MEAN) (void)BarsRead_Private(history->mesh[last].row, &area, covered, &other);
   PetscCall(PetscMalloc1(history->num, &Q));
   for (PetscInt i = 0; i < num; i++) {
-    const PetscReal floor = BarsGetFloor_Private(history, kind, owner, PetscSqrtReal(size), covered[0]);
+    const PetscReal floor = BarsGetFloor_Private(history, kind, owner, size, covered[0]);
 
     for (PetscInt j = 0; j < history->num; j++) {
       PetscReal row[MAX_ITEMS];

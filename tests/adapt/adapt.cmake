@@ -43,6 +43,9 @@ mortise_scene_test(effectivity SCENE two_plates CHECK effectivity.py RANKS 1 ARG
 # Levels of a study give the same bars.
 mortise_scene_test(uniform SCENE two_plates CHECK uniform.py RANKS 1 3 ARGS ${plates} -order 2 -dm_refine 0 -study uniform -study_levels 5)
 mortise_scene_test(uniform_axis SCENE rings CHECK lame.py RANKS 1 ARGS -outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4 -dm_refine 0 -study uniform -study_levels 4)
+# Wherever the origin is.
+mortise_scene_test(origin SCENE two_plates CHECK origin.py RANKS 1 ARGS ${plates} -adapt 5e-2 -upper_dm_plex_box_lower 1000,0 -upper_dm_plex_box_upper 1001,1
+  -lower_dm_plex_box_lower 1000,-1 -lower_dm_plex_box_upper 1001,0 -probe_corner_at 1001,0 -probe_middle_at 1000.5,0.3)
 # Limits end it with exit code 3 and everything written.
 mortise_scene_test(limits SCENE two_plates CHECK limits.py RANKS 1 ARGS ${plates} -adapt 2e-2)
 # Interrupted, it leaves the files of a mesh and a sentence.
