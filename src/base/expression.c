@@ -190,6 +190,22 @@ static PetscErrorCode ExpressionCopyTrimmed_Private(const char text[], size_t le
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+void ExpressionSuggestPoint(const char text[], PetscInt wanted, char words[], size_t len)
+{
+  const PetscInt count = ExpressionCountComponents_Private(text);
+  const char    *comma = strchr(text, ',');
+
+  words[0] = '\0';
+  if (count <= wanted || count > 2 * wanted) return;
+  while (comma && (comma == text || !isdigit((unsigned char)comma[-1]) || !isdigit((unsigned char)comma[1])))
+    comma = strchr(comma + 1, ',');
+  if (!comma) return;
+  snprintf(words, len, "; the decimal mark is a point, not a comma");
+  if (wanted == 1 && strlen(text) < len / 2 && !strchr(text, '.') && !text[strspn(text, "+-,0123456789eE")])
+    snprintf(words, len, "; the decimal mark is a point, not a comma: did you mean %.*s.%s?", (int)(comma - text), text,
+             comma + 1);
+}
+
 static PetscErrorCode ExpressionAllocate_Private(const char option[], const char text[], PetscInt num_components,
                                                  Expression *e)
 {
@@ -208,14 +224,16 @@ PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char t
                                 PetscBool allow_free, Expression *e)
 {
   const PetscInt count          = ExpressionCountComponents_Private(text);
-  char           complaint[512] = "", shown[TEXT_SHOWN], *part;
+  char           complaint[512] = "", shown[TEXT_SHOWN], point[128], *part;
 
   PetscFunctionBeginUser;
   *e = NULL;
-  if (num_components && count != num_components)
-    PetscCall(UserErrorRaise(
-        comm, "%s \"%s\": %" PetscInt_FMT " component%s given, %" PetscInt_FMT " wanted, separated by commas", option,
-        ExpressionShortenText_Private(text, shown), count, count == 1 ? "" : "s", num_components));
+  if (num_components && count != num_components) {
+    ExpressionSuggestPoint(text, num_components, point, sizeof(point));
+    PetscCall(UserErrorRaise(comm, "%s \"%s\": %" PetscInt_FMT " component%s given, %" PetscInt_FMT " wanted%s%s",
+                             option, ExpressionShortenText_Private(text, shown), count, count == 1 ? "" : "s",
+                             num_components, num_components == 1 ? "" : ", separated by commas", point));
+  }
   PetscCall(ExpressionAllocate_Private(option, text, count, e));
   for (PetscInt c = 0; c < count && !complaint[0]; c++) {
     const size_t length = ExpressionComponentLength_Private(text);

@@ -19,6 +19,9 @@ typedef struct _n_Expression *Expression;
 PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char text[], PetscInt num_components,
                                 PetscBool allow_free, Expression *e);
 PetscErrorCode ExpressionDestroy(Expression *e);
+/* The end of a sentence about too many components, where decimal commas may have made them; else "". Not collective.
+   [in] text - as typed; [in] wanted - components; [out] words - [len] */
+void ExpressionSuggestPoint(const char text[], PetscInt wanted, char words[], size_t len);
 
 /* Makes z a name of the second coordinate, as r is one of the first: a point (r, z) of a meridian plane. Not collective. */
 void ExpressionNameMeridian(Expression e);

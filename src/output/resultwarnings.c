@@ -11,6 +11,7 @@
 #include "result/solvabilityreport.h"
 #include "result/validity.h"
 #include "output/numberwords.h"
+#include "output/setupwarnings.h"
 
 /* The discretisation error, as a part of the solution, above which a solver that stops there leaves nothing to read off. */
 static const PetscReal COARSE = 0.1;
@@ -422,6 +423,7 @@ PetscErrorCode SummaryWarn(const SummaryInput *input)
 
   PetscFunctionBeginUser;
   PetscCall(SolvabilityReportWarn(input->vi, input->solvability));
+  PetscCall(SetupWarningsAdd(input->vi, input->solvability, input->fields));
   for (PetscInt p = 0; p < input->vi->num_pairs; p++) {
     PetscCall(SummaryWarnEmptyPair_Private(input, p));
     PetscCall(SummaryWarnLoadedSide_Private(input, p));

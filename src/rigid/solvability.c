@@ -390,7 +390,8 @@ static PetscErrorCode SolvabilityTakeMoved_Private(VI vi, const struct _n_Solvab
 }
 
 /* With friction: the motion of the same bodies that would follow without it, which friction is too small to resist, or resists just so. A
-   motion that no force of the cones works against would lift off, as none does. [in] phi - work / forces; [in] balanced - as of
+   motion that no force of the cones works against would lift off, as none does. The motion stays where friction resists all
+   translations: a tall body tips, and would slide without friction. [in] phi - work / forces; [in] balanced - as of
    SolvabilityChooseTolerance_Private() */
 static PetscErrorCode SolvabilitySetSlidingMotion_Private(VI vi, const PetscReal phi[], PetscReal balanced,
                                                           Solvability s)
@@ -409,9 +410,17 @@ static PetscErrorCode SolvabilitySetSlidingMotion_Private(VI vi, const PetscReal
   PetscCall(SolvabilityProjectLoads_Private(&cone, moved, take, rho, NULL, &norm));
   s->slides = (PetscBool)(s->slides && norm > balanced);
   if (s->slides) {
-    PetscCall(SceneMotionDestroy(&s->motion));
+    SceneMotion with = s->motion; // friction
+
     PetscCall(SolvabilitySetUnresistedMotion_Private(vi, &cone, s->overlap.place, moved, rho, balanced, s));
-    s->slides = s->motion.slides; // friction resists none that opens all contacts
+    if (with.turns && !s->motion.turns) {
+      PetscCall(SceneMotionDestroy(&s->motion));
+      s->motion = with;
+      s->slides = PETSC_FALSE;
+    } else {
+      PetscCall(SceneMotionDestroy(&with));
+      s->slides = s->motion.slides; // friction resists none that opens all contacts
+    }
   }
   s->status = status;
   PetscCall(PetscFree3(moved, rho, take));

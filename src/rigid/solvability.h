@@ -87,6 +87,10 @@ PetscErrorCode SolvabilityDestroy(Solvability *solvability);
 /* Decides anew for other loads and gaps of the same vi; nothing where there is no solvability. Collective. */
 PetscErrorCode SolvabilityUpdate(VI vi, Solvability solvability);
 
+/* Whether a rigid motion of floating bodies changes all given gaps to zero, and no others. Collective. [in] gaps - of each pair, the same at
+   all its nodes [vi->num_pairs]; [out] takes */
+PetscErrorCode SolvabilityTakesGaps(VI vi, Solvability solvability, const PetscReal gaps[], PetscBool *takes);
+
 /* Replaces a solution by that of least mean square displacement, among all that differ from it by free motions (eq. 12.7). Sets the free
    motions. Does nothing if solvability is NULL. Collective. [in,out] y - a solution */
 PetscErrorCode MinimumNormApply(VI vi, Solvability solvability, Vec y);

@@ -219,6 +219,7 @@ static PetscErrorCode MaterialReadThermal_Private(const Reader *r)
   Datum     temperature, expansion;
   PetscBool region_expands, region_is_warm, found;
   PetscInt  num;
+  char      point[128];
 
   PetscFunctionBeginUser;
   PetscCall(DatumFind_Private(r, KEY_TEMPERATURE, &temperature));
@@ -236,10 +237,12 @@ static PetscErrorCode MaterialReadThermal_Private(const Reader *r)
   PetscCall(OptionGetExpression(&temperature.option, 1, PETSC_FALSE, &r->material->temperature));
   PetscCall(OptionGetExpression(&expansion.option, 0, PETSC_FALSE, &r->material->expansion));
   num = ExpressionSize(r->material->expansion);
-  if (num != 1 && num != 3)
+  if (num != 1 && num != 3) {
+    ExpressionSuggestPoint(expansion.option.text, 1, point, sizeof(point));
     PetscCall(OptionRaise(&expansion.option,
-                          "%" PetscInt_FMT " numbers given; write one, or three, one for each axis of the material",
-                          num));
+                          "%" PetscInt_FMT " numbers given; write one, or three, one for each axis of the material%s",
+                          num, point));
+  }
   if (num == 3) PetscCall(MaterialReadAngle_Private(r));
   PetscCall(MaterialCheckAcross_Private(r, &expansion.option, r->material->expansion, 2));
   PetscFunctionReturn(PETSC_SUCCESS);
