@@ -8,7 +8,7 @@
 
 /* Moduli and body forces of two bodies in contact differ by less than this factor, or their units differ. Steel on soft rubber: 2e5. Pa and
    MPa: 1e6; N/m^3 and N/mm^3: 1e9. */
-static const PetscReal MIXED_UNITS = 1e5;
+static const PetscReal MIXED_UNITS = 1.01e5;
 /* A floating body that closes a gap wider than this many times its diagonal, and that is not carried by a given displacement. */
 static const PetscReal FAR = 1, CARRIED = 2;
 
@@ -20,7 +20,7 @@ static PetscErrorCode SetupWarningsCompare_Private(Scene scene, const ScenePair 
   const Warning   mixed  = {.code = "mixed_units", .pair = spec->name, .advice = advice};
 
   PetscFunctionBeginUser;
-  if (!(PetscMin(sizes[0], sizes[1]) > 0) || !(factor >= MIXED_UNITS)) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!(PetscMin(sizes[0], sizes[1]) > 0) || !(factor > MIXED_UNITS)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(WarningAdd(&mixed, "%s of %s and %s, the bodies of %s, differ by a factor of %.1e", words,
                        scene->bodies[spec->nonmortar.body].name, scene->bodies[spec->mortar.body].name, spec->name,
                        (double)factor));

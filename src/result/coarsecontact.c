@@ -3,9 +3,11 @@
    There the width is known to a facet, and so is the largest pressure, which at a given force is as 1 to the width; the mean gap of a
    node may lie below every gap around it (gapdiscontinuity.h), for the same reason. A patch that ends with both sides is another
    matter: contact of a flat side is exact on one facet. At the edge of a punch, beyond which the partner goes on, the pressure has no limit,
-   whatever the mesh. */
+   whatever the mesh; but at the right angle of a body that is softer by far the exponent is so small that it does not show (wedge.h). */
+#include <math.h>
 #include "base/compat.h"
 #include "kernel/vector.h"
+#include "kernel/wedge.h"
 #include "result/coarsecontact.h"
 #include "result/contactpatches.h"
 #include "result/pairsum.h"
@@ -20,12 +22,21 @@ static const PetscReal ADVISED = 8;
 static const PetscReal ACROSS = 0.70710678118654752;
 /* A side is larger by more than this part of a facet: curved sides that end together differ by less. */
 static const PetscReal BEYOND_PART = 0.1;
+/* A pressure r^-e at an edge does not show below this e: cells smaller by ten halvings raise it by less than a tenth, 2^(10 e) < 1.1. */
+static const PetscReal EXPONENT_SHOWS = 0.01375;
 /* The turn of the facets around a node that is none, as a part of their edges. */
 static const PetscReal CLOSED = 1e-6;
 
 enum { F = ELEMENT_MAX_FACET_NODES };
-enum { IS_INNER, IS_EDGE, IS_PARTNERS, IS_MIRRORED, NUM_ENDS }; /* how the patch ends, across its narrow axis */
-enum { NODE_IN = 1, NODE_OUT = -1 };                            /* in the patch; open, with a multiplier */
+enum {
+  IS_INNER,
+  IS_EDGE,
+  IS_PARTNERS,
+  IS_MIRRORED,
+  ANGLE,
+  NUM_ENDS
+};                                   /* how the patch ends, across its narrow axis; largest angle of an edge */
+enum { NODE_IN = 1, NODE_OUT = -1 }; /* in the patch; open, with a multiplier */
 
 /* In the patch or open, of local nodes. Collective. [out] marks - ghosted */
 static PetscErrorCode CoarseContactMark_Private(Fields fields, PetscInt p, const ContactPatches *patches, PetscInt at,
@@ -77,20 +88,70 @@ static PetscErrorCode CoarseContactFindEnds_Private(Level *level, const Facets *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How a vertex of the patch ends it. [in] way - of CoarseContactFindEnds_Private(); size - of its facets; narrow - axis; [in,out] ends */
-static void CoarseContactAddVertex_Private(const Support *support, PetscInt node, const PetscScalar way[],
-                                           PetscReal size, const PetscReal narrow[], PetscReal ends[])
+/* Angle of a cell at a corner, in space half the solid angle: summed over the cells at an edge, its angle. */
+static PetscReal CoarseContactCornerAngle_Private(const Level *level, ElementType linear, const PetscInt nodes[],
+                                                  PetscInt corner)
 {
-  const PetscInt dim    = support->dim;
-  PetscReal      length = 0, along = 0;
-  PetscBool      mirrored = PETSC_FALSE;
+  const PetscInt dim     = level->dim;
+  PetscReal      e[3][3] = {{0}}, length[3], det, dot;
+  PetscInt       num     = 0;
+
+  for (PetscInt i = 0; i < ElementNumEdges(linear) && num < dim; i++) {
+    const PetscInt *ends = ElementEdgeNodes(linear, i);
+
+    if (ends[0] != corner && ends[1] != corner) continue;
+    for (PetscInt k = 0; k < dim; k++)
+      e[num][k] = level->coords[nodes[ends[0] + ends[1] - corner] * dim + k] - level->coords[nodes[corner] * dim + k];
+    length[num] = VectorNorm(dim, e[num]);
+    num++;
+  }
+  dot = VectorDot(dim, e[0], e[1]);
+  if (dim == 2) return PetscAbsReal(atan2(e[0][0] * e[1][1] - e[0][1] * e[1][0], dot));
+  det = e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) - e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+        e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+  return atan2(PetscAbsReal(det), length[0] * length[1] * length[2] + dot * length[2] +
+                                      VectorDot(dim, e[0], e[2]) * length[1] + VectorDot(dim, e[1], e[2]) * length[0]);
+}
+
+/* Angle of the body at its vertices. Collective. [out] angles - ghosted */
+static PetscErrorCode CoarseContactFindAngles_Private(Level *level, PetscInt body, Vec *angles)
+{
+  PetscScalar *angle;
+  Vec          local;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, 1, angles));
+  PetscCall(VecGhostGetLocalForm(*angles, &local));
+  PetscCall(VecGetArray(local, &angle));
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    const ElementType linear = ElementLinear((ElementType)level->cell_type[c]);
+    const PetscInt   *nodes  = &level->cell_nodes[level->cell_start[c]];
+
+    for (PetscInt i = 0; i < ElementNumNodes(linear) && level->cell_body[c] == body; i++)
+      angle[nodes[i]] += CoarseContactCornerAngle_Private(level, linear, nodes, i);
+  }
+  PetscCall(VecRestoreArray(local, &angle));
+  PetscCall(VecGhostRestoreLocalForm(*angles, &local));
+  PetscCall(LevelShareVec(*angles, ADD_VALUES));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* How a vertex of the patch ends it. [in] way - of CoarseContactFindEnds_Private(); angle - of CoarseContactFindAngles_Private();
+   patch - of the vertex; [in,out] ends */
+static void CoarseContactAddVertex_Private(const Support *support, PetscInt node, const PetscScalar way[],
+                                           PetscReal angle, const ContactPatch *patch, PetscReal ends[])
+{
+  const PetscInt   dim    = support->dim;
+  const PetscReal *narrow = patch->axis[dim - 2];
+  PetscReal        length = 0, along = 0;
+  PetscBool        mirrored = PETSC_FALSE;
 
   for (PetscInt k = 0; k < dim; k++) {
     length += PetscSqr(PetscRealPart(way[k]));
     along += PetscRealPart(way[k]) * narrow[k];
   }
   length = PetscSqrtReal(length);
-  if (length <= CLOSED * (dim == 2 ? 1 : size)) return;
+  if (length <= CLOSED * (dim == 2 ? 1 : patch->facet_size)) return;
   if (dim == 3 && PetscAbsReal(along) > ACROSS * length) return; // the side goes on across the patch
   for (PetscInt j = 0; j < support->count[node]; j++) {
     const PetscReal *d = &support->directions[(node * dim + j) * dim];
@@ -98,6 +159,7 @@ static void CoarseContactAddVertex_Private(const Support *support, PetscInt node
     mirrored = (PetscBool)(mirrored || PetscAbsReal(VectorDot(dim, d, narrow)) > ACROSS);
   }
   ends[mirrored ? IS_MIRRORED : IS_EDGE] = 1;
+  if (!mirrored) ends[ANGLE] = PetscMax(ends[ANGLE], angle);
 }
 
 /* How the patch ends. Collective. [out] ends - 1 or 0 [NUM_ENDS] */
@@ -109,25 +171,29 @@ static PetscErrorCode CoarseContactGetEnds_Private(Fields fields, PetscInt p, Ve
   Level             *level = vi->level;
   const PetscInt     dim   = level->dim;
   const PetscReal   *axis  = patch->axis[dim - 2];
-  const PetscScalar *mark, *way;
+  const PetscScalar *mark, *way, *angle;
   Facets             facets;
-  Vec                ways, local[2];
+  Vec                ways, angles, local[3];
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < NUM_ENDS; i++) ends[i] = 0;
   PetscCall(LevelGetFacets(level, vi->scene, pair->spec->nonmortar.body, pair->spec->nonmortar.side, &facets));
   PetscCall(CoarseContactFindEnds_Private(level, &facets, &ways));
+  PetscCall(CoarseContactFindAngles_Private(level, pair->spec->nonmortar.body, &angles));
   PetscCall(VecGhostGetLocalForm(marks, &local[0]));
   PetscCall(VecGhostGetLocalForm(ways, &local[1]));
+  PetscCall(VecGhostGetLocalForm(angles, &local[2]));
   PetscCall(VecGetArrayRead(local[0], &mark));
   PetscCall(VecGetArrayRead(local[1], &way));
+  PetscCall(VecGetArrayRead(local[2], &angle));
   for (PetscInt f = 0; f < facets.num; f++) {
     const PetscInt *nodes = &facets.nodes[f * F], num = ElementNumNodes(facets.type[f]);
 
     for (PetscInt i = 0; i < num; i++) {
       if (PetscRealPart(mark[nodes[i]]) != NODE_IN) continue;
       if (i < ElementNumNodes(ElementLinear(facets.type[f])))
-        CoarseContactAddVertex_Private(&vi->support, nodes[i], &way[nodes[i] * dim], patch->facet_size, axis, ends);
+        CoarseContactAddVertex_Private(&vi->support, nodes[i], &way[nodes[i] * dim], PetscRealPart(angle[nodes[i]]),
+                                       patch, ends);
       for (PetscInt j = 0; j < num; j++) {
         PetscReal to[3];
 
@@ -140,18 +206,23 @@ static PetscErrorCode CoarseContactGetEnds_Private(Fields fields, PetscInt p, Ve
   }
   for (PetscInt a = 0; a < pair->num; a++)
     if (PairSumEndsPartner(pair, a) && PetscRealPart(mark[pair->nodes[a]]) == NODE_IN) ends[IS_PARTNERS] = 1;
+  PetscCall(VecRestoreArrayRead(local[2], &angle));
   PetscCall(VecRestoreArrayRead(local[1], &way));
   PetscCall(VecRestoreArrayRead(local[0], &mark));
+  PetscCall(VecGhostRestoreLocalForm(angles, &local[2]));
   PetscCall(VecGhostRestoreLocalForm(ways, &local[1]));
   PetscCall(VecGhostRestoreLocalForm(marks, &local[0]));
+  PetscCall(VecDestroy(&angles));
   PetscCall(VecDestroy(&ways));
   PetscCall(FacetsDestroy(&facets));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, ends, NUM_ENDS, MPIU_REAL, MPI_MAX, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the mortar side is larger than the nonmortar side: then it goes on beyond an end of that. Collective. */
-static PetscErrorCode CoarseContactGoesOn_Private(const VI vi, const ScenePair *spec, PetscBool *goes_on)
+/* Whether the mortar side is larger than the nonmortar side, and goes on beyond an end of that, where the pressure grows without limit.
+   With friction it always may. Collective. [in] angle - of the nonmortar body at this end */
+static PetscErrorCode CoarseContactGoesOn_Private(const VI vi, const ScenePair *spec, PetscReal angle,
+                                                  PetscBool *goes_on)
 {
   SideMeasure side[2];
 
@@ -161,6 +232,8 @@ static PetscErrorCode CoarseContactGoesOn_Private(const VI vi, const ScenePair *
   PetscCall(SideMeasureCompute(vi->scene, vi->level, &spec->nonmortar, &side[0]));
   PetscCall(SideMeasureCompute(vi->scene, vi->level, &spec->mortar, &side[1]));
   *goes_on = (PetscBool)(side[1].size > side[0].size + BEYOND_PART * side[0].facet_size);
+  if (!spec->friction && !spec->bound && WedgeExponent(angle, side[0].modulus / side[1].modulus) < EXPONENT_SHOWS)
+    *goes_on = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -192,7 +265,7 @@ PetscErrorCode CoarseContactFind(Fields fields, PetscInt p, CoarseContact *found
     found->edge   = (PetscBool)(ends[IS_EDGE] > 0 || ends[IS_PARTNERS] > 0);
     found->size   = twice * patch->extent[across] / (2 * ADVISED);
     if (ends[IS_EDGE] > 0 && !(ends[IS_PARTNERS] > 0))
-      PetscCall(CoarseContactGoesOn_Private(fields->vi, fields->vi->pairs[p]->spec, &goes_on));
+      PetscCall(CoarseContactGoesOn_Private(fields->vi, fields->vi->pairs[p]->spec, ends[ANGLE], &goes_on));
     found->shows = (PetscBool)((ends[IS_INNER] > 0 || goes_on) && found->facets * order <= FEW);
     for (PetscInt k = 0; k < 3; k++) // a zero that sums have left is told as one
       found->at[k] =
