@@ -10,6 +10,7 @@
 #include <ctype.h>
 #include <muParserDLL.h>
 #include <string.h>
+#include <strings.h>
 
 /* One of the components. */
 typedef struct {
@@ -76,29 +77,64 @@ static void ExpressionDescribeLong_Private(muParserHandle_t parser, const char f
     snprintf(words, len, "it cannot be read from letter %d on, '%.*s...'", place + 1, SHOWN, formula + place);
 }
 
+/* What a text in the manner of another language should be, as the end of a sentence; "" where nothing is known. [in] place - of the complaint */
+static const char *ExpressionAdvise_Private(const char formula[], size_t place)
+{
+  static const char *const other[][2] = {{"**", "; a power is x^2"},
+                                         {"if(", "; a choice is x>0 ? 1 : 0"},
+                                         {" and ", "; 'and' is &&"},
+                                         {" or ", "; 'or' is ||"}};
+  const size_t             length     = strlen(formula);
+
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(other); i++)
+    if (strstr(formula, other[i][0])) return other[i][1];
+  if (place == 0 || place >= length) return "";
+  if (isdigit((unsigned char)formula[place]) && isspace((unsigned char)formula[place - 1]))
+    return "; a number has no blanks";
+  if (isalpha((unsigned char)formula[place]) &&
+      (isdigit((unsigned char)formula[place - 1]) || formula[place - 1] == ')'))
+    return "; a product needs a '*', and a number no unit";
+  return "";
+}
+
+/* An unknown name. [in] text - the rest of the formula that begins with it */
+static void ExpressionDescribeName_Private(const char text[], const char advice[], char words[], size_t len)
+{
+  static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+  char              name[64];
+  const char       *nearest;
+
+  snprintf(name, sizeof(name), "%.*s", (int)PetscMax(1, strspn(text, letters)), text);
+  nearest = UserErrorNearest(name, PETSC_STATIC_ARRAY_LENGTH(known_names), known_names);
+  if (nearest && !strcmp(nearest, name))
+    snprintf(words, len, "'%s' needs its argument in parentheses", name);
+  else if (!strcasecmp(name, "nan") || !strcasecmp(name, "inf"))
+    snprintf(words, len, "'%s' is not a finite number", name);
+  else
+    snprintf(words, len, "'%s' is not known here%s%s%s%s", name, nearest ? ", nearest is '" : "",
+             nearest ? nearest : "", nearest ? "'" : "", advice);
+}
+
 /* muParser's complaint in words that go on with our sentence. Its getters share one buffer: each is used up before the next.
    They write what they quote of the formula into it without a look at its end. */
 static void ExpressionDescribeError_Private(muParserHandle_t parser, const char formula[], char words[], size_t len)
 {
   enum { UNKNOWN_NAME = 1, SAFE = 1024 }; // ecUNASSIGNABLE_TOKEN of muParser's C++ header; half of its buffer
-  static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
-  const char       *text, *nearest;
-  char              name[64];
-  int               length;
+  const char *text, *advice;
+  int         length;
 
   if (strlen(formula) > SAFE) {
     ExpressionDescribeLong_Private(parser, formula, words, len);
-  } else if (mupGetErrorCode(parser) == UNKNOWN_NAME) {
-    text = mupGetErrorToken(parser); // the rest of the formula
-    snprintf(name, sizeof(name), "%.*s", (int)PetscMax(1, strspn(text, letters)), text);
-    nearest = UserErrorNearest(name, PETSC_STATIC_ARRAY_LENGTH(known_names), known_names);
-    snprintf(words, len, "'%s' is not known here%s%s%s", name, nearest ? ", nearest is '" : "", nearest ? nearest : "",
-             nearest ? "'" : "");
+    return;
+  }
+  advice = ExpressionAdvise_Private(formula, (size_t)PetscMax(0, mupGetErrorPos(parser)));
+  if (mupGetErrorCode(parser) == UNKNOWN_NAME) {
+    ExpressionDescribeName_Private(mupGetErrorToken(parser), advice, words, len);
   } else {
     text   = mupGetErrorMsg(parser);
     length = (int)strlen(text);
     while (length > 1 && (text[length - 1] == '.' || isspace((unsigned char)text[length - 1]))) length--;
-    snprintf(words, len, "%c%.*s", tolower((unsigned char)text[0]), length - 1, text + 1);
+    snprintf(words, len, "%c%.*s%s", tolower((unsigned char)text[0]), length - 1, text + 1, advice);
   }
 }
 
@@ -167,6 +203,15 @@ static size_t ExpressionComponentLength_Private(const char text[])
   return n;
 }
 
+/* Whether a parenthesis is not closed: the commas behind it separate nothing. */
+static PetscBool ExpressionIsOpen_Private(const char text[])
+{
+  PetscInt depth = 0;
+
+  for (; *text; text++) depth += (*text == '(') - (*text == ')');
+  return (PetscBool)(depth > 0);
+}
+
 static PetscInt ExpressionCountComponents_Private(const char text[])
 {
   PetscInt count = 1;
@@ -230,6 +275,7 @@ PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char t
   *e = NULL;
   if (num_components && count != num_components) {
     ExpressionSuggestPoint(text, num_components, point, sizeof(point));
+    if (ExpressionIsOpen_Private(text)) snprintf(point, sizeof(point), "; a parenthesis is not closed");
     PetscCall(UserErrorRaise(comm, "%s \"%s\": %" PetscInt_FMT " component%s given, %" PetscInt_FMT " wanted%s%s",
                              option, ExpressionShortenText_Private(text, shown), count, count == 1 ? "" : "s",
                              num_components, num_components == 1 ? "" : ", separated by commas", point));

@@ -499,7 +499,9 @@ static PetscErrorCode GmshReadSections_Private(GmshReader *reader, GmshNames *na
       GmshReadFormat_Private(reader);
       format = PETSC_TRUE;
     } else if (!format && line[0]) {
-      GmshFail_Private(reader, "it is not a Gmsh file: it does not begin with $MeshFormat");
+      GmshFail_Private(reader, strcmp(line, "$NOD")
+                                   ? "it is not a Gmsh file: it does not begin with $MeshFormat"
+                                   : "it is of Gmsh's version 1; write it as version 2.2 or 4.1 (gmsh -format msh4)");
     } else if (!names && !strcmp(line, "$Elements")) {
       *dim = GmshProbeElements_Private(reader);
       break;

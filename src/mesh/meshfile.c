@@ -31,6 +31,9 @@ static PetscErrorCode FileReadPlex_Private(const char path[], DM *dm, char reaso
   code = DMPlexCreateFromFile(PETSC_COMM_SELF, path, "", PETSC_TRUE, dm);
   PetscCall(PetscPopErrorHandler());
   if (code) *dm = NULL; // half made, and the run ends: nothing can be gained by taking it apart
+  if (strstr(reason, "unrecognized extension"))
+    snprintf(reason, MESH_SENTENCE,
+             "files of this ending cannot be read; write it by Gmsh as .msh, version 2.2 or 4.1");
   if (code && !reason[0]) snprintf(reason, MESH_SENTENCE, "PETSc cannot read it (error %d)", (int)code);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -117,6 +120,17 @@ static PetscErrorCode FileCheckPlex_Private(DM dm, PetscInt dim, char reason[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether the file holds geometry, which is to be meshed first. [in] extension - with its point */
+static PetscBool FileIsGeometry_Private(const char extension[])
+{
+  static const char *const endings[] = {".geo", ".step", ".stp", ".iges", ".igs", ".brep", ".stl"};
+  PetscBool                same      = PETSC_FALSE;
+
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(endings) && !same; i++)
+    (void)PetscStrcasecmp(extension, endings[i], &same);
+  return same;
+}
+
 /* Reads and checks. [out] reason - "" if the file can be used [MESH_SENTENCE] */
 static PetscErrorCode FileRead_Private(MeshFile file, PetscInt dim, char reason[])
 {
@@ -128,6 +142,10 @@ static PetscErrorCode FileRead_Private(MeshFile file, PetscInt dim, char reason[
     PetscCall(GmshRead(file->path, &file->names, &mesh, reason, MESH_SENTENCE));
     if (!reason[0]) PetscCall(GmshPlexCreate(&mesh, dim, &file->dm, &file->curves, reason));
     PetscCall(GmshMeshDestroy(&mesh));
+  } else if (extension && FileIsGeometry_Private(extension)) {
+    snprintf(reason, MESH_SENTENCE,
+             "it holds geometry and no mesh; name sides by physical groups and mesh it: gmsh -%d %.200s -o part.msh",
+             (int)dim, file->path);
   } else {
     PetscCall(FileReadPlex_Private(file->path, &file->dm, reason));
     if (!reason[0]) PetscCall(FileCheckPlex_Private(file->dm, dim, reason));

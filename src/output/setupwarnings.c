@@ -9,6 +9,8 @@
 /* Moduli and body forces of two bodies in contact differ by less than this factor, or their units differ. Steel on soft rubber: 2e5. Pa and
    MPa: 1e6; N/m^3 and N/mm^3: 1e9. */
 static const PetscReal MIXED_UNITS = 1.01e5;
+/* Coefficients of friction are below it: rubber reaches 2. Angles and percentages are above. */
+static const PetscReal LARGEST_FRICTION = 3;
 /* A floating body that closes a gap wider than this many times its diagonal, and that is not carried by a given displacement. */
 static const PetscReal FAR = 1, CARRIED = 2;
 
@@ -52,6 +54,24 @@ static PetscErrorCode SetupWarningsCompareBodies_Private(VI vi, const ScenePair 
       scene, spec, "the moduli", "check that both have the same units; a rigid tool may be an obstacle", moduli));
   PetscCall(
       SetupWarningsCompare_Private(scene, spec, "the body forces", "check that both have the same units", forces));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A coefficient of friction that is likely an angle or a percentage. */
+static PetscErrorCode SetupWarningsCheckFriction_Private(const ScenePair *spec)
+{
+  const PetscReal zero[3] = {0, 0, 0};
+  const Warning   large   = {.code   = "large_friction",
+                             .pair   = spec->name,
+                             .advice = "give the tangent of the angle of friction, or the hundredth of a percentage"};
+  PetscReal       friction;
+
+  PetscFunctionBeginUser;
+  if (!spec->friction || !ExpressionIsConstant(spec->friction)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ExpressionEvaluate(spec->friction, 1, zero, &friction));
+  if (friction > LARGEST_FRICTION)
+    PetscCall(WarningAdd(&large, "%s %s is a coefficient larger than materials have", ExpressionOption(spec->friction),
+                         ExpressionText(spec->friction)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -157,7 +177,10 @@ static PetscErrorCode SetupWarningsFindFarMotions_Private(VI vi, Fields fields)
 PetscErrorCode SetupWarningsAdd(VI vi, Solvability solvability, Fields fields)
 {
   PetscFunctionBeginUser;
-  for (PetscInt p = 0; p < vi->num_pairs; p++) PetscCall(SetupWarningsCompareBodies_Private(vi, vi->pairs[p]->spec));
+  for (PetscInt p = 0; p < vi->num_pairs; p++) {
+    PetscCall(SetupWarningsCompareBodies_Private(vi, vi->pairs[p]->spec));
+    PetscCall(SetupWarningsCheckFriction_Private(vi->pairs[p]->spec));
+  }
   PetscCall(SetupWarningsFindIdleGaps_Private(vi, solvability));
   if (fields && solvability) PetscCall(SetupWarningsFindFarMotions_Private(vi, fields));
   PetscFunctionReturn(PETSC_SUCCESS);

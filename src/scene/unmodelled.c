@@ -3,7 +3,7 @@
 #include <string.h>
 #include <strings.h>
 
-enum { MAX_WORDS = 12 };
+enum { MAX_WORDS = 13 };
 
 typedef struct {
   const char
@@ -12,6 +12,8 @@ typedef struct {
 } Unmodelled;
 
 static const Unmodelled unmodelled[] = {
+    {{"n", "np", "num_procs", "processes", "ranks", "threads", "cores"},
+     "there is no such option; the number of processes is one of mpiexec: mpiexec -n 4 mortise -options_file ..."},
     {{"mu", "frictional", "tresca", "coulomb", "stick", "friction_coefficient", "friction_angle"},
      "there is no such option; friction of a pair is its coefficient, -<pair>_friction, or -<pair>_friction_bound"},
     {{"gravity", "weight", "acceleration", "g"},
@@ -38,7 +40,7 @@ static const Unmodelled unmodelled[] = {
     {{"point_load", "point_force", "nodal_force", "nodal_load", "concentrated_force"},
      "forces on a point are not modelled, their displacement is infinite; load a side, -<body>_bc_traction"},
     {{"e", "nu", "modulus", "elastic_modulus", "youngs_modulus", "young_modulus", "poisson_ratio", "poissons_ratio",
-      "shear_modulus", "bulk_modulus", "lambda", "lame"},
+      "shear_modulus", "bulk_modulus", "lambda", "lame", "material"},
      "there is no such option; the material of a body is -<body>_young and -<body>_poisson, or -<body>_stiffness"},
     {{"bc_normal_"},
      "there is no such option; -<body>_bc_normal lists sides that do not move along their normals, and takes no "

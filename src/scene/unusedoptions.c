@@ -194,12 +194,27 @@ static PetscErrorCode UnusedExplainRegion_Private(Scene scene, const Leftover *l
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The documented option that lacks the name of a body, pair or probe before it, as -young; NULL if it is none. */
+static const char *UnusedFindNameless_Private(const Leftover *left)
+{
+  PetscInt           num;
+  const OptionEntry *table = OptionTable(&num);
+
+  for (PetscInt i = 0; i < num && !left->owner; i++) {
+    const char *open = strchr(table[i].name, '<'), *key = open ? OptionPlaceholderEnd(open) : "";
+
+    if (key[0] == '_' && key[1] && !strcasecmp(key + 1, left->name + 1)) return table[i].name;
+  }
+  return NULL;
+}
+
 /* The sentence about one unused option; whether it could suggest another one. */
 static PetscErrorCode UnusedExplain_Private(Scene scene, const Leftover *left, char sentence[OPTION_SENTENCE],
                                             PetscBool *suggested)
 {
   const char *side       = left->entry ? strstr(left->entry->name, "_<side>") : NULL;
   const char *unmodelled = UnmodelledFind(left->name + 1 + (left->owner ? strlen(left->owner) + 1 : 0));
+  const char *nameless   = UnusedFindNameless_Private(left);
   char        near[OPTION_MAX], shown[OPTION_MAX], text[OPTION_MAX];
 
   PetscFunctionBeginUser;
@@ -217,6 +232,9 @@ static PetscErrorCode UnusedExplain_Private(Scene scene, const Leftover *left, c
   } else if (unmodelled) {
     *suggested = PETSC_TRUE;
     PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE, "%s: %s", shown, unmodelled));
+  } else if (nameless) {
+    *suggested = PETSC_TRUE;
+    PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE, "%s: the option needs a name before it: %s", shown, nameless));
   } else {
     sentence[0] = '\0';
     PetscCall(UnusedExplainRegion_Private(scene, left, shown, sentence));

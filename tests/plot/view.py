@@ -35,7 +35,7 @@ def judge(run):
     require_tidy(figure, "the picture from below")
 
     if solid.find_pyvista():
-        left = view.cut(solid, fields, np.column_stack([fields["points"], fields["displacement"], fields["colour"]]), 0, 0.4, 1.0)
+        left = view.cut(solid, fields, np.column_stack([fields["points"], fields["displacement"], fields["colour"], fields["node_body"]]), 0, 0.4, 1.0)
         near("end of what is left", left.values[np.unique(left.triangles), 0].max(), 0.4, absolute=1e-6)
         corners = left.values[left.triangles, :3]
         normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) / 2

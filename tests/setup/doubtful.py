@@ -1,4 +1,5 @@
-"""Scenes that are solved but hardly meant: units of two bodies, gaps that only move a body, a body far from its support. Each is a warning."""
+"""Scenes that are solved but hardly meant: units of two bodies, gaps that only move a body, an angle of
+friction, a body far from its support. Each is a warning."""
 from judge import near, require, same
 
 # Options; code of the warning, what it is about, words.
@@ -29,5 +30,7 @@ def judge(run):
         near(f"{name}: force", case.pair("joint")["force"], [0, 1], absolute=1e-9)
     for name, options in run.some(MEANT.items()):
         run.again(*options.split(), name=name, warns=[])
+    angle = run.again("-joint_friction", "30", name="angle", warns=["large_friction", "held_friction"])  # the wall holds the corner of the lid
+    require("-joint_friction 30 is a coefficient larger than materials have" in angle.stderr, angle.stderr)
     checked = run.again("-check", "-joint_gap_offset", "0.1", name="check", warns=["idle_gap"])
     same("status", checked.summary["status"], "checked")
