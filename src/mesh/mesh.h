@@ -48,12 +48,11 @@ typedef struct {
                       ElementSurface() outward: (dy,-dx) in 2D, anticlockwise seen from outside in 3D */
 } Facets;
 
-/* Unknowns from which on a linear system is solved with the help of coarser levels, where there are any and the user does
-   not choose otherwise: below, factorizations take less time, or have digits to spare for little more. Two plates, two blocks, measured in seconds of one processor: 116000
-   unknowns in 2D 1.3 by factorization, 1.7 by multigrid, 1050000 18 by both; in 3D 8500 unknowns 0.3 by both, 21000 1.7 and 0.85.
-   Beyond some 200000 in 2D multigrid takes two thirds of the memory for about the same time. An adapted mesh has the levels of the mesh before:
-   two plates of 79000 unknowns 0.9 by factorization, 0.4 by multigrid, of 29000 0.3 by both. */
-enum { MESH_LEVELS_2D = 200000, MESH_LEVELS_2D_ADAPTED = 60000, MESH_LEVELS_3D = 20000 };
+/* Unknowns up to which a factorization is chosen where a mesh has coarser levels. Seconds of one processor, factorization and multigrid.
+   In the plane: 116000 unknowns 1.3 and 1.7, 1050000 18 and 18; beyond some 200000 multigrid takes two thirds of the memory. An
+   adapted mesh has the levels of the mesh before: 29000 unknowns 0.3 and 0.3, 79000 0.9 and 0.4. In space: spherical gap, order 1,
+   22000 unknowns 0.9 and 1.0, 32000 1.5 and 1.3, order 2, 25000 1.6 and 2.2, 35000 2.9 and 2.7; sphere on block, 32000, 2.9 and 4.5. */
+enum { MESH_LEVELS_2D = 200000, MESH_LEVELS_2D_ADAPTED = 60000, MESH_LEVELS_3D = 36000 };
 
 /* Levels of a mesh that is adapted, at most. */
 enum { MESH_MAX_ADAPTED = 128 };

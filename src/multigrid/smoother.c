@@ -22,7 +22,7 @@
 static const PetscReal STIFF_SIDE = 2;
 
 /* Entries of S_u in one row of K: couplings within the block of the node, or its diagonal. [in] label - own
-   nodes, then ghosts; [out] num - entries; [out] column, value - NULL to count only */
+   nodes, then ghosts; [out] num - entries, 1 for the diagonal alone; [out] column, value - NULL to count only */
 static PetscErrorCode SmootherGetRow_Private(const Operator *op, const GhostExchange *ghosts, const PetscReal label[],
                                              PetscInt row, PetscInt *num, PetscInt column[], PetscScalar value[])
 {
@@ -33,18 +33,17 @@ static PetscErrorCode SmootherGetRow_Private(const Operator *op, const GhostExch
 
   PetscFunctionBeginUser;
   *num = 0;
-  PetscCall(MatGetRow(op->K, global, &length, &columns, &values));
-  for (PetscInt pass = 0; pass < 2; pass++)
-    for (PetscInt j = 0; j < length; j++) {
-      PetscCall(GhostExchangeFind(ghosts, columns[j] / dim, &at));
-      if (label[at] != label[row / dim]) continue;
-      if (!pass) others += at != row / dim;
-      if (!pass || (!others && columns[j] != global)) continue;
-      if (column) column[*num] = columns[j];
-      if (value) value[*num] = values[j] / op->stiffness;
-      ++*num;
-    }
-  PetscCall(MatRestoreRow(op->K, global, &length, &columns, &values));
+  PetscCall(MatGetRow(op->K, global, &length, &columns, value ? &values : NULL));
+  for (PetscInt j = 0; j < length; j++) {
+    PetscCall(GhostExchangeFind(ghosts, columns[j] / dim, &at));
+    if (label[at] != label[row / dim]) continue;
+    others += at != row / dim;
+    if (column) column[*num] = columns[j];
+    if (value) value[*num] = values[j] / op->stiffness;
+    ++*num;
+  }
+  if (!others) *num = 1;
+  PetscCall(MatRestoreRow(op->K, global, &length, &columns, value ? &values : NULL));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -52,9 +51,10 @@ static PetscErrorCode SmootherGetRow_Private(const Operator *op, const GhostExch
 static PetscErrorCode SmootherCreateBlocks_Private(const Operator *op, const GhostExchange *ghosts,
                                                    const PetscReal label[], Mat *S)
 {
-  const PetscInt n = op->dim * ghosts->n;
-  PetscInt      *start, *column, num;
-  PetscScalar   *value;
+  const PetscInt     n = op->dim * ghosts->n;
+  PetscInt          *start, *column, num;
+  PetscScalar       *value;
+  const PetscScalar *diagonal;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(n + 1, &start));
@@ -64,8 +64,14 @@ static PetscErrorCode SmootherCreateBlocks_Private(const Operator *op, const Gho
     start[i + 1] = start[i] + num;
   }
   PetscCall(PetscMalloc2(start[n], &column, start[n], &value));
-  for (PetscInt i = 0; i < n; i++)
-    PetscCall(SmootherGetRow_Private(op, ghosts, label, i, &num, &column[start[i]], &value[start[i]]));
+  PetscCall(VecGetArrayRead(op->diagonal, &diagonal));
+  for (PetscInt i = 0; i < n; i++) {
+    column[start[i]] = op->dim * ghosts->begin + i;
+    value[start[i]]  = diagonal[i] / op->stiffness;
+    if (start[i + 1] > start[i] + 1)
+      PetscCall(SmootherGetRow_Private(op, ghosts, label, i, &num, &column[start[i]], &value[start[i]]));
+  }
+  PetscCall(VecRestoreArrayRead(op->diagonal, &diagonal));
   PetscCall(MatCreate(PetscObjectComm((PetscObject)op->K), S));
   PetscCall(MatSetSizes(*S, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
   PetscCall(MatSetBlockSize(*S, op->dim));

@@ -15,6 +15,7 @@ typedef struct {
   Vec          ghosts; /* what they are */
   VecScatter   scatter;
   PetscInt     node, max, length; /* row that was asked for last, room, entries of each of its rows */
+  PetscBool    written;           /* whether rows has them */
   PetscInt    *columns;           /* [length] */
   PetscScalar *rows;              /* [bs][length] */
 } Stiffness;
@@ -80,34 +81,57 @@ static PetscErrorCode MatMult_Scaled(Mat S, Vec x, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Entries of the rows of a node, on all ranks' columns. */
-static PetscErrorCode StiffnessSetRows_Private(Stiffness *s, PetscInt node)
+/* Blocks of a node among ghosts that come before its own ones. */
+static PetscInt StiffnessGetBelow_Private(const Stiffness *s, PetscInt begin, PetscInt end)
+{
+  PetscInt below = begin;
+
+  while (below < end && s->ghost[s->bs * s->column[below]] < s->begin) below++;
+  return below - begin;
+}
+
+/* Columns of the rows of a node, on all ranks. */
+static PetscErrorCode StiffnessSetColumns_Private(Stiffness *s, PetscInt node)
 {
   const SymmetricBlocks *own = &s->own;
   const PetscInt         bs = s->bs, mine = bs * (own->start[node + 1] - own->start[node]);
   const PetscInt         begin = s->start ? s->start[node] : 0, end = s->start ? s->start[node + 1] : 0;
-  PetscInt               below = begin, at = 0;
+  const PetscInt         below = StiffnessGetBelow_Private(s, begin, end);
+  PetscInt               at;
 
   PetscFunctionBeginUser;
-  s->node   = node;
-  s->length = mine + bs * (end - begin);
+  s->node    = node;
+  s->written = PETSC_FALSE;
+  s->length  = mine + bs * (end - begin);
   if (s->length > s->max) {
     s->max = 2 * s->length;
     PetscCall(PetscRealloc((size_t)s->max * sizeof(PetscInt), &s->columns));
     PetscCall(PetscRealloc((size_t)s->max * bs * sizeof(PetscScalar), &s->rows));
   }
-  while (below < end && s->ghost[bs * s->column[below]] < s->begin) below++;
   for (PetscInt j = begin; j < end; j++) {
-    at = bs * (j - begin) + (j < below ? 0 : mine);
+    at = bs * (j - begin) + (j - begin < below ? 0 : mine);
     for (PetscInt l = 0; l < bs; l++) s->columns[at + l] = s->ghost[bs * s->column[j]] + l;
-    for (PetscInt kl = 0; kl < bs * bs; kl++)
-      s->rows[kl / bs * s->length + at + kl % bs] = s->value[(size_t)j * bs * bs + kl];
   }
-  at = bs * (below - begin);
-  SymmetricBlocksGetRow(own, node, s->length, &s->rows[at]);
+  at = bs * below;
   for (PetscInt j = own->start[node]; j < own->start[node + 1]; j++)
     for (PetscInt l = 0; l < bs; l++) s->columns[at++] = s->begin + bs * own->column[j] + l;
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Their values. Blocks left of the diagonal lie in other rows: to collect them costs more than the columns. */
+static void StiffnessSetValues_Private(Stiffness *s)
+{
+  const PetscInt bs = s->bs, begin = s->start ? s->start[s->node] : 0, end = s->start ? s->start[s->node + 1] : 0;
+  const PetscInt below = StiffnessGetBelow_Private(s, begin, end), mine = s->length - bs * (end - begin);
+
+  for (PetscInt j = begin; j < end; j++) {
+    const PetscInt at = bs * (j - begin) + (j - begin < below ? 0 : mine);
+
+    for (PetscInt kl = 0; kl < bs * bs; kl++)
+      s->rows[kl / bs * s->length + at + kl % bs] = s->value[(size_t)j * bs * bs + kl];
+  }
+  SymmetricBlocksGetRow(&s->own, s->node, s->length, &s->rows[bs * below]);
+  s->written = PETSC_TRUE;
 }
 
 static PetscErrorCode MatGetRow_Stiffness(Mat K, PetscInt row, PetscInt *num, PetscInt **columns, PetscScalar **values)
@@ -118,7 +142,8 @@ static PetscErrorCode MatGetRow_Stiffness(Mat K, PetscInt row, PetscInt *num, Pe
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(K, &s));
   node = (row - s->begin) / s->bs;
-  if (node != s->node) PetscCall(StiffnessSetRows_Private(s, node));
+  if (node != s->node) PetscCall(StiffnessSetColumns_Private(s, node));
+  if (values && !s->written) StiffnessSetValues_Private(s);
   if (num) *num = s->length;
   if (columns) *columns = s->columns;
   if (values) *values = &s->rows[(row - s->begin) % s->bs * s->length];
@@ -162,7 +187,8 @@ static PetscErrorCode MatNorm_Stiffness(Mat K, NormType type, PetscReal *norm)
   PetscCall(MatShellGetContext(K, &s));
   *norm = 0;
   for (PetscInt i = 0; i < s->own.num; i++) {
-    PetscCall(StiffnessSetRows_Private(s, i));
+    PetscCall(StiffnessSetColumns_Private(s, i));
+    StiffnessSetValues_Private(s);
     for (PetscInt k = 0; k < s->bs; k++) {
       PetscReal sum = 0;
 
@@ -217,7 +243,8 @@ static PetscErrorCode MatConvert_Stiffness(Mat K, MatType type, MatReuse reuse, 
   PetscCall(MatShellGetContext(K, &s));
   PetscCall(StiffnessCreateMatrix_Private(K, s, A));
   for (PetscInt i = 0; i < s->own.num; i++) {
-    PetscCall(StiffnessSetRows_Private(s, i));
+    PetscCall(StiffnessSetColumns_Private(s, i));
+    StiffnessSetValues_Private(s);
     for (PetscInt k = 0; k < s->bs; k++) {
       const PetscInt row = s->begin + s->bs * i + k;
 

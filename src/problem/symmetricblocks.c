@@ -49,16 +49,28 @@ PetscScalar *SymmetricBlocksAt(const SymmetricBlocks *blocks, PetscInt i, PetscI
   return &blocks->value[(size_t)(blocks->first[i] + lower) * blocks->bs * blocks->bs];
 }
 
+/* Blocks left of the diagonal lie in other rows, so they are asked for some blocks before they are read. */
+enum { AHEAD = 8 };
+
 void SymmetricBlocksGetRow(const SymmetricBlocks *blocks, PetscInt i, PetscInt width, PetscScalar rows[])
 {
-  const PetscInt     bs = blocks->bs;
-  const PetscScalar *v  = &blocks->value[(size_t)blocks->first[i] * bs * bs];
+  const PetscInt     bs = blocks->bs, lower = blocks->diagonal[i] - blocks->start[i];
+  const PetscInt    *column = &blocks->column[blocks->start[i]];
+  const PetscScalar *v      = &blocks->value[(size_t)blocks->first[i] * bs * bs];
+  const PetscScalar *other[AHEAD];
 
-  for (PetscInt at = blocks->start[i]; at < blocks->diagonal[i]; at++, rows += bs) {
-    const PetscScalar *other = SymmetricBlocksAt(blocks, blocks->column[at], i);
+  for (PetscInt at = 0; at < lower + AHEAD; at++) {
+    const PetscScalar **slot = &other[at % AHEAD];
 
-    for (PetscInt k = 0; k < bs; k++)
-      for (PetscInt l = 0; l < bs; l++) rows[k * width + l] = other[bs * l + k];
+    if (at >= AHEAD) {
+      for (PetscInt k = 0; k < bs; k++)
+        for (PetscInt l = 0; l < bs; l++) rows[k * width + l] = (*slot)[bs * l + k];
+      rows += bs;
+    }
+    if (at < lower) {
+      *slot = SymmetricBlocksAt(blocks, column[at], i);
+      PetscPrefetchBlock(*slot, bs * bs, 0, PETSC_PREFETCH_HINT_T0);
+    }
   }
   for (PetscInt at = blocks->diagonal[i]; at < blocks->start[i + 1]; at++, rows += bs, v += bs * bs) {
     for (PetscInt k = 0; k < bs; k++)

@@ -13,15 +13,15 @@
 #include "solve/costmodel.h"
 
 /* Work (in products) after which a factorization is predicted: scenes suited to multigrid stay below it. The
-   analysis costs about a tenth of it. */
-static const PetscReal PREDICT_FROM = 300;
+   analysis costs about a tenth of the first. The second is for bodies that contact alone holds. */
+static const PetscReal PREDICT_FROM = 300, FLOATING_PREDICT_FROM = 120;
 /* Operations of a factorization in the time of one operation of a product; time of block smoothing relative
    to a product. Measured, on one core, with OpenBLAS: balls of 36,000 unknowns, order 2. */
 static const PetscReal OPERATION_RATE = 1.5, SMOOTHING_COST = 2;
-/* An iteration for bodies that contact alone holds may cost so much of a factorization. In products, iteration and factorization: cubes of 46,875
-   unknowns 80 to 110 and 530, balls of 27,783 and 36,501, order 2, 27,000 and 681, 31,000 and 875. Others end more often between half and one:
-   crossed cylinders of 31,278 unknowns 331 and 332. */
-static const PetscReal FLOATING_FACTOR = 0.5;
+/* An iteration for bodies that contact alone holds may cost so much of a factorization. In products, iteration and factorization: cubes of
+   46,875 unknowns 80 to 110 and 530, stacked blocks of 60,225 49 and 516; balls of 27,783 and 36,501, order 2, 15,000 and 681, 29,000 and 875.
+   Others end more often between half and one. */
+static const PetscReal FLOATING_FACTOR = 0.25;
 /* Once contacts are found, an iteration may cost so many times a factorization, which would have to find them
    again. */
 static const PetscReal FOUND_FACTOR = 2;
@@ -81,13 +81,17 @@ static PetscErrorCode CostModelPredict_Private(CostModel *model)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether contact alone holds a body. */
+static PetscBool CostModelFloats_Private(const CostModel *model)
+{
+  return (PetscBool)(model->hierarchy->level[model->hierarchy->num - 1].op.W != NULL);
+}
+
 /* How many times a factorization an iteration may cost. */
 static PetscReal CostModelFactor_Private(const CostModel *model)
 {
-  const Hierarchy hierarchy = model->hierarchy;
-
   if (model->found) return FOUND_FACTOR;
-  return hierarchy->level[hierarchy->num - 1].op.W ? FLOATING_FACTOR : 1;
+  return CostModelFloats_Private(model) ? FLOATING_FACTOR : 1;
 }
 
 /* The callback of HierarchySetCostTest(). */
@@ -97,7 +101,7 @@ static PetscErrorCode IsOverFn(void *ctx, PetscBool *over)
   const PetscReal work  = model->hierarchy->work;
 
   PetscFunctionBeginUser;
-  if (model->on && work > PREDICT_FROM) {
+  if (model->on && work > (CostModelFloats_Private(model) ? FLOATING_PREDICT_FROM : PREDICT_FROM)) {
     if (!model->asked) PetscCall(CostModelPredict_Private(model));
     model->over = (PetscBool)(model->on && work > CostModelFactor_Private(model) * CostModelPredicted(model));
   }

@@ -1,7 +1,7 @@
 """Multigrid that does not converge: advice if the user chose it, else a factorization replaces it."""
 from judge import Run, require
 
-LARGE = ("-upper_dm_plex_box_faces", "16,16,16", "-lower_dm_plex_box_faces", "12,12,12")  # more than factorizations are the default for
+LARGE = ("-upper_dm_plex_box_faces", "19,19,19", "-lower_dm_plex_box_faces", "16,16,16")  # more than factorizations are the default for
 
 
 def stopped(run, name, *arguments):
