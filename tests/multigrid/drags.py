@@ -4,8 +4,8 @@ from judge import Run, near, require, same
 
 LENGTH, WEIGHT, LIFT = 240, 0.001, 0.04  # width and thickness are 1
 WITHIN = 1e-5  # of the forces: so soft a strip stores next to no energy
-SHORT = f"-a_dm_plex_box_faces 60,1,1 -a_dm_plex_box_upper {LENGTH},1,1 -a_bc_traction_right 0,0,{LIFT}".split()
-ACROSS = """-bodies a,b -b_dm_plex_simplex 0 -b_dm_plex_box_faces 1,30,1 -b_dm_plex_box_lower 0,10,5 -b_dm_plex_box_upper 1,130,6 -b_young 3e5
+SHORT = f"-a_dm_plex_box_faces 80,1,1 -a_dm_plex_box_upper {LENGTH},1,1 -a_bc_traction_right 0,0,{LIFT}".split()
+ACROSS = """-bodies a,b -b_dm_plex_simplex 0 -b_dm_plex_box_faces 1,40,1 -b_dm_plex_box_lower 0,10,5 -b_dm_plex_box_upper 1,130,6 -b_young 3e5
  -b_poisson 0 -b_bc_displacement back -b_bc_displacement_back 0,0,0""".split()  # a second one, in the air: there is no axis along which both are thin
 
 

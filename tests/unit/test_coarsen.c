@@ -102,7 +102,7 @@ static void TestSolid(PetscBool simplex, PetscInt order)
 /* By size: none for few unknowns, no coarsest mesh that is too small to be worth it, no halves of odd numbers. */
 static void TestSize(void)
 {
-  const PetscInt  faces[3] = {8, 16, 24}, coarser[3] = {0, 1, 1};
+  const PetscInt  faces[3] = {8, 16, 24}, order[3] = {1, 2, 1}, coarser[3] = {0, 1, 1};
   const PetscReal lower[2][3] = {{0, 0, 0}, {0, 0, -1}}, upper[2][3] = {{1, 1, 1}, {1, 1, 0}};
   TestScene       t;
   Mesh            mesh;
@@ -111,9 +111,9 @@ static void TestSize(void)
     const PetscInt n[3] = {faces[i], faces[i], faces[i]}, m[3] = {3 * faces[i] / 4, faces[i] / 2, faces[i]};
 
     SolidSceneInit(&t);
-    SolidSceneAddBox(&t, "upper", n, lower[0], upper[0]);
-    SolidSceneAddBox(&t, "lower", m, lower[1], upper[1]);
-    mesh = TestSceneMesh(&t);
+    SolidSceneAddBox(&t, "upper", n, lower[0], upper[0])->order = order[i];
+    SolidSceneAddBox(&t, "lower", m, lower[1], upper[1])->order = order[i];
+    mesh                                                        = TestSceneMesh(&t);
     CHECK(mesh->own == coarser[i]);
     CHECK(!MeshDestroy(&mesh));
     TestSceneFree(&t);
