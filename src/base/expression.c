@@ -6,6 +6,7 @@
    References: [1] muParser, a fast math parser library, https://beltoforion.de/en/muparser */
 #include "base/compat.h"
 #include "base/expression.h"
+#include "base/switching.h"
 #include "base/usererror.h"
 #include <ctype.h>
 #include <muParserDLL.h>
@@ -265,11 +266,32 @@ static PetscErrorCode ExpressionAllocate_Private(const char option[], const char
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Reads all components of the text. [out] complaint - as above */
+static PetscErrorCode ExpressionRead_Private(Expression e, PetscBool allow_free, char complaint[], size_t len)
+{
+  const char *text = e->text;
+  char       *part;
+
+  PetscFunctionBeginUser;
+  for (PetscInt c = 0; c < e->num_components && !complaint[0]; c++) {
+    const size_t length = ExpressionComponentLength_Private(text);
+
+    PetscCall(ExpressionCopyTrimmed_Private(text, length, &part));
+    PetscCall(PetscFPTrapPush(PETSC_FP_TRAP_OFF)); // muParser computes what is constant in a formula
+    ExpressionReadComponent_Private(e, part, allow_free, &e->components[c], complaint, len);
+    PetscCall(PetscFPTrapPop());
+    PetscCall(PetscFree(part));
+    if (e->components[c].parser) e->constant = PETSC_FALSE;
+    text += length + 1;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char text[], PetscInt num_components,
                                 PetscBool allow_free, Expression *e)
 {
   const PetscInt count          = ExpressionCountComponents_Private(text);
-  char           complaint[512] = "", shown[TEXT_SHOWN], point[128], *part;
+  char           complaint[512] = "", shown[TEXT_SHOWN], point[128];
 
   PetscFunctionBeginUser;
   *e = NULL;
@@ -281,17 +303,7 @@ PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char t
                              num_components, num_components == 1 ? "" : ", separated by commas", point));
   }
   PetscCall(ExpressionAllocate_Private(option, text, count, e));
-  for (PetscInt c = 0; c < count && !complaint[0]; c++) {
-    const size_t length = ExpressionComponentLength_Private(text);
-
-    PetscCall(ExpressionCopyTrimmed_Private(text, length, &part));
-    PetscCall(PetscFPTrapPush(PETSC_FP_TRAP_OFF)); // muParser computes what is constant in a formula
-    ExpressionReadComponent_Private(*e, part, allow_free, &(*e)->components[c], complaint, sizeof(complaint));
-    PetscCall(PetscFPTrapPop());
-    PetscCall(PetscFree(part));
-    if ((*e)->components[c].parser) (*e)->constant = PETSC_FALSE;
-    text += length + 1;
-  }
+  PetscCall(ExpressionRead_Private(*e, allow_free, complaint, sizeof(complaint)));
   if (complaint[0]) {
     char sentence[USER_ERROR_LENGTH];
 
@@ -301,6 +313,24 @@ PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char t
     PetscCall(ExpressionDestroy(e));
     PetscCall(UserErrorRaise(comm, "%s", sentence));
   }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ExpressionCreateSwitches(Expression e, Expression *switches)
+{
+  char  complaint[512] = "";
+  char *list;
+
+  PetscFunctionBeginUser;
+  *switches = NULL;
+  PetscCall(SwitchingFunctions(e->text, &list));
+  if (!list) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ExpressionAllocate_Private(e->option, list, ExpressionCountComponents_Private(list), switches));
+  PetscCall(PetscFree(list));
+  (*switches)->meridian = e->meridian;
+  PetscCall(ExpressionRead_Private(*switches, PETSC_FALSE, complaint, sizeof(complaint)));
+  if (complaint[0] || (*switches)->constant)
+    PetscCall(ExpressionDestroy(switches)); // zero nowhere, or not for us to read
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -397,6 +427,17 @@ PetscErrorCode ExpressionEvaluate(Expression e, PetscInt dim, const PetscReal x[
     PetscCall(PetscArraycpy(e->failed_x, e->x, 3));
   }
   if (!e->constant) PetscCall(PetscFPTrapPop());
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ExpressionComponent(Expression e, PetscInt c, PetscInt dim, const PetscReal x[], PetscReal *value)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt d = 0; d < 3; d++) e->x[d] = d < dim ? x[d] : 0;
+  if (e->meridian) e->x[2] = e->x[1];
+  PetscCall(PetscFPTrapPush(PETSC_FP_TRAP_OFF));
+  *value = e->components[c].parser ? mupEval(e->components[c].parser) : e->components[c].number;
+  PetscCall(PetscFPTrapPop());
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -19,6 +19,9 @@ typedef struct _n_Expression *Expression;
 PetscErrorCode ExpressionCreate(MPI_Comm comm, const char option[], const char text[], PetscInt num_components,
                                 PetscBool allow_free, Expression *e);
 PetscErrorCode ExpressionDestroy(Expression *e);
+/* The functions one of which is zero wherever a formula of e jumps or bends (switching.h), as components. Not collective.
+   [out] switches - owned by the caller, NULL where there is none */
+PetscErrorCode ExpressionCreateSwitches(Expression e, Expression *switches);
 /* The end of a sentence about too many components, where decimal commas may have made them; else "". Not collective.
    [in] text - as typed; [in] wanted - components; [out] words - [len] */
 void ExpressionSuggestPoint(const char text[], PetscInt wanted, char words[], size_t len);
@@ -45,7 +48,10 @@ const char *ExpressionText(Expression e);
    [in] x - point, array of shape [dim]; [in] dim - 1 to 3; [out] values - array of shape [ExpressionSize(e)] */
 PetscErrorCode ExpressionEvaluate(Expression e, PetscInt dim, const PetscReal x[], PetscReal values[]);
 
-/* The same where a value need not exist, such as beside the body: a value that is not finite is forgotten, and finite says so. */
+/* The value of component c alone, which may be infinite or not a number. Not collective. */
+PetscErrorCode ExpressionComponent(Expression e, PetscInt c, PetscInt dim, const PetscReal x[], PetscReal *value);
+
+/* All values where one need not exist, such as beside the body: a value that is not finite is forgotten, and finite says so. */
 PetscErrorCode ExpressionTry(Expression e, PetscInt dim, const PetscReal x[], PetscReal values[], PetscBool *finite);
 
 /* Raises a user error with option, text and point if any evaluation on any rank was not finite. Collective on comm; e may be NULL. */

@@ -7,15 +7,25 @@
 
 #include "kernel/element.h"
 
-enum { CUBATURE_MAX_SIZE = 3 * ELEMENT_MAX_NODES, CUBATURE_MAX_PIECES = 8, CUBATURE_MAX_GAUSS = 8 };
+enum {
+  CUBATURE_MAX_SIZE     = 3 * ELEMENT_MAX_NODES,
+  CUBATURE_MAX_PIECES   = 8,
+  CUBATURE_MAX_GAUSS    = 8,
+  CUBATURE_MAX_SWITCHES = 16
+};
 
 /* value = the integrand at xi, with all measures but that of the reference cell. [in] xi - [ElementDim]; [out] value - [size] */
 typedef PetscErrorCode (*CubatureFn)(void *ctx, const PetscReal xi[], PetscReal value[]);
+
+/* value = function i of those one of which is zero wherever the integrand jumps or bends. [in] xi - [ElementDim] */
+typedef PetscErrorCode (*CubatureSwitchFn)(void *ctx, PetscInt i, const PetscReal xi[], PetscReal *value);
 
 typedef struct {
   ElementType      type;
   PetscInt         size; /* components, up to CUBATURE_MAX_SIZE */
   CubatureFn       integrand;
+  CubatureSwitchFn switches;     /* of CubatureSwitches() */
+  PetscInt         num_switches; /* up to CUBATURE_MAX_SWITCHES */
   void            *ctx;
   const PetscReal *tolerance; /* positive, what each integral may be wrong by [size] */
   PetscReal        inset;  /* part of a line at both of its ends that has no points; shorter intervals are rounding */
@@ -35,5 +45,12 @@ PetscErrorCode CubatureLobatto(Cubature *cubature, PetscReal value[]);
 /* The integrals by nested adaptive rules, which are cut at jumps and kinks. Not collective.
    [out] value - [size]; [out] error - its estimate in units of the tolerance, 1 or less unless the budget is used up */
 PetscErrorCode CubatureAdaptive(Cubature *cubature, PetscReal value[], PetscReal *error);
+
+/* Whether one of the functions may be zero in the cell, which values at points of a lattice and their second differences tell. Not
+   collective. */
+PetscErrorCode CubatureMayJump(Cubature *cubature, PetscBool *may);
+/* The integrals by Gauss rules between the zeros of known functions. Not collective. [out] value, error - as above, but for the error
+   of a cell that has been halved often, which may be a few times the tolerance */
+PetscErrorCode CubatureSwitches(Cubature *cubature, PetscReal value[], PetscReal *error);
 
 #endif

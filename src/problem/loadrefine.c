@@ -8,10 +8,12 @@
 #include "problem/loadterm.h"
 
 enum {
-  MAX_DIM      = 3,
-  FINER_POINTS = 5,        /* points along each coordinate of the rule after the two that are compared first */
-  REGULAR_WORK = 20000000, /* evaluations that all elements of a term may take together */
-  LARGEST_WORK = 3000000   /* of one of them */
+  MAX_DIM       = 3,
+  FINER_POINTS  = 5,        /* points along each coordinate of the rule after the two that are compared first */
+  REGULAR_WORK  = 20000000, /* evaluations that all elements of a term may take together */
+  SWITCHED_WORK = 60000000, /* where it is known where the formula jumps: most of these are of a part of it alone */
+  LARGEST_WORK  = 3000000,  /* of one of them */
+  PLENTY        = 8 /* shares that one of them may have to begin with, where it is known where the formula jumps */
 };
 
 /* Evaluations that one may always take: of lines, facets in space or cells in the plane, and cells in space. On facets and in the
@@ -49,6 +51,21 @@ static PetscErrorCode LoadRefineIntegrand_Private(void *ctx, const PetscReal xi[
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+static PetscErrorCode LoadRefineSwitch_Private(void *ctx, PetscInt i, const PetscReal xi[], PetscReal *value)
+{
+  const LoadElement *element = ctx;
+  const PetscInt     dim     = element->term->dim;
+  PetscReal          phi[ELEMENT_MAX_NODES], x[MAX_DIM] = {0.};
+
+  PetscFunctionBeginUser;
+  ElementShape(element->type, xi, phi, NULL);
+  for (PetscInt n = 0; n < element->num_nodes; n++) {
+    for (PetscInt k = 0; k < dim; k++) x[k] += phi[n] * element->X[n * dim + k];
+  }
+  PetscCall(ExpressionComponent(element->term->switches, i, dim, x, value));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* A vertex is known to within the rounding of its coordinates; on which side of a jump that lies there is not. */
 static PetscReal LoadRefineInsetPoint_Private(const LoadElement *element)
 {
@@ -70,12 +87,14 @@ static PetscReal LoadRefineInsetPoint_Private(const LoadElement *element)
 /* An element's cubature, without a tolerance. */
 static Cubature LoadRefineGetCubature_Private(const LoadElement *element, PetscInt pieces)
 {
-  return (Cubature){.type      = element->type,
-                    .size      = element->num_nodes * element->term->dim,
-                    .integrand = LoadRefineIntegrand_Private,
-                    .ctx       = (void *)element,
-                    .inset     = LoadRefineInsetPoint_Private(element),
-                    .pieces    = pieces};
+  return (Cubature){.type         = element->type,
+                    .size         = element->num_nodes * element->term->dim,
+                    .integrand    = LoadRefineIntegrand_Private,
+                    .switches     = LoadRefineSwitch_Private,
+                    .num_switches = element->term->switches ? ExpressionSize(element->term->switches) : 0,
+                    .ctx          = (void *)element,
+                    .inset        = LoadRefineInsetPoint_Private(element),
+                    .pieces       = pieces};
 }
 
 /* Largest difference of two loads in each component. [in] n - [num_nodes][dim]; [out] miss - [dim] */
@@ -181,6 +200,7 @@ static PetscErrorCode LoadRefineFallsWithin_Private(Cubature *cubature, const Lo
     most = LoadRefineGetLargest_Private(dim, miss);
     if (i == 0) *falls = (PetscBool)(apart <= most);               // of a lower degree than Lobatto's
     if (!LoadRefineDiffers_Private(term, measure, e, miss)) break; // all that are left are rounding
+    if (i == 2 && term->switches) *falls = PETSC_FALSE;            // halves of the cell do better
     *falls = (PetscBool)(*falls && most <= FALLING * before);
     before = most;
   }
@@ -199,10 +219,14 @@ static PetscErrorCode LoadRefineFindRough_Private(const LoadTerm *term, const Me
 
   PetscFunctionBeginUser;
   for (PetscInt e = 0; e < term->num; e++) {
+    PetscBool jumps = PETSC_FALSE;
+
     pieces[e] = 0;
-    if (!LoadRefineDiffers_Private(term, measure, e, &term->miss[e * term->dim])) continue;
     LoadElementSet(term, e, &element);
     cubature = LoadRefineGetCubature_Private(&element, PIECES[ElementDim(element.type)]);
+    if (term->switches) PetscCall(CubatureMayJump(&cubature, &jumps));
+    if (jumps) pieces[e] = ROUGH_PIECES[ElementDim(element.type)];
+    if (jumps || !LoadRefineDiffers_Private(term, measure, e, &term->miss[e * term->dim])) continue;
     PetscCall(CubatureLobatto(&cubature, other));
     PetscCall(CubatureGauss(&cubature, FINER_POINTS, finer));
     LoadRefineGetDifference_Private(cubature.size, term->dim, other, finer, miss);
@@ -264,12 +288,14 @@ static PetscErrorCode LoadRefineFindNeighbours_Private(const LoadTerm *term, con
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The integrals over one element, as accurate as its budget allows: to the tolerance at once, or, where that takes too long, to
-   tolerances that fall. [in] tolerance - [dim]; [out] fe - [num_nodes][dim]; [out] miss - what they may be wrong by [dim] */
-static PetscErrorCode LoadRefineIntegrateRough_Private(const LoadElement *element, PetscInt pieces, PetscInt budget,
-                                                       const PetscReal tolerance[], PetscReal fe[], PetscReal miss[])
+/* The integrals over one element, as accurate as its budget allows: to the tolerance at once, or, where that takes too long and it is not
+   known where the formula jumps, to tolerances that fall.
+   [in] tolerance - [dim]; [in,out] work - the budget, what it took; [out] fe - [num_nodes][dim]; [out] miss - what they may be wrong by [dim] */
+static PetscErrorCode LoadRefineIntegrateRough_Private(const LoadElement *element, PetscInt pieces,
+                                                       const PetscReal tolerance[], PetscInt *work, PetscReal fe[],
+                                                       PetscReal miss[])
 {
-  const PetscInt dim      = element->term->dim;
+  const PetscInt dim = element->term->dim, budget = *work;
   Cubature       cubature = LoadRefineGetCubature_Private(element, pieces);
   PetscReal      scaled[CUBATURE_MAX_SIZE], next[CUBATURE_MAX_SIZE], error;
 
@@ -277,9 +303,13 @@ static PetscErrorCode LoadRefineIntegrateRough_Private(const LoadElement *elemen
   cubature.tolerance = scaled;
   cubature.budget    = budget;
   for (PetscInt i = 0; i < cubature.size; i++) scaled[i] = tolerance[i % dim];
-  PetscCall(CubatureAdaptive(&cubature, fe, &error));
+  if (element->term->switches)
+    PetscCall(CubatureSwitches(&cubature, fe, &error));
+  else
+    PetscCall(CubatureAdaptive(&cubature, fe, &error));
   for (PetscInt k = 0; k < dim; k++) miss[k] = error * tolerance[k];
-  if (cubature.count <= budget) PetscFunctionReturn(PETSC_SUCCESS);
+  *work = cubature.count;
+  if (cubature.count <= budget || element->term->switches) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscReal factor = COARSEST; factor > 1.; factor *= FINER) {
     for (PetscInt i = 0; i < cubature.size; i++) scaled[i] = factor * tolerance[i % dim];
     PetscCall(CubatureAdaptive(&cubature, next, &error));
@@ -288,6 +318,17 @@ static PetscErrorCode LoadRefineIntegrateRough_Private(const LoadElement *elemen
     PetscCall(PetscArraycpy(fe, next, cubature.size));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Evaluations that the next element may take. Where it is known where the formula jumps few of them need many: they have more as long as
+   there is plenty. [in] spent - by those before */
+static PetscInt LoadRefineBudget_Private(const LoadTerm *term, PetscReal num_rough, PetscReal spent)
+{
+  const PetscReal least = SMALLEST_WORK[term->on_facets ? term->dim - 1 : term->dim];
+  const PetscReal share = (term->switches ? SWITCHED_WORK : REGULAR_WORK) / num_rough;
+  const PetscReal more  = term->switches && spent < 0.5 * SWITCHED_WORK ? PLENTY * share : share;
+
+  return (PetscInt)PetscMax(least, PetscMin(LARGEST_WORK, more));
 }
 
 /* What is not reached in a term. */
@@ -301,15 +342,14 @@ typedef struct {
 static PetscErrorCode LoadRefineIntegrate_Private(const LoadTerm *term, const Measure *measure, const PetscInt pieces[],
                                                   PetscReal num_rough, PetscScalar fa[], Shortfall *shortfall)
 {
-  const PetscInt  dim    = term->dim;
-  const PetscReal least  = SMALLEST_WORK[term->on_facets ? dim - 1 : dim];
-  const PetscInt  budget = (PetscInt)PetscMax(least, PetscMin(LARGEST_WORK, REGULAR_WORK / num_rough));
-  PetscReal       fe[CUBATURE_MAX_SIZE], tolerance[MAX_DIM], miss[MAX_DIM];
-  LoadElement     element;
+  const PetscInt dim = term->dim;
+  PetscReal      fe[CUBATURE_MAX_SIZE], tolerance[MAX_DIM], miss[MAX_DIM], spent = 0.;
+  LoadElement    element;
 
   PetscFunctionBeginUser;
   for (PetscInt e = 0; e < term->num; e++) {
     PetscReal worst = 0.;
+    PetscInt  work  = LoadRefineBudget_Private(term, num_rough, spent);
 
     if (!pieces[e]) continue;
     LoadElementSet(term, e, &element);
@@ -317,7 +357,8 @@ static PetscErrorCode LoadRefineIntegrate_Private(const LoadTerm *term, const Me
     LoadElementAdd(&element, -1., fe, fa);
     for (PetscInt k = 0; k < dim; k++)
       tolerance[k] = ACCURACY * PetscMax(LoadRefineGetOwn_Private(term, e, k), 0.5 * measure->scale[k] / num_rough);
-    PetscCall(LoadRefineIntegrateRough_Private(&element, pieces[e], budget, tolerance, fe, miss));
+    PetscCall(LoadRefineIntegrateRough_Private(&element, pieces[e], tolerance, &work, fe, miss));
+    spent += (PetscReal)work;
     LoadElementAdd(&element, 1., fe, fa);
     for (PetscInt k = 0; k < dim; k++) {
       shortfall->miss[k] += miss[k];
@@ -381,16 +422,18 @@ PetscErrorCode LoadTermsRefine(Level *level, PetscInt num, LoadTerm terms[], Pet
   PetscCall(PetscMalloc1(num, &measures));
   PetscCall(LoadRefineMeasureTerms_Private(level->comm, num, terms, measures));
   for (PetscInt i = 0; i < num; i++) {
-    const LoadTerm *term      = &terms[i];
-    Shortfall       shortfall = {{0.}, 0., {0.}};
-    PetscReal       num_rough;
+    LoadTerm *term      = &terms[i];
+    Shortfall shortfall = {{0.}, 0., {0.}};
+    PetscReal num_rough;
 
     if (!term->formula) continue;
     PetscCall(PetscMalloc1(term->num, &pieces));
+    PetscCall(ExpressionCreateSwitches(term->value, &term->switches));
     PetscCall(LoadRefineFindRough_Private(term, &measures[i], pieces, fa));
     PetscCall(LoadRefineCountRough_Private(term, pieces, &num_rough));
     if (num_rough > 0.) {
-      if (term->dim > 2 || !term->on_facets) PetscCall(LoadRefineFindNeighbours_Private(term, &measures[i], pieces));
+      if (!term->switches && (term->dim > 2 || !term->on_facets))
+        PetscCall(LoadRefineFindNeighbours_Private(term, &measures[i], pieces));
       PetscCall(LoadRefineCountRough_Private(term, pieces, &num_rough));
       PetscCall(LoadRefineIntegrate_Private(term, &measures[i], pieces, num_rough, fa, &shortfall));
       PetscCall(LoadRefineWarn_Private(term, &measures[i], &shortfall));

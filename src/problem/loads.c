@@ -156,6 +156,7 @@ PetscErrorCode LoadTermCreate(Scene scene, Level *level, PetscInt material, cons
 PetscErrorCode LoadTermDestroy(LoadTerm *term)
 {
   PetscFunctionBeginUser;
+  if (term->switches) PetscCall(ExpressionDestroy(&term->switches));
   PetscCall(PetscFree2(term->own, term->miss));
   PetscCall(PetscFree2(term->type, term->nodes));
   PetscCall(FacetsDestroy(&term->facets));

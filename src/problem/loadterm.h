@@ -9,6 +9,7 @@ typedef struct {
   Scene            scene;
   Level           *level;
   Expression       value;
+  Expression       switches; /* zero where value jumps or bends; NULL where that is not known, or nothing asks for it */
   PetscBool        pressure; /* else value is a force per volume or area, */
   PetscBool        total;    /* or a total of the side, spread as traction + spin x (x - centre) */
   PetscReal        traction[3], spin[3], centre[3]; /* of a total */

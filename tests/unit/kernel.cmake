@@ -2,6 +2,7 @@
 mortise_unit(element LAYER kernel)
 mortise_unit(piece LAYER kernel)
 mortise_unit(cubature LAYER kernel)
+mortise_unit(levelsets LAYER kernel)
 mortise_unit(stiffness LAYER kernel)
 mortise_unit(dilatation LAYER kernel)
 mortise_unit(solid LAYER kernel)

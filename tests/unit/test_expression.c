@@ -203,6 +203,30 @@ static void TestTime(void)
   CHECK(!ExpressionDestroy(&other));
 }
 
+/* Parts of formulas one of which is zero wherever these jump or bend. */
+static void CheckSwitches(const char text[], PetscInt num_components, const char expected[])
+{
+  Expression e = Read(text, num_components, PETSC_FALSE), switches;
+
+  CHECK(!ExpressionCreateSwitches(e, &switches));
+  CHECK((switches == NULL) == (expected == NULL));
+  if (switches) CHECK(!strcmp(ExpressionText(switches), expected));
+  CHECK(!ExpressionDestroy(&e));
+  if (switches) CHECK(!ExpressionDestroy(&switches));
+}
+
+static void TestSwitches(void)
+{
+  CheckSwitches("x^2+sin(y), 3", 2, NULL);
+  CheckSwitches("abs(3), max(1, 2)", 2, NULL);
+  CheckSwitches("max(x, y, 1, 2, 3, 4, 5)", 1, NULL); /* too many */
+  CheckSwitches("0, (x+2*y>1.3) ? -10 : 0", 2, "(x+2*y)-(1.3)");
+  CheckSwitches("max(0,1-(x^2+y^2))", 1, "(0)-(1-(x^2+y^2))");
+  CheckSwitches("x<1 && y>=2 || x<1 ? abs(x-1e-5) : rint(y)", 1, "(x)-(1),(y)-(2),(x-1e-5),cos(pi*(y))");
+  CheckSwitches("sqrt(max(0,x,y))*sign(x)", 1, "(0)-(x),(0)-(y),(x)-(y),(x)");
+  CheckSwitches("1<x<2 ? 1 : x==3 ? 4 : (y!=5)*(z<6)", 1, "(1)-(x),(1<x)-(2),(z)-(6)");
+}
+
 int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
@@ -217,6 +241,7 @@ int main(int argc, char **argv)
   TestLong();
   TestNotFinite();
   TestTime();
+  TestSwitches();
   PetscCall(PetscFinalize());
   return 0;
 }

@@ -87,6 +87,42 @@ static const Case CASES[] = {
     {3, {2, 2, 4}, 1, PETSC_FALSE, MODEL_SOLID, NULL, PETSC_FALSE, "0, 0, (z>0.7) ? -10 : 0", 2, -3.},
     {3, {3, 2, 2}, 1, PETSC_FALSE, MODEL_SOLID, NULL, PETSC_FALSE, "0, (x>0.7) ? -10 : 0, 0", 1, -3.},
     {3, {2, 2, 1}, 2, PETSC_FALSE, MODEL_SOLID, NULL, PETSC_FALSE, "0, 0, (x+2*y>1.3) ? -10 : 0", 2, -6.},
+    /* two planes, a kink along an oblique one, a cylinder, a ball */
+    {3, {2, 3, 2}, 2, PETSC_TRUE, MODEL_SOLID, NULL, PETSC_FALSE, "(x>0.3 && y>0.45) ? 2 : 0, 0, 0", 0, 0.77},
+    {3, {2, 3, 2}, 1, PETSC_FALSE, MODEL_SOLID, NULL, PETSC_FALSE, "0, abs(x+2*y-1), 0", 1, 2. / 3.},
+    {3, {2, 2, 2}, 1, PETSC_TRUE, MODEL_SOLID, NULL, PETSC_FALSE, "abs(x+y-z), 0, 0", 0, 7. / 12.},
+    {3, {3, 3, 1}, 1, PETSC_FALSE, MODEL_SOLID, NULL, PETSC_FALSE, "max(0, 1-4*(x^2+y^2)), 0, 0", 0, PETSC_PI / 32.},
+    {3,
+     {2, 2, 2},
+     1,
+     PETSC_FALSE,
+     MODEL_SOLID,
+     NULL,
+     PETSC_FALSE,
+     "0, 0, x^2+y^2+z^2<0.49 ? 1 : 0",
+     2,
+     0.343 * PETSC_PI / 6.},
+    /* Hertz' pressure and a cone on facets in space */
+    {3,
+     {5, 4, 1},
+     2,
+     PETSC_TRUE,
+     MODEL_SOLID,
+     "top",
+     PETSC_TRUE,
+     "sqrt(max(0, 1-((x-.5)^2+(y-.47)^2)/.09))",
+     2,
+     -0.06 * PETSC_PI},
+    {3,
+     {5, 4, 1},
+     1,
+     PETSC_FALSE,
+     MODEL_SOLID,
+     "top",
+     PETSC_TRUE,
+     "max(0, 1-sqrt((x-.5)^2+(y-.47)^2)/.3)",
+     2,
+     -0.03 * PETSC_PI},
 };
 
 /* The sum of the nodal loads. */
@@ -126,6 +162,42 @@ static void CheckCase(const Case *c)
   TestSceneFree(&t);
 }
 
+/* The moment about z of a pressure on a disc, which pushes along z on top of a box: none; about x and y its place times the force. */
+static void TestMoment(PetscBool simplex)
+{
+  const PetscReal    lower[3] = {0, 0, 0}, upper[3] = {1, 1, 1}, force = -0.9 * PETSC_PI;
+  const PetscInt     faces[3]  = {5, 4, 1};
+  PetscReal          moment[2] = {0., 0.};
+  TestScene          t;
+  SceneBody         *body;
+  Mesh               mesh;
+  Level             *level;
+  Mat                K;
+  Vec                f;
+  const PetscScalar *fa;
+
+  SolidSceneInit(&t);
+  body          = SolidSceneAddBox(&t, "body", faces, lower, upper);
+  body->order   = 2;
+  body->simplex = simplex;
+  TestSceneAddBoundary(body, BOUNDARY_PRESSURE, "top", "((x-.5)^2+(y-.47)^2<.09) ? 10 : 0");
+  mesh  = TestSceneMesh(&t);
+  level = MeshFinest(mesh);
+  CHECK(!ElasticityAssemble(&t.scene, level, &K, &f));
+  CHECK(!VecGetArrayRead(f, &fa));
+  for (PetscInt n = 0; n < level->num_owned; n++) {
+    for (PetscInt k = 0; k < 2; k++) moment[k] += level->coords[3 * n + k] * PetscRealPart(fa[3 * n + 2]);
+  }
+  CHECK(!VecRestoreArrayRead(f, &fa));
+  CHECK(!MPI_Allreduce(MPI_IN_PLACE, moment, 2, MPIU_REAL, MPI_SUM, PETSC_COMM_WORLD));
+  CHECK_NEAR(moment[0], 0.5 * force, PROMISED);
+  CHECK_NEAR(moment[1], 0.47 * force, PROMISED);
+  CHECK(!MatDestroy(&K));
+  CHECK(!VecDestroy(&f));
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
 /* On a side that bends at (2, 0) a pressure beyond x = 1.3, between y = -0.7 and 0.7, pushes along x with this height. */
 static void TestPressureOnCurve(void)
 {
@@ -145,6 +217,8 @@ int main(int argc, char **argv)
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(CASES); i++) CheckCase(&CASES[i]);
   TestPressureOnCurve();
+  TestMoment(PETSC_FALSE);
+  TestMoment(PETSC_TRUE);
   PetscCall(PetscFinalize());
   return 0;
 }

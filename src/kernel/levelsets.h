@@ -1,0 +1,55 @@
+/* levelsets.h -- functions of points in a unit cube, their zeros on lines, and where these begin and end; internal to cubature.h. */
+#ifndef MORTISE_LEVELSETS_H
+#define MORTISE_LEVELSETS_H
+
+#include "kernel/cubature.h"
+
+enum { LEVELSET_MAX_DIM = 3, LEVELSET_MAX_FUNCTIONS = 24, LEVELSET_MAX_ZEROS = 64 };
+
+/* A reference cell in its unit cube. */
+typedef struct {
+  Cubature *cubature;
+  PetscInt  dim;
+  PetscBool simplex;   /* the cell is where the sum of coordinates is less than 1 */
+  PetscBool collapsed; /* or all of the cube, by collapsed coordinates */
+} LevelSetCell;
+
+/* A function in a cell is one of the cubature's, or the facet of a simplex that is not the cube's; in a box of fewer coordinates it is one of the box around, at an end of its lines or
+   where another one of its functions is zero on them. */
+typedef struct {
+  PetscInt  of, other; /* of < 0: that facet; other < 0: at an end */
+  PetscReal at;        /* that end */
+  PetscReal scale;     /* values that are nothing to it are rounding */
+} LevelSetFunction;
+
+/* A box of some of the coordinates, and the functions that may be zero in it. */
+typedef struct _n_LevelSetBox {
+  const struct _n_LevelSetBox *around; /* has one coordinate more; NULL in a cell */
+  PetscInt                     line;   /* that coordinate */
+  PetscInt                     dim, axis[LEVELSET_MAX_DIM];
+  PetscReal                    lower[LEVELSET_MAX_DIM], upper[LEVELSET_MAX_DIM]; /* of all coordinates of the cell */
+  PetscInt                     num;
+  LevelSetFunction             function[LEVELSET_MAX_FUNCTIONS];
+} LevelSetBox;
+
+/* How the functions of a box go along its coordinates. */
+typedef struct {
+  PetscInt  line;                          /* along which each rises, falls or stays; -1 where there is none */
+  PetscInt  bent;                          /* along which their gradients change most */
+  PetscBool stays[LEVELSET_MAX_FUNCTIONS]; /* along line */
+} LevelSetTrend;
+
+/* The whole cube, with all functions. */
+void LevelSetCellInit(Cubature *cubature, PetscBool collapsed, LevelSetCell *cell, LevelSetBox *box);
+
+/* Removes functions that are not zero in a box, and looks along the coordinates. Not collective. */
+PetscErrorCode LevelSetBoxTrend(const LevelSetCell *cell, LevelSetBox *box, LevelSetTrend *trend);
+/* The box without coordinate trend->line: its functions are zero where the zeros on lines begin, end or meet.
+   [out] fits - whether it has room for them */
+void LevelSetBoxProject(const LevelSetBox *box, const LevelSetTrend *trend, LevelSetBox *base, PetscBool *fits);
+/* Zeros along a coordinate, ascending, from end to end: ends[0] and ends[num] are those of the box. Each function has one at most unless
+   the box has no other coordinate. Not collective. [in,out] u - the point, of which [line] is lost; [out] ends - [LEVELSET_MAX_ZEROS] */
+PetscErrorCode LevelSetBoxZeros(const LevelSetCell *cell, const LevelSetBox *box, PetscInt line, PetscReal u[],
+                                PetscInt *num, PetscReal ends[]);
+
+#endif
