@@ -11,7 +11,7 @@ esac
 . tests/packages.sh
 install_missing $build_packages $python_packages $pip_packages
 set_up_mpi
-jobs=$(nproc)
+jobs=$(env -u OMP_NUM_THREADS nproc) # which otherwise tells the number of threads that a user wants of OpenMP
 tests=$((2 * jobs)) # side by side: ranks wait for each other, and for mpiexec to start them
 
 # What makes building faster, where it is there: every unit test is linked with the objects of its layers.
@@ -45,9 +45,14 @@ check_memory() {
 
 # What a BLAS computes differs in the last places from one processor to another: tests that compare two runs, with the kernels of each.
 check_kernels() {
-  local kernels="" kind
-  if grep -qw avx2 /proc/cpuinfo; then kernels=Haswell; fi
-  if grep -qw avx512vl /proc/cpuinfo; then kernels="$kernels SkylakeX"; fi
+  local kernels="" kind own
+  own=$(OPENBLAS_VERBOSE=2 "$1/mortise" -version 2>&1 | sed -n 's/^Core: *//p')
+  case $own in # those of this processor are tested with all the rest; these kinds share theirs
+    Zen) own=Haswell ;;
+    Cooperlake | SapphireRapids) own=SkylakeX ;;
+  esac
+  if grep -qw avx2 /proc/cpuinfo && [ "$own" != Haswell ]; then kernels=Haswell; fi
+  if grep -qw avx512vl /proc/cpuinfo && [ "$own" != SkylakeX ]; then kernels="$kernels SkylakeX"; fi
   for kind in $kernels; do
     echo "testing with OpenBLAS's kernels of $kind"
     OPENBLAS_CORETYPE=$kind quietly ctest --test-dir "$1" -R '^(unwritten|study\.two_plates)\.' -j "$tests" --output-on-failure

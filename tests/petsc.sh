@@ -12,7 +12,7 @@ shift $(($# < 2 ? $# : 2))
 . tests/packages.sh
 install_missing $build_packages $python_packages $pip_packages gfortran libscalapack-mpi-dev libhypre-dev
 set_up_mpi
-jobs=$(nproc)
+jobs=$(env -u OMP_NUM_THREADS nproc) # which otherwise tells the number of threads that a user wants of OpenMP
 unset PETSC_DIR PETSC_ARCH PETSC_OPTIONS
 
 # get_source: the source package, unpacked into $folder/source. pip asks the source package for its metadata, which builds nothing.

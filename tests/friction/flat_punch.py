@@ -15,7 +15,8 @@ def edge(table):
 
 def judge(run):
     for poisson, coefficient, expected in CASES:
-        done = run.again("-block_poisson", str(poisson), "-punch_friction", str(coefficient), name=f"p{poisson}_{coefficient}")
+        delivered = (poisson, coefficient) == CASES[0][:2]
+        done = run if delivered else run.again("-block_poisson", str(poisson), "-punch_friction", str(coefficient), name=f"p{poisson}_{coefficient}")
         table = done.table("punch")
         found = edge(table)
         near(f"c/a, nu {poisson}, mu {coefficient}", found, expected, relative=0.01)

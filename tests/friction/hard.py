@@ -1,9 +1,9 @@
 """Thirty hard cases of friction. Each is solved, its certificate holds, and the second method (fixed point over Tresca's problems) agrees to 1e-8 wherever it converges; or it is refused
-for the reason that statics gives. Beyond rho = 1 the summary says that the solution may not be the only one. The table of README.md comes from here: hard.table.txt."""
+for the reason that statics gives. Beyond rho = 1 the summary says that the solution may not be the only one. On several ranks, but in the long run, every third case. The table of README.md comes from here: hard.table.txt."""
 import math
 import pathlib
 
-from judge import Run, near, require
+from judge import LONG, Run, near, require
 
 TOP = pathlib.Path(__file__).resolve().parent.parent.parent
 AGREE = 1e-8
@@ -185,7 +185,7 @@ def judge_case(run, place, name):
 
 def judge(run):
     rows, failures = [], []
-    for place, name in enumerate(CASES):
+    for place, name in list(enumerate(CASES))[:: 1 if run.ranks == 1 or LONG else 3]:
         try:
             rows.append(judge_case(run, place, name))
         except Exception as failure:  # all of them are told at once

