@@ -1,8 +1,8 @@
 /* compensated.c -- the compensated residual b - A y, as if computed in twice the precision.
 
    Near a solution the terms of b - A y cancel to the last digits: ordinary arithmetic leaves roundoff only.
-   With the roundoff of every product and sum carried along [1], corrections by a factorization converge to
-   the solution itself, not just to a small residual, and the error bound holds however small it is.
+   Here the roundoff of every product and sum is carried along [1]. Then corrections by a factorization
+   converge to the solution itself, not just to a small residual. The error bound holds however small it is.
 
    References: [1] Ogita, Rump, Oishi, Accurate sum and dot product, 2005 (algorithm Dot2; Dekker's product). */
 #include "base/compat.h"

@@ -3,7 +3,8 @@
    METIS dissects the graph of the matrix's blocks (nodes) on the first rank, where MUMPS needs the ordering.
    Couplings through the last unknowns do not count.
 
-   Reference: G. Karypis, V. Kumar, A fast and high quality multilevel scheme for partitioning irregular graphs, 1998. */
+   Reference: G. Karypis, V. Kumar, A fast and high quality multilevel scheme for partitioning irregular
+   graphs, 1998. */
 #include "base/compat.h"
 #include <metis.h>
 #include <petscbt.h>

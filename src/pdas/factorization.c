@@ -30,10 +30,9 @@ struct _n_Factor {
   DMUMPS_STRUC_C id;
   MPI_Comm       comm;
   PetscMPIInt    rank, size;
-  VecScatter     to_host; /* of right-hand sides and solutions */
-  Vec            host;    /* gathered vector on the first rank, empty elsewhere */
-  PetscInt *
-      position; /* of every unknown among the pivots, on the first rank; from FactorizationAnalyse_Private() to FactorizationFreeMatrix_Private() */
+  VecScatter     to_host;  /* of right-hand sides and solutions */
+  Vec            host;     /* gathered vector on the first rank, empty elsewhere */
+  PetscInt      *position; /* of every unknown among the pivots, on the first rank; only during the factorization */
 };
 
 /* The upper triangle of this rank's rows, counted from 1. Zeros of fixed unknowns do not count in a

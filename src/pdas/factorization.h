@@ -11,12 +11,13 @@ typedef struct _n_Factor *Factorization;
 /* A_II = L L' and S = A_CC - A_CI A_II^-1 A_IC by MUMPS. Its controls are PETSc's options -mat_mumps_icntl_<n> and
    -mat_mumps_cntl_<n>, behind the prefix. Collective.
    [in] C - ascending, the same on all ranks [num]; [out] S - on the first rank [num][num];
-   PETSC_ERR_MEM if the system has no memory left, which is told from a workspace that MUMPS took too small.
-   [out] error - the same on all ranks; but for MAT_FACTOR_NOERROR nothing but FactorizationDestroy() is allowed then */
+   PETSC_ERR_MEM if the system has no memory left; a workspace of MUMPS that is too small is no such error.
+   [out] error - the same on all ranks; after an error only FactorizationDestroy() is allowed */
 PetscErrorCode FactorizationCreate(Mat A, PetscInt num, const PetscInt C[], const char prefix[], PetscScalar S[],
                                    Factorization *factor, MatFactorError *error);
-/* Fills the other triangle of S, of which MUMPS gives one: the lower one on one rank, the upper one on several. Next to the diagonal the other one
-   has parts of sums, so that the fuller triangle is taken as a whole. Not collective.
+/* Fills the other triangle of S. MUMPS gives one triangle: the lower one on one rank, the upper one on
+   several. Next to the diagonal the other one has parts of sums, so the fuller triangle is copied as a whole.
+   Not collective.
    [in,out] S - of FactorizationCreate(), which was zero before [num][num] */
 void FactorizationFillSchur(PetscInt num, PetscScalar S[]);
 /* The predicted cost of a factorization. */

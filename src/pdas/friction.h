@@ -1,6 +1,7 @@
 /* friction.h -- friction at bounded unknowns, and the semismooth Newton method that solves with it (eq. 16.3).
 
-   A node with friction has one bounded unknown y_n <= upper and one or two unknowns y_t along the sides. With the forces r = b - A y,
+   A node with friction has one bounded unknown y_n <= upper and one or two unknowns y_t along the sides. With
+   the forces r = b - A y,
        0 <= r_n  _|_  upper - y_n >= 0,    |r_t| <= G,    r_t = G s / |s| where s != 0,
        s = y_t - origin,    G = bound + coefficient max(r_n, 0).
    bound alone is Tresca's friction, a convex problem; coefficient alone is Coulomb's. Knows nothing of contact. */
@@ -18,24 +19,23 @@ typedef struct {
   PetscInt  *tangent;     /* global unknowns, -1 where there is none [n][2] */
   PetscReal *coefficient; /* [n] */
   PetscReal *bound;       /* a force [n] */
-  PetscReal *origin;      /* y_t from which slip counts [n][2] */
+  PetscReal *origin;      /* y_t without slip [n][2] */
 } FrictionLaw;
 
-/* What the last solve found out. */
+/* Results of the last solve. */
 typedef struct {
-  PetscInt slipping, sticking; /* nodes */
-  PetscReal
-           rho; /* spectral radius of G -> coefficient r_n(G) at the nodes that slip: below 1 the solution is the only one near it (eq. 16.5) */
-  PetscInt shortened; /* Newton steps of which a part was taken */
+  PetscInt  slipping, sticking; /* nodes */
+  PetscReal rho; /* spectral radius of G -> coefficient r_n(G) at slipping nodes: locally unique if < 1 (eq. 16.5) */
+  PetscInt  shortened; /* Newton steps that were shortened */
 } FrictionReport;
 
-/* Gives a SNES of type pdas the law that its bounded unknowns obey, which it borrows. Its linear systems are dense: reduced to the unknowns with
-   bounds or friction. Collective. [in] law - NULL for none */
+/* Sets the friction law of the bounded unknowns of a SNES of type pdas. Its linear systems are dense: reduced
+   to the unknowns with bounds or friction. Collective. [in] law - borrowed; NULL for none */
 PetscErrorCode PDASSetFriction(SNES snes, const FrictionLaw *law);
-/* Whether limits follow the pressure from one Tresca problem to the next, instead of within Newton's method: a second opinion, which converges where
-   rho < 1. Collective. */
+/* Whether limits follow the pressure from one Tresca problem to the next, instead of within Newton's method.
+   This second method converges where rho < 1. Collective. */
 PetscErrorCode PDASSetFrictionFixedPoint(SNES snes, PetscBool fixed_point);
-/* What the last solve found out; zero without friction. Not collective, the same on all ranks. */
+/* Results of the last solve; zero without friction. Not collective, the same on all ranks. */
 PetscErrorCode PDASGetFriction(SNES snes, FrictionReport *report);
 
 #endif

@@ -1,13 +1,13 @@
-/* frictionarnoldi.c -- the spectral radius of a map of numbers at the units, by Arnoldi's method (eq. 16.5). */
+/* frictionarnoldi.c -- the spectral radius of a linear map, one number per unit, by Arnoldi's method (eq. 16.5). */
 #include "pdas/frictionimpl.h"
 #include <petscblaslapack.h>
 
-/* Steps: the method ends after the first number where rho is tiny, after the second where it is small or a step adds little, and after the
-   third. */
+/* Numbers of steps: RHO_FIRST suffice if rho is tiny, RHO_FEW if it is small or settled; RHO_STEPS is the limit. */
 enum { RHO_FIRST = 3, RHO_FEW = 6, RHO_STEPS = 24 };
 static const PetscReal RHO_TINY = 0.02, RHO_SMALL = 0.15, RHO_SETTLES = 0.005;
 
-/* Removes the parts of v along older vectors, and scales it to 1. [out] h - those parts, then the length of the rest [k + 1] */
+/* Orthogonalizes v against older vectors, and scales it to 1. [out] h - coefficients, then the length of the
+   rest [k + 1] */
 static PetscErrorCode FrictionArnoldiOrthogonalize_Private(FrictionMethod method, PetscInt k, PetscReal *basis[],
                                                            PetscReal v[], PetscReal h[])
 {

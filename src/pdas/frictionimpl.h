@@ -1,7 +1,8 @@
 /* frictionimpl.h -- the reduced problem with friction, on the first rank (eq. 16.3).
 
-   After the elimination of all other unknowns,  r = g - S y  at the bounded unknowns and their tangents, S dense, symmetric and positive
-   definite. A unit is one bounded unknown with its tangents, of which frictionless contact has none. */
+   All other unknowns are eliminated. Then r = g - S y at the bounded unknowns and their tangents, with S
+   dense, symmetric and positive definite. A unit is one bounded unknown with its tangents; without friction
+   it has no tangents. */
 #ifndef MORTISE_FRICTIONIMPL_H
 #define MORTISE_FRICTIONIMPL_H
 
@@ -22,10 +23,10 @@ typedef struct {
   PetscBool  closed;                       /* y_n = upper */
   UnitStatus status;                       /* of the tangents; UNIT_FREE: no force */
   PetscReal  direction[FRICTION_TANGENTS]; /* of slip, unit */
-  PetscReal  turning;                      /* force over slip across that direction */
+  PetscReal  turning;                      /* resistance to turning: force over slip, across that direction */
 } FrictionUnit;
 
-/* Units with the values and forces of their unknowns: all of them on one rank, or of each rank its own. */
+/* Units with the values and forces of their unknowns: all units on one rank, or each rank's own units. */
 typedef struct {
   MPI_Comm      comm;   /* of the ranks that share them */
   PetscInt      n, num; /* unknowns; units */
@@ -45,41 +46,44 @@ typedef struct {
   PetscScalar   *x;     /* [n] */
 } FrictionProblem;
 
-/* |r_t| may be this much. */
+/* Limit of |r_t|. */
 static inline PetscReal FrictionUnitLimit(const FrictionUnit *unit, PetscReal pressing)
 {
   return unit->bound + unit->coefficient * PetscMax(pressing, 0);
 }
 
-/* The units of this rank; positions count from its first unknown of the set. Values are not set. Not collective. [out] units - to be
-   destroyed by FrictionUnitsDestroy() */
+/* The units of this rank; positions count from its first unknown of the set. Values are not set. Not
+   collective. [out] units - to be destroyed by FrictionUnitsDestroy() */
 PetscErrorCode FrictionUnitsCreate(const ActiveSet *set, const FrictionLaw *law, FrictionUnits *units);
 /* The units of all ranks, on the first one. Collective. */
 PetscErrorCode FrictionUnitsGather(const ActiveSet *set, const FrictionLaw *law, FrictionUnits *units);
 PetscErrorCode FrictionUnitsDestroy(FrictionUnits *units);
 /* Decides from y and r what every unit does. Collective. [out] changed - units that do something else than before */
 PetscErrorCode FrictionUnitsDecide(FrictionUnits *units, PetscInt *changed);
-/* Sets y where the decisions fix it: y_n = upper where closed, s = 0 where it sticks. Not collective. */
+/* Sets the unknowns that the decisions fix: y_n = upper of closed units, s = 0 of sticking units. Not collective. */
 void FrictionUnitsPrescribe(FrictionUnits *units);
-/* Marks the unknowns that they fix. Not collective. [out] fixed - [n] */
+/* Marks the unknowns that the decisions fix. Not collective. [out] fixed - [n] */
 void FrictionUnitsMark(const FrictionUnits *units, PetscBool fixed[]);
-/* The residual of the law, in the norm of diag(A)^-1, and what it is compared with. Collective. [out] size - of the forces, with roundoff */
+/* The residual of the law, in the norm of diag(A)^-1, and its reference. Collective. [out] size -
+   of the forces, with roundoff */
 PetscErrorCode FrictionUnitsResidual(const FrictionUnits *units, PetscReal *residual, PetscReal *size);
 /* Counts units. Collective. [out] report - slipping and sticking; [out] closed */
 PetscErrorCode FrictionUnitsCount(const FrictionUnits *units, FrictionReport *report, PetscInt *closed);
 
-/* y^, the proximal step of the decisions: onto bounds, back where it sticks, and along the slip (eq. 16.4). Not collective. [out] to - [n] */
+/* y^, the proximal step of the decisions: onto bounds, s = 0 of sticking units, along the slip of others (eq.
+   16.4). Not collective. [out] to - [n] */
 void FrictionUnitsProject(const FrictionUnits *units, PetscReal to[]);
-/* The part alpha of a step that minimizes the energy with the limits of its end: 1 but where slip turns round on the way, negative where the
-   step ascends. Collective. [in] from - where the step begins, y and r are those of its end [n]; [in] slope - of the energy without friction, at both
+/* The part alpha of a step that minimizes the energy with the limits of the end of the step. alpha is 1
+   unless slip reverses during the step, and negative if the energy rises. Collective. [in] from - y at the
+   begin of the step; units have y and r of its end [n]; [in] slope - of the energy without friction, at both
    ends */
 PetscErrorCode FrictionUnitsSearch(const FrictionUnits *units, const PetscReal from[], const PetscReal slope[2],
                                    PetscReal *alpha);
 
-/* Limits of Tresca's problems instead of those that follow the pressure. Collective. [out] mu, given - the coefficients and bounds, owned by the
-   caller [num] */
+/* Limits of Tresca's problems instead of those that follow the pressure. Collective. [out] mu, given - the
+   coefficients and bounds, owned by the caller [num] */
 PetscErrorCode FrictionUnitsBeginFixedPoint(FrictionUnits *units, PetscReal **mu, PetscReal **given);
-/* Gives every unit the limit that its present force makes. Collective. [out] settled - whether limits have stopped to change */
+/* Sets the limit of every unit from its present force. Collective. [out] settled - whether limits no longer change */
 PetscErrorCode FrictionUnitsFreeze(FrictionUnits *units, const PetscReal mu[], const PetscReal given[],
                                    PetscBool *settled);
 
@@ -90,19 +94,19 @@ PetscErrorCode FrictionProblemDestroy(FrictionProblem *problem);
 PetscErrorCode FrictionProblemSetForces(FrictionProblem *problem);
 /* g += S y. */
 PetscErrorCode FrictionProblemAddProduct(FrictionProblem *problem);
-/* Factors the linear system of these decisions. [in] coupled - whether limits follow the pressure, as in Newton's method, or are given */
+/* Factors the linear system of the decisions. [in] coupled - whether limits follow the pressure (Newton's
+   method) or are given (Tresca) */
 PetscErrorCode FrictionSystemFactor(FrictionProblem *problem, PetscBool coupled);
 /* One Newton step: y and r of the decisions. */
 PetscErrorCode FrictionSystemSolve(FrictionProblem *problem);
 /* rho of FrictionReport, by power iteration. */
 PetscErrorCode FrictionSystemGetRho(FrictionProblem *problem, PetscReal *rho);
 
-/* Values that all ranks have of a Newton step. */
+/* Result of a Newton step, the same on all ranks. */
 typedef struct {
-  PetscReal residual,
-      size; /* of the law, and of the other unknowns where these are not eliminated; what it is compared with */
+  PetscReal residual, size; /* of the law, and of other unknowns unless these are eliminated; its reference */
   PetscInt  changed, closed, iterations;
-  PetscBool shortened; /* a part of the step was taken */
+  PetscBool shortened; /* the step was shortened */
   PetscBool done;      /* the law holds */
 } FrictionStep;
 
@@ -113,26 +117,28 @@ struct _n_FrictionMethod {
   ActiveSolver  solver; /* borrowed */
   FrictionUnits units;  /* all on the first rank, or of each rank its own */
   void         *data;
-  /* Forgets what steps before have told, for other limits. */
+  /* Resets the history of steps, for other limits. */
   PetscErrorCode (*restart)(FrictionMethod);
   PetscErrorCode (*step)(FrictionMethod, FrictionStep *step);
-  /* [out] y - all unknowns; pdas->friction_report, and pdas->set.active: what is closed and what sticks */
+  /* [out] y - all unknowns; pdas->friction_report; pdas->set.active: closed and sticking unknowns */
   PetscErrorCode (*finish)(FrictionMethod, Vec y);
   PetscErrorCode (*destroy)(FrictionMethod);
 };
 
 /* w = M v at the units of this rank [num]; collective. */
 typedef PetscErrorCode (*FrictionMap)(FrictionMethod, const PetscReal v[], PetscReal w[]);
-/* rho = max |eigenvalue of M|, by Arnoldi's method. Collective. [in] seed - in no invariant subspace, 0 where M is 0 [num] */
+/* rho = max |eigenvalue of M|, by Arnoldi's method. Collective. [in] seed - in no invariant subspace, 0 where
+   M is 0 [num] */
 PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, const PetscReal seed[], PetscReal *rho);
 
-/* Steps on the Schur complement of the unknowns with bounds and tangents, of a SchurSolver. Collective. [in] y - initial guess */
+/* Steps on the Schur complement of the unknowns with bounds and tangents, of a SchurSolver. Collective. [in]
+   y - initial guess */
 PetscErrorCode FrictionReducedCreate(FrictionMethod method, Vec y);
 /* Steps at full size by GMRES, preconditioned by the multigrid of a FullSolver. Collective. [in] y - initial guess */
 PetscErrorCode FrictionKrylovCreate(FrictionMethod method, Vec y);
 
-/* Solves contact with friction: sets pdas->converged or pdas->failure, and what PDASGetFriction() tells. Collective. [in,out] y - initial
-   guess, solution */
+/* Solves contact with friction: sets pdas->converged or pdas->failure, and the results of PDASGetFriction().
+   Collective. [in,out] y - initial guess, solution */
 PetscErrorCode FrictionIterate(SNES snes, PDAS *pdas, ActiveSolver solver, Vec y);
 
 #endif

@@ -1,4 +1,5 @@
-/* frictioniteration.c -- the iterations for contact with friction: Newton's, and the fixed point over Tresca's problems. */
+/* frictioniteration.c -- the iterations for contact with friction: Newton's, and the fixed point over
+   Tresca's problems. */
 #include "pdas/frictionimpl.h"
 
 #define FAILURE_FIXED_POINT                                                                                            \
@@ -29,7 +30,7 @@ static PetscErrorCode FrictionIterationNewton_Private(SNES snes, PDAS *pdas, Fri
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The other way to a solution: Tresca problems, whose limits follow the pressures of the last one. Collective. */
+/* The second method: Tresca problems; the limits of each follow from the pressures of the one before. Collective. */
 static PetscErrorCode FrictionIterationFixedPoint_Private(SNES snes, PDAS *pdas, FrictionMethod method)
 {
   PetscReal *mu, *given;

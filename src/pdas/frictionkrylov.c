@@ -1,18 +1,21 @@
 /* frictionkrylov.c -- Newton steps for contact with friction at full size.
 
-   Systems are solved as far as a step needs (frictionlinear.c). A step that goes too far is shortened (frictionsearch.c). */
+   The accuracy of a linear system is that which the step needs (frictionlinear.c). A step that is too long is
+   shortened (frictionsearch.c). */
 #include "pdas/frictionlinear.h"
 
 /* Residual of the law, relative to the forces, that a solution may have. */
 static const PetscReal FRICTION_RTOL = 1e-10;
-/* Reduction of the residual by a system: at first; where steps do not descend, by this factor more, down to; where decisions hold, to this part of
-   the tolerance, down to. */
+/* Reduction of the residual by a linear system: FIRST_FORCING at first; TIGHTER times that after steps that do
+   not descend, at least TIGHT_FORCING. Once decisions hold: LAST_FORCING of the tolerance, at least
+   LEAST_FORCING. */
 static const PetscReal FIRST_FORCING = 1e-2, TIGHTER = 0.1, TIGHT_FORCING = 1e-5, LAST_FORCING = 0.2,
                        LEAST_FORCING = 1e-9;
-/* Steps in a row that leave more than this part of the residual, before the method gives up. */
+/* The method gives up after PATIENCE successive steps that leave more than DESCENT of the residual. */
 enum { PATIENCE = 20 };
 static const PetscReal DESCENT = 0.9;
-/* Coarser levels, whose solution is only a start, need no rho: it costs as much as two steps. */
+/* Tolerance of coarser levels: their solution is only an initial guess. They need no rho, which costs as much
+   as two steps. */
 static const PetscReal LEVEL_RTOL = 1e-5;
 /* Accuracy of the systems for rho. */
 static const PetscReal RHO_RTOL = 1e-2;
@@ -20,21 +23,21 @@ static const PetscReal RHO_RTOL = 1e-2;
 typedef struct {
   FrictionLinear linear;
   Vec            y, r;  /* all unknowns; b - A y */
-  Vec            begin; /* y where the step begins */
+  Vec            begin; /* y at the begin of the step */
   PetscReal     *from;  /* the same of the set [n] */
   Vec            f, d;  /* right-hand side and solution of a step */
   PetscBool     *all;   /* true [n] */
   PetscReal      forcing, least, reference;
   PetscReal      size;    /* of the law's forces */
-  PetscReal      ratio;   /* residual after the last step over before it */
-  PetscInt       waiting; /* steps since the last that descended */
-  PetscBool      told;    /* the cycle knows decisions */
+  PetscReal      ratio;   /* residual after the last step over the one before it */
+  PetscInt       waiting; /* steps since the last one that descended */
+  PetscBool      told;    /* decisions are set in the cycle */
   PetscBool      begun;   /* units have decided */
-  PetscBool      same;    /* as they were given, and have not changed since */
+  PetscBool      same;    /* decisions are the initial ones, unchanged */
 } Krylov;
 
-/* Forces of y, and what is left of all equations: of those that no unit owns, and of the law. [out] size - of the forces; [out] done - whether
-   that is small enough */
+/* Forces of y, and the residuals of all equations: of the law, and of equations without a unit. [out] size -
+   of the forces; [out] done - whether the residuals are small enough */
 static PetscErrorCode FrictionKrylovEvaluate_Private(FrictionMethod method, FrictionStep *step)
 {
   const ActiveSolver solver = method->solver;
@@ -55,7 +58,7 @@ static PetscErrorCode FrictionKrylovEvaluate_Private(FrictionMethod method, Fric
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Fixes what the decisions fix. */
+/* Sets the unknowns that the decisions fix. */
 static PetscErrorCode FrictionKrylovPrescribe_Private(FrictionMethod method)
 {
   Krylov *t = method->data;
@@ -67,7 +70,7 @@ static PetscErrorCode FrictionKrylovPrescribe_Private(FrictionMethod method)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* t->f = what the decisions leave of the law and of the other equations at y. */
+/* t->f = the residual of the law and of the other equations at y, for the decisions. */
 static PetscErrorCode FrictionKrylovLoad_Private(FrictionMethod method)
 {
   Krylov      *t = method->data;
@@ -95,8 +98,9 @@ static PetscErrorCode FrictionKrylovLoad_Private(FrictionMethod method)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How far the next system is to be solved: further where steps stop to descend, for they may be too inexact; where decisions hold, to the
-   tolerance, but where units slip only as far as Newton's method converges. Where none is in contact there may be no force to compare with. */
+/* Accuracy of the next system. It is higher if steps do not descend, since they may be too inexact. If
+   decisions hold it is that of the tolerance; with slip it is that which Newton's method can use. Without
+   contact there may be no force as reference. */
 static PetscReal FrictionKrylovForce_Private(Krylov *t, PetscReal rtol, PetscReal residual, const FrictionReport *count,
                                              const FrictionStep *step)
 {
@@ -109,7 +113,7 @@ static PetscReal FrictionKrylovForce_Private(Krylov *t, PetscReal rtol, PetscRea
   return PetscMin(t->forcing, count->slipping ? PetscMax(end, t->ratio) : end);
 }
 
-/* Slope of the energy without friction along t->d: -r d, but what contact takes. */
+/* Slope of the energy without friction along t->d: -r d without the contact forces. */
 static PetscErrorCode FrictionKrylovSlope_Private(FrictionMethod method, Vec r, PetscReal *slope)
 {
   Krylov            *t = method->data;
@@ -133,7 +137,7 @@ static PetscErrorCode FrictionKrylovSlope_Private(FrictionMethod method, Vec r, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Takes a part of the step from t->from, where the whole one goes too far. */
+/* Shortens the step from t->from if it is too long. */
 static PetscErrorCode FrictionKrylovSearch_Private(FrictionMethod method, FrictionStep *step)
 {
   Krylov   *t = method->data;
@@ -156,7 +160,8 @@ static PetscErrorCode FrictionKrylovSearch_Private(FrictionMethod method, Fricti
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Decides, and tells the cycle. [in] residual - there; [out] forcing - how far the system of these decisions is to be solved */
+/* Makes the decisions, and sets them in the cycle. [in] residual - at y; [out] forcing - accuracy of the
+   system of these decisions */
 static PetscErrorCode FrictionKrylovDecide_Private(FrictionMethod method, PetscReal residual, FrictionStep *step,
                                                    PetscReal *forcing)
 {
@@ -295,7 +300,8 @@ static PetscErrorCode Destroy_Krylov(FrictionMethod method)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* First decisions from a given set: what is closed there is closed, and slips the way it has moved unless its tangents are in the set too. */
+/* Initial decisions from a given set. Units of the set are closed. They stick if their tangents are in the
+   set too, and slip in their direction of motion otherwise. */
 static PetscErrorCode FrictionKrylovBegin_Private(FrictionMethod method, Vec set)
 {
   Krylov    *t = method->data;

@@ -1,14 +1,16 @@
 /* frictionlinear.c -- the linear systems of Newton steps at full size: GMRES, preconditioned by truncated multigrid.
 
-   The system of frictionsystem.c with the other unknowns in it. Where a unit slips, its tangential rows have the resistance to turning, and
-   less coefficient times its normal row. The first term is added to the matrices of the cycle. A smoother by bodies does not see it: there the
-   cycle leaves out tangents with a large one, and they are solved by themselves. The second term makes the system unsymmetric, but is no larger
-   than friction is: it is not in the cycle. */
+   The system is that of frictionsystem.c, without elimination of other unknowns. Tangential rows of slipping
+   units have two more terms: the resistance to turning, and minus coefficient times the normal row. The first
+   term is added to the matrices of the cycle. A smoother by bodies does not contain it. There the cycle omits
+   tangents with a large resistance, and they are solved separately. The second term makes the system
+   unsymmetric. It is of the size of friction, and is not in the cycle. */
 #include "multigrid/multigrid.h"
 #include "pdas/fullsolver.h"
 #include "pdas/frictionlinear.h"
 
-/* A resistance to turning above this part of the stiffness is not for a cycle whose smoother does not see it. */
+/* A resistance to turning above this part of the stiffness is solved separately, if the smoother does not
+   contain it. */
 static const PetscReal STIFF_TURNING = 2;
 enum { GMRES_RESTART = 30, GMRES_MAX_IT = 150 };
 
@@ -20,7 +22,8 @@ void FrictionUnitTurn(const FrictionUnit *unit, const PetscReal s[], PetscReal f
   for (PetscInt i = 0; i < unit->num; i++) force[i] = unit->turning * (s[i] - along * unit->direction[i]);
 }
 
-/* The matrix of a step: z = A x; where a unit slips  z_t += turning (1 - d d') x_t - coefficient d z_n;  the diagonal where unknowns are fixed. */
+/* The matrix of a step: z = A x, and z_t += turning (1 - d d') x_t - coefficient d z_n for slipping units;
+   rows of fixed unknowns are diagonal. */
 static PetscErrorCode Multiply_FrictionLinear(Mat A, Vec x, Vec z)
 {
   FrictionLinear    *linear;
@@ -65,7 +68,7 @@ static void FrictionLinearSolveUnit_Private(const FrictionUnit *unit, const Pets
            (f[i] - along * unit->direction[i]) / (unit->resistance + unit->turning);
 }
 
-/* A cycle, and by themselves the tangents that it leaves out. */
+/* A cycle, and a separate solve for the tangents that it omits. */
 static PetscErrorCode Precondition_FrictionLinear(PC pc, Vec r, Vec z)
 {
   FrictionLinear    *linear;
@@ -97,7 +100,7 @@ static PetscErrorCode Precondition_FrictionLinear(PC pc, Vec r, Vec z)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The resistance to turning of what slips, as a matrix. [out] T - owned by the caller */
+/* The resistance to turning of slipping units, as a matrix. [out] T - owned by the caller */
 static PetscErrorCode FrictionLinearAssembleTurning_Private(const FrictionLinear *linear, Mat *T)
 {
   PetscInt     n, N, begin, num = 0, *rows, *columns;
@@ -168,7 +171,7 @@ PetscErrorCode FrictionLinearCreate(const ActiveSolver solver, const FrictionUni
   PetscCall(KSPCreate(units->comm, &linear->ksp));
   PetscCall(KSPGetOptionsPrefix(full->ksp, &prefix));
   PetscCall(KSPSetOptionsPrefix(linear->ksp, prefix));
-  PetscCall(KSPSetFromOptions(linear->ksp)); // monitors and views; types are set after it, since no other ones fit
+  PetscCall(KSPSetFromOptions(linear->ksp)); // monitors and views; the types are set after it, since others do not fit
   PetscCall(KSPSetType(linear->ksp, KSPGMRES));
   PetscCall(KSPGMRESSetRestart(linear->ksp, GMRES_RESTART));
   PetscCall(KSPSetOperators(linear->ksp, linear->A, linear->A));

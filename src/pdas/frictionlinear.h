@@ -8,7 +8,7 @@ typedef struct {
   ActiveSolver         solver;  /* with its multigrid; borrowed */
   const FrictionUnits *units;   /* borrowed */
   PetscBool           *fixed;   /* unknowns that the decisions fix, set by the caller [n] */
-  PetscBool           *left;    /* those that the cycle leaves out [n] */
+  PetscBool           *left;    /* those that the cycle omits [n] */
   PetscBool            added;   /* the cycle has the resistance to turning */
   PetscBool            coupled; /* whether limits follow the pressure; set by the caller */
   KSP                  ksp;     /* GMRES; its matrix and preconditioner are shells */
@@ -28,9 +28,9 @@ void FrictionUnitTurn(const FrictionUnit *unit, const PetscReal s[], PetscReal f
 /* Collective. [in] solver - a FullSolver with multigrid; [out] linear - not to be moved */
 PetscErrorCode FrictionLinearCreate(ActiveSolver solver, const FrictionUnits *units, FrictionLinear *linear);
 PetscErrorCode FrictionLinearDestroy(FrictionLinear *linear);
-/* Tells the cycle the decisions. Collective. */
+/* Sets the decisions in the cycle. Collective. */
 PetscErrorCode FrictionLinearTell(FrictionLinear *linear);
-/* Solves for d, reduces the residual by rtol. Collective. [in,out] iterations - are added */
+/* Solves for d; reduces the residual by rtol. Collective. [in,out] iterations - its iterations are added */
 PetscErrorCode FrictionLinearSolve(FrictionLinear *linear, PetscReal rtol, Vec f, Vec d, PetscInt *iterations);
 
 #endif

@@ -1,24 +1,26 @@
 /* frictionreduced.c -- Newton steps for contact with friction on the reduced problem.
 
-   The reduced problem is solved on the first rank. Then the other unknowns follow from it, and the forces from A itself: what these leave of
-   the law is corrected by the same factors, as iterative refinement. */
+   The reduced problem is solved on the first rank. Then the other unknowns follow from it, and the forces
+   from A itself. The residual of the law with these forces is corrected by the same factors (iterative
+   refinement). */
 #include "pdas/frictionimpl.h"
 
 /* Residual of the law, relative to the forces, that a solution may have. */
 static const PetscReal FRICTION_RTOL = 1e-10;
-/* Steps in a row that leave more than this part of the residual, before the method gives up. */
+/* The method gives up after PATIENCE successive steps that leave more than DESCENT of the residual. */
 enum { PATIENCE = 40, FRICTION_REFINEMENTS = 2 };
 static const PetscReal DESCENT = 0.9;
 
 typedef struct {
   PetscMPIInt     rank;
   FrictionProblem problem;
-  PetscReal      *from, *to; /* where a step begins and ends; of the first rank [n] */
+  PetscReal      *from, *to; /* y at the begin and the end of a step; on the first rank [n] */
   PetscReal       least;     /* residual so far */
   PetscInt        waiting;   /* steps since then */
 } Reduced;
 
-/* Slope of the energy without friction between t->from and t->to, with the forces of y: -r (to - from), but what contact takes. */
+/* Slope of the energy without friction between t->from and t->to, with the forces of y: -r (to - from)
+   without the contact forces. */
 static PetscReal FrictionReducedSlope_Private(const Reduced *t)
 {
   const FrictionUnits *units = t->problem.units;
@@ -33,7 +35,7 @@ static PetscReal FrictionReducedSlope_Private(const Reduced *t)
   return slope;
 }
 
-/* Takes a part of the step from t->from, where the whole one goes too far. */
+/* Shortens the step from t->from if it is too long. */
 static PetscErrorCode FrictionReducedSearch_Private(Reduced *t, PetscBool *shortened)
 {
   FrictionUnits *units = t->problem.units;
@@ -119,7 +121,7 @@ static PetscErrorCode FrictionReducedExpand_Private(PDAS *pdas, ActiveSolver sol
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Expands, and corrects what the forces of A leave of the law. Collective. [out] y */
+/* Computes all unknowns, and corrects the residual of the law with the forces of A. Collective. [out] y */
 static PetscErrorCode FrictionReducedRefine_Private(PDAS *pdas, ActiveSolver solver, PetscMPIInt rank,
                                                     FrictionProblem *problem, Vec y)
 {
@@ -144,7 +146,7 @@ static PetscErrorCode FrictionReducedRefine_Private(PDAS *pdas, ActiveSolver sol
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Marks what is closed and what sticks, and counts. Collective. */
+/* Marks closed and sticking unknowns, and counts them. Collective. */
 static PetscErrorCode FrictionReducedReport_Private(FrictionMethod method)
 {
   Reduced        *t      = method->data;

@@ -1,14 +1,17 @@
-/* frictionsearch.c -- a part of a Newton step for contact with friction, where the whole one goes too far.
+/* frictionsearch.c -- shortens Newton steps for contact with friction.
 
-   With the limits G of the present pressures the energy  J(y) = 1/2 y'A y - b'y + sum G |s|  is convex. The decisions of a step are those of a
-   proximal step y^ (eq. 16.4), at which J is smooth in all that is not fixed. From there Newton's step d descends, until slip turns round on the
-   way. Its part alpha minimizes J(y^ + alpha d): a unit whose slip ends there sticks in the next decisions. So all units of a body that friction
-   alone holds cannot slip to and fro for ever [1].
+   With the limits G of the present pressures the energy J(y) = 1/2 y'A y - b'y + sum G |s| is convex. The
+   decisions of a step are those of a proximal step y^ (eq. 16.4). At y^ J is smooth in all free unknowns.
+   From there Newton's step d descends until slip reverses. The part alpha minimizes J(y^ + alpha d). A unit
+   whose slip ends at alpha sticks in the next decisions. Therefore the units of a body that friction alone
+   holds cannot alternate between directions of slip for ever [1].
 
-   References: [1] Graeser, Kornhuber, Multigrid methods for obstacle problems, 2009: truncated nonsmooth Newton methods. */
+   References: [1] Graeser, Kornhuber, Multigrid methods for obstacle problems, 2009: truncated nonsmooth
+   Newton methods. */
 #include "pdas/frictionimpl.h"
 
-/* Rise of the energy at the end of a step, over its fall at the beginning, from which on a part of the step is better; bisections for that part. */
+/* A step is shortened if the slope of the energy at its end is above this part of the slope at its begin.
+   BISECTIONS: their number for the part. */
 static const PetscReal OVERSHOOT = 0.1;
 enum { BISECTIONS = 40 };
 
@@ -45,7 +48,7 @@ void FrictionUnitsProject(const FrictionUnits *units, PetscReal to[])
   }
 }
 
-/* sum G d|s| / d alpha of this rank. */
+/* sum of G d|s| / d alpha on this rank. */
 static PetscReal FrictionSearchSlope_Private(const FrictionUnits *units, const PetscReal from[], PetscReal alpha)
 {
   PetscReal slope = 0;

@@ -1,24 +1,25 @@
 /* frictionsystem.c -- the semismooth Newton method for contact with friction [1, 2].
 
-   A unit is open (r_n = 0) or closed (y_n = upper), and its tangents stick (s = 0) or slip along d = q^ / |q^|, q^ = r_t + k s. With
-   w = G / |q^| < 1 the derivative of |q^| r_t = G q^ at the last iterate is
+   A unit is open (r_n = 0) or closed (y_n = upper). Its tangents stick (s = 0) or slip along d = q^ / |q^|,
+   q^ = r_t + k s. With w = G / |q^| < 1 the derivative of |q^| r_t = G q^ at the last iterate is
 
        r_t = G d + k w / (1 - w) (I - d d') s,     G = bound + coefficient r_n:
 
-   along d the limit of the new pressure, across it a resistance to turning, which a plane does not have. As S y = g - r this is one linear
-   system. k is the diagonal of A: there is no number to choose.
+   along d the limit of the new pressure, across it a resistance to turning, which a plane does not have. As S
+   y = g - r this is one linear system. k is the diagonal of A: there is no number to choose.
 
-   References: [1] Hueeber, Stadler, Wohlmuth, A primal-dual active set algorithm for three-dimensional contact problems with Coulomb friction,
-   2008. [2] Gitterle, Popp, Gee, Wall, Finite deformation frictional mortar contact using a semi-smooth Newton method, 2010. */
+   References: [1] Hueeber, Stadler, Wohlmuth, A primal-dual active set algorithm for three-dimensional
+   contact problems with Coulomb friction, 2008. [2] Gitterle, Popp, Gee, Wall, Finite deformation frictional
+   mortar contact using a semi-smooth Newton method, 2010. */
 #include "pdas/frictionimpl.h"
 #include <petscblaslapack.h>
 
-/* Part of the resistance that is added to a singular system. */
+/* Shift of a singular system, as a part of the resistance. */
 static const PetscReal SINGULAR_SHIFT = 1e-10;
-/* Power iteration: steps before the growth is measured, and over which it is. */
+/* Power iteration: number of steps before the growth is measured, and number of measured steps. */
 enum { POWER_FIRST = 30, POWER_STEPS = 60 };
 
-/* Fixes what is fixed in y, and lists what is free. */
+/* Sets fixed unknowns in y, and lists free ones. */
 static void FrictionSystemPrescribe_Private(FrictionProblem *problem)
 {
   for (PetscInt i = 0; i < problem->units->n; i++) problem->place[i] = 0;
@@ -34,8 +35,8 @@ static void FrictionSystemPrescribe_Private(FrictionProblem *problem)
     if (problem->place[i] == 0) problem->place[i] = problem->num_free++;
 }
 
-/* Rows of tangents that slip: less coefficient d_i times the normal row, plus the resistance to turning. [in] row - of the reduced problem, a
-   column of the symmetric S; [in,out] M - the system, column by column */
+/* Rows of slipping tangents: minus coefficient d_i times the normal row, plus the resistance to turning. [in]
+   row - of the reduced problem, a column of the symmetric S; [in,out] M - the system, column by column */
 static void FrictionSystemAddSlip_Private(FrictionProblem *problem, const FrictionUnit *unit, PetscBool coupled)
 {
   const PetscInt     N = problem->units->n, n = problem->num_free;
@@ -53,7 +54,7 @@ static void FrictionSystemAddSlip_Private(FrictionProblem *problem, const Fricti
   }
 }
 
-/* The system of the decisions. [in] shift - part of the resistance that is added where units slip */
+/* The system of the decisions. [in] shift - part of the resistance, added for slipping units */
 static void FrictionSystemAssemble_Private(FrictionProblem *problem, PetscBool coupled, PetscReal shift)
 {
   const PetscInt N = problem->units->n, n = problem->num_free;
@@ -81,8 +82,7 @@ PetscErrorCode FrictionSystemFactor(FrictionProblem *problem, PetscBool coupled)
   FrictionSystemPrescribe_Private(problem);
   if (!problem->num_free) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscBLASIntCast(problem->num_free, &size));
-  for (PetscInt k = 0; k < 2 && info;
-       k++) { // all may slip that holds a body: a step shows which way, a part of it is taken
+  for (PetscInt k = 0; k < 2 && info; k++) { // singular if all units that hold a body slip: then shifted
     FrictionSystemAssemble_Private(problem, coupled, k ? SINGULAR_SHIFT : 0);
     PetscCallBLAS("LAPACKgetrf", LAPACKgetrf_(&size, &size, problem->M, &size, problem->pivot, &info));
   }
@@ -110,7 +110,7 @@ PetscErrorCode FrictionSystemSolve(FrictionProblem *problem)
   PetscFunctionBeginUser;
   PetscCall(FrictionSystemFactor(problem, PETSC_TRUE));
   FrictionUnitsPrescribe(problem->units);
-  /* a Newton step from y: M dy = r - (what the law wants of it), with the forces r of y after prescription */
+  /* a Newton step from y: M dy = r - (r required by the law), with the forces r of y after prescription */
   PetscCall(FrictionProblemSetForces(problem));
   for (PetscInt i = 0; i < problem->units->n; i++)
     if (problem->place[i] >= 0) problem->x[problem->place[i]] = problem->units->r[i];
@@ -134,7 +134,8 @@ PetscErrorCode FrictionSystemSolve(FrictionProblem *problem)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* v := coefficient d r_n / d G v at the units that slip, by the factors of given limits; scaled to 1. [in,out] v - [num]; [out] growth */
+/* v := coefficient d r_n / d G v at the units that slip, by the factors of given limits; scaled to 1.
+   [in,out] v - [num]; [out] growth */
 static PetscErrorCode FrictionSystemGrow_Private(FrictionProblem *problem, PetscReal v[], PetscReal *growth)
 {
   const PetscInt N      = problem->units->n;

@@ -1,6 +1,6 @@
-/* frictionunits.c -- units of contact with friction: their data, what they do next, and how far the law is from holding.
+/* frictionunits.c -- units of contact with friction: their data, their decisions, and the residual of the law.
 
-   The same for the reduced problem, whose units are on one rank, and at full size, where each rank has its own. */
+   Used for the reduced problem, with all units on one rank, and at full size, with each rank's own units. */
 #include "pdas/frictionimpl.h"
 
 /* Tolerances of ties, relative to the largest value and force, as of frictionless contact. */
@@ -11,12 +11,12 @@ static const PetscReal SLIP_BEGINS = 1 - 1e-8;
 static const PetscReal ROUNDOFF = 256 * PETSC_MACHINE_EPSILON;
 /* Limits below this part of stiffness times displacement need not settle. */
 static const PetscReal LIMIT_NOISE = 1e-6;
-/* A limit that no force exceeds. */
+/* A limit above all forces. */
 static const PetscReal ALL_STICKS = 1e30;
-/* Change of the limits at which they have settled. */
+/* Limits have settled if their change is below this. */
 static const PetscReal FIXED_POINT_RTOL = 1e-11;
 
-/* What a rank sends of a unit. */
+/* Numbers that a rank sends for each unit. */
 enum {
   SENT_NORMAL,
   SENT_TANGENT,
@@ -154,7 +154,7 @@ PetscErrorCode FrictionUnitsDestroy(FrictionUnits *units)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the unit is closed: what is closed opens below -tolerance, what is open closes beyond it. */
+/* Whether the unit is closed: a closed one opens below -tolerance, an open one closes above tolerance. */
 static PetscBool FrictionUnitsIsClosed_Private(const FrictionUnit *unit, PetscReal test, const PetscReal tolerance[2])
 {
   if (unit->closed) return (PetscBool)(test >= -tolerance[1]);
@@ -173,8 +173,7 @@ static UnitStatus FrictionUnitsSlides_Private(FrictionUnit *unit, const PetscRea
   if (unit->status == UNIT_SLIP ? size < limit - unit->resistance * tolerance[0] : size <= limit + tolerance[1])
     return UNIT_STICK;
   for (PetscInt i = 0; i < unit->num; i++) along += unit->direction[i] * q[i];
-  if (unit->status == UNIT_SLIP && along < 0)
-    return UNIT_STICK; // it turns back: all units at once may do so to and fro
+  if (unit->status == UNIT_SLIP && along < 0) return UNIT_STICK; // slip reverses: all units at once may alternate so
   for (PetscInt i = 0; i < unit->num; i++) unit->direction[i] = q[i] / size;
   const PetscReal w = PetscMin(limit / size, SLIP_BEGINS);
   unit->turning     = unit->resistance * w / (1 - w);
@@ -232,7 +231,8 @@ void FrictionUnitsMark(const FrictionUnits *units, PetscBool fixed[])
   }
 }
 
-/* Squared residual of a unit's law in the norm of diag(A)^-1: the length of a step along the forces that is projected onto bound and cone. */
+/* Squared residual of a unit's law in the norm of diag(A)^-1: length of a step along the forces, projected
+   onto bound and cone. */
 static PetscReal FrictionUnitsResidual_Private(const FrictionUnit *unit, const PetscReal y[], const PetscReal r[])
 {
   const PetscReal k = unit->stiffness, pressing = r[unit->normal], limit = FrictionUnitLimit(unit, pressing);
@@ -327,7 +327,7 @@ PetscErrorCode FrictionUnitsFreeze(FrictionUnits *units, const PetscReal mu[], c
     unit->bound = limit;
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, most, 4, MPIU_REAL, MPI_MAX, units->comm));
-  most[1]  = PetscMax(most[1], LIMIT_NOISE * most[2] * most[3]); // sides that are apart have limits of roundoff
+  most[1]  = PetscMax(most[1], LIMIT_NOISE * most[2] * most[3]); // open units have limits of the size of roundoff
   *settled = (PetscBool)(most[0] <= FIXED_POINT_RTOL * most[1]);
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -13,7 +13,7 @@ typedef struct {
   Mat       A;      /* A^ */
   Vec       free;   /* M */
   Vec       y, r;   /* the solution; b - A y */
-  Vec       f, d;   /* what the KSP solves for, A^ d = f */
+  Vec       f, d;   /* unknown of the KSP, A^ d = f */
   PetscBool same;   /* M is what A^ was made for */
   PetscBool direct; /* the KSP only applies its preconditioner */
   PetscBool shell;  /* A^ is the preconditioner's own: no copy of A */
@@ -22,7 +22,7 @@ typedef struct {
   PetscReal ritz;   /* the smallest Ritz value of all systems, 0 if there is none */
   /* of the present system, for the convergence test */
   Vec             rest;      /* M r */
-  ActiveSolution *solution;  /* borrowed: what is known of it */
+  ActiveSolution *solution;  /* borrowed: the solution in progress */
   PetscReal       first;     /* |f|_D */
   PetscReal       reference; /* size of forces that the final residual is compared with, 0 until it is known */
   PetscReal       energy;    /* bound for the square of the final error in the energy norm */
@@ -37,7 +37,8 @@ typedef struct {
    after an iteration of its KSP, or in it */
 PetscErrorCode FullSolverUpdateRitz(FullSolver *t);
 
-/* Sets M and A^, for corrections without a solve. Collective. [in] fixed - [n]; [in] more - what the cycle of multigrid adds to A, or NULL */
+/* Sets M and A^, for corrections without a solve. Collective. [in] fixed - [n]; [in] more - what the cycle of
+   multigrid adds to A, or NULL */
 PetscErrorCode FullSolverSetFixed(ActiveSolver solver, const PetscBool fixed[], Mat more);
 
 /* Sets the convergence test of a KSP with multigrid. Collective. */

@@ -38,8 +38,9 @@ PetscErrorCode PDASSetStart(SNES snes, Vec active);
 
 /* Whether matrix and bounds stay as they are from one solve to the next, so that factors serve again. Collective. */
 PetscErrorCode PDASSetKeep(SNES snes, PetscBool keep);
-/* Tells that bounds have new values in their Vec, and the function a new right-hand side. The next solve begins with the set of its
-   initial guess by eq. 10.1, unless -snes_pdas_start gives another. What was kept is used again. Collective. */
+/* Tells that bounds have new values in their Vec, and the function a new right-hand side. The next solve
+   begins with the set of its initial guess by eq. 10.1, unless -snes_pdas_start gives another. What was kept
+   is used again. Collective. */
 PetscErrorCode PDASRestart(SNES snes);
 
 #endif

@@ -85,7 +85,8 @@ struct _n_ActiveSolver {
   PetscReal energy_decrease; /* decrease of the error before the first solve */
   PetscBool all_digits;      /* iterates are not evaluated before the required reduction */
   PetscReal first;           /* initial error, with energy_decrease; 0 before the first solve */
-  /* An inexact solver calls this at its target accuracy, with an iterate: does the set still hold? If so it lowers the target, and the solver continues. Optional, may be NULL. [in] pdas - for the callback */
+  /* An inexact solver calls this at its target accuracy, with an iterate: does the set still hold? If so it
+     lowers the target, and the solver continues. Optional, may be NULL. [in] pdas - for the callback */
   PetscErrorCode (*holds)(ActiveSolver, const ActiveSolution *iterate, PetscBool *holds);
   void *pdas;
   void *data;
@@ -99,7 +100,8 @@ struct _n_ActiveSolver {
      [in] f - 0 where fixed; [out] d - 0 where fixed; [out] alpha - the smallest Ritz value of B A_FF, 1 with a
      factorization, 0 where it is not known */
   PetscErrorCode (*correct)(ActiveSolver, Vec f, Vec d, PetscReal *alpha);
-  /* Norm and reactions of d = A_FF^-1 f for half the cost; NULL if the solver cannot. [in] f - 0 where fixed; [out] square - |d|_A^2; [out] felt - A d where fixed [n] */
+  /* Norm and reactions of d = A_FF^-1 f for half the cost; NULL if the solver cannot. [in] f - 0 where fixed;
+     [out] square - |d|_A^2; [out] felt - A d where fixed [n] */
   PetscErrorCode (*measure)(ActiveSolver, Vec f, PetscReal *square, PetscReal felt[]);
   PetscErrorCode (*destroy)(ActiveSolver);
 };
@@ -116,8 +118,10 @@ enum { ACTIVE_MAX_SCHUR = 3000 };
    NULL */
 PetscErrorCode SchurSolverCreate(const ActiveSet *set, Mat A, Vec b, const char prefix[], PetscReal rtol,
                                  ActiveSolver *solver, const char **failure);
-/* Of such a solver: S and g of the reduced problem, and values of its unknowns to and from the first rank. Collective.
-   [out] S, g - borrowed, of the first rank, NULL on others; [in,out] all - of the first rank, else NULL; own - [set->n] */
+/* Of such a solver: S and g of the reduced problem, and values of its unknowns to and from the first rank.
+   Collective.
+   [out] S, g - borrowed, of the first rank, NULL on others; [in,out] all - of the first rank, else NULL; own
+   - [set->n] */
 PetscErrorCode SchurSolverGetReduced(ActiveSolver solver, PetscScalar **S, PetscReal **g);
 PetscErrorCode SchurSolverGather(ActiveSolver solver, const PetscReal own[], PetscReal all[]);
 PetscErrorCode SchurSolverScatter(ActiveSolver solver, const PetscReal all[], PetscReal own[]);
