@@ -1,9 +1,10 @@
 /* cellprolongation.c -- prolongation of least energy inside of coarse cells.
 
-   A coarse displacement may keep the volume of each coarse cell in the mean. Interpolated, it may still change the volume of each part:
-   a large energy that only interpolation makes. Nodes inside a coarse cell can move volume between its parts. Those of different cells do not
-   couple, so each cell is a small system of its own [1]. Displacements on boundaries of cells and of a coarse node inside
-   stay those of the shape functions.
+   A coarse displacement may keep the volume of each coarse cell in the mean. Interpolated, it may still
+   change the volume of each part: a large energy that only interpolation makes. Nodes inside a coarse cell
+   can move volume between its parts. Those of different cells do not couple, so each cell is a small system
+   of its own [1]. Displacements on boundaries of cells and of a coarse node inside stay those of the shape
+   functions.
 
    References: [1] Schoeberl, Multigrid methods for a parameter dependent problem in primal variables, 1999. */
 #include "base/compat.h"
@@ -37,7 +38,8 @@ static PetscInt CellFindNode_Private(const Level *coarse, PetscInt c, PetscInt g
   return -1;
 }
 
-/* Whether a fine node is inside a coarse cell and not one of its nodes. Then it is interpolated from nodes that share no facet. */
+/* Whether a fine node is inside a coarse cell and not one of its nodes. Then it is interpolated from nodes
+   that share no facet. */
 static PetscErrorCode CellHasInside_Private(const Level *coarse, PetscInt c, Mat nodal, PetscInt row, PetscBool *inside)
 {
   const ElementType type  = (ElementType)coarse->cell_type[c];
@@ -101,7 +103,8 @@ static PetscErrorCode InsidesCreate_Private(Scene scene, const Level *coarse, co
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Rows of K at nodes inside, and what they give for displacements of coarse nodes. [out] rows, forces - in the order of insides->node */
+/* Rows of K at nodes inside, and what they give for displacements of coarse nodes. [out] rows, forces - in
+   the order of insides->node */
 static PetscErrorCode InsidesGetRows_Private(const Insides *insides, Mat K, Mat P, Mat *rows, Mat *forces)
 {
   const Level   *fine = insides->fine;
@@ -125,7 +128,8 @@ static PetscErrorCode InsidesGetRows_Private(const Insides *insides, Mat K, Mat 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The system of one cell: A = K_II, b = K_I P. [in] begin - first row; [in,out] A - 0 [n][n]; b - 0, by columns [m][n] */
+/* The system of one cell: A = K_II, b = K_I P. [in] begin - first row; [in,out] A - 0 [n][n]; b - 0, by
+   columns [m][n] */
 static PetscErrorCode CellGetSystem_Private(const Insides *insides, PetscInt i, const Mat matrix[2], PetscInt begin,
                                             PetscReal A[], PetscReal b[])
 {
@@ -157,8 +161,8 @@ static PetscErrorCode CellGetSystem_Private(const Insides *insides, PetscInt i, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What is subtracted from the rows of P: K_II^-1 K_I P. [out] less - of all cells, each by rows; owned by the caller; [out] at - where each
-   begins [insides->num] */
+/* What is subtracted from the rows of P: K_II^-1 K_I P. [out] less - of all cells, each by rows; owned by the
+   caller; [out] at - where each begins [insides->num] */
 static PetscErrorCode InsidesSolve_Private(const Insides *insides, Mat K, Mat P, PetscReal **less, PetscInt at[])
 {
   const Level   *coarse = insides->coarse;
@@ -203,7 +207,8 @@ static PetscErrorCode InsidesSolve_Private(const Insides *insides, Mat K, Mat P,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The row of a node inside, the shape functions less that. [in] r - counted in the cell; [in] less - of the cell; [in] P, row - of the shape functions;
+/* The row of a node inside, the shape functions less that. [in] r - counted in the cell; [in] less - of the
+   cell; [in] P, row - of the shape functions;
    [out] columns, values - ascending, one for each unknown of the cell */
 static PetscErrorCode CellGetRow_Private(const Level *coarse, PetscInt c, const PetscReal less[], Mat P, PetscInt row,
                                          PetscInt columns[], PetscScalar values[])

@@ -8,8 +8,8 @@
 
        P_I := - K_II^-1 K_IB P_B,   I the nodes inside of one coarse cell, B all others.
 
-   Collective. [in] fine - made from coarse by one refinement of all cells; [in] K - stiffness on the fine level; [in,out] P - displacements of coarse to
-   those of fine, by shape functions (AIJ) */
+   Collective. [in] fine - made from coarse by one refinement of all cells; [in] K - stiffness on the fine
+   level; [in,out] P - displacements of coarse to those of fine, by shape functions (AIJ) */
 PetscErrorCode CellProlongationApply(Scene scene, const Level *coarse, const Level *fine, Mat K, Mat *P);
 
 #endif

@@ -5,7 +5,8 @@
 #include "multigrid/hierarchy.h"
 #include "problem/vi.h"
 
-/* All costs are in products with the finest matrix, as Hierarchy counts its work: the same on all ranks, and on any machine. */
+/* All costs are in products with the finest matrix, as Hierarchy counts its work: the same on all ranks, and
+   on any machine. */
 typedef struct {
   VI        vi;        /* of the finest level, borrowed */
   Hierarchy hierarchy; /* borrowed */
@@ -16,8 +17,9 @@ typedef struct {
   PetscReal once, set; /* what a factorization takes once, and for each set */
 } CostModel;
 
-/* Sets this cost model as the cost test of a hierarchy. It predicts the cost of a factorization once the iteration has cost enough to pay for that,
-   and compares afterwards. Not collective. [in] model - must not be moved */
+/* Sets this cost model as the cost test of a hierarchy. It predicts the cost of a factorization once the
+   iteration has cost enough to pay for that, and compares afterwards. Not collective. [in] model - must not
+   be moved */
 PetscErrorCode CostModelSet(CostModel *model, VI vi, Hierarchy hierarchy);
 /* What a factorization takes for as many sets as there have been; 0 without a prediction. Not collective. */
 PetscReal CostModelPredicted(const CostModel *model);

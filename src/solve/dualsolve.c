@@ -7,7 +7,8 @@
 #include "solve/linearreference.h"
 #include "solve/solvercontext.h"
 
-/* Relative residual: what these solutions weigh needs few digits. With a proximal term each step takes the part of W from what is left. */
+/* Relative residual: what these solutions weigh needs few digits. With a proximal term each step takes the
+   part of W from what is left. */
 static const PetscReal DUAL_RTOL = 1e-6;
 enum { MAX_PROXIMAL = 8 };
 

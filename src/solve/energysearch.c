@@ -1,8 +1,8 @@
 /* energysearch.c -- a line search that lowers the energy.
 
-   The residual on the free set jumps when the set changes, so a search that reduces it may cycle. The energy does not jump. For a
-   projected step s(t) = min(y + t d, upper) - y it changes by F.s + s.As / 2, and it falls if t is small [1] (eq. 10.2). No set
-   returns.
+   The residual on the free set jumps when the set changes, so a search that reduces it may cycle. The energy
+   does not jump. For a projected step s(t) = min(y + t d, upper) - y it changes by F.s + s.As / 2, and it
+   falls if t is small [1] (eq. 10.2). No set returns.
 
    References: [1] Bertsekas, Projected Newton methods for optimization problems with simple constraints, 1982. */
 #include "base/compat.h"
@@ -17,7 +17,8 @@ typedef struct {
   Vec y, f, d, next, step, product;
 } EnergyStep;
 
-/* Sets next to the end of a step, which may be shorter than the projected one: the energy is least there. [in] part - of d;
+/* Sets next to the end of a step, which may be shorter than the projected one: the energy is least there.
+   [in] part - of d;
    [out] enough - whether the energy falls enough */
 static PetscErrorCode EnergySearchTry_Private(const Inequality *solved, const EnergyStep *at, PetscReal part,
                                               PetscBool *enough)

@@ -14,8 +14,8 @@
    d of the one before. What remains is a force along motions that nothing resists. The exact problem would
    have no solution with it: it is roundoff, and is ignored.
 
-   With friction of given limits (Tresca), tangents that stick are fixed as well, and those that slip carry a load at the limit. A tangent beyond
-   its limit is released, with its force cut to the limit (eq. 16.9).
+   With friction of given limits (Tresca), tangents that stick are fixed as well, and those that slip carry a
+   load at the limit. A tangent beyond its limit is released, with its force cut to the limit (eq. 16.9).
 
    An iterative solver has no d. Its preconditioner B and the smallest Ritz value alpha of B A_FF from
    conjugate gradients estimate |d|_A^2 by f.B f / alpha. */
@@ -82,7 +82,8 @@ static PetscErrorCode ErrorBoundBoundDestroy_Private(Bound *m)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A force of node a at its limit along a vector of its tangents, or none: what slips carries it as a load. [in] along - [2], [in,out] m->r, by r of the set [n] */
+/* A force of node a at its limit along a vector of its tangents, or none: what slips carries it as a load.
+   [in] along - [2], [in,out] m->r, by r of the set [n] */
 static void ErrorBoundLoadNode_Private(Bound *m, PetscInt a, const PetscReal along[], PetscReal r[])
 {
   const PetscInt *t    = &m->tangent[FRICTION_TANGENTS * a];
@@ -94,7 +95,8 @@ static void ErrorBoundLoadNode_Private(Bound *m, PetscInt a, const PetscReal alo
   }
 }
 
-/* Tangents that stick are fixed at their origin. [in,out] m->values, m->forces - of y [n]; [out] slips - whether a node slips [law->n] */
+/* Tangents that stick are fixed at their origin. [in,out] m->values, m->forces - of y [n]; [out] slips -
+   whether a node slips [law->n] */
 static void ErrorBoundStick_Private(Bound *m, PetscBool slips[])
 {
   for (PetscInt a = 0; m->law && a < m->law->n; a++) {
@@ -238,7 +240,8 @@ static PetscErrorCode ErrorBoundCorrect_Private(Bound *m, PetscReal *square)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Releases what sticks by more than its limit; it carries the limit from then on. [in] m->forces, m->values - as in ErrorBoundRelease_Private(); [in,out] num */
+/* Releases what sticks by more than its limit; it carries the limit from then on. [in] m->forces, m->values -
+   as in ErrorBoundRelease_Private(); [in,out] num */
 static PetscErrorCode ErrorBoundReleaseTangents_Private(Bound *m, PetscInt *num)
 {
   PetscFunctionBeginUser;

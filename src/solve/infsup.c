@@ -1,12 +1,14 @@
 /* infsup.c -- the discrete inf-sup number of the mortar pairing.
 
-   The condensed matrix has the relative displacements w of a pair as unknowns, b(v, mu) = mu'D w. Their Schur complement S,
-   the energy of the least displacement with a given w, therefore gives the supremum in closed form,
+   The condensed matrix has the relative displacements w of a pair as unknowns, b(v, mu) = mu'D w. Their Schur
+   complement S, the energy of the least displacement with a given w, therefore gives the supremum in closed
+   form,
 
        sup_v b(v, mu)^2 / a(v, v) = mu'D S^-1 D mu,
 
-   and with the multipliers' norm of eq. 11.9, a diagonal N, beta^-2 is the largest eigenvalue of N^(1/2) D^-1 S D^-1 N^(1/2). The
-   largest one is that of the shortest waves, so that rigid motions, for which the supremum is infinite, do no harm. */
+   and with the multipliers' norm of eq. 11.9, a diagonal N, beta^-2 is the largest eigenvalue of N^(1/2) D^-1
+   S D^-1 N^(1/2). The largest one is that of the shortest waves, so that rigid motions, for which the
+   supremum is infinite, do no harm. */
 #include <petscsys.h>
 #include <petscblaslapack.h>
 #include "base/compat.h"
@@ -91,7 +93,8 @@ static PetscErrorCode PairRowsCreate_Private(VI vi, PetscInt p, PairRows *rows)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The ends of the spectrum of the scaled S. First rank only. [in,out] S - [rows->num][rows->num], one triangle; overwritten */
+/* The ends of the spectrum of the scaled S. First rank only. [in,out] S - [rows->num][rows->num], one
+   triangle; overwritten */
 static PetscErrorCode InfSupEigenvalues_Private(const PairRows *rows, PetscScalar S[], PetscReal *least,
                                                 PetscReal *largest)
 {

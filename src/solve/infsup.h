@@ -11,8 +11,9 @@ typedef struct {
       condition; /* of the scaled Schur complement, lambda_max / lambda_min; NAN also where contact alone holds a body */
 } InfSup;
 
-/* Computes beta of each pair from the Schur complement of its relative displacements: a factorization and a dense eigenvalue
-   problem for each pair. Warns of pairs with more multipliers than a dense problem may have. Collective.
+/* Computes beta of each pair from the Schur complement of its relative displacements: a factorization and a
+   dense eigenvalue problem for each pair. Warns of pairs with more multipliers than a dense problem may have.
+   Collective.
    [in] solvability - NULL where supports hold all bodies; [out] numbers - [vi->num_pairs] */
 PetscErrorCode InfSupCompute(VI vi, Solvability solvability, InfSup numbers[]);
 

@@ -1,8 +1,9 @@
 /* meshlevels.c -- the inequalities of coarser meshes, and prolongation between their unknowns.
 
-   Displacements are prolonged by the shape functions of the coarser level. Solvers have unknowns y of u = T y, so P^ = T_f^-1 P T_c. Where
-   meshes are nested, P^' A_f P^ = T_c' (P' K_f P) T_c is the coarser level's own A, and no such product is formed. Elsewhere P' K_f P
-   replaces the coarser level's K, since truncation subtracts parts of that product. */
+   Displacements are prolonged by the shape functions of the coarser level. Solvers have unknowns y of u = T
+   y, so P^ = T_f^-1 P T_c. Where meshes are nested, P^' A_f P^ = T_c' (P' K_f P) T_c is the coarser level's
+   own A, and no such product is formed. Elsewhere P' K_f P replaces the coarser level's K, since truncation
+   subtracts parts of that product. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "solve/cellprolongation.h"
@@ -53,8 +54,8 @@ static PetscErrorCode MeshLevelsBlocks_Private(Mat P, PetscInt dim, Mat *blocks)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What fixed unknowns of the coarser level, which have their values, give to free ones of this one. [in] P - of all unknowns; [in] free -
-   1 for free unknowns, fine and coarse; [out] lift - NULL where the values are 0 */
+/* What fixed unknowns of the coarser level, which have their values, give to free ones of this one. [in] P -
+   of all unknowns; [in] free - 1 for free unknowns, fine and coarse; [out] lift - NULL where the values are 0 */
 static PetscErrorCode MeshLevelsCreateLift_Private(VI coarse, VI fine, Mat P, const Vec free[2], Vec *lift)
 {
   PetscReal size;
@@ -74,8 +75,8 @@ static PetscErrorCode MeshLevelsCreateLift_Private(VI coarse, VI fine, Mat P, co
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* T_f^-1 P T_c, emptied where unknowns are fixed. [in] op - of both levels, coarse first; [in,out] P - of displacements; [out] lift - of
-   MeshLevelsCreateLift_Private() */
+/* T_f^-1 P T_c, emptied where unknowns are fixed. [in] op - of both levels, coarse first; [in,out] P - of
+   displacements; [out] lift - of MeshLevelsCreateLift_Private() */
 static PetscErrorCode MeshLevelsCreateProlongation_Private(VI coarse, VI fine, const Operator op[2], Mat *P, Vec *lift)
 {
   Mat blocks, product;
@@ -103,10 +104,11 @@ static PetscErrorCode MeshLevelsCreateProlongation_Private(VI coarse, VI fine, c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adapted meshes grow slowly, and cycles do not need all of them. A level is used if it has LEVEL_GROWTH times the nodes of the last used one,
-   or is LEVEL_LEAP levels above it. Two plates, order 2, 17 meshes from 2 x 2 quads: 8 to 9 iterations with all levels, 10 to 12 at three
-   quarters of the cost with these; uniform meshes 10. From 8 x 8 quads, which grow slower: 10 to 12 iterations; 11 to 16 if two levels in a
-   row may be omitted, 19 if three. */
+/* Adapted meshes grow slowly, and cycles do not need all of them. A level is used if it has LEVEL_GROWTH
+   times the nodes of the last used one, or is LEVEL_LEAP levels above it. Two plates, order 2, 17 meshes from
+   2 x 2 quads: 8 to 9 iterations with all levels, 10 to 12 at three quarters of the cost with these; uniform
+   meshes 10. From 8 x 8 quads, which grow slower: 10 to 12 iterations; 11 to 16 if two levels in a row may be
+   omitted, 19 if three. */
 static const PetscReal LEVEL_GROWTH = 2;
 enum { LEVEL_LEAP = 2 };
 
@@ -140,7 +142,8 @@ static PetscBool MeshLevelsAreCut_Private(const struct _n_MeshLevels *levels, Pe
   return (PetscBool)(fine->mesh->forest || levels->of[l] != levels->of[l - 1] + 1);
 }
 
-/* The prolongation of displacements to level l. [in] least - whether nodes inside of cells that keep their volume take the place of least energy */
+/* The prolongation of displacements to level l. [in] least - whether nodes inside of cells that keep their
+   volume take the place of least energy */
 static PetscErrorCode MeshLevelsCreateDisplacements_Private(MeshLevels levels, PetscInt l, PetscBool least, Mat *P)
 {
   const VI fine = levels->vi[l];
@@ -215,9 +218,10 @@ static PetscErrorCode MeshLevelsTestParts_Private(Level *coarse, Level *fine, Ma
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The inequality of level l, unless it is known. Its K is P'K P of the next finer one, by itself or made so. [in] least - of
-   MeshLevelsCreateDisplacements_Private(); [in,out] nested - whether energies are the same where cells are parts of cells, and K of the finer one is
-   its own; whether it is so by itself; [out] P - displacements to the finer one, where it is not */
+/* The inequality of level l, unless it is known. Its K is P'K P of the next finer one, by itself or made so.
+   [in] least - of MeshLevelsCreateDisplacements_Private(); [in,out] nested - whether energies are the same
+   where cells are parts of cells, and K of the finer one is its own; whether it is so by itself; [out] P -
+   displacements to the finer one, where it is not */
 static PetscErrorCode MeshLevelsSetCoarse_Private(MeshLevels levels, PetscInt l, PetscBool least, PetscBool *nested,
                                                   Mat *P)
 {
@@ -242,11 +246,13 @@ static PetscErrorCode MeshLevelsSetCoarse_Private(MeshLevels levels, PetscInt l,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Poisson's ratio from which patches cost no more than smoothing node by node. Two plates, order 1, iterations node by node and in patches: 14 and 10 at 0.45, 24 and 8 at
-   0.47, 42 and 10 at 0.49; seconds 0.14 and 0.19, 0.17 and 0.17, 0.16 and 0.18; of order 2 0.43 and 0.47, 0.49 and 0.48, 0.62 and 0.50. */
+/* Poisson's ratio from which patches cost no more than smoothing node by node. Two plates, order 1,
+   iterations node by node and in patches: 14 and 10 at 0.45, 24 and 8 at 0.47, 42 and 10 at 0.49; seconds
+   0.14 and 0.19, 0.17 and 0.17, 0.16 and 0.18; of order 2 0.43 and 0.47, 0.49 and 0.48, 0.62 and 0.50. */
 static const PetscReal TIGHT = 0.47;
 
-/* Nodes of cells with a Poisson's ratio not below that. [out] tight - NULL where no cell on any rank has one; owned by the caller
+/* Nodes of cells with a Poisson's ratio not below that. [out] tight - NULL where no cell on any rank has one;
+   owned by the caller
    [nodes of this rank] */
 static PetscErrorCode MeshLevelsMarkTight_Private(VI vi, PetscBool **tight)
 {
@@ -304,8 +310,8 @@ PetscErrorCode MeshLevelsCreateOperator(const Inequality *inequality, Vec W, Ope
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether some cell is of second order, and whether cells may be long in whole lines. Tetrahedra of a mesh generator are long in single places
-   only. */
+/* Whether some cell is of second order, and whether cells may be long in whole lines. Tetrahedra of a mesh
+   generator are long in single places only. */
 static PetscErrorCode MeshLevelsInspectCells_Private(const Level *level, PetscInt meshes, PetscBool *higher,
                                                      PetscBool *lines)
 {
@@ -324,7 +330,8 @@ static PetscErrorCode MeshLevelsInspectCells_Private(const Level *level, PetscIn
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Of cells of second order the first level of nodes has the vertices, in the middle between which other nodes move. Orders are known cell by cell. */
+/* Of cells of second order the first level of nodes has the vertices, in the middle between which other nodes
+   move. Orders are known cell by cell. */
 static PetscErrorCode MeshLevelsCreateTable_Private(const Level *level, NodeTable *table)
 {
   static const PetscReal SHAPE_ROUNDOFF = 1e-12;
@@ -362,8 +369,8 @@ static PetscErrorCode MeshLevelsTestSame_Private(VI finest, PetscBool *same)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The inequalities of all levels; matrices as multigrid needs them. [out] below - whether there are to be levels below the coarsest; P - of
-   MeshLevelsSetCoarse_Private() [levels->num] */
+/* The inequalities of all levels; matrices as multigrid needs them. [out] below - whether there are to be
+   levels below the coarsest; P - of MeshLevelsSetCoarse_Private() [levels->num] */
 static PetscErrorCode MeshLevelsSetVIs_Private(MeshLevels levels, PetscBool *below, Mat P[])
 {
   const VI  finest = levels->vi[levels->num - 1];
@@ -453,7 +460,8 @@ static PetscErrorCode MeshLevelsPush_Private(MeshLevels levels, VI vi, PetscBool
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds the new level of the mesh. Where K of coarser ones is not P'K P of it, all of it is made anew but for contact and supports. */
+/* Adds the new level of the mesh. Where K of coarser ones is not P'K P of it, all of it is made anew but for
+   contact and supports. */
 static PetscErrorCode MeshLevelsExtend_Private(MeshLevels levels, const Inequality *finest, Vec W)
 {
   const Mesh      mesh = finest->vi->mesh;

@@ -30,9 +30,11 @@ typedef struct _n_MeshLevels {
 /* Whether the matrix of each coarser level is the Galerkin product: not with mean dilatation over cells (eq.
    9.1). Collective. */
 PetscErrorCode MeshLevelsAreNested(VI vi, PetscBool *nested);
-/* All levels of the mesh, of adapted meshes some; and where the coarsest has many unknowns, or is the only one, levels of nodes below it.
-   Collective. [in] W - what A has on its diagonal beside that of vi, or NULL; [in,out] older - levels of
-   the same mesh when it had one less, which own their finest one: they are consumed; or NULL; [out] levels - owned by the caller */
+/* All levels of the mesh, of adapted meshes some; and where the coarsest has many unknowns, or is the only
+   one, levels of nodes below it.
+   Collective. [in] W - what A has on its diagonal beside that of vi, or NULL; [in,out] older - levels of the
+   same mesh when it had one less, which own their finest one: they are consumed; or NULL; [out] levels -
+   owned by the caller */
 PetscErrorCode MeshLevelsCreate(const Inequality *finest, Vec W, MeshLevels *older, MeshLevels *levels);
 /* Whether there are any or not. Collective. */
 PetscErrorCode MeshLevelsDestroy(MeshLevels *levels);

@@ -69,7 +69,8 @@ static PetscErrorCode NestedIterationSetFixed_Private(const Operator *op, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Rounds a prolonged set to 1 or 0. It has unknowns with bounds, and with friction tangents that stick. [in,out] active */
+/* Rounds a prolonged set to 1 or 0. It has unknowns with bounds, and with friction tangents that stick.
+   [in,out] active */
 static PetscErrorCode NestedIterationRound_Private(const Operator *op, PetscBool friction, Vec active)
 {
   const PetscScalar *upper;
@@ -144,8 +145,8 @@ static PetscErrorCode NestedIterationChange_Private(VI vi, SNES snes, PetscReal 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves on level m of the mesh. [in] proximal - of it; [in] type - of the SNES; [in] energy_decrease - of PDASSetErrorReduction(); [in] begun - whether a coarser
-   level says what to begin with; [in,out] state */
+/* Solves on level m of the mesh. [in] proximal - of it; [in] type - of the SNES; [in] energy_decrease - of
+   PDASSetErrorReduction(); [in] begun - whether a coarser level says what to begin with; [in,out] state */
 static PetscErrorCode NestedIterationSolveLevel_Private(MeshLevels levels, PetscInt m, const Proximal *proximal,
                                                         const char type[], PetscReal energy_decrease, PetscBool begun,
                                                         State *state)
@@ -265,8 +266,9 @@ static PetscErrorCode NestedIterationProlong_Private(MeshLevels levels, PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The preconditioner for cycles before the first system of the finest level. None for types that pass it parts of vectors. None
-   when stopping at the discretization error, where one more cycle is a large part of the cost. [out] pc - borrowed, or NULL */
+/* The preconditioner for cycles before the first system of the finest level. None for types that pass it
+   parts of vectors. None when stopping at the discretization error, where one more cycle is a large part of
+   the cost. [out] pc - borrowed, or NULL */
 static PetscErrorCode NestedIterationGetCycles_Private(SNES snes, VI vi, PC *pc)
 {
   PetscBool pdas;
@@ -296,8 +298,8 @@ static PetscErrorCode NestedIterationStick_Private(const FrictionLaw *law, Vec a
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Without coarser meshes: predicts contact on this one, from the contacts that balance the loads or from none. [in] pc - or NULL; [out]
-   found - false where there is nothing to predict */
+/* Without coarser meshes: predicts contact on this one, from the contacts that balance the loads or from
+   none. [in] pc - or NULL; [out] found - false where there is nothing to predict */
 static PetscErrorCode NestedIterationPredict_Private(MeshLevels levels, PC pc, Proximal *proximal, Vec y, Vec active,
                                                      PetscBool *found)
 {

@@ -28,8 +28,9 @@ static const PetscReal TERM_LIMIT = 1e-8, TERM_STAGNATION = 0.5;
 static const PetscReal FORCE_ROUNDOFF = 1e-13;
 /* Largest number of steps: two or three are usual. */
 enum { PROXIMAL_MAX_STEPS = 50 };
-/* A body that bends easily may resist a motion no more than W. A step that leaves more than SLOW_STEP of the term scales W by
-   WEIGHT_REDUCTION, at most MAX_REDUCTIONS times. The first SEARCH_STEPS steps, which look for contacts, do not. */
+/* A body that bends easily may resist a motion no more than W. A step that leaves more than SLOW_STEP of the
+   term scales W by WEIGHT_REDUCTION, at most MAX_REDUCTIONS times. The first SEARCH_STEPS steps, which look
+   for contacts, do not. */
 static const PetscReal SLOW_STEP = 0.1, WEIGHT_REDUCTION = 1e-2;
 enum { SEARCH_STEPS = 3, MAX_REDUCTIONS = 3 };
 

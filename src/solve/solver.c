@@ -62,8 +62,8 @@ static PetscErrorCode SolverStartExtended_Private(SolverContext *context, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the finest level is smoothed by lines and planes: then the factors of each further set cost more than cycles that predict the set
-   of a load step. */
+/* Whether the finest level is smoothed by lines and planes: then the factors of each further set cost more
+   than cycles that predict the set of a load step. */
 static PetscBool SolverHasBlocks_Private(const MeshLevels levels)
 {
   return (PetscBool)(levels && levels->hierarchy->level[levels->hierarchy->num - 1].S);

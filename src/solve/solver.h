@@ -56,17 +56,21 @@ typedef struct {
   PetscReal    displacement_difference; /* max |du| / max |u| */
 } CrossCheck;
 
-/* The solver of one inequality. Where the scene asks for it, factors and multigrid levels stay from one solve to the next. */
+/* The solver of one inequality. Where the scene asks for it, factors and multigrid levels stay from one solve
+   to the next. */
 typedef struct _n_Solver *Solver;
 
-/* Not collective. [in] vi - borrowed for as long as the solver lives; [in] solvability - of vi, borrowed; NULL where supports hold all bodies;
+/* Not collective. [in] vi - borrowed for as long as the solver lives; [in] solvability - of vi, borrowed;
+   NULL where supports hold all bodies;
    [out] solver - owned by the caller */
 PetscErrorCode SolverCreate(VI vi, Solvability solvability, Solver *solver);
 PetscErrorCode SolverDestroy(Solver *solver);
-/* Lets a solver have the multigrid levels of another one on the same mesh when it had one level less. Collective. [in,out] older - without levels
-   afterwards; [in,out] vi - what it has solved; taken over with the levels, NULL then */
+/* Lets a solver have the multigrid levels of another one on the same mesh when it had one level less.
+   Collective. [in,out] older - without levels afterwards; [in,out] vi - what it has solved; taken over with
+   the levels, NULL then */
 PetscErrorCode SolverExtend(Solver solver, Solver older, VI *vi);
-/* The loads, given displacements and gaps of vi have changed, and its solvability: what was kept serves them. Collective.
+/* The loads, given displacements and gaps of vi have changed, and its solvability: what was kept serves them.
+   Collective.
    [in] solvability - of vi, borrowed; the one of before, but for its values */
 PetscErrorCode SolverUpdate(Solver solver);
 /* Solves by -snes_type (default pdas); progress lines where the scene wants them. Not converging is not an error: the

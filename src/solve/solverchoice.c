@@ -93,8 +93,9 @@ static PetscErrorCode SolverChoiceReducible_Private(VI vi, PetscInt *num_out, Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Limit of Poisson's ratio for iterations without coarser meshes, whose number grows with the root of bulk over shear modulus. CG with GAMG on
-   two plates: 104 iterations at 0.3, 890 at 0.49, 2369 at 0.499, 6344 at 0.4999. */
+/* Limit of Poisson's ratio for iterations without coarser meshes, whose number grows with the root of bulk
+   over shear modulus. CG with GAMG on two plates: 104 iterations at 0.3, 890 at 0.49, 2369 at 0.499, 6344 at
+   0.4999. */
 static const PetscReal ITERABLE = 0.499;
 
 /* The largest Poisson's ratio of bodies with mean dilatation, or 0. */
@@ -285,8 +286,8 @@ static PetscBool SolverChoiceNested_Private(VI vi, const char snes[], const char
   return (PetscBool)(!strcmp(pc, PCTRUNCATEDMG) && vi->mesh && (vi->mesh->num_levels > 1 || !strcmp(snes, SNESPDAS)));
 }
 
-/* Unknowns with bounds and tangents up to which the dense system of friction can be solved: one takes 0.5 GB. Up to which it is where an
-   iteration is possible: a dozen systems take two seconds. */
+/* Unknowns with bounds and tangents up to which the dense system of friction can be solved: one takes 0.5 GB.
+   Up to which it is where an iteration is possible: a dozen systems take two seconds. */
 enum { MAX_FRICTION = 8000, DENSE_FRICTION = 1500 };
 
 /* Unknowns with bounds and tangents. */
@@ -393,8 +394,8 @@ PetscErrorCode SolverChoiceSet(Solver solver, SolverChoice *choice)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Iterations of the second solver. Where contact moves along a side from node to node, both need many: one cell on 2000 takes 174
-   steps of pdas and 161 of vinewtonrsls, on 4000 366 and 317. PETSc's default is 100. */
+/* Iterations of the second solver. Where contact moves along a side from node to node, both need many: one
+   cell on 2000 takes 174 steps of pdas and 161 of vinewtonrsls, on 4000 366 and 317. PETSc's default is 100. */
 enum { SECOND_MAX_IT = 500, SECOND_PER_FIRST = 2 };
 
 PetscErrorCode SolverChoiceSetSecond(VI vi, const SolverReport *first, const char prefix[], SolverChoice *choice)

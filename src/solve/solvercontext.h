@@ -36,18 +36,20 @@ typedef struct _n_SolverContext SolverContext;
    has its address */
 PetscErrorCode SolverContextCreate(Solver solver, const SolverChoice *choice, PetscBool previous,
                                    SolverContext *context);
-/* A new one as for a solution, with levels. Collective. [in] report - of it, or NULL for any y; [out] context - as above */
+/* A new one as for a solution, with levels. Collective. [in] report - of it, or NULL for any y; [out] context
+   - as above */
 PetscErrorCode SolverCreateContext(Solver solver, const SolverReport *report, SolverContext *context);
 /* y without the rigid motion that SolverSolve() adds. Collective. [out] own - to be destroyed by the caller */
 PetscErrorCode SolverSubtractRigid(Solvability solvability, Vec y, Vec *own);
 /* Sets the levels of a multigrid preconditioner, those of the last solve if it kept them. Collective. [in]
    snes - if it passes the inactive unknowns alone, or NULL */
 PetscErrorCode SolverContextSetLevels(SolverContext *context, SNES snes);
-/* The context that the solver has kept, if it is of that choice, or a new one. Collective. [out] context - to be given back by
-   SolverContextReturn() */
+/* The context that the solver has kept, if it is of that choice, or a new one. Collective. [out] context - to
+   be given back by SolverContextReturn() */
 PetscErrorCode SolverContextTake(Solver solver, const SolverChoice *choice, PetscBool previous,
                                  SolverContext **context);
-/* Lets the solver keep the context for its next solve, or destroys it. Collective. [in] keep - whether it has solved what it was for;
+/* Lets the solver keep the context for its next solve, or destroys it. Collective. [in] keep - whether it has
+   solved what it was for;
    [in,out] y - what ProximalEnd() takes */
 PetscErrorCode SolverContextReturn(SolverContext **context, PetscBool keep, Vec y);
 /* Destroys what the solver has kept. Collective. */

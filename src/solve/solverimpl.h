@@ -72,7 +72,8 @@ PetscErrorCode SolverRun(Solver solver, const SolverChoice *choice, PetscBool pr
 PetscErrorCode InitialGuessSet(const Inequality *solved, Solvability solvability, const SolverChoice *choice, SNES snes,
                                Vec guess, Vec y);
 
-/* Prints one line per iteration on the first rank, from now to SNESDestroy(). Collective. [in] solved - borrowed until then */
+/* Prints one line per iteration on the first rank, from now to SNESDestroy(). Collective. [in] solved -
+   borrowed until then */
 PetscErrorCode ProgressSet(SNES snes, const Inequality *solved);
 /* Whether the scene and the terminal want this table. Collective. */
 PetscErrorCode ProgressWanted(Scene scene, PetscBool *wanted);

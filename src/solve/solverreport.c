@@ -96,8 +96,8 @@ static PetscErrorCode SolverReportAddSets_Private(SNES snes, PetscInt iterations
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The linear solver in words. [in] reduced - of SolverReportAddSets_Private(): the KSP was not used then; [in] friction - whether multigrid
-   preconditions systems that are not symmetric */
+/* The linear solver in words. [in] reduced - of SolverReportAddSets_Private(): the KSP was not used then;
+   [in] friction - whether multigrid preconditions systems that are not symmetric */
 static PetscErrorCode SolverReportDescribeLinear_Private(SNES snes, PetscBool reduced, PetscBool friction,
                                                          SolverReport *report)
 {

@@ -2,8 +2,9 @@
 
    A front moves through the bodies along one axis. A node enters it where its first cell begins and leaves it
    where its last cell ends. An unknown that is eliminated then couples with those in the front: a frontal
-   factorization [1]. Its operations are the squares of the front sizes. Nested dissection needs fewer for bodies as thick as long, but
-   not for a sheet, a strip or a beam. Its ordering alone takes the time of such a solve.
+   factorization [1]. Its operations are the squares of the front sizes. Nested dissection needs fewer for
+   bodies as thick as long, but not for a sheet, a strip or a beam. Its ordering alone takes the time of such
+   a solve.
 
    References: [1] Irons, A frontal solution program for finite element analysis, 1970. */
 #include "base/compat.h"
@@ -100,7 +101,8 @@ PetscErrorCode ThinBodiesAreCheap(VI vi, PetscBool floating, PetscInt num, Petsc
     PetscReal operations, front;
 
     PetscCall(ThinBodiesWalk_Private(vi->level, a, axis, &operations, &front));
-    /* bounded unknowns that come last couple with half of all eliminated ones, with a quarter of each half, and so on */
+    /* bounded unknowns that come last couple with half of all eliminated ones, with a quarter of each half,
+       and so on */
     if (one) operations += 2 * front * PetscSqr(bounded) + ASSUMED_SETS * CostModelPerSet(num);
     if (!one) operations *= ASSUMED_SETS;
     least = PetscMin(least, operations);
