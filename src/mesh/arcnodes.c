@@ -1,8 +1,9 @@
 /* arcnodes.c -- new nodes of smooth sides, on the curves of the nodal normals (eq. 4.5).
 
-   A curve's middle belongs to the node in the middle of its edge, on this level or on the next finer one. Facets tell the nodes, all
-   ranks sum, and what lies in the middle of a quadrilateral or hexahedron follows half or a quarter of the way of its edges
-   (Coons), so that cells stay sound. Everything happens before maps. */
+   A curve's middle belongs to the node in the middle of its edge, on this level or on the next finer one.
+   Facets tell the nodes, all ranks sum, and what lies in the middle of a quadrilateral or hexahedron follows
+   half or a quarter of the way of its edges (Coons), so that cells stay sound. Everything happens before
+   maps. */
 #include "mesh/meshimpl.h"
 #include "kernel/arc.h"
 #include "base/compat.h"
@@ -27,7 +28,8 @@ Level LevelBeforeMap(const Level *level)
   return plain;
 }
 
-/* Offsets of all facets, as ArcBulge() has them; returns whether there are any on this rank. [out] bulge - [num][F][dim] */
+/* Offsets of all facets, as ArcBulge() has them; returns whether there are any on this rank. [out] bulge -
+   [num][F][dim] */
 static PetscErrorCode BulgesCreate_Private(Level *level, const Facets *facets, PetscReal **bulge, PetscBool *any)
 {
   const PetscInt dim = level->dim;
@@ -59,7 +61,8 @@ PetscErrorCode LevelHasArcs(Level *level, const Facets *facets, PetscBool *any)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The points of the mesh that the edges of a facet are. [in] point - of each node; [out] edges - as ElementEdgeNodes() has them */
+/* The points of the mesh that the edges of a facet are. [in] point - of each node; [out] edges - as
+   ElementEdgeNodes() has them */
 static PetscErrorCode FacetGetEdges_Private(const Level *level, const PetscInt point[], const Facets *facets,
                                             PetscInt f, PetscInt edges[])
 {
@@ -78,7 +81,8 @@ static PetscErrorCode FacetGetEdges_Private(const Level *level, const PetscInt p
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds what facets say of the nodes on their edges. [in] bulge - as BulgesCreate_Private() makes it, or NULL: normals [num][F][dim] */
+/* Adds what facets say of the nodes on their edges. [in] bulge - as BulgesCreate_Private() makes it, or NULL:
+   normals [num][F][dim] */
 static PetscErrorCode ArcsAdd_Private(const Arcs *arcs, const Facets *facets, const PetscReal bulge[],
                                       PetscScalar sums[])
 {
@@ -152,7 +156,8 @@ PetscBool ArcSumsToOffset(PetscInt dim, const PetscScalar sums[], PetscReal offs
   return PETSC_TRUE;
 }
 
-/* How far the node of each edge has to go from where it is. [out] way - [end - begin][dim], zero where nothing is known */
+/* How far the node of each edge has to go from where it is. [out] way - [end - begin][dim], zero where
+   nothing is known */
 static PetscErrorCode ArcsGetWays_Private(const Arcs *arcs, PetscReal way[])
 {
   const PetscInt     dim = arcs->from->dim, bs = 2 * dim + 1;

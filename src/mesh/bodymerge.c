@@ -1,4 +1,5 @@
-/* bodymerge.c -- all bodies in one DMPlex, disconnected, on the first rank or by parts. Coincident nodes of two bodies stay two nodes. */
+/* bodymerge.c -- all bodies in one DMPlex, disconnected, on the first rank or by parts. Coincident nodes of
+   two bodies stay two nodes. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 

@@ -1,8 +1,9 @@
 /* bodyoverlap.c -- bodies that overlap in space by more than their contact explains.
 
-   A move that was forgotten, units of two kinds, or a body drawn within another solve without complaint: without a pair nothing sees
-   the overlap, and a pair takes it for an interference fit. Points of the boundary of one body, the middles of facets among them,
-   are looked for inside the other. Bodies whose boxes do not overlap cost nothing more. */
+   A move that was forgotten, units of two kinds, or a body drawn within another solve without complaint:
+   without a pair nothing sees the overlap, and a pair takes it for an interference fit. Points of the
+   boundary of one body, the middles of facets among them, are looked for inside the other. Bodies whose boxes
+   do not overlap cost nothing more. */
 #include "kernel/boxtree.h"
 #include "kernel/closest.h"
 #include "base/compat.h"
@@ -150,7 +151,8 @@ static PetscReal OverlapGetLimit_Private(const struct _n_Scene *scene, PetscInt 
   return (*pair ? FIT : TOUCH) * extent;
 }
 
-/* Points of the boundary of body a within a box, of all ranks. Collective. [in] box - [BOX]; [out] points - owned by the caller */
+/* Points of the boundary of body a within a box, of all ranks. Collective. [in] box - [BOX]; [out] points -
+   owned by the caller */
 static PetscErrorCode PointsGather_Private(const Level *level, const Boundary *b, PetscInt a, const PetscReal box[],
                                            GatheredPoints *points)
 {
@@ -231,7 +233,8 @@ static PetscBool PointsCompare_Private(PetscInt dim, const PetscReal x[], const 
   return PETSC_FALSE;
 }
 
-/* The deepest of the points that are left, the first by coordinates of those that are as deep; of many, some. Collective.
+/* The deepest of the points that are left, the first by coordinates of those that are as deep; of many, some.
+   Collective.
    [in,out] deepest - what was found before */
 static PetscErrorCode PointsMeasure_Private(const Level *level, const Boundary *b, PetscInt body,
                                             const GatheredPoints *points, Deepest *deepest)

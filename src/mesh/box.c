@@ -1,9 +1,10 @@
 /* box.c -- a box of quadrilaterals, triangles, hexahedra or tetrahedra.
 
-   PETSc makes one box at a time and cannot merge two, and its Debian build has no generator for simplices, so boxes are
-   written here as cell lists: nodes run along x first, then along y, then along z. A quad is cut along the diagonal from its
-   lower left corner, a hexahedron into the six tetrahedra around the diagonal from its lowest corner to its highest one [1]:
-   all facets are cut from their lowest corner, so those of neighbours match.
+   PETSc makes one box at a time and cannot merge two, and its Debian build has no generator for simplices, so
+   boxes are written here as cell lists: nodes run along x first, then along y, then along z. A quad is cut
+   along the diagonal from its lower left corner, a hexahedron into the six tetrahedra around the diagonal
+   from its lowest corner to its highest one [1]: all facets are cut from their lowest corner, so those of
+   neighbours match.
 
    Reference:
      [1] H. W. Kuhn, Some combinatorial lemmas in topology, IBM J. Res. Dev. 4 (1960) 518-524. */
@@ -30,9 +31,10 @@ static const Side Sides[][MAX_SIDES] = {
     [2] = {{"bottom", 1, 0}, {"right", 0, 1}, {"top", 1, 1}, {"left", 0, 0}},
     [3] = {{"bottom", 2, 0}, {"top", 2, 1}, {"front", 1, 0}, {"right", 0, 1}, {"back", 1, 1}, {"left", 0, 0}}};
 
-/* [dim][simplex]. The tetrahedra have the edge from corner 0 to 6 in common and are right-handed. Which of their vertices is
-   the first decides along which diagonal refinement cuts the octahedron inside: begun like this, volume over the cube of
-   the mean edge stays above 0.56 of a regular one's on all levels; begun otherwise it falls to 0.36. */
+/* [dim][simplex]. The tetrahedra have the edge from corner 0 to 6 in common and are right-handed. Which of
+   their vertices is the first decides along which diagonal refinement cuts the octahedron inside: begun like
+   this, volume over the cube of the mean edge stays above 0.56 of a regular one's on all levels; begun
+   otherwise it falls to 0.36. */
 static const Split Splits[][2] = {
     [2] = {{ELEMENT_QUAD4, ELEMENT_QUAD4, 1, {{0, 1, 2, 3}}}, {ELEMENT_QUAD4, ELEMENT_TRI3, 2, {{0, 1, 2}, {0, 2, 3}}}},
     [3] = {{ELEMENT_HEX8, ELEMENT_HEX8, 1, {{0, 1, 2, 3, 4, 5, 6, 7}}},

@@ -1,8 +1,8 @@
 /* boxcoarsening.c -- coarser levels of boxes.
 
-   A box of 256 x 192 cells is one of 8 x 6 cells that is refined five times. Where solvers use coarser levels, scenes of boxes
-   therefore need no -dm_refine to have them. So long as ranks are few their number plays no part, so that iterations do not
-   depend on it. */
+   A box of 256 x 192 cells is one of 8 x 6 cells that is refined five times. Where solvers use coarser
+   levels, scenes of boxes therefore need no -dm_refine to have them. So long as ranks are few their number
+   plays no part, so that iterations do not depend on it. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
@@ -24,8 +24,8 @@ PetscBool MeshWantsLevels(Scene scene, PetscReal num_unknowns)
   return num_unknowns > limit ? PETSC_TRUE : PETSC_FALSE;
 }
 
-/* Of all boxes, their own edges halved so many times beyond their -dm_refine; simplices have the nodes of bricks. [in] order - at
-   least */
+/* Of all boxes, their own edges halved so many times beyond their -dm_refine; simplices have the nodes of
+   bricks. [in] order - at least */
 static Size SceneGetSize_Private(Scene scene, PetscInt times, PetscInt order)
 {
   Size size = {0, 0};
@@ -57,8 +57,8 @@ static PetscBool SceneWantsLevels_Private(Scene scene)
                          SceneGetSize_Private(scene, scene->refine + PetscMax(study->levels - 1, 0), order).unknowns);
 }
 
-/* How many times the edges of a body can be doubled. Refinement takes triangles to the triangles of the finer box; tetrahedra it
-   takes to others. */
+/* How many times the edges of a body can be doubled. Refinement takes triangles to the triangles of the finer
+   box; tetrahedra it takes to others. */
 static PetscInt BodyCountCoarser_Private(const SceneBody *body, PetscInt dim)
 {
   PetscInt faces = 0, times = body->refine;

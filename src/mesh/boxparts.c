@@ -1,8 +1,9 @@
 /* boxparts.c -- boxes of many cells, of which each rank makes its own.
 
-   Neighbouring bricks are put together to blocks, so few that the first rank can part them as it parts other meshes. Then each rank makes the bricks of its
-   blocks. All ranks know whose bricks have a vertex, an edge or a facet: the highest of these ranks owns it. (DMPlexInterpolatePointSF() of PETSc 3.18 misses
-   facets of solids.) */
+   Neighbouring bricks are put together to blocks, so few that the first rank can part them as it parts other
+   meshes. Then each rank makes the bricks of its blocks. All ranks know whose bricks have a vertex, an edge
+   or a facet: the highest of these ranks owns it. (DMPlexInterpolatePointSF() of PETSc 3.18 misses facets of
+   solids.) */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 #include "base/usererror.h"
@@ -166,7 +167,8 @@ typedef struct {
   PetscInt body, low[3], high[3];
 } Place;
 
-/* The ranks whose bricks have a point: bricks of neighbours are cut alike. Returns the highest. [out] shared - whether there are several */
+/* The ranks whose bricks have a point: bricks of neighbours are cut alike. Returns the highest. [out] shared
+   - whether there are several */
 static PetscInt BlocksFindOwner_Private(const Blocks *blocks, const Place *place, PetscBool *shared)
 {
   const PetscInt *n    = blocks->bricks[place->body];
@@ -237,7 +239,8 @@ typedef struct {
   PetscInt *key, *point, *owner; /* the same on all ranks, less than num_keys; point of the DM; rank [num] */
 } SharedPoints;
 
-/* Where a point is that has these vertices, and which of those that begin there it is. [in] nodes - numbers in the box [num] */
+/* Where a point is that has these vertices, and which of those that begin there it is. [in] nodes - numbers
+   in the box [num] */
 static PetscInt PlaceFind_Private(const Blocks *blocks, PetscInt num, const PetscInt nodes[], Place *place)
 {
   const PetscInt *n     = blocks->bricks[place->body];
@@ -344,8 +347,8 @@ static PetscErrorCode SharedPointsFindRemote_Private(MPI_Comm comm, const Shared
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Lets edges and facets of several ranks begin at their vertex of the lowest number, towards the lower one beside it: refinement goes on from how they are
-   seen. Ranks have vertices in the same order. */
+/* Lets edges and facets of several ranks begin at their vertex of the lowest number, towards the lower one
+   beside it: refinement goes on from how they are seen. Ranks have vertices in the same order. */
 static PetscErrorCode SharedPointsOrient_Private(DM dm, PetscInt dim)
 {
   PetscBool *shared;

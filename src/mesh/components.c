@@ -1,5 +1,5 @@
-/* components.c -- components of bodies: sets of nodes are united cell by cell on every rank, and then passed on from rank to rank by the
-   nodes that several of them hold, until nothing changes. */
+/* components.c -- components of bodies: sets of nodes are united cell by cell on every rank, and then passed
+   on from rank to rank by the nodes that several of them hold, until nothing changes. */
 #include "base/compat.h"
 #include "mesh/components.h"
 
@@ -13,7 +13,8 @@ static PetscInt ComponentsFind_Private(PetscInt parent[], PetscInt node)
   return node;
 }
 
-/* Sets of local nodes that this rank's cells join. [out] parent - the node that stands for each one's set [num_nodes] */
+/* Sets of local nodes that this rank's cells join. [out] parent - the node that stands for each one's set
+   [num_nodes] */
 static void ComponentsUnite_Private(const Level *level, PetscInt parent[])
 {
   for (PetscInt i = 0; i < level->num_nodes; i++) parent[i] = i;
@@ -27,7 +28,8 @@ static void ComponentsUnite_Private(const Level *level, PetscInt parent[])
   for (PetscInt i = 0; i < level->num_nodes; i++) parent[i] = ComponentsFind_Private(parent, i);
 }
 
-/* The largest global node of the component of each local node. [in] parent - of ComponentsUnite_Private(); [out] name - [num_nodes] */
+/* The largest global node of the component of each local node. [in] parent - of ComponentsUnite_Private();
+   [out] name - [num_nodes] */
 static PetscErrorCode ComponentsNumber_Private(Level *level, const PetscInt parent[], PetscInt name[])
 {
   PetscBool    changed = PETSC_TRUE;
@@ -62,8 +64,10 @@ static PetscErrorCode ComponentsNumber_Private(Level *level, const PetscInt pare
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The names and bodies of all components on all ranks: a component is told by the rank that owns the node it is called by.
-   [in] name - [num_nodes]; [out] told - name and body of each component, names ascending [*num][2], owned by the caller */
+/* The names and bodies of all components on all ranks: a component is told by the rank that owns the node it
+   is called by.
+   [in] name - [num_nodes]; [out] told - name and body of each component, names ascending [*num][2], owned by
+   the caller */
 static PetscErrorCode ComponentsGather_Private(const Level *level, const PetscInt name[], PetscInt *num,
                                                PetscInt **told)
 {
@@ -112,7 +116,8 @@ static PetscErrorCode ComponentsSetBoxes_Private(const Level *level, PetscInt nu
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether component i comes before component j: largest and smallest coordinates are the same numbers on any number of ranks. */
+/* Whether component i comes before component j: largest and smallest coordinates are the same numbers on any
+   number of ranks. */
 static PetscBool ComponentsCompare_Private(const PetscInt told[], const PetscReal box[], PetscInt i, PetscInt j)
 {
   if (told[2 * i + 1] != told[2 * j + 1]) return (PetscBool)(told[2 * i + 1] < told[2 * j + 1]);

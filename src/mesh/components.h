@@ -1,6 +1,7 @@
 /* components.h -- connected components of bodies: cells that share nodes.
 
-   A mesh file may give a body of several components. Each moves as it likes: it is components, not bodies, that have rigid motions. */
+   A mesh file may give a body of several components. Each moves as it likes: it is components, not bodies,
+   that have rigid motions. */
 #ifndef MORTISE_COMPONENTS_H
 #define MORTISE_COMPONENTS_H
 
@@ -21,7 +22,8 @@ typedef struct {
 /* Collective. [out] components - to be freed by ComponentsDestroy() */
 PetscErrorCode ComponentsCreate(Level *level, Components *components);
 PetscErrorCode ComponentsDestroy(Components *components);
-/* The components of nodes of any rank. Collective. [in] nodes - global, < 0 for none [num]; [out] component - -1 for none [num] */
+/* The components of nodes of any rank. Collective. [in] nodes - global, < 0 for none [num]; [out] component -
+   -1 for none [num] */
 PetscErrorCode ComponentsOfGlobalNodes(Level *level, const Components *components, PetscInt num, const PetscInt nodes[],
                                        PetscInt component[]);
 /* How many components a body has. Not collective. */

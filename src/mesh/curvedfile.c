@@ -1,5 +1,5 @@
-/* curvedfile.c -- the middle nodes that files of second order give: a position, before any map, on some of the edges, facets and
-   cells of a DM. What has none is straight. */
+/* curvedfile.c -- the middle nodes that files of second order give: a position, before any map, on some of
+   the edges, facets and cells of a DM. What has none is straight. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 

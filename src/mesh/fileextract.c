@@ -84,8 +84,9 @@ static PetscReal CellGetMeasure_Private(const BodyList *list, PetscInt cell, Pet
   return measure;
 }
 
-/* Positions and cells, of the order that the file has: a body of order 1 gets its new vertices from them when it is refined.
-   Cells that are inside out are turned here, so that a body has one orientation before its map. */
+/* Positions and cells, of the order that the file has: a body of order 1 gets its new vertices from them when
+   it is refined. Cells that are inside out are turned here, so that a body has one orientation before its
+   map. */
 static void ExtractCells_Private(const Extract *x, BodyList *list)
 {
   const Level *level = &x->level;
@@ -109,8 +110,8 @@ static void ExtractCells_Private(const Extract *x, BodyList *list)
   }
 }
 
-/* Tables of the file's mesh, split as often as the body wants. A file of second order is followed along its curves, so that
-   the vertices of a body are the same whatever its order. */
+/* Tables of the file's mesh, split as often as the body wants. A file of second order is followed along its
+   curves, so that the vertices of a body are the same whatever its order. */
 static PetscErrorCode ExtractSetLevel_Private(Extract *x, Scene scene, PetscInt body, MeshFile file)
 {
   PetscInt size;

@@ -49,7 +49,8 @@ PetscErrorCode RegionMark(DM dm, const GmshNames *names, const char groups[], Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* "steel (1), rubber (2)": groups that some cells are in. [in] wanted - which cells [num_cells]; [out] text - "" if there are none [len] */
+/* "steel (1), rubber (2)": groups that some cells are in. [in] wanted - which cells [num_cells]; [out] text -
+   "" if there are none [len] */
 static PetscErrorCode GroupsDescribe_Private(const Extract *x, const PetscBool wanted[], char text[], size_t len)
 {
   const PetscInt num_cells = x->level.num_cells;

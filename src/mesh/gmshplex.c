@@ -100,8 +100,8 @@ static void GmshCheckCorners_Private(const GmshMesh *mesh, PetscInt dim, char re
   }
 }
 
-/* Puts a node in the middle of an element where serendipity shape functions have it. The order of the element is that of
-   element.h. [in] local - which of the cell's nodes the element's are, NULL for the cell itself */
+/* Puts a node in the middle of an element where serendipity shape functions have it. The order of the element
+   is that of element.h. [in] local - which of the cell's nodes the element's are, NULL for the cell itself */
 static void MiddleSet_Private(ElementType type, const PetscInt local[], const PetscInt nodes[], PetscInt middle,
                               BodyList *list)
 {
@@ -118,8 +118,8 @@ static void MiddleSet_Private(ElementType type, const PetscInt local[], const Pe
   }
 }
 
-/* The nodes from num on, in the middle of facets and of the cell itself, that the file does not give. Cells that share a
-   facet agree about it, so each may have a node of its own there. */
+/* The nodes from num on, in the middle of facets and of the cell itself, that the file does not give. Cells
+   that share a facet agree about it, so each may have a node of its own there. */
 static void CellSetMiddles_Private(PetscInt cell, PetscInt num, BodyList *list)
 {
   const ElementType type  = (ElementType)list->cell_type[cell];

@@ -138,7 +138,8 @@ static void LevelTurnCell_Private(Level *level, PetscInt cell, PetscBool *turned
   *sound = jacobian > DegenerateShare * PetscPowRealInt(longest, (int)level->dim) ? PETSC_TRUE : PETSC_FALSE;
 }
 
-/* "body 'b' has a degenerate or tangled cell with corners (..), (..)"; with curved sides it may be so for all its corners. */
+/* "body 'b' has a degenerate or tangled cell with corners (..), (..)"; with curved sides it may be so for all
+   its corners. */
 static void LevelDescribeCell_Private(const Level *level, PetscInt cell, char sentence[])
 {
   const SceneBody *body  = &level->scene->bodies[level->cell_body[cell]];
@@ -161,8 +162,8 @@ static void LevelDescribeCell_Private(const Level *level, PetscInt cell, char se
              "; sides in contact are taken for smooth, and -%s_polygonal 1 keeps the polygons of its file", body->name);
 }
 
-/* Says that a body has cells of both senses: its map has folded it, or the curves of its file, or those of sides that are taken for
-   smooth. [in] cell - of this rank, of the sense that fewer cells have, or -1 */
+/* Says that a body has cells of both senses: its map has folded it, or the curves of its file, or those of
+   sides that are taken for smooth. [in] cell - of this rank, of the sense that fewer cells have, or -1 */
 static PetscErrorCode BodyRaiseFold_Private(const Level *level, const SceneBody *body, PetscInt cell)
 {
   char sentence[MESH_SENTENCE] = "";
@@ -184,8 +185,9 @@ static PetscErrorCode BodyRaiseFold_Private(const Level *level, const SceneBody 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Before maps every body has one sense (box.c, fileextract.c), and refinement keeps it, but for curves that are no shape of a
-   cell. So a map may turn a body inside out as a whole; one that turns only some of its cells has folded it. */
+/* Before maps every body has one sense (box.c, fileextract.c), and refinement keeps it, but for curves that
+   are no shape of a cell. So a map may turn a body inside out as a whole; one that turns only some of its
+   cells has folded it. */
 PetscErrorCode LevelTurnCells(Level *level, PetscBool *sound)
 {
   const Scene    scene                   = level->scene;

@@ -1,8 +1,8 @@
 /* levelpositions.c -- positions of the nodes of a level.
 
-   The DM keeps box coordinates of vertices. A node in the middle of an edge or a cell has the mean of its vertices there,
-   unless a file of second order says otherwise; finer levels then follow the curves of the coarsest. The body's map puts
-   all of them on the exact curve: sides are isoparametric. */
+   The DM keeps box coordinates of vertices. A node in the middle of an edge or a cell has the mean of its
+   vertices there, unless a file of second order says otherwise; finer levels then follow the curves of the
+   coarsest. The body's map puts all of them on the exact curve: sides are isoparametric. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
@@ -166,8 +166,8 @@ PetscErrorCode LevelBeginArcs(Level *level)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Fine nodes lie where the coarse isoparametric cells have them, so that refinement stays on a file's curves; or on the arcs over
-   straight edges. All ranks go the same way, also those without nodes. */
+/* Fine nodes lie where the coarse isoparametric cells have them, so that refinement stays on a file's curves;
+   or on the arcs over straight edges. All ranks go the same way, also those without nodes. */
 PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine)
 {
   PetscFunctionBeginUser;

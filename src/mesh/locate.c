@@ -6,7 +6,8 @@
 static const PetscReal LocateTolerance = 1e-8;
 /* Boxes of cells are widened by this share where a curve may leave them: half a circle over one facet. */
 static const PetscReal CurveMargin = 0.5;
-/* A parabola leaves the box around its three nodes by an eighth of it, a side of a tri6 or a quad9 by less than a third. */
+/* A parabola leaves the box around its three nodes by an eighth of it, a side of a tri6 or a quad9 by less
+   than a third. */
 static const PetscReal OrderMargin = 1. / 3;
 /* Reference coordinates may leave the cell by this much where a curve does. */
 static const PetscReal CurveTolerance = 1;
@@ -80,7 +81,8 @@ static PetscErrorCode CellGetUnmapped_Private(const Level *level, PetscInt cell,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One step of Newton's method for map(X) = x, as far as the span goes: elsewhere the map may not exist. [in,out] X - [dim];
+/* One step of Newton's method for map(X) = x, as far as the span goes: elsewhere the map may not exist.
+   [in,out] X - [dim];
    [out] length - of the whole step as a share of the span, infinite where the map cannot be inverted */
 static PetscErrorCode InverseStep_Private(Expression map, PetscInt dim, const PetscReal x[], const Span *span,
                                           PetscReal X[], PetscReal *length)
@@ -113,8 +115,8 @@ static PetscErrorCode InverseStep_Private(Expression map, PetscInt dim, const Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a point is the image of one in a cell, though it may lie beyond the cell's facets: of order 1 there is all of the
-   curve, of order 2 what is between it and the parabola. */
+/* Whether a point is the image of one in a cell, though it may lie beyond the cell's facets: of order 1 there
+   is all of the curve, of order 2 what is between it and the parabola. */
 static PetscErrorCode CellHoldsPoint_Private(const Level *level, Expression map, PetscInt cell, const PetscReal x[],
                                              PetscBool *holds)
 {

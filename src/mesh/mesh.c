@@ -1,8 +1,8 @@
 /* mesh.c -- a mesh: lists of bodies, merged, partitioned, refined level by level.
 
-   Files are the first rank's business until the mesh is whole, so that reading needs no thought of ranks; boxes of many cells are made by all ranks. The
-   coarsest mesh is spread, and every rank refines its own part: the work and the memory that grow with refinement
-   are shared from the beginning. */
+   Files are the first rank's business until the mesh is whole, so that reading needs no thought of ranks;
+   boxes of many cells are made by all ranks. The coarsest mesh is spread, and every rank refines its own
+   part: the work and the memory that grow with refinement are shared from the beginning. */
 #include "mesh/meshimpl.h"
 #include "mesh/forest.h"
 #include "base/compat.h"
@@ -17,7 +17,8 @@ PetscErrorCode MeshCreate(Scene scene, Mesh *mesh)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the cells of a file can be numbered on the finest mesh, as those of boxes can. [out] sentence - untouched if so */
+/* Whether the cells of a file can be numbered on the finest mesh, as those of boxes can. [out] sentence -
+   untouched if so */
 static void MeshCheckSize_Private(const struct _n_Scene *scene, const SceneBody *body, const BodyList *list,
                                   char sentence[])
 {
@@ -59,8 +60,8 @@ static PetscErrorCode MeshMakeBodies_Private(Scene scene, PetscInt coarser, cons
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The merged mesh, whole on the first rank, or the forest of its cells. [in] coarser - halvings that bodies are spared; [out] forest - NULL if
-   the mesh is not to be adapted; else dm and curves are not touched */
+/* The merged mesh, whole on the first rank, or the forest of its cells. [in] coarser - halvings that bodies
+   are spared; [out] forest - NULL if the mesh is not to be adapted; else dm and curves are not touched */
 static PetscErrorCode MeshCreateWhole_Private(Scene scene, PetscInt coarser, DM *dm, Curves *curves, MeshForest *forest)
 {
   BodyList  *lists;
@@ -113,7 +114,8 @@ PetscErrorCode MeshRefine(Mesh mesh)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The coarsest level, its cells not judged yet: boxes of many cells by all ranks, others body by body on the first one; together from there on. */
+/* The coarsest level, its cells not judged yet: boxes of many cells by all ranks, others body by body on the
+   first one; together from there on. */
 static PetscErrorCode MeshBegin_Private(Mesh mesh, PetscInt coarser)
 {
   Scene       scene  = mesh->scene;
@@ -178,7 +180,8 @@ static PetscErrorCode MeshWarnNonManifold_Private(const SceneBody *body, PetscIn
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Levels that the user did not ask for must not fail: where a map bends so much that large cells tangle, there are fewer. */
+/* Levels that the user did not ask for must not fail: where a map bends so much that large cells tangle,
+   there are fewer. */
 PetscErrorCode MeshSetUp(Mesh mesh)
 {
   Scene       scene = mesh->scene;

@@ -62,8 +62,8 @@ typedef struct {
   PetscInt *brick, *node; /* ascending [num_bricks], [num_nodes] */
 } BoxPart;
 
-/* A box of quads or triangles, of hexahedra or tetrahedra, or a part of it. [in] part - or NULL; [out] sentence - [MESH_SENTENCE], "" unless the scene
-   is wrong */
+/* A box of quads or triangles, of hexahedra or tetrahedra, or a part of it. [in] part - or NULL; [out]
+   sentence - [MESH_SENTENCE], "" unless the scene is wrong */
 PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const SideNames *names, const BoxPart *part,
                                  BodyList *list, char sentence[]);
 
@@ -73,8 +73,8 @@ PetscErrorCode UnjoinedPiecesWarn(const SceneBody *body, const BodyList *list);
 /* Warns of bodies that overlap by more than a pair between them explains; those that are tied may. Collective. */
 PetscErrorCode BodyOverlapWarn(const Level *level);
 
-/* How many times all bodies can be made of cells twice as large, and should be, for the sake of solvers. [in] num_ranks - to
-   share the coarsest mesh */
+/* How many times all bodies can be made of cells twice as large, and should be, for the sake of solvers. [in]
+   num_ranks - to share the coarsest mesh */
 PetscInt SceneCountCoarser(Scene scene, PetscMPIInt num_ranks);
 /* Takes so many halvings of its edges from a box. */
 void BodyCoarsen(SceneBody *body, PetscInt dim, PetscInt times);
@@ -88,8 +88,8 @@ typedef struct {
 
 PetscErrorCode NumberingCreate(PetscInt num_bodies, const BodyList lists[], Numbering *numbering);
 PetscErrorCode NumberingDestroy(Numbering *numbering);
-/* Shapes of one dimension, each a list of vertices in PETSc's order; and, once they are bounded, of the shapes that bound
-   them. */
+/* Shapes of one dimension, each a list of vertices in PETSc's order; and, once they are bounded, of the
+   shapes that bound them. */
 typedef struct {
   PetscInt  num;
   PetscInt *type;                            /* ElementType of order 1 [num] */
@@ -125,8 +125,8 @@ PetscErrorCode CurvesDistribute(DM dm, PetscSF sf, Curves *curves);
 /* Puts those nodes of a level in place that curves know. [in,out] X - [num_nodes][dim] */
 PetscErrorCode CurvesGetNodes(const Curves *curves, const Level *level, PetscReal X[]);
 
-/* A Gmsh file as a DM on this rank alone. [out] curves - owned by the caller; [out] reason - why it cannot be used, "" if
-   it can [MESH_SENTENCE] */
+/* A Gmsh file as a DM on this rank alone. [out] curves - owned by the caller; [out] reason - why it cannot be
+   used, "" if it can [MESH_SENTENCE] */
 PetscErrorCode GmshPlexCreate(const GmshMesh *mesh, PetscInt dim, DM *dm, Curves *curves, char reason[]);
 
 /* Meshes read so far, one per file, so that bodies that share a file share the reading. */
@@ -138,9 +138,11 @@ struct _n_MeshFile {
   GmshNames names; /* empty for other formats */
   MeshFile  next;
 };
-/* Says that the cells of a file have another dimension than the scene, and what to do. [out] reason - [MESH_SENTENCE] */
+/* Says that the cells of a file have another dimension than the scene, and what to do. [out] reason -
+   [MESH_SENTENCE] */
 void MeshFileDescribeDimension(PetscInt highest, PetscInt dim, char reason[]);
-/* Whether a mesh within these bounds is plane. [in] lower, upper - [3]; [out] reason - untouched if so [MESH_SENTENCE] */
+/* Whether a mesh within these bounds is plane. [in] lower, upper - [3]; [out] reason - untouched if so
+   [MESH_SENTENCE] */
 void MeshFileCheckHeight(const PetscReal lower[], const PetscReal upper[], char reason[]);
 /* The mesh of a body's file as read now or for an earlier body. [in,out] files - list of what was read, NULL at first;
    [out] file - borrowed from the list; [out] sentence - [MESH_SENTENCE], "" unless the file cannot be used */
@@ -150,15 +152,18 @@ PetscErrorCode BodyListCreateFile(Scene scene, PetscInt body, const SideNames *n
                                   char sentence[]);
 PetscErrorCode MeshFileDestroy(MeshFile *files);
 
-/* The one DMPlex of all bodies. Collective. [in] lists - whole on the first rank and empty on others, or parts; these know nothing of each other yet */
+/* The one DMPlex of all bodies. Collective. [in] lists - whole on the first rank and empty on others, or
+   parts; these know nothing of each other yet */
 PetscErrorCode MeshMerge(Scene scene, const BodyList lists[], const SideNames names[], DM *dm, Curves *curves);
 
-/* Whether each rank makes its own part of the mesh: boxes of many cells. [in] coarser - halvings that bodies are spared */
+/* Whether each rank makes its own part of the mesh: boxes of many cells. [in] coarser - halvings that bodies
+   are spared */
 PetscBool BoxPartsWanted(Scene scene, PetscInt coarser, PetscMPIInt num_ranks);
 /* The mesh of all boxes, made by parts. Collective. User errors: a side that does not exist. [out] curves - none */
 PetscErrorCode BoxPartsCreate(Scene scene, PetscInt coarser, DM *dm, Curves *curves);
 
-/* Vertices of a point of the mesh: a vertex itself, the ends of an edge, the corners of a facet or a cell. [out] vertices -
+/* Vertices of a point of the mesh: a vertex itself, the ends of an edge, the corners of a facet or a cell.
+   [out] vertices -
    [ELEMENT_MAX_NODES] */
 PetscErrorCode PointGetVertices(DM dm, PetscInt point, PetscInt *num, PetscInt vertices[]);
 /* Whether order 2 has a node in the middle of an edge, a facet or a cell. */
@@ -176,16 +181,16 @@ PetscInt PointGetNode(const Level *level, PetscInt point);
 PetscErrorCode PointGetNodes(const Level *level, PetscInt point, ElementType *type, PetscInt nodes[]);
 /* The point of the mesh that each local node is on. [out] point - [num_nodes], freed by the caller */
 PetscErrorCode LevelGetNodePoints(const Level *level, PetscInt **point);
-/* Which points of the DM other ranks have as well: facets between ranks are no boundary. Collective. [out] shared - [end of the chart], freed
-   by the caller */
+/* Which points of the DM other ranks have as well: facets between ranks are no boundary. Collective. [out]
+   shared - [end of the chart], freed by the caller */
 PetscErrorCode PointsMarkShared(DM dm, PetscBool **shared);
 /* Vertices of a cell, which are the first of its nodes. */
 PetscInt LevelNumVertices(const Level *level, PetscInt cell);
 
 /* The facets of a body that no other cell has. Collective. [out] facets - owned by the caller */
 PetscErrorCode LevelGetBoundary(const Level *level, PetscInt body, Facets *facets);
-/* Length of a facet, or area, as its vertices span it: exact where it is flat. [out] normal - outward unit normal in its
-   middle [dim], may be NULL */
+/* Length of a facet, or area, as its vertices span it: exact where it is flat. [out] normal - outward unit
+   normal in its middle [dim], may be NULL */
 PetscReal FacetGetMeasure(const Level *level, const Facets *facets, PetscInt f, PetscReal normal[]);
 
 /* The highest order of any body. */
@@ -200,10 +205,12 @@ PetscErrorCode LevelFollowCellMaterials(const Level *coarse, DMPlexTransform tra
 PetscErrorCode LevelSetNodes(Level *level, PetscInt max_order);
 /* cell_start, cell_type, cell_nodes. */
 PetscErrorCode LevelSetCells(Level *level);
-/* Puts nodes that are on the axis of an axisymmetric scene but for roundoff exactly there. User errors: a node beyond the axis.
+/* Puts nodes that are on the axis of an axisymmetric scene but for roundoff exactly there. User errors: a
+   node beyond the axis.
    Collective. */
 PetscErrorCode LevelSetAxis(Level *level);
-/* Positions of nodes. User errors: a map that is not finite, a node beyond the axis. Collective. [in] curves - may be NULL */
+/* Positions of nodes. User errors: a map that is not finite, a node beyond the axis. Collective. [in] curves
+   - may be NULL */
 PetscErrorCode LevelSetCoords(Level *level, const Curves *curves);
 /* Positions before maps of a level that none had to keep so far. */
 PetscErrorCode LevelKeepUnmapped(Level *level);
@@ -218,22 +225,24 @@ typedef struct {
   Facets    round, flat;
 } ArcSides;
 
-/* The names of a body's sides that may be taken for smooth, and of those that only slide, joined. [out] each freed by the caller, NULL if
-   there are none */
+/* The names of a body's sides that may be taken for smooth, and of those that only slide, joined. [out] each
+   freed by the caller, NULL if there are none */
 PetscErrorCode ArcSideNames(Scene scene, PetscInt body, char **round, char **flat);
-/* Decides which bodies have sides that are taken for smooth, and bent. Collective. [out] any - whether there are such bodies */
+/* Decides which bodies have sides that are taken for smooth, and bent. Collective. [out] any - whether there
+   are such bodies */
 PetscErrorCode LevelFindArcs(Level *level, PetscBool *any);
 /* Whether facets of first order bend as one patch, on any rank. Collective. */
 PetscErrorCode LevelHasArcs(Level *level, const Facets *facets, PetscBool *any);
 /* The facets of all bodies of an order that have such sides. Collective. [out] sides - owned by the caller */
 PetscErrorCode ArcSidesCreate(Level *level, PetscInt order, ArcSides *sides);
 PetscErrorCode ArcSidesDestroy(ArcSides *sides);
-/* Puts vertices of a refined level on the curves over the edges of the coarse one, or the level's own middle nodes on those of its own edges:
-   positions before maps, which both levels have. Collective. */
+/* Puts vertices of a refined level on the curves over the edges of the coarse one, or the level's own middle
+   nodes on those of its own edges: positions before maps, which both levels have. Collective. */
 PetscErrorCode LevelArcVertices(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine);
 PetscErrorCode LevelArcMiddles(Level *level, const ArcSides *sides);
-/* The offset of an edge from what facets say of it. Two facets of one patch tell the same, and half of the sum is meant; those of two patches
-   tell what is across each other, and the sum is. Sides that are held along their normal stay flat. Returns whether there is any.
+/* The offset of an edge from what facets say of it. Two facets of one patch tell the same, and half of the
+   sum is meant; those of two patches tell what is across each other, and the sum is. Sides that are held
+   along their normal stay flat. Returns whether there is any.
    [in] sums - of offsets [dim], of their squares, of normals that must not see them [dim]; [out] offset - [dim] */
 PetscBool ArcSumsToOffset(PetscInt dim, const PetscScalar sums[], PetscReal offset[]);
 /* Room for facets; all facets of first order seen from outside, whatever the sense of their cells. */
@@ -242,18 +251,21 @@ void           FacetsTurnOut(const Level *level, Facets *facets);
 
 /* The tables and positions of a DM that is parted, cells not turned. Collective. */
 PetscErrorCode LevelCreateFromPlex(Scene scene, DM dm, const Curves *curves, Level *level);
-/* The same for a refined level that has its prolongation. Collective. [in] sides - of bodies of order 1 whose new vertices go on curves */
+/* The same for a refined level that has its prolongation. Collective. [in] sides - of bodies of order 1 whose
+   new vertices go on curves */
 PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine);
-/* Lets all cells run anticlockwise, or the facets of solids seen from outside. User errors: a degenerate or tangled cell, a map
-   that folds a body; with sound none, but this tells. Collective. [out] sound - the same on all ranks; or NULL */
+/* Lets all cells run anticlockwise, or the facets of solids seen from outside. User errors: a degenerate or
+   tangled cell, a map that folds a body; with sound none, but this tells. Collective. [out] sound - the same
+   on all ranks; or NULL */
 PetscErrorCode LevelTurnCells(Level *level, PetscBool *sound);
 /* Reverses the sense of a cell whose nodes these are: its mirror image in the plane xi_0 = xi_1. */
 void CellReverse(ElementType type, PetscInt nodes[]);
-/* Splits every cell: tables, prolongation and positions, cells not turned. Collective. [in] sides - of bodies of order 1 that are taken for
-   smooth */
+/* Splits every cell: tables, prolongation and positions, cells not turned. Collective. [in] sides - of bodies
+   of order 1 that are taken for smooth */
 PetscErrorCode LevelRefine(Level *coarse, const ArcSides *sides, Level *fine);
 PetscErrorCode LevelDestroy(Level *level);
-/* fine->prolongation from where each fine node comes from. Collective. [in] transform - a DMPlexTransform from coarse to fine */
+/* fine->prolongation from where each fine node comes from. Collective. [in] transform - a DMPlexTransform
+   from coarse to fine */
 PetscErrorCode LevelCreateProlongation(const Level *coarse, DMPlexTransform transform, Level *fine);
 
 /* Curves of files under bodies of order 1, NULL where there are none: from the coarsest level; one level finer, which
@@ -274,21 +286,23 @@ typedef struct {
 /* The same for all. [in] contact - facets that may touch, by cell; bricks - which each cell stands for, NULL: one */
 PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const PetscInt contact[],
                                       const PetscInt bricks[], PetscInt num_parts, PartitionWeights *shares);
-/* Less where there are more nodes between. [in] refine - how often the mesh will be; part - a partition much like the one to come
+/* Less where there are more nodes between. [in] refine - how often the mesh will be; part - a partition much
+   like the one to come
    [num_cells] */
 PetscErrorCode PartitionWeightsCorrect(Scene scene, const Level *level, PetscInt refine, const PetscInt part[],
                                        PartitionWeights *shares);
 PetscErrorCode PartitionWeightsDestroy(PartitionWeights *shares);
-/* The rank of every cell of the whole mesh, which lies on the first rank; other ranks have none and ask the same. Not collective.
-   [in] refine - how often it will be; contact_weight - of an edge across contact, 1 across a facet; 0: as if bodies did not touch;
-   bricks - which each cell stands for, NULL: one; [out] part - [level->num_cells] */
+/* The rank of every cell of the whole mesh, which lies on the first rank; other ranks have none and ask the
+   same. Not collective.
+   [in] refine - how often it will be; contact_weight - of an edge across contact, 1 across a facet; 0: as if
+   bodies did not touch; bricks - which each cell stands for, NULL: one; [out] part - [level->num_cells] */
 PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, PetscInt contact_weight,
                                 const PetscInt bricks[], PetscInt num_parts, PetscInt part[]);
 /* The same for a DM that is whole on the first rank, by its vertices. Collective. [out] part - freed by the caller */
 PetscErrorCode PartitionCreate(Scene scene, DM dm, PetscInt refine, const PetscInt bricks[], PetscInt *num_cells,
                                PetscInt **part);
-/* Spreads the mesh over the ranks; the DM and its curves are replaced. Collective. [in] refine - how often it will be; [out] origin -
-   the point of the whole DM that each of this rank was, freed by the caller; or NULL */
+/* Spreads the mesh over the ranks; the DM and its curves are replaced. Collective. [in] refine - how often it
+   will be; [out] origin - the point of the whole DM that each of this rank was, freed by the caller; or NULL */
 PetscErrorCode PartitionDistribute(Scene scene, PetscInt refine, DM *dm, Curves *curves, PetscInt **origin);
 
 /* Pairs of bodies with the side that each prefers to be nonmortar, its end 2 p, and the other one, its end 2 p + 1. */
@@ -299,14 +313,16 @@ typedef struct {
   PetscBool *touch; /* whether two ends have a node in common [2 num][2 num] */
 } MortarChoice;
 
-/* Turns pairs that are not fixed, as few as the order says, so that the fixed ones alone close cycles. Not collective.
-   [out] turned - [num], all false unless found; [out] found - false where there is no such choice, or a long search met none */
+/* Turns pairs that are not fixed, as few as the order says, so that the fixed ones alone close cycles. Not
+   collective.
+   [out] turned - [num], all false unless found; [out] found - false where there is no such choice, or a long
+   search met none */
 PetscErrorCode MortarChoiceOrient(const MortarChoice *graph, PetscBool turned[], PetscBool *found);
 /* Whether some pair leads back to itself. Not collective. [in] turned - [num] */
 PetscErrorCode MortarChoiceHasCycle(const MortarChoice *graph, const PetscBool turned[], PetscBool *cycle);
 
-/* Decides the roles left open; notes given ones that are unfavourable. User errors: a side that meets itself, or another
-   side twice. Collective. */
+/* Decides the roles left open; notes given ones that are unfavourable. User errors: a side that meets itself,
+   or another side twice. Collective. */
 PetscErrorCode MortarChoiceMake(Mesh mesh);
 
 #endif

@@ -1,13 +1,15 @@
 /* mortarchoice.c -- the choice of the nonmortar side of each pair.
 
-   The softer body (behind the sides), else the finer mesh, else the smaller side (THEORY.md, section 7): a stiff
-   nonmortar side would put a stiff skin on a soft mortar side in the condensed matrix. All of it is judged on the coarsest level, where it is cheapest: sides that have a node in
-   common there have it on all levels.
+   The softer body (behind the sides), else the finer mesh, else the smaller side (THEORY.md, section 7): a
+   stiff nonmortar side would put a stiff skin on a soft mortar side in the condensed matrix. All of it is
+   judged on the coarsest level, where it is cheapest: sides that have a node in common there have it on all
+   levels.
 
-   Roles of all pairs together have no cycle where that can be. Pair p leads to pair q where the mortar side of p touches the
-   nonmortar side of q: there p's multipliers may depend on nodes that q's define. Pairs are decided one after the other, the
-   ones with the strongest reasons first, each as it prefers unless this closes a cycle with earlier decisions; where neither
-   choice is left, the last free decision is taken back. The answer depends on the order and on nothing else. */
+   Roles of all pairs together have no cycle where that can be. Pair p leads to pair q where the mortar side
+   of p touches the nonmortar side of q: there p's multipliers may depend on nodes that q's define. Pairs are
+   decided one after the other, the ones with the strongest reasons first, each as it prefers unless this
+   closes a cycle with earlier decisions; where neither choice is left, the last free decision is taken back.
+   The answer depends on the order and on nothing else. */
 #include "mesh/meshimpl.h"
 #include "mesh/sidemeasure.h"
 #include "base/compat.h"
@@ -28,7 +30,8 @@ typedef struct {
   PetscReal strength; /* the larger measure over the smaller one, in quarters of a power of two */
 } Preference;
 
-/* In whole steps, and none at a ratio that scenes are made of, so that round-off does not order pairs that are alike. */
+/* In whole steps, and none at a ratio that scenes are made of, so that round-off does not order pairs that
+   are alike. */
 static PetscReal RatioGetStrength_Private(PetscReal a, PetscReal b)
 {
   return PetscFloorReal(4 * PetscLog2Real(a > b ? a / b : b / a) + 0.37);
@@ -156,8 +159,8 @@ static PetscErrorCode PairCheckRoles_Private(Scene scene, Level *level, PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Fixed pairs, then the stronger reason, then the larger ratio, then the earlier pair. [in] prefer - of every pair of the
-   graph */
+/* Fixed pairs, then the stronger reason, then the larger ratio, then the earlier pair. [in] prefer - of every
+   pair of the graph */
 static void MortarChoiceSort_Private(const Preference prefer[], MortarChoice *graph)
 {
   for (PetscInt i = 0; i < graph->num; i++) {
@@ -359,8 +362,9 @@ PetscErrorCode MortarChoiceHasCycle(const MortarChoice *graph, const PetscBool t
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Looks at bodies first: most scenes have no cycle of bodies. If nodes leave no choice, or too many to try, an order of
-   bodies is one; if there is none either, preferences stand, and what they come to is judged by the coupling. Collective.
+/* Looks at bodies first: most scenes have no cycle of bodies. If nodes leave no choice, or too many to try,
+   an order of bodies is one; if there is none either, preferences stand, and what they come to is judged by
+   the coupling. Collective.
    [out] turned - [graph->num] */
 static PetscErrorCode MortarChoiceSolve_Private(Scene scene, Level *level, const PetscInt pairs[], MortarChoice *graph,
                                                 PetscBool turned[])

@@ -1,14 +1,16 @@
 /* nonmanifold.c -- vertices that alone connect parts of a body, that is, cells that are not joined facet by facet.
 
-   Parts turn about a single vertex, or in space about an edge, with no resistance, while components.h counts them as one. Meshes of
-   parts that touch at a corner are made so by accident; as supports may hold them all, the user is told, and no more. */
+   Parts turn about a single vertex, or in space about an edge, with no resistance, while components.h counts
+   them as one. Meshes of parts that touch at a corner are made so by accident; as supports may hold them all,
+   the user is told, and no more. */
 #include "mesh/fileextract.h"
 #include "base/compat.h"
 
 /* What a vertex may be instead of one of a block. */
 enum { NOWHERE = -1, HINGE = -2 };
 
-/* Cells that are joined facet by facet have the same block; -1 for cells that are not of the body. [out] block - [num_cells] */
+/* Cells that are joined facet by facet have the same block; -1 for cells that are not of the body. [out]
+   block - [num_cells] */
 static PetscErrorCode NonManifoldCountBlocks_Private(const Extract *x, PetscInt block[])
 {
   PetscInt begin, end;

@@ -1,10 +1,11 @@
 /* partition.c -- the partition: bodies that touch share ranks where they touch.
 
-   METIS minimizes the weight of cut edges in the graph of cells. Cells of two bodies share no facet, so a plain
-   partition of two equal bodies gives one to each of two ranks and makes all contact remote. Cells whose facets may
-   touch are therefore joined by extra, heavier edges. These alone would give all contact to one rank, if that has room for it:
-   contact is work, and is shared out as the cells are [1]. Edges across which cells are short are heavier too: there K couples
-   strongly, and smoothers solve along lines that had better not end between ranks.
+   METIS minimizes the weight of cut edges in the graph of cells. Cells of two bodies share no facet, so a
+   plain partition of two equal bodies gives one to each of two ranks and makes all contact remote. Cells
+   whose facets may touch are therefore joined by extra, heavier edges. These alone would give all contact to
+   one rank, if that has room for it: contact is work, and is shared out as the cells are [1]. Edges across
+   which cells are short are heavier too: there K couples strongly, and smoothers solve along lines that had
+   better not end between ranks.
 
    Reference: [1] G. Karypis, V. Kumar, Multilevel algorithms for multi-constraint graph partitioning, 1998. */
 #include "mesh/meshimpl.h"
@@ -29,7 +30,8 @@ typedef struct {
   PetscInt *weight;
 } Edges;
 
-/* How much more a part may have than its share. A mesh of few cells cannot share contact out evenly, and it is the smaller work. */
+/* How much more a part may have than its share. A mesh of few cells cannot share contact out evenly, and it
+   is the smaller work. */
 static const real_t TOLERANCE[PARTITION_MAX_WEIGHTS] = {1.02F, 1.1F};
 
 /* Appends an edge; an edge from a cell to itself, where a body touches itself in a corner, says nothing. */
@@ -66,7 +68,8 @@ static PetscReal CellsGetDistance_Private(const Level *level, const PetscInt cel
   return PetscSqrtReal(square);
 }
 
-/* Cells on both sides of a facet. How far their middles are apart, beside how far cells around them are, tells where they are short. */
+/* Cells on both sides of a facet. How far their middles are apart, beside how far cells around them are,
+   tells where they are short. */
 static PetscErrorCode EdgesAddNeighbours_Private(const Level *level, Edges *edges)
 {
   PetscInt   begin, end;
@@ -137,8 +140,8 @@ static BoxSlab SlabAround_Private(PetscInt dim, PetscInt num, const PetscReal X[
   return slab;
 }
 
-/* What a facet may touch: within the reach before and behind it, and hardly beside it, so that however far it reaches it
-   finds no more of smaller facets. [in] reach - negative: a facet's own size */
+/* What a facet may touch: within the reach before and behind it, and hardly beside it, so that however far it
+   reaches it finds no more of smaller facets. [in] reach - negative: a facet's own size */
 static PetscErrorCode FacetQuery_Private(const Level *level, const Facets *facets, PetscInt f, PetscReal reach,
                                          BoxTree tree, PetscInt *num_hits, const PetscInt *hits[])
 {
@@ -307,7 +310,8 @@ static PetscErrorCode PartitionerSet_Private(PetscInt num_cells, const PetscInt 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The point of the whole DM that each point of this rank was. [in] sf - what DMPlexDistribute() gave, NULL if nothing moved */
+/* The point of the whole DM that each point of this rank was. [in] sf - what DMPlexDistribute() gave, NULL if
+   nothing moved */
 static PetscErrorCode OriginCreate_Private(DM dm, PetscSF sf, PetscInt **origin)
 {
   const PetscSFNode *remote;
@@ -344,8 +348,9 @@ PetscErrorCode PartitionCreate(Scene scene, DM dm, PetscInt refine, const PetscI
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The coarsest mesh is parted: all descendants of a cell stay with it, and METIS sees a small graph. Vertices are all it
-   needs, so that meshes of every order are parted alike; cells are judged later, on every number of ranks. */
+/* The coarsest mesh is parted: all descendants of a cell stay with it, and METIS sees a small graph. Vertices
+   are all it needs, so that meshes of every order are parted alike; cells are judged later, on every number
+   of ranks. */
 PetscErrorCode PartitionDistribute(Scene scene, PetscInt refine, DM *dm, Curves *curves, PetscInt **origin)
 {
   PetscPartitioner partitioner;

@@ -1,8 +1,9 @@
-/* partitionweights.c -- weights of a partition: each rank gets about as many unknowns and as much contact as others. METIS and PETSc
-   partition by given weights; the weights themselves are those of this mesh and these pairs.
+/* partitionweights.c -- weights of a partition: each rank gets about as many unknowns and as much contact as
+   others. METIS and PETSc partition by given weights; the weights themselves are those of this mesh and these
+   pairs.
 
-   Unknowns belong to nodes, and nodes between the parts of two ranks go to one of them. The parts themselves are made of cells of the
-   coarsest mesh, so a rank with nodes between parts gets fewer cells. */
+   Unknowns belong to nodes, and nodes between the parts of two ranks go to one of them. The parts themselves
+   are made of cells of the coarsest mesh, so a rank with nodes between parts gets fewer cells. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
@@ -10,15 +11,17 @@ enum { MIN_FACETS_A_PART = 3 }; /* that may touch, for parts that have equally m
 
 /* This part of the work goes by nodes, as solving does, the rest by cells, as mesh and assembly do. */
 static const PetscReal BY_NODES = 2.0 / 3;
-/* How much fewer cells a part may get for the nodes around it, by what it would have: parts that are all surface gain nothing. */
+/* How much fewer cells a part may get for the nodes around it, by what it would have: parts that are all
+   surface gain nothing. */
 static const PetscReal MOST = 0.5;
 
-/* Nodes that a cell and a facet of first order have for themselves in a regular mesh, in twelfths: triangles cost half of what
-   quadrilaterals do. */
+/* Nodes that a cell and a facet of first order have for themselves in a regular mesh, in twelfths: triangles
+   cost half of what quadrilaterals do. */
 static const PetscInt Nodes[ELEMENT_COUNT] = {
     [ELEMENT_LINE2] = 12, [ELEMENT_TRI3] = 6, [ELEMENT_QUAD4] = 12, [ELEMENT_TET4] = 2, [ELEMENT_HEX8] = 12};
 
-/* How many times more nodes than a cell of order 1 a cell of a body has along an edge, beside those of the lowest order. */
+/* How many times more nodes than a cell of order 1 a cell of a body has along an edge, beside those of the
+   lowest order. */
 static PetscInt PartitionWeightsOrderFactor_Private(Scene scene, PetscInt body)
 {
   PetscInt least = PETSC_MAX_INT;
@@ -50,9 +53,9 @@ PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Nodes between cells of different parts, in the units of loads: on the finest level a facet has as many fewer than a cell as that has
-   cells along an edge. DMPlexDistribute() gives them to the highest rank. An order that all bodies have does not count, so that all
-   orders are parted alike. [out] nodes - [num_parts] */
+/* Nodes between cells of different parts, in the units of loads: on the finest level a facet has as many
+   fewer than a cell as that has cells along an edge. DMPlexDistribute() gives them to the highest rank. An
+   order that all bodies have does not count, so that all orders are parted alike. [out] nodes - [num_parts] */
 static PetscErrorCode PartitionWeightsCountBetween_Private(Scene scene, const Level *level, PetscInt refine,
                                                            const PetscInt part[], PetscReal bricks, PetscReal nodes[])
 {

@@ -99,7 +99,8 @@ static PetscErrorCode PlexSetCones_Private(DM dm, const Shapes *shapes, PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Shapes by dimension, from that of the cells down to 1. A point is bounded by those of the next, an edge by vertices. */
+/* Shapes by dimension, from that of the cells down to 1. A point is bounded by those of the next, an edge by
+   vertices. */
 static PetscErrorCode PlexSetShapes_Private(DM dm, PetscInt dim, const Shapes shapes[], PetscInt num_vertices)
 {
   PetscInt first[4] = {shapes[dim].num, 0, 0, 0}, end = shapes[dim].num + num_vertices;

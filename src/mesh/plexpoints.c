@@ -1,13 +1,14 @@
 /* plexpoints.c -- vertices and nodes of a single point of the mesh: a vertex, an edge, a facet, a cell.
 
-   What is linear in space is known from the vertices, what a finite element knows from the nodes. Both are listed in the
-   order of element.h, beginning anywhere; that a cell is not inside out is seen only when there are positions. */
+   What is linear in space is known from the vertices, what a finite element knows from the nodes. Both are
+   listed in the order of element.h, beginning anywhere; that a cell is not inside out is seen only when there
+   are positions. */
 #include "mesh/meshimpl.h"
 #include <petscsf.h>
 #include "base/compat.h"
 
-/* The cell of order 1 on a point that is not a vertex: the numbers of its facets and of the first facet's tell all of them
-   apart, without the labels of the DM. [out] cone - its facets */
+/* The cell of order 1 on a point that is not a vertex: the numbers of its facets and of the first facet's
+   tell all of them apart, without the labels of the DM. [out] cone - its facets */
 static PetscErrorCode PointGetLinear_Private(DM dm, PetscInt point, ElementType *type, const PetscInt *cone[])
 {
   PetscInt size, facet_size;
@@ -49,9 +50,9 @@ static PetscInt PointFindEqual_Private(PetscInt num, const PetscInt items[], Pet
   return i;
 }
 
-/* A solid's first facet in the DM is the first facet of element.h: its vertices run anticlockwise seen from outside. From
-   each of them one edge rises to a vertex that is not on the facet: to the apex, or to the vertex as many places on in the
-   cell's order as the facet has vertices. */
+/* A solid's first facet in the DM is the first facet of element.h: its vertices run anticlockwise seen from
+   outside. From each of them one edge rises to a vertex that is not on the facet: to the apex, or to the
+   vertex as many places on in the cell's order as the facet has vertices. */
 static PetscErrorCode SolidGetVertices_Private(DM dm, PetscInt point, ElementType type, const PetscInt cone[],
                                                PetscInt vertices[])
 {

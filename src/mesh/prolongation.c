@@ -1,9 +1,9 @@
 /* prolongation.c -- prolongation between levels, and from order 1 to order 2.
 
-   A fine node takes the value that the coarse shape functions give at its place in the point (edge or cell) that the
-   transform made it from. Fine vertices are middles of coarse points, other fine nodes are middles of fine vertices, so
-   every place is a mean of reference coordinates, whatever the dimension and the order. Polynomials of the lower of both
-   orders are reproduced exactly on straight cells. */
+   A fine node takes the value that the coarse shape functions give at its place in the point (edge or cell)
+   that the transform made it from. Fine vertices are middles of coarse points, other fine nodes are middles
+   of fine vertices, so every place is a mean of reference coordinates, whatever the dimension and the order.
+   Polynomials of the lower of both orders are reproduced exactly on straight cells. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
@@ -54,7 +54,8 @@ static PetscErrorCode RowsToMat_Private(Rows *rows, const Level *from, const Lev
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds a fine vertex's reference coordinates in a coarse element: the mean over the vertices of the point it comes from.
+/* Adds a fine vertex's reference coordinates in a coarse element: the mean over the vertices of the point it
+   comes from.
    [in] nodes - of the element; [in,out] xi - [ElementDim] */
 static PetscErrorCode VertexAddPlace_Private(const Level *coarse, DMPlexTransform transform, PetscInt vertex,
                                              ElementType type, const PetscInt nodes[], PetscReal share, PetscReal xi[])

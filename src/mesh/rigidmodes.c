@@ -1,7 +1,8 @@
 /* rigidmodes.c -- the rigid body modes that supports leave to a component of a body.
 
-   The rows (d, d.rotation(x)) of all held directions d at places x, rotations taken about the component's centre and scaled by half
-   its size, span all rigid modes exactly if none is left. What they do not span is the kernel of their Gram matrix. */
+   The rows (d, d.rotation(x)) of all held directions d at places x, rotations taken about the component's
+   centre and scaled by half its size, span all rigid modes exactly if none is left. What they do not span is
+   the kernel of their Gram matrix. */
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "mesh/rigidmodes.h"

@@ -1,7 +1,8 @@
 /* rigidmodes.h -- the rigid body modes that supports leave to the components of bodies (eq. 12.1).
 
-   A motion of a component is written as six numbers (t, r): it moves a point x by t + r x (x - c) / s, with c the centre of the
-   component's box and s half its diagonal. In a plane t_z = r_x = r_y = 0; of a ring only t_y, along its axis, is rigid. */
+   A motion of a component is written as six numbers (t, r): it moves a point x by t + r x (x - c) / s, with c
+   the centre of the component's box and s half its diagonal. In a plane t_z = r_x = r_y = 0; of a ring only
+   t_y, along its axis, is rigid. */
 #ifndef MORTISE_RIGIDMODES_H
 #define MORTISE_RIGIDMODES_H
 

@@ -10,7 +10,8 @@ enum { F = ELEMENT_MAX_FACET_NODES, CURVE_DEGREE = 6 };
 
 /* Below this part of a facet's size a height is rounding. */
 static const PetscReal NO_HEIGHT = 1e-12;
-/* A parabola through three points of a circle misses it by c x^2 (1 - x^2), |x| <= 1: the mean over the value at x = 1/2. */
+/* A parabola through three points of a circle misses it by c x^2 (1 - x^2), |x| <= 1: the mean over the value
+   at x = 1/2. */
 static const PetscReal MEAN_OF_QUARTER = 32. / 45;
 
 /* Appends the facets whose heights are not zero. [in] more - with their heights; taken over */
@@ -54,7 +55,8 @@ static void FacetGather_Private(const Level *level, const Facets *facets, PetscI
     X[i] = table[facets->nodes[f * F + i / level->dim] * level->dim + i % level->dim];
 }
 
-/* The mean distance of a map's surface from a facet, along its normals. [in] X, before - nodes after and before the map */
+/* The mean distance of a map's surface from a facet, along its normals. [in] X, before - nodes after and
+   before the map */
 static PetscErrorCode HeightOfMap_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal before[],
                                           Expression map, PetscReal *height)
 {
@@ -162,7 +164,8 @@ static PetscErrorCode SagittasAddArcs_Private(Level *level, Facets *facets, Sagi
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The facets of a body from a file whose curves the nodal normals tell. Collective. [out] any - whether the body has such */
+/* The facets of a body from a file whose curves the nodal normals tell. Collective. [out] any - whether the
+   body has such */
 static PetscErrorCode BodyGetArcs_Private(Level *level, PetscInt body, Facets *facets, PetscBool *any)
 {
   const SceneBody *own = &level->scene->bodies[body];

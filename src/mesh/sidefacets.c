@@ -41,7 +41,8 @@ static PetscErrorCode SideGetPoints_Private(DM dm, const char body[], const char
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One facet with its nodes in the order of its cell, which is the right way round, so that its normal points outward. */
+/* One facet with its nodes in the order of its cell, which is the right way round, so that its normal points
+   outward. */
 static PetscErrorCode FacetSet_Private(const Level *level, PetscInt point, PetscInt f, Facets *facets)
 {
   const PetscInt *cells, *order, *nodes;

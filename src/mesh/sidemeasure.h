@@ -13,7 +13,8 @@ typedef struct {
 
 /* Collective. User errors of formulas of moduli. [out] measure */
 PetscErrorCode SideMeasureCompute(Scene scene, Level *level, const SceneSide *side, SideMeasure *measure);
-/* h_a of the nodes of a side: the largest length of a facet at node a, in space the square root of its area; 0 elsewhere.
+/* h_a of the nodes of a side: the largest length of a facet at node a, in space the square root of its area;
+   0 elsewhere.
    Collective. [out] sizes - one value per node, ghosted, owned by the caller */
 PetscErrorCode SideMeasureNodeSizes(Scene scene, Level *level, const SceneSide *side, Vec *sizes);
 

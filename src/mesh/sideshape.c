@@ -1,7 +1,7 @@
 /* sideshape.c -- normals and curvatures of the smooth patches of a side.
 
-   What the facets around a node know of it is summed at the node, over all ranks. At a feature edge the sums of one patch are
-   wanted: the few facets there are told to all ranks. */
+   What the facets around a node know of it is summed at the node, over all ranks. At a feature edge the sums
+   of one patch are wanted: the few facets there are told to all ranks. */
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "mesh/sideshape.h"
@@ -9,7 +9,8 @@
 
 /* Facets of one patch meet at less than 45 degrees; half of that is what they leave their mean normal by at most. */
 static const PetscReal SMOOTH_SIDE = 0.70710678118654752, SURELY_SMOOTH = 0.92387953251128674;
-/* Share of a full turn that the facets of a patch fill around an inner node; an end of a line fills half, a corner less than a third. */
+/* Share of a full turn that the facets of a patch fill around an inner node; an end of a line fills half, a
+   corner less than a third. */
 static const PetscReal INNER_TURN = 0.8, END_TURN = 0.35, FULLER = 0.1;
 /* Differences of unit normals below this are rounding: flat. */
 static const PetscReal FLAT_SIDE = 1e-11;
@@ -232,7 +233,8 @@ static PetscErrorCode SideShapeSplitPatches_Private(Side *side)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds what one neighbour in its facet says of a corner: moments dx dx', dn dx' / |dx|^2 in the tangent plane. [in,out] sums - [2][dim][dim] */
+/* Adds what one neighbour in its facet says of a corner: moments dx dx', dn dx' / |dx|^2 in the tangent
+   plane. [in,out] sums - [2][dim][dim] */
 static void SideShapeAddNeighbour_Private(const Side *side, PetscInt f, PetscInt i, PetscInt j, PetscReal sums[])
 {
   const PetscInt   dim = side->level->dim;
@@ -268,7 +270,8 @@ static PetscReal SideShapePrincipal_Private(const PetscReal A[4], PetscReal d[2]
   return mean + radius > 0 ? (mean - radius) / (mean + radius) : 0;
 }
 
-/* S with S dx = dn for all neighbours in the mean; along a line of them alone where there are no others. Returns whether there are.
+/* S with S dx = dn for all neighbours in the mean; along a line of them alone where there are no others.
+   Returns whether there are.
    [in] sums - [2][dim][dim]; [out] S - [dim][dim] */
 static PetscBool SideShapeFitCurvature_Private(PetscInt dim, const PetscReal n[], const PetscReal sums[], PetscReal S[])
 {
@@ -310,8 +313,8 @@ static PetscBool SideShapeFitCurvature_Private(PetscInt dim, const PetscReal n[]
   return full;
 }
 
-/* Curvatures of all corners. Collective. [in] inner - from inner nodes of patches alone; [out] known - 1 where they are in all
-   directions [num][F], or NULL */
+/* Curvatures of all corners. Collective. [in] inner - from inner nodes of patches alone; [out] known - 1
+   where they are in all directions [num][F], or NULL */
 static PetscErrorCode SideShapeSetCurvatures_Private(Side *side, PetscBool inner, PetscReal known[])
 {
   const PetscInt dim = side->level->dim;
@@ -343,8 +346,9 @@ static PetscErrorCode SideShapeSetCurvatures_Private(Side *side, PetscBool inner
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The normal at corner i as its neighbour j has it: turned by the curvature, or else mirrored at the plane between them. Both are
-   exact on circles and spheres, and the first on cylinders. Returns whether it turns at all. */
+/* The normal at corner i as its neighbour j has it: turned by the curvature, or else mirrored at the plane
+   between them. Both are exact on circles and spheres, and the first on cylinders. Returns whether it turns
+   at all. */
 static PetscBool SideShapeTurnNormal_Private(const Side *side, PetscInt f, PetscInt i, PetscInt j, PetscBool known,
                                              PetscReal n[])
 {

@@ -1,7 +1,8 @@
 /* simplices.c -- quads and hexahedra as triangles and tetrahedra.
 
-   Faces of neighbouring hexahedra must be cut alike: each at the diagonal from its vertex of the lowest number. The tetrahedra of
-   a hexahedron have its own lowest vertex in common, and the triangles of the three faces without it. */
+   Faces of neighbouring hexahedra must be cut alike: each at the diagonal from its vertex of the lowest
+   number. The tetrahedra of a hexahedron have its own lowest vertex in common, and the triangles of the three
+   faces without it. */
 #include "mesh/forest.h"
 #include "base/compat.h"
 
@@ -16,7 +17,8 @@ static PetscReal Distance2_Private(const BodyList *list, PetscInt a, PetscInt b)
   return sum;
 }
 
-/* Two triangles at the shorter diagonal after the map, of two alike at that of the lowest vertex. [out] parts - places of vertices in the cell */
+/* Two triangles at the shorter diagonal after the map, of two alike at that of the lowest vertex. [out] parts
+   - places of vertices in the cell */
 static PetscInt QuadCut_Private(const BodyList *list, const PetscInt nodes[], PetscInt parts[][BISECT_MAX_VERTICES])
 {
   static const PetscReal Alike  = 1e-10;
@@ -68,7 +70,8 @@ static PetscInt CellCut_Private(const BodyList *list, PetscInt cell, PetscInt pa
   return 1;
 }
 
-/* The cell's node where a part has one: the middles of edges, diagonals of faces and of the cell are all nodes of order 2. */
+/* The cell's node where a part has one: the middles of edges, diagonals of faces and of the cell are all
+   nodes of order 2. */
 static PetscInt PartFindNode_Private(ElementType type, const PetscInt part[], ElementType simplex, PetscInt node)
 {
   const ElementType linear = ElementLinear(simplex);

@@ -1,8 +1,9 @@
 /* skeleton.c -- facets of cells, and edges of facets in space.
 
-   Shapes are taken from the dimension above: each one lists its facets, and those that it has in common with another are
-   found among the few that begin at the same lowest vertex. DMPlexInterpolate() gives the same, and took most of the time of
-   a large mesh. How PETSc numbers the facets of one cell, and their vertices, is asked of PETSc. */
+   Shapes are taken from the dimension above: each one lists its facets, and those that it has in common with
+   another are found among the few that begin at the same lowest vertex. DMPlexInterpolate() gives the same,
+   and took most of the time of a large mesh. How PETSc numbers the facets of one cell, and their vertices, is
+   asked of PETSc. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
@@ -77,8 +78,8 @@ void ShapesAdd(Shapes *shapes, ElementType type, const PetscInt vertices[])
   shapes->start[++shapes->num] = start + num;
 }
 
-/* Whether a shape has these vertices one after another, from any of them on and either way round. In a tangled mesh two quads may have
-   the same vertices and not be the same. */
+/* Whether a shape has these vertices one after another, from any of them on and either way round. In a
+   tangled mesh two quads may have the same vertices and not be the same. */
 static PetscBool ShapeIs_Private(const Shapes *shapes, PetscInt shape, PetscInt num, const PetscInt vertices[])
 {
   const PetscInt *own = &shapes->vertex[shapes->start[shape]];

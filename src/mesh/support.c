@@ -201,7 +201,8 @@ static PetscErrorCode GatherNormal_Private(Gather *gather, PetscInt body, PetscI
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A ring does not move off its axis: e_r . u = 0 at nodes on it. They are told by their position, which is exact (LevelSetAxis). */
+/* A ring does not move off its axis: e_r . u = 0 at nodes on it. They are told by their position, which is
+   exact (LevelSetAxis). */
 static void GatherAxis_Private(Gather *gather)
 {
   const PetscInt  dim       = gather->level->dim;

@@ -1,8 +1,8 @@
 /* support.h -- fixed directions of each node, and their values.
 
    Displacement data hold Cartesian directions, normal data hold the side's normal. Both become orthonormal
-   directions per node: d_k . u = value_k, k < count. Data that contradict each other at a node are a user error. Nodes on the axis of an
-   axisymmetric scene are fixed along the radius without being told. */
+   directions per node: d_k . u = value_k, k < count. Data that contradict each other at a node are a user
+   error. Nodes on the axis of an axisymmetric scene are fixed along the radius without being told. */
 #ifndef MORTISE_SUPPORT_H
 #define MORTISE_SUPPORT_H
 
@@ -36,7 +36,8 @@ PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support);
 /* The values of the present time, for the same directions. Collective. */
 PetscErrorCode SupportUpdate(Level *level, Scene scene, Support *support);
 PetscErrorCode SupportDestroy(Support *support);
-/* Splits the force of a shared node among its boundaries: f = sum_k c_k d_k. [in] force - in the span of its directions [dim];
+/* Splits the force of a shared node among its boundaries: f = sum_k c_k d_k. [in] force - in the span of its
+   directions [dim];
    [out] parts - c_k [support->count] */
 void SupportSplitForce(const Support *support, const SharedNode *shared, const PetscReal force[], PetscReal parts[]);
 

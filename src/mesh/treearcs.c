@@ -1,8 +1,8 @@
 /* treearcs.c -- smooth sides of bodies that are bisected, on the curves of their vertices' normals (eq. 4.5).
 
-   The first list has its normals from its facets. Where an edge is halved, the middle of its arc is the new vertex, and the normal of
-   the arc there is its normal: on circles, spheres and cylinders both are exact, however often edges are halved, and in whatever order.
-   What is flat stays flat, exactly. */
+   The first list has its normals from its facets. Where an edge is halved, the middle of its arc is the new
+   vertex, and the normal of the arc there is its normal: on circles, spheres and cylinders both are exact,
+   however often edges are halved, and in whatever order. What is flat stays flat, exactly. */
 #include "kernel/arc.h"
 #include "mesh/forest.h"
 #include "base/compat.h"
@@ -12,8 +12,9 @@
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
-/* Marks facets of the first list that belong to some of its sides. [in] joined - names of sides, freed here; or NULL; [in,out] chosen - by the
-   first entry [num_entries]; [out] any - whether there are such facets; or NULL */
+/* Marks facets of the first list that belong to some of its sides. [in] joined - names of sides, freed here;
+   or NULL; [in,out] chosen - by the first entry [num_entries]; [out] any - whether there are such facets; or
+   NULL */
 static PetscErrorCode ChooseFacets_Private(const Tree *tree, const SideNames *names, char *joined, PetscBool chosen[],
                                            PetscBool *any)
 {
@@ -56,8 +57,8 @@ static PetscErrorCode TreeCreateLevel_Private(const Tree *tree, Scene alone, Lev
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Facets of the level of the first list, smooth ones first. [out] num_round - of these; [out] facets - owned by the caller; [out] entry - of
-   each, freed by the caller */
+/* Facets of the level of the first list, smooth ones first. [out] num_round - of these; [out] facets - owned
+   by the caller; [out] entry - of each, freed by the caller */
 static PetscErrorCode TreeGetFacets_Private(const Tree *tree, const Level *level, PetscInt *num_round, Facets *facets,
                                             PetscInt **entry)
 {
@@ -106,7 +107,8 @@ static PetscBool FacetsBend_Private(const Level *level, const Facets *facets, co
   return any;
 }
 
-/* Corners at the vertices of the first list, in their order. [in] num_round - facets that have normals [num_round][F][dim] */
+/* Corners at the vertices of the first list, in their order. [in] num_round - facets that have normals
+   [num_round][F][dim] */
 static PetscErrorCode TreeArcsBegin_Private(Tree *tree, const Level *level, const Facets *facets,
                                             const PetscInt entry[], PetscInt num_round, const PetscReal normal[])
 {
@@ -174,7 +176,8 @@ static PetscErrorCode BodyListRaise_Private(BodyList *list)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The curve of an edge whose ends are on facets in common. Returns whether it bends. [out] offset - of its middle [dim] */
+/* The curve of an edge whose ends are on facets in common. Returns whether it bends. [out] offset - of its
+   middle [dim] */
 static PetscBool TreeArcsOffset_Private(const Tree *tree, const PetscReal coords[], PetscInt a, PetscInt b,
                                         PetscReal offset[])
 {
@@ -301,7 +304,8 @@ static void SideCornerBetween_Private(PetscInt dim, const PetscReal x0[], const 
   FrameNormalize(dim, middle->normal);
 }
 
-/* Corners at a new vertex: those facets that both ends of its edge are on. [in] a, b - ends; [out] corner - as many as num says afterwards */
+/* Corners at a new vertex: those facets that both ends of its edge are on. [in] a, b - ends; [out] corner -
+   as many as num says afterwards */
 static void TreeArcsAddVertex_Private(const TreeArcs *arcs, PetscInt dim, const PetscReal coords[], PetscInt a,
                                       PetscInt b, PetscInt *num, SideCorner corner[])
 {

@@ -1,8 +1,9 @@
 /* unjoinedpieces.c -- pieces of one body that touch and are not joined.
 
-   Volumes of a CAD file that are meshed without BooleanFragments have nodes of their own where they touch. Nothing holds such pieces
-   together, and nothing keeps them apart, though each may be supported: the answer is that of another part. Pieces that a pair of
-   the scene joins, by two sides of this body, are meant. Bodies of one piece cost one pass over their cells. */
+   Volumes of a CAD file that are meshed without BooleanFragments have nodes of their own where they touch.
+   Nothing holds such pieces together, and nothing keeps them apart, though each may be supported: the answer
+   is that of another part. Pieces that a pair of the scene joins, by two sides of this body, are meant.
+   Bodies of one piece cost one pass over their cells. */
 #include "mesh/fileextract.h"
 #include "kernel/boxtree.h"
 #include "kernel/closest.h"
@@ -10,12 +11,13 @@
 #include "base/warning.h"
 #include <string.h>
 
-/* Nodes nearer than this part of the shortest edge around them are in one place: CAD programs agree to some millionths of a part. */
+/* Nodes nearer than this part of the shortest edge around them are in one place: CAD programs agree to some
+   millionths of a part. */
 static const PetscReal SAME_PLACE = 1e-3;
 /* Facets lie on each other if their normals are opposite to within 18 degrees, ... */
 static const PetscReal OPPOSITE = 0.95;
-/* ... and the middle of one is on the other but for the place of nodes, and for chords of one curve: where the directions of two of length
-   h differ by a, the middle of one is up to a h / 2 away from the other. */
+/* ... and the middle of one is on the other but for the place of nodes, and for chords of one curve: where
+   the directions of two of length h differ by a, the middle of one is up to a h / 2 away from the other. */
 static const PetscReal CHORDS = 0.5;
 /* Boxes around facets are wider by this part of them: more than chords differ by at the largest angle. */
 static const PetscReal MARGIN = 0.2;
