@@ -19,8 +19,9 @@ typedef struct {
   const SceneMaterial *material;
 } RegionCount;
 
-/* Materials of bodies with regions that have cells, by body, in the order typed, those in no region last. Collective. [out] counts - [num],
-   owned by the caller, the same on all ranks; none where no body has regions */
+/* Materials of bodies with regions that have cells, by body, in the order typed, those in no region last.
+   Collective. [out] counts - [num], owned by the caller, the same on all ranks; none where no body has
+   regions */
 PetscErrorCode RegionCountsCompute(Scene scene, const Level *level, PetscInt *num, RegionCount **counts);
 
 #endif

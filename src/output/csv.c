@@ -1,9 +1,10 @@
 /* csv.c -- one nonmortar side as a table, ordered along the side.
 
-   A side is a set of facets. In 2D facets are directed (the body lies to the left), and so are the links from node to node
-   that they consist of: one for order 1, two for order 2. Each connected piece is a chain of links: it starts at a node
-   where no link ends, or anywhere if it is closed. Components start at the end that comes first by coordinates, and come in
-   that order, so that the table does not depend on the partition. Arc length is that of the curved facets. */
+   A side is a set of facets. In 2D facets are directed (the body lies to the left), and so are the links from
+   node to node that they consist of: one for order 1, two for order 2. Each connected piece is a chain of
+   links: it starts at a node where no link ends, or anywhere if it is closed. Components start at the end
+   that comes first by coordinates, and come in that order, so that the table does not depend on the
+   partition. Arc length is that of the curved facets. */
 #include <string.h>
 #include "output/fieldwriter.h"
 #include "result/frictionfields.h"

@@ -4,11 +4,13 @@
 
 #include "output/summary.h"
 
-/* The blocks "estimate" and "bars" of the summary; of one mesh alone the estimate has its standard scale, and bars are null. Collective. */
+/* The blocks "estimate" and "bars" of the summary; of one mesh alone the estimate has its standard scale, and
+   bars are null. Collective. */
 PetscErrorCode ErrorReportAdd(const SummaryInput *input, cJSON *root);
 /* One line. Collective. */
 PetscErrorCode ErrorReportPrint(const SummaryInput *input);
-/* " +- 2.3" where a number has a bar, else "". Not collective. [in] key - of a number of the pair; [out] text - [len] */
+/* " +- 2.3" where a number has a bar, else "". Not collective. [in] key - of a number of the pair; [out] text
+   - [len] */
 void ErrorReportPairBar(const SummaryInput *input, const char pair[], const char key[], char text[], size_t len);
 
 #endif

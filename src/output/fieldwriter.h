@@ -1,7 +1,8 @@
 /* fieldwriter.h -- fields for viewers, written one quantity at a time, by every rank what it holds.
 
-   FieldWriterOpen(); FieldWriterMesh(); FieldWriterPoints() and FieldWriterCells() for each quantity, those of points first; FieldWriterClose(). All
-   are collective. What goes wrong with a file is noted in files, and nothing is written any more. */
+   FieldWriterOpen(); FieldWriterMesh(); FieldWriterPoints() and FieldWriterCells() for each quantity, those
+   of points first; FieldWriterClose(). All are collective. What goes wrong with a file is noted in files, and
+   nothing is written any more. */
 #ifndef MORTISE_FIELDWRITER_H
 #define MORTISE_FIELDWRITER_H
 
@@ -19,8 +20,9 @@ typedef struct {
 
 enum { FIELD_WRITER_MAX_POINT_QUANTITIES = 8, FIELD_WRITER_MAX_CELL_QUANTITIES = 3 };
 
-/* Rows of this rank among those of all, block by block. Points are one block; cells are one for each type, since readers of mixed meshes keep
-   cells of a type together. In a block the rows of a rank stand behind those of the ranks before it. */
+/* Rows of this rank among those of all, block by block. Points are one block; cells are one for each type,
+   since readers of mixed meshes keep cells of a type together. In a block the rows of a rank stand behind
+   those of the ranks before it. */
 typedef struct {
   PetscInt total, num_mine, num; /* rows of all ranks, of this one; blocks */
   struct {
@@ -57,8 +59,8 @@ typedef struct {
 /* A picture that is being written. */
 typedef struct FieldWriter FieldWriter;
 
-/* A format: what it does with each part as it comes. All are collective, and have what this rank holds. end() may write other files that belong
-   to it. */
+/* A format: what it does with each part as it comes. All are collective, and have what this rank holds. end()
+   may write other files that belong to it. */
 typedef struct {
   const char *suffix;
   PetscBool   grows; /* whether a file takes further times of a series; else it has the last one */

@@ -46,8 +46,8 @@ static void FileSetEnd_Private(FileSet *files)
   }
 }
 
-/* Makes the folders above path that are missing. Returns 0 or errno; *first_made = length of the path of the topmost folder
-   made, 0 if there was none. */
+/* Makes the folders above path that are missing. Returns 0 or errno; *first_made = length of the path of the
+   topmost folder made, 0 if there was none. */
 static int FileSetCreateFolders_Private(const char path[], size_t *first_made)
 {
   char folder[PETSC_MAX_PATH_LEN];
@@ -92,7 +92,8 @@ static PetscErrorCode FileSetGetTemporaryName_Private(const char final[], char *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a process runs. A killed process keeps its number until its parent reads its exit code; its state is 'Z' until then. */
+/* Whether a process runs. A killed process keeps its number until its parent reads its exit code; its state
+   is 'Z' until then. */
 static PetscBool FileSetProcessExists_Private(long process)
 {
   char        path[64], text[PETSC_MAX_PATH_LEN] = "";
@@ -240,8 +241,8 @@ static PetscErrorCode FileSetRemoveFile_Private(FileSet *files, const char path[
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a name is that of a device, a pipe or a socket, or leads to one, or to a stream of a process: a file that is renamed would take its
-   place, and of /dev/null that of everybody's. */
+/* Whether a name is that of a device, a pipe or a socket, or leads to one, or to a stream of a process: a
+   file that is renamed would take its place, and of /dev/null that of everybody's. */
 static PetscBool FileSetIsSpecialFile_Private(const char path[])
 {
   static const char streams[] = "/proc/";

@@ -1,10 +1,11 @@
 /* fileset.h -- files that appear together under their final names, or not at all.
 
-   Everything is written to temporary names in the same folders by the first rank, then renamed. The file that was added last is
-   the mark of completeness: its predecessor is removed before any other file is renamed, and it is renamed as the last one. So
-   whatever ends the program, files that belong to different runs never stand beside such a mark. Temporary files are removed
-   when a signal or a failure ends the program (interrupt.h), and what kill -9 has left by the next run that writes the same
-   file. Calls other than FileSetFinish() and FileSetCheck() are not collective and belong to the first rank. */
+   Everything is written to temporary names in the same folders by the first rank, then renamed. The file that
+   was added last is the mark of completeness: its predecessor is removed before any other file is renamed,
+   and it is renamed as the last one. So whatever ends the program, files that belong to different runs never
+   stand beside such a mark. Temporary files are removed when a signal or a failure ends the program
+   (interrupt.h), and what kill -9 has left by the next run that writes the same file. Calls other than
+   FileSetFinish() and FileSetCheck() are not collective and belong to the first rank. */
 #ifndef MORTISE_FILESET_H
 #define MORTISE_FILESET_H
 
@@ -32,13 +33,13 @@ typedef struct FileSet {
   struct FileSet *next;                       /* of all that are being written */
 } FileSet;
 
-/* Path of a temporary file that will become `final`; makes missing folders. NULL, with files->failure set, if it cannot.
-   From now on and until FileSetFinish() files stays where it is. */
+/* Path of a temporary file that will become `final`; makes missing folders. NULL, with files->failure set, if
+   it cannot. From now on and until FileSetFinish() files stays where it is. */
 PetscErrorCode FileSetAdd(FileSet *files, const char final[], const char **temporary);
 /* Will remove `final`, which an earlier run may have written, when the others appear. */
 PetscErrorCode FileSetRemove(FileSet *files, const char final[]);
-/* Will change a file in its place when the others appear: commit(ctx) is called then, unless something failed, and forget(ctx) in any
-   case. */
+/* Will change a file in its place when the others appear: commit(ctx) is called then, unless something
+   failed, and forget(ctx) in any case. */
 PetscErrorCode FileSetChangeInPlace(FileSet *files, const char path[], int (*commit)(void *), void (*forget)(void *),
                                     void *ctx);
 /* Notes that path cannot be written and why (errno), unless something failed before. path may be a temporary name. */

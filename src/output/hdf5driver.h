@@ -1,10 +1,12 @@
 /* hdf5driver.h -- an HDF5 driver for a file that is open already.
 
-   After a failed write HDF5 1.10 can neither close its file nor survive MPI_Finalize(), so a full disk would end in a crash
-   instead of a sentence. This driver never fails: the first error is noted, and nothing is written from then on.
+   After a failed write HDF5 1.10 can neither close its file nor survive MPI_Finalize(), so a full disk would
+   end in a crash instead of a sentence. This driver never fails: the first error is noted, and nothing is
+   written from then on.
 
-   What is written to a file that has bytes already appears at once: new bytes go behind its end, where readers do not look, and changes
-   of old ones wait in memory for HDF5DriverCommit(). Until then the file is the one of before. */
+   What is written to a file that has bytes already appears at once: new bytes go behind its end, where
+   readers do not look, and changes of old ones wait in memory for HDF5DriverCommit(). Until then the file is
+   the one of before. */
 #ifndef MORTISE_HDF5DRIVER_H
 #define MORTISE_HDF5DRIVER_H
 
@@ -27,8 +29,8 @@ typedef struct {
   SinkChange *latest;
 } Sink;
 
-/* Access properties for H5Fcreate(), or H5Fopen() of a file that has bytes; negative on failure. sink stays the caller's until the file is
-   closed. */
+/* Access properties for H5Fcreate(), or H5Fopen() of a file that has bytes; negative on failure. sink stays
+   the caller's until the file is closed. */
 hid_t HDF5DriverCreate(Sink *sink);
 void  HDF5DriverDestroy(Sink *sink);
 /* Writes bytes to a descriptor. Returns 0 or errno. */

@@ -1,13 +1,16 @@
-/* hdf5file.c -- fields as contiguous datasets: the first rank makes them, and every rank writes its rows to their place in the file.
+/* hdf5file.c -- fields as contiguous datasets: the first rank makes them, and every rank writes its rows to
+   their place in the file.
 
-   HDF5 1.10 survives no write that fails on a full disk, with MPI-IO as little as without, so its own parallel driver is not used. Rows of a rank are
-   one piece of a dataset, or one for each type of cell: collective buffers would have nothing to put together.
+   HDF5 1.10 survives no write that fails on a full disk, with MPI-IO as little as without, so its own
+   parallel driver is not used. Rows of a rank are one piece of a dataset, or one for each type of cell:
+   collective buffers would have nothing to put together.
 
-   /points [N][3], /cells (see xdmf.c), one dataset per quantity under its own name; attributes of the file: title, names of
-   bodies in the order of `body`, version, units, and a word on every dataset's order. Readable by h5py, MATLAB, h5dump without any library of ours.
+   /points [N][3], /cells (see xdmf.c), one dataset per quantity under its own name; attributes of the file:
+   title, names of bodies in the order of `body`, version, units, and a word on every dataset's order.
+   Readable by h5py, MATLAB, h5dump without any library of ours.
 
-   Of a series the quantities of points stand in groups, /steps/0001 and so on, each with the attributes t, its time, and solved, 1 or 0; those of the last one
-   have their usual names as well. */
+   Of a series the quantities of points stand in groups, /steps/0001 and so on, each with the attributes t,
+   its time, and solved, 1 or 0; those of the last one have their usual names as well. */
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
@@ -266,7 +269,8 @@ static void HDF5FileLink_Private(Image *image, const char placed[], const char n
       (PetscBool)(image->good && H5Lcreate_hard(image->file, placed, image->file, name, H5P_DEFAULT, H5P_DEFAULT) >= 0);
 }
 
-/* Of a series into the last group, and under its own name in place of the step before. [in] group - whether a series has it in groups */
+/* Of a series into the last group, and under its own name in place of the step before. [in] group - whether a
+   series has it in groups */
 static PetscErrorCode HDF5FileWritePlaced_Private(FieldWriter *writer, PetscBool group, const FieldRows *rows,
                                                   const Quantity *quantity, const PetscReal values[])
 {

@@ -7,14 +7,16 @@
 
 #include "scene/scene.h"
 
-/* Faults if the scene wants a page and the companion cannot be started or lacks a library, so that nothing is computed in
-   vain; the first rank remembers what HTMLReportWrite() is to do. Does nothing without -report. Collective. */
+/* Faults if the scene wants a page and the companion cannot be started or lacks a library, so that nothing is
+   computed in vain; the first rank remembers what HTMLReportWrite() is to do. Does nothing without -report.
+   Collective. */
 PetscErrorCode HTMLReportCheck(Scene scene);
-/* There will be no page, if one was asked for; says so on stderr. Not collective: the first rank acts. [in] why - a sentence */
+/* There will be no page, if one was asked for; says so on stderr. Not collective: the first rank acts. [in]
+   why - a sentence */
 void HTMLReportGiveUp(const char why[]);
-/* Writes the page that the last HTMLReportCheck() was about, if any; call it once the results are complete. Needs neither MPI nor
-   PETSc. Not collective: any rank may call it, the first one acts. Returns PETSC_FALSE, having said one sentence on stderr,
-   if there should be a page and is none. */
+/* Writes the page that the last HTMLReportCheck() was about, if any; call it once the results are complete.
+   Needs neither MPI nor PETSc. Not collective: any rank may call it, the first one acts. Returns PETSC_FALSE,
+   having said one sentence on stderr, if there should be a page and is none. */
 PetscBool HTMLReportWrite(void);
 
 #endif

@@ -122,7 +122,8 @@ static PetscErrorCode MeshViewPrintRemovedNodes_Private(MPI_Comm comm, const Pai
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether some edge of each body bends: its middle node stands beside the mean of its ends. [out] bent - [num_bodies] */
+/* Whether some edge of each body bends: its middle node stands beside the mean of its ends. [out] bent -
+   [num_bodies] */
 static PetscErrorCode MeshViewFindCurvedEdges_Private(const Level *level, PetscInt num_bodies, PetscBool bent[])
 {
   const PetscInt dim = level->dim;

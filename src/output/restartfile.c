@@ -137,8 +137,8 @@ static PetscErrorCode PastReadPoints_Private(const Array *points, const Array *m
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The whole cells at the begin of some rows of the list. Points among them take their bodies; body NULL: counts only. Returns cells, -1 for a list that
-   is none; [out] used - rows */
+/* The whole cells at the begin of some rows of the list. Points among them take their bodies; body NULL:
+   counts only. Returns cells, -1 for a list that is none; [out] used - rows */
 static PetscInt PastTakeCells_Private(const int list[], PetscInt rows, PetscInt columns, const int body[], Past *past,
                                       PetscInt *used)
 {
@@ -218,7 +218,8 @@ static PetscErrorCode PastReadFile_Private(hid_t file, const PetscReal box[], Pa
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Each rank reads the file in chunks, and keeps what is near its nodes. Collective. Raises user errors. [in] box - [2][3] */
+/* Each rank reads the file in chunks, and keeps what is near its nodes. Collective. Raises user errors. [in]
+   box - [2][3] */
 static PetscErrorCode PastCreate_Private(MPI_Comm comm, const char path[], const PetscReal box[], Past *past)
 {
   char  why[WHY_LENGTH] = "", sentence[2 * WHY_LENGTH] = "";
@@ -314,7 +315,8 @@ static PetscErrorCode PastFindPoint_Private(const Past *past, BoxTree tree, Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Raises a user error of the first owned node without a point. [in] node - -1 for none; several - whether it has too many */
+/* Raises a user error of the first owned node without a point. [in] node - -1 for none; several - whether it
+   has too many */
 static PetscErrorCode PastCheckNode_Private(const Level *level, const char path[], PetscInt node, PetscBool several)
 {
   char sentence[2 * WHY_LENGTH] = "", place[WHY_LENGTH] = "";

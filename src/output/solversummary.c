@@ -1,4 +1,5 @@
-/* solversummary.c -- the block "solver" of the summary: steps, residuals of the uncondensed KKT system, bounds, cross-check. */
+/* solversummary.c -- the block "solver" of the summary: steps, residuals of the uncondensed KKT system,
+   bounds, cross-check. */
 #include "base/compat.h"
 #include "base/json.h"
 #include "output/solversummary.h"

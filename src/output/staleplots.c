@@ -1,6 +1,7 @@
 /* staleplots.c -- removal of plots of an earlier run.
 
-   They write their name near the beginning of a file, so that a picture of the same name that is not theirs is left alone. */
+   They write their name near the beginning of a file, so that a picture of the same name that is not theirs
+   is left alone. */
 #include <string.h>
 #include "base/compat.h"
 #include "output/staleplots.h"

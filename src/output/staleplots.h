@@ -4,8 +4,9 @@
 
 #include "output/fileset.h"
 
-/* Will remove <output>.png, <output>_study.svg, <output>_steps.png and <output>.html when the files appear, if mortise-plot and mortise-report made them: beside a
-   new result they would show another one. First rank only. */
+/* Will remove <output>.png, <output>_study.svg, <output>_steps.png and <output>.html when the files appear,
+   if mortise-plot and mortise-report made them: beside a new result they would show another one. First rank
+   only. */
 PetscErrorCode StalePlotsRemove(FileSet *files, const char output[]);
 
 #endif

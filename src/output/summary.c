@@ -1,4 +1,5 @@
-/* summary.c -- the JSON summary: every key of the interface, whatever the scene; null for what could not be computed. */
+/* summary.c -- the JSON summary: every key of the interface, whatever the scene; null for what could not be
+   computed. */
 #include <string.h>
 #include "output/summary.h"
 #include "base/json.h"
@@ -255,7 +256,8 @@ static PetscErrorCode SummaryAddPairs_Private(const SummaryInput *in, cJSON *roo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds the force of a node to the sides that fix it; of a shared node each takes its directions, so that sides add up to the whole.
+/* Adds the force of a node to the sides that fix it; of a shared node each takes its directions, so that
+   sides add up to the whole.
    [in] shared - of the node, or NULL; [in,out] sums - of the body's sides [num_boundaries][dim] */
 static void SummaryAddReaction_Private(const Support *support, PetscInt node, const SharedNode *shared,
                                        const PetscReal force[], PetscReal sums[])

@@ -15,7 +15,8 @@
 
 static const PetscReal PERCENT = 100;
 
-/* "force (1, -2)". Around a ring the radial parts of a force cancel, so that the normal force tells what the vector cannot. */
+/* "force (1, -2)". Around a ring the radial parts of a force cancel, so that the normal force tells what the
+   vector cannot. */
 static PetscErrorCode SummaryPrintForce_Private(const SummaryInput *in, const ScenePair *spec, const PairSum *sum,
                                                 char text[], size_t len)
 {

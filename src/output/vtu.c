@@ -1,5 +1,5 @@
-/* vtu.c -- fields as one VTK unstructured grid file (XML, inline base64), by the first rank: each quantity is one text, whose parts have no places
-   of their own. */
+/* vtu.c -- fields as one VTK unstructured grid file (XML, inline base64), by the first rank: each quantity is
+   one text, whose parts have no places of their own. */
 #include <stdint.h>
 #include <string.h>
 #include "output/fieldwriter.h"
@@ -32,7 +32,8 @@ static PetscErrorCode VTUWriteBlock_Private(FILE *out, const char type[], const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Rows of all ranks in the order of the file, on the first rank. [in] columns - of each block; [out] all - owned by the caller, NULL on other ranks */
+/* Rows of all ranks in the order of the file, on the first rank. [in] columns - of each block; [out] all -
+   owned by the caller, NULL on other ranks */
 static PetscErrorCode VTUGather_Private(MPI_Comm comm, const FieldRows *rows, const PetscInt columns[],
                                         const PetscReal mine[], PetscReal **all)
 {

@@ -3,17 +3,18 @@
    Kept to what ParaView's, VTK's and meshio's readers share: one uniform grid, version 3, data items that are whole
    datasets, a relative file name so that the two files can be moved together. Reference: the XDMF model and format.
 
-   They do not share one thing: pyvista's reader fails on a grid without a time, and meshio's on a grid with one. So the grid
-   is told twice, by a feature of the format. Readers of XDMF 2 (VTK, hence pyvista and ParaView) follow the Reference of
-   the plain grid to its copy with a time; meshio and readers of XDMF 3 know no such attribute and take the plain grid. The
-   copy stands in an Information, whose text must be XML to please meshio. */
+   They do not share one thing: pyvista's reader fails on a grid without a time, and meshio's on a grid with
+   one. So the grid is told twice, by a feature of the format. Readers of XDMF 2 (VTK, hence pyvista and
+   ParaView) follow the Reference of the plain grid to its copy with a time; meshio and readers of XDMF 3 know
+   no such attribute and take the plain grid. The copy stands in an Information, whose text must be XML to
+   please meshio. */
 #include <string.h>
 #include "output/xdmf.h"
 #include "output/xml.h"
 #include "base/compat.h"
 
-/* XDMF's name and number of a cell; its order of nodes is that of the picture. A line of two points is told as a polyline, and
-   so needs to be told its length; lines are never mixed with others. */
+/* XDMF's name and number of a cell; its order of nodes is that of the picture. A line of two points is told
+   as a polyline, and so needs to be told its length; lines are never mixed with others. */
 static const char *const xdmf_name[ELEMENT_COUNT] = {
     [ELEMENT_LINE2] = "Polyline",      [ELEMENT_LINE3] = "Edge_3",    [ELEMENT_TRI3] = "Triangle",
     [ELEMENT_QUAD4] = "Quadrilateral", [ELEMENT_TRI6] = "Triangle_6", [ELEMENT_QUAD9] = "Quadrilateral_9",

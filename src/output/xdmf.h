@@ -4,7 +4,8 @@
 
 #include "output/fieldwriter.h"
 
-/* One type of cell: [rows = cells][columns = nodes]. Several: one list of type number and nodes, cell after cell, columns = 1. */
+/* One type of cell: [rows = cells][columns = nodes]. Several: one list of type number and nodes, cell after
+   cell, columns = 1. */
 typedef struct {
   const char *name;          /* TopologyType */
   PetscInt    rows, columns; /* of all ranks */
@@ -12,14 +13,17 @@ typedef struct {
   int        *values;        /* [part.num_mine][columns] */
 } Topology;
 
-/* Not collective. [in] rows - of cells; [out] topology - owned by the caller; its values end with XDMFTopologyDestroy(), the rest stays */
+/* Not collective. [in] rows - of cells; [out] topology - owned by the caller; its values end with
+   XDMFTopologyDestroy(), the rest stays */
 PetscErrorCode XDMFTopologyCreate(const FieldRows *rows, const SortedCells *cells, Topology *topology);
 PetscErrorCode XDMFTopologyDestroy(Topology *topology);
-/* Nodes of a cell of a list of several types, 0 for a type that we do not write. Not collective. [in] number - its XDMF type */
+/* Nodes of a cell of a list of several types, 0 for a type that we do not write. Not collective. [in] number
+   - its XDMF type */
 PetscInt XDMFTopologyGetNumNodes(int number);
 
 enum { XDMF_STEP_NAME = 32 };
-/* "steps/0003/", the place of what the HDF5 file has of step i (from 0) of a series; "" without a series. Not collective. */
+/* "steps/0003/", the place of what the HDF5 file has of step i (from 0) of a series; "" without a series. Not
+   collective. */
 void XDMFStepName(const FieldSeries *series, PetscInt i, char name[XDMF_STEP_NAME]);
 /* The file that tells viewers what lies in the HDF5 file, beside which it will stand. First rank only, not collective.
    [in] topology - values are not needed */
