@@ -1,8 +1,9 @@
 /* barfloors.c -- floors of error bars.
 
-   Numbers may agree on several meshes by chance. Those of a stiff body do, since it has no part in the estimated error. The estimate gives
-   their least error. Numbers that converge like the energy have the square of the relative error; local ones have the difference of two stresses or two
-   pressures at the same place. */
+   Numbers may agree on several meshes by chance. Those of a stiff body do, since it has no part in the
+   estimated error. The estimate gives their least error. Numbers that converge like the energy have the
+   square of the relative error; local ones have the difference of two stresses or two pressures at the same
+   place. */
 #include "base/compat.h"
 #include "contact/pairpoints.h"
 #include "kernel/vector.h"
@@ -13,8 +14,8 @@
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
-/* Measured (tests/bench/README.md): with them 95 per cent of all bars hold. That of a body is the larger one because recovery sees half
-   of the error of a body that is never refined, and a quarter of its square. */
+/* Measured (tests/bench/README.md): with them 95 per cent of all bars hold. That of a body is the larger one
+   because recovery sees half of the error of a body that is never refined, and a quarter of its square. */
 static const PetscReal WHOLE_FACTOR = 2, BODY_FACTOR = 6, LOCAL_FACTOR = 3;
 
 /* The relative error, squared; a body without strain energy has no error either. */
@@ -23,8 +24,8 @@ static PetscReal BarFloorsGetRelative_Private(PetscReal squared, PetscReal norm)
   return norm > 0 ? squared / norm : 0;
 }
 
-/* At the nodes of a side: pressure, whether it counts for the area, whether there is a multiplier. Collective. [out] nodal - ghosted, three per
-   node */
+/* At the nodes of a side: pressure, whether it counts for the area, whether there is a multiplier.
+   Collective. [out] nodal - ghosted, three per node */
 static PetscErrorCode BarFloorsCreateNodal_Private(Fields fields, PetscInt p, Vec *nodal)
 {
   const Pair   pair = fields->vi->pairs[p];

@@ -1,8 +1,9 @@
 /* cellerror.c -- integrals of an error over cells.
 
-   All cells are first integrated by a rule that is fine enough for a smooth error. A piece that holds more than a small share of the whole is
-   then cut into halves along each axis, repeatedly. Pieces become small near singular points of the exact solution, and nowhere else unless
-   there are few cells. So their number is bounded, and the error of the rule in the remaining pieces is a small part of a small share. */
+   All cells are first integrated by a rule that is fine enough for a smooth error. A piece that holds more
+   than a small share of the whole is then cut into halves along each axis, repeatedly. Pieces become small
+   near singular points of the exact solution, and nowhere else unless there are few cells. So their number is
+   bounded, and the error of the rule in the remaining pieces is a small part of a small share. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "result/cellerror.h"
@@ -10,12 +11,13 @@
 
 enum { MAX_STRAINS = 6, MAX_DIM = 3, MAX_DEPTH = 16 };
 
-/* Largest part of the integral over a body in a piece that is not cut. The error of the rule is some hundredths in a piece at a
-   singular point, below 1e-3 of the integral. Measured beside stresses like r^(1/2): 1e-7 of the norm. */
+/* Largest part of the integral over a body in a piece that is not cut. The error of the rule is some
+   hundredths in a piece at a singular point, below 1e-3 of the integral. Measured beside stresses like
+   r^(1/2): 1e-7 of the norm. */
 static const PetscReal SHARE = 1e-2;
 
-/* An error norm below this part of the solution's is rounding. That of a difference quotient grows as pieces shrink: cutting would
-   never end. */
+/* An error norm below this part of the solution's is rounding. That of a difference quotient grows as pieces
+   shrink: cutting would never end. */
 static const PetscReal NORM_ROUNDING = 1e-9;
 
 /* What is compared with what: nodal values against nodal values, or against a formula for each body. */
@@ -26,8 +28,9 @@ typedef struct {
   ElementRule       *stiffness; /* of every type of cell, for Pi */
 } Comparison;
 
-/* In the plane four points in each direction for order 1, five for order 2: leaves four orders of h beyond the error of a smooth
-   solution. In space one less, and two orders of h: every point costs thirteen evaluations of the exact solution. */
+/* In the plane four points in each direction for order 1, five for order 2: leaves four orders of h beyond
+   the error of a smooth solution. In space one less, and two orders of h: every point costs thirteen
+   evaluations of the exact solution. */
 static PetscInt CellErrorDegree_Private(ElementType type)
 {
   return 2 * ElementOrder(type) + (ElementDim(type) < 3 ? 4 : 2);
@@ -92,8 +95,9 @@ static PetscReal CellErrorGetEnergyDensity_Private(PetscInt num_strains, const P
   return density;
 }
 
-/* Adds the energies of e = u - v and of v, whose strains are given, at one point of cell c with weight dx. In cells with a Pi the change of volume of u is
-   that of eq. 9.1. Between two nodal vectors it is left out there: that of a coarser mesh cannot be seen on the finer one. */
+/* Adds the energies of e = u - v and of v, whose strains are given, at one point of cell c with weight dx. In
+   cells with a Pi the change of volume of u is that of eq. 9.1. Between two nodal vectors it is left out
+   there: that of a coarser mesh cannot be seen on the finer one. */
 static PetscErrorCode CellErrorAddEnergy_Private(const Comparison *compare, PetscInt c, const Dilatation *pi,
                                                  const PetscReal x[], const PetscReal strains[2][MAX_STRAINS],
                                                  PetscReal dx, ErrorSquares *sum)

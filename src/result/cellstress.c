@@ -5,7 +5,8 @@
 
 enum { MAX_STRAINS = 6 };
 
-/* sigma = C (eps - eps_0) + bulk (theta - theta_0 - tr (eps - eps_0)) 1. [in] strain - eps - eps_0; [in,out] C - loses its bulk modulus */
+/* sigma = C (eps - eps_0) + bulk (theta - theta_0 - tr (eps - eps_0)) 1. [in] strain - eps - eps_0; [in,out]
+   C - loses its bulk modulus */
 static void CellStressAddPressure_Private(PetscInt num_strains, const CellStress *cell, const PetscReal x[],
                                           PetscReal C[], const PetscReal strain[], PetscReal stress[])
 {

@@ -17,10 +17,12 @@ typedef struct {
   PetscReal  parts[DILATATION_MAX_FUNCTIONS]; /* of the change of volume without stress */
 } CellStress;
 
-/* Takes cell c of a level. Not collective. [in] stiffness - its rule of ElasticityRulesCreate(); u - at local nodes [num_nodes][dim] */
+/* Takes cell c of a level. Not collective. [in] stiffness - its rule of ElasticityRulesCreate(); u - at local
+   nodes [num_nodes][dim] */
 PetscErrorCode CellStressSet(Scene scene, const Level *level, PetscInt c, const ElementRule *stiffness,
                              const PetscScalar u[], CellStress *cell);
-/* sigma = C (eps - eps_0) at point q of a rule, xx,yy,zz,yz,xz,xy; the change of volume is that of eq. 9.1. Not collective. [out] det - det J there */
+/* sigma = C (eps - eps_0) at point q of a rule, xx,yy,zz,yz,xz,xy; the change of volume is that of eq. 9.1.
+   Not collective. [out] det - det J there */
 PetscErrorCode CellStressAtPoint(Scene scene, const CellStress *cell, const ElementRule *rule, PetscInt q,
                                  PetscReal stress[CELL_STRESSES], PetscReal *det);
 

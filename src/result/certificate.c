@@ -1,28 +1,31 @@
 /* certificate.c -- residuals of the uncondensed KKT system  K u + B'lambda = f,  B u <= G,  lambda >= 0.
 
-   Every test is a violation over a size. A violation within the roundoff of the sums it came from means nothing, however
-   small the size is (a body moved rigidly has no forces at all), so the size grows by roundoff / tolerance times the
-   products that were summed:  value = violation / (size + roundoff / tolerance),  held to the tolerance.
+   Every test is a violation over a size. A violation within the roundoff of the sums it came from means
+   nothing, however small the size is (a body moved rigidly has no forces at all), so the size grows by
+   roundoff / tolerance times the products that were summed: value = violation / (size + roundoff /
+   tolerance), held to the tolerance.
 
    Balance. With r the residual, split into a free part and the supports' part -R,
        f + R + C_obstacle = K u + B'lambda_mesh + r_free.
-   K u has neither resultant nor moment (rigid motions are its kernel, rotations included) and the contact forces between
-   two meshes have no resultant (row sums of D and M agree). Their moment vanishes on flat or touching sides, but on curved
-   sides with a gap only up to a discretisation error, because a nodal normal is not the ray's direction at every point
-   (Puso & Laursen 2004 discuss the same). That part is known exactly, is reported, and is taken out before the test: it says
-   something about the mesh, not about whether the discrete problem was solved. Ties hand over force and moment, across a gap as well
-   (eq. 5.4), so that theirs stays in the test. Forces on a ring add up to one along its axis:
-   radial components and all moments are 0 by symmetry, and so are the tests of them. */
+   K u has neither resultant nor moment (rigid motions are its kernel, rotations included) and the contact
+   forces between two meshes have no resultant (row sums of D and M agree). Their moment vanishes on flat or
+   touching sides, but on curved sides with a gap only up to a discretisation error, because a nodal normal is
+   not the ray's direction at every point (Puso & Laursen 2004 discuss the same). That part is known exactly,
+   is reported, and is taken out before the test: it says something about the mesh, not about whether the
+   discrete problem was solved. Ties hand over force and moment, across a gap as well (eq. 5.4), so that
+   theirs stays in the test. Forces on a ring add up to one along its axis: radial components and all moments
+   are 0 by symmetry, and so are the tests of them. */
 #include "kernel/vector.h"
 #include "result/certificate.h"
 #include "base/compat.h"
 
-/* Tolerance of a test. A factorization leaves 1e-12. An iterative solver that stops at its default relative residual of 1e-8 must
-   pass as well. Its right-hand side counts given displacements as forces, which may be tens of times the forces of the solution. */
+/* Tolerance of a test. A factorization leaves 1e-12. An iterative solver that stops at its default relative
+   residual of 1e-8 must pass as well. Its right-hand side counts given displacements as forces, which may be
+   tens of times the forces of the solution. */
 static const PetscReal TOLERANCE = 1e-6;
 
-/* The same where the solver stops at the discretisation error. The bound in the energy norm (eq. 14.7) then tells the error, and these tests
-   detect only states without balance. */
+/* The same where the solver stops at the discretisation error. The bound in the energy norm (eq. 14.7) then
+   tells the error, and these tests detect only states without balance. */
 static const PetscReal STOPPED_TOLERANCE = 5e-2;
 
 /* What is summed over nodes and rows of all ranks. */
@@ -122,7 +125,8 @@ static PetscErrorCode CertificateCreateForces_Private(Fields fields, Vec forces[
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Splits the residual of one node into held directions and the rest:  reaction = -sum_k (d_k.r) d_k,  r := r + reaction. */
+/* Splits the residual of one node into held directions and the rest: reaction = -sum_k (d_k.r) d_k, r := r +
+   reaction. */
 static void CertificateSplitResidual_Private(const Support *support, PetscInt a, PetscReal r[], PetscReal reaction[])
 {
   const PetscInt dim = support->dim;
@@ -167,7 +171,8 @@ static PetscErrorCode CertificateGetCentre_Private(const Level *level, PetscReal
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds one node's forces to the sums. [in] x - from the centre; F - [FORCE_COUNT][dim], the residual without the reaction. */
+/* Adds one node's forces to the sums. [in] x - from the centre; F - [FORCE_COUNT][dim], the residual without
+   the reaction. */
 static void CertificateAddNode_Private(ModelKind model, const PetscReal x[], const PetscReal F[FORCE_COUNT][3],
                                        PetscReal stiffness, PetscReal u_max, const PetscReal u[], PetscReal sums[])
 {
@@ -248,8 +253,9 @@ static PetscErrorCode CertificateSumNodes_Private(Fields fields, Vec reactions, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The force of a row of contact: a pressure on a weight below zero pulls. An open row has the remaining residual of the solver,
-   which the test of tension measures: sides that do not meet have no forces to compare it with. */
+/* The force of a row of contact: a pressure on a weight below zero pulls. An open row has the remaining
+   residual of the solver, which the test of tension measures: sides that do not meet have no forces to
+   compare it with. */
 static void CertificateAddForce_Private(Fields fields, PetscInt r, PetscReal lambda, PetscReal sums[])
 {
   const PetscReal weight = fields->row_weight[r], force = lambda * weight;
@@ -311,7 +317,8 @@ static void CertificateSetRatios_Private(Fields fields, const PetscReal sums[], 
       CertificateRatio_Private(VectorNorm(3, &sums[SUM_PAIRMOMENT]), sums[SUM_SIZES + 1], sums[SUM_SIZES + 3]);
 }
 
-/* The first test that does not hold, as a sentence. A NAN holds nothing. [in] stopped - whether at the discretisation error */
+/* The first test that does not hold, as a sentence. A NAN holds nothing. [in] stopped - whether at the
+   discretisation error */
 static PetscErrorCode CertificateDecide_Private(PetscBool stopped, Certificate *c)
 {
   static const char coarse[] = "the mesh is too coarse to stop at its error; omit -stop discretisation";

@@ -29,7 +29,8 @@ typedef struct {
 /* Collective. [out] reactions - ghosted Vec of dim per node: what the supports exert, owned by the caller */
 PetscErrorCode CertificateCompute(Fields fields, Certificate *certificate, Vec *reactions);
 
-/* An error in the norm of energy over |u|_K: NAN where one of them is not known, or there is no energy. Not collective. */
+/* An error in the norm of energy over |u|_K: NAN where one of them is not known, or there is no energy. Not
+   collective. */
 PetscReal CertificateRelative(const Certificate *certificate, PetscReal error);
 
 #endif

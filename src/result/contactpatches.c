@@ -1,7 +1,7 @@
 /* contactpatches.c -- connected components of nodes in contact, and the integrals over them.
 
-   Each rank joins the nodes of its own facets. Patches that go on across ranks exchange the largest global number of their nodes until
-   none changes: as often as a patch crosses a boundary between ranks. */
+   Each rank joins the nodes of its own facets. Patches that go on across ranks exchange the largest global
+   number of their nodes until none changes: as often as a patch crosses a boundary between ranks. */
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "kernel/frame.h"
@@ -11,7 +11,8 @@
 enum { F = ELEMENT_MAX_FACET_NODES };
 enum { SIZE_DEGREE = 2 }; /* of the quadrature of a facet's area, which weighs it against others */
 
-/* Principal axes of areas whose two largest second moments differ by less than this part are not determined: those of a circle. */
+/* Principal axes of areas whose two largest second moments differ by less than this part are not determined:
+   those of a circle. */
 static const PetscReal ROUND = 0.01;
 /* Forces, or places, that differ by less than this part come in the same order on any number of ranks. */
 static const PetscReal SAME_PATCH = 1e-9;
@@ -37,7 +38,8 @@ static PetscInt PatchFindRoot_Private(PetscInt parent[], PetscInt i)
   return i;
 }
 
-/* Joins the nodes in contact of each facet. [in] label - < 0 where a node is not in contact; [out] parent - [num_nodes] */
+/* Joins the nodes in contact of each facet. [in] label - < 0 where a node is not in contact; [out] parent -
+   [num_nodes] */
 static void PatchJoinFacets_Private(const Facets *facets, PetscInt num_nodes, const PetscScalar label[],
                                     PetscInt parent[])
 {
@@ -55,8 +57,8 @@ static void PatchJoinFacets_Private(const Facets *facets, PetscInt num_nodes, co
   }
 }
 
-/* Nodes in contact get the global number of one of them, others -1. Where a constraint was redistributed there is contact if there is
-   pressure. Collective. [out] labels - ghosted */
+/* Nodes in contact get the global number of one of them, others -1. Where a constraint was redistributed
+   there is contact if there is pressure. Collective. [out] labels - ghosted */
 static PetscErrorCode PatchSetLabels_Private(Fields fields, PetscInt p, Vec labels)
 {
   Level       *level = fields->vi->level;
@@ -114,7 +116,8 @@ static PetscErrorCode PatchSpreadLabels_Private(Level *level, const Facets *face
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The labels of all ranks in ascending order, each once. Collective. [in] mine - in any order, sorted here; [out] all - owned by the caller */
+/* The labels of all ranks in ascending order, each once. Collective. [in] mine - in any order, sorted here;
+   [out] all - owned by the caller */
 static PetscErrorCode PatchGatherLabels_Private(MPI_Comm comm, PetscInt n, PetscInt mine[], PetscInt *num,
                                                 PetscInt **all)
 {
@@ -142,7 +145,8 @@ static PetscBool PatchIsRow_Private(Fields fields, PetscInt p, PetscInt r)
                      StatusIsContact(fields->row_status[r]));
 }
 
-/* Numbers the patches that have a row, in the order of their labels. Collective. [out] nodes - patch of each local node */
+/* Numbers the patches that have a row, in the order of their labels. Collective. [out] nodes - patch of each
+   local node */
 static PetscErrorCode PatchNumber_Private(Vec labels, PatchNodes *nodes, ContactPatches *patches)
 {
   const Fields       fields = nodes->fields;
@@ -263,8 +267,9 @@ static PetscErrorCode PatchSumMoments_Private(Fields fields, PetscInt p, Contact
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The points of a facet up to which its node i is the nearest: on the way to its other nodes. Of two ends of a quadratic facet that is a
-   quarter, since a middle node lies between them. [out] q - [nodes of the facet][dim] */
+/* The points of a facet up to which its node i is the nearest: on the way to its other nodes. Of two ends of
+   a quadratic facet that is a quarter, since a middle node lies between them. [out] q - [nodes of the
+   facet][dim] */
 static PetscInt PatchGetPoints_Private(const Level *level, const Facets *facets, PetscInt f, PetscInt i, PetscReal q[])
 {
   const ElementType type = facets->type[f];
@@ -421,7 +426,8 @@ static void PatchSwap_Private(PetscReal *a, PetscReal *b)
   *b = swap;
 }
 
-/* Extents along the axes, and the width in facets. In a plane these are counted, since a patch may go round a corner. Collective. */
+/* Extents along the axes, and the width in facets. In a plane these are counted, since a patch may go round a
+   corner. Collective. */
 static PetscErrorCode PatchMeasure_Private(const PatchNodes *nodes, ContactPatches *patches)
 {
   const MPI_Comm comm = nodes->fields->vi->level->comm;

@@ -1,15 +1,15 @@
 /* contactpatches.h -- the connected patches of a pair's contact area.
 
-   Nodes in contact that share a facet of the nonmortar side belong to one patch, and so do those on both sides of a node whose constraint
-   was redistributed. A node stands for the part of its facets that is nearer to it than to their other nodes. Patches do not depend on
-   the partition. */
+   Nodes in contact that share a facet of the nonmortar side belong to one patch, and so do those on both
+   sides of a node whose constraint was redistributed. A node stands for the part of its facets that is nearer
+   to it than to their other nodes. Patches do not depend on the partition. */
 #ifndef MORTISE_CONTACTPATCHES_H
 #define MORTISE_CONTACTPATCHES_H
 
 #include "result/fields.h"
 
-/* The same on all ranks; NAN where a number does not exist. Units are the user's; in a plane those of the given thickness, axisymmetric ones
-   of the whole ring. */
+/* The same on all ranks; NAN where a number does not exist. Units are the user's; in a plane those of the
+   given thickness, axisymmetric ones of the whole ring. */
 typedef struct {
   PetscInt  nodes;                  /* in contact */
   PetscReal area;                   /* where the pressure is positive: integral of the dual functions of these nodes */
@@ -29,7 +29,8 @@ typedef struct {
   PetscInt *row_patch; /* of each row of vi->B, -1 of those that are not in contact or of other pairs [vi->num_rows] */
 } ContactPatches;
 
-/* None where nothing is in contact, and none of a tie. Collective. [out] patches - owned by the caller, ContactPatchesDestroy() */
+/* None where nothing is in contact, and none of a tie. Collective. [out] patches - owned by the caller,
+   ContactPatchesDestroy() */
 PetscErrorCode ContactPatchesCreate(Fields fields, PetscInt p, ContactPatches *patches);
 PetscErrorCode ContactPatchesDestroy(ContactPatches *patches);
 

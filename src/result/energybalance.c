@@ -1,7 +1,8 @@
 /* energybalance.c -- work, stored energy and dissipation of a load step.
 
-   With the internal forces K u, the strain energy of linear bodies changes by the mean of the forces before and after times the displacement between,
-   exactly. So does the work of the contact forces: what friction and closing gaps make of it beyond the dissipation is the defect. */
+   With the internal forces K u, the strain energy of linear bodies changes by the mean of the forces before
+   and after times the displacement between, exactly. So does the work of the contact forces: what friction
+   and closing gaps make of it beyond the dissipation is the defect. */
 #include "base/compat.h"
 #include "result/energybalance.h"
 #include "result/frictionfields.h"
@@ -68,8 +69,8 @@ static PetscErrorCode EnergyBalanceGetWork_Private(Vec before, Vec after, Vec fr
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What partners and interferences that move do: -lambda times the change of the gap, in rows without slip. At rest no gap is negative, and
-   ties are closed. */
+/* What partners and interferences that move do: -lambda times the change of the gap, in rows without slip. At
+   rest no gap is negative, and ties are closed. */
 static PetscErrorCode EnergyBalanceGetGapWork_Private(VI vi, const EnergyState *before, const EnergyState *after,
                                                       PetscReal *work)
 {
@@ -112,7 +113,8 @@ static PetscErrorCode EnergyBalanceCompute_Private(Fields fields, const EnergySt
   PetscCall(EnergyBalanceGetWork_Private(before->force, after->force, before->u, after->u, &forces));
   PetscCall(EnergyBalanceGetGapWork_Private(vi, before, after, &gaps));
   balance->stored = after->stored - before->stored;
-  /* f has the forces of eigenstrains: their work and the change of the elastic energy are the change of the stored one */
+  /* f has the forces of eigenstrains: their work and the change of the elastic energy are the change of the
+     stored one */
   balance->work        = forces + gaps + balance->stored - (after->elastic - before->elastic);
   balance->dissipation = 0;
   for (PetscInt p = 0; p < vi->num_pairs; p++) {

@@ -2,7 +2,8 @@
 
    With e = u_h - u over a body, integrated finely enough not to show, also where the exact solution is singular,
        l2^2 = int |e|^2,   energy^2 = int eps(e) : C eps(e),
-   and for the pressure p_h = sum p_a phi_a that is written out, over the facets of the nonmortar side that carry one (eq. 15.1),
+   and for the pressure p_h = sum p_a phi_a that is written out, over the facets of the nonmortar side that
+   carry one (eq. 15.1),
        l2^2 = int (p_h - p)^2,   weighted^2 = sum D_aa (p_a - p(x_a))^2.
    Relative means: over the same norm of the exact solution. Everything is for the scene's thickness. */
 #ifndef MORTISE_ERRORS_H
@@ -26,16 +27,17 @@ typedef struct {
   BodyError      total; /* of all bodies together; NAN unless all of them have an exact displacement */
 } Errors;
 
-/* Faults if an exact displacement contradicts the given ones, or an exact solution is not finite at a node; call before the
-   solve, so that no time is lost. Collective. */
+/* Faults if an exact displacement contradicts the given ones, or an exact solution is not finite at a node;
+   call before the solve, so that no time is lost. Collective. */
 PetscErrorCode ErrorsCheck(VI vi);
 /* Faults if an exact solution is not finite where it is evaluated. Collective.
    [out] errors - owned by the caller, ErrorsDestroy() */
 PetscErrorCode ErrorsCompute(Fields fields, Errors *errors);
 PetscErrorCode ErrorsDestroy(Errors *errors);
 
-/* The same norms of the difference of two displacements on one level: l2 and energy of u - v over each body, relative to
-   those of v. Collective. [in] u, v - ghosted; [out] body - [num_bodies]; [out] total - of all bodies together */
+/* The same norms of the difference of two displacements on one level: l2 and energy of u - v over each body,
+   relative to those of v. Collective. [in] u, v - ghosted; [out] body - [num_bodies]; [out] total - of all
+   bodies together */
 PetscErrorCode ErrorsComputeDifference(Scene scene, Level *level, Vec u, Vec v, BodyError body[], BodyError *total);
 
 #endif

@@ -1,7 +1,7 @@
 /* estimate.c -- recovery of stresses.
 
-   The recovered stress is one order nearer to the exact one than that of the displacement: their difference is the error's, nearly
-   (Zienkiewicz & Zhu 1992). What contact adds is in estimatepairs.c. */
+   The recovered stress is one order nearer to the exact one than that of the displacement: their difference
+   is the error's, nearly (Zienkiewicz & Zhu 1992). What contact adds is in estimatepairs.c. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "result/compliance.h"
@@ -10,7 +10,8 @@
 #include "result/geometry.h"
 #include "result/oscillation.h"
 
-/* Rules of the difference of stresses: of twice the order of the displacements. [out] rules - [ELEMENT_COUNT]; PetscFree() it */
+/* Rules of the difference of stresses: of twice the order of the displacements. [out] rules -
+   [ELEMENT_COUNT]; PetscFree() it */
 static PetscErrorCode EstimateRulesCreate_Private(const Level *level, ElementRule **rules)
 {
   PetscFunctionBeginUser;

@@ -1,7 +1,8 @@
 /* fields.c -- fields in the user's units from the unknowns y of the inequality.
 
-   Pressures at open nodes are left as computed (roundoff, not 0): the certificate has to judge the numbers that are given
-   out. Whether a node is in contact is therefore a decision with a tolerance, taken here once for all outputs. */
+   Pressures at open nodes are left as computed (roundoff, not 0): the certificate has to judge the numbers
+   that are given out. Whether a node is in contact is therefore a decision with a tolerance, taken here once
+   for all outputs. */
 #include "result/estimate.h"
 #include "result/fields.h"
 #include "result/frictionfields.h"
@@ -11,12 +12,12 @@
 /* A bound counts as reached within this part of the largest unknown: pdas reaches it exactly, vinewtonrsls to its zero
    tolerance of 1e-12. */
 static const PetscReal CLOSED_TOLERANCE = 1e-10;
-/* A node presses if its pressure exceeds this part of the largest one: below, touching without pressure (a tie) cannot be
-   told from an open node (the same limit decides which contacts hold a floating body). */
+/* A node presses if its pressure exceeds this part of the largest one: below, touching without pressure (a
+   tie) cannot be told from an open node (the same limit decides which contacts hold a floating body). */
 static const PetscReal PRESSED_TOLERANCE = 1e-9;
 
-/* A nonmortar side at rest may be the sum of two large motions, its own relative one and that of the mortar side: bodies
-   that a pair joins, directly or through others, share the largest displacement. */
+/* A nonmortar side at rest may be the sum of two large motions, its own relative one and that of the mortar
+   side: bodies that a pair joins, directly or through others, share the largest displacement. */
 static void FieldsShareLargest_Private(Scene scene, PetscReal body_max[])
 {
   for (PetscInt round = 0; round < scene->num_pairs; round++) {
@@ -54,8 +55,8 @@ static PetscErrorCode FieldsSetNodeScales_Private(Fields fields)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Of all rows of one pair, by the ratio to D_aa, so that a thickness in row_D is kept. [in] moment - which moment: 0 for 1,
-   k + 1 for x_k */
+/* Of all rows of one pair, by the ratio to D_aa, so that a thickness in row_D is kept. [in] moment - which
+   moment: 0 for 1, k + 1 for x_k */
 static PetscErrorCode FieldsAddPairMoment_Private(Fields fields, PetscInt p, PetscInt moment)
 {
   const VI         vi     = fields->vi;
@@ -111,8 +112,9 @@ static PetscErrorCode FieldsSetRowMoments_Private(Fields fields)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* u_ref = max(|u|, |B u / D|, |gap|): with absolute displacements, since relative ones vanish in full contact and leave
-   roundoff to be compared with roundoff.  p_ref = max(|p|, sum |f| / sum D): with the loads, since all p may be roundoff. */
+/* u_ref = max(|u|, |B u / D|, |gap|): with absolute displacements, since relative ones vanish in full contact
+   and leave roundoff to be compared with roundoff. p_ref = max(|p|, sum |f| / sum D): with the loads, since
+   all p may be roundoff. */
 static PetscErrorCode FieldsSetReferenceSizes_Private(Fields fields)
 {
   const VI         vi      = fields->vi;
@@ -150,7 +152,8 @@ static PetscErrorCode FieldsSetReferenceSizes_Private(Fields fields)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How many times its own size the displacement of a node is the sum of others by the arm of a tie, and so its rounding (eq. 5.4). */
+/* How many times its own size the displacement of a node is the sum of others by the arm of a tie, and so its
+   rounding (eq. 5.4). */
 static PetscErrorCode FieldsGetArmSize_Private(const Pair pair, PetscInt k, PetscReal *size)
 {
   const PetscInt     dim = pair->level->dim, first = dim * (pair->level->node_begin + pair->nodes[k]);
@@ -167,7 +170,8 @@ static PetscErrorCode FieldsGetArmSize_Private(const Pair pair, PetscInt k, Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* In contact is what lies on its bound, but for what bodies that are free to move have moved since, and presses by more than roundoff. */
+/* In contact is what lies on its bound, but for what bodies that are free to move have moved since, and
+   presses by more than roundoff. */
 static PetscErrorCode FieldsSetRowStatus_Private(Fields fields, PetscReal slip, Vec y)
 {
   const VI         vi = fields->vi;

@@ -41,8 +41,8 @@ struct _n_Fields {
 };
 typedef struct _n_Fields *Fields;
 
-/* A computed force is known to about this part of the products that were summed up to it. A row of K u sums some tens of
-   products of size K_ii |u|, each with an error of one unit roundoff. */
+/* A computed force is known to about this part of the products that were summed up to it. A row of K u sums
+   some tens of products of size K_ii |u|, each with an error of one unit roundoff. */
 #define FIELDS_ROUNDOFF (64 * PETSC_MACHINE_EPSILON)
 
 /* Recovers everything from y. Collective. [in] solvability - of vi, or NULL; [out] fields - owned by the caller */
@@ -63,11 +63,12 @@ typedef struct {
 
 /* Nodal values of pair p. Collective. [out] nodal - owned by the caller, PairFieldsDestroy() */
 PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal);
-/* Takes the pressure from nodes beyond the partner's end, for files and pictures: it is that of the covered sliver of a facet, which
-   ends before the node. Not collective. */
+/* Takes the pressure from nodes beyond the partner's end, for files and pictures: it is that of the covered
+   sliver of a facet, which ends before the node. Not collective. */
 void           PairFieldsOmitBeyond(const Pair pair, PairFields *nodal);
 PetscErrorCode PairFieldsDestroy(PairFields *nodal);
-/* What the nonmortar side of pair p gives to its partner per area: lambda_a n_a of contact, the traction of a tie. Collective.
+/* What the nonmortar side of pair p gives to its partner per area: lambda_a n_a of contact, the traction of a
+   tie. Collective.
    [out] traction - ghosted, dim per node, zero off that side; owned by the caller */
 PetscErrorCode PairTractionCreate(Fields fields, PetscInt p, Vec *traction);
 

@@ -1,7 +1,8 @@
 /* frictionfields.c -- tangential tractions and slips of pairs with friction.
 
-   lambda of a tangential row is what the nonmortar side gives to its partner per area, and its slack is minus the slip. The rows of a node stand one
-   behind the other, the normal one first; the nodes with tangents are those of vi->friction. */
+   lambda of a tangential row is what the nonmortar side gives to its partner per area, and its slack is minus
+   the slip. The rows of a node stand one behind the other, the normal one first; the nodes with tangents are
+   those of vi->friction. */
 #include "base/compat.h"
 #include "kernel/vector.h"
 #include "problem/frictionlaw.h"
@@ -18,7 +19,8 @@ typedef struct {
   PetscReal        pressure, weight, limit;
 } FrictionNode;
 
-/* The next node with friction behind a row. [in] a - how many there were before; [out] next - the row behind it, or num_rows */
+/* The next node with friction behind a row. [in] a - how many there were before; [out] next - the row behind
+   it, or num_rows */
 static PetscBool FrictionFieldsNext_Private(Fields fields, const PetscReal lambda[], const PetscReal slack[],
                                             PetscInt a, PetscInt *next, FrictionNode *node)
 {
@@ -111,7 +113,8 @@ PetscErrorCode FrictionFieldsGet(Fields fields, PetscInt p, PetscReal traction[]
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* 1 - |e'd|^2 over the held directions d of each node: how free it is along an axis e. [out] free - node by node, owned by the caller */
+/* 1 - |e'd|^2 over the held directions d of each node: how free it is along an axis e. [out] free - node by
+   node, owned by the caller */
 static PetscErrorCode FrictionFieldsCreateFree_Private(VI vi, PetscInt axis, Vec *free)
 {
   const Support *held = &vi->support;
@@ -129,7 +132,8 @@ static PetscErrorCode FrictionFieldsCreateFree_Private(VI vi, PetscInt axis, Vec
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Marks normal rows of pair p in contact whose node is held along an axis of its side, where mortar nodes are free along it.
+/* Marks normal rows of pair p in contact whose node is held along an axis of its side, where mortar nodes are
+   free along it.
    [in] share - M (free along the axis) at owned nodes; [in,out] chosen - [num_rows] */
 static void FrictionFieldsMarkHeld_Private(Fields fields, PetscInt p, PetscInt axis, const PetscScalar share[],
                                            PetscBool chosen[])

@@ -1,4 +1,5 @@
-/* frictionfields.h -- tangential tractions and slips of pairs with friction, and what is left of the law (eqs. 16.1, 16.6). */
+/* frictionfields.h -- tangential tractions and slips of pairs with friction, and what is left of the law
+   (eqs. 16.1, 16.6). */
 #ifndef MORTISE_FRICTIONFIELDS_H
 #define MORTISE_FRICTIONFIELDS_H
 
@@ -19,12 +20,14 @@ typedef struct {
   PetscReal dissipation; /* max (-q.s)_+ / (p_ref max |s|) */
 } FrictionResidual;
 
-/* Status of the rows of pairs with friction: stick or slip where they are in contact, for the normal row and its tangents. Not collective. */
+/* Status of the rows of pairs with friction: stick or slip where they are in contact, for the normal row and
+   its tangents. Not collective. */
 PetscErrorCode FrictionFieldsSetStatus(Fields fields);
-/* Vectors at owned nodes of pair p, 0 off its nonmortar side. Not collective. [out] traction - exerted by the mortar side, slip - of the nonmortar
-   side against it, in this load step [num_owned][dim] */
+/* Vectors at owned nodes of pair p, 0 off its nonmortar side. Not collective. [out] traction - exerted by the
+   mortar side, slip - of the nonmortar side against it, in this load step [num_owned][dim] */
 PetscErrorCode FrictionFieldsGet(Fields fields, PetscInt p, PetscReal traction[], PetscReal slip[]);
-/* Nodes of pair p in contact that a support holds along the side while the mortar side there is free: friction on that is lost. Collective.
+/* Nodes of pair p in contact that a support holds along the side while the mortar side there is free:
+   friction on that is lost. Collective.
    [out] num - of all ranks; at - the first of them by coordinates [dim] */
 PetscErrorCode FrictionFieldsFindHeld(Fields fields, PetscInt p, PetscInt *num, PetscReal at[]);
 /* Collective. */

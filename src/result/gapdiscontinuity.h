@@ -5,11 +5,13 @@
 #include <cjson/cJSON.h>
 #include "result/fields.h"
 
-/* The largest distance by which the mean gap of a node in contact of pair p is below all gaps around it, 0 where it is rounding of
-   coordinates; and whether it matters beside the displacements. Collective. [out] at - the first place where it is, if it shows [dim] */
+/* The largest distance by which the mean gap of a node in contact of pair p is below all gaps around it, 0
+   where it is rounding of coordinates; and whether it matters beside the displacements. Collective. [out] at
+   - the first place where it is, if it shows [dim] */
 PetscErrorCode GapDiscontinuityFind(Fields fields, PetscInt p, PetscBool *shows, PetscReal *overlap, PetscReal at[]);
 
-/* "false_overlap" of a pair in the summary, and where it shows "false_overlap_at". Collective. [in] fields - NULL if there is no solution */
+/* "false_overlap" of a pair in the summary, and where it shows "false_overlap_at". Collective. [in] fields -
+   NULL if there is no solution */
 PetscErrorCode GapDiscontinuityAdd(Fields fields, PetscInt p, PetscInt dim, cJSON *object);
 
 #endif

@@ -1,7 +1,8 @@
 /* geometry.c -- the derivative of the potential with respect to the shape of the bodies.
 
-   A polygon is another body than the circle that it stands for, and no stress of its own tells. Where the surface moves outward by s, a free
-   surface gains the energy density there, and a pressure pushes over another area. */
+   A polygon is another body than the circle that it stands for, and no stress of its own tells. Where the
+   surface moves outward by s, a free surface gains the energy density there, and a pressure pushes over
+   another area. */
 #include "result/geometry.h"
 #include "base/compat.h"
 #include "contact/pairpoints.h"
@@ -44,7 +45,8 @@ typedef struct {
   PetscReal        *change; /* int_e W s [sagittas.facets.num] */
 } Surface;
 
-/* W at a point of a facet without what is pushed there, and along the facet the trace of the strain. [in] phi, n - at the point */
+/* W at a point of a facet without what is pushed there, and along the facet the trace of the strain. [in]
+   phi, n - at the point */
 static PetscErrorCode SurfaceEvaluate_Private(const Surface *surface, PetscInt f, const PetscReal phi[],
                                               const PetscReal x[], const PetscReal n[], PetscReal *density,
                                               PetscReal *trace)
@@ -93,7 +95,8 @@ static PetscErrorCode SurfaceAddFacet_Private(const Surface *surface, PetscInt f
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The part of a pressure on a side. Collective. [in] first, next - chains of facets of cells [num_cells], [facets.num] */
+/* The part of a pressure on a side. Collective. [in] first, next - chains of facets of cells [num_cells],
+   [facets.num] */
 static PetscErrorCode SurfaceAddPressure_Private(const Surface *surface, PetscInt body, const SceneBoundary *boundary,
                                                  const PetscInt first[], const PetscInt next[])
 {

@@ -1,7 +1,8 @@
 /* goal.c -- right-hand sides of dual problems, and what their solutions are off by.
 
-   A stress at a point has no dual solution of finite energy: marking would look at nothing but the cell of the point. So Q' is that of a
-   mean about the point, over a distance that does not shrink with the mesh. The number that is told, and its bar, stay those of the point. */
+   A stress at a point has no dual solution of finite energy: marking would look at nothing but the cell of
+   the point. So Q' is that of a mean about the point, over a distance that does not shrink with the mesh. The
+   number that is told, and its bar, stay those of the point. */
 #include "base/compat.h"
 #include "kernel/vector.h"
 #include "problem/elasticity.h"
@@ -50,7 +51,8 @@ static PetscReal GoalGetCellSize_Private(const Level *level, PetscInt c)
   return PetscSqrtReal(squared);
 }
 
-/* The cells of a body that hold a place, all of them where it lies on their sides: no number of ranks is to make a difference. Collective.
+/* The cells of a body that hold a place, all of them where it lies on their sides: no number of ranks is to
+   make a difference. Collective.
    [in,out] marked - [num_cells], or NULL; [out] size - the largest of theirs */
 static PetscErrorCode GoalFindCells_Private(Level *level, PetscInt body, const PetscReal at[], PetscInt marked[],
                                             PetscReal *size)

@@ -1,14 +1,16 @@
 /* goal.h -- a number as a functional of the displacement, and its dual solution.
 
-   The dual solution z of a number Q has  a(v, z) = Q'(v)  for all v that keep the active constraints, and moves the active nodes as Q
-   asks for: by 1 along the normal where Q is a force. With the error e of the displacement and no change of the active set,
+   The dual solution z of a number Q has a(v, z) = Q'(v) for all v that keep the active constraints, and moves
+   the active nodes as Q asks for: by 1 along the normal where Q is a force. With the error e of the
+   displacement and no change of the active set,
        Q(u) - Q(u_h) = a(e, z - z_h)  <=  sum_T eta_T(u) eta_T(z)                                     (eq. 15.6). */
 #ifndef MORTISE_GOAL_H
 #define MORTISE_GOAL_H
 
 #include "result/estimate.h"
 
-/* Q' of one solution. Stresses and pressures are means with the weight w = (1 - r^2 / R^2)^2 about their place, r < R. */
+/* Q' of one solution. Stresses and pressures are means with the weight w = (1 - r^2 / R^2)^2 about their
+   place, r < R. */
 typedef struct {
   Fields    fields; /* borrowed: of the solution */
   PetscInt  pair;   /* whose nodes z moves, or -1 */
@@ -23,10 +25,12 @@ typedef struct {
 /* Collective. [in] fields - of a solution; [out] goal - to be freed by GoalDestroy() */
 PetscErrorCode GoalCreate(Fields fields, const SceneGoal *spec, Goal *goal);
 PetscErrorCode GoalDestroy(Goal *goal);
-/* What A z = b has on its right-hand side with the lift taken off: T'(q - K T lift) / stiffness, 0 where unknowns are fixed. Collective.
+/* What A z = b has on its right-hand side with the lift taken off: T'(q - K T lift) / stiffness, 0 where
+   unknowns are fixed. Collective.
    [out] b - layout of vi->b, created by the caller */
 PetscErrorCode GoalLoad(const Goal *goal, Vec b);
-/* eta_T(z)^2 (eq. 15.3) of z + lift. Collective. [in] z - layout of vi->b, 0 in active unknowns; [out] estimate - owned by the caller */
+/* eta_T(z)^2 (eq. 15.3) of z + lift. Collective. [in] z - layout of vi->b, 0 in active unknowns; [out]
+   estimate - owned by the caller */
 PetscErrorCode GoalEstimate(Goal *goal, Vec z, Estimate *estimate);
 /* Marks the cells that hold the place of a stress or a pressure. Collective. [in,out] marked - [num_cells] */
 PetscErrorCode GoalMarkPlace(Level *level, PetscInt body, const PetscReal at[], PetscInt marked[]);

@@ -1,7 +1,8 @@
 /* hiddencontact.c -- a rigid obstacle that enters a facet between its points.
 
-   An obstacle may be narrower than the distance of quadrature points: no point tells of it, and a solution without contact would have no
-   error. Where the gap is least is looked for by its values alone, because it may be any formula. */
+   An obstacle may be narrower than the distance of quadrature points: no point tells of it, and a solution
+   without contact would have no error. Where the gap is least is looked for by its values alone, because it
+   may be any formula. */
 #include "result/hiddencontact.h"
 #include "base/compat.h"
 #include "contact/obstacle.h"

@@ -12,8 +12,10 @@ typedef struct {
   PetscReal        X[3 * ELEMENT_MAX_FACET_NODES], u[3 * ELEMENT_MAX_FACET_NODES], normal[3 * ELEMENT_MAX_FACET_NODES];
 } ObstacleFacet;
 
-/* The deepest place of the obstacle within the facet: of a lattice of points, and from there downhill. Not collective.
-   [out] x - [dim]; [out] depth - there, <= 0 if all is open; [out] squared - int d^2 over what is penetrated, nearly; [out] width - of that */
+/* The deepest place of the obstacle within the facet: of a lattice of points, and from there downhill. Not
+   collective.
+   [out] x - [dim]; [out] depth - there, <= 0 if all is open; [out] squared - int d^2 over what is penetrated,
+   nearly; [out] width - of that */
 PetscErrorCode HiddenContactFind(const ObstacleFacet *facet, PetscReal x[], PetscReal *depth, PetscReal *squared,
                                  PetscReal *width);
 

@@ -3,7 +3,8 @@
 #include "base/compat.h"
 #include <math.h>
 
-/* Values that differ by less than this part have the same place told on any number of ranks: the first by coordinates. */
+/* Values that differ by less than this part have the same place told on any number of ranks: the first by
+   coordinates. */
 static const PetscReal SAME_INDICATOR = 1e-9;
 
 enum {

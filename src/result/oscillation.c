@@ -1,7 +1,8 @@
 /* oscillation.c -- data between the points of a mesh.
 
-   A body force with as many waves as there are cells does no work on their shape functions: the displacement is zero, and so is its
-   recovered stress. The first omitted wave has the number k = pi / h, which a body resists with E' k^2 and a half space with E' k / 2. */
+   A body force with as many waves as there are cells does no work on their shape functions: the displacement
+   is zero, and so is its recovered stress. The first omitted wave has the number k = pi / h, which a body
+   resists with E' k^2 and a half space with E' k / 2. */
 #include "result/oscillation.h"
 #include "base/compat.h"
 #include "kernel/dense.h"

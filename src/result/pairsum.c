@@ -1,7 +1,8 @@
 /* pairsum.c -- force, area, extent and centre of pressure of one pair.
 
-   With p_h = sum p_a psi_a:  integral of p_h n = sum_a W_a p_a n_a,  W_a = int psi_a = D_aa + sum_c D_ac, which is what -B'lambda
-   adds up to on the nonmortar body, and by the row sums of D and M its negative on the mortar side. */
+   With p_h = sum p_a psi_a: integral of p_h n = sum_a W_a p_a n_a, W_a = int psi_a = D_aa + sum_c D_ac, which
+   is what -B'lambda adds up to on the nonmortar body, and by the row sums of D and M its negative on the
+   mortar side. */
 #include "result/pairsum.h"
 #include "base/compat.h"
 
@@ -9,11 +10,12 @@
 enum { ADD_FORCE = 0, ADD_NORMAL = 3, ADD_AREA, ADD_CENTRE, ADD_ACTIVE = ADD_CENTRE + 3, ADD_COUNT };
 enum { MAX_PRESSURE, MAX_COVERED, MAX_CLOSED, MAX_LOWER, MAX_UPPER = MAX_LOWER + 3, MAX_COUNT = MAX_UPPER + 3 };
 
-/* Pressures that differ by less than this part are equal. Then symmetric scenes have the same place of the largest one on any number of
-   ranks. */
+/* Pressures that differ by less than this part are equal. Then symmetric scenes have the same place of the
+   largest one on any number of ranks. */
 static const PetscReal SAME_PRESSURE = 1e-9;
-/* Where both sides end in the same place, their facets may cut corners of each other: at a round rim by the sagitta of an edge, on
-   coarse meshes by a twelfth of a cell. Neither is then an edge that presses into the other. */
+/* Where both sides end in the same place, their facets may cut corners of each other: at a round rim by the
+   sagitta of an edge, on coarse meshes by a twelfth of a cell. Neither is then an edge that presses into the
+   other. */
 static const PetscReal RIM_SHARE = 0.1;
 
 PetscBool PairSumEndsPartner(const Pair pair, PetscInt a)
@@ -90,7 +92,8 @@ static PetscErrorCode PairSumFindPressurePlace_Private(Fields fields, PetscInt p
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The mean of the nodes with the weights |F|: what the forces of a tie act around, whose centre of pressure may be anywhere. */
+/* The mean of the nodes with the weights |F|: what the forces of a tie act around, whose centre of pressure
+   may be anywhere. */
 static PetscErrorCode PairSumGetMiddle_Private(const Level *level, const PetscReal F[], PetscReal middle[3])
 {
   PetscReal sums[4] = {0, 0, 0, 0};
@@ -108,8 +111,9 @@ static PetscErrorCode PairSumGetMiddle_Private(const Level *level, const PetscRe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* |sum x cross F| / sum |x||F| over the nodes of both sides, F = B'lambda of this pair alone, x from the centre of
-   pressure, or from the middle of a tie: 0 on flat and on touching sides, where the points of both are the same, and of ties. */
+/* |sum x cross F| / sum |x||F| over the nodes of both sides, F = B'lambda of this pair alone, x from the
+   centre of pressure, or from the middle of a tie: 0 on flat and on touching sides, where the points of both
+   are the same, and of ties. */
 static PetscErrorCode PairSumGetMomentImbalance_Private(Fields fields, PetscInt p, PairSum *sum)
 {
   const VI         vi  = fields->vi;

@@ -102,7 +102,8 @@ PetscErrorCode ProbesEvaluate(Fields fields, const SceneProbe *probe, PetscReal 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Displacement and stress in a cell: the stress at its nodes is that of its own material. [out] answer - sums of both [3], [6] */
+/* Displacement and stress in a cell: the stress at its nodes is that of its own material. [out] answer - sums
+   of both [3], [6] */
 static PetscErrorCode ProbesInterpolate_Private(Fields fields, PetscInt cell, const PetscReal xi[], PetscReal answer[])
 {
   const Level       *level = fields->vi->level;

@@ -1,10 +1,12 @@
 /* roundness.c -- test for a round support of a body.
 
-   At a node of a smooth curve the facets turn by a little; at an edge by much, or they end; on a flat side not at all. */
+   At a node of a smooth curve the facets turn by a little; at an edge by much, or they end; on a flat side
+   not at all. */
 #include "base/compat.h"
 #include "result/roundness.h"
 
-/* Facets that meet at less than 30 degrees are taken for a smooth curve: each is half of that from the mean normal. Flat is less. */
+/* Facets that meet at less than 30 degrees are taken for a smooth curve: each is half of that from the mean
+   normal. Flat is less. */
 static const PetscReal SMOOTH_ANGLE = PETSC_PI / 12, FLAT_ANGLE = 1e-4;
 /* Forces below this part of the largest one carry nothing. */
 static const PetscReal CARRIES = 1e-6;

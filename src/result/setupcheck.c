@@ -45,7 +45,8 @@ static SetupExtreme SetupExtremeNone_Private(PetscReal sign)
 
 /* --- bodies ------------------------------------------------------------------------------------------------------- */
 
-/* Scaled Jacobian of a corner: |det| of the edges that leave it, over the product of their lengths and that of an ideal corner. */
+/* Scaled Jacobian of a corner: |det| of the edges that leave it, over the product of their lengths and that
+   of an ideal corner. */
 static PetscReal SetupCornerShape_Private(ElementType linear, const PetscReal X[], PetscInt dim, PetscInt corner)
 {
   PetscReal e[3][3] = {{0}}, lengths = 1, det;

@@ -4,8 +4,9 @@
 
 #include "result/fields.h"
 
-/* (D u~ + D_other u~ - M u)_a / D_aa in the plane or in space: the mean displacement of the nonmortar side around a node less that of the
-   mortar side that faces it (eq. 11.6), u~ as in pair.h. An obstacle does not move. Collective. [out] relative - [pair->num][dim] */
+/* (D u~ + D_other u~ - M u)_a / D_aa in the plane or in space: the mean displacement of the nonmortar side
+   around a node less that of the mortar side that faces it (eq. 11.6), u~ as in pair.h. An obstacle does not
+   move. Collective. [out] relative - [pair->num][dim] */
 PetscErrorCode SlipComputeRelative(Fields fields, PetscInt p, PetscReal relative[]);
 /* The part of such displacements across the pair's normals. Not collective. [out] tangential - [pair->num][dim] */
 void SlipTakeTangential(const Pair pair, const PetscReal relative[], PetscReal tangential[]);

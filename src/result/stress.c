@@ -1,11 +1,12 @@
 /* stress.c -- stresses at nodes, recovered from the points of highest accuracy.
 
-   Derivatives of a finite element solution are one order more accurate at certain points of a cell than elsewhere: in its
-   middle for order 1, at the 2 x 2 Gauss points of quads of order 2, nearly so at three points within a triangle (Barlow
-   1976; Zienkiewicz & Zhu 1992). Stresses are taken there, continued to the cell's nodes by the polynomial through these
-   points (a constant for order 1, linear or bilinear for order 2), and averaged over the cells that meet at a node, with
-   their volumes as weights. Nodes belong to one body, and cells of two materials at a node have a stress each, so nothing is averaged
-   across an interface. Linear stresses are reproduced exactly on cells of order 2 with straight sides. */
+   Derivatives of a finite element solution are one order more accurate at certain points of a cell than
+   elsewhere: in its middle for order 1, at the 2 x 2 Gauss points of quads of order 2, nearly so at three
+   points within a triangle (Barlow 1976; Zienkiewicz & Zhu 1992). Stresses are taken there, continued to the
+   cell's nodes by the polynomial through these points (a constant for order 1, linear or bilinear for order
+   2), and averaged over the cells that meet at a node, with their volumes as weights. Nodes belong to one
+   body, and cells of two materials at a node have a stress each, so nothing is averaged across an interface.
+   Linear stresses are reproduced exactly on cells of order 2 with straight sides. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "result/cellstress.h"
@@ -21,8 +22,8 @@ typedef struct {
   PetscReal   spread[ELEMENT_MAX_NODES * ELEMENT_MAX_NODES]; /* [num_nodes][rule.num] */
 } Recovery;
 
-/* The points are the vertices, drawn towards the middle until they lie on the Gauss points of degree 2 (3 in quads). The
-   functions of the linear cell, drawn in likewise, are 1 at one of them and 0 at the others. */
+/* The points are the vertices, drawn towards the middle until they lie on the Gauss points of degree 2 (3 in
+   quads). The functions of the linear cell, drawn in likewise, are 1 at one of them and 0 at the others. */
 static void StressSetRecovery_Private(ElementType type, const ElementRule *stiffness, Recovery *recovery)
 {
   const ElementType linear = ElementLinear(type);

@@ -1,7 +1,7 @@
 /* validity.c -- indicators of the small-displacement model.
 
-   One pass over the cells for strains and rotations, one contact search in the deformed configuration for gaps and normals, products
-   with D and M for slips. */
+   One pass over the cells for strains and rotations, one contact search in the deformed configuration for
+   gaps and normals, products with D and M for slips. */
 #include <string.h>
 #include "base/compat.h"
 #include "base/json.h"
@@ -14,8 +14,8 @@
 #include "result/slip.h"
 #include "result/validity.h"
 
-/* An indicator is green below the first number and red above the second: errors of one and of some per cent; a slip of half a facet and of
-   two, where nodes face other facets than those that they are coupled with. */
+/* An indicator is green below the first number and red above the second: errors of one and of some per cent;
+   a slip of half a facet and of two, where nodes face other facets than those that they are coupled with. */
 static const struct {
   const char *name, *what;
   PetscReal   green, red;
@@ -29,11 +29,13 @@ static const struct {
 };
 static const char *const COLOURS[] = {"unknown", "green", "amber", "red"};
 
-/* Strain and rotation are those that this part of a body's strain energy exceeds: at a corner of infinite stress the largest ones grow without
-   limit as cells get smaller. A rotation moves all that hangs on a place, so that less is left out of it. Chosen so that two plates on any mesh
-   have what the maxima are on 32 x 32 and 24 x 24 cells, to 20 per cent. */
+/* Strain and rotation are those that this part of a body's strain energy exceeds: at a corner of infinite
+   stress the largest ones grow without limit as cells get smaller. A rotation moves all that hangs on a
+   place, so that less is left out of it. Chosen so that two plates on any mesh have what the maxima are on 32
+   x 32 and 24 x 24 cells, to 20 per cent. */
 static const PetscReal STRAIN_SHARE = 0.01, ROTATION_SHARE = 0.002;
-/* The strain, over the displacements and the size of the scene, of a place that counts by its volume: it is rounding. */
+/* The strain, over the displacements and the size of the scene, of a place that counts by its volume: it is
+   rounding. */
 static const PetscReal STRAINLESS = 1e-12;
 /* Gaps below this part of the displacements are closed. */
 static const PetscReal NO_GAP = 1e-9;
@@ -45,8 +47,9 @@ static const PetscReal SCALE_ROUNDING = 1e-6;
 /* Displacements are halved so many times to find the partner that a node has slid off. */
 enum { MAX_HALVES = 6 };
 
-/* What is neglected of the strain, the strain and the rotation that a gradient stands for. [in] H - grad u, in place 9 the strain around the
-   axis; [out] sizes - Frobenius norms of 1/2 H'H and eps, the angle of the rotation */
+/* What is neglected of the strain, the strain and the rotation that a gradient stands for. [in] H - grad u,
+   in place 9 the strain around the axis; [out] sizes - Frobenius norms of 1/2 H'H and eps, the angle of the
+   rotation */
 static void ValidityOfGradient_Private(PetscInt dim, const PetscReal H[10], PetscReal sizes[3])
 {
   PetscReal product = PetscSqr(0.5 * H[9] * H[9]), strain = H[9] * H[9], turn = 0;
@@ -69,7 +72,8 @@ static void ValidityOfGradient_Private(PetscInt dim, const PetscReal H[10], Pets
 /* What is found in the cells: the root of what is neglected of the strain, the strain, the rotation. */
 enum { NEGLECTED, STRAIN, ROTATION, NUM_SIZES };
 
-/* Adds one cell, by strain energy but for the modulus. [in] u - at local nodes; [in] reference - usual size of grad u; [in,out] sizes - [NUM_SIZES] */
+/* Adds one cell, by strain energy but for the modulus. [in] u - at local nodes; [in] reference - usual size
+   of grad u; [in,out] sizes - [NUM_SIZES] */
 static void ValidityOfCell_Private(const Fields fields, PetscInt c, const ElementRule *rule, const PetscScalar u[],
                                    PetscReal reference, LargestBut sizes[])
 {
@@ -204,8 +208,9 @@ static PetscErrorCode PairStateDestroy_Private(PairState *state)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The largest of: normal displacements of the sides against each other, gaps that have closed, and the strain times the extent of
-   what touches, since an error of that size would be as much stress as there is. Collective. */
+/* The largest of: normal displacements of the sides against each other, gaps that have closed, and the strain
+   times the extent of what touches, since an error of that size would be as much stress as there is.
+   Collective. */
 static PetscErrorCode PairStateSetScale_Private(Fields fields, const Pair pair, PetscReal strain, PairState *state)
 {
   const PetscInt dim = pair->level->dim;
@@ -232,9 +237,9 @@ static PetscErrorCode PairStateSetScale_Private(Fields fields, const Pair pair, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Errors of the gap of nodes that touch, or were near enough to begin with. A node that has slid off its partner is measured on the way:
-   errors grow with the square of the displacement. What is off by as much as the way itself is no such error: at the rim of a partner another
-   part of a facet is met. Collective. */
+/* Errors of the gap of nodes that touch, or were near enough to begin with. A node that has slid off its
+   partner is measured on the way: errors grow with the square of the displacement. What is off by as much as
+   the way itself is no such error: at the rim of a partner another part of a facet is met. Collective. */
 static PetscErrorCode PairStateMeasureGaps_Private(Fields fields, const Pair pair, PairState *state)
 {
   const VI  vi    = fields->vi;
@@ -268,8 +273,8 @@ static PetscErrorCode PairStateMeasureGaps_Private(Fields fields, const Pair pai
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Gaps, slips and normals of one pair. Collective. [in] strain - of ValidityOfCells_Private(); [in,out] largest - of all pairs, of this rank; [in,out] sliding -
-   sum of p W |slip| */
+/* Gaps, slips and normals of one pair. Collective. [in] strain - of ValidityOfCells_Private(); [in,out]
+   largest - of all pairs, of this rank; [in,out] sliding - sum of p W |slip| */
 static PetscErrorCode ValidityOfPair_Private(Fields fields, PetscInt p, PetscReal strain,
                                              Largest largest[VALIDITY_COUNT], PetscReal *sliding)
 {

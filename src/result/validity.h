@@ -1,7 +1,8 @@
 /* validity.h -- how far a solution is from where small displacements stop to hold (eqs. 11.5-11.8).
 
-   The theory linearizes strains, normals, projections and gaps where the bodies are before the loads. Indicators tell by how much each of
-   these has changed when the loads have moved the bodies. All of them grow in proportion to displacements. */
+   The theory linearizes strains, normals, projections and gaps where the bodies are before the loads.
+   Indicators tell by how much each of these has changed when the loads have moved the bodies. All of them
+   grow in proportion to displacements. */
 #ifndef MORTISE_VALIDITY_H
 #define MORTISE_VALIDITY_H
 
