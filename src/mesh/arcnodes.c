@@ -1,9 +1,9 @@
 /* arcnodes.c -- new nodes of smooth sides, on the curves of the nodal normals (eq. 4.5).
 
    A curve's middle belongs to the node in the middle of its edge, on this level or on the next finer one.
-   Facets tell the nodes, all ranks sum, and what lies in the middle of a quadrilateral or hexahedron follows
-   half or a quarter of the way of its edges (Coons), so that cells stay sound. Everything happens before
-   maps. */
+   Facets give offsets to their nodes, and all ranks sum them. The node in the middle of a quadrilateral or
+   hexahedron moves by half or a quarter of the sum of its edges' offsets (Coons), so that cells stay valid.
+   Everything happens before maps. */
 #include "mesh/meshimpl.h"
 #include "kernel/arc.h"
 #include "base/compat.h"
@@ -81,7 +81,7 @@ static PetscErrorCode FacetGetEdges_Private(const Level *level, const PetscInt p
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds what facets say of the nodes on their edges. [in] bulge - as BulgesCreate_Private() makes it, or NULL:
+/* Adds the data of facets at the nodes on their edges. [in] bulge - as BulgesCreate_Private() makes it, or NULL:
    normals [num][F][dim] */
 static PetscErrorCode ArcsAdd_Private(const Arcs *arcs, const Facets *facets, const PetscReal bulge[],
                                       PetscScalar sums[])
@@ -156,7 +156,7 @@ PetscBool ArcSumsToOffset(PetscInt dim, const PetscScalar sums[], PetscReal offs
   return PETSC_TRUE;
 }
 
-/* How far the node of each edge has to go from where it is. [out] way - [end - begin][dim], zero where
+/* The offset of the node of each edge from its position. [out] way - [end - begin][dim], zero where
    nothing is known */
 static PetscErrorCode ArcsGetWays_Private(const Arcs *arcs, PetscReal way[])
 {

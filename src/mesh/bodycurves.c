@@ -1,7 +1,8 @@
 /* bodycurves.c -- curved edges of files under bodies of order 1.
 
    A body of order 1 has no nodes on edges that could keep the curves of its file. The same bodies in order 2,
-   on the same points of the mesh, do: refined in step with the mesh, they tell where its new vertices are. */
+   on the same points of the mesh, have such nodes. Refined together with the mesh, they give the positions of
+   its new vertices. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 

@@ -1,9 +1,8 @@
 /* bodyoverlap.c -- bodies that overlap in space by more than their contact explains.
 
-   A move that was forgotten, units of two kinds, or a body drawn within another solve without complaint:
-   without a pair nothing sees the overlap, and a pair takes it for an interference fit. Points of the
-   boundary of one body, the middles of facets among them, are looked for inside the other. Bodies whose boxes
-   do not overlap cost nothing more. */
+   Causes are a forgotten move, mixed units, or a body drawn within another. Without a pair nothing else
+   detects the overlap; a pair treats it as an interference fit. Points of the boundary of one body, with the
+   middles of facets, are searched inside the other. Bodies whose boxes do not overlap need no search. */
 #include "kernel/boxtree.h"
 #include "kernel/closest.h"
 #include "base/compat.h"
@@ -13,12 +12,12 @@
 
 /* An interference above this part of the smallest extent of a body strains it by more than small strains allow. */
 static const PetscReal FIT = 0.1;
-/* Where no pair joins two bodies, what is left of curves and of digits is below this part. */
+/* Without a pair between two bodies: errors of curves and of digits are below this part. */
 static const PetscReal TOUCH = 1e-3;
 /* Depths that differ by less are equal. */
 static const PetscReal SAME_DEPTH = 1e-8;
 
-/* A sum of coordinates that is different for different points of a mesh: the digits mean nothing. */
+/* Coefficients of a sum of coordinates that differs between the points of a mesh: arbitrary digits. */
 static const PetscReal MIXED[3] = {1, 0.7548776662466927, 0.5698402909980532};
 
 enum { MAX_MEASURED = 256 }; /* points whose depth is measured */
@@ -132,7 +131,7 @@ static PetscReal OverlapGetExtent_Private(const struct _n_Scene *scene, const Pe
   return extent;
 }
 
-/* What the pairs between two bodies explain: infinite where they are tied. [out] pair - one of them, or NULL */
+/* The overlap that the pairs between two bodies explain: infinite for a tie. [out] pair - one of them, or NULL */
 static PetscReal OverlapGetLimit_Private(const struct _n_Scene *scene, PetscInt a, PetscInt b, const PetscReal box[],
                                          const char **pair)
 {
@@ -186,7 +185,7 @@ static PetscErrorCode PointsGather_Private(const Level *level, const Boundary *b
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Lets go of points that the boundary of the body is near. Collective. */
+/* Removes points near the boundary of the body. Collective. */
 static PetscErrorCode PointsRemoveNear_Private(const Level *level, const Boundary *b, PetscInt body, PetscReal limit,
                                                GatheredPoints *points)
 {
@@ -280,7 +279,7 @@ static PetscErrorCode PointsMeasure_Private(const Level *level, const Boundary *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Looks for the boundary of body a inside body b, deeper than a limit. Collective. [in,out] deepest - as above */
+/* Searches the boundary of body a inside body b, deeper than a limit. Collective. [in,out] deepest - as above */
 static PetscErrorCode OverlapFind_Private(const Level *level, const Boundary *boundary, PetscInt a, PetscInt b,
                                           const PetscReal boxes[], PetscReal limit, Deepest *deepest)
 {
@@ -304,7 +303,7 @@ static PetscErrorCode OverlapFind_Private(const Level *level, const Boundary *bo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a pair refuses the overlap anyway: the user wants it to reach less far. */
+/* Whether a pair refuses the overlap in any case: the user's reach is smaller. */
 static PetscBool OverlapIsRefused_Private(const struct _n_Scene *scene, PetscInt a, PetscInt b, PetscReal depth)
 {
   for (PetscInt p = 0; p < scene->num_pairs; p++) {

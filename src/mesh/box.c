@@ -1,10 +1,10 @@
 /* box.c -- a box of quadrilaterals, triangles, hexahedra or tetrahedra.
 
-   PETSc makes one box at a time and cannot merge two, and its Debian build has no generator for simplices, so
+   PETSc makes one box at a time and cannot merge two. Its Debian build has no generator for simplices. So
    boxes are written here as cell lists: nodes run along x first, then along y, then along z. A quad is cut
-   along the diagonal from its lower left corner, a hexahedron into the six tetrahedra around the diagonal
-   from its lowest corner to its highest one [1]: all facets are cut from their lowest corner, so those of
-   neighbours match.
+   along the diagonal from its lower left corner. A hexahedron is cut into the six tetrahedra around the
+   diagonal from its lowest corner to its highest one [1]. All facets are cut from their lowest corner, so
+   those of neighbours match.
 
    Reference:
      [1] H. W. Kuhn, Some combinatorial lemmas in topology, IBM J. Res. Dev. 4 (1960) 518-524. */

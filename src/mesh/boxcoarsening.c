@@ -1,8 +1,8 @@
 /* boxcoarsening.c -- coarser levels of boxes.
 
    A box of 256 x 192 cells is one of 8 x 6 cells that is refined five times. Where solvers use coarser
-   levels, scenes of boxes therefore need no -dm_refine to have them. So long as ranks are few their number
-   plays no part, so that iterations do not depend on it. */
+   levels, scenes of boxes therefore need no -dm_refine to have them. For few ranks it does not depend on
+   their number; then iterations do not either. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 

@@ -231,7 +231,7 @@ static PetscErrorCode BlocksMakePart_Private(const Blocks *blocks, PetscInt b, P
 
 enum {
   KINDS = 24
-}; /* of points that have the same lowest vertex: by the axes along which they extend, and triangles by the side of the diagonal */
+}; /* kinds of points with the same lowest vertex: their axes, for triangles their side of the diagonal */
 
 /* The points that this rank shares with others. */
 typedef struct {

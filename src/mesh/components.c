@@ -1,5 +1,5 @@
-/* components.c -- components of bodies: sets of nodes are united cell by cell on every rank, and then passed
-   on from rank to rank by the nodes that several of them hold, until nothing changes. */
+/* components.c -- components of bodies. Sets of nodes are united cell by cell on every rank. Then ranks
+   exchange the sets of common nodes until nothing changes. */
 #include "base/compat.h"
 #include "mesh/components.h"
 
@@ -64,8 +64,7 @@ static PetscErrorCode ComponentsNumber_Private(Level *level, const PetscInt pare
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The names and bodies of all components on all ranks: a component is told by the rank that owns the node it
-   is called by.
+/* The names and bodies of all components on all ranks: the owner of the node that names a component sends it.
    [in] name - [num_nodes]; [out] told - name and body of each component, names ascending [*num][2], owned by
    the caller */
 static PetscErrorCode ComponentsGather_Private(const Level *level, const PetscInt name[], PetscInt *num,

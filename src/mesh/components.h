@@ -1,7 +1,7 @@
 /* components.h -- connected components of bodies: cells that share nodes.
 
-   A mesh file may give a body of several components. Each moves as it likes: it is components, not bodies,
-   that have rigid motions. */
+   A mesh file may give a body of several components. Each moves independently: rigid motions belong to
+   components, not to bodies. */
 #ifndef MORTISE_COMPONENTS_H
 #define MORTISE_COMPONENTS_H
 

@@ -100,7 +100,7 @@ static void GmshCheckCorners_Private(const GmshMesh *mesh, PetscInt dim, char re
   }
 }
 
-/* Puts a node in the middle of an element where serendipity shape functions have it. The order of the element
+/* Sets the node in the middle of an element to the value of serendipity shape functions. The order of the element
    is that of element.h. [in] local - which of the cell's nodes the element's are, NULL for the cell itself */
 static void MiddleSet_Private(ElementType type, const PetscInt local[], const PetscInt nodes[], PetscInt middle,
                               BodyList *list)

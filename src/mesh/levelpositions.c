@@ -1,8 +1,8 @@
 /* levelpositions.c -- positions of the nodes of a level.
 
    The DM keeps box coordinates of vertices. A node in the middle of an edge or a cell has the mean of its
-   vertices there, unless a file of second order says otherwise; finer levels then follow the curves of the
-   coarsest. The body's map puts all of them on the exact curve: sides are isoparametric. */
+   vertices, or the position from a file of second order. Finer levels follow the curves of the coarsest. The
+   body's map puts all of them on the exact curve: sides are isoparametric. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
@@ -85,7 +85,7 @@ static PetscErrorCode LevelMapCoords_Private(Level *level, const PetscReal X[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What finer levels cannot find out from the DM is kept for them, and nothing else. */
+/* Keeps for finer levels the data that the DM does not have. */
 PetscErrorCode LevelSetCoords(Level *level, const Curves *curves)
 {
   PetscReal *X;

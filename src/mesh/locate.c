@@ -6,8 +6,8 @@
 static const PetscReal LocateTolerance = 1e-8;
 /* Boxes of cells are widened by this share where a curve may leave them: half a circle over one facet. */
 static const PetscReal CurveMargin = 0.5;
-/* A parabola leaves the box around its three nodes by an eighth of it, a side of a tri6 or a quad9 by less
-   than a third. */
+/* A parabola extends beyond the box around its three nodes by an eighth of it. A side of a tri6 or a quad9
+   extends by less than a third. */
 static const PetscReal OrderMargin = 1. / 3;
 /* Reference coordinates may leave the cell by this much where a curve does. */
 static const PetscReal CurveTolerance = 1;

@@ -7,8 +7,8 @@
 
    Roles of all pairs together have no cycle where that can be. Pair p leads to pair q where the mortar side
    of p touches the nonmortar side of q: there p's multipliers may depend on nodes that q's define. Pairs are
-   decided one after the other, the ones with the strongest reasons first, each as it prefers unless this
-   closes a cycle with earlier decisions; where neither choice is left, the last free decision is taken back.
+   decided in sequence, those with the strongest reasons first. Each gets its preferred roles unless these
+   close a cycle with earlier decisions; where neither choice is left, the last free decision is taken back.
    The answer depends on the order and on nothing else. */
 #include "mesh/meshimpl.h"
 #include "mesh/sidemeasure.h"

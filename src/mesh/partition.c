@@ -1,11 +1,11 @@
 /* partition.c -- the partition: bodies that touch share ranks where they touch.
 
-   METIS minimizes the weight of cut edges in the graph of cells. Cells of two bodies share no facet, so a
-   plain partition of two equal bodies gives one to each of two ranks and makes all contact remote. Cells
-   whose facets may touch are therefore joined by extra, heavier edges. These alone would give all contact to
-   one rank, if that has room for it: contact is work, and is shared out as the cells are [1]. Edges across
-   which cells are short are heavier too: there K couples strongly, and smoothers solve along lines that had
-   better not end between ranks.
+   METIS minimizes the weight of cut edges in the graph of cells. Cells of two bodies share no facet. So a
+   plain partition of two equal bodies gives one body to each of two ranks: all contact is remote. Cells whose
+   facets may touch are therefore joined by extra, heavier edges. These alone would give all contact to one
+   rank, if that has room for it: contact is work, and is shared out as the cells are [1]. Edges across which
+   cells are short are heavier too: there K couples strongly, and smoothers solve along lines that had better
+   not end between ranks.
 
    Reference: [1] G. Karypis, V. Kumar, Multilevel algorithms for multi-constraint graph partitioning, 1998. */
 #include "mesh/meshimpl.h"

@@ -1,8 +1,8 @@
 /* prolongation.c -- prolongation between levels, and from order 1 to order 2.
 
-   A fine node takes the value that the coarse shape functions give at its place in the point (edge or cell)
-   that the transform made it from. Fine vertices are middles of coarse points, other fine nodes are middles
-   of fine vertices, so every place is a mean of reference coordinates, whatever the dimension and the order.
+   The value of a fine node is that of the coarse shape functions, at its place in the point (edge or cell)
+   from which the transform made it. Fine vertices are middles of coarse points, other fine nodes are middles
+   of fine vertices. So every place is a mean of reference coordinates, for any dimension and order.
    Polynomials of the lower of both orders are reproduced exactly on straight cells. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"

@@ -1,14 +1,15 @@
 /* rigidmodes.c -- the rigid body modes that supports leave to a component of a body.
 
-   The rows (d, d.rotation(x)) of all held directions d at places x, rotations taken about the component's
-   centre and scaled by half its size, span all rigid modes exactly if none is left. What they do not span is
-   the kernel of their Gram matrix. */
+   Take the rows (d, d.rotation(x)) of all held directions d at places x, with rotations about the component's
+   centre, scaled by half its size. They span all rigid modes exactly if none is left. What they do not span
+   is the kernel of their Gram matrix. */
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "mesh/rigidmodes.h"
 
-/* An eigenvalue counts as 0 below this part of the largest. It is the square of a ratio of lengths, (size of the
-   held part / size of the component)^2 at worst, which stays above for a component held at two neighbouring nodes. */
+/* An eigenvalue counts as 0 below this part of the largest. It is the square of a ratio of lengths: at worst
+   (size of the held part / size of the component)^2. For a component held at two neighbouring nodes it is
+   above this limit. */
 static const PetscReal RANK_TOLERANCE = 1e-12;
 
 /* Centre and half size of every component. [out] frames - [components->num][4] */

@@ -1,9 +1,8 @@
 /* skeleton.c -- facets of cells, and edges of facets in space.
 
-   Shapes are taken from the dimension above: each one lists its facets, and those that it has in common with
-   another are found among the few that begin at the same lowest vertex. DMPlexInterpolate() gives the same,
-   and took most of the time of a large mesh. How PETSc numbers the facets of one cell, and their vertices, is
-   asked of PETSc. */
+   Shapes are taken from the dimension above: each one lists its facets. Common facets of two cells are found
+   among the few that begin at the same lowest vertex. DMPlexInterpolate() gives the same, and took most of
+   the time of a large mesh. How PETSc numbers the facets of one cell, and their vertices, is asked of PETSc. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 

@@ -1,8 +1,8 @@
 /* support.c -- fixed directions of nodes, gathered from all boundaries of a body and made orthonormal.
 
-   Whether a node lies on a side is known to the ranks that hold one of the side's facets there, not to every rank
-   that holds the node: flags travel through a ghosted Vec. All that follows depends on the node's position and on
-   the boundary alone, so every rank that holds a node finds the same. */
+   Only ranks with a facet of the side at a node know that the node lies on the side, not all ranks with the
+   node: flags travel through a ghosted Vec. All that follows depends on the node's position and on the
+   boundary alone, so every rank that holds a node finds the same. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 #include "base/usererror.h"

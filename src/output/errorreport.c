@@ -1,4 +1,4 @@
-/* errorreport.c -- how far the answer is off, as far as meshes tell. */
+/* errorreport.c -- the estimated error of the result, and its error bars. */
 #include "output/errorreport.h"
 #include "base/compat.h"
 #include "base/json.h"

@@ -1,7 +1,7 @@
 /* fieldwriter.c -- points, cells and one quantity at a time, in the order of the file, to a format.
 
-   Global nodes are numbered rank by rank, so each rank has one contiguous piece of each quantity of points,
-   and one of each type of cell. */
+   Global nodes are numbered rank by rank. So each rank has one contiguous piece of each quantity of points,
+   and one piece for each type of cell. */
 #include "output/fieldwriter.h"
 #include "base/compat.h"
 #include <errno.h>

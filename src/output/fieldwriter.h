@@ -1,8 +1,8 @@
 /* fieldwriter.h -- fields for viewers, written one quantity at a time, by every rank what it holds.
 
-   FieldWriterOpen(); FieldWriterMesh(); FieldWriterPoints() and FieldWriterCells() for each quantity, those
-   of points first; FieldWriterClose(). All are collective. What goes wrong with a file is noted in files, and
-   nothing is written any more. */
+   FieldWriterOpen(); FieldWriterMesh(); FieldWriterPoints() and FieldWriterCells() for each quantity, points
+   first; FieldWriterClose(). All are collective. The first error of a file is noted in `files`; after it
+   nothing is written. */
 #ifndef MORTISE_FIELDWRITER_H
 #define MORTISE_FIELDWRITER_H
 
@@ -11,7 +11,7 @@
 #include "output/fileset.h"
 #include "result/gatherarrays.h"
 
-/* What is told of points or cells. */
+/* Description of a quantity. */
 typedef struct {
   const char *name;
   PetscInt    components;
@@ -45,15 +45,14 @@ typedef struct {
   const char *topology;              /* its TopologyType in XDMF; static */
 } FieldGrid;
 
-/* A picture at several times, from one writing to the next: those that its file holds. */
+/* A picture at several times: the times that its file holds. */
 typedef struct {
   PetscInt   num, capacity;
-  PetscReal *t;    /* [num] */
-  FieldGrid *grid; /* [num] */
-  PetscBool
-      varies; /* whether meshes may differ: then each step where one is new has it in its group, else the root has the one */
-  PetscBool fresh;  /* whether that of the last time is a new one */
-  PetscBool solved; /* whether the last time is solved: a run can go on from there */
+  PetscReal *t;      /* [num] */
+  FieldGrid *grid;   /* [num] */
+  PetscBool  varies; /* whether meshes may differ: then in the groups of their steps, else in the root */
+  PetscBool  fresh;  /* whether the mesh of the last time is new */
+  PetscBool  solved; /* whether the last time is solved: a run can go on from there */
 } FieldSeries;
 
 /* A picture that is being written. */
@@ -98,11 +97,10 @@ struct FieldWriter {
 PetscErrorCode FieldWriterOpen(MPI_Comm comm, const FieldFormat *format, FieldWriter *writer);
 PetscErrorCode FieldWriterClose(FieldWriter *writer);
 
-/* What this rank holds of the mesh. */
+/* This rank's part of the mesh. */
 typedef struct {
-  PetscInt dim, num_points;
-  const PetscInt *
-      nodes; /* which of its nodes are points, ascending over all ranks by their numbers [num_points]; NULL: all owned ones */
+  PetscInt         dim, num_points;
+  const PetscInt  *nodes;  /* nodes that are points, ascending by their numbers [num_points]; NULL: all owned nodes */
   const PetscReal *coords; /* of its nodes [][dim] */
   PetscInt         num_cells;
   const PetscInt  *cell_type;  /* ElementType [num_cells] */

@@ -347,7 +347,7 @@ static int FileSetTryWrite_Private(const char path[], const char temporary[])
   FILE       *file;
 
   if (stat(path, &info) == 0 && S_ISDIR(info.st_mode)) return EISDIR;
-  if (access(path, W_OK) && errno != ENOENT && errno != ENOTDIR) return errno; // who protects a file wants to keep it
+  if (access(path, W_OK) && errno != ENOENT && errno != ENOTDIR) return errno; // a protected file is not replaced
   error = FileSetCreateFolders_Private(path, &made);
   if (!error) {
     file = fopen(temporary, "wb");

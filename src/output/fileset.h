@@ -2,10 +2,10 @@
 
    Everything is written to temporary names in the same folders by the first rank, then renamed. The file that
    was added last is the mark of completeness: its predecessor is removed before any other file is renamed,
-   and it is renamed as the last one. So whatever ends the program, files that belong to different runs never
-   stand beside such a mark. Temporary files are removed when a signal or a failure ends the program
-   (interrupt.h), and what kill -9 has left by the next run that writes the same file. Calls other than
-   FileSetFinish() and FileSetCheck() are not collective and belong to the first rank. */
+   and it is renamed as the last one. So files of different runs never stand beside such a mark, however the
+   program ends. Temporary files are removed when a signal or a failure ends the program (interrupt.h). After
+   kill -9 the next run that writes the same file removes them. Calls other than FileSetFinish() and
+   FileSetCheck() are not collective and belong to the first rank. */
 #ifndef MORTISE_FILESET_H
 #define MORTISE_FILESET_H
 
@@ -14,7 +14,7 @@
 
 enum { FILE_SET_SENTENCE = PETSC_MAX_PATH_LEN + 256 };
 
-/* What changes a file that stays in its place. */
+/* A change of a file in its place. */
 typedef struct FileSetChange {
   struct FileSetChange *next;
   int (*commit)(void *ctx); /* returns 0 or errno */
@@ -28,7 +28,7 @@ typedef struct FileSet {
   char          **final;                      /* [num] */
   char          **temporary;                  /* NULL where the file is to be removed [num] */
   size_t         *made;                       /* length of the topmost folder that was made for it, 0 for none [num] */
-  char            failure[FILE_SET_SENTENCE]; /* the first thing that went wrong, as a sentence; "" while all is well */
+  char            failure[FILE_SET_SENTENCE]; /* the first failure, as a sentence; "" without one */
   FileSetChange  *changes;                    /* of files that stay */
   struct FileSet *next;                       /* of all that are being written */
 } FileSet;

@@ -9,9 +9,9 @@
 #endif
 
 typedef struct {
-  H5FD_t  base; /* what HDF5 knows; has to be the first */
+  H5FD_t  base; /* base class of HDF5; must be the first member */
   Sink   *sink;
-  haddr_t allocated, end; /* what HDF5 has given out, and what was written */
+  haddr_t allocated, end; /* end of allocated addresses; end of written ones */
 } SinkFile;
 
 static H5FD_t *SinkOpenFn(const char *name, unsigned flags, hid_t access, haddr_t max)
@@ -59,7 +59,7 @@ static haddr_t SinkEndFn(const H5FD_t *file, H5FD_mem_t type)
   return ((const SinkFile *)file)->end;
 }
 
-/* What cannot be read is 0. */
+/* Bytes that cannot be read are 0. */
 static herr_t SinkReadFn(H5FD_t *base, H5FD_mem_t type, hid_t transfer, haddr_t at, size_t size, void *buffer)
 {
   const SinkFile *file = (const SinkFile *)base;

@@ -1,18 +1,16 @@
 /* hdf5driver.h -- an HDF5 driver for a file that is open already.
 
-   After a failed write HDF5 1.10 can neither close its file nor survive MPI_Finalize(), so a full disk would
-   end in a crash instead of a sentence. This driver never fails: the first error is noted, and nothing is
-   written from then on.
+   After a failed write HDF5 1.10 can neither close its file nor pass MPI_Finalize(): the program would crash
+   on a full disk. This driver never fails. It notes the first error, and writes nothing after it.
 
-   What is written to a file that has bytes already appears at once: new bytes go behind its end, where
-   readers do not look, and changes of old ones wait in memory for HDF5DriverCommit(). Until then the file is
-   the one of before. */
+   Changes of an existing file appear all at once. New bytes are appended behind its end, where readers do not
+   look. Changes of old bytes wait in memory for HDF5DriverCommit(). Until then readers see the old file. */
 #ifndef MORTISE_HDF5DRIVER_H
 #define MORTISE_HDF5DRIVER_H
 
 #include <hdf5.h>
 
-/* Bytes that wait. */
+/* A waiting change of bytes. */
 typedef struct SinkChange {
   struct SinkChange *next;
   haddr_t            at;

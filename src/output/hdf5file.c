@@ -29,8 +29,8 @@ typedef struct {
   Sink     *sink; /* of the first rank; of a file that grows it is kept until its changes are made */
   hid_t     access, file;
   PetscBool more; /* whether the file grows */
-  PetscBool good; /* false where HDF5 failed, for which memory is the only reason: what files do is in sink */
-  char      path[PETSC_MAX_PATH_LEN + 64]; /* where the file is while it is written */
+  PetscBool good; /* false if HDF5 failed, only for lack of memory; failures of files are in sink */
+  char      path[PETSC_MAX_PATH_LEN + 64]; /* path of the file while it is written */
   int       descriptor, error; /* of this rank: -1 before its first rows; errno of the first write that failed */
   Topology  topology;
 } Image;
@@ -117,7 +117,7 @@ static PetscErrorCode HDF5FileWriteDataset_Private(FieldWriter *writer, const Da
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What a reader has to know about a quantity. */
+/* Attributes of a quantity for readers. */
 static const char *HDF5FileGetUnit_Private(const char name[])
 {
   static const char *const table[][2] = {
@@ -203,7 +203,7 @@ static void HDF5FileOpen_Private(const FieldWriter *writer, Image *image)
 {
   struct stat info;
 
-  H5Eset_auto2(H5E_DEFAULT, NULL, NULL); // its lists of functions; what can fail here is told by us
+  H5Eset_auto2(H5E_DEFAULT, NULL, NULL); // without HDF5's own messages: failures are reported by this program
   image->sink->file = fileno(writer->out);
   if (image->more && !fstat(image->sink->file, &info)) image->sink->size = (haddr_t)info.st_size;
   image->access = HDF5DriverCreate(image->sink);

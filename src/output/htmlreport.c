@@ -13,11 +13,11 @@
 
 static const char COMPANION[] = "mortise-report";
 
-enum { SAID_LENGTH = 1024 }; /* of what the companion says: a sentence; the rest of a long trace is of no use */
+enum { SAID_LENGTH = 1024 }; /* length of the companion's message: a sentence */
 
 extern char **environ;
 
-/* What there is to do when the results are complete; the first rank's alone. */
+/* The task for complete results; first rank only. */
 static char      page_prefix[PETSC_MAX_PATH_LEN];
 static PetscBool page_quiet;
 

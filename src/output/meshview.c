@@ -87,7 +87,7 @@ static PetscErrorCode MeshViewPrintPair_Private(VI vi, const Pair pair)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a side that bends has its gaps measured from curves. [in] which - 0 nonmortar, 1 mortar */
+/* Whether the gaps of a curved side are measured from curves. [in] which - 0 nonmortar, 1 mortar */
 static PetscErrorCode MeshViewPrintSide_Private(Scene scene, const Pair pair, PetscInt which)
 {
   const SceneSide *side = which ? &pair->spec->mortar : &pair->spec->nonmortar;
@@ -172,7 +172,7 @@ static PetscErrorCode MeshViewPrintStraightBodies_Private(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Bodies whose cells are not as the options or the file give them. */
+/* Bodies whose cells differ from the options or the file. */
 static PetscErrorCode MeshViewPrintCutBodies_Private(VI vi)
 {
   const Scene scene = vi->scene;

@@ -4,7 +4,7 @@
 
 #include <petscsys.h>
 
-/* "(1.5, -2)"; what is rounding beside the size is 0. Not collective. */
+/* "(1.5, -2)"; rounding relative to the size is 0. Not collective. */
 PetscErrorCode NumberWordsVectorBeside(PetscInt dim, const PetscReal v[], PetscReal size, char text[], size_t len);
 /* The same beside the largest component. Not collective. */
 PetscErrorCode NumberWordsVector(PetscInt dim, const PetscReal v[], char text[], size_t len);

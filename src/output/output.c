@@ -59,8 +59,8 @@ PetscErrorCode OutputCheck(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What a picture tells: fields, of a pair or (pair < 0) of all bodies; without fields the motion of bodies, or their
-   sides. */
+/* Content of a picture: fields of a pair or (pair < 0) of all bodies; without fields the motion of bodies, or
+   their sides. */
 typedef struct {
   VI                 vi;
   Fields             fields;

@@ -13,8 +13,8 @@ typedef struct _n_Output *Output;
 
 /* Collective. */
 PetscErrorCode OutputCreate(MPI_Comm comm, Output *output);
-/* Adds <output>.h5 + .xdmf and/or .vtu, for each pair the same of its nonmortar side, <output>_<pair>.h5 and so on, and
-   <output>_<pair>.csv. Collective. */
+/* Adds <output>.h5 + .xdmf and/or .vtu. Adds the same for the nonmortar side of each pair, <output>_<pair>.h5
+   and so on, and <output>_<pair>.csv. Collective. */
 PetscErrorCode OutputAddFields(Output output, Fields fields);
 /* The pictures of a scene at several times, from the first file to the last. */
 typedef struct _n_OutputSeries *OutputSeries;

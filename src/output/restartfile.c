@@ -1,4 +1,4 @@
-/* restartfile.c -- what a new run takes from the file of an older one: displacement and time of the last solved step.
+/* restartfile.c -- displacement and time of the last solved step, read from the file of an older run.
 
    Where regions meet, a node is several points with one displacement. */
 #include <hdf5.h>
@@ -14,7 +14,7 @@ static const PetscReal SAME_POINT = 1e-10;
 
 enum { GROUP_NAME = 64, WHY_LENGTH = PETSC_MAX_PATH_LEN + 512, CHUNK = 1 << 15 };
 
-/* What the file holds near the nodes of this rank. */
+/* Points of the file near the nodes of this rank. */
 typedef struct {
   PetscInt   all, num;       /* points of the file; those that are kept */
   PetscInt  *number;         /* in the file, ascending [num] */
@@ -100,7 +100,7 @@ static void PastFindStep_Private(hid_t file, char name[GROUP_NAME], PetscReal *t
   }
 }
 
-/* Keeps points within a box, and what moved them. Returns whether the file has all that. [in] box - [2][3] */
+/* Keeps points within a box, and their displacements. Returns whether the file has them. [in] box - [2][3] */
 static PetscErrorCode PastReadPoints_Private(const Array *points, const Array *moved, const PetscReal box[], Past *past,
                                              PetscBool *good)
 {

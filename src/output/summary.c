@@ -48,7 +48,7 @@ static PetscErrorCode SummaryAddMortise_Private(const SummaryInput *in, cJSON *r
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What the user asked for, option by option. */
+/* The user's options. */
 static PetscErrorCode SummaryAddOptions_Private(cJSON *root)
 {
   cJSON       *object = cJSON_AddObjectToObject(root, "options");
@@ -137,7 +137,7 @@ static void SummaryAddSide_Private(const SummaryInput *in, cJSON *object, const 
   cJSON_AddStringToObject(object, key, text);
 }
 
-/* What the numbers are in, or null. */
+/* The units, or null. */
 static void SummaryAddUnits_Private(Scene scene, cJSON *object)
 {
   static const char *const names[] = {"length", "force", "stress", "temperature"};
@@ -320,7 +320,7 @@ static PetscErrorCode SummaryAddReactions_Private(const SummaryInput *in, cJSON 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What the loads on sides add up to; several on one side add up in one entry. */
+/* Sums of the loads on sides, one entry for each side. */
 static PetscErrorCode SummaryAddLoads_Private(const SummaryInput *in, cJSON *root)
 {
   cJSON         *loads = cJSON_AddObjectToObject(root, "loads");
@@ -356,7 +356,7 @@ static PetscErrorCode SummaryAddLoads_Private(const SummaryInput *in, cJSON *roo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What bodies with pretension carry now, and the strain that they were tightened by. */
+/* Forces of bodies with pretension, and the strain of their tightening. */
 static PetscErrorCode SummaryAddPretension_Private(const SummaryInput *in, cJSON *root)
 {
   cJSON *all = NULL;

@@ -11,7 +11,7 @@
 #include <cjson/cJSON.h>
 #include "output/output.h"
 
-/* Everything the summary tells of; borrowed parts. */
+/* The content of the summary; borrowed. */
 typedef struct {
   Scene                scene;
   Mesh                 mesh;
@@ -42,15 +42,14 @@ PetscErrorCode SummaryCreateTree(const SummaryInput *input, cJSON **tree);
 /* The row of the summary's `steps` for the time that the scene has. Collective. [out] row - on all ranks,
    owned by the caller */
 PetscErrorCode SummaryCreateStep(const SummaryInput *input, cJSON **row);
-/* Adds the summary to the output where the scene wants it (-summary, <output>.json), completes that, and
-   prints the few lines a user reads on the terminal: verdict, forces, certificate, files; on failure the
-   reason, on stderr. Collective; *output = NULL. */
+/* Adds the summary to the output if the scene wants it (-summary, <output>.json), and completes the output.
+   Prints the lines for the terminal: verdict, forces, certificate, files; after a failure the reason, on
+   stderr. Collective; *output = NULL. */
 PetscErrorCode SummaryWrite(const SummaryInput *input, Output *output);
 /* Prints those lines, of a summary that is written already. Collective. [in] quiet - only why it is not solved */
 PetscErrorCode SummaryPrintEnd(const SummaryInput *input, PetscBool quiet);
 /* Prints those lines: why there is no solution, too, on stderr. Collective. */
 PetscErrorCode SummaryPrint(const SummaryInput *input);
-/* Prints what the meshes made of the scene, and what was left out of it: with SceneView() before and
-   SolverView() behind, -scene_view. Collective. */
+/* Prints the part of -scene_view that needs meshes, between SceneView() and SolverView(). Collective. */
 PetscErrorCode MeshViewPrint(VI vi, Solvability solvability);
 #endif

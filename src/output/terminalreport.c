@@ -226,7 +226,7 @@ static PetscErrorCode SummaryPrintFailures_Private(const SummaryInput *in)
   PetscFunctionBeginUser;
   if (!in->report->converged)
     PetscCall(PetscFPrintf(comm, PETSC_STDERR, "mortise: not solved: %s\n", in->report->reason));
-  /* What would mend a certificate, its part behind the semicolon, is no advice where there is no solution to judge. */
+  /* Omits the advice of a certificate, its part behind the semicolon, if there is no solution. */
   if (!in->certificate->holds) {
     const char *failure = in->certificate->failure;
     const int   shown   = (int)(in->report->converged ? strlen(failure) : strcspn(failure, ";"));

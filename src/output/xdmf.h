@@ -22,7 +22,7 @@ PetscErrorCode XDMFTopologyDestroy(Topology *topology);
 PetscInt XDMFTopologyGetNumNodes(int number);
 
 enum { XDMF_STEP_NAME = 32 };
-/* "steps/0003/", the place of what the HDF5 file has of step i (from 0) of a series; "" without a series. Not
+/* "steps/0003/", the group of step i (from 0) of a series in the HDF5 file; "" without a series. Not
    collective. */
 void XDMFStepName(const FieldSeries *series, PetscInt i, char name[XDMF_STEP_NAME]);
 /* The file that tells viewers what lies in the HDF5 file, beside which it will stand. First rank only, not collective.

@@ -1,4 +1,4 @@
-/* barfloors.h -- how far numbers of one solution are off at least, from its own error estimate (eq. 15.5). */
+/* barfloors.h -- least errors of the numbers of one solution, from its own error estimate (eq. 15.5). */
 #ifndef MORTISE_BARFLOORS_H
 #define MORTISE_BARFLOORS_H
 

@@ -1,4 +1,4 @@
-/* calibration.c -- theta, from what refinement has gained. */
+/* calibration.c -- theta, from the decrease of the energy by refinement. */
 #include "result/calibration.h"
 #include "base/compat.h"
 

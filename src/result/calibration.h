@@ -4,7 +4,7 @@
 
 #include "mesh/mesh.h"
 
-/* What two meshes that follow each other are compared by. */
+/* Numbers by which consecutive meshes are compared. */
 typedef struct {
   PetscReal squared; /* eta^2 */
   PetscReal energy;  /* 2 J_h - L: its distance from the limit is |e|^2 */

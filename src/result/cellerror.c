@@ -20,7 +20,7 @@ static const PetscReal SHARE = 1e-2;
    shrink: cutting would never end. */
 static const PetscReal NORM_ROUNDING = 1e-9;
 
-/* What is compared with what: nodal values against nodal values, or against a formula for each body. */
+/* The two fields of a comparison: nodal values and nodal values, or nodal values and a formula for each body. */
 typedef struct {
   Scene              scene;
   Level             *level;

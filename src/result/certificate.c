@@ -1,20 +1,20 @@
 /* certificate.c -- residuals of the uncondensed KKT system  K u + B'lambda = f,  B u <= G,  lambda >= 0.
 
-   Every test is a violation over a size. A violation within the roundoff of the sums it came from means
-   nothing, however small the size is (a body moved rigidly has no forces at all), so the size grows by
-   roundoff / tolerance times the products that were summed: value = violation / (size + roundoff /
-   tolerance), held to the tolerance.
+   Every test is a violation over a size. A violation within the roundoff of its own sums means nothing, even
+   if the size is small: a body that moves rigidly has no forces. Therefore roundoff / tolerance times the
+   summed products is added to the size: value = violation / (size + roundoff / tolerance), held to the
+   tolerance.
 
    Balance. With r the residual, split into a free part and the supports' part -R,
        f + R + C_obstacle = K u + B'lambda_mesh + r_free.
-   K u has neither resultant nor moment (rigid motions are its kernel, rotations included) and the contact
-   forces between two meshes have no resultant (row sums of D and M agree). Their moment vanishes on flat or
-   touching sides, but on curved sides with a gap only up to a discretisation error, because a nodal normal is
-   not the ray's direction at every point (Puso & Laursen 2004 discuss the same). That part is known exactly,
-   is reported, and is taken out before the test: it says something about the mesh, not about whether the
-   discrete problem was solved. Ties hand over force and moment, across a gap as well (eq. 5.4), so that
-   theirs stays in the test. Forces on a ring add up to one along its axis: radial components and all moments
-   are 0 by symmetry, and so are the tests of them. */
+   K u has neither resultant nor moment: rigid motions, with rotations, are its kernel. The contact forces
+   between two meshes have no resultant: row sums of D and M agree. Their moment vanishes on flat or touching
+   sides. On curved sides with a gap a discretisation error remains, because a nodal normal is not the
+   direction of the ray at every point (Puso & Laursen 2004 discuss the same). That part is known exactly, is
+   reported, and is subtracted before the test: it depends on the mesh, not on the solution of the discrete
+   problem. Ties transfer force and moment, across a gap as well (eq. 5.4): their moment stays in the test.
+   Forces on a ring add up to one along its axis: radial components and all moments are 0 by symmetry, and so
+   are the tests of them. */
 #include "kernel/vector.h"
 #include "result/certificate.h"
 #include "base/compat.h"
@@ -52,10 +52,10 @@ enum {
 /* Largest of all ranks. */
 enum { MAX_GAP, MAX_PRESSURE, MAX_COUNT };
 
-/* The forces on the nodes; noise is the roundoff of contact forces, which a stiff side hands on to a soft one. */
+/* The forces on the nodes; noise is the roundoff of contact forces: a soft side gets that of a stiff one. */
 enum { LOADS, INNER, CONTACT, OBSTACLE, RESIDUAL, REACTION, NOISE, MESHES, FORCE_COUNT };
 
-/* The violation of a test as a part of what it may be compared with. */
+/* The violation of a test over its size. */
 static PetscReal CertificateRatio_Private(PetscReal violation, PetscReal size, PetscReal roundoff)
 {
   return violation == 0.0 ? 0.0 : violation / (size + roundoff / TOLERANCE);

@@ -14,16 +14,14 @@ typedef struct {
   PetscReal complementarity; /* sum D lambda |slack| over the work of the loads */
   PetscReal force,
       moment; /* balance of loads, reactions and obstacles of the whole scene, over the sum of their sizes */
-  PetscReal
-                   pair_moment; /* part of moment that forces between two meshes in contact (ties hand theirs over) leave on curved sides with a gap */
+  PetscReal        pair_moment; /* part of moment: of contact forces (not ties) on curved sides with a gap */
   PetscReal        pull; /* sum of contact forces (pressure times the row's weight) that pull, over the sum of all */
-  FrictionResidual friction;   /* 0 without friction */
-  PetscInt         weightless; /* rows of contact that weigh nothing or less: there must be none */
-  PetscReal
-      energy_norm; /* |u|_K = (u'Ku)^(1/2), in the user's units: what the bound of the error is compared with; no test */
-  PetscReal limit; /* what none of those above but pair_moment may exceed */
-  PetscBool holds;
-  char      failure[256]; /* which test failed, by how much, what to try; "" where it holds */
+  FrictionResidual friction;    /* 0 without friction */
+  PetscInt         weightless;  /* rows of contact that weigh nothing or less: there must be none */
+  PetscReal        energy_norm; /* |u|_K = (u'Ku)^(1/2), in the user's units: reference of the error bound; no test */
+  PetscReal        limit;       /* limit of all those above except pair_moment */
+  PetscBool        holds;
+  char             failure[256]; /* which test failed, by how much, what to try; "" where it holds */
 } Certificate;
 
 /* Collective. [out] reactions - ghosted Vec of dim per node: what the supports exert, owned by the caller */

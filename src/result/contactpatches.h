@@ -1,8 +1,8 @@
 /* contactpatches.h -- the connected patches of a pair's contact area.
 
-   Nodes in contact that share a facet of the nonmortar side belong to one patch, and so do those on both
-   sides of a node whose constraint was redistributed. A node stands for the part of its facets that is nearer
-   to it than to their other nodes. Patches do not depend on the partition. */
+   Nodes in contact that share a facet of the nonmortar side belong to one patch. So do nodes on both sides of
+   a node whose constraint was redistributed. A node stands for the part of its facets that is nearer to it
+   than to their other nodes. Patches do not depend on the partition. */
 #ifndef MORTISE_CONTACTPATCHES_H
 #define MORTISE_CONTACTPATCHES_H
 

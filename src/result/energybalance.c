@@ -1,8 +1,8 @@
 /* energybalance.c -- work, stored energy and dissipation of a load step.
 
-   With the internal forces K u, the strain energy of linear bodies changes by the mean of the forces before
-   and after times the displacement between, exactly. So does the work of the contact forces: what friction
-   and closing gaps make of it beyond the dissipation is the defect. */
+   The change of the strain energy of linear bodies is the mean of the internal forces K u before and after,
+   times the change of the displacement. This is exact. The work of the contact forces is computed in the same
+   way; its part beyond the dissipation is the defect. */
 #include "base/compat.h"
 #include "result/energybalance.h"
 #include "result/frictionfields.h"
@@ -69,7 +69,7 @@ static PetscErrorCode EnergyBalanceGetWork_Private(Vec before, Vec after, Vec fr
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What partners and interferences that move do: -lambda times the change of the gap, in rows without slip. At
+/* Work of moving partners and interferences: -lambda times the change of the gap, in rows without slip. At
    rest no gap is negative, and ties are closed. */
 static PetscErrorCode EnergyBalanceGetGapWork_Private(VI vi, const EnergyState *before, const EnergyState *after,
                                                       PetscReal *work)

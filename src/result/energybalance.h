@@ -1,4 +1,4 @@
-/* energybalance.h -- what a load step with friction does to the energy (eq. 16.8). */
+/* energybalance.h -- energy balance of a load step with friction (eq. 16.8). */
 #ifndef MORTISE_ENERGYBALANCE_H
 #define MORTISE_ENERGYBALANCE_H
 

@@ -1,6 +1,7 @@
 /* errors.h -- errors against exact solutions.
 
-   With e = u_h - u over a body, integrated finely enough not to show, also where the exact solution is singular,
+   With e = u_h - u over a body. The error of integration is negligible, also near singular points of the
+   exact solution:
        l2^2 = int |e|^2,   energy^2 = int eps(e) : C eps(e),
    and for the pressure p_h = sum p_a phi_a that is written out, over the facets of the nonmortar side that
    carry one (eq. 15.1),

@@ -1,7 +1,7 @@
 /* estimate.c -- recovery of stresses.
 
    The recovered stress is one order nearer to the exact one than that of the displacement: their difference
-   is the error's, nearly (Zienkiewicz & Zhu 1992). What contact adds is in estimatepairs.c. */
+   is the error's, nearly (Zienkiewicz & Zhu 1992). The terms of contact are in estimatepairs.c. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "result/compliance.h"

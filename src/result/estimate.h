@@ -1,4 +1,4 @@
-/* estimate.h -- how far a discrete solution is from the exact one, in energy. */
+/* estimate.h -- estimate of the error of a discrete solution in energy. */
 #ifndef MORTISE_ESTIMATE_H
 #define MORTISE_ESTIMATE_H
 
@@ -6,7 +6,7 @@
 
 /* The deepest place that nodes do not see. */
 typedef struct {
-  PetscReal depth, at[3]; /* of what a partner enters facets without pressure by, 0 where nowhere */
+  PetscReal depth, at[3]; /* depth of the partner in facets without pressure, 0 for none */
 } HiddenContact;
 
 /* eta^2 = sum_T int_T (s* - s) : C^-1 : (s* - s)                       recovered stress s*, stress s of the displacement (eq. 15.3)
@@ -20,7 +20,7 @@ struct _n_Estimate {
   PetscReal *volume;   /* of this rank's cells, with the thickness or the ring [num_cells] */
   PetscReal *body;     /* sums over the cells of each body, the same on all ranks [num_bodies] */
   PetscReal  squared;  /* their sum */
-  PetscReal  geometry; /* the part of it that is not recovery's, and needs no calibration: of GeometryAdd() */
+  PetscReal  geometry; /* the part of GeometryAdd(): it needs no calibration */
   PetscReal
       signs; /* L = -2 int lambda . d - 2 int W s - 2 int s* n . (u_D - u): with the error e,  2 (J_h - J) = |e|^2 + L */
   PetscReal      norm;      /* |u|_a^2: twice the strain energy */

@@ -2,26 +2,24 @@
 
        df/dxi = (8 (f(xi+s) - f(xi-s)) - (f(xi+2s) - f(xi-2s))) / (12 s) + O(s^4),
 
-   turned into gradients in space by the cell's own map. Going along the axes of the reference cell keeps all
-   points inside the cell, where the formula is sure to hold, and makes steps as long and as short as the
-   cell, be it a needle.
+   turned into gradients in space by the cell's own map. Steps along the axes of the reference cell keep all
+   points inside the cell, where the formula is valid. They are as long and as short as the cell.
 
-   The step balances the two errors of a difference. What is left of f^(5) is s^4 / 30 of its size in the
-   cell: with s = 5e-4 this is 2e-15 where f changes over a length of one cell, and below 1e-9 at a twentieth
-   of a cell from a point where f behaves like r^(1/2). Rounding costs 1.5 eps / s of the value, which weighs
-   as much as the value does against its change over a cell: 1e-12 times the number of cells over which f
-   changes. */
+   The step balances the two errors of a difference. The error of truncation is s^4 / 30 times f^(5) in the
+   cell. With s = 5e-4 this is 2e-15 if f changes over the length of one cell. It is below 1e-9 at a twentieth
+   of a cell from a point where f behaves like r^(1/2). The error of rounding is 1.5 eps / s of the value:
+   relative to the change of f over a cell, 1e-12 times the number of cells over which f changes. */
 #include "result/exact.h"
 #include "base/compat.h"
 
-/* Of the size of the part that the point is in. Quadrature points of degree 8 and less lie 2e-3 and more from
-   the boundary, on triangles as on boxes: further than two steps. */
+/* Relative to the size of the part that contains the point. Quadrature points of degree 8 and less lie 2e-3
+   and more from the boundary, on triangles as on boxes: further than two steps. */
 static const PetscReal STEP = 5e-4;
 
 /* On tetrahedra they come nearer: steps are kept to this part of the way that is left. */
 static const PetscReal SHARE_OF_WAY = 1. / 3;
 
-/* The way from a point to the boundary of the reference cell, there and back along axis j. */
+/* The distances from a point to the boundary of the reference cell, in both directions of axis j. */
 static PetscReal ExactGetPath_Private(const CellPoint *at, PetscInt j)
 {
   const PetscInt dim   = ElementDim(at->type);

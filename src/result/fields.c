@@ -152,8 +152,8 @@ static PetscErrorCode FieldsSetReferenceSizes_Private(Fields fields)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How many times its own size the displacement of a node is the sum of others by the arm of a tie, and so its
-   rounding (eq. 5.4). */
+/* Amplification of rounding by the arm of a tie: the sum of the terms of a node's displacement over its own
+   size (eq. 5.4). */
 static PetscErrorCode FieldsGetArmSize_Private(const Pair pair, PetscInt k, PetscReal *size)
 {
   const PetscInt     dim = pair->level->dim, first = dim * (pair->level->node_begin + pair->nodes[k]);
@@ -170,8 +170,8 @@ static PetscErrorCode FieldsGetArmSize_Private(const Pair pair, PetscInt k, Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* In contact is what lies on its bound, but for what bodies that are free to move have moved since, and
-   presses by more than roundoff. */
+/* A node is in contact if it lies on its bound and presses by more than roundoff. Rigid motions of free
+   bodies after the solve do not count. */
 static PetscErrorCode FieldsSetRowStatus_Private(Fields fields, PetscReal slip, Vec y)
 {
   const VI         vi = fields->vi;

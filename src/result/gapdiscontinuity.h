@@ -5,8 +5,8 @@
 #include <cjson/cJSON.h>
 #include "result/fields.h"
 
-/* The largest distance by which the mean gap of a node in contact of pair p is below all gaps around it, 0
-   where it is rounding of coordinates; and whether it matters beside the displacements. Collective. [out] at
+/* The largest distance of the mean gap of a node in contact of pair p below all gaps around it; 0 if it is
+   rounding of coordinates. Also whether it matters relative to the displacements. Collective. [out] at
    - the first place where it is, if it shows [dim] */
 PetscErrorCode GapDiscontinuityFind(Fields fields, PetscInt p, PetscBool *shows, PetscReal *overlap, PetscReal at[]);
 

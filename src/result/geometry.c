@@ -1,6 +1,6 @@
 /* geometry.c -- the derivative of the potential with respect to the shape of the bodies.
 
-   A polygon is another body than the circle that it stands for, and no stress of its own tells. Where the
+   A polygon in place of a circle is another body, and its own stress does not show that. Where the
    surface moves outward by s, a free surface gains the energy density there, and a pressure pushes over
    another area. */
 #include "result/geometry.h"
@@ -36,7 +36,7 @@ static void GeometryDyad_Private(PetscInt dim, const PetscReal n[], PetscReal dy
   dyad[5] = n[0] * n[1];
 }
 
-/* The cells and what is known at their nodes. */
+/* The cells and the values at their nodes. */
 typedef struct {
   const Level      *level;
   Compliance       *compliance;

@@ -1,8 +1,8 @@
-/* goal.c -- right-hand sides of dual problems, and what their solutions are off by.
+/* goal.c -- right-hand sides of dual problems, and the error estimates of their solutions.
 
-   A stress at a point has no dual solution of finite energy: marking would look at nothing but the cell of
-   the point. So Q' is that of a mean about the point, over a distance that does not shrink with the mesh. The
-   number that is told, and its bar, stay those of the point. */
+   A stress at a point has no dual solution of finite energy: marking would choose only the cell of the point.
+   So Q' is that of a mean about the point, over a distance that does not shrink with the mesh. The reported
+   number and its bar remain those of the point. */
 #include "base/compat.h"
 #include "kernel/vector.h"
 #include "problem/elasticity.h"

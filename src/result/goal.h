@@ -1,8 +1,8 @@
 /* goal.h -- a number as a functional of the displacement, and its dual solution.
 
-   The dual solution z of a number Q has a(v, z) = Q'(v) for all v that keep the active constraints, and moves
-   the active nodes as Q asks for: by 1 along the normal where Q is a force. With the error e of the
-   displacement and no change of the active set,
+   The dual solution z of a number Q has a(v, z) = Q'(v) for all v that keep the active constraints. If Q is a
+   force, z moves the active nodes by 1 along the normal. With the error e of the displacement and no change
+   of the active set,
        Q(u) - Q(u_h) = a(e, z - z_h)  <=  sum_T eta_T(u) eta_T(z)                                     (eq. 15.6). */
 #ifndef MORTISE_GOAL_H
 #define MORTISE_GOAL_H

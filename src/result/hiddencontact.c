@@ -1,8 +1,8 @@
 /* hiddencontact.c -- a rigid obstacle that enters a facet between its points.
 
-   An obstacle may be narrower than the distance of quadrature points: no point tells of it, and a solution
-   without contact would have no error. Where the gap is least is looked for by its values alone, because it
-   may be any formula. */
+   An obstacle may be narrower than the distance of quadrature points. Then no point detects it, and the
+   estimated error of a solution without contact is zero. The least gap is searched for by values alone,
+   because the gap may be any formula. */
 #include "result/hiddencontact.h"
 #include "base/compat.h"
 #include "contact/obstacle.h"
@@ -78,7 +78,7 @@ static PetscErrorCode FacetSearch_Private(const ObstacleFacet *facet, PetscReal 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Goes where it is deeper, by steps that become smaller. [in,out] xi, depth */
+/* Descends to a deeper point, by steps of decreasing size. [in,out] xi, depth */
 static PetscErrorCode FacetDescend_Private(const ObstacleFacet *facet, PetscReal step, PetscReal xi[], PetscReal *depth)
 {
   PetscFunctionBeginUser;
@@ -100,7 +100,7 @@ static PetscErrorCode FacetDescend_Private(const ObstacleFacet *facet, PetscReal
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How far it is from a place in depth to where it ends, along an axis of the reference cell. */
+/* The distance from a place of penetration to its end, along an axis of the reference cell. */
 static PetscErrorCode FacetReach_Private(const ObstacleFacet *facet, const PetscReal xi[], PetscInt axis,
                                          PetscReal sense, PetscReal *reach)
 {

@@ -1,4 +1,4 @@
-/* largest.h -- the largest of many values with its place, of all of them or but for a small part. Private to
+/* largest.h -- the largest of many values with its place, and quantiles. Private to
    this module. */
 #ifndef MORTISE_LARGEST_H
 #define MORTISE_LARGEST_H

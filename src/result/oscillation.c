@@ -1,8 +1,8 @@
 /* oscillation.c -- data between the points of a mesh.
 
    A body force with as many waves as there are cells does no work on their shape functions: the displacement
-   is zero, and so is its recovered stress. The first omitted wave has the number k = pi / h, which a body
-   resists with E' k^2 and a half space with E' k / 2. */
+   is zero, and so is its recovered stress. The first omitted wave has the number k = pi / h. A body resists
+   it with E' k^2, a half space with E' k / 2. */
 #include "result/oscillation.h"
 #include "base/compat.h"
 #include "kernel/dense.h"
@@ -23,7 +23,7 @@ typedef struct {
   PetscReal   x[3], n[3]; /* a place, and there the normal of a facet */
 } Samples;
 
-/* The functions that values are projected to. Returns how many. */
+/* The functions of the projection. Returns their number. */
 static PetscInt SamplesGetFunctions_Private(const Samples *samples, PetscInt q, PetscReal functions[])
 {
   const PetscInt inner = ElementDim(samples->type);

@@ -1,4 +1,4 @@
-/* oscillation.h -- what a mesh does not see of data that vary in space. */
+/* oscillation.h -- the unresolved part of data that vary in space. */
 #ifndef MORTISE_OSCILLATION_H
 #define MORTISE_OSCILLATION_H
 

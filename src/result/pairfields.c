@@ -2,8 +2,8 @@
 #include "result/fields.h"
 #include "base/compat.h"
 
-/* Values at removed nodes. Their dual functions went to neighbours a with weights w_ac, D_ac = w_ac D_cc,
-   which makes the discrete multiplier there the weighted mean of the neighbours': p_c = sum_a D_ac p_a /
+/* Values at removed nodes. Their dual functions were added to those of neighbours a with weights w_ac, D_ac =
+   w_ac D_cc. Hence the discrete multiplier is the weighted mean of the neighbours': p_c = sum_a D_ac p_a /
    sum_a D_ac. [in,out] nodal - [num_owned];
    [in,out] covered - [num_owned] */
 static PetscErrorCode PairFieldsExtend_Private(const Pair pair, PetscReal nodal[], PetscBool covered[])

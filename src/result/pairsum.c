@@ -1,8 +1,8 @@
 /* pairsum.c -- force, area, extent and centre of pressure of one pair.
 
-   With p_h = sum p_a psi_a: integral of p_h n = sum_a W_a p_a n_a, W_a = int psi_a = D_aa + sum_c D_ac, which
-   is what -B'lambda adds up to on the nonmortar body, and by the row sums of D and M its negative on the
-   mortar side. */
+   With p_h = sum p_a psi_a: integral of p_h n = sum_a W_a p_a n_a, W_a = int psi_a = D_aa + sum_c D_ac, This
+   is the sum of -B'lambda on the nonmortar body. By the row sums of D and M its negative acts on the mortar
+   side. */
 #include "result/pairsum.h"
 #include "base/compat.h"
 
@@ -111,9 +111,9 @@ static PetscErrorCode PairSumGetMiddle_Private(const Level *level, const PetscRe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* |sum x cross F| / sum |x||F| over the nodes of both sides, F = B'lambda of this pair alone, x from the
-   centre of pressure, or from the middle of a tie: 0 on flat and on touching sides, where the points of both
-   are the same, and of ties. */
+/* |sum x cross F| / sum |x||F| over the nodes of both sides, F = B'lambda of this pair alone. x counts from
+   the centre of pressure, or from the middle of a tie. The value is 0 for ties, and on flat or touching
+   sides, where the points of both sides are the same. */
 static PetscErrorCode PairSumGetMomentImbalance_Private(Fields fields, PetscInt p, PairSum *sum)
 {
   const VI         vi  = fields->vi;

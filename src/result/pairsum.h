@@ -11,8 +11,7 @@ typedef struct {
   PetscReal area;         /* where the pressure is positive */
   PetscReal max_pressure, max_pressure_at[3];
   PetscReal
-            max_covered; /* the largest at nodes where PairSumEndsPartner() is false: beside its end pressures are continued from the
-                         covered part of a facet */
+      max_covered; /* the largest where PairSumEndsPartner() is false: others are extrapolated from a part of a facet */
   PetscReal min_gap;
   PetscReal lower[3], upper[3]; /* box around the active nodes */
   PetscReal centre[3];          /* of pressure */

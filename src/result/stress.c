@@ -2,11 +2,11 @@
 
    Derivatives of a finite element solution are one order more accurate at certain points of a cell than
    elsewhere: in its middle for order 1, at the 2 x 2 Gauss points of quads of order 2, nearly so at three
-   points within a triangle (Barlow 1976; Zienkiewicz & Zhu 1992). Stresses are taken there, continued to the
-   cell's nodes by the polynomial through these points (a constant for order 1, linear or bilinear for order
-   2), and averaged over the cells that meet at a node, with their volumes as weights. Nodes belong to one
-   body, and cells of two materials at a node have a stress each, so nothing is averaged across an interface.
-   Linear stresses are reproduced exactly on cells of order 2 with straight sides. */
+   points within a triangle (Barlow 1976; Zienkiewicz & Zhu 1992). Stresses are evaluated there and
+   extrapolated to the cell's nodes by the polynomial through these points: constant for order 1, linear or
+   bilinear for order 2. At a node they are averaged over its cells, with their volumes as weights. Nodes
+   belong to one body, and cells of two materials at a node have a stress each, so nothing is averaged across
+   an interface. Linear stresses are reproduced exactly on cells of order 2 with straight sides. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "result/cellstress.h"

@@ -8,7 +8,7 @@
 typedef struct {
   NodeMaterials at;
   Vec *
-      value; /* ghosted, 6 per node, xx,yy,zz,yz,xz,xy: value[i] in the cells of a node's i-th material, 0 where it has fewer [at.most] */
+      value; /* ghosted, xx,yy,zz,yz,xz,xy per node: value[i] in cells of its i-th material, 0 if it has fewer [at.most] */
 } NodalStress;
 
 /* Stresses of the displacement u at nodes (eq. 8.2). Collective. [in] u - ghosted, dim per node; [out] stress

@@ -1,7 +1,7 @@
 /* validity.c -- indicators of the small-displacement model.
 
-   One pass over the cells for strains and rotations, one contact search in the deformed configuration for
-   gaps and normals, products with D and M for slips. */
+   Strains and rotations take one pass over the cells. Gaps and normals take one contact search in the
+   deformed configuration, slips products with D and M. */
 #include <string.h>
 #include "base/compat.h"
 #include "base/json.h"

@@ -7,12 +7,12 @@
 #include "solve/linearreference.h"
 #include "solve/solvercontext.h"
 
-/* Relative residual: what these solutions weigh needs few digits. With a proximal term each step takes the
-   part of W from what is left. */
+/* Relative residual: weights of errors need few digits. With a proximal term each step removes the part of W
+   from the residual. */
 static const PetscReal DUAL_RTOL = 1e-6;
 enum { MAX_PROXIMAL = 8 };
 
-/* What is solved with. */
+/* The solver and its data. */
 typedef struct {
   VI           vi;
   ActiveSolver solver;

@@ -1,14 +1,15 @@
 /* energysearch.c -- a line search that lowers the energy.
 
    The residual on the free set jumps when the set changes, so a search that reduces it may cycle. The energy
-   does not jump. For a projected step s(t) = min(y + t d, upper) - y it changes by F.s + s.As / 2, and it
-   falls if t is small [1] (eq. 10.2). No set returns.
+   does not jump. A projected step s(t) = min(y + t d, upper) - y changes it by F.s + s.As / 2. It falls if t
+   is small [1] (eq. 10.2). No set returns.
 
    References: [1] Bertsekas, Projected Newton methods for optimization problems with simple constraints, 1982. */
 #include "base/compat.h"
 #include "solve/solverimpl.h"
 
-/* A step is taken if the energy falls by this part of what its slope promises, and else halved at most so often. */
+/* A step is accepted if the energy falls by this part of the prediction by its slope; else it is halved, at
+   most so often. */
 static const PetscReal DECREASE = 1e-4;
 enum { MAX_HALVINGS = 50 };
 

@@ -1,8 +1,7 @@
 /* errorbound.c -- bound on the distance of a displacement from the solution, in the energy norm (eq. 11.2).
 
    y^ is y moved to the bounds where eq. 10.1 requires it, and below them elsewhere. A is the set of the
-   former, F all others. Let d vanish on A, with nonnegative pressures on A and none on F that balance A (y^ +
-   d):
+   former, F all others. Let d vanish on A. Let nonnegative pressures on A balance A (y^ + d), with none on F:
 
        b - A (y^ + d) = 0 on F,   >= 0 on A.
 
@@ -10,9 +9,9 @@
    qualifies unless a pressure is negative; then its node leaves A. So the factors of the last step serve once
    more. No norm of the inverse of A is needed.
 
-   With a proximal term the factors are those of A + W, and d is the limit of corrections, each for the term W
-   d of the one before. What remains is a force along motions that nothing resists. The exact problem would
-   have no solution with it: it is roundoff, and is ignored.
+   With a proximal term the factors are those of A + W. Then d is the limit of corrections, each with the term
+   W d of the previous one. The remaining residual is a force along free motions. The exact problem would have
+   no solution with it: it is roundoff, and is ignored.
 
    With friction of given limits (Tresca), tangents that stick are fixed as well, and those that slip carry a
    load at the limit. A tangent beyond its limit is released, with its force cut to the limit (eq. 16.9).
@@ -82,7 +81,7 @@ static PetscErrorCode ErrorBoundBoundDestroy_Private(Bound *m)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A force of node a at its limit along a vector of its tangents, or none: what slips carries it as a load.
+/* A force of node a at its limit along a vector of its tangents, or none: the load of a slipping node.
    [in] along - [2], [in,out] m->r, by r of the set [n] */
 static void ErrorBoundLoadNode_Private(Bound *m, PetscInt a, const PetscReal along[], PetscReal r[])
 {
@@ -114,7 +113,8 @@ static void ErrorBoundStick_Private(Bound *m, PetscBool slips[])
   }
 }
 
-/* Loads of all that slips, along its slip: r is what is left of it. [in] slips - of ErrorBoundStick_Private() */
+/* Loads of slipping nodes, along their slip; r becomes the residual with them. [in] slips - of
+   ErrorBoundStick_Private() */
 static PetscErrorCode ErrorBoundLoad_Private(Bound *m, const PetscBool slips[])
 {
   const ActiveSet *set = m->solver->set;
@@ -240,7 +240,7 @@ static PetscErrorCode ErrorBoundCorrect_Private(Bound *m, PetscReal *square)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Releases what sticks by more than its limit; it carries the limit from then on. [in] m->forces, m->values -
+/* Releases tangents that stick by more than their limit; from then on they carry the limit. [in] m->forces, m->values -
    as in ErrorBoundRelease_Private(); [in,out] num */
 static PetscErrorCode ErrorBoundReleaseTangents_Private(Bound *m, PetscInt *num)
 {

@@ -146,7 +146,7 @@ static PetscErrorCode InfSupComputePair_Private(Mat A, const PairRows *rows, Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Why a pair has no number: a reason, or NULL. */
+/* The reason why a pair has no number, or NULL. */
 static PetscErrorCode InfSupWarn_Private(const ScenePair *pair, PetscInt num, const InfSup *number)
 {
   const Warning about = {.code   = "inf_sup_unknown",

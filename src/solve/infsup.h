@@ -8,7 +8,7 @@
 typedef struct {
   PetscReal number; /* beta of eq. 11.9, dimensionless; NAN if it is not known */
   PetscReal
-      condition; /* of the scaled Schur complement, lambda_max / lambda_min; NAN also where contact alone holds a body */
+      condition; /* lambda_max / lambda_min of the scaled Schur complement; NAN also if contact alone holds a body */
 } InfSup;
 
 /* Computes beta of each pair from the Schur complement of its relative displacements: a factorization and a

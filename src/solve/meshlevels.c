@@ -1,9 +1,9 @@
 /* meshlevels.c -- the inequalities of coarser meshes, and prolongation between their unknowns.
 
    Displacements are prolonged by the shape functions of the coarser level. Solvers have unknowns y of u = T
-   y, so P^ = T_f^-1 P T_c. Where meshes are nested, P^' A_f P^ = T_c' (P' K_f P) T_c is the coarser level's
-   own A, and no such product is formed. Elsewhere P' K_f P replaces the coarser level's K, since truncation
-   subtracts parts of that product. */
+   y, so P^ = T_f^-1 P T_c. On nested meshes P^' A_f P^ = T_c' (P' K_f P) T_c is the coarser level's own A; no
+   such product is formed. Elsewhere P' K_f P replaces the coarser level's K, since truncation subtracts parts
+   of that product. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "solve/cellprolongation.h"

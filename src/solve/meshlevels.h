@@ -19,12 +19,10 @@ typedef struct _n_MeshLevels {
   VI       *vi;         /* coarse first; the finest one borrowed, unless it is owned [num] */
   PetscBool own_finest; /* whether it is: between meshes */
   Mat      *P;          /* node values of the next coarser one to those of this one; NULL on the coarsest [num] */
-  Vec *
-      lift; /* what fixed unknowns of the next coarser level give to free ones of this one; NULL where that is 0 [num] */
-  Hierarchy hierarchy; /* its level hierarchy->first is that of vi[0] */
+  Vec      *lift;       /* contribution of fixed unknowns of the coarser level to free ones of this; NULL if 0 [num] */
+  Hierarchy hierarchy;  /* its level hierarchy->first is that of vi[0] */
   CostModel cost;
-  PetscReal
-      change; /* |u_2h - u_4h|_K^2, of the finest two levels below the finest, in the user's units; 0 where it is not known */
+  PetscReal change; /* |u_2h - u_4h|_K^2 of the two levels below the finest, in the user's units; 0 if unknown */
 } * MeshLevels;
 
 /* Whether the matrix of each coarser level is the Galerkin product: not with mean dilatation over cells (eq.

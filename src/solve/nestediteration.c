@@ -267,7 +267,7 @@ static PetscErrorCode NestedIterationProlong_Private(MeshLevels levels, PetscInt
 }
 
 /* The preconditioner for cycles before the first system of the finest level. None for types that pass it
-   parts of vectors. None when stopping at the discretization error, where one more cycle is a large part of
+   parts of vectors. None when stopping at the discretization error: there one more cycle is a large part of
    the cost. [out] pc - borrowed, or NULL */
 static PetscErrorCode NestedIterationGetCycles_Private(SNES snes, VI vi, PC *pc)
 {

@@ -1,7 +1,7 @@
 /* proximal.c -- the proximal point iteration.
 
-   min 1/2 y'A y - b'y + 1/2 (y - y_j)'W (y - y_j),  y <= upper,  has one solution y_(j+1), which is closer to
-   those without the last term [1]. Along motions that only W resists the loads do no work. All else is so
+   min 1/2 y'A y - b'y + 1/2 (y - y_j)'W (y - y_j), y <= upper, has one solution y_(j+1). It is closer to the
+   solutions without the last term [1]. Along motions that only W resists the loads do no work. All else is so
    much stiffer than W that one or two steps suffice. The remaining term W (y_(j+1) - y_j) is the residual of
    the original problem and ends the iteration. The distance of y_(j+1) from y_j does not: along a free motion
    it is roundoff divided by W.

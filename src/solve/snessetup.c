@@ -62,7 +62,7 @@ static PetscErrorCode SNESSetupNorm_Private(const Inequality *solved, PetscReal 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Lowers the energy from now on, which no cycle can, where steps of vinewtonrsls minimized the residual so far. */
+/* Replaces the line search on the residual of vinewtonrsls by one on the energy, which excludes cycles. */
 static PetscErrorCode SNESSetupLowerEnergy_Private(SNES snes)
 {
   SNESLineSearch search;

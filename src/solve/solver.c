@@ -1,4 +1,4 @@
-/* solver.c -- the solve of an inequality, and what is asked of its solution. */
+/* solver.c -- the solve of an inequality, and further solves with its solution. */
 #include <string.h>
 #include "base/compat.h"
 #include "base/log.h"
@@ -69,7 +69,7 @@ static PetscBool SolverHasBlocks_Private(const MeshLevels levels)
   return (PetscBool)(levels && levels->hierarchy->level[levels->hierarchy->num - 1].S);
 }
 
-/* What an iteration that cost too much knows of contact is the start of the factorization that replaces it. */
+/* If an iteration costs too much, its contacts are the initial set of the factorization that replaces it. */
 static PetscErrorCode SolverLeaveSet_Private(Solver solver, const SolverContext *context, const SolverReport *report)
 {
   Vec active;

@@ -41,8 +41,7 @@ typedef struct {
   PetscBool      gave_way;       /* whether a factorization replaced the iteration */
   PetscInt       proximal_steps; /* proximal point steps (eq. 12.6); 1 without a proximal term */
   EnergyBound    bound;
-  PetscReal
-      discretisation; /* estimate of |u - u_h|_K from a coarser mesh, like bound; NAN unless it stops the solver (eq. 14.7) */
+  PetscReal discretisation; /* estimate of |u - u_h|_K by a coarser mesh; NAN unless it stops the solver (eq. 14.7) */
 
   PetscReal       seconds;   /* of the slowest rank, on the wall, from the levels of multigrid to the bound */
   LinearReference reference; /* of SolverSolveLinear() */

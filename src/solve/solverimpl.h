@@ -28,7 +28,7 @@ struct _n_Solver {
   Solvability              solvability; /* borrowed; NULL where supports hold all bodies */
   MeshLevels               levels;      /* kept from the last solve for the next one, or NULL */
   MeshLevels               older;       /* those of a solver on the mesh before it got one more level, or NULL */
-  Vec                      left;        /* active set that an iteration left which cost too much, or NULL */
+  Vec                      left;        /* active set of an iteration that cost too much, or NULL */
   PetscBool                extended;    /* whether the next initial guess is prolonged from a coarser mesh */
   struct _n_SolverContext *context;     /* all of the last solve, kept for the next one, or NULL */
   PetscBool                chosen;      /* whether the choice is that of all solves; */
