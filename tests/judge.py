@@ -77,13 +77,15 @@ def require(condition, sentence):
 class Run:
     """One run of the program: what it said, and its files, read when asked for."""
 
-    def __init__(self, program, mpiexec, ranks, folder, arguments):
+    def __init__(self, program, mpiexec, ranks, folder, arguments, idle=False):
         self.program, self.mpiexec, self.ranks, self.arguments = program, mpiexec, ranks, list(arguments)
         self.folder = pathlib.Path(folder)
         shutil.rmtree(self.folder, ignore_errors=True)
         self.folder.mkdir(parents=True)
         launcher = [mpiexec, "-n", str(ranks)] if ranks > 1 else []
         self.command = launcher + [program] + CHECKS + ["-output", NAME] + self.arguments
+        if idle:
+            return
         environment = os.environ | ({} if ranks > 1 else ALONE)
         done = subprocess.run(self.command, cwd=self.folder, env=environment, capture_output=True, text=True, timeout=TIMEOUT, errors="replace")
         self.exit, self.stdout, self.stderr = done.returncode, done.stdout, done.stderr
@@ -154,7 +156,8 @@ class Run:
         return h5py.File(self.folder / f"{NAME}.h5", "r")
 
     def describe(self):
-        return f"in {self.folder}:\n{' '.join(self.command)}\n--- stdout\n{self.stdout}\n--- stderr\n{self.stderr}"
+        said = f"\n--- stdout\n{self.stdout}\n--- stderr\n{self.stderr}" if hasattr(self, "exit") else ", not run"
+        return f"in {self.folder}:\n{' '.join(self.command)}{said}"
 
 
 # --- comparisons ------------------------------------------------------------------------------------------------------
@@ -270,6 +273,7 @@ def main():
     parser.add_argument("--scratch", required=True, help="folder of the run, emptied before")
     parser.add_argument("--check", type=pathlib.Path, help="file with judge(run)")
     parser.add_argument("--says", action="append", help="the run is a mistake whose sentence has this text; may be repeated")
+    parser.add_argument("--own-runs", action="store_true", help="the check makes all runs itself, by again() or Run()")
     parser.add_argument("--any-end", action="store_true", help="the check judges the exit code, too")
     parser.add_argument("arguments", nargs=argparse.REMAINDER, help="after --: arguments of the program")
     options = parser.parse_args()
@@ -279,11 +283,11 @@ def main():
     run = None
     EXPECTED.read(pathlib.Path(options.scratch).name)
     try:
-        run = Run(options.program, options.mpiexec, options.ranks, options.scratch, arguments)
+        run = Run(options.program, options.mpiexec, options.ranks, options.scratch, arguments, options.own_runs)
         if options.says:
             judge_mistake(run, options.says)
         else:
-            if not options.any_end:
+            if not options.any_end and not options.own_runs:
                 run.require_solved()
             if options.check:
                 load(options.check)(run)

@@ -63,17 +63,17 @@ mortise_scene_test(opinion_long  SCENE parabola CHECK opinion.py LABELS mpi ARGS
 mortise_scene_test(opinion_free  SCENE stack CHECK opinion.py LABELS mpi ARGS -dm_refine 1 -pc_type truncatedmg -cross_check)
 mortise_scene_test(pad CHECK pad.py LABELS mpi ARGS -pc_type truncatedmg -cross_check -cross_check_pc_type cholesky)
 
-mortise_scene_test(hard SCENE touching CHECK hard.py ONLY_RANKS "its scenes have tests on ranks of their own")
+mortise_scene_test(hard OWN_RUNS SCENE touching CHECK hard.py ONLY_RANKS "its scenes have tests on ranks of their own")
 
 # --- iterations ---
-mortise_scene_test(long_cells SCENE hertz3d CHECK long_cells.py LABELS mpi ARGS -order 1 -dm_refine 1 -pc_type truncatedmg)
-mortise_scene_test(tight        SCENE two_plates CHECK tight.py LABELS mpi ARGS -order 2 -pc_type truncatedmg -dm_refine 1
+mortise_scene_test(long_cells OWN_RUNS SCENE hertz3d CHECK long_cells.py LABELS mpi ARGS -order 1 -dm_refine 1 -pc_type truncatedmg)
+mortise_scene_test(tight OWN_RUNS        SCENE two_plates CHECK tight.py LABELS mpi ARGS -order 2 -pc_type truncatedmg -dm_refine 1
   -upper_dm_plex_box_faces 16,16 -lower_dm_plex_box_faces 12,12)
 mortise_scene_test(growth       SCENE two_plates CHECK growth.py ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6)
 mortise_scene_test(growth_solid SCENE blocks CHECK growth.py)
 mortise_scene_test(afar         CHECK afar.py ARGS -pc_type truncatedmg)
 mortise_scene_test(afar_quadratic SCENE afar CHECK afar.py ARGS -pc_type truncatedmg -order 2)
-mortise_scene_test(sets         SCENE blocks CHECK sets.py)
+mortise_scene_test(sets OWN_RUNS         SCENE blocks CHECK sets.py)
 mortise_scene_test(wander       CHECK wander.py ARGS -pc_type truncatedmg)
 mortise_scene_test(zigzag       SCENE blocks CHECK zigzag.py ARGS -dm_refine 2 -upper_young 2e12 -pc_type truncatedmg)
 mortise_scene_test(dealt        CHECK dealt.py ONLY_RANKS "it is with five ranks that one loses its bundles" RANKS 5 LABELS mpi ARGS -pc_type cholesky -dm_refine 3)

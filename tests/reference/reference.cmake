@@ -11,14 +11,14 @@ endforeach()
 
 # Scenes put together at random, whose numbers begin at the last word of the title.
 foreach(first 0 12 24 36)
-  mortise_scene_test(scatter_${first} SCENE plates_quads/scene CHECK scatter.py RANKS 1 LABELS regression ARGS -title "Random scenes from ${first}")
+  mortise_scene_test(scatter_${first} OWN_RUNS SCENE plates_quads/scene CHECK scatter.py RANKS 1 LABELS regression ARGS -title "Random scenes from ${first}")
 endforeach()
-mortise_scene_test(scatter_ranks SCENE plates_quads/scene CHECK scatter.py RANKS 3 LABELS regression ARGS -title "Random scenes from 48")
-mortise_scene_test(scatter_space SCENE plates_quads/scene CHECK scatter_space.py RANKS 1 LABELS regression ARGS -title "Random scenes from 0")
-mortise_scene_test(scatter_space_ranks SCENE plates_quads/scene CHECK scatter_space.py RANKS 3 LABELS regression ARGS -title "Random scenes from 40")
+mortise_scene_test(scatter_ranks OWN_RUNS SCENE plates_quads/scene CHECK scatter.py RANKS 3 LABELS regression ARGS -title "Random scenes from 48")
+mortise_scene_test(scatter_space OWN_RUNS SCENE plates_quads/scene CHECK scatter_space.py RANKS 1 LABELS regression ARGS -title "Random scenes from 0")
+mortise_scene_test(scatter_space_ranks OWN_RUNS SCENE plates_quads/scene CHECK scatter_space.py RANKS 3 LABELS regression ARGS -title "Random scenes from 40")
 
 # Random scenes of nearly incompressible bodies.
-mortise_scene_test(scatter_rubber SCENE plates_quads/scene CHECK scatter_rubber.py RANKS 1 3 LABELS regression ARGS -title "Random scenes from 0")
+mortise_scene_test(scatter_rubber OWN_RUNS SCENE plates_quads/scene CHECK scatter_rubber.py RANKS 1 3 LABELS regression ARGS -title "Random scenes from 0")
 
 # The tables are what independent.py computes from the scenes.
 add_test(NAME reference.origin COMMAND ${MORTISE_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/independent.py --check)
