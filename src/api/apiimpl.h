@@ -47,7 +47,5 @@ PetscBool ApiJoined(void);
 /* Faults before MortiseSetFromOptions(); before MortiseSolve(), or where that had no single answer. Collective. */
 PetscErrorCode ApiNeedScene(Mortise m, const char function[]);
 PetscErrorCode ApiNeedRun(Mortise m, const char function[]);
-/* Destroys what was made of the solution for getters. Collective. */
-PetscErrorCode ApiDropResults(Mortise m);
 
 #endif

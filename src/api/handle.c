@@ -51,7 +51,8 @@ PetscErrorCode MortiseCreate(MPI_Comm comm, Mortise *m)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ApiDropResults(Mortise m)
+/* Destroys what was made of the solution for getters. Collective. */
+static PetscErrorCode HandleDropResults_Private(Mortise m)
 {
   PetscFunctionBeginUser;
   for (PetscInt p = 0; m->pairs && p < m->scene->num_pairs; ++p) {
@@ -71,7 +72,7 @@ PetscErrorCode ApiDropResults(Mortise m)
 static PetscErrorCode Clear_Private(Mortise m)
 {
   PetscFunctionBeginUser;
-  PetscCall(ApiDropResults(m));
+  PetscCall(HandleDropResults_Private(m));
   PetscCall(VecDestroy(&m->guess));
   PetscCall(VecDestroy(&m->coordinates));
   PetscCall(RunDestroy(&m->run));
@@ -266,7 +267,7 @@ static PetscErrorCode TakeLast_Private(Mortise m, Vec *guess, Run *run)
   m->guess       = NULL;
   m->run         = NULL; // where an error ends it half way, it is of no use
   m->guess_given = PETSC_FALSE;
-  PetscCall(ApiDropResults(m));
+  PetscCall(HandleDropResults_Private(m));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

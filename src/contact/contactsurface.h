@@ -34,11 +34,6 @@ PetscErrorCode MortarSurfaceDestroy(MortarSurface *surface);
 PetscErrorCode MortarSurfaceUpdateTree(PetscInt dim, MortarSurface *surface);
 /* Values at nodes of any rank. Collective. [in] u - dim per node; nodes - global [num]; [out] values - [num][dim] */
 PetscErrorCode MortarSurfaceFetch(Vec u, PetscInt dim, PetscInt num, const PetscInt nodes[], PetscReal values[]);
-/* Carries facets with a displacement: places, normals, tree. Collective. [in] u - dim per node */
-PetscErrorCode MortarSurfaceMove(const Level *level, Vec u, MortarSurface *surface);
-/* Turns unit normals of a facet's patch as the facet itself turns. [in] before, after - nodes [n][dim]; [in,out] normals - [n][dim] */
-void MortarSurfaceTurnNormals(PetscInt dim, PetscInt n, const PetscReal before[], const PetscReal after[],
-                              PetscReal normals[]);
 /* The mortar facets that rays from a nonmortar facet may meet within the reach, in front or behind, and few others, so that
    all queries of a side take n log n however far they reach. The rays go along any normals between those at the nodes. Not
    collective. [in] reach - no more than that of the surface;

@@ -11,8 +11,9 @@
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
-void MortarSurfaceTurnNormals(PetscInt dim, PetscInt n, const PetscReal before[], const PetscReal after[],
-                              PetscReal normals[])
+/* Turns unit normals of a facet's patch as the facet itself turns. [in] before, after - nodes [n][dim]; [in,out] normals - [n][dim] */
+static void DeformedGapTurnNormals_Private(PetscInt dim, PetscInt n, const PetscReal before[], const PetscReal after[],
+                                           PetscReal normals[])
 {
   PetscReal N[2][3 * F] = {{0}};
 
@@ -48,7 +49,8 @@ PetscErrorCode MortarSurfaceFetch(Vec u, PetscInt dim, PetscInt num, const Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode MortarSurfaceMove(const Level *level, Vec u, MortarSurface *surface)
+/* Carries facets with a displacement: places, normals, tree. Collective. [in] u - dim per node */
+static PetscErrorCode DeformedGapMove_Private(const Level *level, Vec u, MortarSurface *surface)
 {
   const PetscInt dim = level->dim;
   PetscInt      *nodes, num = 0;
@@ -68,7 +70,7 @@ PetscErrorCode MortarSurfaceMove(const Level *level, Vec u, MortarSurface *surfa
     PetscCall(PetscArraycpy(before, X, n * dim));
     for (PetscInt i = 0; i < n * dim; i++) X[i] += moves[num + i];
     num += n * dim;
-    MortarSurfaceTurnNormals(dim, n, before, X, &surface->normals[f * F * dim]);
+    DeformedGapTurnNormals_Private(dim, n, before, X, &surface->normals[f * F * dim]);
   }
   PetscCall(PetscFree2(nodes, moves));
   PetscCall(MortarSurfaceUpdateTree(dim, surface));
@@ -94,11 +96,11 @@ PetscErrorCode DeformedLevelCreate(Level *level, PairAssembly *assembly, MortarS
   for (PetscInt f = 0; f < assembly->nonmortar.num; f++) {
     ContactFacetCoordinates(level, &assembly->nonmortar, f, X[0]);
     ContactFacetCoordinates(moved, &assembly->nonmortar, f, X[1]);
-    MortarSurfaceTurnNormals(dim, ElementNumNodes(assembly->nonmortar.type[f]), X[0], X[1],
-                             &assembly->shape.normal[f * F * dim]);
+    DeformedGapTurnNormals_Private(dim, ElementNumNodes(assembly->nonmortar.type[f]), X[0], X[1],
+                                   &assembly->shape.normal[f * F * dim]);
   }
   PetscCall(NodalNormalsCreate(moved, &assembly->nonmortar, &assembly->shape, &assembly->own[1]));
-  if (surface) PetscCall(MortarSurfaceMove(level, assembly->displacement, surface));
+  if (surface) PetscCall(DeformedGapMove_Private(level, assembly->displacement, surface));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

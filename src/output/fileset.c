@@ -176,7 +176,9 @@ static PetscErrorCode FileSetAppend_Private(FileSet *files, const char final[], 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FileSetAdd(FileSet *files, const char final[], const char **temporary)
+/* Path of a temporary file that will become `final`; makes missing folders. NULL, with files->failure set, if
+   it cannot. From now on and until FileSetFinish() files stays where it is. */
+static PetscErrorCode FileSetAdd_Private(FileSet *files, const char final[], const char **temporary)
 {
   size_t made;
   int    error;
@@ -213,7 +215,7 @@ PetscErrorCode FileSetOpen(FileSet *files, const char final[], FILE **file)
 
   PetscFunctionBeginUser;
   *file = NULL;
-  PetscCall(FileSetAdd(files, final, &temporary));
+  PetscCall(FileSetAdd_Private(files, final, &temporary));
   if (!temporary) PetscFunctionReturn(PETSC_SUCCESS);
   *file = fopen(temporary, "wb");
   if (!*file) PetscCall(FileSetFail(files, temporary, errno));

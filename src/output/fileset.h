@@ -33,9 +33,6 @@ typedef struct FileSet {
   struct FileSet *next;                       /* of all that are being written */
 } FileSet;
 
-/* Path of a temporary file that will become `final`; makes missing folders. NULL, with files->failure set, if
-   it cannot. From now on and until FileSetFinish() files stays where it is. */
-PetscErrorCode FileSetAdd(FileSet *files, const char final[], const char **temporary);
 /* Will remove `final`, which an earlier run may have written, when the others appear. */
 PetscErrorCode FileSetRemove(FileSet *files, const char final[]);
 /* Will change a file in its place when the others appear: commit(ctx) is called then, unless something

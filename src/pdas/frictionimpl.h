@@ -94,9 +94,6 @@ PetscErrorCode FrictionProblemDestroy(FrictionProblem *problem);
 PetscErrorCode FrictionProblemSetForces(FrictionProblem *problem);
 /* g += S y. */
 PetscErrorCode FrictionProblemAddProduct(FrictionProblem *problem);
-/* Factors the linear system of the decisions. [in] coupled - whether limits follow the pressure (Newton's
-   method) or are given (Tresca) */
-PetscErrorCode FrictionSystemFactor(FrictionProblem *problem, PetscBool coupled);
 /* One Newton step: y and r of the decisions. */
 PetscErrorCode FrictionSystemSolve(FrictionProblem *problem);
 /* rho of FrictionReport, by power iteration. */

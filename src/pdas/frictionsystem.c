@@ -74,7 +74,9 @@ static void FrictionSystemAssemble_Private(FrictionProblem *problem, PetscBool c
   }
 }
 
-PetscErrorCode FrictionSystemFactor(FrictionProblem *problem, PetscBool coupled)
+/* Factors the linear system of the decisions. [in] coupled - whether limits follow the pressure (Newton's
+   method) or are given (Tresca) */
+static PetscErrorCode FrictionSystemFactor_Private(FrictionProblem *problem, PetscBool coupled)
 {
   PetscBLASInt size, info = 1;
 
@@ -108,7 +110,7 @@ PetscErrorCode FrictionSystemSolve(FrictionProblem *problem)
   PetscReal *y = problem->units->y;
 
   PetscFunctionBeginUser;
-  PetscCall(FrictionSystemFactor(problem, PETSC_TRUE));
+  PetscCall(FrictionSystemFactor_Private(problem, PETSC_TRUE));
   FrictionUnitsPrescribe(problem->units);
   /* a Newton step from y: M dy = r - (r required by the law), with the forces r of y after prescription */
   PetscCall(FrictionProblemSetForces(problem));
@@ -181,7 +183,7 @@ PetscErrorCode FrictionSystemGetRho(FrictionProblem *problem, PetscReal *rho)
       v[a] = 1 + 0.5 * PetscSinReal(a); // in no invariant subspace
     slipping += v[a] > 0 ? 1 : 0;
   }
-  PetscCall(FrictionSystemFactor(problem, PETSC_FALSE));
+  PetscCall(FrictionSystemFactor_Private(problem, PETSC_FALSE));
   if (slipping) {
     for (PetscInt k = 0; k < POWER_FIRST + POWER_STEPS; k++) {
       PetscCall(FrictionSystemGrow_Private(problem, v, &growth));

@@ -27,7 +27,8 @@ static PetscReal GoalGetWeight_Private(const Goal *goal, const PetscReal x[])
   return squared < 1 ? PetscSqr(1 - squared) : 0;
 }
 
-PetscReal GoalGetMotion(const Goal *goal, const PetscReal x[])
+/* How far z moves the active nodes at x along the normal. Not collective. [in] x - [dim] */
+static PetscReal GoalGetMotion_Private(const Goal *goal, const PetscReal x[])
 {
   return goal->scale * GoalGetWeight_Private(goal, x);
 }
@@ -278,7 +279,7 @@ static PetscErrorCode GoalSetLift_Private(Goal *goal)
     if (goal->pair < 0 || !GoalTakesRow_Private(goal, r)) continue;
     lift[vi->row_dof[r] - begin] =
         goal->fields->row_weight[r] / vi->row_D[r] *
-        GoalGetMotion(goal, &vi->level->coords[vi->pairs[goal->pair]->nodes[vi->row_node[r]] * vi->level->dim]);
+        GoalGetMotion_Private(goal, &vi->level->coords[vi->pairs[goal->pair]->nodes[vi->row_node[r]] * vi->level->dim]);
   }
   PetscCall(VecRestoreArray(goal->lift, &lift));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -388,7 +389,7 @@ static PetscReal GoalMotionFn(void *ctx, PetscInt p, const PetscReal x[])
 {
   const Goal *goal = ctx;
 
-  return p == goal->pair ? GoalGetMotion(goal, x) : 0;
+  return p == goal->pair ? GoalGetMotion_Private(goal, x) : 0;
 }
 
 PetscErrorCode GoalEstimate(Goal *goal, Vec z, Estimate *estimate)

@@ -34,7 +34,5 @@ PetscErrorCode GoalLoad(const Goal *goal, Vec b);
 PetscErrorCode GoalEstimate(Goal *goal, Vec z, Estimate *estimate);
 /* Marks the cells that hold the place of a stress or a pressure. Collective. [in,out] marked - [num_cells] */
 PetscErrorCode GoalMarkPlace(Level *level, PetscInt body, const PetscReal at[], PetscInt marked[]);
-/* How far z moves the active nodes at x along the normal. Not collective. [in] x - [dim] */
-PetscReal GoalGetMotion(const Goal *goal, const PetscReal x[]);
 
 #endif
