@@ -19,6 +19,11 @@
 #define PETSC_SUCCESS 0
 #endif
 
+/* The hints of PetscPrefetchBlock(): petscsys.h of 3.18 includes them, that of 3.22 does not. */
+#if defined(PETSC_HAVE_XMMINTRIN_H)
+#include <xmmintrin.h>
+#endif
+
 /* Argument of a destroy function: the address of the context. */
 #if PETSC_VERSION_LT(3, 25, 0)
 typedef void **PetscCtxRt;
