@@ -3,6 +3,7 @@
    The accuracy of a linear system is that which the step needs (frictionlinear.c). A step that is too long is
    shortened (frictionsearch.c). */
 #include "pdas/frictionlinear.h"
+#include "pdas/fullsolver.h"
 
 /* Residual of the law, relative to the forces, that a solution may have. */
 static const PetscReal FRICTION_RTOL = 1e-10;
@@ -42,7 +43,7 @@ static PetscErrorCode FrictionKrylovEvaluate_Private(FrictionMethod method, Fric
 {
   const ActiveSolver solver = method->solver;
   Krylov            *t      = method->data;
-  PetscReal          rest, law;
+  PetscReal          rest, law, reference = t->reference;
   PetscBool          suffices;
 
   PetscFunctionBeginUser;
@@ -51,7 +52,9 @@ static PetscErrorCode FrictionKrylovEvaluate_Private(FrictionMethod method, Fric
   PetscCall(ActiveSetGather(solver->set, t->y, method->units.y));
   PetscCall(FrictionUnitsResidual(&method->units, &law, &step->size));
   t->size = step->size;
-  PetscCall(ActiveSolverSuffices(solver, t->y, rest, PetscMax(step->size, t->reference), &suffices));
+  if (rest <= solver->rtol * reference)
+    PetscCall(FullSolverMeasure(solver, t->y, t->f, t->reference, &reference, NULL));
+  PetscCall(ActiveSolverSuffices(solver, t->y, rest, PetscMax(step->size, reference), &suffices));
   step->residual = PetscSqrtReal(rest * rest + law * law);
   step->done     = (PetscBool)(suffices && law <= PetscMax(FRICTION_RTOL, solver->rtol) * step->size);
   step->size     = PetscMax(step->size, t->reference);

@@ -20,6 +20,7 @@ mortise_scene_test(floating OWN_RUNS SCENE incline CHECK floating.py ONLY_RANKS 
 mortise_scene_test(turning SCENE mindlin CHECK turning.py ARGS -pc_type truncatedmg -ksp_type gmres)
 mortise_scene_test(fretting CHECK fretting.py RANKS 1 3)
 mortise_scene_test(restart SCENE fretting CHECK restart.py RANKS 1 3 ARGS -load_steps 1,1.5,2,3,4,5)
+mortise_scene_test(small_forces SCENE fretting CHECK small_forces.py ARGS -pc_type truncatedmg -dm_refine 2 -load_steps 1,1.5,3)
 mortise_scene_test(restart_ring SCENE pull_off CHECK restart.py RANKS 1 ARGS -load_steps 0,2,4,8,12)
 mortise_scene_test(restart_pairs SCENE clamp CHECK restart.py RANKS 1 3)
 mortise_scene_test(restart_solid SCENE incline_solid CHECK restart.py RANKS 3 ARGS -load_steps 4)
