@@ -1,5 +1,5 @@
-/* summary.c -- the JSON summary: every key of the interface, whatever the scene; null for what could not be
-   computed. */
+/* summary.c -- the JSON summary. Every scene has all keys of the interface. A value that could not be computed is
+   null. */
 #include <string.h>
 #include "output/summary.h"
 #include "base/json.h"
