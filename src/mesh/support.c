@@ -129,27 +129,44 @@ static void NormalTidy_Private(PetscInt dim, PetscReal n[])
   if (num == 1) n[along] = 1;
 }
 
+/* Adds the integrals of a facet's unit normal, and of 1. The curved facet counts: the triangle of its corners may be turned over in a flat side
+   whose rim is curved. [in,out] sum - [dim + 1] */
+static void FacetAddNormal_Private(const Level *level, const Facets *facets, PetscInt f, PetscReal sum[])
+{
+  const ElementType type   = (ElementType)facets->type[f];
+  const PetscInt    degree = ElementOrder(type), dim = level->dim;
+  PetscReal         X[ELEMENT_MAX_FACET_NODES * 3], xi[ELEMENT_MAX_POINTS * 2], weight[ELEMENT_MAX_POINTS];
+  PetscReal         phi[ELEMENT_MAX_NODES], normal[3];
+  const PetscInt    num = QuadratureRule(type, degree, xi, weight);
+
+  for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
+    const PetscInt node = facets->nodes[f * ELEMENT_MAX_FACET_NODES + i];
+
+    for (PetscInt d = 0; d < dim; d++) X[i * dim + d] = level->coords[node * dim + d];
+  }
+  for (PetscInt q = 0; q < num; q++) {
+    const PetscReal area = weight[q] * ElementSurface(type, X, &xi[q * (dim - 1)], NULL, phi, normal);
+
+    for (PetscInt d = 0; d < dim; d++) sum[d] += area * normal[d];
+    sum[dim] += area;
+  }
+}
+
 /* The normal of a side, or a user error if the side is not flat. [out] n - unit [dim] */
 static PetscErrorCode SideGetNormal_Private(Gather *gather, PetscInt body, const char side[], PetscReal n[])
 {
   const Level *level  = gather->level;
   PetscReal    sum[4] = {0, 0, 0, 0}, range[2] = {-PETSC_MAX_REAL, -PETSC_MAX_REAL}, size = 0,
-            extent; /* of normals, of their sizes; -lowest, highest */
+            extent; /* of normals and sizes; -lowest, highest */
   Facets facets;
 
   PetscFunctionBeginUser;
   PetscCall(LevelGetFacets(gather->level, gather->scene, body, side, &facets));
-  for (PetscInt f = 0; f < facets.num; f++) {
-    PetscReal       normal[3];
-    const PetscReal area = FacetGetMeasure(level, &facets, f, normal);
-
-    for (PetscInt d = 0; d < level->dim; d++) sum[d] += area * normal[d];
-    sum[3] += area;
-  }
+  for (PetscInt f = 0; f < facets.num; f++) FacetAddNormal_Private(level, &facets, f, sum);
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 4, MPIU_REAL, MPIU_SUM, level->comm));
   for (PetscInt d = 0; d < level->dim; d++) size += PetscSqr(sum[d]);
   size   = PetscSqrtReal(size);
-  extent = level->dim == 2 ? sum[3] : PetscSqrtReal(sum[3]);
+  extent = level->dim == 2 ? sum[level->dim] : PetscSqrtReal(sum[level->dim]);
   for (PetscInt d = 0; d < level->dim; d++) n[d] = size > 0 ? sum[d] / size : 0;
   for (PetscInt f = 0; f < facets.num; f++) {
     for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); i++) {
@@ -163,7 +180,7 @@ static PetscErrorCode SideGetNormal_Private(Gather *gather, PetscInt body, const
   }
   PetscCall(FacetsDestroy(&facets));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, range, 2, MPIU_REAL, MPIU_MAX, level->comm));
-  if (size < (1 - FlatShare) * sum[3] || range[0] + range[1] > FlatShare * extent) {
+  if (size < (1 - FlatShare) * sum[level->dim] || range[0] + range[1] > FlatShare * extent) {
     const char *name = gather->scene->bodies[body].name;
 
     PetscCall(UserErrorRaise(
