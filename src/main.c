@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "api/process.h"
+#include "output/meshconvert.h"
 #include "scene/scene.h"
 
 static const char usage[] =
@@ -33,12 +34,34 @@ static PetscErrorCode RunArguments(int argc, char **argv, int *status)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the command line has an option, with one dash or two. */
-static PetscBool HasOption(int argc, char **argv, const char option[])
+/* Where the command line has an option, with one dash or two; 0 if nowhere. */
+static int FindOption(int argc, char **argv, const char option[])
 {
   for (int a = 1; a < argc; ++a)
-    if (!strcmp(argv[a], option) || (argv[a][0] == '-' && !strcmp(argv[a] + 1, option))) return PETSC_TRUE;
-  return PETSC_FALSE;
+    if (!strcmp(argv[a], option) || (argv[a][0] == '-' && !strcmp(argv[a] + 1, option))) return a;
+  return 0;
+}
+
+static PetscBool HasOption(int argc, char **argv, const char option[])
+{
+  return (PetscBool)(FindOption(argc, argv, option) > 0);
+}
+
+/* Converts a mesh: -convert <from> <to>. The two words are hidden from PETSc, which takes one value for an option. */
+static PetscErrorCode ConvertArguments(int argc, char **argv)
+{
+  const int   at   = FindOption(argc, argv, "-convert");
+  const char *from = at + 1 < argc ? argv[at + 1] : "-", *to = at + 2 < argc ? argv[at + 2] : "-";
+
+  PetscFunctionBeginUser;
+  for (int a = at; a < argc; ++a) argv[a] = a + 3 < argc ? argv[a + 3] : NULL;
+  argc = argc > at + 3 ? argc - 3 : at;
+  PetscCall(MortiseInitialize(&argc, &argv));
+  if (from[0] == '-' || to[0] == '-')
+    PetscCall(UserErrorRaise(PETSC_COMM_WORLD, "-convert needs two names: mortise -convert part.msh part.h5"));
+  PetscCall(MeshConvert(PETSC_COMM_WORLD, from, to));
+  PetscCall(MortiseFinalize());
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Whether the command line has an option that asks for words alone, or nothing at all: none of this needs MPI. */
@@ -67,11 +90,12 @@ static MortiseExit PrintWords(int argc, char **argv)
   return MORTISE_SOLVED;
 }
 
-/* Solves the scene. Returns the exit code */
+/* Solves the scene, or converts a mesh. Returns the exit code */
 static MortiseExit Solve(int argc, char **argv)
 {
-  int                  status = MORTISE_FAILED;
-  const PetscErrorCode error  = RunArguments(argc, argv, &status);
+  const PetscBool      converts = HasOption(argc, argv, "-convert");
+  int                  status   = converts ? MORTISE_SOLVED : MORTISE_FAILED;
+  const PetscErrorCode error    = converts ? ConvertArguments(argc, argv) : RunArguments(argc, argv, &status);
 
   if (error == MORTISE_ERR_USER) return MORTISE_USER_ERROR;
   return error ? MORTISE_FAILED : (MortiseExit)status;

@@ -6,100 +6,6 @@
 #include "base/compat.h"
 #include <string.h>
 
-/* Position of a node of an element. [in] i - the node's number in the element */
-static const PetscReal *ElementGetPosition_Private(const GmshMesh *mesh, PetscInt e, PetscInt i)
-{
-  return &mesh->coords[3 * mesh->nodes[mesh->start[e] + i]];
-}
-
-/* Corners of an element. */
-static PetscInt ElementGetNumCorners_Private(const GmshMesh *mesh, PetscInt e)
-{
-  return ElementNumNodes(ElementLinear(mesh->type[e]->cell));
-}
-
-/* Whether the file has cells of the scene's dimension, and a plane scene a plane mesh. [out] reason - "" if so
-   [MESH_SENTENCE] */
-static void GmshCheckDimension_Private(const GmshMesh *mesh, PetscInt dim, char reason[])
-{
-  PetscInt  highest = 0;
-  PetscReal lower[3], upper[3];
-
-  for (PetscInt d = 0; d < 3; d++) {
-    lower[d] = PETSC_MAX_REAL;
-    upper[d] = -PETSC_MAX_REAL;
-  }
-  for (PetscInt e = 0; e < mesh->num_elements; e++) {
-    highest = PetscMax(highest, mesh->type[e]->dim);
-    for (PetscInt i = 0; i < 3 * mesh->type[e]->num_nodes && mesh->type[e]->dim == dim; i++) {
-      const PetscReal x = ElementGetPosition_Private(mesh, e, i / 3)[i % 3];
-
-      lower[i % 3] = PetscMin(lower[i % 3], x);
-      upper[i % 3] = PetscMax(upper[i % 3], x);
-    }
-  }
-  if (highest != dim)
-    MeshFileDescribeDimension(highest, dim, reason);
-  else if (dim < 3)
-    MeshFileCheckHeight(lower, upper, reason);
-}
-
-/* Whether all cells are of types that there are here. [out] reason - "" if so [MESH_SENTENCE] */
-static void GmshCheckTypes_Private(const GmshMesh *mesh, PetscInt dim, char reason[])
-{
-  const GmshType *first = NULL;
-  PetscInt        at = 0, num = 0, others = 0;
-  size_t          used;
-
-  for (PetscInt e = mesh->num_elements - 1; e >= 0; e--) {
-    if (mesh->type[e]->dim != dim || mesh->type[e]->cell != ELEMENT_COUNT) continue;
-    first = mesh->type[e];
-    at    = e;
-    others++;
-  }
-  if (!first) return;
-  for (PetscInt e = 0; e < mesh->num_elements; e++) num += !strcmp(mesh->type[e]->name, first->name);
-  used = (size_t)snprintf(reason, MESH_SENTENCE, "it holds %d %s", (int)num, first->name);
-  if (others > num)
-    used += (size_t)snprintf(reason + used, MESH_SENTENCE - used, " and %d others", (int)(others - num));
-  snprintf(reason + used, MESH_SENTENCE - used,
-           ", the first with a corner at (%g, %g, %g), which are not accepted; tetrahedra and hexahedra are: in Gmsh "
-           "extrude without Recombine for tetrahedra, recombine the surface too for hexahedra",
-           (double)ElementGetPosition_Private(mesh, at, 0)[0], (double)ElementGetPosition_Private(mesh, at, 0)[1],
-           (double)ElementGetPosition_Private(mesh, at, 0)[2]);
-}
-
-/* Appends the corners of an element to a sentence: " (0, 0) (1, 0)". [in,out] text - [MESH_SENTENCE] */
-static void ElementDescribe_Private(const GmshMesh *mesh, PetscInt e, PetscInt dim, char text[])
-{
-  for (PetscInt i = 0; i < ElementGetNumCorners_Private(mesh, e); i++) {
-    for (PetscInt d = 0; d < dim; d++) {
-      const size_t used = strlen(text);
-
-      snprintf(text + used, MESH_SENTENCE - used, "%s%g", d ? ", " : " (",
-               (double)ElementGetPosition_Private(mesh, e, i)[d]);
-    }
-    snprintf(text + strlen(text), MESH_SENTENCE - strlen(text), ")");
-  }
-}
-
-/* Whether all cells and facets have as many corners as their type says. [out] reason - "" if so [MESH_SENTENCE] */
-static void GmshCheckCorners_Private(const GmshMesh *mesh, PetscInt dim, char reason[])
-{
-  for (PetscInt e = 0; e < mesh->num_elements && !reason[0]; e++) {
-    const PetscInt *nodes  = &mesh->nodes[mesh->start[e]];
-    PetscBool       merged = PETSC_FALSE;
-
-    if (mesh->type[e]->dim < dim - 1) continue;
-    for (PetscInt i = 1; i < ElementGetNumCorners_Private(mesh, e); i++) {
-      for (PetscInt j = 0; j < i; j++) merged = merged || nodes[i] == nodes[j] ? PETSC_TRUE : PETSC_FALSE;
-    }
-    if (!merged) continue;
-    snprintf(reason, MESH_SENTENCE, "one of its %s has one node at several of its corners", mesh->type[e]->name);
-    ElementDescribe_Private(mesh, e, dim, reason);
-  }
-}
-
 /* Sets the node in the middle of an element to the value of serendipity shape functions. The order of the element
    is that of element.h. [in] local - which of the cell's nodes the element's are, NULL for the cell itself */
 static void MiddleSet_Private(ElementType type, const PetscInt local[], const PetscInt nodes[], PetscInt middle,
@@ -170,7 +76,7 @@ static PetscErrorCode GmshGetCells_Private(const GmshMesh *mesh, PetscInt dim, P
       PetscInt        corners;
 
       if (type->dim != dim) continue;
-      corners               = ElementGetNumCorners_Private(mesh, e);
+      corners               = GmshNumCorners(mesh, e);
       list->cell_type[cell] = type->cell;
       CellSetNodes_Private(mesh, e, cell, middles ? corners : 0, middles ? type->num_nodes : corners, number, list);
       if (middles) CellSetMiddles_Private(cell, type->num_nodes, list);
@@ -185,7 +91,7 @@ static PetscErrorCode GmshGetCells_Private(const GmshMesh *mesh, PetscInt dim, P
 static PetscErrorCode FacetGetPoint_Private(const GmshMesh *mesh, PetscInt e, const PetscInt number[], DM dm,
                                             PetscInt *point)
 {
-  const PetscInt *nodes = &mesh->nodes[mesh->start[e]], *join, corners = ElementGetNumCorners_Private(mesh, e);
+  const PetscInt *nodes = &mesh->nodes[mesh->start[e]], *join, corners = GmshNumCorners(mesh, e);
   PetscInt        first, last, begin, end, num, size, vertices[ELEMENT_MAX_FACET_NODES];
 
   PetscFunctionBeginUser;
@@ -211,7 +117,7 @@ static void GmshDescribeFacet_Private(const GmshMesh *mesh, PetscInt e, PetscInt
 {
   snprintf(reason, MESH_SENTENCE, "one of its %s in physical group %d, with the corners", mesh->type[e]->name,
            (int)mesh->group[mesh->first_group[e]]);
-  ElementDescribe_Private(mesh, e, dim, reason);
+  GmshDescribeElement(mesh, e, dim, reason, MESH_SENTENCE);
   snprintf(reason + strlen(reason), MESH_SENTENCE - strlen(reason), ", is not a facet of any cell");
 }
 
@@ -251,9 +157,7 @@ PetscErrorCode GmshPlexCreate(const GmshMesh *mesh, PetscInt dim, DM *dm, Curves
   PetscInt *number;
 
   PetscFunctionBeginUser;
-  GmshCheckDimension_Private(mesh, dim, reason);
-  if (!reason[0]) GmshCheckTypes_Private(mesh, dim, reason);
-  if (!reason[0]) GmshCheckCorners_Private(mesh, dim, reason);
+  PetscCall(GmshCheck(mesh, dim, reason, MESH_SENTENCE));
   if (reason[0]) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(mesh->num_nodes, &number));
   PetscCall(GmshGetCells_Private(mesh, dim, number, &list));

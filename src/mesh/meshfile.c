@@ -1,13 +1,11 @@
-/* meshfile.c -- mesh files, read once each on the first rank: Gmsh's by gmsh.c, others by DMPlexCreateFromFile().
+/* meshfile.c -- mesh files, read once each on the first rank: Gmsh's by gmsh.c, converted ones by hdf5mesh.c, others by DMPlexCreateFromFile().
 
    PETSc is kept silent meanwhile, so that a broken file becomes one sentence. Physical groups arrive as values of the
    labels "Cell Sets" and "Face Sets". */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
+#include "gmsh/hdf5mesh.h"
 #include <string.h>
-
-/* A plane mesh may lie at any height, but not leave it by more than this share of its size. */
-static const PetscReal PlaneShare = 1e-9;
 
 /* What PETSc would have printed: the first line of the first message. */
 static PetscErrorCode RecordErrorFn(MPI_Comm comm, int line, const char *function, const char *file,
@@ -36,29 +34,6 @@ static PetscErrorCode FileReadPlex_Private(const char path[], DM *dm, char reaso
              "files of this ending cannot be read; write it by Gmsh as .msh, version 2.2 or 4.1");
   if (code && !reason[0]) snprintf(reason, MESH_SENTENCE, "PETSc cannot read it (error %d)", (int)code);
   PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-void MeshFileDescribeDimension(PetscInt highest, PetscInt dim, char reason[])
-{
-  const char *hint = "";
-
-  if (highest > dim) hint = "; -model solid takes solids";
-  if (highest < dim && dim == 3)
-    hint = "; gmsh -3 makes solids, and writes those in a physical volume where there are physical groups";
-  else if (highest < dim)
-    hint = "; gmsh -2 meshes surfaces, and writes those in a physical surface where there are physical groups";
-  snprintf(reason, MESH_SENTENCE, "its cells have dimension %d, the scene has %d%s", (int)highest, (int)dim, hint);
-}
-
-void MeshFileCheckHeight(const PetscReal lower[], const PetscReal upper[], char reason[])
-{
-  if (upper[2] - lower[2] > PlaneShare * PetscMax(upper[0] - lower[0], upper[1] - lower[1])) {
-    snprintf(
-        reason, MESH_SENTENCE,
-        "its cells are surfaces that are not parallel to the x,y plane: z runs from %g to %g; gmsh -3 makes solids, "
-        "and writes those in a physical volume where there are physical groups",
-        (double)lower[2], (double)upper[2]);
-  }
 }
 
 /* Whether all cells are of types that there are here. [out] reason - untouched if so [MESH_SENTENCE] */
@@ -93,7 +68,7 @@ static PetscErrorCode FileCheckPlex_Private(DM dm, PetscInt dim, char reason[])
   PetscFunctionBeginUser;
   PetscCall(DMGetDimension(dm, &mesh_dim));
   if (mesh_dim != dim) {
-    MeshFileDescribeDimension(mesh_dim, dim, reason);
+    GmshDescribeDimension(mesh_dim, dim, reason, MESH_SENTENCE);
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(DMPlexGetDepthStratum(dm, 0, &begin, &end));
@@ -115,7 +90,7 @@ static PetscErrorCode FileCheckPlex_Private(DM dm, PetscInt dim, char reason[])
     }
   }
   PetscCall(VecRestoreArrayRead(coords, &x));
-  if (space_dim > dim) MeshFileCheckHeight(lower, upper, reason);
+  if (space_dim > dim) GmshCheckHeight(lower, upper, reason, MESH_SENTENCE);
   if (!reason[0]) PetscCall(FileCheckTypes_Private(dm, reason));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -135,10 +110,18 @@ static PetscBool FileIsGeometry_Private(const char extension[])
 static PetscErrorCode FileRead_Private(MeshFile file, PetscInt dim, char reason[])
 {
   const char *extension = strrchr(file->path, '.');
+  PetscBool   converted = PETSC_FALSE;
+  PetscInt    highest;
+  GmshPart    whole;
   GmshMesh    mesh;
 
   PetscFunctionBeginUser;
-  if (extension && !strncmp(extension, ".msh", strlen(".msh"))) { // .msh2 and .msh4 are used as well
+  if (extension && !strcmp(extension, ".h5")) PetscCall(HDF5MeshProbe(file->path, &converted, &highest));
+  if (converted) { // others may be PETSc's
+    PetscCall(HDF5MeshReadPart(file->path, 0, 1, &file->names, &whole, reason, MESH_SENTENCE));
+    if (!reason[0]) PetscCall(GmshPlexCreate(&whole.mesh, dim, &file->dm, &file->curves, reason));
+    PetscCall(GmshMeshDestroy(&whole.mesh));
+  } else if (extension && !strncmp(extension, ".msh", strlen(".msh"))) { // .msh2 and .msh4 are used as well
     PetscCall(GmshRead(file->path, &file->names, &mesh, reason, MESH_SENTENCE));
     if (!reason[0]) PetscCall(GmshPlexCreate(&mesh, dim, &file->dm, &file->curves, reason));
     PetscCall(GmshMeshDestroy(&mesh));

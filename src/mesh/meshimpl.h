@@ -138,12 +138,6 @@ struct _n_MeshFile {
   GmshNames names; /* empty for other formats */
   MeshFile  next;
 };
-/* Says that the cells of a file have another dimension than the scene, and what to do. [out] reason -
-   [MESH_SENTENCE] */
-void MeshFileDescribeDimension(PetscInt highest, PetscInt dim, char reason[]);
-/* Whether a mesh within these bounds is plane. [in] lower, upper - [3]; [out] reason - untouched if so
-   [MESH_SENTENCE] */
-void MeshFileCheckHeight(const PetscReal lower[], const PetscReal upper[], char reason[]);
 /* The mesh of a body's file as read now or for an earlier body. [in,out] files - list of what was read, NULL at first;
    [out] file - borrowed from the list; [out] sentence - [MESH_SENTENCE], "" unless the file cannot be used */
 PetscErrorCode MeshFileOpen(const SceneBody *body, PetscInt dim, MeshFile *files, MeshFile *file, char sentence[]);

@@ -37,6 +37,9 @@ static const OptionEntry table[] = {
     {GROUP_RUN, "-help", "", "", "(off)", "Prints this manual and ends."},
     {GROUP_RUN, "-h", "", "", "(off)", "The same as -help."},
     {GROUP_RUN, "-version", "", "", "(off)", "Prints the versions of Mortise and of PETSc, and ends."},
+    {GROUP_RUN, "-convert", "file.msh file.h5", "", "(none)",
+     "Makes of a Gmsh file an HDF5 mesh, which is read faster, and by each rank in part, and ends. A file that exists is "
+     "not replaced."},
     {GROUP_RUN, "-options_allow_unused", "0|1", "", "0",
      "Options that nothing reads give a warning instead of ending the run."},
 
@@ -61,8 +64,8 @@ static const OptionEntry table[] = {
      "(2)."},
 
     {GROUP_MESH, "-<body>_dm_plex_filename", "file", "", "(a box)",
-     "Mesh from Gmsh (2.2 or 4.1) or another format that DMPlex reads. The path is relative to the working directory, "
-     "else to the folder of the options file."},
+     "Mesh from Gmsh (2.2 or 4.1), an HDF5 mesh that -convert made of one, or another format that DMPlex reads. The "
+     "path is relative to the working directory, else to the folder of the options file."},
     {GROUP_MESH, "-<body>_mesh_region", "name", "", "(all cells)",
      "Takes only the cells of this physical group, by name or number; + joins several. Several bodies may share a "
      "file."},

@@ -2,6 +2,7 @@
 #include "scene/sceneparts.h"
 #include "base/options.h"
 #include "gmsh/gmsh.h"
+#include "gmsh/hdf5mesh.h"
 #include <string.h>
 
 PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene)
@@ -14,23 +15,24 @@ PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Highest dimension of the elements in a Gmsh file; 0 if it is another file or cannot be read. [out] reason - why it cannot, "" if nothing
+/* Highest dimension of the elements in a Gmsh file, or in one that was converted; 0 if it is another file or cannot be read. [out] reason - why it cannot, "" if nothing
    is known [OPTION_MAX] */
 static PetscErrorCode SceneProbeFile_Private(const Option *file, PetscInt *dim, char reason[])
 {
   const char *extension = strrchr(file->text, '.');
   char        path[PETSC_MAX_PATH_LEN];
-  PetscBool   exists;
+  PetscBool   exists, converted, gmsh = (PetscBool)(extension && !strncmp(extension, ".msh", strlen(".msh")));
   PetscMPIInt rank;
 
   PetscFunctionBeginUser;
   *dim      = 0;
   reason[0] = '\0';
-  if (!extension || strncmp(extension, ".msh", strlen(".msh"))) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!gmsh && (!extension || strcmp(extension, ".h5"))) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(OptionsFindFile(file->comm, file->text, path, sizeof(path), &exists));
   if (!exists) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCallMPI(MPI_Comm_rank(file->comm, &rank));
-  if (!rank) PetscCall(GmshGetDimension(path, dim, reason, OPTION_MAX));
+  if (!rank && gmsh) PetscCall(GmshGetDimension(path, dim, reason, OPTION_MAX));
+  if (!rank && !gmsh) PetscCall(HDF5MeshProbe(path, &converted, dim));
   PetscCallMPI(MPI_Bcast(reason, OPTION_MAX, MPI_CHAR, 0, file->comm));
   PetscCallMPI(MPI_Bcast(dim, 1, MPIU_INT, 0, file->comm));
   PetscFunctionReturn(PETSC_SUCCESS);

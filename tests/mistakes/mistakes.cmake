@@ -306,3 +306,16 @@ mistake(pretension_zero     SAYS "-upper_pretension 0" "above 0" ARGS -upper_pre
 mistake(pretension_nowhere  SAYS "-upper_pretension_axis 0,0" "direction" ARGS -upper_pretension 1 -upper_pretension_axis 0,0)
 mistake(pretension_radial   SAYS "-upper_pretension_axis 1,0" "0,1" ARGS -model axisymmetric -upper_pretension 1 -upper_pretension_axis 1,0)
 mistake(pretension_of_x     SAYS "-upper_pretension 3*x" "formula of t" ARGS -upper_pretension 3*x -upper_pretension_axis 0,1)
+
+# --- conversion of meshes ---
+mistake(convert_names       ALONE SAYS "-convert needs two names" ARGS -convert part.msh)
+mistake(convert_missing     ALONE SAYS "-convert part.msh: there is no such file" ARGS -convert part.msh part.h5)
+mistake(convert_ending      ALONE SAYS "must end in .h5" ARGS -convert ${here}/triangles.msh part.msh)
+mistake(convert_other       ALONE SAYS "part.inp" "end in .msh" ARGS -convert ${here}/part.inp part.h5)
+mistake(convert_existing    ALONE SAYS "the new file exists" ARGS -convert ${here}/triangles.msh ${here}/part.h5)
+mistake(convert_wedge       ALONE SAYS "roof.msh: it holds 1 wedges" tetrahedra ARGS -convert ${here}/roof.msh part.h5)
+mistake(convert_text        ALONE SAYS "text.msh: " ARGS -convert ${here}/text.msh part.h5)
+mistake(convert_node        ALONE SAYS "node.msh: " "refers to node" ARGS -convert ${here}/node.msh part.h5)
+mistake(convert_folder      ALONE SAYS "-convert: cannot write /dev/null/part.h5" ARGS -convert ${here}/triangles.msh /dev/null/part.h5)
+mistake(converted_none      SCENE mesh SAYS "-block_dm_plex_filename" "part.h5: it cannot be read as an HDF5 file" ARGS
+        -block_dm_plex_filename ${here}/part.h5)

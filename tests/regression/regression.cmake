@@ -87,3 +87,7 @@ mortise_scene_test(tied_discs CHECK tied_discs.py RANKS 1 3 ARGS -cross_check)
 mortise_scene_test(patches CHECK patches.py RANKS 1 3)
 mortise_scene_test(patches_space CHECK patches_space.py RANKS 1 3)
 mortise_scene_test(validity CHECK validity.py)
+
+# Meshes that -convert makes of those files.
+mortise_scene_test(converted OWN_RUNS SCENE lined_hub CHECK converted.py RANKS 1 3)
+mortise_scene_test(converted_curved OWN_RUNS SCENE wheel_on_rail CHECK converted.py RANKS 1 3 UNSANITIZED "the scene is large")

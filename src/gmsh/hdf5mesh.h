@@ -1,0 +1,32 @@
+/* hdf5mesh.h -- a mesh in an HDF5 file, as `mortise -convert` writes it: whole, or a part of its rows.
+
+   /points [n][3]; for each of Gmsh's types of elements that occur, by its number, /elements/<type>/nodes [m][nodes of the
+   type], rows of points in Gmsh's order, and /elements/<type>/groups [m], the set of physical groups of each element;
+   /groups/start [sets+1] and /groups/number: the physical groups of set i are start[i] .. start[i+1]-1 of number;
+   /names/dimension, /names/number, /names/name [names] of the physical groups that have a name. Attributes of the file:
+   mortise_mesh, the version of this layout, and dimension, the highest one of the elements. */
+#ifndef MORTISE_HDF5MESH_H
+#define MORTISE_HDF5MESH_H
+
+#include "gmsh/gmsh.h"
+
+enum {
+  HDF5_MESH_VERSION = 1,
+  HDF5_MESH_NAME    = 128 /* bytes of a physical group's name, with its final zero */
+};
+
+/* What a rank has of a mesh: some of the points and some of the elements. */
+typedef struct {
+  GmshMesh mesh;                   /* num_nodes and coords are of this part, nodes of elements are numbers in the whole */
+  PetscInt first_node, all_nodes;  /* of this part; of the whole */
+} GmshPart;
+
+/* Whether a file is for HDF5MeshReadPart(): it has this layout, or is no HDF5 file at all, which is told there; PETSC_FALSE for HDF5
+   files of others. Not collective. [out] dim - highest dimension of the elements, or 0 */
+PetscErrorCode HDF5MeshProbe(const char path[], PetscBool *is, PetscInt *dim);
+/* Reads points and elements part by part: of n rows those from n part / num_parts on. Names and groups are read whole. Not
+   collective. [out] reason - why the file cannot be used, "" if it can [len] */
+PetscErrorCode HDF5MeshReadPart(const char path[], PetscInt part, PetscInt num_parts, GmshNames *names, GmshPart *mesh,
+                                char reason[], size_t len);
+
+#endif
