@@ -270,6 +270,9 @@ static const OptionEntry table[] = {
      "Goes on from the last solved step of an earlier run of the scene, which may have had another number of ranks: "
      "friction remembers. Steps "
      "of -load_steps up to that time, where it is among them, are omitted."},
+    {GROUP_STEPS, "-load_steps_halved", "0|1", "", "0",
+     "Solves all load steps three times, whole, in two parts and in four. Results are those of four parts, with the limits for ever smaller "
+     "steps and their uncertainty; for friction, which remembers."},
     {GROUP_STEPS, "-load_steps_scale", "none|loads|displacements|gaps|temperatures", "",
      "(all, where no datum names t; else none)",
      "What t multiplies: one or several of these, separated by commas. Data that name t are not multiplied."},

@@ -207,6 +207,7 @@ PetscErrorCode SceneSetFromOptions(Scene scene)
   PetscCall(SceneAdaptCheck(scene));
   PetscCall(SceneResultsRead(scene));
   PetscCall(SceneRestartRead(scene));
+  PetscCall(SceneHalvedRead(scene));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

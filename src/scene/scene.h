@@ -184,6 +184,7 @@ typedef struct {
   PetscBool  scale_set; /* whether the user said what time multiplies; */
   int        scale;     /* DatumKind bits */
   char      *restart;   /* file of the run that is gone on with, or NULL */
+  PetscBool  halved;    /* whether all steps are also solved in halves and quarters */
 } SceneSteps;
 
 /* A number that adaptive meshes are made for. */

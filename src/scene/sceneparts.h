@@ -44,8 +44,9 @@ PetscErrorCode SceneStudySetOrders(Scene scene);
 
 /* scenesteps.c: -load_steps and -load_steps_scale. Collective. */
 PetscErrorCode SceneStepsRead(Scene scene);
-/* The same file: -restart, when all else is read. Collective. */
+/* The same file: -restart and -load_steps_halved, when all else is read. Collective. */
 PetscErrorCode SceneRestartRead(Scene scene);
+PetscErrorCode SceneHalvedRead(Scene scene);
 
 /* scenebodies.c: one body. scenematerials.c: its materials. sceneboundaries.c: its supports and loads. Collective. */
 PetscErrorCode SceneBodyRead(Scene scene, SceneBody *body);

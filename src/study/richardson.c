@@ -13,22 +13,25 @@
 /* Roache's factor for three meshes. */
 static const PetscReal SAFETY = 1.25;
 /* Observed orders are believed between these; what is below has no limit in sight yet. */
-static const PetscReal RATE_MIN = 0.5, RATE_MAX = 2;
+static const PetscReal RATE_MIN = 0.5, RATE_MAX_MESHES = 2;
+/* A step counts slip from its begin to its end: of first order, and nodes that come into contact within a step are as irregular as edges. */
+static const PetscReal RATE_MAX_STEPS = 1;
 /* Solutions of the same equations, on other numbers of processes for instance, agree to this part. */
 static const PetscReal SOLVED = 1e-9;
 
-Extrapolation RichardsonExtrapolate(const PetscReal Q[RICHARDSON_LEVELS])
+/* [in] most - the highest order that is believed */
+static Extrapolation RichardsonExtrapolate_Private(const PetscReal Q[RICHARDSON_LEVELS], PetscReal most)
 {
   const PetscReal first = Q[1] - Q[0], second = Q[2] - Q[1];
   Extrapolation   limit = {.value = Q[2], .rate = NAN};
 
   limit.monotone = (PetscBool)(first * second > 0 && PetscAbsReal(second) < PetscAbsReal(first));
   if (limit.monotone) {
-    const PetscReal least = PetscAbsReal(first) / PetscPowReal(2, RATE_MAX); // of the second difference
+    const PetscReal least = PetscAbsReal(first) / PetscPowReal(2, most); // of the second difference
     PetscReal       shrink;
 
     limit.rate  = PetscLog2Real(first / second);
-    shrink      = PetscPowReal(2, PetscMin(PetscMax(limit.rate, RATE_MIN), RATE_MAX)) - 1;
+    shrink      = PetscPowReal(2, PetscMin(PetscMax(limit.rate, RATE_MIN), most)) - 1;
     limit.value = Q[2] + second / shrink;
     limit.bar   = SAFETY * PetscMax(PetscAbsReal(second), least) / shrink;
   } else {
@@ -36,6 +39,16 @@ Extrapolation RichardsonExtrapolate(const PetscReal Q[RICHARDSON_LEVELS])
   }
   limit.bar = PetscMax(limit.bar, SOLVED * PetscAbsReal(limit.value));
   return limit;
+}
+
+Extrapolation RichardsonExtrapolate(const PetscReal Q[RICHARDSON_LEVELS])
+{
+  return RichardsonExtrapolate_Private(Q, RATE_MAX_MESHES);
+}
+
+Extrapolation RichardsonExtrapolateSteps(const PetscReal Q[RICHARDSON_LEVELS])
+{
+  return RichardsonExtrapolate_Private(Q, RATE_MAX_STEPS);
 }
 
 /* A number without the zeros and signs that printf puts into exponents. */

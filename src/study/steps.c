@@ -7,6 +7,7 @@
 #include "output/output.h"
 #include "output/restartfile.h"
 #include "study/adaptive.h"
+#include "study/halvedsteps.h"
 #include "study/steps.h"
 #include "study/stepscolumns.h"
 #include <math.h>
@@ -24,6 +25,7 @@ typedef struct {
   cJSON       *rows;     /* of all steps so far, on all ranks */
   PetscBool    quiet;    /* nothing is printed on stdout */
   PetscBool    repeated; /* all steps are solved on each of the adaptive meshes */
+  PetscInt     parts;    /* of each step: 1, but with -load_steps_halved */
   PetscBool    coarse;   /* all steps are solved, but errors are larger than what was asked for */
   PetscBool    any;      /* whether a step is solved: */
   char         now[TIME_TEXT], last[TIME_TEXT]; /* times of the present step, and of the last solved one */
@@ -87,7 +89,8 @@ static PetscErrorCode StepsPrint_Private(const Steps *steps, PetscInt i, const c
   const char     *status     = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(row, "status"));
   const PetscBool refused    = (PetscBool)(strcmp(status, "no_solution") == 0);
   const int       iterations = (int)StepsGetNumber_Private(row, "iterations");
-  const cJSON *bars  = cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(row, "bars"), "pairs"), *pair;
+  const cJSON *limit = cJSON_GetObjectItemCaseSensitive(row, "limit");
+  const cJSON *bars  = cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(limit ? limit : row, "bars"), "pairs"), *pair;
   PetscInt     shown = 0;
 
   PetscFunctionBeginUser;
@@ -158,17 +161,14 @@ static PetscErrorCode StepsWrite_Private(Steps *steps, Run run, PetscBool fields
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves at one time, and tells of it. [in] guess - for the first, or NULL; [out] text - as of StepsWrite_Private() */
-static PetscErrorCode StepsSolve_Private(Steps *steps, PetscInt i, Mesh mesh, Vec guess, Run *run, char **text)
+/* Solves at one time. [in] guess - for the first, or NULL */
+static PetscErrorCode StepsSolveAt_Private(Steps *steps, PetscReal t, Mesh mesh, Vec guess, Run *run)
 {
-  const Scene  scene = steps->scene;
-  char         label[TEXT_LENGTH];
-  SummaryInput input;
-  cJSON       *row;
+  const Scene scene = steps->scene;
+  char        label[TEXT_LENGTH];
 
   PetscFunctionBeginUser;
-  if (i) PetscCall(LogReset(LogWallClock()));
-  PetscCall(SceneSetTime(scene, scene->steps.t[i]));
+  PetscCall(SceneSetTime(scene, t));
   (void)snprintf(steps->now, sizeof(steps->now), "%.9g", (double)scene->time);
   PetscCall(PetscSNPrintf(label, sizeof(label), "t = %s", steps->now));
   WarningSetLabel(label);
@@ -179,14 +179,61 @@ static PetscErrorCode StepsSolve_Private(Steps *steps, PetscInt i, Mesh mesh, Ve
   else
     PetscCall(*run ? RunAdvance(guess, run) : RunCreate(scene, mesh, guess, run));
   scene->view = PETSC_FALSE; // of the first step only
-  if (steps->repeated) {
-    WarningRetain();
-    if ((*run)->solved) PetscCall(AdaptiveAddStep(steps->adaptive, i, *run));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a step is solved in parts: a nut is tightened in the first step, once. */
+static PetscBool StepsIsParted_Private(const Steps *steps, PetscInt i)
+{
+  if (steps->parts == 1) return PETSC_FALSE;
+  for (PetscInt b = 0; !i && b < steps->scene->num_bodies; b++)
+    if (steps->scene->bodies[b].pretension) return PETSC_FALSE;
+  return PETSC_TRUE;
+}
+
+/* Solves a step, in its parts. Before the first step is t = 0, or the time of -restart. [in] guess - as of StepsSolveAt_Private();
+   [out] before - row of the parts before the last one that was solved, NULL for none */
+static PetscErrorCode StepsSolveParts_Private(Steps *steps, PetscInt i, Mesh mesh, Vec guess, Run *run, cJSON **before)
+{
+  const PetscReal to = steps->scene->steps.t[i], from = i ? steps->scene->steps.t[i - 1] : steps->begin_t;
+  const PetscInt  parts = StepsIsParted_Private(steps, i) && from != to ? steps->parts : 1;
+
+  PetscFunctionBeginUser;
+  *before = NULL;
+  for (PetscInt part = 1; part < parts; part++) {
+    SummaryInput input;
+    cJSON       *row;
+
+    PetscCall(StepsSolveAt_Private(steps, from + (to - from) * (PetscReal)part / (PetscReal)parts, mesh, part > 1 ? NULL : guess, run));
+    if (!(*run)->solved) PetscFunctionReturn(PETSC_SUCCESS);
+    input = RunSummary(*run);
+    PetscCall(SummaryCreateStep(&input, &row));
+    HalvedStepsAddParts(row, *before);
+    cJSON_Delete(*before);
+    *before = row;
   }
+  PetscCall(StepsSolveAt_Private(steps, to, mesh, parts > 1 ? NULL : guess, run));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Solves a step, and tells of it. [in] guess - for the first, or NULL; [out] text - as of StepsWrite_Private() */
+static PetscErrorCode StepsSolve_Private(Steps *steps, PetscInt i, Mesh mesh, Vec guess, Run *run, char **text)
+{
+  const PetscBool later = (PetscBool)(steps->repeated || steps->scene->steps.halved); // it is told behind all steps
+  SummaryInput    input;
+  cJSON          *row, *before;
+
+  PetscFunctionBeginUser;
+  if (i) PetscCall(LogReset(LogWallClock()));
+  PetscCall(StepsSolveParts_Private(steps, i, mesh, guess, run, &before));
+  if (later) WarningRetain();
+  if (steps->repeated && (*run)->solved) PetscCall(AdaptiveAddStep(steps->adaptive, i, *run));
   input = RunSummary(*run);
   PetscCall(SummaryCreateStep(&input, &row));
+  HalvedStepsAddParts(row, before);
+  cJSON_Delete(before);
   cJSON_AddItemToArray(steps->rows, row);
-  if (!steps->repeated) PetscCall(StepsPrint_Private(steps, i, row));
+  if (!later) PetscCall(StepsPrint_Private(steps, i, row));
   PetscCall(StepsWrite_Private(steps, *run, PETSC_TRUE, text));
   if ((*run)->solved) {
     steps->any = PETSC_TRUE;
@@ -294,6 +341,53 @@ static PetscErrorCode StepsJudge_Private(Steps *steps, PetscBool met, Run run, c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Forgets all steps but their meshes: the same ones follow. */
+static PetscErrorCode StepsBeginAgain_Private(Steps *steps)
+{
+  PetscFunctionBeginUser;
+  WarningForgetRetained();
+  cJSON_Delete(steps->rows);
+  steps->rows = cJSON_CreateArray();
+  steps->any  = PETSC_FALSE;
+  PetscCall(OutputSeriesDestroy(&steps->series));
+  PetscCall(OutputSeriesCreate(steps->scene, &steps->series));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* All steps, whole, in halves and in quarters. Files have the steps of the latest ones, those of quarters also what ever smaller steps
+   would give. [in] first - guess for the first; [in,out] text - as of StepsWrite_Private() */
+static PetscErrorCode StepsHalve_Private(Steps *steps, Mesh mesh, Vec first, Run *run, char **text)
+{
+  const MPI_Comm comm = steps->scene->comm;
+  cJSON         *coarser[RICHARDSON_LEVELS - 1], *row;
+  PetscInt       i = 0;
+
+  PetscFunctionBeginUser;
+  WarningHold();
+  for (PetscInt level = 0; level < RICHARDSON_LEVELS; level++) {
+    const double start = LogWallClock();
+
+    if (level) {
+      coarser[level - 1] = steps->rows;
+      steps->rows        = NULL;
+      steps->parts *= 2;
+      PetscCall(StepsBeginAgain_Private(steps));
+    }
+    PetscCall(RunDestroy(run)); // history begins anew
+    PetscCall(StepsSolveAll_Private(steps, mesh, first, run, text));
+    if (!steps->quiet)
+      PetscCall(PetscPrintf(comm, "steps in %" PetscInt_FMT " part%s: %s, %.2g s\n", steps->parts, level ? "s" : "",
+                            (*run)->solved ? "solved" : "NOT SOLVED", LogWallClock() - start));
+  }
+  HalvedStepsExtrapolate(coarser, steps->rows);
+  for (PetscInt level = 0; level < RICHARDSON_LEVELS - 1; level++) cJSON_Delete(coarser[level]);
+  cJSON_ArrayForEach(row, steps->rows) PetscCall(StepsPrint_Private(steps, i++, row));
+  free(*text);
+  PetscCall(StepsWrite_Private(steps, *run, PETSC_FALSE, text));
+  WarningRelease();
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* All steps on one mesh after the other. Files have the steps of the latest mesh. [in] first - guess for the first, or NULL; [in,out] text -
    as of StepsWrite_Private() */
 static PetscErrorCode StepsRepeat_Private(Steps *steps, Mesh mesh, Vec first, Run *run, char **text)
@@ -309,12 +403,7 @@ static PetscErrorCode StepsRepeat_Private(Steps *steps, Mesh mesh, Vec first, Ru
     all = (*run)->solved;
     if (all) PetscCall(AdaptiveRefineSteps(steps->adaptive, run, &guess));
     if (!guess) break;
-    WarningForgetRetained();
-    cJSON_Delete(steps->rows);
-    steps->rows = cJSON_CreateArray();
-    steps->any  = PETSC_FALSE;
-    PetscCall(OutputSeriesDestroy(&steps->series));
-    PetscCall(OutputSeriesCreate(steps->scene, &steps->series));
+    PetscCall(StepsBeginAgain_Private(steps));
   }
   steps->coarse = (PetscBool)(all && !(*run)->solved);
   PetscCall(StepsJudge_Private(steps, (PetscBool)!steps->coarse, *run, text));
@@ -324,7 +413,7 @@ static PetscErrorCode StepsRepeat_Private(Steps *steps, Mesh mesh, Vec first, Ru
 
 PetscErrorCode StepsRun(Scene scene, Mesh mesh, Vec guess, Run *run)
 {
-  Steps steps = {.scene = scene, .rows = cJSON_CreateArray()};
+  Steps steps = {.scene = scene, .rows = cJSON_CreateArray(), .parts = 1};
   char *text  = NULL;
 
   PetscFunctionBeginUser;
@@ -339,8 +428,11 @@ PetscErrorCode StepsRun(Scene scene, Mesh mesh, Vec guess, Run *run)
     PetscCall(RunDestroy(run)); // the meshes that its bars were made of are gone
     PetscCall(AdaptiveCreate(scene, mesh, &steps.adaptive));
   }
-  PetscCall(steps.repeated ? StepsRepeat_Private(&steps, mesh, guess, run, &text)
-                           : StepsSolveAll_Private(&steps, mesh, guess, run, &text));
+  if (steps.repeated)
+    PetscCall(StepsRepeat_Private(&steps, mesh, guess, run, &text));
+  else
+    PetscCall(scene->steps.halved ? StepsHalve_Private(&steps, mesh, guess, run, &text)
+                                  : StepsSolveAll_Private(&steps, mesh, guess, run, &text));
   WarningSetLabel("");
   PetscCall(StepsPrintEnd_Private(&steps, *run, text));
   free(text);

@@ -77,6 +77,22 @@ static void RowAddBars_Private(Row *row, const cJSON *step)
   }
 }
 
+/* With halved steps: what ever smaller steps would give for each pair's numbers, and its bars. */
+static void RowAddLimits_Private(Row *row, const cJSON *step)
+{
+  static const char *const blocks[] = {"values", "bars"}, *const prefixes[] = {"limit", "limit_bar"};
+  const cJSON             *limit    = cJSON_GetObjectItemCaseSensitive(step, "limit"), *pair, *number;
+  char                     name[NAME_LENGTH];
+
+  for (size_t i = 0; limit && i < PETSC_STATIC_ARRAY_LENGTH(blocks); i++) {
+    cJSON_ArrayForEach(pair, cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(limit, blocks[i]), "pairs"))
+    {
+      (void)snprintf(name, sizeof(name), "%s.%s", prefixes[i], pair->string);
+      cJSON_ArrayForEach(number, pair) RowAddNumbers_Private(row, name, number->string, number);
+    }
+  }
+}
+
 /* All numbers of a step that have a name of their own. */
 static void RowWrite_Private(Row *row, Scene scene, const cJSON *step)
 {
@@ -118,6 +134,7 @@ static void RowWrite_Private(Row *row, Scene scene, const cJSON *step)
   cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(validity, "indicators"))
       RowAddNumbers_Private(row, "validity", item->string, cJSON_GetObjectItemCaseSensitive(item, "value"));
   RowAddBars_Private(row, step);
+  RowAddLimits_Private(row, step);
 }
 
 PetscErrorCode StepsAddTable(Output output, Scene scene, const cJSON *rows)

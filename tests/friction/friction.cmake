@@ -6,6 +6,13 @@ mortise_scene_test(tresca_held CHECK tresca_held.py RANKS 1 3)
 mortise_scene_test(greco CHECK greco.py RANKS 1 3 ARGS -dm_refine 2 -cross_check)
 mortise_scene_test(adaptive SCENE greco CHECK adaptive.py RANKS 1 3 ARGS -block_dm_plex_box_faces 8,8 -adapt 5e-4)
 mortise_scene_test(energy OWN_RUNS SCENE greco CHECK energy.py RANKS 1 3)
+# Halved steps.
+mortise_scene_test(halved SCENE greco CHECK halved.py RANKS 1 3 ARGS -load_steps 1 -load_steps_halved 1)
+mortise_scene_test(oblique SCENE fretting CHECK oblique.py ARGS -upper_dm_plex_box_faces 64,12 -lower_dm_plex_box_faces 64,12 -load_steps 2
+  -upper_bc_displacement_top "0.0006*t,-0.0105*t" -load_steps_halved 1)
+mortise_mistake(halves_nothing SCENE greco RANKS 1 ARGS -load_steps_halved 1 SAYS "-load_steps_halved 1: there are no steps to halve")
+mortise_mistake(halves_meshes SCENE greco RANKS 1 ARGS -load_steps 2 -load_steps_halved 1 -adapt 1e-2 SAYS "-load_steps_halved 1: the bars of -adapt are those of meshes")
+mortise_mistake(halves_without SCENE two_plates RANKS 1 ARGS -load_steps 2 -load_steps_halved 1 SAYS "-load_steps_halved 1: without friction")
 # By multigrid, at full size: the default of large scenes alone.
 mortise_scene_test(incline_iterates SCENE incline CHECK iterates.py RANKS 1 3 ARGS -pc_type truncatedmg -ksp_monitor LABELS sanitize)
 mortise_scene_test(incline_solid_iterates SCENE incline_solid CHECK iterates.py RANKS 1 3 ARGS -pc_type truncatedmg -ksp_monitor)

@@ -44,6 +44,18 @@ static void TestIrregular(void)
   CHECK(limit.value == 2 && limit.bar > 0 && limit.bar < 1e-8);
 }
 
+/* Steps are of first order: what looks like a higher one is chance. */
+static void TestSteps(void)
+{
+  const PetscReal     first[] = {2, 1.5, 1.25}, chance[] = {0, 1, 1.0001};
+  const Extrapolation exact = RichardsonExtrapolateSteps(first), lucky = RichardsonExtrapolateSteps(chance);
+
+  CHECK_NEAR(exact.value, 1, 1e-12);
+  CHECK_NEAR(exact.bar, 1.25 * 0.25, 1e-12);
+  CHECK_NEAR(lucky.value, 1.0002, 1e-12);
+  CHECK_NEAR(lucky.bar, 1.25 * 0.5, 1e-12);
+}
+
 static void TestText(void)
 {
   static const struct {
@@ -71,6 +83,7 @@ int main(int argc, char **argv)
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   TestPowers();
   TestIrregular();
+  TestSteps();
   TestText();
   PetscCall(PetscFinalize());
   return 0;
