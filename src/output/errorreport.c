@@ -4,10 +4,23 @@
 #include "base/json.h"
 #include "result/calibration.h"
 #include "result/estimate.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+enum { PART_TEXT = 48 };
 static const PetscReal PERCENT = 100;
+/* A larger relative error has no digits: without loads, roundoff is divided by roundoff. */
+static const PetscReal ANY_ERROR = 10;
+
+/* "0.717% of the solution" */
+static void ErrorReportPart_Private(PetscReal relative, char text[], size_t len)
+{
+  if (relative > ANY_ERROR)
+    (void)snprintf(text, len, "larger than the solution");
+  else
+    (void)snprintf(text, len, "%.3g%% of the solution", (double)(PERCENT * relative));
+}
 
 PetscErrorCode ErrorReportAdd(const SummaryInput *in, cJSON *root)
 {
@@ -52,23 +65,24 @@ PetscErrorCode ErrorReportPrint(const SummaryInput *in)
   const MPI_Comm comm = in->scene->comm;
   PetscReal      relative, theta;
   int            meshes;
+  char           part[PART_TEXT];
   Estimate       estimate;
 
   PetscFunctionBeginUser;
   if (in->estimate) {
     relative = ErrorReportRead_Private(in->estimate, "energy_norm_relative");
     meshes   = cJSON_GetArraySize(cJSON_GetObjectItemCaseSensitive(in->estimate, "meshes"));
-    PetscCall(PetscPrintf(comm, "  estimated error: %.3g%% of the solution in the energy norm, %d mesh%s\n",
-                          (double)(PERCENT * relative), meshes, meshes == 1 ? ", which gives no error bars" : "es"));
+    ErrorReportPart_Private(relative, part, sizeof(part));
+    PetscCall(PetscPrintf(comm, "  estimated error: %s in the energy norm, %d mesh%s\n", part, meshes,
+                          meshes == 1 ? ", which gives no error bars" : "es"));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(EstimateGet(in->fields, &estimate));
   PetscCall(CalibrationGetStandard(in->vi->level, &theta));
   relative = EstimateGetRelative(estimate, theta);
-  PetscCall(PetscPrintf(comm,
-                        "  estimated error: %.3g%% of the solution in the energy norm; one mesh gives no error bars, "
-                        "-adapt and -study do\n",
-                        (double)(PERCENT * relative)));
+  ErrorReportPart_Private(relative, part, sizeof(part));
+  PetscCall(PetscPrintf(
+      comm, "  estimated error: %s in the energy norm; one mesh gives no error bars, -adapt and -study do\n", part));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -237,7 +237,7 @@ static PetscReal FrictionUnitsResidual_Private(const FrictionUnit *unit, const P
 {
   const PetscReal k = unit->stiffness, pressing = r[unit->normal], limit = FrictionUnitLimit(unit, pressing);
   const PetscReal miss = PetscMax(-pressing, k * (y[unit->normal] - unit->upper));
-  PetscReal       sum = miss * miss / k, z[FRICTION_TANGENTS], size = 0, kept;
+  PetscReal       sum = miss * miss / k, z[FRICTION_TANGENTS], size = 0;
 
   if (!unit->num) return sum;
   for (PetscInt i = 0; i < unit->num; i++) {
@@ -245,9 +245,9 @@ static PetscReal FrictionUnitsResidual_Private(const FrictionUnit *unit, const P
     size += z[i] * z[i];
   }
   size = PetscSqrtReal(size);
-  kept = size > limit ? 1 - limit / size : 0;
-  for (PetscInt i = 0; i < unit->num; i++) {
-    const PetscReal off = unit->resistance * (y[unit->tangent[i]] - unit->origin[i]) - kept * z[i];
+  for (PetscInt i = 0; i < unit->num; i++) { // without the difference of two long ways of slip
+    const PetscReal off = size > limit ? limit * z[i] / size - r[unit->tangent[i]]
+                                       : unit->resistance * (y[unit->tangent[i]] - unit->origin[i]);
 
     sum += off * off / unit->resistance;
   }
