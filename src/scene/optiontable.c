@@ -38,7 +38,8 @@ static const OptionEntry table[] = {
     {GROUP_RUN, "-h", "", "", "(off)", "The same as -help."},
     {GROUP_RUN, "-version", "", "", "(off)", "Prints the versions of Mortise and of PETSc, and ends."},
     {GROUP_RUN, "-convert", "file.msh file.h5", "", "(none)",
-     "Makes of a Gmsh file an HDF5 mesh, which is read faster, and by each rank in part, and ends. A file that exists is "
+     "Makes of a Gmsh file an HDF5 mesh, which is read faster, and by each rank in part, and ends. A file that exists "
+     "is "
      "not replaced."},
     {GROUP_RUN, "-options_allow_unused", "0|1", "", "0",
      "Options that nothing reads give a warning instead of ending the run."},
@@ -271,7 +272,8 @@ static const OptionEntry table[] = {
      "friction remembers. Steps "
      "of -load_steps up to that time, where it is among them, are omitted."},
     {GROUP_STEPS, "-load_steps_halved", "0|1", "", "0",
-     "Solves all load steps three times, whole, in two parts and in four. Results are those of four parts, with the limits for ever smaller "
+     "Solves all load steps three times, whole, in two parts and in four. Results are those of four parts, with the "
+     "limits for ever smaller "
      "steps and their uncertainty; for friction, which remembers."},
     {GROUP_STEPS, "-load_steps_scale", "none|loads|displacements|gaps|temperatures", "",
      "(all, where no datum names t; else none)",

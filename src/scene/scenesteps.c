@@ -107,7 +107,8 @@ PetscErrorCode SceneHalvedRead(Scene scene)
   if (!scene->steps.halved) PetscFunctionReturn(PETSC_SUCCESS);
   if (!scene->steps.num) PetscCall(OptionRaise(&option, "there are no steps to halve; give -load_steps, too"));
   if (!SceneHasFriction(scene))
-    PetscCall(OptionRaise(&option, "without friction the answer of a step does not depend on the steps before; omit it"));
+    PetscCall(
+        OptionRaise(&option, "without friction the answer of a step does not depend on the steps before; omit it"));
   if (scene->adapt.on)
     PetscCall(OptionRaise(&option, "the bars of -adapt are those of meshes, not of steps; omit one of the two"));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -33,23 +33,24 @@ void HalvedStepsAddParts(cJSON *row, const cJSON *before)
 {
   static const char *const counts[] = {"iterations", "linear_iterations"};
   static const char *const works[]  = {"work", "stored", "dissipation", "defect"};
-  const cJSON *old = cJSON_GetObjectItemCaseSensitive(before, "pairs"), *energy = cJSON_GetObjectItemCaseSensitive(before, "energy");
-  cJSON       *pair, *balance = cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(row, "energy"), "balance");
+  const cJSON             *old      = cJSON_GetObjectItemCaseSensitive(before, "pairs"),
+              *energy               = cJSON_GetObjectItemCaseSensitive(before, "energy");
+  cJSON *pair, *balance = cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(row, "energy"), "balance");
 
   if (!before) return;
   for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(counts); i++)
     HalvedStepsAddNumber_Private(row, before, counts[i], PETSC_TRUE);
   for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(works) && balance; i++)
     HalvedStepsAddNumber_Private(balance, cJSON_GetObjectItemCaseSensitive(energy, "balance"), works[i], PETSC_FALSE);
-  cJSON_ArrayForEach(pair, cJSON_GetObjectItemCaseSensitive(row, "pairs"))
-      HalvedStepsAddNumber_Private(pair, cJSON_GetObjectItemCaseSensitive(old, pair->string), "dissipation", PETSC_FALSE);
+  cJSON_ArrayForEach(pair, cJSON_GetObjectItemCaseSensitive(row, "pairs")) HalvedStepsAddNumber_Private(
+      pair, cJSON_GetObjectItemCaseSensitive(old, pair->string), "dissipation", PETSC_FALSE);
 }
 
 /* Three numbers become a value and a bar; null where one of them is missing. [in] key - NULL in an array */
 static void HalvedStepsAddLimit_Private(const Samples samples, const char key[], cJSON *values, cJSON *bars)
 {
   PetscReal     Q[RICHARDSON_LEVELS];
-  Extrapolation limit = {.value = NAN, .bar = NAN};
+  Extrapolation limit   = {.value = NAN, .bar = NAN};
   cJSON        *scratch = cJSON_CreateObject();
   PetscBool     known   = PETSC_TRUE;
 
@@ -90,7 +91,8 @@ static void HalvedStepsAddNumbers_Private(const Samples samples, const char key[
 }
 
 /* Numbers of these keys, or of all keys; samples may lack them. [in] keys - ends with NULL; or NULL for all */
-static void HalvedStepsAddKeys_Private(const Samples samples, const char *const keys[], const char name[], cJSON *values, cJSON *bars)
+static void HalvedStepsAddKeys_Private(const Samples samples, const char *const keys[], const char name[],
+                                       cJSON *values, cJSON *bars)
 {
   const cJSON *item;
 
@@ -116,7 +118,8 @@ static void HalvedStepsEnter_Private(const Samples samples, const char key[], Sa
 }
 
 /* A list of objects with the same keys, as pairs and probes. */
-static void HalvedStepsAddList_Private(const Samples row, const char name[], const char *const keys[], cJSON *values, cJSON *bars)
+static void HalvedStepsAddList_Private(const Samples row, const char name[], const char *const keys[], cJSON *values,
+                                       cJSON *bars)
 {
   Samples      list, one;
   const cJSON *item;
@@ -135,11 +138,13 @@ static void HalvedStepsAddList_Private(const Samples row, const char name[], con
 static void HalvedStepsExtrapolateRow_Private(const Samples row, cJSON *last)
 {
   /* The slip of a step is that of its last part, and places jump from node to node. */
-  static const char *const pairs[]  = {"normal_force", "force", "area", "max_pressure", "max_pressure_covered", "min_gap",
-                                       "tangential_force", "slip_share", "dissipation", NULL};
+  static const char *const pairs[] = {
+      "normal_force", "force",       "area", "max_pressure", "max_pressure_covered", "min_gap", "tangential_force",
+      "slip_share",   "dissipation", NULL};
   static const char *const probes[] = {"displacement", "stress", "von_mises", NULL};
   static const char *const energy[] = {"potential", NULL};
-  cJSON  *limit = cJSON_CreateObject(), *values = cJSON_AddObjectToObject(limit, "values"), *bars = cJSON_AddObjectToObject(limit, "bars");
+  cJSON                   *limit = cJSON_CreateObject(), *values = cJSON_AddObjectToObject(limit, "values"),
+        *bars = cJSON_AddObjectToObject(limit, "bars");
   Samples inner, part;
 
   HalvedStepsEnter_Private(row, "energy", inner);
@@ -168,7 +173,8 @@ void HalvedStepsExtrapolate(cJSON *const coarser[RICHARDSON_LEVELS - 1], cJSON *
     PetscBool same = PETSC_TRUE; // a part that is not solved is no step
 
     for (int i = 0; i < RICHARDSON_LEVELS; i++)
-      same = (PetscBool)(same && !strcmp(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(row[i], "status")), "solved"));
+      same = (PetscBool)(same &&
+                         !strcmp(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(row[i], "status")), "solved"));
     if (same) HalvedStepsExtrapolateRow_Private(row, last);
   }
 }

@@ -89,9 +89,11 @@ static PetscErrorCode StepsPrint_Private(const Steps *steps, PetscInt i, const c
   const char     *status     = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(row, "status"));
   const PetscBool refused    = (PetscBool)(strcmp(status, "no_solution") == 0);
   const int       iterations = (int)StepsGetNumber_Private(row, "iterations");
-  const cJSON *limit = cJSON_GetObjectItemCaseSensitive(row, "limit");
-  const cJSON *bars  = cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(limit ? limit : row, "bars"), "pairs"), *pair;
-  PetscInt     shown = 0;
+  const cJSON    *limit      = cJSON_GetObjectItemCaseSensitive(row, "limit");
+  const cJSON    *bars = cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(limit ? limit : row, "bars"),
+                                                          "pairs"),
+              *pair;
+  PetscInt shown = 0;
 
   PetscFunctionBeginUser;
   if (steps->quiet) PetscFunctionReturn(PETSC_SUCCESS);
@@ -204,7 +206,8 @@ static PetscErrorCode StepsSolveParts_Private(Steps *steps, PetscInt i, Mesh mes
     SummaryInput input;
     cJSON       *row;
 
-    PetscCall(StepsSolveAt_Private(steps, from + (to - from) * (PetscReal)part / (PetscReal)parts, mesh, part > 1 ? NULL : guess, run));
+    PetscCall(StepsSolveAt_Private(steps, from + (to - from) * (PetscReal)part / (PetscReal)parts, mesh,
+                                   part > 1 ? NULL : guess, run));
     if (!(*run)->solved) PetscFunctionReturn(PETSC_SUCCESS);
     input = RunSummary(*run);
     PetscCall(SummaryCreateStep(&input, &row));

@@ -81,11 +81,12 @@ static void RowAddBars_Private(Row *row, const cJSON *step)
 static void RowAddLimits_Private(Row *row, const cJSON *step)
 {
   static const char *const blocks[] = {"values", "bars"}, *const prefixes[] = {"limit", "limit_bar"};
-  const cJSON             *limit    = cJSON_GetObjectItemCaseSensitive(step, "limit"), *pair, *number;
-  char                     name[NAME_LENGTH];
+  const cJSON *limit = cJSON_GetObjectItemCaseSensitive(step, "limit"), *pair, *number;
+  char         name[NAME_LENGTH];
 
   for (size_t i = 0; limit && i < PETSC_STATIC_ARRAY_LENGTH(blocks); i++) {
-    cJSON_ArrayForEach(pair, cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(limit, blocks[i]), "pairs"))
+    cJSON_ArrayForEach(pair,
+                       cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(limit, blocks[i]), "pairs"))
     {
       (void)snprintf(name, sizeof(name), "%s.%s", prefixes[i], pair->string);
       cJSON_ArrayForEach(number, pair) RowAddNumbers_Private(row, name, number->string, number);

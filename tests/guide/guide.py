@@ -90,6 +90,8 @@ SCENES = {
               "-lower_dm_plex_box_faces", "3,3", "-probes", "p", "-probe_p_body", "upper", "-probe_p_at", "0.5,0.5"],
     "steps": ["-options_file", "options/two_plates.opts", "-upper_young", "1e3", "-upper_dm_plex_box_faces", "4,4", "-lower_dm_plex_box_faces", "3,3", "-load_steps", "2"],
     "slipping steps": ["-options_file", "options/incline.opts", "-load_steps", "2"],
+    "halved steps": ["-options_file", "options/greco.opts", "-block_dm_plex_box_faces", "4,4", "-load_steps", "1", "-load_steps_halved", "1", "-probes", "p",
+                     "-probe_p_body", "block", "-probe_p_at", "0.02,0.02"],
     "adapted": ["-options_file", "options/two_plates.opts", "-upper_dm_plex_box_faces", "2,2", "-lower_dm_plex_box_faces", "2,2", "-adapt", "1e-2", "-adapt_goal", "force:joint"],
     "adapted friction": ["-options_file", "options/incline.opts", "-adapt", "3e-2"],
     "adapted steps": ["-options_file", "options/two_plates.opts", "-upper_dm_plex_box_faces", "2,2", "-lower_dm_plex_box_faces", "2,2", "-adapt", "5e-2",
