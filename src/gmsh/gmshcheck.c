@@ -83,8 +83,7 @@ static void GmshCheckTypes_Private(const GmshMesh *mesh, PetscInt dim, char reas
   if (!first) return;
   for (PetscInt e = 0; e < mesh->num_elements; e++) num += !strcmp(mesh->type[e]->name, first->name);
   used = (size_t)snprintf(reason, len, "it holds %d %s", (int)num, first->name);
-  if (others > num)
-    used += (size_t)snprintf(reason + used, len - used, " and %d others", (int)(others - num));
+  if (others > num) used += (size_t)snprintf(reason + used, len - used, " and %d others", (int)(others - num));
   snprintf(reason + used, len - used,
            ", the first with a corner at (%g, %g, %g), which are not accepted; tetrahedra and hexahedra are: in Gmsh "
            "extrude without Recombine for tetrahedra, recombine the surface too for hexahedra",
@@ -98,8 +97,7 @@ void GmshDescribeElement(const GmshMesh *mesh, PetscInt e, PetscInt dim, char te
     for (PetscInt d = 0; d < dim; d++) {
       const size_t used = strlen(text);
 
-      snprintf(text + used, len - used, "%s%g", d ? ", " : " (",
-               (double)ElementGetPosition_Private(mesh, e, i)[d]);
+      snprintf(text + used, len - used, "%s%g", d ? ", " : " (", (double)ElementGetPosition_Private(mesh, e, i)[d]);
     }
     snprintf(text + strlen(text), len - strlen(text), ")");
   }

@@ -24,3 +24,8 @@ const GmshType *GmshTypeGet(PetscInt64 number)
 {
   return number >= 1 && number < (PetscInt64)(sizeof(Types) / sizeof(Types[0])) ? &Types[number] : NULL;
 }
+
+PetscInt GmshTypeNumber(const GmshType *type)
+{
+  return (PetscInt)(type - Types);
+}

@@ -14,5 +14,7 @@ typedef struct {
 
 /* NULL for numbers of other types. Not collective. */
 const GmshType *GmshTypeGet(PetscInt64 number);
+/* The number of a type. Not collective. */
+PetscInt GmshTypeNumber(const GmshType *type);
 
 #endif

@@ -93,10 +93,10 @@ static Rows HDF5MeshOpenRows_Private(Reader *reader, const char name[], PetscInt
 static void HDF5MeshReadRows_Private(Reader *reader, const Rows *rows, hid_t type, PetscInt begin, PetscInt num,
                                      void *values)
 {
-  const hid_t   space    = reader->reason[0] ? -1 : H5Dget_space(rows->set);
-  hsize_t       shape[2] = {0, 1}, start[2] = {(hsize_t)begin, 0};
-  hid_t         memory;
-  herr_t        bad;
+  const hid_t space    = reader->reason[0] ? -1 : H5Dget_space(rows->set);
+  hsize_t     shape[2] = {0, 1}, start[2] = {(hsize_t)begin, 0};
+  hid_t       memory;
+  herr_t      bad;
 
   if (space < 0) return;
   (void)H5Sget_simple_extent_dims(space, shape, NULL);
@@ -143,7 +143,8 @@ static PetscErrorCode HDF5MeshReadNames_Private(Reader *reader, GmshNames *names
   PetscFunctionBeginUser;
   PetscCall(HDF5MeshReadList_Private(reader, "names/dimension", &num[0], &list[0]));
   PetscCall(HDF5MeshReadList_Private(reader, "names/number", &num[1], &list[1]));
-  if (num[0] != rows.rows || num[1] != rows.rows) HDF5MeshFail_Private(reader, "its /names do not have equally many rows");
+  if (num[0] != rows.rows || num[1] != rows.rows)
+    HDF5MeshFail_Private(reader, "its /names do not have equally many rows");
   PetscCall(PetscCalloc1(rows.rows * HDF5_MESH_NAME, &text));
   H5Tset_size(type, HDF5_MESH_NAME);
   H5Tset_cset(type, H5T_CSET_UTF8);
@@ -265,7 +266,8 @@ static PetscErrorCode HDF5MeshReadType_Private(Reader *reader, PetscInt number, 
     HDF5MeshAddElement_Private(reader, type, &nodes[i * type->num_nodes], part->all_nodes, &part->mesh);
   snprintf(name, sizeof(name), "elements/%d/groups", (int)number);
   rows = HDF5MeshOpenRows_Private(reader, name, 1);
-  if (rows.rows != all) HDF5MeshFail_Private(reader, "its /%s does not have a row for each of the %s", name, type->name);
+  if (rows.rows != all)
+    HDF5MeshFail_Private(reader, "its /%s does not have a row for each of the %s", name, type->name);
   HDF5MeshReadRows_Private(reader, &rows, IntegerType_Private(), begin, num, set);
   RowsClose_Private(&rows);
   for (PetscInt i = 0; i < num && !reader->reason[0]; i++) {

@@ -8,18 +8,12 @@
 #ifndef MORTISE_HDF5MESH_H
 #define MORTISE_HDF5MESH_H
 
-#include "gmsh/gmsh.h"
+#include "gmsh/gmshpart.h"
 
 enum {
   HDF5_MESH_VERSION = 1,
   HDF5_MESH_NAME    = 128 /* bytes of a physical group's name, with its final zero */
 };
-
-/* What a rank has of a mesh: some of the points and some of the elements. */
-typedef struct {
-  GmshMesh mesh;                   /* num_nodes and coords are of this part, nodes of elements are numbers in the whole */
-  PetscInt first_node, all_nodes;  /* of this part; of the whole */
-} GmshPart;
 
 /* Whether a file is for HDF5MeshReadPart(): it has this layout, or is no HDF5 file at all, which is told there; PETSC_FALSE for HDF5
    files of others. Not collective. [out] dim - highest dimension of the elements, or 0 */

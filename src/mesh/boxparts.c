@@ -4,7 +4,7 @@
    meshes. Then each rank makes the bricks of its blocks. All ranks know whose bricks have a vertex, an edge
    or a facet: the highest of these ranks owns it. (DMPlexInterpolatePointSF() of PETSc 3.18 misses facets of
    solids.) */
-#include "mesh/meshimpl.h"
+#include "mesh/fileparts.h"
 #include "base/compat.h"
 #include "base/usererror.h"
 #include <petscsf.h>
@@ -347,37 +347,6 @@ static PetscErrorCode SharedPointsFindRemote_Private(MPI_Comm comm, const Shared
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Lets edges and facets of several ranks begin at their vertex of the lowest number, towards the lower one
-   beside it: refinement goes on from how they are seen. Ranks have vertices in the same order. */
-static PetscErrorCode SharedPointsOrient_Private(DM dm, PetscInt dim)
-{
-  PetscBool *shared;
-
-  PetscFunctionBeginUser;
-  PetscCall(PointsMarkShared(dm, &shared));
-  for (PetscInt depth = 1; depth < dim; depth++) {
-    PetscInt begin, end;
-
-    PetscCall(DMPlexGetDepthStratum(dm, depth, &begin, &end));
-    for (PetscInt p = begin; p < end; p++) {
-      PetscInt       num, own[ELEMENT_MAX_NODES], wanted[ELEMENT_MAX_NODES], lowest = 0, step, orientation;
-      DMPolytopeType type;
-
-      if (!shared[p]) continue;
-      PetscCall(PointGetVertices(dm, p, &num, own));
-      for (PetscInt i = 1; i < num; i++)
-        if (own[i] < own[lowest]) lowest = i;
-      step = own[(lowest + 1) % num] <= own[(lowest + num - 1) % num] ? 1 : num - 1;
-      for (PetscInt i = 0; i < num; i++) wanted[i] = own[(lowest + i * step) % num];
-      PetscCall(DMPlexGetCellType(dm, p, &type));
-      PetscCall(DMPolytopeGetVertexOrientation(type, own, wanted, &orientation));
-      PetscCall(DMPlexOrientPoint(dm, p, orientation));
-    }
-  }
-  PetscCall(PetscFree(shared));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Joins the parts of all ranks. Collective. */
 static PetscErrorCode BlocksJoin_Private(DM dm, const Blocks *blocks, const BoxPart parts[])
 {
@@ -403,7 +372,7 @@ static PetscErrorCode BlocksJoin_Private(DM dm, const Blocks *blocks, const BoxP
   PetscCall(DMPlexGetChart(dm, NULL, &end));
   PetscCall(DMGetPointSF(dm, &sf));
   PetscCall(PetscSFSetGraph(sf, end, num, leaves, PETSC_OWN_POINTER, nodes, PETSC_OWN_POINTER));
-  PetscCall(SharedPointsOrient_Private(dm, blocks->dim));
+  PetscCall(PlexOrientShared(dm, blocks->dim));
   PetscCall(PetscFree(remote));
   PetscCall(PetscFree3(shared.key, shared.point, shared.owner));
   PetscFunctionReturn(PETSC_SUCCESS);

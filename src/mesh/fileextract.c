@@ -67,21 +67,26 @@ static void ExtractNumber_Private(Extract *x)
   }
 }
 
-/* Area or volume of a cell of at most an order, negative where it is inside out. */
-static PetscReal CellGetMeasure_Private(const BodyList *list, PetscInt cell, PetscInt order)
+PetscReal CellGetMeasure(ElementType type, PetscInt dim, const PetscReal X[])
+{
+  const PetscInt degree = dim * ElementOrder(type) - 1; // of det J in each direction, at most
+  PetscReal      xi[ELEMENT_MAX_POINTS * 3], weight[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_NODES], measure = 0;
+  const PetscInt num = QuadratureRule(type, degree, xi, weight);
+
+  for (PetscInt q = 0; q < num; q++) measure += weight[q] * ElementMap(type, X, &xi[q * dim], NULL, phi, NULL);
+  return measure;
+}
+
+PetscReal BodyListGetMeasure(const BodyList *list, PetscInt cell, PetscInt order)
 {
   const ElementType of_file = (ElementType)list->cell_type[cell], type = order > 1 ? of_file : ElementLinear(of_file);
-  const PetscInt    degree = list->dim * ElementOrder(type) - 1; // of det J in each direction, at most
-  const PetscInt   *nodes  = &list->cell_nodes[cell * ELEMENT_MAX_NODES];
-  PetscReal         X[ELEMENT_MAX_NODES * 3], xi[ELEMENT_MAX_POINTS * 3], weight[ELEMENT_MAX_POINTS];
-  PetscReal         phi[ELEMENT_MAX_NODES], measure = 0;
-  const PetscInt    num = QuadratureRule(type, degree, xi, weight);
+  const PetscInt   *nodes = &list->cell_nodes[cell * ELEMENT_MAX_NODES];
+  PetscReal         X[ELEMENT_MAX_NODES * 3];
 
   for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
     for (PetscInt d = 0; d < list->dim; d++) X[i * list->dim + d] = list->coords[nodes[i] * list->dim + d];
   }
-  for (PetscInt q = 0; q < num; q++) measure += weight[q] * ElementMap(type, X, &xi[q * list->dim], NULL, phi, NULL);
-  return measure;
+  return CellGetMeasure(type, list->dim, X);
 }
 
 /* Positions and cells, of the order that the file has: a body of order 1 gets its new vertices from them when
@@ -106,7 +111,7 @@ static void ExtractCells_Private(const Extract *x, BodyList *list)
     nodes               = &list->cell_nodes[at * ELEMENT_MAX_NODES];
     list->cell_type[at] = level->cell_type[c];
     for (PetscInt i = 0; i < num; i++) nodes[i] = x->node_at[level->cell_nodes[level->cell_start[c] + i]];
-    if (CellGetMeasure_Private(list, at, x->body->order) < 0) CellReverse((ElementType)list->cell_type[at], nodes);
+    if (BodyListGetMeasure(list, at, x->body->order) < 0) CellReverse((ElementType)list->cell_type[at], nodes);
   }
 }
 

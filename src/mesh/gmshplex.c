@@ -24,9 +24,8 @@ static void MiddleSet_Private(ElementType type, const PetscInt local[], const Pe
   }
 }
 
-/* The nodes from num on, in the middle of facets and of the cell itself, that the file does not give. Cells
-   that share a facet agree about it, so each may have a node of its own there. */
-static void CellSetMiddles_Private(PetscInt cell, PetscInt num, BodyList *list)
+/* Cells that share a facet agree about it, so each may have a node of its own there. */
+void CellSetMiddles(PetscInt cell, PetscInt num, BodyList *list)
 {
   const ElementType type  = (ElementType)list->cell_type[cell];
   PetscInt         *nodes = &list->cell_nodes[cell * ELEMENT_MAX_NODES];
@@ -79,7 +78,7 @@ static PetscErrorCode GmshGetCells_Private(const GmshMesh *mesh, PetscInt dim, P
       corners               = GmshNumCorners(mesh, e);
       list->cell_type[cell] = type->cell;
       CellSetNodes_Private(mesh, e, cell, middles ? corners : 0, middles ? type->num_nodes : corners, number, list);
-      if (middles) CellSetMiddles_Private(cell, type->num_nodes, list);
+      if (middles) CellSetMiddles(cell, type->num_nodes, list);
       cell++;
     }
     if (!middles) list->num_vertices = list->num_nodes;

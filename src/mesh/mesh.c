@@ -1,7 +1,7 @@
 /* mesh.c -- a mesh: lists of bodies, merged, partitioned, refined level by level.
 
-   Files are the first rank's business until the mesh is whole, so that reading needs no thought of ranks;
-   boxes of many cells are made by all ranks. The coarsest mesh is spread, and every rank refines its own
+   Boxes and files of many cells are made, read and parted by all ranks. Other files are the first rank's business until
+   the mesh is whole, so that reading needs no thought of ranks, and mistakes and warnings neither. The coarsest mesh is spread, and every rank refines its own
    part: the work and the memory that grow with refinement are shared from the beginning. */
 #include "mesh/meshimpl.h"
 #include "mesh/forest.h"
@@ -114,7 +114,7 @@ PetscErrorCode MeshRefine(Mesh mesh)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The coarsest level, its cells not judged yet: boxes of many cells by all ranks, others body by body on the
+/* The coarsest level, its cells not judged yet: boxes and files of many cells by all ranks, others body by body on the
    first one; together from there on. */
 static PetscErrorCode MeshBegin_Private(Mesh mesh, PetscInt coarser)
 {
@@ -130,8 +130,9 @@ static PetscErrorCode MeshBegin_Private(Mesh mesh, PetscInt coarser)
   parts = BoxPartsWanted(scene, coarser, size);
   if (parts)
     PetscCall(BoxPartsCreate(scene, coarser, &dm, &curves));
-  else
-    PetscCall(MeshCreateWhole_Private(scene, coarser, &dm, &curves, &mesh->forest));
+  else if (FilePartsWanted(scene, size))
+    PetscCall(FilePartsCreate(scene, FILE_PARTS_MIN_CELLS, scene->refine, &dm, &curves, &parts));
+  if (!parts) PetscCall(MeshCreateWhole_Private(scene, coarser, &dm, &curves, &mesh->forest));
   PetscCall(PetscMalloc1(mesh->forest ? MESH_MAX_ADAPTED : 1, &mesh->levels)); // inequalities point there
   mesh->num_levels = 1;
   if (mesh->forest) PetscCall(MeshForestMerge(scene, mesh->forest, &dm, &curves));

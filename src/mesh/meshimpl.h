@@ -53,6 +53,11 @@ PetscErrorCode SideNamesAdd(SideNames *names, const char side[]);
 PetscErrorCode SideNamesOfBody(Scene scene, PetscInt body, SideNames *names);
 PetscErrorCode SideNamesDestroy(SideNames *names);
 
+/* Area or volume of a cell at X, negative where it is inside out; of a cell of a list, of at most an order. [in] X - [nodes][dim] */
+PetscReal CellGetMeasure(ElementType type, PetscInt dim, const PetscReal X[]);
+PetscReal BodyListGetMeasure(const BodyList *list, PetscInt cell, PetscInt order);
+/* The nodes from num on, in the middle of facets and of the cell itself, that a file does not give. */
+void CellSetMiddles(PetscInt cell, PetscInt num, BodyList *list);
 /* The number of the facet of a cell that has exactly these vertices, or -1. [in] cell, facet - node numbers */
 PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt facet[]);
 
@@ -155,6 +160,15 @@ PetscErrorCode MeshMerge(Scene scene, const BodyList lists[], const SideNames na
 PetscBool BoxPartsWanted(Scene scene, PetscInt coarser, PetscMPIInt num_ranks);
 /* The mesh of all boxes, made by parts. Collective. User errors: a side that does not exist. [out] curves - none */
 PetscErrorCode BoxPartsCreate(Scene scene, PetscInt coarser, DM *dm, Curves *curves);
+
+enum { FILE_PARTS_MIN_CELLS = 4096 }; /* a mesh of fewer is small everywhere */
+
+/* Whether mesh files may be read and parted by all ranks. */
+PetscBool FilePartsWanted(Scene scene, PetscMPIInt num_ranks);
+/* The mesh of all files, made by parts. Collective. [in] refine - how often it will be; [out] good - whether there is one: where files have fewer
+   than min_cells, or anything is to be told about them, there is none */
+PetscErrorCode FilePartsCreate(Scene scene, PetscInt min_cells, PetscInt refine, DM *dm, Curves *curves,
+                               PetscBool *good);
 
 /* Vertices of a point of the mesh: a vertex itself, the ends of an edge, the corners of a facet or a cell.
    [out] vertices -
@@ -277,15 +291,40 @@ typedef struct {
   PetscReal *target;         /* which part of all each part is to have [num_parts][num] */
 } PartitionWeights;
 
-/* The same for all. [in] contact - facets that may touch, by cell; bricks - which each cell stands for, NULL: one */
-PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const PetscInt contact[],
-                                      const PetscInt bricks[], PetscInt num_parts, PartitionWeights *shares);
+/* Weighted edges of the graph of cells, each once: first those across facets. */
+typedef struct {
+  PetscInt        num, max, num_neighbours;
+  PetscInt       *end;     /* [max][2] */
+  PetscInt       *weight;  /* [max] */
+  PetscInt       *contact; /* facets that may touch, by cell; the caller's */
+  const PetscInt *bricks;  /* which each cell stands for, NULL: one; the caller's */
+} CellGraph;
+
+/* Appends an edge. */
+PetscErrorCode CellGraphAddEdge(CellGraph *graph, PetscInt a, PetscInt b, PetscInt weight);
+/* The weight of an edge across a facet. [in] distance - of the middles of its cells; most - the largest one to any neighbour of both */
+PetscInt CellGraphWeight(PetscReal distance, PetscReal most);
+/* Appends edges between cells whose facets may touch. [in] level - its dim and coords; reach - negative: a facet's own size */
+PetscErrorCode CellGraphAddContact(const Level *level, const Facets *nonmortar, const Facets *mortar, PetscReal reach,
+                                   PetscInt weight, CellGraph *graph);
+/* Parts the graph by METIS. Not collective. [in] level - its dim, num_cells, cell_type and cell_body; refine - how often the mesh will be; [out] part - [level->num_cells] */
+PetscErrorCode CellGraphCut(Scene scene, const Level *level, PetscInt refine, const CellGraph *graph,
+                            PetscInt num_parts, PetscInt part[]);
+PetscErrorCode CellGraphDestroy(CellGraph *graph);
+
+/* The same for all. */
+PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const CellGraph *graph, PetscInt num_parts,
+                                      PartitionWeights *shares);
 /* Less where there are more nodes between. [in] refine - how often the mesh will be; part - a partition much
    like the one to come
    [num_cells] */
-PetscErrorCode PartitionWeightsCorrect(Scene scene, const Level *level, PetscInt refine, const PetscInt part[],
-                                       PartitionWeights *shares);
+PetscErrorCode PartitionWeightsCorrect(Scene scene, const Level *level, PetscInt refine, const CellGraph *graph,
+                                       const PetscInt part[], PartitionWeights *shares);
 PetscErrorCode PartitionWeightsDestroy(PartitionWeights *shares);
+enum {
+  CONTACT_WEIGHT = 5
+}; /* of an edge across contact, against 1 across a facet: coupling of D and M and of the condensed rows */
+
 /* The rank of every cell of the whole mesh, which lies on the first rank; other ranks have none and ask the
    same. Not collective.
    [in] refine - how often it will be; contact_weight - of an edge across contact, 1 across a facet; 0: as if

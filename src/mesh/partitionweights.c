@@ -30,10 +30,11 @@ static PetscInt PartitionWeightsOrderFactor_Private(Scene scene, PetscInt body)
   return scene->bodies[body].order / least;
 }
 
-PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const PetscInt contact[],
-                                      const PetscInt bricks[], PetscInt num_parts, PartitionWeights *shares)
+PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const CellGraph *graph, PetscInt num_parts,
+                                      PartitionWeights *shares)
 {
-  PetscInt touching = 0, all = 0;
+  const PetscInt *contact = graph->contact, *bricks = graph->bricks;
+  PetscInt        touching = 0, all = 0;
 
   PetscFunctionBeginUser;
   for (PetscInt c = 0; c < level->num_cells; c++) touching += contact[c];
@@ -57,21 +58,17 @@ PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const Pet
    fewer than a cell as that has cells along an edge. DMPlexDistribute() gives them to the highest rank. An
    order that all bodies have does not count, so that all orders are parted alike. [out] nodes - [num_parts] */
 static PetscErrorCode PartitionWeightsCountBetween_Private(Scene scene, const Level *level, PetscInt refine,
-                                                           const PetscInt part[], PetscReal bricks, PetscReal nodes[])
+                                                           const CellGraph *graph, const PetscInt part[],
+                                                           PetscReal bricks, PetscReal nodes[])
 {
   const PetscReal along = PetscPowRealInt(2, (int)refine) * PetscPowReal(bricks, 1 / (PetscReal)level->dim) / bricks;
-  PetscInt        begin, end;
 
   PetscFunctionBeginUser;
-  PetscCall(DMPlexGetHeightStratum(level->dm, 1, &begin, &end));
-  for (PetscInt f = begin; f < end; f++) {
-    const PetscInt *cells; // the first points
-    PetscInt        num;
+  for (PetscInt e = 0; e < graph->num_neighbours; e++) {
+    const PetscInt *cells = &graph->end[2 * e];
     PetscReal       own;
 
-    PetscCall(DMPlexGetSupportSize(level->dm, f, &num));
-    PetscCall(DMPlexGetSupport(level->dm, f, &cells));
-    if (num != 2 || part[cells[0]] == part[cells[1]]) continue;
+    if (part[cells[0]] == part[cells[1]]) continue;
     own = Nodes[ElementFacetType(ElementLinear((ElementType)level->cell_type[cells[0]]))] / along;
     for (PetscInt d = 1; d < level->dim; d++)
       own *= PartitionWeightsOrderFactor_Private(scene, level->cell_body[cells[0]]);
@@ -80,15 +77,15 @@ static PetscErrorCode PartitionWeightsCountBetween_Private(Scene scene, const Le
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PartitionWeightsCorrect(Scene scene, const Level *level, PetscInt refine, const PetscInt part[],
-                                       PartitionWeights *shares)
+PetscErrorCode PartitionWeightsCorrect(Scene scene, const Level *level, PetscInt refine, const CellGraph *graph,
+                                       const PetscInt part[], PartitionWeights *shares)
 {
   const PetscInt num_parts = shares->num_parts;
   PetscReal     *between, all = 0, mean = 0, most = 0, factor;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(num_parts, &between));
-  PetscCall(PartitionWeightsCountBetween_Private(scene, level, refine, part, shares->bricks, between));
+  PetscCall(PartitionWeightsCountBetween_Private(scene, level, refine, graph, part, shares->bricks, between));
   for (PetscInt c = 0; c < level->num_cells; c++) all += (PetscReal)shares->load[c * shares->num];
   for (PetscInt p = 0; p < num_parts; p++) mean += between[p] / (PetscReal)num_parts;
   for (PetscInt p = 0; p < num_parts; p++) most = PetscMax(most, PetscAbsReal(between[p] - mean));

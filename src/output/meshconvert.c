@@ -5,6 +5,7 @@
 #include <unistd.h>
 #include "base/compat.h"
 #include "base/usererror.h"
+#include "gmsh/groupsets.h"
 #include "gmsh/hdf5mesh.h"
 #include "output/fileset.h"
 #include "output/hdf5driver.h"
@@ -12,69 +13,14 @@
 
 enum { MAX_TYPE = 19, PATH = 64, SENTENCE = 1024, CHUNK = 1 << 15 };
 
-/* Sets of physical groups: elements of one entity of Gmsh have the same. */
-typedef struct {
-  PetscInt  num, room;
-  PetscInt *start, *number; /* [num+1], [start[num]] */
-} GroupSets;
-
 typedef struct {
   hid_t           file;
   PetscBool       good;
   const GmshMesh *mesh;
   PetscInt        dim;
-  PetscInt       *set; /* of each element [mesh->num_elements] */
+  PetscInt       *set; /* of each element, -1 for those that are not kept [mesh->num_elements] */
   GroupSets       sets;
 } Converter;
-
-/* Whether an element is kept. */
-static PetscBool ElementIsKept_Private(const Converter *c, PetscInt e)
-{
-  const PetscInt dim = c->mesh->type[e]->dim;
-
-  return (PetscBool)(dim == c->dim || (dim == c->dim - 1 && c->mesh->first_group[e] < c->mesh->end_group[e]));
-}
-
-/* The set of an element's groups: most often that of the element before. */
-static PetscErrorCode GroupSetsFind_Private(GroupSets *sets, PetscInt num, const PetscInt number[], PetscInt guess,
-                                            PetscInt *set)
-{
-  PetscFunctionBeginUser;
-  for (PetscInt i = -1; i < sets->num; i++) {
-    const PetscInt at = i < 0 ? guess : i;
-    PetscBool      same;
-
-    if (sets->start[at + 1] - sets->start[at] != num) continue;
-    PetscCall(PetscArraycmp(&sets->number[sets->start[at]], number, num, &same));
-    *set = at;
-    if (same) PetscFunctionReturn(PETSC_SUCCESS);
-  }
-  PetscCall(PetscRealloc((sets->num + 2) * sizeof(PetscInt), &sets->start));
-  PetscCall(PetscRealloc((sets->start[sets->num] + num + 1) * sizeof(PetscInt), &sets->number));
-  PetscCall(PetscArraycpy(&sets->number[sets->start[sets->num]], number, num));
-  sets->start[sets->num + 1] = sets->start[sets->num] + num;
-  *set                       = sets->num++;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-static PetscErrorCode GroupSetsCreate_Private(Converter *c)
-{
-  const GmshMesh *mesh  = c->mesh;
-  PetscInt        guess = 0;
-
-  PetscFunctionBeginUser;
-  c->sets.num = 1; // that of no group
-  PetscCall(PetscCalloc1(mesh->num_elements, &c->set));
-  PetscCall(PetscRealloc(2 * sizeof(PetscInt), &c->sets.start));
-  c->sets.start[0] = c->sets.start[1] = 0;
-  for (PetscInt e = 0; e < mesh->num_elements; e++) {
-    if (!ElementIsKept_Private(c, e)) continue;
-    PetscCall(GroupSetsFind_Private(&c->sets, mesh->end_group[e] - mesh->first_group[e],
-                                    &mesh->group[mesh->first_group[e]], guess, &c->set[e]));
-    guess = c->set[e];
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
 
 static hid_t IntegerType_Private(void)
 {
@@ -135,7 +81,7 @@ static PetscErrorCode ConverterWriteType_Private(Converter *c, PetscInt number)
   hid_t           set[2];
 
   PetscFunctionBeginUser;
-  for (PetscInt e = 0; e < mesh->num_elements; e++) num += mesh->type[e] == type && ElementIsKept_Private(c, e);
+  for (PetscInt e = 0; e < mesh->num_elements; e++) num += mesh->type[e] == type && c->set[e] >= 0;
   if (!num) PetscFunctionReturn(PETSC_SUCCESS);
   snprintf(name[0], PATH, "elements/%d/nodes", (int)number);
   snprintf(name[1], PATH, "elements/%d/groups", (int)number);
@@ -143,7 +89,7 @@ static PetscErrorCode ConverterWriteType_Private(Converter *c, PetscInt number)
   set[1] = ConverterCreateRows_Private(c, name[1], H5T_STD_I32LE, num, 1);
   PetscCall(PetscMalloc2(CHUNK * type->num_nodes, &nodes, CHUNK, &sets));
   for (PetscInt e = 0; e < mesh->num_elements; e++) {
-    if (mesh->type[e] != type || !ElementIsKept_Private(c, e)) continue;
+    if (mesh->type[e] != type || c->set[e] < 0) continue;
     for (PetscInt i = 0; i < type->num_nodes; i++)
       nodes[used * type->num_nodes + i] = mesh->nodes[mesh->start[e] + (type->place ? type->place[i] : i)];
     sets[used++] = c->set[e];
@@ -192,7 +138,7 @@ static void ConverterWriteAttribute_Private(Converter *c, const char name[], int
 static PetscErrorCode ConverterWrite_Private(Converter *c, const GmshNames *names)
 {
   PetscFunctionBeginUser;
-  PetscCall(GroupSetsCreate_Private(c));
+  PetscCall(GroupSetsCreate(c->mesh, c->dim, &c->sets, &c->set));
   ConverterWriteAttribute_Private(c, "mortise_mesh", HDF5_MESH_VERSION);
   ConverterWriteAttribute_Private(c, "dimension", (int)c->dim);
   ConverterWriteRows_Private(c, "points", H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, c->mesh->num_nodes, c->mesh->coords);
@@ -202,8 +148,7 @@ static PetscErrorCode ConverterWrite_Private(Converter *c, const GmshNames *name
                              c->sets.number);
   PetscCall(ConverterWriteNames_Private(c, names));
   PetscCall(PetscFree(c->set));
-  PetscCall(PetscFree(c->sets.start));
-  PetscCall(PetscFree(c->sets.number));
+  PetscCall(GroupSetsDestroy(&c->sets));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

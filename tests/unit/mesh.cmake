@@ -1,4 +1,4 @@
-foreach(module mesh level adaptcurves pieces secondorder curvedfiles support partition meshfaults)
+foreach(module mesh level adaptcurves pieces secondorder curvedfiles support partition meshfaults fileparts)
   mortise_unit(${module} LAYER mesh RANKS 1 3)
   target_compile_definitions(test_${module} PRIVATE MESHES="${CMAKE_CURRENT_SOURCE_DIR}/unit/meshes")
 endforeach()

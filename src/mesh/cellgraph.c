@@ -1,0 +1,216 @@
+/* cellgraph.c -- the graph of cells, with edges across facets and across contact, and its parts by METIS. */
+#include "mesh/meshimpl.h"
+#include "kernel/boxtree.h"
+#include "base/compat.h"
+#include "kernel/frame.h"
+#include <metis.h>
+
+enum {
+  MAX_WEIGHT    = 10, /* of an edge across short cells: how many times longer they are at most */
+  MAX_RECURSIVE = 8   /* METIS's own advice: recursive bisection is better up to eight parts */
+};
+
+/* How much more a part may have than its share. A mesh of few cells cannot share contact out evenly, and it
+   is the smaller work. */
+static const real_t TOLERANCE[PARTITION_MAX_WEIGHTS] = {1.02F, 1.1F};
+
+PetscErrorCode CellGraphDestroy(CellGraph *graph)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(graph->end));
+  PetscCall(PetscFree(graph->weight));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* An edge from a cell to itself, where a body touches itself in a corner, says nothing. */
+PetscErrorCode CellGraphAddEdge(CellGraph *edges, PetscInt a, PetscInt b, PetscInt weight)
+{
+  PetscFunctionBeginUser;
+  if (a == b) PetscFunctionReturn(PETSC_SUCCESS);
+  if (edges->num == edges->max) {
+    edges->max = PetscMax(1024, 2 * edges->max);
+    PetscCall(PetscRealloc(edges->max * 2 * sizeof(PetscInt), &edges->end));
+    PetscCall(PetscRealloc(edges->max * sizeof(PetscInt), &edges->weight));
+  }
+  edges->end[2 * edges->num]     = a;
+  edges->end[2 * edges->num + 1] = b;
+  edges->weight[edges->num++]    = weight;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscInt CellGraphWeight(PetscReal distance, PetscReal most)
+{
+  return most >= MAX_WEIGHT * distance ? MAX_WEIGHT : (PetscInt)(most / distance);
+}
+
+/* The box around a facet; returns its longest extent. [out] X - its nodes [num_nodes][dim]; [out] box - [2][dim] */
+static PetscReal FacetGetBox_Private(const Level *level, const Facets *facets, PetscInt f, PetscReal X[],
+                                     PetscReal box[])
+{
+  const PetscInt num = ElementNumNodes(facets->type[f]), dim = level->dim;
+  PetscReal      extent = 0;
+
+  for (PetscInt d = 0; d < dim; d++) {
+    box[d]       = PETSC_MAX_REAL;
+    box[dim + d] = -PETSC_MAX_REAL;
+    for (PetscInt i = 0; i < num; i++) {
+      const PetscReal x = level->coords[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i] * dim + d];
+
+      X[i * dim + d] = x;
+      box[d]         = PetscMin(box[d], x);
+      box[dim + d]   = PetscMax(box[dim + d], x);
+    }
+    extent = PetscMax(extent, box[dim + d] - box[d]);
+  }
+  return extent;
+}
+
+/* The range of direction . x over points, widened. [in] X - [num][dim] */
+static BoxSlab SlabAround_Private(PetscInt dim, PetscInt num, const PetscReal X[], const PetscReal direction[],
+                                  PetscReal widen)
+{
+  BoxSlab slab = {.lower = PETSC_MAX_REAL, .upper = -PETSC_MAX_REAL};
+
+  for (PetscInt d = 0; d < dim; d++) slab.direction[d] = direction[d];
+  for (PetscInt i = 0; i < num; i++) {
+    PetscReal along = 0;
+
+    for (PetscInt d = 0; d < dim; d++) along += direction[d] * X[i * dim + d];
+    slab.lower = PetscMin(slab.lower, along);
+    slab.upper = PetscMax(slab.upper, along);
+  }
+  slab.lower -= widen;
+  slab.upper += widen;
+  return slab;
+}
+
+/* What a facet may touch: within the reach before and behind it, and hardly beside it, so that however far it
+   reaches it finds no more of smaller facets. [in] reach - negative: a facet's own size */
+static PetscErrorCode FacetQuery_Private(const Level *level, const Facets *facets, PetscInt f, PetscReal reach,
+                                         BoxTree tree, PetscInt *num_hits, const PetscInt *hits[])
+{
+  const ElementType type = facets->type[f];
+  const PetscInt    dim = level->dim, num = ElementNumNodes(type), num_vertices = ElementNumNodes(ElementLinear(type));
+  PetscReal         X[3 * ELEMENT_MAX_FACET_NODES], box[6], xi[2] = {0, 0}, phi[ELEMENT_MAX_NODES], normal[3], Q[9];
+  const PetscReal   extent = FacetGetBox_Private(level, facets, f, X, box), widen = reach >= 0 ? reach : extent;
+  BoxSlab           slabs[3];
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < num_vertices; i++) {
+    for (PetscInt k = 0; k < dim - 1; k++) xi[k] += ElementNode(type, i)[k] / (PetscReal)num_vertices;
+  }
+  (void)ElementSurface(type, X, xi, NULL, phi, normal);
+  FrameFromNormal(dim, normal, Q);
+  for (PetscInt k = 0; k < dim; k++) {
+    slabs[k] = SlabAround_Private(dim, num, X, &Q[k * dim], k == 0 ? widen : extent);
+    box[k] -= PetscMax(widen, extent);
+    box[dim + k] += PetscMax(widen, extent);
+  }
+  PetscCall(BoxTreeQuerySlabs(tree, box, dim, slabs, num_hits, hits));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CellGraphAddContact(const Level *level, const Facets *nonmortar, const Facets *mortar, PetscReal reach,
+                                   PetscInt weight, CellGraph *graph)
+{
+  PetscReal *boxes, X[3 * ELEMENT_MAX_FACET_NODES];
+  BoxTree    tree;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(mortar->num * 2 * level->dim, &boxes));
+  for (PetscInt f = 0; f < mortar->num; f++) (void)FacetGetBox_Private(level, mortar, f, X, &boxes[f * 2 * level->dim]);
+  PetscCall(BoxTreeCreate(level->dim, mortar->num, boxes, &tree));
+  for (PetscInt f = 0; f < nonmortar->num; f++) {
+    const PetscInt *hits;
+    PetscInt        num_hits;
+
+    PetscCall(FacetQuery_Private(level, nonmortar, f, reach, tree, &num_hits, &hits));
+    for (PetscInt h = 0; h < num_hits; h++)
+      PetscCall(CellGraphAddEdge(graph, nonmortar->cell[f], mortar->cell[hits[h]], weight));
+    if (num_hits) graph->contact[nonmortar->cell[f]]++;
+  }
+  PetscCall(BoxTreeDestroy(&tree));
+  PetscCall(PetscFree(boxes));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Edges as compressed rows, as METIS wants them; those that occur twice are summed up. [out] start - [num_cells+1];
+   adjacent, weight - [2 * edges->num] */
+static PetscErrorCode EdgesToRows_Private(const CellGraph *edges, PetscInt num_cells, idx_t start[], idx_t adjacent[],
+                                          idx_t weight[])
+{
+  PetscInt *begin, *fill, *other, *share, kept = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc2(num_cells + 1, &begin, num_cells, &fill));
+  PetscCall(PetscMalloc2(2 * edges->num, &other, 2 * edges->num, &share));
+  for (PetscInt i = 0; i < 2 * edges->num; i++) begin[edges->end[i] + 1]++;
+  for (PetscInt c = 0; c < num_cells; c++) begin[c + 1] += begin[c];
+  for (PetscInt i = 0; i < 2 * edges->num; i++) { // end i faces end i ^ 1
+    const PetscInt c = edges->end[i], at = begin[c] + fill[c]++;
+
+    other[at] = edges->end[i ^ 1];
+    share[at] = edges->weight[i / 2];
+  }
+  for (PetscInt c = 0; c < num_cells; c++) {
+    start[c] = (idx_t)kept;
+    PetscCall(PetscSortIntWithArray(fill[c], &other[begin[c]], &share[begin[c]])); // one facet may face thousands
+    for (PetscInt i = begin[c]; i < begin[c + 1]; i++) {
+      if (kept > start[c] && adjacent[kept - 1] == other[i]) {
+        weight[kept - 1] += (idx_t)share[i];
+        continue;
+      }
+      adjacent[kept] = (idx_t)other[i];
+      weight[kept++] = (idx_t)share[i];
+    }
+  }
+  start[num_cells] = (idx_t)kept;
+  PetscCall(PetscFree2(begin, fill));
+  PetscCall(PetscFree2(other, share));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Hands the graph to METIS. */
+static PetscErrorCode EdgesCut_Private(const CellGraph *edges, PetscInt num_cells, const PartitionWeights *shares,
+                                       PetscInt part[])
+{
+  idx_t  n = (idx_t)num_cells, parts = (idx_t)shares->num_parts, constraints = (idx_t)shares->num, cut;
+  idx_t *start, *adjacent, *weight, *load, *answer;
+  real_t tolerance[PARTITION_MAX_WEIGHTS], *target;
+  int    status;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc3(num_cells + 1, &start, 2 * edges->num, &adjacent, 2 * edges->num, &weight));
+  PetscCall(PetscMalloc3(num_cells * shares->num, &load, shares->num_parts * shares->num, &target, num_cells, &answer));
+  PetscCall(EdgesToRows_Private(edges, num_cells, start, adjacent, weight));
+  for (PetscInt i = 0; i < num_cells * shares->num; i++) load[i] = (idx_t)shares->load[i];
+  for (PetscInt i = 0; i < shares->num_parts * shares->num; i++) target[i] = (real_t)shares->target[i];
+  for (PetscInt i = 0; i < shares->num; i++) tolerance[i] = TOLERANCE[i];
+  if (parts <= MAX_RECURSIVE) {
+    status = METIS_PartGraphRecursive(&n, &constraints, start, adjacent, load, NULL, weight, &parts, target, tolerance,
+                                      NULL, &cut, answer);
+  } else {
+    status = METIS_PartGraphKway(&n, &constraints, start, adjacent, load, NULL, weight, &parts, target, tolerance, NULL,
+                                 &cut, answer);
+  }
+  PetscCheck(status != METIS_ERROR_MEMORY, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for METIS");
+  PetscCheck(status == METIS_OK, PETSC_COMM_SELF, PETSC_ERR_LIB, "METIS gave up with status %d", status);
+  for (PetscInt c = 0; c < num_cells; c++) part[c] = (PetscInt)answer[c];
+  PetscCall(PetscFree3(load, target, answer));
+  PetscCall(PetscFree3(start, adjacent, weight));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CellGraphCut(Scene scene, const Level *level, PetscInt refine, const CellGraph *graph,
+                            PetscInt num_parts, PetscInt part[])
+{
+  PartitionWeights shares;
+
+  PetscFunctionBeginUser;
+  PetscCall(PartitionWeightsCreate(scene, level, graph, num_parts, &shares));
+  PetscCall(EdgesCut_Private(graph, level->num_cells, &shares, part));
+  PetscCall(PartitionWeightsCorrect(scene, level, refine, graph, part, &shares));
+  PetscCall(EdgesCut_Private(graph, level->num_cells, &shares, part));
+  PetscCall(PartitionWeightsDestroy(&shares));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

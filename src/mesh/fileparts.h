@@ -1,0 +1,69 @@
+/* fileparts.h -- mesh files of many cells, of which each rank holds a part from the beginning. Private to this module.
+
+   A rank has some cells of the files as they stand there (FileCells), finds the neighbours of each, has them parted, sends them to
+   their ranks, and makes lists of those that come (BodyList), which MeshMerge() makes a DM of. Mistakes are not told here: whatever is not
+   plain, all ranks agree to have it done by the first rank, which tells them, and warns.
+   Points are counted over all files. */
+#ifndef MORTISE_FILEPARTS_H
+#define MORTISE_FILEPARTS_H
+
+#include "gmsh/gmshpart.h"
+#include "mesh/meshimpl.h"
+
+enum { FILE_FACETS = 6 }; /* of a cell, at most */
+
+/* The files of a scene. */
+typedef struct {
+  MPI_Comm    comm;
+  PetscMPIInt rank, size;
+  PetscInt    dim, num, num_points; /* of files, of all their points */
+  GmshPart   *part;                 /* [num] */
+  GmshNames  *names;                /* [num] */
+  PetscInt   *first_point;          /* [num+1] */
+  PetscInt   *of_body;              /* file of each body [scene->num_bodies] */
+} Files;
+
+/* Positions of some points. Collective. [in] points - [num]; [out] x - [num][3] */
+PetscErrorCode FilesGetPoints(const Files *files, PetscInt num, const PetscInt points[], PetscReal x[]);
+
+/* Cells of this rank. Facets are in the order of ElementFacetNodes(). */
+typedef struct {
+  PetscInt   num, first, total; /* of this rank; number of its first; of all ranks */
+  PetscInt   max_nodes, order;  /* of any cell of any rank; of all cells */
+  PetscInt  *body, *material;   /* [num] */
+  PetscInt  *type, *file_nodes; /* ElementType; how many of its nodes the file has [num] */
+  PetscInt  *nodes;             /* points [num][max_nodes] */
+  PetscInt  *reversed;          /* whether a cell is inside out [num] */
+  PetscInt  *neighbour;         /* cell across each facet, -1 for none [num][FILE_FACETS] */
+  PetscInt  *group, *group_end; /* its physical groups, in files->part[].mesh.group [num][FILE_FACETS] */
+  PetscReal *middle, *distance; /* of corners [num][3]; from the middle of the neighbour [num][FILE_FACETS] */
+} FileCells;
+
+PetscErrorCode FileCellsAllocate(PetscInt num, PetscInt max_nodes, FileCells *cells);
+PetscErrorCode FileCellsDestroy(FileCells *cells);
+/* The cells of all bodies. Collective. [in] names - of sides of each body; [out] good - the same on all ranks */
+PetscErrorCode FileCellsCreate(Scene scene, const Files *files, FileCells *cells, PetscBool *good);
+/* Finds neighbours and groups of facets. Collective. [in,out] good */
+PetscErrorCode FileCellsConnect(const Files *files, FileCells *cells, PetscBool *good);
+/* Whether a facet is of a side. */
+PetscBool FileCellsHasSide(const Files *files, const FileCells *cells, PetscInt cell, PetscInt facet, PetscInt tag);
+
+/* The rank of each cell. Collective. [out] part - [cells->num] */
+PetscErrorCode FileCellsPart(Scene scene, const Files *files, const FileCells *cells, PetscInt refine, PetscInt part[]);
+
+/* Moves cells to their ranks: others take their place. Collective. */
+PetscErrorCode FileCellsMove(const Files *files, const PetscInt part[], FileCells *cells);
+/* The lists of this rank's cells, each with its vertices in ascending order. Collective. [out] ids - of the vertices of all lists: that of
+   point p of body b is b files->num_points + p; freed by the caller */
+PetscErrorCode FileListsCreate(Scene scene, const Files *files, const FileCells *cells, const SideNames names[],
+                               BodyList lists[], PetscInt **ids);
+
+/* Joins the parts of all ranks. Collective. [in] ids - of the DM's vertices, ascending, below num_ids: the same on all ranks */
+PetscErrorCode PlexJoin(DM dm, PetscInt num_ids, const PetscInt ids[]);
+/* Lets edges and facets of several ranks begin at their vertex of the lowest number, towards the lower one beside it: refinement goes on
+   from how they are seen. Ranks have vertices in the same order. Collective. */
+PetscErrorCode PlexOrientShared(DM dm, PetscInt dim);
+/* How many sets of cells are joined facet by facet, in all. Collective. */
+PetscErrorCode PlexCountComponents(DM dm, PetscInt *num);
+
+#endif
