@@ -1,4 +1,5 @@
-/* fileparting.c -- the ranks of cells of files. The first rank has the graph of all cells, and the facets that may touch; not the mesh. */
+/* fileparting.c -- the ranks of cells of files. The first rank has the facets that may touch, and of meshes that are not large the graph of all
+   cells, which METIS parts there. */
 #include "mesh/fileparts.h"
 #include "base/compat.h"
 #include <petscsf.h>
@@ -205,26 +206,21 @@ static PetscErrorCode GraphGather_Private(const Files *files, CellGraph *graph)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FileCellsPart(Scene scene, const Files *files, const FileCells *cells, PetscInt refine, PetscInt part[])
+/* The first rank parts the graph of all cells. Collective. [in,out] graph - edges across facets of this rank; gathered */
+static PetscErrorCode GraphCutFirst_Private(Scene scene, const Files *files, const FileCells *cells, PetscInt refine,
+                                            CellGraph *graph, PetscInt part[])
 {
   Level        level = {.dim = files->dim, .num_cells = cells->total};
-  CellGraph    graph = {.num = 0};
   PetscInt     total, *whole = NULL;
   PetscMPIInt *counts, *begins, n;
 
   PetscFunctionBeginUser;
-  if (files->size == 1) { // METIS numbers one part 1
-    PetscCall(PetscArrayzero(part, cells->num));
-    PetscFunctionReturn(PETSC_SUCCESS);
-  }
-  PetscCall(FileCellsAddEdges_Private(files->comm, cells, &graph));
-  PetscCall(GraphGather_Private(files, &graph));
+  PetscCall(GraphGather_Private(files, graph));
   PetscCall(Gather_Private(files, sizeof(PetscInt), cells->num, cells->type, &total, (void **)&level.cell_type));
   PetscCall(Gather_Private(files, sizeof(PetscInt), cells->num, cells->body, &total, (void **)&level.cell_body));
-  if (!files->rank) PetscCall(PetscCalloc2(total, &graph.contact, total, &whole));
-  PetscCall(FileCellsAddContact_Private(scene, files, cells, &graph));
-  if (!files->rank) PetscCall(CellGraphCut(scene, &level, refine, &graph, files->size, whole));
-  PetscCall(CellGraphDestroy(&graph));
+  if (!files->rank) PetscCall(PetscCalloc2(total, &graph->contact, total, &whole));
+  PetscCall(FileCellsAddContact_Private(scene, files, cells, graph));
+  if (!files->rank) PetscCall(CellGraphCut(scene, &level, refine, graph, files->size, whole));
   PetscCall(PetscFree(level.cell_type));
   PetscCall(PetscFree(level.cell_body));
   PetscCall(PetscMPIIntCast(cells->num, &n));
@@ -233,6 +229,27 @@ PetscErrorCode FileCellsPart(Scene scene, const Files *files, const FileCells *c
   for (PetscMPIInt r = 0; r < files->size && !files->rank; r++) begins[r] = r ? begins[r - 1] + counts[r - 1] : 0;
   PetscCallMPI(MPI_Scatterv(whole, counts, begins, MPIU_INT, part, n, MPIU_INT, 0, files->comm));
   PetscCall(PetscFree2(counts, begins));
-  if (!files->rank) PetscCall(PetscFree2(graph.contact, whole));
+  if (!files->rank) PetscCall(PetscFree2(graph->contact, whole));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FileCellsPart(Scene scene, const Files *files, const FileCells *cells, const FileLimits *limits,
+                             PetscInt refine, PetscInt part[])
+{
+  CellGraph graph = {.num = 0};
+
+  PetscFunctionBeginUser;
+  if (files->size == 1) { // METIS numbers one part 1
+    PetscCall(PetscArrayzero(part, cells->num));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(FileCellsAddEdges_Private(files->comm, cells, &graph));
+  if (cells->total >= limits->parallel && GraphHasParallel()) {
+    PetscCall(FileCellsAddContact_Private(scene, files, cells, &graph));
+    PetscCall(GraphCutParallel(scene, files, cells, &graph, part));
+  } else {
+    PetscCall(GraphCutFirst_Private(scene, files, cells, refine, &graph, part));
+  }
+  PetscCall(CellGraphDestroy(&graph));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

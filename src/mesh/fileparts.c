@@ -3,6 +3,8 @@
 #include "base/compat.h"
 #include <string.h>
 
+const FileLimits FILE_LIMITS = {.parts = 4096, .parallel = 200000};
+
 /* Whether a file can be read in parts. */
 static PetscBool FileHasParts_Private(const char path[])
 {
@@ -122,7 +124,7 @@ static PetscErrorCode FilePartsMerge_Private(Scene scene, const Files *files, co
 }
 
 /* Parts of several pieces may touch, or be connected by vertices alone: that is for the first rank to look at. */
-PetscErrorCode FilePartsCreate(Scene scene, PetscInt min_cells, PetscInt refine, DM *dm, Curves *curves,
+PetscErrorCode FilePartsCreate(Scene scene, const FileLimits *limits, PetscInt refine, DM *dm, Curves *curves,
                                PetscBool *good)
 {
   SideNames *names;
@@ -133,13 +135,13 @@ PetscErrorCode FilePartsCreate(Scene scene, PetscInt min_cells, PetscInt refine,
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(scene->num_bodies, &names));
   for (PetscInt b = 0; b < scene->num_bodies; b++) PetscCall(SideNamesOfBody(scene, b, &names[b]));
-  PetscCall(FilesCreate_Private(scene, min_cells, &files, good));
+  PetscCall(FilesCreate_Private(scene, limits->parts, &files, good));
   if (*good) PetscCall(FileCellsCreate(scene, &files, &cells, good));
   if (*good) PetscCall(FileCellsConnect(&files, &cells, good));
   if (*good) PetscCall(SidesCheck_Private(scene, &files, &cells, names, good));
   if (*good) {
     PetscCall(PetscMalloc1(cells.num, &part));
-    PetscCall(FileCellsPart(scene, &files, &cells, refine, part));
+    PetscCall(FileCellsPart(scene, &files, &cells, limits, refine, part));
     PetscCall(FileCellsMove(&files, part, &cells));
     PetscCall(PetscFree(part));
     PetscCall(FilePartsMerge_Private(scene, &files, &cells, names, dm, curves, good));

@@ -48,8 +48,13 @@ PetscErrorCode FileCellsConnect(const Files *files, FileCells *cells, PetscBool 
 /* Whether a facet is of a side. */
 PetscBool FileCellsHasSide(const Files *files, const FileCells *cells, PetscInt cell, PetscInt facet, PetscInt tag);
 
-/* The rank of each cell. Collective. [out] part - [cells->num] */
-PetscErrorCode FileCellsPart(Scene scene, const Files *files, const FileCells *cells, PetscInt refine, PetscInt part[]);
+/* The rank of each cell. Collective. [in] refine - how often the mesh will be; [out] part - [cells->num] */
+PetscErrorCode FileCellsPart(Scene scene, const Files *files, const FileCells *cells, const FileLimits *limits,
+                             PetscInt refine, PetscInt part[]);
+/* Whether there is a library that parts a graph on all ranks; parts it. Collective. [in] graph - edges of all cells, each on any one rank */
+PetscBool      GraphHasParallel(void);
+PetscErrorCode GraphCutParallel(Scene scene, const Files *files, const FileCells *cells, const CellGraph *graph,
+                                PetscInt part[]);
 
 /* Moves cells to their ranks: others take their place. Collective. */
 PetscErrorCode FileCellsMove(const Files *files, const PetscInt part[], FileCells *cells);

@@ -131,7 +131,7 @@ static PetscErrorCode MeshBegin_Private(Mesh mesh, PetscInt coarser)
   if (parts)
     PetscCall(BoxPartsCreate(scene, coarser, &dm, &curves));
   else if (FilePartsWanted(scene, size))
-    PetscCall(FilePartsCreate(scene, FILE_PARTS_MIN_CELLS, scene->refine, &dm, &curves, &parts));
+    PetscCall(FilePartsCreate(scene, &FILE_LIMITS, scene->refine, &dm, &curves, &parts));
   if (!parts) PetscCall(MeshCreateWhole_Private(scene, coarser, &dm, &curves, &mesh->forest));
   PetscCall(PetscMalloc1(mesh->forest ? MESH_MAX_ADAPTED : 1, &mesh->levels)); // inequalities point there
   mesh->num_levels = 1;

@@ -161,13 +161,19 @@ PetscBool BoxPartsWanted(Scene scene, PetscInt coarser, PetscMPIInt num_ranks);
 /* The mesh of all boxes, made by parts. Collective. User errors: a side that does not exist. [out] curves - none */
 PetscErrorCode BoxPartsCreate(Scene scene, PetscInt coarser, DM *dm, Curves *curves);
 
-enum { FILE_PARTS_MIN_CELLS = 4096 }; /* a mesh of fewer is small everywhere */
+/* From how many cells on files are made by all ranks: a mesh of fewer is small everywhere; and from how many they are parted by all, too: METIS
+   takes some 200 bytes for a cell on the first rank. */
+typedef struct {
+  PetscInt parts, parallel;
+} FileLimits;
+
+extern const FileLimits FILE_LIMITS;
 
 /* Whether mesh files may be read and parted by all ranks. */
 PetscBool FilePartsWanted(Scene scene, PetscMPIInt num_ranks);
-/* The mesh of all files, made by parts. Collective. [in] refine - how often it will be; [out] good - whether there is one: where files have fewer
-   than min_cells, or anything is to be told about them, there is none */
-PetscErrorCode FilePartsCreate(Scene scene, PetscInt min_cells, PetscInt refine, DM *dm, Curves *curves,
+/* The mesh of all files, made by parts. Collective. [in] refine - how often it will be; [out] good - whether there is one: where files have few
+   cells, or anything is to be told about them, there is none */
+PetscErrorCode FilePartsCreate(Scene scene, const FileLimits *limits, PetscInt refine, DM *dm, Curves *curves,
                                PetscBool *good);
 
 /* Vertices of a point of the mesh: a vertex itself, the ends of an edge, the corners of a facet or a cell.
@@ -296,7 +302,7 @@ typedef struct {
   PetscInt        num, max, num_neighbours;
   PetscInt       *end;     /* [max][2] */
   PetscInt       *weight;  /* [max] */
-  PetscInt       *contact; /* facets that may touch, by cell; the caller's */
+  PetscInt       *contact; /* facets that may touch, by cell, or NULL; the caller's */
   const PetscInt *bricks;  /* which each cell stands for, NULL: one; the caller's */
 } CellGraph;
 

@@ -69,7 +69,7 @@ static void Init(TestScene *t, PetscInt dim, const char file[], const char *cons
 
 /* The mesh by all ranks, once refined, and by the first rank. */
 static void TestSame(PetscInt dim, const char file[], PetscInt order, const char *const regions[],
-                     const char *const sides[])
+                     const char *const sides[], const FileLimits *limits)
 {
   PetscReal      expected[2][NUM_SUMS], found[NUM_SUMS];
   struct _n_Mesh own = {.num_levels = 1};
@@ -86,7 +86,7 @@ static void TestSame(PetscInt dim, const char file[], PetscInt order, const char
   for (PetscInt l = 0; l < 2; ++l) Measure(&t, &mesh->levels[l], sides, expected[l]);
   CHECK(!MeshDestroy(&mesh));
 
-  CHECK(!FilePartsCreate(&t.scene, 1, 1, &dm, &curves, &good));
+  CHECK(!FilePartsCreate(&t.scene, limits, 1, &dm, &curves, &good));
   CHECK(good);
   own.scene = &t.scene;
   CHECK(!PetscMalloc1(1, &own.levels));
@@ -117,14 +117,14 @@ static void TestLeft(PetscInt dim, const char file[], const char *const regions[
   PetscBool good;
 
   Init(&t, dim, file, regions, sides);
-  CHECK(!FilePartsCreate(&t.scene, min_cells, 0, &dm, &curves, &good));
+  CHECK(!FilePartsCreate(&t.scene, &(FileLimits){min_cells, PETSC_MAX_INT}, 0, &dm, &curves, &good));
   CHECK(!good);
   TestSceneFree(&t);
 }
 
 #define LIST(...) ((const char *const[]){__VA_ARGS__, NULL})
 
-static void TestFiles(void)
+static void TestFiles(const FileLimits *limits)
 {
   static const char *const discs[] = {MESHES "/disc_22.msh", MESHES "/disc_22_bin.msh", MESHES "/disc_41.msh",
                                       MESHES "/disc_41_bin.msh", MESHES "/disc_quad8.msh"};
@@ -133,16 +133,16 @@ static void TestFiles(void)
 
   for (PetscInt order = 1; order <= 2; ++order) {
     for (size_t f = 0; f < sizeof(discs) / sizeof(discs[0]); ++f) {
-      TestSame(2, discs[f], order, NULL, LIST("rim"));
-      TestSame(2, discs[f], order, LIST("upper", "2"), LIST("rim", "middle"));
+      TestSame(2, discs[f], order, NULL, LIST("rim"), limits);
+      TestSame(2, discs[f], order, LIST("upper", "2"), LIST("rim", "middle"), limits);
     }
     for (size_t f = 0; f < sizeof(drums) / sizeof(drums[0]); ++f) {
-      TestSame(3, drums[f], order, NULL, LIST("rim", "bottom", "top"));
-      TestSame(3, drums[f], order, LIST("upper", "lower"), LIST("rim", "middle", "5"));
+      TestSame(3, drums[f], order, NULL, LIST("rim", "bottom", "top"), limits);
+      TestSame(3, drums[f], order, LIST("upper", "lower"), LIST("rim", "middle", "5"), limits);
     }
-    TestSame(2, MESHES "/two_groups_41.msh", order, NULL, LIST("foot", "left foot"));
-    TestSame(2, MESHES "/two_groups_22.msh", order, LIST("left half"), LIST("left foot"));
-    TestSame(2, MESHES "/clockwise.msh", order, NULL, LIST("3"));
+    TestSame(2, MESHES "/two_groups_41.msh", order, NULL, LIST("foot", "left foot"), limits);
+    TestSame(2, MESHES "/two_groups_22.msh", order, LIST("left half"), LIST("left foot"), limits);
+    TestSame(2, MESHES "/clockwise.msh", order, NULL, LIST("3"), limits);
   }
 }
 
@@ -150,7 +150,8 @@ int main(int argc, char **argv)
 {
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
   CHECK(!UserErrorInitialize());
-  TestFiles();
+  TestFiles(&(FileLimits){1, PETSC_MAX_INT});
+  TestFiles(&(FileLimits){1, 1});                                             // parted by all ranks
   TestLeft(2, MESHES "/disc_41.msh", NULL, LIST("middle"), 1);                // inside the body
   TestLeft(2, MESHES "/disc_41.msh", NULL, LIST("rims"), 1);                  // no such side
   TestLeft(2, MESHES "/disc_41.msh", LIST("left"), LIST("rim"), 1);           // no such region
