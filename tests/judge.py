@@ -27,8 +27,9 @@ import sys
 LEAK = re.compile(r"^\[ *\d+\] *\d+ bytes .*", re.MULTILINE)  # a line of -malloc_dump
 CHECKS = ["-skip_petscrc", "-malloc_dump"]
 NAME = "result"  # -output of every run
-# A program without mpiexec starts five times faster without Open MPI's daemon, whose folder such programs would share.
-ALONE = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_orte_create_session_dirs": "0"}
+# A program without mpiexec starts five times faster without Open MPI's daemon, whose folder such programs would share, and has no other rank to
+# yield the processor to.
+ALONE = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_orte_create_session_dirs": "0", "OMPI_MCA_mpi_yield_when_idle": "0"}
 LONG = bool(os.environ.get("MORTISE_TEST_LONG"))  # checks may look at more cases, see README.md
 TIMEOUT = 0.8 * int(os.environ.get("MORTISE_TEST_TIMEOUT", 300))  # seconds of one run; longer is a hang
 

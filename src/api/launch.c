@@ -11,10 +11,13 @@ static const char *const launchers[] = {
     "SLURM_PROCID",         "FLUX_TASK_RANK", "JSM_NAMESPACE_RANK", "PALS_RANKID", "ALPS_APP_PE", "MV2_COMM_WORLD_SIZE",
     "MPIRUN_RANK"};
 
-/* A process alone needs no daemon to start others, and of the layers for messages the one that needs no network. */
+/* A process alone needs no daemon to start others, of the layers for messages the one that needs no network, and no list of the machine's cards
+   and displays. */
 static const struct {
   const char *name, *value;
-} alone[] = {{"OMPI_MCA_ess_singleton_isolated", "1"}, {"OMPI_MCA_pml", "ob1"}};
+} alone[] = {{"OMPI_MCA_ess_singleton_isolated", "1"},
+             {"OMPI_MCA_pml", "ob1"},
+             {"HWLOC_COMPONENTS", "-pci,-linuxio,-gl,-opencl"}};
 
 PetscBool LaunchedByLauncher(void)
 {

@@ -2,9 +2,7 @@
 
    Where PETSc has found a mistake, some ranks may not know of it and wait for the others for ever (a file that only the first rank
    opens); these are ended by force, and the sentence is said by a rank that knows it. */
-#define _GNU_SOURCE // RTLD_DEFAULT
 #include "api/process.h"
-#include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -14,6 +12,7 @@
 #include "api/launch.h"
 #include "base/interrupt.h"
 #include "base/log.h"
+#include "base/threads.h"
 #include "output/htmlreport.h"
 
 enum {
@@ -36,19 +35,6 @@ static void OpenStreams_Private(void)
   }
 }
 
-/* CHOLMOD takes four threads for blocks of a few rows, whatever OMP_NUM_THREADS says; they wait for one another most of the time. Ranks share the
-   processors. Who asks for more than one thread has them. */
-static void LimitThreads_Private(void)
-{
-  const char *threads = getenv("OMP_NUM_THREADS");
-  union {
-    void *address;
-    void (*set)(int);
-  } levels = {.address = dlsym(RTLD_DEFAULT, "omp_set_max_active_levels")};
-
-  if (levels.address && (!threads || atoi(threads) <= 1)) levels.set(0);
-}
-
 void ProcessBegin(int *argc, char ***argv, PetscBool solves)
 {
   process.own   = PETSC_TRUE;
@@ -56,7 +42,7 @@ void ProcessBegin(int *argc, char ***argv, PetscBool solves)
   OpenStreams_Private();
   process.alone = (PetscBool)(!solves && !LaunchedByLauncher());
   if (process.alone) return;
-  LimitThreads_Private();
+  ThreadsLimit();
   LaunchMPI(argc, argv);
   MPI_Comm_dup(MPI_COMM_WORLD, &process.farewell);
 }

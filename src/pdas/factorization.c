@@ -3,6 +3,7 @@
    PETSc cannot pass an ordering to MUMPS' Cholesky factorization. With a Schur complement MUMPS itself offers
    minimum degree only, which in 3D costs twice the operations of nested dissection and a quarter more memory. */
 #include <dmumps_c.h>
+#include "base/threads.h"
 #include "base/usererror.h"
 #include "pdas/factorization.h"
 
@@ -25,6 +26,9 @@ enum { MAX_DOUBLED = 5, WHOLE = 100 };
 /* Index of INFO with the predicted memory of a rank, in millions of bytes. */
 enum { ANALYSED_SIZE = 15 };
 enum { JOB_BEGIN = -1, JOB_END = -2, JOB_ANALYSE = 1, JOB_FACTOR = 2, JOB_SOLVE = 3, SYMMETRIC_DEFINITE = 1 };
+
+/* Operations of a factorization from which on the threads of a BLAS work more than they wait: some seconds of a processor. */
+static const PetscReal MANY_OPERATIONS = 1e11;
 
 struct _n_Factor {
   DMUMPS_STRUC_C id;
@@ -232,7 +236,9 @@ PetscErrorCode FactorizationCreate(Mat A, PetscInt num, const PetscInt C[], cons
   PetscCall(VecDestroy(&v));
   PetscCall(FactorizationAnalyse_Private(factor, A, num, C));
   id->schur = S;
+  ThreadsAllow((PetscBool)(factor->size == 1 && id->rinfog[0] >= MANY_OPERATIONS));
   if (id->infog[0] >= 0) PetscCall(FactorizationCompute_Private(factor));
+  ThreadsAllow(PETSC_FALSE);
   PetscCall(PetscInfo(A, "MUMPS: status %d (%d), order %d, %g operations, %d MB\n", (int)id->infog[0],
                       (int)id->infog[1], (int)id->infog[6], (double)id->rinfog[0], (int)id->infog[18]));
   PetscCall(FactorizationFreeMatrix_Private(factor));

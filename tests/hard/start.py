@@ -1,16 +1,30 @@
 """How the program starts MPI: no daemon for a process without a launcher, nothing set behind a user's or a library's back, no MPI for words.
 
-OPAL_BINDIR leads Open MPI to a folder without its daemon; a message layer that does not exist ends MPI_Init().
+OPAL_BINDIR leads Open MPI to a folder without its daemon; a message layer that does not exist ends MPI_Init(); hwloc tells what it asks for cards.
 """
 import argparse
 import os
+import re
 import subprocess
+
+VARIABLES = ("OMPI_MCA_ess_singleton_isolated", "OMPI_MCA_pml", "HWLOC_COMPONENTS")  # of this machine, that say how MPI starts
+CARDS = {"pci", "opencl", "gl"}  # components of hwloc
 
 
 def ends(arguments, **variables):
-    """Exit code of a command with further environment variables, and without those of this machine that say how MPI starts."""
-    environment = {name: value for name, value in os.environ.items() if name not in ("OMPI_MCA_ess_singleton_isolated", "OMPI_MCA_pml")}
-    return subprocess.run(arguments, env={**environment, **variables}, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode
+    """Exit code of a command with further environment variables, and without VARIABLES."""
+    return subprocess.run(arguments, env={**bare(), **variables}, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode
+
+
+def bare():
+    return {name: value for name, value in os.environ.items() if name not in VARIABLES}
+
+
+def asks_for_cards(arguments, **variables):
+    """Whether hwloc uses one of the components that look for cards and displays."""
+    told = subprocess.run(arguments, env={**bare(), "HWLOC_COMPONENTS_VERBOSE": "1", **variables}, capture_output=True, text=True).stderr
+    lists = re.findall("enabled discovery components: (.*)", told)
+    return any(entry.split("(")[0] in CARDS for line in lists for entry in line.split(","))
 
 
 def check(what, holds):
@@ -37,6 +51,8 @@ def main():
     check("a scene starts no daemon", ends(solve, **nowhere) == 0)
     check("a message layer that the user names is asked for", ends(solve, **no_layer) != 0)
     check("a user who asks for the daemon has it", ends(solve, OMPI_MCA_ess_singleton_isolated="0", **nowhere) != 0)
+    check("a scene asks for no cards and displays", not asks_for_cards(solve))
+    check("a user who asks for them has them", asks_for_cards(solve, HWLOC_COMPONENTS="pci"))
     check("under a launcher nothing is set", ends(solve, MV2_COMM_WORLD_SIZE="1", **nowhere) != 0)
     check("a program of the library has Open MPI as it is", ends(given.library_program, **nowhere) != 0)
 

@@ -1,0 +1,1 @@
+mortise_unit(process LAYER api RANKS 2)
