@@ -188,6 +188,19 @@ PetscErrorCode FrictionFieldsFindHeld(Fields fields, PetscInt p, PetscInt *num, 
 /* What is added over nodes. */
 enum { ADD_FORCE, ADD_AREA = ADD_FORCE + 3, ADD_SLIPPING, ADD_DISSIPATION, ADD_COUNT };
 
+/* Area in contact of a pair on this rank, with nodes that supports hold along the sides: on a plane of symmetry they do not slip. */
+static PetscReal FrictionSumArea_Private(Fields fields, PetscInt p, const PetscReal lambda[])
+{
+  const VI  vi   = fields->vi;
+  PetscReal area = 0;
+
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    if (vi->row_pair[r] != p || vi->row_direction[r]) continue;
+    if (StatusIsContact(fields->row_status[r]) && lambda[r] > 0) area += fields->row_weight[r];
+  }
+  return area;
+}
+
 PetscErrorCode FrictionSumCompute(Fields fields, PetscInt p, FrictionSum *sum)
 {
   const VI         vi              = fields->vi;
@@ -200,13 +213,13 @@ PetscErrorCode FrictionSumCompute(Fields fields, PetscInt p, FrictionSum *sum)
   PetscFunctionBeginUser;
   PetscCall(VecGetArrayRead(fields->lambda, &lambda));
   PetscCall(VecGetArrayRead(fields->slack, &slack));
+  sums[ADD_AREA] = FrictionSumArea_Private(fields, p, lambda);
   for (PetscInt a = 0, next = 0; FrictionFieldsNext_Private(fields, lambda, slack, a, &next, &node); a++) {
     const PetscReal weight = fields->row_weight[node.row];
     const PetscInt  status = fields->row_status[node.row];
 
     if (node.pair != p) continue;
     largest = PetscMax(largest, StatusIsContact(status) ? VectorNorm(node.num, node.slack) : 0);
-    if (StatusIsContact(status) && node.pressure > 0) sums[ADD_AREA] += weight;
     if (status == STATUS_SLIP && node.pressure > 0) sums[ADD_SLIPPING] += weight;
     for (PetscInt i = 0; i < node.num; i++) {
       const PetscReal *t = &pair->frame[(node.node * dim + vi->row_direction[node.row + 1 + i]) * dim];
