@@ -1,73 +1,152 @@
-/* redundantsolve.c -- a small matrix, factored redundantly on every rank.
+/* redundantsolve.c -- a small matrix, factored redundantly: on every rank, or where it is not so small on the first of each
+   group of ranks.
 
-   On several ranks a distributed factorization would be messages and hardly any work. PETSc's PCREDUNDANT
-   does not pass on that the matrix is positive definite: its factorization looks for pivots, and finds some
+   On several ranks a distributed factorization would be messages and hardly any work. Ranks of one machine share its memory: where the
+   factors of all would not fit into caches, one of a group solves while the others wait, who could do no more than the same.
+   PETSc's PCREDUNDANT does not pass on that the matrix is positive definite: its factorization looks for pivots, and finds some
    where one rank finds none. */
 #include "base/compat.h"
 #include "multigrid/redundantsolve.h"
 
+enum {
+  GROUP_RANKS  = 8,   /* which share a factorization */
+  GROUP_FACTOR = 4000 /* unknowns from which they do: the factors have some megabytes */
+};
+
 typedef struct {
-  Mat        whole;
-  PC         pc; /* of it */
-  VecScatter all;
-  Vec        b, x; /* whole */
+  Mat          whole;           /* NULL on ranks that do not solve */
+  PC           pc;              /* of it */
+  Vec          b, x;            /* whole */
+  MPI_Comm     group, solvers;  /* solvers: MPI_COMM_NULL on ranks that do not solve */
+  PetscMPIInt *counts, *begins; /* rows of the ranks of this group, on its first [ranks of the group] */
+  PetscMPIInt *blocks, *firsts; /* rows of the groups, on those that solve [groups] */
 } RedundantSolve;
 
 static PetscErrorCode RedundantSolveRelease_Private(RedundantSolve *redundant)
 {
   PetscFunctionBeginUser;
   PetscCall(MatDestroy(&redundant->whole));
-  PetscCall(VecScatterDestroy(&redundant->all));
   PetscCall(VecDestroy(&redundant->b));
   PetscCall(VecDestroy(&redundant->x));
+  if (redundant->group != MPI_COMM_NULL) PetscCallMPI(MPI_Comm_free(&redundant->group));
+  if (redundant->solvers != MPI_COMM_NULL) PetscCallMPI(MPI_Comm_free(&redundant->solvers));
+  redundant->group = redundant->solvers = MPI_COMM_NULL;
+  PetscCall(PetscFree4(redundant->counts, redundant->begins, redundant->blocks, redundant->firsts));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Groups of consecutive ranks, and whose rows are where. Collective. */
+static PetscErrorCode RedundantSolveSetGroups_Private(Mat A, RedundantSolve *redundant)
+{
+  const MPI_Comm comm = PetscObjectComm((PetscObject)A);
+  PetscInt       n, num;
+  PetscMPIInt    rank, size, mine, own, groups, sum = 0;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_rank(comm, &rank));
+  PetscCall(MatGetSize(A, &num, NULL));
+  PetscCall(MatGetLocalSize(A, &n, NULL));
+  PetscCall(PetscMPIIntCast(n, &mine));
+  own = num < GROUP_FACTOR ? 1 : GROUP_RANKS;
+  PetscCallMPI(MPI_Comm_split(comm, rank / own, rank, &redundant->group));
+  PetscCallMPI(MPI_Comm_split(comm, rank % own ? MPI_UNDEFINED : 0, rank, &redundant->solvers));
+  PetscCallMPI(MPI_Comm_size(redundant->group, &size));
+  groups = 0;
+  if (redundant->solvers != MPI_COMM_NULL) PetscCallMPI(MPI_Comm_size(redundant->solvers, &groups));
+  PetscCall(PetscMalloc4(size, &redundant->counts, size, &redundant->begins, groups, &redundant->blocks, groups,
+                         &redundant->firsts));
+  PetscCallMPI(MPI_Gather(&mine, 1, MPI_INT, redundant->counts, 1, MPI_INT, 0, redundant->group));
+  if (redundant->solvers == MPI_COMM_NULL) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscMPIInt r = 0; r < size; r++) {
+    redundant->begins[r] = sum;
+    sum += redundant->counts[r];
+  }
+  PetscCallMPI(MPI_Allgather(&sum, 1, MPI_INT, redundant->blocks, 1, MPI_INT, redundant->solvers));
+  for (PetscMPIInt g = 0; g < groups; g++)
+    redundant->firsts[g] = g ? redundant->firsts[g - 1] + redundant->blocks[g - 1] : 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The whole matrix on ranks that solve. Collective. */
+static PetscErrorCode RedundantSolveSetMatrix_Private(Mat A, RedundantSolve *redundant)
+{
+  const PetscInt solves = redundant->solvers != MPI_COMM_NULL;
+  PetscInt       num;
+  Mat           *whole;
+  IS             all;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetSize(A, &num, NULL));
+  PetscCall(ISCreateStride(PETSC_COMM_SELF, solves ? num : 0, 0, 1, &all));
+  PetscCall(MatCreateSubMatrices(A, solves, &all, &all, MAT_INITIAL_MATRIX, &whole));
+  PetscCall(ISDestroy(&all));
+  if (solves) {
+    redundant->whole = whole[0];
+    PetscCall(PetscObjectReference((PetscObject)whole[0]));
+    PetscCall(MatSetOption(redundant->whole, MAT_SPD, PETSC_TRUE));
+    PetscCall(MatCreateVecs(redundant->whole, &redundant->x, &redundant->b));
+  }
+  PetscCall(MatDestroySubMatrices(solves, &whole));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 static PetscErrorCode SetUp_RedundantSolve(PC pc)
 {
   RedundantSolve *redundant;
-  PCFailedReason  failed;
-  PetscMPIInt     size;
+  PCFailedReason  failed = PC_NOERROR;
+  int             worst;
   Mat             A;
-  Vec             x;
 
   PetscFunctionBeginUser;
   PetscCall(PCShellGetContext(pc, &redundant));
   PetscCall(RedundantSolveRelease_Private(redundant));
   PetscCall(PCGetOperators(pc, NULL, &A));
-  PetscCallMPI(MPI_Comm_size(PetscObjectComm((PetscObject)A), &size));
-  PetscCall(MatCreateRedundantMatrix(A, size, PETSC_COMM_SELF, MAT_INITIAL_MATRIX, &redundant->whole));
-  PetscCall(MatSetOption(redundant->whole, MAT_SPD, PETSC_TRUE));
-  PetscCall(MatCreateVecs(A, &x, NULL));
-  PetscCall(VecScatterCreateToAll(x, &redundant->all, &redundant->b));
-  PetscCall(VecDuplicate(redundant->b, &redundant->x));
-  PetscCall(VecDestroy(&x));
-  PetscCall(PCSetOperators(redundant->pc, redundant->whole, redundant->whole));
-  PetscCall(PCSetUp(redundant->pc));
-  PetscCall(PCGetFailedReason(redundant->pc, &failed));
-  PetscCall(PCSetFailedReason(pc, failed));
+  PetscCall(RedundantSolveSetGroups_Private(A, redundant));
+  PetscCall(RedundantSolveSetMatrix_Private(A, redundant));
+  if (redundant->whole) {
+    PetscCall(PCSetOperators(redundant->pc, redundant->whole, redundant->whole));
+    PetscCall(PCSetUp(redundant->pc));
+    PetscCall(PCGetFailedReason(redundant->pc, &failed));
+  }
+  worst = (int)failed;
+  PetscCallMPI(MPI_Bcast(&worst, 1, MPI_INT, 0, redundant->group));
+  PetscCall(PCSetFailedReason(pc, (PCFailedReason)worst));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 static PetscErrorCode Apply_RedundantSolve(PC pc, Vec r, Vec z)
 {
   RedundantSolve    *redundant;
-  PetscInt           begin, n;
-  const PetscScalar *x;
-  PetscScalar       *own;
+  PetscMPIInt        n, sum = 0, group = 0;
+  const PetscScalar *x = NULL, *rows;
+  PetscScalar       *b = NULL, *own;
+  PetscInt           size;
 
   PetscFunctionBeginUser;
   PetscCall(PCShellGetContext(pc, &redundant));
-  PetscCall(VecScatterBegin(redundant->all, r, redundant->b, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecScatterEnd(redundant->all, r, redundant->b, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(PCApply(redundant->pc, redundant->b, redundant->x));
-  PetscCall(VecGetOwnershipRange(z, &begin, NULL));
-  PetscCall(VecGetLocalSize(z, &n));
-  PetscCall(VecGetArrayRead(redundant->x, &x));
+  PetscCall(VecGetLocalSize(r, &size));
+  PetscCall(PetscMPIIntCast(size, &n));
+  PetscCall(VecGetArrayRead(r, &rows));
+  if (redundant->whole) {
+    PetscCallMPI(MPI_Comm_rank(redundant->solvers, &group));
+    PetscCall(VecGetArrayWrite(redundant->b, &b));
+    sum = redundant->firsts[group];
+  }
+  PetscCallMPI(MPI_Gatherv(rows, n, MPIU_SCALAR, b ? b + sum : NULL, redundant->counts, redundant->begins, MPIU_SCALAR,
+                           0, redundant->group));
+  PetscCall(VecRestoreArrayRead(r, &rows));
+  if (redundant->whole) {
+    PetscCallMPI(MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, b, redundant->blocks, redundant->firsts,
+                                MPIU_SCALAR, redundant->solvers));
+    PetscCall(VecRestoreArrayWrite(redundant->b, &b));
+    PetscCall(PCApply(redundant->pc, redundant->b, redundant->x));
+    PetscCall(VecGetArrayRead(redundant->x, &x));
+  }
   PetscCall(VecGetArrayWrite(z, &own));
-  PetscCall(PetscArraycpy(own, &x[begin], n));
+  PetscCallMPI(MPI_Scatterv(x ? x + sum : NULL, redundant->counts, redundant->begins, MPIU_SCALAR, own, n, MPIU_SCALAR,
+                            0, redundant->group));
   PetscCall(VecRestoreArrayWrite(z, &own));
-  PetscCall(VecRestoreArrayRead(redundant->x, &x));
+  if (x) PetscCall(VecRestoreArrayRead(redundant->x, &x));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -105,6 +184,7 @@ PetscErrorCode RedundantSolveSetPC(PC pc)
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(PetscNew(&redundant));
+  redundant->group = redundant->solvers = MPI_COMM_NULL;
   PetscCall(PCCreate(PETSC_COMM_SELF, &redundant->pc));
   PetscCall(PCGetOptionsPrefix(pc, &prefix));
   PetscCall(PCSetOptionsPrefix(redundant->pc, prefix));

@@ -92,7 +92,7 @@ static PetscErrorCode CondensationCreateRows_Private(PetscInt num, const PetscIn
 
 PetscErrorCode CondensationCreate(Mat K, Mat T, Mat *Z)
 {
-  PetscInt *rows, num, begin;
+  PetscInt *rows, num = 0, begin;
   Mat       E, few, W, KE, left, right;
 
   PetscFunctionBeginUser;

@@ -214,7 +214,7 @@ PetscErrorCode LoadsAssemble(Scene scene, Level *level, Vec f)
 {
   LoadTerm    *terms;
   PetscScalar *fa;
-  PetscInt     num;
+  PetscInt     num = 0;
   Vec          local;
 
   PetscFunctionBeginUser;
